@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace treeline {
+
+/// Position in metres and fixed-axis roll, pitch, yaw in radians, of a child frame in its parent,
+/// exactly as the file has them: R = Rz(yaw) Ry(pitch) Rx(roll).
+struct Pose {
+  std::array<double, 3> xyz{};
+  std::array<double, 3> rpy{};
+};
+
+/// Mass in kg; `origin` is the frame at the centre of mass, in the link's frame; the inertia in
+/// kg m^2 is about the centre of mass, in the axes of `origin`.
+struct Inertial {
+  double mass = 0;
+  Pose origin;
+  double ixx = 0, ixy = 0, ixz = 0, iyy = 0, iyz = 0, izz = 0;
+};
+
+struct Link {
+  std::string name;
+  std::optional<Inertial> inertial;  ///< absent: the file gives none, the link is massless
+  int line = 0;                      ///< of the element in the file
+};
+
+enum class JointType { revolute, continuous, prismatic, fixed, floating, planar };
+
+/// Radians or metres, N m or N, rad/s or m/s. Infinite where the file sets no bound.
+struct Limits {
+  double lower = 0, upper = 0, effort = 0, velocity = 0;
+};
+
+/// q = multiplier * q[joint] + offset.
+struct Mimic {
+  int joint = -1;  ///< index into Robot::joints; never itself a mimic chain's cycle
+  double multiplier = 1;
+  double offset = 0;
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::fixed;
+  int parent = -1;                      ///< index into Robot::links
+  int child = -1;                       ///< index into Robot::links
+  Pose origin;                          ///< joint frame (= child link frame at q = 0) in parent
+  std::array<double, 3> axis{1, 0, 0};  ///< unit vector in the joint frame; planar: the normal
+  std::optional<Limits> limits;
+  std::optional<Mimic> mimic;
+  double damping = 0, friction = 0;
+  int line = 0;
+};
+
+/// What a URDF says, checked: names are unique, the joints make the links one tree, axes have unit
+/// length, no mass is negative, mimic joints lead to a joint that is not one. Links and joints
+/// are in the file's order. `read_urdf` is the only maker outside tests.
+struct Robot {
+  std::string name;
+  std::string file;  ///< path it was read from, for diagnostics
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  int root = -1;  ///< index of the root link
+};
+
+}  // namespace treeline

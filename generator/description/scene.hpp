@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "description/robot.hpp"
+
+namespace treeline {
+
+enum class Base { fixed, floating };
+enum class Axes { world, local };
+enum class Real { float32, float64 };
+
+/// The functions a scene may ask for; the names in YAML and in emitted code are those of
+/// `function_name`.
+enum class Function {
+  forward_kinematics,  ///< poses of the operational points
+  jacobian,            ///< J, rows stacked over operational points
+  bias_acceleration,   ///< Jd qd
+  inverse_dynamics,    ///< tau = M qdd + b + g - J_ext^T f_ext (Chang table 4.1)
+  gravity,             ///< g
+  nonlinear_effects,   ///< b + g
+  mass_matrix,         ///< M
+  forward_dynamics,    ///< qdd (Chang table 4.2)
+  lambda_inverse,      ///< Lambda^-1 = J M^-1 J^T (Chang table 5.3)
+  lambda,              ///< Lambda
+  control_torque,      ///< tau of Chang table 6.1
+};
+inline constexpr std::array kAllFunctions = {Function::forward_kinematics,
+                                             Function::jacobian,
+                                             Function::bias_acceleration,
+                                             Function::inverse_dynamics,
+                                             Function::gravity,
+                                             Function::nonlinear_effects,
+                                             Function::mass_matrix,
+                                             Function::forward_dynamics,
+                                             Function::lambda_inverse,
+                                             Function::lambda,
+                                             Function::control_torque};
+const char* function_name(Function function);
+
+/// A frame fixed to a link: an operational point, or the place where an external force acts.
+/// `axes` are those in which its rows (linear over angular) are expressed; the reference point is
+/// always the frame's origin. `axes: world` means the world's axes.
+struct ScenePoint {
+  std::string name;
+  std::string link;
+  Pose origin;
+  Axes axes = Axes::world;
+  std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
+};
+
+/// What to generate for a robot; every key but `operational_points` has a default.
+struct Scene {
+  std::string file;
+  std::string name;  ///< identifier: namespace and folder of the emitted code
+  Base base = Base::fixed;
+  std::array<double, 3> gravity{0, 0, -9.81};  ///< m/s^2, world axes
+  std::vector<ScenePoint> operational_points;
+  std::vector<ScenePoint> external_forces;  ///< [force; moment] inputs; always all six rows
+  std::vector<Function> functions;          ///< sorted, unique
+  Real real = Real::float64;
+  std::map<std::string, double> locked;  ///< joint name -> value it is held at
+};
+
+}  // namespace treeline

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace treeline {
+
+enum class Op : std::uint8_t { constant, input, add, sub, mul, div, sin, cos };
+
+/// One operation. Operands are indices of earlier nodes, so the list is topologically ordered.
+/// Operands carry no sign: the constructors of `Expression` move every minus outward.
+struct Node {
+  Op op = Op::constant;
+  std::uint32_t a = 0;  ///< left operand; for `input` its index into Graph::inputs
+  std::uint32_t b = 0;  ///< right operand of add, sub, mul, div
+  double value = 0;     ///< of `constant`; always positive or zero
+};
+
+/// A value while a recursion is traced: a node and a sign. `double` converts to a constant;
+/// + - * / sin cos build nodes in the graph that is open in this thread (see `Graph::Scope`).
+/// The constructors simplify: 0, 1, -1, constants and signs vanish; equal nodes are one node.
+class Expression {
+ public:
+  Expression() = default;    // zero
+  Expression(double value);  // NOLINT: implicit on purpose, it is a Scalar
+  Expression(std::uint32_t node, bool negative) : node_(node), negative_(negative) {}
+
+  [[nodiscard]] std::uint32_t node() const { return node_; }
+  [[nodiscard]] bool negative() const { return negative_; }
+  [[nodiscard]] bool is_zero() const { return node_ == 0; }
+  [[nodiscard]] bool is_constant() const;
+  /// Value of a constant, with its sign.
+  [[nodiscard]] double constant() const;
+
+  Expression operator-() const { return is_zero() ? *this : Expression(node_, !negative_); }
+  Expression& operator+=(Expression other) { return *this = *this + other; }
+  Expression& operator-=(Expression other) { return *this = *this - other; }
+  Expression& operator*=(Expression other) { return *this = *this * other; }
+
+  friend Expression operator+(Expression a, Expression b);
+  friend Expression operator-(Expression a, Expression b) { return a + (-b); }
+  friend Expression operator*(Expression a, Expression b);
+  friend Expression operator/(Expression a, Expression b);
+  friend Expression sin(Expression a);
+  friend Expression cos(Expression a);
+  friend bool operator==(Expression a, Expression b) = default;
+
+ private:
+  std::uint32_t node_ = 0;  // node 0 of every graph is the constant zero
+  bool negative_ = false;
+};
+
+/// The interning arena: nodes in order of creation, each once. Node 0 is the constant 0.
+class Graph {
+ public:
+  Graph();
+
+  /// Makes `graph` the one that Expression operators build into, until destroyed.
+  class Scope {
+   public:
+    explicit Scope(Graph& graph);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Graph* previous_;
+  };
+  static Graph& current();
+
+  /// A new scalar input; `name` is how emitted code reads it, e.g. `q[3]`.
+  Expression input(std::string name);
+  /// Interns; expects canonical operands.
+  std::uint32_t intern(Node node);
+  /// Suggests a readable identifier for the node's value (`w4_x`); the first one wins.
+  void name(Expression value, std::string_view identifier);
+  /// Nodes created from here on belong to the section `title` ("link 4 outward").
+  void begin_section(std::string title);
+
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
+  [[nodiscard]] const std::unordered_map<std::uint32_t, std::string>& names() const {
+    return names_;
+  }
+  struct Section {
+    std::uint32_t first_node;
+    std::string title;
+  };
+  [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
+
+ private:
+  struct NodeHash {
+    std::size_t operator()(const Node& node) const;
+  };
+  struct NodeEqual {
+    bool operator()(const Node& a, const Node& b) const;
+  };
+  std::vector<Node> nodes_;
+  std::vector<std::string> inputs_;
+  std::unordered_map<Node, std::uint32_t, NodeHash, NodeEqual> index_;
+  std::unordered_map<std::uint32_t, std::string> names_;
+  std::vector<Section> sections_;
+};
+
+}  // namespace treeline

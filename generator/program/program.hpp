@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "program/expression.hpp"
+
+namespace treeline {
+
+/// An argument of an emitted function: a vector (cols == 1) or a row-major matrix.
+struct Argument {
+  std::string name;  ///< `qdd`
+  int rows = 0;
+  int cols = 1;
+  std::string meaning;  ///< with units and frame, for the contract: "joint accelerations, rad/s^2"
+};
+
+/// An argument that the function writes; `values` are row-major, rows*cols of them.
+struct Result {
+  Argument argument;
+  std::vector<Expression> values;
+};
+
+/// One function as an expression graph. Inputs of the graph are named `argument[i]`.
+struct Program {
+  std::string name;      ///< `inverse_dynamics`
+  std::string equation;  ///< "tau = M(q) qdd + b(q, qd) + g(q)"
+  std::string source;    ///< "recursive Newton-Euler, Chang table 4.1"
+  std::vector<Argument> arguments;
+  std::vector<Result> results;
+  Graph graph;
+};
+
+/// Operations that the results need, as emitted; sin and cos are counted apart.
+struct OperationCount {
+  int add = 0, mul = 0, div = 0, sin_cos = 0;  ///< add counts + and -; sin_cos counts angles
+  [[nodiscard]] int flops() const { return add + mul + div; }
+};
+
+}  // namespace treeline
