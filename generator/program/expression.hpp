@@ -11,6 +11,27 @@ namespace treeline {
 
 enum class Op : std::uint8_t { constant, input, add, sub, mul, div, sin, cos };
 
+/// What there is to know about an operation; `kOperations` is indexed by Op.
+struct Operation {
+  std::string_view name;
+  std::string_view symbol;  ///< as C++ prints it: infix of two operands, function of one
+  int operands;
+  bool commutes;
+};
+inline constexpr std::array<Operation, 8> kOperations = {{
+    {"constant", "", 0, false},
+    {"input", "", 0, false},
+    {"add", "+", 2, true},
+    {"sub", "-", 2, false},
+    {"mul", "*", 2, true},
+    {"div", "/", 2, false},
+    {"sin", "sin", 1, false},
+    {"cos", "cos", 1, false},
+}};
+constexpr const Operation& operation(Op op) {
+  return kOperations[static_cast<std::size_t>(op)];
+}
+
 /// One operation. Operands are indices of earlier nodes, so the list is topologically ordered.
 /// Operands carry no sign: the constructors of `Expression` move every minus outward.
 struct Node {
@@ -27,7 +48,7 @@ class Expression {
  public:
   Expression() = default;    // zero
   Expression(double value);  // NOLINT: implicit on purpose, it is a Scalar
-  Expression(std::uint32_t node, bool negative) : node_(node), negative_(negative) {}
+  Expression(std::uint32_t node, bool negative) : node_(node), negative_(negative && node != 0) {}
 
   [[nodiscard]] std::uint32_t node() const { return node_; }
   [[nodiscard]] bool negative() const { return negative_; }
@@ -70,13 +91,16 @@ class Graph {
    private:
     Graph* previous_;
   };
+  /// The graph that is open; throws std::logic_error when none is (a fault of the program).
   static Graph& current();
 
-  /// A new scalar input; `name` is how emitted code reads it, e.g. `q[3]`.
+  /// A scalar input; `name` is how emitted code reads it, e.g. `q[3]`. The same name is the same
+  /// input.
   Expression input(std::string name);
   /// Interns; expects canonical operands.
   std::uint32_t intern(Node node);
-  /// Suggests a readable identifier for the node's value (`w4_x`); the first one wins.
+  /// Suggests a readable identifier for the node's value (`w4_x`); the first one wins. Of a value
+  /// that is the negative of its node the node is called `minus_w4_x`. Constants stay unnamed.
   void name(Expression value, std::string_view identifier);
   /// Nodes created from here on belong to the section `title` ("link 4 outward").
   void begin_section(std::string title);

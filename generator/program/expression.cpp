@@ -1,0 +1,316 @@
+#include "program/expression.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+// The constructors. Each tries its rules in the order written, most special first; whatever is
+// left becomes a node. A rule is here only if it never costs an operation even when the operands
+// that it dissolves are used elsewhere too; rewriting that needs to know the number of uses is in
+// passes/. Rules hold in real arithmetic; what is computed is the simplified graph, and it is the
+// simplified graph that emission and evaluation agree on to the bit.
+
+namespace treeline {
+namespace {
+
+const Node& look(Expression e) {
+  return Graph::current().nodes()[e.node()];
+}
+
+Expression with_sign(Expression e, bool negative) {
+  return negative ? -e : e;
+}
+Expression unsigned_of(Expression e) {
+  return {e.node(), false};
+}
+
+Expression make(Op op, Expression a, Expression b) {
+  return {Graph::current().intern({op, a.node(), b.node(), 0}), false};
+}
+
+/// Operands of a commutative operation: a constant first, then in order of creation.
+void order(Expression& a, Expression& b) {
+  if (!a.is_constant() && (b.is_constant() || b.node() < a.node())) {
+    std::swap(a, b);
+  }
+}
+
+/// Reads an expression as coefficient * base; a node that is no product with a constant is its
+/// own base.
+struct Multiple {
+  double coefficient;
+  Expression base;
+};
+
+Multiple as_multiple(Expression e) {
+  const Node node = look(e);
+  const double sign = e.negative() ? -1 : 1;
+  if (node.op == Op::mul && Expression(node.a, false).is_constant()) {
+    return {sign * Expression(node.a, false).constant(), {node.b, false}};
+  }
+  return {sign, unsigned_of(e)};
+}
+
+/// The two signed terms of a sum or difference.
+struct Terms {
+  Expression first, second;
+};
+
+bool is_sum(Expression e) {
+  const Op op = look(e).op;
+  return op == Op::add || op == Op::sub;
+}
+
+Terms terms_of(Expression e) {
+  const Node node = look(e);
+  return {{node.a, e.negative()}, {node.b, e.negative() != (node.op == Op::sub)}};
+}
+
+/// x^2 -> x, where x is a sine or cosine: the node of the angle, else 0.
+std::uint32_t angle_of_square(Expression e, Op function) {
+  const Node node = look(e);
+  if (node.op != Op::mul || node.a != node.b) {
+    return 0;
+  }
+  const Node factor = look({node.a, false});
+  return factor.op == function ? factor.a : 0;
+}
+
+/// sin^2 x + cos^2 x
+bool is_pythagorean(Expression a, Expression b) {
+  const std::uint32_t angle = angle_of_square(a, Op::sin);
+  return angle != 0 && angle == angle_of_square(b, Op::cos);
+}
+
+/// What two terms make when adding them takes no operation: (x - x), constants, (2 x - x).
+bool add_for_free(Expression a, Expression b, Expression& result) {
+  if (a.is_constant() && b.is_constant()) {
+    result = a.constant() + b.constant();
+    return true;
+  }
+  const Multiple m = as_multiple(a);
+  const Multiple n = as_multiple(b);
+  const double coefficient = m.coefficient + n.coefficient;
+  if (m.base != n.base || (coefficient != 0 && std::fabs(coefficient) != 1)) {
+    return false;
+  }
+  result = Expression(coefficient) * m.base;
+  return true;
+}
+
+/// `sum + term` where `term` merges with a term of `sum`: (x - y) + y -> x;
+/// (x + c) + d -> x + (c + d); (x + 2 y) - y -> x + y.
+bool merge_into_sum(Expression sum, Expression term, Expression& merged) {
+  if (!is_sum(sum)) {
+    return false;
+  }
+  const Terms terms = terms_of(sum);
+  Expression both;
+  if (add_for_free(terms.first, term, both)) {
+    merged = terms.second + both;
+    return true;
+  }
+  if (add_for_free(terms.second, term, both)) {
+    merged = terms.first + both;
+    return true;
+  }
+  return false;
+}
+
+/// Two sums with a term in common that cancels: (x + y) + (z - y) -> x + z.
+bool cancel_between_sums(Expression a, Expression b, Expression& merged) {
+  if (!is_sum(a) || !is_sum(b)) {
+    return false;
+  }
+  const Terms s = terms_of(a);
+  const Terms t = terms_of(b);
+  for (const auto& [own, rest] : {std::pair{s.first, s.second}, std::pair{s.second, s.first}}) {
+    if (own == -t.first) {
+      merged = rest + t.second;
+      return true;
+    }
+    if (own == -t.second) {
+      merged = rest + t.first;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// a + b, neither of them zero or a constant sum: the node. Equal signs make an add with the sign
+/// outside; different signs a difference of the older minus the newer node, so that x - y and
+/// y - x are one node.
+Expression make_sum(Expression a, Expression b) {
+  if (a.negative() == b.negative()) {
+    order(a, b);
+    return with_sign(make(Op::add, a, b), a.negative());
+  }
+  if (b.node() < a.node()) {
+    std::swap(a, b);
+  }
+  return with_sign(make(Op::sub, a, b), a.negative());
+}
+
+/// Factors of a product other than `known`, or nothing: x y, x -> y.
+bool remove_factor(const Node& product, Expression known, Expression& other) {
+  if (product.op != Op::mul || (product.a != known.node() && product.b != known.node())) {
+    return false;
+  }
+  other = {product.a == known.node() ? product.b : product.a, false};
+  return true;
+}
+
+/// c * x for a constant c >= 0 and an unsigned x that is no constant.
+Expression scale(Expression c, Expression x) {
+  const double factor = c.constant();
+  if (factor == 1) {
+    return x;
+  }
+  const Node node = look(x);
+  const Expression a(node.a, false);
+  if (node.op == Op::mul && a.is_constant()) {  // c (d y) -> (c d) y
+    return Expression(factor * a.constant()) * Expression(node.b, false);
+  }
+  if (node.op == Op::div && a.is_constant()) {  // c (d / y) -> (c d) / y
+    return Expression(factor * a.constant()) / Expression(node.b, false);
+  }
+  return make(Op::mul, c, x);
+}
+
+/// c / x for a constant c > 0 and an unsigned x that is no constant.
+Expression divide_constant(Expression c, Expression x) {
+  const Node node = look(x);
+  const Expression a(node.a, false);
+  const Expression b(node.b, false);
+  if (node.op == Op::mul && a.is_constant()) {  // c / (d y) -> (c / d) / y
+    return Expression(c.constant() / a.constant()) / b;
+  }
+  if (node.op == Op::div && a.is_constant()) {  // c / (d / y) -> (c / d) y
+    return Expression(c.constant() / a.constant()) * b;
+  }
+  if (node.op == Op::div && c.constant() == 1) {  // 1 / (x / y) -> y / x
+    return b / a;
+  }
+  return make(Op::div, c, x);
+}
+
+}  // namespace
+
+/// Constants are stored without sign; both zeros are node 0, which has no sign: a zero known while
+/// generating is structural, not the outcome of a rounding.
+Expression::Expression(double value) {
+  if (value != 0) {
+    node_ = Graph::current().intern({Op::constant, 0, 0, std::fabs(value)});
+    negative_ = std::signbit(value);
+  }
+}
+
+bool Expression::is_constant() const {
+  return is_zero() || look(*this).op == Op::constant;
+}
+
+double Expression::constant() const {
+  return is_zero() ? 0 : (negative_ ? -1 : 1) * look(*this).value;
+}
+
+Expression operator+(Expression a, Expression b) {
+  if (a.is_zero()) {  // 0 + x -> x
+    return b;
+  }
+  if (b.is_zero()) {
+    return a;
+  }
+  if (a.is_constant() && b.is_constant()) {
+    return {a.constant() + b.constant()};
+  }
+  const Multiple m = as_multiple(a);
+  const Multiple n = as_multiple(b);
+  if (m.base == n.base) {  // c x + d x -> (c + d) x, with it x - x -> 0 and x + x -> 2 x
+    return Expression(m.coefficient + n.coefficient) * m.base;
+  }
+  if (m.coefficient == n.coefficient &&
+      (is_pythagorean(m.base, n.base) || is_pythagorean(n.base, m.base))) {
+    return {m.coefficient};  // c sin^2 x + c cos^2 x -> c
+  }
+  Expression merged;
+  if (merge_into_sum(a, b, merged) || merge_into_sum(b, a, merged) ||
+      cancel_between_sums(a, b, merged)) {
+    return merged;
+  }
+  return make_sum(a, b);
+}
+
+Expression operator*(Expression a, Expression b) {
+  if (a.is_zero() || b.is_zero()) {  // 0 x -> 0
+    return {};
+  }
+  if (a.is_constant() && b.is_constant()) {
+    return {a.constant() * b.constant()};
+  }
+  const bool negative = a.negative() != b.negative();
+  a = unsigned_of(a);
+  b = unsigned_of(b);
+  order(a, b);
+  if (a.is_constant()) {
+    return with_sign(scale(a, b), negative);
+  }
+  const Node left = look(a);
+  const Node right = look(b);
+  if (left.op == Op::div && left.b == b.node()) {  // (x / y) y -> x
+    return {left.a, negative};
+  }
+  if (right.op == Op::div && right.b == a.node()) {
+    return {right.a, negative};
+  }
+  return with_sign(make(Op::mul, a, b), negative);
+}
+
+/// A division by a constant is a multiplication by its reciprocal: several times faster, and for
+/// other than powers of two it costs at most one more rounding (1.5 ulp instead of 0.5). A division
+/// by a structural zero stays in the graph, unsimplified, so that it can be found and reported.
+Expression operator/(Expression a, Expression b) {
+  const bool negative = a.negative() != b.negative();
+  a = unsigned_of(a);
+  b = unsigned_of(b);
+  if (b.is_zero()) {
+    return with_sign(make(Op::div, a, b), negative);
+  }
+  if (a.is_zero()) {  // 0 / x -> 0
+    return {};
+  }
+  if (a.is_constant() && b.is_constant()) {
+    return with_sign(a.constant() / b.constant(), negative);
+  }
+  if (b.is_constant()) {
+    return with_sign(Expression(1 / b.constant()) * a, negative);
+  }
+  if (a.is_constant()) {
+    return with_sign(divide_constant(a, b), negative);
+  }
+  const Multiple m = as_multiple(a);
+  const Multiple n = as_multiple(b);
+  if (m.base == n.base) {  // (c x) / (d x) -> c / d
+    return with_sign(m.coefficient / n.coefficient, negative);
+  }
+  Expression other;
+  if (remove_factor(look(a), b, other)) {  // (x y) / y -> x
+    return with_sign(other, negative);
+  }
+  return with_sign(make(Op::div, a, b), negative);
+}
+
+Expression sin(Expression a) {
+  if (a.is_constant()) {
+    return {std::sin(a.constant())};
+  }
+  return with_sign(make(Op::sin, unsigned_of(a), {}), a.negative());  // odd
+}
+
+Expression cos(Expression a) {
+  if (a.is_constant()) {
+    return {std::cos(a.constant())};
+  }
+  return make(Op::cos, unsigned_of(a), {});  // even
+}
+
+}  // namespace treeline

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "program/expression.hpp"
+
+namespace treeline {
+namespace {
+
+thread_local Graph* open_graph = nullptr;
+
+std::uint64_t bits(double value) {
+  std::uint64_t result = 0;
+  std::memcpy(&result, &value, sizeof result);
+  return result;
+}
+
+}  // namespace
+
+Graph::Graph() {
+  intern({});
+}
+
+Graph::Scope::Scope(Graph& graph) : previous_(std::exchange(open_graph, &graph)) {}
+Graph::Scope::~Scope() {
+  open_graph = previous_;
+}
+
+Graph& Graph::current() {
+  if (open_graph == nullptr) {
+    throw std::logic_error("an Expression was used while no Graph::Scope is open");
+  }
+  return *open_graph;
+}
+
+Expression Graph::input(std::string name) {
+  const auto found = std::find(inputs_.begin(), inputs_.end(), name);
+  const auto index = static_cast<std::uint32_t>(found - inputs_.begin());
+  if (found == inputs_.end()) {
+    inputs_.push_back(std::move(name));
+  }
+  return {intern({Op::input, index, 0, 0}), false};
+}
+
+std::uint32_t Graph::intern(Node node) {
+  const auto [position, is_new] =
+      index_.try_emplace(node, static_cast<std::uint32_t>(nodes_.size()));
+  if (is_new) {
+    nodes_.push_back(node);
+  }
+  return position->second;
+}
+
+void Graph::name(Expression value, std::string_view identifier) {
+  if (nodes_[value.node()].op == Op::constant) {
+    return;
+  }
+  names_.try_emplace(value.node(), (value.negative() ? "minus_" : "") + std::string(identifier));
+}
+
+void Graph::begin_section(std::string title) {
+  sections_.push_back({static_cast<std::uint32_t>(nodes_.size()), std::move(title)});
+}
+
+std::size_t Graph::NodeHash::operator()(const Node& node) const {
+  std::uint64_t hash = bits(node.value) ^ (static_cast<std::uint64_t>(node.a) << 32) ^ node.b ^
+                       (static_cast<std::uint64_t>(node.op) << 56);
+  hash = (hash ^ (hash >> 31)) * 0x9e3779b97f4a7c15U;
+  return static_cast<std::size_t>(hash ^ (hash >> 29));
+}
+
+bool Graph::NodeEqual::operator()(const Node& a, const Node& b) const {
+  return a.op == b.op && a.a == b.a && a.b == b.b && bits(a.value) == bits(b.value);
+}
+
+}  // namespace treeline
