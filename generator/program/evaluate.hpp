@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "core/sin_cos.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// Where an input of the graph is found among the arguments of its program.
+struct InputPlace {
+  std::size_t argument = 0;
+  std::size_t element = 0;
+};
+
+/// The place of each of `program.graph.inputs()`, read from their names `argument[element]`.
+/// Throws std::logic_error on a name that is not of this form or is no element of an argument.
+std::vector<InputPlace> locate_inputs(const Program& program);
+
+namespace detail {
+
+/// Sine and cosine as emitted code computes them for float and double, else by the type's own.
+template <class Scalar>
+Scalar sine(const Scalar& x) {
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    Scalar s = 0;
+    Scalar c = 0;
+    core::sin_cos(x, s, c);
+    return s;
+  } else {
+    using std::sin;
+    return sin(x);
+  }
+}
+
+template <class Scalar>
+Scalar cosine(const Scalar& x) {
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    Scalar s = 0;
+    Scalar c = 0;
+    core::sin_cos(x, s, c);
+    return c;
+  } else {
+    using std::cos;
+    return cos(x);
+  }
+}
+
+}  // namespace detail
+
+/// The value of one node, those of earlier nodes given. A constant is rounded to Scalar, as it is
+/// in emitted code.
+template <class Scalar>
+Scalar evaluate_node(const Node& node, const std::vector<Scalar>& values,
+                     const std::vector<Scalar>& inputs) {
+  switch (node.op) {
+    case Op::constant:
+      return static_cast<Scalar>(node.value);
+    case Op::input:
+      return inputs[node.a];
+    case Op::add:
+      return values[node.a] + values[node.b];
+    case Op::sub:
+      return values[node.a] - values[node.b];
+    case Op::mul:
+      return values[node.a] * values[node.b];
+    case Op::div:
+      return values[node.a] / values[node.b];
+    case Op::sin:
+      return detail::sine(values[node.a]);
+    case Op::cos:
+      return detail::cosine(values[node.a]);
+  }
+  throw std::logic_error("an operation without a rule to evaluate it");
+}
+
+/// Walks the nodes in order and returns the program's results, in their order, each row-major.
+/// `arguments` has one vector for each of `program.arguments`, with rows * cols elements. Emitted
+/// code performs the same operations in the same way: for Scalar = Real the two agree to the bit
+/// where the compiler does not contract products and sums.
+template <class Scalar>
+std::vector<std::vector<Scalar>> evaluate(const Program& program,
+                                          const std::vector<std::vector<Scalar>>& arguments) {
+  std::vector<Scalar> inputs;
+  for (const InputPlace& place : locate_inputs(program)) {
+    inputs.push_back(arguments.at(place.argument).at(place.element));
+  }
+  std::vector<Scalar> values;
+  values.reserve(program.graph.nodes().size());
+  for (const Node& node : program.graph.nodes()) {
+    values.push_back(evaluate_node(node, values, inputs));
+  }
+  std::vector<std::vector<Scalar>> results;
+  for (const Result& result : program.results) {
+    std::vector<Scalar>& elements = results.emplace_back();
+    for (const Expression& value : result.values) {
+      elements.push_back(value.negative() ? Scalar(-values[value.node()]) : values[value.node()]);
+    }
+  }
+  return results;
+}
+
+}  // namespace treeline

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "program/expression.hpp"
+
+// Would catch: a rule of the constructors that is missing (an operation is emitted for nothing), or
+// that changes the value (a lost sign, a wrong merge).
+namespace treeline {
+namespace {
+
+class ExpressionTest : public testing::Test {
+ protected:
+  /// Nodes that are operations.
+  [[nodiscard]] int operations() const {
+    int count = 0;
+    for (const Node& node : graph_.nodes()) {
+      count += operation(node.op).operands > 0 ? 1 : 0;
+    }
+    return count;
+  }
+
+  Graph graph_;
+  Graph::Scope scope_{graph_};
+  Expression x_ = graph_.input("x[0]");
+  Expression y_ = graph_.input("x[1]");
+  Expression z_ = graph_.input("x[2]");
+};
+
+TEST_F(ExpressionTest, ZerosAndOnesVanish) {
+  EXPECT_EQ(x_ + 0, x_);
+  EXPECT_EQ(0 + x_, x_);
+  EXPECT_EQ(x_ - 0, x_);
+  EXPECT_EQ(0 - x_, -x_);
+  EXPECT_EQ(x_ * 0, Expression());
+  EXPECT_EQ(x_ * 1, x_);
+  EXPECT_EQ(-1 * x_, -x_);
+  EXPECT_EQ(Expression(0) / x_, Expression());
+  EXPECT_EQ(x_ / 1, x_);
+  EXPECT_EQ(x_ / -1, -x_);
+  EXPECT_EQ(operations(), 0);
+}
+
+TEST_F(ExpressionTest, ZeroHasNoSign) {
+  EXPECT_EQ(Expression(-0.0), Expression());
+  EXPECT_EQ(-Expression(), Expression());
+  EXPECT_EQ(Expression(0, true), Expression());
+  EXPECT_FALSE((x_ * -0.0).negative());
+}
+
+TEST_F(ExpressionTest, ConstantsFold) {
+  EXPECT_EQ(Expression(2) + 3, Expression(5));
+  EXPECT_EQ(Expression(2) - 3, Expression(-1));
+  EXPECT_EQ(Expression(-2) * 3, Expression(-6));
+  EXPECT_EQ(Expression(3) / -2, Expression(-1.5));
+  EXPECT_EQ(sin(Expression(-0.5)), Expression(std::sin(-0.5)));
+  EXPECT_EQ(cos(Expression()), Expression(1));
+  EXPECT_EQ(operations(), 0);
+}
+
+TEST_F(ExpressionTest, EqualNodesAreOneNodeWhateverTheirSigns) {
+  EXPECT_EQ(x_ + y_, y_ + x_);
+  EXPECT_EQ(x_ * y_, y_ * x_);
+  EXPECT_EQ(x_ - y_, -(y_ - x_));
+  EXPECT_EQ(-x_ + y_, y_ - x_);
+  EXPECT_EQ(-x_ - y_, -(x_ + y_));
+  EXPECT_EQ(-x_ * y_, -(x_ * y_));
+  EXPECT_EQ(-x_ * -y_, x_ * y_);
+  EXPECT_EQ(-x_ / y_, x_ / -y_);
+  EXPECT_EQ(sin(-x_), -sin(x_));
+  EXPECT_EQ(cos(-x_), cos(x_));
+  EXPECT_EQ(operations(), 6);  // + * - / sin cos
+}
+
+TEST_F(ExpressionTest, OperandsCarryNoSignAndComeFirst) {
+  const Expression value = -x_ * (y_ - z_ * -3) / (-y_ - x_) + sin(-x_ + z_);
+  EXPECT_NE(value.node(), 0u);
+  for (std::uint32_t i = 0; i < graph_.nodes().size(); ++i) {
+    const Node& node = graph_.nodes()[i];
+    EXPECT_FALSE(std::signbit(node.value));
+    if (operation(node.op).operands > 0) {
+      EXPECT_LT(node.a, i);
+      EXPECT_LT(node.b, i);
+    }
+  }
+}
+
+TEST_F(ExpressionTest, MultiplesMerge) {
+  EXPECT_EQ(x_ - x_, Expression());
+  EXPECT_EQ(x_ + x_, 2 * x_);
+  EXPECT_EQ(2 * (3 * x_), 6 * x_);
+  EXPECT_EQ(2 * x_ + 3 * x_, 5 * x_);
+  EXPECT_EQ(3 * x_ - 2 * x_, x_);
+  EXPECT_EQ(0.5 * (2 * x_), x_);
+  EXPECT_EQ(x_ * 4, x_ / 0.25);
+  EXPECT_EQ(2 * (3 / x_), 6 / x_);
+}
+
+TEST_F(ExpressionTest, SumsMergeWhereItIsFree) {
+  EXPECT_EQ((x_ + 2) + 3, x_ + 5);
+  EXPECT_EQ((x_ - 2) + 2, x_);
+  EXPECT_EQ((x_ + y_) - y_, x_);
+  EXPECT_EQ(x_ - (x_ + y_), -y_);
+  EXPECT_EQ((x_ + 2 * y_) - y_, x_ + y_);
+  EXPECT_EQ((x_ + y_) + (z_ - y_), x_ + z_);
+}
+
+TEST_F(ExpressionTest, QuotientsCancel) {
+  EXPECT_EQ(x_ / x_, Expression(1));
+  EXPECT_EQ(2 * x_ / x_, Expression(2));
+  EXPECT_EQ(x_ * y_ / y_, x_);
+  EXPECT_EQ(x_ / y_ * -y_, -x_);
+  EXPECT_EQ(6 / (2 * x_), 3 / x_);
+  EXPECT_EQ(6 / (2 / x_), 3 * x_);
+  EXPECT_EQ(1 / (x_ / y_), y_ / x_);
+}
+
+TEST_F(ExpressionTest, SquaresOfSineAndCosineSumToOne) {
+  const Expression s = sin(x_);
+  const Expression c = cos(x_);
+  EXPECT_EQ(s * s + c * c, Expression(1));
+  EXPECT_EQ(-3 * (c * c) - 3 * (s * s), Expression(-3));
+  EXPECT_NE(sin(y_) * sin(y_) + c * c, Expression(1));
+  EXPECT_NE(c * c - s * s, Expression(1));
+}
+
+TEST_F(ExpressionTest, DivisionByStructuralZeroStaysVisible) {
+  const Expression fault = x_ / Expression();
+  EXPECT_EQ(graph_.nodes()[fault.node()].op, Op::div);
+  EXPECT_EQ(graph_.nodes()[fault.node()].b, 0u);
+}
+
+TEST_F(ExpressionTest, InputsByNameAreOne) {
+  EXPECT_EQ(graph_.input("x[1]"), y_);
+}
+
+TEST_F(ExpressionTest, NamesTellTheSign) {
+  graph_.name(x_ * y_, "product");
+  graph_.name(x_ * y_, "late");
+  graph_.name(-x_ * z_, "w");
+  graph_.name(2, "two");
+  EXPECT_EQ(graph_.names().size(), 2u);
+  EXPECT_EQ(graph_.names().at((x_ * y_).node()), "product");
+  EXPECT_EQ(graph_.names().at((x_ * z_).node()), "minus_w");
+}
+
+TEST(Graph, WithoutScopeIsAnError) {
+  EXPECT_THROW(Graph::current(), std::logic_error);
+}
+
+TEST(Graph, ScopesNest) {
+  Graph outer;
+  const Graph::Scope outer_scope(outer);
+  {
+    Graph inner;
+    const Graph::Scope inner_scope(inner);
+    EXPECT_EQ(&Graph::current(), &inner);
+  }
+  EXPECT_EQ(&Graph::current(), &outer);
+}
+
+}  // namespace
+}  // namespace treeline
