@@ -1,0 +1,42 @@
+#pragma once
+
+#include "interpreter/lambda_inverse.hpp"
+#include "interpreter/point_accelerations.hpp"
+
+namespace treeline::interpreter {
+
+/// F = Lambda (xdd_cmd - Jd qd - J qdd_0): the forces at the points, in their rows, that turn the
+/// posture's accelerations there into the commanded ones (Chang eq. 6.3).
+template <class Scalar>
+Vector<Scalar> task_force(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,
+                          VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,
+                          VectorArg<Scalar> xdd_cmd) {
+  const Vector<Scalar> missing = xdd_cmd - point_accelerations<Scalar>(model, points, q, qd, qdd_0);
+  return lambda_inverse<Scalar>(model, points, q).ldlt().solve(missing);
+}
+
+/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext (Chang table 6.1), without a joint-space matrix:
+/// F enters the inward recursion as a force at the points. `qdd_0` is the posture's acceleration;
+/// what of it the task does not need acts in the null space.
+template <class Scalar>
+Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
+                              VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,
+                              VectorArg<Scalar> xdd_cmd, PointsArg<Scalar> external_points,
+                              VectorArg<Scalar> f_ext) {
+  const Vector<Scalar> F = task_force<Scalar>(model, points, q, qd, qdd_0, xdd_cmd);
+  const auto k = kinematics<Scalar>(model, q, qd);
+  PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
+  add_point_forces<Scalar>(external_points, k, f_ext, external);
+  add_point_forces<Scalar>(points, k, -F, external);
+  return detail::newton_euler<Scalar>(model, k, qdd_0, external);
+}
+
+/// The same without external forces.
+template <class Scalar>
+Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
+                              VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,
+                              VectorArg<Scalar> xdd_cmd) {
+  return control_torque<Scalar>(model, points, q, qd, qdd_0, xdd_cmd, {}, Vector<Scalar>());
+}
+
+}  // namespace treeline::interpreter

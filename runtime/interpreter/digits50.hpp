@@ -1,0 +1,13 @@
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+namespace treeline::interpreter {
+
+/// A floating-point number of 50 decimal digits, the truth that errors are measured against.
+/// Without expression templates, which Eigen's kernels cannot take.
+using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                               boost::multiprecision::et_off>;
+
+}  // namespace treeline::interpreter

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "interpreter/points.hpp"
+
+namespace treeline::interpreter {
+
+/// Where a point's frame is: origin in the world and rotation from its own axes to the world's.
+template <class Scalar>
+struct PointPose {
+  Vector3<Scalar> position;
+  Matrix3<Scalar> rotation;
+};
+
+template <class Scalar>
+std::vector<PointPose<Scalar>> forward_kinematics(const Model<Scalar>& model,
+                                                  PointsArg<Scalar> points, VectorArg<Scalar> q) {
+  const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
+  std::vector<PointPose<Scalar>> poses;
+  for (const auto& e : points) {
+    poses.push_back({k.p_world[e.body] + k.R_world[e.body] * e.p, k.R_world[e.body] * e.R});
+  }
+  return poses;
+}
+
+}  // namespace treeline::interpreter

@@ -1,0 +1,17 @@
+#pragma once
+
+/// Every function of the interpreter. Arguments are a `Model`, where it matters the operational
+/// points, then Eigen vectors q (nq), qd, qdd, tau (nv), xdd_cmd (rows), and where there are any
+/// the external points with f_ext (6 for each). Results are values. See `model.hpp` for the joints'
+/// coordinates; a quantity of a robot with mimic joints is that of its independent coordinates.
+/// `instances.hpp` gives the same with double and 50 digits compiled once.
+
+#include "interpreter/control_torque.hpp"
+#include "interpreter/explicit_operational_space.hpp"
+#include "interpreter/forward_dynamics.hpp"
+#include "interpreter/forward_kinematics.hpp"
+#include "interpreter/inverse_dynamics.hpp"
+#include "interpreter/jacobian.hpp"
+#include "interpreter/lambda_inverse.hpp"
+#include "interpreter/mass_matrix.hpp"
+#include "interpreter/point_accelerations.hpp"

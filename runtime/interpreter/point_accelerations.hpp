@@ -1,0 +1,32 @@
+#pragma once
+
+#include "interpreter/points.hpp"
+
+namespace treeline::interpreter {
+
+/// xdd = J qdd + Jd qd by one outward recursion (Chang eq. 6.11, 6.12), without gravity: the
+/// controlled rows of all points stacked, conventional accelerations of the origins over angular
+/// accelerations, each in its point's axes.
+template <class Scalar>
+Vector<Scalar> point_accelerations(const Model<Scalar>& model, PointsArg<Scalar> points,
+                                   VectorArg<Scalar> q, VectorArg<Scalar> qd,
+                                   VectorArg<Scalar> qdd) {
+  const auto k = kinematics<Scalar>(model, q, qd);
+  const auto a = accelerations<Scalar>(model, k, qdd, Vector3<Scalar>::Zero());
+  Vector<Scalar> xdd(6 * static_cast<int>(points.size()));
+  int row = 0;
+  for (const auto& e : points) {
+    xdd.template segment<6>(row) = point_acceleration(e, k, a[e.body]);
+    row += 6;
+  }
+  return xdd(controlled_rows<Scalar>(points));
+}
+
+/// Jd qd, the same with qdd = 0.
+template <class Scalar>
+Vector<Scalar> bias_acceleration(const Model<Scalar>& model, PointsArg<Scalar> points,
+                                 VectorArg<Scalar> q, VectorArg<Scalar> qd) {
+  return point_accelerations<Scalar>(model, points, q, qd, Vector<Scalar>::Zero(model.nv));
+}
+
+}  // namespace treeline::interpreter

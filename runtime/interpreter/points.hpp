@@ -1,0 +1,73 @@
+#pragma once
+
+#include "interpreter/kinematics.hpp"
+
+namespace treeline::interpreter {
+
+/// How many rows all the points control together.
+template <class Scalar>
+int row_count(const Points<Scalar>& points) {
+  int count = 0;
+  for (const auto& e : points) {
+    for (const bool row : e.rows) count += row ? 1 : 0;
+  }
+  return count;
+}
+
+/// Out of six rows for each point, the controlled ones.
+template <class Scalar>
+std::vector<int> controlled_rows(const Points<Scalar>& points) {
+  std::vector<int> rows;
+  int at = 0;
+  for (const auto& e : points) {
+    for (const bool row : e.rows) {
+      if (row) rows.push_back(at);
+      ++at;
+    }
+  }
+  return rows;
+}
+
+/// The point's axes in its body's frame: its own, or the world's.
+template <class Scalar>
+Matrix3<Scalar> axes_in_body(const OperationalPoint<Scalar>& point, const Kinematics<Scalar>& k) {
+  return point.axes == PointAxes::local ? point.R
+                                        : Matrix3<Scalar>(k.R_world[point.body].transpose());
+}
+
+/// X_e: takes a force at the point, in its axes, to its body's frame; X_e^T takes motions of the
+/// body to motions of the point.
+template <class Scalar>
+Matrix6<Scalar> point_transform(const OperationalPoint<Scalar>& point,
+                                const Kinematics<Scalar>& k) {
+  return force_transform(axes_in_body(point, k), point.p);
+}
+
+/// The conventional acceleration of a point's origin over the angular acceleration, in its axes,
+/// from the acceleration `a` of its body.
+template <class Scalar>
+Vector6<Scalar> point_acceleration(const OperationalPoint<Scalar>& point,
+                                   const Kinematics<Scalar>& k, const Vector6<Scalar>& a) {
+  const Matrix3<Scalar> axes = axes_in_body(point, k);
+  const Vector3<Scalar> w = angular(k.v[point.body]);
+  const Vector3<Scalar> origin = linear(a) + angular(a).cross(point.p) + w.cross(w.cross(point.p));
+  return stack<Scalar>(axes.transpose() * origin, axes.transpose() * angular(a));
+}
+
+/// Adds forces at points to the forces on their bodies, in the bodies' frames. `forces` has the
+/// controlled rows of each point in turn; the other rows are zero.
+template <class Scalar>
+void add_point_forces(const Points<Scalar>& points, const Kinematics<Scalar>& k,
+                      VectorArg<Scalar> forces, PerBody<Vector6<Scalar>>& on_bodies) {
+  assert(forces.size() == row_count(points));
+  int at = 0;
+  for (const auto& e : points) {
+    Vector6<Scalar> f = Vector6<Scalar>::Zero();
+    for (int row = 0; row < 6; ++row) {
+      if (e.rows[static_cast<std::size_t>(row)]) f(row) = forces(at++);
+    }
+    on_bodies[e.body] += point_transform(e, k) * f;
+  }
+}
+
+}  // namespace treeline::interpreter
