@@ -1,0 +1,34 @@
+#include "passes/choose.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace treeline {
+
+double cost(const OperationCount& count) {
+  constexpr double kDivision = 8;  // two additions a cycle, a division every four
+  constexpr double kAngle = 12;
+  return count.add + count.mul + kDivision * count.div + kAngle * count.sin_cos;
+}
+
+std::optional<Choice> choose(std::vector<Candidate> candidates) {
+  if (candidates.empty()) {
+    return std::nullopt;
+  }
+  std::vector<std::pair<Cost, std::size_t>> costs;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const OperationCount count = count_operations(candidates[i].program);
+    costs.push_back({{candidates[i].method, count, cost(count)}, i});
+  }
+  std::stable_sort(costs.begin(), costs.end(), [](const auto& a, const auto& b) {
+    return a.first.weighted < b.first.weighted;
+  });
+  Choice choice{std::move(candidates[costs.front().second].program), costs.front().first, {}};
+  for (auto loser = costs.begin() + 1; loser != costs.end(); ++loser) {
+    choice.rejected.push_back(loser->first);
+  }
+  return choice;
+}
+
+}  // namespace treeline

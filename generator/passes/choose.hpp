@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "passes/count_operations.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// One way to compute a function: "L^T D L" or "PV-OSIM".
+struct Candidate {
+  std::string method;
+  Program program;
+};
+
+/// What a candidate costs: `flops` with divisions and sines weighted by their time, see `cost`.
+struct Cost {
+  std::string method;
+  OperationCount count;
+  double weighted = 0;
+};
+
+/// The outcome: the cheapest program, its cost, and what the others would have cost, cheapest
+/// first.
+struct Choice {
+  Program program;
+  Cost chosen;
+  std::vector<Cost> rejected;
+};
+
+/// Operations as multiples of one addition's time. A division occupies the divider for about four
+/// cycles on current cores, an angle about as much as four lanes' share of the polynomial.
+double cost(const OperationCount& count);
+
+/// Picks the candidate of least cost; the earlier of two that are equal. Nothing when there is
+/// none.
+std::optional<Choice> choose(std::vector<Candidate> candidates);
+
+}  // namespace treeline

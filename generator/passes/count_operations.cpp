@@ -1,0 +1,71 @@
+#include "passes/count_operations.hpp"
+
+#include <algorithm>
+
+#include "passes/rebuild.hpp"
+
+namespace treeline {
+namespace {
+
+/// Adds node `i`; `angle_seen` tells the angles that have been counted.
+void count_node(const Node& node, std::vector<bool>& angle_seen, OperationCount& count) {
+  switch (node.op) {
+    case Op::add:
+    case Op::sub:
+      ++count.add;
+      break;
+    case Op::mul:
+      ++count.mul;
+      break;
+    case Op::div:
+      ++count.div;
+      break;
+    case Op::sin:
+    case Op::cos:
+      count.sin_cos += angle_seen[node.a] ? 0 : 1;
+      angle_seen[node.a] = true;
+      break;
+    case Op::constant:
+    case Op::input:
+      break;
+  }
+}
+
+SectionCount& entry(std::vector<SectionCount>& counts, const std::string& title) {
+  const auto found =
+      std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.title == title; });
+  return found != counts.end() ? *found : counts.emplace_back(SectionCount{title, {}});
+}
+
+}  // namespace
+
+OperationCount count_operations(const Program& program) {
+  OperationCount total;
+  for (const SectionCount& section : count_sections(program)) {
+    total.add += section.count.add;
+    total.mul += section.count.mul;
+    total.div += section.count.div;
+    total.sin_cos += section.count.sin_cos;
+  }
+  return total;
+}
+
+std::vector<SectionCount> count_sections(const Program& program) {
+  const Graph& graph = program.graph;
+  const std::vector<bool> live = find_live(program);
+  std::vector<bool> angle_seen(graph.nodes().size(), false);
+  std::vector<SectionCount> counts;
+  std::string title;
+  auto section = graph.sections().begin();
+  for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
+    for (; section != graph.sections().end() && section->first_node <= i; ++section) {
+      title = section->title;
+    }
+    if (live[i] && operation(graph.nodes()[i].op).operands > 0) {
+      count_node(graph.nodes()[i], angle_seen, entry(counts, title).count);
+    }
+  }
+  return counts;
+}
+
+}  // namespace treeline

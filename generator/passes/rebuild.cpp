@@ -1,0 +1,120 @@
+#include "passes/rebuild.hpp"
+
+#include <string>
+
+namespace treeline {
+namespace {
+
+constexpr std::size_t kNoSection = static_cast<std::size_t>(-1);
+
+/// For every node the index of the section it was built in.
+std::vector<std::size_t> sections_of_nodes(const Graph& graph) {
+  std::vector<std::size_t> sections(graph.nodes().size(), kNoSection);
+  for (std::size_t s = 0; s < graph.sections().size(); ++s) {
+    for (std::size_t i = graph.sections()[s].first_node; i < sections.size(); ++i) {
+      sections[i] = s;
+    }
+  }
+  return sections;
+}
+
+std::uint32_t copy_node(const Graph& from, Node node, const std::vector<std::uint32_t>& place,
+                        Graph& to) {
+  if (node.op == Op::input) {
+    return to.input(from.inputs()[node.a]).node();
+  }
+  if (operation(node.op).operands > 0) {
+    node.a = place[node.a];
+    node.b = place[node.b];
+  }
+  return to.intern(node);
+}
+
+/// Opens a section in `to` when `section` is not the one that is open.
+class SectionWriter {
+ public:
+  SectionWriter(const Graph& from, Graph& to)
+      : from_(from), to_(to), sections_(sections_of_nodes(from)) {}
+
+  void enter(std::uint32_t node) {
+    const std::size_t section = sections_[node];
+    if (operation(from_.nodes()[node].op).operands == 0 || section == open_) {
+      return;
+    }
+    open_ = section;
+    to_.begin_section(section == kNoSection ? std::string() : from_.sections()[section].title);
+  }
+
+ private:
+  const Graph& from_;
+  Graph& to_;
+  std::vector<std::size_t> sections_;
+  std::size_t open_ = kNoSection;
+};
+
+}  // namespace
+
+std::vector<bool> find_live(const Program& program) {
+  const std::vector<Node>& nodes = program.graph.nodes();
+  std::vector<bool> live(nodes.size(), false);
+  for (const Result& result : program.results) {
+    for (const Expression& value : result.values) {
+      live[value.node()] = true;
+    }
+  }
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    const int operands = operation(nodes[i].op).operands;
+    if (live[i] && operands >= 1) {
+      live[nodes[i].a] = true;
+    }
+    if (live[i] && operands == 2) {
+      live[nodes[i].b] = true;
+    }
+  }
+  return live;
+}
+
+std::vector<int> count_uses(const Program& program) {
+  const std::vector<Node>& nodes = program.graph.nodes();
+  const std::vector<bool> live = find_live(program);
+  std::vector<int> uses(nodes.size(), 0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int operands = operation(nodes[i].op).operands;
+    if (live[i] && operands >= 1) {
+      ++uses[nodes[i].a];
+    }
+    if (live[i] && operands == 2) {
+      ++uses[nodes[i].b];
+    }
+  }
+  for (const Result& result : program.results) {
+    for (const Expression& value : result.values) {
+      ++uses[value.node()];
+    }
+  }
+  return uses;
+}
+
+Program rebuild(const Program& program, std::span<const std::uint32_t> order) {
+  const Graph& from = program.graph;
+  Program rebuilt = program;
+  rebuilt.graph = Graph();
+  Graph& to = rebuilt.graph;
+  std::vector<std::uint32_t> place(from.nodes().size(), 0);
+  SectionWriter sections(from, to);
+  for (const std::uint32_t i : order) {
+    sections.enter(i);
+    place[i] = copy_node(from, from.nodes()[i], place, to);
+    if (const auto name = from.names().find(i); name != from.names().end()) {
+      to.name({place[i], false}, name->second);
+    }
+  }
+  for (Result& result : rebuilt.results) {
+    for (Expression& value : result.values) {
+      value = {place[value.node()], value.negative()};
+    }
+  }
+  return rebuilt;
+}
+
+}  // namespace treeline

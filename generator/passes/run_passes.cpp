@@ -1,0 +1,40 @@
+#include "passes/run_passes.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "passes/count_operations.hpp"
+#include "passes/eliminate_dead.hpp"
+#include "passes/schedule.hpp"
+
+namespace treeline {
+namespace {
+
+struct Pass {
+  const char* name;
+  Program (*run)(const Program&);
+};
+
+constexpr std::array kPasses = {
+    Pass{"eliminate_dead", eliminate_dead},
+    Pass{"schedule", schedule},
+};
+
+}  // namespace
+
+Program run_passes(Program program, std::vector<PassReport>& log) {
+  for (const Pass& pass : kPasses) {
+    const OperationCount before = count_operations(program);
+    program = pass.run(program);
+    log.push_back({pass.name, before, count_operations(program)});
+  }
+  return program;
+}
+
+std::string to_string(const std::string& function, const PassReport& report) {
+  return fmt::format("{}: {} {} -> {} flops", function, report.pass, report.before.flops(),
+                     report.after.flops());
+}
+
+}  // namespace treeline

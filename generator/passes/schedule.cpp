@@ -1,0 +1,116 @@
+#include "passes/schedule.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "passes/rebuild.hpp"
+
+namespace treeline {
+namespace {
+
+bool is_trigonometric(Op op) {
+  return op == Op::sin || op == Op::cos;
+}
+
+/// Registers that evaluating each node's tree needs, were nothing shared (Sethi & Ullman 1970).
+std::vector<int> estimate_registers(const std::vector<Node>& nodes) {
+  std::vector<int> need(nodes.size(), 1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int operands = operation(nodes[i].op).operands;
+    if (operands == 1) {
+      need[i] = need[nodes[i].a];
+    } else if (operands == 2) {
+      const int a = need[nodes[i].a];
+      const int b = need[nodes[i].b];
+      need[i] = a == b ? a + 1 : std::max(a, b);
+    }
+  }
+  return need;
+}
+
+class Scheduler {
+ public:
+  explicit Scheduler(const Program& program)
+      : nodes_(program.graph.nodes()),
+        need_(estimate_registers(nodes_)),
+        placed_(nodes_.size(), false) {}
+
+  /// Places `root` after everything that it needs and that has no place yet.
+  void place(std::uint32_t root) {
+    std::vector<std::pair<std::uint32_t, bool>> stack{{root, false}};
+    while (!stack.empty()) {
+      const auto [node, operands_done] = stack.back();
+      stack.pop_back();
+      if (placed_[node]) {
+        continue;
+      }
+      if (operands_done) {
+        placed_[node] = true;
+        order_.push_back(node);
+        continue;
+      }
+      stack.emplace_back(node, true);
+      push_operands(nodes_[node], stack);
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
+
+ private:
+  void push_operands(const Node& node, std::vector<std::pair<std::uint32_t, bool>>& stack) const {
+    const int operands = operation(node.op).operands;
+    if (operands == 1) {
+      stack.emplace_back(node.a, false);
+    } else if (operands == 2) {
+      const bool a_first = need_[node.a] >= need_[node.b];
+      stack.emplace_back(a_first ? node.b : node.a, false);
+      stack.emplace_back(a_first ? node.a : node.b, false);
+    }
+  }
+
+  const std::vector<Node>& nodes_;
+  std::vector<int> need_;
+  std::vector<bool> placed_;
+  std::vector<std::uint32_t> order_;
+};
+
+/// Live sines and cosines whose angles need no other sine or cosine, in order of creation.
+std::vector<std::uint32_t> find_outer_trigonometry(const Program& program) {
+  const std::vector<Node>& nodes = program.graph.nodes();
+  const std::vector<bool> live = find_live(program);
+  std::vector<bool> depends(nodes.size(), false);
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    const int operands = operation(nodes[i].op).operands;
+    depends[i] = (operands >= 1 && depends[nodes[i].a]) || (operands == 2 && depends[nodes[i].b]);
+    if (is_trigonometric(nodes[i].op)) {
+      if (live[i] && !depends[i]) {
+        found.push_back(i);
+      }
+      depends[i] = true;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Program schedule(const Program& program) {
+  Scheduler scheduler(program);
+  const std::vector<std::uint32_t> trigonometry = find_outer_trigonometry(program);
+  for (const std::uint32_t node : trigonometry) {
+    scheduler.place(program.graph.nodes()[node].a);
+  }
+  for (const std::uint32_t node : trigonometry) {
+    scheduler.place(node);
+  }
+  for (const Result& result : program.results) {
+    for (const Expression& value : result.values) {
+      scheduler.place(value.node());
+    }
+  }
+  return rebuild(program, scheduler.order());
+}
+
+}  // namespace treeline
