@@ -37,7 +37,8 @@ struct Limits {
 
 /// q = multiplier * q[joint] + offset.
 struct Mimic {
-  int joint = -1;  ///< index into Robot::joints; never itself a mimic chain's cycle
+  int joint =
+      -1;  ///< index into Robot::joints of a joint that mimics none: chains are put together
   double multiplier = 1;
   double offset = 0;
 };

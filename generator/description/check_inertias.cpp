@@ -1,0 +1,73 @@
+#include "description/check_inertias.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace treeline {
+namespace {
+
+constexpr double kRoundingOfFigures = 1e-4;
+
+double largest_entry(const Inertial& inertial) {
+  return std::max({std::abs(inertial.ixx), std::abs(inertial.ixy), std::abs(inertial.ixz),
+                   std::abs(inertial.iyy), std::abs(inertial.iyz), std::abs(inertial.izz)});
+}
+
+}  // namespace
+
+std::array<double, 3> principal_moments(const Inertial& inertial) {
+  // Scaled, so that the solver neither overflows nor underflows.
+  const double scale = largest_entry(inertial);
+  if (scale == 0) return {0, 0, 0};
+  Eigen::Matrix3d matrix;
+  matrix << inertial.ixx, inertial.ixy, inertial.ixz,  //
+      inertial.ixy, inertial.iyy, inertial.iyz,        //
+      inertial.ixz, inertial.iyz, inertial.izz;
+  matrix /= scale;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d moments = solver.eigenvalues() * scale;
+  return {moments[0], moments[1], moments[2]};
+}
+
+std::optional<std::string> find_unphysical(const Inertial& inertial) {
+  const auto [least, middle, largest] = principal_moments(inertial);
+  const double scale = std::max(std::abs(least), std::abs(largest));
+  if (scale == 0) return std::nullopt;
+  if (least < -kRoundingOfFigures * scale) {
+    return fmt::format(
+        "the inertia is indefinite: principal moments {:.6g}, {:.6g}, {:.6g} kg m^2, worst {:.6g}",
+        least, middle, largest, least);
+  }
+  if (largest - (least + middle) > kRoundingOfFigures * scale) {
+    return fmt::format(
+        "no body has this inertia: of the principal moments {:.6g}, {:.6g}, {:.6g} kg m^2 the "
+        "largest exceeds the sum of the others by {:.3g} %",
+        least, middle, largest, 100 * (largest - (least + middle)) / largest);
+  }
+  if (inertial.mass == 0) {
+    return fmt::format(
+        "the mass is 0 but the moments of inertia are not: principal moments {:.6g}, "
+        "{:.6g}, {:.6g} kg m^2",
+        least, middle, largest);
+  }
+  return std::nullopt;
+}
+
+void check_inertias(const Robot& robot, const std::vector<UrdfElement>& elements) {
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const auto& inertial = robot.links[i].inertial;
+    if (!inertial) continue;
+    const auto fault = find_unphysical(*inertial);
+    if (!fault) continue;
+    const auto* xml = elements[i].xml().FirstChildElement("inertial");
+    elements[i].as_child(*xml).warn(
+        *fault,
+        "check the units (kg m^2, about the centre of mass) and the signs of the products; "
+        "the numbers are used as they are");
+  }
+}
+
+}  // namespace treeline

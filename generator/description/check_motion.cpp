@@ -1,0 +1,91 @@
+#include "description/check_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace treeline {
+namespace {
+
+constexpr std::size_t kMostNames = 8;
+
+bool has_inertia(const Link& link) {
+  if (!link.inertial) return false;
+  const Inertial& i = *link.inertial;
+  return i.mass != 0 || i.ixx != 0 || i.iyy != 0 || i.izz != 0 || i.ixy != 0 || i.ixz != 0 ||
+         i.iyz != 0;
+}
+
+/// For each joint whether anything beyond it has inertia.
+std::vector<bool> find_loaded(const Robot& robot) {
+  std::vector<int> parent_joint(robot.links.size(), -1);
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    parent_joint[static_cast<std::size_t>(robot.joints[j].child)] = static_cast<int>(j);
+  }
+  std::vector<bool> loaded(robot.joints.size(), false);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (!has_inertia(robot.links[i])) continue;
+    for (int j = parent_joint[i]; j >= 0;) {
+      const auto joint = static_cast<std::size_t>(j);
+      if (loaded[joint]) break;
+      loaded[joint] = true;
+      j = parent_joint[static_cast<std::size_t>(robot.joints[joint].parent)];
+    }
+  }
+  return loaded;
+}
+
+void warn_of_heavy_world(const Robot& robot, const std::vector<UrdfElement>& elements) {
+  const auto root = static_cast<std::size_t>(robot.root);
+  if (robot.links[root].name != "world" || !has_inertia(robot.links[root])) return;
+  elements[root].warn("the root link \"world\" has inertia; it counts only if the base floats",
+                      "move the <inertial> to a link of the robot, or name this link otherwise");
+}
+
+}  // namespace
+
+std::vector<int> find_massless_joints(const Robot& robot) {
+  std::vector<bool> loaded = find_loaded(robot);
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const auto& mimic = robot.joints[j].mimic;
+    if (mimic && loaded[j] && mimic->multiplier != 0) {
+      loaded[static_cast<std::size_t>(mimic->joint)] = true;
+    }
+  }
+  std::vector<int> massless;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const bool moves = robot.joints[j].type != JointType::fixed && !robot.joints[j].mimic;
+    if (moves && !loaded[j]) massless.push_back(static_cast<int>(j));
+  }
+  return massless;
+}
+
+void check_motion(const Robot& robot, const std::vector<UrdfElement>& elements,
+                  UrdfReading& reading) {
+  warn_of_heavy_world(robot, elements);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const auto& xml = elements[i].xml();
+    const bool shaped = xml.FirstChildElement("visual") || xml.FirstChildElement("collision");
+    if (robot.links[i].inertial || !shaped || static_cast<int>(i) == robot.root) continue;
+    reading.pass_over(Severity::warning, "shape without inertial", elements[i].line(),
+                      elements[i].path(), "the link has a shape but no <inertial>; it is massless",
+                      "add <inertial> if the link has mass");
+  }
+  const std::vector<int> massless = find_massless_joints(robot);
+  if (massless.empty()) return;
+  std::vector<std::string> names;
+  for (const int j : massless) names.push_back(robot.joints[static_cast<std::size_t>(j)].name);
+  const std::size_t shown = std::min(names.size(), kMostNames);
+  std::string list =
+      fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<long>(shown), ", "));
+  if (shown < names.size()) list += fmt::format(" and {} more", names.size() - shown);
+  const Joint& first = robot.joints[static_cast<std::size_t>(massless.front())];
+  reading.report(Severity::warning, first.line, fmt::format("robot/joint[{}]", first.name),
+                 fmt::format("no link beyond {} has mass: the mass matrix is singular, and forward "
+                             "dynamics, lambda and control torque are not defined",
+                             list),
+                 "give a link beyond each joint an <inertial>, make the joint fixed, or lock it in "
+                 "the scene");
+}
+
+}  // namespace treeline

@@ -1,0 +1,33 @@
+#include "description/scene.hpp"
+
+namespace treeline {
+
+const char* function_name(Function function) {
+  switch (function) {
+    case Function::forward_kinematics:
+      return "forward_kinematics";
+    case Function::jacobian:
+      return "jacobian";
+    case Function::bias_acceleration:
+      return "bias_acceleration";
+    case Function::inverse_dynamics:
+      return "inverse_dynamics";
+    case Function::gravity:
+      return "gravity";
+    case Function::nonlinear_effects:
+      return "nonlinear_effects";
+    case Function::mass_matrix:
+      return "mass_matrix";
+    case Function::forward_dynamics:
+      return "forward_dynamics";
+    case Function::lambda_inverse:
+      return "lambda_inverse";
+    case Function::lambda:
+      return "lambda";
+    case Function::control_torque:
+      return "control_torque";
+  }
+  return "";
+}
+
+}  // namespace treeline

@@ -1,0 +1,195 @@
+#include "description/parse_xml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "description/identifier.hpp"
+
+namespace treeline {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// XML allows nothing before its declaration; tinyxml2 and its users do.
+void warn_of_late_declaration(const std::string& text, const std::string& file,
+                              Diagnostics& diagnostics) {
+  const auto at = text.find_first_not_of(" \t\r\n");
+  if (at == 0 || at == std::string::npos || text.compare(at, 5, "<?xml") != 0) return;
+  diagnostics.add({Severity::warning, file, 1, "", "white space stands before the XML declaration",
+                   "remove it: strict readers of XML refuse the file"});
+}
+
+struct Complaint {
+  const std::string& file;
+  Diagnostics& diagnostics;
+
+  void operator()(int line, std::string element, std::string fault, std::string remedy) const {
+    diagnostics.add(
+        {Severity::error, file, line, std::move(element), std::move(fault), std::move(remedy)});
+  }
+};
+
+std::string describe(const tinyxml2::XMLDocument& document) {
+  switch (document.ErrorID()) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "the file holds no XML";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: {
+      // The library's text ends in `XMLElement name=NAME`.
+      const std::string_view text = document.ErrorStr();
+      const auto at = text.rfind("name=");
+      if (at == std::string_view::npos) return "an element is not closed";
+      return fmt::format("the element <{}> is not closed by its own end tag", text.substr(at + 5));
+    }
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute is not of the form name=\"value\"";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "the XML declaration is not at the start of the file";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "a comment is not closed";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "elements are nested too deeply";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "text stands outside every element: this is not XML";
+    default:
+      return "this is not well-formed XML";
+  }
+}
+
+bool check_bytes(const std::string& text, const Complaint& complain) {
+  const auto line_of = [&](std::size_t at) {
+    return 1 +
+           static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+  };
+  if (const auto at = text.find('\0'); at != std::string::npos) {
+    complain(line_of(at), "", "the file holds a zero byte: it is binary or UTF-16",
+             "save it as UTF-8 text");
+    return false;
+  }
+  return true;
+}
+
+/// tinyxml2 keeps everything at the top: several elements and stray text must be refused here.
+const XMLElement* only_root(const tinyxml2::XMLDocument& document, const Complaint& complain) {
+  const XMLElement* root = document.RootElement();
+  if (root == nullptr) {
+    complain(0, "", "the file holds no XML element", "a URDF has one element <robot> at the top");
+    return nullptr;
+  }
+  for (const auto* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node == root || node->ToComment() || node->ToDeclaration() || node->ToUnknown()) continue;
+    if (const XMLElement* other = node->ToElement()) {
+      complain(node->GetLineNum(), other->Name(),
+               fmt::format("a second element at the top, after <{}>", root->Name()),
+               "a URDF has one element <robot> at the top that holds everything");
+    } else {
+      complain(node->GetLineNum(), "", "text stands outside the root element", "remove it");
+    }
+    return nullptr;
+  }
+  return root;
+}
+
+std::string other_format(std::string_view name) {
+  if (name == "sdf" || name == "gazebo" || name == "world" || name == "model") {
+    return "this looks like SDF, which is not read: export the robot as URDF";
+  }
+  if (name == "mujoco") return "this is MJCF, which is not read: export the robot as URDF";
+  if (name == "COLLADA") return "this is COLLADA: name the robot's URDF";
+  return "the root element of a URDF is <robot>";
+}
+
+bool starts_with_xacro(std::string_view name) {
+  return name.substr(0, 6) == "xacro:";
+}
+
+bool holds_macro(std::string_view text) {
+  return text.find("${") != std::string_view::npos || text.find("$(") != std::string_view::npos;
+}
+
+std::string expansion_command(const std::string& file) {
+  std::string output = file;
+  for (const std::string_view ending : {".xacro", ".urdf"}) {
+    if (output.size() > ending.size() && output.ends_with(ending)) {
+      output.resize(output.size() - ending.size());
+    }
+  }
+  if (output.empty() || output + ".urdf" == file) output += "_expanded";
+  return fmt::format("expand it first: xacro {0} > {1}.urdf", file.empty() ? "FILE" : file, output);
+}
+
+/// What the elements of a document must be free of before any of them is read.
+class ElementCheck : public tinyxml2::XMLVisitor {
+ public:
+  explicit ElementCheck(const Complaint& complain) : complain_(complain) {}
+
+  bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* first) override {
+    const std::string_view name = element.Name();
+    if (starts_with_xacro(name)) return refuse_macro(element, fmt::format("<{}>", name));
+    const bool irrelevant = name == "visual" || name == "collision" || name == "gazebo" ||
+                            name == "transmission" || name == "ros2_control";
+    if (irrelevant) return false;
+    std::set<std::string_view> seen;
+    for (const auto* attribute = first; attribute != nullptr; attribute = attribute->Next()) {
+      if (!seen.insert(attribute->Name()).second) {
+        complain_(attribute->GetLineNum(), element.Name(),
+                  fmt::format("the attribute \"{}\" is given twice", attribute->Name()),
+                  "keep one of the two");
+        ok_ = false;
+      }
+      if (holds_macro(attribute->Value())) {
+        return refuse_macro(element,
+                            fmt::format("{}=\"{}\"", attribute->Name(), attribute->Value()));
+      }
+    }
+    return !found_macro_;
+  }
+
+  [[nodiscard]] bool ok() const { return ok_ && !found_macro_; }
+
+ private:
+  bool refuse_macro(const XMLElement& element, const std::string& what) {
+    if (!found_macro_) {
+      complain_(element.GetLineNum(), element.Name(),
+                fmt::format("this is xacro text, not yet a URDF: {}", what),
+                expansion_command(complain_.file));
+    }
+    found_macro_ = true;
+    return false;
+  }
+
+  const Complaint& complain_;
+  bool ok_ = true;
+  bool found_macro_ = false;
+};
+
+}  // namespace
+
+const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::string& file,
+                                           tinyxml2::XMLDocument& document,
+                                           Diagnostics& diagnostics) {
+  const Complaint complain{file, diagnostics};
+  if (!check_bytes(text, complain)) return nullptr;
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+    complain(document.ErrorLineNum(), "", describe(document),
+             "mend the XML, or check that this is a URDF");
+    return nullptr;
+  }
+  warn_of_late_declaration(text, file, diagnostics);
+  const XMLElement* root = only_root(document, complain);
+  if (root == nullptr) return nullptr;
+  ElementCheck check(complain);
+  root->Accept(&check);
+  if (!check.ok()) return nullptr;
+  if (std::string_view(root->Name()) != "robot") {
+    complain(root->GetLineNum(), root->Name(),
+             fmt::format("the root element is <{}>, not <robot>", root->Name()),
+             other_format(root->Name()));
+    return nullptr;
+  }
+  return root;
+}
+
+}  // namespace treeline

@@ -1,0 +1,210 @@
+#include "description/read_joint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "description/identifier.hpp"
+#include "description/suggest_name.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr std::array kTypes = {
+    std::pair{"revolute", JointType::revolute},   std::pair{"continuous", JointType::continuous},
+    std::pair{"prismatic", JointType::prismatic}, std::pair{"fixed", JointType::fixed},
+    std::pair{"floating", JointType::floating},   std::pair{"planar", JointType::planar}};
+
+JointType read_type(const UrdfElement& element) {
+  const auto text = element.required_text(
+      "type", "give a type: revolute, continuous, prismatic, fixed, floating or planar");
+  if (!text) return JointType::fixed;
+  std::vector<std::string> names;
+  for (const auto& [name, type] : kTypes) {
+    if (*text == name) return type;
+    names.emplace_back(name);
+  }
+  const bool ball = *text == "spherical" || *text == "ball";
+  element.error(fmt::format("\"{}\" is not a joint type of URDF", *text),
+                ball ? "write it as three revolute joints with massless links between them"
+                     : suggest_name(*text, names, "the types are"));
+  return JointType::fixed;
+}
+
+std::string read_end(const UrdfElement& element, const char* end) {
+  const std::string remedy = fmt::format("write <{} link=\"NAME\"/>", end);
+  const auto found = element.child(end);
+  if (!found) {
+    element.error(fmt::format("the joint has no <{}>", end), remedy);
+    return {};
+  }
+  if (const auto* second = found->xml().NextSiblingElement(end)) {
+    element.as_child(*second).error(fmt::format("the joint has two <{}>", end), "keep one");
+  }
+  found->only_attributes({"link"});
+  return found->required_text("link", remedy).value_or("");
+}
+
+bool has_axis(JointType type) {
+  return type != JointType::fixed && type != JointType::floating;
+}
+
+std::array<double, 3> read_axis(const UrdfElement& joint) {
+  const std::array<double, 3> by_default{1, 0, 0};
+  const auto element = joint.child("axis");
+  if (!element) return by_default;
+  element->only_attributes({"xyz"});
+  if (!element->required_text("xyz",
+                              "write <axis xyz=\"0 0 1\"/>, or remove <axis>: then it is x")) {
+    return by_default;
+  }
+  auto axis = element->three_numbers("xyz");
+  if (!axis) return by_default;
+  double largest = 0;
+  for (const double component : *axis) largest = std::max(largest, std::abs(component));
+  if (largest == 0) {
+    element->error("the axis is zero",
+                   "give the direction of the joint's axis in the joint's frame");
+    return by_default;
+  }
+  // Scaled by the largest component, so that the square neither overflows nor vanishes.
+  double square = 0;
+  for (double& component : *axis) {
+    component /= largest;
+    square += component * component;
+  }
+  const double length = std::sqrt(square);
+  for (double& component : *axis) component /= length;
+  if (std::abs(length * largest - 1) > 1e-2) {
+    element->reading().report(
+        Severity::note, element->line(), element->path(),
+        fmt::format("the axis has length {:.6g} and is made a unit vector", length * largest), "");
+  }
+  return *axis;
+}
+
+void read_range(const UrdfElement& element, JointType type, Limits& limits) {
+  const bool bounded = type == JointType::revolute || type == JointType::prismatic;
+  const auto lower = element.number("lower", true);
+  const auto upper = element.number("upper", true);
+  limits.lower = -kInfinity;
+  limits.upper = kInfinity;
+  if (!bounded) return;
+  if (!element.has("lower") && !element.has("upper")) {
+    element.warn("there is neither \"lower\" nor \"upper\"; the joint counts as unlimited",
+                 "give the range, or type=\"continuous\" if there is none");
+    return;
+  }
+  if (lower.value_or(0) > upper.value_or(0)) {
+    element.warn(fmt::format("lower={} is above upper={}; the joint counts as unlimited",
+                             lower.value_or(0), upper.value_or(0)),
+                 "exchange the two");
+    return;
+  }
+  limits.lower = lower.value_or(0);
+  limits.upper = upper.value_or(0);
+}
+
+double read_bound(const UrdfElement& element, const char* name) {
+  const auto bound = element.number(name, true);
+  if (!element.has(name)) {
+    element.warn(fmt::format("the attribute \"{}\" is missing; it counts as unlimited", name),
+                 "add it: other readers of URDF refuse the joint without it");
+    return kInfinity;
+  }
+  if (bound.value_or(0) < 0) {
+    element.warn(fmt::format("{}={} is negative; it counts as unlimited", name, *bound),
+                 "give its magnitude");
+    return kInfinity;
+  }
+  return bound.value_or(kInfinity);
+}
+
+std::optional<Limits> read_limits(const UrdfElement& joint, JointType type) {
+  const auto element = joint.child("limit");
+  if (!element) {
+    if (type == JointType::revolute || type == JointType::prismatic) {
+      joint.warn(
+          "the joint has no <limit>; it counts as unlimited",
+          "add <limit lower=... upper=... effort=... velocity=.../>, or type=\"continuous\"");
+    }
+    return std::nullopt;
+  }
+  element->only_attributes(
+      {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"});
+  Limits limits;
+  read_range(*element, type, limits);
+  const bool moves = has_axis(type);
+  limits.effort = moves || element->has("effort") ? read_bound(*element, "effort") : kInfinity;
+  limits.velocity =
+      moves || element->has("velocity") ? read_bound(*element, "velocity") : kInfinity;
+  return limits;
+}
+
+void read_dynamics(const UrdfElement& joint, Joint& result) {
+  const auto element = joint.child("dynamics");
+  if (!element) return;
+  element->only_attributes({"damping", "friction"});
+  result.damping = element->number("damping").value_or(0);
+  result.friction = element->number("friction").value_or(0);
+  for (const auto& [name, value] :
+       {std::pair{"damping", result.damping}, {"friction", result.friction}}) {
+    if (value < 0)
+      element->warn(fmt::format("{}={} is negative", name, value), "give a positive one");
+  }
+  if (result.damping == 0 && result.friction == 0) return;
+  element->reading().pass_over(
+      Severity::note, "joint/dynamics", element->line(), element->path(),
+      "damping and friction are no part of the generated equations of motion", "");
+}
+
+void read_mimic(const UrdfElement& joint, NamedJoint& result) {
+  const auto element = joint.child("mimic");
+  if (!element) return;
+  if (result.joint.type == JointType::fixed) {
+    element->warn("a fixed joint cannot mimic; <mimic> is ignored", "remove it");
+    return;
+  }
+  element->only_attributes({"joint", "multiplier", "offset"});
+  if (!has_axis(result.joint.type) || result.joint.type == JointType::planar) {
+    element->error("only a joint of one degree of freedom can mimic", "remove <mimic>");
+  }
+  Mimic mimic;
+  mimic.multiplier = element->number("multiplier").value_or(1);
+  mimic.offset = element->number("offset").value_or(0);
+  result.mimicked = element->required_text("joint", "write <mimic joint=\"NAME\"/>").value_or("");
+  result.joint.mimic = mimic;
+  if (mimic.multiplier == 0) {
+    element->warn("multiplier=0: the joint rests at its offset", "make the joint fixed");
+  }
+}
+
+}  // namespace
+
+NamedJoint read_joint(const UrdfElement& element) {
+  NamedJoint result{{}, {}, {}, {}, element};
+  Joint& joint = result.joint;
+  joint.line = element.line();
+  joint.name = element.required_text("name", "give the joint a name").value_or("");
+  if (!is_utf8(joint.name)) {
+    element.error("the name is not UTF-8 text", "save the file as UTF-8");
+  }
+  element.only_attributes({"name", "type"});
+  element.only_children({"origin", "parent", "child", "axis", "limit", "dynamics", "mimic",
+                         "calibration", "safety_controller"});
+  joint.type = read_type(element);
+  result.parent = read_end(element, "parent");
+  result.child = read_end(element, "child");
+  joint.origin = element.origin();
+  if (has_axis(joint.type)) joint.axis = read_axis(element);
+  if (joint.type != JointType::fixed) joint.limits = read_limits(element, joint.type);
+  read_dynamics(element, joint);
+  read_mimic(element, result);
+  return result;
+}
+
+}  // namespace treeline

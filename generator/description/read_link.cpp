@@ -1,0 +1,102 @@
+#include "description/read_link.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "description/identifier.hpp"
+
+namespace treeline {
+namespace {
+
+void read_moments(const UrdfElement& inertia, Inertial& inertial) {
+  inertia.only_attributes({"ixx", "ixy", "ixz", "iyy", "iyz", "izz", "iyx", "izx", "izy"});
+  for (auto [name, value] : {std::pair<const char*, double&>{"ixx", inertial.ixx},
+                             {"iyy", inertial.iyy},
+                             {"izz", inertial.izz}}) {
+    if (!inertia.has(name)) {
+      inertia.error(fmt::format("the attribute \"{}\" is missing", name),
+                    "give all six moments ixx ixy ixz iyy iyz izz in kg m^2");
+    }
+    value = inertia.number(name).value_or(0);
+  }
+  struct Product {
+    const char* name;
+    const char* mirrored;
+    double& value;
+  };
+  for (const Product& product : {Product{"ixy", "iyx", inertial.ixy},
+                                 {"ixz", "izx", inertial.ixz},
+                                 {"iyz", "izy", inertial.iyz}}) {
+    const auto upper = inertia.number(product.name);
+    const auto lower = inertia.number(product.mirrored);
+    if (!inertia.has(product.name)) {
+      inertia.warn(fmt::format("the attribute \"{}\" is missing; 0 is used", product.name),
+                   "give all six moments ixx ixy ixz iyy iyz izz in kg m^2");
+    }
+    if (upper && lower && *upper != *lower) {
+      inertia.error(fmt::format("{}={} and {}={} differ: an inertia is symmetric", product.name,
+                                *upper, product.mirrored, *lower),
+                    fmt::format("keep {} alone", product.name));
+    }
+    product.value = upper.value_or(0);
+  }
+}
+
+Inertial read_inertial(const UrdfElement& element) {
+  element.only_attributes({});
+  element.only_children({"origin", "mass", "inertia"});
+  Inertial inertial;
+  inertial.origin = element.origin();
+  if (const auto mass = element.child("mass")) {
+    mass->only_attributes({"value"});
+    if (!mass->has("value")) (void)mass->required_text("value", "give the mass in kg");
+    inertial.mass = mass->number("value").value_or(0);
+    if (inertial.mass < 0) {
+      mass->error(fmt::format("the mass {} kg is negative", inertial.mass),
+                  "give the link's mass, or remove <inertial> if the link has none");
+    }
+  } else {
+    element.error("<inertial> has no <mass>",
+                  "add <mass value=\"...\"/> in kg, or remove <inertial> if the link has no mass");
+  }
+  const auto inertia = element.child("inertia");
+  if (inertia) read_moments(*inertia, inertial);
+  if (!inertia && inertial.mass > 0) {
+    element.warn(fmt::format("the link has a mass of {} kg and no <inertia>; the mass counts as a "
+                             "point at the centre of mass",
+                             inertial.mass),
+                 "add <inertia ixx=... ixy=... ixz=... iyy=... iyz=... izz=.../> in kg m^2");
+  }
+  return inertial;
+}
+
+void warn_of_stray_inertia(const UrdfElement& element) {
+  for (const char* name : {"mass", "inertia"}) {
+    const auto* stray = element.xml().FirstChildElement(name);
+    if (stray == nullptr) continue;
+    element.reading().pass_over(Severity::warning, std::string("link/") + name, stray->GetLineNum(),
+                                element.path(),
+                                fmt::format("<{}> stands outside <inertial> and is ignored", name),
+                                "move <mass>, <inertia> and <origin> into an element <inertial>");
+  }
+}
+
+}  // namespace
+
+Link read_link(const UrdfElement& element) {
+  Link link;
+  link.line = element.line();
+  link.name = element.required_text("name", "give the link a name").value_or("");
+  if (!is_utf8(link.name)) {
+    element.error("the name is not UTF-8 text", "save the file as UTF-8");
+  }
+  element.only_attributes({"name"});
+  warn_of_stray_inertia(element);
+  element.only_children({"inertial", "visual", "collision", "mass", "inertia", "contact",
+                         "self_collision_checking", "collision_checking", "sensor"});
+  if (const auto inertial = element.child("inertial")) link.inertial = read_inertial(*inertial);
+  return link;
+}
+
+}  // namespace treeline

@@ -1,0 +1,43 @@
+#include "description/read_number.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace treeline {
+namespace {
+
+constexpr std::string_view kWhiteSpace = " \t\r\n\f\v";
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(kWhiteSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1);
+}
+
+std::optional<double> read_number(std::string_view text) {
+  text = trimmed(text);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || std::isnan(value)) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<std::vector<double>> read_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const auto length = std::min(text.find_first_of(kWhiteSpace), text.size());
+    const auto number = read_number(text.substr(0, length));
+    if (!number || !std::isfinite(*number)) return std::nullopt;
+    numbers.push_back(*number);
+    text.remove_prefix(length);
+  }
+  return numbers;
+}
+
+}  // namespace treeline

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace treeline {
+
+/// A decimal number that fills all of `text` but for outer white space, rounded to the nearest
+/// double whatever the locale. A leading plus, `inf` and `-inf` are understood; NaN, hexadecimal
+/// and numbers too large for a double are not.
+std::optional<double> read_number(std::string_view text);
+
+/// Numbers separated by white space, each as `read_number` has it; nothing when one is not a
+/// finite number.
+std::optional<std::vector<double>> read_numbers(std::string_view text);
+
+/// `text` without white space at its ends.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace treeline

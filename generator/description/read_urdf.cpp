@@ -1,0 +1,160 @@
+#include "description/read_urdf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "description/check_inertias.hpp"
+#include "description/check_motion.hpp"
+#include "description/confirm_with_urdfdom.hpp"
+#include "description/connect_tree.hpp"
+#include "description/parse_xml.hpp"
+#include "description/read_joint.hpp"
+#include "description/read_link.hpp"
+#include "description/read_text_file.hpp"
+#include "description/resolve_mimics.hpp"
+#include "description/urdf_element.hpp"
+
+namespace treeline {
+namespace {
+
+/// Straight-line code for more links than this would serve nobody; the bound also keeps recursive
+/// destructors in the libraries off the end of the stack.
+constexpr std::size_t kMostLinks = 4096;
+
+struct Elements {
+  std::vector<UrdfElement> links;
+  std::vector<UrdfElement> joints;
+};
+
+void check_version(const UrdfElement& robot) {
+  if (!robot.has("version")) return;
+  const std::string text = robot.xml().Attribute("version");
+  int major = 0, minor = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, major);
+  const bool has_major = first.ec == std::errc{} && text.front() != '-';
+  const bool has_point = has_major && first.ptr != end && *first.ptr == '.';
+  const bool has_minor = has_point && first.ptr + 1 != end && first.ptr[1] != '-' &&
+                         std::from_chars(first.ptr + 1, end, minor).ptr == end;
+  if (!has_major || (first.ptr != end && !has_minor) || major > 1) {
+    robot.error(fmt::format("version=\"{}\" is not a version of URDF that is known", text),
+                "write version=\"1.0\" or leave it out");
+  } else if (major != 1 || minor != 0 || !has_minor) {
+    robot.warn(fmt::format("version=\"{}\" is read as version 1.0", text),
+               "write version=\"1.0\" or leave it out");
+  }
+}
+
+/// Elements that would make another mechanism than the tree of links and joints.
+bool changes_mechanism(std::string_view name) {
+  const auto colon = name.find(':');
+  const bool foreign = colon != std::string_view::npos;
+  const std::string_view local = foreign ? name.substr(colon + 1) : name;
+  if (local == "loop_joint" || local == "loop" || local == "constraint") return true;
+  if (local.ends_with("_constraint") || local.ends_with("_loop_joint")) return true;
+  return foreign && (local == "joint" || local == "link");
+}
+
+void read_other(const UrdfElement& element) {
+  constexpr std::array<std::string_view, 8> kSilent = {
+      "material", "transmission", "sensor", "frame", "group", "ros2_control", "mujoco", "gazebo"};
+  const std::string_view name = element.name();
+  if (changes_mechanism(name)) {
+    element.error(fmt::format("<{}> is not part of URDF and changes the mechanism", name),
+                  "write it with links and joints of URDF; loops cannot be expressed");
+    return;
+  }
+  if (name == "gazebo" && element.xml().FirstChildElement("joint") != nullptr) {
+    element.warn("a joint inside <gazebo> is ignored; loops of the mechanism stay open",
+                 "be sure that the open tree is the robot you mean");
+  }
+  if (std::find(kSilent.begin(), kSilent.end(), name) != kSilent.end()) return;
+  element.reading().pass_over(Severity::warning, fmt::format("robot/{}", name), element.line(),
+                              element.path(),
+                              fmt::format("<{}> is not part of URDF and is ignored", name),
+                              "remove it if it was meant to change the robot's motion");
+}
+
+Elements list_elements(const UrdfElement& robot) {
+  Elements elements;
+  for (const auto* xml = robot.xml().FirstChildElement(); xml; xml = xml->NextSiblingElement()) {
+    const UrdfElement element = robot.as_child(*xml);
+    if (element.name() == "link") {
+      elements.links.push_back(element);
+    } else if (element.name() == "joint") {
+      elements.joints.push_back(element);
+    } else {
+      read_other(element);
+    }
+  }
+  return elements;
+}
+
+template <class Named>
+void check_unique(const std::vector<Named>& items, const std::vector<UrdfElement>& elements,
+                  const char* what) {
+  std::map<std::string_view, int> lines;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].name.empty()) continue;
+    const auto [first, is_new] = lines.try_emplace(items[i].name, items[i].line);
+    if (is_new) continue;
+    elements[i].error(fmt::format("a {} of this name is already in line {}", what, first->second),
+                      fmt::format("give each {} a name of its own", what));
+  }
+}
+
+void read_head(const UrdfElement& robot, Robot& result) {
+  result.name = robot.required_text("name", "write <robot name=\"...\">").value_or("");
+  robot.only_attributes({"name", "version"});
+  robot.no_text();
+  check_version(robot);
+}
+
+std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading) {
+  Robot robot;
+  robot.file = reading.file();
+  read_head(element, robot);
+  const Elements elements = list_elements(element);
+  if (elements.links.empty()) element.error("the robot has no <link>", "describe its links");
+  if (elements.links.size() > kMostLinks) {
+    element.error(
+        fmt::format("the robot has {} links, more than {}", elements.links.size(), kMostLinks),
+        "describe a smaller robot");
+  }
+  if (reading.failed()) return std::nullopt;
+  for (const UrdfElement& link : elements.links) robot.links.push_back(read_link(link));
+  std::vector<NamedJoint> joints;
+  for (const UrdfElement& joint : elements.joints) joints.push_back(read_joint(joint));
+  connect_tree(joints, elements.links, robot, reading);
+  check_unique(robot.links, elements.links, "link");
+  check_unique(robot.joints, elements.joints, "joint");
+  if (reading.failed()) return std::nullopt;
+  if (!confirm_with_urdfdom(robot, joints, elements.links, reading)) return std::nullopt;
+  if (!resolve_mimics(joints, robot)) return std::nullopt;
+  check_inertias(robot, elements.links);
+  check_motion(robot, elements.links, reading);
+  return robot;
+}
+
+}  // namespace
+
+std::optional<Robot> parse_urdf(const std::string& text, const std::string& file_name,
+                                Diagnostics& diagnostics) {
+  tinyxml2::XMLDocument document;
+  const auto* root = parse_urdf_xml(text, file_name, document, diagnostics);
+  if (root == nullptr) return std::nullopt;
+  UrdfReading reading(file_name, diagnostics);
+  auto robot = read_robot({*root, "robot", reading}, reading);
+  reading.report_passed_over();
+  return robot;
+}
+
+std::optional<Robot> read_urdf(const std::string& path, Diagnostics& diagnostics) {
+  const auto text = read_text_file(path, diagnostics);
+  if (!text) return std::nullopt;
+  return parse_urdf(*text, path, diagnostics);
+}
+
+}  // namespace treeline

@@ -1,0 +1,149 @@
+#include "description/urdf_element.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "description/read_number.hpp"
+
+namespace treeline {
+
+void UrdfReading::report(Severity severity, int line, std::string element, std::string fault,
+                         std::string remedy) {
+  failed_ = failed_ || severity == Severity::error;
+  diagnostics_.add(
+      {severity, file_, line, std::move(element), std::move(fault), std::move(remedy)});
+}
+
+void UrdfReading::pass_over(Severity severity, const std::string& kind, int line,
+                            std::string element, std::string fault, std::string remedy) {
+  const auto [place, is_new] = kinds_.try_emplace(kind, passed_over_.size());
+  if (is_new) {
+    passed_over_.push_back(
+        {{severity, file_, line, std::move(element), std::move(fault), std::move(remedy)}});
+  }
+  ++passed_over_[place->second].times;
+}
+
+void UrdfReading::report_passed_over() {
+  for (PassedOver& entry : passed_over_) {
+    if (entry.times > 1)
+      entry.first.fault += fmt::format(" (and {} more like it)", entry.times - 1);
+    diagnostics_.add(std::move(entry.first));
+  }
+  passed_over_.clear();
+  kinds_.clear();
+}
+
+void UrdfElement::error(std::string fault, std::string remedy) const {
+  reading_->report(Severity::error, line(), path_, std::move(fault), std::move(remedy));
+}
+
+void UrdfElement::warn(std::string fault, std::string remedy) const {
+  reading_->report(Severity::warning, line(), path_, std::move(fault), std::move(remedy));
+}
+
+std::optional<std::string> UrdfElement::required_text(const char* attribute,
+                                                      const std::string& remedy) const {
+  const char* text = xml_->Attribute(attribute);
+  if (text != nullptr && *text != '\0') return text;
+  error(fmt::format("the attribute \"{}\" is {}", attribute, text == nullptr ? "missing" : "empty"),
+        remedy);
+  return std::nullopt;
+}
+
+std::optional<double> UrdfElement::number(const char* attribute, bool may_be_infinite) const {
+  const char* text = xml_->Attribute(attribute);
+  if (text == nullptr) return std::nullopt;
+  const auto value = read_number(text);
+  if (value && (may_be_infinite || std::isfinite(*value))) return value;
+  error(
+      fmt::format("{}=\"{}\" is not a {}number", attribute, text, may_be_infinite ? "" : "finite "),
+      "write one decimal number with a point, such as 0.25 or 2.5e-1");
+  return std::nullopt;
+}
+
+std::optional<std::array<double, 3>> UrdfElement::three_numbers(const char* attribute) const {
+  const char* text = xml_->Attribute(attribute);
+  if (text == nullptr) return std::nullopt;
+  const auto values = read_numbers(text);
+  if (values && values->size() == 3) return std::array{(*values)[0], (*values)[1], (*values)[2]};
+  const std::string count = values ? fmt::format(" but {}", values->size()) : "";
+  error(fmt::format("{}=\"{}\" is not three finite numbers{}", attribute, text, count),
+        "write three decimal numbers with spaces between them, such as \"0 0.5 1\"");
+  return std::nullopt;
+}
+
+UrdfElement UrdfElement::as_child(const tinyxml2::XMLElement& xml) const {
+  std::string path = path_ + "/" + xml.Name();
+  if (const char* name = xml.Attribute("name")) path += fmt::format("[{}]", name);
+  return {xml, std::move(path), *reading_};
+}
+
+std::optional<UrdfElement> UrdfElement::child(const char* name) const {
+  const auto* first = xml_->FirstChildElement(name);
+  if (first == nullptr) return std::nullopt;
+  if (const auto* second = first->NextSiblingElement(name)) {
+    as_child(*second).warn(
+        fmt::format("there is more than one <{}>; the first, in line {}, is used and this is not",
+                    name, first->GetLineNum()),
+        "keep one of them");
+  }
+  return as_child(*first);
+}
+
+std::string UrdfElement::kind() const {
+  std::string kind;
+  for (const tinyxml2::XMLNode* node = xml_; node != nullptr && node->ToElement();
+       node = node->Parent()) {
+    kind = std::string("/") + node->Value() + kind;
+  }
+  return kind;
+}
+
+void UrdfElement::only_attributes(std::initializer_list<std::string_view> known) const {
+  for (const auto* attribute = xml_->FirstAttribute(); attribute; attribute = attribute->Next()) {
+    const std::string_view name = attribute->Name();
+    // A prefix says that the attribute is another program's own.
+    const bool foreign = name == "xmlns" || name.find(':') != std::string_view::npos;
+    if (foreign || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    reading_->pass_over(
+        Severity::warning, fmt::format("{}@{}", kind(), name), attribute->GetLineNum(), path_,
+        fmt::format("the attribute \"{}\" is not part of URDF and is ignored", name),
+        "remove it if it was meant to change the robot's motion");
+  }
+}
+
+void UrdfElement::only_children(std::initializer_list<std::string_view> known) const {
+  no_text();
+  for (const auto* element = xml_->FirstChildElement(); element != nullptr;
+       element = element->NextSiblingElement()) {
+    const std::string_view name = element->Name();
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    reading_->pass_over(Severity::warning, fmt::format("{}/{}", kind(), name),
+                        element->GetLineNum(), path_,
+                        fmt::format("<{}> is not part of URDF and is ignored", name),
+                        "remove it if it was meant to change the robot's motion");
+  }
+}
+
+void UrdfElement::no_text() const {
+  for (const auto* node = xml_->FirstChild(); node != nullptr; node = node->NextSibling()) {
+    const auto* text = node->ToText();
+    if (text == nullptr || trimmed(text->Value()).empty()) continue;
+    reading_->pass_over(Severity::warning, kind() + "#text", node->GetLineNum(), path_,
+                        "text stands between the elements and is ignored", "remove it");
+  }
+}
+
+Pose UrdfElement::origin() const {
+  const auto origin = child("origin");
+  if (!origin) return {};
+  origin->only_attributes({"xyz", "rpy"});
+  origin->only_children({});
+  return {origin->three_numbers("xyz").value_or(std::array<double, 3>{}),
+          origin->three_numbers("rpy").value_or(std::array<double, 3>{})};
+}
+
+}  // namespace treeline
