@@ -65,16 +65,23 @@ struct FourLanes {
   static TREELINE_INLINE_LANES void less_equal(const Value& a, double b, Bits& mask) noexcept {
     mask = (Bits)(a <= (Value{} + b));
   }
-  /// Reads `count` of four angles; the lanes left over hold zero.
+  /// Reads `count` of four angles; the lanes left over repeat the first.
   template <int count>
   static TREELINE_INLINE_LANES void load(const double* from, Value& value) noexcept {
-    value = Value{};
-    __builtin_memcpy(&value, from, count * sizeof(double));
+    if constexpr (count == kCount) {
+      __builtin_memcpy(&value, from, sizeof(value));
+    } else {
+      value = Value{from[0], from[count > 1 ? 1 : 0], from[count > 2 ? 2 : 0], from[0]};
+    }
   }
   template <int count>
   static TREELINE_INLINE_LANES void load(const float* from, Value& value) noexcept {
-    Single narrow{};
-    __builtin_memcpy(&narrow, from, count * sizeof(float));
+    Single narrow;
+    if constexpr (count == kCount) {
+      __builtin_memcpy(&narrow, from, sizeof(narrow));
+    } else {
+      narrow = Single{from[0], from[count > 1 ? 1 : 0], from[count > 2 ? 2 : 0], from[0]};
+    }
     value = __builtin_convertvector(narrow, Value);
   }
   template <int count>

@@ -1,0 +1,153 @@
+#pragma once
+// Orientations: rotation matrices (row-major, frame to world), unit quaternions (x, y, z, w) and
+// rotation vectors (axis times angle, rad). C++17, freestanding: square root and arctangent are
+// here because no library is.
+
+#include <cstdint>
+
+#include "core/sin_cos.hpp"
+
+namespace treeline::core {
+
+/// Square root of x >= 0 within 1 ulp; 0 for 0. Newton's method on 1/sqrt(x) from the halved
+/// exponent, then one step on the root itself.
+inline double square_root(double x) noexcept {
+  std::uint64_t bits = 0;
+  OneLane::to_bits(x, bits);
+  bits = std::uint64_t{0x5fe6eb50c7b537a9} - (bits >> 1);
+  double inverse = 0.0;
+  OneLane::from_bits(bits, inverse);
+  const double half = 0.5 * x;
+  for (int i = 0; i < 4; ++i) {
+    inverse *= 1.5 - half * inverse * inverse;
+  }
+  const double root = x * inverse;
+  return root + 0.5 * inverse * (x - root * root);
+}
+
+namespace steps {
+
+/// atan(t) / t as a function of t^2 for |t| <= tan(pi/16): Taylor's series, remainder below 1e-17.
+constexpr double arctangent_ratio(double square) noexcept {
+  double sum = 0.0;
+  for (int k = 11; k >= 0; --k) {
+    sum = 1.0 / (2 * k + 1) - square * sum;
+  }
+  return sum;
+}
+
+template <class Real>
+constexpr Real squared_norm(const Real (&v)[3]) noexcept {
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+}  // namespace steps
+
+/// R = 1 + 2 (w [v]x + [v]x [v]x), no normalisation.
+template <class Real>
+constexpr void rotation_from_quaternion(const Real (&q)[4], Real (&R)[9]) noexcept {
+  const Real x = q[0];
+  const Real y = q[1];
+  const Real z = q[2];
+  const Real w = q[3];
+  R[0] = Real(1) - Real(2) * (y * y + z * z);
+  R[1] = Real(2) * (x * y - w * z);
+  R[2] = Real(2) * (x * z + w * y);
+  R[3] = Real(2) * (x * y + w * z);
+  R[4] = Real(1) - Real(2) * (x * x + z * z);
+  R[5] = Real(2) * (y * z - w * x);
+  R[6] = Real(2) * (x * z - w * y);
+  R[7] = Real(2) * (y * z + w * x);
+  R[8] = Real(1) - Real(2) * (x * x + y * y);
+}
+
+/// The unit quaternion of a rotation matrix, w >= 0. Divides by the largest of the four components
+/// (Shepperd), so that no accuracy is lost at any angle.
+template <class Real>
+inline void quaternion_from_rotation(const Real (&R)[9], Real (&q)[4]) noexcept {
+  const Real squares[4] = {Real(1) + R[0] - R[4] - R[8], Real(1) - R[0] + R[4] - R[8],
+                           Real(1) - R[0] - R[4] + R[8], Real(1) + R[0] + R[4] + R[8]};
+  int largest = 0;
+  for (int i = 1; i < 4; ++i) {
+    largest = squares[i] > squares[largest] ? i : largest;
+  }
+  const Real root = static_cast<Real>(square_root(static_cast<double>(squares[largest])));
+  const Real scale = Real(0.5) / root;
+  // Row i: 4 q_i q_j off the diagonal.
+  const Real products[4][4] = {{0, R[1] + R[3], R[2] + R[6], R[7] - R[5]},
+                               {R[1] + R[3], 0, R[5] + R[7], R[2] - R[6]},
+                               {R[2] + R[6], R[5] + R[7], 0, R[3] - R[1]},
+                               {R[7] - R[5], R[2] - R[6], R[3] - R[1], 0}};
+  for (int i = 0; i < 4; ++i) {
+    q[i] = i == largest ? Real(0.5) * root : products[largest][i] * scale;
+  }
+  const Real sign = q[3] < Real(0) ? Real(-1) : Real(1);
+  for (Real& component : q) {
+    component *= sign;
+  }
+}
+
+/// Axis times angle, angle in [0, pi], of a unit quaternion. tan(angle/4) = |v| / (1 + w) is halved
+/// twice more by tan(a/2) = tan(a) / (1 + sqrt(1 + tan(a)^2)).
+template <class Real>
+inline void rotation_vector_from_quaternion(const Real (&q)[4], Real (&vector)[3]) noexcept {
+  const double sign = q[3] < Real(0) ? -1.0 : 1.0;
+  const double w = sign * static_cast<double>(q[3]);
+  double ratio = sign / (1.0 + w);
+  const Real axis[3] = {q[0], q[1], q[2]};
+  const double square = static_cast<double>(steps::squared_norm(axis));
+  for (int i = 0; i < 2; ++i) {
+    ratio /= 1.0 + square_root(1.0 + square * ratio * ratio);
+  }
+  const double factor = 16.0 * ratio * steps::arctangent_ratio(square * ratio * ratio);
+  for (int i = 0; i < 3; ++i) {
+    vector[i] = static_cast<Real>(factor * static_cast<double>(q[i]));
+  }
+}
+
+/// The rotation about `vector` by its length, through the quaternion. Near zero sin(angle/2)/angle
+/// is its series.
+template <class Real>
+inline void rotation_from_vector(const Real (&vector)[3], Real (&R)[9]) noexcept {
+  const Real square = steps::squared_norm(vector);
+  const Real angle = static_cast<Real>(square_root(static_cast<double>(square)));
+  Real s;
+  Real c;
+  sin_cos(Real(0.5) * angle, s, c);
+  const bool small = angle < Real(1e-4);
+  const Real half_ratio = small ? Real(0.5) - square / Real(48) : s / angle;
+  const Real q[4] = {half_ratio * vector[0], half_ratio * vector[1], half_ratio * vector[2], c};
+  rotation_from_quaternion(q, R);
+}
+
+/// Orientation error in world axes: the rotation vector that turns `R` into `R_wanted`,
+/// R_wanted = exp([error]x) R. Exact at any angle up to pi, linear for small ones.
+template <class Real>
+inline void orientation_error(const Real (&R)[9], const Real (&R_wanted)[9],
+                              Real (&error)[3]) noexcept {
+  Real difference[9];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      difference[3 * i + j] = R_wanted[3 * i] * R[3 * j] + R_wanted[3 * i + 1] * R[3 * j + 1] +
+                              R_wanted[3 * i + 2] * R[3 * j + 2];
+    }
+  }
+  Real q[4];
+  quaternion_from_rotation(difference, q);
+  rotation_vector_from_quaternion(q, error);
+}
+
+/// Wanted pose less actual pose, linear over angular, world axes: m and rad.
+template <class Real>
+inline void pose_error(const Real (&position)[3], const Real (&R)[9],
+                       const Real (&position_wanted)[3], const Real (&R_wanted)[9],
+                       Real (&error)[6]) noexcept {
+  Real angular[3];
+  orientation_error(R, R_wanted, angular);
+  for (int i = 0; i < 3; ++i) {
+    error[i] = position_wanted[i] - position[i];
+    error[3 + i] = angular[i];
+  }
+}
+
+}  // namespace treeline::core
