@@ -44,6 +44,10 @@ void warn_of_heavy_world(const Robot& robot, const std::vector<UrdfElement>& ele
 
 }  // namespace
 
+bool moves_inertia(const Robot& robot) {
+  return std::any_of(robot.links.begin(), robot.links.end(), has_inertia);
+}
+
 std::vector<int> find_massless_joints(const Robot& robot) {
   std::vector<bool> loaded = find_loaded(robot);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {

@@ -11,6 +11,9 @@ namespace treeline {
 /// that mimics it has any beyond it. Their rows of the mass matrix are zero.
 std::vector<int> find_massless_joints(const Robot& robot);
 
+/// Whether any link of the robot has mass or a moment of inertia.
+bool moves_inertia(const Robot& robot);
+
 /// Warns of joints that move no mass, and of links that have a shape but no inertial.
 void check_motion(const Robot& robot, const std::vector<UrdfElement>& elements,
                   UrdfReading& reading);

@@ -35,10 +35,9 @@ struct Limits {
   double lower = 0, upper = 0, effort = 0, velocity = 0;
 };
 
-/// q = multiplier * q[joint] + offset.
+/// q = multiplier * q[joint] + offset. Chains of mimics are put together.
 struct Mimic {
-  int joint =
-      -1;  ///< index into Robot::joints of a joint that mimics none: chains are put together
+  int joint = -1;  ///< index into Robot::joints of a joint that is no mimic itself
   double multiplier = 1;
   double offset = 0;
 };

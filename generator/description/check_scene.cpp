@@ -1,0 +1,159 @@
+#include "description/check_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "description/check_motion.hpp"
+#include "description/count_freedoms.hpp"
+#include "description/identifier.hpp"
+
+namespace treeline {
+namespace {
+
+/// Names what keeps the mass matrix from an inverse whatever the pose; empty when nothing does.
+std::string find_singular(const Robot& robot, const Scene& scene) {
+  if (scene.base == Base::floating && !moves_inertia(robot)) return "the floating base";
+  for (const int j : find_massless_joints(robot)) {
+    const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
+    if (!scene.locked.contains(joint.name)) return fmt::format("joint \"{}\"", joint.name);
+  }
+  return {};
+}
+
+void choose_functions(const SceneElement& top, const std::string& singular, Scene& scene) {
+  for (const Function function : kAllFunctions) {
+    const bool possible = !needs_points(function) || !scene.operational_points.empty();
+    const bool defined = !inverts_mass_matrix(function) || singular.empty();
+    if (possible && defined) scene.functions.push_back(function);
+  }
+  if (singular.empty()) return;
+  top.warn(fmt::format("nothing beyond {} has mass: the functions that invert the mass matrix are "
+                       "left out",
+                       singular),
+           "give it mass in the URDF, or lock the joint");
+}
+
+void check_functions(const SceneElement& top, const std::string& singular, const Scene& scene) {
+  for (const Function function : scene.functions) {
+    if (needs_points(function) && scene.operational_points.empty()) {
+      top.error(
+          fmt::format("{} is listed, but there is no operational point", function_name(function)),
+          "add a list operational_points, or remove the function");
+    } else if (inverts_mass_matrix(function) && !singular.empty()) {
+      top.error(
+          fmt::format("{} is listed, but nothing beyond {} has mass: the mass matrix is singular",
+                      function_name(function), singular),
+          "give it mass in the URDF, lock the joint, or remove the function");
+    }
+  }
+}
+
+void check_forces_used(const SceneElement& top, const Scene& scene) {
+  if (scene.external_forces.empty()) return;
+  const auto uses = [](Function function) {
+    return function == Function::inverse_dynamics || function == Function::forward_dynamics ||
+           function == Function::control_torque;
+  };
+  if (std::any_of(scene.functions.begin(), scene.functions.end(), uses)) return;
+  top.warn("external_forces are listed, but no function takes them",
+           "add inverse_dynamics, forward_dynamics or control_torque to functions");
+}
+
+/// Lambda exists only if the rows can be moved independently of each other.
+void check_rows(const SceneElement& top, const Robot& robot, const Scene& scene) {
+  const auto needs_lambda = [](Function f) {
+    return f == Function::lambda || f == Function::control_torque;
+  };
+  if (std::none_of(scene.functions.begin(), scene.functions.end(), needs_lambda)) return;
+  const std::string remedy =
+      "control fewer rows, or list under functions those that need no lambda";
+  Freedoms all;
+  long rows = 0;
+  for (const ScenePoint& point : scene.operational_points) {
+    const Freedoms own = find_freedoms_of_link(robot, scene, point.link);
+    const long own_rows = std::count(point.rows.begin(), point.rows.end(), true);
+    if (own_rows > count(own)) {
+      top.error(fmt::format(
+                    "point \"{}\" has {} rows, but its link \"{}\" moves with {} coordinates only",
+                    point.name, own_rows, point.link, count(own)),
+                remedy);
+      return;
+    }
+    all.insert(own.begin(), own.end());
+    rows += own_rows;
+  }
+  if (rows > count(all)) {
+    top.error(
+        fmt::format("the operational points have {} rows together, but {} coordinates move them",
+                    rows, count(all)),
+        remedy);
+  }
+}
+
+void check_joint_identifiers(const SceneElement& top, const Robot& robot,
+                             const Freedoms& freedoms) {
+  std::map<std::string, std::string> names;
+  for (const auto& [owner, number] : freedoms) {
+    if (owner == kFloatingBase) continue;
+    const std::string& name = robot.joints[static_cast<std::size_t>(owner)].name;
+    const auto [first, is_new] = names.try_emplace(identifier_from(name), name);
+    if (is_new) continue;
+    top.error(fmt::format("the joints \"{}\" and \"{}\" of {} would both be {} in C++",
+                          first->second, name, robot.file, first->first),
+              "rename one of them in the URDF");
+  }
+}
+
+}  // namespace
+
+bool needs_points(Function function) {
+  switch (function) {
+    case Function::forward_kinematics:
+    case Function::jacobian:
+    case Function::bias_acceleration:
+    case Function::lambda_inverse:
+    case Function::lambda:
+    case Function::control_torque:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool inverts_mass_matrix(Function function) {
+  switch (function) {
+    case Function::forward_dynamics:
+    case Function::lambda_inverse:
+    case Function::lambda:
+    case Function::control_torque:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
+  const Freedoms freedoms = find_freedoms(robot, scene);
+  if (freedoms.empty()) {
+    top.error("nothing moves: the robot has no coordinates in this scene",
+              "write base: floating, or unlock a joint");
+    return;
+  }
+  const Link& root = robot.links[static_cast<std::size_t>(robot.root)];
+  if (scene.base == Base::floating && root.name == "world") {
+    top.warn("the base floats, but the root link is called \"world\"",
+             "write base: fixed if that link is the ground");
+  }
+  const std::string singular = find_singular(robot, scene);
+  if (scene.functions.empty()) {
+    choose_functions(top, singular, scene);
+  } else {
+    check_functions(top, singular, scene);
+  }
+  check_forces_used(top, scene);
+  check_rows(top, robot, scene);
+  check_joint_identifiers(top, robot, freedoms);
+}
+
+}  // namespace treeline

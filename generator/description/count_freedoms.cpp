@@ -1,0 +1,71 @@
+#include "description/count_freedoms.hpp"
+
+#include <vector>
+
+namespace treeline {
+namespace {
+
+/// Adds the coordinate that a joint moves with, if it moves.
+void add_owner(const Robot& robot, const Scene& scene, int joint, Freedoms& freedoms) {
+  const auto& mimic = robot.joints[static_cast<std::size_t>(joint)].mimic;
+  const int owner = mimic ? mimic->joint : joint;
+  const Joint& moving = robot.joints[static_cast<std::size_t>(owner)];
+  if (moving.type == JointType::fixed || scene.locked.contains(moving.name)) return;
+  freedoms.emplace(owner, freedoms_of(moving.type));
+}
+
+Freedoms base_freedoms(const Scene& scene) {
+  if (scene.base == Base::floating) return {{kFloatingBase, 6}};
+  return {};
+}
+
+}  // namespace
+
+int freedoms_of(JointType type) {
+  switch (type) {
+    case JointType::fixed:
+      return 0;
+    case JointType::revolute:
+    case JointType::continuous:
+    case JointType::prismatic:
+      return 1;
+    case JointType::planar:
+      return 3;
+    case JointType::floating:
+      return 6;
+  }
+  return 0;
+}
+
+int count(const Freedoms& freedoms) {
+  int sum = 0;
+  for (const auto& [owner, number] : freedoms) sum += number;
+  return sum;
+}
+
+Freedoms find_freedoms(const Robot& robot, const Scene& scene) {
+  Freedoms freedoms = base_freedoms(scene);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    add_owner(robot, scene, static_cast<int>(i), freedoms);
+  }
+  return freedoms;
+}
+
+Freedoms find_freedoms_of_link(const Robot& robot, const Scene& scene, const std::string& link) {
+  std::vector<int> parent_joint(robot.links.size(), -1);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    parent_joint[static_cast<std::size_t>(robot.joints[i].child)] = static_cast<int>(i);
+  }
+  Freedoms freedoms = base_freedoms(scene);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (robot.links[i].name != link) continue;
+    for (int joint = parent_joint[i]; joint >= 0;) {
+      add_owner(robot, scene, joint, freedoms);
+      const int parent = robot.joints[static_cast<std::size_t>(joint)].parent;
+      joint = parent_joint[static_cast<std::size_t>(parent)];
+    }
+  }
+  return freedoms;
+}
+
+}  // namespace treeline

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// Degrees of freedom of a joint type: 0 fixed, 1, 3 planar, 6 floating.
+int freedoms_of(JointType type);
+
+/// The coordinates that move something: for each the joint that owns it (index into Robot::joints,
+/// or `kFloatingBase`) with its degrees of freedom.
+using Freedoms = std::map<int, int>;
+inline constexpr int kFloatingBase = -1;
+
+/// Sum over the owners: entries of qd.
+int count(const Freedoms& freedoms);
+
+/// All coordinates of the robot in the scene: fixed, locked and mimic joints own none.
+Freedoms find_freedoms(const Robot& robot, const Scene& scene);
+
+/// Those that move a link in the world. A mimic joint on the way stands for the joint it follows.
+Freedoms find_freedoms_of_link(const Robot& robot, const Scene& scene, const std::string& link);
+
+}  // namespace treeline

@@ -1,0 +1,127 @@
+#include "description/read_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "description/check_scene.hpp"
+#include "description/identifier.hpp"
+#include "description/read_scene_point.hpp"
+#include "description/read_text_file.hpp"
+#include "description/scene_element.hpp"
+
+namespace treeline {
+namespace {
+
+void report_yaml(const std::string& file, int line, std::string fault, Diagnostics& diagnostics) {
+  diagnostics.add({Severity::error, file, line, "", std::move(fault), "mend the YAML"});
+}
+
+/// The one document in the text; an empty map when there is none.
+std::optional<YAML::Node> load(const std::string& text, const std::string& file,
+                               Diagnostics& diagnostics) {
+  if (!is_utf8(text)) {
+    report_yaml(file, 0, "the file is not UTF-8 text", diagnostics);
+    return std::nullopt;
+  }
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1) {
+      report_yaml(file, documents[1].Mark().line + 1, "there is more than one document",
+                  diagnostics);
+      return std::nullopt;
+    }
+    const bool empty = documents.empty() || documents.front().IsNull();
+    return empty ? YAML::Node(YAML::NodeType::Map) : documents.front();
+  } catch (const YAML::Exception& exception) {
+    report_yaml(file, exception.mark.line + 1, "this is not well-formed YAML: " + exception.msg,
+                diagnostics);
+    return std::nullopt;
+  }
+}
+
+void read_name(const SceneElement& element, Scene& scene) {
+  const auto name = element.text();
+  if (!name) return;
+  if (!is_identifier(*name)) {
+    element.error(fmt::format("\"{}\" cannot be the name of a namespace in C++", *name),
+                  fmt::format("write {}", identifier_from(*name)));
+  }
+  scene.name = *name;
+}
+
+void read_functions(const SceneElement& element, Scene& scene) {
+  std::vector<std::string> names;
+  for (const Function function : kAllFunctions) names.emplace_back(function_name(function));
+  const std::vector<SceneElement> items = element.items();
+  if (items.empty())
+    element.error("no function is listed", "list some, or leave out the key for all");
+  for (const SceneElement& item : items) {
+    const auto index = item.choice(names);
+    if (!index) continue;
+    const Function function = kAllFunctions[*index];
+    const bool repeated = std::count(scene.functions.begin(), scene.functions.end(), function) > 0;
+    if (repeated) item.error(fmt::format("{} is listed twice", names[*index]), "list it once");
+    scene.functions.push_back(function);
+  }
+  std::sort(scene.functions.begin(), scene.functions.end());
+}
+
+void read_settings(const std::map<std::string, SceneElement>& fields, Scene& scene) {
+  const auto find = [&](const char* key) { return fields.find(key); };
+  if (const auto name = find("name"); name != fields.end()) read_name(name->second, scene);
+  if (const auto base = find("base"); base != fields.end()) {
+    scene.base = base->second.choice({"fixed", "floating"}) == 1 ? Base::floating : Base::fixed;
+  }
+  if (const auto gravity = find("gravity"); gravity != fields.end()) {
+    scene.gravity = gravity->second.three_numbers().value_or(scene.gravity);
+  }
+  if (const auto real = find("real"); real != fields.end()) {
+    scene.real = real->second.choice({"float", "double"}) == 0 ? Real::float32 : Real::float64;
+  }
+  if (const auto functions = find("functions"); functions != fields.end()) {
+    read_functions(functions->second, scene);
+  }
+}
+
+Scene read_fields(const SceneElement& top, const Robot& robot) {
+  Scene scene;
+  scene.name = identifier_from(robot.name);
+  const auto fields = top.fields({"name", "base", "gravity", "real", "operational_points",
+                                  "external_forces", "functions", "locked"});
+  read_settings(fields, scene);
+  if (const auto points = fields.find("operational_points"); points != fields.end()) {
+    scene.operational_points = read_operational_points(points->second, robot);
+  }
+  if (const auto forces = fields.find("external_forces"); forces != fields.end()) {
+    scene.external_forces = read_external_forces(forces->second, robot);
+  }
+  if (const auto locked = fields.find("locked"); locked != fields.end()) {
+    read_locked(locked->second, robot, scene);
+  }
+  return scene;
+}
+
+}  // namespace
+
+std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
+                                 const Robot& robot, Diagnostics& diagnostics) {
+  const auto document = load(text, file_name, diagnostics);
+  if (!document) return std::nullopt;
+  SceneReading reading{file_name, diagnostics};
+  const SceneElement top(*document, "", reading);
+  Scene scene = read_fields(top, robot);
+  scene.file = file_name;
+  if (!reading.failed) complete_scene(top, robot, scene);
+  if (reading.failed) return std::nullopt;
+  return scene;
+}
+
+std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
+                                Diagnostics& diagnostics) {
+  const auto text = read_text_file(path, diagnostics);
+  if (!text) return std::nullopt;
+  return parse_scene(*text, path, robot, diagnostics);
+}
+
+}  // namespace treeline

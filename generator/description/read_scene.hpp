@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "description/diagnostic.hpp"
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// Reads the scene at `path` for `robot`. The YAML is taken strictly: an unknown or repeated key, a
+/// value of the wrong kind or length, and a name that the robot does not have are errors, with the
+/// line and the nearest name. Nothing is returned when there is an error.
+///
+/// Defaults: see `Scene`; `name` is the robot's name made an identifier; `functions` are all that
+/// the scene permits: those of operational points if it has any, those that invert the mass matrix
+/// if it can be inverted.
+std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
+                                Diagnostics& diagnostics);
+
+/// The same from text; `file_name` is for the diagnostics only. Empty text is the default scene.
+std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
+                                 const Robot& robot, Diagnostics& diagnostics);
+
+}  // namespace treeline

@@ -1,0 +1,158 @@
+#include "description/read_scene_point.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "description/count_freedoms.hpp"
+#include "description/identifier.hpp"
+#include "description/suggest_name.hpp"
+
+namespace treeline {
+namespace {
+
+using Fields = std::map<std::string, SceneElement>;
+
+const std::vector<std::string> kRows = {"x", "y", "z", "rx", "ry", "rz"};
+
+std::string read_point_name(const SceneElement& point, const Fields& fields) {
+  const auto found = fields.find("name");
+  if (found == fields.end()) {
+    point.error("the key \"name\" is missing", "give the point a name");
+    return {};
+  }
+  const auto name = found->second.text();
+  if (name && !is_identifier(*name)) {
+    found->second.error(fmt::format("\"{}\" cannot be a name in C++", *name),
+                        fmt::format("write {}", identifier_from(*name)));
+  }
+  return name.value_or("");
+}
+
+std::string read_link_name(const SceneElement& point, const Fields& fields, const Robot& robot) {
+  const auto found = fields.find("link");
+  if (found == fields.end()) {
+    point.error("the key \"link\" is missing", "name the link that carries the point");
+    return {};
+  }
+  const auto name = found->second.text();
+  if (!name) return {};
+  std::vector<std::string> links;
+  for (const Link& link : robot.links) links.push_back(link.name);
+  if (std::find(links.begin(), links.end(), *name) == links.end()) {
+    found->second.error(fmt::format("the robot has no link \"{}\"", *name),
+                        suggest_name(*name, links, "its links are"));
+  }
+  return *name;
+}
+
+Pose read_origin(const SceneElement& element) {
+  Pose pose;
+  const Fields fields = element.fields({"xyz", "rpy"});
+  if (const auto xyz = fields.find("xyz"); xyz != fields.end()) {
+    pose.xyz = xyz->second.three_numbers().value_or(pose.xyz);
+  }
+  if (const auto rpy = fields.find("rpy"); rpy != fields.end()) {
+    pose.rpy = rpy->second.three_numbers().value_or(pose.rpy);
+  }
+  return pose;
+}
+
+std::array<bool, 6> read_rows(const SceneElement& element) {
+  std::array<bool, 6> rows{};
+  const std::vector<SceneElement> items = element.items();
+  if (items.empty())
+    element.error("no row is listed", "list some of x y z rx ry rz, or leave out the key for all");
+  std::size_t next = 0;
+  for (const SceneElement& item : items) {
+    const auto row = item.choice(kRows);
+    if (!row) continue;
+    if (rows[*row]) {
+      item.error(fmt::format("the row {} is listed twice", kRows[*row]), "list it once");
+    } else if (*row < next) {
+      item.error("the rows are not in their order", "the order is always x y z rx ry rz");
+    }
+    rows[*row] = true;
+    next = *row + 1;
+  }
+  return rows;
+}
+
+ScenePoint read_point(const SceneElement& element, const Robot& robot,
+                      const std::vector<std::string>& keys) {
+  ScenePoint point;
+  const Fields fields = element.fields(keys);
+  point.name = read_point_name(element, fields);
+  point.link = read_link_name(element, fields, robot);
+  if (const auto origin = fields.find("origin"); origin != fields.end()) {
+    point.origin = read_origin(origin->second);
+  }
+  if (const auto axes = fields.find("axes"); axes != fields.end()) {
+    point.axes = axes->second.choice({"world", "local"}) == 1 ? Axes::local : Axes::world;
+  }
+  if (const auto rows = fields.find("rows"); rows != fields.end()) {
+    point.rows = read_rows(rows->second);
+  }
+  return point;
+}
+
+std::vector<ScenePoint> read_points(const SceneElement& element, const Robot& robot,
+                                    const std::vector<std::string>& keys) {
+  std::vector<ScenePoint> points;
+  for (const SceneElement& item : element.items()) {
+    ScenePoint point = read_point(item, robot, keys);
+    const auto same_name = [&](const ScenePoint& other) { return other.name == point.name; };
+    if (!point.name.empty() && std::any_of(points.begin(), points.end(), same_name)) {
+      item.error(fmt::format("the name \"{}\" is already taken in this list", point.name),
+                 "give each a name of its own");
+    }
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+const Joint* find_joint(const SceneElement& element, const std::string& name, const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Joint& joint : robot.joints) {
+    if (joint.name == name) return &joint;
+    names.push_back(joint.name);
+  }
+  element.error(fmt::format("the robot has no joint \"{}\"", name),
+                suggest_name(name, names, "its joints are"));
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot) {
+  return read_points(element, robot, {"name", "link", "origin", "rows", "axes"});
+}
+
+std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot) {
+  return read_points(element, robot, {"name", "link", "origin", "axes"});
+}
+
+void read_locked(const SceneElement& element, const Robot& robot, Scene& scene) {
+  for (const auto& [name, value] : element.entries()) {
+    const Joint* joint = find_joint(value, name, robot);
+    const auto held = value.number();
+    if (joint == nullptr || !held) continue;
+    if (joint->mimic) {
+      const Joint& followed = robot.joints[static_cast<std::size_t>(joint->mimic->joint)];
+      value.error("a joint that mimics has no value of its own",
+                  fmt::format("lock the joint it follows, \"{}\"", followed.name));
+    } else if (joint->type == JointType::fixed) {
+      value.error("a fixed joint has no value", "remove this line");
+    } else if (freedoms_of(joint->type) != 1) {
+      value.error("only a joint of one degree of freedom can be locked",
+                  "make the joint fixed in the URDF");
+    } else if (joint->limits && (*held < joint->limits->lower || *held > joint->limits->upper)) {
+      value.warn(fmt::format("{} is outside the joint's limits, {} to {}", *held,
+                             joint->limits->lower, joint->limits->upper),
+                 "check the value and its unit: radians or metres");
+    }
+    scene.locked.emplace(name, *held);
+  }
+}
+
+}  // namespace treeline

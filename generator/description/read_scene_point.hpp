@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "description/scene_element.hpp"
+
+namespace treeline {
+
+/// The scene's lists of frames on links. Names must be identifiers and differ within a list.
+std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot);
+std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot);
+
+/// The scene's map from joints to the values they are held at. An error for a joint that is
+/// unknown, fixed, mimic or of several degrees of freedom; a warning for a value outside the
+/// joint's limits.
+void read_locked(const SceneElement& element, const Robot& robot, Scene& scene);
+
+}  // namespace treeline

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "description/diagnostic.hpp"
+
+namespace treeline {
+
+/// One reading of a scene: where faults go.
+struct SceneReading {
+  std::string file;
+  Diagnostics& diagnostics;
+  bool failed = false;
+};
+
+/// A value in the scene's YAML. Readers report what is malformed as an error, with line and path,
+/// and go on with nothing.
+class SceneElement {
+ public:
+  using Entry = std::pair<std::string, SceneElement>;
+
+  SceneElement(YAML::Node node, std::string path, SceneReading& reading)
+      : node_(std::move(node)),
+        path_(std::move(path)),
+        line_(node_.Mark().line + 1),
+        reading_(&reading) {}
+
+  void error(std::string fault, std::string remedy) const;
+  void warn(std::string fault, std::string remedy) const;
+
+  /// Entries of a map in the file's order; an error for no map and for a key given twice.
+  [[nodiscard]] std::vector<Entry> entries() const;
+  /// The same for a map whose keys are known; an error, with a suggestion, for any other.
+  [[nodiscard]] std::map<std::string, SceneElement> fields(
+      const std::vector<std::string>& known) const;
+  /// Items of a list; an error for anything else.
+  [[nodiscard]] std::vector<SceneElement> items() const;
+  /// A text that is not empty.
+  [[nodiscard]] std::optional<std::string> text() const;
+  /// Index into `choices`; an error with a suggestion for any other text.
+  [[nodiscard]] std::optional<std::size_t> choice(const std::vector<std::string>& choices) const;
+  /// A finite number, not in quotes.
+  [[nodiscard]] std::optional<double> number() const;
+  [[nodiscard]] std::optional<std::array<double, 3>> three_numbers() const;
+
+ private:
+  [[nodiscard]] SceneElement inside(const YAML::Node& node, const std::string& step) const;
+  void report(Severity severity, std::string fault, std::string remedy) const;
+  [[nodiscard]] std::string kind() const;
+
+  YAML::Node node_;
+  std::string path_;
+  int line_;
+  SceneReading* reading_;
+};
+
+}  // namespace treeline
