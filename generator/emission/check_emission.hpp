@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "description/diagnostic.hpp"
+#include "emission/emission_context.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// Reports what cannot be emitted as valid code: names, empty arguments, divisions by a structural
+/// zero, constants that Real cannot hold.
+void check_emission(const EmissionContext& context, std::span<const Program> programs,
+                    Diagnostics& diagnostics);
+
+}  // namespace treeline

@@ -1,0 +1,140 @@
+#include "emission/choose_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+
+namespace treeline {
+namespace {
+
+constexpr std::array kKeywords = {"alignas",       "alignof",     "and",
+                                  "and_eq",        "asm",         "auto",
+                                  "bitand",        "bitor",       "bool",
+                                  "break",         "case",        "catch",
+                                  "char",          "char16_t",    "char32_t",
+                                  "char8_t",       "class",       "co_await",
+                                  "co_return",     "co_yield",    "compl",
+                                  "concept",       "const",       "const_cast",
+                                  "consteval",     "constexpr",   "constinit",
+                                  "continue",      "decltype",    "default",
+                                  "delete",        "do",          "double",
+                                  "dynamic_cast",  "else",        "enum",
+                                  "explicit",      "export",      "extern",
+                                  "false",         "float",       "for",
+                                  "friend",        "goto",        "if",
+                                  "inline",        "int",         "long",
+                                  "mutable",       "namespace",   "new",
+                                  "noexcept",      "not",         "not_eq",
+                                  "nullptr",       "operator",    "or",
+                                  "or_eq",         "private",     "protected",
+                                  "public",        "register",    "reinterpret_cast",
+                                  "requires",      "return",      "short",
+                                  "signed",        "sizeof",      "static",
+                                  "static_assert", "static_cast", "struct",
+                                  "switch",        "template",    "this",
+                                  "thread_local",  "throw",       "true",
+                                  "try",           "typedef",     "typeid",
+                                  "typename",      "union",       "unsigned",
+                                  "using",         "virtual",     "void",
+                                  "volatile",      "wchar_t",     "while",
+                                  "xor",           "xor_eq"};
+
+std::string make_unique(std::string name, std::set<std::string>& taken) {
+  const std::string stem = name;
+  for (int i = 2; !taken.insert(name).second; ++i) {
+    name = fmt::format("{}_{}", stem, i);
+  }
+  return name;
+}
+
+/// What a part of this element of a result is called after: `tau_2`, `M_0_3`.
+std::string element_name(const Argument& argument, std::size_t element) {
+  const auto cols = static_cast<std::size_t>(argument.cols);
+  return cols == 1 ? fmt::format("{}_{}", argument.name, element)
+                   : fmt::format("{}_{}_{}", argument.name, element / cols, element % cols);
+}
+
+/// For every node the name it has by itself, from the trace or as a result; else empty.
+std::vector<std::string> find_own_names(const Program& program) {
+  const Graph& graph = program.graph;
+  std::vector<std::string> names(graph.nodes().size());
+  for (const Result& result : program.results) {
+    for (std::size_t i = 0; i < result.values.size(); ++i) {
+      std::string& name = names[result.values[i].node()];
+      name = name.empty() ? element_name(result.argument, i) : name;
+    }
+  }
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    if (const auto name = graph.names().find(i); name != graph.names().end()) {
+      names[i] = make_identifier(name->second);
+    }
+  }
+  return names;
+}
+
+/// For every node its own name, else that of the first value with a name that it is a part of.
+std::vector<std::string> find_stems(const Program& program, std::vector<std::string> names) {
+  const std::vector<Node>& nodes = program.graph.nodes();
+  std::vector<std::string> stems(nodes.size());
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    stems[i] = names[i].empty() ? stems[i] : names[i];
+    const int operands = operation(nodes[i].op).operands;
+    if (operands >= 1) {  // the earliest user is visited last and wins
+      stems[nodes[i].a] = stems[i];
+    }
+    if (operands == 2) {
+      stems[nodes[i].b] = stems[i];
+    }
+  }
+  return stems;
+}
+
+}  // namespace
+
+bool is_keyword(std::string_view word) {
+  return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
+}
+
+std::string make_identifier(std::string_view text) {
+  std::string name;
+  for (const char c : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (plain) {
+      name += c;
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';
+    }
+  }
+  while (!name.empty() && name.back() == '_') {
+    name.pop_back();
+  }
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) {
+    name = std::string("v").append(name);
+  }
+  return is_keyword(name) ? name + "_value" : name;
+}
+
+std::vector<std::string> choose_names(const Program& program, const std::vector<bool>& wanted,
+                                      std::set<std::string> reserved) {
+  std::vector<std::string> names = find_own_names(program);
+  const std::vector<std::string> stems = find_stems(program, names);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!wanted[i]) {
+      names[i].clear();
+    } else if (!names[i].empty()) {  // all of these before any part takes a name of theirs
+      names[i] = make_unique(names[i], reserved);
+    }
+  }
+  std::map<std::string, int> parts;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (wanted[i] && names[i].empty()) {
+      names[i] = make_unique(fmt::format("{}_p{}", stems[i], ++parts[stems[i]]), reserved);
+    }
+  }
+  return names;
+}
+
+}  // namespace treeline

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace treeline {
+
+/// What the contract and the manifest say beside the functions. Plain facts, already in words where
+/// they are for the reader: emission knows nothing of mechanisms. No paths, dates or versions, so
+/// that the same input gives the same bytes everywhere.
+struct EmissionContext {
+  std::string name;     ///< identifier: namespace, target and stem of the header
+  std::string robot;    ///< the robot's name as the URDF has it
+  std::string command;  ///< that regenerates the folder, file names without directories
+  bool single_precision = false;
+  int coordinates = 0;              ///< nq
+  int velocities = 0;               ///< nv
+  int task_rows = 0;                ///< stacked over the operational points
+  std::string base;                 ///< "fixed" or "floating"
+  std::array<double, 3> gravity{};  ///< m/s^2, world axes
+
+  struct Input {
+    std::string file;  ///< without directory
+    std::string text;  ///< its content, for the digest
+  };
+  std::vector<Input> inputs;
+
+  /// One row of the table of joints, in joint order.
+  struct JointRow {
+    std::string name;
+    std::string type;
+    int first_coordinate = 0, coordinates = 1;
+    int first_velocity = 0, velocities = 1;
+    std::string limits;  ///< "-2.8 .. 2.8 rad, 97.6 Nm, 3 rad/s"; may be empty
+  };
+  std::vector<JointRow> joints;
+
+  /// An operational point or the place of an external force, in order of rows.
+  struct PointRow {
+    std::string name;
+    std::string link;
+    std::string frame;  ///< "origin (0, 0, 0.1) m in the link, world axes"
+    std::string rows;   ///< "x y z rx ry rz"
+    int first_row = 0;
+  };
+  std::vector<PointRow> operational_points;
+  std::vector<PointRow> external_forces;
+
+  /// One decision between methods that give the same function.
+  struct Method {
+    std::string name;
+    int flops = 0;
+  };
+  struct ChoiceRow {
+    std::string function;
+    Method chosen;
+    std::vector<Method> rejected;
+  };
+  std::vector<ChoiceRow> choices;
+
+  /// Something that this robot and scene do not need, and the operations that saves.
+  struct SkippedRow {
+    std::string what;
+    int saved_flops = 0;
+  };
+  std::vector<SkippedRow> skipped;
+
+  std::vector<std::string> notes;  ///< lines for the contract: locked joints, lumped links
+};
+
+}  // namespace treeline

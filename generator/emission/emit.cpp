@@ -1,0 +1,73 @@
+#include "emission/emit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emission/check_emission.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/print_contract.hpp"
+#include "emission/print_eigen.hpp"
+#include "emission/print_manifest.hpp"
+#include "emission/print_source.hpp"
+#include "emission/templates.hpp"
+
+namespace treeline {
+namespace {
+
+/// The runtime's sine and cosine in the robot's own namespace, so that robots generated at
+/// different times live in one program.
+std::string print_sin_cos(const EmissionContext& context) {
+  constexpr std::string_view kNamespace = "treeline::core";
+  std::string text(templates::kSinCos);
+  const std::string own = context.name + "::detail";
+  for (std::size_t at = text.find(kNamespace); at != std::string::npos;
+       at = text.find(kNamespace, at + own.size())) {
+    text.replace(at, kNamespace.size(), own);
+  }
+  return text;
+}
+
+std::string print_cmake(const EmissionContext& context, std::span<const Program> programs) {
+  std::string sources;
+  for (const Program& program : programs) {
+    sources += fmt::format("{}  {}.cpp", sources.empty() ? "" : "\n", program.name);
+  }
+  return fill_template(
+      templates::kCMakeLists,
+      {{"robot", context.robot}, {"name", context.name}, {"sources", sources + ")"}});
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const Program> programs,
+                                Diagnostics& diagnostics) {
+  Diagnostics own;
+  check_emission(context, programs, own);
+  for (const Diagnostic& diagnostic : own.list()) {
+    diagnostics.add(diagnostic);
+  }
+  if (own.has_errors()) {
+    return {};
+  }
+  std::vector<GeneratedFile> files = {{context.name + ".hpp", print_contract(context, programs)},
+                                      {context.name + "_eigen.hpp", print_eigen(context, programs)},
+                                      {"CMakeLists.txt", print_cmake(context, programs)}};
+  for (const Program& program : programs) {
+    files.push_back({program.name + ".cpp", print_source(context, program)});
+  }
+  if (std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+    files.push_back({"sin_cos.hpp", print_sin_cos(context)});
+  }
+  std::vector<std::string> names = {kManifestName};
+  for (const GeneratedFile& file : files) {
+    names.push_back(file.name);
+  }
+  std::sort(names.begin(), names.end());
+  files.push_back({kManifestName, print_manifest(context, programs, names)});
+  std::sort(files.begin(), files.end(),
+            [](const GeneratedFile& a, const GeneratedFile& b) { return a.name < b.name; });
+  return files;
+}
+
+}  // namespace treeline

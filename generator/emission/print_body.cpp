@@ -1,0 +1,159 @@
+#include "emission/print_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "emission/choose_names.hpp"
+#include "emission/print_expression.hpp"
+#include "emission/select_statements.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr std::size_t kLineWidth = 100;
+
+bool is_trigonometric(Op op) {
+  return op == Op::sin || op == Op::cos;
+}
+
+/// `  statement` broken at blanks to lines of at most kLineWidth, continued with six blanks.
+std::string wrap(std::string_view statement) {
+  std::string text;
+  std::string indentation = "  ";
+  while (indentation.size() + statement.size() > kLineWidth) {
+    const std::size_t blank = statement.rfind(' ', kLineWidth - indentation.size());
+    if (blank == std::string_view::npos) {
+      break;
+    }
+    text += indentation + std::string(statement.substr(0, blank)) + "\n";
+    statement.remove_prefix(blank + 1);
+    indentation = "      ";
+  }
+  return text + indentation + std::string(statement) + "\n";
+}
+
+class BodyPrinter {
+ public:
+  BodyPrinter(const Program& program, bool single_precision, const std::set<std::string>& taken)
+      : program_(program),
+        graph_(program.graph),
+        selected_(select_statements(program)),
+        names_(choose_names(program, selected_, taken)),
+        expressions_(graph_, names_, single_precision),
+        stores_(graph_.nodes().size()) {
+    for (const Result& result : program.results) {
+      for (std::size_t i = 0; i < result.values.size(); ++i) {
+        stores_[result.values[i].node()].push_back(
+            {fmt::format("{}[{}]", result.argument.name, i), result.values[i]});
+      }
+    }
+  }
+
+  std::string print() {
+    for (std::uint32_t i = 0; i < graph_.nodes().size();) {
+      enter_sections(i);
+      if (is_trigonometric(graph_.nodes()[i].op) && selected_[i]) {
+        i = print_trigonometry(i);
+      } else {
+        print_node(i);
+        ++i;
+      }
+    }
+    return std::move(text_);
+  }
+
+ private:
+  struct Store {
+    std::string target;
+    Expression value;
+  };
+
+  void enter_sections(std::uint32_t node) {
+    for (; next_section_ < graph_.sections().size() &&
+           graph_.sections()[next_section_].first_node <= node;
+         ++next_section_) {
+      title_ = graph_.sections()[next_section_].title;
+    }
+  }
+
+  /// Writes one statement, below its section's title when the last statement was of another.
+  void print_statement(const std::string& statement) {
+    if (title_ != printed_title_ && !title_.empty()) {
+      text_ += fmt::format("{}  // {}\n", text_.empty() ? "" : "\n", title_);
+      printed_title_ = title_;
+    }
+    text_ += wrap(statement);
+  }
+
+  void print_node(std::uint32_t node) {
+    if (selected_[node]) {
+      print_statement(fmt::format("const Real {} = {};", names_[node], expressions_.formula(node)));
+    }
+    print_stores(node);
+  }
+
+  void print_stores(std::uint32_t node) {
+    for (const Store& store : stores_[node]) {
+      print_statement(
+          fmt::format("{} = {};", store.target, expressions_.signed_reference(store.value)));
+    }
+  }
+
+  /// The run of sines and cosines that begins with node `first`, by one call. Returns the node
+  /// after the run.
+  std::uint32_t print_trigonometry(std::uint32_t first) {
+    std::vector<std::uint32_t> angles;
+    std::uint32_t end = first;
+    for (; end < graph_.nodes().size() && is_trigonometric(graph_.nodes()[end].op) &&
+           graph_.nodes()[end].a < first;
+         ++end) {
+      if (std::find(angles.begin(), angles.end(), graph_.nodes()[end].a) == angles.end()) {
+        angles.push_back(graph_.nodes()[end].a);
+      }
+    }
+    const std::string suffix = batches_++ == 0 ? "" : std::to_string(batches_);
+    print_call(angles, suffix);
+    for (std::uint32_t i = first; i < end; ++i) {
+      const Node& node = graph_.nodes()[i];
+      const auto lane = std::find(angles.begin(), angles.end(), node.a) - angles.begin();
+      enter_sections(i);
+      text_ += wrap(fmt::format("const Real {} = {}{}[{}];", names_[i],
+                                node.op == Op::sin ? "sines" : "cosines", suffix, lane));
+      print_stores(i);
+    }
+    return end;
+  }
+
+  void print_call(const std::vector<std::uint32_t>& angles, const std::string& suffix) {
+    std::string list;
+    for (const std::uint32_t angle : angles) {
+      list += (list.empty() ? "" : ", ") + expressions_.reference(angle);
+    }
+    text_ += wrap(fmt::format("const Real angles{}[{}] = {{{}}};", suffix, angles.size(), list));
+    text_ += fmt::format("  Real sines{0}[{1}];\n  Real cosines{0}[{1}];\n", suffix, angles.size());
+    text_ += fmt::format("  detail::sin_cos(angles{0}, sines{0}, cosines{0});\n", suffix);
+  }
+
+  const Program& program_;
+  const Graph& graph_;
+  std::vector<bool> selected_;
+  std::vector<std::string> names_;
+  ExpressionPrinter expressions_;
+  std::vector<std::vector<Store>> stores_;
+  std::string text_;
+  std::string title_, printed_title_;
+  std::size_t next_section_ = 0;
+  int batches_ = 0;
+};
+
+}  // namespace
+
+std::string print_body(const Program& program, bool single_precision,
+                       const std::set<std::string>& taken) {
+  return BodyPrinter(program, single_precision, taken).print();
+}
+
+}  // namespace treeline

@@ -1,0 +1,127 @@
+#include "emission/print_contract.hpp"
+
+#include <fmt/format.h>
+
+#include "emission/fill_template.hpp"
+#include "emission/print_source.hpp"
+#include "emission/templates.hpp"
+#include "program/format_literal.hpp"
+
+namespace treeline {
+namespace {
+
+/// `// ` before every line; no blank at the end of an empty one.
+std::string comment(const std::string& mark, const std::string& text) {
+  std::string commented;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    commented += mark + (end == begin ? "" : " ") + text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return commented;
+}
+
+std::string describe_origin(const EmissionContext& context) {
+  std::string text = "From";
+  for (std::size_t i = 0; i < context.inputs.size(); ++i) {
+    text += (i == 0 ? " " : " and ") + context.inputs[i].file;
+  }
+  return text + " by\n  " + context.command + "\n";
+}
+
+/// `3` or `3..8`: the elements that `count` from `first` on take.
+std::string elements(int first, int count) {
+  return count == 1 ? std::to_string(first) : fmt::format("{}..{}", first, first + count - 1);
+}
+
+std::string describe_joints(const EmissionContext& context) {
+  std::string text =
+      fmt::format("Joints, in the order of q and of qd, qdd, tau ({} base):\n", context.base);
+  for (const EmissionContext::JointRow& joint : context.joints) {
+    text += fmt::format("  q {:<7} qd {:<7} {} ({}){}{}\n",
+                        elements(joint.first_coordinate, joint.coordinates),
+                        elements(joint.first_velocity, joint.velocities), joint.name, joint.type,
+                        joint.limits.empty() ? "" : ": ", joint.limits);
+  }
+  return text;
+}
+
+std::string describe_points(const char* title,
+                            const std::vector<EmissionContext::PointRow>& points) {
+  std::string text = points.empty() ? "" : std::string(title) + "\n";
+  for (const EmissionContext::PointRow& point : points) {
+    text += fmt::format("  from {:<4} {} on {}, {}: {}\n", point.first_row, point.name, point.link,
+                        point.frame, point.rows);
+  }
+  return text;
+}
+
+std::string describe_conventions(const EmissionContext& context) {
+  std::string text = describe_joints(context);
+  for (const EmissionContext::JointRow& joint : context.joints) {
+    if (joint.coordinates != joint.velocities) {
+      text +=
+          "Of a floating joint q is position and quaternion (x y z w, of unit length) in the "
+          "parent's frame,\nqd its linear and angular velocity in the moving link's axes, tau "
+          "force and moment in those axes;\nqdd is the derivative of qd, component by "
+          "component.\n";
+      break;
+    }
+  }
+  text += describe_points("Operational points, rows of task vectors:", context.operational_points);
+  text += describe_points("External forces, elements of f_ext ([force; moment] on the robot):",
+                          context.external_forces);
+  text +=
+      fmt::format("Gravity ({}, {}, {}) m/s^2 in world axes.\n", format_literal(context.gravity[0]),
+                  format_literal(context.gravity[1]), format_literal(context.gravity[2]));
+  for (const std::string& note : context.notes) {
+    text += note + "\n";
+  }
+  return text;
+}
+
+std::string describe_argument(const Argument& argument, const char* direction) {
+  const std::string shape = argument.cols == 1 ? std::to_string(argument.rows)
+                                               : fmt::format("{}x{}", argument.rows, argument.cols);
+  return fmt::format("{} {} ({}): {}\n", direction, argument.name, shape, argument.meaning);
+}
+
+std::string describe_function(const EmissionContext& context, const Program& program) {
+  std::string text = program.equation.empty() ? program.name : program.equation;
+  text += program.source.empty() ? "\n" : "\nBy " + program.source + ".\n";
+  for (const Argument& argument : program.arguments) {
+    text += describe_argument(argument, "in ");
+  }
+  for (const Result& result : program.results) {
+    text += describe_argument(result.argument, "out");
+  }
+  const int live = count_live_values(program);
+  text += fmt::format("Cost: {}.\nStack: at most {} values live at once, {} bytes.\n",
+                      describe_cost(program), live, live * (context.single_precision ? 4 : 8));
+  return text;
+}
+
+}  // namespace
+
+std::string print_contract(const EmissionContext& context, std::span<const Program> programs) {
+  std::string declarations;
+  for (const Program& program : programs) {
+    declarations += (declarations.empty() ? "" : "\n") +
+                    fill_template(templates::kDeclaration,
+                                  {{"comment", comment("///", describe_function(context, program))},
+                                   {"signature", print_declaration(program) + ";"}});
+  }
+  return fill_template(templates::kContract,
+                       {{"robot", context.robot},
+                        {"origin", comment("//", describe_origin(context))},
+                        {"conventions", comment("//", describe_conventions(context))},
+                        {"name", context.name},
+                        {"real", context.single_precision ? "float" : "double"},
+                        {"coordinates", std::to_string(context.coordinates)},
+                        {"velocities", std::to_string(context.velocities)},
+                        {"task_rows", std::to_string(context.task_rows)},
+                        {"declarations", declarations}});
+}
+
+}  // namespace treeline

@@ -1,0 +1,61 @@
+#include "emission/print_expression.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "program/format_literal.hpp"
+
+namespace treeline {
+namespace {
+
+bool is_sum(Op op) {
+  return op == Op::add || op == Op::sub;
+}
+
+}  // namespace
+
+bool ExpressionPrinter::is_atom(std::uint32_t node) const {
+  return operation(graph_.nodes()[node].op).operands == 0 || !names_[node].empty();
+}
+
+std::string ExpressionPrinter::reference(std::uint32_t node) const {
+  const Node& what = graph_.nodes()[node];
+  if (what.op == Op::constant) {
+    return single_precision_ ? format_literal(static_cast<float>(what.value))
+                             : format_literal(what.value);
+  }
+  if (what.op == Op::input) {
+    return graph_.inputs()[what.a];
+  }
+  return names_[node].empty() ? formula(node) : names_[node];
+}
+
+/// C++ groups a + b + c as (a + b) + c and binds * and / tighter: all else needs parentheses.
+std::string ExpressionPrinter::operand(std::uint32_t node, Op user, bool is_right) const {
+  const std::string text = reference(node);
+  const bool user_is_sum = is_sum(user);
+  const bool own_is_sum = is_sum(graph_.nodes()[node].op);
+  const bool binds =
+      is_atom(node) || (user_is_sum && !own_is_sum) || (user_is_sum == own_is_sum && !is_right);
+  return binds ? text : "(" + text + ")";
+}
+
+std::string ExpressionPrinter::formula(std::uint32_t node) const {
+  const Node& what = graph_.nodes()[node];
+  if (operation(what.op).operands != 2) {
+    throw std::logic_error("only operations with two operands are printed as formulas");
+  }
+  return fmt::format("{} {} {}", operand(what.a, what.op, false), operation(what.op).symbol,
+                     operand(what.b, what.op, true));
+}
+
+std::string ExpressionPrinter::signed_reference(Expression value) const {
+  const std::string text = reference(value.node());
+  if (!value.negative()) {
+    return text;
+  }
+  return is_atom(value.node()) ? "-" + text : "-(" + text + ")";
+}
+
+}  // namespace treeline

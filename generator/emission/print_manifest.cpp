@@ -1,0 +1,106 @@
+#include "emission/print_manifest.hpp"
+
+#include <fmt/format.h>
+
+#include "emission/digest.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/print_source.hpp"
+#include "emission/templates.hpp"
+#include "passes/count_operations.hpp"
+
+namespace treeline {
+namespace {
+
+/// The elements of a JSON array, one a line.
+template <class Range, class Print>
+std::string print_list(const Range& range, Print print) {
+  std::string list;
+  for (const auto& element : range) {
+    list += (list.empty() ? "" : ",\n") + print(element);
+  }
+  return list;
+}
+
+std::string print_input(const EmissionContext::Input& input) {
+  return fmt::format(R"({{"file": {}, "sha256": "{}"}})", quote_json(input.file),
+                     digest(input.text));
+}
+
+std::string print_function(const Program& program) {
+  const OperationCount count = count_operations(program);
+  return fmt::format(R"({{"name": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, )"
+                     R"("sin_cos": {}, "live_values": {}}})",
+                     quote_json(program.name), quote_json(program.source), count.flops(), count.add,
+                     count.mul, count.div, count.sin_cos, count_live_values(program));
+}
+
+std::string print_method(const EmissionContext::Method& method) {
+  return fmt::format(R"({{"method": {}, "flops": {}}})", quote_json(method.name), method.flops);
+}
+
+std::string print_choice(const EmissionContext::ChoiceRow& choice) {
+  std::string rejected;
+  for (const EmissionContext::Method& method : choice.rejected) {
+    rejected += (rejected.empty() ? "" : ", ") + print_method(method);
+  }
+  return fmt::format(R"({{"function": {}, "chosen": {}, "rejected": [{}]}})",
+                     quote_json(choice.function), print_method(choice.chosen), rejected);
+}
+
+std::string print_skipped(const EmissionContext::SkippedRow& skipped) {
+  return fmt::format(R"({{"what": {}, "saved_flops": {}}})", quote_json(skipped.what),
+                     skipped.saved_flops);
+}
+
+}  // namespace
+
+std::string quote_json(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += std::string("\\") + c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
+std::string print_manifest(const EmissionContext& context, std::span<const Program> programs,
+                           const std::vector<std::string>& files) {
+  return fill_template(
+      templates::kManifest,
+      {{"name", quote_json(context.name)},
+       {"robot", quote_json(context.robot)},
+       {"command", quote_json(context.command)},
+       {"real", context.single_precision ? "\"float\"" : "\"double\""},
+       {"coordinates", std::to_string(context.coordinates)},
+       {"velocities", std::to_string(context.velocities)},
+       {"task_rows", std::to_string(context.task_rows)},
+       {"inputs", print_list(context.inputs, print_input)},
+       {"functions", print_list(programs, print_function)},
+       {"choices", print_list(context.choices, print_choice)},
+       {"skipped", print_list(context.skipped, print_skipped)},
+       {"files", print_list(files, [](const std::string& f) { return quote_json(f); })}});
+}
+
+/// Reads only what `print_manifest` writes: one name a line below `"files": [`.
+std::vector<std::string> read_manifest_files(std::string_view manifest) {
+  std::vector<std::string> files;
+  std::size_t begin = manifest.find("\n  \"files\": [\n");
+  const std::size_t end = manifest.find(']', begin);
+  while (begin < end && end != std::string_view::npos) {
+    const std::size_t open = manifest.find("\n    \"", begin);
+    const std::size_t close = manifest.find('"', open == std::string_view::npos ? end : open + 6);
+    if (open >= end || close >= end) {
+      break;
+    }
+    files.emplace_back(manifest.substr(open + 6, close - open - 6));
+    begin = close;
+  }
+  return files;
+}
+
+}  // namespace treeline

@@ -1,0 +1,132 @@
+#include "emission/print_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "emission/fill_template.hpp"
+#include "emission/print_body.hpp"
+#include "emission/templates.hpp"
+#include "passes/count_operations.hpp"
+#include "passes/rebuild.hpp"
+
+namespace treeline {
+namespace {
+
+bool reads(const Program& program, const Argument& argument) {
+  return std::any_of(
+      program.graph.inputs().begin(), program.graph.inputs().end(),
+      [&](const std::string& input) { return input.starts_with(argument.name + "["); });
+}
+
+std::string parameter(const Argument& argument, const char* qualifier, const std::string& name) {
+  return fmt::format("{}Real (&{})[{}]", qualifier, name, argument.rows * argument.cols);
+}
+
+/// The definition's head: restrict-qualified, and without names for arguments that the function
+/// does not read.
+std::string print_head(const Program& program) {
+  std::string list;
+  for (const Argument& argument : program.arguments) {
+    list += (list.empty() ? "" : ", ") + parameter(argument, "const ",
+                                                   reads(program, argument)
+                                                       ? "TREELINE_RESTRICT " + argument.name
+                                                       : "/*" + argument.name + "*/");
+  }
+  for (const Result& result : program.results) {
+    list += (list.empty() ? "" : ", ") +
+            parameter(result.argument, "", "TREELINE_RESTRICT " + result.argument.name);
+  }
+  return fmt::format("void {}({}) noexcept", program.name, list);
+}
+
+/// Names that no local may have: arguments, what the header and the file declare.
+std::set<std::string> find_taken_names(const EmissionContext& context, const Program& program) {
+  std::set<std::string> taken = {"Real", "detail", "kCoordinates", "kVelocities", "kTaskRows"};
+  taken.insert(context.name);
+  taken.insert(program.name);
+  for (const char* array : {"angles", "sines", "cosines"}) {
+    taken.insert(array);
+    for (int i = 2; i < 100; ++i) {
+      taken.insert(array + std::to_string(i));
+    }
+  }
+  for (const Argument& argument : program.arguments) {
+    taken.insert(argument.name);
+  }
+  for (const Result& result : program.results) {
+    taken.insert(result.argument.name);
+  }
+  return taken;
+}
+
+}  // namespace
+
+std::string print_declaration(const Program& program) {
+  std::string list;
+  for (const Argument& argument : program.arguments) {
+    list += (list.empty() ? "" : ", ") + parameter(argument, "const ", argument.name);
+  }
+  for (const Result& result : program.results) {
+    list += (list.empty() ? "" : ", ") + parameter(result.argument, "", result.argument.name);
+  }
+  return fmt::format("void {}({}) noexcept", program.name, list);
+}
+
+std::string print_source(const EmissionContext& context, const Program& program) {
+  return fill_template(
+      templates::kFunction,
+      {{"equation", program.name + (program.equation.empty() ? "" : ": " + program.equation)},
+       {"source", program.source.empty() ? "" : "// By " + program.source + "."},
+       {"cost", describe_cost(program)},
+       {"name", context.name},
+       {"includes", uses_trigonometry(program) ? "#include \"sin_cos.hpp\"" : ""},
+       {"signature", print_head(program)},
+       {"body",
+        print_body(program, context.single_precision, find_taken_names(context, program))}});
+}
+
+bool uses_trigonometry(const Program& program) {
+  return count_operations(program).sin_cos > 0;
+}
+
+std::string describe_cost(const Program& program) {
+  const OperationCount count = count_operations(program);
+  std::string text = fmt::format("{} flops (add {}, mul {}, div {})", count.flops(), count.add,
+                                 count.mul, count.div);
+  if (count.sin_cos > 0) {
+    text += fmt::format(", sine and cosine of {} angle{}", count.sin_cos,
+                        count.sin_cos == 1 ? "" : "s");
+  }
+  return text;
+}
+
+int count_live_values(const Program& program) {
+  const std::vector<Node>& nodes = program.graph.nodes();
+  std::vector<std::size_t> last_use(nodes.size(), 0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int operands = operation(nodes[i].op).operands;
+    if (operands >= 1) {
+      last_use[nodes[i].a] = i;
+    }
+    if (operands == 2) {
+      last_use[nodes[i].b] = i;
+    }
+  }
+  std::vector<int> dying(nodes.size(), 0);
+  int live = 0;
+  int most = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (operation(nodes[i].op).operands > 0 && last_use[i] > i) {
+      ++live;
+      ++dying[last_use[i]];
+    }
+    most = std::max(most, live);
+    live -= dying[i];
+  }
+  return most;
+}
+
+}  // namespace treeline

@@ -1,0 +1,45 @@
+#include "emission/select_statements.hpp"
+
+#include "passes/rebuild.hpp"
+
+namespace treeline {
+namespace {
+
+/// Operations in one expression beyond which its parts get names.
+constexpr int kLargestExpression = 8;
+
+/// For every node whether it is the value of a result.
+std::vector<bool> find_result_nodes(const Program& program) {
+  std::vector<bool> is_result(program.graph.nodes().size(), false);
+  for (const Result& result : program.results) {
+    for (const Expression& value : result.values) {
+      is_result[value.node()] = true;
+    }
+  }
+  return is_result;
+}
+
+}  // namespace
+
+std::vector<bool> select_statements(const Program& program) {
+  const Graph& graph = program.graph;
+  const std::vector<int> uses = count_uses(program);
+  const std::vector<bool> is_result = find_result_nodes(program);
+  std::vector<int> written(graph.nodes().size(), 0);  // operations in the text of a reference
+  std::vector<bool> selected(graph.nodes().size(), false);
+  for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
+    const Node& node = graph.nodes()[i];
+    const int operands = operation(node.op).operands;
+    if (operands == 0 || uses[i] == 0) {
+      continue;
+    }
+    int size = 1 + written[node.a] + (operands == 2 ? written[node.b] : 0);
+    const bool stored_once = is_result[i] && uses[i] == 1;  // the store is its statement
+    selected[i] = operands == 1 || graph.names().contains(i) || (uses[i] > 1) ||
+                  (size >= kLargestExpression && !stored_once);
+    written[i] = selected[i] ? 0 : size;
+  }
+  return selected;
+}
+
+}  // namespace treeline

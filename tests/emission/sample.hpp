@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emission/emission_context.hpp"
+#include "passes/run_passes.hpp"
+#include "passes/two_link_arm.hpp"
+
+namespace treeline::test {
+
+/// A function that meets the emitter's corners: results that are zero, constant, negative, the same
+/// twice, an input, a sine; an argument that is not read; names that are keywords or collide; a
+/// sine of a sine; long expressions; quotients on either side.
+inline Program trace_corner_cases() {
+  Program program;
+  program.name = "corner_cases";
+  program.arguments = {{"q", 3, 1, "angles, rad"},
+                       {"unread", 2, 1, "nothing"},
+                       {"delta", 2, 1, "a length, m, and a mass, kg"}};
+  const Graph::Scope scope(program.graph);
+  const auto q = input_vector("q", 3);
+  const auto delta = input_vector("delta", 2);
+  const Expression product = q[0] * delta[1];
+  program.graph.name(product, "double");
+  program.graph.name(q[1] * delta[1], "Real");
+  program.graph.name(q[2] * delta[1], "2nd angle__x");
+  program.graph.name(q[2] * delta[0], "angles");
+  program.graph.name(q[1] * delta[0], "out");
+  program.graph.begin_section("sums");
+  Expression sum;
+  for (int i = 0; i < 30; ++i) {
+    sum += q[static_cast<std::size_t>(i % 3)] * (delta[0] + 0.1 * i);
+  }
+  program.graph.begin_section("quotients");
+  const Expression quotient = (product - 3) / (delta[0] * (q[1] / (q[2] - delta[1] / q[0])));
+  const Expression nested = sin(sin(q[1]) * 0.7) + cos(q[1] - q[2]);
+  program.results = {
+      {{"out", 4, 3, "various"},
+       {0, -2.5, -product, product, q[1], -q[2], -sin(q[0]), sum, -(sum - quotient), nested,
+        q[1] * delta[1] + q[1] * delta[0], q[2] * delta[1] - q[2] * delta[0]}},
+      {{"second", 1, 1, "a single value"}, {-(quotient / nested)}}};
+  return program;
+}
+
+/// What the sample folders hold.
+inline std::vector<Program> sample_programs() {
+  std::vector<PassReport> log;
+  return {run_passes(trace_two_link_arm(), log), run_passes(trace_corner_cases(), log)};
+}
+
+inline EmissionContext sample_context(const std::string& name, bool single_precision) {
+  EmissionContext context;
+  context.name = name;
+  context.robot = "Two links \"2R\"";
+  context.command = "treeline generate arm.urdf arm.yaml --output " + name;
+  context.single_precision = single_precision;
+  context.coordinates = 2;
+  context.velocities = 2;
+  context.task_rows = 2;
+  context.base = "fixed";
+  context.gravity = {0, -9.81, 0};
+  context.inputs = {{"arm.urdf", "<robot/>\n"}, {"arm.yaml", "base: fixed\n"}};
+  context.joints = {{"shoulder", "revolute", 0, 1, 0, 1, "-3.1 .. 3.1 rad, 80 Nm, 3 rad/s"},
+                    {"elbow", "continuous", 1, 1, 1, 1, ""}};
+  context.operational_points = {{"tool", "forearm", "origin (0.4, 0, 0) m, world axes", "x y", 0}};
+  context.choices = {{"inverse_dynamics", {"textbook", 40}, {{"recursion", 55}}}};
+  context.skipped = {{"gripper", 120}};
+  context.notes = {"Locked: gripper at 0.02 m."};
+  return context;
+}
+
+}  // namespace treeline::test

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "emission/sample.hpp"
+#include "program/evaluate.hpp"
+#include "sample_double_eigen.hpp"
+#include "sample_float_eigen.hpp"
+
+// Would catch: any difference between what is printed and the graph: an operand, a sign, a
+// parenthesis, a digit, an index, the order of lanes. Both folders in one program: names that
+// clash.
+namespace treeline {
+namespace {
+
+template <class Real, std::size_t size>
+void expect_same_bits(const Real (&actual)[size], const std::vector<Real>& expected) {
+  ASSERT_EQ(size, expected.size());
+  for (std::size_t i = 0; i < size; ++i) {
+    EXPECT_EQ(std::memcmp(&actual[i], &expected[i], sizeof(Real)), 0)
+        << i << ": " << actual[i] << " instead of " << expected[i];
+  }
+}
+
+template <class Real, std::size_t size>
+std::vector<Real> fill(Real (&array)[size], std::mt19937& random) {
+  std::uniform_real_distribution<Real> uniform(-4, 4);
+  for (Real& element : array) {
+    element = uniform(random);
+  }
+  return {array, array + size};
+}
+
+constexpr int kStates = 200;
+constexpr unsigned kSeed = 11;
+
+template <class Real, class Function>
+void compare_two_link_arm(Function inverse_dynamics) {
+  const Program program = test::sample_programs()[0];
+  std::mt19937 random(kSeed);
+  for (int i = 0; i < kStates; ++i) {
+    Real q[2];
+    Real qd[2];
+    Real qdd[2];
+    Real tau[2];
+    const std::vector<std::vector<Real>> arguments = {fill(q, random), fill(qd, random),
+                                                      fill(qdd, random)};
+    inverse_dynamics(q, qd, qdd, tau);
+    expect_same_bits(tau, evaluate(program, arguments)[0]);
+  }
+}
+
+template <class Real, class Function>
+void compare_corner_cases(Function corner_cases) {
+  const Program program = test::sample_programs()[1];
+  std::mt19937 random(kSeed);
+  for (int i = 0; i < kStates; ++i) {
+    Real q[3];
+    Real unread[2];
+    Real delta[2];
+    Real out[12];
+    Real second[1];
+    const std::vector<std::vector<Real>> arguments = {fill(q, random), fill(unread, random),
+                                                      fill(delta, random)};
+    corner_cases(q, unread, delta, out, second);
+    const auto results = evaluate(program, arguments);
+    expect_same_bits(out, results[0]);
+    expect_same_bits(second, results[1]);
+  }
+}
+
+TEST(Emitted, TwoLinkArmEqualsTheGraphToTheBit) {
+  compare_two_link_arm<double>(sample_double::inverse_dynamics);
+  compare_two_link_arm<float>(sample_float::inverse_dynamics);
+}
+
+TEST(Emitted, CornerCasesEqualTheGraphToTheBit) {
+  compare_corner_cases<double>(sample_double::corner_cases);
+  compare_corner_cases<float>(sample_float::corner_cases);
+}
+
+TEST(Emitted, EigenWrapperCallsTheSameFunction) {
+  const sample_double::eigen::Vector<3> q(0.3, -1.2, 0.8);
+  const sample_double::eigen::Vector<2> delta(0.5, 1.5);
+  sample_double::eigen::Matrix<4, 3> out;
+  sample_double::eigen::Vector<1> second;
+  sample_double::eigen::corner_cases(q, delta, delta, out, second);
+  EXPECT_EQ(out(0, 1), -2.5);
+  EXPECT_EQ(out(1, 1), q[1]);
+  EXPECT_EQ(out(1, 0), q[0] * delta[1]);
+}
+
+}  // namespace
+}  // namespace treeline

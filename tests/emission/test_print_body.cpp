@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include "emission/print_body.hpp"
+#include "passes/two_link_arm.hpp"
+
+// Would catch: a change of how generated code looks, or of what it says.
+namespace treeline {
+namespace {
+
+TEST(PrintBody, ReadsLikeCodeWrittenByHand) {
+  Program program;
+  const Graph::Scope scope(program.graph);
+  const auto q = test::input_vector("q", 2);
+  program.graph.begin_section("link 1");
+  const Expression s1 = sin(q[0]);
+  const Expression c1 = cos(q[0]);
+  program.graph.name(s1, "s1");
+  program.graph.name(c1, "c1");
+  program.graph.begin_section("link 2");
+  const Expression w = s1 * (q[1] - 0.5) + c1;
+  program.graph.name(w, "w2_x");
+  program.results = {{{"y", 3, 1, ""}, {w * (c1 * 2), -(w - q[1]), 0}}};
+  EXPECT_EQ(print_body(program, false, {}),
+            "  y[2] = 0.0;\n"
+            "  const Real angles[1] = {q[0]};\n"
+            "  Real sines[1];\n"
+            "  Real cosines[1];\n"
+            "  detail::sin_cos(angles, sines, cosines);\n"
+            "  const Real s1 = sines[0];\n"
+            "  const Real c1 = cosines[0];\n"
+            "\n"
+            "  // link 2\n"
+            "  const Real w2_x = c1 + s1 * (q[1] - 0.5);\n"
+            "  y[0] = w2_x * (2.0 * c1);\n"
+            "  y[1] = q[1] - w2_x;\n");
+}
+
+TEST(PrintBody, KeepsTheGraphsOrderOfOperations) {
+  Program program;
+  const Graph::Scope scope(program.graph);
+  const auto x = test::input_vector("x", 4);
+  program.results = {{{"y", 6, 1, ""},
+                      {(x[0] + x[1]) + x[2], x[0] + (x[1] + x[2]), x[0] - (x[1] - x[2]),
+                       x[0] * (x[1] * x[3]), x[0] / (x[1] / x[3]), (x[0] / x[2]) / x[3]}}};
+  EXPECT_EQ(print_body(program, false, {}),
+            "  y[0] = x[2] + (x[0] + x[1]);\n"
+            "  y[1] = x[0] + (x[1] + x[2]);\n"
+            "  y[2] = x[0] - (x[1] - x[2]);\n"
+            "  y[3] = x[0] * (x[1] * x[3]);\n"
+            "  y[4] = x[0] / (x[1] / x[3]);\n"
+            "  y[5] = x[0] / x[2] / x[3];\n");
+}
+
+TEST(PrintBody, LinesStayWithinTheWidth) {
+  Program program;
+  const Graph::Scope scope(program.graph);
+  const auto x = test::input_vector("a_rather_long_name_of_an_input", 6);
+  program.results = {{{"y", 1, 1, ""}, {x[0] * x[1] + x[2] * x[3] + x[4] * x[5]}}};
+  const std::string body = print_body(program, true, {});
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = body.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    EXPECT_LE(end - begin, 100u);
+  }
+}
+
+}  // namespace
+}  // namespace treeline

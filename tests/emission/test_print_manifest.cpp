@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include "emission/print_manifest.hpp"
+#include "emission/sample.hpp"
+
+// Would catch: a manifest that is not JSON, or that does not read back its own list of files.
+namespace treeline {
+namespace {
+
+TEST(PrintManifest, ListsWhatItWasGiven) {
+  const auto programs = test::sample_programs();
+  const std::string manifest =
+      print_manifest(test::sample_context("arm", false), programs, {"a.cpp", "b.hpp"});
+  EXPECT_EQ(read_manifest_files(manifest), (std::vector<std::string>{"a.cpp", "b.hpp"}));
+  for (const char* part :
+       {R"("robot": "Two links \"2R\"")", R"({"what": "gripper", "saved_flops": 120})",
+        R"("chosen": {"method": "textbook", "flops": 40})",
+        R"("rejected": [{"method": "recursion", "flops": 55}])", R"("file": "arm.yaml")"}) {
+    EXPECT_NE(manifest.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(ReadManifestFiles, NothingFromOtherText) {
+  EXPECT_TRUE(read_manifest_files("").empty());
+  EXPECT_TRUE(read_manifest_files("{\"files\": 3}").empty());
+  EXPECT_TRUE(read_manifest_files("{\n  \"files\": [\n").empty());
+}
+
+TEST(QuoteJson, EscapesWhatJsonReserves) {
+  EXPECT_EQ(quote_json("a\"b\\c\n"), R"("a\"b\\c\u000a")");
+}
+
+}  // namespace
+}  // namespace treeline
