@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "description/scene.hpp"
+#include "mechanism/exact.hpp"
+
+namespace treeline {
+
+/// Mass, first moment h = m c and second moment Sigma = integral of r r^T dm, about the frame's
+/// origin. The rotational inertia is J = tr(Sigma) 1 - Sigma. After regrouping the numbers are
+/// base inertial parameters and need not belong to any body.
+struct Inertia {
+  Exact mass = 0;
+  ExactVector3 h = ExactVector3::Zero();
+  ExactMatrix3 Sigma = ExactMatrix3::Zero();
+};
+
+/// The same matter, seen from the frame in which its own frame has `pose`.
+Inertia transformed(const Inertia& inertia, const ExactPose& pose);
+Inertia operator+(const Inertia& a, const Inertia& b);
+/// Residue of exact cancellation, against the size of the inertia's own numbers, becomes zero.
+Inertia snapped(const Inertia& inertia);
+/// J = tr(Sigma) 1 - Sigma.
+ExactMatrix3 rotational_inertia(const Inertia& inertia);
+
+/// Joints after reduction: about or along z of the link's frame, or six degrees of freedom.
+/// A planar joint is two prismatic ones and a revolute one with massless links between.
+enum class JointKind { revolute, prismatic, floating };
+
+/// One degree of freedom (six for `floating`) and the link behind it. The frame of the link in its
+/// parent's is `seat` followed by the joint's motion: Rz(angle), Tz(displacement), or
+/// (position, quaternion). angle = multiplier * q[q_index] + offset, likewise displacement.
+struct MovingLink {
+  std::string name;   ///< of the URDF link that moves first behind the joint
+  std::string joint;  ///< of the URDF joint
+  int parent = -1;    ///< index into Mechanism::links, always smaller than the link's own; -1 world
+  JointKind kind = JointKind::revolute;
+  ExactPose seat;
+  int q_index = 0;  ///< first coordinate
+  int v_index = 0;  ///< first velocity
+  double multiplier = 1;
+  Exact offset = 0;
+  bool mimics = false;  ///< shares its coordinate with the joint it mimics
+  Inertia inertia;
+};
+
+/// An operational point or the place of an external force, on a moving link or the world (-1).
+struct MechanismPoint {
+  std::string name;
+  int link = -1;
+  ExactPose pose;  ///< of the point's frame in the link's
+  Axes axes = Axes::world;
+  std::array<bool, 6> rows{true, true, true, true, true, true};
+  [[nodiscard]] int row_count() const;
+  [[nodiscard]] bool all_rows() const { return row_count() == 6; }
+};
+
+/// One entry of q, as the contract of the emitted code lists it.
+struct Coordinate {
+  std::string joint;
+  std::string meaning;  ///< "angle, rad", "displacement, m", "quaternion x"
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+};
+
+/// What a reduction did, for `inspect` and the manifest.
+struct ReductionNote {
+  std::string step;  ///< "lump", "seat", "regroup"
+  std::string link;
+  std::string text;
+};
+
+/// The numbered tree that recursions run over: parents before children, in the order of q.
+/// Valid once it exists; made by `build_mechanism`, reduced by `seat_frames` and
+/// `regroup_inertias`, each of which leaves the equations of motion as they are.
+struct Mechanism {
+  std::vector<MovingLink> links;
+  std::vector<MechanismPoint> operational_points;
+  std::vector<MechanismPoint> external_forces;
+  std::array<double, 3> gravity{0, 0, -9.81};
+  std::vector<Coordinate> coordinates;  ///< nq of them
+  std::vector<std::string> velocities;  ///< nv of them, e.g. "elbow, rad/s"
+  std::vector<ReductionNote> notes;
+
+  [[nodiscard]] int nq() const { return static_cast<int>(coordinates.size()); }
+  [[nodiscard]] int nv() const { return static_cast<int>(velocities.size()); }
+  [[nodiscard]] int task_rows() const;
+  [[nodiscard]] bool has_mimics() const;
+};
+
+}  // namespace treeline

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <vector>
+
+#include "recursion/dense_matrix.hpp"
+#include "recursion/factor_ldlt.hpp"
+#include "recursion/inverse_dynamics.hpp"
+
+namespace treeline {
+
+/// Articulated-body inertia [A B; B^T C] at a link's frame: f = A a + B wd, n = B^T a + C wd.
+template <class Scalar>
+struct ArticulatedInertia {
+  Symmetric3<Scalar> A;
+  Matrix3<Scalar> B;
+  Symmetric3<Scalar> C;
+};
+
+/// f = m a - h x wd, so B = -[h]x.
+template <class Scalar>
+ArticulatedInertia<Scalar> articulated_inertia(const TreeInertia<Scalar>& inertia) {
+  const Scalar zero(0.0);
+  const Scalar& m = inertia.mass;
+  const Vector3<Scalar>& h = inertia.h;
+  return {{m, zero, zero, m, zero, m},
+          {{zero, h.z, -h.y}, {-h.z, zero, h.x}, {h.y, -h.x, zero}},
+          inertia.J};
+}
+
+template <class Scalar>
+ArticulatedInertia<Scalar> operator+(const ArticulatedInertia<Scalar>& a,
+                                     const ArticulatedInertia<Scalar>& b) {
+  return {
+      a.A + b.A, {a.B.row_x + b.B.row_x, a.B.row_y + b.B.row_y, a.B.row_z + b.B.row_z}, a.C + b.C};
+}
+
+/// U = IA S, D = S^T U and u = U / D of a one-degree joint.
+template <class Scalar>
+struct JointProjection {
+  Wrench<Scalar> U;
+  Wrench<Scalar> u;
+  Scalar inverse_D{};
+};
+
+template <class Scalar>
+JointProjection<Scalar> joint_projection(JointKind kind, const ArticulatedInertia<Scalar>& I) {
+  JointProjection<Scalar> joint;
+  if (kind == JointKind::revolute) {
+    joint.U = {{I.B.row_x.z, I.B.row_y.z, I.B.row_z.z}, {I.C.xz, I.C.yz, I.C.zz}};
+    joint.inverse_D = Scalar(1.0) / I.C.zz;
+  } else {
+    joint.U = {{I.A.xz, I.A.yz, I.A.zz}, I.B.row_z};
+    joint.inverse_D = Scalar(1.0) / I.A.zz;
+  }
+  joint.u = {joint.U.f * joint.inverse_D, joint.U.n * joint.inverse_D};
+  (kind == JointKind::revolute ? joint.u.n.z : joint.u.f.z) = Scalar(1.0);
+  return joint;
+}
+
+/// IA - U D^-1 U^T. The joint's own row and column cancel and are left out as exact zeros.
+template <class Scalar>
+ArticulatedInertia<Scalar> without_joint(JointKind kind, const ArticulatedInertia<Scalar>& I,
+                                         const JointProjection<Scalar>& joint) {
+  Wrench<Scalar> U = joint.U;
+  Wrench<Scalar> u = joint.u;
+  ArticulatedInertia<Scalar> left = I;
+  const Scalar zero(0.0);
+  if (kind == JointKind::revolute) {
+    U.n.z = u.n.z = zero;
+    left.B.row_x.z = left.B.row_y.z = left.B.row_z.z = zero;
+    left.C.xz = left.C.yz = left.C.zz = zero;
+  } else {
+    U.f.z = u.f.z = zero;
+    left.A.xz = left.A.yz = left.A.zz = zero;
+    left.B.row_z = {zero, zero, zero};
+  }
+  left.A = {left.A.xx - U.f.x * u.f.x, left.A.xy - U.f.x * u.f.y, left.A.xz - U.f.x * u.f.z,
+            left.A.yy - U.f.y * u.f.y, left.A.yz - U.f.y * u.f.z, left.A.zz - U.f.z * u.f.z};
+  left.B = {left.B.row_x - U.n * u.f.x, left.B.row_y - U.n * u.f.y, left.B.row_z - U.n * u.f.z};
+  left.C = {left.C.xx - U.n.x * u.n.x, left.C.xy - U.n.x * u.n.y, left.C.xz - U.n.x * u.n.z,
+            left.C.yy - U.n.y * u.n.y, left.C.yz - U.n.y * u.n.z, left.C.zz - U.n.z * u.n.z};
+  return left;
+}
+
+/// X I X^T, the inertia at the parent's origin. With B' = B - A [p]x, C gains
+/// [p]x B' + ([p]x B)^T, written per entry so that only six are formed.
+template <class Scalar>
+ArticulatedInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
+                                     const ArticulatedInertia<Scalar>& I) {
+  const Symmetric3<Scalar> A = X.matrix_to_parent(I.A);
+  const Matrix3<Scalar> B = X.matrix_to_parent(I.B);
+  const Symmetric3<Scalar> C = X.matrix_to_parent(I.C);
+  const Vector3<Scalar>& p = X.p;
+  const Matrix3<Scalar> H{
+      {B.row_x.x - (p.z * A.xy - p.y * A.xz), B.row_x.y - (p.x * A.xz - p.z * A.xx),
+       B.row_x.z - (p.y * A.xx - p.x * A.xy)},
+      {B.row_y.x - (p.z * A.yy - p.y * A.yz), B.row_y.y - (p.x * A.yz - p.z * A.xy),
+       B.row_y.z - (p.y * A.xy - p.x * A.yy)},
+      {B.row_z.x - (p.z * A.yz - p.y * A.zz), B.row_z.y - (p.x * A.zz - p.z * A.xz),
+       B.row_z.z - (p.y * A.xz - p.x * A.yz)}};
+  const Symmetric3<Scalar> gain{p.y * (B.row_z.x + H.row_z.x) - p.z * (B.row_y.x + H.row_y.x),
+                                p.z * (B.row_x.x - H.row_y.y) - p.x * B.row_z.x + p.y * H.row_z.y,
+                                p.y * (H.row_z.z - B.row_x.x) + p.x * B.row_y.x - p.z * H.row_y.z,
+                                p.z * (B.row_x.y + H.row_x.y) - p.x * (B.row_z.y + H.row_z.y),
+                                p.x * (B.row_y.y - H.row_z.z) - p.y * B.row_x.y + p.z * H.row_x.z,
+                                p.x * (B.row_y.z + H.row_y.z) - p.y * (B.row_x.z + H.row_x.z)};
+  return {A, H, C + gain};
+}
+
+/// The inertia as a 6x6 matrix, linear over angular.
+template <class Scalar>
+DenseMatrix<Scalar> dense(const ArticulatedInertia<Scalar>& I) {
+  const Scalar A[3][3] = {
+      {I.A.xx, I.A.xy, I.A.xz}, {I.A.xy, I.A.yy, I.A.yz}, {I.A.xz, I.A.yz, I.A.zz}};
+  const Scalar C[3][3] = {
+      {I.C.xx, I.C.xy, I.C.xz}, {I.C.xy, I.C.yy, I.C.yz}, {I.C.xz, I.C.yz, I.C.zz}};
+  const Vector3<Scalar> rows[3] = {I.B.row_x, I.B.row_y, I.B.row_z};
+  DenseMatrix<Scalar> matrix(6, 6);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Scalar B[3] = {rows[i].x, rows[i].y, rows[i].z};
+    for (std::size_t j = 0; j < 3; ++j) {
+      matrix(i, j) = A[i][j];
+      matrix(i, 3 + j) = matrix(3 + j, i) = B[j];
+      matrix(3 + i, 3 + j) = C[i][j];
+    }
+  }
+  return matrix;
+}
+
+/// The inward recursion of table 4.2: what every articulated method shares.
+template <class Scalar>
+struct ArticulatedTree {
+  std::vector<JointProjection<Scalar>> joints;  ///< one-degree joints
+  std::vector<LdltFactor<Scalar>> floating;     ///< of IA at floating joints; else empty
+};
+
+/// A floating joint passes no inertia to its parent: IA - IA IA^-1 IA = 0.
+template <class Scalar>
+ArticulatedTree<Scalar> articulate(const Tree<Scalar>& tree,
+                                   const std::vector<JointTransform<Scalar>>& X) {
+  const std::size_t n = tree.links.size();
+  ArticulatedTree<Scalar> result{std::vector<JointProjection<Scalar>>(n),
+                                 std::vector<LdltFactor<Scalar>>(n)};
+  std::vector<ArticulatedInertia<Scalar>> IA;
+  for (const TreeLink<Scalar>& link : tree.links) {
+    IA.push_back(articulated_inertia(link.inertia));
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "articulated inertia");
+    if (link.kind == JointKind::floating) {
+      result.floating[i] = factor_ldlt(dense(IA[i]));
+      continue;
+    }
+    result.joints[i] = joint_projection(link.kind, IA[i]);
+    label(result.joints[i].inverse_D, "inverse_D", i);
+    if (link.parent >= 0) {
+      auto& parent = IA[static_cast<std::size_t>(link.parent)];
+      parent = parent + to_parent(X[i], without_joint(link.kind, IA[i], result.joints[i]));
+    }
+  }
+  return result;
+}
+
+}  // namespace treeline

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <vector>
+
+#include "recursion/articulated_inertia.hpp"
+#include "recursion/factor_mass_matrix.hpp"
+#include "recursion/mass_matrix.hpp"
+
+namespace treeline {
+
+/// Linear over angular acceleration of a link, in its axes.
+template <class Scalar>
+struct LinkAcceleration {
+  Vector3<Scalar> a, wd;
+};
+
+/// Link accelerations carry no velocity terms here, see `solve_articulated`.
+template <class Scalar>
+LinkAcceleration<Scalar> to_child(const JointTransform<Scalar>& X,
+                                  const LinkAcceleration<Scalar>& parent) {
+  return {X.to_child(parent.a + cross(parent.wd, X.p)), X.to_child(parent.wd)};
+}
+
+template <class Scalar>
+Scalar work(const Wrench<Scalar>& wrench, const LinkAcceleration<Scalar>& acceleration) {
+  return dot(wrench.f, acceleration.a) + dot(wrench.n, acceleration.wd);
+}
+
+template <class Scalar>
+std::vector<Scalar> accelerate_outward(const Tree<Scalar>& tree,
+                                       const std::vector<JointTransform<Scalar>>& X,
+                                       const ArticulatedTree<Scalar>& bodies,
+                                       const std::vector<Scalar>& force) {
+  std::vector<Scalar> qdd(static_cast<std::size_t>(tree.nv));
+  std::vector<LinkAcceleration<Scalar>> accelerations;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "acceleration");
+    const auto at = static_cast<std::size_t>(link.v_index);
+    LinkAcceleration<Scalar> acceleration;
+    if (link.parent >= 0) {
+      acceleration = to_child(X[i], accelerations[static_cast<std::size_t>(link.parent)]);
+    }
+    if (link.kind == JointKind::floating) {
+      const auto relative = solve(
+          bodies.floating[i],
+          std::vector<Scalar>(force.begin() + link.v_index, force.begin() + link.v_index + 6));
+      const Scalar carried[6] = {acceleration.a.x,  acceleration.a.y,  acceleration.a.z,
+                                 acceleration.wd.x, acceleration.wd.y, acceleration.wd.z};
+      for (std::size_t k = 0; k < 6; ++k) {
+        qdd[at + k] = relative[k] - carried[k];
+      }
+      acceleration = {{relative[0], relative[1], relative[2]},
+                      {relative[3], relative[4], relative[5]}};
+    } else {
+      const JointProjection<Scalar>& joint = bodies.joints[i];
+      qdd[at] = joint.inverse_D * force[at] - work(joint.u, acceleration);
+      Scalar& own = link.kind == JointKind::revolute ? acceleration.wd.z : acceleration.a.z;
+      own = own + qdd[at];
+    }
+    accelerations.push_back(acceleration);
+  }
+  return qdd;
+}
+
+/// M^-1 times a vector of joint forces by articulated bodies without bias: inward
+/// force = force - S^T pA, pA_h += X (pA + U D^-1 force), outward
+/// qdd = D^-1 force - (U D^-1)^T X^T a_h (Chang table 4.2 with c = 0, p = 0).
+template <class Scalar>
+std::vector<Scalar> solve_articulated(const Tree<Scalar>& tree,
+                                      const std::vector<JointTransform<Scalar>>& X,
+                                      const ArticulatedTree<Scalar>& bodies,
+                                      const std::vector<Scalar>& forces) {
+  const std::size_t n = tree.links.size();
+  std::vector<Wrench<Scalar>> pA(n);
+  std::vector<Scalar> force = forces;
+  for (std::size_t i = n; i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "bias force");
+    const auto at = static_cast<std::size_t>(link.v_index);
+    Wrench<Scalar> felt;
+    if (link.kind == JointKind::floating) {
+      felt = {{force[at], force[at + 1], force[at + 2]},
+              {force[at + 3], force[at + 4], force[at + 5]}};
+    } else {
+      const bool revolute = link.kind == JointKind::revolute;
+      Scalar& own = revolute ? pA[i].n.z : pA[i].f.z;
+      force[at] = force[at] - own;
+      const JointProjection<Scalar>& joint = bodies.joints[i];
+      felt = pA[i] + Wrench<Scalar>{joint.u.f * force[at], joint.u.n * force[at]};
+      (revolute ? felt.n.z : felt.f.z) = forces[at];  // own + (force - own)
+    }
+    if (link.parent >= 0) {
+      auto& parent = pA[static_cast<std::size_t>(link.parent)];
+      parent = parent + to_parent(X[i], felt);
+    }
+    if (link.kind == JointKind::floating) {
+      const Wrench<Scalar>& p = pA[i];
+      const Scalar parts[6] = {p.f.x, p.f.y, p.f.z, p.n.x, p.n.y, p.n.z};
+      for (std::size_t k = 0; k < 6; ++k) {
+        force[at + k] = force[at + k] - parts[k];
+      }
+    }
+  }
+  return accelerate_outward(tree, X, bodies, force);
+}
+
+}  // namespace treeline

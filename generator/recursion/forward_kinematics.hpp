@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "recursion/joint_transform.hpp"
+
+namespace treeline {
+
+/// Link frame in the world: x_world = R x_link + p.
+template <class Scalar>
+struct WorldPose {
+  Matrix3<Scalar> R;
+  Vector3<Scalar> p;
+};
+
+/// Poses of all links, outward. A row of R_world_child is R_parent_child^T times the parent's row.
+template <class Scalar>
+std::vector<WorldPose<Scalar>> world_poses(const Tree<Scalar>& tree,
+                                           const std::vector<JointTransform<Scalar>>& X) {
+  std::vector<WorldPose<Scalar>> poses;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "pose");
+    const WorldPose<Scalar> parent = link.parent < 0 ? WorldPose<Scalar>{identity3<Scalar>(), {}}
+                                                     : poses[static_cast<std::size_t>(link.parent)];
+    WorldPose<Scalar> pose;
+    pose.R = {X[i].to_child(parent.R.row_x), X[i].to_child(parent.R.row_y),
+              X[i].to_child(parent.R.row_z)};
+    pose.p = parent.p + parent.R * X[i].p;
+    label(pose.p, "p", i);
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+/// A B.
+template <class Scalar>
+Matrix3<Scalar> operator*(const Matrix3<Scalar>& A, const Matrix3<Scalar>& B) {
+  return {transposed_times(B, A.row_x), transposed_times(B, A.row_y), transposed_times(B, A.row_z)};
+}
+
+/// Pose of a point's frame in the world; on the world itself it is constant.
+template <class Scalar>
+WorldPose<Scalar> point_pose(const std::vector<WorldPose<Scalar>>& poses,
+                             const TreePoint<Scalar>& point) {
+  if (point.link < 0) {
+    return {point.R, point.p};
+  }
+  const WorldPose<Scalar>& link = poses[static_cast<std::size_t>(point.link)];
+  return {link.R * point.R, link.p + link.R * point.p};
+}
+
+}  // namespace treeline

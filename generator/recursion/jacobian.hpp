@@ -1,0 +1,112 @@
+#pragma once
+
+#include "recursion/dense_matrix.hpp"
+#include "recursion/task_basis.hpp"
+
+namespace treeline {
+
+/// Adds to `J` the columns of joint `link` for one task point, given the rows' directions and the
+/// reference point relative to the link's origin, all in the link's axes. A row's entry is the
+/// work of its unit wrench on the joint: e.(z x r) = r.x e.y - r.y e.x for a turn about z.
+template <class Scalar>
+void add_joint_columns(const TreeLink<Scalar>& link, const TaskPoint<Scalar>& task,
+                       std::size_t first_row, DenseMatrix<Scalar>& J) {
+  const auto at = static_cast<std::size_t>(link.v_index);
+  for (std::size_t k = 0; k < task.rows.size(); ++k) {
+    const TaskRow<Scalar>& row = task.rows[k];
+    const std::size_t i = first_row + k;
+    if (link.kind == JointKind::revolute) {
+      const Scalar rate = row.angular ? row.e.z : task.r.x * row.e.y - task.r.y * row.e.x;
+      J(i, at) = J(i, at) + link.multiplier * rate;
+    } else if (link.kind == JointKind::prismatic) {
+      J(i, at) = J(i, at) + (row.angular ? Scalar(0.0) : link.multiplier * row.e.z);
+    } else {
+      const Wrench<Scalar> wrench = unit_wrench(task, row);
+      const Scalar parts[6] = {wrench.f.x, wrench.f.y, wrench.f.z,
+                               wrench.n.x, wrench.n.y, wrench.n.z};
+      for (std::size_t c = 0; c < 6; ++c) {
+        J(i, at + c) = parts[c];
+      }
+    }
+  }
+}
+
+/// J by carrying each point's rows inward from its link: cheap where the task's axes are the
+/// link's.
+template <class Scalar>
+DenseMatrix<Scalar> jacobian_inward(const Tree<Scalar>& tree,
+                                    const std::vector<JointTransform<Scalar>>& X,
+                                    std::vector<TaskPoint<Scalar>> tasks, std::size_t rows) {
+  DenseMatrix<Scalar> J(rows, static_cast<std::size_t>(tree.nv));
+  std::size_t first_row = 0;
+  for (TaskPoint<Scalar>& task : tasks) {
+    const std::size_t count = task.rows.size();
+    while (task.link >= 0) {
+      const auto i = static_cast<std::size_t>(task.link);
+      section(tree.links[i], i, "Jacobian");
+      add_joint_columns(tree.links[i], task, first_row, J);
+      task.r = X[i].to_parent(task.r) + X[i].p;
+      for (TaskRow<Scalar>& row : task.rows) {
+        row.e = X[i].to_parent(row.e);
+      }
+      task.link = tree.links[i].parent;
+    }
+    first_row += count;
+  }
+  return J;
+}
+
+/// Velocity of a point at `arm` from the joint, per unit of a one-degree joint's: linear over
+/// angular, world axes.
+template <class Scalar>
+Wrench<Scalar> unit_velocity(JointKind kind, const Vector3<Scalar>& z, const Vector3<Scalar>& arm) {
+  return kind == JointKind::revolute ? Wrench<Scalar>{cross(z, arm), z} : Wrench<Scalar>{z, {}};
+}
+
+/// J in world axes from the poses of all links: z x (p_point - p_joint). Shares the poses between
+/// points; cheap near the base.
+template <class Scalar>
+DenseMatrix<Scalar> jacobian_world(const Tree<Scalar>& tree,
+                                   const std::vector<WorldPose<Scalar>>& poses, bool at_link_origin,
+                                   std::size_t rows) {
+  DenseMatrix<Scalar> J(rows, static_cast<std::size_t>(tree.nv));
+  std::size_t first_row = 0;
+  for (const TreePoint<Scalar>& point : tree.operational_points) {
+    const TaskPoint<Scalar> task = task_point(point, {false, at_link_origin}, poses);
+    const Vector3<Scalar> p = at_link_origin && point.link >= 0
+                                  ? poses[static_cast<std::size_t>(point.link)].p
+                                  : point_pose(poses, point).p;
+    for (int i = point.link; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) {
+      const auto at = static_cast<std::size_t>(i);
+      const TreeLink<Scalar>& link = tree.links[at];
+      const Matrix3<Scalar>& R = poses[at].R;
+      section(link, at, "Jacobian");
+      if (link.kind == JointKind::floating) {
+        TaskPoint<Scalar> seen{i, transposed_times(R, p - poses[at].p), task.rows};
+        const Vector3<Scalar> axes[3] = {R.row_x, R.row_y, R.row_z};
+        std::size_t k = 0;
+        for (std::size_t row = 0; row < 6; ++row) {
+          if (point.rows[row]) {
+            seen.rows[k++].e = axes[row % 3];
+          }
+        }
+        add_joint_columns(link, seen, first_row, J);
+        continue;
+      }
+      const Wrench<Scalar> v =
+          unit_velocity(link.kind, {R.row_x.z, R.row_y.z, R.row_z.z}, p - poses[at].p);
+      const Scalar column[6] = {v.f.x, v.f.y, v.f.z, v.n.x, v.n.y, v.n.z};
+      std::size_t k = first_row;
+      for (std::size_t row = 0; row < 6; ++row) {
+        if (point.rows[row]) {
+          Scalar& entry = J(k++, static_cast<std::size_t>(link.v_index));
+          entry = entry + link.multiplier * column[row];
+        }
+      }
+    }
+    first_row += task.rows.size();
+  }
+  return J;
+}
+
+}  // namespace treeline

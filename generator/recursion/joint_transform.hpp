@@ -1,0 +1,102 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "recursion/tree.hpp"
+
+namespace treeline {
+
+/// Where a link's frame is in its parent's, for given q: x_parent = R (Q x) + p, where R is the
+/// seat and Q the joint's rotation: about z, or a floating joint's matrix.
+template <class Scalar>
+struct JointTransform {
+  Rotation<Scalar> R;
+  PlanarRotation<Scalar> turn;
+  bool general = false;  ///< floating: `Q` holds, not `turn`
+  Matrix3<Scalar> Q;
+  Vector3<Scalar> p;  ///< in the parent's axes
+
+  [[nodiscard]] Vector3<Scalar> to_parent(const Vector3<Scalar>& v) const {
+    return rotate(R, general ? Q * v : rotate_z(turn, v));
+  }
+  [[nodiscard]] Vector3<Scalar> to_child(const Vector3<Scalar>& v) const {
+    const Vector3<Scalar> seated = rotate_back(R, v);
+    return general ? transposed_times(Q, seated) : rotate_z(turn.inverse(), seated);
+  }
+  /// R Q A Q^T R^T.
+  [[nodiscard]] Symmetric3<Scalar> matrix_to_parent(const Symmetric3<Scalar>& A) const {
+    return rotate(R, general ? congruent(Q, A) : rotate_z(turn, A));
+  }
+  /// The same for a matrix without symmetry, behind one-degree joints only: nothing but composite
+  /// inertias crosses a floating joint.
+  [[nodiscard]] Matrix3<Scalar> matrix_to_parent(const Matrix3<Scalar>& A) const {
+    return rotate(R, rotate_z(turn, A));
+  }
+};
+
+/// Q = 1 + 2 (w [v]x + [v]x [v]x) for the quaternion (v, w), not normalised.
+template <class Scalar>
+Matrix3<Scalar> rotation_from_quaternion(const Scalar& x, const Scalar& y, const Scalar& z,
+                                         const Scalar& w) {
+  const Scalar two(2.0);
+  const Scalar one(1.0);
+  const Scalar x2 = two * x;
+  const Scalar y2 = two * y;
+  const Scalar z2 = two * z;
+  const Scalar xx = x2 * x;
+  const Scalar yy = y2 * y;
+  const Scalar zz = z2 * z;
+  const Scalar xy = x2 * y;
+  const Scalar xz = x2 * z;
+  const Scalar yz = y2 * z;
+  const Scalar wx = x2 * w;
+  const Scalar wy = y2 * w;
+  const Scalar wz = z2 * w;
+  return {{one - (yy + zz), xy - wz, xz + wy},
+          {xy + wz, one - (xx + zz), yz - wx},
+          {xz - wy, yz + wx, one - (xx + yy)}};
+}
+
+template <class Scalar>
+JointTransform<Scalar> joint_transform(const TreeLink<Scalar>& link, std::span<const Scalar> q,
+                                       std::size_t index) {
+  using std::cos;
+  using std::sin;
+  JointTransform<Scalar> X;
+  X.R = link.R;
+  X.p = link.p;
+  const auto at = static_cast<std::size_t>(link.q_index);
+  if (link.kind == JointKind::floating) {
+    X.general = true;
+    X.Q = rotation_from_quaternion(q[at + 3], q[at + 4], q[at + 5], q[at + 6]);
+    X.p = X.p + rotate(X.R, Vector3<Scalar>{q[at], q[at + 1], q[at + 2]});
+    return X;
+  }
+  const Scalar displacement = link.multiplier * q[at] + link.offset;
+  if (link.kind == JointKind::revolute) {
+    const Scalar s = sin(displacement);
+    const Scalar c = cos(displacement);
+    label(s, "s", index);
+    label(c, "c", index);
+    X.turn = {c, s};
+    // The seat's last turn is about the joint's own axis; a quarter turn joins it for nothing.
+    X.R.b = {};
+    X.turn = {link.R.b.c * c - link.R.b.s * s, link.R.b.s * c + link.R.b.c * s};
+  } else {
+    X.p = X.p + rotate(X.R, Vector3<Scalar>{Scalar(0.0), Scalar(0.0), displacement});
+  }
+  return X;
+}
+
+template <class Scalar>
+std::vector<JointTransform<Scalar>> joint_transforms(const Tree<Scalar>& tree,
+                                                     std::span<const Scalar> q) {
+  std::vector<JointTransform<Scalar>> transforms;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    transforms.push_back(joint_transform(tree.links[i], q, i));
+  }
+  return transforms;
+}
+
+}  // namespace treeline

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <vector>
+
+#include "recursion/dense_matrix.hpp"
+#include "recursion/inverse_dynamics.hpp"
+
+namespace treeline {
+
+/// Inertia of everything beyond a joint, at the link's frame.
+template <class Scalar>
+struct CompositeInertia {
+  Scalar mass{};
+  Vector3<Scalar> h;
+  Symmetric3<Scalar> J;
+};
+
+/// J' = R J R^T + 2 (p.k) 1 - (p k^T + k p^T) with k = R h + m p / 2 (parallel axes).
+template <class Scalar>
+CompositeInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
+                                   const CompositeInertia<Scalar>& inertia) {
+  const Vector3<Scalar> h = X.to_parent(inertia.h);
+  const Vector3<Scalar>& p = X.p;
+  const Vector3<Scalar> k = h + p * (Scalar(0.5) * inertia.mass);
+  const Scalar xx = p.x * k.x;
+  const Scalar yy = p.y * k.y;
+  const Scalar zz = p.z * k.z;
+  const Scalar two(2.0);
+  const Symmetric3<Scalar> shift{two * (yy + zz),          -(p.x * k.y + p.y * k.x),
+                                 -(p.x * k.z + p.z * k.x), two * (xx + zz),
+                                 -(p.y * k.z + p.z * k.y), two * (xx + yy)};
+  return {inertia.mass, h + p * inertia.mass, X.matrix_to_parent(inertia.J) + shift};
+}
+
+/// Wrench that accelerates the composite by a unit of degree of freedom `k` of the link's joint.
+template <class Scalar>
+Wrench<Scalar> unit_acceleration_wrench(const TreeLink<Scalar>& link,
+                                        const CompositeInertia<Scalar>& inertia, int k) {
+  const Vector3<Scalar>& h = inertia.h;
+  const Symmetric3<Scalar>& J = inertia.J;
+  const Scalar zero(0.0);
+  const Scalar one(1.0);
+  const Vector3<Scalar> axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  const bool angular = link.kind == JointKind::revolute || k >= 3;
+  const Vector3<Scalar>& e = link.kind == JointKind::floating ? axes[k % 3] : axes[2];
+  if (angular) {
+    return {cross(e, h), J * e};
+  }
+  return {e * inertia.mass, cross(h, e)};
+}
+
+template <class Scalar>
+std::vector<CompositeInertia<Scalar>> composite_inertias(
+    const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X) {
+  std::vector<CompositeInertia<Scalar>> composites;
+  for (const TreeLink<Scalar>& link : tree.links) {
+    composites.push_back({link.inertia.mass, link.inertia.h, link.inertia.J});
+  }
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "composite inertia");
+    if (link.parent < 0) {
+      continue;
+    }
+    CompositeInertia<Scalar>& parent = composites[static_cast<std::size_t>(link.parent)];
+    const CompositeInertia<Scalar> moved = to_parent(X[i], composites[i]);
+    parent = {parent.mass + moved.mass, parent.h + moved.h, parent.J + moved.J};
+  }
+  return composites;
+}
+
+/// What a wrench, needed for a unit acceleration of velocity `column`, is to the joint of
+/// `ancestor`. On the joint's own row only the entries up to degree `k` are new.
+template <class Scalar, class Add>
+void add_mass_entries(const TreeLink<Scalar>& ancestor, const Wrench<Scalar>& wrench,
+                      std::size_t column, const Scalar& multiplier, bool own, int k, Add add) {
+  const auto at = static_cast<std::size_t>(ancestor.v_index);
+  if (ancestor.kind != JointKind::floating) {
+    const Scalar force = ancestor.kind == JointKind::revolute ? wrench.n.z : wrench.f.z;
+    const Scalar entry = multiplier * (ancestor.multiplier * force);
+    // Two joints that share a coordinate meet twice on the diagonal.
+    add(at, column, !own && at == column ? Scalar(2.0) * entry : entry);
+    return;
+  }
+  const Scalar parts[6] = {wrench.f.x, wrench.f.y, wrench.f.z, wrench.n.x, wrench.n.y, wrench.n.z};
+  for (int row = 0; row < (own ? k + 1 : 6); ++row) {
+    add(at + static_cast<std::size_t>(row), column,
+        multiplier * parts[static_cast<std::size_t>(row)]);
+  }
+}
+
+/// M by composite rigid bodies (RBDA table 6.2): nv x nv, symmetric. Coordinates that several
+/// joints share collect the terms of all of them.
+template <class Scalar>
+DenseMatrix<Scalar> mass_matrix(const Tree<Scalar>& tree,
+                                const std::vector<JointTransform<Scalar>>& X) {
+  const auto n = static_cast<std::size_t>(tree.nv);
+  const auto composites = composite_inertias(tree, X);
+  DenseMatrix<Scalar> M(n, n);
+  const auto add = [&M](std::size_t a, std::size_t b, const Scalar& value) {
+    M(a, b) = M(a, b) + value;
+    if (a != b) {
+      M(b, a) = M(b, a) + value;
+    }
+  };
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "mass matrix");
+    for (int k = 0; k < link.dofs(); ++k) {
+      const auto column = static_cast<std::size_t>(link.v_index + k);
+      Wrench<Scalar> wrench = unit_acceleration_wrench(link, composites[i], k);
+      for (std::size_t j = i;;) {
+        const TreeLink<Scalar>& ancestor = tree.links[j];
+        add_mass_entries(ancestor, wrench, column, link.multiplier, j == i, k, add);
+        if (ancestor.parent < 0) {
+          break;
+        }
+        wrench = to_parent(X[j], wrench);
+        j = static_cast<std::size_t>(ancestor.parent);
+      }
+    }
+  }
+  return M;
+}
+
+}  // namespace treeline

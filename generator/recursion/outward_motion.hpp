@@ -1,0 +1,125 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "recursion/joint_transform.hpp"
+
+namespace treeline {
+
+/// The matrix U = [wd]x + [w]x [w]x that gives accelerations of points of a link, a + U r
+/// (Luh, Walker & Paul; Khalil). Its diagonal is kept as the squares it is made of, because moments
+/// need their differences.
+template <class Scalar>
+struct AngularMatrix {
+  Scalar xy{}, xz{}, yx{}, yz{}, zx{}, zy{};
+  Scalar wx2{}, wy2{}, wz2{};
+  Scalar wxwy{}, wxwz{}, wywz{};
+
+  [[nodiscard]] Matrix3<Scalar> matrix() const {
+    return {{-(wy2 + wz2), xy, xz}, {yx, -(wx2 + wz2), yz}, {zx, zy, -(wx2 + wy2)}};
+  }
+};
+
+template <class Scalar>
+AngularMatrix<Scalar> angular_matrix(const Vector3<Scalar>& w, const Vector3<Scalar>& wd) {
+  const Scalar xy = w.x * w.y;
+  const Scalar xz = w.x * w.z;
+  const Scalar yz = w.y * w.z;
+  return {xy - wd.z, xz + wd.y, xy + wd.z, yz - wd.x, xz - wd.y, yz + wd.x,
+          w.x * w.x, w.y * w.y, w.z * w.z, xy,        xz,        yz};
+}
+
+/// Motion of a link's frame in its own axes. `a` is the conventional acceleration of the origin;
+/// with gravity as a base acceleration it is the true one minus g.
+template <class Scalar>
+struct LinkMotion {
+  Vector3<Scalar> w, wd, a;
+  AngularMatrix<Scalar> U;
+  Vector3<Scalar> v;  ///< only below floating joints that have a moving parent; else unused
+};
+
+/// Rates that drive a pass: qd, qdd of nv entries each; an empty span is zero.
+template <class Scalar>
+struct JointRates {
+  std::span<const Scalar> qd, qdd;
+  [[nodiscard]] Scalar velocity(std::size_t i) const { return qd.empty() ? Scalar(0.0) : qd[i]; }
+  [[nodiscard]] Scalar acceleration(std::size_t i) const {
+    return qdd.empty() ? Scalar(0.0) : qdd[i];
+  }
+};
+
+template <class Scalar>
+Vector3<Scalar> velocity_triple(const JointRates<Scalar>& rates, std::size_t at) {
+  return {rates.velocity(at), rates.velocity(at + 1), rates.velocity(at + 2)};
+}
+template <class Scalar>
+Vector3<Scalar> acceleration_triple(const JointRates<Scalar>& rates, std::size_t at) {
+  return {rates.acceleration(at), rates.acceleration(at + 1), rates.acceleration(at + 2)};
+}
+
+template <class Scalar>
+LinkMotion<Scalar> motion_behind_joint(const TreeLink<Scalar>& link,
+                                       const JointTransform<Scalar>& X,
+                                       const LinkMotion<Scalar>& parent,
+                                       const JointRates<Scalar>& rates) {
+  const auto at = static_cast<std::size_t>(link.v_index);
+  const Vector3<Scalar> w_parent = X.to_child(parent.w);
+  LinkMotion<Scalar> motion;
+  motion.w = w_parent;
+  motion.wd = X.to_child(parent.wd);
+  motion.a = X.to_child(parent.a + parent.U.matrix() * X.p);
+  if (link.kind == JointKind::revolute) {
+    const Scalar qd = link.multiplier * rates.velocity(at);
+    motion.w.z = w_parent.z + qd;
+    motion.wd.x = motion.wd.x + w_parent.y * qd;
+    motion.wd.y = motion.wd.y - w_parent.x * qd;
+    motion.wd.z = motion.wd.z + link.multiplier * rates.acceleration(at);
+  } else if (link.kind == JointKind::prismatic) {
+    const Scalar twice_qd = Scalar(2.0) * (link.multiplier * rates.velocity(at));
+    motion.a.x = motion.a.x + w_parent.y * twice_qd;
+    motion.a.y = motion.a.y - w_parent.x * twice_qd;
+    motion.a.z = motion.a.z + link.multiplier * rates.acceleration(at);
+  } else {
+    // qd are components in the turning child's axes: their derivative lacks w_rel x v_rel.
+    const Vector3<Scalar> v_rel = velocity_triple(rates, at);
+    const Vector3<Scalar> w_rel = velocity_triple(rates, at + 3);
+    motion.w = w_parent + w_rel;
+    motion.wd = motion.wd + cross(w_parent, w_rel) + acceleration_triple(rates, at + 3);
+    motion.a = motion.a + cross(w_parent + motion.w, v_rel) + acceleration_triple(rates, at);
+  }
+  return motion;
+}
+
+/// Outward pass of the recursive Newton-Euler method (Chang table 4.1), in link frames.
+/// `base_acceleration` is -g to include gravity, 0 for bias accelerations.
+template <class Scalar>
+std::vector<LinkMotion<Scalar>> outward_motion(const Tree<Scalar>& tree,
+                                               const std::vector<JointTransform<Scalar>>& X,
+                                               const JointRates<Scalar>& rates,
+                                               const Vector3<Scalar>& base_acceleration) {
+  LinkMotion<Scalar> base;
+  base.a = base_acceleration;
+  std::vector<LinkMotion<Scalar>> motions;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "outward");
+    const LinkMotion<Scalar>& parent =
+        link.parent < 0 ? base : motions[static_cast<std::size_t>(link.parent)];
+    LinkMotion<Scalar> motion = motion_behind_joint(link, X[i], parent, rates);
+    label(motion.w, "w", i);
+    label(motion.wd, "wd", i);
+    label(motion.a, "a", i);
+    motion.U = angular_matrix(motion.w, motion.wd);
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
+/// Acceleration of the point at r: conventional linear over angular.
+template <class Scalar>
+Vector3<Scalar> acceleration_at(const LinkMotion<Scalar>& motion, const Vector3<Scalar>& r) {
+  return motion.a + motion.U.matrix() * r;
+}
+
+}  // namespace treeline

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+#include "program/expression.hpp"
+#include "recursion/planar_rotation.hpp"
+
+namespace treeline {
+
+/// Constants of a mechanism rounded once into `Scalar`, in the form in which recursions use them.
+template <class Scalar>
+struct TreeInertia {
+  Scalar mass{};
+  Vector3<Scalar> h;         ///< first moment m c
+  Symmetric3<Scalar> Sigma;  ///< second moment about the frame's origin
+  Symmetric3<Scalar> J;      ///< rotational inertia about the frame's origin
+};
+
+template <class Scalar>
+struct TreeLink {
+  std::string name;
+  int parent = -1;
+  JointKind kind = JointKind::revolute;
+  int q_index = 0, v_index = 0;
+  Scalar multiplier{}, offset{};
+  Rotation<Scalar> R;  ///< of the seat
+  Vector3<Scalar> p;   ///< of the seat, in the parent's axes
+  TreeInertia<Scalar> inertia;
+
+  [[nodiscard]] int dofs() const { return kind == JointKind::floating ? 6 : 1; }
+};
+
+template <class Scalar>
+struct TreePoint {
+  std::string name;
+  int link = -1;
+  Matrix3<Scalar> R;  ///< point's axes to link's axes
+  Vector3<Scalar> p;  ///< in the link's axes
+  Axes axes = Axes::world;
+  std::array<bool, 6> rows{};
+};
+
+template <class Scalar>
+struct Tree {
+  std::vector<TreeLink<Scalar>> links;
+  std::vector<TreePoint<Scalar>> operational_points, external_forces;
+  Vector3<Scalar> gravity;
+  int nq = 0, nv = 0;
+  bool has_mimics = false;
+};
+
+template <class Scalar>
+Scalar rounded(const Exact& value) {
+  return Scalar(static_cast<double>(value));
+}
+template <class Scalar>
+Vector3<Scalar> rounded(const ExactVector3& v) {
+  return {rounded<Scalar>(v(0)), rounded<Scalar>(v(1)), rounded<Scalar>(v(2))};
+}
+template <class Scalar>
+Symmetric3<Scalar> rounded_symmetric(const ExactMatrix3& A) {
+  return {rounded<Scalar>(A(0, 0)), rounded<Scalar>(A(0, 1)), rounded<Scalar>(A(0, 2)),
+          rounded<Scalar>(A(1, 1)), rounded<Scalar>(A(1, 2)), rounded<Scalar>(A(2, 2))};
+}
+template <class Scalar>
+Matrix3<Scalar> rounded(const ExactMatrix3& A) {
+  return {{rounded<Scalar>(A(0, 0)), rounded<Scalar>(A(0, 1)), rounded<Scalar>(A(0, 2))},
+          {rounded<Scalar>(A(1, 0)), rounded<Scalar>(A(1, 1)), rounded<Scalar>(A(1, 2))},
+          {rounded<Scalar>(A(2, 0)), rounded<Scalar>(A(2, 1)), rounded<Scalar>(A(2, 2))}};
+}
+
+/// cos and sin from the two legs, exact for quarter turns.
+template <class Scalar>
+PlanarRotation<Scalar> planar_rotation(const Exact& c, const Exact& s) {
+  return {rounded<Scalar>(snapped(c, Exact(1))), rounded<Scalar>(snapped(s, Exact(1)))};
+}
+
+/// R = Rz(a) Rx(alpha) Rz(b); the third column of R is (sin a sin alpha, -cos a sin alpha,
+/// cos alpha), its third row (sin alpha sin b, sin alpha cos b, cos alpha).
+template <class Scalar>
+Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
+  const Exact sine = sqrt(Exact(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
+  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: one angle is enough
+    return {
+        planar_rotation<Scalar>(R(0, 0), R(1, 0)), planar_rotation<Scalar>(R(2, 2), Exact(0)), {}};
+  }
+  return {planar_rotation<Scalar>(Exact(-R(1, 2) / sine), Exact(R(0, 2) / sine)),
+          planar_rotation<Scalar>(R(2, 2), sine),
+          planar_rotation<Scalar>(Exact(R(2, 1) / sine), Exact(R(2, 0) / sine))};
+}
+
+template <class Scalar>
+TreePoint<Scalar> tree_point(const MechanismPoint& point) {
+  return {point.name, point.link, rounded<Scalar>(point.pose.R), rounded<Scalar>(point.pose.p),
+          point.axes, point.rows};
+}
+
+template <class Scalar>
+Tree<Scalar> tree_of(const Mechanism& mechanism) {
+  Tree<Scalar> tree;
+  for (const MovingLink& link : mechanism.links) {
+    const ExactMatrix3 J = rotational_inertia(link.inertia);
+    tree.links.push_back(
+        {link.name,
+         link.parent,
+         link.kind,
+         link.q_index,
+         link.v_index,
+         Scalar(link.multiplier),
+         rounded<Scalar>(link.offset),
+         planar_factors<Scalar>(link.seat.R),
+         rounded<Scalar>(link.seat.p),
+         {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
+          rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)}});
+  }
+  for (const MechanismPoint& point : mechanism.operational_points) {
+    tree.operational_points.push_back(tree_point<Scalar>(point));
+  }
+  for (const MechanismPoint& point : mechanism.external_forces) {
+    tree.external_forces.push_back(tree_point<Scalar>(point));
+  }
+  const auto& g = mechanism.gravity;
+  tree.gravity = {Scalar(g[0]), Scalar(g[1]), Scalar(g[2])};
+  tree.nq = mechanism.nq();
+  tree.nv = mechanism.nv();
+  tree.has_mimics = mechanism.has_mimics();
+  return tree;
+}
+
+/// Suggests the name `symbol + link number [+ _suffix]` for a traced value; numbers count links
+/// from 1, as the emitted contract does. Nothing to do for other scalars.
+template <class Scalar>
+void label(const Scalar& value, const char* symbol, std::size_t link, const char* suffix = "") {
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    Graph::current().name(value, symbol + std::to_string(link + 1) + suffix);
+  }
+}
+template <class Scalar>
+void label(const Vector3<Scalar>& v, const char* symbol, std::size_t link) {
+  label(v.x, symbol, link, "_x");
+  label(v.y, symbol, link, "_y");
+  label(v.z, symbol, link, "_z");
+}
+/// What follows in the trace belongs to this link; shows as a comment in emitted code.
+template <class Scalar>
+void section(const TreeLink<Scalar>& link, std::size_t index, const char* pass) {
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    Graph::current().begin_section("link " + std::to_string(index + 1) + " (" + link.name + "), " +
+                                   pass);
+  }
+}
+
+}  // namespace treeline

@@ -1,0 +1,92 @@
+#pragma once
+
+namespace treeline {
+
+// Small algebra with written-out operation order: what is traced is what is emitted, so a product
+// that a library would form and discard here would be an operation there.
+
+template <class Scalar>
+struct Vector3 {
+  Scalar x{}, y{}, z{};
+};
+
+template <class Scalar>
+Vector3<Scalar> operator+(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Scalar>
+Vector3<Scalar> operator-(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Scalar>
+Vector3<Scalar> operator-(const Vector3<Scalar>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class Scalar>
+Vector3<Scalar> operator*(const Vector3<Scalar>& a, const Scalar& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class Scalar>
+Scalar dot(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Scalar>
+Vector3<Scalar> cross(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class Scalar>
+struct Matrix3 {
+  Vector3<Scalar> row_x, row_y, row_z;
+};
+
+template <class Scalar>
+Vector3<Scalar> operator*(const Matrix3<Scalar>& A, const Vector3<Scalar>& v) {
+  return {dot(A.row_x, v), dot(A.row_y, v), dot(A.row_z, v)};
+}
+template <class Scalar>
+Vector3<Scalar> transposed_times(const Matrix3<Scalar>& A, const Vector3<Scalar>& v) {
+  return {A.row_x.x * v.x + A.row_y.x * v.y + A.row_z.x * v.z,
+          A.row_x.y * v.x + A.row_y.y * v.y + A.row_z.y * v.z,
+          A.row_x.z * v.x + A.row_y.z * v.y + A.row_z.z * v.z};
+}
+template <class Scalar>
+Matrix3<Scalar> transposed(const Matrix3<Scalar>& A) {
+  return {{A.row_x.x, A.row_y.x, A.row_z.x},
+          {A.row_x.y, A.row_y.y, A.row_z.y},
+          {A.row_x.z, A.row_y.z, A.row_z.z}};
+}
+template <class Scalar>
+Matrix3<Scalar> identity3() {
+  return {{Scalar(1), Scalar(0), Scalar(0)},
+          {Scalar(0), Scalar(1), Scalar(0)},
+          {Scalar(0), Scalar(0), Scalar(1)}};
+}
+
+/// Symmetric: six numbers.
+template <class Scalar>
+struct Symmetric3 {
+  Scalar xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
+};
+
+template <class Scalar>
+Symmetric3<Scalar> operator+(const Symmetric3<Scalar>& A, const Symmetric3<Scalar>& B) {
+  return {A.xx + B.xx, A.xy + B.xy, A.xz + B.xz, A.yy + B.yy, A.yz + B.yz, A.zz + B.zz};
+}
+template <class Scalar>
+Vector3<Scalar> operator*(const Symmetric3<Scalar>& A, const Vector3<Scalar>& v) {
+  return {A.xx * v.x + A.xy * v.y + A.xz * v.z, A.xy * v.x + A.yy * v.y + A.yz * v.z,
+          A.xz * v.x + A.yz * v.y + A.zz * v.z};
+}
+
+/// Q A Q^T.
+template <class Scalar>
+Symmetric3<Scalar> congruent(const Matrix3<Scalar>& Q, const Symmetric3<Scalar>& A) {
+  const Vector3<Scalar> x = A * Q.row_x;
+  const Vector3<Scalar> y = A * Q.row_y;
+  const Vector3<Scalar> z = A * Q.row_z;
+  return {dot(Q.row_x, x), dot(Q.row_x, y), dot(Q.row_x, z),
+          dot(Q.row_y, y), dot(Q.row_y, z), dot(Q.row_z, z)};
+}
+
+}  // namespace treeline
