@@ -15,7 +15,8 @@ Matrix6<Scalar> body_inertia(const Body<Scalar>& body) {
 template <class Scalar>
 Vector6<Scalar> gyroscopic_force(const Body<Scalar>& body, const Vector3<Scalar>& w) {
   const Vector3<Scalar> first_moment = body.mass * body.com;
-  return stack<Scalar>(w.cross(w.cross(first_moment)), w.cross(Vector3<Scalar>(body.inertia * w)));
+  return stack<Scalar>(cross<Scalar>(w, cross(w, first_moment)),
+                       cross<Scalar>(w, body.inertia * w));
 }
 
 /// tau_i = S^T f_i and f_h += X f_i, from the leaves to the root.

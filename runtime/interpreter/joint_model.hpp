@@ -79,7 +79,7 @@ JointState<Scalar> planar_joint(const Vector3<Scalar>& axis, const JointVector<S
   joint.S.template block<3, 2>(0, 0) = joint.R.transpose() * plane.template leftCols<2>();
   joint.S.template block<3, 1>(3, 2) = axis;
   const Vector3<Scalar> sliding = joint.S.template block<3, 2>(0, 0) * qd.template head<2>();
-  joint.Sdot_qd = stack<Scalar>(-qd(2) * axis.cross(sliding), Vector3<Scalar>::Zero());
+  joint.Sdot_qd = stack<Scalar>(-qd(2) * cross(axis, sliding), Vector3<Scalar>::Zero());
   return joint;
 }
 
@@ -150,7 +150,7 @@ Vector<Scalar> position_derivative(const Model<Scalar>& model, VectorArg<Scalar>
     const Vector3<Scalar> u = q.template segment<3>(at);
     const Vector3<Scalar> w = qd.template segment<3>(body.v + n - 3);
     const Scalar half = Scalar(1) / Scalar(2);
-    derivative.template segment<3>(at) = half * (q(at + 3) * w + u.cross(w));
+    derivative.template segment<3>(at) = half * (q(at + 3) * w + cross(u, w));
     derivative(at + 3) = -half * u.dot(w);
   }
   return derivative;

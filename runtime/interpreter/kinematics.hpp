@@ -35,9 +35,10 @@ Vector6<Scalar> velocity_product(const JointState<Scalar>& joint, const Vector3<
   const Vector3<Scalar> w = joint.R.transpose() * w_parent;
   const Vector3<Scalar> slide = linear(relative_velocity);
   const Vector3<Scalar> turn = angular(relative_velocity);
-  const Vector3<Scalar> centripetal = joint.R.transpose() * w_parent.cross(w_parent.cross(joint.p));
-  return stack<Scalar>(centripetal + Scalar(2) * w.cross(slide) + turn.cross(slide),
-                       w.cross(turn)) +
+  const Vector3<Scalar> centripetal =
+      joint.R.transpose() * cross(w_parent, cross(w_parent, joint.p));
+  return stack<Scalar>(centripetal + Scalar(2) * cross(w, slide) + cross(turn, slide),
+                       cross(w, turn)) +
          joint.Sdot_qd;
 }
 

@@ -50,7 +50,8 @@ Vector6<Scalar> point_acceleration(const OperationalPoint<Scalar>& point,
                                    const Kinematics<Scalar>& k, const Vector6<Scalar>& a) {
   const Matrix3<Scalar> axes = axes_in_body(point, k);
   const Vector3<Scalar> w = angular(k.v[point.body]);
-  const Vector3<Scalar> origin = linear(a) + angular(a).cross(point.p) + w.cross(w.cross(point.p));
+  const Vector3<Scalar> origin =
+      linear(a) + cross(angular(a), point.p) + cross(w, cross(w, point.p));
   return stack<Scalar>(axes.transpose() * origin, axes.transpose() * angular(a));
 }
 

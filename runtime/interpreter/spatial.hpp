@@ -4,6 +4,12 @@
 
 namespace treeline::interpreter {
 
+/// a x b
+template <class Scalar>
+Vector3<Scalar> cross(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+  return {a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2), a(0) * b(1) - a(1) * b(0)};
+}
+
 /// [a]x, the matrix with [a]x b = a x b.
 template <class Scalar>
 Matrix3<Scalar> cross_matrix(const Vector3<Scalar>& a) {
@@ -16,8 +22,10 @@ Matrix3<Scalar> cross_matrix(const Vector3<Scalar>& a) {
 /// frame in which it has rotation `R` and origin `p`. X^T takes motions the other way.
 template <class Scalar>
 Matrix6<Scalar> force_transform(const Matrix3<Scalar>& R, const Vector3<Scalar>& p) {
-  Matrix6<Scalar> X;
-  X << R, Matrix3<Scalar>::Zero(), cross_matrix(p) * R, R;
+  Matrix6<Scalar> X = Matrix6<Scalar>::Zero();
+  X.template topLeftCorner<3, 3>() = R;
+  X.template bottomLeftCorner<3, 3>() = cross_matrix(p) * R;
+  X.template bottomRightCorner<3, 3>() = R;
   return X;
 }
 
@@ -28,7 +36,10 @@ Matrix6<Scalar> spatial_inertia(const Scalar& mass, const Vector3<Scalar>& c,
                                 const Matrix3<Scalar>& J) {
   const Matrix3<Scalar> mc = cross_matrix(Vector3<Scalar>(mass * c));
   Matrix6<Scalar> I;
-  I << mass * Matrix3<Scalar>::Identity(), -mc, mc, J;
+  I.template topLeftCorner<3, 3>() = mass * Matrix3<Scalar>::Identity();
+  I.template topRightCorner<3, 3>() = -mc;
+  I.template bottomLeftCorner<3, 3>() = mc;
+  I.template bottomRightCorner<3, 3>() = J;
   return I;
 }
 
@@ -48,7 +59,8 @@ Vector3<Scalar> angular(const Vector6<Scalar>& x) {
 template <class Scalar>
 Vector6<Scalar> stack(const Vector3<Scalar>& linear_part, const Vector3<Scalar>& angular_part) {
   Vector6<Scalar> x;
-  x << linear_part, angular_part;
+  x.template head<3>() = linear_part;
+  x.template tail<3>() = angular_part;
   return x;
 }
 

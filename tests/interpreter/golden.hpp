@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/model_from_robot.hpp"
+
+/// Figures of an established library, in our conventions.
+namespace treeline::tests {
+
+using DoubleVector = interpreter::Vector<double>;
+using DoubleMatrix = interpreter::Matrix<double>;
+
+struct GoldenPoint {
+  DoubleVector position;          ///< 3
+  DoubleMatrix rotation;          ///< frame to world
+  DoubleMatrix J_local, J_world;  ///< 6 x nv
+  DoubleVector bias_local, bias_world;
+};
+
+struct GoldenState {
+  std::string note;
+  DoubleVector q, qd, qdd, tau, xdd;
+  DoubleVector rnea, aba, gravity, nonlinear_effects;
+  DoubleMatrix M;
+  std::vector<GoldenPoint> points;
+  DoubleMatrix Lambda_inverse_local, Lambda_inverse_world;
+  DoubleMatrix Lambda_local, Lambda_world;  ///< empty where the task is singular
+  DoubleVector control_torque;              ///< likewise; world axes
+};
+
+struct GoldenRobot {
+  Robot robot;  ///< without mimic tags, which these figures ignore
+  Scene scene;  ///< operational points as listed, all rows, world axes
+  std::vector<GoldenState> states;
+};
+
+/// The folder of golden figures; empty when it is not there.
+std::string golden_folder();
+
+/// Reads NAME.json and NAME.urdf. All conversions of conventions are here. Throws on a bad file.
+GoldenRobot read_golden(const std::string& name);
+
+}  // namespace treeline::tests

@@ -1,0 +1,255 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+
+/// Robots nobody designed, for tests of invariants: physically valid, otherwise as odd as a URDF
+/// may be. The same seed and options always give the same robot.
+namespace treeline::tests {
+
+/// How often each type of joint is drawn, relative to the others.
+struct JointMix {
+  double revolute = 5, continuous = 1, prismatic = 2, fixed = 1, floating = 0.3, planar = 0.5;
+};
+
+struct RandomOptions {
+  int joints = 8;          ///< in the URDF, of all types
+  double branching = 0.3;  ///< 0: a serial chain; 1: each link hangs on any earlier one
+  JointMix mix{};
+  bool floating_base = false;
+  double mimic = 0;      ///< chance that a joint of one degree follows an earlier one
+  double locked = 0;     ///< chance that the scene locks a joint of one degree
+  double aligned = 0.5;  ///< chance of axis-aligned axes, quarter turns, zero offsets
+  double massless = 0;   ///< chance that a link behind a fixed joint has no inertia
+  int operational_points = 1;
+  bool all_rows = true;  ///< else a random subset of at least one row
+  int external_forces = 0;
+};
+
+struct RandomMechanism {
+  Robot robot;
+  Scene scene;
+};
+
+/// Draws with arithmetic of its own, so that every standard library gives the same numbers.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+  /// In [0, 1).
+  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  double uniform(double low, double high) { return low + (high - low) * unit(); }
+  bool chance(double probability) { return unit() < probability; }
+  /// In 0..count-1.
+  int below(int count) { return static_cast<int>(unit() * count); }
+  /// A decimal with three digits, as people write into files.
+  double rounded(double low, double high) { return std::round(uniform(low, high) * 1000) / 1000; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+namespace detail {
+
+inline std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+inline std::array<double, 3> random_vector(Dice& dice, double size) {
+  return {dice.rounded(-size, size), dice.rounded(-size, size), dice.rounded(-size, size)};
+}
+
+inline Pose random_pose(Dice& dice, double size, double aligned) {
+  Pose pose{random_vector(dice, size), random_vector(dice, 3)};
+  for (double& x : pose.xyz) {
+    if (dice.chance(aligned)) x = 0;
+  }
+  if (dice.chance(aligned)) {
+    constexpr std::array kQuarters{0.0, 0.0, 1.5707963267948966, -1.5707963267948966,
+                                   3.141592653589793};
+    for (double& angle : pose.rpy) angle = kQuarters[at(dice.below(5))];
+  }
+  return pose;
+}
+
+inline std::array<double, 3> random_axis(Dice& dice, double aligned) {
+  std::array<double, 3> axis{};
+  if (dice.chance(aligned)) {
+    axis[at(dice.below(3))] = dice.chance(0.3) ? -1 : 1;
+    return axis;
+  }
+  double norm = 0;
+  while (norm < 0.1) {
+    axis = random_vector(dice, 1);
+    norm = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+  }
+  for (double& x : axis) x /= norm;
+  return axis;
+}
+
+/// The inertia of six point masses: it obeys the triangle inequality with room to spare.
+inline Inertial random_inertial(Dice& dice, double aligned) {
+  Inertial inertial;
+  inertial.mass = dice.rounded(0.2, 8);
+  inertial.origin = random_pose(dice, 0.2, aligned);
+  const auto square = [&] { return inertial.mass * std::pow(dice.uniform(0.03, 0.15), 2); };
+  const double xx = square(), yy = square(), zz = square();
+  Eigen::Matrix3d second_moment = Eigen::Vector3d(xx, yy, zz).asDiagonal();
+  if (!dice.chance(aligned)) {
+    const Eigen::Vector4d coefficients(dice.uniform(-1, 1), dice.uniform(-1, 1),
+                                       dice.uniform(-1, 1), dice.uniform(1, 2));
+    const Eigen::Matrix3d R = Eigen::Quaterniond(coefficients.normalized()).toRotationMatrix();
+    second_moment = (R * second_moment * R.transpose()).eval();
+  }
+  const Eigen::Matrix3d J = second_moment.trace() * Eigen::Matrix3d::Identity() - second_moment;
+  inertial.ixx = J(0, 0);
+  inertial.iyy = J(1, 1);
+  inertial.izz = J(2, 2);
+  inertial.ixy = J(0, 1);
+  inertial.ixz = J(0, 2);
+  inertial.iyz = J(1, 2);
+  return inertial;
+}
+
+inline JointType random_type(Dice& dice, const JointMix& mix) {
+  const std::array<std::pair<double, JointType>, 6> kWeights{
+      {{mix.revolute, JointType::revolute},
+       {mix.continuous, JointType::continuous},
+       {mix.prismatic, JointType::prismatic},
+       {mix.fixed, JointType::fixed},
+       {mix.floating, JointType::floating},
+       {mix.planar, JointType::planar}}};
+  double total = 0;
+  for (const auto& [weight, type] : kWeights) total += weight;
+  double drawn = dice.uniform(0, total);
+  for (const auto& [weight, type] : kWeights) {
+    if (drawn < weight) return type;
+    drawn -= weight;
+  }
+  return JointType::revolute;
+}
+
+inline bool has_one_degree(const Joint& joint) {
+  return joint.type == JointType::revolute || joint.type == JointType::continuous ||
+         joint.type == JointType::prismatic;
+}
+
+inline Limits random_limits(Dice& dice, JointType type) {
+  const double range = type == JointType::prismatic ? 0.5 : 2.8;
+  return {-dice.rounded(0.1, range), dice.rounded(0.1, range), 100, 5};
+}
+
+/// Links hang on earlier links but stand in the file in no particular order.
+inline Robot random_tree(Dice& dice, const RandomOptions& options) {
+  Robot robot;
+  robot.name = "random_robot";
+  robot.links.push_back({"base", random_inertial(dice, options.aligned), 0});
+  robot.root = 0;
+  for (int i = 0; i < options.joints; ++i) {
+    Joint joint;
+    joint.name = "joint_" + std::to_string(i);
+    joint.type = random_type(dice, options.mix);
+    joint.parent = dice.chance(options.branching) ? dice.below(i + 1) : i;
+    joint.child = i + 1;
+    joint.origin = random_pose(dice, 0.5, options.aligned);
+    joint.axis = random_axis(dice, options.aligned);
+    if (has_one_degree(joint) && joint.type != JointType::continuous) {
+      joint.limits = random_limits(dice, joint.type);
+    }
+    robot.joints.push_back(joint);
+    robot.links.push_back({"link_" + std::to_string(i), random_inertial(dice, options.aligned), 0});
+  }
+  for (int i = static_cast<int>(robot.joints.size()) - 1; i > 0; --i) {
+    std::swap(robot.joints[at(i)], robot.joints[at(dice.below(i + 1))]);
+  }
+  return robot;
+}
+
+/// Only links behind fixed joints lose their inertia: a moving joint needs something to move.
+inline void remove_inertias(Dice& dice, const RandomOptions& options, Robot& robot) {
+  for (const Joint& joint : robot.joints) {
+    if (joint.type == JointType::fixed && dice.chance(options.massless)) {
+      robot.links[at(joint.child)].inertial.reset();
+    }
+  }
+}
+
+/// Leaders are never mimics themselves; they may stand anywhere in the tree.
+inline void add_mimics(Dice& dice, const RandomOptions& options, Robot& robot) {
+  const int count = static_cast<int>(robot.joints.size());
+  for (int i = 0; i < count; ++i) {
+    Joint& joint = robot.joints[at(i)];
+    const int leader = dice.below(count);
+    const Joint& other = robot.joints[at(leader)];
+    if (!dice.chance(options.mimic) || leader == i || !has_one_degree(joint) ||
+        !has_one_degree(other) || other.mimic) {
+      continue;
+    }
+    const bool is_led = std::any_of(robot.joints.begin(), robot.joints.end(),
+                                    [&](const Joint& j) { return j.mimic && j.mimic->joint == i; });
+    if (!is_led) joint.mimic = Mimic{leader, dice.rounded(0.3, 2), dice.rounded(-0.5, 0.5)};
+  }
+}
+
+inline ScenePoint random_point(Dice& dice, const RandomOptions& options, const Robot& robot,
+                               const std::string& name) {
+  ScenePoint point;
+  point.name = name;
+  const int links = static_cast<int>(robot.links.size());
+  point.link =
+      robot
+          .links[at(dice.chance(0.7) ? links - 1 - dice.below((links + 2) / 3) : dice.below(links))]
+          .name;
+  point.origin = random_pose(dice, 0.3, options.aligned);
+  point.axes = dice.chance(0.5) ? Axes::world : Axes::local;
+  return point;
+}
+
+inline void drop_rows(Dice& dice, ScenePoint& point) {
+  for (bool& row : point.rows) row = dice.chance(0.5);
+  point.rows[at(dice.below(6))] = true;
+}
+
+}  // namespace detail
+
+/// A robot and a scene drawn from `seed`. All functions are asked for. With fewer degrees of
+/// freedom than controlled rows, or points on links that do not move, Lambda does not exist; its
+/// inverse does.
+inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions& options = {}) {
+  Dice dice(seed);
+  RandomMechanism made;
+  made.robot = detail::random_tree(dice, options);
+  detail::remove_inertias(dice, options, made.robot);
+  detail::add_mimics(dice, options, made.robot);
+  Scene& scene = made.scene;
+  scene.name = "random_robot";
+  scene.base = options.floating_base ? Base::floating : Base::fixed;
+  if (dice.chance(0.3)) scene.gravity = detail::random_vector(dice, 10);
+  for (int i = 0; i < options.operational_points; ++i) {
+    scene.operational_points.push_back(
+        detail::random_point(dice, options, made.robot, "point_" + std::to_string(i)));
+    if (!options.all_rows) detail::drop_rows(dice, scene.operational_points.back());
+  }
+  for (int i = 0; i < options.external_forces; ++i) {
+    scene.external_forces.push_back(
+        detail::random_point(dice, options, made.robot, "force_" + std::to_string(i)));
+  }
+  scene.functions.assign(kAllFunctions.begin(), kAllFunctions.end());
+  for (const Joint& joint : made.robot.joints) {
+    if (detail::has_one_degree(joint) && !joint.mimic && dice.chance(options.locked)) {
+      scene.locked[joint.name] = dice.rounded(-1, 1);
+    }
+  }
+  return made;
+}
+
+}  // namespace treeline::tests

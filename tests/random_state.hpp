@@ -1,0 +1,32 @@
+#pragma once
+
+#include "interpreter/model.hpp"
+#include "random_mechanism.hpp"
+
+namespace treeline::tests {
+
+/// Entries in [-size, size), exact doubles in any `Scalar`.
+template <class Scalar>
+interpreter::Vector<Scalar> random_entries(Dice& dice, int count, double size) {
+  interpreter::Vector<Scalar> x(count);
+  for (int i = 0; i < count; ++i) x(i) = Scalar(dice.uniform(-size, size));
+  return x;
+}
+
+/// Displacements and angles in [-size, size); quaternions of unit length in the precision of
+/// `Scalar`, in any direction.
+template <class Scalar>
+interpreter::Vector<Scalar> random_position(Dice& dice, const interpreter::Model<Scalar>& model,
+                                            double size = 3) {
+  using std::sqrt;
+  interpreter::Vector<Scalar> q = random_entries<Scalar>(dice, model.nq, size);
+  for (const auto& body : model.bodies) {
+    const bool floating = body.kind == interpreter::JointKind::floating;
+    if (!floating && body.kind != interpreter::JointKind::spherical) continue;
+    auto quaternion = q.template segment<4>(body.q + (floating ? 3 : 0));
+    quaternion /= Scalar(sqrt(quaternion.squaredNorm()));
+  }
+  return q;
+}
+
+}  // namespace treeline::tests
