@@ -57,7 +57,19 @@ std::string element_name(const Argument& argument, std::size_t element) {
                    : fmt::format("{}_{}_{}", argument.name, element / cols, element % cols);
 }
 
-/// For every node the name it has by itself, from the trace or as a result; else empty.
+/// `sin_q_2` for the sine of an input or of an angle with a name; else empty.
+std::string trigonometric_name(const Graph& graph, const Node& node,
+                               const std::vector<std::string>& names) {
+  if (operation(node.op).operands != 1) {
+    return "";
+  }
+  const Node& angle = graph.nodes()[node.a];
+  const std::string what = angle.op == Op::input ? graph.inputs()[angle.a] : names[node.a];
+  return what.empty() ? "" : make_identifier(fmt::format("{} {}", operation(node.op).name, what));
+}
+
+/// For every node the name it has by itself: from the trace, of its angle, or as a result; else
+/// empty.
 std::vector<std::string> find_own_names(const Program& program) {
   const Graph& graph = program.graph;
   std::vector<std::string> names(graph.nodes().size());
@@ -70,6 +82,8 @@ std::vector<std::string> find_own_names(const Program& program) {
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     if (const auto name = graph.names().find(i); name != graph.names().end()) {
       names[i] = make_identifier(name->second);
+    } else if (names[i].empty()) {
+      names[i] = trigonometric_name(graph, graph.nodes()[i], names);
     }
   }
   return names;

@@ -1,7 +1,5 @@
 #include "emission/emit.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "emission/check_emission.hpp"
@@ -31,11 +29,10 @@ std::string print_sin_cos(const EmissionContext& context) {
 std::string print_cmake(const EmissionContext& context, std::span<const Program> programs) {
   std::string sources;
   for (const Program& program : programs) {
-    sources += fmt::format("{}  {}.cpp", sources.empty() ? "" : "\n", program.name);
+    sources += program.name + ".cpp\n";
   }
-  return fill_template(
-      templates::kCMakeLists,
-      {{"robot", context.robot}, {"name", context.name}, {"sources", sources + ")"}});
+  return fill_template(templates::kCMakeLists,
+                       {{"robot", context.robot}, {"name", context.name}, {"sources", sources}});
 }
 
 }  // namespace

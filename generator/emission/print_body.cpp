@@ -9,30 +9,13 @@
 #include "emission/choose_names.hpp"
 #include "emission/print_expression.hpp"
 #include "emission/select_statements.hpp"
+#include "emission/wrap_line.hpp"
 
 namespace treeline {
 namespace {
 
-constexpr std::size_t kLineWidth = 100;
-
 bool is_trigonometric(Op op) {
   return op == Op::sin || op == Op::cos;
-}
-
-/// `  statement` broken at blanks to lines of at most kLineWidth, continued with six blanks.
-std::string wrap(std::string_view statement) {
-  std::string text;
-  std::string indentation = "  ";
-  while (indentation.size() + statement.size() > kLineWidth) {
-    const std::size_t blank = statement.rfind(' ', kLineWidth - indentation.size());
-    if (blank == std::string_view::npos) {
-      break;
-    }
-    text += indentation + std::string(statement.substr(0, blank)) + "\n";
-    statement.remove_prefix(blank + 1);
-    indentation = "      ";
-  }
-  return text + indentation + std::string(statement) + "\n";
 }
 
 class BodyPrinter {
@@ -85,7 +68,7 @@ class BodyPrinter {
       text_ += fmt::format("{}  // {}\n", text_.empty() ? "" : "\n", title_);
       printed_title_ = title_;
     }
-    text_ += wrap(statement);
+    text_ += wrap_line(statement, 2);
   }
 
   void print_node(std::uint32_t node) {
@@ -120,8 +103,9 @@ class BodyPrinter {
       const Node& node = graph_.nodes()[i];
       const auto lane = std::find(angles.begin(), angles.end(), node.a) - angles.begin();
       enter_sections(i);
-      text_ += wrap(fmt::format("const Real {} = {}{}[{}];", names_[i],
-                                node.op == Op::sin ? "sines" : "cosines", suffix, lane));
+      text_ += wrap_line(fmt::format("const Real {} = {}{}[{}];", names_[i],
+                                     node.op == Op::sin ? "sines" : "cosines", suffix, lane),
+                         2);
       print_stores(i);
     }
     return end;
@@ -132,7 +116,8 @@ class BodyPrinter {
     for (const std::uint32_t angle : angles) {
       list += (list.empty() ? "" : ", ") + expressions_.reference(angle);
     }
-    text_ += wrap(fmt::format("const Real angles{}[{}] = {{{}}};", suffix, angles.size(), list));
+    text_ +=
+        wrap_line(fmt::format("const Real angles{}[{}] = {{{}}};", suffix, angles.size(), list), 2);
     text_ += fmt::format("  Real sines{0}[{1}];\n  Real cosines{0}[{1}];\n", suffix, angles.size());
     text_ += fmt::format("  detail::sin_cos(angles{0}, sines{0}, cosines{0});\n", suffix);
   }

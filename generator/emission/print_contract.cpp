@@ -110,7 +110,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
     declarations += (declarations.empty() ? "" : "\n") +
                     fill_template(templates::kDeclaration,
                                   {{"comment", comment("///", describe_function(context, program))},
-                                   {"signature", print_declaration(program) + ";"}});
+                                   {"signature", print_declaration(program)}});
   }
   return fill_template(templates::kContract,
                        {{"robot", context.robot},

@@ -4,6 +4,7 @@
 
 #include "emission/fill_template.hpp"
 #include "emission/templates.hpp"
+#include "emission/wrap_line.hpp"
 
 namespace treeline {
 namespace {
@@ -28,10 +29,10 @@ std::string print_wrapper(const EmissionContext& context, const Program& program
   for (const Result& result : program.results) {
     append(result.argument, "", "output");
   }
-  return fill_template(templates::kWrapper, {{"name", context.name},
-                                             {"function", program.name},
-                                             {"parameters", parameters},
-                                             {"arguments", arguments}});
+  const std::string head = fmt::format("inline void {}({}) noexcept {{", program.name, parameters);
+  const std::string call = fmt::format("{}::{}({});", context.name, program.name, arguments);
+  return fill_template(templates::kWrapper,
+                       {{"head", wrap_line(head, 0)}, {"call", wrap_line(call, 2)}});
 }
 
 }  // namespace

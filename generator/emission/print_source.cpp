@@ -9,6 +9,7 @@
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
 #include "emission/templates.hpp"
+#include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
 #include "passes/rebuild.hpp"
 
@@ -72,7 +73,7 @@ std::string print_declaration(const Program& program) {
   for (const Result& result : program.results) {
     list += (list.empty() ? "" : ", ") + parameter(result.argument, "", result.argument.name);
   }
-  return fmt::format("void {}({}) noexcept", program.name, list);
+  return wrap_line(fmt::format("void {}({}) noexcept;", program.name, list), 0);
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
@@ -83,7 +84,7 @@ std::string print_source(const EmissionContext& context, const Program& program)
        {"cost", describe_cost(program)},
        {"name", context.name},
        {"includes", uses_trigonometry(program) ? "#include \"sin_cos.hpp\"" : ""},
-       {"signature", print_head(program)},
+       {"signature", wrap_line(print_head(program) + " {", 0)},
        {"body",
         print_body(program, context.single_precision, find_taken_names(context, program))}});
 }

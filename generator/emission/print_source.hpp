@@ -7,7 +7,7 @@
 
 namespace treeline {
 
-/// `void NAME(const Real (&q)[6], Real (&tau)[6]) noexcept`, as the header declares it.
+/// `void NAME(const Real (&q)[6], Real (&tau)[6]) noexcept;`, as the header declares it.
 std::string print_declaration(const Program& program);
 
 /// The source file that defines the program's function.

@@ -36,9 +36,22 @@ TEST(Emit, MakesTheFolder) {
         "shoulder (revolute): -3.1 .. 3.1 rad", "Gravity (0.0, -9.81, 0.0) m/s^2",
         "tool on forearm", "Locked: gripper", "tau = M(q) qdd + b(q, qd) + g(q)",
         "belongs to whoever ran",
-        "void inverse_dynamics(const Real (&q)[2], const Real (&qd)[2], const Real (&qdd)[2], Real "
-        "(&tau)[2]) noexcept;"}) {
+        "void inverse_dynamics(const Real (&q)[2], const Real (&qd)[2], const Real (&qdd)[2],\n"
+        "    Real (&tau)[2]) noexcept;"}) {
     EXPECT_NE(contract.find(part), std::string::npos) << part << "\n" << contract;
+  }
+}
+
+// Would catch: code that a reader has to scroll sideways.
+TEST(Emit, LinesStayWithinTheWidth) {
+  Diagnostics diagnostics;
+  for (const GeneratedFile& file : emit_sample(diagnostics)) {
+    std::size_t begin = 0;
+    for (std::size_t end = 0;
+         file.name != "manifest.json" && (end = file.text.find('\n', begin)) != std::string::npos;
+         begin = end + 1) {
+      EXPECT_LE(end - begin, 100u) << file.name << ": " << file.text.substr(begin, end - begin);
+    }
   }
 }
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace treeline {
+
+/// `text` as lines of at most 100 columns, the first indented by `indentation` blanks, the others
+/// by four more. Breaks behind an operator or comma, preferably one outside of parentheses.
+std::string wrap_line(std::string_view text, std::size_t indentation);
+
+}  // namespace treeline
