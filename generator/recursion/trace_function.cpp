@@ -1,0 +1,350 @@
+#include "recursion/trace_function.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <utility>
+
+#include "recursion/control_torque.hpp"
+#include "recursion/forward_dynamics.hpp"
+
+namespace treeline {
+namespace {
+
+using Expressions = std::vector<Expression>;
+using TracedTree = Tree<Expression>;
+
+/// What a trace has at hand: the tree, its transforms for the inputs q, and the other inputs.
+struct Trace {
+  TracedTree tree;
+  std::size_t rows = 0;
+  Expressions q, qd, qdd, tau, xdd_cmd, f_ext;
+  std::vector<JointTransform<Expression>> X;
+
+  [[nodiscard]] std::vector<Wrench<Expression>> applied() const {
+    return f_ext.empty() ? std::vector<Wrench<Expression>>{}
+                         : applied_wrenches<Expression>(tree, X, f_ext);
+  }
+  [[nodiscard]] std::vector<WorldPose<Expression>> poses() const { return world_poses(tree, X); }
+};
+
+/// A result before it is named.
+using Outputs = std::vector<Result>;
+using Body = std::function<Outputs(const Trace&)>;
+
+/// One way to compute a function.
+struct Route {
+  std::string source;
+  Body body;
+};
+
+enum Inputs : unsigned { kQd = 1, kQdd = 2, kTau = 4, kXddCmd = 8, kForces = 16, kPosture = 32 };
+
+/// What all routes of a function have in common.
+struct Signature {
+  std::string equation;
+  unsigned inputs = 0;
+};
+
+Signature signature(Function function) {
+  switch (function) {
+    case Function::forward_kinematics:
+      return {"x_world = R x_point + p, for every operational point", 0};
+    case Function::jacobian:
+      return {"xd = J qd, rows stacked over operational points", 0};
+    case Function::bias_acceleration:
+      return {"xdd = J qdd + Jd qd: the term Jd qd", kQd};
+    case Function::inverse_dynamics:
+      return {"tau = M qdd + b + g - J_ext^T f_ext", kQd | kQdd | kForces};
+    case Function::gravity:
+      return {"g: the joint forces that hold the robot at rest", 0};
+    case Function::nonlinear_effects:
+      return {"h = b + g: the joint forces at qdd = 0", kQd};
+    case Function::mass_matrix:
+      return {"tau = M qdd + b + g: the matrix M", 0};
+    case Function::forward_dynamics:
+      return {"qdd = M^-1 (tau - b - g + J_ext^T f_ext)", kQd | kTau | kForces};
+    case Function::lambda_inverse:
+      return {"Lambda^-1 = J M^-1 J^T", 0};
+    case Function::lambda:
+      return {"Lambda = (J M^-1 J^T)^-1", 0};
+    case Function::control_torque:
+      return {
+          "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
+          "F = Lambda (xdd_cmd - Jd qd - J qdd_0)",
+          kQd | kPosture | kXddCmd | kForces};
+  }
+  return {};
+}
+
+class Tracer {
+ public:
+  explicit Tracer(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+  Program trace(Function function, const Route& route) const {
+    const Signature common = signature(function);
+    Program program;
+    program.name = function_name(function);
+    program.equation = common.equation;
+    program.source = route.source;
+    const Graph::Scope scope(program.graph);
+    Trace trace;
+    trace.tree = tree_of<Expression>(mechanism_);
+    trace.rows = static_cast<std::size_t>(mechanism_.task_rows());
+    declare_inputs(common.inputs, program, trace);
+    trace.X = joint_transforms<Expression>(trace.tree, trace.q);
+    program.results = route.body(trace);
+    return program;
+  }
+
+ private:
+  static Expressions declare(Program& program, const char* name, int size, const char* meaning) {
+    program.arguments.push_back({name, size, 1, meaning});
+    Expressions entries;
+    for (int i = 0; i < size; ++i) {
+      entries.push_back(program.graph.input(fmt::format("{}[{}]", name, i)));
+    }
+    return entries;
+  }
+
+  void declare_inputs(unsigned inputs, Program& program, Trace& trace) const {
+    const int nv = mechanism_.nv();
+    trace.q = declare(program, "q", mechanism_.nq(), "joint coordinates");
+    if ((inputs & kQd) != 0) {
+      trace.qd = declare(program, "qd", nv, "joint velocities");
+    }
+    if ((inputs & kQdd) != 0) {
+      trace.qdd = declare(program, "qdd", nv, "joint accelerations");
+    }
+    if ((inputs & kPosture) != 0) {
+      trace.qdd = declare(program, "qdd_0", nv, "joint accelerations that the posture asks for");
+    }
+    if ((inputs & kTau) != 0) {
+      trace.tau = declare(program, "tau", nv, "joint forces");
+    }
+    if ((inputs & kXddCmd) != 0) {
+      trace.xdd_cmd = declare(program, "xdd_cmd", mechanism_.task_rows(),
+                              "commanded accelerations of the task rows");
+    }
+    if ((inputs & kForces) != 0 && !mechanism_.external_forces.empty()) {
+      trace.f_ext =
+          declare(program, "f_ext", 6 * static_cast<int>(mechanism_.external_forces.size()),
+                  "force and moment on the robot at each external force's point");
+    }
+  }
+
+  const Mechanism& mechanism_;
+};
+
+Outputs vector_output(const char* name, const char* meaning, Expressions values) {
+  const int size = static_cast<int>(values.size());
+  return {{{name, size, 1, meaning}, std::move(values)}};
+}
+Outputs matrix_output(const char* name, const char* meaning,
+                      const DenseMatrix<Expression>& matrix) {
+  return {{{name, static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), meaning},
+           matrix.values()}};
+}
+
+Outputs point_poses(const Trace& trace) {
+  const auto poses = trace.poses();
+  Expressions positions;
+  Expressions rotations;
+  for (const TreePoint<Expression>& point : trace.tree.operational_points) {
+    const WorldPose<Expression> pose = point_pose(poses, point);
+    positions.insert(positions.end(), {pose.p.x, pose.p.y, pose.p.z});
+    for (const auto& row : {pose.R.row_x, pose.R.row_y, pose.R.row_z}) {
+      rotations.insert(rotations.end(), {row.x, row.y, row.z});
+    }
+  }
+  const int count = static_cast<int>(trace.tree.operational_points.size());
+  return {{{"position", 3 * count, 1, "positions in the world, m, one point after the other"},
+           positions},
+          {{"rotation", 9 * count, 1,
+            "rotation matrices, row-major, point's axes to world, one point after the other"},
+           rotations}};
+}
+
+std::vector<Route> jacobian_routes(const TracedTree& tree) {
+  std::vector<Route> routes{{"rows carried inward from each point", [](const Trace& trace) {
+                               const auto tasks = task_points(trace.tree, {}, trace.poses());
+                               return matrix_output(
+                                   "J", "Jacobian",
+                                   jacobian_inward(trace.tree, trace.X, tasks, trace.rows));
+                             }}};
+  if (permits(tree, {}, LambdaRoute::factors_world)) {
+    routes.push_back({"from the poses of all links", [](const Trace& trace) {
+                        return matrix_output(
+                            "J", "Jacobian",
+                            jacobian_world(trace.tree, trace.poses(), false, trace.rows));
+                      }});
+  }
+  return routes;
+}
+
+Expressions net_forces(const Trace& trace) {
+  const auto h = inverse_dynamics<Expression>(trace.tree, trace.X, {trace.qd, {}}, trace.applied());
+  Expressions net = trace.tau;
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    net[i] = net[i] - h[i];
+  }
+  return net;
+}
+
+std::vector<Route> forward_dynamics_routes(const TracedTree& tree) {
+  const char* meaning = "joint accelerations";
+  std::vector<Route> routes{{"M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)",
+                             [meaning](const Trace& trace) {
+                               const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
+                               return vector_output("qdd", meaning,
+                                                    solve(factor, net_forces(trace)));
+                             }}};
+  if (!tree.has_mimics) {
+    routes.push_back({"articulated bodies, Chang table 4.2", [meaning](const Trace& trace) {
+                        return vector_output(
+                            "qdd", meaning,
+                            solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
+                                              net_forces(trace)));
+                      }});
+  }
+  return routes;
+}
+
+/// Every way to Lambda^-1 that the tree permits, with the basis it is worked out in.
+struct LambdaChoice {
+  TaskBasis basis;
+  LambdaRoute route;
+  std::string source;
+};
+
+std::vector<LambdaChoice> lambda_choices(const TracedTree& tree) {
+  const std::pair<LambdaRoute, const char*> routes[] = {
+      {LambdaRoute::force_propagation, "unit forces propagated inward (PV-OSIM)"},
+      {LambdaRoute::factors_inward, "M = L^T D L, J carried inward"},
+      {LambdaRoute::factors_world, "M = L^T D L, J in world axes"}};
+  std::vector<LambdaChoice> choices;
+  for (const auto& [route, name] : routes) {
+    for (const bool in_link_axes : {false, true}) {
+      for (const bool at_link_origin : {false, true}) {
+        const TaskBasis basis{in_link_axes, at_link_origin};
+        if (permits(tree, basis, route)) {
+          choices.push_back({basis, route,
+                             fmt::format("{}, in {} at {}", name,
+                                         in_link_axes ? "link axes" : "the axes asked for",
+                                         at_link_origin ? "link origins" : "the points")});
+        }
+      }
+    }
+  }
+  return choices;
+}
+
+DenseMatrix<Expression> traced_lambda_inverse(const Trace& trace, const LambdaChoice& choice) {
+  const auto poses = trace.poses();
+  auto Lambda_inv =
+      lambda_inverse(trace.tree, trace.X, poses, choice.basis, choice.route, trace.rows);
+  if (choice.basis.at_link_origin) {
+    shift_to_points(trace.tree, poses, Lambda_inv);
+  }
+  return Lambda_inv;
+}
+
+std::vector<Route> lambda_routes(const TracedTree& tree, bool invert) {
+  std::vector<Route> routes;
+  for (const LambdaChoice& choice : lambda_choices(tree)) {
+    if (choice.basis.in_link_axes) {
+      continue;  // the result is wanted in the axes asked for
+    }
+    routes.push_back({choice.source, [choice, invert](const Trace& trace) {
+                        const auto Lambda_inv = traced_lambda_inverse(trace, choice);
+                        return invert
+                                   ? matrix_output("Lambda", "operational-space inertia",
+                                                   inverse(factor_ldlt(Lambda_inv)))
+                                   : matrix_output("Lambda_inv",
+                                                   "inverse operational-space inertia", Lambda_inv);
+                      }});
+  }
+  return routes;
+}
+
+std::vector<Route> control_routes(const TracedTree& tree) {
+  std::vector<Route> routes;
+  for (const LambdaChoice& choice : lambda_choices(tree)) {
+    if (choice.basis.at_link_origin && !choice.basis.in_link_axes) {
+      continue;  // what is solved at the link's origin is solved in its axes
+    }
+    routes.push_back(
+        {"Chang table 6.1, fused; Lambda^-1: " + choice.source, [choice](const Trace& trace) {
+           return vector_output(
+               "tau", "joint forces",
+               control_torque<Expression>(trace.tree, trace.X,
+                                          {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()},
+                                          choice.basis, choice.route, trace.rows));
+         }});
+  }
+  return routes;
+}
+
+std::vector<Route> newton_euler_route(const char* name, const char* meaning) {
+  return {{"recursive Newton-Euler, Chang table 4.1", [name, meaning](const Trace& trace) {
+             return vector_output(name, meaning,
+                                  inverse_dynamics<Expression>(
+                                      trace.tree, trace.X, {trace.qd, trace.qdd}, trace.applied()));
+           }}};
+}
+
+std::vector<Route> routes_of(Function function, const TracedTree& tree) {
+  switch (function) {
+    case Function::forward_kinematics:
+      return {{"outward recursion", point_poses}};
+    case Function::jacobian:
+      return jacobian_routes(tree);
+    case Function::bias_acceleration:
+      return {{"outward recursion, Chang eq. 6.11", [](const Trace& trace) {
+                 const auto tasks = task_points(trace.tree, {}, trace.poses());
+                 return vector_output(
+                     "bias", "accelerations of the task rows at qdd = 0",
+                     bias_acceleration<Expression>(trace.tree, trace.X, tasks, trace.qd));
+               }}};
+    case Function::inverse_dynamics:
+      return newton_euler_route("tau", "joint forces");
+    case Function::gravity:
+      return newton_euler_route("g", "joint forces");
+    case Function::nonlinear_effects:
+      return newton_euler_route("h", "joint forces");
+    case Function::mass_matrix:
+      return {{"composite rigid bodies, RBDA table 6.2", [](const Trace& trace) {
+                 return matrix_output("M", "joint-space inertia", mass_matrix(trace.tree, trace.X));
+               }}};
+    case Function::forward_dynamics:
+      return forward_dynamics_routes(tree);
+    case Function::lambda_inverse:
+      return lambda_routes(tree, false);
+    case Function::lambda:
+      return lambda_routes(tree, true);
+    case Function::control_torque:
+      return control_routes(tree);
+  }
+  return {};
+}
+
+/// Which routes there are depends on the tree's structure alone; a throw-away graph holds it.
+TracedTree structure_of(const Mechanism& mechanism, Graph& graph) {
+  const Graph::Scope scope(graph);
+  return tree_of<Expression>(mechanism);
+}
+
+}  // namespace
+
+std::vector<Program> trace_function(const Mechanism& mechanism, Function function) {
+  Graph graph;
+  const TracedTree tree = structure_of(mechanism, graph);
+  const Tracer tracer(mechanism);
+  std::vector<Program> programs;
+  for (const Route& route : routes_of(function, tree)) {
+    programs.push_back(tracer.trace(function, route));
+  }
+  return programs;
+}
+
+}  // namespace treeline
