@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 
 #include "description/identifier.hpp"
@@ -44,7 +43,7 @@ std::string describe(const tinyxml2::XMLDocument& document) {
       return fmt::format("the element <{}> is not closed by its own end tag", text.substr(at + 5));
     }
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-      return "an attribute is not of the form name=\"value\"";
+      return "an attribute is not of the form name=\"value\", or is given twice";
     case tinyxml2::XML_ERROR_PARSING_DECLARATION:
       return "the XML declaration is not at the start of the file";
     case tinyxml2::XML_ERROR_PARSING_COMMENT:
@@ -120,10 +119,10 @@ std::string expansion_command(const std::string& file) {
   return fmt::format("expand it first: xacro {0} > {1}.urdf", file.empty() ? "FILE" : file, output);
 }
 
-/// What the elements of a document must be free of before any of them is read.
-class ElementCheck : public tinyxml2::XMLVisitor {
+/// Looks for macros outside the elements that do not matter.
+class MacroCheck : public tinyxml2::XMLVisitor {
  public:
-  explicit ElementCheck(const Complaint& complain) : complain_(complain) {}
+  explicit MacroCheck(const Complaint& complain) : complain_(complain) {}
 
   bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* first) override {
     const std::string_view name = element.Name();
@@ -131,14 +130,7 @@ class ElementCheck : public tinyxml2::XMLVisitor {
     const bool irrelevant = name == "visual" || name == "collision" || name == "gazebo" ||
                             name == "transmission" || name == "ros2_control";
     if (irrelevant) return false;
-    std::set<std::string_view> seen;
     for (const auto* attribute = first; attribute != nullptr; attribute = attribute->Next()) {
-      if (!seen.insert(attribute->Name()).second) {
-        complain_(attribute->GetLineNum(), element.Name(),
-                  fmt::format("the attribute \"{}\" is given twice", attribute->Name()),
-                  "keep one of the two");
-        ok_ = false;
-      }
       if (holds_macro(attribute->Value())) {
         return refuse_macro(element,
                             fmt::format("{}=\"{}\"", attribute->Name(), attribute->Value()));
@@ -147,7 +139,7 @@ class ElementCheck : public tinyxml2::XMLVisitor {
     return !found_macro_;
   }
 
-  [[nodiscard]] bool ok() const { return ok_ && !found_macro_; }
+  [[nodiscard]] bool ok() const { return !found_macro_; }
 
  private:
   bool refuse_macro(const XMLElement& element, const std::string& what) {
@@ -161,7 +153,6 @@ class ElementCheck : public tinyxml2::XMLVisitor {
   }
 
   const Complaint& complain_;
-  bool ok_ = true;
   bool found_macro_ = false;
 };
 
@@ -180,7 +171,7 @@ const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::s
   warn_of_late_declaration(text, file, diagnostics);
   const XMLElement* root = only_root(document, complain);
   if (root == nullptr) return nullptr;
-  ElementCheck check(complain);
+  MacroCheck check(complain);
   root->Accept(&check);
   if (!check.ok()) return nullptr;
   if (std::string_view(root->Name()) != "robot") {

@@ -6,39 +6,13 @@
 
 #include "description/check_scene.hpp"
 #include "description/identifier.hpp"
+#include "description/parse_yaml.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_text_file.hpp"
 #include "description/scene_element.hpp"
 
 namespace treeline {
 namespace {
-
-void report_yaml(const std::string& file, int line, std::string fault, Diagnostics& diagnostics) {
-  diagnostics.add({Severity::error, file, line, "", std::move(fault), "mend the YAML"});
-}
-
-/// The one document in the text; an empty map when there is none.
-std::optional<YAML::Node> load(const std::string& text, const std::string& file,
-                               Diagnostics& diagnostics) {
-  if (!is_utf8(text)) {
-    report_yaml(file, 0, "the file is not UTF-8 text", diagnostics);
-    return std::nullopt;
-  }
-  try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1) {
-      report_yaml(file, documents[1].Mark().line + 1, "there is more than one document",
-                  diagnostics);
-      return std::nullopt;
-    }
-    const bool empty = documents.empty() || documents.front().IsNull();
-    return empty ? YAML::Node(YAML::NodeType::Map) : documents.front();
-  } catch (const YAML::Exception& exception) {
-    report_yaml(file, exception.mark.line + 1, "this is not well-formed YAML: " + exception.msg,
-                diagnostics);
-    return std::nullopt;
-  }
-}
 
 void read_name(const SceneElement& element, Scene& scene) {
   const auto name = element.text();
@@ -106,7 +80,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
 
 std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
                                  const Robot& robot, Diagnostics& diagnostics) {
-  const auto document = load(text, file_name, diagnostics);
+  const auto document = parse_yaml(text, file_name, diagnostics);
   if (!document) return std::nullopt;
   SceneReading reading{file_name, diagnostics};
   const SceneElement top(*document, "", reading);

@@ -1,0 +1,61 @@
+#include "description/parse_yaml.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+
+#include <sstream>
+
+#include "description/identifier.hpp"
+
+namespace treeline {
+namespace {
+
+/// Notes where documents start and passes over everything inside them.
+class DocumentStarts : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override { lines.push_back(mark.line + 1); }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+  std::vector<int> lines;
+};
+
+/// Asks for two documents at most: yaml-cpp 0.7 finds them without end in a text that starts with a
+/// comma, so `LoadAll` cannot be used.
+std::vector<int> find_documents(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStarts starts;
+  while (starts.lines.size() < 2 && parser.HandleNextDocument(starts)) {
+  }
+  return starts.lines;
+}
+
+}  // namespace
+
+std::optional<YAML::Node> parse_yaml(const std::string& text, const std::string& file,
+                                     Diagnostics& diagnostics) {
+  const auto report = [&](int line, std::string fault) {
+    diagnostics.add({Severity::error, file, line, "", std::move(fault), "mend the YAML"});
+    return std::nullopt;
+  };
+  if (!is_utf8(text)) return report(0, "the file is not UTF-8 text");
+  try {
+    const std::vector<int> starts = find_documents(text);
+    if (starts.size() > 1) return report(starts[1], "there is more than one document");
+    const YAML::Node document = YAML::Load(text);
+    return document.IsNull() ? YAML::Node(YAML::NodeType::Map) : document;
+  } catch (const YAML::Exception& exception) {
+    return report(exception.mark.line + 1, "this is not well-formed YAML: " + exception.msg);
+  }
+}
+
+}  // namespace treeline

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <optional>
+#include <string>
+
+#include "description/diagnostic.hpp"
+
+namespace treeline {
+
+/// The one YAML document in `text`; an empty map when there is none. Nothing, and an error, when
+/// the text is not UTF-8, not well-formed or more than one document.
+std::optional<YAML::Node> parse_yaml(const std::string& text, const std::string& file,
+                                     Diagnostics& diagnostics);
+
+}  // namespace treeline

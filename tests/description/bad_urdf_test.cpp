@@ -1,0 +1,396 @@
+// Would catch: a class of fault that is accepted in silence, or reported without its place or what
+// to do about it. Every case is one fault in an otherwise sound robot; the line is the fault's own.
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "description/read_urdf.hpp"
+#include "diagnosed.hpp"
+
+namespace treeline {
+namespace {
+
+struct Case {
+  std::string name;
+  std::string text;
+  Expected expected;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+class BadUrdf : public testing::TestWithParam<Case> {};
+
+TEST_P(BadUrdf, IsDiagnosed) {
+  const Case& c = GetParam();
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(c.text, "bad.urdf", diagnostics);
+  EXPECT_EQ(robot.has_value(), c.expected.severity != Severity::error) << to_string(diagnostics);
+  EXPECT_EQ(robot.has_value(), !diagnostics.has_errors()) << to_string(diagnostics);
+  expect_diagnosed(diagnostics, "bad.urdf", c.expected);
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+  return info.param.name;
+}
+
+constexpr auto kError = Severity::error;
+constexpr auto kWarning = Severity::warning;
+
+const std::string kBody =
+    "<inertial><mass value='1'/>"
+    "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
+
+/// Links a (line 2) and b (line 3) with mass, and in line 5 what is inside the joint.
+std::string with_joint(const std::string& type, const std::string& inside) {
+  return "<robot name='r'>\n<link name='a'>" + kBody + "</link>\n<link name='b'>" + kBody +
+         "</link>\n<joint name='j' type='" + type + "'><parent link='a'/><child link='b'/>\n" +
+         inside + "\n</joint></robot>";
+}
+
+const std::string kLimit = "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
+
+/// What is inside the one link, in line 3.
+std::string with_link(const std::string& inside) {
+  return "<robot name='r'>\n<link name='a'>\n" + inside + "\n</link></robot>";
+}
+
+/// What is inside the robot after links a and b, in line 3.
+std::string with_robot(const std::string& inside) {
+  return "<robot name='r'>\n<link name='a'/> <link name='b'/>\n" + inside + "\n</robot>";
+}
+
+std::string inertia(const std::string& six) {
+  return with_link("<inertial><mass value='1'/>\n<inertia " + six + "/></inertial>");
+}
+
+const Case kXml[] = {
+    {"Empty", "", {kError, 0, "", "holds no XML", "URDF"}},
+    {"Text", "not xml\n", {kError, 1, "", "text", "XML"}},
+    {"NotClosed",
+     "<robot name='r'>\n<link name='a'>\n</robot>",
+     {kError, 2, "", "<link> is not closed", "XML"}},
+    {"ZeroByte", std::string("<robot>\n\0</robot>", 18), {kError, 2, "", "zero byte", "UTF-8"}},
+    {"TwoRoots",
+     "<robot name='r'/>\n<robot name='s'/>",
+     {kError, 2, "robot", "second element at the top", "one element <robot>"}},
+    {"NoElement", "<!-- only a comment -->", {kError, 0, "", "no XML element", "<robot>"}},
+    {"OtherRoot", "<abcd/>", {kError, 1, "abcd", "the root element is <abcd>", "is <robot>"}},
+    {"Sdf", "<sdf version='1.6'/>", {kError, 1, "sdf", "the root element is <sdf>", "SDF"}},
+    {"AttributeTwice",
+     "<robot name='r'>\n<link name='a' name='b'/></robot>",
+     {kError, 2, "", "given twice", "mend"}},
+    {"XacroElement",
+     "<robot name='r'>\n<xacro:property name='x' value='1'/></robot>",
+     {kError, 2, "xacro:property", "xacro text", "xacro bad.urdf > bad_expanded.urdf"}},
+    {"XacroExpression",
+     "<robot name='r'>\n<link name='${prefix}a'/></robot>",
+     {kError, 2, "link", "name=\"${prefix}a\"", "xacro bad.urdf"}},
+    {"LateDeclaration",
+     "\n<?xml version='1.0'?><robot name='r'><link name='a'/></robot>",
+     {kWarning, 1, "", "before the XML declaration", "remove it"}},
+    {"Nested",
+     [] {
+       std::string deep;
+       for (int i = 0; i < 100000; ++i) deep += "<a>";
+       return deep;
+     }(),
+     {kError, 1, "", "nested too deeply", ""}},
+};
+INSTANTIATE_TEST_SUITE_P(Xml, BadUrdf, testing::ValuesIn(kXml), name_of);
+
+const Case kRobots[] = {
+    {"NoName",
+     "<robot><link name='a'/></robot>",
+     {kError, 1, "robot", "\"name\" is missing", "<robot name="}},
+    {"EmptyName",
+     "<robot name=''><link name='a'/></robot>",
+     {kError, 1, "robot", "\"name\" is empty", "<robot name="}},
+    {"NoLink", "<robot name='r'/>", {kError, 1, "robot", "no <link>", "links"}},
+    {"VersionTwo",
+     "<robot name='r' version='2'><link name='a'/></robot>",
+     {kError, 1, "robot", "version=\"2\"", "1.0"}},
+    {"VersionJunk",
+     "<robot name='r' version='1.0~pre6'><link name='a'/></robot>",
+     {kError, 1, "robot", "1.0~pre6", "1.0"}},
+    {"VersionEmpty",
+     "<robot name='r' version=''><link name='a'/></robot>",
+     {kError, 1, "robot", "version", "1.0"}},
+    {"VersionOne",
+     "<robot name='r' version='1'><link name='a'/></robot>",
+     {kWarning, 1, "robot", "version=\"1\"", "1.0"}},
+    {"VersionOld",
+     "<robot name='r' version='0.99'><link name='a'/></robot>",
+     {kWarning, 1, "robot", "0.99", "1.0"}},
+    {"DuplicateLink",
+     with_robot("<link name='a'/>"),
+     {kError, 3, "robot/link[a]", "already in line 2", "name of its own"}},
+    {"UnnamedLink",
+     with_robot("<link/>"),
+     {kError, 3, "robot/link", "\"name\" is missing", "name"}},
+    {"LatinName",
+     with_robot("<link name='J\xE4ger'/>"),
+     {kError, 3, "robot/link[J\xE4ger]", "not UTF-8", "UTF-8"}},
+    {"TwoRootLinks",
+     with_robot(""),
+     {kError, 2, "robot/link[b]", "second root", "connect the two"}},
+    {"LoopJoint",
+     with_robot("<loop_joint/>"),
+     {kError, 3, "robot/loop_joint", "changes the mechanism", "loops cannot"}},
+    {"ForeignJoint",
+     with_robot("<drake:joint name='j'/>"),
+     {kError, 3, "robot/drake:joint[j]", "changes the mechanism", "links and joints of URDF"}},
+    {"UnknownElement",
+     "<robot name='r'>\n<link name='a'/>\n<thruster/><thruster/></robot>",
+     {kWarning, 3, "robot/thruster", "<thruster> is not part of URDF and is ignored (and 1 more",
+      "remove it"}},
+    {"GazeboJoint",
+     "<robot name='r'>\n<link name='a'/>\n<gazebo><joint name='j'/></gazebo></robot>",
+     {kWarning, 3, "robot/gazebo", "inside <gazebo> is ignored", "open tree"}},
+    {"UnknownAttribute",
+     "<robot name='r'>\n<link name='a' colour='red'/></robot>",
+     {kWarning, 2, "robot/link[a]", "\"colour\" is not part of URDF", "remove it"}},
+    {"StrayText",
+     "<robot name='r'>\n<link name='a'/>\n stray</robot>",
+     {kWarning, 3, "robot", "text stands between", "remove it"}},
+    {"HeavyWorld",
+     "<robot name='r'>\n<link name='world'>" + kBody + "</link></robot>",
+     {kWarning, 2, "robot/link[world]", "\"world\" has inertia", "move"}},
+};
+INSTANTIATE_TEST_SUITE_P(Robots, BadUrdf, testing::ValuesIn(kRobots), name_of);
+
+const Case kTrees[] = {
+    {"UnknownChild",
+     with_robot("<joint name='j' type='fixed'><parent link='a'/><child link='bb'/></joint>"),
+     {kError, 3, "robot/joint[j]", "the child link \"bb\" is not defined", "did you mean \"b\"?"}},
+    {"UnknownWorld",
+     with_robot("<joint name='j' type='fixed'><parent link='world'/><child link='a'/></joint>"),
+     {kError, 3, "robot/joint[j]", "\"world\" is not defined", "add <link name=\"world\"/>"}},
+    {"TwoParents",
+     with_robot("<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>\n<joint "
+                "name='k' type='fixed'><parent link='a'/><child link='b'/></joint>"),
+     {kError, 4, "robot/joint[k]",
+      "\"b\" has two parents: it is already the child of joint \"j\" in line 3", "remove one"}},
+    {"OwnParent",
+     with_robot("<joint name='j' type='fixed'><parent link='a'/><child link='a'/></joint>"),
+     {kError, 3, "robot/joint[j]", "its own parent", "two different links"}},
+    {"Loop",
+     with_robot("<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>\n<joint "
+                "name='k' type='fixed'><parent link='b'/><child link='a'/></joint>"),
+     {kError, 2, "robot/link[a]", "loop: a - b - a", "tree"}},
+    {"DetachedLoop",
+     with_robot("<link name='root'/><joint name='j' type='fixed'><parent link='a'/><child "
+                "link='b'/></joint>\n<joint name='k' type='fixed'><parent link='b'/><child "
+                "link='a'/></joint>"),
+     {kError, 2, "robot/link[a]", "loop", "tree"}},
+    {"DuplicateJoint",
+     with_robot("<link name='c'/><joint name='j' type='fixed'><parent link='a'/><child "
+                "link='b'/></joint>\n<joint name='j' type='fixed'><parent link='b'/><child "
+                "link='c'/></joint>"),
+     {kError, 4, "robot/joint[j]", "already in line 3", "name of its own"}},
+    {"NoParent",
+     with_robot("<joint name='j' type='fixed'><child link='b'/></joint>"),
+     {kError, 3, "robot/joint[j]", "no <parent>", "<parent link="}},
+    {"NoParentLink",
+     with_robot("<joint name='j' type='fixed'><parent lnk='a'/><child link='b'/></joint>"),
+     {kError, 3, "robot/joint[j]/parent", "\"link\" is missing", "<parent link="}},
+    {"TwoChildren",
+     with_robot("<joint name='j' type='fixed'><parent link='a'/><child link='b'/><child "
+                "link='a'/></joint>"),
+     {kError, 3, "robot/joint[j]/child", "two <child>", "keep one"}},
+    {"UnnamedJoint",
+     with_robot("<joint type='fixed'><parent link='a'/><child link='b'/></joint>"),
+     {kError, 3, "robot/joint", "\"name\" is missing", "name"}},
+};
+INSTANTIATE_TEST_SUITE_P(Trees, BadUrdf, testing::ValuesIn(kTrees), name_of);
+
+const Case kJoints[] = {
+    {"NoType",
+     with_robot("<joint name='j'><parent link='a'/><child link='b'/></joint>"),
+     {kError, 3, "robot/joint[j]", "\"type\" is missing", "revolute"}},
+    {"MisspeltType",
+     with_joint("revolut", kLimit),
+     {kError, 4, "robot/joint[j]", "\"revolut\" is not a joint type",
+      "did you mean \"revolute\"?"}},
+    {"Spherical",
+     with_joint("spherical", ""),
+     {kError, 4, "robot/joint[j]", "\"spherical\" is not a joint type", "three revolute joints"}},
+    {"ZeroAxis",
+     with_joint("continuous", "<axis xyz='0 0 0'/>"),
+     {kError, 5, "robot/joint[j]/axis", "the axis is zero", "direction"}},
+    {"EmptyAxis",
+     with_joint("continuous", "<axis/>"),
+     {kError, 5, "robot/joint[j]/axis", "\"xyz\" is missing", "<axis xyz="}},
+    {"TwoOriginNumbers",
+     with_joint("continuous", "<origin xyz='1 2'/>"),
+     {kError, 5, "robot/joint[j]/origin", "xyz=\"1 2\" is not three finite numbers but 2",
+      "spaces"}},
+    {"FourOriginNumbers",
+     with_joint("continuous", "<origin rpy='1 2 3 4'/>"),
+     {kError, 5, "robot/joint[j]/origin", "but 4", "spaces"}},
+    {"Commas",
+     with_joint("continuous", "<origin xyz='1, 2, 3'/>"),
+     {kError, 5, "robot/joint[j]/origin", "xyz=\"1, 2, 3\"", "spaces"}},
+    {"NotANumber",
+     with_joint("continuous", "<origin xyz='1 nan 3'/>"),
+     {kError, 5, "robot/joint[j]/origin", "nan", "decimal"}},
+    {"Quaternion",
+     with_joint("continuous", "<origin wxyz='1 0 0 0'/>"),
+     {kWarning, 5, "robot/joint[j]/origin", "\"wxyz\" is not part of URDF", "remove it"}},
+    {"TwoOrigins",
+     with_joint("continuous", "<origin/>\n<origin/>"),
+     {kWarning, 6, "robot/joint[j]/origin", "the first, in line 5, is used", "keep one"}},
+    {"NoLimit",
+     with_joint("revolute", ""),
+     {kWarning, 4, "robot/joint[j]", "no <limit>", "continuous"}},
+    {"NoEffort",
+     with_joint("revolute", "<limit lower='-1' upper='1' velocity='1'/>"),
+     {kWarning, 5, "robot/joint[j]/limit", "\"effort\" is missing", "add it"}},
+    {"NoRange",
+     with_joint("revolute", "<limit effort='1' velocity='1'/>"),
+     {kWarning, 5, "robot/joint[j]/limit", "neither \"lower\" nor \"upper\"", "continuous"}},
+    {"InvertedLimits",
+     with_joint("revolute", "<limit lower='1' upper='-1' effort='1' velocity='1'/>"),
+     {kWarning, 5, "robot/joint[j]/limit", "lower=1 is above upper=-1", "exchange"}},
+    {"NegativeEffort",
+     with_joint("revolute", "<limit lower='-1' upper='1' effort='-1' velocity='1'/>"),
+     {kWarning, 5, "robot/joint[j]/limit", "effort=-1 is negative", "magnitude"}},
+    {"LimitNoNumber",
+     with_joint("revolute", "<limit lower='-1.57.' upper='1' effort='1' velocity='1'/>"),
+     {kError, 5, "robot/joint[j]/limit", "lower=\"-1.57.\"", "decimal"}},
+    {"TwoDampings",
+     with_joint("continuous", "<dynamics damping='1 2'/>"),
+     {kError, 5, "robot/joint[j]/dynamics", "damping=\"1 2\"", "one decimal number"}},
+    {"UnknownChildElement",
+     with_joint("continuous", "<gear_ratio value='3'/>"),
+     {kWarning, 5, "robot/joint[j]", "<gear_ratio> is not part of URDF", "motion"}},
+};
+INSTANTIATE_TEST_SUITE_P(Joints, BadUrdf, testing::ValuesIn(kJoints), name_of);
+
+const Case kMimics[] = {
+    {"NoJoint",
+     with_joint("continuous", "<mimic/>"),
+     {kError, 5, "robot/joint[j]/mimic", "\"joint\" is missing", "<mimic joint="}},
+    {"Itself",
+     with_joint("continuous", "<mimic joint='j'/>"),
+     {kError, 4, "robot/joint[j]", "mimics itself", "independent"}},
+    {"Link",
+     with_joint("continuous", "<mimic joint='a'/>"),
+     {kError, 4, "robot/joint[j]", "\"a\" is not defined", "this is a link"}},
+    {"Unknown",
+     with_joint("continuous", "<mimic joint='jj'/>"),
+     {kError, 4, "robot/joint[j]", "\"jj\" is not defined", "did you mean \"j\"?"}},
+    {"OnFixed",
+     with_joint("fixed", "<mimic joint='nowhere'/>"),
+     {kWarning, 5, "robot/joint[j]/mimic", "a fixed joint cannot mimic", "remove"}},
+    {"OnPlanar",
+     with_joint("planar", "<mimic joint='j'/>"),
+     {kError, 5, "robot/joint[j]/mimic", "one degree of freedom", "remove"}},
+    {"Circle",
+     with_robot("<link name='c'/><joint name='j' type='continuous'><parent link='a'/><child "
+                "link='b'/><mimic joint='k'/></joint>\n<joint name='k' type='continuous'><parent "
+                "link='b'/><child link='c'/><mimic joint='j'/></joint>"),
+     {kError, 4, "robot/joint[k]", "circle", "independent"}},
+    {"OfFixed",
+     with_robot("<link name='c'/><joint name='j' type='fixed'><parent link='a'/><child "
+                "link='b'/></joint>\n<joint name='k' type='continuous'><parent link='b'/><child "
+                "link='c'/><mimic joint='j'/></joint>"),
+     {kError, 4, "robot/joint[k]", "has not one degree of freedom", "revolute"}},
+    {"MultiplierNoNumber",
+     with_joint("continuous", "<mimic joint='j' multiplier='x'/>"),
+     {kError, 5, "robot/joint[j]/mimic", "multiplier=\"x\"", "decimal"}},
+};
+INSTANTIATE_TEST_SUITE_P(Mimics, BadUrdf, testing::ValuesIn(kMimics), name_of);
+
+const Case kInertials[] = {
+    {"NoMass",
+     with_link("<inertial><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>"),
+     {kError, 3, "robot/link[a]/inertial", "no <mass>", "add <mass"}},
+    {"NoMassValue",
+     with_link("<inertial><mass/></inertial>"),
+     {kError, 3, "robot/link[a]/inertial/mass", "\"value\" is missing", "kg"}},
+    {"NegativeMass",
+     with_link("<inertial><mass value='-2'/></inertial>"),
+     {kError, 3, "robot/link[a]/inertial/mass", "the mass -2 kg is negative", "mass"}},
+    {"InfiniteMass",
+     with_link("<inertial><mass value='inf'/></inertial>"),
+     {kError, 3, "robot/link[a]/inertial/mass", "not a finite number", "decimal"}},
+    {"NoInertia",
+     with_link("<inertial><mass value='2'/></inertial>"),
+     {kWarning, 3, "robot/link[a]/inertial", "2 kg and no <inertia>", "add <inertia"}},
+    {"MissingMoment",
+     inertia("ixx='1' ixy='0' ixz='0' iyz='0' izz='1'"),
+     {kError, 4, "robot/link[a]/inertial/inertia", "\"iyy\" is missing", "all six"}},
+    {"MissingProduct",
+     inertia("ixx='1' ixz='0' iyy='1' iyz='0' izz='1'"),
+     {kWarning, 4, "robot/link[a]/inertial/inertia", "\"ixy\" is missing; 0 is used", "all six"}},
+    {"MomentNoNumber",
+     inertia("ixx='0 2 3' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'"),
+     {kError, 4, "robot/link[a]/inertial/inertia", "ixx=\"0 2 3\"", "one decimal number"}},
+    {"Asymmetric",
+     inertia("ixx='1' ixy='0.1' iyx='0.2' ixz='0' iyy='1' iyz='0' izz='1'"),
+     {kError, 4, "robot/link[a]/inertial/inertia", "ixy=0.1 and iyx=0.2 differ", "keep ixy"}},
+    // Eigenvalues of [1 2 3; 2 4 5; 3 5 6]: -0.515729, 0.170915, 11.3448.
+    {"Indefinite",
+     inertia("ixx='1' ixy='2' ixz='3' iyy='4' iyz='5' izz='6'"),
+     {kWarning, 3, "robot/link[a]/inertial",
+      "indefinite: principal moments -0.515729, 0.170915, 11.3448 kg m^2, worst -0.515729",
+      "units"}},
+    {"Triangle",
+     inertia("ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='4'"),
+     {kWarning, 3, "robot/link[a]/inertial",
+      "1, 1, 4 kg m^2 the largest exceeds the sum of the others by 50 %", "units"}},
+    {"MomentWithoutMass",
+     with_link("<inertial><mass value='0'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' "
+               "izz='1'/></inertial>"),
+     {kWarning, 3, "robot/link[a]/inertial", "the mass is 0 but", "units"}},
+    {"TwoInertials",
+     with_link(kBody + "\n" + kBody),
+     {kWarning, 4, "robot/link[a]/inertial", "the first, in line 3, is used", "keep one"}},
+    {"OutsideInertial",
+     with_link("<mass value='1'/>"),
+     {kWarning, 3, "robot/link[a]", "<mass> stands outside <inertial>", "move"}},
+    {"MasslessLeaf",
+     with_robot("<joint name='j' type='continuous'><parent link='a'/><child link='b'/></joint>"),
+     {kWarning, 3, "robot/joint[j]", "no link beyond j has mass: the mass matrix is singular",
+      "lock it"}},
+    {"ShapeOnly",
+     "<robot name='r'>\n<link name='a'/><joint name='j' type='fixed'><parent link='a'/><child "
+     "link='b'/></joint>\n<link name='b'><visual/></link></robot>",
+     {kWarning, 3, "robot/link[b]", "a shape but no <inertial>", "add <inertial>"}},
+};
+INSTANTIATE_TEST_SUITE_P(Inertials, BadUrdf, testing::ValuesIn(kInertials), name_of);
+
+// Would catch: warnings about inertias that only suffer from the rounding of their figures.
+TEST(UnphysicalInertia, AllowsForRoundedFigures) {
+  Diagnostics diagnostics;
+  // A thin plate: ixx + iyy = izz but for the last figure.
+  EXPECT_TRUE(
+      parse_urdf(inertia("ixx='0.33333' ixy='0' ixz='0' iyy='0.33333' iyz='0' izz='0.66667'"),
+                 "plate.urdf", diagnostics));
+  EXPECT_TRUE(diagnostics.list().empty()) << to_string(diagnostics);
+}
+
+// Would catch: a warning for a massless joint whose follower moves mass.
+TEST(MasslessJoint, CountsWhatMimicsIt) {
+  Diagnostics diagnostics;
+  EXPECT_TRUE(parse_urdf(
+      "<robot name='r'><link name='a'/><link name='b'/><link name='c'>" + kBody +
+          "</link><joint name='j' type='continuous'><parent link='a'/><child link='b'/></joint>"
+          "<joint name='k' type='continuous'><parent link='a'/><child link='c'/>"
+          "<mimic joint='j'/></joint></robot>",
+      "r.urdf", diagnostics));
+  EXPECT_TRUE(diagnostics.list().empty()) << to_string(diagnostics);
+}
+
+// Would catch: reading that stops at the first fault.
+TEST(BadUrdfText, ShowsAllFaultsAtOnce) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(parse_urdf(with_joint("continuous", "<axis xyz='0 0 0'/><origin xyz='a'/>"),
+                          "r.urdf", diagnostics));
+  EXPECT_EQ(diagnostics.list().size(), 2U) << to_string(diagnostics);
+}
+
+}  // namespace
+}  // namespace treeline

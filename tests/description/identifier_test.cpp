@@ -1,0 +1,56 @@
+// Would catch: names that do not compile, or two names of a script beyond ASCII that become one.
+#include "description/identifier.hpp"
+
+#include <gtest/gtest.h>
+
+namespace treeline {
+namespace {
+
+TEST(Identifier, AcceptsWhatCompiles) {
+  for (const char* name : {"puma560", "left_hand", "A", "x1_2", "J1"}) {
+    EXPECT_TRUE(is_identifier(name)) << name;
+  }
+}
+
+TEST(Identifier, RefusesReservedAndForeign) {
+  for (const char* name : {"", "1arm", "_arm", "left__hand", "left-hand", "a b", "class", "std",
+                           "main", "j1", "arm\xC3\xA4", "co_await", "xor", "Real", "yn"}) {
+    EXPECT_FALSE(is_identifier(name)) << name;
+  }
+}
+
+TEST(Identifier, IsMadeFromAnyName) {
+  EXPECT_EQ(identifier_from("left-hand.2"), "left_hand_2");
+  EXPECT_EQ(identifier_from("2R arm"), "n2R_arm");
+  EXPECT_EQ(identifier_from("a -- b"), "a_b");
+  EXPECT_EQ(identifier_from("__x"), "x");
+  EXPECT_EQ(identifier_from("class"), "class_");
+  EXPECT_EQ(identifier_from("J\xC3\xA4ger"), "Jue4ger");
+  EXPECT_EQ(identifier_from("\xE5\x85\xB3\xE8\x8A\x82"), "u5173u8282");
+  EXPECT_EQ(identifier_from(""), "unnamed");
+  EXPECT_EQ(identifier_from("---"), "unnamed");
+  EXPECT_EQ(identifier_from("\xFF\xFE"), "unnamed");
+}
+
+TEST(Identifier, IsMadeForEveryPairOfBytes) {
+  for (int a = 0; a < 256; ++a) {
+    for (int b = 0; b < 256; ++b) {
+      const std::string name{static_cast<char>(a), static_cast<char>(b)};
+      EXPECT_TRUE(is_identifier(identifier_from(name))) << a << ' ' << b;
+    }
+  }
+}
+
+TEST(Utf8, IsToldFromOtherBytes) {
+  EXPECT_TRUE(is_utf8("plain"));
+  EXPECT_TRUE(is_utf8("\xF0\x9F\x90\xB5"));
+  EXPECT_FALSE(is_utf8("\xC0\xAF"));          // overlong
+  EXPECT_FALSE(is_utf8("\xE0\x80\xAF"));      // overlong
+  EXPECT_FALSE(is_utf8("\xED\xA0\x80"));      // surrogate
+  EXPECT_FALSE(is_utf8("\xF4\x90\x80\x80"));  // beyond the last code point
+  EXPECT_FALSE(is_utf8("\xE5\x85"));          // cut off
+  EXPECT_FALSE(is_utf8("\xE4"));              // Latin-1
+}
+
+}  // namespace
+}  // namespace treeline

@@ -1,0 +1,105 @@
+// Would catch: files of other parsers' test suites that are taken otherwise than a good reader
+// takes them, and robots as published that cannot be read.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "description/read_urdf.hpp"
+#include "diagnosed.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kUrdf = fs::path(TREELINE_SHARED_DIR) / "urdf";
+
+std::string verdict(const Diagnostics& diagnostics) {
+  if (diagnostics.has_errors()) return "reject";
+  const auto& list = diagnostics.list();
+  const bool warned = std::any_of(list.begin(), list.end(), [](const Diagnostic& d) {
+    return d.severity == Severity::warning;
+  });
+  return warned ? "warn" : "accept";
+}
+
+/// What is chosen where the suites disagree. Limits do not concern the dynamics, so their absence
+/// is no reason to refuse a robot; a joint that URDF does not have is never guessed at.
+const std::map<std::string, std::string> kChosen = {
+    {"rosurdf_fail_no_filename_in_mesh", "reject"},  // a joint without parent and child
+    {"urdfdom_version_one_int", "warn"},
+    {"urdfdom_joint_doubles", "reject"},  // a link with two parents
+    {"tess_limit_no_effort", "warn"},
+    {"tess_axis_empty", "reject"},
+    {"urdfpy_new_transmission_missing_actuator", "reject"},  // no link
+    {"drake_JointFloatingWarning", "warn"},                  // six degrees of freedom without mass
+    {"drake_joint_parsing_test", "reject"},                  // joints in a namespace of Drake
+    {"drake_Acrobot_unicode", "reject"},                     // link "world" is not defined
+    {"mujoco_joint_types", "reject"},                        // spherical
+    {"idyntree_spherical", "reject"},
+    {"multicalc_bad_planar_joint", "accept"},
+    {"multicalc_bad_zero_mass", "warn"},
+    {"multicalc_passed_over_sections", "warn"},  // limit without effort and velocity
+    {"multicalc_visual_and_collision", "warn"},
+    {"urdfrs_deserialization", "reject"},  // two joints of one name
+    {"bullet_hinge_spherical", "reject"},
+    {"bullet_gripper_prismatic", "warn"}};
+
+bool agrees(const std::string& name, const std::string& expected, const std::string& found) {
+  if (expected == "accept") return found != "reject";
+  if (expected != "differ") return found == expected;
+  const auto chosen = kChosen.find(name);
+  return chosen == kChosen.end() || chosen->second == found;
+}
+
+TEST(PublishedUrdf, OddFilesAreTakenAsExpected) {
+  std::ifstream table(kUrdf / "odd/EXPECT.tsv");
+  if (!table) GTEST_SKIP() << "no " << kUrdf / "odd/EXPECT.tsv";
+  int files = 0;
+  std::string line;
+  std::getline(table, line);
+  while (std::getline(table, line)) {
+    std::istringstream columns(line);
+    std::string name, expected;
+    std::getline(columns, name, '\t');
+    std::getline(columns, expected, '\t');
+    Diagnostics diagnostics;
+    const auto robot = read_urdf((kUrdf / "odd" / (name + ".urdf")).string(), diagnostics);
+    EXPECT_EQ(robot.has_value(), !diagnostics.has_errors()) << name;
+    EXPECT_TRUE(agrees(name, expected, verdict(diagnostics)))
+        << name << ": expected " << expected << ", found " << verdict(diagnostics) << '\n'
+        << to_string(diagnostics);
+    ++files;
+  }
+  EXPECT_GT(files, 0);
+}
+
+TEST(PublishedUrdf, RealRobotsAreRead) {
+  if (!fs::exists(kUrdf / "real")) GTEST_SKIP() << "no " << kUrdf / "real";
+  for (const auto& entry : fs::recursive_directory_iterator(kUrdf / "real")) {
+    if (entry.path().extension() != ".urdf") continue;
+    Diagnostics diagnostics;
+    EXPECT_TRUE(read_urdf(entry.path().string(), diagnostics)) << to_string(diagnostics);
+  }
+}
+
+TEST(PublishedUrdf, EveryErrorNamesItsPlaceAndRemedy) {
+  if (!fs::exists(kUrdf / "odd")) GTEST_SKIP() << "no " << kUrdf / "odd";
+  for (const auto& entry : fs::directory_iterator(kUrdf / "odd")) {
+    if (entry.path().extension() != ".urdf") continue;
+    Diagnostics diagnostics;
+    (void)read_urdf(entry.path().string(), diagnostics);
+    for (const Diagnostic& d : diagnostics.list()) {
+      EXPECT_EQ(d.file, entry.path().string());
+      EXPECT_TRUE(d.line > 0 || !d.element.empty() || d.fault.find("no XML") != std::string::npos)
+          << to_string(d);
+      EXPECT_FALSE(d.severity == Severity::error && d.remedy.empty()) << to_string(d);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace treeline
