@@ -87,6 +87,7 @@ inline std::vector<NamedOptions> assorted_mechanisms() {
       {.joints = 9, .mix = hinges_and_slides, .floating_base = true, .mimic = 0.5, .locked = 0.2},
       3);
   add("locked_tree", {.joints = 10, .mix = hinges_and_slides, .locked = 0.4}, 3);
+  add("floating_thirty", {.joints = 30, .mix = even, .floating_base = true}, 1);
   add("sixty", {.joints = 60, .operational_points = 2, .all_rows = false}, 1);
   return list;
 }
