@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+
+#include "servo/clock.hpp"
+#include "servo/statistics.hpp"
+
+namespace treeline::servo {
+
+/// How one cycle went, in nanoseconds.
+struct CycleTiming {
+  std::int64_t period = 0;   ///< since the cycle before began; 0 in the first
+  std::int64_t jitter = 0;   ///< how late the cycle began
+  std::int64_t busy = 0;     ///< from begin_cycle to end_cycle
+  std::int64_t slack = 0;    ///< left before the next tick; negative when it was missed
+  std::int64_t skipped = 0;  ///< ticks passed over because this cycle ran past them
+};
+
+/// A fixed-rate loop: `begin_cycle(); ...; end_cycle();`. Ticks lie on a grid fixed at the first
+/// cycle, so lateness never accumulates; a cycle that overruns skips the ticks it has missed.
+template <Clock ClockType>
+class Cycle {
+ public:
+  Cycle(ClockType& clock, std::int64_t period_nanoseconds) noexcept
+      : clock_(clock), period_(period_nanoseconds) {}
+
+  /// Notes when the cycle begins. The first call fixes the grid.
+  void begin_cycle() {
+    const std::int64_t now = clock_.now();
+    if (!started_) {
+      started_ = true;
+      tick_ = now;
+      begin_ = now;
+    } else {
+      timing_.period = now - begin_;
+      periods_.record(timing_.period);
+    }
+    begin_ = now;
+    timing_.jitter = now - tick_;
+    jitters_.record(timing_.jitter);
+  }
+
+  /// Notes when the work ends and waits for the next tick that has not passed.
+  void end_cycle() {
+    const std::int64_t now = clock_.now();
+    timing_.busy = now - begin_;
+    timing_.slack = tick_ + period_ - now;
+    timing_.skipped = timing_.slack < 0 ? (-timing_.slack + period_ - 1) / period_ : 0;
+    busy_.record(timing_.busy);
+    slacks_.record(timing_.slack);
+    skips_ += static_cast<std::uint64_t>(timing_.skipped);
+    tick_ += (1 + timing_.skipped) * period_;
+    clock_.sleep_until(tick_);
+  }
+
+  /// Of the cycle in progress; busy, slack and skipped are those of the cycle before until
+  /// end_cycle.
+  const CycleTiming& timing() const noexcept { return timing_; }
+  const DurationStatistics& periods() const noexcept { return periods_; }
+  const DurationStatistics& jitters() const noexcept { return jitters_; }
+  const DurationStatistics& busy() const noexcept { return busy_; }
+  const DurationStatistics& slacks() const noexcept { return slacks_; }
+  /// Ticks skipped since the start.
+  std::uint64_t skips() const noexcept { return skips_; }
+  std::int64_t period() const noexcept { return period_; }
+
+ private:
+  ClockType& clock_;
+  std::int64_t period_;
+  bool started_ = false;
+  std::int64_t tick_ = 0;
+  std::int64_t begin_ = 0;
+  CycleTiming timing_;
+  DurationStatistics periods_;
+  DurationStatistics jitters_;
+  DurationStatistics busy_;
+  DurationStatistics slacks_;
+  std::uint64_t skips_ = 0;
+};
+
+}  // namespace treeline::servo

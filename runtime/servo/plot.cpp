@@ -1,0 +1,208 @@
+#include "servo/plot.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "servo/ticks.hpp"
+
+namespace treeline::servo {
+namespace {
+
+// Layout in pixels.
+constexpr double kWidth = 860.0;
+constexpr double kLeft = 84.0;
+constexpr double kLegend = 132.0;
+constexpr double kTop = 52.0;
+constexpr double kPanelHeight = 150.0;
+constexpr double kGap = 42.0;
+constexpr double kBottom = 56.0;
+constexpr double kPlotWidth = kWidth - kLeft - kLegend;
+
+/// Okabe and Ito's colours, told apart by colour-blind readers too.
+constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                 "#e69f00", "#56b4e9", "#7f7f7f"};
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void take(double value) {
+    if (std::isfinite(value)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  double span() const { return high - low; }
+};
+
+/// Where a panel's numbers go on the page.
+struct Frame {
+  Range x;
+  Range y;
+  double top = 0.0;
+  double column(double value) const { return kLeft + (value - x.low) / x.span() * kPlotWidth; }
+  double row(double value) const { return top + (y.high - value) / y.span() * kPanelHeight; }
+};
+
+std::string escape(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  }
+  return escaped;
+}
+
+Range x_range(const std::vector<double>& x) {
+  Range range;
+  for (const double value : x) {
+    range.take(value);
+  }
+  if (!(range.span() > 0.0)) {
+    range = {0.0, 1.0};
+  }
+  return range;
+}
+
+Range y_range(const PlotPanel& panel) {
+  Range range;
+  for (const PlotLine& line : panel.lines) {
+    for (const double value : line.values) {
+      range.take(value);
+    }
+  }
+  if (!std::isfinite(range.span())) {
+    range = {0.0, 1.0};
+  }
+  const double smallest = std::max({panel.least_span, 1e-12 * std::fabs(range.high), 1e-300});
+  const double widen = std::max(0.0, smallest - range.span()) / 2.0;
+  range = {range.low - widen, range.high + widen};
+  const double margin = 0.06 * range.span();
+  return {range.low - margin, range.high + margin};
+}
+
+/// Where the smallest and largest value of each pixel column are, in order: the visible shape.
+std::vector<std::size_t> thin(const Frame& frame, const std::vector<double>& x,
+                              const std::vector<double>& y) {
+  std::vector<std::size_t> kept;
+  const std::size_t count = std::min(x.size(), y.size());
+  for (std::size_t begin = 0; begin < count;) {
+    const double column = std::floor(frame.column(x[begin]));
+    std::size_t end = begin;
+    std::size_t low = begin;
+    std::size_t high = begin;
+    for (; end < count && std::floor(frame.column(x[end])) == column; ++end) {
+      low = y[end] < y[low] ? end : low;
+      high = y[end] > y[high] ? end : high;
+    }
+    std::array indices = {begin, low, high, end - 1};
+    std::sort(indices.begin(), indices.end());
+    kept.insert(kept.end(), indices.begin(), std::unique(indices.begin(), indices.end()));
+    begin = end;
+  }
+  return kept;
+}
+
+std::string draw_curve(const Frame& frame, const std::vector<double>& x, const PlotLine& line,
+                       const char* style) {
+  std::string path;
+  bool down = false;
+  for (const std::size_t i : thin(frame, x, line.values)) {
+    const bool finite = std::isfinite(line.values[i]);
+    if (finite) {
+      path += fmt::format("{}{:.2f} {:.2f}", down ? "L" : "M", frame.column(x[i]),
+                          frame.row(line.values[i]));
+    }
+    down = finite;
+  }
+  return fmt::format("<path d=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n", path, style);
+}
+
+std::string line_style(const PlotLine& line, std::size_t solid_index) {
+  if (line.dashed) {
+    return "stroke=\"#222\" stroke-width=\"1.1\" stroke-dasharray=\"5 4\"";
+  }
+  return fmt::format("stroke=\"{}\" stroke-width=\"2.2\"", kColours[solid_index % kColours.size()]);
+}
+
+std::string draw_axes(const Frame& frame, const PlotPanel& panel, bool with_x_labels) {
+  const double right = kLeft + kPlotWidth;
+  const double bottom = frame.top + kPanelHeight;
+  std::string text;
+  const Ticks vertical = round_ticks(frame.y.low, frame.y.high, 6);
+  for (const double value : vertical.values) {
+    const double row = frame.row(value);
+    text += fmt::format(
+        "<path d=\"M{:.1f} {:.2f}H{:.1f}\" stroke=\"#e4e4e4\"/>"
+        "<text x=\"{:.1f}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n",
+        kLeft, row, right, kLeft - 8.0, row + 4.0, tick_label(value, vertical.decimals));
+  }
+  const Ticks horizontal = round_ticks(frame.x.low, frame.x.high, 11);
+  for (const double value : horizontal.values) {
+    const double column = frame.column(value);
+    text += fmt::format("<path d=\"M{:.2f} {:.1f}V{:.1f}\" stroke=\"#e4e4e4\"/>", column, frame.top,
+                        bottom);
+    if (with_x_labels) {
+      text += fmt::format("<text x=\"{:.2f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
+                          column, bottom + 18.0, tick_label(value, horizontal.decimals));
+    }
+    text += '\n';
+  }
+  text += fmt::format(
+      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
+      "stroke=\"#555\"/>\n<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">{}</text>\n"
+      "<text transform=\"translate(22 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+      kLeft, frame.top, kPlotWidth, kPanelHeight, kLeft, frame.top - 9.0, escape(panel.title),
+      frame.top + kPanelHeight / 2.0, escape(panel.y_label));
+  return text;
+}
+
+std::string draw_legend_entry(const Frame& frame, const PlotLine& line, const std::string& style,
+                              std::size_t place) {
+  const double x = kLeft + kPlotWidth + 14.0;
+  const double y = frame.top + 10.0 + 18.0 * static_cast<double>(place);
+  return fmt::format(
+      "<path d=\"M{:.1f} {:.1f}h24\" {}/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y, style,
+      x + 31.0, y + 4.0, escape(line.name));
+}
+
+std::string draw_panel(const Frame& frame, const Plot& plot, const PlotPanel& panel, bool last) {
+  std::string text = draw_axes(frame, panel, last);
+  std::string on_top;
+  std::size_t solid_index = 0;
+  for (std::size_t i = 0; i < panel.lines.size(); ++i) {
+    const PlotLine& line = panel.lines[i];
+    const std::string style = line_style(line, solid_index);
+    solid_index += line.dashed ? 0 : 1;
+    (line.dashed ? on_top : text) += draw_curve(frame, plot.x, line, style.c_str());
+    on_top += draw_legend_entry(frame, line, style, i);
+  }
+  return text + on_top;
+}
+
+}  // namespace
+
+std::string svg_text(const Plot& plot) {
+  const double panels = static_cast<double>(plot.panels.size());
+  const double height = kTop + panels * (kPanelHeight + kGap) - kGap + kBottom;
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"Helvetica, Arial, sans-serif\" "
+      "font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
+      "<text x=\"{2:.1f}\" y=\"22\" font-size=\"15\" font-weight=\"600\">{3}</text>\n",
+      kWidth, height, kLeft, escape(plot.title));
+  Frame frame;
+  frame.x = x_range(plot.x);
+  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
+    frame.y = y_range(plot.panels[i]);
+    frame.top = kTop + static_cast<double>(i) * (kPanelHeight + kGap);
+    text += draw_panel(frame, plot, plot.panels[i], i + 1 == plot.panels.size());
+  }
+  text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n</svg>\n",
+                      kLeft + kPlotWidth / 2.0, height - 14.0, escape(plot.x_label));
+  return text;
+}
+
+}  // namespace treeline::servo

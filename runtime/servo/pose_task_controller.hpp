@@ -1,0 +1,161 @@
+#pragma once
+
+#include <array>
+
+#include "core/command_laws.hpp"
+#include "servo/message.hpp"
+#include "servo/pose_reference.hpp"
+#include "servo/robot_proxy.hpp"
+
+namespace treeline::servo {
+
+/// The functions that PoseTaskController calls, with operational points of six rows each in world
+/// axes: a struct like that of RobotFunctions with kTaskRows besides.
+template <class F>
+concept PoseTaskFunctions =
+    RobotFunctions<F> && F::kTaskRows % 6 == 0 &&
+    F::kCoordinates == F::kVelocities&& requires(const double (&q)[F::kCoordinates],
+                                                 const double (&qd)[F::kVelocities],
+                                                 const double (&xdd)[F::kTaskRows],
+                                                 double (&tau)[F::kVelocities],
+                                                 double (&J)[F::kTaskRows * F::kVelocities],
+                                                 double (&position)[F::kTaskRows / 2],
+                                                 double (&rotation)[F::kTaskRows / 2 * 3]) {
+  F::forward_kinematics(q, position, rotation);
+  F::jacobian(q, J);
+  F::control_torque(q, qd, qd, xdd, tau);
+};
+
+/// Operational-space control of whole poses (Chang table 6.1) with an advised posture in the null
+/// space:
+///   xdd_cmd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector,
+///   qdd_0   = kp_i (q_advised - q) - kv_i qd per joint.
+/// Robots with one-degree joints only. On `start` every point holds where it is, and the advised
+/// posture is the present one unless set before.
+template <PoseTaskFunctions F>
+class PoseTaskController {
+ public:
+  static constexpr int kPoints = F::kTaskRows / 6;
+  static constexpr int nv = F::kVelocities;
+
+  /// A point's pose, wanted and actual, when control was last called.
+  struct Tracking {
+    PoseMotion wanted;
+    double position[3] = {};
+    double rotation[9] = {};
+    double error[6] = {};  ///< wanted less actual, linear over angular
+  };
+
+  PoseTaskController(const core::Gains<double>& task,
+                     const std::array<core::Gains<double>, nv>& posture) noexcept
+      : task_(task), posture_(posture) {}
+
+  void start(double, const StateOf<F>& state) noexcept {
+    double positions[3 * kPoints];
+    double rotations[9 * kPoints];
+    F::forward_kinematics(state.q, positions, rotations);
+    for (int k = 0; k < kPoints; ++k) {
+      Tracking& point = tracking_[static_cast<std::size_t>(k)];
+      take_pose(positions, rotations, k, point);
+      references_[static_cast<std::size_t>(k)].hold(point.position, point.rotation);
+    }
+    if (!posture_set_) {
+      for (int i = 0; i < nv; ++i) {
+        advised_[i] = state.q[i];
+      }
+    }
+  }
+
+  /// move_point starts from the pose wanted at `time`; messages for points or sizes that do not
+  /// exist are ignored.
+  void apply(double time, const Message& message) noexcept {
+    if (message.kind == MessageKind::move_point && message.index >= 0 && message.index < kPoints &&
+        message.duration > 0.0) {
+      move(time, message);
+    } else if (message.kind == MessageKind::set_posture && nv <= kMessageNumbers) {
+      posture_set_ = true;
+      for (int i = 0; i < nv; ++i) {
+        advised_[i] = message.values[static_cast<std::size_t>(i)];
+      }
+    } else if (message.kind == MessageKind::set_gains) {
+      task_ = {message.values[0], message.values[1]};
+    }
+  }
+
+  void control(double time, const StateOf<F>& state, double (&tau)[F::kVelocities]) noexcept {
+    double positions[3 * kPoints];
+    double rotations[9 * kPoints];
+    double J[F::kTaskRows * nv];
+    F::forward_kinematics(state.q, positions, rotations);
+    F::jacobian(state.q, J);
+    double xdd_cmd[F::kTaskRows];
+    for (int k = 0; k < kPoints; ++k) {
+      command_point(time, positions, rotations, J, state, k, xdd_cmd);
+    }
+    double qdd_0[nv];
+    for (int i = 0; i < nv; ++i) {
+      const core::Gains<double>& gains = posture_[static_cast<std::size_t>(i)];
+      qdd_0[i] = gains.kp * (advised_[i] - state.q[i]) - gains.kv * state.qd[i];
+    }
+    F::control_torque(state.q, state.qd, qdd_0, xdd_cmd, tau);
+  }
+
+  const Tracking& tracking(int point) const noexcept {
+    return tracking_[static_cast<std::size_t>(point)];
+  }
+
+ private:
+  static void take_pose(const double* positions, const double* rotations, int k,
+                        Tracking& point) noexcept {
+    for (int i = 0; i < 3; ++i) {
+      point.position[i] = positions[3 * k + i];
+    }
+    for (int i = 0; i < 9; ++i) {
+      point.rotation[i] = rotations[9 * k + i];
+    }
+  }
+
+  void move(double time, const Message& message) noexcept {
+    double position[3];
+    double rotation[9];
+    for (std::size_t i = 0; i < 3; ++i) {
+      position[i] = message.values[i];
+    }
+    for (std::size_t i = 0; i < 9; ++i) {
+      rotation[i] = message.values[3 + i];
+    }
+    PoseReference& reference = references_[static_cast<std::size_t>(message.index)];
+    const PoseMotion from = reference.at(time);
+    reference.move(time, from.position, from.rotation, position, rotation, message.duration);
+  }
+
+  void command_point(double time, const double* positions, const double* rotations, const double* J,
+                     const StateOf<F>& state, int k, double (&xdd_cmd)[F::kTaskRows]) noexcept {
+    Tracking& point = tracking_[static_cast<std::size_t>(k)];
+    take_pose(positions, rotations, k, point);
+    point.wanted = references_[static_cast<std::size_t>(k)].at(time);
+    core::pose_error(point.position, point.rotation, point.wanted.position, point.wanted.rotation,
+                     point.error);
+    double velocity[6] = {};
+    for (int row = 0; row < 6; ++row) {
+      for (int i = 0; i < nv; ++i) {
+        velocity[row] += J[(6 * k + row) * nv + i] * state.qd[i];
+      }
+    }
+    double acceleration[6];
+    core::tracking_law(task_, point.error, velocity, point.wanted.velocity,
+                       point.wanted.acceleration, acceleration);
+    for (int row = 0; row < 6; ++row) {
+      xdd_cmd[6 * k + row] = acceleration[row];
+    }
+  }
+
+  core::Gains<double> task_;
+  std::array<core::Gains<double>, nv> posture_;
+  std::array<PoseReference, static_cast<std::size_t>(kPoints)> references_;
+  std::array<Tracking, static_cast<std::size_t>(kPoints)> tracking_{};
+  double advised_[nv] = {};
+  bool posture_set_ = false;
+};
+
+}  // namespace treeline::servo

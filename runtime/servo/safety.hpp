@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "servo/robot_proxy.hpp"
+
+namespace treeline::servo {
+
+enum class FaultKind : std::uint8_t {
+  none,
+  position_limit,  ///< rad or m
+  velocity_limit,  ///< rad/s or m/s
+  torque_limit,    ///< N m or N, of the command
+  state_not_finite,
+  torque_not_finite,
+  deadline,        ///< too many cycles in a row ran past their tick
+  robot_gone,      ///< the proxy is no longer connected
+  emergency_stop,  ///< asked for
+};
+
+/// Why the loop went to its safe state.
+struct Fault {
+  FaultKind kind = FaultKind::none;
+  int index = -1;      ///< coordinate, where one is meant
+  double value = 0.0;  ///< what was found
+  double limit = 0.0;  ///< what is allowed
+  explicit operator bool() const noexcept { return kind != FaultKind::none; }
+};
+
+/// What is allowed, per coordinate (position) and velocity; without limit unless set.
+template <int nq, int nv>
+struct SafetyLimits {
+  std::array<double, static_cast<std::size_t>(nq)> lower;
+  std::array<double, static_cast<std::size_t>(nq)> upper;
+  std::array<double, static_cast<std::size_t>(nv)> velocity;
+  std::array<double, static_cast<std::size_t>(nv)> torque;
+  int overruns_in_a_row = 3;  ///< a fault at the next one
+
+  SafetyLimits() noexcept {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    lower.fill(-kInfinity);
+    upper.fill(kInfinity);
+    velocity.fill(kInfinity);
+    torque.fill(kInfinity);
+  }
+};
+
+/// The first measured number that is not finite or beyond its limit.
+template <int nq, int nv>
+Fault check_state(const SafetyLimits<nq, nv>& limits, const RobotState<nq, nv>& state) noexcept {
+  for (int i = 0; i < nq; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!std::isfinite(state.q[i])) {
+      return {FaultKind::state_not_finite, i, state.q[i], 0.0};
+    }
+    if (state.q[i] < limits.lower[at] || state.q[i] > limits.upper[at]) {
+      const bool low = state.q[i] < limits.lower[at];
+      return {FaultKind::position_limit, i, state.q[i], low ? limits.lower[at] : limits.upper[at]};
+    }
+  }
+  for (int i = 0; i < nv; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!std::isfinite(state.qd[i])) {
+      return {FaultKind::state_not_finite, i, state.qd[i], 0.0};
+    }
+    if (std::fabs(state.qd[i]) > limits.velocity[at]) {
+      return {FaultKind::velocity_limit, i, state.qd[i], limits.velocity[at]};
+    }
+  }
+  return {};
+}
+
+/// The first commanded torque that is not finite or beyond its limit.
+template <int nq, int nv>
+Fault check_torque(const SafetyLimits<nq, nv>& limits, const double (&tau)[nv]) noexcept {
+  for (int i = 0; i < nv; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!std::isfinite(tau[i])) {
+      return {FaultKind::torque_not_finite, i, tau[i], 0.0};
+    }
+    if (std::fabs(tau[i]) > limits.torque[at]) {
+      return {FaultKind::torque_limit, i, tau[i], limits.torque[at]};
+    }
+  }
+  return {};
+}
+
+/// The safe state: hold gravity and let motion die out, qdd = -damping qd (1/s), each torque cut to
+/// its limit. Where the state is not known (not finite) no torque is right: zero.
+template <RobotFunctions F>
+void brake(const SafetyLimits<F::kCoordinates, F::kVelocities>& limits, const StateOf<F>& state,
+           double damping, double (&tau)[F::kVelocities]) noexcept {
+  double qdd[F::kVelocities];
+  for (int i = 0; i < F::kVelocities; ++i) {
+    qdd[i] = -damping * state.qd[i];
+  }
+  F::inverse_dynamics(state.q, state.qd, qdd, tau);
+  bool finite = true;
+  for (const double torque : tau) {
+    finite = finite && std::isfinite(torque);
+  }
+  for (int i = 0; i < F::kVelocities; ++i) {
+    const double limit = limits.torque[static_cast<std::size_t>(i)];
+    tau[i] = finite ? std::fmin(std::fmax(tau[i], -limit), limit) : 0.0;
+  }
+}
+
+/// The fault in words, with the name of the coordinate if `name` is not empty. Allocates: not for
+/// the loop.
+std::string describe(const Fault& fault, const std::string& name = {});
+
+}  // namespace treeline::servo

@@ -1,0 +1,258 @@
+// The loop as a whole on a two-link arm: modes, messages, every fault, the safe state, no
+// allocation. Would catch a fault that goes unnoticed or is overwritten, torque beyond limits in
+// the safe state, messages applied late or lost, hidden allocation in a cycle.
+#include "servo/loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "allocation_counter.hpp"
+#include "servo/simulated_robot.hpp"
+#include "test_robots.hpp"
+
+namespace {
+
+using namespace treeline::servo;  // NOLINT: all of it is under test
+using treeline::test::TwoLink;
+
+/// Follows a sinusoid about the state it started in by computed torque.
+struct Swing {
+  double begin = 0.0;
+  double centre[2] = {};
+  double spoil = 0.0;  ///< added to the first torque
+  int applied = 0;
+  void start(double time, const RobotState<2, 2>& state) {
+    begin = time;
+    centre[0] = state.q[0];
+    centre[1] = state.q[1];
+  }
+  void apply(double, const Message&) { ++applied; }
+  void control(double time, const RobotState<2, 2>& state, double (&tau)[2]) const {
+    const double wanted = 0.2 * (1.0 - std::cos(time - begin));
+    double qdd[2];
+    for (int i = 0; i < 2; ++i) {
+      qdd[i] = 0.2 * std::cos(time - begin) + 20.0 * (0.2 * std::sin(time - begin) - state.qd[i]) +
+               100.0 * (centre[i] + wanted - state.q[i]);
+    }
+    TwoLink::inverse_dynamics(state.q, state.qd, qdd, tau);
+    tau[0] += spoil;
+  }
+};
+
+Message message_of(MessageKind kind) {
+  Message message;
+  message.kind = kind;
+  return message;
+}
+
+const auto nobody = [](const Report<TwoLink>&) {};
+
+/// An arm, its loop and its front end.
+struct Rig {
+  RobotState<2, 2> initial{{0.2, 0.4}, {0.0, 0.0}};
+  SimulatedRobot<TwoLink> robot{initial};
+  Swing controller;
+  SimulatedClock clock;
+  Mailbox mailbox;
+  SafetyLimits<2, 2> limits;
+  LoopSettings settings;
+  ServoLoop<TwoLink, SimulatedRobot<TwoLink>, Swing, SimulatedClock> loop{
+      settings, make_limits(), robot, controller, clock, mailbox};
+
+  static SafetyLimits<2, 2> make_limits() {
+    SafetyLimits<2, 2> limits;
+    limits.lower = {-2.0, -2.0};
+    limits.upper = {2.0, 2.0};
+    limits.velocity = {5.0, 5.0};
+    limits.torque = {60.0, 30.0};
+    return limits;
+  }
+  void send(MessageKind kind) { ASSERT_TRUE(mailbox.push(message_of(kind))); }
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) {
+      ASSERT_TRUE(loop.step(nobody));
+    }
+  }
+  RobotState<2, 2> state() const {
+    RobotState<2, 2> now;
+    robot.read(now);
+    return now;
+  }
+};
+
+TEST(ServoLoop, IdleHoldsTheArmAgainstGravity) {
+  Rig rig;
+  rig.cycles(1000);
+  EXPECT_EQ(rig.loop.mode(), Mode::idle);
+  EXPECT_NEAR(rig.state().q[0], 0.2, 1e-9);
+  EXPECT_NEAR(rig.state().q[1], 0.4, 1e-9);
+}
+
+TEST(ServoLoop, RunsStopsAndEnds) {
+  Rig rig;
+  rig.cycles(10);
+  rig.send(MessageKind::start);
+  rig.cycles(1000);
+  EXPECT_EQ(rig.loop.mode(), Mode::running);
+  // After t = 1 s of control (999 periods, the first cycle being t = 0).
+  EXPECT_NEAR(rig.state().q[0], 0.2 + 0.2 * (1.0 - std::cos(1.0)), 2e-5);
+  EXPECT_EQ(rig.loop.control_times().count(), 1000U);
+  rig.send(MessageKind::stop);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.mode(), Mode::stopping);
+  rig.cycles(600);
+  EXPECT_EQ(rig.loop.mode(), Mode::idle);
+  EXPECT_LT(std::fabs(rig.state().qd[0]), 1e-3);
+  rig.send(MessageKind::disconnect);
+  EXPECT_FALSE(rig.loop.step(nobody));
+  EXPECT_FALSE(rig.loop.fault());
+}
+
+TEST(ServoLoop, DisconnectingWhileRunningBrakesBeforeItEnds) {
+  Rig rig;
+  rig.send(MessageKind::start);
+  rig.cycles(1000);
+  rig.send(MessageKind::disconnect);
+  int cycles = 0;
+  while (rig.loop.step(nobody)) {
+    ASSERT_LT(++cycles, 2000);
+  }
+  EXPECT_EQ(rig.loop.mode(), Mode::idle);
+  EXPECT_GT(cycles, 10);
+  EXPECT_LT(std::fabs(rig.state().qd[0]), 1e-3);
+}
+
+TEST(ServoLoop, OtherMessagesReachTheControllerAFewACycle) {
+  Rig rig;
+  for (int i = 0; i < 10; ++i) {
+    rig.send(MessageKind::set_gains);
+  }
+  rig.cycles(1);
+  EXPECT_EQ(rig.controller.applied, 4);
+  rig.cycles(2);
+  EXPECT_EQ(rig.controller.applied, 10);
+}
+
+TEST(ServoLoop, EmergencyStopOvertakesAndResetReturns) {
+  Rig rig;
+  rig.send(MessageKind::start);
+  rig.cycles(500);
+  rig.send(MessageKind::set_gains);
+  rig.send(MessageKind::emergency_stop);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.mode(), Mode::faulted);
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::emergency_stop);
+  rig.send(MessageKind::start);  // not from faulted
+  rig.cycles(600);
+  EXPECT_EQ(rig.loop.mode(), Mode::faulted);
+  EXPECT_LT(std::fabs(rig.state().qd[0]), 1e-3);
+  rig.send(MessageKind::reset);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.mode(), Mode::idle);
+  EXPECT_FALSE(rig.loop.fault());
+}
+
+TEST(ServoLoop, PositionAndVelocityLimits) {
+  Rig rig;
+  rig.send(MessageKind::start);
+  rig.cycles(10);
+  RobotState<2, 2> beyond = rig.initial;
+  beyond.q[1] = -2.1;
+  rig.robot.set_state(beyond);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::position_limit);
+  EXPECT_EQ(rig.loop.fault().index, 1);
+  EXPECT_EQ(rig.loop.fault().limit, -2.0);
+  // The first fault stays: it is the cause.
+  RobotState<2, 2> fast = rig.initial;
+  fast.qd[0] = -6.0;
+  rig.robot.set_state(fast);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::position_limit);
+  rig.send(MessageKind::reset);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.mode(), Mode::faulted) << "still unsafe, faults again";
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::velocity_limit);
+  EXPECT_EQ(describe(rig.loop.fault(), "shoulder").substr(0, 17), "shoulder moves at");
+}
+
+TEST(ServoLoop, ExcessiveTorqueIsNotSent) {
+  Rig rig;
+  rig.send(MessageKind::start);
+  rig.cycles(10);
+  rig.controller.spoil = 100.0;
+  double sent = 0.0;
+  rig.loop.step([&](const Report<TwoLink>& report) { sent = report.tau[0]; });
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::torque_limit);
+  EXPECT_LT(std::fabs(sent), 60.0);
+}
+
+TEST(ServoLoop, NotANumberFromControllerOrRobot) {
+  Rig rig;
+  rig.send(MessageKind::start);
+  rig.cycles(10);
+  rig.controller.spoil = std::numeric_limits<double>::quiet_NaN();
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::torque_not_finite);
+  EXPECT_NEAR(rig.state().q[0], 0.2, 1e-3) << "the robot never saw it";
+  rig.controller.spoil = 0.0;
+  rig.send(MessageKind::reset);
+  rig.cycles(1);
+  RobotState<2, 2> broken = rig.initial;
+  broken.qd[1] = std::numeric_limits<double>::quiet_NaN();
+  rig.robot.set_state(broken);
+  double sent[2] = {1.0, 1.0};
+  rig.loop.step([&](const Report<TwoLink>& report) {
+    sent[0] = report.tau[0];
+    sent[1] = report.tau[1];
+  });
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::state_not_finite);
+  EXPECT_EQ(rig.loop.fault().index, 1);
+  EXPECT_EQ(sent[0], 0.0);
+  EXPECT_EQ(sent[1], 0.0);
+}
+
+TEST(ServoLoop, OneLateCycleIsForgivenFourInARowAreNot) {
+  Rig rig;
+  rig.send(MessageKind::start);
+  rig.cycles(10);
+  const auto late = [&](const Report<TwoLink>&) { rig.clock.advance(1'500'000); };
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(rig.loop.step(late));
+  }
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.mode(), Mode::running);
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(rig.loop.step(late));
+  }
+  EXPECT_EQ(rig.loop.mode(), Mode::faulted);
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::deadline);
+  EXPECT_EQ(rig.loop.cycle().skips(), 7U);
+}
+
+TEST(ServoLoop, EndsWhenTheRobotIsGone) {
+  Rig rig;
+  rig.send(MessageKind::start);
+  rig.cycles(10);
+  rig.robot.disconnect();
+  EXPECT_FALSE(rig.loop.step(nobody));
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::robot_gone);
+}
+
+TEST(ServoLoop, AllocatesNothing) {
+  Rig rig;
+  const long before = treeline::test::allocation_count();
+  rig.mailbox.push(message_of(MessageKind::start));
+  for (int i = 0; i < 100; ++i) {
+    rig.loop.step(nobody);
+  }
+  rig.mailbox.push(message_of(MessageKind::emergency_stop));
+  for (int i = 0; i < 100; ++i) {
+    rig.loop.step(nobody);
+  }
+  EXPECT_EQ(treeline::test::allocation_count(), before);
+}
+
+}  // namespace
