@@ -1,0 +1,144 @@
+#include "generation/describe_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace treeline {
+namespace {
+
+const Joint* find_joint(const Robot& robot, const std::string& name) {
+  for (const Joint& joint : robot.joints) {
+    if (joint.name == name) {
+      return &joint;
+    }
+  }
+  return nullptr;
+}
+
+const char* type_name(JointType type) {
+  switch (type) {
+    case JointType::revolute:
+      return "revolute";
+    case JointType::continuous:
+      return "continuous";
+    case JointType::prismatic:
+      return "prismatic";
+    case JointType::fixed:
+      return "fixed";
+    case JointType::floating:
+      return "floating";
+    case JointType::planar:
+      return "planar";
+  }
+  return "";
+}
+
+std::string limits_text(const Joint& joint) {
+  if (!joint.limits) {
+    return {};
+  }
+  const bool angle = joint.type != JointType::prismatic;
+  const Limits& limits = *joint.limits;
+  std::string text;
+  const auto append = [&text](const std::string& part) {
+    text += (text.empty() ? "" : ", ") + part;
+  };
+  if (std::isfinite(limits.lower) && std::isfinite(limits.upper)) {
+    append(fmt::format("{} .. {} {}", limits.lower, limits.upper, angle ? "rad" : "m"));
+  }
+  if (std::isfinite(limits.effort)) {
+    append(fmt::format("{} {}", limits.effort, angle ? "N m" : "N"));
+  }
+  if (std::isfinite(limits.velocity)) {
+    append(fmt::format("{} {}", limits.velocity, angle ? "rad/s" : "m/s"));
+  }
+  return text;
+}
+
+/// One row for each joint that owns coordinates, in the order of q.
+std::vector<EmissionContext::JointRow> joint_rows(const Robot& robot, const Mechanism& mechanism) {
+  std::vector<EmissionContext::JointRow> rows;
+  for (const MovingLink& link : mechanism.links) {
+    if (link.mimics) {
+      continue;
+    }
+    const int coordinates = link.kind == JointKind::floating ? 7 : 1;
+    const int velocities = link.kind == JointKind::floating ? 6 : 1;
+    if (!rows.empty() && rows.back().name == link.joint) {  // the next axis of a planar joint
+      rows.back().coordinates += coordinates;
+      rows.back().velocities += velocities;
+      continue;
+    }
+    const Joint* joint = find_joint(robot, link.joint);
+    rows.push_back({link.joint, joint != nullptr ? type_name(joint->type) : "floating base",
+                    link.q_index, coordinates, link.v_index, velocities,
+                    joint != nullptr ? limits_text(*joint) : std::string()});
+  }
+  return rows;
+}
+
+std::string rows_text(const ScenePoint& point) {
+  static constexpr std::array kRowNames = {"x", "y", "z", "rx", "ry", "rz"};
+  std::string text;
+  for (std::size_t i = 0; i < kRowNames.size(); ++i) {
+    if (point.rows[i]) {
+      text += text.empty() ? "" : " ";
+      text += kRowNames[i];
+    }
+  }
+  return text;
+}
+
+std::string frame_text(const ScenePoint& point) {
+  const auto& xyz = point.origin.xyz;
+  const auto& rpy = point.origin.rpy;
+  std::string text = fmt::format("origin ({}, {}, {}) m", xyz[0], xyz[1], xyz[2]);
+  if (rpy != std::array<double, 3>{}) {
+    text += fmt::format(", rpy ({}, {}, {}) rad", rpy[0], rpy[1], rpy[2]);
+  }
+  return text + (point.axes == Axes::world ? " in the link, world axes" : " in the link, own axes");
+}
+
+std::vector<EmissionContext::PointRow> point_rows(const std::vector<ScenePoint>& points) {
+  std::vector<EmissionContext::PointRow> rows;
+  int first_row = 0;
+  for (const ScenePoint& point : points) {
+    rows.push_back({point.name, point.link, frame_text(point), rows_text(point), first_row});
+    for (const bool on : point.rows) {
+      first_row += on ? 1 : 0;
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mechanism& mechanism) {
+  EmissionContext context;
+  context.name = scene.name;
+  context.robot = robot.name;
+  context.single_precision = scene.real == Real::float32;
+  context.coordinates = mechanism.nq();
+  context.velocities = mechanism.nv();
+  context.task_rows = mechanism.task_rows();
+  context.base = scene.base == Base::fixed ? "fixed" : "floating";
+  context.gravity = scene.gravity;
+  context.joints = joint_rows(robot, mechanism);
+  context.operational_points = point_rows(scene.operational_points);
+  context.external_forces = point_rows(scene.external_forces);
+  for (const auto& [joint, value] : scene.locked) {
+    context.notes.push_back(fmt::format("joint {} is locked at {}", joint, value));
+  }
+  for (const Joint& joint : robot.joints) {
+    if (joint.mimic) {
+      context.notes.push_back(
+          fmt::format("joint {} follows {}: {} q + {}", joint.name,
+                      robot.joints[static_cast<std::size_t>(joint.mimic->joint)].name,
+                      joint.mimic->multiplier, joint.mimic->offset));
+    }
+  }
+  return context;
+}
+
+}  // namespace treeline

@@ -1,0 +1,103 @@
+#include "generation/generate_code.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generation/describe_scene.hpp"
+#include "mechanism/build_mechanism.hpp"
+#include "recursion/trace_function.hpp"
+
+namespace treeline {
+namespace {
+
+bool needs_points(Function function) {
+  switch (function) {
+    case Function::forward_kinematics:
+    case Function::jacobian:
+    case Function::bias_acceleration:
+    case Function::lambda_inverse:
+    case Function::lambda:
+    case Function::control_torque:
+      return true;
+    default:
+      return false;
+  }
+}
+
+EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
+  EmissionContext::ChoiceRow row;
+  row.function = function_name(generated.function);
+  row.chosen = {generated.chosen.method, generated.chosen.count.flops()};
+  for (const Cost& cost : generated.rejected) {
+    row.rejected.push_back({cost.method, cost.count.flops()});
+  }
+  return row;
+}
+
+/// What the scene's silence saves: each function that it could have asked for and did not.
+std::vector<EmissionContext::SkippedRow> skipped_rows(const Mechanism& mechanism,
+                                                      const Scene& scene) {
+  std::vector<EmissionContext::SkippedRow> rows;
+  for (const Function function : kAllFunctions) {
+    const bool asked = std::find(scene.functions.begin(), scene.functions.end(), function) !=
+                       scene.functions.end();
+    if (asked || (needs_points(function) && scene.operational_points.empty())) {
+      continue;
+    }
+    rows.push_back({fmt::format("function {}", function_name(function)),
+                    generate_function(mechanism, function).chosen.count.flops()});
+  }
+  return rows;
+}
+
+EmissionContext context_of(const Robot& robot, const Scene& scene, const Provenance& provenance,
+                           const Generation& generation) {
+  EmissionContext context = describe_scene(robot, scene, generation.mechanism);
+  context.command = fmt::format("treeline generate {} {} --output {}", provenance.urdf_name,
+                                provenance.scene_name, scene.name);
+  context.inputs = {{provenance.urdf_name, provenance.urdf_text},
+                    {provenance.scene_name, provenance.scene_text}};
+  for (const GeneratedFunction& generated : generation.functions) {
+    context.choices.push_back(choice_row(generated));
+  }
+  context.skipped = skipped_rows(generation.mechanism, scene);
+  return context;
+}
+
+}  // namespace
+
+GeneratedFunction generate_function(const Mechanism& mechanism, Function function) {
+  std::vector<Candidate> candidates;
+  for (Program& program : trace_function(mechanism, function)) {
+    std::string method = program.source;
+    candidates.push_back({std::move(method), std::move(program)});
+  }
+  Choice choice = *choose(std::move(candidates));  // there is at least one route
+  GeneratedFunction generated;
+  generated.function = function;
+  generated.chosen = std::move(choice.chosen);
+  generated.rejected = std::move(choice.rejected);
+  generated.program = run_passes(std::move(choice.program), generated.passes);
+  return generated;
+}
+
+std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
+                                        const Provenance& provenance, Diagnostics& diagnostics) {
+  Generation generation;
+  generation.mechanism = reduced_mechanism(robot, scene);
+  std::vector<Program> programs;
+  for (const Function function : scene.functions) {
+    generation.functions.push_back(generate_function(generation.mechanism, function));
+    programs.push_back(generation.functions.back().program);
+  }
+  const EmissionContext context = context_of(robot, scene, provenance, generation);
+  generation.files = emit(context, programs, diagnostics);
+  if (diagnostics.has_errors()) {
+    return std::nullopt;
+  }
+  return generation;
+}
+
+}  // namespace treeline

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/diagnostic.hpp"
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "emission/emit.hpp"
+#include "mechanism/mechanism.hpp"
+#include "passes/choose.hpp"
+#include "passes/run_passes.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// Where the inputs came from, for the contract and the digests. File names without directories.
+struct Provenance {
+  std::string urdf_name, urdf_text;
+  std::string scene_name, scene_text;
+};
+
+/// One emitted function: the route that was chosen, what the others cost, what the passes did.
+struct GeneratedFunction {
+  Function function{};
+  Program program;  ///< in the order of emission
+  Cost chosen;
+  std::vector<Cost> rejected;
+  std::vector<PassReport> passes;
+};
+
+/// Everything `treeline generate` makes, in memory.
+struct Generation {
+  Mechanism mechanism;
+  std::vector<GeneratedFunction> functions;
+  std::vector<GeneratedFile> files;
+};
+
+/// Robot and scene to files: reduce the mechanism, trace every route of every function asked for,
+/// choose, run the passes, emit. Nothing is returned when `diagnostics` got an error.
+std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
+                                        const Provenance& provenance, Diagnostics& diagnostics);
+
+/// The cheapest route to one function, after the passes.
+GeneratedFunction generate_function(const Mechanism& mechanism, Function function);
+
+}  // namespace treeline
