@@ -96,12 +96,18 @@ class EssentialUrdf {
     }
   }
 
-  /// urdfdom takes spaces around a lone number for a fault; names are kept as they are.
+  /// urdfdom knows one space between numbers and none around them; names are kept as they are.
   static std::string without_spaces(std::string_view element, std::string_view attribute,
-                                    const char* value) {
+                                    std::string_view value) {
     const bool is_name = attribute == "name" || attribute == "link" || attribute == "joint" ||
                          (element == "joint" && attribute == "type");
-    return is_name ? std::string(value) : std::string(trimmed(value));
+    if (is_name) return std::string(value);
+    std::string numbers;
+    for (const std::string_view word : split_words(value)) {
+      if (!numbers.empty()) numbers += ' ';
+      numbers += word;
+    }
+    return numbers;
   }
 
   void add(const char* name, const tinyxml2::XMLElement* from,

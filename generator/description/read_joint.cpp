@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "description/identifier.hpp"
 #include "description/suggest_name.hpp"
 
 namespace treeline {
@@ -189,10 +188,7 @@ NamedJoint read_joint(const UrdfElement& element) {
   NamedJoint result{{}, {}, {}, {}, element};
   Joint& joint = result.joint;
   joint.line = element.line();
-  joint.name = element.required_text("name", "give the joint a name").value_or("");
-  if (!is_utf8(joint.name)) {
-    element.error("the name is not UTF-8 text", "save the file as UTF-8");
-  }
+  joint.name = element.required_name("give the joint a name");
   element.only_attributes({"name", "type"});
   element.only_children({"origin", "parent", "child", "axis", "limit", "dynamics", "mimic",
                          "calibration", "safety_controller"});

@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include "description/identifier.hpp"
-
 namespace treeline {
 namespace {
 
@@ -87,10 +85,7 @@ void warn_of_stray_inertia(const UrdfElement& element) {
 Link read_link(const UrdfElement& element) {
   Link link;
   link.line = element.line();
-  link.name = element.required_text("name", "give the link a name").value_or("");
-  if (!is_utf8(link.name)) {
-    element.error("the name is not UTF-8 text", "save the file as UTF-8");
-  }
+  link.name = element.required_name("give the link a name");
   element.only_attributes({"name"});
   warn_of_stray_inertia(element);
   element.only_children({"inertial", "visual", "collision", "mass", "inertia", "contact",

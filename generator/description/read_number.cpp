@@ -1,5 +1,6 @@
 #include "description/read_number.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -28,14 +29,22 @@ std::optional<double> read_number(std::string_view text) {
   return value;
 }
 
-std::optional<std::vector<double>> read_numbers(std::string_view text) {
-  std::vector<double> numbers;
+std::vector<std::string_view> split_words(std::string_view text) {
+  std::vector<std::string_view> words;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
     const auto length = std::min(text.find_first_of(kWhiteSpace), text.size());
-    const auto number = read_number(text.substr(0, length));
+    words.push_back(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+  return words;
+}
+
+std::optional<std::vector<double>> read_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string_view word : split_words(text)) {
+    const auto number = read_number(word);
     if (!number || !std::isfinite(*number)) return std::nullopt;
     numbers.push_back(*number);
-    text.remove_prefix(length);
   }
   return numbers;
 }

@@ -16,6 +16,9 @@ std::optional<double> read_number(std::string_view text);
 /// finite number.
 std::optional<std::vector<double>> read_numbers(std::string_view text);
 
+/// What stands between white space.
+std::vector<std::string_view> split_words(std::string_view text);
+
 /// `text` without white space at its ends.
 std::string_view trimmed(std::string_view text);
 

@@ -106,7 +106,7 @@ void check_unique(const std::vector<Named>& items, const std::vector<UrdfElement
 }
 
 void read_head(const UrdfElement& robot, Robot& result) {
-  result.name = robot.required_text("name", "write <robot name=\"...\">").value_or("");
+  result.name = robot.required_name("write <robot name=\"...\">");
   robot.only_attributes({"name", "version"});
   robot.no_text();
   check_version(robot);
@@ -131,8 +131,8 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   check_unique(robot.links, elements.links, "link");
   check_unique(robot.joints, elements.joints, "joint");
   if (reading.failed()) return std::nullopt;
-  if (!confirm_with_urdfdom(robot, joints, elements.links, reading)) return std::nullopt;
   if (!resolve_mimics(joints, robot)) return std::nullopt;
+  if (!confirm_with_urdfdom(robot, joints, elements.links, reading)) return std::nullopt;
   check_inertias(robot, elements.links);
   check_motion(robot, elements.links, reading);
   return robot;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "description/identifier.hpp"
 #include "description/read_number.hpp"
 
 namespace treeline {
@@ -51,6 +52,18 @@ std::optional<std::string> UrdfElement::required_text(const char* attribute,
   error(fmt::format("the attribute \"{}\" is {}", attribute, text == nullptr ? "missing" : "empty"),
         remedy);
   return std::nullopt;
+}
+
+std::string UrdfElement::required_name(const std::string& remedy) const {
+  const auto text = required_text("name", remedy);
+  if (!text) return {};
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 0x7F; };
+  if (!is_utf8(*text)) {
+    error("the name is not UTF-8 text", "save the file as UTF-8");
+  } else if (std::any_of(text->begin(), text->end(), is_control)) {
+    error("the name holds a line break or another control character", "write it as one word");
+  }
+  return *text;
 }
 
 std::optional<double> UrdfElement::number(const char* attribute, bool may_be_infinite) const {

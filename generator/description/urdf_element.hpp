@@ -71,6 +71,8 @@ class UrdfElement {
   /// The attribute's text; an error when it is absent or empty, with `remedy`.
   [[nodiscard]] std::optional<std::string> required_text(const char* attribute,
                                                          const std::string& remedy) const;
+  /// The attribute "name"; an error when it is absent, empty, not UTF-8 or not one printable line.
+  [[nodiscard]] std::string required_name(const std::string& remedy) const;
   /// Nothing when absent; an error when it is no finite number (or, if allowed, an infinite one).
   [[nodiscard]] std::optional<double> number(const char* attribute,
                                              bool may_be_infinite = false) const;

@@ -18,7 +18,8 @@ const char* const kRobot = R"(<?xml version="1.0"?>
 <robot name="example" xmlns="http://www.ros.org" version="1.0">
   <joint name="wrist" type="prismatic">
     <parent link="upper"/> <child link="tool"/>
-    <origin xyz="1e-1 2 3" rpy="0.1 -0.2 1.5707963267948966"/>
+    <origin xyz=" 1e-1
+2	3 " rpy="0.1 -0.2 1.5707963267948966"/>
     <axis xyz="3 0 -4"/>
     <limit lower="-0.5" upper="inf" effort="1" velocity="2"/>
     <mimic joint="shoulder" multiplier="2" offset="0.25"/>
