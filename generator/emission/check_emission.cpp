@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "emission/choose_names.hpp"
+#include "description/identifier.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {
@@ -16,7 +16,7 @@ void report(Diagnostics& diagnostics, std::string element, std::string fault, st
 }
 
 void check_name(const std::string& name, const std::string& element, Diagnostics& diagnostics) {
-  if (make_identifier(name) != name) {
+  if (!is_identifier(name)) {
     report(diagnostics, element, "`" + name + "` cannot be a name in C++",
            "Choose one of letters, digits and single underscores that is no keyword.");
   }

@@ -2,45 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
+#include <utility>
+
+#include "description/identifier.hpp"
 
 namespace treeline {
 namespace {
-
-constexpr std::array kKeywords = {"alignas",       "alignof",     "and",
-                                  "and_eq",        "asm",         "auto",
-                                  "bitand",        "bitor",       "bool",
-                                  "break",         "case",        "catch",
-                                  "char",          "char16_t",    "char32_t",
-                                  "char8_t",       "class",       "co_await",
-                                  "co_return",     "co_yield",    "compl",
-                                  "concept",       "const",       "const_cast",
-                                  "consteval",     "constexpr",   "constinit",
-                                  "continue",      "decltype",    "default",
-                                  "delete",        "do",          "double",
-                                  "dynamic_cast",  "else",        "enum",
-                                  "explicit",      "export",      "extern",
-                                  "false",         "float",       "for",
-                                  "friend",        "goto",        "if",
-                                  "inline",        "int",         "long",
-                                  "mutable",       "namespace",   "new",
-                                  "noexcept",      "not",         "not_eq",
-                                  "nullptr",       "operator",    "or",
-                                  "or_eq",         "private",     "protected",
-                                  "public",        "register",    "reinterpret_cast",
-                                  "requires",      "return",      "short",
-                                  "signed",        "sizeof",      "static",
-                                  "static_assert", "static_cast", "struct",
-                                  "switch",        "template",    "this",
-                                  "thread_local",  "throw",       "true",
-                                  "try",           "typedef",     "typeid",
-                                  "typename",      "union",       "unsigned",
-                                  "using",         "virtual",     "void",
-                                  "volatile",      "wchar_t",     "while",
-                                  "xor",           "xor_eq"};
 
 std::string make_unique(std::string name, std::set<std::string>& taken) {
   const std::string stem = name;
@@ -108,10 +77,6 @@ std::vector<std::string> find_stems(const Program& program, std::vector<std::str
 
 }  // namespace
 
-bool is_keyword(std::string_view word) {
-  return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
-}
-
 std::string make_identifier(std::string_view text) {
   std::string name;
   for (const char c : text) {
@@ -128,7 +93,7 @@ std::string make_identifier(std::string_view text) {
   if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) {
     name = std::string("v").append(name);
   }
-  return is_keyword(name) ? name + "_value" : name;
+  return is_identifier(name) ? name : name + "_value";
 }
 
 std::vector<std::string> choose_names(const Program& program, const std::vector<bool>& wanted,

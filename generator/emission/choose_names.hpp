@@ -9,12 +9,9 @@
 
 namespace treeline {
 
-/// `text` made an identifier of C++: other characters become one underscore, keywords and leading
-/// digits get a prefix or suffix. Never empty.
+/// A legal name for a local variable: other characters than letters and digits become single
+/// underscores; what C++ or its headers have already gets a suffix. Never empty.
 std::string make_identifier(std::string_view text);
-
-/// True for a word of the language (C++17 and C++20) that cannot be a name.
-bool is_keyword(std::string_view word);
 
 /// For every node that is `wanted` the identifier of its value, unique and none of `reserved`;
 /// empty for the others. A node that the trace named keeps its name, a result is called after its

@@ -38,7 +38,7 @@ std::string ExpressionPrinter::operand(std::uint32_t node, Op user, bool is_righ
   const bool own_is_sum = is_sum(graph_.nodes()[node].op);
   const bool binds =
       is_atom(node) || (user_is_sum && !own_is_sum) || (user_is_sum == own_is_sum && !is_right);
-  return binds ? text : "(" + text + ")";
+  return binds ? text : fmt::format("({})", text);
 }
 
 std::string ExpressionPrinter::formula(std::uint32_t node) const {
@@ -55,7 +55,7 @@ std::string ExpressionPrinter::signed_reference(Expression value) const {
   if (!value.negative()) {
     return text;
   }
-  return is_atom(value.node()) ? "-" + text : "-(" + text + ")";
+  return is_atom(value.node()) ? fmt::format("-{}", text) : fmt::format("-({})", text);
 }
 
 }  // namespace treeline

@@ -80,7 +80,7 @@ std::string print_source(const EmissionContext& context, const Program& program)
   return fill_template(
       templates::kFunction,
       {{"equation", program.name + (program.equation.empty() ? "" : ": " + program.equation)},
-       {"source", program.source.empty() ? "" : "// By " + program.source + "."},
+       {"source", program.source.empty() ? "" : fmt::format("// By {}.", program.source)},
        {"cost", describe_cost(program)},
        {"name", context.name},
        {"includes", uses_trigonometry(program) ? "#include \"sin_cos.hpp\"" : ""},

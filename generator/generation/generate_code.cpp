@@ -55,8 +55,8 @@ std::vector<EmissionContext::SkippedRow> skipped_rows(const Mechanism& mechanism
 EmissionContext context_of(const Robot& robot, const Scene& scene, const Provenance& provenance,
                            const Generation& generation) {
   EmissionContext context = describe_scene(robot, scene, generation.mechanism);
-  context.command = fmt::format("treeline generate {} {} --output {}", provenance.urdf_name,
-                                provenance.scene_name, scene.name);
+  context.command = fmt::format("treeline generate {} {} --output {}{}", provenance.urdf_name,
+                                provenance.scene_name, scene.name, provenance.options);
   context.inputs = {{provenance.urdf_name, provenance.urdf_text},
                     {provenance.scene_name, provenance.scene_text}};
   for (const GeneratedFunction& generated : generation.functions) {

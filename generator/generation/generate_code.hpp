@@ -19,6 +19,7 @@ namespace treeline {
 struct Provenance {
   std::string urdf_name, urdf_text;
   std::string scene_name, scene_text;
+  std::string options = {};  ///< of the command line that overrule the scene: " --real float"
 };
 
 /// One emitted function: the route that was chosen, what the others cost, what the passes did.

@@ -26,15 +26,18 @@ constexpr std::array kPasses = {
 Program run_passes(Program program, std::vector<PassReport>& log) {
   for (const Pass& pass : kPasses) {
     const OperationCount before = count_operations(program);
+    const std::size_t nodes = program.graph.nodes().size();
     program = pass.run(program);
-    log.push_back({pass.name, before, count_operations(program)});
+    log.push_back(
+        {pass.name, before, count_operations(program), nodes, program.graph.nodes().size()});
   }
   return program;
 }
 
 std::string to_string(const std::string& function, const PassReport& report) {
-  return fmt::format("{}: {} {} -> {} flops", function, report.pass, report.before.flops(),
-                     report.after.flops());
+  return fmt::format("{}: {} {} -> {} flops, {} -> {} nodes", function, report.pass,
+                     report.before.flops(), report.after.flops(), report.nodes_before,
+                     report.nodes_after);
 }
 
 }  // namespace treeline

@@ -33,8 +33,8 @@ TEST(RunPasses, KeepsTheFunction) {
 }
 
 TEST(RunPasses, ReportReadsAsALine) {
-  EXPECT_EQ(to_string("gravity", {"schedule", {2, 3, 0, 1}, {1, 3, 0, 1}}),
-            "gravity: schedule 5 -> 4 flops");
+  EXPECT_EQ(to_string("gravity", {"schedule", {2, 3, 0, 1}, {1, 3, 0, 1}, 9, 8}),
+            "gravity: schedule 5 -> 4 flops, 9 -> 8 nodes");
 }
 
 }  // namespace

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace treeline {
+
+/// What the program says to the shell.
+enum ExitCode : int {
+  kOk = 0,
+  kBadInput = 1,  ///< the robot, the scene or the output folder is at fault
+  kUsage = 2,     ///< the command line is
+  kMismatch = 3,  ///< something is stale or out of bounds
+  kInternal = 70  ///< this program is
+};
+
+}  // namespace treeline

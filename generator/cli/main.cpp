@@ -1,0 +1,25 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "cli/exit_code.hpp"
+#include "cli/generate.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Straight-line, fixed-size C++ for a robot's dynamics and operational-space control"};
+  app.require_subcommand(1);
+  app.footer("Exit: 0 done, 1 bad input, 2 usage, 3 stale or out of bounds, 70 internal fault.");
+  int exit_code = treeline::kOk;
+  treeline::add_generate(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? treeline::kOk : treeline::kUsage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "treeline: internal fault: {}\n", error.what());
+    return treeline::kInternal;
+  }
+  return exit_code;
+}

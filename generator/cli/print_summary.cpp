@@ -1,0 +1,79 @@
+#include "cli/print_summary.hpp"
+
+#include <fmt/format.h>
+
+#include "emission/print_manifest.hpp"
+
+namespace treeline {
+namespace {
+
+const char* to_word(Difference difference) {
+  switch (difference) {
+    case Difference::missing:
+      return "missing";
+    case Difference::changed:
+      return "changed";
+    case Difference::left_over:
+      return "left over";
+  }
+  return "";
+}
+
+std::string print_files(const Summary& summary) {
+  if (!summary.compared_only) {
+    return fmt::format("{}: {} file{} written\n", summary.output, summary.differences.size(),
+                       summary.differences.size() == 1 ? "" : "s");
+  }
+  if (summary.differences.empty()) {
+    return fmt::format("{}: up to date\n", summary.output);
+  }
+  std::string text = fmt::format("{}: not up to date\n", summary.output);
+  for (const FileDifference& difference : summary.differences) {
+    text += fmt::format("  {}: {}\n", difference.name, to_word(difference.difference));
+  }
+  return text;
+}
+
+std::string print_function_json(const GeneratedFunction& generated) {
+  const OperationCount& count = generated.chosen.count;
+  return fmt::format(
+      R"({{"name": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, "sin_cos": {}}})",
+      quote_json(generated.program.name), quote_json(generated.chosen.method), count.flops(),
+      count.add, count.mul, count.div, count.sin_cos);
+}
+
+}  // namespace
+
+std::string print_text(const Summary& summary) {
+  std::string text = fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", "function", "flops",
+                                 "add", "mul", "div", "sin,cos", "method");
+  for (const GeneratedFunction& generated : summary.functions) {
+    const OperationCount& count = generated.chosen.count;
+    text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", generated.program.name,
+                        count.flops(), count.add, count.mul, count.div, count.sin_cos,
+                        generated.chosen.method);
+    for (const Cost& cost : summary.verbose ? generated.rejected : std::vector<Cost>{}) {
+      text += fmt::format("{:<20} {:>6} {:>26}  ({})\n", "  rejected", cost.count.flops(), "",
+                          cost.method);
+    }
+  }
+  return text + print_files(summary);
+}
+
+std::string print_json(const Summary& summary) {
+  std::string functions;
+  for (const GeneratedFunction& generated : summary.functions) {
+    functions += (functions.empty() ? "" : ",\n    ") + print_function_json(generated);
+  }
+  std::string files;
+  for (const FileDifference& difference : summary.differences) {
+    files += fmt::format(R"({}{{"file": {}, "difference": "{}"}})", files.empty() ? "" : ",\n    ",
+                         quote_json(difference.name), to_word(difference.difference));
+  }
+  return fmt::format(
+      "{{\n  \"output\": {},\n  \"written\": {},\n  \"functions\": [\n    {}\n  ],\n"
+      "  \"differences\": [\n    {}\n  ]\n}}\n",
+      quote_json(summary.output), !summary.compared_only, functions, files);
+}
+
+}  // namespace treeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emission/compare_files.hpp"
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// What `treeline generate` tells when it is done.
+struct Summary {
+  const std::vector<GeneratedFunction>& functions;
+  const std::vector<FileDifference>& differences;  ///< before anything was written
+  const std::string& output;
+  bool compared_only = false;
+  bool verbose = false;  ///< with the algorithms that were not chosen
+};
+
+/// A table of functions with their costs, the choices made, and the files that differ.
+std::string print_text(const Summary& summary);
+std::string print_json(const Summary& summary);
+
+}  // namespace treeline

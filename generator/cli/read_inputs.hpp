@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/diagnostic.hpp"
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// The files of a command line, and what it says instead of the scene.
+struct InputOptions {
+  std::string urdf, scene;
+  std::string name;                    ///< empty: the scene's
+  std::string real;                    ///< `float`, `double`; empty: the scene's
+  std::vector<std::string> functions;  ///< empty: the scene's
+};
+
+struct Inputs {
+  Robot robot;
+  Scene scene;
+};
+
+/// Reads both files and applies the options. Faults of either are in `diagnostics`.
+std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diagnostics);
+
+/// Every diagnostic on standard error.
+void print_diagnostics(const Diagnostics& diagnostics);
+
+}  // namespace treeline

@@ -1,0 +1,63 @@
+# treeline_generate(TARGET URDF file SCENE file [NAME identifier] [REAL float|double]
+#                   [FUNCTIONS function...])
+#
+# Makes the static library TARGET from a robot and a scene while building: link it and include
+# "NAME.hpp" (or "NAME_eigen.hpp"). NAME, which is also the namespace, is the target's name unless
+# given; REAL and FUNCTIONS go before what the scene says. The code is generated again when the URDF,
+# the scene or the generator changes, compiled again only where its text did.
+# Relative paths are relative to the calling CMakeLists.txt.
+
+# Every function a scene may ask for; which of them it does is known only once it is read.
+set(TREELINE_ALL_FUNCTIONS
+  forward_kinematics jacobian bias_acceleration inverse_dynamics gravity nonlinear_effects
+  mass_matrix forward_dynamics lambda_inverse lambda control_torque
+  CACHE INTERNAL "")
+
+function(treeline_generate target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL" "FUNCTIONS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "treeline_generate(${target}): unknown ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  foreach(key URDF SCENE)
+    if(NOT arg_${key})
+      message(FATAL_ERROR "treeline_generate(${target}): ${key} is missing")
+    endif()
+    get_filename_component(arg_${key} ${arg_${key}} ABSOLUTE)
+  endforeach()
+  if(NOT arg_NAME)
+    string(MAKE_C_IDENTIFIER ${target} arg_NAME)
+  endif()
+
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/treeline/${target}/${arg_NAME})
+  set(options --name ${arg_NAME})
+  if(arg_REAL)
+    list(APPEND options --real ${arg_REAL})
+  endif()
+  if(arg_FUNCTIONS)
+    list(JOIN arg_FUNCTIONS , functions)
+    list(APPEND options --functions ${functions})
+  endif()
+
+  set(sources ${TREELINE_ALL_FUNCTIONS})
+  list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.cpp")
+  set(stamp ${folder}.stamp)
+  add_custom_command(OUTPUT ${stamp}
+    BYPRODUCTS ${sources}
+    COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${TREELINE_ALL_FUNCTIONS}"
+      -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
+    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+    DEPENDS ${arg_URDF} ${arg_SCENE} treeline::treeline
+      ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
+    COMMENT "Generating ${arg_NAME} from ${arg_URDF}"
+    VERBATIM)
+  add_custom_target(${target}_generate DEPENDS ${stamp})
+
+  set_source_files_properties(${sources} PROPERTIES GENERATED ON)
+  add_library(${target} STATIC ${sources})
+  add_dependencies(${target} ${target}_generate)
+  target_include_directories(${target} PUBLIC ${folder})
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_compile_options(${target}
+    PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-fast-math>)
+endfunction()
