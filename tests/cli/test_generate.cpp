@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <set>
+
+#include "run_program.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Outcome;
+using test::read_file;
+
+const std::string kUrdf = std::string(TREELINE_ROBOTS) + "/puma560/puma560.urdf";
+const std::string kScene = std::string(TREELINE_ROBOTS) + "/puma560/scene.yaml";
+
+class GenerateTest : public testing::Test {
+ protected:
+  GenerateTest() {
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+  ~GenerateTest() override { fs::remove_all(root_); }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return test::run_program(root_, "generate " + arguments);
+  }
+  [[nodiscard]] Outcome generate() const { return run(kUrdf + " " + kScene + " --output puma560"); }
+
+  fs::path root_ = fs::temp_directory_path() /
+                   ("treeline_cli_" +
+                    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+// Would catch: a command that does nothing, or talks where data belongs.
+TEST_F(GenerateTest, WritesTheFolder) {
+  const Outcome outcome = generate();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("inverse_dynamics"), std::string::npos);
+  EXPECT_TRUE(fs::exists(root_ / "puma560" / "puma560.hpp"));
+  EXPECT_TRUE(fs::exists(root_ / "puma560" / "control_torque.cpp"));
+}
+
+// Would catch: output that depends on where the files lie or from where the program is called.
+TEST_F(GenerateTest, SameBytesFromAnywhere) {
+  ASSERT_EQ(generate().exit_code, 0);
+  fs::create_directories(root_ / "elsewhere");
+  fs::copy_file(kUrdf, root_ / "elsewhere" / "puma560.urdf");
+  fs::copy_file(kScene, root_ / "elsewhere" / "scene.yaml");
+  const Outcome again = run("elsewhere/puma560.urdf ./elsewhere/scene.yaml -o '" +
+                            (root_ / "elsewhere" / "puma560").string() + "/'");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  for (const auto& entry : fs::directory_iterator(root_ / "puma560")) {
+    const fs::path other = root_ / "elsewhere" / "puma560" / entry.path().filename();
+    EXPECT_EQ(read_file(entry.path()), read_file(other)) << other;
+  }
+}
+
+// Would catch: a manifest that no JSON reader takes, or that misses a file.
+TEST_F(GenerateTest, ManifestListsTheFolder) {
+  ASSERT_EQ(generate().exit_code, 0);
+  const YAML::Node manifest = YAML::LoadFile(root_ / "puma560" / "manifest.json");
+  std::set<std::string> listed;
+  for (const YAML::Node& file : manifest["files"]) {
+    listed.insert(file.as<std::string>());
+  }
+  std::set<std::string> present;
+  for (const auto& entry : fs::directory_iterator(root_ / "puma560")) {
+    present.insert(entry.path().filename());
+  }
+  EXPECT_EQ(listed, present);
+  EXPECT_EQ(manifest["real"].as<std::string>(), "double");
+  EXPECT_EQ(manifest["coordinates"].as<int>(), 6);
+  EXPECT_EQ(manifest["inputs"][0]["sha256"].as<std::string>().size(), 64u);
+}
+
+// Would catch: stale output that passes, or fresh output that does not.
+TEST_F(GenerateTest, CompareTellsStaleFromFresh) {
+  const std::string compare = kUrdf + " " + kScene + " --output puma560 --compare";
+  EXPECT_EQ(run(compare).exit_code, 3);
+  EXPECT_FALSE(fs::exists(root_ / "puma560"));
+  ASSERT_EQ(generate().exit_code, 0);
+  EXPECT_EQ(run(compare).exit_code, 0);
+  std::ofstream(root_ / "puma560" / "gravity.cpp", std::ios::app) << "\n";
+  const Outcome stale = run(compare + " --json");
+  EXPECT_EQ(stale.exit_code, 3);
+  const YAML::Node summary = YAML::Load(stale.out);
+  ASSERT_EQ(summary["differences"].size(), 1u);
+  EXPECT_EQ(summary["differences"][0]["file"].as<std::string>(), "gravity.cpp");
+}
+
+// Would catch: options that are read and forgotten, or not told in the contract.
+TEST_F(GenerateTest, OptionsOverruleTheScene) {
+  const Outcome outcome =
+      run(kUrdf + " " + kScene +
+          " --output small --name small --real float --functions gravity,jacobian");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string contract = read_file(root_ / "small" / "small.hpp");
+  EXPECT_NE(contract.find("using Real = float;"), std::string::npos);
+  EXPECT_NE(contract.find("--name small --real float --functions gravity,jacobian"),
+            std::string::npos);
+  EXPECT_TRUE(fs::exists(root_ / "small" / "jacobian.cpp"));
+  EXPECT_FALSE(fs::exists(root_ / "small" / "mass_matrix.cpp"));
+}
+
+// Would catch: a dump that is empty or also writes.
+TEST_F(GenerateTest, DumpsTheGraphs) {
+  const Outcome text = run(kUrdf + " " + kScene + " --functions gravity --dump text");
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_EQ(text.out.rfind("; gravity:", 0), 0u);
+  const Outcome dot = run(kUrdf + " " + kScene + " --functions gravity --dump dot");
+  EXPECT_EQ(dot.out.rfind("digraph gravity {", 0), 0u);
+}
+
+// Would catch: a wrong exit code, silence, or half a folder after bad input.
+TEST_F(GenerateTest, BadInputIsOne) {
+  for (const std::string& arguments :
+       {"none.urdf " + kScene + " -o out", kUrdf + " none.yaml -o out",
+        kUrdf + " " + kScene + " -o out --functions gravty",
+        kUrdf + " " + kScene + " -o out --name 'my robot'",
+        kUrdf + " " + kScene + " -o out --name gravity"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << arguments;
+    EXPECT_NE(outcome.err.find("error:"), std::string::npos) << arguments << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_FALSE(fs::exists(root_ / "out")) << arguments;
+  }
+}
+
+TEST_F(GenerateTest, BadUsageIsTwo) {
+  for (const std::string& arguments :
+       {std::string(), kUrdf, kUrdf + " " + kScene, kUrdf + " " + kScene + " -o out --real half",
+        kUrdf + " " + kScene + " -o out --unknown"}) {
+    EXPECT_EQ(run(arguments).exit_code, 2) << arguments;
+  }
+  EXPECT_EQ(run("--help").exit_code, 0);
+  EXPECT_NE(run("--help").out.find("Examples:"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace treeline
