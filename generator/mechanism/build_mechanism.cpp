@@ -51,6 +51,15 @@ ExactMatrix3 rotation_from_z_to(const ExactVector3& axis) {
   return ExactMatrix3::Identity() + K + K * K / (1 + c);
 }
 
+/// Rotation about z by an angle from a file, or one made of such; quarter turns are exact.
+ExactMatrix3 rotation_z_by(const Exact& angle) {
+  const double from_file = static_cast<double>(angle);
+  if (Exact(from_file) != angle) {
+    return rotation_z(angle);
+  }
+  return rotation_from_rpy<Exact>({0, 0, from_file});
+}
+
 /// Columns are z's cyclic companions: takes z to x, or z to y.
 ExactMatrix3 z_to_x() {
   ExactMatrix3 R = ExactMatrix3::Zero();
@@ -146,7 +155,7 @@ class Builder {
     if (type == JointType::prismatic) {
       pose.p = to_axis.col(2) * value;
     } else {
-      pose.R = to_axis * rotation_z(value) * to_axis.transpose();
+      pose.R = to_axis * rotation_z_by(value) * to_axis.transpose();
     }
     return pose;
   }

@@ -54,9 +54,15 @@ struct Tree {
   bool has_mimics = false;
 };
 
+/// The nearest double, as emitted code has it; in 50 digits the value itself, so that reductions
+/// can be seen to change nothing.
 template <class Scalar>
 Scalar rounded(const Exact& value) {
-  return Scalar(static_cast<double>(value));
+  if constexpr (std::is_same_v<Scalar, Exact>) {
+    return value;
+  } else {
+    return Scalar(static_cast<double>(value));
+  }
 }
 template <class Scalar>
 Vector3<Scalar> rounded(const ExactVector3& v) {

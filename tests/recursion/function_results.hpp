@@ -1,0 +1,242 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/model_from_robot.hpp"
+#include "interpreter/instances.hpp"
+#include "random_state.hpp"
+
+/// What the functions of a scene give by the interpreter, which knows nothing of mechanisms,
+/// recursions or graphs: the oracle for all of them.
+namespace treeline::tests {
+
+using interpreter::Digits50;
+
+/// The arguments of all functions.
+template <class Scalar>
+struct Inputs {
+  std::vector<Scalar> q, qd, qdd, tau, xdd_cmd, f_ext;
+};
+
+/// As a program has them: one list for each result, row-major.
+template <class Scalar>
+using Results = std::vector<std::vector<Scalar>>;
+
+template <class To, class From>
+std::vector<To> rounded_to(const std::vector<From>& values) {
+  std::vector<To> result;
+  for (const From& x : values) result.push_back(static_cast<To>(x));
+  return result;
+}
+template <class To, class From>
+Inputs<To> rounded_to(const Inputs<From>& in) {
+  return {rounded_to<To>(in.q),   rounded_to<To>(in.qd),      rounded_to<To>(in.qdd),
+          rounded_to<To>(in.tau), rounded_to<To>(in.xdd_cmd), rounded_to<To>(in.f_ext)};
+}
+
+template <class Derived>
+auto listed(const Eigen::MatrixBase<Derived>& A) {
+  std::vector<typename Derived::Scalar> values;
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    for (Eigen::Index j = 0; j < A.cols(); ++j) values.push_back(A(i, j));
+  }
+  return values;
+}
+
+/// A robot in a scene, as the interpreter sees it: every link a body, nothing reduced.
+template <class Scalar>
+class Oracle {
+ public:
+  Oracle(const Robot& robot, const Scene& scene)
+      : model_(model_from_robot<Scalar>(robot, scene)),
+        points_(points_from_scene(model_, scene.operational_points)),
+        forces_(points_from_scene(model_, scene.external_forces)) {}
+
+  [[nodiscard]] const interpreter::Model<Scalar>& model() const { return model_; }
+  [[nodiscard]] bool has_points() const { return !points_.empty(); }
+  [[nodiscard]] int task_rows() const { return interpreter::row_count(points_); }
+
+  /// Angles and displacements up to `size`; rates, forces and accelerations likewise.
+  [[nodiscard]] Inputs<Scalar> random_inputs(Dice& dice, double size = 3) const {
+    const auto drawn = [&](int count) { return listed(random_entries<Scalar>(dice, count, size)); };
+    return {listed(random_position(dice, model_, size)),
+            drawn(model_.nv),
+            drawn(model_.nv),
+            drawn(model_.nv),
+            drawn(task_rows()),
+            drawn(6 * static_cast<int>(forces_.size()))};
+  }
+
+  [[nodiscard]] interpreter::Matrix<Scalar> mass_matrix(const Inputs<Scalar>& in) const {
+    return interpreter::mass_matrix<Scalar>(model_, vector(in.q));
+  }
+  [[nodiscard]] interpreter::Matrix<Scalar> lambda_inverse(const Inputs<Scalar>& in) const {
+    return interpreter::lambda_inverse<Scalar>(model_, points_, vector(in.q));
+  }
+
+  [[nodiscard]] Results<Scalar> results(Function function, const Inputs<Scalar>& in) const {
+    namespace ip = interpreter;
+    const auto q = vector(in.q), qd = vector(in.qd), qdd = vector(in.qdd), f = vector(in.f_ext);
+    switch (function) {
+      case Function::forward_kinematics:
+        return poses(in);
+      case Function::jacobian:
+        return {listed(ip::jacobian<Scalar>(model_, points_, q))};
+      case Function::bias_acceleration:
+        return {listed(ip::bias_acceleration<Scalar>(model_, points_, q, qd))};
+      case Function::inverse_dynamics:
+        return {listed(ip::inverse_dynamics<Scalar>(model_, q, qd, qdd, forces_, f))};
+      case Function::gravity:
+        return {listed(ip::gravity<Scalar>(model_, q))};
+      case Function::nonlinear_effects:
+        return {listed(ip::nonlinear_effects<Scalar>(model_, q, qd))};
+      case Function::mass_matrix:
+        return {listed(mass_matrix(in))};
+      case Function::forward_dynamics:
+        return {listed(ip::forward_dynamics<Scalar>(model_, q, qd, vector(in.tau), forces_, f))};
+      case Function::lambda_inverse:
+        return {listed(lambda_inverse(in))};
+      case Function::lambda:
+        return {listed(ip::lambda<Scalar>(model_, points_, q))};
+      case Function::control_torque:
+        return {listed(ip::control_torque<Scalar>(model_, points_, q, qd, qdd, vector(in.xdd_cmd),
+                                                  forces_, f))};
+    }
+    return {};
+  }
+
+ private:
+  static interpreter::Vector<Scalar> vector(const std::vector<Scalar>& values) {
+    return Eigen::Map<const interpreter::Vector<Scalar>>(values.data(),
+                                                         static_cast<Eigen::Index>(values.size()));
+  }
+
+  [[nodiscard]] Results<Scalar> poses(const Inputs<Scalar>& in) const {
+    Results<Scalar> results(2);
+    for (const auto& pose :
+         interpreter::forward_kinematics<Scalar>(model_, points_, vector(in.q))) {
+      for (const Scalar& x : listed(pose.position)) results[0].push_back(x);
+      for (const Scalar& x : listed(pose.rotation)) results[1].push_back(x);
+    }
+    return results;
+  }
+
+  interpreter::Model<Scalar> model_;
+  interpreter::Points<Scalar> points_, forces_;
+};
+
+/// Ratio of the largest to the smallest singular value; infinite for a singular matrix.
+template <class Derived>
+double condition(const Eigen::MatrixBase<Derived>& A) {
+  using T = typename Derived::Scalar;
+  if (A.rows() == 0) return 1;
+  const Eigen::MatrixXd in_double = A.unaryExpr([](const T& x) { return static_cast<double>(x); });
+  const Eigen::VectorXd s = in_double.jacobiSvd().singularValues();
+  const double smallest = s(s.size() - 1);
+  return smallest > 0 ? s(0) / smallest : std::numeric_limits<double>::infinity();
+}
+
+/// What an error of a function is measured against at one state.
+struct Yardstick {
+  double force = 1;           ///< size of M's entries: forces that need not cancel are of this size
+  double condition_M = 1;     ///< of M
+  double condition_task = 1;  ///< of Lambda^-1; infinite where the task is singular
+
+  [[nodiscard]] double least_scale(Function function) const {
+    switch (function) {
+      case Function::forward_kinematics:
+      case Function::jacobian:
+      case Function::bias_acceleration:
+        return 1;  // of one metre, of one turn
+      case Function::inverse_dynamics:
+      case Function::gravity:
+      case Function::nonlinear_effects:
+      case Function::control_torque:
+        return force;
+      default:
+        return 0;
+    }
+  }
+  /// By how much rounding may grow where a system is solved.
+  [[nodiscard]] double growth(Function function) const {
+    switch (function) {
+      case Function::forward_dynamics:
+      case Function::lambda_inverse:
+        return condition_M;
+      case Function::lambda:
+      case Function::control_torque:
+        return condition_M * condition_task;
+      default:
+        return 1;
+    }
+  }
+};
+
+template <class Scalar>
+Yardstick yardstick(const Oracle<Scalar>& oracle, const Inputs<Scalar>& in) {
+  const auto M = oracle.mass_matrix(in);
+  Yardstick result;
+  result.force = static_cast<double>(M.cwiseAbs().maxCoeff());
+  result.condition_M = condition(M);
+  if (oracle.has_points()) result.condition_task = condition(oracle.lambda_inverse(in));
+  return result;
+}
+
+/// Whether the scene and the state permit the function: points where it needs them, and a task that
+/// the robot can do.
+inline bool permits(Function function, bool has_points, const Yardstick& size) {
+  switch (function) {
+    case Function::forward_kinematics:
+    case Function::jacobian:
+    case Function::bias_acceleration:
+    case Function::lambda_inverse:
+      return has_points;
+    case Function::lambda:
+    case Function::control_torque:
+      return has_points && size.condition_task < 1e7;
+    default:
+      return true;
+  }
+}
+
+/// The largest difference between two results over the size of the expected one, which counts as
+/// no smaller than `least_scale`. Zero results must be exact. Infinite for a NaN or a wrong shape.
+template <class Actual, class Expected>
+double relative_error(const Results<Actual>& actual, const Results<Expected>& expected,
+                      double least_scale) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (actual.size() != expected.size()) return kInfinity;
+  double worst = 0;
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    if (actual[k].size() != expected[k].size()) return kInfinity;
+    Expected scale(least_scale), difference(0);
+    for (std::size_t i = 0; i < expected[k].size(); ++i) {
+      using std::abs;
+      const Expected off = abs(Expected(Expected(actual[k][i]) - expected[k][i]));
+      if (!(off < Expected(1e300))) return kInfinity;
+      difference = std::max(difference, off);
+      scale = std::max(scale, Expected(abs(expected[k][i])));
+    }
+    if (difference != 0) {
+      worst = std::max(worst, scale == 0 ? kInfinity : static_cast<double>(difference / scale));
+    }
+  }
+  return worst;
+}
+
+/// `name, seed 7 (...)`: what to type to see a failure again.
+inline std::string described(std::uint64_t seed, const RandomOptions& options) {
+  return "random_mechanism seed " + std::to_string(seed) + ", joints " +
+         std::to_string(options.joints) + (options.floating_base ? ", floating base" : "") +
+         ", branching " + std::to_string(options.branching) + ", points " +
+         std::to_string(options.operational_points);
+}
+
+}  // namespace treeline::tests

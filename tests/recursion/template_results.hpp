@@ -1,0 +1,155 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+#include "recursion/control_torque.hpp"
+#include "recursion/forward_dynamics.hpp"
+#include "recursion/function_results.hpp"
+
+/// The recursions run as they stand, without a graph, in any `Scalar`. In 50 digits the constants
+/// of the mechanism stay unrounded, so whatever is equal in theory agrees to 40 digits.
+namespace treeline::tests {
+
+template <class Scalar>
+struct RouteResults {
+  std::string route;
+  Results<Scalar> results;
+};
+
+template <class Scalar>
+class TemplateRun {
+ public:
+  TemplateRun(const Mechanism& mechanism, const Inputs<Scalar>& in)
+      : in_(in),
+        tree_(tree_of<Scalar>(mechanism)),
+        rows_(static_cast<std::size_t>(mechanism.task_rows())),
+        X_(joint_transforms<Scalar>(tree_, in_.q)),
+        poses_(world_poses(tree_, X_)) {
+    if (!in_.f_ext.empty()) applied_ = applied_wrenches<Scalar>(tree_, X_, in_.f_ext);
+  }
+
+  /// The function by every route that serves the tree.
+  [[nodiscard]] std::vector<RouteResults<Scalar>> results(Function function) const {
+    switch (function) {
+      case Function::forward_kinematics:
+        return {{"", point_poses()}};
+      case Function::jacobian:
+        return jacobians();
+      case Function::bias_acceleration:
+        return {
+            {"", {bias_acceleration<Scalar>(tree_, X_, task_points(tree_, {}, poses_), in_.qd)}}};
+      case Function::inverse_dynamics:
+        return {{"", {newton_euler({in_.qd, in_.qdd}, applied_)}}};
+      case Function::gravity:
+        return {{"", {newton_euler({}, {})}}};
+      case Function::nonlinear_effects:
+        return {{"", {newton_euler({in_.qd, {}}, {})}}};
+      case Function::mass_matrix:
+        return {{"", {mass_matrix(tree_, X_).values()}}};
+      case Function::forward_dynamics:
+        return forward_dynamics();
+      case Function::lambda_inverse:
+      case Function::lambda:
+        return lambdas(function == Function::lambda);
+      case Function::control_torque:
+        return control_torques();
+    }
+    return {};
+  }
+
+ private:
+  using Wrenches = std::vector<Wrench<Scalar>>;
+
+  [[nodiscard]] std::vector<Scalar> newton_euler(const JointRates<Scalar>& rates,
+                                                 const Wrenches& applied) const {
+    return inverse_dynamics<Scalar>(tree_, X_, rates, applied);
+  }
+
+  [[nodiscard]] Results<Scalar> point_poses() const {
+    Results<Scalar> results(2);
+    for (const TreePoint<Scalar>& point : tree_.operational_points) {
+      const WorldPose<Scalar> pose = point_pose(poses_, point);
+      results[0].insert(results[0].end(), {pose.p.x, pose.p.y, pose.p.z});
+      for (const auto& row : {pose.R.row_x, pose.R.row_y, pose.R.row_z}) {
+        results[1].insert(results[1].end(), {row.x, row.y, row.z});
+      }
+    }
+    return results;
+  }
+
+  [[nodiscard]] std::vector<RouteResults<Scalar>> jacobians() const {
+    std::vector<RouteResults<Scalar>> runs{
+        {"inward", {jacobian_inward(tree_, X_, task_points(tree_, {}, poses_), rows_).values()}}};
+    if (permits(tree_, {}, LambdaRoute::factors_world)) {
+      runs.push_back({"world", {jacobian_world(tree_, poses_, false, rows_).values()}});
+    }
+    return runs;
+  }
+
+  [[nodiscard]] std::vector<RouteResults<Scalar>> forward_dynamics() const {
+    std::vector<Scalar> net = in_.tau;
+    const auto h = newton_euler({in_.qd, {}}, applied_);
+    for (std::size_t i = 0; i < net.size(); ++i) net[i] = net[i] - h[i];
+    std::vector<RouteResults<Scalar>> runs{
+        {"factors", {solve(factor_ltdl(mass_matrix(tree_, X_)), net)}}};
+    if (!tree_.has_mimics) {
+      runs.push_back({"articulated", {solve_articulated(tree_, X_, articulate(tree_, X_), net)}});
+    }
+    return runs;
+  }
+
+  [[nodiscard]] DenseMatrix<Scalar> lambda_inverse_by(TaskBasis basis, LambdaRoute route) const {
+    auto Lambda_inv = lambda_inverse(tree_, X_, poses_, basis, route, rows_);
+    if (basis.at_link_origin) shift_to_points(tree_, poses_, Lambda_inv);
+    return Lambda_inv;
+  }
+
+  template <class Visit>
+  void for_each_route(Visit visit) const {
+    for (const LambdaRoute route : {LambdaRoute::force_propagation, LambdaRoute::factors_inward,
+                                    LambdaRoute::factors_world}) {
+      for (const bool in_link_axes : {false, true}) {
+        for (const bool at_link_origin : {false, true}) {
+          const TaskBasis basis{in_link_axes, at_link_origin};
+          if (!permits(tree_, basis, route)) continue;
+          visit("route " + std::to_string(static_cast<int>(route)) +
+                    (in_link_axes ? ", link axes" : "") + (at_link_origin ? ", link origin" : ""),
+                basis, route);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<RouteResults<Scalar>> lambdas(bool invert) const {
+    std::vector<RouteResults<Scalar>> runs;
+    for_each_route([&](const std::string& name, TaskBasis basis, LambdaRoute route) {
+      if (basis.in_link_axes) return;
+      const auto Lambda_inv = lambda_inverse_by(basis, route);
+      runs.push_back(
+          {name, {invert ? inverse(factor_ldlt(Lambda_inv)).values() : Lambda_inv.values()}});
+    });
+    return runs;
+  }
+
+  [[nodiscard]] std::vector<RouteResults<Scalar>> control_torques() const {
+    std::vector<RouteResults<Scalar>> runs;
+    for_each_route([&](const std::string& name, TaskBasis basis, LambdaRoute route) {
+      if (basis.at_link_origin && !basis.in_link_axes) return;
+      runs.push_back({name,
+                      {control_torque<Scalar>(tree_, X_, {{in_.qd, in_.qdd}, in_.xdd_cmd, applied_},
+                                              basis, route, rows_)}});
+    });
+    return runs;
+  }
+
+  Inputs<Scalar> in_;
+  Tree<Scalar> tree_;
+  std::size_t rows_;
+  std::vector<JointTransform<Scalar>> X_;
+  std::vector<WorldPose<Scalar>> poses_;
+  Wrenches applied_;
+};
+
+}  // namespace treeline::tests
