@@ -13,14 +13,14 @@ namespace treeline::servo {
 namespace {
 
 // Layout in pixels.
-constexpr double kWidth = 860.0;
 constexpr double kLeft = 84.0;
-constexpr double kLegend = 132.0;
-constexpr double kTop = 52.0;
+constexpr double kPlotWidth = 660.0;
+constexpr double kTop = 66.0;
 constexpr double kPanelHeight = 150.0;
 constexpr double kGap = 42.0;
 constexpr double kBottom = 56.0;
-constexpr double kPlotWidth = kWidth - kLeft - kLegend;
+constexpr double kSample = 24.0;    // length of a line in the legend
+constexpr double kCharacter = 6.9;  // width of a letter, on the safe side
 
 /// Okabe and Ito's colours, told apart by colour-blind readers too.
 constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -55,6 +55,17 @@ std::string escape(const std::string& text) {
   return escaped;
 }
 
+/// Right of the panels: room for the longest name.
+double legend_width(const Plot& plot) {
+  std::size_t longest = 0;
+  for (const PlotPanel& panel : plot.panels) {
+    for (const PlotLine& line : panel.lines) {
+      longest = std::max(longest, line.name.size());
+    }
+  }
+  return 36.0 + kSample + kCharacter * static_cast<double>(longest);
+}
+
 Range x_range(const std::vector<double>& x) {
   Range range;
   for (const double value : x) {
@@ -83,7 +94,8 @@ Range y_range(const PlotPanel& panel) {
   return {range.low - margin, range.high + margin};
 }
 
-/// Where the smallest and largest value of each pixel column are, in order: the visible shape.
+/// The first, the smallest and the largest value of each pixel column, and the last of all, in
+/// order: the visible shape. Extremes at a column's ends need no point of their own.
 std::vector<std::size_t> thin(const Frame& frame, const std::vector<double>& x,
                               const std::vector<double>& y) {
   std::vector<std::size_t> kept;
@@ -97,10 +109,16 @@ std::vector<std::size_t> thin(const Frame& frame, const std::vector<double>& x,
       low = y[end] < y[low] ? end : low;
       high = y[end] > y[high] ? end : high;
     }
-    std::array indices = {begin, low, high, end - 1};
-    std::sort(indices.begin(), indices.end());
-    kept.insert(kept.end(), indices.begin(), std::unique(indices.begin(), indices.end()));
+    kept.push_back(begin);
+    for (const std::size_t extreme : {std::min(low, high), std::max(low, high)}) {
+      if (extreme > kept.back() && extreme + 1 < end) {
+        kept.push_back(extreme);
+      }
+    }
     begin = end;
+  }
+  if (count > 0 && kept.back() + 1 < count) {
+    kept.push_back(count - 1);
   }
   return kept;
 }
@@ -122,7 +140,7 @@ std::string draw_curve(const Frame& frame, const std::vector<double>& x, const P
 
 std::string line_style(const PlotLine& line, std::size_t solid_index) {
   if (line.dashed) {
-    return "stroke=\"#222\" stroke-width=\"1.1\" stroke-dasharray=\"5 4\"";
+    return "stroke=\"#222\" stroke-width=\"1\" stroke-dasharray=\"3 5\"";
   }
   return fmt::format("stroke=\"{}\" stroke-width=\"2.2\"", kColours[solid_index % kColours.size()]);
 }
@@ -164,20 +182,22 @@ std::string draw_legend_entry(const Frame& frame, const PlotLine& line, const st
   const double x = kLeft + kPlotWidth + 14.0;
   const double y = frame.top + 10.0 + 18.0 * static_cast<double>(place);
   return fmt::format(
-      "<path d=\"M{:.1f} {:.1f}h24\" {}/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y, style,
-      x + 31.0, y + 4.0, escape(line.name));
+      "<path d=\"M{:.1f} {:.1f}h{:.0f}\" {}/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y,
+      kSample, style, x + kSample + 7.0, y + 4.0, escape(line.name));
 }
 
 std::string draw_panel(const Frame& frame, const Plot& plot, const PlotPanel& panel, bool last) {
   std::string text = draw_axes(frame, panel, last);
   std::string on_top;
   std::size_t solid_index = 0;
-  for (std::size_t i = 0; i < panel.lines.size(); ++i) {
-    const PlotLine& line = panel.lines[i];
+  std::size_t entries = 0;
+  for (const PlotLine& line : panel.lines) {
     const std::string style = line_style(line, solid_index);
     solid_index += line.dashed ? 0 : 1;
     (line.dashed ? on_top : text) += draw_curve(frame, plot.x, line, style.c_str());
-    on_top += draw_legend_entry(frame, line, style, i);
+    if (!line.name.empty()) {
+      on_top += draw_legend_entry(frame, line, style, entries++);
+    }
   }
   return text + on_top;
 }
@@ -191,8 +211,8 @@ std::string svg_text(const Plot& plot) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"Helvetica, Arial, sans-serif\" "
       "font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-      "<text x=\"{2:.1f}\" y=\"22\" font-size=\"15\" font-weight=\"600\">{3}</text>\n",
-      kWidth, height, kLeft, escape(plot.title));
+      "<text x=\"{2:.1f}\" y=\"26\" font-size=\"15\" font-weight=\"600\">{3}</text>\n",
+      kLeft + kPlotWidth + legend_width(plot), height, kLeft, escape(plot.title));
   Frame frame;
   frame.x = x_range(plot.x);
   for (std::size_t i = 0; i < plot.panels.size(); ++i) {

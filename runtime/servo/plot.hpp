@@ -7,7 +7,7 @@ namespace treeline::servo {
 
 /// A curve over the plot's x. Dashed curves are thin and dark and lie on top: what was wanted.
 struct PlotLine {
-  std::string name;  ///< for the legend
+  std::string name;  ///< in the legend; without one, not there
   std::vector<double> values;
   bool dashed = false;
 };

@@ -60,7 +60,7 @@ TEST(Plot, IsWellFormedThinnedAndKeepsPeaks) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
   // The single sample at 10 is the top of the first panel: margin 6 % of the span below its frame.
-  const double row = 52.0 + 150.0 * (0.06 / 1.12);
+  const double row = 66.0 + 150.0 * (0.06 / 1.12);
   std::ostringstream top;
   top.precision(2);
   top << std::fixed << " " << row;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "plan.hpp"
+#include "servo/plot.hpp"
+#include "servo/safety.hpp"
+#include "servo/statistics.hpp"
+#include "servo/table.hpp"
+
+namespace treeline::experiments {
+
+/// Columns before the joints': time; per hand three wanted and three actual coordinates, distance
+/// and angle between wanted and actual; control time in us.
+inline constexpr int kFixedColumns = 18;
+
+/// Names of all columns: the fixed ones, then q and tau of every joint.
+std::vector<std::string> table_names(const std::vector<std::string>& joints);
+
+/// What came of it.
+struct Outcome {
+  Outcome(std::vector<std::string> names, std::size_t rows) : table(std::move(names), rows) {}
+
+  servo::Table table;  ///< a row per running cycle
+  servo::Fault fault;
+  servo::DurationStatistics control;  ///< compute time of the controller
+  servo::DurationStatistics periods;
+  servo::DurationStatistics jitters;
+  std::uint64_t skips = 0;
+};
+
+/// Largest errors over the run.
+struct Errors {
+  double left_position = 0.0;   ///< m, wanted to actual
+  double left_rotation = 0.0;   ///< rad
+  double right_position = 0.0;  ///< m
+  double right_rotation = 0.0;  ///< rad
+};
+
+Errors largest_errors(const servo::Table& table);
+
+/// What the run must keep: the left hand's tracking and the right hand's drift.
+inline constexpr double kLeftBound = 1e-4;   ///< m
+inline constexpr double kRightBound = 1e-6;  ///< m
+bool within_bounds(const Outcome& outcome);
+
+/// The thesis's time for one control step: 1.2 ms on a 266 MHz Pentium II.
+inline constexpr double kThesisMicroseconds = 1200.0;
+
+/// The figures in words, a line each.
+std::string summary(const Outcome& outcome, const Plan& plan, bool realtime);
+
+/// Chang fig. 6.4 and what belongs to it: both hands, errors, torques, posture.
+servo::Plot figure(const Outcome& outcome, const Plan& plan);
+
+}  // namespace treeline::experiments

@@ -1,0 +1,76 @@
+#include "plan.hpp"
+
+#include <fmt/core.h>
+#include <urdf_parser/urdf_parser.h>
+#include <yaml-cpp/yaml.h>
+
+namespace treeline::experiments {
+namespace {
+
+void read_joints(const YAML::Node& node, std::vector<std::string>& names,
+                 std::vector<double>& values) {
+  for (const auto& entry : node) {
+    names.push_back(entry.first.as<std::string>());
+    values.push_back(entry.second.as<double>());
+  }
+}
+
+double positive(const YAML::Node& node, const char* key) {
+  const double value = node[key].as<double>();
+  if (!(value > 0.0)) {
+    throw YAML::Exception(node[key].Mark(), fmt::format("{} must be positive", key));
+  }
+  return value;
+}
+
+void fill_plan(const YAML::Node& root, Plan& plan) {
+  read_joints(root["start"], plan.joints, plan.start);
+  std::vector<std::string> names;
+  read_joints(root["posture_stiffness"], names, plan.posture_stiffness);
+  if (names != plan.joints) {
+    throw YAML::Exception(root["posture_stiffness"].Mark(),
+                          "start and posture_stiffness must list the same joints");
+  }
+  const YAML::Node hand = root["left_hand"];
+  plan.target = hand["target"].as<std::array<double, 3>>();
+  plan.duration = positive(hand, "duration");
+  plan.settle = positive(hand, "settle");
+  plan.rate = positive(root["task"], "rate");
+  plan.stiffness = positive(root["task"], "stiffness");
+  plan.damping = positive(root["task"], "damping");
+}
+
+}  // namespace
+
+bool read_plan(const std::string& path, Plan& plan, std::string& error) {
+  try {
+    fill_plan(YAML::LoadFile(path), plan);
+  } catch (const YAML::Exception& exception) {
+    error = fmt::format("{}: {}", path, exception.what());
+    return false;
+  }
+  return true;
+}
+
+bool read_limits(const std::string& path, const std::vector<std::string>& joints,
+                 JointLimits& limits, std::string& error) {
+  const auto robot = urdf::parseURDFFile(path);
+  if (!robot) {
+    error = fmt::format("{}: cannot be read as URDF", path);
+    return false;
+  }
+  for (const std::string& name : joints) {
+    const auto joint = robot->getJoint(name);
+    if (!joint || !joint->limits) {
+      error = fmt::format("{}: joint '{}' is absent or without limits", path, name);
+      return false;
+    }
+    limits.lower.push_back(joint->limits->lower);
+    limits.upper.push_back(joint->limits->upper);
+    limits.velocity.push_back(joint->limits->velocity);
+    limits.effort.push_back(joint->limits->effort);
+  }
+  return true;
+}
+
+}  // namespace treeline::experiments

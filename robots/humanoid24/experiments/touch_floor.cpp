@@ -1,0 +1,133 @@
+// The task of Chang section 6.3 (fig. 6.3, 6.4) on the generated controller and the generated
+// forward dynamics: the left hand goes to the floor along a cubic spline, the right hand holds its
+// pose, the posture is advised to stay. Exit status: 0 bounds kept, 1 bad input or a fault, 2
+// usage, 3 a bound broken.
+#include "touch_floor.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "humanoid24.hpp"
+#include "outcome.hpp"
+#include "plan.hpp"
+#include "servo/realtime.hpp"
+
+namespace {
+
+using namespace treeline;  // NOLINT: a program, not a header
+
+/// The generated functions as the servo library takes them.
+struct Humanoid24 {
+  static constexpr int kCoordinates = humanoid24::kCoordinates;
+  static constexpr int kVelocities = humanoid24::kVelocities;
+  static constexpr int kTaskRows = humanoid24::kTaskRows;
+  static constexpr auto& inverse_dynamics = humanoid24::inverse_dynamics;
+  static constexpr auto& forward_dynamics = humanoid24::forward_dynamics;
+  static constexpr auto& forward_kinematics = humanoid24::forward_kinematics;
+  static constexpr auto& jacobian = humanoid24::jacobian;
+  static constexpr auto& control_torque = humanoid24::control_torque;
+};
+
+struct Options {
+  std::string plan = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
+  std::string urdf = TREELINE_HUMANOID24_DIR "/humanoid24.urdf";
+  std::string csv;
+  std::string svg;
+  double rate = 0.0;
+  double duration = 0.0;
+  bool realtime = false;
+  experiments::RunSettings run;
+};
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--plan", options.plan, "start, target and gains (YAML)")->capture_default_str();
+  app.add_option("--urdf", options.urdf, "where joint limits are read")->capture_default_str();
+  app.add_option("--rate", options.rate, "Hz, instead of the plan's")->check(CLI::Range(1.0, 1e5));
+  app.add_option("--duration", options.duration, "s of the spline, instead of the plan's")
+      ->check(CLI::Range(0.1, 1e3));
+  app.add_option("--substeps", options.run.substeps, "integration steps per cycle")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_flag("--realtime", options.realtime, "keep to the machine's clock");
+  app.add_option("--csv", options.csv, "write every cycle to this file");
+  app.add_option("--svg", options.svg, "draw the figure into this file");
+}
+
+experiments::Outcome run(const Options& options, const experiments::Plan& plan,
+                         const experiments::JointLimits& limits) {
+  if (!options.realtime) {
+    servo::SimulatedClock clock;
+    return experiments::touch_floor<Humanoid24>(plan, options.run, limits, clock);
+  }
+  const std::string refused = servo::request_realtime();
+  if (!refused.empty()) {
+    fmt::print(stderr, "touch_floor: {}\n", refused);
+  }
+  servo::SteadyClock clock;
+  return experiments::touch_floor<Humanoid24>(plan, options.run, limits, clock);
+}
+
+/// Writes what was asked for; false, having said so, when a file cannot be written.
+bool write_files(const Options& options, const experiments::Plan& plan,
+                 const experiments::Outcome& outcome) {
+  std::string error;
+  if (!options.csv.empty()) {
+    error = servo::write_text(options.csv, servo::csv_text(outcome.table));
+  }
+  if (error.empty() && !options.svg.empty()) {
+    error = servo::write_text(options.svg, servo::svg_text(experiments::figure(outcome, plan)));
+  }
+  if (!error.empty()) {
+    fmt::print(stderr, "touch_floor: {}\n", error);
+  }
+  return error.empty();
+}
+
+int report(const Options& options, const experiments::Plan& plan,
+           const experiments::Outcome& outcome) {
+  fmt::print("humanoid24 touches the floor (Chang section 6.3): {:.1f} s spline at {:.0f} Hz\n{}",
+             plan.duration, plan.rate, experiments::summary(outcome, plan, options.realtime));
+  const bool written = write_files(options, plan, outcome);
+  if (outcome.fault) {
+    const auto joint = static_cast<std::size_t>(outcome.fault.index);
+    const bool named = outcome.fault.index >= 0 && joint < plan.joints.size();
+    fmt::print(stderr, "touch_floor: stopped: {}\n",
+               servo::describe(outcome.fault, named ? plan.joints[joint] : ""));
+    return 1;
+  }
+  if (!written) {
+    return 1;
+  }
+  return experiments::within_bounds(outcome) ? 0 : 3;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Left hand to the floor, right hand held, posture advised, at a fixed rate."};
+  Options options;
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  experiments::Plan plan;
+  experiments::JointLimits limits;
+  std::string error;
+  if (!experiments::read_plan(options.plan, plan, error) ||
+      !experiments::read_limits(options.urdf, plan.joints, limits, error)) {
+    fmt::print(stderr, "touch_floor: {}\n", error);
+    return 1;
+  }
+  if (plan.joints.size() != static_cast<std::size_t>(Humanoid24::kVelocities)) {
+    fmt::print(stderr, "touch_floor: {} lists {} joints, the robot has {}\n", options.plan,
+               plan.joints.size(), Humanoid24::kVelocities);
+    return 1;
+  }
+  plan.rate = options.rate > 0.0 ? options.rate : plan.rate;
+  plan.duration = options.duration > 0.0 ? options.duration : plan.duration;
+  return report(options, plan, run(options, plan, limits));
+}
