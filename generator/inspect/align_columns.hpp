@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace treeline {
+
+/// One column of a table: its head, and whether its cells line up on the right.
+struct Column {
+  std::string head;
+  bool right = false;
+};
+
+/// The head and the rows as lines of text, indented by two, two spaces between columns. A column
+/// whose cells are all empty is left out. Width counts code points of UTF-8.
+std::string align_columns(const std::vector<Column>& columns,
+                          const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace treeline

@@ -1,0 +1,77 @@
+#include "inspect/inspect_masses.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+#include "check/model_from_robot.hpp"
+#include "interpreter/instances.hpp"
+
+namespace treeline {
+namespace {
+
+using interpreter::Matrix;
+using interpreter::Model;
+using interpreter::Vector;
+
+Vector<double> neutral_pose(const Model<double>& model) {
+  Vector<double> q = Vector<double>::Zero(model.nq);
+  for (const auto& body : model.bodies) {
+    // The scalar part of the quaternion comes last.
+    if (body.kind == interpreter::JointKind::floating) q[body.q + 6] = 1;
+  }
+  return q;
+}
+
+/// Ratio of the largest to the least eigenvalue; infinite when the least is not above rounding.
+double condition(const Eigen::VectorXd& ascending) {
+  const double least = ascending[0], largest = ascending[ascending.size() - 1];
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * static_cast<double>(ascending.size()) * largest;
+  return least > rounding ? largest / least : std::numeric_limits<double>::infinity();
+}
+
+Eigen::VectorXd eigenvalues(const Matrix<double>& M) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+MassMatrixReport inspect_mass_matrix(const Matrix<double>& M) {
+  MassMatrixReport report;
+  const Eigen::VectorXd diagonal = M.diagonal();
+  report.diagonal.assign(diagonal.data(), diagonal.data() + diagonal.size());
+  const Eigen::VectorXd values = eigenvalues(M);
+  report.least = values[0];
+  report.largest = values[values.size() - 1];
+  report.condition = condition(values);
+  report.scaled_condition = std::numeric_limits<double>::infinity();
+  if (diagonal.minCoeff() > 0) {
+    const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
+    report.scaled_condition = condition(eigenvalues(scale.asDiagonal() * M * scale.asDiagonal()));
+  }
+  return report;
+}
+
+}  // namespace
+
+void inspect_masses(const Robot& robot, const Scene& scene, Report& report) {
+  const auto model = model_from_robot<double>(robot, scene);
+  const Vector<double> q = neutral_pose(model);
+  interpreter::Points<double> centres;
+  for (int i = 0; i < model.size(); ++i) {
+    interpreter::OperationalPoint<double> centre;
+    centre.body = i;
+    centre.p = model.body(i).com;
+    centres.push_back(centre);
+  }
+  const auto poses = interpreter::forward_kinematics<double>(model, centres, q);
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (int i = 0; i < model.size(); ++i) {
+    moment += model.body(i).mass * poses[static_cast<std::size_t>(i)].position;
+  }
+  if (report.mass > 0) Eigen::Map<Eigen::Vector3d>(report.com.data()) = moment / report.mass;
+  if (model.nv > 0) {
+    report.mass_matrix = inspect_mass_matrix(interpreter::mass_matrix<double>(model, q));
+  }
+}
+
+}  // namespace treeline

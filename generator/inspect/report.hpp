@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace treeline {
+
+/// A link with the joint that carries it. SI units.
+struct LinkReport {
+  std::string name;
+  int parent = -1;          ///< index into Report::links; -1 for the root
+  int depth = 0;            ///< joints between the root and the link
+  std::string joint;        ///< empty for the root
+  std::string joint_type;   ///< as in URDF; empty for the root
+  bool moves = false;       ///< relative to its parent, in this scene
+  std::string motion;       ///< "fixed", "locked at 0.3", "follows j", else the joint's type
+  std::string lumped_with;  ///< link whose body it is part of; empty when it is its own
+  bool has_inertial = false;
+  double mass = 0;                        ///< kg
+  std::array<double, 3> com{};            ///< centre of mass in the link's frame, m
+  std::array<double, 3> moments{};        ///< principal moments about it, ascending, kg m^2
+  std::optional<std::string> unphysical;  ///< why no body has this inertia
+};
+
+/// A moving joint, in the order of q. Bounds are infinite where the file sets none.
+struct JointReport {
+  std::string name;
+  std::string type;
+  int q = 0, nq = 0;  ///< first entry of q and how many; those of the joint followed for a mimic
+  int v = 0, nv = 0;  ///< likewise of qd
+  std::string unit;   ///< of q: "rad", "m", or empty for several degrees of freedom
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double effort = std::numeric_limits<double>::infinity();    ///< N m or N
+  double velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
+  std::string follows;                                        ///< "2 * j + 0.1" for a mimic
+};
+
+/// An operational point or the place of an external force.
+struct PointReport {
+  std::string name, link, axes;
+  std::string rows;  ///< "x y z rx ry rz"; empty for a force, which has all
+};
+
+/// A moving link before and after the reductions that leave the equations of motion as they are.
+struct ReductionReport {
+  std::string link;
+  double mass_before = 0, mass_after = 0;     ///< kg
+  int numbers_before = 0, numbers_after = 0;  ///< nonzero ones of the ten inertial parameters
+};
+
+struct NoteReport {
+  std::string step, link, text;
+};
+
+/// The mass matrix with every coordinate at 0 and every quaternion at rest.
+struct MassMatrixReport {
+  double least = 0, largest = 0;  ///< eigenvalues, SI units
+  double condition = 0;           ///< their ratio; infinite when singular
+  /// The same after scaling rows and columns to a unit diagonal, which takes the units out.
+  double scaled_condition = 0;
+  std::vector<double> diagonal;
+};
+
+/// Everything `treeline inspect` prints.
+struct Report {
+  std::string robot, urdf, scene;  ///< name and files; `scene` is empty when there is none
+  std::string base;                ///< "fixed" or "floating"
+  std::array<double, 3> gravity{};
+  int nq = 0, nv = 0;
+  double mass = 0;                ///< of all links, kg
+  double moving_mass = 0;         ///< of those that move in the world, kg
+  std::array<double, 3> com{};    ///< of all links in the root's frame at the neutral pose, m
+  std::vector<LinkReport> links;  ///< depth first, in the order of the numbering
+  std::vector<JointReport> joints;
+  std::vector<PointReport> operational_points, external_forces;
+  std::vector<ReductionReport> reductions;
+  std::vector<NoteReport> notes;
+  std::optional<MassMatrixReport> mass_matrix;  ///< nothing when nothing moves
+};
+
+}  // namespace treeline
