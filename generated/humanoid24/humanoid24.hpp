@@ -1,0 +1,153 @@
+#pragma once
+// humanoid24: rigid-body dynamics as straight-line code.
+//
+// From humanoid24.urdf and scene.yaml by
+//   treeline generate humanoid24.urdf scene.yaml --output humanoid24
+//
+// Generated; edit the inputs, not this file. It belongs to whoever ran the generator, who may use,
+// change and pass it on without condition. It needs C++17 and nothing else: no library, no heap, no
+// exception, no branch, no global state. Same input, same bits, same time.
+// Compile without -ffast-math.
+//
+// Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
+// row-major. Arguments of one call must not overlap.
+//
+// Joints, in the order of q and of qd, qdd, tau (fixed base):
+//   q 0       qd 0       ankle (revolute): -0.6 .. 0.9 rad, 250 N m, 8 rad/s
+//   q 1       qd 1       knee (revolute): -2.4 .. 0 rad, 400 N m, 8 rad/s
+//   q 2       qd 2       hip (revolute): -0.5 .. 2.2 rad, 400 N m, 8 rad/s
+//   q 3       qd 3       waist_yaw (revolute): -0.8 .. 0.8 rad, 200 N m, 8 rad/s
+//   q 4       qd 4       waist_pitch (revolute): -0.4 .. 1.2 rad, 250 N m, 8 rad/s
+//   q 5       qd 5       waist_roll (revolute): -0.6 .. 0.6 rad, 200 N m, 8 rad/s
+//   q 6       qd 6       left_shoulder_pitch (revolute): -3 .. 1.2 rad, 120 N m, 10 rad/s
+//   q 7       qd 7       left_shoulder_roll (revolute): -0.5 .. 2.8 rad, 120 N m, 10 rad/s
+//   q 8       qd 8       left_shoulder_yaw (revolute): -1.8 .. 1.8 rad, 100 N m, 10 rad/s
+//   q 9       qd 9       left_elbow (revolute): -2.5 .. 0 rad, 80 N m, 12 rad/s
+//   q 10      qd 10      left_wrist_yaw (revolute): -2 .. 2 rad, 30 N m, 15 rad/s
+//   q 11      qd 11      left_wrist_pitch (revolute): -1.4 .. 1.4 rad, 30 N m, 15 rad/s
+//   q 12      qd 12      left_wrist_roll (revolute): -0.9 .. 0.9 rad, 30 N m, 15 rad/s
+//   q 13      qd 13      right_shoulder_pitch (revolute): -3 .. 1.2 rad, 120 N m, 10 rad/s
+//   q 14      qd 14      right_shoulder_roll (revolute): -2.8 .. 0.5 rad, 120 N m, 10 rad/s
+//   q 15      qd 15      right_shoulder_yaw (revolute): -1.8 .. 1.8 rad, 100 N m, 10 rad/s
+//   q 16      qd 16      right_elbow (revolute): -2.5 .. 0 rad, 80 N m, 12 rad/s
+//   q 17      qd 17      right_wrist_yaw (revolute): -2 .. 2 rad, 30 N m, 15 rad/s
+//   q 18      qd 18      right_wrist_pitch (revolute): -1.4 .. 1.4 rad, 30 N m, 15 rad/s
+//   q 19      qd 19      right_wrist_roll (revolute): -0.9 .. 0.9 rad, 30 N m, 15 rad/s
+//   q 20      qd 20      neck_yaw (revolute): -1.4 .. 1.4 rad, 20 N m, 8 rad/s
+//   q 21      qd 21      head_pitch (revolute): -0.6 .. 0.8 rad, 20 N m, 8 rad/s
+//   q 22      qd 22      left_eye (revolute): -0.7 .. 0.7 rad, 2 N m, 20 rad/s
+//   q 23      qd 23      right_eye (revolute): -0.7 .. 0.7 rad, 2 N m, 20 rad/s
+// Operational points, rows of task vectors:
+//   from 0    left_hand on left_hand, origin (0, 0, -0.086) m in the link, world axes: x y z rx ry rz
+//   from 6    right_hand on right_hand, origin (0, 0, -0.086) m in the link, world axes: x y z rx ry rz
+// Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+
+namespace humanoid24 {
+
+using Real = double;
+inline constexpr int kCoordinates = 24;  // of q
+inline constexpr int kVelocities = 24;  // of qd, qdd, tau
+inline constexpr int kTaskRows = 12;  // stacked over the operational points
+
+/// x_world = R x_point + p, for every operational point
+/// By outward recursion.
+/// in  q (24): joint coordinates
+/// out position (6): positions in the world, m, one point after the other
+/// out rotation (18): rotation matrices, row-major, point's axes to world, one point after the other
+/// Cost: 370 flops (add 135, mul 235, div 0), sine and cosine of 20 angles.
+/// Stack: at most 62 values live at once, 496 bytes.
+void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotation)[18]) noexcept;
+
+/// xd = J qd, rows stacked over operational points
+/// By from the poses of all links.
+/// in  q (24): joint coordinates
+/// out J (12x24): Jacobian
+/// Cost: 556 flops (add 217, mul 339, div 0), sine and cosine of 20 angles.
+/// Stack: at most 81 values live at once, 648 bytes.
+void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
+
+/// xdd = J qdd + Jd qd: the term Jd qd
+/// By outward recursion, Chang eq. 6.11.
+/// in  q (24): joint coordinates
+/// in  qd (24): joint velocities
+/// out bias (12): accelerations of the task rows at qdd = 0
+/// Cost: 871 flops (add 331, mul 540, div 0), sine and cosine of 20 angles.
+/// Stack: at most 77 values live at once, 616 bytes.
+void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[12]) noexcept;
+
+/// tau = M qdd + b + g - J_ext^T f_ext
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (24): joint coordinates
+/// in  qd (24): joint velocities
+/// in  qdd (24): joint accelerations
+/// out tau (24): joint forces
+/// Cost: 2037 flops (add 991, mul 1046, div 0), sine and cosine of 24 angles.
+/// Stack: at most 219 values live at once, 1752 bytes.
+void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd)[24],
+    Real (&tau)[24]) noexcept;
+
+/// g: the joint forces that hold the robot at rest
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (24): joint coordinates
+/// out g (24): joint forces
+/// Cost: 396 flops (add 158, mul 238, div 0), sine and cosine of 24 angles.
+/// Stack: at most 72 values live at once, 576 bytes.
+void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
+
+/// h = b + g: the joint forces at qdd = 0
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (24): joint coordinates
+/// in  qd (24): joint velocities
+/// out h (24): joint forces
+/// Cost: 1976 flops (add 949, mul 1027, div 0), sine and cosine of 24 angles.
+/// Stack: at most 204 values live at once, 1632 bytes.
+void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24]) noexcept;
+
+/// tau = M qdd + b + g: the matrix M
+/// By composite rigid bodies, RBDA table 6.2.
+/// in  q (24): joint coordinates
+/// out M (24x24): joint-space inertia
+/// Cost: 2305 flops (add 965, mul 1340, div 0), sine and cosine of 23 angles.
+/// Stack: at most 157 values live at once, 1256 bytes.
+void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
+
+/// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
+/// By articulated bodies, Chang table 4.2.
+/// in  q (24): joint coordinates
+/// in  qd (24): joint velocities
+/// in  tau (24): joint forces
+/// out qdd (24): joint accelerations
+/// Cost: 4806 flops (add 2308, mul 2466, div 32), sine and cosine of 24 angles.
+/// Stack: at most 328 values live at once, 2624 bytes.
+void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&tau)[24],
+    Real (&qdd)[24]) noexcept;
+
+/// Lambda^-1 = J M^-1 J^T
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at link origins.
+/// in  q (24): joint coordinates
+/// out Lambda_inv (12x12): inverse operational-space inertia
+/// Cost: 6416 flops (add 2744, mul 3640, div 32), sine and cosine of 24 angles.
+/// Stack: at most 286 values live at once, 2288 bytes.
+void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
+
+/// Lambda = (J M^-1 J^T)^-1
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at link origins.
+/// in  q (24): joint coordinates
+/// out Lambda (12x12): operational-space inertia
+/// Cost: 8144 flops (add 3536, mul 4564, div 44), sine and cosine of 24 angles.
+/// Stack: at most 304 values live at once, 2432 bytes.
+void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
+
+/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
+/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
+/// in  q (24): joint coordinates
+/// in  qd (24): joint velocities
+/// in  qdd_0 (24): joint accelerations that the posture asks for
+/// in  xdd_cmd (12): commanded accelerations of the task rows
+/// out tau (24): joint forces
+/// Cost: 8937 flops (add 3961, mul 4932, div 44), sine and cosine of 24 angles.
+/// Stack: at most 357 values live at once, 2856 bytes.
+void control_torque(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd_0)[24],
+    const Real (&xdd_cmd)[12], Real (&tau)[24]) noexcept;
+
+}  // namespace humanoid24

@@ -1,0 +1,134 @@
+#pragma once
+// puma560: rigid-body dynamics as straight-line code.
+//
+// From puma560.urdf and scene.yaml by
+//   treeline generate puma560.urdf scene.yaml --output puma560
+//
+// Generated; edit the inputs, not this file. It belongs to whoever ran the generator, who may use,
+// change and pass it on without condition. It needs C++17 and nothing else: no library, no heap, no
+// exception, no branch, no global state. Same input, same bits, same time.
+// Compile without -ffast-math.
+//
+// Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
+// row-major. Arguments of one call must not overlap.
+//
+// Joints, in the order of q and of qd, qdd, tau (fixed base):
+//   q 0       qd 0       joint1 (revolute): -2.79 .. 2.79 rad, 97.6 N m, 8 rad/s
+//   q 1       qd 1       joint2 (revolute): -3.93 .. 0.79 rad, 186.4 N m, 10 rad/s
+//   q 2       qd 2       joint3 (revolute): -0.79 .. 3.93 rad, 89.4 N m, 10 rad/s
+//   q 3       qd 3       joint4 (revolute): -1.92 .. 2.97 rad, 24.2 N m, 10 rad/s
+//   q 4       qd 4       joint5 (revolute): -1.75 .. 1.75 rad, 20.1 N m, 10 rad/s
+//   q 5       qd 5       joint6 (revolute): -4.64 .. 4.64 rad, 21.3 N m, 10 rad/s
+// Operational points, rows of task vectors:
+//   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
+// Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+
+namespace puma560 {
+
+using Real = double;
+inline constexpr int kCoordinates = 6;  // of q
+inline constexpr int kVelocities = 6;  // of qd, qdd, tau
+inline constexpr int kTaskRows = 6;  // stacked over the operational points
+
+/// x_world = R x_point + p, for every operational point
+/// By outward recursion.
+/// in  q (6): joint coordinates
+/// out position (3): positions in the world, m, one point after the other
+/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
+/// Cost: 98 flops (add 34, mul 64, div 0), sine and cosine of 6 angles.
+/// Stack: at most 22 values live at once, 176 bytes.
+void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
+
+/// xd = J qd, rows stacked over operational points
+/// By from the poses of all links.
+/// in  q (6): joint coordinates
+/// out J (6x6): Jacobian
+/// Cost: 112 flops (add 40, mul 72, div 0), sine and cosine of 5 angles.
+/// Stack: at most 25 values live at once, 200 bytes.
+void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
+
+/// xdd = J qdd + Jd qd: the term Jd qd
+/// By outward recursion, Chang eq. 6.11.
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// out bias (6): accelerations of the task rows at qdd = 0
+/// Cost: 240 flops (add 87, mul 153, div 0), sine and cosine of 6 angles.
+/// Stack: at most 32 values live at once, 256 bytes.
+void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
+
+/// tau = M qdd + b + g - J_ext^T f_ext
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// in  qdd (6): joint accelerations
+/// out tau (6): joint forces
+/// Cost: 322 flops (add 144, mul 178, div 0), sine and cosine of 5 angles.
+/// Stack: at most 60 values live at once, 480 bytes.
+void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
+    Real (&tau)[6]) noexcept;
+
+/// g: the joint forces that hold the robot at rest
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (6): joint coordinates
+/// out g (6): joint forces
+/// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
+/// Stack: at most 15 values live at once, 120 bytes.
+void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
+
+/// h = b + g: the joint forces at qdd = 0
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// out h (6): joint forces
+/// Cost: 290 flops (add 123, mul 167, div 0), sine and cosine of 5 angles.
+/// Stack: at most 52 values live at once, 416 bytes.
+void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
+
+/// tau = M qdd + b + g: the matrix M
+/// By composite rigid bodies, RBDA table 6.2.
+/// in  q (6): joint coordinates
+/// out M (6x6): joint-space inertia
+/// Cost: 167 flops (add 74, mul 93, div 0), sine and cosine of 4 angles.
+/// Stack: at most 28 values live at once, 224 bytes.
+void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
+
+/// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
+/// By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// in  tau (6): joint forces
+/// out qdd (6): joint accelerations
+/// Cost: 583 flops (add 255, mul 324, div 4), sine and cosine of 5 angles.
+/// Stack: at most 53 values live at once, 424 bytes.
+void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
+    Real (&qdd)[6]) noexcept;
+
+/// Lambda^-1 = J M^-1 J^T
+/// By M = L^T D L, J in world axes, in the axes asked for at link origins.
+/// in  q (6): joint coordinates
+/// out Lambda_inv (6x6): inverse operational-space inertia
+/// Cost: 634 flops (add 266, mul 364, div 4), sine and cosine of 5 angles.
+/// Stack: at most 62 values live at once, 496 bytes.
+void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
+
+/// Lambda = (J M^-1 J^T)^-1
+/// By M = L^T D L, J in world axes, in the axes asked for at link origins.
+/// in  q (6): joint coordinates
+/// out Lambda (6x6): operational-space inertia
+/// Cost: 850 flops (add 356, mul 484, div 10), sine and cosine of 5 angles.
+/// Stack: at most 68 values live at once, 544 bytes.
+void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
+
+/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
+/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// in  qdd_0 (6): joint accelerations that the posture asks for
+/// in  xdd_cmd (6): commanded accelerations of the task rows
+/// out tau (6): joint forces
+/// Cost: 1106 flops (add 462, mul 635, div 9), sine and cosine of 6 angles.
+/// Stack: at most 85 values live at once, 680 bytes.
+void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
+    const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
+
+}  // namespace puma560

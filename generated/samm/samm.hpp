@@ -1,0 +1,137 @@
+#pragma once
+// samm: rigid-body dynamics as straight-line code.
+//
+// From samm.urdf and scene.yaml by
+//   treeline generate samm.urdf scene.yaml --output samm
+//
+// Generated; edit the inputs, not this file. It belongs to whoever ran the generator, who may use,
+// change and pass it on without condition. It needs C++17 and nothing else: no library, no heap, no
+// exception, no branch, no global state. Same input, same bits, same time.
+// Compile without -ffast-math.
+//
+// Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
+// row-major. Arguments of one call must not overlap.
+//
+// Joints, in the order of q and of qd, qdd, tau (fixed base):
+//   q 0       qd 0       base_x (prismatic): -10 .. 10 m, 1000 N, 1.5 m/s
+//   q 1       qd 1       base_y (prismatic): -10 .. 10 m, 1000 N, 1.5 m/s
+//   q 2       qd 2       base_yaw (continuous): 300 N m, 2.5 rad/s
+//   q 3       qd 3       joint1 (revolute): -2.79 .. 2.79 rad, 97.6 N m, 8 rad/s
+//   q 4       qd 4       joint2 (revolute): -3.93 .. 0.79 rad, 186.4 N m, 10 rad/s
+//   q 5       qd 5       joint3 (revolute): -0.79 .. 3.93 rad, 89.4 N m, 10 rad/s
+//   q 6       qd 6       joint4 (revolute): -1.92 .. 2.97 rad, 24.2 N m, 10 rad/s
+//   q 7       qd 7       joint5 (revolute): -1.75 .. 1.75 rad, 20.1 N m, 10 rad/s
+//   q 8       qd 8       joint6 (revolute): -4.64 .. 4.64 rad, 21.3 N m, 10 rad/s
+// Operational points, rows of task vectors:
+//   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
+// Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+
+namespace samm {
+
+using Real = double;
+inline constexpr int kCoordinates = 9;  // of q
+inline constexpr int kVelocities = 9;  // of qd, qdd, tau
+inline constexpr int kTaskRows = 6;  // stacked over the operational points
+
+/// x_world = R x_point + p, for every operational point
+/// By outward recursion.
+/// in  q (9): joint coordinates
+/// out position (3): positions in the world, m, one point after the other
+/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
+/// Cost: 106 flops (add 38, mul 68, div 0), sine and cosine of 7 angles.
+/// Stack: at most 22 values live at once, 176 bytes.
+void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation)[9]) noexcept;
+
+/// xd = J qd, rows stacked over operational points
+/// By from the poses of all links.
+/// in  q (9): joint coordinates
+/// out J (6x9): Jacobian
+/// Cost: 122 flops (add 46, mul 76, div 0), sine and cosine of 6 angles.
+/// Stack: at most 26 values live at once, 208 bytes.
+void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
+
+/// xdd = J qdd + Jd qd: the term Jd qd
+/// By outward recursion, Chang eq. 6.11.
+/// in  q (9): joint coordinates
+/// in  qd (9): joint velocities
+/// out bias (6): accelerations of the task rows at qdd = 0
+/// Cost: 247 flops (add 90, mul 157, div 0), sine and cosine of 7 angles.
+/// Stack: at most 33 values live at once, 264 bytes.
+void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6]) noexcept;
+
+/// tau = M qdd + b + g - J_ext^T f_ext
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (9): joint coordinates
+/// in  qd (9): joint velocities
+/// in  qdd (9): joint accelerations
+/// out tau (9): joint forces
+/// Cost: 386 flops (add 173, mul 213, div 0), sine and cosine of 7 angles.
+/// Stack: at most 66 values live at once, 528 bytes.
+void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)[9],
+    Real (&tau)[9]) noexcept;
+
+/// g: the joint forces that hold the robot at rest
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (9): joint coordinates
+/// out g (9): joint forces
+/// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
+/// Stack: at most 15 values live at once, 120 bytes.
+void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
+
+/// h = b + g: the joint forces at qdd = 0
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (9): joint coordinates
+/// in  qd (9): joint velocities
+/// out h (9): joint forces
+/// Cost: 322 flops (add 137, mul 185, div 0), sine and cosine of 7 angles.
+/// Stack: at most 54 values live at once, 432 bytes.
+void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) noexcept;
+
+/// tau = M qdd + b + g: the matrix M
+/// By composite rigid bodies, RBDA table 6.2.
+/// in  q (9): joint coordinates
+/// out M (9x9): joint-space inertia
+/// Cost: 240 flops (add 99, mul 141, div 0), sine and cosine of 6 angles.
+/// Stack: at most 34 values live at once, 272 bytes.
+void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
+
+/// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
+/// By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
+/// in  q (9): joint coordinates
+/// in  qd (9): joint velocities
+/// in  tau (9): joint forces
+/// out qdd (9): joint accelerations
+/// Cost: 819 flops (add 353, mul 460, div 6), sine and cosine of 7 angles.
+/// Stack: at most 91 values live at once, 728 bytes.
+void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)[9],
+    Real (&qdd)[9]) noexcept;
+
+/// Lambda^-1 = J M^-1 J^T
+/// By M = L^T D L, J in world axes, in the axes asked for at link origins.
+/// in  q (9): joint coordinates
+/// out Lambda_inv (6x6): inverse operational-space inertia
+/// Cost: 986 flops (add 411, mul 569, div 6), sine and cosine of 6 angles.
+/// Stack: at most 85 values live at once, 680 bytes.
+void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
+
+/// Lambda = (J M^-1 J^T)^-1
+/// By M = L^T D L, J in world axes, in the axes asked for at link origins.
+/// in  q (9): joint coordinates
+/// out Lambda (6x6): operational-space inertia
+/// Cost: 1202 flops (add 501, mul 689, div 12), sine and cosine of 6 angles.
+/// Stack: at most 91 values live at once, 728 bytes.
+void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
+
+/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
+/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
+/// in  q (9): joint coordinates
+/// in  qd (9): joint velocities
+/// in  qdd_0 (9): joint accelerations that the posture asks for
+/// in  xdd_cmd (6): commanded accelerations of the task rows
+/// out tau (9): joint forces
+/// Cost: 1478 flops (add 627, mul 840, div 11), sine and cosine of 7 angles.
+/// Stack: at most 96 values live at once, 768 bytes.
+void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
+    const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
+
+}  // namespace samm
