@@ -44,7 +44,7 @@ class DurationStatistics {
   }
 
  private:
-  static constexpr int kBinBits = 5;
+  static constexpr int kBinBits = 7;
   static constexpr std::size_t kPerOctave = std::size_t{1} << kBinBits;
   static constexpr std::size_t kBins = (64 - kBinBits) * kPerOctave;
 
