@@ -314,6 +314,10 @@ Mechanism reduced_mechanism(const Robot& robot, const Scene& scene) {
   Mechanism mechanism = build_mechanism(robot, scene);
   regroup_inertias(mechanism);
   seat_frames(mechanism);
+  // A prismatic link whose frame was shifted has a second moment again.
+  const std::vector<ReductionNote> notes = mechanism.notes;
+  regroup_inertias(mechanism);
+  mechanism.notes = notes;
   return mechanism;
 }
 

@@ -20,7 +20,7 @@ void regroup_inertias(Mechanism& mechanism);
 /// inertias and points become sparse (after Khalil & Kleinfinger 1986).
 void seat_frames(Mechanism& mechanism);
 
-/// `build_mechanism`, `regroup_inertias`, `seat_frames`.
+/// `build_mechanism`, `regroup_inertias`, `seat_frames`, and what then can be regrouped again.
 Mechanism reduced_mechanism(const Robot& robot, const Scene& scene);
 
 }  // namespace treeline

@@ -50,10 +50,15 @@ int link_cost(const MovingLink& link) {
   return link.parent < 0 ? offset + nonzeros(link.seat.p) : offset + pose_cost(link.seat);
 }
 
-int inertia_cost(const Inertia& inertia) {
-  const auto& Sigma = inertia.Sigma;
-  return 10 * nonzeros(inertia.h) + 5 * (Sigma(0, 1) != 0 ? 1 : 0) +
-         6 * (Sigma(0, 2) != 0 ? 1 : 0) + 6 * (Sigma(1, 2) != 0 ? 1 : 0);
+/// The second moment of a prismatic link goes to its parent.
+int inertia_cost(const MovingLink& link) {
+  const int first = 10 * nonzeros(link.inertia.h);
+  if (link.kind == JointKind::prismatic) {
+    return first;
+  }
+  const auto& Sigma = link.inertia.Sigma;
+  return first + 5 * (Sigma(0, 1) != 0 ? 1 : 0) + 6 * (Sigma(0, 2) != 0 ? 1 : 0) +
+         6 * (Sigma(1, 2) != 0 ? 1 : 0);
 }
 
 Exact folded_to_quarter(const Exact& angle) {
@@ -99,7 +104,7 @@ struct Neighbourhood {
   std::vector<ExactPose> points;
 
   [[nodiscard]] int cost() const {
-    int sum = link_cost(link) + inertia_cost(link.inertia);
+    int sum = link_cost(link) + inertia_cost(link);
     for (const MovingLink& child : children) {
       sum += link_cost(child);
     }

@@ -1,0 +1,213 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "mechanism/build_mechanism.hpp"
+#include "mechanism/sample_robots.hpp"
+#include "random_mechanism.hpp"
+
+// What reductions are for: zeros, and fewer numbers. Would catch a reduction that stays correct but
+// stops reducing, residue of cancellation that counts as a number, and output that depends on
+// anything but the input.
+
+namespace treeline::tests {
+namespace {
+
+bool is_quarter_turn(const ExactMatrix3& R) {
+  for (const Exact& entry : R.reshaped()) {
+    if (entry != 0 && entry != 1 && entry != -1) return false;
+  }
+  return true;
+}
+
+int nonzero_entries(const ExactVector3& v) {
+  return static_cast<int>((v.array() != Exact(0)).count());
+}
+
+/// Every number of a mechanism, as text with all digits.
+std::string all_numbers(const Mechanism& mechanism) {
+  std::ostringstream text;
+  text.precision(60);
+  for (const MovingLink& link : mechanism.links) {
+    text << link.name << link.seat.R << link.seat.p << link.offset << link.inertia.mass
+         << link.inertia.h << link.inertia.Sigma << '\n';
+  }
+  for (const auto* points : {&mechanism.operational_points, &mechanism.external_forces}) {
+    for (const MechanismPoint& point : *points) text << point.pose.R << point.pose.p << '\n';
+  }
+  for (const ReductionNote& note : mechanism.notes) text << note.text << '\n';
+  return text.str();
+}
+
+/// The PUMA 560 in modified Denavit-Hartenberg form: Rx(alpha) Tx(a) Rz Tz(d) each joint.
+Robot puma() {
+  constexpr double kQuarter = 1.5707963267948966;
+  const auto joint = [](const char* name, const char* parent, Pose origin) {
+    return SampleJoint{name, parent, JointType::revolute, {0, 0, 1}, origin};
+  };
+  return sample_robot({joint("j1", "base", {}),
+                       joint("j2", "j1_link", {{0, 0.2435, 0}, {-kQuarter, 0, 0}}),
+                       joint("j3", "j2_link", {{0.4318, 0, -0.0934}, {}}),
+                       joint("j4", "j3_link", {{-0.0203, -0.4331, 0}, {kQuarter, 0, 0}}),
+                       joint("j5", "j4_link", {{}, {-kQuarter, 0, 0}}),
+                       joint("j6", "j5_link", {{}, {kQuarter, 0, 0}})});
+}
+
+TEST(Seats, OfThePumaAreQuarterTurnsWithAtMostTwoLengths) {
+  const Mechanism mechanism = reduced_mechanism(puma(), {});
+  int lengths = 0;
+  for (const MovingLink& link : mechanism.links) {
+    EXPECT_TRUE(is_quarter_turn(link.seat.R)) << link.name << "\n" << link.seat.R;
+    EXPECT_LE(nonzero_entries(link.seat.p), 2) << link.name;
+    lengths += nonzero_entries(link.seat.p);
+  }
+  EXPECT_LE(lengths, 4);  // a2, d3 (with d2), a3, d4
+}
+
+// The same robot with every frame turned and slid at random along its own axis, as a careless URDF
+// has it, is seated as sparsely.
+TEST(Seats, UndoCarelessFrames) {
+  Robot robot = puma();
+  Mechanism mechanism = build_mechanism(robot, {});
+  Dice dice(11);
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    MovingLink& link = mechanism.links[i];
+    const Exact angle = dice.rounded(-1, 1);
+    const ExactPose careless{rotation_z(angle), ExactVector3(0, 0, dice.rounded(-1, 1))};
+    link.seat = link.seat * careless;
+    link.offset = 0;
+    link.inertia = transformed(link.inertia, inverse(careless));
+    for (MovingLink& child : mechanism.links) {
+      if (child.parent == static_cast<int>(i)) child.seat = inverse(careless) * child.seat;
+    }
+  }
+  regroup_inertias(mechanism);
+  seat_frames(mechanism);
+  for (const MovingLink& link : mechanism.links) {
+    EXPECT_TRUE(is_quarter_turn(link.seat.R)) << link.name << "\n" << link.seat.R;
+    EXPECT_LE(nonzero_entries(link.seat.p), 2) << link.name;
+  }
+}
+
+// Base inertial parameters: a revolute link keeps h_x, h_y, Sigma_xx, xy, xz, yy, yz; a prismatic
+// one its mass and first moment.
+TEST(Regrouping, LeavesSevenNumbersOrFour) {
+  const Robot robot = sample_robot(
+      {{"turn", "base", JointType::revolute, {0.6, 0.8, 0}, {{1, 2, 3}, {1, 2, 3}}},
+       {"slide", "turn_link", JointType::prismatic, {0, 0.6, 0.8}, {{1, 2, 3}, {}}},
+       {"spin", "slide_link", JointType::continuous, {1, 0, 0}, {{0, 1, 0}, {1, 0, 0}}},
+       {"push", "spin_link", JointType::prismatic, {1, 0, 0}, {{0, 0, 1}, {}}}});
+  Mechanism mechanism = build_mechanism(robot, {});
+  for (const MovingLink& link : mechanism.links) {
+    EXPECT_EQ(count_inertia_numbers(link.inertia), 10) << link.name;
+  }
+  regroup_inertias(mechanism);
+  EXPECT_EQ(count_inertia_numbers(mechanism.links[0].inertia), 7);
+  EXPECT_EQ(count_inertia_numbers(mechanism.links[1].inertia), 4);
+  EXPECT_EQ(count_inertia_numbers(mechanism.links[2].inertia), 7);
+  EXPECT_EQ(count_inertia_numbers(mechanism.links[3].inertia), 4);
+  // Frames seated where first moments and products vanish leave fewer, never more: shifting the
+  // frame of a prismatic link must not give it back its second moment.
+  const Mechanism reduced = reduced_mechanism(robot, {});
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LE(count_inertia_numbers(reduced.links[i].inertia),
+              count_inertia_numbers(mechanism.links[i].inertia))
+        << reduced.links[i].name;
+  }
+}
+
+// All of a free body is felt.
+TEST(Regrouping, LeavesAFloatingLinkWhole) {
+  const Robot robot =
+      sample_robot({{"turn", "base", JointType::revolute, {0, 0, 1}, {{0.3, 0.2, 0.1}, {}}}});
+  Scene scene;
+  scene.base = Base::floating;
+  const Mechanism mechanism = reduced_mechanism(robot, scene);
+  EXPECT_EQ(count_inertia_numbers(mechanism.links[0].inertia), 10);
+  EXPECT_EQ(mechanism.links[0].inertia.mass, 1 + 2);
+}
+
+// Two equal weights on opposite sides of a shaft, at an angle whose sine and cosine are not exact:
+// their first moments cancel but for the last of 50 digits, which is no number.
+TEST(Residue, OfABalancedShaftIsZero) {
+  Robot robot = sample_robot({{"shaft", "base", JointType::revolute, {0, 0, 1}, {}},
+                              {"one", "shaft_link", JointType::fixed, {}, {{}, {0, 0, 0.7}}},
+                              {"other", "shaft_link", JointType::fixed, {}, {{}, {0, 0, 0.7}}}});
+  robot.links[1].inertial.reset();
+  for (int i = 2; i < 4; ++i) {
+    Inertial weight;
+    weight.mass = 2;
+    weight.origin.xyz = {i == 2 ? 0.3 : -0.3, i == 2 ? 0.1 : -0.1, 0};
+    weight.ixx = weight.iyy = weight.izz = 0.01;
+    robot.links[static_cast<std::size_t>(i)].inertial = weight;
+  }
+  const Mechanism mechanism = reduced_mechanism(robot, {});
+  const Inertia& inertia = mechanism.links[0].inertia;
+  EXPECT_EQ(inertia.h, ExactVector3::Zero());
+  EXPECT_EQ(inertia.Sigma(0, 2), 0);
+  EXPECT_EQ(inertia.Sigma(1, 2), 0);
+}
+
+/// Whether a number is what cancellation leaves.
+bool is_residue(const Exact& value) {
+  return value != 0 && abs(value) < 1e-20;
+}
+
+// In robots whose numbers all have three digits no constant is smaller than 1e-20 unless it is
+// zero.
+TEST(Residue, StaysInNoRandomMechanism) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomOptions options;
+    options.aligned = 0.8;
+    options.joints = 8;
+    options.mix.fixed = 3;
+    options.locked = 0.2;
+    options.operational_points = 2;
+    const RandomMechanism made = random_mechanism(seed, options);
+    const Mechanism mechanism = reduced_mechanism(made.robot, made.scene);
+    for (const MovingLink& link : mechanism.links) {
+      SCOPED_TRACE(link.name);
+      for (const Exact& x : link.seat.R.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Exact& x : link.seat.p) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Exact& x : link.inertia.h) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Exact& x : link.inertia.Sigma.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
+      EXPECT_FALSE(is_residue(link.offset)) << link.offset;
+    }
+    for (const MechanismPoint& point : mechanism.operational_points) {
+      for (const Exact& x : point.pose.R.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Exact& x : point.pose.p) EXPECT_FALSE(is_residue(x)) << x;
+    }
+  }
+}
+
+TEST(Determinism, EqualInputsGiveEqualDigits) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    RandomOptions options;
+    options.joints = 12;
+    options.mimic = 0.2;
+    options.operational_points = 2;
+    options.external_forces = 1;
+    const RandomMechanism one = random_mechanism(seed, options);
+    const RandomMechanism other = random_mechanism(seed, options);
+    EXPECT_TRUE(all_numbers(reduced_mechanism(one.robot, one.scene)) ==
+                all_numbers(reduced_mechanism(other.robot, other.scene)));
+  }
+}
+
+// Nothing is left to regroup in what is reduced.
+TEST(Regrouping, IsComplete) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomMechanism made = random_mechanism(seed);
+    Mechanism mechanism = reduced_mechanism(made.robot, made.scene);
+    const std::size_t notes = mechanism.notes.size();
+    Mechanism again = mechanism;
+    regroup_inertias(again);
+    again.notes.resize(notes);
+    EXPECT_TRUE(all_numbers(again) == all_numbers(mechanism));
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests
