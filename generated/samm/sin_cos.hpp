@@ -1,7 +1,7 @@
 #pragma once
 // Sine and cosine together, without branch, table, heap or library: C++17, freestanding, one file.
-// A generated folder carries a copy of this file in which `samm::detail` reads `NAME::detail`, so
-// that robots generated at different times live in one program.
+// Every generated folder carries its own copy, in a namespace of its own, so that robots generated
+// at different times live in one program.
 //
 // Every operation is one IEEE operation in round-to-nearest, and the order of operations matters:
 // compile without -ffast-math and its parts (-fassociative-math, -ffinite-math-only, ...), which
@@ -13,8 +13,7 @@
 
 namespace samm::detail {
 
-// ---- Lanes: one number, or four in the compiler's vector extension, under one set of names
-// -------
+// Lanes: one number or four, under one set of names.
 
 /// One double with the 64 bits it is made of.
 struct OneLane {
@@ -48,8 +47,8 @@ struct OneLane {
 #define TREELINE_HAS_LANES
 #define TREELINE_INLINE_LANES inline __attribute__((always_inline))
 /// Four doubles side by side. Wide operations become AVX where the target has it, else pairs of
-/// SSE2 or NEON operations. Passed by reference only: the calling convention of
-/// such a value depends on the target's flags.
+/// SSE2 or NEON operations. Passed by reference only: the calling convention of such a value
+/// depends on the target's flags.
 struct FourLanes {
   typedef double Value __attribute__((vector_size(32)));
   typedef std::uint64_t Bits __attribute__((vector_size(32)));
@@ -98,8 +97,7 @@ struct FourLanes {
 #define TREELINE_INLINE_LANES inline
 #endif
 
-// ---- Steps
-// ---------------------------------------------------------------------------------------
+// Steps.
 
 /// 1.5 * 2^52: a double next to it is an integer, so adding it rounds to the nearest integer, whose
 /// low bits can be read off, and subtracting it gives the integer back.
@@ -255,8 +253,7 @@ TREELINE_INLINE_LANES void sin_cos_float(const typename Lanes::Value& x,
   rotate_by_quarters<Lanes>(quarter, sine, cosine);
 }
 
-// ---- Interface
-// -----------------------------------------------------------------------------------
+// Interface.
 
 /// Sine and cosine of `x` radians.
 ///

@@ -13,7 +13,7 @@
 
 namespace treeline::core {
 
-// ---- Lanes: one number or four, under one set of names ----
+// Lanes: one number or four, under one set of names.
 
 /// One double with the 64 bits it is made of.
 struct OneLane {
@@ -97,8 +97,7 @@ struct FourLanes {
 #define TREELINE_INLINE_LANES inline
 #endif
 
-// ---- Steps
-// ---------------------------------------------------------------------------------------
+// Steps.
 
 /// 1.5 * 2^52: a double next to it is an integer, so adding it rounds to the nearest integer, whose
 /// low bits can be read off, and subtracting it gives the integer back.
@@ -254,8 +253,7 @@ TREELINE_INLINE_LANES void sin_cos_float(const typename Lanes::Value& x,
   rotate_by_quarters<Lanes>(quarter, sine, cosine);
 }
 
-// ---- Interface
-// -----------------------------------------------------------------------------------
+// Interface.
 
 /// Sine and cosine of `x` radians.
 ///
