@@ -27,10 +27,11 @@ concept Controller = requires(C& controller, double time, const StateOf<F>& stat
 };
 
 struct LoopSettings {
-  double rate = 1000.0;        ///< Hz
-  double braking = 20.0;       ///< 1/s: qdd = -braking qd in every mode but running
-  double rest_speed = 1e-3;    ///< largest |qd| that counts as rest, rad/s or m/s
-  int messages_per_cycle = 4;  ///< most messages applied in one cycle
+  double rate = 1000.0;          ///< Hz
+  double braking = 20.0;         ///< 1/s: qdd = -braking qd in every mode but running
+  double rest_speed = 1e-3;      ///< largest |qd| that counts as rest, rad/s or m/s
+  double longest_braking = 5.0;  ///< s until the loop ends after a disconnect, at rest or not
+  int messages_per_cycle = 4;    ///< most messages applied in one cycle
 };
 
 /// One cycle, as it is reported.
@@ -47,7 +48,8 @@ struct Report {
 };
 
 /// The servo loop of Chang fig. 9.2 at a fixed rate: receive, insert, pop, apply, safe?, control,
-/// report. It ends when the front end disconnects (after braking to rest) or the robot is gone.
+/// report. It ends when the front end disconnects (after braking to rest, but for no longer than
+/// `longest_braking`) or the robot is gone.
 /// Nothing is allocated after construction.
 template <RobotFunctions F, RobotProxy<F> Proxy, Controller<F> ControllerType, Clock ClockType>
 class ServoLoop {
@@ -91,8 +93,7 @@ class ServoLoop {
     }
     watch_deadline(skipped);
     ticks_ += 1 + skipped;
-    const bool stands = report_.mode == Mode::idle || report_.mode == Mode::faulted;
-    return !(disconnecting_ && stands);
+    return !(disconnecting_ && may_end());
   }
 
   /// Cycles until the loop ends.
@@ -145,6 +146,7 @@ class ServoLoop {
         raise({FaultKind::emergency_stop});
         break;
       case MessageKind::disconnect:
+        disconnect_time_ = disconnecting_ ? disconnect_time_ : time();
         disconnecting_ = true;
         report_.mode = next_mode(before, Event::stop);
         break;
@@ -205,6 +207,11 @@ class ServoLoop {
     return true;
   }
 
+  bool may_end() const noexcept {
+    const bool stands = report_.mode == Mode::idle || (report_.mode == Mode::faulted && rests());
+    return stands || time() - disconnect_time_ > settings_.longest_braking;
+  }
+
   void watch_deadline(std::int64_t skipped) noexcept {
     overruns_ = skipped > 0 ? overruns_ + 1 : 0;
     if (overruns_ > limits_.overruns_in_a_row && report_.mode == Mode::running) {
@@ -233,6 +240,7 @@ class ServoLoop {
   std::uint64_t dropped_ = 0;
   int overruns_ = 0;
   bool disconnecting_ = false;
+  double disconnect_time_ = 0.0;
 };
 
 }  // namespace treeline::servo

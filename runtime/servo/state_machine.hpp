@@ -18,7 +18,7 @@ namespace treeline::servo {
 ///
 /// idle, stopping and faulted all brake: gravity is held and motion damped. The robot is followed
 /// in every mode, and a fault in idle leads to faulted as well. Events not drawn change nothing;
-/// `disconnect` also ends the loop once it is idle, or at once when faulted.
+/// `disconnect` also ends the loop once it is idle, or faulted and at rest.
 enum class Mode : std::uint8_t { idle, running, stopping, faulted };
 
 enum class Event : std::uint8_t { start, stop, at_rest, fault, reset };

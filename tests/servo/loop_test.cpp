@@ -124,6 +124,34 @@ TEST(ServoLoop, DisconnectingWhileRunningBrakesBeforeItEnds) {
   EXPECT_LT(std::fabs(rig.state().qd[0]), 1e-3);
 }
 
+TEST(ServoLoop, AfterAFaultItBrakesBeforeItEnds) {
+  Rig rig;
+  rig.send(MessageKind::start);
+  rig.cycles(1000);
+  rig.send(MessageKind::emergency_stop);
+  rig.send(MessageKind::disconnect);
+  int cycles = 0;
+  while (rig.loop.step(nobody)) {
+    ASSERT_LT(++cycles, 2000);
+  }
+  EXPECT_EQ(rig.loop.mode(), Mode::faulted);
+  EXPECT_LT(std::fabs(rig.state().qd[0]), 1e-3);
+}
+
+// A robot that reads NaN never comes to rest; the loop ends all the same.
+TEST(ServoLoop, EndsWithinTheLongestBraking) {
+  Rig rig;
+  RobotState<2, 2> broken = rig.initial;
+  broken.qd[1] = std::numeric_limits<double>::quiet_NaN();
+  rig.robot.set_state(broken);
+  rig.send(MessageKind::disconnect);
+  int cycles = 0;
+  while (rig.loop.step(nobody)) {
+    ASSERT_LT(++cycles, 6000);
+  }
+  EXPECT_NEAR(cycles, 5000, 2);
+}
+
 TEST(ServoLoop, OtherMessagesReachTheControllerAFewACycle) {
   Rig rig;
   for (int i = 0; i < 10; ++i) {
