@@ -12,13 +12,37 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// XML allows nothing before its declaration; tinyxml2 and its users do.
-void warn_of_late_declaration(const std::string& text, const std::string& file,
-                              Diagnostics& diagnostics) {
-  const auto at = text.find_first_not_of(" \t\r\n");
-  if (at == 0 || at == std::string::npos || text.compare(at, 5, "<?xml") != 0) return;
-  diagnostics.add({Severity::warning, file, 1, "", "white space stands before the XML declaration",
-                   "remove it: strict readers of XML refuse the file"});
+int line_at(const std::string& text, std::size_t at) {
+  const auto breaks = std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
+  return 1 + static_cast<int>(breaks);
+}
+
+/// Where the XML declaration starts after white space and comments; npos when there is none.
+std::size_t find_declaration(const std::string& text) {
+  std::size_t at = text.find_first_not_of(" \t\r\n");
+  while (at != std::string::npos && text.compare(at, 4, "<!--") == 0) {
+    const auto end = text.find("-->", at + 4);
+    if (end == std::string::npos) return end;
+    at = text.find_first_not_of(" \t\r\n", end + 3);
+  }
+  const bool found = at != std::string::npos && text.compare(at, 5, "<?xml") == 0;
+  return found ? at : std::string::npos;
+}
+
+/// XML allows nothing before its declaration, yet files with a blank line or a comment there are
+/// in use. Overwrites a declaration that stands too late with blanks, with a warning.
+std::string without_late_declaration(std::string text, const std::string& file,
+                                     Diagnostics& diagnostics) {
+  const auto at = find_declaration(text);
+  if (at == 0 || at == std::string::npos) return text;
+  const auto end = std::min(text.find("?>", at), text.size() - 2) + 2;
+  diagnostics.add({Severity::warning, file, line_at(text, at), "",
+                   "the XML declaration is not at the start of the file",
+                   "move it there: strict readers of XML refuse the file"});
+  std::replace_if(
+      text.begin() + static_cast<long>(at), text.begin() + static_cast<long>(end),
+      [](char c) { return c != '\n'; }, ' ');
+  return text;
 }
 
 struct Complaint {
@@ -58,12 +82,8 @@ std::string describe(const tinyxml2::XMLDocument& document) {
 }
 
 bool check_bytes(const std::string& text, const Complaint& complain) {
-  const auto line_of = [&](std::size_t at) {
-    return 1 +
-           static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
-  };
   if (const auto at = text.find('\0'); at != std::string::npos) {
-    complain(line_of(at), "", "the file holds a zero byte: it is binary or UTF-16",
+    complain(line_at(text, at), "", "the file holds a zero byte: it is binary or UTF-16",
              "save it as UTF-8 text");
     return false;
   }
@@ -163,12 +183,12 @@ const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::s
                                            Diagnostics& diagnostics) {
   const Complaint complain{file, diagnostics};
   if (!check_bytes(text, complain)) return nullptr;
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+  const std::string mended = without_late_declaration(text, file, diagnostics);
+  if (document.Parse(mended.data(), mended.size()) != tinyxml2::XML_SUCCESS) {
     complain(document.ErrorLineNum(), "", describe(document),
              "mend the XML, or check that this is a URDF");
     return nullptr;
   }
-  warn_of_late_declaration(text, file, diagnostics);
   const XMLElement* root = only_root(document, complain);
   if (root == nullptr) return nullptr;
   MacroCheck check(complain);

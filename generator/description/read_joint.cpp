@@ -148,6 +148,9 @@ void read_dynamics(const UrdfElement& joint, Joint& result) {
   const auto element = joint.child("dynamics");
   if (!element) return;
   element->only_attributes({"damping", "friction"});
+  if (!element->has("damping") && !element->has("friction")) {
+    element->warn("there is neither \"damping\" nor \"friction\"", "remove <dynamics>");
+  }
   result.damping = element->number("damping").value_or(0);
   result.friction = element->number("friction").value_or(0);
   for (const auto& [name, value] :

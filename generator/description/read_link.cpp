@@ -2,22 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace treeline {
 namespace {
 
 void read_moments(const UrdfElement& inertia, Inertial& inertial) {
   inertia.only_attributes({"ixx", "ixy", "ixz", "iyy", "iyz", "izz", "iyx", "izx", "izy"});
-  for (auto [name, value] : {std::pair<const char*, double&>{"ixx", inertial.ixx},
-                             {"iyy", inertial.iyy},
-                             {"izz", inertial.izz}}) {
-    if (!inertia.has(name)) {
-      inertia.error(fmt::format("the attribute \"{}\" is missing", name),
-                    "give all six moments ixx ixy ixz iyy iyz izz in kg m^2");
-    }
-    value = inertia.number(name).value_or(0);
+  for (const char* name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
+    if (inertia.has(name)) continue;
+    inertia.error(fmt::format("the attribute \"{}\" is missing", name),
+                  "give all six moments ixx ixy ixz iyy iyz izz in kg m^2");
   }
+  inertial.ixx = inertia.number("ixx").value_or(0);
+  inertial.iyy = inertia.number("iyy").value_or(0);
+  inertial.izz = inertia.number("izz").value_or(0);
   struct Product {
     const char* name;
     const char* mirrored;
@@ -28,10 +25,6 @@ void read_moments(const UrdfElement& inertia, Inertial& inertial) {
                                  {"iyz", "izy", inertial.iyz}}) {
     const auto upper = inertia.number(product.name);
     const auto lower = inertia.number(product.mirrored);
-    if (!inertia.has(product.name)) {
-      inertia.warn(fmt::format("the attribute \"{}\" is missing; 0 is used", product.name),
-                   "give all six moments ixx ixy ixz iyy iyz izz in kg m^2");
-    }
     if (upper && lower && *upper != *lower) {
       inertia.error(fmt::format("{}={} and {}={} differ: an inertia is symmetric", product.name,
                                 *upper, product.mirrored, *lower),

@@ -106,7 +106,12 @@ void check_unique(const std::vector<Named>& items, const std::vector<UrdfElement
 }
 
 void read_head(const UrdfElement& robot, Robot& result) {
-  result.name = robot.required_name("write <robot name=\"...\">");
+  const char* const remedy = "write <robot name=\"...\">";
+  if (robot.has("name") && *robot.xml().Attribute("name") == '\0') {
+    robot.warn("the robot's name is empty", remedy);
+  } else {
+    result.name = robot.required_name(remedy);
+  }
   robot.only_attributes({"name", "version"});
   robot.no_text();
   check_version(robot);
