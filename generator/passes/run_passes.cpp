@@ -6,7 +6,9 @@
 
 #include "passes/count_operations.hpp"
 #include "passes/eliminate_dead.hpp"
+#include "passes/factor_sums.hpp"
 #include "passes/schedule.hpp"
+#include "passes/share_pairs.hpp"
 
 namespace treeline {
 namespace {
@@ -17,6 +19,9 @@ struct Pass {
 };
 
 constexpr std::array kPasses = {
+    Pass{"eliminate_dead", eliminate_dead},
+    Pass{"factor_sums", factor_sums},
+    Pass{"share_pairs", share_pairs},
     Pass{"eliminate_dead", eliminate_dead},
     Pass{"schedule", schedule},
 };
