@@ -21,8 +21,7 @@ bool is_trigonometric(Op op) {
 class BodyPrinter {
  public:
   BodyPrinter(const Program& program, bool single_precision, const std::set<std::string>& taken)
-      : program_(program),
-        graph_(program.graph),
+      : graph_(program.graph),
         selected_(select_statements(program)),
         names_(choose_names(program, selected_, taken)),
         expressions_(graph_, names_, single_precision),
@@ -122,7 +121,6 @@ class BodyPrinter {
     text_ += fmt::format("  detail::sin_cos(angles{0}, sines{0}, cosines{0});\n", suffix);
   }
 
-  const Program& program_;
   const Graph& graph_;
   std::vector<bool> selected_;
   std::vector<std::string> names_;

@@ -107,8 +107,8 @@ std::string describe_function(const EmissionContext& context, const Program& pro
 std::string print_contract(const EmissionContext& context, std::span<const Program> programs) {
   std::string declarations;
   for (const Program& program : programs) {
-    declarations += (declarations.empty() ? "" : "\n") +
-                    fill_template(templates::kDeclaration,
+    declarations += declarations.empty() ? "" : "\n";
+    declarations += fill_template(templates::kDeclaration,
                                   {{"comment", comment("///", describe_function(context, program))},
                                    {"signature", print_declaration(program)}});
   }

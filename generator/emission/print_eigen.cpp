@@ -40,7 +40,8 @@ std::string print_wrapper(const EmissionContext& context, const Program& program
 std::string print_eigen(const EmissionContext& context, std::span<const Program> programs) {
   std::string wrappers;
   for (const Program& program : programs) {
-    wrappers += (wrappers.empty() ? "" : "\n") + print_wrapper(context, program);
+    wrappers += wrappers.empty() ? "" : "\n";
+    wrappers += print_wrapper(context, program);
   }
   return fill_template(templates::kEigen,
                        {{"robot", context.robot}, {"name", context.name}, {"wrappers", wrappers}});

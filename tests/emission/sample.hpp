@@ -64,7 +64,11 @@ inline EmissionContext sample_context(const std::string& name, bool single_preci
   context.joints = {{"shoulder", "revolute", 0, 1, 0, 1, "-3.1 .. 3.1 rad, 80 Nm, 3 rad/s"},
                     {"elbow", "continuous", 1, 1, 1, 1, ""}};
   context.operational_points = {{"tool", "forearm", "origin (0.4, 0, 0) m, world axes", "x y", 0}};
-  context.choices = {{"inverse_dynamics", {"textbook", 40}, {{"recursion", 55}}}};
+  EmissionContext::ChoiceRow choice;
+  choice.function = "inverse_dynamics";
+  choice.chosen = {"textbook", 40};
+  choice.rejected.push_back({"recursion", 55});
+  context.choices.push_back(choice);
   context.skipped = {{"gripper", 120}};
   context.notes = {"Locked: gripper at 0.02 m."};
   return context;
