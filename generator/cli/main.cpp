@@ -5,6 +5,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/generate.hpp"
+#include "cli/inspect.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app{
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   app.footer("Exit: 0 done, 1 bad input, 2 usage, 3 stale or out of bounds, 70 internal fault.");
   int exit_code = treeline::kOk;
   treeline::add_generate(app, exit_code);
+  treeline::add_inspect(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
