@@ -49,8 +49,11 @@ Inertia operator+(const Inertia& a, const Inertia& b) {
 }
 
 Inertia snapped(const Inertia& inertia) {
-  const Exact h_size = inertia.h.cwiseAbs().maxCoeff();
   const Exact Sigma_size = inertia.Sigma.cwiseAbs().maxCoeff();
+  // All three numbers of a balanced body's h may be residue: mass at its radius of gyration is what
+  // they cancelled from.
+  const Exact balanced = sqrt(Exact(abs(inertia.mass) * Sigma_size));
+  const Exact h_size = std::max(Exact(inertia.h.cwiseAbs().maxCoeff()), balanced);
   Inertia result = inertia;
   for (int i = 0; i < 3; ++i) {
     result.h(i) = snapped(inertia.h(i), h_size);

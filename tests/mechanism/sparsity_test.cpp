@@ -127,22 +127,22 @@ TEST(Regrouping, LeavesAFloatingLinkWhole) {
   EXPECT_EQ(mechanism.links[0].inertia.mass, 1 + 2);
 }
 
-// Two equal weights on opposite sides of a shaft, at an angle whose sine and cosine are not exact:
-// their first moments cancel but for the last of 50 digits, which is no number.
+// Equal weights on opposite sides of a shaft, one turned by 0.75 rad at once, the other by 0.25 and
+// then 0.5: their first moments cancel but for the last of 50 digits, which is no number.
 TEST(Residue, OfABalancedShaftIsZero) {
   Robot robot = sample_robot({{"shaft", "base", JointType::revolute, {0, 0, 1}, {}},
-                              {"one", "shaft_link", JointType::fixed, {}, {{}, {0, 0, 0.7}}},
-                              {"other", "shaft_link", JointType::fixed, {}, {{}, {0, 0, 0.7}}}});
-  robot.links[1].inertial.reset();
-  for (int i = 2; i < 4; ++i) {
-    Inertial weight;
-    weight.mass = 2;
-    weight.origin.xyz = {i == 2 ? 0.3 : -0.3, i == 2 ? 0.1 : -0.1, 0};
-    weight.ixx = weight.iyy = weight.izz = 0.01;
-    robot.links[static_cast<std::size_t>(i)].inertial = weight;
-  }
-  const Mechanism mechanism = reduced_mechanism(robot, {});
-  const Inertia& inertia = mechanism.links[0].inertia;
+                              {"one", "shaft_link", JointType::fixed, {}, {{}, {0, 0, 0.75}}},
+                              {"arm", "shaft_link", JointType::fixed, {}, {{}, {0, 0, 0.25}}},
+                              {"other", "arm_link", JointType::fixed, {}, {{}, {0, 0, 0.5}}}});
+  for (Link& link : robot.links) link.inertial.reset();
+  Inertial weight;
+  weight.mass = 2;
+  weight.ixx = weight.iyy = weight.izz = 0.01;
+  weight.origin.xyz = {0.3, 0.1, 0};
+  robot.links[2].inertial = weight;
+  weight.origin.xyz = {-0.3, -0.1, 0};
+  robot.links[4].inertial = weight;
+  const Inertia inertia = reduced_mechanism(robot, {}).links[0].inertia;
   EXPECT_EQ(inertia.h, ExactVector3::Zero());
   EXPECT_EQ(inertia.Sigma(0, 2), 0);
   EXPECT_EQ(inertia.Sigma(1, 2), 0);

@@ -172,7 +172,7 @@ struct Yardstick {
         return condition_M;
       case Function::lambda:
       case Function::control_torque:
-        return condition_M * condition_task;
+        return std::max(condition_M, condition_task);
       default:
         return 1;
     }

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mechanism/build_mechanism.hpp"
+#include "program/evaluate.hpp"
+#include "recursion/function_results.hpp"
+#include "recursion/trace_function.hpp"
+
+namespace treeline::tests {
+
+/// What rounding may cost, in units of 2^-52 of the result's scale, times the conditions of what is
+/// solved. Every constant is rounded once and every operation once; along a chain of n links their
+/// errors add up to some n of the units, and n is at most ten in the robots drawn here.
+inline constexpr double kUlpBound = 100;
+
+/// The worst error of each function, in ulp of the result's scale times the condition.
+class ErrorTable {
+ public:
+  void note(Function function, const std::string& route, double ulp, double growth) {
+    Entry& entry = entries_[function];
+    ++entry.compared;
+    entry.worst_plain = std::max(entry.worst_plain, ulp);
+    if (!(ulp / growth <= entry.worst)) {
+      entry.worst = ulp / growth;
+      entry.route = route;
+    }
+  }
+
+  void expect_below(double bound) const {
+    EXPECT_FALSE(entries_.empty());
+    for (const auto& [function, entry] : entries_) {
+      EXPECT_LE(entry.worst, bound) << function_name(function) << " by " << entry.route;
+    }
+  }
+
+  void print() const {
+    for (const auto& [function, entry] : entries_) {
+      std::cout << "  " << function_name(function) << ": " << entry.compared
+                << " results, worst error " << entry.worst_plain << " ulp, over the condition "
+                << entry.worst << " (" << entry.route << ")\n";
+    }
+  }
+
+ private:
+  struct Entry {
+    int compared = 0;
+    double worst = 0, worst_plain = 0;
+    std::string route;
+  };
+  std::map<Function, Entry> entries_;
+};
+
+inline bool needs_points(Function function) {
+  return function == Function::forward_kinematics || function == Function::jacobian ||
+         function == Function::bias_acceleration || function == Function::lambda_inverse ||
+         function == Function::lambda || function == Function::control_torque;
+}
+
+/// All routes of all functions of a scene, traced once, with their oracle.
+class CheckedPrograms {
+ public:
+  CheckedPrograms(const Robot& robot, const Scene& scene) : oracle_(robot, scene) {
+    const Mechanism mechanism = reduced_mechanism(robot, scene);
+    for (const Function function : kAllFunctions) {
+      if (!needs_points(function) || oracle_.has_points()) {
+        programs_.emplace_back(function, trace_function(mechanism, function));
+      }
+    }
+  }
+
+  [[nodiscard]] const Oracle<Digits50>& oracle() const { return oracle_; }
+  [[nodiscard]] const std::vector<std::pair<Function, std::vector<Program>>>& programs() const {
+    return programs_;
+  }
+
+  /// Evaluates in `Scalar` at the inputs rounded to doubles; the truth is for those same doubles.
+  template <class Scalar>
+  void compare(const Inputs<Digits50>& drawn, ErrorTable& table) const {
+    const Inputs<double> in = rounded_to<double>(drawn);
+    const Inputs<Digits50> exact = rounded_to<Digits50>(in);
+    const Yardstick size = yardstick(oracle_, exact);
+    for (const auto& [function, routes] : programs_) {
+      if (!permits(function, oracle_.has_points(), size)) continue;
+      const Results<Digits50> expected = oracle_.results(function, exact);
+      for (const Program& program : routes) {
+        const auto results = evaluate<Scalar>(program, arguments(program, rounded_to<Scalar>(in)));
+        const double error = relative_error(results, expected, size.least_scale(function));
+        table.note(function, program.source, error * 0x1p52, size.growth(function));
+      }
+    }
+  }
+
+  /// The inputs in the order of the program's arguments.
+  template <class Scalar>
+  static std::vector<std::vector<Scalar>> arguments(const Program& program,
+                                                    const Inputs<Scalar>& in) {
+    std::vector<std::vector<Scalar>> values;
+    for (const Argument& argument : program.arguments) {
+      const std::string& name = argument.name;
+      values.push_back(name == "q"                        ? in.q
+                       : name == "qd"                     ? in.qd
+                       : name == "qdd" || name == "qdd_0" ? in.qdd
+                       : name == "tau"                    ? in.tau
+                       : name == "xdd_cmd"                ? in.xdd_cmd
+                                                          : in.f_ext);
+      EXPECT_EQ(static_cast<int>(values.back().size()), argument.rows) << name;
+    }
+    return values;
+  }
+
+ private:
+  Oracle<Digits50> oracle_;
+  std::vector<std::pair<Function, std::vector<Program>>> programs_;
+};
+
+}  // namespace treeline::tests
