@@ -8,6 +8,8 @@
 
 #include "interpreter/control_torque.hpp"
 #include "interpreter/explicit_operational_space.hpp"
+#include "interpreter/extend_force_propagators.hpp"
+#include "interpreter/factor_mass_matrix.hpp"
 #include "interpreter/forward_dynamics.hpp"
 #include "interpreter/forward_kinematics.hpp"
 #include "interpreter/inverse_dynamics.hpp"
@@ -15,3 +17,5 @@
 #include "interpreter/lambda_inverse.hpp"
 #include "interpreter/mass_matrix.hpp"
 #include "interpreter/point_accelerations.hpp"
+#include "interpreter/propagate_inertia.hpp"
+#include "interpreter/propagate_unit_forces.hpp"

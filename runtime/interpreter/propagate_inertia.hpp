@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "interpreter/lambda_inverse.hpp"
+
+namespace treeline::interpreter {
+
+/// Whether table 5.1 applies: all points on one body, and no mimic joints.
+template <class Scalar>
+bool permits_inertia_propagation(const Model<Scalar>& model, const Points<Scalar>& points) {
+  return !points.empty() && !model.has_mimics() &&
+         std::all_of(points.begin(), points.end(),
+                     [&](const auto& point) { return point.body == points.front().body; });
+}
+
+namespace detail {
+
+/// What a body brings to the inertia felt beyond it: its own and that of all branches that hang on
+/// it, but for the one that goes on to `next` (kWorld: none goes on).
+template <class Scalar>
+Matrix6<Scalar> inertia_beside_path(const Model<Scalar>& model, const Kinematics<Scalar>& k,
+                                    const ArticulatedInertia<Scalar>& inertia, int body, int next) {
+  Matrix6<Scalar> own = body_inertia(model.body(body));
+  for (int j = body + 1; j < model.size(); ++j) {
+    if (model.body(j).parent != body || j == next) continue;
+    Matrix6<Scalar> felt = inertia.IA[j];
+    if (k.S[j].cols() > 0) {
+      felt -= inertia.U[j] * inertia.D_inverse[j] * inertia.U[j].transpose();
+    }
+    own += k.X[j] * felt * k.X[j].transpose();
+  }
+  return own;
+}
+
+/// What is felt of an inertia `N` through a joint that is free to move:
+/// N - N S (S^T N S)^-1 S^T N; through a joint of six degrees nothing.
+template <class Scalar>
+Matrix6<Scalar> felt_through_joint(const Matrix6<Scalar>& N, const JointMatrix<Scalar>& S) {
+  if (S.cols() == 0) return N;
+  if (S.cols() == 6) return Matrix6<Scalar>::Zero();
+  const JointMatrix<Scalar> NS = N * S;
+  return N - NS * inverse_of_positive_definite<Scalar>(S.transpose() * NS) * NS.transpose();
+}
+
+/// The inverse of X, which takes forces to the parent: forces from the parent to the body.
+template <class Scalar>
+Matrix6<Scalar> inverse_force_transform(const Matrix6<Scalar>& X) {
+  Matrix6<Scalar> inverse = Matrix6<Scalar>::Zero();
+  inverse.template topLeftCorner<3, 3>() = X.template topLeftCorner<3, 3>().transpose();
+  inverse.template bottomLeftCorner<3, 3>() = X.template bottomLeftCorner<3, 3>().transpose();
+  inverse.template bottomRightCorner<3, 3>() = X.template topLeftCorner<3, 3>().transpose();
+  return inverse;
+}
+
+}  // namespace detail
+
+/// The inertia felt at a body's frame, in its axes, by inertia propagation (Chang table 5.1):
+/// Lambda_i = I_i + N - N S (S^T N S)^-1 S^T N outward along the body's path, N = X^-1 Lambda_h
+/// X^-T; here I_i includes what hangs on the body beside the path, so that trees are served too.
+/// A fixed base is a "big base" whose inertia is `base_size` (kg, kg m^2) times the unit matrix:
+/// the result is off by about 1 / base_size, and by rounding times base_size. Behind a floating
+/// joint the base is not felt at all and the result exact. Precondition: no mimic joints.
+template <class Scalar>
+Matrix6<Scalar> body_inertia_by_propagation(const Model<Scalar>& model, int body,
+                                            VectorArg<Scalar> q,
+                                            const std::type_identity_t<Scalar>& base_size) {
+  assert(!model.has_mimics());
+  const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
+  const auto inertia = articulated_inertia(model, k);
+  std::vector<int> path = detail::path_to_root(model, body);
+  std::reverse(path.begin(), path.end());
+  Matrix6<Scalar> Lambda = base_size * Matrix6<Scalar>::Identity();
+  for (std::size_t at = 0; at < path.size(); ++at) {
+    const int i = path[at];
+    const int next = at + 1 < path.size() ? path[at + 1] : kWorld;
+    const Matrix6<Scalar> X_inverse = detail::inverse_force_transform(k.X[i]);
+    const Matrix6<Scalar> N = X_inverse * Lambda * X_inverse.transpose();
+    Lambda = detail::inertia_beside_path(model, k, inertia, i, next) +
+             detail::felt_through_joint(N, k.S[i]);
+  }
+  return Lambda;
+}
+
+/// Lambda^-1 of points on one body by inertia propagation; see `body_inertia_by_propagation` for
+/// `base_size`. Precondition: `permits_inertia_propagation`.
+template <class Scalar>
+Matrix<Scalar> lambda_inverse_by_inertia_propagation(
+    const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,
+    const std::type_identity_t<Scalar>& base_size) {
+  assert(permits_inertia_propagation(model, points));
+  const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
+  const Matrix<Scalar> Omega = inverse_of_positive_definite<Scalar>(
+      body_inertia_by_propagation(model, points.front().body, q, base_size));
+  Matrix<Scalar> X(6, 6 * static_cast<int>(points.size()));
+  int column = 0;
+  for (const auto& point : points) {
+    X.template middleCols<6>(column) = point_transform(point, k);
+    column += 6;
+  }
+  const std::vector<int> rows = controlled_rows<Scalar>(points);
+  const Matrix<Scalar> all = X.transpose() * Omega * X;
+  return all(rows, rows);
+}
+
+}  // namespace treeline::interpreter
