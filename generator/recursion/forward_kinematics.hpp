@@ -11,6 +11,7 @@ template <class Scalar>
 struct WorldPose {
   Matrix3<Scalar> R;
   Vector3<Scalar> p;
+  Vector3<Scalar> step;  ///< from the parent's origin to this one, world axes
 };
 
 /// Poses of all links, outward. A row of R_world_child is R_parent_child^T times the parent's row.
@@ -21,12 +22,14 @@ std::vector<WorldPose<Scalar>> world_poses(const Tree<Scalar>& tree,
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "pose");
-    const WorldPose<Scalar> parent = link.parent < 0 ? WorldPose<Scalar>{identity3<Scalar>(), {}}
-                                                     : poses[static_cast<std::size_t>(link.parent)];
+    const WorldPose<Scalar> parent = link.parent < 0
+                                         ? WorldPose<Scalar>{identity3<Scalar>(), {}, {}}
+                                         : poses[static_cast<std::size_t>(link.parent)];
     WorldPose<Scalar> pose;
     pose.R = {X[i].to_child(parent.R.row_x), X[i].to_child(parent.R.row_y),
               X[i].to_child(parent.R.row_z)};
-    pose.p = parent.p + parent.R * X[i].p;
+    pose.step = parent.R * X[i].p;
+    pose.p = parent.p + pose.step;
     label(pose.p, "p", i);
     poses.push_back(pose);
   }
@@ -44,10 +47,11 @@ template <class Scalar>
 WorldPose<Scalar> point_pose(const std::vector<WorldPose<Scalar>>& poses,
                              const TreePoint<Scalar>& point) {
   if (point.link < 0) {
-    return {point.R, point.p};
+    return {point.R, point.p, {}};
   }
   const WorldPose<Scalar>& link = poses[static_cast<std::size_t>(point.link)];
-  return {link.R * point.R, link.p + link.R * point.p};
+  const Vector3<Scalar> arm = link.R * point.p;
+  return {link.R * point.R, link.p + arm, arm};
 }
 
 }  // namespace treeline

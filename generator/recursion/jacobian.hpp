@@ -63,8 +63,10 @@ Wrench<Scalar> unit_velocity(JointKind kind, const Vector3<Scalar>& z, const Vec
   return kind == JointKind::revolute ? Wrench<Scalar>{cross(z, arm), z} : Wrench<Scalar>{z, {}};
 }
 
-/// J in world axes from the poses of all links: z x (p_point - p_joint). Shares the poses between
-/// points; cheap near the base.
+/// J in world axes from the poses of all links: z x (p_point - p_joint). Shares the rotations
+/// between points; cheap near the base. Differences of positions are summed from the steps between
+/// joints: subtracting positions would lose digits with the robot's distance from the world's
+/// origin.
 template <class Scalar>
 DenseMatrix<Scalar> jacobian_world(const Tree<Scalar>& tree,
                                    const std::vector<WorldPose<Scalar>>& poses, bool at_link_origin,
@@ -73,16 +75,17 @@ DenseMatrix<Scalar> jacobian_world(const Tree<Scalar>& tree,
   std::size_t first_row = 0;
   for (const TreePoint<Scalar>& point : tree.operational_points) {
     const TaskPoint<Scalar> task = task_point(point, {false, at_link_origin}, poses);
-    const Vector3<Scalar> p = at_link_origin && point.link >= 0
-                                  ? poses[static_cast<std::size_t>(point.link)].p
-                                  : point_pose(poses, point).p;
+    Vector3<Scalar> arm;
+    if (!at_link_origin) {
+      arm = point_pose(poses, point).step;
+    }
     for (int i = point.link; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) {
       const auto at = static_cast<std::size_t>(i);
       const TreeLink<Scalar>& link = tree.links[at];
       const Matrix3<Scalar>& R = poses[at].R;
       section(link, at, "Jacobian");
       if (link.kind == JointKind::floating) {
-        TaskPoint<Scalar> seen{i, transposed_times(R, p - poses[at].p), task.rows};
+        TaskPoint<Scalar> seen{i, transposed_times(R, arm), task.rows};
         const Vector3<Scalar> axes[3] = {R.row_x, R.row_y, R.row_z};
         std::size_t k = 0;
         for (std::size_t row = 0; row < 6; ++row) {
@@ -91,10 +94,11 @@ DenseMatrix<Scalar> jacobian_world(const Tree<Scalar>& tree,
           }
         }
         add_joint_columns(link, seen, first_row, J);
+        arm = arm + poses[at].step;
         continue;
       }
-      const Wrench<Scalar> v =
-          unit_velocity(link.kind, {R.row_x.z, R.row_y.z, R.row_z.z}, p - poses[at].p);
+      const Wrench<Scalar> v = unit_velocity(link.kind, {R.row_x.z, R.row_y.z, R.row_z.z}, arm);
+      arm = arm + poses[at].step;
       const Scalar column[6] = {v.f.x, v.f.y, v.f.z, v.n.x, v.n.y, v.n.z};
       std::size_t k = first_row;
       for (std::size_t row = 0; row < 6; ++row) {

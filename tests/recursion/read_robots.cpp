@@ -37,6 +37,7 @@ bool is_scene(const Path& path) {
 std::vector<RobotInScene> read_robots() {
   std::vector<RobotInScene> robots;
   for (const Path& folder : sorted_entries(TREELINE_ROBOTS_DIR)) {
+    if (!std::filesystem::is_directory(folder)) continue;
     const std::string name = folder.filename().string();
     Diagnostics diagnostics;
     const auto robot = read_urdf((folder / (name + ".urdf")).string(), diagnostics);
