@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "emission/print_manifest.hpp"
+#include "passes/count_operations.hpp"
 
 namespace treeline {
 namespace {
@@ -35,7 +36,7 @@ std::string print_files(const Summary& summary) {
 }
 
 std::string print_function_json(const GeneratedFunction& generated) {
-  const OperationCount& count = generated.chosen.count;
+  const OperationCount count = count_operations(generated.program);
   return fmt::format(
       R"({{"name": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, "sin_cos": {}}})",
       quote_json(generated.program.name), quote_json(generated.chosen.method), count.flops(),
@@ -48,7 +49,7 @@ std::string print_text(const Summary& summary) {
   std::string text = fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", "function", "flops",
                                  "add", "mul", "div", "sin,cos", "method");
   for (const GeneratedFunction& generated : summary.functions) {
-    const OperationCount& count = generated.chosen.count;
+    const OperationCount count = count_operations(generated.program);
     text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", generated.program.name,
                         count.flops(), count.add, count.mul, count.div, count.sin_cos,
                         generated.chosen.method);
