@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case.hpp"
+#include "subject.hpp"
+
+namespace treeline::bench {
+
+/// How far one subject's function is from another's: the worst of all states, relative to the
+/// largest entry of the result. NaN counts as infinite.
+struct Difference {
+  std::string implementation;
+  Function function{};
+  double worst = 0;
+};
+
+/// Compares every function of `subjects` with that of the first subject.
+std::vector<Difference> differences(const Case& robot, const std::vector<Subject>& subjects,
+                                    const std::vector<State>& states);
+
+/// All that is compared is computed in double by different algorithms: 1e-9 is far above their
+/// rounding, even through the inverse of a Lambda^-1 of condition 1e5, and far below any difference
+/// in what is computed.
+inline constexpr double kAgreement = 1e-9;
+
+}  // namespace treeline::bench

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/model.hpp"
+#include "subject.hpp"
+
+namespace treeline::bench {
+
+/// Inputs of one call of every function.
+struct State {
+  std::vector<double> q, qd, qdd, tau, xdd;
+};
+
+/// A robot as every subject sees it.
+struct Case {
+  std::string robot;
+  std::string urdf;                 ///< path, without shapes and mimic tags
+  std::vector<std::string> joints;  ///< child link of the joint behind each entry of qd
+  bool floating = false;            ///< then the first six of qd are the base's
+  interpreter::Model<double> model;
+  interpreter::Points<double> points;
+
+  [[nodiscard]] int rows() const;
+};
+
+/// Reads a robot of `robot_names()`; nothing, after messages on stderr, if that fails.
+std::optional<Case> read_case(const std::string& robot);
+
+/// The robots that this build was configured with.
+const std::vector<std::string>& robot_names();
+
+/// Uniform: positions within 3, velocities 2, accelerations 5, torques 20; unit quaternions.
+std::vector<State> random_states(const Case& robot, int count, std::uint64_t seed);
+
+/// A function's inputs in the contract's order.
+std::vector<const std::vector<double>*> inputs_of(Function function, const State& state);
+
+/// How many numbers a function returns.
+int output_size(Function function, const Case& robot);
+
+std::string name_of(Function function);
+
+inline constexpr Function kFunctions[] = {Function::inverse_dynamics, Function::forward_dynamics,
+                                          Function::mass_matrix,      Function::lambda_inverse,
+                                          Function::lambda,           Function::control_torque};
+
+}  // namespace treeline::bench

@@ -1,0 +1,86 @@
+// Runs a compiler and writes what that took and what came out:
+//   compile_meter FACTS.json OBJECT COMMAND...
+// {"seconds", "peak_mib": of the compiler, "code_bytes": of OBJECT's functions, "stack_bytes":
+// their frames together, from the .su file of -fstack-usage}. The compiler's exit status is passed
+// on.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+namespace {
+
+struct Cost {
+  int status = 1;
+  double seconds = 0, peak_mib = 0;
+};
+
+Cost run(char** command) {
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t child = fork();
+  if (child == 0) {
+    setenv("CCACHE_DISABLE", "1", 1);  // where g++ is ccache, a hit would be what is measured
+    execvp(command[0], command);
+    std::perror(command[0]);
+    _exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) return {};
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 1, taken.count(),
+          static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+/// Sizes of all functions in an object file, or 0 where nm cannot tell.
+long code_bytes(const std::string& object) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> nm(popen(("nm -S '" + object + "'").c_str(), "r"),
+                                                 pclose);
+  long bytes = 0;
+  char line[4096];
+  while (nm && std::fgets(line, sizeof line, nm.get()) != nullptr) {
+    std::istringstream fields(line);
+    std::string address, size, type;
+    fields >> address >> size >> type;
+    if (type.size() == 1 && std::string("tTwW").find(type) != std::string::npos) {
+      bytes += std::stol(size, nullptr, 16);
+    }
+  }
+  return bytes;
+}
+
+/// The second column of `place  bytes  kind`, summed.
+long stack_bytes(const std::string& object) {
+  std::ifstream file(object.substr(0, object.rfind('.')) + ".su");
+  long bytes = 0;
+  for (std::string line; std::getline(file, line);) {
+    const auto tab = line.find('\t');
+    if (tab != std::string::npos) bytes += std::atol(line.c_str() + tab);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count < 4) {
+    std::cerr << "usage: compile_meter FACTS.json OBJECT COMMAND...\n";
+    return 2;
+  }
+  const Cost cost = run(arguments + 3);
+  if (cost.status != 0) return cost.status;
+  std::ofstream(arguments[1]) << "{\"seconds\": " << cost.seconds
+                              << ", \"peak_mib\": " << cost.peak_mib
+                              << ", \"code_bytes\": " << code_bytes(arguments[2])
+                              << ", \"stack_bytes\": " << stack_bytes(arguments[2]) << "}\n";
+  return 0;
+}

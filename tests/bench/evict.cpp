@@ -1,0 +1,111 @@
+#include "evict.hpp"
+
+#include <link.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace treeline::bench {
+namespace {
+
+constexpr std::size_t kLine = 64;
+
+#if defined(__x86_64__) || defined(__aarch64__)
+// 8192 lines of code, one jump in each.
+__attribute__((noinline)) void run_foreign_code() {
+#if defined(__x86_64__)
+  asm volatile(".rept 8192\n jmp 1f\n .balign 64\n 1:\n .endr\n" ::: "memory");
+#else
+  asm volatile(".rept 8192\n b 1f\n .balign 64\n 1:\n .endr\n" ::: "memory");
+#endif
+}
+#else
+void run_foreign_code() {}
+#endif
+
+std::vector<std::uint64_t>& foreign_data() {
+  static std::vector<std::uint64_t> data = [] {
+    const long level2 = sysconf(_SC_LEVEL2_CACHE_SIZE);
+    const auto bytes = static_cast<std::size_t>(level2 > 0 ? level2 : 2 << 20) * 4;
+    return std::vector<std::uint64_t>(bytes / sizeof(std::uint64_t), 1);
+  }();
+  return data;
+}
+
+#if defined(__x86_64__)
+void flush(const void* begin, std::size_t bytes) {
+  const auto* at = static_cast<const char*>(begin);
+  for (std::size_t i = 0; i < bytes + kLine; i += kLine) _mm_clflush(at + i);
+}
+
+struct Segment {
+  const void* begin;
+  std::size_t bytes;
+};
+
+/// Code and constants: what is loaded readable and never written. Of the libraries those that a
+/// solver can call; the others of DART (meshes, images) are many times larger than all of these.
+int collect(dl_phdr_info* info, std::size_t, void* segments) {
+  const std::string name = info->dlpi_name;
+  bool wanted = name.empty();
+  for (const char* part : {"libdart.so", "orocos-kdl", "libm.so", "libc.so", "libstdc++"}) {
+    wanted = wanted || name.find(part) != std::string::npos;
+  }
+  for (int i = 0; wanted && i < info->dlpi_phnum; ++i) {
+    const auto& header = info->dlpi_phdr[i];
+    if (header.p_type == PT_LOAD && (header.p_flags & PF_R) != 0 && (header.p_flags & PF_W) == 0) {
+      const auto address = static_cast<std::uintptr_t>(info->dlpi_addr + header.p_vaddr);
+      static_cast<std::vector<Segment>*>(segments)->push_back(
+          {reinterpret_cast<const void*>(address), header.p_memsz});
+    }
+  }
+  return 0;
+}
+
+const std::vector<Segment>& code_and_constants() {
+  static const std::vector<Segment> segments = [] {
+    std::vector<Segment> result;
+    dl_iterate_phdr(collect, &result);
+    return result;
+  }();
+  return segments;
+}
+#endif
+
+}  // namespace
+
+void evict_from_core() {
+  auto& data = foreign_data();
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 0; i < data.size(); i += kLine / sizeof(std::uint64_t)) data[i] += 1;
+  }
+  run_foreign_code();
+}
+
+#if defined(__x86_64__)
+bool evict_from_caches(std::span<const std::span<const double>> data) {
+  evict_from_core();
+  for (const auto& segment : code_and_constants()) {
+    // The last line may reach past the segment: stop before its end.
+    const std::size_t bytes = segment.bytes > 2 * kLine ? segment.bytes - 2 * kLine : 0;
+    flush(segment.begin, bytes);
+  }
+  for (const auto& each : data) flush(each.data(), each.size_bytes());
+  _mm_mfence();
+  return true;
+}
+#else
+bool evict_from_caches(std::span<const std::span<const double>>) {
+  evict_from_core();
+  return false;
+}
+#endif
+
+}  // namespace treeline::bench

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "subject.hpp"
+
+namespace treeline::bench {
+
+/// What is known of a generated function without running it; zeros where a file is missing.
+struct Facts {
+  std::string method;
+  long flops = 0;  ///< + - * /, sine and cosine not counted
+  long divisions = 0, sin_cos = 0;
+  long code_bytes = 0, stack_bytes = 0;
+  double compile_seconds = 0, compile_mib = 0;
+};
+
+/// Of all functions that were generated: seconds added up, memory the largest.
+struct Compilation {
+  int functions = 0;
+  long code_bytes = 0;
+  double seconds = 0, peak_mib = 0;
+};
+
+/// From the manifest and the compile meter's file.
+Facts read_facts(const Subject& subject, const std::string& function);
+Compilation read_compilation(const Subject& subject);
+
+}  // namespace treeline::bench

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// What is measured: one implementation of a robot's functions, each behind the same plain call, so
+/// that a generated function and a library's solver pay the same for being called.
+namespace treeline::bench {
+
+/// In the order of the report.
+enum class Function {
+  inverse_dynamics,
+  forward_dynamics,
+  mass_matrix,
+  lambda_inverse,
+  lambda,
+  control_torque
+};
+
+/// The inputs in the order of the generated contract, each an array of its own:
+/// inverse_dynamics q qd qdd, forward_dynamics q qd tau, mass_matrix, lambda_inverse and lambda q,
+/// control_torque q qd qdd_0 xdd_cmd. One output; matrices are row-major.
+using Call = void (*)(void* solver, const double* const* inputs, double* output);
+
+struct Routine {
+  Call call = nullptr;
+  std::shared_ptr<void> solver;  ///< the call's first argument; generated code has none
+
+  void operator()(const double* const* inputs, double* output) const {
+    call(solver.get(), inputs, output);
+  }
+};
+
+struct Subject {
+  std::string implementation;  ///< for the table: "KDL", "generated, g++ -O3"
+  std::map<Function, Routine> routines;
+  /// Of generated code: the folder with `manifest.json` and, for each function, what compiling it
+  /// cost (`FUNCTION.json`, see compile_meter.cpp). Empty for the others.
+  std::string facts;
+};
+
+/// A routine that keeps `solver` alive. `body` has no captures.
+template <class Solver>
+Routine make_routine(std::shared_ptr<Solver> solver, Call body) {
+  return {body, std::move(solver)};
+}
+
+}  // namespace treeline::bench
