@@ -113,6 +113,22 @@ TEST(Routes, OfTheProgramsAgreeInDouble) {
   table.print();
 }
 
+// Where a robot stands does not matter to how it moves: no digits may be lost far from the world's
+// origin, in anything but positions themselves.
+TEST(Routes, OfTheProgramsAgreeFarFromTheOrigin) {
+  ErrorTable table;
+  Sweep sweep{options_of(7, 0.4, 2, 1), 60, 5};
+  sweep.options.floating_base = true;
+  for_each_robot(sweep, [&](const RandomMechanism& made, std::uint64_t seed) {
+    Dice dice(seed);
+    const CheckedPrograms programs(made.robot, made.scene);
+    Inputs<Digits50> in = programs.oracle().random_inputs(dice);
+    for (std::size_t i = 0; i < 3; ++i) in.q[i] *= 1e6;
+    programs.compare<double>(in, table);
+  });
+  table.expect_below(kUlpBound);
+}
+
 // Long chains and wide trees: what grows with the number of links.
 TEST(Routes, OfLargeRobotsAgreeInDouble) {
   ErrorTable table;
