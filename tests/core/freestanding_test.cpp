@@ -4,12 +4,55 @@
 #include "core/command_laws.hpp"
 #include "core/ldlt.hpp"
 #include "core/orientation.hpp"
+#include "core/posture_laws.hpp"
+#include "core/prioritized_solve.hpp"
 #include "core/sin_cos.hpp"
+#include "core/singularity.hpp"
 #include "core/spline.hpp"
+#include "core/task_selection.hpp"
 
 namespace treeline::test {
 
 float use_everything(float x) noexcept;
+float use_posture_laws(float x) noexcept;
+float use_singularity(float x) noexcept;
+
+float use_posture_laws(float x) noexcept {
+  const float q[3] = {x, 2.0F * x, 3.0F * x};
+  const float support[6] = {0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 1.0F};
+  const float com[2] = {x, x};
+  const float J_com[6] = {x, 1.0F, 2.0F, 3.0F, x, 1.0F};
+  float goal[2];
+  float qdd[3] = {};
+  core::nearest_in_polygon(support, com, goal);
+  core::add_balance({100.0F, 20.0F}, goal, com, J_com, 0.01F, q, qdd);
+  core::add_damping(1.0F, q, qdd);
+  core::add_limit_avoidance(q, q, 0.1F, 10.0F, 1.0F, q, q, qdd);
+  core::add_potential_by_differences([](const float(&at)[3]) noexcept { return at[0] * at[1]; },
+                                     0.01F, q, qdd);
+  const core::TaskSelection<float> selection;
+  const float Lambda_inv[36] = {1.0F};
+  const float motion[6] = {x};
+  float command[6];
+  core::motion_force_command(selection, Lambda_inv, motion, motion, motion, 1.0F, command);
+  return qdd[0] + command[0];
+}
+
+float use_singularity(float x) noexcept {
+  const float J[6] = {1.0F, x, 0.0F, 0.0F, 1.0F, x};
+  const float scales[2] = {0.4F, 1.0F};
+  const float Lambda_inv[4] = {2.0F, 0.1F, 0.1F, 2.0F};
+  const float reference[3] = {0.0F, 0.0F, 1.0F};
+  float n[3];
+  float F[2];
+  const auto found = core::singular_directions<2, 3>(J, core::SingularRegion<float>{});
+  core::lost_motion(found, 1, reference, n);
+  const auto lost = core::lost_direction(found, 1, J, J, n);
+  core::regular_task_force(found, scales, Lambda_inv, scales, F);
+  const core::NullMotionGains<float> gains;
+  return F[0] + core::drive_along(gains, lost, x, 1.0F, x) +
+         core::turn_away(gains, found.directions + 2, lost, scales, x, x);
+}
 
 float use_everything(float x) noexcept {
   float sine[3];
