@@ -82,15 +82,11 @@ ArticulatedInertia<Scalar> without_joint(JointKind kind, const ArticulatedInerti
   return left;
 }
 
-/// X I X^T, the inertia at the parent's origin. With B' = B - A [p]x, C gains
-/// [p]x B' + ([p]x B)^T, written per entry so that only six are formed.
+/// The inertia at the origin of a frame in which its own has origin p, axes alike. With
+/// B' = B - A [p]x, C gains [p]x B' + ([p]x B)^T, written per entry so that only six are formed.
 template <class Scalar>
-ArticulatedInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
-                                     const ArticulatedInertia<Scalar>& I) {
-  const Symmetric3<Scalar> A = X.matrix_to_parent(I.A);
-  const Matrix3<Scalar> B = X.matrix_to_parent(I.B);
-  const Symmetric3<Scalar> C = X.matrix_to_parent(I.C);
-  const Vector3<Scalar>& p = X.p;
+ArticulatedInertia<Scalar> shifted(const ArticulatedInertia<Scalar>& I, const Vector3<Scalar>& p) {
+  const auto& [A, B, C] = I;
   const Matrix3<Scalar> H{
       {B.row_x.x - (p.z * A.xy - p.y * A.xz), B.row_x.y - (p.x * A.xz - p.z * A.xx),
        B.row_x.z - (p.y * A.xx - p.x * A.xy)},
@@ -105,6 +101,23 @@ ArticulatedInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
                                 p.x * (B.row_y.y - H.row_z.z) - p.y * B.row_x.y + p.z * H.row_x.z,
                                 p.x * (B.row_y.z + H.row_y.z) - p.y * (B.row_x.z + H.row_x.z)};
   return {A, H, C + gain};
+}
+
+/// X I X^T, the inertia at the parent's origin.
+template <class Scalar>
+ArticulatedInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
+                                     const ArticulatedInertia<Scalar>& I) {
+  return shifted<Scalar>(
+      {X.matrix_to_parent(I.A), X.matrix_to_parent(I.B), X.matrix_to_parent(I.C)}, X.p);
+}
+
+/// X^-1 I X^-T, the inertia of the parent at a link's origin, in the link's axes.
+template <class Scalar>
+ArticulatedInertia<Scalar> to_child(const JointTransform<Scalar>& X,
+                                    const ArticulatedInertia<Scalar>& I) {
+  const ArticulatedInertia<Scalar> at_child = shifted(I, -X.p);
+  return {X.matrix_to_child(at_child.A), X.matrix_to_child(at_child.B),
+          X.matrix_to_child(at_child.C)};
 }
 
 /// The inertia as a 6x6 matrix, linear over angular.

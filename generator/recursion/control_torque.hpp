@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "recursion/lambda_inverse.hpp"
-#include "recursion/shift_lambda_inverse.hpp"
+#include "recursion/lambda_routes.hpp"
 
 namespace treeline {
 
@@ -49,40 +48,45 @@ std::vector<Wrench<Scalar>> applied_wrenches(const Tree<Scalar>& tree,
   return applied;
 }
 
-/// How Lambda^-1 is computed.
-enum class LambdaRoute { force_propagation, factors_inward, factors_world };
-
-/// Whether `route` can serve the tree: articulated recursions end where joints share a coordinate;
-/// world Jacobians serve tasks asked in world axes.
+/// A vector in a link's axes, in those of the task's triples of rows.
 template <class Scalar>
-bool permits(const Tree<Scalar>& tree, TaskBasis basis, LambdaRoute route) {
-  if (!permits(tree, basis) || (tree.has_mimics && route == LambdaRoute::force_propagation)) {
-    return false;
-  }
-  const bool all_world =
-      std::all_of(tree.operational_points.begin(), tree.operational_points.end(),
-                  [](const TreePoint<Scalar>& point) { return point.axes == Axes::world; });
-  return route != LambdaRoute::factors_world || (all_world && !basis.in_link_axes);
+Vector3<Scalar> to_task_axes(const TaskPoint<Scalar>& task, const Vector3<Scalar>& v) {
+  return {dot(task.rows[0].e, v), dot(task.rows[1].e, v), dot(task.rows[2].e, v)};
 }
 
-/// Lambda^-1 in `basis`.
+/// A vector given in a point's axes, in those of `basis`.
 template <class Scalar>
-DenseMatrix<Scalar> lambda_inverse(const Tree<Scalar>& tree,
-                                   const std::vector<JointTransform<Scalar>>& X,
-                                   const std::vector<WorldPose<Scalar>>& poses, TaskBasis basis,
-                                   LambdaRoute route, std::size_t rows) {
-  if (route == LambdaRoute::factors_world) {
-    return lambda_inverse_by_factors(tree, X,
-                                     jacobian_world(tree, poses, basis.at_link_origin, rows));
+Vector3<Scalar> to_basis_axes(const Tree<Scalar>& tree,
+                              const std::vector<JointTransform<Scalar>>& X,
+                              const TreePoint<Scalar>& point, const TaskPoint<Scalar>& task,
+                              TaskBasis basis, const Vector3<Scalar>& v) {
+  if (basis.axes_link >= 0) {
+    return point.axes == Axes::world ? carried_to_link(tree, X, basis.axes_link, v)
+                                     : to_task_axes(task, point.R * v);
   }
-  const auto tasks = task_points(tree, basis, poses);
-  return route == LambdaRoute::force_propagation
-             ? lambda_inverse_by_force_propagation(tree, X, tasks, rows)
-             : lambda_inverse_by_factors(tree, X, jacobian_inward(tree, X, tasks, rows));
+  return to_link_axes(tree, X, point, v);
 }
 
-/// xdd_cmd - (Jd qd + J qdd_0) of one point, all in `basis`, gravity taken out of the motion again
-/// (motion.a is the true acceleration minus g).
+/// xdd_cmd - (Jd qd + J qdd_0) of one point, rows as asked for, gravity taken out of the motion
+/// again (motion.a is the true acceleration minus g).
+template <class Scalar>
+std::vector<Scalar> asked_acceleration_error(const Tree<Scalar>& tree,
+                                             const std::vector<JointTransform<Scalar>>& X,
+                                             const TreePoint<Scalar>& point,
+                                             const TaskPoint<Scalar>& task,
+                                             const LinkMotion<Scalar>& motion,
+                                             std::span<const Scalar> xdd) {
+  const Vector3<Scalar> linear =
+      acceleration_at(motion, point.p) + carried_to_link(tree, X, point.link, tree.gravity);
+  std::vector<Scalar> error;
+  for (std::size_t k = 0; k < task.rows.size(); ++k) {
+    const TaskRow<Scalar>& row = task.rows[k];
+    error.push_back(xdd[k] - dot(row.e, row.angular ? motion.wd : linear));
+  }
+  return error;
+}
+
+/// The same of a point with whole triples of rows, in `basis`.
 template <class Scalar>
 std::vector<Scalar> acceleration_error(const Tree<Scalar>& tree,
                                        const std::vector<JointTransform<Scalar>>& X,
@@ -90,34 +94,26 @@ std::vector<Scalar> acceleration_error(const Tree<Scalar>& tree,
                                        const TaskPoint<Scalar>& task, TaskBasis basis,
                                        const LinkMotion<Scalar>& motion,
                                        std::span<const Scalar> xdd) {
-  if (!basis.in_link_axes && !basis.at_link_origin) {
-    const Vector3<Scalar> linear =
-        acceleration_at(motion, point.p) + carried_to_link(tree, X, point.link, tree.gravity);
-    std::vector<Scalar> error;
-    for (std::size_t k = 0; k < task.rows.size(); ++k) {
-      const TaskRow<Scalar>& row = task.rows[k];
-      error.push_back(xdd[k] - dot(row.e, row.angular ? motion.wd : linear));
-    }
-    return error;
-  }
   const bool linear_rows = point.rows[0];
   const bool angular_rows = point.rows[3];
-  const bool world = point.axes == Axes::world;
+  const auto to_basis = [&](const Vector3<Scalar>& v) {
+    return to_basis_axes(tree, X, point, task, basis, v);
+  };
   std::vector<Scalar> error;
   Vector3<Scalar> wd_error;
   if (angular_rows) {
     const std::size_t at = linear_rows ? 3 : 0;
-    wd_error = to_link_axes(tree, X, point, Vector3<Scalar>{xdd[at], xdd[at + 1], xdd[at + 2]}) -
-               motion.wd;
+    wd_error = to_basis({xdd[at], xdd[at + 1], xdd[at + 2]}) - to_task_axes(task, motion.wd);
   }
   if (linear_rows) {
     const Vector3<Scalar> asked{xdd[0], xdd[1], xdd[2]};
+    const int axes = basis.axes_link >= 0 ? basis.axes_link : point.link;
     const Vector3<Scalar> wanted =
-        world ? carried_to_link(tree, X, point.link, asked - tree.gravity)
-              : point.R * asked - carried_to_link(tree, X, point.link, tree.gravity);
-    const Vector3<Scalar> at_point = wanted - acceleration_at(motion, point.p);
+        point.axes == Axes::world ? carried_to_link(tree, X, axes, asked - tree.gravity)
+                                  : to_basis(asked) - carried_to_link(tree, X, axes, tree.gravity);
+    const Vector3<Scalar> at_point = wanted - to_task_axes(task, acceleration_at(motion, point.p));
     const Vector3<Scalar> linear =
-        basis.at_link_origin ? at_point - cross(wd_error, point.p) : at_point;
+        basis.at_link_origin ? at_point - cross(wd_error, to_task_axes(task, point.p)) : at_point;
     error = {linear.x, linear.y, linear.z};
   }
   if (angular_rows) {
@@ -139,9 +135,11 @@ struct ControlInputs {
 template <class Scalar>
 std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
                                    const std::vector<JointTransform<Scalar>>& X,
-                                   const ControlInputs<Scalar>& inputs, TaskBasis basis,
-                                   LambdaRoute route, std::size_t row_count) {
-  const auto poses = world_poses(tree, X);
+                                   const ControlInputs<Scalar>& inputs, const LambdaChoice& choice,
+                                   std::size_t row_count) {
+  const TaskBasis& basis = choice.basis;
+  const bool as_asked = !basis.in_link_axes && basis.axes_link < 0;
+  const auto poses = poses_seen_from(tree, X, basis.axes_link);
   const auto motions = outward_motion(tree, X, inputs.rates, -tree.gravity);
   const auto tasks = task_points(tree, basis, poses);
   std::vector<Scalar> errors;
@@ -152,12 +150,12 @@ std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
     if (point.link >= 0) {
       motion = motions[static_cast<std::size_t>(point.link)];
     }
-    const auto error = acceleration_error(tree, X, point, tasks[k], basis, motion,
-                                          inputs.xdd_cmd.subspan(errors.size()));
+    const auto xdd = inputs.xdd_cmd.subspan(errors.size());
+    const auto error = as_asked ? asked_acceleration_error(tree, X, point, tasks[k], motion, xdd)
+                                : acceleration_error(tree, X, point, tasks[k], basis, motion, xdd);
     errors.insert(errors.end(), error.begin(), error.end());
   }
-  const auto F =
-      solve(factor_ldlt(lambda_inverse(tree, X, poses, basis, route, row_count)), errors);
+  const auto F = solve(factor_ldlt(lambda_inverse(tree, X, poses, choice, row_count)), errors);
   std::vector<Wrench<Scalar>> wrenches = inertial_wrenches(tree, motions);
   for (std::size_t i = 0; i < inputs.applied.size(); ++i) {
     wrenches[i] = wrenches[i] - inputs.applied[i];

@@ -31,12 +31,19 @@ void add_joint_columns(const TreeLink<Scalar>& link, const TaskPoint<Scalar>& ta
   }
 }
 
+/// Row `axis` of a matrix.
+template <class Scalar>
+const Vector3<Scalar>& row_of(const Matrix3<Scalar>& A, int axis) {
+  return axis == 0 ? A.row_x : axis == 1 ? A.row_y : A.row_z;
+}
+
 /// J by carrying each point's rows inward from its link: cheap where the task's axes are the
-/// link's.
+/// link's. Rows along the axes that `poses` are seen from are taken from there instead.
 template <class Scalar>
 DenseMatrix<Scalar> jacobian_inward(const Tree<Scalar>& tree,
                                     const std::vector<JointTransform<Scalar>>& X,
-                                    std::vector<TaskPoint<Scalar>> tasks, std::size_t rows) {
+                                    std::vector<TaskPoint<Scalar>> tasks, std::size_t rows,
+                                    const std::vector<WorldPose<Scalar>>& poses) {
   DenseMatrix<Scalar> J(rows, static_cast<std::size_t>(tree.nv));
   std::size_t first_row = 0;
   for (TaskPoint<Scalar>& task : tasks) {
@@ -46,10 +53,12 @@ DenseMatrix<Scalar> jacobian_inward(const Tree<Scalar>& tree,
       section(tree.links[i], i, "Jacobian");
       add_joint_columns(tree.links[i], task, first_row, J);
       task.r = X[i].to_parent(task.r) + X[i].p;
+      const int h = tree.links[i].parent;
       for (TaskRow<Scalar>& row : task.rows) {
-        row.e = X[i].to_parent(row.e);
+        row.e = task.along_poses && h >= 0 ? row_of(poses[static_cast<std::size_t>(h)].R, row.axis)
+                                           : X[i].to_parent(row.e);
       }
-      task.link = tree.links[i].parent;
+      task.link = h;
     }
     first_row += count;
   }
@@ -63,20 +72,20 @@ Wrench<Scalar> unit_velocity(JointKind kind, const Vector3<Scalar>& z, const Vec
   return kind == JointKind::revolute ? Wrench<Scalar>{cross(z, arm), z} : Wrench<Scalar>{z, {}};
 }
 
-/// J in world axes from the poses of all links: z x (p_point - p_joint). Shares the rotations
-/// between points; cheap near the base. Differences of positions are summed from the steps between
-/// joints: subtracting positions would lose digits with the robot's distance from the world's
-/// origin.
+/// J in the axes that `poses` are seen from, out of the poses of all links: z x (p_point -
+/// p_joint). Shares the rotations between points; cheap near those axes. Differences of positions
+/// are summed from the steps between joints: subtracting positions would lose digits with the
+/// robot's distance from the world's origin.
 template <class Scalar>
 DenseMatrix<Scalar> jacobian_world(const Tree<Scalar>& tree,
-                                   const std::vector<WorldPose<Scalar>>& poses, bool at_link_origin,
+                                   const std::vector<WorldPose<Scalar>>& poses, TaskBasis basis,
                                    std::size_t rows) {
   DenseMatrix<Scalar> J(rows, static_cast<std::size_t>(tree.nv));
   std::size_t first_row = 0;
   for (const TreePoint<Scalar>& point : tree.operational_points) {
-    const TaskPoint<Scalar> task = task_point(point, {false, at_link_origin}, poses);
+    const TaskPoint<Scalar> task = task_point(point, basis, poses);
     Vector3<Scalar> arm;
-    if (!at_link_origin) {
+    if (!basis.at_link_origin) {
       arm = point_pose(poses, point).step;
     }
     for (int i = point.link; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) {

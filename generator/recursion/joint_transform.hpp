@@ -33,6 +33,11 @@ struct JointTransform {
   [[nodiscard]] Matrix3<Scalar> matrix_to_parent(const Matrix3<Scalar>& A) const {
     return rotate(R, rotate_z(turn, A));
   }
+  /// Q^T R^T A R Q of either kind of matrix, across one-degree joints only.
+  template <class Turned>
+  [[nodiscard]] Turned matrix_to_child(const Turned& A) const {
+    return rotate_z(turn.inverse(), rotate_back(R, A));
+  }
 };
 
 /// Q = 1 + 2 (w [v]x + [v]x [v]x) for the quaternion (v, w), not normalised.

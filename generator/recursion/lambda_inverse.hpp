@@ -52,8 +52,18 @@ void absorb_in_floating_joint(const LdltFactor<Scalar>& IA,
   forces.clear();
 }
 
-/// Takes out of unit forces what the joint yields to: K - U D^-1 (S^T K), whose own component is
-/// an exact zero.
+/// What the joint does not yield to of a force: K - U D^-1 (S^T K), whose own component is an exact
+/// zero.
+template <class Scalar>
+Wrench<Scalar> without_work(JointKind kind, const JointProjection<Scalar>& joint,
+                            const Wrench<Scalar>& K) {
+  const Scalar work = kind == JointKind::revolute ? K.n.z : K.f.z;
+  Wrench<Scalar> left = K - Wrench<Scalar>{joint.u.f * work, joint.u.n * work};
+  (kind == JointKind::revolute ? left.n.z : left.f.z) = Scalar(0.0);
+  return left;
+}
+
+/// Takes out of unit forces what the joint yields to.
 template <class Scalar>
 void absorb_in_joint(JointKind kind, const JointProjection<Scalar>& joint,
                      std::vector<PropagatedForce<Scalar>>& forces,
@@ -63,19 +73,18 @@ void absorb_in_joint(JointKind kind, const JointProjection<Scalar>& joint,
     work.push_back(kind == JointKind::revolute ? force.K.n.z : force.K.f.z);
   }
   add_outer_product(forces, work, joint.inverse_D, Lambda_inv);
-  for (std::size_t r = 0; r < forces.size(); ++r) {
-    Wrench<Scalar>& K = forces[r].K;
-    K = K - Wrench<Scalar>{joint.u.f * work[r], joint.u.n * work[r]};
-    (kind == JointKind::revolute ? K.n.z : K.f.z) = Scalar(0.0);
+  for (PropagatedForce<Scalar>& force : forces) {
+    force.K = without_work(kind, joint, force.K);
   }
 }
 
 /// Lambda^-1 = sum over joints of (S^T K)^T D^-1 (S^T K), K the unit forces of the rows propagated
-/// inward (PV-OSIM: Sathya et al. 2023; the transpose of Chang table 5.3).
+/// inward (PV-OSIM: Sathya et al. 2023).
 template <class Scalar>
-DenseMatrix<Scalar> lambda_inverse_by_force_propagation(
-    const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
-    const std::vector<TaskPoint<Scalar>>& tasks, std::size_t rows) {
+DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
+                                                  const std::vector<JointTransform<Scalar>>& X,
+                                                  const std::vector<TaskPoint<Scalar>>& tasks,
+                                                  std::size_t rows) {
   const ArticulatedTree<Scalar> bodies = articulate(tree, X);
   std::vector<std::vector<PropagatedForce<Scalar>>> forces(tree.links.size());
   std::size_t row = 0;

@@ -71,13 +71,14 @@ void shift_coupling_block(DenseMatrix<Scalar>& A, std::size_t row, const Vector3
   }
 }
 
-/// Lambda^-1 worked out at link origins, moved to the operational points; all rows, axes as asked.
+/// Lambda^-1 worked out at link origins, moved to the operational points; all rows, in the axes of
+/// `basis`.
 template <class Scalar>
-void shift_to_points(const Tree<Scalar>& tree, const std::vector<WorldPose<Scalar>>& poses,
-                     DenseMatrix<Scalar>& Lambda_inv) {
+void shift_to_points(const Tree<Scalar>& tree, TaskBasis basis,
+                     const std::vector<WorldPose<Scalar>>& poses, DenseMatrix<Scalar>& Lambda_inv) {
   std::vector<Vector3<Scalar>> arms;
   for (const TreePoint<Scalar>& point : tree.operational_points) {
-    arms.push_back(task_from_link(point, {}, poses) * point.p);
+    arms.push_back(task_from_link(point, basis, poses) * point.p);
   }
   for (std::size_t i = 0; i < arms.size(); ++i) {
     shift_diagonal_block(Lambda_inv, 6 * i, arms[i]);

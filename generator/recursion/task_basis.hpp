@@ -12,6 +12,7 @@ namespace treeline {
 struct TaskBasis {
   bool in_link_axes = false;    ///< instead of the axes that the scene asks for
   bool at_link_origin = false;  ///< instead of at the point
+  int axes_link = -1;           ///< the axes of this link for all points; -1: not so
 };
 
 /// One row of a task: the unit force (or moment) e at `r` does work at the rate of the row's
@@ -20,6 +21,7 @@ template <class Scalar>
 struct TaskRow {
   bool angular = false;
   Vector3<Scalar> e;
+  int axis = 0;  ///< x y z of the task's axes
 };
 
 /// The rows of one operational point, in the order of the scene.
@@ -28,6 +30,7 @@ struct TaskPoint {
   int link = -1;
   Vector3<Scalar> r;  ///< reference point of linear rows, in the link's axes
   std::vector<TaskRow<Scalar>> rows;
+  bool along_poses = false;  ///< the rows' axes are those that the poses are seen from
 };
 
 template <class Scalar>
@@ -40,24 +43,26 @@ bool has_all_rows(const TreePoint<Scalar>& point) {
   return has_whole_triples(point) && point.rows[0] && point.rows[3];
 }
 
-/// Link axes need whole triples of rows (all of x y z or none), the link's origin all six.
+/// Axes not asked for need whole triples of rows (all of x y z or none), the link's origin all six.
 template <class Scalar>
 bool permits(const Tree<Scalar>& tree, TaskBasis basis) {
   return std::all_of(tree.operational_points.begin(), tree.operational_points.end(),
                      [basis](const TreePoint<Scalar>& point) {
-                       return (!basis.in_link_axes || has_whole_triples(point)) &&
+                       const bool asked = !basis.in_link_axes && basis.axes_link < 0;
+                       return (asked || has_whole_triples(point)) &&
                               (!basis.at_link_origin || has_all_rows(point));
                      });
 }
 
-/// Rows are the task's axes in the link's coordinates: R_task_link.
+/// Rows are the task's axes in the link's coordinates: R_task_link. `poses` are those seen from
+/// `basis.axes_link`.
 template <class Scalar>
 Matrix3<Scalar> task_from_link(const TreePoint<Scalar>& point, TaskBasis basis,
                                const std::vector<WorldPose<Scalar>>& poses) {
   if (basis.in_link_axes) {
     return identity3<Scalar>();
   }
-  if (point.axes == Axes::world) {
+  if (point.axes == Axes::world || basis.axes_link >= 0) {
     return point.link < 0 ? identity3<Scalar>() : poses[static_cast<std::size_t>(point.link)].R;
   }
   return transposed(point.R);
@@ -69,9 +74,10 @@ TaskPoint<Scalar> task_point(const TreePoint<Scalar>& point, TaskBasis basis,
   const Matrix3<Scalar> E = task_from_link(point, basis, poses);
   const Vector3<Scalar> unit[3] = {E.row_x, E.row_y, E.row_z};
   TaskPoint<Scalar> task{point.link, basis.at_link_origin ? Vector3<Scalar>{} : point.p, {}};
+  task.along_poses = basis.axes_link >= 0 || (point.axes == Axes::world && !basis.in_link_axes);
   for (std::size_t k = 0; k < 6; ++k) {
     if (point.rows[k]) {
-      task.rows.push_back({k >= 3, unit[k % 3]});
+      task.rows.push_back({k >= 3, unit[k % 3], static_cast<int>(k % 3)});
     }
   }
   return task;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "recursion/control_torque.hpp"
@@ -75,6 +76,25 @@ Signature signature(Function function) {
           kQd | kPosture | kXddCmd | kForces};
   }
   return {};
+}
+
+/// What a way to Lambda^-1 is called in reports.
+std::string describe(const LambdaChoice& choice, const TracedTree& tree) {
+  static const std::map<LambdaRoute, const char*> kNames = {
+      {LambdaRoute::unit_forces, "unit forces propagated inward (PV-OSIM)"},
+      {LambdaRoute::factors_inward, "M = L^T D L, J carried inward"},
+      {LambdaRoute::factors_world, "M = L^T D L, J from poses"},
+      {LambdaRoute::branching, "force propagation with branching (Chang table 5.3)"},
+      {LambdaRoute::extended_propagators, "extended force propagators (EFPA)"},
+      {LambdaRoute::inertia_propagation, "inertia propagation (Chang table 5.1)"}};
+  const TaskBasis& basis = choice.basis;
+  const std::string axes =
+      basis.axes_link >= 0 ? fmt::format("the axes of link {} ({})", basis.axes_link + 1,
+                                         tree.links[static_cast<std::size_t>(basis.axes_link)].name)
+      : basis.in_link_axes ? "link axes"
+                           : "the axes asked for";
+  return fmt::format("{}, in {} at {}", kNames.at(choice.route), axes,
+                     basis.at_link_origin ? "link origins" : "the points");
 }
 
 class Tracer {
@@ -167,16 +187,17 @@ Outputs point_poses(const Trace& trace) {
 
 std::vector<Route> jacobian_routes(const TracedTree& tree) {
   std::vector<Route> routes{{"rows carried inward from each point", [](const Trace& trace) {
-                               const auto tasks = task_points(trace.tree, {}, trace.poses());
+                               const auto poses = trace.poses();
+                               const auto tasks = task_points(trace.tree, {}, poses);
                                return matrix_output(
                                    "J", "Jacobian",
-                                   jacobian_inward(trace.tree, trace.X, tasks, trace.rows));
+                                   jacobian_inward(trace.tree, trace.X, tasks, trace.rows, poses));
                              }}};
   if (permits(tree, {}, LambdaRoute::factors_world)) {
     routes.push_back({"from the poses of all links", [](const Trace& trace) {
                         return matrix_output(
                             "J", "Jacobian",
-                            jacobian_world(trace.tree, trace.poses(), false, trace.rows));
+                            jacobian_world(trace.tree, trace.poses(), {}, trace.rows));
                       }});
   }
   return routes;
@@ -210,53 +231,12 @@ std::vector<Route> forward_dynamics_routes(const TracedTree& tree) {
   return routes;
 }
 
-/// Every way to Lambda^-1 that the tree permits, with the basis it is worked out in.
-struct LambdaChoice {
-  TaskBasis basis;
-  LambdaRoute route;
-  std::string source;
-};
-
-std::vector<LambdaChoice> lambda_choices(const TracedTree& tree) {
-  const std::pair<LambdaRoute, const char*> routes[] = {
-      {LambdaRoute::force_propagation, "unit forces propagated inward (PV-OSIM)"},
-      {LambdaRoute::factors_inward, "M = L^T D L, J carried inward"},
-      {LambdaRoute::factors_world, "M = L^T D L, J in world axes"}};
-  std::vector<LambdaChoice> choices;
-  for (const auto& [route, name] : routes) {
-    for (const bool in_link_axes : {false, true}) {
-      for (const bool at_link_origin : {false, true}) {
-        const TaskBasis basis{in_link_axes, at_link_origin};
-        if (permits(tree, basis, route)) {
-          choices.push_back({basis, route,
-                             fmt::format("{}, in {} at {}", name,
-                                         in_link_axes ? "link axes" : "the axes asked for",
-                                         at_link_origin ? "link origins" : "the points")});
-        }
-      }
-    }
-  }
-  return choices;
-}
-
-DenseMatrix<Expression> traced_lambda_inverse(const Trace& trace, const LambdaChoice& choice) {
-  const auto poses = trace.poses();
-  auto Lambda_inv =
-      lambda_inverse(trace.tree, trace.X, poses, choice.basis, choice.route, trace.rows);
-  if (choice.basis.at_link_origin) {
-    shift_to_points(trace.tree, poses, Lambda_inv);
-  }
-  return Lambda_inv;
-}
-
 std::vector<Route> lambda_routes(const TracedTree& tree, bool invert) {
   std::vector<Route> routes;
   for (const LambdaChoice& choice : lambda_choices(tree)) {
-    if (choice.basis.in_link_axes) {
-      continue;  // the result is wanted in the axes asked for
-    }
-    routes.push_back({choice.source, [choice, invert](const Trace& trace) {
-                        const auto Lambda_inv = traced_lambda_inverse(trace, choice);
+    routes.push_back({describe(choice, tree), [choice, invert](const Trace& trace) {
+                        const auto Lambda_inv =
+                            lambda_inverse_as_asked(trace.tree, trace.X, choice, trace.rows);
                         return invert
                                    ? matrix_output("Lambda", "operational-space inertia",
                                                    inverse(factor_ldlt(Lambda_inv)))
@@ -269,17 +249,15 @@ std::vector<Route> lambda_routes(const TracedTree& tree, bool invert) {
 
 std::vector<Route> control_routes(const TracedTree& tree) {
   std::vector<Route> routes;
-  for (const LambdaChoice& choice : lambda_choices(tree)) {
-    if (choice.basis.at_link_origin && !choice.basis.in_link_axes) {
-      continue;  // what is solved at the link's origin is solved in its axes
-    }
+  for (const LambdaChoice& choice : control_choices(tree)) {
     routes.push_back(
-        {"Chang table 6.1, fused; Lambda^-1: " + choice.source, [choice](const Trace& trace) {
+        {"Chang table 6.1, fused; Lambda^-1: " + describe(choice, tree),
+         [choice](const Trace& trace) {
            return vector_output(
                "tau", "joint forces",
                control_torque<Expression>(trace.tree, trace.X,
                                           {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()},
-                                          choice.basis, choice.route, trace.rows));
+                                          choice, trace.rows));
          }});
   }
   return routes;

@@ -81,9 +81,10 @@ class TemplateRun {
 
   [[nodiscard]] std::vector<RouteResults<Scalar>> jacobians() const {
     std::vector<RouteResults<Scalar>> runs{
-        {"inward", {jacobian_inward(tree_, X_, task_points(tree_, {}, poses_), rows_).values()}}};
+        {"inward",
+         {jacobian_inward(tree_, X_, task_points(tree_, {}, poses_), rows_, poses_).values()}}};
     if (permits(tree_, {}, LambdaRoute::factors_world)) {
-      runs.push_back({"world", {jacobian_world(tree_, poses_, false, rows_).values()}});
+      runs.push_back({"world", {jacobian_world(tree_, poses_, {}, rows_).values()}});
     }
     return runs;
   }
@@ -100,47 +101,31 @@ class TemplateRun {
     return runs;
   }
 
-  [[nodiscard]] DenseMatrix<Scalar> lambda_inverse_by(TaskBasis basis, LambdaRoute route) const {
-    auto Lambda_inv = lambda_inverse(tree_, X_, poses_, basis, route, rows_);
-    if (basis.at_link_origin) shift_to_points(tree_, poses_, Lambda_inv);
-    return Lambda_inv;
-  }
-
-  template <class Visit>
-  void for_each_route(Visit visit) const {
-    for (const LambdaRoute route : {LambdaRoute::force_propagation, LambdaRoute::factors_inward,
-                                    LambdaRoute::factors_world}) {
-      for (const bool in_link_axes : {false, true}) {
-        for (const bool at_link_origin : {false, true}) {
-          const TaskBasis basis{in_link_axes, at_link_origin};
-          if (!permits(tree_, basis, route)) continue;
-          visit("route " + std::to_string(static_cast<int>(route)) +
-                    (in_link_axes ? ", link axes" : "") + (at_link_origin ? ", link origin" : ""),
-                basis, route);
-        }
-      }
-    }
+  static std::string name_of(const LambdaChoice& choice) {
+    const TaskBasis& basis = choice.basis;
+    return "route " + std::to_string(static_cast<int>(choice.route)) +
+           (basis.in_link_axes ? ", link axes" : "") +
+           (basis.at_link_origin ? ", link origin" : "") + ", axes of link " +
+           std::to_string(basis.axes_link);
   }
 
   [[nodiscard]] std::vector<RouteResults<Scalar>> lambdas(bool invert) const {
     std::vector<RouteResults<Scalar>> runs;
-    for_each_route([&](const std::string& name, TaskBasis basis, LambdaRoute route) {
-      if (basis.in_link_axes) return;
-      const auto Lambda_inv = lambda_inverse_by(basis, route);
-      runs.push_back(
-          {name, {invert ? inverse(factor_ldlt(Lambda_inv)).values() : Lambda_inv.values()}});
-    });
+    for (const LambdaChoice& choice : lambda_choices(tree_)) {
+      const auto Lambda_inv = lambda_inverse_as_asked(tree_, X_, choice, rows_);
+      runs.push_back({name_of(choice),
+                      {invert ? inverse(factor_ldlt(Lambda_inv)).values() : Lambda_inv.values()}});
+    }
     return runs;
   }
 
   [[nodiscard]] std::vector<RouteResults<Scalar>> control_torques() const {
     std::vector<RouteResults<Scalar>> runs;
-    for_each_route([&](const std::string& name, TaskBasis basis, LambdaRoute route) {
-      if (basis.at_link_origin && !basis.in_link_axes) return;
-      runs.push_back({name,
+    for (const LambdaChoice& choice : control_choices(tree_)) {
+      runs.push_back({name_of(choice),
                       {control_torque<Scalar>(tree_, X_, {{in_.qd, in_.qdd}, in_.xdd_cmd, applied_},
-                                              basis, route, rows_)}});
-    });
+                                              choice, rows_)}});
+    }
     return runs;
   }
 

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <vector>
+
+#include "recursion/force_propagation.hpp"
+#include "recursion/inertia_propagation.hpp"
+#include "recursion/lambda_inverse.hpp"
+#include "recursion/link_poses.hpp"
+#include "recursion/shift_lambda_inverse.hpp"
+#include "recursion/turn_lambda_inverse.hpp"
+
+namespace treeline {
+
+/// How Lambda^-1 is computed.
+enum class LambdaRoute {
+  unit_forces,           ///< PV-OSIM
+  factors_inward,        ///< M = L^T D L, J carried inward
+  factors_world,         ///< M = L^T D L, J from poses
+  branching,             ///< Chang tables 5.2, 5.3
+  extended_propagators,  ///< EFPA
+  inertia_propagation,   ///< Chang table 5.1
+};
+
+/// A way to Lambda^-1 with the coordinates that it is worked out in.
+struct LambdaChoice {
+  TaskBasis basis;
+  LambdaRoute route = LambdaRoute::unit_forces;
+};
+
+/// Whether `route` can serve the tree: articulated recursions end where joints share a coordinate;
+/// Jacobians from poses serve the axes that the poses are seen from, the world's or a link's.
+template <class Scalar>
+bool permits(const Tree<Scalar>& tree, TaskBasis basis, LambdaRoute route) {
+  const bool by_factors =
+      route == LambdaRoute::factors_inward || route == LambdaRoute::factors_world;
+  if (!permits(tree, basis) || (tree.has_mimics && !by_factors)) {
+    return false;
+  }
+  if (route == LambdaRoute::inertia_propagation) {
+    return permits_inertia_propagation(tree);
+  }
+  const bool all_world =
+      std::all_of(tree.operational_points.begin(), tree.operational_points.end(),
+                  [](const TreePoint<Scalar>& point) { return point.axes == Axes::world; });
+  return route != LambdaRoute::factors_world || basis.axes_link >= 0 ||
+         (all_world && !basis.in_link_axes);
+}
+
+/// Lambda^-1 in the coordinates of `choice`; `poses` are those seen from its `axes_link`.
+template <class Scalar>
+DenseMatrix<Scalar> lambda_inverse(const Tree<Scalar>& tree,
+                                   const std::vector<JointTransform<Scalar>>& X,
+                                   const std::vector<WorldPose<Scalar>>& poses,
+                                   const LambdaChoice& choice, std::size_t rows) {
+  if (choice.route == LambdaRoute::factors_world) {
+    return lambda_inverse_by_factors(tree, X, jacobian_world(tree, poses, choice.basis, rows));
+  }
+  const auto tasks = task_points(tree, choice.basis, poses);
+  switch (choice.route) {
+    case LambdaRoute::factors_inward:
+      return lambda_inverse_by_factors(tree, X, jacobian_inward(tree, X, tasks, rows, poses));
+    case LambdaRoute::branching:
+      return lambda_inverse_by_branching(tree, X, tasks);
+    case LambdaRoute::extended_propagators:
+      return lambda_inverse_by_extended_propagators(tree, X, tasks);
+    case LambdaRoute::inertia_propagation:
+      return lambda_inverse_by_inertia_propagation(tree, X, tasks, rows);
+    default:
+      return lambda_inverse_by_unit_forces(tree, X, tasks, rows);
+  }
+}
+
+/// Lambda^-1 at the points and in the axes that the scene asks for, worked out in those of
+/// `choice`, which must not be each link's own.
+template <class Scalar>
+DenseMatrix<Scalar> lambda_inverse_as_asked(const Tree<Scalar>& tree,
+                                            const std::vector<JointTransform<Scalar>>& X,
+                                            const LambdaChoice& choice, std::size_t rows) {
+  const TaskBasis& basis = choice.basis;
+  const auto poses = poses_seen_from(tree, X, basis.axes_link);
+  auto Lambda_inv = lambda_inverse(tree, X, poses, choice, rows);
+  if (basis.at_link_origin) {
+    shift_to_points(tree, basis, poses, Lambda_inv);
+  }
+  if (basis.axes_link >= 0) {
+    turn_to_asked_axes(tree, X, basis.axes_link, Lambda_inv);
+  }
+  return Lambda_inv;
+}
+
+/// The links in whose axes all points could be worked with: those that carry every point.
+template <class Scalar>
+std::vector<int> common_links(const Tree<Scalar>& tree) {
+  const auto& points = tree.operational_points;
+  if (points.empty()) {
+    return {};
+  }
+  int link = points.front().link;
+  for (const TreePoint<Scalar>& point : points) {
+    link = nearest_common_ancestor(tree, link, point.link);
+  }
+  std::vector<int> links;
+  for (; link >= 0; link = tree.links[static_cast<std::size_t>(link)].parent) {
+    links.push_back(link);
+  }
+  return links;
+}
+
+namespace detail {
+
+/// `basis` at the points and at link origins, by those of `routes` that the tree permits.
+template <class Scalar>
+void append_choices(const Tree<Scalar>& tree, TaskBasis basis,
+                    std::initializer_list<LambdaRoute> routes, std::vector<LambdaChoice>& choices) {
+  for (const LambdaRoute route : routes) {
+    for (const bool at_link_origin : {false, true}) {
+      basis.at_link_origin = at_link_origin;
+      if (permits(tree, basis, route)) {
+        choices.push_back({basis, route});
+      }
+    }
+  }
+}
+
+}  // namespace detail
+
+/// Every way to Lambda^-1 in the axes asked for.
+template <class Scalar>
+std::vector<LambdaChoice> lambda_choices(const Tree<Scalar>& tree) {
+  using enum LambdaRoute;
+  std::vector<LambdaChoice> choices;
+  detail::append_choices(tree, {},
+                         {unit_forces, factors_inward, factors_world, branching,
+                          extended_propagators, inertia_propagation},
+                         choices);
+  for (const int link : common_links(tree)) {
+    if (permits_turning(tree, link)) {
+      detail::append_choices(tree, {false, false, link}, {factors_inward, factors_world}, choices);
+      if (link == tree.operational_points.front().link) {
+        detail::append_choices(tree, {false, false, link},
+                               {unit_forces, branching, inertia_propagation}, choices);
+      }
+    }
+  }
+  return choices;
+}
+
+/// Every way to Lambda^-1 for a control torque, in which the axes need not be those asked for. What
+/// is solved at links' origins is solved in their axes.
+template <class Scalar>
+std::vector<LambdaChoice> control_choices(const Tree<Scalar>& tree) {
+  using enum LambdaRoute;
+  std::vector<LambdaChoice> choices;
+  detail::append_choices(tree, {}, {unit_forces, factors_inward, factors_world}, choices);
+  std::erase_if(choices, [](const LambdaChoice& choice) { return choice.basis.at_link_origin; });
+  detail::append_choices(tree, {true, false},
+                         {unit_forces, factors_inward, branching, extended_propagators}, choices);
+  for (const int link : common_links(tree)) {
+    detail::append_choices(tree, {false, false, link}, {factors_inward, factors_world}, choices);
+  }
+  return choices;
+}
+
+}  // namespace treeline
