@@ -146,7 +146,7 @@ TEST(Specialised, ALockedJointCostsLessThanAMovingOne) {
 
 // Each step of reduction is there to save operations.
 TEST(Specialised, EachReductionSaves) {
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     RandomOptions options;
     options.joints = 8;
     options.mix = {5, 1, 1, 1, 0, 0};
