@@ -73,18 +73,21 @@ void Tables::print_function(const Measured& measured, Function function) {
 void Tables::print_fact(const Measured& measured, Function function, const Subject& subject) {
   const Facts f = read_facts(subject, name_of(function));
   const auto warm = time_of(measured, function, subject, Mode::warm);
-  const double rate = warm ? static_cast<double>(f.flops) / *warm : 0;
-  text +=
-      fmt::format("  {:<17}{:<28}{:>6}{:>5}{:>6}{:>10.2f}{:>12.2f}{:>7}{:>7}{:>8.2f} s{:>5.0f}\n",
-                  name_of(function), subject.implementation, f.flops, f.divisions, f.sin_cos, rate,
-                  machine.gigahertz > 0 ? rate / machine.gigahertz : 0, f.code_bytes, f.stack_bytes,
-                  f.compile_seconds, f.compile_mib);
+  const double cycles = warm ? *warm * machine.gigahertz : 0;
+  const auto a_cycle = [&](long count) {
+    return cycles > 0 ? static_cast<double>(count) / cycles : 0.0;
+  };
+  text += fmt::format(
+      "  {:<17}{:<28}{:>6}{:>5}{:>6}{:>10.2f}{:>12.2f}{:>9.1f}{:>7}{:>7}{:>8.2f} s{:>5.0f}\n",
+      name_of(function), subject.implementation, f.flops, f.divisions, f.sin_cos,
+      warm ? static_cast<double>(f.flops) / *warm : 0, a_cycle(f.flops), a_cycle(f.code_bytes),
+      f.code_bytes, f.stack_bytes, f.compile_seconds, f.compile_mib);
 }
 
 void Tables::print_facts(const Measured& measured) {
-  text += fmt::format("{:<47}{:>6}{:>5}{:>6}{:>10}{:>12}{:>7}{:>7}{:>10}{:>5}\n", "generated code",
-                      "flops", "div", "sin", "flops/ns", "flops/cycle", "code", "stack", "compile",
-                      "MiB");
+  text += fmt::format("{:<47}{:>6}{:>5}{:>6}{:>10}{:>12}{:>9}{:>7}{:>7}{:>10}{:>5}\n",
+                      "generated code", "flops", "div", "sin", "flops/ns", "flops/cycle", "B/cycle",
+                      "code", "stack", "compile", "MiB");
   for (const Function function : kFunctions) {
     if (!measured_any(measured, function)) continue;
     for (const Subject& subject : measured.subjects) {
@@ -97,7 +100,7 @@ void Tables::print_compilation(const Measured& measured) {
   for (const Subject& subject : measured.subjects) {
     if (subject.facts.empty()) continue;
     const Compilation all = read_compilation(subject);
-    text += fmt::format("  {:<45}all {} functions{:>33}{:>7}{:>7}{:>8.2f} s{:>5.0f}\n",
+    text += fmt::format("  {:<45}all {} functions{:>42}{:>7}{:>7}{:>8.2f} s{:>5.0f}\n",
                         subject.implementation, all.functions, "", all.code_bytes, "", all.seconds,
                         all.peak_mib);
   }
@@ -157,7 +160,9 @@ std::string print_tables(const std::vector<Measured>& robots, const AllTimes& ti
       "Nanoseconds a call, {} of the repetitions, all measured in turn in one process; in brackets "
       "the ratio to the\nfirst line. warm: back to back, 64 states. dependent: q waits for the "
       "last "
-      "call's output. cold: code and data\nout of the core's caches. flushed: out of all caches.\n",
+      "call's output. cold: code and data\nout of the core's caches. flushed: out of all caches. "
+      "B/cycle: bytes of code run through, warm; a "
+      "function larger\nthan L1i ends where the core fetches no faster.\n",
       machine.processor, machine.caches, machine.gigahertz, kBuild, least ? "least" : "median");
   for (const Measured& measured : robots) {
     const auto any = [&](Function function) { return tables.measured_any(measured, function); };
