@@ -21,12 +21,15 @@ Inertial rod_inertial(double mass, double center, double izz) {
   return inertial;
 }
 
-/// The first route's only result.
+std::vector<double> value(const Program& program, const Inputs<double>& in) {
+  return evaluate<double>(program, CheckedPrograms::arguments(program, in)).front();
+}
+
+/// The result by one route.
 std::vector<double> value(const Robot& robot, const Scene& scene, Function function,
                           const Inputs<double>& in, std::size_t route = 0) {
   const auto programs = trace_function(reduced_mechanism(robot, scene), function);
-  const Program& program = programs.at(route);
-  return evaluate<double>(program, CheckedPrograms::arguments(program, in)).front();
+  return value(programs.at(route), in);
 }
 
 constexpr double kMass = 2.5, kCenter = 0.4, kInertia = 0.03;
@@ -195,8 +198,8 @@ TEST(Structure, LambdaInvertsItsInverseAndMatricesAreSymmetricToTheBit) {
   EXPECT_TRUE(symmetric(value(made.robot, made.scene, Function::mass_matrix, in)));
   const double slack = condition(oracle.lambda_inverse(rounded_to<Digits50>(in))) * 1e-13;
   for (std::size_t route = 0; route < inverses.size(); ++route) {
-    const auto A = value(made.robot, made.scene, Function::lambda_inverse, in, route);
-    const auto B = value(made.robot, made.scene, Function::lambda, in, route);
+    const auto A = value(inverses[route], in);
+    const auto B = value(lambdas[route], in);
     EXPECT_TRUE(symmetric(A)) << inverses[route].source;
     EXPECT_TRUE(symmetric(B)) << inverses[route].source;
     const auto one = product(A, B, 6);
