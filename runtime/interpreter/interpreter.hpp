@@ -6,6 +6,7 @@
 /// coordinates; a quantity of a robot with mimic joints is that of its independent coordinates.
 /// `instances.hpp` gives the same with double and 50 digits compiled once.
 
+#include "interpreter/augmented_object.hpp"
 #include "interpreter/control_torque.hpp"
 #include "interpreter/explicit_operational_space.hpp"
 #include "interpreter/extend_force_propagators.hpp"
@@ -16,6 +17,8 @@
 #include "interpreter/jacobian.hpp"
 #include "interpreter/lambda_inverse.hpp"
 #include "interpreter/mass_matrix.hpp"
+#include "interpreter/object_control_torque.hpp"
+#include "interpreter/object_forward_dynamics.hpp"
 #include "interpreter/point_accelerations.hpp"
 #include "interpreter/propagate_inertia.hpp"
 #include "interpreter/propagate_unit_forces.hpp"

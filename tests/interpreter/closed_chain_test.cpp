@@ -1,0 +1,296 @@
+#include <gtest/gtest.h>
+
+#include "interpreter/closed_chain_cases.hpp"
+
+// Closed chains (Chang chapter 7) against the dense equations of motion with every constraint, and
+// against physics. Would catch a force with a wrong sign, axes or reference point, an internal
+// force that moves the object, a drift that is pushed the wrong way, and robots that are mixed up.
+
+namespace treeline::tests {
+namespace {
+
+using namespace interpreter;  // NOLINT(google-build-using-namespace)
+
+struct NamedChain {
+  const char* name;
+  ChainOptions options;
+};
+
+std::ostream& operator<<(std::ostream& out, const NamedChain& named) {
+  return out << named.name;
+}
+
+class ClosedChains : public testing::TestWithParam<std::tuple<NamedChain, int>> {
+ protected:
+  ClosedChains()
+      : c_(chain_case(100 + 31 * static_cast<std::uint64_t>(std::get<1>(GetParam())),
+                      std::get<0>(GetParam()).options)),
+        tolerance_(kAlgebra * c_.condition * Digits50(1000)) {}
+
+  [[nodiscard]] ClosedChainMotion<Digits50> motion(
+      const PerRobot50& tau, const Stabilisation<Digits50>& gains = {}) const {
+    return object_forward_dynamics<Digits50>(c_.chain, c_.q, c_.qd, tau, gains);
+  }
+  [[nodiscard]] PerRobot50 control(const Vector50& xdd, const Vector50& internal) const {
+    return object_control_torque<Digits50>(c_.chain, c_.q, c_.qd, c_.qdd_0, xdd, internal);
+  }
+  [[nodiscard]] Vector50 no_correction() const {
+    int rows = 0;
+    for (const auto& object : c_.chain.objects) rows += 6 * static_cast<int>(object.grasps.size());
+    return Vector50::Zero(rows);
+  }
+
+  ChainCase c_;
+  Digits50 tolerance_;
+};
+
+const NamedChain kChains[] = {{"one_hand", {.grasps = {1}}},
+                              {"two_hands", {.grasps = {2}}},
+                              {"two_hands_floating", {.grasps = {2}, .floating_base = true}},
+                              {"two_hands_mimics", {.grasps = {2}, .mimic = 0.15}},
+                              {"three_hands", {.grasps = {3}}},
+                              {"two_robots", {.grasps = {1, 1}}},
+                              {"two_robots_three_hands", {.grasps = {2, 1}}},
+                              {"four_robots", {.grasps = {1, 1, 1, 1}}},
+                              {"two_objects", {.grasps = {2}, .loose_objects = 1}}};
+
+INSTANTIATE_TEST_SUITE_P(Random, ClosedChains,
+                         testing::Combine(testing::ValuesIn(kChains), testing::Range(0, 2)),
+                         [](const auto& tested) {
+                           return std::string(std::get<0>(tested.param).name) + "_" +
+                                  std::to_string(std::get<1>(tested.param));
+                         });
+
+// Table 7.2 is the solution of the dense constrained system.
+TEST_P(ClosedChains, ForwardDynamicsSolvesTheDenseSystem) {
+  const DenseMotion dense = dense_motion(c_, no_correction());
+  const auto found = motion(c_.tau);
+  EXPECT_LT(relative_error(joined(found.qdd), dense.qdd), tolerance_);
+  EXPECT_LT(relative_error(found.xdd_object, dense.xdd), tolerance_);
+}
+
+// Drift enters as an acceleration of the constraint, whatever the state.
+TEST_P(ClosedChains, StabilisationIsAnAccelerationOfTheConstraint) {
+  Dice dice(5);
+  for (Vector50& qd : c_.qd) qd += random_entries<Digits50>(dice, static_cast<int>(qd.size()), 1);
+  const Stabilisation<Digits50> gains{20, 100};
+  const auto poses = held_poses<Digits50>(c_.chain, c_.q, c_.qd);
+  const auto asked = interpreter::detail::corrections(poses, gains);
+  PerRobot50 correction;
+  for (int r = 0; r < static_cast<int>(c_.chain.robots.size()); ++r) {
+    correction.push_back(interpreter::detail::of_robot(c_.chain, r, asked));
+  }
+  const DenseMotion dense = dense_motion(c_, joined(correction));
+  const auto found = motion(c_.tau, gains);
+  EXPECT_LT(relative_error(joined(found.qdd), dense.qdd), tolerance_);
+  EXPECT_LT(relative_error(found.xdd_object, dense.xdd), tolerance_);
+}
+
+// The chain stays closed to second order: relative acceleration of all grasps is zero.
+TEST_P(ClosedChains, KeepsTheGraspsTogether) {
+  const auto found = motion(c_.tau);
+  const Stacked all = stacked(c_.chain, c_.q, c_.qd);
+  EXPECT_LT(relative_error(all.J * joined(found.qdd) + all.bias, all.C * found.xdd_object),
+            tolerance_);
+}
+
+// Action = reaction: the forces of the hands, moved to the object's origin, are what its motion
+// asks for, by Newton and Euler about the centre of mass; their reactions, with tau, are what the
+// robots' motion asks for.
+TEST_P(ClosedChains, ActionIsReaction) {
+  const auto found = motion(c_.tau);
+  const auto poses = held_poses<Digits50>(c_.chain, c_.q, c_.qd);
+  Eigen::Index at = 0;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto& object = c_.chain.objects[k];
+    const auto& first = poses[k].front();
+    const Vector6<Digits50> xdd = found.xdd_object.segment<6>(6 * static_cast<Eigen::Index>(k));
+    const Vector3<Digits50> c = first.R * object.com, w = angular(first.v), wd = angular(xdd);
+    const Matrix3<Digits50> J = first.R * object.inertia * first.R.transpose();
+    const Vector3<Digits50> force =
+        object.mass * (linear(xdd) + cross<Digits50>(wd, c) +
+                       cross<Digits50>(w, cross<Digits50>(w, c)) - c_.chain.robots[0].gravity);
+    const Vector3<Digits50> moment = J * wd + cross<Digits50>(w, J * w);
+    Vector3<Digits50> f = Vector3<Digits50>::Zero(), m = Vector3<Digits50>::Zero();
+    for (const auto& held : poses[k]) {
+      const Vector6<Digits50> hand = found.f_grasp.segment<6>(at);
+      f += linear(hand);
+      m += angular(hand) + cross<Digits50>(held.to_hand - c, linear(hand));
+      at += 6;
+    }
+    EXPECT_LT(relative_error(f, force), tolerance_);
+    EXPECT_LT(relative_error(m, moment), tolerance_);
+  }
+  std::vector<Eigen::Index> next{0};
+  for (std::size_t r = 0; r < c_.chain.robots.size(); ++r) {
+    Points50 hands;
+    Vector50 reaction(0);
+    Eigen::Index index = 0;
+    for (const auto& object : c_.chain.objects) {
+      for (const auto& grasp : object.grasps) {
+        const Vector50 f = found.f_grasp.segment(index, 6);
+        index += 6;
+        if (grasp.robot != static_cast<int>(r)) continue;
+        hands.push_back(grasp.point);
+        hands.back().axes = PointAxes::world;
+        hands.back().rows.fill(true);
+        reaction.conservativeResize(reaction.size() + 6);
+        reaction.tail<6>() = -f;
+      }
+    }
+    EXPECT_LT(relative_error(inverse_dynamics<Digits50>(c_.chain.robots[r], c_.q[r], c_.qd[r],
+                                                        found.qdd[r], hands, reaction),
+                             c_.tau[r]),
+              tolerance_);
+  }
+}
+
+// d/dt of the energy of robots and objects is the power of the joint forces.
+TEST_P(ClosedChains, PowerBalances) {
+  const auto found = motion(c_.tau);
+  const auto energy = [&](const Digits50& t) {
+    Digits50 total = 0;
+    PerRobot50 q, qd;
+    for (std::size_t r = 0; r < c_.chain.robots.size(); ++r) {
+      const Model50& model = c_.chain.robots[r];
+      q.push_back(moved(model, c_.q[r], c_.qd[r], t));
+      qd.push_back(c_.qd[r] + t * found.qdd[r]);
+      total += kinetic_energy(model, q[r], qd[r]) + potential_energy(model, q[r]);
+    }
+    const auto poses = held_poses<Digits50>(c_.chain, q, qd);
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      const auto& first = poses[k].front();
+      const auto& object = c_.chain.objects[k];
+      const Matrix6<Digits50> I = object_inertia(object, first.R);
+      total += Digits50(first.v.dot(Vector6<Digits50>(I * first.v))) / 2;
+      total -= object.mass *
+               c_.chain.robots[0].gravity.dot(Vector3<Digits50>(first.p + first.R * object.com));
+    }
+    return Eigen::Matrix<Digits50, 1, 1>(total);
+  };
+  const Digits50 power = joined(c_.tau).dot(joined(c_.qd));
+  const Digits50 size = scale(joined(c_.tau)) * scale(joined(c_.qd)) * scale(joined(found.qdd));
+  EXPECT_LT(Digits50(abs(Digits50(derivative(energy)(0) - power))), kDifference * size);
+}
+
+// Table 7.1 brings about the commanded accelerations and internal forces, whatever the posture.
+TEST_P(ClosedChains, ControlBringsTheCommandedAccelerationAndInternalForces) {
+  const auto found = motion(control(c_.xdd, c_.internal));
+  EXPECT_LT(relative_error(found.xdd_object, c_.xdd), tolerance_);
+  EXPECT_LT(relative_error(found.internal, c_.internal), tolerance_);
+}
+
+// Internal forces neither accelerate an object nor do work: only the grasps' forces change.
+TEST_P(ClosedChains, InternalForcesMoveNothing) {
+  const Vector50 none = Vector50::Zero(c_.internal.size());
+  const PerRobot50 squeezed = control(c_.xdd, c_.internal), loose = control(c_.xdd, none);
+  const auto one = motion(squeezed), other = motion(loose);
+  EXPECT_LT(relative_error(joined(one.qdd), joined(other.qdd)), tolerance_);
+  EXPECT_LT(relative_error(one.xdd_object, other.xdd_object), tolerance_);
+  const Vector50 difference = joined(squeezed) - joined(loose);
+  EXPECT_LT(Digits50(abs(Digits50(difference.dot(joined(c_.qd))))),
+            tolerance_ * scale(difference) * scale(joined(c_.qd)));
+}
+
+// The augmented object (7.1): Lambda xdd + mu + p = C^T Jbar^T tau, summed over the robots.
+TEST_P(ClosedChains, AugmentedObjectHasTheSameMotion) {
+  const auto object = augmented_object<Digits50>(c_.chain, c_.q, c_.qd);
+  const auto found = motion(c_.tau);
+  Vector50 F = Vector50::Zero(object.p.size());
+  for (std::size_t r = 0; r < c_.chain.robots.size(); ++r) {
+    const auto points = object_points(c_.chain, static_cast<int>(r));
+    const auto o = explicit_operational_space<Digits50>(c_.chain.robots[r], points, c_.q[r]);
+    F += connectivity(c_.chain, static_cast<int>(r)).transpose() * o.Jbar.transpose() * c_.tau[r];
+  }
+  EXPECT_LT(relative_error(object.Lambda * found.xdd_object + object.mu + object.p, F),
+            tolerance_ * scale(object.Lambda));
+}
+
+/// Grasps at the corners of a box, hands turned away from it.
+GraspedObject<Digits50> box(int grasps) {
+  Dice dice(3);
+  GraspedObject<Digits50> object;
+  const double corners[5][3] = {
+      {0, 0.2, 0}, {0, -0.2, 0}, {0.3, 0, 0.1}, {0.1, 0.1, 0.4}, {-0.2, 0.1, -0.3}};
+  for (int i = 0; i < grasps; ++i) {
+    Grasp<Digits50> grasp;
+    grasp.R = random_rotation(dice);
+    const Vector3<Digits50> r(corners[i][0], corners[i][1], corners[i][2]);
+    grasp.p = -(grasp.R * r);
+    object.grasps.push_back(grasp);
+  }
+  return object;
+}
+
+// What the words of the definition say, not the matrix: a squeeze of 7 N pushes each hand inward.
+TEST(VirtualLinkage, SqueezesTwoHandsTowardsEachOther) {
+  Vector50 internal = Vector50::Zero(6);
+  internal(0) = -7;
+  const Vector50 f = split_over_grasps<Digits50>(box(2), Vector6<Digits50>::Zero(), internal);
+  Vector50 expected = Vector50::Zero(12);
+  expected(1) = -7;  // the hand at y = 0.2 pushes towards -y
+  expected(7) = 7;
+  EXPECT_LT(relative_error(f, expected), kAlgebra);
+}
+
+// Torsion twists the object about the line between the hands, bending moments are each hand's own.
+TEST(VirtualLinkage, TwistsAndBendsBetweenTwoHands) {
+  Vector50 internal = Vector50::Zero(6);
+  internal(1) = 3;  // about x of the linkage, which is -y of the object
+  Vector50 f = split_over_grasps<Digits50>(box(2), Vector6<Digits50>::Zero(), internal);
+  Vector50 expected = Vector50::Zero(12);
+  expected(4) = 3;
+  expected(10) = -3;
+  EXPECT_LT(relative_error(f, expected), kAlgebra);
+  internal(1) = 0;
+  internal(2) = 2;  // m_1 about y = z x (-y) = x of the object; a couple of forces balances it
+  f = split_over_grasps<Digits50>(box(2), Vector6<Digits50>::Zero(), internal);
+  expected.setZero();
+  expected(3) = 2;
+  // The couple of forces f along z on an arm of 0.4 m: 0.4 f e_x = -2 e_x.
+  expected(8) = 1 / Digits50(0.2);
+  expected(2) = -expected(8);
+  EXPECT_LT(relative_error(f, expected), kAlgebra);
+}
+
+// Rods push along themselves: tension alone needs no moments, has no resultant, and pulls a grasp
+// along the unit vectors of its rods.
+TEST(VirtualLinkage, TensionsPullAlongTheirRods) {
+  for (const int n : {3, 4, 5}) {
+    const auto object = box(n);
+    const int rods = 3 * (n - 2);
+    for (int rod = 0; rod < rods; ++rod) {
+      Vector50 internal = Vector50::Zero(internal_force_count(n));
+      internal(rod) = 1;
+      const Vector50 f = split_over_grasps<Digits50>(object, Vector6<Digits50>::Zero(), internal);
+      int pulled = 0;
+      Vector3<Digits50> sum = Vector3<Digits50>::Zero();
+      for (int i = 0; i < n; ++i) {
+        const Vector3<Digits50> force = f.segment<3>(6 * i);
+        sum += force;
+        pulled += force.norm() > Digits50(0.5) ? 1 : 0;
+        EXPECT_LT(Digits50(f.segment<3>(6 * i + 3).norm()), kAlgebra);
+      }
+      EXPECT_EQ(pulled, 2);
+      EXPECT_LT(Digits50(sum.norm()), kAlgebra);
+    }
+  }
+}
+
+// W and its inverse: any resultant and any internal forces come back, and internal forces have no
+// resultant.
+TEST(VirtualLinkage, SplitsAndReadsBack) {
+  Dice dice(9);
+  for (const int n : {1, 2, 3, 4, 5}) {
+    const auto object = box(n);
+    const Matrix50 W = grasp_description(object);
+    const Vector50 internal = random_entries<Digits50>(dice, internal_force_count(n), 9);
+    const Vector6<Digits50> resultant = random_entries<Digits50>(dice, 6, 9);
+    const Vector50 back = W * split_over_grasps<Digits50>(object, resultant, internal);
+    EXPECT_LT(relative_error(back.head(6), resultant), kAlgebra);
+    EXPECT_LT(relative_error(back.tail(internal.size()), internal), kAlgebra);
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests
