@@ -7,6 +7,7 @@
 /// `instances.hpp` gives the same with double and 50 digits compiled once.
 
 #include "interpreter/augmented_object.hpp"
+#include "interpreter/center_of_mass.hpp"
 #include "interpreter/control_torque.hpp"
 #include "interpreter/explicit_operational_space.hpp"
 #include "interpreter/extend_force_propagators.hpp"
@@ -20,5 +21,7 @@
 #include "interpreter/object_control_torque.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
 #include "interpreter/point_accelerations.hpp"
+#include "interpreter/prioritized_torque.hpp"
+#include "interpreter/task_posture.hpp"
 #include "interpreter/propagate_inertia.hpp"
 #include "interpreter/propagate_unit_forces.hpp"

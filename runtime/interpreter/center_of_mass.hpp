@@ -1,0 +1,38 @@
+#pragma once
+
+#include "interpreter/jacobian.hpp"
+
+namespace treeline::interpreter {
+
+template <class Scalar>
+Scalar total_mass(const Model<Scalar>& model) {
+  Scalar mass(0);
+  for (const auto& body : model.bodies) mass += body.mass;
+  return mass;
+}
+
+/// The centre of mass of all bodies, m, world axes. The model's mass must be positive.
+template <class Scalar>
+Vector3<Scalar> center_of_mass(const Model<Scalar>& model, VectorArg<Scalar> q) {
+  const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
+  Vector3<Scalar> moment = Vector3<Scalar>::Zero();
+  for (int i = 0; i < model.size(); ++i) {
+    moment += model.body(i).mass * (k.p_world[i] + k.R_world[i] * model.body(i).com);
+  }
+  return moment / total_mass(model);
+}
+
+/// 3 x nv: the centre of mass's velocity in world axes = J qd, as the mean of the Jacobians of the
+/// bodies' centres weighted with their masses.
+template <class Scalar>
+Matrix<Scalar> center_of_mass_jacobian(const Model<Scalar>& model, VectorArg<Scalar> q) {
+  const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
+  Matrix<Scalar> J = Matrix<Scalar>::Zero(3, model.nv);
+  for (int i = 0; i < model.size(); ++i) {
+    const Points<Scalar> center{{"", i, Matrix3<Scalar>::Identity(), model.body(i).com}};
+    J += model.body(i).mass * detail::all_rows_jacobian<Scalar>(model, center, k).topRows(3);
+  }
+  return J / total_mass(model);
+}
+
+}  // namespace treeline::interpreter
