@@ -44,6 +44,15 @@ namespace treeline::interpreter {
       VectorArg<T>, VectorArg<T>, VectorArg<T>);                                                   \
   EXTERN template ExplicitOperationalSpace<T> explicit_operational_space<T>(                       \
       const Model<T>&, PointsArg<T>, VectorArg<T>);                                                \
+  EXTERN template PerBody<Matrix6<T>> link_inverse_inertias<T>(const Model<T>&, VectorArg<T>);      \
+  EXTERN template PerBody<Matrix6<T>> link_inertias<T>(                                            \
+      const Model<T>&, VectorArg<T>, const std::type_identity_t<T>&);                              \
+  EXTERN template ContactMotion<T> contact_motion<T>(                                              \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template Vector<T> effective_masses<T>(                                                   \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template ImpulseResponse<T> impulse_response<T>(                                          \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
   EXTERN template Vector<T> explicit_control_torque<T>(const ExplicitOperationalSpace<T>&,         \
       VectorArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>)
 // clang-format on

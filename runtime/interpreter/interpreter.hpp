@@ -6,6 +6,7 @@
 /// coordinates; a quantity of a robot with mimic joints is that of its independent coordinates.
 /// `instances.hpp` gives the same with double and 50 digits compiled once.
 
+#include "interpreter/contacts.hpp"
 #include "interpreter/augmented_object.hpp"
 #include "interpreter/center_of_mass.hpp"
 #include "interpreter/control_torque.hpp"
@@ -14,9 +15,11 @@
 #include "interpreter/factor_mass_matrix.hpp"
 #include "interpreter/forward_dynamics.hpp"
 #include "interpreter/forward_kinematics.hpp"
+#include "interpreter/impulse_response.hpp"
 #include "interpreter/inverse_dynamics.hpp"
 #include "interpreter/jacobian.hpp"
 #include "interpreter/lambda_inverse.hpp"
+#include "interpreter/link_inertias.hpp"
 #include "interpreter/mass_matrix.hpp"
 #include "interpreter/object_control_torque.hpp"
 #include "interpreter/object_forward_dynamics.hpp"

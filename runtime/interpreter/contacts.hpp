@@ -1,0 +1,82 @@
+#pragma once
+
+#include "interpreter/link_inertias.hpp"
+
+namespace treeline::interpreter {
+
+/// A point of a body at which it may touch something: forces and impulses there have three
+/// components, in the world's axes. `p` is in the body's frame; the world (kWorld) has points too.
+template <class Scalar>
+OperationalPoint<Scalar> contact_point(int body, const Vector3<Scalar>& p,
+                                       const std::string& name = "contact") {
+  OperationalPoint<Scalar> point;
+  point.name = name;
+  point.body = body;
+  point.p = p;
+  point.rows = {true, true, true, false, false, false};
+  return point;
+}
+
+/// Where contacts are and how they move, three entries for each, world axes.
+template <class Scalar>
+struct ContactMotion {
+  Vector<Scalar> position;
+  Vector<Scalar> velocity;
+};
+
+template <class Scalar>
+ContactMotion<Scalar> contact_motion(const Model<Scalar>& model, PointsArg<Scalar> contacts,
+                                     VectorArg<Scalar> q, VectorArg<Scalar> qd) {
+  const auto k = kinematics<Scalar>(model, q, qd);
+  const auto count = 3 * static_cast<Eigen::Index>(contacts.size());
+  ContactMotion<Scalar> motion{Vector<Scalar>(count), Vector<Scalar>(count)};
+  Eigen::Index row = 0;
+  for (const auto& contact : contacts) {
+    const int i = contact.body;
+    const Vector3<Scalar> arm = k.R_world[i] * contact.p;
+    const Vector3<Scalar> w = k.R_world[i] * angular(k.v[i]);
+    motion.position.template segment<3>(row) = k.p_world[i] + arm;
+    motion.velocity.template segment<3>(row) = k.R_world[i] * linear(k.v[i]) + cross(w, arm);
+    row += 3;
+  }
+  return motion;
+}
+
+/// The contact-space inverse inertia, 3k x 3k: change of each contact's velocity by an impulse at
+/// each, world axes (Lambda_c^-1 of Chang 8.2, with the blocks between contacts by table 5.3).
+template <class Scalar>
+Matrix<Scalar> contact_inverse_inertia(const Model<Scalar>& model, PointsArg<Scalar> contacts,
+                                       VectorArg<Scalar> q) {
+  return lambda_inverse<Scalar>(model, contacts, q);
+}
+
+/// 1 / (n^T Lambda_c^-1 n) of each contact, kg when its n is a unit vector (Chang eq. 8.1, 8.2):
+/// the mass that a blow along n meets there. `normals` has three entries for each, world axes.
+/// Lambda_c^-1 comes from the inverse inertias of all links. Infinite on a body that cannot move.
+template <class Scalar>
+Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> contacts,
+                                VectorArg<Scalar> q, VectorArg<Scalar> normals) {
+  const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
+  const auto Omega = link_inverse_inertias<Scalar>(model, q);
+  Vector<Scalar> masses(static_cast<Eigen::Index>(contacts.size()));
+  for (Eigen::Index i = 0; i < masses.size(); ++i) {
+    const auto& contact = contacts[static_cast<std::size_t>(i)];
+    const Vector6<Scalar> n =
+        stack<Scalar>(normals.template segment<3>(3 * i), Vector3<Scalar>::Zero());
+    const Vector6<Scalar> on_body = point_transform(contact, k) * n;
+    masses(i) = Scalar(1) / on_body.dot(Vector6<Scalar>(Omega[contact.body] * on_body));
+  }
+  return masses;
+}
+
+/// The impulse along the unit normal `n` that turns the approach n.v < 0 of two bodies into a
+/// parting at `restitution` times its speed: y = -(1 + e) (n.v) / (n^T Lambda_c^-1 n) n (Chang eq.
+/// 8.3 to 8.7). `mass` is the effective mass along n.
+template <class Scalar>
+Vector3<Scalar> restitution_impulse(const Vector3<Scalar>& n, const Vector3<Scalar>& velocity,
+                                    const std::type_identity_t<Scalar>& mass,
+                                    const std::type_identity_t<Scalar>& restitution) {
+  return Scalar(-(Scalar(1) + restitution) * n.dot(velocity) * mass) * n;
+}
+
+}  // namespace treeline::interpreter
