@@ -90,20 +90,22 @@ DenseMatrix<Scalar> lambda_inverse_as_asked(const Tree<Scalar>& tree,
   return Lambda_inv;
 }
 
-/// The links in whose axes all points could be worked with: those that carry every point.
+/// The links in whose axes a point is worth working with: of those that carry it the first two and
+/// the last three, which have won on every robot tried. None when there are points on several
+/// links: turning their couplings costs more than such axes save.
 template <class Scalar>
-std::vector<int> common_links(const Tree<Scalar>& tree) {
+std::vector<int> axes_links(const Tree<Scalar>& tree) {
   const auto& points = tree.operational_points;
-  if (points.empty()) {
-    return {};
-  }
-  int link = points.front().link;
-  for (const TreePoint<Scalar>& point : points) {
-    link = nearest_common_ancestor(tree, link, point.link);
-  }
+  const bool together = std::all_of(points.begin(), points.end(), [&](const auto& point) {
+    return point.link == points.front().link;
+  });
   std::vector<int> links;
-  for (; link >= 0; link = tree.links[static_cast<std::size_t>(link)].parent) {
-    links.push_back(link);
+  for (int i = together && !points.empty() ? points.front().link : -1; i >= 0;
+       i = tree.links[static_cast<std::size_t>(i)].parent) {
+    links.push_back(i);
+  }
+  if (links.size() > 5) {
+    links.erase(links.begin() + 3, links.end() - 2);
   }
   return links;
 }
@@ -135,7 +137,7 @@ std::vector<LambdaChoice> lambda_choices(const Tree<Scalar>& tree) {
                          {unit_forces, factors_inward, factors_world, branching,
                           extended_propagators, inertia_propagation},
                          choices);
-  for (const int link : common_links(tree)) {
+  for (const int link : axes_links(tree)) {
     if (permits_turning(tree, link)) {
       detail::append_choices(tree, {false, false, link}, {factors_inward, factors_world}, choices);
       if (link == tree.operational_points.front().link) {
@@ -155,9 +157,14 @@ std::vector<LambdaChoice> control_choices(const Tree<Scalar>& tree) {
   std::vector<LambdaChoice> choices;
   detail::append_choices(tree, {}, {unit_forces, factors_inward, factors_world}, choices);
   std::erase_if(choices, [](const LambdaChoice& choice) { return choice.basis.at_link_origin; });
-  detail::append_choices(tree, {true, false},
-                         {unit_forces, factors_inward, branching, extended_propagators}, choices);
-  for (const int link : common_links(tree)) {
+  detail::append_choices(tree, {true, false}, {unit_forces, factors_inward}, choices);
+  for (const LambdaRoute route : {branching, extended_propagators}) {
+    const TaskBasis basis{true, true};  // dearer at the points on every robot tried
+    if (permits(tree, basis, route)) {
+      choices.push_back({basis, route});
+    }
+  }
+  for (const int link : axes_links(tree)) {
     detail::append_choices(tree, {false, false, link}, {factors_inward, factors_world}, choices);
   }
   return choices;

@@ -8,6 +8,7 @@
 
 #include "recursion/control_torque.hpp"
 #include "recursion/forward_dynamics.hpp"
+#include "recursion/resolved_acceleration.hpp"
 
 namespace treeline {
 namespace {
@@ -78,6 +79,11 @@ Signature signature(Function function) {
   return {};
 }
 
+std::string axes_name(int link, const TracedTree& tree) {
+  return fmt::format("the axes of link {} ({})", link + 1,
+                     tree.links[static_cast<std::size_t>(link)].name);
+}
+
 /// What a way to Lambda^-1 is called in reports.
 std::string describe(const LambdaChoice& choice, const TracedTree& tree) {
   static const std::map<LambdaRoute, const char*> kNames = {
@@ -88,11 +94,9 @@ std::string describe(const LambdaChoice& choice, const TracedTree& tree) {
       {LambdaRoute::extended_propagators, "extended force propagators (EFPA)"},
       {LambdaRoute::inertia_propagation, "inertia propagation (Chang table 5.1)"}};
   const TaskBasis& basis = choice.basis;
-  const std::string axes =
-      basis.axes_link >= 0 ? fmt::format("the axes of link {} ({})", basis.axes_link + 1,
-                                         tree.links[static_cast<std::size_t>(basis.axes_link)].name)
-      : basis.in_link_axes ? "link axes"
-                           : "the axes asked for";
+  const std::string axes = basis.axes_link >= 0 ? axes_name(basis.axes_link, tree)
+                           : basis.in_link_axes ? "link axes"
+                                                : "the axes asked for";
   return fmt::format("{}, in {} at {}", kNames.at(choice.route), axes,
                      basis.at_link_origin ? "link origins" : "the points");
 }
@@ -247,6 +251,22 @@ std::vector<Route> lambda_routes(const TracedTree& tree, bool invert) {
   return routes;
 }
 
+void append_resolved_routes(const TracedTree& tree, std::vector<Route>& routes) {
+  if (!permits_resolved_acceleration(tree)) {
+    return;
+  }
+  for (const int link : axes_links(tree)) {
+    routes.push_back(
+        {fmt::format("resolved acceleration, spherical wrist, J in {}", axes_name(link, tree)),
+         [link](const Trace& trace) {
+           return vector_output("tau", "joint forces",
+                                control_torque_by_resolved_acceleration<Expression>(
+                                    trace.tree, trace.X,
+                                    {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()}, link));
+         }});
+  }
+}
+
 std::vector<Route> control_routes(const TracedTree& tree) {
   std::vector<Route> routes;
   for (const LambdaChoice& choice : control_choices(tree)) {
@@ -260,6 +280,7 @@ std::vector<Route> control_routes(const TracedTree& tree) {
                                           choice, trace.rows));
          }});
   }
+  append_resolved_routes(tree, routes);
   return routes;
 }
 

@@ -7,6 +7,7 @@
 #include "recursion/control_torque.hpp"
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/resolved_acceleration.hpp"
 
 /// The recursions run as they stand, without a graph, in any `Scalar`. In 50 digits the constants
 /// of the mechanism stay unrounded, so whatever is equal in theory agrees to 40 digits.
@@ -125,6 +126,13 @@ class TemplateRun {
       runs.push_back({name_of(choice),
                       {control_torque<Scalar>(tree_, X_, {{in_.qd, in_.qdd}, in_.xdd_cmd, applied_},
                                               choice, rows_)}});
+    }
+    if (permits_resolved_acceleration(tree_)) {
+      for (const int link : axes_links(tree_)) {
+        runs.push_back({"resolved acceleration, axes of link " + std::to_string(link),
+                        {control_torque_by_resolved_acceleration<Scalar>(
+                            tree_, X_, {{in_.qd, in_.qdd}, in_.xdd_cmd, applied_}, link)}});
+      }
     }
     return runs;
   }
