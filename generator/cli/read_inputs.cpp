@@ -22,8 +22,10 @@ void reject(const std::string& element, std::string fault, std::string remedy,
 
 /// The function of that name among those that the scene permits.
 void keep_functions(const std::vector<std::string>& names, Scene& scene, Diagnostics& diagnostics) {
+  std::vector<Function> functions(kAllFunctions.begin(), kAllFunctions.end());
+  functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
   std::vector<std::string> known;
-  for (const Function function : kAllFunctions) {
+  for (const Function function : functions) {
     known.emplace_back(function_name(function));
   }
   std::vector<Function> kept;
@@ -34,7 +36,11 @@ void keep_functions(const std::vector<std::string>& names, Scene& scene, Diagnos
              diagnostics);
       continue;
     }
-    kept.push_back(kAllFunctions[static_cast<std::size_t>(at - known.begin())]);
+    kept.push_back(functions[static_cast<std::size_t>(at - known.begin())]);
+    if (needs_objects(kept.back()) && scene.objects.empty()) {
+      reject("--functions", fmt::format("`{}` needs an object", name),
+             "Give the scene one, or leave the function out.", diagnostics);
+    }
     if (needs_points(kept.back()) && scene.operational_points.empty()) {
       reject("--functions", fmt::format("`{}` needs an operational point", name),
              "Give the scene one, or leave the function out.", diagnostics);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "description/check_motion.hpp"
+#include "description/check_objects.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
 
@@ -27,6 +28,10 @@ void choose_functions(const SceneElement& top, const std::string& singular, Scen
     const bool defined = !inverts_mass_matrix(function) || singular.empty();
     if (possible && defined) scene.functions.push_back(function);
   }
+  if (!scene.objects.empty() && singular.empty()) {
+    scene.functions.insert(scene.functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
+    std::sort(scene.functions.begin(), scene.functions.end());
+  }
   if (singular.empty()) return;
   top.warn(fmt::format("nothing beyond {} has mass: the functions that invert the mass matrix are "
                        "left out",
@@ -40,6 +45,9 @@ void check_functions(const SceneElement& top, const std::string& singular, const
       top.error(
           fmt::format("{} is listed, but there is no operational point", function_name(function)),
           "add a list operational_points, or remove the function");
+    } else if (needs_objects(function) && scene.objects.empty()) {
+      top.error(fmt::format("{} is listed, but there is no object", function_name(function)),
+                "add a list objects, or remove the function");
     } else if (inverts_mass_matrix(function) && !singular.empty()) {
       top.error(
           fmt::format("{} is listed, but nothing beyond {} has mass: the mass matrix is singular",
@@ -127,6 +135,8 @@ bool inverts_mass_matrix(Function function) {
     case Function::lambda_inverse:
     case Function::lambda:
     case Function::control_torque:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
       return true;
     default:
       return false;
@@ -153,6 +163,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   }
   check_forces_used(top, scene);
   check_rows(top, robot, scene);
+  check_objects(top, robot, scene);
   check_joint_identifiers(top, robot, freedoms);
 }
 

@@ -26,6 +26,12 @@ const char* function_name(Function function) {
       return "lambda";
     case Function::control_torque:
       return "control_torque";
+    case Function::object_state:
+      return "object_state";
+    case Function::object_control_torque:
+      return "object_control_torque";
+    case Function::object_forward_dynamics:
+      return "object_forward_dynamics";
   }
   return "";
 }

@@ -7,6 +7,7 @@
 #include "description/check_scene.hpp"
 #include "description/identifier.hpp"
 #include "description/parse_yaml.hpp"
+#include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_text_file.hpp"
 #include "description/scene_element.hpp"
@@ -26,14 +27,16 @@ void read_name(const SceneElement& element, Scene& scene) {
 
 void read_functions(const SceneElement& element, Scene& scene) {
   std::vector<std::string> names;
-  for (const Function function : kAllFunctions) names.emplace_back(function_name(function));
+  std::vector<Function> known(kAllFunctions.begin(), kAllFunctions.end());
+  known.insert(known.end(), kObjectFunctions.begin(), kObjectFunctions.end());
+  for (const Function function : known) names.emplace_back(function_name(function));
   const std::vector<SceneElement> items = element.items();
   if (items.empty())
     element.error("no function is listed", "list some, or leave out the key for all");
   for (const SceneElement& item : items) {
     const auto index = item.choice(names);
     if (!index) continue;
-    const Function function = kAllFunctions[*index];
+    const Function function = known[*index];
     const bool repeated = std::count(scene.functions.begin(), scene.functions.end(), function) > 0;
     if (repeated) item.error(fmt::format("{} is listed twice", names[*index]), "list it once");
     scene.functions.push_back(function);
@@ -62,13 +65,16 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = identifier_from(robot.name);
   const auto fields = top.fields({"name", "base", "gravity", "real", "operational_points",
-                                  "external_forces", "functions", "locked"});
+                                  "external_forces", "functions", "locked", "objects"});
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);
   }
   if (const auto forces = fields.find("external_forces"); forces != fields.end()) {
     scene.external_forces = read_external_forces(forces->second, robot);
+  }
+  if (const auto objects = fields.find("objects"); objects != fields.end()) {
+    read_objects(objects->second, scene);
   }
   if (const auto locked = fields.find("locked"); locked != fields.end()) {
     read_locked(locked->second, robot, scene);

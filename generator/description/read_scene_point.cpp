@@ -46,18 +46,6 @@ std::string read_link_name(const SceneElement& point, const Fields& fields, cons
   return *name;
 }
 
-Pose read_origin(const SceneElement& element) {
-  Pose pose;
-  const Fields fields = element.fields({"xyz", "rpy"});
-  if (const auto xyz = fields.find("xyz"); xyz != fields.end()) {
-    pose.xyz = xyz->second.three_numbers().value_or(pose.xyz);
-  }
-  if (const auto rpy = fields.find("rpy"); rpy != fields.end()) {
-    pose.rpy = rpy->second.three_numbers().value_or(pose.rpy);
-  }
-  return pose;
-}
-
 std::array<bool, 6> read_rows(const SceneElement& element) {
   std::array<bool, 6> rows{};
   const std::vector<SceneElement> items = element.items();
@@ -123,6 +111,18 @@ const Joint* find_joint(const SceneElement& element, const std::string& name, co
 }
 
 }  // namespace
+
+Pose read_origin(const SceneElement& element) {
+  Pose pose;
+  const Fields fields = element.fields({"xyz", "rpy"});
+  if (const auto xyz = fields.find("xyz"); xyz != fields.end()) {
+    pose.xyz = xyz->second.three_numbers().value_or(pose.xyz);
+  }
+  if (const auto rpy = fields.find("rpy"); rpy != fields.end()) {
+    pose.rpy = rpy->second.three_numbers().value_or(pose.rpy);
+  }
+  return pose;
+}
 
 std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot) {
   return read_points(element, robot, {"name", "link", "origin", "rows", "axes"});

@@ -8,6 +8,9 @@
 
 namespace treeline {
 
+/// A pose: optional xyz and rpy.
+Pose read_origin(const SceneElement& element);
+
 /// The scene's lists of frames on links. Names must be identifiers and differ within a list.
 std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot);
 std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot);

@@ -27,6 +27,9 @@ enum class Function {
   lambda_inverse,      ///< Lambda^-1 = J M^-1 J^T (Chang table 5.3)
   lambda,              ///< Lambda
   control_torque,      ///< tau of Chang table 6.1
+  object_state,             ///< poses and velocities of the objects held, drift of the grasps
+  object_control_torque,    ///< tau of Chang table 7.1
+  object_forward_dynamics,  ///< qdd, xdd of the objects, forces of the grasps (Chang table 7.2)
 };
 inline constexpr std::array kAllFunctions = {Function::forward_kinematics,
                                              Function::jacobian,
@@ -39,6 +42,13 @@ inline constexpr std::array kAllFunctions = {Function::forward_kinematics,
                                              Function::lambda_inverse,
                                              Function::lambda,
                                              Function::control_torque};
+/// Those about objects, which a scene may ask for only when it lists some.
+inline constexpr std::array kObjectFunctions = {
+    Function::object_state, Function::object_control_torque, Function::object_forward_dynamics};
+constexpr bool needs_objects(Function function) {
+  return function == Function::object_state || function == Function::object_control_torque ||
+         function == Function::object_forward_dynamics;
+}
 const char* function_name(Function function);
 
 /// A frame fixed to a link: an operational point, or the place where an external force acts.
@@ -52,6 +62,21 @@ struct ScenePoint {
   std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
 };
 
+/// A hand that holds an object rigidly: an operational point, and the object's frame seen from it.
+/// The point's rows and axes play no part.
+struct SceneGrasp {
+  std::string point;
+  Pose origin;
+};
+
+/// A rigid body in one or several hands. Mass in kg, inertia about the centre of mass in the axes of
+/// the object's frame, in which `inertial.origin` has the centre.
+struct SceneObject {
+  std::string name;
+  Inertial inertial;
+  std::vector<SceneGrasp> grasps;  ///< at least one; the first says where the object is
+};
+
 /// What to generate for a robot; every key but `operational_points` has a default.
 struct Scene {
   std::string file;
@@ -60,6 +85,7 @@ struct Scene {
   std::array<double, 3> gravity{0, 0, -9.81};  ///< m/s^2, world axes
   std::vector<ScenePoint> operational_points;
   std::vector<ScenePoint> external_forces;  ///< [force; moment] inputs; always all six rows
+  std::vector<SceneObject> objects;
   std::vector<Function> functions;          ///< sorted, unique
   Real real = Real::float64;
   std::map<std::string, double> locked;  ///< joint name -> value it is held at

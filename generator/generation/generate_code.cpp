@@ -40,7 +40,11 @@ EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
 std::vector<EmissionContext::SkippedRow> skipped_rows(const Mechanism& mechanism,
                                                       const Scene& scene) {
   std::vector<EmissionContext::SkippedRow> rows;
-  for (const Function function : kAllFunctions) {
+  std::vector<Function> functions(kAllFunctions.begin(), kAllFunctions.end());
+  if (!scene.objects.empty()) {
+    functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
+  }
+  for (const Function function : functions) {
     const bool asked = std::find(scene.functions.begin(), scene.functions.end(), function) !=
                        scene.functions.end();
     if (asked || (needs_points(function) && scene.operational_points.empty())) {

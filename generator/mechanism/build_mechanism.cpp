@@ -21,11 +21,7 @@ ExactPose exact_pose(const Pose& pose) {
 
 /// Second moment of a body with inertia J about its centre of mass: Sigma = tr(J)/2 1 - J, carried
 /// to the link's frame.
-Inertia exact_inertia(const Link& link) {
-  if (!link.inertial) {
-    return {};
-  }
-  const Inertial& body = *link.inertial;
+Inertia exact_inertia(const Inertial& body) {
   ExactMatrix3 J;
   J << body.ixx, body.ixy, body.ixz, body.ixy, body.iyy, body.iyz, body.ixz, body.iyz, body.izz;
   Inertia about_center;
@@ -92,6 +88,7 @@ class Builder {
     share_mimicked_coordinates();
     mechanism_.operational_points = points(scene_.operational_points);
     mechanism_.external_forces = points(scene_.external_forces);
+    mechanism_.objects = objects();
     return std::move(mechanism_);
   }
 
@@ -109,7 +106,8 @@ class Builder {
     places_[static_cast<std::size_t>(index)] = place;
     if (place.link >= 0) {
       MovingLink& carrier = mechanism_.links[static_cast<std::size_t>(place.link)];
-      carrier.inertia = carrier.inertia + transformed(exact_inertia(link), place.pose);
+      const Inertia own = link.inertial ? exact_inertia(*link.inertial) : Inertia{};
+      carrier.inertia = carrier.inertia + transformed(own, place.pose);
     }
     if (link.inertial && (place.link < 0 || carrier_name(place) != link.name)) {
       mechanism_.notes.push_back(
@@ -281,6 +279,21 @@ class Builder {
           const ExactPose pose = places_[i].pose * exact_pose(point.origin);
           result.push_back({point.name, places_[i].link, snapped(pose), point.axes, point.rows});
         }
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<MechanismObject> objects() const {
+    std::vector<MechanismObject> result;
+    for (const SceneObject& object : scene_.objects) {
+      result.push_back({object.name, snapped(exact_inertia(object.inertial)), {}});
+      for (const SceneGrasp& grasp : object.grasps) {
+        std::size_t point = 0;
+        while (scene_.operational_points[point].name != grasp.point) {
+          ++point;
+        }
+        result.back().grasps.push_back({point, snapped(exact_pose(grasp.origin))});
       }
     }
     return result;

@@ -59,6 +59,19 @@ struct MechanismPoint {
   [[nodiscard]] bool all_rows() const { return row_count() == 6; }
 };
 
+/// A hand on an object: which operational point, and the object's frame seen from it.
+struct MechanismGrasp {
+  std::size_t point = 0;
+  ExactPose object;
+};
+
+/// A rigid body that hands hold; its inertia is about its frame's origin, in its axes.
+struct MechanismObject {
+  std::string name;
+  Inertia inertia;
+  std::vector<MechanismGrasp> grasps;
+};
+
 /// One entry of q, as the contract of the emitted code lists it.
 struct Coordinate {
   std::string joint;
@@ -81,6 +94,7 @@ struct Mechanism {
   std::vector<MovingLink> links;
   std::vector<MechanismPoint> operational_points;
   std::vector<MechanismPoint> external_forces;
+  std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
   std::vector<Coordinate> coordinates;  ///< nq of them
   std::vector<std::string> velocities;  ///< nv of them, e.g. "elbow, rad/s"

@@ -11,6 +11,7 @@
 set(TREELINE_ALL_FUNCTIONS
   forward_kinematics jacobian bias_acceleration inverse_dynamics gravity nonlinear_effects
   mass_matrix forward_dynamics lambda_inverse lambda control_torque
+  object_state object_control_torque object_forward_dynamics
   CACHE INTERNAL "")
 
 function(treeline_generate target)

@@ -40,10 +40,9 @@ std::vector<Scalar> solve_lower(const LdltFactor<Scalar>& factor, std::vector<Sc
   return b;
 }
 
-/// A^-1 b.
+/// L^-T D^-1 x.
 template <class Scalar>
-std::vector<Scalar> solve(const LdltFactor<Scalar>& factor, const std::vector<Scalar>& b) {
-  std::vector<Scalar> x = solve_lower(factor, b);
+std::vector<Scalar> solve_upper(const LdltFactor<Scalar>& factor, std::vector<Scalar> x) {
   for (std::size_t i = x.size(); i-- > 0;) {
     x[i] = x[i] * factor.inverse_D[i];
     for (std::size_t k = i + 1; k < x.size(); ++k) {
@@ -51,6 +50,12 @@ std::vector<Scalar> solve(const LdltFactor<Scalar>& factor, const std::vector<Sc
     }
   }
   return x;
+}
+
+/// A^-1 b.
+template <class Scalar>
+std::vector<Scalar> solve(const LdltFactor<Scalar>& factor, const std::vector<Scalar>& b) {
+  return solve_upper(factor, solve_lower(factor, b));
 }
 
 /// A^-1 = L^-T D^-1 L^-1, symmetric.

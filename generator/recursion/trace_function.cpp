@@ -8,6 +8,7 @@
 
 #include "recursion/control_torque.hpp"
 #include "recursion/forward_dynamics.hpp"
+#include "recursion/trace_object_function.hpp"
 #include "recursion/resolved_acceleration.hpp"
 
 namespace treeline {
@@ -75,6 +76,10 @@ Signature signature(Function function) {
           "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
           "F = Lambda (xdd_cmd - Jd qd - J qdd_0)",
           kQd | kPosture | kXddCmd | kForces};
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+      break;  // by trace_object_function
   }
   return {};
 }
@@ -323,6 +328,10 @@ std::vector<Route> routes_of(Function function, const TracedTree& tree) {
       return lambda_routes(tree, true);
     case Function::control_torque:
       return control_routes(tree);
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+      break;  // by trace_object_function
   }
   return {};
 }
@@ -336,6 +345,9 @@ TracedTree structure_of(const Mechanism& mechanism, Graph& graph) {
 }  // namespace
 
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function) {
+  if (needs_objects(function)) {
+    return trace_object_function(mechanism, function);
+  }
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);
   const Tracer tracer(mechanism);

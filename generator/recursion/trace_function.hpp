@@ -10,7 +10,7 @@ namespace treeline {
 
 /// The function for this mechanism as expression graphs: one for every algorithm that computes it,
 /// each naming its own in `source`. At least one. The caller has seen to it that the scene permits
-/// the function (operational points where it needs them).
+/// the function (operational points, objects where it needs them).
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function);
 
 }  // namespace treeline

@@ -1,0 +1,235 @@
+#include "recursion/trace_object_function.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "recursion/object_forward_dynamics.hpp"
+
+namespace treeline {
+namespace {
+
+using Expressions = std::vector<Expression>;
+using Objects = std::vector<TreeObject<Expression>>;
+
+/// What a trace has at hand.
+struct Trace {
+  Tree<Expression> tree;  ///< its points are the grasps
+  Objects objects;
+  Expressions q, qd, qdd_0, tau, xdd_object, internal, stabilisation;
+  std::vector<JointTransform<Expression>> X;
+};
+
+struct Route {
+  std::string source;
+  std::function<std::vector<Result>(const Trace&)> body;
+};
+
+int size_of(const Expressions& values) {
+  return static_cast<int>(values.size());
+}
+
+Result result(const char* name, const char* meaning, const Expressions& values) {
+  return {{name, size_of(values), 1, meaning}, values};
+}
+
+std::string describe(const LambdaChoice& choice) {
+  static const std::map<LambdaRoute, const char*> kNames = {
+      {LambdaRoute::unit_forces, "unit forces propagated inward (PV-OSIM)"},
+      {LambdaRoute::factors_inward, "M = L^T D L, J carried inward"},
+      {LambdaRoute::factors_world, "M = L^T D L, J from poses"},
+      {LambdaRoute::branching, "force propagation with branching (Chang table 5.3)"},
+      {LambdaRoute::extended_propagators, "extended force propagators (EFPA)"},
+      {LambdaRoute::inertia_propagation, "inertia propagation (Chang table 5.1)"}};
+  const TaskBasis& basis = choice.basis;
+  const std::string axes = basis.axes_link >= 0
+                               ? fmt::format("axes of link {}", basis.axes_link + 1)
+                           : basis.in_link_axes ? "link axes"
+                                                : "world axes";
+  return fmt::format("{}, in {} at {}", kNames.at(choice.route), axes,
+                     basis.at_link_origin ? "link origins" : "the objects");
+}
+
+std::vector<Route> state_routes() {
+  return {
+      {"outward recursion", [](const Trace& trace) {
+         const auto state = object_state<Expression>(trace.tree, trace.objects, trace.X, trace.qd);
+         std::vector<Result> results{
+             result("position", "of the objects' origins in the world, m, 3 an object",
+                    state.position),
+             result("rotation", "object's axes to world, row-major, 9 an object", state.rotation),
+             result("velocity",
+                    "of the objects' origins over angular velocity, world axes, 6 an object",
+                    state.velocity)};
+         if (!state.drift.empty()) {
+           results.push_back(
+               result("drift",
+                      "pose in which each further grasp has its object less that of the first: "
+                      "position, m, over turn, rad, world axes",
+                      state.drift));
+           results.push_back(result("drift_rate", "the same of velocities", state.drift_rate));
+         }
+         return results;
+       }}};
+}
+
+std::vector<Route> control_routes(const Tree<Expression>& tree) {
+  std::vector<Route> routes;
+  for (const LambdaChoice& choice : control_choices(tree)) {
+    routes.push_back(
+        {"Chang table 7.1, fused; Lambda^-1: " + describe(choice), [choice](const Trace& trace) {
+           return std::vector<Result>{result(
+               "tau", "joint forces",
+               object_control_torque<Expression>(trace.tree, trace.objects, trace.X,
+                                                 {trace.qd, trace.qdd_0},
+                                                 {trace.xdd_object, trace.internal}, choice))};
+         }});
+  }
+  return routes;
+}
+
+ClosedChainMotion<Expression> traced_motion(const Trace& trace, const LambdaChoice& choice,
+                                            GraspSolution solution) {
+  const ObjectDynamicsInputs<Expression> inputs{trace.qd, trace.tau, trace.stabilisation};
+  const bool by_factors =
+      choice.route == LambdaRoute::factors_inward || choice.route == LambdaRoute::factors_world;
+  if (by_factors) {
+    const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
+    return object_forward_dynamics<Expression>(
+        trace.tree, trace.objects, trace.X, inputs, choice, solution,
+        [&factor](const Expressions& forces) { return solve(factor, forces); });
+  }
+  const auto bodies = articulate(trace.tree, trace.X);
+  return object_forward_dynamics<Expression>(
+      trace.tree, trace.objects, trace.X, inputs, choice, solution, [&](const Expressions& forces) {
+        return solve_articulated(trace.tree, trace.X, bodies, forces);
+      });
+}
+
+std::vector<Route> dynamics_routes(const Tree<Expression>& tree) {
+  std::vector<Route> routes;
+  for (const LambdaChoice& choice : lambda_choices(tree)) {
+    for (const GraspSolution solution :
+         {GraspSolution::grasp_forces, GraspSolution::augmented_object}) {
+      const char* name = solution == GraspSolution::augmented_object
+                             ? "Chang table 7.2, augmented object"
+                             : "Chang table 7.2, one system for the grasps' forces";
+      routes.push_back(
+          {fmt::format("{}; Lambda^-1: {}", name, describe(choice)),
+           [choice, solution](const Trace& trace) {
+             const auto motion = traced_motion(trace, choice, solution);
+             std::vector<Result> results{
+                 result("qdd", "joint accelerations", motion.qdd),
+                 result("xdd_object",
+                        "accelerations of the objects' origins over angular ones, world axes",
+                        motion.xdd_object),
+                 result("f_grasp",
+                        "force and moment of each hand on its object at the hand's point, "
+                        "world axes",
+                        motion.f_grasp)};
+             if (!motion.internal.empty()) {
+               results.push_back(
+                   result("internal", "internal forces of the virtual linkages", motion.internal));
+             }
+             return results;
+           }});
+    }
+  }
+  return routes;
+}
+
+std::vector<Route> routes_of(Function function, const Tree<Expression>& tree) {
+  switch (function) {
+    case Function::object_state:
+      return state_routes();
+    case Function::object_control_torque:
+      return control_routes(tree);
+    case Function::object_forward_dynamics:
+      return dynamics_routes(tree);
+    default:
+      return {};
+  }
+}
+
+const char* equation_of(Function function) {
+  switch (function) {
+    case Function::object_state:
+      return "x_world = R x_object + p, as the first grasp has the object";
+    case Function::object_control_torque:
+      return "tau = J^T f + M qdd_0 + b + g, f = Lambda (C xdd - Jd qd - J qdd_0) + "
+             "W^-1 [Lambda_obj xdd + mu_obj + p_obj; internal]";
+    case Function::object_forward_dynamics:
+      return "M qdd + b + g = tau - J^T f, Lambda_obj xdd + mu_obj + p_obj = C^T f, "
+             "J qdd + Jd qd = C xdd - stabilisation[0] drift_rate - stabilisation[1] drift";
+    default:
+      return "";
+  }
+}
+
+Expressions declare(Program& program, const char* name, int size, const char* meaning) {
+  Expressions entries;
+  if (size > 0) {
+    program.arguments.push_back({name, size, 1, meaning});
+  }
+  for (int i = 0; i < size; ++i) {
+    entries.push_back(program.graph.input(fmt::format("{}[{}]", name, i)));
+  }
+  return entries;
+}
+
+void declare_inputs(const Mechanism& mechanism, Function function, Program& program, Trace& trace) {
+  int objects = 0, internal = 0;
+  for (const MechanismObject& object : mechanism.objects) {
+    ++objects;
+    internal += 6 * (static_cast<int>(object.grasps.size()) - 1);
+  }
+  trace.q = declare(program, "q", mechanism.nq(), "joint coordinates");
+  trace.qd = declare(program, "qd", mechanism.nv(), "joint velocities");
+  if (function == Function::object_control_torque) {
+    trace.qdd_0 =
+        declare(program, "qdd_0", mechanism.nv(), "joint accelerations that the posture asks for");
+    trace.xdd_object = declare(program, "xdd_object", 6 * objects,
+                               "commanded accelerations of the objects' origins over angular ones, "
+                               "world axes");
+    trace.internal =
+        declare(program, "internal", internal, "commanded internal forces of the virtual linkages");
+  } else if (function == Function::object_forward_dynamics) {
+    trace.tau = declare(program, "tau", mechanism.nv(), "joint forces");
+    trace.stabilisation =
+        declare(program, "stabilisation", 2,
+                "damping, 1/s, and stiffness, 1/s^2, of the grasps' drift (Baumgarte); 0: none");
+  }
+}
+
+Program trace_route(const Mechanism& mechanism, Function function, const Route& route) {
+  Program program;
+  program.name = function_name(function);
+  program.equation = equation_of(function);
+  program.source = route.source;
+  const Graph::Scope scope(program.graph);
+  Trace trace;
+  trace.objects = objects_of<Expression>(mechanism);
+  trace.tree = holding_tree(tree_of<Expression>(mechanism), trace.objects);
+  declare_inputs(mechanism, function, program, trace);
+  trace.X = joint_transforms<Expression>(trace.tree, trace.q);
+  program.results = route.body(trace);
+  return program;
+}
+
+}  // namespace
+
+std::vector<Program> trace_object_function(const Mechanism& mechanism, Function function) {
+  Graph graph;  // a throw-away one: routes depend on the tree's structure alone
+  const Graph::Scope scope(graph);
+  const auto objects = objects_of<Expression>(mechanism);
+  const auto tree = holding_tree(tree_of<Expression>(mechanism), objects);
+  std::vector<Program> programs;
+  for (const Route& route : routes_of(function, tree)) {
+    programs.push_back(trace_route(mechanism, function, route));
+  }
+  return programs;
+}
+
+}  // namespace treeline
