@@ -2,23 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "cli/exit_code.hpp"
+#include "cli/generate_from_files.hpp"
 #include "cli/print_summary.hpp"
-#include "cli/read_inputs.hpp"
-#include "description/read_text_file.hpp"
 #include "emission/compare_files.hpp"
 #include "emission/write_files.hpp"
-#include "generation/generate_code.hpp"
 #include "program/print.hpp"
 
 namespace treeline {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct GenerateOptions {
   InputOptions inputs;
@@ -26,38 +20,6 @@ struct GenerateOptions {
   std::string dump;  ///< `text`, `dot` or empty
   bool compare = false, json = false, verbose = false;
 };
-
-std::string file_name(const std::string& path) {
-  const fs::path normal = fs::path(path).lexically_normal();
-  return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
-}
-
-/// What the command line says instead of the scene, as it is typed.
-std::string describe_options(const InputOptions& options) {
-  std::string text;
-  text += options.name.empty() ? "" : " --name " + options.name;
-  text += options.real.empty() ? "" : " --real " + options.real;
-  if (!options.functions.empty()) {
-    text += fmt::format(" --functions {}", fmt::join(options.functions, ","));
-  }
-  return text;
-}
-
-std::optional<Generation> generate(const InputOptions& options, Diagnostics& diagnostics) {
-  const auto inputs = read_inputs(options, diagnostics);
-  if (!inputs) {
-    return std::nullopt;
-  }
-  const auto urdf_text = read_text_file(options.urdf, diagnostics);
-  const auto scene_text = read_text_file(options.scene, diagnostics);
-  if (!urdf_text || !scene_text) {
-    return std::nullopt;
-  }
-  return generate_code(inputs->robot, inputs->scene,
-                       {file_name(options.urdf), *urdf_text, file_name(options.scene), *scene_text,
-                        describe_options(options)},
-                       diagnostics);
-}
 
 void dump_programs(const Generation& generation, const std::string& format) {
   for (const GeneratedFunction& generated : generation.functions) {
@@ -92,13 +54,13 @@ int deliver(const GenerateOptions& options, const Generation& generation,
 
 int run(const GenerateOptions& options) {
   Diagnostics diagnostics;
-  const auto generation = generate(options.inputs, diagnostics);
+  const auto made = generate_from_files(options.inputs, diagnostics);
   int exit_code = kBadInput;
-  if (generation) {
+  if (made) {
     if (options.verbose) {
-      print_log(*generation);
+      print_log(made->generation);
     }
-    exit_code = deliver(options, *generation, diagnostics);
+    exit_code = deliver(options, made->generation, diagnostics);
   }
   print_diagnostics(diagnostics);
   return exit_code;

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
+#include "cli/check.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate.hpp"
 #include "cli/inspect.hpp"
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
   app.footer("Exit: 0 done, 1 bad input, 2 usage, 3 stale or out of bounds, 70 internal fault.");
   int exit_code = treeline::kOk;
   treeline::add_generate(app, exit_code);
+  treeline::add_check(app, exit_code);
   treeline::add_inspect(app, exit_code);
   try {
     app.parse(argc, argv);

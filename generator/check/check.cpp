@@ -1,0 +1,196 @@
+#include "check/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <set>
+
+#include "check/generated_library.hpp"
+#include "check/judge_function.hpp"
+#include "check/run_commands.hpp"
+#include "check/temporary_folder.hpp"
+#include "emission/write_files.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kWithoutContraction = "-ffp-contract=off";
+
+/// A folder's code, compiled as asked and, where that may contract products and sums, once more
+/// without.
+struct Libraries {
+  Compilation compilation;
+  std::string exact_command;
+  std::optional<GeneratedLibrary> accurate, separate;
+  [[nodiscard]] const GeneratedLibrary& exact() const { return separate ? *separate : *accurate; }
+};
+
+/// Whether the last word on contraction is that there be none.
+bool contracts(const std::string& flags) {
+  bool result = true;
+  for (const std::string& flag : split_words(flags)) {
+    if (flag.starts_with("-ffp-contract=")) result = flag != kWithoutContraction;
+  }
+  return result;
+}
+
+bool refuse_fast_math(const std::string& flags, Diagnostics& diagnostics) {
+  constexpr std::array kRefused = {"-ffast-math", "-Ofast", "-funsafe-math-optimizations",
+                                   "-fassociative-math", "-freciprocal-math"};
+  for (const std::string& flag : split_words(flags)) {
+    if (std::find(kRefused.begin(), kRefused.end(), flag) == kRefused.end()) continue;
+    diagnostics.add({Severity::error, "", 0, flag,
+                     "generated code relies on the order of its operations",
+                     "Leave this flag out, here and where the code is used."});
+    return true;
+  }
+  return false;
+}
+
+std::optional<GeneratedLibrary> compile_and_load(const fs::path& sources, const Scene& scene,
+                                                 const Generation& generation,
+                                                 const CompileOptions& options,
+                                                 const fs::path& work, Compilation& compilation,
+                                                 Diagnostics& diagnostics) {
+  fs::create_directory(work);
+  auto made = compile_folder(sources, scene.name, generation.functions, options, work, diagnostics);
+  if (!made) return std::nullopt;
+  compilation = std::move(*made);
+  return GeneratedLibrary::load(compilation.library, generation.functions, scene.real, diagnostics);
+}
+
+std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& scene,
+                                         const Generation& generation,
+                                         const CompileOptions& options, const fs::path& work,
+                                         Diagnostics& diagnostics) {
+  Libraries libraries;
+  libraries.accurate = compile_and_load(sources, scene, generation, options, work / "accurate",
+                                        libraries.compilation, diagnostics);
+  if (!libraries.accurate) return std::nullopt;
+  libraries.exact_command = libraries.compilation.command;
+  if (!contracts(options.flags)) return libraries;
+  CompileOptions exact = options;
+  exact.flags += std::string(" ") + kWithoutContraction;
+  Compilation compilation;
+  libraries.separate =
+      compile_and_load(sources, scene, generation, exact, work / "exact", compilation, diagnostics);
+  if (!libraries.separate) return std::nullopt;
+  libraries.exact_command = compilation.command;
+  return libraries;
+}
+
+/// Whether the folder to check is one, with the robot's header in it.
+bool has_header(const fs::path& folder, const Scene& scene, Diagnostics& diagnostics) {
+  const fs::path header = folder / (scene.name + ".hpp");
+  if (fs::exists(header)) return true;
+  diagnostics.add({Severity::error, header, 0, "", "there is no such file",
+                   "Name a folder that `treeline generate` has written for this scene."});
+  return false;
+}
+
+void add_compilation(const Compilation& compilation, FunctionReport& report) {
+  const CompiledFunction& compiled = compilation.functions.at(report.name);
+  report.code_bytes = compiled.code_bytes;
+  report.stack_bytes = compiled.stack_bytes;
+  report.compile_seconds = compiled.seconds;
+}
+
+std::vector<State> collect_named_states(const std::vector<FunctionReport>& functions,
+                                        const std::vector<StateReference>& references) {
+  std::set<int> named;
+  for (const FunctionReport& function : functions) {
+    if (function.has_errors()) named.insert({function.worst.state, function.nearest.state});
+    if (function.first_bits_differ) named.insert(*function.first_bits_differ);
+  }
+  std::vector<State> states;
+  for (const StateReference& reference : references) {
+    if (named.contains(reference.state.index)) states.push_back(reference.state);
+  }
+  return states;
+}
+
+CheckReport begin_report(const Scene& scene, const CheckOptions& options,
+                         const Libraries& libraries) {
+  CheckReport report;
+  report.name = scene.name;
+  report.single_precision = scene.real == Real::float32;
+  report.states = options.references.states;
+  report.first_state = options.references.first;
+  report.seed = options.references.seed;
+  report.compile_command = libraries.compilation.command;
+  report.exact_command = libraries.exact_command;
+  report.compile_seconds = libraries.compilation.seconds;
+  report.compile_peak_kib = libraries.compilation.peak_kib;
+  report.folder = options.folder.string();
+  return report;
+}
+
+/// The folder to compile: the one asked for, or one with what was generated now.
+std::optional<fs::path> find_sources(const Scene& scene, const Generation& generation,
+                                     const CheckOptions& options, const fs::path& work,
+                                     Diagnostics& diagnostics) {
+  if (refuse_fast_math(options.compile.flags, diagnostics)) return std::nullopt;
+  if (!options.folder.empty()) {
+    if (!has_header(options.folder, scene, diagnostics)) return std::nullopt;
+    return options.folder;
+  }
+  const fs::path sources = work / scene.name;
+  if (!write_files(sources, generation.files, diagnostics)) return std::nullopt;
+  return sources;
+}
+
+CheckReport judge(const Scene& scene, const Generation& generation,
+                  const std::vector<StateReference>& references, const CheckOptions& options,
+                  const Libraries& libraries) {
+  CheckReport report = begin_report(scene, options, libraries);
+  if (!options.folder.empty()) report.stale = compare_files(options.folder, generation.files);
+  for (std::size_t i = 0; i < generation.functions.size(); ++i) {
+    report.functions.push_back(judge_function(i, generation.functions[i], references, scene.real,
+                                              *libraries.accurate, libraries.exact()));
+    add_compilation(libraries.compilation, report.functions.back());
+  }
+  report.named_states = collect_named_states(report.functions, references);
+  return report;
+}
+
+}  // namespace
+
+bool CheckReport::passed() const {
+  return stale.empty() &&
+         std::all_of(functions.begin(), functions.end(),
+                     [](const FunctionReport& function) { return function.passed(); });
+}
+
+std::optional<CheckReport> check(const Scene& scene, const Generation& generation,
+                                 const std::vector<StateReference>& references,
+                                 const CheckOptions& options, Diagnostics& diagnostics) {
+  const TemporaryFolder work;
+  const auto sources = find_sources(scene, generation, options, work.path(), diagnostics);
+  if (!sources) return std::nullopt;
+  const auto libraries =
+      build_libraries(*sources, scene, generation, options.compile, work.path(), diagnostics);
+  if (!libraries) return std::nullopt;
+  return judge(scene, generation, references, options, *libraries);
+}
+
+std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
+                                 const Generation& generation, const CheckOptions& options,
+                                 Diagnostics& diagnostics) {
+  const TemporaryFolder work;
+  const auto sources = find_sources(scene, generation, options, work.path(), diagnostics);
+  if (!sources) return std::nullopt;
+  const auto libraries =
+      build_libraries(*sources, scene, generation, options.compile, work.path(), diagnostics);
+  if (!libraries) return std::nullopt;
+  const auto start = std::chrono::steady_clock::now();
+  const auto references = make_references(robot, scene, generation, options.references);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  CheckReport report = judge(scene, generation, references, options, *libraries);
+  report.robot = robot.name;
+  report.reference_seconds = taken.count();
+  return report;
+}
+
+}  // namespace treeline

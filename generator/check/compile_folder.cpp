@@ -1,0 +1,189 @@
+#include "check/compile_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "check/print_entry.hpp"
+#include "check/run_commands.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kEntryStem = "treeline_check_entry";
+
+std::string read_file(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+int core_count(int jobs) {
+  return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// $CXX as a shell would split it, else the first compiler that starts.
+std::optional<Command> find_compiler(const fs::path& work, Diagnostics& diagnostics) {
+  const char* const chosen = std::getenv("CXX");
+  std::vector<Command> candidates = {{"c++"}, {"g++"}};
+  if (chosen != nullptr && !split_words(chosen).empty()) candidates = {split_words(chosen)};
+  for (const Command& candidate : candidates) {
+    Command asked = candidate;
+    asked.emplace_back("--version");
+    const CommandOutcome outcome = run_commands({asked}, 1, work).front();
+    if (outcome.started && outcome.exit_code == 0) return candidate;
+  }
+  diagnostics.add({Severity::error, "", 0, candidates.front().front(),
+                   chosen != nullptr ? "this compiler, which $CXX names, cannot be run"
+                                     : "no C++ compiler was found",
+                   "Install one (Debian: g++), or name one in the environment variable CXX."});
+  return std::nullopt;
+}
+
+Command compile_command(const Command& compiler, const CompileOptions& options,
+                        const fs::path& include, const fs::path& source, const fs::path& object) {
+  Command command = compiler;
+  const auto append = [&](std::initializer_list<std::string> words) {
+    command.insert(command.end(), words);
+  };
+  append({"-std=c++17"});
+  for (const std::string& flag : split_words(options.flags)) command.push_back(flag);
+  append({"-fPIC", "-fstack-usage", "-I", include, "-c", source, "-o", object});
+  return command;
+}
+
+std::string first_lines(const std::string& text) {
+  constexpr int kLines = 12;
+  std::istringstream stream(text);
+  std::string lines;
+  std::string line;
+  for (int i = 0; i < kLines && std::getline(stream, line); ++i) lines += "\n  " + line;
+  return lines + (std::getline(stream, line) ? "\n  ..." : "");
+}
+
+bool succeeded(const CommandOutcome& outcome, const fs::path& file, const std::string& fault,
+               Diagnostics& diagnostics) {
+  if (outcome.started && outcome.exit_code == 0) return true;
+  diagnostics.add({Severity::error, file, 0, "", fault + first_lines(outcome.output),
+                   "Look at the flags; when the folder is an old one, generate it again."});
+  return false;
+}
+
+/// The objects of all functions and of the entry.
+struct Objects {
+  std::vector<std::string> stems;  ///< functions in their order, then the entry
+  std::vector<CommandOutcome> outcomes;
+};
+
+std::optional<Objects> compile_objects(const Command& compiler, const fs::path& folder,
+                                       const std::vector<GeneratedFunction>& functions,
+                                       const CompileOptions& options, const fs::path& work,
+                                       Diagnostics& diagnostics) {
+  Objects objects;
+  std::vector<Command> commands;
+  std::vector<fs::path> sources;
+  const auto add = [&](const std::string& stem, const fs::path& source) {
+    objects.stems.push_back(stem);
+    sources.push_back(source);
+    commands.push_back(
+        compile_command(compiler, options, fs::absolute(folder), source, work / (stem + ".o")));
+  };
+  for (const GeneratedFunction& generated : functions) {
+    add(generated.program.name, fs::absolute(folder / (generated.program.name + ".cpp")));
+  }
+  add(kEntryStem, work / (std::string(kEntryStem) + ".cpp"));
+  objects.outcomes = run_commands(commands, core_count(options.jobs), work);
+  bool all = true;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    all = succeeded(objects.outcomes[i], sources[i], "does not compile", diagnostics) && all;
+  }
+  if (!all) return std::nullopt;
+  return objects;
+}
+
+bool link_library(const Command& compiler, const Objects& objects, const fs::path& work,
+                  const CompileOptions& options, Compilation& made, Diagnostics& diagnostics) {
+  Command command = compiler;
+  for (const std::string& flag : split_words(options.flags)) command.push_back(flag);
+  command.insert(command.end(), {"-shared", "-o", made.library});
+  for (const std::string& stem : objects.stems) command.push_back(work / (stem + ".o"));
+  return succeeded(run_commands({command}, 1, work).front(), made.library, "does not link",
+                   diagnostics);
+}
+
+void measure_functions(const Objects& objects, const fs::path& work, Compilation& made) {
+  std::vector<Command> commands;
+  for (const std::string& stem : objects.stems) {
+    commands.push_back({"nm", "-S", "--defined-only", work / (stem + ".o")});
+  }
+  const auto sizes = run_commands(commands, 1, work);
+  for (std::size_t i = 0; i < objects.stems.size(); ++i) {
+    const std::string& stem = objects.stems[i];
+    made.peak_kib = std::max(made.peak_kib, objects.outcomes[i].peak_kib);
+    if (stem == kEntryStem) continue;
+    CompiledFunction& function = made.functions[stem];
+    function.seconds = objects.outcomes[i].seconds;
+    if (sizes[i].exit_code == 0) function.code_bytes = add_code_bytes(sizes[i].output);
+    function.stack_bytes = add_stack_bytes(read_file(work / (stem + ".su")));
+  }
+}
+
+}  // namespace
+
+std::optional<Compilation> compile_folder(const fs::path& folder, const std::string& name,
+                                          const std::vector<GeneratedFunction>& functions,
+                                          const CompileOptions& options, const fs::path& work,
+                                          Diagnostics& diagnostics) {
+  const auto compiler = find_compiler(work, diagnostics);
+  if (!compiler) return std::nullopt;
+  std::ofstream(work / (std::string(kEntryStem) + ".cpp")) << print_entry(name, functions);
+  const auto start = Clock::now();
+  const auto objects = compile_objects(*compiler, folder, functions, options, work, diagnostics);
+  if (!objects) return std::nullopt;
+  Compilation made;
+  made.library = work / "libtreeline_check.so";
+  made.command = fmt::format("{} -std=c++17 {}", fmt::join(*compiler, " "), options.flags);
+  if (!link_library(*compiler, *objects, work, options, made, diagnostics)) return std::nullopt;
+  made.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  measure_functions(*objects, work, made);
+  return made;
+}
+
+std::optional<int> add_code_bytes(const std::string& nm_output) {
+  std::istringstream lines(nm_output);
+  std::string line;
+  std::optional<int> bytes;
+  while (std::getline(lines, line)) {
+    const auto words = split_words(line);  // address, size, type, name
+    constexpr std::string_view kText = "tTwW";
+    if (words.size() != 4 || words[2].size() != 1 ||
+        kText.find(words[2][0]) == std::string_view::npos) {
+      continue;
+    }
+    bytes = bytes.value_or(0) + static_cast<int>(std::strtol(words[1].c_str(), nullptr, 16));
+  }
+  return bytes;
+}
+
+std::optional<int> add_stack_bytes(const std::string& stack_usage) {
+  std::istringstream lines(stack_usage);
+  std::string line;
+  std::optional<int> bytes;
+  while (std::getline(lines, line)) {  // place and name, tab, bytes, tab, kind
+    const auto tab = line.find('\t');
+    if (tab == std::string::npos) continue;
+    bytes = bytes.value_or(0) + std::atoi(line.c_str() + tab + 1);
+  }
+  return bytes;
+}
+
+}  // namespace treeline

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "check/draw_state.hpp"
+#include "description/diagnostic.hpp"
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// What one call of a compiled function left behind.
+struct CallResult {
+  std::vector<double> entries;  ///< of all outputs, one after the other
+  bool wrote_out_of_bounds = false;
+};
+
+/// Generated code, compiled and loaded into this process.
+class GeneratedLibrary {
+ public:
+  /// Loads what `compile_folder` made. Errors: the loader's; Real of another size than `real`.
+  static std::optional<GeneratedLibrary> load(const std::filesystem::path& path,
+                                              const std::vector<GeneratedFunction>& functions,
+                                              Real real, Diagnostics& diagnostics);
+
+  /// Calls function `i` at a state. Inputs and outputs lie between NaN, outputs are NaN before: an
+  /// entry that is not written, or one that is computed from beyond an input, is NaN.
+  [[nodiscard]] CallResult call(std::size_t i, const State& state) const;
+
+ private:
+  using Entry = void (*)(const void* const* in, void* const* out);
+  struct LoadedFunction {
+    const Program* program;
+    Entry entry;
+  };
+  struct Closer {
+    void operator()(void* handle) const;
+  };
+
+  template <class T>
+  [[nodiscard]] CallResult call_in(const LoadedFunction& function, const State& state) const;
+
+  std::unique_ptr<void, Closer> handle_;
+  std::vector<LoadedFunction> functions_;
+  Real real_ = Real::float64;
+};
+
+}  // namespace treeline

@@ -1,0 +1,93 @@
+#include "check/interpret.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "interpreter/instances.hpp"
+
+namespace treeline {
+namespace {
+
+using interpreter::Vector;
+
+template <class Scalar>
+Vector<Scalar> vector_of(const std::vector<double>& entries) {
+  Vector<Scalar> x(static_cast<Eigen::Index>(entries.size()));
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    x(i) = static_cast<Scalar>(entries[static_cast<std::size_t>(i)]);
+  }
+  return x;
+}
+
+/// Row by row.
+template <class Derived>
+std::vector<typename Derived::Scalar> entries_of(const Eigen::DenseBase<Derived>& matrix) {
+  std::vector<typename Derived::Scalar> entries;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) entries.push_back(matrix(i, j));
+  }
+  return entries;
+}
+
+template <class Scalar>
+std::vector<Scalar> poses(const Subject<Scalar>& subject, const Vector<Scalar>& q) {
+  std::vector<Scalar> positions;
+  std::vector<Scalar> rotations;
+  for (const auto& pose :
+       interpreter::forward_kinematics<Scalar>(subject.model, subject.points, q)) {
+    const auto position = entries_of(pose.position);
+    const auto rotation = entries_of(pose.rotation);
+    positions.insert(positions.end(), position.begin(), position.end());
+    rotations.insert(rotations.end(), rotation.begin(), rotation.end());
+  }
+  positions.insert(positions.end(), rotations.begin(), rotations.end());
+  return positions;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
+                              const State& state) {
+  const auto& [model, points, external] = subject;
+  const auto q = vector_of<Scalar>(state.q);
+  const auto qd = vector_of<Scalar>(state.qd);
+  const auto qdd = vector_of<Scalar>(state.qdd);
+  const auto tau = vector_of<Scalar>(state.tau);
+  const auto xdd_cmd = vector_of<Scalar>(state.xdd_cmd);
+  const auto f_ext = vector_of<Scalar>(state.f_ext);
+  switch (function) {
+    case Function::forward_kinematics:
+      return poses(subject, q);
+    case Function::jacobian:
+      return entries_of(interpreter::jacobian<Scalar>(model, points, q));
+    case Function::bias_acceleration:
+      return entries_of(interpreter::bias_acceleration<Scalar>(model, points, q, qd));
+    case Function::inverse_dynamics:
+      return entries_of(interpreter::inverse_dynamics<Scalar>(model, q, qd, qdd, external, f_ext));
+    case Function::gravity:
+      return entries_of(interpreter::gravity<Scalar>(model, q));
+    case Function::nonlinear_effects:
+      return entries_of(interpreter::nonlinear_effects<Scalar>(model, q, qd));
+    case Function::mass_matrix:
+      return entries_of(interpreter::mass_matrix<Scalar>(model, q));
+    case Function::forward_dynamics:
+      return entries_of(interpreter::forward_dynamics<Scalar>(model, q, qd, tau, external, f_ext));
+    case Function::lambda_inverse:
+      return entries_of(interpreter::lambda_inverse<Scalar>(model, points, q));
+    case Function::lambda:
+      return entries_of(interpreter::lambda<Scalar>(model, points, q));
+    case Function::control_torque:
+      return entries_of(
+          interpreter::control_torque<Scalar>(model, points, q, qd, qdd, xdd_cmd, external, f_ext));
+  }
+  throw std::logic_error(std::string("the interpreter has no ") + function_name(function));
+}
+
+template std::vector<float> interpret(Function, const Subject<float>&, const State&);
+template std::vector<double> interpret(Function, const Subject<double>&, const State&);
+template std::vector<interpreter::Digits50> interpret(Function,
+                                                      const Subject<interpreter::Digits50>&,
+                                                      const State&);
+
+}  // namespace treeline

@@ -1,0 +1,92 @@
+#include "check/judge_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace treeline {
+namespace {
+
+/// Equal numbers with equal signs, or both not a number.
+bool same_bits(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+  return a == b && std::signbit(a) == std::signbit(b);
+}
+
+void note_bits(const CallResult& result, const StateReference& reference,
+               const FunctionReference& function, FunctionReport& report) {
+  const bool same = std::equal(result.entries.begin(), result.entries.end(), function.graph.begin(),
+                               function.graph.end(), same_bits);
+  report.out_of_bounds += result.wrote_out_of_bounds ? 1 : 0;
+  if (same) return;
+  if (report.bits_differ++ == 0) report.first_bits_differ = reference.state.index;
+}
+
+void note_error(const ErrorAt& found, FunctionReport& report, std::vector<double>& errors) {
+  const bool first = errors.empty();
+  errors.push_back(found.error);
+  report.beyond_bound += found.error <= found.bound ? 0 : 1;
+  if (first || found.error > report.worst.error) report.worst = found;
+  if (first || found.error / found.bound > report.nearest.error / report.nearest.bound) {
+    report.nearest = found;
+  }
+}
+
+FunctionReport begin_report(const GeneratedFunction& generated) {
+  FunctionReport report;
+  report.name = generated.program.name;
+  report.method = generated.chosen.method;
+  report.count = count_operations(generated.program);
+  return report;
+}
+
+}  // namespace
+
+FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
+                              const std::vector<StateReference>& references, Real real,
+                              const GeneratedLibrary& accurate, const GeneratedLibrary& exact) {
+  FunctionReport report = begin_report(generated);
+  report.bound = find_bound(i, generated.function, references);
+  std::vector<double> errors;
+  for (const StateReference& reference : references) {
+    const FunctionReference& function = reference.functions[i];
+    ++report.states;
+    const CallResult result = accurate.call(i, reference.state);
+    note_bits(&accurate == &exact ? result : exact.call(i, reference.state), reference, function,
+              report);
+    if (function.singular) {
+      ++report.singular;
+      continue;
+    }
+    report.interpreter_worst = std::max(report.interpreter_worst, function.interpreter_error);
+    note_error({reference.state.index, error_in_ulp(result.entries, function, unit_of(real)),
+                report.bound.at(function.condition), function.condition},
+               report, errors);
+  }
+  report.median = quantile(errors, 0.5);
+  report.percent_99 = quantile(errors, 0.99);
+  return report;
+}
+
+Bound find_bound(std::size_t i, Function function, const std::vector<StateReference>& references) {
+  Bound bound;
+  bound.solve = solve_of(function);
+  for (const StateReference& reference : references) {
+    const FunctionReference& at = reference.functions[i];
+    const double error = at.interpreter_error / at.condition;
+    // An interpreter that fails says nothing about what to allow.
+    if (!at.singular && std::isfinite(error)) {
+      bound.interpreter = std::max(bound.interpreter, error);
+    }
+  }
+  return bound;
+}
+
+double quantile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0;
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(std::lround(share * last));
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace treeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "check/generated_library.hpp"
+#include "check/reference.hpp"
+#include "check/report.hpp"
+
+namespace treeline {
+
+/// Calls function `i` of the library at all states and holds its results to the references: its
+/// errors to the bound, from `accurate`; its bits to the graph's, from `exact`, which was compiled
+/// without contraction of products and sums (the same library where no flag asks for any).
+FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
+                              const std::vector<StateReference>& references, Real real,
+                              const GeneratedLibrary& accurate, const GeneratedLibrary& exact);
+
+/// What the interpreter's errors at these states allow function `i`.
+Bound find_bound(std::size_t i, Function function, const std::vector<StateReference>& references);
+
+/// The value below which the given share of the values lies; the values' order is changed.
+double quantile(std::vector<double>& values, double share);
+
+}  // namespace treeline

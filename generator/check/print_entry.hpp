@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// A source file that is compiled with a generated folder and gives each function the C symbol
+/// `entry_symbol`, which takes pointers to its inputs and to its outputs. It compiles only when the
+/// folder's header declares the functions with the programs' shapes.
+std::string print_entry(const std::string& name, const std::vector<GeneratedFunction>& functions);
+
+/// The C symbol of a function.
+std::string entry_symbol(const std::string& function);
+
+}  // namespace treeline

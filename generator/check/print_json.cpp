@@ -1,0 +1,128 @@
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "check/report.hpp"
+
+namespace treeline {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinity; null says that there is no such number.
+Json finite(double x) {
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
+}
+
+Json optional(const std::optional<int>& x) {
+  return x ? Json(*x) : Json(nullptr);
+}
+
+Json to_json(const ErrorAt& at) {
+  return {{"state", at.state},
+          {"class", state_class_name(class_of_state(at.state))},
+          {"error", finite(at.error)},
+          {"bound", finite(at.bound)},
+          {"condition", finite(at.condition)}};
+}
+
+const char* condition_name(Solve solve) {
+  switch (solve) {
+    case Solve::mass_matrix:
+      return "M";
+    case Solve::lambda_inverse:
+      return "Lambda^-1";
+    case Solve::none:
+      break;
+  }
+  return nullptr;
+}
+
+Json to_json(const Bound& bound) {
+  const char* const of = condition_name(bound.solve);
+  return {{"floor", Bound::kFloorUlp},
+          {"interpreter_factor", Bound::kInterpreterFactor},
+          {"interpreter", bound.interpreter},
+          {"times_condition_of", of == nullptr ? Json(nullptr) : Json(of)}};
+}
+
+Json to_json(const FunctionReport& f) {
+  Json json{{"name", f.name},
+            {"passed", f.passed()},
+            {"method", f.method},
+            {"states", f.states},
+            {"singular", f.singular},
+            {"median", nullptr},
+            {"percent_99", nullptr},
+            {"worst", nullptr},
+            {"nearest_to_bound", nullptr},
+            {"interpreter_worst", finite(f.interpreter_worst)},
+            {"bound", to_json(f.bound)},
+            {"beyond_bound", f.beyond_bound},
+            {"out_of_bounds", f.out_of_bounds},
+            {"bits_differ", f.bits_differ},
+            {"first_bits_differ", optional(f.first_bits_differ)},
+            {"flops", f.count.flops()},
+            {"add", f.count.add},
+            {"mul", f.count.mul},
+            {"div", f.count.div},
+            {"sin_cos", f.count.sin_cos},
+            {"code_bytes", optional(f.code_bytes)},
+            {"stack_bytes", optional(f.stack_bytes)},
+            {"compile_seconds", f.compile_seconds}};
+  if (f.has_errors()) {
+    json["median"] = finite(f.median);
+    json["percent_99"] = finite(f.percent_99);
+    json["worst"] = to_json(f.worst);
+    json["nearest_to_bound"] = to_json(f.nearest);
+  }
+  return json;
+}
+
+Json to_json(const State& state) {
+  return {{"index", state.index},
+          {"class", state_class_name(state.kind)},
+          {"q", state.q},
+          {"qd", state.qd},
+          {"qdd", state.qdd},
+          {"tau", state.tau},
+          {"xdd_cmd", state.xdd_cmd},
+          {"f_ext", state.f_ext}};
+}
+
+Json to_json(const FileDifference& file) {
+  constexpr std::array kNames = {"missing", "changed", "left over"};
+  return {{"file", file.name}, {"difference", kNames[static_cast<std::size_t>(file.difference)]}};
+}
+
+template <class T>
+Json list(const std::vector<T>& items) {
+  Json json = Json::array();
+  for (const T& item : items) json.push_back(to_json(item));
+  return json;
+}
+
+}  // namespace
+
+std::string print_json(const CheckReport& report) {
+  const Json json{{"name", report.name},
+                  {"robot", report.robot},
+                  {"passed", report.passed()},
+                  {"real", report.single_precision ? "float" : "double"},
+                  {"states", report.states},
+                  {"first_state", report.first_state},
+                  {"seed", report.seed},
+                  {"compile",
+                   {{"command", report.compile_command},
+                    {"exact_command", report.exact_command},
+                    {"seconds", report.compile_seconds},
+                    {"peak_kib", report.compile_peak_kib}}},
+                  {"reference_seconds", report.reference_seconds},
+                  {"folder", report.folder.empty() ? Json(nullptr) : Json(report.folder)},
+                  {"stale", list(report.stale)},
+                  {"functions", list(report.functions)},
+                  {"named_states", list(report.named_states)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace treeline

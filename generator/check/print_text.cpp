@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "check/report.hpp"
+#include "inspect/align_columns.hpp"
+
+namespace treeline {
+namespace {
+
+/// Three significant digits, in a form that is short at any size.
+std::string number(double x) {
+  if (!std::isfinite(x)) return "inf";
+  if (x == 0) return "0";
+  if (x < 0.01 || x >= 1e5) return fmt::format("{:.1e}", x);
+  if (x >= 100) return fmt::format("{:.0f}", x);
+  return fmt::format("{:.{}f}", x, x >= 10 ? 1 : 2);
+}
+
+std::string optional(const std::optional<int>& x) {
+  return x ? fmt::format("{}", *x) : "?";
+}
+
+std::string state_name(int index) {
+  return fmt::format("{} {}", index, state_class_name(class_of_state(index)));
+}
+
+const char* condition_name(Solve solve) {
+  switch (solve) {
+    case Solve::mass_matrix:
+      return " x condition of M";
+    case Solve::lambda_inverse:
+      return " x condition of Lambda^-1";
+    case Solve::none:
+      break;
+  }
+  return "";
+}
+
+std::string print_bound(const Bound& bound) {
+  return fmt::format("{:.0f} + {}{}", Bound::kFloorUlp,
+                     number(Bound::kInterpreterFactor * bound.interpreter),
+                     condition_name(bound.solve));
+}
+
+std::string print_bits(const FunctionReport& function) {
+  return function.bits_differ == 0 ? "equal" : fmt::format("{} differ", function.bits_differ);
+}
+
+std::string print_table(const CheckReport& report) {
+  std::vector<std::vector<std::string>> rows;
+  for (const FunctionReport& f : report.functions) {
+    const bool any = f.has_errors();
+    const auto error = [any](double x) { return any ? number(x) : std::string("-"); };
+    rows.push_back(
+        {f.name, error(f.median), error(f.percent_99), error(f.worst.error),
+         error(f.interpreter_worst), any ? state_name(f.worst.state) : "-", print_bound(f.bound),
+         any ? fmt::format("{} %", number(100 * f.nearest.error / f.nearest.bound)) : "-",
+         f.singular == 0 ? "" : fmt::format("{}", f.singular), print_bits(f),
+         fmt::format("{}", f.count.flops()), optional(f.code_bytes), optional(f.stack_bytes),
+         fmt::format("{:.1f}", f.compile_seconds)});
+  }
+  return align_columns({{"function"},
+                        {"median", true},
+                        {"99 %", true},
+                        {"worst", true},
+                        {"interp", true},
+                        {"worst state"},
+                        {"bound"},
+                        {"used", true},
+                        {"singular", true},
+                        {"bits"},
+                        {"flops", true},
+                        {"code B", true},
+                        {"stack B", true},
+                        {"cc s", true}},
+                       rows);
+}
+
+std::string print_head(const CheckReport& report) {
+  const char* const real = report.single_precision ? "float" : "double";
+  std::string text = fmt::format("{} ({}): {} states from {}, seed {}\n", report.name, real,
+                                 report.states, report.first_state, report.seed);
+  if (!report.folder.empty()) text += fmt::format("  code: {}\n", report.folder);
+  text += fmt::format("  compiled by {} in {:.1f} s, {} MB\n", report.compile_command,
+                      report.compile_seconds, report.compile_peak_kib / 1024);
+  if (report.exact_command != report.compile_command) {
+    text += fmt::format("  bits compared as compiled by {}\n", report.exact_command);
+  }
+  return text + "  errors against 50 digits, in ulp of the scale\n\n";
+}
+
+std::string print_faults(const FunctionReport& f) {
+  std::string text;
+  const auto add = [&](const std::string& fault) { text += f.name + ": " + fault + "\n"; };
+  if (!f.has_errors()) {
+    add("not checked: every state is singular, and nothing was compared with the truth");
+  }
+  if (f.beyond_bound > 0) {
+    add(fmt::format("beyond its bound at {} of {} states; at {} the error is {} ulp, allowed {}",
+                    f.beyond_bound, f.states - f.singular, state_name(f.nearest.state),
+                    number(f.nearest.error), number(f.nearest.bound)));
+  }
+  if (f.out_of_bounds > 0) {
+    add(fmt::format("writes beyond its outputs at {} states", f.out_of_bounds));
+  }
+  if (f.bits_differ > 0) {
+    add(
+        fmt::format("not what was generated: other bits than the expression graph at {} of {} "
+                    "states, first at {}",
+                    f.bits_differ, f.states, state_name(*f.first_bits_differ)));
+  }
+  return text;
+}
+
+const char* difference_name(Difference difference) {
+  switch (difference) {
+    case Difference::missing:
+      return "missing";
+    case Difference::changed:
+      return "stale";
+    case Difference::left_over:
+      return "left over";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string print_text(const CheckReport& report) {
+  std::string text = print_head(report) + print_table(report) + "\n";
+  for (const FileDifference& file : report.stale) {
+    text += fmt::format("{}/{}: {}\n", report.folder, file.name, difference_name(file.difference));
+  }
+  int failed = 0;
+  for (const FunctionReport& function : report.functions) {
+    text += print_faults(function);
+    failed += function.passed() ? 0 : 1;
+  }
+  if (report.passed()) {
+    return text + fmt::format("passed: {} functions within their bounds, equal to the bit\n",
+                              report.functions.size());
+  }
+  return text + fmt::format("FAILED: {} of {} functions, {} files not up to date\n", failed,
+                            report.functions.size(), report.stale.size());
+}
+
+}  // namespace treeline

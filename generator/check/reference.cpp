@@ -1,0 +1,180 @@
+#include "check/reference.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "check/condition.hpp"
+#include "check/interpret.hpp"
+#include "check/result_sizes.hpp"
+#include "program/evaluate.hpp"
+
+namespace treeline {
+namespace {
+
+using interpreter::Digits50;
+
+/// Beyond this share of 1/unit a condition leaves a solve without a digit worth comparing.
+constexpr double kSingular = 1.0 / 64;
+
+void split(const std::vector<Digits50>& exact, FunctionReference& reference) {
+  for (const Digits50& x : exact) {
+    const auto high = static_cast<double>(x);
+    reference.high.push_back(high);
+    reference.low.push_back(static_cast<double>(Digits50(x - Digits50(high))));
+  }
+}
+
+template <class T>
+std::vector<double> widened(const std::vector<T>& entries) {
+  return {entries.begin(), entries.end()};
+}
+
+template <class T>
+std::vector<double> evaluate_graph(const Program& program, const State& state) {
+  std::vector<std::vector<T>> arguments;
+  for (const auto* argument : arguments_of(program, state)) {
+    std::vector<T>& entries = arguments.emplace_back();
+    for (const double entry : *argument) entries.push_back(static_cast<T>(entry));
+  }
+  std::vector<double> flat;
+  for (const auto& result : evaluate<T>(program, arguments)) {
+    flat.insert(flat.end(), result.begin(), result.end());
+  }
+  return flat;
+}
+
+class ReferenceMaker {
+ public:
+  ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
+                 std::uint64_t seed)
+      : generation_(generation),
+        real_(scene.real),
+        exact_(make_subject<Digits50>(robot, scene)),
+        single_(cast<float>(exact_)),
+        space_{cast<double>(exact_), generation.mechanism.coordinates, seed,
+               scene.real == Real::float32} {}
+
+  StateReference make(int index) const {
+    StateReference made{draw_state(space_, index), {}};
+    const ResultSizes sizes(space_.subject, made.state);
+    for (const GeneratedFunction& generated : generation_.functions) {
+      made.functions.push_back(make(generated, made.state, sizes));
+    }
+    return made;
+  }
+
+ private:
+  FunctionReference make(const GeneratedFunction& generated, const State& state,
+                         const ResultSizes& sizes) const {
+    FunctionReference reference;
+    reference.graph = real_ == Real::float32 ? evaluate_graph<float>(generated.program, state)
+                                             : evaluate_graph<double>(generated.program, state);
+    reference.condition = sizes.condition(solve_of(generated.function));
+    reference.singular = !(reference.condition < kSingular / unit_of(real_));
+    if (reference.singular) return reference;
+    split(interpret<Digits50>(generated.function, exact_, state), reference);
+    reference.size = sizes.sizes(generated.function, reference.high);
+    reference.interpreter_error =
+        error_in_ulp(interpret_in_real(generated.function, state), reference, unit_of(real_));
+    return reference;
+  }
+
+  std::vector<double> interpret_in_real(Function function, const State& state) const {
+    return real_ == Real::float32 ? widened(interpret<float>(function, single_, state))
+                                  : interpret<double>(function, space_.subject, state);
+  }
+
+  const Generation& generation_;
+  Real real_;
+  Subject<Digits50> exact_;
+  Subject<float> single_;
+  StateSpace space_;
+};
+
+}  // namespace
+
+Solve solve_of(Function function) {
+  switch (function) {
+    case Function::forward_dynamics:
+    case Function::lambda_inverse:
+      return Solve::mass_matrix;
+    case Function::lambda:
+    case Function::control_torque:
+      return Solve::lambda_inverse;
+    default:
+      return Solve::none;
+  }
+}
+
+std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,
+                                            const Generation& generation,
+                                            const ReferenceOptions& options) {
+  const ReferenceMaker maker(robot, scene, generation, options.seed);
+  std::vector<StateReference> made(static_cast<std::size_t>(options.states));
+  std::atomic<int> next = 0;
+  int done = 0;
+  std::mutex telling;
+  const auto work = [&] {
+    for (int i = next++; i < options.states; i = next++) {
+      made[static_cast<std::size_t>(i)] = maker.make(options.first + i);
+      const std::lock_guard lock(telling);
+      ++done;
+      if (options.progress) options.progress(done, options.states);
+    }
+  };
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned count = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
+  std::vector<std::future<void>> workers;
+  for (unsigned i = 0; i < count; ++i) workers.push_back(std::async(std::launch::async, work));
+  for (auto& worker : workers) worker.get();
+  return made;
+}
+
+double unit_of(Real real) {
+  return real == Real::float32 ? 0x1p-23 : 0x1p-52;
+}
+
+double error_in_ulp(const std::vector<double>& actual, const FunctionReference& reference,
+                    double unit) {
+  double worst = 0;
+  for (std::size_t i = 0; i < reference.high.size(); ++i) {
+    const double difference = (reference.high[i] - actual[i]) + reference.low[i];
+    if (difference == 0) continue;
+    const double error = std::abs(difference) / (unit * reference.size[i]);
+    if (!(error <= std::numeric_limits<double>::max())) {
+      return std::numeric_limits<double>::infinity();
+    }
+    worst = std::max(worst, error);
+  }
+  return worst;
+}
+
+std::vector<const std::vector<double>*> arguments_of(const Program& program, const State& state) {
+  std::vector<const std::vector<double>*> arguments;
+  for (const Argument& argument : program.arguments) {
+    const std::string& name = argument.name;
+    if (name == "q") {
+      arguments.push_back(&state.q);
+    } else if (name == "qd") {
+      arguments.push_back(&state.qd);
+    } else if (name == "qdd" || name == "qdd_0") {
+      arguments.push_back(&state.qdd);
+    } else if (name == "tau") {
+      arguments.push_back(&state.tau);
+    } else if (name == "xdd_cmd") {
+      arguments.push_back(&state.xdd_cmd);
+    } else if (name == "f_ext") {
+      arguments.push_back(&state.f_ext);
+    } else {
+      throw std::logic_error("no state has an argument " + name);
+    }
+  }
+  return arguments;
+}
+
+}  // namespace treeline

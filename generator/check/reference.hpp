@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "check/draw_state.hpp"
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// Which matrix a function solves with: its errors grow with the condition of that matrix.
+enum class Solve { none, mass_matrix, lambda_inverse };
+Solve solve_of(Function function);
+
+/// What is known of one function at one state before any compiled code has run.
+struct FunctionReference {
+  /// The interpreter's result in 50 digits, to 106 bits: high + low.
+  std::vector<double> high, low;
+  std::vector<double> size;   ///< of each entry's terms, see `TermSizes`
+  std::vector<double> graph;  ///< of the expression graph evaluated in Real: what must come out
+  /// Of the matrix solved with, scaled to a unit diagonal so that no unit matters; 1 without one.
+  double condition = 1;
+  /// A solve with this condition leaves no digit in Real: the truth above is absent.
+  bool singular = false;
+  double interpreter_error = 0;  ///< of the interpreter in Real, in ulp
+};
+
+/// One state and, in the order of `Generation::functions`, its references.
+struct StateReference {
+  State state;
+  std::vector<FunctionReference> functions;
+};
+
+/// Called as states are done, from several threads but never at the same time.
+using Progress = std::function<void(int done, int total)>;
+
+/// How many states, which ones, on how many cores.
+struct ReferenceOptions {
+  int states = 1000;
+  int first = 0;  ///< index of the first state
+  std::uint64_t seed = 1;
+  int threads = 0;  ///< 0: as many as there are cores
+  Progress progress = {};
+};
+
+/// Draws the states and runs the interpreter in 50 digits and in Real, and the graph in Real.
+std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,
+                                            const Generation& generation,
+                                            const ReferenceOptions& options);
+
+/// 2^-52 or 2^-23: an ulp of one.
+double unit_of(Real real);
+
+/// The largest error over `size` of any entry, in units of `unit`. Infinite where an entry is not
+/// finite, or differs although its terms are all zero.
+double error_in_ulp(const std::vector<double>& actual, const FunctionReference& reference,
+                    double unit);
+
+/// A function's arguments at a state, in the order of its program.
+std::vector<const std::vector<double>*> arguments_of(const Program& program, const State& state);
+
+}  // namespace treeline

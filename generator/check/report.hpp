@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/draw_state.hpp"
+#include "check/reference.hpp"
+#include "emission/compare_files.hpp"
+#include "passes/count_operations.hpp"
+
+namespace treeline {
+
+/// The error of one function at one state, in ulp of the scale, beside what is allowed.
+struct ErrorAt {
+  int state = 0;
+  double error = 0;
+  double bound = 0;
+  double condition = 1;
+};
+
+/// What a function's outputs are allowed to differ by, in ulp of their scale:
+/// kFloorUlp + condition * kInterpreterFactor * interpreter, where `interpreter` is the largest
+/// error over condition that the interpreter made in Real at any of the states.
+struct Bound {
+  static constexpr double kFloorUlp = 8;
+  static constexpr double kInterpreterFactor = 16;
+  Solve solve = Solve::none;
+  double interpreter = 0;
+
+  [[nodiscard]] double at(double condition) const {
+    return kFloorUlp + condition * kInterpreterFactor * interpreter;
+  }
+};
+
+/// The verdict on one function and what it rests on.
+struct FunctionReport {
+  std::string name, method;
+  OperationCount count;
+  std::optional<int> code_bytes, stack_bytes;
+  double compile_seconds = 0;
+
+  int states = 0;                     ///< at which the function was called
+  int singular = 0;                   ///< of these, where no truth can be compared with
+  double median = 0, percent_99 = 0;  ///< error in ulp of the scale
+  ErrorAt worst;                      ///< the largest error
+  ErrorAt nearest;                    ///< the error that is most of its bound
+  double interpreter_worst = 0;       ///< what the interpreter errs by in Real
+  Bound bound;
+  int beyond_bound = 0;                  ///< states whose error exceeds the bound
+  int out_of_bounds = 0;                 ///< states at which it wrote beyond its outputs
+  int bits_differ = 0;                   ///< states whose result is not the graph's, to the bit
+  std::optional<int> first_bits_differ;  ///< state
+
+  [[nodiscard]] bool has_errors() const { return states > singular; }
+  [[nodiscard]] bool passed() const {
+    return beyond_bound == 0 && out_of_bounds == 0 && bits_differ == 0 && has_errors();
+  }
+};
+
+/// Everything `treeline check` has to say.
+struct CheckReport {
+  std::string name, robot;
+  bool single_precision = false;
+  int states = 0, first_state = 0;
+  std::uint64_t seed = 1;
+  std::string compile_command, exact_command;
+  double compile_seconds = 0, reference_seconds = 0;
+  long compile_peak_kib = 0;
+  std::string folder;                 ///< that was compiled; empty: what is generated now
+  std::vector<FileDifference> stale;  ///< how that folder differs from what is generated now
+  std::vector<FunctionReport> functions;
+  std::vector<State> named_states;  ///< each state that a function's report names, once
+
+  [[nodiscard]] bool passed() const;
+};
+
+/// A table, then a line for each thing that is wrong, then the verdict.
+std::string print_text(const CheckReport& report);
+std::string print_json(const CheckReport& report);
+
+}  // namespace treeline

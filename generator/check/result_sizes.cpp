@@ -1,0 +1,115 @@
+#include "check/result_sizes.hpp"
+
+#include <Eigen/Cholesky>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "check/condition.hpp"
+#include "interpreter/instances.hpp"
+
+namespace treeline {
+namespace {
+
+Eigen::VectorXd vector_of(const std::vector<double>& entries) {
+  return Eigen::VectorXd::Map(entries.data(), static_cast<Eigen::Index>(entries.size()));
+}
+
+std::vector<double> entries_of(const Eigen::MatrixXd& matrix) {
+  std::vector<double> entries;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) entries.push_back(matrix(i, j));
+  }
+  return entries;
+}
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& A) {
+  return A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+}
+
+}  // namespace
+
+ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
+    : state_(state), terms_(subject, state.q) {
+  const Eigen::VectorXd q = vector_of(state.q);
+  const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
+  M_condition_ = scaled_condition(M, terms_.mass_matrix().diagonal());
+  M_inverse_ = inverse(M).cwiseAbs();
+  if (subject.points.empty() || M_condition_ > std::numeric_limits<double>::max()) {
+    Lambda_condition_ = std::numeric_limits<double>::infinity();
+    return;
+  }
+  const Eigen::MatrixXd Lambda_inverse =
+      interpreter::lambda_inverse<double>(subject.model, subject.points, q);
+  Lambda_condition_ = scaled_condition(Lambda_inverse, lambda_inverse().diagonal());
+  Lambda_ = inverse(Lambda_inverse).cwiseAbs();
+}
+
+double ResultSizes::condition(Solve solve) const {
+  switch (solve) {
+    case Solve::mass_matrix:
+      return M_condition_;
+    case Solve::lambda_inverse:
+      return Lambda_condition_;
+    case Solve::none:
+      break;
+  }
+  return 1;
+}
+
+std::vector<double> ResultSizes::sizes(Function function, const std::vector<double>& result) const {
+  const std::vector<double> none(state_.qd.size(), 0);
+  switch (function) {
+    case Function::forward_kinematics:
+      return entries_of(terms_.poses());
+    case Function::jacobian:
+      return entries_of(terms_.jacobian());
+    case Function::bias_acceleration:
+      return entries_of(terms_.bias(state_.qd));
+    case Function::inverse_dynamics:
+      return entries_of(terms_.forces(state_.qd, state_.qdd, state_.f_ext));
+    case Function::gravity:
+      return entries_of(terms_.forces(none, none, {}));
+    case Function::nonlinear_effects:
+      return entries_of(terms_.forces(state_.qd, none, {}));
+    case Function::mass_matrix:
+      return entries_of(terms_.mass_matrix());
+    case Function::forward_dynamics:
+      return entries_of(forward_dynamics(result));
+    case Function::lambda_inverse:
+      return entries_of(lambda_inverse());
+    case Function::lambda:
+      return entries_of(lambda());
+    case Function::control_torque:
+      return entries_of(control_torque());
+  }
+  throw std::logic_error(std::string("nobody knows the scale of ") + function_name(function));
+}
+
+/// |M^-1| (|tau| + those of inverse dynamics at the resulting qdd)
+Eigen::VectorXd ResultSizes::forward_dynamics(const std::vector<double>& qdd) const {
+  return M_inverse_ *
+         (vector_of(state_.tau).cwiseAbs() + terms_.forces(state_.qd, qdd, state_.f_ext));
+}
+
+/// |J| |M^-1| |J|^T
+Eigen::MatrixXd ResultSizes::lambda_inverse() const {
+  const Eigen::MatrixXd J = terms_.jacobian();
+  return J * M_inverse_ * J.transpose();
+}
+
+/// sqrt(Lambda_ii Lambda_jj), which no entry exceeds.
+Eigen::MatrixXd ResultSizes::lambda() const {
+  const Eigen::VectorXd d = Lambda_.diagonal().cwiseSqrt();
+  return d * d.transpose();
+}
+
+/// Those of inverse dynamics at qdd_0 and |J|^T |Lambda| (|xdd_cmd| + |Jd qd| + |J| |qdd_0|)
+Eigen::VectorXd ResultSizes::control_torque() const {
+  const Eigen::MatrixXd J = terms_.jacobian();
+  const Eigen::VectorXd rows = vector_of(state_.xdd_cmd).cwiseAbs() + terms_.bias(state_.qd) +
+                               J * vector_of(state_.qdd).cwiseAbs();
+  return terms_.forces(state_.qd, state_.qdd, state_.f_ext) + J.transpose() * (Lambda_ * rows);
+}
+
+}  // namespace treeline

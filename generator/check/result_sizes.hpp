@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "check/reference.hpp"
+#include "check/term_sizes.hpp"
+
+namespace treeline {
+
+/// The scales of all functions' results at one state, out of the sizes of their terms.
+class ResultSizes {
+ public:
+  ResultSizes(const Subject<double>& subject, const State& state);
+
+  /// Of each entry of the function's results, in their order. `result` is what it is.
+  [[nodiscard]] std::vector<double> sizes(Function function,
+                                          const std::vector<double>& result) const;
+  /// Of the matrix that is solved with; 1 for none.
+  [[nodiscard]] double condition(Solve solve) const;
+
+ private:
+  [[nodiscard]] Eigen::VectorXd forward_dynamics(const std::vector<double>& qdd) const;
+  [[nodiscard]] Eigen::MatrixXd lambda_inverse() const;
+  [[nodiscard]] Eigen::MatrixXd lambda() const;
+  [[nodiscard]] Eigen::VectorXd control_torque() const;
+
+  const State& state_;
+  TermSizes terms_;
+  Eigen::MatrixXd M_inverse_, Lambda_;  ///< magnitudes of the entries
+  double M_condition_ = 1, Lambda_condition_ = 1;
+};
+
+}  // namespace treeline

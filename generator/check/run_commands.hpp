@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace treeline {
+
+/// A program and its arguments; the program is looked for in PATH. No shell reads them.
+using Command = std::vector<std::string>;
+
+struct CommandOutcome {
+  bool started = false;  ///< false: there is no such program
+  int exit_code = -1;    ///< -1: a signal ended it
+  std::string output;    ///< standard output and error together
+  double seconds = 0;
+  long peak_kib = 0;  ///< of the largest process among it and its children
+};
+
+/// Runs the commands, at most `parallel` at the same time, and waits for all. Their outputs pass
+/// through files in `folder`.
+std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, int parallel,
+                                         const std::filesystem::path& folder);
+
+/// The words of a text, between white space.
+std::vector<std::string> split_words(const std::string& text);
+
+}  // namespace treeline

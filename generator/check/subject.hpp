@@ -1,0 +1,32 @@
+#pragma once
+
+#include "check/model_from_robot.hpp"
+#include "interpreter/points.hpp"
+
+namespace treeline {
+
+/// Robot and scene as the interpreter takes them.
+template <class Scalar>
+struct Subject {
+  interpreter::Model<Scalar> model;
+  interpreter::Points<Scalar> points;    ///< operational points
+  interpreter::Points<Scalar> external;  ///< where external forces act
+};
+
+template <class Scalar>
+Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
+  Subject<Scalar> subject;
+  subject.model = model_from_robot<Scalar>(robot, scene);
+  subject.points = points_from_scene(subject.model, scene.operational_points);
+  subject.external = points_from_scene(subject.model, scene.external_forces);
+  return subject;
+}
+
+/// The same with each number rounded once.
+template <class To, class From>
+Subject<To> cast(const Subject<From>& subject) {
+  return {interpreter::cast<To>(subject.model), interpreter::cast<To>(subject.points),
+          interpreter::cast<To>(subject.external)};
+}
+
+}  // namespace treeline

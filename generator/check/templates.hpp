@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace treeline::check_templates {
+
+// Files of templates/, embedded when the generator is built.
+extern const std::string_view kEntry;
+extern const std::string_view kFunction;
+
+}  // namespace treeline::check_templates

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "check/subject.hpp"
+
+namespace treeline {
+
+/// The scale that errors of results are measured by: each equation with the magnitude of every term
+/// in place of the term, so that nothing cancels. Lever arms are lengths of paths along the links,
+/// never projected or folded; velocities and accelerations add up along the path as if all had one
+/// direction. So a torque that is small because large ones balance has the scale of the large ones,
+/// each joint has the scale of what hangs on it, and no scale depends on the unit of another.
+class TermSizes {
+ public:
+  TermSizes(const Subject<double>& subject, const std::vector<double>& q);
+
+  /// Of M: sum over bodies of m l_i l_j + |I|. nv x nv.
+  [[nodiscard]] Eigen::MatrixXd mass_matrix() const;
+  /// Of M qdd + b + g - J_ext^T f_ext: sum over bodies of l m |a| + |I| |alpha|, and the external
+  /// forces' where `f_ext` has any. nv.
+  [[nodiscard]] Eigen::VectorXd forces(const std::vector<double>& qd,
+                                       const std::vector<double>& qdd,
+                                       const std::vector<double>& f_ext) const;
+  /// Of J, controlled rows x nv: l in rows of translation, 1 in those of rotation.
+  [[nodiscard]] Eigen::MatrixXd jacobian() const;
+  /// Of Jd qd, controlled rows: 2 |w| |v| and |w|^2.
+  [[nodiscard]] Eigen::VectorXd bias(const std::vector<double>& qd) const;
+  /// Of positions and rotation matrices, as forward kinematics gives them: 3 and then 9 a point.
+  [[nodiscard]] Eigen::VectorXd poses() const;
+
+ private:
+  /// How one velocity moves a point: by `lever` m/s and `turn` rad/s for 1 of it.
+  struct Column {
+    int v;
+    double lever, turn;
+  };
+  using Columns = std::vector<Column>;
+  /// Velocity and acceleration of a point, linear and angular.
+  struct Motion {
+    double v = 0, w = 0, a = 0, alpha = 0;
+  };
+
+  [[nodiscard]] Columns columns(int body, double distance) const;
+  [[nodiscard]] Motion motion(const Columns& columns, const std::vector<double>& qd,
+                              const std::vector<double>& qdd) const;
+
+  const Subject<double>& subject_;
+  std::vector<double> paths_;  ///< of each body: length of the way from the world to its origin
+};
+
+}  // namespace treeline

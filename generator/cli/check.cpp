@@ -1,0 +1,107 @@
+#include "cli/check.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "check/check.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/generate_from_files.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr const char* kHowToRead =
+    "Each function is called at every state and compared with the interpreter in 50 digits:\n"
+    "  median, 99 %, worst  error in ulp (2^-52, of float 2^-23) of the scale: the equation with\n"
+    "              the magnitude of each term in place of the term, so that nothing cancels\n"
+    "  interp      the interpreter's own worst error, computed in the same Real\n"
+    "  bound       allowed: 8 ulp + 16 x the interpreter's worst; where a matrix is solved with,\n"
+    "              both per condition of that matrix (scaled to a unit diagonal), times it\n"
+    "  used        the largest share of its bound that any state's error takes\n"
+    "  singular    states where that matrix is singular in Real; only bits are compared there\n"
+    "  bits        equal: without contraction of products and sums, all results are those of the\n"
+    "              expression graph to the bit\n"
+    "  code, stack bytes of the function with its sines and cosines; cc: seconds to compile it\n"
+    "State classes: neutral, random (within limits), large (angles of many turns), fast, tiny,\n"
+    "aligned (joints at or next to quarter turns, where arms are singular). A state is a matter "
+    "of\n"
+    "its index, the seed and the robot; --first INDEX --states 1 --json prints it.\n"
+    "The compiler is $CXX, else c++, else g++. Exit: 0 passed, 1 bad input, 3 a function is "
+    "beyond\n"
+    "its bound, differs in a bit or could not be checked, or a file of --generated is stale.\n\n"
+    "Examples:\n"
+    "  treeline check puma560.urdf scene.yaml\n"
+    "  treeline check puma560.urdf scene.yaml --flags '-O3 -march=native'\n"
+    "  treeline check puma560.urdf scene.yaml --generated generated/puma560";
+
+struct Options {
+  InputOptions inputs;
+  CheckOptions check;
+  std::string folder;
+  bool json = false;
+};
+
+/// A line that counts states where somebody sees it.
+Progress show_progress() {
+  if (isatty(STDERR_FILENO) == 0) return {};
+  return [](int done, int total) {
+    fmt::print(stderr, "\r  states {}/{}{}", done, total, done == total ? "\r\033[K" : "");
+    std::fflush(stderr);
+  };
+}
+
+std::optional<CheckReport> make_report(const Options& options, Diagnostics& diagnostics) {
+  const auto made = generate_from_files(options.inputs, diagnostics);
+  if (!made) return std::nullopt;
+  return check(made->inputs.robot, made->inputs.scene, made->generation, options.check,
+               diagnostics);
+}
+
+int run(Options options) {
+  Diagnostics diagnostics;
+  options.check.folder = options.folder;
+  options.check.references.progress = show_progress();
+  const auto report = make_report(options, diagnostics);
+  print_diagnostics(diagnostics);
+  if (!report) return kBadInput;
+  fmt::print("{}", options.json ? print_json(*report) : print_text(*report));
+  return report->passed() ? kOk : kMismatch;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("check", "Compile generated code and compare it with 50 digits");
+  command->add_option("urdf", options->inputs.urdf, "Robot, URDF")->required();
+  command->add_option("scene", options->inputs.scene, "What to generate for it, YAML")->required();
+  command->add_option("--generated", options->folder,
+                      "Compile this folder instead of what is generated now, and name stale files");
+  ReferenceOptions& references = options->check.references;
+  command->add_option("--states", references.states, "How many states")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--first", references.first, "Index of the first state")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000000000));
+  command->add_option("--seed", references.seed, "Other states")->capture_default_str();
+  command->add_option("--flags", options->check.compile.flags, "For the compiler")
+      ->capture_default_str();
+  command->add_option("--name", options->inputs.name, "Namespace and header, not the scene's");
+  command->add_option("--real", options->inputs.real, "Number type, instead of the scene's")
+      ->check(CLI::IsMember({"float", "double"}));
+  command
+      ->add_option("--functions", options->inputs.functions,
+                   "Functions, separated by commas, instead of the scene's")
+      ->delimiter(',');
+  command->add_flag("--json", options->json, "Everything as JSON, with the states it names");
+  command->footer(kHowToRead);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace treeline

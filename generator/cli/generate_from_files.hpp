@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "cli/read_inputs.hpp"
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// Robot, scene and what was generated from them.
+struct GeneratedInputs {
+  Inputs inputs;
+  Generation generation;
+};
+
+/// Reads the files of a command line and generates in memory. Faults are in `diagnostics`.
+std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
+                                                   Diagnostics& diagnostics);
+
+}  // namespace treeline
