@@ -102,7 +102,10 @@ std::vector<int> axes_links(const Tree<Scalar>& tree) {
   std::vector<int> links;
   for (int i = together && !points.empty() ? points.front().link : -1; i >= 0;
        i = tree.links[static_cast<std::size_t>(i)].parent) {
-    links.push_back(i);
+    const bool slides = tree.links[static_cast<std::size_t>(i)].kind == JointKind::prismatic;
+    if (!slides || i == points.front().link) {  // else as good as the axes of the link below
+      links.push_back(i);
+    }
   }
   if (links.size() > 5) {
     links.erase(links.begin() + 3, links.end() - 2);
