@@ -80,17 +80,17 @@ constexpr SelectiveFactors<N, Real> prioritized_factor(const Real (&A)[NN],
 }
 
 /// The same with given shares instead of a test of pivots: row k is achieved where shares[k] = 1,
-/// left out where it is 0, and damped by delta_k = damping (1 - share) / share between. `damping`
-/// is of the size of A's entries and positive. The pivots of rows with share 1 must be positive.
+/// left out where it is 0, and between them yields by delta_k = c_k (1 - w_k) / w_k. The pivots of
+/// rows with a positive share must not vanish.
 template <int N, int NN, class Real>
-constexpr SelectiveFactors<N, Real> shared_factor(const Real (&A)[NN], const Real (&shares)[N],
-                                                  Real damping) noexcept {
+constexpr SelectiveFactors<N, Real> shared_factor(const Real (&A)[NN],
+                                                  const Real (&shares)[N]) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
   return steps::eliminate<N>(
-      A, [&shares, damping](int k, Real pivot, Real, Real& inverse, Real& share) noexcept {
-        const Real floor = pivot > Real(0) ? pivot : Real(0);
-        share = shares[k];
-        inverse = share > Real(0) ? share / (share * floor + (Real(1) - share) * damping) : Real(0);
+      A, [&shares](int k, Real pivot, Real, Real& inverse, Real& share) noexcept {
+        const bool kept = shares[k] > Real(0) && pivot > Real(0);
+        share = kept ? shares[k] : Real(0);
+        inverse = kept ? share / pivot : Real(0);
       });
 }
 

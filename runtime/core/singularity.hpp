@@ -253,7 +253,6 @@ inline void regular_task_force(const SingularDirections<rows, nv, Real>& found,
   Real half[size] = {};
   Real turned[size] = {};
   Real x[rows] = {};
-  Real damping = Real(0);
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < rows; ++j) {
       x[i] += U(i, j) * missing[j];
@@ -268,9 +267,8 @@ inline void regular_task_force(const SingularDirections<rows, nv, Real>& found,
         turned[i * rows + j] += half[i * rows + k] * U(j, k);
       }
     }
-    damping += turned[i * rows + i] / Real(rows);
   }
-  selective_solve(shared_factor<rows>(turned, found.shares, damping), x);
+  selective_solve(shared_factor<rows>(turned, found.shares), x);
   for (int j = 0; j < rows; ++j) {
     F[j] = Real(0);
     for (int i = 0; i < rows; ++i) {

@@ -134,16 +134,15 @@ TEST(PrioritizedSolve, ZeroRowsAndAnEmptyMatrixGiveNoForce) {
 
 TEST(SharedFactor, LeavesRowsOutByTheirShare) {
   const double A[4] = {4, 2, 2, 3};
-  const double damping = 3.0;
-  // Between: (A + diag(0, damping (1 - w) / w)) F = b.
+  // Pivots 4 and 2. Between: (A + diag(0, 2 (1 - w) / w)) F = b.
   const double shares[2] = {1.0, 0.25};
   double x[2] = {10, 9};
-  selective_solve(shared_factor<2>(A, shares, damping), x);
+  selective_solve(shared_factor<2>(A, shares), x);
   EXPECT_NEAR(4 * x[0] + 2 * x[1], 10.0, 1e-14);
-  EXPECT_NEAR(2 * x[0] + (3 + 3.0 * damping) * x[1], 9.0, 1e-14);
+  EXPECT_NEAR(2 * x[0] + (3 + 2 * 3.0) * x[1], 9.0, 1e-14);
   const double none[2] = {1.0, 0.0};
   double y[2] = {10, 9};
-  selective_solve(shared_factor<2>(A, none, damping), y);
+  selective_solve(shared_factor<2>(A, none), y);
   EXPECT_EQ(y[0], 2.5);
   EXPECT_EQ(y[1], 0.0);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/ldlt.hpp"
 #include "core/posture_laws.hpp"

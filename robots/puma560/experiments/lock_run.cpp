@@ -1,0 +1,194 @@
+#include "lock_run.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/command_laws.hpp"
+#include "servo/simulated_robot.hpp"
+
+namespace treeline::experiments {
+namespace {
+
+struct Puma {
+  static constexpr int kCoordinates = puma560::kCoordinates;
+  static constexpr int kVelocities = puma560::kVelocities;
+  static constexpr auto& forward_dynamics = puma560::forward_dynamics;
+};
+using State = servo::StateOf<Puma>;
+
+constexpr double kPeriod = 1e-3;    ///< s
+constexpr double kLookAhead = 0.2;  ///< s of wanted velocity that count as wanted motion
+constexpr core::Gains<double> kTask{100.0, 20.0};
+constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};  ///< N m, of the URDF
+constexpr std::size_t kErrorColumns = 1;
+constexpr std::size_t kPositions = 4;
+constexpr std::size_t kSpeeds = 10;
+constexpr std::size_t kTorques = 16;
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names{"time", "position_error", "rotation_error", "sigma"};
+  for (const char* quantity : {"q", "qd", "tau"}) {
+    for (int i = 1; i <= 6; ++i) {
+      names.push_back(fmt::format("{}{}", quantity, i));
+    }
+  }
+  return names;
+}
+
+/// PD about the wanted motion; also gives the present error.
+ToolCommand command_for(const ToolMotion& wanted, const State& state, double (&error)[6]) {
+  double position[3];
+  double rotation[9];
+  double J[36];
+  double velocity[6] = {};
+  puma560::forward_kinematics(state.q, position, rotation);
+  puma560::jacobian(state.q, J);
+  for (int i = 0; i < 36; ++i) {
+    velocity[i / 6] += J[i] * state.qd[i % 6];
+  }
+  core::pose_error(position, rotation, wanted.position, wanted.rotation, error);
+  ToolCommand command;
+  core::tracking_law(kTask, error, velocity, wanted.velocity, wanted.acceleration,
+                     command.acceleration);
+  for (int i = 0; i < 6; ++i) {
+    command.displacement[i] = error[i] + kLookAhead * wanted.velocity[i];
+  }
+  return command;
+}
+
+double smallest_value(const double (&q)[6]) {
+  return look_at_direction(q, 5).all.values[5];
+}
+
+/// Appends the cycle and takes it into the figures; false when the run is lost.
+bool record(double time, const State& state, const double (&error)[6], const double (&tau)[6],
+            LockRun& run) {
+  LockFigures& figures = run.figures;
+  const double position = std::hypot(error[0], error[1], error[2]);
+  const double rotation = std::hypot(error[3], error[4], error[5]);
+  double row[22] = {time, position, rotation, smallest_value(state.q)};
+  for (std::size_t i = 0; i < 6; ++i) {
+    row[kPositions + i] = state.q[i];
+    row[kSpeeds + i] = state.qd[i];
+    row[kTorques + i] = tau[i];
+    figures.speed = std::max(figures.speed, std::fabs(state.qd[i]));
+    figures.torque = std::max(figures.torque, std::fabs(tau[i]) / kEffort[i]);
+    figures.lost = figures.lost || !std::isfinite(tau[i]) || !(figures.torque < 1e3);
+    figures.final_q[i] = state.q[i];
+  }
+  run.table.append(row);
+  figures.position_error = std::max(figures.position_error, position);
+  figures.rotation_error = std::max(figures.rotation_error, rotation);
+  figures.final_position_error = position;
+  figures.final_rotation_error = rotation;
+  figures.least_value = std::min(figures.least_value, row[3]);
+  return !figures.lost;
+}
+
+/// A panel with one curve for each run, shorter runs ending early.
+servo::PlotPanel compared(const std::string& title, const std::string& label,
+                          const std::vector<LockRun>& runs, std::size_t column, std::size_t rows) {
+  servo::PlotPanel panel{title, label, {}, 0.0};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::vector<double> values = runs[i].table.column(column);
+    values.resize(rows, std::nan(""));
+    if (runs[i].figures.lost) {
+      continue;
+    }
+    panel.lines.push_back({name_of(kStrategies[i]), std::move(values), false});
+  }
+  return panel;
+}
+
+servo::PlotPanel joints(const std::string& title, const std::string& label, const LockRun& run,
+                        std::size_t first) {
+  servo::PlotPanel panel{title, label, {}, 0.0};
+  for (std::size_t i = 0; i < 6; ++i) {
+    panel.lines.push_back({fmt::format("joint {}", i + 1), run.table.column(first + i), false});
+  }
+  return panel;
+}
+
+}  // namespace
+
+LockRun run_lock(Lock lock, Strategy strategy, double branch) {
+  const LockPath path = make_path(lock);
+  const int cycles = static_cast<int>(std::lround(path.duration / kPeriod));
+  LockRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
+  State state;
+  std::copy(std::begin(path.start), std::end(path.start), std::begin(state.q));
+  servo::SimulatedRobot<Puma> robot(state);
+  for (int cycle = 0; cycle <= cycles; ++cycle) {
+    robot.read(state);
+    double error[6];
+    double tau[6];
+    const ToolCommand command = command_for(motion_at(path, cycle * kPeriod), state, error);
+    control(strategy, state.q, state.qd, command, branch, tau);
+    if (!record(cycle * kPeriod, state, error, tau, run)) {
+      break;
+    }
+    robot.write(tau);
+    robot.pass_time(kPeriod);
+  }
+  return run;
+}
+
+std::string lock_summary(Lock lock, const std::vector<LockRun>& runs) {
+  std::string text = fmt::format(
+      "{:<22}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n{:<22}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}"
+      "{:>12}\n",
+      lock == Lock::elbow ? "Elbow lock" : "Wrist lock", "torque", "speed", "position", "rotation",
+      "left at end", "left at end", "least", "", "/ limit", "rad/s", "error m", "error rad", "m",
+      "rad", "sigma");
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const LockFigures& f = runs[i].figures;
+    text += fmt::format(
+        "{:<22}{:>12.3g}{:>12.3g}{:>12.2e}{:>12.2e}{:>12.2e}{:>12.2e}{:>12.1e}{}\n",
+        name_of(kStrategies[i]), f.torque, f.speed, f.position_error, f.rotation_error,
+        f.final_position_error, f.final_rotation_error, f.least_value,
+        f.lost ? fmt::format("  lost at {:.3f} s", runs[i].table.column(0).back()) : "");
+  }
+  return text;
+}
+
+servo::Plot lock_figure(Lock lock, const std::vector<LockRun>& runs) {
+  const LockRun& controlled = runs.back();
+  const std::size_t rows = controlled.table.rows();
+  servo::Plot plot;
+  plot.title = lock == Lock::elbow
+                   ? "PUMA 560 through the elbow lock (Chang fig. A.2)"
+                   : "PUMA 560 into the wrist lock and out about the lost axis (Chang fig. A.3)";
+  plot.x_label = "time (s)";
+  plot.x = controlled.table.column(0);
+  plot.panels.push_back(compared("Position error", "distance (m)", runs, kErrorColumns, rows));
+  plot.panels.push_back(
+      compared("Orientation error", "angle (rad)", runs, kErrorColumns + 1, rows));
+  plot.panels.push_back(
+      compared("Smallest singular value", "sigma (1)", runs, kErrorColumns + 2, rows));
+  plot.panels.push_back(
+      joints("Joints, singularity control", "angle (rad)", controlled, kPositions));
+  plot.panels.push_back(
+      joints("Speeds, singularity control", "speed (rad/s)", controlled, kSpeeds));
+  plot.panels.push_back(
+      joints("Torques, singularity control", "torque (N m)", controlled, kTorques));
+  return plot;
+}
+
+bool lock_claim_holds(Lock lock, const std::vector<LockRun>& runs) {
+  const LockFigures& none = runs[0].figures;
+  const LockFigures& damped = runs[1].figures;
+  const LockFigures& ours = runs[2].figures;
+  const bool bounded = !ours.lost && ours.torque < 1.0 && ours.speed < 3.0;
+  const bool arrived = ours.final_position_error < 1e-5 && ours.final_rotation_error < 1e-4;
+  const bool entered = ours.least_value < 1e-3;
+  const bool passed = lock == Lock::wrist || ours.final_q[2] > make_path(lock).start[2] + 1.1;
+  const bool worse_damped = damped.position_error > 1.2 * ours.position_error &&
+                            damped.rotation_error > 1.2 * ours.rotation_error &&
+                            damped.speed > 1.2 * ours.speed;
+  return bounded && arrived && entered && passed && none.lost && worse_damped;
+}
+
+}  // namespace treeline::experiments
