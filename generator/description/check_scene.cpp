@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "description/check_motion.hpp"
 #include "description/check_objects.hpp"
@@ -28,6 +29,11 @@ void choose_functions(const SceneElement& top, const std::string& singular, Scen
     const bool defined = !inverts_mass_matrix(function) || singular.empty();
     if (possible && defined) scene.functions.push_back(function);
   }
+  if (!scene.contacts.empty() && singular.empty()) {
+    std::copy_if(kContactFunctions.begin(), kContactFunctions.end(),
+                 std::back_inserter(scene.functions), needs_contacts);
+    std::sort(scene.functions.begin(), scene.functions.end());
+  }
   if (!scene.objects.empty() && singular.empty()) {
     scene.functions.insert(scene.functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
     std::sort(scene.functions.begin(), scene.functions.end());
@@ -45,6 +51,9 @@ void check_functions(const SceneElement& top, const std::string& singular, const
       top.error(
           fmt::format("{} is listed, but there is no operational point", function_name(function)),
           "add a list operational_points, or remove the function");
+    } else if (needs_contacts(function) && scene.contacts.empty()) {
+      top.error(fmt::format("{} is listed, but there is no contact", function_name(function)),
+                "add a list contacts, or remove the function");
     } else if (needs_objects(function) && scene.objects.empty()) {
       top.error(fmt::format("{} is listed, but there is no object", function_name(function)),
                 "add a list objects, or remove the function");
@@ -66,6 +75,21 @@ void check_forces_used(const SceneElement& top, const Scene& scene) {
   if (std::any_of(scene.functions.begin(), scene.functions.end(), uses)) return;
   top.warn("external_forces are listed, but no function takes them",
            "add inverse_dynamics, forward_dynamics or control_torque to functions");
+}
+
+/// What a contact on a link at rest would weigh is not finite.
+void check_contacts(const SceneElement& top, const Robot& robot, const Scene& scene) {
+  for (const ScenePoint& contact : scene.contacts) {
+    if (!find_freedoms_of_link(robot, scene, contact.link).empty()) continue;
+    top.error(fmt::format("contact \"{}\" is on link \"{}\", which cannot move", contact.name,
+                          contact.link),
+              "put it on a link behind a joint that moves");
+  }
+  const bool used = std::any_of(scene.functions.begin(), scene.functions.end(), needs_contacts);
+  if (!scene.contacts.empty() && !used) {
+    top.warn("contacts are listed, but no function takes them",
+             "add contact_inverse_inertia, effective_mass or impulse_response to functions");
+  }
 }
 
 /// Lambda exists only if the rows can be moved independently of each other.
@@ -131,6 +155,10 @@ bool needs_points(Function function) {
 
 bool inverts_mass_matrix(Function function) {
   switch (function) {
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
     case Function::forward_dynamics:
     case Function::lambda_inverse:
     case Function::lambda:
@@ -162,6 +190,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
     check_functions(top, singular, scene);
   }
   check_forces_used(top, scene);
+  check_contacts(top, robot, scene);
   check_rows(top, robot, scene);
   check_objects(top, robot, scene);
   check_joint_identifiers(top, robot, freedoms);

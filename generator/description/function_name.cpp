@@ -32,6 +32,16 @@ const char* function_name(Function function) {
       return "object_control_torque";
     case Function::object_forward_dynamics:
       return "object_forward_dynamics";
+    case Function::contact_motion:
+      return "contact_motion";
+    case Function::contact_inverse_inertia:
+      return "contact_inverse_inertia";
+    case Function::effective_mass:
+      return "effective_mass";
+    case Function::impulse_response:
+      return "impulse_response";
+    case Function::link_inverse_inertias:
+      return "link_inverse_inertias";
   }
   return "";
 }

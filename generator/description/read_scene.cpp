@@ -28,6 +28,7 @@ void read_name(const SceneElement& element, Scene& scene) {
 void read_functions(const SceneElement& element, Scene& scene) {
   std::vector<std::string> names;
   std::vector<Function> known(kAllFunctions.begin(), kAllFunctions.end());
+  known.insert(known.end(), kContactFunctions.begin(), kContactFunctions.end());
   known.insert(known.end(), kObjectFunctions.begin(), kObjectFunctions.end());
   for (const Function function : known) names.emplace_back(function_name(function));
   const std::vector<SceneElement> items = element.items();
@@ -65,13 +66,16 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = identifier_from(robot.name);
   const auto fields = top.fields({"name", "base", "gravity", "real", "operational_points",
-                                  "external_forces", "functions", "locked", "objects"});
+                                  "external_forces", "contacts", "functions", "locked", "objects"});
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);
   }
   if (const auto forces = fields.find("external_forces"); forces != fields.end()) {
     scene.external_forces = read_external_forces(forces->second, robot);
+  }
+  if (const auto contacts = fields.find("contacts"); contacts != fields.end()) {
+    scene.contacts = read_contacts(contacts->second, robot);
   }
   if (const auto objects = fields.find("objects"); objects != fields.end()) {
     read_objects(objects->second, scene);

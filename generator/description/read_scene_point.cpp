@@ -132,6 +132,14 @@ std::vector<ScenePoint> read_external_forces(const SceneElement& element, const 
   return read_points(element, robot, {"name", "link", "origin", "axes"});
 }
 
+std::vector<ScenePoint> read_contacts(const SceneElement& element, const Robot& robot) {
+  std::vector<ScenePoint> contacts = read_points(element, robot, {"name", "link", "origin"});
+  for (ScenePoint& contact : contacts) {
+    contact.rows = {true, true, true, false, false, false};
+  }
+  return contacts;
+}
+
 void read_locked(const SceneElement& element, const Robot& robot, Scene& scene) {
   for (const auto& [name, value] : element.entries()) {
     const Joint* joint = find_joint(value, name, robot);

@@ -14,6 +14,7 @@ Pose read_origin(const SceneElement& element);
 /// The scene's lists of frames on links. Names must be identifiers and differ within a list.
 std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot);
 std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot);
+std::vector<ScenePoint> read_contacts(const SceneElement& element, const Robot& robot);
 
 /// The scene's map from joints to the values they are held at. An error for a joint that is
 /// unknown, fixed, mimic or of several degrees of freedom; a warning for a value outside the

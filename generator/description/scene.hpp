@@ -30,6 +30,11 @@ enum class Function {
   object_state,             ///< poses and velocities of the objects held, drift of the grasps
   object_control_torque,    ///< tau of Chang table 7.1
   object_forward_dynamics,  ///< qdd, xdd of the objects, forces of the grasps (Chang table 7.2)
+  contact_motion,           ///< positions and velocities of the contacts
+  contact_inverse_inertia,  ///< Lambda_c^-1 over all contacts (Chang 8.2)
+  effective_mass,           ///< 1 / (n^T Lambda_c^-1 n) of each contact (Chang eq. 8.1)
+  impulse_response,         ///< dqd by impulses at the contacts (Chang table 8.2)
+  link_inverse_inertias,    ///< Lambda_i^-1 of all links (Chang table 8.1, inverse)
 };
 inline constexpr std::array kAllFunctions = {Function::forward_kinematics,
                                              Function::jacobian,
@@ -48,6 +53,15 @@ inline constexpr std::array kObjectFunctions = {
 constexpr bool needs_objects(Function function) {
   return function == Function::object_state || function == Function::object_control_torque ||
          function == Function::object_forward_dynamics;
+}
+/// Those about contacts, which a scene may ask for only when it lists some, and the inverse inertias
+/// of all links, which it gets only when it asks.
+inline constexpr std::array kContactFunctions = {
+    Function::contact_motion, Function::contact_inverse_inertia, Function::effective_mass,
+    Function::impulse_response, Function::link_inverse_inertias};
+constexpr bool needs_contacts(Function function) {
+  return function == Function::contact_motion || function == Function::contact_inverse_inertia ||
+         function == Function::effective_mass || function == Function::impulse_response;
 }
 const char* function_name(Function function);
 
@@ -85,6 +99,7 @@ struct Scene {
   std::array<double, 3> gravity{0, 0, -9.81};  ///< m/s^2, world axes
   std::vector<ScenePoint> operational_points;
   std::vector<ScenePoint> external_forces;  ///< [force; moment] inputs; always all six rows
+  std::vector<ScenePoint> contacts;  ///< rows x y z in world axes
   std::vector<SceneObject> objects;
   std::vector<Function> functions;          ///< sorted, unique
   Real real = Real::float64;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace treeline {
@@ -112,6 +113,22 @@ std::vector<EmissionContext::PointRow> point_rows(const std::vector<ScenePoint>&
   return rows;
 }
 
+/// Which entries of the contact functions belong to which point, and which block to which link.
+void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
+                          std::vector<std::string>& notes) {
+  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+    const ScenePoint& contact = scene.contacts[i];
+    notes.push_back(fmt::format("contact {}: {} on link {}, {}", i, contact.name, contact.link,
+                                frame_text(contact)));
+  }
+  const bool asked = std::find(scene.functions.begin(), scene.functions.end(),
+                               Function::link_inverse_inertias) != scene.functions.end();
+  for (std::size_t i = 0; asked && i < mechanism.link_frames.size(); ++i) {
+    notes.push_back(fmt::format("block {} of link_inverse_inertias: link {}", i,
+                                mechanism.link_frames[i].name));
+  }
+}
+
 }  // namespace
 
 EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mechanism& mechanism) {
@@ -138,6 +155,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
                       joint.mimic->multiplier, joint.mimic->offset));
     }
   }
+  append_contact_notes(scene, mechanism, context.notes);
   return context;
 }
 

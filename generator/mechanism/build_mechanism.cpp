@@ -89,6 +89,8 @@ class Builder {
     mechanism_.operational_points = points(scene_.operational_points);
     mechanism_.external_forces = points(scene_.external_forces);
     mechanism_.objects = objects();
+    mechanism_.contacts = points(scene_.contacts);
+    mechanism_.link_frames = link_frames();
     return std::move(mechanism_);
   }
 
@@ -282,6 +284,24 @@ class Builder {
       }
     }
     return result;
+  }
+
+  /// Moving links with the name of their URDF link; those inside a planar joint have another.
+  [[nodiscard]] std::vector<MechanismPoint> link_frames() const {
+    std::vector<MechanismPoint> frames;
+    for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
+      for (std::size_t k = 0; k < robot_.links.size(); ++k) {
+        const bool own = places_[k].link == static_cast<int>(i);
+        if (own && robot_.links[k].name == mechanism_.links[i].name) {
+          frames.push_back({robot_.links[k].name,
+                            places_[k].link,
+                            snapped(places_[k].pose),
+                            Axes::local,
+                            {true, true, true, true, true, true}});
+        }
+      }
+    }
+    return frames;
   }
 
   [[nodiscard]] std::vector<MechanismObject> objects() const {

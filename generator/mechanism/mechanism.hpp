@@ -94,6 +94,9 @@ struct Mechanism {
   std::vector<MovingLink> links;
   std::vector<MechanismPoint> operational_points;
   std::vector<MechanismPoint> external_forces;
+  std::vector<MechanismPoint> contacts;  ///< rows x y z in world axes
+  /// Of each URDF link that moves against its parent, the frame as the URDF has it.
+  std::vector<MechanismPoint> link_frames;
   std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
   std::vector<Coordinate> coordinates;  ///< nq of them

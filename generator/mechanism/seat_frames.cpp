@@ -102,6 +102,7 @@ struct Neighbourhood {
   MovingLink link;
   std::vector<MovingLink> children;
   std::vector<ExactPose> points;
+  ExactPose old_frame;  ///< in the frame that the link has now
 
   [[nodiscard]] int cost() const {
     int sum = link_cost(link) + inertia_cost(link);
@@ -127,6 +128,7 @@ struct Neighbourhood {
     for (ExactPose& point : result.points) {
       point = snapped(back * point);
     }
+    result.old_frame = back * old_frame;
     return result;
   }
 };
@@ -237,7 +239,8 @@ void for_each_around(Mechanism& mechanism, int index, OnChild on_child, OnPoint 
       on_child(link);
     }
   }
-  for (auto* points : {&mechanism.operational_points, &mechanism.external_forces}) {
+  for (auto* points :
+       {&mechanism.operational_points, &mechanism.external_forces, &mechanism.contacts}) {
     for (MechanismPoint& point : *points) {
       if (point.link == index) {
         on_point(point);
@@ -248,7 +251,7 @@ void for_each_around(Mechanism& mechanism, int index, OnChild on_child, OnPoint 
 
 /// Returns whether it became cheaper.
 bool seat_link(Mechanism& mechanism, int index) {
-  Neighbourhood around{mechanism.links[static_cast<std::size_t>(index)], {}, {}};
+  Neighbourhood around{mechanism.links[static_cast<std::size_t>(index)], {}, {}, {}};
   for_each_around(
       mechanism, index, [&](const MovingLink& child) { around.children.push_back(child); },
       [&](const MechanismPoint& point) { around.points.push_back(point.pose); });
@@ -263,6 +266,11 @@ bool seat_link(Mechanism& mechanism, int index) {
   for_each_around(
       mechanism, index, [&](MovingLink& moved) { moved = best.children[child++]; },
       [&](MechanismPoint& moved) { moved.pose = best.points[point++]; });
+  for (MechanismPoint& frame : mechanism.link_frames) {  // for whoever asks: they weigh nothing
+    if (frame.link == index) {
+      frame.pose = snapped(best.old_frame * frame.pose);
+    }
+  }
   return true;
 }
 

@@ -11,6 +11,7 @@
 set(TREELINE_ALL_FUNCTIONS
   forward_kinematics jacobian bias_acceleration inverse_dynamics gravity nonlinear_effects
   mass_matrix forward_dynamics lambda_inverse lambda control_torque
+  contact_motion contact_inverse_inertia effective_mass impulse_response link_inverse_inertias
   object_state object_control_torque object_forward_dynamics
   CACHE INTERNAL "")
 

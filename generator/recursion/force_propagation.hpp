@@ -43,25 +43,29 @@ Mobility<Scalar> to_child(const JointTransform<Scalar>& X, const Mobility<Scalar
   return {X.matrix_to_child(A), X.matrix_to_child(transposed(Bt)), X.matrix_to_child(C)};
 }
 
-/// L^T N L + S D^-1 S^T at the link, N = X^T Omega_h X: only the joint's own row and column of N
-/// change, by N u, u = U D^-1, whose own entry becomes D^-1 + u^T N u.
+/// L^T N L + S D^-1 S^T at the link, N = X^T Omega_h X. Only the joint's own row and column change;
+/// with u = U D^-1 less its own entry, which is one, they become -N u and D^-1 + u^T N u: what N
+/// has there drops out.
 template <class Scalar>
 Mobility<Scalar> through_joint(JointKind kind, const JointProjection<Scalar>& joint,
                                Mobility<Scalar> N) {
-  const Twist<Scalar> Nu = N * joint.u;
-  const Scalar uNu = dot(joint.u, Nu);
+  Wrench<Scalar> u = joint.u;
   if (kind == JointKind::revolute) {
-    N.B.row_x.z = N.B.row_x.z - Nu.v.x;
-    N.B.row_y.z = N.B.row_y.z - Nu.v.y;
-    N.B.row_z.z = N.B.row_z.z - Nu.v.z;
-    N.C.xz = N.C.xz - Nu.w.x;
-    N.C.yz = N.C.yz - Nu.w.y;
-    N.C.zz = (N.C.zz - Nu.w.z) + (joint.inverse_D + (uNu - Nu.w.z));
+    u.n.z = Scalar(0.0);
+    const Twist<Scalar> Nu = N * u;
+    N.B.row_x.z = -Nu.v.x;
+    N.B.row_y.z = -Nu.v.y;
+    N.B.row_z.z = -Nu.v.z;
+    N.C.xz = -Nu.w.x;
+    N.C.yz = -Nu.w.y;
+    N.C.zz = joint.inverse_D + dot(u, Nu);
   } else {
-    N.A.xz = N.A.xz - Nu.v.x;
-    N.A.yz = N.A.yz - Nu.v.y;
-    N.A.zz = (N.A.zz - Nu.v.z) + (joint.inverse_D + (uNu - Nu.v.z));
-    N.B.row_z = N.B.row_z - Nu.w;
+    u.f.z = Scalar(0.0);
+    const Twist<Scalar> Nu = N * u;
+    N.A.xz = -Nu.v.x;
+    N.A.yz = -Nu.v.y;
+    N.A.zz = joint.inverse_D + dot(u, Nu);
+    N.B.row_z = -Nu.w;
   }
   return N;
 }

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <utility>
 
 #include "recursion/control_torque.hpp"
+#include "recursion/describe_choice.hpp"
 #include "recursion/forward_dynamics.hpp"
+#include "recursion/trace_contacts.hpp"
 #include "recursion/trace_object_function.hpp"
 #include "recursion/resolved_acceleration.hpp"
 
@@ -76,10 +79,8 @@ Signature signature(Function function) {
           "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
           "F = Lambda (xdd_cmd - Jd qd - J qdd_0)",
           kQd | kPosture | kXddCmd | kForces};
-    case Function::object_state:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
-      break;  // by trace_object_function
+    default:  // those of contacts and objects are traced apart
+      break;
   }
   return {};
 }
@@ -89,7 +90,8 @@ std::string axes_name(int link, const TracedTree& tree) {
                      tree.links[static_cast<std::size_t>(link)].name);
 }
 
-/// What a way to Lambda^-1 is called in reports.
+}  // namespace
+
 std::string describe(const LambdaChoice& choice, const TracedTree& tree) {
   static const std::map<LambdaRoute, const char*> kNames = {
       {LambdaRoute::unit_forces, "unit forces propagated inward (PV-OSIM)"},
@@ -105,6 +107,8 @@ std::string describe(const LambdaChoice& choice, const TracedTree& tree) {
   return fmt::format("{}, in {} at {}", kNames.at(choice.route), axes,
                      basis.at_link_origin ? "link origins" : "the points");
 }
+
+namespace {
 
 class Tracer {
  public:
@@ -328,10 +332,8 @@ std::vector<Route> routes_of(Function function, const TracedTree& tree) {
       return lambda_routes(tree, true);
     case Function::control_torque:
       return control_routes(tree);
-    case Function::object_state:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
-      break;  // by trace_object_function
+    default:
+      break;
   }
   return {};
 }
@@ -345,6 +347,10 @@ TracedTree structure_of(const Mechanism& mechanism, Graph& graph) {
 }  // namespace
 
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function) {
+  if (std::find(kContactFunctions.begin(), kContactFunctions.end(), function) !=
+      kContactFunctions.end()) {
+    return trace_contact_function(mechanism, function);
+  }
   if (needs_objects(function)) {
     return trace_object_function(mechanism, function);
   }

@@ -48,7 +48,7 @@ struct TreePoint {
 template <class Scalar>
 struct Tree {
   std::vector<TreeLink<Scalar>> links;
-  std::vector<TreePoint<Scalar>> operational_points, external_forces;
+  std::vector<TreePoint<Scalar>> operational_points, external_forces, contacts, link_frames;
   Vector3<Scalar> gravity;
   int nq = 0, nv = 0;
   bool has_mimics = false;
@@ -129,6 +129,12 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
   }
   for (const MechanismPoint& point : mechanism.external_forces) {
     tree.external_forces.push_back(tree_point<Scalar>(point));
+  }
+  for (const MechanismPoint& point : mechanism.contacts) {
+    tree.contacts.push_back(tree_point<Scalar>(point));
+  }
+  for (const MechanismPoint& point : mechanism.link_frames) {
+    tree.link_frames.push_back(tree_point<Scalar>(point));
   }
   const auto& g = mechanism.gravity;
   tree.gravity = {Scalar(g[0]), Scalar(g[1]), Scalar(g[2])};

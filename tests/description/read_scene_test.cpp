@@ -105,6 +105,23 @@ TEST(ReadScene, ChoosesAllFunctionsWithPoints) {
   EXPECT_EQ(scene.functions, std::vector(kAllFunctions.begin(), kAllFunctions.end()));
 }
 
+TEST(ReadScene, ReadsContactsAndTheirFunctions) {
+  const Scene scene = read("contacts: [{name: palm, link: tool, origin: {xyz: [0, 0, -0.1]}}]");
+  ASSERT_EQ(scene.contacts.size(), 1U);
+  EXPECT_EQ(scene.contacts[0].name, "palm");
+  EXPECT_EQ(scene.contacts[0].origin.xyz, (std::array{0.0, 0.0, -0.1}));
+  EXPECT_EQ(scene.contacts[0].axes, Axes::world);
+  EXPECT_EQ(scene.contacts[0].rows, (std::array{true, true, true, false, false, false}));
+  const auto lists = [&](Function function) {
+    return std::count(scene.functions.begin(), scene.functions.end(), function) == 1;
+  };
+  EXPECT_TRUE(lists(Function::effective_mass));
+  EXPECT_TRUE(lists(Function::contact_motion));
+  EXPECT_FALSE(lists(Function::link_inverse_inertias));  // 36 numbers a link: only when asked for
+  EXPECT_EQ(read("functions: [link_inverse_inertias]").functions,
+            std::vector{Function::link_inverse_inertias});
+}
+
 TEST(ReadScene, AllowsMoreRowsThanCoordinatesWithoutLambda) {
   const Scene scene = read(
       "operational_points: [{name: tip, link: tool}]\nfunctions: [forward_kinematics, jacobian]");
@@ -252,6 +269,18 @@ const Case kCases[] = {
     {"AllLocked",
      "locked: {elbow: 0, shoulder: 0, slide: 0}",
      {kError, 1, "", "nothing moves", "floating"}},
+    {"AxesOfAContact",
+     "contacts: [{name: a, link: tool, axes: world}]",
+     {kError, 1, "contacts[0]/axes", "unknown", "the keys here are"}},
+    {"ContactOnTheGround",
+     "contacts: [{name: a, link: base}]",
+     {kError, 1, "", "\"a\" is on link \"base\", which cannot move", "a joint that moves"}},
+    {"NoContact",
+     "functions: [effective_mass]",
+     {kError, 1, "", "effective_mass is listed, but there is no contact", "contacts"}},
+    {"UnusedContact",
+     "contacts: [{name: a, link: tool}]\nfunctions: [gravity]",
+     {kWarning, 1, "", "no function takes them", "add"}},
     {"UnusedForce",
      "external_forces: [{name: a, link: tool}]\nfunctions: [gravity]",
      {kWarning, 1, "", "no function takes them", "add"}},

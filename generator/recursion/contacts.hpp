@@ -1,0 +1,141 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "recursion/forward_dynamics.hpp"
+#include "recursion/lambda_inverse.hpp"
+
+namespace treeline {
+
+/// Three entries for each contact out of a list, as a vector.
+template <class Scalar>
+Vector3<Scalar> contact_entry(std::span<const Scalar> entries, std::size_t contact) {
+  return {entries[3 * contact], entries[3 * contact + 1], entries[3 * contact + 2]};
+}
+
+/// Positions and velocities of the contacts, world axes, three entries for each.
+template <class Scalar>
+struct ContactMotion {
+  std::vector<Scalar> position, velocity;
+};
+
+/// v_link + w x p of each contact's link, outward.
+template <class Scalar>
+ContactMotion<Scalar> contact_motion(const Tree<Scalar>& tree,
+                                     const std::vector<JointTransform<Scalar>>& X,
+                                     const std::vector<WorldPose<Scalar>>& poses,
+                                     std::span<const Scalar> qd) {
+  std::vector<LinkAcceleration<Scalar>> velocities;  // of the same shape
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "velocity");
+    LinkAcceleration<Scalar> v;
+    if (link.parent >= 0) {
+      v = to_child(X[i], velocities[static_cast<std::size_t>(link.parent)]);
+    }
+    const auto at = static_cast<std::size_t>(link.v_index);
+    if (link.kind == JointKind::floating) {
+      v = {v.a + Vector3<Scalar>{qd[at], qd[at + 1], qd[at + 2]},
+           v.wd + Vector3<Scalar>{qd[at + 3], qd[at + 4], qd[at + 5]}};
+    } else {
+      Scalar& own = link.kind == JointKind::revolute ? v.wd.z : v.a.z;
+      own = own + link.multiplier * qd[at];
+    }
+    velocities.push_back(v);
+  }
+  ContactMotion<Scalar> motion;
+  for (const TreePoint<Scalar>& contact : tree.contacts) {
+    const Vector3<Scalar> p = point_pose(poses, contact).p;
+    motion.position.insert(motion.position.end(), {p.x, p.y, p.z});
+    Vector3<Scalar> v;
+    if (contact.link >= 0) {
+      const auto i = static_cast<std::size_t>(contact.link);
+      v = poses[i].R * (velocities[i].a + cross(velocities[i].wd, contact.p));
+    }
+    motion.velocity.insert(motion.velocity.end(), {v.x, v.y, v.z});
+  }
+  return motion;
+}
+
+/// Each contact as a task of one row, along its normal in the world.
+template <class Scalar>
+std::vector<TaskPoint<Scalar>> normal_tasks(const Tree<Scalar>& tree,
+                                            const std::vector<WorldPose<Scalar>>& poses,
+                                            std::span<const Scalar> normals) {
+  std::vector<TaskPoint<Scalar>> tasks;
+  for (std::size_t k = 0; k < tree.contacts.size(); ++k) {
+    const TreePoint<Scalar>& contact = tree.contacts[k];
+    const Vector3<Scalar> n = contact_entry(normals, k);
+    const Vector3<Scalar> in_link =
+        contact.link < 0 ? n : transposed_times(poses[static_cast<std::size_t>(contact.link)].R, n);
+    tasks.push_back({contact.link, contact.p, {{false, in_link}}});
+  }
+  return tasks;
+}
+
+/// 1 / (n^T Lambda_c^-1 n) of each row of `Lambda_inv` (Chang eq. 8.1).
+template <class Scalar>
+std::vector<Scalar> masses_along(const DenseMatrix<Scalar>& Lambda_inv) {
+  std::vector<Scalar> masses;
+  for (std::size_t i = 0; i < Lambda_inv.rows(); ++i) {
+    masses.push_back(Scalar(1.0) / Lambda_inv(i, i));
+  }
+  return masses;
+}
+
+/// Impulses at the contacts, each at its link's origin and in the link's axes, added up.
+template <class Scalar>
+std::vector<Wrench<Scalar>> impulses_on_links(const Tree<Scalar>& tree,
+                                              const std::vector<WorldPose<Scalar>>& poses,
+                                              std::span<const Scalar> impulses) {
+  std::vector<Wrench<Scalar>> on_links(tree.links.size());
+  for (std::size_t k = 0; k < tree.contacts.size(); ++k) {
+    const TreePoint<Scalar>& contact = tree.contacts[k];
+    if (contact.link >= 0) {
+      const auto i = static_cast<std::size_t>(contact.link);
+      const Vector3<Scalar> y = transposed_times(poses[i].R, contact_entry(impulses, k));
+      on_links[i] = on_links[i] + wrench_at(y, Vector3<Scalar>{}, contact.p);
+    }
+  }
+  return on_links;
+}
+
+/// dqd by impulse propagation (Chang table 8.2): inward y_h = L y_i, where what a joint yields to
+/// is an exact zero, outward as accelerations go. Links beside the struck paths take up nothing
+/// inward, which in a trace costs nothing.
+template <class Scalar>
+std::vector<Scalar> impulse_response(const Tree<Scalar>& tree,
+                                     const std::vector<JointTransform<Scalar>>& X,
+                                     std::vector<Wrench<Scalar>> y) {
+  const ArticulatedTree<Scalar> bodies = articulate(tree, X);
+  std::vector<Scalar> along(static_cast<std::size_t>(tree.nv));
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "impulse");
+    const auto at = static_cast<std::size_t>(link.v_index);
+    if (link.kind == JointKind::floating) {
+      const Scalar parts[6] = {y[i].f.x, y[i].f.y, y[i].f.z, y[i].n.x, y[i].n.y, y[i].n.z};
+      for (std::size_t k = 0; k < 6; ++k) {
+        along[at + k] = parts[k];
+      }
+      continue;
+    }
+    along[at] = link.kind == JointKind::revolute ? y[i].n.z : y[i].f.z;
+    if (link.parent >= 0) {
+      Wrench<Scalar>& parent = y[static_cast<std::size_t>(link.parent)];
+      parent = parent + to_parent(X[i], without_work(link.kind, bodies.joints[i], y[i]));
+    }
+  }
+  return accelerate_outward(tree, X, bodies, along);
+}
+
+/// dqd = M^-1 J^T y: where joints share a coordinate.
+template <class Scalar>
+std::vector<Scalar> impulse_response_by_factors(const Tree<Scalar>& tree,
+                                                const std::vector<JointTransform<Scalar>>& X,
+                                                std::vector<Wrench<Scalar>> y) {
+  return solve(factor_ltdl(mass_matrix(tree, X)), inward_forces(tree, X, std::move(y)));
+}
+
+}  // namespace treeline

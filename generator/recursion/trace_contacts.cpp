@@ -1,0 +1,214 @@
+#include "recursion/trace_contacts.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <utility>
+
+#include "recursion/contacts.hpp"
+#include "recursion/describe_choice.hpp"
+#include "recursion/link_inverse_inertias.hpp"
+
+namespace treeline {
+namespace {
+
+using Expressions = std::vector<Expression>;
+using TracedTree = Tree<Expression>;
+
+struct ContactTrace {
+  TracedTree tree;
+  Expressions q, other;  ///< `other`: the function's second input
+  std::vector<JointTransform<Expression>> X;
+  std::vector<WorldPose<Expression>> poses;
+
+  [[nodiscard]] std::size_t contacts() const { return tree.contacts.size(); }
+};
+
+struct ContactRoute {
+  std::string source;
+  std::function<std::vector<Result>(const ContactTrace&)> body;
+};
+
+/// What all routes of a function have in common: its equation and its input beside q.
+struct Contract {
+  std::string equation;
+  Argument other;
+};
+
+Contract contract_of(Function function, int nv, int contacts) {
+  const int entries = 3 * contacts;
+  switch (function) {
+    case Function::contact_motion:
+      return {"positions of the contacts and their derivatives", {"qd", nv, 1, "joint velocities"}};
+    case Function::contact_inverse_inertia:
+      return {"dv = Lambda_c^-1 y: velocities of the contacts by impulses there", {}};
+    case Function::effective_mass:
+      return {"m = 1 / (n^T Lambda_c^-1 n), for every contact by itself",
+              {"normals", entries, 1, "directions, world axes, one contact after the other"}};
+    case Function::impulse_response:
+      return {"dqd = M^-1 J_c^T y",
+              {"impulse", entries, 1,
+               "impulses on the robot, N s, world axes, one contact after the other"}};
+    default:
+      return {"Lambda_i^-1 = J_i M^-1 J_i^T, for every link that moves against its parent", {}};
+  }
+}
+
+Result vector_result(const char* name, const char* meaning, Expressions values) {
+  const int size = static_cast<int>(values.size());
+  return {{name, size, 1, meaning}, std::move(values)};
+}
+
+/// The tree with its contacts as the points that rows of Lambda^-1 are about.
+TracedTree tree_of_contact_tasks(TracedTree tree) {
+  tree.operational_points = tree.contacts;
+  return tree;
+}
+
+std::vector<ContactRoute> inverse_inertia_routes(const TracedTree& tree) {
+  std::vector<ContactRoute> routes;
+  const TracedTree tasks = tree_of_contact_tasks(tree);
+  for (const LambdaChoice& choice : lambda_choices(tasks)) {
+    routes.push_back(
+        {describe(choice, tasks), [choice](const ContactTrace& trace) {
+           const auto Lambda_inv = lambda_inverse_as_asked(tree_of_contact_tasks(trace.tree),
+                                                           trace.X, choice, 3 * trace.contacts());
+           const int size = static_cast<int>(Lambda_inv.rows());
+           return std::vector<Result>{
+               {{"Lambda_c_inv", size, size, "inverse inertia over all contacts, 1/kg, world axes"},
+                Lambda_inv.values()}};
+         }});
+  }
+  return routes;
+}
+
+std::vector<Result> masses(const DenseMatrix<Expression>& Lambda_inv) {
+  return {vector_result("mass", "effective masses, kg where the normal is a unit vector",
+                        masses_along(Lambda_inv))};
+}
+
+/// Couplings between contacts are traced and never used: what is not asked for is not emitted.
+std::vector<ContactRoute> mass_routes(const TracedTree& tree) {
+  std::vector<ContactRoute> routes{
+      {"M = L^T D L, J carried inward along each normal", [](const ContactTrace& trace) {
+         const auto tasks = normal_tasks<Expression>(trace.tree, trace.poses, trace.other);
+         return masses(lambda_inverse_by_factors(
+             trace.tree, trace.X,
+             jacobian_inward(trace.tree, trace.X, tasks, trace.contacts(), trace.poses)));
+       }}};
+  if (tree.has_mimics) return routes;
+  routes.push_back({"a unit force along each normal propagated inward", [](const ContactTrace& t) {
+                      const auto tasks = normal_tasks<Expression>(t.tree, t.poses, t.other);
+                      return masses(
+                          lambda_inverse_by_unit_forces(t.tree, t.X, tasks, t.contacts()));
+                    }});
+  routes.push_back({"inverse inertias of the links, Chang eq. 8.2", [](const ContactTrace& t) {
+                      const auto tasks = normal_tasks<Expression>(t.tree, t.poses, t.other);
+                      return masses(lambda_inverse_by_branching(t.tree, t.X, tasks));
+                    }});
+  return routes;
+}
+
+std::vector<Result> velocity_changes(Expressions dqd) {
+  return {vector_result("dqd", "changes of the joint velocities", std::move(dqd))};
+}
+
+std::vector<ContactRoute> impulse_routes(const TracedTree& tree) {
+  std::vector<ContactRoute> routes{
+      {"M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)",
+       [](const ContactTrace& trace) {
+         return velocity_changes(impulse_response_by_factors(
+             trace.tree, trace.X,
+             impulses_on_links<Expression>(trace.tree, trace.poses, trace.other)));
+       }}};
+  if (!tree.has_mimics) {
+    routes.push_back({"impulse propagation, Chang table 8.2", [](const ContactTrace& trace) {
+                        return velocity_changes(impulse_response(
+                            trace.tree, trace.X,
+                            impulses_on_links<Expression>(trace.tree, trace.poses, trace.other)));
+                      }});
+  }
+  return routes;
+}
+
+std::vector<ContactRoute> link_routes(const TracedTree& tree) {
+  const auto result = [](Expressions entries) {
+    return std::vector<Result>{vector_result(
+        "Omega", "6x6 row-major for each link, at its frame and in its axes", std::move(entries))};
+  };
+  if (tree.has_mimics) {
+    return {{"M = L^T D L, J carried inward link by link", [result](const ContactTrace& trace) {
+               return result(link_inverse_inertias_by_factors(trace.tree, trace.X, trace.poses));
+             }}};
+  }
+  return {{"force propagation, Chang table 5.2, over all links",
+           [result](const ContactTrace& t) { return result(link_inverse_inertias(t.tree, t.X)); }}};
+}
+
+std::vector<ContactRoute> routes_of(Function function, const TracedTree& tree) {
+  switch (function) {
+    case Function::contact_motion:
+      return {{"outward recursion", [](const ContactTrace& trace) {
+                 auto motion =
+                     contact_motion<Expression>(trace.tree, trace.X, trace.poses, trace.other);
+                 return std::vector<Result>{
+                     vector_result("position", "in the world, m, one contact after the other",
+                                   std::move(motion.position)),
+                     vector_result("velocity", "world axes, m/s, one contact after the other",
+                                   std::move(motion.velocity))};
+               }}};
+    case Function::contact_inverse_inertia:
+      return inverse_inertia_routes(tree);
+    case Function::effective_mass:
+      return mass_routes(tree);
+    case Function::impulse_response:
+      return impulse_routes(tree);
+    case Function::link_inverse_inertias:
+      return link_routes(tree);
+    default:
+      return {};
+  }
+}
+
+Expressions declare(Program& program, const Argument& argument) {
+  program.arguments.push_back(argument);
+  Expressions entries;
+  for (int i = 0; i < argument.rows; ++i) {
+    entries.push_back(program.graph.input(fmt::format("{}[{}]", argument.name, i)));
+  }
+  return entries;
+}
+
+Program trace(const Mechanism& mechanism, Function function, const ContactRoute& route) {
+  const Contract contract =
+      contract_of(function, mechanism.nv(), static_cast<int>(mechanism.contacts.size()));
+  Program program;
+  program.name = function_name(function);
+  program.equation = contract.equation;
+  program.source = route.source;
+  const Graph::Scope scope(program.graph);
+  ContactTrace traced;
+  traced.tree = tree_of<Expression>(mechanism);
+  traced.q = declare(program, {"q", mechanism.nq(), 1, "joint coordinates"});
+  if (!contract.other.name.empty()) traced.other = declare(program, contract.other);
+  traced.X = joint_transforms<Expression>(traced.tree, traced.q);
+  traced.poses = world_poses(traced.tree, traced.X);
+  program.results = route.body(traced);
+  return program;
+}
+
+}  // namespace
+
+std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function function) {
+  Graph graph;
+  std::vector<ContactRoute> routes;
+  {
+    const Graph::Scope scope(graph);
+    routes = routes_of(function, tree_of<Expression>(mechanism));
+  }
+  std::vector<Program> programs;
+  for (const ContactRoute& route : routes) programs.push_back(trace(mechanism, function, route));
+  return programs;
+}
+
+}  // namespace treeline
