@@ -129,6 +129,27 @@ struct ControlInputs {
   std::vector<Wrench<Scalar>> applied;
 };
 
+/// F = Lambda times the acceleration errors. Table 5.1 gives Lambda itself, at one link's origin in
+/// its axes; all other routes its inverse.
+template <class Scalar>
+std::vector<Scalar> task_force(const Tree<Scalar>& tree,
+                               const std::vector<JointTransform<Scalar>>& X,
+                               const std::vector<WorldPose<Scalar>>& poses,
+                               const LambdaChoice& choice, std::size_t row_count,
+                               const std::vector<Scalar>& errors) {
+  if (choice.route != LambdaRoute::inertia_propagation) {
+    return solve(factor_ldlt(lambda_inverse(tree, X, poses, choice, row_count)), errors);
+  }
+  const auto Lambda = dense(propagated_inertia(tree, X, tree.operational_points.front().link));
+  std::vector<Scalar> F(6, Scalar(0.0));
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      F[i] = F[i] + Lambda(i, j) * errors[j];
+    }
+  }
+  return F;
+}
+
 /// tau = RNEA(q, qd, qdd_0) + J^T F, F = Lambda (xdd_cmd - Jd qd - J qdd_0) (Chang table 6.1),
 /// fused: the outward pass of RNEA yields the accelerations of the points, and F enters its inward
 /// pass as forces at the points, so that no Jacobian is formed.
@@ -155,7 +176,7 @@ std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
                                 : acceleration_error(tree, X, point, tasks[k], basis, motion, xdd);
     errors.insert(errors.end(), error.begin(), error.end());
   }
-  const auto F = solve(factor_ldlt(lambda_inverse(tree, X, poses, choice, row_count)), errors);
+  const auto F = task_force(tree, X, poses, choice, row_count, errors);
   std::vector<Wrench<Scalar>> wrenches = inertial_wrenches(tree, motions);
   for (std::size_t i = 0; i < inputs.applied.size(); ++i) {
     wrenches[i] = wrenches[i] - inputs.applied[i];

@@ -161,9 +161,10 @@ std::vector<LambdaChoice> control_choices(const Tree<Scalar>& tree) {
   detail::append_choices(tree, {}, {unit_forces, factors_inward, factors_world}, choices);
   std::erase_if(choices, [](const LambdaChoice& choice) { return choice.basis.at_link_origin; });
   detail::append_choices(tree, {true, false}, {unit_forces, factors_inward}, choices);
-  for (const LambdaRoute route : {branching, extended_propagators}) {
+  for (const LambdaRoute route : {branching, extended_propagators, inertia_propagation}) {
     const TaskBasis basis{true, true};  // dearer at the points on every robot tried
-    if (permits(tree, basis, route)) {
+    const bool several = tree.operational_points.size() > 1;
+    if (permits(tree, basis, route) && !(several && route == inertia_propagation)) {
       choices.push_back({basis, route});
     }
   }

@@ -81,6 +81,7 @@ TEST(LambdaRoutes, AgreeOnOnePointOfARobotThatFloats) {
     SCOPED_TRACE(seed);
     const RandomMechanism made = random_mechanism(seed, chain_of(7, seed % 2 == 0 ? 0.4 : 0, true));
     EXPECT_TRUE(offers(made, Function::lambda_inverse, "table 5.1"));
+    EXPECT_TRUE(offers(made, Function::control_torque, "table 5.1"));
     EXPECT_GE(expect_routes_agree(made, seed), 10);
   }
 }
