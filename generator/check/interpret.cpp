@@ -80,6 +80,10 @@ std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
     case Function::control_torque:
       return entries_of(
           interpreter::control_torque<Scalar>(model, points, q, qd, qdd, xdd_cmd, external, f_ext));
+    case Function::center_of_mass:
+      return entries_of(interpreter::center_of_mass<Scalar>(model, q));
+    case Function::center_of_mass_jacobian:
+      return entries_of(interpreter::center_of_mass_jacobian<Scalar>(model, q));
   }
   throw std::logic_error(std::string("the interpreter has no ") + function_name(function));
 }

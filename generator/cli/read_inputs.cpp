@@ -24,6 +24,7 @@ void reject(const std::string& element, std::string fault, std::string remedy,
 void keep_functions(const std::vector<std::string>& names, Scene& scene, Diagnostics& diagnostics) {
   std::vector<Function> functions(kAllFunctions.begin(), kAllFunctions.end());
   functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
+  functions.insert(functions.end(), kPostureFunctions.begin(), kPostureFunctions.end());
   std::vector<std::string> known;
   for (const Function function : functions) {
     known.emplace_back(function_name(function));

@@ -42,6 +42,10 @@ const char* function_name(Function function) {
       return "impulse_response";
     case Function::link_inverse_inertias:
       return "link_inverse_inertias";
+    case Function::center_of_mass:
+      return "center_of_mass";
+    case Function::center_of_mass_jacobian:
+      return "center_of_mass_jacobian";
   }
   return "";
 }

@@ -30,6 +30,7 @@ void read_functions(const SceneElement& element, Scene& scene) {
   std::vector<Function> known(kAllFunctions.begin(), kAllFunctions.end());
   known.insert(known.end(), kContactFunctions.begin(), kContactFunctions.end());
   known.insert(known.end(), kObjectFunctions.begin(), kObjectFunctions.end());
+  known.insert(known.end(), kPostureFunctions.begin(), kPostureFunctions.end());
   for (const Function function : known) names.emplace_back(function_name(function));
   const std::vector<SceneElement> items = element.items();
   if (items.empty())

@@ -35,6 +35,8 @@ enum class Function {
   effective_mass,           ///< 1 / (n^T Lambda_c^-1 n) of each contact (Chang eq. 8.1)
   impulse_response,         ///< dqd by impulses at the contacts (Chang table 8.2)
   link_inverse_inertias,    ///< Lambda_i^-1 of all links (Chang table 8.1, inverse)
+  center_of_mass,           ///< of all links, in the world
+  center_of_mass_jacobian,  ///< J_com, 3 x nv
 };
 inline constexpr std::array kAllFunctions = {Function::forward_kinematics,
                                              Function::jacobian,
@@ -62,6 +64,12 @@ inline constexpr std::array kContactFunctions = {
 constexpr bool needs_contacts(Function function) {
   return function == Function::contact_motion || function == Function::contact_inverse_inertia ||
          function == Function::effective_mass || function == Function::impulse_response;
+}
+/// Those that posture laws need, which a scene gets only when it asks.
+inline constexpr std::array kPostureFunctions = {Function::center_of_mass,
+                                                 Function::center_of_mass_jacobian};
+constexpr bool is_about_posture(Function function) {
+  return function == Function::center_of_mass || function == Function::center_of_mass_jacobian;
 }
 const char* function_name(Function function);
 

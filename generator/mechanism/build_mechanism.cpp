@@ -106,11 +106,11 @@ class Builder {
   void visit_link(int index, const Place& place) {
     const Link& link = robot_.links[static_cast<std::size_t>(index)];
     places_[static_cast<std::size_t>(index)] = place;
-    if (place.link >= 0) {
-      MovingLink& carrier = mechanism_.links[static_cast<std::size_t>(place.link)];
-      const Inertia own = link.inertial ? exact_inertia(*link.inertial) : Inertia{};
-      carrier.inertia = carrier.inertia + transformed(own, place.pose);
-    }
+    Inertia& carrier = place.link < 0
+                           ? mechanism_.world
+                           : mechanism_.links[static_cast<std::size_t>(place.link)].inertia;
+    const Inertia own = link.inertial ? exact_inertia(*link.inertial) : Inertia{};
+    carrier = carrier + transformed(own, place.pose);
     if (link.inertial && (place.link < 0 || carrier_name(place) != link.name)) {
       mechanism_.notes.push_back(
           {"lump", link.name,

@@ -92,6 +92,9 @@ struct ReductionNote {
 /// `regroup_inertias`, each of which leaves the equations of motion as they are.
 struct Mechanism {
   std::vector<MovingLink> links;
+  /// Matter that is fixed to the world, in its frame, and what regrouping moved there: no motion
+  /// depends on it, the centre of mass does. Only its mass and first moment mean anything.
+  Inertia world;
   std::vector<MechanismPoint> operational_points;
   std::vector<MechanismPoint> external_forces;
   std::vector<MechanismPoint> contacts;  ///< rows x y z in world axes

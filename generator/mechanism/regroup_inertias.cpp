@@ -36,14 +36,14 @@ void regroup_inertias(Mechanism& mechanism) {
     const bool revolute = link->kind == JointKind::revolute;
     const Exact mass = link->inertia.mass;
     Inertia moved = revolute ? take_rod_on_axis(link->inertia) : take_second_moment(link->inertia);
-    if (link->parent >= 0) {
-      ExactPose seat = link->seat;
-      if (!revolute) {
-        seat.p.setZero();
-      }
-      Inertia& parent = mechanism.links[static_cast<std::size_t>(link->parent)].inertia;
-      parent = parent + transformed(moved, seat);
+    ExactPose seat = link->seat;
+    if (!revolute) {
+      seat.p.setZero();
     }
+    Inertia& parent = link->parent < 0
+                          ? mechanism.world
+                          : mechanism.links[static_cast<std::size_t>(link->parent)].inertia;
+    parent = parent + transformed(moved, seat);
     mechanism.notes.push_back(
         {"regroup", link->name,
          revolute ? fmt::format("{:.6g} kg on the joint axis moved to the parent; 7 numbers left",

@@ -13,6 +13,7 @@ set(TREELINE_ALL_FUNCTIONS
   mass_matrix forward_dynamics lambda_inverse lambda control_torque
   contact_motion contact_inverse_inertia effective_mass impulse_response link_inverse_inertias
   object_state object_control_torque object_forward_dynamics
+  center_of_mass center_of_mass_jacobian
   CACHE INTERNAL "")
 
 function(treeline_generate target)

@@ -12,6 +12,7 @@
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/trace_contacts.hpp"
 #include "recursion/trace_object_function.hpp"
+#include "recursion/trace_posture.hpp"
 #include "recursion/resolved_acceleration.hpp"
 
 namespace treeline {
@@ -353,6 +354,9 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
   }
   if (needs_objects(function)) {
     return trace_object_function(mechanism, function);
+  }
+  if (is_about_posture(function)) {
+    return trace_posture_function(mechanism, function);
   }
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);

@@ -50,6 +50,8 @@ struct Tree {
   std::vector<TreeLink<Scalar>> links;
   std::vector<TreePoint<Scalar>> operational_points, external_forces, contacts, link_frames;
   Vector3<Scalar> gravity;
+  Vector3<Scalar> world_moment;  ///< first moment of what does not move, or moves nothing
+  Scalar inverse_total_mass{};   ///< of all links; 0 for a robot without mass
   int nq = 0, nv = 0;
   bool has_mimics = false;
 };
@@ -136,6 +138,10 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
   for (const MechanismPoint& point : mechanism.link_frames) {
     tree.link_frames.push_back(tree_point<Scalar>(point));
   }
+  Exact mass = mechanism.world.mass;
+  for (const MovingLink& link : mechanism.links) mass += link.inertia.mass;
+  tree.world_moment = rounded<Scalar>(mechanism.world.h);
+  tree.inverse_total_mass = rounded<Scalar>(mass > 0 ? Exact(1 / mass) : Exact(0));
   const auto& g = mechanism.gravity;
   tree.gravity = {Scalar(g[0]), Scalar(g[1]), Scalar(g[2])};
   tree.nq = mechanism.nq();

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <vector>
+
+#include "recursion/dense_matrix.hpp"
+#include "recursion/forward_kinematics.hpp"
+
+namespace treeline {
+
+/// Of everything beyond a joint, at the link's frame: its share of the robot's mass, and the first
+/// moment of that share. Regrouping moves matter only along joint axes, where neither the centre of
+/// mass nor its motion notices.
+template <class Scalar>
+struct MassShare {
+  Scalar mass{};
+  Vector3<Scalar> h;
+};
+
+template <class Scalar>
+MassShare<Scalar> to_parent(const JointTransform<Scalar>& X, const MassShare<Scalar>& share) {
+  return {share.mass, X.to_parent(share.h) + X.p * share.mass};
+}
+
+template <class Scalar>
+std::vector<MassShare<Scalar>> composite_shares(const Tree<Scalar>& tree,
+                                                const std::vector<JointTransform<Scalar>>& X) {
+  std::vector<MassShare<Scalar>> shares;
+  for (const TreeLink<Scalar>& link : tree.links) {
+    shares.push_back(
+        {link.inertia.mass * tree.inverse_total_mass, link.inertia.h * tree.inverse_total_mass});
+  }
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "first moment");
+    if (link.parent < 0) {
+      continue;
+    }
+    MassShare<Scalar>& parent = shares[static_cast<std::size_t>(link.parent)];
+    const MassShare<Scalar> moved = to_parent(X[i], shares[i]);
+    parent = {parent.mass + moved.mass, parent.h + moved.h};
+  }
+  return shares;
+}
+
+/// The centre of mass in the world, of all links, those that do not move included.
+template <class Scalar>
+Vector3<Scalar> center_of_mass(const Tree<Scalar>& tree,
+                               const std::vector<JointTransform<Scalar>>& X) {
+  const auto shares = composite_shares(tree, X);
+  Vector3<Scalar> center = tree.world_moment * tree.inverse_total_mass;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    if (tree.links[i].parent < 0) {
+      center = center + to_parent(X[i], shares[i]).h;
+    }
+  }
+  return center;
+}
+
+/// 3 x nv: velocity of the centre of mass, world axes. A joint moves what is beyond it: by the
+/// cross product of its axis with the first moment if it turns, along its axis by the mass if it
+/// slides.
+template <class Scalar>
+DenseMatrix<Scalar> center_of_mass_jacobian(const Tree<Scalar>& tree,
+                                            const std::vector<JointTransform<Scalar>>& X) {
+  const auto shares = composite_shares(tree, X);
+  const auto poses = world_poses(tree, X);
+  const Scalar zero(0.0);
+  const Scalar one(1.0);
+  const Vector3<Scalar> axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  DenseMatrix<Scalar> J(3, static_cast<std::size_t>(tree.nv));
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "motion of the centre of mass");
+    for (int k = 0; k < link.dofs(); ++k) {
+      const bool angular = link.kind == JointKind::revolute || k >= 3;
+      const Vector3<Scalar>& e = axes[link.kind == JointKind::floating ? k % 3 : 2];
+      const Vector3<Scalar> own = angular ? cross(e, shares[i].h) : e * shares[i].mass;
+      const Vector3<Scalar> moved = poses[i].R * (own * link.multiplier);
+      const auto column = static_cast<std::size_t>(link.v_index + k);
+      J(0, column) = J(0, column) + moved.x;
+      J(1, column) = J(1, column) + moved.y;
+      J(2, column) = J(2, column) + moved.z;
+    }
+  }
+  return J;
+}
+
+}  // namespace treeline

@@ -1,0 +1,43 @@
+#include "recursion/trace_posture.hpp"
+
+#include <fmt/format.h>
+
+#include "recursion/center_of_mass.hpp"
+
+namespace treeline {
+namespace {
+
+std::vector<Expression> declare_coordinates(const Mechanism& mechanism, Program& program) {
+  program.arguments.push_back({"q", mechanism.nq(), 1, "joint coordinates"});
+  std::vector<Expression> q;
+  for (int i = 0; i < mechanism.nq(); ++i) {
+    q.push_back(program.graph.input(fmt::format("q[{}]", i)));
+  }
+  return q;
+}
+
+}  // namespace
+
+std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function function) {
+  std::vector<Program> programs(1);
+  Program& program = programs.front();
+  program.name = function_name(function);
+  program.source = "first moments of the composite bodies";
+  const Graph::Scope scope(program.graph);
+  const auto q = declare_coordinates(mechanism, program);
+  const auto tree = tree_of<Expression>(mechanism);
+  const auto X = joint_transforms<Expression>(tree, q);
+  if (function == Function::center_of_mass) {
+    program.equation = "centre of mass: sum of m_i c_i over the mass of all links";
+    const Vector3<Expression> center = center_of_mass(tree, X);
+    program.results = {
+        {{"com", 3, 1, "centre of mass in the world, m"}, {center.x, center.y, center.z}}};
+    return programs;
+  }
+  program.equation = "velocity of the centre of mass = J_com qd";
+  program.results = {{{"J_com", 3, mechanism.nv(), "Jacobian of the centre of mass, world axes"},
+                      center_of_mass_jacobian(tree, X).values()}};
+  return programs;
+}
+
+}  // namespace treeline
