@@ -129,6 +129,30 @@ void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
   }
 }
 
+/// What the reader must know to fill `xdd_object` and `internal`.
+std::string object_text(const SceneObject& object) {
+  std::string text = fmt::format("object {}, {} kg, held at", object.name, object.inertial.mass);
+  for (const SceneGrasp& grasp : object.grasps) {
+    const auto& xyz = grasp.origin.xyz;
+    text += fmt::format("{} {} (object's origin at ({}, {}, {}) m in the point's frame)",
+                        &grasp == &object.grasps.front() ? "" : ",", grasp.point, xyz[0], xyz[1],
+                        xyz[2]);
+  }
+  if (object.grasps.size() == 2) {
+    text +=
+        "; internal: tension, torsion (m_2 - m_1).x / 2, then m_1.y m_1.z m_2.y m_2.z of the "
+        "moments at the points; x from the first point to the second, y = up x x with up the "
+        "object's z axis (x axis if |x_z| > 0.9), z = x x y; tension stretches, a squeeze is "
+        "negative";
+  } else if (object.grasps.size() > 2) {
+    text +=
+        "; internal: tensions of the rods 12, 23, 31 between the points, then 1k, 2k, 3k of each "
+        "further one; then the moments at all points, object's axes; tension stretches, a squeeze "
+        "is negative";
+  }
+  return text;
+}
+
 }  // namespace
 
 EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mechanism& mechanism) {
@@ -144,6 +168,9 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.joints = joint_rows(robot, mechanism);
   context.operational_points = point_rows(scene.operational_points);
   context.external_forces = point_rows(scene.external_forces);
+  for (const SceneObject& object : scene.objects) {
+    context.notes.push_back(object_text(object));
+  }
   for (const auto& [joint, value] : scene.locked) {
     context.notes.push_back(fmt::format("joint {} is locked at {}", joint, value));
   }
