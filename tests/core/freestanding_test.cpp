@@ -2,6 +2,7 @@
 // -ffreestanding -fno-exceptions -fno-rtti and instantiated in float. Would catch a header that
 // needs the library, C++20, or a feature firmware lacks.
 #include "core/command_laws.hpp"
+#include "core/contact_solver.hpp"
 #include "core/ldlt.hpp"
 #include "core/orientation.hpp"
 #include "core/posture_laws.hpp"
@@ -14,8 +15,20 @@
 namespace treeline::test {
 
 float use_everything(float x) noexcept;
+float use_contact_solver(float x) noexcept;
 float use_posture_laws(float x) noexcept;
 float use_singularity(float x) noexcept;
+
+float use_contact_solver(float x) noexcept {
+  const float A[9] = {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, x};
+  core::ContactLaw<float> law;
+  law.friction = x;
+  float v[3] = {0.0F, x, -1.0F};
+  float y[3] = {};
+  float wanted[1];
+  core::solve_contacts<float>(1, A, &law, v, y, wanted, {10, 1e-6F});
+  return y[2];
+}
 
 float use_posture_laws(float x) noexcept {
   const float q[3] = {x, 2.0F * x, 3.0F * x};
