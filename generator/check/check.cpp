@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kWithoutContraction = "-ffp-contract=off";
+/// GCC's SLP vectorizer makes fused vector operations (vfmsubadd) even where contraction is off.
+constexpr const char* kExactFlags = " -ffp-contract=off -fno-tree-slp-vectorize";
 
 /// A folder's code, compiled as asked and, where that may contract products and sums, once more
 /// without.
@@ -27,13 +28,16 @@ struct Libraries {
   [[nodiscard]] const GeneratedLibrary& exact() const { return separate ? *separate : *accurate; }
 };
 
-/// Whether the last word on contraction is that there be none.
+/// Whether these flags may fuse products and sums: unless the last word on contraction is that
+/// there be none, and the machine is the plain one.
 bool contracts(const std::string& flags) {
-  bool result = true;
+  bool contracted = true;
+  bool special_machine = false;
   for (const std::string& flag : split_words(flags)) {
-    if (flag.starts_with("-ffp-contract=")) result = flag != kWithoutContraction;
+    if (flag.starts_with("-ffp-contract=")) contracted = flag != "-ffp-contract=off";
+    special_machine = special_machine || flag.starts_with("-m");
   }
-  return result;
+  return contracted || special_machine;
 }
 
 bool refuse_fast_math(const std::string& flags, Diagnostics& diagnostics) {
@@ -72,7 +76,7 @@ std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& s
   libraries.exact_command = libraries.compilation.command;
   if (!contracts(options.flags)) return libraries;
   CompileOptions exact = options;
-  exact.flags += std::string(" ") + kWithoutContraction;
+  exact.flags += kExactFlags;
   Compilation compilation;
   libraries.separate =
       compile_and_load(sources, scene, generation, exact, work / "exact", compilation, diagnostics);

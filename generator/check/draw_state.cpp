@@ -116,6 +116,9 @@ void round_to_float(State& state) {
        {&state.q, &state.qd, &state.qdd, &state.tau, &state.xdd_cmd, &state.f_ext}) {
     for (double& entry : *entries) entry = static_cast<double>(static_cast<float>(entry));
   }
+  for (auto& [name, entries] : state.others) {
+    for (double& entry : entries) entry = static_cast<double>(static_cast<float>(entry));
+  }
 }
 
 }  // namespace
@@ -151,6 +154,10 @@ State draw_state(const StateSpace& space, int index) {
   const auto forces = TermSizes(space.subject, state.q).forces(state.qd, state.qdd, state.f_ext);
   for (std::size_t i = 0; i < nv; ++i) {
     state.tau.push_back(at_rest ? 0 : dice.within(forces[static_cast<Eigen::Index>(i)]));
+  }
+  for (const auto& [name, count] : space.others) {
+    state.others[name] =
+        draw_rates(dice, state.kind, static_cast<std::size_t>(count), size.acceleration);
   }
   if (space.single_precision) round_to_float(state);
   return state;

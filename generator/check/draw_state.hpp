@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct State {
   int index = 0;
   StateClass kind = StateClass::random;
   std::vector<double> q, qd, qdd, tau, xdd_cmd, f_ext;
+  std::map<std::string, std::vector<double>> others;  ///< arguments of other names
 };
 
 /// Where states are drawn from.
@@ -38,6 +40,7 @@ struct StateSpace {
   std::vector<Coordinate> coordinates;  ///< nq of them, with limits
   std::uint64_t seed = 1;
   bool single_precision = false;
+  std::map<std::string, int> others = {};  ///< sizes of arguments of other names
 };
 
 /// The class of each state is a matter of its index alone, so that any number of states is a mix.

@@ -34,6 +34,7 @@ void note_error(const ErrorAt& found, FunctionReport& report, std::vector<double
 FunctionReport begin_report(const GeneratedFunction& generated) {
   FunctionReport report;
   report.name = generated.program.name;
+  report.has_truth = has_truth(generated.function);
   report.method = generated.chosen.method;
   report.count = count_operations(generated.program);
   return report;
@@ -53,13 +54,14 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
     const CallResult result = accurate.call(i, reference.state);
     note_bits(&accurate == &exact ? result : exact.call(i, reference.state), reference, function,
               report);
+    if (!report.has_truth) continue;
     if (function.singular) {
       ++report.singular;
       continue;
     }
     report.interpreter_worst = std::max(report.interpreter_worst, function.interpreter_error);
     note_error({reference.state.index, error_in_ulp(result.entries, function, unit_of(real)),
-                report.bound.at(function.condition), function.condition},
+                report.bound.at(function), function.condition},
                report, errors);
   }
   report.median = quantile(errors, 0.5);

@@ -49,6 +49,7 @@ Json to_json(const Bound& bound) {
 Json to_json(const FunctionReport& f) {
   Json json{{"name", f.name},
             {"passed", f.passed()},
+            {"compared_with_50_digits", f.has_truth},
             {"method", f.method},
             {"states", f.states},
             {"singular", f.singular},
@@ -87,7 +88,8 @@ Json to_json(const State& state) {
           {"qdd", state.qdd},
           {"tau", state.tau},
           {"xdd_cmd", state.xdd_cmd},
-          {"f_ext", state.f_ext}};
+          {"f_ext", state.f_ext},
+          {"others", state.others}};
 }
 
 Json to_json(const FileDifference& file) {

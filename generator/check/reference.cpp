@@ -1,11 +1,14 @@
 #include "check/reference.hpp"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <future>
 #include <limits>
+#include <map>
 #include <mutex>
-#include <stdexcept>
+#include <set>
 #include <thread>
 
 #include "check/condition.hpp"
@@ -48,6 +51,45 @@ std::vector<double> evaluate_graph(const Program& program, const State& state) {
   return flat;
 }
 
+/// A program whose results are the angles that `program` takes the sine or cosine of, but for
+/// those that are inputs.
+Program angles_of(const Program& program) {
+  Program angles = program;
+  angles.results = {Result{}};
+  std::set<std::uint32_t> operands;
+  for (const Node& node : program.graph.nodes()) {
+    const bool trigonometric = node.op == Op::sin || node.op == Op::cos;
+    if (trigonometric && program.graph.nodes()[node.a].op != Op::input) operands.insert(node.a);
+  }
+  for (const std::uint32_t operand : operands) {
+    angles.results.front().values.emplace_back(operand, false);
+  }
+  return angles;
+}
+
+bool is_drawn(const std::string& argument) {
+  constexpr std::array kDrawn = {"q", "qd", "qdd", "qdd_0", "tau", "xdd_cmd", "f_ext"};
+  return std::find(kDrawn.begin(), kDrawn.end(), argument) != kDrawn.end();
+}
+
+/// Arguments of functions that have no truth; they are drawn without regard to their meaning.
+std::map<std::string, int> other_arguments(const Generation& generation) {
+  std::map<std::string, int> sizes;
+  for (const GeneratedFunction& generated : generation.functions) {
+    for (const Argument& argument : generated.program.arguments) {
+      const int size = argument.rows * argument.cols;
+      if (!is_drawn(argument.name)) sizes[argument.name] = std::max(sizes[argument.name], size);
+    }
+  }
+  return sizes;
+}
+
+double add_magnitudes(const std::vector<double>& entries) {
+  double sum = 0;
+  for (const double entry : entries) sum += std::abs(entry);
+  return sum;
+}
+
 class ReferenceMaker {
  public:
   ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
@@ -57,13 +99,19 @@ class ReferenceMaker {
         exact_(make_subject<Digits50>(robot, scene)),
         single_(cast<float>(exact_)),
         space_{cast<double>(exact_), generation.mechanism.coordinates, seed,
-               scene.real == Real::float32} {}
+               scene.real == Real::float32, other_arguments(generation)} {
+    for (const GeneratedFunction& generated : generation.functions) {
+      angles_.push_back(angles_of(generated.program));
+    }
+  }
 
   StateReference make(int index) const {
     StateReference made{draw_state(space_, index), {}};
     const ResultSizes sizes(space_.subject, made.state);
-    for (const GeneratedFunction& generated : generation_.functions) {
-      made.functions.push_back(make(generated, made.state, sizes));
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      made.functions.push_back(make(generation_.functions[i], made.state, sizes));
+      made.functions.back().computed_angles =
+          add_magnitudes(evaluate_graph<double>(angles_[i], made.state));
     }
     return made;
   }
@@ -74,6 +122,7 @@ class ReferenceMaker {
     FunctionReference reference;
     reference.graph = real_ == Real::float32 ? evaluate_graph<float>(generated.program, state)
                                              : evaluate_graph<double>(generated.program, state);
+    if (!has_truth(generated.function)) return reference;
     reference.condition = sizes.condition(solve_of(generated.function));
     reference.singular = !(reference.condition < kSingular / unit_of(real_));
     if (reference.singular) return reference;
@@ -90,6 +139,7 @@ class ReferenceMaker {
   }
 
   const Generation& generation_;
+  std::vector<Program> angles_;  ///< of each function
   Real real_;
   Subject<Digits50> exact_;
   Subject<float> single_;
@@ -109,6 +159,21 @@ Solve solve_of(Function function) {
     default:
       return Solve::none;
   }
+}
+
+bool has_truth(Function function) {
+  constexpr std::array kFunctions = {Function::forward_kinematics,
+                                     Function::jacobian,
+                                     Function::bias_acceleration,
+                                     Function::inverse_dynamics,
+                                     Function::gravity,
+                                     Function::nonlinear_effects,
+                                     Function::mass_matrix,
+                                     Function::forward_dynamics,
+                                     Function::lambda_inverse,
+                                     Function::lambda,
+                                     Function::control_torque};
+  return std::find(kFunctions.begin(), kFunctions.end(), function) != kFunctions.end();
 }
 
 std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,
@@ -171,7 +236,7 @@ std::vector<const std::vector<double>*> arguments_of(const Program& program, con
     } else if (name == "f_ext") {
       arguments.push_back(&state.f_ext);
     } else {
-      throw std::logic_error("no state has an argument " + name);
+      arguments.push_back(&state.others.at(name));
     }
   }
   return arguments;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "random_mechanism.hpp"
+
+namespace treeline::tests {
+
+/// One small fault that a generated source may have.
+enum class Mutation {
+  constant,  ///< a literal is 1 % larger
+  hair,      ///< a literal is 1e-9 larger
+  sign,      ///< a plus for a minus or the other way round, or a value negated
+  index,     ///< another element of an array is read or written
+  name,      ///< another value that was computed before is used
+};
+inline constexpr std::array kMutations = {Mutation::constant, Mutation::hair, Mutation::sign,
+                                          Mutation::index, Mutation::name};
+const char* mutation_name(Mutation mutation);
+
+/// A text with one fault, and what it is.
+struct Mutant {
+  Mutation mutation{};
+  std::string text;         ///< of the whole file
+  std::string description;  ///< the line before and after
+};
+
+/// All places of the function's statements where a fault of this kind can be; comments, signature
+/// and sine and cosine's call are none.
+std::vector<Mutant> mutants_of(const std::string& source, Mutation mutation, Dice& dice);
+
+}  // namespace treeline::tests
