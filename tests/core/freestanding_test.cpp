@@ -1,6 +1,7 @@
 // The core headers in one translation unit of C++17 with nothing hosted included: compiled with
 // -ffreestanding -fno-exceptions -fno-rtti and instantiated in float. Would catch a header that
 // needs the library, C++20, or a feature firmware lacks.
+#include "core/closed_chain.hpp"
 #include "core/command_laws.hpp"
 #include "core/contact_solver.hpp"
 #include "core/ldlt.hpp"
@@ -15,9 +16,35 @@
 namespace treeline::test {
 
 float use_everything(float x) noexcept;
+float use_closed_chain(float x) noexcept;
 float use_contact_solver(float x) noexcept;
 float use_posture_laws(float x) noexcept;
 float use_singularity(float x) noexcept;
+
+float use_closed_chain(float x) noexcept {
+  const float points[2][3] = {{x, 0.0F, 0.0F}, {0.0F, x, 0.0F}};
+  core::TwoGrasps<float> linkage;
+  if (!core::make_two_grasps(points[0], points[1], linkage)) {
+    return 0.0F;
+  }
+  const core::GraspedObject<float> object{x, {x, 0.0F, 0.0F}, {x, 0, 0, 0, x, 0, 0, 0, x}};
+  const float R[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const float w[3] = {x, x, x};
+  const float xdd[6] = {};
+  float wrench[6];
+  core::object_wrench(object, R, w, xdd, w, wrench);
+  float forces[2][6];
+  float internal[6] = {};
+  core::split_over_grasps(linkage, wrench, internal, forces);
+  core::read_internal_forces(linkage, forces, internal);
+  float Lambda[1][36];
+  core::object_inertia(object, R, Lambda[0]);
+  const float free_motion[1][6] = {{x}};
+  float moved[6];
+  float force[1][6];
+  core::grasp_forces<1>(Lambda[0], wrench, Lambda, free_motion, moved, force);
+  return internal[0] + force[0][0];
+}
 
 float use_contact_solver(float x) noexcept {
   const float A[9] = {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, x};

@@ -23,7 +23,7 @@ double positive(const YAML::Node& node, const char* key) {
   return value;
 }
 
-void fill_plan(const YAML::Node& root, Plan& plan) {
+void fill_plan(const YAML::Node& root, const std::string& mover, Plan& plan) {
   read_joints(root["start"], plan.joints, plan.start);
   std::vector<std::string> names;
   read_joints(root["posture_stiffness"], names, plan.posture_stiffness);
@@ -31,10 +31,10 @@ void fill_plan(const YAML::Node& root, Plan& plan) {
     throw YAML::Exception(root["posture_stiffness"].Mark(),
                           "start and posture_stiffness must list the same joints");
   }
-  const YAML::Node hand = root["left_hand"];
-  plan.target = hand["target"].as<std::array<double, 3>>();
-  plan.duration = positive(hand, "duration");
-  plan.settle = positive(hand, "settle");
+  const YAML::Node moved = root[mover];
+  plan.target = moved["target"].as<std::array<double, 3>>();
+  plan.duration = positive(moved, "duration");
+  plan.settle = positive(moved, "settle");
   plan.rate = positive(root["task"], "rate");
   plan.stiffness = positive(root["task"], "stiffness");
   plan.damping = positive(root["task"], "damping");
@@ -42,9 +42,9 @@ void fill_plan(const YAML::Node& root, Plan& plan) {
 
 }  // namespace
 
-bool read_plan(const std::string& path, Plan& plan, std::string& error) {
+bool read_plan(const std::string& path, Plan& plan, std::string& error, const std::string& mover) {
   try {
-    fill_plan(YAML::LoadFile(path), plan);
+    fill_plan(YAML::LoadFile(path), mover, plan);
   } catch (const YAML::Exception& exception) {
     error = fmt::format("{}: {}", path, exception.what());
     return false;

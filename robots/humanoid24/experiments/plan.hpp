@@ -6,12 +6,12 @@
 
 namespace treeline::experiments {
 
-/// What touch_floor.yaml says. Joints in the generated code's order; SI units.
+/// What touch_floor.yaml or put_box.yaml says. Joints in the generated code's order; SI units.
 struct Plan {
   std::vector<std::string> joints;
   std::vector<double> start;              ///< q at rest, and the advised posture
   std::vector<double> posture_stiffness;  ///< 1/s^2; critically damped
-  std::array<double, 3> target{};         ///< of the left hand, world
+  std::array<double, 3> target{};         ///< of what moves, world
   double duration = 0.0;                  ///< s, of the spline
   double settle = 0.0;                    ///< s afterwards
   double rate = 0.0;                      ///< Hz
@@ -19,9 +19,10 @@ struct Plan {
   double damping = 0.0;                   ///< 1/s
 };
 
-/// Reads the plan at `path`. False, with the reason in `error`, when something is missing, of the
-/// wrong kind, or when the two lists of joints differ.
-bool read_plan(const std::string& path, Plan& plan, std::string& error);
+/// Reads the plan at `path`; `mover` is the section about what moves. False, with the reason in
+/// `error`, when something is missing, of the wrong kind, or when the two lists of joints differ.
+bool read_plan(const std::string& path, Plan& plan, std::string& error,
+               const std::string& mover = "left_hand");
 
 /// Limits of the plan's joints, for the servo loop's safety check.
 struct JointLimits {

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "core/command_laws.hpp"
+#include "core/ldlt.hpp"
+#include "servo/message.hpp"
+#include "servo/pose_reference.hpp"
+#include "servo/robot_proxy.hpp"
+
+namespace treeline::experiments {
+
+/// Operational-space control of one object in two hands (Chang table 7.1) with commanded internal
+/// forces and an advised posture in the null space:
+///   xdd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector,
+///   qdd_0 = M^-1 (K (q_start - q) - D qd), K and D springs and dampers of the joints.
+/// Springs, not accelerations, are what the posture is made of: in the null space they have a
+/// potential, so that the posture settles where it is least. Accelerations k_i (q_start - q) with
+/// different k_i have none and can be unstable there.
+/// On `start` the object holds where it is; move_point of point 0 moves it.
+template <class F>
+class ObjectTaskController {
+ public:
+  static constexpr int nv = F::kVelocities;
+
+  /// The object when control was last called.
+  struct Tracking {
+    servo::PoseMotion wanted;
+    double position[3] = {};
+    double rotation[9] = {};
+    double error[6] = {};  ///< wanted less actual, linear over angular
+    double drift[6] = {};  ///< of the second grasp against the first
+  };
+
+  /// `springs` in N m/rad or N/m; `damping_ratio` of each joint's spring with its own inertia.
+  ObjectTaskController(const core::Gains<double>& task, const std::array<double, nv>& springs,
+                       double damping_ratio, const std::array<double, 6>& internal) noexcept
+      : task_(task), springs_(springs), damping_ratio_(damping_ratio) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      internal_[i] = internal[i];
+    }
+  }
+
+  void start(double, const servo::StateOf<F>& state) noexcept {
+    observe(state);
+    reference_.hold(tracking_.position, tracking_.rotation);
+    for (int i = 0; i < nv; ++i) {
+      advised_[i] = state.q[i];
+    }
+  }
+
+  void apply(double time, const servo::Message& message) noexcept {
+    if (message.kind != servo::MessageKind::move_point || message.index != 0 ||
+        !(message.duration > 0.0)) {
+      return;
+    }
+    double position[3];
+    double rotation[9];
+    for (std::size_t i = 0; i < 3; ++i) {
+      position[i] = message.values[i];
+    }
+    for (std::size_t i = 0; i < 9; ++i) {
+      rotation[i] = message.values[3 + i];
+    }
+    const servo::PoseMotion from = reference_.at(time);
+    reference_.move(time, from.position, from.rotation, position, rotation, message.duration);
+  }
+
+  void control(double time, const servo::StateOf<F>& state,
+               double (&tau)[F::kVelocities]) noexcept {
+    observe(state);
+    tracking_.wanted = reference_.at(time);
+    core::pose_error(tracking_.position, tracking_.rotation, tracking_.wanted.position,
+                     tracking_.wanted.rotation, tracking_.error);
+    double xdd[6];
+    core::tracking_law(task_, tracking_.error, velocity_, tracking_.wanted.velocity,
+                       tracking_.wanted.acceleration, xdd);
+    double qdd_0[nv];
+    advise(state, qdd_0);
+    F::object_control_torque(state.q, state.qd, qdd_0, xdd, internal_, tau);
+  }
+
+  const Tracking& tracking() const noexcept { return tracking_; }
+
+ private:
+  void observe(const servo::StateOf<F>& state) noexcept {
+    double drift_rate[6];
+    F::object_state(state.q, state.qd, tracking_.position, tracking_.rotation, velocity_,
+                    tracking_.drift, drift_rate);
+  }
+
+  /// Where M cannot be factored, nothing is advised.
+  void advise(const servo::StateOf<F>& state, double (&qdd_0)[nv]) noexcept {
+    double M[nv * nv];
+    F::mass_matrix(state.q, M);
+    for (int i = 0; i < nv; ++i) {
+      const double spring = springs_[static_cast<std::size_t>(i)];
+      const double damper = 2.0 * damping_ratio_ * std::sqrt(spring * M[i * nv + i]);
+      qdd_0[i] = spring * (advised_[i] - state.q[i]) - damper * state.qd[i];
+    }
+    const bool regular = core::ldlt_factor<nv>(M);
+    core::ldlt_solve<nv>(M, qdd_0);
+    for (int i = 0; i < nv; ++i) {
+      qdd_0[i] = regular ? qdd_0[i] : 0.0;
+    }
+  }
+
+  core::Gains<double> task_;
+  std::array<double, nv> springs_;
+  double damping_ratio_;
+  double internal_[6] = {};
+  servo::PoseReference reference_;
+  Tracking tracking_;
+  double velocity_[6] = {};
+  double advised_[nv] = {};
+};
+
+}  // namespace treeline::experiments

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "box_outcome.hpp"
+#include "close_grasp.hpp"
+#include "object_task_controller.hpp"
+#include "servo/loop.hpp"
+#include "servo/simulated_robot.hpp"
+#include "touch_floor.hpp"
+
+namespace treeline::experiments {
+
+/// Gains that draw drifted grasps together (Baumgarte), critically damped: rates of 50 /s.
+inline constexpr double kStabilisation[2] = {100.0, 2500.0};
+
+/// Generated functions about one object in two hands, as the servo library takes a robot: its
+/// dynamics are the closed chain's, stabilised, and what holds it still holds the object still.
+template <class G>
+struct RobotWithObject : G {
+  using G::kCoordinates;
+  using G::kVelocities;
+  static constexpr int kDrift = 6;
+
+  static void inverse_dynamics(const double (&q)[kCoordinates], const double (&qd)[kVelocities],
+                               const double (&qdd)[kVelocities],
+                               double (&tau)[kVelocities]) noexcept {
+    const double none[6] = {};
+    G::object_control_torque(q, qd, qdd, none, none, tau);
+  }
+  static void forward_dynamics(const double (&q)[kCoordinates], const double (&qd)[kVelocities],
+                               const double (&tau)[kVelocities],
+                               double (&qdd)[kVelocities]) noexcept {
+    double xdd[6];
+    double f_grasp[12];
+    double internal[6];
+    G::object_forward_dynamics(q, qd, tau, kStabilisation, qdd, xdd, f_grasp, internal);
+  }
+  static void drift(const double (&q)[kCoordinates], double (&e)[kDrift]) noexcept {
+    const double qd[kVelocities] = {};
+    double position[3];
+    double rotation[9];
+    double velocity[6];
+    double rate[6];
+    G::object_state(q, qd, position, rotation, velocity, e, rate);
+  }
+};
+
+template <class F>
+ObjectTaskController<F> make_object_controller(const BoxPlan& plan) {
+  std::array<double, F::kVelocities> springs;
+  std::copy(plan.run.posture_stiffness.begin(), plan.run.posture_stiffness.end(), springs.begin());
+  return {{plan.run.stiffness, plan.run.damping}, springs, plan.posture_damping, plan.internal};
+}
+
+/// One cycle as a row of the outcome's table, in the order of `box_table_names`. Internal forces
+/// are those that act at the cycle's beginning under `held`, the torque that was computed a cycle
+/// before: the worst that holding it does.
+template <class F>
+void record_box(const servo::Report<F>& report, const ObjectTaskController<F>& controller,
+                const double (&held)[F::kVelocities], servo::Table& table) noexcept {
+  constexpr int nv = F::kVelocities;
+  double row[kBoxColumns + 2 * nv];
+  int at = 0;
+  row[at++] = report.time;
+  const auto& tracking = controller.tracking();
+  for (const double x : tracking.wanted.position) {
+    row[at++] = x;
+  }
+  for (const double x : tracking.position) {
+    row[at++] = x;
+  }
+  const auto norm = [](const double* v) {
+    return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  };
+  row[at++] = norm(tracking.error);
+  row[at++] = norm(tracking.error + 3);
+  row[at++] = norm(tracking.drift);
+  row[at++] = norm(tracking.drift + 3);
+  double qdd[nv];
+  double xdd[6];
+  double f_grasp[12];
+  double internal[6];
+  F::object_forward_dynamics(report.state.q, report.state.qd, held, kStabilisation, qdd, xdd,
+                             f_grasp, internal);
+  for (const double force : internal) {
+    row[at++] = force;
+  }
+  row[at++] = 1e-3 * static_cast<double>(report.control_nanoseconds);
+  for (int i = 0; i < nv; ++i) {
+    row[at++] = report.state.q[i];
+  }
+  for (int i = 0; i < nv; ++i) {
+    row[at++] = report.tau[i];
+  }
+  table.append(row);
+}
+
+/// The message that puts the box upright at the plan's target.
+inline servo::Message put_message(const BoxPlan& plan) {
+  servo::Message message;
+  message.kind = servo::MessageKind::move_point;
+  message.index = 0;
+  message.duration = plan.run.duration;
+  constexpr double kUpright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::copy(plan.run.target.begin(), plan.run.target.end(), message.values.begin());
+  std::copy(std::begin(kUpright), std::end(kUpright), message.values.begin() + 3);
+  return message;
+}
+
+/// Runs the plan on the simulated closed chain F under `clock`: start, hold for the lead, move,
+/// settle, stop, end.
+template <class F, servo::Clock ClockType>
+BoxOutcome put_box(const BoxPlan& plan, const RunSettings& settings, const JointLimits& limits,
+                   ClockType& clock) {
+  using Robot = servo::SimulatedRobot<F>;
+  using Controller = ObjectTaskController<F>;
+  servo::StateOf<F> initial;
+  std::copy(plan.run.start.begin(), plan.run.start.end(), std::begin(initial.q));
+  const double gap = close_grasp<F>(initial.q);
+  Robot robot(initial, settings.substeps);
+  Controller controller = make_object_controller<F>(plan);
+  servo::Mailbox mailbox;
+  servo::LoopSettings loop_settings;
+  loop_settings.rate = plan.run.rate;
+  auto loop = std::make_unique<servo::ServoLoop<F, Robot, Controller, ClockType>>(
+      loop_settings, safety_limits<F>(limits), robot, controller, clock, mailbox);
+  const double total = settings.lead + plan.run.duration + plan.run.settle;
+  BoxOutcome outcome(box_table_names(plan.run.joints),
+                     static_cast<std::size_t>(total * plan.run.rate) + 2);
+  outcome.initial_gap = gap;
+  double held[F::kVelocities] = {};
+  bool holding = false;
+  bool moving = false;
+  bool leaving = false;
+  servo::Message start;
+  start.kind = servo::MessageKind::start;
+  mailbox.push(start);
+  servo::Message leave;
+  leave.kind = servo::MessageKind::disconnect;
+  loop->run([&](const servo::Report<F>& report) {
+    if (report.mode == servo::Mode::running) {
+      record_box<F>(report, controller, holding ? held : report.tau, outcome.table);
+      std::copy(std::begin(report.tau), std::end(report.tau), held);
+      holding = true;
+    }
+    if (!moving && report.time >= settings.lead) {
+      moving = mailbox.push(put_message(plan));
+    }
+    if (!leaving && (report.time >= total || report.mode == servo::Mode::faulted)) {
+      leaving = mailbox.push(leave);
+    }
+  });
+  outcome.fault = loop->fault();
+  outcome.control = loop->control_times();
+  return outcome;
+}
+
+}  // namespace treeline::experiments
