@@ -84,6 +84,15 @@ std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
       return entries_of(interpreter::center_of_mass<Scalar>(model, q));
     case Function::center_of_mass_jacobian:
       return entries_of(interpreter::center_of_mass_jacobian<Scalar>(model, q));
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+    case Function::contact_motion:
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
+      break;  // see `has_truth`
   }
   throw std::logic_error(std::string("the interpreter has no ") + function_name(function));
 }

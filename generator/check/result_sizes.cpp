@@ -82,6 +82,19 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
       return entries_of(lambda());
     case Function::control_torque:
       return entries_of(control_torque());
+    case Function::center_of_mass:
+      return entries_of(terms_.center_of_mass());
+    case Function::center_of_mass_jacobian:
+      return entries_of(terms_.center_of_mass_jacobian());
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+    case Function::contact_motion:
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
+      break;  // see `has_truth`
   }
   throw std::logic_error(std::string("nobody knows the scale of ") + function_name(function));
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "interpreter/center_of_mass.hpp"
+
 namespace treeline {
 namespace {
 
@@ -166,6 +168,26 @@ Eigen::VectorXd TermSizes::poses() const {
     sizes.segment<3>(3 * e).setConstant(paths_[at(point.body)] + point.p.norm());
   }
   return sizes;
+}
+
+Eigen::VectorXd TermSizes::center_of_mass() const {
+  const auto& model = subject_.model;
+  double moment = 0;
+  for (int i = 0; i < model.size(); ++i) {
+    moment += model.body(i).mass * (paths_[at(i)] + model.body(i).com.norm());
+  }
+  return Eigen::VectorXd::Constant(3, moment / interpreter::total_mass(model));
+}
+
+Eigen::MatrixXd TermSizes::center_of_mass_jacobian() const {
+  const auto& model = subject_.model;
+  Eigen::RowVectorXd moments = Eigen::RowVectorXd::Zero(model.nv);
+  for (int i = 0; i < model.size(); ++i) {
+    for (const Column& column : columns(i, model.body(i).com.norm())) {
+      moments(column.v) += model.body(i).mass * column.lever;
+    }
+  }
+  return (moments / interpreter::total_mass(model)).replicate(3, 1);
 }
 
 }  // namespace treeline

@@ -29,6 +29,10 @@ class TermSizes {
   [[nodiscard]] Eigen::VectorXd bias(const std::vector<double>& qd) const;
   /// Of positions and rotation matrices, as forward kinematics gives them: 3 and then 9 a point.
   [[nodiscard]] Eigen::VectorXd poses() const;
+  /// Of the centre of mass, 3: the mean length of the paths to the bodies' centres.
+  [[nodiscard]] Eigen::VectorXd center_of_mass() const;
+  /// Of its Jacobian, 3 x nv: the mean of l.
+  [[nodiscard]] Eigen::MatrixXd center_of_mass_jacobian() const;
 
  private:
   /// How one velocity moves a point: by `lever` m/s and `turn` rad/s for 1 of it.

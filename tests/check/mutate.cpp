@@ -72,7 +72,7 @@ class Mutator {
     const std::size_t line = source_.rfind('\n', at) + 1;
     mutant.description = std::string(mutation_name(mutation)) + ": `" +
                          source_.substr(line, source_.find('\n', at) - line) +
-                         "`: " + match.str(static_cast<int>(group)) + " becomes " + by;
+                         "`: " + match.str(group) + " becomes " + by;
     mutants_.push_back(mutant);
   }
 
