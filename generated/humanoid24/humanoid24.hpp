@@ -54,16 +54,16 @@ inline constexpr int kTaskRows = 12;  // stacked over the operational points
 /// in  q (24): joint coordinates
 /// out position (6): positions in the world, m, one point after the other
 /// out rotation (18): rotation matrices, row-major, point's axes to world, one point after the other
-/// Cost: 370 flops (add 135, mul 235, div 0), sine and cosine of 20 angles.
-/// Stack: at most 62 values live at once, 496 bytes.
+/// Cost: 367 flops (add 132, mul 235, div 0), sine and cosine of 20 angles.
+/// Stack: at most 60 values live at once, 480 bytes.
 void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotation)[18]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
 /// By from the poses of all links.
 /// in  q (24): joint coordinates
 /// out J (12x24): Jacobian
-/// Cost: 556 flops (add 217, mul 339, div 0), sine and cosine of 20 angles.
-/// Stack: at most 81 values live at once, 648 bytes.
+/// Cost: 529 flops (add 190, mul 339, div 0), sine and cosine of 20 angles.
+/// Stack: at most 82 values live at once, 656 bytes.
 void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -71,8 +71,8 @@ void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// out bias (12): accelerations of the task rows at qdd = 0
-/// Cost: 871 flops (add 331, mul 540, div 0), sine and cosine of 20 angles.
-/// Stack: at most 77 values live at once, 616 bytes.
+/// Cost: 868 flops (add 328, mul 540, div 0), sine and cosine of 20 angles.
+/// Stack: at most 72 values live at once, 576 bytes.
 void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[12]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -81,8 +81,8 @@ void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[1
 /// in  qd (24): joint velocities
 /// in  qdd (24): joint accelerations
 /// out tau (24): joint forces
-/// Cost: 2037 flops (add 991, mul 1046, div 0), sine and cosine of 24 angles.
-/// Stack: at most 219 values live at once, 1752 bytes.
+/// Cost: 2028 flops (add 982, mul 1046, div 0), sine and cosine of 24 angles.
+/// Stack: at most 243 values live at once, 1944 bytes.
 void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd)[24],
     Real (&tau)[24]) noexcept;
 
@@ -91,7 +91,7 @@ void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qd
 /// in  q (24): joint coordinates
 /// out g (24): joint forces
 /// Cost: 396 flops (add 158, mul 238, div 0), sine and cosine of 24 angles.
-/// Stack: at most 72 values live at once, 576 bytes.
+/// Stack: at most 73 values live at once, 584 bytes.
 void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -99,15 +99,15 @@ void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// out h (24): joint forces
-/// Cost: 1976 flops (add 949, mul 1027, div 0), sine and cosine of 24 angles.
-/// Stack: at most 204 values live at once, 1632 bytes.
+/// Cost: 1967 flops (add 940, mul 1027, div 0), sine and cosine of 24 angles.
+/// Stack: at most 227 values live at once, 1816 bytes.
 void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2.
 /// in  q (24): joint coordinates
 /// out M (24x24): joint-space inertia
-/// Cost: 2305 flops (add 965, mul 1340, div 0), sine and cosine of 23 angles.
+/// Cost: 2292 flops (add 956, mul 1336, div 0), sine and cosine of 23 angles.
 /// Stack: at most 157 values live at once, 1256 bytes.
 void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 
@@ -117,25 +117,25 @@ void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 /// in  qd (24): joint velocities
 /// in  tau (24): joint forces
 /// out qdd (24): joint accelerations
-/// Cost: 4806 flops (add 2308, mul 2466, div 32), sine and cosine of 24 angles.
-/// Stack: at most 328 values live at once, 2624 bytes.
+/// Cost: 4785 flops (add 2286, mul 2467, div 32), sine and cosine of 24 angles.
+/// Stack: at most 334 values live at once, 2672 bytes.
 void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&tau)[24],
     Real (&qdd)[24]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By unit forces propagated inward (PV-OSIM), in the axes asked for at link origins.
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
 /// in  q (24): joint coordinates
 /// out Lambda_inv (12x12): inverse operational-space inertia
-/// Cost: 6416 flops (add 2744, mul 3640, div 32), sine and cosine of 24 angles.
-/// Stack: at most 286 values live at once, 2288 bytes.
+/// Cost: 6522 flops (add 2753, mul 3737, div 32), sine and cosine of 24 angles.
+/// Stack: at most 356 values live at once, 2848 bytes.
 void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By unit forces propagated inward (PV-OSIM), in the axes asked for at link origins.
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
 /// in  q (24): joint coordinates
 /// out Lambda (12x12): operational-space inertia
-/// Cost: 8144 flops (add 3536, mul 4564, div 44), sine and cosine of 24 angles.
-/// Stack: at most 304 values live at once, 2432 bytes.
+/// Cost: 8250 flops (add 3545, mul 4661, div 44), sine and cosine of 24 angles.
+/// Stack: at most 345 values live at once, 2760 bytes.
 void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -145,8 +145,8 @@ void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 /// in  qdd_0 (24): joint accelerations that the posture asks for
 /// in  xdd_cmd (12): commanded accelerations of the task rows
 /// out tau (24): joint forces
-/// Cost: 8937 flops (add 3961, mul 4932, div 44), sine and cosine of 24 angles.
-/// Stack: at most 357 values live at once, 2856 bytes.
+/// Cost: 8918 flops (add 3941, mul 4933, div 44), sine and cosine of 24 angles.
+/// Stack: at most 385 values live at once, 3080 bytes.
 void control_torque(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd_0)[24],
     const Real (&xdd_cmd)[12], Real (&tau)[24]) noexcept;
 

@@ -19,57 +19,65 @@ void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6
   Real sines[4];
   Real cosines[4];
   detail::sin_cos(angles, sines, cosines);
-  const Real s2 = sines[0];
   const Real c2 = cosines[0];
   const Real s3 = sines[1];
-  const Real c3 = cosines[1];
-  const Real s4 = sines[2];
   const Real c4 = cosines[2];
-  const Real s5 = sines[3];
   const Real c5 = cosines[3];
+  const Real s4 = sines[2];
+  const Real c3 = cosines[1];
+  const Real s2 = sines[0];
+  const Real s5 = sines[3];
 
   // link 2 (link2), outward
-  const Real minus_a2_y = 9.81 * c2;
   const Real minus_a2_x = 9.81 * s2;
+  const Real minus_a2_y = 9.81 * c2;
 
   // link 3 (link3), outward
-  const Real minus_a3_y = c3 * minus_a2_y - s3 * minus_a2_x;
-  const Real minus_a3_x = s3 * minus_a2_y + c3 * minus_a2_x;
+  const Real a3_y = s3 * minus_a2_x - c3 * minus_a2_y;
+  const Real minus_a3_x = c3 * minus_a2_x + s3 * minus_a2_y;
+
+  // link 4 (link4), outward
+  const Real minus_a4_x = c4 * minus_a3_x;
 
   // link 5 (link5), outward
-  const Real minus_a5_x = s5 * minus_a3_y + minus_a3_x * (c4 * c5);
+  const Real a5_x = s5 * a3_y - c5 * minus_a4_x;
 
   // link 5 (link5), inertial wrench
-  const Real minus_n5_z = 0.0028799999999999997 * minus_a5_x;
-  g[4] = -minus_n5_z;
-  const Real minus_n5_x = minus_a3_x * (0.0028799999999999997 * s4);
+  const Real n5_z = 0.0028799999999999997 * a5_x;
+  g[4] = n5_z;
+
+  // link 4 (link4), outward
+  const Real a4_y = s4 * minus_a3_x;
+
+  // link 5 (link5), inertial wrench
+  const Real minus_n5_x = 0.0028799999999999997 * a4_y;
 
   // link 5 (link5), inward
   const Real minus_n4_x = c5 * minus_n5_x;
 
   // link 4 (link4), inward
-  const Real n3_x = s4 * minus_n5_z - c4 * minus_n4_x;
+  const Real minus_n3_x = c4 * minus_n4_x + s4 * n5_z;
 
   // link 5 (link5), inward
   const Real n4_z = s5 * minus_n5_x;
   g[3] = n4_z;
 
   // link 3 (link3), inward
-  const Real minus_n2_y = c3 * n4_z - s3 * n3_x;
-  const Real n2_x = s3 * n4_z + c3 * n3_x;
+  const Real minus_n2_y = s3 * minus_n3_x + c3 * n4_z;
+  const Real n2_x = s3 * n4_z - c3 * minus_n3_x;
 
   // link 2 (link2), inward
   const Real n1_z = c2 * minus_n2_y - s2 * n2_x;
   g[0] = n1_z;
 
   // link 4 (link4), inward
-  const Real minus_n3_z = 0.861795 * minus_a3_x - 0.025374999999999998 * minus_a3_y + c4 *
-      minus_n5_z + s4 * minus_n4_x;
-  g[2] = -minus_n3_z;
+  const Real n3_z = c4 * n5_z - s4 * minus_n4_x - (0.025374999999999998 * a3_y + 0.861795 *
+      minus_a3_x);
+  g[2] = n3_z;
 
   // link 3 (link3), inward
-  const Real minus_n2_z = minus_n3_z - (1.024164 * s2 - 37.2347379 * c2);
-  g[1] = -minus_n2_z;
+  const Real n2_z = 1.024164 * s2 - 37.2347379 * c2 + n3_z;
+  g[1] = n2_z;
 }
 
 }  // namespace puma560

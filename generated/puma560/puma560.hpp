@@ -40,11 +40,11 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
-/// By from the poses of all links.
+/// By rows carried inward from each point.
 /// in  q (6): joint coordinates
 /// out J (6x6): Jacobian
-/// Cost: 112 flops (add 40, mul 72, div 0), sine and cosine of 5 angles.
-/// Stack: at most 25 values live at once, 200 bytes.
+/// Cost: 98 flops (add 30, mul 68, div 0), sine and cosine of 5 angles.
+/// Stack: at most 22 values live at once, 176 bytes.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -53,7 +53,7 @@ void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 /// in  qd (6): joint velocities
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 240 flops (add 87, mul 153, div 0), sine and cosine of 6 angles.
-/// Stack: at most 32 values live at once, 256 bytes.
+/// Stack: at most 33 values live at once, 264 bytes.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -63,7 +63,7 @@ void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6])
 /// in  qdd (6): joint accelerations
 /// out tau (6): joint forces
 /// Cost: 322 flops (add 144, mul 178, div 0), sine and cosine of 5 angles.
-/// Stack: at most 60 values live at once, 480 bytes.
+/// Stack: at most 55 values live at once, 440 bytes.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
@@ -81,14 +81,14 @@ void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 /// in  qd (6): joint velocities
 /// out h (6): joint forces
 /// Cost: 290 flops (add 123, mul 167, div 0), sine and cosine of 5 angles.
-/// Stack: at most 52 values live at once, 416 bytes.
+/// Stack: at most 48 values live at once, 384 bytes.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2.
 /// in  q (6): joint coordinates
 /// out M (6x6): joint-space inertia
-/// Cost: 167 flops (add 74, mul 93, div 0), sine and cosine of 4 angles.
+/// Cost: 166 flops (add 73, mul 93, div 0), sine and cosine of 4 angles.
 /// Stack: at most 28 values live at once, 224 bytes.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
@@ -98,36 +98,36 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// in  qd (6): joint velocities
 /// in  tau (6): joint forces
 /// out qdd (6): joint accelerations
-/// Cost: 583 flops (add 255, mul 324, div 4), sine and cosine of 5 angles.
-/// Stack: at most 53 values live at once, 424 bytes.
+/// Cost: 578 flops (add 250, mul 324, div 4), sine and cosine of 5 angles.
+/// Stack: at most 51 values live at once, 408 bytes.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J in world axes, in the axes asked for at link origins.
+/// By M = L^T D L, J from poses, in the axes of link 1 (link1) at link origins.
 /// in  q (6): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 634 flops (add 266, mul 364, div 4), sine and cosine of 5 angles.
-/// Stack: at most 62 values live at once, 496 bytes.
+/// Cost: 602 flops (add 255, mul 343, div 4), sine and cosine of 5 angles.
+/// Stack: at most 53 values live at once, 424 bytes.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By M = L^T D L, J in world axes, in the axes asked for at link origins.
+/// By M = L^T D L, J from poses, in the axes of link 1 (link1) at link origins.
 /// in  q (6): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 850 flops (add 356, mul 484, div 10), sine and cosine of 5 angles.
-/// Stack: at most 68 values live at once, 544 bytes.
+/// Cost: 818 flops (add 345, mul 463, div 10), sine and cosine of 5 angles.
+/// Stack: at most 53 values live at once, 424 bytes.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
+/// By resolved acceleration, spherical wrist, J in the axes of link 1 (link1).
 /// in  q (6): joint coordinates
 /// in  qd (6): joint velocities
 /// in  qdd_0 (6): joint accelerations that the posture asks for
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (6): joint forces
-/// Cost: 1106 flops (add 462, mul 635, div 9), sine and cosine of 6 angles.
-/// Stack: at most 85 values live at once, 680 bytes.
+/// Cost: 577 flops (add 245, mul 330, div 2), sine and cosine of 6 angles.
+/// Stack: at most 75 values live at once, 600 bytes.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 

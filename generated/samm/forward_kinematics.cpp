@@ -15,117 +15,118 @@ namespace samm {
 
 void forward_kinematics(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT position)[3],
     Real (&TREELINE_RESTRICT rotation)[9]) noexcept {
-  const Real angles[7] = {q[2], q[3], q[4], q[5], q[6], q[7], q[8]};
+  const Real angles[7] = {q[4], q[3], q[2], q[5], q[7], q[6], q[8]};
   Real sines[7];
   Real cosines[7];
   detail::sin_cos(angles, sines, cosines);
-  const Real s3 = sines[0];
-  const Real c3 = cosines[0];
-  const Real s4 = sines[1];
+  const Real c5 = cosines[0];
   const Real c4 = cosines[1];
-  const Real s5 = sines[2];
-  const Real c5 = cosines[2];
+  const Real c3 = cosines[2];
+  const Real s4 = sines[1];
+  const Real s3 = sines[2];
   const Real s6 = sines[3];
   const Real c6 = cosines[3];
-  const Real s7 = sines[4];
-  const Real c7 = cosines[4];
-  const Real s8 = sines[5];
-  const Real c8 = cosines[5];
-  const Real s9 = sines[6];
+  const Real s5 = sines[0];
+  const Real s8 = sines[4];
+  const Real c7 = cosines[5];
+  const Real s7 = sines[5];
+  const Real c8 = cosines[4];
   const Real c9 = cosines[6];
+  const Real s9 = sines[6];
 
   // link 4 (link1), pose
-  const Real position_0_p1 = s3 * c4 + c3 * s4;
-  const Real position_0_p2 = s3 * s4 - c3 * c4;
+  const Real p7_x_p1 = c4 * c3 - s4 * s3;
 
   // link 5 (link2), pose
-  const Real position_0_p3 = c5 * position_0_p2;
-  const Real position_0_p4 = s5 * position_0_p2;
+  const Real p7_x_p2 = c5 * p7_x_p1;
+  const Real p7_x_p3 = s5 * p7_x_p1;
 
   // link 6 (link3), pose
-  const Real position_0_p5 = c6 * position_0_p4 + s6 * position_0_p3;
-  const Real position_0_p6 = s6 * position_0_p4 - c6 * position_0_p3;
+  const Real p7_x_p4 = s6 * p7_x_p2 + c6 * p7_x_p3;
+  const Real p7_x_p5 = c6 * p7_x_p2 - s6 * p7_x_p3;
 
-  // link 9 (link6), pose
-  const Real position_0_p7 = q[0] - 0.1501 * position_0_p1 - 0.4318 * position_0_p3 - 0.4331 *
-      position_0_p5 - 0.0203 * position_0_p6;
+  // link 4 (link1), pose
+  const Real p6_x_p1 = s4 * c3 + c4 * s3;
+
+  // link 6 (link3), pose
+  const Real p6_x = q[0] + (0.4318 * p7_x_p2 - 0.1501 * p6_x_p1);
 
   // link 7 (link4), pose
-  const Real rotation_2_p1 = s7 * position_0_p1 - c7 * position_0_p6;
+  const Real p7_x = p6_x + (0.4331 * p7_x_p4 - 0.0203 * p7_x_p5);
+  const Real rotation_2_p1 = c7 * p7_x_p5 - s7 * p6_x_p1;
 
   // link 8 (link5), pose
-  const Real rotation_2 = c8 * position_0_p5 + s8 * rotation_2_p1;
-  rotation[2] = -rotation_2;
+  const Real rotation_2 = s8 * rotation_2_p1 + c8 * p7_x_p4;
+  rotation[2] = rotation_2;
 
   // link 9 (link6), pose
-  position[0] = position_0_p7 - 0.05625 * rotation_2;
+  position[0] = p7_x + 0.05625 * rotation_2;
 
   // link 5 (link2), pose
-  const Real position_1_p1 = c5 * position_0_p1;
-  const Real position_1_p2 = s5 * position_0_p1;
+  const Real p7_y_p1 = c5 * p6_x_p1;
+  const Real p7_y_p2 = s5 * p6_x_p1;
 
   // link 6 (link3), pose
-  const Real position_1_p3 = c6 * position_1_p2 + s6 * position_1_p1;
-  const Real position_1_p4 = s6 * position_1_p2 - c6 * position_1_p1;
-
-  // link 9 (link6), pose
-  const Real position_1_p5 = q[1] - 0.1501 * position_0_p2 + 0.4318 * position_1_p1 + 0.4331 *
-      position_1_p3 + 0.0203 * position_1_p4;
+  const Real p7_y_p3 = s6 * p7_y_p1 + c6 * p7_y_p2;
+  const Real p7_y_p4 = c6 * p7_y_p1 - s6 * p7_y_p2;
+  const Real p6_y = q[1] + (0.4318 * p7_y_p1 + 0.1501 * p7_x_p1);
 
   // link 7 (link4), pose
-  const Real rotation_5_p1 = s7 * position_0_p2 + c7 * position_1_p4;
+  const Real p7_y = p6_y + (0.4331 * p7_y_p3 - 0.0203 * p7_y_p4);
+  const Real rotation_5_p1 = c7 * p7_y_p4 + s7 * p7_x_p1;
 
   // link 8 (link5), pose
-  const Real rotation_5 = c8 * position_1_p3 - s8 * rotation_5_p1;
+  const Real rotation_5 = s8 * rotation_5_p1 + c8 * p7_y_p3;
   rotation[5] = rotation_5;
 
   // link 9 (link6), pose
-  position[1] = position_1_p5 + 0.05625 * rotation_5;
+  position[1] = p7_y + 0.05625 * rotation_5;
 
   // link 6 (link3), pose
-  const Real position_2_p1 = c5 * c6 - s5 * s6;
-  const Real position_2_p2 = c5 * s6 + s5 * c6;
+  const Real p7_z_p1 = c6 * s5 + s6 * c5;
+  const Real p7_z_p2 = s6 * s5 - c6 * c5;
+  const Real p6_z = 1.15 - 0.4318 * s5;
 
   // link 7 (link4), pose
-  const Real rotation_8_p1 = c7 * position_2_p2;
+  const Real p7_z = p6_z + (0.0203 * p7_z_p1 - 0.4331 * p7_z_p2);
+  const Real rotation_8_p1 = c7 * p7_z_p1;
 
   // link 8 (link5), pose
-  const Real rotation_8 = c8 * position_2_p1 - s8 * rotation_8_p1;
-  rotation[8] = rotation_8;
+  const Real rotation_8 = s8 * rotation_8_p1 + c8 * p7_z_p2;
+  rotation[8] = -rotation_8;
 
   // link 9 (link6), pose
-  position[2] = 1.15 - 0.4318 * s5 + 0.4331 * position_2_p1 + 0.0203 * position_2_p2 + 0.05625 *
-      rotation_8;
+  position[2] = p7_z - 0.05625 * rotation_8;
 
   // link 8 (link5), pose
-  const Real rotation_0_p1 = s8 * position_0_p5 - c8 * rotation_2_p1;
+  const Real rotation_0_p1 = c8 * rotation_2_p1 - s8 * p7_x_p4;
 
   // link 7 (link4), pose
-  const Real rotation_0_p2 = c7 * position_0_p1 + s7 * position_0_p6;
+  const Real rotation_0_p2 = s7 * p7_x_p5 + c7 * p6_x_p1;
 
   // link 9 (link6), pose
-  rotation[0] = -(s9 * rotation_0_p2 - c9 * rotation_0_p1);
-  rotation[1] = -(c9 * rotation_0_p2 + s9 * rotation_0_p1);
+  rotation[0] = c9 * rotation_0_p1 - s9 * rotation_0_p2;
+  rotation[1] = -(s9 * rotation_0_p1 + c9 * rotation_0_p2);
 
   // link 8 (link5), pose
-  const Real rotation_3_p1 = s8 * position_1_p3 + c8 * rotation_5_p1;
+  const Real rotation_3_p1 = c8 * rotation_5_p1 - s8 * p7_y_p3;
 
   // link 7 (link4), pose
-  const Real rotation_3_p2 = c7 * position_0_p2 - s7 * position_1_p4;
+  const Real rotation_3_p2 = c7 * p7_x_p1 - s7 * p7_y_p4;
 
   // link 9 (link6), pose
-  rotation[3] = -(s9 * rotation_3_p2 + c9 * rotation_3_p1);
-  rotation[4] = -(c9 * rotation_3_p2 - s9 * rotation_3_p1);
+  rotation[3] = c9 * rotation_3_p1 + s9 * rotation_3_p2;
+  rotation[4] = c9 * rotation_3_p2 - s9 * rotation_3_p1;
 
   // link 8 (link5), pose
-  const Real rotation_6_p1 = s8 * position_2_p1 + c8 * rotation_8_p1;
+  const Real rotation_6_p1 = s8 * p7_z_p2 - c8 * rotation_8_p1;
 
   // link 7 (link4), pose
-  const Real rotation_6_p2 = s7 * position_2_p2;
+  const Real rotation_6_p2 = s7 * p7_z_p1;
 
   // link 9 (link6), pose
-  rotation[6] = s9 * rotation_6_p2 - c9 * rotation_6_p1;
-  rotation[7] = c9 * rotation_6_p2 + s9 * rotation_6_p1;
+  rotation[6] = c9 * rotation_6_p1 + s9 * rotation_6_p2;
+  rotation[7] = c9 * rotation_6_p2 - s9 * rotation_6_p1;
 }
 
 }  // namespace samm

@@ -46,7 +46,7 @@ void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation
 /// By from the poses of all links.
 /// in  q (9): joint coordinates
 /// out J (6x9): Jacobian
-/// Cost: 122 flops (add 46, mul 76, div 0), sine and cosine of 6 angles.
+/// Cost: 113 flops (add 37, mul 76, div 0), sine and cosine of 6 angles.
 /// Stack: at most 26 values live at once, 208 bytes.
 void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 
@@ -56,7 +56,7 @@ void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 /// in  qd (9): joint velocities
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 247 flops (add 90, mul 157, div 0), sine and cosine of 7 angles.
-/// Stack: at most 33 values live at once, 264 bytes.
+/// Stack: at most 34 values live at once, 272 bytes.
 void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -66,7 +66,7 @@ void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6])
 /// in  qdd (9): joint accelerations
 /// out tau (9): joint forces
 /// Cost: 386 flops (add 173, mul 213, div 0), sine and cosine of 7 angles.
-/// Stack: at most 66 values live at once, 528 bytes.
+/// Stack: at most 67 values live at once, 536 bytes.
 void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)[9],
     Real (&tau)[9]) noexcept;
 
@@ -91,7 +91,7 @@ void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) no
 /// By composite rigid bodies, RBDA table 6.2.
 /// in  q (9): joint coordinates
 /// out M (9x9): joint-space inertia
-/// Cost: 240 flops (add 99, mul 141, div 0), sine and cosine of 6 angles.
+/// Cost: 239 flops (add 98, mul 141, div 0), sine and cosine of 6 angles.
 /// Stack: at most 34 values live at once, 272 bytes.
 void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 
@@ -101,25 +101,25 @@ void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 /// in  qd (9): joint velocities
 /// in  tau (9): joint forces
 /// out qdd (9): joint accelerations
-/// Cost: 819 flops (add 353, mul 460, div 6), sine and cosine of 7 angles.
-/// Stack: at most 91 values live at once, 728 bytes.
+/// Cost: 813 flops (add 347, mul 460, div 6), sine and cosine of 7 angles.
+/// Stack: at most 90 values live at once, 720 bytes.
 void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)[9],
     Real (&qdd)[9]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J in world axes, in the axes asked for at link origins.
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
 /// in  q (9): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 986 flops (add 411, mul 569, div 6), sine and cosine of 6 angles.
-/// Stack: at most 85 values live at once, 680 bytes.
+/// Cost: 1289 flops (add 517, mul 766, div 6), sine and cosine of 7 angles.
+/// Stack: at most 116 values live at once, 928 bytes.
 void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By M = L^T D L, J in world axes, in the axes asked for at link origins.
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
 /// in  q (9): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 1202 flops (add 501, mul 689, div 12), sine and cosine of 6 angles.
-/// Stack: at most 91 values live at once, 728 bytes.
+/// Cost: 1505 flops (add 607, mul 886, div 12), sine and cosine of 7 angles.
+/// Stack: at most 116 values live at once, 928 bytes.
 void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -129,8 +129,8 @@ void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 /// in  qdd_0 (9): joint accelerations that the posture asks for
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (9): joint forces
-/// Cost: 1478 flops (add 627, mul 840, div 11), sine and cosine of 7 angles.
-/// Stack: at most 96 values live at once, 768 bytes.
+/// Cost: 1472 flops (add 621, mul 840, div 11), sine and cosine of 7 angles.
+/// Stack: at most 109 values live at once, 872 bytes.
 void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
 

@@ -58,6 +58,9 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
   if (const auto real = find("real"); real != fields.end()) {
     scene.real = real->second.choice({"float", "double"}) == 0 ? Real::float32 : Real::float64;
   }
+  if (const auto lanes = find("lanes"); lanes != fields.end()) {
+    scene.lanes = 1 << lanes->second.choice({"1", "2", "4", "8"}).value_or(3);
+  }
   if (const auto functions = find("functions"); functions != fields.end()) {
     read_functions(functions->second, scene);
   }
@@ -66,7 +69,7 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
 Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = identifier_from(robot.name);
-  const auto fields = top.fields({"name", "base", "gravity", "real", "operational_points",
+  const auto fields = top.fields({"name", "base", "gravity", "real", "lanes", "operational_points",
                                   "external_forces", "contacts", "functions", "locked", "objects"});
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {

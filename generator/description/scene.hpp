@@ -111,6 +111,9 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::vector<Function> functions;          ///< sorted, unique
   Real real = Real::float64;
+  /// Numbers that the emitted code may compute together: 1, 2, 4 or 8. What a machine's registers
+  /// cannot hold its compiler takes apart again.
+  int lanes = 8;
   std::map<std::string, double> locked;  ///< joint name -> value it is held at
 };
 

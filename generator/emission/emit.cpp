@@ -13,11 +13,11 @@
 namespace treeline {
 namespace {
 
-/// The runtime's sine and cosine in the robot's own namespace, so that robots generated at
+/// A header of the runtime in the robot's own namespace, so that robots generated at
 /// different times live in one program.
-std::string print_sin_cos(const EmissionContext& context) {
+std::string print_runtime(const EmissionContext& context, std::string_view header) {
   constexpr std::string_view kNamespace = "treeline::core";
-  std::string text(templates::kSinCos);
+  std::string text(header);
   const std::string own = context.name + "::detail";
   for (std::size_t at = text.find(kNamespace); at != std::string::npos;
        at = text.find(kNamespace, at + own.size())) {
@@ -54,7 +54,10 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
     files.push_back({program.name + ".cpp", print_source(context, program)});
   }
   if (std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
-    files.push_back({"sin_cos.hpp", print_sin_cos(context)});
+    files.push_back({"sin_cos.hpp", print_runtime(context, templates::kSinCos)});
+  }
+  if (std::any_of(programs.begin(), programs.end(), uses_lanes)) {
+    files.push_back({"lanes.hpp", print_runtime(context, templates::kLanes)});
   }
   std::vector<std::string> names = {kManifestName};
   for (const GeneratedFile& file : files) {

@@ -8,6 +8,7 @@
 
 #include "emission/choose_names.hpp"
 #include "emission/print_expression.hpp"
+#include "emission/print_lanes.hpp"
 #include "emission/select_statements.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -24,6 +25,7 @@ class BodyPrinter {
       : graph_(program.graph),
         selected_(select_statements(program)),
         names_(choose_names(program, selected_, taken)),
+        lanes_(program, names_),
         expressions_(graph_, names_, single_precision),
         stores_(graph_.nodes().size()) {
     for (const Result& result : program.results) {
@@ -71,7 +73,9 @@ class BodyPrinter {
   }
 
   void print_node(std::uint32_t node) {
-    if (selected_[node]) {
+    if (lanes_.is_first(node)) {
+      print_statement(lanes_.statement(node, expressions_));
+    } else if (selected_[node] && !lanes_.is_packed(node)) {
       print_statement(fmt::format("const Real {} = {};", names_[node], expressions_.formula(node)));
     }
     print_stores(node);
@@ -124,6 +128,7 @@ class BodyPrinter {
   const Graph& graph_;
   std::vector<bool> selected_;
   std::vector<std::string> names_;
+  LanePrinter lanes_;
   ExpressionPrinter expressions_;
   std::vector<std::vector<Store>> stores_;
   std::string text_;

@@ -31,6 +31,10 @@ std::string ExpressionPrinter::reference(std::uint32_t node) const {
   return names_[node].empty() ? formula(node) : names_[node];
 }
 
+std::string ExpressionPrinter::atom(std::uint32_t node) const {
+  return is_atom(node) ? reference(node) : fmt::format("({})", reference(node));
+}
+
 /// C++ groups a + b + c as (a + b) + c and binds * and / tighter: all else needs parentheses.
 std::string ExpressionPrinter::operand(std::uint32_t node, Op user, bool is_right) const {
   const std::string text = reference(node);
@@ -43,6 +47,9 @@ std::string ExpressionPrinter::operand(std::uint32_t node, Op user, bool is_righ
 
 std::string ExpressionPrinter::formula(std::uint32_t node) const {
   const Node& what = graph_.nodes()[node];
+  if (what.op == Op::neg) {
+    return fmt::format("-{}", atom(what.a));
+  }
   if (operation(what.op).operands != 2) {
     throw std::logic_error("only operations with two operands are printed as formulas");
   }

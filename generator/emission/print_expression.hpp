@@ -19,6 +19,9 @@ class ExpressionPrinter {
   /// where it has no name.
   [[nodiscard]] std::string reference(std::uint32_t node) const;
 
+  /// The same, in parentheses where it is a formula.
+  [[nodiscard]] std::string atom(std::uint32_t node) const;
+
   /// The operation itself, with parentheses so that C++ evaluates it exactly as the graph has it.
   [[nodiscard]] std::string formula(std::uint32_t node) const;
 

@@ -45,7 +45,8 @@ std::string print_head(const Program& program) {
 
 /// Names that no local may have: arguments, what the header and the file declare.
 std::set<std::string> find_taken_names(const EmissionContext& context, const Program& program) {
-  std::set<std::string> taken = {"Real", "detail", "kCoordinates", "kVelocities", "kTaskRows"};
+  std::set<std::string> taken = {"Real",         "Lanes",       "detail",
+                                 "kCoordinates", "kVelocities", "kTaskRows"};
   taken.insert(context.name);
   taken.insert(program.name);
   for (const char* array : {"angles", "sines", "cosines"}) {
@@ -61,6 +62,21 @@ std::set<std::string> find_taken_names(const EmissionContext& context, const Pro
     taken.insert(result.argument.name);
   }
   return taken;
+}
+
+std::string print_includes(const Program& program) {
+  std::string includes = uses_lanes(program) ? "#include \"lanes.hpp\"\n" : "";
+  includes += uses_trigonometry(program) ? "#include \"sin_cos.hpp\"\n" : "";
+  if (!includes.empty()) {
+    includes.pop_back();
+  }
+  return includes;
+}
+
+std::string print_lanes_type(const Program& program) {
+  return uses_lanes(program)
+             ? fmt::format("using Lanes = detail::Lanes<Real, {}>;\n", program.packs.front().size())
+             : "";
 }
 
 }  // namespace
@@ -83,10 +99,15 @@ std::string print_source(const EmissionContext& context, const Program& program)
        {"source", program.source.empty() ? "" : fmt::format("// By {}.", program.source)},
        {"cost", describe_cost(program)},
        {"name", context.name},
-       {"includes", uses_trigonometry(program) ? "#include \"sin_cos.hpp\"" : ""},
+       {"includes", print_includes(program)},
+       {"lanes", print_lanes_type(program)},
        {"signature", wrap_line(print_head(program) + " {", 0)},
        {"body",
         print_body(program, context.single_precision, find_taken_names(context, program))}});
+}
+
+bool uses_lanes(const Program& program) {
+  return !program.packs.empty();
 }
 
 bool uses_trigonometry(const Program& program) {

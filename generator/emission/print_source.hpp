@@ -14,6 +14,9 @@ std::string print_declaration(const Program& program);
 std::string print_source(const EmissionContext& context, const Program& program);
 
 /// True when some result needs a sine or cosine.
+bool uses_lanes(const Program& program);
+
+/// Whether the emitted function needs sine and cosine.
 bool uses_trigonometry(const Program& program);
 
 /// "320 flops (170 additions, 150 multiplications, 0 divisions), sine and cosine of 6 angles".

@@ -8,6 +8,10 @@ namespace {
 /// Operations in one expression beyond which its parts get names.
 constexpr int kLargestExpression = 8;
 
+bool is_trigonometric(Op op) {
+  return op == Op::sin || op == Op::cos;
+}
+
 /// For every node whether it is the value of a result.
 std::vector<bool> find_result_nodes(const Program& program) {
   std::vector<bool> is_result(program.graph.nodes().size(), false);
@@ -27,6 +31,12 @@ std::vector<bool> select_statements(const Program& program) {
   const std::vector<bool> is_result = find_result_nodes(program);
   std::vector<int> written(graph.nodes().size(), 0);  // operations in the text of a reference
   std::vector<bool> selected(graph.nodes().size(), false);
+  std::vector<bool> packed(graph.nodes().size(), false);
+  for (const LanePack& pack : program.packs) {
+    for (const std::uint32_t node : pack) {
+      packed[node] = true;
+    }
+  }
   for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
     const Node& node = graph.nodes()[i];
     const int operands = operation(node.op).operands;
@@ -35,8 +45,8 @@ std::vector<bool> select_statements(const Program& program) {
     }
     int size = 1 + written[node.a] + (operands == 2 ? written[node.b] : 0);
     const bool stored_once = is_result[i] && uses[i] == 1;  // the store is its statement
-    selected[i] = operands == 1 || graph.names().contains(i) || (uses[i] > 1) ||
-                  (size >= kLargestExpression && !stored_once);
+    selected[i] = packed[i] || is_trigonometric(node.op) || graph.names().contains(i) ||
+                  (uses[i] > 1) || (size >= kLargestExpression && !stored_once);
     written[i] = selected[i] ? 0 : size;
   }
   return selected;

@@ -4,13 +4,14 @@
 
 namespace treeline::templates {
 
-// The files of templates/ and runtime/core/sin_cos.hpp, embedded when the generator is built (see
+// The files of templates/ and headers of runtime/core, embedded when the generator is built (see
 // embed_files.cmake).
 extern const std::string_view kCMakeLists;
 extern const std::string_view kContract;
 extern const std::string_view kDeclaration;
 extern const std::string_view kEigen;
 extern const std::string_view kFunction;
+extern const std::string_view kLanes;
 extern const std::string_view kManifest;
 extern const std::string_view kSinCos;
 extern const std::string_view kWrapper;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "generation/describe_scene.hpp"
@@ -51,7 +52,7 @@ std::vector<EmissionContext::SkippedRow> skipped_rows(const Mechanism& mechanism
       continue;
     }
     rows.push_back({fmt::format("function {}", function_name(function)),
-                    generate_function(mechanism, function).chosen.count.flops()});
+                    generate_function(mechanism, function, scene.lanes).chosen.count.flops()});
   }
   return rows;
 }
@@ -72,18 +73,20 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
 
 }  // namespace
 
-GeneratedFunction generate_function(const Mechanism& mechanism, Function function) {
+GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes) {
   std::vector<Candidate> candidates;
-  for (Program& program : trace_function(mechanism, function)) {
-    std::string method = program.source;
-    candidates.push_back({std::move(method), std::move(program)});
+  std::map<std::string, std::vector<PassReport>> logs;  // by method
+  for (Program& program : trace_function(mechanism, function, lanes)) {
+    const std::string method = program.source;
+    candidates.push_back({method, run_passes(std::move(program), logs[method])});
   }
   Choice choice = *choose(std::move(candidates));  // there is at least one route
   GeneratedFunction generated;
   generated.function = function;
   generated.chosen = std::move(choice.chosen);
   generated.rejected = std::move(choice.rejected);
-  generated.program = run_passes(std::move(choice.program), generated.passes);
+  generated.program = std::move(choice.program);
+  generated.passes = std::move(logs[generated.chosen.method]);
   return generated;
 }
 
@@ -93,7 +96,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   generation.mechanism = reduced_mechanism(robot, scene);
   std::vector<Program> programs;
   for (const Function function : scene.functions) {
-    generation.functions.push_back(generate_function(generation.mechanism, function));
+    generation.functions.push_back(generate_function(generation.mechanism, function, scene.lanes));
     programs.push_back(generation.functions.back().program);
   }
   const EmissionContext context = context_of(robot, scene, provenance, generation);

@@ -43,7 +43,7 @@ struct Generation {
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics);
 
-/// The cheapest route to one function, after the passes.
-GeneratedFunction generate_function(const Mechanism& mechanism, Function function);
+/// The route to one function that is cheapest after the passes. `lanes`: see `Scene`.
+GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes);
 
 }  // namespace treeline

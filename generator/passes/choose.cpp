@@ -6,10 +6,16 @@
 
 namespace treeline {
 
-double cost(const OperationCount& count) {
+double cost(const Program& program, const OperationCount& count) {
   constexpr double kDivision = 8;  // two additions a cycle, a division every four
   constexpr double kAngle = 12;
-  return count.add + count.mul + kDivision * count.div + kAngle * count.sin_cos;
+  int shared = 0;
+  for (const LanePack& pack : program.packs) {
+    shared += static_cast<int>(pack.size() - 1) -
+              static_cast<int>(std::count(pack.begin(), pack.end(), 0U));
+  }
+  return count.add + count.mul - shared + program.lane_moves + kDivision * count.div +
+         kAngle * count.sin_cos;
 }
 
 std::optional<Choice> choose(std::vector<Candidate> candidates) {
@@ -19,7 +25,7 @@ std::optional<Choice> choose(std::vector<Candidate> candidates) {
   std::vector<std::pair<Cost, std::size_t>> costs;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const OperationCount count = count_operations(candidates[i].program);
-    costs.push_back({{candidates[i].method, count, cost(count)}, i});
+    costs.push_back({{candidates[i].method, count, cost(candidates[i].program, count)}, i});
   }
   std::stable_sort(costs.begin(), costs.end(), [](const auto& a, const auto& b) {
     return a.first.weighted < b.first.weighted;

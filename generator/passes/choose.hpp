@@ -15,7 +15,7 @@ struct Candidate {
   Program program;
 };
 
-/// What a candidate costs: `flops` with divisions and sines weighted by their time, see `cost`.
+/// What a candidate costs: its operations, and these weighted by their time, see `cost`.
 struct Cost {
   std::string method;
   OperationCount count;
@@ -31,8 +31,9 @@ struct Choice {
 };
 
 /// Operations as multiples of one addition's time. A division occupies the divider for about four
-/// cycles on current cores, an angle about as much as four lanes' share of the polynomial.
-double cost(const OperationCount& count);
+/// cycles on current cores, an angle about as much as four lanes' share of the polynomial. The
+/// lanes of a pack are one operation; moving a value into or out of lanes is one.
+double cost(const Program& program, const OperationCount& count);
 
 /// Picks the candidate of least cost; the earlier of two that are equal. Nothing when there is
 /// none.

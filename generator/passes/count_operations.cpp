@@ -25,6 +25,7 @@ void count_node(const Node& node, std::vector<bool>& angle_seen, OperationCount&
       count.sin_cos += angle_seen[node.a] ? 0 : 1;
       angle_seen[node.a] = true;
       break;
+    case Op::neg:  // a flipped bit, like the sign of a result
     case Op::constant:
     case Op::input:
       break;

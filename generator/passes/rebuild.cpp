@@ -1,6 +1,7 @@
 #include "passes/rebuild.hpp"
 
 #include <string>
+#include <utility>
 
 namespace treeline {
 namespace {
@@ -107,6 +108,18 @@ Program rebuild(const Program& program, std::span<const std::uint32_t> order) {
     place[i] = copy_node(from, from.nodes()[i], place, to);
     if (const auto name = from.names().find(i); name != from.names().end()) {
       to.name({place[i], false}, name->second);
+    }
+  }
+  to.set_lane_width(from.lane_width());
+  for (Graph::LaneGroup group : from.lane_groups()) {
+    for (std::uint32_t& node : group) {
+      node = place[node];
+    }
+    to.add_lane_group(std::move(group));
+  }
+  for (LanePack& pack : rebuilt.packs) {
+    for (std::uint32_t& node : pack) {
+      node = place[node];
     }
   }
   for (Result& result : rebuilt.results) {

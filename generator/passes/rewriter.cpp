@@ -24,6 +24,8 @@ Expression Rewriter::copy(std::uint32_t node) const {
       return values_[old.a] * values_[old.b];
     case Op::div:
       return values_[old.a] / values_[old.b];
+    case Op::neg:
+      return Graph::current().without_sign(-values_[old.a]);
     case Op::sin:
       return sin(values_[old.a]);
     case Op::cos:
@@ -62,6 +64,13 @@ Program Rewriter::finish() {
       const Expression value = values_[element.node()];
       element = element.negative() ? -value : value;
     }
+  }
+  rewritten_.graph.set_lane_width(program_.graph.lane_width());
+  for (Graph::LaneGroup group : program_.graph.lane_groups()) {
+    for (std::uint32_t& node : group) {
+      node = values_[node].node();
+    }
+    rewritten_.graph.add_lane_group(std::move(group));
   }
   return std::move(rewritten_);
 }

@@ -7,7 +7,9 @@
 #include "passes/count_operations.hpp"
 #include "passes/eliminate_dead.hpp"
 #include "passes/factor_sums.hpp"
+#include "passes/pack_lanes.hpp"
 #include "passes/schedule.hpp"
+#include "passes/settle.hpp"
 #include "passes/share_pairs.hpp"
 
 namespace treeline {
@@ -19,11 +21,9 @@ struct Pass {
 };
 
 constexpr std::array kPasses = {
-    Pass{"eliminate_dead", eliminate_dead},
-    Pass{"factor_sums", factor_sums},
-    Pass{"share_pairs", share_pairs},
-    Pass{"eliminate_dead", eliminate_dead},
-    Pass{"schedule", schedule},
+    Pass{"settle", settle},           Pass{"factor_sums", factor_sums},
+    Pass{"share_pairs", share_pairs}, Pass{"eliminate_dead", eliminate_dead},
+    Pass{"pack_lanes", pack_lanes},   Pass{"schedule", schedule},
 };
 
 }  // namespace

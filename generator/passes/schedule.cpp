@@ -34,7 +34,16 @@ class Scheduler {
   explicit Scheduler(const Program& program)
       : nodes_(program.graph.nodes()),
         need_(estimate_registers(nodes_)),
-        placed_(nodes_.size(), false) {}
+        placed_(nodes_.size(), false),
+        units_(nodes_.size()) {
+    for (const LanePack& pack : program.packs) {
+      std::vector<std::uint32_t> members(pack);
+      std::erase(members, 0);
+      for (const std::uint32_t node : members) {
+        units_[node] = members;
+      }
+    }
+  }
 
   /// Places `root` after everything that it needs and that has no place yet.
   void place(std::uint32_t root) {
@@ -45,13 +54,20 @@ class Scheduler {
       if (placed_[node]) {
         continue;
       }
+      // The lanes of a pack are computed together, after all that any of them needs.
+      const std::vector<std::uint32_t> alone{node};
+      const std::vector<std::uint32_t>& unit = units_[node].empty() ? alone : units_[node];
       if (operands_done) {
-        placed_[node] = true;
-        order_.push_back(node);
+        for (const std::uint32_t member : unit) {
+          placed_[member] = true;
+          order_.push_back(member);
+        }
         continue;
       }
       stack.emplace_back(node, true);
-      push_operands(nodes_[node], stack);
+      for (const std::uint32_t member : unit) {
+        push_operands(nodes_[member], stack);
+      }
     }
   }
 
@@ -72,6 +88,7 @@ class Scheduler {
   const std::vector<Node>& nodes_;
   std::vector<int> need_;
   std::vector<bool> placed_;
+  std::vector<std::vector<std::uint32_t>> units_;  // by node: its pack; empty where it is alone
   std::vector<std::uint32_t> order_;
 };
 

@@ -70,6 +70,8 @@ Scalar evaluate_node(const Node& node, const std::vector<Scalar>& values,
       return values[node.a] * values[node.b];
     case Op::div:
       return values[node.a] / values[node.b];
+    case Op::neg:
+      return -values[node.a];
     case Op::sin:
       return detail::sine(values[node.a]);
     case Op::cos:

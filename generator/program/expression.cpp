@@ -28,11 +28,18 @@ Expression make(Op op, Expression a, Expression b) {
   return {Graph::current().intern({op, a.node(), b.node(), 0}), false};
 }
 
-/// Operands of a commutative operation: a constant first, then in order of creation.
+/// Operands of a commutative operation: a constant first.
 void order(Expression& a, Expression& b) {
-  if (!a.is_constant() && (b.is_constant() || b.node() < a.node())) {
+  if (!a.is_constant() && b.is_constant()) {
     std::swap(a, b);
   }
+}
+
+/// a op b, or b op a if that is there already.
+Expression make_commuting(Op op, Expression a, Expression b) {
+  const Graph& graph = Graph::current();
+  return graph.merges_commuted() && graph.contains({op, b.node(), a.node(), 0}) ? make(op, b, a)
+                                                                                : make(op, a, b);
 }
 
 /// Reads an expression as coefficient * base; a node that is no product with a constant is its
@@ -138,14 +145,17 @@ bool cancel_between_sums(Expression a, Expression b, Expression& merged) {
 }
 
 /// a + b, neither of them zero or a constant sum: the node. Equal signs make an add with the sign
-/// outside; different signs a difference of the older minus the newer node, so that x - y and
-/// y - x are one node.
+/// outside; different signs a difference, and x - y and y - x are one node.
 Expression make_sum(Expression a, Expression b) {
   if (a.negative() == b.negative()) {
     order(a, b);
-    return with_sign(make(Op::add, a, b), a.negative());
+    return with_sign(make_commuting(Op::add, a, b), a.negative());
   }
-  if (b.node() < a.node()) {
+  if (a.negative()) {
+    std::swap(a, b);
+  }
+  const Graph& graph = Graph::current();
+  if (graph.merges_commuted() && graph.contains({Op::sub, b.node(), a.node(), 0})) {
     std::swap(a, b);
   }
   return with_sign(make(Op::sub, a, b), a.negative());
@@ -262,7 +272,7 @@ Expression operator*(Expression a, Expression b) {
   if (right.op == Op::div && right.b == a.node()) {
     return {right.a, negative};
   }
-  return with_sign(make(Op::mul, a, b), negative);
+  return with_sign(make_commuting(Op::mul, a, b), negative);
 }
 
 /// A division by a constant is a multiplication by its reciprocal: several times faster, and for

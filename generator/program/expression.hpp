@@ -2,14 +2,16 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace treeline {
 
-enum class Op : std::uint8_t { constant, input, add, sub, mul, div, sin, cos };
+enum class Op : std::uint8_t { constant, input, add, sub, mul, div, neg, sin, cos };
 
 /// What there is to know about an operation; `kOperations` is indexed by Op.
 struct Operation {
@@ -18,13 +20,14 @@ struct Operation {
   int operands;
   bool commutes;
 };
-inline constexpr std::array<Operation, 8> kOperations = {{
+inline constexpr std::array<Operation, 9> kOperations = {{
     {"constant", "", 0, false},
     {"input", "", 0, false},
     {"add", "+", 2, true},
     {"sub", "-", 2, false},
     {"mul", "*", 2, true},
     {"div", "/", 2, false},
+    {"neg", "-", 1, false},
     {"sin", "sin", 1, false},
     {"cos", "cos", 1, false},
 }};
@@ -33,7 +36,8 @@ constexpr const Operation& operation(Op op) {
 }
 
 /// One operation. Operands are indices of earlier nodes, so the list is topologically ordered.
-/// Operands carry no sign: the constructors of `Expression` move every minus outward.
+/// Operands carry no sign: the constructors of `Expression` move every minus outward; `neg` stands
+/// only where `Graph::align_lanes` asked for a value without sign.
 struct Node {
   Op op = Op::constant;
   std::uint32_t a = 0;  ///< left operand; for `input` its index into Graph::inputs
@@ -99,11 +103,37 @@ class Graph {
   Expression input(std::string name);
   /// Interns; expects canonical operands.
   std::uint32_t intern(Node node);
+  [[nodiscard]] bool contains(const Node& node) const { return index_.contains(node); }
+  /// Whether x y and y x, x - y and y - x are one node; the first that is built stays. A trace
+  /// turns this off: C++ leaves open which operand of an operator is evaluated first, so the order
+  /// of building would depend on the compiler. The pass `settle` merges later, in a fixed order.
+  [[nodiscard]] bool merges_commuted() const { return merges_commuted_; }
+  /// An empty graph to trace into, for code with so many lanes.
+  static Graph for_trace(int lanes);
   /// Suggests a readable identifier for the node's value (`w4_x`); the first one wins. Of a value
   /// that is the negative of its node the node is called `minus_w4_x`. Constants stay unnamed.
   void name(Expression value, std::string_view identifier);
   /// Nodes created from here on belong to the section `title` ("link 4 outward").
   void begin_section(std::string title);
+
+  /// How many lanes the emitted code may use; 1: lanes are not wanted and not noted.
+  void set_lane_width(int width) { lane_width_ = width; }
+  [[nodiscard]] int lane_width() const { return lane_width_; }
+  /// The value as a node of its own, its sign made an operation.
+  Expression without_sign(Expression value);
+  /// Tells that these values come out of one computation on different data and may share the
+  /// lanes of one register, each in the place of its index; zeros leave their place empty. Signs,
+  /// which would tell the lanes apart from here on, are made operations.
+  void align_lanes(std::span<Expression> values);
+  /// Values that may share a register, by place; node 0 is an empty place.
+  using LaneGroup = std::vector<std::uint32_t>;
+  [[nodiscard]] const std::vector<LaneGroup>& lane_groups() const { return lane_groups_; }
+  void add_lane_group(LaneGroup group);
+  /// Index of the first group that holds the node; -1: none does.
+  [[nodiscard]] int lane_group_of(std::uint32_t node) const {
+    const auto found = lane_group_of_.find(node);
+    return found == lane_group_of_.end() ? -1 : found->second;
+  }
 
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
@@ -128,6 +158,10 @@ class Graph {
   std::unordered_map<Node, std::uint32_t, NodeHash, NodeEqual> index_;
   std::unordered_map<std::uint32_t, std::string> names_;
   std::vector<Section> sections_;
+  std::vector<LaneGroup> lane_groups_;
+  std::unordered_map<std::uint32_t, int> lane_group_of_;
+  int lane_width_ = 1;
+  bool merges_commuted_ = true;
 };
 
 }  // namespace treeline

@@ -22,6 +22,13 @@ Graph::Graph() {
   intern({});
 }
 
+Graph Graph::for_trace(int lanes) {
+  Graph graph;
+  graph.lane_width_ = lanes;
+  graph.merges_commuted_ = false;
+  return graph;
+}
+
 Graph::Scope::Scope(Graph& graph) : previous_(std::exchange(open_graph, &graph)) {}
 Graph::Scope::~Scope() {
   open_graph = previous_;
@@ -57,6 +64,37 @@ void Graph::name(Expression value, std::string_view identifier) {
     return;
   }
   names_.try_emplace(value.node(), (value.negative() ? "minus_" : "") + std::string(identifier));
+}
+
+Expression Graph::without_sign(Expression value) {
+  if (!value.negative()) {
+    return value;
+  }
+  return {intern({Op::neg, value.node(), 0, 0}), false};
+}
+
+void Graph::align_lanes(std::span<Expression> values) {
+  if (lane_width_ == 1) {
+    return;
+  }
+  LaneGroup group;
+  for (Expression& value : values) {
+    const bool constant = nodes_[value.node()].op == Op::constant;
+    if (!constant) {
+      value = without_sign(value);
+    }
+    group.push_back(constant ? 0 : value.node());
+  }
+  add_lane_group(std::move(group));
+}
+
+void Graph::add_lane_group(LaneGroup group) {
+  for (const std::uint32_t node : group) {
+    if (node != 0) {
+      lane_group_of_.try_emplace(node, static_cast<int>(lane_groups_.size()));
+    }
+  }
+  lane_groups_.push_back(std::move(group));
 }
 
 void Graph::begin_section(std::string title) {

@@ -21,6 +21,9 @@ struct Result {
   std::vector<Expression> values;
 };
 
+/// Nodes that share a register, by lane; node 0 is an empty lane. All are the same operation.
+using LanePack = std::vector<std::uint32_t>;
+
 /// One function as an expression graph. Inputs of the graph are named `argument[i]`.
 struct Program {
   std::string name;      ///< `inverse_dynamics`
@@ -29,6 +32,8 @@ struct Program {
   std::vector<Argument> arguments;
   std::vector<Result> results;
   Graph graph;
+  std::vector<LanePack> packs;  ///< disjoint; see `pack_lanes`
+  int lane_moves = 0;           ///< values brought into lanes or taken out of them
 };
 
 /// Operations that the results need, as emitted; sin and cos are counted apart.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "recursion/dense_matrix.hpp"
+#include "recursion/tree.hpp"
 
 namespace treeline {
 
@@ -13,11 +14,27 @@ struct LdltFactor {
   std::vector<Scalar> inverse_D;
 };
 
+/// The part of the columns from `first` on that is below the diagonal: a lane for each row.
+template <class Scalar>
+void align_lower_columns(DenseMatrix<Scalar>& A, std::size_t first) {
+  for (std::size_t j = first; j < A.cols(); ++j) {
+    std::vector<Scalar> lanes(A.rows(), Scalar(0.0));
+    for (std::size_t i = j; i < A.rows(); ++i) {
+      lanes[i] = A(i, j);
+    }
+    align_lanes(lanes);
+    for (std::size_t i = j; i < A.rows(); ++i) {
+      A(i, j) = lanes[i];
+    }
+  }
+}
+
 template <class Scalar>
 LdltFactor<Scalar> factor_ldlt(DenseMatrix<Scalar> A) {
   const std::size_t n = A.rows();
   LdltFactor<Scalar> factor{DenseMatrix<Scalar>(n, n), std::vector<Scalar>(n)};
   for (std::size_t k = 0; k < n; ++k) {
+    align_lower_columns(A, k);
     factor.inverse_D[k] = Scalar(1.0) / A(k, k);
     for (std::size_t i = k + 1; i < n; ++i) {
       factor.L(i, k) = A(i, k) * factor.inverse_D[k];
@@ -25,6 +42,7 @@ LdltFactor<Scalar> factor_ldlt(DenseMatrix<Scalar> A) {
         A(i, j) = A(i, j) - factor.L(i, k) * A(j, k);
       }
     }
+    align_lower_columns(factor.L, k);
   }
   return factor;
 }

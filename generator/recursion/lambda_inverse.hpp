@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "recursion/articulated_inertia.hpp"
@@ -27,6 +28,25 @@ void add_outer_product(const std::vector<PropagatedForce<Scalar>>& forces,
       if (forces[s].row <= forces[r].row) {
         Scalar& entry = Lambda_inv(forces[r].row, forces[s].row);
         entry = entry + scaled * work[s];
+      }
+    }
+  }
+}
+
+/// Forces of all rows at one link run through the same operations: a lane for each row.
+template <class Scalar>
+void align_lanes(std::vector<PropagatedForce<Scalar>>& forces, std::size_t rows) {
+  constexpr std::array<Scalar Vector3<Scalar>::*, 3> kParts{
+      &Vector3<Scalar>::x, &Vector3<Scalar>::y, &Vector3<Scalar>::z};
+  for (const auto triple : {&Wrench<Scalar>::f, &Wrench<Scalar>::n}) {
+    for (const auto part : kParts) {
+      std::vector<Scalar> lanes(rows, Scalar(0.0));
+      for (const PropagatedForce<Scalar>& force : forces) {
+        lanes[force.row] = force.K.*triple.*part;
+      }
+      align_lanes(lanes);
+      for (PropagatedForce<Scalar>& force : forces) {
+        force.K.*triple.*part = lanes[force.row];
       }
     }
   }
@@ -100,6 +120,7 @@ DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "force propagation");
+    align_lanes(forces[i], rows);
     if (link.kind == JointKind::floating) {
       absorb_in_floating_joint(bodies.floating[i], forces[i], Lambda_inv);
     } else {
@@ -111,6 +132,7 @@ DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
             {force.row, to_parent(X[i], force.K)});
       }
     }
+    align_lower_columns(Lambda_inv, 0);
   }
   for (std::size_t r = 0; r < rows; ++r) {
     for (std::size_t s = 0; s < r; ++s) {

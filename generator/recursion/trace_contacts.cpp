@@ -179,13 +179,14 @@ Expressions declare(Program& program, const Argument& argument) {
   return entries;
 }
 
-Program trace(const Mechanism& mechanism, Function function, const ContactRoute& route) {
+Program trace(const Mechanism& mechanism, Function function, const ContactRoute& route, int lanes) {
   const Contract contract =
       contract_of(function, mechanism.nv(), static_cast<int>(mechanism.contacts.size()));
   Program program;
   program.name = function_name(function);
   program.equation = contract.equation;
   program.source = route.source;
+  program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   ContactTrace traced;
   traced.tree = tree_of<Expression>(mechanism);
@@ -199,7 +200,8 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
 
 }  // namespace
 
-std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function function) {
+std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function function,
+                                            int lanes) {
   Graph graph;
   std::vector<ContactRoute> routes;
   {
@@ -207,7 +209,8 @@ std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function
     routes = routes_of(function, tree_of<Expression>(mechanism));
   }
   std::vector<Program> programs;
-  for (const ContactRoute& route : routes) programs.push_back(trace(mechanism, function, route));
+  for (const ContactRoute& route : routes)
+    programs.push_back(trace(mechanism, function, route, lanes));
   return programs;
 }
 

@@ -9,6 +9,7 @@
 namespace treeline {
 
 /// As `trace_function` for one of `kContactFunctions`: one program for every algorithm.
-std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function function);
+std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function function,
+                                            int lanes);
 
 }  // namespace treeline

@@ -10,10 +10,10 @@
 #include "recursion/control_torque.hpp"
 #include "recursion/describe_choice.hpp"
 #include "recursion/forward_dynamics.hpp"
+#include "recursion/resolved_acceleration.hpp"
 #include "recursion/trace_contacts.hpp"
 #include "recursion/trace_object_function.hpp"
 #include "recursion/trace_posture.hpp"
-#include "recursion/resolved_acceleration.hpp"
 
 namespace treeline {
 namespace {
@@ -113,7 +113,7 @@ namespace {
 
 class Tracer {
  public:
-  explicit Tracer(const Mechanism& mechanism) : mechanism_(mechanism) {}
+  Tracer(const Mechanism& mechanism, int lanes) : mechanism_(mechanism), lanes_(lanes) {}
 
   Program trace(Function function, const Route& route) const {
     const Signature common = signature(function);
@@ -121,6 +121,7 @@ class Tracer {
     program.name = function_name(function);
     program.equation = common.equation;
     program.source = route.source;
+    program.graph = Graph::for_trace(lanes_);
     const Graph::Scope scope(program.graph);
     Trace trace;
     trace.tree = tree_of<Expression>(mechanism_);
@@ -168,6 +169,7 @@ class Tracer {
   }
 
   const Mechanism& mechanism_;
+  int lanes_;
 };
 
 Outputs vector_output(const char* name, const char* meaning, Expressions values) {
@@ -347,20 +349,20 @@ TracedTree structure_of(const Mechanism& mechanism, Graph& graph) {
 
 }  // namespace
 
-std::vector<Program> trace_function(const Mechanism& mechanism, Function function) {
+std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes) {
   if (std::find(kContactFunctions.begin(), kContactFunctions.end(), function) !=
       kContactFunctions.end()) {
-    return trace_contact_function(mechanism, function);
+    return trace_contact_function(mechanism, function, lanes);
   }
   if (needs_objects(function)) {
-    return trace_object_function(mechanism, function);
+    return trace_object_function(mechanism, function, lanes);
   }
   if (is_about_posture(function)) {
-    return trace_posture_function(mechanism, function);
+    return trace_posture_function(mechanism, function, lanes);
   }
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);
-  const Tracer tracer(mechanism);
+  const Tracer tracer(mechanism, lanes);
   std::vector<Program> programs;
   for (const Route& route : routes_of(function, tree)) {
     programs.push_back(tracer.trace(function, route));

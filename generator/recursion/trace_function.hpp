@@ -11,6 +11,7 @@ namespace treeline {
 /// The function for this mechanism as expression graphs: one for every algorithm that computes it,
 /// each naming its own in `source`. At least one. The caller has seen to it that the scene permits
 /// the function (operational points, objects where it needs them).
-std::vector<Program> trace_function(const Mechanism& mechanism, Function function);
+/// `lanes`: how many values of Real the emitted code may compute together.
+std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes = 1);
 
 }  // namespace treeline

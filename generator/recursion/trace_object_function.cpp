@@ -203,11 +203,12 @@ void declare_inputs(const Mechanism& mechanism, Function function, Program& prog
   }
 }
 
-Program trace_route(const Mechanism& mechanism, Function function, const Route& route) {
+Program trace_route(const Mechanism& mechanism, Function function, const Route& route, int lanes) {
   Program program;
   program.name = function_name(function);
   program.equation = equation_of(function);
   program.source = route.source;
+  program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   Trace trace;
   trace.objects = objects_of<Expression>(mechanism);
@@ -220,14 +221,15 @@ Program trace_route(const Mechanism& mechanism, Function function, const Route& 
 
 }  // namespace
 
-std::vector<Program> trace_object_function(const Mechanism& mechanism, Function function) {
+std::vector<Program> trace_object_function(const Mechanism& mechanism, Function function,
+                                           int lanes) {
   Graph graph;  // a throw-away one: routes depend on the tree's structure alone
   const Graph::Scope scope(graph);
   const auto objects = objects_of<Expression>(mechanism);
   const auto tree = holding_tree(tree_of<Expression>(mechanism), objects);
   std::vector<Program> programs;
   for (const Route& route : routes_of(function, tree)) {
-    programs.push_back(trace_route(mechanism, function, route));
+    programs.push_back(trace_route(mechanism, function, route, lanes));
   }
   return programs;
 }

@@ -9,6 +9,7 @@
 namespace treeline {
 
 /// As `trace_function`, for the functions about objects; the mechanism holds at least one.
-std::vector<Program> trace_object_function(const Mechanism& mechanism, Function function);
+std::vector<Program> trace_object_function(const Mechanism& mechanism, Function function,
+                                           int lanes);
 
 }  // namespace treeline

@@ -18,11 +18,13 @@ std::vector<Expression> declare_coordinates(const Mechanism& mechanism, Program&
 
 }  // namespace
 
-std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function function) {
+std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function function,
+                                            int lanes) {
   std::vector<Program> programs(1);
   Program& program = programs.front();
   program.name = function_name(function);
   program.source = "first moments of the composite bodies";
+  program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   const auto q = declare_coordinates(mechanism, program);
   const auto tree = tree_of<Expression>(mechanism);

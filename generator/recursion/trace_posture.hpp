@@ -9,6 +9,7 @@
 namespace treeline {
 
 /// As `trace_function` for one of `kPostureFunctions`.
-std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function function);
+std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function function,
+                                            int lanes);
 
 }  // namespace treeline

@@ -164,6 +164,13 @@ void label(const Vector3<Scalar>& v, const char* symbol, std::size_t link) {
   label(v.y, symbol, link, "_y");
   label(v.z, symbol, link, "_z");
 }
+/// Tells a trace that these values may share lanes, see `Graph::align_lanes`.
+template <class Scalar>
+void align_lanes(std::vector<Scalar>& values) {
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    Graph::current().align_lanes(values);
+  }
+}
 /// What follows in the trace belongs to this link; shows as a comment in emitted code.
 template <class Scalar>
 void section(const TreeLink<Scalar>& link, std::size_t index, const char* pass) {

@@ -1,0 +1,40 @@
+#include "passes/lane_operands.hpp"
+
+namespace treeline {
+namespace {
+
+int likeness(const Graph& graph, std::uint32_t x, std::uint32_t y) {
+  if (x == y) {
+    return 4;
+  }
+  if (graph.lane_group_of(x) >= 0 && graph.lane_group_of(x) == graph.lane_group_of(y)) {
+    return 3;
+  }
+  return graph.nodes()[x].op == graph.nodes()[y].op ? 1 : 0;
+}
+
+}  // namespace
+
+LaneOperands lane_operands(const Graph& graph, const LanePack& lanes) {
+  LaneOperands operands{LanePack(lanes.size(), 0), LanePack(lanes.size(), 0)};
+  const Node* first = nullptr;
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+    if (lanes[lane] == 0) {
+      continue;
+    }
+    Node node = graph.nodes()[lanes[lane]];
+    if (first == nullptr) {
+      first = &graph.nodes()[lanes[lane]];
+    }
+    if (operation(node.op).commutes &&
+        likeness(graph, node.a, first->b) + likeness(graph, node.b, first->a) >
+            likeness(graph, node.a, first->a) + likeness(graph, node.b, first->b)) {
+      std::swap(node.a, node.b);
+    }
+    operands.a[lane] = node.a;
+    operands.b[lane] = node.b;
+  }
+  return operands;
+}
+
+}  // namespace treeline

@@ -1,0 +1,290 @@
+#include "passes/pack_lanes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "passes/lane_operands.hpp"
+#include "passes/rebuild.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr std::uint32_t kNone = 0;
+constexpr int kNoPack = -1;
+
+bool is_arithmetic(Op op) {
+  return op == Op::add || op == Op::sub || op == Op::mul || op == Op::div;
+}
+
+int count_lanes(const LanePack& lanes) {
+  return static_cast<int>(lanes.size()) -
+         static_cast<int>(std::count(lanes.begin(), lanes.end(), kNone));
+}
+
+/// The lanes that hold something, as a set.
+std::set<std::uint32_t> distinct(const LanePack& lanes) {
+  std::set<std::uint32_t> nodes(lanes.begin(), lanes.end());
+  nodes.erase(kNone);
+  return nodes;
+}
+
+class Packer {
+ public:
+  explicit Packer(const Program& program)
+      : program_(program),
+        nodes_(program.graph.nodes()),
+        live_(find_live(program)),
+        pack_of_(nodes_.size(), kNoPack),
+        lane_of_(nodes_.size(), 0) {}
+
+  void run(Program& packed) {
+    const auto& groups = program_.graph.lane_groups();
+    const auto width = static_cast<std::size_t>(program_.graph.lane_width());
+    for (const Graph::LaneGroup& group : groups) {
+      for (std::size_t first = 0; first < group.size(); first += width) {
+        LanePack lanes(width, kNone);
+        std::copy_n(group.begin() + static_cast<std::ptrdiff_t>(first),
+                    std::min(width, group.size() - first), lanes.begin());
+        pack(std::move(lanes), 2);
+      }
+    }
+    dissolve_cycles();
+    while (dissolve_losses()) {
+    }
+    std::erase_if(packs_, [](const LanePack& lanes) { return lanes.empty(); });
+    packed.lane_moves = count_moves();
+    packed.packs = std::move(packs_);
+  }
+
+ private:
+  /// Leaves in `lanes` what may be computed together: live, not packed yet, one operation.
+  void keep_alike(LanePack& lanes) const {
+    std::array<int, kOperations.size()> votes{};
+    std::set<std::uint32_t> seen;
+    for (std::uint32_t& node : lanes) {
+      const Op op = nodes_[node].op;
+      if (!live_[node] || !is_arithmetic(op) || pack_of_[node] != kNoPack ||
+          !seen.insert(node).second) {
+        node = kNone;
+      } else {
+        ++votes[static_cast<std::size_t>(op)];
+      }
+    }
+    const auto winner =
+        static_cast<Op>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+    for (std::uint32_t& node : lanes) {
+      if (node != kNone && nodes_[node].op != winner) {
+        node = kNone;
+      }
+    }
+  }
+
+  void pack(LanePack lanes, int fewest) {
+    keep_alike(lanes);
+    if (count_lanes(lanes) < fewest) {
+      return;
+    }
+    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+      if (lanes[lane] != kNone) {
+        pack_of_[lanes[lane]] = static_cast<int>(packs_.size());
+        lane_of_[lanes[lane]] = lane;
+      }
+    }
+    packs_.push_back(lanes);
+    const LaneOperands both = lane_operands(program_.graph, lanes);
+    for (LanePack operands : {both.a, both.b}) {
+      const bool in_groups = std::any_of(operands.begin(), operands.end(), [&](std::uint32_t n) {
+        return program_.graph.lane_group_of(n) >= 0;
+      });
+      if (distinct(operands).size() > 1 && !in_groups) {
+        pack(std::move(operands), 3);
+      }
+    }
+  }
+
+  /// Instructions to bring `operands` into lanes: none for one value in all lanes, for constants
+  /// and for another pack's lanes in place; one to permute a pack; else one for each value.
+  [[nodiscard]] int gather_cost(const LanePack& operands) const {
+    const std::set<std::uint32_t> values = distinct(operands);
+    if (values.size() <= 1 || std::all_of(values.begin(), values.end(), [&](std::uint32_t n) {
+          return nodes_[n].op == Op::constant;
+        })) {
+      return 0;
+    }
+    bool in_place = true;
+    std::set<int> packs;
+    for (std::size_t lane = 0; lane < operands.size(); ++lane) {
+      const std::uint32_t node = operands[lane];
+      if (node != kNone) {
+        packs.insert(pack_of_[node]);
+        in_place = in_place && pack_of_[node] != kNoPack && lane_of_[node] == lane;
+      }
+    }
+    if (packs.size() <= 2 && !packs.contains(kNoPack)) {
+      return packs.size() == 1 && in_place ? 0 : 1;
+    }
+    return static_cast<int>(values.size());
+  }
+
+  /// Packs that make each other wait, by way of scalars or directly, are taken apart.
+  void dissolve_cycles();
+  /// Takes apart the packs that cost more than they save; whether there was one.
+  bool dissolve_losses();
+
+  void dissolve(std::size_t index) {
+    for (const std::uint32_t node : packs_[index]) {
+      if (node != kNone) {
+        pack_of_[node] = kNoPack;
+      }
+    }
+    packs_[index].clear();
+  }
+
+  /// For every node whether scalar code reads it.
+  [[nodiscard]] std::vector<bool> find_scalar_reads() const;
+  [[nodiscard]] int count_extractions(const LanePack& pack, const std::vector<bool>& read) const;
+
+  /// How many packs read these lanes as they stand.
+  using Readers = std::map<LanePack, int>;
+  [[nodiscard]] Readers find_readers() const;
+  /// Values that are brought into lanes or taken out.
+  [[nodiscard]] int count_moves() const;
+  /// Instructions that taking pack `p` apart adds; negative where it saves some.
+  [[nodiscard]] int cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
+                                       const Readers& readers) const;
+
+  const Program& program_;
+  const std::vector<Node>& nodes_;
+  std::vector<bool> live_;
+  std::vector<int> pack_of_;
+  std::vector<std::size_t> lane_of_;
+  std::vector<LanePack> packs_;
+};
+
+std::vector<bool> Packer::find_scalar_reads() const {
+  std::vector<bool> read(nodes_.size(), false);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const int operands = operation(nodes_[i].op).operands;
+    if (live_[i] && pack_of_[i] == kNoPack && operands >= 1) {
+      read[nodes_[i].a] = true;
+      read[operands == 2 ? nodes_[i].b : nodes_[i].a] = true;
+    }
+  }
+  return read;
+}
+
+int Packer::count_extractions(const LanePack& pack, const std::vector<bool>& read) const {
+  return static_cast<int>(std::count_if(
+      pack.begin(), pack.end(), [&](std::uint32_t node) { return node != kNone && read[node]; }));
+}
+
+Packer::Readers Packer::find_readers() const {
+  Readers readers;
+  for (const LanePack& pack : packs_) {
+    const LaneOperands both = lane_operands(program_.graph, pack);
+    ++readers[both.a];
+    ++readers[both.b];
+  }
+  return readers;
+}
+
+int Packer::cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
+                               const Readers& readers) const {
+  const LanePack& pack = packs_[p];
+  int cost = count_lanes(pack) - 1 - count_extractions(pack, read);
+  const LaneOperands both = lane_operands(program_.graph, pack);
+  for (const LanePack& operands : {both.a, both.b}) {
+    // What one pack has gathered others find ready.
+    cost -= readers.at(operands) == 1 ? gather_cost(operands) : 0;
+    if (gather_cost(operands) == 0 && distinct(operands).size() > 1) {  // scalar code reads it now
+      for (const std::uint32_t node : distinct(operands)) {
+        cost += pack_of_[node] != kNoPack && !read[node] ? 1 : 0;
+      }
+    }
+  }
+  return cost + (readers.contains(pack) ? count_lanes(pack) : 0);
+}
+
+int Packer::count_moves() const {
+  const std::vector<bool> read = find_scalar_reads();
+  int moves = 0;
+  for (const LanePack& pack : packs_) {
+    moves += count_extractions(pack, read);
+  }
+  for (const auto& [operands, count] : find_readers()) {
+    moves += gather_cost(operands);
+  }
+  return moves;
+}
+
+bool Packer::dissolve_losses() {
+  const std::vector<bool> read = find_scalar_reads();
+  const Readers readers = find_readers();
+  bool found = false;
+  for (std::size_t p = 0; p < packs_.size(); ++p) {
+    if (!packs_[p].empty() && cost_of_dissolving(p, read, readers) < 0) {
+      dissolve(p);
+      found = true;
+    }
+  }
+  return found;
+}
+
+void Packer::dissolve_cycles() {
+  // Depth-first over units (packs and single nodes); meeting an open pack again closes a cycle.
+  enum class State : char { unseen, open, done };
+  std::vector<State> state(nodes_.size(), State::unseen);
+  for (bool again = true; again;) {
+    again = false;
+    std::fill(state.begin(), state.end(), State::unseen);
+    for (std::uint32_t root = 0; root < nodes_.size() && !again; ++root) {
+      std::vector<std::pair<std::uint32_t, bool>> stack{{root, false}};
+      while (!stack.empty() && !again) {
+        const auto [node, finished] = stack.back();
+        stack.pop_back();
+        const LanePack unit = pack_of_[node] == kNoPack
+                                  ? LanePack{node}
+                                  : packs_[static_cast<std::size_t>(pack_of_[node])];
+        if (finished || state[node] != State::unseen) {
+          if (finished) {
+            for (const std::uint32_t member : unit) {
+              state[member] = State::done;
+            }
+          } else if (state[node] == State::open && pack_of_[node] != kNoPack) {
+            dissolve(static_cast<std::size_t>(pack_of_[node]));
+            again = true;
+          }
+          continue;
+        }
+        stack.emplace_back(node, true);
+        for (const std::uint32_t member : unit) {
+          state[member] = State::open;
+          const int operands = operation(nodes_[member].op).operands;
+          if (operands >= 1) {
+            stack.emplace_back(nodes_[member].a, false);
+          }
+          if (operands == 2) {
+            stack.emplace_back(nodes_[member].b, false);
+          }
+        }
+        state[kNone] = State::done;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Program pack_lanes(const Program& program) {
+  Program packed = program;
+  if (program.graph.lane_width() > 1) {
+    Packer(program).run(packed);
+  }
+  return packed;
+}
+
+}  // namespace treeline
