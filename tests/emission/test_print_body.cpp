@@ -30,9 +30,9 @@ TEST(PrintBody, ReadsLikeCodeWrittenByHand) {
             "  const Real c1 = cosines[0];\n"
             "\n"
             "  // link 2\n"
-            "  const Real w2_x = c1 + s1 * (q[1] - 0.5);\n"
+            "  const Real w2_x = s1 * (q[1] - 0.5) + c1;\n"
             "  y[0] = w2_x * (2.0 * c1);\n"
-            "  y[1] = q[1] - w2_x;\n");
+            "  y[1] = -(w2_x - q[1]);\n");
 }
 
 TEST(PrintBody, KeepsTheGraphsOrderOfOperations) {
@@ -43,7 +43,7 @@ TEST(PrintBody, KeepsTheGraphsOrderOfOperations) {
                       {(x[0] + x[1]) + x[2], x[0] + (x[1] + x[2]), x[0] - (x[1] - x[2]),
                        x[0] * (x[1] * x[3]), x[0] / (x[1] / x[3]), (x[0] / x[2]) / x[3]}}};
   EXPECT_EQ(print_body(program, false, {}),
-            "  y[0] = x[2] + (x[0] + x[1]);\n"
+            "  y[0] = x[0] + x[1] + x[2];\n"
             "  y[1] = x[0] + (x[1] + x[2]);\n"
             "  y[2] = x[0] - (x[1] - x[2]);\n"
             "  y[3] = x[0] * (x[1] * x[3]);\n"

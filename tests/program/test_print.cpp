@@ -34,7 +34,7 @@ TEST(Print, TextShowsEveryNode) {
             "%2 = sin %1  ; s1\n"
             "%3 = 2.0\n"
             "%4 = %3 * %2\n"
-            "%5 = %1 * %4\n"
+            "%5 = %4 * %1\n"
             "y[0] = -%5\n");
 }
 
