@@ -111,7 +111,7 @@ std::vector<std::size_t> thin(const Frame& frame, const std::vector<double>& x,
     }
     kept.push_back(begin);
     for (const std::size_t extreme : {std::min(low, high), std::max(low, high)}) {
-      if (extreme > kept.back() && extreme + 1 < end) {
+      if (extreme > kept.back()) {
         kept.push_back(extreme);
       }
     }

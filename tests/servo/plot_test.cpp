@@ -52,6 +52,24 @@ Plot sample_plot() {
   return plot;
 }
 
+// One sample in two of a pixel column of 2.x samples is its last: at each place a peak must stay.
+TEST(Plot, KeepsAPeakWhereverItIsInItsPixelColumn) {
+  for (int at = 700; at < 712; ++at) {
+    Plot plot;
+    PlotLine line{"", {}, false};
+    for (int i = 0; i < 1500; ++i) {
+      plot.x.push_back(i * 1e-3);
+      line.values.push_back(i == at ? 1.0 : 0.0);
+    }
+    plot.panels = {{"one", "N", {line}, 0.0}};
+    const double row = 66.0 + 150.0 * (0.06 / 1.12);
+    std::ostringstream top;
+    top.precision(2);
+    top << std::fixed << " " << row;
+    EXPECT_NE(svg_text(plot).find(top.str()), std::string::npos) << at;
+  }
+}
+
 TEST(Plot, IsWellFormedThinnedAndKeepsPeaks) {
   const std::string svg = svg_text(sample_plot());
   tinyxml2::XMLDocument document;
