@@ -1,5 +1,6 @@
 #include "simulation/simulate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "interpreter/instances.hpp"
@@ -17,30 +18,59 @@ Simulation start_simulation(const Model& model, const CollisionScene& scene,
   return simulation;
 }
 
-Blow step(Simulation& simulation) {
-  const Model& model = simulation.model;
-  const SimulationSettings& settings = simulation.settings;
-  const Coordinates coordinates = coordinates_of(model);
-  State& state = simulation.state;
-  const double dt = settings.step;
-  Blow blow;
-  auto touches = simulation.scene.touches(model, state.q);
-  if (!touches.empty()) {
-    state.qd += dt * simulation.acceleration(simulation.time, state);
-    blow = strike(model, std::move(touches), settings.surface, state);
-    move(coordinates, state.qd, dt, state.q);
-    simulation.energy.by_blows += blow.work;
-    simulation.worst_account =
-        std::max(simulation.worst_account, std::abs(blow.work - blow.energy));
-    ++simulation.blows;
-  } else if (settings.stepper == Stepper::runge_kutta) {
-    step_runge_kutta(coordinates, simulation.acceleration, simulation.time, dt, state);
-  } else {
-    step_semi_implicit_euler(coordinates, simulation.acceleration, simulation.time, dt, state);
-  }
-  simulation.time += dt;
-  simulation.energy.now = mechanical_energy(model, state);
+namespace {
+
+void fly(Simulation& simulation, const Coordinates& coordinates) {
+  const auto step_flight = simulation.settings.stepper == Stepper::runge_kutta
+                               ? step_runge_kutta
+                               : step_semi_implicit_euler;
+  step_flight(coordinates, simulation.acceleration, simulation.time, simulation.settings.step,
+              simulation.state);
+}
+
+/// Strikes and keeps account.
+Blow struck(Simulation& simulation, const std::vector<Touch>& touches, const Surface& surface) {
+  Blow blow = strike(simulation.model, touches, surface, simulation.state);
+  simulation.energy.by_blows += blow.work;
+  simulation.worst_account = std::max(simulation.worst_account, std::abs(blow.work - blow.energy));
   return blow;
+}
+
+/// Whether any touch would close with these velocities.
+bool approaches(const Model& model, const std::vector<Touch>& touches, const State& state) {
+  State copy = state;
+  const Blow blow = strike(model, touches, {}, copy);
+  return blow.impulses.size() > 0 && blow.impulses.norm() > 0;
+}
+
+}  // namespace
+
+std::vector<Blow> step(Simulation& simulation) {
+  const SimulationSettings& settings = simulation.settings;
+  const Coordinates coordinates = coordinates_of(simulation.model);
+  State& state = simulation.state;
+  std::vector<Blow> blows;
+  const auto touches = simulation.scene.touches(simulation.model, state.q);
+  if (touches.empty()) {
+    fly(simulation, coordinates);
+  } else {
+    blows.push_back(struck(simulation, touches, settings.surface));
+    ++simulation.blows;
+    State ahead = state;
+    ahead.qd += settings.step * simulation.acceleration(simulation.time, state);
+    if (approaches(simulation.model, touches, ahead)) {
+      state.qd = ahead.qd;
+      Surface resting = settings.surface;
+      resting.restitution = 0;
+      blows.push_back(struck(simulation, touches, resting));
+      move(coordinates, state.qd, settings.step, state.q);
+    } else {
+      fly(simulation, coordinates);
+    }
+  }
+  simulation.time += settings.step;
+  simulation.energy.now = mechanical_energy(simulation.model, state);
+  return blows;
 }
 
 }  // namespace treeline::simulation

@@ -39,10 +39,11 @@ struct Simulation {
 Simulation start_simulation(const Model& model, const CollisionScene& scene,
                             const SimulationSettings& settings, State state);
 
-/// One step: detect at the coordinates, strike where shapes touch, then integrate. Where something
-/// touches the step is Moreau's: velocities first as in free flight, then the blow, then
-/// coordinates with what came of it, so that what rests does not sink. Returns the blow; without
-/// touches if there was none.
-Blow step(Simulation& simulation);
+/// One step: detect at the coordinates, strike where shapes approach, then integrate. Where
+/// everything then parts, or would by the end of the step, that is a step of flight. Where
+/// something stays in touch it is Moreau's: velocities first as in free flight, then a second blow,
+/// without restitution, then coordinates with what came of it, so that what rests does not sink.
+/// Returns the blows: none, one or two.
+std::vector<Blow> step(Simulation& simulation);
 
 }  // namespace treeline::simulation

@@ -68,15 +68,18 @@ Blow strike(const Model& model, std::vector<Touch> touches, const Surface& surfa
   blow.impulses = Vector::Zero(n);
   const auto laws = laws_of(blow, surface);
   std::vector<double> wanted(laws.size());
-  blow.solution =
-      core::solve_contacts<double>(static_cast<int>(laws.size()), A.data(), laws.data(),
-                                   blow.after.data(), blow.impulses.data(), wanted.data());
+  blow.solution = core::solve_contacts<double>(
+      static_cast<int>(laws.size()), A.data(), laws.data(), blow.after.data(), blow.impulses.data(),
+      wanted.data(), {.most_sweeps = 20000, .tolerance = 1e-10});
   blow.work = 0.5 * blow.impulses.dot(blow.before + blow.after);
+  blow.restitution = surface.restitution;
   blow.energy = -kinetic_energy(model, state);
+  blow.momentum = -momentum(model, state);
   Vector both(2 * n);
   both << blow.impulses, -blow.impulses;
   state.qd += interpreter::impulse_response<double>(model, points, state.q, both).dqd;
   blow.energy += kinetic_energy(model, state);
+  blow.momentum += momentum(model, state);
   return blow;
 }
 

@@ -23,6 +23,9 @@ struct Blow {
   Vector after;
   double energy = 0;  ///< J gained, from the states before and after
   double work = 0;    ///< J, y . (v before + v after) / 2: the same, from the contacts alone
+  /// N s, N m s gained: momentum and angular momentum about the world's origin, from the states.
+  interpreter::Vector6<double> momentum = interpreter::Vector6<double>::Zero();
+  double restitution = 0;  ///< that was asked for
   core::ContactSolution solution;
 };
 
