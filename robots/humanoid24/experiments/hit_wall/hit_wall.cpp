@@ -1,0 +1,292 @@
+#include "hit_wall.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/command_laws.hpp"
+#include "core/contact_solver.hpp"
+#include "core/ldlt.hpp"
+#include "core/spline.hpp"
+#include "humanoid24_wall.hpp"
+#include "servo/integrate.hpp"
+
+namespace treeline::experiments {
+namespace {
+
+namespace robot = humanoid24_wall;
+constexpr int kJoints = robot::kVelocities;
+
+struct Wall24 {
+  static constexpr int kCoordinates = robot::kCoordinates;
+  static constexpr int kVelocities = robot::kVelocities;
+  static constexpr auto& forward_dynamics = robot::forward_dynamics;
+};
+using State = servo::StateOf<Wall24>;
+
+constexpr double kNormal[3] = {-1, 0, 0};  // out of the wall
+
+struct Hand {
+  double x[3] = {};
+  double v[3] = {};
+};
+
+Hand hand_of(const State& state) {
+  Hand hand;
+  robot::contact_motion(state.q, state.qd, hand.x, hand.v);
+  return hand;
+}
+
+double kinetic_energy(const State& state) {
+  double M[kJoints * kJoints] = {};
+  robot::mass_matrix(state.q, M);
+  double energy = 0;
+  for (int i = 0; i < kJoints; ++i) {
+    for (int j = 0; j < kJoints; ++j) {
+      energy += 0.5 * state.qd[i] * M[i * kJoints + j] * state.qd[j];
+    }
+  }
+  return energy;
+}
+
+/// Inertia felt at the knuckles along their commanded acceleration: F = Lambda xdd_cmd.
+void commanded_force(const State& state, const double (&xdd)[3], double (&force)[3]) {
+  double Lambda_inverse[9] = {};
+  robot::contact_inverse_inertia(state.q, Lambda_inverse);
+  std::copy(std::begin(xdd), std::end(xdd), std::begin(force));
+  if (core::ldlt_factor<3>(Lambda_inverse)) {
+    core::ldlt_solve<3>(Lambda_inverse, force);
+  }
+}
+
+class Experiment {
+ public:
+  Experiment(const Plan& plan, const WallSettings& settings)
+      : plan_(plan),
+        settings_(settings),
+        run_{servo::Table(
+                 {"time", "x", "y", "z", "distance", "speed_into_wall", "force", "kinetic_energy",
+                  "shoulder_pitch_rate", "elbow_rate", "hip_rate", "ankle_rate"},
+                 static_cast<std::size_t>(settings.duration * settings.rate) + 2),
+             {},
+             0,
+             0,
+             0} {
+    std::copy(plan.start.begin(), plan.start.end(), std::begin(state_.q));
+    const Hand hand = hand_of(state_);
+    const double goal[3] = {settings.wall + settings.behind, hand.x[1], hand.x[2]};
+    spline_ = core::rest_to_rest<3>(hand.x, goal, settings.reach_time);
+  }
+
+  WallRun run() {
+    const double cycle = 1 / settings_.rate;
+    const int cycles = static_cast<int>(settings_.duration * settings_.rate);
+    const int last = static_cast<int>(0.2 * settings_.rate);
+    for (int i = 0; i < cycles; ++i) {
+      control(i * cycle);
+      double impulse = 0;
+      for (int k = 0; k < settings_.substeps; ++k) {
+        impulse += advance(i * cycle, cycle / settings_.substeps);
+      }
+      if (i >= cycles - last) {
+        double force[3];
+        commanded_force(state_, xdd_, force);
+        run_.pressing += impulse * settings_.rate / last;
+        run_.commanded += force[0] / last;
+      }
+      record((i + 1) * cycle, impulse * settings_.rate);
+    }
+    return std::move(run_);
+  }
+
+ private:
+  /// Chang table 6.1: the hand along its spline, the posture advised to stay.
+  void control(double time) {
+    const Hand hand = hand_of(state_);
+    const auto wanted = spline_.at(time);
+    double error[3];
+    for (int i = 0; i < 3; ++i) {
+      error[i] = wanted.position[i] - hand.x[i];
+    }
+    core::tracking_law<3, double>({settings_.stiffness, settings_.damping}, error, hand.v,
+                                  wanted.velocity, wanted.acceleration, xdd_);
+    double qdd_0[kJoints];
+    for (int i = 0; i < kJoints; ++i) {
+      const double kp = plan_.posture_stiffness[static_cast<std::size_t>(i)];
+      qdd_0[i] = kp * (plan_.start[static_cast<std::size_t>(i)] - state_.q[i]) -
+                 2 * std::sqrt(kp) * state_.qd[i];
+    }
+    robot::control_torque(state_.q, state_.qd, qdd_0, xdd_, tau_);
+  }
+
+  /// In the air by Runge-Kutta; at the wall velocities first, then the blow, then coordinates, so
+  /// that what presses does not sink. Returns the normal impulse on the robot.
+  double advance(double time, double dt) {
+    const double distance = settings_.wall - hand_of(state_).x[0];
+    run_.deepest = std::max(run_.deepest, -distance);
+    if (distance > 0) {
+      servo::integrate_runge_kutta<Wall24>({}, tau_, dt, state_);
+      return 0;
+    }
+    double qdd[kJoints];
+    robot::forward_dynamics(state_.q, state_.qd, tau_, qdd);
+    for (int i = 0; i < kJoints; ++i) {
+      state_.qd[i] += dt * qdd[i];
+    }
+    const double impulse = strike(time);
+    for (int i = 0; i < kJoints; ++i) {
+      state_.q[i] += dt * state_.qd[i];
+    }
+    return impulse;
+  }
+
+  double strike(double time) {
+    double A[9];
+    robot::contact_inverse_inertia(state_.q, A);
+    core::ContactLaw<double> law;
+    std::copy(std::begin(kNormal), std::end(kNormal), std::begin(law.normal));
+    law.friction = settings_.friction;
+    const Hand hand = hand_of(state_);
+    WallBlow blow;
+    blow.time = time;
+    blow.approach = hand.v[0];
+    if (blow.approach <= 0) {
+      return 0;
+    }
+    blow.restitution = blow.approach < settings_.slow ? 0 : settings_.restitution;
+    law.restitution = blow.restitution;
+    double y[3] = {};
+    double wanted[1];
+    double v[3];
+    std::copy(std::begin(hand.v), std::end(hand.v), std::begin(v));
+    core::solve_contacts<double>(1, A, &law, v, y, wanted);
+    for (int i = 0; i < 3; ++i) {
+      blow.work += 0.5 * y[i] * (hand.v[i] + v[i]);
+    }
+    blow.energy = -kinetic_energy(state_);
+    double dqd[kJoints];
+    robot::impulse_response(state_.q, y, dqd);
+    for (int i = 0; i < kJoints; ++i) {
+      state_.qd[i] += dqd[i];
+    }
+    blow.energy += kinetic_energy(state_);
+    double mass[1];
+    robot::effective_mass(state_.q, kNormal, mass);
+    blow.mass = mass[0];
+    blow.parting = -hand_of(state_).v[0];
+    blow.impulse = -y[0];
+    run_.blows.push_back(blow);
+    return blow.impulse;
+  }
+
+  void record(double time, double force) {
+    const Hand hand = hand_of(state_);
+    const auto rate = [&](const char* name) {
+      const auto found = std::find(plan_.joints.begin(), plan_.joints.end(), name);
+      return state_.qd[found - plan_.joints.begin()];
+    };
+    const double row[] = {time,
+                          hand.x[0],
+                          hand.x[1],
+                          hand.x[2],
+                          settings_.wall - hand.x[0],
+                          hand.v[0],
+                          force,
+                          kinetic_energy(state_),
+                          rate("left_shoulder_pitch"),
+                          rate("left_elbow"),
+                          rate("hip"),
+                          rate("ankle")};
+    run_.table.append(row);
+  }
+
+  const Plan& plan_;
+  WallSettings settings_;
+  WallRun run_;
+  State state_;
+  core::CubicSegment<3, double> spline_;
+  double xdd_[3] = {};
+  double tau_[kJoints] = {};
+};
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) {
+    value *= factor;
+  }
+  return values;
+}
+
+}  // namespace
+
+WallRun run_hit_wall(const Plan& plan, const WallSettings& settings) {
+  return Experiment(plan, settings).run();
+}
+
+std::string hit_wall_summary(const WallRun& run, const WallSettings& settings) {
+  if (run.blows.empty()) {
+    return "the hand never reached the wall\n";
+  }
+  const WallBlow& first = run.blows.front();
+  std::string text = fmt::format(
+      "first blow   at {:.4f} s: {:.4f} m/s into the wall, {:.4f} m/s out of it (e = {})\n"
+      "             effective mass {:.4f} kg, impulse {:.4f} N s\n"
+      "             energy {:+.6f} J by the velocities, {:+.6f} J by the impulse",
+      first.time, first.approach, first.parting, settings.restitution, first.mass, first.impulse,
+      first.energy, first.work);
+  if (settings.friction == 0) {
+    const double e = settings.restitution;
+    text += fmt::format(", {:+.6f} J by restitution",
+                        -0.5 * (1 - e * e) * first.mass * first.approach * first.approach);
+  }
+  return text + fmt::format(
+                    "\nblows        {}; deepest in the wall {:.1e} m\n"
+                    "at rest      presses with {:.3f} N, commanded {:.3f} N\n",
+                    run.blows.size(), run.deepest, run.pressing, run.commanded);
+}
+
+servo::Plot hit_wall_figure(const WallRun& run) {
+  const servo::Table& table = run.table;
+  servo::Plot plot;
+  plot.title = "The humanoid's left fist hits a wall and presses against it (Chang chapter 8)";
+  plot.x_label = "time (s)";
+  plot.x = table.column(0);
+  plot.panels.push_back({"Distance of the knuckles from the wall",
+                         "distance (mm)",
+                         {{"", scaled(table.column(4), 1e3), false}},
+                         0.1});
+  plot.panels.push_back({"Speed into the wall", "speed (m/s)", {{"", table.column(5), false}}, 0});
+  plot.panels.push_back({"Force on the wall, mean over each millisecond",
+                         "force (N)",
+                         {{"", table.column(6), false}},
+                         0});
+  plot.panels.push_back({"Joint rates: the blow goes through the whole body",
+                         "rate (rad/s)",
+                         {{"left shoulder pitch", table.column(8), false},
+                          {"left elbow", table.column(9), false},
+                          {"hip", table.column(10), false},
+                          {"ankle", table.column(11), false}},
+                         0});
+  return plot;
+}
+
+bool hit_wall_claims_hold(const WallRun& run, const WallSettings& settings) {
+  if (run.blows.empty()) {
+    return false;
+  }
+  const WallBlow& first = run.blows.front();
+  bool hold = first.approach > 0.1 &&
+              std::abs(first.parting - settings.restitution * first.approach) < 1e-9;
+  for (const WallBlow& blow : run.blows) {
+    hold = hold && std::abs(blow.energy - blow.work) < 1e-9;
+    if (settings.friction == 0) {
+      const double e = blow.restitution;
+      const double lost = 0.5 * (1 - e * e) * blow.mass * blow.approach * blow.approach;
+      hold = hold && std::abs(blow.energy + lost) < 1e-9;
+    }
+  }
+  return hold && run.deepest < 1e-3 &&
+         std::abs(run.pressing - run.commanded) < 0.02 * std::abs(run.commanded);
+}
+
+}  // namespace treeline::experiments

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "servo/plot.hpp"
+#include "servo/table.hpp"
+#include "tumbler.hpp"
+
+/// Chang chapter 8: the tumbler, flying freely, is struck at each of its links in turn.
+namespace treeline::experiments {
+
+/// One blow and the flight after it.
+struct StruckLink {
+  std::string link;
+  double mass = 0;             ///< kg, effective along the blow
+  double energy = 0;           ///< J gained, by the velocities
+  double work = 0;             ///< J gained, y . (v + v') / 2
+  double momentum_error = 0;   ///< N s, N m s: gained less impulse and moment
+  double flight_momentum = 0;  ///< N s, N m s: largest change in the flight that follows
+  double flight_energy = 0;    ///< J, likewise
+  double steps = 0;            ///< of the adaptive integrator, in flight
+  servo::Table flight;         ///< time, speed of the struck point, energy, momentum along the blow
+};
+
+struct StrikeRun {
+  double impulse = 0;  ///< N s
+  std::vector<StruckLink> links;
+};
+
+StrikeRun run_strikes(const simulation::Model& model, double impulse, double flight);
+
+std::string strike_summary(const StrikeRun& run);
+std::string strike_csv(const StrikeRun& run);
+servo::Plot strike_figure(const StrikeRun& run);
+bool strike_claims_hold(const StrikeRun& run);
+
+}  // namespace treeline::experiments
