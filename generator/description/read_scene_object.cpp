@@ -23,13 +23,15 @@ const SceneElement* find_required(const SceneElement& element, const Fields& fie
   return nullptr;
 }
 
-void read_moments(const SceneElement& element, Inertial& inertial) {
+/// False when one of them is missing.
+bool read_moments(const SceneElement& element, Inertial& inertial) {
   const std::vector<std::pair<std::string, double*>> entries = {
       {"ixx", &inertial.ixx}, {"iyy", &inertial.iyy}, {"izz", &inertial.izz},
       {"ixy", &inertial.ixy}, {"ixz", &inertial.ixz}, {"iyz", &inertial.iyz}};
   std::vector<std::string> keys;
   for (const auto& [key, entry] : entries) keys.push_back(key);
   const Fields fields = element.fields(keys);
+  bool complete = true;
   for (const auto& [key, entry] : entries) {
     const auto found = fields.find(key);
     if (found != fields.end()) {
@@ -37,25 +39,33 @@ void read_moments(const SceneElement& element, Inertial& inertial) {
     } else if (key[1] == key[2]) {
       element.error(fmt::format("the key \"{}\" is missing", key),
                     "give ixx, iyy and izz; products that are left out are 0");
+      complete = false;
     }
   }
+  return complete;
 }
 
 void read_inertial(const SceneElement& element, const Fields& fields, Inertial& inertial) {
+  inertial.mass = 1;  // so that a missing one is reported once
   if (const auto* mass = find_required(element, fields, "mass", "give the mass in kg")) {
-    const auto value = mass->number();
-    inertial.mass = value.value_or(1);
-    if (value && *value <= 0) mass->error("the mass is not positive", "give the mass in kg");
+    const double value = mass->number().value_or(1);
+    if (value > 0) {
+      inertial.mass = value;
+    } else {
+      mass->error("the mass is not positive", "give the mass in kg");
+    }
   }
   if (const auto center = fields.find("center"); center != fields.end()) {
     inertial.origin.xyz = center->second.three_numbers().value_or(inertial.origin.xyz);
   }
   const char* remedy = "give {ixx: , iyy: , izz: , ixy: , ixz: , iyz: } about the centre of mass";
   const auto* inertia = find_required(element, fields, "inertia", remedy);
-  if (inertia == nullptr) return;
-  read_moments(*inertia, inertial);
+  if (inertia == nullptr || !read_moments(*inertia, inertial)) return;
   if (const auto fault = find_unphysical(inertial)) {
     inertia->error(*fault, "check the units (kg m^2, about the centre of mass) and the signs");
+  } else if (!(principal_moments(inertial)[0] > 0)) {
+    inertia->error("the object has no inertia about some axis",
+                   "give every axis some: the equations of motion divide by it");
   }
 }
 
