@@ -29,6 +29,8 @@ struct Link {
 };
 
 enum class JointType { revolute, continuous, prismatic, fixed, floating, planar };
+/// As in URDF.
+const char* joint_type_name(JointType type);
 
 /// Radians or metres, N m or N, rad/s or m/s. Infinite where the file sets no bound.
 struct Limits {

@@ -17,24 +17,6 @@ const Joint* find_joint(const Robot& robot, const std::string& name) {
   return nullptr;
 }
 
-const char* type_name(JointType type) {
-  switch (type) {
-    case JointType::revolute:
-      return "revolute";
-    case JointType::continuous:
-      return "continuous";
-    case JointType::prismatic:
-      return "prismatic";
-    case JointType::fixed:
-      return "fixed";
-    case JointType::floating:
-      return "floating";
-    case JointType::planar:
-      return "planar";
-  }
-  return "";
-}
-
 std::string limits_text(const Joint& joint) {
   if (!joint.limits) {
     return {};
@@ -72,7 +54,7 @@ std::vector<EmissionContext::JointRow> joint_rows(const Robot& robot, const Mech
       continue;
     }
     const Joint* joint = find_joint(robot, link.joint);
-    rows.push_back({link.joint, joint != nullptr ? type_name(joint->type) : "floating base",
+    rows.push_back({link.joint, joint != nullptr ? joint_type_name(joint->type) : "floating base",
                     link.q_index, coordinates, link.v_index, velocities,
                     joint != nullptr ? limits_text(*joint) : std::string()});
   }

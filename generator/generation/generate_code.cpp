@@ -6,26 +6,13 @@
 #include <map>
 #include <utility>
 
+#include "description/check_scene.hpp"
 #include "generation/describe_scene.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "recursion/trace_function.hpp"
 
 namespace treeline {
 namespace {
-
-bool needs_points(Function function) {
-  switch (function) {
-    case Function::forward_kinematics:
-    case Function::jacobian:
-    case Function::bias_acceleration:
-    case Function::lambda_inverse:
-    case Function::lambda:
-    case Function::control_torque:
-      return true;
-    default:
-      return false;
-  }
-}
 
 EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
   EmissionContext::ChoiceRow row;

@@ -13,24 +13,6 @@
 namespace treeline {
 namespace {
 
-const char* type_name(JointType type) {
-  switch (type) {
-    case JointType::revolute:
-      return "revolute";
-    case JointType::continuous:
-      return "continuous";
-    case JointType::prismatic:
-      return "prismatic";
-    case JointType::fixed:
-      return "fixed";
-    case JointType::floating:
-      return "floating";
-    case JointType::planar:
-      return "planar";
-  }
-  return "";
-}
-
 const char* unit_of(JointType type) {
   if (freedoms_of(type) != 1) return "";
   return type == JointType::prismatic ? "m" : "rad";
@@ -121,7 +103,7 @@ class Walk {
     const Joint& joint = robot_.joints[index];
     link.depth = parent_of(link).depth + 1;
     link.joint = joint.name;
-    link.joint_type = type_name(joint.type);
+    link.joint_type = joint_type_name(joint.type);
     link.motion = link.joint_type;
     if (joint.type == JointType::fixed) return;
     const int owner = joint.mimic ? joint.mimic->joint : static_cast<int>(index);
@@ -140,7 +122,7 @@ class Walk {
   void number_joint(std::size_t index, const Joint& joint) {
     JointReport result;
     result.name = joint.name;
-    result.type = type_name(joint.type);
+    result.type = joint_type_name(joint.type);
     result.unit = unit_of(joint.type);
     if (joint.limits) {
       result.lower = joint.limits->lower;

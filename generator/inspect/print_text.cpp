@@ -22,7 +22,10 @@ std::string bound(double value) {
 template <class Values>
 std::string numbers(const Values& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : " ") + number(value);
+  for (const double value : values) {
+    text += text.empty() ? "" : " ";
+    text += number(value);
+  }
   return text;
 }
 
@@ -145,10 +148,15 @@ std::string print_mass_matrix(const Report& report) {
 }  // namespace
 
 std::string print_text(const Report& report) {
-  return print_head(report) + print_tree(report) + print_joints(report) +
-         print_points("operational points", report.operational_points) +
-         print_points("external forces", report.external_forces) + print_unphysical(report) +
-         print_reductions(report) + print_mass_matrix(report);
+  std::string text = print_head(report);
+  text += print_tree(report);
+  text += print_joints(report);
+  text += print_points("operational points", report.operational_points);
+  text += print_points("external forces", report.external_forces);
+  text += print_unphysical(report);
+  text += print_reductions(report);
+  text += print_mass_matrix(report);
+  return text;
 }
 
 }  // namespace treeline
