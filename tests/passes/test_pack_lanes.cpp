@@ -93,6 +93,28 @@ TEST(PackLanes, PacksThatWaitForEachOtherAreTakenApart) {
   EXPECT_LE(schedule(pack_lanes(program)).packs.size(), 1u);
 }
 
+/// A cycle by way of a scalar that is met before any of the packs on it: an older pack's second
+/// lane reads it.
+TEST(PackLanes, CyclesThroughScalarsAreFoundFromOutside) {
+  Program program;
+  program.graph.set_lane_width(2);
+  const Graph::Scope scope(program.graph);
+  const auto x = test::input_vector("x", 8);
+  std::vector<Expression> outer{x[0] * x[1], {}};
+  std::vector<Expression> inner{x[2] * x[3], {}};
+  const Expression scalar = inner[0] + x[4];
+  inner[1] = scalar * x[5];
+  outer[1] = scalar * x[6];
+  program.graph.align_lanes(outer);
+  program.graph.align_lanes(inner);
+  const std::vector<Expression> sums{outer[0] + x[7], outer[1] + x[7], inner[0] + x[6],
+                                     inner[1] + x[6]};
+  program.results = {{{"y", 2, 1, ""}, outer}, {{"z", 2, 1, ""}, inner}, {{"s", 4, 1, ""}, sums}};
+  program.arguments = {{"x", 8, 1, ""}};
+  const std::vector<std::vector<double>> arguments = {{1, 2, 3, 4, 5, 6, 7, 8}};
+  EXPECT_EQ(evaluate(schedule(pack_lanes(program)), arguments), evaluate(program, arguments));
+}
+
 TEST(PackLanes, GatheringAndTakingOutAgainIsNotWorthOneOperation) {
   Program program;
   program.graph.set_lane_width(4);
