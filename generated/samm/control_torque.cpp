@@ -1,6 +1,6 @@
 // control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
-// 1472 flops (add 621, mul 840, div 11), sine and cosine of 7 angles
+// By Chang table 6.1, fused; Lambda^-1: force propagation with branching (Chang table 5.3), in link axes at link origins.
+// 1327 flops (add 605, mul 711, div 11), sine and cosine of 7 angles
 // Generated; see samm.hpp for the contract.
 #include "samm.hpp"
 #include "lanes.hpp"
@@ -84,457 +84,406 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
       (0.0203 * inverse_D6_p18 + 0.4331 * (inverse_D6_p7 + inverse_D6_p17))));
 
   // link 7 (link4), articulated inertia
-  const Real f9_z_p1 = 0.861795 + inverse_D6_p17;
+  const Real inverse_D1_p1 = 0.861795 + inverse_D6_p17;
 
   // link 6 (link3), articulated inertia
-  const Real f9_z_p2 = f9_z_p1 * inverse_D6;
+  const Real inverse_D1_p2 = inverse_D1_p1 * inverse_D6;
 
   // link 7 (link4), articulated inertia
-  const Real f9_z_p3 = s7 * inverse_D6_p5;
-  const Real f9_z_p4 = c7 * inverse_D6_p12;
-  const Real f9_z_p5 = f9_z_p3 + 0.4331 * f9_z_p4;
-  const Real f9_z_p6 = s7 * inverse_D6_p15;
-  const Real f9_z_p7 = 0.0203 * f9_z_p6;
-  const Real f9_z_p8 = f9_z_p5 + f9_z_p7;
-  const Real f9_z_p9 = 0.004704000000000001 + 0.0203 * f9_z_p8;
+  const Real inverse_D1_p3 = s7 * inverse_D6_p5;
+  const Real inverse_D1_p4 = c7 * inverse_D6_p12;
+  const Real inverse_D1_p5 = inverse_D1_p3 + 0.4331 * inverse_D1_p4;
+  const Real inverse_D1_p6 = s7 * inverse_D6_p15;
+  const Real inverse_D1_p7 = 0.0203 * inverse_D1_p6;
+  const Real inverse_D1_p8 = inverse_D1_p5 + inverse_D1_p7;
+  const Real inverse_D1_p9 = 0.004704000000000001 + 0.0203 * inverse_D1_p8;
 
   // link 6 (link3), articulated inertia
-  const Real f9_z_p10 = 0.0203 * f9_z_p4 - f9_z_p9 * f9_z_p2;
+  const Real inverse_D1_p10 = 0.0203 * inverse_D1_p4 - inverse_D1_p9 * inverse_D1_p2;
 
   // link 7 (link4), articulated inertia
-  const Real f9_z_p11 = 0.025374999999999998 + inverse_D6_p18;
+  const Real inverse_D1_p11 = 0.025374999999999998 + inverse_D6_p18;
 
   // link 6 (link3), articulated inertia
-  const Real f9_z_p12 = f9_z_p11 * inverse_D6;
+  const Real inverse_D1_p12 = inverse_D1_p11 * inverse_D6;
 
   // link 7 (link4), articulated inertia
-  const Real f9_z_p13 = c7 * inverse_D6_p21 - 0.4331 * (f9_z_p8 + f9_z_p3);
+  const Real inverse_D1_p13 = c7 * inverse_D6_p21 - 0.4331 * (inverse_D1_p8 + inverse_D1_p3);
 
   // link 6 (link3), articulated inertia
-  const Real f9_z_p14 = 0.4331 * f9_z_p6 + f9_z_p13 * f9_z_p12;
-  const Real f9_z_p15 = f9_z_p5 + f9_z_p13 * f9_z_p2;
-  const Real f9_z_p16 = f9_z_p9 * f9_z_p12 - f9_z_p7;
-  const Real f9_z_p17 = c6 * (f9_z_p10 + f9_z_p14) - s6 * (f9_z_p15 + f9_z_p16);
-  const Real f9_z_p18 = s6 * f9_z_p17;
-  const Real f9_z_p19 = f9_z_p8 * inverse_D6;
-  const Real f9_z_p20 = f9_z_p4 - f9_z_p1 * f9_z_p19;
-  const Real f9_z_p21 = f9_z_p11 * f9_z_p19 - f9_z_p6;
-  const Real f9_z_p22 = s6 * f9_z_p20 + c6 * f9_z_p21;
-  const Real f9_z_p23 = 0.4318 * f9_z_p22;
-  const Real f9_z_p24 = f9_z_p16 + f9_z_p18 - f9_z_p23;
-  const Real f9_z_p25 = inverse_D6_p14 - f9_z_p1 * f9_z_p2;
-  const Real f9_z_p26 = inverse_D6_p10 + f9_z_p11 * f9_z_p12;
-  const Real f9_z_p27 = f9_z_p1 * f9_z_p12 - inverse_D6_p16;
-  const Real f9_z_p28 = 2.0 * c6;
-  const Real f9_z_p29 = s6 * (f9_z_p25 + f9_z_p26) + f9_z_p28 * f9_z_p27;
-  const Real f9_z_p30 = c6 * f9_z_p29 - f9_z_p27;
-  const Real f9_z_p31 = 0.1501 * f9_z_p30;
-  const Real f9_z_p32 = f9_z_p15 + f9_z_p18 + (f9_z_p24 + f9_z_p31);
-  const Real f9_z_p33 = c6 * f9_z_p17;
-  const Real f9_z_p34 = f9_z_p33 - f9_z_p10;
-  const Real f9_z_p35 = s6 * f9_z_p29;
-  const Real f9_z_p36 = f9_z_p35 - f9_z_p26;
-  const Real f9_z_p37 = 0.4318 * f9_z_p34 - 0.06481318000000001 * f9_z_p36 - 0.690314699;
-  const Real f9_z_p38 = 0.4318 * f9_z_p30 - 0.10439999999999999;
+  const Real inverse_D1_p14 = 0.4331 * inverse_D1_p6 + inverse_D1_p13 * inverse_D1_p12;
+  const Real inverse_D1_p15 = inverse_D1_p5 + inverse_D1_p13 * inverse_D1_p2;
+  const Real inverse_D1_p16 = inverse_D1_p9 * inverse_D1_p12 - inverse_D1_p7;
+  const Real inverse_D1_p17 = c6 * (inverse_D1_p10 + inverse_D1_p14) - s6 *
+      (inverse_D1_p15 + inverse_D1_p16);
+  const Real inverse_D1_p18 = s6 * inverse_D1_p17;
+  const Real inverse_D1_p19 = inverse_D1_p8 * inverse_D6;
+  const Real inverse_D1_p20 = inverse_D1_p4 - inverse_D1_p1 * inverse_D1_p19;
+  const Real inverse_D1_p21 = inverse_D1_p11 * inverse_D1_p19 - inverse_D1_p6;
+  const Real inverse_D1_p22 = s6 * inverse_D1_p20 + c6 * inverse_D1_p21;
+  const Real inverse_D1_p23 = 0.4318 * inverse_D1_p22;
+  const Real inverse_D1_p24 = inverse_D1_p16 + inverse_D1_p18 - inverse_D1_p23;
+  const Real inverse_D1_p25 = inverse_D6_p14 - inverse_D1_p1 * inverse_D1_p2;
+  const Real inverse_D1_p26 = inverse_D6_p10 + inverse_D1_p11 * inverse_D1_p12;
+  const Real inverse_D1_p27 = inverse_D1_p1 * inverse_D1_p12 - inverse_D6_p16;
+  const Real inverse_D1_p28 = 2.0 * c6;
+  const Real inverse_D1_p29 = s6 * (inverse_D1_p25 + inverse_D1_p26) + inverse_D1_p28 *
+      inverse_D1_p27;
+  const Real inverse_D1_p30 = c6 * inverse_D1_p29 - inverse_D1_p27;
+  const Real inverse_D1_p31 = 0.1501 * inverse_D1_p30;
 
   // link 5 (link2), articulated inertia
-  const Real inverse_D5 = 1.0 / (1.7481140020000001 + 0.18645124000000002 * f9_z_p36);
-  const Real f9_z_p39 = f9_z_p38 * inverse_D5;
+  const Real inverse_D1_p32 = inverse_D1_p15 + inverse_D1_p18 + (inverse_D1_p24 + inverse_D1_p31);
 
   // link 6 (link3), articulated inertia
-  const Real f9_z_p40 = 0.4318 * f9_z_p24 + 0.06481318000000001 * f9_z_p30 - 0.023750999999999998;
-  const Real f9_z_p41 = 3.79559 + 0.4318 * f9_z_p36;
+  const Real inverse_D1_p33 = c6 * inverse_D1_p17;
+  const Real inverse_D1_p34 = inverse_D1_p33 - inverse_D1_p10;
+  const Real inverse_D1_p35 = s6 * inverse_D1_p29;
+  const Real inverse_D1_p36 = inverse_D1_p35 - inverse_D1_p26;
+  const Real inverse_D1_p37 = 0.4318 * inverse_D1_p34 - 0.06481318000000001 * inverse_D1_p36 -
+      0.690314699;
+  const Real inverse_D1_p38 = 0.4318 * inverse_D1_p30 - 0.10439999999999999;
 
   // link 5 (link2), articulated inertia
-  const Real f9_z_p42 = f9_z_p41 * inverse_D5;
+  const Real inverse_D5 = 1.0 / (1.7481140020000001 + 0.18645124000000002 * inverse_D1_p36);
+  const Real inverse_D1_p39 = inverse_D1_p38 * inverse_D5;
 
   // link 6 (link3), articulated inertia
-  const Real f9_z_p43 = f9_z_p33 - f9_z_p14;
-  const Real f9_z_p44 = c6 * f9_z_p20 - s6 * f9_z_p21;
-  const Real f9_z_p45 = f9_z_p25 - f9_z_p35;
-  const Real f9_z_p46 = f9_z_p43 - (0.4318 * f9_z_p44 - 0.1501 * f9_z_p45);
-  const Real f9_z_p47 = f9_z_p34 - 0.1501 * f9_z_p36;
+  const Real inverse_D1_p40 = 0.4318 * inverse_D1_p24 + 0.06481318000000001 * inverse_D1_p30 -
+      0.023750999999999998;
+  const Real inverse_D1_p41 = 3.79559 + 0.4318 * inverse_D1_p36;
 
   // link 5 (link2), articulated inertia
-  const Real f9_z_p48 = f9_z_p47 - f9_z_p37 * f9_z_p42;
-  const Real f9_z_p49 = s5 * (f9_z_p32 + f9_z_p31 + f9_z_p37 * f9_z_p39 - f9_z_p40 * f9_z_p42) -
-      c5 * (f9_z_p46 - f9_z_p40 * f9_z_p39 + f9_z_p48);
-  const Real f9_z_p50 = c5 * f9_z_p49 + f9_z_p48 - 4.9338049999999996;
+  const Real inverse_D1_p42 = inverse_D1_p41 * inverse_D5;
+
+  // link 6 (link3), articulated inertia
+  const Real inverse_D1_p43 = inverse_D1_p33 - inverse_D1_p14;
+  const Real inverse_D1_p44 = c6 * inverse_D1_p20 - s6 * inverse_D1_p21;
+  const Real inverse_D1_p45 = inverse_D1_p25 - inverse_D1_p35;
+  const Real inverse_D1_p46 = inverse_D1_p43 - (0.4318 * inverse_D1_p44 - 0.1501 * inverse_D1_p45);
+  const Real inverse_D1_p47 = inverse_D1_p34 - 0.1501 * inverse_D1_p36;
+
+  // link 5 (link2), articulated inertia
+  const Real inverse_D1_p48 = inverse_D1_p47 - inverse_D1_p37 * inverse_D1_p42;
+  const Real inverse_D1_p49 = s5 * (inverse_D1_p32 + inverse_D1_p31 + inverse_D1_p37 *
+      inverse_D1_p39 - inverse_D1_p40 * inverse_D1_p42) - c5 *
+      (inverse_D1_p46 - inverse_D1_p40 * inverse_D1_p39 + inverse_D1_p48);
+  const Real inverse_D1_p50 = c5 * inverse_D1_p49 + inverse_D1_p48 - 4.9338049999999996;
 
   // link 7 (link4), articulated inertia
   const Real inverse_D4_p1 = inverse_D6_p13 - inverse_D6_p8;
   const Real inverse_D4_p2 = inverse_D6_p6 - 0.4331 * inverse_D4_p1;
 
   // link 6 (link3), articulated inertia
-  const Real inverse_D4_p3 = f9_z_p13 * inverse_D6;
+  const Real inverse_D4_p3 = inverse_D1_p13 * inverse_D6;
   const Real inverse_D4_p4 = 0.3056901365 + (inverse_D6_p20 - inverse_D6_p22 - 0.4331 *
-      (inverse_D6_p6 + inverse_D4_p2)) - f9_z_p13 * inverse_D4_p3;
-  const Real inverse_D4_p5 = f9_z_p9 * inverse_D6;
-  const Real inverse_D4_p6 = 0.0067651125 + 0.00041208999999999994 * inverse_D4_p1 - f9_z_p9 *
+      (inverse_D6_p6 + inverse_D4_p2)) - inverse_D1_p13 * inverse_D4_p3;
+  const Real inverse_D4_p5 = inverse_D1_p9 * inverse_D6;
+  const Real inverse_D4_p6 = 0.0067651125 + 0.00041208999999999994 * inverse_D4_p1 - inverse_D1_p9 *
       inverse_D4_p5;
   const Real inverse_D4_p7 = 0.0203 * inverse_D6_p6 - 0.00879193 * inverse_D4_p1 -
-      0.010673638499999999 - f9_z_p13 * inverse_D4_p5;
-  const Real inverse_D4_p8 = s6 * (inverse_D4_p4 - inverse_D4_p6) + f9_z_p28 * inverse_D4_p7;
+      0.010673638499999999 - inverse_D1_p13 * inverse_D4_p5;
+  const Real inverse_D4_p8 = s6 * (inverse_D4_p4 - inverse_D4_p6) + inverse_D1_p28 * inverse_D4_p7;
   const Real inverse_D4_p9 = s6 * inverse_D4_p8;
 
   // link 5 (link2), articulated inertia
-  const Real inverse_D4_p10 = f9_z_p37 * inverse_D5;
+  const Real inverse_D4_p10 = inverse_D1_p37 * inverse_D5;
 
   // link 6 (link3), articulated inertia
-  const Real inverse_D4_p11 = inverse_D4_p2 - 0.861795 - f9_z_p13 * f9_z_p19;
-  const Real inverse_D4_p12 = 0.025374999999999998 + 0.0203 * inverse_D4_p1 - f9_z_p9 * f9_z_p19;
+  const Real inverse_D4_p11 = inverse_D4_p2 - 0.861795 - inverse_D1_p13 * inverse_D1_p19;
+  const Real inverse_D4_p12 = 0.025374999999999998 + 0.0203 * inverse_D4_p1 - inverse_D1_p9 *
+      inverse_D1_p19;
   const Real inverse_D4_p13 = s6 * inverse_D4_p11 + c6 * inverse_D4_p12;
-  const Real inverse_D4_p14 = inverse_D4_p1 - f9_z_p8 * f9_z_p19;
-  const Real inverse_D4_p15 = inverse_D4_p13 - (0.4318 * inverse_D4_p14 - 0.1501 * f9_z_p44);
+  const Real inverse_D4_p14 = inverse_D4_p1 - inverse_D1_p8 * inverse_D1_p19;
+  const Real inverse_D4_p15 = inverse_D4_p13 - (0.4318 * inverse_D4_p14 - 0.1501 * inverse_D1_p44);
   const Real inverse_D4_p16 = 1.674987602 + (inverse_D4_p6 + inverse_D4_p9 +
-      (0.1501 * (f9_z_p43 + f9_z_p46) - 0.4318 * (inverse_D4_p13 + inverse_D4_p15)));
+      (0.1501 * (inverse_D1_p43 + inverse_D1_p46) - 0.4318 * (inverse_D4_p13 + inverse_D4_p15)));
 
   // link 5 (link2), articulated inertia
-  const Real inverse_D4_p17 = f9_z_p40 * inverse_D5;
-  const Real inverse_D4_p18 = inverse_D4_p16 - f9_z_p40 * inverse_D4_p17;
+  const Real inverse_D4_p17 = inverse_D1_p40 * inverse_D5;
+  const Real inverse_D4_p18 = inverse_D4_p16 - inverse_D1_p40 * inverse_D4_p17;
   const Real inverse_D4_p19 = 0.07312640000000001 +
-      (inverse_D4_p4 - inverse_D4_p9 - 0.1501 * (f9_z_p34 + f9_z_p47)) - f9_z_p37 * inverse_D4_p10 -
-      inverse_D4_p18;
+      (inverse_D4_p4 - inverse_D4_p9 - 0.1501 * (inverse_D1_p34 + inverse_D1_p47)) -
+      inverse_D1_p37 * inverse_D4_p10 - inverse_D4_p18;
 
   // link 6 (link3), articulated inertia
   const Real inverse_D4_p20 = c6 * inverse_D4_p11 - s6 * inverse_D4_p12;
 
   // link 5 (link2), articulated inertia
   const Real inverse_D4_p21 = c6 * inverse_D4_p8 - inverse_D4_p7 -
-      (0.1501 * f9_z_p32 + 0.4318 * inverse_D4_p20) - 0.0070992 - f9_z_p37 * inverse_D4_p17;
+      (0.1501 * inverse_D1_p32 + 0.4318 * inverse_D4_p20) - 0.0070992 - inverse_D1_p37 *
+      inverse_D4_p17;
   const Real inverse_D4_p22 = 2.0 * c5;
 
   // link 4 (link1), articulated inertia
   const Real inverse_D4 = 1.0 / (1.4717295504999999 +
       (inverse_D4_p18 + s5 * (s5 * inverse_D4_p19 + inverse_D4_p22 * inverse_D4_p21)));
-  const Real f9_z_p51 = f9_z_p50 * inverse_D4;
+  const Real inverse_D1_p51 = inverse_D1_p50 * inverse_D4;
 
   // link 5 (link2), articulated inertia
-  const Real f9_z_p52 = f9_z_p45 - f9_z_p38 * f9_z_p39;
-  const Real f9_z_p53 = s5 * (f9_z_p52 - (f9_z_p36 - f9_z_p41 * f9_z_p42)) + inverse_D4_p22 *
-      (f9_z_p30 - f9_z_p38 * f9_z_p42);
+  const Real inverse_D1_p52 = inverse_D1_p45 - inverse_D1_p38 * inverse_D1_p39;
+  const Real inverse_D1_p53 = s5 * (inverse_D1_p52 -
+      (inverse_D1_p36 - inverse_D1_p41 * inverse_D1_p42)) + inverse_D4_p22 *
+      (inverse_D1_p30 - inverse_D1_p38 * inverse_D1_p42);
 
   // link 4 (link1), articulated inertia
-  const Real f9_z_p54 = f9_z_p52 - s5 * f9_z_p53 - f9_z_p50 * f9_z_p51;
+  const Real inverse_D1_p54 = inverse_D1_p52 - s5 * inverse_D1_p53 - inverse_D1_p50 *
+      inverse_D1_p51;
 
   // link 5 (link2), articulated inertia
-  const Real f9_z_p55 = f9_z_p23 * inverse_D5;
-  const Real f9_z_p56 = s5 * (0.10439999999999999 + (inverse_D4_p20 - 0.1501 * f9_z_p22) -
-      f9_z_p37 * f9_z_p55) + c5 * (inverse_D4_p15 - 3.79559 - f9_z_p40 * f9_z_p55);
+  const Real inverse_D1_p55 = inverse_D1_p23 * inverse_D5;
+  const Real inverse_D1_p56 = s5 * (0.10439999999999999 +
+      (inverse_D4_p20 - 0.1501 * inverse_D1_p22) - inverse_D1_p37 * inverse_D1_p55) + c5 *
+      (inverse_D4_p15 - 3.79559 - inverse_D1_p40 * inverse_D1_p55);
 
   // link 4 (link1), articulated inertia
-  const Real f9_z_p57 = f9_z_p56 * inverse_D4;
-  const Real f9_z_p58 = inverse_D4_p14 - f9_z_p23 * f9_z_p55 - f9_z_p56 * f9_z_p57;
-  const Real f9_z_p59 = f9_z_p50 * f9_z_p57 - (s5 * (f9_z_p22 - f9_z_p41 * f9_z_p55) - c5 *
-      (f9_z_p44 - f9_z_p38 * f9_z_p55));
-  const Real f9_z_p60 = s4 * (f9_z_p54 - f9_z_p58) + c4 * (2.0 * f9_z_p59);
-  const Real f9_z_p61 = s4 * f9_z_p60;
-  const Real f9_z_p62 = f9_z_p54 - f9_z_p61;
-  const Real f9_z_p63 = f9_z_p58 + f9_z_p61;
-  const Real f9_z_p64 = c4 * f9_z_p60 - f9_z_p59;
+  const Real inverse_D1_p57 = inverse_D1_p56 * inverse_D4;
+  const Real inverse_D1_p58 = inverse_D4_p14 - inverse_D1_p23 * inverse_D1_p55 - inverse_D1_p56 *
+      inverse_D1_p57;
+  const Real inverse_D1_p59 = inverse_D1_p50 * inverse_D1_p57 -
+      (s5 * (inverse_D1_p22 - inverse_D1_p41 * inverse_D1_p55) - c5 *
+      (inverse_D1_p44 - inverse_D1_p38 * inverse_D1_p55));
+  const Real inverse_D1_p60 = 2.0 * c4;
+  const Real inverse_D1_p61 = s4 * (inverse_D1_p54 - inverse_D1_p58) + inverse_D1_p60 *
+      inverse_D1_p59;
+  const Real inverse_D1_p62 = s4 * inverse_D1_p61;
+  const Real inverse_D1_p63 = inverse_D1_p54 - inverse_D1_p62;
+  const Real inverse_D1_p64 = inverse_D1_p58 + inverse_D1_p62;
+  const Real inverse_D1_p65 = c4 * inverse_D1_p61 - inverse_D1_p59;
 
   // link 3 (base), articulated inertia
-  const Real f9_z_p65 = s3 * (f9_z_p62 - f9_z_p63) + c3 * (2.0 * f9_z_p64);
-  const Real f9_z_p66 = c3 * f9_z_p65 - f9_z_p64;
-  const Real inverse_D2_p1 = s3 * f9_z_p65;
+  const Real inverse_D1_p66 = 2.0 * c3;
+  const Real inverse_D1_p67 = s3 * (inverse_D1_p63 - inverse_D1_p64) + inverse_D1_p66 *
+      inverse_D1_p65;
+  const Real inverse_D1_p68 = c3 * inverse_D1_p67 - inverse_D1_p65;
+  const Real inverse_D2_p1 = s3 * inverse_D1_p67;
 
   // link 2 (base_y), articulated inertia
-  const Real inverse_D2 = 1.0 / (186.45 + (f9_z_p63 + inverse_D2_p1));
-  const Real f9_z_p67 = f9_z_p66 * inverse_D2;
-
-  // link 8 (link5), force propagation
-  const Real neg_s9 = -s9;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p68 = -(s8 * neg_s9);
-
-  // link 8 (link5), force propagation
-  const Real f9_z_p69 = c8 * neg_s9;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p70 = f9_z_p69 + inverse_D6_p19 * f9_z_p68;
-  const Real f9_z_p71 = -(s8 * c9);
-
-  // link 8 (link5), force propagation
-  const Real f9_z_p72 = c8 * c9;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p73 = f9_z_p72 + inverse_D6_p19 * f9_z_p71;
-  const Lanes f9_z_p74_lanes = detail::make_lanes<Real>(0.0203, 0.0203, 0.0203, s7, s7, 0.0203,
-      0.0203, 0.0203) * detail::make_lanes<Real>(f9_z_p71, f9_z_p68, c8, f9_z_p73, f9_z_p70,
-      f9_z_p71, f9_z_p71, f9_z_p71);
-  const Real f9_z_p79 = inverse_D6_p2 * f9_z_p68;
-
-  // link 8 (link5), force propagation
-  const Real f9_z_p80 = 4.484863585399276 * c9;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p81 = -(c8 * f9_z_p80);
-  const Real f9_z_p82 = c7 * f9_z_p81 + s7 * f9_z_p79;
-
-  // link 8 (link5), force propagation
-  const Real f9_z_p83 = s8 * f9_z_p80;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p84 = inverse_D6_p2 * f9_z_p71;
-
-  // link 8 (link5), force propagation
-  const Real f9_z_p85 = 4.484863585399276 * s9;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p86 = -(c8 * f9_z_p85);
-  const Real f9_z_p87 = c7 * f9_z_p86 + s7 * f9_z_p84;
-
-  // link 8 (link5), force propagation
-  const Real f9_z_p88 = s8 * f9_z_p85;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p89 = c7 * s8;
-  const Real f9_z_p90 = c7 * f9_z_p69 - s7 * c9;
-  const Real f9_z_p91 = c7 * f9_z_p72 - s7 * s9;
-  const Lanes f9_z_p92_lanes = f9_z_p74_lanes + detail::make_lanes<Real>(0.4331 * f9_z_p91, 0.4331 *
-      f9_z_p90, 0.4331 * f9_z_p89, 0.0203 * f9_z_p88 + 0.4331 * f9_z_p87, 0.0203 * f9_z_p83 +
-      0.4331 * f9_z_p82, 0.4331 * f9_z_p91, 0.4331 * f9_z_p91, 0.4331 * f9_z_p91);
-
-  // link 6 (link3), force propagation
-  const Lanes f9_z_p97_lanes = inverse_D4_p3 * f9_z_p92_lanes;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p102 = s7 * f9_z_p81 - c7 * f9_z_p79;
-  const Real f9_z_p103 = s7 * f9_z_p86 - c7 * f9_z_p84;
-  const Real f9_z_p104 = s7 * s8;
-  const Real f9_z_p105 = s7 * f9_z_p69 + c7 * c9;
-  const Real f9_z_p106 = s7 * f9_z_p72 + c7 * s9;
-
-  // link 6 (link3), force propagation
-  const Lanes f9_z_p107_lanes = detail::make_lanes<Real>(-(0.4331 * f9_z_p106),
-      -(0.4331 * f9_z_p105), -(0.4331 * f9_z_p104), c7 * f9_z_p73 - 0.4331 * f9_z_p103, c7 *
-      f9_z_p70 - 0.4331 * f9_z_p102, -(0.4331 * f9_z_p106), -(0.4331 * f9_z_p106),
-      -(0.4331 * f9_z_p106)) - f9_z_p97_lanes;
-  const Lanes f9_z_p112_lanes = c6 * f9_z_p107_lanes;
-  const Lanes f9_z_p117_lanes = inverse_D4_p5 * f9_z_p92_lanes;
-
-  // link 7 (link4), force propagation
-  const Lanes f9_z_p122_lanes = 0.0203 * detail::make_lanes<Real>(f9_z_p106, f9_z_p105, f9_z_p104,
-      f9_z_p103, f9_z_p102, f9_z_p106, f9_z_p106, f9_z_p106);
-
-  // link 6 (link3), force propagation
-  const Lanes f9_z_p127_lanes = f9_z_p122_lanes - f9_z_p117_lanes;
-  const Lanes f9_z_p132_lanes = s6 * f9_z_p127_lanes;
-  const Lanes f9_z_p137_lanes = f9_z_p112_lanes - f9_z_p132_lanes;
-  const Lanes f9_z_p142_lanes = f9_z_p2 * f9_z_p92_lanes;
-  const Lanes f9_z_p147_lanes = detail::make_lanes<Real>(f9_z_p91, f9_z_p90, f9_z_p89, f9_z_p87,
-      f9_z_p82, f9_z_p91, f9_z_p91, f9_z_p91) - f9_z_p142_lanes;
-  const Lanes f9_z_p152_lanes = s6 * f9_z_p147_lanes;
-  const Lanes f9_z_p157_lanes = f9_z_p12 * f9_z_p92_lanes;
-  const Lanes f9_z_p162_lanes = detail::make_lanes<Real>(-f9_z_p71, -f9_z_p68, -c8, -f9_z_p88,
-      -f9_z_p83, -f9_z_p71, -f9_z_p71, -f9_z_p71) + f9_z_p157_lanes;
-  const Lanes f9_z_p167_lanes = c6 * f9_z_p162_lanes;
-  const Lanes f9_z_p172_lanes = f9_z_p152_lanes + f9_z_p167_lanes;
-  const Lanes f9_z_p177_lanes = 0.1501 * f9_z_p172_lanes;
-  const Lanes f9_z_p182_lanes = f9_z_p137_lanes - f9_z_p177_lanes;
-  const Lanes f9_z_p187_lanes = 0.4318 * f9_z_p172_lanes;
-  const Lanes f9_z_p192_lanes = s6 * f9_z_p107_lanes;
-  const Lanes f9_z_p197_lanes = c6 * f9_z_p127_lanes;
-  const Lanes f9_z_p202_lanes = f9_z_p192_lanes + f9_z_p197_lanes;
-  const Lanes f9_z_p207_lanes = c6 * f9_z_p147_lanes;
-  const Lanes f9_z_p212_lanes = s6 * f9_z_p162_lanes;
-  const Lanes f9_z_p217_lanes = f9_z_p207_lanes - f9_z_p212_lanes;
-  const Lanes f9_z_p222_lanes = 0.1501 * f9_z_p217_lanes;
-  const Lanes f9_z_p227_lanes = f9_z_p19 * f9_z_p92_lanes;
-  const Lanes f9_z_p232_lanes = detail::make_lanes<Real>(f9_z_p106, f9_z_p105, f9_z_p104, f9_z_p103,
-      f9_z_p102, f9_z_p106, f9_z_p106, f9_z_p106) - f9_z_p227_lanes;
-  const Lanes f9_z_p237_lanes = 0.4318 * f9_z_p232_lanes;
-  const Lanes f9_z_p242_lanes = f9_z_p222_lanes - f9_z_p237_lanes;
-  const Lanes f9_z_p247_lanes = f9_z_p202_lanes + f9_z_p242_lanes;
-
-  // link 4 (link1), force propagation
-  const Real f9_z_p252 = -(s5 * (f9_z_p182_lanes[4] - inverse_D4_p10 * f9_z_p187_lanes[4]) + c5 *
-      (f9_z_p247_lanes[4] - inverse_D4_p17 * f9_z_p187_lanes[4]));
-  const Real f9_z_p253 = -(s5 * (f9_z_p182_lanes[3] - inverse_D4_p10 * f9_z_p187_lanes[3]) + c5 *
-      (f9_z_p247_lanes[3] - inverse_D4_p17 * f9_z_p187_lanes[3]));
-  const Real f9_z_p254 = -(s5 * (f9_z_p182_lanes[2] - inverse_D4_p10 * f9_z_p187_lanes[2]) + c5 *
-      (f9_z_p247_lanes[2] - inverse_D4_p17 * f9_z_p187_lanes[2]));
-  const Real f9_z_p255 = -(s5 * (f9_z_p182_lanes[1] - inverse_D4_p10 * f9_z_p187_lanes[1]) + c5 *
-      (f9_z_p247_lanes[1] - inverse_D4_p17 * f9_z_p187_lanes[1]));
-  const Real f9_z_p256 = -(s5 * (f9_z_p182_lanes[0] - inverse_D4_p10 * f9_z_p187_lanes[0]) + c5 *
-      (f9_z_p247_lanes[0] - inverse_D4_p17 * f9_z_p187_lanes[0]));
-  const Lanes f9_z_p257_lanes = f9_z_p51 * detail::make_lanes<Real>(f9_z_p256, f9_z_p255, f9_z_p254,
-      f9_z_p253, f9_z_p252, f9_z_p256, f9_z_p256, f9_z_p256);
-  const Real f9_z_p262 = -(s5 * (f9_z_p172_lanes[4] - f9_z_p42 * f9_z_p187_lanes[4]) - c5 *
-      (f9_z_p217_lanes[4] - f9_z_p39 * f9_z_p187_lanes[4]));
-  const Real f9_z_p263 = -(s5 * (f9_z_p172_lanes[3] - f9_z_p42 * f9_z_p187_lanes[3]) - c5 *
-      (f9_z_p217_lanes[3] - f9_z_p39 * f9_z_p187_lanes[3]));
-  const Real f9_z_p264 = -(s5 * (f9_z_p172_lanes[2] - f9_z_p42 * f9_z_p187_lanes[2]) - c5 *
-      (f9_z_p217_lanes[2] - f9_z_p39 * f9_z_p187_lanes[2]));
-  const Real f9_z_p265 = -(s5 * (f9_z_p172_lanes[1] - f9_z_p42 * f9_z_p187_lanes[1]) - c5 *
-      (f9_z_p217_lanes[1] - f9_z_p39 * f9_z_p187_lanes[1]));
-  const Real f9_z_p266 = -(s5 * (f9_z_p172_lanes[0] - f9_z_p42 * f9_z_p187_lanes[0]) - c5 *
-      (f9_z_p217_lanes[0] - f9_z_p39 * f9_z_p187_lanes[0]));
-  const Lanes f9_z_p267_lanes = detail::make_lanes<Real>(f9_z_p266, f9_z_p265, f9_z_p264, f9_z_p263,
-      f9_z_p262, f9_z_p266, f9_z_p266, f9_z_p266) - f9_z_p257_lanes;
-  const Lanes f9_z_p272_lanes = c4 * f9_z_p267_lanes;
-  const Lanes f9_z_p277_lanes = f9_z_p57 * detail::make_lanes<Real>(f9_z_p256, f9_z_p255, f9_z_p254,
-      f9_z_p253, f9_z_p252, f9_z_p256, f9_z_p256, f9_z_p256);
-
-  // link 5 (link2), force propagation
-  const Lanes f9_z_p282_lanes = f9_z_p55 * f9_z_p187_lanes;
-  const Lanes f9_z_p287_lanes = f9_z_p232_lanes - f9_z_p282_lanes;
-
-  // link 4 (link1), force propagation
-  const Lanes f9_z_p292_lanes = f9_z_p287_lanes + f9_z_p277_lanes;
-  const Lanes f9_z_p297_lanes = s4 * f9_z_p292_lanes;
-  const Lanes f9_z_p302_lanes = f9_z_p272_lanes - f9_z_p297_lanes;
-
-  // link 3 (base), force propagation
-  const Lanes f9_z_p307_lanes = s3 * f9_z_p302_lanes;
-
-  // link 4 (link1), force propagation
-  const Lanes f9_z_p312_lanes = s4 * f9_z_p267_lanes;
-  const Lanes f9_z_p317_lanes = c4 * f9_z_p292_lanes;
-  const Lanes f9_z_p322_lanes = f9_z_p312_lanes + f9_z_p317_lanes;
-
-  // link 3 (base), force propagation
-  const Lanes f9_z_p327_lanes = c3 * f9_z_p322_lanes;
-  const Lanes f9_z_p332_lanes = f9_z_p307_lanes + f9_z_p327_lanes;
-
-  // link 2 (base_y), force propagation
-  const Lanes f9_z_p337_lanes = f9_z_p67 * f9_z_p332_lanes;
-
-  // link 3 (base), force propagation
-  const Lanes f9_z_p342_lanes = c3 * f9_z_p302_lanes;
-  const Lanes f9_z_p347_lanes = s3 * f9_z_p322_lanes;
-  const Lanes f9_z_p352_lanes = f9_z_p342_lanes - f9_z_p347_lanes;
-
-  // link 2 (base_y), force propagation
-  const Lanes f9_z_p357_lanes = f9_z_p352_lanes - f9_z_p337_lanes;
+  const Real inverse_D2 = 1.0 / (186.45 + (inverse_D1_p64 + inverse_D2_p1));
+  const Real inverse_D1_p69 = inverse_D1_p68 * inverse_D2;
 
   // link 1 (base_x), articulated inertia
-  const Real inverse_D1 = 1.0 / (186.45 + (f9_z_p62 - inverse_D2_p1) - f9_z_p66 * f9_z_p67);
+  const Real inverse_D1 = 1.0 / (186.45 + (inverse_D1_p63 - inverse_D2_p1) - inverse_D1_p68 *
+      inverse_D1_p69);
 
-  // link 1 (base_x), force propagation
-  const Lanes f9_z_p362_lanes = f9_z_p357_lanes * inverse_D1;
-  const Lanes f9_z_p367_lanes = f9_z_p362_lanes * f9_z_p357_lanes[0];
+  // link 2 (base_y), mobility
+  const Real f9_z_p1 = inverse_D1 * inverse_D1_p69;
+  const Real f9_z_p2 = inverse_D2 + inverse_D1_p69 * f9_z_p1;
 
-  // link 2 (base_y), force propagation
-  const Lanes f9_z_p372_lanes = f9_z_p332_lanes * inverse_D2;
-  const Lanes f9_z_p377_lanes = f9_z_p372_lanes * f9_z_p332_lanes[0];
+  // link 3 (base), mobility
+  const Real f9_z_p3 = s3 * (inverse_D1 - f9_z_p2) + inverse_D1_p66 * f9_z_p1;
+  const Real f9_z_p4 = s3 * f9_z_p3;
+  const Real f9_z_p5 = inverse_D1 - f9_z_p4;
+  const Real f9_z_p6 = f9_z_p2 + f9_z_p4;
+  const Real f9_z_p7 = f9_z_p1 - c3 * f9_z_p3;
 
-  // link 4 (link1), force propagation
-  const Lanes f9_z_p382_lanes = detail::make_lanes<Real>(f9_z_p256, f9_z_p255, f9_z_p254, f9_z_p253,
-      f9_z_p252, f9_z_p256, f9_z_p256, f9_z_p256) * inverse_D4;
-  const Lanes f9_z_p387_lanes = f9_z_p382_lanes * f9_z_p256;
+  // link 4 (link1), mobility
+  const Real f9_z_p8 = inverse_D1_p60 * f9_z_p7 - s4 * (f9_z_p5 - f9_z_p6);
+  const Real f9_z_p9 = s4 * f9_z_p8;
+  const Real f9_z_p10 = f9_z_p5 + f9_z_p9;
+  const Real f9_z_p11 = c4 * f9_z_p8 - f9_z_p7;
+  const Real f9_z_p12 = f9_z_p10 * inverse_D1_p51 - f9_z_p11 * inverse_D1_p57;
+  const Real f9_z_p13 = f9_z_p6 - f9_z_p9;
+  const Real f9_z_p14 = f9_z_p11 * inverse_D1_p51 - f9_z_p13 * inverse_D1_p57;
+  const Real f9_z_p15 = inverse_D4 + (inverse_D1_p51 * f9_z_p12 - inverse_D1_p57 * f9_z_p14);
 
-  // link 5 (link2), force propagation
-  const Lanes f9_z_p392_lanes = f9_z_p187_lanes * inverse_D5;
-  const Lanes f9_z_p397_lanes = f9_z_p392_lanes * f9_z_p187_lanes[0];
+  // link 5 (link2), mobility
+  const Real f9_z_p16 = s5 * f9_z_p15;
+  const Real f9_z_p17 = s5 * f9_z_p16;
+  const Real f9_z_p18 = c5 * f9_z_p16;
+  const Real f9_z_p19 = c5 * f9_z_p12;
+  const Real f9_z_p20 = c5 * f9_z_p19;
+  const Real f9_z_p21 = f9_z_p20 - f9_z_p12;
+  const Real f9_z_p22 = s5 * f9_z_p19;
+  const Real f9_z_p23 = s5 * f9_z_p14;
+  const Real f9_z_p24 = f9_z_p22 * inverse_D1_p39 + f9_z_p21 * inverse_D1_p42 + f9_z_p23 *
+      inverse_D1_p55 + (f9_z_p17 * inverse_D4_p10 + f9_z_p18 * inverse_D4_p17);
+  const Real f9_z_p25 = f9_z_p15 - f9_z_p17;
+  const Real f9_z_p26 = c5 * f9_z_p14;
+  const Real f9_z_p27 = f9_z_p20 * inverse_D1_p39 - f9_z_p22 * inverse_D1_p42 + f9_z_p26 *
+      inverse_D1_p55 + (f9_z_p18 * inverse_D4_p10 + f9_z_p25 * inverse_D4_p17);
+  const Real f9_z_p28 = s5 * f9_z_p10;
+  const Real f9_z_p29 = s5 * f9_z_p28;
+  const Real f9_z_p30 = f9_z_p10 - f9_z_p29;
+  const Real f9_z_p31 = c5 * f9_z_p28;
+  const Real f9_z_p32 = c5 * f9_z_p11;
+  const Real f9_z_p33 = f9_z_p30 * inverse_D1_p39 - f9_z_p31 * inverse_D1_p42 + f9_z_p32 *
+      inverse_D1_p55 + (f9_z_p22 * inverse_D4_p10 + f9_z_p20 * inverse_D4_p17);
+  const Real f9_z_p34 = s5 * f9_z_p11;
+  const Real f9_z_p35 = f9_z_p29 * inverse_D1_p42 - f9_z_p31 * inverse_D1_p39 - f9_z_p34 *
+      inverse_D1_p55 + (f9_z_p21 * inverse_D4_p10 - f9_z_p22 * inverse_D4_p17);
+  const Real f9_z_p36 = f9_z_p32 * inverse_D1_p39 - f9_z_p34 * inverse_D1_p42 + f9_z_p13 *
+      inverse_D1_p55 + (f9_z_p23 * inverse_D4_p10 + f9_z_p26 * inverse_D4_p17);
+  const Real f9_z_p37 = inverse_D1_p39 * f9_z_p33 + inverse_D1_p42 * f9_z_p35 + inverse_D1_p55 *
+      f9_z_p36 + (inverse_D4_p10 * f9_z_p24 + inverse_D4_p17 * f9_z_p27);
 
-  // link 6 (link3), force propagation
-  const Lanes f9_z_p402_lanes = f9_z_p92_lanes * inverse_D6;
-  const Lanes f9_z_p407_lanes = f9_z_p402_lanes * f9_z_p92_lanes[0];
+  // link 6 (link3), mobility
+  const Real f9_z_p38 = f9_z_p21 - (0.4318 * f9_z_p24 + 0.1501 * f9_z_p17);
+  const Real f9_z_p39 = 0.4318 * (0.4318 * (inverse_D5 + f9_z_p37) + 0.1501 * f9_z_p24 - 2.0 *
+      f9_z_p35) - 0.1501 * (f9_z_p21 + f9_z_p38);
+  const Real f9_z_p40 = f9_z_p29 + f9_z_p39;
+  const Real f9_z_p41 = f9_z_p20 + 0.1501 * f9_z_p25;
+  const Real f9_z_p42 = f9_z_p30 + 0.1501 * (f9_z_p20 + f9_z_p41);
+  const Real f9_z_p43 = f9_z_p22 + 0.4318 * f9_z_p27;
+  const Real f9_z_p44 = 0.1501 * f9_z_p18;
+  const Real f9_z_p45 = f9_z_p43 + f9_z_p44;
+  const Real f9_z_p46 = f9_z_p31 + (0.1501 * (f9_z_p22 + f9_z_p45) + 0.4318 * f9_z_p33);
+  const Real f9_z_p47 = s6 * (f9_z_p42 - f9_z_p40) + inverse_D1_p28 * f9_z_p46;
+  const Real f9_z_p48 = s6 * f9_z_p47;
+  const Real f9_z_p49 = f9_z_p42 - f9_z_p48;
+  const Real f9_z_p50 = f9_z_p46 - c6 * f9_z_p47;
+  const Real f9_z_p51 = f9_z_p26 - 0.4318 * f9_z_p25;
+  const Real f9_z_p52 = f9_z_p32 + (0.1501 * f9_z_p51 - 0.4318 * f9_z_p20);
+  const Real f9_z_p53 = f9_z_p23 - 0.4318 * f9_z_p18;
+  const Real f9_z_p54 = 0.4318 * (f9_z_p43 - f9_z_p36) - 0.1501 * f9_z_p53 - f9_z_p34;
+  const Real f9_z_p55 = c6 * f9_z_p52 + s6 * f9_z_p54;
+  const Real f9_z_p56 = f9_z_p22 + f9_z_p44;
+  const Real f9_z_p57 = c6 * (f9_z_p41 + f9_z_p38) - s6 * (f9_z_p56 + f9_z_p45);
+  const Real f9_z_p58 = s6 * f9_z_p57;
+  const Real f9_z_p59 = f9_z_p56 + f9_z_p58;
+  const Real f9_z_p60 = c6 * f9_z_p57;
+  const Real f9_z_p61 = f9_z_p60 - f9_z_p38;
+  const Real f9_z_p62 = f9_z_p49 * inverse_D1_p2 - f9_z_p50 * inverse_D1_p12 + f9_z_p55 *
+      inverse_D1_p19 + (f9_z_p59 * inverse_D4_p3 + f9_z_p61 * inverse_D4_p5);
+  const Real f9_z_p63 = f9_z_p40 + f9_z_p48;
+  const Real f9_z_p64 = c6 * f9_z_p54 - s6 * f9_z_p52;
+  const Real f9_z_p65 = f9_z_p60 - f9_z_p41;
+  const Real f9_z_p66 = f9_z_p45 + f9_z_p58;
+  const Real f9_z_p67 = f9_z_p50 * inverse_D1_p2 - f9_z_p63 * inverse_D1_p12 + f9_z_p64 *
+      inverse_D1_p19 + (f9_z_p65 * inverse_D4_p3 - f9_z_p66 * inverse_D4_p5);
+  const Real f9_z_p68 = f9_z_p13 - 0.4318 * (f9_z_p26 + f9_z_p51);
+  const Real f9_z_p69 = c6 * f9_z_p53 + s6 * f9_z_p51;
+  const Real f9_z_p70 = c6 * f9_z_p51 - s6 * f9_z_p53;
+  const Real f9_z_p71 = f9_z_p55 * inverse_D1_p2 - f9_z_p64 * inverse_D1_p12 + f9_z_p68 *
+      inverse_D1_p19 + (f9_z_p69 * inverse_D4_p3 + f9_z_p70 * inverse_D4_p5);
+  const Real f9_z_p72 = inverse_D1_p28 * f9_z_p18 - s6 * (f9_z_p17 - f9_z_p25);
+  const Real f9_z_p73 = s6 * f9_z_p72;
+  const Real f9_z_p74 = f9_z_p17 + f9_z_p73;
+  const Real f9_z_p75 = c6 * f9_z_p72 - f9_z_p18;
+  const Real f9_z_p76 = f9_z_p59 * inverse_D1_p2 - f9_z_p65 * inverse_D1_p12 + f9_z_p69 *
+      inverse_D1_p19 + (f9_z_p74 * inverse_D4_p3 + f9_z_p75 * inverse_D4_p5);
+  const Real f9_z_p77 = f9_z_p25 - f9_z_p73;
+  const Real f9_z_p78 = f9_z_p61 * inverse_D1_p2 + f9_z_p66 * inverse_D1_p12 + f9_z_p70 *
+      inverse_D1_p19 + (f9_z_p75 * inverse_D4_p3 + f9_z_p77 * inverse_D4_p5);
+  const Real f9_z_p79 = inverse_D1_p2 * f9_z_p62 - inverse_D1_p12 * f9_z_p67 + inverse_D1_p19 *
+      f9_z_p71 + (inverse_D4_p3 * f9_z_p76 + inverse_D4_p5 * f9_z_p78);
+  const Real f9_z_p80 = inverse_D6 + f9_z_p79;
 
-  // link 5 (link2), force propagation
-  const Lanes f9_z_p412_lanes = f9_z_p407_lanes + f9_z_p397_lanes;
+  // link 7 (link4), mobility
+  const Real f9_z_p81 = 0.4331 * f9_z_p80 - f9_z_p62;
+  const Real f9_z_p82 = f9_z_p69 - (0.4331 * f9_z_p74 - 0.0203 * f9_z_p75);
+  const Real f9_z_p83 = 0.4331 * f9_z_p76;
+  const Real f9_z_p84 = f9_z_p71 + (0.0203 * f9_z_p78 - f9_z_p83);
+  const Real f9_z_p85 = f9_z_p59 - f9_z_p83;
+  const Real f9_z_p86 = c7 * (f9_z_p81 + f9_z_p82) - s7 * (f9_z_p85 + f9_z_p84);
+  const Real f9_z_p87 = c7 * f9_z_p86 - f9_z_p81;
+  const Real f9_z_p88 = f9_z_p49 + 0.4331 * (f9_z_p81 - f9_z_p62);
+  const Real f9_z_p89 = 0.0203 * (2.0 * f9_z_p70 - (0.4331 * f9_z_p75 - 0.0203 * f9_z_p77)) -
+      0.4331 * (f9_z_p69 + f9_z_p82);
+  const Real f9_z_p90 = f9_z_p68 + f9_z_p89;
+  const Real f9_z_p91 = f9_z_p55 + (0.0203 * f9_z_p61 - 0.4331 * (f9_z_p84 + f9_z_p59));
+  const Real f9_z_p92 = 2.0 * c7;
+  const Real f9_z_p93 = f9_z_p92 * f9_z_p91 - s7 * (f9_z_p88 - f9_z_p90);
+  const Real f9_z_p94 = s7 * f9_z_p93;
+  const Real f9_z_p95 = f9_z_p90 - f9_z_p94;
+  const Real f9_z_p96 = f9_z_p95 * inverse_D6_p2 - f9_z_p87 * inverse_D6_p19;
 
-  // link 4 (link1), force propagation
-  const Lanes f9_z_p417_lanes = f9_z_p412_lanes + f9_z_p387_lanes;
+  // link 8 (link5), mobility
+  const Real f9_z_p97 = c8 * f9_z_p87 + s8 * f9_z_p96;
 
-  // link 2 (base_y), force propagation
-  const Lanes f9_z_p422_lanes = f9_z_p417_lanes + f9_z_p377_lanes;
+  // link 7 (link4), mobility
+  const Real f9_z_p98 = f9_z_p88 + f9_z_p94;
+  const Real f9_z_p99 = f9_z_p67 + 0.0203 * f9_z_p80;
+  const Real f9_z_p100 = f9_z_p63 + 0.0203 * (f9_z_p67 + f9_z_p99);
+  const Real f9_z_p101 = f9_z_p50 + (0.0203 * f9_z_p62 - 0.4331 * f9_z_p99);
+  const Real f9_z_p102 = f9_z_p64 + (0.0203 * (f9_z_p84 - f9_z_p66) - 0.4331 * f9_z_p65);
+  const Real f9_z_p103 = c7 * f9_z_p101 + s7 * f9_z_p102;
 
-  // link 1 (base_x), force propagation
-  const Lanes f9_z_p427_lanes = f9_z_p422_lanes + f9_z_p367_lanes;
-  const Real f9_z_p432 = 1.0 / f9_z_p427_lanes[0];
-  const Lanes f9_z_p433_lanes = f9_z_p427_lanes * f9_z_p432;
-  const Lanes f9_z_p437_lanes = f9_z_p433_lanes * f9_z_p427_lanes[1];
-  const Lanes f9_z_p441_lanes = f9_z_p362_lanes * f9_z_p357_lanes[1];
+  // link 8 (link5), mobility
+  const Real f9_z_p104 = 2.0 * c8;
+  const Real f9_z_p105 = s8 * (f9_z_p98 - f9_z_p100) - f9_z_p104 * f9_z_p103;
+  const Real f9_z_p106 = s8 * f9_z_p105;
+  const Real f9_z_p107 = f9_z_p98 - f9_z_p106;
+  const Real f9_z_p108 = 4.484863585399276 * f9_z_p107;
 
-  // link 2 (base_y), force propagation
-  const Lanes f9_z_p445_lanes = f9_z_p372_lanes * f9_z_p332_lanes[1];
+  // link 7 (link4), mobility
+  const Real f9_z_p109 = s7 * f9_z_p101 - c7 * f9_z_p102;
+  const Real f9_z_p110 = s7 * f9_z_p99 - c7 * (f9_z_p65 + 0.0203 * f9_z_p76);
+  const Real f9_z_p111 = f9_z_p85 + s7 * f9_z_p86;
+  const Real f9_z_p112 = c7 * f9_z_p93 - f9_z_p91;
+  const Real f9_z_p113 = f9_z_p112 * inverse_D6_p2 - f9_z_p111 * inverse_D6_p19;
 
-  // link 4 (link1), force propagation
-  const Lanes f9_z_p449_lanes = f9_z_p382_lanes * f9_z_p255;
+  // link 8 (link5), mobility
+  const Real f9_z_p114 = s8 * (f9_z_p111 + (f9_z_p109 * inverse_D6_p2 - f9_z_p110 *
+      inverse_D6_p19)) - c8 * (f9_z_p113 - f9_z_p110);
+  const Real f9_z_p115 = f9_z_p111 - s8 * f9_z_p114;
+  const Real f9_z_p116 = c8 * f9_z_p112 - s8 * f9_z_p109;
+  const Real f9_z_p117 = 4.484863585399276 * f9_z_p116;
 
-  // link 5 (link2), force propagation
-  const Lanes f9_z_p453_lanes = f9_z_p392_lanes * f9_z_p187_lanes[1];
+  // link 9 (link6), mobility
+  const Real f9_z_p118 = c9 * (f9_z_p97 - f9_z_p108) - s9 * (f9_z_p115 + f9_z_p117);
+  const Real f9_z_p119 = c9 * f9_z_p118;
+  const Real f9_z_p120 = f9_z_p119 - f9_z_p97;
+  const Real f9_z_p121 = c9 * (2.0 * f9_z_p116) - s9 * (f9_z_p107 - f9_z_p95);
+  const Real f9_z_p122 = s9 * f9_z_p121;
+  const Real f9_z_p123 = 1.0 / (f9_z_p107 + f9_z_p122);
+  const Real f9_z_p124 = f9_z_p120 * f9_z_p123;
 
-  // link 6 (link3), force propagation
-  const Lanes f9_z_p457_lanes = f9_z_p402_lanes * f9_z_p92_lanes[1];
+  // link 8 (link5), mobility
+  const Real f9_z_p125 = c8 * f9_z_p105 + f9_z_p103;
+  const Real f9_z_p126 = s8 * f9_z_p112 + c8 * f9_z_p109;
 
-  // link 5 (link2), force propagation
-  const Lanes f9_z_p461_lanes = f9_z_p457_lanes + f9_z_p453_lanes;
+  // link 9 (link6), mobility
+  const Real f9_z_p127 = c9 * f9_z_p125 + s9 * f9_z_p126;
+  const Real f9_z_p128 = s9 * f9_z_p118;
+  const Real f9_z_p129 = f9_z_p115 + f9_z_p128;
+  const Real f9_z_p130 = f9_z_p129 * f9_z_p123;
+  const Real f9_z_p131 = f9_z_p127 * f9_z_p123;
+  const Lanes f9_z_p132_lanes = detail::make_lanes<Real>(f9_z_p131, f9_z_p131, f9_z_p131, f9_z_p130,
+      f9_z_p124, f9_z_p131, f9_z_p131, f9_z_p131) * f9_z_p127;
 
-  // link 4 (link1), force propagation
-  const Lanes f9_z_p465_lanes = f9_z_p461_lanes + f9_z_p449_lanes;
+  // link 8 (link5), mobility
+  const Real f9_z_p135 = c8 * f9_z_p114 + f9_z_p113;
+  const Real f9_z_p136 = 4.484863585399276 * f9_z_p125;
 
-  // link 2 (base_y), force propagation
-  const Lanes f9_z_p469_lanes = f9_z_p465_lanes + f9_z_p445_lanes;
+  // link 9 (link6), mobility
+  const Lanes f9_z_p137_lanes = detail::make_lanes<Real>(f9_z_p100 + f9_z_p106, f9_z_p100 +
+      f9_z_p106, f9_z_p100 + f9_z_p106, c9 * f9_z_p135 - s9 * f9_z_p136,
+      -(s9 * f9_z_p135 + c9 * f9_z_p136), f9_z_p100 + f9_z_p106, f9_z_p100 + f9_z_p106, f9_z_p100 +
+      f9_z_p106) - f9_z_p132_lanes;
+  const Real f9_z_p140 = c9 * f9_z_p121 - f9_z_p116;
+  const Real f9_z_p141 = f9_z_p140 * f9_z_p123;
+  const Lanes f9_z_p142_lanes = detail::make_lanes<Real>(f9_z_p141, f9_z_p141, f9_z_p131, f9_z_p130,
+      f9_z_p124, f9_z_p141, f9_z_p141, f9_z_p141) * f9_z_p140;
+  const Lanes f9_z_p146_lanes = detail::make_lanes<Real>(f9_z_p95 - f9_z_p122, f9_z_p95 - f9_z_p122,
+      c9 * f9_z_p126 - s9 * f9_z_p125, f9_z_p119 + f9_z_p108, -(f9_z_p117 + f9_z_p128), f9_z_p95 -
+      f9_z_p122, f9_z_p95 - f9_z_p122, f9_z_p95 - f9_z_p122) - f9_z_p142_lanes;
+  const Real f9_z_p150 = 1.0 / f9_z_p146_lanes[1];
+  const Lanes f9_z_p151_lanes = f9_z_p146_lanes * f9_z_p150;
+  const Lanes f9_z_p154_lanes = f9_z_p151_lanes * f9_z_p146_lanes[2];
+  const Lanes f9_z_p157_lanes = f9_z_p137_lanes - f9_z_p154_lanes;
+  const Real f9_z_p160 = 1.0 / f9_z_p157_lanes[2];
+  const Real f9_z_p161 = f9_z_p157_lanes[4] * f9_z_p160;
 
-  // link 1 (base_x), force propagation
-  const Lanes f9_z_p473_lanes = f9_z_p469_lanes + f9_z_p441_lanes;
-  const Lanes f9_z_p477_lanes = f9_z_p473_lanes - f9_z_p437_lanes;
-  const Real f9_z_p481 = 1.0 / f9_z_p477_lanes[1];
-  const Lanes f9_z_p482_lanes = f9_z_p477_lanes * f9_z_p481;
-  const Lanes f9_z_p485_lanes = f9_z_p482_lanes * f9_z_p477_lanes[2];
-  const Lanes f9_z_p488_lanes = f9_z_p433_lanes * f9_z_p427_lanes[2];
-  const Lanes f9_z_p491_lanes = f9_z_p362_lanes * f9_z_p357_lanes[2];
+  // link 7 (link4), mobility
+  const Real f9_z_p162 = f9_z_p74 - s7 * (s7 * (f9_z_p74 - f9_z_p80) + f9_z_p92 * f9_z_p76);
+  const Real f9_z_p163 = f9_z_p87 * inverse_D6_p2 - f9_z_p162 * inverse_D6_p19;
 
-  // link 2 (base_y), force propagation
-  const Lanes f9_z_p494_lanes = f9_z_p372_lanes * f9_z_p332_lanes[2];
+  // link 8 (link5), mobility
+  const Real f9_z_p164 = s8 * (f9_z_p162 - (inverse_D7 +
+      (inverse_D6_p2 * f9_z_p96 - inverse_D6_p19 * f9_z_p163))) - f9_z_p104 * f9_z_p163;
+  const Real f9_z_p165 = f9_z_p162 - s8 * f9_z_p164;
+  const Real f9_z_p166 = 1557.24430048586 + 20.114001379640452 * f9_z_p107;
 
-  // link 4 (link1), force propagation
-  const Lanes f9_z_p497_lanes = f9_z_p382_lanes * f9_z_p254;
-
-  // link 5 (link2), force propagation
-  const Lanes f9_z_p500_lanes = f9_z_p392_lanes * f9_z_p187_lanes[2];
-
-  // link 6 (link3), force propagation
-  const Lanes f9_z_p503_lanes = f9_z_p402_lanes * f9_z_p92_lanes[2];
-
-  // link 5 (link2), force propagation
-  const Lanes f9_z_p506_lanes = f9_z_p503_lanes + f9_z_p500_lanes;
-
-  // link 4 (link1), force propagation
-  const Lanes f9_z_p509_lanes = f9_z_p506_lanes + f9_z_p497_lanes;
-
-  // link 2 (base_y), force propagation
-  const Lanes f9_z_p512_lanes = f9_z_p509_lanes + f9_z_p494_lanes;
-
-  // link 1 (base_x), force propagation
-  const Lanes f9_z_p515_lanes = f9_z_p512_lanes + f9_z_p491_lanes;
-  const Lanes f9_z_p518_lanes = f9_z_p515_lanes - f9_z_p488_lanes;
-  const Lanes f9_z_p521_lanes = f9_z_p518_lanes - f9_z_p485_lanes;
-  const Real f9_z_p524 = 1.0 / f9_z_p521_lanes[2];
-  const Real f9_z_p525 = f9_z_p521_lanes[4] * f9_z_p524;
-
-  // link 7 (link4), force propagation
-  const Real f9_z_p526 = f9_z_p68 * inverse_D7;
-
-  // link 8 (link5), force propagation
-  const Real f9_z_p527 = 1557.24430048586 * c9;
-
-  // link 4 (link1), force propagation
-  const Real f9_z_p528 = f9_z_p527 * s9 + f9_z_p526 * f9_z_p71 + f9_z_p402_lanes[4] *
-      f9_z_p92_lanes[3] + f9_z_p392_lanes[4] * f9_z_p187_lanes[3] + f9_z_p382_lanes[4] * f9_z_p253;
-
-  // link 1 (base_x), force propagation
-  const Real f9_z_p529 = f9_z_p528 + f9_z_p372_lanes[4] * f9_z_p332_lanes[3] + f9_z_p362_lanes[4] *
-      f9_z_p357_lanes[3] - f9_z_p433_lanes[4] * f9_z_p427_lanes[3] - f9_z_p482_lanes[4] *
-      f9_z_p477_lanes[3];
-  const Real f9_z_p530 = f9_z_p529 - f9_z_p525 * f9_z_p521_lanes[3];
-  const Real f9_z_p531 = f9_z_p521_lanes[3] * f9_z_p524;
-
-  // link 5 (link2), force propagation
-  const Real f9_z_p532 = 1557.24430048586 * s9 * s9 + f9_z_p71 * inverse_D7 * f9_z_p71 +
-      f9_z_p402_lanes[3] * f9_z_p92_lanes[3] + f9_z_p392_lanes[3] * f9_z_p187_lanes[3];
-
-  // link 1 (base_x), force propagation
-  const Real f9_z_p533 = f9_z_p532 + f9_z_p382_lanes[3] * f9_z_p253 + f9_z_p372_lanes[3] *
-      f9_z_p332_lanes[3] + f9_z_p362_lanes[3] * f9_z_p357_lanes[3] - f9_z_p433_lanes[3] *
-      f9_z_p427_lanes[3];
-  const Real f9_z_p534 = 1.0 / (f9_z_p533 - f9_z_p482_lanes[3] * f9_z_p477_lanes[3] - f9_z_p531 *
-      f9_z_p521_lanes[3]);
-  const Real f9_z_p535 = f9_z_p530 * f9_z_p534;
+  // link 9 (link6), mobility
+  const Real f9_z_p167 = s9 * (f9_z_p165 - f9_z_p166) + c9 * (8.969727170798553 * f9_z_p115);
+  const Real f9_z_p168 = 4.484863585399276 * f9_z_p115 - c9 * f9_z_p167 - f9_z_p124 * f9_z_p129 -
+      f9_z_p151_lanes[4] * f9_z_p146_lanes[3] - f9_z_p161 * f9_z_p157_lanes[3];
+  const Real f9_z_p169 = f9_z_p157_lanes[3] * f9_z_p160;
+  const Real f9_z_p170 = s9 * f9_z_p167;
+  const Real f9_z_p171 = 1.0 / (f9_z_p165 - f9_z_p170 - f9_z_p130 * f9_z_p129 - f9_z_p151_lanes[3] *
+      f9_z_p146_lanes[3] - f9_z_p169 * f9_z_p157_lanes[3]);
+  const Real f9_z_p172 = f9_z_p168 * f9_z_p171;
 
   // link 3 (base), outward
   const Real a3_y = c3 * qdd_0[1] - s3 * qdd_0[0];
@@ -615,27 +564,27 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real a7_y = c7 * a7_y_p4 - s7 * a7_y_p10;
 
   // link 9 (link6), outward
-  const Real f9_z_p536 = c3 * xdd_cmd[0] + s3 * xdd_cmd[1];
-  const Real f9_z_p537 = c3 * xdd_cmd[1] - s3 * xdd_cmd[0];
-  const Real f9_z_p538 = c4 * f9_z_p536 + s4 * f9_z_p537;
-  const Real f9_z_p539 = 9.81 + xdd_cmd[2];
-  const Real f9_z_p540 = c5 * f9_z_p538 - s5 * f9_z_p539;
-  const Real f9_z_p541 = s5 * f9_z_p538 + c5 * f9_z_p539;
-  const Real f9_z_p542 = c6 * f9_z_p540 - s6 * f9_z_p541;
-  const Real f9_z_p543 = c4 * f9_z_p537 - s4 * f9_z_p536;
-  const Real f9_z_p544 = c7 * f9_z_p543 - s7 * f9_z_p542 - a7_y;
-  const Real f9_z_p545 = c3 * xdd_cmd[3] + s3 * xdd_cmd[4];
-  const Real f9_z_p546 = c3 * xdd_cmd[4] - s3 * xdd_cmd[3];
-  const Real f9_z_p547 = c4 * f9_z_p545 + s4 * f9_z_p546;
-  const Real f9_z_p548 = c5 * f9_z_p547 - s5 * xdd_cmd[5];
-  const Real f9_z_p549 = s5 * f9_z_p547 + c5 * xdd_cmd[5];
-  const Real f9_z_p550 = c6 * f9_z_p548 - s6 * f9_z_p549;
-  const Real f9_z_p551 = c4 * f9_z_p546 - s4 * f9_z_p545;
-  const Real f9_z_p552 = c7 * f9_z_p550 + s7 * f9_z_p551;
-  const Real f9_z_p553 = s6 * f9_z_p548 + c6 * f9_z_p549;
-  const Real f9_z_p554 = c8 * f9_z_p552 - s8 * f9_z_p553;
-  const Real f9_z_p555 = c7 * f9_z_p551 - s7 * f9_z_p550;
-  const Real f9_z_p556 = c9 * f9_z_p555 - s9 * f9_z_p554;
+  const Real f9_z_p173 = c3 * xdd_cmd[0] + s3 * xdd_cmd[1];
+  const Real f9_z_p174 = c3 * xdd_cmd[1] - s3 * xdd_cmd[0];
+  const Real f9_z_p175 = c4 * f9_z_p173 + s4 * f9_z_p174;
+  const Real f9_z_p176 = 9.81 + xdd_cmd[2];
+  const Real f9_z_p177 = c5 * f9_z_p175 - s5 * f9_z_p176;
+  const Real f9_z_p178 = s5 * f9_z_p175 + c5 * f9_z_p176;
+  const Real f9_z_p179 = c6 * f9_z_p177 - s6 * f9_z_p178;
+  const Real f9_z_p180 = c4 * f9_z_p174 - s4 * f9_z_p173;
+  const Real f9_z_p181 = c7 * f9_z_p180 - s7 * f9_z_p179 - a7_y;
+  const Real f9_z_p182 = c3 * xdd_cmd[3] + s3 * xdd_cmd[4];
+  const Real f9_z_p183 = c3 * xdd_cmd[4] - s3 * xdd_cmd[3];
+  const Real f9_z_p184 = c4 * f9_z_p182 + s4 * f9_z_p183;
+  const Real f9_z_p185 = c5 * f9_z_p184 - s5 * xdd_cmd[5];
+  const Real f9_z_p186 = s5 * f9_z_p184 + c5 * xdd_cmd[5];
+  const Real f9_z_p187 = c6 * f9_z_p185 - s6 * f9_z_p186;
+  const Real f9_z_p188 = c4 * f9_z_p183 - s4 * f9_z_p182;
+  const Real f9_z_p189 = c7 * f9_z_p187 + s7 * f9_z_p188;
+  const Real f9_z_p190 = s6 * f9_z_p185 + c6 * f9_z_p186;
+  const Real f9_z_p191 = c8 * f9_z_p189 - s8 * f9_z_p190;
+  const Real f9_z_p192 = c7 * f9_z_p188 - s7 * f9_z_p187;
+  const Real f9_z_p193 = c9 * f9_z_p192 - s9 * f9_z_p191;
 
   // link 7 (link4), outward
   const Real w7_x = s7 * w6_z - c7 * minus_w6_x;
@@ -658,7 +607,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
 
   // link 9 (link6), outward
   const Real w9_z = minus_w8_y + qd[8];
-  const Real f9_z_p557 = w9_x * w9_z;
+  const Real f9_z_p194 = w9_x * w9_z;
 
   // link 7 (link4), outward
   const Real a7_x = c7 * a7_y_p10 + s7 * a7_y_p4;
@@ -680,20 +629,11 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real a8_x = c8 * a7_x + s8 * minus_a7_z;
 
   // link 9 (link6), outward
-  const Real f9_z_p558 = c7 * f9_z_p542 + s7 * f9_z_p543;
-  const Real f9_z_p559 = s6 * f9_z_p540 + c6 * f9_z_p541;
-  const Real f9_z_p560 = c8 * f9_z_p558 - s8 * f9_z_p559 - a8_x;
-  const Real f9_z_p561 = f9_z_p544 * s9 - 0.05625 * (f9_z_p557 + f9_z_p556) + f9_z_p560 * c9;
-  const Real f9_z_p562 = c9 * f9_z_p554 + s9 * f9_z_p555;
-  const Real w9_y = c9 * w8_z - s9 * w8_x;
-  const Real f9_z_p563 = w9_y * w9_z;
-
-  // link 1 (base_x), force propagation
-  const Real f9_z_p564 = 0.05625 * (f9_z_p562 - f9_z_p563) - f9_z_p433_lanes[1] * f9_z_p561 -
-      f9_z_p560 * s9 + f9_z_p544 * c9;
-  const Real f9_z_p565 = 0.05625 * (w9_x * w9_x + w9_y * w9_y) - f9_z_p433_lanes[2] * f9_z_p561 -
-      f9_z_p482_lanes[2] * f9_z_p564;
-  const Real f9_z_p566 = f9_z_p565 + (f9_z_p559 + minus_a7_z) * c8 + (f9_z_p558 - a7_x) * s8;
+  const Real f9_z_p195 = c7 * f9_z_p179 + s7 * f9_z_p180;
+  const Real f9_z_p196 = s6 * f9_z_p177 + c6 * f9_z_p178;
+  const Real f9_z_p197 = c8 * f9_z_p195 - s8 * f9_z_p196 - a8_x;
+  const Real f9_z_p198 = f9_z_p181 * s9 - 0.05625 * (f9_z_p194 + f9_z_p193) + f9_z_p197 * c9;
+  const Real f9_z_p199 = c9 * f9_z_p191 + s9 * f9_z_p192;
 
   // link 7 (link4), outward
   const Real wd7_x = c7 * wd6_x + s7 * wd6_z + w7_y * qd[6];
@@ -709,35 +649,34 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real wd8_z = wd7_y + qdd_0[7];
 
   // link 9 (link6), outward
+  const Real w9_y = c9 * w8_z - s9 * w8_x;
   const Real wd9_x = c9 * wd8_x + s9 * wd8_z + w9_y * qd[8];
+  const Real f9_z_p200 = w9_y * w9_z;
 
-  // link 1 (base_x), force propagation
-  const Real f9_z_p567 = f9_z_p562 - wd9_x - f9_z_p433_lanes[3] * f9_z_p561 - f9_z_p482_lanes[3] *
-      f9_z_p564 - f9_z_p531 * f9_z_p566;
+  // link 9 (link6), mobility
+  const Real f9_z_p201 = 0.05625 * (f9_z_p199 - f9_z_p200) - f9_z_p141 * f9_z_p198 - f9_z_p197 *
+      s9 + f9_z_p181 * c9;
+  const Real f9_z_p202 = 0.05625 * (w9_x * w9_x + w9_y * w9_y) - f9_z_p131 * f9_z_p198 -
+      f9_z_p151_lanes[2] * f9_z_p201;
+  const Real f9_z_p203 = f9_z_p202 + (f9_z_p196 + minus_a7_z) * c8 + (f9_z_p195 - a7_x) * s8;
+  const Real f9_z_p204 = f9_z_p199 - wd9_x - f9_z_p130 * f9_z_p198 - f9_z_p151_lanes[3] *
+      f9_z_p201 - f9_z_p169 * f9_z_p203;
 
   // link 9 (link6), outward
   const Real wd9_y = c9 * wd8_z - s9 * wd8_x - w9_x * qd[8];
 
-  // link 1 (base_x), force propagation
-  const Real f9_z_p568 = f9_z_p556 - wd9_y - f9_z_p433_lanes[4] * f9_z_p561 - f9_z_p482_lanes[4] *
-      f9_z_p564 - f9_z_p525 * f9_z_p566 - f9_z_p535 * f9_z_p567;
-
-  // link 4 (link1), force propagation
-  const Real f9_z_p569 = f9_z_p527 * c9 + f9_z_p526 * f9_z_p68 + f9_z_p402_lanes[4] *
-      f9_z_p92_lanes[4] + f9_z_p392_lanes[4] * f9_z_p187_lanes[4] + f9_z_p382_lanes[4] * f9_z_p252;
-
-  // link 1 (base_x), force propagation
-  const Real f9_z_p570 = f9_z_p569 + f9_z_p372_lanes[4] * f9_z_p332_lanes[4] + f9_z_p362_lanes[4] *
-      f9_z_p357_lanes[4] - f9_z_p433_lanes[4] * f9_z_p427_lanes[4] - f9_z_p482_lanes[4] *
-      f9_z_p477_lanes[4];
-  const Real f9_z_p571 = f9_z_p568 * (1.0 / (f9_z_p570 - f9_z_p525 * f9_z_p521_lanes[4] -
-      f9_z_p535 * f9_z_p530));
-  const Real f9_z_p572 = f9_z_p567 * f9_z_p534 - f9_z_p535 * f9_z_p571;
-  const Real f9_z = f9_z_p566 * f9_z_p524 - f9_z_p531 * f9_z_p572 - f9_z_p525 * f9_z_p571;
-  const Real f9_y = f9_z_p564 * f9_z_p481 - f9_z_p482_lanes[2] * f9_z - f9_z_p482_lanes[3] *
-      f9_z_p572 - f9_z_p482_lanes[4] * f9_z_p571;
-  const Real f9_x = f9_z_p561 * f9_z_p432 - f9_z_p433_lanes[1] * f9_y - f9_z_p433_lanes[2] * f9_z -
-      f9_z_p433_lanes[3] * f9_z_p572 - f9_z_p433_lanes[4] * f9_z_p571;
+  // link 9 (link6), mobility
+  const Real f9_z_p205 = f9_z_p193 - wd9_y - f9_z_p124 * f9_z_p198 - f9_z_p151_lanes[4] *
+      f9_z_p201 - f9_z_p161 * f9_z_p203 - f9_z_p172 * f9_z_p204;
+  const Real f9_z_p206 = f9_z_p166 + f9_z_p170 - f9_z_p124 * f9_z_p120 - f9_z_p151_lanes[4] *
+      f9_z_p146_lanes[4] - f9_z_p161 * f9_z_p157_lanes[4] - f9_z_p172 * f9_z_p168;
+  const Real f9_z_p207 = f9_z_p205 * (1.0 / f9_z_p206);
+  const Real f9_z_p208 = f9_z_p204 * f9_z_p171 - f9_z_p172 * f9_z_p207;
+  const Real f9_z = f9_z_p203 * f9_z_p160 - f9_z_p169 * f9_z_p208 - f9_z_p161 * f9_z_p207;
+  const Real f9_y = f9_z_p201 * f9_z_p150 - f9_z_p151_lanes[2] * f9_z - f9_z_p151_lanes[3] *
+      f9_z_p208 - f9_z_p151_lanes[4] * f9_z_p207;
+  const Real f9_x = f9_z_p198 * f9_z_p123 - f9_z_p141 * f9_y - f9_z_p131 * f9_z - f9_z_p130 *
+      f9_z_p208 - f9_z_p124 * f9_z_p207;
 
   // link 8 (link5), outward
   const Real f8_x_p1 = w8_x * minus_w8_y;
@@ -803,14 +742,14 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   tau[1] = f2_z;
 
   // link 9 (link6), inertial wrench
-  const Real n9_x = 2e-05 * (f9_z_p563 + wd9_x) + f9_z_p572;
-  const Real n9_y = f9_z_p571 - 2e-05 * (f9_z_p557 - wd9_y);
+  const Real n9_x = 2e-05 * (f9_z_p200 + wd9_x) + f9_z_p208;
+  const Real n9_y = f9_z_p207 - 2e-05 * (f9_z_p194 - wd9_y);
 
   // link 9 (link6), inward
   const Real n8_x = 0.00042216 * f8_z_p1 - 0.0028799999999999997 * a7_y + (c9 * n9_x - s9 * n9_y);
 
   // link 9 (link6), inertial wrench
-  const Real n9_z = 4e-05 * (s8 * f9_z_p552 + c8 * f9_z_p553);
+  const Real n9_z = 4e-05 * (s8 * f9_z_p189 + c8 * f9_z_p190);
   tau[8] = n9_z;
 
   // link 8 (link5), outward

@@ -107,30 +107,30 @@ void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)
     Real (&qdd)[9]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
+/// By M = L^T D L, J from poses, in the axes asked for at link origins.
 /// in  q (9): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 1289 flops (add 517, mul 766, div 6), sine and cosine of 7 angles.
-/// Stack: at most 116 values live at once, 928 bytes.
+/// Cost: 982 flops (add 407, mul 569, div 6), sine and cosine of 6 angles.
+/// Stack: at most 86 values live at once, 688 bytes.
 void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
+/// By M = L^T D L, J from poses, in the axes asked for at link origins.
 /// in  q (9): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 1505 flops (add 607, mul 886, div 12), sine and cosine of 7 angles.
-/// Stack: at most 116 values live at once, 928 bytes.
+/// Cost: 1198 flops (add 497, mul 689, div 12), sine and cosine of 6 angles.
+/// Stack: at most 87 values live at once, 696 bytes.
 void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
+/// By Chang table 6.1, fused; Lambda^-1: force propagation with branching (Chang table 5.3), in link axes at link origins.
 /// in  q (9): joint coordinates
 /// in  qd (9): joint velocities
 /// in  qdd_0 (9): joint accelerations that the posture asks for
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (9): joint forces
-/// Cost: 1472 flops (add 621, mul 840, div 11), sine and cosine of 7 angles.
-/// Stack: at most 109 values live at once, 872 bytes.
+/// Cost: 1327 flops (add 605, mul 711, div 11), sine and cosine of 7 angles.
+/// Stack: at most 99 values live at once, 792 bytes.
 void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
 

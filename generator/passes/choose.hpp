@@ -31,8 +31,8 @@ struct Choice {
 };
 
 /// Operations as multiples of one addition's time. A division occupies the divider for about four
-/// cycles on current cores, an angle about as much as four lanes' share of the polynomial. The
-/// lanes of a pack are one operation; moving a value into or out of lanes is one.
+/// cycles on current cores, an angle about as much as four lanes' share of the polynomial. Packs
+/// of lanes save half of the operations they share, see the source.
 double cost(const Program& program, const OperationCount& count);
 
 /// Picks the candidate of least cost; the earlier of two that are equal. Nothing when there is
