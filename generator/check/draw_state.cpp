@@ -156,8 +156,9 @@ State draw_state(const StateSpace& space, int index) {
     state.tau.push_back(at_rest ? 0 : dice.within(forces[static_cast<Eigen::Index>(i)]));
   }
   for (const auto& [name, count] : space.others) {
-    state.others[name] =
-        draw_rates(dice, state.kind, static_cast<std::size_t>(count), size.acceleration);
+    // At rest too: a direction is none without a length.
+    state.others[name] = draw_rates(dice, state.kind, static_cast<std::size_t>(count),
+                                    speed(state.kind).acceleration);
   }
   if (space.single_precision) round_to_float(state);
   return state;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "check/interpret_contacts.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline {
@@ -49,7 +50,7 @@ std::vector<Scalar> poses(const Subject<Scalar>& subject, const Vector<Scalar>& 
 template <class Scalar>
 std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
                               const State& state) {
-  const auto& [model, points, external] = subject;
+  const auto& [model, points, external, contacts] = subject;
   const auto q = vector_of<Scalar>(state.q);
   const auto qd = vector_of<Scalar>(state.qd);
   const auto qdd = vector_of<Scalar>(state.qdd);
@@ -87,12 +88,13 @@ std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
+      break;  // see `has_truth`
     case Function::contact_motion:
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
     case Function::impulse_response:
     case Function::link_inverse_inertias:
-      break;  // see `has_truth`
+      return interpret_contacts(function, subject, state);
   }
   throw std::logic_error(std::string("the interpreter has no ") + function_name(function));
 }

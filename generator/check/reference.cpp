@@ -72,7 +72,8 @@ bool is_drawn(const std::string& argument) {
   return std::find(kDrawn.begin(), kDrawn.end(), argument) != kDrawn.end();
 }
 
-/// Arguments of functions that have no truth; they are drawn without regard to their meaning.
+/// Arguments of functions about contacts and objects; they are drawn without regard to their
+/// meaning.
 std::map<std::string, int> other_arguments(const Generation& generation) {
   std::map<std::string, int> sizes;
   for (const GeneratedFunction& generated : generation.functions) {
@@ -152,6 +153,10 @@ Solve solve_of(Function function) {
   switch (function) {
     case Function::forward_dynamics:
     case Function::lambda_inverse:
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
       return Solve::mass_matrix;
     case Function::lambda:
     case Function::control_torque:
@@ -176,15 +181,15 @@ bool has_truth(Function function) {
     case Function::control_torque:
     case Function::center_of_mass:
     case Function::center_of_mass_jacobian:
-      return true;
-    case Function::object_state:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
     case Function::contact_motion:
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
     case Function::impulse_response:
     case Function::link_inverse_inertias:
+      return true;
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
       return false;
   }
   return false;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "check/condition.hpp"
+#include "check/contact_sizes.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline {
@@ -30,7 +31,7 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& A) {
 }  // namespace
 
 ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
-    : state_(state), terms_(subject, state.q) {
+    : subject_(subject), state_(state), terms_(subject, state.q) {
   const Eigen::VectorXd q = vector_of(state.q);
   const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
   M_condition_ = scaled_condition(M, terms_.mass_matrix().diagonal());
@@ -89,12 +90,13 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
+      break;  // see `has_truth`
     case Function::contact_motion:
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
     case Function::impulse_response:
     case Function::link_inverse_inertias:
-      break;  // see `has_truth`
+      return contact_sizes(function, subject_, state_, M_inverse_, result);
   }
   throw std::logic_error(std::string("nobody knows the scale of ") + function_name(function));
 }

@@ -25,6 +25,7 @@ class ResultSizes {
   [[nodiscard]] Eigen::MatrixXd lambda() const;
   [[nodiscard]] Eigen::VectorXd control_torque() const;
 
+  const Subject<double>& subject_;
   const State& state_;
   TermSizes terms_;
   Eigen::MatrixXd M_inverse_, Lambda_;  ///< magnitudes of the entries

@@ -11,6 +11,7 @@ struct Subject {
   interpreter::Model<Scalar> model;
   interpreter::Points<Scalar> points;    ///< operational points
   interpreter::Points<Scalar> external;  ///< where external forces act
+  interpreter::Points<Scalar> contacts;
 };
 
 template <class Scalar>
@@ -19,6 +20,7 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   subject.model = model_from_robot<Scalar>(robot, scene);
   subject.points = points_from_scene(subject.model, scene.operational_points);
   subject.external = points_from_scene(subject.model, scene.external_forces);
+  subject.contacts = points_from_scene(subject.model, scene.contacts);
   return subject;
 }
 
@@ -26,7 +28,7 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
 template <class To, class From>
 Subject<To> cast(const Subject<From>& subject) {
   return {interpreter::cast<To>(subject.model), interpreter::cast<To>(subject.points),
-          interpreter::cast<To>(subject.external)};
+          interpreter::cast<To>(subject.external), interpreter::cast<To>(subject.contacts)};
 }
 
 }  // namespace treeline

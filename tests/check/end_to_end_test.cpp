@@ -42,6 +42,16 @@ TEST(Check, ExternalForce) {
   expect_passed(check_or_throw(load("puma560", "scene_contact.yaml"), quick_options(60)), 3);
 }
 
+TEST(Check, Contacts) {
+  const auto wall = check_or_throw(load("humanoid24", "scene_hit_wall.yaml"), quick_options(40));
+  expect_passed(wall, 7);
+  const auto free = check_or_throw(load("tumbler"), quick_options(40));
+  expect_passed(free, 6);
+  for (const FunctionReport& function : free.functions) {
+    EXPECT_TRUE(function.has_truth) << function.name;
+  }
+}
+
 TEST(Check, Float) {
   const auto report = check_or_throw(load("puma560", "scene_float.yaml"), quick_options(60));
   expect_passed(report, 2);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "check/draw_state.hpp"
+#include "check/subject.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// The scales of the results of one of `kContactFunctions`, out of the sizes of their terms.
+/// `M_inverse` has the magnitudes of M^-1; `result` is what the function gives.
+std::vector<double> contact_sizes(Function function, const Subject<double>& subject,
+                                  const State& state, const Eigen::MatrixXd& M_inverse,
+                                  const std::vector<double>& result);
+
+}  // namespace treeline
