@@ -88,6 +88,18 @@ TREELINE_LANES_OPERATOR(*)
 TREELINE_LANES_OPERATOR(/)
 #undef TREELINE_LANES_OPERATOR
 
+template <class Real, int count, bool fits>
+TREELINE_LANES_INLINE Lanes<Real, count, fits> operator-(
+    const Lanes<Real, count, fits>& a) noexcept {
+  if constexpr (fits) {
+    return {-a.vector};
+  } else if constexpr (count == 1) {
+    return {-a.value};
+  } else {
+    return {-a.low, -a.high};
+  }
+}
+
 /// Lanes of two, four or eight numbers.
 template <class Real>
 TREELINE_LANES_INLINE Lanes<Real, 2> make_lanes(Real a, Real b) noexcept {

@@ -59,10 +59,11 @@ std::optional<GeneratedLibrary> compile_and_load(const fs::path& sources, const 
                                                  const fs::path& work, Compilation& compilation,
                                                  Diagnostics& diagnostics) {
   fs::create_directory(work);
-  auto made = compile_folder(sources, scene.name, generation.functions, options, work, diagnostics);
+  const std::vector<GeneratedFunction> functions = all_functions(generation);
+  auto made = compile_folder(sources, scene.name, functions, options, work, diagnostics);
   if (!made) return std::nullopt;
   compilation = std::move(*made);
-  return GeneratedLibrary::load(compilation.library, generation.functions, scene.real, diagnostics);
+  return GeneratedLibrary::load(compilation.library, functions, scene.real, diagnostics);
 }
 
 std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& scene,
@@ -150,8 +151,9 @@ CheckReport judge(const Scene& scene, const Generation& generation,
                   const Libraries& libraries) {
   CheckReport report = begin_report(scene, options, libraries);
   if (!options.folder.empty()) report.stale = compare_files(options.folder, generation.files);
-  for (std::size_t i = 0; i < generation.functions.size(); ++i) {
-    report.functions.push_back(judge_function(i, generation.functions[i], references, scene.real,
+  const std::vector<GeneratedFunction> functions = all_functions(generation);
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    report.functions.push_back(judge_function(i, functions[i], references, scene.real,
                                               *libraries.accurate, libraries.exact()));
     add_compilation(libraries.compilation, report.functions.back());
   }

@@ -98,7 +98,7 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
         compile_command(compiler, options, fs::absolute(folder), source, work / (stem + ".o")));
   };
   for (const GeneratedFunction& generated : functions) {
-    add(generated.program.name, fs::absolute(folder / (generated.program.name + ".cpp")));
+    add(source_stem(generated), fs::absolute(folder / (source_stem(generated) + ".cpp")));
   }
   add(kEntryStem, work / (std::string(kEntryStem) + ".cpp"));
   objects.outcomes = run_commands(commands, core_count(options.jobs), work);

@@ -67,13 +67,13 @@ std::optional<GeneratedLibrary> GeneratedLibrary::load(
     return std::nullopt;
   }
   for (const GeneratedFunction& generated : functions) {
-    const std::string symbol = entry_symbol(generated.program.name);
+    const std::string symbol = entry_symbol(source_stem(generated));
     void* const entry = dlsym(library.handle_.get(), symbol.c_str());
     if (entry == nullptr) {
       report(path, "has no symbol " + symbol, diagnostics);
       return std::nullopt;
     }
-    library.functions_.push_back({&generated.program, reinterpret_cast<Entry>(entry)});
+    library.functions_.push_back({generated.program, reinterpret_cast<Entry>(entry)});
   }
   return library;
 }
@@ -87,13 +87,13 @@ template <class T>
 CallResult GeneratedLibrary::call_in(const LoadedFunction& function, const State& state) const {
   std::vector<Fenced<T>> inputs;
   std::vector<Fenced<T>> outputs;
-  for (const auto* argument : arguments_of(*function.program, state)) {
+  for (const auto* argument : arguments_of(function.program, state)) {
     Fenced<T>& input = inputs.emplace_back(argument->size());
     for (std::size_t k = 0; k < argument->size(); ++k) {
       input.data()[k] = static_cast<T>((*argument)[k]);
     }
   }
-  for (const Result& result : function.program->results) {
+  for (const Result& result : function.program.results) {
     outputs.emplace_back(result.values.size());
   }
   std::vector<const void*> in;

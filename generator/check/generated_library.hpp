@@ -32,7 +32,7 @@ class GeneratedLibrary {
  private:
   using Entry = void (*)(const void* const* in, void* const* out);
   struct LoadedFunction {
-    const Program* program;
+    Program program;
     Entry entry;
   };
   struct Closer {

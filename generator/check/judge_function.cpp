@@ -33,7 +33,7 @@ void note_error(const ErrorAt& found, FunctionReport& report, std::vector<double
 
 FunctionReport begin_report(const GeneratedFunction& generated) {
   FunctionReport report;
-  report.name = generated.program.name;
+  report.name = source_stem(generated);
   report.has_truth = has_truth(generated.function);
   report.method = generated.chosen.method;
   report.count = count_operations(generated.program);

@@ -8,12 +8,14 @@
 namespace treeline {
 namespace {
 
-std::string print_arguments(const Program& program) {
+std::string print_arguments(const GeneratedFunction& generated) {
+  const Program& program = generated.program;
+  const bool batch = generated.batch > 0;
   std::string text;
   const auto append = [&](const char* direction, const Argument& argument, const char* array,
                           std::size_t i) {
-    text += fmt::format("{}{}<{}>({}[{}])", text.empty() ? "" : ", ", direction,
-                        argument.rows * argument.cols, array, i);
+    text += fmt::format("{}{}{}<{}>({}[{}]){}", text.empty() ? "" : ", ", batch ? "batch_" : "",
+                        direction, argument.rows * argument.cols, array, i, batch ? ".all()" : "");
   };
   for (std::size_t i = 0; i < program.arguments.size(); ++i) {
     append("input", program.arguments[i], "in", i);
@@ -28,13 +30,21 @@ std::string print_arguments(const Program& program) {
 
 std::string print_entry(const std::string& name, const std::vector<GeneratedFunction>& functions) {
   std::string text;
+  bool has_batch = false;
   for (const GeneratedFunction& generated : functions) {
-    const Program& program = generated.program;
-    text += fill_template(
-        check_templates::kFunction,
-        {{"name", name}, {"function", program.name}, {"arguments", print_arguments(program)}});
+    has_batch = has_batch || generated.batch > 0;
+    text +=
+        fill_template(check_templates::kFunction,
+                      {{"name", generated.batch > 0 ? name + "::batch" : name},
+                       {"entry", source_stem(generated)},
+                       {"function", generated.program.name},
+                       {"arguments", print_arguments(generated)},
+                       {"after", generated.batch > 0 ? "\n  lane = (lane + 1) % kStates;" : ""}});
   }
-  return fill_template(check_templates::kEntry, {{"name", name}, {"functions", text}});
+  const std::string batch =
+      has_batch ? fill_template(check_templates::kBatch, {{"name", name}}) : "";
+  return fill_template(check_templates::kEntry,
+                       {{"name", name}, {"batch", batch}, {"functions", text}});
 }
 
 std::string entry_symbol(const std::string& function) {

@@ -95,13 +95,14 @@ class ReferenceMaker {
  public:
   ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
                  std::uint64_t seed)
-      : generation_(generation),
+      : functions_(all_functions(generation)),
+        plain_(generation.functions.size()),
         real_(scene.real),
         exact_(make_subject<Digits50>(robot, scene)),
         single_(cast<float>(exact_)),
         space_{cast<double>(exact_), generation.mechanism.coordinates, seed,
                scene.real == Real::float32, other_arguments(generation)} {
-    for (const GeneratedFunction& generated : generation.functions) {
+    for (const GeneratedFunction& generated : functions_) {
       angles_.push_back(angles_of(generated.program));
     }
   }
@@ -110,7 +111,10 @@ class ReferenceMaker {
     StateReference made{draw_state(space_, index), {}};
     const ResultSizes sizes(space_.subject, made.state);
     for (std::size_t i = 0; i < angles_.size(); ++i) {
-      made.functions.push_back(make(generation_.functions[i], made.state, sizes));
+      // A function of several states differs from the plain one in its graph, not in its truth.
+      made.functions.push_back(i < plain_ ? find_truth(functions_[i], made.state, sizes)
+                                          : made.functions[i - plain_]);
+      made.functions.back().graph = evaluate_in_real(functions_[i].program, made.state);
       made.functions.back().computed_angles =
           add_magnitudes(evaluate_graph<double>(angles_[i], made.state));
     }
@@ -118,11 +122,14 @@ class ReferenceMaker {
   }
 
  private:
-  FunctionReference make(const GeneratedFunction& generated, const State& state,
-                         const ResultSizes& sizes) const {
+  std::vector<double> evaluate_in_real(const Program& program, const State& state) const {
+    return real_ == Real::float32 ? evaluate_graph<float>(program, state)
+                                  : evaluate_graph<double>(program, state);
+  }
+
+  FunctionReference find_truth(const GeneratedFunction& generated, const State& state,
+                               const ResultSizes& sizes) const {
     FunctionReference reference;
-    reference.graph = real_ == Real::float32 ? evaluate_graph<float>(generated.program, state)
-                                             : evaluate_graph<double>(generated.program, state);
     if (!has_truth(generated.function)) return reference;
     reference.condition = sizes.condition(solve_of(generated.function));
     reference.singular = !(reference.condition < kSingular / unit_of(real_));
@@ -139,7 +146,8 @@ class ReferenceMaker {
                                   : interpret<double>(function, space_.subject, state);
   }
 
-  const Generation& generation_;
+  std::vector<GeneratedFunction> functions_;
+  std::size_t plain_;            ///< so many of them are of one state
   std::vector<Program> angles_;  ///< of each function
   Real real_;
   Subject<Digits50> exact_;

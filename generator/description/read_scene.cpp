@@ -61,6 +61,9 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
   if (const auto lanes = find("lanes"); lanes != fields.end()) {
     scene.lanes = 1 << lanes->second.choice({"1", "2", "4", "8"}).value_or(3);
   }
+  if (const auto batch = find("batch"); batch != fields.end()) {
+    scene.batch = 2 << batch->second.choice({"2", "4", "8", "16"}).value_or(2);
+  }
   if (const auto functions = find("functions"); functions != fields.end()) {
     read_functions(functions->second, scene);
   }
@@ -69,8 +72,9 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
 Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = identifier_from(robot.name);
-  const auto fields = top.fields({"name", "base", "gravity", "real", "lanes", "operational_points",
-                                  "external_forces", "contacts", "functions", "locked", "objects"});
+  const auto fields =
+      top.fields({"name", "base", "gravity", "real", "lanes", "batch", "operational_points",
+                  "external_forces", "contacts", "functions", "locked", "objects"});
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);

@@ -16,17 +16,17 @@ enum class Real { float32, float64 };
 /// The functions a scene may ask for; the names in YAML and in emitted code are those of
 /// `function_name`.
 enum class Function {
-  forward_kinematics,  ///< poses of the operational points
-  jacobian,            ///< J, rows stacked over operational points
-  bias_acceleration,   ///< Jd qd
-  inverse_dynamics,    ///< tau = M qdd + b + g - J_ext^T f_ext (Chang table 4.1)
-  gravity,             ///< g
-  nonlinear_effects,   ///< b + g
-  mass_matrix,         ///< M
-  forward_dynamics,    ///< qdd (Chang table 4.2)
-  lambda_inverse,      ///< Lambda^-1 = J M^-1 J^T (Chang table 5.3)
-  lambda,              ///< Lambda
-  control_torque,      ///< tau of Chang table 6.1
+  forward_kinematics,       ///< poses of the operational points
+  jacobian,                 ///< J, rows stacked over operational points
+  bias_acceleration,        ///< Jd qd
+  inverse_dynamics,         ///< tau = M qdd + b + g - J_ext^T f_ext (Chang table 4.1)
+  gravity,                  ///< g
+  nonlinear_effects,        ///< b + g
+  mass_matrix,              ///< M
+  forward_dynamics,         ///< qdd (Chang table 4.2)
+  lambda_inverse,           ///< Lambda^-1 = J M^-1 J^T (Chang table 5.3)
+  lambda,                   ///< Lambda
+  control_torque,           ///< tau of Chang table 6.1
   object_state,             ///< poses and velocities of the objects held, drift of the grasps
   object_control_torque,    ///< tau of Chang table 7.1
   object_forward_dynamics,  ///< qdd, xdd of the objects, forces of the grasps (Chang table 7.2)
@@ -56,8 +56,8 @@ constexpr bool needs_objects(Function function) {
   return function == Function::object_state || function == Function::object_control_torque ||
          function == Function::object_forward_dynamics;
 }
-/// Those about contacts, which a scene may ask for only when it lists some, and the inverse inertias
-/// of all links, which it gets only when it asks.
+/// Those about contacts, which a scene may ask for only when it lists some, and the inverse
+/// inertias of all links, which it gets only when it asks.
 inline constexpr std::array kContactFunctions = {
     Function::contact_motion, Function::contact_inverse_inertia, Function::effective_mass,
     Function::impulse_response, Function::link_inverse_inertias};
@@ -91,8 +91,8 @@ struct SceneGrasp {
   Pose origin;
 };
 
-/// A rigid body in one or several hands. Mass in kg, inertia about the centre of mass in the axes of
-/// the object's frame, in which `inertial.origin` has the centre.
+/// A rigid body in one or several hands. Mass in kg, inertia about the centre of mass in the axes
+/// of the object's frame, in which `inertial.origin` has the centre.
 struct SceneObject {
   std::string name;
   Inertial inertial;
@@ -107,13 +107,14 @@ struct Scene {
   std::array<double, 3> gravity{0, 0, -9.81};  ///< m/s^2, world axes
   std::vector<ScenePoint> operational_points;
   std::vector<ScenePoint> external_forces;  ///< [force; moment] inputs; always all six rows
-  std::vector<ScenePoint> contacts;  ///< rows x y z in world axes
+  std::vector<ScenePoint> contacts;         ///< rows x y z in world axes
   std::vector<SceneObject> objects;
-  std::vector<Function> functions;          ///< sorted, unique
+  std::vector<Function> functions;  ///< sorted, unique
   Real real = Real::float64;
   /// Numbers that the emitted code may compute together: 1, 2, 4 or 8. What a machine's registers
   /// cannot hold its compiler takes apart again.
   int lanes = 8;
+  int batch = 0;  ///< states that the functions of NAME_batch.hpp take in one call; 0: none emitted
   std::map<std::string, double> locked;  ///< joint name -> value it is held at
 };
 

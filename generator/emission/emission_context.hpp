@@ -14,6 +14,7 @@ struct EmissionContext {
   std::string robot;    ///< the robot's name as the URDF has it
   std::string command;  ///< that regenerates the folder, file names without directories
   bool single_precision = false;
+  int batch = 0;                    ///< states a call of the functions in NAME_batch.hpp; 0: none
   int coordinates = 0;              ///< nq
   int velocities = 0;               ///< nv
   int task_rows = 0;                ///< stacked over the operational points

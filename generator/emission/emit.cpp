@@ -4,6 +4,7 @@
 
 #include "emission/check_emission.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_batch.hpp"
 #include "emission/print_contract.hpp"
 #include "emission/print_eigen.hpp"
 #include "emission/print_manifest.hpp"
@@ -26,19 +27,37 @@ std::string print_runtime(const EmissionContext& context, std::string_view heade
   return text;
 }
 
-std::string print_cmake(const EmissionContext& context, std::span<const Program> programs) {
+std::string print_cmake(const EmissionContext& context, std::span<const Program> programs,
+                        std::span<const Program> batch) {
   std::string sources;
   for (const Program& program : programs) {
     sources += program.name + ".cpp\n";
+  }
+  for (const Program& program : batch) {
+    sources += "batch_" + program.name + ".cpp\n";
   }
   return fill_template(templates::kCMakeLists,
                        {{"robot", context.robot}, {"name", context.name}, {"sources", sources}});
 }
 
+/// The headers of the runtime that these sources include.
+void add_runtime(const EmissionContext& context, std::span<const Program> programs, bool has_batch,
+                 std::vector<GeneratedFile>& files) {
+  if (has_batch || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+    files.push_back({"sin_cos.hpp", print_runtime(context, templates::kSinCos)});
+  }
+  if (has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes)) {
+    files.push_back({"lanes.hpp", print_runtime(context, templates::kLanes)});
+  }
+  if (has_batch) {
+    files.push_back({"states.hpp", print_runtime(context, templates::kStates)});
+  }
+}
+
 }  // namespace
 
 std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const Program> programs,
-                                Diagnostics& diagnostics) {
+                                Diagnostics& diagnostics, std::span<const Program> batch) {
   Diagnostics own;
   check_emission(context, programs, own);
   for (const Diagnostic& diagnostic : own.list()) {
@@ -49,16 +68,17 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
   }
   std::vector<GeneratedFile> files = {{context.name + ".hpp", print_contract(context, programs)},
                                       {context.name + "_eigen.hpp", print_eigen(context, programs)},
-                                      {"CMakeLists.txt", print_cmake(context, programs)}};
+                                      {"CMakeLists.txt", print_cmake(context, programs, batch)}};
   for (const Program& program : programs) {
     files.push_back({program.name + ".cpp", print_source(context, program)});
   }
-  if (std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
-    files.push_back({"sin_cos.hpp", print_runtime(context, templates::kSinCos)});
+  if (!batch.empty()) {
+    files.push_back({context.name + "_batch.hpp", print_batch_header(context, batch)});
   }
-  if (std::any_of(programs.begin(), programs.end(), uses_lanes)) {
-    files.push_back({"lanes.hpp", print_runtime(context, templates::kLanes)});
+  for (const Program& program : batch) {
+    files.push_back({"batch_" + program.name + ".cpp", print_batch_source(context, program)});
   }
+  add_runtime(context, programs, !batch.empty(), files);
   std::vector<std::string> names = {kManifestName};
   for (const GeneratedFile& file : files) {
     names.push_back(file.name);

@@ -21,7 +21,8 @@ struct GeneratedFile {
 /// in the programs (see `schedule`). Same input, same bytes. Errors, each with an empty result: a
 /// name that cannot be one in C++, two functions of one name, an argument without elements, a
 /// division by a structural zero, a constant that is not finite in Real.
+/// `batch` are the functions to emit for `context.batch` states as well: without packs.
 std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const Program> programs,
-                                Diagnostics& diagnostics);
+                                Diagnostics& diagnostics, std::span<const Program> batch = {});
 
 }  // namespace treeline

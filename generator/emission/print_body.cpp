@@ -21,8 +21,10 @@ bool is_trigonometric(Op op) {
 
 class BodyPrinter {
  public:
-  BodyPrinter(const Program& program, bool single_precision, const std::set<std::string>& taken)
-      : graph_(program.graph),
+  BodyPrinter(const Program& program, bool single_precision, const std::set<std::string>& taken,
+              std::string_view number)
+      : number_(number),
+        graph_(program.graph),
         selected_(select_statements(program)),
         names_(choose_names(program, selected_, taken)),
         lanes_(program, names_),
@@ -76,7 +78,8 @@ class BodyPrinter {
     if (lanes_.is_first(node)) {
       print_statement(lanes_.statement(node, expressions_));
     } else if (selected_[node] && !lanes_.is_packed(node)) {
-      print_statement(fmt::format("const Real {} = {};", names_[node], expressions_.formula(node)));
+      print_statement(
+          fmt::format("const {} {} = {};", number_, names_[node], expressions_.formula(node)));
     }
     print_stores(node);
   }
@@ -106,7 +109,7 @@ class BodyPrinter {
       const Node& node = graph_.nodes()[i];
       const auto lane = std::find(angles.begin(), angles.end(), node.a) - angles.begin();
       enter_sections(i);
-      text_ += wrap_line(fmt::format("const Real {} = {}{}[{}];", names_[i],
+      text_ += wrap_line(fmt::format("const {} {} = {}{}[{}];", number_, names_[i],
                                      node.op == Op::sin ? "sines" : "cosines", suffix, lane),
                          2);
       print_stores(i);
@@ -119,12 +122,14 @@ class BodyPrinter {
     for (const std::uint32_t angle : angles) {
       list += (list.empty() ? "" : ", ") + expressions_.reference(angle);
     }
-    text_ +=
-        wrap_line(fmt::format("const Real angles{}[{}] = {{{}}};", suffix, angles.size(), list), 2);
-    text_ += fmt::format("  Real sines{0}[{1}];\n  Real cosines{0}[{1}];\n", suffix, angles.size());
+    text_ += wrap_line(
+        fmt::format("const {} angles{}[{}] = {{{}}};", number_, suffix, angles.size(), list), 2);
+    text_ += fmt::format("  {2} sines{0}[{1}];\n  {2} cosines{0}[{1}];\n", suffix, angles.size(),
+                         number_);
     text_ += fmt::format("  detail::sin_cos(angles{0}, sines{0}, cosines{0});\n", suffix);
   }
 
+  std::string_view number_;
   const Graph& graph_;
   std::vector<bool> selected_;
   std::vector<std::string> names_;
@@ -140,8 +145,8 @@ class BodyPrinter {
 }  // namespace
 
 std::string print_body(const Program& program, bool single_precision,
-                       const std::set<std::string>& taken) {
-  return BodyPrinter(program, single_precision, taken).print();
+                       const std::set<std::string>& taken, std::string_view number) {
+  return BodyPrinter(program, single_precision, taken, number).print();
 }
 
 }  // namespace treeline

@@ -16,12 +16,6 @@
 namespace treeline {
 namespace {
 
-bool reads(const Program& program, const Argument& argument) {
-  return std::any_of(
-      program.graph.inputs().begin(), program.graph.inputs().end(),
-      [&](const std::string& input) { return input.starts_with(argument.name + "["); });
-}
-
 std::string parameter(const Argument& argument, const char* qualifier, const std::string& name) {
   return fmt::format("{}Real (&{})[{}]", qualifier, name, argument.rows * argument.cols);
 }
@@ -41,27 +35,6 @@ std::string print_head(const Program& program) {
             parameter(result.argument, "", "TREELINE_RESTRICT " + result.argument.name);
   }
   return fmt::format("void {}({}) noexcept", program.name, list);
-}
-
-/// Names that no local may have: arguments, what the header and the file declare.
-std::set<std::string> find_taken_names(const EmissionContext& context, const Program& program) {
-  std::set<std::string> taken = {"Real",         "Lanes",       "detail",
-                                 "kCoordinates", "kVelocities", "kTaskRows"};
-  taken.insert(context.name);
-  taken.insert(program.name);
-  for (const char* array : {"angles", "sines", "cosines"}) {
-    taken.insert(array);
-    for (int i = 2; i < 100; ++i) {
-      taken.insert(array + std::to_string(i));
-    }
-  }
-  for (const Argument& argument : program.arguments) {
-    taken.insert(argument.name);
-  }
-  for (const Result& result : program.results) {
-    taken.insert(result.argument.name);
-  }
-  return taken;
 }
 
 std::string print_includes(const Program& program) {
@@ -104,6 +77,32 @@ std::string print_source(const EmissionContext& context, const Program& program)
        {"signature", wrap_line(print_head(program) + " {", 0)},
        {"body",
         print_body(program, context.single_precision, find_taken_names(context, program))}});
+}
+
+bool reads(const Program& program, const Argument& argument) {
+  return std::any_of(
+      program.graph.inputs().begin(), program.graph.inputs().end(),
+      [&](const std::string& input) { return input.starts_with(argument.name + "["); });
+}
+
+std::set<std::string> find_taken_names(const EmissionContext& context, const Program& program) {
+  std::set<std::string> taken = {"Real",         "Lanes",       "detail",
+                                 "kCoordinates", "kVelocities", "kTaskRows"};
+  taken.insert(context.name);
+  taken.insert(program.name);
+  for (const char* array : {"angles", "sines", "cosines"}) {
+    taken.insert(array);
+    for (int i = 2; i < 100; ++i) {
+      taken.insert(array + std::to_string(i));
+    }
+  }
+  for (const Argument& argument : program.arguments) {
+    taken.insert(argument.name);
+  }
+  for (const Result& result : program.results) {
+    taken.insert(result.argument.name);
+  }
+  return taken;
 }
 
 bool uses_lanes(const Program& program) {

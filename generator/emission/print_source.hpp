@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "emission/emission_context.hpp"
@@ -13,7 +14,13 @@ std::string print_declaration(const Program& program);
 /// The source file that defines the program's function.
 std::string print_source(const EmissionContext& context, const Program& program);
 
-/// True when some result needs a sine or cosine.
+/// Whether the function reads any element of this argument.
+bool reads(const Program& program, const Argument& argument);
+
+/// Names that no local may have: arguments, what the header and the file declare.
+std::set<std::string> find_taken_names(const EmissionContext& context, const Program& program);
+
+/// Whether some numbers of the emitted function share registers.
 bool uses_lanes(const Program& program);
 
 /// Whether the emitted function needs sine and cosine.

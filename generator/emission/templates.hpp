@@ -6,6 +6,8 @@ namespace treeline::templates {
 
 // The files of templates/ and headers of runtime/core, embedded when the generator is built (see
 // embed_files.cmake).
+extern const std::string_view kBatch;
+extern const std::string_view kBatchFunction;
 extern const std::string_view kCMakeLists;
 extern const std::string_view kContract;
 extern const std::string_view kDeclaration;
@@ -14,6 +16,7 @@ extern const std::string_view kFunction;
 extern const std::string_view kLanes;
 extern const std::string_view kManifest;
 extern const std::string_view kSinCos;
+extern const std::string_view kStates;
 extern const std::string_view kWrapper;
 
 }  // namespace treeline::templates

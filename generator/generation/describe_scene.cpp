@@ -142,6 +142,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.name = scene.name;
   context.robot = robot.name;
   context.single_precision = scene.real == Real::float32;
+  context.batch = scene.batch;
   context.coordinates = mechanism.nq();
   context.velocities = mechanism.nv();
   context.task_rows = mechanism.task_rows();

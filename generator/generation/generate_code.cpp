@@ -77,6 +77,16 @@ GeneratedFunction generate_function(const Mechanism& mechanism, Function functio
   return generated;
 }
 
+std::string source_stem(const GeneratedFunction& generated) {
+  return (generated.batch > 0 ? "batch_" : "") + generated.program.name;
+}
+
+std::vector<GeneratedFunction> all_functions(const Generation& generation) {
+  std::vector<GeneratedFunction> all = generation.functions;
+  all.insert(all.end(), generation.batch.begin(), generation.batch.end());
+  return all;
+}
+
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics) {
   Generation generation;
@@ -86,8 +96,16 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
     generation.functions.push_back(generate_function(generation.mechanism, function, scene.lanes));
     programs.push_back(generation.functions.back().program);
   }
+  std::vector<Program> batch;
+  if (scene.batch > 0) {
+    for (const GeneratedFunction& generated : generation.functions) {
+      generation.batch.push_back(generate_function(generation.mechanism, generated.function, 1));
+      generation.batch.back().batch = scene.batch;
+      batch.push_back(generation.batch.back().program);
+    }
+  }
   const EmissionContext context = context_of(robot, scene, provenance, generation);
-  generation.files = emit(context, programs, diagnostics);
+  generation.files = emit(context, programs, diagnostics, batch);
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }

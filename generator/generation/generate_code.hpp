@@ -29,12 +29,18 @@ struct GeneratedFunction {
   Cost chosen;
   std::vector<Cost> rejected;
   std::vector<PassReport> passes;
+  int batch = 0;  ///< states a call; 0: the plain function of one state
 };
+
+/// What the function's source file is called, without `.cpp`.
+std::string source_stem(const GeneratedFunction& generated);
 
 /// Everything `treeline generate` makes, in memory.
 struct Generation {
   Mechanism mechanism;
   std::vector<GeneratedFunction> functions;
+  std::vector<GeneratedFunction>
+      batch;  ///< the same for `Scene::batch` states, if it asks for them
   std::vector<GeneratedFile> files;
 };
 
@@ -42,6 +48,9 @@ struct Generation {
 /// choose, run the passes, emit. Nothing is returned when `diagnostics` got an error.
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics);
+
+/// The plain functions, then those for batches in the same order.
+std::vector<GeneratedFunction> all_functions(const Generation& generation);
 
 /// The route to one function that is cheapest after the passes. `lanes`: see `Scene`.
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes);

@@ -2,7 +2,7 @@
 #                   [FUNCTIONS function...])
 #
 # Makes the static library TARGET from a robot and a scene while building: link it and include
-# "NAME.hpp" (or "NAME_eigen.hpp"). NAME, which is also the namespace, is the target's name unless
+# "NAME.hpp" (or "NAME_eigen.hpp", or "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the target's name unless
 # given; REAL and FUNCTIONS go before what the scene says. The code is generated again when the URDF,
 # the scene or the generator changes, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
@@ -42,12 +42,22 @@ function(treeline_generate target)
   endif()
 
   set(sources ${TREELINE_ALL_FUNCTIONS})
+  # Only where the scene may ask for batches; an edit that adds the key configures anew.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${arg_SCENE})
+  if(EXISTS ${arg_SCENE})
+    file(STRINGS ${arg_SCENE} batch REGEX "batch *:")
+    if(batch)
+      list(TRANSFORM TREELINE_ALL_FUNCTIONS PREPEND batch_ OUTPUT_VARIABLE batch_sources)
+      list(APPEND sources ${batch_sources})
+    endif()
+  endif()
+  set(stems ${sources})
   list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.cpp")
   set(stamp ${folder}.stamp)
   add_custom_command(OUTPUT ${stamp}
     BYPRODUCTS ${sources}
     COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${TREELINE_ALL_FUNCTIONS}"
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}"
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${arg_URDF} ${arg_SCENE} treeline::treeline

@@ -13,7 +13,7 @@
 
 namespace treeline::core {
 
-// Lanes: one number or four, under one set of names.
+// Lanes: one number or several, under one set of names.
 
 /// One double with the 64 bits it is made of.
 struct OneLane {
@@ -46,14 +46,12 @@ struct OneLane {
     !defined(TREELINE_NO_VECTOR_EXTENSIONS)
 #define TREELINE_HAS_LANES
 #define TREELINE_INLINE_LANES inline __attribute__((always_inline))
-/// Four doubles side by side. Wide operations become AVX where the target has it, else pairs of
-/// SSE2 or NEON operations. Passed by reference only: the calling convention of such a value
-/// depends on the target's flags.
-struct FourLanes {
-  typedef double Value __attribute__((vector_size(32)));
-  typedef std::uint64_t Bits __attribute__((vector_size(32)));
-  typedef float Single __attribute__((vector_size(16)));
-  static constexpr int kCount = 4;
+/// Doubles side by side. What is wider than the target's registers becomes several operations.
+/// Passed by reference only: the calling convention of such a value depends on the target's flags.
+template <int count>
+struct VectorLanes {
+  typedef double Value __attribute__((vector_size(count * sizeof(double))));
+  typedef std::uint64_t Bits __attribute__((vector_size(count * sizeof(double))));
 
   static TREELINE_INLINE_LANES void to_bits(const Value& value, Bits& bits) noexcept {
     bits = (Bits)value;
@@ -64,6 +62,13 @@ struct FourLanes {
   static TREELINE_INLINE_LANES void less_equal(const Value& a, double b, Bits& mask) noexcept {
     mask = (Bits)(a <= (Value{} + b));
   }
+};
+
+/// Four doubles: of one state, four are faster than eight even where eight fit a register.
+struct FourLanes : VectorLanes<4> {
+  typedef float Single __attribute__((vector_size(16)));
+  static constexpr int kCount = 4;
+
   /// Reads `count` of four angles; the lanes left over repeat the first.
   template <int count>
   static TREELINE_INLINE_LANES void load(const double* from, Value& value) noexcept {
@@ -205,7 +210,7 @@ TREELINE_INLINE_LANES void sin_cos_remainder(const typename Lanes::Value& r,
   cosine = leading + (((1.0 - leading) - half) + (z * c - r * tail));
 }
 
-/// The double function on one lane or four.
+/// The double function on one lane or several.
 template <class Lanes>
 TREELINE_INLINE_LANES void sin_cos_double(const typename Lanes::Value& x,
                                           typename Lanes::Value& sine,

@@ -58,6 +58,21 @@ TEST(Check, Float) {
   EXPECT_TRUE(report.single_precision);
 }
 
+// Would catch a lane that sees another, a row or a constant that is spread wrongly.
+TEST(Check, Batches) {
+  for (const auto& [batch, real] : {std::pair{4, Real::float64}, std::pair{16, Real::float32}}) {
+    RandomOptions options;
+    options.joints = 3;
+    options.floating_base = true;
+    Subjects subjects = draw(31, options, real);
+    subjects.scene.batch = batch;
+    subjects.scene.functions = {Function::forward_kinematics, Function::inverse_dynamics,
+                                Function::mass_matrix};
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    expect_passed(check_or_throw(subjects, quick_options(20)), 6);
+  }
+}
+
 // Whatever the flags, bits are compared as compiled without contraction.
 TEST(Check, FlagsThatContract) {
   CheckOptions options = quick_options(60);

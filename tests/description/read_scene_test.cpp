@@ -55,6 +55,7 @@ TEST(ReadScene, HasDefaults) {
   EXPECT_EQ(scene.base, Base::fixed);
   EXPECT_EQ(scene.gravity, (std::array{0.0, 0.0, -9.81}));
   EXPECT_EQ(scene.real, Real::float64);
+  EXPECT_EQ(scene.batch, 0);
   EXPECT_TRUE(scene.locked.empty());
   EXPECT_EQ(scene.functions,
             (std::vector{Function::inverse_dynamics, Function::gravity, Function::nonlinear_effects,
@@ -67,6 +68,7 @@ name: arm
 base: floating
 gravity: [0, +1.5, -1e-1]
 real: float
+batch: 16
 operational_points:
   - name: tip
     link: tool
@@ -83,6 +85,7 @@ locked: {slide: 0.25}
   EXPECT_EQ(scene.base, Base::floating);
   EXPECT_EQ(scene.gravity, (std::array{0.0, 1.5, -0.1}));
   EXPECT_EQ(scene.real, Real::float32);
+  EXPECT_EQ(scene.batch, 16);
   ASSERT_EQ(scene.operational_points.size(), 2U);
   const ScenePoint& tip = scene.operational_points[0];
   EXPECT_EQ(tip.name, "tip");

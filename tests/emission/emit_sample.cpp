@@ -11,8 +11,12 @@ int main(int argc, char** argv) {
   }
   treeline::Diagnostics diagnostics;
   const bool single_precision = std::string(argv[3]) == "float";
-  const auto files = treeline::emit(treeline::test::sample_context(argv[2], single_precision),
-                                    treeline::test::sample_programs(), diagnostics);
+  treeline::EmissionContext context = treeline::test::sample_context(argv[2], single_precision);
+  context.batch = treeline::test::kSampleBatch;
+  const auto programs = treeline::test::sample_programs();
+  std::vector<treeline::Program> batch = programs;
+  for (treeline::Program& program : batch) program.packs.clear();
+  const auto files = treeline::emit(context, programs, diagnostics, batch);
   const bool written = !files.empty() && treeline::write_files(argv[1], files, diagnostics);
   for (const treeline::Diagnostic& diagnostic : diagnostics.list()) {
     std::fprintf(stderr, "%s: %s\n", diagnostic.element.c_str(), diagnostic.fault.c_str());

@@ -43,6 +43,8 @@ inline Program trace_corner_cases() {
   return program;
 }
 
+inline constexpr int kSampleBatch = 4;  ///< states a call of the batch functions
+
 /// What the sample folders hold.
 inline std::vector<Program> sample_programs() {
   std::vector<PassReport> log;

@@ -5,7 +5,9 @@
 
 #include "emission/sample.hpp"
 #include "program/evaluate.hpp"
+#include "sample_double_batch.hpp"
 #include "sample_double_eigen.hpp"
+#include "sample_float_batch.hpp"
 #include "sample_float_eigen.hpp"
 
 // Would catch: any difference between what is printed and the graph: an operand, a sign, a
@@ -68,6 +70,52 @@ void compare_corner_cases(Function corner_cases) {
     expect_same_bits(out, results[0]);
     expect_same_bits(second, results[1]);
   }
+}
+
+template <class Real, int size, int states>
+std::vector<Real> fill_rows(Real (&rows)[size][states], int state, std::mt19937& random) {
+  Real one[size];
+  std::vector<Real> filled = fill(one, random);
+  for (int i = 0; i < size; ++i) rows[i][state] = one[i];
+  return filled;
+}
+
+template <class Real, int size, int states>
+void expect_column(const Real (&rows)[size][states], int state, const std::vector<Real>& expected) {
+  Real one[size];
+  for (int i = 0; i < size; ++i) one[i] = rows[i][state];
+  expect_same_bits(one, expected);
+}
+
+// Would catch as well a state that is computed from another one's numbers.
+template <class Real, class Function>
+void compare_batches(Function corner_cases) {
+  const Program program = test::sample_programs()[1];
+  constexpr int kBatch = test::kSampleBatch;
+  std::mt19937 random(kSeed);
+  for (int i = 0; i < kStates; ++i) {
+    Real q[3][kBatch];
+    Real unread[2][kBatch];
+    Real delta[2][kBatch];
+    Real out[12][kBatch];
+    Real second[1][kBatch];
+    std::vector<std::vector<std::vector<Real>>> arguments;
+    for (int state = 0; state < kBatch; ++state) {
+      arguments.push_back({fill_rows(q, state, random), fill_rows(unread, state, random),
+                           fill_rows(delta, state, random)});
+    }
+    corner_cases(q, unread, delta, out, second);
+    for (int state = 0; state < kBatch; ++state) {
+      const auto results = evaluate(program, arguments[static_cast<std::size_t>(state)]);
+      expect_column(out, state, results[0]);
+      expect_column(second, state, results[1]);
+    }
+  }
+}
+
+TEST(Emitted, BatchesEqualTheGraphToTheBit) {
+  compare_batches<double>(sample_double::batch::corner_cases);
+  compare_batches<float>(sample_float::batch::corner_cases);
 }
 
 TEST(Emitted, TwoLinkArmEqualsTheGraphToTheBit) {

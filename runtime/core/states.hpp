@@ -1,0 +1,134 @@
+#pragma once
+// Functions of several states at once: arrays hold element i of all states in a row, and each
+// number of the scalar code becomes lanes, one a state. No lane sees another.
+
+#include "lanes.hpp"
+#include "sin_cos.hpp"
+
+namespace treeline::core {
+
+#if defined(__GNUC__)
+#define TREELINE_STATES_INLINE inline __attribute__((always_inline))
+#else
+#define TREELINE_STATES_INLINE inline
+#endif
+
+/// The row of numbers at `row` as lanes; any alignment will do.
+template <class Real, int count>
+TREELINE_STATES_INLINE void load_lanes(const Real* row, Lanes<Real, count>& lanes) noexcept {
+#if defined(__GNUC__)
+  __builtin_memcpy(&lanes, row, sizeof(lanes));
+#else
+  if constexpr (count == 1) {
+    lanes.value = *row;
+  } else {
+    load_lanes(row, lanes.low);
+    load_lanes(row + count / 2, lanes.high);
+  }
+#endif
+}
+template <class Real, int count>
+TREELINE_STATES_INLINE void store_lanes(const Lanes<Real, count>& lanes, Real* row) noexcept {
+#if defined(__GNUC__)
+  __builtin_memcpy(row, &lanes, sizeof(lanes));
+#else
+  if constexpr (count == 1) {
+    *row = lanes.value;
+  } else {
+    store_lanes(lanes.low, row);
+    store_lanes(lanes.high, row + count / 2);
+  }
+#endif
+}
+
+/// An input argument: `argument[i]` is element i of all states.
+template <class Real, int count>
+struct StatesIn {
+  const Real (*rows)[count];
+  TREELINE_STATES_INLINE Lanes<Real, count> operator[](int i) const noexcept {
+    Lanes<Real, count> lanes;
+    load_lanes(rows[i], lanes);
+    return lanes;
+  }
+};
+
+/// An output argument: `argument[i] = lanes`, or one number for all states.
+template <class Real, int count>
+struct StatesOut {
+  struct Row {
+    Real* row;
+    TREELINE_STATES_INLINE void operator=(const Lanes<Real, count>& lanes) const noexcept {
+      store_lanes(lanes, row);
+    }
+    TREELINE_STATES_INLINE void operator=(Real all) const noexcept {
+      store_lanes(Lanes<Real, count>::spread(all), row);
+    }
+  };
+  Real (*rows)[count];
+  TREELINE_STATES_INLINE Row operator[](int i) const noexcept { return {rows[i]}; }
+};
+
+/// Sine and cosine of lanes: in registers of doubles, as wide as the machine has them.
+template <class Real, int count, bool fits>
+TREELINE_STATES_INLINE void sin_cos(const Lanes<Real, count, fits>& x,
+                                    Lanes<Real, count, fits>& sine,
+                                    Lanes<Real, count, fits>& cosine) noexcept {
+  if constexpr (!fits && count == 1) {
+    sin_cos(x.value, sine.value, cosine.value);
+  } else if constexpr (!fits) {
+    sin_cos(x.low, sine.low, cosine.low);
+    sin_cos(x.high, sine.high, cosine.high);
+  } else if constexpr (count * int{sizeof(double)} > kVectorBytes) {
+    // Floats, which are computed as doubles: half of them at a time.
+    Real values[count];
+    Real sines[count];
+    Real cosines[count];
+    store_lanes(x, values);
+    for (int i = 0; i < count; i += count / 2) {
+      Lanes<Real, count / 2> part;
+      Lanes<Real, count / 2> s;
+      Lanes<Real, count / 2> c;
+      load_lanes(values + i, part);
+      sin_cos(part, s, c);
+      store_lanes(s, sines + i);
+      store_lanes(c, cosines + i);
+    }
+    load_lanes(sines, sine);
+    load_lanes(cosines, cosine);
+  } else {
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+    using Double = typename VectorLanes<count>::Value;
+    using Own = typename Lanes<Real, count, true>::Vector;
+    const Double angle = __builtin_convertvector(x.vector, Double);
+    Double s;
+    Double c;
+    if constexpr (sizeof(Real) == sizeof(double)) {
+      sin_cos_double<VectorLanes<count>>(angle, s, c);
+    } else {
+      sin_cos_float<VectorLanes<count>>(angle, s, c);
+    }
+    sine.vector = __builtin_convertvector(s, Own);
+    cosine.vector = __builtin_convertvector(c, Own);
+#endif
+  }
+}
+
+/// Sines and cosines of `size` angles of each state. A loop: the steps of one angle of all states
+/// are enough to keep the machine busy, and inlining them all would fill its instruction cache.
+template <class Real, int count, bool fits, int size>
+inline void sin_cos(const Lanes<Real, count, fits> (&x)[size],
+                    Lanes<Real, count, fits> (&sine)[size],
+                    Lanes<Real, count, fits> (&cosine)[size]) noexcept {
+#if defined(__clang__)
+#pragma clang loop unroll(disable)
+#elif defined(__GNUC__)
+#pragma GCC unroll 1
+#endif
+  for (int i = 0; i < size; ++i) {
+    sin_cos(x[i], sine[i], cosine[i]);
+  }
+}
+
+#undef TREELINE_STATES_INLINE
+
+}  // namespace treeline::core
