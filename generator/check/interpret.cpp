@@ -45,6 +45,16 @@ std::vector<Scalar> poses(const Subject<Scalar>& subject, const Vector<Scalar>& 
   return positions;
 }
 
+template <class Scalar>
+std::vector<Scalar> derivatives(const interpreter::DynamicsDerivatives<Scalar>& of) {
+  std::vector<Scalar> entries;
+  for (const auto* matrix : {&of.by_displacement, &of.by_velocity, &of.by_drive}) {
+    const auto own = entries_of(*matrix);
+    entries.insert(entries.end(), own.begin(), own.end());
+  }
+  return entries;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -85,6 +95,12 @@ std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
       return entries_of(interpreter::center_of_mass<Scalar>(model, q));
     case Function::center_of_mass_jacobian:
       return entries_of(interpreter::center_of_mass_jacobian<Scalar>(model, q));
+    case Function::inverse_dynamics_derivatives:
+      return derivatives(
+          interpreter::inverse_dynamics_derivatives<Scalar>(model, q, qd, qdd, external, f_ext));
+    case Function::forward_dynamics_derivatives:
+      return derivatives(
+          interpreter::forward_dynamics_derivatives<Scalar>(model, q, qd, tau, external, f_ext));
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:

@@ -160,6 +160,7 @@ class ReferenceMaker {
 Solve solve_of(Function function) {
   switch (function) {
     case Function::forward_dynamics:
+    case Function::forward_dynamics_derivatives:
     case Function::lambda_inverse:
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
@@ -194,6 +195,8 @@ bool has_truth(Function function) {
     case Function::effective_mass:
     case Function::impulse_response:
     case Function::link_inverse_inertias:
+    case Function::inverse_dynamics_derivatives:
+    case Function::forward_dynamics_derivatives:
       return true;
     case Function::object_state:
     case Function::object_control_torque:

@@ -1,6 +1,7 @@
 #include "check/result_sizes.hpp"
 
 #include <Eigen/Cholesky>
+#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -20,6 +21,15 @@ std::vector<double> entries_of(const Eigen::MatrixXd& matrix) {
   std::vector<double> entries;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) entries.push_back(matrix(i, j));
+  }
+  return entries;
+}
+
+std::vector<double> joined(std::initializer_list<Eigen::MatrixXd> matrices) {
+  std::vector<double> entries;
+  for (const Eigen::MatrixXd& matrix : matrices) {
+    const std::vector<double> own = entries_of(matrix);
+    entries.insert(entries.end(), own.begin(), own.end());
   }
   return entries;
 }
@@ -87,6 +97,10 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
       return entries_of(terms_.center_of_mass());
     case Function::center_of_mass_jacobian:
       return entries_of(terms_.center_of_mass_jacobian());
+    case Function::inverse_dynamics_derivatives:
+      return inverse_dynamics_derivatives();
+    case Function::forward_dynamics_derivatives:
+      return forward_dynamics_derivatives();
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
@@ -125,6 +139,25 @@ Eigen::VectorXd ResultSizes::control_torque() const {
   const Eigen::VectorXd rows = vector_of(state_.xdd_cmd).cwiseAbs() + terms_.bias(state_.qd) +
                                J * vector_of(state_.qdd).cwiseAbs();
   return terms_.forces(state_.qd, state_.qdd, state_.f_ext) + J.transpose() * (Lambda_ * rows);
+}
+
+std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {
+  return joined({terms_.forces_by_displacement(state_.qd, state_.qdd, state_.f_ext),
+                 terms_.forces_by_velocity(state_.qd), terms_.mass_matrix()});
+}
+
+/// W times those of inverse dynamics at a qdd of the size of its terms; W_ij =
+/// sqrt(|M^-1|_ii |M^-1|_jj), which no entry of M^-1 exceeds: one that cancels says nothing of its
+/// terms.
+std::vector<double> ResultSizes::forward_dynamics_derivatives() const {
+  const Eigen::VectorXd at = interpreter::forward_dynamics<double>(
+      subject_.model, vector_of(state_.q), vector_of(state_.qd), vector_of(state_.tau),
+      subject_.external, vector_of(state_.f_ext));
+  const std::vector<double> qdd = entries_of(forward_dynamics(entries_of(at)));
+  const Eigen::VectorXd d = M_inverse_.diagonal().cwiseSqrt();
+  const Eigen::MatrixXd W = d * d.transpose();
+  return joined({W * terms_.forces_by_displacement(state_.qd, qdd, state_.f_ext),
+                 W * terms_.forces_by_velocity(state_.qd), W});
 }
 
 }  // namespace treeline

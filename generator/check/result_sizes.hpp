@@ -24,6 +24,8 @@ class ResultSizes {
   [[nodiscard]] Eigen::MatrixXd lambda_inverse() const;
   [[nodiscard]] Eigen::MatrixXd lambda() const;
   [[nodiscard]] Eigen::VectorXd control_torque() const;
+  [[nodiscard]] std::vector<double> inverse_dynamics_derivatives() const;
+  [[nodiscard]] std::vector<double> forward_dynamics_derivatives() const;
 
   const Subject<double>& subject_;
   const State& state_;

@@ -132,6 +132,55 @@ Eigen::VectorXd TermSizes::forces(const std::vector<double>& qd, const std::vect
   return tau;
 }
 
+Eigen::MatrixXd TermSizes::forces_by_displacement(const std::vector<double>& qd,
+                                                  const std::vector<double>& qdd,
+                                                  const std::vector<double>& f_ext) const {
+  const auto& model = subject_.model;
+  Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(model.nv, model.nv);
+  const auto add = [&](const Columns& own, double force, double moment, double field) {
+    for (const Column& i : own) {
+      for (const Column& j : own) {
+        sizes(i.v, j.v) += force * (i.lever * j.turn + i.turn * j.lever) +
+                           moment * i.turn * j.turn + field * i.lever * j.lever;
+      }
+    }
+  };
+  for (int i = 0; i < model.size(); ++i) {
+    const auto& body = model.body(i);
+    const Columns own = columns(i, body.com.norm());
+    const Motion of = motion(own, qd, qdd);
+    const double turning = of.alpha + of.w * of.w;
+    add(own, body.mass * (of.a + model.gravity.norm()), central_inertia(body) * turning,
+        body.mass * turning);
+  }
+  for (std::size_t e = 0; 6 * e < f_ext.size(); ++e) {
+    const auto& point = subject_.external[e];
+    const double* f = &f_ext[6 * e];
+    add(columns(point.body, point.p.norm()), std::hypot(f[0], f[1], f[2]),
+        std::hypot(f[3], f[4], f[5]), 0);
+  }
+  return sizes;
+}
+
+Eigen::MatrixXd TermSizes::forces_by_velocity(const std::vector<double>& qd) const {
+  const auto& model = subject_.model;
+  const std::vector<double> none(qd.size(), 0);
+  Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(model.nv, model.nv);
+  for (int b = 0; b < model.size(); ++b) {
+    const auto& body = model.body(b);
+    const double inertia = central_inertia(body);
+    const Columns own = columns(b, body.com.norm());
+    const Motion of = motion(own, qd, none);
+    for (const Column& i : own) {
+      for (const Column& j : own) {
+        sizes(i.v, j.v) += 2 * (i.lever * body.mass * (of.w * j.lever + of.v * j.turn) +
+                                i.turn * inertia * of.w * j.turn);
+      }
+    }
+  }
+  return sizes;
+}
+
 Eigen::MatrixXd TermSizes::jacobian() const {
   Eigen::MatrixXd J =
       Eigen::MatrixXd::Zero(interpreter::row_count(subject_.points), subject_.model.nv);

@@ -23,6 +23,13 @@ class TermSizes {
   [[nodiscard]] Eigen::VectorXd forces(const std::vector<double>& qd,
                                        const std::vector<double>& qdd,
                                        const std::vector<double>& f_ext) const;
+  /// Of the derivatives of `forces` by displacements: as they turn, move and meet other
+  /// accelerations with what is displaced. nv x nv.
+  [[nodiscard]] Eigen::MatrixXd forces_by_displacement(const std::vector<double>& qd,
+                                                       const std::vector<double>& qdd,
+                                                       const std::vector<double>& f_ext) const;
+  /// Of the derivatives of `forces` by velocities: l m 2 (|w| l' + |v|) + |I| 2 |w|. nv x nv.
+  [[nodiscard]] Eigen::MatrixXd forces_by_velocity(const std::vector<double>& qd) const;
   /// Of J, controlled rows x nv: l in rows of translation, 1 in those of rotation.
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   /// Of Jd qd, controlled rows: 2 |w| |v| and |w|^2.

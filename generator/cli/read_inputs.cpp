@@ -25,6 +25,7 @@ void keep_functions(const std::vector<std::string>& names, Scene& scene, Diagnos
   std::vector<Function> functions(kAllFunctions.begin(), kAllFunctions.end());
   functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
   functions.insert(functions.end(), kPostureFunctions.begin(), kPostureFunctions.end());
+  functions.insert(functions.end(), kDerivativeFunctions.begin(), kDerivativeFunctions.end());
   std::vector<std::string> known;
   for (const Function function : functions) {
     known.emplace_back(function_name(function));

@@ -70,7 +70,7 @@ void check_forces_used(const SceneElement& top, const Scene& scene) {
   if (scene.external_forces.empty()) return;
   const auto uses = [](Function function) {
     return function == Function::inverse_dynamics || function == Function::forward_dynamics ||
-           function == Function::control_torque;
+           function == Function::control_torque || is_derivative(function);
   };
   if (std::any_of(scene.functions.begin(), scene.functions.end(), uses)) return;
   top.warn("external_forces are listed, but no function takes them",
@@ -160,6 +160,7 @@ bool inverts_mass_matrix(Function function) {
     case Function::impulse_response:
     case Function::link_inverse_inertias:
     case Function::forward_dynamics:
+    case Function::forward_dynamics_derivatives:
     case Function::lambda_inverse:
     case Function::lambda:
     case Function::control_torque:

@@ -46,6 +46,10 @@ const char* function_name(Function function) {
       return "center_of_mass";
     case Function::center_of_mass_jacobian:
       return "center_of_mass_jacobian";
+    case Function::inverse_dynamics_derivatives:
+      return "inverse_dynamics_derivatives";
+    case Function::forward_dynamics_derivatives:
+      return "forward_dynamics_derivatives";
   }
   return "";
 }

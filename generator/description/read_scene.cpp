@@ -31,6 +31,7 @@ void read_functions(const SceneElement& element, Scene& scene) {
   known.insert(known.end(), kContactFunctions.begin(), kContactFunctions.end());
   known.insert(known.end(), kObjectFunctions.begin(), kObjectFunctions.end());
   known.insert(known.end(), kPostureFunctions.begin(), kPostureFunctions.end());
+  known.insert(known.end(), kDerivativeFunctions.begin(), kDerivativeFunctions.end());
   for (const Function function : known) names.emplace_back(function_name(function));
   const std::vector<SceneElement> items = element.items();
   if (items.empty())

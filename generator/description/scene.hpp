@@ -37,6 +37,8 @@ enum class Function {
   link_inverse_inertias,    ///< Lambda_i^-1 of all links (Chang table 8.1, inverse)
   center_of_mass,           ///< of all links, in the world
   center_of_mass_jacobian,  ///< J_com, 3 x nv
+  inverse_dynamics_derivatives,  ///< dtau/dq, dtau/dqd, dtau/dqdd
+  forward_dynamics_derivatives,  ///< dqdd/dq, dqdd/dqd, dqdd/dtau
 };
 inline constexpr std::array kAllFunctions = {Function::forward_kinematics,
                                              Function::jacobian,
@@ -70,6 +72,13 @@ inline constexpr std::array kPostureFunctions = {Function::center_of_mass,
                                                  Function::center_of_mass_jacobian};
 constexpr bool is_about_posture(Function function) {
   return function == Function::center_of_mass || function == Function::center_of_mass_jacobian;
+}
+/// Those that optimisers need: long code, which a scene gets only when it asks.
+inline constexpr std::array kDerivativeFunctions = {Function::inverse_dynamics_derivatives,
+                                                    Function::forward_dynamics_derivatives};
+constexpr bool is_derivative(Function function) {
+  return function == Function::inverse_dynamics_derivatives ||
+         function == Function::forward_dynamics_derivatives;
 }
 const char* function_name(Function function);
 

@@ -12,6 +12,7 @@
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/resolved_acceleration.hpp"
 #include "recursion/trace_contacts.hpp"
+#include "recursion/trace_derivatives.hpp"
 #include "recursion/trace_object_function.hpp"
 #include "recursion/trace_posture.hpp"
 
@@ -359,6 +360,9 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
   }
   if (is_about_posture(function)) {
     return trace_posture_function(mechanism, function, lanes);
+  }
+  if (is_derivative(function)) {
+    return trace_derivative_function(mechanism, function, lanes);
   }
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);

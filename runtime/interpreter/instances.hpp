@@ -34,6 +34,10 @@ namespace treeline::interpreter {
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
   EXTERN template Vector<T> forward_dynamics<T>(                                                   \
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template DynamicsDerivatives<T> inverse_dynamics_derivatives<T>(                          \
+      const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
+  EXTERN template DynamicsDerivatives<T> forward_dynamics_derivatives<T>(                          \
+      const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
   EXTERN template Matrix<T> lambda_inverse<T>(const Model<T>&, PointsArg<T>, VectorArg<T>);        \
   EXTERN template Matrix<T> lambda<T>(const Model<T>&, PointsArg<T>, VectorArg<T>);                \
   EXTERN template Vector<T> task_force<T>(const Model<T>&, PointsArg<T>, VectorArg<T>,             \

@@ -1,0 +1,323 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "recursion/composite_momentum.hpp"
+#include "recursion/steady_forces.hpp"
+
+namespace treeline {
+
+/// Derivatives of joint forces, nv x nv: by displacements, velocities and accelerations. A
+/// displacement of a floating joint is a twist of the child in its own axes, linear over angular.
+template <class Scalar>
+struct ForceDerivatives {
+  DenseMatrix<Scalar> dq, dqd, dqdd;
+};
+
+/// How the acceleration of a point r beyond a joint changes with one degree of freedom of that
+/// joint, seen by an observer who moves with what is beyond:
+/// da(r) = a + wd x r + 2 alpha x v(r), v relative to the origin.
+template <class Scalar>
+struct MotionChange {
+  Vector3<Scalar> a, wd, alpha;
+};
+
+/// One degree of freedom of a joint: its own change of motion, and what a change of its
+/// displacement or velocity does.
+template <class Scalar>
+struct JointFreedom {
+  std::size_t column = 0;
+  Scalar multiplier{};
+  Vector3<Scalar> slide, turn;  ///< unit vector along or about which it moves; the other is zero
+  MotionChange<Scalar> by_q, by_qd;
+};
+
+/// What a link's parent does, seen at the link's origin in its axes.
+template <class Scalar>
+struct CarriedMotion {
+  Vector3<Scalar> w, wd, a;
+  Matrix3<Scalar> U;
+};
+
+template <class Scalar>
+CarriedMotion<Scalar> carried_motion(const JointTransform<Scalar>& X,
+                                     const LinkMotion<Scalar>& parent) {
+  CarriedMotion<Scalar> carried;
+  carried.w = X.to_child(parent.w);
+  carried.wd = X.to_child(parent.wd);
+  carried.a = X.to_child(parent.a + parent.U.matrix() * X.p);
+  carried.U = angular_matrix(carried.w, carried.wd).matrix();
+  return carried;
+}
+
+/// `v_rel`, `w_rel`: the joint's own velocity, in the link's axes, all of it for a floating joint.
+template <class Scalar>
+void change_by_turn(const CarriedMotion<Scalar>& parent, const Vector3<Scalar>& w,
+                    const Vector3<Scalar>& v_rel, JointFreedom<Scalar>& freedom) {
+  const Vector3<Scalar>& e = freedom.turn;
+  const Vector3<Scalar> alpha = cross(parent.w, e);
+  const Vector3<Scalar> two_alpha = alpha * Scalar(2.0);
+  freedom.by_q = {cross(parent.a, e) + cross(two_alpha, v_rel),
+                  cross(parent.wd, e) + cross(parent.w, alpha), alpha};
+  freedom.by_qd = {cross(e, v_rel), cross(parent.w, e) + cross(w, e), e};
+}
+
+template <class Scalar>
+void change_by_slide(const CarriedMotion<Scalar>& parent, const Vector3<Scalar>& w,
+                     JointFreedom<Scalar>& freedom) {
+  const Vector3<Scalar>& e = freedom.slide;
+  freedom.by_q = {parent.U * e, {}, {}};
+  freedom.by_qd = {cross(parent.w, e) + cross(w, e), {}, {}};
+}
+
+/// The freedoms of a link's joint; (Carpentier & Mansard 2018; Singh, Russell & Wensing 2022), with
+/// conventional accelerations, so that no velocity of an origin comes in.
+template <class Scalar>
+std::vector<JointFreedom<Scalar>> joint_freedoms(const TreeLink<Scalar>& link,
+                                                 const JointTransform<Scalar>& X,
+                                                 const LinkMotion<Scalar>& parent,
+                                                 const LinkMotion<Scalar>& own,
+                                                 const JointRates<Scalar>& rates) {
+  const CarriedMotion<Scalar> carried = carried_motion(X, parent);
+  const Scalar zero(0.0);
+  const Scalar one(1.0);
+  const std::array<Vector3<Scalar>, 3> axes{
+      {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
+  const bool floating = link.kind == JointKind::floating;
+  const auto at = static_cast<std::size_t>(link.v_index);
+  const Vector3<Scalar> v_rel = floating ? velocity_triple(rates, at) : Vector3<Scalar>{};
+  std::vector<JointFreedom<Scalar>> freedoms;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(link.dofs()); ++k) {
+    JointFreedom<Scalar> freedom;
+    freedom.column = at + k;
+    freedom.multiplier = floating ? one : link.multiplier;
+    const bool turns = floating ? k >= 3 : link.kind == JointKind::revolute;
+    (turns ? freedom.turn : freedom.slide) = axes[floating ? k % 3 : 2];
+    if (turns) {
+      change_by_turn(carried, own.w, v_rel, freedom);
+    } else {
+      change_by_slide(carried, own.w, freedom);
+    }
+    freedoms.push_back(freedom);
+  }
+  return freedoms;
+}
+
+/// Everything beyond a joint as one body, as derivatives need it.
+template <class Scalar>
+struct Composite {
+  CompositeInertia<Scalar> inertia;
+  CompositeMomentum<Scalar> momentum;
+  SteadyForces<Scalar> steady;
+  Wrench<Scalar> force;  ///< that the joint passes on
+};
+
+/// How the wrench on the composite changes with the motion of what carries it.
+template <class Scalar>
+Wrench<Scalar> change_of_wrench(const Composite<Scalar>& body, const MotionChange<Scalar>& change) {
+  const auto& [mass, h, J] = body.inertia;
+  return {change.a * mass + cross(change.wd, h) + cross(change.alpha, body.momentum.P),
+          cross(h, change.a) + J * change.wd + turned_moment(body.momentum.C, change.alpha)};
+}
+
+/// What one freedom says to those of the joints before it: carried inward, link by link.
+template <class Scalar>
+struct CarriedColumn {
+  std::size_t column = 0;
+  Scalar multiplier{};
+  /// Its force is t.f a + t.n wd + t_alpha alpha + t_turn e for a change of motion beyond an
+  /// earlier joint that is displaced about e. t also is the wrench for its unit acceleration.
+  Wrench<Scalar> t;
+  Vector3<Scalar> t_alpha, t_turn;
+  Wrench<Scalar> by_q, by_qd;  ///< changes of the wrench on earlier joints
+};
+
+/// The transpose of `turned_moment`: (tr C) e - C^T e.
+template <class Scalar>
+Vector3<Scalar> turned_moment_back(const Matrix3<Scalar>& C, const Vector3<Scalar>& e) {
+  return turned_moment(transposed(C), e);
+}
+
+template <class Scalar>
+CarriedColumn<Scalar> begin_column(const Composite<Scalar>& body,
+                                   const JointFreedom<Scalar>& freedom) {
+  const Vector3<Scalar>& e = freedom.turn;
+  const Vector3<Scalar>& l = freedom.slide;
+  const auto& [mass, h, J] = body.inertia;
+  CarriedColumn<Scalar> column;
+  column.column = freedom.column;
+  column.multiplier = freedom.multiplier;
+  column.t = {cross(e, h) + l * mass, J * e + cross(h, l)};
+  column.t_alpha = turned_moment_back(body.momentum.C, e) + cross(body.momentum.P, l);
+  column.t_turn =
+      turned_moment_back(body.steady.K, e) + cross(body.steady.n, e) + cross(body.steady.f, l);
+  column.by_q = change_of_wrench(body, freedom.by_q);
+  column.by_q =
+      column.by_q + Wrench<Scalar>{cross(e, body.steady.f),
+                                   cross(e, body.steady.n) + turned_moment(body.steady.K, e)};
+  column.by_qd = change_of_wrench(body, freedom.by_qd);
+  return column;
+}
+
+/// The composite's wrench moves with the displaced joint.
+template <class Scalar>
+void move_wrench(const Wrench<Scalar>& force, const JointFreedom<Scalar>& freedom,
+                 Wrench<Scalar>& by_q) {
+  by_q = by_q + Wrench<Scalar>{cross(freedom.turn, force.f),
+                               cross(freedom.turn, force.n) + cross(freedom.slide, force.f)};
+}
+
+template <class Scalar>
+CarriedColumn<Scalar> to_parent(const JointTransform<Scalar>& X,
+                                const Vector3<Scalar>& twice_velocity,
+                                const CarriedColumn<Scalar>& column) {
+  CarriedColumn<Scalar> carried = column;
+  carried.t = to_parent(X, column.t);
+  carried.t_alpha = X.to_parent(column.t_alpha) + cross(twice_velocity, carried.t.f);
+  carried.t_turn = X.to_parent(column.t_turn);
+  carried.by_q = to_parent(X, column.by_q);
+  carried.by_qd = to_parent(X, column.by_qd);
+  return carried;
+}
+
+template <class Scalar>
+Scalar work(const Wrench<Scalar>& wrench, const JointFreedom<Scalar>& freedom) {
+  return dot(wrench.f, freedom.slide) + dot(wrench.n, freedom.turn);
+}
+template <class Scalar>
+Scalar work(const CarriedColumn<Scalar>& column, const MotionChange<Scalar>& change) {
+  return dot(column.t.f, change.a) + dot(column.t.n, change.wd) + dot(column.t_alpha, change.alpha);
+}
+
+template <class Scalar>
+class DerivativeEntries {
+ public:
+  explicit DerivativeEntries(std::size_t nv)
+      : results_{DenseMatrix<Scalar>(nv, nv), DenseMatrix<Scalar>(nv, nv),
+                 DenseMatrix<Scalar>(nv, nv)} {}
+
+  /// Between a joint's own freedoms; by_q without the move of the wrench, which its own axes share.
+  void add_own(const std::vector<JointFreedom<Scalar>>& freedoms,
+               const std::vector<CarriedColumn<Scalar>>& columns) {
+    for (const JointFreedom<Scalar>& row : freedoms) {
+      for (const CarriedColumn<Scalar>& column : columns) {
+        const Scalar factor = row.multiplier * column.multiplier;
+        add(results_.dq, row.column, column.column, factor * work(column.by_q, row));
+        add(results_.dqd, row.column, column.column, factor * work(column.by_qd, row));
+        add(results_.dqdd, row.column, column.column, factor * work(column.t, row));
+      }
+    }
+  }
+
+  /// Between a freedom and one of an earlier joint, both ways.
+  void add_pair(const CarriedColumn<Scalar>& later, const JointFreedom<Scalar>& earlier) {
+    const Scalar factor = later.multiplier * earlier.multiplier;
+    const std::size_t i = later.column;
+    const std::size_t j = earlier.column;
+    add(results_.dq, i, j, factor * (work(later, earlier.by_q) + dot(later.t_turn, earlier.turn)));
+    add(results_.dqd, i, j, factor * work(later, earlier.by_qd));
+    add(results_.dq, j, i, factor * work(later.by_q, earlier));
+    add(results_.dqd, j, i, factor * work(later.by_qd, earlier));
+    const Scalar inertia = factor * work(later.t, earlier);
+    add(results_.dqdd, i, j, inertia);
+    add(results_.dqdd, j, i, inertia);
+  }
+
+  [[nodiscard]] const ForceDerivatives<Scalar>& results() const { return results_; }
+
+ private:
+  static void add(DenseMatrix<Scalar>& matrix, std::size_t i, std::size_t j, const Scalar& value) {
+    matrix(i, j) = matrix(i, j) + value;
+  }
+  ForceDerivatives<Scalar> results_;
+};
+
+/// Per link what does not depend on pairs of joints.
+template <class Scalar>
+struct DerivativeParts {
+  std::vector<std::vector<JointFreedom<Scalar>>> freedoms;
+  std::vector<Composite<Scalar>> composites;
+  std::vector<Vector3<Scalar>> velocities;  ///< see `twice_relative_velocity`
+};
+
+template <class Scalar>
+DerivativeParts<Scalar> derivative_parts(const Tree<Scalar>& tree,
+                                         const std::vector<JointTransform<Scalar>>& X,
+                                         const JointRates<Scalar>& rates,
+                                         std::span<const Scalar> f_ext) {
+  LinkMotion<Scalar> base;
+  base.a = -tree.gravity;
+  const auto motions = outward_motion(tree, X, rates, base.a);
+  auto wrenches = inertial_wrenches(tree, motions);
+  if (!f_ext.empty()) {
+    const auto applied = applied_wrenches<Scalar>(tree, X, f_ext);
+    for (std::size_t i = 0; i < applied.size(); ++i) {
+      wrenches[i] = wrenches[i] - applied[i];
+    }
+  }
+  DerivativeParts<Scalar> parts;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "changes of motion");
+    const auto& parent = link.parent < 0 ? base : motions[static_cast<std::size_t>(link.parent)];
+    parts.freedoms.push_back(joint_freedoms(link, X[i], parent, motions[i], rates));
+    parts.velocities.push_back(twice_relative_velocity(link, X[i], parent.w, rates));
+  }
+  const auto inertias = composite_inertias(tree, X);
+  const auto momenta = composite_momenta(tree, X, inertias, motions, parts.velocities);
+  const auto steady = steady_forces(tree, X, f_ext);
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    if (tree.links[i].parent >= 0) {
+      auto& parent = wrenches[static_cast<std::size_t>(tree.links[i].parent)];
+      parent = parent + to_parent(X[i], wrenches[i]);
+    }
+  }
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    parts.composites.push_back({inertias[i], momenta[i], steady[i], wrenches[i]});
+  }
+  return parts;
+}
+
+/// Derivatives of inverse dynamics in O(n d), d the depth of the tree, in link frames: each freedom
+/// is carried inward once and meets those of all earlier joints. Entries of joints on different
+/// branches stay structural zeros.
+template <class Scalar>
+ForceDerivatives<Scalar> inverse_dynamics_derivatives(const Tree<Scalar>& tree,
+                                                      const std::vector<JointTransform<Scalar>>& X,
+                                                      const JointRates<Scalar>& rates,
+                                                      std::span<const Scalar> f_ext) {
+  const DerivativeParts<Scalar> parts = derivative_parts(tree, X, rates, f_ext);
+  DerivativeEntries<Scalar> entries(static_cast<std::size_t>(tree.nv));
+  std::vector<std::vector<CarriedColumn<Scalar>>> carried(tree.links.size());
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "derivatives");
+    const Composite<Scalar>& body = parts.composites[i];
+    const auto& freedoms = parts.freedoms[i];
+    for (const CarriedColumn<Scalar>& column : carried[i]) {
+      for (const JointFreedom<Scalar>& freedom : freedoms) {
+        entries.add_pair(column, freedom);
+      }
+    }
+    std::vector<CarriedColumn<Scalar>> own;
+    for (const JointFreedom<Scalar>& freedom : freedoms) {
+      own.push_back(begin_column(body, freedom));
+    }
+    entries.add_own(freedoms, own);
+    if (link.parent < 0) {
+      continue;
+    }
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      move_wrench(body.force, freedoms[k], own[k].by_q);
+      carried[i].push_back(own[k]);
+    }
+    for (const CarriedColumn<Scalar>& column : carried[i]) {
+      carried[static_cast<std::size_t>(link.parent)].push_back(
+          to_parent(X[i], parts.velocities[i], column));
+    }
+  }
+  return entries.results();
+}
+
+}  // namespace treeline

@@ -1,0 +1,105 @@
+#include "recursion/trace_derivatives.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "recursion/forward_dynamics_derivatives.hpp"
+
+namespace treeline {
+namespace {
+
+using Expressions = std::vector<Expression>;
+using Matrix = DenseMatrix<Expression>;
+
+Expressions declare(Program& program, const char* name, int size, const char* meaning) {
+  program.arguments.push_back({name, size, 1, meaning});
+  Expressions entries;
+  for (int i = 0; i < size; ++i) {
+    entries.push_back(program.graph.input(fmt::format("{}[{}]", name, i)));
+  }
+  return entries;
+}
+
+/// The inputs of both functions; `driven` is qdd or tau.
+struct Inputs {
+  Expressions q, qd, driven, f_ext;
+};
+
+Inputs declare_inputs(const Mechanism& mechanism, Function function, Program& program) {
+  const int nv = mechanism.nv();
+  Inputs in;
+  in.q = declare(program, "q", mechanism.nq(), "joint coordinates");
+  in.qd = declare(program, "qd", nv, "joint velocities");
+  in.driven = function == Function::inverse_dynamics_derivatives
+                  ? declare(program, "qdd", nv, "joint accelerations")
+                  : declare(program, "tau", nv, "joint forces");
+  if (!mechanism.external_forces.empty()) {
+    in.f_ext = declare(program, "f_ext", 6 * static_cast<int>(mechanism.external_forces.size()),
+                       "force and moment on the robot at each external force's point");
+  }
+  return in;
+}
+
+Result matrix_result(const char* name, const char* meaning, const Matrix& matrix) {
+  return {{name, static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), meaning},
+          matrix.values()};
+}
+
+/// A result by q; in which coordinates need be said only where a joint floats.
+Result by_displacements(const char* name, const Mechanism& mechanism, const Matrix& matrix) {
+  return matrix_result(name,
+                       mechanism.nq() == mechanism.nv()
+                           ? "by q"
+                           : "by displacements: floating joints' are twists in the child's axes, "
+                             "linear over angular; others' are of q",
+                       matrix);
+}
+
+Program trace_inverse(const Mechanism& mechanism, Program program) {
+  const Graph::Scope scope(program.graph);
+  program.equation = "derivatives of tau = M qdd + b + g - J_ext^T f_ext, f_ext held";
+  program.source = "unit changes of motion and of wrenches carried inward, in link axes";
+  const Inputs in = declare_inputs(mechanism, Function::inverse_dynamics_derivatives, program);
+  const auto tree = tree_of<Expression>(mechanism);
+  const auto X = joint_transforms<Expression>(tree, in.q);
+  const auto d = inverse_dynamics_derivatives<Expression>(tree, X, {in.qd, in.driven}, in.f_ext);
+  program.results = {by_displacements("dtau_dq", mechanism, d.dq),
+                     matrix_result("dtau_dqd", "by qd", d.dqd),
+                     matrix_result("dtau_dqdd", "by qdd: M", d.dqdd)};
+  return program;
+}
+
+Program trace_forward(const Mechanism& mechanism, Program program, DerivativeRoute route) {
+  const Graph::Scope scope(program.graph);
+  program.equation = "derivatives of qdd = M^-1 (tau - b - g + J_ext^T f_ext), f_ext held";
+  program.source = route == DerivativeRoute::solve
+                       ? "-M^-1 times those of inverse dynamics, M = L^T D L, sparse solves"
+                       : "-M^-1 times those of inverse dynamics, M^-1 by L^T D L";
+  const Inputs in = declare_inputs(mechanism, Function::forward_dynamics_derivatives, program);
+  const auto tree = tree_of<Expression>(mechanism);
+  const auto X = joint_transforms<Expression>(tree, in.q);
+  const auto d =
+      forward_dynamics_derivatives<Expression>(tree, X, in.qd, in.driven, in.f_ext, route);
+  program.results = {by_displacements("dqdd_dq", mechanism, d.dq),
+                     matrix_result("dqdd_dqd", "by qd", d.dqd),
+                     matrix_result("dqdd_dtau", "by tau: M^-1", d.dtau)};
+  return program;
+}
+
+}  // namespace
+
+std::vector<Program> trace_derivative_function(const Mechanism& mechanism, Function function,
+                                               int lanes) {
+  Program empty;
+  empty.name = function_name(function);
+  empty.graph = Graph::for_trace(lanes);
+  if (function == Function::inverse_dynamics_derivatives) {
+    return {trace_inverse(mechanism, std::move(empty))};
+  }
+  return {trace_forward(mechanism, empty, DerivativeRoute::solve),
+          trace_forward(mechanism, empty, DerivativeRoute::multiply)};
+}
+
+}  // namespace treeline

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "interpreter/dual.hpp"
+#include "interpreter/forward_dynamics.hpp"
+#include "interpreter/mass_matrix.hpp"
+
+namespace treeline::interpreter {
+
+/// nv x nv matrices: column j is what a unit of displacement, velocity, and acceleration (of
+/// forward dynamics: force) j does. A displacement of a floating joint is a twist of the child in
+/// its own axes, linear over angular, of a spherical joint its angular part; others are changes of
+/// q.
+template <class Scalar>
+struct DynamicsDerivatives {
+  Matrix<Scalar> by_displacement, by_velocity, by_drive;
+};
+
+namespace detail {
+
+template <class Scalar>
+Vector<Dual<Scalar>> constant(const Vector<Scalar>& x) {
+  return x.unaryExpr([](const Scalar& entry) { return Dual<Scalar>(entry); });
+}
+
+/// q, moving along displacement j.
+template <class Scalar>
+Vector<Dual<Scalar>> displaced(const Model<Scalar>& model, const Vector<Scalar>& q,
+                               Eigen::Index j) {
+  Vector<Scalar> rate = Vector<Scalar>::Zero(model.nv);
+  rate(j) = Scalar(1);
+  const Vector<Scalar> slope = position_derivative<Scalar>(model, q, rate);
+  Vector<Dual<Scalar>> moving = constant<Scalar>(q);
+  for (Eigen::Index i = 0; i < q.size(); ++i) moving(i).slope = slope(i);
+  return moving;
+}
+
+template <class Scalar>
+void copy_slopes(const Vector<Dual<Scalar>>& from, Eigen::Index column, Matrix<Scalar>& to) {
+  for (Eigen::Index i = 0; i < from.size(); ++i) to(i, column) = from(i).slope;
+}
+
+}  // namespace detail
+
+/// Of tau = M qdd + b + g - J_ext^T f_ext, f_ext held: inverse dynamics in dual numbers, column by
+/// column.
+template <class Scalar>
+DynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Model<Scalar>& model,
+                                                         VectorArg<Scalar> q, VectorArg<Scalar> qd,
+                                                         VectorArg<Scalar> qdd,
+                                                         PointsArg<Scalar> external_points,
+                                                         VectorArg<Scalar> f_ext) {
+  using Number = Dual<Scalar>;
+  const Model<Number> lifted = cast<Number>(model);
+  const Points<Number> points = cast<Number>(external_points);
+  const auto tau = [&](const Vector<Number>& q_moving, const Vector<Number>& qd_moving) {
+    return inverse_dynamics<Number>(lifted, q_moving, qd_moving, detail::constant<Scalar>(qdd),
+                                    points, detail::constant<Scalar>(f_ext));
+  };
+  const Matrix<Scalar> none = Matrix<Scalar>::Zero(model.nv, model.nv);
+  DynamicsDerivatives<Scalar> result{none, none, mass_matrix<Scalar>(model, q)};
+  const Vector<Number> q_held = detail::constant<Scalar>(q);
+  Vector<Number> qd_moving = detail::constant<Scalar>(qd);
+  for (Eigen::Index j = 0; j < model.nv; ++j) {
+    const Vector<Number> q_moving = detail::displaced<Scalar>(model, q, j);
+    detail::copy_slopes<Scalar>(tau(q_moving, qd_moving), j, result.by_displacement);
+    qd_moving(j).slope = Scalar(1);
+    detail::copy_slopes<Scalar>(tau(q_held, qd_moving), j, result.by_velocity);
+    qd_moving(j).slope = Scalar(0);
+  }
+  return result;
+}
+
+/// Of qdd = M^-1 (tau - b - g + J_ext^T f_ext), f_ext held: M^-1 by_drive, and with it those of
+/// inverse dynamics at that qdd.
+template <class Scalar>
+DynamicsDerivatives<Scalar> forward_dynamics_derivatives(const Model<Scalar>& model,
+                                                         VectorArg<Scalar> q, VectorArg<Scalar> qd,
+                                                         VectorArg<Scalar> tau,
+                                                         PointsArg<Scalar> external_points,
+                                                         VectorArg<Scalar> f_ext) {
+  const Vector<Scalar> qdd = forward_dynamics<Scalar>(model, q, qd, tau, external_points, f_ext);
+  const auto forces =
+      inverse_dynamics_derivatives<Scalar>(model, q, qd, qdd, external_points, f_ext);
+  const auto factor = forces.by_drive.ldlt();
+  return {-factor.solve(forces.by_displacement), -factor.solve(forces.by_velocity),
+          factor.solve(Matrix<Scalar>::Identity(model.nv, model.nv))};
+}
+
+}  // namespace treeline::interpreter
