@@ -161,6 +161,13 @@ State draw_state(const StateSpace& space, int index) {
                                     speed(state.kind).acceleration);
   }
   if (space.single_precision) round_to_float(state);
+  const auto rounded = [&](double x) {
+    return space.single_precision ? static_cast<double>(static_cast<float>(x)) : x;
+  };
+  for (const double angle : state.q) {
+    state.sin_q.push_back(rounded(std::sin(angle)));
+    state.cos_q.push_back(rounded(std::cos(angle)));
+  }
   return state;
 }
 

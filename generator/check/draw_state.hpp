@@ -31,6 +31,7 @@ struct State {
   int index = 0;
   StateClass kind = StateClass::random;
   std::vector<double> q, qd, qdd, tau, xdd_cmd, f_ext;
+  std::vector<double> sin_q, cos_q;                   ///< of q, rounded
   std::map<std::string, std::vector<double>> others;  ///< arguments of other names
 };
 

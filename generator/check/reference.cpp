@@ -68,7 +68,8 @@ Program angles_of(const Program& program) {
 }
 
 bool is_drawn(const std::string& argument) {
-  constexpr std::array kDrawn = {"q", "qd", "qdd", "qdd_0", "tau", "xdd_cmd", "f_ext"};
+  constexpr std::array kDrawn = {"q",     "sin_q", "cos_q",   "qd",   "qdd",
+                                 "qdd_0", "tau",   "xdd_cmd", "f_ext"};
   return std::find(kDrawn.begin(), kDrawn.end(), argument) != kDrawn.end();
 }
 
@@ -255,6 +256,10 @@ std::vector<const std::vector<double>*> arguments_of(const Program& program, con
     const std::string& name = argument.name;
     if (name == "q") {
       arguments.push_back(&state.q);
+    } else if (name == "sin_q") {
+      arguments.push_back(&state.sin_q);
+    } else if (name == "cos_q") {
+      arguments.push_back(&state.cos_q);
     } else if (name == "qd") {
       arguments.push_back(&state.qd);
     } else if (name == "qdd" || name == "qdd_0") {

@@ -12,6 +12,8 @@ namespace treeline {
 enum class Base { fixed, floating };
 enum class Axes { world, local };
 enum class Real { float32, float64 };
+/// Whether functions compute the sines and cosines of q or take them as arguments.
+enum class Sines { computed, given };
 
 /// The functions a scene may ask for; the names in YAML and in emitted code are those of
 /// `function_name`.
@@ -120,6 +122,7 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::vector<Function> functions;  ///< sorted, unique
   Real real = Real::float64;
+  Sines sin_cos = Sines::computed;
   /// Numbers that the emitted code may compute together: 1, 2, 4 or 8. What a machine's registers
   /// cannot hold its compiler takes apart again.
   int lanes = 8;

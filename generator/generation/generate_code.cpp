@@ -9,6 +9,8 @@
 #include "description/check_scene.hpp"
 #include "generation/describe_scene.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "passes/settle.hpp"
+#include "passes/take_sines.hpp"
 #include "recursion/trace_function.hpp"
 
 namespace treeline {
@@ -38,8 +40,9 @@ std::vector<EmissionContext::SkippedRow> skipped_rows(const Mechanism& mechanism
     if (asked || (needs_points(function) && scene.operational_points.empty())) {
       continue;
     }
-    rows.push_back({fmt::format("function {}", function_name(function)),
-                    generate_function(mechanism, function, scene.lanes).chosen.count.flops()});
+    rows.push_back(
+        {fmt::format("function {}", function_name(function)),
+         generate_function(mechanism, function, scene.lanes, scene.sin_cos).chosen.count.flops()});
   }
   return rows;
 }
@@ -60,11 +63,13 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
 
 }  // namespace
 
-GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes) {
+GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
+                                    Sines sin_cos) {
   std::vector<Candidate> candidates;
   std::map<std::string, std::vector<PassReport>> logs;  // by method
   for (Program& program : trace_function(mechanism, function, lanes)) {
     const std::string method = program.source;
+    if (sin_cos == Sines::given) program = take_sines(settle(program));
     candidates.push_back({method, run_passes(std::move(program), logs[method])});
   }
   Choice choice = *choose(std::move(candidates));  // there is at least one route
@@ -93,13 +98,15 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   generation.mechanism = reduced_mechanism(robot, scene);
   std::vector<Program> programs;
   for (const Function function : scene.functions) {
-    generation.functions.push_back(generate_function(generation.mechanism, function, scene.lanes));
+    generation.functions.push_back(
+        generate_function(generation.mechanism, function, scene.lanes, scene.sin_cos));
     programs.push_back(generation.functions.back().program);
   }
   std::vector<Program> batch;
   if (scene.batch > 0) {
     for (const GeneratedFunction& generated : generation.functions) {
-      generation.batch.push_back(generate_function(generation.mechanism, generated.function, 1));
+      generation.batch.push_back(
+          generate_function(generation.mechanism, generated.function, 1, scene.sin_cos));
       generation.batch.back().batch = scene.batch;
       batch.push_back(generation.batch.back().program);
     }

@@ -52,7 +52,8 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
 /// The plain functions, then those for batches in the same order.
 std::vector<GeneratedFunction> all_functions(const Generation& generation);
 
-/// The route to one function that is cheapest after the passes. `lanes`: see `Scene`.
-GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes);
+/// The route to one function that is cheapest after the passes. `lanes`, `sin_cos`: see `Scene`.
+GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
+                                    Sines sin_cos = Sines::computed);
 
 }  // namespace treeline

@@ -73,6 +73,26 @@ TEST(Check, Batches) {
   }
 }
 
+// Would catch a sine that is given for another joint, or computed beside. A mimic with a factor
+// computes its own.
+TEST(Check, SinesGiven) {
+  for (std::uint64_t seed = 41; seed <= 43; ++seed) {
+    RandomOptions options;
+    options.joints = 6;
+    options.floating_base = seed % 2 == 0;
+    options.mimic = seed == 43 ? 0.5 : 0;
+    Subjects subjects = draw(seed, options, seed == 42 ? Real::float32 : Real::float64);
+    subjects.scene.sin_cos = Sines::given;
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    const auto report = check_or_throw(subjects, quick_options(40));
+    EXPECT_TRUE(report.passed()) << "seed " << seed << "\n" << print_text(report);
+    for (const GeneratedFunction& generated : subjects.generation.functions) {
+      if (options.mimic > 0) continue;
+      EXPECT_EQ(count_operations(generated.program).sin_cos, 0) << "seed " << seed;
+    }
+  }
+}
+
 // Whatever the flags, bits are compared as compiled without contraction.
 TEST(Check, FlagsThatContract) {
   CheckOptions options = quick_options(60);

@@ -69,6 +69,7 @@ base: floating
 gravity: [0, +1.5, -1e-1]
 real: float
 batch: 16
+sin_cos: given
 operational_points:
   - name: tip
     link: tool
@@ -86,6 +87,7 @@ locked: {slide: 0.25}
   EXPECT_EQ(scene.gravity, (std::array{0.0, 1.5, -0.1}));
   EXPECT_EQ(scene.real, Real::float32);
   EXPECT_EQ(scene.batch, 16);
+  EXPECT_EQ(scene.sin_cos, Sines::given);
   ASSERT_EQ(scene.operational_points.size(), 2U);
   const ScenePoint& tip = scene.operational_points[0];
   EXPECT_EQ(tip.name, "tip");
