@@ -7,6 +7,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/generate.hpp"
 #include "cli/inspect.hpp"
+#include "cli/simulate.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app{
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   treeline::add_generate(app, exit_code);
   treeline::add_check(app, exit_code);
   treeline::add_inspect(app, exit_code);
+  treeline::add_simulate(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -32,7 +32,10 @@ Ticks round_ticks(double low, double high, int most) {
 }
 
 std::string tick_label(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", std::fabs(value), decimals);
+  // Beyond five decimals a power of ten reads better; a tick has few digits of its own.
+  std::string text = decimals > 5 && value != 0.0
+                         ? fmt::format("{:.3g}", std::fabs(value))
+                         : fmt::format("{:.{}f}", std::fabs(value), decimals > 5 ? 0 : decimals);
   const bool zero = text.find_first_not_of("0.") == std::string::npos;
   return value < 0.0 && !zero ? "\u2212" + text : text;
 }

@@ -24,6 +24,8 @@ TEST(Ticks, AreRound) {
   EXPECT_EQ(ticks.decimals, 1);
   EXPECT_EQ(tick_label(-0.25, 2), "\u22120.25");
   EXPECT_EQ(tick_label(-1e-18, 1), "0.0");
+  EXPECT_EQ(tick_label(-2e-7, 7), "\u22122e-07");
+  EXPECT_EQ(tick_label(0.0, 7), "0");
 }
 
 TEST(Ticks, StayWithinTheirNumberAndRange) {

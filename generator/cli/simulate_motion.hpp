@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "description/diagnostic.hpp"
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "servo/plot.hpp"
+#include "servo/table.hpp"
+
+namespace treeline {
+
+enum class Integrator { semi_implicit_euler, runge_kutta, adaptive };
+
+/// How a robot is to be let go. Vectors are in the order of q and qd; empty ones are filled: q with
+/// the middle of each joint's range (0 without limits, no turn for quaternions), qd with zeros.
+struct MotionSettings {
+  double seconds = 5;
+  double step = 1e-3;  ///< s, of fixed steps; between rows of the table for the adaptive integrator
+  double tolerance = 1e-10;  ///< of each adaptive step, relative and absolute
+  Integrator integrator = Integrator::runge_kutta;
+  std::vector<double> q, qd;
+  bool holds_weight = false;  ///< joint forces cancel gravity
+  double damping = 0;         ///< joint force per joint velocity, N s/m or N m s
+};
+
+/// A motion: a row a step with time, q, qd and energy, and what became of what should not change.
+struct Motion {
+  servo::Table table;
+  int rows_planned = 0;         ///< fewer in the table: the motion was given up
+  double start_energy = 0;      ///< J
+  double energy_change = 0;     ///< J, at the end; an error where no force acts but gravity
+  double largest_change = 0;    ///< J, of all steps
+  double quaternion_error = 0;  ///< largest | |quaternion| - 1 |
+  int adaptive_steps = 0, rejected_steps = 0;
+};
+
+/// Runs the robot freely, by forward dynamics of the generic interpreter. Errors: q or qd of
+/// another length; a mass matrix that cannot be inverted shows as a motion given up.
+std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
+                                      const MotionSettings& settings, Diagnostics& diagnostics);
+
+/// Coordinates and energy over time.
+servo::Plot plot_motion(const std::string& robot, const Motion& motion);
+
+}  // namespace treeline

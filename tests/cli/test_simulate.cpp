@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Outcome;
+
+const std::string kRobots = TREELINE_ROBOTS;
+const std::string kPlanar = kRobots + "/planar3r/planar3r.urdf";
+
+class SimulateTest : public testing::Test {
+ protected:
+  SimulateTest() { fs::create_directories(root_); }
+  ~SimulateTest() override { fs::remove_all(root_); }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return test::run_program(root_, "simulate " + arguments);
+  }
+  [[nodiscard]] nlohmann::json run_json(const std::string& arguments) const {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  }
+
+  fs::path root_ = fs::temp_directory_path() /
+                   ("treeline_simulate_" +
+                    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+// Would catch an integrator of another order than its name says, or one name for two: energy is off
+// by O(dt) with the first, O(dt^4) with the second, and by the tolerance with the third.
+TEST_F(SimulateTest, IntegratorsKeepEnergyAsWellAsTheirOrderSays) {
+  const std::string robot = kRobots + "/puma560/puma560.urdf --seconds 0.5 ";
+  const auto change = [&](const std::string& options) {
+    return run_json(robot + options).at("largest_change").get<double>();
+  };
+  const auto gain = [&](const std::string& integrator) {
+    return change("--step 0.004 " + integrator) / change("--step 0.002 " + integrator);
+  };
+  EXPECT_NEAR(gain("--integrator euler"), 2, 0.4);
+  EXPECT_NEAR(gain("--integrator rk4"), 16, 5);
+  const double start = 285.9;  // J
+  EXPECT_LT(change("--step 0.01 --integrator adaptive --tolerance 1e-12"), 1e-9 * start);
+}
+
+// A floating base turns freely. Would catch quaternions that lose their length.
+TEST_F(SimulateTest, QuaternionsStayUnit) {
+  const auto json = run_json(kRobots + "/tumbler/tumbler.urdf " + kRobots +
+                             "/tumbler/scene.yaml --seconds 0.3 --integrator euler");
+  EXPECT_LT(json.at("quaternion_error").get<double>(), 1e-14);
+  EXPECT_EQ(json.at("rows"), 301);
+}
+
+TEST_F(SimulateTest, WritesTheTableAndThePlot) {
+  const Outcome outcome = run(kPlanar + " --q 0,1,0 --seconds 0.01 --csv - --svg swing.svg");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("time_s,q0,q1,q2,qd0,qd1,qd2,energy_J\n0,0,1,0,0,0,0,", 0), 0U)
+      << outcome.out;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 12);
+  EXPECT_NE(test::read_file(root_ / "swing.svg").find("</svg>"), std::string::npos);
+}
+
+// Would catch nonsense passed off as a motion.
+TEST_F(SimulateTest, SaysWhatWentWrong) {
+  const Outcome wrong_size = run(kPlanar + " --q 0,1");
+  EXPECT_EQ(wrong_size.exit_code, 1);
+  EXPECT_NE(wrong_size.err.find("2 numbers are given, the robot has 3"), std::string::npos);
+  EXPECT_EQ(run(kPlanar + " --integrator leapfrog").exit_code, 2);
+  const Outcome blown_up = run(kRobots + "/puma560/puma560.urdf --step 0.5 --integrator euler");
+  EXPECT_EQ(blown_up.exit_code, 3) << blown_up.out;
+  EXPECT_NE(blown_up.out.find("GIVEN UP"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace treeline
