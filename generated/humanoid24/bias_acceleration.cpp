@@ -1,8 +1,9 @@
 // bias_acceleration: xdd = J qdd + Jd qd: the term Jd qd
-// By outward recursion, Chang eq. 6.11.
-// 868 flops (add 328, mul 540, div 0), sine and cosine of 20 angles
+// By outward recursion, Chang eq. 6.11, alike limbs in lanes.
+// 871 flops (add 328, mul 543, div 0), sine and cosine of 20 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
+#include "lanes.hpp"
 #include "sin_cos.hpp"
 
 #if defined(__GNUC__)
@@ -13,10 +14,12 @@
 
 namespace humanoid24 {
 
+template <int count>
+using Lanes = detail::Lanes<Real, count>;
 void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
     const Real (&TREELINE_RESTRICT qd)[24], Real (&TREELINE_RESTRICT bias)[12]) noexcept {
   const Real angles[20] = {q[12], q[10], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1], q[0], q[9],
-      q[11], q[19], q[18], q[16], q[14], q[13], q[15], q[17]};
+      q[11], q[19], q[17], q[15], q[14], q[13], q[16], q[18]};
   Real sines[20];
   Real cosines[20];
   detail::sin_cos(angles, sines, cosines);
@@ -47,19 +50,19 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   const Real c12 = cosines[12];
   const Real s12 = sines[12];
   const Real c20 = cosines[13];
-  const Real c19 = cosines[14];
-  const Real c17 = cosines[15];
+  const Real c18 = cosines[14];
+  const Real c16 = cosines[15];
   const Real s15 = sines[16];
-  const Real c15 = cosines[16];
   const Real c14 = cosines[17];
   const Real s14 = sines[17];
-  const Real s17 = sines[15];
-  const Real s16 = sines[18];
-  const Real c16 = cosines[18];
-  const Real s19 = sines[14];
-  const Real c18 = cosines[19];
-  const Real s18 = sines[19];
+  const Real c15 = cosines[16];
+  const Real s16 = sines[15];
+  const Real s18 = sines[14];
+  const Real c17 = cosines[18];
+  const Real s17 = sines[18];
   const Real s20 = sines[13];
+  const Real c19 = cosines[19];
+  const Real s19 = sines[19];
 
   // link 2 (thigh), outward
   const Real w2_z = qd[0] + qd[1];
@@ -126,10 +129,12 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), outward
   const Real w6_x = s6 * w5_z - c6 * minus_w5_y;
   const Real a7_x_p3 = w6_x * w6_y;
+  const Real a7_x_p4 = a7_x_p3 - wd5_x;
 
   // link 7 (left_shoulder1), outward
-  const Real a7_x_p4 = 0.18 * (a7_x_p3 - wd5_x);
-  const Real a7_x_p5 = a7_x_p2 + a7_x_p4;
+  const Lanes<2> a7_x_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * a7_x_p4;
+  const Lanes<2> a7_x_p6_lanes = a7_x_p2 + a7_x_p5_lanes;
+  const Lanes<2> a7_x_p7_lanes = detail::make_lanes<Real>(s7, s14) * a7_x_p6_lanes;
 
   // link 5 (chest2), outward
   const Real a5_x = c5 * a4_x + s5 * a5_y_p1;
@@ -147,220 +152,465 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   const Real wd6_y = s6 * minus_wd5_y - c6 * minus_wd4_y - w6_x * qd[5];
 
   // link 7 (left_shoulder1), outward
-  const Real a7_x_p6 = a6_z - 0.226 * (w6_x * w6_z - wd6_y);
+  const Real a7_x_p8 = a6_z - 0.226 * (w6_x * w6_z - wd6_y);
 
   // link 6 (chest3), outward
   const Real wd6_x = w6_y * qd[5] - (c6 * minus_wd5_y + s6 * minus_wd4_y);
+  const Real a7_x_p9 = w6_y * w6_z + wd6_x;
 
   // link 7 (left_shoulder1), outward
-  const Real a7_x_p7 = 0.18 * (w6_y * w6_z + wd6_x);
-  const Real a7_x_p8 = a7_x_p6 + a7_x_p7;
-  const Real a7_x = s7 * a7_x_p5 + c7 * a7_x_p8;
-  const Real a7_y = c7 * a7_x_p5 - s7 * a7_x_p8;
+  const Lanes<2> a7_x_p10_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * a7_x_p9;
+  const Lanes<2> a7_x_p11_lanes = a7_x_p8 + a7_x_p10_lanes;
+  const Lanes<2> a7_x_p12_lanes = detail::make_lanes<Real>(c7, c14) * a7_x_p11_lanes;
+  const Lanes<2> a7_x_lanes = a7_x_p7_lanes + a7_x_p12_lanes;
+
+  // link 9 (left_upperarm), outward
+  const Lanes<2> a9_x_p1_lanes = detail::make_lanes<Real>(c9, c16) * a7_x_lanes;
+
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> a7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * a7_x_p6_lanes;
+  const Lanes<2> a7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * a7_x_p11_lanes;
+  const Lanes<2> a7_y_lanes = a7_y_p1_lanes - a7_y_p2_lanes;
+
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> minus_a8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * a7_y_lanes;
 
   // link 6 (chest3), outward
   const Real minus_a6_y = s6 * a6_x_p1 + c6 * a6_x_p2;
 
   // link 7 (left_shoulder1), outward
   const Real minus_a7_z_p1 = minus_a6_y + 0.226 * (a7_x_p3 + wd5_x);
-  const Real minus_a7_z_p2 = 0.18 * (w6_x * w6_x + a7_x_p1);
-  const Real minus_a7_z = minus_a7_z_p1 + minus_a7_z_p2;
+  const Real minus_a7_z_p2 = w6_x * w6_x + a7_x_p1;
+  const Lanes<2> minus_a7_z_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * minus_a7_z_p2;
+  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p1 + minus_a7_z_p3_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Real minus_a8_y = s8 * a7_y + c8 * minus_a7_z;
+  const Lanes<2> minus_a8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * minus_a7_z_lanes;
+  const Lanes<2> minus_a8_y_lanes = minus_a8_y_p1_lanes + minus_a8_y_p2_lanes;
 
   // link 9 (left_upperarm), outward
-  const Real a9_x = c9 * a7_x - s9 * minus_a8_y;
+  const Lanes<2> a9_x_p2_lanes = detail::make_lanes<Real>(s9, s16) * minus_a8_y_lanes;
+  const Lanes<2> a9_x_lanes = a9_x_p1_lanes - a9_x_p2_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Real w7_x = s7 * w6_x + c7 * w6_z;
-  const Real wd7_y = c7 * wd6_x - s7 * wd5_x - w7_x * qd[6];
-  const Real w7_y = c7 * w6_x - s7 * w6_z;
-  const Real w7_z = w6_y + qd[6];
+  const Lanes<2> wd7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * wd6_x;
+  const Lanes<2> wd7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * wd5_x;
+  const Lanes<2> wd7_y_p3_lanes = wd7_y_p1_lanes - wd7_y_p2_lanes;
+  const Lanes<2> w7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * w6_x;
+  const Lanes<2> w7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * w6_z;
+  const Lanes<2> w7_x_lanes = w7_x_p1_lanes + w7_x_p2_lanes;
+  const Lanes<2> wd7_y_p4_lanes = w7_x_lanes * detail::make_lanes<Real>(qd[6], qd[13]);
+  const Lanes<2> wd7_y_lanes = wd7_y_p3_lanes - wd7_y_p4_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Real w8_x = c8 * w7_y + s8 * w7_z;
-  const Real wd8_y = c8 * wd6_y - s8 * wd7_y - w8_x * qd[7];
+  const Lanes<2> wd8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * wd7_y_lanes;
+  const Lanes<2> wd8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * wd6_y;
+  const Lanes<2> wd8_y_p3_lanes = wd8_y_p2_lanes - wd8_y_p1_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Real wd7_x = s7 * wd6_x + c7 * wd5_x + w7_y * qd[6];
+  const Lanes<2> w7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * w6_x;
+  const Lanes<2> w7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * w6_z;
+  const Lanes<2> w7_y_lanes = w7_y_p1_lanes - w7_y_p2_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Real w8_y = c8 * w7_z - s8 * w7_y;
-  const Real w8_z = w7_x + qd[7];
+  const Lanes<2> w8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * w7_y_lanes;
 
-  // link 9 (left_upperarm), outward
-  const Real w9_x = s9 * w8_y + c9 * w8_z;
-  const Real wd9_y = c9 * wd8_y - s9 * wd7_x - w9_x * qd[8];
-  const Real w9_z = qd[8] - w8_x;
-
-  // link 10 (left_lowerarm), outward
-  const Real a10_x_p1 = a9_x - 0.282 * (w9_x * w9_z + wd9_y);
-
-  // link 9 (left_upperarm), outward
-  const Real w9_y = c9 * w8_y - s9 * w8_z;
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> w7_z_lanes = w6_y + detail::make_lanes<Real>(qd[6], qd[13]);
 
   // link 8 (left_shoulder2), outward
-  const Real a8_x = c8 * a7_y - s8 * minus_a7_z;
-
-  // link 10 (left_lowerarm), outward
-  const Real a10_x_p2 = 0.282 * (w9_x * w9_x + w9_y * w9_y) - a8_x;
-  const Real a10_x = c10 * a10_x_p1 - s10 * a10_x_p2;
+  const Lanes<2> w8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * w7_z_lanes;
+  const Lanes<2> w8_x_lanes = w8_x_p1_lanes + w8_x_p2_lanes;
+  const Lanes<2> wd8_y_p4_lanes = w8_x_lanes * detail::make_lanes<Real>(qd[7], qd[14]);
+  const Lanes<2> wd8_y_lanes = wd8_y_p3_lanes - wd8_y_p4_lanes;
 
   // link 9 (left_upperarm), outward
-  const Real minus_a9_y = c9 * minus_a8_y + s9 * a7_x;
-  const Real wd9_x = s9 * wd8_y + c9 * wd7_x + w9_y * qd[8];
+  const Lanes<2> wd9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * wd8_y_lanes;
 
-  // link 10 (left_lowerarm), outward
-  const Real minus_a10_z = minus_a9_y + 0.282 * (w9_y * w9_z - wd9_x);
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> wd7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * wd6_x;
+  const Lanes<2> wd7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * wd5_x;
+  const Lanes<2> wd7_x_p3_lanes = wd7_x_p1_lanes + wd7_x_p2_lanes;
+  const Lanes<2> wd7_x_p4_lanes = w7_y_lanes * detail::make_lanes<Real>(qd[6], qd[13]);
+  const Lanes<2> wd7_x_lanes = wd7_x_p3_lanes + wd7_x_p4_lanes;
 
-  // link 11 (left_wrist1), outward
-  const Real a11_x = c11 * a10_x - s11 * minus_a10_z;
+  // link 9 (left_upperarm), outward
+  const Lanes<2> wd9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * wd7_x_lanes;
+  const Lanes<2> wd9_y_p3_lanes = wd9_y_p1_lanes - wd9_y_p2_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Real wd8_x = c8 * wd7_y + s8 * wd6_y + w8_y * qd[7];
+  const Lanes<2> w8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * w7_y_lanes;
+  const Lanes<2> w8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * w7_z_lanes;
+  const Lanes<2> w8_y_lanes = w8_y_p2_lanes - w8_y_p1_lanes;
+
+  // link 9 (left_upperarm), outward
+  const Lanes<2> w9_x_p1_lanes = detail::make_lanes<Real>(s9, s16) * w8_y_lanes;
+
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_lanes<Real>(qd[7], qd[14]);
+
+  // link 9 (left_upperarm), outward
+  const Lanes<2> w9_x_p2_lanes = detail::make_lanes<Real>(c9, c16) * w8_z_lanes;
+  const Lanes<2> w9_x_lanes = w9_x_p1_lanes + w9_x_p2_lanes;
+  const Lanes<2> wd9_y_p4_lanes = w9_x_lanes * detail::make_lanes<Real>(qd[8], qd[15]);
+  const Lanes<2> wd9_y_lanes = wd9_y_p3_lanes - wd9_y_p4_lanes;
+  const Lanes<2> w9_z_lanes = detail::make_lanes<Real>(qd[8], qd[15]) - w8_x_lanes;
+  const Lanes<2> a10_x_p1_lanes = w9_x_lanes * w9_z_lanes;
+  const Lanes<2> a10_x_p2_lanes = a10_x_p1_lanes + wd9_y_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Real minus_w10_y = s10 * w9_x + c10 * w9_z;
-  const Real wd10_x = c10 * wd9_x + s10 * wd8_x - minus_w10_y * qd[9];
-  const Real w10_x = c10 * w9_x - s10 * w9_z;
-  const Real w10_z = w9_y + qd[9];
+  const Lanes<2> a10_x_p3_lanes = 0.282 * a10_x_p2_lanes;
+  const Lanes<2> a10_x_p4_lanes = a9_x_lanes - a10_x_p3_lanes;
+  const Lanes<2> a10_x_p5_lanes = detail::make_lanes<Real>(c10, c17) * a10_x_p4_lanes;
 
-  // link 11 (left_wrist1), outward
-  const Real w11_x = c11 * w10_x + s11 * w10_z;
-  const Real wd11_y = c11 * wd9_y - s11 * wd10_x - w11_x * qd[10];
-  const Real w11_z = minus_w10_y + qd[10];
-
-  // link 12 (left_wrist2), outward
-  const Real minus_a12_y_p1 = a11_x - 0.269 * (w11_x * w11_z + wd11_y);
+  // link 9 (left_upperarm), outward
+  const Lanes<2> a10_x_p6_lanes = w9_x_lanes * w9_x_lanes;
+  const Lanes<2> w9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * w8_y_lanes;
+  const Lanes<2> w9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * w8_z_lanes;
+  const Lanes<2> w9_y_lanes = w9_y_p1_lanes - w9_y_p2_lanes;
+  const Lanes<2> a10_x_p7_lanes = w9_y_lanes * w9_y_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Real minus_a10_y = s10 * a10_x_p1 + c10 * a10_x_p2;
+  const Lanes<2> a10_x_p8_lanes = a10_x_p6_lanes + a10_x_p7_lanes;
+  const Lanes<2> a10_x_p9_lanes = 0.282 * a10_x_p8_lanes;
+
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> a8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * a7_y_lanes;
+  const Lanes<2> a8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * minus_a7_z_lanes;
+  const Lanes<2> a8_x_lanes = a8_x_p1_lanes - a8_x_p2_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> a10_x_p10_lanes = a10_x_p9_lanes - a8_x_lanes;
+  const Lanes<2> a10_x_p11_lanes = detail::make_lanes<Real>(s10, s17) * a10_x_p10_lanes;
+  const Lanes<2> a10_x_lanes = a10_x_p5_lanes - a10_x_p11_lanes;
 
   // link 11 (left_wrist1), outward
-  const Real w11_y = c11 * w10_z - s11 * w10_x;
+  const Lanes<2> a11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * a10_x_lanes;
 
-  // link 12 (left_wrist2), outward
-  const Real minus_a12_y_p2 = minus_a10_y + 0.269 * (w11_x * w11_x + w11_y * w11_y);
-  const Real minus_a12_y = s12 * minus_a12_y_p1 + c12 * minus_a12_y_p2;
+  // link 9 (left_upperarm), outward
+  const Lanes<2> minus_a9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * minus_a8_y_lanes;
+  const Lanes<2> minus_a9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * a7_x_lanes;
+  const Lanes<2> minus_a9_y_lanes = minus_a9_y_p1_lanes + minus_a9_y_p2_lanes;
+  const Lanes<2> wd9_x_p1_lanes = detail::make_lanes<Real>(s9, s16) * wd8_y_lanes;
+  const Lanes<2> wd9_x_p2_lanes = detail::make_lanes<Real>(c9, c16) * wd7_x_lanes;
+  const Lanes<2> wd9_x_p3_lanes = wd9_x_p1_lanes + wd9_x_p2_lanes;
+  const Lanes<2> wd9_x_p4_lanes = w9_y_lanes * detail::make_lanes<Real>(qd[8], qd[15]);
+  const Lanes<2> wd9_x_lanes = wd9_x_p3_lanes + wd9_x_p4_lanes;
+  const Lanes<2> minus_a10_z_p1_lanes = w9_y_lanes * w9_z_lanes;
+  const Lanes<2> minus_a10_z_p2_lanes = minus_a10_z_p1_lanes - wd9_x_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> minus_a10_z_p3_lanes = 0.282 * minus_a10_z_p2_lanes;
+  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + minus_a10_z_p3_lanes;
 
   // link 11 (left_wrist1), outward
-  const Real minus_a11_y = s11 * a10_x + c11 * minus_a10_z;
-  const Real wd11_x = c11 * wd10_x + s11 * wd9_y + w11_y * qd[10];
+  const Lanes<2> a11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * minus_a10_z_lanes;
+  const Lanes<2> a11_x_lanes = a11_x_p1_lanes - a11_x_p2_lanes;
+  const Lanes<2> wd11_y_p1_lanes = detail::make_lanes<Real>(c11, c18) * wd9_y_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> wd10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * wd9_x_lanes;
+
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> wd8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * wd7_y_lanes;
+  const Lanes<2> wd8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * wd6_y;
+  const Lanes<2> wd8_x_p3_lanes = wd8_x_p1_lanes + wd8_x_p2_lanes;
+  const Lanes<2> wd8_x_p4_lanes = w8_y_lanes * detail::make_lanes<Real>(qd[7], qd[14]);
+  const Lanes<2> wd8_x_lanes = wd8_x_p3_lanes + wd8_x_p4_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> wd10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * wd8_x_lanes;
+  const Lanes<2> wd10_x_p3_lanes = wd10_x_p1_lanes + wd10_x_p2_lanes;
+  const Lanes<2> minus_w10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * w9_x_lanes;
+  const Lanes<2> minus_w10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * w9_z_lanes;
+  const Lanes<2> minus_w10_y_lanes = minus_w10_y_p1_lanes + minus_w10_y_p2_lanes;
+  const Lanes<2> wd10_x_p4_lanes = minus_w10_y_lanes * detail::make_lanes<Real>(qd[9], qd[16]);
+  const Lanes<2> wd10_x_lanes = wd10_x_p3_lanes - wd10_x_p4_lanes;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> wd11_y_p2_lanes = detail::make_lanes<Real>(s11, s18) * wd10_x_lanes;
+  const Lanes<2> wd11_y_p3_lanes = wd11_y_p1_lanes - wd11_y_p2_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> w10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * w9_x_lanes;
+  const Lanes<2> w10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * w9_z_lanes;
+  const Lanes<2> w10_x_lanes = w10_x_p1_lanes - w10_x_p2_lanes;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> w11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * w10_x_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_lanes<Real>(qd[9], qd[16]);
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> w11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * w10_z_lanes;
+  const Lanes<2> w11_x_lanes = w11_x_p1_lanes + w11_x_p2_lanes;
+  const Lanes<2> wd11_y_p4_lanes = w11_x_lanes * detail::make_lanes<Real>(qd[10], qd[17]);
+  const Lanes<2> wd11_y_lanes = wd11_y_p3_lanes - wd11_y_p4_lanes;
+  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_lanes<Real>(qd[10], qd[17]);
+  const Lanes<2> minus_a12_y_p1_lanes = w11_x_lanes * w11_z_lanes;
+  const Lanes<2> minus_a12_y_p2_lanes = minus_a12_y_p1_lanes + wd11_y_lanes;
 
   // link 12 (left_wrist2), outward
-  const Real minus_a12_z = minus_a11_y + 0.269 * (w11_y * w11_z - wd11_x);
+  const Lanes<2> minus_a12_y_p3_lanes = 0.269 * minus_a12_y_p2_lanes;
+  const Lanes<2> minus_a12_y_p4_lanes = a11_x_lanes - minus_a12_y_p3_lanes;
+  const Lanes<2> minus_a12_y_p5_lanes = detail::make_lanes<Real>(s12, s19) * minus_a12_y_p4_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> minus_a10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * a10_x_p4_lanes;
+  const Lanes<2> minus_a10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * a10_x_p10_lanes;
+  const Lanes<2> minus_a10_y_lanes = minus_a10_y_p1_lanes + minus_a10_y_p2_lanes;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> minus_a12_y_p6_lanes = w11_x_lanes * w11_x_lanes;
+  const Lanes<2> w11_y_p1_lanes = detail::make_lanes<Real>(c11, c18) * w10_z_lanes;
+  const Lanes<2> w11_y_p2_lanes = detail::make_lanes<Real>(s11, s18) * w10_x_lanes;
+  const Lanes<2> w11_y_lanes = w11_y_p1_lanes - w11_y_p2_lanes;
+  const Lanes<2> minus_a12_y_p7_lanes = w11_y_lanes * w11_y_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> minus_a12_y_p8_lanes = minus_a12_y_p6_lanes + minus_a12_y_p7_lanes;
+  const Lanes<2> minus_a12_y_p9_lanes = 0.269 * minus_a12_y_p8_lanes;
+  const Lanes<2> minus_a12_y_p10_lanes = minus_a10_y_lanes + minus_a12_y_p9_lanes;
+  const Lanes<2> minus_a12_y_p11_lanes = detail::make_lanes<Real>(c12, c19) * minus_a12_y_p10_lanes;
+  const Lanes<2> minus_a12_y_lanes = minus_a12_y_p5_lanes + minus_a12_y_p11_lanes;
 
   // link 13 (left_hand), outward
-  const Real a13_y = s13 * minus_a12_y - c13 * minus_a12_z;
+  const Lanes<2> a13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_a12_y_lanes;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> minus_a11_y_p1_lanes = detail::make_lanes<Real>(s11, s18) * a10_x_lanes;
+  const Lanes<2> minus_a11_y_p2_lanes = detail::make_lanes<Real>(c11, c18) * minus_a10_z_lanes;
+  const Lanes<2> minus_a11_y_lanes = minus_a11_y_p1_lanes + minus_a11_y_p2_lanes;
+  const Lanes<2> wd11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * wd10_x_lanes;
+  const Lanes<2> wd11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * wd9_y_lanes;
+  const Lanes<2> wd11_x_p3_lanes = wd11_x_p1_lanes + wd11_x_p2_lanes;
+  const Lanes<2> wd11_x_p4_lanes = w11_y_lanes * detail::make_lanes<Real>(qd[10], qd[17]);
+  const Lanes<2> wd11_x_lanes = wd11_x_p3_lanes + wd11_x_p4_lanes;
+  const Lanes<2> minus_a12_z_p1_lanes = w11_y_lanes * w11_z_lanes;
+  const Lanes<2> minus_a12_z_p2_lanes = minus_a12_z_p1_lanes - wd11_x_lanes;
 
   // link 12 (left_wrist2), outward
-  const Real w12_z = w11_y + qd[11];
-  const Real minus_w12_y = s12 * w11_x + c12 * w11_z;
+  const Lanes<2> minus_a12_z_p3_lanes = 0.269 * minus_a12_z_p2_lanes;
+  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + minus_a12_z_p3_lanes;
 
   // link 13 (left_hand), outward
-  const Real w13_x = s13 * w12_z - c13 * minus_w12_y;
-  const Real w13_y = s13 * minus_w12_y + c13 * w12_z;
-
-  // link 10 (left_lowerarm), outward
-  const Real wd10_y = c10 * wd8_x - s10 * wd9_x - w10_x * qd[9];
+  const Lanes<2> a13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_a12_z_lanes;
+  const Lanes<2> a13_y_lanes = a13_y_p1_lanes - a13_y_p2_lanes;
 
   // link 12 (left_wrist2), outward
-  const Real wd12_x = c12 * wd11_x + s12 * wd10_y - minus_w12_y * qd[11];
+  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_lanes<Real>(qd[11], qd[18]);
+
+  // link 13 (left_hand), outward
+  const Lanes<2> w13_x_p1_lanes = detail::make_lanes<Real>(s13, s20) * w12_z_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> minus_w12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * w11_x_lanes;
+  const Lanes<2> minus_w12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * w11_z_lanes;
+  const Lanes<2> minus_w12_y_lanes = minus_w12_y_p1_lanes + minus_w12_y_p2_lanes;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> w13_x_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_w12_y_lanes;
+  const Lanes<2> w13_x_lanes = w13_x_p1_lanes - w13_x_p2_lanes;
+  const Lanes<2> w13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_w12_y_lanes;
+  const Lanes<2> w13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * w12_z_lanes;
+  const Lanes<2> w13_y_lanes = w13_y_p1_lanes + w13_y_p2_lanes;
+  const Lanes<2> bias_0_p1_lanes = w13_x_lanes * w13_y_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> wd12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * wd11_x_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> wd10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * wd9_x_lanes;
+  const Lanes<2> wd10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * wd8_x_lanes;
+  const Lanes<2> wd10_y_p3_lanes = wd10_y_p2_lanes - wd10_y_p1_lanes;
+  const Lanes<2> wd10_y_p4_lanes = w10_x_lanes * detail::make_lanes<Real>(qd[9], qd[16]);
+  const Lanes<2> wd10_y_lanes = wd10_y_p3_lanes - wd10_y_p4_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> wd12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * wd10_y_lanes;
+  const Lanes<2> wd12_x_p3_lanes = wd12_x_p1_lanes + wd12_x_p2_lanes;
+  const Lanes<2> wd12_x_p4_lanes = minus_w12_y_lanes * detail::make_lanes<Real>(qd[11], qd[18]);
+  const Lanes<2> wd12_x_lanes = wd12_x_p3_lanes - wd12_x_p4_lanes;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> bias_0_p2_lanes = bias_0_p1_lanes + wd12_x_lanes;
 
   // link 24 (right_eye), outward
-  const Real bias_0_p1 = a13_y + 0.086 * (w13_x * w13_y + wd12_x);
+  const Lanes<2> bias_0_p3_lanes = 0.086 * bias_0_p2_lanes;
+  const Lanes<2> bias_0_p4_lanes = a13_y_lanes + bias_0_p3_lanes;
 
   // link 2 (thigh), pose
-  const Real bias_0_p2 = c2 * c1 - s2 * s1;
-  const Real bias_0_p3 = s2 * c1 + c2 * s1;
+  const Real bias_0_p5 = c2 * c1 - s2 * s1;
+  const Real bias_0_p6 = s2 * c1 + c2 * s1;
 
   // link 3 (hip), pose
-  const Real bias_0_p4 = c3 * bias_0_p2 - s3 * bias_0_p3;
+  const Real bias_0_p7 = c3 * bias_0_p5 - s3 * bias_0_p6;
 
   // link 4 (chest1), pose
-  const Real bias_0_p5 = c4 * bias_0_p4;
+  const Real bias_0_p8 = c4 * bias_0_p7;
 
   // link 3 (hip), pose
-  const Real bias_0_p6 = s3 * bias_0_p2 + c3 * bias_0_p3;
+  const Real bias_0_p9 = s3 * bias_0_p5 + c3 * bias_0_p6;
 
   // link 5 (chest2), pose
-  const Real bias_0_p7 = s5 * bias_0_p5 + c5 * bias_0_p6;
+  const Real bias_0_p10 = s5 * bias_0_p8 + c5 * bias_0_p9;
 
   // link 4 (chest1), pose
-  const Real bias_0_p8 = s4 * bias_0_p4;
+  const Real bias_0_p11 = s4 * bias_0_p7;
 
   // link 6 (chest3), pose
-  const Real bias_0_p9 = c6 * bias_0_p7 + s6 * bias_0_p8;
-
-  // link 5 (chest2), pose
-  const Real bias_0_p10 = c5 * bias_0_p5 - s5 * bias_0_p6;
+  const Real bias_0_p12 = c6 * bias_0_p10 + s6 * bias_0_p11;
 
   // link 7 (left_shoulder1), pose
-  const Real bias_0_p11 = c7 * bias_0_p9 + s7 * bias_0_p10;
+  const Lanes<2> bias_0_p13_lanes = detail::make_lanes<Real>(c7, c14) * bias_0_p12;
 
-  // link 6 (chest3), pose
-  const Real bias_0_p12 = s6 * bias_0_p7 - c6 * bias_0_p8;
+  // link 5 (chest2), pose
+  const Real bias_0_p14 = c5 * bias_0_p8 - s5 * bias_0_p9;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> bias_0_p15_lanes = detail::make_lanes<Real>(s7, s14) * bias_0_p14;
+  const Lanes<2> bias_0_p16_lanes = bias_0_p13_lanes + bias_0_p15_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Real bias_0_p13 = s8 * bias_0_p11 + c8 * bias_0_p12;
+  const Lanes<2> bias_0_p17_lanes = detail::make_lanes<Real>(s8, s15) * bias_0_p16_lanes;
 
-  // link 7 (left_shoulder1), pose
-  const Real bias_0_p14 = c7 * bias_0_p10 - s7 * bias_0_p9;
+  // link 6 (chest3), pose
+  const Real bias_0_p18 = s6 * bias_0_p10 - c6 * bias_0_p11;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> bias_0_p19_lanes = detail::make_lanes<Real>(c8, c15) * bias_0_p18;
+  const Lanes<2> bias_0_p20_lanes = bias_0_p17_lanes + bias_0_p19_lanes;
 
   // link 9 (left_upperarm), pose
-  const Real bias_0_p15 = c9 * bias_0_p13 - s9 * bias_0_p14;
-  const Real bias_0_p16 = s9 * bias_0_p13 + c9 * bias_0_p14;
+  const Lanes<2> bias_0_p21_lanes = detail::make_lanes<Real>(c9, c16) * bias_0_p20_lanes;
 
-  // link 8 (left_shoulder2), pose
-  const Real bias_0_p17 = s8 * bias_0_p12 - c8 * bias_0_p11;
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> bias_0_p22_lanes = detail::make_lanes<Real>(c7, c14) * bias_0_p14;
+  const Lanes<2> bias_0_p23_lanes = detail::make_lanes<Real>(s7, s14) * bias_0_p12;
+  const Lanes<2> bias_0_p24_lanes = bias_0_p22_lanes - bias_0_p23_lanes;
 
-  // link 10 (left_lowerarm), pose
-  const Real bias_0_p18 = c10 * bias_0_p16 + s10 * bias_0_p17;
+  // link 9 (left_upperarm), pose
+  const Lanes<2> bias_0_p25_lanes = detail::make_lanes<Real>(s9, s16) * bias_0_p24_lanes;
+  const Lanes<2> bias_0_p26_lanes = bias_0_p21_lanes - bias_0_p25_lanes;
 
   // link 11 (left_wrist1), pose
-  const Real bias_0_p19 = c11 * bias_0_p15 - s11 * bias_0_p18;
-  const Real bias_0_p20 = c11 * bias_0_p18 + s11 * bias_0_p15;
+  const Lanes<2> bias_0_p27_lanes = detail::make_lanes<Real>(c11, c18) * bias_0_p26_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> bias_0_p28_lanes = detail::make_lanes<Real>(s9, s16) * bias_0_p20_lanes;
+  const Lanes<2> bias_0_p29_lanes = detail::make_lanes<Real>(c9, c16) * bias_0_p24_lanes;
+  const Lanes<2> bias_0_p30_lanes = bias_0_p28_lanes + bias_0_p29_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Real bias_0_p21 = c10 * bias_0_p17 - s10 * bias_0_p16;
+  const Lanes<2> bias_0_p31_lanes = detail::make_lanes<Real>(c10, c17) * bias_0_p30_lanes;
 
-  // link 12 (left_wrist2), pose
-  const Real bias_0_p22 = c12 * bias_0_p21 - s12 * bias_0_p20;
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> bias_0_p32_lanes = detail::make_lanes<Real>(c8, c15) * bias_0_p16_lanes;
+  const Lanes<2> bias_0_p33_lanes = detail::make_lanes<Real>(s8, s15) * bias_0_p18;
+  const Lanes<2> bias_0_p34_lanes = bias_0_p33_lanes - bias_0_p32_lanes;
 
-  // link 13 (left_hand), pose
-  const Real bias_0_p23 = c13 * bias_0_p19 - s13 * bias_0_p22;
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> bias_0_p35_lanes = detail::make_lanes<Real>(s10, s17) * bias_0_p34_lanes;
+  const Lanes<2> bias_0_p36_lanes = bias_0_p31_lanes + bias_0_p35_lanes;
 
-  // link 13 (left_hand), outward
-  const Real minus_a13_x = c13 * minus_a12_y + s13 * minus_a12_z;
-
-  // link 12 (left_wrist2), outward
-  const Real w12_x = c12 * w11_x - s12 * w11_z;
-
-  // link 13 (left_hand), outward
-  const Real w13_z = w12_x + qd[12];
-
-  // link 24 (right_eye), outward
-  const Real bias_0_p24 = minus_a13_x + 0.086 * (w13_y * w13_y + w13_z * w13_z);
+  // link 11 (left_wrist1), pose
+  const Lanes<2> bias_0_p37_lanes = detail::make_lanes<Real>(s11, s18) * bias_0_p36_lanes;
+  const Lanes<2> bias_0_p38_lanes = bias_0_p27_lanes - bias_0_p37_lanes;
 
   // link 13 (left_hand), pose
-  const Real bias_0_p25 = c13 * bias_0_p22 + s13 * bias_0_p19;
+  const Lanes<2> bias_0_p39_lanes = detail::make_lanes<Real>(c13, c20) * bias_0_p38_lanes;
 
-  // link 12 (left_wrist2), outward
-  const Real a12_x = c12 * minus_a12_y_p1 - s12 * minus_a12_y_p2;
-  const Real wd12_y = c12 * wd10_y - s12 * wd11_x - w12_x * qd[11];
-
-  // link 13 (left_hand), outward
-  const Real wd13_y = c13 * wd11_y - s13 * wd12_y - w13_x * qd[12];
-
-  // link 24 (right_eye), outward
-  const Real bias_0_p26 = a12_x + 0.086 * (w13_x * w13_z - wd13_y);
+  // link 11 (left_wrist1), pose
+  const Lanes<2> bias_0_p40_lanes = detail::make_lanes<Real>(c11, c18) * bias_0_p36_lanes;
+  const Lanes<2> bias_0_p41_lanes = detail::make_lanes<Real>(s11, s18) * bias_0_p26_lanes;
+  const Lanes<2> bias_0_p42_lanes = bias_0_p40_lanes + bias_0_p41_lanes;
 
   // link 12 (left_wrist2), pose
-  const Real bias_0_p27 = c12 * bias_0_p20 + s12 * bias_0_p21;
+  const Lanes<2> bias_0_p43_lanes = detail::make_lanes<Real>(s12, s19) * bias_0_p42_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> bias_0_p44_lanes = detail::make_lanes<Real>(s10, s17) * bias_0_p30_lanes;
+  const Lanes<2> bias_0_p45_lanes = detail::make_lanes<Real>(c10, c17) * bias_0_p34_lanes;
+  const Lanes<2> bias_0_p46_lanes = bias_0_p45_lanes - bias_0_p44_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> bias_0_p47_lanes = detail::make_lanes<Real>(c12, c19) * bias_0_p46_lanes;
+  const Lanes<2> bias_0_p48_lanes = bias_0_p47_lanes - bias_0_p43_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> bias_0_p49_lanes = detail::make_lanes<Real>(s13, s20) * bias_0_p48_lanes;
+  const Lanes<2> bias_0_p50_lanes = bias_0_p39_lanes - bias_0_p49_lanes;
 
   // link 24 (right_eye), outward
-  bias[0] = bias_0_p23 * bias_0_p1 - bias_0_p25 * bias_0_p24 + bias_0_p27 * bias_0_p26;
+  const Lanes<2> bias_0_p51_lanes = bias_0_p50_lanes * bias_0_p4_lanes;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> minus_a13_x_p1_lanes = detail::make_lanes<Real>(c13, c20) * minus_a12_y_lanes;
+  const Lanes<2> minus_a13_x_p2_lanes = detail::make_lanes<Real>(s13, s20) * minus_a12_z_lanes;
+  const Lanes<2> minus_a13_x_lanes = minus_a13_x_p1_lanes + minus_a13_x_p2_lanes;
+  const Lanes<2> bias_0_p52_lanes = w13_y_lanes * w13_y_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> w12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * w11_x_lanes;
+  const Lanes<2> w12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * w11_z_lanes;
+  const Lanes<2> w12_x_lanes = w12_x_p1_lanes - w12_x_p2_lanes;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_lanes<Real>(qd[12], qd[19]);
+  const Lanes<2> bias_0_p53_lanes = w13_z_lanes * w13_z_lanes;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> bias_0_p54_lanes = bias_0_p52_lanes + bias_0_p53_lanes;
+  const Lanes<2> bias_0_p55_lanes = 0.086 * bias_0_p54_lanes;
+  const Lanes<2> bias_0_p56_lanes = minus_a13_x_lanes + bias_0_p55_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> bias_0_p57_lanes = detail::make_lanes<Real>(c13, c20) * bias_0_p48_lanes;
+  const Lanes<2> bias_0_p58_lanes = detail::make_lanes<Real>(s13, s20) * bias_0_p38_lanes;
+  const Lanes<2> bias_0_p59_lanes = bias_0_p57_lanes + bias_0_p58_lanes;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> bias_0_p60_lanes = bias_0_p59_lanes * bias_0_p56_lanes;
+  const Lanes<2> bias_0_p61_lanes = bias_0_p51_lanes - bias_0_p60_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> a12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * minus_a12_y_p4_lanes;
+  const Lanes<2> a12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * minus_a12_y_p10_lanes;
+  const Lanes<2> a12_x_lanes = a12_x_p1_lanes - a12_x_p2_lanes;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> wd13_y_p1_lanes = detail::make_lanes<Real>(c13, c20) * wd11_y_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> wd12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * wd11_x_lanes;
+  const Lanes<2> wd12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * wd10_y_lanes;
+  const Lanes<2> wd12_y_p3_lanes = wd12_y_p2_lanes - wd12_y_p1_lanes;
+  const Lanes<2> wd12_y_p4_lanes = w12_x_lanes * detail::make_lanes<Real>(qd[11], qd[18]);
+  const Lanes<2> wd12_y_lanes = wd12_y_p3_lanes - wd12_y_p4_lanes;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> wd13_y_p2_lanes = detail::make_lanes<Real>(s13, s20) * wd12_y_lanes;
+  const Lanes<2> wd13_y_p3_lanes = wd13_y_p1_lanes - wd13_y_p2_lanes;
+  const Lanes<2> wd13_y_p4_lanes = w13_x_lanes * detail::make_lanes<Real>(qd[12], qd[19]);
+  const Lanes<2> wd13_y_lanes = wd13_y_p3_lanes - wd13_y_p4_lanes;
+  const Lanes<2> bias_0_p62_lanes = w13_x_lanes * w13_z_lanes;
+  const Lanes<2> bias_0_p63_lanes = bias_0_p62_lanes - wd13_y_lanes;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> bias_0_p64_lanes = 0.086 * bias_0_p63_lanes;
+  const Lanes<2> bias_0_p65_lanes = a12_x_lanes + bias_0_p64_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> bias_0_p66_lanes = detail::make_lanes<Real>(c12, c19) * bias_0_p42_lanes;
+  const Lanes<2> bias_0_p67_lanes = detail::make_lanes<Real>(s12, s19) * bias_0_p46_lanes;
+  const Lanes<2> bias_0_p68_lanes = bias_0_p66_lanes + bias_0_p67_lanes;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> bias_0_p69_lanes = bias_0_p68_lanes * bias_0_p65_lanes;
+  const Lanes<2> bias_0_lanes = bias_0_p61_lanes + bias_0_p69_lanes;
+  bias[0] = bias_0_lanes[0];
+  bias[6] = bias_0_lanes[1];
 
   // link 5 (chest2), pose
   const Real bias_1_p1 = s5 * s4;
@@ -368,386 +618,253 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real bias_1_p2 = s6 * c4 - c6 * bias_1_p1;
 
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> bias_1_p3_lanes = detail::make_lanes<Real>(c7, c14) * bias_1_p2;
+
   // link 5 (chest2), pose
-  const Real bias_1_p3 = c5 * s4;
+  const Real bias_1_p4 = c5 * s4;
 
   // link 7 (left_shoulder1), pose
-  const Real bias_1_p4 = c7 * bias_1_p2 - s7 * bias_1_p3;
-
-  // link 6 (chest3), pose
-  const Real bias_1_p5 = s6 * bias_1_p1 + c6 * c4;
+  const Lanes<2> bias_1_p5_lanes = detail::make_lanes<Real>(s7, s14) * bias_1_p4;
+  const Lanes<2> bias_1_p6_lanes = bias_1_p3_lanes - bias_1_p5_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Real bias_1_p6 = c8 * bias_1_p4 + s8 * bias_1_p5;
-  const Real bias_1_p7 = c8 * bias_1_p5 - s8 * bias_1_p4;
+  const Lanes<2> bias_1_p7_lanes = detail::make_lanes<Real>(c8, c15) * bias_1_p6_lanes;
 
-  // link 7 (left_shoulder1), pose
-  const Real bias_1_p8 = s7 * bias_1_p2 + c7 * bias_1_p3;
+  // link 6 (chest3), pose
+  const Real bias_1_p8 = s6 * bias_1_p1 + c6 * c4;
 
-  // link 9 (left_upperarm), pose
-  const Real bias_1_p9 = s9 * bias_1_p7 + c9 * bias_1_p8;
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> bias_1_p9_lanes = detail::make_lanes<Real>(s8, s15) * bias_1_p8;
+  const Lanes<2> bias_1_p10_lanes = bias_1_p7_lanes + bias_1_p9_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Real bias_1_p10 = c10 * bias_1_p6 - s10 * bias_1_p9;
-  const Real bias_1_p11 = c10 * bias_1_p9 + s10 * bias_1_p6;
+  const Lanes<2> bias_1_p11_lanes = detail::make_lanes<Real>(c10, c17) * bias_1_p10_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> bias_1_p12_lanes = detail::make_lanes<Real>(c8, c15) * bias_1_p8;
+  const Lanes<2> bias_1_p13_lanes = detail::make_lanes<Real>(s8, s15) * bias_1_p6_lanes;
+  const Lanes<2> bias_1_p14_lanes = bias_1_p12_lanes - bias_1_p13_lanes;
 
   // link 9 (left_upperarm), pose
-  const Real bias_1_p12 = c9 * bias_1_p7 - s9 * bias_1_p8;
+  const Lanes<2> bias_1_p15_lanes = detail::make_lanes<Real>(s9, s16) * bias_1_p14_lanes;
 
-  // link 11 (left_wrist1), pose
-  const Real bias_1_p13 = c11 * bias_1_p11 + s11 * bias_1_p12;
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> bias_1_p16_lanes = detail::make_lanes<Real>(s7, s14) * bias_1_p2;
+  const Lanes<2> bias_1_p17_lanes = detail::make_lanes<Real>(c7, c14) * bias_1_p4;
+  const Lanes<2> bias_1_p18_lanes = bias_1_p16_lanes + bias_1_p17_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> bias_1_p19_lanes = detail::make_lanes<Real>(c9, c16) * bias_1_p18_lanes;
+  const Lanes<2> bias_1_p20_lanes = bias_1_p15_lanes + bias_1_p19_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> bias_1_p21_lanes = detail::make_lanes<Real>(s10, s17) * bias_1_p20_lanes;
+  const Lanes<2> bias_1_p22_lanes = bias_1_p11_lanes - bias_1_p21_lanes;
 
   // link 12 (left_wrist2), pose
-  const Real bias_1_p14 = c12 * bias_1_p10 - s12 * bias_1_p13;
+  const Lanes<2> bias_1_p23_lanes = detail::make_lanes<Real>(c12, c19) * bias_1_p22_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> bias_1_p24_lanes = detail::make_lanes<Real>(c10, c17) * bias_1_p20_lanes;
+  const Lanes<2> bias_1_p25_lanes = detail::make_lanes<Real>(s10, s17) * bias_1_p10_lanes;
+  const Lanes<2> bias_1_p26_lanes = bias_1_p24_lanes + bias_1_p25_lanes;
 
   // link 11 (left_wrist1), pose
-  const Real bias_1_p15 = c11 * bias_1_p12 - s11 * bias_1_p11;
+  const Lanes<2> bias_1_p27_lanes = detail::make_lanes<Real>(c11, c18) * bias_1_p26_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> bias_1_p28_lanes = detail::make_lanes<Real>(c9, c16) * bias_1_p14_lanes;
+  const Lanes<2> bias_1_p29_lanes = detail::make_lanes<Real>(s9, s16) * bias_1_p18_lanes;
+  const Lanes<2> bias_1_p30_lanes = bias_1_p28_lanes - bias_1_p29_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> bias_1_p31_lanes = detail::make_lanes<Real>(s11, s18) * bias_1_p30_lanes;
+  const Lanes<2> bias_1_p32_lanes = bias_1_p27_lanes + bias_1_p31_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> bias_1_p33_lanes = detail::make_lanes<Real>(s12, s19) * bias_1_p32_lanes;
+  const Lanes<2> bias_1_p34_lanes = bias_1_p23_lanes - bias_1_p33_lanes;
 
   // link 13 (left_hand), pose
-  const Real bias_1_p16 = c13 * bias_1_p15 - s13 * bias_1_p14;
-  const Real bias_1_p17 = c13 * bias_1_p14 + s13 * bias_1_p15;
+  const Lanes<2> bias_1_p35_lanes = detail::make_lanes<Real>(s13, s20) * bias_1_p34_lanes;
 
-  // link 12 (left_wrist2), pose
-  const Real bias_1_p18 = c12 * bias_1_p13 + s12 * bias_1_p10;
+  // link 11 (left_wrist1), pose
+  const Lanes<2> bias_1_p36_lanes = detail::make_lanes<Real>(s11, s18) * bias_1_p26_lanes;
+  const Lanes<2> bias_1_p37_lanes = detail::make_lanes<Real>(c11, c18) * bias_1_p30_lanes;
+  const Lanes<2> bias_1_p38_lanes = bias_1_p37_lanes - bias_1_p36_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> bias_1_p39_lanes = detail::make_lanes<Real>(c13, c20) * bias_1_p38_lanes;
+  const Lanes<2> bias_1_p40_lanes = bias_1_p39_lanes - bias_1_p35_lanes;
 
   // link 24 (right_eye), outward
-  bias[1] = bias_1_p16 * bias_0_p1 - bias_1_p17 * bias_0_p24 + bias_1_p18 * bias_0_p26;
+  const Lanes<2> bias_1_p41_lanes = bias_1_p40_lanes * bias_0_p4_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> bias_1_p42_lanes = detail::make_lanes<Real>(c13, c20) * bias_1_p34_lanes;
+  const Lanes<2> bias_1_p43_lanes = detail::make_lanes<Real>(s13, s20) * bias_1_p38_lanes;
+  const Lanes<2> bias_1_p44_lanes = bias_1_p42_lanes + bias_1_p43_lanes;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> bias_1_p45_lanes = bias_1_p44_lanes * bias_0_p56_lanes;
+  const Lanes<2> bias_1_p46_lanes = bias_1_p41_lanes - bias_1_p45_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> bias_1_p47_lanes = detail::make_lanes<Real>(c12, c19) * bias_1_p32_lanes;
+  const Lanes<2> bias_1_p48_lanes = detail::make_lanes<Real>(s12, s19) * bias_1_p22_lanes;
+  const Lanes<2> bias_1_p49_lanes = bias_1_p47_lanes + bias_1_p48_lanes;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> bias_1_p50_lanes = bias_1_p49_lanes * bias_0_p65_lanes;
+  const Lanes<2> bias_1_lanes = bias_1_p46_lanes + bias_1_p50_lanes;
+  bias[1] = bias_1_lanes[0];
+  bias[7] = bias_1_lanes[1];
 
   // link 4 (chest1), pose
-  const Real bias_2_p1 = c4 * bias_0_p6;
+  const Real bias_2_p1 = c4 * bias_0_p9;
 
   // link 5 (chest2), pose
-  const Real bias_2_p2 = s5 * bias_2_p1 - c5 * bias_0_p4;
+  const Real bias_2_p2 = s5 * bias_2_p1 - c5 * bias_0_p7;
 
   // link 4 (chest1), pose
-  const Real bias_2_p3 = s4 * bias_0_p6;
+  const Real bias_2_p3 = s4 * bias_0_p9;
 
   // link 6 (chest3), pose
   const Real bias_2_p4 = c6 * bias_2_p2 + s6 * bias_2_p3;
 
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> bias_2_p5_lanes = detail::make_lanes<Real>(s7, s14) * bias_2_p4;
+
   // link 5 (chest2), pose
-  const Real bias_2_p5 = c5 * bias_2_p1 + s5 * bias_0_p4;
+  const Real bias_2_p6 = c5 * bias_2_p1 + s5 * bias_0_p7;
 
   // link 7 (left_shoulder1), pose
-  const Real bias_2_p6 = s7 * bias_2_p4 - c7 * bias_2_p5;
-  const Real bias_2_p7 = c7 * bias_2_p4 + s7 * bias_2_p5;
+  const Lanes<2> bias_2_p7_lanes = detail::make_lanes<Real>(c7, c14) * bias_2_p6;
+  const Lanes<2> bias_2_p8_lanes = bias_2_p5_lanes - bias_2_p7_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> bias_2_p9_lanes = detail::make_lanes<Real>(c9, c16) * bias_2_p8_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> bias_2_p10_lanes = detail::make_lanes<Real>(c7, c14) * bias_2_p4;
+  const Lanes<2> bias_2_p11_lanes = detail::make_lanes<Real>(s7, s14) * bias_2_p6;
+  const Lanes<2> bias_2_p12_lanes = bias_2_p10_lanes + bias_2_p11_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> bias_2_p13_lanes = detail::make_lanes<Real>(s8, s15) * bias_2_p12_lanes;
 
   // link 6 (chest3), pose
-  const Real bias_2_p8 = s6 * bias_2_p2 - c6 * bias_2_p3;
+  const Real bias_2_p14 = s6 * bias_2_p2 - c6 * bias_2_p3;
 
   // link 8 (left_shoulder2), pose
-  const Real bias_2_p9 = s8 * bias_2_p7 + c8 * bias_2_p8;
+  const Lanes<2> bias_2_p15_lanes = detail::make_lanes<Real>(c8, c15) * bias_2_p14;
+  const Lanes<2> bias_2_p16_lanes = bias_2_p13_lanes + bias_2_p15_lanes;
 
   // link 9 (left_upperarm), pose
-  const Real bias_2_p10 = c9 * bias_2_p6 - s9 * bias_2_p9;
-
-  // link 8 (left_shoulder2), pose
-  const Real bias_2_p11 = c8 * bias_2_p7 - s8 * bias_2_p8;
+  const Lanes<2> bias_2_p17_lanes = detail::make_lanes<Real>(s9, s16) * bias_2_p16_lanes;
+  const Lanes<2> bias_2_p18_lanes = bias_2_p9_lanes - bias_2_p17_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Real bias_2_p12 = c10 * bias_2_p10 + s10 * bias_2_p11;
+  const Lanes<2> bias_2_p19_lanes = detail::make_lanes<Real>(c10, c17) * bias_2_p18_lanes;
 
-  // link 9 (left_upperarm), pose
-  const Real bias_2_p13 = c9 * bias_2_p9 + s9 * bias_2_p6;
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> bias_2_p20_lanes = detail::make_lanes<Real>(c8, c15) * bias_2_p12_lanes;
+  const Lanes<2> bias_2_p21_lanes = detail::make_lanes<Real>(s8, s15) * bias_2_p14;
+  const Lanes<2> bias_2_p22_lanes = bias_2_p20_lanes - bias_2_p21_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> bias_2_p23_lanes = detail::make_lanes<Real>(s10, s17) * bias_2_p22_lanes;
+  const Lanes<2> bias_2_p24_lanes = bias_2_p19_lanes + bias_2_p23_lanes;
 
   // link 11 (left_wrist1), pose
-  const Real bias_2_p14 = c11 * bias_2_p12 - s11 * bias_2_p13;
+  const Lanes<2> bias_2_p25_lanes = detail::make_lanes<Real>(c11, c18) * bias_2_p24_lanes;
 
-  // link 10 (left_lowerarm), pose
-  const Real bias_2_p15 = c10 * bias_2_p11 - s10 * bias_2_p10;
+  // link 9 (left_upperarm), pose
+  const Lanes<2> bias_2_p26_lanes = detail::make_lanes<Real>(c9, c16) * bias_2_p16_lanes;
+  const Lanes<2> bias_2_p27_lanes = detail::make_lanes<Real>(s9, s16) * bias_2_p8_lanes;
+  const Lanes<2> bias_2_p28_lanes = bias_2_p26_lanes + bias_2_p27_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> bias_2_p29_lanes = detail::make_lanes<Real>(s11, s18) * bias_2_p28_lanes;
+  const Lanes<2> bias_2_p30_lanes = bias_2_p25_lanes - bias_2_p29_lanes;
 
   // link 12 (left_wrist2), pose
-  const Real bias_2_p16 = c12 * bias_2_p15 - s12 * bias_2_p14;
+  const Lanes<2> bias_2_p31_lanes = detail::make_lanes<Real>(s12, s19) * bias_2_p30_lanes;
 
-  // link 11 (left_wrist1), pose
-  const Real bias_2_p17 = s11 * bias_2_p12 + c11 * bias_2_p13;
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> bias_2_p32_lanes = detail::make_lanes<Real>(s10, s17) * bias_2_p18_lanes;
+  const Lanes<2> bias_2_p33_lanes = detail::make_lanes<Real>(c10, c17) * bias_2_p22_lanes;
+  const Lanes<2> bias_2_p34_lanes = bias_2_p33_lanes - bias_2_p32_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> bias_2_p35_lanes = detail::make_lanes<Real>(c12, c19) * bias_2_p34_lanes;
+  const Lanes<2> bias_2_p36_lanes = bias_2_p35_lanes - bias_2_p31_lanes;
 
   // link 13 (left_hand), pose
-  const Real bias_2_p18 = c13 * bias_2_p16 - s13 * bias_2_p17;
-  const Real bias_2_p19 = s13 * bias_2_p16 + c13 * bias_2_p17;
+  const Lanes<2> bias_2_p37_lanes = detail::make_lanes<Real>(c13, c20) * bias_2_p36_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> bias_2_p38_lanes = detail::make_lanes<Real>(s11, s18) * bias_2_p24_lanes;
+  const Lanes<2> bias_2_p39_lanes = detail::make_lanes<Real>(c11, c18) * bias_2_p28_lanes;
+  const Lanes<2> bias_2_p40_lanes = bias_2_p38_lanes + bias_2_p39_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> bias_2_p41_lanes = detail::make_lanes<Real>(s13, s20) * bias_2_p40_lanes;
+  const Lanes<2> bias_2_p42_lanes = bias_2_p37_lanes - bias_2_p41_lanes;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> bias_2_p43_lanes = bias_2_p42_lanes * bias_0_p56_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> bias_2_p44_lanes = detail::make_lanes<Real>(s13, s20) * bias_2_p36_lanes;
+  const Lanes<2> bias_2_p45_lanes = detail::make_lanes<Real>(c13, c20) * bias_2_p40_lanes;
+  const Lanes<2> bias_2_p46_lanes = bias_2_p44_lanes + bias_2_p45_lanes;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> bias_2_p47_lanes = bias_2_p46_lanes * bias_0_p4_lanes;
+  const Lanes<2> bias_2_p48_lanes = bias_2_p43_lanes + bias_2_p47_lanes;
 
   // link 12 (left_wrist2), pose
-  const Real bias_2_p20 = c12 * bias_2_p14 + s12 * bias_2_p15;
+  const Lanes<2> bias_2_p49_lanes = detail::make_lanes<Real>(c12, c19) * bias_2_p30_lanes;
+  const Lanes<2> bias_2_p50_lanes = detail::make_lanes<Real>(s12, s19) * bias_2_p34_lanes;
+  const Lanes<2> bias_2_p51_lanes = bias_2_p49_lanes + bias_2_p50_lanes;
 
   // link 24 (right_eye), outward
-  bias[2] = bias_2_p20 * bias_0_p26 - (bias_2_p18 * bias_0_p24 + bias_2_p19 * bias_0_p1);
+  const Lanes<2> bias_2_p52_lanes = bias_2_p51_lanes * bias_0_p65_lanes;
+  const Lanes<2> bias_2_lanes = bias_2_p52_lanes - bias_2_p48_lanes;
+  bias[2] = bias_2_lanes[0];
+  bias[8] = bias_2_lanes[1];
 
   // link 13 (left_hand), outward
-  const Real wd13_x = c13 * wd12_y + s13 * wd11_y + w13_y * qd[12];
+  const Lanes<2> wd13_x_p1_lanes = detail::make_lanes<Real>(c13, c20) * wd12_y_lanes;
+  const Lanes<2> wd13_x_p2_lanes = detail::make_lanes<Real>(s13, s20) * wd11_y_lanes;
+  const Lanes<2> wd13_x_p3_lanes = wd13_x_p1_lanes + wd13_x_p2_lanes;
+  const Lanes<2> wd13_x_p4_lanes = w13_y_lanes * detail::make_lanes<Real>(qd[12], qd[19]);
+  const Lanes<2> wd13_x_lanes = wd13_x_p3_lanes + wd13_x_p4_lanes;
 
   // link 24 (right_eye), outward
-  bias[3] = bias_0_p25 * wd13_x + bias_0_p23 * wd13_y + bias_0_p27 * wd12_x;
-  bias[4] = bias_1_p17 * wd13_x + bias_1_p16 * wd13_y + bias_1_p18 * wd12_x;
-  bias[5] = bias_2_p18 * wd13_x - bias_2_p19 * wd13_y + bias_2_p20 * wd12_x;
-
-  // link 14 (right_shoulder1), outward
-  const Real a14_y_p1 = a7_x_p2 - a7_x_p4;
-  const Real a14_y_p2 = a7_x_p6 - a7_x_p7;
-  const Real a14_y = c14 * a14_y_p1 - s14 * a14_y_p2;
-  const Real a14_z = minus_a7_z_p2 - minus_a7_z_p1;
-
-  // link 15 (right_shoulder2), outward
-  const Real a15_y = c15 * a14_z - s15 * a14_y;
-
-  // link 14 (right_shoulder1), outward
-  const Real a14_x = s14 * a14_y_p1 + c14 * a14_y_p2;
-
-  // link 16 (right_upperarm), outward
-  const Real a16_x = s16 * a15_y + c16 * a14_x;
-
-  // link 14 (right_shoulder1), outward
-  const Real w14_x = s14 * w6_x + c14 * w6_z;
-  const Real wd14_y = c14 * wd6_x - s14 * wd5_x - w14_x * qd[13];
-  const Real w14_y = c14 * w6_x - s14 * w6_z;
-  const Real w14_z = w6_y + qd[13];
-
-  // link 15 (right_shoulder2), outward
-  const Real w15_x = c15 * w14_y + s15 * w14_z;
-  const Real wd15_y = c15 * wd6_y - s15 * wd14_y - w15_x * qd[14];
-
-  // link 14 (right_shoulder1), outward
-  const Real wd14_x = s14 * wd6_x + c14 * wd5_x + w14_y * qd[13];
-
-  // link 15 (right_shoulder2), outward
-  const Real w15_y = c15 * w14_z - s15 * w14_y;
-  const Real w15_z = w14_x + qd[14];
-
-  // link 16 (right_upperarm), outward
-  const Real w16_x = s16 * w15_y + c16 * w15_z;
-  const Real wd16_y = c16 * wd15_y - s16 * wd14_x - w16_x * qd[15];
-  const Real w16_z = qd[15] - w15_x;
-
-  // link 17 (right_lowerarm), outward
-  const Real a17_x_p1 = a16_x - 0.282 * (w16_x * w16_z + wd16_y);
-
-  // link 16 (right_upperarm), outward
-  const Real w16_y = c16 * w15_y - s16 * w15_z;
-
-  // link 15 (right_shoulder2), outward
-  const Real a15_x = c15 * a14_y + s15 * a14_z;
-
-  // link 17 (right_lowerarm), outward
-  const Real a17_x_p2 = 0.282 * (w16_x * w16_x + w16_y * w16_y) - a15_x;
-  const Real a17_x = c17 * a17_x_p1 - s17 * a17_x_p2;
-
-  // link 16 (right_upperarm), outward
-  const Real a16_y = c16 * a15_y - s16 * a14_x;
-  const Real wd16_x = s16 * wd15_y + c16 * wd14_x + w16_y * qd[15];
-
-  // link 17 (right_lowerarm), outward
-  const Real a17_z = a16_y - 0.282 * (w16_y * w16_z - wd16_x);
-
-  // link 18 (right_wrist1), outward
-  const Real a18_x = c18 * a17_x + s18 * a17_z;
-
-  // link 15 (right_shoulder2), outward
-  const Real wd15_x = c15 * wd14_y + s15 * wd6_y + w15_y * qd[14];
-
-  // link 17 (right_lowerarm), outward
-  const Real minus_w17_y = s17 * w16_x + c17 * w16_z;
-  const Real wd17_x = c17 * wd16_x + s17 * wd15_x - minus_w17_y * qd[16];
-  const Real w17_x = c17 * w16_x - s17 * w16_z;
-  const Real w17_z = w16_y + qd[16];
-
-  // link 18 (right_wrist1), outward
-  const Real w18_x = c18 * w17_x + s18 * w17_z;
-  const Real wd18_y = c18 * wd16_y - s18 * wd17_x - w18_x * qd[17];
-  const Real w18_z = minus_w17_y + qd[17];
-
-  // link 19 (right_wrist2), outward
-  const Real minus_a19_y_p1 = a18_x - 0.269 * (w18_x * w18_z + wd18_y);
-
-  // link 17 (right_lowerarm), outward
-  const Real minus_a17_y = s17 * a17_x_p1 + c17 * a17_x_p2;
-
-  // link 18 (right_wrist1), outward
-  const Real w18_y = c18 * w17_z - s18 * w17_x;
-
-  // link 19 (right_wrist2), outward
-  const Real minus_a19_y_p2 = minus_a17_y + 0.269 * (w18_x * w18_x + w18_y * w18_y);
-  const Real minus_a19_y = s19 * minus_a19_y_p1 + c19 * minus_a19_y_p2;
-
-  // link 18 (right_wrist1), outward
-  const Real a18_y = c18 * a17_z - s18 * a17_x;
-  const Real wd18_x = c18 * wd17_x + s18 * wd16_y + w18_y * qd[17];
-
-  // link 19 (right_wrist2), outward
-  const Real a19_z = a18_y - 0.269 * (w18_y * w18_z - wd18_x);
-
-  // link 20 (right_hand), outward
-  const Real a20_x = s20 * a19_z - c20 * minus_a19_y;
-
-  // link 19 (right_wrist2), outward
-  const Real minus_w19_y = s19 * w18_x + c19 * w18_z;
-  const Real w19_z = w18_y + qd[18];
-
-  // link 20 (right_hand), outward
-  const Real w20_y = s20 * minus_w19_y + c20 * w19_z;
-
-  // link 19 (right_wrist2), outward
-  const Real w19_x = c19 * w18_x - s19 * w18_z;
-
-  // link 20 (right_hand), outward
-  const Real w20_z = w19_x + qd[19];
-
-  // link 24 (right_eye), outward
-  const Real bias_6_p1 = a20_x - 0.086 * (w20_y * w20_y + w20_z * w20_z);
-
-  // link 14 (right_shoulder1), pose
-  const Real bias_6_p2 = c14 * bias_0_p9 + s14 * bias_0_p10;
-
-  // link 15 (right_shoulder2), pose
-  const Real bias_6_p3 = s15 * bias_6_p2 + c15 * bias_0_p12;
-
-  // link 14 (right_shoulder1), pose
-  const Real bias_6_p4 = c14 * bias_0_p10 - s14 * bias_0_p9;
-
-  // link 16 (right_upperarm), pose
-  const Real bias_6_p5 = s16 * bias_6_p3 + c16 * bias_6_p4;
-
-  // link 15 (right_shoulder2), pose
-  const Real bias_6_p6 = s15 * bias_0_p12 - c15 * bias_6_p2;
-
-  // link 17 (right_lowerarm), pose
-  const Real bias_6_p7 = c17 * bias_6_p5 + s17 * bias_6_p6;
-
-  // link 16 (right_upperarm), pose
-  const Real bias_6_p8 = c16 * bias_6_p3 - s16 * bias_6_p4;
-
-  // link 18 (right_wrist1), pose
-  const Real bias_6_p9 = c18 * bias_6_p7 + s18 * bias_6_p8;
-
-  // link 17 (right_lowerarm), pose
-  const Real bias_6_p10 = c17 * bias_6_p6 - s17 * bias_6_p5;
-
-  // link 19 (right_wrist2), pose
-  const Real bias_6_p11 = c19 * bias_6_p10 - s19 * bias_6_p9;
-
-  // link 18 (right_wrist1), pose
-  const Real bias_6_p12 = c18 * bias_6_p8 - s18 * bias_6_p7;
-
-  // link 20 (right_hand), pose
-  const Real bias_6_p13 = c20 * bias_6_p11 + s20 * bias_6_p12;
-
-  // link 20 (right_hand), outward
-  const Real a20_y = s20 * minus_a19_y + c20 * a19_z;
-  const Real w20_x = s20 * w19_z - c20 * minus_w19_y;
-
-  // link 17 (right_lowerarm), outward
-  const Real wd17_y = c17 * wd15_x - s17 * wd16_x - w17_x * qd[16];
-
-  // link 19 (right_wrist2), outward
-  const Real wd19_x = c19 * wd18_x + s19 * wd17_y - minus_w19_y * qd[18];
-
-  // link 24 (right_eye), outward
-  const Real bias_6_p14 = a20_y + 0.086 * (w20_x * w20_y + wd19_x);
-
-  // link 20 (right_hand), pose
-  const Real bias_6_p15 = c20 * bias_6_p12 - s20 * bias_6_p11;
-
-  // link 19 (right_wrist2), outward
-  const Real a19_x = c19 * minus_a19_y_p1 - s19 * minus_a19_y_p2;
-  const Real wd19_y = c19 * wd17_y - s19 * wd18_x - w19_x * qd[18];
-
-  // link 20 (right_hand), outward
-  const Real wd20_y = c20 * wd18_y - s20 * wd19_y - w20_x * qd[19];
-
-  // link 24 (right_eye), outward
-  const Real bias_6_p16 = a19_x + 0.086 * (w20_x * w20_z - wd20_y);
-
-  // link 19 (right_wrist2), pose
-  const Real bias_6_p17 = c19 * bias_6_p9 + s19 * bias_6_p10;
-
-  // link 24 (right_eye), outward
-  bias[6] = bias_6_p13 * bias_6_p1 + bias_6_p15 * bias_6_p14 + bias_6_p17 * bias_6_p16;
-
-  // link 14 (right_shoulder1), pose
-  const Real bias_7_p1 = c14 * bias_1_p2 - s14 * bias_1_p3;
-
-  // link 15 (right_shoulder2), pose
-  const Real bias_7_p2 = c15 * bias_7_p1 + s15 * bias_1_p5;
-  const Real bias_7_p3 = c15 * bias_1_p5 - s15 * bias_7_p1;
-
-  // link 14 (right_shoulder1), pose
-  const Real bias_7_p4 = s14 * bias_1_p2 + c14 * bias_1_p3;
-
-  // link 16 (right_upperarm), pose
-  const Real bias_7_p5 = s16 * bias_7_p3 + c16 * bias_7_p4;
-
-  // link 17 (right_lowerarm), pose
-  const Real bias_7_p6 = c17 * bias_7_p2 - s17 * bias_7_p5;
-  const Real bias_7_p7 = c17 * bias_7_p5 + s17 * bias_7_p2;
-
-  // link 16 (right_upperarm), pose
-  const Real bias_7_p8 = c16 * bias_7_p3 - s16 * bias_7_p4;
-
-  // link 18 (right_wrist1), pose
-  const Real bias_7_p9 = c18 * bias_7_p7 + s18 * bias_7_p8;
-
-  // link 19 (right_wrist2), pose
-  const Real bias_7_p10 = c19 * bias_7_p6 - s19 * bias_7_p9;
-
-  // link 18 (right_wrist1), pose
-  const Real bias_7_p11 = c18 * bias_7_p8 - s18 * bias_7_p7;
-
-  // link 20 (right_hand), pose
-  const Real bias_7_p12 = c20 * bias_7_p10 + s20 * bias_7_p11;
-  const Real bias_7_p13 = c20 * bias_7_p11 - s20 * bias_7_p10;
-
-  // link 19 (right_wrist2), pose
-  const Real bias_7_p14 = c19 * bias_7_p9 + s19 * bias_7_p6;
-
-  // link 24 (right_eye), outward
-  bias[7] = bias_7_p12 * bias_6_p1 + bias_7_p13 * bias_6_p14 + bias_7_p14 * bias_6_p16;
-
-  // link 14 (right_shoulder1), pose
-  const Real bias_8_p1 = s14 * bias_2_p4 - c14 * bias_2_p5;
-  const Real bias_8_p2 = c14 * bias_2_p4 + s14 * bias_2_p5;
-
-  // link 15 (right_shoulder2), pose
-  const Real bias_8_p3 = s15 * bias_8_p2 + c15 * bias_2_p8;
-
-  // link 16 (right_upperarm), pose
-  const Real bias_8_p4 = c16 * bias_8_p1 - s16 * bias_8_p3;
-
-  // link 15 (right_shoulder2), pose
-  const Real bias_8_p5 = c15 * bias_8_p2 - s15 * bias_2_p8;
-
-  // link 17 (right_lowerarm), pose
-  const Real bias_8_p6 = c17 * bias_8_p4 + s17 * bias_8_p5;
-
-  // link 16 (right_upperarm), pose
-  const Real bias_8_p7 = c16 * bias_8_p3 + s16 * bias_8_p1;
-
-  // link 18 (right_wrist1), pose
-  const Real bias_8_p8 = c18 * bias_8_p6 - s18 * bias_8_p7;
-
-  // link 17 (right_lowerarm), pose
-  const Real bias_8_p9 = c17 * bias_8_p5 - s17 * bias_8_p4;
-
-  // link 19 (right_wrist2), pose
-  const Real bias_8_p10 = c19 * bias_8_p9 - s19 * bias_8_p8;
-
-  // link 18 (right_wrist1), pose
-  const Real bias_8_p11 = s18 * bias_8_p6 + c18 * bias_8_p7;
-
-  // link 20 (right_hand), pose
-  const Real bias_8_p12 = c20 * bias_8_p10 - s20 * bias_8_p11;
-  const Real bias_8_p13 = s20 * bias_8_p10 + c20 * bias_8_p11;
-
-  // link 19 (right_wrist2), pose
-  const Real bias_8_p14 = c19 * bias_8_p8 + s19 * bias_8_p9;
-
-  // link 24 (right_eye), outward
-  bias[8] = bias_8_p12 * bias_6_p1 - bias_8_p13 * bias_6_p14 + bias_8_p14 * bias_6_p16;
-
-  // link 20 (right_hand), outward
-  const Real wd20_x = c20 * wd19_y + s20 * wd18_y + w20_y * qd[19];
-
-  // link 24 (right_eye), outward
-  bias[9] = bias_6_p13 * wd20_x + bias_6_p15 * wd20_y + bias_6_p17 * wd19_x;
-  bias[10] = bias_7_p12 * wd20_x + bias_7_p13 * wd20_y + bias_7_p14 * wd19_x;
-  bias[11] = bias_8_p12 * wd20_x - bias_8_p13 * wd20_y + bias_8_p14 * wd19_x;
+  const Lanes<2> bias_3_p1_lanes = bias_0_p59_lanes * wd13_x_lanes;
+  const Lanes<2> bias_3_p2_lanes = bias_0_p50_lanes * wd13_y_lanes;
+  const Lanes<2> bias_3_p3_lanes = bias_3_p1_lanes + bias_3_p2_lanes;
+  const Lanes<2> bias_3_p4_lanes = bias_0_p68_lanes * wd12_x_lanes;
+  const Lanes<2> bias_3_lanes = bias_3_p3_lanes + bias_3_p4_lanes;
+  bias[3] = bias_3_lanes[0];
+  bias[9] = bias_3_lanes[1];
+  const Lanes<2> bias_4_p1_lanes = bias_1_p44_lanes * wd13_x_lanes;
+  const Lanes<2> bias_4_p2_lanes = bias_1_p40_lanes * wd13_y_lanes;
+  const Lanes<2> bias_4_p3_lanes = bias_4_p1_lanes + bias_4_p2_lanes;
+  const Lanes<2> bias_4_p4_lanes = bias_1_p49_lanes * wd12_x_lanes;
+  const Lanes<2> bias_4_lanes = bias_4_p3_lanes + bias_4_p4_lanes;
+  bias[4] = bias_4_lanes[0];
+  bias[10] = bias_4_lanes[1];
+  const Lanes<2> bias_5_p1_lanes = bias_2_p42_lanes * wd13_x_lanes;
+  const Lanes<2> bias_5_p2_lanes = bias_2_p46_lanes * wd13_y_lanes;
+  const Lanes<2> bias_5_p3_lanes = bias_5_p1_lanes - bias_5_p2_lanes;
+  const Lanes<2> bias_5_p4_lanes = bias_2_p51_lanes * wd12_x_lanes;
+  const Lanes<2> bias_5_lanes = bias_5_p3_lanes + bias_5_p4_lanes;
+  bias[5] = bias_5_lanes[0];
+  bias[11] = bias_5_lanes[1];
 }
 
 }  // namespace humanoid24

@@ -50,103 +50,103 @@ inline constexpr int kVelocities = 24;  // of qd, qdd, tau
 inline constexpr int kTaskRows = 12;  // stacked over the operational points
 
 /// x_world = R x_point + p, for every operational point
-/// By outward recursion.
+/// By outward recursion, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out position (6): positions in the world, m, one point after the other
 /// out rotation (18): rotation matrices, row-major, point's axes to world, one point after the other
-/// Cost: 367 flops (add 132, mul 235, div 0), sine and cosine of 20 angles.
-/// Stack: at most 60 values live at once, 480 bytes.
+/// Cost: 370 flops (add 132, mul 238, div 0), sine and cosine of 20 angles.
+/// Stack: at most 61 values live at once, 488 bytes.
 void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotation)[18]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
-/// By from the poses of all links.
+/// By from the poses of all links, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out J (12x24): Jacobian
-/// Cost: 529 flops (add 190, mul 339, div 0), sine and cosine of 20 angles.
-/// Stack: at most 82 values live at once, 656 bytes.
+/// Cost: 532 flops (add 190, mul 342, div 0), sine and cosine of 20 angles.
+/// Stack: at most 96 values live at once, 768 bytes.
 void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
-/// By outward recursion, Chang eq. 6.11.
+/// By outward recursion, Chang eq. 6.11, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// out bias (12): accelerations of the task rows at qdd = 0
-/// Cost: 868 flops (add 328, mul 540, div 0), sine and cosine of 20 angles.
-/// Stack: at most 72 values live at once, 576 bytes.
+/// Cost: 871 flops (add 328, mul 543, div 0), sine and cosine of 20 angles.
+/// Stack: at most 77 values live at once, 616 bytes.
 void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[12]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
-/// By recursive Newton-Euler, Chang table 4.1.
+/// By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// in  qdd (24): joint accelerations
 /// out tau (24): joint forces
-/// Cost: 2028 flops (add 982, mul 1046, div 0), sine and cosine of 24 angles.
-/// Stack: at most 243 values live at once, 1944 bytes.
+/// Cost: 2052 flops (add 982, mul 1070, div 0), sine and cosine of 24 angles.
+/// Stack: at most 272 values live at once, 2176 bytes.
 void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd)[24],
     Real (&tau)[24]) noexcept;
 
 /// g: the joint forces that hold the robot at rest
-/// By recursive Newton-Euler, Chang table 4.1.
+/// By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out g (24): joint forces
 /// Cost: 396 flops (add 158, mul 238, div 0), sine and cosine of 24 angles.
-/// Stack: at most 73 values live at once, 584 bytes.
+/// Stack: at most 90 values live at once, 720 bytes.
 void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
-/// By recursive Newton-Euler, Chang table 4.1.
+/// By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// out h (24): joint forces
-/// Cost: 1967 flops (add 940, mul 1027, div 0), sine and cosine of 24 angles.
-/// Stack: at most 227 values live at once, 1816 bytes.
+/// Cost: 1991 flops (add 940, mul 1051, div 0), sine and cosine of 24 angles.
+/// Stack: at most 251 values live at once, 2008 bytes.
 void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
-/// By composite rigid bodies, RBDA table 6.2.
+/// By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out M (24x24): joint-space inertia
-/// Cost: 2292 flops (add 956, mul 1336, div 0), sine and cosine of 23 angles.
+/// Cost: 2294 flops (add 956, mul 1338, div 0), sine and cosine of 23 angles.
 /// Stack: at most 157 values live at once, 1256 bytes.
 void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
-/// By articulated bodies, Chang table 4.2.
+/// By articulated bodies, Chang table 4.2, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// in  tau (24): joint forces
 /// out qdd (24): joint accelerations
-/// Cost: 4785 flops (add 2286, mul 2467, div 32), sine and cosine of 24 angles.
-/// Stack: at most 334 values live at once, 2672 bytes.
+/// Cost: 4826 flops (add 2289, mul 2505, div 32), sine and cosine of 24 angles.
+/// Stack: at most 354 values live at once, 2832 bytes.
 void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&tau)[24],
     Real (&qdd)[24]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out Lambda_inv (12x12): inverse operational-space inertia
-/// Cost: 6522 flops (add 2753, mul 3737, div 32), sine and cosine of 24 angles.
-/// Stack: at most 356 values live at once, 2848 bytes.
+/// Cost: 6533 flops (add 2756, mul 3745, div 32), sine and cosine of 24 angles.
+/// Stack: at most 364 values live at once, 2912 bytes.
 void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out Lambda (12x12): operational-space inertia
-/// Cost: 8250 flops (add 3545, mul 4661, div 44), sine and cosine of 24 angles.
+/// Cost: 8261 flops (add 3548, mul 4669, div 44), sine and cosine of 24 angles.
 /// Stack: at most 345 values live at once, 2760 bytes.
 void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
+/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// in  qdd_0 (24): joint accelerations that the posture asks for
 /// in  xdd_cmd (12): commanded accelerations of the task rows
 /// out tau (24): joint forces
-/// Cost: 8918 flops (add 3941, mul 4933, div 44), sine and cosine of 24 angles.
-/// Stack: at most 385 values live at once, 3080 bytes.
+/// Cost: 8953 flops (add 3944, mul 4965, div 44), sine and cosine of 24 angles.
+/// Stack: at most 374 values live at once, 2992 bytes.
 void control_torque(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd_0)[24],
     const Real (&xdd_cmd)[12], Real (&tau)[24]) noexcept;
 

@@ -1,8 +1,9 @@
 // jacobian: xd = J qd, rows stacked over operational points
-// By from the poses of all links.
-// 529 flops (add 190, mul 339, div 0), sine and cosine of 20 angles
+// By from the poses of all links, alike limbs in lanes.
+// 532 flops (add 190, mul 342, div 0), sine and cosine of 20 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
+#include "lanes.hpp"
 #include "sin_cos.hpp"
 
 #if defined(__GNUC__)
@@ -13,6 +14,8 @@
 
 namespace humanoid24 {
 
+template <int count>
+using Lanes = detail::Lanes<Real, count>;
 void jacobian(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT J)[288]) noexcept {
   J[13] = 0.0;
   J[14] = 0.0;
@@ -240,15 +243,32 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT J)
   // link 6 (chest3), pose
   const Real J_5_7_p3 = c6 * J_5_7_p2 - s6 * J_5_4;
 
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> J_5_7_p4_lanes = detail::make_lanes<Real>(s7, s14) * J_5_7_p3;
+
   // link 5 (chest2), pose
   const Real J_5_5 = c5 * J_5_7_p1 + s5 * J_5_3;
   J[125] = J_5_5;
   J[269] = J_5_5;
 
   // link 7 (left_shoulder1), pose
-  const Real J_5_7 = s7 * J_5_7_p3 + c7 * J_5_5;
-  J[127] = J_5_7;
-  const Real J_0_2_p1 = c7 * J_5_7_p3 - s7 * J_5_5;
+  const Lanes<2> J_5_7_p5_lanes = detail::make_lanes<Real>(c7, c14) * J_5_5;
+  const Lanes<2> J_5_7_lanes = J_5_7_p4_lanes + J_5_7_p5_lanes;
+  J[127] = J_5_7_lanes[0];
+
+  // link 14 (right_shoulder1), pose
+  J[278] = J_5_7_lanes[1];
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> J_0_2_p1_lanes = detail::make_lanes<Real>(c9, c16) * J_5_7_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> J_0_2_p2_lanes = detail::make_lanes<Real>(c7, c14) * J_5_7_p3;
+  const Lanes<2> J_0_2_p3_lanes = detail::make_lanes<Real>(s7, s14) * J_5_5;
+  const Lanes<2> J_0_2_p4_lanes = J_0_2_p2_lanes - J_0_2_p3_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> J_0_2_p5_lanes = detail::make_lanes<Real>(s8, s15) * J_0_2_p4_lanes;
 
   // link 6 (chest3), pose
   const Real J_5_6 = s6 * J_5_7_p2 + c6 * J_5_4;
@@ -256,74 +276,129 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT J)
   J[277] = -J_5_6;
 
   // link 8 (left_shoulder2), pose
-  const Real J_0_2_p2 = s8 * J_0_2_p1 + c8 * J_5_6;
+  const Lanes<2> J_0_2_p6_lanes = detail::make_lanes<Real>(c8, c15) * J_5_6;
+  const Lanes<2> J_0_2_p7_lanes = J_0_2_p5_lanes + J_0_2_p6_lanes;
 
   // link 9 (left_upperarm), pose
-  const Real J_0_2_p3 = c9 * J_5_7 - s9 * J_0_2_p2;
+  const Lanes<2> J_0_2_p8_lanes = detail::make_lanes<Real>(s9, s16) * J_0_2_p7_lanes;
+  const Lanes<2> J_0_2_p9_lanes = J_0_2_p1_lanes - J_0_2_p8_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> J_0_2_p10_lanes = detail::make_lanes<Real>(c10, c17) * J_0_2_p9_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Real J_5_8 = c8 * J_0_2_p1 - s8 * J_5_6;
-  J[128] = -J_5_8;
+  const Lanes<2> J_5_8_p1_lanes = detail::make_lanes<Real>(c8, c15) * J_0_2_p4_lanes;
+  const Lanes<2> J_5_8_p2_lanes = detail::make_lanes<Real>(s8, s15) * J_5_6;
+  const Lanes<2> J_5_8_lanes = J_5_8_p1_lanes - J_5_8_p2_lanes;
+  J[128] = -J_5_8_lanes[0];
+
+  // link 15 (right_shoulder2), pose
+  J[279] = -J_5_8_lanes[1];
 
   // link 10 (left_lowerarm), pose
-  const Real J_0_2_p4 = c10 * J_0_2_p3 + s10 * J_5_8;
+  const Lanes<2> J_0_2_p11_lanes = detail::make_lanes<Real>(s10, s17) * J_5_8_lanes;
+  const Lanes<2> J_0_2_p12_lanes = J_0_2_p10_lanes + J_0_2_p11_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> J_0_2_p13_lanes = detail::make_lanes<Real>(c11, c18) * J_0_2_p12_lanes;
 
   // link 9 (left_upperarm), pose
-  const Real J_5_9 = c9 * J_0_2_p2 + s9 * J_5_7;
-  J[129] = -J_5_9;
+  const Lanes<2> J_5_9_p1_lanes = detail::make_lanes<Real>(c9, c16) * J_0_2_p7_lanes;
+  const Lanes<2> J_5_9_p2_lanes = detail::make_lanes<Real>(s9, s16) * J_5_7_lanes;
+  const Lanes<2> J_5_9_lanes = J_5_9_p1_lanes + J_5_9_p2_lanes;
+  J[129] = -J_5_9_lanes[0];
+
+  // link 16 (right_upperarm), pose
+  J[280] = -J_5_9_lanes[1];
 
   // link 11 (left_wrist1), pose
-  const Real J_0_2_p5 = c11 * J_0_2_p4 - s11 * J_5_9;
+  const Lanes<2> J_0_2_p14_lanes = detail::make_lanes<Real>(s11, s18) * J_5_9_lanes;
+  const Lanes<2> J_0_2_p15_lanes = J_0_2_p13_lanes - J_0_2_p14_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_0_2_p16_lanes = detail::make_lanes<Real>(s12, s19) * J_0_2_p15_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Real J_5_10 = c10 * J_5_8 - s10 * J_0_2_p3;
-  J[130] = -J_5_10;
+  const Lanes<2> J_5_10_p1_lanes = detail::make_lanes<Real>(s10, s17) * J_0_2_p9_lanes;
+  const Lanes<2> J_5_10_p2_lanes = detail::make_lanes<Real>(c10, c17) * J_5_8_lanes;
+  const Lanes<2> J_5_10_lanes = J_5_10_p2_lanes - J_5_10_p1_lanes;
+  J[130] = -J_5_10_lanes[0];
+
+  // link 17 (right_lowerarm), pose
+  J[281] = -J_5_10_lanes[1];
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_0_2_p17_lanes = detail::make_lanes<Real>(c12, c19) * J_5_10_lanes;
+  const Lanes<2> J_0_2_p18_lanes = J_0_2_p17_lanes - J_0_2_p16_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> J_0_2_p19_lanes = detail::make_lanes<Real>(c13, c20) * J_0_2_p18_lanes;
 
   // link 11 (left_wrist1), pose
-  const Real J_5_11 = s11 * J_0_2_p4 + c11 * J_5_9;
-  J[131] = -J_5_11;
+  const Lanes<2> J_5_11_p1_lanes = detail::make_lanes<Real>(s11, s18) * J_0_2_p12_lanes;
+  const Lanes<2> J_5_11_p2_lanes = detail::make_lanes<Real>(c11, c18) * J_5_9_lanes;
+  const Lanes<2> J_5_11_lanes = J_5_11_p1_lanes + J_5_11_p2_lanes;
+  J[131] = -J_5_11_lanes[0];
+
+  // link 18 (right_wrist1), pose
+  J[282] = -J_5_11_lanes[1];
+
+  // link 13 (left_hand), pose
+  const Lanes<2> J_0_2_p20_lanes = detail::make_lanes<Real>(s13, s20) * J_5_11_lanes;
+  const Lanes<2> J_0_2_p21_lanes = J_0_2_p19_lanes - J_0_2_p20_lanes;
 
   // link 24 (right_eye), pose
-  const Real J_0_2_p6 = 0.086 * (c13 * (c12 * J_5_10 - s12 * J_0_2_p5) - s13 * J_5_11);
+  const Lanes<2> J_0_2_p22_lanes = 0.086 * J_0_2_p21_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_0_2_p23_lanes = 0.269 * J_5_10_lanes;
 
   // link 12 (left_wrist2), Jacobian
-  const Real J_0_2_p7 = J_0_2_p6 + 0.269 * J_5_10;
+  const Lanes<2> J_0_2_p24_lanes = J_0_2_p22_lanes + J_0_2_p23_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> J_0_2_p25_lanes = 0.282 * J_5_8_lanes;
 
   // link 10 (left_lowerarm), Jacobian
-  const Real J_0_2_p8 = J_0_2_p7 + 0.282 * J_5_8;
+  const Lanes<2> J_0_2_p26_lanes = J_0_2_p24_lanes + J_0_2_p25_lanes;
 
   // link 7 (left_shoulder1), pose
-  const Real J_0_2_p9 = 0.226 * J_5_7_p3;
-  const Real J_0_2_p10 = 0.18 * J_5_6;
+  const Real J_0_2_p27 = 0.226 * J_5_7_p3;
+  const Lanes<2> J_0_2_p28_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * J_5_6;
+  const Lanes<2> J_0_2_p29_lanes = J_0_2_p27 + J_0_2_p28_lanes;
 
   // link 7 (left_shoulder1), Jacobian
-  const Real J_0_2_p11 = J_0_2_p8 - (J_0_2_p9 + J_0_2_p10);
+  const Lanes<2> J_0_2_p30_lanes = J_0_2_p26_lanes - J_0_2_p29_lanes;
 
   // link 6 (chest3), pose
-  const Real J_0_2_p12 = 0.072 * J_5_7_p2;
+  const Real J_0_2_p31 = 0.072 * J_5_7_p2;
 
   // link 6 (chest3), Jacobian
-  const Real J_0_2_p13 = J_0_2_p11 - J_0_2_p12;
+  const Lanes<2> J_0_2_p32_lanes = J_0_2_p30_lanes - J_0_2_p31;
 
   // link 5 (chest2), pose
-  const Real J_0_2_p14 = 0.21799999999999997 * J_5_3;
+  const Real J_0_2_p33 = 0.21799999999999997 * J_5_3;
 
   // link 5 (chest2), Jacobian
-  const Real J_0_2 = J_0_2_p13 - J_0_2_p14;
-  J[2] = J_0_2;
+  const Lanes<2> J_0_2_lanes = J_0_2_p32_lanes - J_0_2_p33;
+  J[2] = J_0_2_lanes[0];
+  J[146] = J_0_2_lanes[1];
 
   // link 3 (hip), pose
   const Real J_0_1_p1 = 0.422 * J_5_3_p2;
 
   // link 3 (hip), Jacobian
-  const Real J_0_1 = J_0_2 - J_0_1_p1;
-  J[1] = J_0_1;
+  const Lanes<2> J_0_1_lanes = J_0_2_lanes - J_0_1_p1;
+  J[1] = J_0_1_lanes[0];
+  J[145] = J_0_1_lanes[1];
 
   // link 2 (thigh), pose
   const Real J_0_0_p1 = 0.434 * c1;
 
   // link 2 (thigh), Jacobian
-  J[0] = J_0_1 + J_0_0_p1;
+  const Lanes<2> J_0_0_lanes = J_0_1_lanes + J_0_0_p1;
+  J[0] = J_0_0_lanes[0];
+  J[144] = J_0_0_lanes[1];
 
   // link 5 (chest2), pose
   const Real J_4_8_p1 = s5 * s4;
@@ -331,13 +406,20 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT J)
   // link 6 (chest3), pose
   const Real J_4_8_p2 = s6 * c4 - c6 * J_4_8_p1;
 
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> J_4_8_p3_lanes = detail::make_lanes<Real>(c7, c14) * J_4_8_p2;
+
   // link 5 (chest2), pose
   const Real J_4_5 = c5 * s4;
   J[101] = J_4_5;
   J[245] = J_4_5;
 
   // link 7 (left_shoulder1), pose
-  const Real J_4_8_p3 = c7 * J_4_8_p2 - s7 * J_4_5;
+  const Lanes<2> J_4_8_p4_lanes = detail::make_lanes<Real>(s7, s14) * J_4_5;
+  const Lanes<2> J_4_8_p5_lanes = J_4_8_p3_lanes - J_4_8_p4_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> J_4_8_p6_lanes = detail::make_lanes<Real>(c8, c15) * J_4_8_p5_lanes;
 
   // link 6 (chest3), pose
   const Real J_4_6 = s6 * J_4_8_p1 + c6 * c4;
@@ -345,88 +427,219 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT J)
   J[253] = J_4_6;
 
   // link 8 (left_shoulder2), pose
-  const Real J_4_8 = c8 * J_4_8_p3 + s8 * J_4_6;
-  J[104] = -J_4_8;
-  const Real J_4_10_p1 = c8 * J_4_6 - s8 * J_4_8_p3;
+  const Lanes<2> J_4_8_p7_lanes = detail::make_lanes<Real>(s8, s15) * J_4_6;
+  const Lanes<2> J_4_8_lanes = J_4_8_p6_lanes + J_4_8_p7_lanes;
+  J[104] = -J_4_8_lanes[0];
 
-  // link 7 (left_shoulder1), pose
-  const Real J_4_7 = s7 * J_4_8_p2 + c7 * J_4_5;
-  J[103] = J_4_7;
-
-  // link 9 (left_upperarm), pose
-  const Real J_4_10_p2 = s9 * J_4_10_p1 + c9 * J_4_7;
+  // link 15 (right_shoulder2), pose
+  J[255] = -J_4_8_lanes[1];
 
   // link 10 (left_lowerarm), pose
-  const Real J_4_10 = c10 * J_4_8 - s10 * J_4_10_p2;
-  J[106] = -J_4_10;
-  const Real J_0_3_p1 = c10 * J_4_10_p2 + s10 * J_4_8;
+  const Lanes<2> J_4_10_p1_lanes = detail::make_lanes<Real>(c10, c17) * J_4_8_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> J_4_10_p2_lanes = detail::make_lanes<Real>(c8, c15) * J_4_6;
+  const Lanes<2> J_4_10_p3_lanes = detail::make_lanes<Real>(s8, s15) * J_4_8_p5_lanes;
+  const Lanes<2> J_4_10_p4_lanes = J_4_10_p2_lanes - J_4_10_p3_lanes;
 
   // link 9 (left_upperarm), pose
-  const Real J_4_9 = c9 * J_4_10_p1 - s9 * J_4_7;
-  J[105] = J_4_9;
-
-  // link 11 (left_wrist1), pose
-  const Real J_0_3_p2 = c11 * J_0_3_p1 + s11 * J_4_9;
-  const Real J_4_11 = c11 * J_4_9 - s11 * J_0_3_p1;
-  J[107] = J_4_11;
-
-  // link 24 (right_eye), pose
-  const Real J_0_3_p3 = 0.086 * (c13 * (c12 * J_4_10 - s12 * J_0_3_p2) + s13 * J_4_11);
-
-  // link 12 (left_wrist2), Jacobian
-  const Real J_0_3_p4 = J_0_3_p3 + 0.269 * J_4_10;
-
-  // link 10 (left_lowerarm), Jacobian
-  const Real J_0_3_p5 = J_0_3_p4 + 0.282 * J_4_8;
+  const Lanes<2> J_4_10_p5_lanes = detail::make_lanes<Real>(s9, s16) * J_4_10_p4_lanes;
 
   // link 7 (left_shoulder1), pose
-  const Real J_0_3_p6 = 0.18 * J_4_6;
-  const Real J_0_3_p7 = 0.226 * J_4_8_p2;
+  const Lanes<2> J_4_7_p1_lanes = detail::make_lanes<Real>(s7, s14) * J_4_8_p2;
+  const Lanes<2> J_4_7_p2_lanes = detail::make_lanes<Real>(c7, c14) * J_4_5;
+  const Lanes<2> J_4_7_lanes = J_4_7_p1_lanes + J_4_7_p2_lanes;
+  J[103] = J_4_7_lanes[0];
+
+  // link 14 (right_shoulder1), pose
+  J[254] = J_4_7_lanes[1];
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> J_4_10_p6_lanes = detail::make_lanes<Real>(c9, c16) * J_4_7_lanes;
+  const Lanes<2> J_4_10_p7_lanes = J_4_10_p5_lanes + J_4_10_p6_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> J_4_10_p8_lanes = detail::make_lanes<Real>(s10, s17) * J_4_10_p7_lanes;
+  const Lanes<2> J_4_10_lanes = J_4_10_p1_lanes - J_4_10_p8_lanes;
+  J[106] = -J_4_10_lanes[0];
+
+  // link 17 (right_lowerarm), pose
+  J[257] = -J_4_10_lanes[1];
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_0_3_p1_lanes = detail::make_lanes<Real>(c12, c19) * J_4_10_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> J_0_3_p2_lanes = detail::make_lanes<Real>(c10, c17) * J_4_10_p7_lanes;
+  const Lanes<2> J_0_3_p3_lanes = detail::make_lanes<Real>(s10, s17) * J_4_8_lanes;
+  const Lanes<2> J_0_3_p4_lanes = J_0_3_p2_lanes + J_0_3_p3_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> J_0_3_p5_lanes = detail::make_lanes<Real>(c11, c18) * J_0_3_p4_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> J_4_9_p1_lanes = detail::make_lanes<Real>(c9, c16) * J_4_10_p4_lanes;
+  const Lanes<2> J_4_9_p2_lanes = detail::make_lanes<Real>(s9, s16) * J_4_7_lanes;
+  const Lanes<2> J_4_9_lanes = J_4_9_p1_lanes - J_4_9_p2_lanes;
+  J[105] = J_4_9_lanes[0];
+
+  // link 16 (right_upperarm), pose
+  J[256] = J_4_9_lanes[1];
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> J_0_3_p6_lanes = detail::make_lanes<Real>(s11, s18) * J_4_9_lanes;
+  const Lanes<2> J_0_3_p7_lanes = J_0_3_p5_lanes + J_0_3_p6_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_0_3_p8_lanes = detail::make_lanes<Real>(s12, s19) * J_0_3_p7_lanes;
+  const Lanes<2> J_0_3_p9_lanes = J_0_3_p1_lanes - J_0_3_p8_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> J_0_3_p10_lanes = detail::make_lanes<Real>(c13, c20) * J_0_3_p9_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> J_4_11_p1_lanes = detail::make_lanes<Real>(s11, s18) * J_0_3_p4_lanes;
+  const Lanes<2> J_4_11_p2_lanes = detail::make_lanes<Real>(c11, c18) * J_4_9_lanes;
+  const Lanes<2> J_4_11_lanes = J_4_11_p2_lanes - J_4_11_p1_lanes;
+  J[107] = J_4_11_lanes[0];
+
+  // link 18 (right_wrist1), pose
+  J[258] = J_4_11_lanes[1];
+
+  // link 13 (left_hand), pose
+  const Lanes<2> J_0_3_p11_lanes = detail::make_lanes<Real>(s13, s20) * J_4_11_lanes;
+  const Lanes<2> J_0_3_p12_lanes = J_0_3_p10_lanes + J_0_3_p11_lanes;
+
+  // link 24 (right_eye), pose
+  const Lanes<2> J_0_3_p13_lanes = 0.086 * J_0_3_p12_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_0_3_p14_lanes = 0.269 * J_4_10_lanes;
+
+  // link 12 (left_wrist2), Jacobian
+  const Lanes<2> J_0_3_p15_lanes = J_0_3_p13_lanes + J_0_3_p14_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> J_0_3_p16_lanes = 0.282 * J_4_8_lanes;
+
+  // link 10 (left_lowerarm), Jacobian
+  const Lanes<2> J_0_3_p17_lanes = J_0_3_p15_lanes + J_0_3_p16_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> J_0_3_p18_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * J_4_6;
+  const Real J_0_3_p19 = 0.226 * J_4_8_p2;
+  const Lanes<2> J_0_3_p20_lanes = J_0_3_p18_lanes - J_0_3_p19;
 
   // link 7 (left_shoulder1), Jacobian
-  const Real J_0_3_p8 = J_0_3_p5 + (J_0_3_p6 - J_0_3_p7);
+  const Lanes<2> J_0_3_p21_lanes = J_0_3_p17_lanes + J_0_3_p20_lanes;
 
   // link 6 (chest3), pose
   const Real p6_y = 0.072 * J_4_8_p1;
 
   // link 6 (chest3), Jacobian
-  const Real J_0_3_p9 = J_0_3_p8 + p6_y;
+  const Lanes<2> J_0_3_p22_lanes = J_0_3_p21_lanes + p6_y;
 
   // link 4 (chest1), Jacobian
-  J[3] = J_5_3 * J_0_3_p9;
+  const Lanes<2> J_0_3_lanes = J_5_3 * J_0_3_p22_lanes;
+  J[3] = J_0_3_lanes[0];
+  J[147] = J_0_3_lanes[1];
 
   // link 5 (chest2), Jacobian
-  J[4] = c4 * J_0_2_p13 + J_5_4 * J_0_3_p9;
+  const Lanes<2> J_0_4_p1_lanes = c4 * J_0_2_p32_lanes;
+  const Lanes<2> J_0_4_p2_lanes = J_5_4 * J_0_3_p22_lanes;
+  const Lanes<2> J_0_4_lanes = J_0_4_p1_lanes + J_0_4_p2_lanes;
+  J[4] = J_0_4_lanes[0];
+  J[148] = J_0_4_lanes[1];
 
   // link 6 (chest3), Jacobian
-  J[5] = J_4_5 * J_0_2_p11 - J_5_5 * J_0_3_p8;
+  const Lanes<2> J_0_5_p1_lanes = J_4_5 * J_0_2_p30_lanes;
+  const Lanes<2> J_0_5_p2_lanes = J_5_5 * J_0_3_p21_lanes;
+  const Lanes<2> J_0_5_lanes = J_0_5_p1_lanes - J_0_5_p2_lanes;
+  J[5] = J_0_5_lanes[0];
+  J[149] = J_0_5_lanes[1];
 
   // link 7 (left_shoulder1), Jacobian
-  J[6] = J_4_6 * J_0_2_p8 + J_5_6 * J_0_3_p5;
+  const Lanes<2> J_0_6_p1_lanes = J_4_6 * J_0_2_p26_lanes;
+  const Lanes<2> J_0_6_p2_lanes = J_5_6 * J_0_3_p17_lanes;
+  const Lanes<2> J_0_6_lanes = J_0_6_p1_lanes + J_0_6_p2_lanes;
+  J[6] = J_0_6_lanes[0];
+
+  // link 14 (right_shoulder1), Jacobian
+  J[157] = J_0_6_lanes[1];
 
   // link 8 (left_shoulder2), Jacobian
-  J[7] = J_4_7 * J_0_2_p8 - J_5_7 * J_0_3_p5;
+  const Lanes<2> J_0_7_p1_lanes = J_4_7_lanes * J_0_2_p26_lanes;
+  const Lanes<2> J_0_7_p2_lanes = J_5_7_lanes * J_0_3_p17_lanes;
+  const Lanes<2> J_0_7_lanes = J_0_7_p1_lanes - J_0_7_p2_lanes;
+  J[7] = J_0_7_lanes[0];
+
+  // link 15 (right_shoulder2), Jacobian
+  J[158] = J_0_7_lanes[1];
 
   // link 9 (left_upperarm), Jacobian
-  J[8] = J_5_8 * J_0_3_p5 - J_4_8 * J_0_2_p8;
+  const Lanes<2> J_0_8_p1_lanes = J_4_8_lanes * J_0_2_p26_lanes;
+  const Lanes<2> J_0_8_p2_lanes = J_5_8_lanes * J_0_3_p17_lanes;
+  const Lanes<2> J_0_8_lanes = J_0_8_p2_lanes - J_0_8_p1_lanes;
+  J[8] = J_0_8_lanes[0];
+
+  // link 16 (right_upperarm), Jacobian
+  J[159] = J_0_8_lanes[1];
 
   // link 10 (left_lowerarm), Jacobian
-  J[9] = J_4_9 * J_0_2_p7 + J_5_9 * J_0_3_p4;
+  const Lanes<2> J_0_9_p1_lanes = J_4_9_lanes * J_0_2_p24_lanes;
+  const Lanes<2> J_0_9_p2_lanes = J_5_9_lanes * J_0_3_p15_lanes;
+  const Lanes<2> J_0_9_lanes = J_0_9_p1_lanes + J_0_9_p2_lanes;
+  J[9] = J_0_9_lanes[0];
+
+  // link 17 (right_lowerarm), Jacobian
+  J[160] = J_0_9_lanes[1];
 
   // link 11 (left_wrist1), Jacobian
-  J[10] = J_5_10 * J_0_3_p4 - J_4_10 * J_0_2_p7;
+  const Lanes<2> J_0_10_p1_lanes = J_4_10_lanes * J_0_2_p24_lanes;
+  const Lanes<2> J_0_10_p2_lanes = J_5_10_lanes * J_0_3_p15_lanes;
+  const Lanes<2> J_0_10_lanes = J_0_10_p2_lanes - J_0_10_p1_lanes;
+  J[10] = J_0_10_lanes[0];
+
+  // link 18 (right_wrist1), Jacobian
+  J[161] = J_0_10_lanes[1];
 
   // link 12 (left_wrist2), Jacobian
-  J[11] = J_4_11 * J_0_2_p6 + J_5_11 * J_0_3_p3;
+  const Lanes<2> J_0_11_p1_lanes = J_4_11_lanes * J_0_2_p22_lanes;
+  const Lanes<2> J_0_11_p2_lanes = J_5_11_lanes * J_0_3_p13_lanes;
+  const Lanes<2> J_0_11_lanes = J_0_11_p1_lanes + J_0_11_p2_lanes;
+  J[11] = J_0_11_lanes[0];
+
+  // link 19 (right_wrist2), Jacobian
+  J[162] = J_0_11_lanes[1];
 
   // link 12 (left_wrist2), pose
-  const Real J_4_12 = c12 * J_0_3_p2 + s12 * J_4_10;
-  J[108] = J_4_12;
-  const Real J_5_12 = c12 * J_0_2_p5 + s12 * J_5_10;
-  J[132] = J_5_12;
+  const Lanes<2> J_4_12_p1_lanes = detail::make_lanes<Real>(c12, c19) * J_0_3_p7_lanes;
+  const Lanes<2> J_4_12_p2_lanes = detail::make_lanes<Real>(s12, s19) * J_4_10_lanes;
+  const Lanes<2> J_4_12_lanes = J_4_12_p1_lanes + J_4_12_p2_lanes;
+  J[108] = J_4_12_lanes[0];
+
+  // link 19 (right_wrist2), pose
+  J[259] = J_4_12_lanes[1];
 
   // link 13 (left_hand), Jacobian
-  J[12] = J_4_12 * J_0_2_p6 - J_5_12 * J_0_3_p3;
+  const Lanes<2> J_0_12_p1_lanes = J_4_12_lanes * J_0_2_p22_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_5_12_p1_lanes = detail::make_lanes<Real>(c12, c19) * J_0_2_p15_lanes;
+  const Lanes<2> J_5_12_p2_lanes = detail::make_lanes<Real>(s12, s19) * J_5_10_lanes;
+  const Lanes<2> J_5_12_lanes = J_5_12_p1_lanes + J_5_12_p2_lanes;
+  J[132] = J_5_12_lanes[0];
+
+  // link 19 (right_wrist2), pose
+  J[283] = J_5_12_lanes[1];
+
+  // link 13 (left_hand), Jacobian
+  const Lanes<2> J_0_12_p2_lanes = J_5_12_lanes * J_0_3_p13_lanes;
+  const Lanes<2> J_0_12_lanes = J_0_12_p1_lanes - J_0_12_p2_lanes;
+  J[12] = J_0_12_lanes[0];
+
+  // link 20 (right_hand), Jacobian
+  J[163] = J_0_12_lanes[1];
 
   // link 4 (chest1), pose
   const Real J_3_5_p1 = c4 * J_5_3;
@@ -435,7 +648,12 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT J)
   const Real J_3_5 = s5 * J_3_3 - c5 * J_3_5_p1;
   J[77] = J_3_5;
   J[221] = J_3_5;
-  const Real J_2_2_p1 = s5 * J_3_5_p1 + c5 * J_3_3;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> J_2_2_p1_lanes = detail::make_lanes<Real>(s7, s14) * J_3_5;
+
+  // link 5 (chest2), pose
+  const Real J_2_2_p2 = s5 * J_3_5_p1 + c5 * J_3_3;
 
   // link 4 (chest1), pose
   const Real J_3_4 = s4 * J_5_3;
@@ -443,423 +661,339 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT J)
   J[220] = J_3_4;
 
   // link 6 (chest3), pose
-  const Real J_2_2_p2 = c6 * J_2_2_p1 + s6 * J_3_4;
+  const Real J_2_2_p3 = c6 * J_2_2_p2 + s6 * J_3_4;
 
   // link 7 (left_shoulder1), pose
-  const Real J_2_2_p3 = s7 * J_3_5 - c7 * J_2_2_p2;
+  const Lanes<2> J_2_2_p4_lanes = detail::make_lanes<Real>(c7, c14) * J_2_2_p3;
+  const Lanes<2> J_2_2_p5_lanes = J_2_2_p1_lanes - J_2_2_p4_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> J_2_2_p6_lanes = detail::make_lanes<Real>(s8, s15) * J_2_2_p5_lanes;
 
   // link 6 (chest3), pose
-  const Real J_3_6 = c6 * J_3_4 - s6 * J_2_2_p1;
+  const Real J_3_6 = c6 * J_3_4 - s6 * J_2_2_p2;
   J[78] = J_3_6;
   J[229] = J_3_6;
 
   // link 8 (left_shoulder2), pose
-  const Real J_2_2_p4 = s8 * J_2_2_p3 + c8 * J_3_6;
-
-  // link 7 (left_shoulder1), pose
-  const Real J_3_7 = c7 * J_3_5 + s7 * J_2_2_p2;
-  J[79] = J_3_7;
+  const Lanes<2> J_2_2_p7_lanes = detail::make_lanes<Real>(c8, c15) * J_3_6;
+  const Lanes<2> J_2_2_p8_lanes = J_2_2_p6_lanes + J_2_2_p7_lanes;
 
   // link 9 (left_upperarm), pose
-  const Real J_2_2_p5 = s9 * J_2_2_p4 + c9 * J_3_7;
+  const Lanes<2> J_2_2_p9_lanes = detail::make_lanes<Real>(s9, s16) * J_2_2_p8_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> J_3_7_p1_lanes = detail::make_lanes<Real>(c7, c14) * J_3_5;
+  const Lanes<2> J_3_7_p2_lanes = detail::make_lanes<Real>(s7, s14) * J_2_2_p3;
+  const Lanes<2> J_3_7_lanes = J_3_7_p1_lanes + J_3_7_p2_lanes;
+  J[79] = J_3_7_lanes[0];
+
+  // link 14 (right_shoulder1), pose
+  J[230] = J_3_7_lanes[1];
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> J_2_2_p10_lanes = detail::make_lanes<Real>(c9, c16) * J_3_7_lanes;
+  const Lanes<2> J_2_2_p11_lanes = J_2_2_p9_lanes + J_2_2_p10_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> J_2_2_p12_lanes = detail::make_lanes<Real>(c10, c17) * J_2_2_p11_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Real J_3_8 = s8 * J_3_6 - c8 * J_2_2_p3;
-  J[80] = -J_3_8;
+  const Lanes<2> J_3_8_p1_lanes = detail::make_lanes<Real>(c8, c15) * J_2_2_p5_lanes;
+  const Lanes<2> J_3_8_p2_lanes = detail::make_lanes<Real>(s8, s15) * J_3_6;
+  const Lanes<2> J_3_8_lanes = J_3_8_p2_lanes - J_3_8_p1_lanes;
+  J[80] = -J_3_8_lanes[0];
+
+  // link 15 (right_shoulder2), pose
+  J[231] = -J_3_8_lanes[1];
 
   // link 10 (left_lowerarm), pose
-  const Real J_2_2_p6 = c10 * J_2_2_p5 + s10 * J_3_8;
+  const Lanes<2> J_2_2_p13_lanes = detail::make_lanes<Real>(s10, s17) * J_3_8_lanes;
+  const Lanes<2> J_2_2_p14_lanes = J_2_2_p12_lanes + J_2_2_p13_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> J_2_2_p15_lanes = detail::make_lanes<Real>(c11, c18) * J_2_2_p14_lanes;
 
   // link 9 (left_upperarm), pose
-  const Real J_3_9 = c9 * J_2_2_p4 - s9 * J_3_7;
-  J[81] = J_3_9;
+  const Lanes<2> J_3_9_p1_lanes = detail::make_lanes<Real>(c9, c16) * J_2_2_p8_lanes;
+  const Lanes<2> J_3_9_p2_lanes = detail::make_lanes<Real>(s9, s16) * J_3_7_lanes;
+  const Lanes<2> J_3_9_lanes = J_3_9_p1_lanes - J_3_9_p2_lanes;
+  J[81] = J_3_9_lanes[0];
+
+  // link 16 (right_upperarm), pose
+  J[232] = J_3_9_lanes[1];
 
   // link 11 (left_wrist1), pose
-  const Real J_2_2_p7 = c11 * J_2_2_p6 + s11 * J_3_9;
-
-  // link 10 (left_lowerarm), pose
-  const Real J_3_10 = c10 * J_3_8 - s10 * J_2_2_p5;
-  J[82] = -J_3_10;
-
-  // link 11 (left_wrist1), pose
-  const Real J_3_11 = c11 * J_3_9 - s11 * J_2_2_p6;
-  J[83] = J_3_11;
-
-  // link 24 (right_eye), pose
-  const Real J_2_2_p8 = 0.086 * (c13 * (c12 * J_3_10 - s12 * J_2_2_p7) + s13 * J_3_11);
-
-  // link 12 (left_wrist2), Jacobian
-  const Real J_2_2_p9 = J_2_2_p8 + 0.269 * J_3_10;
-
-  // link 10 (left_lowerarm), Jacobian
-  const Real J_2_2_p10 = J_2_2_p9 + 0.282 * J_3_8;
-
-  // link 7 (left_shoulder1), pose
-  const Real J_2_2_p11 = 0.18 * J_3_6;
-  const Real J_2_2_p12 = 0.226 * J_2_2_p2;
-
-  // link 7 (left_shoulder1), Jacobian
-  const Real J_2_2_p13 = J_2_2_p10 + (J_2_2_p11 - J_2_2_p12);
-
-  // link 6 (chest3), pose
-  const Real J_2_2_p14 = 0.072 * J_2_2_p1;
-
-  // link 6 (chest3), Jacobian
-  const Real J_2_2_p15 = J_2_2_p13 - J_2_2_p14;
-
-  // link 5 (chest2), pose
-  const Real J_2_2_p16 = 0.21799999999999997 * J_3_3;
-
-  // link 5 (chest2), Jacobian
-  const Real J_2_2 = J_2_2_p15 - J_2_2_p16;
-  J[50] = -J_2_2;
-
-  // link 4 (chest1), Jacobian
-  J[27] = -(J_5_3 * J_2_2 - J_3_3 * J_0_2);
-
-  // link 5 (chest2), Jacobian
-  J[28] = -(J_3_4 * J_0_2_p13 + J_5_4 * J_2_2_p15);
-
-  // link 6 (chest3), Jacobian
-  J[29] = J_5_5 * J_2_2_p13 - J_3_5 * J_0_2_p11;
-
-  // link 7 (left_shoulder1), Jacobian
-  J[30] = -(J_5_6 * J_2_2_p10 + J_3_6 * J_0_2_p8);
-
-  // link 8 (left_shoulder2), Jacobian
-  J[31] = J_5_7 * J_2_2_p10 - J_3_7 * J_0_2_p8;
-
-  // link 9 (left_upperarm), Jacobian
-  J[32] = J_3_8 * J_0_2_p8 - J_5_8 * J_2_2_p10;
-
-  // link 10 (left_lowerarm), Jacobian
-  J[33] = -(J_5_9 * J_2_2_p9 + J_3_9 * J_0_2_p7);
-
-  // link 11 (left_wrist1), Jacobian
-  J[34] = J_3_10 * J_0_2_p7 - J_5_10 * J_2_2_p9;
-
-  // link 12 (left_wrist2), Jacobian
-  J[35] = -(J_5_11 * J_2_2_p8 + J_3_11 * J_0_2_p6);
+  const Lanes<2> J_2_2_p16_lanes = detail::make_lanes<Real>(s11, s18) * J_3_9_lanes;
+  const Lanes<2> J_2_2_p17_lanes = J_2_2_p15_lanes + J_2_2_p16_lanes;
 
   // link 12 (left_wrist2), pose
-  const Real J_3_12 = c12 * J_2_2_p7 + s12 * J_3_10;
-  J[84] = J_3_12;
+  const Lanes<2> J_2_2_p18_lanes = detail::make_lanes<Real>(s12, s19) * J_2_2_p17_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> J_3_10_p1_lanes = detail::make_lanes<Real>(s10, s17) * J_2_2_p11_lanes;
+  const Lanes<2> J_3_10_p2_lanes = detail::make_lanes<Real>(c10, c17) * J_3_8_lanes;
+  const Lanes<2> J_3_10_lanes = J_3_10_p2_lanes - J_3_10_p1_lanes;
+  J[82] = -J_3_10_lanes[0];
+
+  // link 17 (right_lowerarm), pose
+  J[233] = -J_3_10_lanes[1];
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_2_2_p19_lanes = detail::make_lanes<Real>(c12, c19) * J_3_10_lanes;
+  const Lanes<2> J_2_2_p20_lanes = J_2_2_p19_lanes - J_2_2_p18_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> J_2_2_p21_lanes = detail::make_lanes<Real>(c13, c20) * J_2_2_p20_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> J_3_11_p1_lanes = detail::make_lanes<Real>(c11, c18) * J_3_9_lanes;
+  const Lanes<2> J_3_11_p2_lanes = detail::make_lanes<Real>(s11, s18) * J_2_2_p14_lanes;
+  const Lanes<2> J_3_11_lanes = J_3_11_p1_lanes - J_3_11_p2_lanes;
+  J[83] = J_3_11_lanes[0];
+
+  // link 18 (right_wrist1), pose
+  J[234] = J_3_11_lanes[1];
+
+  // link 13 (left_hand), pose
+  const Lanes<2> J_2_2_p22_lanes = detail::make_lanes<Real>(s13, s20) * J_3_11_lanes;
+  const Lanes<2> J_2_2_p23_lanes = J_2_2_p21_lanes + J_2_2_p22_lanes;
+
+  // link 24 (right_eye), pose
+  const Lanes<2> J_2_2_p24_lanes = 0.086 * J_2_2_p23_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_2_2_p25_lanes = 0.269 * J_3_10_lanes;
+
+  // link 12 (left_wrist2), Jacobian
+  const Lanes<2> J_2_2_p26_lanes = J_2_2_p24_lanes + J_2_2_p25_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> J_2_2_p27_lanes = 0.282 * J_3_8_lanes;
+
+  // link 10 (left_lowerarm), Jacobian
+  const Lanes<2> J_2_2_p28_lanes = J_2_2_p26_lanes + J_2_2_p27_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> J_2_2_p29_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * J_3_6;
+  const Real J_2_2_p30 = 0.226 * J_2_2_p3;
+  const Lanes<2> J_2_2_p31_lanes = J_2_2_p29_lanes - J_2_2_p30;
+
+  // link 7 (left_shoulder1), Jacobian
+  const Lanes<2> J_2_2_p32_lanes = J_2_2_p28_lanes + J_2_2_p31_lanes;
+
+  // link 6 (chest3), pose
+  const Real J_2_2_p33 = 0.072 * J_2_2_p2;
+
+  // link 6 (chest3), Jacobian
+  const Lanes<2> J_2_2_p34_lanes = J_2_2_p32_lanes - J_2_2_p33;
+
+  // link 5 (chest2), pose
+  const Real J_2_2_p35 = 0.21799999999999997 * J_3_3;
+
+  // link 5 (chest2), Jacobian
+  const Lanes<2> J_2_2_lanes = J_2_2_p34_lanes - J_2_2_p35;
+  J[50] = -J_2_2_lanes[0];
+  J[194] = -J_2_2_lanes[1];
+
+  // link 4 (chest1), Jacobian
+  const Lanes<2> J_1_3_p1_lanes = J_5_3 * J_2_2_lanes;
+  const Lanes<2> J_1_3_p2_lanes = J_3_3 * J_0_2_lanes;
+  const Lanes<2> J_1_3_lanes = J_1_3_p1_lanes - J_1_3_p2_lanes;
+  J[27] = -J_1_3_lanes[0];
+  J[171] = -J_1_3_lanes[1];
+
+  // link 5 (chest2), Jacobian
+  const Lanes<2> J_1_4_p1_lanes = J_3_4 * J_0_2_p32_lanes;
+  const Lanes<2> J_1_4_p2_lanes = J_5_4 * J_2_2_p34_lanes;
+  const Lanes<2> J_1_4_lanes = J_1_4_p1_lanes + J_1_4_p2_lanes;
+  J[28] = -J_1_4_lanes[0];
+  J[172] = -J_1_4_lanes[1];
+
+  // link 6 (chest3), Jacobian
+  const Lanes<2> J_1_5_p1_lanes = J_5_5 * J_2_2_p32_lanes;
+  const Lanes<2> J_1_5_p2_lanes = J_3_5 * J_0_2_p30_lanes;
+  const Lanes<2> J_1_5_lanes = J_1_5_p1_lanes - J_1_5_p2_lanes;
+  J[29] = J_1_5_lanes[0];
+  J[173] = J_1_5_lanes[1];
+
+  // link 7 (left_shoulder1), Jacobian
+  const Lanes<2> J_1_6_p1_lanes = J_5_6 * J_2_2_p28_lanes;
+  const Lanes<2> J_1_6_p2_lanes = J_3_6 * J_0_2_p26_lanes;
+  const Lanes<2> J_1_6_lanes = J_1_6_p1_lanes + J_1_6_p2_lanes;
+  J[30] = -J_1_6_lanes[0];
+
+  // link 14 (right_shoulder1), Jacobian
+  J[181] = -J_1_6_lanes[1];
+
+  // link 8 (left_shoulder2), Jacobian
+  const Lanes<2> J_1_7_p1_lanes = J_5_7_lanes * J_2_2_p28_lanes;
+  const Lanes<2> J_1_7_p2_lanes = J_3_7_lanes * J_0_2_p26_lanes;
+  const Lanes<2> J_1_7_lanes = J_1_7_p1_lanes - J_1_7_p2_lanes;
+  J[31] = J_1_7_lanes[0];
+
+  // link 15 (right_shoulder2), Jacobian
+  J[182] = J_1_7_lanes[1];
+
+  // link 9 (left_upperarm), Jacobian
+  const Lanes<2> J_1_8_p1_lanes = J_3_8_lanes * J_0_2_p26_lanes;
+  const Lanes<2> J_1_8_p2_lanes = J_5_8_lanes * J_2_2_p28_lanes;
+  const Lanes<2> J_1_8_lanes = J_1_8_p1_lanes - J_1_8_p2_lanes;
+  J[32] = J_1_8_lanes[0];
+
+  // link 16 (right_upperarm), Jacobian
+  J[183] = J_1_8_lanes[1];
+
+  // link 10 (left_lowerarm), Jacobian
+  const Lanes<2> J_1_9_p1_lanes = J_5_9_lanes * J_2_2_p26_lanes;
+  const Lanes<2> J_1_9_p2_lanes = J_3_9_lanes * J_0_2_p24_lanes;
+  const Lanes<2> J_1_9_lanes = J_1_9_p1_lanes + J_1_9_p2_lanes;
+  J[33] = -J_1_9_lanes[0];
+
+  // link 17 (right_lowerarm), Jacobian
+  J[184] = -J_1_9_lanes[1];
+
+  // link 11 (left_wrist1), Jacobian
+  const Lanes<2> J_1_10_p1_lanes = J_3_10_lanes * J_0_2_p24_lanes;
+  const Lanes<2> J_1_10_p2_lanes = J_5_10_lanes * J_2_2_p26_lanes;
+  const Lanes<2> J_1_10_lanes = J_1_10_p1_lanes - J_1_10_p2_lanes;
+  J[34] = J_1_10_lanes[0];
+
+  // link 18 (right_wrist1), Jacobian
+  J[185] = J_1_10_lanes[1];
+
+  // link 12 (left_wrist2), Jacobian
+  const Lanes<2> J_1_11_p1_lanes = J_5_11_lanes * J_2_2_p24_lanes;
+  const Lanes<2> J_1_11_p2_lanes = J_3_11_lanes * J_0_2_p22_lanes;
+  const Lanes<2> J_1_11_lanes = J_1_11_p1_lanes + J_1_11_p2_lanes;
+  J[35] = -J_1_11_lanes[0];
+
+  // link 19 (right_wrist2), Jacobian
+  J[186] = -J_1_11_lanes[1];
 
   // link 13 (left_hand), Jacobian
-  J[36] = J_5_12 * J_2_2_p8 - J_3_12 * J_0_2_p6;
+  const Lanes<2> J_1_12_p1_lanes = J_5_12_lanes * J_2_2_p24_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> J_3_12_p1_lanes = detail::make_lanes<Real>(c12, c19) * J_2_2_p17_lanes;
+  const Lanes<2> J_3_12_p2_lanes = detail::make_lanes<Real>(s12, s19) * J_3_10_lanes;
+  const Lanes<2> J_3_12_lanes = J_3_12_p1_lanes + J_3_12_p2_lanes;
+  J[84] = J_3_12_lanes[0];
+
+  // link 19 (right_wrist2), pose
+  J[235] = J_3_12_lanes[1];
+
+  // link 13 (left_hand), Jacobian
+  const Lanes<2> J_1_12_p2_lanes = J_3_12_lanes * J_0_2_p22_lanes;
+  const Lanes<2> J_1_12_lanes = J_1_12_p1_lanes - J_1_12_p2_lanes;
+  J[36] = J_1_12_lanes[0];
+
+  // link 20 (right_hand), Jacobian
+  J[187] = J_1_12_lanes[1];
 
   // link 3 (hip), pose
   const Real J_2_1_p1 = 0.422 * J_5_3_p1;
 
   // link 3 (hip), Jacobian
-  const Real J_2_1 = J_2_2 + J_2_1_p1;
-  J[49] = -J_2_1;
+  const Lanes<2> J_2_1_lanes = J_2_2_lanes + J_2_1_p1;
+  J[49] = -J_2_1_lanes[0];
+  J[193] = -J_2_1_lanes[1];
 
   // link 2 (thigh), pose
   const Real p2_x = 0.434 * s1;
 
   // link 2 (thigh), Jacobian
-  J[48] = -(J_2_1 + p2_x);
+  const Lanes<2> J_2_0_lanes = J_2_1_lanes + p2_x;
+  J[48] = -J_2_0_lanes[0];
+  J[192] = -J_2_0_lanes[1];
 
   // link 4 (chest1), Jacobian
-  J[51] = -(J_3_3 * J_0_3_p9);
+  const Lanes<2> J_2_3_lanes = J_3_3 * J_0_3_p22_lanes;
+  J[51] = -J_2_3_lanes[0];
+  J[195] = -J_2_3_lanes[1];
 
   // link 5 (chest2), Jacobian
-  J[52] = -(c4 * J_2_2_p15 - J_3_4 * J_0_3_p9);
+  const Lanes<2> J_2_4_p1_lanes = c4 * J_2_2_p34_lanes;
+  const Lanes<2> J_2_4_p2_lanes = J_3_4 * J_0_3_p22_lanes;
+  const Lanes<2> J_2_4_lanes = J_2_4_p1_lanes - J_2_4_p2_lanes;
+  J[52] = -J_2_4_lanes[0];
+  J[196] = -J_2_4_lanes[1];
 
   // link 6 (chest3), Jacobian
-  J[53] = J_3_5 * J_0_3_p8 - J_4_5 * J_2_2_p13;
+  const Lanes<2> J_2_5_p1_lanes = J_4_5 * J_2_2_p32_lanes;
+  const Lanes<2> J_2_5_p2_lanes = J_3_5 * J_0_3_p21_lanes;
+  const Lanes<2> J_2_5_lanes = J_2_5_p2_lanes - J_2_5_p1_lanes;
+  J[53] = J_2_5_lanes[0];
+  J[197] = J_2_5_lanes[1];
 
   // link 7 (left_shoulder1), Jacobian
-  J[54] = J_3_6 * J_0_3_p5 - J_4_6 * J_2_2_p10;
+  const Lanes<2> J_2_6_p1_lanes = J_4_6 * J_2_2_p28_lanes;
+  const Lanes<2> J_2_6_p2_lanes = J_3_6 * J_0_3_p17_lanes;
+  const Lanes<2> J_2_6_lanes = J_2_6_p2_lanes - J_2_6_p1_lanes;
+  J[54] = J_2_6_lanes[0];
+
+  // link 14 (right_shoulder1), Jacobian
+  J[205] = J_2_6_lanes[1];
 
   // link 8 (left_shoulder2), Jacobian
-  J[55] = J_3_7 * J_0_3_p5 - J_4_7 * J_2_2_p10;
+  const Lanes<2> J_2_7_p1_lanes = J_4_7_lanes * J_2_2_p28_lanes;
+  const Lanes<2> J_2_7_p2_lanes = J_3_7_lanes * J_0_3_p17_lanes;
+  const Lanes<2> J_2_7_lanes = J_2_7_p2_lanes - J_2_7_p1_lanes;
+  J[55] = J_2_7_lanes[0];
+
+  // link 15 (right_shoulder2), Jacobian
+  J[206] = J_2_7_lanes[1];
 
   // link 9 (left_upperarm), Jacobian
-  J[56] = J_4_8 * J_2_2_p10 - J_3_8 * J_0_3_p5;
+  const Lanes<2> J_2_8_p1_lanes = J_4_8_lanes * J_2_2_p28_lanes;
+  const Lanes<2> J_2_8_p2_lanes = J_3_8_lanes * J_0_3_p17_lanes;
+  const Lanes<2> J_2_8_lanes = J_2_8_p1_lanes - J_2_8_p2_lanes;
+  J[56] = J_2_8_lanes[0];
+
+  // link 16 (right_upperarm), Jacobian
+  J[207] = J_2_8_lanes[1];
 
   // link 10 (left_lowerarm), Jacobian
-  J[57] = J_3_9 * J_0_3_p4 - J_4_9 * J_2_2_p9;
+  const Lanes<2> J_2_9_p1_lanes = J_4_9_lanes * J_2_2_p26_lanes;
+  const Lanes<2> J_2_9_p2_lanes = J_3_9_lanes * J_0_3_p15_lanes;
+  const Lanes<2> J_2_9_lanes = J_2_9_p2_lanes - J_2_9_p1_lanes;
+  J[57] = J_2_9_lanes[0];
+
+  // link 17 (right_lowerarm), Jacobian
+  J[208] = J_2_9_lanes[1];
 
   // link 11 (left_wrist1), Jacobian
-  J[58] = J_4_10 * J_2_2_p9 - J_3_10 * J_0_3_p4;
+  const Lanes<2> J_2_10_p1_lanes = J_4_10_lanes * J_2_2_p26_lanes;
+  const Lanes<2> J_2_10_p2_lanes = J_3_10_lanes * J_0_3_p15_lanes;
+  const Lanes<2> J_2_10_lanes = J_2_10_p1_lanes - J_2_10_p2_lanes;
+  J[58] = J_2_10_lanes[0];
+
+  // link 18 (right_wrist1), Jacobian
+  J[209] = J_2_10_lanes[1];
 
   // link 12 (left_wrist2), Jacobian
-  J[59] = J_3_11 * J_0_3_p3 - J_4_11 * J_2_2_p8;
+  const Lanes<2> J_2_11_p1_lanes = J_4_11_lanes * J_2_2_p24_lanes;
+  const Lanes<2> J_2_11_p2_lanes = J_3_11_lanes * J_0_3_p13_lanes;
+  const Lanes<2> J_2_11_lanes = J_2_11_p2_lanes - J_2_11_p1_lanes;
+  J[59] = J_2_11_lanes[0];
+
+  // link 19 (right_wrist2), Jacobian
+  J[210] = J_2_11_lanes[1];
 
   // link 13 (left_hand), Jacobian
-  J[60] = J_3_12 * J_0_3_p3 - J_4_12 * J_2_2_p8;
+  const Lanes<2> J_2_12_p1_lanes = J_4_12_lanes * J_2_2_p24_lanes;
+  const Lanes<2> J_2_12_p2_lanes = J_3_12_lanes * J_0_3_p13_lanes;
+  const Lanes<2> J_2_12_lanes = J_2_12_p2_lanes - J_2_12_p1_lanes;
+  J[60] = J_2_12_lanes[0];
+
+  // link 20 (right_hand), Jacobian
+  J[211] = J_2_12_lanes[1];
   J[96] = 1.0;
   J[97] = 1.0;
   J[98] = 1.0;
   J[240] = 1.0;
   J[241] = 1.0;
   J[242] = 1.0;
-
-  // link 14 (right_shoulder1), pose
-  const Real J_11_14 = s14 * J_5_7_p3 + c14 * J_5_5;
-  J[278] = J_11_14;
-  const Real J_6_2_p1 = c14 * J_5_7_p3 - s14 * J_5_5;
-
-  // link 15 (right_shoulder2), pose
-  const Real J_6_2_p2 = s15 * J_6_2_p1 + c15 * J_5_6;
-
-  // link 16 (right_upperarm), pose
-  const Real J_6_2_p3 = c16 * J_11_14 - s16 * J_6_2_p2;
-
-  // link 15 (right_shoulder2), pose
-  const Real J_11_15 = c15 * J_6_2_p1 - s15 * J_5_6;
-  J[279] = -J_11_15;
-
-  // link 17 (right_lowerarm), pose
-  const Real J_6_2_p4 = c17 * J_6_2_p3 + s17 * J_11_15;
-
-  // link 16 (right_upperarm), pose
-  const Real J_11_16 = c16 * J_6_2_p2 + s16 * J_11_14;
-  J[280] = -J_11_16;
-
-  // link 18 (right_wrist1), pose
-  const Real J_6_2_p5 = c18 * J_6_2_p4 - s18 * J_11_16;
-
-  // link 17 (right_lowerarm), pose
-  const Real J_11_17 = c17 * J_11_15 - s17 * J_6_2_p3;
-  J[281] = -J_11_17;
-
-  // link 18 (right_wrist1), pose
-  const Real J_11_18 = s18 * J_6_2_p4 + c18 * J_11_16;
-  J[282] = -J_11_18;
-
-  // link 1 (calf), Jacobian
-  const Real J_6_2_p6 = 0.086 * (c20 * (c19 * J_11_17 - s19 * J_6_2_p5) - s20 * J_11_18);
-
-  // link 19 (right_wrist2), Jacobian
-  const Real J_6_2_p7 = J_6_2_p6 + 0.269 * J_11_17;
-
-  // link 17 (right_lowerarm), Jacobian
-  const Real J_6_2_p8 = J_6_2_p7 + 0.282 * J_11_15;
-
-  // link 14 (right_shoulder1), Jacobian
-  const Real J_6_2_p9 = J_6_2_p8 + (J_0_2_p10 - J_0_2_p9);
-
-  // link 6 (chest3), Jacobian
-  const Real J_6_2_p10 = J_6_2_p9 - J_0_2_p12;
-
-  // link 5 (chest2), Jacobian
-  const Real J_6_2 = J_6_2_p10 - J_0_2_p14;
-  J[146] = J_6_2;
-
-  // link 3 (hip), Jacobian
-  const Real J_6_1 = J_6_2 - J_0_1_p1;
-  J[145] = J_6_1;
-
-  // link 2 (thigh), Jacobian
-  J[144] = J_6_1 + J_0_0_p1;
-
-  // link 14 (right_shoulder1), pose
-  const Real J_10_15_p1 = c14 * J_4_8_p2 - s14 * J_4_5;
-
-  // link 15 (right_shoulder2), pose
-  const Real J_10_15 = c15 * J_10_15_p1 + s15 * J_4_6;
-  J[255] = -J_10_15;
-  const Real J_10_17_p1 = c15 * J_4_6 - s15 * J_10_15_p1;
-
-  // link 14 (right_shoulder1), pose
-  const Real J_10_14 = s14 * J_4_8_p2 + c14 * J_4_5;
-  J[254] = J_10_14;
-
-  // link 16 (right_upperarm), pose
-  const Real J_10_17_p2 = s16 * J_10_17_p1 + c16 * J_10_14;
-
-  // link 17 (right_lowerarm), pose
-  const Real J_10_17 = c17 * J_10_15 - s17 * J_10_17_p2;
-  J[257] = -J_10_17;
-  const Real J_6_3_p1 = c17 * J_10_17_p2 + s17 * J_10_15;
-
-  // link 16 (right_upperarm), pose
-  const Real J_10_16 = c16 * J_10_17_p1 - s16 * J_10_14;
-  J[256] = J_10_16;
-
-  // link 18 (right_wrist1), pose
-  const Real J_6_3_p2 = c18 * J_6_3_p1 + s18 * J_10_16;
-  const Real J_10_18 = c18 * J_10_16 - s18 * J_6_3_p1;
-  J[258] = J_10_18;
-
-  // link 1 (calf), Jacobian
-  const Real J_6_3_p3 = 0.086 * (c20 * (c19 * J_10_17 - s19 * J_6_3_p2) + s20 * J_10_18);
-
-  // link 19 (right_wrist2), Jacobian
-  const Real J_6_3_p4 = J_6_3_p3 + 0.269 * J_10_17;
-
-  // link 17 (right_lowerarm), Jacobian
-  const Real J_6_3_p5 = J_6_3_p4 + 0.282 * J_10_15;
-
-  // link 14 (right_shoulder1), Jacobian
-  const Real J_6_3_p6 = J_6_3_p5 - (J_0_3_p7 + J_0_3_p6);
-
-  // link 6 (chest3), Jacobian
-  const Real J_6_3_p7 = J_6_3_p6 + p6_y;
-
-  // link 4 (chest1), Jacobian
-  J[147] = J_5_3 * J_6_3_p7;
-
-  // link 5 (chest2), Jacobian
-  J[148] = c4 * J_6_2_p10 + J_5_4 * J_6_3_p7;
-
-  // link 6 (chest3), Jacobian
-  J[149] = J_4_5 * J_6_2_p9 - J_5_5 * J_6_3_p6;
-
-  // link 14 (right_shoulder1), Jacobian
-  J[157] = J_4_6 * J_6_2_p8 + J_5_6 * J_6_3_p5;
-
-  // link 15 (right_shoulder2), Jacobian
-  J[158] = J_10_14 * J_6_2_p8 - J_11_14 * J_6_3_p5;
-
-  // link 16 (right_upperarm), Jacobian
-  J[159] = J_11_15 * J_6_3_p5 - J_10_15 * J_6_2_p8;
-
-  // link 17 (right_lowerarm), Jacobian
-  J[160] = J_10_16 * J_6_2_p7 + J_11_16 * J_6_3_p4;
-
-  // link 18 (right_wrist1), Jacobian
-  J[161] = J_11_17 * J_6_3_p4 - J_10_17 * J_6_2_p7;
-
-  // link 19 (right_wrist2), Jacobian
-  J[162] = J_10_18 * J_6_2_p6 + J_11_18 * J_6_3_p3;
-
-  // link 19 (right_wrist2), pose
-  const Real J_10_19 = c19 * J_6_3_p2 + s19 * J_10_17;
-  J[259] = J_10_19;
-  const Real J_11_19 = c19 * J_6_2_p5 + s19 * J_11_17;
-  J[283] = J_11_19;
-
-  // link 20 (right_hand), Jacobian
-  J[163] = J_10_19 * J_6_2_p6 - J_11_19 * J_6_3_p3;
-
-  // link 14 (right_shoulder1), pose
-  const Real J_8_2_p1 = s14 * J_3_5 - c14 * J_2_2_p2;
-
-  // link 15 (right_shoulder2), pose
-  const Real J_8_2_p2 = s15 * J_8_2_p1 + c15 * J_3_6;
-
-  // link 14 (right_shoulder1), pose
-  const Real J_9_14 = c14 * J_3_5 + s14 * J_2_2_p2;
-  J[230] = J_9_14;
-
-  // link 16 (right_upperarm), pose
-  const Real J_8_2_p3 = s16 * J_8_2_p2 + c16 * J_9_14;
-
-  // link 15 (right_shoulder2), pose
-  const Real J_9_15 = s15 * J_3_6 - c15 * J_8_2_p1;
-  J[231] = -J_9_15;
-
-  // link 17 (right_lowerarm), pose
-  const Real J_8_2_p4 = c17 * J_8_2_p3 + s17 * J_9_15;
-
-  // link 16 (right_upperarm), pose
-  const Real J_9_16 = c16 * J_8_2_p2 - s16 * J_9_14;
-  J[232] = J_9_16;
-
-  // link 18 (right_wrist1), pose
-  const Real J_8_2_p5 = c18 * J_8_2_p4 + s18 * J_9_16;
-
-  // link 17 (right_lowerarm), pose
-  const Real J_9_17 = c17 * J_9_15 - s17 * J_8_2_p3;
-  J[233] = -J_9_17;
-
-  // link 18 (right_wrist1), pose
-  const Real J_9_18 = c18 * J_9_16 - s18 * J_8_2_p4;
-  J[234] = J_9_18;
-
-  // link 1 (calf), Jacobian
-  const Real J_8_2_p6 = 0.086 * (c20 * (c19 * J_9_17 - s19 * J_8_2_p5) + s20 * J_9_18);
-
-  // link 19 (right_wrist2), Jacobian
-  const Real J_8_2_p7 = J_8_2_p6 + 0.269 * J_9_17;
-
-  // link 17 (right_lowerarm), Jacobian
-  const Real J_8_2_p8 = J_8_2_p7 + 0.282 * J_9_15;
-
-  // link 14 (right_shoulder1), Jacobian
-  const Real J_8_2_p9 = J_8_2_p8 - (J_2_2_p12 + J_2_2_p11);
-
-  // link 6 (chest3), Jacobian
-  const Real J_8_2_p10 = J_8_2_p9 - J_2_2_p14;
-
-  // link 5 (chest2), Jacobian
-  const Real J_8_2 = J_8_2_p10 - J_2_2_p16;
-  J[194] = -J_8_2;
-
-  // link 4 (chest1), Jacobian
-  J[171] = -(J_5_3 * J_8_2 - J_3_3 * J_6_2);
-
-  // link 5 (chest2), Jacobian
-  J[172] = -(J_3_4 * J_6_2_p10 + J_5_4 * J_8_2_p10);
-
-  // link 6 (chest3), Jacobian
-  J[173] = J_5_5 * J_8_2_p9 - J_3_5 * J_6_2_p9;
-
-  // link 14 (right_shoulder1), Jacobian
-  J[181] = -(J_5_6 * J_8_2_p8 + J_3_6 * J_6_2_p8);
-
-  // link 15 (right_shoulder2), Jacobian
-  J[182] = J_11_14 * J_8_2_p8 - J_9_14 * J_6_2_p8;
-
-  // link 16 (right_upperarm), Jacobian
-  J[183] = J_9_15 * J_6_2_p8 - J_11_15 * J_8_2_p8;
-
-  // link 17 (right_lowerarm), Jacobian
-  J[184] = -(J_11_16 * J_8_2_p7 + J_9_16 * J_6_2_p7);
-
-  // link 18 (right_wrist1), Jacobian
-  J[185] = J_9_17 * J_6_2_p7 - J_11_17 * J_8_2_p7;
-
-  // link 19 (right_wrist2), Jacobian
-  J[186] = -(J_11_18 * J_8_2_p6 + J_9_18 * J_6_2_p6);
-
-  // link 19 (right_wrist2), pose
-  const Real J_9_19 = c19 * J_8_2_p5 + s19 * J_9_17;
-  J[235] = J_9_19;
-
-  // link 20 (right_hand), Jacobian
-  J[187] = J_11_19 * J_8_2_p6 - J_9_19 * J_6_2_p6;
-
-  // link 3 (hip), Jacobian
-  const Real J_8_1 = J_8_2 + J_2_1_p1;
-  J[193] = -J_8_1;
-
-  // link 2 (thigh), Jacobian
-  J[192] = -(J_8_1 + p2_x);
-
-  // link 4 (chest1), Jacobian
-  J[195] = -(J_3_3 * J_6_3_p7);
-
-  // link 5 (chest2), Jacobian
-  J[196] = -(c4 * J_8_2_p10 - J_3_4 * J_6_3_p7);
-
-  // link 6 (chest3), Jacobian
-  J[197] = J_3_5 * J_6_3_p6 - J_4_5 * J_8_2_p9;
-
-  // link 14 (right_shoulder1), Jacobian
-  J[205] = J_3_6 * J_6_3_p5 - J_4_6 * J_8_2_p8;
-
-  // link 15 (right_shoulder2), Jacobian
-  J[206] = J_9_14 * J_6_3_p5 - J_10_14 * J_8_2_p8;
-
-  // link 16 (right_upperarm), Jacobian
-  J[207] = J_10_15 * J_8_2_p8 - J_9_15 * J_6_3_p5;
-
-  // link 17 (right_lowerarm), Jacobian
-  J[208] = J_9_16 * J_6_3_p4 - J_10_16 * J_8_2_p7;
-
-  // link 18 (right_wrist1), Jacobian
-  J[209] = J_10_17 * J_8_2_p7 - J_9_17 * J_6_3_p4;
-
-  // link 19 (right_wrist2), Jacobian
-  J[210] = J_9_18 * J_6_3_p3 - J_10_18 * J_8_2_p6;
-
-  // link 20 (right_hand), Jacobian
-  J[211] = J_9_19 * J_6_3_p3 - J_10_19 * J_8_2_p6;
 }
 
 }  // namespace humanoid24

@@ -1,6 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
-// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
-// 8250 flops (add 3545, mul 4661, div 44), sine and cosine of 24 angles
+// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
+// 8261 flops (add 3548, mul 4669, div 44), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
 #include "lanes.hpp"
@@ -14,7 +14,8 @@
 
 namespace humanoid24 {
 
-using Lanes = detail::Lanes<Real, 8>;
+template <int count>
+using Lanes = detail::Lanes<Real, count>;
 void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lambda)[144]) noexcept {
   const Real angles[24] = {q[12], q[10], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1], q[0], q[9],
       q[11], q[21], q[23], q[22], q[20], q[18], q[19], q[17], q[16], q[15], q[14], q[13]};
@@ -71,4650 +72,5103 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real s14 = sines[23];
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_0_11_p1 = 0.0002628975791811551 * c13 - 0.0007660844555829042 * s13;
-  const Real Lambda_0_11_p2 = c13 * Lambda_0_11_p1 - 0.00013384878959057754;
-  const Real inverse_D12_p1 = s13 * Lambda_0_11_p1;
+  const Lanes<2> Lambda_0_11_p1_lanes = detail::make_lanes<Real>(0.001090468517736955,
+      (-0.001090468517736955)) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> Lambda_0_11_p3_lanes = detail::make_lanes<Real>(0.001742099791326752,
+      0.001742099791326752) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> Lambda_0_11_p5_lanes = Lambda_0_11_p1_lanes + Lambda_0_11_p3_lanes;
+  const Lanes<2> Lambda_0_11_p7_lanes = detail::make_lanes<Real>(c13, c20) * Lambda_0_11_p5_lanes;
+  const Lanes<2> Lambda_0_11_p9_lanes = 0.0006340258712020409 + Lambda_0_11_p7_lanes;
+  const Lanes<2> inverse_D12_p1_lanes = detail::make_lanes<Real>((-0.0007660844555829042),
+      (-0.0007660844555829042)) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> inverse_D12_p2_lanes = detail::make_lanes<Real>(0.0002628975791811551,
+      (-0.0002628975791811551)) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> inverse_D12_p3_lanes = inverse_D12_p1_lanes + inverse_D12_p2_lanes;
+  const Lanes<2> inverse_D12_p4_lanes = detail::make_lanes<Real>(s13, s20) * inverse_D12_p3_lanes;
+  const Lanes<2> inverse_D12_p5_lanes = inverse_D12_p4_lanes -
+      detail::make_lanes<Real>((-0.0010519177038056625), (-0.0010519177038056625));
 
   // link 12 (left_wrist2), articulated inertia
-  const Real inverse_D12 = 1.0 / (0.0010519177038056625 + inverse_D12_p1);
-  const Real Lambda_0_11_p3 = Lambda_0_11_p2 * inverse_D12;
-  const Real Lambda_0_11_p4 = 0.0002742332482227584 - inverse_D12_p1 - Lambda_0_11_p2 *
-      Lambda_0_11_p3;
-  const Real Lambda_0_11_p5 = s12 * (1.16e-05 - Lambda_0_11_p4);
+  const Lanes<2> inverse_D12_lanes = 1.0 / inverse_D12_p5_lanes;
+  const Lanes<2> Lambda_0_11_p11_lanes = Lambda_0_11_p9_lanes * inverse_D12_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_0_11_p6 = 0.001090468517736955 * s13 + 0.001742099791326752 * c13;
-  const Real Lambda_0_11_p7 = s13 * Lambda_0_11_p6;
-  const Real Lambda_0_11_p8 = Lambda_0_11_p7 - 0.000760024621759417;
+  const Lanes<2> Lambda_0_11_p13_lanes = detail::make_lanes<Real>(c13, c20) * inverse_D12_p3_lanes;
+  const Lanes<2> Lambda_0_11_p15_lanes = detail::make_lanes<Real>((-0.00013384878959057754),
+      0.00013384878959057754) + Lambda_0_11_p13_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p9 = Lambda_0_11_p8 * inverse_D12;
+  const Lanes<2> Lambda_0_11_p17_lanes = Lambda_0_11_p15_lanes * Lambda_0_11_p11_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_0_11_p10 = c13 * Lambda_0_11_p6;
+  const Lanes<2> Lambda_0_11_p19_lanes = detail::make_lanes<Real>(s13, s20) * Lambda_0_11_p5_lanes;
+  const Lanes<2> Lambda_0_11_p21_lanes = detail::make_lanes<Real>((-0.00033044389597753786),
+      0.00033044389597753786) + Lambda_0_11_p19_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p11 = Lambda_0_11_p10 - 0.002376125662528793 - Lambda_0_11_p2 *
-      Lambda_0_11_p9;
-  const Real Lambda_0_11_p12 = 0.0006000000000000001 * s12 + c12 * Lambda_0_11_p11;
-  const Real Lambda_0_11_p13 = 0.000144 - (c12 * Lambda_0_11_p5 + 0.269 * Lambda_0_11_p12);
-  const Real inverse_D11_p1 = s12 * Lambda_0_11_p5;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real inverse_D11 = 1.0 / (0.00022920000000000001 + (Lambda_0_11_p4 + inverse_D11_p1));
-  const Real Lambda_0_11_p14 = Lambda_0_11_p13 * inverse_D11;
+  const Lanes<2> Lambda_0_11_p23_lanes = Lambda_0_11_p21_lanes + Lambda_0_11_p17_lanes;
+  const Lanes<2> Lambda_0_11_p25_lanes = detail::make_lanes<Real>(s12, s19) * Lambda_0_11_p23_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_0_11_p15 = 0.27310176737964387 * s13 - 0.09929187165525127 * c13;
-  const Real Lambda_0_11_p16 = s13 * Lambda_0_11_p15;
+  const Lanes<2> Lambda_0_11_p27_lanes = detail::make_lanes<Real>((-0.002865001425),
+      0.002865001425) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> Lambda_0_11_p29_lanes = 0.01626499875 * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> Lambda_0_11_p31_lanes = Lambda_0_11_p27_lanes - Lambda_0_11_p29_lanes;
+  const Lanes<2> Lambda_0_11_p33_lanes = Lambda_0_11_p31_lanes - 0.0006000000000000001;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p17 = Lambda_0_11_p16 - 0.2818466605750157 - Lambda_0_11_p8 *
-      Lambda_0_11_p9;
-  const Real Lambda_0_11_p18 = s12 * Lambda_0_11_p11 - 0.0006000000000000001 * c12;
-  const Real Lambda_0_11_p19 = 0.269 * Lambda_0_11_p17 - Lambda_0_11_p18;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p20 = 0.000131 - inverse_D11_p1 + 0.269 *
-      (Lambda_0_11_p19 - Lambda_0_11_p18) - Lambda_0_11_p13 * Lambda_0_11_p14;
+  const Lanes<2> Lambda_0_11_p35_lanes = Lambda_0_11_p33_lanes * inverse_D12_lanes;
+  const Lanes<2> Lambda_0_11_p37_lanes = Lambda_0_11_p15_lanes * Lambda_0_11_p35_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_0_11_p21 = 0.0006340258712020409 + Lambda_0_11_p10;
+  const Lanes<2> Lambda_0_11_p39_lanes = detail::make_lanes<Real>((-0.002865001425),
+      0.002865001425) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> Lambda_0_11_p41_lanes = 0.01626499875 * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> Lambda_0_11_p43_lanes = Lambda_0_11_p39_lanes + Lambda_0_11_p41_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p22 = Lambda_0_11_p21 * inverse_D12;
-  const Real Lambda_0_11_p23 = 0.00033044389597753786 - Lambda_0_11_p7 - Lambda_0_11_p2 *
-      Lambda_0_11_p22;
+  const Lanes<2> Lambda_0_11_p45_lanes = Lambda_0_11_p43_lanes - Lambda_0_11_p37_lanes;
+  const Lanes<2> Lambda_0_11_p47_lanes = detail::make_lanes<Real>(c12, c19) * Lambda_0_11_p45_lanes;
+  const Lanes<2> Lambda_0_11_p49_lanes = Lambda_0_11_p25_lanes + Lambda_0_11_p47_lanes;
+  const Lanes<2> Lambda_0_11_p51_lanes = detail::make_lanes<Real>(c12, c19) * Lambda_0_11_p49_lanes;
+  const Lanes<2> Lambda_0_11_p53_lanes = detail::make_lanes<Real>(0.001, (-0.001)) +
+      Lambda_0_11_p51_lanes;
+  const Lanes<2> inverse_D11_p1_lanes = Lambda_0_11_p15_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D11_p2_lanes = Lambda_0_11_p15_lanes * inverse_D11_p1_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_0_11_p24 = 0.0006000000000000001 + (0.002865001425 * s13 + 0.01626499875 * c13);
+  const Lanes<2> inverse_D11_p3_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p25 = Lambda_0_11_p24 * inverse_D12;
-  const Real Lambda_0_11_p26 = 0.01626499875 * s13 - 0.002865001425 * c13 + Lambda_0_11_p2 *
-      Lambda_0_11_p25;
-  const Real Lambda_0_11_p27 = s12 * Lambda_0_11_p23 - c12 * Lambda_0_11_p26;
-  const Real Lambda_0_11_p28 = c12 * Lambda_0_11_p27;
-  const Real Lambda_0_11_p29 = 0.0002516 - 0.269 * Lambda_0_11_p28;
+  const Lanes<2> inverse_D11_p4_lanes = inverse_D11_p3_lanes - inverse_D11_p2_lanes;
+  const Lanes<2> inverse_D11_p5_lanes = 1.16e-05 - inverse_D11_p4_lanes;
+  const Lanes<2> inverse_D11_p6_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p5_lanes;
+  const Lanes<2> inverse_D11_p7_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p6_lanes;
+  const Lanes<2> inverse_D11_p8_lanes = inverse_D11_p4_lanes + inverse_D11_p7_lanes;
+  const Lanes<2> inverse_D11_p9_lanes = 0.00022920000000000001 + inverse_D11_p8_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p30 = Lambda_0_11_p29 * inverse_D11;
+  const Lanes<2> inverse_D11_lanes = 1.0 / inverse_D11_p9_lanes;
+  const Lanes<2> Lambda_0_11_p55_lanes = Lambda_0_11_p53_lanes * inverse_D11_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p31 = 0.008744893195371809 + Lambda_0_11_p16 + Lambda_0_11_p21 *
-      Lambda_0_11_p22;
-  const Real Lambda_0_11_p32 = Lambda_0_11_p24 * Lambda_0_11_p25;
-  const Real Lambda_0_11_p33 = Lambda_0_11_p24 * Lambda_0_11_p22;
-  const Real Lambda_0_11_p34 = s12 * (Lambda_0_11_p31 - Lambda_0_11_p32) + c12 *
-      (2.0 * Lambda_0_11_p33);
-  const Real Lambda_0_11_p35 = s12 * Lambda_0_11_p34;
-  const Real Lambda_0_11_p36 = Lambda_0_11_p32 + Lambda_0_11_p35;
+  const Lanes<2> Lambda_0_11_p57_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D11_p6_lanes;
 
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p37 = 0.0001098 - 0.07236100000000001 * Lambda_0_11_p36 - Lambda_0_11_p29 *
-      Lambda_0_11_p30;
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_0_11_p59_lanes = Lambda_0_11_p19_lanes -
+      detail::make_lanes<Real>(0.000760024621759417, (-0.000760024621759417));
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p38 = s12 * Lambda_0_11_p27;
-  const Real Lambda_0_11_p39 = 0.04964593582762564 + c13 * Lambda_0_11_p15 - Lambda_0_11_p21 *
-      Lambda_0_11_p9;
-  const Real Lambda_0_11_p40 = Lambda_0_11_p24 * Lambda_0_11_p9;
-  const Real Lambda_0_11_p41 = s12 * Lambda_0_11_p39 - c12 * Lambda_0_11_p40;
-  const Real Lambda_0_11_p42 = 0.269 * Lambda_0_11_p41;
-  const Real Lambda_0_11_p43 = Lambda_0_11_p38 - Lambda_0_11_p42;
+  const Lanes<2> Lambda_0_11_p61_lanes = Lambda_0_11_p59_lanes * inverse_D12_lanes;
+  const Lanes<2> Lambda_0_11_p63_lanes = Lambda_0_11_p15_lanes * Lambda_0_11_p61_lanes;
 
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p44 = 6e-06 + 0.269 * Lambda_0_11_p43 + Lambda_0_11_p13 * Lambda_0_11_p30;
-  const Real Lambda_0_11_p45 = 2.0 * c11;
-  const Real Lambda_0_11_p46 = s11 * (Lambda_0_11_p20 - Lambda_0_11_p37) - Lambda_0_11_p45 *
-      Lambda_0_11_p44;
-  const Real Lambda_0_11_p47 = c11 * Lambda_0_11_p46 + Lambda_0_11_p44 - 2.249994685315e-05;
-  const Real inverse_D10_p1 = s11 * Lambda_0_11_p46;
-  const Real inverse_D10_p2 = 0.060888541114265754 + (Lambda_0_11_p37 + inverse_D10_p1);
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real inverse_D10 = 1.0 / inverse_D10_p2;
-  const Real Lambda_0_11_p48 = Lambda_0_11_p47 * inverse_D10;
-  const Real Lambda_0_11_p49 = 0.06060754126741261 + (Lambda_0_11_p20 - inverse_D10_p1) -
-      Lambda_0_11_p47 * Lambda_0_11_p48;
-  const Real Lambda_0_11_p50 = 0.00028099984685315 - 2.249996661190239e-08 / inverse_D10_p2;
-  const Real Lambda_0_11_p51 = 0.0001499998887063 / inverse_D10_p2;
-  const Real Lambda_0_11_p52 = Lambda_0_11_p47 * Lambda_0_11_p51 - 0.0001499998887063;
-  const Real Lambda_0_11_p53 = 2.0 * c10;
-  const Real Lambda_0_11_p54 = s10 * (Lambda_0_11_p49 - Lambda_0_11_p50) + Lambda_0_11_p53 *
-      Lambda_0_11_p52;
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_0_11_p65_lanes = Lambda_0_11_p7_lanes -
+      detail::make_lanes<Real>(0.002376125662528793, 0.002376125662528793);
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p55 = Lambda_0_11_p28 - 0.001;
+  const Lanes<2> Lambda_0_11_p67_lanes = Lambda_0_11_p65_lanes - Lambda_0_11_p63_lanes;
+  const Lanes<2> Lambda_0_11_p69_lanes = detail::make_lanes<Real>(c12, c19) * Lambda_0_11_p67_lanes;
+  const Lanes<2> Lambda_0_11_p71_lanes = 0.0006000000000000001 * detail::make_lanes<Real>(s12, s19);
+  const Lanes<2> Lambda_0_11_p73_lanes = Lambda_0_11_p71_lanes + Lambda_0_11_p69_lanes;
+  const Lanes<2> Lambda_0_11_p75_lanes = 0.269 * Lambda_0_11_p73_lanes;
+  const Lanes<2> Lambda_0_11_p77_lanes = Lambda_0_11_p57_lanes + Lambda_0_11_p75_lanes;
+  const Lanes<2> Lambda_0_11_p79_lanes = 0.000144 - Lambda_0_11_p77_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p56 = Lambda_0_11_p55 * inverse_D11;
-  const Real Lambda_0_11_p57 = Lambda_0_11_p43 - Lambda_0_11_p13 * Lambda_0_11_p56;
+  const Lanes<2> Lambda_0_11_p81_lanes = Lambda_0_11_p79_lanes * Lambda_0_11_p55_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p58 = 6e-04 - Lambda_0_11_p12;
+  const Lanes<2> Lambda_0_11_p83_lanes = detail::make_lanes<Real>(s12, s19) * Lambda_0_11_p49_lanes;
+  const Lanes<2> Lambda_0_11_p85_lanes = Lambda_0_11_p33_lanes * Lambda_0_11_p61_lanes;
+  const Lanes<2> Lambda_0_11_p87_lanes = detail::make_lanes<Real>(c12, c19) * Lambda_0_11_p85_lanes;
+  const Lanes<2> Lambda_0_11_p89_lanes = Lambda_0_11_p9_lanes * Lambda_0_11_p61_lanes;
 
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p59 = Lambda_0_11_p58 * inverse_D11;
-  const Real Lambda_0_11_p60 = Lambda_0_11_p42 - Lambda_0_11_p29 * Lambda_0_11_p59;
-  const Real Lambda_0_11_p61 = 0.269 * Lambda_0_11_p36 - Lambda_0_11_p29 * Lambda_0_11_p56;
-  const Real Lambda_0_11_p62 = Lambda_0_11_p19 - Lambda_0_11_p13 * Lambda_0_11_p59;
-  const Real Lambda_0_11_p63 = s11 * (Lambda_0_11_p57 - Lambda_0_11_p60) + c11 *
-      (Lambda_0_11_p61 + Lambda_0_11_p62);
-  const Real Lambda_0_11_p64 = s11 * Lambda_0_11_p63;
-  const Real Lambda_0_11_p65 = Lambda_0_11_p60 + Lambda_0_11_p64;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p66 = Lambda_0_11_p65 * inverse_D10;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p67 = c11 * Lambda_0_11_p63;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p68 = 0.28049749700000004 + (Lambda_0_11_p67 - Lambda_0_11_p61) -
-      Lambda_0_11_p47 * Lambda_0_11_p66;
-  const Real Lambda_0_11_p69 = 0.0001499998887063 * Lambda_0_11_p66 - 0.0014999985000000002;
-  const Real Lambda_0_11_p70 = s10 * Lambda_0_11_p68 + c10 * Lambda_0_11_p69;
-  const Real Lambda_0_11_p71 = 0.0005895000784280001 +
-      (c10 * Lambda_0_11_p54 - Lambda_0_11_p52 + 0.282 * Lambda_0_11_p70);
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p72 = Lambda_0_11_p67 - Lambda_0_11_p62 - 0.28049749700000004;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p73 = Lambda_0_11_p72 * inverse_D10;
-  const Real Lambda_0_11_p74 = 0.0001499998887063 * Lambda_0_11_p73;
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_0_11_p91_lanes = detail::make_lanes<Real>((-0.09929187165525127),
+      0.09929187165525127) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> Lambda_0_11_p93_lanes = detail::make_lanes<Real>((-0.27310176737964387),
+      (-0.27310176737964387)) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> Lambda_0_11_p95_lanes = Lambda_0_11_p91_lanes - Lambda_0_11_p93_lanes;
+  const Lanes<2> Lambda_0_11_p97_lanes = detail::make_lanes<Real>(c13, c20) * Lambda_0_11_p95_lanes;
+  const Lanes<2> Lambda_0_11_p99_lanes = Lambda_0_11_p97_lanes -
+      detail::make_lanes<Real>((-0.04964593582762564), 0.04964593582762564);
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p75 = s12 * Lambda_0_11_p40 + c12 * Lambda_0_11_p39;
-  const Real Lambda_0_11_p76 = Lambda_0_11_p23 - Lambda_0_11_p38;
+  const Lanes<2> Lambda_0_11_p101_lanes = Lambda_0_11_p99_lanes - Lambda_0_11_p89_lanes;
+  const Lanes<2> Lambda_0_11_p103_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p101_lanes;
+  const Lanes<2> Lambda_0_11_p105_lanes = Lambda_0_11_p87_lanes + Lambda_0_11_p103_lanes;
+  const Lanes<2> Lambda_0_11_p107_lanes = 0.269 * Lambda_0_11_p105_lanes;
+  const Lanes<2> Lambda_0_11_p109_lanes = Lambda_0_11_p83_lanes + Lambda_0_11_p107_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p77 = Lambda_0_11_p76 * inverse_D11;
-  const Real Lambda_0_11_p78 = 0.001 + (Lambda_0_11_p28 + Lambda_0_11_p26 - 0.269 *
-      Lambda_0_11_p75) - Lambda_0_11_p13 * Lambda_0_11_p77;
+  const Lanes<2> Lambda_0_11_p111_lanes = Lambda_0_11_p81_lanes - Lambda_0_11_p109_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_0_11_p79 = c12 * Lambda_0_11_p34 - Lambda_0_11_p33;
+  const Lanes<2> Lambda_0_11_p113_lanes = 0.269 * Lambda_0_11_p51_lanes;
+  const Lanes<2> Lambda_0_11_p115_lanes = detail::make_lanes<Real>(0.0002516, (-0.0002516)) +
+      Lambda_0_11_p113_lanes;
+  const Lanes<2> Lambda_0_11_p117_lanes = 6e-04 - Lambda_0_11_p73_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p80 = 0.269 * Lambda_0_11_p79 - 6e-04 - Lambda_0_11_p29 * Lambda_0_11_p77;
-  const Real Lambda_0_11_p81 = 0.0014999985000000002 -
-      (s11 * Lambda_0_11_p78 + c11 * Lambda_0_11_p80);
+  const Lanes<2> Lambda_0_11_p119_lanes = Lambda_0_11_p117_lanes * inverse_D11_lanes;
+  const Lanes<2> Lambda_0_11_p121_lanes = Lambda_0_11_p115_lanes * Lambda_0_11_p119_lanes;
+  const Lanes<2> Lambda_0_11_p123_lanes = Lambda_0_11_p107_lanes - Lambda_0_11_p121_lanes;
+  const Lanes<2> Lambda_0_11_p125_lanes = Lambda_0_11_p111_lanes - Lambda_0_11_p123_lanes;
+  const Lanes<2> Lambda_0_11_p127_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p125_lanes;
+  const Lanes<2> Lambda_0_11_p129_lanes = Lambda_0_11_p115_lanes * Lambda_0_11_p55_lanes;
 
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p82 = Lambda_0_11_p81 * inverse_D10;
-  const Real Lambda_0_11_p83 = c11 * Lambda_0_11_p78 - s11 * Lambda_0_11_p80 + Lambda_0_11_p47 *
-      Lambda_0_11_p82;
-  const Real Lambda_0_11_p84 = Lambda_0_11_p57 - Lambda_0_11_p64 - Lambda_0_11_p47 *
-      Lambda_0_11_p73;
-  const Real Lambda_0_11_p85 = 0.0001499998887063 * Lambda_0_11_p82;
-  const Real Lambda_0_11_p86 = s10 * (Lambda_0_11_p84 - Lambda_0_11_p85) + c10 *
-      (Lambda_0_11_p74 - Lambda_0_11_p83);
-  const Real Lambda_0_11_p87 = c10 * Lambda_0_11_p86;
-  const Real Lambda_0_11_p88 = Lambda_0_11_p87 + Lambda_0_11_p83;
-  const Real Lambda_0_11_p89 = 0.004500002325 + Lambda_0_11_p88;
-  const Real inverse_D9_p1 = s10 * Lambda_0_11_p54;
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_0_11_p131_lanes = Lambda_0_11_p9_lanes * Lambda_0_11_p11_lanes;
 
-  // link 9 (left_upperarm), articulated inertia
-  const Real inverse_D9 = 1.0 / (0.0027762933559338653 + (Lambda_0_11_p50 + inverse_D9_p1));
-  const Real Lambda_0_11_p90 = Lambda_0_11_p89 * inverse_D9;
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_0_11_p133_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p95_lanes;
+  const Lanes<2> Lambda_0_11_p135_lanes = detail::make_lanes<Real>(0.008744893195371809,
+      0.008744893195371809) + Lambda_0_11_p133_lanes;
 
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p91 = s10 * Lambda_0_11_p86;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p92 = Lambda_0_11_p79 + Lambda_0_11_p55 * Lambda_0_11_p77;
-  const Real Lambda_0_11_p93 = Lambda_0_11_p75 + Lambda_0_11_p58 * Lambda_0_11_p77;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p94 = s11 * Lambda_0_11_p92 + c11 * Lambda_0_11_p93 - Lambda_0_11_p81 *
-      Lambda_0_11_p66;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p95 = Lambda_0_11_p36 + Lambda_0_11_p55 * Lambda_0_11_p56;
-  const Real Lambda_0_11_p96 = Lambda_0_11_p17 - Lambda_0_11_p58 * Lambda_0_11_p59;
-  const Real Lambda_0_11_p97 = Lambda_0_11_p41 + Lambda_0_11_p55 * Lambda_0_11_p59;
-  const Real Lambda_0_11_p98 = s11 * (Lambda_0_11_p95 + Lambda_0_11_p96) + Lambda_0_11_p45 *
-      Lambda_0_11_p97;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p99 = Lambda_0_11_p97 - c11 * Lambda_0_11_p98 - Lambda_0_11_p72 *
-      Lambda_0_11_p66;
-  const Real Lambda_0_11_p100 = s10 * Lambda_0_11_p94 - c10 * Lambda_0_11_p99;
-  const Real Lambda_0_11_p101 = 0.282 * Lambda_0_11_p100;
-  const Real Lambda_0_11_p102 = Lambda_0_11_p84 - Lambda_0_11_p91 - Lambda_0_11_p101;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p103 = Lambda_0_11_p102 - Lambda_0_11_p71 * Lambda_0_11_p90;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p104 = 0.0022500062 + Lambda_0_11_p70;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p105 = Lambda_0_11_p104 * inverse_D9;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p106 = 0.0012089992423205001 + 0.282 * Lambda_0_11_p88;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p107 = Lambda_0_11_p101 + Lambda_0_11_p106 * Lambda_0_11_p105;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p108 = s10 * Lambda_0_11_p69 - c10 * Lambda_0_11_p68;
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_0_11_p137_lanes = Lambda_0_11_p135_lanes + Lambda_0_11_p131_lanes;
+  const Lanes<2> Lambda_0_11_p139_lanes = Lambda_0_11_p33_lanes * Lambda_0_11_p35_lanes;
+  const Lanes<2> Lambda_0_11_p141_lanes = Lambda_0_11_p137_lanes - Lambda_0_11_p139_lanes;
+  const Lanes<2> Lambda_0_11_p143_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p141_lanes;
+  const Lanes<2> Lambda_0_11_p145_lanes = Lambda_0_11_p33_lanes * Lambda_0_11_p11_lanes;
+  const Lanes<2> Lambda_0_11_p147_lanes = 2.0 * Lambda_0_11_p145_lanes;
+  const Lanes<2> Lambda_0_11_p149_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p147_lanes;
+  const Lanes<2> Lambda_0_11_p151_lanes = Lambda_0_11_p149_lanes - Lambda_0_11_p143_lanes;
+  const Lanes<2> Lambda_0_11_p153_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p151_lanes;
+  const Lanes<2> Lambda_0_11_p155_lanes = Lambda_0_11_p153_lanes - Lambda_0_11_p139_lanes;
+  const Lanes<2> Lambda_0_11_p157_lanes = 0.269 * Lambda_0_11_p155_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_0_11_p109 = s11 * Lambda_0_11_p98;
+  const Lanes<2> Lambda_0_11_p159_lanes = Lambda_0_11_p129_lanes - Lambda_0_11_p157_lanes;
+  const Lanes<2> Lambda_0_11_p161_lanes = Lambda_0_11_p79_lanes * Lambda_0_11_p119_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_0_11_p163_lanes = Lambda_0_11_p59_lanes * Lambda_0_11_p61_lanes;
+
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_0_11_p165_lanes = Lambda_0_11_p133_lanes - 0.2818466605750157;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_0_11_p167_lanes = Lambda_0_11_p165_lanes - Lambda_0_11_p163_lanes;
+  const Lanes<2> Lambda_0_11_p169_lanes = 0.269 * Lambda_0_11_p167_lanes;
+  const Lanes<2> Lambda_0_11_p171_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p67_lanes;
+  const Lanes<2> Lambda_0_11_p173_lanes = 0.0006000000000000001 *
+      detail::make_lanes<Real>(c12, c19);
+  const Lanes<2> Lambda_0_11_p175_lanes = Lambda_0_11_p171_lanes - Lambda_0_11_p173_lanes;
+  const Lanes<2> Lambda_0_11_p177_lanes = Lambda_0_11_p169_lanes - Lambda_0_11_p175_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p179_lanes = Lambda_0_11_p177_lanes - Lambda_0_11_p161_lanes;
+  const Lanes<2> Lambda_0_11_p181_lanes = Lambda_0_11_p159_lanes + Lambda_0_11_p179_lanes;
+  const Lanes<2> Lambda_0_11_p183_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p181_lanes;
+  const Lanes<2> Lambda_0_11_p185_lanes = Lambda_0_11_p127_lanes + Lambda_0_11_p183_lanes;
+  const Lanes<2> Lambda_0_11_p187_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p185_lanes;
+  const Lanes<2> Lambda_0_11_p189_lanes = Lambda_0_11_p123_lanes + Lambda_0_11_p187_lanes;
+  const Lanes<2> inverse_D10_p1_lanes = Lambda_0_11_p79_lanes * inverse_D11_lanes;
+  const Lanes<2> inverse_D10_p2_lanes = Lambda_0_11_p79_lanes * inverse_D10_p1_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> inverse_D10_p3_lanes = Lambda_0_11_p177_lanes - Lambda_0_11_p175_lanes;
+  const Lanes<2> inverse_D10_p4_lanes = 0.269 * inverse_D10_p3_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> inverse_D10_p5_lanes = 0.000131 - inverse_D11_p7_lanes;
+  const Lanes<2> inverse_D10_p6_lanes = inverse_D10_p5_lanes + inverse_D10_p4_lanes;
+  const Lanes<2> inverse_D10_p7_lanes = inverse_D10_p6_lanes - inverse_D10_p2_lanes;
+  const Lanes<2> inverse_D10_p8_lanes = Lambda_0_11_p115_lanes * inverse_D11_lanes;
+  const Lanes<2> inverse_D10_p9_lanes = Lambda_0_11_p115_lanes * inverse_D10_p8_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> inverse_D10_p10_lanes = 0.07236100000000001 * Lambda_0_11_p155_lanes;
+  const Lanes<2> inverse_D10_p11_lanes = 0.0001098 + inverse_D10_p10_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> inverse_D10_p12_lanes = inverse_D10_p11_lanes - inverse_D10_p9_lanes;
+  const Lanes<2> inverse_D10_p13_lanes = inverse_D10_p7_lanes - inverse_D10_p12_lanes;
+  const Lanes<2> inverse_D10_p14_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p13_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> inverse_D10_p15_lanes = 0.269 * Lambda_0_11_p109_lanes;
+  const Lanes<2> inverse_D10_p16_lanes = detail::make_lanes<Real>((-6e-06), 6e-06) +
+      inverse_D10_p15_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> inverse_D10_p17_lanes = Lambda_0_11_p79_lanes * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p18_lanes = inverse_D10_p16_lanes - inverse_D10_p17_lanes;
+  const Lanes<2> inverse_D10_p19_lanes = 2.0 * detail::make_lanes<Real>(c11, c18);
+  const Lanes<2> inverse_D10_p20_lanes = inverse_D10_p19_lanes * inverse_D10_p18_lanes;
+  const Lanes<2> inverse_D10_p21_lanes = inverse_D10_p14_lanes + inverse_D10_p20_lanes;
+  const Lanes<2> inverse_D10_p22_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p21_lanes;
+  const Lanes<2> inverse_D10_p23_lanes = inverse_D10_p12_lanes + inverse_D10_p22_lanes;
+  const Lanes<2> inverse_D10_p24_lanes = 0.060888541114265754 + inverse_D10_p23_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p110 = Lambda_0_11_p96 - Lambda_0_11_p109 - Lambda_0_11_p65 *
-      Lambda_0_11_p66;
-  const Real Lambda_0_11_p111 = 0.282 * Lambda_0_11_p110 - Lambda_0_11_p108;
+  const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p24_lanes;
+  const Lanes<2> Lambda_0_11_p191_lanes = Lambda_0_11_p189_lanes * inverse_D10_lanes;
+  const Lanes<2> Lambda_0_11_p193_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) * Lambda_0_11_p191_lanes;
+  const Lanes<2> Lambda_0_11_p195_lanes = 0.0014999985000000002 + Lambda_0_11_p193_lanes;
+  const Lanes<2> Lambda_0_11_p197_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p195_lanes;
 
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p112 = Lambda_0_11_p111 - Lambda_0_11_p71 * Lambda_0_11_p105;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p113 = s11 * Lambda_0_11_p93 - c11 * Lambda_0_11_p92 + Lambda_0_11_p72 *
-      Lambda_0_11_p82;
-  const Real Lambda_0_11_p114 = Lambda_0_11_p109 - Lambda_0_11_p95 - Lambda_0_11_p72 *
-      Lambda_0_11_p73;
-  const Real Lambda_0_11_p115 = Lambda_0_11_p35 - Lambda_0_11_p31 - Lambda_0_11_p76 *
-      Lambda_0_11_p77 - Lambda_0_11_p81 * Lambda_0_11_p82;
-  const Real Lambda_0_11_p116 = Lambda_0_11_p53 * Lambda_0_11_p113 - s10 *
-      (Lambda_0_11_p114 - Lambda_0_11_p115);
-  const Real Lambda_0_11_p117 = s10 * Lambda_0_11_p116;
-  const Real Lambda_0_11_p118 = Lambda_0_11_p114 + Lambda_0_11_p117;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p119 = Lambda_0_11_p106 * Lambda_0_11_p90 - 0.282 * Lambda_0_11_p118;
-  const Real Lambda_0_11_p120 = c9 * (Lambda_0_11_p103 - Lambda_0_11_p107) - s9 *
-      (Lambda_0_11_p119 + Lambda_0_11_p112);
-  const Real Lambda_0_11_p121 = c9 * Lambda_0_11_p120;
-  const Real Lambda_0_11_p122 = Lambda_0_11_p107 + Lambda_0_11_p121;
-  const Real inverse_D8_p1 = Lambda_0_11_p71 * inverse_D9;
-  const Real inverse_D8_p2 = 0.0019585440854647937 +
-      (Lambda_0_11_p49 - inverse_D9_p1 + 0.282 * (Lambda_0_11_p111 - Lambda_0_11_p108)) -
-      Lambda_0_11_p71 * inverse_D8_p1;
-  const Real inverse_D8_p3 = Lambda_0_11_p106 * inverse_D9;
-  const Real inverse_D8_p4 = 0.0008177492704690715 + 0.07952399999999998 * Lambda_0_11_p118 -
-      Lambda_0_11_p106 * inverse_D8_p3;
-  const Real inverse_D8_p5 = 4.4999986458742003e-05 - 0.282 * Lambda_0_11_p102 + Lambda_0_11_p71 *
-      inverse_D8_p3;
-  const Real inverse_D8_p6 = 2.0 * s9;
-  const Real inverse_D8_p7 = c9 * (inverse_D8_p2 - inverse_D8_p4) - inverse_D8_p6 * inverse_D8_p5;
-  const Real inverse_D8_p8 = c9 * inverse_D8_p7;
-  const Real inverse_D8_p9 = 0.18125194219699997 + (inverse_D8_p4 + inverse_D8_p8);
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Real inverse_D8 = 1.0 / inverse_D8_p9;
-  const Real Lambda_0_11_p123 = Lambda_0_11_p122 * inverse_D8;
-  const Real Lambda_0_11_p124 = 0.0017499999999999998 + 0.00010499999999999999 * Lambda_0_11_p123;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p125 = s9 * inverse_D8_p7 + inverse_D8_p5 - 1.75e-05;
-  const Real Lambda_0_11_p126 = s9 * Lambda_0_11_p120;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p127 = Lambda_0_11_p126 + Lambda_0_11_p119 - 0.7139200499999999 -
-      Lambda_0_11_p125 * Lambda_0_11_p123;
-  const Real Lambda_0_11_p128 = 0.0017499999999999998 +
-      (s8 * Lambda_0_11_p124 + c8 * Lambda_0_11_p127);
-  const Real inverse_D7_p1 = Lambda_0_11_p125 * inverse_D8;
-  const Real inverse_D7_p2 = 0.18113119219699997 + (inverse_D8_p2 - inverse_D8_p8) -
-      Lambda_0_11_p125 * inverse_D7_p1;
-  const Real inverse_D7_p3 = 0.00012075 - 1.1024999999999998e-08 / inverse_D8_p9;
-  const Real inverse_D7_p4 = 0.00010499999999999999 * inverse_D7_p1 - 5.2499999999999995e-05;
-  const Real inverse_D7_p5 = 2.0 * c8;
-  const Real inverse_D7_p6 = s8 * (inverse_D7_p3 - inverse_D7_p2) + inverse_D7_p5 * inverse_D7_p4;
-  const Real inverse_D7_p7 = s8 * inverse_D7_p6;
-  const Real inverse_D7_p8 = 0.000448 + (inverse_D7_p2 + inverse_D7_p7);
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D7 = 1.0 / inverse_D7_p8;
-  const Real Lambda_0_11_p129 = Lambda_0_11_p128 * inverse_D7;
-  const Real Lambda_0_11_p130 = 2.6249999999999998e-05 * Lambda_0_11_p129;
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p199_lanes = detail::make_lanes<Real>(c11, c18) *
+      inverse_D10_p21_lanes;
+  const Lanes<2> Lambda_0_11_p201_lanes = Lambda_0_11_p199_lanes - inverse_D10_p18_lanes;
+  const Lanes<2> Lambda_0_11_p203_lanes = detail::make_lanes<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + Lambda_0_11_p201_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p131 = Lambda_0_11_p85 + Lambda_0_11_p91;
+  const Lanes<2> Lambda_0_11_p205_lanes = Lambda_0_11_p203_lanes * Lambda_0_11_p191_lanes;
 
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p132 = Lambda_0_11_p131 * inverse_D9;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p133 = s10 * Lambda_0_11_p99 + c10 * Lambda_0_11_p94;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p134 = 0.004500002325 - (Lambda_0_11_p87 - Lambda_0_11_p74 + 0.282 *
-      Lambda_0_11_p133) + Lambda_0_11_p71 * Lambda_0_11_p132;
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p207_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p185_lanes;
+  const Lanes<2> Lambda_0_11_p209_lanes = Lambda_0_11_p207_lanes - Lambda_0_11_p159_lanes;
+  const Lanes<2> Lambda_0_11_p211_lanes = 0.28049749700000004 + Lambda_0_11_p209_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_0_11_p135 = Lambda_0_11_p113 - c10 * Lambda_0_11_p116;
+  const Lanes<2> Lambda_0_11_p213_lanes = Lambda_0_11_p211_lanes - Lambda_0_11_p205_lanes;
+  const Lanes<2> Lambda_0_11_p215_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p213_lanes;
+  const Lanes<2> Lambda_0_11_p217_lanes = Lambda_0_11_p197_lanes - Lambda_0_11_p215_lanes;
+  const Lanes<2> Lambda_0_11_p219_lanes = 0.282 * Lambda_0_11_p217_lanes;
+  const Lanes<2> Lambda_0_11_p221_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) / inverse_D10_p24_lanes;
+  const Lanes<2> Lambda_0_11_p223_lanes = Lambda_0_11_p203_lanes * Lambda_0_11_p221_lanes;
+  const Lanes<2> Lambda_0_11_p225_lanes = 0.0001499998887063 + Lambda_0_11_p223_lanes;
+  const Lanes<2> Lambda_0_11_p227_lanes = 2.0 * detail::make_lanes<Real>(c10, c17);
+  const Lanes<2> Lambda_0_11_p229_lanes = Lambda_0_11_p227_lanes * Lambda_0_11_p225_lanes;
+  const Lanes<2> Lambda_0_11_p231_lanes = Lambda_0_11_p203_lanes * inverse_D10_lanes;
+  const Lanes<2> Lambda_0_11_p233_lanes = Lambda_0_11_p203_lanes * Lambda_0_11_p231_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p235_lanes = inverse_D10_p7_lanes - inverse_D10_p22_lanes;
+  const Lanes<2> Lambda_0_11_p237_lanes = 0.06060754126741261 + Lambda_0_11_p235_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p239_lanes = Lambda_0_11_p237_lanes - Lambda_0_11_p233_lanes;
+  const Lanes<2> Lambda_0_11_p241_lanes = detail::make_lanes<Real>(2.249996661190239e-08,
+      2.249996661190239e-08) / inverse_D10_p24_lanes;
+  const Lanes<2> Lambda_0_11_p243_lanes = 0.00028099984685315 - Lambda_0_11_p241_lanes;
+  const Lanes<2> Lambda_0_11_p245_lanes = Lambda_0_11_p239_lanes - Lambda_0_11_p243_lanes;
+  const Lanes<2> Lambda_0_11_p247_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p245_lanes;
+  const Lanes<2> Lambda_0_11_p249_lanes = Lambda_0_11_p229_lanes - Lambda_0_11_p247_lanes;
+  const Lanes<2> Lambda_0_11_p251_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p249_lanes;
+  const Lanes<2> Lambda_0_11_p253_lanes = Lambda_0_11_p225_lanes - Lambda_0_11_p251_lanes;
+  const Lanes<2> Lambda_0_11_p255_lanes = Lambda_0_11_p219_lanes - Lambda_0_11_p253_lanes;
+  const Lanes<2> Lambda_0_11_p257_lanes = Lambda_0_11_p255_lanes - 0.0005895000784280001;
+  const Lanes<2> inverse_D9_p1_lanes = detail::make_lanes<Real>(s10, s17) * Lambda_0_11_p249_lanes;
+  const Lanes<2> inverse_D9_p2_lanes = Lambda_0_11_p243_lanes - inverse_D9_p1_lanes;
+  const Lanes<2> inverse_D9_p3_lanes = 0.0027762933559338653 + inverse_D9_p2_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p136 = 0.0022500062 + 0.282 * Lambda_0_11_p135 - Lambda_0_11_p106 *
-      Lambda_0_11_p132;
-  const Real Lambda_0_11_p137 = 0.0017499999999999998 +
-      (c9 * Lambda_0_11_p134 - s9 * Lambda_0_11_p136);
+  const Lanes<2> inverse_D9_lanes = 1.0 / inverse_D9_p3_lanes;
+  const Lanes<2> Lambda_0_11_p259_lanes = Lambda_0_11_p257_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_0_11_p261_lanes = Lambda_0_11_p257_lanes * Lambda_0_11_p259_lanes;
 
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p138 = Lambda_0_11_p137 * inverse_D8;
-  const Real Lambda_0_11_p139 = Lambda_0_11_p125 * Lambda_0_11_p138 -
-      (s9 * Lambda_0_11_p134 + c9 * Lambda_0_11_p136);
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p263_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p213_lanes;
+  const Lanes<2> Lambda_0_11_p265_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p195_lanes;
+  const Lanes<2> Lambda_0_11_p267_lanes = Lambda_0_11_p263_lanes + Lambda_0_11_p265_lanes;
+  const Lanes<2> Lambda_0_11_p269_lanes = Lambda_0_11_p189_lanes * Lambda_0_11_p191_lanes;
 
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p140 = 0.7139200499999999 + (Lambda_0_11_p126 + Lambda_0_11_p112);
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p271_lanes = Lambda_0_11_p53_lanes * Lambda_0_11_p55_lanes;
+  const Lanes<2> Lambda_0_11_p273_lanes = Lambda_0_11_p155_lanes - Lambda_0_11_p271_lanes;
+  const Lanes<2> Lambda_0_11_p275_lanes = Lambda_0_11_p117_lanes * Lambda_0_11_p119_lanes;
+  const Lanes<2> Lambda_0_11_p277_lanes = Lambda_0_11_p167_lanes - Lambda_0_11_p275_lanes;
+  const Lanes<2> Lambda_0_11_p279_lanes = Lambda_0_11_p273_lanes - Lambda_0_11_p277_lanes;
+  const Lanes<2> Lambda_0_11_p281_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p279_lanes;
+  const Lanes<2> Lambda_0_11_p283_lanes = Lambda_0_11_p53_lanes * Lambda_0_11_p119_lanes;
+  const Lanes<2> Lambda_0_11_p285_lanes = Lambda_0_11_p283_lanes - Lambda_0_11_p105_lanes;
+  const Lanes<2> Lambda_0_11_p287_lanes = inverse_D10_p19_lanes * Lambda_0_11_p285_lanes;
+  const Lanes<2> Lambda_0_11_p289_lanes = Lambda_0_11_p281_lanes + Lambda_0_11_p287_lanes;
+  const Lanes<2> Lambda_0_11_p291_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p289_lanes;
+  const Lanes<2> Lambda_0_11_p293_lanes = Lambda_0_11_p277_lanes + Lambda_0_11_p291_lanes;
 
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p141 = Lambda_0_11_p140 * inverse_D8;
-  const Real Lambda_0_11_p142 = 0.00010499999999999999 * Lambda_0_11_p141;
-  const Real Lambda_0_11_p143 = Lambda_0_11_p103 - Lambda_0_11_p121 - Lambda_0_11_p125 *
-      Lambda_0_11_p141;
-  const Real Lambda_0_11_p144 = 0.00010499999999999999 * Lambda_0_11_p138;
-  const Real Lambda_0_11_p145 = c8 * (Lambda_0_11_p139 + Lambda_0_11_p142) - s8 *
-      (Lambda_0_11_p144 + Lambda_0_11_p143);
-  const Real Lambda_0_11_p146 = c8 * Lambda_0_11_p145;
-  const Real Lambda_0_11_p147 = 0.0017499999999999998 + (Lambda_0_11_p146 - Lambda_0_11_p142);
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p148 = Lambda_0_11_p147 * inverse_D7;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p149 = c8 * inverse_D7_p6 - inverse_D7_p4 - 2.6249999999999998e-05;
-  const Real Lambda_0_11_p150 = s8 * Lambda_0_11_p145;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p151 = Lambda_0_11_p144 + Lambda_0_11_p150 + Lambda_0_11_p149 *
-      Lambda_0_11_p148;
-  const Real Lambda_0_11_p152 = c8 * Lambda_0_11_p124 - s8 * Lambda_0_11_p127 - Lambda_0_11_p149 *
-      Lambda_0_11_p129;
-  const Real Lambda_0_11_p153 = 2.6249999999999998e-05 * Lambda_0_11_p148;
-  const Real Lambda_0_11_p154 = c7 * (Lambda_0_11_p130 + Lambda_0_11_p151) - s7 *
-      (Lambda_0_11_p152 + Lambda_0_11_p153);
-  const Real Lambda_0_11_p155 = s7 * Lambda_0_11_p154;
-  const Real Lambda_0_11_p156 = Lambda_0_11_p155 + Lambda_0_11_p153;
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p295_lanes = Lambda_0_11_p293_lanes - Lambda_0_11_p269_lanes;
+  const Lanes<2> Lambda_0_11_p297_lanes = 0.282 * Lambda_0_11_p295_lanes;
+  const Lanes<2> Lambda_0_11_p299_lanes = Lambda_0_11_p267_lanes + Lambda_0_11_p297_lanes;
+  const Lanes<2> Lambda_0_11_p301_lanes = Lambda_0_11_p267_lanes + Lambda_0_11_p299_lanes;
+  const Lanes<2> Lambda_0_11_p303_lanes = 0.282 * Lambda_0_11_p301_lanes;
+  const Lanes<2> Lambda_0_11_p305_lanes = Lambda_0_11_p239_lanes + inverse_D9_p1_lanes;
+  const Lanes<2> Lambda_0_11_p307_lanes = Lambda_0_11_p305_lanes + Lambda_0_11_p303_lanes;
+  const Lanes<2> Lambda_0_11_p309_lanes = 0.0019585440854647937 + Lambda_0_11_p307_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p157 = Lambda_0_11_p118 - Lambda_0_11_p89 * Lambda_0_11_p90;
-  const Real Lambda_0_11_p158 = Lambda_0_11_p110 - Lambda_0_11_p104 * Lambda_0_11_p105;
-  const Real Lambda_0_11_p159 = Lambda_0_11_p100 + Lambda_0_11_p89 * Lambda_0_11_p105;
-  const Real Lambda_0_11_p160 = c9 * (Lambda_0_11_p157 - Lambda_0_11_p158) + inverse_D8_p6 *
-      Lambda_0_11_p159;
-  const Real Lambda_0_11_p161 = c9 * Lambda_0_11_p160;
+  const Lanes<2> Lambda_0_11_p311_lanes = Lambda_0_11_p309_lanes - Lambda_0_11_p261_lanes;
 
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p162 = Lambda_0_11_p158 + Lambda_0_11_p161 - Lambda_0_11_p122 *
-      Lambda_0_11_p123 - Lambda_0_11_p128 * Lambda_0_11_p129;
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p313_lanes = Lambda_0_11_p207_lanes - Lambda_0_11_p179_lanes;
+  const Lanes<2> Lambda_0_11_p315_lanes = Lambda_0_11_p313_lanes - 0.28049749700000004;
 
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p163 = Lambda_0_11_p157 - Lambda_0_11_p161 - Lambda_0_11_p140 *
-      Lambda_0_11_p141;
-  const Real Lambda_0_11_p164 = Lambda_0_11_p115 - Lambda_0_11_p117 - Lambda_0_11_p131 *
-      Lambda_0_11_p132 - Lambda_0_11_p137 * Lambda_0_11_p138;
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p317_lanes = Lambda_0_11_p315_lanes * inverse_D10_lanes;
+  const Lanes<2> Lambda_0_11_p319_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) * Lambda_0_11_p317_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_0_11_p321_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p85_lanes;
+  const Lanes<2> Lambda_0_11_p323_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p101_lanes;
+  const Lanes<2> Lambda_0_11_p325_lanes = Lambda_0_11_p321_lanes - Lambda_0_11_p323_lanes;
+  const Lanes<2> Lambda_0_11_p327_lanes = 0.269 * Lambda_0_11_p325_lanes;
+  const Lanes<2> Lambda_0_11_p329_lanes = Lambda_0_11_p51_lanes - Lambda_0_11_p45_lanes;
+  const Lanes<2> Lambda_0_11_p331_lanes = Lambda_0_11_p327_lanes - Lambda_0_11_p329_lanes;
+  const Lanes<2> Lambda_0_11_p333_lanes = detail::make_lanes<Real>(0.001, (-0.001)) +
+      Lambda_0_11_p331_lanes;
+  const Lanes<2> Lambda_0_11_p335_lanes = Lambda_0_11_p83_lanes - Lambda_0_11_p23_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p337_lanes = Lambda_0_11_p335_lanes * inverse_D11_lanes;
+  const Lanes<2> Lambda_0_11_p339_lanes = Lambda_0_11_p79_lanes * Lambda_0_11_p337_lanes;
+  const Lanes<2> Lambda_0_11_p341_lanes = Lambda_0_11_p333_lanes - Lambda_0_11_p339_lanes;
+  const Lanes<2> Lambda_0_11_p343_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p341_lanes;
+  const Lanes<2> Lambda_0_11_p345_lanes = Lambda_0_11_p115_lanes * Lambda_0_11_p337_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_0_11_p347_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p151_lanes;
+  const Lanes<2> Lambda_0_11_p349_lanes = Lambda_0_11_p145_lanes - Lambda_0_11_p347_lanes;
+  const Lanes<2> Lambda_0_11_p351_lanes = 0.269 * Lambda_0_11_p349_lanes;
+  const Lanes<2> Lambda_0_11_p353_lanes = Lambda_0_11_p351_lanes - 6e-04;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p355_lanes = Lambda_0_11_p353_lanes - Lambda_0_11_p345_lanes;
+  const Lanes<2> Lambda_0_11_p357_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p355_lanes;
+  const Lanes<2> Lambda_0_11_p359_lanes = Lambda_0_11_p343_lanes + Lambda_0_11_p357_lanes;
+  const Lanes<2> Lambda_0_11_p361_lanes = 0.0014999985000000002 - Lambda_0_11_p359_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p363_lanes = Lambda_0_11_p361_lanes * inverse_D10_lanes;
+  const Lanes<2> Lambda_0_11_p365_lanes = Lambda_0_11_p203_lanes * Lambda_0_11_p363_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p367_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p341_lanes;
+  const Lanes<2> Lambda_0_11_p369_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p355_lanes;
+  const Lanes<2> Lambda_0_11_p371_lanes = Lambda_0_11_p367_lanes - Lambda_0_11_p369_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p373_lanes = Lambda_0_11_p371_lanes + Lambda_0_11_p365_lanes;
+  const Lanes<2> Lambda_0_11_p375_lanes = Lambda_0_11_p319_lanes + Lambda_0_11_p373_lanes;
+  const Lanes<2> Lambda_0_11_p377_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p375_lanes;
+  const Lanes<2> Lambda_0_11_p379_lanes = Lambda_0_11_p203_lanes * Lambda_0_11_p317_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p381_lanes = Lambda_0_11_p111_lanes - Lambda_0_11_p187_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p383_lanes = Lambda_0_11_p381_lanes - Lambda_0_11_p379_lanes;
+  const Lanes<2> Lambda_0_11_p385_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) * Lambda_0_11_p363_lanes;
+  const Lanes<2> Lambda_0_11_p387_lanes = Lambda_0_11_p383_lanes + Lambda_0_11_p385_lanes;
+  const Lanes<2> Lambda_0_11_p389_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p387_lanes;
+  const Lanes<2> Lambda_0_11_p391_lanes = Lambda_0_11_p377_lanes - Lambda_0_11_p389_lanes;
+  const Lanes<2> Lambda_0_11_p393_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p391_lanes;
+  const Lanes<2> Lambda_0_11_p395_lanes = Lambda_0_11_p373_lanes - Lambda_0_11_p393_lanes;
+  const Lanes<2> Lambda_0_11_p397_lanes = 0.282 * Lambda_0_11_p395_lanes;
+  const Lanes<2> Lambda_0_11_p399_lanes = detail::make_lanes<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + Lambda_0_11_p397_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_0_11_p165 = Lambda_0_11_p89 * Lambda_0_11_p132 - Lambda_0_11_p135;
-  const Real Lambda_0_11_p166 = Lambda_0_11_p104 * Lambda_0_11_p132 - Lambda_0_11_p133;
+  const Lanes<2> Lambda_0_11_p401_lanes = Lambda_0_11_p399_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_0_11_p403_lanes = Lambda_0_11_p399_lanes * Lambda_0_11_p401_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p405_lanes = Lambda_0_11_p315_lanes * Lambda_0_11_p363_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p407_lanes = Lambda_0_11_p53_lanes * Lambda_0_11_p337_lanes;
+  const Lanes<2> Lambda_0_11_p409_lanes = Lambda_0_11_p407_lanes - Lambda_0_11_p349_lanes;
+  const Lanes<2> Lambda_0_11_p411_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p409_lanes;
+  const Lanes<2> Lambda_0_11_p413_lanes = Lambda_0_11_p117_lanes * Lambda_0_11_p337_lanes;
+  const Lanes<2> Lambda_0_11_p415_lanes = Lambda_0_11_p325_lanes - Lambda_0_11_p413_lanes;
+  const Lanes<2> Lambda_0_11_p417_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p415_lanes;
+  const Lanes<2> Lambda_0_11_p419_lanes = Lambda_0_11_p411_lanes - Lambda_0_11_p417_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p421_lanes = Lambda_0_11_p419_lanes + Lambda_0_11_p405_lanes;
+  const Lanes<2> Lambda_0_11_p423_lanes = Lambda_0_11_p227_lanes * Lambda_0_11_p421_lanes;
+  const Lanes<2> Lambda_0_11_p425_lanes = Lambda_0_11_p315_lanes * Lambda_0_11_p317_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p427_lanes = Lambda_0_11_p273_lanes - Lambda_0_11_p291_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p429_lanes = Lambda_0_11_p427_lanes - Lambda_0_11_p425_lanes;
+  const Lanes<2> Lambda_0_11_p431_lanes = Lambda_0_11_p361_lanes * Lambda_0_11_p363_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p433_lanes = Lambda_0_11_p335_lanes * Lambda_0_11_p337_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_0_11_p435_lanes = Lambda_0_11_p137_lanes + Lambda_0_11_p153_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p437_lanes = Lambda_0_11_p435_lanes + Lambda_0_11_p433_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p439_lanes = Lambda_0_11_p437_lanes + Lambda_0_11_p431_lanes;
+  const Lanes<2> Lambda_0_11_p441_lanes = Lambda_0_11_p429_lanes + Lambda_0_11_p439_lanes;
+  const Lanes<2> Lambda_0_11_p443_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p441_lanes;
+  const Lanes<2> Lambda_0_11_p445_lanes = Lambda_0_11_p423_lanes - Lambda_0_11_p443_lanes;
+  const Lanes<2> Lambda_0_11_p447_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p445_lanes;
+  const Lanes<2> Lambda_0_11_p449_lanes = Lambda_0_11_p429_lanes + Lambda_0_11_p447_lanes;
+  const Lanes<2> Lambda_0_11_p451_lanes = 0.07952399999999998 * Lambda_0_11_p449_lanes;
+  const Lanes<2> Lambda_0_11_p453_lanes = 0.0008177492704690715 + Lambda_0_11_p451_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p455_lanes = Lambda_0_11_p453_lanes - Lambda_0_11_p403_lanes;
+  const Lanes<2> Lambda_0_11_p457_lanes = Lambda_0_11_p311_lanes - Lambda_0_11_p455_lanes;
+  const Lanes<2> Lambda_0_11_p459_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p457_lanes;
+  const Lanes<2> Lambda_0_11_p461_lanes = Lambda_0_11_p257_lanes * Lambda_0_11_p401_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p463_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p391_lanes;
+  const Lanes<2> Lambda_0_11_p465_lanes = Lambda_0_11_p383_lanes + Lambda_0_11_p463_lanes;
+  const Lanes<2> Lambda_0_11_p467_lanes = Lambda_0_11_p315_lanes * Lambda_0_11_p191_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p469_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p289_lanes;
+  const Lanes<2> Lambda_0_11_p471_lanes = Lambda_0_11_p469_lanes - Lambda_0_11_p285_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p473_lanes = Lambda_0_11_p471_lanes - Lambda_0_11_p467_lanes;
+  const Lanes<2> Lambda_0_11_p475_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p473_lanes;
+  const Lanes<2> Lambda_0_11_p477_lanes = Lambda_0_11_p361_lanes * Lambda_0_11_p191_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_0_11_p479_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p409_lanes;
+  const Lanes<2> Lambda_0_11_p481_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p415_lanes;
+  const Lanes<2> Lambda_0_11_p483_lanes = Lambda_0_11_p479_lanes + Lambda_0_11_p481_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p485_lanes = Lambda_0_11_p483_lanes + Lambda_0_11_p477_lanes;
+  const Lanes<2> Lambda_0_11_p487_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p485_lanes;
+  const Lanes<2> Lambda_0_11_p489_lanes = Lambda_0_11_p475_lanes + Lambda_0_11_p487_lanes;
+  const Lanes<2> Lambda_0_11_p491_lanes = 0.282 * Lambda_0_11_p489_lanes;
+  const Lanes<2> Lambda_0_11_p493_lanes = Lambda_0_11_p465_lanes + Lambda_0_11_p491_lanes;
+  const Lanes<2> Lambda_0_11_p495_lanes = 0.282 * Lambda_0_11_p493_lanes;
+  const Lanes<2> Lambda_0_11_p497_lanes = detail::make_lanes<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - Lambda_0_11_p495_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p499_lanes = Lambda_0_11_p497_lanes - Lambda_0_11_p461_lanes;
+  const Lanes<2> Lambda_0_11_p501_lanes = 2.0 * detail::make_lanes<Real>(s9, s16);
+  const Lanes<2> Lambda_0_11_p503_lanes = Lambda_0_11_p501_lanes * Lambda_0_11_p499_lanes;
+  const Lanes<2> Lambda_0_11_p505_lanes = Lambda_0_11_p459_lanes - Lambda_0_11_p503_lanes;
+  const Lanes<2> Lambda_0_11_p507_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p505_lanes;
+  const Lanes<2> Lambda_0_11_p509_lanes = Lambda_0_11_p507_lanes + Lambda_0_11_p499_lanes;
+  const Lanes<2> Lambda_0_11_p511_lanes = detail::make_lanes<Real>((-1.75e-05), 1.75e-05) +
+      Lambda_0_11_p509_lanes;
+  const Lanes<2> inverse_D8_p1_lanes = detail::make_lanes<Real>(c9, c16) * Lambda_0_11_p505_lanes;
+  const Lanes<2> inverse_D8_p2_lanes = Lambda_0_11_p455_lanes + inverse_D8_p1_lanes;
+  const Lanes<2> inverse_D8_p3_lanes = 0.18125194219699997 + inverse_D8_p2_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p167 = Lambda_0_11_p137 * Lambda_0_11_p141 -
-      (s9 * Lambda_0_11_p165 + c9 * Lambda_0_11_p166);
-  const Real Lambda_0_11_p168 = s8 * (Lambda_0_11_p164 - Lambda_0_11_p163) + inverse_D7_p5 *
-      Lambda_0_11_p167;
-  const Real Lambda_0_11_p169 = s8 * Lambda_0_11_p168;
+  const Lanes<2> inverse_D8_lanes = 1.0 / inverse_D8_p3_lanes;
 
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p170 = Lambda_0_11_p164 - Lambda_0_11_p169 - Lambda_0_11_p147 *
-      Lambda_0_11_p148;
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p513_lanes = Lambda_0_11_p385_lanes + Lambda_0_11_p463_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p515_lanes = Lambda_0_11_p513_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_0_11_p517_lanes = Lambda_0_11_p257_lanes * Lambda_0_11_p515_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p519_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p485_lanes;
+  const Lanes<2> Lambda_0_11_p521_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p473_lanes;
+  const Lanes<2> Lambda_0_11_p523_lanes = Lambda_0_11_p519_lanes - Lambda_0_11_p521_lanes;
+  const Lanes<2> Lambda_0_11_p525_lanes = 0.282 * Lambda_0_11_p523_lanes;
+  const Lanes<2> Lambda_0_11_p527_lanes = Lambda_0_11_p319_lanes - Lambda_0_11_p393_lanes;
+  const Lanes<2> Lambda_0_11_p529_lanes = Lambda_0_11_p525_lanes - Lambda_0_11_p527_lanes;
+  const Lanes<2> Lambda_0_11_p531_lanes = detail::make_lanes<Real>(0.004500002325,
+      (-0.004500002325)) + Lambda_0_11_p529_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p533_lanes = Lambda_0_11_p531_lanes + Lambda_0_11_p517_lanes;
+  const Lanes<2> Lambda_0_11_p535_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p533_lanes;
+  const Lanes<2> Lambda_0_11_p537_lanes = Lambda_0_11_p399_lanes * Lambda_0_11_p515_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p539_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p445_lanes;
+  const Lanes<2> Lambda_0_11_p541_lanes = Lambda_0_11_p421_lanes - Lambda_0_11_p539_lanes;
+  const Lanes<2> Lambda_0_11_p543_lanes = 0.282 * Lambda_0_11_p541_lanes;
+  const Lanes<2> Lambda_0_11_p545_lanes = 0.0022500062 + Lambda_0_11_p543_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p547_lanes = Lambda_0_11_p545_lanes + Lambda_0_11_p537_lanes;
+  const Lanes<2> Lambda_0_11_p549_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p547_lanes;
+  const Lanes<2> Lambda_0_11_p551_lanes = Lambda_0_11_p535_lanes - Lambda_0_11_p549_lanes;
+  const Lanes<2> Lambda_0_11_p553_lanes = detail::make_lanes<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + Lambda_0_11_p551_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p171 = Lambda_0_11_p137 * Lambda_0_11_p123 -
-      (c9 * Lambda_0_11_p165 - s9 * Lambda_0_11_p166);
-  const Real Lambda_0_11_p172 = Lambda_0_11_p159 - s9 * Lambda_0_11_p160 + Lambda_0_11_p140 *
-      Lambda_0_11_p123;
+  const Lanes<2> Lambda_0_11_p555_lanes = Lambda_0_11_p553_lanes * inverse_D8_lanes;
+  const Lanes<2> Lambda_0_11_p557_lanes = Lambda_0_11_p511_lanes * Lambda_0_11_p555_lanes;
 
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p173 = c8 * Lambda_0_11_p171 + s8 * Lambda_0_11_p172 - Lambda_0_11_p128 *
-      Lambda_0_11_p148;
-  const Real Lambda_0_11_p174 = 2.0 * s7;
-  const Real Lambda_0_11_p175 = c7 * (Lambda_0_11_p162 - Lambda_0_11_p170) - Lambda_0_11_p174 *
-      Lambda_0_11_p173;
-  const Real Lambda_0_11_p176 = c7 * Lambda_0_11_p175;
-  const Real Lambda_0_11_p177 = Lambda_0_11_p162 - Lambda_0_11_p176;
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p559_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p533_lanes;
+  const Lanes<2> Lambda_0_11_p561_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p547_lanes;
+  const Lanes<2> Lambda_0_11_p563_lanes = Lambda_0_11_p559_lanes + Lambda_0_11_p561_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p178 = Lambda_0_11_p143 + Lambda_0_11_p150;
+  const Lanes<2> Lambda_0_11_p565_lanes = Lambda_0_11_p557_lanes - Lambda_0_11_p563_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p567_lanes = detail::make_lanes<Real>(0.004500002325,
+      (-0.004500002325)) + Lambda_0_11_p395_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p569_lanes = Lambda_0_11_p567_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_0_11_p571_lanes = Lambda_0_11_p257_lanes * Lambda_0_11_p569_lanes;
+  const Lanes<2> Lambda_0_11_p573_lanes = Lambda_0_11_p493_lanes + Lambda_0_11_p571_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p575_lanes = Lambda_0_11_p217_lanes - 0.0022500062;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p577_lanes = Lambda_0_11_p575_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_0_11_p579_lanes = Lambda_0_11_p399_lanes * Lambda_0_11_p577_lanes;
+  const Lanes<2> Lambda_0_11_p581_lanes = Lambda_0_11_p491_lanes + Lambda_0_11_p579_lanes;
+  const Lanes<2> Lambda_0_11_p583_lanes = Lambda_0_11_p573_lanes + Lambda_0_11_p581_lanes;
+  const Lanes<2> Lambda_0_11_p585_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p583_lanes;
+  const Lanes<2> Lambda_0_11_p587_lanes = Lambda_0_11_p257_lanes * Lambda_0_11_p577_lanes;
+  const Lanes<2> Lambda_0_11_p589_lanes = Lambda_0_11_p299_lanes - Lambda_0_11_p587_lanes;
+  const Lanes<2> Lambda_0_11_p591_lanes = Lambda_0_11_p399_lanes * Lambda_0_11_p569_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p593_lanes = 0.282 * Lambda_0_11_p449_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p595_lanes = Lambda_0_11_p591_lanes - Lambda_0_11_p593_lanes;
+  const Lanes<2> Lambda_0_11_p597_lanes = Lambda_0_11_p595_lanes + Lambda_0_11_p589_lanes;
+  const Lanes<2> Lambda_0_11_p599_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p597_lanes;
+  const Lanes<2> Lambda_0_11_p601_lanes = Lambda_0_11_p585_lanes - Lambda_0_11_p599_lanes;
+  const Lanes<2> Lambda_0_11_p603_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p601_lanes;
+  const Lanes<2> Lambda_0_11_p605_lanes = Lambda_0_11_p603_lanes + Lambda_0_11_p589_lanes;
+  const Lanes<2> Lambda_0_11_p607_lanes = 0.7139200499999999 + Lambda_0_11_p605_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p609_lanes = Lambda_0_11_p607_lanes * inverse_D8_lanes;
+  const Lanes<2> Lambda_0_11_p611_lanes = 0.00010499999999999999 * Lambda_0_11_p609_lanes;
+  const Lanes<2> Lambda_0_11_p613_lanes = Lambda_0_11_p565_lanes + Lambda_0_11_p611_lanes;
+  const Lanes<2> Lambda_0_11_p615_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p613_lanes;
+  const Lanes<2> Lambda_0_11_p617_lanes = Lambda_0_11_p511_lanes * Lambda_0_11_p609_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p619_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p601_lanes;
+  const Lanes<2> Lambda_0_11_p621_lanes = Lambda_0_11_p573_lanes - Lambda_0_11_p619_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p623_lanes = Lambda_0_11_p621_lanes - Lambda_0_11_p617_lanes;
+  const Lanes<2> Lambda_0_11_p625_lanes = 0.00010499999999999999 * Lambda_0_11_p555_lanes;
+  const Lanes<2> Lambda_0_11_p627_lanes = Lambda_0_11_p625_lanes + Lambda_0_11_p623_lanes;
+  const Lanes<2> Lambda_0_11_p629_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p627_lanes;
+  const Lanes<2> Lambda_0_11_p631_lanes = Lambda_0_11_p615_lanes - Lambda_0_11_p629_lanes;
+  const Lanes<2> Lambda_0_11_p633_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p631_lanes;
+  const Lanes<2> Lambda_0_11_p635_lanes = Lambda_0_11_p633_lanes - Lambda_0_11_p611_lanes;
+  const Lanes<2> Lambda_0_11_p637_lanes = 0.0017499999999999998 + Lambda_0_11_p635_lanes;
+  const Lanes<2> inverse_D7_p1_lanes = Lambda_0_11_p511_lanes * inverse_D8_lanes;
+  const Lanes<2> inverse_D7_p2_lanes = Lambda_0_11_p511_lanes * inverse_D7_p1_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> inverse_D7_p3_lanes = Lambda_0_11_p311_lanes - inverse_D8_p1_lanes;
+  const Lanes<2> inverse_D7_p4_lanes = 0.18113119219699997 + inverse_D7_p3_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> inverse_D7_p5_lanes = inverse_D7_p4_lanes - inverse_D7_p2_lanes;
+  const Lanes<2> inverse_D7_p6_lanes = 1.1024999999999998e-08 / inverse_D8_p3_lanes;
+  const Lanes<2> inverse_D7_p7_lanes = 0.00012075 - inverse_D7_p6_lanes;
+  const Lanes<2> inverse_D7_p8_lanes = inverse_D7_p7_lanes - inverse_D7_p5_lanes;
+  const Lanes<2> inverse_D7_p9_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p8_lanes;
+  const Lanes<2> inverse_D7_p10_lanes = 0.00010499999999999999 * inverse_D7_p1_lanes;
+  const Lanes<2> inverse_D7_p11_lanes = detail::make_lanes<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + inverse_D7_p10_lanes;
+  const Lanes<2> inverse_D7_p12_lanes = 2.0 * detail::make_lanes<Real>(c8, c15);
+  const Lanes<2> inverse_D7_p13_lanes = inverse_D7_p12_lanes * inverse_D7_p11_lanes;
+  const Lanes<2> inverse_D7_p14_lanes = inverse_D7_p9_lanes + inverse_D7_p13_lanes;
+  const Lanes<2> inverse_D7_p15_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p14_lanes;
+  const Lanes<2> inverse_D7_p16_lanes = inverse_D7_p5_lanes + inverse_D7_p15_lanes;
+  const Lanes<2> inverse_D7_p17_lanes = 0.000448 + inverse_D7_p16_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p179 = Lambda_0_11_p178 * inverse_D7;
-  const Real Lambda_0_11_p180 = s8 * Lambda_0_11_p171 - c8 * Lambda_0_11_p172 - Lambda_0_11_p128 *
-      Lambda_0_11_p179;
-  const Real Lambda_0_11_p181 = c8 * Lambda_0_11_p168 - Lambda_0_11_p167 - Lambda_0_11_p147 *
-      Lambda_0_11_p179;
-  const Real Lambda_0_11_p182 = s7 * Lambda_0_11_p180 + c7 * Lambda_0_11_p181;
-  const Real Lambda_0_11_p183 = Lambda_0_11_p156 - (0.18 * Lambda_0_11_p177 + 0.226 *
-      Lambda_0_11_p182);
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_0_11_p184 = 0.0007660844555829042 * s20 + 0.0002628975791811551 * c20;
-  const Real Lambda_0_11_p185 = 0.00013384878959057754 - c20 * Lambda_0_11_p184;
-  const Real inverse_D19_p1 = s20 * Lambda_0_11_p184;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real inverse_D19 = 1.0 / (0.0010519177038056625 - inverse_D19_p1);
-  const Real Lambda_0_11_p186 = Lambda_0_11_p185 * inverse_D19;
-  const Real Lambda_0_11_p187 = 0.0002742332482227584 + inverse_D19_p1 - Lambda_0_11_p185 *
-      Lambda_0_11_p186;
-  const Real Lambda_0_11_p188 = s19 * (1.16e-05 - Lambda_0_11_p187);
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_0_11_p189 = 0.001742099791326752 * c20 - 0.001090468517736955 * s20;
-  const Real Lambda_0_11_p190 = s20 * Lambda_0_11_p189;
-  const Real Lambda_0_11_p191 = 0.000760024621759417 + Lambda_0_11_p190;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p192 = Lambda_0_11_p191 * inverse_D19;
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_0_11_p193 = c20 * Lambda_0_11_p189;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p194 = Lambda_0_11_p193 - 0.002376125662528793 - Lambda_0_11_p185 *
-      Lambda_0_11_p192;
-  const Real Lambda_0_11_p195 = 0.0006000000000000001 * s19 + c19 * Lambda_0_11_p194;
-  const Real Lambda_0_11_p196 = 0.000144 - (c19 * Lambda_0_11_p188 + 0.269 * Lambda_0_11_p195);
-  const Real inverse_D18_p1 = s19 * Lambda_0_11_p188;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real inverse_D18 = 1.0 / (0.00022920000000000001 + (Lambda_0_11_p187 + inverse_D18_p1));
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p197 = 6e-04 - Lambda_0_11_p195;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p198 = Lambda_0_11_p197 * inverse_D18;
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_0_11_p199 = 0.27310176737964387 * s20 + 0.09929187165525127 * c20;
-  const Real Lambda_0_11_p200 = s20 * Lambda_0_11_p199;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p201 = Lambda_0_11_p200 - 0.2818466605750157 - Lambda_0_11_p191 *
-      Lambda_0_11_p192;
-  const Real Lambda_0_11_p202 = s19 * Lambda_0_11_p194 - 0.0006000000000000001 * c19;
-  const Real Lambda_0_11_p203 = 0.269 * Lambda_0_11_p201 - Lambda_0_11_p202;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p204 = Lambda_0_11_p203 - Lambda_0_11_p196 * Lambda_0_11_p198;
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_0_11_p205 = 0.0006340258712020409 + Lambda_0_11_p193;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p206 = Lambda_0_11_p205 * inverse_D19;
-  const Real Lambda_0_11_p207 = 0.00033044389597753786 + Lambda_0_11_p190 + Lambda_0_11_p185 *
-      Lambda_0_11_p206;
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_0_11_p208 = 0.002865001425 * s20 - 0.01626499875 * c20 - 0.0006000000000000001;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p209 = Lambda_0_11_p208 * inverse_D19;
-  const Real Lambda_0_11_p210 = 0.002865001425 * c20 + 0.01626499875 * s20 - Lambda_0_11_p185 *
-      Lambda_0_11_p209;
-  const Real Lambda_0_11_p211 = s19 * Lambda_0_11_p207 + c19 * Lambda_0_11_p210;
-  const Real Lambda_0_11_p212 = c19 * Lambda_0_11_p211;
-  const Real Lambda_0_11_p213 = 0.001 - Lambda_0_11_p212;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p214 = Lambda_0_11_p213 * inverse_D18;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p215 = 0.269 * Lambda_0_11_p212 - 0.0002516;
-  const Real Lambda_0_11_p216 = 0.008744893195371809 + Lambda_0_11_p200 + Lambda_0_11_p205 *
-      Lambda_0_11_p206;
-  const Real Lambda_0_11_p217 = Lambda_0_11_p208 * Lambda_0_11_p209;
-  const Real Lambda_0_11_p218 = Lambda_0_11_p208 * Lambda_0_11_p206;
-  const Real Lambda_0_11_p219 = c19 * (2.0 * Lambda_0_11_p218) - s19 *
-      (Lambda_0_11_p216 - Lambda_0_11_p217);
-  const Real Lambda_0_11_p220 = s19 * Lambda_0_11_p219;
-  const Real Lambda_0_11_p221 = Lambda_0_11_p220 - Lambda_0_11_p217;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p222 = 0.269 * Lambda_0_11_p221 + Lambda_0_11_p215 * Lambda_0_11_p214;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p223 = s19 * Lambda_0_11_p211;
-  const Real Lambda_0_11_p224 = Lambda_0_11_p208 * Lambda_0_11_p192;
-  const Real Lambda_0_11_p225 = c20 * Lambda_0_11_p199 - 0.04964593582762564 - Lambda_0_11_p205 *
-      Lambda_0_11_p192;
-  const Real Lambda_0_11_p226 = c19 * Lambda_0_11_p224 + s19 * Lambda_0_11_p225;
-  const Real Lambda_0_11_p227 = 0.269 * Lambda_0_11_p226;
-  const Real Lambda_0_11_p228 = Lambda_0_11_p223 + Lambda_0_11_p227;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p229 = Lambda_0_11_p228 + Lambda_0_11_p196 * Lambda_0_11_p214;
-  const Real Lambda_0_11_p230 = Lambda_0_11_p227 - Lambda_0_11_p215 * Lambda_0_11_p198;
-  const Real Lambda_0_11_p231 = c18 * (Lambda_0_11_p204 - Lambda_0_11_p222) - s18 *
-      (Lambda_0_11_p229 + Lambda_0_11_p230);
-  const Real Lambda_0_11_p232 = s18 * Lambda_0_11_p231;
-  const Real Lambda_0_11_p233 = Lambda_0_11_p230 + Lambda_0_11_p232;
-  const Real inverse_D17_p1 = Lambda_0_11_p196 * inverse_D18;
-  const Real inverse_D17_p2 = 0.000131 - inverse_D18_p1 + 0.269 *
-      (Lambda_0_11_p203 - Lambda_0_11_p202) - Lambda_0_11_p196 * inverse_D17_p1;
-  const Real inverse_D17_p3 = Lambda_0_11_p215 * inverse_D18;
-  const Real inverse_D17_p4 = 0.0001098 + 0.07236100000000001 * Lambda_0_11_p221 -
-      Lambda_0_11_p215 * inverse_D17_p3;
-  const Real inverse_D17_p5 = 6e-06 + 0.269 * Lambda_0_11_p228 - Lambda_0_11_p196 * inverse_D17_p3;
-  const Real inverse_D17_p6 = 2.0 * c18;
-  const Real inverse_D17_p7 = s18 * (inverse_D17_p2 - inverse_D17_p4) + inverse_D17_p6 *
-      inverse_D17_p5;
-  const Real inverse_D17_p8 = s18 * inverse_D17_p7;
-  const Real inverse_D17_p9 = 0.060888541114265754 + (inverse_D17_p4 + inverse_D17_p8);
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real inverse_D17 = 1.0 / inverse_D17_p9;
-  const Real Lambda_0_11_p234 = Lambda_0_11_p233 * inverse_D17;
-  const Real Lambda_0_11_p235 = 0.0014999985000000002 + 0.0001499998887063 * Lambda_0_11_p234;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p236 = 2.249994685315e-05 + (c18 * inverse_D17_p7 - inverse_D17_p5);
-  const Real Lambda_0_11_p237 = c18 * Lambda_0_11_p231;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p238 = 0.28049749700000004 + (Lambda_0_11_p237 + Lambda_0_11_p222) -
-      Lambda_0_11_p236 * Lambda_0_11_p234;
-  const Real Lambda_0_11_p239 = c17 * Lambda_0_11_p235 - s17 * Lambda_0_11_p238;
-  const Real Lambda_0_11_p240 = 0.0001499998887063 / inverse_D17_p9;
-  const Real Lambda_0_11_p241 = 0.0001499998887063 + Lambda_0_11_p236 * Lambda_0_11_p240;
-  const Real Lambda_0_11_p242 = 2.0 * c17;
-  const Real Lambda_0_11_p243 = Lambda_0_11_p236 * inverse_D17;
-  const Real Lambda_0_11_p244 = 0.06060754126741261 + (inverse_D17_p2 - inverse_D17_p8) -
-      Lambda_0_11_p236 * Lambda_0_11_p243;
-  const Real Lambda_0_11_p245 = 0.00028099984685315 - 2.249996661190239e-08 / inverse_D17_p9;
-  const Real Lambda_0_11_p246 = Lambda_0_11_p242 * Lambda_0_11_p241 - s17 *
-      (Lambda_0_11_p244 - Lambda_0_11_p245);
-  const Real Lambda_0_11_p247 = 0.282 * Lambda_0_11_p239 -
-      (Lambda_0_11_p241 - c17 * Lambda_0_11_p246) - 0.0005895000784280001;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p248 = Lambda_0_11_p237 - Lambda_0_11_p204 - 0.28049749700000004;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p249 = Lambda_0_11_p248 * inverse_D17;
-  const Real Lambda_0_11_p250 = 0.0001499998887063 * Lambda_0_11_p249;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p251 = s19 * Lambda_0_11_p224 - c19 * Lambda_0_11_p225;
-  const Real Lambda_0_11_p252 = Lambda_0_11_p223 - Lambda_0_11_p207;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p253 = Lambda_0_11_p252 * inverse_D18;
-  const Real Lambda_0_11_p254 = 0.269 * Lambda_0_11_p251 - (Lambda_0_11_p212 - Lambda_0_11_p210) -
-      0.001 - Lambda_0_11_p196 * Lambda_0_11_p253;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_0_11_p255 = Lambda_0_11_p218 - c19 * Lambda_0_11_p219;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p256 = 0.269 * Lambda_0_11_p255 - 6e-04 - Lambda_0_11_p215 *
-      Lambda_0_11_p253;
-  const Real Lambda_0_11_p257 = 0.0014999985000000002 -
-      (s18 * Lambda_0_11_p254 + c18 * Lambda_0_11_p256);
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p258 = Lambda_0_11_p257 * inverse_D17;
-  const Real Lambda_0_11_p259 = c18 * Lambda_0_11_p254 - s18 * Lambda_0_11_p256 + Lambda_0_11_p236 *
-      Lambda_0_11_p258;
-  const Real Lambda_0_11_p260 = Lambda_0_11_p229 + Lambda_0_11_p232 + Lambda_0_11_p236 *
-      Lambda_0_11_p249;
-  const Real Lambda_0_11_p261 = 0.0001499998887063 * Lambda_0_11_p258;
-  const Real Lambda_0_11_p262 = c17 * (Lambda_0_11_p250 + Lambda_0_11_p259) - s17 *
-      (Lambda_0_11_p261 - Lambda_0_11_p260);
-  const Real Lambda_0_11_p263 = c17 * Lambda_0_11_p262;
-  const Real Lambda_0_11_p264 = Lambda_0_11_p259 - Lambda_0_11_p263;
-  const Real Lambda_0_11_p265 = 0.004500002325 - Lambda_0_11_p264;
-  const Real inverse_D16_p1 = s17 * Lambda_0_11_p246;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real inverse_D16 = 1.0 / (0.0027762933559338653 + (Lambda_0_11_p245 - inverse_D16_p1));
-  const Real Lambda_0_11_p266 = Lambda_0_11_p265 * inverse_D16;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p267 = s17 * Lambda_0_11_p262;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p268 = Lambda_0_11_p221 - Lambda_0_11_p213 * Lambda_0_11_p214;
-  const Real Lambda_0_11_p269 = Lambda_0_11_p201 - Lambda_0_11_p197 * Lambda_0_11_p198;
-  const Real Lambda_0_11_p270 = Lambda_0_11_p226 + Lambda_0_11_p213 * Lambda_0_11_p198;
-  const Real Lambda_0_11_p271 = s18 * (Lambda_0_11_p268 - Lambda_0_11_p269) - inverse_D17_p6 *
-      Lambda_0_11_p270;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p272 = c18 * Lambda_0_11_p271 + Lambda_0_11_p270 - Lambda_0_11_p248 *
-      Lambda_0_11_p234;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p273 = Lambda_0_11_p251 - Lambda_0_11_p197 * Lambda_0_11_p253;
-  const Real Lambda_0_11_p274 = Lambda_0_11_p255 + Lambda_0_11_p213 * Lambda_0_11_p253;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p275 = c18 * Lambda_0_11_p273 - s18 * Lambda_0_11_p274 + Lambda_0_11_p257 *
-      Lambda_0_11_p234;
-  const Real Lambda_0_11_p276 = c17 * Lambda_0_11_p272 + s17 * Lambda_0_11_p275;
-  const Real Lambda_0_11_p277 = 0.282 * Lambda_0_11_p276;
-  const Real Lambda_0_11_p278 = Lambda_0_11_p267 - Lambda_0_11_p260 + Lambda_0_11_p277;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p279 = Lambda_0_11_p278 - Lambda_0_11_p247 * Lambda_0_11_p266;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p280 = Lambda_0_11_p239 - 0.0022500062;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p281 = Lambda_0_11_p280 * inverse_D16;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p282 = 0.282 * Lambda_0_11_p264 - 0.0012089992423205001;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p283 = Lambda_0_11_p277 + Lambda_0_11_p282 * Lambda_0_11_p281;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p284 = c17 * Lambda_0_11_p238 + s17 * Lambda_0_11_p235;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_0_11_p285 = s18 * Lambda_0_11_p271;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p286 = Lambda_0_11_p269 + Lambda_0_11_p285 - Lambda_0_11_p233 *
-      Lambda_0_11_p234;
-  const Real Lambda_0_11_p287 = Lambda_0_11_p284 + 0.282 * Lambda_0_11_p286;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p288 = Lambda_0_11_p287 - Lambda_0_11_p247 * Lambda_0_11_p281;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p289 = Lambda_0_11_p268 - Lambda_0_11_p285 - Lambda_0_11_p248 *
-      Lambda_0_11_p249;
-  const Real Lambda_0_11_p290 = Lambda_0_11_p216 + Lambda_0_11_p220 + Lambda_0_11_p252 *
-      Lambda_0_11_p253 + Lambda_0_11_p257 * Lambda_0_11_p258;
-  const Real Lambda_0_11_p291 = c18 * Lambda_0_11_p274 + s18 * Lambda_0_11_p273 - Lambda_0_11_p248 *
-      Lambda_0_11_p258;
-  const Real Lambda_0_11_p292 = s17 * (Lambda_0_11_p289 + Lambda_0_11_p290) + Lambda_0_11_p242 *
-      Lambda_0_11_p291;
-  const Real Lambda_0_11_p293 = s17 * Lambda_0_11_p292;
-  const Real Lambda_0_11_p294 = Lambda_0_11_p289 - Lambda_0_11_p293;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p295 = 0.282 * Lambda_0_11_p294 + Lambda_0_11_p282 * Lambda_0_11_p266;
-  const Real Lambda_0_11_p296 = c16 * (Lambda_0_11_p279 + Lambda_0_11_p283) - s16 *
-      (Lambda_0_11_p288 - Lambda_0_11_p295);
-  const Real Lambda_0_11_p297 = c16 * Lambda_0_11_p296;
-  const Real Lambda_0_11_p298 = Lambda_0_11_p297 - Lambda_0_11_p283;
-  const Real inverse_D15_p1 = Lambda_0_11_p247 * inverse_D16;
-  const Real inverse_D15_p2 = 0.0019585440854647937 +
-      (Lambda_0_11_p244 + inverse_D16_p1 + 0.282 * (Lambda_0_11_p284 + Lambda_0_11_p287)) -
-      Lambda_0_11_p247 * inverse_D15_p1;
-  const Real inverse_D15_p3 = Lambda_0_11_p282 * inverse_D16;
-  const Real inverse_D15_p4 = 0.0008177492704690715 + 0.07952399999999998 * Lambda_0_11_p294 -
-      Lambda_0_11_p282 * inverse_D15_p3;
-  const Real inverse_D15_p5 = 4.4999986458742003e-05 + 0.282 * Lambda_0_11_p278 + Lambda_0_11_p247 *
-      inverse_D15_p3;
-  const Real inverse_D15_p6 = 2.0 * s16;
-  const Real inverse_D15_p7 = c16 * (inverse_D15_p2 - inverse_D15_p4) + inverse_D15_p6 *
-      inverse_D15_p5;
-  const Real inverse_D15_p8 = c16 * inverse_D15_p7;
-  const Real inverse_D15_p9 = 0.18125194219699997 + (inverse_D15_p4 + inverse_D15_p8);
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real inverse_D15 = 1.0 / inverse_D15_p9;
-  const Real Lambda_0_11_p299 = Lambda_0_11_p298 * inverse_D15;
-  const Real Lambda_0_11_p300 = 0.00010499999999999999 * Lambda_0_11_p299 - 0.0017499999999999998;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p301 = 1.75e-05 - (inverse_D15_p5 - s16 * inverse_D15_p7);
-  const Real Lambda_0_11_p302 = s16 * Lambda_0_11_p296;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p303 = 0.7139200499999999 + (Lambda_0_11_p295 - Lambda_0_11_p302) +
-      Lambda_0_11_p301 * Lambda_0_11_p299;
-  const Real Lambda_0_11_p304 = 0.0017499999999999998 +
-      (s15 * Lambda_0_11_p300 - c15 * Lambda_0_11_p303);
-  const Real inverse_D14_p1 = Lambda_0_11_p301 * inverse_D15;
-  const Real inverse_D14_p2 = 0.18113119219699997 + (inverse_D15_p2 - inverse_D15_p8) -
-      Lambda_0_11_p301 * inverse_D14_p1;
-  const Real inverse_D14_p3 = 0.00012075 - 1.1024999999999998e-08 / inverse_D15_p9;
-  const Real inverse_D14_p4 = 5.2499999999999995e-05 + 0.00010499999999999999 * inverse_D14_p1;
-  const Real inverse_D14_p5 = 2.0 * c15;
-  const Real inverse_D14_p6 = s15 * (inverse_D14_p3 - inverse_D14_p2) + inverse_D14_p5 *
-      inverse_D14_p4;
-  const Real inverse_D14_p7 = s15 * inverse_D14_p6;
-  const Real inverse_D14_p8 = 0.000448 + (inverse_D14_p2 + inverse_D14_p7);
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real inverse_D14 = 1.0 / inverse_D14_p8;
-  const Real Lambda_0_11_p305 = Lambda_0_11_p304 * inverse_D14;
-  const Real Lambda_0_11_p306 = 2.6249999999999998e-05 * Lambda_0_11_p305;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p307 = 0.7139200499999999 + (Lambda_0_11_p302 + Lambda_0_11_p288);
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p308 = Lambda_0_11_p307 * inverse_D15;
-  const Real Lambda_0_11_p309 = 0.00010499999999999999 * Lambda_0_11_p308;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p310 = Lambda_0_11_p261 + Lambda_0_11_p267;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p311 = Lambda_0_11_p310 * inverse_D16;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p312 = c17 * Lambda_0_11_p275 - s17 * Lambda_0_11_p272;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p313 = 0.282 * Lambda_0_11_p312 - (Lambda_0_11_p250 - Lambda_0_11_p263) -
-      0.004500002325 + Lambda_0_11_p247 * Lambda_0_11_p311;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_0_11_p314 = c17 * Lambda_0_11_p292 - Lambda_0_11_p291;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p315 = 0.0022500062 + 0.282 * Lambda_0_11_p314 + Lambda_0_11_p282 *
-      Lambda_0_11_p311;
-  const Real Lambda_0_11_p316 = 0.0017499999999999998 -
-      (c16 * Lambda_0_11_p313 - s16 * Lambda_0_11_p315);
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p317 = Lambda_0_11_p316 * inverse_D15;
-  const Real Lambda_0_11_p318 = s16 * Lambda_0_11_p313 + c16 * Lambda_0_11_p315 + Lambda_0_11_p301 *
-      Lambda_0_11_p317;
-  const Real Lambda_0_11_p319 = Lambda_0_11_p279 - Lambda_0_11_p297 - Lambda_0_11_p301 *
-      Lambda_0_11_p308;
-  const Real Lambda_0_11_p320 = 0.00010499999999999999 * Lambda_0_11_p317;
-  const Real Lambda_0_11_p321 = s15 * (Lambda_0_11_p320 - Lambda_0_11_p319) + c15 *
-      (Lambda_0_11_p309 - Lambda_0_11_p318);
-  const Real Lambda_0_11_p322 = c15 * Lambda_0_11_p321;
-  const Real Lambda_0_11_p323 = 0.0017499999999999998 + (Lambda_0_11_p322 - Lambda_0_11_p309);
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_0_11_p324 = Lambda_0_11_p323 * inverse_D14;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p325 = 2.6249999999999998e-05 + (c15 * inverse_D14_p6 - inverse_D14_p4);
-  const Real Lambda_0_11_p326 = s15 * Lambda_0_11_p321;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_0_11_p327 = Lambda_0_11_p320 - Lambda_0_11_p326 - Lambda_0_11_p325 *
-      Lambda_0_11_p324;
-  const Real Lambda_0_11_p328 = c15 * Lambda_0_11_p300 + s15 * Lambda_0_11_p303 - Lambda_0_11_p325 *
-      Lambda_0_11_p305;
-  const Real Lambda_0_11_p329 = 2.6249999999999998e-05 * Lambda_0_11_p324;
-  const Real Lambda_0_11_p330 = c14 * (Lambda_0_11_p306 + Lambda_0_11_p327) + s14 *
-      (Lambda_0_11_p328 - Lambda_0_11_p329);
-  const Real Lambda_0_11_p331 = s14 * Lambda_0_11_p330;
-  const Real Lambda_0_11_p332 = Lambda_0_11_p331 + Lambda_0_11_p329;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p333 = Lambda_0_11_p319 + Lambda_0_11_p326;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_0_11_p334 = Lambda_0_11_p333 * inverse_D14;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p335 = Lambda_0_11_p294 - Lambda_0_11_p265 * Lambda_0_11_p266;
-  const Real Lambda_0_11_p336 = Lambda_0_11_p286 - Lambda_0_11_p280 * Lambda_0_11_p281;
-  const Real Lambda_0_11_p337 = Lambda_0_11_p276 - Lambda_0_11_p265 * Lambda_0_11_p281;
-  const Real Lambda_0_11_p338 = c16 * (Lambda_0_11_p335 - Lambda_0_11_p336) - inverse_D15_p6 *
-      Lambda_0_11_p337;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p339 = s16 * Lambda_0_11_p338 + Lambda_0_11_p337 - Lambda_0_11_p307 *
-      Lambda_0_11_p299;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p340 = Lambda_0_11_p265 * Lambda_0_11_p311 - Lambda_0_11_p314;
-  const Real Lambda_0_11_p341 = Lambda_0_11_p312 + Lambda_0_11_p280 * Lambda_0_11_p311;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p342 = c16 * Lambda_0_11_p340 - s16 * Lambda_0_11_p341 + Lambda_0_11_p316 *
-      Lambda_0_11_p299;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_0_11_p343 = c15 * Lambda_0_11_p339 - s15 * Lambda_0_11_p342 - Lambda_0_11_p304 *
-      Lambda_0_11_p334;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_0_11_p344 = c16 * Lambda_0_11_p338;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p345 = Lambda_0_11_p335 - Lambda_0_11_p344 - Lambda_0_11_p307 *
-      Lambda_0_11_p308;
-  const Real Lambda_0_11_p346 = Lambda_0_11_p293 - Lambda_0_11_p290 - Lambda_0_11_p310 *
-      Lambda_0_11_p311 - Lambda_0_11_p316 * Lambda_0_11_p317;
-  const Real Lambda_0_11_p347 = s16 * Lambda_0_11_p340 + c16 * Lambda_0_11_p341 + Lambda_0_11_p316 *
-      Lambda_0_11_p308;
-  const Real Lambda_0_11_p348 = s15 * (Lambda_0_11_p346 - Lambda_0_11_p345) - inverse_D14_p5 *
-      Lambda_0_11_p347;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_0_11_p349 = c15 * Lambda_0_11_p348 + Lambda_0_11_p347 - Lambda_0_11_p323 *
-      Lambda_0_11_p334;
-  const Real Lambda_0_11_p350 = s14 * Lambda_0_11_p343 + c14 * Lambda_0_11_p349;
-  const Real Lambda_0_11_p351 = Lambda_0_11_p336 + Lambda_0_11_p344 - Lambda_0_11_p298 *
-      Lambda_0_11_p299 - Lambda_0_11_p304 * Lambda_0_11_p305;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p352 = s15 * Lambda_0_11_p348;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_0_11_p353 = Lambda_0_11_p346 - Lambda_0_11_p352 - Lambda_0_11_p323 *
-      Lambda_0_11_p324;
-  const Real Lambda_0_11_p354 = c15 * Lambda_0_11_p342 + s15 * Lambda_0_11_p339 + Lambda_0_11_p304 *
-      Lambda_0_11_p324;
-  const Real Lambda_0_11_p355 = 2.0 * s14;
-  const Real Lambda_0_11_p356 = c14 * (Lambda_0_11_p351 - Lambda_0_11_p353) + Lambda_0_11_p355 *
-      Lambda_0_11_p354;
-  const Real Lambda_0_11_p357 = c14 * Lambda_0_11_p356;
-  const Real Lambda_0_11_p358 = Lambda_0_11_p351 - Lambda_0_11_p357;
-  const Real Lambda_0_11_p359 = Lambda_0_11_p332 + (0.226 * Lambda_0_11_p350 - 0.18 *
-      Lambda_0_11_p358);
+  const Lanes<2> inverse_D7_lanes = 1.0 / inverse_D7_p17_lanes;
+  const Lanes<2> Lambda_0_11_p639_lanes = Lambda_0_11_p637_lanes * inverse_D7_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p641_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D7_p14_lanes;
+  const Lanes<2> Lambda_0_11_p643_lanes = Lambda_0_11_p641_lanes - inverse_D7_p11_lanes;
+  const Lanes<2> Lambda_0_11_p645_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + Lambda_0_11_p643_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p647_lanes = Lambda_0_11_p645_lanes * Lambda_0_11_p639_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p649_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p631_lanes;
+  const Lanes<2> Lambda_0_11_p651_lanes = Lambda_0_11_p625_lanes + Lambda_0_11_p649_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p653_lanes = Lambda_0_11_p651_lanes + Lambda_0_11_p647_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p655_lanes = Lambda_0_11_p619_lanes - Lambda_0_11_p581_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p657_lanes = Lambda_0_11_p655_lanes * inverse_D8_lanes;
+  const Lanes<2> Lambda_0_11_p659_lanes = 0.00010499999999999999 * Lambda_0_11_p657_lanes;
+  const Lanes<2> Lambda_0_11_p661_lanes = detail::make_lanes<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + Lambda_0_11_p659_lanes;
+  const Lanes<2> Lambda_0_11_p663_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p661_lanes;
+  const Lanes<2> Lambda_0_11_p665_lanes = Lambda_0_11_p511_lanes * Lambda_0_11_p657_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p667_lanes = Lambda_0_11_p603_lanes + Lambda_0_11_p595_lanes;
+  const Lanes<2> Lambda_0_11_p669_lanes = Lambda_0_11_p667_lanes - 0.7139200499999999;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p671_lanes = Lambda_0_11_p669_lanes - Lambda_0_11_p665_lanes;
+  const Lanes<2> Lambda_0_11_p673_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p671_lanes;
+  const Lanes<2> Lambda_0_11_p675_lanes = Lambda_0_11_p663_lanes + Lambda_0_11_p673_lanes;
+  const Lanes<2> Lambda_0_11_p677_lanes = 0.0017499999999999998 + Lambda_0_11_p675_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p679_lanes = Lambda_0_11_p677_lanes * inverse_D7_lanes;
+  const Lanes<2> Lambda_0_11_p681_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) * Lambda_0_11_p679_lanes;
+  const Lanes<2> Lambda_0_11_p683_lanes = Lambda_0_11_p653_lanes - Lambda_0_11_p681_lanes;
+  const Lanes<2> Lambda_0_11_p685_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_0_11_p683_lanes;
+  const Lanes<2> Lambda_0_11_p687_lanes = Lambda_0_11_p645_lanes * Lambda_0_11_p679_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p689_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p661_lanes;
+  const Lanes<2> Lambda_0_11_p691_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p671_lanes;
+  const Lanes<2> Lambda_0_11_p693_lanes = Lambda_0_11_p689_lanes - Lambda_0_11_p691_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p695_lanes = Lambda_0_11_p693_lanes - Lambda_0_11_p687_lanes;
+  const Lanes<2> Lambda_0_11_p697_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) * Lambda_0_11_p639_lanes;
+  const Lanes<2> Lambda_0_11_p699_lanes = Lambda_0_11_p695_lanes - Lambda_0_11_p697_lanes;
+  const Lanes<2> Lambda_0_11_p701_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_0_11_p699_lanes;
+  const Lanes<2> Lambda_0_11_p703_lanes = Lambda_0_11_p685_lanes - Lambda_0_11_p701_lanes;
+  const Lanes<2> Lambda_0_11_p705_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_0_11_p703_lanes;
+  const Lanes<2> Lambda_0_11_p707_lanes = Lambda_0_11_p697_lanes - Lambda_0_11_p705_lanes;
+  const Lanes<2> Lambda_0_11_p709_lanes = Lambda_0_11_p677_lanes * Lambda_0_11_p679_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p711_lanes = Lambda_0_11_p655_lanes * Lambda_0_11_p657_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p713_lanes = Lambda_0_11_p567_lanes * Lambda_0_11_p569_lanes;
+  const Lanes<2> Lambda_0_11_p715_lanes = Lambda_0_11_p449_lanes - Lambda_0_11_p713_lanes;
+  const Lanes<2> Lambda_0_11_p717_lanes = Lambda_0_11_p575_lanes * Lambda_0_11_p577_lanes;
+  const Lanes<2> Lambda_0_11_p719_lanes = Lambda_0_11_p295_lanes - Lambda_0_11_p717_lanes;
+  const Lanes<2> Lambda_0_11_p721_lanes = Lambda_0_11_p715_lanes - Lambda_0_11_p719_lanes;
+  const Lanes<2> Lambda_0_11_p723_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p721_lanes;
+  const Lanes<2> Lambda_0_11_p725_lanes = Lambda_0_11_p567_lanes * Lambda_0_11_p577_lanes;
+  const Lanes<2> Lambda_0_11_p727_lanes = Lambda_0_11_p489_lanes + Lambda_0_11_p725_lanes;
+  const Lanes<2> Lambda_0_11_p729_lanes = Lambda_0_11_p501_lanes * Lambda_0_11_p727_lanes;
+  const Lanes<2> Lambda_0_11_p731_lanes = Lambda_0_11_p723_lanes - Lambda_0_11_p729_lanes;
+  const Lanes<2> Lambda_0_11_p733_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p731_lanes;
+  const Lanes<2> Lambda_0_11_p735_lanes = Lambda_0_11_p719_lanes + Lambda_0_11_p733_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p737_lanes = Lambda_0_11_p735_lanes - Lambda_0_11_p711_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p739_lanes = Lambda_0_11_p737_lanes - Lambda_0_11_p709_lanes;
+  const Lanes<2> Lambda_0_11_p741_lanes = Lambda_0_11_p637_lanes * Lambda_0_11_p639_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p743_lanes = Lambda_0_11_p553_lanes * Lambda_0_11_p609_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p745_lanes = Lambda_0_11_p567_lanes * Lambda_0_11_p515_lanes;
+  const Lanes<2> Lambda_0_11_p747_lanes = Lambda_0_11_p541_lanes + Lambda_0_11_p745_lanes;
+  const Lanes<2> Lambda_0_11_p749_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p747_lanes;
+  const Lanes<2> Lambda_0_11_p751_lanes = Lambda_0_11_p575_lanes * Lambda_0_11_p515_lanes;
+  const Lanes<2> Lambda_0_11_p753_lanes = Lambda_0_11_p523_lanes + Lambda_0_11_p751_lanes;
+  const Lanes<2> Lambda_0_11_p755_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p753_lanes;
+  const Lanes<2> Lambda_0_11_p757_lanes = Lambda_0_11_p749_lanes - Lambda_0_11_p755_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p759_lanes = Lambda_0_11_p757_lanes + Lambda_0_11_p743_lanes;
+  const Lanes<2> Lambda_0_11_p761_lanes = inverse_D7_p12_lanes * Lambda_0_11_p759_lanes;
+  const Lanes<2> Lambda_0_11_p763_lanes = Lambda_0_11_p607_lanes * Lambda_0_11_p609_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p765_lanes = Lambda_0_11_p715_lanes - Lambda_0_11_p733_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p767_lanes = Lambda_0_11_p765_lanes - Lambda_0_11_p763_lanes;
+  const Lanes<2> Lambda_0_11_p769_lanes = Lambda_0_11_p553_lanes * Lambda_0_11_p555_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p771_lanes = Lambda_0_11_p513_lanes * Lambda_0_11_p515_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p773_lanes = Lambda_0_11_p439_lanes + Lambda_0_11_p447_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p775_lanes = Lambda_0_11_p773_lanes + Lambda_0_11_p771_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p777_lanes = Lambda_0_11_p775_lanes + Lambda_0_11_p769_lanes;
+  const Lanes<2> Lambda_0_11_p779_lanes = Lambda_0_11_p777_lanes + Lambda_0_11_p767_lanes;
+  const Lanes<2> Lambda_0_11_p781_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p779_lanes;
+  const Lanes<2> Lambda_0_11_p783_lanes = Lambda_0_11_p761_lanes - Lambda_0_11_p781_lanes;
+  const Lanes<2> Lambda_0_11_p785_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p783_lanes;
+  const Lanes<2> Lambda_0_11_p787_lanes = Lambda_0_11_p777_lanes + Lambda_0_11_p785_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p789_lanes = Lambda_0_11_p787_lanes + Lambda_0_11_p741_lanes;
+  const Lanes<2> Lambda_0_11_p791_lanes = Lambda_0_11_p739_lanes + Lambda_0_11_p789_lanes;
+  const Lanes<2> Lambda_0_11_p793_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_0_11_p791_lanes;
+  const Lanes<2> Lambda_0_11_p795_lanes = Lambda_0_11_p677_lanes * Lambda_0_11_p639_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p797_lanes = Lambda_0_11_p553_lanes * Lambda_0_11_p657_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p799_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p747_lanes;
+  const Lanes<2> Lambda_0_11_p801_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p753_lanes;
+  const Lanes<2> Lambda_0_11_p803_lanes = Lambda_0_11_p799_lanes + Lambda_0_11_p801_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p805_lanes = Lambda_0_11_p803_lanes + Lambda_0_11_p797_lanes;
+  const Lanes<2> Lambda_0_11_p807_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p805_lanes;
+  const Lanes<2> Lambda_0_11_p809_lanes = Lambda_0_11_p607_lanes * Lambda_0_11_p657_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_0_11_p811_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p731_lanes;
+  const Lanes<2> Lambda_0_11_p813_lanes = Lambda_0_11_p811_lanes + Lambda_0_11_p727_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p815_lanes = Lambda_0_11_p813_lanes - Lambda_0_11_p809_lanes;
+  const Lanes<2> Lambda_0_11_p817_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p815_lanes;
+  const Lanes<2> Lambda_0_11_p819_lanes = Lambda_0_11_p807_lanes - Lambda_0_11_p817_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p821_lanes = Lambda_0_11_p819_lanes - Lambda_0_11_p795_lanes;
+  const Lanes<2> Lambda_0_11_p823_lanes = 2.0 * detail::make_lanes<Real>(s7, s14);
+  const Lanes<2> Lambda_0_11_p825_lanes = Lambda_0_11_p823_lanes * Lambda_0_11_p821_lanes;
+  const Lanes<2> Lambda_0_11_p827_lanes = Lambda_0_11_p793_lanes - Lambda_0_11_p825_lanes;
+  const Lanes<2> Lambda_0_11_p829_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_0_11_p827_lanes;
+  const Lanes<2> Lambda_0_11_p831_lanes = Lambda_0_11_p739_lanes - Lambda_0_11_p829_lanes;
+  const Lanes<2> Lambda_0_11_p833_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      Lambda_0_11_p831_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p835_lanes = Lambda_0_11_p623_lanes + Lambda_0_11_p649_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p837_lanes = Lambda_0_11_p835_lanes * inverse_D7_lanes;
+  const Lanes<2> Lambda_0_11_p839_lanes = Lambda_0_11_p677_lanes * Lambda_0_11_p837_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p841_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p805_lanes;
+  const Lanes<2> Lambda_0_11_p843_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p815_lanes;
+  const Lanes<2> Lambda_0_11_p845_lanes = Lambda_0_11_p841_lanes + Lambda_0_11_p843_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p847_lanes = Lambda_0_11_p845_lanes - Lambda_0_11_p839_lanes;
+  const Lanes<2> Lambda_0_11_p849_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_0_11_p847_lanes;
+  const Lanes<2> Lambda_0_11_p851_lanes = Lambda_0_11_p637_lanes * Lambda_0_11_p837_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p853_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p783_lanes;
+  const Lanes<2> Lambda_0_11_p855_lanes = Lambda_0_11_p853_lanes - Lambda_0_11_p759_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p857_lanes = Lambda_0_11_p855_lanes - Lambda_0_11_p851_lanes;
+  const Lanes<2> Lambda_0_11_p859_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_0_11_p857_lanes;
+  const Lanes<2> Lambda_0_11_p861_lanes = Lambda_0_11_p849_lanes + Lambda_0_11_p859_lanes;
+  const Lanes<2> Lambda_0_11_p863_lanes = 0.226 * Lambda_0_11_p861_lanes;
+  const Lanes<2> Lambda_0_11_p865_lanes = Lambda_0_11_p833_lanes + Lambda_0_11_p863_lanes;
+  const Lanes<2> Lambda_0_11_p867_lanes = Lambda_0_11_p707_lanes + Lambda_0_11_p865_lanes;
 
   // link 23 (left_eye), articulated inertia
-  const Real Lambda_0_11_p360 = 0.0007770270270270272 * c23;
-  const Real Lambda_0_11_p361 = c23 * Lambda_0_11_p360;
+  const Lanes<2> Lambda_0_11_p869_lanes = 0.0007770270270270272 *
+      detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> Lambda_0_11_p871_lanes = detail::make_lanes<Real>(c23, c24) *
+      Lambda_0_11_p869_lanes;
+  const Lanes<2> Lambda_0_11_p873_lanes = Lambda_0_11_p871_lanes - 0.0007770270270270272;
+  const Real Lambda_0_11_p875 = 0.431222972972973 + Lambda_0_11_p871_lanes[1] +
+      Lambda_0_11_p873_lanes[0];
+  const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_lanes<Real>(s23, s24);
+  const Lanes<2> inverse_D22_p3_lanes = detail::make_lanes<Real>(s23, s24) * inverse_D22_p1_lanes;
+  const Real inverse_D22_p5 = inverse_D22_p3_lanes[1] + inverse_D22_p3_lanes[0];
+  const Real inverse_D22_p6 = c24 + c23;
 
-  // link 24 (right_eye), articulated inertia
-  const Real Lambda_0_11_p362 = 0.0007770270270270272 * c24;
-  const Real Lambda_0_11_p363 = c24 * Lambda_0_11_p362;
+  // link 22 (head), articulated inertia
+  const Real inverse_D22 = 1.0 / (0.063951825 - inverse_D22_p5 + 4.75e-05 * inverse_D22_p6);
+  const Real Lambda_0_11_p876 = Lambda_0_11_p875 * inverse_D22;
 
   // link 23 (left_eye), articulated inertia
-  const Real Lambda_0_11_p364 = s23 * Lambda_0_11_p360;
+  const Lanes<2> Lambda_0_11_p877_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) +
+      inverse_D22_p1_lanes;
+  const Lanes<2> Lambda_0_11_p879_lanes = Lambda_0_11_p877_lanes *
+      detail::make_lanes<Real>(c23, c24);
+  const Real Lambda_0_11_p881 = s24 + s23;
+  const Real Lambda_0_11_p882 = Lambda_0_11_p879_lanes[0] + 2.375e-05 * Lambda_0_11_p881 +
+      Lambda_0_11_p879_lanes[1];
+  const Lanes<2> Lambda_0_11_p883_lanes = detail::make_lanes<Real>(s23, s24) *
+      Lambda_0_11_p869_lanes;
+  const Real Lambda_0_11_p885 = Lambda_0_11_p883_lanes[1] + Lambda_0_11_p883_lanes[0];
 
-  // link 24 (right_eye), articulated inertia
-  const Real Lambda_0_11_p365 = s24 * Lambda_0_11_p362;
+  // link 22 (head), articulated inertia
+  const Real Lambda_0_11_p886 = Lambda_0_11_p882 * Lambda_0_11_p876 - Lambda_0_11_p885;
 
   // link 23 (left_eye), articulated inertia
-  const Real Lambda_0_11_p366 = Lambda_0_11_p364 + Lambda_0_11_p365;
-  const Real Lambda_0_11_p367 = 0.032 * (Lambda_0_11_p361 - Lambda_0_11_p363) - 0.095 *
-      Lambda_0_11_p366;
-  const Real Lambda_0_11_p368 = Lambda_0_11_p363 + Lambda_0_11_p361;
-  const Real Lambda_0_11_p369 = 0.430445945945946 + Lambda_0_11_p368;
+  const Lanes<2> Lambda_0_11_p887_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
+      Lambda_0_11_p873_lanes;
+  const Real Lambda_0_11_p889 = Lambda_0_11_p887_lanes[1] + Lambda_0_11_p887_lanes[0] - 0.095 *
+      Lambda_0_11_p885;
+  const Real Lambda_0_11_p890 = 0.072575 + 0.00025 * inverse_D22_p6;
 
-  // link 24 (right_eye), articulated inertia
-  const Real inverse_D22_p1 = 9.060810810810813e-05 * s24;
+  // link 22 (head), articulated inertia
+  const Real Lambda_0_11_p891 = Lambda_0_11_p890 * inverse_D22;
+  const Real Lambda_0_11_p892 = Lambda_0_11_p889 * Lambda_0_11_p891;
 
   // link 23 (left_eye), articulated inertia
-  const Real inverse_D22_p2 = 9.060810810810813e-05 * s23;
-  const Real inverse_D22_p3 = s24 * inverse_D22_p1 + s23 * inverse_D22_p2;
-  const Real inverse_D22_p4 = c24 + c23;
+  const Lanes<2> Lambda_0_11_p893_lanes = 0.006756756756756757 * detail::make_lanes<Real>(s23, s24);
+  const Lanes<2> Lambda_0_11_p895_lanes = detail::make_lanes<Real>(c23, c24) *
+      Lambda_0_11_p893_lanes;
+  const Lanes<2> Lambda_0_11_p897_lanes = 0.095 * Lambda_0_11_p895_lanes;
+  const Lanes<2> Lambda_0_11_p899_lanes = detail::make_lanes<Real>(s23, s24) *
+      Lambda_0_11_p893_lanes;
+  const Lanes<2> Lambda_0_11_p901_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
+      Lambda_0_11_p899_lanes;
+  const Lanes<2> Lambda_0_11_p903_lanes = Lambda_0_11_p897_lanes + Lambda_0_11_p901_lanes;
 
   // link 22 (head), articulated inertia
-  const Real inverse_D22 = 1.0 / (0.063951825 - inverse_D22_p3 + 4.75e-05 * inverse_D22_p4);
-  const Real Lambda_0_11_p370 = Lambda_0_11_p369 * inverse_D22;
-
-  // link 24 (right_eye), articulated inertia
-  const Real Lambda_0_11_p371 = 0.006756756756756757 * s24;
-  const Real Lambda_0_11_p372 = c24 * Lambda_0_11_p371;
-  const Real Lambda_0_11_p373 = s24 * Lambda_0_11_p371;
-  const Real Lambda_0_11_p374 = 0.095 * Lambda_0_11_p372 - 0.032 * Lambda_0_11_p373;
+  const Real Lambda_0_11_p905 = Lambda_0_11_p903_lanes[1] + Lambda_0_11_p903_lanes[0] +
+      Lambda_0_11_p889 * Lambda_0_11_p876;
+  const Real Lambda_0_11_p906 = Lambda_0_11_p882 * Lambda_0_11_p891 - 0.00025 * Lambda_0_11_p881;
+  const Real Lambda_0_11_p907 = s22 * (Lambda_0_11_p886 + Lambda_0_11_p892) + c22 *
+      (Lambda_0_11_p906 - Lambda_0_11_p905);
+  const Real Lambda_0_11_p908 = s22 * Lambda_0_11_p907;
+  const Real Lambda_0_11_p909 = Lambda_0_11_p908 - Lambda_0_11_p892;
+  const Real inverse_D21_p1 = Lambda_0_11_p889 * inverse_D22;
 
   // link 23 (left_eye), articulated inertia
-  const Real Lambda_0_11_p375 = 0.006756756756756757 * s23;
-  const Real Lambda_0_11_p376 = c23 * Lambda_0_11_p375;
-  const Real Lambda_0_11_p377 = s23 * Lambda_0_11_p375;
-  const Real Lambda_0_11_p378 = 0.095 * Lambda_0_11_p376 + 0.032 * Lambda_0_11_p377;
+  const Lanes<2> inverse_D21_p2_lanes = Lambda_0_11_p899_lanes - 0.006756756756756757;
+  const Lanes<2> inverse_D21_p4_lanes = 0.095 * inverse_D21_p2_lanes;
+  const Lanes<2> inverse_D21_p6_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
+      Lambda_0_11_p895_lanes;
+  const Lanes<2> inverse_D21_p8_lanes = inverse_D21_p4_lanes - inverse_D21_p6_lanes;
 
   // link 22 (head), articulated inertia
-  const Real Lambda_0_11_p379 = Lambda_0_11_p374 + Lambda_0_11_p378 + Lambda_0_11_p367 *
-      Lambda_0_11_p370;
+  const Real inverse_D21_p10 = inverse_D21_p8_lanes[1] + inverse_D21_p8_lanes[0];
+  const Real inverse_D21_p11 = 0.009438624999999999 - (-0.032) * Lambda_0_11_p903_lanes[1] - 0.032 *
+      Lambda_0_11_p903_lanes[0] - Lambda_0_11_p889 * inverse_D21_p1 + 0.095 * inverse_D21_p10;
+  const Real inverse_D21_p12 = 0.05450270000000001 + inverse_D22_p5 + (-1.6e-05) * s24 + 1.6e-05 *
+      s23 - Lambda_0_11_p882 * Lambda_0_11_p882 * inverse_D22;
+  const Real inverse_D21_p13 = inverse_D21_p12 - 0.00017071621621621625;
+  const Real inverse_D21_p14 = Lambda_0_11_p871_lanes[1] + Lambda_0_11_p871_lanes[0];
+  const Real inverse_D21_p15 = 0.0074 - (-0.032) * Lambda_0_11_p883_lanes[1] - 0.032 *
+      Lambda_0_11_p883_lanes[0] + Lambda_0_11_p882 * inverse_D21_p1 - 0.095 * inverse_D21_p14;
+  const Real inverse_D21_p16 = 2.0 * c22;
+  const Real inverse_D21_p17 = s22 * (inverse_D21_p13 - inverse_D21_p11) + inverse_D21_p16 *
+      inverse_D21_p15;
+  const Real inverse_D21_p18 = s22 * inverse_D21_p17;
 
-  // link 23 (left_eye), articulated inertia
-  const Real Lambda_0_11_p380 = s24 + s23;
-  const Real Lambda_0_11_p381 = 8e-06 * (c24 - c23) -
-      (c24 * inverse_D22_p1 + c23 * inverse_D22_p2 + 2.375e-05 * Lambda_0_11_p380);
-  const Real Lambda_0_11_p382 = 0.072575 + 0.00025 * inverse_D22_p4;
+  // link 21 (neck), articulated inertia
+  const Real inverse_D21 = 1.0 / (0.006216750000000001 + (inverse_D21_p11 + inverse_D21_p18));
+  const Real Lambda_0_11_p910 = Lambda_0_11_p909 * inverse_D21;
 
   // link 22 (head), articulated inertia
-  const Real Lambda_0_11_p383 = Lambda_0_11_p382 * inverse_D22;
-  const Real Lambda_0_11_p384 = Lambda_0_11_p381 * Lambda_0_11_p383 + 0.00025 * Lambda_0_11_p380;
-  const Real Lambda_0_11_p385 = Lambda_0_11_p367 * Lambda_0_11_p383;
-  const Real Lambda_0_11_p386 = Lambda_0_11_p366 + Lambda_0_11_p381 * Lambda_0_11_p370;
-  const Real Lambda_0_11_p387 = c22 * (Lambda_0_11_p379 + Lambda_0_11_p384) - s22 *
-      (Lambda_0_11_p385 - Lambda_0_11_p386);
-  const Real Lambda_0_11_p388 = s22 * Lambda_0_11_p387;
-  const Real Lambda_0_11_p389 = Lambda_0_11_p385 + Lambda_0_11_p388;
-  const Real inverse_D21_p1 = Lambda_0_11_p367 * inverse_D22;
+  const Real Lambda_0_11_p911 = Lambda_0_11_p885 * inverse_D22;
+  const Real Lambda_0_11_p912 = 0.072575 + inverse_D21_p10 + Lambda_0_11_p889 * Lambda_0_11_p911;
+  const Real Lambda_0_11_p913 = inverse_D21_p14 - 0.43200000000000005 + Lambda_0_11_p882 *
+      Lambda_0_11_p911;
+  const Real Lambda_0_11_p914 = c22 * Lambda_0_11_p912 - s22 * Lambda_0_11_p913;
+  const Real Lambda_0_11_p915 = 0.0016155 + (c22 * inverse_D21_p17 - inverse_D21_p15 + 0.394 *
+      Lambda_0_11_p914);
+  const Real Lambda_0_11_p916 = c22 * Lambda_0_11_p907;
+  const Real Lambda_0_11_p917 = Lambda_0_11_p890 * Lambda_0_11_p911;
+  const Real Lambda_0_11_p918 = Lambda_0_11_p895_lanes[1] + Lambda_0_11_p895_lanes[0] -
+      Lambda_0_11_p875 * Lambda_0_11_p911;
+  const Real Lambda_0_11_p919 = c22 * Lambda_0_11_p917 - s22 * Lambda_0_11_p918;
 
-  // link 24 (right_eye), articulated inertia
-  const Real inverse_D21_p2 = Lambda_0_11_p373 - 0.006756756756756757;
-
-  // link 23 (left_eye), articulated inertia
-  const Real inverse_D21_p3 = Lambda_0_11_p377 - 0.006756756756756757;
+  // link 21 (neck), articulated inertia
+  const Real Lambda_0_11_p920 = Lambda_0_11_p915 * Lambda_0_11_p910 -
+      (Lambda_0_11_p916 + Lambda_0_11_p905 + 0.394 * Lambda_0_11_p919);
 
   // link 22 (head), articulated inertia
-  const Real inverse_D21_p4 = 0.095 * inverse_D21_p2 + 0.032 * Lambda_0_11_p372 +
-      (0.095 * inverse_D21_p3 - 0.032 * Lambda_0_11_p376);
-  const Real inverse_D21_p5 = 0.009438624999999999 - Lambda_0_11_p367 * inverse_D21_p1 + 0.095 *
-      inverse_D21_p4 + 0.032 * (Lambda_0_11_p374 - Lambda_0_11_p378);
-  const Real inverse_D21_p6 = 0.05450270000000001 + inverse_D22_p3 - Lambda_0_11_p381 *
-      Lambda_0_11_p381 * inverse_D22 + 1.6e-05 * (s23 - s24) - 0.00017071621621621625;
-  const Real inverse_D21_p7 = 0.0074 - Lambda_0_11_p381 * inverse_D21_p1 - 0.095 *
-      Lambda_0_11_p368 + 0.032 * (Lambda_0_11_p365 - Lambda_0_11_p364);
-  const Real inverse_D21_p8 = 2.0 * c22;
-  const Real inverse_D21_p9 = s22 * (inverse_D21_p6 - inverse_D21_p5) + inverse_D21_p8 *
-      inverse_D21_p7;
-  const Real inverse_D21_p10 = s22 * inverse_D21_p9;
+  const Real Lambda_0_11_p921 = Lambda_0_11_p916 - Lambda_0_11_p906;
+  const Real Lambda_0_11_p922 = 0.394 * Lambda_0_11_p921;
+  const Real Lambda_0_11_p923 = Lambda_0_11_p875 * Lambda_0_11_p891;
+  const Real Lambda_0_11_p924 = Lambda_0_11_p899_lanes[1] + Lambda_0_11_p899_lanes[0] +
+      Lambda_0_11_p875 * Lambda_0_11_p876;
+  const Real Lambda_0_11_p925 = Lambda_0_11_p890 * Lambda_0_11_p891;
+  const Real Lambda_0_11_p926 = inverse_D21_p16 * Lambda_0_11_p923 - s22 *
+      (Lambda_0_11_p925 - Lambda_0_11_p924);
+  const Real Lambda_0_11_p927 = Lambda_0_11_p923 - c22 * Lambda_0_11_p926;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D21 = 1.0 / (0.006216750000000001 + (inverse_D21_p5 + inverse_D21_p10));
-  const Real Lambda_0_11_p390 = Lambda_0_11_p389 * inverse_D21;
+  const Real Lambda_0_11_p928 = Lambda_0_11_p922 * Lambda_0_11_p910 -
+      (0.0045000000000000005 + 0.394 * Lambda_0_11_p927);
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Real Lambda_0_11_p929 = c21 * Lambda_0_11_p920 - s21 * Lambda_0_11_p928 +
+      Lambda_0_11_p867_lanes[1] + Lambda_0_11_p867_lanes[0];
+  const Lanes<2> inverse_D6_p1_lanes = Lambda_0_11_p707_lanes + Lambda_0_11_p867_lanes;
+  const Lanes<2> inverse_D6_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      inverse_D6_p1_lanes;
+  const Lanes<2> inverse_D6_p5_lanes = Lambda_0_11_p645_lanes * inverse_D7_lanes;
+  const Lanes<2> inverse_D6_p7_lanes = Lambda_0_11_p645_lanes * inverse_D6_p5_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> inverse_D6_p9_lanes = inverse_D7_p7_lanes - inverse_D7_p15_lanes;
+  const Lanes<2> inverse_D6_p11_lanes = 0.0002975 + inverse_D6_p9_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D6_p13_lanes = inverse_D6_p11_lanes - inverse_D6_p7_lanes;
+  const Lanes<2> inverse_D6_p15_lanes = detail::make_lanes<Real>(6.890624999999999e-10,
+      6.890624999999999e-10) / inverse_D7_p17_lanes;
+  const Lanes<2> inverse_D6_p17_lanes = 0.0001505 - inverse_D6_p15_lanes;
+  const Lanes<2> inverse_D6_p19_lanes = inverse_D6_p17_lanes - inverse_D6_p13_lanes;
+  const Lanes<2> inverse_D6_p21_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p19_lanes;
+  const Lanes<2> inverse_D6_p23_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) * inverse_D6_p5_lanes;
+  const Lanes<2> inverse_D6_p25_lanes = 8.75e-06 + inverse_D6_p23_lanes;
+  const Lanes<2> inverse_D6_p27_lanes = Lambda_0_11_p823_lanes * inverse_D6_p25_lanes;
+  const Lanes<2> inverse_D6_p29_lanes = inverse_D6_p21_lanes + inverse_D6_p27_lanes;
+  const Lanes<2> inverse_D6_p31_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p29_lanes;
+  const Real inverse_D6_p33 = inverse_D6_p31_lanes[1] + inverse_D6_p31_lanes[0];
 
   // link 22 (head), articulated inertia
-  const Real Lambda_0_11_p391 = c22 * Lambda_0_11_p387;
-  const Real Lambda_0_11_p392 = Lambda_0_11_p384 - Lambda_0_11_p391;
-  const Real Lambda_0_11_p393 = 0.394 * Lambda_0_11_p392;
-  const Real Lambda_0_11_p394 = Lambda_0_11_p369 * Lambda_0_11_p383;
-  const Real Lambda_0_11_p395 = Lambda_0_11_p373 + Lambda_0_11_p377 + Lambda_0_11_p369 *
-      Lambda_0_11_p370;
-  const Real Lambda_0_11_p396 = Lambda_0_11_p382 * Lambda_0_11_p383;
-  const Real Lambda_0_11_p397 = inverse_D21_p8 * Lambda_0_11_p394 - s22 *
-      (Lambda_0_11_p396 - Lambda_0_11_p395);
-  const Real Lambda_0_11_p398 = Lambda_0_11_p394 - c22 * Lambda_0_11_p397;
+  const Real inverse_D6_p34 = c22 * Lambda_0_11_p913 + s22 * Lambda_0_11_p912;
+  const Real inverse_D6_p35 = inverse_D21_p2_lanes[1] + inverse_D21_p2_lanes[0] - Lambda_0_11_p885 *
+      Lambda_0_11_p911;
+  const Real inverse_D6_p36 = inverse_D6_p34 - 0.394 * inverse_D6_p35;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_0_11_p399 = 0.0045000000000000005 + 0.394 * Lambda_0_11_p398 +
-      Lambda_0_11_p393 * Lambda_0_11_p390;
+  const Real inverse_D6_p37 = 0.005513625 + (inverse_D21_p13 - inverse_D21_p18 - 0.394 *
+      (inverse_D6_p34 + inverse_D6_p36)) - Lambda_0_11_p915 * (Lambda_0_11_p915 * inverse_D21);
+  const Real inverse_D6_p38 = Lambda_0_11_p922 * inverse_D21;
 
   // link 22 (head), articulated inertia
-  const Real Lambda_0_11_p400 = Lambda_0_11_p366 * inverse_D22;
-  const Real Lambda_0_11_p401 = 0.072575 + inverse_D21_p4 + Lambda_0_11_p367 * Lambda_0_11_p400;
-  const Real Lambda_0_11_p402 = Lambda_0_11_p368 - 0.43200000000000005 - Lambda_0_11_p381 *
-      Lambda_0_11_p400;
-  const Real Lambda_0_11_p403 = c22 * Lambda_0_11_p401 - s22 * Lambda_0_11_p402;
-  const Real Lambda_0_11_p404 = 0.0016155 + (c22 * inverse_D21_p9 - inverse_D21_p7 + 0.394 *
-      Lambda_0_11_p403);
-  const Real Lambda_0_11_p405 = Lambda_0_11_p382 * Lambda_0_11_p400;
-  const Real Lambda_0_11_p406 = Lambda_0_11_p372 + Lambda_0_11_p376 - Lambda_0_11_p369 *
-      Lambda_0_11_p400;
-  const Real Lambda_0_11_p407 = c22 * Lambda_0_11_p405 - s22 * Lambda_0_11_p406;
+  const Real inverse_D6_p39 = s22 * Lambda_0_11_p926;
+  const Real inverse_D6_p40 = inverse_D6_p39 - Lambda_0_11_p924;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_0_11_p408 = Lambda_0_11_p379 - Lambda_0_11_p391 + 0.394 * Lambda_0_11_p407 +
-      Lambda_0_11_p404 * Lambda_0_11_p390;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p409 = Lambda_0_11_p183 - (s21 * Lambda_0_11_p399 - c21 *
-      Lambda_0_11_p408 + Lambda_0_11_p359);
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real inverse_D6_p1 = Lambda_0_11_p325 * inverse_D14;
-  const Real inverse_D6_p2 = 0.0002975 + (inverse_D14_p3 - inverse_D14_p7) - Lambda_0_11_p325 *
-      inverse_D6_p1;
-  const Real inverse_D6_p3 = 6.890624999999999e-10 / inverse_D14_p8;
-  const Real inverse_D6_p4 = 2.6249999999999998e-05 * inverse_D6_p1;
-  const Real inverse_D6_p5 = c14 * (0.0001505 - inverse_D6_p3 - inverse_D6_p2) + Lambda_0_11_p355 *
-      (8.75e-06 + inverse_D6_p4);
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D6_p6 = Lambda_0_11_p149 * inverse_D7;
-  const Real inverse_D6_p7 = 0.0002975 + (inverse_D7_p3 - inverse_D7_p7) - Lambda_0_11_p149 *
-      inverse_D6_p6;
-  const Real inverse_D6_p8 = 0.0001505 - 6.890624999999999e-10 / inverse_D7_p8;
-  const Real inverse_D6_p9 = 2.6249999999999998e-05 * inverse_D6_p6 - 8.75e-06;
-  const Real inverse_D6_p10 = c7 * (inverse_D6_p8 - inverse_D6_p7) - Lambda_0_11_p174 *
-      inverse_D6_p9;
-  const Real inverse_D6_p11 = c14 * inverse_D6_p5 + c7 * inverse_D6_p10;
+  const Real inverse_D6_p41 = 0.000703125 + 0.155236 * inverse_D6_p40 - Lambda_0_11_p922 *
+      inverse_D6_p38;
 
   // link 22 (head), articulated inertia
-  const Real inverse_D6_p12 = c22 * Lambda_0_11_p402 + s22 * Lambda_0_11_p401;
-  const Real inverse_D6_p13 = inverse_D21_p2 + inverse_D21_p3 - Lambda_0_11_p366 * Lambda_0_11_p400;
-  const Real inverse_D6_p14 = inverse_D6_p12 - 0.394 * inverse_D6_p13;
+  const Real inverse_D6_p42 = c22 * Lambda_0_11_p918 + s22 * Lambda_0_11_p917;
+  const Real inverse_D6_p43 = 0.394 * inverse_D6_p42;
+  const Real inverse_D6_p44 = Lambda_0_11_p886 - Lambda_0_11_p908 - inverse_D6_p43;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D6_p15 = 0.005513625 + (inverse_D21_p6 - inverse_D21_p10 - 0.394 *
-      (inverse_D6_p12 + inverse_D6_p14)) - Lambda_0_11_p404 * (Lambda_0_11_p404 * inverse_D21);
-  const Real inverse_D6_p16 = Lambda_0_11_p393 * inverse_D21;
+  const Real inverse_D6_p45 = 0.394 * inverse_D6_p44 - Lambda_0_11_p915 * inverse_D6_p38;
+  const Real inverse_D6_p46 = 2.0 * s21;
+  const Real inverse_D6_p47 = c21 * (inverse_D6_p37 - inverse_D6_p41) - inverse_D6_p46 *
+      inverse_D6_p45;
+  const Real inverse_D6_p48 = c21 * inverse_D6_p47;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D6_p49_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) * Lambda_0_11_p837_lanes;
+  const Lanes<2> inverse_D6_p51_lanes = 0.0017499999999999998 + inverse_D6_p49_lanes;
+  const Lanes<2> inverse_D6_p53_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p51_lanes;
+  const Lanes<2> inverse_D6_p55_lanes = Lambda_0_11_p645_lanes * Lambda_0_11_p837_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> inverse_D6_p57_lanes = Lambda_0_11_p633_lanes - Lambda_0_11_p565_lanes;
+  const Lanes<2> inverse_D6_p59_lanes = inverse_D6_p57_lanes - 0.0017499999999999998;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D6_p61_lanes = inverse_D6_p59_lanes - inverse_D6_p55_lanes;
+  const Lanes<2> inverse_D6_p63_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p61_lanes;
+  const Lanes<2> inverse_D6_p65_lanes = inverse_D6_p53_lanes + inverse_D6_p63_lanes;
+  const Lanes<2> inverse_D6_p67_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      Lambda_0_11_p861_lanes;
+  const Lanes<2> inverse_D6_p69_lanes = Lambda_0_11_p835_lanes * Lambda_0_11_p837_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> inverse_D6_p71_lanes = Lambda_0_11_p767_lanes + Lambda_0_11_p785_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D6_p73_lanes = inverse_D6_p71_lanes - inverse_D6_p69_lanes;
+  const Lanes<2> inverse_D6_p75_lanes = 0.226 * inverse_D6_p73_lanes;
+  const Lanes<2> inverse_D6_p77_lanes = inverse_D6_p67_lanes + inverse_D6_p75_lanes;
+  const Lanes<2> inverse_D6_p79_lanes = inverse_D6_p65_lanes + inverse_D6_p77_lanes;
+  const Real inverse_D6_p81 = inverse_D6_p79_lanes[1] + inverse_D6_p79_lanes[0];
+  const Real inverse_D6_p82 = 2.06965463592404 + inverse_D6_p41 + inverse_D6_p48 +
+      inverse_D6_p13_lanes[1] + inverse_D6_p33 + inverse_D6_p3_lanes[1] + inverse_D6_p13_lanes[0] +
+      inverse_D6_p3_lanes[0] + 0.226 * (inverse_D6_p65_lanes[1] + inverse_D6_p81 +
+      inverse_D6_p65_lanes[0]);
+
+  // link 6 (chest3), articulated inertia
+  const Real inverse_D6 = 1.0 / inverse_D6_p82;
+  const Real Lambda_0_11_p930 = Lambda_0_11_p929 * inverse_D6;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p931_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_0_11_p703_lanes;
+  const Lanes<2> Lambda_0_11_p933_lanes = Lambda_0_11_p931_lanes - Lambda_0_11_p653_lanes;
+  const Lanes<2> Lambda_0_11_p935_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_0_11_p827_lanes;
+  const Lanes<2> Lambda_0_11_p937_lanes = Lambda_0_11_p935_lanes + Lambda_0_11_p821_lanes;
+  const Lanes<2> Lambda_0_11_p939_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      Lambda_0_11_p937_lanes;
+  const Lanes<2> Lambda_0_11_p941_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_0_11_p847_lanes;
+  const Lanes<2> Lambda_0_11_p943_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_0_11_p857_lanes;
+  const Lanes<2> Lambda_0_11_p945_lanes = Lambda_0_11_p941_lanes - Lambda_0_11_p943_lanes;
+  const Lanes<2> Lambda_0_11_p947_lanes = 0.226 * Lambda_0_11_p945_lanes;
+  const Lanes<2> Lambda_0_11_p949_lanes = Lambda_0_11_p939_lanes + Lambda_0_11_p947_lanes;
+  const Lanes<2> Lambda_0_11_p951_lanes = Lambda_0_11_p933_lanes - Lambda_0_11_p949_lanes;
+  const Lanes<2> Lambda_0_11_p953_lanes = Lambda_0_11_p681_lanes + Lambda_0_11_p931_lanes;
+  const Lanes<2> Lambda_0_11_p955_lanes = Lambda_0_11_p951_lanes + Lambda_0_11_p953_lanes;
+  const Lanes<2> Lambda_0_11_p957_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      Lambda_0_11_p955_lanes;
+  const Lanes<2> Lambda_0_11_p959_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p29_lanes;
+  const Lanes<2> Lambda_0_11_p961_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p51_lanes;
+  const Lanes<2> Lambda_0_11_p963_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p61_lanes;
+  const Lanes<2> Lambda_0_11_p965_lanes = Lambda_0_11_p961_lanes - Lambda_0_11_p963_lanes;
+  const Real Lambda_0_11_p967 = Lambda_0_11_p965_lanes[1] + Lambda_0_11_p965_lanes[0];
+  const Real Lambda_0_11_p968 = 0.0187369177636143 + Lambda_0_11_p957_lanes[1] -
+      inverse_D6_p25_lanes[1] + Lambda_0_11_p959_lanes[1] + Lambda_0_11_p957_lanes[0] -
+      inverse_D6_p25_lanes[0] + Lambda_0_11_p959_lanes[0] + 0.226 * Lambda_0_11_p967;
+  const Lanes<2> Lambda_0_11_p969_lanes = Lambda_0_11_p939_lanes - Lambda_0_11_p953_lanes;
+
+  // link 6 (chest3), articulated inertia
+  const Real Lambda_0_11_p971 = Lambda_0_11_p969_lanes[1] + Lambda_0_11_p969_lanes[0] +
+      Lambda_0_11_p968 * Lambda_0_11_p930;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Real Lambda_0_11_p972 = Lambda_0_11_p951_lanes[1] + Lambda_0_11_p951_lanes[0];
+  const Real Lambda_0_11_p973 = s21 * inverse_D6_p47 + inverse_D6_p45 + 0.226 * Lambda_0_11_p972;
+
+  // link 21 (neck), articulated inertia
+  const Real Lambda_0_11_p974 = Lambda_0_11_p921 * inverse_D21;
+  const Real Lambda_0_11_p975 = inverse_D6_p44 - Lambda_0_11_p915 * Lambda_0_11_p974;
 
   // link 22 (head), articulated inertia
-  const Real inverse_D6_p17 = s22 * Lambda_0_11_p397;
-  const Real inverse_D6_p18 = inverse_D6_p17 - Lambda_0_11_p395;
+  const Real Lambda_0_11_p976 = 0.0045000000000000005 + Lambda_0_11_p914;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D6_p19 = 0.000703125 + 0.155236 * inverse_D6_p18 - Lambda_0_11_p393 *
-      inverse_D6_p16;
+  const Real Lambda_0_11_p977 = Lambda_0_11_p976 * inverse_D21;
+  const Real Lambda_0_11_p978 = inverse_D6_p43 + Lambda_0_11_p922 * Lambda_0_11_p977;
+  const Real Lambda_0_11_p979 = 0.394 * inverse_D6_p40 - Lambda_0_11_p922 * Lambda_0_11_p974;
+  const Real Lambda_0_11_p980 = inverse_D6_p36 + Lambda_0_11_p915 * Lambda_0_11_p977;
+  const Real Lambda_0_11_p981 = c21 * (Lambda_0_11_p975 - Lambda_0_11_p978) - s21 *
+      (Lambda_0_11_p979 + Lambda_0_11_p980);
+  const Real Lambda_0_11_p982 = s21 * Lambda_0_11_p981;
 
-  // link 22 (head), articulated inertia
-  const Real inverse_D6_p20 = c22 * Lambda_0_11_p406 + s22 * Lambda_0_11_p405;
-  const Real inverse_D6_p21 = 0.394 * inverse_D6_p20;
-  const Real inverse_D6_p22 = Lambda_0_11_p388 - Lambda_0_11_p386 - inverse_D6_p21;
+  // link 7 (left_shoulder1), articulated inertia
+  const Real Lambda_0_11_p983 = Lambda_0_11_p982 + Lambda_0_11_p980 - 6.1665928899999995 -
+      inverse_D6_p81;
+
+  // link 6 (chest3), articulated inertia
+  const Real Lambda_0_11_p984 = Lambda_0_11_p983 * inverse_D6;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D6_p23 = 0.394 * inverse_D6_p22 - Lambda_0_11_p404 * inverse_D6_p16;
-  const Real inverse_D6_p24 = 2.0 * s21;
-  const Real inverse_D6_p25 = c21 * (inverse_D6_p15 - inverse_D6_p19) - inverse_D6_p24 *
-      inverse_D6_p23;
-  const Real inverse_D6_p26 = c21 * inverse_D6_p25;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D6_p27 = 2.06965463592404 + inverse_D6_p19 + inverse_D6_p26 + inverse_D6_p2 +
-      inverse_D6_p11 + inverse_D6_p7 - 0.18 * (Lambda_0_11_p332 + Lambda_0_11_p359 +
-      (Lambda_0_11_p156 + Lambda_0_11_p183));
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real inverse_D6_p28 = 0.0017499999999999998 + 2.6249999999999998e-05 * Lambda_0_11_p334;
-  const Real inverse_D6_p29 = Lambda_0_11_p322 + Lambda_0_11_p318 - 0.0017499999999999998 -
-      Lambda_0_11_p325 * Lambda_0_11_p334;
-  const Real inverse_D6_p30 = c14 * inverse_D6_p28 + s14 * inverse_D6_p29;
-  const Real inverse_D6_p31 = Lambda_0_11_p345 + Lambda_0_11_p352 - Lambda_0_11_p333 *
-      Lambda_0_11_p334;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D6_p32 = 2.6249999999999998e-05 * Lambda_0_11_p179 - 0.0017499999999999998;
-  const Real inverse_D6_p33 = Lambda_0_11_p146 - Lambda_0_11_p139 - 0.0017499999999999998 -
-      Lambda_0_11_p149 * Lambda_0_11_p179;
-  const Real inverse_D6_p34 = c7 * inverse_D6_p32 - s7 * inverse_D6_p33;
-  const Real inverse_D6_p35 = Lambda_0_11_p163 + Lambda_0_11_p169 - Lambda_0_11_p178 *
-      Lambda_0_11_p179;
-  const Real inverse_D6_p36 = inverse_D6_p30 + (0.226 * inverse_D6_p31 - 0.18 * Lambda_0_11_p350) -
-      (inverse_D6_p34 - (0.18 * Lambda_0_11_p182 + 0.226 * inverse_D6_p35));
+  const Real Lambda_0_11_p985 = c21 * Lambda_0_11_p981;
 
   // link 6 (chest3), articulated inertia
-  const Real inverse_D6 = 1.0 / (inverse_D6_p27 + 0.226 *
-      (inverse_D6_p30 + inverse_D6_p36 - inverse_D6_p34));
-  const Real Lambda_0_11_p410 = Lambda_0_11_p409 * inverse_D6;
+  const Real Lambda_0_11_p986 = Lambda_0_11_p975 - Lambda_0_11_p985 + Lambda_0_11_p947_lanes[1] +
+      Lambda_0_11_p947_lanes[0] - Lambda_0_11_p973 * Lambda_0_11_p984;
+  const Real Lambda_0_11_p987 = Lambda_0_11_p937_lanes[1] + Lambda_0_11_p937_lanes[0];
+  const Real Lambda_0_11_p988 = Lambda_0_11_p973 * Lambda_0_11_p930 -
+      (s21 * Lambda_0_11_p920 + c21 * Lambda_0_11_p928) + 0.226 * Lambda_0_11_p987;
+  const Real Lambda_0_11_p989 = (-0.18) * Lambda_0_11_p945_lanes[1] - Lambda_0_11_p967 + 0.18 *
+      Lambda_0_11_p945_lanes[0] - Lambda_0_11_p968 * Lambda_0_11_p984;
+  const Real Lambda_0_11_p990 = s6 * (Lambda_0_11_p971 - Lambda_0_11_p986) + c6 *
+      (Lambda_0_11_p988 + Lambda_0_11_p989);
+  const Real Lambda_0_11_p991 = s6 * Lambda_0_11_p990;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p411 = c7 * Lambda_0_11_p154;
-  const Real Lambda_0_11_p412 = s7 * Lambda_0_11_p175 + Lambda_0_11_p173;
-  const Real Lambda_0_11_p413 = 0.18 * Lambda_0_11_p412;
-  const Real Lambda_0_11_p414 = c7 * Lambda_0_11_p180 - s7 * Lambda_0_11_p181;
-  const Real Lambda_0_11_p415 = 0.226 * Lambda_0_11_p414;
-  const Real Lambda_0_11_p416 = Lambda_0_11_p411 - Lambda_0_11_p151 -
-      (Lambda_0_11_p413 + Lambda_0_11_p415);
-  const Real Lambda_0_11_p417 = Lambda_0_11_p130 - Lambda_0_11_p411;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_0_11_p418 = c14 * Lambda_0_11_p330;
-  const Real Lambda_0_11_p419 = Lambda_0_11_p354 - s14 * Lambda_0_11_p356;
-  const Real Lambda_0_11_p420 = 0.18 * Lambda_0_11_p419;
-  const Real Lambda_0_11_p421 = c14 * Lambda_0_11_p343 - s14 * Lambda_0_11_p349;
-  const Real Lambda_0_11_p422 = 0.226 * Lambda_0_11_p421;
-  const Real Lambda_0_11_p423 = Lambda_0_11_p327 - Lambda_0_11_p418 -
-      (Lambda_0_11_p420 + Lambda_0_11_p422);
-  const Real Lambda_0_11_p424 = Lambda_0_11_p418 - Lambda_0_11_p306;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p425 = 0.0187281677636143 - inverse_D6_p4 + s14 * inverse_D6_p5 + s7 *
-      inverse_D6_p10 + inverse_D6_p9 + 0.18 * (Lambda_0_11_p416 - Lambda_0_11_p417 -
-      (Lambda_0_11_p423 - Lambda_0_11_p424));
-  const Real Lambda_0_11_p426 = s14 * inverse_D6_p28 - c14 * inverse_D6_p29 -
-      (s7 * inverse_D6_p32 + c7 * inverse_D6_p33);
-  const Real Lambda_0_11_p427 = Lambda_0_11_p425 + 0.226 * Lambda_0_11_p426;
+  const Real Lambda_0_11_p992 = Lambda_0_11_p978 + Lambda_0_11_p985 + Lambda_0_11_p972;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p428 = Lambda_0_11_p424 + Lambda_0_11_p420 +
-      (Lambda_0_11_p417 + Lambda_0_11_p413) - Lambda_0_11_p427 * Lambda_0_11_p410;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p429 = Lambda_0_11_p423 + Lambda_0_11_p416;
-  const Real Lambda_0_11_p430 = s21 * inverse_D6_p25 + inverse_D6_p23 + 0.226 * Lambda_0_11_p429;
+  const Real Lambda_0_11_p993 = Lambda_0_11_p992 * inverse_D6;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_0_11_p431 = Lambda_0_11_p392 * inverse_D21;
-  const Real Lambda_0_11_p432 = inverse_D6_p22 - Lambda_0_11_p404 * Lambda_0_11_p431;
+  const Real Lambda_0_11_p994 = Lambda_0_11_p921 * Lambda_0_11_p910 - Lambda_0_11_p927;
+  const Real Lambda_0_11_p995 = Lambda_0_11_p919 - Lambda_0_11_p976 * Lambda_0_11_p910;
 
-  // link 22 (head), articulated inertia
-  const Real Lambda_0_11_p433 = 0.0045000000000000005 + Lambda_0_11_p403;
+  // link 6 (chest3), articulated inertia
+  const Real Lambda_0_11_p996 = Lambda_0_11_p987 - c21 * Lambda_0_11_p994 + s21 * Lambda_0_11_p995 +
+      Lambda_0_11_p929 * Lambda_0_11_p993;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_0_11_p434 = Lambda_0_11_p433 * inverse_D21;
-  const Real Lambda_0_11_p435 = inverse_D6_p21 + Lambda_0_11_p393 * Lambda_0_11_p434;
-  const Real Lambda_0_11_p436 = 0.394 * inverse_D6_p18 - Lambda_0_11_p393 * Lambda_0_11_p431;
-  const Real Lambda_0_11_p437 = inverse_D6_p14 + Lambda_0_11_p404 * Lambda_0_11_p434;
-  const Real Lambda_0_11_p438 = c21 * (Lambda_0_11_p432 - Lambda_0_11_p435) - s21 *
-      (Lambda_0_11_p436 + Lambda_0_11_p437);
-  const Real Lambda_0_11_p439 = s21 * Lambda_0_11_p438;
+  const Real Lambda_0_11_p997 = inverse_D6_p40 - Lambda_0_11_p921 * Lambda_0_11_p974;
+  const Real Lambda_0_11_p998 = inverse_D6_p35 - Lambda_0_11_p976 * Lambda_0_11_p977;
+  const Real Lambda_0_11_p999 = inverse_D6_p42 + Lambda_0_11_p921 * Lambda_0_11_p977;
+  const Real Lambda_0_11_p1000 = c21 * (Lambda_0_11_p997 - Lambda_0_11_p998) - inverse_D6_p46 *
+      Lambda_0_11_p999;
+
+  // link 6 (chest3), articulated inertia
+  const Real Lambda_0_11_p1001 = s21 * Lambda_0_11_p1000 + Lambda_0_11_p999 +
+      Lambda_0_11_p945_lanes[1] + Lambda_0_11_p945_lanes[0] - Lambda_0_11_p983 * Lambda_0_11_p993;
+  const Real Lambda_0_11_p1002 = s6 * Lambda_0_11_p996 + c6 * Lambda_0_11_p1001;
+  const Real Lambda_0_11_p1003 = 0.072 * Lambda_0_11_p1002;
+  const Real Lambda_0_11_p1004 = Lambda_0_11_p986 + Lambda_0_11_p991 + Lambda_0_11_p1003;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p440 = Lambda_0_11_p439 + Lambda_0_11_p437 - 6.1665928899999995 -
-      inverse_D6_p36;
+  const Lanes<2> inverse_D5_p1_lanes = Lambda_0_11_p705_lanes + Lambda_0_11_p695_lanes;
+  const Lanes<2> inverse_D5_p3_lanes = Lambda_0_11_p829_lanes - Lambda_0_11_p789_lanes;
+  const Lanes<2> inverse_D5_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      inverse_D5_p3_lanes;
+  const Lanes<2> inverse_D5_p7_lanes = inverse_D5_p1_lanes + inverse_D5_p5_lanes;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p441 = Lambda_0_11_p440 * inverse_D6;
+  const Real inverse_D5_p9 = inverse_D5_p7_lanes[1] + inverse_D5_p7_lanes[0] - Lambda_0_11_p968 *
+      Lambda_0_11_p993;
+  const Real inverse_D5_p10 = inverse_D5_p3_lanes[1] + inverse_D5_p3_lanes[0];
+  const Real inverse_D5_p11 = 6.1665928899999995 + Lambda_0_11_p982 + Lambda_0_11_p979 -
+      Lambda_0_11_p973 * Lambda_0_11_p993 + 0.226 * inverse_D5_p10;
+  const Real inverse_D5_p12 = s6 * inverse_D5_p9 + c6 * inverse_D5_p11;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_0_11_p442 = c21 * Lambda_0_11_p438;
+  const Real inverse_D5_p13 = c21 * Lambda_0_11_p1000;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p443 = Lambda_0_11_p432 - Lambda_0_11_p442 + Lambda_0_11_p422 +
-      Lambda_0_11_p415 - Lambda_0_11_p430 * Lambda_0_11_p441;
-  const Real Lambda_0_11_p444 = Lambda_0_11_p419 - Lambda_0_11_p412;
-  const Real Lambda_0_11_p445 = s21 * Lambda_0_11_p408 + c21 * Lambda_0_11_p399 - Lambda_0_11_p430 *
-      Lambda_0_11_p410 - 0.226 * Lambda_0_11_p444;
-  const Real Lambda_0_11_p446 = 0.18 * (Lambda_0_11_p414 - Lambda_0_11_p421) -
-      (Lambda_0_11_p426 + Lambda_0_11_p427 * Lambda_0_11_p441);
-  const Real Lambda_0_11_p447 = s6 * (Lambda_0_11_p428 - Lambda_0_11_p443) + c6 *
-      (Lambda_0_11_p445 + Lambda_0_11_p446);
-  const Real Lambda_0_11_p448 = s6 * Lambda_0_11_p447;
+  const Real inverse_D5_p14 = Lambda_0_11_p998 + inverse_D5_p13 + inverse_D5_p10 -
+      Lambda_0_11_p992 * Lambda_0_11_p993;
+  const Real inverse_D5_p15 = inverse_D5_p12 + 0.072 * inverse_D5_p14;
+  const Real inverse_D5_p16 = Lambda_0_11_p968 * inverse_D6;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p449 = Lambda_0_11_p435 + Lambda_0_11_p442 + Lambda_0_11_p429;
+  const Lanes<2> inverse_D5_p17_lanes = inverse_D5_p1_lanes + inverse_D5_p7_lanes;
+  const Lanes<2> inverse_D5_p19_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      inverse_D5_p17_lanes;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p450 = Lambda_0_11_p449 * inverse_D6;
-
-  // link 21 (neck), articulated inertia
-  const Real Lambda_0_11_p451 = Lambda_0_11_p398 + Lambda_0_11_p392 * Lambda_0_11_p390;
-  const Real Lambda_0_11_p452 = Lambda_0_11_p407 + Lambda_0_11_p433 * Lambda_0_11_p390;
-
-  // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p453 = c21 * Lambda_0_11_p451 + s21 * Lambda_0_11_p452 - Lambda_0_11_p444 -
-      Lambda_0_11_p409 * Lambda_0_11_p450;
-
-  // link 21 (neck), articulated inertia
-  const Real Lambda_0_11_p454 = inverse_D6_p18 - Lambda_0_11_p392 * Lambda_0_11_p431;
-  const Real Lambda_0_11_p455 = inverse_D6_p13 - Lambda_0_11_p433 * Lambda_0_11_p434;
-  const Real Lambda_0_11_p456 = inverse_D6_p20 + Lambda_0_11_p392 * Lambda_0_11_p434;
-  const Real Lambda_0_11_p457 = c21 * (Lambda_0_11_p454 - Lambda_0_11_p455) - inverse_D6_p24 *
-      Lambda_0_11_p456;
-
-  // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p458 = s21 * Lambda_0_11_p457 + Lambda_0_11_p456 + Lambda_0_11_p421 +
-      Lambda_0_11_p414 - Lambda_0_11_p440 * Lambda_0_11_p450;
-  const Real Lambda_0_11_p459 = s6 * Lambda_0_11_p453 + c6 * Lambda_0_11_p458;
-  const Real Lambda_0_11_p460 = 0.072 * Lambda_0_11_p459;
-  const Real Lambda_0_11_p461 = Lambda_0_11_p443 + Lambda_0_11_p448 + Lambda_0_11_p460;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D5_p1 = Lambda_0_11_p155 + Lambda_0_11_p152;
-  const Real inverse_D5_p2 = Lambda_0_11_p170 + Lambda_0_11_p176;
-  const Real inverse_D5_p3 = inverse_D5_p1 + 0.18 * inverse_D5_p2;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real inverse_D5_p4 = Lambda_0_11_p331 - Lambda_0_11_p328;
-  const Real inverse_D5_p5 = Lambda_0_11_p353 + Lambda_0_11_p357;
-  const Real inverse_D5_p6 = inverse_D5_p4 + 0.18 * inverse_D5_p5;
-
-  // link 6 (chest3), articulated inertia
-  const Real inverse_D5_p7 = inverse_D5_p3 - inverse_D5_p6 - Lambda_0_11_p427 * Lambda_0_11_p450;
-  const Real inverse_D5_p8 = inverse_D5_p5 + inverse_D5_p2;
-  const Real inverse_D5_p9 = 6.1665928899999995 + Lambda_0_11_p439 + Lambda_0_11_p436 -
-      Lambda_0_11_p430 * Lambda_0_11_p450 + 0.226 * inverse_D5_p8;
-  const Real inverse_D5_p10 = s6 * inverse_D5_p7 + c6 * inverse_D5_p9;
-
-  // link 21 (neck), articulated inertia
-  const Real inverse_D5_p11 = c21 * Lambda_0_11_p457;
-
-  // link 6 (chest3), articulated inertia
-  const Real inverse_D5_p12 = Lambda_0_11_p455 + inverse_D5_p11 + inverse_D5_p8 - Lambda_0_11_p449 *
-      Lambda_0_11_p450;
-  const Real inverse_D5_p13 = inverse_D5_p10 + 0.072 * inverse_D5_p12;
-  const Real inverse_D5_p14 = Lambda_0_11_p427 * inverse_D6;
-  const Real inverse_D5_p15 = 0.40056549999999996 - inverse_D6_p3 - inverse_D6_p11 + inverse_D6_p8 -
-      Lambda_0_11_p427 * inverse_D5_p14 + 0.18 * (inverse_D5_p4 + inverse_D5_p6 +
-      (inverse_D5_p1 + inverse_D5_p3));
-  const Real inverse_D5_p16 = Lambda_0_11_p430 * inverse_D6;
-  const Real inverse_D5_p17 = 1.66923963592404 + inverse_D6_p15 - inverse_D6_p26 -
-      Lambda_0_11_p430 * inverse_D5_p16 + 0.051076 * inverse_D5_p8;
-  const Real inverse_D5_p18 = 0.04068 * (inverse_D5_p2 - inverse_D5_p5) - Lambda_0_11_p427 *
-      inverse_D5_p16 + 0.226 * (inverse_D5_p1 - inverse_D5_p4);
-  const Real inverse_D5_p19 = 2.0 * c6;
-  const Real inverse_D5_p20 = s6 * (inverse_D5_p15 - inverse_D5_p17) + inverse_D5_p19 *
-      inverse_D5_p18;
-  const Real inverse_D5_p21 = s6 * inverse_D5_p20;
+  const Real inverse_D5_p21 = 0.40056549999999996 - inverse_D6_p15_lanes[1] - inverse_D6_p33 +
+      inverse_D5_p19_lanes[1] + inverse_D6_p17_lanes[0] + inverse_D5_p19_lanes[0] -
+      Lambda_0_11_p968 * inverse_D5_p16;
+  const Real inverse_D5_p22 = Lambda_0_11_p973 * inverse_D6;
+  const Real inverse_D5_p23 = 1.66923963592404 + inverse_D6_p37 - inverse_D6_p48 -
+      Lambda_0_11_p973 * inverse_D5_p22 + 0.051076 * inverse_D5_p10;
+  const Real inverse_D5_p24 = (-0.04068) * inverse_D5_p3_lanes[1] + 0.04068 *
+      inverse_D5_p3_lanes[0] - Lambda_0_11_p968 * inverse_D5_p22 + 0.226 *
+      (inverse_D5_p1_lanes[1] + inverse_D5_p1_lanes[0]);
+  const Real inverse_D5_p25 = 2.0 * c6;
+  const Real inverse_D5_p26 = s6 * (inverse_D5_p21 - inverse_D5_p23) + inverse_D5_p25 *
+      inverse_D5_p24;
+  const Real inverse_D5_p27 = s6 * inverse_D5_p26;
 
   // link 5 (chest2), articulated inertia
   const Real inverse_D5 = 1.0 / (0.203126912024134 +
-      (inverse_D5_p17 + inverse_D5_p21 + 0.072 * (inverse_D5_p10 + inverse_D5_p13)));
-  const Real Lambda_0_11_p462 = Lambda_0_11_p461 * inverse_D5;
+      (inverse_D5_p23 + inverse_D5_p27 + 0.072 * (inverse_D5_p12 + inverse_D5_p15)));
+  const Real Lambda_0_11_p1005 = Lambda_0_11_p1004 * inverse_D5;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p463 = 0.072 * Lambda_0_11_p461;
-  const Real Lambda_0_11_p464 = Lambda_0_11_p358 - (Lambda_0_11_p396 + inverse_D6_p17 +
-      Lambda_0_11_p389 * Lambda_0_11_p390) + Lambda_0_11_p177 - Lambda_0_11_p409 * Lambda_0_11_p410;
-  const Real Lambda_0_11_p465 = Lambda_0_11_p454 - inverse_D5_p11 + inverse_D6_p31 +
-      inverse_D6_p35 - Lambda_0_11_p440 * Lambda_0_11_p441;
-  const Real Lambda_0_11_p466 = s21 * Lambda_0_11_p451 - c21 * Lambda_0_11_p452 + Lambda_0_11_p350 +
-      Lambda_0_11_p182 - Lambda_0_11_p409 * Lambda_0_11_p441;
-  const Real Lambda_0_11_p467 = s6 * (Lambda_0_11_p464 - Lambda_0_11_p465) + inverse_D5_p19 *
-      Lambda_0_11_p466;
-  const Real Lambda_0_11_p468 = s6 * Lambda_0_11_p467;
-  const Real Lambda_0_11_p469 = Lambda_0_11_p465 + Lambda_0_11_p468;
+  const Real Lambda_0_11_p1006 = 0.072 * Lambda_0_11_p1004;
+  const Real Lambda_0_11_p1007 = Lambda_0_11_p831_lanes[1] -
+      (Lambda_0_11_p925 + inverse_D6_p39 + Lambda_0_11_p909 * Lambda_0_11_p910) +
+      Lambda_0_11_p831_lanes[0] - Lambda_0_11_p929 * Lambda_0_11_p930;
+  const Real Lambda_0_11_p1008 = Lambda_0_11_p997 - inverse_D5_p13 + inverse_D6_p73_lanes[1] +
+      inverse_D6_p73_lanes[0] - Lambda_0_11_p983 * Lambda_0_11_p984;
+  const Real Lambda_0_11_p1009 = Lambda_0_11_p861_lanes[1] -
+      (s21 * Lambda_0_11_p994 + c21 * Lambda_0_11_p995) + Lambda_0_11_p861_lanes[0] +
+      Lambda_0_11_p929 * Lambda_0_11_p984;
+  const Real Lambda_0_11_p1010 = s6 * (Lambda_0_11_p1007 - Lambda_0_11_p1008) + inverse_D5_p25 *
+      Lambda_0_11_p1009;
+  const Real Lambda_0_11_p1011 = s6 * Lambda_0_11_p1010;
+  const Real Lambda_0_11_p1012 = Lambda_0_11_p1008 + Lambda_0_11_p1011;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p470 = Lambda_0_11_p463 * Lambda_0_11_p462 -
-      (2.2194301519999997 + 0.072 * Lambda_0_11_p469);
+  const Real Lambda_0_11_p1013 = Lambda_0_11_p1006 * Lambda_0_11_p1005 -
+      (2.2194301519999997 + 0.072 * Lambda_0_11_p1012);
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p471 = c6 * inverse_D5_p7 - s6 * inverse_D5_p9;
-  const Real Lambda_0_11_p472 = c6 * inverse_D5_p20 - inverse_D5_p18 + 0.072 * Lambda_0_11_p471;
-  const Real Lambda_0_11_p473 = c6 * Lambda_0_11_p447;
-  const Real Lambda_0_11_p474 = Lambda_0_11_p473 - Lambda_0_11_p445;
+  const Real Lambda_0_11_p1014 = c6 * inverse_D5_p9 - s6 * inverse_D5_p11;
+  const Real Lambda_0_11_p1015 = c6 * inverse_D5_p26 - inverse_D5_p24 + 0.072 * Lambda_0_11_p1014;
+  const Real Lambda_0_11_p1016 = c6 * Lambda_0_11_p990;
+  const Real Lambda_0_11_p1017 = Lambda_0_11_p1016 - Lambda_0_11_p988;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p475 = Lambda_0_11_p474 - 0.069699984375 - Lambda_0_11_p472 *
-      Lambda_0_11_p462;
-  const Real Lambda_0_11_p476 = s5 * Lambda_0_11_p470 + c5 * Lambda_0_11_p475;
-  const Real Lambda_0_11_p477 = Lambda_0_11_p463 * inverse_D5;
-  const Real Lambda_0_11_p478 = 0.15637308509675518 + 0.005183999999999999 * Lambda_0_11_p469 -
-      Lambda_0_11_p463 * Lambda_0_11_p477;
-  const Real Lambda_0_11_p479 = Lambda_0_11_p472 * inverse_D5;
-  const Real Lambda_0_11_p480 = 0.04675382692737882 + (inverse_D5_p15 - inverse_D5_p21) -
-      Lambda_0_11_p472 * Lambda_0_11_p479;
-  const Real Lambda_0_11_p481 = 0.005678398088837119 - 0.072 * Lambda_0_11_p474 + Lambda_0_11_p463 *
-      Lambda_0_11_p479;
-  const Real Lambda_0_11_p482 = 2.0 * c5;
-  const Real Lambda_0_11_p483 = s5 * (Lambda_0_11_p478 - Lambda_0_11_p480) + Lambda_0_11_p482 *
-      Lambda_0_11_p481;
-  const Real Lambda_0_11_p484 = 0.005880002159562879 +
-      (0.21799999999999997 * Lambda_0_11_p476 - (c5 * Lambda_0_11_p483 - Lambda_0_11_p481));
+  const Real Lambda_0_11_p1018 = Lambda_0_11_p1017 - 0.069699984375 - Lambda_0_11_p1015 *
+      Lambda_0_11_p1005;
+  const Real Lambda_0_11_p1019 = s5 * Lambda_0_11_p1013 + c5 * Lambda_0_11_p1018;
+  const Real Lambda_0_11_p1020 = Lambda_0_11_p1006 * inverse_D5;
+  const Real Lambda_0_11_p1021 = 0.15637308509675518 + 0.005183999999999999 * Lambda_0_11_p1012 -
+      Lambda_0_11_p1006 * Lambda_0_11_p1020;
+  const Real Lambda_0_11_p1022 = Lambda_0_11_p1015 * inverse_D5;
+  const Real Lambda_0_11_p1023 = 0.04675382692737882 + (inverse_D5_p21 - inverse_D5_p27) -
+      Lambda_0_11_p1015 * Lambda_0_11_p1022;
+  const Real Lambda_0_11_p1024 = 0.005678398088837119 - 0.072 * Lambda_0_11_p1017 +
+      Lambda_0_11_p1006 * Lambda_0_11_p1022;
+  const Real Lambda_0_11_p1025 = 2.0 * c5;
+  const Real Lambda_0_11_p1026 = s5 * (Lambda_0_11_p1021 - Lambda_0_11_p1023) + Lambda_0_11_p1025 *
+      Lambda_0_11_p1024;
+  const Real Lambda_0_11_p1027 = 0.005880002159562879 +
+      (0.21799999999999997 * Lambda_0_11_p1019 - (c5 * Lambda_0_11_p1026 - Lambda_0_11_p1024));
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p485 = 2.2194301519999997 + inverse_D5_p13;
+  const Real Lambda_0_11_p1028 = 2.2194301519999997 + inverse_D5_p15;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p486 = Lambda_0_11_p485 * inverse_D5;
-  const Real Lambda_0_11_p487 = Lambda_0_11_p463 * Lambda_0_11_p486 - Lambda_0_11_p460;
+  const Real Lambda_0_11_p1029 = Lambda_0_11_p1028 * inverse_D5;
+  const Real Lambda_0_11_p1030 = Lambda_0_11_p1006 * Lambda_0_11_p1029 - Lambda_0_11_p1003;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p488 = c6 * Lambda_0_11_p453 - s6 * Lambda_0_11_p458;
-  const Real Lambda_0_11_p489 = 0.069699984375 + (Lambda_0_11_p473 - Lambda_0_11_p446 + 0.072 *
-      Lambda_0_11_p488);
+  const Real Lambda_0_11_p1031 = c6 * Lambda_0_11_p996 - s6 * Lambda_0_11_p1001;
+  const Real Lambda_0_11_p1032 = 0.069699984375 + (Lambda_0_11_p1016 - Lambda_0_11_p989 + 0.072 *
+      Lambda_0_11_p1031);
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p490 = Lambda_0_11_p489 * inverse_D5;
-  const Real Lambda_0_11_p491 = Lambda_0_11_p428 - Lambda_0_11_p448 - Lambda_0_11_p472 *
-      Lambda_0_11_p490;
-  const Real Lambda_0_11_p492 = Lambda_0_11_p471 - Lambda_0_11_p472 * Lambda_0_11_p486;
+  const Real Lambda_0_11_p1033 = Lambda_0_11_p1032 * inverse_D5;
+  const Real Lambda_0_11_p1034 = Lambda_0_11_p971 - Lambda_0_11_p991 - Lambda_0_11_p1015 *
+      Lambda_0_11_p1033;
+  const Real Lambda_0_11_p1035 = Lambda_0_11_p1014 - Lambda_0_11_p1015 * Lambda_0_11_p1029;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_0_11_p493 = c6 * Lambda_0_11_p467 - Lambda_0_11_p466;
+  const Real Lambda_0_11_p1036 = c6 * Lambda_0_11_p1010 - Lambda_0_11_p1009;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p494 = Lambda_0_11_p463 * Lambda_0_11_p490 - 0.072 * Lambda_0_11_p493;
-  const Real Lambda_0_11_p495 = s5 * (Lambda_0_11_p487 - Lambda_0_11_p491) + c5 *
-      (Lambda_0_11_p492 + Lambda_0_11_p494);
-  const Real Lambda_0_11_p496 = c5 * Lambda_0_11_p495;
-  const Real Lambda_0_11_p497 = Lambda_0_11_p496 - Lambda_0_11_p494;
-  const Real inverse_D4_p1 = s5 * Lambda_0_11_p483;
+  const Real Lambda_0_11_p1037 = Lambda_0_11_p1006 * Lambda_0_11_p1033 - 0.072 * Lambda_0_11_p1036;
+  const Real Lambda_0_11_p1038 = s5 * (Lambda_0_11_p1030 - Lambda_0_11_p1034) + c5 *
+      (Lambda_0_11_p1035 + Lambda_0_11_p1037);
+  const Real Lambda_0_11_p1039 = c5 * Lambda_0_11_p1038;
+  const Real Lambda_0_11_p1040 = Lambda_0_11_p1039 - Lambda_0_11_p1037;
+  const Real inverse_D4_p1 = s5 * Lambda_0_11_p1026;
 
   // link 4 (chest1), articulated inertia
-  const Real inverse_D4 = 1.0 / (0.060169103246295166 + (Lambda_0_11_p480 + inverse_D4_p1));
-  const Real Lambda_0_11_p498 = Lambda_0_11_p497 * inverse_D4;
+  const Real inverse_D4 = 1.0 / (0.060169103246295166 + (Lambda_0_11_p1023 + inverse_D4_p1));
+  const Real Lambda_0_11_p1041 = Lambda_0_11_p1040 * inverse_D4;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p499 = s5 * Lambda_0_11_p495;
-  const Real Lambda_0_11_p500 = Lambda_0_11_p493 - Lambda_0_11_p489 * Lambda_0_11_p462;
-  const Real Lambda_0_11_p501 = Lambda_0_11_p459 - Lambda_0_11_p485 * Lambda_0_11_p462;
-  const Real Lambda_0_11_p502 = s5 * Lambda_0_11_p500 - c5 * Lambda_0_11_p501;
-  const Real Lambda_0_11_p503 = 0.21799999999999997 * Lambda_0_11_p502;
-  const Real Lambda_0_11_p504 = Lambda_0_11_p487 - Lambda_0_11_p499 + Lambda_0_11_p503;
-  const Real Lambda_0_11_p505 = 0.21799999999999997 * Lambda_0_11_p497;
-  const Real Lambda_0_11_p506 = 0.0300000063 + Lambda_0_11_p476;
+  const Real Lambda_0_11_p1042 = s5 * Lambda_0_11_p1038;
+  const Real Lambda_0_11_p1043 = Lambda_0_11_p1036 - Lambda_0_11_p1032 * Lambda_0_11_p1005;
+  const Real Lambda_0_11_p1044 = Lambda_0_11_p1002 - Lambda_0_11_p1028 * Lambda_0_11_p1005;
+  const Real Lambda_0_11_p1045 = s5 * Lambda_0_11_p1043 - c5 * Lambda_0_11_p1044;
+  const Real Lambda_0_11_p1046 = 0.21799999999999997 * Lambda_0_11_p1045;
+  const Real Lambda_0_11_p1047 = Lambda_0_11_p1030 - Lambda_0_11_p1042 + Lambda_0_11_p1046;
+  const Real Lambda_0_11_p1048 = 0.21799999999999997 * Lambda_0_11_p1040;
+  const Real Lambda_0_11_p1049 = 0.0300000063 + Lambda_0_11_p1019;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_0_11_p507 = Lambda_0_11_p506 * inverse_D4;
+  const Real Lambda_0_11_p1050 = Lambda_0_11_p1049 * inverse_D4;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p508 = Lambda_0_11_p464 - Lambda_0_11_p468 - Lambda_0_11_p489 *
-      Lambda_0_11_p490;
-  const Real Lambda_0_11_p509 = inverse_D5_p12 - Lambda_0_11_p485 * Lambda_0_11_p486;
-  const Real Lambda_0_11_p510 = Lambda_0_11_p488 - Lambda_0_11_p485 * Lambda_0_11_p490;
-  const Real Lambda_0_11_p511 = s5 * (Lambda_0_11_p509 - Lambda_0_11_p508) + Lambda_0_11_p482 *
-      Lambda_0_11_p510;
-  const Real Lambda_0_11_p512 = s5 * Lambda_0_11_p511;
-  const Real Lambda_0_11_p513 = Lambda_0_11_p509 - Lambda_0_11_p512;
-  const Real Lambda_0_11_p514 = s5 * Lambda_0_11_p475 - c5 * Lambda_0_11_p470;
-  const Real Lambda_0_11_p515 = Lambda_0_11_p469 - Lambda_0_11_p461 * Lambda_0_11_p462;
-  const Real Lambda_0_11_p516 = Lambda_0_11_p514 + 0.21799999999999997 * Lambda_0_11_p515;
+  const Real Lambda_0_11_p1051 = Lambda_0_11_p1007 - Lambda_0_11_p1011 - Lambda_0_11_p1032 *
+      Lambda_0_11_p1033;
+  const Real Lambda_0_11_p1052 = inverse_D5_p14 - Lambda_0_11_p1028 * Lambda_0_11_p1029;
+  const Real Lambda_0_11_p1053 = Lambda_0_11_p1031 - Lambda_0_11_p1028 * Lambda_0_11_p1033;
+  const Real Lambda_0_11_p1054 = s5 * (Lambda_0_11_p1052 - Lambda_0_11_p1051) + Lambda_0_11_p1025 *
+      Lambda_0_11_p1053;
+  const Real Lambda_0_11_p1055 = s5 * Lambda_0_11_p1054;
+  const Real Lambda_0_11_p1056 = Lambda_0_11_p1052 - Lambda_0_11_p1055;
+  const Real Lambda_0_11_p1057 = s5 * Lambda_0_11_p1018 - c5 * Lambda_0_11_p1013;
+  const Real Lambda_0_11_p1058 = Lambda_0_11_p1012 - Lambda_0_11_p1004 * Lambda_0_11_p1005;
+  const Real Lambda_0_11_p1059 = Lambda_0_11_p1057 + 0.21799999999999997 * Lambda_0_11_p1058;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_0_11_p517 = Lambda_0_11_p484 * Lambda_0_11_p507 - Lambda_0_11_p516;
-  const Real Lambda_0_11_p518 = s4 * (Lambda_0_11_p504 + Lambda_0_11_p484 * Lambda_0_11_p498 +
-      (Lambda_0_11_p503 + Lambda_0_11_p505 * Lambda_0_11_p507)) + c4 *
-      (0.21799999999999997 * Lambda_0_11_p513 - Lambda_0_11_p505 * Lambda_0_11_p498 +
-      Lambda_0_11_p517);
-  const Real Lambda_0_11_p519 = 8.419374554 + (c4 * Lambda_0_11_p518 - Lambda_0_11_p517);
-  const Real inverse_D3_p1 = Lambda_0_11_p484 * inverse_D4;
-  const Real inverse_D3_p2 = Lambda_0_11_p505 * inverse_D4;
-  const Real inverse_D3_p3 = 0.01227760324629517 + 0.04752399999999999 * Lambda_0_11_p513 -
-      Lambda_0_11_p505 * inverse_D3_p2;
-  const Real inverse_D3_p4 = 0.0478915 + (Lambda_0_11_p478 - inverse_D4_p1 + 0.21799999999999997 *
-      (Lambda_0_11_p514 + Lambda_0_11_p516)) - Lambda_0_11_p484 * inverse_D3_p1 - inverse_D3_p3;
+  const Real Lambda_0_11_p1060 = Lambda_0_11_p1027 * Lambda_0_11_p1050 - Lambda_0_11_p1059;
+  const Real Lambda_0_11_p1061 = s4 * (Lambda_0_11_p1047 + Lambda_0_11_p1027 * Lambda_0_11_p1041 +
+      (Lambda_0_11_p1046 + Lambda_0_11_p1048 * Lambda_0_11_p1050)) + c4 *
+      (0.21799999999999997 * Lambda_0_11_p1056 - Lambda_0_11_p1048 * Lambda_0_11_p1041 +
+      Lambda_0_11_p1060);
+  const Real Lambda_0_11_p1062 = 8.419374554 + (c4 * Lambda_0_11_p1061 - Lambda_0_11_p1060);
+  const Real inverse_D3_p1 = Lambda_0_11_p1027 * inverse_D4;
+  const Real inverse_D3_p2 = Lambda_0_11_p1048 * inverse_D4;
+  const Real inverse_D3_p3 = 0.01227760324629517 + 0.04752399999999999 * Lambda_0_11_p1056 -
+      Lambda_0_11_p1048 * inverse_D3_p2;
+  const Real inverse_D3_p4 = 0.0478915 + (Lambda_0_11_p1021 - inverse_D4_p1 + 0.21799999999999997 *
+      (Lambda_0_11_p1057 + Lambda_0_11_p1059)) - Lambda_0_11_p1027 * inverse_D3_p1 - inverse_D3_p3;
   const Real inverse_D3_p5 = 2.0 * c4;
   const Real inverse_D3_p6 = inverse_D3_p3 + s4 * (s4 * inverse_D3_p4 + inverse_D3_p5 *
-      (0.21799999999999997 * Lambda_0_11_p504 + Lambda_0_11_p484 * inverse_D3_p2));
+      (0.21799999999999997 * Lambda_0_11_p1047 + Lambda_0_11_p1027 * inverse_D3_p2));
 
   // link 3 (hip), articulated inertia
   const Real inverse_D3 = 1.0 / (1.7824817919087104 + inverse_D3_p6);
-  const Real Lambda_0_11_p520 = Lambda_0_11_p519 * inverse_D3;
+  const Real Lambda_0_11_p1063 = Lambda_0_11_p1062 * inverse_D3;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_0_11_p521 = Lambda_0_11_p513 - Lambda_0_11_p497 * Lambda_0_11_p498;
-  const Real Lambda_0_11_p522 = s4 * (Lambda_0_11_p521 -
-      (Lambda_0_11_p515 - Lambda_0_11_p506 * Lambda_0_11_p507)) - inverse_D3_p5 *
-      (Lambda_0_11_p502 + Lambda_0_11_p497 * Lambda_0_11_p507);
+  const Real Lambda_0_11_p1064 = Lambda_0_11_p1056 - Lambda_0_11_p1040 * Lambda_0_11_p1041;
+  const Real Lambda_0_11_p1065 = s4 * (Lambda_0_11_p1064 -
+      (Lambda_0_11_p1058 - Lambda_0_11_p1049 * Lambda_0_11_p1050)) - inverse_D3_p5 *
+      (Lambda_0_11_p1045 + Lambda_0_11_p1040 * Lambda_0_11_p1050);
 
   // link 3 (hip), articulated inertia
-  const Real Lambda_0_11_p523 = Lambda_0_11_p521 - s4 * Lambda_0_11_p522 - Lambda_0_11_p519 *
-      Lambda_0_11_p520;
+  const Real Lambda_0_11_p1066 = Lambda_0_11_p1064 - s4 * Lambda_0_11_p1065 - Lambda_0_11_p1062 *
+      Lambda_0_11_p1063;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p524 = Lambda_0_11_p491 + Lambda_0_11_p499;
+  const Real Lambda_0_11_p1067 = Lambda_0_11_p1034 + Lambda_0_11_p1042;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_0_11_p525 = Lambda_0_11_p524 * inverse_D4;
+  const Real Lambda_0_11_p1068 = Lambda_0_11_p1067 * inverse_D4;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_0_11_p526 = s5 * Lambda_0_11_p501 + c5 * Lambda_0_11_p500;
-  const Real Lambda_0_11_p527 = c5 * Lambda_0_11_p511 - Lambda_0_11_p510;
+  const Real Lambda_0_11_p1069 = s5 * Lambda_0_11_p1044 + c5 * Lambda_0_11_p1043;
+  const Real Lambda_0_11_p1070 = c5 * Lambda_0_11_p1054 - Lambda_0_11_p1053;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_0_11_p528 = s4 * (0.21799999999999997 * Lambda_0_11_p526 -
-      (Lambda_0_11_p496 - Lambda_0_11_p492) - Lambda_0_11_p484 * Lambda_0_11_p525) + c4 *
-      (0.0300000063 - 0.21799999999999997 * Lambda_0_11_p527 + Lambda_0_11_p505 * Lambda_0_11_p525);
-  const Real Lambda_0_11_p529 = 0.02999999505 + Lambda_0_11_p528;
+  const Real Lambda_0_11_p1071 = s4 * (0.21799999999999997 * Lambda_0_11_p1069 -
+      (Lambda_0_11_p1039 - Lambda_0_11_p1035) - Lambda_0_11_p1027 * Lambda_0_11_p1068) + c4 *
+      (0.0300000063 - 0.21799999999999997 * Lambda_0_11_p1070 + Lambda_0_11_p1048 *
+      Lambda_0_11_p1068);
+  const Real Lambda_0_11_p1072 = 0.02999999505 + Lambda_0_11_p1071;
 
   // link 3 (hip), articulated inertia
-  const Real Lambda_0_11_p530 = Lambda_0_11_p529 * inverse_D3;
-  const Real Lambda_0_11_p531 = Lambda_0_11_p508 + Lambda_0_11_p512 - Lambda_0_11_p524 *
-      Lambda_0_11_p525 - Lambda_0_11_p529 * Lambda_0_11_p530;
-  const Real Lambda_0_11_p532 = Lambda_0_11_p519 * Lambda_0_11_p530 -
-      (c4 * (Lambda_0_11_p497 * Lambda_0_11_p525 - Lambda_0_11_p527) - s4 *
-      (Lambda_0_11_p506 * Lambda_0_11_p525 - Lambda_0_11_p526));
-  const Real Lambda_0_11_p533 = s3 * (Lambda_0_11_p523 - Lambda_0_11_p531) + c3 *
-      (2.0 * Lambda_0_11_p532);
-  const Real Lambda_0_11_p534 = s3 * Lambda_0_11_p533;
-  const Real Lambda_0_11_p535 = Lambda_0_11_p523 - Lambda_0_11_p534;
-  const Real Lambda_0_11_p536 = 24.5839218 + 0.422 * Lambda_0_11_p535;
+  const Real Lambda_0_11_p1073 = Lambda_0_11_p1072 * inverse_D3;
+  const Real Lambda_0_11_p1074 = Lambda_0_11_p1051 + Lambda_0_11_p1055 - Lambda_0_11_p1067 *
+      Lambda_0_11_p1068 - Lambda_0_11_p1072 * Lambda_0_11_p1073;
+  const Real Lambda_0_11_p1075 = Lambda_0_11_p1062 * Lambda_0_11_p1073 -
+      (c4 * (Lambda_0_11_p1040 * Lambda_0_11_p1068 - Lambda_0_11_p1070) - s4 *
+      (Lambda_0_11_p1049 * Lambda_0_11_p1068 - Lambda_0_11_p1069));
+  const Real Lambda_0_11_p1076 = s3 * (Lambda_0_11_p1066 - Lambda_0_11_p1074) + c3 *
+      (2.0 * Lambda_0_11_p1075);
+  const Real Lambda_0_11_p1077 = s3 * Lambda_0_11_p1076;
+  const Real Lambda_0_11_p1078 = Lambda_0_11_p1066 - Lambda_0_11_p1077;
+  const Real Lambda_0_11_p1079 = 24.5839218 + 0.422 * Lambda_0_11_p1078;
 
   // link 2 (thigh), articulated inertia
-  const Real inverse_D2 = 1.0 / (9.885744550888212 + 0.178084 * Lambda_0_11_p535);
-  const Real Lambda_0_11_p537 = Lambda_0_11_p536 * inverse_D2;
+  const Real inverse_D2 = 1.0 / (9.885744550888212 + 0.178084 * Lambda_0_11_p1078);
+  const Real Lambda_0_11_p1080 = Lambda_0_11_p1079 * inverse_D2;
 
   // link 2 (thigh), pose
-  const Real Lambda_0_11_p538 = c2 * c1 - s2 * s1;
-  const Real Lambda_0_11_p539 = s2 * c1 + c2 * s1;
+  const Real Lambda_0_11_p1081 = c2 * c1 - s2 * s1;
+  const Real Lambda_0_11_p1082 = s2 * c1 + c2 * s1;
 
   // link 3 (hip), pose
-  const Real Lambda_0_11_p540 = s3 * Lambda_0_11_p538 + c3 * Lambda_0_11_p539;
+  const Real Lambda_0_11_p1083 = s3 * Lambda_0_11_p1081 + c3 * Lambda_0_11_p1082;
 
   // link 4 (chest1), pose
-  const Real Lambda_0_11_p541 = c4 * Lambda_0_11_p540;
+  const Real Lambda_0_11_p1084 = c4 * Lambda_0_11_p1083;
 
   // link 3 (hip), pose
-  const Real Lambda_0_11_p542 = c3 * Lambda_0_11_p538 - s3 * Lambda_0_11_p539;
+  const Real Lambda_0_11_p1085 = c3 * Lambda_0_11_p1081 - s3 * Lambda_0_11_p1082;
 
   // link 5 (chest2), pose
-  const Real Lambda_0_11_p543 = s5 * Lambda_0_11_p541 - c5 * Lambda_0_11_p542;
+  const Real Lambda_0_11_p1086 = s5 * Lambda_0_11_p1084 - c5 * Lambda_0_11_p1085;
 
   // link 4 (chest1), pose
-  const Real Lambda_0_11_p544 = s4 * Lambda_0_11_p540;
+  const Real Lambda_0_11_p1087 = s4 * Lambda_0_11_p1083;
 
   // link 6 (chest3), pose
-  const Real Lambda_0_11_p545 = c6 * Lambda_0_11_p543 + s6 * Lambda_0_11_p544;
+  const Real Lambda_0_11_p1088 = c6 * Lambda_0_11_p1086 + s6 * Lambda_0_11_p1087;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1089_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_0_11_p1088;
 
   // link 5 (chest2), pose
-  const Real Lambda_0_11_p546 = c5 * Lambda_0_11_p541 + s5 * Lambda_0_11_p542;
+  const Real Lambda_0_11_p1091 = c5 * Lambda_0_11_p1084 + s5 * Lambda_0_11_p1085;
 
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_0_11_p547 = s14 * Lambda_0_11_p545 - c14 * Lambda_0_11_p546;
-  const Real Lambda_0_11_p548 = c14 * Lambda_0_11_p545 + s14 * Lambda_0_11_p546;
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1092_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_0_11_p1091;
+  const Lanes<2> Lambda_0_11_p1094_lanes = Lambda_0_11_p1089_lanes - Lambda_0_11_p1092_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1096_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p1094_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1098_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_0_11_p1088;
+  const Lanes<2> Lambda_0_11_p1100_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_0_11_p1091;
+  const Lanes<2> Lambda_0_11_p1102_lanes = Lambda_0_11_p1098_lanes + Lambda_0_11_p1100_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_0_11_p1104_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p1102_lanes;
 
   // link 6 (chest3), pose
-  const Real Lambda_0_11_p549 = s6 * Lambda_0_11_p543 - c6 * Lambda_0_11_p544;
+  const Real Lambda_0_11_p1106 = s6 * Lambda_0_11_p1086 - c6 * Lambda_0_11_p1087;
 
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_0_11_p550 = s15 * Lambda_0_11_p548 + c15 * Lambda_0_11_p549;
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_0_11_p1107_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_0_11_p1106;
+  const Lanes<2> Lambda_0_11_p1109_lanes = Lambda_0_11_p1104_lanes + Lambda_0_11_p1107_lanes;
 
-  // link 16 (right_upperarm), pose
-  const Real Lambda_0_11_p551 = c16 * Lambda_0_11_p547 - s16 * Lambda_0_11_p550;
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1111_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p1109_lanes;
+  const Lanes<2> Lambda_0_11_p1113_lanes = Lambda_0_11_p1096_lanes - Lambda_0_11_p1111_lanes;
 
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_0_11_p552 = c15 * Lambda_0_11_p548 - s15 * Lambda_0_11_p549;
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> Lambda_0_11_p1115_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p1113_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_0_11_p1117_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p1102_lanes;
+  const Lanes<2> Lambda_0_11_p1119_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_0_11_p1106;
+  const Lanes<2> Lambda_0_11_p1121_lanes = Lambda_0_11_p1117_lanes - Lambda_0_11_p1119_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> Lambda_0_11_p1123_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p1121_lanes;
+  const Lanes<2> Lambda_0_11_p1125_lanes = Lambda_0_11_p1115_lanes + Lambda_0_11_p1123_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1127_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p1125_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1129_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p1109_lanes;
+  const Lanes<2> Lambda_0_11_p1131_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p1094_lanes;
+  const Lanes<2> Lambda_0_11_p1133_lanes = Lambda_0_11_p1129_lanes + Lambda_0_11_p1131_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1135_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p1133_lanes;
+  const Lanes<2> Lambda_0_11_p1137_lanes = Lambda_0_11_p1127_lanes - Lambda_0_11_p1135_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_0_11_p1139_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1137_lanes;
 
   // link 17 (right_lowerarm), pose
-  const Real Lambda_0_11_p553 = c17 * Lambda_0_11_p551 + s17 * Lambda_0_11_p552;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_0_11_p554 = c16 * Lambda_0_11_p550 + s16 * Lambda_0_11_p547;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_0_11_p555 = c18 * Lambda_0_11_p553 - s18 * Lambda_0_11_p554;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_0_11_p556 = c17 * Lambda_0_11_p552 - s17 * Lambda_0_11_p551;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_0_11_p557 = c19 * Lambda_0_11_p556 - s19 * Lambda_0_11_p555;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_0_11_p558 = s18 * Lambda_0_11_p553 + c18 * Lambda_0_11_p554;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_0_11_p559 = c20 * Lambda_0_11_p557 - s20 * Lambda_0_11_p558;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_0_11_p560 = c19 * Lambda_0_11_p555 + s19 * Lambda_0_11_p556;
+  const Real Lambda_0_11_p1141 = c17 * Lambda_0_11_p1121_lanes[1] - s17 *
+      Lambda_0_11_p1113_lanes[1];
 
   // link 5 (chest2), pose
-  const Real Lambda_0_11_p561 = s5 * s4;
+  const Real Lambda_0_11_p1142 = s5 * s4;
 
   // link 6 (chest3), pose
-  const Real Lambda_0_11_p562 = s6 * Lambda_0_11_p561 + c6 * c4;
-  const Real Lambda_0_11_p563 = s6 * c4 - c6 * Lambda_0_11_p561;
+  const Real Lambda_0_11_p1143 = s6 * Lambda_0_11_p1142 + c6 * c4;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_0_11_p1144_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_0_11_p1143;
+
+  // link 6 (chest3), pose
+  const Real Lambda_0_11_p1146 = s6 * c4 - c6 * Lambda_0_11_p1142;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1147_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_0_11_p1146;
 
   // link 5 (chest2), pose
-  const Real Lambda_0_11_p564 = c5 * s4;
+  const Real Lambda_0_11_p1149 = c5 * s4;
 
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_0_11_p565 = c14 * Lambda_0_11_p563 - s14 * Lambda_0_11_p564;
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1150_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_0_11_p1149;
+  const Lanes<2> Lambda_0_11_p1152_lanes = Lambda_0_11_p1147_lanes - Lambda_0_11_p1150_lanes;
 
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_0_11_p566 = c15 * Lambda_0_11_p562 - s15 * Lambda_0_11_p565;
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_0_11_p1154_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p1152_lanes;
+  const Lanes<2> Lambda_0_11_p1156_lanes = Lambda_0_11_p1144_lanes - Lambda_0_11_p1154_lanes;
 
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_0_11_p567 = s14 * Lambda_0_11_p563 + c14 * Lambda_0_11_p564;
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1158_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p1156_lanes;
 
-  // link 16 (right_upperarm), pose
-  const Real Lambda_0_11_p568 = s16 * Lambda_0_11_p566 + c16 * Lambda_0_11_p567;
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1160_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_0_11_p1146;
+  const Lanes<2> Lambda_0_11_p1162_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_0_11_p1149;
+  const Lanes<2> Lambda_0_11_p1164_lanes = Lambda_0_11_p1160_lanes + Lambda_0_11_p1162_lanes;
 
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_0_11_p569 = c15 * Lambda_0_11_p565 + s15 * Lambda_0_11_p562;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_0_11_p570 = c17 * Lambda_0_11_p568 + s17 * Lambda_0_11_p569;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_0_11_p571 = c16 * Lambda_0_11_p566 - s16 * Lambda_0_11_p567;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_0_11_p572 = c18 * Lambda_0_11_p570 + s18 * Lambda_0_11_p571;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_0_11_p573 = c17 * Lambda_0_11_p569 - s17 * Lambda_0_11_p568;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_0_11_p574 = c19 * Lambda_0_11_p572 + s19 * Lambda_0_11_p573;
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1166_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p1164_lanes;
+  const Lanes<2> Lambda_0_11_p1168_lanes = Lambda_0_11_p1158_lanes + Lambda_0_11_p1166_lanes;
 
   // link 4 (chest1), pose
-  const Real Lambda_0_11_p575 = c4 * Lambda_0_11_p542;
+  const Real Lambda_0_11_p1170 = c4 * Lambda_0_11_p1085;
 
   // link 5 (chest2), pose
-  const Real Lambda_0_11_p576 = s5 * Lambda_0_11_p575 + c5 * Lambda_0_11_p540;
+  const Real Lambda_0_11_p1171 = s5 * Lambda_0_11_p1170 + c5 * Lambda_0_11_p1083;
 
   // link 4 (chest1), pose
-  const Real Lambda_0_11_p577 = s4 * Lambda_0_11_p542;
+  const Real Lambda_0_11_p1172 = s4 * Lambda_0_11_p1085;
 
   // link 6 (chest3), pose
-  const Real Lambda_0_11_p578 = c6 * Lambda_0_11_p576 + s6 * Lambda_0_11_p577;
+  const Real Lambda_0_11_p1173 = c6 * Lambda_0_11_p1171 + s6 * Lambda_0_11_p1172;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1174_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_0_11_p1173;
 
   // link 5 (chest2), pose
-  const Real Lambda_0_11_p579 = c5 * Lambda_0_11_p575 - s5 * Lambda_0_11_p540;
+  const Real Lambda_0_11_p1176 = c5 * Lambda_0_11_p1170 - s5 * Lambda_0_11_p1083;
 
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_0_11_p580 = c14 * Lambda_0_11_p578 + s14 * Lambda_0_11_p579;
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1177_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_0_11_p1176;
+  const Lanes<2> Lambda_0_11_p1179_lanes = Lambda_0_11_p1174_lanes + Lambda_0_11_p1177_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_0_11_p1181_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_0_11_p1179_lanes;
 
   // link 6 (chest3), pose
-  const Real Lambda_0_11_p581 = s6 * Lambda_0_11_p576 - c6 * Lambda_0_11_p577;
+  const Real Lambda_0_11_p1183 = s6 * Lambda_0_11_p1171 - c6 * Lambda_0_11_p1172;
 
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_0_11_p582 = s15 * Lambda_0_11_p580 + c15 * Lambda_0_11_p581;
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_0_11_p1184_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_0_11_p1183;
+  const Lanes<2> Lambda_0_11_p1186_lanes = Lambda_0_11_p1181_lanes + Lambda_0_11_p1184_lanes;
 
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_0_11_p583 = c14 * Lambda_0_11_p579 - s14 * Lambda_0_11_p578;
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1188_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p1186_lanes;
 
-  // link 16 (right_upperarm), pose
-  const Real Lambda_0_11_p584 = s16 * Lambda_0_11_p582 + c16 * Lambda_0_11_p583;
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_0_11_p1190_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_0_11_p1176;
+  const Lanes<2> Lambda_0_11_p1192_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_0_11_p1173;
+  const Lanes<2> Lambda_0_11_p1194_lanes = Lambda_0_11_p1190_lanes - Lambda_0_11_p1192_lanes;
 
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_0_11_p585 = s15 * Lambda_0_11_p581 - c15 * Lambda_0_11_p580;
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1196_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p1194_lanes;
+  const Lanes<2> Lambda_0_11_p1198_lanes = Lambda_0_11_p1188_lanes + Lambda_0_11_p1196_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<8> Lambda_0_11_p1200_lanes = s10 *
+      detail::make_lanes<Real>(Lambda_0_11_p1198_lanes[0], Lambda_0_11_p1168_lanes[0],
+      Lambda_0_11_p1113_lanes[0], Lambda_0_11_p1198_lanes[0], Lambda_0_11_p1198_lanes[0],
+      Lambda_0_11_p1198_lanes[0], Lambda_0_11_p1198_lanes[0], Lambda_0_11_p1198_lanes[0]);
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_0_11_p1203_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p1152_lanes;
+  const Lanes<2> Lambda_0_11_p1205_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_0_11_p1143;
+  const Lanes<2> Lambda_0_11_p1207_lanes = Lambda_0_11_p1203_lanes + Lambda_0_11_p1205_lanes;
+  const Lanes<2> Lambda_0_11_p1209_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_0_11_p1179_lanes;
+  const Lanes<2> Lambda_0_11_p1211_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_0_11_p1183;
+  const Lanes<2> Lambda_0_11_p1213_lanes = Lambda_0_11_p1211_lanes - Lambda_0_11_p1209_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<8> Lambda_0_11_p1215_lanes = c10 *
+      detail::make_lanes<Real>(Lambda_0_11_p1213_lanes[0], Lambda_0_11_p1207_lanes[0],
+      Lambda_0_11_p1121_lanes[0], Lambda_0_11_p1213_lanes[0], Lambda_0_11_p1213_lanes[0],
+      Lambda_0_11_p1213_lanes[0], Lambda_0_11_p1213_lanes[0], Lambda_0_11_p1213_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1218_lanes = Lambda_0_11_p1215_lanes - Lambda_0_11_p1200_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_0_11_p1221_lanes = detail::make_lanes<Real>(c12, c19) *
+      detail::make_lanes<Real>(Lambda_0_11_p1218_lanes[2], Lambda_0_11_p1141);
+  const Lanes<2> Lambda_0_11_p1223_lanes = Lambda_0_11_p1221_lanes - Lambda_0_11_p1139_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1225_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_0_11_p1223_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1227_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p1125_lanes;
+  const Lanes<2> Lambda_0_11_p1229_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p1133_lanes;
+  const Lanes<2> Lambda_0_11_p1231_lanes = Lambda_0_11_p1227_lanes + Lambda_0_11_p1229_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1233_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p1231_lanes;
+  const Lanes<2> Lambda_0_11_p1235_lanes = Lambda_0_11_p1225_lanes - Lambda_0_11_p1233_lanes;
+
+  // link 19 (right_wrist2), pose
+  const Real Lambda_0_11_p1237 = c19 * Lambda_0_11_p1137_lanes[1] + s19 * Lambda_0_11_p1141;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> Lambda_0_11_p1238_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p1168_lanes;
+  const Lanes<2> Lambda_0_11_p1240_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p1207_lanes;
+  const Lanes<2> Lambda_0_11_p1242_lanes = Lambda_0_11_p1238_lanes + Lambda_0_11_p1240_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1244_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p1242_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1246_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p1156_lanes;
+  const Lanes<2> Lambda_0_11_p1248_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p1164_lanes;
+  const Lanes<2> Lambda_0_11_p1250_lanes = Lambda_0_11_p1246_lanes - Lambda_0_11_p1248_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1252_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p1250_lanes;
+  const Lanes<2> Lambda_0_11_p1254_lanes = Lambda_0_11_p1244_lanes + Lambda_0_11_p1252_lanes;
 
   // link 17 (right_lowerarm), pose
-  const Real Lambda_0_11_p586 = c17 * Lambda_0_11_p584 + s17 * Lambda_0_11_p585;
+  const Real Lambda_0_11_p1256 = c17 * Lambda_0_11_p1207_lanes[1] - s17 *
+      Lambda_0_11_p1168_lanes[1];
 
-  // link 16 (right_upperarm), pose
-  const Real Lambda_0_11_p587 = c16 * Lambda_0_11_p582 - s16 * Lambda_0_11_p583;
+  // link 19 (right_wrist2), pose
+  const Real Lambda_0_11_p1257 = c19 * Lambda_0_11_p1254_lanes[1] + s19 * Lambda_0_11_p1256;
 
-  // link 18 (right_wrist1), pose
-  const Real Lambda_0_11_p588 = c18 * Lambda_0_11_p586 + s18 * Lambda_0_11_p587;
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> Lambda_0_11_p1258_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_0_11_p1198_lanes;
+  const Lanes<2> Lambda_0_11_p1260_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_0_11_p1213_lanes;
+  const Lanes<2> Lambda_0_11_p1262_lanes = Lambda_0_11_p1258_lanes + Lambda_0_11_p1260_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1264_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p1262_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_0_11_p1266_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_0_11_p1186_lanes;
+  const Lanes<2> Lambda_0_11_p1268_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_0_11_p1194_lanes;
+  const Lanes<2> Lambda_0_11_p1270_lanes = Lambda_0_11_p1266_lanes - Lambda_0_11_p1268_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1272_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p1270_lanes;
+  const Lanes<2> Lambda_0_11_p1274_lanes = Lambda_0_11_p1264_lanes + Lambda_0_11_p1272_lanes;
 
   // link 17 (right_lowerarm), pose
-  const Real Lambda_0_11_p589 = c17 * Lambda_0_11_p585 - s17 * Lambda_0_11_p584;
+  const Real Lambda_0_11_p1276 = c17 * Lambda_0_11_p1213_lanes[1] - s17 *
+      Lambda_0_11_p1198_lanes[1];
 
   // link 19 (right_wrist2), pose
-  const Real Lambda_0_11_p590 = c19 * Lambda_0_11_p588 + s19 * Lambda_0_11_p589;
+  const Real Lambda_0_11_p1277 = c19 * Lambda_0_11_p1274_lanes[1] + s19 * Lambda_0_11_p1276;
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p591_lanes = 0.11533812622014242 *
-      detail::make_lanes<Real>(Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p574,
-      Lambda_0_11_p560, Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p590);
+  const Lanes<8> Lambda_0_11_p1278_lanes = 0.11533812622014242 *
+      detail::make_lanes<Real>(Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1257,
+      Lambda_0_11_p1237, Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1277,
+      Lambda_0_11_p1277);
 
-  // link 19 (right_wrist2), pose
-  const Real Lambda_0_11_p594 = c19 * Lambda_0_11_p573 - s19 * Lambda_0_11_p572;
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_0_11_p1281_lanes = detail::make_lanes<Real>(c12, c19) *
+      detail::make_lanes<Real>(Lambda_0_11_p1218_lanes[1], Lambda_0_11_p1256);
+  const Lanes<2> Lambda_0_11_p1283_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1254_lanes;
+  const Lanes<2> Lambda_0_11_p1285_lanes = Lambda_0_11_p1281_lanes - Lambda_0_11_p1283_lanes;
 
-  // link 18 (right_wrist1), pose
-  const Real Lambda_0_11_p595 = c18 * Lambda_0_11_p571 - s18 * Lambda_0_11_p570;
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1287_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_0_11_p1285_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1289_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p1242_lanes;
+  const Lanes<2> Lambda_0_11_p1291_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p1250_lanes;
+  const Lanes<2> Lambda_0_11_p1293_lanes = Lambda_0_11_p1291_lanes - Lambda_0_11_p1289_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1295_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p1293_lanes;
 
   // link 20 (right_hand), pose
-  const Real Lambda_0_11_p596 = c20 * Lambda_0_11_p594 + s20 * Lambda_0_11_p595;
+  const Real Lambda_0_11_p1297 = Lambda_0_11_p1287_lanes[1] + Lambda_0_11_p1295_lanes[1];
 
-  // link 19 (right_wrist2), pose
-  const Real Lambda_0_11_p597 = c19 * Lambda_0_11_p589 - s19 * Lambda_0_11_p588;
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_0_11_p1298_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1274_lanes;
+  const Lanes<2> Lambda_0_11_p1300_lanes = detail::make_lanes<Real>(c12, c19) *
+      detail::make_lanes<Real>(Lambda_0_11_p1218_lanes[0], Lambda_0_11_p1276);
+  const Lanes<2> Lambda_0_11_p1302_lanes = Lambda_0_11_p1300_lanes - Lambda_0_11_p1298_lanes;
 
-  // link 18 (right_wrist1), pose
-  const Real Lambda_0_11_p598 = c18 * Lambda_0_11_p587 - s18 * Lambda_0_11_p586;
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1304_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_0_11_p1302_lanes;
 
-  // link 20 (right_hand), pose
-  const Real Lambda_0_11_p599 = c20 * Lambda_0_11_p597 + s20 * Lambda_0_11_p598;
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_0_11_p1306_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_0_11_p1270_lanes;
+  const Lanes<2> Lambda_0_11_p1308_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_0_11_p1262_lanes;
+  const Lanes<2> Lambda_0_11_p1310_lanes = Lambda_0_11_p1306_lanes - Lambda_0_11_p1308_lanes;
 
-  // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p600_lanes = detail::make_lanes<Real>(Lambda_0_11_p599, Lambda_0_11_p599,
-      Lambda_0_11_p596, Lambda_0_11_p559, Lambda_0_11_p599, Lambda_0_11_p599, Lambda_0_11_p599,
-      Lambda_0_11_p599) + Lambda_0_11_p591_lanes;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_0_11_p603 = s20 * Lambda_0_11_p557 + c20 * Lambda_0_11_p558;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_0_11_p604 = -(0.086 * Lambda_0_11_p603);
-  const Real Lambda_0_11_p605 = 0.11533812622014242 * Lambda_0_11_p604;
-  const Lanes Lambda_0_11_p606_lanes = c20 * detail::make_lanes<Real>(Lambda_0_11_p605,
-      Lambda_0_11_p600_lanes[1], Lambda_0_11_p600_lanes[2], Lambda_0_11_p600_lanes[3],
-      Lambda_0_11_p605, Lambda_0_11_p605, Lambda_0_11_p605, Lambda_0_11_p605);
-  const Real Lambda_0_11_p610 = -Lambda_0_11_p603;
-  const Lanes Lambda_0_11_p611_lanes = 0.04672761636452121 *
-      detail::make_lanes<Real>(Lambda_0_11_p604, Lambda_0_11_p590, Lambda_0_11_p574,
-      Lambda_0_11_p560, Lambda_0_11_p604, Lambda_0_11_p604, Lambda_0_11_p604, Lambda_0_11_p604);
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1312_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p1310_lanes;
 
   // link 20 (right_hand), pose
-  const Real Lambda_0_11_p615 = c20 * Lambda_0_11_p595 - s20 * Lambda_0_11_p594;
-  const Real Lambda_0_11_p616 = c20 * Lambda_0_11_p598 - s20 * Lambda_0_11_p597;
+  const Real Lambda_0_11_p1314 = Lambda_0_11_p1304_lanes[1] + Lambda_0_11_p1312_lanes[1];
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p617_lanes = detail::make_lanes<Real>(-(0.086 * Lambda_0_11_p560),
-      Lambda_0_11_p616, Lambda_0_11_p615, Lambda_0_11_p610, -(0.086 * Lambda_0_11_p560),
-      -(0.086 * Lambda_0_11_p560), -(0.086 * Lambda_0_11_p560), -(0.086 * Lambda_0_11_p560)) +
-      Lambda_0_11_p611_lanes;
-  const Lanes Lambda_0_11_p621_lanes = s20 * Lambda_0_11_p617_lanes;
-  const Lanes Lambda_0_11_p625_lanes = Lambda_0_11_p606_lanes - Lambda_0_11_p621_lanes;
-  const Lanes Lambda_0_11_p629_lanes = s20 * detail::make_lanes<Real>(Lambda_0_11_p605,
-      Lambda_0_11_p600_lanes[1], Lambda_0_11_p600_lanes[2], Lambda_0_11_p600_lanes[3],
-      Lambda_0_11_p605, Lambda_0_11_p605, Lambda_0_11_p605, Lambda_0_11_p605);
-  const Lanes Lambda_0_11_p633_lanes = c20 * Lambda_0_11_p617_lanes;
-  const Lanes Lambda_0_11_p637_lanes = Lambda_0_11_p629_lanes + Lambda_0_11_p633_lanes;
+  const Lanes<8> Lambda_0_11_p1315_lanes = detail::make_lanes<Real>(Lambda_0_11_p1314,
+      Lambda_0_11_p1314, Lambda_0_11_p1297, Lambda_0_11_p1235_lanes[1], Lambda_0_11_p1314,
+      Lambda_0_11_p1314, Lambda_0_11_p1314, Lambda_0_11_p1314) + Lambda_0_11_p1278_lanes;
 
-  // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p641_lanes = Lambda_0_11_p186 * Lambda_0_11_p637_lanes;
-  const Lanes Lambda_0_11_p645_lanes = Lambda_0_11_p625_lanes - Lambda_0_11_p641_lanes;
-  const Lanes Lambda_0_11_p649_lanes = s19 * Lambda_0_11_p645_lanes;
-  const Lanes Lambda_0_11_p653_lanes = Lambda_0_11_p192 * Lambda_0_11_p637_lanes;
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1318_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p1223_lanes;
+  const Lanes<2> Lambda_0_11_p1320_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_0_11_p1231_lanes;
+  const Lanes<2> Lambda_0_11_p1322_lanes = Lambda_0_11_p1318_lanes + Lambda_0_11_p1320_lanes;
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p657_lanes = 3.0523172236718206 *
-      detail::make_lanes<Real>(Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p574,
-      Lambda_0_11_p560, Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p590);
-  const Lanes Lambda_0_11_p660_lanes = s20 * Lambda_0_11_p657_lanes;
-  const Lanes Lambda_0_11_p663_lanes = 17.32841575379867 *
-      detail::make_lanes<Real>(Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p574,
-      Lambda_0_11_p560, Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p590, Lambda_0_11_p590);
-  const Lanes Lambda_0_11_p666_lanes = c20 * Lambda_0_11_p663_lanes;
-  const Lanes Lambda_0_11_p669_lanes = Lambda_0_11_p660_lanes - Lambda_0_11_p666_lanes;
-  const Real Lambda_0_11_p672 = Lambda_0_11_p559 + 3.0523172236718206 * Lambda_0_11_p604;
-  const Real Lambda_0_11_p673 = Lambda_0_11_p610 - 17.32841575379867 * Lambda_0_11_p604;
+  const Real Lambda_0_11_p1324 = -(0.086 * Lambda_0_11_p1322_lanes[1]);
+  const Real Lambda_0_11_p1325 = 0.11533812622014242 * Lambda_0_11_p1324;
+  const Lanes<8> Lambda_0_11_p1326_lanes = c20 * detail::make_lanes<Real>(Lambda_0_11_p1325,
+      Lambda_0_11_p1315_lanes[1], Lambda_0_11_p1315_lanes[2], Lambda_0_11_p1315_lanes[3],
+      Lambda_0_11_p1325, Lambda_0_11_p1325, Lambda_0_11_p1325, Lambda_0_11_p1325);
+  const Real Lambda_0_11_p1330 = -Lambda_0_11_p1322_lanes[1];
+  const Lanes<8> Lambda_0_11_p1331_lanes = (-0.04672761636452121) *
+      detail::make_lanes<Real>(Lambda_0_11_p1324, Lambda_0_11_p1277, Lambda_0_11_p1257,
+      Lambda_0_11_p1237, Lambda_0_11_p1324, Lambda_0_11_p1324, Lambda_0_11_p1324,
+      Lambda_0_11_p1324);
 
-  // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p674_lanes = detail::make_lanes<Real>(s20 * Lambda_0_11_p672 + c20 *
-      Lambda_0_11_p673, Lambda_0_11_p669_lanes[1], Lambda_0_11_p669_lanes[2],
-      Lambda_0_11_p669_lanes[3], s20 * Lambda_0_11_p672 + c20 * Lambda_0_11_p673, s20 *
-      Lambda_0_11_p672 + c20 * Lambda_0_11_p673, s20 * Lambda_0_11_p672 + c20 * Lambda_0_11_p673,
-      s20 * Lambda_0_11_p672 + c20 * Lambda_0_11_p673) - Lambda_0_11_p653_lanes;
-  const Lanes Lambda_0_11_p678_lanes = 0.269 * Lambda_0_11_p674_lanes;
-  const Lanes Lambda_0_11_p682_lanes = Lambda_0_11_p678_lanes - Lambda_0_11_p649_lanes;
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1335_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p1285_lanes;
+  const Lanes<2> Lambda_0_11_p1337_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_0_11_p1293_lanes;
 
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p686 = -(c19 * Lambda_0_11_p645_lanes[3]);
-  const Real Lambda_0_11_p687 = -(c19 * Lambda_0_11_p645_lanes[2]);
-  const Real Lambda_0_11_p688 = -(c19 * Lambda_0_11_p645_lanes[1]);
-  const Real Lambda_0_11_p689 = -(c19 * Lambda_0_11_p645_lanes[0]);
-  const Lanes Lambda_0_11_p690_lanes = inverse_D17_p1 *
-      detail::make_lanes<Real>(Lambda_0_11_p689, Lambda_0_11_p688, Lambda_0_11_p687,
-      Lambda_0_11_p686, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689);
-  const Lanes Lambda_0_11_p694_lanes = Lambda_0_11_p682_lanes - Lambda_0_11_p690_lanes;
-  const Lanes Lambda_0_11_p698_lanes = c18 * Lambda_0_11_p694_lanes;
+  // link 20 (right_hand), pose
+  const Real Lambda_0_11_p1339 = Lambda_0_11_p1337_lanes[1] - Lambda_0_11_p1335_lanes[1];
 
-  // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p702_lanes = Lambda_0_11_p209 * Lambda_0_11_p637_lanes;
-  const Lanes Lambda_0_11_p705_lanes = c19 * Lambda_0_11_p702_lanes;
-  const Lanes Lambda_0_11_p708_lanes = Lambda_0_11_p206 * Lambda_0_11_p637_lanes;
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_0_11_p1340_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_0_11_p1310_lanes;
+  const Lanes<2> Lambda_0_11_p1342_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p1302_lanes;
+
+  // link 20 (right_hand), pose
+  const Real Lambda_0_11_p1344 = Lambda_0_11_p1340_lanes[1] - Lambda_0_11_p1342_lanes[1];
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p711_lanes = c20 * Lambda_0_11_p657_lanes;
-  const Lanes Lambda_0_11_p714_lanes = s20 * Lambda_0_11_p663_lanes;
-  const Lanes Lambda_0_11_p717_lanes = Lambda_0_11_p711_lanes + Lambda_0_11_p714_lanes;
+  const Lanes<8> Lambda_0_11_p1345_lanes = detail::make_lanes<Real>(-(0.086 * Lambda_0_11_p1237),
+      Lambda_0_11_p1344, Lambda_0_11_p1339, Lambda_0_11_p1330, -(0.086 * Lambda_0_11_p1237),
+      -(0.086 * Lambda_0_11_p1237), -(0.086 * Lambda_0_11_p1237), -(0.086 * Lambda_0_11_p1237)) -
+      Lambda_0_11_p1331_lanes;
+  const Lanes<8> Lambda_0_11_p1349_lanes = s20 * Lambda_0_11_p1345_lanes;
+  const Lanes<8> Lambda_0_11_p1353_lanes = Lambda_0_11_p1326_lanes - Lambda_0_11_p1349_lanes;
+  const Lanes<8> Lambda_0_11_p1357_lanes = s20 * detail::make_lanes<Real>(Lambda_0_11_p1325,
+      Lambda_0_11_p1315_lanes[1], Lambda_0_11_p1315_lanes[2], Lambda_0_11_p1315_lanes[3],
+      Lambda_0_11_p1325, Lambda_0_11_p1325, Lambda_0_11_p1325, Lambda_0_11_p1325);
+  const Lanes<8> Lambda_0_11_p1361_lanes = c20 * Lambda_0_11_p1345_lanes;
+  const Lanes<8> Lambda_0_11_p1365_lanes = Lambda_0_11_p1357_lanes + Lambda_0_11_p1361_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p720_lanes = Lambda_0_11_p717_lanes - Lambda_0_11_p708_lanes;
-  const Lanes Lambda_0_11_p723_lanes = s19 * Lambda_0_11_p720_lanes;
-  const Lanes Lambda_0_11_p726_lanes = Lambda_0_11_p705_lanes + Lambda_0_11_p723_lanes;
-  const Real Lambda_0_11_p729 = c20 * Lambda_0_11_p672 - s20 * Lambda_0_11_p673 - Lambda_0_11_p206 *
-      Lambda_0_11_p637_lanes[0];
-  const Real Lambda_0_11_p730 = Lambda_0_11_p560 - Lambda_0_11_p209 * Lambda_0_11_p637_lanes[0];
-  const Real Lambda_0_11_p731 = s19 * Lambda_0_11_p729 - c19 * Lambda_0_11_p730;
-  const Lanes Lambda_0_11_p732_lanes = 0.269 * detail::make_lanes<Real>(Lambda_0_11_p731,
-      Lambda_0_11_p726_lanes[1], Lambda_0_11_p726_lanes[2], Lambda_0_11_p726_lanes[3],
-      Lambda_0_11_p731, Lambda_0_11_p731, Lambda_0_11_p731, Lambda_0_11_p731);
+  const Lanes<8> Lambda_0_11_p1369_lanes = inverse_D11_p1_lanes[1] * Lambda_0_11_p1365_lanes;
+  const Lanes<8> Lambda_0_11_p1373_lanes = Lambda_0_11_p1353_lanes - Lambda_0_11_p1369_lanes;
+  const Lanes<8> Lambda_0_11_p1377_lanes = s19 * Lambda_0_11_p1373_lanes;
+  const Lanes<8> Lambda_0_11_p1381_lanes = Lambda_0_11_p61_lanes[1] * Lambda_0_11_p1365_lanes;
 
-  // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p736_lanes = inverse_D17_p3 *
-      detail::make_lanes<Real>(Lambda_0_11_p689, Lambda_0_11_p688, Lambda_0_11_p687,
-      Lambda_0_11_p686, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689);
-  const Lanes Lambda_0_11_p740_lanes = Lambda_0_11_p732_lanes - Lambda_0_11_p736_lanes;
-  const Lanes Lambda_0_11_p744_lanes = s18 * Lambda_0_11_p740_lanes;
-  const Lanes Lambda_0_11_p748_lanes = Lambda_0_11_p698_lanes - Lambda_0_11_p744_lanes;
-  const Lanes Lambda_0_11_p752_lanes = s18 * Lambda_0_11_p694_lanes;
-  const Lanes Lambda_0_11_p756_lanes = c18 * Lambda_0_11_p740_lanes;
-  const Lanes Lambda_0_11_p760_lanes = Lambda_0_11_p752_lanes + Lambda_0_11_p756_lanes;
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_0_11_p1385_lanes = 3.0523172236718206 *
+      detail::make_lanes<Real>(Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1257,
+      Lambda_0_11_p1237, Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1277,
+      Lambda_0_11_p1277);
+  const Lanes<8> Lambda_0_11_p1388_lanes = s20 * Lambda_0_11_p1385_lanes;
+  const Lanes<8> Lambda_0_11_p1391_lanes = 17.32841575379867 *
+      detail::make_lanes<Real>(Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1257,
+      Lambda_0_11_p1237, Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1277,
+      Lambda_0_11_p1277);
+  const Lanes<8> Lambda_0_11_p1394_lanes = c20 * Lambda_0_11_p1391_lanes;
+  const Lanes<8> Lambda_0_11_p1397_lanes = Lambda_0_11_p1388_lanes - Lambda_0_11_p1394_lanes;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p764_lanes = Lambda_0_11_p243 * Lambda_0_11_p760_lanes;
-  const Lanes Lambda_0_11_p768_lanes = Lambda_0_11_p748_lanes - Lambda_0_11_p764_lanes;
-  const Lanes Lambda_0_11_p772_lanes = c17 * Lambda_0_11_p768_lanes;
-  const Lanes Lambda_0_11_p776_lanes = Lambda_0_11_p240 * Lambda_0_11_p760_lanes;
-  const Lanes Lambda_0_11_p780_lanes = s17 * Lambda_0_11_p776_lanes;
-  const Lanes Lambda_0_11_p784_lanes = Lambda_0_11_p772_lanes + Lambda_0_11_p780_lanes;
-  const Lanes Lambda_0_11_p788_lanes = Lambda_0_11_p234 * Lambda_0_11_p760_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p792_lanes = Lambda_0_11_p214 *
-      detail::make_lanes<Real>(Lambda_0_11_p689, Lambda_0_11_p688, Lambda_0_11_p687,
-      Lambda_0_11_p686, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689);
-  const Lanes Lambda_0_11_p796_lanes = detail::make_lanes<Real>(-Lambda_0_11_p731,
-      -Lambda_0_11_p726_lanes[1], -Lambda_0_11_p726_lanes[2], -Lambda_0_11_p726_lanes[3],
-      -Lambda_0_11_p731, -Lambda_0_11_p731, -Lambda_0_11_p731, -Lambda_0_11_p731) -
-      Lambda_0_11_p792_lanes;
-  const Lanes Lambda_0_11_p800_lanes = s18 * Lambda_0_11_p796_lanes;
-  const Lanes Lambda_0_11_p804_lanes = Lambda_0_11_p198 *
-      detail::make_lanes<Real>(Lambda_0_11_p689, Lambda_0_11_p688, Lambda_0_11_p687,
-      Lambda_0_11_p686, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689);
-  const Lanes Lambda_0_11_p808_lanes = Lambda_0_11_p674_lanes - Lambda_0_11_p804_lanes;
-  const Lanes Lambda_0_11_p812_lanes = c18 * Lambda_0_11_p808_lanes;
-  const Lanes Lambda_0_11_p816_lanes = Lambda_0_11_p800_lanes + Lambda_0_11_p812_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p820_lanes = Lambda_0_11_p816_lanes - Lambda_0_11_p788_lanes;
-  const Lanes Lambda_0_11_p824_lanes = 0.282 * Lambda_0_11_p820_lanes;
-  const Lanes Lambda_0_11_p828_lanes = Lambda_0_11_p784_lanes + Lambda_0_11_p824_lanes;
-  const Lanes Lambda_0_11_p832_lanes = s17 * Lambda_0_11_p768_lanes;
-  const Lanes Lambda_0_11_p836_lanes = c17 * Lambda_0_11_p776_lanes;
-  const Lanes Lambda_0_11_p840_lanes = Lambda_0_11_p836_lanes - Lambda_0_11_p832_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p844_lanes = inverse_D15_p1 * Lambda_0_11_p840_lanes;
-  const Lanes Lambda_0_11_p848_lanes = Lambda_0_11_p828_lanes - Lambda_0_11_p844_lanes;
-  const Lanes Lambda_0_11_p852_lanes = c16 * Lambda_0_11_p848_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p856_lanes = Lambda_0_11_p258 * Lambda_0_11_p760_lanes;
+  // link 13 (left_hand), force propagation
+  const Real Lambda_0_11_p1400 = -(0.086 * Lambda_0_11_p1322_lanes[0]);
+  const Lanes<2> Lambda_0_11_p1401_lanes = detail::make_lanes<Real>((-3.0523172236718206),
+      3.0523172236718206) * detail::make_lanes<Real>(Lambda_0_11_p1400, Lambda_0_11_p1324);
+  const Lanes<2> Lambda_0_11_p1403_lanes = Lambda_0_11_p1235_lanes + Lambda_0_11_p1401_lanes;
+  const Lanes<2> Lambda_0_11_p1405_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p1403_lanes;
+  const Lanes<2> Lambda_0_11_p1407_lanes = 17.32841575379867 *
+      detail::make_lanes<Real>(Lambda_0_11_p1400, Lambda_0_11_p1324);
+  const Real Lambda_0_11_p1409 = -Lambda_0_11_p1322_lanes[0];
+  const Lanes<2> Lambda_0_11_p1410_lanes = detail::make_lanes<Real>(Lambda_0_11_p1409,
+      Lambda_0_11_p1330) - Lambda_0_11_p1407_lanes;
+  const Lanes<2> Lambda_0_11_p1412_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_0_11_p1410_lanes;
+  const Lanes<2> Lambda_0_11_p1414_lanes = Lambda_0_11_p1405_lanes + Lambda_0_11_p1412_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p860_lanes = s19 * Lambda_0_11_p702_lanes;
-  const Lanes Lambda_0_11_p863_lanes = c19 * Lambda_0_11_p720_lanes;
-  const Lanes Lambda_0_11_p866_lanes = Lambda_0_11_p860_lanes - Lambda_0_11_p863_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p869_lanes = detail::make_lanes<Real>(-(-(s19 * Lambda_0_11_p730 + c19 *
-      Lambda_0_11_p729) - Lambda_0_11_p253 * Lambda_0_11_p689),
-      -(Lambda_0_11_p866_lanes[1] - Lambda_0_11_p253 * Lambda_0_11_p688),
-      -(Lambda_0_11_p866_lanes[2] - Lambda_0_11_p253 * Lambda_0_11_p687),
-      -(Lambda_0_11_p866_lanes[3] - Lambda_0_11_p253 * Lambda_0_11_p686),
-      -(-(s19 * Lambda_0_11_p730 + c19 * Lambda_0_11_p729) - Lambda_0_11_p253 * Lambda_0_11_p689),
-      -(-(s19 * Lambda_0_11_p730 + c19 * Lambda_0_11_p729) - Lambda_0_11_p253 * Lambda_0_11_p689),
-      -(-(s19 * Lambda_0_11_p730 + c19 * Lambda_0_11_p729) - Lambda_0_11_p253 * Lambda_0_11_p689),
-      -(-(s19 * Lambda_0_11_p730 + c19 * Lambda_0_11_p729) - Lambda_0_11_p253 * Lambda_0_11_p689)) -
-      Lambda_0_11_p856_lanes;
-  const Lanes Lambda_0_11_p873_lanes = s17 * Lambda_0_11_p869_lanes;
-  const Lanes Lambda_0_11_p877_lanes = Lambda_0_11_p249 * Lambda_0_11_p760_lanes;
+  const Lanes<8> Lambda_0_11_p1416_lanes = detail::make_lanes<Real>(Lambda_0_11_p1414_lanes[1],
+      Lambda_0_11_p1397_lanes[1], Lambda_0_11_p1397_lanes[2], Lambda_0_11_p1397_lanes[3],
+      Lambda_0_11_p1414_lanes[1], Lambda_0_11_p1414_lanes[1], Lambda_0_11_p1414_lanes[1],
+      Lambda_0_11_p1414_lanes[1]) - Lambda_0_11_p1381_lanes;
+  const Lanes<8> Lambda_0_11_p1420_lanes = 0.269 * Lambda_0_11_p1416_lanes;
+  const Lanes<8> Lambda_0_11_p1424_lanes = Lambda_0_11_p1420_lanes - Lambda_0_11_p1377_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p881_lanes = c18 * Lambda_0_11_p796_lanes;
-  const Lanes Lambda_0_11_p885_lanes = s18 * Lambda_0_11_p808_lanes;
-  const Lanes Lambda_0_11_p889_lanes = Lambda_0_11_p881_lanes - Lambda_0_11_p885_lanes;
+  const Real Lambda_0_11_p1428 = -(c19 * Lambda_0_11_p1373_lanes[3]);
+  const Real Lambda_0_11_p1429 = -(c19 * Lambda_0_11_p1373_lanes[2]);
+  const Real Lambda_0_11_p1430 = -(c19 * Lambda_0_11_p1373_lanes[1]);
+  const Real Lambda_0_11_p1431 = -(c19 * Lambda_0_11_p1373_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1432_lanes = inverse_D10_p1_lanes[1] *
+      detail::make_lanes<Real>(Lambda_0_11_p1431, Lambda_0_11_p1430, Lambda_0_11_p1429,
+      Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431, Lambda_0_11_p1431,
+      Lambda_0_11_p1431);
+  const Lanes<8> Lambda_0_11_p1436_lanes = Lambda_0_11_p1424_lanes - Lambda_0_11_p1432_lanes;
+  const Lanes<8> Lambda_0_11_p1440_lanes = c18 * Lambda_0_11_p1436_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1444_lanes = Lambda_0_11_p35_lanes[1] * Lambda_0_11_p1365_lanes;
+  const Lanes<8> Lambda_0_11_p1447_lanes = c19 * Lambda_0_11_p1444_lanes;
+  const Lanes<8> Lambda_0_11_p1450_lanes = Lambda_0_11_p11_lanes[1] * Lambda_0_11_p1365_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_0_11_p1453_lanes = c20 * Lambda_0_11_p1385_lanes;
+  const Lanes<8> Lambda_0_11_p1456_lanes = s20 * Lambda_0_11_p1391_lanes;
+  const Lanes<8> Lambda_0_11_p1459_lanes = Lambda_0_11_p1453_lanes + Lambda_0_11_p1456_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1462_lanes = Lambda_0_11_p1459_lanes - Lambda_0_11_p1450_lanes;
+  const Lanes<8> Lambda_0_11_p1465_lanes = s19 * Lambda_0_11_p1462_lanes;
+  const Lanes<8> Lambda_0_11_p1468_lanes = Lambda_0_11_p1447_lanes + Lambda_0_11_p1465_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_0_11_p1471_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_0_11_p1403_lanes;
+  const Lanes<2> Lambda_0_11_p1473_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_0_11_p1410_lanes;
+  const Lanes<2> Lambda_0_11_p1475_lanes = Lambda_0_11_p1471_lanes - Lambda_0_11_p1473_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<8> Lambda_0_11_p1477_lanes = c12 *
+      detail::make_lanes<Real>(Lambda_0_11_p1274_lanes[0], Lambda_0_11_p1254_lanes[0],
+      Lambda_0_11_p1137_lanes[0], Lambda_0_11_p1274_lanes[0], Lambda_0_11_p1274_lanes[0],
+      Lambda_0_11_p1274_lanes[0], Lambda_0_11_p1274_lanes[0], Lambda_0_11_p1274_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1480_lanes = s12 * Lambda_0_11_p1218_lanes;
+  const Lanes<8> Lambda_0_11_p1483_lanes = Lambda_0_11_p1477_lanes + Lambda_0_11_p1480_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_0_11_p1486_lanes = 0.11533812622014242 *
+      detail::make_lanes<Real>(Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0],
+      Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1],
+      Lambda_0_11_p1483_lanes[2], Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0]);
+
+  // link 13 (left_hand), pose
+  const Real Lambda_0_11_p1489 = Lambda_0_11_p1287_lanes[0] + Lambda_0_11_p1295_lanes[0];
+  const Real Lambda_0_11_p1490 = Lambda_0_11_p1304_lanes[0] + Lambda_0_11_p1312_lanes[0];
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_0_11_p1491_lanes = detail::make_lanes<Real>(Lambda_0_11_p1490,
+      Lambda_0_11_p1490, Lambda_0_11_p1490, Lambda_0_11_p1490, Lambda_0_11_p1489,
+      Lambda_0_11_p1235_lanes[0], Lambda_0_11_p1490, Lambda_0_11_p1490) + Lambda_0_11_p1486_lanes;
+  const Real Lambda_0_11_p1494 = 0.11533812622014242 * Lambda_0_11_p1400;
+
+  // link 13 (left_hand), pose
+  const Real Lambda_0_11_p1495 = Lambda_0_11_p1337_lanes[0] - Lambda_0_11_p1335_lanes[0];
+
+  // link 13 (left_hand), force propagation
+  const Real Lambda_0_11_p1496 = 0.009919078854932248 * Lambda_0_11_p1495;
+
+  // link 13 (left_hand), pose
+  const Real Lambda_0_11_p1497 = Lambda_0_11_p1340_lanes[0] - Lambda_0_11_p1342_lanes[0];
+
+  // link 13 (left_hand), force propagation
+  const Real Lambda_0_11_p1498 = 0.009919078854932248 * Lambda_0_11_p1497;
+  const Lanes<8> Lambda_0_11_p1499_lanes = s13 * detail::make_lanes<Real>(Lambda_0_11_p1498,
+      Lambda_0_11_p1496, Lambda_0_11_p1494, Lambda_0_11_p1491_lanes[3], Lambda_0_11_p1491_lanes[4],
+      Lambda_0_11_p1491_lanes[5], Lambda_0_11_p1498, Lambda_0_11_p1498);
+  const Lanes<8> Lambda_0_11_p1505_lanes = detail::make_lanes<Real>(0.004018575007348824,
+      0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
+      0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
+      detail::make_lanes<Real>(Lambda_0_11_p1497, Lambda_0_11_p1495, Lambda_0_11_p1400,
+      Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1], Lambda_0_11_p1483_lanes[2],
+      Lambda_0_11_p1497, Lambda_0_11_p1497);
+  const Lanes<8> Lambda_0_11_p1511_lanes = detail::make_lanes<Real>(-(0.086 *
+      Lambda_0_11_p1483_lanes[0]), -(0.086 * Lambda_0_11_p1483_lanes[1]),
+      -(0.086 * Lambda_0_11_p1483_lanes[2]), Lambda_0_11_p1497, Lambda_0_11_p1495,
+      Lambda_0_11_p1409, -(0.086 * Lambda_0_11_p1483_lanes[0]),
+      -(0.086 * Lambda_0_11_p1483_lanes[0])) - Lambda_0_11_p1505_lanes;
+  const Lanes<8> Lambda_0_11_p1517_lanes = c13 * Lambda_0_11_p1511_lanes;
+  const Lanes<8> Lambda_0_11_p1523_lanes = Lambda_0_11_p1499_lanes + Lambda_0_11_p1517_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p1529_lanes = Lambda_0_11_p11_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[2], Lambda_0_11_p1365_lanes[0]);
+  const Lanes<2> Lambda_0_11_p1531_lanes = Lambda_0_11_p1475_lanes - Lambda_0_11_p1529_lanes;
+  const Lanes<2> Lambda_0_11_p1533_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1531_lanes;
+  const Lanes<2> Lambda_0_11_p1535_lanes = Lambda_0_11_p35_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[2], Lambda_0_11_p1365_lanes[0]);
+  const Lanes<2> Lambda_0_11_p1537_lanes = detail::make_lanes<Real>(Lambda_0_11_p1483_lanes[2],
+      Lambda_0_11_p1237) - Lambda_0_11_p1535_lanes;
+  const Lanes<2> Lambda_0_11_p1539_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p1537_lanes;
+  const Lanes<2> Lambda_0_11_p1541_lanes = Lambda_0_11_p1533_lanes - Lambda_0_11_p1539_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1543_lanes = 0.269 *
+      detail::make_lanes<Real>(Lambda_0_11_p1541_lanes[1], Lambda_0_11_p1468_lanes[1],
+      Lambda_0_11_p1468_lanes[2], Lambda_0_11_p1468_lanes[3], Lambda_0_11_p1541_lanes[1],
+      Lambda_0_11_p1541_lanes[1], Lambda_0_11_p1541_lanes[1], Lambda_0_11_p1541_lanes[1]);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p1547_lanes = inverse_D10_p8_lanes[1] *
+      detail::make_lanes<Real>(Lambda_0_11_p1431, Lambda_0_11_p1430, Lambda_0_11_p1429,
+      Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431, Lambda_0_11_p1431,
+      Lambda_0_11_p1431);
+  const Lanes<8> Lambda_0_11_p1551_lanes = Lambda_0_11_p1543_lanes - Lambda_0_11_p1547_lanes;
+  const Lanes<8> Lambda_0_11_p1555_lanes = s18 * Lambda_0_11_p1551_lanes;
+  const Lanes<8> Lambda_0_11_p1559_lanes = Lambda_0_11_p1440_lanes - Lambda_0_11_p1555_lanes;
+  const Lanes<8> Lambda_0_11_p1563_lanes = s18 * Lambda_0_11_p1436_lanes;
+  const Lanes<8> Lambda_0_11_p1567_lanes = c18 * Lambda_0_11_p1551_lanes;
+  const Lanes<8> Lambda_0_11_p1571_lanes = Lambda_0_11_p1563_lanes + Lambda_0_11_p1567_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p893_lanes = Lambda_0_11_p889_lanes - Lambda_0_11_p877_lanes;
-  const Lanes Lambda_0_11_p897_lanes = c17 * Lambda_0_11_p893_lanes;
-  const Lanes Lambda_0_11_p901_lanes = Lambda_0_11_p873_lanes - Lambda_0_11_p897_lanes;
-  const Lanes Lambda_0_11_p905_lanes = 0.282 * Lambda_0_11_p901_lanes;
+  const Lanes<8> Lambda_0_11_p1575_lanes = Lambda_0_11_p231_lanes[1] * Lambda_0_11_p1571_lanes;
+  const Lanes<8> Lambda_0_11_p1579_lanes = Lambda_0_11_p1559_lanes - Lambda_0_11_p1575_lanes;
+  const Lanes<8> Lambda_0_11_p1583_lanes = c17 * Lambda_0_11_p1579_lanes;
+  const Lanes<8> Lambda_0_11_p1587_lanes = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p1571_lanes;
+  const Lanes<8> Lambda_0_11_p1591_lanes = s17 * Lambda_0_11_p1587_lanes;
+  const Lanes<8> Lambda_0_11_p1595_lanes = Lambda_0_11_p1583_lanes + Lambda_0_11_p1591_lanes;
+  const Lanes<8> Lambda_0_11_p1599_lanes = Lambda_0_11_p191_lanes[1] * Lambda_0_11_p1571_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p1603_lanes = Lambda_0_11_p55_lanes[1] *
+      detail::make_lanes<Real>(Lambda_0_11_p1431, Lambda_0_11_p1430, Lambda_0_11_p1429,
+      Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431, Lambda_0_11_p1431,
+      Lambda_0_11_p1431);
+  const Lanes<8> Lambda_0_11_p1607_lanes = detail::make_lanes<Real>(-Lambda_0_11_p1541_lanes[1],
+      -Lambda_0_11_p1468_lanes[1], -Lambda_0_11_p1468_lanes[2], -Lambda_0_11_p1468_lanes[3],
+      -Lambda_0_11_p1541_lanes[1], -Lambda_0_11_p1541_lanes[1], -Lambda_0_11_p1541_lanes[1],
+      -Lambda_0_11_p1541_lanes[1]) + Lambda_0_11_p1603_lanes;
+  const Lanes<8> Lambda_0_11_p1611_lanes = s18 * Lambda_0_11_p1607_lanes;
+  const Lanes<8> Lambda_0_11_p1615_lanes = Lambda_0_11_p119_lanes[1] *
+      detail::make_lanes<Real>(Lambda_0_11_p1431, Lambda_0_11_p1430, Lambda_0_11_p1429,
+      Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431, Lambda_0_11_p1431,
+      Lambda_0_11_p1431);
+  const Lanes<8> Lambda_0_11_p1619_lanes = Lambda_0_11_p1416_lanes - Lambda_0_11_p1615_lanes;
+  const Lanes<8> Lambda_0_11_p1623_lanes = c18 * Lambda_0_11_p1619_lanes;
+  const Lanes<8> Lambda_0_11_p1627_lanes = Lambda_0_11_p1611_lanes + Lambda_0_11_p1623_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p1631_lanes = Lambda_0_11_p1627_lanes - Lambda_0_11_p1599_lanes;
+  const Lanes<8> Lambda_0_11_p1635_lanes = 0.282 * Lambda_0_11_p1631_lanes;
+  const Lanes<8> Lambda_0_11_p1639_lanes = Lambda_0_11_p1595_lanes + Lambda_0_11_p1635_lanes;
+  const Lanes<8> Lambda_0_11_p1643_lanes = s17 * Lambda_0_11_p1579_lanes;
+  const Lanes<8> Lambda_0_11_p1647_lanes = c17 * Lambda_0_11_p1587_lanes;
+  const Lanes<8> Lambda_0_11_p1651_lanes = Lambda_0_11_p1647_lanes - Lambda_0_11_p1643_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p909_lanes = inverse_D15_p3 * Lambda_0_11_p840_lanes;
-  const Lanes Lambda_0_11_p913_lanes = Lambda_0_11_p905_lanes - Lambda_0_11_p909_lanes;
-  const Lanes Lambda_0_11_p917_lanes = s16 * Lambda_0_11_p913_lanes;
-  const Lanes Lambda_0_11_p921_lanes = Lambda_0_11_p852_lanes - Lambda_0_11_p917_lanes;
+  const Lanes<8> Lambda_0_11_p1655_lanes = Lambda_0_11_p259_lanes[1] * Lambda_0_11_p1651_lanes;
+  const Lanes<8> Lambda_0_11_p1659_lanes = Lambda_0_11_p1639_lanes - Lambda_0_11_p1655_lanes;
+  const Lanes<8> Lambda_0_11_p1663_lanes = c16 * Lambda_0_11_p1659_lanes;
 
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p925_lanes = Lambda_0_11_p317 * Lambda_0_11_p921_lanes;
-  const Lanes Lambda_0_11_p929_lanes = detail::make_lanes<Real>(-(-(s17 *
-      Lambda_0_11_p893_lanes[0] + c17 * Lambda_0_11_p869_lanes[0]) + Lambda_0_11_p311 *
-      Lambda_0_11_p840_lanes[0]), -(-(s17 * Lambda_0_11_p893_lanes[1] + c17 *
-      Lambda_0_11_p869_lanes[1]) + Lambda_0_11_p311 * Lambda_0_11_p840_lanes[1]),
-      -(-(s17 * Lambda_0_11_p893_lanes[2] + c17 * Lambda_0_11_p869_lanes[2]) + Lambda_0_11_p311 *
-      Lambda_0_11_p840_lanes[2]), -(-(s17 * Lambda_0_11_p893_lanes[3] + c17 *
-      Lambda_0_11_p869_lanes[3]) + Lambda_0_11_p311 * Lambda_0_11_p840_lanes[3]),
-      -(-(s17 * Lambda_0_11_p893_lanes[0] + c17 * Lambda_0_11_p869_lanes[0]) + Lambda_0_11_p311 *
-      Lambda_0_11_p840_lanes[0]), -(-(s17 * Lambda_0_11_p893_lanes[0] + c17 *
-      Lambda_0_11_p869_lanes[0]) + Lambda_0_11_p311 * Lambda_0_11_p840_lanes[0]),
-      -(-(s17 * Lambda_0_11_p893_lanes[0] + c17 * Lambda_0_11_p869_lanes[0]) + Lambda_0_11_p311 *
-      Lambda_0_11_p840_lanes[0]), -(-(s17 * Lambda_0_11_p893_lanes[0] + c17 *
-      Lambda_0_11_p869_lanes[0]) + Lambda_0_11_p311 * Lambda_0_11_p840_lanes[0])) -
-      Lambda_0_11_p925_lanes;
-  const Lanes Lambda_0_11_p933_lanes = c15 * Lambda_0_11_p929_lanes;
-  const Lanes Lambda_0_11_p937_lanes = Lambda_0_11_p308 * Lambda_0_11_p921_lanes;
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p1667_lanes = Lambda_0_11_p363_lanes[1] * Lambda_0_11_p1571_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1671_lanes = s19 * Lambda_0_11_p1444_lanes;
+  const Lanes<8> Lambda_0_11_p1674_lanes = c19 * Lambda_0_11_p1462_lanes;
+  const Lanes<8> Lambda_0_11_p1677_lanes = Lambda_0_11_p1671_lanes - Lambda_0_11_p1674_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_0_11_p1680_lanes = c13 * detail::make_lanes<Real>(Lambda_0_11_p1498,
+      Lambda_0_11_p1496, Lambda_0_11_p1494, Lambda_0_11_p1491_lanes[3], Lambda_0_11_p1491_lanes[4],
+      Lambda_0_11_p1491_lanes[5], Lambda_0_11_p1498, Lambda_0_11_p1498);
+  const Lanes<8> Lambda_0_11_p1686_lanes = s13 * Lambda_0_11_p1511_lanes;
+  const Lanes<8> Lambda_0_11_p1692_lanes = Lambda_0_11_p1680_lanes - Lambda_0_11_p1686_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1698_lanes = inverse_D11_p1_lanes[0] * Lambda_0_11_p1523_lanes;
+  const Lanes<8> Lambda_0_11_p1704_lanes = Lambda_0_11_p1692_lanes - Lambda_0_11_p1698_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Real Lambda_0_11_p1710 = -(c12 * Lambda_0_11_p1704_lanes[5]);
+  const Lanes<2> Lambda_0_11_p1711_lanes = Lambda_0_11_p337_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1710, Lambda_0_11_p1428);
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1713_lanes = Lambda_0_11_p35_lanes[0] * Lambda_0_11_p1523_lanes;
+  const Lanes<8> Lambda_0_11_p1716_lanes = s12 * Lambda_0_11_p1713_lanes;
+  const Lanes<8> Lambda_0_11_p1719_lanes = Lambda_0_11_p11_lanes[0] * Lambda_0_11_p1523_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_0_11_p1722_lanes = (-3.0523172236718206) *
+      detail::make_lanes<Real>(Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0],
+      Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1],
+      Lambda_0_11_p1483_lanes[2], Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0]);
+  const Lanes<2> Lambda_0_11_p1725_lanes = detail::make_lanes<Real>((-0.26249928123577654),
+      0.26249928123577654) * detail::make_lanes<Real>(Lambda_0_11_p1495, Lambda_0_11_p1339);
+  const Lanes<2> Lambda_0_11_p1727_lanes = detail::make_lanes<Real>(Lambda_0_11_p1489,
+      Lambda_0_11_p1297) + Lambda_0_11_p1725_lanes;
+  const Lanes<2> Lambda_0_11_p1729_lanes = detail::make_lanes<Real>((-0.26249928123577654),
+      0.26249928123577654) * detail::make_lanes<Real>(Lambda_0_11_p1497, Lambda_0_11_p1344);
+  const Lanes<2> Lambda_0_11_p1731_lanes = detail::make_lanes<Real>(Lambda_0_11_p1490,
+      Lambda_0_11_p1314) + Lambda_0_11_p1729_lanes;
+  const Lanes<8> Lambda_0_11_p1733_lanes = c13 *
+      detail::make_lanes<Real>(Lambda_0_11_p1731_lanes[0], Lambda_0_11_p1727_lanes[0],
+      Lambda_0_11_p1731_lanes[0], Lambda_0_11_p1722_lanes[3], Lambda_0_11_p1722_lanes[4],
+      Lambda_0_11_p1722_lanes[5], Lambda_0_11_p1731_lanes[0], Lambda_0_11_p1731_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1738_lanes = detail::make_lanes<Real>(0.49024375482668536,
+      0.49024375482668536, 0.49024375482668536, 17.32841575379867, 17.32841575379867,
+      17.32841575379867, 0.49024375482668536, 0.49024375482668536) *
+      detail::make_lanes<Real>(Lambda_0_11_p1497, Lambda_0_11_p1495, Lambda_0_11_p1497,
+      Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1], Lambda_0_11_p1483_lanes[2],
+      Lambda_0_11_p1497, Lambda_0_11_p1497);
+  const Lanes<8> Lambda_0_11_p1743_lanes = s13 * Lambda_0_11_p1738_lanes;
+  const Lanes<8> Lambda_0_11_p1748_lanes = Lambda_0_11_p1733_lanes + Lambda_0_11_p1743_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1753_lanes = Lambda_0_11_p1748_lanes - Lambda_0_11_p1719_lanes;
+  const Lanes<8> Lambda_0_11_p1756_lanes = c12 * Lambda_0_11_p1753_lanes;
+  const Lanes<8> Lambda_0_11_p1759_lanes = Lambda_0_11_p1716_lanes - Lambda_0_11_p1756_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_0_11_p1762_lanes = detail::make_lanes<Real>(Lambda_0_11_p1759_lanes[5],
+      Lambda_0_11_p1677_lanes[3]) - Lambda_0_11_p1711_lanes;
+  const Real Lambda_0_11_p1764 = -(c12 * Lambda_0_11_p1704_lanes[4]);
+  const Lanes<2> Lambda_0_11_p1765_lanes = Lambda_0_11_p337_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1764, Lambda_0_11_p1429);
+  const Lanes<2> Lambda_0_11_p1767_lanes = detail::make_lanes<Real>(Lambda_0_11_p1759_lanes[4],
+      Lambda_0_11_p1677_lanes[2]) - Lambda_0_11_p1765_lanes;
+  const Real Lambda_0_11_p1769 = -(c12 * Lambda_0_11_p1704_lanes[3]);
+  const Lanes<2> Lambda_0_11_p1770_lanes = Lambda_0_11_p337_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1769, Lambda_0_11_p1430);
+  const Lanes<2> Lambda_0_11_p1772_lanes = detail::make_lanes<Real>(Lambda_0_11_p1759_lanes[3],
+      Lambda_0_11_p1677_lanes[1]) - Lambda_0_11_p1770_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p1774_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p1531_lanes;
+  const Lanes<2> Lambda_0_11_p1776_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1537_lanes;
+  const Lanes<2> Lambda_0_11_p1778_lanes = Lambda_0_11_p1776_lanes + Lambda_0_11_p1774_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p1780_lanes = detail::make_lanes<Real>(-(-Lambda_0_11_p1778_lanes[1] -
+      Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431), -Lambda_0_11_p1772_lanes[1],
+      -Lambda_0_11_p1767_lanes[1], -Lambda_0_11_p1762_lanes[1],
+      -(-Lambda_0_11_p1778_lanes[1] - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431),
+      -(-Lambda_0_11_p1778_lanes[1] - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431),
+      -(-Lambda_0_11_p1778_lanes[1] - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431),
+      -(-Lambda_0_11_p1778_lanes[1] - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431)) -
+      Lambda_0_11_p1667_lanes;
+  const Lanes<8> Lambda_0_11_p1784_lanes = s17 * Lambda_0_11_p1780_lanes;
+  const Lanes<8> Lambda_0_11_p1788_lanes = Lambda_0_11_p317_lanes[1] * Lambda_0_11_p1571_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p1792_lanes = c18 * Lambda_0_11_p1607_lanes;
+  const Lanes<8> Lambda_0_11_p1796_lanes = s18 * Lambda_0_11_p1619_lanes;
+  const Lanes<8> Lambda_0_11_p1800_lanes = Lambda_0_11_p1792_lanes - Lambda_0_11_p1796_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p1804_lanes = Lambda_0_11_p1800_lanes - Lambda_0_11_p1788_lanes;
+  const Lanes<8> Lambda_0_11_p1808_lanes = c17 * Lambda_0_11_p1804_lanes;
+  const Lanes<8> Lambda_0_11_p1812_lanes = Lambda_0_11_p1784_lanes - Lambda_0_11_p1808_lanes;
+  const Lanes<8> Lambda_0_11_p1816_lanes = 0.282 * Lambda_0_11_p1812_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p941_lanes = Lambda_0_11_p266 * Lambda_0_11_p840_lanes;
-  const Lanes Lambda_0_11_p945_lanes = detail::make_lanes<Real>(-Lambda_0_11_p901_lanes[0],
-      -Lambda_0_11_p901_lanes[1], -Lambda_0_11_p901_lanes[2], -Lambda_0_11_p901_lanes[3],
-      -Lambda_0_11_p901_lanes[0], -Lambda_0_11_p901_lanes[0], -Lambda_0_11_p901_lanes[0],
-      -Lambda_0_11_p901_lanes[0]) - Lambda_0_11_p941_lanes;
-  const Lanes Lambda_0_11_p949_lanes = s16 * Lambda_0_11_p945_lanes;
-  const Lanes Lambda_0_11_p953_lanes = Lambda_0_11_p281 * Lambda_0_11_p840_lanes;
-  const Lanes Lambda_0_11_p957_lanes = Lambda_0_11_p820_lanes - Lambda_0_11_p953_lanes;
-  const Lanes Lambda_0_11_p961_lanes = c16 * Lambda_0_11_p957_lanes;
-  const Lanes Lambda_0_11_p965_lanes = Lambda_0_11_p949_lanes + Lambda_0_11_p961_lanes;
+  const Lanes<8> Lambda_0_11_p1820_lanes = Lambda_0_11_p401_lanes[1] * Lambda_0_11_p1651_lanes;
+  const Lanes<8> Lambda_0_11_p1824_lanes = Lambda_0_11_p1816_lanes - Lambda_0_11_p1820_lanes;
+  const Lanes<8> Lambda_0_11_p1828_lanes = s16 * Lambda_0_11_p1824_lanes;
+  const Lanes<8> Lambda_0_11_p1832_lanes = Lambda_0_11_p1663_lanes - Lambda_0_11_p1828_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p969_lanes = Lambda_0_11_p965_lanes - Lambda_0_11_p937_lanes;
-  const Lanes Lambda_0_11_p973_lanes = s15 * Lambda_0_11_p969_lanes;
-  const Lanes Lambda_0_11_p977_lanes = Lambda_0_11_p933_lanes - Lambda_0_11_p973_lanes;
+  const Lanes<8> Lambda_0_11_p1836_lanes = Lambda_0_11_p555_lanes[1] * Lambda_0_11_p1832_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1840_lanes = s12 * Lambda_0_11_p1704_lanes;
+  const Lanes<8> Lambda_0_11_p1846_lanes = Lambda_0_11_p61_lanes[0] * Lambda_0_11_p1523_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_0_11_p1852_lanes = s13 *
+      detail::make_lanes<Real>(Lambda_0_11_p1731_lanes[0], Lambda_0_11_p1727_lanes[0],
+      Lambda_0_11_p1731_lanes[0], Lambda_0_11_p1722_lanes[3], Lambda_0_11_p1722_lanes[4],
+      Lambda_0_11_p1722_lanes[5], Lambda_0_11_p1731_lanes[0], Lambda_0_11_p1731_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1857_lanes = c13 * Lambda_0_11_p1738_lanes;
+  const Lanes<8> Lambda_0_11_p1862_lanes = Lambda_0_11_p1852_lanes - Lambda_0_11_p1857_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1867_lanes = detail::make_lanes<Real>(Lambda_0_11_p1862_lanes[0],
+      Lambda_0_11_p1862_lanes[1], Lambda_0_11_p1414_lanes[0], Lambda_0_11_p1862_lanes[3],
+      Lambda_0_11_p1862_lanes[4], Lambda_0_11_p1862_lanes[5], Lambda_0_11_p1862_lanes[0],
+      Lambda_0_11_p1862_lanes[0]) - Lambda_0_11_p1846_lanes;
+  const Lanes<8> Lambda_0_11_p1873_lanes = 0.269 * Lambda_0_11_p1867_lanes;
+  const Lanes<8> Lambda_0_11_p1879_lanes = Lambda_0_11_p1873_lanes - Lambda_0_11_p1840_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Real Lambda_0_11_p1885 = -(c12 * Lambda_0_11_p1704_lanes[2]);
+  const Real Lambda_0_11_p1886 = -(c12 * Lambda_0_11_p1704_lanes[1]);
+  const Real Lambda_0_11_p1887 = -(c12 * Lambda_0_11_p1704_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1888_lanes = inverse_D10_p1_lanes[0] *
+      detail::make_lanes<Real>(Lambda_0_11_p1887, Lambda_0_11_p1886, Lambda_0_11_p1885,
+      Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710, Lambda_0_11_p1887,
+      Lambda_0_11_p1887);
+  const Lanes<8> Lambda_0_11_p1894_lanes = Lambda_0_11_p1879_lanes - Lambda_0_11_p1888_lanes;
+  const Lanes<8> Lambda_0_11_p1900_lanes = s11 * Lambda_0_11_p1894_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1906_lanes = c12 * Lambda_0_11_p1713_lanes;
+  const Lanes<8> Lambda_0_11_p1909_lanes = s12 * Lambda_0_11_p1753_lanes;
+  const Lanes<8> Lambda_0_11_p1912_lanes = Lambda_0_11_p1906_lanes + Lambda_0_11_p1909_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_0_11_p1915 = 0.49024375482668536 * Lambda_0_11_p1339;
+  const Real Lambda_0_11_p1916 = -(0.086 * Lambda_0_11_p1257) - (-0.004018575007348824) *
+      Lambda_0_11_p1339;
+  const Real Lambda_0_11_p1917 = 0.009919078854932248 * Lambda_0_11_p1339;
+  const Real Lambda_0_11_p1918 = s20 * Lambda_0_11_p1917 + c20 * Lambda_0_11_p1916;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p1919_lanes = Lambda_0_11_p11_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[1], Lambda_0_11_p1918);
+  const Lanes<2> Lambda_0_11_p1921_lanes = detail::make_lanes<Real>(Lambda_0_11_p1748_lanes[1],
+      c20 * Lambda_0_11_p1727_lanes[1] + s20 * Lambda_0_11_p1915) - Lambda_0_11_p1919_lanes;
+  const Lanes<2> Lambda_0_11_p1923_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1921_lanes;
+  const Lanes<2> Lambda_0_11_p1925_lanes = Lambda_0_11_p35_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[1], Lambda_0_11_p1918);
+  const Lanes<2> Lambda_0_11_p1927_lanes = detail::make_lanes<Real>(Lambda_0_11_p1483_lanes[1],
+      Lambda_0_11_p1257) - Lambda_0_11_p1925_lanes;
+  const Lanes<2> Lambda_0_11_p1929_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p1927_lanes;
+  const Lanes<2> Lambda_0_11_p1931_lanes = Lambda_0_11_p1923_lanes - Lambda_0_11_p1929_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_0_11_p1933 = 0.49024375482668536 * Lambda_0_11_p1344;
+  const Real Lambda_0_11_p1934 = 0.009919078854932248 * Lambda_0_11_p1344;
+  const Real Lambda_0_11_p1935 = -(0.086 * Lambda_0_11_p1277) - (-0.004018575007348824) *
+      Lambda_0_11_p1344;
+  const Real Lambda_0_11_p1936 = s20 * Lambda_0_11_p1934 + c20 * Lambda_0_11_p1935;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p1937_lanes = Lambda_0_11_p11_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[0], Lambda_0_11_p1936);
+  const Lanes<2> Lambda_0_11_p1939_lanes = detail::make_lanes<Real>(Lambda_0_11_p1748_lanes[0],
+      c20 * Lambda_0_11_p1731_lanes[1] + s20 * Lambda_0_11_p1933) - Lambda_0_11_p1937_lanes;
+  const Lanes<2> Lambda_0_11_p1941_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1939_lanes;
+  const Lanes<2> Lambda_0_11_p1943_lanes = Lambda_0_11_p35_lanes *
+      detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[0], Lambda_0_11_p1936);
+  const Lanes<2> Lambda_0_11_p1945_lanes = detail::make_lanes<Real>(Lambda_0_11_p1483_lanes[0],
+      Lambda_0_11_p1277) - Lambda_0_11_p1943_lanes;
+  const Lanes<2> Lambda_0_11_p1947_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p1945_lanes;
+  const Lanes<2> Lambda_0_11_p1949_lanes = Lambda_0_11_p1941_lanes - Lambda_0_11_p1947_lanes;
+  const Lanes<8> Lambda_0_11_p1951_lanes = 0.269 *
+      detail::make_lanes<Real>(Lambda_0_11_p1949_lanes[0], Lambda_0_11_p1931_lanes[0],
+      Lambda_0_11_p1541_lanes[0], Lambda_0_11_p1912_lanes[3], Lambda_0_11_p1912_lanes[4],
+      Lambda_0_11_p1912_lanes[5], Lambda_0_11_p1949_lanes[0], Lambda_0_11_p1949_lanes[0]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p1957_lanes = inverse_D10_p8_lanes[0] *
+      detail::make_lanes<Real>(Lambda_0_11_p1887, Lambda_0_11_p1886, Lambda_0_11_p1885,
+      Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710, Lambda_0_11_p1887,
+      Lambda_0_11_p1887);
+  const Lanes<8> Lambda_0_11_p1963_lanes = Lambda_0_11_p1951_lanes - Lambda_0_11_p1957_lanes;
+  const Lanes<8> Lambda_0_11_p1969_lanes = c11 * Lambda_0_11_p1963_lanes;
+  const Lanes<8> Lambda_0_11_p1975_lanes = Lambda_0_11_p1900_lanes + Lambda_0_11_p1969_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p1981_lanes = Lambda_0_11_p317_lanes[0] * Lambda_0_11_p1975_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p1987_lanes = Lambda_0_11_p55_lanes[0] *
+      detail::make_lanes<Real>(Lambda_0_11_p1887, Lambda_0_11_p1886, Lambda_0_11_p1885,
+      Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710, Lambda_0_11_p1887,
+      Lambda_0_11_p1887);
+  const Lanes<8> Lambda_0_11_p1993_lanes = detail::make_lanes<Real>(-Lambda_0_11_p1949_lanes[0],
+      -Lambda_0_11_p1931_lanes[0], -Lambda_0_11_p1541_lanes[0], -Lambda_0_11_p1912_lanes[3],
+      -Lambda_0_11_p1912_lanes[4], -Lambda_0_11_p1912_lanes[5], -Lambda_0_11_p1949_lanes[0],
+      -Lambda_0_11_p1949_lanes[0]) + Lambda_0_11_p1987_lanes;
+  const Lanes<8> Lambda_0_11_p1999_lanes = c11 * Lambda_0_11_p1993_lanes;
+  const Lanes<8> Lambda_0_11_p2005_lanes = Lambda_0_11_p119_lanes[0] *
+      detail::make_lanes<Real>(Lambda_0_11_p1887, Lambda_0_11_p1886, Lambda_0_11_p1885,
+      Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710, Lambda_0_11_p1887,
+      Lambda_0_11_p1887);
+  const Lanes<8> Lambda_0_11_p2011_lanes = Lambda_0_11_p1867_lanes - Lambda_0_11_p2005_lanes;
+  const Lanes<8> Lambda_0_11_p2017_lanes = s11 * Lambda_0_11_p2011_lanes;
+  const Lanes<8> Lambda_0_11_p2023_lanes = Lambda_0_11_p1999_lanes - Lambda_0_11_p2017_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p2029_lanes = Lambda_0_11_p2023_lanes - Lambda_0_11_p1981_lanes;
+  const Lanes<2> Lambda_0_11_p2035_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2029_lanes[5], Lambda_0_11_p1804_lanes[3]);
+  const Lanes<8> Lambda_0_11_p2037_lanes = Lambda_0_11_p363_lanes[0] * Lambda_0_11_p1975_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p2043_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p1921_lanes;
+  const Lanes<2> Lambda_0_11_p2045_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1927_lanes;
+  const Lanes<2> Lambda_0_11_p2047_lanes = Lambda_0_11_p2045_lanes + Lambda_0_11_p2043_lanes;
+  const Lanes<2> Lambda_0_11_p2049_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_0_11_p1939_lanes;
+  const Lanes<2> Lambda_0_11_p2051_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_0_11_p1945_lanes;
+  const Lanes<2> Lambda_0_11_p2053_lanes = Lambda_0_11_p2051_lanes + Lambda_0_11_p2049_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p2055_lanes = detail::make_lanes<Real>(-(-Lambda_0_11_p2053_lanes[0] -
+      Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1887),
+      -(-Lambda_0_11_p2047_lanes[0] - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1886),
+      -(-Lambda_0_11_p1778_lanes[0] - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1885),
+      -Lambda_0_11_p1772_lanes[0], -Lambda_0_11_p1767_lanes[0], -Lambda_0_11_p1762_lanes[0],
+      -(-Lambda_0_11_p2053_lanes[0] - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1887),
+      -(-Lambda_0_11_p2053_lanes[0] - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1887)) -
+      Lambda_0_11_p2037_lanes;
+  const Lanes<2> Lambda_0_11_p2061_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2055_lanes[5], Lambda_0_11_p1780_lanes[3]);
+  const Lanes<2> Lambda_0_11_p2063_lanes = Lambda_0_11_p2035_lanes + Lambda_0_11_p2061_lanes;
+  const Lanes<2> Lambda_0_11_p2065_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2029_lanes[4], Lambda_0_11_p1804_lanes[2]);
+  const Lanes<2> Lambda_0_11_p2067_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2055_lanes[4], Lambda_0_11_p1780_lanes[2]);
+  const Lanes<2> Lambda_0_11_p2069_lanes = Lambda_0_11_p2065_lanes + Lambda_0_11_p2067_lanes;
+  const Lanes<2> Lambda_0_11_p2071_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2029_lanes[3], Lambda_0_11_p1804_lanes[1]);
+  const Lanes<2> Lambda_0_11_p2073_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2055_lanes[3], Lambda_0_11_p1780_lanes[1]);
+  const Lanes<2> Lambda_0_11_p2075_lanes = Lambda_0_11_p2071_lanes + Lambda_0_11_p2073_lanes;
+  const Lanes<2> Lambda_0_11_p2077_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2029_lanes[2], Lambda_0_11_p1804_lanes[0]);
+  const Lanes<2> Lambda_0_11_p2079_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2055_lanes[2], Lambda_0_11_p1780_lanes[0]);
+  const Lanes<2> Lambda_0_11_p2081_lanes = Lambda_0_11_p2077_lanes + Lambda_0_11_p2079_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2083_lanes = detail::make_lanes<Real>(-(-Lambda_0_11_p2081_lanes[1] +
+      Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0]),
+      -(-Lambda_0_11_p2075_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[1]),
+      -(-Lambda_0_11_p2069_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[2]),
+      -(-Lambda_0_11_p2063_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[3]),
+      -(-Lambda_0_11_p2081_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0]),
+      -(-Lambda_0_11_p2081_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0]),
+      -(-Lambda_0_11_p2081_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0]),
+      -(-Lambda_0_11_p2081_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0])) +
+      Lambda_0_11_p1836_lanes;
+  const Lanes<8> Lambda_0_11_p2087_lanes = s15 * Lambda_0_11_p2083_lanes;
+  const Lanes<8> Lambda_0_11_p2091_lanes = Lambda_0_11_p609_lanes[1] * Lambda_0_11_p1832_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p981_lanes = s16 * Lambda_0_11_p848_lanes;
-  const Lanes Lambda_0_11_p985_lanes = c16 * Lambda_0_11_p913_lanes;
-  const Lanes Lambda_0_11_p989_lanes = Lambda_0_11_p981_lanes + Lambda_0_11_p985_lanes;
+  const Lanes<8> Lambda_0_11_p2095_lanes = Lambda_0_11_p569_lanes[1] * Lambda_0_11_p1651_lanes;
+  const Lanes<8> Lambda_0_11_p2099_lanes = detail::make_lanes<Real>(-Lambda_0_11_p1812_lanes[0],
+      -Lambda_0_11_p1812_lanes[1], -Lambda_0_11_p1812_lanes[2], -Lambda_0_11_p1812_lanes[3],
+      -Lambda_0_11_p1812_lanes[0], -Lambda_0_11_p1812_lanes[0], -Lambda_0_11_p1812_lanes[0],
+      -Lambda_0_11_p1812_lanes[0]) + Lambda_0_11_p2095_lanes;
+  const Lanes<8> Lambda_0_11_p2103_lanes = s16 * Lambda_0_11_p2099_lanes;
+  const Lanes<8> Lambda_0_11_p2107_lanes = Lambda_0_11_p577_lanes[1] * Lambda_0_11_p1651_lanes;
+  const Lanes<8> Lambda_0_11_p2111_lanes = Lambda_0_11_p1631_lanes - Lambda_0_11_p2107_lanes;
+  const Lanes<8> Lambda_0_11_p2115_lanes = c16 * Lambda_0_11_p2111_lanes;
+  const Lanes<8> Lambda_0_11_p2119_lanes = Lambda_0_11_p2103_lanes + Lambda_0_11_p2115_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p993_lanes = inverse_D14_p1 * Lambda_0_11_p921_lanes;
-  const Lanes Lambda_0_11_p997_lanes = Lambda_0_11_p989_lanes - Lambda_0_11_p993_lanes;
-  const Lanes Lambda_0_11_p1001_lanes = c15 * Lambda_0_11_p997_lanes;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_0_11_p1005 = 0.00010499999999999999 / inverse_D15_p9;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p1006_lanes = Lambda_0_11_p1005 * Lambda_0_11_p921_lanes;
-  const Lanes Lambda_0_11_p1010_lanes = s15 * Lambda_0_11_p1006_lanes;
-  const Lanes Lambda_0_11_p1014_lanes = Lambda_0_11_p1010_lanes + Lambda_0_11_p1001_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p1018_lanes = Lambda_0_11_p324 * Lambda_0_11_p1014_lanes;
-  const Lanes Lambda_0_11_p1022_lanes = Lambda_0_11_p977_lanes - Lambda_0_11_p1018_lanes;
-  const Lanes Lambda_0_11_p1026_lanes = c14 * Lambda_0_11_p1022_lanes;
-  const Lanes Lambda_0_11_p1030_lanes = Lambda_0_11_p305 * Lambda_0_11_p1014_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p1034_lanes = Lambda_0_11_p299 * Lambda_0_11_p921_lanes;
+  const Lanes<8> Lambda_0_11_p2123_lanes = Lambda_0_11_p2119_lanes - Lambda_0_11_p2091_lanes;
+  const Lanes<8> Lambda_0_11_p2127_lanes = c15 * Lambda_0_11_p2123_lanes;
+  const Lanes<8> Lambda_0_11_p2131_lanes = Lambda_0_11_p2087_lanes + Lambda_0_11_p2127_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p1038_lanes = c16 * Lambda_0_11_p945_lanes;
-  const Lanes Lambda_0_11_p1042_lanes = s16 * Lambda_0_11_p957_lanes;
-  const Lanes Lambda_0_11_p1046_lanes = Lambda_0_11_p1038_lanes - Lambda_0_11_p1042_lanes;
+  const Lanes<8> Lambda_0_11_p2135_lanes = s16 * Lambda_0_11_p1659_lanes;
+  const Lanes<8> Lambda_0_11_p2139_lanes = c16 * Lambda_0_11_p1824_lanes;
+  const Lanes<8> Lambda_0_11_p2143_lanes = Lambda_0_11_p2135_lanes + Lambda_0_11_p2139_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p1050_lanes = Lambda_0_11_p1046_lanes - Lambda_0_11_p1034_lanes;
+  const Lanes<8> Lambda_0_11_p2147_lanes = inverse_D7_p1_lanes[1] * Lambda_0_11_p1832_lanes;
+  const Lanes<8> Lambda_0_11_p2151_lanes = Lambda_0_11_p2143_lanes - Lambda_0_11_p2147_lanes;
+  const Lanes<8> Lambda_0_11_p2155_lanes = c15 * Lambda_0_11_p2151_lanes;
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p1054_lanes = Lambda_0_11_p1050_lanes - Lambda_0_11_p1030_lanes;
-  const Lanes Lambda_0_11_p1058_lanes = s14 * Lambda_0_11_p1054_lanes;
-  const Lanes Lambda_0_11_p1062_lanes = Lambda_0_11_p1058_lanes + Lambda_0_11_p1026_lanes;
-  const Lanes Lambda_0_11_p1066_lanes = 0.18 * Lambda_0_11_p1062_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p1070_lanes = s15 * Lambda_0_11_p929_lanes;
-  const Lanes Lambda_0_11_p1074_lanes = c15 * Lambda_0_11_p969_lanes;
-  const Lanes Lambda_0_11_p1078_lanes = Lambda_0_11_p1070_lanes + Lambda_0_11_p1074_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p1082_lanes = Lambda_0_11_p334 * Lambda_0_11_p1014_lanes;
-  const Lanes Lambda_0_11_p1086_lanes = Lambda_0_11_p1078_lanes - Lambda_0_11_p1082_lanes;
-  const Lanes Lambda_0_11_p1090_lanes = 0.226 * Lambda_0_11_p1086_lanes;
-  const Lanes Lambda_0_11_p1094_lanes = Lambda_0_11_p1066_lanes - Lambda_0_11_p1090_lanes;
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_0_11_p2159_lanes = 0.00010499999999999999 / inverse_D8_p3_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p1098_lanes = s15 * Lambda_0_11_p997_lanes;
-  const Lanes Lambda_0_11_p1102_lanes = c15 * Lambda_0_11_p1006_lanes;
-  const Lanes Lambda_0_11_p1106_lanes = Lambda_0_11_p1102_lanes - Lambda_0_11_p1098_lanes;
+  const Lanes<8> Lambda_0_11_p2161_lanes = Lambda_0_11_p2159_lanes[1] * Lambda_0_11_p1832_lanes;
+  const Lanes<8> Lambda_0_11_p2165_lanes = s15 * Lambda_0_11_p2161_lanes;
+  const Lanes<8> Lambda_0_11_p2169_lanes = Lambda_0_11_p2165_lanes + Lambda_0_11_p2155_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p1110_lanes = inverse_D6_p1 * Lambda_0_11_p1014_lanes;
-  const Lanes Lambda_0_11_p1114_lanes = Lambda_0_11_p1106_lanes - Lambda_0_11_p1110_lanes;
-  const Lanes Lambda_0_11_p1118_lanes = s14 * Lambda_0_11_p1114_lanes;
+  const Lanes<8> Lambda_0_11_p2173_lanes = Lambda_0_11_p837_lanes[1] * Lambda_0_11_p2169_lanes;
+  const Lanes<8> Lambda_0_11_p2177_lanes = Lambda_0_11_p2131_lanes - Lambda_0_11_p2173_lanes;
 
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_0_11_p1122 = 2.6249999999999998e-05 / inverse_D14_p8;
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_0_11_p2181 = s20 * Lambda_0_11_p1727_lanes[1] - c20 * Lambda_0_11_p1915 -
+      Lambda_0_11_p61_lanes[1] * Lambda_0_11_p1918;
+  const Real Lambda_0_11_p2182 = c20 * Lambda_0_11_p1917 - s20 * Lambda_0_11_p1916 -
+      inverse_D11_p1_lanes[1] * Lambda_0_11_p1918;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2183 = -(c19 * Lambda_0_11_p2182);
+  const Real Lambda_0_11_p2184 = 0.269 * Lambda_0_11_p2181 - s19 * Lambda_0_11_p2182 -
+      inverse_D10_p1_lanes[1] * Lambda_0_11_p2183;
+  const Real Lambda_0_11_p2185 = 0.269 * Lambda_0_11_p1931_lanes[1] - inverse_D10_p8_lanes[1] *
+      Lambda_0_11_p2183;
+  const Real Lambda_0_11_p2186 = s18 * Lambda_0_11_p2184 + c18 * Lambda_0_11_p2185;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2187 = c18 * Lambda_0_11_p2184 - s18 * Lambda_0_11_p2185 -
+      Lambda_0_11_p231_lanes[1] * Lambda_0_11_p2186;
+  const Real Lambda_0_11_p2188 = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p2186;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2189 = -Lambda_0_11_p1931_lanes[1] + Lambda_0_11_p55_lanes[1] *
+      Lambda_0_11_p2183;
+  const Real Lambda_0_11_p2190 = Lambda_0_11_p2181 - Lambda_0_11_p119_lanes[1] * Lambda_0_11_p2183;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2191 = s18 * Lambda_0_11_p2189 + c18 * Lambda_0_11_p2190 -
+      Lambda_0_11_p191_lanes[1] * Lambda_0_11_p2186;
+  const Real Lambda_0_11_p2192 = c17 * Lambda_0_11_p2188 - s17 * Lambda_0_11_p2187;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2193 = c17 * Lambda_0_11_p2187 + s17 * Lambda_0_11_p2188 + 0.282 *
+      Lambda_0_11_p2191 - Lambda_0_11_p259_lanes[1] * Lambda_0_11_p2192;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2194 = c18 * Lambda_0_11_p2189 - s18 * Lambda_0_11_p2190 -
+      Lambda_0_11_p317_lanes[1] * Lambda_0_11_p2186;
+  const Real Lambda_0_11_p2195 = -(-Lambda_0_11_p2047_lanes[1] - Lambda_0_11_p337_lanes[1] *
+      Lambda_0_11_p2183) - Lambda_0_11_p363_lanes[1] * Lambda_0_11_p2186;
+  const Real Lambda_0_11_p2196 = s17 * Lambda_0_11_p2195 - c17 * Lambda_0_11_p2194;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2197 = 0.282 * Lambda_0_11_p2196 - Lambda_0_11_p401_lanes[1] *
+      Lambda_0_11_p2192;
+  const Real Lambda_0_11_p2198 = c16 * Lambda_0_11_p2193 - s16 * Lambda_0_11_p2197;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p2199 = Lambda_0_11_p2159_lanes[1] * Lambda_0_11_p2198;
+  const Real Lambda_0_11_p2200 = s16 * Lambda_0_11_p2193 + c16 * Lambda_0_11_p2197 -
+      inverse_D7_p1_lanes[1] * Lambda_0_11_p2198;
+  const Real Lambda_0_11_p2201 = s15 * Lambda_0_11_p2199 + c15 * Lambda_0_11_p2200;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_0_11_p2202 = s20 * Lambda_0_11_p1731_lanes[1] - c20 * Lambda_0_11_p1933 -
+      Lambda_0_11_p61_lanes[1] * Lambda_0_11_p1936;
+  const Real Lambda_0_11_p2203 = c20 * Lambda_0_11_p1934 - s20 * Lambda_0_11_p1935 -
+      inverse_D11_p1_lanes[1] * Lambda_0_11_p1936;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2204 = -(c19 * Lambda_0_11_p2203);
+  const Real Lambda_0_11_p2205 = 0.269 * Lambda_0_11_p2202 - s19 * Lambda_0_11_p2203 -
+      inverse_D10_p1_lanes[1] * Lambda_0_11_p2204;
+  const Real Lambda_0_11_p2206 = 0.269 * Lambda_0_11_p1949_lanes[1] - inverse_D10_p8_lanes[1] *
+      Lambda_0_11_p2204;
+  const Real Lambda_0_11_p2207 = s18 * Lambda_0_11_p2205 + c18 * Lambda_0_11_p2206;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2208 = c18 * Lambda_0_11_p2205 - s18 * Lambda_0_11_p2206 -
+      Lambda_0_11_p231_lanes[1] * Lambda_0_11_p2207;
+  const Real Lambda_0_11_p2209 = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p2207;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2210 = -Lambda_0_11_p1949_lanes[1] + Lambda_0_11_p55_lanes[1] *
+      Lambda_0_11_p2204;
+  const Real Lambda_0_11_p2211 = Lambda_0_11_p2202 - Lambda_0_11_p119_lanes[1] * Lambda_0_11_p2204;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2212 = s18 * Lambda_0_11_p2210 + c18 * Lambda_0_11_p2211 -
+      Lambda_0_11_p191_lanes[1] * Lambda_0_11_p2207;
+  const Real Lambda_0_11_p2213 = c17 * Lambda_0_11_p2209 - s17 * Lambda_0_11_p2208;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2214 = c17 * Lambda_0_11_p2208 + s17 * Lambda_0_11_p2209 + 0.282 *
+      Lambda_0_11_p2212 - Lambda_0_11_p259_lanes[1] * Lambda_0_11_p2213;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2215 = c18 * Lambda_0_11_p2210 - s18 * Lambda_0_11_p2211 -
+      Lambda_0_11_p317_lanes[1] * Lambda_0_11_p2207;
+  const Real Lambda_0_11_p2216 = -(-Lambda_0_11_p2053_lanes[1] - Lambda_0_11_p337_lanes[1] *
+      Lambda_0_11_p2204) - Lambda_0_11_p363_lanes[1] * Lambda_0_11_p2207;
+  const Real Lambda_0_11_p2217 = s17 * Lambda_0_11_p2216 - c17 * Lambda_0_11_p2215;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2218 = 0.282 * Lambda_0_11_p2217 - Lambda_0_11_p401_lanes[1] *
+      Lambda_0_11_p2213;
+  const Real Lambda_0_11_p2219 = c16 * Lambda_0_11_p2214 - s16 * Lambda_0_11_p2218;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p2220 = s16 * Lambda_0_11_p2214 + c16 * Lambda_0_11_p2218 -
+      inverse_D7_p1_lanes[1] * Lambda_0_11_p2219;
+  const Real Lambda_0_11_p2221 = Lambda_0_11_p2159_lanes[1] * Lambda_0_11_p2219;
+  const Real Lambda_0_11_p2222 = s15 * Lambda_0_11_p2221 + c15 * Lambda_0_11_p2220;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p2223_lanes = c11 * Lambda_0_11_p1894_lanes;
+  const Lanes<8> Lambda_0_11_p2229_lanes = s11 * Lambda_0_11_p1963_lanes;
+  const Lanes<8> Lambda_0_11_p2235_lanes = Lambda_0_11_p2223_lanes - Lambda_0_11_p2229_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p2241_lanes = Lambda_0_11_p231_lanes[0] * Lambda_0_11_p1975_lanes;
+  const Lanes<8> Lambda_0_11_p2247_lanes = Lambda_0_11_p2235_lanes - Lambda_0_11_p2241_lanes;
+  const Lanes<8> Lambda_0_11_p2253_lanes = c10 * Lambda_0_11_p2247_lanes;
+  const Lanes<8> Lambda_0_11_p2259_lanes = Lambda_0_11_p221_lanes[0] * Lambda_0_11_p1975_lanes;
+  const Lanes<8> Lambda_0_11_p2265_lanes = s10 * Lambda_0_11_p2259_lanes;
+  const Lanes<8> Lambda_0_11_p2271_lanes = Lambda_0_11_p2253_lanes + Lambda_0_11_p2265_lanes;
+  const Lanes<8> Lambda_0_11_p2277_lanes = Lambda_0_11_p191_lanes[0] * Lambda_0_11_p1975_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p2283_lanes = s11 * Lambda_0_11_p1993_lanes;
+  const Lanes<8> Lambda_0_11_p2289_lanes = c11 * Lambda_0_11_p2011_lanes;
+  const Lanes<8> Lambda_0_11_p2295_lanes = Lambda_0_11_p2283_lanes + Lambda_0_11_p2289_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p2301_lanes = Lambda_0_11_p2295_lanes - Lambda_0_11_p2277_lanes;
+  const Lanes<8> Lambda_0_11_p2307_lanes = 0.282 * Lambda_0_11_p2301_lanes;
+  const Lanes<8> Lambda_0_11_p2313_lanes = Lambda_0_11_p2271_lanes + Lambda_0_11_p2307_lanes;
+  const Lanes<8> Lambda_0_11_p2319_lanes = s10 * Lambda_0_11_p2247_lanes;
+  const Lanes<8> Lambda_0_11_p2325_lanes = c10 * Lambda_0_11_p2259_lanes;
+  const Lanes<8> Lambda_0_11_p2331_lanes = Lambda_0_11_p2325_lanes - Lambda_0_11_p2319_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p2337_lanes = Lambda_0_11_p259_lanes[0] * Lambda_0_11_p2331_lanes;
+  const Lanes<8> Lambda_0_11_p2343_lanes = Lambda_0_11_p2313_lanes - Lambda_0_11_p2337_lanes;
+  const Lanes<8> Lambda_0_11_p2349_lanes = s9 * Lambda_0_11_p2343_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p2355_lanes = s10 * Lambda_0_11_p2055_lanes;
+  const Lanes<8> Lambda_0_11_p2361_lanes = c10 * Lambda_0_11_p2029_lanes;
+  const Lanes<8> Lambda_0_11_p2367_lanes = Lambda_0_11_p2355_lanes - Lambda_0_11_p2361_lanes;
+  const Lanes<8> Lambda_0_11_p2373_lanes = 0.282 * Lambda_0_11_p2367_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p2379_lanes = Lambda_0_11_p401_lanes[0] * Lambda_0_11_p2331_lanes;
+  const Lanes<8> Lambda_0_11_p2385_lanes = Lambda_0_11_p2373_lanes - Lambda_0_11_p2379_lanes;
+  const Lanes<8> Lambda_0_11_p2391_lanes = c9 * Lambda_0_11_p2385_lanes;
+  const Lanes<8> Lambda_0_11_p2397_lanes = Lambda_0_11_p2349_lanes + Lambda_0_11_p2391_lanes;
+  const Lanes<8> Lambda_0_11_p2403_lanes = c9 * Lambda_0_11_p2343_lanes;
+  const Lanes<8> Lambda_0_11_p2409_lanes = s9 * Lambda_0_11_p2385_lanes;
+  const Lanes<8> Lambda_0_11_p2415_lanes = Lambda_0_11_p2403_lanes - Lambda_0_11_p2409_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2421_lanes = inverse_D7_p1_lanes[0] * Lambda_0_11_p2415_lanes;
+  const Lanes<8> Lambda_0_11_p2427_lanes = Lambda_0_11_p2397_lanes - Lambda_0_11_p2421_lanes;
+  const Lanes<8> Lambda_0_11_p2433_lanes = c8 * Lambda_0_11_p2427_lanes;
+  const Lanes<8> Lambda_0_11_p2439_lanes = Lambda_0_11_p2159_lanes[0] * Lambda_0_11_p2415_lanes;
+  const Lanes<8> Lambda_0_11_p2445_lanes = s8 * Lambda_0_11_p2439_lanes;
+  const Lanes<8> Lambda_0_11_p2451_lanes = Lambda_0_11_p2445_lanes + Lambda_0_11_p2433_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2457_lanes = detail::make_lanes<Real>(Lambda_0_11_p837_lanes[0],
+      Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0],
+      Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[1],
+      Lambda_0_11_p837_lanes[1]) * detail::make_lanes<Real>(Lambda_0_11_p2451_lanes[0],
+      Lambda_0_11_p2451_lanes[1], Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3],
+      Lambda_0_11_p2451_lanes[4], Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_0_11_p2465_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2029_lanes[1], Lambda_0_11_p2194);
+  const Lanes<2> Lambda_0_11_p2467_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2055_lanes[1], Lambda_0_11_p2195);
+  const Lanes<2> Lambda_0_11_p2469_lanes = Lambda_0_11_p2465_lanes + Lambda_0_11_p2467_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p2471 = -(-Lambda_0_11_p2469_lanes[1] + Lambda_0_11_p515_lanes[1] *
+      Lambda_0_11_p2192) + Lambda_0_11_p555_lanes[1] * Lambda_0_11_p2198;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2472 = -Lambda_0_11_p2196 + Lambda_0_11_p569_lanes[1] * Lambda_0_11_p2192;
+  const Real Lambda_0_11_p2473 = Lambda_0_11_p2191 - Lambda_0_11_p577_lanes[1] * Lambda_0_11_p2192;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p2474 = s16 * Lambda_0_11_p2472 + c16 * Lambda_0_11_p2473 -
+      Lambda_0_11_p609_lanes[1] * Lambda_0_11_p2198;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2475 = -Lambda_0_11_p2217 + Lambda_0_11_p569_lanes[1] * Lambda_0_11_p2213;
+  const Real Lambda_0_11_p2476 = Lambda_0_11_p2212 - Lambda_0_11_p577_lanes[1] * Lambda_0_11_p2213;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p2477 = s16 * Lambda_0_11_p2475 + c16 * Lambda_0_11_p2476 -
+      Lambda_0_11_p609_lanes[1] * Lambda_0_11_p2219;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_0_11_p2478_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2029_lanes[0], Lambda_0_11_p2215);
+  const Lanes<2> Lambda_0_11_p2480_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_0_11_p2055_lanes[0], Lambda_0_11_p2216);
+  const Lanes<2> Lambda_0_11_p2482_lanes = Lambda_0_11_p2478_lanes + Lambda_0_11_p2480_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p2484 = -(-Lambda_0_11_p2482_lanes[1] + Lambda_0_11_p515_lanes[1] *
+      Lambda_0_11_p2213) + Lambda_0_11_p555_lanes[1] * Lambda_0_11_p2219;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2485_lanes = Lambda_0_11_p555_lanes[0] * Lambda_0_11_p2415_lanes;
+  const Lanes<8> Lambda_0_11_p2491_lanes = detail::make_lanes<Real>(-(-Lambda_0_11_p2482_lanes[0] +
+      Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[0]),
+      -(-Lambda_0_11_p2469_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[1]),
+      -(-Lambda_0_11_p2081_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[2]),
+      -(-Lambda_0_11_p2075_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[3]),
+      -(-Lambda_0_11_p2069_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[4]),
+      -(-Lambda_0_11_p2063_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[5]),
+      -(-Lambda_0_11_p2482_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[0]),
+      -(-Lambda_0_11_p2482_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[0])) +
+      Lambda_0_11_p2485_lanes;
+  const Lanes<8> Lambda_0_11_p2497_lanes = s8 * Lambda_0_11_p2491_lanes;
+  const Lanes<8> Lambda_0_11_p2503_lanes = Lambda_0_11_p609_lanes[0] * Lambda_0_11_p2415_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p2509_lanes = Lambda_0_11_p569_lanes[0] * Lambda_0_11_p2331_lanes;
+  const Lanes<8> Lambda_0_11_p2515_lanes = detail::make_lanes<Real>(-Lambda_0_11_p2367_lanes[0],
+      -Lambda_0_11_p2367_lanes[1], -Lambda_0_11_p2367_lanes[2], -Lambda_0_11_p2367_lanes[3],
+      -Lambda_0_11_p2367_lanes[4], -Lambda_0_11_p2367_lanes[5], -Lambda_0_11_p2367_lanes[0],
+      -Lambda_0_11_p2367_lanes[0]) + Lambda_0_11_p2509_lanes;
+  const Lanes<8> Lambda_0_11_p2521_lanes = s9 * Lambda_0_11_p2515_lanes;
+  const Lanes<8> Lambda_0_11_p2527_lanes = Lambda_0_11_p577_lanes[0] * Lambda_0_11_p2331_lanes;
+  const Lanes<8> Lambda_0_11_p2533_lanes = Lambda_0_11_p2301_lanes - Lambda_0_11_p2527_lanes;
+  const Lanes<8> Lambda_0_11_p2539_lanes = c9 * Lambda_0_11_p2533_lanes;
+  const Lanes<8> Lambda_0_11_p2545_lanes = Lambda_0_11_p2521_lanes + Lambda_0_11_p2539_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2551_lanes = Lambda_0_11_p2545_lanes - Lambda_0_11_p2503_lanes;
+  const Lanes<8> Lambda_0_11_p2557_lanes = c8 * Lambda_0_11_p2551_lanes;
+  const Lanes<8> Lambda_0_11_p2563_lanes = Lambda_0_11_p2497_lanes + Lambda_0_11_p2557_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2569_lanes = detail::make_lanes<Real>(Lambda_0_11_p2563_lanes[0],
+      Lambda_0_11_p2563_lanes[1], Lambda_0_11_p2563_lanes[2], Lambda_0_11_p2563_lanes[3],
+      Lambda_0_11_p2563_lanes[4], Lambda_0_11_p2563_lanes[5], s15 * Lambda_0_11_p2484 + c15 *
+      Lambda_0_11_p2477, s15 * Lambda_0_11_p2471 + c15 * Lambda_0_11_p2474) -
+      Lambda_0_11_p2457_lanes;
+  const Lanes<2> Lambda_0_11_p2577_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_0_11_p2569_lanes[5], Lambda_0_11_p2177_lanes[3]);
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2579_lanes = c15 * Lambda_0_11_p2083_lanes;
+  const Lanes<8> Lambda_0_11_p2583_lanes = s15 * Lambda_0_11_p2123_lanes;
+  const Lanes<8> Lambda_0_11_p2587_lanes = Lambda_0_11_p2579_lanes - Lambda_0_11_p2583_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p1123_lanes = Lambda_0_11_p1122 * Lambda_0_11_p1014_lanes;
-  const Lanes Lambda_0_11_p1127_lanes = c14 * Lambda_0_11_p1123_lanes;
-  const Lanes Lambda_0_11_p1131_lanes = Lambda_0_11_p1127_lanes + Lambda_0_11_p1118_lanes;
-  const Lanes Lambda_0_11_p1135_lanes = Lambda_0_11_p1094_lanes - Lambda_0_11_p1131_lanes;
+  const Lanes<8> Lambda_0_11_p2591_lanes = Lambda_0_11_p639_lanes[1] * Lambda_0_11_p2169_lanes;
+  const Lanes<8> Lambda_0_11_p2595_lanes = Lambda_0_11_p2587_lanes - Lambda_0_11_p2591_lanes;
+  const Lanes<8> Lambda_0_11_p2599_lanes = c14 * Lambda_0_11_p2595_lanes;
+  const Lanes<8> Lambda_0_11_p2603_lanes = Lambda_0_11_p679_lanes[1] * Lambda_0_11_p2169_lanes;
 
-  // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p1139_lanes = inverse_D5_p14 * Lambda_0_11_p1135_lanes;
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2607_lanes = Lambda_0_11_p657_lanes[1] * Lambda_0_11_p1832_lanes;
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p1143_lanes = s14 * Lambda_0_11_p1022_lanes;
-  const Lanes Lambda_0_11_p1147_lanes = c14 * Lambda_0_11_p1054_lanes;
-  const Lanes Lambda_0_11_p1151_lanes = Lambda_0_11_p1147_lanes - Lambda_0_11_p1143_lanes;
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p2611_lanes = c16 * Lambda_0_11_p2099_lanes;
+  const Lanes<8> Lambda_0_11_p2615_lanes = s16 * Lambda_0_11_p2111_lanes;
+  const Lanes<8> Lambda_0_11_p2619_lanes = Lambda_0_11_p2611_lanes - Lambda_0_11_p2615_lanes;
 
-  // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p1155_lanes = detail::make_lanes<Real>(-(s14 *
-      Lambda_0_11_p1123_lanes[0] - c14 * Lambda_0_11_p1114_lanes[0] + 0.18 *
-      Lambda_0_11_p1151_lanes[0]), -(s14 * Lambda_0_11_p1123_lanes[1] - c14 *
-      Lambda_0_11_p1114_lanes[1] + 0.18 * Lambda_0_11_p1151_lanes[1]),
-      -(s14 * Lambda_0_11_p1123_lanes[2] - c14 * Lambda_0_11_p1114_lanes[2] + 0.18 *
-      Lambda_0_11_p1151_lanes[2]), -(s14 * Lambda_0_11_p1123_lanes[3] - c14 *
-      Lambda_0_11_p1114_lanes[3] + 0.18 * Lambda_0_11_p1151_lanes[3]),
-      -(s14 * Lambda_0_11_p1123_lanes[0] - c14 * Lambda_0_11_p1114_lanes[0] + 0.18 *
-      Lambda_0_11_p1151_lanes[0]), -(s14 * Lambda_0_11_p1123_lanes[0] - c14 *
-      Lambda_0_11_p1114_lanes[0] + 0.18 * Lambda_0_11_p1151_lanes[0]),
-      -(s14 * Lambda_0_11_p1123_lanes[0] - c14 * Lambda_0_11_p1114_lanes[0] + 0.18 *
-      Lambda_0_11_p1151_lanes[0]), -(s14 * Lambda_0_11_p1123_lanes[0] - c14 *
-      Lambda_0_11_p1114_lanes[0] + 0.18 * Lambda_0_11_p1151_lanes[0])) - Lambda_0_11_p1139_lanes;
-  const Lanes Lambda_0_11_p1159_lanes = s6 * Lambda_0_11_p1155_lanes;
-  const Lanes Lambda_0_11_p1163_lanes = inverse_D5_p16 * Lambda_0_11_p1135_lanes;
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2623_lanes = Lambda_0_11_p2619_lanes - Lambda_0_11_p2607_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p1167_lanes = 0.226 * Lambda_0_11_p1151_lanes;
+  const Lanes<8> Lambda_0_11_p2627_lanes = Lambda_0_11_p2623_lanes - Lambda_0_11_p2603_lanes;
+  const Lanes<8> Lambda_0_11_p2631_lanes = s14 * Lambda_0_11_p2627_lanes;
+  const Lanes<8> Lambda_0_11_p2635_lanes = Lambda_0_11_p2631_lanes + Lambda_0_11_p2599_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2639_lanes = detail::make_lanes<Real>(Lambda_0_11_p679_lanes[0],
+      Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0],
+      Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[1],
+      Lambda_0_11_p679_lanes[1]) * detail::make_lanes<Real>(Lambda_0_11_p2451_lanes[0],
+      Lambda_0_11_p2451_lanes[1], Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3],
+      Lambda_0_11_p2451_lanes[4], Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2647_lanes = Lambda_0_11_p657_lanes[0] * Lambda_0_11_p2415_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p2653_lanes = c9 * Lambda_0_11_p2515_lanes;
+  const Lanes<8> Lambda_0_11_p2659_lanes = s9 * Lambda_0_11_p2533_lanes;
+  const Lanes<8> Lambda_0_11_p2665_lanes = Lambda_0_11_p2653_lanes - Lambda_0_11_p2659_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2671_lanes = Lambda_0_11_p2665_lanes - Lambda_0_11_p2647_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2677_lanes = detail::make_lanes<Real>(Lambda_0_11_p2671_lanes[0],
+      Lambda_0_11_p2671_lanes[1], Lambda_0_11_p2671_lanes[2], Lambda_0_11_p2671_lanes[3],
+      Lambda_0_11_p2671_lanes[4], Lambda_0_11_p2671_lanes[5], c16 * Lambda_0_11_p2475 - s16 *
+      Lambda_0_11_p2476 - Lambda_0_11_p657_lanes[1] * Lambda_0_11_p2219, c16 * Lambda_0_11_p2472 -
+      s16 * Lambda_0_11_p2473 - Lambda_0_11_p657_lanes[1] * Lambda_0_11_p2198) -
+      Lambda_0_11_p2639_lanes;
+  const Lanes<8> Lambda_0_11_p2685_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_0_11_p2677_lanes;
+  const Lanes<8> Lambda_0_11_p2693_lanes = detail::make_lanes<Real>(Lambda_0_11_p639_lanes[0],
+      Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0],
+      Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[1],
+      Lambda_0_11_p639_lanes[1]) * detail::make_lanes<Real>(Lambda_0_11_p2451_lanes[0],
+      Lambda_0_11_p2451_lanes[1], Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3],
+      Lambda_0_11_p2451_lanes[4], Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2701_lanes = c8 * Lambda_0_11_p2491_lanes;
+  const Lanes<8> Lambda_0_11_p2707_lanes = s8 * Lambda_0_11_p2551_lanes;
+  const Lanes<8> Lambda_0_11_p2713_lanes = Lambda_0_11_p2701_lanes - Lambda_0_11_p2707_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2719_lanes = detail::make_lanes<Real>(Lambda_0_11_p2713_lanes[0],
+      Lambda_0_11_p2713_lanes[1], Lambda_0_11_p2713_lanes[2], Lambda_0_11_p2713_lanes[3],
+      Lambda_0_11_p2713_lanes[4], Lambda_0_11_p2713_lanes[5], c15 * Lambda_0_11_p2484 - s15 *
+      Lambda_0_11_p2477, c15 * Lambda_0_11_p2471 - s15 * Lambda_0_11_p2474) -
+      Lambda_0_11_p2693_lanes;
+  const Lanes<8> Lambda_0_11_p2727_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_0_11_p2719_lanes;
+  const Lanes<8> Lambda_0_11_p2735_lanes = Lambda_0_11_p2685_lanes + Lambda_0_11_p2727_lanes;
+  const Lanes<2> Lambda_0_11_p2743_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_0_11_p2735_lanes[5], Lambda_0_11_p2635_lanes[3]);
+  const Lanes<2> Lambda_0_11_p2745_lanes = Lambda_0_11_p2577_lanes + Lambda_0_11_p2743_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2747_lanes = s15 * Lambda_0_11_p2151_lanes;
+  const Lanes<8> Lambda_0_11_p2751_lanes = c15 * Lambda_0_11_p2161_lanes;
+  const Lanes<8> Lambda_0_11_p2755_lanes = Lambda_0_11_p2751_lanes - Lambda_0_11_p2747_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2759_lanes = inverse_D6_p5_lanes[1] * Lambda_0_11_p2169_lanes;
+  const Lanes<8> Lambda_0_11_p2763_lanes = Lambda_0_11_p2755_lanes - Lambda_0_11_p2759_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2767_lanes = detail::make_lanes<Real>(inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1],
+      inverse_D6_p5_lanes[1]) * detail::make_lanes<Real>(Lambda_0_11_p2451_lanes[0],
+      Lambda_0_11_p2451_lanes[1], Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3],
+      Lambda_0_11_p2451_lanes[4], Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p2775_lanes = s8 * Lambda_0_11_p2427_lanes;
+  const Lanes<8> Lambda_0_11_p2781_lanes = c8 * Lambda_0_11_p2439_lanes;
+  const Lanes<8> Lambda_0_11_p2787_lanes = Lambda_0_11_p2781_lanes - Lambda_0_11_p2775_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2793_lanes = detail::make_lanes<Real>(Lambda_0_11_p2787_lanes[0],
+      Lambda_0_11_p2787_lanes[1], Lambda_0_11_p2787_lanes[2], Lambda_0_11_p2787_lanes[3],
+      Lambda_0_11_p2787_lanes[4], Lambda_0_11_p2787_lanes[5], c15 * Lambda_0_11_p2221 - s15 *
+      Lambda_0_11_p2220, c15 * Lambda_0_11_p2199 - s15 * Lambda_0_11_p2200) -
+      Lambda_0_11_p2767_lanes;
+  const Lanes<2> Lambda_0_11_p2801_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2793_lanes[5], Lambda_0_11_p2763_lanes[3]);
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_0_11_p2803_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) / inverse_D7_p17_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2805_lanes = Lambda_0_11_p2803_lanes[1] * Lambda_0_11_p2169_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2809_lanes = detail::make_lanes<Real>(Lambda_0_11_p2803_lanes[0],
+      Lambda_0_11_p2803_lanes[0], Lambda_0_11_p2803_lanes[0], Lambda_0_11_p2803_lanes[0],
+      Lambda_0_11_p2803_lanes[0], Lambda_0_11_p2803_lanes[0], Lambda_0_11_p2803_lanes[1],
+      Lambda_0_11_p2803_lanes[1]) * detail::make_lanes<Real>(Lambda_0_11_p2451_lanes[0],
+      Lambda_0_11_p2451_lanes[1], Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3],
+      Lambda_0_11_p2451_lanes[4], Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
+  const Lanes<2> Lambda_0_11_p2817_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2809_lanes[5], Lambda_0_11_p2805_lanes[3]);
+  const Lanes<2> Lambda_0_11_p2819_lanes = Lambda_0_11_p2817_lanes + Lambda_0_11_p2801_lanes;
+  const Lanes<2> Lambda_0_11_p2821_lanes = Lambda_0_11_p2819_lanes + Lambda_0_11_p2745_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p1171_lanes = Lambda_0_11_p1167_lanes - Lambda_0_11_p1163_lanes;
-  const Lanes Lambda_0_11_p1175_lanes = c6 * Lambda_0_11_p1171_lanes;
-  const Lanes Lambda_0_11_p1179_lanes = Lambda_0_11_p1159_lanes + Lambda_0_11_p1175_lanes;
-  const Lanes Lambda_0_11_p1183_lanes = Lambda_0_11_p450 * Lambda_0_11_p1135_lanes;
-  const Lanes Lambda_0_11_p1187_lanes = Lambda_0_11_p1151_lanes - Lambda_0_11_p1183_lanes;
-  const Lanes Lambda_0_11_p1191_lanes = 0.072 * Lambda_0_11_p1187_lanes;
-  const Lanes Lambda_0_11_p1195_lanes = Lambda_0_11_p1179_lanes + Lambda_0_11_p1191_lanes;
-  const Lanes Lambda_0_11_p1199_lanes = Lambda_0_11_p410 * Lambda_0_11_p1135_lanes;
-  const Lanes Lambda_0_11_p1203_lanes = Lambda_0_11_p1062_lanes - Lambda_0_11_p1199_lanes;
-  const Lanes Lambda_0_11_p1207_lanes = s6 * Lambda_0_11_p1203_lanes;
-  const Lanes Lambda_0_11_p1211_lanes = Lambda_0_11_p441 * Lambda_0_11_p1135_lanes;
-  const Lanes Lambda_0_11_p1215_lanes = Lambda_0_11_p1086_lanes - Lambda_0_11_p1211_lanes;
-  const Lanes Lambda_0_11_p1219_lanes = c6 * Lambda_0_11_p1215_lanes;
-  const Lanes Lambda_0_11_p1223_lanes = Lambda_0_11_p1207_lanes + Lambda_0_11_p1219_lanes;
+  const Real Lambda_0_11_p2823 = -Lambda_0_11_p2821_lanes[1];
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p1227 = -(0.072 * Lambda_0_11_p1223_lanes[3]) + Lambda_0_11_p477 *
-      Lambda_0_11_p1195_lanes[3];
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_0_11_p2824_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2809_lanes[4], Lambda_0_11_p2805_lanes[2]);
+  const Lanes<2> Lambda_0_11_p2826_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2793_lanes[4], Lambda_0_11_p2763_lanes[2]);
+  const Lanes<2> Lambda_0_11_p2828_lanes = Lambda_0_11_p2824_lanes + Lambda_0_11_p2826_lanes;
+  const Lanes<2> Lambda_0_11_p2830_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_0_11_p2735_lanes[4], Lambda_0_11_p2635_lanes[2]);
+  const Lanes<2> Lambda_0_11_p2832_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_0_11_p2569_lanes[4], Lambda_0_11_p2177_lanes[2]);
+  const Lanes<2> Lambda_0_11_p2834_lanes = Lambda_0_11_p2832_lanes + Lambda_0_11_p2830_lanes;
+  const Lanes<2> Lambda_0_11_p2836_lanes = Lambda_0_11_p2828_lanes + Lambda_0_11_p2834_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p1228_lanes = c6 * Lambda_0_11_p1155_lanes;
-  const Lanes Lambda_0_11_p1232_lanes = s6 * Lambda_0_11_p1171_lanes;
-  const Lanes Lambda_0_11_p1236_lanes = Lambda_0_11_p1228_lanes - Lambda_0_11_p1232_lanes;
+  const Real Lambda_0_11_p2838 = -Lambda_0_11_p2836_lanes[1];
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p1240 = Lambda_0_11_p1236_lanes[3] - Lambda_0_11_p479 *
-      Lambda_0_11_p1195_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p1241 = -(s5 * Lambda_0_11_p1227 + c5 * Lambda_0_11_p1240);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p1242 = -(0.072 * Lambda_0_11_p1223_lanes[2]) + Lambda_0_11_p477 *
-      Lambda_0_11_p1195_lanes[2];
-  const Real Lambda_0_11_p1243 = Lambda_0_11_p1236_lanes[2] - Lambda_0_11_p479 *
-      Lambda_0_11_p1195_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p1244 = -(s5 * Lambda_0_11_p1242 + c5 * Lambda_0_11_p1243);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p1245 = -(0.072 * Lambda_0_11_p1223_lanes[1]) + Lambda_0_11_p477 *
-      Lambda_0_11_p1195_lanes[1];
-  const Real Lambda_0_11_p1246 = Lambda_0_11_p1236_lanes[1] - Lambda_0_11_p479 *
-      Lambda_0_11_p1195_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p1247 = -(s5 * Lambda_0_11_p1245 + c5 * Lambda_0_11_p1246);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p1248 = -(0.072 * Lambda_0_11_p1223_lanes[0]) + Lambda_0_11_p477 *
-      Lambda_0_11_p1195_lanes[0];
-  const Real Lambda_0_11_p1249 = Lambda_0_11_p1236_lanes[0] - Lambda_0_11_p479 *
-      Lambda_0_11_p1195_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p1250 = -(s5 * Lambda_0_11_p1248 + c5 * Lambda_0_11_p1249);
-  const Lanes Lambda_0_11_p1251_lanes = inverse_D3_p1 *
-      detail::make_lanes<Real>(Lambda_0_11_p1250, Lambda_0_11_p1247, Lambda_0_11_p1244,
-      Lambda_0_11_p1241, Lambda_0_11_p1250, Lambda_0_11_p1250, Lambda_0_11_p1250,
-      Lambda_0_11_p1250);
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p1255_lanes = Lambda_0_11_p462 * Lambda_0_11_p1195_lanes;
-  const Lanes Lambda_0_11_p1259_lanes = Lambda_0_11_p1223_lanes - Lambda_0_11_p1255_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p1263_lanes = detail::make_lanes<Real>(-(s5 * Lambda_0_11_p1249 - c5 *
-      Lambda_0_11_p1248 + 0.21799999999999997 * Lambda_0_11_p1259_lanes[0]),
-      -(s5 * Lambda_0_11_p1246 - c5 * Lambda_0_11_p1245 + 0.21799999999999997 *
-      Lambda_0_11_p1259_lanes[1]), -(s5 * Lambda_0_11_p1243 - c5 * Lambda_0_11_p1242 +
-      0.21799999999999997 * Lambda_0_11_p1259_lanes[2]),
-      -(s5 * Lambda_0_11_p1240 - c5 * Lambda_0_11_p1227 + 0.21799999999999997 *
-      Lambda_0_11_p1259_lanes[3]), -(s5 * Lambda_0_11_p1249 - c5 * Lambda_0_11_p1248 +
-      0.21799999999999997 * Lambda_0_11_p1259_lanes[0]),
-      -(s5 * Lambda_0_11_p1249 - c5 * Lambda_0_11_p1248 + 0.21799999999999997 *
-      Lambda_0_11_p1259_lanes[0]), -(s5 * Lambda_0_11_p1249 - c5 * Lambda_0_11_p1248 +
-      0.21799999999999997 * Lambda_0_11_p1259_lanes[0]),
-      -(s5 * Lambda_0_11_p1249 - c5 * Lambda_0_11_p1248 + 0.21799999999999997 *
-      Lambda_0_11_p1259_lanes[0])) - Lambda_0_11_p1251_lanes;
-  const Lanes Lambda_0_11_p1267_lanes = s4 * Lambda_0_11_p1263_lanes;
-  const Lanes Lambda_0_11_p1271_lanes = inverse_D3_p2 *
-      detail::make_lanes<Real>(Lambda_0_11_p1250, Lambda_0_11_p1247, Lambda_0_11_p1244,
-      Lambda_0_11_p1241, Lambda_0_11_p1250, Lambda_0_11_p1250, Lambda_0_11_p1250,
-      Lambda_0_11_p1250);
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_0_11_p2839_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_0_11_p2569_lanes[3], Lambda_0_11_p2177_lanes[1]);
+  const Lanes<2> Lambda_0_11_p2841_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_0_11_p2735_lanes[3], Lambda_0_11_p2635_lanes[1]);
+  const Lanes<2> Lambda_0_11_p2843_lanes = Lambda_0_11_p2839_lanes + Lambda_0_11_p2841_lanes;
+  const Lanes<2> Lambda_0_11_p2845_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2793_lanes[3], Lambda_0_11_p2763_lanes[1]);
+  const Lanes<2> Lambda_0_11_p2847_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2809_lanes[3], Lambda_0_11_p2805_lanes[1]);
+  const Lanes<2> Lambda_0_11_p2849_lanes = Lambda_0_11_p2847_lanes + Lambda_0_11_p2845_lanes;
+  const Lanes<2> Lambda_0_11_p2851_lanes = Lambda_0_11_p2849_lanes + Lambda_0_11_p2843_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p1275_lanes = c6 * Lambda_0_11_p1203_lanes;
-  const Lanes Lambda_0_11_p1279_lanes = s6 * Lambda_0_11_p1215_lanes;
-  const Lanes Lambda_0_11_p1283_lanes = Lambda_0_11_p1275_lanes - Lambda_0_11_p1279_lanes;
+  const Real Lambda_0_11_p2853 = -Lambda_0_11_p2851_lanes[1];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_0_11_p2854_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_0_11_p2735_lanes[2], Lambda_0_11_p2635_lanes[0]);
+  const Lanes<2> Lambda_0_11_p2856_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_0_11_p2569_lanes[2], Lambda_0_11_p2177_lanes[0]);
+  const Lanes<2> Lambda_0_11_p2858_lanes = Lambda_0_11_p2856_lanes + Lambda_0_11_p2854_lanes;
+  const Lanes<2> Lambda_0_11_p2860_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2793_lanes[2], Lambda_0_11_p2763_lanes[0]);
+  const Lanes<2> Lambda_0_11_p2862_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2809_lanes[2], Lambda_0_11_p2805_lanes[0]);
+  const Lanes<2> Lambda_0_11_p2864_lanes = Lambda_0_11_p2862_lanes + Lambda_0_11_p2860_lanes;
+  const Lanes<2> Lambda_0_11_p2866_lanes = Lambda_0_11_p2864_lanes + Lambda_0_11_p2858_lanes;
+
+  // link 6 (chest3), force propagation
+  const Real Lambda_0_11_p2868 = -Lambda_0_11_p2866_lanes[1];
+  const Lanes<8> Lambda_0_11_p2869_lanes = inverse_D5_p16 *
+      detail::make_lanes<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
+      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
+      Lambda_0_11_p2868);
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2873_lanes = s14 * Lambda_0_11_p2595_lanes;
+  const Lanes<8> Lambda_0_11_p2877_lanes = c14 * Lambda_0_11_p2627_lanes;
+  const Lanes<8> Lambda_0_11_p2881_lanes = Lambda_0_11_p2877_lanes - Lambda_0_11_p2873_lanes;
+  const Lanes<8> Lambda_0_11_p2885_lanes = (-0.18) * Lambda_0_11_p2881_lanes;
+  const Lanes<8> Lambda_0_11_p2889_lanes = c14 * Lambda_0_11_p2763_lanes;
+  const Lanes<8> Lambda_0_11_p2893_lanes = s14 * Lambda_0_11_p2805_lanes;
+  const Lanes<8> Lambda_0_11_p2897_lanes = Lambda_0_11_p2893_lanes - Lambda_0_11_p2889_lanes;
+  const Lanes<8> Lambda_0_11_p2901_lanes = Lambda_0_11_p2885_lanes - Lambda_0_11_p2897_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p2905_lanes = Lambda_0_11_p2901_lanes - Lambda_0_11_p2869_lanes;
+  const Lanes<8> Lambda_0_11_p2909_lanes = s6 * Lambda_0_11_p2905_lanes;
+  const Lanes<8> Lambda_0_11_p2913_lanes = inverse_D5_p22 *
+      detail::make_lanes<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
+      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
+      Lambda_0_11_p2868);
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p2917_lanes = 0.226 * Lambda_0_11_p2881_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p2921_lanes = Lambda_0_11_p2917_lanes - Lambda_0_11_p2913_lanes;
+  const Lanes<8> Lambda_0_11_p2925_lanes = c6 * Lambda_0_11_p2921_lanes;
+  const Lanes<8> Lambda_0_11_p2929_lanes = Lambda_0_11_p2909_lanes + Lambda_0_11_p2925_lanes;
+  const Lanes<8> Lambda_0_11_p2933_lanes = Lambda_0_11_p993 *
+      detail::make_lanes<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
+      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
+      Lambda_0_11_p2868);
+  const Lanes<8> Lambda_0_11_p2937_lanes = Lambda_0_11_p2881_lanes - Lambda_0_11_p2933_lanes;
+  const Lanes<8> Lambda_0_11_p2941_lanes = 0.072 * Lambda_0_11_p2937_lanes;
+  const Lanes<8> Lambda_0_11_p2945_lanes = Lambda_0_11_p2929_lanes + Lambda_0_11_p2941_lanes;
+  const Lanes<8> Lambda_0_11_p2949_lanes = Lambda_0_11_p930 *
+      detail::make_lanes<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
+      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
+      Lambda_0_11_p2868);
+  const Lanes<8> Lambda_0_11_p2953_lanes = Lambda_0_11_p2635_lanes + Lambda_0_11_p2949_lanes;
+  const Lanes<8> Lambda_0_11_p2957_lanes = s6 * Lambda_0_11_p2953_lanes;
+  const Lanes<8> Lambda_0_11_p2961_lanes = Lambda_0_11_p984 *
+      detail::make_lanes<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
+      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
+      Lambda_0_11_p2868);
+  const Lanes<8> Lambda_0_11_p2965_lanes = Lambda_0_11_p2177_lanes - Lambda_0_11_p2961_lanes;
+  const Lanes<8> Lambda_0_11_p2969_lanes = c6 * Lambda_0_11_p2965_lanes;
+  const Lanes<8> Lambda_0_11_p2973_lanes = Lambda_0_11_p2957_lanes + Lambda_0_11_p2969_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p1287 = Lambda_0_11_p1283_lanes[3] - Lambda_0_11_p490 *
-      Lambda_0_11_p1195_lanes[3];
-  const Real Lambda_0_11_p1288 = Lambda_0_11_p1187_lanes[3] - Lambda_0_11_p486 *
-      Lambda_0_11_p1195_lanes[3];
-  const Real Lambda_0_11_p1289 = s5 * Lambda_0_11_p1287 - c5 * Lambda_0_11_p1288;
-  const Real Lambda_0_11_p1290 = Lambda_0_11_p1283_lanes[2] - Lambda_0_11_p490 *
-      Lambda_0_11_p1195_lanes[2];
-  const Real Lambda_0_11_p1291 = Lambda_0_11_p1187_lanes[2] - Lambda_0_11_p486 *
-      Lambda_0_11_p1195_lanes[2];
-  const Real Lambda_0_11_p1292 = s5 * Lambda_0_11_p1290 - c5 * Lambda_0_11_p1291;
-  const Real Lambda_0_11_p1293 = Lambda_0_11_p1283_lanes[1] - Lambda_0_11_p490 *
-      Lambda_0_11_p1195_lanes[1];
-  const Real Lambda_0_11_p1294 = Lambda_0_11_p1187_lanes[1] - Lambda_0_11_p486 *
-      Lambda_0_11_p1195_lanes[1];
-  const Real Lambda_0_11_p1295 = s5 * Lambda_0_11_p1293 - c5 * Lambda_0_11_p1294;
-  const Real Lambda_0_11_p1296 = Lambda_0_11_p1283_lanes[0] - Lambda_0_11_p490 *
-      Lambda_0_11_p1195_lanes[0];
-  const Real Lambda_0_11_p1297 = Lambda_0_11_p1187_lanes[0] - Lambda_0_11_p486 *
-      Lambda_0_11_p1195_lanes[0];
-  const Real Lambda_0_11_p1298 = s5 * Lambda_0_11_p1296 - c5 * Lambda_0_11_p1297;
+  const Real Lambda_0_11_p2977 = -(0.072 * Lambda_0_11_p2973_lanes[3]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p2945_lanes[3];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p2978_lanes = c6 * Lambda_0_11_p2905_lanes;
+  const Lanes<8> Lambda_0_11_p2982_lanes = s6 * Lambda_0_11_p2921_lanes;
+  const Lanes<8> Lambda_0_11_p2986_lanes = Lambda_0_11_p2978_lanes - Lambda_0_11_p2982_lanes;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p2990 = Lambda_0_11_p2986_lanes[3] - Lambda_0_11_p1022 *
+      Lambda_0_11_p2945_lanes[3];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p1299_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
-      Lambda_0_11_p1298), -(0.21799999999999997 * Lambda_0_11_p1295),
-      -(0.21799999999999997 * Lambda_0_11_p1292), -(0.21799999999999997 * Lambda_0_11_p1289),
-      -(0.21799999999999997 * Lambda_0_11_p1298), -(0.21799999999999997 * Lambda_0_11_p1298),
-      -(0.21799999999999997 * Lambda_0_11_p1298), -(0.21799999999999997 * Lambda_0_11_p1298)) +
-      Lambda_0_11_p1271_lanes;
-  const Lanes Lambda_0_11_p1303_lanes = c4 * Lambda_0_11_p1299_lanes;
-  const Lanes Lambda_0_11_p1307_lanes = Lambda_0_11_p1267_lanes + Lambda_0_11_p1303_lanes;
+  const Real Lambda_0_11_p2991 = -(s5 * Lambda_0_11_p2977 + c5 * Lambda_0_11_p2990);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p2992 = -(0.072 * Lambda_0_11_p2973_lanes[2]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p2945_lanes[2];
+  const Real Lambda_0_11_p2993 = Lambda_0_11_p2986_lanes[2] - Lambda_0_11_p1022 *
+      Lambda_0_11_p2945_lanes[2];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p2994 = -(s5 * Lambda_0_11_p2992 + c5 * Lambda_0_11_p2993);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p2995 = -(0.072 * Lambda_0_11_p2973_lanes[1]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p2945_lanes[1];
+  const Real Lambda_0_11_p2996 = Lambda_0_11_p2986_lanes[1] - Lambda_0_11_p1022 *
+      Lambda_0_11_p2945_lanes[1];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p2997 = -(s5 * Lambda_0_11_p2995 + c5 * Lambda_0_11_p2996);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p2998 = -(0.072 * Lambda_0_11_p2973_lanes[0]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p2945_lanes[0];
+  const Real Lambda_0_11_p2999 = Lambda_0_11_p2986_lanes[0] - Lambda_0_11_p1022 *
+      Lambda_0_11_p2945_lanes[0];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p3000 = -(s5 * Lambda_0_11_p2998 + c5 * Lambda_0_11_p2999);
+  const Lanes<8> Lambda_0_11_p3001_lanes = inverse_D3_p1 *
+      detail::make_lanes<Real>(Lambda_0_11_p3000, Lambda_0_11_p2997, Lambda_0_11_p2994,
+      Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000, Lambda_0_11_p3000,
+      Lambda_0_11_p3000);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p3005_lanes = Lambda_0_11_p1005 * Lambda_0_11_p2945_lanes;
+  const Lanes<8> Lambda_0_11_p3009_lanes = Lambda_0_11_p2973_lanes - Lambda_0_11_p3005_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p3013_lanes = detail::make_lanes<Real>(-(s5 * Lambda_0_11_p2999 - c5 *
+      Lambda_0_11_p2998 + 0.21799999999999997 * Lambda_0_11_p3009_lanes[0]),
+      -(s5 * Lambda_0_11_p2996 - c5 * Lambda_0_11_p2995 + 0.21799999999999997 *
+      Lambda_0_11_p3009_lanes[1]), -(s5 * Lambda_0_11_p2993 - c5 * Lambda_0_11_p2992 +
+      0.21799999999999997 * Lambda_0_11_p3009_lanes[2]),
+      -(s5 * Lambda_0_11_p2990 - c5 * Lambda_0_11_p2977 + 0.21799999999999997 *
+      Lambda_0_11_p3009_lanes[3]), -(s5 * Lambda_0_11_p2999 - c5 * Lambda_0_11_p2998 +
+      0.21799999999999997 * Lambda_0_11_p3009_lanes[0]),
+      -(s5 * Lambda_0_11_p2999 - c5 * Lambda_0_11_p2998 + 0.21799999999999997 *
+      Lambda_0_11_p3009_lanes[0]), -(s5 * Lambda_0_11_p2999 - c5 * Lambda_0_11_p2998 +
+      0.21799999999999997 * Lambda_0_11_p3009_lanes[0]),
+      -(s5 * Lambda_0_11_p2999 - c5 * Lambda_0_11_p2998 + 0.21799999999999997 *
+      Lambda_0_11_p3009_lanes[0])) - Lambda_0_11_p3001_lanes;
+  const Lanes<8> Lambda_0_11_p3017_lanes = s4 * Lambda_0_11_p3013_lanes;
+  const Lanes<8> Lambda_0_11_p3021_lanes = inverse_D3_p2 *
+      detail::make_lanes<Real>(Lambda_0_11_p3000, Lambda_0_11_p2997, Lambda_0_11_p2994,
+      Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000, Lambda_0_11_p3000,
+      Lambda_0_11_p3000);
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p3025_lanes = c6 * Lambda_0_11_p2953_lanes;
+  const Lanes<8> Lambda_0_11_p3029_lanes = s6 * Lambda_0_11_p2965_lanes;
+  const Lanes<8> Lambda_0_11_p3033_lanes = Lambda_0_11_p3025_lanes - Lambda_0_11_p3029_lanes;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3037 = Lambda_0_11_p3033_lanes[3] - Lambda_0_11_p1033 *
+      Lambda_0_11_p2945_lanes[3];
+  const Real Lambda_0_11_p3038 = Lambda_0_11_p2937_lanes[3] - Lambda_0_11_p1029 *
+      Lambda_0_11_p2945_lanes[3];
+  const Real Lambda_0_11_p3039 = s5 * Lambda_0_11_p3037 - c5 * Lambda_0_11_p3038;
+  const Real Lambda_0_11_p3040 = Lambda_0_11_p3033_lanes[2] - Lambda_0_11_p1033 *
+      Lambda_0_11_p2945_lanes[2];
+  const Real Lambda_0_11_p3041 = Lambda_0_11_p2937_lanes[2] - Lambda_0_11_p1029 *
+      Lambda_0_11_p2945_lanes[2];
+  const Real Lambda_0_11_p3042 = s5 * Lambda_0_11_p3040 - c5 * Lambda_0_11_p3041;
+  const Real Lambda_0_11_p3043 = Lambda_0_11_p3033_lanes[1] - Lambda_0_11_p1033 *
+      Lambda_0_11_p2945_lanes[1];
+  const Real Lambda_0_11_p3044 = Lambda_0_11_p2937_lanes[1] - Lambda_0_11_p1029 *
+      Lambda_0_11_p2945_lanes[1];
+  const Real Lambda_0_11_p3045 = s5 * Lambda_0_11_p3043 - c5 * Lambda_0_11_p3044;
+  const Real Lambda_0_11_p3046 = Lambda_0_11_p3033_lanes[0] - Lambda_0_11_p1033 *
+      Lambda_0_11_p2945_lanes[0];
+  const Real Lambda_0_11_p3047 = Lambda_0_11_p2937_lanes[0] - Lambda_0_11_p1029 *
+      Lambda_0_11_p2945_lanes[0];
+  const Real Lambda_0_11_p3048 = s5 * Lambda_0_11_p3046 - c5 * Lambda_0_11_p3047;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p3049_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
+      Lambda_0_11_p3048), -(0.21799999999999997 * Lambda_0_11_p3045),
+      -(0.21799999999999997 * Lambda_0_11_p3042), -(0.21799999999999997 * Lambda_0_11_p3039),
+      -(0.21799999999999997 * Lambda_0_11_p3048), -(0.21799999999999997 * Lambda_0_11_p3048),
+      -(0.21799999999999997 * Lambda_0_11_p3048), -(0.21799999999999997 * Lambda_0_11_p3048)) +
+      Lambda_0_11_p3021_lanes;
+  const Lanes<8> Lambda_0_11_p3053_lanes = c4 * Lambda_0_11_p3049_lanes;
+  const Lanes<8> Lambda_0_11_p3057_lanes = Lambda_0_11_p3017_lanes + Lambda_0_11_p3053_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p1311_lanes = Lambda_0_11_p520 * Lambda_0_11_p1307_lanes;
+  const Lanes<8> Lambda_0_11_p3061_lanes = Lambda_0_11_p1063 * Lambda_0_11_p3057_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p1315_lanes = Lambda_0_11_p498 *
-      detail::make_lanes<Real>(Lambda_0_11_p1250, Lambda_0_11_p1247, Lambda_0_11_p1244,
-      Lambda_0_11_p1241, Lambda_0_11_p1250, Lambda_0_11_p1250, Lambda_0_11_p1250,
-      Lambda_0_11_p1250);
-  const Lanes Lambda_0_11_p1319_lanes = detail::make_lanes<Real>(-Lambda_0_11_p1298,
-      -Lambda_0_11_p1295, -Lambda_0_11_p1292, -Lambda_0_11_p1289, -Lambda_0_11_p1298,
-      -Lambda_0_11_p1298, -Lambda_0_11_p1298, -Lambda_0_11_p1298) + Lambda_0_11_p1315_lanes;
-  const Lanes Lambda_0_11_p1323_lanes = c4 * Lambda_0_11_p1319_lanes;
-  const Lanes Lambda_0_11_p1327_lanes = Lambda_0_11_p507 *
-      detail::make_lanes<Real>(Lambda_0_11_p1250, Lambda_0_11_p1247, Lambda_0_11_p1244,
-      Lambda_0_11_p1241, Lambda_0_11_p1250, Lambda_0_11_p1250, Lambda_0_11_p1250,
-      Lambda_0_11_p1250);
-  const Lanes Lambda_0_11_p1331_lanes = Lambda_0_11_p1259_lanes + Lambda_0_11_p1327_lanes;
-  const Lanes Lambda_0_11_p1335_lanes = s4 * Lambda_0_11_p1331_lanes;
-  const Lanes Lambda_0_11_p1339_lanes = Lambda_0_11_p1323_lanes - Lambda_0_11_p1335_lanes;
+  const Lanes<8> Lambda_0_11_p3065_lanes = Lambda_0_11_p1041 *
+      detail::make_lanes<Real>(Lambda_0_11_p3000, Lambda_0_11_p2997, Lambda_0_11_p2994,
+      Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000, Lambda_0_11_p3000,
+      Lambda_0_11_p3000);
+  const Lanes<8> Lambda_0_11_p3069_lanes = detail::make_lanes<Real>(-Lambda_0_11_p3048,
+      -Lambda_0_11_p3045, -Lambda_0_11_p3042, -Lambda_0_11_p3039, -Lambda_0_11_p3048,
+      -Lambda_0_11_p3048, -Lambda_0_11_p3048, -Lambda_0_11_p3048) + Lambda_0_11_p3065_lanes;
+  const Lanes<8> Lambda_0_11_p3073_lanes = c4 * Lambda_0_11_p3069_lanes;
+  const Lanes<8> Lambda_0_11_p3077_lanes = Lambda_0_11_p1050 *
+      detail::make_lanes<Real>(Lambda_0_11_p3000, Lambda_0_11_p2997, Lambda_0_11_p2994,
+      Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000, Lambda_0_11_p3000,
+      Lambda_0_11_p3000);
+  const Lanes<8> Lambda_0_11_p3081_lanes = Lambda_0_11_p3009_lanes + Lambda_0_11_p3077_lanes;
+  const Lanes<8> Lambda_0_11_p3085_lanes = s4 * Lambda_0_11_p3081_lanes;
+  const Lanes<8> Lambda_0_11_p3089_lanes = Lambda_0_11_p3073_lanes - Lambda_0_11_p3085_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p1343_lanes = Lambda_0_11_p1339_lanes - Lambda_0_11_p1311_lanes;
-  const Lanes Lambda_0_11_p1347_lanes = c3 * Lambda_0_11_p1343_lanes;
-  const Lanes Lambda_0_11_p1351_lanes = Lambda_0_11_p530 * Lambda_0_11_p1307_lanes;
-  const Lanes Lambda_0_11_p1355_lanes = detail::make_lanes<Real>(-(-(s5 * Lambda_0_11_p1297 + c5 *
-      Lambda_0_11_p1296) - Lambda_0_11_p525 * Lambda_0_11_p1250),
-      -(-(s5 * Lambda_0_11_p1294 + c5 * Lambda_0_11_p1293) - Lambda_0_11_p525 * Lambda_0_11_p1247),
-      -(-(s5 * Lambda_0_11_p1291 + c5 * Lambda_0_11_p1290) - Lambda_0_11_p525 * Lambda_0_11_p1244),
-      -(-(s5 * Lambda_0_11_p1288 + c5 * Lambda_0_11_p1287) - Lambda_0_11_p525 * Lambda_0_11_p1241),
-      -(-(s5 * Lambda_0_11_p1297 + c5 * Lambda_0_11_p1296) - Lambda_0_11_p525 * Lambda_0_11_p1250),
-      -(-(s5 * Lambda_0_11_p1297 + c5 * Lambda_0_11_p1296) - Lambda_0_11_p525 * Lambda_0_11_p1250),
-      -(-(s5 * Lambda_0_11_p1297 + c5 * Lambda_0_11_p1296) - Lambda_0_11_p525 * Lambda_0_11_p1250),
-      -(-(s5 * Lambda_0_11_p1297 + c5 * Lambda_0_11_p1296) - Lambda_0_11_p525 *
-      Lambda_0_11_p1250)) + Lambda_0_11_p1351_lanes;
-  const Lanes Lambda_0_11_p1359_lanes = s3 * Lambda_0_11_p1355_lanes;
-  const Lanes Lambda_0_11_p1363_lanes = Lambda_0_11_p1347_lanes - Lambda_0_11_p1359_lanes;
-  const Lanes Lambda_0_11_p1367_lanes = 0.422 * Lambda_0_11_p1363_lanes;
+  const Lanes<8> Lambda_0_11_p3093_lanes = Lambda_0_11_p3089_lanes - Lambda_0_11_p3061_lanes;
+  const Lanes<8> Lambda_0_11_p3097_lanes = c3 * Lambda_0_11_p3093_lanes;
+  const Lanes<8> Lambda_0_11_p3101_lanes = Lambda_0_11_p1073 * Lambda_0_11_p3057_lanes;
+  const Lanes<8> Lambda_0_11_p3105_lanes = detail::make_lanes<Real>(-(-(s5 * Lambda_0_11_p3047 +
+      c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 * Lambda_0_11_p3000),
+      -(-(s5 * Lambda_0_11_p3044 + c5 * Lambda_0_11_p3043) - Lambda_0_11_p1068 * Lambda_0_11_p2997),
+      -(-(s5 * Lambda_0_11_p3041 + c5 * Lambda_0_11_p3040) - Lambda_0_11_p1068 * Lambda_0_11_p2994),
+      -(-(s5 * Lambda_0_11_p3038 + c5 * Lambda_0_11_p3037) - Lambda_0_11_p1068 * Lambda_0_11_p2991),
+      -(-(s5 * Lambda_0_11_p3047 + c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 * Lambda_0_11_p3000),
+      -(-(s5 * Lambda_0_11_p3047 + c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 * Lambda_0_11_p3000),
+      -(-(s5 * Lambda_0_11_p3047 + c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 * Lambda_0_11_p3000),
+      -(-(s5 * Lambda_0_11_p3047 + c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 *
+      Lambda_0_11_p3000)) + Lambda_0_11_p3101_lanes;
+  const Lanes<8> Lambda_0_11_p3109_lanes = s3 * Lambda_0_11_p3105_lanes;
+  const Lanes<8> Lambda_0_11_p3113_lanes = Lambda_0_11_p3097_lanes - Lambda_0_11_p3109_lanes;
+  const Lanes<8> Lambda_0_11_p3117_lanes = 0.422 * Lambda_0_11_p3113_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p1371_lanes = Lambda_0_11_p537 * Lambda_0_11_p1367_lanes;
-  const Lanes Lambda_0_11_p1375_lanes = Lambda_0_11_p1363_lanes - Lambda_0_11_p1371_lanes;
-  const Lanes Lambda_0_11_p1379_lanes = c2 * Lambda_0_11_p1375_lanes;
+  const Lanes<8> Lambda_0_11_p3121_lanes = Lambda_0_11_p1080 * Lambda_0_11_p3117_lanes;
+  const Lanes<8> Lambda_0_11_p3125_lanes = Lambda_0_11_p3113_lanes - Lambda_0_11_p3121_lanes;
+  const Lanes<8> Lambda_0_11_p3129_lanes = c2 * Lambda_0_11_p3125_lanes;
 
   // link 3 (hip), articulated inertia
-  const Real Lambda_0_11_p1383 = c3 * Lambda_0_11_p533 - Lambda_0_11_p532;
-  const Real Lambda_0_11_p1384 = 0.031999971599999996 + 0.422 * Lambda_0_11_p1383;
+  const Real Lambda_0_11_p3133 = c3 * Lambda_0_11_p1076 - Lambda_0_11_p1075;
+  const Real Lambda_0_11_p3134 = 0.031999971599999996 + 0.422 * Lambda_0_11_p3133;
 
   // link 2 (thigh), articulated inertia
-  const Real Lambda_0_11_p1385 = Lambda_0_11_p1384 * inverse_D2;
+  const Real Lambda_0_11_p3135 = Lambda_0_11_p3134 * inverse_D2;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p1386_lanes = Lambda_0_11_p1385 * Lambda_0_11_p1367_lanes;
+  const Lanes<8> Lambda_0_11_p3136_lanes = Lambda_0_11_p3135 * Lambda_0_11_p3117_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p1390_lanes = s3 * Lambda_0_11_p1343_lanes;
-  const Lanes Lambda_0_11_p1394_lanes = c3 * Lambda_0_11_p1355_lanes;
-  const Lanes Lambda_0_11_p1398_lanes = Lambda_0_11_p1390_lanes + Lambda_0_11_p1394_lanes;
+  const Lanes<8> Lambda_0_11_p3140_lanes = s3 * Lambda_0_11_p3093_lanes;
+  const Lanes<8> Lambda_0_11_p3144_lanes = c3 * Lambda_0_11_p3105_lanes;
+  const Lanes<8> Lambda_0_11_p3148_lanes = Lambda_0_11_p3140_lanes + Lambda_0_11_p3144_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p1402_lanes = Lambda_0_11_p1398_lanes - Lambda_0_11_p1386_lanes;
-  const Lanes Lambda_0_11_p1406_lanes = s2 * Lambda_0_11_p1402_lanes;
-  const Lanes Lambda_0_11_p1410_lanes = Lambda_0_11_p1379_lanes - Lambda_0_11_p1406_lanes;
-  const Lanes Lambda_0_11_p1414_lanes = 0.434 * Lambda_0_11_p1410_lanes;
+  const Lanes<8> Lambda_0_11_p3152_lanes = Lambda_0_11_p3148_lanes - Lambda_0_11_p3136_lanes;
+  const Lanes<8> Lambda_0_11_p3156_lanes = s2 * Lambda_0_11_p3152_lanes;
+  const Lanes<8> Lambda_0_11_p3160_lanes = Lambda_0_11_p3129_lanes - Lambda_0_11_p3156_lanes;
+  const Lanes<8> Lambda_0_11_p3164_lanes = 0.434 * Lambda_0_11_p3160_lanes;
 
   // link 2 (thigh), articulated inertia
-  const Real inverse_D1_p1 = Lambda_0_11_p535 - Lambda_0_11_p536 * Lambda_0_11_p537;
-  const Real inverse_D1_p2 = s2 * (inverse_D1_p1 - (Lambda_0_11_p531 + Lambda_0_11_p534 -
-      Lambda_0_11_p1384 * Lambda_0_11_p1385)) + c2 * (2.0 *
-      (Lambda_0_11_p1383 - Lambda_0_11_p536 * Lambda_0_11_p1385));
+  const Real inverse_D1_p1 = Lambda_0_11_p1078 - Lambda_0_11_p1079 * Lambda_0_11_p1080;
+  const Real inverse_D1_p2 = s2 * (inverse_D1_p1 - (Lambda_0_11_p1074 + Lambda_0_11_p1077 -
+      Lambda_0_11_p3134 * Lambda_0_11_p3135)) + c2 * (2.0 *
+      (Lambda_0_11_p3133 - Lambda_0_11_p1079 * Lambda_0_11_p3135));
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
       (inverse_D1_p1 - s2 * inverse_D1_p2));
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p1418_lanes = Lambda_0_11_p1414_lanes * inverse_D1;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_0_11_p1422 = Lambda_0_11_p596 + 0.26249928123577654 * Lambda_0_11_p615;
-  const Real Lambda_0_11_p1423 = 0.49024375482668536 * Lambda_0_11_p615;
-  const Real Lambda_0_11_p1424 = -(0.086 * Lambda_0_11_p574) + 0.004018575007348824 *
-      Lambda_0_11_p615;
-  const Real Lambda_0_11_p1425 = 0.009919078854932248 * Lambda_0_11_p615;
-  const Real Lambda_0_11_p1426 = s20 * Lambda_0_11_p1425 + c20 * Lambda_0_11_p1424;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_0_11_p1427 = s20 * Lambda_0_11_p1422 - c20 * Lambda_0_11_p1423 -
-      Lambda_0_11_p192 * Lambda_0_11_p1426;
-  const Real Lambda_0_11_p1428 = c20 * Lambda_0_11_p1425 - s20 * Lambda_0_11_p1424 -
-      Lambda_0_11_p186 * Lambda_0_11_p1426;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p1429 = -(c19 * Lambda_0_11_p1428);
-  const Real Lambda_0_11_p1430 = 0.269 * Lambda_0_11_p1427 - s19 * Lambda_0_11_p1428 -
-      inverse_D17_p1 * Lambda_0_11_p1429;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_0_11_p1431 = c20 * Lambda_0_11_p1422 + s20 * Lambda_0_11_p1423 -
-      Lambda_0_11_p206 * Lambda_0_11_p1426;
-  const Real Lambda_0_11_p1432 = Lambda_0_11_p574 - Lambda_0_11_p209 * Lambda_0_11_p1426;
-  const Real Lambda_0_11_p1433 = s19 * Lambda_0_11_p1431 - c19 * Lambda_0_11_p1432;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p1434 = 0.269 * Lambda_0_11_p1433 - inverse_D17_p3 * Lambda_0_11_p1429;
-  const Real Lambda_0_11_p1435 = s18 * Lambda_0_11_p1430 + c18 * Lambda_0_11_p1434;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p1436 = c18 * Lambda_0_11_p1430 - s18 * Lambda_0_11_p1434 -
-      Lambda_0_11_p243 * Lambda_0_11_p1435;
-  const Real Lambda_0_11_p1437 = Lambda_0_11_p240 * Lambda_0_11_p1435;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p1438 = -Lambda_0_11_p1433 - Lambda_0_11_p214 * Lambda_0_11_p1429;
-  const Real Lambda_0_11_p1439 = Lambda_0_11_p1427 - Lambda_0_11_p198 * Lambda_0_11_p1429;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p1440 = s18 * Lambda_0_11_p1438 + c18 * Lambda_0_11_p1439 -
-      Lambda_0_11_p234 * Lambda_0_11_p1435;
-  const Real Lambda_0_11_p1441 = c17 * Lambda_0_11_p1437 - s17 * Lambda_0_11_p1436;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p1442 = c17 * Lambda_0_11_p1436 + s17 * Lambda_0_11_p1437 + 0.282 *
-      Lambda_0_11_p1440 - inverse_D15_p1 * Lambda_0_11_p1441;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p1443 = c18 * Lambda_0_11_p1438 - s18 * Lambda_0_11_p1439 -
-      Lambda_0_11_p249 * Lambda_0_11_p1435;
-  const Real Lambda_0_11_p1444 = -(-(s19 * Lambda_0_11_p1432 + c19 * Lambda_0_11_p1431) -
-      Lambda_0_11_p253 * Lambda_0_11_p1429) - Lambda_0_11_p258 * Lambda_0_11_p1435;
-  const Real Lambda_0_11_p1445 = s17 * Lambda_0_11_p1444 - c17 * Lambda_0_11_p1443;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p1446 = 0.282 * Lambda_0_11_p1445 - inverse_D15_p3 * Lambda_0_11_p1441;
-  const Real Lambda_0_11_p1447 = c16 * Lambda_0_11_p1442 - s16 * Lambda_0_11_p1446;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p1448 = Lambda_0_11_p1005 * Lambda_0_11_p1447;
-  const Real Lambda_0_11_p1449 = s16 * Lambda_0_11_p1442 + c16 * Lambda_0_11_p1446 -
-      inverse_D14_p1 * Lambda_0_11_p1447;
-  const Real Lambda_0_11_p1450 = s15 * Lambda_0_11_p1448 + c15 * Lambda_0_11_p1449;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_0_11_p1451 = Lambda_0_11_p599 + 0.26249928123577654 * Lambda_0_11_p616;
-  const Real Lambda_0_11_p1452 = 0.49024375482668536 * Lambda_0_11_p616;
-  const Real Lambda_0_11_p1453 = 0.009919078854932248 * Lambda_0_11_p616;
-  const Real Lambda_0_11_p1454 = -(0.086 * Lambda_0_11_p590) + 0.004018575007348824 *
-      Lambda_0_11_p616;
-  const Real Lambda_0_11_p1455 = s20 * Lambda_0_11_p1453 + c20 * Lambda_0_11_p1454;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_0_11_p1456 = s20 * Lambda_0_11_p1451 - c20 * Lambda_0_11_p1452 -
-      Lambda_0_11_p192 * Lambda_0_11_p1455;
-  const Real Lambda_0_11_p1457 = c20 * Lambda_0_11_p1453 - s20 * Lambda_0_11_p1454 -
-      Lambda_0_11_p186 * Lambda_0_11_p1455;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p1458 = -(c19 * Lambda_0_11_p1457);
-  const Real Lambda_0_11_p1459 = 0.269 * Lambda_0_11_p1456 - s19 * Lambda_0_11_p1457 -
-      inverse_D17_p1 * Lambda_0_11_p1458;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_0_11_p1460 = c20 * Lambda_0_11_p1451 + s20 * Lambda_0_11_p1452 -
-      Lambda_0_11_p206 * Lambda_0_11_p1455;
-  const Real Lambda_0_11_p1461 = Lambda_0_11_p590 - Lambda_0_11_p209 * Lambda_0_11_p1455;
-  const Real Lambda_0_11_p1462 = s19 * Lambda_0_11_p1460 - c19 * Lambda_0_11_p1461;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p1463 = 0.269 * Lambda_0_11_p1462 - inverse_D17_p3 * Lambda_0_11_p1458;
-  const Real Lambda_0_11_p1464 = s18 * Lambda_0_11_p1459 + c18 * Lambda_0_11_p1463;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p1465 = c18 * Lambda_0_11_p1459 - s18 * Lambda_0_11_p1463 -
-      Lambda_0_11_p243 * Lambda_0_11_p1464;
-  const Real Lambda_0_11_p1466 = Lambda_0_11_p240 * Lambda_0_11_p1464;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p1467 = -Lambda_0_11_p1462 - Lambda_0_11_p214 * Lambda_0_11_p1458;
-  const Real Lambda_0_11_p1468 = Lambda_0_11_p1456 - Lambda_0_11_p198 * Lambda_0_11_p1458;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p1469 = s18 * Lambda_0_11_p1467 + c18 * Lambda_0_11_p1468 -
-      Lambda_0_11_p234 * Lambda_0_11_p1464;
-  const Real Lambda_0_11_p1470 = c17 * Lambda_0_11_p1466 - s17 * Lambda_0_11_p1465;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p1471 = c17 * Lambda_0_11_p1465 + s17 * Lambda_0_11_p1466 + 0.282 *
-      Lambda_0_11_p1469 - inverse_D15_p1 * Lambda_0_11_p1470;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p1472 = c18 * Lambda_0_11_p1467 - s18 * Lambda_0_11_p1468 -
-      Lambda_0_11_p249 * Lambda_0_11_p1464;
-  const Real Lambda_0_11_p1473 = -(-(s19 * Lambda_0_11_p1461 + c19 * Lambda_0_11_p1460) -
-      Lambda_0_11_p253 * Lambda_0_11_p1458) - Lambda_0_11_p258 * Lambda_0_11_p1464;
-  const Real Lambda_0_11_p1474 = s17 * Lambda_0_11_p1473 - c17 * Lambda_0_11_p1472;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p1475 = 0.282 * Lambda_0_11_p1474 - inverse_D15_p3 * Lambda_0_11_p1470;
-  const Real Lambda_0_11_p1476 = c16 * Lambda_0_11_p1471 - s16 * Lambda_0_11_p1475;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p1477 = s16 * Lambda_0_11_p1471 + c16 * Lambda_0_11_p1475 -
-      inverse_D14_p1 * Lambda_0_11_p1476;
-  const Real Lambda_0_11_p1478 = Lambda_0_11_p1005 * Lambda_0_11_p1476;
-  const Real Lambda_0_11_p1479 = s15 * Lambda_0_11_p1478 + c15 * Lambda_0_11_p1477;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_0_11_p1480 = s7 * Lambda_0_11_p545 - c7 * Lambda_0_11_p546;
-  const Real Lambda_0_11_p1481 = c7 * Lambda_0_11_p545 + s7 * Lambda_0_11_p546;
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_0_11_p1482 = s8 * Lambda_0_11_p1481 + c8 * Lambda_0_11_p549;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_0_11_p1483 = c9 * Lambda_0_11_p1480 - s9 * Lambda_0_11_p1482;
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_0_11_p1484 = c8 * Lambda_0_11_p1481 - s8 * Lambda_0_11_p549;
-
-  // link 10 (left_lowerarm), pose
-  const Real Lambda_0_11_p1485 = c10 * Lambda_0_11_p1483 + s10 * Lambda_0_11_p1484;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_0_11_p1486 = c9 * Lambda_0_11_p1482 + s9 * Lambda_0_11_p1480;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_0_11_p1487 = c11 * Lambda_0_11_p1485 - s11 * Lambda_0_11_p1486;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_0_11_p1488 = c7 * Lambda_0_11_p563 - s7 * Lambda_0_11_p564;
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_0_11_p1489 = c8 * Lambda_0_11_p562 - s8 * Lambda_0_11_p1488;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_0_11_p1490 = s7 * Lambda_0_11_p563 + c7 * Lambda_0_11_p564;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_0_11_p1491 = s9 * Lambda_0_11_p1489 + c9 * Lambda_0_11_p1490;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_0_11_p1492 = c7 * Lambda_0_11_p578 + s7 * Lambda_0_11_p579;
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_0_11_p1493 = s8 * Lambda_0_11_p1492 + c8 * Lambda_0_11_p581;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_0_11_p1494 = c7 * Lambda_0_11_p579 - s7 * Lambda_0_11_p578;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_0_11_p1495 = s9 * Lambda_0_11_p1493 + c9 * Lambda_0_11_p1494;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes Lambda_0_11_p1496_lanes = s10 * detail::make_lanes<Real>(Lambda_0_11_p1495,
-      Lambda_0_11_p1491, Lambda_0_11_p1483, Lambda_0_11_p1495, Lambda_0_11_p1495, Lambda_0_11_p1495,
-      Lambda_0_11_p1495, Lambda_0_11_p1495);
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_0_11_p1499 = c8 * Lambda_0_11_p1488 + s8 * Lambda_0_11_p562;
-  const Real Lambda_0_11_p1500 = s8 * Lambda_0_11_p581 - c8 * Lambda_0_11_p1492;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes Lambda_0_11_p1501_lanes = c10 * detail::make_lanes<Real>(Lambda_0_11_p1500,
-      Lambda_0_11_p1499, Lambda_0_11_p1484, Lambda_0_11_p1500, Lambda_0_11_p1500, Lambda_0_11_p1500,
-      Lambda_0_11_p1500, Lambda_0_11_p1500);
-  const Lanes Lambda_0_11_p1504_lanes = Lambda_0_11_p1501_lanes - Lambda_0_11_p1496_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Real Lambda_0_11_p1507 = c12 * Lambda_0_11_p1504_lanes[2] - s12 * Lambda_0_11_p1487;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_0_11_p1508 = s11 * Lambda_0_11_p1485 + c11 * Lambda_0_11_p1486;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1509 = c13 * Lambda_0_11_p1507 - s13 * Lambda_0_11_p1508;
-
-  // link 10 (left_lowerarm), pose
-  const Real Lambda_0_11_p1510 = c10 * Lambda_0_11_p1491 + s10 * Lambda_0_11_p1499;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_0_11_p1511 = c9 * Lambda_0_11_p1489 - s9 * Lambda_0_11_p1490;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_0_11_p1512 = c11 * Lambda_0_11_p1510 + s11 * Lambda_0_11_p1511;
-
-  // link 10 (left_lowerarm), pose
-  const Real Lambda_0_11_p1513 = c10 * Lambda_0_11_p1495 + s10 * Lambda_0_11_p1500;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_0_11_p1514 = c9 * Lambda_0_11_p1493 - s9 * Lambda_0_11_p1494;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_0_11_p1515 = c11 * Lambda_0_11_p1513 + s11 * Lambda_0_11_p1514;
-
-  // link 12 (left_wrist2), pose
-  const Lanes Lambda_0_11_p1516_lanes = c12 * detail::make_lanes<Real>(Lambda_0_11_p1515,
-      Lambda_0_11_p1512, Lambda_0_11_p1487, Lambda_0_11_p1515, Lambda_0_11_p1515, Lambda_0_11_p1515,
-      Lambda_0_11_p1515, Lambda_0_11_p1515);
-  const Lanes Lambda_0_11_p1519_lanes = s12 * Lambda_0_11_p1504_lanes;
-  const Lanes Lambda_0_11_p1522_lanes = Lambda_0_11_p1516_lanes + Lambda_0_11_p1519_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes Lambda_0_11_p1525_lanes = 0.11533812622014242 *
-      detail::make_lanes<Real>(Lambda_0_11_p1522_lanes[0], Lambda_0_11_p1522_lanes[0],
-      Lambda_0_11_p1522_lanes[0], Lambda_0_11_p1522_lanes[0], Lambda_0_11_p1522_lanes[1],
-      Lambda_0_11_p1522_lanes[2], Lambda_0_11_p1522_lanes[0], Lambda_0_11_p1522_lanes[0]);
-
-  // link 12 (left_wrist2), pose
-  const Real Lambda_0_11_p1528 = c12 * Lambda_0_11_p1504_lanes[1] - s12 * Lambda_0_11_p1512;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_0_11_p1529 = c11 * Lambda_0_11_p1511 - s11 * Lambda_0_11_p1510;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1530 = c13 * Lambda_0_11_p1528 + s13 * Lambda_0_11_p1529;
-
-  // link 12 (left_wrist2), pose
-  const Real Lambda_0_11_p1531 = c12 * Lambda_0_11_p1504_lanes[0] - s12 * Lambda_0_11_p1515;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_0_11_p1532 = c11 * Lambda_0_11_p1514 - s11 * Lambda_0_11_p1513;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1533 = c13 * Lambda_0_11_p1531 + s13 * Lambda_0_11_p1532;
-
-  // link 13 (left_hand), force propagation
-  const Lanes Lambda_0_11_p1534_lanes = detail::make_lanes<Real>(Lambda_0_11_p1533,
-      Lambda_0_11_p1533, Lambda_0_11_p1533, Lambda_0_11_p1533, Lambda_0_11_p1530, Lambda_0_11_p1509,
-      Lambda_0_11_p1533, Lambda_0_11_p1533) + Lambda_0_11_p1525_lanes;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1537 = s13 * Lambda_0_11_p1507 + c13 * Lambda_0_11_p1508;
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_0_11_p1538 = -(0.086 * Lambda_0_11_p1537);
-  const Real Lambda_0_11_p1539 = 0.11533812622014242 * Lambda_0_11_p1538;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1540 = c13 * Lambda_0_11_p1529 - s13 * Lambda_0_11_p1528;
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_0_11_p1541 = 0.009919078854932248 * Lambda_0_11_p1540;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1542 = c13 * Lambda_0_11_p1532 - s13 * Lambda_0_11_p1531;
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_0_11_p1543 = 0.009919078854932248 * Lambda_0_11_p1542;
-  const Lanes Lambda_0_11_p1544_lanes = c13 * detail::make_lanes<Real>(Lambda_0_11_p1543,
-      Lambda_0_11_p1541, Lambda_0_11_p1539, Lambda_0_11_p1534_lanes[3], Lambda_0_11_p1534_lanes[4],
-      Lambda_0_11_p1534_lanes[5], Lambda_0_11_p1543, Lambda_0_11_p1543);
-  const Real Lambda_0_11_p1550 = -Lambda_0_11_p1537;
-  const Lanes Lambda_0_11_p1551_lanes = detail::make_lanes<Real>(0.004018575007348824,
-      0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
-      0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
-      detail::make_lanes<Real>(Lambda_0_11_p1542, Lambda_0_11_p1540, Lambda_0_11_p1538,
-      Lambda_0_11_p1522_lanes[0], Lambda_0_11_p1522_lanes[1], Lambda_0_11_p1522_lanes[2],
-      Lambda_0_11_p1542, Lambda_0_11_p1542);
-  const Lanes Lambda_0_11_p1557_lanes = detail::make_lanes<Real>(-(0.086 *
-      Lambda_0_11_p1522_lanes[0]), -(0.086 * Lambda_0_11_p1522_lanes[1]),
-      -(0.086 * Lambda_0_11_p1522_lanes[2]), Lambda_0_11_p1542, Lambda_0_11_p1540,
-      Lambda_0_11_p1550, -(0.086 * Lambda_0_11_p1522_lanes[0]),
-      -(0.086 * Lambda_0_11_p1522_lanes[0])) - Lambda_0_11_p1551_lanes;
-  const Lanes Lambda_0_11_p1563_lanes = s13 * Lambda_0_11_p1557_lanes;
-  const Lanes Lambda_0_11_p1569_lanes = Lambda_0_11_p1544_lanes - Lambda_0_11_p1563_lanes;
-  const Lanes Lambda_0_11_p1575_lanes = s13 * detail::make_lanes<Real>(Lambda_0_11_p1543,
-      Lambda_0_11_p1541, Lambda_0_11_p1539, Lambda_0_11_p1534_lanes[3], Lambda_0_11_p1534_lanes[4],
-      Lambda_0_11_p1534_lanes[5], Lambda_0_11_p1543, Lambda_0_11_p1543);
-  const Lanes Lambda_0_11_p1581_lanes = c13 * Lambda_0_11_p1557_lanes;
-  const Lanes Lambda_0_11_p1587_lanes = Lambda_0_11_p1575_lanes + Lambda_0_11_p1581_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p1593_lanes = Lambda_0_11_p3 * Lambda_0_11_p1587_lanes;
-  const Lanes Lambda_0_11_p1599_lanes = Lambda_0_11_p1569_lanes - Lambda_0_11_p1593_lanes;
-  const Lanes Lambda_0_11_p1605_lanes = s12 * Lambda_0_11_p1599_lanes;
-  const Lanes Lambda_0_11_p1611_lanes = Lambda_0_11_p9 * Lambda_0_11_p1587_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_0_11_p1617 = 3.0523172236718206 * Lambda_0_11_p1522_lanes[2];
-  const Real Lambda_0_11_p1618 = 17.32841575379867 * Lambda_0_11_p1522_lanes[2];
-  const Real Lambda_0_11_p1619 = 3.0523172236718206 * Lambda_0_11_p1522_lanes[1];
-  const Real Lambda_0_11_p1620 = 17.32841575379867 * Lambda_0_11_p1522_lanes[1];
-  const Real Lambda_0_11_p1621 = 3.0523172236718206 * Lambda_0_11_p1522_lanes[0];
-  const Real Lambda_0_11_p1622 = 17.32841575379867 * Lambda_0_11_p1522_lanes[0];
-  const Real Lambda_0_11_p1623 = Lambda_0_11_p1509 - 3.0523172236718206 * Lambda_0_11_p1538;
-  const Real Lambda_0_11_p1624 = Lambda_0_11_p1550 - 17.32841575379867 * Lambda_0_11_p1538;
-  const Real Lambda_0_11_p1625 = Lambda_0_11_p1530 - 0.26249928123577654 * Lambda_0_11_p1540;
-  const Real Lambda_0_11_p1626 = 0.49024375482668536 * Lambda_0_11_p1540;
-  const Real Lambda_0_11_p1627 = Lambda_0_11_p1533 - 0.26249928123577654 * Lambda_0_11_p1542;
-  const Real Lambda_0_11_p1628 = 0.49024375482668536 * Lambda_0_11_p1542;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p1629_lanes = detail::make_lanes<Real>(s13 * Lambda_0_11_p1627 - c13 *
-      Lambda_0_11_p1628, s13 * Lambda_0_11_p1625 - c13 * Lambda_0_11_p1626, s13 *
-      Lambda_0_11_p1623 + c13 * Lambda_0_11_p1624, -(s13 * Lambda_0_11_p1621 + c13 *
-      Lambda_0_11_p1622), -(s13 * Lambda_0_11_p1619 + c13 * Lambda_0_11_p1620),
-      -(s13 * Lambda_0_11_p1617 + c13 * Lambda_0_11_p1618), s13 * Lambda_0_11_p1627 - c13 *
-      Lambda_0_11_p1628, s13 * Lambda_0_11_p1627 - c13 * Lambda_0_11_p1628) -
-      Lambda_0_11_p1611_lanes;
-  const Lanes Lambda_0_11_p1635_lanes = 0.269 * Lambda_0_11_p1629_lanes;
-  const Lanes Lambda_0_11_p1641_lanes = Lambda_0_11_p1635_lanes - Lambda_0_11_p1605_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Real Lambda_0_11_p1647 = -(c12 * Lambda_0_11_p1599_lanes[5]);
-  const Real Lambda_0_11_p1648 = -(c12 * Lambda_0_11_p1599_lanes[4]);
-  const Real Lambda_0_11_p1649 = -(c12 * Lambda_0_11_p1599_lanes[3]);
-  const Real Lambda_0_11_p1650 = -(c12 * Lambda_0_11_p1599_lanes[2]);
-  const Real Lambda_0_11_p1651 = -(c12 * Lambda_0_11_p1599_lanes[1]);
-  const Real Lambda_0_11_p1652 = -(c12 * Lambda_0_11_p1599_lanes[0]);
-  const Lanes Lambda_0_11_p1653_lanes = Lambda_0_11_p14 *
-      detail::make_lanes<Real>(Lambda_0_11_p1652, Lambda_0_11_p1651, Lambda_0_11_p1650,
-      Lambda_0_11_p1649, Lambda_0_11_p1648, Lambda_0_11_p1647, Lambda_0_11_p1652,
-      Lambda_0_11_p1652);
-  const Lanes Lambda_0_11_p1659_lanes = Lambda_0_11_p1641_lanes - Lambda_0_11_p1653_lanes;
-  const Lanes Lambda_0_11_p1665_lanes = c11 * Lambda_0_11_p1659_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p1671_lanes = Lambda_0_11_p22 * Lambda_0_11_p1587_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes Lambda_0_11_p1677_lanes = detail::make_lanes<Real>(c13, c13, c13, s13, s13, s13, c13,
-      c13) * detail::make_lanes<Real>(Lambda_0_11_p1623, Lambda_0_11_p1623, Lambda_0_11_p1623,
-      Lambda_0_11_p1622, Lambda_0_11_p1620, Lambda_0_11_p1618, Lambda_0_11_p1623,
-      Lambda_0_11_p1623);
-  const Lanes Lambda_0_11_p1681_lanes = detail::make_lanes<Real>(s13, s13, s13, c13, c13, c13, s13,
-      s13) * detail::make_lanes<Real>(Lambda_0_11_p1624, Lambda_0_11_p1624, Lambda_0_11_p1624,
-      Lambda_0_11_p1621, Lambda_0_11_p1619, Lambda_0_11_p1617, Lambda_0_11_p1624,
-      Lambda_0_11_p1624);
-  const Lanes Lambda_0_11_p1685_lanes = Lambda_0_11_p1677_lanes - Lambda_0_11_p1681_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p1689_lanes = detail::make_lanes<Real>(c13 * Lambda_0_11_p1627 + s13 *
-      Lambda_0_11_p1628, c13 * Lambda_0_11_p1625 + s13 * Lambda_0_11_p1626,
-      Lambda_0_11_p1685_lanes[2], Lambda_0_11_p1685_lanes[3], Lambda_0_11_p1685_lanes[4],
-      Lambda_0_11_p1685_lanes[5], c13 * Lambda_0_11_p1627 + s13 * Lambda_0_11_p1628, c13 *
-      Lambda_0_11_p1627 + s13 * Lambda_0_11_p1628) - Lambda_0_11_p1671_lanes;
-  const Lanes Lambda_0_11_p1695_lanes = s12 * Lambda_0_11_p1689_lanes;
-  const Real Lambda_0_11_p1701 = Lambda_0_11_p25 * Lambda_0_11_p1587_lanes[5];
-  const Real Lambda_0_11_p1702 = Lambda_0_11_p25 * Lambda_0_11_p1587_lanes[4];
-  const Real Lambda_0_11_p1703 = Lambda_0_11_p25 * Lambda_0_11_p1587_lanes[3];
-  const Lanes Lambda_0_11_p1704_lanes = Lambda_0_11_p25 * Lambda_0_11_p1587_lanes;
-  const Lanes Lambda_0_11_p1707_lanes = Lambda_0_11_p1522_lanes + Lambda_0_11_p1704_lanes;
-  const Lanes Lambda_0_11_p1710_lanes = c12 * detail::make_lanes<Real>(Lambda_0_11_p1707_lanes[0],
-      Lambda_0_11_p1707_lanes[1], Lambda_0_11_p1707_lanes[2], Lambda_0_11_p1703, Lambda_0_11_p1702,
-      Lambda_0_11_p1701, Lambda_0_11_p1707_lanes[0], Lambda_0_11_p1707_lanes[0]);
-  const Lanes Lambda_0_11_p1716_lanes = Lambda_0_11_p1695_lanes - Lambda_0_11_p1710_lanes;
-  const Lanes Lambda_0_11_p1722_lanes = 0.269 * Lambda_0_11_p1716_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p1728_lanes = Lambda_0_11_p30 *
-      detail::make_lanes<Real>(Lambda_0_11_p1652, Lambda_0_11_p1651, Lambda_0_11_p1650,
-      Lambda_0_11_p1649, Lambda_0_11_p1648, Lambda_0_11_p1647, Lambda_0_11_p1652,
-      Lambda_0_11_p1652);
-  const Lanes Lambda_0_11_p1734_lanes = Lambda_0_11_p1722_lanes - Lambda_0_11_p1728_lanes;
-  const Lanes Lambda_0_11_p1740_lanes = s11 * Lambda_0_11_p1734_lanes;
-  const Lanes Lambda_0_11_p1746_lanes = Lambda_0_11_p1665_lanes - Lambda_0_11_p1740_lanes;
-  const Lanes Lambda_0_11_p1752_lanes = s11 * Lambda_0_11_p1659_lanes;
-  const Lanes Lambda_0_11_p1758_lanes = c11 * Lambda_0_11_p1734_lanes;
-  const Lanes Lambda_0_11_p1764_lanes = Lambda_0_11_p1752_lanes + Lambda_0_11_p1758_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p1770_lanes = Lambda_0_11_p48 * Lambda_0_11_p1764_lanes;
-  const Lanes Lambda_0_11_p1776_lanes = Lambda_0_11_p1746_lanes - Lambda_0_11_p1770_lanes;
-  const Lanes Lambda_0_11_p1782_lanes = c10 * Lambda_0_11_p1776_lanes;
-  const Lanes Lambda_0_11_p1788_lanes = Lambda_0_11_p51 * Lambda_0_11_p1764_lanes;
-  const Lanes Lambda_0_11_p1794_lanes = s10 * Lambda_0_11_p1788_lanes;
-  const Lanes Lambda_0_11_p1800_lanes = Lambda_0_11_p1794_lanes - Lambda_0_11_p1782_lanes;
-  const Lanes Lambda_0_11_p1806_lanes = Lambda_0_11_p66 * Lambda_0_11_p1764_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p1812_lanes = Lambda_0_11_p56 *
-      detail::make_lanes<Real>(Lambda_0_11_p1652, Lambda_0_11_p1651, Lambda_0_11_p1650,
-      Lambda_0_11_p1649, Lambda_0_11_p1648, Lambda_0_11_p1647, Lambda_0_11_p1652,
-      Lambda_0_11_p1652);
-  const Lanes Lambda_0_11_p1818_lanes = detail::make_lanes<Real>(-Lambda_0_11_p1716_lanes[0],
-      -Lambda_0_11_p1716_lanes[1], -Lambda_0_11_p1716_lanes[2], -Lambda_0_11_p1716_lanes[3],
-      -Lambda_0_11_p1716_lanes[4], -Lambda_0_11_p1716_lanes[5], -Lambda_0_11_p1716_lanes[0],
-      -Lambda_0_11_p1716_lanes[0]) - Lambda_0_11_p1812_lanes;
-  const Lanes Lambda_0_11_p1824_lanes = s11 * Lambda_0_11_p1818_lanes;
-  const Lanes Lambda_0_11_p1830_lanes = Lambda_0_11_p59 *
-      detail::make_lanes<Real>(Lambda_0_11_p1652, Lambda_0_11_p1651, Lambda_0_11_p1650,
-      Lambda_0_11_p1649, Lambda_0_11_p1648, Lambda_0_11_p1647, Lambda_0_11_p1652,
-      Lambda_0_11_p1652);
-  const Lanes Lambda_0_11_p1836_lanes = Lambda_0_11_p1629_lanes - Lambda_0_11_p1830_lanes;
-  const Lanes Lambda_0_11_p1842_lanes = c11 * Lambda_0_11_p1836_lanes;
-  const Lanes Lambda_0_11_p1848_lanes = Lambda_0_11_p1824_lanes + Lambda_0_11_p1842_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p1854_lanes = Lambda_0_11_p1848_lanes - Lambda_0_11_p1806_lanes;
-  const Lanes Lambda_0_11_p1860_lanes = 0.282 * Lambda_0_11_p1854_lanes;
-  const Lanes Lambda_0_11_p1866_lanes = Lambda_0_11_p1860_lanes - Lambda_0_11_p1800_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Real Lambda_0_11_p1872 = -(s10 * Lambda_0_11_p1776_lanes[5] + c10 *
-      Lambda_0_11_p1788_lanes[5]);
-  const Real Lambda_0_11_p1873 = -(s10 * Lambda_0_11_p1776_lanes[4] + c10 *
-      Lambda_0_11_p1788_lanes[4]);
-  const Real Lambda_0_11_p1874 = -(s10 * Lambda_0_11_p1776_lanes[3] + c10 *
-      Lambda_0_11_p1788_lanes[3]);
-  const Real Lambda_0_11_p1875 = -(s10 * Lambda_0_11_p1776_lanes[2] + c10 *
-      Lambda_0_11_p1788_lanes[2]);
-  const Real Lambda_0_11_p1876 = -(s10 * Lambda_0_11_p1776_lanes[1] + c10 *
-      Lambda_0_11_p1788_lanes[1]);
-  const Real Lambda_0_11_p1877 = -(s10 * Lambda_0_11_p1776_lanes[0] + c10 *
-      Lambda_0_11_p1788_lanes[0]);
-  const Lanes Lambda_0_11_p1878_lanes = inverse_D8_p1 *
-      detail::make_lanes<Real>(Lambda_0_11_p1877, Lambda_0_11_p1876, Lambda_0_11_p1875,
-      Lambda_0_11_p1874, Lambda_0_11_p1873, Lambda_0_11_p1872, Lambda_0_11_p1877,
-      Lambda_0_11_p1877);
-  const Lanes Lambda_0_11_p1884_lanes = Lambda_0_11_p1866_lanes + Lambda_0_11_p1878_lanes;
-  const Lanes Lambda_0_11_p1890_lanes = s9 * Lambda_0_11_p1884_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p1896_lanes = Lambda_0_11_p82 * Lambda_0_11_p1764_lanes;
-  const Lanes Lambda_0_11_p1902_lanes = detail::make_lanes<Real>(-(-(s12 *
-      Lambda_0_11_p1707_lanes[0] + c12 * Lambda_0_11_p1689_lanes[0]) - Lambda_0_11_p77 *
-      Lambda_0_11_p1652), -(-(s12 * Lambda_0_11_p1707_lanes[1] + c12 * Lambda_0_11_p1689_lanes[1]) -
-      Lambda_0_11_p77 * Lambda_0_11_p1651), -(-(s12 * Lambda_0_11_p1707_lanes[2] + c12 *
-      Lambda_0_11_p1689_lanes[2]) - Lambda_0_11_p77 * Lambda_0_11_p1650),
-      -(-(s12 * Lambda_0_11_p1703 + c12 * Lambda_0_11_p1689_lanes[3]) - Lambda_0_11_p77 *
-      Lambda_0_11_p1649), -(-(s12 * Lambda_0_11_p1702 + c12 * Lambda_0_11_p1689_lanes[4]) -
-      Lambda_0_11_p77 * Lambda_0_11_p1648), -(-(s12 * Lambda_0_11_p1701 + c12 *
-      Lambda_0_11_p1689_lanes[5]) - Lambda_0_11_p77 * Lambda_0_11_p1647),
-      -(-(s12 * Lambda_0_11_p1707_lanes[0] + c12 * Lambda_0_11_p1689_lanes[0]) - Lambda_0_11_p77 *
-      Lambda_0_11_p1652), -(-(s12 * Lambda_0_11_p1707_lanes[0] + c12 * Lambda_0_11_p1689_lanes[0]) -
-      Lambda_0_11_p77 * Lambda_0_11_p1652)) - Lambda_0_11_p1896_lanes;
-  const Lanes Lambda_0_11_p1908_lanes = s10 * Lambda_0_11_p1902_lanes;
-  const Lanes Lambda_0_11_p1914_lanes = Lambda_0_11_p73 * Lambda_0_11_p1764_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p1920_lanes = c11 * Lambda_0_11_p1818_lanes;
-  const Lanes Lambda_0_11_p1926_lanes = s11 * Lambda_0_11_p1836_lanes;
-  const Lanes Lambda_0_11_p1932_lanes = Lambda_0_11_p1920_lanes - Lambda_0_11_p1926_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p1938_lanes = Lambda_0_11_p1932_lanes - Lambda_0_11_p1914_lanes;
-  const Lanes Lambda_0_11_p1944_lanes = c10 * Lambda_0_11_p1938_lanes;
-  const Lanes Lambda_0_11_p1950_lanes = Lambda_0_11_p1908_lanes - Lambda_0_11_p1944_lanes;
-  const Lanes Lambda_0_11_p1956_lanes = 0.282 * Lambda_0_11_p1950_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p1962_lanes = inverse_D8_p3 *
-      detail::make_lanes<Real>(Lambda_0_11_p1877, Lambda_0_11_p1876, Lambda_0_11_p1875,
-      Lambda_0_11_p1874, Lambda_0_11_p1873, Lambda_0_11_p1872, Lambda_0_11_p1877,
-      Lambda_0_11_p1877);
-  const Lanes Lambda_0_11_p1968_lanes = Lambda_0_11_p1956_lanes - Lambda_0_11_p1962_lanes;
-  const Lanes Lambda_0_11_p1974_lanes = c9 * Lambda_0_11_p1968_lanes;
-  const Lanes Lambda_0_11_p1980_lanes = Lambda_0_11_p1890_lanes + Lambda_0_11_p1974_lanes;
-  const Lanes Lambda_0_11_p1986_lanes = c9 * Lambda_0_11_p1884_lanes;
-  const Lanes Lambda_0_11_p1992_lanes = s9 * Lambda_0_11_p1968_lanes;
-  const Lanes Lambda_0_11_p1998_lanes = Lambda_0_11_p1986_lanes - Lambda_0_11_p1992_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p2004_lanes = inverse_D7_p1 * Lambda_0_11_p1998_lanes;
-  const Lanes Lambda_0_11_p2010_lanes = Lambda_0_11_p1980_lanes - Lambda_0_11_p2004_lanes;
-  const Lanes Lambda_0_11_p2016_lanes = c8 * Lambda_0_11_p2010_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_0_11_p2022 = 0.00010499999999999999 / inverse_D8_p9;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p2023_lanes = Lambda_0_11_p2022 * Lambda_0_11_p1998_lanes;
-  const Lanes Lambda_0_11_p2029_lanes = s8 * Lambda_0_11_p2023_lanes;
-  const Lanes Lambda_0_11_p2035_lanes = Lambda_0_11_p2029_lanes + Lambda_0_11_p2016_lanes;
+  const Lanes<8> Lambda_0_11_p3168_lanes = Lambda_0_11_p3164_lanes * inverse_D1;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2041_lanes = detail::make_lanes<Real>(Lambda_0_11_p129, Lambda_0_11_p129,
-      Lambda_0_11_p129, Lambda_0_11_p129, Lambda_0_11_p129, Lambda_0_11_p129, Lambda_0_11_p305,
-      Lambda_0_11_p305) * detail::make_lanes<Real>(Lambda_0_11_p2035_lanes[0],
-      Lambda_0_11_p2035_lanes[1], Lambda_0_11_p2035_lanes[2], Lambda_0_11_p2035_lanes[3],
-      Lambda_0_11_p2035_lanes[4], Lambda_0_11_p2035_lanes[5], Lambda_0_11_p1479, Lambda_0_11_p1450);
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p2049 = -Lambda_0_11_p1445 - Lambda_0_11_p266 * Lambda_0_11_p1441;
-  const Real Lambda_0_11_p2050 = Lambda_0_11_p1440 - Lambda_0_11_p281 * Lambda_0_11_p1441;
-  const Real Lambda_0_11_p2051 = -Lambda_0_11_p1474 - Lambda_0_11_p266 * Lambda_0_11_p1470;
-  const Real Lambda_0_11_p2052 = Lambda_0_11_p1469 - Lambda_0_11_p281 * Lambda_0_11_p1470;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p2053_lanes = Lambda_0_11_p123 * Lambda_0_11_p1998_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p2059_lanes = Lambda_0_11_p90 *
-      detail::make_lanes<Real>(Lambda_0_11_p1877, Lambda_0_11_p1876, Lambda_0_11_p1875,
-      Lambda_0_11_p1874, Lambda_0_11_p1873, Lambda_0_11_p1872, Lambda_0_11_p1877,
-      Lambda_0_11_p1877);
-  const Lanes Lambda_0_11_p2065_lanes = detail::make_lanes<Real>(-Lambda_0_11_p1950_lanes[0],
-      -Lambda_0_11_p1950_lanes[1], -Lambda_0_11_p1950_lanes[2], -Lambda_0_11_p1950_lanes[3],
-      -Lambda_0_11_p1950_lanes[4], -Lambda_0_11_p1950_lanes[5], -Lambda_0_11_p1950_lanes[0],
-      -Lambda_0_11_p1950_lanes[0]) + Lambda_0_11_p2059_lanes;
-  const Lanes Lambda_0_11_p2071_lanes = c9 * Lambda_0_11_p2065_lanes;
-  const Lanes Lambda_0_11_p2077_lanes = Lambda_0_11_p105 *
-      detail::make_lanes<Real>(Lambda_0_11_p1877, Lambda_0_11_p1876, Lambda_0_11_p1875,
-      Lambda_0_11_p1874, Lambda_0_11_p1873, Lambda_0_11_p1872, Lambda_0_11_p1877,
-      Lambda_0_11_p1877);
-  const Lanes Lambda_0_11_p2083_lanes = Lambda_0_11_p1854_lanes + Lambda_0_11_p2077_lanes;
-  const Lanes Lambda_0_11_p2089_lanes = s9 * Lambda_0_11_p2083_lanes;
-  const Lanes Lambda_0_11_p2095_lanes = Lambda_0_11_p2071_lanes - Lambda_0_11_p2089_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p2101_lanes = Lambda_0_11_p2095_lanes - Lambda_0_11_p2053_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2107_lanes = detail::make_lanes<Real>(Lambda_0_11_p2101_lanes[0],
-      Lambda_0_11_p2101_lanes[1], Lambda_0_11_p2101_lanes[2], Lambda_0_11_p2101_lanes[3],
-      Lambda_0_11_p2101_lanes[4], Lambda_0_11_p2101_lanes[5], c16 * Lambda_0_11_p2051 - s16 *
-      Lambda_0_11_p2052 - Lambda_0_11_p299 * Lambda_0_11_p1476, c16 * Lambda_0_11_p2049 - s16 *
-      Lambda_0_11_p2050 - Lambda_0_11_p299 * Lambda_0_11_p1447) - Lambda_0_11_p2041_lanes;
-  const Lanes Lambda_0_11_p2115_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      Lambda_0_11_p2107_lanes;
-  const Lanes Lambda_0_11_p2123_lanes = detail::make_lanes<Real>(Lambda_0_11_p148, Lambda_0_11_p148,
-      Lambda_0_11_p148, Lambda_0_11_p148, Lambda_0_11_p148, Lambda_0_11_p148, Lambda_0_11_p324,
-      Lambda_0_11_p324) * detail::make_lanes<Real>(Lambda_0_11_p2035_lanes[0],
-      Lambda_0_11_p2035_lanes[1], Lambda_0_11_p2035_lanes[2], Lambda_0_11_p2035_lanes[3],
-      Lambda_0_11_p2035_lanes[4], Lambda_0_11_p2035_lanes[5], Lambda_0_11_p1479, Lambda_0_11_p1450);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p2131 = -(-(s17 * Lambda_0_11_p1443 + c17 * Lambda_0_11_p1444) +
-      Lambda_0_11_p311 * Lambda_0_11_p1441) - Lambda_0_11_p317 * Lambda_0_11_p1447;
-  const Real Lambda_0_11_p2132 = s16 * Lambda_0_11_p2049 + c16 * Lambda_0_11_p2050 -
-      Lambda_0_11_p308 * Lambda_0_11_p1447;
-  const Real Lambda_0_11_p2133 = s16 * Lambda_0_11_p2051 + c16 * Lambda_0_11_p2052 -
-      Lambda_0_11_p308 * Lambda_0_11_p1476;
-  const Real Lambda_0_11_p2134 = -(-(s17 * Lambda_0_11_p1472 + c17 * Lambda_0_11_p1473) +
-      Lambda_0_11_p311 * Lambda_0_11_p1470) - Lambda_0_11_p317 * Lambda_0_11_p1476;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p2135_lanes = Lambda_0_11_p138 * Lambda_0_11_p1998_lanes;
-  const Lanes Lambda_0_11_p2141_lanes = detail::make_lanes<Real>(-(-(s10 *
-      Lambda_0_11_p1938_lanes[0] + c10 * Lambda_0_11_p1902_lanes[0]) - Lambda_0_11_p132 *
-      Lambda_0_11_p1877), -(-(s10 * Lambda_0_11_p1938_lanes[1] + c10 * Lambda_0_11_p1902_lanes[1]) -
-      Lambda_0_11_p132 * Lambda_0_11_p1876), -(-(s10 * Lambda_0_11_p1938_lanes[2] + c10 *
-      Lambda_0_11_p1902_lanes[2]) - Lambda_0_11_p132 * Lambda_0_11_p1875),
-      -(-(s10 * Lambda_0_11_p1938_lanes[3] + c10 * Lambda_0_11_p1902_lanes[3]) - Lambda_0_11_p132 *
-      Lambda_0_11_p1874), -(-(s10 * Lambda_0_11_p1938_lanes[4] + c10 * Lambda_0_11_p1902_lanes[4]) -
-      Lambda_0_11_p132 * Lambda_0_11_p1873), -(-(s10 * Lambda_0_11_p1938_lanes[5] + c10 *
-      Lambda_0_11_p1902_lanes[5]) - Lambda_0_11_p132 * Lambda_0_11_p1872),
-      -(-(s10 * Lambda_0_11_p1938_lanes[0] + c10 * Lambda_0_11_p1902_lanes[0]) - Lambda_0_11_p132 *
-      Lambda_0_11_p1877), -(-(s10 * Lambda_0_11_p1938_lanes[0] + c10 * Lambda_0_11_p1902_lanes[0]) -
-      Lambda_0_11_p132 * Lambda_0_11_p1877)) + Lambda_0_11_p2135_lanes;
-  const Lanes Lambda_0_11_p2147_lanes = c8 * Lambda_0_11_p2141_lanes;
-  const Lanes Lambda_0_11_p2153_lanes = Lambda_0_11_p141 * Lambda_0_11_p1998_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p2159_lanes = s9 * Lambda_0_11_p2065_lanes;
-  const Lanes Lambda_0_11_p2165_lanes = c9 * Lambda_0_11_p2083_lanes;
-  const Lanes Lambda_0_11_p2171_lanes = Lambda_0_11_p2159_lanes + Lambda_0_11_p2165_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p2177_lanes = Lambda_0_11_p2171_lanes - Lambda_0_11_p2153_lanes;
-  const Lanes Lambda_0_11_p2183_lanes = s8 * Lambda_0_11_p2177_lanes;
-  const Lanes Lambda_0_11_p2189_lanes = Lambda_0_11_p2147_lanes - Lambda_0_11_p2183_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2195_lanes = detail::make_lanes<Real>(Lambda_0_11_p2189_lanes[0],
-      Lambda_0_11_p2189_lanes[1], Lambda_0_11_p2189_lanes[2], Lambda_0_11_p2189_lanes[3],
-      Lambda_0_11_p2189_lanes[4], Lambda_0_11_p2189_lanes[5], c15 * Lambda_0_11_p2134 - s15 *
-      Lambda_0_11_p2133, c15 * Lambda_0_11_p2131 - s15 * Lambda_0_11_p2132) -
-      Lambda_0_11_p2123_lanes;
-  const Lanes Lambda_0_11_p2203_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      Lambda_0_11_p2195_lanes;
-  const Lanes Lambda_0_11_p2211_lanes = Lambda_0_11_p2115_lanes + Lambda_0_11_p2203_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_0_11_p2219 = 2.6249999999999998e-05 / inverse_D7_p8;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2220_lanes = Lambda_0_11_p2219 * Lambda_0_11_p2035_lanes;
-  const Lanes Lambda_0_11_p2226_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, 0.18,
-      0.18) * detail::make_lanes<Real>(Lambda_0_11_p2220_lanes[0], Lambda_0_11_p2220_lanes[1],
-      Lambda_0_11_p2220_lanes[2], Lambda_0_11_p2220_lanes[3], Lambda_0_11_p2220_lanes[4],
-      Lambda_0_11_p2220_lanes[5], Lambda_0_11_p2211_lanes[6], Lambda_0_11_p2211_lanes[7]);
-  const Lanes Lambda_0_11_p2234_lanes = detail::make_lanes<Real>(Lambda_0_11_p179, Lambda_0_11_p179,
-      Lambda_0_11_p179, Lambda_0_11_p179, Lambda_0_11_p179, Lambda_0_11_p179, Lambda_0_11_p334,
-      Lambda_0_11_p334) * detail::make_lanes<Real>(Lambda_0_11_p2035_lanes[0],
-      Lambda_0_11_p2035_lanes[1], Lambda_0_11_p2035_lanes[2], Lambda_0_11_p2035_lanes[3],
-      Lambda_0_11_p2035_lanes[4], Lambda_0_11_p2035_lanes[5], Lambda_0_11_p1479, Lambda_0_11_p1450);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p2242_lanes = s8 * Lambda_0_11_p2141_lanes;
-  const Lanes Lambda_0_11_p2248_lanes = c8 * Lambda_0_11_p2177_lanes;
-  const Lanes Lambda_0_11_p2254_lanes = Lambda_0_11_p2242_lanes + Lambda_0_11_p2248_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2260_lanes = detail::make_lanes<Real>(Lambda_0_11_p2254_lanes[0],
-      Lambda_0_11_p2254_lanes[1], Lambda_0_11_p2254_lanes[2], Lambda_0_11_p2254_lanes[3],
-      Lambda_0_11_p2254_lanes[4], Lambda_0_11_p2254_lanes[5], s15 * Lambda_0_11_p2134 + c15 *
-      Lambda_0_11_p2133, s15 * Lambda_0_11_p2131 + c15 * Lambda_0_11_p2132) -
-      Lambda_0_11_p2234_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p2268_lanes = s8 * Lambda_0_11_p2010_lanes;
-  const Lanes Lambda_0_11_p2274_lanes = c8 * Lambda_0_11_p2023_lanes;
-  const Lanes Lambda_0_11_p2280_lanes = Lambda_0_11_p2274_lanes - Lambda_0_11_p2268_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2286_lanes = inverse_D6_p6 * Lambda_0_11_p2035_lanes;
-  const Lanes Lambda_0_11_p2292_lanes = Lambda_0_11_p2280_lanes - Lambda_0_11_p2286_lanes;
-  const Lanes Lambda_0_11_p2298_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, 0.226,
-      0.226) * detail::make_lanes<Real>(Lambda_0_11_p2292_lanes[0], Lambda_0_11_p2292_lanes[1],
-      Lambda_0_11_p2292_lanes[2], Lambda_0_11_p2292_lanes[3], Lambda_0_11_p2292_lanes[4],
-      Lambda_0_11_p2292_lanes[5], Lambda_0_11_p2260_lanes[6], Lambda_0_11_p2260_lanes[7]);
-  const Lanes Lambda_0_11_p2306_lanes = Lambda_0_11_p2226_lanes - Lambda_0_11_p2298_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Real Lambda_0_11_p2314 = Lambda_0_11_p1122 * Lambda_0_11_p1450;
-  const Real Lambda_0_11_p2315 = Lambda_0_11_p1122 * Lambda_0_11_p1479;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2316_lanes = detail::make_lanes<Real>(0.226, 0.226, 0.226, 0.226, 0.226,
-      0.226, c14, c14) * detail::make_lanes<Real>(Lambda_0_11_p2260_lanes[0],
-      Lambda_0_11_p2260_lanes[1], Lambda_0_11_p2260_lanes[2], Lambda_0_11_p2260_lanes[3],
-      Lambda_0_11_p2260_lanes[4], Lambda_0_11_p2260_lanes[5], Lambda_0_11_p2315, Lambda_0_11_p2314);
-
-  // link 14 (right_shoulder1), force propagation
-  const Real Lambda_0_11_p2324 = c15 * Lambda_0_11_p1448 - s15 * Lambda_0_11_p1449 - inverse_D6_p1 *
-      Lambda_0_11_p1450;
-  const Real Lambda_0_11_p2325 = c15 * Lambda_0_11_p1478 - s15 * Lambda_0_11_p1477 - inverse_D6_p1 *
-      Lambda_0_11_p1479;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2326_lanes = detail::make_lanes<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18,
-      s14, s14) * detail::make_lanes<Real>(Lambda_0_11_p2211_lanes[0], Lambda_0_11_p2211_lanes[1],
-      Lambda_0_11_p2211_lanes[2], Lambda_0_11_p2211_lanes[3], Lambda_0_11_p2211_lanes[4],
-      Lambda_0_11_p2211_lanes[5], Lambda_0_11_p2325, Lambda_0_11_p2324);
-  const Lanes Lambda_0_11_p2334_lanes = Lambda_0_11_p2316_lanes + Lambda_0_11_p2326_lanes;
-  const Lanes Lambda_0_11_p2342_lanes = Lambda_0_11_p2306_lanes - Lambda_0_11_p2334_lanes;
+  const Lanes<2> Lambda_0_11_p3172_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2809_lanes[1], Lambda_0_11_p2809_lanes[7]);
+  const Lanes<2> Lambda_0_11_p3174_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2793_lanes[1], Lambda_0_11_p2793_lanes[7]);
+  const Lanes<2> Lambda_0_11_p3176_lanes = Lambda_0_11_p3172_lanes + Lambda_0_11_p3174_lanes;
+  const Lanes<2> Lambda_0_11_p3178_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_0_11_p2735_lanes[1], Lambda_0_11_p2735_lanes[7]);
+  const Lanes<2> Lambda_0_11_p3180_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_0_11_p2569_lanes[1], Lambda_0_11_p2569_lanes[7]);
+  const Lanes<2> Lambda_0_11_p3182_lanes = Lambda_0_11_p3180_lanes + Lambda_0_11_p3178_lanes;
+  const Lanes<2> Lambda_0_11_p3184_lanes = Lambda_0_11_p3176_lanes + Lambda_0_11_p3182_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p2350_lanes = inverse_D5_p14 * Lambda_0_11_p2342_lanes;
+  const Real Lambda_0_11_p3186 = -Lambda_0_11_p3184_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2358_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      Lambda_0_11_p2107_lanes;
-  const Lanes Lambda_0_11_p2366_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      Lambda_0_11_p2195_lanes;
-  const Lanes Lambda_0_11_p2374_lanes = Lambda_0_11_p2358_lanes - Lambda_0_11_p2366_lanes;
-  const Lanes Lambda_0_11_p2382_lanes = c7 * Lambda_0_11_p2292_lanes;
-  const Lanes Lambda_0_11_p2388_lanes = s7 * Lambda_0_11_p2220_lanes;
-  const Lanes Lambda_0_11_p2394_lanes = Lambda_0_11_p2388_lanes + Lambda_0_11_p2382_lanes;
-  const Lanes Lambda_0_11_p2400_lanes = 0.18 * Lambda_0_11_p2374_lanes;
-  const Lanes Lambda_0_11_p2406_lanes = Lambda_0_11_p2394_lanes + Lambda_0_11_p2400_lanes;
+  const Lanes<2> Lambda_0_11_p3187_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_0_11_p2735_lanes[0], Lambda_0_11_p2735_lanes[6]);
+  const Lanes<2> Lambda_0_11_p3189_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_0_11_p2569_lanes[0], Lambda_0_11_p2569_lanes[6]);
+  const Lanes<2> Lambda_0_11_p3191_lanes = Lambda_0_11_p3189_lanes + Lambda_0_11_p3187_lanes;
+  const Lanes<2> Lambda_0_11_p3193_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2793_lanes[0], Lambda_0_11_p2793_lanes[6]);
+  const Lanes<2> Lambda_0_11_p3195_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_0_11_p2809_lanes[0], Lambda_0_11_p2809_lanes[6]);
+  const Lanes<2> Lambda_0_11_p3197_lanes = Lambda_0_11_p3195_lanes + Lambda_0_11_p3193_lanes;
+  const Lanes<2> Lambda_0_11_p3199_lanes = Lambda_0_11_p3197_lanes + Lambda_0_11_p3191_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p2412_lanes = detail::make_lanes<Real>(Lambda_0_11_p2406_lanes[0],
-      Lambda_0_11_p2406_lanes[1], Lambda_0_11_p2406_lanes[2], Lambda_0_11_p2406_lanes[3],
-      Lambda_0_11_p2406_lanes[4], Lambda_0_11_p2406_lanes[5],
-      -(s14 * Lambda_0_11_p2315 - c14 * Lambda_0_11_p2325 + 0.18 * Lambda_0_11_p2374_lanes[6]),
-      -(s14 * Lambda_0_11_p2314 - c14 * Lambda_0_11_p2324 + 0.18 * Lambda_0_11_p2374_lanes[7])) -
-      Lambda_0_11_p2350_lanes;
-  const Lanes Lambda_0_11_p2420_lanes = s6 * Lambda_0_11_p2412_lanes;
-  const Lanes Lambda_0_11_p2428_lanes = inverse_D5_p16 * Lambda_0_11_p2342_lanes;
+  const Real Lambda_0_11_p3201 = -Lambda_0_11_p3199_lanes[1];
+  const Real Lambda_0_11_p3202 = -Lambda_0_11_p2821_lanes[0];
+  const Real Lambda_0_11_p3203 = -Lambda_0_11_p2836_lanes[0];
+  const Real Lambda_0_11_p3204 = -Lambda_0_11_p2851_lanes[0];
+  const Real Lambda_0_11_p3205 = -Lambda_0_11_p2866_lanes[0];
+  const Real Lambda_0_11_p3206 = -Lambda_0_11_p3184_lanes[0];
+  const Real Lambda_0_11_p3207 = -Lambda_0_11_p3199_lanes[0];
+  const Lanes<8> Lambda_0_11_p3208_lanes = inverse_D5_p16 *
+      detail::make_lanes<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
+      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
+      Lambda_0_11_p3186);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p2436_lanes = 0.226 * Lambda_0_11_p2374_lanes;
+  const Lanes<8> Lambda_0_11_p3216_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_0_11_p2677_lanes;
+  const Lanes<8> Lambda_0_11_p3224_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_0_11_p2719_lanes;
+  const Lanes<8> Lambda_0_11_p3232_lanes = Lambda_0_11_p3216_lanes - Lambda_0_11_p3224_lanes;
+  const Lanes<8> Lambda_0_11_p3240_lanes = detail::make_lanes<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
+      0.18, (-0.18), (-0.18)) * Lambda_0_11_p3232_lanes;
+  const Lanes<8> Lambda_0_11_p3248_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_0_11_p2809_lanes;
+  const Lanes<8> Lambda_0_11_p3256_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_0_11_p2793_lanes;
+  const Lanes<8> Lambda_0_11_p3264_lanes = Lambda_0_11_p3248_lanes - Lambda_0_11_p3256_lanes;
+  const Lanes<8> Lambda_0_11_p3272_lanes = Lambda_0_11_p3240_lanes - Lambda_0_11_p3264_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p2444_lanes = Lambda_0_11_p2436_lanes - Lambda_0_11_p2428_lanes;
-  const Lanes Lambda_0_11_p2452_lanes = c6 * Lambda_0_11_p2444_lanes;
-  const Lanes Lambda_0_11_p2460_lanes = Lambda_0_11_p2420_lanes + Lambda_0_11_p2452_lanes;
-  const Lanes Lambda_0_11_p2468_lanes = Lambda_0_11_p450 * Lambda_0_11_p2342_lanes;
-  const Lanes Lambda_0_11_p2476_lanes = Lambda_0_11_p2374_lanes - Lambda_0_11_p2468_lanes;
-  const Lanes Lambda_0_11_p2484_lanes = 0.072 * Lambda_0_11_p2476_lanes;
-  const Lanes Lambda_0_11_p2492_lanes = Lambda_0_11_p2460_lanes + Lambda_0_11_p2484_lanes;
-  const Lanes Lambda_0_11_p2500_lanes = Lambda_0_11_p410 * Lambda_0_11_p2342_lanes;
-  const Lanes Lambda_0_11_p2508_lanes = Lambda_0_11_p2211_lanes - Lambda_0_11_p2500_lanes;
-  const Lanes Lambda_0_11_p2516_lanes = s6 * Lambda_0_11_p2508_lanes;
-  const Lanes Lambda_0_11_p2524_lanes = Lambda_0_11_p441 * Lambda_0_11_p2342_lanes;
-  const Lanes Lambda_0_11_p2532_lanes = Lambda_0_11_p2260_lanes - Lambda_0_11_p2524_lanes;
-  const Lanes Lambda_0_11_p2540_lanes = c6 * Lambda_0_11_p2532_lanes;
-  const Lanes Lambda_0_11_p2548_lanes = Lambda_0_11_p2516_lanes + Lambda_0_11_p2540_lanes;
+  const Lanes<8> Lambda_0_11_p3280_lanes = Lambda_0_11_p3272_lanes - Lambda_0_11_p3208_lanes;
+  const Lanes<8> Lambda_0_11_p3288_lanes = s6 * Lambda_0_11_p3280_lanes;
+  const Lanes<8> Lambda_0_11_p3296_lanes = inverse_D5_p22 *
+      detail::make_lanes<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
+      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
+      Lambda_0_11_p3186);
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2556 = -(0.072 * Lambda_0_11_p2548_lanes[7]) + Lambda_0_11_p477 *
-      Lambda_0_11_p2492_lanes[7];
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p3304_lanes = 0.226 * Lambda_0_11_p3232_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p2557_lanes = c6 * Lambda_0_11_p2412_lanes;
-  const Lanes Lambda_0_11_p2565_lanes = s6 * Lambda_0_11_p2444_lanes;
-  const Lanes Lambda_0_11_p2573_lanes = Lambda_0_11_p2557_lanes - Lambda_0_11_p2565_lanes;
+  const Lanes<8> Lambda_0_11_p3312_lanes = Lambda_0_11_p3304_lanes - Lambda_0_11_p3296_lanes;
+  const Lanes<8> Lambda_0_11_p3320_lanes = c6 * Lambda_0_11_p3312_lanes;
+  const Lanes<8> Lambda_0_11_p3328_lanes = Lambda_0_11_p3288_lanes + Lambda_0_11_p3320_lanes;
+  const Lanes<8> Lambda_0_11_p3336_lanes = Lambda_0_11_p993 *
+      detail::make_lanes<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
+      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
+      Lambda_0_11_p3186);
+  const Lanes<8> Lambda_0_11_p3344_lanes = Lambda_0_11_p3232_lanes - Lambda_0_11_p3336_lanes;
+  const Lanes<8> Lambda_0_11_p3352_lanes = 0.072 * Lambda_0_11_p3344_lanes;
+  const Lanes<8> Lambda_0_11_p3360_lanes = Lambda_0_11_p3328_lanes + Lambda_0_11_p3352_lanes;
+  const Lanes<8> Lambda_0_11_p3368_lanes = Lambda_0_11_p930 *
+      detail::make_lanes<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
+      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
+      Lambda_0_11_p3186);
+  const Lanes<8> Lambda_0_11_p3376_lanes = Lambda_0_11_p2735_lanes + Lambda_0_11_p3368_lanes;
+  const Lanes<8> Lambda_0_11_p3384_lanes = s6 * Lambda_0_11_p3376_lanes;
+  const Lanes<8> Lambda_0_11_p3392_lanes = Lambda_0_11_p984 *
+      detail::make_lanes<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
+      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
+      Lambda_0_11_p3186);
+  const Lanes<8> Lambda_0_11_p3400_lanes = Lambda_0_11_p2569_lanes - Lambda_0_11_p3392_lanes;
+  const Lanes<8> Lambda_0_11_p3408_lanes = c6 * Lambda_0_11_p3400_lanes;
+  const Lanes<8> Lambda_0_11_p3416_lanes = Lambda_0_11_p3384_lanes + Lambda_0_11_p3408_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2581 = Lambda_0_11_p2573_lanes[7] - Lambda_0_11_p479 *
-      Lambda_0_11_p2492_lanes[7];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2582 = -(s5 * Lambda_0_11_p2556 + c5 * Lambda_0_11_p2581);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2583 = -(0.072 * Lambda_0_11_p2548_lanes[6]) + Lambda_0_11_p477 *
-      Lambda_0_11_p2492_lanes[6];
-  const Real Lambda_0_11_p2584 = Lambda_0_11_p2573_lanes[6] - Lambda_0_11_p479 *
-      Lambda_0_11_p2492_lanes[6];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2585 = -(s5 * Lambda_0_11_p2583 + c5 * Lambda_0_11_p2584);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2586 = -(0.072 * Lambda_0_11_p2548_lanes[5]) + Lambda_0_11_p477 *
-      Lambda_0_11_p2492_lanes[5];
-  const Real Lambda_0_11_p2587 = Lambda_0_11_p2573_lanes[5] - Lambda_0_11_p479 *
-      Lambda_0_11_p2492_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2588 = -(s5 * Lambda_0_11_p2586 + c5 * Lambda_0_11_p2587);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2589 = -(0.072 * Lambda_0_11_p2548_lanes[4]) + Lambda_0_11_p477 *
-      Lambda_0_11_p2492_lanes[4];
-  const Real Lambda_0_11_p2590 = Lambda_0_11_p2573_lanes[4] - Lambda_0_11_p479 *
-      Lambda_0_11_p2492_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2591 = -(s5 * Lambda_0_11_p2589 + c5 * Lambda_0_11_p2590);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2592 = -(0.072 * Lambda_0_11_p2548_lanes[3]) + Lambda_0_11_p477 *
-      Lambda_0_11_p2492_lanes[3];
-  const Real Lambda_0_11_p2593 = Lambda_0_11_p2573_lanes[3] - Lambda_0_11_p479 *
-      Lambda_0_11_p2492_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2594 = -(s5 * Lambda_0_11_p2592 + c5 * Lambda_0_11_p2593);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2595 = -(0.072 * Lambda_0_11_p2548_lanes[2]) + Lambda_0_11_p477 *
-      Lambda_0_11_p2492_lanes[2];
-  const Real Lambda_0_11_p2596 = Lambda_0_11_p2573_lanes[2] - Lambda_0_11_p479 *
-      Lambda_0_11_p2492_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2597 = -(s5 * Lambda_0_11_p2595 + c5 * Lambda_0_11_p2596);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2598 = -(0.072 * Lambda_0_11_p2548_lanes[1]) + Lambda_0_11_p477 *
-      Lambda_0_11_p2492_lanes[1];
-  const Real Lambda_0_11_p2599 = Lambda_0_11_p2573_lanes[1] - Lambda_0_11_p479 *
-      Lambda_0_11_p2492_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2600 = -(s5 * Lambda_0_11_p2598 + c5 * Lambda_0_11_p2599);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2601 = -(0.072 * Lambda_0_11_p2548_lanes[0]) + Lambda_0_11_p477 *
-      Lambda_0_11_p2492_lanes[0];
-  const Real Lambda_0_11_p2602 = Lambda_0_11_p2573_lanes[0] - Lambda_0_11_p479 *
-      Lambda_0_11_p2492_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2603 = -(s5 * Lambda_0_11_p2601 + c5 * Lambda_0_11_p2602);
-  const Lanes Lambda_0_11_p2604_lanes = inverse_D3_p1 *
-      detail::make_lanes<Real>(Lambda_0_11_p2603, Lambda_0_11_p2600, Lambda_0_11_p2597,
-      Lambda_0_11_p2594, Lambda_0_11_p2591, Lambda_0_11_p2588, Lambda_0_11_p2585,
-      Lambda_0_11_p2582);
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p2612_lanes = Lambda_0_11_p462 * Lambda_0_11_p2492_lanes;
-  const Lanes Lambda_0_11_p2620_lanes = Lambda_0_11_p2548_lanes - Lambda_0_11_p2612_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p2628_lanes = detail::make_lanes<Real>(-(s5 * Lambda_0_11_p2602 - c5 *
-      Lambda_0_11_p2601 + 0.21799999999999997 * Lambda_0_11_p2620_lanes[0]),
-      -(s5 * Lambda_0_11_p2599 - c5 * Lambda_0_11_p2598 + 0.21799999999999997 *
-      Lambda_0_11_p2620_lanes[1]), -(s5 * Lambda_0_11_p2596 - c5 * Lambda_0_11_p2595 +
-      0.21799999999999997 * Lambda_0_11_p2620_lanes[2]),
-      -(s5 * Lambda_0_11_p2593 - c5 * Lambda_0_11_p2592 + 0.21799999999999997 *
-      Lambda_0_11_p2620_lanes[3]), -(s5 * Lambda_0_11_p2590 - c5 * Lambda_0_11_p2589 +
-      0.21799999999999997 * Lambda_0_11_p2620_lanes[4]),
-      -(s5 * Lambda_0_11_p2587 - c5 * Lambda_0_11_p2586 + 0.21799999999999997 *
-      Lambda_0_11_p2620_lanes[5]), -(s5 * Lambda_0_11_p2584 - c5 * Lambda_0_11_p2583 +
-      0.21799999999999997 * Lambda_0_11_p2620_lanes[6]),
-      -(s5 * Lambda_0_11_p2581 - c5 * Lambda_0_11_p2556 + 0.21799999999999997 *
-      Lambda_0_11_p2620_lanes[7])) - Lambda_0_11_p2604_lanes;
-  const Lanes Lambda_0_11_p2636_lanes = s4 * Lambda_0_11_p2628_lanes;
-  const Lanes Lambda_0_11_p2644_lanes = inverse_D3_p2 *
-      detail::make_lanes<Real>(Lambda_0_11_p2603, Lambda_0_11_p2600, Lambda_0_11_p2597,
-      Lambda_0_11_p2594, Lambda_0_11_p2591, Lambda_0_11_p2588, Lambda_0_11_p2585,
-      Lambda_0_11_p2582);
+  const Real Lambda_0_11_p3424 = -(0.072 * Lambda_0_11_p3416_lanes[7]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3360_lanes[7];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p2652_lanes = c6 * Lambda_0_11_p2508_lanes;
-  const Lanes Lambda_0_11_p2660_lanes = s6 * Lambda_0_11_p2532_lanes;
-  const Lanes Lambda_0_11_p2668_lanes = Lambda_0_11_p2652_lanes - Lambda_0_11_p2660_lanes;
+  const Lanes<8> Lambda_0_11_p3425_lanes = c6 * Lambda_0_11_p3280_lanes;
+  const Lanes<8> Lambda_0_11_p3433_lanes = s6 * Lambda_0_11_p3312_lanes;
+  const Lanes<8> Lambda_0_11_p3441_lanes = Lambda_0_11_p3425_lanes - Lambda_0_11_p3433_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2676 = Lambda_0_11_p2668_lanes[7] - Lambda_0_11_p490 *
-      Lambda_0_11_p2492_lanes[7];
-  const Real Lambda_0_11_p2677 = Lambda_0_11_p2476_lanes[7] - Lambda_0_11_p486 *
-      Lambda_0_11_p2492_lanes[7];
-  const Real Lambda_0_11_p2678 = s5 * Lambda_0_11_p2676 - c5 * Lambda_0_11_p2677;
-  const Real Lambda_0_11_p2679 = Lambda_0_11_p2668_lanes[6] - Lambda_0_11_p490 *
-      Lambda_0_11_p2492_lanes[6];
-  const Real Lambda_0_11_p2680 = Lambda_0_11_p2476_lanes[6] - Lambda_0_11_p486 *
-      Lambda_0_11_p2492_lanes[6];
-  const Real Lambda_0_11_p2681 = s5 * Lambda_0_11_p2679 - c5 * Lambda_0_11_p2680;
-  const Real Lambda_0_11_p2682 = Lambda_0_11_p2668_lanes[5] - Lambda_0_11_p490 *
-      Lambda_0_11_p2492_lanes[5];
-  const Real Lambda_0_11_p2683 = Lambda_0_11_p2476_lanes[5] - Lambda_0_11_p486 *
-      Lambda_0_11_p2492_lanes[5];
-  const Real Lambda_0_11_p2684 = s5 * Lambda_0_11_p2682 - c5 * Lambda_0_11_p2683;
-  const Real Lambda_0_11_p2685 = Lambda_0_11_p2668_lanes[4] - Lambda_0_11_p490 *
-      Lambda_0_11_p2492_lanes[4];
-  const Real Lambda_0_11_p2686 = Lambda_0_11_p2476_lanes[4] - Lambda_0_11_p486 *
-      Lambda_0_11_p2492_lanes[4];
-  const Real Lambda_0_11_p2687 = s5 * Lambda_0_11_p2685 - c5 * Lambda_0_11_p2686;
-  const Real Lambda_0_11_p2688 = Lambda_0_11_p2668_lanes[3] - Lambda_0_11_p490 *
-      Lambda_0_11_p2492_lanes[3];
-  const Real Lambda_0_11_p2689 = Lambda_0_11_p2476_lanes[3] - Lambda_0_11_p486 *
-      Lambda_0_11_p2492_lanes[3];
-  const Real Lambda_0_11_p2690 = s5 * Lambda_0_11_p2688 - c5 * Lambda_0_11_p2689;
-  const Real Lambda_0_11_p2691 = Lambda_0_11_p2668_lanes[2] - Lambda_0_11_p490 *
-      Lambda_0_11_p2492_lanes[2];
-  const Real Lambda_0_11_p2692 = Lambda_0_11_p2476_lanes[2] - Lambda_0_11_p486 *
-      Lambda_0_11_p2492_lanes[2];
-  const Real Lambda_0_11_p2693 = s5 * Lambda_0_11_p2691 - c5 * Lambda_0_11_p2692;
-  const Real Lambda_0_11_p2694 = Lambda_0_11_p2668_lanes[1] - Lambda_0_11_p490 *
-      Lambda_0_11_p2492_lanes[1];
-  const Real Lambda_0_11_p2695 = Lambda_0_11_p2476_lanes[1] - Lambda_0_11_p486 *
-      Lambda_0_11_p2492_lanes[1];
-  const Real Lambda_0_11_p2696 = s5 * Lambda_0_11_p2694 - c5 * Lambda_0_11_p2695;
-  const Real Lambda_0_11_p2697 = Lambda_0_11_p2668_lanes[0] - Lambda_0_11_p490 *
-      Lambda_0_11_p2492_lanes[0];
-  const Real Lambda_0_11_p2698 = Lambda_0_11_p2476_lanes[0] - Lambda_0_11_p486 *
-      Lambda_0_11_p2492_lanes[0];
-  const Real Lambda_0_11_p2699 = s5 * Lambda_0_11_p2697 - c5 * Lambda_0_11_p2698;
+  const Real Lambda_0_11_p3449 = Lambda_0_11_p3441_lanes[7] - Lambda_0_11_p1022 *
+      Lambda_0_11_p3360_lanes[7];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p2700_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
-      Lambda_0_11_p2699), -(0.21799999999999997 * Lambda_0_11_p2696),
-      -(0.21799999999999997 * Lambda_0_11_p2693), -(0.21799999999999997 * Lambda_0_11_p2690),
-      -(0.21799999999999997 * Lambda_0_11_p2687), -(0.21799999999999997 * Lambda_0_11_p2684),
-      -(0.21799999999999997 * Lambda_0_11_p2681), -(0.21799999999999997 * Lambda_0_11_p2678)) +
-      Lambda_0_11_p2644_lanes;
-  const Lanes Lambda_0_11_p2708_lanes = c4 * Lambda_0_11_p2700_lanes;
-  const Lanes Lambda_0_11_p2716_lanes = Lambda_0_11_p2636_lanes + Lambda_0_11_p2708_lanes;
+  const Real Lambda_0_11_p3450 = -(s5 * Lambda_0_11_p3424 + c5 * Lambda_0_11_p3449);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3451 = -(0.072 * Lambda_0_11_p3416_lanes[6]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3360_lanes[6];
+  const Real Lambda_0_11_p3452 = Lambda_0_11_p3441_lanes[6] - Lambda_0_11_p1022 *
+      Lambda_0_11_p3360_lanes[6];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p3453 = -(s5 * Lambda_0_11_p3451 + c5 * Lambda_0_11_p3452);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3454 = -(0.072 * Lambda_0_11_p3416_lanes[5]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3360_lanes[5];
+  const Real Lambda_0_11_p3455 = Lambda_0_11_p3441_lanes[5] - Lambda_0_11_p1022 *
+      Lambda_0_11_p3360_lanes[5];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p3456 = -(s5 * Lambda_0_11_p3454 + c5 * Lambda_0_11_p3455);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3457 = -(0.072 * Lambda_0_11_p3416_lanes[4]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3360_lanes[4];
+  const Real Lambda_0_11_p3458 = Lambda_0_11_p3441_lanes[4] - Lambda_0_11_p1022 *
+      Lambda_0_11_p3360_lanes[4];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p3459 = -(s5 * Lambda_0_11_p3457 + c5 * Lambda_0_11_p3458);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3460 = -(0.072 * Lambda_0_11_p3416_lanes[3]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3360_lanes[3];
+  const Real Lambda_0_11_p3461 = Lambda_0_11_p3441_lanes[3] - Lambda_0_11_p1022 *
+      Lambda_0_11_p3360_lanes[3];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p3462 = -(s5 * Lambda_0_11_p3460 + c5 * Lambda_0_11_p3461);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3463 = -(0.072 * Lambda_0_11_p3416_lanes[2]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3360_lanes[2];
+  const Real Lambda_0_11_p3464 = Lambda_0_11_p3441_lanes[2] - Lambda_0_11_p1022 *
+      Lambda_0_11_p3360_lanes[2];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p3465 = -(s5 * Lambda_0_11_p3463 + c5 * Lambda_0_11_p3464);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3466 = -(0.072 * Lambda_0_11_p3416_lanes[1]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3360_lanes[1];
+  const Real Lambda_0_11_p3467 = Lambda_0_11_p3441_lanes[1] - Lambda_0_11_p1022 *
+      Lambda_0_11_p3360_lanes[1];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p3468 = -(s5 * Lambda_0_11_p3466 + c5 * Lambda_0_11_p3467);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3469 = -(0.072 * Lambda_0_11_p3416_lanes[0]) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3360_lanes[0];
+  const Real Lambda_0_11_p3470 = Lambda_0_11_p3441_lanes[0] - Lambda_0_11_p1022 *
+      Lambda_0_11_p3360_lanes[0];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p3471 = -(s5 * Lambda_0_11_p3469 + c5 * Lambda_0_11_p3470);
+  const Lanes<8> Lambda_0_11_p3472_lanes = inverse_D3_p1 *
+      detail::make_lanes<Real>(Lambda_0_11_p3471, Lambda_0_11_p3468, Lambda_0_11_p3465,
+      Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456, Lambda_0_11_p3453,
+      Lambda_0_11_p3450);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p3480_lanes = Lambda_0_11_p1005 * Lambda_0_11_p3360_lanes;
+  const Lanes<8> Lambda_0_11_p3488_lanes = Lambda_0_11_p3416_lanes - Lambda_0_11_p3480_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p3496_lanes = detail::make_lanes<Real>(-(s5 * Lambda_0_11_p3470 - c5 *
+      Lambda_0_11_p3469 + 0.21799999999999997 * Lambda_0_11_p3488_lanes[0]),
+      -(s5 * Lambda_0_11_p3467 - c5 * Lambda_0_11_p3466 + 0.21799999999999997 *
+      Lambda_0_11_p3488_lanes[1]), -(s5 * Lambda_0_11_p3464 - c5 * Lambda_0_11_p3463 +
+      0.21799999999999997 * Lambda_0_11_p3488_lanes[2]),
+      -(s5 * Lambda_0_11_p3461 - c5 * Lambda_0_11_p3460 + 0.21799999999999997 *
+      Lambda_0_11_p3488_lanes[3]), -(s5 * Lambda_0_11_p3458 - c5 * Lambda_0_11_p3457 +
+      0.21799999999999997 * Lambda_0_11_p3488_lanes[4]),
+      -(s5 * Lambda_0_11_p3455 - c5 * Lambda_0_11_p3454 + 0.21799999999999997 *
+      Lambda_0_11_p3488_lanes[5]), -(s5 * Lambda_0_11_p3452 - c5 * Lambda_0_11_p3451 +
+      0.21799999999999997 * Lambda_0_11_p3488_lanes[6]),
+      -(s5 * Lambda_0_11_p3449 - c5 * Lambda_0_11_p3424 + 0.21799999999999997 *
+      Lambda_0_11_p3488_lanes[7])) - Lambda_0_11_p3472_lanes;
+  const Lanes<8> Lambda_0_11_p3504_lanes = s4 * Lambda_0_11_p3496_lanes;
+  const Lanes<8> Lambda_0_11_p3512_lanes = inverse_D3_p2 *
+      detail::make_lanes<Real>(Lambda_0_11_p3471, Lambda_0_11_p3468, Lambda_0_11_p3465,
+      Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456, Lambda_0_11_p3453,
+      Lambda_0_11_p3450);
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p3520_lanes = c6 * Lambda_0_11_p3376_lanes;
+  const Lanes<8> Lambda_0_11_p3528_lanes = s6 * Lambda_0_11_p3400_lanes;
+  const Lanes<8> Lambda_0_11_p3536_lanes = Lambda_0_11_p3520_lanes - Lambda_0_11_p3528_lanes;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p3544 = Lambda_0_11_p3536_lanes[7] - Lambda_0_11_p1033 *
+      Lambda_0_11_p3360_lanes[7];
+  const Real Lambda_0_11_p3545 = Lambda_0_11_p3344_lanes[7] - Lambda_0_11_p1029 *
+      Lambda_0_11_p3360_lanes[7];
+  const Real Lambda_0_11_p3546 = s5 * Lambda_0_11_p3544 - c5 * Lambda_0_11_p3545;
+  const Real Lambda_0_11_p3547 = Lambda_0_11_p3536_lanes[6] - Lambda_0_11_p1033 *
+      Lambda_0_11_p3360_lanes[6];
+  const Real Lambda_0_11_p3548 = Lambda_0_11_p3344_lanes[6] - Lambda_0_11_p1029 *
+      Lambda_0_11_p3360_lanes[6];
+  const Real Lambda_0_11_p3549 = s5 * Lambda_0_11_p3547 - c5 * Lambda_0_11_p3548;
+  const Real Lambda_0_11_p3550 = Lambda_0_11_p3536_lanes[5] - Lambda_0_11_p1033 *
+      Lambda_0_11_p3360_lanes[5];
+  const Real Lambda_0_11_p3551 = Lambda_0_11_p3344_lanes[5] - Lambda_0_11_p1029 *
+      Lambda_0_11_p3360_lanes[5];
+  const Real Lambda_0_11_p3552 = s5 * Lambda_0_11_p3550 - c5 * Lambda_0_11_p3551;
+  const Real Lambda_0_11_p3553 = Lambda_0_11_p3536_lanes[4] - Lambda_0_11_p1033 *
+      Lambda_0_11_p3360_lanes[4];
+  const Real Lambda_0_11_p3554 = Lambda_0_11_p3344_lanes[4] - Lambda_0_11_p1029 *
+      Lambda_0_11_p3360_lanes[4];
+  const Real Lambda_0_11_p3555 = s5 * Lambda_0_11_p3553 - c5 * Lambda_0_11_p3554;
+  const Real Lambda_0_11_p3556 = Lambda_0_11_p3536_lanes[3] - Lambda_0_11_p1033 *
+      Lambda_0_11_p3360_lanes[3];
+  const Real Lambda_0_11_p3557 = Lambda_0_11_p3344_lanes[3] - Lambda_0_11_p1029 *
+      Lambda_0_11_p3360_lanes[3];
+  const Real Lambda_0_11_p3558 = s5 * Lambda_0_11_p3556 - c5 * Lambda_0_11_p3557;
+  const Real Lambda_0_11_p3559 = Lambda_0_11_p3536_lanes[2] - Lambda_0_11_p1033 *
+      Lambda_0_11_p3360_lanes[2];
+  const Real Lambda_0_11_p3560 = Lambda_0_11_p3344_lanes[2] - Lambda_0_11_p1029 *
+      Lambda_0_11_p3360_lanes[2];
+  const Real Lambda_0_11_p3561 = s5 * Lambda_0_11_p3559 - c5 * Lambda_0_11_p3560;
+  const Real Lambda_0_11_p3562 = Lambda_0_11_p3536_lanes[1] - Lambda_0_11_p1033 *
+      Lambda_0_11_p3360_lanes[1];
+  const Real Lambda_0_11_p3563 = Lambda_0_11_p3344_lanes[1] - Lambda_0_11_p1029 *
+      Lambda_0_11_p3360_lanes[1];
+  const Real Lambda_0_11_p3564 = s5 * Lambda_0_11_p3562 - c5 * Lambda_0_11_p3563;
+  const Real Lambda_0_11_p3565 = Lambda_0_11_p3536_lanes[0] - Lambda_0_11_p1033 *
+      Lambda_0_11_p3360_lanes[0];
+  const Real Lambda_0_11_p3566 = Lambda_0_11_p3344_lanes[0] - Lambda_0_11_p1029 *
+      Lambda_0_11_p3360_lanes[0];
+  const Real Lambda_0_11_p3567 = s5 * Lambda_0_11_p3565 - c5 * Lambda_0_11_p3566;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p3568_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
+      Lambda_0_11_p3567), -(0.21799999999999997 * Lambda_0_11_p3564),
+      -(0.21799999999999997 * Lambda_0_11_p3561), -(0.21799999999999997 * Lambda_0_11_p3558),
+      -(0.21799999999999997 * Lambda_0_11_p3555), -(0.21799999999999997 * Lambda_0_11_p3552),
+      -(0.21799999999999997 * Lambda_0_11_p3549), -(0.21799999999999997 * Lambda_0_11_p3546)) +
+      Lambda_0_11_p3512_lanes;
+  const Lanes<8> Lambda_0_11_p3576_lanes = c4 * Lambda_0_11_p3568_lanes;
+  const Lanes<8> Lambda_0_11_p3584_lanes = Lambda_0_11_p3504_lanes + Lambda_0_11_p3576_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p2724_lanes = Lambda_0_11_p520 * Lambda_0_11_p2716_lanes;
+  const Lanes<8> Lambda_0_11_p3592_lanes = Lambda_0_11_p1063 * Lambda_0_11_p3584_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p2732_lanes = Lambda_0_11_p498 *
-      detail::make_lanes<Real>(Lambda_0_11_p2603, Lambda_0_11_p2600, Lambda_0_11_p2597,
-      Lambda_0_11_p2594, Lambda_0_11_p2591, Lambda_0_11_p2588, Lambda_0_11_p2585,
-      Lambda_0_11_p2582);
-  const Lanes Lambda_0_11_p2740_lanes = detail::make_lanes<Real>(-Lambda_0_11_p2699,
-      -Lambda_0_11_p2696, -Lambda_0_11_p2693, -Lambda_0_11_p2690, -Lambda_0_11_p2687,
-      -Lambda_0_11_p2684, -Lambda_0_11_p2681, -Lambda_0_11_p2678) + Lambda_0_11_p2732_lanes;
-  const Lanes Lambda_0_11_p2748_lanes = c4 * Lambda_0_11_p2740_lanes;
-  const Lanes Lambda_0_11_p2756_lanes = Lambda_0_11_p507 *
-      detail::make_lanes<Real>(Lambda_0_11_p2603, Lambda_0_11_p2600, Lambda_0_11_p2597,
-      Lambda_0_11_p2594, Lambda_0_11_p2591, Lambda_0_11_p2588, Lambda_0_11_p2585,
-      Lambda_0_11_p2582);
-  const Lanes Lambda_0_11_p2764_lanes = Lambda_0_11_p2620_lanes + Lambda_0_11_p2756_lanes;
-  const Lanes Lambda_0_11_p2772_lanes = s4 * Lambda_0_11_p2764_lanes;
-  const Lanes Lambda_0_11_p2780_lanes = Lambda_0_11_p2748_lanes - Lambda_0_11_p2772_lanes;
+  const Lanes<8> Lambda_0_11_p3600_lanes = Lambda_0_11_p1041 *
+      detail::make_lanes<Real>(Lambda_0_11_p3471, Lambda_0_11_p3468, Lambda_0_11_p3465,
+      Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456, Lambda_0_11_p3453,
+      Lambda_0_11_p3450);
+  const Lanes<8> Lambda_0_11_p3608_lanes = detail::make_lanes<Real>(-Lambda_0_11_p3567,
+      -Lambda_0_11_p3564, -Lambda_0_11_p3561, -Lambda_0_11_p3558, -Lambda_0_11_p3555,
+      -Lambda_0_11_p3552, -Lambda_0_11_p3549, -Lambda_0_11_p3546) + Lambda_0_11_p3600_lanes;
+  const Lanes<8> Lambda_0_11_p3616_lanes = c4 * Lambda_0_11_p3608_lanes;
+  const Lanes<8> Lambda_0_11_p3624_lanes = Lambda_0_11_p1050 *
+      detail::make_lanes<Real>(Lambda_0_11_p3471, Lambda_0_11_p3468, Lambda_0_11_p3465,
+      Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456, Lambda_0_11_p3453,
+      Lambda_0_11_p3450);
+  const Lanes<8> Lambda_0_11_p3632_lanes = Lambda_0_11_p3488_lanes + Lambda_0_11_p3624_lanes;
+  const Lanes<8> Lambda_0_11_p3640_lanes = s4 * Lambda_0_11_p3632_lanes;
+  const Lanes<8> Lambda_0_11_p3648_lanes = Lambda_0_11_p3616_lanes - Lambda_0_11_p3640_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p2788_lanes = Lambda_0_11_p2780_lanes - Lambda_0_11_p2724_lanes;
-  const Lanes Lambda_0_11_p2796_lanes = c3 * Lambda_0_11_p2788_lanes;
-  const Lanes Lambda_0_11_p2804_lanes = Lambda_0_11_p530 * Lambda_0_11_p2716_lanes;
-  const Lanes Lambda_0_11_p2812_lanes = detail::make_lanes<Real>(-(-(s5 * Lambda_0_11_p2698 + c5 *
-      Lambda_0_11_p2697) - Lambda_0_11_p525 * Lambda_0_11_p2603),
-      -(-(s5 * Lambda_0_11_p2695 + c5 * Lambda_0_11_p2694) - Lambda_0_11_p525 * Lambda_0_11_p2600),
-      -(-(s5 * Lambda_0_11_p2692 + c5 * Lambda_0_11_p2691) - Lambda_0_11_p525 * Lambda_0_11_p2597),
-      -(-(s5 * Lambda_0_11_p2689 + c5 * Lambda_0_11_p2688) - Lambda_0_11_p525 * Lambda_0_11_p2594),
-      -(-(s5 * Lambda_0_11_p2686 + c5 * Lambda_0_11_p2685) - Lambda_0_11_p525 * Lambda_0_11_p2591),
-      -(-(s5 * Lambda_0_11_p2683 + c5 * Lambda_0_11_p2682) - Lambda_0_11_p525 * Lambda_0_11_p2588),
-      -(-(s5 * Lambda_0_11_p2680 + c5 * Lambda_0_11_p2679) - Lambda_0_11_p525 * Lambda_0_11_p2585),
-      -(-(s5 * Lambda_0_11_p2677 + c5 * Lambda_0_11_p2676) - Lambda_0_11_p525 *
-      Lambda_0_11_p2582)) + Lambda_0_11_p2804_lanes;
-  const Lanes Lambda_0_11_p2820_lanes = s3 * Lambda_0_11_p2812_lanes;
-  const Lanes Lambda_0_11_p2828_lanes = Lambda_0_11_p2796_lanes - Lambda_0_11_p2820_lanes;
-  const Lanes Lambda_0_11_p2836_lanes = 0.422 * Lambda_0_11_p2828_lanes;
+  const Lanes<8> Lambda_0_11_p3656_lanes = Lambda_0_11_p3648_lanes - Lambda_0_11_p3592_lanes;
+  const Lanes<8> Lambda_0_11_p3664_lanes = c3 * Lambda_0_11_p3656_lanes;
+  const Lanes<8> Lambda_0_11_p3672_lanes = Lambda_0_11_p1073 * Lambda_0_11_p3584_lanes;
+  const Lanes<8> Lambda_0_11_p3680_lanes = detail::make_lanes<Real>(-(-(s5 * Lambda_0_11_p3566 +
+      c5 * Lambda_0_11_p3565) - Lambda_0_11_p1068 * Lambda_0_11_p3471),
+      -(-(s5 * Lambda_0_11_p3563 + c5 * Lambda_0_11_p3562) - Lambda_0_11_p1068 * Lambda_0_11_p3468),
+      -(-(s5 * Lambda_0_11_p3560 + c5 * Lambda_0_11_p3559) - Lambda_0_11_p1068 * Lambda_0_11_p3465),
+      -(-(s5 * Lambda_0_11_p3557 + c5 * Lambda_0_11_p3556) - Lambda_0_11_p1068 * Lambda_0_11_p3462),
+      -(-(s5 * Lambda_0_11_p3554 + c5 * Lambda_0_11_p3553) - Lambda_0_11_p1068 * Lambda_0_11_p3459),
+      -(-(s5 * Lambda_0_11_p3551 + c5 * Lambda_0_11_p3550) - Lambda_0_11_p1068 * Lambda_0_11_p3456),
+      -(-(s5 * Lambda_0_11_p3548 + c5 * Lambda_0_11_p3547) - Lambda_0_11_p1068 * Lambda_0_11_p3453),
+      -(-(s5 * Lambda_0_11_p3545 + c5 * Lambda_0_11_p3544) - Lambda_0_11_p1068 *
+      Lambda_0_11_p3450)) + Lambda_0_11_p3672_lanes;
+  const Lanes<8> Lambda_0_11_p3688_lanes = s3 * Lambda_0_11_p3680_lanes;
+  const Lanes<8> Lambda_0_11_p3696_lanes = Lambda_0_11_p3664_lanes - Lambda_0_11_p3688_lanes;
+  const Lanes<8> Lambda_0_11_p3704_lanes = 0.422 * Lambda_0_11_p3696_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p2844_lanes = Lambda_0_11_p537 * Lambda_0_11_p2836_lanes;
-  const Lanes Lambda_0_11_p2852_lanes = Lambda_0_11_p2828_lanes - Lambda_0_11_p2844_lanes;
-  const Lanes Lambda_0_11_p2860_lanes = c2 * Lambda_0_11_p2852_lanes;
-  const Lanes Lambda_0_11_p2868_lanes = Lambda_0_11_p1385 * Lambda_0_11_p2836_lanes;
+  const Lanes<8> Lambda_0_11_p3712_lanes = Lambda_0_11_p1080 * Lambda_0_11_p3704_lanes;
+  const Lanes<8> Lambda_0_11_p3720_lanes = Lambda_0_11_p3696_lanes - Lambda_0_11_p3712_lanes;
+  const Lanes<8> Lambda_0_11_p3728_lanes = c2 * Lambda_0_11_p3720_lanes;
+  const Lanes<8> Lambda_0_11_p3736_lanes = Lambda_0_11_p3135 * Lambda_0_11_p3704_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p2876_lanes = s3 * Lambda_0_11_p2788_lanes;
-  const Lanes Lambda_0_11_p2884_lanes = c3 * Lambda_0_11_p2812_lanes;
-  const Lanes Lambda_0_11_p2892_lanes = Lambda_0_11_p2876_lanes + Lambda_0_11_p2884_lanes;
+  const Lanes<8> Lambda_0_11_p3744_lanes = s3 * Lambda_0_11_p3656_lanes;
+  const Lanes<8> Lambda_0_11_p3752_lanes = c3 * Lambda_0_11_p3680_lanes;
+  const Lanes<8> Lambda_0_11_p3760_lanes = Lambda_0_11_p3744_lanes + Lambda_0_11_p3752_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p2900_lanes = Lambda_0_11_p2892_lanes - Lambda_0_11_p2868_lanes;
-  const Lanes Lambda_0_11_p2908_lanes = s2 * Lambda_0_11_p2900_lanes;
-  const Lanes Lambda_0_11_p2916_lanes = Lambda_0_11_p2860_lanes - Lambda_0_11_p2908_lanes;
-  const Lanes Lambda_0_11_p2924_lanes = 0.434 * Lambda_0_11_p2916_lanes;
+  const Lanes<8> Lambda_0_11_p3768_lanes = Lambda_0_11_p3760_lanes - Lambda_0_11_p3736_lanes;
+  const Lanes<8> Lambda_0_11_p3776_lanes = s2 * Lambda_0_11_p3768_lanes;
+  const Lanes<8> Lambda_0_11_p3784_lanes = Lambda_0_11_p3728_lanes - Lambda_0_11_p3776_lanes;
+  const Lanes<8> Lambda_0_11_p3792_lanes = 0.434 * Lambda_0_11_p3784_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p2932_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p2924_lanes[0];
+  const Lanes<8> Lambda_0_11_p3800_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[0];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p2936_lanes = Lambda_0_11_p1367_lanes * inverse_D2;
-  const Lanes Lambda_0_11_p2940_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p2836_lanes[0];
+  const Lanes<8> Lambda_0_11_p3804_lanes = Lambda_0_11_p3117_lanes * inverse_D2;
+  const Lanes<8> Lambda_0_11_p3808_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p2944_lanes = Lambda_0_11_p1307_lanes * inverse_D3;
-  const Lanes Lambda_0_11_p2948_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p2716_lanes[0];
+  const Lanes<8> Lambda_0_11_p3812_lanes = Lambda_0_11_p3057_lanes * inverse_D3;
+  const Lanes<8> Lambda_0_11_p3816_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p2952_lanes = detail::make_lanes<Real>(Lambda_0_11_p1250,
-      Lambda_0_11_p1247, Lambda_0_11_p1244, Lambda_0_11_p1241, Lambda_0_11_p1250, Lambda_0_11_p1250,
-      Lambda_0_11_p1250, Lambda_0_11_p1250) * inverse_D4;
-  const Lanes Lambda_0_11_p2956_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p2603;
+  const Lanes<8> Lambda_0_11_p3820_lanes = detail::make_lanes<Real>(Lambda_0_11_p3000,
+      Lambda_0_11_p2997, Lambda_0_11_p2994, Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000,
+      Lambda_0_11_p3000, Lambda_0_11_p3000) * inverse_D4;
+  const Lanes<8> Lambda_0_11_p3824_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3471;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p2960_lanes = Lambda_0_11_p1195_lanes * inverse_D5;
-  const Lanes Lambda_0_11_p2964_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p2492_lanes[0];
+  const Lanes<8> Lambda_0_11_p3828_lanes = Lambda_0_11_p2945_lanes * inverse_D5;
+  const Lanes<8> Lambda_0_11_p3832_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p2968_lanes = Lambda_0_11_p1135_lanes * inverse_D6;
-  const Lanes Lambda_0_11_p2972_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p2342_lanes[0];
+  const Lanes<8> Lambda_0_11_p3836_lanes = detail::make_lanes<Real>(Lambda_0_11_p2868,
+      Lambda_0_11_p2853, Lambda_0_11_p2838, Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868,
+      Lambda_0_11_p2868, Lambda_0_11_p2868) * inverse_D6;
+  const Lanes<8> Lambda_0_11_p3840_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3207;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p2976_lanes = Lambda_0_11_p2972_lanes + Lambda_0_11_p2964_lanes;
+  const Lanes<8> Lambda_0_11_p3844_lanes = Lambda_0_11_p3840_lanes + Lambda_0_11_p3832_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p2980_lanes = Lambda_0_11_p2976_lanes + Lambda_0_11_p2956_lanes;
+  const Lanes<8> Lambda_0_11_p3848_lanes = Lambda_0_11_p3844_lanes + Lambda_0_11_p3824_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p2984_lanes = Lambda_0_11_p2980_lanes + Lambda_0_11_p2948_lanes;
+  const Lanes<8> Lambda_0_11_p3852_lanes = Lambda_0_11_p3848_lanes + Lambda_0_11_p3816_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p2988_lanes = Lambda_0_11_p2984_lanes + Lambda_0_11_p2940_lanes;
+  const Lanes<8> Lambda_0_11_p3856_lanes = Lambda_0_11_p3852_lanes + Lambda_0_11_p3808_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p2992_lanes = Lambda_0_11_p2988_lanes + Lambda_0_11_p2932_lanes;
-  const Lanes Lambda_0_11_p2996_lanes = Lambda_0_11_p2924_lanes * inverse_D1;
-  const Lanes Lambda_0_11_p3004_lanes = Lambda_0_11_p2996_lanes * Lambda_0_11_p2924_lanes[0];
+  const Lanes<8> Lambda_0_11_p3860_lanes = Lambda_0_11_p3856_lanes + Lambda_0_11_p3800_lanes;
+  const Lanes<8> Lambda_0_11_p3864_lanes = Lambda_0_11_p3792_lanes * inverse_D1;
+  const Lanes<8> Lambda_0_11_p3872_lanes = Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[0];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3012_lanes = Lambda_0_11_p2836_lanes * inverse_D2;
-  const Lanes Lambda_0_11_p3020_lanes = Lambda_0_11_p3012_lanes * Lambda_0_11_p2836_lanes[0];
+  const Lanes<8> Lambda_0_11_p3880_lanes = Lambda_0_11_p3704_lanes * inverse_D2;
+  const Lanes<8> Lambda_0_11_p3888_lanes = Lambda_0_11_p3880_lanes * Lambda_0_11_p3704_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3028_lanes = Lambda_0_11_p2716_lanes * inverse_D3;
-  const Lanes Lambda_0_11_p3036_lanes = Lambda_0_11_p3028_lanes * Lambda_0_11_p2716_lanes[0];
+  const Lanes<8> Lambda_0_11_p3896_lanes = Lambda_0_11_p3584_lanes * inverse_D3;
+  const Lanes<8> Lambda_0_11_p3904_lanes = Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3044_lanes = detail::make_lanes<Real>(Lambda_0_11_p2603,
-      Lambda_0_11_p2600, Lambda_0_11_p2597, Lambda_0_11_p2594, Lambda_0_11_p2591, Lambda_0_11_p2588,
-      Lambda_0_11_p2585, Lambda_0_11_p2582) * inverse_D4;
-  const Lanes Lambda_0_11_p3052_lanes = Lambda_0_11_p3044_lanes * Lambda_0_11_p2603;
+  const Lanes<8> Lambda_0_11_p3912_lanes = detail::make_lanes<Real>(Lambda_0_11_p3471,
+      Lambda_0_11_p3468, Lambda_0_11_p3465, Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456,
+      Lambda_0_11_p3453, Lambda_0_11_p3450) * inverse_D4;
+  const Lanes<8> Lambda_0_11_p3920_lanes = Lambda_0_11_p3912_lanes * Lambda_0_11_p3471;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3060_lanes = Lambda_0_11_p2492_lanes * inverse_D5;
-  const Lanes Lambda_0_11_p3068_lanes = Lambda_0_11_p3060_lanes * Lambda_0_11_p2492_lanes[0];
+  const Lanes<8> Lambda_0_11_p3928_lanes = Lambda_0_11_p3360_lanes * inverse_D5;
+  const Lanes<8> Lambda_0_11_p3936_lanes = Lambda_0_11_p3928_lanes * Lambda_0_11_p3360_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Real Lambda_0_11_p3076 = Lambda_0_11_p2342_lanes[7] * inverse_D6;
-  const Real Lambda_0_11_p3077 = Lambda_0_11_p2342_lanes[6] * inverse_D6;
-  const Lanes Lambda_0_11_p3078_lanes = Lambda_0_11_p2342_lanes * inverse_D6;
-  const Lanes Lambda_0_11_p3084_lanes = Lambda_0_11_p3078_lanes * Lambda_0_11_p2342_lanes[0];
+  const Real Lambda_0_11_p3944 = Lambda_0_11_p3186 * inverse_D6;
+  const Real Lambda_0_11_p3945 = Lambda_0_11_p3201 * inverse_D6;
+  const Lanes<8> Lambda_0_11_p3946_lanes = detail::make_lanes<Real>(Lambda_0_11_p3207,
+      Lambda_0_11_p3206, Lambda_0_11_p3205, Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202,
+      Lambda_0_11_p3207, Lambda_0_11_p3207) * inverse_D6;
+  const Lanes<8> Lambda_0_11_p3952_lanes = Lambda_0_11_p3946_lanes * Lambda_0_11_p3207;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p3090_lanes = Lambda_0_11_p2035_lanes * inverse_D7;
-  const Lanes Lambda_0_11_p3096_lanes = Lambda_0_11_p3090_lanes * Lambda_0_11_p2035_lanes[0];
+  const Lanes<8> Lambda_0_11_p3958_lanes = Lambda_0_11_p2451_lanes * inverse_D7_lanes[0];
+  const Lanes<8> Lambda_0_11_p3964_lanes = Lambda_0_11_p3958_lanes * Lambda_0_11_p2451_lanes[0];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p3102_lanes = Lambda_0_11_p1998_lanes * inverse_D8;
-  const Lanes Lambda_0_11_p3108_lanes = Lambda_0_11_p3102_lanes * Lambda_0_11_p1998_lanes[0];
+  const Lanes<8> Lambda_0_11_p3970_lanes = Lambda_0_11_p2415_lanes * inverse_D8_lanes[0];
+  const Lanes<8> Lambda_0_11_p3976_lanes = Lambda_0_11_p3970_lanes * Lambda_0_11_p2415_lanes[0];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p3114_lanes = detail::make_lanes<Real>(Lambda_0_11_p1877,
-      Lambda_0_11_p1876, Lambda_0_11_p1875, Lambda_0_11_p1874, Lambda_0_11_p1873, Lambda_0_11_p1872,
-      Lambda_0_11_p1877, Lambda_0_11_p1877) * inverse_D9;
-  const Lanes Lambda_0_11_p3120_lanes = Lambda_0_11_p3114_lanes * Lambda_0_11_p1877;
+  const Lanes<8> Lambda_0_11_p3982_lanes = Lambda_0_11_p2331_lanes * inverse_D9_lanes[0];
+  const Lanes<8> Lambda_0_11_p3988_lanes = Lambda_0_11_p3982_lanes * Lambda_0_11_p2331_lanes[0];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p3126_lanes = Lambda_0_11_p1764_lanes * inverse_D10;
-  const Lanes Lambda_0_11_p3132_lanes = Lambda_0_11_p3126_lanes * Lambda_0_11_p1764_lanes[0];
+  const Lanes<8> Lambda_0_11_p3994_lanes = Lambda_0_11_p1975_lanes * inverse_D10_lanes[0];
+  const Lanes<8> Lambda_0_11_p4000_lanes = Lambda_0_11_p3994_lanes * Lambda_0_11_p1975_lanes[0];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p3138_lanes = detail::make_lanes<Real>(Lambda_0_11_p1652,
-      Lambda_0_11_p1651, Lambda_0_11_p1650, Lambda_0_11_p1649, Lambda_0_11_p1648, Lambda_0_11_p1647,
-      Lambda_0_11_p1652, Lambda_0_11_p1652) * inverse_D11;
-  const Lanes Lambda_0_11_p3144_lanes = Lambda_0_11_p3138_lanes * Lambda_0_11_p1652;
+  const Lanes<8> Lambda_0_11_p4006_lanes = detail::make_lanes<Real>(Lambda_0_11_p1887,
+      Lambda_0_11_p1886, Lambda_0_11_p1885, Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710,
+      Lambda_0_11_p1887, Lambda_0_11_p1887) * inverse_D11_lanes[0];
+  const Lanes<8> Lambda_0_11_p4012_lanes = Lambda_0_11_p4006_lanes * Lambda_0_11_p1887;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p3150_lanes = Lambda_0_11_p1587_lanes * inverse_D12;
-  const Lanes Lambda_0_11_p3156_lanes = Lambda_0_11_p3150_lanes * Lambda_0_11_p1587_lanes[0];
+  const Lanes<8> Lambda_0_11_p4018_lanes = Lambda_0_11_p1523_lanes * inverse_D12_lanes[0];
+  const Lanes<8> Lambda_0_11_p4024_lanes = Lambda_0_11_p4018_lanes * Lambda_0_11_p1523_lanes[0];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_0_11_p3162 = 0.086 * Lambda_0_11_p1542;
+  const Real Lambda_0_11_p4030 = 0.086 * Lambda_0_11_p1497;
 
   // link 13 (left_hand), force propagation
-  const Lanes Lambda_0_11_p3163_lanes = detail::make_lanes<Real>(91.62274020012977,
+  const Lanes<8> Lambda_0_11_p4031_lanes = detail::make_lanes<Real>(91.62274020012977,
       91.62274020012977, 1065.380700001509, 1065.380700001509, 1065.380700001509, 1065.380700001509,
-      91.62274020012977, 91.62274020012977) * detail::make_lanes<Real>(Lambda_0_11_p1542,
-      Lambda_0_11_p1540, Lambda_0_11_p1538, Lambda_0_11_p1522_lanes[0], Lambda_0_11_p1522_lanes[1],
-      Lambda_0_11_p1522_lanes[2], Lambda_0_11_p1542, Lambda_0_11_p1542);
-  const Lanes Lambda_0_11_p3169_lanes = Lambda_0_11_p3163_lanes * Lambda_0_11_p3162;
+      91.62274020012977, 91.62274020012977) * detail::make_lanes<Real>(Lambda_0_11_p1497,
+      Lambda_0_11_p1495, Lambda_0_11_p1400, Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1],
+      Lambda_0_11_p1483_lanes[2], Lambda_0_11_p1497, Lambda_0_11_p1497);
+  const Lanes<8> Lambda_0_11_p4037_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p4030;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p3175_lanes = Lambda_0_11_p3169_lanes + Lambda_0_11_p3156_lanes;
+  const Lanes<8> Lambda_0_11_p4043_lanes = Lambda_0_11_p4037_lanes + Lambda_0_11_p4024_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p3181_lanes = Lambda_0_11_p3175_lanes + Lambda_0_11_p3144_lanes;
+  const Lanes<8> Lambda_0_11_p4049_lanes = Lambda_0_11_p4043_lanes + Lambda_0_11_p4012_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p3187_lanes = Lambda_0_11_p3181_lanes + Lambda_0_11_p3132_lanes;
+  const Lanes<8> Lambda_0_11_p4055_lanes = Lambda_0_11_p4049_lanes + Lambda_0_11_p4000_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p3193_lanes = Lambda_0_11_p3187_lanes + Lambda_0_11_p3120_lanes;
+  const Lanes<8> Lambda_0_11_p4061_lanes = Lambda_0_11_p4055_lanes + Lambda_0_11_p3988_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p3199_lanes = Lambda_0_11_p3193_lanes + Lambda_0_11_p3108_lanes;
+  const Lanes<8> Lambda_0_11_p4067_lanes = Lambda_0_11_p4061_lanes + Lambda_0_11_p3976_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p3205_lanes = Lambda_0_11_p3199_lanes + Lambda_0_11_p3096_lanes;
+  const Lanes<8> Lambda_0_11_p4073_lanes = Lambda_0_11_p4067_lanes + Lambda_0_11_p3964_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3211_lanes = Lambda_0_11_p3205_lanes + Lambda_0_11_p3084_lanes;
+  const Lanes<8> Lambda_0_11_p4079_lanes = Lambda_0_11_p4073_lanes + Lambda_0_11_p3952_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3217_lanes = detail::make_lanes<Real>(Lambda_0_11_p3211_lanes[0],
-      Lambda_0_11_p3211_lanes[1], Lambda_0_11_p3211_lanes[2], Lambda_0_11_p3211_lanes[3],
-      Lambda_0_11_p3211_lanes[4], Lambda_0_11_p3211_lanes[5], Lambda_0_11_p3077 *
-      Lambda_0_11_p2342_lanes[0], Lambda_0_11_p3076 * Lambda_0_11_p2342_lanes[0]) +
-      Lambda_0_11_p3068_lanes;
+  const Lanes<8> Lambda_0_11_p4085_lanes = detail::make_lanes<Real>(Lambda_0_11_p4079_lanes[0],
+      Lambda_0_11_p4079_lanes[1], Lambda_0_11_p4079_lanes[2], Lambda_0_11_p4079_lanes[3],
+      Lambda_0_11_p4079_lanes[4], Lambda_0_11_p4079_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3207,
+      Lambda_0_11_p3944 * Lambda_0_11_p3207) + Lambda_0_11_p3936_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3225_lanes = Lambda_0_11_p3217_lanes + Lambda_0_11_p3052_lanes;
+  const Lanes<8> Lambda_0_11_p4093_lanes = Lambda_0_11_p4085_lanes + Lambda_0_11_p3920_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3233_lanes = Lambda_0_11_p3225_lanes + Lambda_0_11_p3036_lanes;
+  const Lanes<8> Lambda_0_11_p4101_lanes = Lambda_0_11_p4093_lanes + Lambda_0_11_p3904_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3241_lanes = Lambda_0_11_p3233_lanes + Lambda_0_11_p3020_lanes;
+  const Lanes<8> Lambda_0_11_p4109_lanes = Lambda_0_11_p4101_lanes + Lambda_0_11_p3888_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p3249_lanes = Lambda_0_11_p3241_lanes + Lambda_0_11_p3004_lanes;
-  const Real Lambda_0_11_p3257 = 1.0 / Lambda_0_11_p3249_lanes[0];
-  const Lanes Lambda_0_11_p3258_lanes = Lambda_0_11_p2992_lanes * Lambda_0_11_p3257;
-  const Lanes Lambda_0_11_p3262_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p3249_lanes[1];
-  const Lanes Lambda_0_11_p3266_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p2924_lanes[1];
+  const Lanes<8> Lambda_0_11_p4117_lanes = Lambda_0_11_p4109_lanes + Lambda_0_11_p3872_lanes;
+  const Real Lambda_0_11_p4125 = 1.0 / Lambda_0_11_p4117_lanes[0];
+  const Lanes<8> Lambda_0_11_p4126_lanes = Lambda_0_11_p3860_lanes * Lambda_0_11_p4125;
+  const Lanes<8> Lambda_0_11_p4130_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[1];
+  const Lanes<8> Lambda_0_11_p4134_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[1];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3270_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p2836_lanes[1];
+  const Lanes<8> Lambda_0_11_p4138_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[1];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3274_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p2716_lanes[1];
+  const Lanes<8> Lambda_0_11_p4142_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3278_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p2600;
+  const Lanes<8> Lambda_0_11_p4146_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3468;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3282_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p2492_lanes[1];
+  const Lanes<8> Lambda_0_11_p4150_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3286_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p2342_lanes[1];
+  const Lanes<8> Lambda_0_11_p4154_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3206;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3290_lanes = Lambda_0_11_p3286_lanes + Lambda_0_11_p3282_lanes;
+  const Lanes<8> Lambda_0_11_p4158_lanes = Lambda_0_11_p4154_lanes + Lambda_0_11_p4150_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3294_lanes = Lambda_0_11_p3290_lanes + Lambda_0_11_p3278_lanes;
+  const Lanes<8> Lambda_0_11_p4162_lanes = Lambda_0_11_p4158_lanes + Lambda_0_11_p4146_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3298_lanes = Lambda_0_11_p3294_lanes + Lambda_0_11_p3274_lanes;
+  const Lanes<8> Lambda_0_11_p4166_lanes = Lambda_0_11_p4162_lanes + Lambda_0_11_p4142_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3302_lanes = Lambda_0_11_p3298_lanes + Lambda_0_11_p3270_lanes;
+  const Lanes<8> Lambda_0_11_p4170_lanes = Lambda_0_11_p4166_lanes + Lambda_0_11_p4138_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p3306_lanes = Lambda_0_11_p3302_lanes + Lambda_0_11_p3266_lanes;
-  const Lanes Lambda_0_11_p3310_lanes = Lambda_0_11_p3306_lanes - Lambda_0_11_p3262_lanes;
-  const Lanes Lambda_0_11_p3314_lanes = Lambda_0_11_p3249_lanes * Lambda_0_11_p3257;
-  const Lanes Lambda_0_11_p3321_lanes = Lambda_0_11_p3314_lanes * Lambda_0_11_p3249_lanes[1];
-  const Lanes Lambda_0_11_p3328_lanes = Lambda_0_11_p2996_lanes * Lambda_0_11_p2924_lanes[1];
+  const Lanes<8> Lambda_0_11_p4174_lanes = Lambda_0_11_p4170_lanes + Lambda_0_11_p4134_lanes;
+  const Lanes<8> Lambda_0_11_p4178_lanes = Lambda_0_11_p4174_lanes - Lambda_0_11_p4130_lanes;
+  const Lanes<8> Lambda_0_11_p4182_lanes = Lambda_0_11_p4117_lanes * Lambda_0_11_p4125;
+  const Lanes<8> Lambda_0_11_p4189_lanes = Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[1];
+  const Lanes<8> Lambda_0_11_p4196_lanes = Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[1];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3335_lanes = Lambda_0_11_p3012_lanes * Lambda_0_11_p2836_lanes[1];
+  const Lanes<8> Lambda_0_11_p4203_lanes = Lambda_0_11_p3880_lanes * Lambda_0_11_p3704_lanes[1];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3342_lanes = Lambda_0_11_p3028_lanes * Lambda_0_11_p2716_lanes[1];
+  const Lanes<8> Lambda_0_11_p4210_lanes = Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3349_lanes = Lambda_0_11_p3044_lanes * Lambda_0_11_p2600;
+  const Lanes<8> Lambda_0_11_p4217_lanes = Lambda_0_11_p3912_lanes * Lambda_0_11_p3468;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3356_lanes = Lambda_0_11_p3060_lanes * Lambda_0_11_p2492_lanes[1];
+  const Lanes<8> Lambda_0_11_p4224_lanes = Lambda_0_11_p3928_lanes * Lambda_0_11_p3360_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3363_lanes = Lambda_0_11_p3078_lanes * Lambda_0_11_p2342_lanes[1];
+  const Lanes<8> Lambda_0_11_p4231_lanes = Lambda_0_11_p3946_lanes * Lambda_0_11_p3206;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p3368_lanes = Lambda_0_11_p3090_lanes * Lambda_0_11_p2035_lanes[1];
+  const Lanes<8> Lambda_0_11_p4236_lanes = Lambda_0_11_p3958_lanes * Lambda_0_11_p2451_lanes[1];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p3373_lanes = Lambda_0_11_p3102_lanes * Lambda_0_11_p1998_lanes[1];
+  const Lanes<8> Lambda_0_11_p4241_lanes = Lambda_0_11_p3970_lanes * Lambda_0_11_p2415_lanes[1];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p3378_lanes = Lambda_0_11_p3114_lanes * Lambda_0_11_p1876;
+  const Lanes<8> Lambda_0_11_p4246_lanes = Lambda_0_11_p3982_lanes * Lambda_0_11_p2331_lanes[1];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p3383_lanes = Lambda_0_11_p3126_lanes * Lambda_0_11_p1764_lanes[1];
+  const Lanes<8> Lambda_0_11_p4251_lanes = Lambda_0_11_p3994_lanes * Lambda_0_11_p1975_lanes[1];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p3388_lanes = Lambda_0_11_p3138_lanes * Lambda_0_11_p1651;
+  const Lanes<8> Lambda_0_11_p4256_lanes = Lambda_0_11_p4006_lanes * Lambda_0_11_p1886;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p3393_lanes = Lambda_0_11_p3150_lanes * Lambda_0_11_p1587_lanes[1];
+  const Lanes<8> Lambda_0_11_p4261_lanes = Lambda_0_11_p4018_lanes * Lambda_0_11_p1523_lanes[1];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_0_11_p3398 = 0.086 * Lambda_0_11_p1540;
+  const Real Lambda_0_11_p4266 = 0.086 * Lambda_0_11_p1495;
 
   // link 13 (left_hand), force propagation
-  const Lanes Lambda_0_11_p3399_lanes = Lambda_0_11_p3163_lanes * Lambda_0_11_p3398;
+  const Lanes<8> Lambda_0_11_p4267_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p4266;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p3404_lanes = Lambda_0_11_p3399_lanes + Lambda_0_11_p3393_lanes;
+  const Lanes<8> Lambda_0_11_p4272_lanes = Lambda_0_11_p4267_lanes + Lambda_0_11_p4261_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p3409_lanes = Lambda_0_11_p3404_lanes + Lambda_0_11_p3388_lanes;
+  const Lanes<8> Lambda_0_11_p4277_lanes = Lambda_0_11_p4272_lanes + Lambda_0_11_p4256_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p3414_lanes = Lambda_0_11_p3409_lanes + Lambda_0_11_p3383_lanes;
+  const Lanes<8> Lambda_0_11_p4282_lanes = Lambda_0_11_p4277_lanes + Lambda_0_11_p4251_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p3419_lanes = Lambda_0_11_p3414_lanes + Lambda_0_11_p3378_lanes;
+  const Lanes<8> Lambda_0_11_p4287_lanes = Lambda_0_11_p4282_lanes + Lambda_0_11_p4246_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p3424_lanes = Lambda_0_11_p3419_lanes + Lambda_0_11_p3373_lanes;
+  const Lanes<8> Lambda_0_11_p4292_lanes = Lambda_0_11_p4287_lanes + Lambda_0_11_p4241_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p3429_lanes = Lambda_0_11_p3424_lanes + Lambda_0_11_p3368_lanes;
+  const Lanes<8> Lambda_0_11_p4297_lanes = Lambda_0_11_p4292_lanes + Lambda_0_11_p4236_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3434_lanes = Lambda_0_11_p3429_lanes + Lambda_0_11_p3363_lanes;
+  const Lanes<8> Lambda_0_11_p4302_lanes = Lambda_0_11_p4297_lanes + Lambda_0_11_p4231_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3439_lanes = detail::make_lanes<Real>(Lambda_0_11_p3434_lanes[1],
-      Lambda_0_11_p3434_lanes[1], Lambda_0_11_p3434_lanes[2], Lambda_0_11_p3434_lanes[3],
-      Lambda_0_11_p3434_lanes[4], Lambda_0_11_p3434_lanes[5], Lambda_0_11_p3077 *
-      Lambda_0_11_p2342_lanes[1], Lambda_0_11_p3076 * Lambda_0_11_p2342_lanes[1]) +
-      Lambda_0_11_p3356_lanes;
+  const Lanes<8> Lambda_0_11_p4307_lanes = detail::make_lanes<Real>(Lambda_0_11_p4302_lanes[1],
+      Lambda_0_11_p4302_lanes[1], Lambda_0_11_p4302_lanes[2], Lambda_0_11_p4302_lanes[3],
+      Lambda_0_11_p4302_lanes[4], Lambda_0_11_p4302_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3206,
+      Lambda_0_11_p3944 * Lambda_0_11_p3206) + Lambda_0_11_p4224_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3446_lanes = Lambda_0_11_p3439_lanes + Lambda_0_11_p3349_lanes;
+  const Lanes<8> Lambda_0_11_p4314_lanes = Lambda_0_11_p4307_lanes + Lambda_0_11_p4217_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3453_lanes = Lambda_0_11_p3446_lanes + Lambda_0_11_p3342_lanes;
+  const Lanes<8> Lambda_0_11_p4321_lanes = Lambda_0_11_p4314_lanes + Lambda_0_11_p4210_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3460_lanes = Lambda_0_11_p3453_lanes + Lambda_0_11_p3335_lanes;
+  const Lanes<8> Lambda_0_11_p4328_lanes = Lambda_0_11_p4321_lanes + Lambda_0_11_p4203_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p3467_lanes = Lambda_0_11_p3460_lanes + Lambda_0_11_p3328_lanes;
-  const Lanes Lambda_0_11_p3474_lanes = Lambda_0_11_p3467_lanes - Lambda_0_11_p3321_lanes;
-  const Real Lambda_0_11_p3481 = 1.0 / Lambda_0_11_p3474_lanes[1];
-  const Lanes Lambda_0_11_p3482_lanes = Lambda_0_11_p3310_lanes * Lambda_0_11_p3481;
-  const Lanes Lambda_0_11_p3486_lanes = Lambda_0_11_p3482_lanes * Lambda_0_11_p3474_lanes[2];
-  const Lanes Lambda_0_11_p3490_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p3249_lanes[2];
-  const Lanes Lambda_0_11_p3494_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p2924_lanes[2];
+  const Lanes<8> Lambda_0_11_p4335_lanes = Lambda_0_11_p4328_lanes + Lambda_0_11_p4196_lanes;
+  const Lanes<8> Lambda_0_11_p4342_lanes = Lambda_0_11_p4335_lanes - Lambda_0_11_p4189_lanes;
+  const Real Lambda_0_11_p4349 = 1.0 / Lambda_0_11_p4342_lanes[1];
+  const Lanes<8> Lambda_0_11_p4350_lanes = Lambda_0_11_p4178_lanes * Lambda_0_11_p4349;
+  const Lanes<8> Lambda_0_11_p4354_lanes = Lambda_0_11_p4350_lanes * Lambda_0_11_p4342_lanes[2];
+  const Lanes<8> Lambda_0_11_p4358_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[2];
+  const Lanes<8> Lambda_0_11_p4362_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[2];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3498_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p2836_lanes[2];
+  const Lanes<8> Lambda_0_11_p4366_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[2];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3502_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p2716_lanes[2];
+  const Lanes<8> Lambda_0_11_p4370_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[2];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3506_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p2597;
+  const Lanes<8> Lambda_0_11_p4374_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3465;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3510_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p2492_lanes[2];
+  const Lanes<8> Lambda_0_11_p4378_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[2];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3514_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p2342_lanes[2];
+  const Lanes<8> Lambda_0_11_p4382_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3205;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3518_lanes = Lambda_0_11_p3514_lanes + Lambda_0_11_p3510_lanes;
+  const Lanes<8> Lambda_0_11_p4386_lanes = Lambda_0_11_p4382_lanes + Lambda_0_11_p4378_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3522_lanes = Lambda_0_11_p3518_lanes + Lambda_0_11_p3506_lanes;
+  const Lanes<8> Lambda_0_11_p4390_lanes = Lambda_0_11_p4386_lanes + Lambda_0_11_p4374_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3526_lanes = Lambda_0_11_p3522_lanes + Lambda_0_11_p3502_lanes;
+  const Lanes<8> Lambda_0_11_p4394_lanes = Lambda_0_11_p4390_lanes + Lambda_0_11_p4370_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3530_lanes = Lambda_0_11_p3526_lanes + Lambda_0_11_p3498_lanes;
+  const Lanes<8> Lambda_0_11_p4398_lanes = Lambda_0_11_p4394_lanes + Lambda_0_11_p4366_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p3534_lanes = Lambda_0_11_p3530_lanes + Lambda_0_11_p3494_lanes;
-  const Lanes Lambda_0_11_p3538_lanes = Lambda_0_11_p3534_lanes - Lambda_0_11_p3490_lanes;
-  const Lanes Lambda_0_11_p3542_lanes = Lambda_0_11_p3538_lanes - Lambda_0_11_p3486_lanes;
-  const Lanes Lambda_0_11_p3546_lanes = Lambda_0_11_p3474_lanes * Lambda_0_11_p3481;
-  const Lanes Lambda_0_11_p3552_lanes = Lambda_0_11_p3546_lanes * Lambda_0_11_p3474_lanes[2];
-  const Lanes Lambda_0_11_p3558_lanes = Lambda_0_11_p3314_lanes * Lambda_0_11_p3249_lanes[2];
-  const Lanes Lambda_0_11_p3564_lanes = Lambda_0_11_p2996_lanes * Lambda_0_11_p2924_lanes[2];
+  const Lanes<8> Lambda_0_11_p4402_lanes = Lambda_0_11_p4398_lanes + Lambda_0_11_p4362_lanes;
+  const Lanes<8> Lambda_0_11_p4406_lanes = Lambda_0_11_p4402_lanes - Lambda_0_11_p4358_lanes;
+  const Lanes<8> Lambda_0_11_p4410_lanes = Lambda_0_11_p4406_lanes - Lambda_0_11_p4354_lanes;
+  const Lanes<8> Lambda_0_11_p4414_lanes = Lambda_0_11_p4342_lanes * Lambda_0_11_p4349;
+  const Lanes<8> Lambda_0_11_p4420_lanes = Lambda_0_11_p4414_lanes * Lambda_0_11_p4342_lanes[2];
+  const Lanes<8> Lambda_0_11_p4426_lanes = Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[2];
+  const Lanes<8> Lambda_0_11_p4432_lanes = Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[2];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3570_lanes = Lambda_0_11_p3012_lanes * Lambda_0_11_p2836_lanes[2];
+  const Lanes<8> Lambda_0_11_p4438_lanes = Lambda_0_11_p3880_lanes * Lambda_0_11_p3704_lanes[2];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3576_lanes = Lambda_0_11_p3028_lanes * Lambda_0_11_p2716_lanes[2];
+  const Lanes<8> Lambda_0_11_p4444_lanes = Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[2];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3582_lanes = Lambda_0_11_p3044_lanes * Lambda_0_11_p2597;
+  const Lanes<8> Lambda_0_11_p4450_lanes = Lambda_0_11_p3912_lanes * Lambda_0_11_p3465;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3588_lanes = Lambda_0_11_p3060_lanes * Lambda_0_11_p2492_lanes[2];
+  const Lanes<8> Lambda_0_11_p4456_lanes = Lambda_0_11_p3928_lanes * Lambda_0_11_p3360_lanes[2];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3594_lanes = Lambda_0_11_p3078_lanes * Lambda_0_11_p2342_lanes[2];
+  const Lanes<8> Lambda_0_11_p4462_lanes = Lambda_0_11_p3946_lanes * Lambda_0_11_p3205;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p3598_lanes = Lambda_0_11_p3090_lanes * Lambda_0_11_p2035_lanes[2];
+  const Lanes<8> Lambda_0_11_p4466_lanes = Lambda_0_11_p3958_lanes * Lambda_0_11_p2451_lanes[2];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p3602_lanes = Lambda_0_11_p3102_lanes * Lambda_0_11_p1998_lanes[2];
+  const Lanes<8> Lambda_0_11_p4470_lanes = Lambda_0_11_p3970_lanes * Lambda_0_11_p2415_lanes[2];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p3606_lanes = Lambda_0_11_p3114_lanes * Lambda_0_11_p1875;
+  const Lanes<8> Lambda_0_11_p4474_lanes = Lambda_0_11_p3982_lanes * Lambda_0_11_p2331_lanes[2];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p3610_lanes = Lambda_0_11_p3126_lanes * Lambda_0_11_p1764_lanes[2];
+  const Lanes<8> Lambda_0_11_p4478_lanes = Lambda_0_11_p3994_lanes * Lambda_0_11_p1975_lanes[2];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p3614_lanes = Lambda_0_11_p3138_lanes * Lambda_0_11_p1650;
+  const Lanes<8> Lambda_0_11_p4482_lanes = Lambda_0_11_p4006_lanes * Lambda_0_11_p1885;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p3618_lanes = Lambda_0_11_p3150_lanes * Lambda_0_11_p1587_lanes[2];
+  const Lanes<8> Lambda_0_11_p4486_lanes = Lambda_0_11_p4018_lanes * Lambda_0_11_p1523_lanes[2];
 
   // link 13 (left_hand), force propagation
-  const Lanes Lambda_0_11_p3622_lanes = Lambda_0_11_p3163_lanes * Lambda_0_11_p1538;
+  const Lanes<8> Lambda_0_11_p4490_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p1400;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p3626_lanes = Lambda_0_11_p3622_lanes + Lambda_0_11_p3618_lanes;
+  const Lanes<8> Lambda_0_11_p4494_lanes = Lambda_0_11_p4490_lanes + Lambda_0_11_p4486_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p3630_lanes = Lambda_0_11_p3626_lanes + Lambda_0_11_p3614_lanes;
+  const Lanes<8> Lambda_0_11_p4498_lanes = Lambda_0_11_p4494_lanes + Lambda_0_11_p4482_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p3634_lanes = Lambda_0_11_p3630_lanes + Lambda_0_11_p3610_lanes;
+  const Lanes<8> Lambda_0_11_p4502_lanes = Lambda_0_11_p4498_lanes + Lambda_0_11_p4478_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p3638_lanes = Lambda_0_11_p3634_lanes + Lambda_0_11_p3606_lanes;
+  const Lanes<8> Lambda_0_11_p4506_lanes = Lambda_0_11_p4502_lanes + Lambda_0_11_p4474_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p3642_lanes = Lambda_0_11_p3638_lanes + Lambda_0_11_p3602_lanes;
+  const Lanes<8> Lambda_0_11_p4510_lanes = Lambda_0_11_p4506_lanes + Lambda_0_11_p4470_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p3646_lanes = Lambda_0_11_p3642_lanes + Lambda_0_11_p3598_lanes;
+  const Lanes<8> Lambda_0_11_p4514_lanes = Lambda_0_11_p4510_lanes + Lambda_0_11_p4466_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3650_lanes = Lambda_0_11_p3646_lanes + Lambda_0_11_p3594_lanes;
+  const Lanes<8> Lambda_0_11_p4518_lanes = Lambda_0_11_p4514_lanes + Lambda_0_11_p4462_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3654_lanes = detail::make_lanes<Real>(Lambda_0_11_p3650_lanes[2],
-      Lambda_0_11_p3650_lanes[2], Lambda_0_11_p3650_lanes[2], Lambda_0_11_p3650_lanes[3],
-      Lambda_0_11_p3650_lanes[4], Lambda_0_11_p3650_lanes[5], Lambda_0_11_p3077 *
-      Lambda_0_11_p2342_lanes[2], Lambda_0_11_p3076 * Lambda_0_11_p2342_lanes[2]) +
-      Lambda_0_11_p3588_lanes;
+  const Lanes<8> Lambda_0_11_p4522_lanes = detail::make_lanes<Real>(Lambda_0_11_p4518_lanes[2],
+      Lambda_0_11_p4518_lanes[2], Lambda_0_11_p4518_lanes[2], Lambda_0_11_p4518_lanes[3],
+      Lambda_0_11_p4518_lanes[4], Lambda_0_11_p4518_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3205,
+      Lambda_0_11_p3944 * Lambda_0_11_p3205) + Lambda_0_11_p4456_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3660_lanes = Lambda_0_11_p3654_lanes + Lambda_0_11_p3582_lanes;
+  const Lanes<8> Lambda_0_11_p4528_lanes = Lambda_0_11_p4522_lanes + Lambda_0_11_p4450_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3666_lanes = Lambda_0_11_p3660_lanes + Lambda_0_11_p3576_lanes;
+  const Lanes<8> Lambda_0_11_p4534_lanes = Lambda_0_11_p4528_lanes + Lambda_0_11_p4444_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3672_lanes = Lambda_0_11_p3666_lanes + Lambda_0_11_p3570_lanes;
+  const Lanes<8> Lambda_0_11_p4540_lanes = Lambda_0_11_p4534_lanes + Lambda_0_11_p4438_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p3678_lanes = Lambda_0_11_p3672_lanes + Lambda_0_11_p3564_lanes;
-  const Lanes Lambda_0_11_p3684_lanes = Lambda_0_11_p3678_lanes - Lambda_0_11_p3558_lanes;
-  const Lanes Lambda_0_11_p3690_lanes = Lambda_0_11_p3684_lanes - Lambda_0_11_p3552_lanes;
-  const Real Lambda_0_11_p3696 = 1.0 / Lambda_0_11_p3690_lanes[2];
-  const Lanes Lambda_0_11_p3697_lanes = Lambda_0_11_p3542_lanes * Lambda_0_11_p3696;
-  const Lanes Lambda_0_11_p3701_lanes = Lambda_0_11_p3697_lanes * Lambda_0_11_p3690_lanes[3];
-  const Lanes Lambda_0_11_p3705_lanes = Lambda_0_11_p3482_lanes * Lambda_0_11_p3474_lanes[3];
-  const Lanes Lambda_0_11_p3709_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p3249_lanes[3];
-  const Lanes Lambda_0_11_p3713_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p2924_lanes[3];
+  const Lanes<8> Lambda_0_11_p4546_lanes = Lambda_0_11_p4540_lanes + Lambda_0_11_p4432_lanes;
+  const Lanes<8> Lambda_0_11_p4552_lanes = Lambda_0_11_p4546_lanes - Lambda_0_11_p4426_lanes;
+  const Lanes<8> Lambda_0_11_p4558_lanes = Lambda_0_11_p4552_lanes - Lambda_0_11_p4420_lanes;
+  const Real Lambda_0_11_p4564 = 1.0 / Lambda_0_11_p4558_lanes[2];
+  const Lanes<8> Lambda_0_11_p4565_lanes = Lambda_0_11_p4410_lanes * Lambda_0_11_p4564;
+  const Lanes<8> Lambda_0_11_p4569_lanes = Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[3];
+  const Lanes<8> Lambda_0_11_p4573_lanes = Lambda_0_11_p4350_lanes * Lambda_0_11_p4342_lanes[3];
+  const Lanes<8> Lambda_0_11_p4577_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[3];
+  const Lanes<8> Lambda_0_11_p4581_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[3];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3717_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p2836_lanes[3];
+  const Lanes<8> Lambda_0_11_p4585_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[3];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3721_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p2716_lanes[3];
+  const Lanes<8> Lambda_0_11_p4589_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[3];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3725_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p2594;
+  const Lanes<8> Lambda_0_11_p4593_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3462;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3729_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p2492_lanes[3];
+  const Lanes<8> Lambda_0_11_p4597_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3733_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p2342_lanes[3];
+  const Lanes<8> Lambda_0_11_p4601_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3204;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3737_lanes = Lambda_0_11_p3733_lanes + Lambda_0_11_p3729_lanes;
+  const Lanes<8> Lambda_0_11_p4605_lanes = Lambda_0_11_p4601_lanes + Lambda_0_11_p4597_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3741_lanes = Lambda_0_11_p3737_lanes + Lambda_0_11_p3725_lanes;
+  const Lanes<8> Lambda_0_11_p4609_lanes = Lambda_0_11_p4605_lanes + Lambda_0_11_p4593_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3745_lanes = Lambda_0_11_p3741_lanes + Lambda_0_11_p3721_lanes;
+  const Lanes<8> Lambda_0_11_p4613_lanes = Lambda_0_11_p4609_lanes + Lambda_0_11_p4589_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3749_lanes = Lambda_0_11_p3745_lanes + Lambda_0_11_p3717_lanes;
+  const Lanes<8> Lambda_0_11_p4617_lanes = Lambda_0_11_p4613_lanes + Lambda_0_11_p4585_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p3753_lanes = Lambda_0_11_p3749_lanes + Lambda_0_11_p3713_lanes;
-  const Lanes Lambda_0_11_p3757_lanes = Lambda_0_11_p3753_lanes - Lambda_0_11_p3709_lanes;
-  const Lanes Lambda_0_11_p3761_lanes = Lambda_0_11_p3757_lanes - Lambda_0_11_p3705_lanes;
-  const Lanes Lambda_0_11_p3765_lanes = Lambda_0_11_p3761_lanes - Lambda_0_11_p3701_lanes;
-  const Lanes Lambda_0_11_p3769_lanes = Lambda_0_11_p3690_lanes * Lambda_0_11_p3696;
-  const Lanes Lambda_0_11_p3774_lanes = Lambda_0_11_p3769_lanes * Lambda_0_11_p3690_lanes[3];
-  const Lanes Lambda_0_11_p3779_lanes = Lambda_0_11_p3546_lanes * Lambda_0_11_p3474_lanes[3];
-  const Lanes Lambda_0_11_p3784_lanes = Lambda_0_11_p3314_lanes * Lambda_0_11_p3249_lanes[3];
-  const Lanes Lambda_0_11_p3789_lanes = Lambda_0_11_p2996_lanes * Lambda_0_11_p2924_lanes[3];
+  const Lanes<8> Lambda_0_11_p4621_lanes = Lambda_0_11_p4617_lanes + Lambda_0_11_p4581_lanes;
+  const Lanes<8> Lambda_0_11_p4625_lanes = Lambda_0_11_p4621_lanes - Lambda_0_11_p4577_lanes;
+  const Lanes<8> Lambda_0_11_p4629_lanes = Lambda_0_11_p4625_lanes - Lambda_0_11_p4573_lanes;
+  const Lanes<8> Lambda_0_11_p4633_lanes = Lambda_0_11_p4629_lanes - Lambda_0_11_p4569_lanes;
+  const Lanes<8> Lambda_0_11_p4637_lanes = Lambda_0_11_p4558_lanes * Lambda_0_11_p4564;
+  const Lanes<8> Lambda_0_11_p4642_lanes = Lambda_0_11_p4637_lanes * Lambda_0_11_p4558_lanes[3];
+  const Lanes<8> Lambda_0_11_p4647_lanes = Lambda_0_11_p4414_lanes * Lambda_0_11_p4342_lanes[3];
+  const Lanes<8> Lambda_0_11_p4652_lanes = Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[3];
+  const Lanes<8> Lambda_0_11_p4657_lanes = Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[3];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3794_lanes = Lambda_0_11_p3012_lanes * Lambda_0_11_p2836_lanes[3];
+  const Lanes<8> Lambda_0_11_p4662_lanes = Lambda_0_11_p3880_lanes * Lambda_0_11_p3704_lanes[3];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3799_lanes = Lambda_0_11_p3028_lanes * Lambda_0_11_p2716_lanes[3];
+  const Lanes<8> Lambda_0_11_p4667_lanes = Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[3];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3804_lanes = Lambda_0_11_p3044_lanes * Lambda_0_11_p2594;
+  const Lanes<8> Lambda_0_11_p4672_lanes = Lambda_0_11_p3912_lanes * Lambda_0_11_p3462;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3809_lanes = Lambda_0_11_p3060_lanes * Lambda_0_11_p2492_lanes[3];
+  const Lanes<8> Lambda_0_11_p4677_lanes = Lambda_0_11_p3928_lanes * Lambda_0_11_p3360_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3814_lanes = Lambda_0_11_p3078_lanes * Lambda_0_11_p2342_lanes[3];
+  const Lanes<8> Lambda_0_11_p4682_lanes = Lambda_0_11_p3946_lanes * Lambda_0_11_p3204;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p3817_lanes = Lambda_0_11_p3090_lanes * Lambda_0_11_p2035_lanes[3];
+  const Lanes<8> Lambda_0_11_p4685_lanes = Lambda_0_11_p3958_lanes * Lambda_0_11_p2451_lanes[3];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p3820_lanes = Lambda_0_11_p3102_lanes * Lambda_0_11_p1998_lanes[3];
+  const Lanes<8> Lambda_0_11_p4688_lanes = Lambda_0_11_p3970_lanes * Lambda_0_11_p2415_lanes[3];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p3823_lanes = Lambda_0_11_p3114_lanes * Lambda_0_11_p1874;
+  const Lanes<8> Lambda_0_11_p4691_lanes = Lambda_0_11_p3982_lanes * Lambda_0_11_p2331_lanes[3];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p3826_lanes = Lambda_0_11_p3126_lanes * Lambda_0_11_p1764_lanes[3];
+  const Lanes<8> Lambda_0_11_p4694_lanes = Lambda_0_11_p3994_lanes * Lambda_0_11_p1975_lanes[3];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p3829_lanes = Lambda_0_11_p3138_lanes * Lambda_0_11_p1649;
+  const Lanes<8> Lambda_0_11_p4697_lanes = Lambda_0_11_p4006_lanes * Lambda_0_11_p1769;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p3832_lanes = Lambda_0_11_p3150_lanes * Lambda_0_11_p1587_lanes[3];
+  const Lanes<8> Lambda_0_11_p4700_lanes = Lambda_0_11_p4018_lanes * Lambda_0_11_p1523_lanes[3];
 
   // link 13 (left_hand), force propagation
-  const Lanes Lambda_0_11_p3835_lanes = Lambda_0_11_p3163_lanes * Lambda_0_11_p1522_lanes[0];
+  const Lanes<8> Lambda_0_11_p4703_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p1483_lanes[0];
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p3838_lanes = Lambda_0_11_p3835_lanes + Lambda_0_11_p3832_lanes;
+  const Lanes<8> Lambda_0_11_p4706_lanes = Lambda_0_11_p4703_lanes + Lambda_0_11_p4700_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p3841_lanes = Lambda_0_11_p3838_lanes + Lambda_0_11_p3829_lanes;
+  const Lanes<8> Lambda_0_11_p4709_lanes = Lambda_0_11_p4706_lanes + Lambda_0_11_p4697_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p3844_lanes = Lambda_0_11_p3841_lanes + Lambda_0_11_p3826_lanes;
+  const Lanes<8> Lambda_0_11_p4712_lanes = Lambda_0_11_p4709_lanes + Lambda_0_11_p4694_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p3847_lanes = Lambda_0_11_p3844_lanes + Lambda_0_11_p3823_lanes;
+  const Lanes<8> Lambda_0_11_p4715_lanes = Lambda_0_11_p4712_lanes + Lambda_0_11_p4691_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p3850_lanes = Lambda_0_11_p3847_lanes + Lambda_0_11_p3820_lanes;
+  const Lanes<8> Lambda_0_11_p4718_lanes = Lambda_0_11_p4715_lanes + Lambda_0_11_p4688_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p3853_lanes = Lambda_0_11_p3850_lanes + Lambda_0_11_p3817_lanes;
+  const Lanes<8> Lambda_0_11_p4721_lanes = Lambda_0_11_p4718_lanes + Lambda_0_11_p4685_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3856_lanes = Lambda_0_11_p3853_lanes + Lambda_0_11_p3814_lanes;
+  const Lanes<8> Lambda_0_11_p4724_lanes = Lambda_0_11_p4721_lanes + Lambda_0_11_p4682_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3859_lanes = detail::make_lanes<Real>(Lambda_0_11_p3856_lanes[3],
-      Lambda_0_11_p3856_lanes[3], Lambda_0_11_p3856_lanes[3], Lambda_0_11_p3856_lanes[3],
-      Lambda_0_11_p3856_lanes[4], Lambda_0_11_p3856_lanes[5], Lambda_0_11_p3077 *
-      Lambda_0_11_p2342_lanes[3], Lambda_0_11_p3076 * Lambda_0_11_p2342_lanes[3]) +
-      Lambda_0_11_p3809_lanes;
+  const Lanes<8> Lambda_0_11_p4727_lanes = detail::make_lanes<Real>(Lambda_0_11_p4724_lanes[3],
+      Lambda_0_11_p4724_lanes[3], Lambda_0_11_p4724_lanes[3], Lambda_0_11_p4724_lanes[3],
+      Lambda_0_11_p4724_lanes[4], Lambda_0_11_p4724_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3204,
+      Lambda_0_11_p3944 * Lambda_0_11_p3204) + Lambda_0_11_p4677_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3864_lanes = Lambda_0_11_p3859_lanes + Lambda_0_11_p3804_lanes;
+  const Lanes<8> Lambda_0_11_p4732_lanes = Lambda_0_11_p4727_lanes + Lambda_0_11_p4672_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3869_lanes = Lambda_0_11_p3864_lanes + Lambda_0_11_p3799_lanes;
+  const Lanes<8> Lambda_0_11_p4737_lanes = Lambda_0_11_p4732_lanes + Lambda_0_11_p4667_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3874_lanes = Lambda_0_11_p3869_lanes + Lambda_0_11_p3794_lanes;
+  const Lanes<8> Lambda_0_11_p4742_lanes = Lambda_0_11_p4737_lanes + Lambda_0_11_p4662_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p3879_lanes = Lambda_0_11_p3874_lanes + Lambda_0_11_p3789_lanes;
-  const Lanes Lambda_0_11_p3884_lanes = Lambda_0_11_p3879_lanes - Lambda_0_11_p3784_lanes;
-  const Lanes Lambda_0_11_p3889_lanes = Lambda_0_11_p3884_lanes - Lambda_0_11_p3779_lanes;
-  const Lanes Lambda_0_11_p3894_lanes = Lambda_0_11_p3889_lanes - Lambda_0_11_p3774_lanes;
-  const Real Lambda_0_11_p3899 = 1.0 / Lambda_0_11_p3894_lanes[3];
-  const Lanes Lambda_0_11_p3900_lanes = Lambda_0_11_p3765_lanes * Lambda_0_11_p3899;
-  const Lanes Lambda_0_11_p3904_lanes = Lambda_0_11_p3900_lanes * Lambda_0_11_p3894_lanes[4];
-  const Lanes Lambda_0_11_p3908_lanes = Lambda_0_11_p3697_lanes * Lambda_0_11_p3690_lanes[4];
-  const Lanes Lambda_0_11_p3912_lanes = Lambda_0_11_p3482_lanes * Lambda_0_11_p3474_lanes[4];
-  const Lanes Lambda_0_11_p3916_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p3249_lanes[4];
-  const Lanes Lambda_0_11_p3920_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p2924_lanes[4];
+  const Lanes<8> Lambda_0_11_p4747_lanes = Lambda_0_11_p4742_lanes + Lambda_0_11_p4657_lanes;
+  const Lanes<8> Lambda_0_11_p4752_lanes = Lambda_0_11_p4747_lanes - Lambda_0_11_p4652_lanes;
+  const Lanes<8> Lambda_0_11_p4757_lanes = Lambda_0_11_p4752_lanes - Lambda_0_11_p4647_lanes;
+  const Lanes<8> Lambda_0_11_p4762_lanes = Lambda_0_11_p4757_lanes - Lambda_0_11_p4642_lanes;
+  const Real Lambda_0_11_p4767 = 1.0 / Lambda_0_11_p4762_lanes[3];
+  const Lanes<8> Lambda_0_11_p4768_lanes = Lambda_0_11_p4633_lanes * Lambda_0_11_p4767;
+  const Lanes<8> Lambda_0_11_p4772_lanes = Lambda_0_11_p4768_lanes * Lambda_0_11_p4762_lanes[4];
+  const Lanes<8> Lambda_0_11_p4776_lanes = Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[4];
+  const Lanes<8> Lambda_0_11_p4780_lanes = Lambda_0_11_p4350_lanes * Lambda_0_11_p4342_lanes[4];
+  const Lanes<8> Lambda_0_11_p4784_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[4];
+  const Lanes<8> Lambda_0_11_p4788_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[4];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3924_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p2836_lanes[4];
+  const Lanes<8> Lambda_0_11_p4792_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[4];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3928_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p2716_lanes[4];
+  const Lanes<8> Lambda_0_11_p4796_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[4];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3932_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p2591;
+  const Lanes<8> Lambda_0_11_p4800_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3459;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3936_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p2492_lanes[4];
+  const Lanes<8> Lambda_0_11_p4804_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[4];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p3940_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p2342_lanes[4];
+  const Lanes<8> Lambda_0_11_p4808_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3203;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p3944_lanes = Lambda_0_11_p3940_lanes + Lambda_0_11_p3936_lanes;
+  const Lanes<8> Lambda_0_11_p4812_lanes = Lambda_0_11_p4808_lanes + Lambda_0_11_p4804_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p3948_lanes = Lambda_0_11_p3944_lanes + Lambda_0_11_p3932_lanes;
+  const Lanes<8> Lambda_0_11_p4816_lanes = Lambda_0_11_p4812_lanes + Lambda_0_11_p4800_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p3952_lanes = Lambda_0_11_p3948_lanes + Lambda_0_11_p3928_lanes;
+  const Lanes<8> Lambda_0_11_p4820_lanes = Lambda_0_11_p4816_lanes + Lambda_0_11_p4796_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p3956_lanes = Lambda_0_11_p3952_lanes + Lambda_0_11_p3924_lanes;
+  const Lanes<8> Lambda_0_11_p4824_lanes = Lambda_0_11_p4820_lanes + Lambda_0_11_p4792_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p3960_lanes = Lambda_0_11_p3956_lanes + Lambda_0_11_p3920_lanes;
-  const Lanes Lambda_0_11_p3964_lanes = Lambda_0_11_p3960_lanes - Lambda_0_11_p3916_lanes;
-  const Lanes Lambda_0_11_p3968_lanes = Lambda_0_11_p3964_lanes - Lambda_0_11_p3912_lanes;
-  const Lanes Lambda_0_11_p3972_lanes = Lambda_0_11_p3968_lanes - Lambda_0_11_p3908_lanes;
-  const Lanes Lambda_0_11_p3976_lanes = Lambda_0_11_p3972_lanes - Lambda_0_11_p3904_lanes;
-  const Lanes Lambda_0_11_p3980_lanes = Lambda_0_11_p3894_lanes * Lambda_0_11_p3899;
-  const Lanes Lambda_0_11_p3984_lanes = Lambda_0_11_p3980_lanes * Lambda_0_11_p3894_lanes[4];
-  const Lanes Lambda_0_11_p3988_lanes = Lambda_0_11_p3769_lanes * Lambda_0_11_p3690_lanes[4];
-  const Lanes Lambda_0_11_p3992_lanes = Lambda_0_11_p3546_lanes * Lambda_0_11_p3474_lanes[4];
-  const Lanes Lambda_0_11_p3996_lanes = Lambda_0_11_p3314_lanes * Lambda_0_11_p3249_lanes[4];
-  const Lanes Lambda_0_11_p4000_lanes = Lambda_0_11_p2996_lanes * Lambda_0_11_p2924_lanes[4];
+  const Lanes<8> Lambda_0_11_p4828_lanes = Lambda_0_11_p4824_lanes + Lambda_0_11_p4788_lanes;
+  const Lanes<8> Lambda_0_11_p4832_lanes = Lambda_0_11_p4828_lanes - Lambda_0_11_p4784_lanes;
+  const Lanes<8> Lambda_0_11_p4836_lanes = Lambda_0_11_p4832_lanes - Lambda_0_11_p4780_lanes;
+  const Lanes<8> Lambda_0_11_p4840_lanes = Lambda_0_11_p4836_lanes - Lambda_0_11_p4776_lanes;
+  const Lanes<8> Lambda_0_11_p4844_lanes = Lambda_0_11_p4840_lanes - Lambda_0_11_p4772_lanes;
+  const Lanes<8> Lambda_0_11_p4848_lanes = Lambda_0_11_p4762_lanes * Lambda_0_11_p4767;
+  const Lanes<8> Lambda_0_11_p4852_lanes = Lambda_0_11_p4848_lanes * Lambda_0_11_p4762_lanes[4];
+  const Lanes<8> Lambda_0_11_p4856_lanes = Lambda_0_11_p4637_lanes * Lambda_0_11_p4558_lanes[4];
+  const Lanes<8> Lambda_0_11_p4860_lanes = Lambda_0_11_p4414_lanes * Lambda_0_11_p4342_lanes[4];
+  const Lanes<8> Lambda_0_11_p4864_lanes = Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[4];
+  const Lanes<8> Lambda_0_11_p4868_lanes = Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[4];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4004_lanes = Lambda_0_11_p3012_lanes * Lambda_0_11_p2836_lanes[4];
+  const Lanes<8> Lambda_0_11_p4872_lanes = Lambda_0_11_p3880_lanes * Lambda_0_11_p3704_lanes[4];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4008_lanes = Lambda_0_11_p3028_lanes * Lambda_0_11_p2716_lanes[4];
+  const Lanes<8> Lambda_0_11_p4876_lanes = Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[4];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4012_lanes = Lambda_0_11_p3044_lanes * Lambda_0_11_p2591;
+  const Lanes<8> Lambda_0_11_p4880_lanes = Lambda_0_11_p3912_lanes * Lambda_0_11_p3459;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4016_lanes = Lambda_0_11_p3060_lanes * Lambda_0_11_p2492_lanes[4];
-
-  // link 13 (left_hand), force propagation
-  const Lanes Lambda_0_11_p4020_lanes = Lambda_0_11_p3163_lanes * Lambda_0_11_p1522_lanes[1];
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_0_11_p4022_lanes = Lambda_0_11_p4020_lanes +
-      detail::make_lanes<Real>(Lambda_0_11_p3150_lanes[4] * Lambda_0_11_p1587_lanes[4],
-      Lambda_0_11_p3150_lanes[4] * Lambda_0_11_p1587_lanes[4], Lambda_0_11_p3150_lanes[4] *
-      Lambda_0_11_p1587_lanes[4], Lambda_0_11_p3150_lanes[4] * Lambda_0_11_p1587_lanes[4],
-      Lambda_0_11_p3150_lanes[4] * Lambda_0_11_p1587_lanes[4], Lambda_0_11_p3150_lanes[5] *
-      Lambda_0_11_p1587_lanes[4], Lambda_0_11_p3150_lanes[4] * Lambda_0_11_p1587_lanes[4],
-      Lambda_0_11_p3150_lanes[4] * Lambda_0_11_p1587_lanes[4]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_0_11_p4024_lanes = Lambda_0_11_p4022_lanes +
-      detail::make_lanes<Real>(Lambda_0_11_p3138_lanes[4] * Lambda_0_11_p1648,
-      Lambda_0_11_p3138_lanes[4] * Lambda_0_11_p1648, Lambda_0_11_p3138_lanes[4] *
-      Lambda_0_11_p1648, Lambda_0_11_p3138_lanes[4] * Lambda_0_11_p1648,
-      Lambda_0_11_p3138_lanes[4] * Lambda_0_11_p1648, Lambda_0_11_p3138_lanes[5] *
-      Lambda_0_11_p1648, Lambda_0_11_p3138_lanes[4] * Lambda_0_11_p1648,
-      Lambda_0_11_p3138_lanes[4] * Lambda_0_11_p1648);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4026_lanes = Lambda_0_11_p4024_lanes +
-      detail::make_lanes<Real>(Lambda_0_11_p3126_lanes[4] * Lambda_0_11_p1764_lanes[4],
-      Lambda_0_11_p3126_lanes[4] * Lambda_0_11_p1764_lanes[4], Lambda_0_11_p3126_lanes[4] *
-      Lambda_0_11_p1764_lanes[4], Lambda_0_11_p3126_lanes[4] * Lambda_0_11_p1764_lanes[4],
-      Lambda_0_11_p3126_lanes[4] * Lambda_0_11_p1764_lanes[4], Lambda_0_11_p3126_lanes[5] *
-      Lambda_0_11_p1764_lanes[4], Lambda_0_11_p3126_lanes[4] * Lambda_0_11_p1764_lanes[4],
-      Lambda_0_11_p3126_lanes[4] * Lambda_0_11_p1764_lanes[4]);
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_0_11_p4028_lanes = Lambda_0_11_p4026_lanes +
-      detail::make_lanes<Real>(Lambda_0_11_p3114_lanes[4] * Lambda_0_11_p1873,
-      Lambda_0_11_p3114_lanes[4] * Lambda_0_11_p1873, Lambda_0_11_p3114_lanes[4] *
-      Lambda_0_11_p1873, Lambda_0_11_p3114_lanes[4] * Lambda_0_11_p1873,
-      Lambda_0_11_p3114_lanes[4] * Lambda_0_11_p1873, Lambda_0_11_p3114_lanes[5] *
-      Lambda_0_11_p1873, Lambda_0_11_p3114_lanes[4] * Lambda_0_11_p1873,
-      Lambda_0_11_p3114_lanes[4] * Lambda_0_11_p1873);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4030_lanes = Lambda_0_11_p4028_lanes +
-      detail::make_lanes<Real>(Lambda_0_11_p3102_lanes[4] * Lambda_0_11_p1998_lanes[4],
-      Lambda_0_11_p3102_lanes[4] * Lambda_0_11_p1998_lanes[4], Lambda_0_11_p3102_lanes[4] *
-      Lambda_0_11_p1998_lanes[4], Lambda_0_11_p3102_lanes[4] * Lambda_0_11_p1998_lanes[4],
-      Lambda_0_11_p3102_lanes[4] * Lambda_0_11_p1998_lanes[4], Lambda_0_11_p3102_lanes[5] *
-      Lambda_0_11_p1998_lanes[4], Lambda_0_11_p3102_lanes[4] * Lambda_0_11_p1998_lanes[4],
-      Lambda_0_11_p3102_lanes[4] * Lambda_0_11_p1998_lanes[4]);
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4032_lanes = Lambda_0_11_p4030_lanes +
-      detail::make_lanes<Real>(Lambda_0_11_p3090_lanes[4] * Lambda_0_11_p2035_lanes[4],
-      Lambda_0_11_p3090_lanes[4] * Lambda_0_11_p2035_lanes[4], Lambda_0_11_p3090_lanes[4] *
-      Lambda_0_11_p2035_lanes[4], Lambda_0_11_p3090_lanes[4] * Lambda_0_11_p2035_lanes[4],
-      Lambda_0_11_p3090_lanes[4] * Lambda_0_11_p2035_lanes[4], Lambda_0_11_p3090_lanes[5] *
-      Lambda_0_11_p2035_lanes[4], Lambda_0_11_p3090_lanes[4] * Lambda_0_11_p2035_lanes[4],
-      Lambda_0_11_p3090_lanes[4] * Lambda_0_11_p2035_lanes[4]);
-
-  // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4034_lanes = Lambda_0_11_p4032_lanes +
-      detail::make_lanes<Real>(Lambda_0_11_p3078_lanes[4] * Lambda_0_11_p2342_lanes[4],
-      Lambda_0_11_p3078_lanes[4] * Lambda_0_11_p2342_lanes[4], Lambda_0_11_p3078_lanes[4] *
-      Lambda_0_11_p2342_lanes[4], Lambda_0_11_p3078_lanes[4] * Lambda_0_11_p2342_lanes[4],
-      Lambda_0_11_p3078_lanes[4] * Lambda_0_11_p2342_lanes[4], Lambda_0_11_p3078_lanes[5] *
-      Lambda_0_11_p2342_lanes[4], Lambda_0_11_p3078_lanes[4] * Lambda_0_11_p2342_lanes[4],
-      Lambda_0_11_p3078_lanes[4] * Lambda_0_11_p2342_lanes[4]);
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4036_lanes = detail::make_lanes<Real>(Lambda_0_11_p4034_lanes[4],
-      Lambda_0_11_p4034_lanes[4], Lambda_0_11_p4034_lanes[4], Lambda_0_11_p4034_lanes[4],
-      Lambda_0_11_p4034_lanes[4], Lambda_0_11_p4034_lanes[5], Lambda_0_11_p3077 *
-      Lambda_0_11_p2342_lanes[4], Lambda_0_11_p3076 * Lambda_0_11_p2342_lanes[4]) +
-      Lambda_0_11_p4016_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4040_lanes = Lambda_0_11_p4036_lanes + Lambda_0_11_p4012_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4044_lanes = Lambda_0_11_p4040_lanes + Lambda_0_11_p4008_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4048_lanes = Lambda_0_11_p4044_lanes + Lambda_0_11_p4004_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p4052_lanes = Lambda_0_11_p4048_lanes + Lambda_0_11_p4000_lanes;
-  const Lanes Lambda_0_11_p4056_lanes = Lambda_0_11_p4052_lanes - Lambda_0_11_p3996_lanes;
-  const Lanes Lambda_0_11_p4060_lanes = Lambda_0_11_p4056_lanes - Lambda_0_11_p3992_lanes;
-  const Lanes Lambda_0_11_p4064_lanes = Lambda_0_11_p4060_lanes - Lambda_0_11_p3988_lanes;
-  const Lanes Lambda_0_11_p4068_lanes = Lambda_0_11_p4064_lanes - Lambda_0_11_p3984_lanes;
-  const Real Lambda_0_11_p4072 = 1.0 / Lambda_0_11_p4068_lanes[4];
-  const Lanes Lambda_0_11_p4073_lanes = Lambda_0_11_p3976_lanes * Lambda_0_11_p4072;
-  const Lanes Lambda_0_11_p4077_lanes = Lambda_0_11_p4073_lanes * Lambda_0_11_p4068_lanes[5];
-  const Lanes Lambda_0_11_p4081_lanes = Lambda_0_11_p3900_lanes * Lambda_0_11_p3894_lanes[5];
-  const Lanes Lambda_0_11_p4085_lanes = Lambda_0_11_p3697_lanes * Lambda_0_11_p3690_lanes[5];
-  const Lanes Lambda_0_11_p4089_lanes = Lambda_0_11_p3482_lanes * Lambda_0_11_p3474_lanes[5];
-  const Lanes Lambda_0_11_p4093_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p3249_lanes[5];
-  const Lanes Lambda_0_11_p4097_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p2924_lanes[5];
-
-  // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4101_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p2836_lanes[5];
-
-  // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4105_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p2716_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4109_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p2588;
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4113_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p2492_lanes[5];
-
-  // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4117_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p2342_lanes[5];
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4121_lanes = Lambda_0_11_p4117_lanes + Lambda_0_11_p4113_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4125_lanes = Lambda_0_11_p4121_lanes + Lambda_0_11_p4109_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4129_lanes = Lambda_0_11_p4125_lanes + Lambda_0_11_p4105_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4133_lanes = Lambda_0_11_p4129_lanes + Lambda_0_11_p4101_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p4137_lanes = Lambda_0_11_p4133_lanes + Lambda_0_11_p4097_lanes;
-  const Lanes Lambda_0_11_p4141_lanes = Lambda_0_11_p4137_lanes - Lambda_0_11_p4093_lanes;
-  const Lanes Lambda_0_11_p4145_lanes = Lambda_0_11_p4141_lanes - Lambda_0_11_p4089_lanes;
-  const Lanes Lambda_0_11_p4149_lanes = Lambda_0_11_p4145_lanes - Lambda_0_11_p4085_lanes;
-  const Lanes Lambda_0_11_p4153_lanes = Lambda_0_11_p4149_lanes - Lambda_0_11_p4081_lanes;
-  const Lanes Lambda_0_11_p4157_lanes = Lambda_0_11_p4153_lanes - Lambda_0_11_p4077_lanes;
-  const Lanes Lambda_0_11_p4161_lanes = Lambda_0_11_p4068_lanes * Lambda_0_11_p4072;
-  const Lanes Lambda_0_11_p4164_lanes = Lambda_0_11_p4161_lanes * Lambda_0_11_p4068_lanes[5];
-  const Lanes Lambda_0_11_p4167_lanes = Lambda_0_11_p3980_lanes * Lambda_0_11_p3894_lanes[5];
-  const Lanes Lambda_0_11_p4170_lanes = Lambda_0_11_p3769_lanes * Lambda_0_11_p3690_lanes[5];
-  const Lanes Lambda_0_11_p4173_lanes = Lambda_0_11_p3546_lanes * Lambda_0_11_p3474_lanes[5];
-  const Lanes Lambda_0_11_p4176_lanes = Lambda_0_11_p3314_lanes * Lambda_0_11_p3249_lanes[5];
-  const Lanes Lambda_0_11_p4179_lanes = Lambda_0_11_p2996_lanes * Lambda_0_11_p2924_lanes[5];
-
-  // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4182_lanes = Lambda_0_11_p3012_lanes * Lambda_0_11_p2836_lanes[5];
-
-  // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4185_lanes = Lambda_0_11_p3028_lanes * Lambda_0_11_p2716_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4188_lanes = Lambda_0_11_p3044_lanes * Lambda_0_11_p2588;
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4191_lanes = Lambda_0_11_p3060_lanes * Lambda_0_11_p2492_lanes[5];
-
-  // link 9 (left_upperarm), force propagation
-  const Real Lambda_0_11_p4194 = Lambda_0_11_p3163_lanes[5] * Lambda_0_11_p1522_lanes[2] +
-      Lambda_0_11_p3150_lanes[5] * Lambda_0_11_p1587_lanes[5] + Lambda_0_11_p3138_lanes[5] *
-      Lambda_0_11_p1647 + Lambda_0_11_p3126_lanes[5] * Lambda_0_11_p1764_lanes[5] +
-      Lambda_0_11_p3114_lanes[5] * Lambda_0_11_p1872;
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4195_lanes = detail::make_lanes<Real>(Lambda_0_11_p4194 +
-      Lambda_0_11_p3102_lanes[5] * Lambda_0_11_p1998_lanes[5] + Lambda_0_11_p3090_lanes[5] *
-      Lambda_0_11_p2035_lanes[5] + Lambda_0_11_p3078_lanes[5] * Lambda_0_11_p2342_lanes[5],
-      Lambda_0_11_p4194 + Lambda_0_11_p3102_lanes[5] * Lambda_0_11_p1998_lanes[5] +
-      Lambda_0_11_p3090_lanes[5] * Lambda_0_11_p2035_lanes[5] + Lambda_0_11_p3078_lanes[5] *
-      Lambda_0_11_p2342_lanes[5], Lambda_0_11_p4194 + Lambda_0_11_p3102_lanes[5] *
-      Lambda_0_11_p1998_lanes[5] + Lambda_0_11_p3090_lanes[5] * Lambda_0_11_p2035_lanes[5] +
-      Lambda_0_11_p3078_lanes[5] * Lambda_0_11_p2342_lanes[5], Lambda_0_11_p4194 +
-      Lambda_0_11_p3102_lanes[5] * Lambda_0_11_p1998_lanes[5] + Lambda_0_11_p3090_lanes[5] *
-      Lambda_0_11_p2035_lanes[5] + Lambda_0_11_p3078_lanes[5] * Lambda_0_11_p2342_lanes[5],
-      Lambda_0_11_p4194 + Lambda_0_11_p3102_lanes[5] * Lambda_0_11_p1998_lanes[5] +
-      Lambda_0_11_p3090_lanes[5] * Lambda_0_11_p2035_lanes[5] + Lambda_0_11_p3078_lanes[5] *
-      Lambda_0_11_p2342_lanes[5], Lambda_0_11_p4194 + Lambda_0_11_p3102_lanes[5] *
-      Lambda_0_11_p1998_lanes[5] + Lambda_0_11_p3090_lanes[5] * Lambda_0_11_p2035_lanes[5] +
-      Lambda_0_11_p3078_lanes[5] * Lambda_0_11_p2342_lanes[5], Lambda_0_11_p3077 *
-      Lambda_0_11_p2342_lanes[5], Lambda_0_11_p3076 * Lambda_0_11_p2342_lanes[5]) +
-      Lambda_0_11_p4191_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4198_lanes = Lambda_0_11_p4195_lanes + Lambda_0_11_p4188_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4201_lanes = Lambda_0_11_p4198_lanes + Lambda_0_11_p4185_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4204_lanes = Lambda_0_11_p4201_lanes + Lambda_0_11_p4182_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p4207_lanes = Lambda_0_11_p4204_lanes + Lambda_0_11_p4179_lanes;
-  const Lanes Lambda_0_11_p4210_lanes = Lambda_0_11_p4207_lanes - Lambda_0_11_p4176_lanes;
-  const Lanes Lambda_0_11_p4213_lanes = Lambda_0_11_p4210_lanes - Lambda_0_11_p4173_lanes;
-  const Lanes Lambda_0_11_p4216_lanes = Lambda_0_11_p4213_lanes - Lambda_0_11_p4170_lanes;
-  const Lanes Lambda_0_11_p4219_lanes = Lambda_0_11_p4216_lanes - Lambda_0_11_p4167_lanes;
-  const Lanes Lambda_0_11_p4222_lanes = Lambda_0_11_p4219_lanes - Lambda_0_11_p4164_lanes;
-  const Real Lambda_0_11_p4225 = 1.0 / Lambda_0_11_p4222_lanes[5];
-  const Lanes Lambda_0_11_p4226_lanes = Lambda_0_11_p4157_lanes * Lambda_0_11_p4225;
-  const Lanes Lambda_0_11_p4230_lanes = Lambda_0_11_p4226_lanes * Lambda_0_11_p4222_lanes[6];
-  const Lanes Lambda_0_11_p4234_lanes = Lambda_0_11_p4073_lanes * Lambda_0_11_p4068_lanes[6];
-  const Lanes Lambda_0_11_p4238_lanes = Lambda_0_11_p3900_lanes * Lambda_0_11_p3894_lanes[6];
-  const Lanes Lambda_0_11_p4242_lanes = Lambda_0_11_p3697_lanes * Lambda_0_11_p3690_lanes[6];
-  const Lanes Lambda_0_11_p4246_lanes = Lambda_0_11_p3482_lanes * Lambda_0_11_p3474_lanes[6];
-  const Lanes Lambda_0_11_p4250_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p3249_lanes[6];
-  const Lanes Lambda_0_11_p4254_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p2924_lanes[6];
-
-  // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4258_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p2836_lanes[6];
-
-  // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4262_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p2716_lanes[6];
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4266_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p2585;
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4270_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p2492_lanes[6];
-
-  // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4274_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p2342_lanes[6];
+  const Lanes<8> Lambda_0_11_p4884_lanes = Lambda_0_11_p3928_lanes * Lambda_0_11_p3360_lanes[4];
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4278_lanes = Lambda_0_11_p1014_lanes * inverse_D14;
-  const Lanes Lambda_0_11_p4282_lanes = Lambda_0_11_p4278_lanes * Lambda_0_11_p1479;
+  const Lanes<8> Lambda_0_11_p4888_lanes = Lambda_0_11_p2169_lanes * inverse_D7_lanes[1];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_0_11_p4892_lanes = detail::make_lanes<Real>(Lambda_0_11_p3958_lanes[5],
+      Lambda_0_11_p4888_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p2451_lanes[4],
+      Lambda_0_11_p2169_lanes[2]);
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4286_lanes = Lambda_0_11_p921_lanes * inverse_D15;
-  const Lanes Lambda_0_11_p4290_lanes = Lambda_0_11_p4286_lanes * Lambda_0_11_p1476;
+  const Lanes<8> Lambda_0_11_p4894_lanes = Lambda_0_11_p1832_lanes * inverse_D8_lanes[1];
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<2> Lambda_0_11_p4898_lanes = detail::make_lanes<Real>(Lambda_0_11_p3970_lanes[5],
+      Lambda_0_11_p4894_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p2415_lanes[4],
+      Lambda_0_11_p1832_lanes[2]);
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p4294_lanes = Lambda_0_11_p840_lanes * inverse_D16;
-  const Lanes Lambda_0_11_p4298_lanes = Lambda_0_11_p4294_lanes * Lambda_0_11_p1470;
+  const Lanes<8> Lambda_0_11_p4900_lanes = Lambda_0_11_p1651_lanes * inverse_D9_lanes[1];
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> Lambda_0_11_p4904_lanes = detail::make_lanes<Real>(Lambda_0_11_p3982_lanes[5],
+      Lambda_0_11_p4900_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p2331_lanes[4],
+      Lambda_0_11_p1651_lanes[2]);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4302_lanes = Lambda_0_11_p760_lanes * inverse_D17;
-  const Lanes Lambda_0_11_p4306_lanes = Lambda_0_11_p4302_lanes * Lambda_0_11_p1464;
+  const Lanes<8> Lambda_0_11_p4906_lanes = Lambda_0_11_p1571_lanes * inverse_D10_lanes[1];
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_0_11_p4910_lanes = detail::make_lanes<Real>(Lambda_0_11_p3994_lanes[5],
+      Lambda_0_11_p4906_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p1975_lanes[4],
+      Lambda_0_11_p1571_lanes[2]);
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p4310_lanes = detail::make_lanes<Real>(Lambda_0_11_p689, Lambda_0_11_p688,
-      Lambda_0_11_p687, Lambda_0_11_p686, Lambda_0_11_p689, Lambda_0_11_p689, Lambda_0_11_p689,
-      Lambda_0_11_p689) * inverse_D18;
-  const Lanes Lambda_0_11_p4314_lanes = Lambda_0_11_p4310_lanes * Lambda_0_11_p1458;
+  const Lanes<8> Lambda_0_11_p4912_lanes = detail::make_lanes<Real>(Lambda_0_11_p1431,
+      Lambda_0_11_p1430, Lambda_0_11_p1429, Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431,
+      Lambda_0_11_p1431, Lambda_0_11_p1431) * inverse_D11_lanes[1];
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_0_11_p4916_lanes = detail::make_lanes<Real>(Lambda_0_11_p4006_lanes[5],
+      Lambda_0_11_p4912_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p1764, Lambda_0_11_p1429);
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p4318_lanes = Lambda_0_11_p637_lanes * inverse_D19;
-  const Lanes Lambda_0_11_p4322_lanes = Lambda_0_11_p4318_lanes * Lambda_0_11_p1455;
+  const Lanes<8> Lambda_0_11_p4918_lanes = Lambda_0_11_p1365_lanes * inverse_D12_lanes[1];
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p4922_lanes = detail::make_lanes<Real>(Lambda_0_11_p4018_lanes[5],
+      Lambda_0_11_p4918_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[4],
+      Lambda_0_11_p1365_lanes[2]);
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_0_11_p4924_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p1483_lanes[1];
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p4926_lanes = detail::make_lanes<Real>(Lambda_0_11_p4018_lanes[4],
+      Lambda_0_11_p4918_lanes[2]) * detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[4],
+      Lambda_0_11_p1365_lanes[2]);
+  const Lanes<8> Lambda_0_11_p4928_lanes = Lambda_0_11_p4924_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4926_lanes[0], Lambda_0_11_p4926_lanes[0],
+      Lambda_0_11_p4926_lanes[0], Lambda_0_11_p4926_lanes[0], Lambda_0_11_p4926_lanes[0],
+      Lambda_0_11_p4922_lanes[0], Lambda_0_11_p4926_lanes[0], Lambda_0_11_p4926_lanes[0]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_0_11_p4930_lanes = detail::make_lanes<Real>(Lambda_0_11_p4006_lanes[4],
+      Lambda_0_11_p4912_lanes[2]) * detail::make_lanes<Real>(Lambda_0_11_p1764, Lambda_0_11_p1429);
+  const Lanes<8> Lambda_0_11_p4932_lanes = Lambda_0_11_p4928_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4930_lanes[0], Lambda_0_11_p4930_lanes[0],
+      Lambda_0_11_p4930_lanes[0], Lambda_0_11_p4930_lanes[0], Lambda_0_11_p4930_lanes[0],
+      Lambda_0_11_p4916_lanes[0], Lambda_0_11_p4930_lanes[0], Lambda_0_11_p4930_lanes[0]);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_0_11_p4934_lanes = detail::make_lanes<Real>(Lambda_0_11_p3994_lanes[4],
+      Lambda_0_11_p4906_lanes[2]) * detail::make_lanes<Real>(Lambda_0_11_p1975_lanes[4],
+      Lambda_0_11_p1571_lanes[2]);
+  const Lanes<8> Lambda_0_11_p4936_lanes = Lambda_0_11_p4932_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4934_lanes[0], Lambda_0_11_p4934_lanes[0],
+      Lambda_0_11_p4934_lanes[0], Lambda_0_11_p4934_lanes[0], Lambda_0_11_p4934_lanes[0],
+      Lambda_0_11_p4910_lanes[0], Lambda_0_11_p4934_lanes[0], Lambda_0_11_p4934_lanes[0]);
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> Lambda_0_11_p4938_lanes = detail::make_lanes<Real>(Lambda_0_11_p3982_lanes[4],
+      Lambda_0_11_p4900_lanes[2]) * detail::make_lanes<Real>(Lambda_0_11_p2331_lanes[4],
+      Lambda_0_11_p1651_lanes[2]);
+  const Lanes<8> Lambda_0_11_p4940_lanes = Lambda_0_11_p4936_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4938_lanes[0], Lambda_0_11_p4938_lanes[0],
+      Lambda_0_11_p4938_lanes[0], Lambda_0_11_p4938_lanes[0], Lambda_0_11_p4938_lanes[0],
+      Lambda_0_11_p4904_lanes[0], Lambda_0_11_p4938_lanes[0], Lambda_0_11_p4938_lanes[0]);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<2> Lambda_0_11_p4942_lanes = detail::make_lanes<Real>(Lambda_0_11_p3970_lanes[4],
+      Lambda_0_11_p4894_lanes[2]) * detail::make_lanes<Real>(Lambda_0_11_p2415_lanes[4],
+      Lambda_0_11_p1832_lanes[2]);
+  const Lanes<8> Lambda_0_11_p4944_lanes = Lambda_0_11_p4940_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4942_lanes[0], Lambda_0_11_p4942_lanes[0],
+      Lambda_0_11_p4942_lanes[0], Lambda_0_11_p4942_lanes[0], Lambda_0_11_p4942_lanes[0],
+      Lambda_0_11_p4898_lanes[0], Lambda_0_11_p4942_lanes[0], Lambda_0_11_p4942_lanes[0]);
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_0_11_p4946_lanes = detail::make_lanes<Real>(Lambda_0_11_p3958_lanes[4],
+      Lambda_0_11_p4888_lanes[2]) * detail::make_lanes<Real>(Lambda_0_11_p2451_lanes[4],
+      Lambda_0_11_p2169_lanes[2]);
+  const Lanes<8> Lambda_0_11_p4948_lanes = Lambda_0_11_p4944_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4946_lanes[0], Lambda_0_11_p4946_lanes[0],
+      Lambda_0_11_p4946_lanes[0], Lambda_0_11_p4946_lanes[0], Lambda_0_11_p4946_lanes[0],
+      Lambda_0_11_p4892_lanes[0], Lambda_0_11_p4946_lanes[0], Lambda_0_11_p4946_lanes[0]);
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p4950_lanes = Lambda_0_11_p4948_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203,
+      Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203, Lambda_0_11_p3946_lanes[4] *
+      Lambda_0_11_p3203, Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203,
+      Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203, Lambda_0_11_p3946_lanes[5] *
+      Lambda_0_11_p3203, Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203,
+      Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p4952_lanes = detail::make_lanes<Real>(Lambda_0_11_p4950_lanes[4],
+      Lambda_0_11_p4950_lanes[4], Lambda_0_11_p4950_lanes[4], Lambda_0_11_p4950_lanes[4],
+      Lambda_0_11_p4950_lanes[4], Lambda_0_11_p4950_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3203,
+      Lambda_0_11_p3944 * Lambda_0_11_p3203) + Lambda_0_11_p4884_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p4956_lanes = Lambda_0_11_p4952_lanes + Lambda_0_11_p4880_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4960_lanes = Lambda_0_11_p4956_lanes + Lambda_0_11_p4876_lanes;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_0_11_p4964_lanes = Lambda_0_11_p4960_lanes + Lambda_0_11_p4872_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p4968_lanes = Lambda_0_11_p4964_lanes + Lambda_0_11_p4868_lanes;
+  const Lanes<8> Lambda_0_11_p4972_lanes = Lambda_0_11_p4968_lanes - Lambda_0_11_p4864_lanes;
+  const Lanes<8> Lambda_0_11_p4976_lanes = Lambda_0_11_p4972_lanes - Lambda_0_11_p4860_lanes;
+  const Lanes<8> Lambda_0_11_p4980_lanes = Lambda_0_11_p4976_lanes - Lambda_0_11_p4856_lanes;
+  const Lanes<8> Lambda_0_11_p4984_lanes = Lambda_0_11_p4980_lanes - Lambda_0_11_p4852_lanes;
+  const Real Lambda_0_11_p4988 = 1.0 / Lambda_0_11_p4984_lanes[4];
+  const Lanes<8> Lambda_0_11_p4989_lanes = Lambda_0_11_p4844_lanes * Lambda_0_11_p4988;
+  const Lanes<8> Lambda_0_11_p4993_lanes = Lambda_0_11_p4989_lanes * Lambda_0_11_p4984_lanes[5];
+  const Lanes<8> Lambda_0_11_p4997_lanes = Lambda_0_11_p4768_lanes * Lambda_0_11_p4762_lanes[5];
+  const Lanes<8> Lambda_0_11_p5001_lanes = Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[5];
+  const Lanes<8> Lambda_0_11_p5005_lanes = Lambda_0_11_p4350_lanes * Lambda_0_11_p4342_lanes[5];
+  const Lanes<8> Lambda_0_11_p5009_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[5];
+  const Lanes<8> Lambda_0_11_p5013_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[5];
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_0_11_p5017_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[5];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5021_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[5];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p5025_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3456;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p5029_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[5];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p5033_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3202;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p5037_lanes = Lambda_0_11_p5033_lanes + Lambda_0_11_p5029_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p5041_lanes = Lambda_0_11_p5037_lanes + Lambda_0_11_p5025_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5045_lanes = Lambda_0_11_p5041_lanes + Lambda_0_11_p5021_lanes;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_0_11_p5049_lanes = Lambda_0_11_p5045_lanes + Lambda_0_11_p5017_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p5053_lanes = Lambda_0_11_p5049_lanes + Lambda_0_11_p5013_lanes;
+  const Lanes<8> Lambda_0_11_p5057_lanes = Lambda_0_11_p5053_lanes - Lambda_0_11_p5009_lanes;
+  const Lanes<8> Lambda_0_11_p5061_lanes = Lambda_0_11_p5057_lanes - Lambda_0_11_p5005_lanes;
+  const Lanes<8> Lambda_0_11_p5065_lanes = Lambda_0_11_p5061_lanes - Lambda_0_11_p5001_lanes;
+  const Lanes<8> Lambda_0_11_p5069_lanes = Lambda_0_11_p5065_lanes - Lambda_0_11_p4997_lanes;
+  const Lanes<8> Lambda_0_11_p5073_lanes = Lambda_0_11_p5069_lanes - Lambda_0_11_p4993_lanes;
+  const Lanes<8> Lambda_0_11_p5077_lanes = Lambda_0_11_p4984_lanes * Lambda_0_11_p4988;
+  const Lanes<8> Lambda_0_11_p5080_lanes = Lambda_0_11_p5077_lanes * Lambda_0_11_p4984_lanes[5];
+  const Lanes<8> Lambda_0_11_p5083_lanes = Lambda_0_11_p4848_lanes * Lambda_0_11_p4762_lanes[5];
+  const Lanes<8> Lambda_0_11_p5086_lanes = Lambda_0_11_p4637_lanes * Lambda_0_11_p4558_lanes[5];
+  const Lanes<8> Lambda_0_11_p5089_lanes = Lambda_0_11_p4414_lanes * Lambda_0_11_p4342_lanes[5];
+  const Lanes<8> Lambda_0_11_p5092_lanes = Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[5];
+  const Lanes<8> Lambda_0_11_p5095_lanes = Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[5];
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_0_11_p5098_lanes = Lambda_0_11_p3880_lanes * Lambda_0_11_p3704_lanes[5];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5101_lanes = Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[5];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p5104_lanes = Lambda_0_11_p3912_lanes * Lambda_0_11_p3456;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p5107_lanes = Lambda_0_11_p3928_lanes * Lambda_0_11_p3360_lanes[5];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_0_11_p5110_lanes = detail::make_lanes<Real>(Lambda_0_11_p3958_lanes[5],
+      Lambda_0_11_p4888_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p2451_lanes[5],
+      Lambda_0_11_p2169_lanes[3]);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<2> Lambda_0_11_p5111_lanes = detail::make_lanes<Real>(Lambda_0_11_p3970_lanes[5],
+      Lambda_0_11_p4894_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p2415_lanes[5],
+      Lambda_0_11_p1832_lanes[3]);
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> Lambda_0_11_p5112_lanes = detail::make_lanes<Real>(Lambda_0_11_p3982_lanes[5],
+      Lambda_0_11_p4900_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p2331_lanes[5],
+      Lambda_0_11_p1651_lanes[3]);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_0_11_p5113_lanes = detail::make_lanes<Real>(Lambda_0_11_p3994_lanes[5],
+      Lambda_0_11_p4906_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p1975_lanes[5],
+      Lambda_0_11_p1571_lanes[3]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_0_11_p5114_lanes = detail::make_lanes<Real>(Lambda_0_11_p4006_lanes[5],
+      Lambda_0_11_p4912_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p1710, Lambda_0_11_p1428);
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p5115_lanes = detail::make_lanes<Real>(Lambda_0_11_p4018_lanes[5],
+      Lambda_0_11_p4918_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p1523_lanes[5],
+      Lambda_0_11_p1365_lanes[3]);
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_0_11_p5116_lanes = 1065.380700001509 *
+      detail::make_lanes<Real>(Lambda_0_11_p1324, Lambda_0_11_p1277, Lambda_0_11_p1257,
+      Lambda_0_11_p1237, Lambda_0_11_p1324, Lambda_0_11_p1324, Lambda_0_11_p1324,
+      Lambda_0_11_p1324);
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_0_11_p5119_lanes = detail::make_lanes<Real>(Lambda_0_11_p4031_lanes[5],
+      Lambda_0_11_p5116_lanes[3]) * detail::make_lanes<Real>(Lambda_0_11_p1483_lanes[2],
+      Lambda_0_11_p1237);
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_0_11_p5120_lanes = Lambda_0_11_p5119_lanes + Lambda_0_11_p5115_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_0_11_p5121_lanes = Lambda_0_11_p5120_lanes + Lambda_0_11_p5114_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_0_11_p5122_lanes = Lambda_0_11_p5121_lanes + Lambda_0_11_p5113_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> Lambda_0_11_p5123_lanes = Lambda_0_11_p5122_lanes + Lambda_0_11_p5112_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<2> Lambda_0_11_p5124_lanes = Lambda_0_11_p5123_lanes + Lambda_0_11_p5111_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_0_11_p5125_lanes = Lambda_0_11_p5124_lanes + Lambda_0_11_p5110_lanes;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p5126_lanes = detail::make_lanes<Real>(Lambda_0_11_p5125_lanes[0] +
+      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
+      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
+      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
+      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
+      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
+      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p3945 * Lambda_0_11_p3202,
+      Lambda_0_11_p3944 * Lambda_0_11_p3202) + Lambda_0_11_p5107_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p5129_lanes = Lambda_0_11_p5126_lanes + Lambda_0_11_p5104_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5132_lanes = Lambda_0_11_p5129_lanes + Lambda_0_11_p5101_lanes;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_0_11_p5135_lanes = Lambda_0_11_p5132_lanes + Lambda_0_11_p5098_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p5138_lanes = Lambda_0_11_p5135_lanes + Lambda_0_11_p5095_lanes;
+  const Lanes<8> Lambda_0_11_p5141_lanes = Lambda_0_11_p5138_lanes - Lambda_0_11_p5092_lanes;
+  const Lanes<8> Lambda_0_11_p5144_lanes = Lambda_0_11_p5141_lanes - Lambda_0_11_p5089_lanes;
+  const Lanes<8> Lambda_0_11_p5147_lanes = Lambda_0_11_p5144_lanes - Lambda_0_11_p5086_lanes;
+  const Lanes<8> Lambda_0_11_p5150_lanes = Lambda_0_11_p5147_lanes - Lambda_0_11_p5083_lanes;
+  const Lanes<8> Lambda_0_11_p5153_lanes = Lambda_0_11_p5150_lanes - Lambda_0_11_p5080_lanes;
+  const Real Lambda_0_11_p5156 = 1.0 / Lambda_0_11_p5153_lanes[5];
+  const Lanes<8> Lambda_0_11_p5157_lanes = Lambda_0_11_p5073_lanes * Lambda_0_11_p5156;
+  const Lanes<8> Lambda_0_11_p5161_lanes = Lambda_0_11_p5157_lanes * Lambda_0_11_p5153_lanes[6];
+  const Lanes<8> Lambda_0_11_p5165_lanes = Lambda_0_11_p4989_lanes * Lambda_0_11_p4984_lanes[6];
+  const Lanes<8> Lambda_0_11_p5169_lanes = Lambda_0_11_p4768_lanes * Lambda_0_11_p4762_lanes[6];
+  const Lanes<8> Lambda_0_11_p5173_lanes = Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[6];
+  const Lanes<8> Lambda_0_11_p5177_lanes = Lambda_0_11_p4350_lanes * Lambda_0_11_p4342_lanes[6];
+  const Lanes<8> Lambda_0_11_p5181_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[6];
+  const Lanes<8> Lambda_0_11_p5185_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[6];
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_0_11_p5189_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[6];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5193_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[6];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p5197_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3453;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p5201_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[6];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p5205_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3201;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p5209_lanes = Lambda_0_11_p4888_lanes * Lambda_0_11_p2222;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p5213_lanes = Lambda_0_11_p4894_lanes * Lambda_0_11_p2219;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p5217_lanes = Lambda_0_11_p4900_lanes * Lambda_0_11_p2213;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p5221_lanes = Lambda_0_11_p4906_lanes * Lambda_0_11_p2207;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p5225_lanes = Lambda_0_11_p4912_lanes * Lambda_0_11_p2204;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p5229_lanes = Lambda_0_11_p4918_lanes * Lambda_0_11_p1936;
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_0_11_p4326 = 0.086 * Lambda_0_11_p616;
+  const Real Lambda_0_11_p5233 = 0.086 * Lambda_0_11_p1344;
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p4327_lanes = 1065.380700001509 *
-      detail::make_lanes<Real>(Lambda_0_11_p604, Lambda_0_11_p590, Lambda_0_11_p574,
-      Lambda_0_11_p560, Lambda_0_11_p604, Lambda_0_11_p604, Lambda_0_11_p604, Lambda_0_11_p604);
-  const Lanes Lambda_0_11_p4331_lanes = Lambda_0_11_p4327_lanes * Lambda_0_11_p4326;
+  const Lanes<8> Lambda_0_11_p5234_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p5233;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p4335_lanes = Lambda_0_11_p4331_lanes + Lambda_0_11_p4322_lanes;
+  const Lanes<8> Lambda_0_11_p5238_lanes = Lambda_0_11_p5234_lanes + Lambda_0_11_p5229_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p4339_lanes = Lambda_0_11_p4335_lanes + Lambda_0_11_p4314_lanes;
+  const Lanes<8> Lambda_0_11_p5242_lanes = Lambda_0_11_p5238_lanes + Lambda_0_11_p5225_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4343_lanes = Lambda_0_11_p4339_lanes + Lambda_0_11_p4306_lanes;
+  const Lanes<8> Lambda_0_11_p5246_lanes = Lambda_0_11_p5242_lanes + Lambda_0_11_p5221_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p4347_lanes = Lambda_0_11_p4343_lanes + Lambda_0_11_p4298_lanes;
+  const Lanes<8> Lambda_0_11_p5250_lanes = Lambda_0_11_p5246_lanes + Lambda_0_11_p5217_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4351_lanes = Lambda_0_11_p4347_lanes + Lambda_0_11_p4290_lanes;
+  const Lanes<8> Lambda_0_11_p5254_lanes = Lambda_0_11_p5250_lanes + Lambda_0_11_p5213_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4355_lanes = Lambda_0_11_p4351_lanes + Lambda_0_11_p4282_lanes;
+  const Lanes<8> Lambda_0_11_p5258_lanes = Lambda_0_11_p5254_lanes + Lambda_0_11_p5209_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4359_lanes = Lambda_0_11_p4355_lanes + Lambda_0_11_p4274_lanes;
+  const Lanes<8> Lambda_0_11_p5262_lanes = Lambda_0_11_p5258_lanes + Lambda_0_11_p5205_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4363_lanes = Lambda_0_11_p4359_lanes + Lambda_0_11_p4270_lanes;
+  const Lanes<8> Lambda_0_11_p5266_lanes = Lambda_0_11_p5262_lanes + Lambda_0_11_p5201_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4367_lanes = Lambda_0_11_p4363_lanes + Lambda_0_11_p4266_lanes;
+  const Lanes<8> Lambda_0_11_p5270_lanes = Lambda_0_11_p5266_lanes + Lambda_0_11_p5197_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4371_lanes = Lambda_0_11_p4367_lanes + Lambda_0_11_p4262_lanes;
+  const Lanes<8> Lambda_0_11_p5274_lanes = Lambda_0_11_p5270_lanes + Lambda_0_11_p5193_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4375_lanes = Lambda_0_11_p4371_lanes + Lambda_0_11_p4258_lanes;
+  const Lanes<8> Lambda_0_11_p5278_lanes = Lambda_0_11_p5274_lanes + Lambda_0_11_p5189_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p4379_lanes = Lambda_0_11_p4375_lanes + Lambda_0_11_p4254_lanes;
-  const Lanes Lambda_0_11_p4383_lanes = Lambda_0_11_p4379_lanes - Lambda_0_11_p4250_lanes;
-  const Lanes Lambda_0_11_p4387_lanes = Lambda_0_11_p4383_lanes - Lambda_0_11_p4246_lanes;
-  const Lanes Lambda_0_11_p4391_lanes = Lambda_0_11_p4387_lanes - Lambda_0_11_p4242_lanes;
-  const Lanes Lambda_0_11_p4395_lanes = Lambda_0_11_p4391_lanes - Lambda_0_11_p4238_lanes;
-  const Lanes Lambda_0_11_p4399_lanes = Lambda_0_11_p4395_lanes - Lambda_0_11_p4234_lanes;
-  const Lanes Lambda_0_11_p4403_lanes = Lambda_0_11_p4399_lanes - Lambda_0_11_p4230_lanes;
-  const Real Lambda_0_11_p4407 = Lambda_0_11_p4222_lanes[6] * Lambda_0_11_p4225;
+  const Lanes<8> Lambda_0_11_p5282_lanes = Lambda_0_11_p5278_lanes + Lambda_0_11_p5185_lanes;
+  const Lanes<8> Lambda_0_11_p5286_lanes = Lambda_0_11_p5282_lanes - Lambda_0_11_p5181_lanes;
+  const Lanes<8> Lambda_0_11_p5290_lanes = Lambda_0_11_p5286_lanes - Lambda_0_11_p5177_lanes;
+  const Lanes<8> Lambda_0_11_p5294_lanes = Lambda_0_11_p5290_lanes - Lambda_0_11_p5173_lanes;
+  const Lanes<8> Lambda_0_11_p5298_lanes = Lambda_0_11_p5294_lanes - Lambda_0_11_p5169_lanes;
+  const Lanes<8> Lambda_0_11_p5302_lanes = Lambda_0_11_p5298_lanes - Lambda_0_11_p5165_lanes;
+  const Lanes<8> Lambda_0_11_p5306_lanes = Lambda_0_11_p5302_lanes - Lambda_0_11_p5161_lanes;
+  const Real Lambda_0_11_p5310 = Lambda_0_11_p5153_lanes[6] * Lambda_0_11_p5156;
 
   // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p4408 = 91.62274020012977 * Lambda_0_11_p616 * Lambda_0_11_p4326 +
-      Lambda_0_11_p1455 * inverse_D19 * Lambda_0_11_p1455 + Lambda_0_11_p1458 * inverse_D18 *
-      Lambda_0_11_p1458;
+  const Real Lambda_0_11_p5311 = 91.62274020012977 * Lambda_0_11_p1344 * Lambda_0_11_p5233 +
+      Lambda_0_11_p1936 * inverse_D12_lanes[1] * Lambda_0_11_p1936 + Lambda_0_11_p2204 *
+      inverse_D11_lanes[1] * Lambda_0_11_p2204;
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p4409 = Lambda_0_11_p4408 + Lambda_0_11_p1464 * inverse_D17 *
-      Lambda_0_11_p1464 + Lambda_0_11_p1470 * inverse_D16 * Lambda_0_11_p1470 + Lambda_0_11_p1476 *
-      inverse_D15 * Lambda_0_11_p1476;
+  const Real Lambda_0_11_p5312 = Lambda_0_11_p5311 + Lambda_0_11_p2207 * inverse_D10_lanes[1] *
+      Lambda_0_11_p2207 + Lambda_0_11_p2213 * inverse_D9_lanes[1] * Lambda_0_11_p2213 +
+      Lambda_0_11_p2219 * inverse_D8_lanes[1] * Lambda_0_11_p2219;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p4410 = Lambda_0_11_p4409 + Lambda_0_11_p1479 * inverse_D14 *
-      Lambda_0_11_p1479 + Lambda_0_11_p3077 * Lambda_0_11_p2342_lanes[6] +
-      Lambda_0_11_p3060_lanes[6] * Lambda_0_11_p2492_lanes[6] + Lambda_0_11_p3044_lanes[6] *
-      Lambda_0_11_p2585;
+  const Real Lambda_0_11_p5313 = Lambda_0_11_p5312 + Lambda_0_11_p2222 * inverse_D7_lanes[1] *
+      Lambda_0_11_p2222 + Lambda_0_11_p3945 * Lambda_0_11_p3201 + Lambda_0_11_p3928_lanes[6] *
+      Lambda_0_11_p3360_lanes[6] + Lambda_0_11_p3912_lanes[6] * Lambda_0_11_p3453;
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_11_p4411 = Lambda_0_11_p4410 + Lambda_0_11_p3028_lanes[6] *
-      Lambda_0_11_p2716_lanes[6] + Lambda_0_11_p3012_lanes[6] * Lambda_0_11_p2836_lanes[6] +
-      Lambda_0_11_p2996_lanes[6] * Lambda_0_11_p2924_lanes[6] - Lambda_0_11_p3314_lanes[6] *
-      Lambda_0_11_p3249_lanes[6];
-  const Real Lambda_0_11_p4412 = Lambda_0_11_p4411 - Lambda_0_11_p3546_lanes[6] *
-      Lambda_0_11_p3474_lanes[6] - Lambda_0_11_p3769_lanes[6] * Lambda_0_11_p3690_lanes[6] -
-      Lambda_0_11_p3980_lanes[6] * Lambda_0_11_p3894_lanes[6] - Lambda_0_11_p4161_lanes[6] *
-      Lambda_0_11_p4068_lanes[6];
-  const Real Lambda_0_11_p4413 = 1.0 / (Lambda_0_11_p4412 - Lambda_0_11_p4407 *
-      Lambda_0_11_p4222_lanes[6]);
-  const Lanes Lambda_0_11_p4414_lanes = Lambda_0_11_p4403_lanes * Lambda_0_11_p4413;
-  const Real Lambda_0_11_p4418 = Lambda_0_11_p4222_lanes[7] * Lambda_0_11_p4225;
+  const Real Lambda_0_11_p5314 = Lambda_0_11_p5313 + Lambda_0_11_p3896_lanes[6] *
+      Lambda_0_11_p3584_lanes[6] + Lambda_0_11_p3880_lanes[6] * Lambda_0_11_p3704_lanes[6] +
+      Lambda_0_11_p3864_lanes[6] * Lambda_0_11_p3792_lanes[6] - Lambda_0_11_p4182_lanes[6] *
+      Lambda_0_11_p4117_lanes[6];
+  const Real Lambda_0_11_p5315 = Lambda_0_11_p5314 - Lambda_0_11_p4414_lanes[6] *
+      Lambda_0_11_p4342_lanes[6] - Lambda_0_11_p4637_lanes[6] * Lambda_0_11_p4558_lanes[6] -
+      Lambda_0_11_p4848_lanes[6] * Lambda_0_11_p4762_lanes[6] - Lambda_0_11_p5077_lanes[6] *
+      Lambda_0_11_p4984_lanes[6];
+  const Real Lambda_0_11_p5316 = 1.0 / (Lambda_0_11_p5315 - Lambda_0_11_p5310 *
+      Lambda_0_11_p5153_lanes[6]);
+  const Lanes<8> Lambda_0_11_p5317_lanes = Lambda_0_11_p5306_lanes * Lambda_0_11_p5316;
+  const Real Lambda_0_11_p5321 = Lambda_0_11_p5153_lanes[7] * Lambda_0_11_p5156;
 
   // link 14 (right_shoulder1), force propagation
-  const Real Lambda_0_11_p4419 = Lambda_0_11_p1450 * inverse_D14;
+  const Real Lambda_0_11_p5322 = Lambda_0_11_p2201 * inverse_D7_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p4420 = Lambda_0_11_p1447 * inverse_D15;
+  const Real Lambda_0_11_p5323 = Lambda_0_11_p2198 * inverse_D8_lanes[1];
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p4421 = Lambda_0_11_p1441 * inverse_D16;
+  const Real Lambda_0_11_p5324 = Lambda_0_11_p2192 * inverse_D9_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p4422 = Lambda_0_11_p1435 * inverse_D17;
+  const Real Lambda_0_11_p5325 = Lambda_0_11_p2186 * inverse_D10_lanes[1];
 
   // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p4423 = Lambda_0_11_p1429 * inverse_D18;
+  const Real Lambda_0_11_p5326 = Lambda_0_11_p2183 * inverse_D11_lanes[1];
 
   // link 19 (right_wrist2), force propagation
-  const Real Lambda_0_11_p4424 = Lambda_0_11_p1426 * inverse_D19;
+  const Real Lambda_0_11_p5327 = Lambda_0_11_p1918 * inverse_D12_lanes[1];
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_0_11_p4425 = 91.62274020012977 * Lambda_0_11_p615;
+  const Real Lambda_0_11_p5328 = 91.62274020012977 * Lambda_0_11_p1339;
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p4426 = Lambda_0_11_p4425 * Lambda_0_11_p4326 + Lambda_0_11_p4424 *
-      Lambda_0_11_p1455 + Lambda_0_11_p4423 * Lambda_0_11_p1458 + Lambda_0_11_p4422 *
-      Lambda_0_11_p1464 + Lambda_0_11_p4421 * Lambda_0_11_p1470;
+  const Real Lambda_0_11_p5329 = Lambda_0_11_p5328 * Lambda_0_11_p5233 + Lambda_0_11_p5327 *
+      Lambda_0_11_p1936 + Lambda_0_11_p5326 * Lambda_0_11_p2204 + Lambda_0_11_p5325 *
+      Lambda_0_11_p2207 + Lambda_0_11_p5324 * Lambda_0_11_p2213;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p4427 = Lambda_0_11_p4426 + Lambda_0_11_p4420 * Lambda_0_11_p1476 +
-      Lambda_0_11_p4419 * Lambda_0_11_p1479 + Lambda_0_11_p3076 * Lambda_0_11_p2342_lanes[6] +
-      Lambda_0_11_p3060_lanes[7] * Lambda_0_11_p2492_lanes[6];
+  const Real Lambda_0_11_p5330 = Lambda_0_11_p5329 + Lambda_0_11_p5323 * Lambda_0_11_p2219 +
+      Lambda_0_11_p5322 * Lambda_0_11_p2222 + Lambda_0_11_p3944 * Lambda_0_11_p3201 +
+      Lambda_0_11_p3928_lanes[7] * Lambda_0_11_p3360_lanes[6];
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_11_p4428 = Lambda_0_11_p4427 + Lambda_0_11_p3044_lanes[7] *
-      Lambda_0_11_p2585 + Lambda_0_11_p3028_lanes[7] * Lambda_0_11_p2716_lanes[6] +
-      Lambda_0_11_p3012_lanes[7] * Lambda_0_11_p2836_lanes[6] + Lambda_0_11_p2996_lanes[7] *
-      Lambda_0_11_p2924_lanes[6];
-  const Real Lambda_0_11_p4429 = Lambda_0_11_p4428 - Lambda_0_11_p3314_lanes[7] *
-      Lambda_0_11_p3249_lanes[6] - Lambda_0_11_p3546_lanes[7] * Lambda_0_11_p3474_lanes[6] -
-      Lambda_0_11_p3769_lanes[7] * Lambda_0_11_p3690_lanes[6] - Lambda_0_11_p3980_lanes[7] *
-      Lambda_0_11_p3894_lanes[6];
-  const Real Lambda_0_11_p4430 = Lambda_0_11_p4429 - Lambda_0_11_p4161_lanes[7] *
-      Lambda_0_11_p4068_lanes[6] - Lambda_0_11_p4418 * Lambda_0_11_p4222_lanes[6];
-  const Lanes Lambda_0_11_p4431_lanes = Lambda_0_11_p4414_lanes * Lambda_0_11_p4430;
-  const Lanes Lambda_0_11_p4435_lanes = Lambda_0_11_p4226_lanes * Lambda_0_11_p4222_lanes[7];
-  const Lanes Lambda_0_11_p4439_lanes = Lambda_0_11_p4073_lanes * Lambda_0_11_p4068_lanes[7];
-  const Lanes Lambda_0_11_p4443_lanes = Lambda_0_11_p3900_lanes * Lambda_0_11_p3894_lanes[7];
-  const Lanes Lambda_0_11_p4447_lanes = Lambda_0_11_p3697_lanes * Lambda_0_11_p3690_lanes[7];
-  const Lanes Lambda_0_11_p4451_lanes = Lambda_0_11_p3482_lanes * Lambda_0_11_p3474_lanes[7];
-  const Lanes Lambda_0_11_p4455_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p3249_lanes[7];
-  const Lanes Lambda_0_11_p4459_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p2924_lanes[7];
+  const Real Lambda_0_11_p5331 = Lambda_0_11_p5330 + Lambda_0_11_p3912_lanes[7] *
+      Lambda_0_11_p3453 + Lambda_0_11_p3896_lanes[7] * Lambda_0_11_p3584_lanes[6] +
+      Lambda_0_11_p3880_lanes[7] * Lambda_0_11_p3704_lanes[6] + Lambda_0_11_p3864_lanes[7] *
+      Lambda_0_11_p3792_lanes[6];
+  const Real Lambda_0_11_p5332 = Lambda_0_11_p5331 - Lambda_0_11_p4182_lanes[7] *
+      Lambda_0_11_p4117_lanes[6] - Lambda_0_11_p4414_lanes[7] * Lambda_0_11_p4342_lanes[6] -
+      Lambda_0_11_p4637_lanes[7] * Lambda_0_11_p4558_lanes[6] - Lambda_0_11_p4848_lanes[7] *
+      Lambda_0_11_p4762_lanes[6];
+  const Real Lambda_0_11_p5333 = Lambda_0_11_p5332 - Lambda_0_11_p5077_lanes[7] *
+      Lambda_0_11_p4984_lanes[6] - Lambda_0_11_p5321 * Lambda_0_11_p5153_lanes[6];
+  const Lanes<8> Lambda_0_11_p5334_lanes = Lambda_0_11_p5317_lanes * Lambda_0_11_p5333;
+  const Lanes<8> Lambda_0_11_p5338_lanes = Lambda_0_11_p5157_lanes * Lambda_0_11_p5153_lanes[7];
+  const Lanes<8> Lambda_0_11_p5342_lanes = Lambda_0_11_p4989_lanes * Lambda_0_11_p4984_lanes[7];
+  const Lanes<8> Lambda_0_11_p5346_lanes = Lambda_0_11_p4768_lanes * Lambda_0_11_p4762_lanes[7];
+  const Lanes<8> Lambda_0_11_p5350_lanes = Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[7];
+  const Lanes<8> Lambda_0_11_p5354_lanes = Lambda_0_11_p4350_lanes * Lambda_0_11_p4342_lanes[7];
+  const Lanes<8> Lambda_0_11_p5358_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[7];
+  const Lanes<8> Lambda_0_11_p5362_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[7];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4463_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p2836_lanes[7];
+  const Lanes<8> Lambda_0_11_p5366_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[7];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4467_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p2716_lanes[7];
+  const Lanes<8> Lambda_0_11_p5370_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[7];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4471_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p2582;
+  const Lanes<8> Lambda_0_11_p5374_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3450;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4475_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p2492_lanes[7];
+  const Lanes<8> Lambda_0_11_p5378_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[7];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4479_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p2342_lanes[7];
+  const Lanes<8> Lambda_0_11_p5382_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3186;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4483_lanes = Lambda_0_11_p4278_lanes * Lambda_0_11_p1450;
+  const Lanes<8> Lambda_0_11_p5386_lanes = Lambda_0_11_p4888_lanes * Lambda_0_11_p2201;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4487_lanes = Lambda_0_11_p4286_lanes * Lambda_0_11_p1447;
+  const Lanes<8> Lambda_0_11_p5390_lanes = Lambda_0_11_p4894_lanes * Lambda_0_11_p2198;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p4491_lanes = Lambda_0_11_p4294_lanes * Lambda_0_11_p1441;
+  const Lanes<8> Lambda_0_11_p5394_lanes = Lambda_0_11_p4900_lanes * Lambda_0_11_p2192;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4495_lanes = Lambda_0_11_p4302_lanes * Lambda_0_11_p1435;
+  const Lanes<8> Lambda_0_11_p5398_lanes = Lambda_0_11_p4906_lanes * Lambda_0_11_p2186;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p4499_lanes = Lambda_0_11_p4310_lanes * Lambda_0_11_p1429;
+  const Lanes<8> Lambda_0_11_p5402_lanes = Lambda_0_11_p4912_lanes * Lambda_0_11_p2183;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p4503_lanes = Lambda_0_11_p4318_lanes * Lambda_0_11_p1426;
+  const Lanes<8> Lambda_0_11_p5406_lanes = Lambda_0_11_p4918_lanes * Lambda_0_11_p1918;
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_0_11_p4507 = 0.086 * Lambda_0_11_p615;
+  const Real Lambda_0_11_p5410 = 0.086 * Lambda_0_11_p1339;
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p4508_lanes = Lambda_0_11_p4327_lanes * Lambda_0_11_p4507;
+  const Lanes<8> Lambda_0_11_p5411_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p5410;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p4512_lanes = Lambda_0_11_p4508_lanes + Lambda_0_11_p4503_lanes;
+  const Lanes<8> Lambda_0_11_p5415_lanes = Lambda_0_11_p5411_lanes + Lambda_0_11_p5406_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p4516_lanes = Lambda_0_11_p4512_lanes + Lambda_0_11_p4499_lanes;
+  const Lanes<8> Lambda_0_11_p5419_lanes = Lambda_0_11_p5415_lanes + Lambda_0_11_p5402_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4520_lanes = Lambda_0_11_p4516_lanes + Lambda_0_11_p4495_lanes;
+  const Lanes<8> Lambda_0_11_p5423_lanes = Lambda_0_11_p5419_lanes + Lambda_0_11_p5398_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p4524_lanes = Lambda_0_11_p4520_lanes + Lambda_0_11_p4491_lanes;
+  const Lanes<8> Lambda_0_11_p5427_lanes = Lambda_0_11_p5423_lanes + Lambda_0_11_p5394_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4528_lanes = Lambda_0_11_p4524_lanes + Lambda_0_11_p4487_lanes;
+  const Lanes<8> Lambda_0_11_p5431_lanes = Lambda_0_11_p5427_lanes + Lambda_0_11_p5390_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4532_lanes = Lambda_0_11_p4528_lanes + Lambda_0_11_p4483_lanes;
+  const Lanes<8> Lambda_0_11_p5435_lanes = Lambda_0_11_p5431_lanes + Lambda_0_11_p5386_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4536_lanes = Lambda_0_11_p4532_lanes + Lambda_0_11_p4479_lanes;
+  const Lanes<8> Lambda_0_11_p5439_lanes = Lambda_0_11_p5435_lanes + Lambda_0_11_p5382_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4540_lanes = Lambda_0_11_p4536_lanes + Lambda_0_11_p4475_lanes;
+  const Lanes<8> Lambda_0_11_p5443_lanes = Lambda_0_11_p5439_lanes + Lambda_0_11_p5378_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4544_lanes = Lambda_0_11_p4540_lanes + Lambda_0_11_p4471_lanes;
+  const Lanes<8> Lambda_0_11_p5447_lanes = Lambda_0_11_p5443_lanes + Lambda_0_11_p5374_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4548_lanes = Lambda_0_11_p4544_lanes + Lambda_0_11_p4467_lanes;
+  const Lanes<8> Lambda_0_11_p5451_lanes = Lambda_0_11_p5447_lanes + Lambda_0_11_p5370_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4552_lanes = Lambda_0_11_p4548_lanes + Lambda_0_11_p4463_lanes;
+  const Lanes<8> Lambda_0_11_p5455_lanes = Lambda_0_11_p5451_lanes + Lambda_0_11_p5366_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p4556_lanes = Lambda_0_11_p4552_lanes + Lambda_0_11_p4459_lanes;
-  const Lanes Lambda_0_11_p4560_lanes = Lambda_0_11_p4556_lanes - Lambda_0_11_p4455_lanes;
-  const Lanes Lambda_0_11_p4564_lanes = Lambda_0_11_p4560_lanes - Lambda_0_11_p4451_lanes;
-  const Lanes Lambda_0_11_p4568_lanes = Lambda_0_11_p4564_lanes - Lambda_0_11_p4447_lanes;
-  const Lanes Lambda_0_11_p4572_lanes = Lambda_0_11_p4568_lanes - Lambda_0_11_p4443_lanes;
-  const Lanes Lambda_0_11_p4576_lanes = Lambda_0_11_p4572_lanes - Lambda_0_11_p4439_lanes;
-  const Lanes Lambda_0_11_p4580_lanes = Lambda_0_11_p4576_lanes - Lambda_0_11_p4435_lanes;
-  const Lanes Lambda_0_11_p4584_lanes = Lambda_0_11_p4580_lanes - Lambda_0_11_p4431_lanes;
-  const Real Lambda_0_11_p4588 = Lambda_0_11_p4430 * Lambda_0_11_p4413;
+  const Lanes<8> Lambda_0_11_p5459_lanes = Lambda_0_11_p5455_lanes + Lambda_0_11_p5362_lanes;
+  const Lanes<8> Lambda_0_11_p5463_lanes = Lambda_0_11_p5459_lanes - Lambda_0_11_p5358_lanes;
+  const Lanes<8> Lambda_0_11_p5467_lanes = Lambda_0_11_p5463_lanes - Lambda_0_11_p5354_lanes;
+  const Lanes<8> Lambda_0_11_p5471_lanes = Lambda_0_11_p5467_lanes - Lambda_0_11_p5350_lanes;
+  const Lanes<8> Lambda_0_11_p5475_lanes = Lambda_0_11_p5471_lanes - Lambda_0_11_p5346_lanes;
+  const Lanes<8> Lambda_0_11_p5479_lanes = Lambda_0_11_p5475_lanes - Lambda_0_11_p5342_lanes;
+  const Lanes<8> Lambda_0_11_p5483_lanes = Lambda_0_11_p5479_lanes - Lambda_0_11_p5338_lanes;
+  const Lanes<8> Lambda_0_11_p5487_lanes = Lambda_0_11_p5483_lanes - Lambda_0_11_p5334_lanes;
+  const Real Lambda_0_11_p5491 = Lambda_0_11_p5333 * Lambda_0_11_p5316;
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p4589 = Lambda_0_11_p4425 * Lambda_0_11_p4507 + Lambda_0_11_p4424 *
-      Lambda_0_11_p1426 + Lambda_0_11_p4423 * Lambda_0_11_p1429 + Lambda_0_11_p4422 *
-      Lambda_0_11_p1435 + Lambda_0_11_p4421 * Lambda_0_11_p1441;
+  const Real Lambda_0_11_p5492 = Lambda_0_11_p5328 * Lambda_0_11_p5410 + Lambda_0_11_p5327 *
+      Lambda_0_11_p1918 + Lambda_0_11_p5326 * Lambda_0_11_p2183 + Lambda_0_11_p5325 *
+      Lambda_0_11_p2186 + Lambda_0_11_p5324 * Lambda_0_11_p2192;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p4590 = Lambda_0_11_p4589 + Lambda_0_11_p4420 * Lambda_0_11_p1447 +
-      Lambda_0_11_p4419 * Lambda_0_11_p1450 + Lambda_0_11_p3076 * Lambda_0_11_p2342_lanes[7] +
-      Lambda_0_11_p3060_lanes[7] * Lambda_0_11_p2492_lanes[7];
+  const Real Lambda_0_11_p5493 = Lambda_0_11_p5492 + Lambda_0_11_p5323 * Lambda_0_11_p2198 +
+      Lambda_0_11_p5322 * Lambda_0_11_p2201 + Lambda_0_11_p3944 * Lambda_0_11_p3186 +
+      Lambda_0_11_p3928_lanes[7] * Lambda_0_11_p3360_lanes[7];
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_11_p4591 = Lambda_0_11_p4590 + Lambda_0_11_p3044_lanes[7] *
-      Lambda_0_11_p2582 + Lambda_0_11_p3028_lanes[7] * Lambda_0_11_p2716_lanes[7] +
-      Lambda_0_11_p3012_lanes[7] * Lambda_0_11_p2836_lanes[7] + Lambda_0_11_p2996_lanes[7] *
-      Lambda_0_11_p2924_lanes[7];
-  const Real Lambda_0_11_p4592 = Lambda_0_11_p4591 - Lambda_0_11_p3314_lanes[7] *
-      Lambda_0_11_p3249_lanes[7] - Lambda_0_11_p3546_lanes[7] * Lambda_0_11_p3474_lanes[7] -
-      Lambda_0_11_p3769_lanes[7] * Lambda_0_11_p3690_lanes[7] - Lambda_0_11_p3980_lanes[7] *
-      Lambda_0_11_p3894_lanes[7];
-  const Real Lambda_0_11_p4593 = 1.0 / (Lambda_0_11_p4592 - Lambda_0_11_p4161_lanes[7] *
-      Lambda_0_11_p4068_lanes[7] - Lambda_0_11_p4418 * Lambda_0_11_p4222_lanes[7] -
-      Lambda_0_11_p4588 * Lambda_0_11_p4430);
-  const Lanes Lambda_0_11_p4594_lanes = Lambda_0_11_p4584_lanes * Lambda_0_11_p4593;
-  const Lanes Lambda_0_11_p4598_lanes = Lambda_0_11_p4594_lanes * Lambda_0_11_p4584_lanes[0];
-  const Lanes Lambda_0_11_p4602_lanes = Lambda_0_11_p4414_lanes * Lambda_0_11_p4403_lanes[0];
-  const Lanes Lambda_0_11_p4606_lanes = Lambda_0_11_p4226_lanes * Lambda_0_11_p4157_lanes[0];
-  const Lanes Lambda_0_11_p4610_lanes = Lambda_0_11_p4073_lanes * Lambda_0_11_p3976_lanes[0];
-  const Lanes Lambda_0_11_p4614_lanes = Lambda_0_11_p3900_lanes * Lambda_0_11_p3765_lanes[0];
-  const Lanes Lambda_0_11_p4618_lanes = Lambda_0_11_p3697_lanes * Lambda_0_11_p3542_lanes[0];
-  const Lanes Lambda_0_11_p4622_lanes = Lambda_0_11_p3482_lanes * Lambda_0_11_p3310_lanes[0];
-  const Lanes Lambda_0_11_p4626_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p2992_lanes[0];
-  const Lanes Lambda_0_11_p4630_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p1414_lanes[0];
+  const Real Lambda_0_11_p5494 = Lambda_0_11_p5493 + Lambda_0_11_p3912_lanes[7] *
+      Lambda_0_11_p3450 + Lambda_0_11_p3896_lanes[7] * Lambda_0_11_p3584_lanes[7] +
+      Lambda_0_11_p3880_lanes[7] * Lambda_0_11_p3704_lanes[7] + Lambda_0_11_p3864_lanes[7] *
+      Lambda_0_11_p3792_lanes[7];
+  const Real Lambda_0_11_p5495 = Lambda_0_11_p5494 - Lambda_0_11_p4182_lanes[7] *
+      Lambda_0_11_p4117_lanes[7] - Lambda_0_11_p4414_lanes[7] * Lambda_0_11_p4342_lanes[7] -
+      Lambda_0_11_p4637_lanes[7] * Lambda_0_11_p4558_lanes[7] - Lambda_0_11_p4848_lanes[7] *
+      Lambda_0_11_p4762_lanes[7];
+  const Real Lambda_0_11_p5496 = 1.0 / (Lambda_0_11_p5495 - Lambda_0_11_p5077_lanes[7] *
+      Lambda_0_11_p4984_lanes[7] - Lambda_0_11_p5321 * Lambda_0_11_p5153_lanes[7] -
+      Lambda_0_11_p5491 * Lambda_0_11_p5333);
+  const Lanes<8> Lambda_0_11_p5497_lanes = Lambda_0_11_p5487_lanes * Lambda_0_11_p5496;
+  const Lanes<8> Lambda_0_11_p5501_lanes = Lambda_0_11_p5497_lanes * Lambda_0_11_p5487_lanes[0];
+  const Lanes<8> Lambda_0_11_p5505_lanes = Lambda_0_11_p5317_lanes * Lambda_0_11_p5306_lanes[0];
+  const Lanes<8> Lambda_0_11_p5509_lanes = Lambda_0_11_p5157_lanes * Lambda_0_11_p5073_lanes[0];
+  const Lanes<8> Lambda_0_11_p5513_lanes = Lambda_0_11_p4989_lanes * Lambda_0_11_p4844_lanes[0];
+  const Lanes<8> Lambda_0_11_p5517_lanes = Lambda_0_11_p4768_lanes * Lambda_0_11_p4633_lanes[0];
+  const Lanes<8> Lambda_0_11_p5521_lanes = Lambda_0_11_p4565_lanes * Lambda_0_11_p4410_lanes[0];
+  const Lanes<8> Lambda_0_11_p5525_lanes = Lambda_0_11_p4350_lanes * Lambda_0_11_p4178_lanes[0];
+  const Lanes<8> Lambda_0_11_p5529_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p3860_lanes[0];
+  const Lanes<8> Lambda_0_11_p5533_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3164_lanes[0];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4634_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p1367_lanes[0];
+  const Lanes<8> Lambda_0_11_p5537_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3117_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4638_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p1307_lanes[0];
+  const Lanes<8> Lambda_0_11_p5541_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3057_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4642_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p1250;
+  const Lanes<8> Lambda_0_11_p5545_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p3000;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4646_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p1195_lanes[0];
+  const Lanes<8> Lambda_0_11_p5549_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p2945_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4650_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p1135_lanes[0];
+  const Lanes<8> Lambda_0_11_p5553_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p2868;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4654_lanes = Lambda_0_11_p4278_lanes * Lambda_0_11_p1014_lanes[0];
+  const Lanes<8> Lambda_0_11_p5557_lanes = Lambda_0_11_p4888_lanes * Lambda_0_11_p2169_lanes[0];
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4658_lanes = Lambda_0_11_p4286_lanes * Lambda_0_11_p921_lanes[0];
+  const Lanes<8> Lambda_0_11_p5561_lanes = Lambda_0_11_p4894_lanes * Lambda_0_11_p1832_lanes[0];
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p4662_lanes = Lambda_0_11_p4294_lanes * Lambda_0_11_p840_lanes[0];
+  const Lanes<8> Lambda_0_11_p5565_lanes = Lambda_0_11_p4900_lanes * Lambda_0_11_p1651_lanes[0];
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4666_lanes = Lambda_0_11_p4302_lanes * Lambda_0_11_p760_lanes[0];
+  const Lanes<8> Lambda_0_11_p5569_lanes = Lambda_0_11_p4906_lanes * Lambda_0_11_p1571_lanes[0];
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p4670_lanes = Lambda_0_11_p4310_lanes * Lambda_0_11_p689;
+  const Lanes<8> Lambda_0_11_p5573_lanes = Lambda_0_11_p4912_lanes * Lambda_0_11_p1431;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p4674_lanes = Lambda_0_11_p4318_lanes * Lambda_0_11_p637_lanes[0];
+  const Lanes<8> Lambda_0_11_p5577_lanes = Lambda_0_11_p4918_lanes * Lambda_0_11_p1365_lanes[0];
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p4678_lanes = Lambda_0_11_p4327_lanes * Lambda_0_11_p604;
+  const Lanes<8> Lambda_0_11_p5581_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p1324;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p4682_lanes = Lambda_0_11_p4678_lanes + Lambda_0_11_p4674_lanes;
+  const Lanes<8> Lambda_0_11_p5585_lanes = Lambda_0_11_p5581_lanes + Lambda_0_11_p5577_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p4686_lanes = Lambda_0_11_p4682_lanes + Lambda_0_11_p4670_lanes;
+  const Lanes<8> Lambda_0_11_p5589_lanes = Lambda_0_11_p5585_lanes + Lambda_0_11_p5573_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4690_lanes = Lambda_0_11_p4686_lanes + Lambda_0_11_p4666_lanes;
+  const Lanes<8> Lambda_0_11_p5593_lanes = Lambda_0_11_p5589_lanes + Lambda_0_11_p5569_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p4694_lanes = Lambda_0_11_p4690_lanes + Lambda_0_11_p4662_lanes;
+  const Lanes<8> Lambda_0_11_p5597_lanes = Lambda_0_11_p5593_lanes + Lambda_0_11_p5565_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4698_lanes = Lambda_0_11_p4694_lanes + Lambda_0_11_p4658_lanes;
+  const Lanes<8> Lambda_0_11_p5601_lanes = Lambda_0_11_p5597_lanes + Lambda_0_11_p5561_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4702_lanes = Lambda_0_11_p4698_lanes + Lambda_0_11_p4654_lanes;
+  const Lanes<8> Lambda_0_11_p5605_lanes = Lambda_0_11_p5601_lanes + Lambda_0_11_p5557_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4706_lanes = Lambda_0_11_p4702_lanes + Lambda_0_11_p4650_lanes;
+  const Lanes<8> Lambda_0_11_p5609_lanes = Lambda_0_11_p5605_lanes + Lambda_0_11_p5553_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4710_lanes = Lambda_0_11_p4706_lanes + Lambda_0_11_p4646_lanes;
+  const Lanes<8> Lambda_0_11_p5613_lanes = Lambda_0_11_p5609_lanes + Lambda_0_11_p5549_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4714_lanes = Lambda_0_11_p4710_lanes + Lambda_0_11_p4642_lanes;
+  const Lanes<8> Lambda_0_11_p5617_lanes = Lambda_0_11_p5613_lanes + Lambda_0_11_p5545_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4718_lanes = Lambda_0_11_p4714_lanes + Lambda_0_11_p4638_lanes;
+  const Lanes<8> Lambda_0_11_p5621_lanes = Lambda_0_11_p5617_lanes + Lambda_0_11_p5541_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4722_lanes = Lambda_0_11_p4718_lanes + Lambda_0_11_p4634_lanes;
+  const Lanes<8> Lambda_0_11_p5625_lanes = Lambda_0_11_p5621_lanes + Lambda_0_11_p5537_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p4726_lanes = Lambda_0_11_p4722_lanes + Lambda_0_11_p4630_lanes;
-  const Lanes Lambda_0_11_p4730_lanes = Lambda_0_11_p4726_lanes - Lambda_0_11_p4626_lanes;
-  const Lanes Lambda_0_11_p4734_lanes = Lambda_0_11_p4730_lanes - Lambda_0_11_p4622_lanes;
-  const Lanes Lambda_0_11_p4738_lanes = Lambda_0_11_p4734_lanes - Lambda_0_11_p4618_lanes;
-  const Lanes Lambda_0_11_p4742_lanes = Lambda_0_11_p4738_lanes - Lambda_0_11_p4614_lanes;
-  const Lanes Lambda_0_11_p4746_lanes = Lambda_0_11_p4742_lanes - Lambda_0_11_p4610_lanes;
-  const Lanes Lambda_0_11_p4750_lanes = Lambda_0_11_p4746_lanes - Lambda_0_11_p4606_lanes;
-  const Lanes Lambda_0_11_p4754_lanes = Lambda_0_11_p4750_lanes - Lambda_0_11_p4602_lanes;
-  const Lanes Lambda_0_11_p4758_lanes = Lambda_0_11_p4754_lanes - Lambda_0_11_p4598_lanes;
-  const Real Lambda_0_11_p4762 = 1.0 / Lambda_0_11_p4758_lanes[0];
-  const Lanes Lambda_0_11_p4763_lanes = Lambda_0_11_p4758_lanes * Lambda_0_11_p4762;
-  const Lanes Lambda_0_11_p4766_lanes = Lambda_0_11_p4763_lanes * Lambda_0_11_p4758_lanes[1];
-  const Lanes Lambda_0_11_p4769_lanes = Lambda_0_11_p4594_lanes * Lambda_0_11_p4584_lanes[1];
-  const Lanes Lambda_0_11_p4772_lanes = Lambda_0_11_p4414_lanes * Lambda_0_11_p4403_lanes[1];
-  const Lanes Lambda_0_11_p4775_lanes = Lambda_0_11_p4226_lanes * Lambda_0_11_p4157_lanes[1];
-  const Lanes Lambda_0_11_p4778_lanes = Lambda_0_11_p4073_lanes * Lambda_0_11_p3976_lanes[1];
-  const Lanes Lambda_0_11_p4781_lanes = Lambda_0_11_p3900_lanes * Lambda_0_11_p3765_lanes[1];
-  const Lanes Lambda_0_11_p4784_lanes = Lambda_0_11_p3697_lanes * Lambda_0_11_p3542_lanes[1];
-  const Lanes Lambda_0_11_p4787_lanes = Lambda_0_11_p3482_lanes * Lambda_0_11_p3310_lanes[1];
-  const Lanes Lambda_0_11_p4790_lanes = Lambda_0_11_p3258_lanes * Lambda_0_11_p2992_lanes[1];
-  const Lanes Lambda_0_11_p4793_lanes = Lambda_0_11_p1418_lanes * Lambda_0_11_p1414_lanes[1];
+  const Lanes<8> Lambda_0_11_p5629_lanes = Lambda_0_11_p5625_lanes + Lambda_0_11_p5533_lanes;
+  const Lanes<8> Lambda_0_11_p5633_lanes = Lambda_0_11_p5629_lanes - Lambda_0_11_p5529_lanes;
+  const Lanes<8> Lambda_0_11_p5637_lanes = Lambda_0_11_p5633_lanes - Lambda_0_11_p5525_lanes;
+  const Lanes<8> Lambda_0_11_p5641_lanes = Lambda_0_11_p5637_lanes - Lambda_0_11_p5521_lanes;
+  const Lanes<8> Lambda_0_11_p5645_lanes = Lambda_0_11_p5641_lanes - Lambda_0_11_p5517_lanes;
+  const Lanes<8> Lambda_0_11_p5649_lanes = Lambda_0_11_p5645_lanes - Lambda_0_11_p5513_lanes;
+  const Lanes<8> Lambda_0_11_p5653_lanes = Lambda_0_11_p5649_lanes - Lambda_0_11_p5509_lanes;
+  const Lanes<8> Lambda_0_11_p5657_lanes = Lambda_0_11_p5653_lanes - Lambda_0_11_p5505_lanes;
+  const Lanes<8> Lambda_0_11_p5661_lanes = Lambda_0_11_p5657_lanes - Lambda_0_11_p5501_lanes;
+  const Real Lambda_0_11_p5665 = 1.0 / Lambda_0_11_p5661_lanes[0];
+  const Lanes<8> Lambda_0_11_p5666_lanes = Lambda_0_11_p5661_lanes * Lambda_0_11_p5665;
+  const Lanes<8> Lambda_0_11_p5669_lanes = Lambda_0_11_p5666_lanes * Lambda_0_11_p5661_lanes[1];
+  const Lanes<8> Lambda_0_11_p5672_lanes = Lambda_0_11_p5497_lanes * Lambda_0_11_p5487_lanes[1];
+  const Lanes<8> Lambda_0_11_p5675_lanes = Lambda_0_11_p5317_lanes * Lambda_0_11_p5306_lanes[1];
+  const Lanes<8> Lambda_0_11_p5678_lanes = Lambda_0_11_p5157_lanes * Lambda_0_11_p5073_lanes[1];
+  const Lanes<8> Lambda_0_11_p5681_lanes = Lambda_0_11_p4989_lanes * Lambda_0_11_p4844_lanes[1];
+  const Lanes<8> Lambda_0_11_p5684_lanes = Lambda_0_11_p4768_lanes * Lambda_0_11_p4633_lanes[1];
+  const Lanes<8> Lambda_0_11_p5687_lanes = Lambda_0_11_p4565_lanes * Lambda_0_11_p4410_lanes[1];
+  const Lanes<8> Lambda_0_11_p5690_lanes = Lambda_0_11_p4350_lanes * Lambda_0_11_p4178_lanes[1];
+  const Lanes<8> Lambda_0_11_p5693_lanes = Lambda_0_11_p4126_lanes * Lambda_0_11_p3860_lanes[1];
+  const Lanes<8> Lambda_0_11_p5696_lanes = Lambda_0_11_p3168_lanes * Lambda_0_11_p3164_lanes[1];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4796_lanes = Lambda_0_11_p2936_lanes * Lambda_0_11_p1367_lanes[1];
+  const Lanes<8> Lambda_0_11_p5699_lanes = Lambda_0_11_p3804_lanes * Lambda_0_11_p3117_lanes[1];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4799_lanes = Lambda_0_11_p2944_lanes * Lambda_0_11_p1307_lanes[1];
+  const Lanes<8> Lambda_0_11_p5702_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3057_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4802_lanes = Lambda_0_11_p2952_lanes * Lambda_0_11_p1247;
+  const Lanes<8> Lambda_0_11_p5705_lanes = Lambda_0_11_p3820_lanes * Lambda_0_11_p2997;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4805_lanes = Lambda_0_11_p2960_lanes * Lambda_0_11_p1195_lanes[1];
+  const Lanes<8> Lambda_0_11_p5708_lanes = Lambda_0_11_p3828_lanes * Lambda_0_11_p2945_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4808_lanes = Lambda_0_11_p2968_lanes * Lambda_0_11_p1135_lanes[1];
+  const Lanes<8> Lambda_0_11_p5711_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p2853;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4811_lanes = Lambda_0_11_p4278_lanes * Lambda_0_11_p1014_lanes[1];
+  const Lanes<8> Lambda_0_11_p5714_lanes = Lambda_0_11_p4888_lanes * Lambda_0_11_p2169_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4814_lanes = Lambda_0_11_p4286_lanes * Lambda_0_11_p921_lanes[1];
+  const Lanes<8> Lambda_0_11_p5717_lanes = Lambda_0_11_p4894_lanes * Lambda_0_11_p1832_lanes[1];
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p4817_lanes = Lambda_0_11_p4294_lanes * Lambda_0_11_p840_lanes[1];
+  const Lanes<8> Lambda_0_11_p5720_lanes = Lambda_0_11_p4900_lanes * Lambda_0_11_p1651_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4820_lanes = Lambda_0_11_p4302_lanes * Lambda_0_11_p760_lanes[1];
+  const Lanes<8> Lambda_0_11_p5723_lanes = Lambda_0_11_p4906_lanes * Lambda_0_11_p1571_lanes[1];
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p4823_lanes = Lambda_0_11_p4310_lanes * Lambda_0_11_p688;
+  const Lanes<8> Lambda_0_11_p5726_lanes = Lambda_0_11_p4912_lanes * Lambda_0_11_p1430;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p4826_lanes = Lambda_0_11_p4318_lanes * Lambda_0_11_p637_lanes[1];
+  const Lanes<8> Lambda_0_11_p5729_lanes = Lambda_0_11_p4918_lanes * Lambda_0_11_p1365_lanes[1];
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p4829_lanes = Lambda_0_11_p4327_lanes * Lambda_0_11_p590;
+  const Lanes<8> Lambda_0_11_p5732_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p1277;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_0_11_p4832_lanes = Lambda_0_11_p4829_lanes + Lambda_0_11_p4826_lanes;
+  const Lanes<8> Lambda_0_11_p5735_lanes = Lambda_0_11_p5732_lanes + Lambda_0_11_p5729_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_0_11_p4835_lanes = Lambda_0_11_p4832_lanes + Lambda_0_11_p4823_lanes;
+  const Lanes<8> Lambda_0_11_p5738_lanes = Lambda_0_11_p5735_lanes + Lambda_0_11_p5726_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_0_11_p4838_lanes = Lambda_0_11_p4835_lanes + Lambda_0_11_p4820_lanes;
+  const Lanes<8> Lambda_0_11_p5741_lanes = Lambda_0_11_p5738_lanes + Lambda_0_11_p5723_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_0_11_p4841_lanes = Lambda_0_11_p4838_lanes + Lambda_0_11_p4817_lanes;
+  const Lanes<8> Lambda_0_11_p5744_lanes = Lambda_0_11_p5741_lanes + Lambda_0_11_p5720_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_0_11_p4844_lanes = Lambda_0_11_p4841_lanes + Lambda_0_11_p4814_lanes;
+  const Lanes<8> Lambda_0_11_p5747_lanes = Lambda_0_11_p5744_lanes + Lambda_0_11_p5717_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_0_11_p4847_lanes = Lambda_0_11_p4844_lanes + Lambda_0_11_p4811_lanes;
+  const Lanes<8> Lambda_0_11_p5750_lanes = Lambda_0_11_p5747_lanes + Lambda_0_11_p5714_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_0_11_p4850_lanes = Lambda_0_11_p4847_lanes + Lambda_0_11_p4808_lanes;
+  const Lanes<8> Lambda_0_11_p5753_lanes = Lambda_0_11_p5750_lanes + Lambda_0_11_p5711_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_0_11_p4853_lanes = Lambda_0_11_p4850_lanes + Lambda_0_11_p4805_lanes;
+  const Lanes<8> Lambda_0_11_p5756_lanes = Lambda_0_11_p5753_lanes + Lambda_0_11_p5708_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_0_11_p4856_lanes = Lambda_0_11_p4853_lanes + Lambda_0_11_p4802_lanes;
+  const Lanes<8> Lambda_0_11_p5759_lanes = Lambda_0_11_p5756_lanes + Lambda_0_11_p5705_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_0_11_p4859_lanes = Lambda_0_11_p4856_lanes + Lambda_0_11_p4799_lanes;
+  const Lanes<8> Lambda_0_11_p5762_lanes = Lambda_0_11_p5759_lanes + Lambda_0_11_p5702_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_0_11_p4862_lanes = Lambda_0_11_p4859_lanes + Lambda_0_11_p4796_lanes;
+  const Lanes<8> Lambda_0_11_p5765_lanes = Lambda_0_11_p5762_lanes + Lambda_0_11_p5699_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_0_11_p4865_lanes = Lambda_0_11_p4862_lanes + Lambda_0_11_p4793_lanes;
-  const Lanes Lambda_0_11_p4868_lanes = Lambda_0_11_p4865_lanes - Lambda_0_11_p4790_lanes;
-  const Lanes Lambda_0_11_p4871_lanes = Lambda_0_11_p4868_lanes - Lambda_0_11_p4787_lanes;
-  const Lanes Lambda_0_11_p4874_lanes = Lambda_0_11_p4871_lanes - Lambda_0_11_p4784_lanes;
-  const Lanes Lambda_0_11_p4877_lanes = Lambda_0_11_p4874_lanes - Lambda_0_11_p4781_lanes;
-  const Lanes Lambda_0_11_p4880_lanes = Lambda_0_11_p4877_lanes - Lambda_0_11_p4778_lanes;
-  const Lanes Lambda_0_11_p4883_lanes = Lambda_0_11_p4880_lanes - Lambda_0_11_p4775_lanes;
-  const Lanes Lambda_0_11_p4886_lanes = Lambda_0_11_p4883_lanes - Lambda_0_11_p4772_lanes;
-  const Lanes Lambda_0_11_p4889_lanes = Lambda_0_11_p4886_lanes - Lambda_0_11_p4769_lanes;
-  const Lanes Lambda_0_11_p4892_lanes = Lambda_0_11_p4889_lanes - Lambda_0_11_p4766_lanes;
-  const Real Lambda_0_11_p4895 = 1.0 / Lambda_0_11_p4892_lanes[1];
-  const Real Lambda_0_11_p4896 = Lambda_0_11_p4892_lanes[3] * Lambda_0_11_p4895;
+  const Lanes<8> Lambda_0_11_p5768_lanes = Lambda_0_11_p5765_lanes + Lambda_0_11_p5696_lanes;
+  const Lanes<8> Lambda_0_11_p5771_lanes = Lambda_0_11_p5768_lanes - Lambda_0_11_p5693_lanes;
+  const Lanes<8> Lambda_0_11_p5774_lanes = Lambda_0_11_p5771_lanes - Lambda_0_11_p5690_lanes;
+  const Lanes<8> Lambda_0_11_p5777_lanes = Lambda_0_11_p5774_lanes - Lambda_0_11_p5687_lanes;
+  const Lanes<8> Lambda_0_11_p5780_lanes = Lambda_0_11_p5777_lanes - Lambda_0_11_p5684_lanes;
+  const Lanes<8> Lambda_0_11_p5783_lanes = Lambda_0_11_p5780_lanes - Lambda_0_11_p5681_lanes;
+  const Lanes<8> Lambda_0_11_p5786_lanes = Lambda_0_11_p5783_lanes - Lambda_0_11_p5678_lanes;
+  const Lanes<8> Lambda_0_11_p5789_lanes = Lambda_0_11_p5786_lanes - Lambda_0_11_p5675_lanes;
+  const Lanes<8> Lambda_0_11_p5792_lanes = Lambda_0_11_p5789_lanes - Lambda_0_11_p5672_lanes;
+  const Lanes<8> Lambda_0_11_p5795_lanes = Lambda_0_11_p5792_lanes - Lambda_0_11_p5669_lanes;
+  const Real Lambda_0_11_p5798 = 1.0 / Lambda_0_11_p5795_lanes[1];
+  const Real Lambda_0_11_p5799 = Lambda_0_11_p5795_lanes[3] * Lambda_0_11_p5798;
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_0_11_p4897_lanes = Lambda_0_11_p4327_lanes * Lambda_0_11_p574;
+  const Lanes<8> Lambda_0_11_p5800_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p1257;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p5802_lanes = Lambda_0_11_p5800_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4926_lanes[1], Lambda_0_11_p4926_lanes[1],
+      Lambda_0_11_p4926_lanes[1], Lambda_0_11_p4922_lanes[1], Lambda_0_11_p4926_lanes[1],
+      Lambda_0_11_p4926_lanes[1], Lambda_0_11_p4926_lanes[1], Lambda_0_11_p4926_lanes[1]);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p5804_lanes = Lambda_0_11_p5802_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4930_lanes[1], Lambda_0_11_p4930_lanes[1],
+      Lambda_0_11_p4930_lanes[1], Lambda_0_11_p4916_lanes[1], Lambda_0_11_p4930_lanes[1],
+      Lambda_0_11_p4930_lanes[1], Lambda_0_11_p4930_lanes[1], Lambda_0_11_p4930_lanes[1]);
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p5806_lanes = Lambda_0_11_p5804_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4934_lanes[1], Lambda_0_11_p4934_lanes[1],
+      Lambda_0_11_p4934_lanes[1], Lambda_0_11_p4910_lanes[1], Lambda_0_11_p4934_lanes[1],
+      Lambda_0_11_p4934_lanes[1], Lambda_0_11_p4934_lanes[1], Lambda_0_11_p4934_lanes[1]);
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p4899 = Lambda_0_11_p4897_lanes[3] + Lambda_0_11_p4318_lanes[3] *
-      Lambda_0_11_p637_lanes[2] + Lambda_0_11_p4310_lanes[3] * Lambda_0_11_p687 +
-      Lambda_0_11_p4302_lanes[3] * Lambda_0_11_p760_lanes[2] + Lambda_0_11_p4294_lanes[3] *
-      Lambda_0_11_p840_lanes[2];
+  const Lanes<8> Lambda_0_11_p5808_lanes = Lambda_0_11_p5806_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4938_lanes[1], Lambda_0_11_p4938_lanes[1],
+      Lambda_0_11_p4938_lanes[1], Lambda_0_11_p4904_lanes[1], Lambda_0_11_p4938_lanes[1],
+      Lambda_0_11_p4938_lanes[1], Lambda_0_11_p4938_lanes[1], Lambda_0_11_p4938_lanes[1]);
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p4900 = Lambda_0_11_p4899 + Lambda_0_11_p4286_lanes[3] *
-      Lambda_0_11_p921_lanes[2] + Lambda_0_11_p4278_lanes[3] * Lambda_0_11_p1014_lanes[2] +
-      Lambda_0_11_p2968_lanes[3] * Lambda_0_11_p1135_lanes[2] + Lambda_0_11_p2960_lanes[3] *
-      Lambda_0_11_p1195_lanes[2];
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p5810_lanes = Lambda_0_11_p5808_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4942_lanes[1], Lambda_0_11_p4942_lanes[1],
+      Lambda_0_11_p4942_lanes[1], Lambda_0_11_p4898_lanes[1], Lambda_0_11_p4942_lanes[1],
+      Lambda_0_11_p4942_lanes[1], Lambda_0_11_p4942_lanes[1], Lambda_0_11_p4942_lanes[1]);
 
-  // link 1 (calf), force propagation
-  const Real Lambda_0_11_p4901 = Lambda_0_11_p4900 + Lambda_0_11_p2952_lanes[3] *
-      Lambda_0_11_p1244 + Lambda_0_11_p2944_lanes[3] * Lambda_0_11_p1307_lanes[2] +
-      Lambda_0_11_p2936_lanes[3] * Lambda_0_11_p1367_lanes[2] + Lambda_0_11_p1418_lanes[3] *
-      Lambda_0_11_p1414_lanes[2];
-  const Real Lambda_0_11_p4902 = Lambda_0_11_p4901 - Lambda_0_11_p3258_lanes[3] *
-      Lambda_0_11_p2992_lanes[2] - Lambda_0_11_p3482_lanes[3] * Lambda_0_11_p3310_lanes[2] -
-      Lambda_0_11_p3697_lanes[3] * Lambda_0_11_p3542_lanes[2] - Lambda_0_11_p3900_lanes[3] *
-      Lambda_0_11_p3765_lanes[2];
-  const Real Lambda_0_11_p4903 = Lambda_0_11_p4902 - Lambda_0_11_p4073_lanes[3] *
-      Lambda_0_11_p3976_lanes[2] - Lambda_0_11_p4226_lanes[3] * Lambda_0_11_p4157_lanes[2] -
-      Lambda_0_11_p4414_lanes[3] * Lambda_0_11_p4403_lanes[2] - Lambda_0_11_p4594_lanes[3] *
-      Lambda_0_11_p4584_lanes[2];
-  const Real Lambda_0_11_p4904 = Lambda_0_11_p4903 - Lambda_0_11_p4763_lanes[3] *
-      Lambda_0_11_p4758_lanes[2] - Lambda_0_11_p4896 * Lambda_0_11_p4892_lanes[2];
-  const Real Lambda_0_11_p4905 = Lambda_0_11_p4892_lanes[2] * Lambda_0_11_p4895;
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p5812_lanes = Lambda_0_11_p5810_lanes +
+      detail::make_lanes<Real>(Lambda_0_11_p4946_lanes[1], Lambda_0_11_p4946_lanes[1],
+      Lambda_0_11_p4946_lanes[1], Lambda_0_11_p4892_lanes[1], Lambda_0_11_p4946_lanes[1],
+      Lambda_0_11_p4946_lanes[1], Lambda_0_11_p4946_lanes[1], Lambda_0_11_p4946_lanes[1]);
 
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p4906 = Lambda_0_11_p4897_lanes[2] + Lambda_0_11_p4318_lanes[2] *
-      Lambda_0_11_p637_lanes[2] + Lambda_0_11_p4310_lanes[2] * Lambda_0_11_p687 +
-      Lambda_0_11_p4302_lanes[2] * Lambda_0_11_p760_lanes[2] + Lambda_0_11_p4294_lanes[2] *
-      Lambda_0_11_p840_lanes[2];
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p4907 = Lambda_0_11_p4906 + Lambda_0_11_p4286_lanes[2] *
-      Lambda_0_11_p921_lanes[2] + Lambda_0_11_p4278_lanes[2] * Lambda_0_11_p1014_lanes[2] +
-      Lambda_0_11_p2968_lanes[2] * Lambda_0_11_p1135_lanes[2] + Lambda_0_11_p2960_lanes[2] *
-      Lambda_0_11_p1195_lanes[2];
+  // link 3 (hip), force propagation
+  const Real Lambda_0_11_p5814 = Lambda_0_11_p5812_lanes[3] + Lambda_0_11_p3836_lanes[3] *
+      Lambda_0_11_p2838 + Lambda_0_11_p3828_lanes[3] * Lambda_0_11_p2945_lanes[2] +
+      Lambda_0_11_p3820_lanes[3] * Lambda_0_11_p2994 + Lambda_0_11_p3812_lanes[3] *
+      Lambda_0_11_p3057_lanes[2];
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_11_p4908 = Lambda_0_11_p4907 + Lambda_0_11_p2952_lanes[2] *
-      Lambda_0_11_p1244 + Lambda_0_11_p2944_lanes[2] * Lambda_0_11_p1307_lanes[2] +
-      Lambda_0_11_p2936_lanes[2] * Lambda_0_11_p1367_lanes[2] + Lambda_0_11_p1418_lanes[2] *
-      Lambda_0_11_p1414_lanes[2];
-  const Real Lambda_0_11_p4909 = Lambda_0_11_p4908 - Lambda_0_11_p3258_lanes[2] *
-      Lambda_0_11_p2992_lanes[2] - Lambda_0_11_p3482_lanes[2] * Lambda_0_11_p3310_lanes[2] -
-      Lambda_0_11_p3697_lanes[2] * Lambda_0_11_p3542_lanes[2] - Lambda_0_11_p3900_lanes[2] *
-      Lambda_0_11_p3765_lanes[2];
-  const Real Lambda_0_11_p4910 = Lambda_0_11_p4909 - Lambda_0_11_p4073_lanes[2] *
-      Lambda_0_11_p3976_lanes[2] - Lambda_0_11_p4226_lanes[2] * Lambda_0_11_p4157_lanes[2] -
-      Lambda_0_11_p4414_lanes[2] * Lambda_0_11_p4403_lanes[2] - Lambda_0_11_p4594_lanes[2] *
-      Lambda_0_11_p4584_lanes[2];
-  const Real Lambda_0_11_p4911 = 1.0 / (Lambda_0_11_p4910 - Lambda_0_11_p4763_lanes[2] *
-      Lambda_0_11_p4758_lanes[2] - Lambda_0_11_p4905 * Lambda_0_11_p4892_lanes[2]);
-  const Real Lambda_0_11_p4912 = Lambda_0_11_p4904 * Lambda_0_11_p4911;
-  const Real Lambda_0_11_p4913 = Lambda_0_11_p3546_lanes[2] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3314_lanes[2];
-  const Real Lambda_0_11_p4914 = Lambda_0_11_p3546_lanes[3] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3314_lanes[3] - Lambda_0_11_p3769_lanes[3] * Lambda_0_11_p4913;
-  const Real Lambda_0_11_p4915 = Lambda_0_11_p3546_lanes[4] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3314_lanes[4] - Lambda_0_11_p3769_lanes[4] * Lambda_0_11_p4913 -
-      Lambda_0_11_p3980_lanes[4] * Lambda_0_11_p4914;
-  const Real Lambda_0_11_p4916 = Lambda_0_11_p3546_lanes[5] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3314_lanes[5] - Lambda_0_11_p3769_lanes[5] * Lambda_0_11_p4913 -
-      Lambda_0_11_p3980_lanes[5] * Lambda_0_11_p4914 - Lambda_0_11_p4161_lanes[5] *
-      Lambda_0_11_p4915;
-  const Real Lambda_0_11_p4917 = Lambda_0_11_p3546_lanes[6] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3314_lanes[6] - Lambda_0_11_p3769_lanes[6] * Lambda_0_11_p4913 -
-      Lambda_0_11_p3980_lanes[6] * Lambda_0_11_p4914 - Lambda_0_11_p4161_lanes[6] *
-      Lambda_0_11_p4915;
-  const Real Lambda_0_11_p4918 = Lambda_0_11_p4917 - Lambda_0_11_p4407 * Lambda_0_11_p4916;
-  const Real Lambda_0_11_p4919 = Lambda_0_11_p3546_lanes[7] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3314_lanes[7] - Lambda_0_11_p3769_lanes[7] * Lambda_0_11_p4913 -
-      Lambda_0_11_p3980_lanes[7] * Lambda_0_11_p4914 - Lambda_0_11_p4161_lanes[7] *
-      Lambda_0_11_p4915;
-  const Real Lambda_0_11_p4920 = Lambda_0_11_p4919 - Lambda_0_11_p4418 * Lambda_0_11_p4916 -
-      Lambda_0_11_p4588 * Lambda_0_11_p4918;
-  const Real Lambda_0_11_p4921 = Lambda_0_11_p3482_lanes[0] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3258_lanes[0] - Lambda_0_11_p3697_lanes[0] * Lambda_0_11_p4913 -
-      Lambda_0_11_p3900_lanes[0] * Lambda_0_11_p4914 - Lambda_0_11_p4073_lanes[0] *
-      Lambda_0_11_p4915;
-  const Real Lambda_0_11_p4922 = Lambda_0_11_p4921 - Lambda_0_11_p4226_lanes[0] *
-      Lambda_0_11_p4916 - Lambda_0_11_p4414_lanes[0] * Lambda_0_11_p4918 -
-      Lambda_0_11_p4594_lanes[0] * Lambda_0_11_p4920;
-  const Real Lambda_0_11_p4923 = Lambda_0_11_p3482_lanes[1] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3258_lanes[1] - Lambda_0_11_p3697_lanes[1] * Lambda_0_11_p4913 -
-      Lambda_0_11_p3900_lanes[1] * Lambda_0_11_p4914 - Lambda_0_11_p4073_lanes[1] *
-      Lambda_0_11_p4915;
-  const Real Lambda_0_11_p4924 = Lambda_0_11_p4923 - Lambda_0_11_p4226_lanes[1] *
-      Lambda_0_11_p4916 - Lambda_0_11_p4414_lanes[1] * Lambda_0_11_p4918 -
-      Lambda_0_11_p4594_lanes[1] * Lambda_0_11_p4920 - Lambda_0_11_p4763_lanes[1] *
-      Lambda_0_11_p4922;
-  const Real Lambda_0_11_p4925 = Lambda_0_11_p3482_lanes[2] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3258_lanes[2] - Lambda_0_11_p3697_lanes[2] * Lambda_0_11_p4913 -
-      Lambda_0_11_p3900_lanes[2] * Lambda_0_11_p4914 - Lambda_0_11_p4073_lanes[2] *
-      Lambda_0_11_p4915;
-  const Real Lambda_0_11_p4926 = Lambda_0_11_p4925 - Lambda_0_11_p4226_lanes[2] *
-      Lambda_0_11_p4916 - Lambda_0_11_p4414_lanes[2] * Lambda_0_11_p4918 -
-      Lambda_0_11_p4594_lanes[2] * Lambda_0_11_p4920 - Lambda_0_11_p4763_lanes[2] *
-      Lambda_0_11_p4922;
-  const Real Lambda_0_11_p4927 = Lambda_0_11_p4926 - Lambda_0_11_p4905 * Lambda_0_11_p4924;
-  const Real Lambda_0_11_p4928 = Lambda_0_11_p3482_lanes[3] * Lambda_0_11_p3314_lanes[1] -
-      Lambda_0_11_p3258_lanes[3] - Lambda_0_11_p3697_lanes[3] * Lambda_0_11_p4913 -
-      Lambda_0_11_p3900_lanes[3] * Lambda_0_11_p4914 - Lambda_0_11_p4073_lanes[3] *
-      Lambda_0_11_p4915;
-  const Real Lambda_0_11_p4929 = Lambda_0_11_p4928 - Lambda_0_11_p4226_lanes[3] *
-      Lambda_0_11_p4916 - Lambda_0_11_p4414_lanes[3] * Lambda_0_11_p4918 -
-      Lambda_0_11_p4594_lanes[3] * Lambda_0_11_p4920 - Lambda_0_11_p4763_lanes[3] *
-      Lambda_0_11_p4922;
-  const Real Lambda_0_11_p4930 = Lambda_0_11_p4929 - Lambda_0_11_p4896 * Lambda_0_11_p4924 -
-      Lambda_0_11_p4912 * Lambda_0_11_p4927;
+  const Real Lambda_0_11_p5815 = Lambda_0_11_p5814 + Lambda_0_11_p3804_lanes[3] *
+      Lambda_0_11_p3117_lanes[2] + Lambda_0_11_p3168_lanes[3] * Lambda_0_11_p3164_lanes[2] -
+      Lambda_0_11_p4126_lanes[3] * Lambda_0_11_p3860_lanes[2] - Lambda_0_11_p4350_lanes[3] *
+      Lambda_0_11_p4178_lanes[2];
+  const Real Lambda_0_11_p5816 = Lambda_0_11_p5815 - Lambda_0_11_p4565_lanes[3] *
+      Lambda_0_11_p4410_lanes[2] - Lambda_0_11_p4768_lanes[3] * Lambda_0_11_p4633_lanes[2] -
+      Lambda_0_11_p4989_lanes[3] * Lambda_0_11_p4844_lanes[2] - Lambda_0_11_p5157_lanes[3] *
+      Lambda_0_11_p5073_lanes[2];
+  const Real Lambda_0_11_p5817 = Lambda_0_11_p5816 - Lambda_0_11_p5317_lanes[3] *
+      Lambda_0_11_p5306_lanes[2] - Lambda_0_11_p5497_lanes[3] * Lambda_0_11_p5487_lanes[2] -
+      Lambda_0_11_p5666_lanes[3] * Lambda_0_11_p5661_lanes[2] - Lambda_0_11_p5799 *
+      Lambda_0_11_p5795_lanes[2];
+  const Real Lambda_0_11_p5818 = Lambda_0_11_p5795_lanes[2] * Lambda_0_11_p5798;
 
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1 = Lambda_0_11_p4327_lanes[3] * Lambda_0_11_p560 +
-      Lambda_0_11_p4318_lanes[3] * Lambda_0_11_p637_lanes[3] + Lambda_0_11_p4310_lanes[3] *
-      Lambda_0_11_p686 + Lambda_0_11_p4302_lanes[3] * Lambda_0_11_p760_lanes[3] +
-      Lambda_0_11_p4294_lanes[3] * Lambda_0_11_p840_lanes[3];
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p2 = Lambda_11_11_p1 + Lambda_0_11_p4286_lanes[3] *
-      Lambda_0_11_p921_lanes[3] + Lambda_0_11_p4278_lanes[3] * Lambda_0_11_p1014_lanes[3] +
-      Lambda_0_11_p2968_lanes[3] * Lambda_0_11_p1135_lanes[3] + Lambda_0_11_p2960_lanes[3] *
-      Lambda_0_11_p1195_lanes[3];
+  // link 3 (hip), force propagation
+  const Real Lambda_0_11_p5819 = Lambda_0_11_p5812_lanes[2] + Lambda_0_11_p3836_lanes[2] *
+      Lambda_0_11_p2838 + Lambda_0_11_p3828_lanes[2] * Lambda_0_11_p2945_lanes[2] +
+      Lambda_0_11_p3820_lanes[2] * Lambda_0_11_p2994 + Lambda_0_11_p3812_lanes[2] *
+      Lambda_0_11_p3057_lanes[2];
 
   // link 1 (calf), force propagation
-  const Real Lambda_11_11_p3 = Lambda_11_11_p2 + Lambda_0_11_p2952_lanes[3] * Lambda_0_11_p1241 +
-      Lambda_0_11_p2944_lanes[3] * Lambda_0_11_p1307_lanes[3] + Lambda_0_11_p2936_lanes[3] *
-      Lambda_0_11_p1367_lanes[3] + Lambda_0_11_p1418_lanes[3] * Lambda_0_11_p1414_lanes[3];
-  const Real Lambda_11_11_p4 = Lambda_11_11_p3 - Lambda_0_11_p3258_lanes[3] *
-      Lambda_0_11_p2992_lanes[3] - Lambda_0_11_p3482_lanes[3] * Lambda_0_11_p3310_lanes[3] -
-      Lambda_0_11_p3697_lanes[3] * Lambda_0_11_p3542_lanes[3] - Lambda_0_11_p3900_lanes[3] *
-      Lambda_0_11_p3765_lanes[3];
-  const Real Lambda_11_11_p5 = Lambda_11_11_p4 - Lambda_0_11_p4073_lanes[3] *
-      Lambda_0_11_p3976_lanes[3] - Lambda_0_11_p4226_lanes[3] * Lambda_0_11_p4157_lanes[3] -
-      Lambda_0_11_p4414_lanes[3] * Lambda_0_11_p4403_lanes[3] - Lambda_0_11_p4594_lanes[3] *
-      Lambda_0_11_p4584_lanes[3];
-  const Real Lambda_11_11 = 1.0 / (Lambda_11_11_p5 - Lambda_0_11_p4763_lanes[3] *
-      Lambda_0_11_p4758_lanes[3] - Lambda_0_11_p4896 * Lambda_0_11_p4892_lanes[3] -
-      Lambda_0_11_p4912 * Lambda_0_11_p4904);
+  const Real Lambda_0_11_p5820 = Lambda_0_11_p5819 + Lambda_0_11_p3804_lanes[2] *
+      Lambda_0_11_p3117_lanes[2] + Lambda_0_11_p3168_lanes[2] * Lambda_0_11_p3164_lanes[2] -
+      Lambda_0_11_p4126_lanes[2] * Lambda_0_11_p3860_lanes[2] - Lambda_0_11_p4350_lanes[2] *
+      Lambda_0_11_p4178_lanes[2];
+  const Real Lambda_0_11_p5821 = Lambda_0_11_p5820 - Lambda_0_11_p4565_lanes[2] *
+      Lambda_0_11_p4410_lanes[2] - Lambda_0_11_p4768_lanes[2] * Lambda_0_11_p4633_lanes[2] -
+      Lambda_0_11_p4989_lanes[2] * Lambda_0_11_p4844_lanes[2] - Lambda_0_11_p5157_lanes[2] *
+      Lambda_0_11_p5073_lanes[2];
+  const Real Lambda_0_11_p5822 = Lambda_0_11_p5821 - Lambda_0_11_p5317_lanes[2] *
+      Lambda_0_11_p5306_lanes[2] - Lambda_0_11_p5497_lanes[2] * Lambda_0_11_p5487_lanes[2] -
+      Lambda_0_11_p5666_lanes[2] * Lambda_0_11_p5661_lanes[2] - Lambda_0_11_p5818 *
+      Lambda_0_11_p5795_lanes[2];
+  const Real Lambda_0_11_p5823 = 1.0 / Lambda_0_11_p5822;
+  const Real Lambda_0_11_p5824 = Lambda_0_11_p5817 * Lambda_0_11_p5823;
+  const Real Lambda_0_11_p5825 = Lambda_0_11_p4414_lanes[2] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4182_lanes[2];
+  const Real Lambda_0_11_p5826 = Lambda_0_11_p4414_lanes[3] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4182_lanes[3] - Lambda_0_11_p4637_lanes[3] * Lambda_0_11_p5825;
+  const Real Lambda_0_11_p5827 = Lambda_0_11_p4414_lanes[4] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4182_lanes[4] - Lambda_0_11_p4637_lanes[4] * Lambda_0_11_p5825 -
+      Lambda_0_11_p4848_lanes[4] * Lambda_0_11_p5826;
+  const Real Lambda_0_11_p5828 = Lambda_0_11_p4414_lanes[5] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4182_lanes[5] - Lambda_0_11_p4637_lanes[5] * Lambda_0_11_p5825 -
+      Lambda_0_11_p4848_lanes[5] * Lambda_0_11_p5826 - Lambda_0_11_p5077_lanes[5] *
+      Lambda_0_11_p5827;
+  const Real Lambda_0_11_p5829 = Lambda_0_11_p4414_lanes[6] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4182_lanes[6] - Lambda_0_11_p4637_lanes[6] * Lambda_0_11_p5825 -
+      Lambda_0_11_p4848_lanes[6] * Lambda_0_11_p5826 - Lambda_0_11_p5077_lanes[6] *
+      Lambda_0_11_p5827;
+  const Real Lambda_0_11_p5830 = Lambda_0_11_p5829 - Lambda_0_11_p5310 * Lambda_0_11_p5828;
+  const Real Lambda_0_11_p5831 = Lambda_0_11_p4414_lanes[7] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4182_lanes[7] - Lambda_0_11_p4637_lanes[7] * Lambda_0_11_p5825 -
+      Lambda_0_11_p4848_lanes[7] * Lambda_0_11_p5826 - Lambda_0_11_p5077_lanes[7] *
+      Lambda_0_11_p5827;
+  const Real Lambda_0_11_p5832 = Lambda_0_11_p5831 - Lambda_0_11_p5321 * Lambda_0_11_p5828 -
+      Lambda_0_11_p5491 * Lambda_0_11_p5830;
+  const Real Lambda_0_11_p5833 = Lambda_0_11_p4350_lanes[0] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4126_lanes[0] - Lambda_0_11_p4565_lanes[0] * Lambda_0_11_p5825 -
+      Lambda_0_11_p4768_lanes[0] * Lambda_0_11_p5826 - Lambda_0_11_p4989_lanes[0] *
+      Lambda_0_11_p5827;
+  const Real Lambda_0_11_p5834 = Lambda_0_11_p5833 - Lambda_0_11_p5157_lanes[0] *
+      Lambda_0_11_p5828 - Lambda_0_11_p5317_lanes[0] * Lambda_0_11_p5830 -
+      Lambda_0_11_p5497_lanes[0] * Lambda_0_11_p5832;
+  const Real Lambda_0_11_p5835 = Lambda_0_11_p4350_lanes[1] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4126_lanes[1] - Lambda_0_11_p4565_lanes[1] * Lambda_0_11_p5825 -
+      Lambda_0_11_p4768_lanes[1] * Lambda_0_11_p5826 - Lambda_0_11_p4989_lanes[1] *
+      Lambda_0_11_p5827;
+  const Real Lambda_0_11_p5836 = Lambda_0_11_p5835 - Lambda_0_11_p5157_lanes[1] *
+      Lambda_0_11_p5828 - Lambda_0_11_p5317_lanes[1] * Lambda_0_11_p5830 -
+      Lambda_0_11_p5497_lanes[1] * Lambda_0_11_p5832 - Lambda_0_11_p5666_lanes[1] *
+      Lambda_0_11_p5834;
+  const Real Lambda_0_11_p5837 = Lambda_0_11_p4350_lanes[2] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4126_lanes[2] - Lambda_0_11_p4565_lanes[2] * Lambda_0_11_p5825 -
+      Lambda_0_11_p4768_lanes[2] * Lambda_0_11_p5826 - Lambda_0_11_p4989_lanes[2] *
+      Lambda_0_11_p5827;
+  const Real Lambda_0_11_p5838 = Lambda_0_11_p5837 - Lambda_0_11_p5157_lanes[2] *
+      Lambda_0_11_p5828 - Lambda_0_11_p5317_lanes[2] * Lambda_0_11_p5830 -
+      Lambda_0_11_p5497_lanes[2] * Lambda_0_11_p5832 - Lambda_0_11_p5666_lanes[2] *
+      Lambda_0_11_p5834;
+  const Real Lambda_0_11_p5839 = Lambda_0_11_p5838 - Lambda_0_11_p5818 * Lambda_0_11_p5836;
+  const Real Lambda_0_11_p5840 = Lambda_0_11_p4350_lanes[3] * Lambda_0_11_p4182_lanes[1] -
+      Lambda_0_11_p4126_lanes[3] - Lambda_0_11_p4565_lanes[3] * Lambda_0_11_p5825 -
+      Lambda_0_11_p4768_lanes[3] * Lambda_0_11_p5826 - Lambda_0_11_p4989_lanes[3] *
+      Lambda_0_11_p5827;
+  const Real Lambda_0_11_p5841 = Lambda_0_11_p5840 - Lambda_0_11_p5157_lanes[3] *
+      Lambda_0_11_p5828 - Lambda_0_11_p5317_lanes[3] * Lambda_0_11_p5830 -
+      Lambda_0_11_p5497_lanes[3] * Lambda_0_11_p5832 - Lambda_0_11_p5666_lanes[3] *
+      Lambda_0_11_p5834;
+  const Real Lambda_0_11_p5842 = Lambda_0_11_p5841 - Lambda_0_11_p5799 * Lambda_0_11_p5836 -
+      Lambda_0_11_p5824 * Lambda_0_11_p5839;
+
+  // link 3 (hip), force propagation
+  const Real Lambda_11_11_p15 = Lambda_0_11_p5125_lanes[1] + Lambda_0_11_p3836_lanes[3] *
+      Lambda_0_11_p2823 + Lambda_0_11_p3828_lanes[3] * Lambda_0_11_p2945_lanes[3] +
+      Lambda_0_11_p3820_lanes[3] * Lambda_0_11_p2991 + Lambda_0_11_p3812_lanes[3] *
+      Lambda_0_11_p3057_lanes[3];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p16 = Lambda_11_11_p15 + Lambda_0_11_p3804_lanes[3] *
+      Lambda_0_11_p3117_lanes[3] + Lambda_0_11_p3168_lanes[3] * Lambda_0_11_p3164_lanes[3] -
+      Lambda_0_11_p4126_lanes[3] * Lambda_0_11_p3860_lanes[3] - Lambda_0_11_p4350_lanes[3] *
+      Lambda_0_11_p4178_lanes[3];
+  const Real Lambda_11_11_p17 = Lambda_11_11_p16 - Lambda_0_11_p4565_lanes[3] *
+      Lambda_0_11_p4410_lanes[3] - Lambda_0_11_p4768_lanes[3] * Lambda_0_11_p4633_lanes[3] -
+      Lambda_0_11_p4989_lanes[3] * Lambda_0_11_p4844_lanes[3] - Lambda_0_11_p5157_lanes[3] *
+      Lambda_0_11_p5073_lanes[3];
+  const Real Lambda_11_11_p18 = Lambda_11_11_p17 - Lambda_0_11_p5317_lanes[3] *
+      Lambda_0_11_p5306_lanes[3] - Lambda_0_11_p5497_lanes[3] * Lambda_0_11_p5487_lanes[3] -
+      Lambda_0_11_p5666_lanes[3] * Lambda_0_11_p5661_lanes[3] - Lambda_0_11_p5799 *
+      Lambda_0_11_p5795_lanes[3];
+  const Real Lambda_11_11 = 1.0 / (Lambda_11_11_p18 - Lambda_0_11_p5824 * Lambda_0_11_p5817);
   Lambda[143] = Lambda_11_11;
-  const Real Lambda_0_11 = Lambda_0_11_p4930 * Lambda_11_11;
+  const Real Lambda_0_11 = Lambda_0_11_p5842 * Lambda_11_11;
   Lambda[11] = Lambda_0_11;
   Lambda[132] = Lambda_0_11;
-  const Real Lambda_0_0_p1 = Lambda_0_11_p4927 * Lambda_0_11_p4911;
-  const Real Lambda_0_0_p2 = Lambda_0_11_p4924 * Lambda_0_11_p4895;
-  const Real Lambda_0_0_p3 = Lambda_0_11_p4922 * Lambda_0_11_p4762;
-  const Real Lambda_0_0_p4 = Lambda_0_11_p4920 * Lambda_0_11_p4593;
-  const Real Lambda_0_0_p5 = Lambda_0_11_p4918 * Lambda_0_11_p4413;
-  const Real Lambda_0_0_p6 = Lambda_0_11_p4916 * Lambda_0_11_p4225;
-  const Real Lambda_0_0_p7 = Lambda_0_11_p4915 * Lambda_0_11_p4072;
-  const Real Lambda_0_0_p8 = Lambda_0_11_p4914 * Lambda_0_11_p3899;
-  const Real Lambda_0_0_p9 = Lambda_0_11_p4913 * Lambda_0_11_p3696;
-  const Real Lambda_0_0_p10 = Lambda_0_11_p3314_lanes[1] * Lambda_0_11_p3481;
-  const Real Lambda_0_0_p11 = Lambda_0_11_p3257 + Lambda_0_0_p10 * Lambda_0_11_p3314_lanes[1] +
-      Lambda_0_0_p9 * Lambda_0_11_p4913 + Lambda_0_0_p8 * Lambda_0_11_p4914 + Lambda_0_0_p7 *
-      Lambda_0_11_p4915;
-  const Real Lambda_0_0_p12 = Lambda_0_0_p11 + Lambda_0_0_p6 * Lambda_0_11_p4916 + Lambda_0_0_p5 *
-      Lambda_0_11_p4918 + Lambda_0_0_p4 * Lambda_0_11_p4920 + Lambda_0_0_p3 * Lambda_0_11_p4922;
-  Lambda[0] = Lambda_0_0_p12 + Lambda_0_0_p2 * Lambda_0_11_p4924 + Lambda_0_0_p1 *
-      Lambda_0_11_p4927 + Lambda_0_11 * Lambda_0_11_p4930;
-  const Real Lambda_1_11_p1 = Lambda_0_11_p3769_lanes[3] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3546_lanes[3];
-  const Real Lambda_1_11_p2 = Lambda_0_11_p3769_lanes[4] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3546_lanes[4] - Lambda_0_11_p3980_lanes[4] * Lambda_1_11_p1;
-  const Real Lambda_1_11_p3 = Lambda_0_11_p3769_lanes[5] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3546_lanes[5] - Lambda_0_11_p3980_lanes[5] * Lambda_1_11_p1 -
-      Lambda_0_11_p4161_lanes[5] * Lambda_1_11_p2;
-  const Real Lambda_1_11_p4 = Lambda_0_11_p3769_lanes[6] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3546_lanes[6] - Lambda_0_11_p3980_lanes[6] * Lambda_1_11_p1 -
-      Lambda_0_11_p4161_lanes[6] * Lambda_1_11_p2 - Lambda_0_11_p4407 * Lambda_1_11_p3;
-  const Real Lambda_1_11_p5 = Lambda_0_11_p3769_lanes[7] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3546_lanes[7] - Lambda_0_11_p3980_lanes[7] * Lambda_1_11_p1 -
-      Lambda_0_11_p4161_lanes[7] * Lambda_1_11_p2 - Lambda_0_11_p4418 * Lambda_1_11_p3;
-  const Real Lambda_1_11_p6 = Lambda_1_11_p5 - Lambda_0_11_p4588 * Lambda_1_11_p4;
-  const Real Lambda_1_11_p7 = Lambda_0_11_p3697_lanes[0] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3482_lanes[0] - Lambda_0_11_p3900_lanes[0] * Lambda_1_11_p1 -
-      Lambda_0_11_p4073_lanes[0] * Lambda_1_11_p2 - Lambda_0_11_p4226_lanes[0] * Lambda_1_11_p3;
-  const Real Lambda_1_11_p8 = Lambda_1_11_p7 - Lambda_0_11_p4414_lanes[0] * Lambda_1_11_p4 -
-      Lambda_0_11_p4594_lanes[0] * Lambda_1_11_p6;
-  const Real Lambda_1_11_p9 = Lambda_0_11_p3697_lanes[1] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3482_lanes[1] - Lambda_0_11_p3900_lanes[1] * Lambda_1_11_p1 -
-      Lambda_0_11_p4073_lanes[1] * Lambda_1_11_p2 - Lambda_0_11_p4226_lanes[1] * Lambda_1_11_p3;
-  const Real Lambda_1_11_p10 = Lambda_1_11_p9 - Lambda_0_11_p4414_lanes[1] * Lambda_1_11_p4 -
-      Lambda_0_11_p4594_lanes[1] * Lambda_1_11_p6 - Lambda_0_11_p4763_lanes[1] * Lambda_1_11_p8;
-  const Real Lambda_1_11_p11 = Lambda_0_11_p3697_lanes[2] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3482_lanes[2] - Lambda_0_11_p3900_lanes[2] * Lambda_1_11_p1 -
-      Lambda_0_11_p4073_lanes[2] * Lambda_1_11_p2 - Lambda_0_11_p4226_lanes[2] * Lambda_1_11_p3;
-  const Real Lambda_1_11_p12 = Lambda_1_11_p11 - Lambda_0_11_p4414_lanes[2] * Lambda_1_11_p4 -
-      Lambda_0_11_p4594_lanes[2] * Lambda_1_11_p6 - Lambda_0_11_p4763_lanes[2] * Lambda_1_11_p8 -
-      Lambda_0_11_p4905 * Lambda_1_11_p10;
-  const Real Lambda_1_11_p13 = Lambda_0_11_p3697_lanes[3] * Lambda_0_11_p3546_lanes[2] -
-      Lambda_0_11_p3482_lanes[3] - Lambda_0_11_p3900_lanes[3] * Lambda_1_11_p1 -
-      Lambda_0_11_p4073_lanes[3] * Lambda_1_11_p2 - Lambda_0_11_p4226_lanes[3] * Lambda_1_11_p3;
-  const Real Lambda_1_11_p14 = Lambda_1_11_p13 - Lambda_0_11_p4414_lanes[3] * Lambda_1_11_p4 -
-      Lambda_0_11_p4594_lanes[3] * Lambda_1_11_p6 - Lambda_0_11_p4763_lanes[3] * Lambda_1_11_p8 -
-      Lambda_0_11_p4896 * Lambda_1_11_p10;
-  const Real Lambda_1_11_p15 = Lambda_1_11_p14 - Lambda_0_11_p4912 * Lambda_1_11_p12;
+  const Real Lambda_0_0_p1 = Lambda_0_11_p5839 * Lambda_0_11_p5823;
+  const Real Lambda_0_0_p2 = Lambda_0_11_p5836 * Lambda_0_11_p5798;
+  const Real Lambda_0_0_p3 = Lambda_0_11_p5834 * Lambda_0_11_p5665;
+  const Real Lambda_0_0_p4 = Lambda_0_11_p5832 * Lambda_0_11_p5496;
+  const Real Lambda_0_0_p5 = Lambda_0_11_p5830 * Lambda_0_11_p5316;
+  const Real Lambda_0_0_p6 = Lambda_0_11_p5828 * Lambda_0_11_p5156;
+  const Real Lambda_0_0_p7 = Lambda_0_11_p5827 * Lambda_0_11_p4988;
+  const Real Lambda_0_0_p8 = Lambda_0_11_p5826 * Lambda_0_11_p4767;
+  const Real Lambda_0_0_p9 = Lambda_0_11_p5825 * Lambda_0_11_p4564;
+  const Real Lambda_0_0_p10 = Lambda_0_11_p4182_lanes[1] * Lambda_0_11_p4349;
+  const Real Lambda_0_0_p11 = Lambda_0_11_p4125 + Lambda_0_0_p10 * Lambda_0_11_p4182_lanes[1] +
+      Lambda_0_0_p9 * Lambda_0_11_p5825 + Lambda_0_0_p8 * Lambda_0_11_p5826 + Lambda_0_0_p7 *
+      Lambda_0_11_p5827;
+  const Real Lambda_0_0_p12 = Lambda_0_0_p11 + Lambda_0_0_p6 * Lambda_0_11_p5828 + Lambda_0_0_p5 *
+      Lambda_0_11_p5830 + Lambda_0_0_p4 * Lambda_0_11_p5832 + Lambda_0_0_p3 * Lambda_0_11_p5834;
+  Lambda[0] = Lambda_0_0_p12 + Lambda_0_0_p2 * Lambda_0_11_p5836 + Lambda_0_0_p1 *
+      Lambda_0_11_p5839 + Lambda_0_11 * Lambda_0_11_p5842;
+  const Real Lambda_1_11_p1 = Lambda_0_11_p4637_lanes[3] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4414_lanes[3];
+  const Real Lambda_1_11_p2 = Lambda_0_11_p4637_lanes[4] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4414_lanes[4] - Lambda_0_11_p4848_lanes[4] * Lambda_1_11_p1;
+  const Real Lambda_1_11_p3 = Lambda_0_11_p4637_lanes[5] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4414_lanes[5] - Lambda_0_11_p4848_lanes[5] * Lambda_1_11_p1 -
+      Lambda_0_11_p5077_lanes[5] * Lambda_1_11_p2;
+  const Real Lambda_1_11_p4 = Lambda_0_11_p4637_lanes[6] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4414_lanes[6] - Lambda_0_11_p4848_lanes[6] * Lambda_1_11_p1 -
+      Lambda_0_11_p5077_lanes[6] * Lambda_1_11_p2 - Lambda_0_11_p5310 * Lambda_1_11_p3;
+  const Real Lambda_1_11_p5 = Lambda_0_11_p4637_lanes[7] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4414_lanes[7] - Lambda_0_11_p4848_lanes[7] * Lambda_1_11_p1 -
+      Lambda_0_11_p5077_lanes[7] * Lambda_1_11_p2 - Lambda_0_11_p5321 * Lambda_1_11_p3;
+  const Real Lambda_1_11_p6 = Lambda_1_11_p5 - Lambda_0_11_p5491 * Lambda_1_11_p4;
+  const Real Lambda_1_11_p7 = Lambda_0_11_p4565_lanes[0] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4350_lanes[0] - Lambda_0_11_p4768_lanes[0] * Lambda_1_11_p1 -
+      Lambda_0_11_p4989_lanes[0] * Lambda_1_11_p2 - Lambda_0_11_p5157_lanes[0] * Lambda_1_11_p3;
+  const Real Lambda_1_11_p8 = Lambda_1_11_p7 - Lambda_0_11_p5317_lanes[0] * Lambda_1_11_p4 -
+      Lambda_0_11_p5497_lanes[0] * Lambda_1_11_p6;
+  const Real Lambda_1_11_p9 = Lambda_0_11_p4565_lanes[1] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4350_lanes[1] - Lambda_0_11_p4768_lanes[1] * Lambda_1_11_p1 -
+      Lambda_0_11_p4989_lanes[1] * Lambda_1_11_p2 - Lambda_0_11_p5157_lanes[1] * Lambda_1_11_p3;
+  const Real Lambda_1_11_p10 = Lambda_1_11_p9 - Lambda_0_11_p5317_lanes[1] * Lambda_1_11_p4 -
+      Lambda_0_11_p5497_lanes[1] * Lambda_1_11_p6 - Lambda_0_11_p5666_lanes[1] * Lambda_1_11_p8;
+  const Real Lambda_1_11_p11 = Lambda_0_11_p4565_lanes[2] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4350_lanes[2] - Lambda_0_11_p4768_lanes[2] * Lambda_1_11_p1 -
+      Lambda_0_11_p4989_lanes[2] * Lambda_1_11_p2 - Lambda_0_11_p5157_lanes[2] * Lambda_1_11_p3;
+  const Real Lambda_1_11_p12 = Lambda_1_11_p11 - Lambda_0_11_p5317_lanes[2] * Lambda_1_11_p4 -
+      Lambda_0_11_p5497_lanes[2] * Lambda_1_11_p6 - Lambda_0_11_p5666_lanes[2] * Lambda_1_11_p8 -
+      Lambda_0_11_p5818 * Lambda_1_11_p10;
+  const Real Lambda_1_11_p13 = Lambda_0_11_p4565_lanes[3] * Lambda_0_11_p4414_lanes[2] -
+      Lambda_0_11_p4350_lanes[3] - Lambda_0_11_p4768_lanes[3] * Lambda_1_11_p1 -
+      Lambda_0_11_p4989_lanes[3] * Lambda_1_11_p2 - Lambda_0_11_p5157_lanes[3] * Lambda_1_11_p3;
+  const Real Lambda_1_11_p14 = Lambda_1_11_p13 - Lambda_0_11_p5317_lanes[3] * Lambda_1_11_p4 -
+      Lambda_0_11_p5497_lanes[3] * Lambda_1_11_p6 - Lambda_0_11_p5666_lanes[3] * Lambda_1_11_p8 -
+      Lambda_0_11_p5799 * Lambda_1_11_p10;
+  const Real Lambda_1_11_p15 = Lambda_1_11_p14 - Lambda_0_11_p5824 * Lambda_1_11_p12;
   const Real Lambda_1_11 = Lambda_1_11_p15 * Lambda_11_11;
   Lambda[23] = Lambda_1_11;
   Lambda[133] = Lambda_1_11;
-  const Real Lambda_0_1_p1 = Lambda_1_11_p12 * Lambda_0_11_p4911;
-  const Real Lambda_0_1_p2 = Lambda_1_11_p10 * Lambda_0_11_p4895;
-  const Real Lambda_0_1_p3 = Lambda_1_11_p8 * Lambda_0_11_p4762;
-  const Real Lambda_0_1_p4 = Lambda_1_11_p6 * Lambda_0_11_p4593;
-  const Real Lambda_0_1_p5 = Lambda_1_11_p4 * Lambda_0_11_p4413;
-  const Real Lambda_0_1_p6 = Lambda_1_11_p3 * Lambda_0_11_p4225;
-  const Real Lambda_0_1_p7 = Lambda_1_11_p2 * Lambda_0_11_p4072;
-  const Real Lambda_0_1_p8 = Lambda_1_11_p1 * Lambda_0_11_p3899;
-  const Real Lambda_0_1_p9 = Lambda_0_11_p3546_lanes[2] * Lambda_0_11_p3696;
-  const Real Lambda_0_1_p10 = Lambda_0_1_p8 * Lambda_0_11_p4914 -
-      (Lambda_0_0_p10 + Lambda_0_1_p9 * Lambda_0_11_p4913) + Lambda_0_1_p7 * Lambda_0_11_p4915 +
-      Lambda_0_1_p6 * Lambda_0_11_p4916;
-  const Real Lambda_0_1_p11 = Lambda_0_1_p10 + Lambda_0_1_p5 * Lambda_0_11_p4918 + Lambda_0_1_p4 *
-      Lambda_0_11_p4920 + Lambda_0_1_p3 * Lambda_0_11_p4922 + Lambda_0_1_p2 * Lambda_0_11_p4924;
-  const Real Lambda_0_1 = Lambda_0_1_p11 + Lambda_0_1_p1 * Lambda_0_11_p4927 + Lambda_1_11 *
-      Lambda_0_11_p4930;
+  const Real Lambda_0_1_p1 = Lambda_1_11_p12 * Lambda_0_11_p5823;
+  const Real Lambda_0_1_p2 = Lambda_1_11_p10 * Lambda_0_11_p5798;
+  const Real Lambda_0_1_p3 = Lambda_1_11_p8 * Lambda_0_11_p5665;
+  const Real Lambda_0_1_p4 = Lambda_1_11_p6 * Lambda_0_11_p5496;
+  const Real Lambda_0_1_p5 = Lambda_1_11_p4 * Lambda_0_11_p5316;
+  const Real Lambda_0_1_p6 = Lambda_1_11_p3 * Lambda_0_11_p5156;
+  const Real Lambda_0_1_p7 = Lambda_1_11_p2 * Lambda_0_11_p4988;
+  const Real Lambda_0_1_p8 = Lambda_1_11_p1 * Lambda_0_11_p4767;
+  const Real Lambda_0_1_p9 = Lambda_0_11_p4414_lanes[2] * Lambda_0_11_p4564;
+  const Real Lambda_0_1_p10 = Lambda_0_1_p8 * Lambda_0_11_p5826 -
+      (Lambda_0_0_p10 + Lambda_0_1_p9 * Lambda_0_11_p5825) + Lambda_0_1_p7 * Lambda_0_11_p5827 +
+      Lambda_0_1_p6 * Lambda_0_11_p5828;
+  const Real Lambda_0_1_p11 = Lambda_0_1_p10 + Lambda_0_1_p5 * Lambda_0_11_p5830 + Lambda_0_1_p4 *
+      Lambda_0_11_p5832 + Lambda_0_1_p3 * Lambda_0_11_p5834 + Lambda_0_1_p2 * Lambda_0_11_p5836;
+  const Real Lambda_0_1 = Lambda_0_1_p11 + Lambda_0_1_p1 * Lambda_0_11_p5839 + Lambda_1_11 *
+      Lambda_0_11_p5842;
   Lambda[1] = Lambda_0_1;
   Lambda[12] = Lambda_0_1;
-  const Real Lambda_2_11_p1 = Lambda_0_11_p3980_lanes[4] * Lambda_0_11_p3769_lanes[3] -
-      Lambda_0_11_p3769_lanes[4];
-  const Real Lambda_2_11_p2 = Lambda_0_11_p3980_lanes[5] * Lambda_0_11_p3769_lanes[3] -
-      Lambda_0_11_p3769_lanes[5] - Lambda_0_11_p4161_lanes[5] * Lambda_2_11_p1;
-  const Real Lambda_2_11_p3 = Lambda_0_11_p3980_lanes[6] * Lambda_0_11_p3769_lanes[3] -
-      Lambda_0_11_p3769_lanes[6] - Lambda_0_11_p4161_lanes[6] * Lambda_2_11_p1 - Lambda_0_11_p4407 *
+  const Real Lambda_2_11_p1 = Lambda_0_11_p4848_lanes[4] * Lambda_0_11_p4637_lanes[3] -
+      Lambda_0_11_p4637_lanes[4];
+  const Real Lambda_2_11_p2 = Lambda_0_11_p4848_lanes[5] * Lambda_0_11_p4637_lanes[3] -
+      Lambda_0_11_p4637_lanes[5] - Lambda_0_11_p5077_lanes[5] * Lambda_2_11_p1;
+  const Real Lambda_2_11_p3 = Lambda_0_11_p4848_lanes[6] * Lambda_0_11_p4637_lanes[3] -
+      Lambda_0_11_p4637_lanes[6] - Lambda_0_11_p5077_lanes[6] * Lambda_2_11_p1 - Lambda_0_11_p5310 *
       Lambda_2_11_p2;
-  const Real Lambda_2_11_p4 = Lambda_0_11_p3980_lanes[7] * Lambda_0_11_p3769_lanes[3] -
-      Lambda_0_11_p3769_lanes[7] - Lambda_0_11_p4161_lanes[7] * Lambda_2_11_p1 - Lambda_0_11_p4418 *
-      Lambda_2_11_p2 - Lambda_0_11_p4588 * Lambda_2_11_p3;
-  const Real Lambda_2_11_p5 = Lambda_0_11_p3900_lanes[0] * Lambda_0_11_p3769_lanes[3] -
-      Lambda_0_11_p3697_lanes[0] - Lambda_0_11_p4073_lanes[0] * Lambda_2_11_p1 -
-      Lambda_0_11_p4226_lanes[0] * Lambda_2_11_p2 - Lambda_0_11_p4414_lanes[0] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p6 = Lambda_2_11_p5 - Lambda_0_11_p4594_lanes[0] * Lambda_2_11_p4;
-  const Real Lambda_2_11_p7 = Lambda_0_11_p3900_lanes[1] * Lambda_0_11_p3769_lanes[3] -
-      Lambda_0_11_p3697_lanes[1] - Lambda_0_11_p4073_lanes[1] * Lambda_2_11_p1 -
-      Lambda_0_11_p4226_lanes[1] * Lambda_2_11_p2 - Lambda_0_11_p4414_lanes[1] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p8 = Lambda_2_11_p7 - Lambda_0_11_p4594_lanes[1] * Lambda_2_11_p4 -
-      Lambda_0_11_p4763_lanes[1] * Lambda_2_11_p6;
-  const Real Lambda_2_11_p9 = Lambda_0_11_p3900_lanes[2] * Lambda_0_11_p3769_lanes[3] -
-      Lambda_0_11_p3697_lanes[2] - Lambda_0_11_p4073_lanes[2] * Lambda_2_11_p1 -
-      Lambda_0_11_p4226_lanes[2] * Lambda_2_11_p2 - Lambda_0_11_p4414_lanes[2] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p10 = Lambda_2_11_p9 - Lambda_0_11_p4594_lanes[2] * Lambda_2_11_p4 -
-      Lambda_0_11_p4763_lanes[2] * Lambda_2_11_p6 - Lambda_0_11_p4905 * Lambda_2_11_p8;
-  const Real Lambda_2_11_p11 = Lambda_0_11_p3900_lanes[3] * Lambda_0_11_p3769_lanes[3] -
-      Lambda_0_11_p3697_lanes[3] - Lambda_0_11_p4073_lanes[3] * Lambda_2_11_p1 -
-      Lambda_0_11_p4226_lanes[3] * Lambda_2_11_p2 - Lambda_0_11_p4414_lanes[3] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p12 = Lambda_2_11_p11 - Lambda_0_11_p4594_lanes[3] * Lambda_2_11_p4 -
-      Lambda_0_11_p4763_lanes[3] * Lambda_2_11_p6 - Lambda_0_11_p4896 * Lambda_2_11_p8 -
-      Lambda_0_11_p4912 * Lambda_2_11_p10;
+  const Real Lambda_2_11_p4 = Lambda_0_11_p4848_lanes[7] * Lambda_0_11_p4637_lanes[3] -
+      Lambda_0_11_p4637_lanes[7] - Lambda_0_11_p5077_lanes[7] * Lambda_2_11_p1 - Lambda_0_11_p5321 *
+      Lambda_2_11_p2 - Lambda_0_11_p5491 * Lambda_2_11_p3;
+  const Real Lambda_2_11_p5 = Lambda_0_11_p4768_lanes[0] * Lambda_0_11_p4637_lanes[3] -
+      Lambda_0_11_p4565_lanes[0] - Lambda_0_11_p4989_lanes[0] * Lambda_2_11_p1 -
+      Lambda_0_11_p5157_lanes[0] * Lambda_2_11_p2 - Lambda_0_11_p5317_lanes[0] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p6 = Lambda_2_11_p5 - Lambda_0_11_p5497_lanes[0] * Lambda_2_11_p4;
+  const Real Lambda_2_11_p7 = Lambda_0_11_p4768_lanes[1] * Lambda_0_11_p4637_lanes[3] -
+      Lambda_0_11_p4565_lanes[1] - Lambda_0_11_p4989_lanes[1] * Lambda_2_11_p1 -
+      Lambda_0_11_p5157_lanes[1] * Lambda_2_11_p2 - Lambda_0_11_p5317_lanes[1] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p8 = Lambda_2_11_p7 - Lambda_0_11_p5497_lanes[1] * Lambda_2_11_p4 -
+      Lambda_0_11_p5666_lanes[1] * Lambda_2_11_p6;
+  const Real Lambda_2_11_p9 = Lambda_0_11_p4768_lanes[2] * Lambda_0_11_p4637_lanes[3] -
+      Lambda_0_11_p4565_lanes[2] - Lambda_0_11_p4989_lanes[2] * Lambda_2_11_p1 -
+      Lambda_0_11_p5157_lanes[2] * Lambda_2_11_p2 - Lambda_0_11_p5317_lanes[2] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p10 = Lambda_2_11_p9 - Lambda_0_11_p5497_lanes[2] * Lambda_2_11_p4 -
+      Lambda_0_11_p5666_lanes[2] * Lambda_2_11_p6 - Lambda_0_11_p5818 * Lambda_2_11_p8;
+  const Real Lambda_2_11_p11 = Lambda_0_11_p4768_lanes[3] * Lambda_0_11_p4637_lanes[3] -
+      Lambda_0_11_p4565_lanes[3] - Lambda_0_11_p4989_lanes[3] * Lambda_2_11_p1 -
+      Lambda_0_11_p5157_lanes[3] * Lambda_2_11_p2 - Lambda_0_11_p5317_lanes[3] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p12 = Lambda_2_11_p11 - Lambda_0_11_p5497_lanes[3] * Lambda_2_11_p4 -
+      Lambda_0_11_p5666_lanes[3] * Lambda_2_11_p6 - Lambda_0_11_p5799 * Lambda_2_11_p8 -
+      Lambda_0_11_p5824 * Lambda_2_11_p10;
   const Real Lambda_2_11 = Lambda_2_11_p12 * Lambda_11_11;
   Lambda[35] = Lambda_2_11;
   Lambda[134] = Lambda_2_11;
-  const Real Lambda_0_2_p1 = Lambda_2_11_p10 * Lambda_0_11_p4911;
-  const Real Lambda_0_2_p2 = Lambda_2_11_p8 * Lambda_0_11_p4895;
-  const Real Lambda_0_2_p3 = Lambda_2_11_p6 * Lambda_0_11_p4762;
-  const Real Lambda_0_2_p4 = Lambda_2_11_p4 * Lambda_0_11_p4593;
-  const Real Lambda_0_2_p5 = Lambda_2_11_p3 * Lambda_0_11_p4413;
-  const Real Lambda_0_2_p6 = Lambda_2_11_p2 * Lambda_0_11_p4225;
-  const Real Lambda_0_2_p7 = Lambda_2_11_p1 * Lambda_0_11_p4072;
-  const Real Lambda_0_2_p8 = Lambda_0_11_p3769_lanes[3] * Lambda_0_11_p3899;
-  const Real Lambda_0_2_p9 = Lambda_0_0_p9 - Lambda_0_2_p8 * Lambda_0_11_p4914 + Lambda_0_2_p7 *
-      Lambda_0_11_p4915 + Lambda_0_2_p6 * Lambda_0_11_p4916 + Lambda_0_2_p5 * Lambda_0_11_p4918;
-  const Real Lambda_0_2_p10 = Lambda_0_2_p9 + Lambda_0_2_p4 * Lambda_0_11_p4920 + Lambda_0_2_p3 *
-      Lambda_0_11_p4922 + Lambda_0_2_p2 * Lambda_0_11_p4924 + Lambda_0_2_p1 * Lambda_0_11_p4927;
-  const Real Lambda_0_2 = Lambda_0_2_p10 + Lambda_2_11 * Lambda_0_11_p4930;
+  const Real Lambda_0_2_p1 = Lambda_2_11_p10 * Lambda_0_11_p5823;
+  const Real Lambda_0_2_p2 = Lambda_2_11_p8 * Lambda_0_11_p5798;
+  const Real Lambda_0_2_p3 = Lambda_2_11_p6 * Lambda_0_11_p5665;
+  const Real Lambda_0_2_p4 = Lambda_2_11_p4 * Lambda_0_11_p5496;
+  const Real Lambda_0_2_p5 = Lambda_2_11_p3 * Lambda_0_11_p5316;
+  const Real Lambda_0_2_p6 = Lambda_2_11_p2 * Lambda_0_11_p5156;
+  const Real Lambda_0_2_p7 = Lambda_2_11_p1 * Lambda_0_11_p4988;
+  const Real Lambda_0_2_p8 = Lambda_0_11_p4637_lanes[3] * Lambda_0_11_p4767;
+  const Real Lambda_0_2_p9 = Lambda_0_0_p9 - Lambda_0_2_p8 * Lambda_0_11_p5826 + Lambda_0_2_p7 *
+      Lambda_0_11_p5827 + Lambda_0_2_p6 * Lambda_0_11_p5828 + Lambda_0_2_p5 * Lambda_0_11_p5830;
+  const Real Lambda_0_2_p10 = Lambda_0_2_p9 + Lambda_0_2_p4 * Lambda_0_11_p5832 + Lambda_0_2_p3 *
+      Lambda_0_11_p5834 + Lambda_0_2_p2 * Lambda_0_11_p5836 + Lambda_0_2_p1 * Lambda_0_11_p5839;
+  const Real Lambda_0_2 = Lambda_0_2_p10 + Lambda_2_11 * Lambda_0_11_p5842;
   Lambda[2] = Lambda_0_2;
   Lambda[24] = Lambda_0_2;
-  const Real Lambda_3_11_p1 = Lambda_0_11_p4161_lanes[5] * Lambda_0_11_p3980_lanes[4] -
-      Lambda_0_11_p3980_lanes[5];
-  const Real Lambda_3_11_p2 = Lambda_0_11_p4161_lanes[6] * Lambda_0_11_p3980_lanes[4] -
-      Lambda_0_11_p3980_lanes[6] - Lambda_0_11_p4407 * Lambda_3_11_p1;
-  const Real Lambda_3_11_p3 = Lambda_0_11_p4161_lanes[7] * Lambda_0_11_p3980_lanes[4] -
-      Lambda_0_11_p3980_lanes[7] - Lambda_0_11_p4418 * Lambda_3_11_p1 - Lambda_0_11_p4588 *
+  const Real Lambda_3_11_p1 = Lambda_0_11_p5077_lanes[5] * Lambda_0_11_p4848_lanes[4] -
+      Lambda_0_11_p4848_lanes[5];
+  const Real Lambda_3_11_p2 = Lambda_0_11_p5077_lanes[6] * Lambda_0_11_p4848_lanes[4] -
+      Lambda_0_11_p4848_lanes[6] - Lambda_0_11_p5310 * Lambda_3_11_p1;
+  const Real Lambda_3_11_p3 = Lambda_0_11_p5077_lanes[7] * Lambda_0_11_p4848_lanes[4] -
+      Lambda_0_11_p4848_lanes[7] - Lambda_0_11_p5321 * Lambda_3_11_p1 - Lambda_0_11_p5491 *
       Lambda_3_11_p2;
-  const Real Lambda_3_11_p4 = Lambda_0_11_p4073_lanes[0] * Lambda_0_11_p3980_lanes[4] -
-      Lambda_0_11_p3900_lanes[0] - Lambda_0_11_p4226_lanes[0] * Lambda_3_11_p1 -
-      Lambda_0_11_p4414_lanes[0] * Lambda_3_11_p2 - Lambda_0_11_p4594_lanes[0] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p5 = Lambda_0_11_p4073_lanes[1] * Lambda_0_11_p3980_lanes[4] -
-      Lambda_0_11_p3900_lanes[1] - Lambda_0_11_p4226_lanes[1] * Lambda_3_11_p1 -
-      Lambda_0_11_p4414_lanes[1] * Lambda_3_11_p2 - Lambda_0_11_p4594_lanes[1] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p6 = Lambda_3_11_p5 - Lambda_0_11_p4763_lanes[1] * Lambda_3_11_p4;
-  const Real Lambda_3_11_p7 = Lambda_0_11_p4073_lanes[2] * Lambda_0_11_p3980_lanes[4] -
-      Lambda_0_11_p3900_lanes[2] - Lambda_0_11_p4226_lanes[2] * Lambda_3_11_p1 -
-      Lambda_0_11_p4414_lanes[2] * Lambda_3_11_p2 - Lambda_0_11_p4594_lanes[2] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p8 = Lambda_3_11_p7 - Lambda_0_11_p4763_lanes[2] * Lambda_3_11_p4 -
-      Lambda_0_11_p4905 * Lambda_3_11_p6;
-  const Real Lambda_3_11_p9 = Lambda_0_11_p4073_lanes[3] * Lambda_0_11_p3980_lanes[4] -
-      Lambda_0_11_p3900_lanes[3] - Lambda_0_11_p4226_lanes[3] * Lambda_3_11_p1 -
-      Lambda_0_11_p4414_lanes[3] * Lambda_3_11_p2 - Lambda_0_11_p4594_lanes[3] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p10 = Lambda_3_11_p9 - Lambda_0_11_p4763_lanes[3] * Lambda_3_11_p4 -
-      Lambda_0_11_p4896 * Lambda_3_11_p6 - Lambda_0_11_p4912 * Lambda_3_11_p8;
+  const Real Lambda_3_11_p4 = Lambda_0_11_p4989_lanes[0] * Lambda_0_11_p4848_lanes[4] -
+      Lambda_0_11_p4768_lanes[0] - Lambda_0_11_p5157_lanes[0] * Lambda_3_11_p1 -
+      Lambda_0_11_p5317_lanes[0] * Lambda_3_11_p2 - Lambda_0_11_p5497_lanes[0] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p5 = Lambda_0_11_p4989_lanes[1] * Lambda_0_11_p4848_lanes[4] -
+      Lambda_0_11_p4768_lanes[1] - Lambda_0_11_p5157_lanes[1] * Lambda_3_11_p1 -
+      Lambda_0_11_p5317_lanes[1] * Lambda_3_11_p2 - Lambda_0_11_p5497_lanes[1] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p6 = Lambda_3_11_p5 - Lambda_0_11_p5666_lanes[1] * Lambda_3_11_p4;
+  const Real Lambda_3_11_p7 = Lambda_0_11_p4989_lanes[2] * Lambda_0_11_p4848_lanes[4] -
+      Lambda_0_11_p4768_lanes[2] - Lambda_0_11_p5157_lanes[2] * Lambda_3_11_p1 -
+      Lambda_0_11_p5317_lanes[2] * Lambda_3_11_p2 - Lambda_0_11_p5497_lanes[2] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p8 = Lambda_3_11_p7 - Lambda_0_11_p5666_lanes[2] * Lambda_3_11_p4 -
+      Lambda_0_11_p5818 * Lambda_3_11_p6;
+  const Real Lambda_3_11_p9 = Lambda_0_11_p4989_lanes[3] * Lambda_0_11_p4848_lanes[4] -
+      Lambda_0_11_p4768_lanes[3] - Lambda_0_11_p5157_lanes[3] * Lambda_3_11_p1 -
+      Lambda_0_11_p5317_lanes[3] * Lambda_3_11_p2 - Lambda_0_11_p5497_lanes[3] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p10 = Lambda_3_11_p9 - Lambda_0_11_p5666_lanes[3] * Lambda_3_11_p4 -
+      Lambda_0_11_p5799 * Lambda_3_11_p6 - Lambda_0_11_p5824 * Lambda_3_11_p8;
   const Real Lambda_3_11 = Lambda_3_11_p10 * Lambda_11_11;
   Lambda[47] = Lambda_3_11;
   Lambda[135] = Lambda_3_11;
-  const Real Lambda_0_3_p1 = Lambda_3_11_p8 * Lambda_0_11_p4911;
-  const Real Lambda_0_3_p2 = Lambda_3_11_p6 * Lambda_0_11_p4895;
-  const Real Lambda_0_3_p3 = Lambda_3_11_p4 * Lambda_0_11_p4762;
-  const Real Lambda_0_3_p4 = Lambda_3_11_p3 * Lambda_0_11_p4593;
-  const Real Lambda_0_3_p5 = Lambda_3_11_p2 * Lambda_0_11_p4413;
-  const Real Lambda_0_3_p6 = Lambda_3_11_p1 * Lambda_0_11_p4225;
-  const Real Lambda_0_3_p7 = Lambda_0_11_p3980_lanes[4] * Lambda_0_11_p4072;
-  const Real Lambda_0_3_p8 = Lambda_0_0_p8 - Lambda_0_3_p7 * Lambda_0_11_p4915 + Lambda_0_3_p6 *
-      Lambda_0_11_p4916 + Lambda_0_3_p5 * Lambda_0_11_p4918 + Lambda_0_3_p4 * Lambda_0_11_p4920;
-  const Real Lambda_0_3 = Lambda_0_3_p8 + Lambda_0_3_p3 * Lambda_0_11_p4922 + Lambda_0_3_p2 *
-      Lambda_0_11_p4924 + Lambda_0_3_p1 * Lambda_0_11_p4927 + Lambda_3_11 * Lambda_0_11_p4930;
+  const Real Lambda_0_3_p1 = Lambda_3_11_p8 * Lambda_0_11_p5823;
+  const Real Lambda_0_3_p2 = Lambda_3_11_p6 * Lambda_0_11_p5798;
+  const Real Lambda_0_3_p3 = Lambda_3_11_p4 * Lambda_0_11_p5665;
+  const Real Lambda_0_3_p4 = Lambda_3_11_p3 * Lambda_0_11_p5496;
+  const Real Lambda_0_3_p5 = Lambda_3_11_p2 * Lambda_0_11_p5316;
+  const Real Lambda_0_3_p6 = Lambda_3_11_p1 * Lambda_0_11_p5156;
+  const Real Lambda_0_3_p7 = Lambda_0_11_p4848_lanes[4] * Lambda_0_11_p4988;
+  const Real Lambda_0_3_p8 = Lambda_0_0_p8 - Lambda_0_3_p7 * Lambda_0_11_p5827 + Lambda_0_3_p6 *
+      Lambda_0_11_p5828 + Lambda_0_3_p5 * Lambda_0_11_p5830 + Lambda_0_3_p4 * Lambda_0_11_p5832;
+  const Real Lambda_0_3 = Lambda_0_3_p8 + Lambda_0_3_p3 * Lambda_0_11_p5834 + Lambda_0_3_p2 *
+      Lambda_0_11_p5836 + Lambda_0_3_p1 * Lambda_0_11_p5839 + Lambda_3_11 * Lambda_0_11_p5842;
   Lambda[3] = Lambda_0_3;
   Lambda[36] = Lambda_0_3;
-  const Real Lambda_4_11_p1 = Lambda_0_11_p4407 * Lambda_0_11_p4161_lanes[5] -
-      Lambda_0_11_p4161_lanes[6];
-  const Real Lambda_4_11_p2 = Lambda_0_11_p4418 * Lambda_0_11_p4161_lanes[5] -
-      Lambda_0_11_p4161_lanes[7] - Lambda_0_11_p4588 * Lambda_4_11_p1;
-  const Real Lambda_4_11_p3 = Lambda_0_11_p4226_lanes[0] * Lambda_0_11_p4161_lanes[5] -
-      Lambda_0_11_p4073_lanes[0] - Lambda_0_11_p4414_lanes[0] * Lambda_4_11_p1 -
-      Lambda_0_11_p4594_lanes[0] * Lambda_4_11_p2;
-  const Real Lambda_4_11_p4 = Lambda_0_11_p4226_lanes[1] * Lambda_0_11_p4161_lanes[5] -
-      Lambda_0_11_p4073_lanes[1] - Lambda_0_11_p4414_lanes[1] * Lambda_4_11_p1 -
-      Lambda_0_11_p4594_lanes[1] * Lambda_4_11_p2 - Lambda_0_11_p4763_lanes[1] * Lambda_4_11_p3;
-  const Real Lambda_4_11_p5 = Lambda_0_11_p4226_lanes[2] * Lambda_0_11_p4161_lanes[5] -
-      Lambda_0_11_p4073_lanes[2] - Lambda_0_11_p4414_lanes[2] * Lambda_4_11_p1 -
-      Lambda_0_11_p4594_lanes[2] * Lambda_4_11_p2 - Lambda_0_11_p4763_lanes[2] * Lambda_4_11_p3;
-  const Real Lambda_4_11_p6 = Lambda_4_11_p5 - Lambda_0_11_p4905 * Lambda_4_11_p4;
-  const Real Lambda_4_11_p7 = Lambda_0_11_p4226_lanes[3] * Lambda_0_11_p4161_lanes[5] -
-      Lambda_0_11_p4073_lanes[3] - Lambda_0_11_p4414_lanes[3] * Lambda_4_11_p1 -
-      Lambda_0_11_p4594_lanes[3] * Lambda_4_11_p2 - Lambda_0_11_p4763_lanes[3] * Lambda_4_11_p3;
-  const Real Lambda_4_11_p8 = Lambda_4_11_p7 - Lambda_0_11_p4896 * Lambda_4_11_p4 -
-      Lambda_0_11_p4912 * Lambda_4_11_p6;
+  const Real Lambda_4_11_p1 = Lambda_0_11_p5310 * Lambda_0_11_p5077_lanes[5] -
+      Lambda_0_11_p5077_lanes[6];
+  const Real Lambda_4_11_p2 = Lambda_0_11_p5321 * Lambda_0_11_p5077_lanes[5] -
+      Lambda_0_11_p5077_lanes[7] - Lambda_0_11_p5491 * Lambda_4_11_p1;
+  const Real Lambda_4_11_p3 = Lambda_0_11_p5157_lanes[0] * Lambda_0_11_p5077_lanes[5] -
+      Lambda_0_11_p4989_lanes[0] - Lambda_0_11_p5317_lanes[0] * Lambda_4_11_p1 -
+      Lambda_0_11_p5497_lanes[0] * Lambda_4_11_p2;
+  const Real Lambda_4_11_p4 = Lambda_0_11_p5157_lanes[1] * Lambda_0_11_p5077_lanes[5] -
+      Lambda_0_11_p4989_lanes[1] - Lambda_0_11_p5317_lanes[1] * Lambda_4_11_p1 -
+      Lambda_0_11_p5497_lanes[1] * Lambda_4_11_p2 - Lambda_0_11_p5666_lanes[1] * Lambda_4_11_p3;
+  const Real Lambda_4_11_p5 = Lambda_0_11_p5157_lanes[2] * Lambda_0_11_p5077_lanes[5] -
+      Lambda_0_11_p4989_lanes[2] - Lambda_0_11_p5317_lanes[2] * Lambda_4_11_p1 -
+      Lambda_0_11_p5497_lanes[2] * Lambda_4_11_p2 - Lambda_0_11_p5666_lanes[2] * Lambda_4_11_p3;
+  const Real Lambda_4_11_p6 = Lambda_4_11_p5 - Lambda_0_11_p5818 * Lambda_4_11_p4;
+  const Real Lambda_4_11_p7 = Lambda_0_11_p5157_lanes[3] * Lambda_0_11_p5077_lanes[5] -
+      Lambda_0_11_p4989_lanes[3] - Lambda_0_11_p5317_lanes[3] * Lambda_4_11_p1 -
+      Lambda_0_11_p5497_lanes[3] * Lambda_4_11_p2 - Lambda_0_11_p5666_lanes[3] * Lambda_4_11_p3;
+  const Real Lambda_4_11_p8 = Lambda_4_11_p7 - Lambda_0_11_p5799 * Lambda_4_11_p4 -
+      Lambda_0_11_p5824 * Lambda_4_11_p6;
   const Real Lambda_4_11 = Lambda_4_11_p8 * Lambda_11_11;
   Lambda[59] = Lambda_4_11;
   Lambda[136] = Lambda_4_11;
-  const Real Lambda_0_4_p1 = Lambda_4_11_p6 * Lambda_0_11_p4911;
-  const Real Lambda_0_4_p2 = Lambda_4_11_p4 * Lambda_0_11_p4895;
-  const Real Lambda_0_4_p3 = Lambda_4_11_p3 * Lambda_0_11_p4762;
-  const Real Lambda_0_4_p4 = Lambda_4_11_p2 * Lambda_0_11_p4593;
-  const Real Lambda_0_4_p5 = Lambda_4_11_p1 * Lambda_0_11_p4413;
-  const Real Lambda_0_4_p6 = Lambda_0_11_p4161_lanes[5] * Lambda_0_11_p4225;
-  const Real Lambda_0_4_p7 = Lambda_0_0_p7 - Lambda_0_4_p6 * Lambda_0_11_p4916 + Lambda_0_4_p5 *
-      Lambda_0_11_p4918 + Lambda_0_4_p4 * Lambda_0_11_p4920 + Lambda_0_4_p3 * Lambda_0_11_p4922;
-  const Real Lambda_0_4 = Lambda_0_4_p7 + Lambda_0_4_p2 * Lambda_0_11_p4924 + Lambda_0_4_p1 *
-      Lambda_0_11_p4927 + Lambda_4_11 * Lambda_0_11_p4930;
+  const Real Lambda_0_4_p1 = Lambda_4_11_p6 * Lambda_0_11_p5823;
+  const Real Lambda_0_4_p2 = Lambda_4_11_p4 * Lambda_0_11_p5798;
+  const Real Lambda_0_4_p3 = Lambda_4_11_p3 * Lambda_0_11_p5665;
+  const Real Lambda_0_4_p4 = Lambda_4_11_p2 * Lambda_0_11_p5496;
+  const Real Lambda_0_4_p5 = Lambda_4_11_p1 * Lambda_0_11_p5316;
+  const Real Lambda_0_4_p6 = Lambda_0_11_p5077_lanes[5] * Lambda_0_11_p5156;
+  const Real Lambda_0_4_p7 = Lambda_0_0_p7 - Lambda_0_4_p6 * Lambda_0_11_p5828 + Lambda_0_4_p5 *
+      Lambda_0_11_p5830 + Lambda_0_4_p4 * Lambda_0_11_p5832 + Lambda_0_4_p3 * Lambda_0_11_p5834;
+  const Real Lambda_0_4 = Lambda_0_4_p7 + Lambda_0_4_p2 * Lambda_0_11_p5836 + Lambda_0_4_p1 *
+      Lambda_0_11_p5839 + Lambda_4_11 * Lambda_0_11_p5842;
   Lambda[4] = Lambda_0_4;
   Lambda[48] = Lambda_0_4;
-  const Real Lambda_5_11_p1 = Lambda_0_11_p4588 * Lambda_0_11_p4407 - Lambda_0_11_p4418;
-  const Real Lambda_5_11_p2 = Lambda_0_11_p4414_lanes[0] * Lambda_0_11_p4407 -
-      Lambda_0_11_p4226_lanes[0] - Lambda_0_11_p4594_lanes[0] * Lambda_5_11_p1;
-  const Real Lambda_5_11_p3 = Lambda_0_11_p4414_lanes[1] * Lambda_0_11_p4407 -
-      Lambda_0_11_p4226_lanes[1] - Lambda_0_11_p4594_lanes[1] * Lambda_5_11_p1 -
-      Lambda_0_11_p4763_lanes[1] * Lambda_5_11_p2;
-  const Real Lambda_5_11_p4 = Lambda_0_11_p4414_lanes[2] * Lambda_0_11_p4407 -
-      Lambda_0_11_p4226_lanes[2] - Lambda_0_11_p4594_lanes[2] * Lambda_5_11_p1 -
-      Lambda_0_11_p4763_lanes[2] * Lambda_5_11_p2 - Lambda_0_11_p4905 * Lambda_5_11_p3;
-  const Real Lambda_5_11_p5 = Lambda_0_11_p4414_lanes[3] * Lambda_0_11_p4407 -
-      Lambda_0_11_p4226_lanes[3] - Lambda_0_11_p4594_lanes[3] * Lambda_5_11_p1 -
-      Lambda_0_11_p4763_lanes[3] * Lambda_5_11_p2 - Lambda_0_11_p4896 * Lambda_5_11_p3;
-  const Real Lambda_5_11_p6 = Lambda_5_11_p5 - Lambda_0_11_p4912 * Lambda_5_11_p4;
+  const Real Lambda_5_11_p1 = Lambda_0_11_p5491 * Lambda_0_11_p5310 - Lambda_0_11_p5321;
+  const Real Lambda_5_11_p2 = Lambda_0_11_p5317_lanes[0] * Lambda_0_11_p5310 -
+      Lambda_0_11_p5157_lanes[0] - Lambda_0_11_p5497_lanes[0] * Lambda_5_11_p1;
+  const Real Lambda_5_11_p3 = Lambda_0_11_p5317_lanes[1] * Lambda_0_11_p5310 -
+      Lambda_0_11_p5157_lanes[1] - Lambda_0_11_p5497_lanes[1] * Lambda_5_11_p1 -
+      Lambda_0_11_p5666_lanes[1] * Lambda_5_11_p2;
+  const Real Lambda_5_11_p4 = Lambda_0_11_p5317_lanes[2] * Lambda_0_11_p5310 -
+      Lambda_0_11_p5157_lanes[2] - Lambda_0_11_p5497_lanes[2] * Lambda_5_11_p1 -
+      Lambda_0_11_p5666_lanes[2] * Lambda_5_11_p2 - Lambda_0_11_p5818 * Lambda_5_11_p3;
+  const Real Lambda_5_11_p5 = Lambda_0_11_p5317_lanes[3] * Lambda_0_11_p5310 -
+      Lambda_0_11_p5157_lanes[3] - Lambda_0_11_p5497_lanes[3] * Lambda_5_11_p1 -
+      Lambda_0_11_p5666_lanes[3] * Lambda_5_11_p2 - Lambda_0_11_p5799 * Lambda_5_11_p3;
+  const Real Lambda_5_11_p6 = Lambda_5_11_p5 - Lambda_0_11_p5824 * Lambda_5_11_p4;
   const Real Lambda_5_11 = Lambda_5_11_p6 * Lambda_11_11;
   Lambda[71] = Lambda_5_11;
   Lambda[137] = Lambda_5_11;
-  const Real Lambda_0_5_p1 = Lambda_5_11_p4 * Lambda_0_11_p4911;
-  const Real Lambda_0_5_p2 = Lambda_5_11_p3 * Lambda_0_11_p4895;
-  const Real Lambda_0_5_p3 = Lambda_5_11_p2 * Lambda_0_11_p4762;
-  const Real Lambda_0_5_p4 = Lambda_5_11_p1 * Lambda_0_11_p4593;
-  const Real Lambda_0_5_p5 = Lambda_0_11_p4407 * Lambda_0_11_p4413;
-  const Real Lambda_0_5_p6 = Lambda_0_0_p6 - Lambda_0_5_p5 * Lambda_0_11_p4918 + Lambda_0_5_p4 *
-      Lambda_0_11_p4920 + Lambda_0_5_p3 * Lambda_0_11_p4922 + Lambda_0_5_p2 * Lambda_0_11_p4924;
-  const Real Lambda_0_5 = Lambda_0_5_p6 + Lambda_0_5_p1 * Lambda_0_11_p4927 + Lambda_5_11 *
-      Lambda_0_11_p4930;
+  const Real Lambda_0_5_p1 = Lambda_5_11_p4 * Lambda_0_11_p5823;
+  const Real Lambda_0_5_p2 = Lambda_5_11_p3 * Lambda_0_11_p5798;
+  const Real Lambda_0_5_p3 = Lambda_5_11_p2 * Lambda_0_11_p5665;
+  const Real Lambda_0_5_p4 = Lambda_5_11_p1 * Lambda_0_11_p5496;
+  const Real Lambda_0_5_p5 = Lambda_0_11_p5310 * Lambda_0_11_p5316;
+  const Real Lambda_0_5_p6 = Lambda_0_0_p6 - Lambda_0_5_p5 * Lambda_0_11_p5830 + Lambda_0_5_p4 *
+      Lambda_0_11_p5832 + Lambda_0_5_p3 * Lambda_0_11_p5834 + Lambda_0_5_p2 * Lambda_0_11_p5836;
+  const Real Lambda_0_5 = Lambda_0_5_p6 + Lambda_0_5_p1 * Lambda_0_11_p5839 + Lambda_5_11 *
+      Lambda_0_11_p5842;
   Lambda[5] = Lambda_0_5;
   Lambda[60] = Lambda_0_5;
-  const Real Lambda_6_11_p1 = Lambda_0_11_p4594_lanes[0] * Lambda_0_11_p4588 -
-      Lambda_0_11_p4414_lanes[0];
-  const Real Lambda_6_11_p2 = Lambda_0_11_p4594_lanes[1] * Lambda_0_11_p4588 -
-      Lambda_0_11_p4414_lanes[1] - Lambda_0_11_p4763_lanes[1] * Lambda_6_11_p1;
-  const Real Lambda_6_11_p3 = Lambda_0_11_p4594_lanes[2] * Lambda_0_11_p4588 -
-      Lambda_0_11_p4414_lanes[2] - Lambda_0_11_p4763_lanes[2] * Lambda_6_11_p1 - Lambda_0_11_p4905 *
+  const Real Lambda_6_11_p1 = Lambda_0_11_p5497_lanes[0] * Lambda_0_11_p5491 -
+      Lambda_0_11_p5317_lanes[0];
+  const Real Lambda_6_11_p2 = Lambda_0_11_p5497_lanes[1] * Lambda_0_11_p5491 -
+      Lambda_0_11_p5317_lanes[1] - Lambda_0_11_p5666_lanes[1] * Lambda_6_11_p1;
+  const Real Lambda_6_11_p3 = Lambda_0_11_p5497_lanes[2] * Lambda_0_11_p5491 -
+      Lambda_0_11_p5317_lanes[2] - Lambda_0_11_p5666_lanes[2] * Lambda_6_11_p1 - Lambda_0_11_p5818 *
       Lambda_6_11_p2;
-  const Real Lambda_6_11_p4 = Lambda_0_11_p4594_lanes[3] * Lambda_0_11_p4588 -
-      Lambda_0_11_p4414_lanes[3] - Lambda_0_11_p4763_lanes[3] * Lambda_6_11_p1 - Lambda_0_11_p4896 *
-      Lambda_6_11_p2 - Lambda_0_11_p4912 * Lambda_6_11_p3;
+  const Real Lambda_6_11_p4 = Lambda_0_11_p5497_lanes[3] * Lambda_0_11_p5491 -
+      Lambda_0_11_p5317_lanes[3] - Lambda_0_11_p5666_lanes[3] * Lambda_6_11_p1 - Lambda_0_11_p5799 *
+      Lambda_6_11_p2 - Lambda_0_11_p5824 * Lambda_6_11_p3;
   const Real Lambda_6_11 = Lambda_6_11_p4 * Lambda_11_11;
   Lambda[83] = Lambda_6_11;
   Lambda[138] = Lambda_6_11;
-  const Real Lambda_0_6_p1 = Lambda_6_11_p3 * Lambda_0_11_p4911;
-  const Real Lambda_0_6_p2 = Lambda_6_11_p2 * Lambda_0_11_p4895;
-  const Real Lambda_0_6_p3 = Lambda_6_11_p1 * Lambda_0_11_p4762;
-  const Real Lambda_0_6_p4 = Lambda_0_11_p4588 * Lambda_0_11_p4593;
-  const Real Lambda_0_6_p5 = Lambda_0_0_p5 - Lambda_0_6_p4 * Lambda_0_11_p4920 + Lambda_0_6_p3 *
-      Lambda_0_11_p4922 + Lambda_0_6_p2 * Lambda_0_11_p4924 + Lambda_0_6_p1 * Lambda_0_11_p4927;
-  const Real Lambda_0_6 = Lambda_0_6_p5 + Lambda_6_11 * Lambda_0_11_p4930;
+  const Real Lambda_0_6_p1 = Lambda_6_11_p3 * Lambda_0_11_p5823;
+  const Real Lambda_0_6_p2 = Lambda_6_11_p2 * Lambda_0_11_p5798;
+  const Real Lambda_0_6_p3 = Lambda_6_11_p1 * Lambda_0_11_p5665;
+  const Real Lambda_0_6_p4 = Lambda_0_11_p5491 * Lambda_0_11_p5496;
+  const Real Lambda_0_6_p5 = Lambda_0_0_p5 - Lambda_0_6_p4 * Lambda_0_11_p5832 + Lambda_0_6_p3 *
+      Lambda_0_11_p5834 + Lambda_0_6_p2 * Lambda_0_11_p5836 + Lambda_0_6_p1 * Lambda_0_11_p5839;
+  const Real Lambda_0_6 = Lambda_0_6_p5 + Lambda_6_11 * Lambda_0_11_p5842;
   Lambda[6] = Lambda_0_6;
   Lambda[72] = Lambda_0_6;
-  const Real Lambda_7_11_p1 = Lambda_0_11_p4763_lanes[1] * Lambda_0_11_p4594_lanes[0] -
-      Lambda_0_11_p4594_lanes[1];
-  const Real Lambda_7_11_p2 = Lambda_0_11_p4763_lanes[2] * Lambda_0_11_p4594_lanes[0] -
-      Lambda_0_11_p4594_lanes[2] - Lambda_0_11_p4905 * Lambda_7_11_p1;
-  const Real Lambda_7_11_p3 = Lambda_0_11_p4763_lanes[3] * Lambda_0_11_p4594_lanes[0] -
-      Lambda_0_11_p4594_lanes[3] - Lambda_0_11_p4896 * Lambda_7_11_p1 - Lambda_0_11_p4912 *
+  const Real Lambda_7_11_p1 = Lambda_0_11_p5666_lanes[1] * Lambda_0_11_p5497_lanes[0] -
+      Lambda_0_11_p5497_lanes[1];
+  const Real Lambda_7_11_p2 = Lambda_0_11_p5666_lanes[2] * Lambda_0_11_p5497_lanes[0] -
+      Lambda_0_11_p5497_lanes[2] - Lambda_0_11_p5818 * Lambda_7_11_p1;
+  const Real Lambda_7_11_p3 = Lambda_0_11_p5666_lanes[3] * Lambda_0_11_p5497_lanes[0] -
+      Lambda_0_11_p5497_lanes[3] - Lambda_0_11_p5799 * Lambda_7_11_p1 - Lambda_0_11_p5824 *
       Lambda_7_11_p2;
   const Real Lambda_7_11 = Lambda_7_11_p3 * Lambda_11_11;
   Lambda[95] = Lambda_7_11;
   Lambda[139] = Lambda_7_11;
-  const Real Lambda_0_7_p1 = Lambda_7_11_p2 * Lambda_0_11_p4911;
-  const Real Lambda_0_7_p2 = Lambda_7_11_p1 * Lambda_0_11_p4895;
-  const Real Lambda_0_7_p3 = Lambda_0_11_p4594_lanes[0] * Lambda_0_11_p4762;
-  const Real Lambda_0_7 = Lambda_0_0_p4 - Lambda_0_7_p3 * Lambda_0_11_p4922 + Lambda_0_7_p2 *
-      Lambda_0_11_p4924 + Lambda_0_7_p1 * Lambda_0_11_p4927 + Lambda_7_11 * Lambda_0_11_p4930;
+  const Real Lambda_0_7_p1 = Lambda_7_11_p2 * Lambda_0_11_p5823;
+  const Real Lambda_0_7_p2 = Lambda_7_11_p1 * Lambda_0_11_p5798;
+  const Real Lambda_0_7_p3 = Lambda_0_11_p5497_lanes[0] * Lambda_0_11_p5665;
+  const Real Lambda_0_7 = Lambda_0_0_p4 - Lambda_0_7_p3 * Lambda_0_11_p5834 + Lambda_0_7_p2 *
+      Lambda_0_11_p5836 + Lambda_0_7_p1 * Lambda_0_11_p5839 + Lambda_7_11 * Lambda_0_11_p5842;
   Lambda[7] = Lambda_0_7;
   Lambda[84] = Lambda_0_7;
-  const Real Lambda_8_11_p1 = Lambda_0_11_p4905 * Lambda_0_11_p4763_lanes[1] -
-      Lambda_0_11_p4763_lanes[2];
-  const Real Lambda_8_11_p2 = Lambda_0_11_p4896 * Lambda_0_11_p4763_lanes[1] -
-      Lambda_0_11_p4763_lanes[3] - Lambda_0_11_p4912 * Lambda_8_11_p1;
+  const Real Lambda_8_11_p1 = Lambda_0_11_p5818 * Lambda_0_11_p5666_lanes[1] -
+      Lambda_0_11_p5666_lanes[2];
+  const Real Lambda_8_11_p2 = Lambda_0_11_p5799 * Lambda_0_11_p5666_lanes[1] -
+      Lambda_0_11_p5666_lanes[3] - Lambda_0_11_p5824 * Lambda_8_11_p1;
   const Real Lambda_8_11 = Lambda_8_11_p2 * Lambda_11_11;
   Lambda[107] = Lambda_8_11;
   Lambda[140] = Lambda_8_11;
-  const Real Lambda_0_8_p1 = Lambda_8_11_p1 * Lambda_0_11_p4911;
-  const Real Lambda_0_8_p2 = Lambda_0_11_p4763_lanes[1] * Lambda_0_11_p4895;
-  const Real Lambda_0_8 = Lambda_0_0_p3 - Lambda_0_8_p2 * Lambda_0_11_p4924 + Lambda_0_8_p1 *
-      Lambda_0_11_p4927 + Lambda_8_11 * Lambda_0_11_p4930;
+  const Real Lambda_0_8_p1 = Lambda_8_11_p1 * Lambda_0_11_p5823;
+  const Real Lambda_0_8_p2 = Lambda_0_11_p5666_lanes[1] * Lambda_0_11_p5798;
+  const Real Lambda_0_8 = Lambda_0_0_p3 - Lambda_0_8_p2 * Lambda_0_11_p5836 + Lambda_0_8_p1 *
+      Lambda_0_11_p5839 + Lambda_8_11 * Lambda_0_11_p5842;
   Lambda[8] = Lambda_0_8;
   Lambda[96] = Lambda_0_8;
-  const Real Lambda_9_11_p1 = Lambda_0_11_p4912 * Lambda_0_11_p4905 - Lambda_0_11_p4896;
+  const Real Lambda_9_11_p1 = Lambda_0_11_p5824 * Lambda_0_11_p5818 - Lambda_0_11_p5799;
   const Real Lambda_9_11 = Lambda_9_11_p1 * Lambda_11_11;
   Lambda[119] = Lambda_9_11;
   Lambda[141] = Lambda_9_11;
-  const Real Lambda_0_9_p1 = Lambda_0_11_p4905 * Lambda_0_11_p4911;
-  const Real Lambda_0_9 = Lambda_0_0_p2 - Lambda_0_9_p1 * Lambda_0_11_p4927 + Lambda_9_11 *
-      Lambda_0_11_p4930;
+  const Real Lambda_0_9_p1 = Lambda_0_11_p5818 * Lambda_0_11_p5823;
+  const Real Lambda_0_9 = Lambda_0_0_p2 - Lambda_0_9_p1 * Lambda_0_11_p5839 + Lambda_9_11 *
+      Lambda_0_11_p5842;
   Lambda[9] = Lambda_0_9;
   Lambda[108] = Lambda_0_9;
-  const Real Lambda_10_11 = Lambda_0_11_p4912 * Lambda_11_11;
+  const Real Lambda_10_11 = Lambda_0_11_p5824 * Lambda_11_11;
   Lambda[131] = -Lambda_10_11;
   Lambda[142] = -Lambda_10_11;
-  const Real Lambda_0_10 = Lambda_0_0_p1 - Lambda_10_11 * Lambda_0_11_p4930;
+  const Real Lambda_0_10 = Lambda_0_0_p1 - Lambda_10_11 * Lambda_0_11_p5842;
   Lambda[10] = Lambda_0_10;
   Lambda[120] = Lambda_0_10;
-  const Real Lambda_1_1_p1 = Lambda_0_11_p3481 + Lambda_0_1_p9 * Lambda_0_11_p3546_lanes[2] +
+  const Real Lambda_1_1_p1 = Lambda_0_11_p4349 + Lambda_0_1_p9 * Lambda_0_11_p4414_lanes[2] +
       Lambda_0_1_p8 * Lambda_1_11_p1 + Lambda_0_1_p7 * Lambda_1_11_p2 + Lambda_0_1_p6 *
       Lambda_1_11_p3;
   const Real Lambda_1_1_p2 = Lambda_1_1_p1 + Lambda_0_1_p5 * Lambda_1_11_p4 + Lambda_0_1_p4 *
@@ -4766,7 +5220,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_1_10 = Lambda_0_1_p1 - Lambda_10_11 * Lambda_1_11_p15;
   Lambda[22] = Lambda_1_10;
   Lambda[121] = Lambda_1_10;
-  const Real Lambda_2_2_p1 = Lambda_0_11_p3696 + Lambda_0_2_p8 * Lambda_0_11_p3769_lanes[3] +
+  const Real Lambda_2_2_p1 = Lambda_0_11_p4564 + Lambda_0_2_p8 * Lambda_0_11_p4637_lanes[3] +
       Lambda_0_2_p7 * Lambda_2_11_p1 + Lambda_0_2_p6 * Lambda_2_11_p2 + Lambda_0_2_p5 *
       Lambda_2_11_p3;
   const Real Lambda_2_2_p2 = Lambda_2_2_p1 + Lambda_0_2_p4 * Lambda_2_11_p4 + Lambda_0_2_p3 *
@@ -4811,7 +5265,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_2_10 = Lambda_0_2_p1 - Lambda_10_11 * Lambda_2_11_p12;
   Lambda[34] = Lambda_2_10;
   Lambda[122] = Lambda_2_10;
-  const Real Lambda_3_3_p1 = Lambda_0_11_p3899 + Lambda_0_3_p7 * Lambda_0_11_p3980_lanes[4] +
+  const Real Lambda_3_3_p1 = Lambda_0_11_p4767 + Lambda_0_3_p7 * Lambda_0_11_p4848_lanes[4] +
       Lambda_0_3_p6 * Lambda_3_11_p1 + Lambda_0_3_p5 * Lambda_3_11_p2 + Lambda_0_3_p4 *
       Lambda_3_11_p3;
   Lambda[39] = Lambda_3_3_p1 + Lambda_0_3_p3 * Lambda_3_11_p4 + Lambda_0_3_p2 * Lambda_3_11_p6 +
@@ -4849,7 +5303,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_3_10 = Lambda_0_3_p1 - Lambda_10_11 * Lambda_3_11_p10;
   Lambda[46] = Lambda_3_10;
   Lambda[123] = Lambda_3_10;
-  const Real Lambda_4_4_p1 = Lambda_0_11_p4072 + Lambda_0_4_p6 * Lambda_0_11_p4161_lanes[5] +
+  const Real Lambda_4_4_p1 = Lambda_0_11_p4988 + Lambda_0_4_p6 * Lambda_0_11_p5077_lanes[5] +
       Lambda_0_4_p5 * Lambda_4_11_p1 + Lambda_0_4_p4 * Lambda_4_11_p2 + Lambda_0_4_p3 *
       Lambda_4_11_p3;
   Lambda[52] = Lambda_4_4_p1 + Lambda_0_4_p2 * Lambda_4_11_p4 + Lambda_0_4_p1 * Lambda_4_11_p6 +
@@ -4881,7 +5335,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_4_10 = Lambda_0_4_p1 - Lambda_10_11 * Lambda_4_11_p8;
   Lambda[58] = Lambda_4_10;
   Lambda[124] = Lambda_4_10;
-  const Real Lambda_5_5_p1 = Lambda_0_11_p4225 + Lambda_0_5_p5 * Lambda_0_11_p4407 + Lambda_0_5_p4 *
+  const Real Lambda_5_5_p1 = Lambda_0_11_p5156 + Lambda_0_5_p5 * Lambda_0_11_p5310 + Lambda_0_5_p4 *
       Lambda_5_11_p1 + Lambda_0_5_p3 * Lambda_5_11_p2 + Lambda_0_5_p2 * Lambda_5_11_p3;
   Lambda[65] = Lambda_5_5_p1 + Lambda_0_5_p1 * Lambda_5_11_p4 + Lambda_5_11 * Lambda_5_11_p6;
   const Real Lambda_5_6_p1 = Lambda_0_6_p3 * Lambda_5_11_p2 -
@@ -4905,7 +5359,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_5_10 = Lambda_0_5_p1 - Lambda_10_11 * Lambda_5_11_p6;
   Lambda[70] = Lambda_5_10;
   Lambda[125] = Lambda_5_10;
-  const Real Lambda_6_6_p1 = Lambda_0_11_p4413 + Lambda_0_6_p4 * Lambda_0_11_p4588 + Lambda_0_6_p3 *
+  const Real Lambda_6_6_p1 = Lambda_0_11_p5316 + Lambda_0_6_p4 * Lambda_0_11_p5491 + Lambda_0_6_p3 *
       Lambda_6_11_p1 + Lambda_0_6_p2 * Lambda_6_11_p2 + Lambda_0_6_p1 * Lambda_6_11_p3;
   Lambda[78] = Lambda_6_6_p1 + Lambda_6_11 * Lambda_6_11_p4;
   const Real Lambda_6_7 = Lambda_0_7_p2 * Lambda_6_11_p2 -
@@ -4924,7 +5378,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_6_10 = Lambda_0_6_p1 - Lambda_10_11 * Lambda_6_11_p4;
   Lambda[82] = Lambda_6_10;
   Lambda[126] = Lambda_6_10;
-  Lambda[91] = Lambda_0_11_p4593 + Lambda_0_7_p3 * Lambda_0_11_p4594_lanes[0] + Lambda_0_7_p2 *
+  Lambda[91] = Lambda_0_11_p5496 + Lambda_0_7_p3 * Lambda_0_11_p5497_lanes[0] + Lambda_0_7_p2 *
       Lambda_7_11_p1 + Lambda_0_7_p1 * Lambda_7_11_p2 + Lambda_7_11 * Lambda_7_11_p3;
   const Real Lambda_7_8 = Lambda_0_8_p1 * Lambda_7_11_p2 -
       (Lambda_0_7_p3 + Lambda_0_8_p2 * Lambda_7_11_p1) + Lambda_8_11 * Lambda_7_11_p3;
@@ -4937,7 +5391,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_7_10 = Lambda_0_7_p1 - Lambda_10_11 * Lambda_7_11_p3;
   Lambda[94] = Lambda_7_10;
   Lambda[127] = Lambda_7_10;
-  Lambda[104] = Lambda_0_11_p4762 + Lambda_0_8_p2 * Lambda_0_11_p4763_lanes[1] + Lambda_0_8_p1 *
+  Lambda[104] = Lambda_0_11_p5665 + Lambda_0_8_p2 * Lambda_0_11_p5666_lanes[1] + Lambda_0_8_p1 *
       Lambda_8_11_p1 + Lambda_8_11 * Lambda_8_11_p2;
   const Real Lambda_8_9 = Lambda_9_11 * Lambda_8_11_p2 -
       (Lambda_0_8_p2 + Lambda_0_9_p1 * Lambda_8_11_p1);
@@ -4946,12 +5400,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_8_10 = Lambda_0_8_p1 - Lambda_10_11 * Lambda_8_11_p2;
   Lambda[106] = Lambda_8_10;
   Lambda[128] = Lambda_8_10;
-  Lambda[117] = Lambda_0_11_p4895 + Lambda_0_9_p1 * Lambda_0_11_p4905 + Lambda_9_11 *
+  Lambda[117] = Lambda_0_11_p5798 + Lambda_0_9_p1 * Lambda_0_11_p5818 + Lambda_9_11 *
       Lambda_9_11_p1;
   const Real Lambda_9_10 = Lambda_0_9_p1 + Lambda_10_11 * Lambda_9_11_p1;
   Lambda[118] = -Lambda_9_10;
   Lambda[129] = -Lambda_9_10;
-  Lambda[130] = Lambda_0_11_p4911 + Lambda_10_11 * Lambda_0_11_p4912;
+  Lambda[130] = Lambda_0_11_p5823 + Lambda_10_11 * Lambda_0_11_p5824;
 }
 
 }  // namespace humanoid24

@@ -1,6 +1,6 @@
 // lambda_inverse: Lambda^-1 = J M^-1 J^T
-// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
-// 6522 flops (add 2753, mul 3737, div 32), sine and cosine of 24 angles
+// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
+// 6533 flops (add 2756, mul 3745, div 32), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
 #include "lanes.hpp"
@@ -14,7 +14,8 @@
 
 namespace humanoid24 {
 
-using Lanes = detail::Lanes<Real, 8>;
+template <int count>
+using Lanes = detail::Lanes<Real, count>;
 void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
     Real (&TREELINE_RESTRICT Lambda_inv)[144]) noexcept {
   const Real angles[24] = {q[12], q[10], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1], q[0], q[9],
@@ -72,2598 +73,3437 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real s14 = sines[23];
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_inv_0_0_p1 = 0.0002628975791811551 * c13 - 0.0007660844555829042 * s13;
-  const Real Lambda_inv_0_0_p2 = c13 * Lambda_inv_0_0_p1 - 0.00013384878959057754;
-  const Real inverse_D12_p1 = s13 * Lambda_inv_0_0_p1;
+  const Lanes<2> Lambda_inv_0_0_p1_lanes = detail::make_lanes<Real>(0.001090468517736955,
+      (-0.001090468517736955)) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> Lambda_inv_0_0_p3_lanes = detail::make_lanes<Real>(0.001742099791326752,
+      0.001742099791326752) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> Lambda_inv_0_0_p5_lanes = Lambda_inv_0_0_p1_lanes + Lambda_inv_0_0_p3_lanes;
+  const Lanes<2> Lambda_inv_0_0_p7_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_0_p5_lanes;
+  const Lanes<2> Lambda_inv_0_0_p9_lanes = 0.0006340258712020409 + Lambda_inv_0_0_p7_lanes;
+  const Lanes<2> inverse_D12_p1_lanes = detail::make_lanes<Real>((-0.0007660844555829042),
+      (-0.0007660844555829042)) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> inverse_D12_p2_lanes = detail::make_lanes<Real>(0.0002628975791811551,
+      (-0.0002628975791811551)) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> inverse_D12_p3_lanes = inverse_D12_p1_lanes + inverse_D12_p2_lanes;
+  const Lanes<2> inverse_D12_p4_lanes = detail::make_lanes<Real>(s13, s20) * inverse_D12_p3_lanes;
+  const Lanes<2> inverse_D12_p5_lanes = inverse_D12_p4_lanes -
+      detail::make_lanes<Real>((-0.0010519177038056625), (-0.0010519177038056625));
 
   // link 12 (left_wrist2), articulated inertia
-  const Real inverse_D12 = 1.0 / (0.0010519177038056625 + inverse_D12_p1);
-  const Real Lambda_inv_0_0_p3 = Lambda_inv_0_0_p2 * inverse_D12;
-  const Real Lambda_inv_0_0_p4 = 0.0002742332482227584 - inverse_D12_p1 - Lambda_inv_0_0_p2 *
-      Lambda_inv_0_0_p3;
-  const Real Lambda_inv_0_0_p5 = s12 * (1.16e-05 - Lambda_inv_0_0_p4);
+  const Lanes<2> inverse_D12_lanes = 1.0 / inverse_D12_p5_lanes;
+  const Lanes<2> Lambda_inv_0_0_p11_lanes = Lambda_inv_0_0_p9_lanes * inverse_D12_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_inv_0_0_p6 = 0.001090468517736955 * s13 + 0.001742099791326752 * c13;
-  const Real Lambda_inv_0_0_p7 = s13 * Lambda_inv_0_0_p6;
-  const Real Lambda_inv_0_0_p8 = Lambda_inv_0_0_p7 - 0.000760024621759417;
+  const Lanes<2> Lambda_inv_0_0_p13_lanes = detail::make_lanes<Real>(c13, c20) *
+      inverse_D12_p3_lanes;
+  const Lanes<2> Lambda_inv_0_0_p15_lanes = detail::make_lanes<Real>((-0.00013384878959057754),
+      0.00013384878959057754) + Lambda_inv_0_0_p13_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p9 = Lambda_inv_0_0_p8 * inverse_D12;
+  const Lanes<2> Lambda_inv_0_0_p17_lanes = Lambda_inv_0_0_p15_lanes * Lambda_inv_0_0_p11_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_inv_0_0_p10 = c13 * Lambda_inv_0_0_p6;
+  const Lanes<2> Lambda_inv_0_0_p19_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_0_p5_lanes;
+  const Lanes<2> Lambda_inv_0_0_p21_lanes = detail::make_lanes<Real>((-0.00033044389597753786),
+      0.00033044389597753786) + Lambda_inv_0_0_p19_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p11 = Lambda_inv_0_0_p10 - 0.002376125662528793 - Lambda_inv_0_0_p2 *
-      Lambda_inv_0_0_p9;
-  const Real Lambda_inv_0_0_p12 = 0.0006000000000000001 * s12 + c12 * Lambda_inv_0_0_p11;
-  const Real Lambda_inv_0_0_p13 = 0.000144 - (c12 * Lambda_inv_0_0_p5 + 0.269 * Lambda_inv_0_0_p12);
-  const Real inverse_D11_p1 = s12 * Lambda_inv_0_0_p5;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real inverse_D11 = 1.0 / (0.00022920000000000001 + (Lambda_inv_0_0_p4 + inverse_D11_p1));
-  const Real Lambda_inv_0_0_p14 = Lambda_inv_0_0_p13 * inverse_D11;
+  const Lanes<2> Lambda_inv_0_0_p23_lanes = Lambda_inv_0_0_p21_lanes + Lambda_inv_0_0_p17_lanes;
+  const Lanes<2> Lambda_inv_0_0_p25_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p23_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_inv_0_0_p15 = 0.27310176737964387 * s13 - 0.09929187165525127 * c13;
-  const Real Lambda_inv_0_0_p16 = s13 * Lambda_inv_0_0_p15;
+  const Lanes<2> Lambda_inv_0_0_p27_lanes = detail::make_lanes<Real>((-0.002865001425),
+      0.002865001425) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> Lambda_inv_0_0_p29_lanes = 0.01626499875 * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> Lambda_inv_0_0_p31_lanes = Lambda_inv_0_0_p27_lanes - Lambda_inv_0_0_p29_lanes;
+  const Lanes<2> Lambda_inv_0_0_p33_lanes = Lambda_inv_0_0_p31_lanes - 0.0006000000000000001;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p17 = Lambda_inv_0_0_p16 - 0.2818466605750157 - Lambda_inv_0_0_p8 *
-      Lambda_inv_0_0_p9;
-  const Real Lambda_inv_0_0_p18 = s12 * Lambda_inv_0_0_p11 - 0.0006000000000000001 * c12;
-  const Real Lambda_inv_0_0_p19 = 0.269 * Lambda_inv_0_0_p17 - Lambda_inv_0_0_p18;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p20 = 0.000131 - inverse_D11_p1 + 0.269 *
-      (Lambda_inv_0_0_p19 - Lambda_inv_0_0_p18) - Lambda_inv_0_0_p13 * Lambda_inv_0_0_p14;
+  const Lanes<2> Lambda_inv_0_0_p35_lanes = Lambda_inv_0_0_p33_lanes * inverse_D12_lanes;
+  const Lanes<2> Lambda_inv_0_0_p37_lanes = Lambda_inv_0_0_p15_lanes * Lambda_inv_0_0_p35_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_inv_0_0_p21 = 0.0006340258712020409 + Lambda_inv_0_0_p10;
+  const Lanes<2> Lambda_inv_0_0_p39_lanes = detail::make_lanes<Real>((-0.002865001425),
+      0.002865001425) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> Lambda_inv_0_0_p41_lanes = 0.01626499875 * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> Lambda_inv_0_0_p43_lanes = Lambda_inv_0_0_p39_lanes + Lambda_inv_0_0_p41_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p22 = Lambda_inv_0_0_p21 * inverse_D12;
-  const Real Lambda_inv_0_0_p23 = 0.00033044389597753786 - Lambda_inv_0_0_p7 - Lambda_inv_0_0_p2 *
-      Lambda_inv_0_0_p22;
+  const Lanes<2> Lambda_inv_0_0_p45_lanes = Lambda_inv_0_0_p43_lanes - Lambda_inv_0_0_p37_lanes;
+  const Lanes<2> Lambda_inv_0_0_p47_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p45_lanes;
+  const Lanes<2> Lambda_inv_0_0_p49_lanes = Lambda_inv_0_0_p25_lanes + Lambda_inv_0_0_p47_lanes;
+  const Lanes<2> Lambda_inv_0_0_p51_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p49_lanes;
+  const Lanes<2> Lambda_inv_0_0_p53_lanes = detail::make_lanes<Real>(0.001, (-0.001)) +
+      Lambda_inv_0_0_p51_lanes;
+  const Lanes<2> inverse_D11_p1_lanes = Lambda_inv_0_0_p15_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D11_p2_lanes = Lambda_inv_0_0_p15_lanes * inverse_D11_p1_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Real Lambda_inv_0_0_p24 = 0.0006000000000000001 +
-      (0.002865001425 * s13 + 0.01626499875 * c13);
+  const Lanes<2> inverse_D11_p3_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p25 = Lambda_inv_0_0_p24 * inverse_D12;
-  const Real Lambda_inv_0_0_p26 = 0.01626499875 * s13 - 0.002865001425 * c13 + Lambda_inv_0_0_p2 *
-      Lambda_inv_0_0_p25;
-  const Real Lambda_inv_0_0_p27 = s12 * Lambda_inv_0_0_p23 - c12 * Lambda_inv_0_0_p26;
-  const Real Lambda_inv_0_0_p28 = c12 * Lambda_inv_0_0_p27;
-  const Real Lambda_inv_0_0_p29 = 0.0002516 - 0.269 * Lambda_inv_0_0_p28;
+  const Lanes<2> inverse_D11_p4_lanes = inverse_D11_p3_lanes - inverse_D11_p2_lanes;
+  const Lanes<2> inverse_D11_p5_lanes = 1.16e-05 - inverse_D11_p4_lanes;
+  const Lanes<2> inverse_D11_p6_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p5_lanes;
+  const Lanes<2> inverse_D11_p7_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p6_lanes;
+  const Lanes<2> inverse_D11_p8_lanes = inverse_D11_p4_lanes + inverse_D11_p7_lanes;
+  const Lanes<2> inverse_D11_p9_lanes = 0.00022920000000000001 + inverse_D11_p8_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p30 = Lambda_inv_0_0_p29 * inverse_D11;
+  const Lanes<2> inverse_D11_lanes = 1.0 / inverse_D11_p9_lanes;
+  const Lanes<2> Lambda_inv_0_0_p55_lanes = Lambda_inv_0_0_p53_lanes * inverse_D11_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p31 = 0.008744893195371809 + Lambda_inv_0_0_p16 + Lambda_inv_0_0_p21 *
-      Lambda_inv_0_0_p22;
-  const Real Lambda_inv_0_0_p32 = Lambda_inv_0_0_p24 * Lambda_inv_0_0_p25;
-  const Real Lambda_inv_0_0_p33 = Lambda_inv_0_0_p24 * Lambda_inv_0_0_p22;
-  const Real Lambda_inv_0_0_p34 = s12 * (Lambda_inv_0_0_p31 - Lambda_inv_0_0_p32) + c12 *
-      (2.0 * Lambda_inv_0_0_p33);
-  const Real Lambda_inv_0_0_p35 = s12 * Lambda_inv_0_0_p34;
-  const Real Lambda_inv_0_0_p36 = Lambda_inv_0_0_p32 + Lambda_inv_0_0_p35;
+  const Lanes<2> Lambda_inv_0_0_p57_lanes = detail::make_lanes<Real>(c12, c19) *
+      inverse_D11_p6_lanes;
 
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p37 = 0.0001098 - 0.07236100000000001 * Lambda_inv_0_0_p36 -
-      Lambda_inv_0_0_p29 * Lambda_inv_0_0_p30;
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p59_lanes = Lambda_inv_0_0_p19_lanes -
+      detail::make_lanes<Real>(0.000760024621759417, (-0.000760024621759417));
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p38 = s12 * Lambda_inv_0_0_p27;
-  const Real Lambda_inv_0_0_p39 = 0.04964593582762564 + c13 * Lambda_inv_0_0_p15 -
-      Lambda_inv_0_0_p21 * Lambda_inv_0_0_p9;
-  const Real Lambda_inv_0_0_p40 = Lambda_inv_0_0_p24 * Lambda_inv_0_0_p9;
-  const Real Lambda_inv_0_0_p41 = s12 * Lambda_inv_0_0_p39 - c12 * Lambda_inv_0_0_p40;
-  const Real Lambda_inv_0_0_p42 = 0.269 * Lambda_inv_0_0_p41;
-  const Real Lambda_inv_0_0_p43 = Lambda_inv_0_0_p38 - Lambda_inv_0_0_p42;
+  const Lanes<2> Lambda_inv_0_0_p61_lanes = Lambda_inv_0_0_p59_lanes * inverse_D12_lanes;
+  const Lanes<2> Lambda_inv_0_0_p63_lanes = Lambda_inv_0_0_p15_lanes * Lambda_inv_0_0_p61_lanes;
 
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p44 = 6e-06 + 0.269 * Lambda_inv_0_0_p43 + Lambda_inv_0_0_p13 *
-      Lambda_inv_0_0_p30;
-  const Real Lambda_inv_0_0_p45 = 2.0 * c11;
-  const Real Lambda_inv_0_0_p46 = s11 * (Lambda_inv_0_0_p20 - Lambda_inv_0_0_p37) -
-      Lambda_inv_0_0_p45 * Lambda_inv_0_0_p44;
-  const Real Lambda_inv_0_0_p47 = c11 * Lambda_inv_0_0_p46 + Lambda_inv_0_0_p44 -
-      2.249994685315e-05;
-  const Real inverse_D10_p1 = s11 * Lambda_inv_0_0_p46;
-  const Real inverse_D10_p2 = 0.060888541114265754 + (Lambda_inv_0_0_p37 + inverse_D10_p1);
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real inverse_D10 = 1.0 / inverse_D10_p2;
-  const Real Lambda_inv_0_0_p48 = Lambda_inv_0_0_p47 * inverse_D10;
-  const Real Lambda_inv_0_0_p49 = 0.06060754126741261 + (Lambda_inv_0_0_p20 - inverse_D10_p1) -
-      Lambda_inv_0_0_p47 * Lambda_inv_0_0_p48;
-  const Real Lambda_inv_0_0_p50 = 0.00028099984685315 - 2.249996661190239e-08 / inverse_D10_p2;
-  const Real Lambda_inv_0_0_p51 = 0.0001499998887063 / inverse_D10_p2;
-  const Real Lambda_inv_0_0_p52 = Lambda_inv_0_0_p47 * Lambda_inv_0_0_p51 - 0.0001499998887063;
-  const Real Lambda_inv_0_0_p53 = 2.0 * c10;
-  const Real Lambda_inv_0_0_p54 = s10 * (Lambda_inv_0_0_p49 - Lambda_inv_0_0_p50) +
-      Lambda_inv_0_0_p53 * Lambda_inv_0_0_p52;
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p65_lanes = Lambda_inv_0_0_p7_lanes -
+      detail::make_lanes<Real>(0.002376125662528793, 0.002376125662528793);
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p55 = Lambda_inv_0_0_p28 - 0.001;
+  const Lanes<2> Lambda_inv_0_0_p67_lanes = Lambda_inv_0_0_p65_lanes - Lambda_inv_0_0_p63_lanes;
+  const Lanes<2> Lambda_inv_0_0_p69_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p67_lanes;
+  const Lanes<2> Lambda_inv_0_0_p71_lanes = 0.0006000000000000001 *
+      detail::make_lanes<Real>(s12, s19);
+  const Lanes<2> Lambda_inv_0_0_p73_lanes = Lambda_inv_0_0_p71_lanes + Lambda_inv_0_0_p69_lanes;
+  const Lanes<2> Lambda_inv_0_0_p75_lanes = 0.269 * Lambda_inv_0_0_p73_lanes;
+  const Lanes<2> Lambda_inv_0_0_p77_lanes = Lambda_inv_0_0_p57_lanes + Lambda_inv_0_0_p75_lanes;
+  const Lanes<2> Lambda_inv_0_0_p79_lanes = 0.000144 - Lambda_inv_0_0_p77_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p56 = Lambda_inv_0_0_p55 * inverse_D11;
-  const Real Lambda_inv_0_0_p57 = Lambda_inv_0_0_p43 - Lambda_inv_0_0_p13 * Lambda_inv_0_0_p56;
+  const Lanes<2> Lambda_inv_0_0_p81_lanes = Lambda_inv_0_0_p79_lanes * Lambda_inv_0_0_p55_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p58 = 6e-04 - Lambda_inv_0_0_p12;
+  const Lanes<2> Lambda_inv_0_0_p83_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p49_lanes;
+  const Lanes<2> Lambda_inv_0_0_p85_lanes = Lambda_inv_0_0_p33_lanes * Lambda_inv_0_0_p61_lanes;
+  const Lanes<2> Lambda_inv_0_0_p87_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p85_lanes;
+  const Lanes<2> Lambda_inv_0_0_p89_lanes = Lambda_inv_0_0_p9_lanes * Lambda_inv_0_0_p61_lanes;
 
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p59 = Lambda_inv_0_0_p58 * inverse_D11;
-  const Real Lambda_inv_0_0_p60 = Lambda_inv_0_0_p42 - Lambda_inv_0_0_p29 * Lambda_inv_0_0_p59;
-  const Real Lambda_inv_0_0_p61 = 0.269 * Lambda_inv_0_0_p36 - Lambda_inv_0_0_p29 *
-      Lambda_inv_0_0_p56;
-  const Real Lambda_inv_0_0_p62 = Lambda_inv_0_0_p19 - Lambda_inv_0_0_p13 * Lambda_inv_0_0_p59;
-  const Real Lambda_inv_0_0_p63 = s11 * (Lambda_inv_0_0_p57 - Lambda_inv_0_0_p60) + c11 *
-      (Lambda_inv_0_0_p61 + Lambda_inv_0_0_p62);
-  const Real Lambda_inv_0_0_p64 = s11 * Lambda_inv_0_0_p63;
-  const Real Lambda_inv_0_0_p65 = Lambda_inv_0_0_p60 + Lambda_inv_0_0_p64;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p66 = Lambda_inv_0_0_p65 * inverse_D10;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p67 = c11 * Lambda_inv_0_0_p63;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p68 = 0.28049749700000004 + (Lambda_inv_0_0_p67 - Lambda_inv_0_0_p61) -
-      Lambda_inv_0_0_p47 * Lambda_inv_0_0_p66;
-  const Real Lambda_inv_0_0_p69 = 0.0001499998887063 * Lambda_inv_0_0_p66 - 0.0014999985000000002;
-  const Real Lambda_inv_0_0_p70 = s10 * Lambda_inv_0_0_p68 + c10 * Lambda_inv_0_0_p69;
-  const Real Lambda_inv_0_0_p71 = 0.0005895000784280001 +
-      (c10 * Lambda_inv_0_0_p54 - Lambda_inv_0_0_p52 + 0.282 * Lambda_inv_0_0_p70);
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p72 = Lambda_inv_0_0_p67 - Lambda_inv_0_0_p62 - 0.28049749700000004;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p73 = Lambda_inv_0_0_p72 * inverse_D10;
-  const Real Lambda_inv_0_0_p74 = 0.0001499998887063 * Lambda_inv_0_0_p73;
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p91_lanes = detail::make_lanes<Real>((-0.09929187165525127),
+      0.09929187165525127) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> Lambda_inv_0_0_p93_lanes = detail::make_lanes<Real>((-0.27310176737964387),
+      (-0.27310176737964387)) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> Lambda_inv_0_0_p95_lanes = Lambda_inv_0_0_p91_lanes - Lambda_inv_0_0_p93_lanes;
+  const Lanes<2> Lambda_inv_0_0_p97_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_0_p95_lanes;
+  const Lanes<2> Lambda_inv_0_0_p99_lanes = Lambda_inv_0_0_p97_lanes -
+      detail::make_lanes<Real>((-0.04964593582762564), 0.04964593582762564);
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p75 = s12 * Lambda_inv_0_0_p40 + c12 * Lambda_inv_0_0_p39;
-  const Real Lambda_inv_0_0_p76 = Lambda_inv_0_0_p23 - Lambda_inv_0_0_p38;
+  const Lanes<2> Lambda_inv_0_0_p101_lanes = Lambda_inv_0_0_p99_lanes - Lambda_inv_0_0_p89_lanes;
+  const Lanes<2> Lambda_inv_0_0_p103_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p101_lanes;
+  const Lanes<2> Lambda_inv_0_0_p105_lanes = Lambda_inv_0_0_p87_lanes + Lambda_inv_0_0_p103_lanes;
+  const Lanes<2> Lambda_inv_0_0_p107_lanes = 0.269 * Lambda_inv_0_0_p105_lanes;
+  const Lanes<2> Lambda_inv_0_0_p109_lanes = Lambda_inv_0_0_p83_lanes + Lambda_inv_0_0_p107_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p77 = Lambda_inv_0_0_p76 * inverse_D11;
-  const Real Lambda_inv_0_0_p78 = 0.001 + (Lambda_inv_0_0_p28 + Lambda_inv_0_0_p26 - 0.269 *
-      Lambda_inv_0_0_p75) - Lambda_inv_0_0_p13 * Lambda_inv_0_0_p77;
+  const Lanes<2> Lambda_inv_0_0_p111_lanes = Lambda_inv_0_0_p81_lanes - Lambda_inv_0_0_p109_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p79 = c12 * Lambda_inv_0_0_p34 - Lambda_inv_0_0_p33;
+  const Lanes<2> Lambda_inv_0_0_p113_lanes = 0.269 * Lambda_inv_0_0_p51_lanes;
+  const Lanes<2> Lambda_inv_0_0_p115_lanes = detail::make_lanes<Real>(0.0002516, (-0.0002516)) +
+      Lambda_inv_0_0_p113_lanes;
+  const Lanes<2> Lambda_inv_0_0_p117_lanes = 6e-04 - Lambda_inv_0_0_p73_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p80 = 0.269 * Lambda_inv_0_0_p79 - 6e-04 - Lambda_inv_0_0_p29 *
-      Lambda_inv_0_0_p77;
-  const Real Lambda_inv_0_0_p81 = 0.0014999985000000002 -
-      (s11 * Lambda_inv_0_0_p78 + c11 * Lambda_inv_0_0_p80);
+  const Lanes<2> Lambda_inv_0_0_p119_lanes = Lambda_inv_0_0_p117_lanes * inverse_D11_lanes;
+  const Lanes<2> Lambda_inv_0_0_p121_lanes = Lambda_inv_0_0_p115_lanes * Lambda_inv_0_0_p119_lanes;
+  const Lanes<2> Lambda_inv_0_0_p123_lanes = Lambda_inv_0_0_p107_lanes - Lambda_inv_0_0_p121_lanes;
+  const Lanes<2> Lambda_inv_0_0_p125_lanes = Lambda_inv_0_0_p111_lanes - Lambda_inv_0_0_p123_lanes;
+  const Lanes<2> Lambda_inv_0_0_p127_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_0_p125_lanes;
+  const Lanes<2> Lambda_inv_0_0_p129_lanes = Lambda_inv_0_0_p115_lanes * Lambda_inv_0_0_p55_lanes;
 
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p82 = Lambda_inv_0_0_p81 * inverse_D10;
-  const Real Lambda_inv_0_0_p83 = c11 * Lambda_inv_0_0_p78 - s11 * Lambda_inv_0_0_p80 +
-      Lambda_inv_0_0_p47 * Lambda_inv_0_0_p82;
-  const Real Lambda_inv_0_0_p84 = Lambda_inv_0_0_p57 - Lambda_inv_0_0_p64 - Lambda_inv_0_0_p47 *
-      Lambda_inv_0_0_p73;
-  const Real Lambda_inv_0_0_p85 = 0.0001499998887063 * Lambda_inv_0_0_p82;
-  const Real Lambda_inv_0_0_p86 = s10 * (Lambda_inv_0_0_p84 - Lambda_inv_0_0_p85) + c10 *
-      (Lambda_inv_0_0_p74 - Lambda_inv_0_0_p83);
-  const Real Lambda_inv_0_0_p87 = c10 * Lambda_inv_0_0_p86;
-  const Real Lambda_inv_0_0_p88 = Lambda_inv_0_0_p87 + Lambda_inv_0_0_p83;
-  const Real Lambda_inv_0_0_p89 = 0.004500002325 + Lambda_inv_0_0_p88;
-  const Real inverse_D9_p1 = s10 * Lambda_inv_0_0_p54;
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p131_lanes = Lambda_inv_0_0_p9_lanes * Lambda_inv_0_0_p11_lanes;
 
-  // link 9 (left_upperarm), articulated inertia
-  const Real inverse_D9 = 1.0 / (0.0027762933559338653 + (Lambda_inv_0_0_p50 + inverse_D9_p1));
-  const Real Lambda_inv_0_0_p90 = Lambda_inv_0_0_p89 * inverse_D9;
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p133_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_0_p95_lanes;
+  const Lanes<2> Lambda_inv_0_0_p135_lanes = detail::make_lanes<Real>(0.008744893195371809,
+      0.008744893195371809) + Lambda_inv_0_0_p133_lanes;
 
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p91 = s10 * Lambda_inv_0_0_p86;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p92 = Lambda_inv_0_0_p79 + Lambda_inv_0_0_p55 * Lambda_inv_0_0_p77;
-  const Real Lambda_inv_0_0_p93 = Lambda_inv_0_0_p75 + Lambda_inv_0_0_p58 * Lambda_inv_0_0_p77;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p94 = s11 * Lambda_inv_0_0_p92 + c11 * Lambda_inv_0_0_p93 -
-      Lambda_inv_0_0_p81 * Lambda_inv_0_0_p66;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p95 = Lambda_inv_0_0_p36 + Lambda_inv_0_0_p55 * Lambda_inv_0_0_p56;
-  const Real Lambda_inv_0_0_p96 = Lambda_inv_0_0_p17 - Lambda_inv_0_0_p58 * Lambda_inv_0_0_p59;
-  const Real Lambda_inv_0_0_p97 = Lambda_inv_0_0_p41 + Lambda_inv_0_0_p55 * Lambda_inv_0_0_p59;
-  const Real Lambda_inv_0_0_p98 = s11 * (Lambda_inv_0_0_p95 + Lambda_inv_0_0_p96) +
-      Lambda_inv_0_0_p45 * Lambda_inv_0_0_p97;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p99 = Lambda_inv_0_0_p97 - c11 * Lambda_inv_0_0_p98 -
-      Lambda_inv_0_0_p72 * Lambda_inv_0_0_p66;
-  const Real Lambda_inv_0_0_p100 = s10 * Lambda_inv_0_0_p94 - c10 * Lambda_inv_0_0_p99;
-  const Real Lambda_inv_0_0_p101 = 0.282 * Lambda_inv_0_0_p100;
-  const Real Lambda_inv_0_0_p102 = Lambda_inv_0_0_p84 - Lambda_inv_0_0_p91 - Lambda_inv_0_0_p101;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p103 = Lambda_inv_0_0_p102 - Lambda_inv_0_0_p71 * Lambda_inv_0_0_p90;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p104 = 0.0022500062 + Lambda_inv_0_0_p70;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p105 = Lambda_inv_0_0_p104 * inverse_D9;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p106 = 0.0012089992423205001 + 0.282 * Lambda_inv_0_0_p88;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p107 = Lambda_inv_0_0_p101 + Lambda_inv_0_0_p106 * Lambda_inv_0_0_p105;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p108 = s10 * Lambda_inv_0_0_p69 - c10 * Lambda_inv_0_0_p68;
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p137_lanes = Lambda_inv_0_0_p135_lanes + Lambda_inv_0_0_p131_lanes;
+  const Lanes<2> Lambda_inv_0_0_p139_lanes = Lambda_inv_0_0_p33_lanes * Lambda_inv_0_0_p35_lanes;
+  const Lanes<2> Lambda_inv_0_0_p141_lanes = Lambda_inv_0_0_p137_lanes - Lambda_inv_0_0_p139_lanes;
+  const Lanes<2> Lambda_inv_0_0_p143_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p141_lanes;
+  const Lanes<2> Lambda_inv_0_0_p145_lanes = Lambda_inv_0_0_p33_lanes * Lambda_inv_0_0_p11_lanes;
+  const Lanes<2> Lambda_inv_0_0_p147_lanes = 2.0 * Lambda_inv_0_0_p145_lanes;
+  const Lanes<2> Lambda_inv_0_0_p149_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p147_lanes;
+  const Lanes<2> Lambda_inv_0_0_p151_lanes = Lambda_inv_0_0_p149_lanes - Lambda_inv_0_0_p143_lanes;
+  const Lanes<2> Lambda_inv_0_0_p153_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p151_lanes;
+  const Lanes<2> Lambda_inv_0_0_p155_lanes = Lambda_inv_0_0_p153_lanes - Lambda_inv_0_0_p139_lanes;
+  const Lanes<2> Lambda_inv_0_0_p157_lanes = 0.269 * Lambda_inv_0_0_p155_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p109 = s11 * Lambda_inv_0_0_p98;
+  const Lanes<2> Lambda_inv_0_0_p159_lanes = Lambda_inv_0_0_p129_lanes - Lambda_inv_0_0_p157_lanes;
+  const Lanes<2> Lambda_inv_0_0_p161_lanes = Lambda_inv_0_0_p79_lanes * Lambda_inv_0_0_p119_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p163_lanes = Lambda_inv_0_0_p59_lanes * Lambda_inv_0_0_p61_lanes;
+
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p165_lanes = Lambda_inv_0_0_p133_lanes - 0.2818466605750157;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p167_lanes = Lambda_inv_0_0_p165_lanes - Lambda_inv_0_0_p163_lanes;
+  const Lanes<2> Lambda_inv_0_0_p169_lanes = 0.269 * Lambda_inv_0_0_p167_lanes;
+  const Lanes<2> Lambda_inv_0_0_p171_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p67_lanes;
+  const Lanes<2> Lambda_inv_0_0_p173_lanes = 0.0006000000000000001 *
+      detail::make_lanes<Real>(c12, c19);
+  const Lanes<2> Lambda_inv_0_0_p175_lanes = Lambda_inv_0_0_p171_lanes - Lambda_inv_0_0_p173_lanes;
+  const Lanes<2> Lambda_inv_0_0_p177_lanes = Lambda_inv_0_0_p169_lanes - Lambda_inv_0_0_p175_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p179_lanes = Lambda_inv_0_0_p177_lanes - Lambda_inv_0_0_p161_lanes;
+  const Lanes<2> Lambda_inv_0_0_p181_lanes = Lambda_inv_0_0_p159_lanes + Lambda_inv_0_0_p179_lanes;
+  const Lanes<2> Lambda_inv_0_0_p183_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_0_p181_lanes;
+  const Lanes<2> Lambda_inv_0_0_p185_lanes = Lambda_inv_0_0_p127_lanes + Lambda_inv_0_0_p183_lanes;
+  const Lanes<2> Lambda_inv_0_0_p187_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_0_p185_lanes;
+  const Lanes<2> Lambda_inv_0_0_p189_lanes = Lambda_inv_0_0_p123_lanes + Lambda_inv_0_0_p187_lanes;
+  const Lanes<2> inverse_D10_p1_lanes = Lambda_inv_0_0_p79_lanes * inverse_D11_lanes;
+  const Lanes<2> inverse_D10_p2_lanes = Lambda_inv_0_0_p79_lanes * inverse_D10_p1_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> inverse_D10_p3_lanes = Lambda_inv_0_0_p177_lanes - Lambda_inv_0_0_p175_lanes;
+  const Lanes<2> inverse_D10_p4_lanes = 0.269 * inverse_D10_p3_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> inverse_D10_p5_lanes = 0.000131 - inverse_D11_p7_lanes;
+  const Lanes<2> inverse_D10_p6_lanes = inverse_D10_p5_lanes + inverse_D10_p4_lanes;
+  const Lanes<2> inverse_D10_p7_lanes = inverse_D10_p6_lanes - inverse_D10_p2_lanes;
+  const Lanes<2> inverse_D10_p8_lanes = Lambda_inv_0_0_p115_lanes * inverse_D11_lanes;
+  const Lanes<2> inverse_D10_p9_lanes = Lambda_inv_0_0_p115_lanes * inverse_D10_p8_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> inverse_D10_p10_lanes = 0.07236100000000001 * Lambda_inv_0_0_p155_lanes;
+  const Lanes<2> inverse_D10_p11_lanes = 0.0001098 + inverse_D10_p10_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> inverse_D10_p12_lanes = inverse_D10_p11_lanes - inverse_D10_p9_lanes;
+  const Lanes<2> inverse_D10_p13_lanes = inverse_D10_p7_lanes - inverse_D10_p12_lanes;
+  const Lanes<2> inverse_D10_p14_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p13_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> inverse_D10_p15_lanes = 0.269 * Lambda_inv_0_0_p109_lanes;
+  const Lanes<2> inverse_D10_p16_lanes = detail::make_lanes<Real>((-6e-06), 6e-06) +
+      inverse_D10_p15_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> inverse_D10_p17_lanes = Lambda_inv_0_0_p79_lanes * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p18_lanes = inverse_D10_p16_lanes - inverse_D10_p17_lanes;
+  const Lanes<2> inverse_D10_p19_lanes = 2.0 * detail::make_lanes<Real>(c11, c18);
+  const Lanes<2> inverse_D10_p20_lanes = inverse_D10_p19_lanes * inverse_D10_p18_lanes;
+  const Lanes<2> inverse_D10_p21_lanes = inverse_D10_p14_lanes + inverse_D10_p20_lanes;
+  const Lanes<2> inverse_D10_p22_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p21_lanes;
+  const Lanes<2> inverse_D10_p23_lanes = inverse_D10_p12_lanes + inverse_D10_p22_lanes;
+  const Lanes<2> inverse_D10_p24_lanes = 0.060888541114265754 + inverse_D10_p23_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p110 = Lambda_inv_0_0_p96 - Lambda_inv_0_0_p109 - Lambda_inv_0_0_p65 *
-      Lambda_inv_0_0_p66;
-  const Real Lambda_inv_0_0_p111 = 0.282 * Lambda_inv_0_0_p110 - Lambda_inv_0_0_p108;
+  const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p24_lanes;
+  const Lanes<2> Lambda_inv_0_0_p191_lanes = Lambda_inv_0_0_p189_lanes * inverse_D10_lanes;
+  const Lanes<2> Lambda_inv_0_0_p193_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) * Lambda_inv_0_0_p191_lanes;
+  const Lanes<2> Lambda_inv_0_0_p195_lanes = 0.0014999985000000002 + Lambda_inv_0_0_p193_lanes;
+  const Lanes<2> Lambda_inv_0_0_p197_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_0_p195_lanes;
 
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p112 = Lambda_inv_0_0_p111 - Lambda_inv_0_0_p71 * Lambda_inv_0_0_p105;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p113 = s11 * Lambda_inv_0_0_p93 - c11 * Lambda_inv_0_0_p92 +
-      Lambda_inv_0_0_p72 * Lambda_inv_0_0_p82;
-  const Real Lambda_inv_0_0_p114 = Lambda_inv_0_0_p109 - Lambda_inv_0_0_p95 - Lambda_inv_0_0_p72 *
-      Lambda_inv_0_0_p73;
-  const Real Lambda_inv_0_0_p115 = Lambda_inv_0_0_p35 - Lambda_inv_0_0_p31 - Lambda_inv_0_0_p76 *
-      Lambda_inv_0_0_p77 - Lambda_inv_0_0_p81 * Lambda_inv_0_0_p82;
-  const Real Lambda_inv_0_0_p116 = Lambda_inv_0_0_p53 * Lambda_inv_0_0_p113 - s10 *
-      (Lambda_inv_0_0_p114 - Lambda_inv_0_0_p115);
-  const Real Lambda_inv_0_0_p117 = s10 * Lambda_inv_0_0_p116;
-  const Real Lambda_inv_0_0_p118 = Lambda_inv_0_0_p114 + Lambda_inv_0_0_p117;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p119 = Lambda_inv_0_0_p106 * Lambda_inv_0_0_p90 - 0.282 *
-      Lambda_inv_0_0_p118;
-  const Real Lambda_inv_0_0_p120 = c9 * (Lambda_inv_0_0_p103 - Lambda_inv_0_0_p107) - s9 *
-      (Lambda_inv_0_0_p119 + Lambda_inv_0_0_p112);
-  const Real Lambda_inv_0_0_p121 = c9 * Lambda_inv_0_0_p120;
-  const Real Lambda_inv_0_0_p122 = Lambda_inv_0_0_p107 + Lambda_inv_0_0_p121;
-  const Real inverse_D8_p1 = Lambda_inv_0_0_p71 * inverse_D9;
-  const Real inverse_D8_p2 = 0.0019585440854647937 +
-      (Lambda_inv_0_0_p49 - inverse_D9_p1 + 0.282 * (Lambda_inv_0_0_p111 - Lambda_inv_0_0_p108)) -
-      Lambda_inv_0_0_p71 * inverse_D8_p1;
-  const Real inverse_D8_p3 = Lambda_inv_0_0_p106 * inverse_D9;
-  const Real inverse_D8_p4 = 0.0008177492704690715 + 0.07952399999999998 * Lambda_inv_0_0_p118 -
-      Lambda_inv_0_0_p106 * inverse_D8_p3;
-  const Real inverse_D8_p5 = 4.4999986458742003e-05 - 0.282 * Lambda_inv_0_0_p102 +
-      Lambda_inv_0_0_p71 * inverse_D8_p3;
-  const Real inverse_D8_p6 = 2.0 * s9;
-  const Real inverse_D8_p7 = c9 * (inverse_D8_p2 - inverse_D8_p4) - inverse_D8_p6 * inverse_D8_p5;
-  const Real inverse_D8_p8 = c9 * inverse_D8_p7;
-  const Real inverse_D8_p9 = 0.18125194219699997 + (inverse_D8_p4 + inverse_D8_p8);
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Real inverse_D8 = 1.0 / inverse_D8_p9;
-  const Real Lambda_inv_0_0_p123 = Lambda_inv_0_0_p122 * inverse_D8;
-  const Real Lambda_inv_0_0_p124 = 0.0017499999999999998 + 0.00010499999999999999 *
-      Lambda_inv_0_0_p123;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p125 = s9 * inverse_D8_p7 + inverse_D8_p5 - 1.75e-05;
-  const Real Lambda_inv_0_0_p126 = s9 * Lambda_inv_0_0_p120;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p127 = Lambda_inv_0_0_p126 + Lambda_inv_0_0_p119 - 0.7139200499999999 -
-      Lambda_inv_0_0_p125 * Lambda_inv_0_0_p123;
-  const Real Lambda_inv_0_0_p128 = 0.0017499999999999998 +
-      (s8 * Lambda_inv_0_0_p124 + c8 * Lambda_inv_0_0_p127);
-  const Real inverse_D7_p1 = Lambda_inv_0_0_p125 * inverse_D8;
-  const Real inverse_D7_p2 = 0.18113119219699997 + (inverse_D8_p2 - inverse_D8_p8) -
-      Lambda_inv_0_0_p125 * inverse_D7_p1;
-  const Real inverse_D7_p3 = 0.00012075 - 1.1024999999999998e-08 / inverse_D8_p9;
-  const Real inverse_D7_p4 = 0.00010499999999999999 * inverse_D7_p1 - 5.2499999999999995e-05;
-  const Real inverse_D7_p5 = 2.0 * c8;
-  const Real inverse_D7_p6 = s8 * (inverse_D7_p3 - inverse_D7_p2) + inverse_D7_p5 * inverse_D7_p4;
-  const Real inverse_D7_p7 = s8 * inverse_D7_p6;
-  const Real inverse_D7_p8 = 0.000448 + (inverse_D7_p2 + inverse_D7_p7);
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D7 = 1.0 / inverse_D7_p8;
-  const Real Lambda_inv_0_0_p129 = Lambda_inv_0_0_p128 * inverse_D7;
-  const Real Lambda_inv_0_0_p130 = 2.6249999999999998e-05 * Lambda_inv_0_0_p129;
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p199_lanes = detail::make_lanes<Real>(c11, c18) *
+      inverse_D10_p21_lanes;
+  const Lanes<2> Lambda_inv_0_0_p201_lanes = Lambda_inv_0_0_p199_lanes - inverse_D10_p18_lanes;
+  const Lanes<2> Lambda_inv_0_0_p203_lanes = detail::make_lanes<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + Lambda_inv_0_0_p201_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p131 = Lambda_inv_0_0_p85 + Lambda_inv_0_0_p91;
+  const Lanes<2> Lambda_inv_0_0_p205_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p191_lanes;
 
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p132 = Lambda_inv_0_0_p131 * inverse_D9;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p133 = s10 * Lambda_inv_0_0_p99 + c10 * Lambda_inv_0_0_p94;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p134 = 0.004500002325 -
-      (Lambda_inv_0_0_p87 - Lambda_inv_0_0_p74 + 0.282 * Lambda_inv_0_0_p133) + Lambda_inv_0_0_p71 *
-      Lambda_inv_0_0_p132;
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p207_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_0_p185_lanes;
+  const Lanes<2> Lambda_inv_0_0_p209_lanes = Lambda_inv_0_0_p207_lanes - Lambda_inv_0_0_p159_lanes;
+  const Lanes<2> Lambda_inv_0_0_p211_lanes = 0.28049749700000004 + Lambda_inv_0_0_p209_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p135 = Lambda_inv_0_0_p113 - c10 * Lambda_inv_0_0_p116;
+  const Lanes<2> Lambda_inv_0_0_p213_lanes = Lambda_inv_0_0_p211_lanes - Lambda_inv_0_0_p205_lanes;
+  const Lanes<2> Lambda_inv_0_0_p215_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p213_lanes;
+  const Lanes<2> Lambda_inv_0_0_p217_lanes = Lambda_inv_0_0_p197_lanes - Lambda_inv_0_0_p215_lanes;
+  const Lanes<2> Lambda_inv_0_0_p219_lanes = 0.282 * Lambda_inv_0_0_p217_lanes;
+  const Lanes<2> Lambda_inv_0_0_p221_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) / inverse_D10_p24_lanes;
+  const Lanes<2> Lambda_inv_0_0_p223_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p221_lanes;
+  const Lanes<2> Lambda_inv_0_0_p225_lanes = 0.0001499998887063 + Lambda_inv_0_0_p223_lanes;
+  const Lanes<2> Lambda_inv_0_0_p227_lanes = 2.0 * detail::make_lanes<Real>(c10, c17);
+  const Lanes<2> Lambda_inv_0_0_p229_lanes = Lambda_inv_0_0_p227_lanes * Lambda_inv_0_0_p225_lanes;
+  const Lanes<2> Lambda_inv_0_0_p231_lanes = Lambda_inv_0_0_p203_lanes * inverse_D10_lanes;
+  const Lanes<2> Lambda_inv_0_0_p233_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p231_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p235_lanes = inverse_D10_p7_lanes - inverse_D10_p22_lanes;
+  const Lanes<2> Lambda_inv_0_0_p237_lanes = 0.06060754126741261 + Lambda_inv_0_0_p235_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p239_lanes = Lambda_inv_0_0_p237_lanes - Lambda_inv_0_0_p233_lanes;
+  const Lanes<2> Lambda_inv_0_0_p241_lanes = detail::make_lanes<Real>(2.249996661190239e-08,
+      2.249996661190239e-08) / inverse_D10_p24_lanes;
+  const Lanes<2> Lambda_inv_0_0_p243_lanes = 0.00028099984685315 - Lambda_inv_0_0_p241_lanes;
+  const Lanes<2> Lambda_inv_0_0_p245_lanes = Lambda_inv_0_0_p239_lanes - Lambda_inv_0_0_p243_lanes;
+  const Lanes<2> Lambda_inv_0_0_p247_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p245_lanes;
+  const Lanes<2> Lambda_inv_0_0_p249_lanes = Lambda_inv_0_0_p229_lanes - Lambda_inv_0_0_p247_lanes;
+  const Lanes<2> Lambda_inv_0_0_p251_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_0_p249_lanes;
+  const Lanes<2> Lambda_inv_0_0_p253_lanes = Lambda_inv_0_0_p225_lanes - Lambda_inv_0_0_p251_lanes;
+  const Lanes<2> Lambda_inv_0_0_p255_lanes = Lambda_inv_0_0_p219_lanes - Lambda_inv_0_0_p253_lanes;
+  const Lanes<2> Lambda_inv_0_0_p257_lanes = Lambda_inv_0_0_p255_lanes - 0.0005895000784280001;
+  const Lanes<2> inverse_D9_p1_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p249_lanes;
+  const Lanes<2> inverse_D9_p2_lanes = Lambda_inv_0_0_p243_lanes - inverse_D9_p1_lanes;
+  const Lanes<2> inverse_D9_p3_lanes = 0.0027762933559338653 + inverse_D9_p2_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p136 = 0.0022500062 + 0.282 * Lambda_inv_0_0_p135 -
-      Lambda_inv_0_0_p106 * Lambda_inv_0_0_p132;
-  const Real Lambda_inv_0_0_p137 = 0.0017499999999999998 +
-      (c9 * Lambda_inv_0_0_p134 - s9 * Lambda_inv_0_0_p136);
+  const Lanes<2> inverse_D9_lanes = 1.0 / inverse_D9_p3_lanes;
+  const Lanes<2> Lambda_inv_0_0_p259_lanes = Lambda_inv_0_0_p257_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_inv_0_0_p261_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p259_lanes;
 
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p138 = Lambda_inv_0_0_p137 * inverse_D8;
-  const Real Lambda_inv_0_0_p139 = Lambda_inv_0_0_p125 * Lambda_inv_0_0_p138 -
-      (s9 * Lambda_inv_0_0_p134 + c9 * Lambda_inv_0_0_p136);
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p263_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_0_p213_lanes;
+  const Lanes<2> Lambda_inv_0_0_p265_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p195_lanes;
+  const Lanes<2> Lambda_inv_0_0_p267_lanes = Lambda_inv_0_0_p263_lanes + Lambda_inv_0_0_p265_lanes;
+  const Lanes<2> Lambda_inv_0_0_p269_lanes = Lambda_inv_0_0_p189_lanes * Lambda_inv_0_0_p191_lanes;
 
-  // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p140 = 0.7139200499999999 + (Lambda_inv_0_0_p126 + Lambda_inv_0_0_p112);
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p271_lanes = Lambda_inv_0_0_p53_lanes * Lambda_inv_0_0_p55_lanes;
+  const Lanes<2> Lambda_inv_0_0_p273_lanes = Lambda_inv_0_0_p155_lanes - Lambda_inv_0_0_p271_lanes;
+  const Lanes<2> Lambda_inv_0_0_p275_lanes = Lambda_inv_0_0_p117_lanes * Lambda_inv_0_0_p119_lanes;
+  const Lanes<2> Lambda_inv_0_0_p277_lanes = Lambda_inv_0_0_p167_lanes - Lambda_inv_0_0_p275_lanes;
+  const Lanes<2> Lambda_inv_0_0_p279_lanes = Lambda_inv_0_0_p273_lanes - Lambda_inv_0_0_p277_lanes;
+  const Lanes<2> Lambda_inv_0_0_p281_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_0_p279_lanes;
+  const Lanes<2> Lambda_inv_0_0_p283_lanes = Lambda_inv_0_0_p53_lanes * Lambda_inv_0_0_p119_lanes;
+  const Lanes<2> Lambda_inv_0_0_p285_lanes = Lambda_inv_0_0_p283_lanes - Lambda_inv_0_0_p105_lanes;
+  const Lanes<2> Lambda_inv_0_0_p287_lanes = inverse_D10_p19_lanes * Lambda_inv_0_0_p285_lanes;
+  const Lanes<2> Lambda_inv_0_0_p289_lanes = Lambda_inv_0_0_p281_lanes + Lambda_inv_0_0_p287_lanes;
+  const Lanes<2> Lambda_inv_0_0_p291_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_0_p289_lanes;
+  const Lanes<2> Lambda_inv_0_0_p293_lanes = Lambda_inv_0_0_p277_lanes + Lambda_inv_0_0_p291_lanes;
 
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p141 = Lambda_inv_0_0_p140 * inverse_D8;
-  const Real Lambda_inv_0_0_p142 = 0.00010499999999999999 * Lambda_inv_0_0_p141;
-  const Real Lambda_inv_0_0_p143 = Lambda_inv_0_0_p103 - Lambda_inv_0_0_p121 - Lambda_inv_0_0_p125 *
-      Lambda_inv_0_0_p141;
-  const Real Lambda_inv_0_0_p144 = 0.00010499999999999999 * Lambda_inv_0_0_p138;
-  const Real Lambda_inv_0_0_p145 = c8 * (Lambda_inv_0_0_p139 + Lambda_inv_0_0_p142) - s8 *
-      (Lambda_inv_0_0_p144 + Lambda_inv_0_0_p143);
-  const Real Lambda_inv_0_0_p146 = c8 * Lambda_inv_0_0_p145;
-  const Real Lambda_inv_0_0_p147 = 0.0017499999999999998 +
-      (Lambda_inv_0_0_p146 - Lambda_inv_0_0_p142);
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p148 = Lambda_inv_0_0_p147 * inverse_D7;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p149 = c8 * inverse_D7_p6 - inverse_D7_p4 - 2.6249999999999998e-05;
-  const Real Lambda_inv_0_0_p150 = s8 * Lambda_inv_0_0_p145;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p151 = Lambda_inv_0_0_p144 + Lambda_inv_0_0_p150 + Lambda_inv_0_0_p149 *
-      Lambda_inv_0_0_p148;
-  const Real Lambda_inv_0_0_p152 = c8 * Lambda_inv_0_0_p124 - s8 * Lambda_inv_0_0_p127 -
-      Lambda_inv_0_0_p149 * Lambda_inv_0_0_p129;
-  const Real Lambda_inv_0_0_p153 = 2.6249999999999998e-05 * Lambda_inv_0_0_p148;
-  const Real Lambda_inv_0_0_p154 = c7 * (Lambda_inv_0_0_p130 + Lambda_inv_0_0_p151) - s7 *
-      (Lambda_inv_0_0_p152 + Lambda_inv_0_0_p153);
-  const Real Lambda_inv_0_0_p155 = s7 * Lambda_inv_0_0_p154;
-  const Real Lambda_inv_0_0_p156 = Lambda_inv_0_0_p155 + Lambda_inv_0_0_p153;
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p295_lanes = Lambda_inv_0_0_p293_lanes - Lambda_inv_0_0_p269_lanes;
+  const Lanes<2> Lambda_inv_0_0_p297_lanes = 0.282 * Lambda_inv_0_0_p295_lanes;
+  const Lanes<2> Lambda_inv_0_0_p299_lanes = Lambda_inv_0_0_p267_lanes + Lambda_inv_0_0_p297_lanes;
+  const Lanes<2> Lambda_inv_0_0_p301_lanes = Lambda_inv_0_0_p267_lanes + Lambda_inv_0_0_p299_lanes;
+  const Lanes<2> Lambda_inv_0_0_p303_lanes = 0.282 * Lambda_inv_0_0_p301_lanes;
+  const Lanes<2> Lambda_inv_0_0_p305_lanes = Lambda_inv_0_0_p239_lanes + inverse_D9_p1_lanes;
+  const Lanes<2> Lambda_inv_0_0_p307_lanes = Lambda_inv_0_0_p305_lanes + Lambda_inv_0_0_p303_lanes;
+  const Lanes<2> Lambda_inv_0_0_p309_lanes = 0.0019585440854647937 + Lambda_inv_0_0_p307_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p157 = Lambda_inv_0_0_p118 - Lambda_inv_0_0_p89 * Lambda_inv_0_0_p90;
-  const Real Lambda_inv_0_0_p158 = Lambda_inv_0_0_p110 - Lambda_inv_0_0_p104 * Lambda_inv_0_0_p105;
-  const Real Lambda_inv_0_0_p159 = Lambda_inv_0_0_p100 + Lambda_inv_0_0_p89 * Lambda_inv_0_0_p105;
-  const Real Lambda_inv_0_0_p160 = c9 * (Lambda_inv_0_0_p157 - Lambda_inv_0_0_p158) +
-      inverse_D8_p6 * Lambda_inv_0_0_p159;
-  const Real Lambda_inv_0_0_p161 = c9 * Lambda_inv_0_0_p160;
+  const Lanes<2> Lambda_inv_0_0_p311_lanes = Lambda_inv_0_0_p309_lanes - Lambda_inv_0_0_p261_lanes;
 
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p162 = Lambda_inv_0_0_p158 + Lambda_inv_0_0_p161 - Lambda_inv_0_0_p122 *
-      Lambda_inv_0_0_p123 - Lambda_inv_0_0_p128 * Lambda_inv_0_0_p129;
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p313_lanes = Lambda_inv_0_0_p207_lanes - Lambda_inv_0_0_p179_lanes;
+  const Lanes<2> Lambda_inv_0_0_p315_lanes = Lambda_inv_0_0_p313_lanes - 0.28049749700000004;
 
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p163 = Lambda_inv_0_0_p157 - Lambda_inv_0_0_p161 - Lambda_inv_0_0_p140 *
-      Lambda_inv_0_0_p141;
-  const Real Lambda_inv_0_0_p164 = Lambda_inv_0_0_p115 - Lambda_inv_0_0_p117 - Lambda_inv_0_0_p131 *
-      Lambda_inv_0_0_p132 - Lambda_inv_0_0_p137 * Lambda_inv_0_0_p138;
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p317_lanes = Lambda_inv_0_0_p315_lanes * inverse_D10_lanes;
+  const Lanes<2> Lambda_inv_0_0_p319_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) * Lambda_inv_0_0_p317_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p321_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p85_lanes;
+  const Lanes<2> Lambda_inv_0_0_p323_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p101_lanes;
+  const Lanes<2> Lambda_inv_0_0_p325_lanes = Lambda_inv_0_0_p321_lanes - Lambda_inv_0_0_p323_lanes;
+  const Lanes<2> Lambda_inv_0_0_p327_lanes = 0.269 * Lambda_inv_0_0_p325_lanes;
+  const Lanes<2> Lambda_inv_0_0_p329_lanes = Lambda_inv_0_0_p51_lanes - Lambda_inv_0_0_p45_lanes;
+  const Lanes<2> Lambda_inv_0_0_p331_lanes = Lambda_inv_0_0_p327_lanes - Lambda_inv_0_0_p329_lanes;
+  const Lanes<2> Lambda_inv_0_0_p333_lanes = detail::make_lanes<Real>(0.001, (-0.001)) +
+      Lambda_inv_0_0_p331_lanes;
+  const Lanes<2> Lambda_inv_0_0_p335_lanes = Lambda_inv_0_0_p83_lanes - Lambda_inv_0_0_p23_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p337_lanes = Lambda_inv_0_0_p335_lanes * inverse_D11_lanes;
+  const Lanes<2> Lambda_inv_0_0_p339_lanes = Lambda_inv_0_0_p79_lanes * Lambda_inv_0_0_p337_lanes;
+  const Lanes<2> Lambda_inv_0_0_p341_lanes = Lambda_inv_0_0_p333_lanes - Lambda_inv_0_0_p339_lanes;
+  const Lanes<2> Lambda_inv_0_0_p343_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_0_p341_lanes;
+  const Lanes<2> Lambda_inv_0_0_p345_lanes = Lambda_inv_0_0_p115_lanes * Lambda_inv_0_0_p337_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p347_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p151_lanes;
+  const Lanes<2> Lambda_inv_0_0_p349_lanes = Lambda_inv_0_0_p145_lanes - Lambda_inv_0_0_p347_lanes;
+  const Lanes<2> Lambda_inv_0_0_p351_lanes = 0.269 * Lambda_inv_0_0_p349_lanes;
+  const Lanes<2> Lambda_inv_0_0_p353_lanes = Lambda_inv_0_0_p351_lanes - 6e-04;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p355_lanes = Lambda_inv_0_0_p353_lanes - Lambda_inv_0_0_p345_lanes;
+  const Lanes<2> Lambda_inv_0_0_p357_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_0_p355_lanes;
+  const Lanes<2> Lambda_inv_0_0_p359_lanes = Lambda_inv_0_0_p343_lanes + Lambda_inv_0_0_p357_lanes;
+  const Lanes<2> Lambda_inv_0_0_p361_lanes = 0.0014999985000000002 - Lambda_inv_0_0_p359_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p363_lanes = Lambda_inv_0_0_p361_lanes * inverse_D10_lanes;
+  const Lanes<2> Lambda_inv_0_0_p365_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p363_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p367_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_0_p341_lanes;
+  const Lanes<2> Lambda_inv_0_0_p369_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_0_p355_lanes;
+  const Lanes<2> Lambda_inv_0_0_p371_lanes = Lambda_inv_0_0_p367_lanes - Lambda_inv_0_0_p369_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p373_lanes = Lambda_inv_0_0_p371_lanes + Lambda_inv_0_0_p365_lanes;
+  const Lanes<2> Lambda_inv_0_0_p375_lanes = Lambda_inv_0_0_p319_lanes + Lambda_inv_0_0_p373_lanes;
+  const Lanes<2> Lambda_inv_0_0_p377_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_0_p375_lanes;
+  const Lanes<2> Lambda_inv_0_0_p379_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p317_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p381_lanes = Lambda_inv_0_0_p111_lanes - Lambda_inv_0_0_p187_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p383_lanes = Lambda_inv_0_0_p381_lanes - Lambda_inv_0_0_p379_lanes;
+  const Lanes<2> Lambda_inv_0_0_p385_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) * Lambda_inv_0_0_p363_lanes;
+  const Lanes<2> Lambda_inv_0_0_p387_lanes = Lambda_inv_0_0_p383_lanes + Lambda_inv_0_0_p385_lanes;
+  const Lanes<2> Lambda_inv_0_0_p389_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p387_lanes;
+  const Lanes<2> Lambda_inv_0_0_p391_lanes = Lambda_inv_0_0_p377_lanes - Lambda_inv_0_0_p389_lanes;
+  const Lanes<2> Lambda_inv_0_0_p393_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_0_p391_lanes;
+  const Lanes<2> Lambda_inv_0_0_p395_lanes = Lambda_inv_0_0_p373_lanes - Lambda_inv_0_0_p393_lanes;
+  const Lanes<2> Lambda_inv_0_0_p397_lanes = 0.282 * Lambda_inv_0_0_p395_lanes;
+  const Lanes<2> Lambda_inv_0_0_p399_lanes = detail::make_lanes<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + Lambda_inv_0_0_p397_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p165 = Lambda_inv_0_0_p89 * Lambda_inv_0_0_p132 - Lambda_inv_0_0_p135;
-  const Real Lambda_inv_0_0_p166 = Lambda_inv_0_0_p104 * Lambda_inv_0_0_p132 - Lambda_inv_0_0_p133;
+  const Lanes<2> Lambda_inv_0_0_p401_lanes = Lambda_inv_0_0_p399_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_inv_0_0_p403_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p401_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p405_lanes = Lambda_inv_0_0_p315_lanes * Lambda_inv_0_0_p363_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p407_lanes = Lambda_inv_0_0_p53_lanes * Lambda_inv_0_0_p337_lanes;
+  const Lanes<2> Lambda_inv_0_0_p409_lanes = Lambda_inv_0_0_p407_lanes - Lambda_inv_0_0_p349_lanes;
+  const Lanes<2> Lambda_inv_0_0_p411_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_0_p409_lanes;
+  const Lanes<2> Lambda_inv_0_0_p413_lanes = Lambda_inv_0_0_p117_lanes * Lambda_inv_0_0_p337_lanes;
+  const Lanes<2> Lambda_inv_0_0_p415_lanes = Lambda_inv_0_0_p325_lanes - Lambda_inv_0_0_p413_lanes;
+  const Lanes<2> Lambda_inv_0_0_p417_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_0_p415_lanes;
+  const Lanes<2> Lambda_inv_0_0_p419_lanes = Lambda_inv_0_0_p411_lanes - Lambda_inv_0_0_p417_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p421_lanes = Lambda_inv_0_0_p419_lanes + Lambda_inv_0_0_p405_lanes;
+  const Lanes<2> Lambda_inv_0_0_p423_lanes = Lambda_inv_0_0_p227_lanes * Lambda_inv_0_0_p421_lanes;
+  const Lanes<2> Lambda_inv_0_0_p425_lanes = Lambda_inv_0_0_p315_lanes * Lambda_inv_0_0_p317_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p427_lanes = Lambda_inv_0_0_p273_lanes - Lambda_inv_0_0_p291_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p429_lanes = Lambda_inv_0_0_p427_lanes - Lambda_inv_0_0_p425_lanes;
+  const Lanes<2> Lambda_inv_0_0_p431_lanes = Lambda_inv_0_0_p361_lanes * Lambda_inv_0_0_p363_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p433_lanes = Lambda_inv_0_0_p335_lanes * Lambda_inv_0_0_p337_lanes;
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p435_lanes = Lambda_inv_0_0_p137_lanes + Lambda_inv_0_0_p153_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p437_lanes = Lambda_inv_0_0_p435_lanes + Lambda_inv_0_0_p433_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p439_lanes = Lambda_inv_0_0_p437_lanes + Lambda_inv_0_0_p431_lanes;
+  const Lanes<2> Lambda_inv_0_0_p441_lanes = Lambda_inv_0_0_p429_lanes + Lambda_inv_0_0_p439_lanes;
+  const Lanes<2> Lambda_inv_0_0_p443_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p441_lanes;
+  const Lanes<2> Lambda_inv_0_0_p445_lanes = Lambda_inv_0_0_p423_lanes - Lambda_inv_0_0_p443_lanes;
+  const Lanes<2> Lambda_inv_0_0_p447_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p445_lanes;
+  const Lanes<2> Lambda_inv_0_0_p449_lanes = Lambda_inv_0_0_p429_lanes + Lambda_inv_0_0_p447_lanes;
+  const Lanes<2> Lambda_inv_0_0_p451_lanes = 0.07952399999999998 * Lambda_inv_0_0_p449_lanes;
+  const Lanes<2> Lambda_inv_0_0_p453_lanes = 0.0008177492704690715 + Lambda_inv_0_0_p451_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p455_lanes = Lambda_inv_0_0_p453_lanes - Lambda_inv_0_0_p403_lanes;
+  const Lanes<2> Lambda_inv_0_0_p457_lanes = Lambda_inv_0_0_p311_lanes - Lambda_inv_0_0_p455_lanes;
+  const Lanes<2> Lambda_inv_0_0_p459_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p457_lanes;
+  const Lanes<2> Lambda_inv_0_0_p461_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p401_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p463_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p391_lanes;
+  const Lanes<2> Lambda_inv_0_0_p465_lanes = Lambda_inv_0_0_p383_lanes + Lambda_inv_0_0_p463_lanes;
+  const Lanes<2> Lambda_inv_0_0_p467_lanes = Lambda_inv_0_0_p315_lanes * Lambda_inv_0_0_p191_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p469_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_0_p289_lanes;
+  const Lanes<2> Lambda_inv_0_0_p471_lanes = Lambda_inv_0_0_p469_lanes - Lambda_inv_0_0_p285_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p473_lanes = Lambda_inv_0_0_p471_lanes - Lambda_inv_0_0_p467_lanes;
+  const Lanes<2> Lambda_inv_0_0_p475_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_0_p473_lanes;
+  const Lanes<2> Lambda_inv_0_0_p477_lanes = Lambda_inv_0_0_p361_lanes * Lambda_inv_0_0_p191_lanes;
+
+  // link 11 (left_wrist1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p479_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_0_p409_lanes;
+  const Lanes<2> Lambda_inv_0_0_p481_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_0_p415_lanes;
+  const Lanes<2> Lambda_inv_0_0_p483_lanes = Lambda_inv_0_0_p479_lanes + Lambda_inv_0_0_p481_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p485_lanes = Lambda_inv_0_0_p483_lanes + Lambda_inv_0_0_p477_lanes;
+  const Lanes<2> Lambda_inv_0_0_p487_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p485_lanes;
+  const Lanes<2> Lambda_inv_0_0_p489_lanes = Lambda_inv_0_0_p475_lanes + Lambda_inv_0_0_p487_lanes;
+  const Lanes<2> Lambda_inv_0_0_p491_lanes = 0.282 * Lambda_inv_0_0_p489_lanes;
+  const Lanes<2> Lambda_inv_0_0_p493_lanes = Lambda_inv_0_0_p465_lanes + Lambda_inv_0_0_p491_lanes;
+  const Lanes<2> Lambda_inv_0_0_p495_lanes = 0.282 * Lambda_inv_0_0_p493_lanes;
+  const Lanes<2> Lambda_inv_0_0_p497_lanes = detail::make_lanes<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - Lambda_inv_0_0_p495_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p499_lanes = Lambda_inv_0_0_p497_lanes - Lambda_inv_0_0_p461_lanes;
+  const Lanes<2> Lambda_inv_0_0_p501_lanes = 2.0 * detail::make_lanes<Real>(s9, s16);
+  const Lanes<2> Lambda_inv_0_0_p503_lanes = Lambda_inv_0_0_p501_lanes * Lambda_inv_0_0_p499_lanes;
+  const Lanes<2> Lambda_inv_0_0_p505_lanes = Lambda_inv_0_0_p459_lanes - Lambda_inv_0_0_p503_lanes;
+  const Lanes<2> Lambda_inv_0_0_p507_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_0_p505_lanes;
+  const Lanes<2> Lambda_inv_0_0_p509_lanes = Lambda_inv_0_0_p507_lanes + Lambda_inv_0_0_p499_lanes;
+  const Lanes<2> Lambda_inv_0_0_p511_lanes = detail::make_lanes<Real>((-1.75e-05), 1.75e-05) +
+      Lambda_inv_0_0_p509_lanes;
+  const Lanes<2> inverse_D8_p1_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p505_lanes;
+  const Lanes<2> inverse_D8_p2_lanes = Lambda_inv_0_0_p455_lanes + inverse_D8_p1_lanes;
+  const Lanes<2> inverse_D8_p3_lanes = 0.18125194219699997 + inverse_D8_p2_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p167 = Lambda_inv_0_0_p137 * Lambda_inv_0_0_p141 -
-      (s9 * Lambda_inv_0_0_p165 + c9 * Lambda_inv_0_0_p166);
-  const Real Lambda_inv_0_0_p168 = s8 * (Lambda_inv_0_0_p164 - Lambda_inv_0_0_p163) +
-      inverse_D7_p5 * Lambda_inv_0_0_p167;
-  const Real Lambda_inv_0_0_p169 = s8 * Lambda_inv_0_0_p168;
+  const Lanes<2> inverse_D8_lanes = 1.0 / inverse_D8_p3_lanes;
 
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p170 = Lambda_inv_0_0_p164 - Lambda_inv_0_0_p169 - Lambda_inv_0_0_p147 *
-      Lambda_inv_0_0_p148;
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p513_lanes = Lambda_inv_0_0_p385_lanes + Lambda_inv_0_0_p463_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p515_lanes = Lambda_inv_0_0_p513_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_inv_0_0_p517_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p515_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p519_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_0_p485_lanes;
+  const Lanes<2> Lambda_inv_0_0_p521_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_0_p473_lanes;
+  const Lanes<2> Lambda_inv_0_0_p523_lanes = Lambda_inv_0_0_p519_lanes - Lambda_inv_0_0_p521_lanes;
+  const Lanes<2> Lambda_inv_0_0_p525_lanes = 0.282 * Lambda_inv_0_0_p523_lanes;
+  const Lanes<2> Lambda_inv_0_0_p527_lanes = Lambda_inv_0_0_p319_lanes - Lambda_inv_0_0_p393_lanes;
+  const Lanes<2> Lambda_inv_0_0_p529_lanes = Lambda_inv_0_0_p525_lanes - Lambda_inv_0_0_p527_lanes;
+  const Lanes<2> Lambda_inv_0_0_p531_lanes = detail::make_lanes<Real>(0.004500002325,
+      (-0.004500002325)) + Lambda_inv_0_0_p529_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p533_lanes = Lambda_inv_0_0_p531_lanes + Lambda_inv_0_0_p517_lanes;
+  const Lanes<2> Lambda_inv_0_0_p535_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p533_lanes;
+  const Lanes<2> Lambda_inv_0_0_p537_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p515_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p539_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_0_p445_lanes;
+  const Lanes<2> Lambda_inv_0_0_p541_lanes = Lambda_inv_0_0_p421_lanes - Lambda_inv_0_0_p539_lanes;
+  const Lanes<2> Lambda_inv_0_0_p543_lanes = 0.282 * Lambda_inv_0_0_p541_lanes;
+  const Lanes<2> Lambda_inv_0_0_p545_lanes = 0.0022500062 + Lambda_inv_0_0_p543_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p547_lanes = Lambda_inv_0_0_p545_lanes + Lambda_inv_0_0_p537_lanes;
+  const Lanes<2> Lambda_inv_0_0_p549_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_0_p547_lanes;
+  const Lanes<2> Lambda_inv_0_0_p551_lanes = Lambda_inv_0_0_p535_lanes - Lambda_inv_0_0_p549_lanes;
+  const Lanes<2> Lambda_inv_0_0_p553_lanes = detail::make_lanes<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + Lambda_inv_0_0_p551_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p171 = Lambda_inv_0_0_p137 * Lambda_inv_0_0_p123 -
-      (c9 * Lambda_inv_0_0_p165 - s9 * Lambda_inv_0_0_p166);
-  const Real Lambda_inv_0_0_p172 = Lambda_inv_0_0_p159 - s9 * Lambda_inv_0_0_p160 +
-      Lambda_inv_0_0_p140 * Lambda_inv_0_0_p123;
+  const Lanes<2> Lambda_inv_0_0_p555_lanes = Lambda_inv_0_0_p553_lanes * inverse_D8_lanes;
+  const Lanes<2> Lambda_inv_0_0_p557_lanes = Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p555_lanes;
 
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p173 = c8 * Lambda_inv_0_0_p171 + s8 * Lambda_inv_0_0_p172 -
-      Lambda_inv_0_0_p128 * Lambda_inv_0_0_p148;
-  const Real Lambda_inv_0_0_p174 = 2.0 * s7;
-  const Real Lambda_inv_0_0_p175 = c7 * (Lambda_inv_0_0_p162 - Lambda_inv_0_0_p170) -
-      Lambda_inv_0_0_p174 * Lambda_inv_0_0_p173;
-  const Real Lambda_inv_0_0_p176 = c7 * Lambda_inv_0_0_p175;
-  const Real Lambda_inv_0_0_p177 = Lambda_inv_0_0_p162 - Lambda_inv_0_0_p176;
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p559_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_0_p533_lanes;
+  const Lanes<2> Lambda_inv_0_0_p561_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p547_lanes;
+  const Lanes<2> Lambda_inv_0_0_p563_lanes = Lambda_inv_0_0_p559_lanes + Lambda_inv_0_0_p561_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p178 = Lambda_inv_0_0_p143 + Lambda_inv_0_0_p150;
+  const Lanes<2> Lambda_inv_0_0_p565_lanes = Lambda_inv_0_0_p557_lanes - Lambda_inv_0_0_p563_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p567_lanes = detail::make_lanes<Real>(0.004500002325,
+      (-0.004500002325)) + Lambda_inv_0_0_p395_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p569_lanes = Lambda_inv_0_0_p567_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_inv_0_0_p571_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p569_lanes;
+  const Lanes<2> Lambda_inv_0_0_p573_lanes = Lambda_inv_0_0_p493_lanes + Lambda_inv_0_0_p571_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p575_lanes = Lambda_inv_0_0_p217_lanes - 0.0022500062;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p577_lanes = Lambda_inv_0_0_p575_lanes * inverse_D9_lanes;
+  const Lanes<2> Lambda_inv_0_0_p579_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p577_lanes;
+  const Lanes<2> Lambda_inv_0_0_p581_lanes = Lambda_inv_0_0_p491_lanes + Lambda_inv_0_0_p579_lanes;
+  const Lanes<2> Lambda_inv_0_0_p583_lanes = Lambda_inv_0_0_p573_lanes + Lambda_inv_0_0_p581_lanes;
+  const Lanes<2> Lambda_inv_0_0_p585_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p583_lanes;
+  const Lanes<2> Lambda_inv_0_0_p587_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p577_lanes;
+  const Lanes<2> Lambda_inv_0_0_p589_lanes = Lambda_inv_0_0_p299_lanes - Lambda_inv_0_0_p587_lanes;
+  const Lanes<2> Lambda_inv_0_0_p591_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p569_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p593_lanes = 0.282 * Lambda_inv_0_0_p449_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p595_lanes = Lambda_inv_0_0_p591_lanes - Lambda_inv_0_0_p593_lanes;
+  const Lanes<2> Lambda_inv_0_0_p597_lanes = Lambda_inv_0_0_p595_lanes + Lambda_inv_0_0_p589_lanes;
+  const Lanes<2> Lambda_inv_0_0_p599_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_0_p597_lanes;
+  const Lanes<2> Lambda_inv_0_0_p601_lanes = Lambda_inv_0_0_p585_lanes - Lambda_inv_0_0_p599_lanes;
+  const Lanes<2> Lambda_inv_0_0_p603_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_0_p601_lanes;
+  const Lanes<2> Lambda_inv_0_0_p605_lanes = Lambda_inv_0_0_p603_lanes + Lambda_inv_0_0_p589_lanes;
+  const Lanes<2> Lambda_inv_0_0_p607_lanes = 0.7139200499999999 + Lambda_inv_0_0_p605_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p609_lanes = Lambda_inv_0_0_p607_lanes * inverse_D8_lanes;
+  const Lanes<2> Lambda_inv_0_0_p611_lanes = 0.00010499999999999999 * Lambda_inv_0_0_p609_lanes;
+  const Lanes<2> Lambda_inv_0_0_p613_lanes = Lambda_inv_0_0_p565_lanes + Lambda_inv_0_0_p611_lanes;
+  const Lanes<2> Lambda_inv_0_0_p615_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_0_p613_lanes;
+  const Lanes<2> Lambda_inv_0_0_p617_lanes = Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p609_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p619_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p601_lanes;
+  const Lanes<2> Lambda_inv_0_0_p621_lanes = Lambda_inv_0_0_p573_lanes - Lambda_inv_0_0_p619_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p623_lanes = Lambda_inv_0_0_p621_lanes - Lambda_inv_0_0_p617_lanes;
+  const Lanes<2> Lambda_inv_0_0_p625_lanes = 0.00010499999999999999 * Lambda_inv_0_0_p555_lanes;
+  const Lanes<2> Lambda_inv_0_0_p627_lanes = Lambda_inv_0_0_p625_lanes + Lambda_inv_0_0_p623_lanes;
+  const Lanes<2> Lambda_inv_0_0_p629_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_0_p627_lanes;
+  const Lanes<2> Lambda_inv_0_0_p631_lanes = Lambda_inv_0_0_p615_lanes - Lambda_inv_0_0_p629_lanes;
+  const Lanes<2> Lambda_inv_0_0_p633_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_0_p631_lanes;
+  const Lanes<2> Lambda_inv_0_0_p635_lanes = Lambda_inv_0_0_p633_lanes - Lambda_inv_0_0_p611_lanes;
+  const Lanes<2> Lambda_inv_0_0_p637_lanes = 0.0017499999999999998 + Lambda_inv_0_0_p635_lanes;
+  const Lanes<2> inverse_D7_p1_lanes = Lambda_inv_0_0_p511_lanes * inverse_D8_lanes;
+  const Lanes<2> inverse_D7_p2_lanes = Lambda_inv_0_0_p511_lanes * inverse_D7_p1_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> inverse_D7_p3_lanes = Lambda_inv_0_0_p311_lanes - inverse_D8_p1_lanes;
+  const Lanes<2> inverse_D7_p4_lanes = 0.18113119219699997 + inverse_D7_p3_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> inverse_D7_p5_lanes = inverse_D7_p4_lanes - inverse_D7_p2_lanes;
+  const Lanes<2> inverse_D7_p6_lanes = 1.1024999999999998e-08 / inverse_D8_p3_lanes;
+  const Lanes<2> inverse_D7_p7_lanes = 0.00012075 - inverse_D7_p6_lanes;
+  const Lanes<2> inverse_D7_p8_lanes = inverse_D7_p7_lanes - inverse_D7_p5_lanes;
+  const Lanes<2> inverse_D7_p9_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p8_lanes;
+  const Lanes<2> inverse_D7_p10_lanes = 0.00010499999999999999 * inverse_D7_p1_lanes;
+  const Lanes<2> inverse_D7_p11_lanes = detail::make_lanes<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + inverse_D7_p10_lanes;
+  const Lanes<2> inverse_D7_p12_lanes = 2.0 * detail::make_lanes<Real>(c8, c15);
+  const Lanes<2> inverse_D7_p13_lanes = inverse_D7_p12_lanes * inverse_D7_p11_lanes;
+  const Lanes<2> inverse_D7_p14_lanes = inverse_D7_p9_lanes + inverse_D7_p13_lanes;
+  const Lanes<2> inverse_D7_p15_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p14_lanes;
+  const Lanes<2> inverse_D7_p16_lanes = inverse_D7_p5_lanes + inverse_D7_p15_lanes;
+  const Lanes<2> inverse_D7_p17_lanes = 0.000448 + inverse_D7_p16_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p179 = Lambda_inv_0_0_p178 * inverse_D7;
-  const Real Lambda_inv_0_0_p180 = s8 * Lambda_inv_0_0_p171 - c8 * Lambda_inv_0_0_p172 -
-      Lambda_inv_0_0_p128 * Lambda_inv_0_0_p179;
-  const Real Lambda_inv_0_0_p181 = c8 * Lambda_inv_0_0_p168 - Lambda_inv_0_0_p167 -
-      Lambda_inv_0_0_p147 * Lambda_inv_0_0_p179;
-  const Real Lambda_inv_0_0_p182 = s7 * Lambda_inv_0_0_p180 + c7 * Lambda_inv_0_0_p181;
-  const Real Lambda_inv_0_0_p183 = Lambda_inv_0_0_p156 -
-      (0.18 * Lambda_inv_0_0_p177 + 0.226 * Lambda_inv_0_0_p182);
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_inv_0_0_p184 = 0.0007660844555829042 * s20 + 0.0002628975791811551 * c20;
-  const Real Lambda_inv_0_0_p185 = 0.00013384878959057754 - c20 * Lambda_inv_0_0_p184;
-  const Real inverse_D19_p1 = s20 * Lambda_inv_0_0_p184;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real inverse_D19 = 1.0 / (0.0010519177038056625 - inverse_D19_p1);
-  const Real Lambda_inv_0_0_p186 = Lambda_inv_0_0_p185 * inverse_D19;
-  const Real Lambda_inv_0_0_p187 = 0.0002742332482227584 + inverse_D19_p1 - Lambda_inv_0_0_p185 *
-      Lambda_inv_0_0_p186;
-  const Real Lambda_inv_0_0_p188 = s19 * (1.16e-05 - Lambda_inv_0_0_p187);
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_inv_0_0_p189 = 0.001742099791326752 * c20 - 0.001090468517736955 * s20;
-  const Real Lambda_inv_0_0_p190 = s20 * Lambda_inv_0_0_p189;
-  const Real Lambda_inv_0_0_p191 = 0.000760024621759417 + Lambda_inv_0_0_p190;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p192 = Lambda_inv_0_0_p191 * inverse_D19;
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_inv_0_0_p193 = c20 * Lambda_inv_0_0_p189;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p194 = Lambda_inv_0_0_p193 - 0.002376125662528793 -
-      Lambda_inv_0_0_p185 * Lambda_inv_0_0_p192;
-  const Real Lambda_inv_0_0_p195 = 0.0006000000000000001 * s19 + c19 * Lambda_inv_0_0_p194;
-  const Real Lambda_inv_0_0_p196 = 0.000144 - (c19 * Lambda_inv_0_0_p188 + 0.269 *
-      Lambda_inv_0_0_p195);
-  const Real inverse_D18_p1 = s19 * Lambda_inv_0_0_p188;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real inverse_D18 = 1.0 / (0.00022920000000000001 + (Lambda_inv_0_0_p187 + inverse_D18_p1));
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p197 = 6e-04 - Lambda_inv_0_0_p195;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p198 = Lambda_inv_0_0_p197 * inverse_D18;
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_inv_0_0_p199 = 0.27310176737964387 * s20 + 0.09929187165525127 * c20;
-  const Real Lambda_inv_0_0_p200 = s20 * Lambda_inv_0_0_p199;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p201 = Lambda_inv_0_0_p200 - 0.2818466605750157 - Lambda_inv_0_0_p191 *
-      Lambda_inv_0_0_p192;
-  const Real Lambda_inv_0_0_p202 = s19 * Lambda_inv_0_0_p194 - 0.0006000000000000001 * c19;
-  const Real Lambda_inv_0_0_p203 = 0.269 * Lambda_inv_0_0_p201 - Lambda_inv_0_0_p202;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p204 = Lambda_inv_0_0_p203 - Lambda_inv_0_0_p196 * Lambda_inv_0_0_p198;
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_inv_0_0_p205 = 0.0006340258712020409 + Lambda_inv_0_0_p193;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p206 = Lambda_inv_0_0_p205 * inverse_D19;
-  const Real Lambda_inv_0_0_p207 = 0.00033044389597753786 + Lambda_inv_0_0_p190 +
-      Lambda_inv_0_0_p185 * Lambda_inv_0_0_p206;
-
-  // link 20 (right_hand), articulated inertia
-  const Real Lambda_inv_0_0_p208 = 0.002865001425 * s20 - 0.01626499875 * c20 -
-      0.0006000000000000001;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p209 = Lambda_inv_0_0_p208 * inverse_D19;
-  const Real Lambda_inv_0_0_p210 = 0.002865001425 * c20 + 0.01626499875 * s20 -
-      Lambda_inv_0_0_p185 * Lambda_inv_0_0_p209;
-  const Real Lambda_inv_0_0_p211 = s19 * Lambda_inv_0_0_p207 + c19 * Lambda_inv_0_0_p210;
-  const Real Lambda_inv_0_0_p212 = c19 * Lambda_inv_0_0_p211;
-  const Real Lambda_inv_0_0_p213 = 0.001 - Lambda_inv_0_0_p212;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p214 = Lambda_inv_0_0_p213 * inverse_D18;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p215 = 0.269 * Lambda_inv_0_0_p212 - 0.0002516;
-  const Real Lambda_inv_0_0_p216 = 0.008744893195371809 + Lambda_inv_0_0_p200 +
-      Lambda_inv_0_0_p205 * Lambda_inv_0_0_p206;
-  const Real Lambda_inv_0_0_p217 = Lambda_inv_0_0_p208 * Lambda_inv_0_0_p209;
-  const Real Lambda_inv_0_0_p218 = Lambda_inv_0_0_p208 * Lambda_inv_0_0_p206;
-  const Real Lambda_inv_0_0_p219 = c19 * (2.0 * Lambda_inv_0_0_p218) - s19 *
-      (Lambda_inv_0_0_p216 - Lambda_inv_0_0_p217);
-  const Real Lambda_inv_0_0_p220 = s19 * Lambda_inv_0_0_p219;
-  const Real Lambda_inv_0_0_p221 = Lambda_inv_0_0_p220 - Lambda_inv_0_0_p217;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p222 = 0.269 * Lambda_inv_0_0_p221 + Lambda_inv_0_0_p215 *
-      Lambda_inv_0_0_p214;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p223 = s19 * Lambda_inv_0_0_p211;
-  const Real Lambda_inv_0_0_p224 = Lambda_inv_0_0_p208 * Lambda_inv_0_0_p192;
-  const Real Lambda_inv_0_0_p225 = c20 * Lambda_inv_0_0_p199 - 0.04964593582762564 -
-      Lambda_inv_0_0_p205 * Lambda_inv_0_0_p192;
-  const Real Lambda_inv_0_0_p226 = c19 * Lambda_inv_0_0_p224 + s19 * Lambda_inv_0_0_p225;
-  const Real Lambda_inv_0_0_p227 = 0.269 * Lambda_inv_0_0_p226;
-  const Real Lambda_inv_0_0_p228 = Lambda_inv_0_0_p223 + Lambda_inv_0_0_p227;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p229 = Lambda_inv_0_0_p228 + Lambda_inv_0_0_p196 * Lambda_inv_0_0_p214;
-  const Real Lambda_inv_0_0_p230 = Lambda_inv_0_0_p227 - Lambda_inv_0_0_p215 * Lambda_inv_0_0_p198;
-  const Real Lambda_inv_0_0_p231 = c18 * (Lambda_inv_0_0_p204 - Lambda_inv_0_0_p222) - s18 *
-      (Lambda_inv_0_0_p229 + Lambda_inv_0_0_p230);
-  const Real Lambda_inv_0_0_p232 = s18 * Lambda_inv_0_0_p231;
-  const Real Lambda_inv_0_0_p233 = Lambda_inv_0_0_p230 + Lambda_inv_0_0_p232;
-  const Real inverse_D17_p1 = Lambda_inv_0_0_p196 * inverse_D18;
-  const Real inverse_D17_p2 = 0.000131 - inverse_D18_p1 + 0.269 *
-      (Lambda_inv_0_0_p203 - Lambda_inv_0_0_p202) - Lambda_inv_0_0_p196 * inverse_D17_p1;
-  const Real inverse_D17_p3 = Lambda_inv_0_0_p215 * inverse_D18;
-  const Real inverse_D17_p4 = 0.0001098 + 0.07236100000000001 * Lambda_inv_0_0_p221 -
-      Lambda_inv_0_0_p215 * inverse_D17_p3;
-  const Real inverse_D17_p5 = 6e-06 + 0.269 * Lambda_inv_0_0_p228 - Lambda_inv_0_0_p196 *
-      inverse_D17_p3;
-  const Real inverse_D17_p6 = 2.0 * c18;
-  const Real inverse_D17_p7 = s18 * (inverse_D17_p2 - inverse_D17_p4) + inverse_D17_p6 *
-      inverse_D17_p5;
-  const Real inverse_D17_p8 = s18 * inverse_D17_p7;
-  const Real inverse_D17_p9 = 0.060888541114265754 + (inverse_D17_p4 + inverse_D17_p8);
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real inverse_D17 = 1.0 / inverse_D17_p9;
-  const Real Lambda_inv_0_0_p234 = Lambda_inv_0_0_p233 * inverse_D17;
-  const Real Lambda_inv_0_0_p235 = 0.0014999985000000002 + 0.0001499998887063 * Lambda_inv_0_0_p234;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p236 = 2.249994685315e-05 + (c18 * inverse_D17_p7 - inverse_D17_p5);
-  const Real Lambda_inv_0_0_p237 = c18 * Lambda_inv_0_0_p231;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p238 = 0.28049749700000004 +
-      (Lambda_inv_0_0_p237 + Lambda_inv_0_0_p222) - Lambda_inv_0_0_p236 * Lambda_inv_0_0_p234;
-  const Real Lambda_inv_0_0_p239 = c17 * Lambda_inv_0_0_p235 - s17 * Lambda_inv_0_0_p238;
-  const Real Lambda_inv_0_0_p240 = 0.0001499998887063 / inverse_D17_p9;
-  const Real Lambda_inv_0_0_p241 = 0.0001499998887063 + Lambda_inv_0_0_p236 * Lambda_inv_0_0_p240;
-  const Real Lambda_inv_0_0_p242 = 2.0 * c17;
-  const Real Lambda_inv_0_0_p243 = Lambda_inv_0_0_p236 * inverse_D17;
-  const Real Lambda_inv_0_0_p244 = 0.06060754126741261 + (inverse_D17_p2 - inverse_D17_p8) -
-      Lambda_inv_0_0_p236 * Lambda_inv_0_0_p243;
-  const Real Lambda_inv_0_0_p245 = 0.00028099984685315 - 2.249996661190239e-08 / inverse_D17_p9;
-  const Real Lambda_inv_0_0_p246 = Lambda_inv_0_0_p242 * Lambda_inv_0_0_p241 - s17 *
-      (Lambda_inv_0_0_p244 - Lambda_inv_0_0_p245);
-  const Real Lambda_inv_0_0_p247 = 0.282 * Lambda_inv_0_0_p239 -
-      (Lambda_inv_0_0_p241 - c17 * Lambda_inv_0_0_p246) - 0.0005895000784280001;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p248 = Lambda_inv_0_0_p237 - Lambda_inv_0_0_p204 - 0.28049749700000004;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p249 = Lambda_inv_0_0_p248 * inverse_D17;
-  const Real Lambda_inv_0_0_p250 = 0.0001499998887063 * Lambda_inv_0_0_p249;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p251 = s19 * Lambda_inv_0_0_p224 - c19 * Lambda_inv_0_0_p225;
-  const Real Lambda_inv_0_0_p252 = Lambda_inv_0_0_p223 - Lambda_inv_0_0_p207;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p253 = Lambda_inv_0_0_p252 * inverse_D18;
-  const Real Lambda_inv_0_0_p254 = 0.269 * Lambda_inv_0_0_p251 -
-      (Lambda_inv_0_0_p212 - Lambda_inv_0_0_p210) - 0.001 - Lambda_inv_0_0_p196 *
-      Lambda_inv_0_0_p253;
-
-  // link 19 (right_wrist2), articulated inertia
-  const Real Lambda_inv_0_0_p255 = Lambda_inv_0_0_p218 - c19 * Lambda_inv_0_0_p219;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p256 = 0.269 * Lambda_inv_0_0_p255 - 6e-04 - Lambda_inv_0_0_p215 *
-      Lambda_inv_0_0_p253;
-  const Real Lambda_inv_0_0_p257 = 0.0014999985000000002 -
-      (s18 * Lambda_inv_0_0_p254 + c18 * Lambda_inv_0_0_p256);
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p258 = Lambda_inv_0_0_p257 * inverse_D17;
-  const Real Lambda_inv_0_0_p259 = c18 * Lambda_inv_0_0_p254 - s18 * Lambda_inv_0_0_p256 +
-      Lambda_inv_0_0_p236 * Lambda_inv_0_0_p258;
-  const Real Lambda_inv_0_0_p260 = Lambda_inv_0_0_p229 + Lambda_inv_0_0_p232 + Lambda_inv_0_0_p236 *
-      Lambda_inv_0_0_p249;
-  const Real Lambda_inv_0_0_p261 = 0.0001499998887063 * Lambda_inv_0_0_p258;
-  const Real Lambda_inv_0_0_p262 = c17 * (Lambda_inv_0_0_p250 + Lambda_inv_0_0_p259) - s17 *
-      (Lambda_inv_0_0_p261 - Lambda_inv_0_0_p260);
-  const Real Lambda_inv_0_0_p263 = c17 * Lambda_inv_0_0_p262;
-  const Real Lambda_inv_0_0_p264 = Lambda_inv_0_0_p259 - Lambda_inv_0_0_p263;
-  const Real Lambda_inv_0_0_p265 = 0.004500002325 - Lambda_inv_0_0_p264;
-  const Real inverse_D16_p1 = s17 * Lambda_inv_0_0_p246;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real inverse_D16 = 1.0 / (0.0027762933559338653 + (Lambda_inv_0_0_p245 - inverse_D16_p1));
-  const Real Lambda_inv_0_0_p266 = Lambda_inv_0_0_p265 * inverse_D16;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p267 = s17 * Lambda_inv_0_0_p262;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p268 = Lambda_inv_0_0_p221 - Lambda_inv_0_0_p213 * Lambda_inv_0_0_p214;
-  const Real Lambda_inv_0_0_p269 = Lambda_inv_0_0_p201 - Lambda_inv_0_0_p197 * Lambda_inv_0_0_p198;
-  const Real Lambda_inv_0_0_p270 = Lambda_inv_0_0_p226 + Lambda_inv_0_0_p213 * Lambda_inv_0_0_p198;
-  const Real Lambda_inv_0_0_p271 = s18 * (Lambda_inv_0_0_p268 - Lambda_inv_0_0_p269) -
-      inverse_D17_p6 * Lambda_inv_0_0_p270;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p272 = c18 * Lambda_inv_0_0_p271 + Lambda_inv_0_0_p270 -
-      Lambda_inv_0_0_p248 * Lambda_inv_0_0_p234;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p273 = Lambda_inv_0_0_p251 - Lambda_inv_0_0_p197 * Lambda_inv_0_0_p253;
-  const Real Lambda_inv_0_0_p274 = Lambda_inv_0_0_p255 + Lambda_inv_0_0_p213 * Lambda_inv_0_0_p253;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p275 = c18 * Lambda_inv_0_0_p273 - s18 * Lambda_inv_0_0_p274 +
-      Lambda_inv_0_0_p257 * Lambda_inv_0_0_p234;
-  const Real Lambda_inv_0_0_p276 = c17 * Lambda_inv_0_0_p272 + s17 * Lambda_inv_0_0_p275;
-  const Real Lambda_inv_0_0_p277 = 0.282 * Lambda_inv_0_0_p276;
-  const Real Lambda_inv_0_0_p278 = Lambda_inv_0_0_p267 - Lambda_inv_0_0_p260 + Lambda_inv_0_0_p277;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p279 = Lambda_inv_0_0_p278 - Lambda_inv_0_0_p247 * Lambda_inv_0_0_p266;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p280 = Lambda_inv_0_0_p239 - 0.0022500062;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p281 = Lambda_inv_0_0_p280 * inverse_D16;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p282 = 0.282 * Lambda_inv_0_0_p264 - 0.0012089992423205001;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p283 = Lambda_inv_0_0_p277 + Lambda_inv_0_0_p282 * Lambda_inv_0_0_p281;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p284 = c17 * Lambda_inv_0_0_p238 + s17 * Lambda_inv_0_0_p235;
-
-  // link 18 (right_wrist1), articulated inertia
-  const Real Lambda_inv_0_0_p285 = s18 * Lambda_inv_0_0_p271;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p286 = Lambda_inv_0_0_p269 + Lambda_inv_0_0_p285 - Lambda_inv_0_0_p233 *
-      Lambda_inv_0_0_p234;
-  const Real Lambda_inv_0_0_p287 = Lambda_inv_0_0_p284 + 0.282 * Lambda_inv_0_0_p286;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p288 = Lambda_inv_0_0_p287 - Lambda_inv_0_0_p247 * Lambda_inv_0_0_p281;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p289 = Lambda_inv_0_0_p268 - Lambda_inv_0_0_p285 - Lambda_inv_0_0_p248 *
-      Lambda_inv_0_0_p249;
-  const Real Lambda_inv_0_0_p290 = Lambda_inv_0_0_p216 + Lambda_inv_0_0_p220 + Lambda_inv_0_0_p252 *
-      Lambda_inv_0_0_p253 + Lambda_inv_0_0_p257 * Lambda_inv_0_0_p258;
-  const Real Lambda_inv_0_0_p291 = c18 * Lambda_inv_0_0_p274 + s18 * Lambda_inv_0_0_p273 -
-      Lambda_inv_0_0_p248 * Lambda_inv_0_0_p258;
-  const Real Lambda_inv_0_0_p292 = s17 * (Lambda_inv_0_0_p289 + Lambda_inv_0_0_p290) +
-      Lambda_inv_0_0_p242 * Lambda_inv_0_0_p291;
-  const Real Lambda_inv_0_0_p293 = s17 * Lambda_inv_0_0_p292;
-  const Real Lambda_inv_0_0_p294 = Lambda_inv_0_0_p289 - Lambda_inv_0_0_p293;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p295 = 0.282 * Lambda_inv_0_0_p294 + Lambda_inv_0_0_p282 *
-      Lambda_inv_0_0_p266;
-  const Real Lambda_inv_0_0_p296 = c16 * (Lambda_inv_0_0_p279 + Lambda_inv_0_0_p283) - s16 *
-      (Lambda_inv_0_0_p288 - Lambda_inv_0_0_p295);
-  const Real Lambda_inv_0_0_p297 = c16 * Lambda_inv_0_0_p296;
-  const Real Lambda_inv_0_0_p298 = Lambda_inv_0_0_p297 - Lambda_inv_0_0_p283;
-  const Real inverse_D15_p1 = Lambda_inv_0_0_p247 * inverse_D16;
-  const Real inverse_D15_p2 = 0.0019585440854647937 +
-      (Lambda_inv_0_0_p244 + inverse_D16_p1 + 0.282 * (Lambda_inv_0_0_p284 + Lambda_inv_0_0_p287)) -
-      Lambda_inv_0_0_p247 * inverse_D15_p1;
-  const Real inverse_D15_p3 = Lambda_inv_0_0_p282 * inverse_D16;
-  const Real inverse_D15_p4 = 0.0008177492704690715 + 0.07952399999999998 * Lambda_inv_0_0_p294 -
-      Lambda_inv_0_0_p282 * inverse_D15_p3;
-  const Real inverse_D15_p5 = 4.4999986458742003e-05 + 0.282 * Lambda_inv_0_0_p278 +
-      Lambda_inv_0_0_p247 * inverse_D15_p3;
-  const Real inverse_D15_p6 = 2.0 * s16;
-  const Real inverse_D15_p7 = c16 * (inverse_D15_p2 - inverse_D15_p4) + inverse_D15_p6 *
-      inverse_D15_p5;
-  const Real inverse_D15_p8 = c16 * inverse_D15_p7;
-  const Real inverse_D15_p9 = 0.18125194219699997 + (inverse_D15_p4 + inverse_D15_p8);
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real inverse_D15 = 1.0 / inverse_D15_p9;
-  const Real Lambda_inv_0_0_p299 = Lambda_inv_0_0_p298 * inverse_D15;
-  const Real Lambda_inv_0_0_p300 = 0.00010499999999999999 * Lambda_inv_0_0_p299 -
-      0.0017499999999999998;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p301 = 1.75e-05 - (inverse_D15_p5 - s16 * inverse_D15_p7);
-  const Real Lambda_inv_0_0_p302 = s16 * Lambda_inv_0_0_p296;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p303 = 0.7139200499999999 +
-      (Lambda_inv_0_0_p295 - Lambda_inv_0_0_p302) + Lambda_inv_0_0_p301 * Lambda_inv_0_0_p299;
-  const Real Lambda_inv_0_0_p304 = 0.0017499999999999998 +
-      (s15 * Lambda_inv_0_0_p300 - c15 * Lambda_inv_0_0_p303);
-  const Real inverse_D14_p1 = Lambda_inv_0_0_p301 * inverse_D15;
-  const Real inverse_D14_p2 = 0.18113119219699997 + (inverse_D15_p2 - inverse_D15_p8) -
-      Lambda_inv_0_0_p301 * inverse_D14_p1;
-  const Real inverse_D14_p3 = 0.00012075 - 1.1024999999999998e-08 / inverse_D15_p9;
-  const Real inverse_D14_p4 = 5.2499999999999995e-05 + 0.00010499999999999999 * inverse_D14_p1;
-  const Real inverse_D14_p5 = 2.0 * c15;
-  const Real inverse_D14_p6 = s15 * (inverse_D14_p3 - inverse_D14_p2) + inverse_D14_p5 *
-      inverse_D14_p4;
-  const Real inverse_D14_p7 = s15 * inverse_D14_p6;
-  const Real inverse_D14_p8 = 0.000448 + (inverse_D14_p2 + inverse_D14_p7);
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real inverse_D14 = 1.0 / inverse_D14_p8;
-  const Real Lambda_inv_0_0_p305 = Lambda_inv_0_0_p304 * inverse_D14;
-  const Real Lambda_inv_0_0_p306 = 2.6249999999999998e-05 * Lambda_inv_0_0_p305;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p307 = 0.7139200499999999 + (Lambda_inv_0_0_p302 + Lambda_inv_0_0_p288);
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p308 = Lambda_inv_0_0_p307 * inverse_D15;
-  const Real Lambda_inv_0_0_p309 = 0.00010499999999999999 * Lambda_inv_0_0_p308;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p310 = Lambda_inv_0_0_p261 + Lambda_inv_0_0_p267;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p311 = Lambda_inv_0_0_p310 * inverse_D16;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p312 = c17 * Lambda_inv_0_0_p275 - s17 * Lambda_inv_0_0_p272;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p313 = 0.282 * Lambda_inv_0_0_p312 -
-      (Lambda_inv_0_0_p250 - Lambda_inv_0_0_p263) - 0.004500002325 + Lambda_inv_0_0_p247 *
-      Lambda_inv_0_0_p311;
-
-  // link 17 (right_lowerarm), articulated inertia
-  const Real Lambda_inv_0_0_p314 = c17 * Lambda_inv_0_0_p292 - Lambda_inv_0_0_p291;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p315 = 0.0022500062 + 0.282 * Lambda_inv_0_0_p314 +
-      Lambda_inv_0_0_p282 * Lambda_inv_0_0_p311;
-  const Real Lambda_inv_0_0_p316 = 0.0017499999999999998 -
-      (c16 * Lambda_inv_0_0_p313 - s16 * Lambda_inv_0_0_p315);
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p317 = Lambda_inv_0_0_p316 * inverse_D15;
-  const Real Lambda_inv_0_0_p318 = s16 * Lambda_inv_0_0_p313 + c16 * Lambda_inv_0_0_p315 +
-      Lambda_inv_0_0_p301 * Lambda_inv_0_0_p317;
-  const Real Lambda_inv_0_0_p319 = Lambda_inv_0_0_p279 - Lambda_inv_0_0_p297 - Lambda_inv_0_0_p301 *
-      Lambda_inv_0_0_p308;
-  const Real Lambda_inv_0_0_p320 = 0.00010499999999999999 * Lambda_inv_0_0_p317;
-  const Real Lambda_inv_0_0_p321 = s15 * (Lambda_inv_0_0_p320 - Lambda_inv_0_0_p319) + c15 *
-      (Lambda_inv_0_0_p309 - Lambda_inv_0_0_p318);
-  const Real Lambda_inv_0_0_p322 = c15 * Lambda_inv_0_0_p321;
-  const Real Lambda_inv_0_0_p323 = 0.0017499999999999998 +
-      (Lambda_inv_0_0_p322 - Lambda_inv_0_0_p309);
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p324 = Lambda_inv_0_0_p323 * inverse_D14;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p325 = 2.6249999999999998e-05 + (c15 * inverse_D14_p6 - inverse_D14_p4);
-  const Real Lambda_inv_0_0_p326 = s15 * Lambda_inv_0_0_p321;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p327 = Lambda_inv_0_0_p320 - Lambda_inv_0_0_p326 - Lambda_inv_0_0_p325 *
-      Lambda_inv_0_0_p324;
-  const Real Lambda_inv_0_0_p328 = c15 * Lambda_inv_0_0_p300 + s15 * Lambda_inv_0_0_p303 -
-      Lambda_inv_0_0_p325 * Lambda_inv_0_0_p305;
-  const Real Lambda_inv_0_0_p329 = 2.6249999999999998e-05 * Lambda_inv_0_0_p324;
-  const Real Lambda_inv_0_0_p330 = c14 * (Lambda_inv_0_0_p306 + Lambda_inv_0_0_p327) + s14 *
-      (Lambda_inv_0_0_p328 - Lambda_inv_0_0_p329);
-  const Real Lambda_inv_0_0_p331 = s14 * Lambda_inv_0_0_p330;
-  const Real Lambda_inv_0_0_p332 = Lambda_inv_0_0_p331 + Lambda_inv_0_0_p329;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p333 = Lambda_inv_0_0_p319 + Lambda_inv_0_0_p326;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p334 = Lambda_inv_0_0_p333 * inverse_D14;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p335 = Lambda_inv_0_0_p294 - Lambda_inv_0_0_p265 * Lambda_inv_0_0_p266;
-  const Real Lambda_inv_0_0_p336 = Lambda_inv_0_0_p286 - Lambda_inv_0_0_p280 * Lambda_inv_0_0_p281;
-  const Real Lambda_inv_0_0_p337 = Lambda_inv_0_0_p276 - Lambda_inv_0_0_p265 * Lambda_inv_0_0_p281;
-  const Real Lambda_inv_0_0_p338 = c16 * (Lambda_inv_0_0_p335 - Lambda_inv_0_0_p336) -
-      inverse_D15_p6 * Lambda_inv_0_0_p337;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p339 = s16 * Lambda_inv_0_0_p338 + Lambda_inv_0_0_p337 -
-      Lambda_inv_0_0_p307 * Lambda_inv_0_0_p299;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p340 = Lambda_inv_0_0_p265 * Lambda_inv_0_0_p311 - Lambda_inv_0_0_p314;
-  const Real Lambda_inv_0_0_p341 = Lambda_inv_0_0_p312 + Lambda_inv_0_0_p280 * Lambda_inv_0_0_p311;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p342 = c16 * Lambda_inv_0_0_p340 - s16 * Lambda_inv_0_0_p341 +
-      Lambda_inv_0_0_p316 * Lambda_inv_0_0_p299;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p343 = c15 * Lambda_inv_0_0_p339 - s15 * Lambda_inv_0_0_p342 -
-      Lambda_inv_0_0_p304 * Lambda_inv_0_0_p334;
-
-  // link 16 (right_upperarm), articulated inertia
-  const Real Lambda_inv_0_0_p344 = c16 * Lambda_inv_0_0_p338;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p345 = Lambda_inv_0_0_p335 - Lambda_inv_0_0_p344 - Lambda_inv_0_0_p307 *
-      Lambda_inv_0_0_p308;
-  const Real Lambda_inv_0_0_p346 = Lambda_inv_0_0_p293 - Lambda_inv_0_0_p290 - Lambda_inv_0_0_p310 *
-      Lambda_inv_0_0_p311 - Lambda_inv_0_0_p316 * Lambda_inv_0_0_p317;
-  const Real Lambda_inv_0_0_p347 = s16 * Lambda_inv_0_0_p340 + c16 * Lambda_inv_0_0_p341 +
-      Lambda_inv_0_0_p316 * Lambda_inv_0_0_p308;
-  const Real Lambda_inv_0_0_p348 = s15 * (Lambda_inv_0_0_p346 - Lambda_inv_0_0_p345) -
-      inverse_D14_p5 * Lambda_inv_0_0_p347;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p349 = c15 * Lambda_inv_0_0_p348 + Lambda_inv_0_0_p347 -
-      Lambda_inv_0_0_p323 * Lambda_inv_0_0_p334;
-  const Real Lambda_inv_0_0_p350 = s14 * Lambda_inv_0_0_p343 + c14 * Lambda_inv_0_0_p349;
-  const Real Lambda_inv_0_0_p351 = Lambda_inv_0_0_p336 + Lambda_inv_0_0_p344 - Lambda_inv_0_0_p298 *
-      Lambda_inv_0_0_p299 - Lambda_inv_0_0_p304 * Lambda_inv_0_0_p305;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p352 = s15 * Lambda_inv_0_0_p348;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p353 = Lambda_inv_0_0_p346 - Lambda_inv_0_0_p352 - Lambda_inv_0_0_p323 *
-      Lambda_inv_0_0_p324;
-  const Real Lambda_inv_0_0_p354 = c15 * Lambda_inv_0_0_p342 + s15 * Lambda_inv_0_0_p339 +
-      Lambda_inv_0_0_p304 * Lambda_inv_0_0_p324;
-  const Real Lambda_inv_0_0_p355 = 2.0 * s14;
-  const Real Lambda_inv_0_0_p356 = c14 * (Lambda_inv_0_0_p351 - Lambda_inv_0_0_p353) +
-      Lambda_inv_0_0_p355 * Lambda_inv_0_0_p354;
-  const Real Lambda_inv_0_0_p357 = c14 * Lambda_inv_0_0_p356;
-  const Real Lambda_inv_0_0_p358 = Lambda_inv_0_0_p351 - Lambda_inv_0_0_p357;
-  const Real Lambda_inv_0_0_p359 = Lambda_inv_0_0_p332 +
-      (0.226 * Lambda_inv_0_0_p350 - 0.18 * Lambda_inv_0_0_p358);
+  const Lanes<2> inverse_D7_lanes = 1.0 / inverse_D7_p17_lanes;
+  const Lanes<2> Lambda_inv_0_0_p639_lanes = Lambda_inv_0_0_p637_lanes * inverse_D7_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p641_lanes = detail::make_lanes<Real>(c8, c15) *
+      inverse_D7_p14_lanes;
+  const Lanes<2> Lambda_inv_0_0_p643_lanes = Lambda_inv_0_0_p641_lanes - inverse_D7_p11_lanes;
+  const Lanes<2> Lambda_inv_0_0_p645_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + Lambda_inv_0_0_p643_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p647_lanes = Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p639_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p649_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_0_p631_lanes;
+  const Lanes<2> Lambda_inv_0_0_p651_lanes = Lambda_inv_0_0_p625_lanes + Lambda_inv_0_0_p649_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p653_lanes = Lambda_inv_0_0_p651_lanes + Lambda_inv_0_0_p647_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p655_lanes = Lambda_inv_0_0_p619_lanes - Lambda_inv_0_0_p581_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p657_lanes = Lambda_inv_0_0_p655_lanes * inverse_D8_lanes;
+  const Lanes<2> Lambda_inv_0_0_p659_lanes = 0.00010499999999999999 * Lambda_inv_0_0_p657_lanes;
+  const Lanes<2> Lambda_inv_0_0_p661_lanes = detail::make_lanes<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + Lambda_inv_0_0_p659_lanes;
+  const Lanes<2> Lambda_inv_0_0_p663_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_0_p661_lanes;
+  const Lanes<2> Lambda_inv_0_0_p665_lanes = Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p657_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p667_lanes = Lambda_inv_0_0_p603_lanes + Lambda_inv_0_0_p595_lanes;
+  const Lanes<2> Lambda_inv_0_0_p669_lanes = Lambda_inv_0_0_p667_lanes - 0.7139200499999999;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p671_lanes = Lambda_inv_0_0_p669_lanes - Lambda_inv_0_0_p665_lanes;
+  const Lanes<2> Lambda_inv_0_0_p673_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_0_p671_lanes;
+  const Lanes<2> Lambda_inv_0_0_p675_lanes = Lambda_inv_0_0_p663_lanes + Lambda_inv_0_0_p673_lanes;
+  const Lanes<2> Lambda_inv_0_0_p677_lanes = 0.0017499999999999998 + Lambda_inv_0_0_p675_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p679_lanes = Lambda_inv_0_0_p677_lanes * inverse_D7_lanes;
+  const Lanes<2> Lambda_inv_0_0_p681_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) * Lambda_inv_0_0_p679_lanes;
+  const Lanes<2> Lambda_inv_0_0_p683_lanes = Lambda_inv_0_0_p653_lanes - Lambda_inv_0_0_p681_lanes;
+  const Lanes<2> Lambda_inv_0_0_p685_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_inv_0_0_p683_lanes;
+  const Lanes<2> Lambda_inv_0_0_p687_lanes = Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p679_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p689_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_0_p661_lanes;
+  const Lanes<2> Lambda_inv_0_0_p691_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_0_p671_lanes;
+  const Lanes<2> Lambda_inv_0_0_p693_lanes = Lambda_inv_0_0_p689_lanes - Lambda_inv_0_0_p691_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p695_lanes = Lambda_inv_0_0_p693_lanes - Lambda_inv_0_0_p687_lanes;
+  const Lanes<2> Lambda_inv_0_0_p697_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) * Lambda_inv_0_0_p639_lanes;
+  const Lanes<2> Lambda_inv_0_0_p699_lanes = Lambda_inv_0_0_p695_lanes - Lambda_inv_0_0_p697_lanes;
+  const Lanes<2> Lambda_inv_0_0_p701_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_inv_0_0_p699_lanes;
+  const Lanes<2> Lambda_inv_0_0_p703_lanes = Lambda_inv_0_0_p685_lanes - Lambda_inv_0_0_p701_lanes;
+  const Lanes<2> Lambda_inv_0_0_p705_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_inv_0_0_p703_lanes;
+  const Lanes<2> Lambda_inv_0_0_p707_lanes = Lambda_inv_0_0_p697_lanes - Lambda_inv_0_0_p705_lanes;
+  const Lanes<2> Lambda_inv_0_0_p709_lanes = Lambda_inv_0_0_p677_lanes * Lambda_inv_0_0_p679_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p711_lanes = Lambda_inv_0_0_p655_lanes * Lambda_inv_0_0_p657_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p713_lanes = Lambda_inv_0_0_p567_lanes * Lambda_inv_0_0_p569_lanes;
+  const Lanes<2> Lambda_inv_0_0_p715_lanes = Lambda_inv_0_0_p449_lanes - Lambda_inv_0_0_p713_lanes;
+  const Lanes<2> Lambda_inv_0_0_p717_lanes = Lambda_inv_0_0_p575_lanes * Lambda_inv_0_0_p577_lanes;
+  const Lanes<2> Lambda_inv_0_0_p719_lanes = Lambda_inv_0_0_p295_lanes - Lambda_inv_0_0_p717_lanes;
+  const Lanes<2> Lambda_inv_0_0_p721_lanes = Lambda_inv_0_0_p715_lanes - Lambda_inv_0_0_p719_lanes;
+  const Lanes<2> Lambda_inv_0_0_p723_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p721_lanes;
+  const Lanes<2> Lambda_inv_0_0_p725_lanes = Lambda_inv_0_0_p567_lanes * Lambda_inv_0_0_p577_lanes;
+  const Lanes<2> Lambda_inv_0_0_p727_lanes = Lambda_inv_0_0_p489_lanes + Lambda_inv_0_0_p725_lanes;
+  const Lanes<2> Lambda_inv_0_0_p729_lanes = Lambda_inv_0_0_p501_lanes * Lambda_inv_0_0_p727_lanes;
+  const Lanes<2> Lambda_inv_0_0_p731_lanes = Lambda_inv_0_0_p723_lanes - Lambda_inv_0_0_p729_lanes;
+  const Lanes<2> Lambda_inv_0_0_p733_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p731_lanes;
+  const Lanes<2> Lambda_inv_0_0_p735_lanes = Lambda_inv_0_0_p719_lanes + Lambda_inv_0_0_p733_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p737_lanes = Lambda_inv_0_0_p735_lanes - Lambda_inv_0_0_p711_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p739_lanes = Lambda_inv_0_0_p737_lanes - Lambda_inv_0_0_p709_lanes;
+  const Lanes<2> Lambda_inv_0_0_p741_lanes = Lambda_inv_0_0_p637_lanes * Lambda_inv_0_0_p639_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p743_lanes = Lambda_inv_0_0_p553_lanes * Lambda_inv_0_0_p609_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p745_lanes = Lambda_inv_0_0_p567_lanes * Lambda_inv_0_0_p515_lanes;
+  const Lanes<2> Lambda_inv_0_0_p747_lanes = Lambda_inv_0_0_p541_lanes + Lambda_inv_0_0_p745_lanes;
+  const Lanes<2> Lambda_inv_0_0_p749_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_0_p747_lanes;
+  const Lanes<2> Lambda_inv_0_0_p751_lanes = Lambda_inv_0_0_p575_lanes * Lambda_inv_0_0_p515_lanes;
+  const Lanes<2> Lambda_inv_0_0_p753_lanes = Lambda_inv_0_0_p523_lanes + Lambda_inv_0_0_p751_lanes;
+  const Lanes<2> Lambda_inv_0_0_p755_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p753_lanes;
+  const Lanes<2> Lambda_inv_0_0_p757_lanes = Lambda_inv_0_0_p749_lanes - Lambda_inv_0_0_p755_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p759_lanes = Lambda_inv_0_0_p757_lanes + Lambda_inv_0_0_p743_lanes;
+  const Lanes<2> Lambda_inv_0_0_p761_lanes = inverse_D7_p12_lanes * Lambda_inv_0_0_p759_lanes;
+  const Lanes<2> Lambda_inv_0_0_p763_lanes = Lambda_inv_0_0_p607_lanes * Lambda_inv_0_0_p609_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p765_lanes = Lambda_inv_0_0_p715_lanes - Lambda_inv_0_0_p733_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p767_lanes = Lambda_inv_0_0_p765_lanes - Lambda_inv_0_0_p763_lanes;
+  const Lanes<2> Lambda_inv_0_0_p769_lanes = Lambda_inv_0_0_p553_lanes * Lambda_inv_0_0_p555_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p771_lanes = Lambda_inv_0_0_p513_lanes * Lambda_inv_0_0_p515_lanes;
+
+  // link 10 (left_lowerarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p773_lanes = Lambda_inv_0_0_p439_lanes + Lambda_inv_0_0_p447_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p775_lanes = Lambda_inv_0_0_p773_lanes + Lambda_inv_0_0_p771_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p777_lanes = Lambda_inv_0_0_p775_lanes + Lambda_inv_0_0_p769_lanes;
+  const Lanes<2> Lambda_inv_0_0_p779_lanes = Lambda_inv_0_0_p777_lanes + Lambda_inv_0_0_p767_lanes;
+  const Lanes<2> Lambda_inv_0_0_p781_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_0_p779_lanes;
+  const Lanes<2> Lambda_inv_0_0_p783_lanes = Lambda_inv_0_0_p761_lanes - Lambda_inv_0_0_p781_lanes;
+  const Lanes<2> Lambda_inv_0_0_p785_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_0_p783_lanes;
+  const Lanes<2> Lambda_inv_0_0_p787_lanes = Lambda_inv_0_0_p777_lanes + Lambda_inv_0_0_p785_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p789_lanes = Lambda_inv_0_0_p787_lanes + Lambda_inv_0_0_p741_lanes;
+  const Lanes<2> Lambda_inv_0_0_p791_lanes = Lambda_inv_0_0_p739_lanes + Lambda_inv_0_0_p789_lanes;
+  const Lanes<2> Lambda_inv_0_0_p793_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_inv_0_0_p791_lanes;
+  const Lanes<2> Lambda_inv_0_0_p795_lanes = Lambda_inv_0_0_p677_lanes * Lambda_inv_0_0_p639_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p797_lanes = Lambda_inv_0_0_p553_lanes * Lambda_inv_0_0_p657_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p799_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_0_p747_lanes;
+  const Lanes<2> Lambda_inv_0_0_p801_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_0_p753_lanes;
+  const Lanes<2> Lambda_inv_0_0_p803_lanes = Lambda_inv_0_0_p799_lanes + Lambda_inv_0_0_p801_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p805_lanes = Lambda_inv_0_0_p803_lanes + Lambda_inv_0_0_p797_lanes;
+  const Lanes<2> Lambda_inv_0_0_p807_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_0_p805_lanes;
+  const Lanes<2> Lambda_inv_0_0_p809_lanes = Lambda_inv_0_0_p607_lanes * Lambda_inv_0_0_p657_lanes;
+
+  // link 9 (left_upperarm), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p811_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_0_p731_lanes;
+  const Lanes<2> Lambda_inv_0_0_p813_lanes = Lambda_inv_0_0_p811_lanes + Lambda_inv_0_0_p727_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p815_lanes = Lambda_inv_0_0_p813_lanes - Lambda_inv_0_0_p809_lanes;
+  const Lanes<2> Lambda_inv_0_0_p817_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_0_p815_lanes;
+  const Lanes<2> Lambda_inv_0_0_p819_lanes = Lambda_inv_0_0_p807_lanes - Lambda_inv_0_0_p817_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p821_lanes = Lambda_inv_0_0_p819_lanes - Lambda_inv_0_0_p795_lanes;
+  const Lanes<2> Lambda_inv_0_0_p823_lanes = 2.0 * detail::make_lanes<Real>(s7, s14);
+  const Lanes<2> Lambda_inv_0_0_p825_lanes = Lambda_inv_0_0_p823_lanes * Lambda_inv_0_0_p821_lanes;
+  const Lanes<2> Lambda_inv_0_0_p827_lanes = Lambda_inv_0_0_p793_lanes - Lambda_inv_0_0_p825_lanes;
+  const Lanes<2> Lambda_inv_0_0_p829_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_inv_0_0_p827_lanes;
+  const Lanes<2> Lambda_inv_0_0_p831_lanes = Lambda_inv_0_0_p739_lanes - Lambda_inv_0_0_p829_lanes;
+  const Lanes<2> Lambda_inv_0_0_p833_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      Lambda_inv_0_0_p831_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p835_lanes = Lambda_inv_0_0_p623_lanes + Lambda_inv_0_0_p649_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p837_lanes = Lambda_inv_0_0_p835_lanes * inverse_D7_lanes;
+  const Lanes<2> Lambda_inv_0_0_p839_lanes = Lambda_inv_0_0_p677_lanes * Lambda_inv_0_0_p837_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p841_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_0_p805_lanes;
+  const Lanes<2> Lambda_inv_0_0_p843_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_0_p815_lanes;
+  const Lanes<2> Lambda_inv_0_0_p845_lanes = Lambda_inv_0_0_p841_lanes + Lambda_inv_0_0_p843_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p847_lanes = Lambda_inv_0_0_p845_lanes - Lambda_inv_0_0_p839_lanes;
+  const Lanes<2> Lambda_inv_0_0_p849_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_inv_0_0_p847_lanes;
+  const Lanes<2> Lambda_inv_0_0_p851_lanes = Lambda_inv_0_0_p637_lanes * Lambda_inv_0_0_p837_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p853_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_0_p783_lanes;
+  const Lanes<2> Lambda_inv_0_0_p855_lanes = Lambda_inv_0_0_p853_lanes - Lambda_inv_0_0_p759_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p857_lanes = Lambda_inv_0_0_p855_lanes - Lambda_inv_0_0_p851_lanes;
+  const Lanes<2> Lambda_inv_0_0_p859_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_inv_0_0_p857_lanes;
+  const Lanes<2> Lambda_inv_0_0_p861_lanes = Lambda_inv_0_0_p849_lanes + Lambda_inv_0_0_p859_lanes;
+  const Lanes<2> Lambda_inv_0_0_p863_lanes = 0.226 * Lambda_inv_0_0_p861_lanes;
+  const Lanes<2> Lambda_inv_0_0_p865_lanes = Lambda_inv_0_0_p833_lanes + Lambda_inv_0_0_p863_lanes;
+  const Lanes<2> Lambda_inv_0_0_p867_lanes = Lambda_inv_0_0_p707_lanes + Lambda_inv_0_0_p865_lanes;
 
   // link 23 (left_eye), articulated inertia
-  const Real Lambda_inv_0_0_p360 = 0.0007770270270270272 * c23;
-  const Real Lambda_inv_0_0_p361 = c23 * Lambda_inv_0_0_p360;
+  const Lanes<2> Lambda_inv_0_0_p869_lanes = 0.0007770270270270272 *
+      detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> Lambda_inv_0_0_p871_lanes = detail::make_lanes<Real>(c23, c24) *
+      Lambda_inv_0_0_p869_lanes;
+  const Lanes<2> Lambda_inv_0_0_p873_lanes = Lambda_inv_0_0_p871_lanes - 0.0007770270270270272;
+  const Real Lambda_inv_0_0_p875 = 0.431222972972973 + Lambda_inv_0_0_p871_lanes[1] +
+      Lambda_inv_0_0_p873_lanes[0];
+  const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_lanes<Real>(s23, s24);
+  const Lanes<2> inverse_D22_p3_lanes = detail::make_lanes<Real>(s23, s24) * inverse_D22_p1_lanes;
+  const Real inverse_D22_p5 = inverse_D22_p3_lanes[1] + inverse_D22_p3_lanes[0];
+  const Real inverse_D22_p6 = c24 + c23;
 
-  // link 24 (right_eye), articulated inertia
-  const Real Lambda_inv_0_0_p362 = 0.0007770270270270272 * c24;
-  const Real Lambda_inv_0_0_p363 = c24 * Lambda_inv_0_0_p362;
+  // link 22 (head), articulated inertia
+  const Real inverse_D22 = 1.0 / (0.063951825 - inverse_D22_p5 + 4.75e-05 * inverse_D22_p6);
+  const Real Lambda_inv_0_0_p876 = Lambda_inv_0_0_p875 * inverse_D22;
 
   // link 23 (left_eye), articulated inertia
-  const Real Lambda_inv_0_0_p364 = s23 * Lambda_inv_0_0_p360;
+  const Lanes<2> Lambda_inv_0_0_p877_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) +
+      inverse_D22_p1_lanes;
+  const Lanes<2> Lambda_inv_0_0_p879_lanes = Lambda_inv_0_0_p877_lanes *
+      detail::make_lanes<Real>(c23, c24);
+  const Real Lambda_inv_0_0_p881 = s24 + s23;
+  const Real Lambda_inv_0_0_p882 = Lambda_inv_0_0_p879_lanes[0] + 2.375e-05 * Lambda_inv_0_0_p881 +
+      Lambda_inv_0_0_p879_lanes[1];
+  const Lanes<2> Lambda_inv_0_0_p883_lanes = detail::make_lanes<Real>(s23, s24) *
+      Lambda_inv_0_0_p869_lanes;
+  const Real Lambda_inv_0_0_p885 = Lambda_inv_0_0_p883_lanes[1] + Lambda_inv_0_0_p883_lanes[0];
 
-  // link 24 (right_eye), articulated inertia
-  const Real Lambda_inv_0_0_p365 = s24 * Lambda_inv_0_0_p362;
+  // link 22 (head), articulated inertia
+  const Real Lambda_inv_0_0_p886 = Lambda_inv_0_0_p882 * Lambda_inv_0_0_p876 - Lambda_inv_0_0_p885;
 
   // link 23 (left_eye), articulated inertia
-  const Real Lambda_inv_0_0_p366 = Lambda_inv_0_0_p364 + Lambda_inv_0_0_p365;
-  const Real Lambda_inv_0_0_p367 = 0.032 * (Lambda_inv_0_0_p361 - Lambda_inv_0_0_p363) - 0.095 *
-      Lambda_inv_0_0_p366;
-  const Real Lambda_inv_0_0_p368 = Lambda_inv_0_0_p363 + Lambda_inv_0_0_p361;
-  const Real Lambda_inv_0_0_p369 = 0.430445945945946 + Lambda_inv_0_0_p368;
+  const Lanes<2> Lambda_inv_0_0_p887_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
+      Lambda_inv_0_0_p873_lanes;
+  const Real Lambda_inv_0_0_p889 = Lambda_inv_0_0_p887_lanes[1] + Lambda_inv_0_0_p887_lanes[0] -
+      0.095 * Lambda_inv_0_0_p885;
+  const Real Lambda_inv_0_0_p890 = 0.072575 + 0.00025 * inverse_D22_p6;
 
-  // link 24 (right_eye), articulated inertia
-  const Real inverse_D22_p1 = 9.060810810810813e-05 * s24;
+  // link 22 (head), articulated inertia
+  const Real Lambda_inv_0_0_p891 = Lambda_inv_0_0_p890 * inverse_D22;
+  const Real Lambda_inv_0_0_p892 = Lambda_inv_0_0_p889 * Lambda_inv_0_0_p891;
 
   // link 23 (left_eye), articulated inertia
-  const Real inverse_D22_p2 = 9.060810810810813e-05 * s23;
-  const Real inverse_D22_p3 = s24 * inverse_D22_p1 + s23 * inverse_D22_p2;
-  const Real inverse_D22_p4 = c24 + c23;
+  const Lanes<2> Lambda_inv_0_0_p893_lanes = 0.006756756756756757 *
+      detail::make_lanes<Real>(s23, s24);
+  const Lanes<2> Lambda_inv_0_0_p895_lanes = detail::make_lanes<Real>(c23, c24) *
+      Lambda_inv_0_0_p893_lanes;
+  const Lanes<2> Lambda_inv_0_0_p897_lanes = 0.095 * Lambda_inv_0_0_p895_lanes;
+  const Lanes<2> Lambda_inv_0_0_p899_lanes = detail::make_lanes<Real>(s23, s24) *
+      Lambda_inv_0_0_p893_lanes;
+  const Lanes<2> Lambda_inv_0_0_p901_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
+      Lambda_inv_0_0_p899_lanes;
+  const Lanes<2> Lambda_inv_0_0_p903_lanes = Lambda_inv_0_0_p897_lanes + Lambda_inv_0_0_p901_lanes;
 
   // link 22 (head), articulated inertia
-  const Real inverse_D22 = 1.0 / (0.063951825 - inverse_D22_p3 + 4.75e-05 * inverse_D22_p4);
-  const Real Lambda_inv_0_0_p370 = Lambda_inv_0_0_p369 * inverse_D22;
-
-  // link 24 (right_eye), articulated inertia
-  const Real Lambda_inv_0_0_p371 = 0.006756756756756757 * s24;
-  const Real Lambda_inv_0_0_p372 = c24 * Lambda_inv_0_0_p371;
-  const Real Lambda_inv_0_0_p373 = s24 * Lambda_inv_0_0_p371;
-  const Real Lambda_inv_0_0_p374 = 0.095 * Lambda_inv_0_0_p372 - 0.032 * Lambda_inv_0_0_p373;
+  const Real Lambda_inv_0_0_p905 = Lambda_inv_0_0_p903_lanes[1] + Lambda_inv_0_0_p903_lanes[0] +
+      Lambda_inv_0_0_p889 * Lambda_inv_0_0_p876;
+  const Real Lambda_inv_0_0_p906 = Lambda_inv_0_0_p882 * Lambda_inv_0_0_p891 - 0.00025 *
+      Lambda_inv_0_0_p881;
+  const Real Lambda_inv_0_0_p907 = s22 * (Lambda_inv_0_0_p886 + Lambda_inv_0_0_p892) + c22 *
+      (Lambda_inv_0_0_p906 - Lambda_inv_0_0_p905);
+  const Real Lambda_inv_0_0_p908 = s22 * Lambda_inv_0_0_p907;
+  const Real Lambda_inv_0_0_p909 = Lambda_inv_0_0_p908 - Lambda_inv_0_0_p892;
+  const Real inverse_D21_p1 = Lambda_inv_0_0_p889 * inverse_D22;
 
   // link 23 (left_eye), articulated inertia
-  const Real Lambda_inv_0_0_p375 = 0.006756756756756757 * s23;
-  const Real Lambda_inv_0_0_p376 = c23 * Lambda_inv_0_0_p375;
-  const Real Lambda_inv_0_0_p377 = s23 * Lambda_inv_0_0_p375;
-  const Real Lambda_inv_0_0_p378 = 0.095 * Lambda_inv_0_0_p376 + 0.032 * Lambda_inv_0_0_p377;
+  const Lanes<2> inverse_D21_p2_lanes = Lambda_inv_0_0_p899_lanes - 0.006756756756756757;
+  const Lanes<2> inverse_D21_p4_lanes = 0.095 * inverse_D21_p2_lanes;
+  const Lanes<2> inverse_D21_p6_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
+      Lambda_inv_0_0_p895_lanes;
+  const Lanes<2> inverse_D21_p8_lanes = inverse_D21_p4_lanes - inverse_D21_p6_lanes;
 
   // link 22 (head), articulated inertia
-  const Real Lambda_inv_0_0_p379 = Lambda_inv_0_0_p374 + Lambda_inv_0_0_p378 + Lambda_inv_0_0_p367 *
-      Lambda_inv_0_0_p370;
+  const Real inverse_D21_p10 = inverse_D21_p8_lanes[1] + inverse_D21_p8_lanes[0];
+  const Real inverse_D21_p11 = 0.009438624999999999 - (-0.032) * Lambda_inv_0_0_p903_lanes[1] -
+      0.032 * Lambda_inv_0_0_p903_lanes[0] - Lambda_inv_0_0_p889 * inverse_D21_p1 + 0.095 *
+      inverse_D21_p10;
+  const Real inverse_D21_p12 = 0.05450270000000001 + inverse_D22_p5 + (-1.6e-05) * s24 + 1.6e-05 *
+      s23 - Lambda_inv_0_0_p882 * Lambda_inv_0_0_p882 * inverse_D22;
+  const Real inverse_D21_p13 = inverse_D21_p12 - 0.00017071621621621625;
+  const Real inverse_D21_p14 = Lambda_inv_0_0_p871_lanes[1] + Lambda_inv_0_0_p871_lanes[0];
+  const Real inverse_D21_p15 = 0.0074 - (-0.032) * Lambda_inv_0_0_p883_lanes[1] - 0.032 *
+      Lambda_inv_0_0_p883_lanes[0] + Lambda_inv_0_0_p882 * inverse_D21_p1 - 0.095 * inverse_D21_p14;
+  const Real inverse_D21_p16 = 2.0 * c22;
+  const Real inverse_D21_p17 = s22 * (inverse_D21_p13 - inverse_D21_p11) + inverse_D21_p16 *
+      inverse_D21_p15;
+  const Real inverse_D21_p18 = s22 * inverse_D21_p17;
 
-  // link 23 (left_eye), articulated inertia
-  const Real Lambda_inv_0_0_p380 = s24 + s23;
-  const Real Lambda_inv_0_0_p381 = 8e-06 * (c24 - c23) -
-      (c24 * inverse_D22_p1 + c23 * inverse_D22_p2 + 2.375e-05 * Lambda_inv_0_0_p380);
-  const Real Lambda_inv_0_0_p382 = 0.072575 + 0.00025 * inverse_D22_p4;
+  // link 21 (neck), articulated inertia
+  const Real inverse_D21 = 1.0 / (0.006216750000000001 + (inverse_D21_p11 + inverse_D21_p18));
+  const Real Lambda_inv_0_0_p910 = Lambda_inv_0_0_p909 * inverse_D21;
 
   // link 22 (head), articulated inertia
-  const Real Lambda_inv_0_0_p383 = Lambda_inv_0_0_p382 * inverse_D22;
-  const Real Lambda_inv_0_0_p384 = Lambda_inv_0_0_p381 * Lambda_inv_0_0_p383 + 0.00025 *
-      Lambda_inv_0_0_p380;
-  const Real Lambda_inv_0_0_p385 = Lambda_inv_0_0_p367 * Lambda_inv_0_0_p383;
-  const Real Lambda_inv_0_0_p386 = Lambda_inv_0_0_p366 + Lambda_inv_0_0_p381 * Lambda_inv_0_0_p370;
-  const Real Lambda_inv_0_0_p387 = c22 * (Lambda_inv_0_0_p379 + Lambda_inv_0_0_p384) - s22 *
-      (Lambda_inv_0_0_p385 - Lambda_inv_0_0_p386);
-  const Real Lambda_inv_0_0_p388 = s22 * Lambda_inv_0_0_p387;
-  const Real Lambda_inv_0_0_p389 = Lambda_inv_0_0_p385 + Lambda_inv_0_0_p388;
-  const Real inverse_D21_p1 = Lambda_inv_0_0_p367 * inverse_D22;
+  const Real Lambda_inv_0_0_p911 = Lambda_inv_0_0_p885 * inverse_D22;
+  const Real Lambda_inv_0_0_p912 = 0.072575 + inverse_D21_p10 + Lambda_inv_0_0_p889 *
+      Lambda_inv_0_0_p911;
+  const Real Lambda_inv_0_0_p913 = inverse_D21_p14 - 0.43200000000000005 + Lambda_inv_0_0_p882 *
+      Lambda_inv_0_0_p911;
+  const Real Lambda_inv_0_0_p914 = c22 * Lambda_inv_0_0_p912 - s22 * Lambda_inv_0_0_p913;
+  const Real Lambda_inv_0_0_p915 = 0.0016155 + (c22 * inverse_D21_p17 - inverse_D21_p15 + 0.394 *
+      Lambda_inv_0_0_p914);
+  const Real Lambda_inv_0_0_p916 = c22 * Lambda_inv_0_0_p907;
+  const Real Lambda_inv_0_0_p917 = Lambda_inv_0_0_p890 * Lambda_inv_0_0_p911;
+  const Real Lambda_inv_0_0_p918 = Lambda_inv_0_0_p895_lanes[1] + Lambda_inv_0_0_p895_lanes[0] -
+      Lambda_inv_0_0_p875 * Lambda_inv_0_0_p911;
+  const Real Lambda_inv_0_0_p919 = c22 * Lambda_inv_0_0_p917 - s22 * Lambda_inv_0_0_p918;
 
-  // link 24 (right_eye), articulated inertia
-  const Real inverse_D21_p2 = Lambda_inv_0_0_p373 - 0.006756756756756757;
-
-  // link 23 (left_eye), articulated inertia
-  const Real inverse_D21_p3 = Lambda_inv_0_0_p377 - 0.006756756756756757;
+  // link 21 (neck), articulated inertia
+  const Real Lambda_inv_0_0_p920 = Lambda_inv_0_0_p915 * Lambda_inv_0_0_p910 -
+      (Lambda_inv_0_0_p916 + Lambda_inv_0_0_p905 + 0.394 * Lambda_inv_0_0_p919);
 
   // link 22 (head), articulated inertia
-  const Real inverse_D21_p4 = 0.095 * inverse_D21_p2 + 0.032 * Lambda_inv_0_0_p372 +
-      (0.095 * inverse_D21_p3 - 0.032 * Lambda_inv_0_0_p376);
-  const Real inverse_D21_p5 = 0.009438624999999999 - Lambda_inv_0_0_p367 * inverse_D21_p1 + 0.095 *
-      inverse_D21_p4 + 0.032 * (Lambda_inv_0_0_p374 - Lambda_inv_0_0_p378);
-  const Real inverse_D21_p6 = 0.05450270000000001 + inverse_D22_p3 - Lambda_inv_0_0_p381 *
-      Lambda_inv_0_0_p381 * inverse_D22 + 1.6e-05 * (s23 - s24) - 0.00017071621621621625;
-  const Real inverse_D21_p7 = 0.0074 - Lambda_inv_0_0_p381 * inverse_D21_p1 - 0.095 *
-      Lambda_inv_0_0_p368 + 0.032 * (Lambda_inv_0_0_p365 - Lambda_inv_0_0_p364);
-  const Real inverse_D21_p8 = 2.0 * c22;
-  const Real inverse_D21_p9 = s22 * (inverse_D21_p6 - inverse_D21_p5) + inverse_D21_p8 *
-      inverse_D21_p7;
-  const Real inverse_D21_p10 = s22 * inverse_D21_p9;
+  const Real Lambda_inv_0_0_p921 = Lambda_inv_0_0_p916 - Lambda_inv_0_0_p906;
+  const Real Lambda_inv_0_0_p922 = 0.394 * Lambda_inv_0_0_p921;
+  const Real Lambda_inv_0_0_p923 = Lambda_inv_0_0_p875 * Lambda_inv_0_0_p891;
+  const Real Lambda_inv_0_0_p924 = Lambda_inv_0_0_p899_lanes[1] + Lambda_inv_0_0_p899_lanes[0] +
+      Lambda_inv_0_0_p875 * Lambda_inv_0_0_p876;
+  const Real Lambda_inv_0_0_p925 = Lambda_inv_0_0_p890 * Lambda_inv_0_0_p891;
+  const Real Lambda_inv_0_0_p926 = inverse_D21_p16 * Lambda_inv_0_0_p923 - s22 *
+      (Lambda_inv_0_0_p925 - Lambda_inv_0_0_p924);
+  const Real Lambda_inv_0_0_p927 = Lambda_inv_0_0_p923 - c22 * Lambda_inv_0_0_p926;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D21 = 1.0 / (0.006216750000000001 + (inverse_D21_p5 + inverse_D21_p10));
-  const Real Lambda_inv_0_0_p390 = Lambda_inv_0_0_p389 * inverse_D21;
+  const Real Lambda_inv_0_0_p928 = Lambda_inv_0_0_p922 * Lambda_inv_0_0_p910 -
+      (0.0045000000000000005 + 0.394 * Lambda_inv_0_0_p927);
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Real Lambda_inv_0_0_p929 = c21 * Lambda_inv_0_0_p920 - s21 * Lambda_inv_0_0_p928 +
+      Lambda_inv_0_0_p867_lanes[1] + Lambda_inv_0_0_p867_lanes[0];
+  const Lanes<2> inverse_D6_p1_lanes = Lambda_inv_0_0_p707_lanes + Lambda_inv_0_0_p867_lanes;
+  const Lanes<2> inverse_D6_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      inverse_D6_p1_lanes;
+  const Lanes<2> inverse_D6_p5_lanes = Lambda_inv_0_0_p645_lanes * inverse_D7_lanes;
+  const Lanes<2> inverse_D6_p7_lanes = Lambda_inv_0_0_p645_lanes * inverse_D6_p5_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> inverse_D6_p9_lanes = inverse_D7_p7_lanes - inverse_D7_p15_lanes;
+  const Lanes<2> inverse_D6_p11_lanes = 0.0002975 + inverse_D6_p9_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D6_p13_lanes = inverse_D6_p11_lanes - inverse_D6_p7_lanes;
+  const Lanes<2> inverse_D6_p15_lanes = detail::make_lanes<Real>(6.890624999999999e-10,
+      6.890624999999999e-10) / inverse_D7_p17_lanes;
+  const Lanes<2> inverse_D6_p17_lanes = 0.0001505 - inverse_D6_p15_lanes;
+  const Lanes<2> inverse_D6_p19_lanes = inverse_D6_p17_lanes - inverse_D6_p13_lanes;
+  const Lanes<2> inverse_D6_p21_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p19_lanes;
+  const Lanes<2> inverse_D6_p23_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) * inverse_D6_p5_lanes;
+  const Lanes<2> inverse_D6_p25_lanes = 8.75e-06 + inverse_D6_p23_lanes;
+  const Lanes<2> inverse_D6_p27_lanes = Lambda_inv_0_0_p823_lanes * inverse_D6_p25_lanes;
+  const Lanes<2> inverse_D6_p29_lanes = inverse_D6_p21_lanes + inverse_D6_p27_lanes;
+  const Lanes<2> inverse_D6_p31_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p29_lanes;
+  const Real inverse_D6_p33 = inverse_D6_p31_lanes[1] + inverse_D6_p31_lanes[0];
 
   // link 22 (head), articulated inertia
-  const Real Lambda_inv_0_0_p391 = c22 * Lambda_inv_0_0_p387;
-  const Real Lambda_inv_0_0_p392 = Lambda_inv_0_0_p384 - Lambda_inv_0_0_p391;
-  const Real Lambda_inv_0_0_p393 = 0.394 * Lambda_inv_0_0_p392;
-  const Real Lambda_inv_0_0_p394 = Lambda_inv_0_0_p369 * Lambda_inv_0_0_p383;
-  const Real Lambda_inv_0_0_p395 = Lambda_inv_0_0_p373 + Lambda_inv_0_0_p377 + Lambda_inv_0_0_p369 *
-      Lambda_inv_0_0_p370;
-  const Real Lambda_inv_0_0_p396 = Lambda_inv_0_0_p382 * Lambda_inv_0_0_p383;
-  const Real Lambda_inv_0_0_p397 = inverse_D21_p8 * Lambda_inv_0_0_p394 - s22 *
-      (Lambda_inv_0_0_p396 - Lambda_inv_0_0_p395);
-  const Real Lambda_inv_0_0_p398 = Lambda_inv_0_0_p394 - c22 * Lambda_inv_0_0_p397;
+  const Real inverse_D6_p34 = c22 * Lambda_inv_0_0_p913 + s22 * Lambda_inv_0_0_p912;
+  const Real inverse_D6_p35 = inverse_D21_p2_lanes[1] + inverse_D21_p2_lanes[0] -
+      Lambda_inv_0_0_p885 * Lambda_inv_0_0_p911;
+  const Real inverse_D6_p36 = inverse_D6_p34 - 0.394 * inverse_D6_p35;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_inv_0_0_p399 = 0.0045000000000000005 + 0.394 * Lambda_inv_0_0_p398 +
-      Lambda_inv_0_0_p393 * Lambda_inv_0_0_p390;
+  const Real inverse_D6_p37 = 0.005513625 + (inverse_D21_p13 - inverse_D21_p18 - 0.394 *
+      (inverse_D6_p34 + inverse_D6_p36)) - Lambda_inv_0_0_p915 *
+      (Lambda_inv_0_0_p915 * inverse_D21);
+  const Real inverse_D6_p38 = Lambda_inv_0_0_p922 * inverse_D21;
 
   // link 22 (head), articulated inertia
-  const Real Lambda_inv_0_0_p400 = Lambda_inv_0_0_p366 * inverse_D22;
-  const Real Lambda_inv_0_0_p401 = 0.072575 + inverse_D21_p4 + Lambda_inv_0_0_p367 *
-      Lambda_inv_0_0_p400;
-  const Real Lambda_inv_0_0_p402 = Lambda_inv_0_0_p368 - 0.43200000000000005 - Lambda_inv_0_0_p381 *
-      Lambda_inv_0_0_p400;
-  const Real Lambda_inv_0_0_p403 = c22 * Lambda_inv_0_0_p401 - s22 * Lambda_inv_0_0_p402;
-  const Real Lambda_inv_0_0_p404 = 0.0016155 + (c22 * inverse_D21_p9 - inverse_D21_p7 + 0.394 *
-      Lambda_inv_0_0_p403);
-  const Real Lambda_inv_0_0_p405 = Lambda_inv_0_0_p382 * Lambda_inv_0_0_p400;
-  const Real Lambda_inv_0_0_p406 = Lambda_inv_0_0_p372 + Lambda_inv_0_0_p376 - Lambda_inv_0_0_p369 *
-      Lambda_inv_0_0_p400;
-  const Real Lambda_inv_0_0_p407 = c22 * Lambda_inv_0_0_p405 - s22 * Lambda_inv_0_0_p406;
+  const Real inverse_D6_p39 = s22 * Lambda_inv_0_0_p926;
+  const Real inverse_D6_p40 = inverse_D6_p39 - Lambda_inv_0_0_p924;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_inv_0_0_p408 = Lambda_inv_0_0_p379 - Lambda_inv_0_0_p391 + 0.394 *
-      Lambda_inv_0_0_p407 + Lambda_inv_0_0_p404 * Lambda_inv_0_0_p390;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p409 = Lambda_inv_0_0_p183 -
-      (s21 * Lambda_inv_0_0_p399 - c21 * Lambda_inv_0_0_p408 + Lambda_inv_0_0_p359);
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real inverse_D6_p1 = Lambda_inv_0_0_p325 * inverse_D14;
-  const Real inverse_D6_p2 = 0.0002975 + (inverse_D14_p3 - inverse_D14_p7) - Lambda_inv_0_0_p325 *
-      inverse_D6_p1;
-  const Real inverse_D6_p3 = 6.890624999999999e-10 / inverse_D14_p8;
-  const Real inverse_D6_p4 = 2.6249999999999998e-05 * inverse_D6_p1;
-  const Real inverse_D6_p5 = c14 * (0.0001505 - inverse_D6_p3 - inverse_D6_p2) +
-      Lambda_inv_0_0_p355 * (8.75e-06 + inverse_D6_p4);
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D6_p6 = Lambda_inv_0_0_p149 * inverse_D7;
-  const Real inverse_D6_p7 = 0.0002975 + (inverse_D7_p3 - inverse_D7_p7) - Lambda_inv_0_0_p149 *
-      inverse_D6_p6;
-  const Real inverse_D6_p8 = 0.0001505 - 6.890624999999999e-10 / inverse_D7_p8;
-  const Real inverse_D6_p9 = 2.6249999999999998e-05 * inverse_D6_p6 - 8.75e-06;
-  const Real inverse_D6_p10 = c7 * (inverse_D6_p8 - inverse_D6_p7) - Lambda_inv_0_0_p174 *
-      inverse_D6_p9;
-  const Real inverse_D6_p11 = c14 * inverse_D6_p5 + c7 * inverse_D6_p10;
+  const Real inverse_D6_p41 = 0.000703125 + 0.155236 * inverse_D6_p40 - Lambda_inv_0_0_p922 *
+      inverse_D6_p38;
 
   // link 22 (head), articulated inertia
-  const Real inverse_D6_p12 = c22 * Lambda_inv_0_0_p402 + s22 * Lambda_inv_0_0_p401;
-  const Real inverse_D6_p13 = inverse_D21_p2 + inverse_D21_p3 - Lambda_inv_0_0_p366 *
-      Lambda_inv_0_0_p400;
-  const Real inverse_D6_p14 = inverse_D6_p12 - 0.394 * inverse_D6_p13;
+  const Real inverse_D6_p42 = c22 * Lambda_inv_0_0_p918 + s22 * Lambda_inv_0_0_p917;
+  const Real inverse_D6_p43 = 0.394 * inverse_D6_p42;
+  const Real inverse_D6_p44 = Lambda_inv_0_0_p886 - Lambda_inv_0_0_p908 - inverse_D6_p43;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D6_p15 = 0.005513625 + (inverse_D21_p6 - inverse_D21_p10 - 0.394 *
-      (inverse_D6_p12 + inverse_D6_p14)) - Lambda_inv_0_0_p404 *
-      (Lambda_inv_0_0_p404 * inverse_D21);
-  const Real inverse_D6_p16 = Lambda_inv_0_0_p393 * inverse_D21;
+  const Real inverse_D6_p45 = 0.394 * inverse_D6_p44 - Lambda_inv_0_0_p915 * inverse_D6_p38;
+  const Real inverse_D6_p46 = 2.0 * s21;
+  const Real inverse_D6_p47 = c21 * (inverse_D6_p37 - inverse_D6_p41) - inverse_D6_p46 *
+      inverse_D6_p45;
+  const Real inverse_D6_p48 = c21 * inverse_D6_p47;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D6_p49_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) * Lambda_inv_0_0_p837_lanes;
+  const Lanes<2> inverse_D6_p51_lanes = 0.0017499999999999998 + inverse_D6_p49_lanes;
+  const Lanes<2> inverse_D6_p53_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p51_lanes;
+  const Lanes<2> inverse_D6_p55_lanes = Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p837_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> inverse_D6_p57_lanes = Lambda_inv_0_0_p633_lanes - Lambda_inv_0_0_p565_lanes;
+  const Lanes<2> inverse_D6_p59_lanes = inverse_D6_p57_lanes - 0.0017499999999999998;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D6_p61_lanes = inverse_D6_p59_lanes - inverse_D6_p55_lanes;
+  const Lanes<2> inverse_D6_p63_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p61_lanes;
+  const Lanes<2> inverse_D6_p65_lanes = inverse_D6_p53_lanes + inverse_D6_p63_lanes;
+  const Lanes<2> inverse_D6_p67_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      Lambda_inv_0_0_p861_lanes;
+  const Lanes<2> inverse_D6_p69_lanes = Lambda_inv_0_0_p835_lanes * Lambda_inv_0_0_p837_lanes;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> inverse_D6_p71_lanes = Lambda_inv_0_0_p767_lanes + Lambda_inv_0_0_p785_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D6_p73_lanes = inverse_D6_p71_lanes - inverse_D6_p69_lanes;
+  const Lanes<2> inverse_D6_p75_lanes = 0.226 * inverse_D6_p73_lanes;
+  const Lanes<2> inverse_D6_p77_lanes = inverse_D6_p67_lanes + inverse_D6_p75_lanes;
+  const Lanes<2> inverse_D6_p79_lanes = inverse_D6_p65_lanes + inverse_D6_p77_lanes;
+  const Real inverse_D6_p81 = inverse_D6_p79_lanes[1] + inverse_D6_p79_lanes[0];
+  const Real inverse_D6_p82 = 2.06965463592404 + inverse_D6_p41 + inverse_D6_p48 +
+      inverse_D6_p13_lanes[1] + inverse_D6_p33 + inverse_D6_p3_lanes[1] + inverse_D6_p13_lanes[0] +
+      inverse_D6_p3_lanes[0] + 0.226 * (inverse_D6_p65_lanes[1] + inverse_D6_p81 +
+      inverse_D6_p65_lanes[0]);
+
+  // link 6 (chest3), articulated inertia
+  const Real inverse_D6 = 1.0 / inverse_D6_p82;
+  const Real Lambda_inv_0_0_p930 = Lambda_inv_0_0_p929 * inverse_D6;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p931_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_inv_0_0_p703_lanes;
+  const Lanes<2> Lambda_inv_0_0_p933_lanes = Lambda_inv_0_0_p931_lanes - Lambda_inv_0_0_p653_lanes;
+  const Lanes<2> Lambda_inv_0_0_p935_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_inv_0_0_p827_lanes;
+  const Lanes<2> Lambda_inv_0_0_p937_lanes = Lambda_inv_0_0_p935_lanes + Lambda_inv_0_0_p821_lanes;
+  const Lanes<2> Lambda_inv_0_0_p939_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      Lambda_inv_0_0_p937_lanes;
+  const Lanes<2> Lambda_inv_0_0_p941_lanes = detail::make_lanes<Real>(c7, c14) *
+      Lambda_inv_0_0_p847_lanes;
+  const Lanes<2> Lambda_inv_0_0_p943_lanes = detail::make_lanes<Real>(s7, s14) *
+      Lambda_inv_0_0_p857_lanes;
+  const Lanes<2> Lambda_inv_0_0_p945_lanes = Lambda_inv_0_0_p941_lanes - Lambda_inv_0_0_p943_lanes;
+  const Lanes<2> Lambda_inv_0_0_p947_lanes = 0.226 * Lambda_inv_0_0_p945_lanes;
+  const Lanes<2> Lambda_inv_0_0_p949_lanes = Lambda_inv_0_0_p939_lanes + Lambda_inv_0_0_p947_lanes;
+  const Lanes<2> Lambda_inv_0_0_p951_lanes = Lambda_inv_0_0_p933_lanes - Lambda_inv_0_0_p949_lanes;
+  const Lanes<2> Lambda_inv_0_0_p953_lanes = Lambda_inv_0_0_p681_lanes + Lambda_inv_0_0_p931_lanes;
+  const Lanes<2> Lambda_inv_0_0_p955_lanes = Lambda_inv_0_0_p951_lanes + Lambda_inv_0_0_p953_lanes;
+  const Lanes<2> Lambda_inv_0_0_p957_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      Lambda_inv_0_0_p955_lanes;
+  const Lanes<2> Lambda_inv_0_0_p959_lanes = detail::make_lanes<Real>(s7, s14) *
+      inverse_D6_p29_lanes;
+  const Lanes<2> Lambda_inv_0_0_p961_lanes = detail::make_lanes<Real>(s7, s14) *
+      inverse_D6_p51_lanes;
+  const Lanes<2> Lambda_inv_0_0_p963_lanes = detail::make_lanes<Real>(c7, c14) *
+      inverse_D6_p61_lanes;
+  const Lanes<2> Lambda_inv_0_0_p965_lanes = Lambda_inv_0_0_p961_lanes - Lambda_inv_0_0_p963_lanes;
+  const Real Lambda_inv_0_0_p967 = Lambda_inv_0_0_p965_lanes[1] + Lambda_inv_0_0_p965_lanes[0];
+  const Real Lambda_inv_0_0_p968 = 0.0187369177636143 + Lambda_inv_0_0_p957_lanes[1] -
+      inverse_D6_p25_lanes[1] + Lambda_inv_0_0_p959_lanes[1] + Lambda_inv_0_0_p957_lanes[0] -
+      inverse_D6_p25_lanes[0] + Lambda_inv_0_0_p959_lanes[0] + 0.226 * Lambda_inv_0_0_p967;
+  const Lanes<2> Lambda_inv_0_0_p969_lanes = Lambda_inv_0_0_p939_lanes - Lambda_inv_0_0_p953_lanes;
+
+  // link 6 (chest3), articulated inertia
+  const Real Lambda_inv_0_0_p971 = Lambda_inv_0_0_p969_lanes[1] + Lambda_inv_0_0_p969_lanes[0] +
+      Lambda_inv_0_0_p968 * Lambda_inv_0_0_p930;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Real Lambda_inv_0_0_p972 = Lambda_inv_0_0_p951_lanes[1] + Lambda_inv_0_0_p951_lanes[0];
+  const Real Lambda_inv_0_0_p973 = s21 * inverse_D6_p47 + inverse_D6_p45 + 0.226 *
+      Lambda_inv_0_0_p972;
+
+  // link 21 (neck), articulated inertia
+  const Real Lambda_inv_0_0_p974 = Lambda_inv_0_0_p921 * inverse_D21;
+  const Real Lambda_inv_0_0_p975 = inverse_D6_p44 - Lambda_inv_0_0_p915 * Lambda_inv_0_0_p974;
 
   // link 22 (head), articulated inertia
-  const Real inverse_D6_p17 = s22 * Lambda_inv_0_0_p397;
-  const Real inverse_D6_p18 = inverse_D6_p17 - Lambda_inv_0_0_p395;
+  const Real Lambda_inv_0_0_p976 = 0.0045000000000000005 + Lambda_inv_0_0_p914;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D6_p19 = 0.000703125 + 0.155236 * inverse_D6_p18 - Lambda_inv_0_0_p393 *
-      inverse_D6_p16;
+  const Real Lambda_inv_0_0_p977 = Lambda_inv_0_0_p976 * inverse_D21;
+  const Real Lambda_inv_0_0_p978 = inverse_D6_p43 + Lambda_inv_0_0_p922 * Lambda_inv_0_0_p977;
+  const Real Lambda_inv_0_0_p979 = 0.394 * inverse_D6_p40 - Lambda_inv_0_0_p922 *
+      Lambda_inv_0_0_p974;
+  const Real Lambda_inv_0_0_p980 = inverse_D6_p36 + Lambda_inv_0_0_p915 * Lambda_inv_0_0_p977;
+  const Real Lambda_inv_0_0_p981 = c21 * (Lambda_inv_0_0_p975 - Lambda_inv_0_0_p978) - s21 *
+      (Lambda_inv_0_0_p979 + Lambda_inv_0_0_p980);
+  const Real Lambda_inv_0_0_p982 = s21 * Lambda_inv_0_0_p981;
 
-  // link 22 (head), articulated inertia
-  const Real inverse_D6_p20 = c22 * Lambda_inv_0_0_p406 + s22 * Lambda_inv_0_0_p405;
-  const Real inverse_D6_p21 = 0.394 * inverse_D6_p20;
-  const Real inverse_D6_p22 = Lambda_inv_0_0_p388 - Lambda_inv_0_0_p386 - inverse_D6_p21;
+  // link 7 (left_shoulder1), articulated inertia
+  const Real Lambda_inv_0_0_p983 = Lambda_inv_0_0_p982 + Lambda_inv_0_0_p980 - 6.1665928899999995 -
+      inverse_D6_p81;
+
+  // link 6 (chest3), articulated inertia
+  const Real Lambda_inv_0_0_p984 = Lambda_inv_0_0_p983 * inverse_D6;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D6_p23 = 0.394 * inverse_D6_p22 - Lambda_inv_0_0_p404 * inverse_D6_p16;
-  const Real inverse_D6_p24 = 2.0 * s21;
-  const Real inverse_D6_p25 = c21 * (inverse_D6_p15 - inverse_D6_p19) - inverse_D6_p24 *
-      inverse_D6_p23;
-  const Real inverse_D6_p26 = c21 * inverse_D6_p25;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D6_p27 = 2.06965463592404 + inverse_D6_p19 + inverse_D6_p26 + inverse_D6_p2 +
-      inverse_D6_p11 + inverse_D6_p7 - 0.18 * (Lambda_inv_0_0_p332 + Lambda_inv_0_0_p359 +
-      (Lambda_inv_0_0_p156 + Lambda_inv_0_0_p183));
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real inverse_D6_p28 = 0.0017499999999999998 + 2.6249999999999998e-05 * Lambda_inv_0_0_p334;
-  const Real inverse_D6_p29 = Lambda_inv_0_0_p322 + Lambda_inv_0_0_p318 - 0.0017499999999999998 -
-      Lambda_inv_0_0_p325 * Lambda_inv_0_0_p334;
-  const Real inverse_D6_p30 = c14 * inverse_D6_p28 + s14 * inverse_D6_p29;
-  const Real inverse_D6_p31 = Lambda_inv_0_0_p345 + Lambda_inv_0_0_p352 - Lambda_inv_0_0_p333 *
-      Lambda_inv_0_0_p334;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D6_p32 = 2.6249999999999998e-05 * Lambda_inv_0_0_p179 - 0.0017499999999999998;
-  const Real inverse_D6_p33 = Lambda_inv_0_0_p146 - Lambda_inv_0_0_p139 - 0.0017499999999999998 -
-      Lambda_inv_0_0_p149 * Lambda_inv_0_0_p179;
-  const Real inverse_D6_p34 = c7 * inverse_D6_p32 - s7 * inverse_D6_p33;
-  const Real inverse_D6_p35 = Lambda_inv_0_0_p163 + Lambda_inv_0_0_p169 - Lambda_inv_0_0_p178 *
-      Lambda_inv_0_0_p179;
-  const Real inverse_D6_p36 = inverse_D6_p30 + (0.226 * inverse_D6_p31 - 0.18 *
-      Lambda_inv_0_0_p350) - (inverse_D6_p34 - (0.18 * Lambda_inv_0_0_p182 + 0.226 *
-      inverse_D6_p35));
+  const Real Lambda_inv_0_0_p985 = c21 * Lambda_inv_0_0_p981;
 
   // link 6 (chest3), articulated inertia
-  const Real inverse_D6 = 1.0 / (inverse_D6_p27 + 0.226 *
-      (inverse_D6_p30 + inverse_D6_p36 - inverse_D6_p34));
-  const Real Lambda_inv_0_0_p410 = Lambda_inv_0_0_p409 * inverse_D6;
+  const Real Lambda_inv_0_0_p986 = Lambda_inv_0_0_p975 - Lambda_inv_0_0_p985 +
+      Lambda_inv_0_0_p947_lanes[1] + Lambda_inv_0_0_p947_lanes[0] - Lambda_inv_0_0_p973 *
+      Lambda_inv_0_0_p984;
+  const Real Lambda_inv_0_0_p987 = Lambda_inv_0_0_p937_lanes[1] + Lambda_inv_0_0_p937_lanes[0];
+  const Real Lambda_inv_0_0_p988 = Lambda_inv_0_0_p973 * Lambda_inv_0_0_p930 -
+      (s21 * Lambda_inv_0_0_p920 + c21 * Lambda_inv_0_0_p928) + 0.226 * Lambda_inv_0_0_p987;
+  const Real Lambda_inv_0_0_p989 = (-0.18) * Lambda_inv_0_0_p945_lanes[1] - Lambda_inv_0_0_p967 +
+      0.18 * Lambda_inv_0_0_p945_lanes[0] - Lambda_inv_0_0_p968 * Lambda_inv_0_0_p984;
+  const Real Lambda_inv_0_0_p990 = s6 * (Lambda_inv_0_0_p971 - Lambda_inv_0_0_p986) + c6 *
+      (Lambda_inv_0_0_p988 + Lambda_inv_0_0_p989);
+  const Real Lambda_inv_0_0_p991 = s6 * Lambda_inv_0_0_p990;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p411 = c7 * Lambda_inv_0_0_p154;
-  const Real Lambda_inv_0_0_p412 = s7 * Lambda_inv_0_0_p175 + Lambda_inv_0_0_p173;
-  const Real Lambda_inv_0_0_p413 = 0.18 * Lambda_inv_0_0_p412;
-  const Real Lambda_inv_0_0_p414 = c7 * Lambda_inv_0_0_p180 - s7 * Lambda_inv_0_0_p181;
-  const Real Lambda_inv_0_0_p415 = 0.226 * Lambda_inv_0_0_p414;
-  const Real Lambda_inv_0_0_p416 = Lambda_inv_0_0_p411 - Lambda_inv_0_0_p151 -
-      (Lambda_inv_0_0_p413 + Lambda_inv_0_0_p415);
-  const Real Lambda_inv_0_0_p417 = Lambda_inv_0_0_p130 - Lambda_inv_0_0_p411;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p418 = c14 * Lambda_inv_0_0_p330;
-  const Real Lambda_inv_0_0_p419 = Lambda_inv_0_0_p354 - s14 * Lambda_inv_0_0_p356;
-  const Real Lambda_inv_0_0_p420 = 0.18 * Lambda_inv_0_0_p419;
-  const Real Lambda_inv_0_0_p421 = c14 * Lambda_inv_0_0_p343 - s14 * Lambda_inv_0_0_p349;
-  const Real Lambda_inv_0_0_p422 = 0.226 * Lambda_inv_0_0_p421;
-  const Real Lambda_inv_0_0_p423 = Lambda_inv_0_0_p327 - Lambda_inv_0_0_p418 -
-      (Lambda_inv_0_0_p420 + Lambda_inv_0_0_p422);
-  const Real Lambda_inv_0_0_p424 = Lambda_inv_0_0_p418 - Lambda_inv_0_0_p306;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p425 = 0.0187281677636143 - inverse_D6_p4 + s14 * inverse_D6_p5 + s7 *
-      inverse_D6_p10 + inverse_D6_p9 + 0.18 * (Lambda_inv_0_0_p416 - Lambda_inv_0_0_p417 -
-      (Lambda_inv_0_0_p423 - Lambda_inv_0_0_p424));
-  const Real Lambda_inv_0_0_p426 = s14 * inverse_D6_p28 - c14 * inverse_D6_p29 -
-      (s7 * inverse_D6_p32 + c7 * inverse_D6_p33);
-  const Real Lambda_inv_0_0_p427 = Lambda_inv_0_0_p425 + 0.226 * Lambda_inv_0_0_p426;
+  const Real Lambda_inv_0_0_p992 = Lambda_inv_0_0_p978 + Lambda_inv_0_0_p985 + Lambda_inv_0_0_p972;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p428 = Lambda_inv_0_0_p424 + Lambda_inv_0_0_p420 +
-      (Lambda_inv_0_0_p417 + Lambda_inv_0_0_p413) - Lambda_inv_0_0_p427 * Lambda_inv_0_0_p410;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p429 = Lambda_inv_0_0_p423 + Lambda_inv_0_0_p416;
-  const Real Lambda_inv_0_0_p430 = s21 * inverse_D6_p25 + inverse_D6_p23 + 0.226 *
-      Lambda_inv_0_0_p429;
+  const Real Lambda_inv_0_0_p993 = Lambda_inv_0_0_p992 * inverse_D6;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_inv_0_0_p431 = Lambda_inv_0_0_p392 * inverse_D21;
-  const Real Lambda_inv_0_0_p432 = inverse_D6_p22 - Lambda_inv_0_0_p404 * Lambda_inv_0_0_p431;
+  const Real Lambda_inv_0_0_p994 = Lambda_inv_0_0_p921 * Lambda_inv_0_0_p910 - Lambda_inv_0_0_p927;
+  const Real Lambda_inv_0_0_p995 = Lambda_inv_0_0_p919 - Lambda_inv_0_0_p976 * Lambda_inv_0_0_p910;
 
-  // link 22 (head), articulated inertia
-  const Real Lambda_inv_0_0_p433 = 0.0045000000000000005 + Lambda_inv_0_0_p403;
+  // link 6 (chest3), articulated inertia
+  const Real Lambda_inv_0_0_p996 = Lambda_inv_0_0_p987 - c21 * Lambda_inv_0_0_p994 + s21 *
+      Lambda_inv_0_0_p995 + Lambda_inv_0_0_p929 * Lambda_inv_0_0_p993;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_inv_0_0_p434 = Lambda_inv_0_0_p433 * inverse_D21;
-  const Real Lambda_inv_0_0_p435 = inverse_D6_p21 + Lambda_inv_0_0_p393 * Lambda_inv_0_0_p434;
-  const Real Lambda_inv_0_0_p436 = 0.394 * inverse_D6_p18 - Lambda_inv_0_0_p393 *
-      Lambda_inv_0_0_p431;
-  const Real Lambda_inv_0_0_p437 = inverse_D6_p14 + Lambda_inv_0_0_p404 * Lambda_inv_0_0_p434;
-  const Real Lambda_inv_0_0_p438 = c21 * (Lambda_inv_0_0_p432 - Lambda_inv_0_0_p435) - s21 *
-      (Lambda_inv_0_0_p436 + Lambda_inv_0_0_p437);
-  const Real Lambda_inv_0_0_p439 = s21 * Lambda_inv_0_0_p438;
+  const Real Lambda_inv_0_0_p997 = inverse_D6_p40 - Lambda_inv_0_0_p921 * Lambda_inv_0_0_p974;
+  const Real Lambda_inv_0_0_p998 = inverse_D6_p35 - Lambda_inv_0_0_p976 * Lambda_inv_0_0_p977;
+  const Real Lambda_inv_0_0_p999 = inverse_D6_p42 + Lambda_inv_0_0_p921 * Lambda_inv_0_0_p977;
+  const Real Lambda_inv_0_0_p1000 = c21 * (Lambda_inv_0_0_p997 - Lambda_inv_0_0_p998) -
+      inverse_D6_p46 * Lambda_inv_0_0_p999;
+
+  // link 6 (chest3), articulated inertia
+  const Real Lambda_inv_0_0_p1001 = s21 * Lambda_inv_0_0_p1000 + Lambda_inv_0_0_p999 +
+      Lambda_inv_0_0_p945_lanes[1] + Lambda_inv_0_0_p945_lanes[0] - Lambda_inv_0_0_p983 *
+      Lambda_inv_0_0_p993;
+  const Real Lambda_inv_0_0_p1002 = s6 * Lambda_inv_0_0_p996 + c6 * Lambda_inv_0_0_p1001;
+  const Real Lambda_inv_0_0_p1003 = 0.072 * Lambda_inv_0_0_p1002;
+  const Real Lambda_inv_0_0_p1004 = Lambda_inv_0_0_p986 + Lambda_inv_0_0_p991 +
+      Lambda_inv_0_0_p1003;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p440 = Lambda_inv_0_0_p439 + Lambda_inv_0_0_p437 - 6.1665928899999995 -
-      inverse_D6_p36;
+  const Lanes<2> inverse_D5_p1_lanes = Lambda_inv_0_0_p705_lanes + Lambda_inv_0_0_p695_lanes;
+  const Lanes<2> inverse_D5_p3_lanes = Lambda_inv_0_0_p829_lanes - Lambda_inv_0_0_p789_lanes;
+  const Lanes<2> inverse_D5_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      inverse_D5_p3_lanes;
+  const Lanes<2> inverse_D5_p7_lanes = inverse_D5_p1_lanes + inverse_D5_p5_lanes;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p441 = Lambda_inv_0_0_p440 * inverse_D6;
+  const Real inverse_D5_p9 = inverse_D5_p7_lanes[1] + inverse_D5_p7_lanes[0] - Lambda_inv_0_0_p968 *
+      Lambda_inv_0_0_p993;
+  const Real inverse_D5_p10 = inverse_D5_p3_lanes[1] + inverse_D5_p3_lanes[0];
+  const Real inverse_D5_p11 = 6.1665928899999995 + Lambda_inv_0_0_p982 + Lambda_inv_0_0_p979 -
+      Lambda_inv_0_0_p973 * Lambda_inv_0_0_p993 + 0.226 * inverse_D5_p10;
+  const Real inverse_D5_p12 = s6 * inverse_D5_p9 + c6 * inverse_D5_p11;
 
   // link 21 (neck), articulated inertia
-  const Real Lambda_inv_0_0_p442 = c21 * Lambda_inv_0_0_p438;
+  const Real inverse_D5_p13 = c21 * Lambda_inv_0_0_p1000;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p443 = Lambda_inv_0_0_p432 - Lambda_inv_0_0_p442 + Lambda_inv_0_0_p422 +
-      Lambda_inv_0_0_p415 - Lambda_inv_0_0_p430 * Lambda_inv_0_0_p441;
-  const Real Lambda_inv_0_0_p444 = Lambda_inv_0_0_p419 - Lambda_inv_0_0_p412;
-  const Real Lambda_inv_0_0_p445 = s21 * Lambda_inv_0_0_p408 + c21 * Lambda_inv_0_0_p399 -
-      Lambda_inv_0_0_p430 * Lambda_inv_0_0_p410 - 0.226 * Lambda_inv_0_0_p444;
-  const Real Lambda_inv_0_0_p446 = 0.18 * (Lambda_inv_0_0_p414 - Lambda_inv_0_0_p421) -
-      (Lambda_inv_0_0_p426 + Lambda_inv_0_0_p427 * Lambda_inv_0_0_p441);
-  const Real Lambda_inv_0_0_p447 = s6 * (Lambda_inv_0_0_p428 - Lambda_inv_0_0_p443) + c6 *
-      (Lambda_inv_0_0_p445 + Lambda_inv_0_0_p446);
-  const Real Lambda_inv_0_0_p448 = s6 * Lambda_inv_0_0_p447;
+  const Real inverse_D5_p14 = Lambda_inv_0_0_p998 + inverse_D5_p13 + inverse_D5_p10 -
+      Lambda_inv_0_0_p992 * Lambda_inv_0_0_p993;
+  const Real inverse_D5_p15 = inverse_D5_p12 + 0.072 * inverse_D5_p14;
+  const Real inverse_D5_p16 = Lambda_inv_0_0_p968 * inverse_D6;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p449 = Lambda_inv_0_0_p435 + Lambda_inv_0_0_p442 + Lambda_inv_0_0_p429;
+  const Lanes<2> inverse_D5_p17_lanes = inverse_D5_p1_lanes + inverse_D5_p7_lanes;
+  const Lanes<2> inverse_D5_p19_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      inverse_D5_p17_lanes;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p450 = Lambda_inv_0_0_p449 * inverse_D6;
-
-  // link 21 (neck), articulated inertia
-  const Real Lambda_inv_0_0_p451 = Lambda_inv_0_0_p398 + Lambda_inv_0_0_p392 * Lambda_inv_0_0_p390;
-  const Real Lambda_inv_0_0_p452 = Lambda_inv_0_0_p407 + Lambda_inv_0_0_p433 * Lambda_inv_0_0_p390;
-
-  // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p453 = c21 * Lambda_inv_0_0_p451 + s21 * Lambda_inv_0_0_p452 -
-      Lambda_inv_0_0_p444 - Lambda_inv_0_0_p409 * Lambda_inv_0_0_p450;
-
-  // link 21 (neck), articulated inertia
-  const Real Lambda_inv_0_0_p454 = inverse_D6_p18 - Lambda_inv_0_0_p392 * Lambda_inv_0_0_p431;
-  const Real Lambda_inv_0_0_p455 = inverse_D6_p13 - Lambda_inv_0_0_p433 * Lambda_inv_0_0_p434;
-  const Real Lambda_inv_0_0_p456 = inverse_D6_p20 + Lambda_inv_0_0_p392 * Lambda_inv_0_0_p434;
-  const Real Lambda_inv_0_0_p457 = c21 * (Lambda_inv_0_0_p454 - Lambda_inv_0_0_p455) -
-      inverse_D6_p24 * Lambda_inv_0_0_p456;
-
-  // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p458 = s21 * Lambda_inv_0_0_p457 + Lambda_inv_0_0_p456 +
-      Lambda_inv_0_0_p421 + Lambda_inv_0_0_p414 - Lambda_inv_0_0_p440 * Lambda_inv_0_0_p450;
-  const Real Lambda_inv_0_0_p459 = s6 * Lambda_inv_0_0_p453 + c6 * Lambda_inv_0_0_p458;
-  const Real Lambda_inv_0_0_p460 = 0.072 * Lambda_inv_0_0_p459;
-  const Real Lambda_inv_0_0_p461 = Lambda_inv_0_0_p443 + Lambda_inv_0_0_p448 + Lambda_inv_0_0_p460;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D5_p1 = Lambda_inv_0_0_p155 + Lambda_inv_0_0_p152;
-  const Real inverse_D5_p2 = Lambda_inv_0_0_p170 + Lambda_inv_0_0_p176;
-  const Real inverse_D5_p3 = inverse_D5_p1 + 0.18 * inverse_D5_p2;
-
-  // link 14 (right_shoulder1), articulated inertia
-  const Real inverse_D5_p4 = Lambda_inv_0_0_p331 - Lambda_inv_0_0_p328;
-  const Real inverse_D5_p5 = Lambda_inv_0_0_p353 + Lambda_inv_0_0_p357;
-  const Real inverse_D5_p6 = inverse_D5_p4 + 0.18 * inverse_D5_p5;
-
-  // link 6 (chest3), articulated inertia
-  const Real inverse_D5_p7 = inverse_D5_p3 - inverse_D5_p6 - Lambda_inv_0_0_p427 *
-      Lambda_inv_0_0_p450;
-  const Real inverse_D5_p8 = inverse_D5_p5 + inverse_D5_p2;
-  const Real inverse_D5_p9 = 6.1665928899999995 + Lambda_inv_0_0_p439 + Lambda_inv_0_0_p436 -
-      Lambda_inv_0_0_p430 * Lambda_inv_0_0_p450 + 0.226 * inverse_D5_p8;
-  const Real inverse_D5_p10 = s6 * inverse_D5_p7 + c6 * inverse_D5_p9;
-
-  // link 21 (neck), articulated inertia
-  const Real inverse_D5_p11 = c21 * Lambda_inv_0_0_p457;
-
-  // link 6 (chest3), articulated inertia
-  const Real inverse_D5_p12 = Lambda_inv_0_0_p455 + inverse_D5_p11 + inverse_D5_p8 -
-      Lambda_inv_0_0_p449 * Lambda_inv_0_0_p450;
-  const Real inverse_D5_p13 = inverse_D5_p10 + 0.072 * inverse_D5_p12;
-  const Real inverse_D5_p14 = Lambda_inv_0_0_p427 * inverse_D6;
-  const Real inverse_D5_p15 = 0.40056549999999996 - inverse_D6_p3 - inverse_D6_p11 + inverse_D6_p8 -
-      Lambda_inv_0_0_p427 * inverse_D5_p14 + 0.18 * (inverse_D5_p4 + inverse_D5_p6 +
-      (inverse_D5_p1 + inverse_D5_p3));
-  const Real inverse_D5_p16 = Lambda_inv_0_0_p430 * inverse_D6;
-  const Real inverse_D5_p17 = 1.66923963592404 + inverse_D6_p15 - inverse_D6_p26 -
-      Lambda_inv_0_0_p430 * inverse_D5_p16 + 0.051076 * inverse_D5_p8;
-  const Real inverse_D5_p18 = 0.04068 * (inverse_D5_p2 - inverse_D5_p5) - Lambda_inv_0_0_p427 *
-      inverse_D5_p16 + 0.226 * (inverse_D5_p1 - inverse_D5_p4);
-  const Real inverse_D5_p19 = 2.0 * c6;
-  const Real inverse_D5_p20 = s6 * (inverse_D5_p15 - inverse_D5_p17) + inverse_D5_p19 *
-      inverse_D5_p18;
-  const Real inverse_D5_p21 = s6 * inverse_D5_p20;
+  const Real inverse_D5_p21 = 0.40056549999999996 - inverse_D6_p15_lanes[1] - inverse_D6_p33 +
+      inverse_D5_p19_lanes[1] + inverse_D6_p17_lanes[0] + inverse_D5_p19_lanes[0] -
+      Lambda_inv_0_0_p968 * inverse_D5_p16;
+  const Real inverse_D5_p22 = Lambda_inv_0_0_p973 * inverse_D6;
+  const Real inverse_D5_p23 = 1.66923963592404 + inverse_D6_p37 - inverse_D6_p48 -
+      Lambda_inv_0_0_p973 * inverse_D5_p22 + 0.051076 * inverse_D5_p10;
+  const Real inverse_D5_p24 = (-0.04068) * inverse_D5_p3_lanes[1] + 0.04068 *
+      inverse_D5_p3_lanes[0] - Lambda_inv_0_0_p968 * inverse_D5_p22 + 0.226 *
+      (inverse_D5_p1_lanes[1] + inverse_D5_p1_lanes[0]);
+  const Real inverse_D5_p25 = 2.0 * c6;
+  const Real inverse_D5_p26 = s6 * (inverse_D5_p21 - inverse_D5_p23) + inverse_D5_p25 *
+      inverse_D5_p24;
+  const Real inverse_D5_p27 = s6 * inverse_D5_p26;
 
   // link 5 (chest2), articulated inertia
   const Real inverse_D5 = 1.0 / (0.203126912024134 +
-      (inverse_D5_p17 + inverse_D5_p21 + 0.072 * (inverse_D5_p10 + inverse_D5_p13)));
-  const Real Lambda_inv_0_0_p462 = Lambda_inv_0_0_p461 * inverse_D5;
+      (inverse_D5_p23 + inverse_D5_p27 + 0.072 * (inverse_D5_p12 + inverse_D5_p15)));
+  const Real Lambda_inv_0_0_p1005 = Lambda_inv_0_0_p1004 * inverse_D5;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p463 = 0.072 * Lambda_inv_0_0_p461;
-  const Real Lambda_inv_0_0_p464 = Lambda_inv_0_0_p358 -
-      (Lambda_inv_0_0_p396 + inverse_D6_p17 + Lambda_inv_0_0_p389 * Lambda_inv_0_0_p390) +
-      Lambda_inv_0_0_p177 - Lambda_inv_0_0_p409 * Lambda_inv_0_0_p410;
-  const Real Lambda_inv_0_0_p465 = Lambda_inv_0_0_p454 - inverse_D5_p11 + inverse_D6_p31 +
-      inverse_D6_p35 - Lambda_inv_0_0_p440 * Lambda_inv_0_0_p441;
-  const Real Lambda_inv_0_0_p466 = s21 * Lambda_inv_0_0_p451 - c21 * Lambda_inv_0_0_p452 +
-      Lambda_inv_0_0_p350 + Lambda_inv_0_0_p182 - Lambda_inv_0_0_p409 * Lambda_inv_0_0_p441;
-  const Real Lambda_inv_0_0_p467 = s6 * (Lambda_inv_0_0_p464 - Lambda_inv_0_0_p465) +
-      inverse_D5_p19 * Lambda_inv_0_0_p466;
-  const Real Lambda_inv_0_0_p468 = s6 * Lambda_inv_0_0_p467;
-  const Real Lambda_inv_0_0_p469 = Lambda_inv_0_0_p465 + Lambda_inv_0_0_p468;
+  const Real Lambda_inv_0_0_p1006 = 0.072 * Lambda_inv_0_0_p1004;
+  const Real Lambda_inv_0_0_p1007 = Lambda_inv_0_0_p831_lanes[1] -
+      (Lambda_inv_0_0_p925 + inverse_D6_p39 + Lambda_inv_0_0_p909 * Lambda_inv_0_0_p910) +
+      Lambda_inv_0_0_p831_lanes[0] - Lambda_inv_0_0_p929 * Lambda_inv_0_0_p930;
+  const Real Lambda_inv_0_0_p1008 = Lambda_inv_0_0_p997 - inverse_D5_p13 + inverse_D6_p73_lanes[1] +
+      inverse_D6_p73_lanes[0] - Lambda_inv_0_0_p983 * Lambda_inv_0_0_p984;
+  const Real Lambda_inv_0_0_p1009 = Lambda_inv_0_0_p861_lanes[1] -
+      (s21 * Lambda_inv_0_0_p994 + c21 * Lambda_inv_0_0_p995) + Lambda_inv_0_0_p861_lanes[0] +
+      Lambda_inv_0_0_p929 * Lambda_inv_0_0_p984;
+  const Real Lambda_inv_0_0_p1010 = s6 * (Lambda_inv_0_0_p1007 - Lambda_inv_0_0_p1008) +
+      inverse_D5_p25 * Lambda_inv_0_0_p1009;
+  const Real Lambda_inv_0_0_p1011 = s6 * Lambda_inv_0_0_p1010;
+  const Real Lambda_inv_0_0_p1012 = Lambda_inv_0_0_p1008 + Lambda_inv_0_0_p1011;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p470 = Lambda_inv_0_0_p463 * Lambda_inv_0_0_p462 -
-      (2.2194301519999997 + 0.072 * Lambda_inv_0_0_p469);
+  const Real Lambda_inv_0_0_p1013 = Lambda_inv_0_0_p1006 * Lambda_inv_0_0_p1005 -
+      (2.2194301519999997 + 0.072 * Lambda_inv_0_0_p1012);
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p471 = c6 * inverse_D5_p7 - s6 * inverse_D5_p9;
-  const Real Lambda_inv_0_0_p472 = c6 * inverse_D5_p20 - inverse_D5_p18 + 0.072 *
-      Lambda_inv_0_0_p471;
-  const Real Lambda_inv_0_0_p473 = c6 * Lambda_inv_0_0_p447;
-  const Real Lambda_inv_0_0_p474 = Lambda_inv_0_0_p473 - Lambda_inv_0_0_p445;
+  const Real Lambda_inv_0_0_p1014 = c6 * inverse_D5_p9 - s6 * inverse_D5_p11;
+  const Real Lambda_inv_0_0_p1015 = c6 * inverse_D5_p26 - inverse_D5_p24 + 0.072 *
+      Lambda_inv_0_0_p1014;
+  const Real Lambda_inv_0_0_p1016 = c6 * Lambda_inv_0_0_p990;
+  const Real Lambda_inv_0_0_p1017 = Lambda_inv_0_0_p1016 - Lambda_inv_0_0_p988;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p475 = Lambda_inv_0_0_p474 - 0.069699984375 - Lambda_inv_0_0_p472 *
-      Lambda_inv_0_0_p462;
-  const Real Lambda_inv_0_0_p476 = s5 * Lambda_inv_0_0_p470 + c5 * Lambda_inv_0_0_p475;
-  const Real Lambda_inv_0_0_p477 = Lambda_inv_0_0_p463 * inverse_D5;
-  const Real Lambda_inv_0_0_p478 = 0.15637308509675518 + 0.005183999999999999 *
-      Lambda_inv_0_0_p469 - Lambda_inv_0_0_p463 * Lambda_inv_0_0_p477;
-  const Real Lambda_inv_0_0_p479 = Lambda_inv_0_0_p472 * inverse_D5;
-  const Real Lambda_inv_0_0_p480 = 0.04675382692737882 + (inverse_D5_p15 - inverse_D5_p21) -
-      Lambda_inv_0_0_p472 * Lambda_inv_0_0_p479;
-  const Real Lambda_inv_0_0_p481 = 0.005678398088837119 - 0.072 * Lambda_inv_0_0_p474 +
-      Lambda_inv_0_0_p463 * Lambda_inv_0_0_p479;
-  const Real Lambda_inv_0_0_p482 = 2.0 * c5;
-  const Real Lambda_inv_0_0_p483 = s5 * (Lambda_inv_0_0_p478 - Lambda_inv_0_0_p480) +
-      Lambda_inv_0_0_p482 * Lambda_inv_0_0_p481;
-  const Real Lambda_inv_0_0_p484 = 0.005880002159562879 +
-      (0.21799999999999997 * Lambda_inv_0_0_p476 - (c5 * Lambda_inv_0_0_p483 -
-      Lambda_inv_0_0_p481));
+  const Real Lambda_inv_0_0_p1018 = Lambda_inv_0_0_p1017 - 0.069699984375 - Lambda_inv_0_0_p1015 *
+      Lambda_inv_0_0_p1005;
+  const Real Lambda_inv_0_0_p1019 = s5 * Lambda_inv_0_0_p1013 + c5 * Lambda_inv_0_0_p1018;
+  const Real Lambda_inv_0_0_p1020 = Lambda_inv_0_0_p1006 * inverse_D5;
+  const Real Lambda_inv_0_0_p1021 = 0.15637308509675518 + 0.005183999999999999 *
+      Lambda_inv_0_0_p1012 - Lambda_inv_0_0_p1006 * Lambda_inv_0_0_p1020;
+  const Real Lambda_inv_0_0_p1022 = Lambda_inv_0_0_p1015 * inverse_D5;
+  const Real Lambda_inv_0_0_p1023 = 0.04675382692737882 + (inverse_D5_p21 - inverse_D5_p27) -
+      Lambda_inv_0_0_p1015 * Lambda_inv_0_0_p1022;
+  const Real Lambda_inv_0_0_p1024 = 0.005678398088837119 - 0.072 * Lambda_inv_0_0_p1017 +
+      Lambda_inv_0_0_p1006 * Lambda_inv_0_0_p1022;
+  const Real Lambda_inv_0_0_p1025 = 2.0 * c5;
+  const Real Lambda_inv_0_0_p1026 = s5 * (Lambda_inv_0_0_p1021 - Lambda_inv_0_0_p1023) +
+      Lambda_inv_0_0_p1025 * Lambda_inv_0_0_p1024;
+  const Real Lambda_inv_0_0_p1027 = 0.005880002159562879 +
+      (0.21799999999999997 * Lambda_inv_0_0_p1019 - (c5 * Lambda_inv_0_0_p1026 -
+      Lambda_inv_0_0_p1024));
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p485 = 2.2194301519999997 + inverse_D5_p13;
+  const Real Lambda_inv_0_0_p1028 = 2.2194301519999997 + inverse_D5_p15;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p486 = Lambda_inv_0_0_p485 * inverse_D5;
-  const Real Lambda_inv_0_0_p487 = Lambda_inv_0_0_p463 * Lambda_inv_0_0_p486 - Lambda_inv_0_0_p460;
+  const Real Lambda_inv_0_0_p1029 = Lambda_inv_0_0_p1028 * inverse_D5;
+  const Real Lambda_inv_0_0_p1030 = Lambda_inv_0_0_p1006 * Lambda_inv_0_0_p1029 -
+      Lambda_inv_0_0_p1003;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p488 = c6 * Lambda_inv_0_0_p453 - s6 * Lambda_inv_0_0_p458;
-  const Real Lambda_inv_0_0_p489 = 0.069699984375 +
-      (Lambda_inv_0_0_p473 - Lambda_inv_0_0_p446 + 0.072 * Lambda_inv_0_0_p488);
+  const Real Lambda_inv_0_0_p1031 = c6 * Lambda_inv_0_0_p996 - s6 * Lambda_inv_0_0_p1001;
+  const Real Lambda_inv_0_0_p1032 = 0.069699984375 +
+      (Lambda_inv_0_0_p1016 - Lambda_inv_0_0_p989 + 0.072 * Lambda_inv_0_0_p1031);
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p490 = Lambda_inv_0_0_p489 * inverse_D5;
-  const Real Lambda_inv_0_0_p491 = Lambda_inv_0_0_p428 - Lambda_inv_0_0_p448 - Lambda_inv_0_0_p472 *
-      Lambda_inv_0_0_p490;
-  const Real Lambda_inv_0_0_p492 = Lambda_inv_0_0_p471 - Lambda_inv_0_0_p472 * Lambda_inv_0_0_p486;
+  const Real Lambda_inv_0_0_p1033 = Lambda_inv_0_0_p1032 * inverse_D5;
+  const Real Lambda_inv_0_0_p1034 = Lambda_inv_0_0_p971 - Lambda_inv_0_0_p991 -
+      Lambda_inv_0_0_p1015 * Lambda_inv_0_0_p1033;
+  const Real Lambda_inv_0_0_p1035 = Lambda_inv_0_0_p1014 - Lambda_inv_0_0_p1015 *
+      Lambda_inv_0_0_p1029;
 
   // link 6 (chest3), articulated inertia
-  const Real Lambda_inv_0_0_p493 = c6 * Lambda_inv_0_0_p467 - Lambda_inv_0_0_p466;
+  const Real Lambda_inv_0_0_p1036 = c6 * Lambda_inv_0_0_p1010 - Lambda_inv_0_0_p1009;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p494 = Lambda_inv_0_0_p463 * Lambda_inv_0_0_p490 - 0.072 *
-      Lambda_inv_0_0_p493;
-  const Real Lambda_inv_0_0_p495 = s5 * (Lambda_inv_0_0_p487 - Lambda_inv_0_0_p491) + c5 *
-      (Lambda_inv_0_0_p492 + Lambda_inv_0_0_p494);
-  const Real Lambda_inv_0_0_p496 = c5 * Lambda_inv_0_0_p495;
-  const Real Lambda_inv_0_0_p497 = Lambda_inv_0_0_p496 - Lambda_inv_0_0_p494;
-  const Real inverse_D4_p1 = s5 * Lambda_inv_0_0_p483;
+  const Real Lambda_inv_0_0_p1037 = Lambda_inv_0_0_p1006 * Lambda_inv_0_0_p1033 - 0.072 *
+      Lambda_inv_0_0_p1036;
+  const Real Lambda_inv_0_0_p1038 = s5 * (Lambda_inv_0_0_p1030 - Lambda_inv_0_0_p1034) + c5 *
+      (Lambda_inv_0_0_p1035 + Lambda_inv_0_0_p1037);
+  const Real Lambda_inv_0_0_p1039 = c5 * Lambda_inv_0_0_p1038;
+  const Real Lambda_inv_0_0_p1040 = Lambda_inv_0_0_p1039 - Lambda_inv_0_0_p1037;
+  const Real inverse_D4_p1 = s5 * Lambda_inv_0_0_p1026;
 
   // link 4 (chest1), articulated inertia
-  const Real inverse_D4 = 1.0 / (0.060169103246295166 + (Lambda_inv_0_0_p480 + inverse_D4_p1));
-  const Real Lambda_inv_0_0_p498 = Lambda_inv_0_0_p497 * inverse_D4;
+  const Real inverse_D4 = 1.0 / (0.060169103246295166 + (Lambda_inv_0_0_p1023 + inverse_D4_p1));
+  const Real Lambda_inv_0_0_p1041 = Lambda_inv_0_0_p1040 * inverse_D4;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p499 = s5 * Lambda_inv_0_0_p495;
-  const Real Lambda_inv_0_0_p500 = Lambda_inv_0_0_p493 - Lambda_inv_0_0_p489 * Lambda_inv_0_0_p462;
-  const Real Lambda_inv_0_0_p501 = Lambda_inv_0_0_p459 - Lambda_inv_0_0_p485 * Lambda_inv_0_0_p462;
-  const Real Lambda_inv_0_0_p502 = s5 * Lambda_inv_0_0_p500 - c5 * Lambda_inv_0_0_p501;
-  const Real Lambda_inv_0_0_p503 = 0.21799999999999997 * Lambda_inv_0_0_p502;
-  const Real Lambda_inv_0_0_p504 = Lambda_inv_0_0_p487 - Lambda_inv_0_0_p499 + Lambda_inv_0_0_p503;
-  const Real Lambda_inv_0_0_p505 = 0.21799999999999997 * Lambda_inv_0_0_p497;
-  const Real Lambda_inv_0_0_p506 = 0.0300000063 + Lambda_inv_0_0_p476;
+  const Real Lambda_inv_0_0_p1042 = s5 * Lambda_inv_0_0_p1038;
+  const Real Lambda_inv_0_0_p1043 = Lambda_inv_0_0_p1036 - Lambda_inv_0_0_p1032 *
+      Lambda_inv_0_0_p1005;
+  const Real Lambda_inv_0_0_p1044 = Lambda_inv_0_0_p1002 - Lambda_inv_0_0_p1028 *
+      Lambda_inv_0_0_p1005;
+  const Real Lambda_inv_0_0_p1045 = s5 * Lambda_inv_0_0_p1043 - c5 * Lambda_inv_0_0_p1044;
+  const Real Lambda_inv_0_0_p1046 = 0.21799999999999997 * Lambda_inv_0_0_p1045;
+  const Real Lambda_inv_0_0_p1047 = Lambda_inv_0_0_p1030 - Lambda_inv_0_0_p1042 +
+      Lambda_inv_0_0_p1046;
+  const Real Lambda_inv_0_0_p1048 = 0.21799999999999997 * Lambda_inv_0_0_p1040;
+  const Real Lambda_inv_0_0_p1049 = 0.0300000063 + Lambda_inv_0_0_p1019;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_inv_0_0_p507 = Lambda_inv_0_0_p506 * inverse_D4;
+  const Real Lambda_inv_0_0_p1050 = Lambda_inv_0_0_p1049 * inverse_D4;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p508 = Lambda_inv_0_0_p464 - Lambda_inv_0_0_p468 - Lambda_inv_0_0_p489 *
-      Lambda_inv_0_0_p490;
-  const Real Lambda_inv_0_0_p509 = inverse_D5_p12 - Lambda_inv_0_0_p485 * Lambda_inv_0_0_p486;
-  const Real Lambda_inv_0_0_p510 = Lambda_inv_0_0_p488 - Lambda_inv_0_0_p485 * Lambda_inv_0_0_p490;
-  const Real Lambda_inv_0_0_p511 = s5 * (Lambda_inv_0_0_p509 - Lambda_inv_0_0_p508) +
-      Lambda_inv_0_0_p482 * Lambda_inv_0_0_p510;
-  const Real Lambda_inv_0_0_p512 = s5 * Lambda_inv_0_0_p511;
-  const Real Lambda_inv_0_0_p513 = Lambda_inv_0_0_p509 - Lambda_inv_0_0_p512;
-  const Real Lambda_inv_0_0_p514 = s5 * Lambda_inv_0_0_p475 - c5 * Lambda_inv_0_0_p470;
-  const Real Lambda_inv_0_0_p515 = Lambda_inv_0_0_p469 - Lambda_inv_0_0_p461 * Lambda_inv_0_0_p462;
-  const Real Lambda_inv_0_0_p516 = Lambda_inv_0_0_p514 + 0.21799999999999997 * Lambda_inv_0_0_p515;
+  const Real Lambda_inv_0_0_p1051 = Lambda_inv_0_0_p1007 - Lambda_inv_0_0_p1011 -
+      Lambda_inv_0_0_p1032 * Lambda_inv_0_0_p1033;
+  const Real Lambda_inv_0_0_p1052 = inverse_D5_p14 - Lambda_inv_0_0_p1028 * Lambda_inv_0_0_p1029;
+  const Real Lambda_inv_0_0_p1053 = Lambda_inv_0_0_p1031 - Lambda_inv_0_0_p1028 *
+      Lambda_inv_0_0_p1033;
+  const Real Lambda_inv_0_0_p1054 = s5 * (Lambda_inv_0_0_p1052 - Lambda_inv_0_0_p1051) +
+      Lambda_inv_0_0_p1025 * Lambda_inv_0_0_p1053;
+  const Real Lambda_inv_0_0_p1055 = s5 * Lambda_inv_0_0_p1054;
+  const Real Lambda_inv_0_0_p1056 = Lambda_inv_0_0_p1052 - Lambda_inv_0_0_p1055;
+  const Real Lambda_inv_0_0_p1057 = s5 * Lambda_inv_0_0_p1018 - c5 * Lambda_inv_0_0_p1013;
+  const Real Lambda_inv_0_0_p1058 = Lambda_inv_0_0_p1012 - Lambda_inv_0_0_p1004 *
+      Lambda_inv_0_0_p1005;
+  const Real Lambda_inv_0_0_p1059 = Lambda_inv_0_0_p1057 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1058;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_inv_0_0_p517 = Lambda_inv_0_0_p484 * Lambda_inv_0_0_p507 - Lambda_inv_0_0_p516;
-  const Real Lambda_inv_0_0_p518 = s4 * (Lambda_inv_0_0_p504 + Lambda_inv_0_0_p484 *
-      Lambda_inv_0_0_p498 + (Lambda_inv_0_0_p503 + Lambda_inv_0_0_p505 * Lambda_inv_0_0_p507)) +
-      c4 * (0.21799999999999997 * Lambda_inv_0_0_p513 - Lambda_inv_0_0_p505 * Lambda_inv_0_0_p498 +
-      Lambda_inv_0_0_p517);
-  const Real Lambda_inv_0_0_p519 = 8.419374554 + (c4 * Lambda_inv_0_0_p518 - Lambda_inv_0_0_p517);
-  const Real inverse_D3_p1 = Lambda_inv_0_0_p484 * inverse_D4;
-  const Real inverse_D3_p2 = Lambda_inv_0_0_p505 * inverse_D4;
-  const Real inverse_D3_p3 = 0.01227760324629517 + 0.04752399999999999 * Lambda_inv_0_0_p513 -
-      Lambda_inv_0_0_p505 * inverse_D3_p2;
-  const Real inverse_D3_p4 = 0.0478915 + (Lambda_inv_0_0_p478 - inverse_D4_p1 +
-      0.21799999999999997 * (Lambda_inv_0_0_p514 + Lambda_inv_0_0_p516)) - Lambda_inv_0_0_p484 *
+  const Real Lambda_inv_0_0_p1060 = Lambda_inv_0_0_p1027 * Lambda_inv_0_0_p1050 -
+      Lambda_inv_0_0_p1059;
+  const Real Lambda_inv_0_0_p1061 = s4 * (Lambda_inv_0_0_p1047 + Lambda_inv_0_0_p1027 *
+      Lambda_inv_0_0_p1041 + (Lambda_inv_0_0_p1046 + Lambda_inv_0_0_p1048 * Lambda_inv_0_0_p1050)) +
+      c4 * (0.21799999999999997 * Lambda_inv_0_0_p1056 - Lambda_inv_0_0_p1048 *
+      Lambda_inv_0_0_p1041 + Lambda_inv_0_0_p1060);
+  const Real Lambda_inv_0_0_p1062 = 8.419374554 + (c4 * Lambda_inv_0_0_p1061 -
+      Lambda_inv_0_0_p1060);
+  const Real inverse_D3_p1 = Lambda_inv_0_0_p1027 * inverse_D4;
+  const Real inverse_D3_p2 = Lambda_inv_0_0_p1048 * inverse_D4;
+  const Real inverse_D3_p3 = 0.01227760324629517 + 0.04752399999999999 * Lambda_inv_0_0_p1056 -
+      Lambda_inv_0_0_p1048 * inverse_D3_p2;
+  const Real inverse_D3_p4 = 0.0478915 + (Lambda_inv_0_0_p1021 - inverse_D4_p1 +
+      0.21799999999999997 * (Lambda_inv_0_0_p1057 + Lambda_inv_0_0_p1059)) - Lambda_inv_0_0_p1027 *
       inverse_D3_p1 - inverse_D3_p3;
   const Real inverse_D3_p5 = 2.0 * c4;
   const Real inverse_D3_p6 = inverse_D3_p3 + s4 * (s4 * inverse_D3_p4 + inverse_D3_p5 *
-      (0.21799999999999997 * Lambda_inv_0_0_p504 + Lambda_inv_0_0_p484 * inverse_D3_p2));
+      (0.21799999999999997 * Lambda_inv_0_0_p1047 + Lambda_inv_0_0_p1027 * inverse_D3_p2));
 
   // link 3 (hip), articulated inertia
   const Real inverse_D3 = 1.0 / (1.7824817919087104 + inverse_D3_p6);
-  const Real Lambda_inv_0_0_p520 = Lambda_inv_0_0_p519 * inverse_D3;
+  const Real Lambda_inv_0_0_p1063 = Lambda_inv_0_0_p1062 * inverse_D3;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_inv_0_0_p521 = Lambda_inv_0_0_p513 - Lambda_inv_0_0_p497 * Lambda_inv_0_0_p498;
-  const Real Lambda_inv_0_0_p522 = s4 * (Lambda_inv_0_0_p521 -
-      (Lambda_inv_0_0_p515 - Lambda_inv_0_0_p506 * Lambda_inv_0_0_p507)) - inverse_D3_p5 *
-      (Lambda_inv_0_0_p502 + Lambda_inv_0_0_p497 * Lambda_inv_0_0_p507);
+  const Real Lambda_inv_0_0_p1064 = Lambda_inv_0_0_p1056 - Lambda_inv_0_0_p1040 *
+      Lambda_inv_0_0_p1041;
+  const Real Lambda_inv_0_0_p1065 = s4 * (Lambda_inv_0_0_p1064 -
+      (Lambda_inv_0_0_p1058 - Lambda_inv_0_0_p1049 * Lambda_inv_0_0_p1050)) - inverse_D3_p5 *
+      (Lambda_inv_0_0_p1045 + Lambda_inv_0_0_p1040 * Lambda_inv_0_0_p1050);
 
   // link 3 (hip), articulated inertia
-  const Real Lambda_inv_0_0_p523 = Lambda_inv_0_0_p521 - s4 * Lambda_inv_0_0_p522 -
-      Lambda_inv_0_0_p519 * Lambda_inv_0_0_p520;
+  const Real Lambda_inv_0_0_p1066 = Lambda_inv_0_0_p1064 - s4 * Lambda_inv_0_0_p1065 -
+      Lambda_inv_0_0_p1062 * Lambda_inv_0_0_p1063;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p524 = Lambda_inv_0_0_p491 + Lambda_inv_0_0_p499;
+  const Real Lambda_inv_0_0_p1067 = Lambda_inv_0_0_p1034 + Lambda_inv_0_0_p1042;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_inv_0_0_p525 = Lambda_inv_0_0_p524 * inverse_D4;
+  const Real Lambda_inv_0_0_p1068 = Lambda_inv_0_0_p1067 * inverse_D4;
 
   // link 5 (chest2), articulated inertia
-  const Real Lambda_inv_0_0_p526 = s5 * Lambda_inv_0_0_p501 + c5 * Lambda_inv_0_0_p500;
-  const Real Lambda_inv_0_0_p527 = c5 * Lambda_inv_0_0_p511 - Lambda_inv_0_0_p510;
+  const Real Lambda_inv_0_0_p1069 = s5 * Lambda_inv_0_0_p1044 + c5 * Lambda_inv_0_0_p1043;
+  const Real Lambda_inv_0_0_p1070 = c5 * Lambda_inv_0_0_p1054 - Lambda_inv_0_0_p1053;
 
   // link 4 (chest1), articulated inertia
-  const Real Lambda_inv_0_0_p528 = s4 * (0.21799999999999997 * Lambda_inv_0_0_p526 -
-      (Lambda_inv_0_0_p496 - Lambda_inv_0_0_p492) - Lambda_inv_0_0_p484 * Lambda_inv_0_0_p525) +
-      c4 * (0.0300000063 - 0.21799999999999997 * Lambda_inv_0_0_p527 + Lambda_inv_0_0_p505 *
-      Lambda_inv_0_0_p525);
-  const Real Lambda_inv_0_0_p529 = 0.02999999505 + Lambda_inv_0_0_p528;
+  const Real Lambda_inv_0_0_p1071 = s4 * (0.21799999999999997 * Lambda_inv_0_0_p1069 -
+      (Lambda_inv_0_0_p1039 - Lambda_inv_0_0_p1035) - Lambda_inv_0_0_p1027 * Lambda_inv_0_0_p1068) +
+      c4 * (0.0300000063 - 0.21799999999999997 * Lambda_inv_0_0_p1070 + Lambda_inv_0_0_p1048 *
+      Lambda_inv_0_0_p1068);
+  const Real Lambda_inv_0_0_p1072 = 0.02999999505 + Lambda_inv_0_0_p1071;
 
   // link 3 (hip), articulated inertia
-  const Real Lambda_inv_0_0_p530 = Lambda_inv_0_0_p529 * inverse_D3;
-  const Real Lambda_inv_0_0_p531 = Lambda_inv_0_0_p508 + Lambda_inv_0_0_p512 - Lambda_inv_0_0_p524 *
-      Lambda_inv_0_0_p525 - Lambda_inv_0_0_p529 * Lambda_inv_0_0_p530;
-  const Real Lambda_inv_0_0_p532 = Lambda_inv_0_0_p519 * Lambda_inv_0_0_p530 -
-      (c4 * (Lambda_inv_0_0_p497 * Lambda_inv_0_0_p525 - Lambda_inv_0_0_p527) - s4 *
-      (Lambda_inv_0_0_p506 * Lambda_inv_0_0_p525 - Lambda_inv_0_0_p526));
-  const Real Lambda_inv_0_0_p533 = s3 * (Lambda_inv_0_0_p523 - Lambda_inv_0_0_p531) + c3 *
-      (2.0 * Lambda_inv_0_0_p532);
-  const Real Lambda_inv_0_0_p534 = s3 * Lambda_inv_0_0_p533;
-  const Real Lambda_inv_0_0_p535 = Lambda_inv_0_0_p523 - Lambda_inv_0_0_p534;
-  const Real Lambda_inv_0_0_p536 = 24.5839218 + 0.422 * Lambda_inv_0_0_p535;
+  const Real Lambda_inv_0_0_p1073 = Lambda_inv_0_0_p1072 * inverse_D3;
+  const Real Lambda_inv_0_0_p1074 = Lambda_inv_0_0_p1051 + Lambda_inv_0_0_p1055 -
+      Lambda_inv_0_0_p1067 * Lambda_inv_0_0_p1068 - Lambda_inv_0_0_p1072 * Lambda_inv_0_0_p1073;
+  const Real Lambda_inv_0_0_p1075 = Lambda_inv_0_0_p1062 * Lambda_inv_0_0_p1073 -
+      (c4 * (Lambda_inv_0_0_p1040 * Lambda_inv_0_0_p1068 - Lambda_inv_0_0_p1070) - s4 *
+      (Lambda_inv_0_0_p1049 * Lambda_inv_0_0_p1068 - Lambda_inv_0_0_p1069));
+  const Real Lambda_inv_0_0_p1076 = s3 * (Lambda_inv_0_0_p1066 - Lambda_inv_0_0_p1074) + c3 *
+      (2.0 * Lambda_inv_0_0_p1075);
+  const Real Lambda_inv_0_0_p1077 = s3 * Lambda_inv_0_0_p1076;
+  const Real Lambda_inv_0_0_p1078 = Lambda_inv_0_0_p1066 - Lambda_inv_0_0_p1077;
+  const Real Lambda_inv_0_0_p1079 = 24.5839218 + 0.422 * Lambda_inv_0_0_p1078;
 
   // link 2 (thigh), articulated inertia
-  const Real inverse_D2 = 1.0 / (9.885744550888212 + 0.178084 * Lambda_inv_0_0_p535);
-  const Real Lambda_inv_0_0_p537 = Lambda_inv_0_0_p536 * inverse_D2;
-
-  // link 15 (right_shoulder2), articulated inertia
-  const Real Lambda_inv_0_7_p1 = 0.00010499999999999999 / inverse_D15_p9;
-
-  // link 5 (chest2), pose
-  const Real Lambda_inv_0_7_p2 = s5 * s4;
-
-  // link 6 (chest3), pose
-  const Real Lambda_inv_0_7_p3 = s6 * c4 - c6 * Lambda_inv_0_7_p2;
-
-  // link 5 (chest2), pose
-  const Real Lambda_inv_0_7_p4 = c5 * s4;
-
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_inv_0_7_p5 = c14 * Lambda_inv_0_7_p3 - s14 * Lambda_inv_0_7_p4;
-
-  // link 6 (chest3), pose
-  const Real Lambda_inv_0_7_p6 = s6 * Lambda_inv_0_7_p2 + c6 * c4;
-
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_inv_0_7_p7 = c15 * Lambda_inv_0_7_p5 + s15 * Lambda_inv_0_7_p6;
-  const Real Lambda_inv_0_7_p8 = c15 * Lambda_inv_0_7_p6 - s15 * Lambda_inv_0_7_p5;
-
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_inv_0_7_p9 = s14 * Lambda_inv_0_7_p3 + c14 * Lambda_inv_0_7_p4;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_inv_0_7_p10 = s16 * Lambda_inv_0_7_p8 + c16 * Lambda_inv_0_7_p9;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_inv_0_7_p11 = c17 * Lambda_inv_0_7_p7 - s17 * Lambda_inv_0_7_p10;
-  const Real Lambda_inv_0_7_p12 = c17 * Lambda_inv_0_7_p10 + s17 * Lambda_inv_0_7_p7;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_inv_0_7_p13 = c16 * Lambda_inv_0_7_p8 - s16 * Lambda_inv_0_7_p9;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_inv_0_7_p14 = c18 * Lambda_inv_0_7_p12 + s18 * Lambda_inv_0_7_p13;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_inv_0_7_p15 = c19 * Lambda_inv_0_7_p11 - s19 * Lambda_inv_0_7_p14;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_inv_0_7_p16 = c18 * Lambda_inv_0_7_p13 - s18 * Lambda_inv_0_7_p12;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_inv_0_7_p17 = c20 * Lambda_inv_0_7_p15 + s20 * Lambda_inv_0_7_p16;
-  const Real Lambda_inv_0_7_p18 = c20 * Lambda_inv_0_7_p16 - s20 * Lambda_inv_0_7_p15;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_7_p19 = Lambda_inv_0_7_p17 + 0.26249928123577654 * Lambda_inv_0_7_p18;
-  const Real Lambda_inv_0_7_p20 = 0.49024375482668536 * Lambda_inv_0_7_p18;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_inv_0_7_p21 = c19 * Lambda_inv_0_7_p14 + s19 * Lambda_inv_0_7_p11;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_7_p22 = -(0.086 * Lambda_inv_0_7_p21) + 0.004018575007348824 *
-      Lambda_inv_0_7_p18;
-  const Real Lambda_inv_0_7_p23 = 0.009919078854932248 * Lambda_inv_0_7_p18;
-  const Real Lambda_inv_0_7_p24 = s20 * Lambda_inv_0_7_p23 + c20 * Lambda_inv_0_7_p22;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_inv_0_7_p25 = s20 * Lambda_inv_0_7_p19 - c20 * Lambda_inv_0_7_p20 -
-      Lambda_inv_0_0_p192 * Lambda_inv_0_7_p24;
-  const Real Lambda_inv_0_7_p26 = c20 * Lambda_inv_0_7_p23 - s20 * Lambda_inv_0_7_p22 -
-      Lambda_inv_0_0_p186 * Lambda_inv_0_7_p24;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_7_p27 = -(c19 * Lambda_inv_0_7_p26);
-  const Real Lambda_inv_0_7_p28 = 0.269 * Lambda_inv_0_7_p25 - s19 * Lambda_inv_0_7_p26 -
-      inverse_D17_p1 * Lambda_inv_0_7_p27;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_inv_0_7_p29 = c20 * Lambda_inv_0_7_p19 + s20 * Lambda_inv_0_7_p20 -
-      Lambda_inv_0_0_p206 * Lambda_inv_0_7_p24;
-  const Real Lambda_inv_0_7_p30 = Lambda_inv_0_7_p21 - Lambda_inv_0_0_p209 * Lambda_inv_0_7_p24;
-  const Real Lambda_inv_0_7_p31 = s19 * Lambda_inv_0_7_p29 - c19 * Lambda_inv_0_7_p30;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_7_p32 = 0.269 * Lambda_inv_0_7_p31 - inverse_D17_p3 * Lambda_inv_0_7_p27;
-  const Real Lambda_inv_0_7_p33 = s18 * Lambda_inv_0_7_p28 + c18 * Lambda_inv_0_7_p32;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_7_p34 = c18 * Lambda_inv_0_7_p28 - s18 * Lambda_inv_0_7_p32 -
-      Lambda_inv_0_0_p243 * Lambda_inv_0_7_p33;
-  const Real Lambda_inv_0_7_p35 = Lambda_inv_0_0_p240 * Lambda_inv_0_7_p33;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_7_p36 = -Lambda_inv_0_7_p31 - Lambda_inv_0_0_p214 * Lambda_inv_0_7_p27;
-  const Real Lambda_inv_0_7_p37 = Lambda_inv_0_7_p25 - Lambda_inv_0_0_p198 * Lambda_inv_0_7_p27;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_7_p38 = s18 * Lambda_inv_0_7_p36 + c18 * Lambda_inv_0_7_p37 -
-      Lambda_inv_0_0_p234 * Lambda_inv_0_7_p33;
-  const Real Lambda_inv_0_7_p39 = c17 * Lambda_inv_0_7_p35 - s17 * Lambda_inv_0_7_p34;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_7_p40 = c17 * Lambda_inv_0_7_p34 + s17 * Lambda_inv_0_7_p35 + 0.282 *
-      Lambda_inv_0_7_p38 - inverse_D15_p1 * Lambda_inv_0_7_p39;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_7_p41 = c18 * Lambda_inv_0_7_p36 - s18 * Lambda_inv_0_7_p37 -
-      Lambda_inv_0_0_p249 * Lambda_inv_0_7_p33;
-  const Real Lambda_inv_0_7_p42 = -(-(s19 * Lambda_inv_0_7_p30 + c19 * Lambda_inv_0_7_p29) -
-      Lambda_inv_0_0_p253 * Lambda_inv_0_7_p27) - Lambda_inv_0_0_p258 * Lambda_inv_0_7_p33;
-  const Real Lambda_inv_0_7_p43 = s17 * Lambda_inv_0_7_p42 - c17 * Lambda_inv_0_7_p41;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_7_p44 = 0.282 * Lambda_inv_0_7_p43 - inverse_D15_p3 * Lambda_inv_0_7_p39;
-  const Real Lambda_inv_0_7_p45 = c16 * Lambda_inv_0_7_p40 - s16 * Lambda_inv_0_7_p44;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_0_7_p46 = Lambda_inv_0_7_p1 * Lambda_inv_0_7_p45;
-  const Real Lambda_inv_0_7_p47 = s16 * Lambda_inv_0_7_p40 + c16 * Lambda_inv_0_7_p44 -
-      inverse_D14_p1 * Lambda_inv_0_7_p45;
-  const Real Lambda_inv_0_7_p48 = s15 * Lambda_inv_0_7_p46 + c15 * Lambda_inv_0_7_p47;
-
-  // link 2 (thigh), pose
-  const Real Lambda_inv_0_6_p1 = c2 * c1 - s2 * s1;
-  const Real Lambda_inv_0_6_p2 = s2 * c1 + c2 * s1;
-
-  // link 3 (hip), pose
-  const Real Lambda_inv_0_6_p3 = c3 * Lambda_inv_0_6_p1 - s3 * Lambda_inv_0_6_p2;
-
-  // link 4 (chest1), pose
-  const Real Lambda_inv_0_6_p4 = c4 * Lambda_inv_0_6_p3;
-
-  // link 3 (hip), pose
-  const Real Lambda_inv_0_6_p5 = s3 * Lambda_inv_0_6_p1 + c3 * Lambda_inv_0_6_p2;
-
-  // link 5 (chest2), pose
-  const Real Lambda_inv_0_6_p6 = s5 * Lambda_inv_0_6_p4 + c5 * Lambda_inv_0_6_p5;
-
-  // link 4 (chest1), pose
-  const Real Lambda_inv_0_6_p7 = s4 * Lambda_inv_0_6_p3;
-
-  // link 6 (chest3), pose
-  const Real Lambda_inv_0_6_p8 = c6 * Lambda_inv_0_6_p6 + s6 * Lambda_inv_0_6_p7;
-
-  // link 5 (chest2), pose
-  const Real Lambda_inv_0_6_p9 = c5 * Lambda_inv_0_6_p4 - s5 * Lambda_inv_0_6_p5;
-
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_inv_0_6_p10 = c14 * Lambda_inv_0_6_p8 + s14 * Lambda_inv_0_6_p9;
-
-  // link 6 (chest3), pose
-  const Real Lambda_inv_0_6_p11 = s6 * Lambda_inv_0_6_p6 - c6 * Lambda_inv_0_6_p7;
-
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_inv_0_6_p12 = s15 * Lambda_inv_0_6_p10 + c15 * Lambda_inv_0_6_p11;
-
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_inv_0_6_p13 = c14 * Lambda_inv_0_6_p9 - s14 * Lambda_inv_0_6_p8;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_inv_0_6_p14 = s16 * Lambda_inv_0_6_p12 + c16 * Lambda_inv_0_6_p13;
-
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_inv_0_6_p15 = s15 * Lambda_inv_0_6_p11 - c15 * Lambda_inv_0_6_p10;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_inv_0_6_p16 = c17 * Lambda_inv_0_6_p14 + s17 * Lambda_inv_0_6_p15;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_inv_0_6_p17 = c16 * Lambda_inv_0_6_p12 - s16 * Lambda_inv_0_6_p13;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_inv_0_6_p18 = c18 * Lambda_inv_0_6_p16 + s18 * Lambda_inv_0_6_p17;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_inv_0_6_p19 = c17 * Lambda_inv_0_6_p15 - s17 * Lambda_inv_0_6_p14;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_inv_0_6_p20 = c19 * Lambda_inv_0_6_p19 - s19 * Lambda_inv_0_6_p18;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_inv_0_6_p21 = c18 * Lambda_inv_0_6_p17 - s18 * Lambda_inv_0_6_p16;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_inv_0_6_p22 = c20 * Lambda_inv_0_6_p20 + s20 * Lambda_inv_0_6_p21;
-  const Real Lambda_inv_0_6_p23 = c20 * Lambda_inv_0_6_p21 - s20 * Lambda_inv_0_6_p20;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_6_p24 = Lambda_inv_0_6_p22 + 0.26249928123577654 * Lambda_inv_0_6_p23;
-  const Real Lambda_inv_0_6_p25 = 0.49024375482668536 * Lambda_inv_0_6_p23;
-  const Real Lambda_inv_0_6_p26 = 0.009919078854932248 * Lambda_inv_0_6_p23;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_inv_0_6_p27 = c19 * Lambda_inv_0_6_p18 + s19 * Lambda_inv_0_6_p19;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_6_p28 = -(0.086 * Lambda_inv_0_6_p27) + 0.004018575007348824 *
-      Lambda_inv_0_6_p23;
-  const Real Lambda_inv_0_6_p29 = s20 * Lambda_inv_0_6_p26 + c20 * Lambda_inv_0_6_p28;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_inv_0_6_p30 = s20 * Lambda_inv_0_6_p24 - c20 * Lambda_inv_0_6_p25 -
-      Lambda_inv_0_0_p192 * Lambda_inv_0_6_p29;
-  const Real Lambda_inv_0_6_p31 = c20 * Lambda_inv_0_6_p26 - s20 * Lambda_inv_0_6_p28 -
-      Lambda_inv_0_0_p186 * Lambda_inv_0_6_p29;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_6_p32 = -(c19 * Lambda_inv_0_6_p31);
-  const Real Lambda_inv_0_6_p33 = 0.269 * Lambda_inv_0_6_p30 - s19 * Lambda_inv_0_6_p31 -
-      inverse_D17_p1 * Lambda_inv_0_6_p32;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_inv_0_6_p34 = c20 * Lambda_inv_0_6_p24 + s20 * Lambda_inv_0_6_p25 -
-      Lambda_inv_0_0_p206 * Lambda_inv_0_6_p29;
-  const Real Lambda_inv_0_6_p35 = Lambda_inv_0_6_p27 - Lambda_inv_0_0_p209 * Lambda_inv_0_6_p29;
-  const Real Lambda_inv_0_6_p36 = s19 * Lambda_inv_0_6_p34 - c19 * Lambda_inv_0_6_p35;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_6_p37 = 0.269 * Lambda_inv_0_6_p36 - inverse_D17_p3 * Lambda_inv_0_6_p32;
-  const Real Lambda_inv_0_6_p38 = s18 * Lambda_inv_0_6_p33 + c18 * Lambda_inv_0_6_p37;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_6_p39 = c18 * Lambda_inv_0_6_p33 - s18 * Lambda_inv_0_6_p37 -
-      Lambda_inv_0_0_p243 * Lambda_inv_0_6_p38;
-  const Real Lambda_inv_0_6_p40 = Lambda_inv_0_0_p240 * Lambda_inv_0_6_p38;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_6_p41 = -Lambda_inv_0_6_p36 - Lambda_inv_0_0_p214 * Lambda_inv_0_6_p32;
-  const Real Lambda_inv_0_6_p42 = Lambda_inv_0_6_p30 - Lambda_inv_0_0_p198 * Lambda_inv_0_6_p32;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_6_p43 = s18 * Lambda_inv_0_6_p41 + c18 * Lambda_inv_0_6_p42 -
-      Lambda_inv_0_0_p234 * Lambda_inv_0_6_p38;
-  const Real Lambda_inv_0_6_p44 = c17 * Lambda_inv_0_6_p40 - s17 * Lambda_inv_0_6_p39;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_6_p45 = c17 * Lambda_inv_0_6_p39 + s17 * Lambda_inv_0_6_p40 + 0.282 *
-      Lambda_inv_0_6_p43 - inverse_D15_p1 * Lambda_inv_0_6_p44;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_6_p46 = c18 * Lambda_inv_0_6_p41 - s18 * Lambda_inv_0_6_p42 -
-      Lambda_inv_0_0_p249 * Lambda_inv_0_6_p38;
-  const Real Lambda_inv_0_6_p47 = -(-(s19 * Lambda_inv_0_6_p35 + c19 * Lambda_inv_0_6_p34) -
-      Lambda_inv_0_0_p253 * Lambda_inv_0_6_p32) - Lambda_inv_0_0_p258 * Lambda_inv_0_6_p38;
-  const Real Lambda_inv_0_6_p48 = s17 * Lambda_inv_0_6_p47 - c17 * Lambda_inv_0_6_p46;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_6_p49 = 0.282 * Lambda_inv_0_6_p48 - inverse_D15_p3 * Lambda_inv_0_6_p44;
-  const Real Lambda_inv_0_6_p50 = c16 * Lambda_inv_0_6_p45 - s16 * Lambda_inv_0_6_p49;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_0_6_p51 = s16 * Lambda_inv_0_6_p45 + c16 * Lambda_inv_0_6_p49 -
-      inverse_D14_p1 * Lambda_inv_0_6_p50;
-  const Real Lambda_inv_0_6_p52 = Lambda_inv_0_7_p1 * Lambda_inv_0_6_p50;
-  const Real Lambda_inv_0_6_p53 = s15 * Lambda_inv_0_6_p52 + c15 * Lambda_inv_0_6_p51;
-
-  // link 4 (chest1), pose
-  const Real Lambda_inv_0_5_p1 = c4 * Lambda_inv_0_6_p5;
-
-  // link 5 (chest2), pose
-  const Real Lambda_inv_0_5_p2 = s5 * Lambda_inv_0_5_p1 - c5 * Lambda_inv_0_6_p3;
-
-  // link 4 (chest1), pose
-  const Real Lambda_inv_0_5_p3 = s4 * Lambda_inv_0_6_p5;
-
-  // link 6 (chest3), pose
-  const Real Lambda_inv_0_5_p4 = c6 * Lambda_inv_0_5_p2 + s6 * Lambda_inv_0_5_p3;
-
-  // link 5 (chest2), pose
-  const Real Lambda_inv_0_5_p5 = c5 * Lambda_inv_0_5_p1 + s5 * Lambda_inv_0_6_p3;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_inv_0_5_p6 = s7 * Lambda_inv_0_5_p4 - c7 * Lambda_inv_0_5_p5;
-  const Real Lambda_inv_0_5_p7 = c7 * Lambda_inv_0_5_p4 + s7 * Lambda_inv_0_5_p5;
-
-  // link 6 (chest3), pose
-  const Real Lambda_inv_0_5_p8 = s6 * Lambda_inv_0_5_p2 - c6 * Lambda_inv_0_5_p3;
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_inv_0_5_p9 = s8 * Lambda_inv_0_5_p7 + c8 * Lambda_inv_0_5_p8;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_inv_0_5_p10 = c9 * Lambda_inv_0_5_p6 - s9 * Lambda_inv_0_5_p9;
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_inv_0_5_p11 = c8 * Lambda_inv_0_5_p7 - s8 * Lambda_inv_0_5_p8;
-
-  // link 10 (left_lowerarm), pose
-  const Real Lambda_inv_0_5_p12 = c10 * Lambda_inv_0_5_p10 + s10 * Lambda_inv_0_5_p11;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_inv_0_5_p13 = c9 * Lambda_inv_0_5_p9 + s9 * Lambda_inv_0_5_p6;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_inv_0_5_p14 = c11 * Lambda_inv_0_5_p12 - s11 * Lambda_inv_0_5_p13;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_inv_0_4_p1 = c7 * Lambda_inv_0_7_p3 - s7 * Lambda_inv_0_7_p4;
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_inv_0_4_p2 = c8 * Lambda_inv_0_7_p6 - s8 * Lambda_inv_0_4_p1;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_inv_0_4_p3 = s7 * Lambda_inv_0_7_p3 + c7 * Lambda_inv_0_7_p4;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_inv_0_4_p4 = s9 * Lambda_inv_0_4_p2 + c9 * Lambda_inv_0_4_p3;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_inv_0_3_p1 = c7 * Lambda_inv_0_6_p8 + s7 * Lambda_inv_0_6_p9;
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_inv_0_3_p2 = s8 * Lambda_inv_0_3_p1 + c8 * Lambda_inv_0_6_p11;
-
-  // link 7 (left_shoulder1), pose
-  const Real Lambda_inv_0_3_p3 = c7 * Lambda_inv_0_6_p9 - s7 * Lambda_inv_0_6_p8;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_inv_0_3_p4 = s9 * Lambda_inv_0_3_p2 + c9 * Lambda_inv_0_3_p3;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes Lambda_inv_0_3_p5_lanes = s10 * detail::make_lanes<Real>(Lambda_inv_0_3_p4,
-      Lambda_inv_0_4_p4, Lambda_inv_0_5_p10, Lambda_inv_0_3_p4, Lambda_inv_0_3_p4,
-      Lambda_inv_0_3_p4, Lambda_inv_0_3_p4, Lambda_inv_0_3_p4);
-
-  // link 8 (left_shoulder2), pose
-  const Real Lambda_inv_0_4_p6 = c8 * Lambda_inv_0_4_p1 + s8 * Lambda_inv_0_7_p6;
-  const Real Lambda_inv_0_3_p6 = s8 * Lambda_inv_0_6_p11 - c8 * Lambda_inv_0_3_p1;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes Lambda_inv_0_3_p7_lanes = c10 * detail::make_lanes<Real>(Lambda_inv_0_3_p6,
-      Lambda_inv_0_4_p6, Lambda_inv_0_5_p11, Lambda_inv_0_3_p6, Lambda_inv_0_3_p6,
-      Lambda_inv_0_3_p6, Lambda_inv_0_3_p6, Lambda_inv_0_3_p6);
-  const Lanes Lambda_inv_0_3_p8_lanes = Lambda_inv_0_3_p7_lanes - Lambda_inv_0_3_p5_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Real Lambda_inv_0_5_p18 = c12 * Lambda_inv_0_3_p8_lanes[2] - s12 * Lambda_inv_0_5_p14;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_inv_0_5_p19 = s11 * Lambda_inv_0_5_p12 + c11 * Lambda_inv_0_5_p13;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_inv_0_5_p20 = c13 * Lambda_inv_0_5_p18 - s13 * Lambda_inv_0_5_p19;
-
-  // link 10 (left_lowerarm), pose
-  const Real Lambda_inv_0_4_p9 = c10 * Lambda_inv_0_4_p4 + s10 * Lambda_inv_0_4_p6;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_inv_0_4_p10 = c9 * Lambda_inv_0_4_p2 - s9 * Lambda_inv_0_4_p3;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_inv_0_4_p11 = c11 * Lambda_inv_0_4_p9 + s11 * Lambda_inv_0_4_p10;
-
-  // link 10 (left_lowerarm), pose
-  const Real Lambda_inv_0_3_p9 = c10 * Lambda_inv_0_3_p4 + s10 * Lambda_inv_0_3_p6;
-
-  // link 9 (left_upperarm), pose
-  const Real Lambda_inv_0_3_p10 = c9 * Lambda_inv_0_3_p2 - s9 * Lambda_inv_0_3_p3;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_inv_0_3_p11 = c11 * Lambda_inv_0_3_p9 + s11 * Lambda_inv_0_3_p10;
-
-  // link 12 (left_wrist2), pose
-  const Lanes Lambda_inv_0_3_p12_lanes = c12 * detail::make_lanes<Real>(Lambda_inv_0_3_p11,
-      Lambda_inv_0_4_p11, Lambda_inv_0_5_p14, Lambda_inv_0_3_p11, Lambda_inv_0_3_p11,
-      Lambda_inv_0_3_p11, Lambda_inv_0_3_p11, Lambda_inv_0_3_p11);
-  const Lanes Lambda_inv_0_3_p13_lanes = s12 * Lambda_inv_0_3_p8_lanes;
-  const Lanes Lambda_inv_0_3_p14_lanes = Lambda_inv_0_3_p12_lanes + Lambda_inv_0_3_p13_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes Lambda_inv_0_3_p15_lanes = 0.11533812622014242 *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p14_lanes[0], Lambda_inv_0_3_p14_lanes[0],
-      Lambda_inv_0_3_p14_lanes[0], Lambda_inv_0_3_p14_lanes[0], Lambda_inv_0_3_p14_lanes[1],
-      Lambda_inv_0_3_p14_lanes[2], Lambda_inv_0_3_p14_lanes[0], Lambda_inv_0_3_p14_lanes[0]);
-
-  // link 12 (left_wrist2), pose
-  const Real Lambda_inv_0_4_p16 = c12 * Lambda_inv_0_3_p8_lanes[1] - s12 * Lambda_inv_0_4_p11;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_inv_0_4_p17 = c11 * Lambda_inv_0_4_p10 - s11 * Lambda_inv_0_4_p9;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_inv_0_4_p18 = c13 * Lambda_inv_0_4_p16 + s13 * Lambda_inv_0_4_p17;
-
-  // link 12 (left_wrist2), pose
-  const Real Lambda_inv_0_3_p16 = c12 * Lambda_inv_0_3_p8_lanes[0] - s12 * Lambda_inv_0_3_p11;
-
-  // link 11 (left_wrist1), pose
-  const Real Lambda_inv_0_3_p17 = c11 * Lambda_inv_0_3_p10 - s11 * Lambda_inv_0_3_p9;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_inv_0_3_p18 = c13 * Lambda_inv_0_3_p16 + s13 * Lambda_inv_0_3_p17;
-
-  // link 13 (left_hand), force propagation
-  const Lanes Lambda_inv_0_3_p19_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p18,
-      Lambda_inv_0_3_p18, Lambda_inv_0_3_p18, Lambda_inv_0_3_p18, Lambda_inv_0_4_p18,
-      Lambda_inv_0_5_p20, Lambda_inv_0_3_p18, Lambda_inv_0_3_p18) + Lambda_inv_0_3_p15_lanes;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_inv_0_2_p1 = s13 * Lambda_inv_0_5_p18 + c13 * Lambda_inv_0_5_p19;
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_inv_0_2_p2 = -(0.086 * Lambda_inv_0_2_p1);
-  const Real Lambda_inv_0_2_p3 = 0.11533812622014242 * Lambda_inv_0_2_p2;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_inv_0_1_p1 = c13 * Lambda_inv_0_4_p17 - s13 * Lambda_inv_0_4_p16;
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_inv_0_1_p2 = 0.009919078854932248 * Lambda_inv_0_1_p1;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_inv_0_0_p538 = c13 * Lambda_inv_0_3_p17 - s13 * Lambda_inv_0_3_p16;
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_inv_0_0_p539 = 0.009919078854932248 * Lambda_inv_0_0_p538;
-  const Lanes Lambda_inv_0_0_p540_lanes = c13 * detail::make_lanes<Real>(Lambda_inv_0_0_p539,
-      Lambda_inv_0_1_p2, Lambda_inv_0_2_p3, Lambda_inv_0_3_p19_lanes[3],
-      Lambda_inv_0_3_p19_lanes[4], Lambda_inv_0_3_p19_lanes[5], Lambda_inv_0_0_p539,
-      Lambda_inv_0_0_p539);
-  const Real Lambda_inv_0_5_p27 = -Lambda_inv_0_2_p1;
-  const Lanes Lambda_inv_0_0_p541_lanes = detail::make_lanes<Real>(0.004018575007348824,
-      0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
-      0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p538, Lambda_inv_0_1_p1, Lambda_inv_0_2_p2,
-      Lambda_inv_0_3_p14_lanes[0], Lambda_inv_0_3_p14_lanes[1], Lambda_inv_0_3_p14_lanes[2],
-      Lambda_inv_0_0_p538, Lambda_inv_0_0_p538);
-  const Lanes Lambda_inv_0_0_p542_lanes = detail::make_lanes<Real>(-(0.086 *
-      Lambda_inv_0_3_p14_lanes[0]), -(0.086 * Lambda_inv_0_3_p14_lanes[1]),
-      -(0.086 * Lambda_inv_0_3_p14_lanes[2]), Lambda_inv_0_0_p538, Lambda_inv_0_1_p1,
-      Lambda_inv_0_5_p27, -(0.086 * Lambda_inv_0_3_p14_lanes[0]),
-      -(0.086 * Lambda_inv_0_3_p14_lanes[0])) - Lambda_inv_0_0_p541_lanes;
-  const Lanes Lambda_inv_0_0_p543_lanes = s13 * Lambda_inv_0_0_p542_lanes;
-  const Lanes Lambda_inv_0_0_p544_lanes = Lambda_inv_0_0_p540_lanes - Lambda_inv_0_0_p543_lanes;
-  const Lanes Lambda_inv_0_0_p545_lanes = s13 * detail::make_lanes<Real>(Lambda_inv_0_0_p539,
-      Lambda_inv_0_1_p2, Lambda_inv_0_2_p3, Lambda_inv_0_3_p19_lanes[3],
-      Lambda_inv_0_3_p19_lanes[4], Lambda_inv_0_3_p19_lanes[5], Lambda_inv_0_0_p539,
-      Lambda_inv_0_0_p539);
-  const Lanes Lambda_inv_0_0_p546_lanes = c13 * Lambda_inv_0_0_p542_lanes;
-  const Lanes Lambda_inv_0_0_p547_lanes = Lambda_inv_0_0_p545_lanes + Lambda_inv_0_0_p546_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_0_0_p548_lanes = Lambda_inv_0_0_p3 * Lambda_inv_0_0_p547_lanes;
-  const Lanes Lambda_inv_0_0_p549_lanes = Lambda_inv_0_0_p544_lanes - Lambda_inv_0_0_p548_lanes;
-  const Lanes Lambda_inv_0_0_p550_lanes = s12 * Lambda_inv_0_0_p549_lanes;
-  const Lanes Lambda_inv_0_0_p551_lanes = Lambda_inv_0_0_p9 * Lambda_inv_0_0_p547_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_inv_0_5_p39 = 3.0523172236718206 * Lambda_inv_0_3_p14_lanes[2];
-  const Real Lambda_inv_0_5_p40 = 17.32841575379867 * Lambda_inv_0_3_p14_lanes[2];
-  const Real Lambda_inv_0_4_p32 = 3.0523172236718206 * Lambda_inv_0_3_p14_lanes[1];
-  const Real Lambda_inv_0_4_p33 = 17.32841575379867 * Lambda_inv_0_3_p14_lanes[1];
-  const Real Lambda_inv_0_3_p32 = 3.0523172236718206 * Lambda_inv_0_3_p14_lanes[0];
-  const Real Lambda_inv_0_3_p33 = 17.32841575379867 * Lambda_inv_0_3_p14_lanes[0];
-  const Real Lambda_inv_0_2_p16 = Lambda_inv_0_5_p20 - 3.0523172236718206 * Lambda_inv_0_2_p2;
-  const Real Lambda_inv_0_2_p17 = Lambda_inv_0_5_p27 - 17.32841575379867 * Lambda_inv_0_2_p2;
-  const Real Lambda_inv_0_1_p15 = Lambda_inv_0_4_p18 - 0.26249928123577654 * Lambda_inv_0_1_p1;
-  const Real Lambda_inv_0_1_p16 = 0.49024375482668536 * Lambda_inv_0_1_p1;
-  const Real Lambda_inv_0_0_p552 = Lambda_inv_0_3_p18 - 0.26249928123577654 * Lambda_inv_0_0_p538;
-  const Real Lambda_inv_0_0_p553 = 0.49024375482668536 * Lambda_inv_0_0_p538;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_0_0_p554_lanes = detail::make_lanes<Real>(s13 * Lambda_inv_0_0_p552 - c13 *
-      Lambda_inv_0_0_p553, s13 * Lambda_inv_0_1_p15 - c13 * Lambda_inv_0_1_p16, s13 *
-      Lambda_inv_0_2_p16 + c13 * Lambda_inv_0_2_p17, -(s13 * Lambda_inv_0_3_p32 + c13 *
-      Lambda_inv_0_3_p33), -(s13 * Lambda_inv_0_4_p32 + c13 * Lambda_inv_0_4_p33),
-      -(s13 * Lambda_inv_0_5_p39 + c13 * Lambda_inv_0_5_p40), s13 * Lambda_inv_0_0_p552 - c13 *
-      Lambda_inv_0_0_p553, s13 * Lambda_inv_0_0_p552 - c13 * Lambda_inv_0_0_p553) -
-      Lambda_inv_0_0_p551_lanes;
-  const Lanes Lambda_inv_0_0_p555_lanes = 0.269 * Lambda_inv_0_0_p554_lanes;
-  const Lanes Lambda_inv_0_0_p556_lanes = Lambda_inv_0_0_p555_lanes - Lambda_inv_0_0_p550_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Real Lambda_inv_0_5_p44 = -(c12 * Lambda_inv_0_0_p549_lanes[5]);
-  const Real Lambda_inv_0_4_p37 = -(c12 * Lambda_inv_0_0_p549_lanes[4]);
-  const Real Lambda_inv_0_3_p37 = -(c12 * Lambda_inv_0_0_p549_lanes[3]);
-  const Real Lambda_inv_0_2_p21 = -(c12 * Lambda_inv_0_0_p549_lanes[2]);
-  const Real Lambda_inv_0_1_p20 = -(c12 * Lambda_inv_0_0_p549_lanes[1]);
-  const Real Lambda_inv_0_0_p557 = -(c12 * Lambda_inv_0_0_p549_lanes[0]);
-  const Lanes Lambda_inv_0_0_p558_lanes = Lambda_inv_0_0_p14 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p557, Lambda_inv_0_1_p20, Lambda_inv_0_2_p21,
-      Lambda_inv_0_3_p37, Lambda_inv_0_4_p37, Lambda_inv_0_5_p44, Lambda_inv_0_0_p557,
-      Lambda_inv_0_0_p557);
-  const Lanes Lambda_inv_0_0_p559_lanes = Lambda_inv_0_0_p556_lanes - Lambda_inv_0_0_p558_lanes;
-  const Lanes Lambda_inv_0_0_p560_lanes = c11 * Lambda_inv_0_0_p559_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_0_0_p561_lanes = Lambda_inv_0_0_p22 * Lambda_inv_0_0_p547_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes Lambda_inv_0_2_p26_lanes = detail::make_lanes<Real>(c13, c13, c13, s13, s13, s13, c13,
-      c13) * detail::make_lanes<Real>(Lambda_inv_0_2_p16, Lambda_inv_0_2_p16, Lambda_inv_0_2_p16,
-      Lambda_inv_0_3_p33, Lambda_inv_0_4_p33, Lambda_inv_0_5_p40, Lambda_inv_0_2_p16,
-      Lambda_inv_0_2_p16);
-  const Lanes Lambda_inv_0_2_p27_lanes = detail::make_lanes<Real>(s13, s13, s13, c13, c13, c13, s13,
-      s13) * detail::make_lanes<Real>(Lambda_inv_0_2_p17, Lambda_inv_0_2_p17, Lambda_inv_0_2_p17,
-      Lambda_inv_0_3_p32, Lambda_inv_0_4_p32, Lambda_inv_0_5_p39, Lambda_inv_0_2_p17,
-      Lambda_inv_0_2_p17);
-  const Lanes Lambda_inv_0_2_p28_lanes = Lambda_inv_0_2_p26_lanes - Lambda_inv_0_2_p27_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_0_0_p562_lanes = detail::make_lanes<Real>(c13 * Lambda_inv_0_0_p552 + s13 *
-      Lambda_inv_0_0_p553, c13 * Lambda_inv_0_1_p15 + s13 * Lambda_inv_0_1_p16,
-      Lambda_inv_0_2_p28_lanes[2], Lambda_inv_0_2_p28_lanes[3], Lambda_inv_0_2_p28_lanes[4],
-      Lambda_inv_0_2_p28_lanes[5], c13 * Lambda_inv_0_0_p552 + s13 * Lambda_inv_0_0_p553, c13 *
-      Lambda_inv_0_0_p552 + s13 * Lambda_inv_0_0_p553) - Lambda_inv_0_0_p561_lanes;
-  const Lanes Lambda_inv_0_0_p563_lanes = s12 * Lambda_inv_0_0_p562_lanes;
-  const Real Lambda_inv_0_5_p54 = Lambda_inv_0_0_p25 * Lambda_inv_0_0_p547_lanes[5];
-  const Real Lambda_inv_0_4_p47 = Lambda_inv_0_0_p25 * Lambda_inv_0_0_p547_lanes[4];
-  const Real Lambda_inv_0_3_p47 = Lambda_inv_0_0_p25 * Lambda_inv_0_0_p547_lanes[3];
-  const Lanes Lambda_inv_0_0_p564_lanes = Lambda_inv_0_0_p25 * Lambda_inv_0_0_p547_lanes;
-  const Lanes Lambda_inv_0_0_p565_lanes = Lambda_inv_0_3_p14_lanes + Lambda_inv_0_0_p564_lanes;
-  const Lanes Lambda_inv_0_0_p566_lanes = c12 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p565_lanes[0], Lambda_inv_0_0_p565_lanes[1],
-      Lambda_inv_0_0_p565_lanes[2], Lambda_inv_0_3_p47, Lambda_inv_0_4_p47, Lambda_inv_0_5_p54,
-      Lambda_inv_0_0_p565_lanes[0], Lambda_inv_0_0_p565_lanes[0]);
-  const Lanes Lambda_inv_0_0_p567_lanes = Lambda_inv_0_0_p563_lanes - Lambda_inv_0_0_p566_lanes;
-  const Lanes Lambda_inv_0_0_p568_lanes = 0.269 * Lambda_inv_0_0_p567_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_0_0_p569_lanes = Lambda_inv_0_0_p30 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p557, Lambda_inv_0_1_p20, Lambda_inv_0_2_p21,
-      Lambda_inv_0_3_p37, Lambda_inv_0_4_p37, Lambda_inv_0_5_p44, Lambda_inv_0_0_p557,
-      Lambda_inv_0_0_p557);
-  const Lanes Lambda_inv_0_0_p570_lanes = Lambda_inv_0_0_p568_lanes - Lambda_inv_0_0_p569_lanes;
-  const Lanes Lambda_inv_0_0_p571_lanes = s11 * Lambda_inv_0_0_p570_lanes;
-  const Lanes Lambda_inv_0_0_p572_lanes = Lambda_inv_0_0_p560_lanes - Lambda_inv_0_0_p571_lanes;
-  const Lanes Lambda_inv_0_0_p573_lanes = s11 * Lambda_inv_0_0_p559_lanes;
-  const Lanes Lambda_inv_0_0_p574_lanes = c11 * Lambda_inv_0_0_p570_lanes;
-  const Lanes Lambda_inv_0_0_p575_lanes = Lambda_inv_0_0_p573_lanes + Lambda_inv_0_0_p574_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_0_0_p576_lanes = Lambda_inv_0_0_p48 * Lambda_inv_0_0_p575_lanes;
-  const Lanes Lambda_inv_0_0_p577_lanes = Lambda_inv_0_0_p572_lanes - Lambda_inv_0_0_p576_lanes;
-  const Lanes Lambda_inv_0_0_p578_lanes = c10 * Lambda_inv_0_0_p577_lanes;
-  const Lanes Lambda_inv_0_0_p579_lanes = Lambda_inv_0_0_p51 * Lambda_inv_0_0_p575_lanes;
-  const Lanes Lambda_inv_0_0_p580_lanes = s10 * Lambda_inv_0_0_p579_lanes;
-  const Lanes Lambda_inv_0_0_p581_lanes = Lambda_inv_0_0_p580_lanes - Lambda_inv_0_0_p578_lanes;
-  const Lanes Lambda_inv_0_0_p582_lanes = Lambda_inv_0_0_p66 * Lambda_inv_0_0_p575_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_0_0_p583_lanes = Lambda_inv_0_0_p56 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p557, Lambda_inv_0_1_p20, Lambda_inv_0_2_p21,
-      Lambda_inv_0_3_p37, Lambda_inv_0_4_p37, Lambda_inv_0_5_p44, Lambda_inv_0_0_p557,
-      Lambda_inv_0_0_p557);
-  const Lanes Lambda_inv_0_0_p584_lanes = detail::make_lanes<Real>(-Lambda_inv_0_0_p567_lanes[0],
-      -Lambda_inv_0_0_p567_lanes[1], -Lambda_inv_0_0_p567_lanes[2], -Lambda_inv_0_0_p567_lanes[3],
-      -Lambda_inv_0_0_p567_lanes[4], -Lambda_inv_0_0_p567_lanes[5], -Lambda_inv_0_0_p567_lanes[0],
-      -Lambda_inv_0_0_p567_lanes[0]) - Lambda_inv_0_0_p583_lanes;
-  const Lanes Lambda_inv_0_0_p585_lanes = s11 * Lambda_inv_0_0_p584_lanes;
-  const Lanes Lambda_inv_0_0_p586_lanes = Lambda_inv_0_0_p59 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p557, Lambda_inv_0_1_p20, Lambda_inv_0_2_p21,
-      Lambda_inv_0_3_p37, Lambda_inv_0_4_p37, Lambda_inv_0_5_p44, Lambda_inv_0_0_p557,
-      Lambda_inv_0_0_p557);
-  const Lanes Lambda_inv_0_0_p587_lanes = Lambda_inv_0_0_p554_lanes - Lambda_inv_0_0_p586_lanes;
-  const Lanes Lambda_inv_0_0_p588_lanes = c11 * Lambda_inv_0_0_p587_lanes;
-  const Lanes Lambda_inv_0_0_p589_lanes = Lambda_inv_0_0_p585_lanes + Lambda_inv_0_0_p588_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_0_0_p590_lanes = Lambda_inv_0_0_p589_lanes - Lambda_inv_0_0_p582_lanes;
-  const Lanes Lambda_inv_0_0_p591_lanes = 0.282 * Lambda_inv_0_0_p590_lanes;
-  const Lanes Lambda_inv_0_0_p592_lanes = Lambda_inv_0_0_p591_lanes - Lambda_inv_0_0_p581_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Real Lambda_inv_0_5_p82 = -(s10 * Lambda_inv_0_0_p577_lanes[5] + c10 *
-      Lambda_inv_0_0_p579_lanes[5]);
-  const Real Lambda_inv_0_4_p75 = -(s10 * Lambda_inv_0_0_p577_lanes[4] + c10 *
-      Lambda_inv_0_0_p579_lanes[4]);
-  const Real Lambda_inv_0_3_p75 = -(s10 * Lambda_inv_0_0_p577_lanes[3] + c10 *
-      Lambda_inv_0_0_p579_lanes[3]);
-  const Real Lambda_inv_0_2_p60 = -(s10 * Lambda_inv_0_0_p577_lanes[2] + c10 *
-      Lambda_inv_0_0_p579_lanes[2]);
-  const Real Lambda_inv_0_1_p56 = -(s10 * Lambda_inv_0_0_p577_lanes[1] + c10 *
-      Lambda_inv_0_0_p579_lanes[1]);
-  const Real Lambda_inv_0_0_p593 = -(s10 * Lambda_inv_0_0_p577_lanes[0] + c10 *
-      Lambda_inv_0_0_p579_lanes[0]);
-  const Lanes Lambda_inv_0_0_p594_lanes = inverse_D8_p1 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p593, Lambda_inv_0_1_p56, Lambda_inv_0_2_p60,
-      Lambda_inv_0_3_p75, Lambda_inv_0_4_p75, Lambda_inv_0_5_p82, Lambda_inv_0_0_p593,
-      Lambda_inv_0_0_p593);
-  const Lanes Lambda_inv_0_0_p595_lanes = Lambda_inv_0_0_p592_lanes + Lambda_inv_0_0_p594_lanes;
-  const Lanes Lambda_inv_0_0_p596_lanes = s9 * Lambda_inv_0_0_p595_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_0_0_p597_lanes = Lambda_inv_0_0_p82 * Lambda_inv_0_0_p575_lanes;
-  const Lanes Lambda_inv_0_0_p598_lanes = detail::make_lanes<Real>(-(-(s12 *
-      Lambda_inv_0_0_p565_lanes[0] + c12 * Lambda_inv_0_0_p562_lanes[0]) - Lambda_inv_0_0_p77 *
-      Lambda_inv_0_0_p557), -(-(s12 * Lambda_inv_0_0_p565_lanes[1] + c12 *
-      Lambda_inv_0_0_p562_lanes[1]) - Lambda_inv_0_0_p77 * Lambda_inv_0_1_p20),
-      -(-(s12 * Lambda_inv_0_0_p565_lanes[2] + c12 * Lambda_inv_0_0_p562_lanes[2]) -
-      Lambda_inv_0_0_p77 * Lambda_inv_0_2_p21), -(-(s12 * Lambda_inv_0_3_p47 + c12 *
-      Lambda_inv_0_0_p562_lanes[3]) - Lambda_inv_0_0_p77 * Lambda_inv_0_3_p37),
-      -(-(s12 * Lambda_inv_0_4_p47 + c12 * Lambda_inv_0_0_p562_lanes[4]) - Lambda_inv_0_0_p77 *
-      Lambda_inv_0_4_p37), -(-(s12 * Lambda_inv_0_5_p54 + c12 * Lambda_inv_0_0_p562_lanes[5]) -
-      Lambda_inv_0_0_p77 * Lambda_inv_0_5_p44), -(-(s12 * Lambda_inv_0_0_p565_lanes[0] + c12 *
-      Lambda_inv_0_0_p562_lanes[0]) - Lambda_inv_0_0_p77 * Lambda_inv_0_0_p557),
-      -(-(s12 * Lambda_inv_0_0_p565_lanes[0] + c12 * Lambda_inv_0_0_p562_lanes[0]) -
-      Lambda_inv_0_0_p77 * Lambda_inv_0_0_p557)) - Lambda_inv_0_0_p597_lanes;
-  const Lanes Lambda_inv_0_0_p599_lanes = s10 * Lambda_inv_0_0_p598_lanes;
-  const Lanes Lambda_inv_0_0_p600_lanes = Lambda_inv_0_0_p73 * Lambda_inv_0_0_p575_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_0_0_p601_lanes = c11 * Lambda_inv_0_0_p584_lanes;
-  const Lanes Lambda_inv_0_0_p602_lanes = s11 * Lambda_inv_0_0_p587_lanes;
-  const Lanes Lambda_inv_0_0_p603_lanes = Lambda_inv_0_0_p601_lanes - Lambda_inv_0_0_p602_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_0_0_p604_lanes = Lambda_inv_0_0_p603_lanes - Lambda_inv_0_0_p600_lanes;
-  const Lanes Lambda_inv_0_0_p605_lanes = c10 * Lambda_inv_0_0_p604_lanes;
-  const Lanes Lambda_inv_0_0_p606_lanes = Lambda_inv_0_0_p599_lanes - Lambda_inv_0_0_p605_lanes;
-  const Lanes Lambda_inv_0_0_p607_lanes = 0.282 * Lambda_inv_0_0_p606_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_0_0_p608_lanes = inverse_D8_p3 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p593, Lambda_inv_0_1_p56, Lambda_inv_0_2_p60,
-      Lambda_inv_0_3_p75, Lambda_inv_0_4_p75, Lambda_inv_0_5_p82, Lambda_inv_0_0_p593,
-      Lambda_inv_0_0_p593);
-  const Lanes Lambda_inv_0_0_p609_lanes = Lambda_inv_0_0_p607_lanes - Lambda_inv_0_0_p608_lanes;
-  const Lanes Lambda_inv_0_0_p610_lanes = c9 * Lambda_inv_0_0_p609_lanes;
-  const Lanes Lambda_inv_0_0_p611_lanes = Lambda_inv_0_0_p596_lanes + Lambda_inv_0_0_p610_lanes;
-  const Lanes Lambda_inv_0_0_p612_lanes = c9 * Lambda_inv_0_0_p595_lanes;
-  const Lanes Lambda_inv_0_0_p613_lanes = s9 * Lambda_inv_0_0_p609_lanes;
-  const Lanes Lambda_inv_0_0_p614_lanes = Lambda_inv_0_0_p612_lanes - Lambda_inv_0_0_p613_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p615_lanes = inverse_D7_p1 * Lambda_inv_0_0_p614_lanes;
-  const Lanes Lambda_inv_0_0_p616_lanes = Lambda_inv_0_0_p611_lanes - Lambda_inv_0_0_p615_lanes;
-  const Lanes Lambda_inv_0_0_p617_lanes = c8 * Lambda_inv_0_0_p616_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Real Lambda_inv_0_0_p618 = 0.00010499999999999999 / inverse_D8_p9;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p619_lanes = Lambda_inv_0_0_p618 * Lambda_inv_0_0_p614_lanes;
-  const Lanes Lambda_inv_0_0_p620_lanes = s8 * Lambda_inv_0_0_p619_lanes;
-  const Lanes Lambda_inv_0_0_p621_lanes = Lambda_inv_0_0_p620_lanes + Lambda_inv_0_0_p617_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p622_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p129,
-      Lambda_inv_0_0_p129, Lambda_inv_0_0_p129, Lambda_inv_0_0_p129, Lambda_inv_0_0_p129,
-      Lambda_inv_0_0_p129, Lambda_inv_0_0_p305, Lambda_inv_0_0_p305) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p621_lanes[0], Lambda_inv_0_0_p621_lanes[1],
-      Lambda_inv_0_0_p621_lanes[2], Lambda_inv_0_0_p621_lanes[3], Lambda_inv_0_0_p621_lanes[4],
-      Lambda_inv_0_0_p621_lanes[5], Lambda_inv_0_6_p53, Lambda_inv_0_7_p48);
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_7_p50 = -Lambda_inv_0_7_p43 - Lambda_inv_0_0_p266 * Lambda_inv_0_7_p39;
-  const Real Lambda_inv_0_7_p51 = Lambda_inv_0_7_p38 - Lambda_inv_0_0_p281 * Lambda_inv_0_7_p39;
-  const Real Lambda_inv_0_6_p55 = -Lambda_inv_0_6_p48 - Lambda_inv_0_0_p266 * Lambda_inv_0_6_p44;
-  const Real Lambda_inv_0_6_p56 = Lambda_inv_0_6_p43 - Lambda_inv_0_0_p281 * Lambda_inv_0_6_p44;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p623_lanes = Lambda_inv_0_0_p123 * Lambda_inv_0_0_p614_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_0_0_p624_lanes = Lambda_inv_0_0_p90 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p593, Lambda_inv_0_1_p56, Lambda_inv_0_2_p60,
-      Lambda_inv_0_3_p75, Lambda_inv_0_4_p75, Lambda_inv_0_5_p82, Lambda_inv_0_0_p593,
-      Lambda_inv_0_0_p593);
-  const Lanes Lambda_inv_0_0_p625_lanes = detail::make_lanes<Real>(-Lambda_inv_0_0_p606_lanes[0],
-      -Lambda_inv_0_0_p606_lanes[1], -Lambda_inv_0_0_p606_lanes[2], -Lambda_inv_0_0_p606_lanes[3],
-      -Lambda_inv_0_0_p606_lanes[4], -Lambda_inv_0_0_p606_lanes[5], -Lambda_inv_0_0_p606_lanes[0],
-      -Lambda_inv_0_0_p606_lanes[0]) + Lambda_inv_0_0_p624_lanes;
-  const Lanes Lambda_inv_0_0_p626_lanes = c9 * Lambda_inv_0_0_p625_lanes;
-  const Lanes Lambda_inv_0_0_p627_lanes = Lambda_inv_0_0_p105 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p593, Lambda_inv_0_1_p56, Lambda_inv_0_2_p60,
-      Lambda_inv_0_3_p75, Lambda_inv_0_4_p75, Lambda_inv_0_5_p82, Lambda_inv_0_0_p593,
-      Lambda_inv_0_0_p593);
-  const Lanes Lambda_inv_0_0_p628_lanes = Lambda_inv_0_0_p590_lanes + Lambda_inv_0_0_p627_lanes;
-  const Lanes Lambda_inv_0_0_p629_lanes = s9 * Lambda_inv_0_0_p628_lanes;
-  const Lanes Lambda_inv_0_0_p630_lanes = Lambda_inv_0_0_p626_lanes - Lambda_inv_0_0_p629_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p631_lanes = Lambda_inv_0_0_p630_lanes - Lambda_inv_0_0_p623_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p632_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p631_lanes[0],
-      Lambda_inv_0_0_p631_lanes[1], Lambda_inv_0_0_p631_lanes[2], Lambda_inv_0_0_p631_lanes[3],
-      Lambda_inv_0_0_p631_lanes[4], Lambda_inv_0_0_p631_lanes[5], c16 * Lambda_inv_0_6_p55 - s16 *
-      Lambda_inv_0_6_p56 - Lambda_inv_0_0_p299 * Lambda_inv_0_6_p50, c16 * Lambda_inv_0_7_p50 -
-      s16 * Lambda_inv_0_7_p51 - Lambda_inv_0_0_p299 * Lambda_inv_0_7_p45) -
-      Lambda_inv_0_0_p622_lanes;
-  const Lanes Lambda_inv_0_0_p633_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_inv_0_0_p632_lanes;
-  const Lanes Lambda_inv_0_0_p634_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p148,
-      Lambda_inv_0_0_p148, Lambda_inv_0_0_p148, Lambda_inv_0_0_p148, Lambda_inv_0_0_p148,
-      Lambda_inv_0_0_p148, Lambda_inv_0_0_p324, Lambda_inv_0_0_p324) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p621_lanes[0], Lambda_inv_0_0_p621_lanes[1],
-      Lambda_inv_0_0_p621_lanes[2], Lambda_inv_0_0_p621_lanes[3], Lambda_inv_0_0_p621_lanes[4],
-      Lambda_inv_0_0_p621_lanes[5], Lambda_inv_0_6_p53, Lambda_inv_0_7_p48);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_0_7_p55 = -(-(s17 * Lambda_inv_0_7_p41 + c17 * Lambda_inv_0_7_p42) +
-      Lambda_inv_0_0_p311 * Lambda_inv_0_7_p39) - Lambda_inv_0_0_p317 * Lambda_inv_0_7_p45;
-  const Real Lambda_inv_0_7_p56 = s16 * Lambda_inv_0_7_p50 + c16 * Lambda_inv_0_7_p51 -
-      Lambda_inv_0_0_p308 * Lambda_inv_0_7_p45;
-  const Real Lambda_inv_0_6_p60 = s16 * Lambda_inv_0_6_p55 + c16 * Lambda_inv_0_6_p56 -
-      Lambda_inv_0_0_p308 * Lambda_inv_0_6_p50;
-  const Real Lambda_inv_0_6_p61 = -(-(s17 * Lambda_inv_0_6_p46 + c17 * Lambda_inv_0_6_p47) +
-      Lambda_inv_0_0_p311 * Lambda_inv_0_6_p44) - Lambda_inv_0_0_p317 * Lambda_inv_0_6_p50;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p635_lanes = Lambda_inv_0_0_p138 * Lambda_inv_0_0_p614_lanes;
-  const Lanes Lambda_inv_0_0_p636_lanes = detail::make_lanes<Real>(-(-(s10 *
-      Lambda_inv_0_0_p604_lanes[0] + c10 * Lambda_inv_0_0_p598_lanes[0]) - Lambda_inv_0_0_p132 *
-      Lambda_inv_0_0_p593), -(-(s10 * Lambda_inv_0_0_p604_lanes[1] + c10 *
-      Lambda_inv_0_0_p598_lanes[1]) - Lambda_inv_0_0_p132 * Lambda_inv_0_1_p56),
-      -(-(s10 * Lambda_inv_0_0_p604_lanes[2] + c10 * Lambda_inv_0_0_p598_lanes[2]) -
-      Lambda_inv_0_0_p132 * Lambda_inv_0_2_p60), -(-(s10 * Lambda_inv_0_0_p604_lanes[3] + c10 *
-      Lambda_inv_0_0_p598_lanes[3]) - Lambda_inv_0_0_p132 * Lambda_inv_0_3_p75),
-      -(-(s10 * Lambda_inv_0_0_p604_lanes[4] + c10 * Lambda_inv_0_0_p598_lanes[4]) -
-      Lambda_inv_0_0_p132 * Lambda_inv_0_4_p75), -(-(s10 * Lambda_inv_0_0_p604_lanes[5] + c10 *
-      Lambda_inv_0_0_p598_lanes[5]) - Lambda_inv_0_0_p132 * Lambda_inv_0_5_p82),
-      -(-(s10 * Lambda_inv_0_0_p604_lanes[0] + c10 * Lambda_inv_0_0_p598_lanes[0]) -
-      Lambda_inv_0_0_p132 * Lambda_inv_0_0_p593), -(-(s10 * Lambda_inv_0_0_p604_lanes[0] + c10 *
-      Lambda_inv_0_0_p598_lanes[0]) - Lambda_inv_0_0_p132 * Lambda_inv_0_0_p593)) +
-      Lambda_inv_0_0_p635_lanes;
-  const Lanes Lambda_inv_0_0_p637_lanes = c8 * Lambda_inv_0_0_p636_lanes;
-  const Lanes Lambda_inv_0_0_p638_lanes = Lambda_inv_0_0_p141 * Lambda_inv_0_0_p614_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_0_0_p639_lanes = s9 * Lambda_inv_0_0_p625_lanes;
-  const Lanes Lambda_inv_0_0_p640_lanes = c9 * Lambda_inv_0_0_p628_lanes;
-  const Lanes Lambda_inv_0_0_p641_lanes = Lambda_inv_0_0_p639_lanes + Lambda_inv_0_0_p640_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p642_lanes = Lambda_inv_0_0_p641_lanes - Lambda_inv_0_0_p638_lanes;
-  const Lanes Lambda_inv_0_0_p643_lanes = s8 * Lambda_inv_0_0_p642_lanes;
-  const Lanes Lambda_inv_0_0_p644_lanes = Lambda_inv_0_0_p637_lanes - Lambda_inv_0_0_p643_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p645_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p644_lanes[0],
-      Lambda_inv_0_0_p644_lanes[1], Lambda_inv_0_0_p644_lanes[2], Lambda_inv_0_0_p644_lanes[3],
-      Lambda_inv_0_0_p644_lanes[4], Lambda_inv_0_0_p644_lanes[5], c15 * Lambda_inv_0_6_p61 - s15 *
-      Lambda_inv_0_6_p60, c15 * Lambda_inv_0_7_p55 - s15 * Lambda_inv_0_7_p56) -
-      Lambda_inv_0_0_p634_lanes;
-  const Lanes Lambda_inv_0_0_p646_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_inv_0_0_p645_lanes;
-  const Lanes Lambda_inv_0_0_p647_lanes = Lambda_inv_0_0_p633_lanes + Lambda_inv_0_0_p646_lanes;
+  const Real inverse_D2 = 1.0 / (9.885744550888212 + 0.178084 * Lambda_inv_0_0_p1078);
+  const Real Lambda_inv_0_0_p1080 = Lambda_inv_0_0_p1079 * inverse_D2;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Real Lambda_inv_0_0_p648 = 2.6249999999999998e-05 / inverse_D7_p8;
+  const Lanes<2> Lambda_inv_0_0_p1081_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) / inverse_D7_p17_lanes;
 
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p649_lanes = Lambda_inv_0_0_p648 * Lambda_inv_0_0_p621_lanes;
-  const Lanes Lambda_inv_0_0_p650_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, 0.18,
-      0.18) * detail::make_lanes<Real>(Lambda_inv_0_0_p649_lanes[0], Lambda_inv_0_0_p649_lanes[1],
-      Lambda_inv_0_0_p649_lanes[2], Lambda_inv_0_0_p649_lanes[3], Lambda_inv_0_0_p649_lanes[4],
-      Lambda_inv_0_0_p649_lanes[5], Lambda_inv_0_0_p647_lanes[6], Lambda_inv_0_0_p647_lanes[7]);
-  const Lanes Lambda_inv_0_0_p651_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p179,
-      Lambda_inv_0_0_p179, Lambda_inv_0_0_p179, Lambda_inv_0_0_p179, Lambda_inv_0_0_p179,
-      Lambda_inv_0_0_p179, Lambda_inv_0_0_p334, Lambda_inv_0_0_p334) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p621_lanes[0], Lambda_inv_0_0_p621_lanes[1],
-      Lambda_inv_0_0_p621_lanes[2], Lambda_inv_0_0_p621_lanes[3], Lambda_inv_0_0_p621_lanes[4],
-      Lambda_inv_0_0_p621_lanes[5], Lambda_inv_0_6_p53, Lambda_inv_0_7_p48);
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_inv_0_0_p1082_lanes = 0.00010499999999999999 / inverse_D8_p3_lanes;
+
+  // link 5 (chest2), pose
+  const Real Lambda_inv_0_1_p1 = s5 * s4;
+
+  // link 6 (chest3), pose
+  const Real Lambda_inv_0_1_p2 = s6 * c4 - c6 * Lambda_inv_0_1_p1;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_1_p3_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_1_p2;
+
+  // link 5 (chest2), pose
+  const Real Lambda_inv_0_1_p4 = c5 * s4;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_1_p5_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_1_p4;
+  const Lanes<2> Lambda_inv_0_1_p6_lanes = Lambda_inv_0_1_p3_lanes - Lambda_inv_0_1_p5_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_inv_0_1_p7_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_1_p6_lanes;
+
+  // link 6 (chest3), pose
+  const Real Lambda_inv_0_1_p8 = s6 * Lambda_inv_0_1_p1 + c6 * c4;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_inv_0_1_p9_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_inv_0_1_p8;
+  const Lanes<2> Lambda_inv_0_1_p10_lanes = Lambda_inv_0_1_p7_lanes + Lambda_inv_0_1_p9_lanes;
+  const Lanes<2> Lambda_inv_0_1_p11_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_inv_0_1_p8;
+  const Lanes<2> Lambda_inv_0_1_p12_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_1_p6_lanes;
+  const Lanes<2> Lambda_inv_0_1_p13_lanes = Lambda_inv_0_1_p11_lanes - Lambda_inv_0_1_p12_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_1_p14_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_1_p13_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_1_p15_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_1_p2;
+  const Lanes<2> Lambda_inv_0_1_p16_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_1_p4;
+  const Lanes<2> Lambda_inv_0_1_p17_lanes = Lambda_inv_0_1_p15_lanes + Lambda_inv_0_1_p16_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_1_p18_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_1_p17_lanes;
+  const Lanes<2> Lambda_inv_0_1_p19_lanes = Lambda_inv_0_1_p14_lanes + Lambda_inv_0_1_p18_lanes;
+
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_inv_0_7_p17 = c17 * Lambda_inv_0_1_p10_lanes[1] - s17 *
+      Lambda_inv_0_1_p19_lanes[1];
+
+  // link 2 (thigh), pose
+  const Real Lambda_inv_0_5_p1 = c2 * c1 - s2 * s1;
+  const Real Lambda_inv_0_5_p2 = s2 * c1 + c2 * s1;
+
+  // link 3 (hip), pose
+  const Real Lambda_inv_0_5_p3 = s3 * Lambda_inv_0_5_p1 + c3 * Lambda_inv_0_5_p2;
+
+  // link 4 (chest1), pose
+  const Real Lambda_inv_0_5_p4 = c4 * Lambda_inv_0_5_p3;
+
+  // link 3 (hip), pose
+  const Real Lambda_inv_0_5_p5 = c3 * Lambda_inv_0_5_p1 - s3 * Lambda_inv_0_5_p2;
+
+  // link 5 (chest2), pose
+  const Real Lambda_inv_0_5_p6 = s5 * Lambda_inv_0_5_p4 - c5 * Lambda_inv_0_5_p5;
+
+  // link 4 (chest1), pose
+  const Real Lambda_inv_0_5_p7 = s4 * Lambda_inv_0_5_p3;
+
+  // link 6 (chest3), pose
+  const Real Lambda_inv_0_5_p8 = c6 * Lambda_inv_0_5_p6 + s6 * Lambda_inv_0_5_p7;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_5_p9_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_5_p8;
+
+  // link 5 (chest2), pose
+  const Real Lambda_inv_0_5_p10 = c5 * Lambda_inv_0_5_p4 + s5 * Lambda_inv_0_5_p5;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_5_p11_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_5_p10;
+  const Lanes<2> Lambda_inv_0_5_p12_lanes = Lambda_inv_0_5_p9_lanes - Lambda_inv_0_5_p11_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_5_p13_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_5_p12_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_5_p14_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_5_p8;
+  const Lanes<2> Lambda_inv_0_5_p15_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_5_p10;
+  const Lanes<2> Lambda_inv_0_5_p16_lanes = Lambda_inv_0_5_p14_lanes + Lambda_inv_0_5_p15_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_inv_0_5_p17_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_5_p16_lanes;
+
+  // link 6 (chest3), pose
+  const Real Lambda_inv_0_5_p18 = s6 * Lambda_inv_0_5_p6 - c6 * Lambda_inv_0_5_p7;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_inv_0_5_p19_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_inv_0_5_p18;
+  const Lanes<2> Lambda_inv_0_5_p20_lanes = Lambda_inv_0_5_p17_lanes + Lambda_inv_0_5_p19_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_5_p21_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_5_p20_lanes;
+  const Lanes<2> Lambda_inv_0_5_p22_lanes = Lambda_inv_0_5_p13_lanes - Lambda_inv_0_5_p21_lanes;
+
+  // link 4 (chest1), pose
+  const Real Lambda_inv_0_3_p1 = c4 * Lambda_inv_0_5_p5;
+
+  // link 5 (chest2), pose
+  const Real Lambda_inv_0_3_p2 = s5 * Lambda_inv_0_3_p1 + c5 * Lambda_inv_0_5_p3;
+
+  // link 4 (chest1), pose
+  const Real Lambda_inv_0_3_p3 = s4 * Lambda_inv_0_5_p5;
+
+  // link 6 (chest3), pose
+  const Real Lambda_inv_0_3_p4 = c6 * Lambda_inv_0_3_p2 + s6 * Lambda_inv_0_3_p3;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_3_p5_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_3_p4;
+
+  // link 5 (chest2), pose
+  const Real Lambda_inv_0_3_p6 = c5 * Lambda_inv_0_3_p1 - s5 * Lambda_inv_0_5_p3;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_3_p7_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_3_p6;
+  const Lanes<2> Lambda_inv_0_3_p8_lanes = Lambda_inv_0_3_p5_lanes + Lambda_inv_0_3_p7_lanes;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_inv_0_3_p9_lanes = detail::make_lanes<Real>(s8, s15) *
+      Lambda_inv_0_3_p8_lanes;
+
+  // link 6 (chest3), pose
+  const Real Lambda_inv_0_3_p10 = s6 * Lambda_inv_0_3_p2 - c6 * Lambda_inv_0_3_p3;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_inv_0_3_p11_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_inv_0_3_p10;
+  const Lanes<2> Lambda_inv_0_3_p12_lanes = Lambda_inv_0_3_p9_lanes + Lambda_inv_0_3_p11_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_3_p13_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_3_p12_lanes;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_inv_0_3_p14_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_3_p6;
+  const Lanes<2> Lambda_inv_0_3_p15_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_3_p4;
+  const Lanes<2> Lambda_inv_0_3_p16_lanes = Lambda_inv_0_3_p14_lanes - Lambda_inv_0_3_p15_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_3_p17_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_3_p16_lanes;
+  const Lanes<2> Lambda_inv_0_3_p18_lanes = Lambda_inv_0_3_p13_lanes + Lambda_inv_0_3_p17_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<8> Lambda_inv_0_3_p19_lanes = s10 *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_1_p19_lanes[0],
+      Lambda_inv_0_5_p22_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0],
+      Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0]);
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_inv_0_5_p24_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_5_p16_lanes;
+  const Lanes<2> Lambda_inv_0_5_p25_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_inv_0_5_p18;
+  const Lanes<2> Lambda_inv_0_5_p26_lanes = Lambda_inv_0_5_p24_lanes - Lambda_inv_0_5_p25_lanes;
+  const Lanes<2> Lambda_inv_0_3_p20_lanes = detail::make_lanes<Real>(c8, c15) *
+      Lambda_inv_0_3_p8_lanes;
+  const Lanes<2> Lambda_inv_0_3_p21_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_inv_0_3_p10;
+  const Lanes<2> Lambda_inv_0_3_p22_lanes = Lambda_inv_0_3_p21_lanes - Lambda_inv_0_3_p20_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<8> Lambda_inv_0_3_p23_lanes = c10 *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_1_p10_lanes[0],
+      Lambda_inv_0_5_p26_lanes[0], Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0],
+      Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0]);
+  const Lanes<8> Lambda_inv_0_3_p24_lanes = Lambda_inv_0_3_p23_lanes - Lambda_inv_0_3_p19_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_inv_0_1_p23_lanes = detail::make_lanes<Real>(c12, c19) *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p24_lanes[1], Lambda_inv_0_7_p17);
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> Lambda_inv_0_1_p24_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_1_p19_lanes;
+  const Lanes<2> Lambda_inv_0_1_p25_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_1_p10_lanes;
+  const Lanes<2> Lambda_inv_0_1_p26_lanes = Lambda_inv_0_1_p24_lanes + Lambda_inv_0_1_p25_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_1_p27_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_1_p26_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_1_p28_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_1_p13_lanes;
+  const Lanes<2> Lambda_inv_0_1_p29_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_1_p17_lanes;
+  const Lanes<2> Lambda_inv_0_1_p30_lanes = Lambda_inv_0_1_p28_lanes - Lambda_inv_0_1_p29_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_1_p31_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_1_p30_lanes;
+  const Lanes<2> Lambda_inv_0_1_p32_lanes = Lambda_inv_0_1_p27_lanes + Lambda_inv_0_1_p31_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_inv_0_1_p33_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_1_p32_lanes;
+  const Lanes<2> Lambda_inv_0_1_p34_lanes = Lambda_inv_0_1_p23_lanes - Lambda_inv_0_1_p33_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_1_p35_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_1_p34_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_1_p36_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_1_p26_lanes;
+  const Lanes<2> Lambda_inv_0_1_p37_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_1_p30_lanes;
+  const Lanes<2> Lambda_inv_0_1_p38_lanes = Lambda_inv_0_1_p37_lanes - Lambda_inv_0_1_p36_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_1_p39_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_1_p38_lanes;
+
+  // link 20 (right_hand), pose
+  const Real Lambda_inv_0_7_p35 = Lambda_inv_0_1_p35_lanes[1] + Lambda_inv_0_1_p39_lanes[1];
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_1_p40_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_1_p34_lanes;
+  const Lanes<2> Lambda_inv_0_1_p41_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_1_p38_lanes;
+
+  // link 20 (right_hand), pose
+  const Real Lambda_inv_0_7_p38 = Lambda_inv_0_1_p41_lanes[1] - Lambda_inv_0_1_p40_lanes[1];
+
+  // link 13 (left_hand), pose
+  const Real Lambda_inv_0_1_p42 = Lambda_inv_0_1_p41_lanes[0] - Lambda_inv_0_1_p40_lanes[0];
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_0_1_p43_lanes = detail::make_lanes<Real>((-0.26249928123577654),
+      0.26249928123577654) * detail::make_lanes<Real>(Lambda_inv_0_1_p42, Lambda_inv_0_7_p38);
+
+  // link 13 (left_hand), pose
+  const Real Lambda_inv_0_1_p44 = Lambda_inv_0_1_p35_lanes[0] + Lambda_inv_0_1_p39_lanes[0];
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_0_1_p45_lanes = detail::make_lanes<Real>(Lambda_inv_0_1_p44,
+      Lambda_inv_0_7_p35) + Lambda_inv_0_1_p43_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_inv_0_7_p41 = 0.49024375482668536 * Lambda_inv_0_7_p38;
+
+  // link 19 (right_wrist2), pose
+  const Real Lambda_inv_0_7_p42 = c19 * Lambda_inv_0_1_p32_lanes[1] + s19 * Lambda_inv_0_7_p17;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_inv_0_7_p43 = -(0.086 * Lambda_inv_0_7_p42) - (-0.004018575007348824) *
+      Lambda_inv_0_7_p38;
+  const Real Lambda_inv_0_7_p44 = 0.009919078854932248 * Lambda_inv_0_7_p38;
+  const Real Lambda_inv_0_7_p45 = s20 * Lambda_inv_0_7_p44 + c20 * Lambda_inv_0_7_p43;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_inv_0_7_p46 = s20 * Lambda_inv_0_1_p45_lanes[1] - c20 * Lambda_inv_0_7_p41 -
+      Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_7_p45;
+  const Real Lambda_inv_0_7_p47 = c20 * Lambda_inv_0_7_p44 - s20 * Lambda_inv_0_7_p43 -
+      inverse_D11_p1_lanes[1] * Lambda_inv_0_7_p45;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_7_p48 = -(c19 * Lambda_inv_0_7_p47);
+  const Real Lambda_inv_0_7_p49 = 0.269 * Lambda_inv_0_7_p46 - s19 * Lambda_inv_0_7_p47 -
+      inverse_D10_p1_lanes[1] * Lambda_inv_0_7_p48;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> Lambda_inv_0_5_p29_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_5_p22_lanes;
+  const Lanes<2> Lambda_inv_0_5_p30_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_5_p26_lanes;
+  const Lanes<2> Lambda_inv_0_5_p31_lanes = Lambda_inv_0_5_p29_lanes + Lambda_inv_0_5_p30_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_5_p32_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_5_p31_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_5_p33_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_5_p20_lanes;
+  const Lanes<2> Lambda_inv_0_5_p34_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_5_p12_lanes;
+  const Lanes<2> Lambda_inv_0_5_p35_lanes = Lambda_inv_0_5_p33_lanes + Lambda_inv_0_5_p34_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_5_p36_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_5_p35_lanes;
+  const Lanes<2> Lambda_inv_0_5_p37_lanes = Lambda_inv_0_5_p32_lanes - Lambda_inv_0_5_p36_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_inv_0_5_p38_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_5_p37_lanes;
+
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_inv_0_8_p26 = c17 * Lambda_inv_0_5_p26_lanes[1] - s17 *
+      Lambda_inv_0_5_p22_lanes[1];
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_inv_0_5_p39_lanes = detail::make_lanes<Real>(c12, c19) *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p24_lanes[2], Lambda_inv_0_8_p26);
+  const Lanes<2> Lambda_inv_0_5_p40_lanes = Lambda_inv_0_5_p39_lanes - Lambda_inv_0_5_p38_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_5_p41_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_5_p40_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_5_p42_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_5_p31_lanes;
+  const Lanes<2> Lambda_inv_0_5_p43_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_5_p35_lanes;
+  const Lanes<2> Lambda_inv_0_5_p44_lanes = Lambda_inv_0_5_p42_lanes + Lambda_inv_0_5_p43_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_5_p45_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_5_p44_lanes;
+  const Lanes<2> Lambda_inv_0_5_p46_lanes = Lambda_inv_0_5_p41_lanes - Lambda_inv_0_5_p45_lanes;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<2> Lambda_inv_0_3_p25_lanes = detail::make_lanes<Real>(c10, c17) *
+      Lambda_inv_0_3_p18_lanes;
+  const Lanes<2> Lambda_inv_0_3_p26_lanes = detail::make_lanes<Real>(s10, s17) *
+      Lambda_inv_0_3_p22_lanes;
+  const Lanes<2> Lambda_inv_0_3_p27_lanes = Lambda_inv_0_3_p25_lanes + Lambda_inv_0_3_p26_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_3_p28_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_3_p27_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<2> Lambda_inv_0_3_p29_lanes = detail::make_lanes<Real>(c9, c16) *
+      Lambda_inv_0_3_p12_lanes;
+  const Lanes<2> Lambda_inv_0_3_p30_lanes = detail::make_lanes<Real>(s9, s16) *
+      Lambda_inv_0_3_p16_lanes;
+  const Lanes<2> Lambda_inv_0_3_p31_lanes = Lambda_inv_0_3_p29_lanes - Lambda_inv_0_3_p30_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_3_p32_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_3_p31_lanes;
+  const Lanes<2> Lambda_inv_0_3_p33_lanes = Lambda_inv_0_3_p28_lanes + Lambda_inv_0_3_p32_lanes;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<8> Lambda_inv_0_3_p34_lanes = c12 *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_1_p32_lanes[0],
+      Lambda_inv_0_5_p37_lanes[0], Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0],
+      Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0]);
+  const Lanes<8> Lambda_inv_0_3_p35_lanes = s12 * Lambda_inv_0_3_p24_lanes;
+  const Lanes<8> Lambda_inv_0_3_p36_lanes = Lambda_inv_0_3_p34_lanes + Lambda_inv_0_3_p35_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_inv_0_3_p37_lanes = 0.11533812622014242 *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0],
+      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1],
+      Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0]);
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_inv_0_3_p38_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_3_p33_lanes;
+
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_inv_0_6_p27 = c17 * Lambda_inv_0_3_p22_lanes[1] - s17 *
+      Lambda_inv_0_3_p18_lanes[1];
+
+  // link 12 (left_wrist2), pose
+  const Lanes<2> Lambda_inv_0_3_p39_lanes = detail::make_lanes<Real>(c12, c19) *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p24_lanes[0], Lambda_inv_0_6_p27);
+  const Lanes<2> Lambda_inv_0_3_p40_lanes = Lambda_inv_0_3_p39_lanes - Lambda_inv_0_3_p38_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_3_p41_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_3_p40_lanes;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<2> Lambda_inv_0_3_p42_lanes = detail::make_lanes<Real>(c11, c18) *
+      Lambda_inv_0_3_p31_lanes;
+  const Lanes<2> Lambda_inv_0_3_p43_lanes = detail::make_lanes<Real>(s11, s18) *
+      Lambda_inv_0_3_p27_lanes;
+  const Lanes<2> Lambda_inv_0_3_p44_lanes = Lambda_inv_0_3_p42_lanes - Lambda_inv_0_3_p43_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_3_p45_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_3_p44_lanes;
+  const Real Lambda_inv_0_3_p46 = Lambda_inv_0_3_p41_lanes[0] + Lambda_inv_0_3_p45_lanes[0];
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_inv_0_3_p47_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p46,
+      Lambda_inv_0_3_p46, Lambda_inv_0_3_p46, Lambda_inv_0_3_p46, Lambda_inv_0_1_p44,
+      Lambda_inv_0_5_p46_lanes[0], Lambda_inv_0_3_p46, Lambda_inv_0_3_p46) +
+      Lambda_inv_0_3_p37_lanes;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_2_p1_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_5_p40_lanes;
+  const Lanes<2> Lambda_inv_0_2_p2_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_5_p44_lanes;
+  const Lanes<2> Lambda_inv_0_2_p3_lanes = Lambda_inv_0_2_p1_lanes + Lambda_inv_0_2_p2_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Real Lambda_inv_0_2_p4 = -(0.086 * Lambda_inv_0_2_p3_lanes[0]);
+  const Real Lambda_inv_0_2_p5 = 0.11533812622014242 * Lambda_inv_0_2_p4;
+  const Real Lambda_inv_0_1_p46 = 0.009919078854932248 * Lambda_inv_0_1_p42;
+
+  // link 13 (left_hand), pose
+  const Lanes<2> Lambda_inv_0_0_p1083_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_3_p44_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1084_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_3_p40_lanes;
+  const Real Lambda_inv_0_0_p1085 = Lambda_inv_0_0_p1083_lanes[0] - Lambda_inv_0_0_p1084_lanes[0];
+
+  // link 13 (left_hand), force propagation
+  const Real Lambda_inv_0_0_p1086 = 0.009919078854932248 * Lambda_inv_0_0_p1085;
+  const Lanes<8> Lambda_inv_0_0_p1087_lanes = s13 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1086, Lambda_inv_0_1_p46, Lambda_inv_0_2_p5,
+      Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4], Lambda_inv_0_3_p47_lanes[5],
+      Lambda_inv_0_0_p1086, Lambda_inv_0_0_p1086);
+  const Real Lambda_inv_0_5_p53 = -Lambda_inv_0_2_p3_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1088_lanes = detail::make_lanes<Real>(0.004018575007348824,
+      0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
+      0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42, Lambda_inv_0_2_p4,
+      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2],
+      Lambda_inv_0_0_p1085, Lambda_inv_0_0_p1085);
+  const Lanes<8> Lambda_inv_0_0_p1089_lanes = detail::make_lanes<Real>(-(0.086 *
+      Lambda_inv_0_3_p36_lanes[0]), -(0.086 * Lambda_inv_0_3_p36_lanes[1]),
+      -(0.086 * Lambda_inv_0_3_p36_lanes[2]), Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42,
+      Lambda_inv_0_5_p53, -(0.086 * Lambda_inv_0_3_p36_lanes[0]),
+      -(0.086 * Lambda_inv_0_3_p36_lanes[0])) - Lambda_inv_0_0_p1088_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1090_lanes = c13 * Lambda_inv_0_0_p1089_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1091_lanes = Lambda_inv_0_0_p1087_lanes +
+      Lambda_inv_0_0_p1090_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_0_1_p52_lanes = Lambda_inv_0_0_p11_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[1], Lambda_inv_0_7_p45);
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_inv_0_3_p53_lanes = (-3.0523172236718206) *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0],
+      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1],
+      Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0]);
+
+  // link 20 (right_hand), pose
+  const Real Lambda_inv_0_6_p37 = Lambda_inv_0_3_p41_lanes[1] + Lambda_inv_0_3_p45_lanes[1];
+  const Real Lambda_inv_0_6_p38 = Lambda_inv_0_0_p1083_lanes[1] - Lambda_inv_0_0_p1084_lanes[1];
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_0_0_p1092_lanes = detail::make_lanes<Real>((-0.26249928123577654),
+      0.26249928123577654) * detail::make_lanes<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_6_p38);
+  const Lanes<2> Lambda_inv_0_0_p1093_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p46,
+      Lambda_inv_0_6_p37) + Lambda_inv_0_0_p1092_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1094_lanes = c13 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_1_p45_lanes[0],
+      Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
+      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_0_p1093_lanes[0]);
+  const Lanes<8> Lambda_inv_0_0_p1095_lanes = detail::make_lanes<Real>(0.49024375482668536,
+      0.49024375482668536, 0.49024375482668536, 17.32841575379867, 17.32841575379867,
+      17.32841575379867, 0.49024375482668536, 0.49024375482668536) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42, Lambda_inv_0_0_p1085,
+      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2],
+      Lambda_inv_0_0_p1085, Lambda_inv_0_0_p1085);
+  const Lanes<8> Lambda_inv_0_0_p1096_lanes = s13 * Lambda_inv_0_0_p1095_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1097_lanes = Lambda_inv_0_0_p1094_lanes +
+      Lambda_inv_0_0_p1096_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_0_1_p57_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1097_lanes[1],
+      c20 * Lambda_inv_0_1_p45_lanes[1] + s20 * Lambda_inv_0_7_p41) - Lambda_inv_0_1_p52_lanes;
+  const Lanes<2> Lambda_inv_0_1_p58_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_1_p57_lanes;
+  const Lanes<2> Lambda_inv_0_1_p59_lanes = Lambda_inv_0_0_p35_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[1], Lambda_inv_0_7_p45);
+  const Lanes<2> Lambda_inv_0_1_p60_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[1],
+      Lambda_inv_0_7_p42) - Lambda_inv_0_1_p59_lanes;
+  const Lanes<2> Lambda_inv_0_1_p61_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_1_p60_lanes;
+  const Lanes<2> Lambda_inv_0_1_p62_lanes = Lambda_inv_0_1_p58_lanes - Lambda_inv_0_1_p61_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_7_p57 = 0.269 * Lambda_inv_0_1_p62_lanes[1] - inverse_D10_p8_lanes[1] *
+      Lambda_inv_0_7_p48;
+  const Real Lambda_inv_0_7_p58 = s18 * Lambda_inv_0_7_p49 + c18 * Lambda_inv_0_7_p57;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_7_p59 = c18 * Lambda_inv_0_7_p49 - s18 * Lambda_inv_0_7_p57 -
+      Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_7_p58;
+  const Real Lambda_inv_0_7_p60 = Lambda_inv_0_0_p221_lanes[1] * Lambda_inv_0_7_p58;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_7_p61 = -Lambda_inv_0_1_p62_lanes[1] + Lambda_inv_0_0_p55_lanes[1] *
+      Lambda_inv_0_7_p48;
+  const Real Lambda_inv_0_7_p62 = Lambda_inv_0_7_p46 - Lambda_inv_0_0_p119_lanes[1] *
+      Lambda_inv_0_7_p48;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_7_p63 = s18 * Lambda_inv_0_7_p61 + c18 * Lambda_inv_0_7_p62 -
+      Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_7_p58;
+  const Real Lambda_inv_0_7_p64 = c17 * Lambda_inv_0_7_p60 - s17 * Lambda_inv_0_7_p59;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_inv_0_7_p65 = c17 * Lambda_inv_0_7_p59 + s17 * Lambda_inv_0_7_p60 + 0.282 *
+      Lambda_inv_0_7_p63 - Lambda_inv_0_0_p259_lanes[1] * Lambda_inv_0_7_p64;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_7_p66 = c18 * Lambda_inv_0_7_p61 - s18 * Lambda_inv_0_7_p62 -
+      Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_7_p58;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_0_1_p63_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_1_p57_lanes;
+  const Lanes<2> Lambda_inv_0_1_p64_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_1_p60_lanes;
+  const Lanes<2> Lambda_inv_0_1_p65_lanes = Lambda_inv_0_1_p64_lanes + Lambda_inv_0_1_p63_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_7_p70 = -(-Lambda_inv_0_1_p65_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_7_p48) - Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_7_p58;
+  const Real Lambda_inv_0_7_p71 = s17 * Lambda_inv_0_7_p70 - c17 * Lambda_inv_0_7_p66;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_inv_0_7_p72 = 0.282 * Lambda_inv_0_7_p71 - Lambda_inv_0_0_p401_lanes[1] *
+      Lambda_inv_0_7_p64;
+  const Real Lambda_inv_0_7_p73 = c16 * Lambda_inv_0_7_p65 - s16 * Lambda_inv_0_7_p72;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_inv_0_7_p74 = Lambda_inv_0_0_p1082_lanes[1] * Lambda_inv_0_7_p73;
+  const Real Lambda_inv_0_7_p75 = s16 * Lambda_inv_0_7_p65 + c16 * Lambda_inv_0_7_p72 -
+      inverse_D7_p1_lanes[1] * Lambda_inv_0_7_p73;
+  const Real Lambda_inv_0_7_p76 = s15 * Lambda_inv_0_7_p74 + c15 * Lambda_inv_0_7_p75;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_inv_0_6_p41 = 0.49024375482668536 * Lambda_inv_0_6_p38;
+  const Real Lambda_inv_0_6_p42 = 0.009919078854932248 * Lambda_inv_0_6_p38;
+
+  // link 19 (right_wrist2), pose
+  const Real Lambda_inv_0_6_p43 = c19 * Lambda_inv_0_3_p33_lanes[1] + s19 * Lambda_inv_0_6_p27;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_inv_0_6_p44 = -(0.086 * Lambda_inv_0_6_p43) - (-0.004018575007348824) *
+      Lambda_inv_0_6_p38;
+  const Real Lambda_inv_0_6_p45 = s20 * Lambda_inv_0_6_p42 + c20 * Lambda_inv_0_6_p44;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_inv_0_6_p46 = s20 * Lambda_inv_0_0_p1093_lanes[1] - c20 * Lambda_inv_0_6_p41 -
+      Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_6_p45;
+  const Real Lambda_inv_0_6_p47 = c20 * Lambda_inv_0_6_p42 - s20 * Lambda_inv_0_6_p44 -
+      inverse_D11_p1_lanes[1] * Lambda_inv_0_6_p45;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_6_p48 = -(c19 * Lambda_inv_0_6_p47);
+  const Real Lambda_inv_0_6_p49 = 0.269 * Lambda_inv_0_6_p46 - s19 * Lambda_inv_0_6_p47 -
+      inverse_D10_p1_lanes[1] * Lambda_inv_0_6_p48;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_0_0_p1098_lanes = Lambda_inv_0_0_p11_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[0], Lambda_inv_0_6_p45);
+  const Lanes<2> Lambda_inv_0_0_p1099_lanes =
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1097_lanes[0], c20 * Lambda_inv_0_0_p1093_lanes[1] +
+      s20 * Lambda_inv_0_6_p41) - Lambda_inv_0_0_p1098_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1100_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p1099_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1101_lanes = Lambda_inv_0_0_p35_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[0], Lambda_inv_0_6_p45);
+  const Lanes<2> Lambda_inv_0_0_p1102_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[0],
+      Lambda_inv_0_6_p43) - Lambda_inv_0_0_p1101_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1103_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p1102_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1104_lanes = Lambda_inv_0_0_p1100_lanes -
+      Lambda_inv_0_0_p1103_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_6_p57 = 0.269 * Lambda_inv_0_0_p1104_lanes[1] - inverse_D10_p8_lanes[1] *
+      Lambda_inv_0_6_p48;
+  const Real Lambda_inv_0_6_p58 = s18 * Lambda_inv_0_6_p49 + c18 * Lambda_inv_0_6_p57;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_6_p59 = c18 * Lambda_inv_0_6_p49 - s18 * Lambda_inv_0_6_p57 -
+      Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_6_p58;
+  const Real Lambda_inv_0_6_p60 = Lambda_inv_0_0_p221_lanes[1] * Lambda_inv_0_6_p58;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_6_p61 = -Lambda_inv_0_0_p1104_lanes[1] + Lambda_inv_0_0_p55_lanes[1] *
+      Lambda_inv_0_6_p48;
+  const Real Lambda_inv_0_6_p62 = Lambda_inv_0_6_p46 - Lambda_inv_0_0_p119_lanes[1] *
+      Lambda_inv_0_6_p48;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_6_p63 = s18 * Lambda_inv_0_6_p61 + c18 * Lambda_inv_0_6_p62 -
+      Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_6_p58;
+  const Real Lambda_inv_0_6_p64 = c17 * Lambda_inv_0_6_p60 - s17 * Lambda_inv_0_6_p59;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_inv_0_6_p65 = c17 * Lambda_inv_0_6_p59 + s17 * Lambda_inv_0_6_p60 + 0.282 *
+      Lambda_inv_0_6_p63 - Lambda_inv_0_0_p259_lanes[1] * Lambda_inv_0_6_p64;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_6_p66 = c18 * Lambda_inv_0_6_p61 - s18 * Lambda_inv_0_6_p62 -
+      Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_6_p58;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_0_0_p1105_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_0_p1099_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1106_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_0_p1102_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1107_lanes = Lambda_inv_0_0_p1106_lanes +
+      Lambda_inv_0_0_p1105_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_6_p70 = -(-Lambda_inv_0_0_p1107_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_6_p48) - Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_6_p58;
+  const Real Lambda_inv_0_6_p71 = s17 * Lambda_inv_0_6_p70 - c17 * Lambda_inv_0_6_p66;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_inv_0_6_p72 = 0.282 * Lambda_inv_0_6_p71 - Lambda_inv_0_0_p401_lanes[1] *
+      Lambda_inv_0_6_p64;
+  const Real Lambda_inv_0_6_p73 = c16 * Lambda_inv_0_6_p65 - s16 * Lambda_inv_0_6_p72;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_inv_0_6_p74 = s16 * Lambda_inv_0_6_p65 + c16 * Lambda_inv_0_6_p72 -
+      inverse_D7_p1_lanes[1] * Lambda_inv_0_6_p73;
+  const Real Lambda_inv_0_6_p75 = Lambda_inv_0_0_p1082_lanes[1] * Lambda_inv_0_6_p73;
+  const Real Lambda_inv_0_6_p76 = s15 * Lambda_inv_0_6_p75 + c15 * Lambda_inv_0_6_p74;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1108_lanes = c13 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1086, Lambda_inv_0_1_p46, Lambda_inv_0_2_p5,
+      Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4], Lambda_inv_0_3_p47_lanes[5],
+      Lambda_inv_0_0_p1086, Lambda_inv_0_0_p1086);
+  const Lanes<8> Lambda_inv_0_0_p1109_lanes = s13 * Lambda_inv_0_0_p1089_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1110_lanes = Lambda_inv_0_0_p1108_lanes -
+      Lambda_inv_0_0_p1109_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1111_lanes = inverse_D11_p1_lanes[0] * Lambda_inv_0_0_p1091_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1112_lanes = Lambda_inv_0_0_p1110_lanes -
+      Lambda_inv_0_0_p1111_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1113_lanes = s12 * Lambda_inv_0_0_p1112_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1114_lanes = Lambda_inv_0_0_p61_lanes[0] *
+      Lambda_inv_0_0_p1091_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1115_lanes = s13 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_1_p45_lanes[0],
+      Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
+      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_0_p1093_lanes[0]);
+  const Lanes<8> Lambda_inv_0_0_p1116_lanes = c13 * Lambda_inv_0_0_p1095_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1117_lanes = Lambda_inv_0_0_p1115_lanes -
+      Lambda_inv_0_0_p1116_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_inv_0_8_p38 = -(0.086 * Lambda_inv_0_2_p3_lanes[1]);
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_0_2_p18_lanes = detail::make_lanes<Real>((-3.0523172236718206),
+      3.0523172236718206) * detail::make_lanes<Real>(Lambda_inv_0_2_p4, Lambda_inv_0_8_p38);
+  const Lanes<2> Lambda_inv_0_2_p19_lanes = Lambda_inv_0_5_p46_lanes + Lambda_inv_0_2_p18_lanes;
+  const Lanes<2> Lambda_inv_0_2_p20_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_2_p19_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_inv_0_8_p42 = -Lambda_inv_0_2_p3_lanes[1];
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_0_2_p21_lanes = 17.32841575379867 *
+      detail::make_lanes<Real>(Lambda_inv_0_2_p4, Lambda_inv_0_8_p38);
+  const Lanes<2> Lambda_inv_0_2_p22_lanes = detail::make_lanes<Real>(Lambda_inv_0_5_p53,
+      Lambda_inv_0_8_p42) - Lambda_inv_0_2_p21_lanes;
+  const Lanes<2> Lambda_inv_0_2_p23_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_2_p22_lanes;
+  const Lanes<2> Lambda_inv_0_2_p24_lanes = Lambda_inv_0_2_p20_lanes + Lambda_inv_0_2_p23_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1118_lanes =
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1117_lanes[0], Lambda_inv_0_0_p1117_lanes[1],
+      Lambda_inv_0_2_p24_lanes[0], Lambda_inv_0_0_p1117_lanes[3], Lambda_inv_0_0_p1117_lanes[4],
+      Lambda_inv_0_0_p1117_lanes[5], Lambda_inv_0_0_p1117_lanes[0], Lambda_inv_0_0_p1117_lanes[0]) -
+      Lambda_inv_0_0_p1114_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1119_lanes = 0.269 * Lambda_inv_0_0_p1118_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1120_lanes = Lambda_inv_0_0_p1119_lanes -
+      Lambda_inv_0_0_p1113_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Real Lambda_inv_0_5_p76 = -(c12 * Lambda_inv_0_0_p1112_lanes[5]);
+  const Real Lambda_inv_0_4_p29 = -(c12 * Lambda_inv_0_0_p1112_lanes[4]);
+  const Real Lambda_inv_0_3_p71 = -(c12 * Lambda_inv_0_0_p1112_lanes[3]);
+  const Real Lambda_inv_0_2_p28 = -(c12 * Lambda_inv_0_0_p1112_lanes[2]);
+  const Real Lambda_inv_0_1_p79 = -(c12 * Lambda_inv_0_0_p1112_lanes[1]);
+  const Real Lambda_inv_0_0_p1121 = -(c12 * Lambda_inv_0_0_p1112_lanes[0]);
+  const Lanes<8> Lambda_inv_0_0_p1122_lanes = inverse_D10_p1_lanes[0] *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
+      Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
+      Lambda_inv_0_0_p1121);
+  const Lanes<8> Lambda_inv_0_0_p1123_lanes = Lambda_inv_0_0_p1120_lanes -
+      Lambda_inv_0_0_p1122_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1124_lanes = c11 * Lambda_inv_0_0_p1123_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_3_p75_lanes = Lambda_inv_0_0_p35_lanes[0] *
+      Lambda_inv_0_0_p1091_lanes;
+  const Lanes<8> Lambda_inv_0_3_p76_lanes = c12 * Lambda_inv_0_3_p75_lanes;
+  const Lanes<8> Lambda_inv_0_3_p77_lanes = Lambda_inv_0_0_p11_lanes[0] *
+      Lambda_inv_0_0_p1091_lanes;
+  const Lanes<8> Lambda_inv_0_3_p78_lanes = Lambda_inv_0_0_p1097_lanes - Lambda_inv_0_3_p77_lanes;
+  const Lanes<8> Lambda_inv_0_3_p79_lanes = s12 * Lambda_inv_0_3_p78_lanes;
+  const Lanes<8> Lambda_inv_0_3_p80_lanes = Lambda_inv_0_3_p76_lanes + Lambda_inv_0_3_p79_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_0_2_p32_lanes = detail::make_lanes<Real>(c13, c20) *
+      Lambda_inv_0_2_p19_lanes;
+  const Lanes<2> Lambda_inv_0_2_p33_lanes = detail::make_lanes<Real>(s13, s20) *
+      Lambda_inv_0_2_p22_lanes;
+  const Lanes<2> Lambda_inv_0_2_p34_lanes = Lambda_inv_0_2_p32_lanes - Lambda_inv_0_2_p33_lanes;
+
+  // link 19 (right_wrist2), pose
+  const Real Lambda_inv_0_11_p1 = c19 * Lambda_inv_0_5_p37_lanes[1] + s19 * Lambda_inv_0_8_p26;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_inv_0_9_p1_lanes = 0.11533812622014242 *
+      detail::make_lanes<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
+      Lambda_inv_0_6_p43);
+  const Lanes<8> Lambda_inv_0_9_p2_lanes = detail::make_lanes<Real>(Lambda_inv_0_6_p37,
+      Lambda_inv_0_6_p37, Lambda_inv_0_7_p35, Lambda_inv_0_5_p46_lanes[1], Lambda_inv_0_6_p37,
+      Lambda_inv_0_6_p37, Lambda_inv_0_6_p37, Lambda_inv_0_6_p37) + Lambda_inv_0_9_p1_lanes;
+  const Real Lambda_inv_0_8_p50 = 0.11533812622014242 * Lambda_inv_0_8_p38;
+  const Lanes<8> Lambda_inv_0_8_p51_lanes = s20 * detail::make_lanes<Real>(Lambda_inv_0_8_p50,
+      Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
+      Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50);
+  const Lanes<8> Lambda_inv_0_8_p52_lanes = (-0.04672761636452121) *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p38, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38,
+      Lambda_inv_0_8_p38);
+  const Lanes<8> Lambda_inv_0_8_p53_lanes = detail::make_lanes<Real>(-(0.086 * Lambda_inv_0_11_p1),
+      Lambda_inv_0_6_p38, Lambda_inv_0_7_p38, Lambda_inv_0_8_p42, -(0.086 * Lambda_inv_0_11_p1),
+      -(0.086 * Lambda_inv_0_11_p1), -(0.086 * Lambda_inv_0_11_p1), -(0.086 * Lambda_inv_0_11_p1)) -
+      Lambda_inv_0_8_p52_lanes;
+  const Lanes<8> Lambda_inv_0_8_p54_lanes = c20 * Lambda_inv_0_8_p53_lanes;
+  const Lanes<8> Lambda_inv_0_8_p55_lanes = Lambda_inv_0_8_p51_lanes + Lambda_inv_0_8_p54_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_0_2_p35_lanes = Lambda_inv_0_0_p11_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[2], Lambda_inv_0_8_p55_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p36_lanes = Lambda_inv_0_2_p34_lanes - Lambda_inv_0_2_p35_lanes;
+  const Lanes<2> Lambda_inv_0_2_p37_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_2_p36_lanes;
+  const Lanes<2> Lambda_inv_0_2_p38_lanes = Lambda_inv_0_0_p35_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[2], Lambda_inv_0_8_p55_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p39_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[2],
+      Lambda_inv_0_11_p1) - Lambda_inv_0_2_p38_lanes;
+  const Lanes<2> Lambda_inv_0_2_p40_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_2_p39_lanes;
+  const Lanes<2> Lambda_inv_0_2_p41_lanes = Lambda_inv_0_2_p37_lanes - Lambda_inv_0_2_p40_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1125_lanes = 0.269 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1104_lanes[0], Lambda_inv_0_1_p62_lanes[0],
+      Lambda_inv_0_2_p41_lanes[0], Lambda_inv_0_3_p80_lanes[3], Lambda_inv_0_3_p80_lanes[4],
+      Lambda_inv_0_3_p80_lanes[5], Lambda_inv_0_0_p1104_lanes[0], Lambda_inv_0_0_p1104_lanes[0]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1126_lanes = inverse_D10_p8_lanes[0] *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
+      Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
+      Lambda_inv_0_0_p1121);
+  const Lanes<8> Lambda_inv_0_0_p1127_lanes = Lambda_inv_0_0_p1125_lanes -
+      Lambda_inv_0_0_p1126_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1128_lanes = s11 * Lambda_inv_0_0_p1127_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1129_lanes = Lambda_inv_0_0_p1124_lanes -
+      Lambda_inv_0_0_p1128_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1130_lanes = s11 * Lambda_inv_0_0_p1123_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1131_lanes = c11 * Lambda_inv_0_0_p1127_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1132_lanes = Lambda_inv_0_0_p1130_lanes +
+      Lambda_inv_0_0_p1131_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1133_lanes = Lambda_inv_0_0_p231_lanes[0] *
+      Lambda_inv_0_0_p1132_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1134_lanes = Lambda_inv_0_0_p1129_lanes -
+      Lambda_inv_0_0_p1133_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1135_lanes = c10 * Lambda_inv_0_0_p1134_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1136_lanes = Lambda_inv_0_0_p221_lanes[0] *
+      Lambda_inv_0_0_p1132_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1137_lanes = s10 * Lambda_inv_0_0_p1136_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1138_lanes = Lambda_inv_0_0_p1135_lanes +
+      Lambda_inv_0_0_p1137_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1139_lanes = Lambda_inv_0_0_p191_lanes[0] *
+      Lambda_inv_0_0_p1132_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1140_lanes = Lambda_inv_0_0_p55_lanes[0] *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
+      Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
+      Lambda_inv_0_0_p1121);
+  const Lanes<8> Lambda_inv_0_0_p1141_lanes =
+      detail::make_lanes<Real>(-Lambda_inv_0_0_p1104_lanes[0], -Lambda_inv_0_1_p62_lanes[0],
+      -Lambda_inv_0_2_p41_lanes[0], -Lambda_inv_0_3_p80_lanes[3], -Lambda_inv_0_3_p80_lanes[4],
+      -Lambda_inv_0_3_p80_lanes[5], -Lambda_inv_0_0_p1104_lanes[0],
+      -Lambda_inv_0_0_p1104_lanes[0]) + Lambda_inv_0_0_p1140_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1142_lanes = s11 * Lambda_inv_0_0_p1141_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1143_lanes = Lambda_inv_0_0_p119_lanes[0] *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
+      Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
+      Lambda_inv_0_0_p1121);
+  const Lanes<8> Lambda_inv_0_0_p1144_lanes = Lambda_inv_0_0_p1118_lanes -
+      Lambda_inv_0_0_p1143_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1145_lanes = c11 * Lambda_inv_0_0_p1144_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1146_lanes = Lambda_inv_0_0_p1142_lanes +
+      Lambda_inv_0_0_p1145_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1147_lanes = Lambda_inv_0_0_p1146_lanes -
+      Lambda_inv_0_0_p1139_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1148_lanes = 0.282 * Lambda_inv_0_0_p1147_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1149_lanes = Lambda_inv_0_0_p1138_lanes +
+      Lambda_inv_0_0_p1148_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1150_lanes = s10 * Lambda_inv_0_0_p1134_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1151_lanes = c10 * Lambda_inv_0_0_p1136_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1152_lanes = Lambda_inv_0_0_p1151_lanes -
+      Lambda_inv_0_0_p1150_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1153_lanes = Lambda_inv_0_0_p259_lanes[0] *
+      Lambda_inv_0_0_p1152_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1154_lanes = Lambda_inv_0_0_p1149_lanes -
+      Lambda_inv_0_0_p1153_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1155_lanes = s9 * Lambda_inv_0_0_p1154_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1156_lanes = Lambda_inv_0_0_p363_lanes[0] *
+      Lambda_inv_0_0_p1132_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_9_p8_lanes = Lambda_inv_0_0_p35_lanes[1] * Lambda_inv_0_8_p55_lanes;
+  const Lanes<8> Lambda_inv_0_9_p9_lanes = s19 * Lambda_inv_0_9_p8_lanes;
+  const Lanes<8> Lambda_inv_0_9_p10_lanes = Lambda_inv_0_0_p11_lanes[1] * Lambda_inv_0_8_p55_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_inv_0_9_p11_lanes = 3.0523172236718206 *
+      detail::make_lanes<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
+      Lambda_inv_0_6_p43);
+  const Lanes<8> Lambda_inv_0_9_p12_lanes = c20 * Lambda_inv_0_9_p11_lanes;
+  const Lanes<8> Lambda_inv_0_9_p13_lanes = 17.32841575379867 *
+      detail::make_lanes<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
+      Lambda_inv_0_6_p43);
+  const Lanes<8> Lambda_inv_0_9_p14_lanes = s20 * Lambda_inv_0_9_p13_lanes;
+  const Lanes<8> Lambda_inv_0_9_p15_lanes = Lambda_inv_0_9_p12_lanes + Lambda_inv_0_9_p14_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_9_p16_lanes = Lambda_inv_0_9_p15_lanes - Lambda_inv_0_9_p10_lanes;
+  const Lanes<8> Lambda_inv_0_9_p17_lanes = c19 * Lambda_inv_0_9_p16_lanes;
+  const Lanes<8> Lambda_inv_0_9_p18_lanes = Lambda_inv_0_9_p9_lanes - Lambda_inv_0_9_p17_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_inv_0_8_p63_lanes = c20 * detail::make_lanes<Real>(Lambda_inv_0_8_p50,
+      Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
+      Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50);
+  const Lanes<8> Lambda_inv_0_8_p64_lanes = s20 * Lambda_inv_0_8_p53_lanes;
+  const Lanes<8> Lambda_inv_0_8_p65_lanes = Lambda_inv_0_8_p63_lanes - Lambda_inv_0_8_p64_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p66_lanes = inverse_D11_p1_lanes[1] * Lambda_inv_0_8_p55_lanes;
+  const Lanes<8> Lambda_inv_0_8_p67_lanes = Lambda_inv_0_8_p65_lanes - Lambda_inv_0_8_p66_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_11_p25 = -(c19 * Lambda_inv_0_8_p67_lanes[3]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_0_5_p118_lanes = Lambda_inv_0_0_p337_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_5_p76, Lambda_inv_0_11_p25);
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_3_p113_lanes = s12 * Lambda_inv_0_3_p75_lanes;
+  const Lanes<8> Lambda_inv_0_3_p114_lanes = c12 * Lambda_inv_0_3_p78_lanes;
+  const Lanes<8> Lambda_inv_0_3_p115_lanes = Lambda_inv_0_3_p113_lanes - Lambda_inv_0_3_p114_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_0_5_p122_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p115_lanes[5],
+      Lambda_inv_0_9_p18_lanes[3]) - Lambda_inv_0_5_p118_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_10_p24 = -(c19 * Lambda_inv_0_8_p67_lanes[2]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_0_4_p74_lanes = Lambda_inv_0_0_p337_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_4_p29, Lambda_inv_0_10_p24);
+  const Lanes<2> Lambda_inv_0_4_p75_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p115_lanes[4],
+      Lambda_inv_0_9_p18_lanes[2]) - Lambda_inv_0_4_p74_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_9_p24 = -(c19 * Lambda_inv_0_8_p67_lanes[1]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_0_3_p116_lanes = Lambda_inv_0_0_p337_lanes *
+      detail::make_lanes<Real>(Lambda_inv_0_3_p71, Lambda_inv_0_9_p24);
+  const Lanes<2> Lambda_inv_0_3_p117_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p115_lanes[3],
+      Lambda_inv_0_9_p18_lanes[1]) - Lambda_inv_0_3_p116_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_0_2_p74_lanes = detail::make_lanes<Real>(c12, c19) *
+      Lambda_inv_0_2_p36_lanes;
+  const Lanes<2> Lambda_inv_0_2_p75_lanes = detail::make_lanes<Real>(s12, s19) *
+      Lambda_inv_0_2_p39_lanes;
+  const Lanes<2> Lambda_inv_0_2_p76_lanes = Lambda_inv_0_2_p75_lanes + Lambda_inv_0_2_p74_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1157_lanes =
+      detail::make_lanes<Real>(-(-Lambda_inv_0_0_p1107_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
+      Lambda_inv_0_0_p1121), -(-Lambda_inv_0_1_p65_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
+      Lambda_inv_0_1_p79), -(-Lambda_inv_0_2_p76_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
+      Lambda_inv_0_2_p28), -Lambda_inv_0_3_p117_lanes[0], -Lambda_inv_0_4_p75_lanes[0],
+      -Lambda_inv_0_5_p122_lanes[0], -(-Lambda_inv_0_0_p1107_lanes[0] -
+      Lambda_inv_0_0_p337_lanes[0] * Lambda_inv_0_0_p1121),
+      -(-Lambda_inv_0_0_p1107_lanes[0] - Lambda_inv_0_0_p337_lanes[0] * Lambda_inv_0_0_p1121)) -
+      Lambda_inv_0_0_p1156_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1158_lanes = s10 * Lambda_inv_0_0_p1157_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1159_lanes = Lambda_inv_0_0_p317_lanes[0] *
+      Lambda_inv_0_0_p1132_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1160_lanes = c11 * Lambda_inv_0_0_p1141_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1161_lanes = s11 * Lambda_inv_0_0_p1144_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1162_lanes = Lambda_inv_0_0_p1160_lanes -
+      Lambda_inv_0_0_p1161_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1163_lanes = Lambda_inv_0_0_p1162_lanes -
+      Lambda_inv_0_0_p1159_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1164_lanes = c10 * Lambda_inv_0_0_p1163_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1165_lanes = Lambda_inv_0_0_p1158_lanes -
+      Lambda_inv_0_0_p1164_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1166_lanes = 0.282 * Lambda_inv_0_0_p1165_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1167_lanes = Lambda_inv_0_0_p401_lanes[0] *
+      Lambda_inv_0_0_p1152_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1168_lanes = Lambda_inv_0_0_p1166_lanes -
+      Lambda_inv_0_0_p1167_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1169_lanes = c9 * Lambda_inv_0_0_p1168_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1170_lanes = Lambda_inv_0_0_p1155_lanes +
+      Lambda_inv_0_0_p1169_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1171_lanes = c9 * Lambda_inv_0_0_p1154_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1172_lanes = s9 * Lambda_inv_0_0_p1168_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1173_lanes = Lambda_inv_0_0_p1171_lanes -
+      Lambda_inv_0_0_p1172_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p652_lanes = s8 * Lambda_inv_0_0_p636_lanes;
-  const Lanes Lambda_inv_0_0_p653_lanes = c8 * Lambda_inv_0_0_p642_lanes;
-  const Lanes Lambda_inv_0_0_p654_lanes = Lambda_inv_0_0_p652_lanes + Lambda_inv_0_0_p653_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1174_lanes = inverse_D7_p1_lanes[0] * Lambda_inv_0_0_p1173_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1175_lanes = Lambda_inv_0_0_p1170_lanes -
+      Lambda_inv_0_0_p1174_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1176_lanes = c8 * Lambda_inv_0_0_p1175_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1177_lanes = Lambda_inv_0_0_p1082_lanes[0] *
+      Lambda_inv_0_0_p1173_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1178_lanes = s8 * Lambda_inv_0_0_p1177_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1179_lanes = Lambda_inv_0_0_p1178_lanes +
+      Lambda_inv_0_0_p1176_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p655_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p654_lanes[0],
-      Lambda_inv_0_0_p654_lanes[1], Lambda_inv_0_0_p654_lanes[2], Lambda_inv_0_0_p654_lanes[3],
-      Lambda_inv_0_0_p654_lanes[4], Lambda_inv_0_0_p654_lanes[5], s15 * Lambda_inv_0_6_p61 + c15 *
-      Lambda_inv_0_6_p60, s15 * Lambda_inv_0_7_p55 + c15 * Lambda_inv_0_7_p56) -
-      Lambda_inv_0_0_p651_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1180_lanes =
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0],
+      Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0],
+      Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[1], Lambda_inv_0_0_p1081_lanes[1]) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0], Lambda_inv_0_0_p1179_lanes[1],
+      Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3], Lambda_inv_0_0_p1179_lanes[4],
+      Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76, Lambda_inv_0_7_p76);
+  const Lanes<2> Lambda_inv_0_1_p139_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[1], Lambda_inv_0_0_p1180_lanes[7]);
+  const Lanes<8> Lambda_inv_0_0_p1181_lanes = detail::make_lanes<Real>(inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1],
+      inverse_D6_p5_lanes[1]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0],
+      Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
+      Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
+      Lambda_inv_0_7_p76);
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p656_lanes = s8 * Lambda_inv_0_0_p616_lanes;
-  const Lanes Lambda_inv_0_0_p657_lanes = c8 * Lambda_inv_0_0_p619_lanes;
-  const Lanes Lambda_inv_0_0_p658_lanes = Lambda_inv_0_0_p657_lanes - Lambda_inv_0_0_p656_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1182_lanes = s8 * Lambda_inv_0_0_p1175_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1183_lanes = c8 * Lambda_inv_0_0_p1177_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1184_lanes = Lambda_inv_0_0_p1183_lanes -
+      Lambda_inv_0_0_p1182_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p659_lanes = inverse_D6_p6 * Lambda_inv_0_0_p621_lanes;
-  const Lanes Lambda_inv_0_0_p660_lanes = Lambda_inv_0_0_p658_lanes - Lambda_inv_0_0_p659_lanes;
-  const Lanes Lambda_inv_0_0_p661_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, 0.226,
-      0.226) * detail::make_lanes<Real>(Lambda_inv_0_0_p660_lanes[0], Lambda_inv_0_0_p660_lanes[1],
-      Lambda_inv_0_0_p660_lanes[2], Lambda_inv_0_0_p660_lanes[3], Lambda_inv_0_0_p660_lanes[4],
-      Lambda_inv_0_0_p660_lanes[5], Lambda_inv_0_0_p655_lanes[6], Lambda_inv_0_0_p655_lanes[7]);
-  const Lanes Lambda_inv_0_0_p662_lanes = Lambda_inv_0_0_p650_lanes - Lambda_inv_0_0_p661_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1185_lanes =
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1184_lanes[0], Lambda_inv_0_0_p1184_lanes[1],
+      Lambda_inv_0_0_p1184_lanes[2], Lambda_inv_0_0_p1184_lanes[3], Lambda_inv_0_0_p1184_lanes[4],
+      Lambda_inv_0_0_p1184_lanes[5], c15 * Lambda_inv_0_6_p75 - s15 * Lambda_inv_0_6_p74, c15 *
+      Lambda_inv_0_7_p74 - s15 * Lambda_inv_0_7_p75) - Lambda_inv_0_0_p1181_lanes;
+  const Lanes<2> Lambda_inv_0_1_p145_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[1], Lambda_inv_0_0_p1185_lanes[7]);
+  const Lanes<2> Lambda_inv_0_1_p146_lanes = Lambda_inv_0_1_p139_lanes + Lambda_inv_0_1_p145_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1186_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p679_lanes[0],
+      Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0],
+      Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[1],
+      Lambda_inv_0_0_p679_lanes[1]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0],
+      Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
+      Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
+      Lambda_inv_0_7_p76);
 
-  // link 14 (right_shoulder1), articulated inertia
-  const Real Lambda_inv_0_7_p65 = 2.6249999999999998e-05 / inverse_D14_p8;
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_inv_0_7_p84 = -Lambda_inv_0_7_p71 + Lambda_inv_0_0_p569_lanes[1] *
+      Lambda_inv_0_7_p64;
+  const Real Lambda_inv_0_7_p85 = Lambda_inv_0_7_p63 - Lambda_inv_0_0_p577_lanes[1] *
+      Lambda_inv_0_7_p64;
+  const Real Lambda_inv_0_6_p81 = -Lambda_inv_0_6_p71 + Lambda_inv_0_0_p569_lanes[1] *
+      Lambda_inv_0_6_p64;
+  const Real Lambda_inv_0_6_p82 = Lambda_inv_0_6_p63 - Lambda_inv_0_0_p577_lanes[1] *
+      Lambda_inv_0_6_p64;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1187_lanes = Lambda_inv_0_0_p657_lanes[0] *
+      Lambda_inv_0_0_p1173_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1188_lanes = Lambda_inv_0_0_p569_lanes[0] *
+      Lambda_inv_0_0_p1152_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1189_lanes =
+      detail::make_lanes<Real>(-Lambda_inv_0_0_p1165_lanes[0], -Lambda_inv_0_0_p1165_lanes[1],
+      -Lambda_inv_0_0_p1165_lanes[2], -Lambda_inv_0_0_p1165_lanes[3],
+      -Lambda_inv_0_0_p1165_lanes[4], -Lambda_inv_0_0_p1165_lanes[5],
+      -Lambda_inv_0_0_p1165_lanes[0], -Lambda_inv_0_0_p1165_lanes[0]) + Lambda_inv_0_0_p1188_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1190_lanes = c9 * Lambda_inv_0_0_p1189_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1191_lanes = Lambda_inv_0_0_p577_lanes[0] *
+      Lambda_inv_0_0_p1152_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1192_lanes = Lambda_inv_0_0_p1147_lanes -
+      Lambda_inv_0_0_p1191_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1193_lanes = s9 * Lambda_inv_0_0_p1192_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1194_lanes = Lambda_inv_0_0_p1190_lanes -
+      Lambda_inv_0_0_p1193_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1195_lanes = Lambda_inv_0_0_p1194_lanes -
+      Lambda_inv_0_0_p1187_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1196_lanes =
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1195_lanes[0], Lambda_inv_0_0_p1195_lanes[1],
+      Lambda_inv_0_0_p1195_lanes[2], Lambda_inv_0_0_p1195_lanes[3], Lambda_inv_0_0_p1195_lanes[4],
+      Lambda_inv_0_0_p1195_lanes[5], c16 * Lambda_inv_0_6_p81 - s16 * Lambda_inv_0_6_p82 -
+      Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_6_p73, c16 * Lambda_inv_0_7_p84 - s16 *
+      Lambda_inv_0_7_p85 - Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_7_p73) -
+      Lambda_inv_0_0_p1186_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1197_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_inv_0_0_p1196_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1198_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p639_lanes[0],
+      Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0],
+      Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[1],
+      Lambda_inv_0_0_p639_lanes[1]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0],
+      Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
+      Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
+      Lambda_inv_0_7_p76);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_inv_0_1_p160_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[1], Lambda_inv_0_7_p66);
+  const Lanes<2> Lambda_inv_0_1_p161_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[1], Lambda_inv_0_7_p70);
+  const Lanes<2> Lambda_inv_0_1_p162_lanes = Lambda_inv_0_1_p160_lanes + Lambda_inv_0_1_p161_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_inv_0_7_p92 = -(-Lambda_inv_0_1_p162_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
+      Lambda_inv_0_7_p64) + Lambda_inv_0_0_p555_lanes[1] * Lambda_inv_0_7_p73;
+  const Real Lambda_inv_0_7_p93 = s16 * Lambda_inv_0_7_p84 + c16 * Lambda_inv_0_7_p85 -
+      Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_7_p73;
+  const Real Lambda_inv_0_6_p86 = s16 * Lambda_inv_0_6_p81 + c16 * Lambda_inv_0_6_p82 -
+      Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_6_p73;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_inv_0_0_p1199_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[0], Lambda_inv_0_6_p66);
+  const Lanes<2> Lambda_inv_0_0_p1200_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[0], Lambda_inv_0_6_p70);
+  const Lanes<2> Lambda_inv_0_0_p1201_lanes = Lambda_inv_0_0_p1199_lanes +
+      Lambda_inv_0_0_p1200_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_inv_0_6_p90 = -(-Lambda_inv_0_0_p1201_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
+      Lambda_inv_0_6_p64) + Lambda_inv_0_0_p555_lanes[1] * Lambda_inv_0_6_p73;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1202_lanes = Lambda_inv_0_0_p555_lanes[0] *
+      Lambda_inv_0_0_p1173_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p71_lanes = s19 * Lambda_inv_0_8_p67_lanes;
+  const Lanes<8> Lambda_inv_0_8_p72_lanes = Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_8_p55_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_inv_0_9_p29_lanes = s20 * Lambda_inv_0_9_p11_lanes;
+  const Lanes<8> Lambda_inv_0_9_p30_lanes = c20 * Lambda_inv_0_9_p13_lanes;
+  const Lanes<8> Lambda_inv_0_9_p31_lanes = Lambda_inv_0_9_p29_lanes - Lambda_inv_0_9_p30_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p73_lanes = detail::make_lanes<Real>(Lambda_inv_0_2_p24_lanes[1],
+      Lambda_inv_0_9_p31_lanes[1], Lambda_inv_0_9_p31_lanes[2], Lambda_inv_0_9_p31_lanes[3],
+      Lambda_inv_0_2_p24_lanes[1], Lambda_inv_0_2_p24_lanes[1], Lambda_inv_0_2_p24_lanes[1],
+      Lambda_inv_0_2_p24_lanes[1]) - Lambda_inv_0_8_p72_lanes;
+  const Lanes<8> Lambda_inv_0_8_p74_lanes = 0.269 * Lambda_inv_0_8_p73_lanes;
+  const Lanes<8> Lambda_inv_0_8_p75_lanes = Lambda_inv_0_8_p74_lanes - Lambda_inv_0_8_p71_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_8_p76 = -(c19 * Lambda_inv_0_8_p67_lanes[0]);
+  const Lanes<8> Lambda_inv_0_8_p77_lanes = inverse_D10_p1_lanes[1] *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
+      Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
+      Lambda_inv_0_8_p76);
+  const Lanes<8> Lambda_inv_0_8_p78_lanes = Lambda_inv_0_8_p75_lanes - Lambda_inv_0_8_p77_lanes;
+  const Lanes<8> Lambda_inv_0_8_p79_lanes = s18 * Lambda_inv_0_8_p78_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_9_p38_lanes = c19 * Lambda_inv_0_9_p8_lanes;
+  const Lanes<8> Lambda_inv_0_9_p39_lanes = s19 * Lambda_inv_0_9_p16_lanes;
+  const Lanes<8> Lambda_inv_0_9_p40_lanes = Lambda_inv_0_9_p38_lanes + Lambda_inv_0_9_p39_lanes;
+  const Lanes<8> Lambda_inv_0_8_p80_lanes = 0.269 *
+      detail::make_lanes<Real>(Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_9_p40_lanes[1],
+      Lambda_inv_0_9_p40_lanes[2], Lambda_inv_0_9_p40_lanes[3], Lambda_inv_0_2_p41_lanes[1],
+      Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_2_p41_lanes[1]);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p81_lanes = inverse_D10_p8_lanes[1] *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
+      Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
+      Lambda_inv_0_8_p76);
+  const Lanes<8> Lambda_inv_0_8_p82_lanes = Lambda_inv_0_8_p80_lanes - Lambda_inv_0_8_p81_lanes;
+  const Lanes<8> Lambda_inv_0_8_p83_lanes = c18 * Lambda_inv_0_8_p82_lanes;
+  const Lanes<8> Lambda_inv_0_8_p84_lanes = Lambda_inv_0_8_p79_lanes + Lambda_inv_0_8_p83_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p85_lanes = Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_8_p84_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p86_lanes = Lambda_inv_0_0_p55_lanes[1] *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
+      Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
+      Lambda_inv_0_8_p76);
+  const Lanes<8> Lambda_inv_0_8_p87_lanes = detail::make_lanes<Real>(-Lambda_inv_0_2_p41_lanes[1],
+      -Lambda_inv_0_9_p40_lanes[1], -Lambda_inv_0_9_p40_lanes[2], -Lambda_inv_0_9_p40_lanes[3],
+      -Lambda_inv_0_2_p41_lanes[1], -Lambda_inv_0_2_p41_lanes[1], -Lambda_inv_0_2_p41_lanes[1],
+      -Lambda_inv_0_2_p41_lanes[1]) + Lambda_inv_0_8_p86_lanes;
+  const Lanes<8> Lambda_inv_0_8_p88_lanes = c18 * Lambda_inv_0_8_p87_lanes;
+  const Lanes<8> Lambda_inv_0_8_p89_lanes = Lambda_inv_0_0_p119_lanes[1] *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
+      Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
+      Lambda_inv_0_8_p76);
+  const Lanes<8> Lambda_inv_0_8_p90_lanes = Lambda_inv_0_8_p73_lanes - Lambda_inv_0_8_p89_lanes;
+  const Lanes<8> Lambda_inv_0_8_p91_lanes = s18 * Lambda_inv_0_8_p90_lanes;
+  const Lanes<8> Lambda_inv_0_8_p92_lanes = Lambda_inv_0_8_p88_lanes - Lambda_inv_0_8_p91_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p93_lanes = Lambda_inv_0_8_p92_lanes - Lambda_inv_0_8_p85_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_inv_0_5_p166_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[5], Lambda_inv_0_8_p93_lanes[3]);
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p94_lanes = Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_8_p84_lanes;
+  const Lanes<8> Lambda_inv_0_8_p95_lanes =
+      detail::make_lanes<Real>(-(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_8_p76), -Lambda_inv_0_3_p117_lanes[1], -Lambda_inv_0_4_p75_lanes[1],
+      -Lambda_inv_0_5_p122_lanes[1], -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_8_p76), -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_8_p76), -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_8_p76), -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_8_p76)) - Lambda_inv_0_8_p94_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_inv_0_5_p167_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[5], Lambda_inv_0_8_p95_lanes[3]);
+  const Lanes<2> Lambda_inv_0_5_p168_lanes = Lambda_inv_0_5_p166_lanes + Lambda_inv_0_5_p167_lanes;
+  const Lanes<2> Lambda_inv_0_4_p119_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[4], Lambda_inv_0_8_p93_lanes[2]);
+  const Lanes<2> Lambda_inv_0_4_p120_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[4], Lambda_inv_0_8_p95_lanes[2]);
+  const Lanes<2> Lambda_inv_0_4_p121_lanes = Lambda_inv_0_4_p119_lanes + Lambda_inv_0_4_p120_lanes;
+  const Lanes<2> Lambda_inv_0_3_p161_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[3], Lambda_inv_0_8_p93_lanes[1]);
+  const Lanes<2> Lambda_inv_0_3_p162_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[3], Lambda_inv_0_8_p95_lanes[1]);
+  const Lanes<2> Lambda_inv_0_3_p163_lanes = Lambda_inv_0_3_p161_lanes + Lambda_inv_0_3_p162_lanes;
+  const Lanes<2> Lambda_inv_0_2_p120_lanes = detail::make_lanes<Real>(s10, s17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[2], Lambda_inv_0_8_p93_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p121_lanes = detail::make_lanes<Real>(c10, c17) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[2], Lambda_inv_0_8_p95_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p122_lanes = Lambda_inv_0_2_p120_lanes + Lambda_inv_0_2_p121_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1203_lanes =
+      detail::make_lanes<Real>(-(-Lambda_inv_0_0_p1201_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
+      Lambda_inv_0_0_p1152_lanes[0]), -(-Lambda_inv_0_1_p162_lanes[0] +
+      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[1]),
+      -(-Lambda_inv_0_2_p122_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
+      Lambda_inv_0_0_p1152_lanes[2]), -(-Lambda_inv_0_3_p163_lanes[0] +
+      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[3]),
+      -(-Lambda_inv_0_4_p121_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
+      Lambda_inv_0_0_p1152_lanes[4]), -(-Lambda_inv_0_5_p168_lanes[0] +
+      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[5]),
+      -(-Lambda_inv_0_0_p1201_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
+      Lambda_inv_0_0_p1152_lanes[0]), -(-Lambda_inv_0_0_p1201_lanes[0] +
+      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[0])) + Lambda_inv_0_0_p1202_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1204_lanes = c8 * Lambda_inv_0_0_p1203_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1205_lanes = Lambda_inv_0_0_p609_lanes[0] *
+      Lambda_inv_0_0_p1173_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1206_lanes = s9 * Lambda_inv_0_0_p1189_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1207_lanes = c9 * Lambda_inv_0_0_p1192_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1208_lanes = Lambda_inv_0_0_p1206_lanes +
+      Lambda_inv_0_0_p1207_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1209_lanes = Lambda_inv_0_0_p1208_lanes -
+      Lambda_inv_0_0_p1205_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1210_lanes = s8 * Lambda_inv_0_0_p1209_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1211_lanes = Lambda_inv_0_0_p1204_lanes -
+      Lambda_inv_0_0_p1210_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1212_lanes =
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1211_lanes[0], Lambda_inv_0_0_p1211_lanes[1],
+      Lambda_inv_0_0_p1211_lanes[2], Lambda_inv_0_0_p1211_lanes[3], Lambda_inv_0_0_p1211_lanes[4],
+      Lambda_inv_0_0_p1211_lanes[5], c15 * Lambda_inv_0_6_p90 - s15 * Lambda_inv_0_6_p86, c15 *
+      Lambda_inv_0_7_p92 - s15 * Lambda_inv_0_7_p93) - Lambda_inv_0_0_p1198_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1213_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_inv_0_0_p1212_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1214_lanes = Lambda_inv_0_0_p1197_lanes +
+      Lambda_inv_0_0_p1213_lanes;
+  const Lanes<2> Lambda_inv_0_1_p176_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[1], Lambda_inv_0_0_p1214_lanes[7]);
+  const Lanes<8> Lambda_inv_0_0_p1215_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p837_lanes[0],
+      Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0],
+      Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[1],
+      Lambda_inv_0_0_p837_lanes[1]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0],
+      Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
+      Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
+      Lambda_inv_0_7_p76);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1216_lanes = s8 * Lambda_inv_0_0_p1203_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1217_lanes = c8 * Lambda_inv_0_0_p1209_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1218_lanes = Lambda_inv_0_0_p1216_lanes +
+      Lambda_inv_0_0_p1217_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1219_lanes =
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1218_lanes[0], Lambda_inv_0_0_p1218_lanes[1],
+      Lambda_inv_0_0_p1218_lanes[2], Lambda_inv_0_0_p1218_lanes[3], Lambda_inv_0_0_p1218_lanes[4],
+      Lambda_inv_0_0_p1218_lanes[5], s15 * Lambda_inv_0_6_p90 + c15 * Lambda_inv_0_6_p86, s15 *
+      Lambda_inv_0_7_p92 + c15 * Lambda_inv_0_7_p93) - Lambda_inv_0_0_p1215_lanes;
+  const Lanes<2> Lambda_inv_0_1_p182_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[1], Lambda_inv_0_0_p1219_lanes[7]);
+  const Lanes<2> Lambda_inv_0_1_p183_lanes = Lambda_inv_0_1_p182_lanes + Lambda_inv_0_1_p176_lanes;
+  const Lanes<2> Lambda_inv_0_1_p184_lanes = Lambda_inv_0_1_p146_lanes + Lambda_inv_0_1_p183_lanes;
+
+  // link 6 (chest3), force propagation
+  const Real Lambda_inv_0_7_p103 = -Lambda_inv_0_1_p184_lanes[1];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_inv_0_0_p1220_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[0], Lambda_inv_0_0_p1214_lanes[6]);
+  const Lanes<2> Lambda_inv_0_0_p1221_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[0], Lambda_inv_0_0_p1219_lanes[6]);
+  const Lanes<2> Lambda_inv_0_0_p1222_lanes = Lambda_inv_0_0_p1221_lanes +
+      Lambda_inv_0_0_p1220_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1223_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[0], Lambda_inv_0_0_p1185_lanes[6]);
+  const Lanes<2> Lambda_inv_0_0_p1224_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[0], Lambda_inv_0_0_p1180_lanes[6]);
+  const Lanes<2> Lambda_inv_0_0_p1225_lanes = Lambda_inv_0_0_p1224_lanes +
+      Lambda_inv_0_0_p1223_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1226_lanes = Lambda_inv_0_0_p1225_lanes +
+      Lambda_inv_0_0_p1222_lanes;
+
+  // link 6 (chest3), force propagation
+  const Real Lambda_inv_0_6_p103 = -Lambda_inv_0_0_p1226_lanes[1];
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p99_lanes = c18 * Lambda_inv_0_8_p78_lanes;
+  const Lanes<8> Lambda_inv_0_8_p100_lanes = s18 * Lambda_inv_0_8_p82_lanes;
+  const Lanes<8> Lambda_inv_0_8_p101_lanes = Lambda_inv_0_8_p99_lanes - Lambda_inv_0_8_p100_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p102_lanes = Lambda_inv_0_0_p231_lanes[1] *
+      Lambda_inv_0_8_p84_lanes;
+  const Lanes<8> Lambda_inv_0_8_p103_lanes = Lambda_inv_0_8_p101_lanes - Lambda_inv_0_8_p102_lanes;
+  const Lanes<8> Lambda_inv_0_8_p104_lanes = c17 * Lambda_inv_0_8_p103_lanes;
+  const Lanes<8> Lambda_inv_0_8_p105_lanes = Lambda_inv_0_0_p221_lanes[1] *
+      Lambda_inv_0_8_p84_lanes;
+  const Lanes<8> Lambda_inv_0_8_p106_lanes = s17 * Lambda_inv_0_8_p105_lanes;
+  const Lanes<8> Lambda_inv_0_8_p107_lanes = Lambda_inv_0_8_p104_lanes + Lambda_inv_0_8_p106_lanes;
+  const Lanes<8> Lambda_inv_0_8_p108_lanes = Lambda_inv_0_0_p191_lanes[1] *
+      Lambda_inv_0_8_p84_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p109_lanes = s18 * Lambda_inv_0_8_p87_lanes;
+  const Lanes<8> Lambda_inv_0_8_p110_lanes = c18 * Lambda_inv_0_8_p90_lanes;
+  const Lanes<8> Lambda_inv_0_8_p111_lanes = Lambda_inv_0_8_p109_lanes + Lambda_inv_0_8_p110_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p112_lanes = Lambda_inv_0_8_p111_lanes - Lambda_inv_0_8_p108_lanes;
+  const Lanes<8> Lambda_inv_0_8_p113_lanes = 0.282 * Lambda_inv_0_8_p112_lanes;
+  const Lanes<8> Lambda_inv_0_8_p114_lanes = Lambda_inv_0_8_p107_lanes + Lambda_inv_0_8_p113_lanes;
+  const Lanes<8> Lambda_inv_0_8_p115_lanes = s17 * Lambda_inv_0_8_p103_lanes;
+  const Lanes<8> Lambda_inv_0_8_p116_lanes = c17 * Lambda_inv_0_8_p105_lanes;
+  const Lanes<8> Lambda_inv_0_8_p117_lanes = Lambda_inv_0_8_p116_lanes - Lambda_inv_0_8_p115_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p118_lanes = Lambda_inv_0_0_p259_lanes[1] *
+      Lambda_inv_0_8_p117_lanes;
+  const Lanes<8> Lambda_inv_0_8_p119_lanes = Lambda_inv_0_8_p114_lanes - Lambda_inv_0_8_p118_lanes;
+  const Lanes<8> Lambda_inv_0_8_p120_lanes = c16 * Lambda_inv_0_8_p119_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p121_lanes = s17 * Lambda_inv_0_8_p95_lanes;
+  const Lanes<8> Lambda_inv_0_8_p122_lanes = c17 * Lambda_inv_0_8_p93_lanes;
+  const Lanes<8> Lambda_inv_0_8_p123_lanes = Lambda_inv_0_8_p121_lanes - Lambda_inv_0_8_p122_lanes;
+  const Lanes<8> Lambda_inv_0_8_p124_lanes = 0.282 * Lambda_inv_0_8_p123_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p125_lanes = Lambda_inv_0_0_p401_lanes[1] *
+      Lambda_inv_0_8_p117_lanes;
+  const Lanes<8> Lambda_inv_0_8_p126_lanes = Lambda_inv_0_8_p124_lanes - Lambda_inv_0_8_p125_lanes;
+  const Lanes<8> Lambda_inv_0_8_p127_lanes = s16 * Lambda_inv_0_8_p126_lanes;
+  const Lanes<8> Lambda_inv_0_8_p128_lanes = Lambda_inv_0_8_p120_lanes - Lambda_inv_0_8_p127_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p129_lanes = Lambda_inv_0_0_p555_lanes[1] *
+      Lambda_inv_0_8_p128_lanes;
+  const Lanes<8> Lambda_inv_0_8_p130_lanes =
+      detail::make_lanes<Real>(-(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
+      Lambda_inv_0_8_p117_lanes[0]), -(-Lambda_inv_0_3_p163_lanes[1] +
+      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[1]),
+      -(-Lambda_inv_0_4_p121_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
+      Lambda_inv_0_8_p117_lanes[2]), -(-Lambda_inv_0_5_p168_lanes[1] +
+      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[3]),
+      -(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
+      Lambda_inv_0_8_p117_lanes[0]), -(-Lambda_inv_0_2_p122_lanes[1] +
+      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[0]),
+      -(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
+      Lambda_inv_0_8_p117_lanes[0]), -(-Lambda_inv_0_2_p122_lanes[1] +
+      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[0])) + Lambda_inv_0_8_p129_lanes;
+  const Lanes<8> Lambda_inv_0_8_p131_lanes = s15 * Lambda_inv_0_8_p130_lanes;
+  const Lanes<8> Lambda_inv_0_8_p132_lanes = Lambda_inv_0_0_p609_lanes[1] *
+      Lambda_inv_0_8_p128_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p133_lanes = Lambda_inv_0_0_p569_lanes[1] *
+      Lambda_inv_0_8_p117_lanes;
+  const Lanes<8> Lambda_inv_0_8_p134_lanes = detail::make_lanes<Real>(-Lambda_inv_0_8_p123_lanes[0],
+      -Lambda_inv_0_8_p123_lanes[1], -Lambda_inv_0_8_p123_lanes[2], -Lambda_inv_0_8_p123_lanes[3],
+      -Lambda_inv_0_8_p123_lanes[0], -Lambda_inv_0_8_p123_lanes[0], -Lambda_inv_0_8_p123_lanes[0],
+      -Lambda_inv_0_8_p123_lanes[0]) + Lambda_inv_0_8_p133_lanes;
+  const Lanes<8> Lambda_inv_0_8_p135_lanes = s16 * Lambda_inv_0_8_p134_lanes;
+  const Lanes<8> Lambda_inv_0_8_p136_lanes = Lambda_inv_0_0_p577_lanes[1] *
+      Lambda_inv_0_8_p117_lanes;
+  const Lanes<8> Lambda_inv_0_8_p137_lanes = Lambda_inv_0_8_p112_lanes - Lambda_inv_0_8_p136_lanes;
+  const Lanes<8> Lambda_inv_0_8_p138_lanes = c16 * Lambda_inv_0_8_p137_lanes;
+  const Lanes<8> Lambda_inv_0_8_p139_lanes = Lambda_inv_0_8_p135_lanes + Lambda_inv_0_8_p138_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p140_lanes = Lambda_inv_0_8_p139_lanes - Lambda_inv_0_8_p132_lanes;
+  const Lanes<8> Lambda_inv_0_8_p141_lanes = c15 * Lambda_inv_0_8_p140_lanes;
+  const Lanes<8> Lambda_inv_0_8_p142_lanes = Lambda_inv_0_8_p131_lanes + Lambda_inv_0_8_p141_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p143_lanes = s16 * Lambda_inv_0_8_p119_lanes;
+  const Lanes<8> Lambda_inv_0_8_p144_lanes = c16 * Lambda_inv_0_8_p126_lanes;
+  const Lanes<8> Lambda_inv_0_8_p145_lanes = Lambda_inv_0_8_p143_lanes + Lambda_inv_0_8_p144_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p146_lanes = inverse_D7_p1_lanes[1] * Lambda_inv_0_8_p128_lanes;
+  const Lanes<8> Lambda_inv_0_8_p147_lanes = Lambda_inv_0_8_p145_lanes - Lambda_inv_0_8_p146_lanes;
+  const Lanes<8> Lambda_inv_0_8_p148_lanes = c15 * Lambda_inv_0_8_p147_lanes;
+  const Lanes<8> Lambda_inv_0_8_p149_lanes = Lambda_inv_0_0_p1082_lanes[1] *
+      Lambda_inv_0_8_p128_lanes;
+  const Lanes<8> Lambda_inv_0_8_p150_lanes = s15 * Lambda_inv_0_8_p149_lanes;
+  const Lanes<8> Lambda_inv_0_8_p151_lanes = Lambda_inv_0_8_p150_lanes + Lambda_inv_0_8_p148_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Real Lambda_inv_0_7_p66 = Lambda_inv_0_7_p65 * Lambda_inv_0_7_p48;
-  const Real Lambda_inv_0_6_p70 = Lambda_inv_0_7_p65 * Lambda_inv_0_6_p53;
+  const Lanes<8> Lambda_inv_0_8_p152_lanes = Lambda_inv_0_0_p837_lanes[1] *
+      Lambda_inv_0_8_p151_lanes;
+  const Lanes<8> Lambda_inv_0_8_p153_lanes = Lambda_inv_0_8_p142_lanes - Lambda_inv_0_8_p152_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p663_lanes = detail::make_lanes<Real>(0.226, 0.226, 0.226, 0.226,
-      0.226, 0.226, c14, c14) * detail::make_lanes<Real>(Lambda_inv_0_0_p655_lanes[0],
-      Lambda_inv_0_0_p655_lanes[1], Lambda_inv_0_0_p655_lanes[2], Lambda_inv_0_0_p655_lanes[3],
-      Lambda_inv_0_0_p655_lanes[4], Lambda_inv_0_0_p655_lanes[5], Lambda_inv_0_6_p70,
-      Lambda_inv_0_7_p66);
+  const Lanes<2> Lambda_inv_0_5_p186_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[5], Lambda_inv_0_8_p153_lanes[3]);
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p154_lanes = c15 * Lambda_inv_0_8_p130_lanes;
+  const Lanes<8> Lambda_inv_0_8_p155_lanes = s15 * Lambda_inv_0_8_p140_lanes;
+  const Lanes<8> Lambda_inv_0_8_p156_lanes = Lambda_inv_0_8_p154_lanes - Lambda_inv_0_8_p155_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Real Lambda_inv_0_7_p68 = c15 * Lambda_inv_0_7_p46 - s15 * Lambda_inv_0_7_p47 -
-      inverse_D6_p1 * Lambda_inv_0_7_p48;
-  const Real Lambda_inv_0_6_p72 = c15 * Lambda_inv_0_6_p52 - s15 * Lambda_inv_0_6_p51 -
-      inverse_D6_p1 * Lambda_inv_0_6_p53;
+  const Lanes<8> Lambda_inv_0_8_p157_lanes = Lambda_inv_0_0_p639_lanes[1] *
+      Lambda_inv_0_8_p151_lanes;
+  const Lanes<8> Lambda_inv_0_8_p158_lanes = Lambda_inv_0_8_p156_lanes - Lambda_inv_0_8_p157_lanes;
+  const Lanes<8> Lambda_inv_0_8_p159_lanes = c14 * Lambda_inv_0_8_p158_lanes;
+  const Lanes<8> Lambda_inv_0_8_p160_lanes = Lambda_inv_0_0_p679_lanes[1] *
+      Lambda_inv_0_8_p151_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p161_lanes = Lambda_inv_0_0_p657_lanes[1] *
+      Lambda_inv_0_8_p128_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p162_lanes = c16 * Lambda_inv_0_8_p134_lanes;
+  const Lanes<8> Lambda_inv_0_8_p163_lanes = s16 * Lambda_inv_0_8_p137_lanes;
+  const Lanes<8> Lambda_inv_0_8_p164_lanes = Lambda_inv_0_8_p162_lanes - Lambda_inv_0_8_p163_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p165_lanes = Lambda_inv_0_8_p164_lanes - Lambda_inv_0_8_p161_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p166_lanes = Lambda_inv_0_8_p165_lanes - Lambda_inv_0_8_p160_lanes;
+  const Lanes<8> Lambda_inv_0_8_p167_lanes = s14 * Lambda_inv_0_8_p166_lanes;
+  const Lanes<8> Lambda_inv_0_8_p168_lanes = Lambda_inv_0_8_p167_lanes + Lambda_inv_0_8_p159_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p664_lanes = detail::make_lanes<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
-      0.18, s14, s14) * detail::make_lanes<Real>(Lambda_inv_0_0_p647_lanes[0],
-      Lambda_inv_0_0_p647_lanes[1], Lambda_inv_0_0_p647_lanes[2], Lambda_inv_0_0_p647_lanes[3],
-      Lambda_inv_0_0_p647_lanes[4], Lambda_inv_0_0_p647_lanes[5], Lambda_inv_0_6_p72,
-      Lambda_inv_0_7_p68);
-  const Lanes Lambda_inv_0_0_p665_lanes = Lambda_inv_0_0_p663_lanes + Lambda_inv_0_0_p664_lanes;
-  const Lanes Lambda_inv_0_0_p666_lanes = Lambda_inv_0_0_p662_lanes - Lambda_inv_0_0_p665_lanes;
+  const Lanes<2> Lambda_inv_0_5_p187_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[5], Lambda_inv_0_8_p168_lanes[3]);
+  const Lanes<2> Lambda_inv_0_5_p188_lanes = Lambda_inv_0_5_p186_lanes + Lambda_inv_0_5_p187_lanes;
 
-  // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_0_p667_lanes = inverse_D5_p14 * Lambda_inv_0_0_p666_lanes;
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p169_lanes = s15 * Lambda_inv_0_8_p147_lanes;
+  const Lanes<8> Lambda_inv_0_8_p170_lanes = c15 * Lambda_inv_0_8_p149_lanes;
+  const Lanes<8> Lambda_inv_0_8_p171_lanes = Lambda_inv_0_8_p170_lanes - Lambda_inv_0_8_p169_lanes;
 
-  // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p668_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_inv_0_0_p632_lanes;
-  const Lanes Lambda_inv_0_0_p669_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_inv_0_0_p645_lanes;
-  const Lanes Lambda_inv_0_0_p670_lanes = Lambda_inv_0_0_p668_lanes - Lambda_inv_0_0_p669_lanes;
-  const Lanes Lambda_inv_0_0_p671_lanes = c7 * Lambda_inv_0_0_p660_lanes;
-  const Lanes Lambda_inv_0_0_p672_lanes = s7 * Lambda_inv_0_0_p649_lanes;
-  const Lanes Lambda_inv_0_0_p673_lanes = Lambda_inv_0_0_p672_lanes + Lambda_inv_0_0_p671_lanes;
-  const Lanes Lambda_inv_0_0_p674_lanes = 0.18 * Lambda_inv_0_0_p670_lanes;
-  const Lanes Lambda_inv_0_0_p675_lanes = Lambda_inv_0_0_p673_lanes + Lambda_inv_0_0_p674_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_0_p676_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p675_lanes[0],
-      Lambda_inv_0_0_p675_lanes[1], Lambda_inv_0_0_p675_lanes[2], Lambda_inv_0_0_p675_lanes[3],
-      Lambda_inv_0_0_p675_lanes[4], Lambda_inv_0_0_p675_lanes[5],
-      -(s14 * Lambda_inv_0_6_p70 - c14 * Lambda_inv_0_6_p72 + 0.18 * Lambda_inv_0_0_p670_lanes[6]),
-      -(s14 * Lambda_inv_0_7_p66 - c14 * Lambda_inv_0_7_p68 + 0.18 *
-      Lambda_inv_0_0_p670_lanes[7])) - Lambda_inv_0_0_p667_lanes;
-  const Lanes Lambda_inv_0_0_p677_lanes = s6 * Lambda_inv_0_0_p676_lanes;
-  const Lanes Lambda_inv_0_0_p678_lanes = inverse_D5_p16 * Lambda_inv_0_0_p666_lanes;
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p172_lanes = inverse_D6_p5_lanes[1] * Lambda_inv_0_8_p151_lanes;
+  const Lanes<8> Lambda_inv_0_8_p173_lanes = Lambda_inv_0_8_p171_lanes - Lambda_inv_0_8_p172_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p679_lanes = 0.226 * Lambda_inv_0_0_p670_lanes;
+  const Lanes<2> Lambda_inv_0_5_p189_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[5], Lambda_inv_0_8_p173_lanes[3]);
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p174_lanes = Lambda_inv_0_0_p1081_lanes[1] *
+      Lambda_inv_0_8_p151_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_inv_0_5_p190_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[5], Lambda_inv_0_8_p174_lanes[3]);
+  const Lanes<2> Lambda_inv_0_5_p191_lanes = Lambda_inv_0_5_p190_lanes + Lambda_inv_0_5_p189_lanes;
+  const Lanes<2> Lambda_inv_0_5_p192_lanes = Lambda_inv_0_5_p191_lanes + Lambda_inv_0_5_p188_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_0_p680_lanes = Lambda_inv_0_0_p679_lanes - Lambda_inv_0_0_p678_lanes;
-  const Lanes Lambda_inv_0_0_p681_lanes = c6 * Lambda_inv_0_0_p680_lanes;
-  const Lanes Lambda_inv_0_0_p682_lanes = Lambda_inv_0_0_p677_lanes + Lambda_inv_0_0_p681_lanes;
-  const Lanes Lambda_inv_0_0_p683_lanes = Lambda_inv_0_0_p450 * Lambda_inv_0_0_p666_lanes;
-  const Lanes Lambda_inv_0_0_p684_lanes = Lambda_inv_0_0_p670_lanes - Lambda_inv_0_0_p683_lanes;
-  const Lanes Lambda_inv_0_0_p685_lanes = 0.072 * Lambda_inv_0_0_p684_lanes;
-  const Lanes Lambda_inv_0_0_p686_lanes = Lambda_inv_0_0_p682_lanes + Lambda_inv_0_0_p685_lanes;
-  const Lanes Lambda_inv_0_0_p687_lanes = Lambda_inv_0_0_p410 * Lambda_inv_0_0_p666_lanes;
-  const Lanes Lambda_inv_0_0_p688_lanes = Lambda_inv_0_0_p647_lanes - Lambda_inv_0_0_p687_lanes;
-  const Lanes Lambda_inv_0_0_p689_lanes = s6 * Lambda_inv_0_0_p688_lanes;
-  const Lanes Lambda_inv_0_0_p690_lanes = Lambda_inv_0_0_p441 * Lambda_inv_0_0_p666_lanes;
-  const Lanes Lambda_inv_0_0_p691_lanes = Lambda_inv_0_0_p655_lanes - Lambda_inv_0_0_p690_lanes;
-  const Lanes Lambda_inv_0_0_p692_lanes = c6 * Lambda_inv_0_0_p691_lanes;
-  const Lanes Lambda_inv_0_0_p693_lanes = Lambda_inv_0_0_p689_lanes + Lambda_inv_0_0_p692_lanes;
+  const Real Lambda_inv_0_5_p193 = -Lambda_inv_0_5_p192_lanes[0];
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_7_p94 = -(0.072 * Lambda_inv_0_0_p693_lanes[7]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_0_p686_lanes[7];
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_inv_0_4_p139_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[4], Lambda_inv_0_8_p174_lanes[2]);
+  const Lanes<2> Lambda_inv_0_4_p140_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[4], Lambda_inv_0_8_p173_lanes[2]);
+  const Lanes<2> Lambda_inv_0_4_p141_lanes = Lambda_inv_0_4_p139_lanes + Lambda_inv_0_4_p140_lanes;
+  const Lanes<2> Lambda_inv_0_4_p142_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[4], Lambda_inv_0_8_p168_lanes[2]);
+  const Lanes<2> Lambda_inv_0_4_p143_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[4], Lambda_inv_0_8_p153_lanes[2]);
+  const Lanes<2> Lambda_inv_0_4_p144_lanes = Lambda_inv_0_4_p143_lanes + Lambda_inv_0_4_p142_lanes;
+  const Lanes<2> Lambda_inv_0_4_p145_lanes = Lambda_inv_0_4_p141_lanes + Lambda_inv_0_4_p144_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_0_p694_lanes = c6 * Lambda_inv_0_0_p676_lanes;
-  const Lanes Lambda_inv_0_0_p695_lanes = s6 * Lambda_inv_0_0_p680_lanes;
-  const Lanes Lambda_inv_0_0_p696_lanes = Lambda_inv_0_0_p694_lanes - Lambda_inv_0_0_p695_lanes;
+  const Real Lambda_inv_0_4_p146 = -Lambda_inv_0_4_p145_lanes[0];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_inv_0_3_p181_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[3], Lambda_inv_0_8_p153_lanes[1]);
+  const Lanes<2> Lambda_inv_0_3_p182_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[3], Lambda_inv_0_8_p168_lanes[1]);
+  const Lanes<2> Lambda_inv_0_3_p183_lanes = Lambda_inv_0_3_p181_lanes + Lambda_inv_0_3_p182_lanes;
+  const Lanes<2> Lambda_inv_0_3_p184_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[3], Lambda_inv_0_8_p173_lanes[1]);
+  const Lanes<2> Lambda_inv_0_3_p185_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[3], Lambda_inv_0_8_p174_lanes[1]);
+  const Lanes<2> Lambda_inv_0_3_p186_lanes = Lambda_inv_0_3_p185_lanes + Lambda_inv_0_3_p184_lanes;
+  const Lanes<2> Lambda_inv_0_3_p187_lanes = Lambda_inv_0_3_p186_lanes + Lambda_inv_0_3_p183_lanes;
+
+  // link 6 (chest3), force propagation
+  const Real Lambda_inv_0_3_p188 = -Lambda_inv_0_3_p187_lanes[0];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_inv_0_2_p140_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[2], Lambda_inv_0_8_p168_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p141_lanes = 0.226 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[2], Lambda_inv_0_8_p153_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p142_lanes = Lambda_inv_0_2_p141_lanes + Lambda_inv_0_2_p140_lanes;
+  const Lanes<2> Lambda_inv_0_2_p143_lanes = detail::make_lanes<Real>(s7, s14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[2], Lambda_inv_0_8_p173_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p144_lanes = detail::make_lanes<Real>(c7, c14) *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[2], Lambda_inv_0_8_p174_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p145_lanes = Lambda_inv_0_2_p144_lanes + Lambda_inv_0_2_p143_lanes;
+  const Lanes<2> Lambda_inv_0_2_p146_lanes = Lambda_inv_0_2_p145_lanes + Lambda_inv_0_2_p142_lanes;
+
+  // link 6 (chest3), force propagation
+  const Real Lambda_inv_0_2_p147 = -Lambda_inv_0_2_p146_lanes[0];
+  const Real Lambda_inv_0_1_p185 = -Lambda_inv_0_1_p184_lanes[0];
+  const Real Lambda_inv_0_0_p1227 = -Lambda_inv_0_0_p1226_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1228_lanes = inverse_D5_p16 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
+      Lambda_inv_0_7_p103);
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1229_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_inv_0_0_p1196_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1230_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_inv_0_0_p1212_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1231_lanes = Lambda_inv_0_0_p1229_lanes -
+      Lambda_inv_0_0_p1230_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1232_lanes = detail::make_lanes<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
+      0.18, (-0.18), (-0.18)) * Lambda_inv_0_0_p1231_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1233_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_inv_0_0_p1180_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1234_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_inv_0_0_p1185_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1235_lanes = Lambda_inv_0_0_p1233_lanes -
+      Lambda_inv_0_0_p1234_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1236_lanes = Lambda_inv_0_0_p1232_lanes -
+      Lambda_inv_0_0_p1235_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1237_lanes = Lambda_inv_0_0_p1236_lanes -
+      Lambda_inv_0_0_p1228_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1238_lanes = s6 * Lambda_inv_0_0_p1237_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1239_lanes = inverse_D5_p22 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
+      Lambda_inv_0_7_p103);
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1240_lanes = 0.226 * Lambda_inv_0_0_p1231_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1241_lanes = Lambda_inv_0_0_p1240_lanes -
+      Lambda_inv_0_0_p1239_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1242_lanes = c6 * Lambda_inv_0_0_p1241_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1243_lanes = Lambda_inv_0_0_p1238_lanes +
+      Lambda_inv_0_0_p1242_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1244_lanes = Lambda_inv_0_0_p993 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
+      Lambda_inv_0_7_p103);
+  const Lanes<8> Lambda_inv_0_0_p1245_lanes = Lambda_inv_0_0_p1231_lanes -
+      Lambda_inv_0_0_p1244_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1246_lanes = 0.072 * Lambda_inv_0_0_p1245_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1247_lanes = Lambda_inv_0_0_p1243_lanes +
+      Lambda_inv_0_0_p1246_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1248_lanes = Lambda_inv_0_0_p930 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
+      Lambda_inv_0_7_p103);
+  const Lanes<8> Lambda_inv_0_0_p1249_lanes = Lambda_inv_0_0_p1214_lanes +
+      Lambda_inv_0_0_p1248_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1250_lanes = s6 * Lambda_inv_0_0_p1249_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1251_lanes = Lambda_inv_0_0_p984 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
+      Lambda_inv_0_7_p103);
+  const Lanes<8> Lambda_inv_0_0_p1252_lanes = Lambda_inv_0_0_p1219_lanes -
+      Lambda_inv_0_0_p1251_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1253_lanes = c6 * Lambda_inv_0_0_p1252_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1254_lanes = Lambda_inv_0_0_p1250_lanes +
+      Lambda_inv_0_0_p1253_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_7_p98 = Lambda_inv_0_0_p696_lanes[7] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_0_p686_lanes[7];
+  const Real Lambda_inv_0_7_p131 = -(0.072 * Lambda_inv_0_0_p1254_lanes[7]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_0_p1247_lanes[7];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1255_lanes = c6 * Lambda_inv_0_0_p1237_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1256_lanes = s6 * Lambda_inv_0_0_p1241_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1257_lanes = Lambda_inv_0_0_p1255_lanes -
+      Lambda_inv_0_0_p1256_lanes;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_inv_0_7_p135 = Lambda_inv_0_0_p1257_lanes[7] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_0_p1247_lanes[7];
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_7_p99 = -(s5 * Lambda_inv_0_7_p94 + c5 * Lambda_inv_0_7_p98);
+  const Real Lambda_inv_0_7_p136 = -(s5 * Lambda_inv_0_7_p131 + c5 * Lambda_inv_0_7_p135);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_6_p101 = -(0.072 * Lambda_inv_0_0_p693_lanes[6]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_0_p686_lanes[6];
-  const Real Lambda_inv_0_6_p102 = Lambda_inv_0_0_p696_lanes[6] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_0_p686_lanes[6];
+  const Real Lambda_inv_0_6_p134 = -(0.072 * Lambda_inv_0_0_p1254_lanes[6]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_0_p1247_lanes[6];
+  const Real Lambda_inv_0_6_p135 = Lambda_inv_0_0_p1257_lanes[6] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_0_p1247_lanes[6];
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_6_p103 = -(s5 * Lambda_inv_0_6_p101 + c5 * Lambda_inv_0_6_p102);
+  const Real Lambda_inv_0_6_p136 = -(s5 * Lambda_inv_0_6_p134 + c5 * Lambda_inv_0_6_p135);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_5_p184 = -(0.072 * Lambda_inv_0_0_p693_lanes[5]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_0_p686_lanes[5];
-  const Real Lambda_inv_0_5_p185 = Lambda_inv_0_0_p696_lanes[5] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_0_p686_lanes[5];
+  const Real Lambda_inv_0_5_p224 = -(0.072 * Lambda_inv_0_0_p1254_lanes[5]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_0_p1247_lanes[5];
+  const Real Lambda_inv_0_5_p225 = Lambda_inv_0_0_p1257_lanes[5] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_0_p1247_lanes[5];
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_5_p186 = -(s5 * Lambda_inv_0_5_p184 + c5 * Lambda_inv_0_5_p185);
+  const Real Lambda_inv_0_5_p226 = -(s5 * Lambda_inv_0_5_p224 + c5 * Lambda_inv_0_5_p225);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_4_p177 = -(0.072 * Lambda_inv_0_0_p693_lanes[4]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_0_p686_lanes[4];
-  const Real Lambda_inv_0_4_p178 = Lambda_inv_0_0_p696_lanes[4] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_0_p686_lanes[4];
+  const Real Lambda_inv_0_4_p177 = -(0.072 * Lambda_inv_0_0_p1254_lanes[4]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_0_p1247_lanes[4];
+  const Real Lambda_inv_0_4_p178 = Lambda_inv_0_0_p1257_lanes[4] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_0_p1247_lanes[4];
 
   // link 4 (chest1), force propagation
   const Real Lambda_inv_0_4_p179 = -(s5 * Lambda_inv_0_4_p177 + c5 * Lambda_inv_0_4_p178);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_3_p177 = -(0.072 * Lambda_inv_0_0_p693_lanes[3]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_0_p686_lanes[3];
-  const Real Lambda_inv_0_3_p178 = Lambda_inv_0_0_p696_lanes[3] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_0_p686_lanes[3];
+  const Real Lambda_inv_0_3_p219 = -(0.072 * Lambda_inv_0_0_p1254_lanes[3]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_0_p1247_lanes[3];
+  const Real Lambda_inv_0_3_p220 = Lambda_inv_0_0_p1257_lanes[3] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_0_p1247_lanes[3];
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_3_p179 = -(s5 * Lambda_inv_0_3_p177 + c5 * Lambda_inv_0_3_p178);
+  const Real Lambda_inv_0_3_p221 = -(s5 * Lambda_inv_0_3_p219 + c5 * Lambda_inv_0_3_p220);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_2_p162 = -(0.072 * Lambda_inv_0_0_p693_lanes[2]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_0_p686_lanes[2];
-  const Real Lambda_inv_0_2_p163 = Lambda_inv_0_0_p696_lanes[2] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_0_p686_lanes[2];
+  const Real Lambda_inv_0_2_p178 = -(0.072 * Lambda_inv_0_0_p1254_lanes[2]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_0_p1247_lanes[2];
+  const Real Lambda_inv_0_2_p179 = Lambda_inv_0_0_p1257_lanes[2] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_0_p1247_lanes[2];
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_2_p164 = -(s5 * Lambda_inv_0_2_p162 + c5 * Lambda_inv_0_2_p163);
+  const Real Lambda_inv_0_2_p180 = -(s5 * Lambda_inv_0_2_p178 + c5 * Lambda_inv_0_2_p179);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_1_p158 = -(0.072 * Lambda_inv_0_0_p693_lanes[1]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_0_p686_lanes[1];
-  const Real Lambda_inv_0_1_p159 = Lambda_inv_0_0_p696_lanes[1] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_0_p686_lanes[1];
+  const Real Lambda_inv_0_1_p216 = -(0.072 * Lambda_inv_0_0_p1254_lanes[1]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_0_p1247_lanes[1];
+  const Real Lambda_inv_0_1_p217 = Lambda_inv_0_0_p1257_lanes[1] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_0_p1247_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_1_p160 = -(s5 * Lambda_inv_0_1_p158 + c5 * Lambda_inv_0_1_p159);
+  const Real Lambda_inv_0_1_p218 = -(s5 * Lambda_inv_0_1_p216 + c5 * Lambda_inv_0_1_p217);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_0_p697 = -(0.072 * Lambda_inv_0_0_p693_lanes[0]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_0_p686_lanes[0];
-  const Real Lambda_inv_0_0_p698 = Lambda_inv_0_0_p696_lanes[0] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_0_p686_lanes[0];
+  const Real Lambda_inv_0_0_p1258 = -(0.072 * Lambda_inv_0_0_p1254_lanes[0]) +
+      Lambda_inv_0_0_p1020 * Lambda_inv_0_0_p1247_lanes[0];
+  const Real Lambda_inv_0_0_p1259 = Lambda_inv_0_0_p1257_lanes[0] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_0_p1247_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_0_p699 = -(s5 * Lambda_inv_0_0_p697 + c5 * Lambda_inv_0_0_p698);
-  const Lanes Lambda_inv_0_0_p700_lanes = inverse_D3_p1 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p699, Lambda_inv_0_1_p160, Lambda_inv_0_2_p164,
-      Lambda_inv_0_3_p179, Lambda_inv_0_4_p179, Lambda_inv_0_5_p186, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p99);
+  const Real Lambda_inv_0_0_p1260 = -(s5 * Lambda_inv_0_0_p1258 + c5 * Lambda_inv_0_0_p1259);
+  const Lanes<8> Lambda_inv_0_0_p1261_lanes = inverse_D3_p1 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
+      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
+      Lambda_inv_0_7_p136);
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_0_0_p701_lanes = Lambda_inv_0_0_p462 * Lambda_inv_0_0_p686_lanes;
-  const Lanes Lambda_inv_0_0_p702_lanes = Lambda_inv_0_0_p693_lanes - Lambda_inv_0_0_p701_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1262_lanes = Lambda_inv_0_0_p1005 * Lambda_inv_0_0_p1247_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1263_lanes = Lambda_inv_0_0_p1254_lanes -
+      Lambda_inv_0_0_p1262_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_0_p703_lanes = detail::make_lanes<Real>(-(s5 * Lambda_inv_0_0_p698 - c5 *
-      Lambda_inv_0_0_p697 + 0.21799999999999997 * Lambda_inv_0_0_p702_lanes[0]),
-      -(s5 * Lambda_inv_0_1_p159 - c5 * Lambda_inv_0_1_p158 + 0.21799999999999997 *
-      Lambda_inv_0_0_p702_lanes[1]), -(s5 * Lambda_inv_0_2_p163 - c5 * Lambda_inv_0_2_p162 +
-      0.21799999999999997 * Lambda_inv_0_0_p702_lanes[2]),
-      -(s5 * Lambda_inv_0_3_p178 - c5 * Lambda_inv_0_3_p177 + 0.21799999999999997 *
-      Lambda_inv_0_0_p702_lanes[3]), -(s5 * Lambda_inv_0_4_p178 - c5 * Lambda_inv_0_4_p177 +
-      0.21799999999999997 * Lambda_inv_0_0_p702_lanes[4]),
-      -(s5 * Lambda_inv_0_5_p185 - c5 * Lambda_inv_0_5_p184 + 0.21799999999999997 *
-      Lambda_inv_0_0_p702_lanes[5]), -(s5 * Lambda_inv_0_6_p102 - c5 * Lambda_inv_0_6_p101 +
-      0.21799999999999997 * Lambda_inv_0_0_p702_lanes[6]),
-      -(s5 * Lambda_inv_0_7_p98 - c5 * Lambda_inv_0_7_p94 + 0.21799999999999997 *
-      Lambda_inv_0_0_p702_lanes[7])) - Lambda_inv_0_0_p700_lanes;
-  const Lanes Lambda_inv_0_0_p704_lanes = s4 * Lambda_inv_0_0_p703_lanes;
-  const Lanes Lambda_inv_0_0_p705_lanes = inverse_D3_p2 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p699, Lambda_inv_0_1_p160, Lambda_inv_0_2_p164,
-      Lambda_inv_0_3_p179, Lambda_inv_0_4_p179, Lambda_inv_0_5_p186, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p99);
+  const Lanes<8> Lambda_inv_0_0_p1264_lanes = detail::make_lanes<Real>(-(s5 * Lambda_inv_0_0_p1259 -
+      c5 * Lambda_inv_0_0_p1258 + 0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[0]),
+      -(s5 * Lambda_inv_0_1_p217 - c5 * Lambda_inv_0_1_p216 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1263_lanes[1]), -(s5 * Lambda_inv_0_2_p179 - c5 * Lambda_inv_0_2_p178 +
+      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[2]),
+      -(s5 * Lambda_inv_0_3_p220 - c5 * Lambda_inv_0_3_p219 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1263_lanes[3]), -(s5 * Lambda_inv_0_4_p178 - c5 * Lambda_inv_0_4_p177 +
+      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[4]),
+      -(s5 * Lambda_inv_0_5_p225 - c5 * Lambda_inv_0_5_p224 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1263_lanes[5]), -(s5 * Lambda_inv_0_6_p135 - c5 * Lambda_inv_0_6_p134 +
+      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[6]),
+      -(s5 * Lambda_inv_0_7_p135 - c5 * Lambda_inv_0_7_p131 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1263_lanes[7])) - Lambda_inv_0_0_p1261_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1265_lanes = s4 * Lambda_inv_0_0_p1264_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1266_lanes = inverse_D3_p2 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
+      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
+      Lambda_inv_0_7_p136);
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_0_p706_lanes = c6 * Lambda_inv_0_0_p688_lanes;
-  const Lanes Lambda_inv_0_0_p707_lanes = s6 * Lambda_inv_0_0_p691_lanes;
-  const Lanes Lambda_inv_0_0_p708_lanes = Lambda_inv_0_0_p706_lanes - Lambda_inv_0_0_p707_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1267_lanes = c6 * Lambda_inv_0_0_p1249_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1268_lanes = s6 * Lambda_inv_0_0_p1252_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1269_lanes = Lambda_inv_0_0_p1267_lanes -
+      Lambda_inv_0_0_p1268_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_7_p109 = Lambda_inv_0_0_p708_lanes[7] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_0_p686_lanes[7];
-  const Real Lambda_inv_0_7_p110 = Lambda_inv_0_0_p684_lanes[7] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_0_p686_lanes[7];
-  const Real Lambda_inv_0_7_p111 = s5 * Lambda_inv_0_7_p109 - c5 * Lambda_inv_0_7_p110;
-  const Real Lambda_inv_0_6_p113 = Lambda_inv_0_0_p708_lanes[6] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_0_p686_lanes[6];
-  const Real Lambda_inv_0_6_p114 = Lambda_inv_0_0_p684_lanes[6] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_0_p686_lanes[6];
-  const Real Lambda_inv_0_6_p115 = s5 * Lambda_inv_0_6_p113 - c5 * Lambda_inv_0_6_p114;
-  const Real Lambda_inv_0_5_p196 = Lambda_inv_0_0_p708_lanes[5] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_0_p686_lanes[5];
-  const Real Lambda_inv_0_5_p197 = Lambda_inv_0_0_p684_lanes[5] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_0_p686_lanes[5];
-  const Real Lambda_inv_0_5_p198 = s5 * Lambda_inv_0_5_p196 - c5 * Lambda_inv_0_5_p197;
-  const Real Lambda_inv_0_4_p189 = Lambda_inv_0_0_p708_lanes[4] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_0_p686_lanes[4];
-  const Real Lambda_inv_0_4_p190 = Lambda_inv_0_0_p684_lanes[4] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_0_p686_lanes[4];
+  const Real Lambda_inv_0_7_p146 = Lambda_inv_0_0_p1269_lanes[7] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_0_p1247_lanes[7];
+  const Real Lambda_inv_0_7_p147 = Lambda_inv_0_0_p1245_lanes[7] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1247_lanes[7];
+  const Real Lambda_inv_0_7_p148 = s5 * Lambda_inv_0_7_p146 - c5 * Lambda_inv_0_7_p147;
+  const Real Lambda_inv_0_6_p146 = Lambda_inv_0_0_p1269_lanes[6] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_0_p1247_lanes[6];
+  const Real Lambda_inv_0_6_p147 = Lambda_inv_0_0_p1245_lanes[6] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1247_lanes[6];
+  const Real Lambda_inv_0_6_p148 = s5 * Lambda_inv_0_6_p146 - c5 * Lambda_inv_0_6_p147;
+  const Real Lambda_inv_0_5_p236 = Lambda_inv_0_0_p1269_lanes[5] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_0_p1247_lanes[5];
+  const Real Lambda_inv_0_5_p237 = Lambda_inv_0_0_p1245_lanes[5] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1247_lanes[5];
+  const Real Lambda_inv_0_5_p238 = s5 * Lambda_inv_0_5_p236 - c5 * Lambda_inv_0_5_p237;
+  const Real Lambda_inv_0_4_p189 = Lambda_inv_0_0_p1269_lanes[4] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_0_p1247_lanes[4];
+  const Real Lambda_inv_0_4_p190 = Lambda_inv_0_0_p1245_lanes[4] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1247_lanes[4];
   const Real Lambda_inv_0_4_p191 = s5 * Lambda_inv_0_4_p189 - c5 * Lambda_inv_0_4_p190;
-  const Real Lambda_inv_0_3_p189 = Lambda_inv_0_0_p708_lanes[3] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_0_p686_lanes[3];
-  const Real Lambda_inv_0_3_p190 = Lambda_inv_0_0_p684_lanes[3] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_0_p686_lanes[3];
-  const Real Lambda_inv_0_3_p191 = s5 * Lambda_inv_0_3_p189 - c5 * Lambda_inv_0_3_p190;
-  const Real Lambda_inv_0_2_p174 = Lambda_inv_0_0_p708_lanes[2] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_0_p686_lanes[2];
-  const Real Lambda_inv_0_2_p175 = Lambda_inv_0_0_p684_lanes[2] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_0_p686_lanes[2];
-  const Real Lambda_inv_0_2_p176 = s5 * Lambda_inv_0_2_p174 - c5 * Lambda_inv_0_2_p175;
-  const Real Lambda_inv_0_1_p170 = Lambda_inv_0_0_p708_lanes[1] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_0_p686_lanes[1];
-  const Real Lambda_inv_0_1_p171 = Lambda_inv_0_0_p684_lanes[1] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_0_p686_lanes[1];
-  const Real Lambda_inv_0_1_p172 = s5 * Lambda_inv_0_1_p170 - c5 * Lambda_inv_0_1_p171;
-  const Real Lambda_inv_0_0_p709 = Lambda_inv_0_0_p708_lanes[0] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_0_p686_lanes[0];
-  const Real Lambda_inv_0_0_p710 = Lambda_inv_0_0_p684_lanes[0] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_0_p686_lanes[0];
-  const Real Lambda_inv_0_0_p711 = s5 * Lambda_inv_0_0_p709 - c5 * Lambda_inv_0_0_p710;
+  const Real Lambda_inv_0_3_p231 = Lambda_inv_0_0_p1269_lanes[3] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_0_p1247_lanes[3];
+  const Real Lambda_inv_0_3_p232 = Lambda_inv_0_0_p1245_lanes[3] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1247_lanes[3];
+  const Real Lambda_inv_0_3_p233 = s5 * Lambda_inv_0_3_p231 - c5 * Lambda_inv_0_3_p232;
+  const Real Lambda_inv_0_2_p190 = Lambda_inv_0_0_p1269_lanes[2] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_0_p1247_lanes[2];
+  const Real Lambda_inv_0_2_p191 = Lambda_inv_0_0_p1245_lanes[2] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1247_lanes[2];
+  const Real Lambda_inv_0_2_p192 = s5 * Lambda_inv_0_2_p190 - c5 * Lambda_inv_0_2_p191;
+  const Real Lambda_inv_0_1_p228 = Lambda_inv_0_0_p1269_lanes[1] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_0_p1247_lanes[1];
+  const Real Lambda_inv_0_1_p229 = Lambda_inv_0_0_p1245_lanes[1] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1247_lanes[1];
+  const Real Lambda_inv_0_1_p230 = s5 * Lambda_inv_0_1_p228 - c5 * Lambda_inv_0_1_p229;
+  const Real Lambda_inv_0_0_p1270 = Lambda_inv_0_0_p1269_lanes[0] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_0_p1247_lanes[0];
+  const Real Lambda_inv_0_0_p1271 = Lambda_inv_0_0_p1245_lanes[0] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1247_lanes[0];
+  const Real Lambda_inv_0_0_p1272 = s5 * Lambda_inv_0_0_p1270 - c5 * Lambda_inv_0_0_p1271;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_0_p712_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
-      Lambda_inv_0_0_p711), -(0.21799999999999997 * Lambda_inv_0_1_p172),
-      -(0.21799999999999997 * Lambda_inv_0_2_p176), -(0.21799999999999997 * Lambda_inv_0_3_p191),
-      -(0.21799999999999997 * Lambda_inv_0_4_p191), -(0.21799999999999997 * Lambda_inv_0_5_p198),
-      -(0.21799999999999997 * Lambda_inv_0_6_p115), -(0.21799999999999997 * Lambda_inv_0_7_p111)) +
-      Lambda_inv_0_0_p705_lanes;
-  const Lanes Lambda_inv_0_0_p713_lanes = c4 * Lambda_inv_0_0_p712_lanes;
-  const Lanes Lambda_inv_0_0_p714_lanes = Lambda_inv_0_0_p704_lanes + Lambda_inv_0_0_p713_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1273_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
+      Lambda_inv_0_0_p1272), -(0.21799999999999997 * Lambda_inv_0_1_p230),
+      -(0.21799999999999997 * Lambda_inv_0_2_p192), -(0.21799999999999997 * Lambda_inv_0_3_p233),
+      -(0.21799999999999997 * Lambda_inv_0_4_p191), -(0.21799999999999997 * Lambda_inv_0_5_p238),
+      -(0.21799999999999997 * Lambda_inv_0_6_p148), -(0.21799999999999997 * Lambda_inv_0_7_p148)) +
+      Lambda_inv_0_0_p1266_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1274_lanes = c4 * Lambda_inv_0_0_p1273_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1275_lanes = Lambda_inv_0_0_p1265_lanes +
+      Lambda_inv_0_0_p1274_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_0_p715_lanes = Lambda_inv_0_0_p520 * Lambda_inv_0_0_p714_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1276_lanes = Lambda_inv_0_0_p1063 * Lambda_inv_0_0_p1275_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_0_p716_lanes = Lambda_inv_0_0_p498 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p699, Lambda_inv_0_1_p160, Lambda_inv_0_2_p164,
-      Lambda_inv_0_3_p179, Lambda_inv_0_4_p179, Lambda_inv_0_5_p186, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p99);
-  const Lanes Lambda_inv_0_0_p717_lanes = detail::make_lanes<Real>(-Lambda_inv_0_0_p711,
-      -Lambda_inv_0_1_p172, -Lambda_inv_0_2_p176, -Lambda_inv_0_3_p191, -Lambda_inv_0_4_p191,
-      -Lambda_inv_0_5_p198, -Lambda_inv_0_6_p115, -Lambda_inv_0_7_p111) + Lambda_inv_0_0_p716_lanes;
-  const Lanes Lambda_inv_0_0_p718_lanes = c4 * Lambda_inv_0_0_p717_lanes;
-  const Lanes Lambda_inv_0_0_p719_lanes = Lambda_inv_0_0_p507 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p699, Lambda_inv_0_1_p160, Lambda_inv_0_2_p164,
-      Lambda_inv_0_3_p179, Lambda_inv_0_4_p179, Lambda_inv_0_5_p186, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p99);
-  const Lanes Lambda_inv_0_0_p720_lanes = Lambda_inv_0_0_p702_lanes + Lambda_inv_0_0_p719_lanes;
-  const Lanes Lambda_inv_0_0_p721_lanes = s4 * Lambda_inv_0_0_p720_lanes;
-  const Lanes Lambda_inv_0_0_p722_lanes = Lambda_inv_0_0_p718_lanes - Lambda_inv_0_0_p721_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1277_lanes = Lambda_inv_0_0_p1041 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
+      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
+      Lambda_inv_0_7_p136);
+  const Lanes<8> Lambda_inv_0_0_p1278_lanes = detail::make_lanes<Real>(-Lambda_inv_0_0_p1272,
+      -Lambda_inv_0_1_p230, -Lambda_inv_0_2_p192, -Lambda_inv_0_3_p233, -Lambda_inv_0_4_p191,
+      -Lambda_inv_0_5_p238, -Lambda_inv_0_6_p148, -Lambda_inv_0_7_p148) +
+      Lambda_inv_0_0_p1277_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1279_lanes = c4 * Lambda_inv_0_0_p1278_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1280_lanes = Lambda_inv_0_0_p1050 *
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
+      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
+      Lambda_inv_0_7_p136);
+  const Lanes<8> Lambda_inv_0_0_p1281_lanes = Lambda_inv_0_0_p1263_lanes +
+      Lambda_inv_0_0_p1280_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1282_lanes = s4 * Lambda_inv_0_0_p1281_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1283_lanes = Lambda_inv_0_0_p1279_lanes -
+      Lambda_inv_0_0_p1282_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_0_p723_lanes = Lambda_inv_0_0_p722_lanes - Lambda_inv_0_0_p715_lanes;
-  const Lanes Lambda_inv_0_0_p724_lanes = c3 * Lambda_inv_0_0_p723_lanes;
-  const Lanes Lambda_inv_0_0_p725_lanes = Lambda_inv_0_0_p530 * Lambda_inv_0_0_p714_lanes;
-  const Lanes Lambda_inv_0_0_p726_lanes = detail::make_lanes<Real>(-(-(s5 * Lambda_inv_0_0_p710 +
-      c5 * Lambda_inv_0_0_p709) - Lambda_inv_0_0_p525 * Lambda_inv_0_0_p699),
-      -(-(s5 * Lambda_inv_0_1_p171 + c5 * Lambda_inv_0_1_p170) - Lambda_inv_0_0_p525 *
-      Lambda_inv_0_1_p160), -(-(s5 * Lambda_inv_0_2_p175 + c5 * Lambda_inv_0_2_p174) -
-      Lambda_inv_0_0_p525 * Lambda_inv_0_2_p164), -(-(s5 * Lambda_inv_0_3_p190 + c5 *
-      Lambda_inv_0_3_p189) - Lambda_inv_0_0_p525 * Lambda_inv_0_3_p179),
-      -(-(s5 * Lambda_inv_0_4_p190 + c5 * Lambda_inv_0_4_p189) - Lambda_inv_0_0_p525 *
-      Lambda_inv_0_4_p179), -(-(s5 * Lambda_inv_0_5_p197 + c5 * Lambda_inv_0_5_p196) -
-      Lambda_inv_0_0_p525 * Lambda_inv_0_5_p186), -(-(s5 * Lambda_inv_0_6_p114 + c5 *
-      Lambda_inv_0_6_p113) - Lambda_inv_0_0_p525 * Lambda_inv_0_6_p103),
-      -(-(s5 * Lambda_inv_0_7_p110 + c5 * Lambda_inv_0_7_p109) - Lambda_inv_0_0_p525 *
-      Lambda_inv_0_7_p99)) + Lambda_inv_0_0_p725_lanes;
-  const Lanes Lambda_inv_0_0_p727_lanes = s3 * Lambda_inv_0_0_p726_lanes;
-  const Lanes Lambda_inv_0_0_p728_lanes = Lambda_inv_0_0_p724_lanes - Lambda_inv_0_0_p727_lanes;
-  const Lanes Lambda_inv_0_0_p729_lanes = 0.422 * Lambda_inv_0_0_p728_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1284_lanes = Lambda_inv_0_0_p1283_lanes -
+      Lambda_inv_0_0_p1276_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1285_lanes = c3 * Lambda_inv_0_0_p1284_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1286_lanes = Lambda_inv_0_0_p1073 * Lambda_inv_0_0_p1275_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1287_lanes = detail::make_lanes<Real>(-(-(s5 *
+      Lambda_inv_0_0_p1271 + c5 * Lambda_inv_0_0_p1270) - Lambda_inv_0_0_p1068 *
+      Lambda_inv_0_0_p1260), -(-(s5 * Lambda_inv_0_1_p229 + c5 * Lambda_inv_0_1_p228) -
+      Lambda_inv_0_0_p1068 * Lambda_inv_0_1_p218), -(-(s5 * Lambda_inv_0_2_p191 + c5 *
+      Lambda_inv_0_2_p190) - Lambda_inv_0_0_p1068 * Lambda_inv_0_2_p180),
+      -(-(s5 * Lambda_inv_0_3_p232 + c5 * Lambda_inv_0_3_p231) - Lambda_inv_0_0_p1068 *
+      Lambda_inv_0_3_p221), -(-(s5 * Lambda_inv_0_4_p190 + c5 * Lambda_inv_0_4_p189) -
+      Lambda_inv_0_0_p1068 * Lambda_inv_0_4_p179), -(-(s5 * Lambda_inv_0_5_p237 + c5 *
+      Lambda_inv_0_5_p236) - Lambda_inv_0_0_p1068 * Lambda_inv_0_5_p226),
+      -(-(s5 * Lambda_inv_0_6_p147 + c5 * Lambda_inv_0_6_p146) - Lambda_inv_0_0_p1068 *
+      Lambda_inv_0_6_p136), -(-(s5 * Lambda_inv_0_7_p147 + c5 * Lambda_inv_0_7_p146) -
+      Lambda_inv_0_0_p1068 * Lambda_inv_0_7_p136)) + Lambda_inv_0_0_p1286_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1288_lanes = s3 * Lambda_inv_0_0_p1287_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1289_lanes = Lambda_inv_0_0_p1285_lanes -
+      Lambda_inv_0_0_p1288_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1290_lanes = 0.422 * Lambda_inv_0_0_p1289_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_0_p730_lanes = Lambda_inv_0_0_p537 * Lambda_inv_0_0_p729_lanes;
-  const Lanes Lambda_inv_0_0_p731_lanes = Lambda_inv_0_0_p728_lanes - Lambda_inv_0_0_p730_lanes;
-  const Lanes Lambda_inv_0_0_p732_lanes = c2 * Lambda_inv_0_0_p731_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1291_lanes = Lambda_inv_0_0_p1080 * Lambda_inv_0_0_p1290_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1292_lanes = Lambda_inv_0_0_p1289_lanes -
+      Lambda_inv_0_0_p1291_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1293_lanes = c2 * Lambda_inv_0_0_p1292_lanes;
 
   // link 3 (hip), articulated inertia
-  const Real Lambda_inv_0_0_p733 = c3 * Lambda_inv_0_0_p533 - Lambda_inv_0_0_p532;
-  const Real Lambda_inv_0_0_p734 = 0.031999971599999996 + 0.422 * Lambda_inv_0_0_p733;
+  const Real Lambda_inv_0_0_p1294 = c3 * Lambda_inv_0_0_p1076 - Lambda_inv_0_0_p1075;
+  const Real Lambda_inv_0_0_p1295 = 0.031999971599999996 + 0.422 * Lambda_inv_0_0_p1294;
 
   // link 2 (thigh), articulated inertia
-  const Real Lambda_inv_0_0_p735 = Lambda_inv_0_0_p734 * inverse_D2;
+  const Real Lambda_inv_0_0_p1296 = Lambda_inv_0_0_p1295 * inverse_D2;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_0_p736_lanes = Lambda_inv_0_0_p735 * Lambda_inv_0_0_p729_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1297_lanes = Lambda_inv_0_0_p1296 * Lambda_inv_0_0_p1290_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_0_p737_lanes = s3 * Lambda_inv_0_0_p723_lanes;
-  const Lanes Lambda_inv_0_0_p738_lanes = c3 * Lambda_inv_0_0_p726_lanes;
-  const Lanes Lambda_inv_0_0_p739_lanes = Lambda_inv_0_0_p737_lanes + Lambda_inv_0_0_p738_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1298_lanes = s3 * Lambda_inv_0_0_p1284_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1299_lanes = c3 * Lambda_inv_0_0_p1287_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1300_lanes = Lambda_inv_0_0_p1298_lanes +
+      Lambda_inv_0_0_p1299_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_0_p740_lanes = Lambda_inv_0_0_p739_lanes - Lambda_inv_0_0_p736_lanes;
-  const Lanes Lambda_inv_0_0_p741_lanes = s2 * Lambda_inv_0_0_p740_lanes;
-  const Lanes Lambda_inv_0_0_p742_lanes = Lambda_inv_0_0_p732_lanes - Lambda_inv_0_0_p741_lanes;
-  const Lanes Lambda_inv_0_0_p743_lanes = 0.434 * Lambda_inv_0_0_p742_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1301_lanes = Lambda_inv_0_0_p1300_lanes -
+      Lambda_inv_0_0_p1297_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1302_lanes = s2 * Lambda_inv_0_0_p1301_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1303_lanes = Lambda_inv_0_0_p1293_lanes -
+      Lambda_inv_0_0_p1302_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1304_lanes = 0.434 * Lambda_inv_0_0_p1303_lanes;
 
   // link 2 (thigh), articulated inertia
-  const Real inverse_D1_p1 = Lambda_inv_0_0_p535 - Lambda_inv_0_0_p536 * Lambda_inv_0_0_p537;
-  const Real inverse_D1_p2 = s2 * (inverse_D1_p1 - (Lambda_inv_0_0_p531 + Lambda_inv_0_0_p534 -
-      Lambda_inv_0_0_p734 * Lambda_inv_0_0_p735)) + c2 *
-      (2.0 * (Lambda_inv_0_0_p733 - Lambda_inv_0_0_p536 * Lambda_inv_0_0_p735));
+  const Real inverse_D1_p1 = Lambda_inv_0_0_p1078 - Lambda_inv_0_0_p1079 * Lambda_inv_0_0_p1080;
+  const Real inverse_D1_p2 = s2 * (inverse_D1_p1 - (Lambda_inv_0_0_p1074 + Lambda_inv_0_0_p1077 -
+      Lambda_inv_0_0_p1295 * Lambda_inv_0_0_p1296)) + c2 *
+      (2.0 * (Lambda_inv_0_0_p1294 - Lambda_inv_0_0_p1079 * Lambda_inv_0_0_p1296));
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
       (inverse_D1_p1 - s2 * inverse_D1_p2));
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_0_0_p744_lanes = Lambda_inv_0_0_p743_lanes * inverse_D1;
-  const Lanes Lambda_inv_0_0_p745_lanes = Lambda_inv_0_0_p744_lanes * Lambda_inv_0_0_p743_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1305_lanes = Lambda_inv_0_0_p1304_lanes * inverse_D1;
+  const Lanes<8> Lambda_inv_0_0_p1306_lanes = Lambda_inv_0_0_p1305_lanes *
+      Lambda_inv_0_0_p1304_lanes[0];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_0_p746_lanes = Lambda_inv_0_0_p729_lanes * inverse_D2;
-  const Lanes Lambda_inv_0_0_p747_lanes = Lambda_inv_0_0_p746_lanes * Lambda_inv_0_0_p729_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1307_lanes = Lambda_inv_0_0_p1290_lanes * inverse_D2;
+  const Lanes<8> Lambda_inv_0_0_p1308_lanes = Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_0_p748_lanes = Lambda_inv_0_0_p714_lanes * inverse_D3;
-  const Lanes Lambda_inv_0_0_p749_lanes = Lambda_inv_0_0_p748_lanes * Lambda_inv_0_0_p714_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1309_lanes = Lambda_inv_0_0_p1275_lanes * inverse_D3;
+  const Lanes<8> Lambda_inv_0_0_p1310_lanes = Lambda_inv_0_0_p1309_lanes *
+      Lambda_inv_0_0_p1275_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_0_p750_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p699,
-      Lambda_inv_0_1_p160, Lambda_inv_0_2_p164, Lambda_inv_0_3_p179, Lambda_inv_0_4_p179,
-      Lambda_inv_0_5_p186, Lambda_inv_0_6_p103, Lambda_inv_0_7_p99) * inverse_D4;
-  const Lanes Lambda_inv_0_0_p751_lanes = Lambda_inv_0_0_p750_lanes * Lambda_inv_0_0_p699;
+  const Lanes<8> Lambda_inv_0_0_p1311_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1260,
+      Lambda_inv_0_1_p218, Lambda_inv_0_2_p180, Lambda_inv_0_3_p221, Lambda_inv_0_4_p179,
+      Lambda_inv_0_5_p226, Lambda_inv_0_6_p136, Lambda_inv_0_7_p136) * inverse_D4;
+  const Lanes<8> Lambda_inv_0_0_p1312_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_0_p1260;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_0_0_p752_lanes = Lambda_inv_0_0_p686_lanes * inverse_D5;
-  const Lanes Lambda_inv_0_0_p753_lanes = Lambda_inv_0_0_p752_lanes * Lambda_inv_0_0_p686_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1313_lanes = Lambda_inv_0_0_p1247_lanes * inverse_D5;
+  const Lanes<8> Lambda_inv_0_0_p1314_lanes = Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_7_p151 = Lambda_inv_0_0_p666_lanes[7] * inverse_D6;
-  const Real Lambda_inv_0_6_p155 = Lambda_inv_0_0_p666_lanes[6] * inverse_D6;
-  const Lanes Lambda_inv_0_0_p754_lanes = Lambda_inv_0_0_p666_lanes * inverse_D6;
-  const Lanes Lambda_inv_0_0_p755_lanes = Lambda_inv_0_0_p754_lanes * Lambda_inv_0_0_p666_lanes[0];
+  const Real Lambda_inv_0_7_p188 = Lambda_inv_0_7_p103 * inverse_D6;
+  const Real Lambda_inv_0_6_p188 = Lambda_inv_0_6_p103 * inverse_D6;
+  const Lanes<8> Lambda_inv_0_0_p1315_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1227,
+      Lambda_inv_0_1_p185, Lambda_inv_0_2_p147, Lambda_inv_0_3_p188, Lambda_inv_0_4_p146,
+      Lambda_inv_0_5_p193, Lambda_inv_0_0_p1227, Lambda_inv_0_0_p1227) * inverse_D6;
+  const Lanes<8> Lambda_inv_0_0_p1316_lanes = Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_0_p1227;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p756_lanes = Lambda_inv_0_0_p621_lanes * inverse_D7;
-  const Lanes Lambda_inv_0_0_p757_lanes = Lambda_inv_0_0_p756_lanes * Lambda_inv_0_0_p621_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1317_lanes = Lambda_inv_0_0_p1179_lanes * inverse_D7_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1318_lanes = Lambda_inv_0_0_p1317_lanes *
+      Lambda_inv_0_0_p1179_lanes[0];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p758_lanes = Lambda_inv_0_0_p614_lanes * inverse_D8;
-  const Lanes Lambda_inv_0_0_p759_lanes = Lambda_inv_0_0_p758_lanes * Lambda_inv_0_0_p614_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1319_lanes = Lambda_inv_0_0_p1173_lanes * inverse_D8_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1320_lanes = Lambda_inv_0_0_p1319_lanes *
+      Lambda_inv_0_0_p1173_lanes[0];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_0_0_p760_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p593,
-      Lambda_inv_0_1_p56, Lambda_inv_0_2_p60, Lambda_inv_0_3_p75, Lambda_inv_0_4_p75,
-      Lambda_inv_0_5_p82, Lambda_inv_0_0_p593, Lambda_inv_0_0_p593) * inverse_D9;
-  const Lanes Lambda_inv_0_0_p761_lanes = Lambda_inv_0_0_p760_lanes * Lambda_inv_0_0_p593;
+  const Lanes<8> Lambda_inv_0_0_p1321_lanes = Lambda_inv_0_0_p1152_lanes * inverse_D9_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1322_lanes = Lambda_inv_0_0_p1321_lanes *
+      Lambda_inv_0_0_p1152_lanes[0];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_0_0_p762_lanes = Lambda_inv_0_0_p575_lanes * inverse_D10;
-  const Lanes Lambda_inv_0_0_p763_lanes = Lambda_inv_0_0_p762_lanes * Lambda_inv_0_0_p575_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1323_lanes = Lambda_inv_0_0_p1132_lanes * inverse_D10_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1324_lanes = Lambda_inv_0_0_p1323_lanes *
+      Lambda_inv_0_0_p1132_lanes[0];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_0_0_p764_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p557,
-      Lambda_inv_0_1_p20, Lambda_inv_0_2_p21, Lambda_inv_0_3_p37, Lambda_inv_0_4_p37,
-      Lambda_inv_0_5_p44, Lambda_inv_0_0_p557, Lambda_inv_0_0_p557) * inverse_D11;
-  const Lanes Lambda_inv_0_0_p765_lanes = Lambda_inv_0_0_p764_lanes * Lambda_inv_0_0_p557;
+  const Lanes<8> Lambda_inv_0_0_p1325_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1121,
+      Lambda_inv_0_1_p79, Lambda_inv_0_2_p28, Lambda_inv_0_3_p71, Lambda_inv_0_4_p29,
+      Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121, Lambda_inv_0_0_p1121) * inverse_D11_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1326_lanes = Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_0_p1121;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_0_0_p766_lanes = Lambda_inv_0_0_p547_lanes * inverse_D12;
-  const Lanes Lambda_inv_0_0_p767_lanes = Lambda_inv_0_0_p766_lanes * Lambda_inv_0_0_p547_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1327_lanes = Lambda_inv_0_0_p1091_lanes * inverse_D12_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1328_lanes = Lambda_inv_0_0_p1327_lanes *
+      Lambda_inv_0_0_p1091_lanes[0];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_inv_0_0_p768 = 0.086 * Lambda_inv_0_0_p538;
+  const Real Lambda_inv_0_0_p1329 = 0.086 * Lambda_inv_0_0_p1085;
 
   // link 13 (left_hand), force propagation
-  const Lanes Lambda_inv_0_0_p769_lanes = detail::make_lanes<Real>(91.62274020012977,
+  const Lanes<8> Lambda_inv_0_0_p1330_lanes = detail::make_lanes<Real>(91.62274020012977,
       91.62274020012977, 1065.380700001509, 1065.380700001509, 1065.380700001509, 1065.380700001509,
-      91.62274020012977, 91.62274020012977) * detail::make_lanes<Real>(Lambda_inv_0_0_p538,
-      Lambda_inv_0_1_p1, Lambda_inv_0_2_p2, Lambda_inv_0_3_p14_lanes[0],
-      Lambda_inv_0_3_p14_lanes[1], Lambda_inv_0_3_p14_lanes[2], Lambda_inv_0_0_p538,
-      Lambda_inv_0_0_p538);
-  const Lanes Lambda_inv_0_0_p770_lanes = Lambda_inv_0_0_p769_lanes * Lambda_inv_0_0_p768;
+      91.62274020012977, 91.62274020012977) * detail::make_lanes<Real>(Lambda_inv_0_0_p1085,
+      Lambda_inv_0_1_p42, Lambda_inv_0_2_p4, Lambda_inv_0_3_p36_lanes[0],
+      Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_0_p1085,
+      Lambda_inv_0_0_p1085);
+  const Lanes<8> Lambda_inv_0_0_p1331_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_0_p1329;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_0_0_p771_lanes = Lambda_inv_0_0_p770_lanes + Lambda_inv_0_0_p767_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1332_lanes = Lambda_inv_0_0_p1331_lanes +
+      Lambda_inv_0_0_p1328_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_0_0_p772_lanes = Lambda_inv_0_0_p771_lanes + Lambda_inv_0_0_p765_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1333_lanes = Lambda_inv_0_0_p1332_lanes +
+      Lambda_inv_0_0_p1326_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_0_0_p773_lanes = Lambda_inv_0_0_p772_lanes + Lambda_inv_0_0_p763_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1334_lanes = Lambda_inv_0_0_p1333_lanes +
+      Lambda_inv_0_0_p1324_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_0_0_p774_lanes = Lambda_inv_0_0_p773_lanes + Lambda_inv_0_0_p761_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1335_lanes = Lambda_inv_0_0_p1334_lanes +
+      Lambda_inv_0_0_p1322_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_0_0_p775_lanes = Lambda_inv_0_0_p774_lanes + Lambda_inv_0_0_p759_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1336_lanes = Lambda_inv_0_0_p1335_lanes +
+      Lambda_inv_0_0_p1320_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_0_0_p776_lanes = Lambda_inv_0_0_p775_lanes + Lambda_inv_0_0_p757_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1337_lanes = Lambda_inv_0_0_p1336_lanes +
+      Lambda_inv_0_0_p1318_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_0_p777_lanes = Lambda_inv_0_0_p776_lanes + Lambda_inv_0_0_p755_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1338_lanes = Lambda_inv_0_0_p1337_lanes +
+      Lambda_inv_0_0_p1316_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_0_0_p778_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p777_lanes[0],
-      Lambda_inv_0_0_p777_lanes[1], Lambda_inv_0_0_p777_lanes[2], Lambda_inv_0_0_p777_lanes[3],
-      Lambda_inv_0_0_p777_lanes[4], Lambda_inv_0_0_p777_lanes[5], Lambda_inv_0_6_p155 *
-      Lambda_inv_0_0_p666_lanes[0], Lambda_inv_0_7_p151 * Lambda_inv_0_0_p666_lanes[0]) +
-      Lambda_inv_0_0_p753_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1339_lanes =
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1338_lanes[0], Lambda_inv_0_0_p1338_lanes[1],
+      Lambda_inv_0_0_p1338_lanes[2], Lambda_inv_0_0_p1338_lanes[3], Lambda_inv_0_0_p1338_lanes[4],
+      Lambda_inv_0_0_p1338_lanes[5], Lambda_inv_0_6_p188 * Lambda_inv_0_0_p1227,
+      Lambda_inv_0_7_p188 * Lambda_inv_0_0_p1227) + Lambda_inv_0_0_p1314_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_0_p779_lanes = Lambda_inv_0_0_p778_lanes + Lambda_inv_0_0_p751_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1340_lanes = Lambda_inv_0_0_p1339_lanes +
+      Lambda_inv_0_0_p1312_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_0_p780_lanes = Lambda_inv_0_0_p779_lanes + Lambda_inv_0_0_p749_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1341_lanes = Lambda_inv_0_0_p1340_lanes +
+      Lambda_inv_0_0_p1310_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_0_p781_lanes = Lambda_inv_0_0_p780_lanes + Lambda_inv_0_0_p747_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1342_lanes = Lambda_inv_0_0_p1341_lanes +
+      Lambda_inv_0_0_p1308_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_0_0_lanes = Lambda_inv_0_0_p781_lanes + Lambda_inv_0_0_p745_lanes;
+  const Lanes<8> Lambda_inv_0_0_lanes = Lambda_inv_0_0_p1342_lanes + Lambda_inv_0_0_p1306_lanes;
   Lambda_inv[0] = Lambda_inv_0_0_lanes[0];
   Lambda_inv[1] = Lambda_inv_0_0_lanes[1];
   Lambda_inv[12] = Lambda_inv_0_0_lanes[1];
@@ -2680,585 +3520,273 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[7] = Lambda_inv_0_0_lanes[7];
   Lambda_inv[84] = Lambda_inv_0_0_lanes[7];
 
-  // link 14 (right_shoulder1), pose
-  const Real Lambda_inv_0_11_p1 = s14 * Lambda_inv_0_5_p4 - c14 * Lambda_inv_0_5_p5;
-  const Real Lambda_inv_0_11_p2 = c14 * Lambda_inv_0_5_p4 + s14 * Lambda_inv_0_5_p5;
-
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_inv_0_11_p3 = s15 * Lambda_inv_0_11_p2 + c15 * Lambda_inv_0_5_p8;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_inv_0_11_p4 = c16 * Lambda_inv_0_11_p1 - s16 * Lambda_inv_0_11_p3;
-
-  // link 15 (right_shoulder2), pose
-  const Real Lambda_inv_0_11_p5 = c15 * Lambda_inv_0_11_p2 - s15 * Lambda_inv_0_5_p8;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_inv_0_11_p6 = c17 * Lambda_inv_0_11_p4 + s17 * Lambda_inv_0_11_p5;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_inv_0_11_p7 = c16 * Lambda_inv_0_11_p3 + s16 * Lambda_inv_0_11_p1;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_inv_0_11_p8 = c18 * Lambda_inv_0_11_p6 - s18 * Lambda_inv_0_11_p7;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_inv_0_11_p9 = c17 * Lambda_inv_0_11_p5 - s17 * Lambda_inv_0_11_p4;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_inv_0_11_p10 = c19 * Lambda_inv_0_11_p9 - s19 * Lambda_inv_0_11_p8;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_inv_0_11_p11 = s18 * Lambda_inv_0_11_p6 + c18 * Lambda_inv_0_11_p7;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_inv_0_11_p12 = c20 * Lambda_inv_0_11_p10 - s20 * Lambda_inv_0_11_p11;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_inv_0_11_p13 = c19 * Lambda_inv_0_11_p8 + s19 * Lambda_inv_0_11_p9;
-
-  // link 20 (right_hand), force propagation
-  const Lanes Lambda_inv_0_9_p1_lanes = 0.11533812622014242 *
-      detail::make_lanes<Real>(Lambda_inv_0_6_p27, Lambda_inv_0_6_p27, Lambda_inv_0_7_p21,
-      Lambda_inv_0_11_p13, Lambda_inv_0_6_p27, Lambda_inv_0_6_p27, Lambda_inv_0_6_p27,
-      Lambda_inv_0_6_p27);
-  const Lanes Lambda_inv_0_9_p2_lanes = detail::make_lanes<Real>(Lambda_inv_0_6_p22,
-      Lambda_inv_0_6_p22, Lambda_inv_0_7_p17, Lambda_inv_0_11_p12, Lambda_inv_0_6_p22,
-      Lambda_inv_0_6_p22, Lambda_inv_0_6_p22, Lambda_inv_0_6_p22) + Lambda_inv_0_9_p1_lanes;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_inv_0_8_p1 = s20 * Lambda_inv_0_11_p10 + c20 * Lambda_inv_0_11_p11;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_8_p2 = -(0.086 * Lambda_inv_0_8_p1);
-  const Real Lambda_inv_0_8_p3 = 0.11533812622014242 * Lambda_inv_0_8_p2;
-  const Lanes Lambda_inv_0_8_p4_lanes = c20 * detail::make_lanes<Real>(Lambda_inv_0_8_p3,
-      Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
-      Lambda_inv_0_8_p3, Lambda_inv_0_8_p3, Lambda_inv_0_8_p3, Lambda_inv_0_8_p3);
-  const Real Lambda_inv_0_11_p17 = -Lambda_inv_0_8_p1;
-  const Lanes Lambda_inv_0_8_p5_lanes = 0.04672761636452121 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p2, Lambda_inv_0_6_p27, Lambda_inv_0_7_p21,
-      Lambda_inv_0_11_p13, Lambda_inv_0_8_p2, Lambda_inv_0_8_p2, Lambda_inv_0_8_p2,
-      Lambda_inv_0_8_p2);
-  const Lanes Lambda_inv_0_8_p6_lanes = detail::make_lanes<Real>(-(0.086 * Lambda_inv_0_11_p13),
-      Lambda_inv_0_6_p23, Lambda_inv_0_7_p18, Lambda_inv_0_11_p17, -(0.086 * Lambda_inv_0_11_p13),
-      -(0.086 * Lambda_inv_0_11_p13), -(0.086 * Lambda_inv_0_11_p13),
-      -(0.086 * Lambda_inv_0_11_p13)) + Lambda_inv_0_8_p5_lanes;
-  const Lanes Lambda_inv_0_8_p7_lanes = s20 * Lambda_inv_0_8_p6_lanes;
-  const Lanes Lambda_inv_0_8_p8_lanes = Lambda_inv_0_8_p4_lanes - Lambda_inv_0_8_p7_lanes;
-  const Lanes Lambda_inv_0_8_p9_lanes = s20 * detail::make_lanes<Real>(Lambda_inv_0_8_p3,
-      Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
-      Lambda_inv_0_8_p3, Lambda_inv_0_8_p3, Lambda_inv_0_8_p3, Lambda_inv_0_8_p3);
-  const Lanes Lambda_inv_0_8_p10_lanes = c20 * Lambda_inv_0_8_p6_lanes;
-  const Lanes Lambda_inv_0_8_p11_lanes = Lambda_inv_0_8_p9_lanes + Lambda_inv_0_8_p10_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_0_8_p12_lanes = Lambda_inv_0_0_p186 * Lambda_inv_0_8_p11_lanes;
-  const Lanes Lambda_inv_0_8_p13_lanes = Lambda_inv_0_8_p8_lanes - Lambda_inv_0_8_p12_lanes;
-  const Lanes Lambda_inv_0_8_p14_lanes = s19 * Lambda_inv_0_8_p13_lanes;
-  const Lanes Lambda_inv_0_8_p15_lanes = Lambda_inv_0_0_p192 * Lambda_inv_0_8_p11_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Lanes Lambda_inv_0_9_p15_lanes = 3.0523172236718206 *
-      detail::make_lanes<Real>(Lambda_inv_0_6_p27, Lambda_inv_0_6_p27, Lambda_inv_0_7_p21,
-      Lambda_inv_0_11_p13, Lambda_inv_0_6_p27, Lambda_inv_0_6_p27, Lambda_inv_0_6_p27,
-      Lambda_inv_0_6_p27);
-  const Lanes Lambda_inv_0_9_p16_lanes = s20 * Lambda_inv_0_9_p15_lanes;
-  const Lanes Lambda_inv_0_9_p17_lanes = 17.32841575379867 *
-      detail::make_lanes<Real>(Lambda_inv_0_6_p27, Lambda_inv_0_6_p27, Lambda_inv_0_7_p21,
-      Lambda_inv_0_11_p13, Lambda_inv_0_6_p27, Lambda_inv_0_6_p27, Lambda_inv_0_6_p27,
-      Lambda_inv_0_6_p27);
-  const Lanes Lambda_inv_0_9_p18_lanes = c20 * Lambda_inv_0_9_p17_lanes;
-  const Lanes Lambda_inv_0_9_p19_lanes = Lambda_inv_0_9_p16_lanes - Lambda_inv_0_9_p18_lanes;
-  const Real Lambda_inv_0_8_p16 = Lambda_inv_0_11_p12 + 3.0523172236718206 * Lambda_inv_0_8_p2;
-  const Real Lambda_inv_0_8_p17 = Lambda_inv_0_11_p17 - 17.32841575379867 * Lambda_inv_0_8_p2;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_0_8_p18_lanes = detail::make_lanes<Real>(s20 * Lambda_inv_0_8_p16 + c20 *
-      Lambda_inv_0_8_p17, Lambda_inv_0_9_p19_lanes[1], Lambda_inv_0_9_p19_lanes[2],
-      Lambda_inv_0_9_p19_lanes[3], s20 * Lambda_inv_0_8_p16 + c20 * Lambda_inv_0_8_p17, s20 *
-      Lambda_inv_0_8_p16 + c20 * Lambda_inv_0_8_p17, s20 * Lambda_inv_0_8_p16 + c20 *
-      Lambda_inv_0_8_p17, s20 * Lambda_inv_0_8_p16 + c20 * Lambda_inv_0_8_p17) -
-      Lambda_inv_0_8_p15_lanes;
-  const Lanes Lambda_inv_0_8_p19_lanes = 0.269 * Lambda_inv_0_8_p18_lanes;
-  const Lanes Lambda_inv_0_8_p20_lanes = Lambda_inv_0_8_p19_lanes - Lambda_inv_0_8_p14_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_11_p37 = -(c19 * Lambda_inv_0_8_p13_lanes[3]);
-  const Real Lambda_inv_0_10_p23 = -(c19 * Lambda_inv_0_8_p13_lanes[2]);
-  const Real Lambda_inv_0_9_p23 = -(c19 * Lambda_inv_0_8_p13_lanes[1]);
-  const Real Lambda_inv_0_8_p21 = -(c19 * Lambda_inv_0_8_p13_lanes[0]);
-  const Lanes Lambda_inv_0_8_p22_lanes = inverse_D17_p1 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p21, Lambda_inv_0_9_p23, Lambda_inv_0_10_p23,
-      Lambda_inv_0_11_p37, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21,
-      Lambda_inv_0_8_p21);
-  const Lanes Lambda_inv_0_8_p23_lanes = Lambda_inv_0_8_p20_lanes - Lambda_inv_0_8_p22_lanes;
-  const Lanes Lambda_inv_0_8_p24_lanes = c18 * Lambda_inv_0_8_p23_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_0_9_p27_lanes = Lambda_inv_0_0_p209 * Lambda_inv_0_8_p11_lanes;
-  const Lanes Lambda_inv_0_9_p28_lanes = c19 * Lambda_inv_0_9_p27_lanes;
-  const Lanes Lambda_inv_0_9_p29_lanes = Lambda_inv_0_0_p206 * Lambda_inv_0_8_p11_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Lanes Lambda_inv_0_9_p30_lanes = c20 * Lambda_inv_0_9_p15_lanes;
-  const Lanes Lambda_inv_0_9_p31_lanes = s20 * Lambda_inv_0_9_p17_lanes;
-  const Lanes Lambda_inv_0_9_p32_lanes = Lambda_inv_0_9_p30_lanes + Lambda_inv_0_9_p31_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_0_9_p33_lanes = Lambda_inv_0_9_p32_lanes - Lambda_inv_0_9_p29_lanes;
-  const Lanes Lambda_inv_0_9_p34_lanes = s19 * Lambda_inv_0_9_p33_lanes;
-  const Lanes Lambda_inv_0_9_p35_lanes = Lambda_inv_0_9_p28_lanes + Lambda_inv_0_9_p34_lanes;
-  const Real Lambda_inv_0_8_p25 = c20 * Lambda_inv_0_8_p16 - s20 * Lambda_inv_0_8_p17 -
-      Lambda_inv_0_0_p206 * Lambda_inv_0_8_p11_lanes[0];
-  const Real Lambda_inv_0_8_p26 = Lambda_inv_0_11_p13 - Lambda_inv_0_0_p209 *
-      Lambda_inv_0_8_p11_lanes[0];
-  const Real Lambda_inv_0_8_p27 = s19 * Lambda_inv_0_8_p25 - c19 * Lambda_inv_0_8_p26;
-  const Lanes Lambda_inv_0_8_p28_lanes = 0.269 * detail::make_lanes<Real>(Lambda_inv_0_8_p27,
-      Lambda_inv_0_9_p35_lanes[1], Lambda_inv_0_9_p35_lanes[2], Lambda_inv_0_9_p35_lanes[3],
-      Lambda_inv_0_8_p27, Lambda_inv_0_8_p27, Lambda_inv_0_8_p27, Lambda_inv_0_8_p27);
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_0_8_p29_lanes = inverse_D17_p3 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p21, Lambda_inv_0_9_p23, Lambda_inv_0_10_p23,
-      Lambda_inv_0_11_p37, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21,
-      Lambda_inv_0_8_p21);
-  const Lanes Lambda_inv_0_8_p30_lanes = Lambda_inv_0_8_p28_lanes - Lambda_inv_0_8_p29_lanes;
-  const Lanes Lambda_inv_0_8_p31_lanes = s18 * Lambda_inv_0_8_p30_lanes;
-  const Lanes Lambda_inv_0_8_p32_lanes = Lambda_inv_0_8_p24_lanes - Lambda_inv_0_8_p31_lanes;
-  const Lanes Lambda_inv_0_8_p33_lanes = s18 * Lambda_inv_0_8_p23_lanes;
-  const Lanes Lambda_inv_0_8_p34_lanes = c18 * Lambda_inv_0_8_p30_lanes;
-  const Lanes Lambda_inv_0_8_p35_lanes = Lambda_inv_0_8_p33_lanes + Lambda_inv_0_8_p34_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_0_8_p36_lanes = Lambda_inv_0_0_p243 * Lambda_inv_0_8_p35_lanes;
-  const Lanes Lambda_inv_0_8_p37_lanes = Lambda_inv_0_8_p32_lanes - Lambda_inv_0_8_p36_lanes;
-  const Lanes Lambda_inv_0_8_p38_lanes = c17 * Lambda_inv_0_8_p37_lanes;
-  const Lanes Lambda_inv_0_8_p39_lanes = Lambda_inv_0_0_p240 * Lambda_inv_0_8_p35_lanes;
-  const Lanes Lambda_inv_0_8_p40_lanes = s17 * Lambda_inv_0_8_p39_lanes;
-  const Lanes Lambda_inv_0_8_p41_lanes = Lambda_inv_0_8_p38_lanes + Lambda_inv_0_8_p40_lanes;
-  const Lanes Lambda_inv_0_8_p42_lanes = Lambda_inv_0_0_p234 * Lambda_inv_0_8_p35_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_0_8_p43_lanes = Lambda_inv_0_0_p214 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p21, Lambda_inv_0_9_p23, Lambda_inv_0_10_p23,
-      Lambda_inv_0_11_p37, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21,
-      Lambda_inv_0_8_p21);
-  const Lanes Lambda_inv_0_8_p44_lanes = detail::make_lanes<Real>(-Lambda_inv_0_8_p27,
-      -Lambda_inv_0_9_p35_lanes[1], -Lambda_inv_0_9_p35_lanes[2], -Lambda_inv_0_9_p35_lanes[3],
-      -Lambda_inv_0_8_p27, -Lambda_inv_0_8_p27, -Lambda_inv_0_8_p27, -Lambda_inv_0_8_p27) -
-      Lambda_inv_0_8_p43_lanes;
-  const Lanes Lambda_inv_0_8_p45_lanes = s18 * Lambda_inv_0_8_p44_lanes;
-  const Lanes Lambda_inv_0_8_p46_lanes = Lambda_inv_0_0_p198 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p21, Lambda_inv_0_9_p23, Lambda_inv_0_10_p23,
-      Lambda_inv_0_11_p37, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21,
-      Lambda_inv_0_8_p21);
-  const Lanes Lambda_inv_0_8_p47_lanes = Lambda_inv_0_8_p18_lanes - Lambda_inv_0_8_p46_lanes;
-  const Lanes Lambda_inv_0_8_p48_lanes = c18 * Lambda_inv_0_8_p47_lanes;
-  const Lanes Lambda_inv_0_8_p49_lanes = Lambda_inv_0_8_p45_lanes + Lambda_inv_0_8_p48_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_0_8_p50_lanes = Lambda_inv_0_8_p49_lanes - Lambda_inv_0_8_p42_lanes;
-  const Lanes Lambda_inv_0_8_p51_lanes = 0.282 * Lambda_inv_0_8_p50_lanes;
-  const Lanes Lambda_inv_0_8_p52_lanes = Lambda_inv_0_8_p41_lanes + Lambda_inv_0_8_p51_lanes;
-  const Lanes Lambda_inv_0_8_p53_lanes = s17 * Lambda_inv_0_8_p37_lanes;
-  const Lanes Lambda_inv_0_8_p54_lanes = c17 * Lambda_inv_0_8_p39_lanes;
-  const Lanes Lambda_inv_0_8_p55_lanes = Lambda_inv_0_8_p54_lanes - Lambda_inv_0_8_p53_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_0_8_p56_lanes = inverse_D15_p1 * Lambda_inv_0_8_p55_lanes;
-  const Lanes Lambda_inv_0_8_p57_lanes = Lambda_inv_0_8_p52_lanes - Lambda_inv_0_8_p56_lanes;
-  const Lanes Lambda_inv_0_8_p58_lanes = c16 * Lambda_inv_0_8_p57_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_0_8_p59_lanes = Lambda_inv_0_0_p258 * Lambda_inv_0_8_p35_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_0_9_p68_lanes = s19 * Lambda_inv_0_9_p27_lanes;
-  const Lanes Lambda_inv_0_9_p69_lanes = c19 * Lambda_inv_0_9_p33_lanes;
-  const Lanes Lambda_inv_0_9_p70_lanes = Lambda_inv_0_9_p68_lanes - Lambda_inv_0_9_p69_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_0_8_p60_lanes = detail::make_lanes<Real>(-(-(s19 * Lambda_inv_0_8_p26 +
-      c19 * Lambda_inv_0_8_p25) - Lambda_inv_0_0_p253 * Lambda_inv_0_8_p21),
-      -(Lambda_inv_0_9_p70_lanes[1] - Lambda_inv_0_0_p253 * Lambda_inv_0_9_p23),
-      -(Lambda_inv_0_9_p70_lanes[2] - Lambda_inv_0_0_p253 * Lambda_inv_0_10_p23),
-      -(Lambda_inv_0_9_p70_lanes[3] - Lambda_inv_0_0_p253 * Lambda_inv_0_11_p37),
-      -(-(s19 * Lambda_inv_0_8_p26 + c19 * Lambda_inv_0_8_p25) - Lambda_inv_0_0_p253 *
-      Lambda_inv_0_8_p21), -(-(s19 * Lambda_inv_0_8_p26 + c19 * Lambda_inv_0_8_p25) -
-      Lambda_inv_0_0_p253 * Lambda_inv_0_8_p21), -(-(s19 * Lambda_inv_0_8_p26 + c19 *
-      Lambda_inv_0_8_p25) - Lambda_inv_0_0_p253 * Lambda_inv_0_8_p21),
-      -(-(s19 * Lambda_inv_0_8_p26 + c19 * Lambda_inv_0_8_p25) - Lambda_inv_0_0_p253 *
-      Lambda_inv_0_8_p21)) - Lambda_inv_0_8_p59_lanes;
-  const Lanes Lambda_inv_0_8_p61_lanes = s17 * Lambda_inv_0_8_p60_lanes;
-  const Lanes Lambda_inv_0_8_p62_lanes = Lambda_inv_0_0_p249 * Lambda_inv_0_8_p35_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_0_8_p63_lanes = c18 * Lambda_inv_0_8_p44_lanes;
-  const Lanes Lambda_inv_0_8_p64_lanes = s18 * Lambda_inv_0_8_p47_lanes;
-  const Lanes Lambda_inv_0_8_p65_lanes = Lambda_inv_0_8_p63_lanes - Lambda_inv_0_8_p64_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_0_8_p66_lanes = Lambda_inv_0_8_p65_lanes - Lambda_inv_0_8_p62_lanes;
-  const Lanes Lambda_inv_0_8_p67_lanes = c17 * Lambda_inv_0_8_p66_lanes;
-  const Lanes Lambda_inv_0_8_p68_lanes = Lambda_inv_0_8_p61_lanes - Lambda_inv_0_8_p67_lanes;
-  const Lanes Lambda_inv_0_8_p69_lanes = 0.282 * Lambda_inv_0_8_p68_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_0_8_p70_lanes = inverse_D15_p3 * Lambda_inv_0_8_p55_lanes;
-  const Lanes Lambda_inv_0_8_p71_lanes = Lambda_inv_0_8_p69_lanes - Lambda_inv_0_8_p70_lanes;
-  const Lanes Lambda_inv_0_8_p72_lanes = s16 * Lambda_inv_0_8_p71_lanes;
-  const Lanes Lambda_inv_0_8_p73_lanes = Lambda_inv_0_8_p58_lanes - Lambda_inv_0_8_p72_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_0_8_p74_lanes = Lambda_inv_0_0_p317 * Lambda_inv_0_8_p73_lanes;
-  const Lanes Lambda_inv_0_8_p75_lanes = detail::make_lanes<Real>(-(-(s17 *
-      Lambda_inv_0_8_p66_lanes[0] + c17 * Lambda_inv_0_8_p60_lanes[0]) + Lambda_inv_0_0_p311 *
-      Lambda_inv_0_8_p55_lanes[0]), -(-(s17 * Lambda_inv_0_8_p66_lanes[1] + c17 *
-      Lambda_inv_0_8_p60_lanes[1]) + Lambda_inv_0_0_p311 * Lambda_inv_0_8_p55_lanes[1]),
-      -(-(s17 * Lambda_inv_0_8_p66_lanes[2] + c17 * Lambda_inv_0_8_p60_lanes[2]) +
-      Lambda_inv_0_0_p311 * Lambda_inv_0_8_p55_lanes[2]),
-      -(-(s17 * Lambda_inv_0_8_p66_lanes[3] + c17 * Lambda_inv_0_8_p60_lanes[3]) +
-      Lambda_inv_0_0_p311 * Lambda_inv_0_8_p55_lanes[3]),
-      -(-(s17 * Lambda_inv_0_8_p66_lanes[0] + c17 * Lambda_inv_0_8_p60_lanes[0]) +
-      Lambda_inv_0_0_p311 * Lambda_inv_0_8_p55_lanes[0]),
-      -(-(s17 * Lambda_inv_0_8_p66_lanes[0] + c17 * Lambda_inv_0_8_p60_lanes[0]) +
-      Lambda_inv_0_0_p311 * Lambda_inv_0_8_p55_lanes[0]),
-      -(-(s17 * Lambda_inv_0_8_p66_lanes[0] + c17 * Lambda_inv_0_8_p60_lanes[0]) +
-      Lambda_inv_0_0_p311 * Lambda_inv_0_8_p55_lanes[0]),
-      -(-(s17 * Lambda_inv_0_8_p66_lanes[0] + c17 * Lambda_inv_0_8_p60_lanes[0]) +
-      Lambda_inv_0_0_p311 * Lambda_inv_0_8_p55_lanes[0])) - Lambda_inv_0_8_p74_lanes;
-  const Lanes Lambda_inv_0_8_p76_lanes = c15 * Lambda_inv_0_8_p75_lanes;
-  const Lanes Lambda_inv_0_8_p77_lanes = Lambda_inv_0_0_p308 * Lambda_inv_0_8_p73_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_0_8_p78_lanes = Lambda_inv_0_0_p266 * Lambda_inv_0_8_p55_lanes;
-  const Lanes Lambda_inv_0_8_p79_lanes = detail::make_lanes<Real>(-Lambda_inv_0_8_p68_lanes[0],
-      -Lambda_inv_0_8_p68_lanes[1], -Lambda_inv_0_8_p68_lanes[2], -Lambda_inv_0_8_p68_lanes[3],
-      -Lambda_inv_0_8_p68_lanes[0], -Lambda_inv_0_8_p68_lanes[0], -Lambda_inv_0_8_p68_lanes[0],
-      -Lambda_inv_0_8_p68_lanes[0]) - Lambda_inv_0_8_p78_lanes;
-  const Lanes Lambda_inv_0_8_p80_lanes = s16 * Lambda_inv_0_8_p79_lanes;
-  const Lanes Lambda_inv_0_8_p81_lanes = Lambda_inv_0_0_p281 * Lambda_inv_0_8_p55_lanes;
-  const Lanes Lambda_inv_0_8_p82_lanes = Lambda_inv_0_8_p50_lanes - Lambda_inv_0_8_p81_lanes;
-  const Lanes Lambda_inv_0_8_p83_lanes = c16 * Lambda_inv_0_8_p82_lanes;
-  const Lanes Lambda_inv_0_8_p84_lanes = Lambda_inv_0_8_p80_lanes + Lambda_inv_0_8_p83_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_0_8_p85_lanes = Lambda_inv_0_8_p84_lanes - Lambda_inv_0_8_p77_lanes;
-  const Lanes Lambda_inv_0_8_p86_lanes = s15 * Lambda_inv_0_8_p85_lanes;
-  const Lanes Lambda_inv_0_8_p87_lanes = Lambda_inv_0_8_p76_lanes - Lambda_inv_0_8_p86_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_0_8_p88_lanes = s16 * Lambda_inv_0_8_p57_lanes;
-  const Lanes Lambda_inv_0_8_p89_lanes = c16 * Lambda_inv_0_8_p71_lanes;
-  const Lanes Lambda_inv_0_8_p90_lanes = Lambda_inv_0_8_p88_lanes + Lambda_inv_0_8_p89_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_0_8_p91_lanes = inverse_D14_p1 * Lambda_inv_0_8_p73_lanes;
-  const Lanes Lambda_inv_0_8_p92_lanes = Lambda_inv_0_8_p90_lanes - Lambda_inv_0_8_p91_lanes;
-  const Lanes Lambda_inv_0_8_p93_lanes = c15 * Lambda_inv_0_8_p92_lanes;
-  const Lanes Lambda_inv_0_8_p94_lanes = Lambda_inv_0_7_p1 * Lambda_inv_0_8_p73_lanes;
-  const Lanes Lambda_inv_0_8_p95_lanes = s15 * Lambda_inv_0_8_p94_lanes;
-  const Lanes Lambda_inv_0_8_p96_lanes = Lambda_inv_0_8_p95_lanes + Lambda_inv_0_8_p93_lanes;
+  // link 6 (chest3), force propagation
+  const Real Lambda_inv_0_11_p144 = -Lambda_inv_0_5_p192_lanes[1];
+  const Real Lambda_inv_0_10_p143 = -Lambda_inv_0_4_p145_lanes[1];
+  const Real Lambda_inv_0_9_p143 = -Lambda_inv_0_3_p187_lanes[1];
+  const Real Lambda_inv_0_8_p182 = -Lambda_inv_0_2_p146_lanes[1];
+  const Lanes<8> Lambda_inv_0_8_p183_lanes = inverse_D5_p16 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
+      Lambda_inv_0_8_p182);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_0_8_p97_lanes = Lambda_inv_0_0_p324 * Lambda_inv_0_8_p96_lanes;
-  const Lanes Lambda_inv_0_8_p98_lanes = Lambda_inv_0_8_p87_lanes - Lambda_inv_0_8_p97_lanes;
-  const Lanes Lambda_inv_0_8_p99_lanes = c14 * Lambda_inv_0_8_p98_lanes;
-  const Lanes Lambda_inv_0_8_p100_lanes = Lambda_inv_0_0_p305 * Lambda_inv_0_8_p96_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_0_8_p101_lanes = Lambda_inv_0_0_p299 * Lambda_inv_0_8_p73_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_0_8_p102_lanes = c16 * Lambda_inv_0_8_p79_lanes;
-  const Lanes Lambda_inv_0_8_p103_lanes = s16 * Lambda_inv_0_8_p82_lanes;
-  const Lanes Lambda_inv_0_8_p104_lanes = Lambda_inv_0_8_p102_lanes - Lambda_inv_0_8_p103_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_0_8_p105_lanes = Lambda_inv_0_8_p104_lanes - Lambda_inv_0_8_p101_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_0_8_p106_lanes = Lambda_inv_0_8_p105_lanes - Lambda_inv_0_8_p100_lanes;
-  const Lanes Lambda_inv_0_8_p107_lanes = s14 * Lambda_inv_0_8_p106_lanes;
-  const Lanes Lambda_inv_0_8_p108_lanes = Lambda_inv_0_8_p107_lanes + Lambda_inv_0_8_p99_lanes;
-  const Lanes Lambda_inv_0_8_p109_lanes = 0.18 * Lambda_inv_0_8_p108_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_0_8_p110_lanes = s15 * Lambda_inv_0_8_p75_lanes;
-  const Lanes Lambda_inv_0_8_p111_lanes = c15 * Lambda_inv_0_8_p85_lanes;
-  const Lanes Lambda_inv_0_8_p112_lanes = Lambda_inv_0_8_p110_lanes + Lambda_inv_0_8_p111_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_0_8_p113_lanes = Lambda_inv_0_0_p334 * Lambda_inv_0_8_p96_lanes;
-  const Lanes Lambda_inv_0_8_p114_lanes = Lambda_inv_0_8_p112_lanes - Lambda_inv_0_8_p113_lanes;
-  const Lanes Lambda_inv_0_8_p115_lanes = 0.226 * Lambda_inv_0_8_p114_lanes;
-  const Lanes Lambda_inv_0_8_p116_lanes = Lambda_inv_0_8_p109_lanes - Lambda_inv_0_8_p115_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_0_8_p117_lanes = s15 * Lambda_inv_0_8_p92_lanes;
-  const Lanes Lambda_inv_0_8_p118_lanes = c15 * Lambda_inv_0_8_p94_lanes;
-  const Lanes Lambda_inv_0_8_p119_lanes = Lambda_inv_0_8_p118_lanes - Lambda_inv_0_8_p117_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_0_8_p120_lanes = inverse_D6_p1 * Lambda_inv_0_8_p96_lanes;
-  const Lanes Lambda_inv_0_8_p121_lanes = Lambda_inv_0_8_p119_lanes - Lambda_inv_0_8_p120_lanes;
-  const Lanes Lambda_inv_0_8_p122_lanes = s14 * Lambda_inv_0_8_p121_lanes;
-  const Lanes Lambda_inv_0_8_p123_lanes = Lambda_inv_0_7_p65 * Lambda_inv_0_8_p96_lanes;
-  const Lanes Lambda_inv_0_8_p124_lanes = c14 * Lambda_inv_0_8_p123_lanes;
-  const Lanes Lambda_inv_0_8_p125_lanes = Lambda_inv_0_8_p124_lanes + Lambda_inv_0_8_p122_lanes;
-  const Lanes Lambda_inv_0_8_p126_lanes = Lambda_inv_0_8_p116_lanes - Lambda_inv_0_8_p125_lanes;
+  const Lanes<8> Lambda_inv_0_8_p184_lanes = s14 * Lambda_inv_0_8_p158_lanes;
+  const Lanes<8> Lambda_inv_0_8_p185_lanes = c14 * Lambda_inv_0_8_p166_lanes;
+  const Lanes<8> Lambda_inv_0_8_p186_lanes = Lambda_inv_0_8_p185_lanes - Lambda_inv_0_8_p184_lanes;
+  const Lanes<8> Lambda_inv_0_8_p187_lanes = (-0.18) * Lambda_inv_0_8_p186_lanes;
+  const Lanes<8> Lambda_inv_0_8_p188_lanes = c14 * Lambda_inv_0_8_p173_lanes;
+  const Lanes<8> Lambda_inv_0_8_p189_lanes = s14 * Lambda_inv_0_8_p174_lanes;
+  const Lanes<8> Lambda_inv_0_8_p190_lanes = Lambda_inv_0_8_p189_lanes - Lambda_inv_0_8_p188_lanes;
+  const Lanes<8> Lambda_inv_0_8_p191_lanes = Lambda_inv_0_8_p187_lanes - Lambda_inv_0_8_p190_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_8_p127_lanes = inverse_D5_p14 * Lambda_inv_0_8_p126_lanes;
+  const Lanes<8> Lambda_inv_0_8_p192_lanes = Lambda_inv_0_8_p191_lanes - Lambda_inv_0_8_p183_lanes;
+  const Lanes<8> Lambda_inv_0_8_p193_lanes = s6 * Lambda_inv_0_8_p192_lanes;
+  const Lanes<8> Lambda_inv_0_8_p194_lanes = inverse_D5_p22 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
+      Lambda_inv_0_8_p182);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_0_8_p128_lanes = s14 * Lambda_inv_0_8_p98_lanes;
-  const Lanes Lambda_inv_0_8_p129_lanes = c14 * Lambda_inv_0_8_p106_lanes;
-  const Lanes Lambda_inv_0_8_p130_lanes = Lambda_inv_0_8_p129_lanes - Lambda_inv_0_8_p128_lanes;
+  const Lanes<8> Lambda_inv_0_8_p195_lanes = 0.226 * Lambda_inv_0_8_p186_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_8_p131_lanes = detail::make_lanes<Real>(-(s14 *
-      Lambda_inv_0_8_p123_lanes[0] - c14 * Lambda_inv_0_8_p121_lanes[0] + 0.18 *
-      Lambda_inv_0_8_p130_lanes[0]), -(s14 * Lambda_inv_0_8_p123_lanes[1] - c14 *
-      Lambda_inv_0_8_p121_lanes[1] + 0.18 * Lambda_inv_0_8_p130_lanes[1]),
-      -(s14 * Lambda_inv_0_8_p123_lanes[2] - c14 * Lambda_inv_0_8_p121_lanes[2] + 0.18 *
-      Lambda_inv_0_8_p130_lanes[2]), -(s14 * Lambda_inv_0_8_p123_lanes[3] - c14 *
-      Lambda_inv_0_8_p121_lanes[3] + 0.18 * Lambda_inv_0_8_p130_lanes[3]),
-      -(s14 * Lambda_inv_0_8_p123_lanes[0] - c14 * Lambda_inv_0_8_p121_lanes[0] + 0.18 *
-      Lambda_inv_0_8_p130_lanes[0]), -(s14 * Lambda_inv_0_8_p123_lanes[0] - c14 *
-      Lambda_inv_0_8_p121_lanes[0] + 0.18 * Lambda_inv_0_8_p130_lanes[0]),
-      -(s14 * Lambda_inv_0_8_p123_lanes[0] - c14 * Lambda_inv_0_8_p121_lanes[0] + 0.18 *
-      Lambda_inv_0_8_p130_lanes[0]), -(s14 * Lambda_inv_0_8_p123_lanes[0] - c14 *
-      Lambda_inv_0_8_p121_lanes[0] + 0.18 * Lambda_inv_0_8_p130_lanes[0])) -
-      Lambda_inv_0_8_p127_lanes;
-  const Lanes Lambda_inv_0_8_p132_lanes = s6 * Lambda_inv_0_8_p131_lanes;
-  const Lanes Lambda_inv_0_8_p133_lanes = inverse_D5_p16 * Lambda_inv_0_8_p126_lanes;
+  const Lanes<8> Lambda_inv_0_8_p196_lanes = Lambda_inv_0_8_p195_lanes - Lambda_inv_0_8_p194_lanes;
+  const Lanes<8> Lambda_inv_0_8_p197_lanes = c6 * Lambda_inv_0_8_p196_lanes;
+  const Lanes<8> Lambda_inv_0_8_p198_lanes = Lambda_inv_0_8_p193_lanes + Lambda_inv_0_8_p197_lanes;
+  const Lanes<8> Lambda_inv_0_8_p199_lanes = Lambda_inv_0_0_p993 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
+      Lambda_inv_0_8_p182);
+  const Lanes<8> Lambda_inv_0_8_p200_lanes = Lambda_inv_0_8_p186_lanes - Lambda_inv_0_8_p199_lanes;
+  const Lanes<8> Lambda_inv_0_8_p201_lanes = 0.072 * Lambda_inv_0_8_p200_lanes;
+  const Lanes<8> Lambda_inv_0_8_p202_lanes = Lambda_inv_0_8_p198_lanes + Lambda_inv_0_8_p201_lanes;
+  const Lanes<8> Lambda_inv_0_8_p203_lanes = Lambda_inv_0_0_p930 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
+      Lambda_inv_0_8_p182);
+  const Lanes<8> Lambda_inv_0_8_p204_lanes = Lambda_inv_0_8_p168_lanes + Lambda_inv_0_8_p203_lanes;
+  const Lanes<8> Lambda_inv_0_8_p205_lanes = s6 * Lambda_inv_0_8_p204_lanes;
+  const Lanes<8> Lambda_inv_0_8_p206_lanes = Lambda_inv_0_0_p984 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
+      Lambda_inv_0_8_p182);
+  const Lanes<8> Lambda_inv_0_8_p207_lanes = Lambda_inv_0_8_p153_lanes - Lambda_inv_0_8_p206_lanes;
+  const Lanes<8> Lambda_inv_0_8_p208_lanes = c6 * Lambda_inv_0_8_p207_lanes;
+  const Lanes<8> Lambda_inv_0_8_p209_lanes = Lambda_inv_0_8_p205_lanes + Lambda_inv_0_8_p208_lanes;
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_0_8_p134_lanes = 0.226 * Lambda_inv_0_8_p130_lanes;
+  // link 5 (chest2), force propagation
+  const Real Lambda_inv_0_11_p172 = -(0.072 * Lambda_inv_0_8_p209_lanes[3]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_8_p202_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_8_p135_lanes = Lambda_inv_0_8_p134_lanes - Lambda_inv_0_8_p133_lanes;
-  const Lanes Lambda_inv_0_8_p136_lanes = c6 * Lambda_inv_0_8_p135_lanes;
-  const Lanes Lambda_inv_0_8_p137_lanes = Lambda_inv_0_8_p132_lanes + Lambda_inv_0_8_p136_lanes;
-  const Lanes Lambda_inv_0_8_p138_lanes = Lambda_inv_0_0_p450 * Lambda_inv_0_8_p126_lanes;
-  const Lanes Lambda_inv_0_8_p139_lanes = Lambda_inv_0_8_p130_lanes - Lambda_inv_0_8_p138_lanes;
-  const Lanes Lambda_inv_0_8_p140_lanes = 0.072 * Lambda_inv_0_8_p139_lanes;
-  const Lanes Lambda_inv_0_8_p141_lanes = Lambda_inv_0_8_p137_lanes + Lambda_inv_0_8_p140_lanes;
-  const Lanes Lambda_inv_0_8_p142_lanes = Lambda_inv_0_0_p410 * Lambda_inv_0_8_p126_lanes;
-  const Lanes Lambda_inv_0_8_p143_lanes = Lambda_inv_0_8_p108_lanes - Lambda_inv_0_8_p142_lanes;
-  const Lanes Lambda_inv_0_8_p144_lanes = s6 * Lambda_inv_0_8_p143_lanes;
-  const Lanes Lambda_inv_0_8_p145_lanes = Lambda_inv_0_0_p441 * Lambda_inv_0_8_p126_lanes;
-  const Lanes Lambda_inv_0_8_p146_lanes = Lambda_inv_0_8_p114_lanes - Lambda_inv_0_8_p145_lanes;
-  const Lanes Lambda_inv_0_8_p147_lanes = c6 * Lambda_inv_0_8_p146_lanes;
-  const Lanes Lambda_inv_0_8_p148_lanes = Lambda_inv_0_8_p144_lanes + Lambda_inv_0_8_p147_lanes;
+  const Lanes<8> Lambda_inv_0_8_p210_lanes = c6 * Lambda_inv_0_8_p192_lanes;
+  const Lanes<8> Lambda_inv_0_8_p211_lanes = s6 * Lambda_inv_0_8_p196_lanes;
+  const Lanes<8> Lambda_inv_0_8_p212_lanes = Lambda_inv_0_8_p210_lanes - Lambda_inv_0_8_p211_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_11_p174 = -(0.072 * Lambda_inv_0_8_p148_lanes[3]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_8_p141_lanes[3];
+  const Real Lambda_inv_0_11_p176 = Lambda_inv_0_8_p212_lanes[3] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_8_p202_lanes[3];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_inv_0_11_p177 = -(s5 * Lambda_inv_0_11_p172 + c5 * Lambda_inv_0_11_p176);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_inv_0_10_p174 = -(0.072 * Lambda_inv_0_8_p209_lanes[2]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_8_p202_lanes[2];
+  const Real Lambda_inv_0_10_p175 = Lambda_inv_0_8_p212_lanes[2] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_8_p202_lanes[2];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_inv_0_10_p176 = -(s5 * Lambda_inv_0_10_p174 + c5 * Lambda_inv_0_10_p175);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_inv_0_9_p174 = -(0.072 * Lambda_inv_0_8_p209_lanes[1]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_8_p202_lanes[1];
+  const Real Lambda_inv_0_9_p175 = Lambda_inv_0_8_p212_lanes[1] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_8_p202_lanes[1];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_inv_0_9_p176 = -(s5 * Lambda_inv_0_9_p174 + c5 * Lambda_inv_0_9_p175);
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_inv_0_8_p213 = -(0.072 * Lambda_inv_0_8_p209_lanes[0]) + Lambda_inv_0_0_p1020 *
+      Lambda_inv_0_8_p202_lanes[0];
+  const Real Lambda_inv_0_8_p214 = Lambda_inv_0_8_p212_lanes[0] - Lambda_inv_0_0_p1022 *
+      Lambda_inv_0_8_p202_lanes[0];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_inv_0_8_p215 = -(s5 * Lambda_inv_0_8_p213 + c5 * Lambda_inv_0_8_p214);
+  const Lanes<8> Lambda_inv_0_8_p216_lanes = inverse_D3_p1 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
+      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
+      Lambda_inv_0_8_p215);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p217_lanes = Lambda_inv_0_0_p1005 * Lambda_inv_0_8_p202_lanes;
+  const Lanes<8> Lambda_inv_0_8_p218_lanes = Lambda_inv_0_8_p209_lanes - Lambda_inv_0_8_p217_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p219_lanes = detail::make_lanes<Real>(-(s5 * Lambda_inv_0_8_p214 -
+      c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0]),
+      -(s5 * Lambda_inv_0_9_p175 - c5 * Lambda_inv_0_9_p174 + 0.21799999999999997 *
+      Lambda_inv_0_8_p218_lanes[1]), -(s5 * Lambda_inv_0_10_p175 - c5 * Lambda_inv_0_10_p174 +
+      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[2]),
+      -(s5 * Lambda_inv_0_11_p176 - c5 * Lambda_inv_0_11_p172 + 0.21799999999999997 *
+      Lambda_inv_0_8_p218_lanes[3]), -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 +
+      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0]),
+      -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
+      Lambda_inv_0_8_p218_lanes[0]), -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 +
+      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0]),
+      -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
+      Lambda_inv_0_8_p218_lanes[0])) - Lambda_inv_0_8_p216_lanes;
+  const Lanes<8> Lambda_inv_0_8_p220_lanes = s4 * Lambda_inv_0_8_p219_lanes;
+  const Lanes<8> Lambda_inv_0_8_p221_lanes = inverse_D3_p2 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
+      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
+      Lambda_inv_0_8_p215);
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_8_p149_lanes = c6 * Lambda_inv_0_8_p131_lanes;
-  const Lanes Lambda_inv_0_8_p150_lanes = s6 * Lambda_inv_0_8_p135_lanes;
-  const Lanes Lambda_inv_0_8_p151_lanes = Lambda_inv_0_8_p149_lanes - Lambda_inv_0_8_p150_lanes;
+  const Lanes<8> Lambda_inv_0_8_p222_lanes = c6 * Lambda_inv_0_8_p204_lanes;
+  const Lanes<8> Lambda_inv_0_8_p223_lanes = s6 * Lambda_inv_0_8_p207_lanes;
+  const Lanes<8> Lambda_inv_0_8_p224_lanes = Lambda_inv_0_8_p222_lanes - Lambda_inv_0_8_p223_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_11_p178 = Lambda_inv_0_8_p151_lanes[3] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_8_p141_lanes[3];
+  const Real Lambda_inv_0_11_p187 = Lambda_inv_0_8_p224_lanes[3] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_8_p202_lanes[3];
+  const Real Lambda_inv_0_11_p188 = Lambda_inv_0_8_p200_lanes[3] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_8_p202_lanes[3];
+  const Real Lambda_inv_0_11_p189 = s5 * Lambda_inv_0_11_p187 - c5 * Lambda_inv_0_11_p188;
+  const Real Lambda_inv_0_10_p186 = Lambda_inv_0_8_p224_lanes[2] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_8_p202_lanes[2];
+  const Real Lambda_inv_0_10_p187 = Lambda_inv_0_8_p200_lanes[2] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_8_p202_lanes[2];
+  const Real Lambda_inv_0_10_p188 = s5 * Lambda_inv_0_10_p186 - c5 * Lambda_inv_0_10_p187;
+  const Real Lambda_inv_0_9_p186 = Lambda_inv_0_8_p224_lanes[1] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_8_p202_lanes[1];
+  const Real Lambda_inv_0_9_p187 = Lambda_inv_0_8_p200_lanes[1] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_8_p202_lanes[1];
+  const Real Lambda_inv_0_9_p188 = s5 * Lambda_inv_0_9_p186 - c5 * Lambda_inv_0_9_p187;
+  const Real Lambda_inv_0_8_p225 = Lambda_inv_0_8_p224_lanes[0] - Lambda_inv_0_0_p1033 *
+      Lambda_inv_0_8_p202_lanes[0];
+  const Real Lambda_inv_0_8_p226 = Lambda_inv_0_8_p200_lanes[0] - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_8_p202_lanes[0];
+  const Real Lambda_inv_0_8_p227 = s5 * Lambda_inv_0_8_p225 - c5 * Lambda_inv_0_8_p226;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_11_p179 = -(s5 * Lambda_inv_0_11_p174 + c5 * Lambda_inv_0_11_p178);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_10_p163 = -(0.072 * Lambda_inv_0_8_p148_lanes[2]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_8_p141_lanes[2];
-  const Real Lambda_inv_0_10_p164 = Lambda_inv_0_8_p151_lanes[2] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_8_p141_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_10_p165 = -(s5 * Lambda_inv_0_10_p163 + c5 * Lambda_inv_0_10_p164);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_9_p163 = -(0.072 * Lambda_inv_0_8_p148_lanes[1]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_8_p141_lanes[1];
-  const Real Lambda_inv_0_9_p164 = Lambda_inv_0_8_p151_lanes[1] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_8_p141_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_9_p165 = -(s5 * Lambda_inv_0_9_p163 + c5 * Lambda_inv_0_9_p164);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_8_p152 = -(0.072 * Lambda_inv_0_8_p148_lanes[0]) + Lambda_inv_0_0_p477 *
-      Lambda_inv_0_8_p141_lanes[0];
-  const Real Lambda_inv_0_8_p153 = Lambda_inv_0_8_p151_lanes[0] - Lambda_inv_0_0_p479 *
-      Lambda_inv_0_8_p141_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_8_p154 = -(s5 * Lambda_inv_0_8_p152 + c5 * Lambda_inv_0_8_p153);
-  const Lanes Lambda_inv_0_8_p155_lanes = inverse_D3_p1 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p154, Lambda_inv_0_9_p165, Lambda_inv_0_10_p165,
-      Lambda_inv_0_11_p179, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154,
-      Lambda_inv_0_8_p154);
-
-  // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_0_8_p156_lanes = Lambda_inv_0_0_p462 * Lambda_inv_0_8_p141_lanes;
-  const Lanes Lambda_inv_0_8_p157_lanes = Lambda_inv_0_8_p148_lanes - Lambda_inv_0_8_p156_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_8_p158_lanes = detail::make_lanes<Real>(-(s5 * Lambda_inv_0_8_p153 - c5 *
-      Lambda_inv_0_8_p152 + 0.21799999999999997 * Lambda_inv_0_8_p157_lanes[0]),
-      -(s5 * Lambda_inv_0_9_p164 - c5 * Lambda_inv_0_9_p163 + 0.21799999999999997 *
-      Lambda_inv_0_8_p157_lanes[1]), -(s5 * Lambda_inv_0_10_p164 - c5 * Lambda_inv_0_10_p163 +
-      0.21799999999999997 * Lambda_inv_0_8_p157_lanes[2]),
-      -(s5 * Lambda_inv_0_11_p178 - c5 * Lambda_inv_0_11_p174 + 0.21799999999999997 *
-      Lambda_inv_0_8_p157_lanes[3]), -(s5 * Lambda_inv_0_8_p153 - c5 * Lambda_inv_0_8_p152 +
-      0.21799999999999997 * Lambda_inv_0_8_p157_lanes[0]),
-      -(s5 * Lambda_inv_0_8_p153 - c5 * Lambda_inv_0_8_p152 + 0.21799999999999997 *
-      Lambda_inv_0_8_p157_lanes[0]), -(s5 * Lambda_inv_0_8_p153 - c5 * Lambda_inv_0_8_p152 +
-      0.21799999999999997 * Lambda_inv_0_8_p157_lanes[0]),
-      -(s5 * Lambda_inv_0_8_p153 - c5 * Lambda_inv_0_8_p152 + 0.21799999999999997 *
-      Lambda_inv_0_8_p157_lanes[0])) - Lambda_inv_0_8_p155_lanes;
-  const Lanes Lambda_inv_0_8_p159_lanes = s4 * Lambda_inv_0_8_p158_lanes;
-  const Lanes Lambda_inv_0_8_p160_lanes = inverse_D3_p2 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p154, Lambda_inv_0_9_p165, Lambda_inv_0_10_p165,
-      Lambda_inv_0_11_p179, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154,
-      Lambda_inv_0_8_p154);
-
-  // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_8_p161_lanes = c6 * Lambda_inv_0_8_p143_lanes;
-  const Lanes Lambda_inv_0_8_p162_lanes = s6 * Lambda_inv_0_8_p146_lanes;
-  const Lanes Lambda_inv_0_8_p163_lanes = Lambda_inv_0_8_p161_lanes - Lambda_inv_0_8_p162_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_11_p189 = Lambda_inv_0_8_p163_lanes[3] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_8_p141_lanes[3];
-  const Real Lambda_inv_0_11_p190 = Lambda_inv_0_8_p139_lanes[3] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_8_p141_lanes[3];
-  const Real Lambda_inv_0_11_p191 = s5 * Lambda_inv_0_11_p189 - c5 * Lambda_inv_0_11_p190;
-  const Real Lambda_inv_0_10_p175 = Lambda_inv_0_8_p163_lanes[2] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_8_p141_lanes[2];
-  const Real Lambda_inv_0_10_p176 = Lambda_inv_0_8_p139_lanes[2] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_8_p141_lanes[2];
-  const Real Lambda_inv_0_10_p177 = s5 * Lambda_inv_0_10_p175 - c5 * Lambda_inv_0_10_p176;
-  const Real Lambda_inv_0_9_p175 = Lambda_inv_0_8_p163_lanes[1] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_8_p141_lanes[1];
-  const Real Lambda_inv_0_9_p176 = Lambda_inv_0_8_p139_lanes[1] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_8_p141_lanes[1];
-  const Real Lambda_inv_0_9_p177 = s5 * Lambda_inv_0_9_p175 - c5 * Lambda_inv_0_9_p176;
-  const Real Lambda_inv_0_8_p164 = Lambda_inv_0_8_p163_lanes[0] - Lambda_inv_0_0_p490 *
-      Lambda_inv_0_8_p141_lanes[0];
-  const Real Lambda_inv_0_8_p165 = Lambda_inv_0_8_p139_lanes[0] - Lambda_inv_0_0_p486 *
-      Lambda_inv_0_8_p141_lanes[0];
-  const Real Lambda_inv_0_8_p166 = s5 * Lambda_inv_0_8_p164 - c5 * Lambda_inv_0_8_p165;
-
-  // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_8_p167_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
-      Lambda_inv_0_8_p166), -(0.21799999999999997 * Lambda_inv_0_9_p177),
-      -(0.21799999999999997 * Lambda_inv_0_10_p177), -(0.21799999999999997 * Lambda_inv_0_11_p191),
-      -(0.21799999999999997 * Lambda_inv_0_8_p166), -(0.21799999999999997 * Lambda_inv_0_8_p166),
-      -(0.21799999999999997 * Lambda_inv_0_8_p166), -(0.21799999999999997 * Lambda_inv_0_8_p166)) +
-      Lambda_inv_0_8_p160_lanes;
-  const Lanes Lambda_inv_0_8_p168_lanes = c4 * Lambda_inv_0_8_p167_lanes;
-  const Lanes Lambda_inv_0_8_p169_lanes = Lambda_inv_0_8_p159_lanes + Lambda_inv_0_8_p168_lanes;
+  const Lanes<8> Lambda_inv_0_8_p228_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
+      Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_9_p188),
+      -(0.21799999999999997 * Lambda_inv_0_10_p188), -(0.21799999999999997 * Lambda_inv_0_11_p189),
+      -(0.21799999999999997 * Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_8_p227),
+      -(0.21799999999999997 * Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_8_p227)) +
+      Lambda_inv_0_8_p221_lanes;
+  const Lanes<8> Lambda_inv_0_8_p229_lanes = c4 * Lambda_inv_0_8_p228_lanes;
+  const Lanes<8> Lambda_inv_0_8_p230_lanes = Lambda_inv_0_8_p220_lanes + Lambda_inv_0_8_p229_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_8_p170_lanes = Lambda_inv_0_0_p520 * Lambda_inv_0_8_p169_lanes;
+  const Lanes<8> Lambda_inv_0_8_p231_lanes = Lambda_inv_0_0_p1063 * Lambda_inv_0_8_p230_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_8_p171_lanes = Lambda_inv_0_0_p498 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p154, Lambda_inv_0_9_p165, Lambda_inv_0_10_p165,
-      Lambda_inv_0_11_p179, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154,
-      Lambda_inv_0_8_p154);
-  const Lanes Lambda_inv_0_8_p172_lanes = detail::make_lanes<Real>(-Lambda_inv_0_8_p166,
-      -Lambda_inv_0_9_p177, -Lambda_inv_0_10_p177, -Lambda_inv_0_11_p191, -Lambda_inv_0_8_p166,
-      -Lambda_inv_0_8_p166, -Lambda_inv_0_8_p166, -Lambda_inv_0_8_p166) + Lambda_inv_0_8_p171_lanes;
-  const Lanes Lambda_inv_0_8_p173_lanes = c4 * Lambda_inv_0_8_p172_lanes;
-  const Lanes Lambda_inv_0_8_p174_lanes = Lambda_inv_0_0_p507 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p154, Lambda_inv_0_9_p165, Lambda_inv_0_10_p165,
-      Lambda_inv_0_11_p179, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154,
-      Lambda_inv_0_8_p154);
-  const Lanes Lambda_inv_0_8_p175_lanes = Lambda_inv_0_8_p157_lanes + Lambda_inv_0_8_p174_lanes;
-  const Lanes Lambda_inv_0_8_p176_lanes = s4 * Lambda_inv_0_8_p175_lanes;
-  const Lanes Lambda_inv_0_8_p177_lanes = Lambda_inv_0_8_p173_lanes - Lambda_inv_0_8_p176_lanes;
+  const Lanes<8> Lambda_inv_0_8_p232_lanes = Lambda_inv_0_0_p1041 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
+      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
+      Lambda_inv_0_8_p215);
+  const Lanes<8> Lambda_inv_0_8_p233_lanes = detail::make_lanes<Real>(-Lambda_inv_0_8_p227,
+      -Lambda_inv_0_9_p188, -Lambda_inv_0_10_p188, -Lambda_inv_0_11_p189, -Lambda_inv_0_8_p227,
+      -Lambda_inv_0_8_p227, -Lambda_inv_0_8_p227, -Lambda_inv_0_8_p227) + Lambda_inv_0_8_p232_lanes;
+  const Lanes<8> Lambda_inv_0_8_p234_lanes = c4 * Lambda_inv_0_8_p233_lanes;
+  const Lanes<8> Lambda_inv_0_8_p235_lanes = Lambda_inv_0_0_p1050 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
+      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
+      Lambda_inv_0_8_p215);
+  const Lanes<8> Lambda_inv_0_8_p236_lanes = Lambda_inv_0_8_p218_lanes + Lambda_inv_0_8_p235_lanes;
+  const Lanes<8> Lambda_inv_0_8_p237_lanes = s4 * Lambda_inv_0_8_p236_lanes;
+  const Lanes<8> Lambda_inv_0_8_p238_lanes = Lambda_inv_0_8_p234_lanes - Lambda_inv_0_8_p237_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_8_p178_lanes = Lambda_inv_0_8_p177_lanes - Lambda_inv_0_8_p170_lanes;
-  const Lanes Lambda_inv_0_8_p179_lanes = c3 * Lambda_inv_0_8_p178_lanes;
-  const Lanes Lambda_inv_0_8_p180_lanes = Lambda_inv_0_0_p530 * Lambda_inv_0_8_p169_lanes;
-  const Lanes Lambda_inv_0_8_p181_lanes = detail::make_lanes<Real>(-(-(s5 * Lambda_inv_0_8_p165 +
-      c5 * Lambda_inv_0_8_p164) - Lambda_inv_0_0_p525 * Lambda_inv_0_8_p154),
-      -(-(s5 * Lambda_inv_0_9_p176 + c5 * Lambda_inv_0_9_p175) - Lambda_inv_0_0_p525 *
-      Lambda_inv_0_9_p165), -(-(s5 * Lambda_inv_0_10_p176 + c5 * Lambda_inv_0_10_p175) -
-      Lambda_inv_0_0_p525 * Lambda_inv_0_10_p165), -(-(s5 * Lambda_inv_0_11_p190 + c5 *
-      Lambda_inv_0_11_p189) - Lambda_inv_0_0_p525 * Lambda_inv_0_11_p179),
-      -(-(s5 * Lambda_inv_0_8_p165 + c5 * Lambda_inv_0_8_p164) - Lambda_inv_0_0_p525 *
-      Lambda_inv_0_8_p154), -(-(s5 * Lambda_inv_0_8_p165 + c5 * Lambda_inv_0_8_p164) -
-      Lambda_inv_0_0_p525 * Lambda_inv_0_8_p154), -(-(s5 * Lambda_inv_0_8_p165 + c5 *
-      Lambda_inv_0_8_p164) - Lambda_inv_0_0_p525 * Lambda_inv_0_8_p154),
-      -(-(s5 * Lambda_inv_0_8_p165 + c5 * Lambda_inv_0_8_p164) - Lambda_inv_0_0_p525 *
-      Lambda_inv_0_8_p154)) + Lambda_inv_0_8_p180_lanes;
-  const Lanes Lambda_inv_0_8_p182_lanes = s3 * Lambda_inv_0_8_p181_lanes;
-  const Lanes Lambda_inv_0_8_p183_lanes = Lambda_inv_0_8_p179_lanes - Lambda_inv_0_8_p182_lanes;
-  const Lanes Lambda_inv_0_8_p184_lanes = 0.422 * Lambda_inv_0_8_p183_lanes;
+  const Lanes<8> Lambda_inv_0_8_p239_lanes = Lambda_inv_0_8_p238_lanes - Lambda_inv_0_8_p231_lanes;
+  const Lanes<8> Lambda_inv_0_8_p240_lanes = c3 * Lambda_inv_0_8_p239_lanes;
+  const Lanes<8> Lambda_inv_0_8_p241_lanes = Lambda_inv_0_0_p1073 * Lambda_inv_0_8_p230_lanes;
+  const Lanes<8> Lambda_inv_0_8_p242_lanes = detail::make_lanes<Real>(-(-(s5 * Lambda_inv_0_8_p226 +
+      c5 * Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215),
+      -(-(s5 * Lambda_inv_0_9_p187 + c5 * Lambda_inv_0_9_p186) - Lambda_inv_0_0_p1068 *
+      Lambda_inv_0_9_p176), -(-(s5 * Lambda_inv_0_10_p187 + c5 * Lambda_inv_0_10_p186) -
+      Lambda_inv_0_0_p1068 * Lambda_inv_0_10_p176), -(-(s5 * Lambda_inv_0_11_p188 + c5 *
+      Lambda_inv_0_11_p187) - Lambda_inv_0_0_p1068 * Lambda_inv_0_11_p177),
+      -(-(s5 * Lambda_inv_0_8_p226 + c5 * Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 *
+      Lambda_inv_0_8_p215), -(-(s5 * Lambda_inv_0_8_p226 + c5 * Lambda_inv_0_8_p225) -
+      Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215), -(-(s5 * Lambda_inv_0_8_p226 + c5 *
+      Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215),
+      -(-(s5 * Lambda_inv_0_8_p226 + c5 * Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 *
+      Lambda_inv_0_8_p215)) + Lambda_inv_0_8_p241_lanes;
+  const Lanes<8> Lambda_inv_0_8_p243_lanes = s3 * Lambda_inv_0_8_p242_lanes;
+  const Lanes<8> Lambda_inv_0_8_p244_lanes = Lambda_inv_0_8_p240_lanes - Lambda_inv_0_8_p243_lanes;
+  const Lanes<8> Lambda_inv_0_8_p245_lanes = 0.422 * Lambda_inv_0_8_p244_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_8_p185_lanes = Lambda_inv_0_0_p537 * Lambda_inv_0_8_p184_lanes;
-  const Lanes Lambda_inv_0_8_p186_lanes = Lambda_inv_0_8_p183_lanes - Lambda_inv_0_8_p185_lanes;
-  const Lanes Lambda_inv_0_8_p187_lanes = c2 * Lambda_inv_0_8_p186_lanes;
-  const Lanes Lambda_inv_0_8_p188_lanes = Lambda_inv_0_0_p735 * Lambda_inv_0_8_p184_lanes;
+  const Lanes<8> Lambda_inv_0_8_p246_lanes = Lambda_inv_0_0_p1080 * Lambda_inv_0_8_p245_lanes;
+  const Lanes<8> Lambda_inv_0_8_p247_lanes = Lambda_inv_0_8_p244_lanes - Lambda_inv_0_8_p246_lanes;
+  const Lanes<8> Lambda_inv_0_8_p248_lanes = c2 * Lambda_inv_0_8_p247_lanes;
+  const Lanes<8> Lambda_inv_0_8_p249_lanes = Lambda_inv_0_0_p1296 * Lambda_inv_0_8_p245_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_8_p189_lanes = s3 * Lambda_inv_0_8_p178_lanes;
-  const Lanes Lambda_inv_0_8_p190_lanes = c3 * Lambda_inv_0_8_p181_lanes;
-  const Lanes Lambda_inv_0_8_p191_lanes = Lambda_inv_0_8_p189_lanes + Lambda_inv_0_8_p190_lanes;
+  const Lanes<8> Lambda_inv_0_8_p250_lanes = s3 * Lambda_inv_0_8_p239_lanes;
+  const Lanes<8> Lambda_inv_0_8_p251_lanes = c3 * Lambda_inv_0_8_p242_lanes;
+  const Lanes<8> Lambda_inv_0_8_p252_lanes = Lambda_inv_0_8_p250_lanes + Lambda_inv_0_8_p251_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_8_p192_lanes = Lambda_inv_0_8_p191_lanes - Lambda_inv_0_8_p188_lanes;
-  const Lanes Lambda_inv_0_8_p193_lanes = s2 * Lambda_inv_0_8_p192_lanes;
-  const Lanes Lambda_inv_0_8_p194_lanes = Lambda_inv_0_8_p187_lanes - Lambda_inv_0_8_p193_lanes;
-  const Lanes Lambda_inv_0_8_p195_lanes = 0.434 * Lambda_inv_0_8_p194_lanes;
+  const Lanes<8> Lambda_inv_0_8_p253_lanes = Lambda_inv_0_8_p252_lanes - Lambda_inv_0_8_p249_lanes;
+  const Lanes<8> Lambda_inv_0_8_p254_lanes = s2 * Lambda_inv_0_8_p253_lanes;
+  const Lanes<8> Lambda_inv_0_8_p255_lanes = Lambda_inv_0_8_p248_lanes - Lambda_inv_0_8_p254_lanes;
+  const Lanes<8> Lambda_inv_0_8_p256_lanes = 0.434 * Lambda_inv_0_8_p255_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_0_8_p196_lanes = Lambda_inv_0_8_p195_lanes * inverse_D1;
-  const Lanes Lambda_inv_0_8_p197_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_0_p743_lanes[0];
+  const Lanes<8> Lambda_inv_0_8_p257_lanes = Lambda_inv_0_8_p256_lanes * inverse_D1;
+  const Lanes<8> Lambda_inv_0_8_p258_lanes = Lambda_inv_0_8_p257_lanes *
+      Lambda_inv_0_0_p1304_lanes[0];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_8_p198_lanes = Lambda_inv_0_8_p184_lanes * inverse_D2;
-  const Lanes Lambda_inv_0_8_p199_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_0_p729_lanes[0];
+  const Lanes<8> Lambda_inv_0_8_p259_lanes = Lambda_inv_0_8_p245_lanes * inverse_D2;
+  const Lanes<8> Lambda_inv_0_8_p260_lanes = Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_8_p200_lanes = Lambda_inv_0_8_p169_lanes * inverse_D3;
-  const Lanes Lambda_inv_0_8_p201_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_0_p714_lanes[0];
+  const Lanes<8> Lambda_inv_0_8_p261_lanes = Lambda_inv_0_8_p230_lanes * inverse_D3;
+  const Lanes<8> Lambda_inv_0_8_p262_lanes = Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_8_p202_lanes = detail::make_lanes<Real>(Lambda_inv_0_8_p154,
-      Lambda_inv_0_9_p165, Lambda_inv_0_10_p165, Lambda_inv_0_11_p179, Lambda_inv_0_8_p154,
-      Lambda_inv_0_8_p154, Lambda_inv_0_8_p154, Lambda_inv_0_8_p154) * inverse_D4;
-  const Lanes Lambda_inv_0_8_p203_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_0_p699;
+  const Lanes<8> Lambda_inv_0_8_p263_lanes = detail::make_lanes<Real>(Lambda_inv_0_8_p215,
+      Lambda_inv_0_9_p176, Lambda_inv_0_10_p176, Lambda_inv_0_11_p177, Lambda_inv_0_8_p215,
+      Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215) * inverse_D4;
+  const Lanes<8> Lambda_inv_0_8_p264_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_0_p1260;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_0_8_p204_lanes = Lambda_inv_0_8_p141_lanes * inverse_D5;
-  const Lanes Lambda_inv_0_8_p205_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_0_p686_lanes[0];
+  const Lanes<8> Lambda_inv_0_8_p265_lanes = Lambda_inv_0_8_p202_lanes * inverse_D5;
+  const Lanes<8> Lambda_inv_0_8_p266_lanes = Lambda_inv_0_8_p265_lanes *
+      Lambda_inv_0_0_p1247_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_0_8_p206_lanes = Lambda_inv_0_8_p126_lanes * inverse_D6;
-  const Lanes Lambda_inv_0_8_p207_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_0_p666_lanes[0];
+  const Lanes<8> Lambda_inv_0_8_p267_lanes = detail::make_lanes<Real>(Lambda_inv_0_8_p182,
+      Lambda_inv_0_9_p143, Lambda_inv_0_10_p143, Lambda_inv_0_11_p144, Lambda_inv_0_8_p182,
+      Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182) * inverse_D6;
+  const Lanes<8> Lambda_inv_0_8_p268_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_0_p1227;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_0_8_p208_lanes = Lambda_inv_0_8_p207_lanes + Lambda_inv_0_8_p205_lanes;
+  const Lanes<8> Lambda_inv_0_8_p269_lanes = Lambda_inv_0_8_p268_lanes + Lambda_inv_0_8_p266_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_0_8_p209_lanes = Lambda_inv_0_8_p208_lanes + Lambda_inv_0_8_p203_lanes;
+  const Lanes<8> Lambda_inv_0_8_p270_lanes = Lambda_inv_0_8_p269_lanes + Lambda_inv_0_8_p264_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_0_8_p210_lanes = Lambda_inv_0_8_p209_lanes + Lambda_inv_0_8_p201_lanes;
+  const Lanes<8> Lambda_inv_0_8_p271_lanes = Lambda_inv_0_8_p270_lanes + Lambda_inv_0_8_p262_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_0_8_p211_lanes = Lambda_inv_0_8_p210_lanes + Lambda_inv_0_8_p199_lanes;
+  const Lanes<8> Lambda_inv_0_8_p272_lanes = Lambda_inv_0_8_p271_lanes + Lambda_inv_0_8_p260_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_0_8_lanes = Lambda_inv_0_8_p211_lanes + Lambda_inv_0_8_p197_lanes;
+  const Lanes<8> Lambda_inv_0_8_lanes = Lambda_inv_0_8_p272_lanes + Lambda_inv_0_8_p258_lanes;
   Lambda_inv[8] = Lambda_inv_0_8_lanes[0];
   Lambda_inv[96] = Lambda_inv_0_8_lanes[0];
   Lambda_inv[9] = Lambda_inv_0_8_lanes[1];
@@ -3267,86 +3795,94 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[120] = Lambda_inv_0_8_lanes[2];
   Lambda_inv[11] = Lambda_inv_0_8_lanes[3];
   Lambda_inv[132] = Lambda_inv_0_8_lanes[3];
-  const Lanes Lambda_inv_1_1_p1_lanes = Lambda_inv_0_0_p744_lanes * Lambda_inv_0_0_p743_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p1_lanes = Lambda_inv_0_0_p1305_lanes *
+      Lambda_inv_0_0_p1304_lanes[1];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_1_1_p2_lanes = Lambda_inv_0_0_p746_lanes * Lambda_inv_0_0_p729_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p2_lanes = Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[1];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_1_1_p3_lanes = Lambda_inv_0_0_p748_lanes * Lambda_inv_0_0_p714_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p3_lanes = Lambda_inv_0_0_p1309_lanes *
+      Lambda_inv_0_0_p1275_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_1_1_p4_lanes = Lambda_inv_0_0_p750_lanes * Lambda_inv_0_1_p160;
+  const Lanes<8> Lambda_inv_1_1_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_1_p218;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_1_1_p5_lanes = Lambda_inv_0_0_p752_lanes * Lambda_inv_0_0_p686_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p5_lanes = Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_1_1_p6_lanes = Lambda_inv_0_0_p754_lanes * Lambda_inv_0_0_p666_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p6_lanes = Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_1_p185;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_1_1_p7_lanes = Lambda_inv_0_0_p756_lanes * Lambda_inv_0_0_p621_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p7_lanes = Lambda_inv_0_0_p1317_lanes *
+      Lambda_inv_0_0_p1179_lanes[1];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_1_1_p8_lanes = Lambda_inv_0_0_p758_lanes * Lambda_inv_0_0_p614_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p8_lanes = Lambda_inv_0_0_p1319_lanes *
+      Lambda_inv_0_0_p1173_lanes[1];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_1_1_p9_lanes = Lambda_inv_0_0_p760_lanes * Lambda_inv_0_1_p56;
+  const Lanes<8> Lambda_inv_1_1_p9_lanes = Lambda_inv_0_0_p1321_lanes *
+      Lambda_inv_0_0_p1152_lanes[1];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_1_1_p10_lanes = Lambda_inv_0_0_p762_lanes * Lambda_inv_0_0_p575_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p10_lanes = Lambda_inv_0_0_p1323_lanes *
+      Lambda_inv_0_0_p1132_lanes[1];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_1_1_p11_lanes = Lambda_inv_0_0_p764_lanes * Lambda_inv_0_1_p20;
+  const Lanes<8> Lambda_inv_1_1_p11_lanes = Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_1_p79;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_1_1_p12_lanes = Lambda_inv_0_0_p766_lanes * Lambda_inv_0_0_p547_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p12_lanes = Lambda_inv_0_0_p1327_lanes *
+      Lambda_inv_0_0_p1091_lanes[1];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_inv_1_1_p13 = 0.086 * Lambda_inv_0_1_p1;
+  const Real Lambda_inv_1_1_p13 = 0.086 * Lambda_inv_0_1_p42;
 
   // link 13 (left_hand), force propagation
-  const Lanes Lambda_inv_1_1_p14_lanes = Lambda_inv_0_0_p769_lanes * Lambda_inv_1_1_p13;
+  const Lanes<8> Lambda_inv_1_1_p14_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_1_1_p13;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_1_1_p15_lanes = Lambda_inv_1_1_p14_lanes + Lambda_inv_1_1_p12_lanes;
+  const Lanes<8> Lambda_inv_1_1_p15_lanes = Lambda_inv_1_1_p14_lanes + Lambda_inv_1_1_p12_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_1_1_p16_lanes = Lambda_inv_1_1_p15_lanes + Lambda_inv_1_1_p11_lanes;
+  const Lanes<8> Lambda_inv_1_1_p16_lanes = Lambda_inv_1_1_p15_lanes + Lambda_inv_1_1_p11_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_1_1_p17_lanes = Lambda_inv_1_1_p16_lanes + Lambda_inv_1_1_p10_lanes;
+  const Lanes<8> Lambda_inv_1_1_p17_lanes = Lambda_inv_1_1_p16_lanes + Lambda_inv_1_1_p10_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_1_1_p18_lanes = Lambda_inv_1_1_p17_lanes + Lambda_inv_1_1_p9_lanes;
+  const Lanes<8> Lambda_inv_1_1_p18_lanes = Lambda_inv_1_1_p17_lanes + Lambda_inv_1_1_p9_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_1_1_p19_lanes = Lambda_inv_1_1_p18_lanes + Lambda_inv_1_1_p8_lanes;
+  const Lanes<8> Lambda_inv_1_1_p19_lanes = Lambda_inv_1_1_p18_lanes + Lambda_inv_1_1_p8_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_1_1_p20_lanes = Lambda_inv_1_1_p19_lanes + Lambda_inv_1_1_p7_lanes;
+  const Lanes<8> Lambda_inv_1_1_p20_lanes = Lambda_inv_1_1_p19_lanes + Lambda_inv_1_1_p7_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_1_1_p21_lanes = Lambda_inv_1_1_p20_lanes + Lambda_inv_1_1_p6_lanes;
+  const Lanes<8> Lambda_inv_1_1_p21_lanes = Lambda_inv_1_1_p20_lanes + Lambda_inv_1_1_p6_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_1_1_p22_lanes = detail::make_lanes<Real>(Lambda_inv_1_1_p21_lanes[1],
+  const Lanes<8> Lambda_inv_1_1_p22_lanes = detail::make_lanes<Real>(Lambda_inv_1_1_p21_lanes[1],
       Lambda_inv_1_1_p21_lanes[1], Lambda_inv_1_1_p21_lanes[2], Lambda_inv_1_1_p21_lanes[3],
-      Lambda_inv_1_1_p21_lanes[4], Lambda_inv_1_1_p21_lanes[5], Lambda_inv_0_6_p155 *
-      Lambda_inv_0_0_p666_lanes[1], Lambda_inv_0_7_p151 * Lambda_inv_0_0_p666_lanes[1]) +
-      Lambda_inv_1_1_p5_lanes;
+      Lambda_inv_1_1_p21_lanes[4], Lambda_inv_1_1_p21_lanes[5], Lambda_inv_0_6_p188 *
+      Lambda_inv_0_1_p185, Lambda_inv_0_7_p188 * Lambda_inv_0_1_p185) + Lambda_inv_1_1_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_1_1_p23_lanes = Lambda_inv_1_1_p22_lanes + Lambda_inv_1_1_p4_lanes;
+  const Lanes<8> Lambda_inv_1_1_p23_lanes = Lambda_inv_1_1_p22_lanes + Lambda_inv_1_1_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_1_1_p24_lanes = Lambda_inv_1_1_p23_lanes + Lambda_inv_1_1_p3_lanes;
+  const Lanes<8> Lambda_inv_1_1_p24_lanes = Lambda_inv_1_1_p23_lanes + Lambda_inv_1_1_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_1_1_p25_lanes = Lambda_inv_1_1_p24_lanes + Lambda_inv_1_1_p2_lanes;
+  const Lanes<8> Lambda_inv_1_1_p25_lanes = Lambda_inv_1_1_p24_lanes + Lambda_inv_1_1_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_1_1_lanes = Lambda_inv_1_1_p25_lanes + Lambda_inv_1_1_p1_lanes;
+  const Lanes<8> Lambda_inv_1_1_lanes = Lambda_inv_1_1_p25_lanes + Lambda_inv_1_1_p1_lanes;
   Lambda_inv[13] = Lambda_inv_1_1_lanes[1];
   Lambda_inv[14] = Lambda_inv_1_1_lanes[2];
   Lambda_inv[25] = Lambda_inv_1_1_lanes[2];
@@ -3360,37 +3896,41 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[73] = Lambda_inv_1_1_lanes[6];
   Lambda_inv[19] = Lambda_inv_1_1_lanes[7];
   Lambda_inv[85] = Lambda_inv_1_1_lanes[7];
-  const Lanes Lambda_inv_1_8_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_0_p743_lanes[1];
+  const Lanes<8> Lambda_inv_1_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
+      Lambda_inv_0_0_p1304_lanes[1];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_1_8_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_0_p729_lanes[1];
+  const Lanes<8> Lambda_inv_1_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[1];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_1_8_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_0_p714_lanes[1];
+  const Lanes<8> Lambda_inv_1_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_1_8_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_1_p160;
+  const Lanes<8> Lambda_inv_1_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_1_p218;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_1_8_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_0_p686_lanes[1];
+  const Lanes<8> Lambda_inv_1_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
+      Lambda_inv_0_0_p1247_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_1_8_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_0_p666_lanes[1];
+  const Lanes<8> Lambda_inv_1_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_1_p185;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_1_8_p7_lanes = Lambda_inv_1_8_p6_lanes + Lambda_inv_1_8_p5_lanes;
+  const Lanes<8> Lambda_inv_1_8_p7_lanes = Lambda_inv_1_8_p6_lanes + Lambda_inv_1_8_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_1_8_p8_lanes = Lambda_inv_1_8_p7_lanes + Lambda_inv_1_8_p4_lanes;
+  const Lanes<8> Lambda_inv_1_8_p8_lanes = Lambda_inv_1_8_p7_lanes + Lambda_inv_1_8_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_1_8_p9_lanes = Lambda_inv_1_8_p8_lanes + Lambda_inv_1_8_p3_lanes;
+  const Lanes<8> Lambda_inv_1_8_p9_lanes = Lambda_inv_1_8_p8_lanes + Lambda_inv_1_8_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_1_8_p10_lanes = Lambda_inv_1_8_p9_lanes + Lambda_inv_1_8_p2_lanes;
+  const Lanes<8> Lambda_inv_1_8_p10_lanes = Lambda_inv_1_8_p9_lanes + Lambda_inv_1_8_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_1_8_lanes = Lambda_inv_1_8_p10_lanes + Lambda_inv_1_8_p1_lanes;
+  const Lanes<8> Lambda_inv_1_8_lanes = Lambda_inv_1_8_p10_lanes + Lambda_inv_1_8_p1_lanes;
   Lambda_inv[20] = Lambda_inv_1_8_lanes[0];
   Lambda_inv[97] = Lambda_inv_1_8_lanes[0];
   Lambda_inv[21] = Lambda_inv_1_8_lanes[1];
@@ -3399,83 +3939,91 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[121] = Lambda_inv_1_8_lanes[2];
   Lambda_inv[23] = Lambda_inv_1_8_lanes[3];
   Lambda_inv[133] = Lambda_inv_1_8_lanes[3];
-  const Lanes Lambda_inv_2_2_p1_lanes = Lambda_inv_0_0_p744_lanes * Lambda_inv_0_0_p743_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p1_lanes = Lambda_inv_0_0_p1305_lanes *
+      Lambda_inv_0_0_p1304_lanes[2];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_2_2_p2_lanes = Lambda_inv_0_0_p746_lanes * Lambda_inv_0_0_p729_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p2_lanes = Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[2];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_2_2_p3_lanes = Lambda_inv_0_0_p748_lanes * Lambda_inv_0_0_p714_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p3_lanes = Lambda_inv_0_0_p1309_lanes *
+      Lambda_inv_0_0_p1275_lanes[2];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_2_2_p4_lanes = Lambda_inv_0_0_p750_lanes * Lambda_inv_0_2_p164;
+  const Lanes<8> Lambda_inv_2_2_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_2_p180;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_2_2_p5_lanes = Lambda_inv_0_0_p752_lanes * Lambda_inv_0_0_p686_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p5_lanes = Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[2];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_2_2_p6_lanes = Lambda_inv_0_0_p754_lanes * Lambda_inv_0_0_p666_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p6_lanes = Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_2_p147;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_2_2_p7_lanes = Lambda_inv_0_0_p756_lanes * Lambda_inv_0_0_p621_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p7_lanes = Lambda_inv_0_0_p1317_lanes *
+      Lambda_inv_0_0_p1179_lanes[2];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_2_2_p8_lanes = Lambda_inv_0_0_p758_lanes * Lambda_inv_0_0_p614_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p8_lanes = Lambda_inv_0_0_p1319_lanes *
+      Lambda_inv_0_0_p1173_lanes[2];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_2_2_p9_lanes = Lambda_inv_0_0_p760_lanes * Lambda_inv_0_2_p60;
+  const Lanes<8> Lambda_inv_2_2_p9_lanes = Lambda_inv_0_0_p1321_lanes *
+      Lambda_inv_0_0_p1152_lanes[2];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_2_2_p10_lanes = Lambda_inv_0_0_p762_lanes * Lambda_inv_0_0_p575_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p10_lanes = Lambda_inv_0_0_p1323_lanes *
+      Lambda_inv_0_0_p1132_lanes[2];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_2_2_p11_lanes = Lambda_inv_0_0_p764_lanes * Lambda_inv_0_2_p21;
+  const Lanes<8> Lambda_inv_2_2_p11_lanes = Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_2_p28;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_2_2_p12_lanes = Lambda_inv_0_0_p766_lanes * Lambda_inv_0_0_p547_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p12_lanes = Lambda_inv_0_0_p1327_lanes *
+      Lambda_inv_0_0_p1091_lanes[2];
 
   // link 13 (left_hand), force propagation
-  const Lanes Lambda_inv_2_2_p13_lanes = Lambda_inv_0_0_p769_lanes * Lambda_inv_0_2_p2;
+  const Lanes<8> Lambda_inv_2_2_p13_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_2_p4;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_2_2_p14_lanes = Lambda_inv_2_2_p13_lanes + Lambda_inv_2_2_p12_lanes;
+  const Lanes<8> Lambda_inv_2_2_p14_lanes = Lambda_inv_2_2_p13_lanes + Lambda_inv_2_2_p12_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_2_2_p15_lanes = Lambda_inv_2_2_p14_lanes + Lambda_inv_2_2_p11_lanes;
+  const Lanes<8> Lambda_inv_2_2_p15_lanes = Lambda_inv_2_2_p14_lanes + Lambda_inv_2_2_p11_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_2_2_p16_lanes = Lambda_inv_2_2_p15_lanes + Lambda_inv_2_2_p10_lanes;
+  const Lanes<8> Lambda_inv_2_2_p16_lanes = Lambda_inv_2_2_p15_lanes + Lambda_inv_2_2_p10_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_2_2_p17_lanes = Lambda_inv_2_2_p16_lanes + Lambda_inv_2_2_p9_lanes;
+  const Lanes<8> Lambda_inv_2_2_p17_lanes = Lambda_inv_2_2_p16_lanes + Lambda_inv_2_2_p9_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_2_2_p18_lanes = Lambda_inv_2_2_p17_lanes + Lambda_inv_2_2_p8_lanes;
+  const Lanes<8> Lambda_inv_2_2_p18_lanes = Lambda_inv_2_2_p17_lanes + Lambda_inv_2_2_p8_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_2_2_p19_lanes = Lambda_inv_2_2_p18_lanes + Lambda_inv_2_2_p7_lanes;
+  const Lanes<8> Lambda_inv_2_2_p19_lanes = Lambda_inv_2_2_p18_lanes + Lambda_inv_2_2_p7_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_2_2_p20_lanes = Lambda_inv_2_2_p19_lanes + Lambda_inv_2_2_p6_lanes;
+  const Lanes<8> Lambda_inv_2_2_p20_lanes = Lambda_inv_2_2_p19_lanes + Lambda_inv_2_2_p6_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_2_2_p21_lanes = detail::make_lanes<Real>(Lambda_inv_2_2_p20_lanes[2],
+  const Lanes<8> Lambda_inv_2_2_p21_lanes = detail::make_lanes<Real>(Lambda_inv_2_2_p20_lanes[2],
       Lambda_inv_2_2_p20_lanes[2], Lambda_inv_2_2_p20_lanes[2], Lambda_inv_2_2_p20_lanes[3],
-      Lambda_inv_2_2_p20_lanes[4], Lambda_inv_2_2_p20_lanes[5], Lambda_inv_0_6_p155 *
-      Lambda_inv_0_0_p666_lanes[2], Lambda_inv_0_7_p151 * Lambda_inv_0_0_p666_lanes[2]) +
-      Lambda_inv_2_2_p5_lanes;
+      Lambda_inv_2_2_p20_lanes[4], Lambda_inv_2_2_p20_lanes[5], Lambda_inv_0_6_p188 *
+      Lambda_inv_0_2_p147, Lambda_inv_0_7_p188 * Lambda_inv_0_2_p147) + Lambda_inv_2_2_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_2_2_p22_lanes = Lambda_inv_2_2_p21_lanes + Lambda_inv_2_2_p4_lanes;
+  const Lanes<8> Lambda_inv_2_2_p22_lanes = Lambda_inv_2_2_p21_lanes + Lambda_inv_2_2_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_2_2_p23_lanes = Lambda_inv_2_2_p22_lanes + Lambda_inv_2_2_p3_lanes;
+  const Lanes<8> Lambda_inv_2_2_p23_lanes = Lambda_inv_2_2_p22_lanes + Lambda_inv_2_2_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_2_2_p24_lanes = Lambda_inv_2_2_p23_lanes + Lambda_inv_2_2_p2_lanes;
+  const Lanes<8> Lambda_inv_2_2_p24_lanes = Lambda_inv_2_2_p23_lanes + Lambda_inv_2_2_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_2_2_lanes = Lambda_inv_2_2_p24_lanes + Lambda_inv_2_2_p1_lanes;
+  const Lanes<8> Lambda_inv_2_2_lanes = Lambda_inv_2_2_p24_lanes + Lambda_inv_2_2_p1_lanes;
   Lambda_inv[26] = Lambda_inv_2_2_lanes[2];
   Lambda_inv[27] = Lambda_inv_2_2_lanes[3];
   Lambda_inv[38] = Lambda_inv_2_2_lanes[3];
@@ -3487,37 +4035,41 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[74] = Lambda_inv_2_2_lanes[6];
   Lambda_inv[31] = Lambda_inv_2_2_lanes[7];
   Lambda_inv[86] = Lambda_inv_2_2_lanes[7];
-  const Lanes Lambda_inv_2_8_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_0_p743_lanes[2];
+  const Lanes<8> Lambda_inv_2_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
+      Lambda_inv_0_0_p1304_lanes[2];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_2_8_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_0_p729_lanes[2];
+  const Lanes<8> Lambda_inv_2_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[2];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_2_8_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_0_p714_lanes[2];
+  const Lanes<8> Lambda_inv_2_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[2];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_2_8_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_2_p164;
+  const Lanes<8> Lambda_inv_2_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_2_p180;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_2_8_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_0_p686_lanes[2];
+  const Lanes<8> Lambda_inv_2_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
+      Lambda_inv_0_0_p1247_lanes[2];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_2_8_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_0_p666_lanes[2];
+  const Lanes<8> Lambda_inv_2_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_2_p147;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_2_8_p7_lanes = Lambda_inv_2_8_p6_lanes + Lambda_inv_2_8_p5_lanes;
+  const Lanes<8> Lambda_inv_2_8_p7_lanes = Lambda_inv_2_8_p6_lanes + Lambda_inv_2_8_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_2_8_p8_lanes = Lambda_inv_2_8_p7_lanes + Lambda_inv_2_8_p4_lanes;
+  const Lanes<8> Lambda_inv_2_8_p8_lanes = Lambda_inv_2_8_p7_lanes + Lambda_inv_2_8_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_2_8_p9_lanes = Lambda_inv_2_8_p8_lanes + Lambda_inv_2_8_p3_lanes;
+  const Lanes<8> Lambda_inv_2_8_p9_lanes = Lambda_inv_2_8_p8_lanes + Lambda_inv_2_8_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_2_8_p10_lanes = Lambda_inv_2_8_p9_lanes + Lambda_inv_2_8_p2_lanes;
+  const Lanes<8> Lambda_inv_2_8_p10_lanes = Lambda_inv_2_8_p9_lanes + Lambda_inv_2_8_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_2_8_lanes = Lambda_inv_2_8_p10_lanes + Lambda_inv_2_8_p1_lanes;
+  const Lanes<8> Lambda_inv_2_8_lanes = Lambda_inv_2_8_p10_lanes + Lambda_inv_2_8_p1_lanes;
   Lambda_inv[32] = Lambda_inv_2_8_lanes[0];
   Lambda_inv[98] = Lambda_inv_2_8_lanes[0];
   Lambda_inv[33] = Lambda_inv_2_8_lanes[1];
@@ -3526,83 +4078,92 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[122] = Lambda_inv_2_8_lanes[2];
   Lambda_inv[35] = Lambda_inv_2_8_lanes[3];
   Lambda_inv[134] = Lambda_inv_2_8_lanes[3];
-  const Lanes Lambda_inv_3_3_p1_lanes = Lambda_inv_0_0_p744_lanes * Lambda_inv_0_0_p743_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p1_lanes = Lambda_inv_0_0_p1305_lanes *
+      Lambda_inv_0_0_p1304_lanes[3];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_3_3_p2_lanes = Lambda_inv_0_0_p746_lanes * Lambda_inv_0_0_p729_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p2_lanes = Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[3];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_3_3_p3_lanes = Lambda_inv_0_0_p748_lanes * Lambda_inv_0_0_p714_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p3_lanes = Lambda_inv_0_0_p1309_lanes *
+      Lambda_inv_0_0_p1275_lanes[3];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_3_3_p4_lanes = Lambda_inv_0_0_p750_lanes * Lambda_inv_0_3_p179;
+  const Lanes<8> Lambda_inv_3_3_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_3_p221;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_3_3_p5_lanes = Lambda_inv_0_0_p752_lanes * Lambda_inv_0_0_p686_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p5_lanes = Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_3_3_p6_lanes = Lambda_inv_0_0_p754_lanes * Lambda_inv_0_0_p666_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p6_lanes = Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_3_p188;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_3_3_p7_lanes = Lambda_inv_0_0_p756_lanes * Lambda_inv_0_0_p621_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p7_lanes = Lambda_inv_0_0_p1317_lanes *
+      Lambda_inv_0_0_p1179_lanes[3];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_3_3_p8_lanes = Lambda_inv_0_0_p758_lanes * Lambda_inv_0_0_p614_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p8_lanes = Lambda_inv_0_0_p1319_lanes *
+      Lambda_inv_0_0_p1173_lanes[3];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_3_3_p9_lanes = Lambda_inv_0_0_p760_lanes * Lambda_inv_0_3_p75;
+  const Lanes<8> Lambda_inv_3_3_p9_lanes = Lambda_inv_0_0_p1321_lanes *
+      Lambda_inv_0_0_p1152_lanes[3];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_3_3_p10_lanes = Lambda_inv_0_0_p762_lanes * Lambda_inv_0_0_p575_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p10_lanes = Lambda_inv_0_0_p1323_lanes *
+      Lambda_inv_0_0_p1132_lanes[3];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_3_3_p11_lanes = Lambda_inv_0_0_p764_lanes * Lambda_inv_0_3_p37;
+  const Lanes<8> Lambda_inv_3_3_p11_lanes = Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_3_p71;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_3_3_p12_lanes = Lambda_inv_0_0_p766_lanes * Lambda_inv_0_0_p547_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p12_lanes = Lambda_inv_0_0_p1327_lanes *
+      Lambda_inv_0_0_p1091_lanes[3];
 
   // link 13 (left_hand), force propagation
-  const Lanes Lambda_inv_3_3_p13_lanes = Lambda_inv_0_0_p769_lanes * Lambda_inv_0_3_p14_lanes[0];
+  const Lanes<8> Lambda_inv_3_3_p13_lanes = Lambda_inv_0_0_p1330_lanes *
+      Lambda_inv_0_3_p36_lanes[0];
 
   // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_3_3_p14_lanes = Lambda_inv_3_3_p13_lanes + Lambda_inv_3_3_p12_lanes;
+  const Lanes<8> Lambda_inv_3_3_p14_lanes = Lambda_inv_3_3_p13_lanes + Lambda_inv_3_3_p12_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_3_3_p15_lanes = Lambda_inv_3_3_p14_lanes + Lambda_inv_3_3_p11_lanes;
+  const Lanes<8> Lambda_inv_3_3_p15_lanes = Lambda_inv_3_3_p14_lanes + Lambda_inv_3_3_p11_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_3_3_p16_lanes = Lambda_inv_3_3_p15_lanes + Lambda_inv_3_3_p10_lanes;
+  const Lanes<8> Lambda_inv_3_3_p16_lanes = Lambda_inv_3_3_p15_lanes + Lambda_inv_3_3_p10_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_3_3_p17_lanes = Lambda_inv_3_3_p16_lanes + Lambda_inv_3_3_p9_lanes;
+  const Lanes<8> Lambda_inv_3_3_p17_lanes = Lambda_inv_3_3_p16_lanes + Lambda_inv_3_3_p9_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_3_3_p18_lanes = Lambda_inv_3_3_p17_lanes + Lambda_inv_3_3_p8_lanes;
+  const Lanes<8> Lambda_inv_3_3_p18_lanes = Lambda_inv_3_3_p17_lanes + Lambda_inv_3_3_p8_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_3_3_p19_lanes = Lambda_inv_3_3_p18_lanes + Lambda_inv_3_3_p7_lanes;
+  const Lanes<8> Lambda_inv_3_3_p19_lanes = Lambda_inv_3_3_p18_lanes + Lambda_inv_3_3_p7_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_3_3_p20_lanes = Lambda_inv_3_3_p19_lanes + Lambda_inv_3_3_p6_lanes;
+  const Lanes<8> Lambda_inv_3_3_p20_lanes = Lambda_inv_3_3_p19_lanes + Lambda_inv_3_3_p6_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_3_3_p21_lanes = detail::make_lanes<Real>(Lambda_inv_3_3_p20_lanes[3],
+  const Lanes<8> Lambda_inv_3_3_p21_lanes = detail::make_lanes<Real>(Lambda_inv_3_3_p20_lanes[3],
       Lambda_inv_3_3_p20_lanes[3], Lambda_inv_3_3_p20_lanes[3], Lambda_inv_3_3_p20_lanes[3],
-      Lambda_inv_3_3_p20_lanes[4], Lambda_inv_3_3_p20_lanes[5], Lambda_inv_0_6_p155 *
-      Lambda_inv_0_0_p666_lanes[3], Lambda_inv_0_7_p151 * Lambda_inv_0_0_p666_lanes[3]) +
-      Lambda_inv_3_3_p5_lanes;
+      Lambda_inv_3_3_p20_lanes[4], Lambda_inv_3_3_p20_lanes[5], Lambda_inv_0_6_p188 *
+      Lambda_inv_0_3_p188, Lambda_inv_0_7_p188 * Lambda_inv_0_3_p188) + Lambda_inv_3_3_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_3_3_p22_lanes = Lambda_inv_3_3_p21_lanes + Lambda_inv_3_3_p4_lanes;
+  const Lanes<8> Lambda_inv_3_3_p22_lanes = Lambda_inv_3_3_p21_lanes + Lambda_inv_3_3_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_3_3_p23_lanes = Lambda_inv_3_3_p22_lanes + Lambda_inv_3_3_p3_lanes;
+  const Lanes<8> Lambda_inv_3_3_p23_lanes = Lambda_inv_3_3_p22_lanes + Lambda_inv_3_3_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_3_3_p24_lanes = Lambda_inv_3_3_p23_lanes + Lambda_inv_3_3_p2_lanes;
+  const Lanes<8> Lambda_inv_3_3_p24_lanes = Lambda_inv_3_3_p23_lanes + Lambda_inv_3_3_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_3_3_lanes = Lambda_inv_3_3_p24_lanes + Lambda_inv_3_3_p1_lanes;
+  const Lanes<8> Lambda_inv_3_3_lanes = Lambda_inv_3_3_p24_lanes + Lambda_inv_3_3_p1_lanes;
   Lambda_inv[39] = Lambda_inv_3_3_lanes[3];
   Lambda_inv[40] = Lambda_inv_3_3_lanes[4];
   Lambda_inv[51] = Lambda_inv_3_3_lanes[4];
@@ -3612,37 +4173,41 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[75] = Lambda_inv_3_3_lanes[6];
   Lambda_inv[43] = Lambda_inv_3_3_lanes[7];
   Lambda_inv[87] = Lambda_inv_3_3_lanes[7];
-  const Lanes Lambda_inv_3_8_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_0_p743_lanes[3];
+  const Lanes<8> Lambda_inv_3_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
+      Lambda_inv_0_0_p1304_lanes[3];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_3_8_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_0_p729_lanes[3];
+  const Lanes<8> Lambda_inv_3_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[3];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_3_8_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_0_p714_lanes[3];
+  const Lanes<8> Lambda_inv_3_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[3];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_3_8_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_3_p179;
+  const Lanes<8> Lambda_inv_3_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_3_p221;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_3_8_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_0_p686_lanes[3];
+  const Lanes<8> Lambda_inv_3_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
+      Lambda_inv_0_0_p1247_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_3_8_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_0_p666_lanes[3];
+  const Lanes<8> Lambda_inv_3_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_3_p188;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_3_8_p7_lanes = Lambda_inv_3_8_p6_lanes + Lambda_inv_3_8_p5_lanes;
+  const Lanes<8> Lambda_inv_3_8_p7_lanes = Lambda_inv_3_8_p6_lanes + Lambda_inv_3_8_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_3_8_p8_lanes = Lambda_inv_3_8_p7_lanes + Lambda_inv_3_8_p4_lanes;
+  const Lanes<8> Lambda_inv_3_8_p8_lanes = Lambda_inv_3_8_p7_lanes + Lambda_inv_3_8_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_3_8_p9_lanes = Lambda_inv_3_8_p8_lanes + Lambda_inv_3_8_p3_lanes;
+  const Lanes<8> Lambda_inv_3_8_p9_lanes = Lambda_inv_3_8_p8_lanes + Lambda_inv_3_8_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_3_8_p10_lanes = Lambda_inv_3_8_p9_lanes + Lambda_inv_3_8_p2_lanes;
+  const Lanes<8> Lambda_inv_3_8_p10_lanes = Lambda_inv_3_8_p9_lanes + Lambda_inv_3_8_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_3_8_lanes = Lambda_inv_3_8_p10_lanes + Lambda_inv_3_8_p1_lanes;
+  const Lanes<8> Lambda_inv_3_8_lanes = Lambda_inv_3_8_p10_lanes + Lambda_inv_3_8_p1_lanes;
   Lambda_inv[44] = Lambda_inv_3_8_lanes[0];
   Lambda_inv[99] = Lambda_inv_3_8_lanes[0];
   Lambda_inv[45] = Lambda_inv_3_8_lanes[1];
@@ -3651,104 +4216,157 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[123] = Lambda_inv_3_8_lanes[2];
   Lambda_inv[47] = Lambda_inv_3_8_lanes[3];
   Lambda_inv[135] = Lambda_inv_3_8_lanes[3];
-  const Lanes Lambda_inv_4_4_p1_lanes = Lambda_inv_0_0_p744_lanes * Lambda_inv_0_0_p743_lanes[4];
+  const Lanes<8> Lambda_inv_4_4_p1_lanes = Lambda_inv_0_0_p1305_lanes *
+      Lambda_inv_0_0_p1304_lanes[4];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_4_4_p2_lanes = Lambda_inv_0_0_p746_lanes * Lambda_inv_0_0_p729_lanes[4];
+  const Lanes<8> Lambda_inv_4_4_p2_lanes = Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[4];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_4_4_p3_lanes = Lambda_inv_0_0_p748_lanes * Lambda_inv_0_0_p714_lanes[4];
+  const Lanes<8> Lambda_inv_4_4_p3_lanes = Lambda_inv_0_0_p1309_lanes *
+      Lambda_inv_0_0_p1275_lanes[4];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_4_4_p4_lanes = Lambda_inv_0_0_p750_lanes * Lambda_inv_0_4_p179;
+  const Lanes<8> Lambda_inv_4_4_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_4_p179;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_4_4_p5_lanes = Lambda_inv_0_0_p752_lanes * Lambda_inv_0_0_p686_lanes[4];
+  const Lanes<8> Lambda_inv_4_4_p5_lanes = Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[4];
 
-  // link 13 (left_hand), force propagation
-  const Lanes Lambda_inv_4_4_p6_lanes = Lambda_inv_0_0_p769_lanes * Lambda_inv_0_3_p14_lanes[1];
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes Lambda_inv_4_4_p7_lanes = Lambda_inv_4_4_p6_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p766_lanes[4] * Lambda_inv_0_0_p547_lanes[4],
-      Lambda_inv_0_0_p766_lanes[4] * Lambda_inv_0_0_p547_lanes[4], Lambda_inv_0_0_p766_lanes[4] *
-      Lambda_inv_0_0_p547_lanes[4], Lambda_inv_0_0_p766_lanes[4] * Lambda_inv_0_0_p547_lanes[4],
-      Lambda_inv_0_0_p766_lanes[4] * Lambda_inv_0_0_p547_lanes[4], Lambda_inv_0_0_p766_lanes[5] *
-      Lambda_inv_0_0_p547_lanes[4], Lambda_inv_0_0_p766_lanes[4] * Lambda_inv_0_0_p547_lanes[4],
-      Lambda_inv_0_0_p766_lanes[4] * Lambda_inv_0_0_p547_lanes[4]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes Lambda_inv_4_4_p8_lanes = Lambda_inv_4_4_p7_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p764_lanes[4] * Lambda_inv_0_4_p37,
-      Lambda_inv_0_0_p764_lanes[4] * Lambda_inv_0_4_p37, Lambda_inv_0_0_p764_lanes[4] *
-      Lambda_inv_0_4_p37, Lambda_inv_0_0_p764_lanes[4] * Lambda_inv_0_4_p37,
-      Lambda_inv_0_0_p764_lanes[4] * Lambda_inv_0_4_p37, Lambda_inv_0_0_p764_lanes[5] *
-      Lambda_inv_0_4_p37, Lambda_inv_0_0_p764_lanes[4] * Lambda_inv_0_4_p37,
-      Lambda_inv_0_0_p764_lanes[4] * Lambda_inv_0_4_p37);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes Lambda_inv_4_4_p9_lanes = Lambda_inv_4_4_p8_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p762_lanes[4] * Lambda_inv_0_0_p575_lanes[4],
-      Lambda_inv_0_0_p762_lanes[4] * Lambda_inv_0_0_p575_lanes[4], Lambda_inv_0_0_p762_lanes[4] *
-      Lambda_inv_0_0_p575_lanes[4], Lambda_inv_0_0_p762_lanes[4] * Lambda_inv_0_0_p575_lanes[4],
-      Lambda_inv_0_0_p762_lanes[4] * Lambda_inv_0_0_p575_lanes[4], Lambda_inv_0_0_p762_lanes[5] *
-      Lambda_inv_0_0_p575_lanes[4], Lambda_inv_0_0_p762_lanes[4] * Lambda_inv_0_0_p575_lanes[4],
-      Lambda_inv_0_0_p762_lanes[4] * Lambda_inv_0_0_p575_lanes[4]);
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes Lambda_inv_4_4_p10_lanes = Lambda_inv_4_4_p9_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p760_lanes[4] * Lambda_inv_0_4_p75,
-      Lambda_inv_0_0_p760_lanes[4] * Lambda_inv_0_4_p75, Lambda_inv_0_0_p760_lanes[4] *
-      Lambda_inv_0_4_p75, Lambda_inv_0_0_p760_lanes[4] * Lambda_inv_0_4_p75,
-      Lambda_inv_0_0_p760_lanes[4] * Lambda_inv_0_4_p75, Lambda_inv_0_0_p760_lanes[5] *
-      Lambda_inv_0_4_p75, Lambda_inv_0_0_p760_lanes[4] * Lambda_inv_0_4_p75,
-      Lambda_inv_0_0_p760_lanes[4] * Lambda_inv_0_4_p75);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes Lambda_inv_4_4_p11_lanes = Lambda_inv_4_4_p10_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p758_lanes[4] * Lambda_inv_0_0_p614_lanes[4],
-      Lambda_inv_0_0_p758_lanes[4] * Lambda_inv_0_0_p614_lanes[4], Lambda_inv_0_0_p758_lanes[4] *
-      Lambda_inv_0_0_p614_lanes[4], Lambda_inv_0_0_p758_lanes[4] * Lambda_inv_0_0_p614_lanes[4],
-      Lambda_inv_0_0_p758_lanes[4] * Lambda_inv_0_0_p614_lanes[4], Lambda_inv_0_0_p758_lanes[5] *
-      Lambda_inv_0_0_p614_lanes[4], Lambda_inv_0_0_p758_lanes[4] * Lambda_inv_0_0_p614_lanes[4],
-      Lambda_inv_0_0_p758_lanes[4] * Lambda_inv_0_0_p614_lanes[4]);
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_6_8_p1_lanes = Lambda_inv_0_8_p151_lanes * inverse_D7_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes Lambda_inv_4_4_p12_lanes = Lambda_inv_4_4_p11_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p756_lanes[4] * Lambda_inv_0_0_p621_lanes[4],
-      Lambda_inv_0_0_p756_lanes[4] * Lambda_inv_0_0_p621_lanes[4], Lambda_inv_0_0_p756_lanes[4] *
-      Lambda_inv_0_0_p621_lanes[4], Lambda_inv_0_0_p756_lanes[4] * Lambda_inv_0_0_p621_lanes[4],
-      Lambda_inv_0_0_p756_lanes[4] * Lambda_inv_0_0_p621_lanes[4], Lambda_inv_0_0_p756_lanes[5] *
-      Lambda_inv_0_0_p621_lanes[4], Lambda_inv_0_0_p756_lanes[4] * Lambda_inv_0_0_p621_lanes[4],
-      Lambda_inv_0_0_p756_lanes[4] * Lambda_inv_0_0_p621_lanes[4]);
+  const Lanes<2> Lambda_inv_4_5_p6_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1317_lanes[5],
+      Lambda_inv_6_8_p1_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[4],
+      Lambda_inv_0_8_p151_lanes[2]);
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_6_8_p2_lanes = Lambda_inv_0_8_p128_lanes * inverse_D8_lanes[1];
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<2> Lambda_inv_4_5_p7_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1319_lanes[5],
+      Lambda_inv_6_8_p2_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1173_lanes[4],
+      Lambda_inv_0_8_p128_lanes[2]);
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_6_8_p3_lanes = Lambda_inv_0_8_p117_lanes * inverse_D9_lanes[1];
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> Lambda_inv_4_5_p8_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1321_lanes[5],
+      Lambda_inv_6_8_p3_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1152_lanes[4],
+      Lambda_inv_0_8_p117_lanes[2]);
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_6_8_p4_lanes = Lambda_inv_0_8_p84_lanes * inverse_D10_lanes[1];
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_inv_4_5_p9_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1323_lanes[5],
+      Lambda_inv_6_8_p4_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1132_lanes[4],
+      Lambda_inv_0_8_p84_lanes[2]);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_6_8_p5_lanes = detail::make_lanes<Real>(Lambda_inv_0_8_p76,
+      Lambda_inv_0_9_p24, Lambda_inv_0_10_p24, Lambda_inv_0_11_p25, Lambda_inv_0_8_p76,
+      Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76) * inverse_D11_lanes[1];
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_4_5_p10_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1325_lanes[5],
+      Lambda_inv_6_8_p5_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_4_p29,
+      Lambda_inv_0_10_p24);
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_6_8_p6_lanes = Lambda_inv_0_8_p55_lanes * inverse_D12_lanes[1];
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_4_5_p11_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1327_lanes[5],
+      Lambda_inv_6_8_p6_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[4],
+      Lambda_inv_0_8_p55_lanes[2]);
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_inv_4_4_p6_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_3_p36_lanes[1];
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_4_4_p7_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1327_lanes[4],
+      Lambda_inv_6_8_p6_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[4],
+      Lambda_inv_0_8_p55_lanes[2]);
+  const Lanes<8> Lambda_inv_4_4_p8_lanes = Lambda_inv_4_4_p6_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0],
+      Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0],
+      Lambda_inv_4_5_p11_lanes[0], Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_4_4_p9_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1325_lanes[4],
+      Lambda_inv_6_8_p5_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_4_p29,
+      Lambda_inv_0_10_p24);
+  const Lanes<8> Lambda_inv_4_4_p10_lanes = Lambda_inv_4_4_p8_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0],
+      Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0],
+      Lambda_inv_4_5_p10_lanes[0], Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0]);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_inv_4_4_p11_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1323_lanes[4],
+      Lambda_inv_6_8_p4_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1132_lanes[4],
+      Lambda_inv_0_8_p84_lanes[2]);
+  const Lanes<8> Lambda_inv_4_4_p12_lanes = Lambda_inv_4_4_p10_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0],
+      Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0],
+      Lambda_inv_4_5_p9_lanes[0], Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0]);
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> Lambda_inv_4_4_p13_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1321_lanes[4],
+      Lambda_inv_6_8_p3_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1152_lanes[4],
+      Lambda_inv_0_8_p117_lanes[2]);
+  const Lanes<8> Lambda_inv_4_4_p14_lanes = Lambda_inv_4_4_p12_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0],
+      Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0],
+      Lambda_inv_4_5_p8_lanes[0], Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0]);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<2> Lambda_inv_4_4_p15_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1319_lanes[4],
+      Lambda_inv_6_8_p2_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1173_lanes[4],
+      Lambda_inv_0_8_p128_lanes[2]);
+  const Lanes<8> Lambda_inv_4_4_p16_lanes = Lambda_inv_4_4_p14_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_4_p15_lanes[0],
+      Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_4_p15_lanes[0],
+      Lambda_inv_4_5_p7_lanes[0], Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_4_p15_lanes[0]);
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_inv_4_4_p17_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1317_lanes[4],
+      Lambda_inv_6_8_p1_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[4],
+      Lambda_inv_0_8_p151_lanes[2]);
+  const Lanes<8> Lambda_inv_4_4_p18_lanes = Lambda_inv_4_4_p16_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0],
+      Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0],
+      Lambda_inv_4_5_p6_lanes[0], Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0]);
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_4_4_p13_lanes = Lambda_inv_4_4_p12_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p754_lanes[4] * Lambda_inv_0_0_p666_lanes[4],
-      Lambda_inv_0_0_p754_lanes[4] * Lambda_inv_0_0_p666_lanes[4], Lambda_inv_0_0_p754_lanes[4] *
-      Lambda_inv_0_0_p666_lanes[4], Lambda_inv_0_0_p754_lanes[4] * Lambda_inv_0_0_p666_lanes[4],
-      Lambda_inv_0_0_p754_lanes[4] * Lambda_inv_0_0_p666_lanes[4], Lambda_inv_0_0_p754_lanes[5] *
-      Lambda_inv_0_0_p666_lanes[4], Lambda_inv_0_0_p754_lanes[4] * Lambda_inv_0_0_p666_lanes[4],
-      Lambda_inv_0_0_p754_lanes[4] * Lambda_inv_0_0_p666_lanes[4]);
+  const Lanes<8> Lambda_inv_4_4_p19_lanes = Lambda_inv_4_4_p18_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
+      Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] *
+      Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
+      Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[5] *
+      Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
+      Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146);
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_4_4_p14_lanes = detail::make_lanes<Real>(Lambda_inv_4_4_p13_lanes[4],
-      Lambda_inv_4_4_p13_lanes[4], Lambda_inv_4_4_p13_lanes[4], Lambda_inv_4_4_p13_lanes[4],
-      Lambda_inv_4_4_p13_lanes[4], Lambda_inv_4_4_p13_lanes[5], Lambda_inv_0_6_p155 *
-      Lambda_inv_0_0_p666_lanes[4], Lambda_inv_0_7_p151 * Lambda_inv_0_0_p666_lanes[4]) +
-      Lambda_inv_4_4_p5_lanes;
+  const Lanes<8> Lambda_inv_4_4_p20_lanes = detail::make_lanes<Real>(Lambda_inv_4_4_p19_lanes[4],
+      Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[4],
+      Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[5], Lambda_inv_0_6_p188 *
+      Lambda_inv_0_4_p146, Lambda_inv_0_7_p188 * Lambda_inv_0_4_p146) + Lambda_inv_4_4_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_4_4_p15_lanes = Lambda_inv_4_4_p14_lanes + Lambda_inv_4_4_p4_lanes;
+  const Lanes<8> Lambda_inv_4_4_p21_lanes = Lambda_inv_4_4_p20_lanes + Lambda_inv_4_4_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_4_4_p16_lanes = Lambda_inv_4_4_p15_lanes + Lambda_inv_4_4_p3_lanes;
+  const Lanes<8> Lambda_inv_4_4_p22_lanes = Lambda_inv_4_4_p21_lanes + Lambda_inv_4_4_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_4_4_p17_lanes = Lambda_inv_4_4_p16_lanes + Lambda_inv_4_4_p2_lanes;
+  const Lanes<8> Lambda_inv_4_4_p23_lanes = Lambda_inv_4_4_p22_lanes + Lambda_inv_4_4_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_4_4_lanes = Lambda_inv_4_4_p17_lanes + Lambda_inv_4_4_p1_lanes;
+  const Lanes<8> Lambda_inv_4_4_lanes = Lambda_inv_4_4_p23_lanes + Lambda_inv_4_4_p1_lanes;
   Lambda_inv[52] = Lambda_inv_4_4_lanes[4];
   Lambda_inv[53] = Lambda_inv_4_4_lanes[5];
   Lambda_inv[64] = Lambda_inv_4_4_lanes[5];
@@ -3756,37 +4374,41 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[76] = Lambda_inv_4_4_lanes[6];
   Lambda_inv[55] = Lambda_inv_4_4_lanes[7];
   Lambda_inv[88] = Lambda_inv_4_4_lanes[7];
-  const Lanes Lambda_inv_4_8_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_0_p743_lanes[4];
+  const Lanes<8> Lambda_inv_4_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
+      Lambda_inv_0_0_p1304_lanes[4];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_4_8_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_0_p729_lanes[4];
+  const Lanes<8> Lambda_inv_4_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[4];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_4_8_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_0_p714_lanes[4];
+  const Lanes<8> Lambda_inv_4_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[4];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_4_8_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_4_p179;
+  const Lanes<8> Lambda_inv_4_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_4_p179;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_4_8_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_0_p686_lanes[4];
+  const Lanes<8> Lambda_inv_4_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
+      Lambda_inv_0_0_p1247_lanes[4];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_4_8_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_0_p666_lanes[4];
+  const Lanes<8> Lambda_inv_4_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_4_p146;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_4_8_p7_lanes = Lambda_inv_4_8_p6_lanes + Lambda_inv_4_8_p5_lanes;
+  const Lanes<8> Lambda_inv_4_8_p7_lanes = Lambda_inv_4_8_p6_lanes + Lambda_inv_4_8_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_4_8_p8_lanes = Lambda_inv_4_8_p7_lanes + Lambda_inv_4_8_p4_lanes;
+  const Lanes<8> Lambda_inv_4_8_p8_lanes = Lambda_inv_4_8_p7_lanes + Lambda_inv_4_8_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_4_8_p9_lanes = Lambda_inv_4_8_p8_lanes + Lambda_inv_4_8_p3_lanes;
+  const Lanes<8> Lambda_inv_4_8_p9_lanes = Lambda_inv_4_8_p8_lanes + Lambda_inv_4_8_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_4_8_p10_lanes = Lambda_inv_4_8_p9_lanes + Lambda_inv_4_8_p2_lanes;
+  const Lanes<8> Lambda_inv_4_8_p10_lanes = Lambda_inv_4_8_p9_lanes + Lambda_inv_4_8_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_4_8_lanes = Lambda_inv_4_8_p10_lanes + Lambda_inv_4_8_p1_lanes;
+  const Lanes<8> Lambda_inv_4_8_lanes = Lambda_inv_4_8_p10_lanes + Lambda_inv_4_8_p1_lanes;
   Lambda_inv[56] = Lambda_inv_4_8_lanes[0];
   Lambda_inv[100] = Lambda_inv_4_8_lanes[0];
   Lambda_inv[57] = Lambda_inv_4_8_lanes[1];
@@ -3795,92 +4417,144 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[124] = Lambda_inv_4_8_lanes[2];
   Lambda_inv[59] = Lambda_inv_4_8_lanes[3];
   Lambda_inv[136] = Lambda_inv_4_8_lanes[3];
-  const Lanes Lambda_inv_5_5_p1_lanes = Lambda_inv_0_0_p744_lanes * Lambda_inv_0_0_p743_lanes[5];
+  const Lanes<8> Lambda_inv_5_5_p1_lanes = Lambda_inv_0_0_p1305_lanes *
+      Lambda_inv_0_0_p1304_lanes[5];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_5_5_p2_lanes = Lambda_inv_0_0_p746_lanes * Lambda_inv_0_0_p729_lanes[5];
+  const Lanes<8> Lambda_inv_5_5_p2_lanes = Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[5];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_5_5_p3_lanes = Lambda_inv_0_0_p748_lanes * Lambda_inv_0_0_p714_lanes[5];
+  const Lanes<8> Lambda_inv_5_5_p3_lanes = Lambda_inv_0_0_p1309_lanes *
+      Lambda_inv_0_0_p1275_lanes[5];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_5_5_p4_lanes = Lambda_inv_0_0_p750_lanes * Lambda_inv_0_5_p186;
+  const Lanes<8> Lambda_inv_5_5_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_5_p226;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_5_5_p5_lanes = Lambda_inv_0_0_p752_lanes * Lambda_inv_0_0_p686_lanes[5];
+  const Lanes<8> Lambda_inv_5_5_p5_lanes = Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[5];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_inv_5_5_p6_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1317_lanes[5],
+      Lambda_inv_6_8_p1_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[5],
+      Lambda_inv_0_8_p151_lanes[3]);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<2> Lambda_inv_5_5_p7_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1319_lanes[5],
+      Lambda_inv_6_8_p2_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1173_lanes[5],
+      Lambda_inv_0_8_p128_lanes[3]);
 
   // link 9 (left_upperarm), force propagation
-  const Real Lambda_inv_5_5_p6 = Lambda_inv_0_0_p769_lanes[5] * Lambda_inv_0_3_p14_lanes[2] +
-      Lambda_inv_0_0_p766_lanes[5] * Lambda_inv_0_0_p547_lanes[5] + Lambda_inv_0_0_p764_lanes[5] *
-      Lambda_inv_0_5_p44 + Lambda_inv_0_0_p762_lanes[5] * Lambda_inv_0_0_p575_lanes[5] +
-      Lambda_inv_0_0_p760_lanes[5] * Lambda_inv_0_5_p82;
+  const Lanes<2> Lambda_inv_5_5_p8_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1321_lanes[5],
+      Lambda_inv_6_8_p3_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1152_lanes[5],
+      Lambda_inv_0_8_p117_lanes[3]);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_inv_5_5_p9_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1323_lanes[5],
+      Lambda_inv_6_8_p4_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1132_lanes[5],
+      Lambda_inv_0_8_p84_lanes[3]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_5_5_p10_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1325_lanes[5],
+      Lambda_inv_6_8_p5_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_5_p76,
+      Lambda_inv_0_11_p25);
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_5_5_p11_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1327_lanes[5],
+      Lambda_inv_6_8_p6_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[5],
+      Lambda_inv_0_8_p55_lanes[3]);
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_inv_6_8_p7_lanes = 1065.380700001509 *
+      detail::make_lanes<Real>(Lambda_inv_0_8_p38, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38,
+      Lambda_inv_0_8_p38);
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_5_5_p12_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1330_lanes[5],
+      Lambda_inv_6_8_p7_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[2],
+      Lambda_inv_0_11_p1);
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> Lambda_inv_5_5_p13_lanes = Lambda_inv_5_5_p12_lanes + Lambda_inv_5_5_p11_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_5_5_p14_lanes = Lambda_inv_5_5_p13_lanes + Lambda_inv_5_5_p10_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_inv_5_5_p15_lanes = Lambda_inv_5_5_p14_lanes + Lambda_inv_5_5_p9_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> Lambda_inv_5_5_p16_lanes = Lambda_inv_5_5_p15_lanes + Lambda_inv_5_5_p8_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<2> Lambda_inv_5_5_p17_lanes = Lambda_inv_5_5_p16_lanes + Lambda_inv_5_5_p7_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_inv_5_5_p18_lanes = Lambda_inv_5_5_p17_lanes + Lambda_inv_5_5_p6_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_5_5_p7_lanes = detail::make_lanes<Real>(Lambda_inv_5_5_p6 +
-      Lambda_inv_0_0_p758_lanes[5] * Lambda_inv_0_0_p614_lanes[5] + Lambda_inv_0_0_p756_lanes[5] *
-      Lambda_inv_0_0_p621_lanes[5] + Lambda_inv_0_0_p754_lanes[5] * Lambda_inv_0_0_p666_lanes[5],
-      Lambda_inv_5_5_p6 + Lambda_inv_0_0_p758_lanes[5] * Lambda_inv_0_0_p614_lanes[5] +
-      Lambda_inv_0_0_p756_lanes[5] * Lambda_inv_0_0_p621_lanes[5] + Lambda_inv_0_0_p754_lanes[5] *
-      Lambda_inv_0_0_p666_lanes[5], Lambda_inv_5_5_p6 + Lambda_inv_0_0_p758_lanes[5] *
-      Lambda_inv_0_0_p614_lanes[5] + Lambda_inv_0_0_p756_lanes[5] * Lambda_inv_0_0_p621_lanes[5] +
-      Lambda_inv_0_0_p754_lanes[5] * Lambda_inv_0_0_p666_lanes[5], Lambda_inv_5_5_p6 +
-      Lambda_inv_0_0_p758_lanes[5] * Lambda_inv_0_0_p614_lanes[5] + Lambda_inv_0_0_p756_lanes[5] *
-      Lambda_inv_0_0_p621_lanes[5] + Lambda_inv_0_0_p754_lanes[5] * Lambda_inv_0_0_p666_lanes[5],
-      Lambda_inv_5_5_p6 + Lambda_inv_0_0_p758_lanes[5] * Lambda_inv_0_0_p614_lanes[5] +
-      Lambda_inv_0_0_p756_lanes[5] * Lambda_inv_0_0_p621_lanes[5] + Lambda_inv_0_0_p754_lanes[5] *
-      Lambda_inv_0_0_p666_lanes[5], Lambda_inv_5_5_p6 + Lambda_inv_0_0_p758_lanes[5] *
-      Lambda_inv_0_0_p614_lanes[5] + Lambda_inv_0_0_p756_lanes[5] * Lambda_inv_0_0_p621_lanes[5] +
-      Lambda_inv_0_0_p754_lanes[5] * Lambda_inv_0_0_p666_lanes[5], Lambda_inv_0_6_p155 *
-      Lambda_inv_0_0_p666_lanes[5], Lambda_inv_0_7_p151 * Lambda_inv_0_0_p666_lanes[5]) +
-      Lambda_inv_5_5_p5_lanes;
+  const Lanes<8> Lambda_inv_5_5_p19_lanes = detail::make_lanes<Real>(Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_0_6_p188 *
+      Lambda_inv_0_5_p193, Lambda_inv_0_7_p188 * Lambda_inv_0_5_p193) + Lambda_inv_5_5_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_5_5_p8_lanes = Lambda_inv_5_5_p7_lanes + Lambda_inv_5_5_p4_lanes;
+  const Lanes<8> Lambda_inv_5_5_p20_lanes = Lambda_inv_5_5_p19_lanes + Lambda_inv_5_5_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_5_5_p9_lanes = Lambda_inv_5_5_p8_lanes + Lambda_inv_5_5_p3_lanes;
+  const Lanes<8> Lambda_inv_5_5_p21_lanes = Lambda_inv_5_5_p20_lanes + Lambda_inv_5_5_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_5_5_p10_lanes = Lambda_inv_5_5_p9_lanes + Lambda_inv_5_5_p2_lanes;
+  const Lanes<8> Lambda_inv_5_5_p22_lanes = Lambda_inv_5_5_p21_lanes + Lambda_inv_5_5_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_5_5_lanes = Lambda_inv_5_5_p10_lanes + Lambda_inv_5_5_p1_lanes;
+  const Lanes<8> Lambda_inv_5_5_lanes = Lambda_inv_5_5_p22_lanes + Lambda_inv_5_5_p1_lanes;
   Lambda_inv[65] = Lambda_inv_5_5_lanes[5];
   Lambda_inv[66] = Lambda_inv_5_5_lanes[6];
   Lambda_inv[77] = Lambda_inv_5_5_lanes[6];
   Lambda_inv[67] = Lambda_inv_5_5_lanes[7];
   Lambda_inv[89] = Lambda_inv_5_5_lanes[7];
-  const Lanes Lambda_inv_5_8_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_0_p743_lanes[5];
+  const Lanes<8> Lambda_inv_5_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
+      Lambda_inv_0_0_p1304_lanes[5];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_5_8_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_0_p729_lanes[5];
+  const Lanes<8> Lambda_inv_5_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[5];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_5_8_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_0_p714_lanes[5];
+  const Lanes<8> Lambda_inv_5_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[5];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_5_8_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_5_p186;
+  const Lanes<8> Lambda_inv_5_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_5_p226;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_5_8_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_0_p686_lanes[5];
+  const Lanes<8> Lambda_inv_5_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
+      Lambda_inv_0_0_p1247_lanes[5];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_5_8_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_0_p666_lanes[5];
+  const Lanes<8> Lambda_inv_5_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_5_p193;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_5_8_p7_lanes = Lambda_inv_5_8_p6_lanes + Lambda_inv_5_8_p5_lanes;
+  const Lanes<8> Lambda_inv_5_8_p7_lanes = Lambda_inv_5_8_p6_lanes + Lambda_inv_5_8_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_5_8_p8_lanes = Lambda_inv_5_8_p7_lanes + Lambda_inv_5_8_p4_lanes;
+  const Lanes<8> Lambda_inv_5_8_p8_lanes = Lambda_inv_5_8_p7_lanes + Lambda_inv_5_8_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_5_8_p9_lanes = Lambda_inv_5_8_p8_lanes + Lambda_inv_5_8_p3_lanes;
+  const Lanes<8> Lambda_inv_5_8_p9_lanes = Lambda_inv_5_8_p8_lanes + Lambda_inv_5_8_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_5_8_p10_lanes = Lambda_inv_5_8_p9_lanes + Lambda_inv_5_8_p2_lanes;
+  const Lanes<8> Lambda_inv_5_8_p10_lanes = Lambda_inv_5_8_p9_lanes + Lambda_inv_5_8_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_5_8_lanes = Lambda_inv_5_8_p10_lanes + Lambda_inv_5_8_p1_lanes;
+  const Lanes<8> Lambda_inv_5_8_lanes = Lambda_inv_5_8_p10_lanes + Lambda_inv_5_8_p1_lanes;
   Lambda_inv[68] = Lambda_inv_5_8_lanes[0];
   Lambda_inv[101] = Lambda_inv_5_8_lanes[0];
   Lambda_inv[69] = Lambda_inv_5_8_lanes[1];
@@ -3891,229 +4565,220 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[137] = Lambda_inv_5_8_lanes[3];
 
   // link 14 (right_shoulder1), force propagation
-  const Real Lambda_inv_6_7_p1 = Lambda_inv_0_7_p48 * inverse_D14;
+  const Real Lambda_inv_6_7_p1 = Lambda_inv_0_7_p76 * inverse_D7_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_6_7_p2 = Lambda_inv_0_7_p45 * inverse_D15;
+  const Real Lambda_inv_6_7_p2 = Lambda_inv_0_7_p73 * inverse_D8_lanes[1];
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_6_7_p3 = Lambda_inv_0_7_p39 * inverse_D16;
+  const Real Lambda_inv_6_7_p3 = Lambda_inv_0_7_p64 * inverse_D9_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_6_7_p4 = Lambda_inv_0_7_p33 * inverse_D17;
+  const Real Lambda_inv_6_7_p4 = Lambda_inv_0_7_p58 * inverse_D10_lanes[1];
 
   // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_6_7_p5 = Lambda_inv_0_7_p27 * inverse_D18;
+  const Real Lambda_inv_6_7_p5 = Lambda_inv_0_7_p48 * inverse_D11_lanes[1];
 
   // link 19 (right_wrist2), force propagation
-  const Real Lambda_inv_6_7_p6 = Lambda_inv_0_7_p24 * inverse_D19;
+  const Real Lambda_inv_6_7_p6 = Lambda_inv_0_7_p45 * inverse_D12_lanes[1];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_inv_6_6_p1 = 0.086 * Lambda_inv_0_6_p23;
+  const Real Lambda_inv_6_6_p1 = 0.086 * Lambda_inv_0_6_p38;
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_inv_6_7_p7 = 91.62274020012977 * Lambda_inv_0_7_p18;
-  const Lanes Lambda_inv_6_6_p2_lanes = detail::make_lanes<Real>(91.62274020012977 *
-      Lambda_inv_0_6_p23, 91.62274020012977 * Lambda_inv_0_6_p23, 91.62274020012977 *
-      Lambda_inv_0_6_p23, 91.62274020012977 * Lambda_inv_0_6_p23, 91.62274020012977 *
-      Lambda_inv_0_6_p23, 91.62274020012977 * Lambda_inv_0_6_p23, 91.62274020012977 *
-      Lambda_inv_0_6_p23, Lambda_inv_6_7_p7) * Lambda_inv_6_6_p1;
+  const Real Lambda_inv_6_7_p7 = 91.62274020012977 * Lambda_inv_0_7_p38;
+  const Lanes<8> Lambda_inv_6_6_p2_lanes = detail::make_lanes<Real>(91.62274020012977 *
+      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
+      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
+      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
+      Lambda_inv_0_6_p38, Lambda_inv_6_7_p7) * Lambda_inv_6_6_p1;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_6_6_p3_lanes = Lambda_inv_6_6_p2_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p29 * inverse_D19 * Lambda_inv_0_6_p29,
-      Lambda_inv_0_6_p29 * inverse_D19 * Lambda_inv_0_6_p29, Lambda_inv_0_6_p29 * inverse_D19 *
-      Lambda_inv_0_6_p29, Lambda_inv_0_6_p29 * inverse_D19 * Lambda_inv_0_6_p29,
-      Lambda_inv_0_6_p29 * inverse_D19 * Lambda_inv_0_6_p29, Lambda_inv_0_6_p29 * inverse_D19 *
-      Lambda_inv_0_6_p29, Lambda_inv_0_6_p29 * inverse_D19 * Lambda_inv_0_6_p29, Lambda_inv_6_7_p6 *
-      Lambda_inv_0_6_p29);
+  const Lanes<8> Lambda_inv_6_6_p3_lanes = Lambda_inv_6_6_p2_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45,
+      Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 *
+      inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 * inverse_D12_lanes[1] *
+      Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45,
+      Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 *
+      inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_6_7_p6 * Lambda_inv_0_6_p45);
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_6_6_p4_lanes = Lambda_inv_6_6_p3_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p32 * inverse_D18 * Lambda_inv_0_6_p32,
-      Lambda_inv_0_6_p32 * inverse_D18 * Lambda_inv_0_6_p32, Lambda_inv_0_6_p32 * inverse_D18 *
-      Lambda_inv_0_6_p32, Lambda_inv_0_6_p32 * inverse_D18 * Lambda_inv_0_6_p32,
-      Lambda_inv_0_6_p32 * inverse_D18 * Lambda_inv_0_6_p32, Lambda_inv_0_6_p32 * inverse_D18 *
-      Lambda_inv_0_6_p32, Lambda_inv_0_6_p32 * inverse_D18 * Lambda_inv_0_6_p32, Lambda_inv_6_7_p5 *
-      Lambda_inv_0_6_p32);
+  const Lanes<8> Lambda_inv_6_6_p4_lanes = Lambda_inv_6_6_p3_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48,
+      Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 *
+      inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 * inverse_D11_lanes[1] *
+      Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48,
+      Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 *
+      inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_6_7_p5 * Lambda_inv_0_6_p48);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_6_6_p5_lanes = Lambda_inv_6_6_p4_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p38 * inverse_D17 * Lambda_inv_0_6_p38,
-      Lambda_inv_0_6_p38 * inverse_D17 * Lambda_inv_0_6_p38, Lambda_inv_0_6_p38 * inverse_D17 *
-      Lambda_inv_0_6_p38, Lambda_inv_0_6_p38 * inverse_D17 * Lambda_inv_0_6_p38,
-      Lambda_inv_0_6_p38 * inverse_D17 * Lambda_inv_0_6_p38, Lambda_inv_0_6_p38 * inverse_D17 *
-      Lambda_inv_0_6_p38, Lambda_inv_0_6_p38 * inverse_D17 * Lambda_inv_0_6_p38, Lambda_inv_6_7_p4 *
-      Lambda_inv_0_6_p38);
+  const Lanes<8> Lambda_inv_6_6_p5_lanes = Lambda_inv_6_6_p4_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58,
+      Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 *
+      inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 * inverse_D10_lanes[1] *
+      Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58,
+      Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 *
+      inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_6_7_p4 * Lambda_inv_0_6_p58);
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_6_6_p6_lanes = Lambda_inv_6_6_p5_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p44 * inverse_D16 * Lambda_inv_0_6_p44,
-      Lambda_inv_0_6_p44 * inverse_D16 * Lambda_inv_0_6_p44, Lambda_inv_0_6_p44 * inverse_D16 *
-      Lambda_inv_0_6_p44, Lambda_inv_0_6_p44 * inverse_D16 * Lambda_inv_0_6_p44,
-      Lambda_inv_0_6_p44 * inverse_D16 * Lambda_inv_0_6_p44, Lambda_inv_0_6_p44 * inverse_D16 *
-      Lambda_inv_0_6_p44, Lambda_inv_0_6_p44 * inverse_D16 * Lambda_inv_0_6_p44, Lambda_inv_6_7_p3 *
-      Lambda_inv_0_6_p44);
+  const Lanes<8> Lambda_inv_6_6_p6_lanes = Lambda_inv_6_6_p5_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64,
+      Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 *
+      inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 * inverse_D9_lanes[1] *
+      Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64,
+      Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 *
+      inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_6_7_p3 * Lambda_inv_0_6_p64);
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_6_6_p7_lanes = Lambda_inv_6_6_p6_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p50 * inverse_D15 * Lambda_inv_0_6_p50,
-      Lambda_inv_0_6_p50 * inverse_D15 * Lambda_inv_0_6_p50, Lambda_inv_0_6_p50 * inverse_D15 *
-      Lambda_inv_0_6_p50, Lambda_inv_0_6_p50 * inverse_D15 * Lambda_inv_0_6_p50,
-      Lambda_inv_0_6_p50 * inverse_D15 * Lambda_inv_0_6_p50, Lambda_inv_0_6_p50 * inverse_D15 *
-      Lambda_inv_0_6_p50, Lambda_inv_0_6_p50 * inverse_D15 * Lambda_inv_0_6_p50, Lambda_inv_6_7_p2 *
-      Lambda_inv_0_6_p50);
+  const Lanes<8> Lambda_inv_6_6_p7_lanes = Lambda_inv_6_6_p6_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73,
+      Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 *
+      inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 * inverse_D8_lanes[1] *
+      Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73,
+      Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 *
+      inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_6_7_p2 * Lambda_inv_0_6_p73);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_6_6_p8_lanes = Lambda_inv_6_6_p7_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p53 * inverse_D14 * Lambda_inv_0_6_p53,
-      Lambda_inv_0_6_p53 * inverse_D14 * Lambda_inv_0_6_p53, Lambda_inv_0_6_p53 * inverse_D14 *
-      Lambda_inv_0_6_p53, Lambda_inv_0_6_p53 * inverse_D14 * Lambda_inv_0_6_p53,
-      Lambda_inv_0_6_p53 * inverse_D14 * Lambda_inv_0_6_p53, Lambda_inv_0_6_p53 * inverse_D14 *
-      Lambda_inv_0_6_p53, Lambda_inv_0_6_p53 * inverse_D14 * Lambda_inv_0_6_p53, Lambda_inv_6_7_p1 *
-      Lambda_inv_0_6_p53);
+  const Lanes<8> Lambda_inv_6_6_p8_lanes = Lambda_inv_6_6_p7_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76,
+      Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 *
+      inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 * inverse_D7_lanes[1] *
+      Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76,
+      Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 *
+      inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_6_7_p1 * Lambda_inv_0_6_p76);
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_6_6_p9_lanes = Lambda_inv_6_6_p8_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p155 * Lambda_inv_0_0_p666_lanes[6],
-      Lambda_inv_0_6_p155 * Lambda_inv_0_0_p666_lanes[6], Lambda_inv_0_6_p155 *
-      Lambda_inv_0_0_p666_lanes[6], Lambda_inv_0_6_p155 * Lambda_inv_0_0_p666_lanes[6],
-      Lambda_inv_0_6_p155 * Lambda_inv_0_0_p666_lanes[6], Lambda_inv_0_6_p155 *
-      Lambda_inv_0_0_p666_lanes[6], Lambda_inv_0_6_p155 * Lambda_inv_0_0_p666_lanes[6],
-      Lambda_inv_0_7_p151 * Lambda_inv_0_0_p666_lanes[6]);
+  const Lanes<8> Lambda_inv_6_6_p9_lanes = Lambda_inv_6_6_p8_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
+      Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
+      Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
+      Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_7_p188 *
+      Lambda_inv_0_6_p103);
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_6_6_p10_lanes = Lambda_inv_6_6_p9_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p752_lanes[6] * Lambda_inv_0_0_p686_lanes[6],
-      Lambda_inv_0_0_p752_lanes[6] * Lambda_inv_0_0_p686_lanes[6], Lambda_inv_0_0_p752_lanes[6] *
-      Lambda_inv_0_0_p686_lanes[6], Lambda_inv_0_0_p752_lanes[6] * Lambda_inv_0_0_p686_lanes[6],
-      Lambda_inv_0_0_p752_lanes[6] * Lambda_inv_0_0_p686_lanes[6], Lambda_inv_0_0_p752_lanes[6] *
-      Lambda_inv_0_0_p686_lanes[6], Lambda_inv_0_0_p752_lanes[6] * Lambda_inv_0_0_p686_lanes[6],
-      Lambda_inv_0_0_p752_lanes[7] * Lambda_inv_0_0_p686_lanes[6]);
+  const Lanes<8> Lambda_inv_6_6_p10_lanes = Lambda_inv_6_6_p9_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6],
+      Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] *
+      Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6],
+      Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] *
+      Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6],
+      Lambda_inv_0_0_p1313_lanes[7] * Lambda_inv_0_0_p1247_lanes[6]);
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_6_6_p11_lanes = Lambda_inv_6_6_p10_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p750_lanes[6] * Lambda_inv_0_6_p103,
-      Lambda_inv_0_0_p750_lanes[6] * Lambda_inv_0_6_p103, Lambda_inv_0_0_p750_lanes[6] *
-      Lambda_inv_0_6_p103, Lambda_inv_0_0_p750_lanes[6] * Lambda_inv_0_6_p103,
-      Lambda_inv_0_0_p750_lanes[6] * Lambda_inv_0_6_p103, Lambda_inv_0_0_p750_lanes[6] *
-      Lambda_inv_0_6_p103, Lambda_inv_0_0_p750_lanes[6] * Lambda_inv_0_6_p103,
-      Lambda_inv_0_0_p750_lanes[7] * Lambda_inv_0_6_p103);
+  const Lanes<8> Lambda_inv_6_6_p11_lanes = Lambda_inv_6_6_p10_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136,
+      Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] *
+      Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136,
+      Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] *
+      Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136,
+      Lambda_inv_0_0_p1311_lanes[7] * Lambda_inv_0_6_p136);
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_6_6_p12_lanes = Lambda_inv_6_6_p11_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p748_lanes[6] * Lambda_inv_0_0_p714_lanes[6],
-      Lambda_inv_0_0_p748_lanes[6] * Lambda_inv_0_0_p714_lanes[6], Lambda_inv_0_0_p748_lanes[6] *
-      Lambda_inv_0_0_p714_lanes[6], Lambda_inv_0_0_p748_lanes[6] * Lambda_inv_0_0_p714_lanes[6],
-      Lambda_inv_0_0_p748_lanes[6] * Lambda_inv_0_0_p714_lanes[6], Lambda_inv_0_0_p748_lanes[6] *
-      Lambda_inv_0_0_p714_lanes[6], Lambda_inv_0_0_p748_lanes[6] * Lambda_inv_0_0_p714_lanes[6],
-      Lambda_inv_0_0_p748_lanes[7] * Lambda_inv_0_0_p714_lanes[6]);
+  const Lanes<8> Lambda_inv_6_6_p12_lanes = Lambda_inv_6_6_p11_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
+      Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] *
+      Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
+      Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] *
+      Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
+      Lambda_inv_0_0_p1309_lanes[7] * Lambda_inv_0_0_p1275_lanes[6]);
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_6_6_p13_lanes = Lambda_inv_6_6_p12_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p746_lanes[6] * Lambda_inv_0_0_p729_lanes[6],
-      Lambda_inv_0_0_p746_lanes[6] * Lambda_inv_0_0_p729_lanes[6], Lambda_inv_0_0_p746_lanes[6] *
-      Lambda_inv_0_0_p729_lanes[6], Lambda_inv_0_0_p746_lanes[6] * Lambda_inv_0_0_p729_lanes[6],
-      Lambda_inv_0_0_p746_lanes[6] * Lambda_inv_0_0_p729_lanes[6], Lambda_inv_0_0_p746_lanes[6] *
-      Lambda_inv_0_0_p729_lanes[6], Lambda_inv_0_0_p746_lanes[6] * Lambda_inv_0_0_p729_lanes[6],
-      Lambda_inv_0_0_p746_lanes[7] * Lambda_inv_0_0_p729_lanes[6]);
+  const Lanes<8> Lambda_inv_6_6_p13_lanes = Lambda_inv_6_6_p12_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
+      Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] *
+      Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
+      Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] *
+      Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
+      Lambda_inv_0_0_p1307_lanes[7] * Lambda_inv_0_0_p1290_lanes[6]);
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_6_6_lanes = Lambda_inv_6_6_p13_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p744_lanes[6] * Lambda_inv_0_0_p743_lanes[6],
-      Lambda_inv_0_0_p744_lanes[6] * Lambda_inv_0_0_p743_lanes[6], Lambda_inv_0_0_p744_lanes[6] *
-      Lambda_inv_0_0_p743_lanes[6], Lambda_inv_0_0_p744_lanes[6] * Lambda_inv_0_0_p743_lanes[6],
-      Lambda_inv_0_0_p744_lanes[6] * Lambda_inv_0_0_p743_lanes[6], Lambda_inv_0_0_p744_lanes[6] *
-      Lambda_inv_0_0_p743_lanes[6], Lambda_inv_0_0_p744_lanes[6] * Lambda_inv_0_0_p743_lanes[6],
-      Lambda_inv_0_0_p744_lanes[7] * Lambda_inv_0_0_p743_lanes[6]);
+  const Lanes<8> Lambda_inv_6_6_lanes = Lambda_inv_6_6_p13_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
+      Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] *
+      Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
+      Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] *
+      Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
+      Lambda_inv_0_0_p1305_lanes[7] * Lambda_inv_0_0_p1304_lanes[6]);
   Lambda_inv[78] = Lambda_inv_6_6_lanes[6];
   Lambda_inv[79] = Lambda_inv_6_6_lanes[7];
   Lambda_inv[90] = Lambda_inv_6_6_lanes[7];
-  const Lanes Lambda_inv_6_8_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_0_p743_lanes[6];
+  const Lanes<8> Lambda_inv_6_8_p8_lanes = Lambda_inv_0_8_p257_lanes *
+      Lambda_inv_0_0_p1304_lanes[6];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_6_8_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_0_p729_lanes[6];
+  const Lanes<8> Lambda_inv_6_8_p9_lanes = Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[6];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_6_8_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_0_p714_lanes[6];
+  const Lanes<8> Lambda_inv_6_8_p10_lanes = Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[6];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_6_8_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_6_p103;
+  const Lanes<8> Lambda_inv_6_8_p11_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_6_p136;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_6_8_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_0_p686_lanes[6];
+  const Lanes<8> Lambda_inv_6_8_p12_lanes = Lambda_inv_0_8_p265_lanes *
+      Lambda_inv_0_0_p1247_lanes[6];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_6_8_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_0_p666_lanes[6];
+  const Lanes<8> Lambda_inv_6_8_p13_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_6_p103;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_6_8_p7_lanes = Lambda_inv_0_8_p96_lanes * inverse_D14;
-  const Lanes Lambda_inv_6_8_p8_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_6_p53;
+  const Lanes<8> Lambda_inv_6_8_p14_lanes = Lambda_inv_6_8_p1_lanes * Lambda_inv_0_6_p76;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_6_8_p9_lanes = Lambda_inv_0_8_p73_lanes * inverse_D15;
-  const Lanes Lambda_inv_6_8_p10_lanes = Lambda_inv_6_8_p9_lanes * Lambda_inv_0_6_p50;
+  const Lanes<8> Lambda_inv_6_8_p15_lanes = Lambda_inv_6_8_p2_lanes * Lambda_inv_0_6_p73;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_6_8_p11_lanes = Lambda_inv_0_8_p55_lanes * inverse_D16;
-  const Lanes Lambda_inv_6_8_p12_lanes = Lambda_inv_6_8_p11_lanes * Lambda_inv_0_6_p44;
+  const Lanes<8> Lambda_inv_6_8_p16_lanes = Lambda_inv_6_8_p3_lanes * Lambda_inv_0_6_p64;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_6_8_p13_lanes = Lambda_inv_0_8_p35_lanes * inverse_D17;
-  const Lanes Lambda_inv_6_8_p14_lanes = Lambda_inv_6_8_p13_lanes * Lambda_inv_0_6_p38;
+  const Lanes<8> Lambda_inv_6_8_p17_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_6_p58;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_6_8_p15_lanes = detail::make_lanes<Real>(Lambda_inv_0_8_p21,
-      Lambda_inv_0_9_p23, Lambda_inv_0_10_p23, Lambda_inv_0_11_p37, Lambda_inv_0_8_p21,
-      Lambda_inv_0_8_p21, Lambda_inv_0_8_p21, Lambda_inv_0_8_p21) * inverse_D18;
-  const Lanes Lambda_inv_6_8_p16_lanes = Lambda_inv_6_8_p15_lanes * Lambda_inv_0_6_p32;
+  const Lanes<8> Lambda_inv_6_8_p18_lanes = Lambda_inv_6_8_p5_lanes * Lambda_inv_0_6_p48;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_6_8_p17_lanes = Lambda_inv_0_8_p11_lanes * inverse_D19;
-  const Lanes Lambda_inv_6_8_p18_lanes = Lambda_inv_6_8_p17_lanes * Lambda_inv_0_6_p29;
+  const Lanes<8> Lambda_inv_6_8_p19_lanes = Lambda_inv_6_8_p6_lanes * Lambda_inv_0_6_p45;
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_inv_6_8_p19_lanes = 1065.380700001509 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p2, Lambda_inv_0_6_p27, Lambda_inv_0_7_p21,
-      Lambda_inv_0_11_p13, Lambda_inv_0_8_p2, Lambda_inv_0_8_p2, Lambda_inv_0_8_p2,
-      Lambda_inv_0_8_p2);
-  const Lanes Lambda_inv_6_8_p20_lanes = Lambda_inv_6_8_p19_lanes * Lambda_inv_6_6_p1;
+  const Lanes<8> Lambda_inv_6_8_p20_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_6_6_p1;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_6_8_p21_lanes = Lambda_inv_6_8_p20_lanes + Lambda_inv_6_8_p18_lanes;
+  const Lanes<8> Lambda_inv_6_8_p21_lanes = Lambda_inv_6_8_p20_lanes + Lambda_inv_6_8_p19_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_6_8_p22_lanes = Lambda_inv_6_8_p21_lanes + Lambda_inv_6_8_p16_lanes;
+  const Lanes<8> Lambda_inv_6_8_p22_lanes = Lambda_inv_6_8_p21_lanes + Lambda_inv_6_8_p18_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_6_8_p23_lanes = Lambda_inv_6_8_p22_lanes + Lambda_inv_6_8_p14_lanes;
+  const Lanes<8> Lambda_inv_6_8_p23_lanes = Lambda_inv_6_8_p22_lanes + Lambda_inv_6_8_p17_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_6_8_p24_lanes = Lambda_inv_6_8_p23_lanes + Lambda_inv_6_8_p12_lanes;
+  const Lanes<8> Lambda_inv_6_8_p24_lanes = Lambda_inv_6_8_p23_lanes + Lambda_inv_6_8_p16_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_6_8_p25_lanes = Lambda_inv_6_8_p24_lanes + Lambda_inv_6_8_p10_lanes;
+  const Lanes<8> Lambda_inv_6_8_p25_lanes = Lambda_inv_6_8_p24_lanes + Lambda_inv_6_8_p15_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_6_8_p26_lanes = Lambda_inv_6_8_p25_lanes + Lambda_inv_6_8_p8_lanes;
+  const Lanes<8> Lambda_inv_6_8_p26_lanes = Lambda_inv_6_8_p25_lanes + Lambda_inv_6_8_p14_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_6_8_p27_lanes = Lambda_inv_6_8_p26_lanes + Lambda_inv_6_8_p6_lanes;
+  const Lanes<8> Lambda_inv_6_8_p27_lanes = Lambda_inv_6_8_p26_lanes + Lambda_inv_6_8_p13_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_6_8_p28_lanes = Lambda_inv_6_8_p27_lanes + Lambda_inv_6_8_p5_lanes;
+  const Lanes<8> Lambda_inv_6_8_p28_lanes = Lambda_inv_6_8_p27_lanes + Lambda_inv_6_8_p12_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_6_8_p29_lanes = Lambda_inv_6_8_p28_lanes + Lambda_inv_6_8_p4_lanes;
+  const Lanes<8> Lambda_inv_6_8_p29_lanes = Lambda_inv_6_8_p28_lanes + Lambda_inv_6_8_p11_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_6_8_p30_lanes = Lambda_inv_6_8_p29_lanes + Lambda_inv_6_8_p3_lanes;
+  const Lanes<8> Lambda_inv_6_8_p30_lanes = Lambda_inv_6_8_p29_lanes + Lambda_inv_6_8_p10_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_6_8_p31_lanes = Lambda_inv_6_8_p30_lanes + Lambda_inv_6_8_p2_lanes;
+  const Lanes<8> Lambda_inv_6_8_p31_lanes = Lambda_inv_6_8_p30_lanes + Lambda_inv_6_8_p9_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_6_8_lanes = Lambda_inv_6_8_p31_lanes + Lambda_inv_6_8_p1_lanes;
+  const Lanes<8> Lambda_inv_6_8_lanes = Lambda_inv_6_8_p31_lanes + Lambda_inv_6_8_p8_lanes;
   Lambda_inv[80] = Lambda_inv_6_8_lanes[0];
   Lambda_inv[102] = Lambda_inv_6_8_lanes[0];
   Lambda_inv[81] = Lambda_inv_6_8_lanes[1];
@@ -4124,95 +4789,100 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[138] = Lambda_inv_6_8_lanes[3];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_inv_7_7_p1 = 0.086 * Lambda_inv_0_7_p18;
+  const Real Lambda_inv_7_7_p1 = 0.086 * Lambda_inv_0_7_p38;
 
   // link 16 (right_upperarm), force propagation
   const Real Lambda_inv_7_7_p2 = Lambda_inv_6_7_p7 * Lambda_inv_7_7_p1 + Lambda_inv_6_7_p6 *
-      Lambda_inv_0_7_p24 + Lambda_inv_6_7_p5 * Lambda_inv_0_7_p27 + Lambda_inv_6_7_p4 *
-      Lambda_inv_0_7_p33 + Lambda_inv_6_7_p3 * Lambda_inv_0_7_p39;
+      Lambda_inv_0_7_p45 + Lambda_inv_6_7_p5 * Lambda_inv_0_7_p48 + Lambda_inv_6_7_p4 *
+      Lambda_inv_0_7_p58 + Lambda_inv_6_7_p3 * Lambda_inv_0_7_p64;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_7_7_p3 = Lambda_inv_7_7_p2 + Lambda_inv_6_7_p2 * Lambda_inv_0_7_p45 +
-      Lambda_inv_6_7_p1 * Lambda_inv_0_7_p48 + Lambda_inv_0_7_p151 * Lambda_inv_0_0_p666_lanes[7] +
-      Lambda_inv_0_0_p752_lanes[7] * Lambda_inv_0_0_p686_lanes[7];
+  const Real Lambda_inv_7_7_p3 = Lambda_inv_7_7_p2 + Lambda_inv_6_7_p2 * Lambda_inv_0_7_p73 +
+      Lambda_inv_6_7_p1 * Lambda_inv_0_7_p76 + Lambda_inv_0_7_p188 * Lambda_inv_0_7_p103 +
+      Lambda_inv_0_0_p1313_lanes[7] * Lambda_inv_0_0_p1247_lanes[7];
 
   // link 1 (calf), force propagation
-  Lambda_inv[91] = Lambda_inv_7_7_p3 + Lambda_inv_0_0_p750_lanes[7] * Lambda_inv_0_7_p99 +
-      Lambda_inv_0_0_p748_lanes[7] * Lambda_inv_0_0_p714_lanes[7] + Lambda_inv_0_0_p746_lanes[7] *
-      Lambda_inv_0_0_p729_lanes[7] + Lambda_inv_0_0_p744_lanes[7] * Lambda_inv_0_0_p743_lanes[7];
-  const Lanes Lambda_inv_7_8_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_0_p743_lanes[7];
+  Lambda_inv[91] = Lambda_inv_7_7_p3 + Lambda_inv_0_0_p1311_lanes[7] * Lambda_inv_0_7_p136 +
+      Lambda_inv_0_0_p1309_lanes[7] * Lambda_inv_0_0_p1275_lanes[7] +
+      Lambda_inv_0_0_p1307_lanes[7] * Lambda_inv_0_0_p1290_lanes[7] +
+      Lambda_inv_0_0_p1305_lanes[7] * Lambda_inv_0_0_p1304_lanes[7];
+  const Lanes<8> Lambda_inv_7_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
+      Lambda_inv_0_0_p1304_lanes[7];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_7_8_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_0_p729_lanes[7];
+  const Lanes<8> Lambda_inv_7_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[7];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_7_8_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_0_p714_lanes[7];
+  const Lanes<8> Lambda_inv_7_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[7];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_7_8_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_7_p99;
+  const Lanes<8> Lambda_inv_7_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_7_p136;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_7_8_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_0_p686_lanes[7];
+  const Lanes<8> Lambda_inv_7_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
+      Lambda_inv_0_0_p1247_lanes[7];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_7_8_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_0_p666_lanes[7];
+  const Lanes<8> Lambda_inv_7_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_7_p103;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_7_8_p7_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_7_p48;
+  const Lanes<8> Lambda_inv_7_8_p7_lanes = Lambda_inv_6_8_p1_lanes * Lambda_inv_0_7_p76;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_7_8_p8_lanes = Lambda_inv_6_8_p9_lanes * Lambda_inv_0_7_p45;
+  const Lanes<8> Lambda_inv_7_8_p8_lanes = Lambda_inv_6_8_p2_lanes * Lambda_inv_0_7_p73;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_7_8_p9_lanes = Lambda_inv_6_8_p11_lanes * Lambda_inv_0_7_p39;
+  const Lanes<8> Lambda_inv_7_8_p9_lanes = Lambda_inv_6_8_p3_lanes * Lambda_inv_0_7_p64;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_7_8_p10_lanes = Lambda_inv_6_8_p13_lanes * Lambda_inv_0_7_p33;
+  const Lanes<8> Lambda_inv_7_8_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_7_p58;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_7_8_p11_lanes = Lambda_inv_6_8_p15_lanes * Lambda_inv_0_7_p27;
+  const Lanes<8> Lambda_inv_7_8_p11_lanes = Lambda_inv_6_8_p5_lanes * Lambda_inv_0_7_p48;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_7_8_p12_lanes = Lambda_inv_6_8_p17_lanes * Lambda_inv_0_7_p24;
+  const Lanes<8> Lambda_inv_7_8_p12_lanes = Lambda_inv_6_8_p6_lanes * Lambda_inv_0_7_p45;
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_inv_7_8_p13_lanes = Lambda_inv_6_8_p19_lanes * Lambda_inv_7_7_p1;
+  const Lanes<8> Lambda_inv_7_8_p13_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_7_7_p1;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_7_8_p14_lanes = Lambda_inv_7_8_p13_lanes + Lambda_inv_7_8_p12_lanes;
+  const Lanes<8> Lambda_inv_7_8_p14_lanes = Lambda_inv_7_8_p13_lanes + Lambda_inv_7_8_p12_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_7_8_p15_lanes = Lambda_inv_7_8_p14_lanes + Lambda_inv_7_8_p11_lanes;
+  const Lanes<8> Lambda_inv_7_8_p15_lanes = Lambda_inv_7_8_p14_lanes + Lambda_inv_7_8_p11_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_7_8_p16_lanes = Lambda_inv_7_8_p15_lanes + Lambda_inv_7_8_p10_lanes;
+  const Lanes<8> Lambda_inv_7_8_p16_lanes = Lambda_inv_7_8_p15_lanes + Lambda_inv_7_8_p10_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_7_8_p17_lanes = Lambda_inv_7_8_p16_lanes + Lambda_inv_7_8_p9_lanes;
+  const Lanes<8> Lambda_inv_7_8_p17_lanes = Lambda_inv_7_8_p16_lanes + Lambda_inv_7_8_p9_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_7_8_p18_lanes = Lambda_inv_7_8_p17_lanes + Lambda_inv_7_8_p8_lanes;
+  const Lanes<8> Lambda_inv_7_8_p18_lanes = Lambda_inv_7_8_p17_lanes + Lambda_inv_7_8_p8_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_7_8_p19_lanes = Lambda_inv_7_8_p18_lanes + Lambda_inv_7_8_p7_lanes;
+  const Lanes<8> Lambda_inv_7_8_p19_lanes = Lambda_inv_7_8_p18_lanes + Lambda_inv_7_8_p7_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_7_8_p20_lanes = Lambda_inv_7_8_p19_lanes + Lambda_inv_7_8_p6_lanes;
+  const Lanes<8> Lambda_inv_7_8_p20_lanes = Lambda_inv_7_8_p19_lanes + Lambda_inv_7_8_p6_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_7_8_p21_lanes = Lambda_inv_7_8_p20_lanes + Lambda_inv_7_8_p5_lanes;
+  const Lanes<8> Lambda_inv_7_8_p21_lanes = Lambda_inv_7_8_p20_lanes + Lambda_inv_7_8_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_7_8_p22_lanes = Lambda_inv_7_8_p21_lanes + Lambda_inv_7_8_p4_lanes;
+  const Lanes<8> Lambda_inv_7_8_p22_lanes = Lambda_inv_7_8_p21_lanes + Lambda_inv_7_8_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_7_8_p23_lanes = Lambda_inv_7_8_p22_lanes + Lambda_inv_7_8_p3_lanes;
+  const Lanes<8> Lambda_inv_7_8_p23_lanes = Lambda_inv_7_8_p22_lanes + Lambda_inv_7_8_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_7_8_p24_lanes = Lambda_inv_7_8_p23_lanes + Lambda_inv_7_8_p2_lanes;
+  const Lanes<8> Lambda_inv_7_8_p24_lanes = Lambda_inv_7_8_p23_lanes + Lambda_inv_7_8_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_7_8_lanes = Lambda_inv_7_8_p24_lanes + Lambda_inv_7_8_p1_lanes;
+  const Lanes<8> Lambda_inv_7_8_lanes = Lambda_inv_7_8_p24_lanes + Lambda_inv_7_8_p1_lanes;
   Lambda_inv[92] = Lambda_inv_7_8_lanes[0];
   Lambda_inv[103] = Lambda_inv_7_8_lanes[0];
   Lambda_inv[93] = Lambda_inv_7_8_lanes[1];
@@ -4221,79 +4891,79 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[127] = Lambda_inv_7_8_lanes[2];
   Lambda_inv[95] = Lambda_inv_7_8_lanes[3];
   Lambda_inv[139] = Lambda_inv_7_8_lanes[3];
-  const Lanes Lambda_inv_8_8_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_8_p195_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p1_lanes = Lambda_inv_0_8_p257_lanes * Lambda_inv_0_8_p256_lanes[0];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_8_8_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_8_p184_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p2_lanes = Lambda_inv_0_8_p259_lanes * Lambda_inv_0_8_p245_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_8_8_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_8_p169_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p3_lanes = Lambda_inv_0_8_p261_lanes * Lambda_inv_0_8_p230_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_8_8_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_8_p154;
+  const Lanes<8> Lambda_inv_8_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_8_p215;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_8_8_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_8_p141_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p5_lanes = Lambda_inv_0_8_p265_lanes * Lambda_inv_0_8_p202_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_8_8_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_8_p126_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_8_p182;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_8_8_p7_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_8_p96_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p7_lanes = Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p151_lanes[0];
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_8_8_p8_lanes = Lambda_inv_6_8_p9_lanes * Lambda_inv_0_8_p73_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p8_lanes = Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[0];
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_8_8_p9_lanes = Lambda_inv_6_8_p11_lanes * Lambda_inv_0_8_p55_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p9_lanes = Lambda_inv_6_8_p3_lanes * Lambda_inv_0_8_p117_lanes[0];
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_8_8_p10_lanes = Lambda_inv_6_8_p13_lanes * Lambda_inv_0_8_p35_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_8_p84_lanes[0];
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_8_8_p11_lanes = Lambda_inv_6_8_p15_lanes * Lambda_inv_0_8_p21;
+  const Lanes<8> Lambda_inv_8_8_p11_lanes = Lambda_inv_6_8_p5_lanes * Lambda_inv_0_8_p76;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_8_8_p12_lanes = Lambda_inv_6_8_p17_lanes * Lambda_inv_0_8_p11_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p12_lanes = Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p55_lanes[0];
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_inv_8_8_p13_lanes = Lambda_inv_6_8_p19_lanes * Lambda_inv_0_8_p2;
+  const Lanes<8> Lambda_inv_8_8_p13_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_8_p38;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_8_8_p14_lanes = Lambda_inv_8_8_p13_lanes + Lambda_inv_8_8_p12_lanes;
+  const Lanes<8> Lambda_inv_8_8_p14_lanes = Lambda_inv_8_8_p13_lanes + Lambda_inv_8_8_p12_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_8_8_p15_lanes = Lambda_inv_8_8_p14_lanes + Lambda_inv_8_8_p11_lanes;
+  const Lanes<8> Lambda_inv_8_8_p15_lanes = Lambda_inv_8_8_p14_lanes + Lambda_inv_8_8_p11_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_8_8_p16_lanes = Lambda_inv_8_8_p15_lanes + Lambda_inv_8_8_p10_lanes;
+  const Lanes<8> Lambda_inv_8_8_p16_lanes = Lambda_inv_8_8_p15_lanes + Lambda_inv_8_8_p10_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_8_8_p17_lanes = Lambda_inv_8_8_p16_lanes + Lambda_inv_8_8_p9_lanes;
+  const Lanes<8> Lambda_inv_8_8_p17_lanes = Lambda_inv_8_8_p16_lanes + Lambda_inv_8_8_p9_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_8_8_p18_lanes = Lambda_inv_8_8_p17_lanes + Lambda_inv_8_8_p8_lanes;
+  const Lanes<8> Lambda_inv_8_8_p18_lanes = Lambda_inv_8_8_p17_lanes + Lambda_inv_8_8_p8_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_8_8_p19_lanes = Lambda_inv_8_8_p18_lanes + Lambda_inv_8_8_p7_lanes;
+  const Lanes<8> Lambda_inv_8_8_p19_lanes = Lambda_inv_8_8_p18_lanes + Lambda_inv_8_8_p7_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_8_8_p20_lanes = Lambda_inv_8_8_p19_lanes + Lambda_inv_8_8_p6_lanes;
+  const Lanes<8> Lambda_inv_8_8_p20_lanes = Lambda_inv_8_8_p19_lanes + Lambda_inv_8_8_p6_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_8_8_p21_lanes = Lambda_inv_8_8_p20_lanes + Lambda_inv_8_8_p5_lanes;
+  const Lanes<8> Lambda_inv_8_8_p21_lanes = Lambda_inv_8_8_p20_lanes + Lambda_inv_8_8_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_8_8_p22_lanes = Lambda_inv_8_8_p21_lanes + Lambda_inv_8_8_p4_lanes;
+  const Lanes<8> Lambda_inv_8_8_p22_lanes = Lambda_inv_8_8_p21_lanes + Lambda_inv_8_8_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_8_8_p23_lanes = Lambda_inv_8_8_p22_lanes + Lambda_inv_8_8_p3_lanes;
+  const Lanes<8> Lambda_inv_8_8_p23_lanes = Lambda_inv_8_8_p22_lanes + Lambda_inv_8_8_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_8_8_p24_lanes = Lambda_inv_8_8_p23_lanes + Lambda_inv_8_8_p2_lanes;
+  const Lanes<8> Lambda_inv_8_8_p24_lanes = Lambda_inv_8_8_p23_lanes + Lambda_inv_8_8_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_8_8_lanes = Lambda_inv_8_8_p24_lanes + Lambda_inv_8_8_p1_lanes;
+  const Lanes<8> Lambda_inv_8_8_lanes = Lambda_inv_8_8_p24_lanes + Lambda_inv_8_8_p1_lanes;
   Lambda_inv[104] = Lambda_inv_8_8_lanes[0];
   Lambda_inv[105] = Lambda_inv_8_8_lanes[1];
   Lambda_inv[116] = Lambda_inv_8_8_lanes[1];
@@ -4301,79 +4971,79 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[128] = Lambda_inv_8_8_lanes[2];
   Lambda_inv[107] = Lambda_inv_8_8_lanes[3];
   Lambda_inv[140] = Lambda_inv_8_8_lanes[3];
-  const Lanes Lambda_inv_9_9_p1_lanes = Lambda_inv_0_8_p196_lanes * Lambda_inv_0_8_p195_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p1_lanes = Lambda_inv_0_8_p257_lanes * Lambda_inv_0_8_p256_lanes[1];
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_9_9_p2_lanes = Lambda_inv_0_8_p198_lanes * Lambda_inv_0_8_p184_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p2_lanes = Lambda_inv_0_8_p259_lanes * Lambda_inv_0_8_p245_lanes[1];
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_9_9_p3_lanes = Lambda_inv_0_8_p200_lanes * Lambda_inv_0_8_p169_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p3_lanes = Lambda_inv_0_8_p261_lanes * Lambda_inv_0_8_p230_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_9_9_p4_lanes = Lambda_inv_0_8_p202_lanes * Lambda_inv_0_9_p165;
+  const Lanes<8> Lambda_inv_9_9_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_9_p176;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_9_9_p5_lanes = Lambda_inv_0_8_p204_lanes * Lambda_inv_0_8_p141_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p5_lanes = Lambda_inv_0_8_p265_lanes * Lambda_inv_0_8_p202_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_9_9_p6_lanes = Lambda_inv_0_8_p206_lanes * Lambda_inv_0_8_p126_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_9_p143;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_9_9_p7_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_8_p96_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p7_lanes = Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p151_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_9_9_p8_lanes = Lambda_inv_6_8_p9_lanes * Lambda_inv_0_8_p73_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p8_lanes = Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[1];
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_9_9_p9_lanes = Lambda_inv_6_8_p11_lanes * Lambda_inv_0_8_p55_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p9_lanes = Lambda_inv_6_8_p3_lanes * Lambda_inv_0_8_p117_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_9_9_p10_lanes = Lambda_inv_6_8_p13_lanes * Lambda_inv_0_8_p35_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_8_p84_lanes[1];
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_9_9_p11_lanes = Lambda_inv_6_8_p15_lanes * Lambda_inv_0_9_p23;
+  const Lanes<8> Lambda_inv_9_9_p11_lanes = Lambda_inv_6_8_p5_lanes * Lambda_inv_0_9_p24;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_9_9_p12_lanes = Lambda_inv_6_8_p17_lanes * Lambda_inv_0_8_p11_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p12_lanes = Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p55_lanes[1];
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_inv_9_9_p13_lanes = Lambda_inv_6_8_p19_lanes * Lambda_inv_0_6_p27;
+  const Lanes<8> Lambda_inv_9_9_p13_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_6_p43;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_9_9_p14_lanes = Lambda_inv_9_9_p13_lanes + Lambda_inv_9_9_p12_lanes;
+  const Lanes<8> Lambda_inv_9_9_p14_lanes = Lambda_inv_9_9_p13_lanes + Lambda_inv_9_9_p12_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_9_9_p15_lanes = Lambda_inv_9_9_p14_lanes + Lambda_inv_9_9_p11_lanes;
+  const Lanes<8> Lambda_inv_9_9_p15_lanes = Lambda_inv_9_9_p14_lanes + Lambda_inv_9_9_p11_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_9_9_p16_lanes = Lambda_inv_9_9_p15_lanes + Lambda_inv_9_9_p10_lanes;
+  const Lanes<8> Lambda_inv_9_9_p16_lanes = Lambda_inv_9_9_p15_lanes + Lambda_inv_9_9_p10_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_9_9_p17_lanes = Lambda_inv_9_9_p16_lanes + Lambda_inv_9_9_p9_lanes;
+  const Lanes<8> Lambda_inv_9_9_p17_lanes = Lambda_inv_9_9_p16_lanes + Lambda_inv_9_9_p9_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_9_9_p18_lanes = Lambda_inv_9_9_p17_lanes + Lambda_inv_9_9_p8_lanes;
+  const Lanes<8> Lambda_inv_9_9_p18_lanes = Lambda_inv_9_9_p17_lanes + Lambda_inv_9_9_p8_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_9_9_p19_lanes = Lambda_inv_9_9_p18_lanes + Lambda_inv_9_9_p7_lanes;
+  const Lanes<8> Lambda_inv_9_9_p19_lanes = Lambda_inv_9_9_p18_lanes + Lambda_inv_9_9_p7_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_9_9_p20_lanes = Lambda_inv_9_9_p19_lanes + Lambda_inv_9_9_p6_lanes;
+  const Lanes<8> Lambda_inv_9_9_p20_lanes = Lambda_inv_9_9_p19_lanes + Lambda_inv_9_9_p6_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_9_9_p21_lanes = Lambda_inv_9_9_p20_lanes + Lambda_inv_9_9_p5_lanes;
+  const Lanes<8> Lambda_inv_9_9_p21_lanes = Lambda_inv_9_9_p20_lanes + Lambda_inv_9_9_p5_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_9_9_p22_lanes = Lambda_inv_9_9_p21_lanes + Lambda_inv_9_9_p4_lanes;
+  const Lanes<8> Lambda_inv_9_9_p22_lanes = Lambda_inv_9_9_p21_lanes + Lambda_inv_9_9_p4_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_9_9_p23_lanes = Lambda_inv_9_9_p22_lanes + Lambda_inv_9_9_p3_lanes;
+  const Lanes<8> Lambda_inv_9_9_p23_lanes = Lambda_inv_9_9_p22_lanes + Lambda_inv_9_9_p3_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_9_9_p24_lanes = Lambda_inv_9_9_p23_lanes + Lambda_inv_9_9_p2_lanes;
+  const Lanes<8> Lambda_inv_9_9_p24_lanes = Lambda_inv_9_9_p23_lanes + Lambda_inv_9_9_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_9_9_lanes = Lambda_inv_9_9_p24_lanes + Lambda_inv_9_9_p1_lanes;
+  const Lanes<8> Lambda_inv_9_9_lanes = Lambda_inv_9_9_p24_lanes + Lambda_inv_9_9_p1_lanes;
   Lambda_inv[117] = Lambda_inv_9_9_lanes[1];
   Lambda_inv[118] = Lambda_inv_9_9_lanes[2];
   Lambda_inv[129] = Lambda_inv_9_9_lanes[2];
@@ -4381,135 +5051,110 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[141] = Lambda_inv_9_9_lanes[3];
 
   // link 20 (right_hand), force propagation
-  const Lanes Lambda_inv_10_10_p1_lanes = Lambda_inv_6_8_p19_lanes * Lambda_inv_0_7_p21;
+  const Lanes<8> Lambda_inv_10_10_p13_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_7_p42;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes Lambda_inv_10_10_p2_lanes = Lambda_inv_10_10_p1_lanes +
-      detail::make_lanes<Real>(Lambda_inv_6_8_p17_lanes[2] * Lambda_inv_0_8_p11_lanes[2],
-      Lambda_inv_6_8_p17_lanes[2] * Lambda_inv_0_8_p11_lanes[2], Lambda_inv_6_8_p17_lanes[2] *
-      Lambda_inv_0_8_p11_lanes[2], Lambda_inv_6_8_p17_lanes[3] * Lambda_inv_0_8_p11_lanes[2],
-      Lambda_inv_6_8_p17_lanes[2] * Lambda_inv_0_8_p11_lanes[2], Lambda_inv_6_8_p17_lanes[2] *
-      Lambda_inv_0_8_p11_lanes[2], Lambda_inv_6_8_p17_lanes[2] * Lambda_inv_0_8_p11_lanes[2],
-      Lambda_inv_6_8_p17_lanes[2] * Lambda_inv_0_8_p11_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p14_lanes = Lambda_inv_10_10_p13_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1],
+      Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_5_p11_lanes[1], Lambda_inv_4_4_p7_lanes[1],
+      Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1]);
 
   // link 18 (right_wrist1), force propagation
-  const Lanes Lambda_inv_10_10_p3_lanes = Lambda_inv_10_10_p2_lanes +
-      detail::make_lanes<Real>(Lambda_inv_6_8_p15_lanes[2] * Lambda_inv_0_10_p23,
-      Lambda_inv_6_8_p15_lanes[2] * Lambda_inv_0_10_p23, Lambda_inv_6_8_p15_lanes[2] *
-      Lambda_inv_0_10_p23, Lambda_inv_6_8_p15_lanes[3] * Lambda_inv_0_10_p23,
-      Lambda_inv_6_8_p15_lanes[2] * Lambda_inv_0_10_p23, Lambda_inv_6_8_p15_lanes[2] *
-      Lambda_inv_0_10_p23, Lambda_inv_6_8_p15_lanes[2] * Lambda_inv_0_10_p23,
-      Lambda_inv_6_8_p15_lanes[2] * Lambda_inv_0_10_p23);
+  const Lanes<8> Lambda_inv_10_10_p15_lanes = Lambda_inv_10_10_p14_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1],
+      Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_5_p10_lanes[1], Lambda_inv_4_4_p9_lanes[1],
+      Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1]);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes Lambda_inv_10_10_p4_lanes = Lambda_inv_10_10_p3_lanes +
-      detail::make_lanes<Real>(Lambda_inv_6_8_p13_lanes[2] * Lambda_inv_0_8_p35_lanes[2],
-      Lambda_inv_6_8_p13_lanes[2] * Lambda_inv_0_8_p35_lanes[2], Lambda_inv_6_8_p13_lanes[2] *
-      Lambda_inv_0_8_p35_lanes[2], Lambda_inv_6_8_p13_lanes[3] * Lambda_inv_0_8_p35_lanes[2],
-      Lambda_inv_6_8_p13_lanes[2] * Lambda_inv_0_8_p35_lanes[2], Lambda_inv_6_8_p13_lanes[2] *
-      Lambda_inv_0_8_p35_lanes[2], Lambda_inv_6_8_p13_lanes[2] * Lambda_inv_0_8_p35_lanes[2],
-      Lambda_inv_6_8_p13_lanes[2] * Lambda_inv_0_8_p35_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p16_lanes = Lambda_inv_10_10_p15_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1],
+      Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_5_p9_lanes[1], Lambda_inv_4_4_p11_lanes[1],
+      Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1]);
 
   // link 16 (right_upperarm), force propagation
-  const Lanes Lambda_inv_10_10_p5_lanes = Lambda_inv_10_10_p4_lanes +
-      detail::make_lanes<Real>(Lambda_inv_6_8_p11_lanes[2] * Lambda_inv_0_8_p55_lanes[2],
-      Lambda_inv_6_8_p11_lanes[2] * Lambda_inv_0_8_p55_lanes[2], Lambda_inv_6_8_p11_lanes[2] *
-      Lambda_inv_0_8_p55_lanes[2], Lambda_inv_6_8_p11_lanes[3] * Lambda_inv_0_8_p55_lanes[2],
-      Lambda_inv_6_8_p11_lanes[2] * Lambda_inv_0_8_p55_lanes[2], Lambda_inv_6_8_p11_lanes[2] *
-      Lambda_inv_0_8_p55_lanes[2], Lambda_inv_6_8_p11_lanes[2] * Lambda_inv_0_8_p55_lanes[2],
-      Lambda_inv_6_8_p11_lanes[2] * Lambda_inv_0_8_p55_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p17_lanes = Lambda_inv_10_10_p16_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1],
+      Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_5_p8_lanes[1], Lambda_inv_4_4_p13_lanes[1],
+      Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1]);
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes Lambda_inv_10_10_p6_lanes = Lambda_inv_10_10_p5_lanes +
-      detail::make_lanes<Real>(Lambda_inv_6_8_p9_lanes[2] * Lambda_inv_0_8_p73_lanes[2],
-      Lambda_inv_6_8_p9_lanes[2] * Lambda_inv_0_8_p73_lanes[2], Lambda_inv_6_8_p9_lanes[2] *
-      Lambda_inv_0_8_p73_lanes[2], Lambda_inv_6_8_p9_lanes[3] * Lambda_inv_0_8_p73_lanes[2],
-      Lambda_inv_6_8_p9_lanes[2] * Lambda_inv_0_8_p73_lanes[2], Lambda_inv_6_8_p9_lanes[2] *
-      Lambda_inv_0_8_p73_lanes[2], Lambda_inv_6_8_p9_lanes[2] * Lambda_inv_0_8_p73_lanes[2],
-      Lambda_inv_6_8_p9_lanes[2] * Lambda_inv_0_8_p73_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p18_lanes = Lambda_inv_10_10_p17_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_4_p15_lanes[1],
+      Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_5_p7_lanes[1], Lambda_inv_4_4_p15_lanes[1],
+      Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_4_p15_lanes[1]);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes Lambda_inv_10_10_p7_lanes = Lambda_inv_10_10_p6_lanes +
-      detail::make_lanes<Real>(Lambda_inv_6_8_p7_lanes[2] * Lambda_inv_0_8_p96_lanes[2],
-      Lambda_inv_6_8_p7_lanes[2] * Lambda_inv_0_8_p96_lanes[2], Lambda_inv_6_8_p7_lanes[2] *
-      Lambda_inv_0_8_p96_lanes[2], Lambda_inv_6_8_p7_lanes[3] * Lambda_inv_0_8_p96_lanes[2],
-      Lambda_inv_6_8_p7_lanes[2] * Lambda_inv_0_8_p96_lanes[2], Lambda_inv_6_8_p7_lanes[2] *
-      Lambda_inv_0_8_p96_lanes[2], Lambda_inv_6_8_p7_lanes[2] * Lambda_inv_0_8_p96_lanes[2],
-      Lambda_inv_6_8_p7_lanes[2] * Lambda_inv_0_8_p96_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p19_lanes = Lambda_inv_10_10_p18_lanes +
+      detail::make_lanes<Real>(Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1],
+      Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_5_p6_lanes[1], Lambda_inv_4_4_p17_lanes[1],
+      Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1]);
 
   // link 6 (chest3), force propagation
-  const Lanes Lambda_inv_10_10_p8_lanes = Lambda_inv_10_10_p7_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p206_lanes[2] * Lambda_inv_0_8_p126_lanes[2],
-      Lambda_inv_0_8_p206_lanes[2] * Lambda_inv_0_8_p126_lanes[2], Lambda_inv_0_8_p206_lanes[2] *
-      Lambda_inv_0_8_p126_lanes[2], Lambda_inv_0_8_p206_lanes[3] * Lambda_inv_0_8_p126_lanes[2],
-      Lambda_inv_0_8_p206_lanes[2] * Lambda_inv_0_8_p126_lanes[2], Lambda_inv_0_8_p206_lanes[2] *
-      Lambda_inv_0_8_p126_lanes[2], Lambda_inv_0_8_p206_lanes[2] * Lambda_inv_0_8_p126_lanes[2],
-      Lambda_inv_0_8_p206_lanes[2] * Lambda_inv_0_8_p126_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p20_lanes = Lambda_inv_10_10_p19_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143,
+      Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] *
+      Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[3] * Lambda_inv_0_10_p143,
+      Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] *
+      Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143,
+      Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143);
 
   // link 5 (chest2), force propagation
-  const Lanes Lambda_inv_10_10_p9_lanes = Lambda_inv_10_10_p8_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p204_lanes[2] * Lambda_inv_0_8_p141_lanes[2],
-      Lambda_inv_0_8_p204_lanes[2] * Lambda_inv_0_8_p141_lanes[2], Lambda_inv_0_8_p204_lanes[2] *
-      Lambda_inv_0_8_p141_lanes[2], Lambda_inv_0_8_p204_lanes[3] * Lambda_inv_0_8_p141_lanes[2],
-      Lambda_inv_0_8_p204_lanes[2] * Lambda_inv_0_8_p141_lanes[2], Lambda_inv_0_8_p204_lanes[2] *
-      Lambda_inv_0_8_p141_lanes[2], Lambda_inv_0_8_p204_lanes[2] * Lambda_inv_0_8_p141_lanes[2],
-      Lambda_inv_0_8_p204_lanes[2] * Lambda_inv_0_8_p141_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p21_lanes = Lambda_inv_10_10_p20_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2],
+      Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] *
+      Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[3] * Lambda_inv_0_8_p202_lanes[2],
+      Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] *
+      Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2],
+      Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2]);
 
   // link 4 (chest1), force propagation
-  const Lanes Lambda_inv_10_10_p10_lanes = Lambda_inv_10_10_p9_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p202_lanes[2] * Lambda_inv_0_10_p165,
-      Lambda_inv_0_8_p202_lanes[2] * Lambda_inv_0_10_p165, Lambda_inv_0_8_p202_lanes[2] *
-      Lambda_inv_0_10_p165, Lambda_inv_0_8_p202_lanes[3] * Lambda_inv_0_10_p165,
-      Lambda_inv_0_8_p202_lanes[2] * Lambda_inv_0_10_p165, Lambda_inv_0_8_p202_lanes[2] *
-      Lambda_inv_0_10_p165, Lambda_inv_0_8_p202_lanes[2] * Lambda_inv_0_10_p165,
-      Lambda_inv_0_8_p202_lanes[2] * Lambda_inv_0_10_p165);
+  const Lanes<8> Lambda_inv_10_10_p22_lanes = Lambda_inv_10_10_p21_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176,
+      Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] *
+      Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[3] * Lambda_inv_0_10_p176,
+      Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] *
+      Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176,
+      Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176);
 
   // link 3 (hip), force propagation
-  const Lanes Lambda_inv_10_10_p11_lanes = Lambda_inv_10_10_p10_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p200_lanes[2] * Lambda_inv_0_8_p169_lanes[2],
-      Lambda_inv_0_8_p200_lanes[2] * Lambda_inv_0_8_p169_lanes[2], Lambda_inv_0_8_p200_lanes[2] *
-      Lambda_inv_0_8_p169_lanes[2], Lambda_inv_0_8_p200_lanes[3] * Lambda_inv_0_8_p169_lanes[2],
-      Lambda_inv_0_8_p200_lanes[2] * Lambda_inv_0_8_p169_lanes[2], Lambda_inv_0_8_p200_lanes[2] *
-      Lambda_inv_0_8_p169_lanes[2], Lambda_inv_0_8_p200_lanes[2] * Lambda_inv_0_8_p169_lanes[2],
-      Lambda_inv_0_8_p200_lanes[2] * Lambda_inv_0_8_p169_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p23_lanes = Lambda_inv_10_10_p22_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
+      Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] *
+      Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[3] * Lambda_inv_0_8_p230_lanes[2],
+      Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] *
+      Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
+      Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2]);
 
   // link 2 (thigh), force propagation
-  const Lanes Lambda_inv_10_10_p12_lanes = Lambda_inv_10_10_p11_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p198_lanes[2] * Lambda_inv_0_8_p184_lanes[2],
-      Lambda_inv_0_8_p198_lanes[2] * Lambda_inv_0_8_p184_lanes[2], Lambda_inv_0_8_p198_lanes[2] *
-      Lambda_inv_0_8_p184_lanes[2], Lambda_inv_0_8_p198_lanes[3] * Lambda_inv_0_8_p184_lanes[2],
-      Lambda_inv_0_8_p198_lanes[2] * Lambda_inv_0_8_p184_lanes[2], Lambda_inv_0_8_p198_lanes[2] *
-      Lambda_inv_0_8_p184_lanes[2], Lambda_inv_0_8_p198_lanes[2] * Lambda_inv_0_8_p184_lanes[2],
-      Lambda_inv_0_8_p198_lanes[2] * Lambda_inv_0_8_p184_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_p24_lanes = Lambda_inv_10_10_p23_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2],
+      Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[2] *
+      Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[3] * Lambda_inv_0_8_p245_lanes[2],
+      Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[2] *
+      Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2],
+      Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2]);
 
   // link 1 (calf), force propagation
-  const Lanes Lambda_inv_10_10_lanes = Lambda_inv_10_10_p12_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p196_lanes[2] * Lambda_inv_0_8_p195_lanes[2],
-      Lambda_inv_0_8_p196_lanes[2] * Lambda_inv_0_8_p195_lanes[2], Lambda_inv_0_8_p196_lanes[2] *
-      Lambda_inv_0_8_p195_lanes[2], Lambda_inv_0_8_p196_lanes[3] * Lambda_inv_0_8_p195_lanes[2],
-      Lambda_inv_0_8_p196_lanes[2] * Lambda_inv_0_8_p195_lanes[2], Lambda_inv_0_8_p196_lanes[2] *
-      Lambda_inv_0_8_p195_lanes[2], Lambda_inv_0_8_p196_lanes[2] * Lambda_inv_0_8_p195_lanes[2],
-      Lambda_inv_0_8_p196_lanes[2] * Lambda_inv_0_8_p195_lanes[2]);
+  const Lanes<8> Lambda_inv_10_10_lanes = Lambda_inv_10_10_p24_lanes +
+      detail::make_lanes<Real>(Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2],
+      Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[2] *
+      Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[3] * Lambda_inv_0_8_p256_lanes[2],
+      Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[2] *
+      Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2],
+      Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2]);
   Lambda_inv[130] = Lambda_inv_10_10_lanes[2];
   Lambda_inv[131] = Lambda_inv_10_10_lanes[3];
   Lambda_inv[142] = Lambda_inv_10_10_lanes[3];
 
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_11_11_p1 = Lambda_inv_6_8_p19_lanes[3] * Lambda_inv_0_11_p13 +
-      Lambda_inv_6_8_p17_lanes[3] * Lambda_inv_0_8_p11_lanes[3] + Lambda_inv_6_8_p15_lanes[3] *
-      Lambda_inv_0_11_p37 + Lambda_inv_6_8_p13_lanes[3] * Lambda_inv_0_8_p35_lanes[3] +
-      Lambda_inv_6_8_p11_lanes[3] * Lambda_inv_0_8_p55_lanes[3];
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_11_11_p2 = Lambda_inv_11_11_p1 + Lambda_inv_6_8_p9_lanes[3] *
-      Lambda_inv_0_8_p73_lanes[3] + Lambda_inv_6_8_p7_lanes[3] * Lambda_inv_0_8_p96_lanes[3] +
-      Lambda_inv_0_8_p206_lanes[3] * Lambda_inv_0_8_p126_lanes[3] + Lambda_inv_0_8_p204_lanes[3] *
-      Lambda_inv_0_8_p141_lanes[3];
+  // link 3 (hip), force propagation
+  const Real Lambda_inv_11_11_p15 = Lambda_inv_5_5_p18_lanes[1] + Lambda_inv_0_8_p267_lanes[3] *
+      Lambda_inv_0_11_p144 + Lambda_inv_0_8_p265_lanes[3] * Lambda_inv_0_8_p202_lanes[3] +
+      Lambda_inv_0_8_p263_lanes[3] * Lambda_inv_0_11_p177 + Lambda_inv_0_8_p261_lanes[3] *
+      Lambda_inv_0_8_p230_lanes[3];
 
   // link 1 (calf), force propagation
-  Lambda_inv[143] = Lambda_inv_11_11_p2 + Lambda_inv_0_8_p202_lanes[3] * Lambda_inv_0_11_p179 +
-      Lambda_inv_0_8_p200_lanes[3] * Lambda_inv_0_8_p169_lanes[3] + Lambda_inv_0_8_p198_lanes[3] *
-      Lambda_inv_0_8_p184_lanes[3] + Lambda_inv_0_8_p196_lanes[3] * Lambda_inv_0_8_p195_lanes[3];
+  Lambda_inv[143] = Lambda_inv_11_11_p15 + Lambda_inv_0_8_p259_lanes[3] *
+      Lambda_inv_0_8_p245_lanes[3] + Lambda_inv_0_8_p257_lanes[3] * Lambda_inv_0_8_p256_lanes[3];
 }
 
 }  // namespace humanoid24

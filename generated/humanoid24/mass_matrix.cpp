@@ -1,8 +1,9 @@
 // mass_matrix: tau = M qdd + b + g: the matrix M
-// By composite rigid bodies, RBDA table 6.2.
-// 2292 flops (add 956, mul 1336, div 0), sine and cosine of 23 angles
+// By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
+// 2294 flops (add 956, mul 1338, div 0), sine and cosine of 23 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
+#include "lanes.hpp"
 #include "sin_cos.hpp"
 
 #if defined(__GNUC__)
@@ -13,6 +14,8 @@
 
 namespace humanoid24 {
 
+template <int count>
+using Lanes = detail::Lanes<Real, count>;
 void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT M)[576]) noexcept {
   M[157] = 0.0;
   M[158] = 0.0;
@@ -240,9 +243,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real c21 = cosines[3];
   const Real s21 = sines[3];
   const Real s19 = sines[4];
-  const Real s20 = sines[5];
-  const Real c20 = cosines[5];
   const Real c19 = cosines[4];
+  const Real c20 = cosines[5];
+  const Real s20 = sines[5];
   const Real s18 = sines[6];
   const Real c18 = cosines[6];
   const Real s17 = sines[7];
@@ -278,601 +281,622 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real s2 = sines[22];
   const Real c2 = cosines[22];
 
-  // link 20 (right_hand), composite inertia
-  const Real M_2_2_p1 = 0.0007556474228594393 * s20 + 0.000252780114665025 * c20;
-  const Real M_2_2_p2 = s20 * M_2_2_p1;
-  const Real M_2_2_p3 = 4.38600177048965e-05 * s20 - 0.000108260010923775 * c20;
-
-  // link 19 (right_wrist2), composite inertia
-  const Real M_2_2_p4 = c19 * M_2_2_p3;
-  const Real M_2_2_p5 = s19 * (0.000663511853372032 - M_2_2_p2) + 2.0 * M_2_2_p4;
-
-  // link 20 (right_hand), composite inertia
-  const Real M_2_2_p6 = 0.01626499875 * c20 - 0.002865001425 * s20;
-  const Real M_2_2_p7 = 0.0006000000000000001 + M_2_2_p6;
-
-  // link 19 (right_wrist2), composite inertia
-  const Real M_2_2_p8 = s19 * M_2_2_p7 - 0.0025100003499999995 * c19;
-  const Real M_2_2_p9 = 0.000144 - (c19 * M_2_2_p5 - M_2_2_p3 + 0.269 * M_2_2_p8);
-
-  // link 20 (right_hand), composite inertia
-  const Real M_18_19 = 0.000108260010923775 * s20 + 4.38600177048965e-05 * c20;
-  M[451] = -M_18_19;
-  M[474] = -M_18_19;
-  const Real M_17_18_p1 = 0.0001287900573325125 - c20 * M_2_2_p1;
-
-  // link 19 (right_wrist2), composite inertia
-  const Real M_17_18 = s19 * M_18_19 - c19 * M_17_18_p1;
-  M[426] = M_17_18;
-  M[449] = M_17_18;
-
-  // link 20 (right_hand), composite inertia
-  const Real M_2_2_p10 = 0.01626499875 * s20 + 0.002865001425 * c20;
-
-  // link 19 (right_wrist2), composite inertia
-  const Real M_2_2_p11 = M_17_18 + 0.269 * M_2_2_p10 - 0.0002516;
-
-  // link 18 (right_wrist1), composite inertia
-  const Real M_2_2_p12 = c18 * M_2_2_p9 - s18 * M_2_2_p11;
-  const Real M_2_2_p13 = 0.0001499998887063 + M_2_2_p12;
-
-  // link 19 (right_wrist2), composite inertia
-  const Real M_2_2_p14 = s19 * M_2_2_p5;
-  const Real M_2_2_p15 = 0.0025100003499999995 * s19 + c19 * M_2_2_p7;
-  const Real M_2_2_p16 = 0.538 * M_2_2_p15;
-  const Real M_2_2_p17 = 0.0010696316083993107 - M_2_2_p14 + M_2_2_p16;
-
-  // link 20 (right_hand), composite inertia
-  const Real M_18_18 = 0.001053967177886718 - M_2_2_p2;
-  M[450] = M_18_18;
-
-  // link 19 (right_wrist2), composite inertia
-  const Real M_2_2_p18 = 0.0001098 + (M_18_18 + M_2_2_p16);
-  const Real M_2_2_p19 = c19 * M_18_19 + s19 * M_17_18_p1;
-  const Real M_2_2_p20 = 6e-06 - M_2_2_p19;
-
-  // link 18 (right_wrist1), composite inertia
-  const Real M_2_2_p21 = s18 * (M_2_2_p17 - M_2_2_p18) + c18 * (2.0 * M_2_2_p20);
-  const Real M_2_2_p22 = s18 * M_2_2_p21;
-  const Real M_2_2_p23 = 0.06060754126741261 + (M_2_2_p17 - M_2_2_p22);
-
-  // link 19 (right_wrist2), composite inertia
-  const Real M_2_2_p24 = 0.0002867197550272787 + M_2_2_p2 + M_2_2_p14;
-
-  // link 18 (right_wrist1), composite inertia
-  const Real M_2_2_p25 = 0.00051019984685315 + M_2_2_p24;
-
-  // link 17 (right_lowerarm), composite inertia
-  const Real M_2_2_p26 = c17 * (2.0 * M_2_2_p13) - s17 * (M_2_2_p23 - M_2_2_p25);
-  const Real M_2_2_p27 = s17 * M_2_2_p26;
-
-  // link 19 (right_wrist2), composite inertia
-  const Real M_2_2_p28 = 6e-04 - M_2_2_p8;
-  const Real M_2_2_p29 = M_2_2_p10 - 0.001;
-
-  // link 18 (right_wrist1), composite inertia
-  const Real M_2_2_p30 = c18 * M_2_2_p28 - s18 * M_2_2_p29;
-  const Real M_2_2_p31 = 0.0014999985000000002 + M_2_2_p30;
-  const Real M_2_2_p32 = 0.28049749700000004 + M_2_2_p15;
-
-  // link 17 (right_lowerarm), composite inertia
-  const Real M_2_2_p33 = s17 * M_2_2_p31 + c17 * M_2_2_p32;
-  const Real M_2_2_p34 = 0.564 * M_2_2_p33;
-  const Real M_2_2_p35 = 0.0019585440854647937 + (M_2_2_p23 + M_2_2_p27 + M_2_2_p34);
-
-  // link 18 (right_wrist1), composite inertia
-  const Real M_16_16 = 0.060888541114265754 + (M_2_2_p18 + M_2_2_p22);
-  M[400] = M_16_16;
-
-  // link 17 (right_lowerarm), composite inertia
-  const Real M_2_2_p36 = 0.0008177492704690715 + (M_16_16 + M_2_2_p34);
-
-  // link 18 (right_wrist1), composite inertia
-  const Real M_16_17 = s18 * M_2_2_p9 + c18 * M_2_2_p11;
-  M[401] = M_16_17;
-  M[424] = M_16_17;
-  const Real M_2_2_p37 = 0.0001499998887063 - M_16_17;
-  const Real M_2_2_p38 = 2.249994685315e-05 + (c18 * M_2_2_p21 - M_2_2_p20);
-
-  // link 17 (right_lowerarm), composite inertia
-  const Real M_2_2_p39 = s17 * M_2_2_p37 - c17 * M_2_2_p38;
-  const Real M_2_2_p40 = 4.4999986458742003e-05 + M_2_2_p39;
-
-  // link 16 (right_upperarm), composite inertia
-  const Real M_2_2_p41 = c16 * (M_2_2_p35 - M_2_2_p36) + s16 * (2.0 * M_2_2_p40);
-  const Real M_2_2_p42 = c16 * M_2_2_p41;
-  const Real M_2_2_p43 = 0.18113119219699997 + (M_2_2_p35 - M_2_2_p42);
-
-  // link 17 (right_lowerarm), composite inertia
-  const Real M_2_2_p44 = M_2_2_p25 - M_2_2_p27;
-
-  // link 16 (right_upperarm), composite inertia
-  const Real M_2_2_p45 = 0.0028970433559338655 + M_2_2_p44;
-
-  // link 17 (right_lowerarm), composite inertia
-  const Real M_2_2_p46 = s17 * M_2_2_p32 - c17 * M_2_2_p31;
-  const Real M_2_2_p47 = 0.0005895000784280001 + (M_2_2_p13 - c17 * M_2_2_p26 + 0.282 * M_2_2_p46);
-  const Real M_15_16 = s17 * M_2_2_p38 + c17 * M_2_2_p37;
-  M[376] = -M_15_16;
-  M[399] = -M_15_16;
-
-  // link 18 (right_wrist1), composite inertia
-  const Real M_2_2_p48 = s18 * M_2_2_p28 + c18 * M_2_2_p29;
-
-  // link 17 (right_lowerarm), composite inertia
-  const Real M_2_2_p49 = 0.282 * M_2_2_p48 - M_15_16 - 0.0012089992423205001;
-
-  // link 16 (right_upperarm), composite inertia
-  const Real M_2_2_p50 = s16 * M_2_2_p47 - c16 * M_2_2_p49;
-  const Real M_2_2_p51 = 5.2499999999999995e-05 + M_2_2_p50;
-
-  // link 15 (right_shoulder2), composite inertia
-  const Real M_2_2_p52 = s15 * (M_2_2_p45 - M_2_2_p43) + c15 * (2.0 * M_2_2_p51);
-  const Real M_2_2_p53 = s15 * M_2_2_p52;
-  const Real M_2_2_p54 = 0.0002975 + (M_2_2_p45 - M_2_2_p53);
-
-  // link 16 (right_upperarm), composite inertia
-  const Real M_2_2_p55 = M_2_2_p36 + M_2_2_p42;
-
-  // link 15 (right_shoulder2), composite inertia
-  const Real M_2_2_p56 = 0.18140244219699997 + M_2_2_p55;
-
-  // link 16 (right_upperarm), composite inertia
-  const Real M_14_15 = c16 * M_2_2_p47 + s16 * M_2_2_p49;
-  M[351] = -M_14_15;
-  M[374] = -M_14_15;
-  const Real M_2_2_p57 = M_14_15 - 0.00010499999999999999;
-  const Real M_2_2_p58 = 1.75e-05 - (M_2_2_p40 - s16 * M_2_2_p41);
-
-  // link 15 (right_shoulder2), composite inertia
-  const Real M_2_2_p59 = c15 * M_2_2_p57 - s15 * M_2_2_p58;
-  const Real M_2_2_p60 = M_2_2_p59 - 8.75e-06;
-
-  // link 14 (right_shoulder1), composite inertia
-  const Real M_2_2_p61 = c14 * (M_2_2_p56 - M_2_2_p54) - s14 * (2.0 * M_2_2_p60);
-
   // link 13 (left_hand), composite inertia
-  const Real M_2_2_p62 = 0.000108260010923775 * c13 + 4.38600177048965e-05 * s13;
+  const Lanes<2> M_2_2_p1_lanes = 0.000108260010923775 * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> M_2_2_p3_lanes = detail::make_lanes<Real>(4.38600177048965e-05,
+      (-4.38600177048965e-05)) * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> M_2_2_p5_lanes = M_2_2_p1_lanes + M_2_2_p3_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Real M_2_2_p63 = c12 * M_2_2_p62;
+  const Lanes<2> M_2_2_p7_lanes = detail::make_lanes<Real>(c12, c19) * M_2_2_p5_lanes;
+  const Lanes<2> M_2_2_p9_lanes = 2.0 * M_2_2_p7_lanes;
 
   // link 13 (left_hand), composite inertia
-  const Real M_2_2_p64 = 0.000252780114665025 * c13 - 0.0007556474228594393 * s13;
-  const Real M_2_2_p65 = s13 * M_2_2_p64;
+  const Lanes<2> M_2_2_p11_lanes = detail::make_lanes<Real>(0.000252780114665025,
+      (-0.000252780114665025)) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> M_2_2_p13_lanes = 0.0007556474228594393 * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> M_2_2_p15_lanes = M_2_2_p11_lanes - M_2_2_p13_lanes;
+  const Lanes<2> M_2_2_p17_lanes = detail::make_lanes<Real>(s13, s20) * M_2_2_p15_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Real M_2_2_p66 = 2.0 * M_2_2_p63 - s12 * (0.000663511853372032 + M_2_2_p65);
+  const Lanes<2> M_2_2_p19_lanes = 0.000663511853372032 + M_2_2_p17_lanes;
+  const Lanes<2> M_2_2_p21_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p19_lanes;
+  const Lanes<2> M_2_2_p23_lanes = M_2_2_p9_lanes - M_2_2_p21_lanes;
+  const Lanes<2> M_2_2_p25_lanes = detail::make_lanes<Real>(c12, c19) * M_2_2_p23_lanes;
+  const Lanes<2> M_2_2_p27_lanes = M_2_2_p5_lanes - M_2_2_p25_lanes;
 
   // link 13 (left_hand), composite inertia
-  const Real M_2_2_p67 = 0.01626499875 * c13 + 0.002865001425 * s13;
-  const Real M_2_2_p68 = 0.0006000000000000001 + M_2_2_p67;
+  const Lanes<2> M_2_2_p29_lanes = 0.01626499875 * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> M_2_2_p31_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> M_2_2_p33_lanes = M_2_2_p29_lanes - M_2_2_p31_lanes;
+  const Lanes<2> M_2_2_p35_lanes = 0.0006000000000000001 + M_2_2_p33_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Real M_2_2_p69 = s12 * M_2_2_p68 - 0.0025100003499999995 * c12;
-  const Real M_2_2_p70 = 0.000144 - (M_2_2_p62 - c12 * M_2_2_p66 + 0.269 * M_2_2_p69);
-
-  // link 13 (left_hand), composite inertia
-  const Real M_11_12 = 4.38600177048965e-05 * c13 - 0.000108260010923775 * s13;
-  M[276] = M_11_12;
-  M[299] = M_11_12;
-  const Real M_10_11_p1 = c13 * M_2_2_p64 - 0.0001287900573325125;
-
-  // link 12 (left_wrist2), composite inertia
-  const Real M_10_11 = s12 * M_11_12 + c12 * M_10_11_p1;
-  M[251] = -M_10_11;
-  M[274] = -M_10_11;
-
-  // link 13 (left_hand), composite inertia
-  const Real M_2_2_p71 = 0.01626499875 * s13 - 0.002865001425 * c13;
-
-  // link 12 (left_wrist2), composite inertia
-  const Real M_2_2_p72 = 0.0002516 + (0.269 * M_2_2_p71 - M_10_11);
+  const Lanes<2> M_2_2_p37_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p35_lanes;
+  const Lanes<2> M_2_2_p39_lanes = 0.0025100003499999995 * detail::make_lanes<Real>(c12, c19);
+  const Lanes<2> M_2_2_p41_lanes = M_2_2_p37_lanes - M_2_2_p39_lanes;
+  const Lanes<2> M_2_2_p43_lanes = 0.269 * M_2_2_p41_lanes;
+  const Lanes<2> M_2_2_p45_lanes = M_2_2_p27_lanes + M_2_2_p43_lanes;
+  const Lanes<2> M_2_2_p47_lanes = 0.000144 - M_2_2_p45_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Real M_2_2_p73 = c11 * M_2_2_p70 - s11 * M_2_2_p72;
-  const Real M_2_2_p74 = 0.0001499998887063 + M_2_2_p73;
-
-  // link 12 (left_wrist2), composite inertia
-  const Real M_2_2_p75 = s12 * M_2_2_p66;
-  const Real M_2_2_p76 = 0.0025100003499999995 * s12 + c12 * M_2_2_p68;
-  const Real M_2_2_p77 = 0.538 * M_2_2_p76;
-  const Real M_2_2_p78 = 0.0010696316083993107 + M_2_2_p75 + M_2_2_p77;
+  const Lanes<2> M_2_2_p49_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p47_lanes;
 
   // link 13 (left_hand), composite inertia
-  const Real M_11_11 = 0.001053967177886718 + M_2_2_p65;
-  M[275] = M_11_11;
+  const Lanes<2> M_11_12_p1_lanes = detail::make_lanes<Real>(4.38600177048965e-05,
+      (-4.38600177048965e-05)) * detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> M_11_12_p2_lanes = 0.000108260010923775 * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> M_11_12_lanes = M_11_12_p1_lanes - M_11_12_p2_lanes;
+  M[276] = M_11_12_lanes[0];
+  M[299] = M_11_12_lanes[0];
+
+  // link 20 (right_hand), composite inertia
+  M[451] = M_11_12_lanes[1];
+  M[474] = M_11_12_lanes[1];
 
   // link 12 (left_wrist2), composite inertia
-  const Real M_2_2_p79 = 0.0001098 + (M_11_11 + M_2_2_p77);
-  const Real M_2_2_p80 = s12 * M_10_11_p1 - c12 * M_11_12;
-  const Real M_2_2_p81 = 6e-06 + M_2_2_p80;
+  const Lanes<2> M_10_11_p1_lanes = detail::make_lanes<Real>(s12, s19) * M_11_12_lanes;
 
-  // link 11 (left_wrist1), composite inertia
-  const Real M_2_2_p82 = s11 * (M_2_2_p78 - M_2_2_p79) - c11 * (2.0 * M_2_2_p81);
-  const Real M_2_2_p83 = s11 * M_2_2_p82;
-  const Real M_2_2_p84 = 0.06060754126741261 + (M_2_2_p78 - M_2_2_p83);
+  // link 13 (left_hand), composite inertia
+  const Lanes<2> M_10_11_p2_lanes = detail::make_lanes<Real>(c13, c20) * M_2_2_p15_lanes;
+  const Lanes<2> M_10_11_p3_lanes = detail::make_lanes<Real>((-0.0001287900573325125),
+      0.0001287900573325125) + M_10_11_p2_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Real M_2_2_p85 = 0.0002867197550272787 - M_2_2_p65 - M_2_2_p75;
+  const Lanes<2> M_10_11_p4_lanes = detail::make_lanes<Real>(c12, c19) * M_10_11_p3_lanes;
+  const Lanes<2> M_10_11_lanes = M_10_11_p1_lanes + M_10_11_p4_lanes;
+  M[251] = -M_10_11_lanes[0];
+  M[274] = -M_10_11_lanes[0];
+
+  // link 19 (right_wrist2), composite inertia
+  M[426] = -M_10_11_lanes[1];
+  M[449] = -M_10_11_lanes[1];
+
+  // link 13 (left_hand), composite inertia
+  const Lanes<2> M_2_2_p51_lanes = 0.01626499875 * detail::make_lanes<Real>(s13, s20);
+  const Lanes<2> M_2_2_p53_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_lanes<Real>(c13, c20);
+  const Lanes<2> M_2_2_p55_lanes = M_2_2_p51_lanes + M_2_2_p53_lanes;
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p57_lanes = 0.269 * M_2_2_p55_lanes;
+  const Lanes<2> M_2_2_p59_lanes = M_2_2_p57_lanes - M_10_11_lanes;
+  const Lanes<2> M_2_2_p61_lanes = detail::make_lanes<Real>(0.0002516, (-0.0002516)) +
+      M_2_2_p59_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Real M_2_2_p86 = 0.00051019984685315 + M_2_2_p85;
+  const Lanes<2> M_2_2_p63_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p61_lanes;
+  const Lanes<2> M_2_2_p65_lanes = M_2_2_p49_lanes - M_2_2_p63_lanes;
+  const Lanes<2> M_2_2_p67_lanes = 0.0001499998887063 + M_2_2_p65_lanes;
 
   // link 10 (left_lowerarm), composite inertia
-  const Real M_2_2_p87 = c10 * (2.0 * M_2_2_p74) - s10 * (M_2_2_p84 - M_2_2_p86);
-  const Real M_2_2_p88 = s10 * M_2_2_p87;
+  const Lanes<2> M_2_2_p69_lanes = 2.0 * M_2_2_p67_lanes;
+  const Lanes<2> M_2_2_p71_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p69_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Real M_2_2_p89 = 6e-04 - M_2_2_p69;
-  const Real M_2_2_p90 = 0.001 + M_2_2_p71;
+  const Lanes<2> M_2_2_p73_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p23_lanes;
+  const Lanes<2> M_2_2_p75_lanes = 0.0010696316083993107 + M_2_2_p73_lanes;
+  const Lanes<2> M_2_2_p77_lanes = detail::make_lanes<Real>(c12, c19) * M_2_2_p35_lanes;
+  const Lanes<2> M_2_2_p79_lanes = 0.0025100003499999995 * detail::make_lanes<Real>(s12, s19);
+  const Lanes<2> M_2_2_p81_lanes = M_2_2_p79_lanes + M_2_2_p77_lanes;
+  const Lanes<2> M_2_2_p83_lanes = 0.538 * M_2_2_p81_lanes;
+  const Lanes<2> M_2_2_p85_lanes = M_2_2_p75_lanes + M_2_2_p83_lanes;
+
+  // link 13 (left_hand), composite inertia
+  const Lanes<2> M_11_11_lanes = 0.001053967177886718 + M_2_2_p17_lanes;
+  M[275] = M_11_11_lanes[0];
+
+  // link 20 (right_hand), composite inertia
+  M[450] = M_11_11_lanes[1];
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p87_lanes = M_11_11_lanes + M_2_2_p83_lanes;
+  const Lanes<2> M_2_2_p89_lanes = 0.0001098 + M_2_2_p87_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Real M_2_2_p91 = c11 * M_2_2_p89 - s11 * M_2_2_p90;
-  const Real M_2_2_p92 = 0.0014999985000000002 + M_2_2_p91;
-  const Real M_2_2_p93 = 0.28049749700000004 + M_2_2_p76;
+  const Lanes<2> M_2_2_p91_lanes = M_2_2_p85_lanes - M_2_2_p89_lanes;
+  const Lanes<2> M_2_2_p93_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p91_lanes;
 
-  // link 10 (left_lowerarm), composite inertia
-  const Real M_2_2_p94 = s10 * M_2_2_p92 + c10 * M_2_2_p93;
-  const Real M_2_2_p95 = 0.564 * M_2_2_p94;
-  const Real M_2_2_p96 = 0.0019585440854647937 + (M_2_2_p84 + M_2_2_p88 + M_2_2_p95);
-
-  // link 11 (left_wrist1), composite inertia
-  const Real M_9_9 = 0.060888541114265754 + (M_2_2_p79 + M_2_2_p83);
-  M[225] = M_9_9;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Real M_2_2_p97 = 0.0008177492704690715 + (M_9_9 + M_2_2_p95);
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p95_lanes = detail::make_lanes<Real>(s12, s19) * M_10_11_p3_lanes;
+  const Lanes<2> M_2_2_p97_lanes = detail::make_lanes<Real>(c12, c19) * M_11_12_lanes;
+  const Lanes<2> M_2_2_p99_lanes = M_2_2_p95_lanes - M_2_2_p97_lanes;
+  const Lanes<2> M_2_2_p101_lanes = detail::make_lanes<Real>((-6e-06), 6e-06) - M_2_2_p99_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Real M_2_2_p98 = c11 * M_2_2_p82 + M_2_2_p81 - 2.249994685315e-05;
-  const Real M_9_10 = s11 * M_2_2_p70 + c11 * M_2_2_p72;
-  M[226] = M_9_10;
-  M[249] = M_9_10;
-  const Real M_2_2_p99 = 0.0001499998887063 + M_9_10;
+  const Lanes<2> M_2_2_p103_lanes = 2.0 * M_2_2_p101_lanes;
+  const Lanes<2> M_2_2_p105_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p103_lanes;
+  const Lanes<2> M_2_2_p107_lanes = M_2_2_p93_lanes + M_2_2_p105_lanes;
+  const Lanes<2> M_2_2_p109_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p107_lanes;
+  const Lanes<2> M_2_2_p111_lanes = M_2_2_p85_lanes - M_2_2_p109_lanes;
+  const Lanes<2> M_2_2_p113_lanes = 0.06060754126741261 + M_2_2_p111_lanes;
+
+  // link 13 (left_hand), composite inertia
+  const Lanes<2> M_2_2_p115_lanes = 0.0002867197550272787 - M_2_2_p17_lanes;
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p117_lanes = M_2_2_p115_lanes - M_2_2_p73_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p119_lanes = 0.00051019984685315 + M_2_2_p117_lanes;
 
   // link 10 (left_lowerarm), composite inertia
-  const Real M_2_2_p100 = c10 * M_2_2_p98 + s10 * M_2_2_p99;
-  const Real M_2_2_p101 = 4.4999986458742003e-05 + M_2_2_p100;
+  const Lanes<2> M_2_2_p121_lanes = M_2_2_p113_lanes - M_2_2_p119_lanes;
+  const Lanes<2> M_2_2_p123_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p121_lanes;
+  const Lanes<2> M_2_2_p125_lanes = M_2_2_p71_lanes - M_2_2_p123_lanes;
+  const Lanes<2> M_2_2_p127_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p125_lanes;
+  const Lanes<2> M_2_2_p129_lanes = M_2_2_p113_lanes + M_2_2_p127_lanes;
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p131_lanes = 6e-04 - M_2_2_p41_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p133_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p131_lanes;
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p135_lanes = detail::make_lanes<Real>(0.001, (-0.001)) + M_2_2_p55_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p137_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p135_lanes;
+  const Lanes<2> M_2_2_p139_lanes = M_2_2_p133_lanes - M_2_2_p137_lanes;
+  const Lanes<2> M_2_2_p141_lanes = 0.0014999985000000002 + M_2_2_p139_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p143_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p141_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p145_lanes = 0.28049749700000004 + M_2_2_p81_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p147_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p145_lanes;
+  const Lanes<2> M_2_2_p149_lanes = M_2_2_p143_lanes + M_2_2_p147_lanes;
+  const Lanes<2> M_2_2_p151_lanes = 0.564 * M_2_2_p149_lanes;
+  const Lanes<2> M_2_2_p153_lanes = M_2_2_p129_lanes + M_2_2_p151_lanes;
+  const Lanes<2> M_2_2_p155_lanes = 0.0019585440854647937 + M_2_2_p153_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_9_9_p1_lanes = M_2_2_p89_lanes + M_2_2_p109_lanes;
+  const Lanes<2> M_9_9_lanes = 0.060888541114265754 + M_9_9_p1_lanes;
+  M[225] = M_9_9_lanes[0];
+
+  // link 18 (right_wrist1), composite inertia
+  M[400] = M_9_9_lanes[1];
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p157_lanes = M_9_9_lanes + M_2_2_p151_lanes;
+  const Lanes<2> M_2_2_p159_lanes = 0.0008177492704690715 + M_2_2_p157_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Real M_2_2_p102 = c9 * (M_2_2_p96 - M_2_2_p97) - s9 * (2.0 * M_2_2_p101);
-  const Real M_2_2_p103 = c9 * M_2_2_p102;
-  const Real M_2_2_p104 = 0.18113119219699997 + (M_2_2_p96 - M_2_2_p103);
-
-  // link 10 (left_lowerarm), composite inertia
-  const Real M_2_2_p105 = M_2_2_p86 - M_2_2_p88;
-
-  // link 9 (left_upperarm), composite inertia
-  const Real M_2_2_p106 = 0.0028970433559338655 + M_2_2_p105;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Real M_2_2_p107 = s10 * M_2_2_p93 - c10 * M_2_2_p92;
-  const Real M_2_2_p108 = 0.0005895000784280001 + (M_2_2_p74 - c10 * M_2_2_p87 + 0.282 *
-      M_2_2_p107);
-  const Real M_8_9 = c10 * M_2_2_p99 - s10 * M_2_2_p98;
-  M[201] = M_8_9;
-  M[224] = M_8_9;
+  const Lanes<2> M_2_2_p161_lanes = M_2_2_p155_lanes - M_2_2_p159_lanes;
+  const Lanes<2> M_2_2_p163_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p161_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Real M_2_2_p109 = s11 * M_2_2_p89 + c11 * M_2_2_p90;
+  const Lanes<2> M_9_10_p1_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p47_lanes;
+  const Lanes<2> M_9_10_p2_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p61_lanes;
+  const Lanes<2> M_9_10_lanes = M_9_10_p1_lanes + M_9_10_p2_lanes;
+  M[226] = M_9_10_lanes[0];
+  M[249] = M_9_10_lanes[0];
+
+  // link 18 (right_wrist1), composite inertia
+  M[401] = M_9_10_lanes[1];
+  M[424] = M_9_10_lanes[1];
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p165_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+      0.0001499998887063) - M_9_10_lanes;
 
   // link 10 (left_lowerarm), composite inertia
-  const Real M_2_2_p110 = 0.0012089992423205001 + (M_8_9 + 0.282 * M_2_2_p109);
+  const Lanes<2> M_2_2_p167_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p165_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p169_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p107_lanes;
+  const Lanes<2> M_2_2_p171_lanes = M_2_2_p169_lanes - M_2_2_p101_lanes;
+  const Lanes<2> M_2_2_p173_lanes = detail::make_lanes<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + M_2_2_p171_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p175_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p173_lanes;
+  const Lanes<2> M_2_2_p177_lanes = M_2_2_p167_lanes - M_2_2_p175_lanes;
+  const Lanes<2> M_2_2_p179_lanes = detail::make_lanes<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - M_2_2_p177_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Real M_2_2_p111 = s9 * M_2_2_p108 - c9 * M_2_2_p110;
-  const Real M_2_2_p112 = M_2_2_p111 - 5.2499999999999995e-05;
+  const Lanes<2> M_2_2_p181_lanes = 2.0 * M_2_2_p179_lanes;
+  const Lanes<2> M_2_2_p183_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p181_lanes;
+  const Lanes<2> M_2_2_p185_lanes = M_2_2_p163_lanes - M_2_2_p183_lanes;
+  const Lanes<2> M_2_2_p187_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p185_lanes;
+  const Lanes<2> M_2_2_p189_lanes = M_2_2_p155_lanes - M_2_2_p187_lanes;
+  const Lanes<2> M_2_2_p191_lanes = 0.18113119219699997 + M_2_2_p189_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p193_lanes = M_2_2_p119_lanes - M_2_2_p127_lanes;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p195_lanes = 0.0028970433559338655 + M_2_2_p193_lanes;
 
   // link 8 (left_shoulder2), composite inertia
-  const Real M_2_2_p113 = s8 * (M_2_2_p106 - M_2_2_p104) + c8 * (2.0 * M_2_2_p112);
-  const Real M_2_2_p114 = s8 * M_2_2_p113;
-  const Real M_2_2_p115 = 0.0002975 + (M_2_2_p106 - M_2_2_p114);
+  const Lanes<2> M_2_2_p197_lanes = M_2_2_p195_lanes - M_2_2_p191_lanes;
+  const Lanes<2> M_2_2_p199_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p197_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p201_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p125_lanes;
+  const Lanes<2> M_2_2_p203_lanes = M_2_2_p67_lanes - M_2_2_p201_lanes;
+  const Lanes<2> M_2_2_p205_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p141_lanes;
+  const Lanes<2> M_2_2_p207_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p145_lanes;
+  const Lanes<2> M_2_2_p209_lanes = M_2_2_p207_lanes - M_2_2_p205_lanes;
+  const Lanes<2> M_2_2_p211_lanes = 0.282 * M_2_2_p209_lanes;
+  const Lanes<2> M_2_2_p213_lanes = M_2_2_p203_lanes + M_2_2_p211_lanes;
+  const Lanes<2> M_2_2_p215_lanes = 0.0005895000784280001 + M_2_2_p213_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Real M_2_2_p116 = M_2_2_p97 + M_2_2_p103;
+  const Lanes<2> M_2_2_p217_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p215_lanes;
 
-  // link 8 (left_shoulder2), composite inertia
-  const Real M_2_2_p117 = 0.18140244219699997 + M_2_2_p116;
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_8_9_p1_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p173_lanes;
+  const Lanes<2> M_8_9_p2_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p165_lanes;
+  const Lanes<2> M_8_9_lanes = M_8_9_p1_lanes + M_8_9_p2_lanes;
+  M[201] = -M_8_9_lanes[0];
+  M[224] = -M_8_9_lanes[0];
+
+  // link 17 (right_lowerarm), composite inertia
+  M[376] = -M_8_9_lanes[1];
+  M[399] = -M_8_9_lanes[1];
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p219_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p131_lanes;
+  const Lanes<2> M_2_2_p221_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p135_lanes;
+  const Lanes<2> M_2_2_p223_lanes = M_2_2_p219_lanes + M_2_2_p221_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p225_lanes = 0.282 * M_2_2_p223_lanes;
+  const Lanes<2> M_2_2_p227_lanes = M_2_2_p225_lanes - M_8_9_lanes;
+  const Lanes<2> M_2_2_p229_lanes = detail::make_lanes<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + M_2_2_p227_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Real M_7_8 = c9 * M_2_2_p108 + s9 * M_2_2_p110;
-  M[176] = -M_7_8;
-  M[199] = -M_7_8;
-  const Real M_2_2_p118 = M_7_8 - 0.00010499999999999999;
-  const Real M_2_2_p119 = s9 * M_2_2_p102 + M_2_2_p101 - 1.75e-05;
+  const Lanes<2> M_2_2_p231_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p229_lanes;
+  const Lanes<2> M_2_2_p233_lanes = M_2_2_p217_lanes - M_2_2_p231_lanes;
+  const Lanes<2> M_2_2_p235_lanes = detail::make_lanes<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + M_2_2_p233_lanes;
 
   // link 8 (left_shoulder2), composite inertia
-  const Real M_2_2_p120 = c8 * M_2_2_p118 - s8 * M_2_2_p119;
-  const Real M_2_2_p121 = M_2_2_p120 - 8.75e-06;
+  const Lanes<2> M_2_2_p237_lanes = 2.0 * M_2_2_p235_lanes;
+  const Lanes<2> M_2_2_p239_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p237_lanes;
+  const Lanes<2> M_2_2_p241_lanes = M_2_2_p199_lanes + M_2_2_p239_lanes;
+  const Lanes<2> M_2_2_p243_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p241_lanes;
+  const Lanes<2> M_2_2_p245_lanes = M_2_2_p195_lanes - M_2_2_p243_lanes;
+  const Lanes<2> M_2_2_p247_lanes = 0.0002975 + M_2_2_p245_lanes;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p249_lanes = M_2_2_p159_lanes + M_2_2_p187_lanes;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p251_lanes = 0.18140244219699997 + M_2_2_p249_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p122 = c7 * (M_2_2_p117 - M_2_2_p115) - s7 * (2.0 * M_2_2_p121);
-  const Real M_2_2_p123 = c14 * M_2_2_p61 + c7 * M_2_2_p122;
-
-  // link 24 (right_eye), composite inertia
-  const Real M_2_2_p124 = 2.375e-05 * c24 - 8e-06 * s24;
-
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p125 = 2.375e-05 * c23 + 8e-06 * s23;
-  const Real M_2_2_p126 = 0.009457125 + 2.0 * (M_2_2_p124 + M_2_2_p125);
-
-  // link 24 (right_eye), composite inertia
-  const Real M_2_2_p127 = 1.2499999999999999e-06 * s24;
-
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p128 = 1.2499999999999999e-06 * s23;
-  const Real M_2_2_p129 = s24 * M_2_2_p127 + s23 * M_2_2_p128;
-  const Real M_2_2_p130 = 0.05451070000000001 + M_2_2_p129 + 1.6e-05 * (s23 - s24);
-
-  // link 24 (right_eye), composite inertia
-  const Real M_2_2_p131 = 2.8750000000000004e-05 * c24;
-
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p132 = 2.8750000000000004e-05 * c23;
-  const Real M_2_2_p133 = 0.0074 + M_2_2_p131 + M_2_2_p132;
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p134 = s22 * (M_2_2_p130 - M_2_2_p126) + c22 * (2.0 * M_2_2_p133);
-  const Real M_2_2_p135 = s22 * M_2_2_p134;
-  const Real M_2_2_p136 = M_2_2_p126 + M_2_2_p135;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Real M_2_2_p137 = 0.0022500062 + M_2_2_p107;
-  const Real M_2_2_p138 = 0.004500002325 + M_2_2_p109;
+  const Lanes<2> M_2_2_p253_lanes = M_2_2_p251_lanes - M_2_2_p247_lanes;
+  const Lanes<2> M_2_2_p255_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p253_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Real M_2_2_p139 = s9 * M_2_2_p137 - c9 * M_2_2_p138;
-  const Real M_2_2_p140 = 0.0017499999999999998 - M_2_2_p139;
-  const Real M_2_2_p141 = 0.7139200499999999 + M_2_2_p94;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Real M_2_2_p142 = s8 * M_2_2_p141 + c8 * M_2_2_p140;
-
-  // link 17 (right_lowerarm), composite inertia
-  const Real M_2_2_p143 = 0.0022500062 + M_2_2_p46;
-  const Real M_2_2_p144 = M_2_2_p48 - 0.004500002325;
+  const Lanes<2> M_7_8_p1_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p215_lanes;
+  const Lanes<2> M_7_8_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p229_lanes;
+  const Lanes<2> M_7_8_lanes = M_7_8_p1_lanes + M_7_8_p2_lanes;
+  M[176] = -M_7_8_lanes[0];
+  M[199] = -M_7_8_lanes[0];
 
   // link 16 (right_upperarm), composite inertia
-  const Real M_2_2_p145 = s16 * M_2_2_p143 - c16 * M_2_2_p144;
-  const Real M_2_2_p146 = 0.0017499999999999998 + M_2_2_p145;
-  const Real M_2_2_p147 = 0.7139200499999999 + M_2_2_p33;
+  M[351] = -M_7_8_lanes[1];
+  M[374] = -M_7_8_lanes[1];
 
-  // link 15 (right_shoulder2), composite inertia
-  const Real M_2_2_p148 = s15 * M_2_2_p147 - c15 * M_2_2_p146;
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p257_lanes = M_7_8_lanes - 0.00010499999999999999;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p259_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p257_lanes;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p261_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p185_lanes;
+  const Lanes<2> M_2_2_p263_lanes = M_2_2_p261_lanes + M_2_2_p179_lanes;
+  const Lanes<2> M_2_2_p265_lanes = detail::make_lanes<Real>((-1.75e-05), 1.75e-05) +
+      M_2_2_p263_lanes;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p267_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p265_lanes;
+  const Lanes<2> M_2_2_p269_lanes = M_2_2_p259_lanes - M_2_2_p267_lanes;
+  const Lanes<2> M_2_2_p271_lanes = M_2_2_p269_lanes - 8.75e-06;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p149 = 0.40663174999999996 + M_2_2_p136 + M_2_2_p56 - M_2_2_p123 + M_2_2_p117 +
-      0.36 * (M_2_2_p142 - M_2_2_p148);
-
-  // link 15 (right_shoulder2), composite inertia
-  const Real M_13_13 = 0.000448 + (M_2_2_p43 + M_2_2_p53);
-  M[325] = M_13_13;
-
-  // link 24 (right_eye), composite inertia
-  const Real M_2_2_p150 = 0.00025 * c24;
+  const Lanes<2> M_2_2_p273_lanes = 2.0 * M_2_2_p271_lanes;
+  const Lanes<2> M_2_2_p275_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p273_lanes;
+  const Lanes<2> M_2_2_p277_lanes = M_2_2_p255_lanes - M_2_2_p275_lanes;
+  const Lanes<2> M_2_2_p279_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p277_lanes;
+  const Real M_2_2_p281 = M_2_2_p279_lanes[1] + M_2_2_p279_lanes[0];
 
   // link 23 (left_eye), composite inertia
-  const Real M_2_2_p151 = 0.00025 * c23;
-  const Real M_2_2_p152 = 0.072575 + M_2_2_p150 + M_2_2_p151;
+  const Lanes<2> M_2_2_p282_lanes = 2.375e-05 * detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> M_2_2_p284_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) *
+      detail::make_lanes<Real>(s23, s24);
+  const Lanes<2> M_2_2_p286_lanes = M_2_2_p282_lanes + M_2_2_p284_lanes;
+  const Real M_2_2_p288 = 0.009457125 + 2.0 * (M_2_2_p286_lanes[1] + M_2_2_p286_lanes[0]);
+  const Lanes<2> M_2_2_p289_lanes = 1.2499999999999999e-06 * detail::make_lanes<Real>(s23, s24);
+  const Lanes<2> M_2_2_p291_lanes = detail::make_lanes<Real>(s23, s24) * M_2_2_p289_lanes;
+  const Real M_2_2_p293 = M_2_2_p291_lanes[1] + M_2_2_p291_lanes[0];
+  const Real M_2_2_p294 = 0.05451070000000001 + M_2_2_p293 + (-1.6e-05) * s24 + 1.6e-05 * s23;
+  const Lanes<2> M_2_2_p295_lanes = 2.8750000000000004e-05 * detail::make_lanes<Real>(c23, c24);
+  const Real M_2_2_p297 = 0.0074 + M_2_2_p295_lanes[1] + M_2_2_p295_lanes[0];
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p153 = 0.43200000000000005 * c22 - s22 * M_2_2_p152;
-  const Real M_2_2_p154 = 0.788 * M_2_2_p153;
-  const Real M_2_2_p155 = M_2_2_p130 - M_2_2_p135 + M_2_2_p154;
+  const Real M_2_2_p298 = s22 * (M_2_2_p294 - M_2_2_p288) + c22 * (2.0 * M_2_2_p297);
+  const Real M_2_2_p299 = s22 * M_2_2_p298;
+  const Real M_2_2_p300 = M_2_2_p288 + M_2_2_p299;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p301_lanes = 0.0022500062 + M_2_2_p209_lanes;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p303_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p301_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p305_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) +
+      M_2_2_p223_lanes;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p307_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p305_lanes;
+  const Lanes<2> M_2_2_p309_lanes = M_2_2_p303_lanes - M_2_2_p307_lanes;
+  const Lanes<2> M_2_2_p311_lanes = detail::make_lanes<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) - M_2_2_p309_lanes;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p313_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p311_lanes;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p315_lanes = 0.7139200499999999 + M_2_2_p149_lanes;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p317_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p315_lanes;
+  const Lanes<2> M_2_2_p319_lanes = M_2_2_p317_lanes + M_2_2_p313_lanes;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p321 = 0.40663174999999996 + M_2_2_p300 + M_2_2_p251_lanes[1] - M_2_2_p281 +
+      (-0.36) * M_2_2_p319_lanes[1] + M_2_2_p251_lanes[0] + 0.36 * M_2_2_p319_lanes[0];
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_6_6_p1_lanes = M_2_2_p191_lanes + M_2_2_p243_lanes;
+  const Lanes<2> M_6_6_lanes = 0.000448 + M_6_6_p1_lanes;
+  M[150] = M_6_6_lanes[0];
+
+  // link 15 (right_shoulder2), composite inertia
+  M[325] = M_6_6_lanes[1];
 
   // link 23 (left_eye), composite inertia
-  const Real M_21_21 = 0.063951825 - M_2_2_p129 + 4.75e-05 * (c24 + c23);
+  const Lanes<2> M_2_2_p322_lanes = 0.00025 * detail::make_lanes<Real>(c23, c24);
+  const Real M_2_2_p324 = 0.072575 + M_2_2_p322_lanes[1] + M_2_2_p322_lanes[0];
+
+  // link 22 (head), composite inertia
+  const Real M_2_2_p325 = 0.43200000000000005 * c22 - s22 * M_2_2_p324;
+  const Real M_2_2_p326 = 0.788 * M_2_2_p325;
+  const Real M_2_2_p327 = M_2_2_p294 - M_2_2_p299 + M_2_2_p326;
+
+  // link 23 (left_eye), composite inertia
+  const Real M_21_21 = 0.063951825 - M_2_2_p293 + 4.75e-05 * (c24 + c23);
   M[525] = M_21_21;
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p156 = M_21_21 + M_2_2_p154;
+  const Real M_2_2_p328 = M_21_21 + M_2_2_p326;
 
   // link 23 (left_eye), composite inertia
-  const Real M_2_2_p157 = (8e-06 + M_2_2_p128) * c23 + 2.375e-05 * (s24 + s23) +
-      (M_2_2_p127 - 8e-06) * c24;
+  const Lanes<2> M_2_2_p329_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) + M_2_2_p289_lanes;
+  const Lanes<2> M_2_2_p331_lanes = M_2_2_p329_lanes * detail::make_lanes<Real>(c23, c24);
+  const Real M_2_2_p333 = M_2_2_p331_lanes[0] + 2.375e-05 * (s24 + s23) + M_2_2_p331_lanes[1];
+  const Lanes<2> M_21_22_lanes = 2.8750000000000004e-05 * detail::make_lanes<Real>(s23, s24);
+  M[526] = -M_21_22_lanes[0];
+  M[549] = -M_21_22_lanes[0];
 
   // link 24 (right_eye), composite inertia
-  const Real M_21_23 = 2.8750000000000004e-05 * s24;
-  M[527] = -M_21_23;
-  M[573] = -M_21_23;
+  M[527] = -M_21_22_lanes[1];
+  M[573] = -M_21_22_lanes[1];
 
   // link 23 (left_eye), composite inertia
-  const Real M_21_22 = 2.8750000000000004e-05 * s23;
-  M[526] = -M_21_22;
-  M[549] = -M_21_22;
-  const Real M_2_2_p158 = M_21_23 + M_21_22;
+  const Real M_2_2_p334 = M_21_22_lanes[1] + M_21_22_lanes[0];
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p159 = c22 * M_2_2_p157 + s22 * M_2_2_p158;
+  const Real M_2_2_p335 = c22 * M_2_2_p333 + s22 * M_2_2_p334;
 
   // link 21 (neck), composite inertia
-  const Real M_2_2_p160 = s21 * M_2_2_p159;
-  const Real M_2_2_p161 = c21 * (0.005513625 + M_2_2_p155 - (0.000703125 + M_2_2_p156)) + 2.0 *
-      M_2_2_p160;
-  const Real M_2_2_p162 = c21 * M_2_2_p161;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Real M_6_6 = 0.000448 + (M_2_2_p104 + M_2_2_p114);
-  M[150] = M_6_6;
-
-  // link 16 (right_upperarm), composite inertia
-  const Real M_2_2_p163 = c16 * M_2_2_p143 + s16 * M_2_2_p144;
-
-  // link 15 (right_shoulder2), composite inertia
-  const Real M_2_2_p164 = 0.0017499999999999998 - M_2_2_p163;
-  const Real M_2_2_p165 = c15 * M_2_2_p147 + s15 * M_2_2_p146;
-  const Real M_2_2_p166 = M_2_2_p165 - 0.0017499999999999998;
-
-  // link 14 (right_shoulder1), composite inertia
-  const Real M_2_2_p167 = s14 * M_2_2_p164 + c14 * M_2_2_p166;
+  const Real M_2_2_p336 = s21 * M_2_2_p335;
+  const Real M_2_2_p337 = c21 * (0.005513625 + M_2_2_p327 - (0.000703125 + M_2_2_p328)) + 2.0 *
+      M_2_2_p336;
+  const Real M_2_2_p338 = c21 * M_2_2_p337;
 
   // link 9 (left_upperarm), composite inertia
-  const Real M_2_2_p168 = c9 * M_2_2_p137 + s9 * M_2_2_p138;
+  const Lanes<2> M_2_2_p339_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p301_lanes;
+  const Lanes<2> M_2_2_p341_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p305_lanes;
+  const Lanes<2> M_2_2_p343_lanes = M_2_2_p339_lanes + M_2_2_p341_lanes;
 
   // link 8 (left_shoulder2), composite inertia
-  const Real M_2_2_p169 = 0.0017499999999999998 - M_2_2_p168;
-  const Real M_2_2_p170 = c8 * M_2_2_p141 - s8 * M_2_2_p140;
-  const Real M_2_2_p171 = M_2_2_p170 - 0.0017499999999999998;
+  const Lanes<2> M_2_2_p345_lanes = 0.0017499999999999998 - M_2_2_p343_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p172 = s7 * M_2_2_p169 + c7 * M_2_2_p171;
-  const Real M_2_2_p173 = M_2_2_p167 + M_2_2_p172;
-  const Real M_2_2_p174 = 1.67475326092404 + M_2_2_p155 - M_2_2_p162 + M_13_13 + M_6_6 - 0.452 *
-      M_2_2_p173;
+  const Lanes<2> M_2_2_p347_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p345_lanes;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p349_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p311_lanes;
+  const Lanes<2> M_2_2_p351_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p315_lanes;
+  const Lanes<2> M_2_2_p353_lanes = M_2_2_p351_lanes - M_2_2_p349_lanes;
+  const Lanes<2> M_2_2_p355_lanes = M_2_2_p353_lanes - 0.0017499999999999998;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Lanes<2> M_2_2_p357_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p355_lanes;
+  const Lanes<2> M_2_2_p359_lanes = M_2_2_p347_lanes + M_2_2_p357_lanes;
+  const Real M_2_2_p361 = M_2_2_p359_lanes[1] + M_2_2_p359_lanes[0];
+  const Real M_2_2_p362 = 1.67475326092404 + M_2_2_p327 - M_2_2_p338 + M_6_6_lanes[1] +
+      M_6_6_lanes[0] - 0.452 * M_2_2_p361;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_6_7_p1_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p257_lanes;
+  const Lanes<2> M_6_7_p2_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p265_lanes;
+  const Lanes<2> M_6_7_lanes = M_6_7_p1_lanes + M_6_7_p2_lanes;
+  M[151] = M_6_7_lanes[0];
+  M[174] = M_6_7_lanes[0];
 
   // link 15 (right_shoulder2), composite inertia
-  const Real M_13_14 = s15 * M_2_2_p57 + c15 * M_2_2_p58;
-  M[326] = M_13_14;
-  M[349] = M_13_14;
-  const Real M_2_2_p175 = 2.6249999999999998e-05 + M_13_14;
-  const Real M_2_2_p176 = 2.6249999999999998e-05 + (c15 * M_2_2_p52 - M_2_2_p51);
+  M[326] = M_6_7_lanes[1];
+  M[349] = M_6_7_lanes[1];
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p363_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + M_6_7_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p177 = s14 * M_2_2_p175 + c14 * M_2_2_p176 + 0.18 * M_2_2_p167;
+  const Lanes<2> M_2_2_p365_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p363_lanes;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p367_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p241_lanes;
+  const Lanes<2> M_2_2_p369_lanes = M_2_2_p367_lanes - M_2_2_p235_lanes;
+  const Lanes<2> M_2_2_p371_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + M_2_2_p369_lanes;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Lanes<2> M_2_2_p373_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p371_lanes;
+  const Lanes<2> M_2_2_p375_lanes = M_2_2_p365_lanes + M_2_2_p373_lanes;
+  const Lanes<2> M_2_2_p377_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_2_p359_lanes;
+  const Lanes<2> M_2_2_p379_lanes = M_2_2_p375_lanes - M_2_2_p377_lanes;
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p178 = c22 * M_2_2_p152 + 0.43200000000000005 * s22;
-  const Real M_2_2_p179 = 0.0016155 + (c22 * M_2_2_p134 - M_2_2_p133 + 0.394 * M_2_2_p178);
-  const Real M_20_21 = s22 * M_2_2_p157 - c22 * M_2_2_p158;
+  const Real M_2_2_p381 = c22 * M_2_2_p324 + 0.43200000000000005 * s22;
+  const Real M_2_2_p382 = 0.0016155 + (c22 * M_2_2_p298 - M_2_2_p297 + 0.394 * M_2_2_p381);
+  const Real M_20_21 = s22 * M_2_2_p333 - c22 * M_2_2_p334;
   M[501] = M_20_21;
   M[524] = M_20_21;
 
-  // link 24 (right_eye), composite inertia
-  const Real M_2_2_p180 = 0.00025 * s24;
-
   // link 23 (left_eye), composite inertia
-  const Real M_2_2_p181 = 0.00025 * s23;
-  const Real M_2_2_p182 = M_2_2_p180 + M_2_2_p181;
+  const Lanes<2> M_2_2_p383_lanes = 0.00025 * detail::make_lanes<Real>(s23, s24);
+  const Real M_2_2_p385 = M_2_2_p383_lanes[1] + M_2_2_p383_lanes[0];
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p183 = M_20_21 - 0.394 * M_2_2_p182;
+  const Real M_2_2_p386 = M_20_21 - 0.394 * M_2_2_p385;
 
   // link 21 (neck), composite inertia
-  const Real M_2_2_p184 = s21 * M_2_2_p179 - c21 * M_2_2_p183;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Real M_6_7 = s8 * M_2_2_p118 + c8 * M_2_2_p119;
-  M[151] = M_6_7;
-  M[174] = M_6_7;
-  const Real M_2_2_p185 = M_6_7 - 2.6249999999999998e-05;
-  const Real M_2_2_p186 = c8 * M_2_2_p113 - M_2_2_p112 - 2.6249999999999998e-05;
+  const Real M_2_2_p387 = s21 * M_2_2_p382 - c21 * M_2_2_p386;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p187 = s7 * M_2_2_p185 + c7 * M_2_2_p186 - 0.18 * M_2_2_p172;
-  const Real M_2_2_p188 = M_2_2_p148 + M_2_2_p142;
-  const Real M_2_2_p189 = M_2_2_p184 + M_2_2_p177 + M_2_2_p187 + 0.226 * M_2_2_p188;
+  const Real M_2_2_p388 = M_2_2_p319_lanes[1] + M_2_2_p319_lanes[0];
+  const Real M_2_2_p389 = M_2_2_p387 + M_2_2_p379_lanes[1] + M_2_2_p379_lanes[0] + 0.226 *
+      M_2_2_p388;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p190 = s6 * (M_2_2_p149 - M_2_2_p174) + c6 * (2.0 * M_2_2_p189);
-  const Real M_2_2_p191 = s6 * M_2_2_p190;
-  const Real M_2_2_p192 = 0.04675382692737882 + (M_2_2_p149 - M_2_2_p191);
+  const Real M_2_2_p390 = s6 * (M_2_2_p321 - M_2_2_p362) + c6 * (2.0 * M_2_2_p389);
+  const Real M_2_2_p391 = s6 * M_2_2_p390;
+  const Real M_2_2_p392 = 0.04675382692737882 + (M_2_2_p321 - M_2_2_p391);
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_5_5_p1 = 0.226 * M_2_2_p172;
-
-  // link 14 (right_shoulder1), composite inertia
-  const Real M_5_5_p2 = 0.226 * M_2_2_p167;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_5_5 = 2.07035776092404 + M_2_2_p156 + M_2_2_p162 + M_2_2_p54 + M_2_2_p123 +
-      M_2_2_p115 + 2.0 * (0.18 * M_2_2_p142 - M_5_5_p1 - (M_5_5_p2 + 0.18 * M_2_2_p148));
+  const Lanes<2> M_5_5_p1_lanes = 0.226 * M_2_2_p359_lanes;
+  const Lanes<2> M_5_5_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_2_p319_lanes;
+  const Lanes<2> M_5_5_p5_lanes = M_5_5_p3_lanes - M_5_5_p1_lanes;
+  const Real M_5_5 = 2.07035776092404 + M_2_2_p328 + M_2_2_p338 + M_2_2_p247_lanes[1] + M_2_2_p281 +
+      M_2_2_p247_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
   M[125] = M_5_5;
-  const Real M_2_2_p193 = M_2_2_p173 - 6.1665928899999995 - M_2_2_p153;
+  const Real M_2_2_p393 = M_2_2_p361 - 6.1665928899999995 - M_2_2_p325;
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p194 = 0.0045000000000000005 + M_2_2_p178;
+  const Real M_2_2_p394 = 0.0045000000000000005 + M_2_2_p381;
 
   // link 21 (neck), composite inertia
-  const Real M_2_2_p195 = s21 * M_2_2_p194 + c21 * M_2_2_p182;
+  const Real M_2_2_p395 = s21 * M_2_2_p394 + c21 * M_2_2_p385;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p196 = M_2_2_p195 + M_2_2_p188;
+  const Real M_2_2_p396 = M_2_2_p395 + M_2_2_p388;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p197 = c6 * M_2_2_p193 - s6 * M_2_2_p196;
-  const Real M_2_2_p198 = 0.144 * M_2_2_p197;
-  const Real M_2_2_p199 = 0.15637308509675518 + (M_5_5 - M_2_2_p198);
+  const Real M_2_2_p397 = c6 * M_2_2_p393 - s6 * M_2_2_p396;
+  const Real M_2_2_p398 = 0.144 * M_2_2_p397;
+  const Real M_2_2_p399 = 0.15637308509675518 + (M_5_5 - M_2_2_p398);
+
+  // link 7 (left_shoulder1), composite inertia
+  const Lanes<2> M_2_2_p400_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p277_lanes;
 
   // link 21 (neck), composite inertia
-  const Real M_5_20 = c21 * M_2_2_p179 + s21 * M_2_2_p183;
+  const Real M_5_20 = c21 * M_2_2_p382 + s21 * M_2_2_p386;
   M[140] = -M_5_20;
   M[485] = -M_5_20;
 
+  // link 7 (left_shoulder1), composite inertia
+  const Lanes<2> M_2_2_p402_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p345_lanes;
+  const Lanes<2> M_2_2_p404_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p355_lanes;
+  const Lanes<2> M_2_2_p406_lanes = M_2_2_p402_lanes - M_2_2_p404_lanes;
+  const Real M_2_2_p408 = M_2_2_p406_lanes[1] + M_2_2_p406_lanes[0];
+  const Real M_2_2_p409 = 0.0187369177636143 + M_5_20 + M_2_2_p400_lanes[1] + M_2_2_p271_lanes[1] +
+      M_2_2_p400_lanes[0] + M_2_2_p271_lanes[0] + 0.226 * M_2_2_p408;
+  const Lanes<2> M_5_6_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p363_lanes;
+  const Lanes<2> M_5_6_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p371_lanes;
+  const Lanes<2> M_5_6_p3_lanes = M_5_6_p1_lanes - M_5_6_p2_lanes;
+  const Lanes<2> M_5_6_p4_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_2_p406_lanes;
+  const Lanes<2> M_5_6_lanes = M_5_6_p3_lanes - M_5_6_p4_lanes;
+  M[126] = M_5_6_lanes[0];
+  M[149] = M_5_6_lanes[0];
+
   // link 14 (right_shoulder1), composite inertia
-  const Real M_2_2_p200 = c14 * M_2_2_p164 - s14 * M_2_2_p166;
+  M[133] = M_5_6_lanes[1];
+  M[317] = M_5_6_lanes[1];
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p201 = c7 * M_2_2_p169 - s7 * M_2_2_p171;
-  const Real M_2_2_p202 = M_2_2_p200 + M_2_2_p201;
-  const Real M_2_2_p203 = 0.0187369177636143 + M_5_20 + s14 * M_2_2_p61 + M_2_2_p60 + s7 *
-      M_2_2_p122 + M_2_2_p121 + 0.226 * M_2_2_p202;
-
-  // link 14 (right_shoulder1), composite inertia
-  const Real M_5_13 = c14 * M_2_2_p175 - s14 * M_2_2_p176 + 0.18 * M_2_2_p200;
-  M[133] = M_5_13;
-  M[317] = M_5_13;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_5_6 = c7 * M_2_2_p185 - s7 * M_2_2_p186 - 0.18 * M_2_2_p201;
-  M[126] = M_5_6;
-  M[149] = M_5_6;
-  const Real M_2_2_p204 = M_5_13 - (M_2_2_p159 - s21 * M_2_2_p161) + M_5_6;
+  const Real M_2_2_p410 = M_5_6_lanes[1] - (M_2_2_p335 - s21 * M_2_2_p337) + M_5_6_lanes[0];
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p205 = c6 * M_2_2_p203 - s6 * M_2_2_p204;
+  const Real M_2_2_p411 = c6 * M_2_2_p409 - s6 * M_2_2_p410;
 
   // link 21 (neck), composite inertia
-  const Real M_2_2_p206 = c21 * M_2_2_p194 - s21 * M_2_2_p182;
+  const Real M_2_2_p412 = c21 * M_2_2_p394 - s21 * M_2_2_p385;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p207 = M_2_2_p206 + M_2_2_p202;
+  const Real M_2_2_p413 = M_2_2_p412 + M_2_2_p408;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p208 = 0.005678398088837119 + (M_2_2_p205 + 0.072 * M_2_2_p207);
+  const Real M_2_2_p414 = 0.005678398088837119 + (M_2_2_p411 + 0.072 * M_2_2_p413);
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p209 = s5 * (M_2_2_p199 - M_2_2_p192) + c5 * (2.0 * M_2_2_p208);
-  const Real M_2_2_p210 = s5 * M_2_2_p209;
+  const Real M_2_2_p415 = s5 * (M_2_2_p399 - M_2_2_p392) + c5 * (2.0 * M_2_2_p414);
+  const Real M_2_2_p416 = s5 * M_2_2_p415;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p211 = 0.069699984375 + M_2_2_p207;
-  const Real M_2_2_p212 = M_2_2_p197 - 2.2194301519999997;
+  const Real M_2_2_p417 = 0.069699984375 + M_2_2_p413;
+  const Real M_2_2_p418 = M_2_2_p397 - 2.2194301519999997;
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p213 = s5 * M_2_2_p211 + c5 * M_2_2_p212;
-  const Real M_2_2_p214 = 0.43599999999999994 * M_2_2_p213;
+  const Real M_2_2_p419 = s5 * M_2_2_p417 + c5 * M_2_2_p418;
+  const Real M_2_2_p420 = 0.43599999999999994 * M_2_2_p419;
 
   // link 6 (chest3), composite inertia
-  const Real M_4_4 = 0.203126912024134 + (M_2_2_p174 + M_2_2_p191 - M_2_2_p198);
+  const Real M_4_4 = 0.203126912024134 + (M_2_2_p362 + M_2_2_p391 - M_2_2_p398);
   M[100] = M_4_4;
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p215 = 0.01227760324629517 + (M_4_4 - M_2_2_p214);
+  const Real M_2_2_p421 = 0.01227760324629517 + (M_4_4 - M_2_2_p420);
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p216 = s6 * M_2_2_p193 + c6 * M_2_2_p196;
-  const Real M_2_2_p217 = c6 * M_2_2_p190 - M_2_2_p189 + 0.072 * M_2_2_p216;
-  const Real M_4_5 = s6 * M_2_2_p203 + c6 * M_2_2_p204;
+  const Real M_2_2_p422 = s6 * M_2_2_p393 + c6 * M_2_2_p396;
+  const Real M_2_2_p423 = c6 * M_2_2_p390 - M_2_2_p389 + 0.072 * M_2_2_p422;
+  const Real M_4_5 = s6 * M_2_2_p409 + c6 * M_2_2_p410;
   M[101] = M_4_5;
   M[124] = M_4_5;
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p218 = s5 * M_2_2_p217 - c5 * M_4_5;
+  const Real M_2_2_p424 = s5 * M_2_2_p423 - c5 * M_4_5;
 
   // link 4 (chest1), composite inertia
-  const Real M_2_2_p219 = s4 * (0.0478915 + (M_2_2_p199 - M_2_2_p210 - M_2_2_p214) - M_2_2_p215) -
-      c4 * (2.0 * M_2_2_p218);
-  const Real M_2_2 = 1.7824817919087104 + (M_2_2_p215 + s4 * M_2_2_p219);
+  const Real M_2_2_p425 = s4 * (0.0478915 + (M_2_2_p399 - M_2_2_p416 - M_2_2_p420) - M_2_2_p421) -
+      c4 * (2.0 * M_2_2_p424);
+  const Real M_2_2 = 1.7824817919087104 + (M_2_2_p421 + s4 * M_2_2_p425);
   M[50] = M_2_2;
-  const Real M_1_1_p1 = M_2_2_p213 - 8.419374554;
+  const Real M_1_1_p1 = M_2_2_p419 - 8.419374554;
 
   // link 5 (chest2), composite inertia
-  const Real M_1_1_p2 = s5 * M_2_2_p212 - c5 * M_2_2_p211;
+  const Real M_1_1_p2 = s5 * M_2_2_p418 - c5 * M_2_2_p417;
   const Real M_1_1_p3 = 0.0300000063 + M_1_1_p2;
 
   // link 4 (chest1), composite inertia
-  const Real M_1_1_p4 = 0.02999999505 + (c4 * M_1_1_p3 + s4 * M_2_2_p216);
+  const Real M_1_1_p4 = 0.02999999505 + (c4 * M_1_1_p3 + s4 * M_2_2_p422);
 
   // link 3 (hip), composite inertia
   const Real M_1_1_p5 = c3 * M_1_1_p1 - s3 * M_1_1_p4;
@@ -898,18 +922,18 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[48] = M_0_2;
 
   // link 5 (chest2), composite inertia
-  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p217;
+  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p423;
   M[76] = -M_3_4;
   M[99] = -M_3_4;
 
   // link 4 (chest1), composite inertia
   const Real M_2_3 = s4 * (0.005880002159562879 + (0.21799999999999997 * M_1_1_p2 -
-      (c5 * M_2_2_p209 - M_2_2_p208))) - c4 * (M_3_4 + 0.21799999999999997 * M_2_2_p216);
+      (c5 * M_2_2_p415 - M_2_2_p414))) - c4 * (M_3_4 + 0.21799999999999997 * M_2_2_p422);
   M[51] = M_2_3;
   M[74] = M_2_3;
 
   // link 4 (chest1), mass matrix
-  const Real M_1_3_p1 = s4 * M_1_1_p3 - c4 * M_2_2_p216;
+  const Real M_1_3_p1 = s4 * M_1_1_p3 - c4 * M_2_2_p422;
   const Real M_1_3_p2 = c3 * M_1_3_p1;
   const Real M_1_3 = M_2_3 + 0.422 * M_1_3_p2;
   M[27] = M_1_3;
@@ -919,10 +943,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[72] = M_0_3;
 
   // link 5 (chest2), mass matrix
-  const Real M_2_4 = c4 * (M_4_4 - 0.21799999999999997 * M_2_2_p213) - s4 * M_2_2_p218;
+  const Real M_2_4 = c4 * (M_4_4 - 0.21799999999999997 * M_2_2_p419) - s4 * M_2_2_p424;
   M[52] = M_2_4;
   M[98] = M_2_4;
-  const Real M_1_4_p1 = c4 * M_2_2_p213;
+  const Real M_1_4_p1 = c4 * M_2_2_p419;
   const Real M_1_4_p2 = s3 * M_1_1_p2 - c3 * M_1_4_p1;
   const Real M_1_4 = M_2_4 + 0.422 * M_1_4_p2;
   M[28] = M_1_4;
@@ -932,14 +956,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[96] = M_0_4;
 
   // link 6 (chest3), mass matrix
-  const Real M_2_5_p1 = s5 * M_2_2_p216;
-  const Real M_2_5_p2 = M_5_5 - 0.072 * M_2_2_p197;
+  const Real M_2_5_p1 = s5 * M_2_2_p422;
+  const Real M_2_5_p2 = M_5_5 - 0.072 * M_2_2_p397;
   const Real M_2_5 = c4 * (M_4_5 + 0.21799999999999997 * M_2_5_p1) - s4 *
-      (s5 * M_2_2_p205 - c5 * M_2_5_p2 + 0.21799999999999997 * M_2_2_p197);
+      (s5 * M_2_2_p411 - c5 * M_2_5_p2 + 0.21799999999999997 * M_2_2_p397);
   M[53] = M_2_5;
   M[122] = M_2_5;
-  const Real M_1_5_p1 = c4 * M_2_5_p1 - s4 * M_2_2_p197;
-  const Real M_1_5_p2 = c5 * M_2_2_p216;
+  const Real M_1_5_p1 = c4 * M_2_5_p1 - s4 * M_2_2_p397;
+  const Real M_1_5_p2 = c5 * M_2_2_p422;
   const Real M_1_5_p3 = c3 * M_1_5_p1 + s3 * M_1_5_p2;
   const Real M_1_5 = M_2_5 + 0.422 * M_1_5_p3;
   M[29] = M_1_5;
@@ -949,649 +973,1076 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[120] = M_0_5;
 
   // link 7 (left_shoulder1), mass matrix
-  const Real M_2_6_p1 = M_6_6 - M_5_5_p1;
-  const Real M_2_6_p2 = c6 * M_2_2_p187 - s6 * M_2_6_p1;
-  const Real M_2_6_p3 = s6 * M_2_2_p201;
-  const Real M_2_6_p4 = M_5_6 - 0.072 * M_2_6_p3;
-  const Real M_4_6 = s6 * M_2_2_p187 + c6 * M_2_6_p1 - 0.072 * M_2_2_p172;
-  M[102] = M_4_6;
-  M[148] = M_4_6;
-  const Real M_2_6_p5 = c6 * M_2_2_p201;
-  const Real M_2_6_p6 = c5 * M_2_2_p172 + s5 * M_2_6_p5;
-  const Real M_2_6 = c4 * (M_4_6 - 0.21799999999999997 * M_2_6_p6) - s4 *
-      (0.21799999999999997 * M_2_6_p3 + (s5 * M_2_6_p2 - c5 * M_2_6_p4));
-  M[54] = M_2_6;
-  M[146] = M_2_6;
-  const Real M_1_6_p1 = s5 * M_2_2_p172 - c5 * M_2_6_p5;
-  const Real M_1_6_p2 = s4 * M_2_6_p3 + c4 * M_2_6_p6;
-  const Real M_1_6_p3 = s3 * M_1_6_p1 - c3 * M_1_6_p2;
-  const Real M_1_6 = M_2_6 + 0.422 * M_1_6_p3;
-  M[30] = M_1_6;
-  M[145] = M_1_6;
-  const Real M_0_6 = M_1_6 + 0.434 * (c2 * M_1_6_p3 + s2 * (s3 * M_1_6_p2 + c3 * M_1_6_p1));
-  M[6] = M_0_6;
-  M[144] = M_0_6;
-
-  // link 9 (left_upperarm), composite inertia
-  const Real M_7_7 = 0.18125194219699997 + M_2_2_p116;
-  M[175] = M_7_7;
-
-  // link 8 (left_shoulder2), mass matrix
-  const Real M_4_7_p1 = s7 * M_2_2_p142;
-  const Real M_4_7_p2 = s7 * M_7_7 + c7 * M_2_2_p120 + 0.18 * M_4_7_p1;
-  const Real M_4_7_p3 = M_6_7 + 0.226 * M_4_7_p1;
-  const Real M_4_7 = s6 * M_4_7_p2 + c6 * M_4_7_p3 + 0.072 * M_4_7_p1;
-  M[103] = M_4_7;
-  M[172] = M_4_7;
-  const Real M_2_7_p1 = c7 * M_2_2_p142;
-  const Real M_2_7_p2 = c6 * M_2_7_p1 + s6 * M_2_2_p170;
-  const Real M_2_7_p3 = c5 * M_4_7_p1 + s5 * M_2_7_p2;
-  const Real M_2_7_p4 = c6 * M_4_7_p2 - s6 * M_4_7_p3;
-  const Real M_5_7 = c7 * M_7_7 - s7 * M_2_2_p120 + (0.18 * M_2_7_p1 - 0.226 * M_2_2_p170);
-  M[127] = M_5_7;
-  M[173] = M_5_7;
-  const Real M_2_7_p5 = c6 * M_2_2_p170 - s6 * M_2_7_p1;
-  const Real M_2_7_p6 = M_5_7 - 0.072 * M_2_7_p5;
-  const Real M_2_7 = c4 * (M_4_7 + 0.21799999999999997 * M_2_7_p3) - s4 *
-      (s5 * M_2_7_p4 - c5 * M_2_7_p6 + 0.21799999999999997 * M_2_7_p5);
-  M[55] = M_2_7;
-  M[170] = M_2_7;
-  const Real M_1_7_p1 = c4 * M_2_7_p3 - s4 * M_2_7_p5;
-  const Real M_1_7_p2 = c5 * M_2_7_p2 - s5 * M_4_7_p1;
-  const Real M_1_7_p3 = c3 * M_1_7_p1 + s3 * M_1_7_p2;
-  const Real M_1_7 = M_2_7 + 0.422 * M_1_7_p3;
-  M[31] = M_1_7;
-  M[169] = M_1_7;
-  const Real M_0_7 = M_1_7 + 0.434 * (c2 * M_1_7_p3 - s2 * (s3 * M_1_7_p1 - c3 * M_1_7_p2));
-  M[7] = M_0_7;
-  M[168] = M_0_7;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Real M_8_8 = 0.0027762933559338653 + M_2_2_p105;
-  M[200] = M_8_8;
-
-  // link 9 (left_upperarm), mass matrix
-  const Real M_2_8_p1 = s8 * M_2_2_p111 - c8 * M_8_8;
-  const Real M_2_8_p2 = s8 * M_2_2_p168;
-  const Real M_2_8_p3 = c7 * M_2_2_p139 - s7 * M_2_8_p2;
-  const Real M_2_8_p4 = 0.18 * M_2_8_p3 - (s7 * M_7_8 - c7 * M_2_8_p1);
-  const Real M_6_8 = s8 * M_8_8 + c8 * M_2_2_p111;
-  M[152] = -M_6_8;
-  M[198] = -M_6_8;
-  const Real M_2_8_p5 = 0.226 * M_2_8_p3 - M_6_8;
-  const Real M_2_8_p6 = c6 * M_2_8_p4 - s6 * M_2_8_p5;
-  const Real M_5_8_p1 = s7 * M_2_2_p139 + c7 * M_2_8_p2;
-  const Real M_5_8_p2 = c8 * M_2_2_p168;
-  const Real M_5_8 = 0.226 * M_5_8_p2 - 0.18 * M_5_8_p1 - (c7 * M_7_8 + s7 * M_2_8_p1);
-  M[128] = M_5_8;
-  M[197] = M_5_8;
-  const Real M_2_8_p7 = s6 * M_5_8_p1 - c6 * M_5_8_p2;
-  const Real M_2_8_p8 = M_5_8 - 0.072 * M_2_8_p7;
-  const Real M_4_8 = s6 * M_2_8_p4 + c6 * M_2_8_p5 + 0.072 * M_2_8_p3;
-  M[104] = M_4_8;
-  M[196] = M_4_8;
-  const Real M_2_8_p9 = c6 * M_5_8_p1 + s6 * M_5_8_p2;
-  const Real M_2_8_p10 = s5 * M_2_8_p9 - c5 * M_2_8_p3;
-  const Real M_2_8 = c4 * (M_4_8 - 0.21799999999999997 * M_2_8_p10) - s4 *
-      (s5 * M_2_8_p6 - c5 * M_2_8_p8 + 0.21799999999999997 * M_2_8_p7);
-  M[56] = M_2_8;
-  M[194] = M_2_8;
-  const Real M_1_8_p1 = c4 * M_2_8_p10 + s4 * M_2_8_p7;
-  const Real M_1_8_p2 = s5 * M_2_8_p3 + c5 * M_2_8_p9;
-  const Real M_1_8_p3 = c3 * M_1_8_p1 + s3 * M_1_8_p2;
-  const Real M_1_8 = M_2_8 - 0.422 * M_1_8_p3;
-  M[32] = M_1_8;
-  M[193] = M_1_8;
-  const Real M_0_8 = M_1_8 - 0.434 * (c2 * M_1_8_p3 + s2 * (c3 * M_1_8_p2 - s3 * M_1_8_p1));
-  M[8] = M_0_8;
-  M[192] = M_0_8;
-
-  // link 10 (left_lowerarm), mass matrix
-  const Real M_2_9_p1 = M_9_9 + 0.282 * M_2_2_p94;
-  const Real M_2_9_p2 = s9 * M_2_2_p100 + c9 * M_2_9_p1;
-  const Real M_2_9_p3 = c8 * M_8_9 + s8 * M_2_9_p2;
-  const Real M_7_9 = c9 * M_2_2_p100 - s9 * M_2_9_p1;
-  M[177] = M_7_9;
-  M[223] = M_7_9;
-  const Real M_2_9_p4 = s9 * M_2_2_p94;
-  const Real M_2_9_p5 = s8 * M_2_9_p4 - c8 * M_2_2_p107;
-  const Real M_2_9_p6 = c9 * M_2_2_p94;
-  const Real M_2_9_p7 = c7 * M_2_9_p6 + s7 * M_2_9_p5;
-  const Real M_2_9_p8 = c7 * M_2_9_p3 - s7 * M_7_9 + 0.18 * M_2_9_p7;
-  const Real M_6_9 = c8 * M_2_9_p2 - s8 * M_8_9;
-  M[153] = M_6_9;
-  M[222] = M_6_9;
-  const Real M_2_9_p9 = M_6_9 - 0.226 * M_2_9_p7;
-  const Real M_2_9_p10 = c6 * M_2_9_p8 + s6 * M_2_9_p9;
-  const Real M_5_9_p1 = s8 * M_2_2_p107 + c8 * M_2_9_p4;
-  const Real M_5_9_p2 = s7 * M_2_9_p6 - c7 * M_2_9_p5;
-  const Real M_5_9 = c7 * M_7_9 + s7 * M_2_9_p3 + (0.226 * M_5_9_p1 + 0.18 * M_5_9_p2);
-  M[129] = M_5_9;
-  M[221] = M_5_9;
-  const Real M_2_9_p11 = s6 * M_5_9_p2 + c6 * M_5_9_p1;
-  const Real M_2_9_p12 = M_5_9 + 0.072 * M_2_9_p11;
-  const Real M_4_9 = c6 * M_2_9_p9 - s6 * M_2_9_p8 - 0.072 * M_2_9_p7;
-  M[105] = M_4_9;
-  M[220] = M_4_9;
-  const Real M_2_9_p13 = s6 * M_5_9_p1 - c6 * M_5_9_p2;
-  const Real M_2_9_p14 = c5 * M_2_9_p7 + s5 * M_2_9_p13;
-  const Real M_2_9 = s4 * (c5 * M_2_9_p12 + s5 * M_2_9_p10 + 0.21799999999999997 * M_2_9_p11) + c4 *
-      (M_4_9 - 0.21799999999999997 * M_2_9_p14);
-  M[57] = M_2_9;
-  M[218] = M_2_9;
-  const Real M_1_9_p1 = s4 * M_2_9_p11 - c4 * M_2_9_p14;
-  const Real M_1_9_p2 = s5 * M_2_9_p7 - c5 * M_2_9_p13;
-  const Real M_1_9_p3 = c3 * M_1_9_p1 + s3 * M_1_9_p2;
-  const Real M_1_9 = M_2_9 + 0.422 * M_1_9_p3;
-  M[33] = M_1_9;
-  M[217] = M_1_9;
-  const Real M_0_9 = M_1_9 + 0.434 * (c2 * M_1_9_p3 - s2 * (s3 * M_1_9_p1 - c3 * M_1_9_p2));
-  M[9] = M_0_9;
-  M[216] = M_0_9;
-
-  // link 12 (left_wrist2), composite inertia
-  const Real M_10_10 = 0.00022920000000000001 + M_2_2_p85;
-  M[250] = M_10_10;
-
-  // link 11 (left_wrist1), mass matrix
-  const Real M_2_10_p1 = c10 * M_2_2_p73 + s10 * M_10_10 + 0.282 * M_2_2_p91;
-  const Real M_2_10_p2 = c10 * M_2_2_p109;
-  const Real M_2_10_p3 = M_9_10 + 0.282 * M_2_10_p2;
-  const Real M_2_10_p4 = s9 * M_2_10_p1 + c9 * M_2_10_p3;
-  const Real M_8_10 = c10 * M_10_10 - s10 * M_2_2_p73;
-  M[202] = M_8_10;
-  M[248] = M_8_10;
-  const Real M_2_10_p5 = c8 * M_8_10 + s8 * M_2_10_p4;
-  const Real M_7_10 = c9 * M_2_10_p1 - s9 * M_2_10_p3;
-  M[178] = M_7_10;
-  M[247] = M_7_10;
-  const Real M_2_10_p6 = c9 * M_2_10_p2 + s9 * M_2_2_p91;
-  const Real M_2_10_p7 = s9 * M_2_10_p2 - c9 * M_2_2_p91;
-  const Real M_2_10_p8 = s10 * M_2_2_p109;
-  const Real M_2_10_p9 = s8 * M_2_10_p7 - c8 * M_2_10_p8;
-  const Real M_2_10_p10 = c7 * M_2_10_p6 + s7 * M_2_10_p9;
-  const Real M_2_10_p11 = c7 * M_2_10_p5 - s7 * M_7_10 + 0.18 * M_2_10_p10;
-  const Real M_6_10 = c8 * M_2_10_p4 - s8 * M_8_10;
-  M[154] = M_6_10;
-  M[246] = M_6_10;
-  const Real M_2_10_p12 = M_6_10 - 0.226 * M_2_10_p10;
-  const Real M_2_10_p13 = c6 * M_2_10_p11 + s6 * M_2_10_p12;
-  const Real M_5_10_p1 = s7 * M_2_10_p6 - c7 * M_2_10_p9;
-  const Real M_5_10_p2 = s8 * M_2_10_p8 + c8 * M_2_10_p7;
-  const Real M_5_10 = c7 * M_7_10 + s7 * M_2_10_p5 + (0.226 * M_5_10_p2 + 0.18 * M_5_10_p1);
-  M[130] = M_5_10;
-  M[245] = M_5_10;
-  const Real M_2_10_p14 = s6 * M_5_10_p1 + c6 * M_5_10_p2;
-  const Real M_2_10_p15 = M_5_10 + 0.072 * M_2_10_p14;
-  const Real M_4_10 = c6 * M_2_10_p12 - s6 * M_2_10_p11 - 0.072 * M_2_10_p10;
-  M[106] = M_4_10;
-  M[244] = M_4_10;
-  const Real M_2_10_p16 = s6 * M_5_10_p2 - c6 * M_5_10_p1;
-  const Real M_2_10_p17 = c5 * M_2_10_p10 + s5 * M_2_10_p16;
-  const Real M_2_10 = s4 * (c5 * M_2_10_p15 + s5 * M_2_10_p13 + 0.21799999999999997 * M_2_10_p14) +
-      c4 * (M_4_10 - 0.21799999999999997 * M_2_10_p17);
-  M[58] = M_2_10;
-  M[242] = M_2_10;
-  const Real M_1_10_p1 = s4 * M_2_10_p14 - c4 * M_2_10_p17;
-  const Real M_1_10_p2 = s5 * M_2_10_p10 - c5 * M_2_10_p16;
-  const Real M_1_10_p3 = c3 * M_1_10_p1 + s3 * M_1_10_p2;
-  const Real M_1_10 = M_2_10 + 0.422 * M_1_10_p3;
-  M[34] = M_1_10;
-  M[241] = M_1_10;
-  const Real M_0_10 = M_1_10 + 0.434 * (c2 * M_1_10_p3 - s2 * (s3 * M_1_10_p1 - c3 * M_1_10_p2));
-  M[10] = M_0_10;
-  M[240] = M_0_10;
-
-  // link 12 (left_wrist2), mass matrix
-  const Real M_7_11_p1 = M_11_11 + 0.269 * M_2_2_p76;
-  const Real M_7_11_p2 = c11 * M_2_2_p80 + s11 * M_7_11_p1;
-  const Real M_7_11_p3 = s11 * M_2_2_p76;
-  const Real M_7_11_p4 = c10 * M_7_11_p2 + s10 * M_10_11 + 0.282 * M_7_11_p3;
-  const Real M_9_11 = c11 * M_7_11_p1 - s11 * M_2_2_p80;
-  M[227] = M_9_11;
-  M[273] = M_9_11;
-  const Real M_7_11_p5 = c11 * M_2_2_p76;
-  const Real M_7_11_p6 = c10 * M_7_11_p5 - s10 * M_2_2_p69;
-  const Real M_7_11_p7 = M_9_11 + 0.282 * M_7_11_p6;
-  const Real M_7_11 = c9 * M_7_11_p4 + s9 * M_7_11_p7;
-  M[179] = -M_7_11;
-  M[271] = -M_7_11;
-  const Real M_2_11_p1 = s9 * M_7_11_p4 - c9 * M_7_11_p7;
-  const Real M_8_11 = s10 * M_7_11_p2 - c10 * M_10_11;
-  M[203] = M_8_11;
-  M[272] = M_8_11;
-  const Real M_2_11_p2 = s8 * M_2_11_p1 - c8 * M_8_11;
-  const Real M_2_11_p3 = s9 * M_7_11_p6 + c9 * M_7_11_p3;
-  const Real M_2_11_p4 = s10 * M_7_11_p5 + c10 * M_2_2_p69;
-  const Real M_2_11_p5 = s8 * M_2_11_p3 - c8 * M_2_11_p4;
-  const Real M_2_11_p6 = s9 * M_7_11_p3 - c9 * M_7_11_p6;
-  const Real M_2_11_p7 = c7 * M_2_11_p6 - s7 * M_2_11_p5;
-  const Real M_2_11_p8 = 0.18 * M_2_11_p7 - (s7 * M_7_11 - c7 * M_2_11_p2);
-  const Real M_6_11 = s8 * M_8_11 + c8 * M_2_11_p1;
-  M[155] = -M_6_11;
-  M[270] = -M_6_11;
-  const Real M_2_11_p9 = 0.226 * M_2_11_p7 - M_6_11;
-  const Real M_2_11_p10 = c6 * M_2_11_p8 - s6 * M_2_11_p9;
-  const Real M_5_11_p1 = s8 * M_2_11_p4 + c8 * M_2_11_p3;
-  const Real M_5_11_p2 = s7 * M_2_11_p6 + c7 * M_2_11_p5;
-  const Real M_5_11 = 0.226 * M_5_11_p1 - 0.18 * M_5_11_p2 - (c7 * M_7_11 + s7 * M_2_11_p2);
-  M[131] = M_5_11;
-  M[269] = M_5_11;
-  const Real M_2_11_p11 = s6 * M_5_11_p2 - c6 * M_5_11_p1;
-  const Real M_2_11_p12 = M_5_11 - 0.072 * M_2_11_p11;
-  const Real M_4_11 = s6 * M_2_11_p8 + c6 * M_2_11_p9 + 0.072 * M_2_11_p7;
-  M[107] = M_4_11;
-  M[268] = M_4_11;
-  const Real M_2_11_p13 = c6 * M_5_11_p2 + s6 * M_5_11_p1;
-  const Real M_2_11_p14 = s5 * M_2_11_p13 - c5 * M_2_11_p7;
-  const Real M_2_11 = c4 * (M_4_11 - 0.21799999999999997 * M_2_11_p14) - s4 *
-      (s5 * M_2_11_p10 - c5 * M_2_11_p12 + 0.21799999999999997 * M_2_11_p11);
-  M[59] = M_2_11;
-  M[266] = M_2_11;
-  const Real M_1_11_p1 = c4 * M_2_11_p14 + s4 * M_2_11_p11;
-  const Real M_1_11_p2 = s5 * M_2_11_p7 + c5 * M_2_11_p13;
-  const Real M_1_11_p3 = c3 * M_1_11_p1 + s3 * M_1_11_p2;
-  const Real M_1_11 = M_2_11 - 0.422 * M_1_11_p3;
-  M[35] = M_1_11;
-  M[265] = M_1_11;
-  const Real M_0_11 = M_1_11 - 0.434 * (c2 * M_1_11_p3 + s2 * (c3 * M_1_11_p2 - s3 * M_1_11_p1));
-  M[11] = M_0_11;
-  M[264] = M_0_11;
-
-  // link 13 (left_hand), mass matrix
-  M[300] = 0.0009386316083993107;
-  M[475] = 0.0009386316083993107;
-  const Real M_2_12_p1 = 0.0009386316083993107 * c12 + s12 * M_2_2_p62 + 0.269 * M_2_2_p67;
-  const Real M_2_12_p2 = s12 * M_2_2_p71;
-  const Real M_2_12_p3 = M_11_12 - 0.269 * M_2_12_p2;
-  const Real M_2_12_p4 = c11 * M_2_12_p1 - s11 * M_2_12_p3;
-  const Real M_10_12 = M_2_2_p63 - 0.0009386316083993107 * s12;
-  M[252] = M_10_12;
-  M[298] = M_10_12;
-  const Real M_2_12_p5 = c11 * M_2_2_p67 + s11 * M_2_12_p2;
-  const Real M_2_12_p6 = c10 * M_2_12_p4 + s10 * M_10_12 + 0.282 * M_2_12_p5;
-  const Real M_9_12 = s11 * M_2_12_p1 + c11 * M_2_12_p3;
-  M[228] = M_9_12;
-  M[297] = M_9_12;
-  const Real M_2_12_p7 = s11 * M_2_2_p67 - c11 * M_2_12_p2;
-  const Real M_2_12_p8 = c12 * M_2_2_p71;
-  const Real M_2_12_p9 = c10 * M_2_12_p7 - s10 * M_2_12_p8;
-  const Real M_2_12_p10 = M_9_12 + 0.282 * M_2_12_p9;
-  const Real M_2_12_p11 = s9 * M_2_12_p6 + c9 * M_2_12_p10;
-  const Real M_8_12 = c10 * M_10_12 - s10 * M_2_12_p4;
-  M[204] = M_8_12;
-  M[296] = M_8_12;
-  const Real M_2_12_p12 = c8 * M_8_12 + s8 * M_2_12_p11;
-  const Real M_7_12 = c9 * M_2_12_p6 - s9 * M_2_12_p10;
-  M[180] = M_7_12;
-  M[295] = M_7_12;
-  const Real M_2_12_p13 = c9 * M_2_12_p9 + s9 * M_2_12_p5;
-  const Real M_2_12_p14 = s9 * M_2_12_p9 - c9 * M_2_12_p5;
-  const Real M_2_12_p15 = s10 * M_2_12_p7 + c10 * M_2_12_p8;
-  const Real M_2_12_p16 = s8 * M_2_12_p14 - c8 * M_2_12_p15;
-  const Real M_2_12_p17 = c7 * M_2_12_p13 + s7 * M_2_12_p16;
-  const Real M_2_12_p18 = c7 * M_2_12_p12 - s7 * M_7_12 + 0.18 * M_2_12_p17;
-  const Real M_6_12 = c8 * M_2_12_p11 - s8 * M_8_12;
-  M[156] = M_6_12;
-  M[294] = M_6_12;
-  const Real M_2_12_p19 = M_6_12 - 0.226 * M_2_12_p17;
-  const Real M_2_12_p20 = c6 * M_2_12_p18 + s6 * M_2_12_p19;
-  const Real M_5_12_p1 = s7 * M_2_12_p13 - c7 * M_2_12_p16;
-  const Real M_5_12_p2 = s8 * M_2_12_p15 + c8 * M_2_12_p14;
-  const Real M_5_12 = c7 * M_7_12 + s7 * M_2_12_p12 + (0.226 * M_5_12_p2 + 0.18 * M_5_12_p1);
-  M[132] = M_5_12;
-  M[293] = M_5_12;
-  const Real M_2_12_p21 = s6 * M_5_12_p1 + c6 * M_5_12_p2;
-  const Real M_2_12_p22 = M_5_12 + 0.072 * M_2_12_p21;
-  const Real M_4_12 = c6 * M_2_12_p19 - s6 * M_2_12_p18 - 0.072 * M_2_12_p17;
-  M[108] = M_4_12;
-  M[292] = M_4_12;
-  const Real M_2_12_p23 = s6 * M_5_12_p2 - c6 * M_5_12_p1;
-  const Real M_2_12_p24 = c5 * M_2_12_p17 + s5 * M_2_12_p23;
-  const Real M_2_12 = s4 * (c5 * M_2_12_p22 + s5 * M_2_12_p20 + 0.21799999999999997 * M_2_12_p21) +
-      c4 * (M_4_12 - 0.21799999999999997 * M_2_12_p24);
-  M[60] = M_2_12;
-  M[290] = M_2_12;
-  const Real M_1_12_p1 = s4 * M_2_12_p21 - c4 * M_2_12_p24;
-  const Real M_1_12_p2 = s5 * M_2_12_p17 - c5 * M_2_12_p23;
-  const Real M_1_12_p3 = c3 * M_1_12_p1 + s3 * M_1_12_p2;
-  const Real M_1_12 = M_2_12 + 0.422 * M_1_12_p3;
-  M[36] = M_1_12;
-  M[289] = M_1_12;
-  const Real M_0_12 = M_1_12 + 0.434 * (c2 * M_1_12_p3 - s2 * (s3 * M_1_12_p1 - c3 * M_1_12_p2));
-  M[12] = M_0_12;
-  M[288] = M_0_12;
+  const Lanes<2> M_2_6_p1_lanes = c6 * M_2_2_p379_lanes;
+  const Lanes<2> M_2_6_p2_lanes = M_6_6_lanes - M_5_5_p1_lanes;
+  const Lanes<2> M_2_6_p3_lanes = s6 * M_2_6_p2_lanes;
+  const Lanes<2> M_2_6_p4_lanes = M_2_6_p1_lanes - M_2_6_p3_lanes;
+  const Lanes<2> M_2_6_p5_lanes = s5 * M_2_6_p4_lanes;
+  const Lanes<2> M_2_6_p6_lanes = s6 * M_2_2_p406_lanes;
+  const Lanes<2> M_2_6_p7_lanes = 0.072 * M_2_6_p6_lanes;
+  const Lanes<2> M_2_6_p8_lanes = M_5_6_lanes - M_2_6_p7_lanes;
+  const Lanes<2> M_2_6_p9_lanes = c5 * M_2_6_p8_lanes;
+  const Lanes<2> M_2_6_p10_lanes = M_2_6_p5_lanes - M_2_6_p9_lanes;
+  const Lanes<2> M_2_6_p11_lanes = 0.21799999999999997 * M_2_6_p6_lanes;
+  const Lanes<2> M_2_6_p12_lanes = M_2_6_p11_lanes + M_2_6_p10_lanes;
+  const Lanes<2> M_2_6_p13_lanes = s4 * M_2_6_p12_lanes;
+  const Lanes<2> M_4_6_p1_lanes = s6 * M_2_2_p379_lanes;
+  const Lanes<2> M_4_6_p2_lanes = c6 * M_2_6_p2_lanes;
+  const Lanes<2> M_4_6_p3_lanes = M_4_6_p1_lanes + M_4_6_p2_lanes;
+  const Lanes<2> M_4_6_p4_lanes = 0.072 * M_2_2_p359_lanes;
+  const Lanes<2> M_4_6_lanes = M_4_6_p3_lanes - M_4_6_p4_lanes;
+  M[102] = M_4_6_lanes[0];
+  M[148] = M_4_6_lanes[0];
 
   // link 14 (right_shoulder1), mass matrix
-  const Real M_2_13_p1 = M_13_13 - M_5_5_p2;
-  const Real M_2_13_p2 = c6 * M_2_2_p177 - s6 * M_2_13_p1;
-  const Real M_2_13_p3 = s6 * M_2_2_p200;
-  const Real M_2_13_p4 = M_5_13 - 0.072 * M_2_13_p3;
-  const Real M_4_13 = s6 * M_2_2_p177 + c6 * M_2_13_p1 - 0.072 * M_2_2_p167;
-  M[109] = M_4_13;
-  M[316] = M_4_13;
-  const Real M_2_13_p5 = c6 * M_2_2_p200;
-  const Real M_2_13_p6 = c5 * M_2_2_p167 + s5 * M_2_13_p5;
-  const Real M_2_13 = c4 * (M_4_13 - 0.21799999999999997 * M_2_13_p6) - s4 *
-      (0.21799999999999997 * M_2_13_p3 + (s5 * M_2_13_p2 - c5 * M_2_13_p4));
-  M[61] = M_2_13;
-  M[314] = M_2_13;
-  const Real M_1_13_p1 = s5 * M_2_2_p167 - c5 * M_2_13_p5;
-  const Real M_1_13_p2 = s4 * M_2_13_p3 + c4 * M_2_13_p6;
-  const Real M_1_13_p3 = s3 * M_1_13_p1 - c3 * M_1_13_p2;
-  const Real M_1_13 = M_2_13 + 0.422 * M_1_13_p3;
-  M[37] = M_1_13;
-  M[313] = M_1_13;
-  const Real M_0_13 = M_1_13 + 0.434 * (c2 * M_1_13_p3 + s2 * (s3 * M_1_13_p2 + c3 * M_1_13_p1));
-  M[13] = M_0_13;
-  M[312] = M_0_13;
+  M[109] = M_4_6_lanes[1];
+  M[316] = M_4_6_lanes[1];
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_p14_lanes = c5 * M_2_2_p359_lanes;
+  const Lanes<2> M_2_6_p15_lanes = c6 * M_2_2_p406_lanes;
+  const Lanes<2> M_2_6_p16_lanes = s5 * M_2_6_p15_lanes;
+  const Lanes<2> M_2_6_p17_lanes = M_2_6_p14_lanes + M_2_6_p16_lanes;
+  const Lanes<2> M_2_6_p18_lanes = 0.21799999999999997 * M_2_6_p17_lanes;
+  const Lanes<2> M_2_6_p19_lanes = M_4_6_lanes - M_2_6_p18_lanes;
+  const Lanes<2> M_2_6_p20_lanes = c4 * M_2_6_p19_lanes;
+  const Lanes<2> M_2_6_lanes = M_2_6_p20_lanes - M_2_6_p13_lanes;
+  M[54] = M_2_6_lanes[0];
+  M[146] = M_2_6_lanes[0];
+
+  // link 14 (right_shoulder1), mass matrix
+  M[61] = M_2_6_lanes[1];
+  M[314] = M_2_6_lanes[1];
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_1_6_p1_lanes = s5 * M_2_2_p359_lanes;
+  const Lanes<2> M_1_6_p2_lanes = c5 * M_2_6_p15_lanes;
+  const Lanes<2> M_1_6_p3_lanes = M_1_6_p1_lanes - M_1_6_p2_lanes;
+  const Lanes<2> M_1_6_p4_lanes = s3 * M_1_6_p3_lanes;
+  const Lanes<2> M_1_6_p5_lanes = c4 * M_2_6_p17_lanes;
+  const Lanes<2> M_1_6_p6_lanes = s4 * M_2_6_p6_lanes;
+  const Lanes<2> M_1_6_p7_lanes = M_1_6_p6_lanes + M_1_6_p5_lanes;
+  const Lanes<2> M_1_6_p8_lanes = c3 * M_1_6_p7_lanes;
+  const Lanes<2> M_1_6_p9_lanes = M_1_6_p4_lanes - M_1_6_p8_lanes;
+  const Lanes<2> M_1_6_p10_lanes = 0.422 * M_1_6_p9_lanes;
+  const Lanes<2> M_1_6_lanes = M_2_6_lanes + M_1_6_p10_lanes;
+  M[30] = M_1_6_lanes[0];
+  M[145] = M_1_6_lanes[0];
+
+  // link 14 (right_shoulder1), mass matrix
+  M[37] = M_1_6_lanes[1];
+  M[313] = M_1_6_lanes[1];
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_0_6_p1_lanes = c2 * M_1_6_p9_lanes;
+  const Lanes<2> M_0_6_p2_lanes = s3 * M_1_6_p7_lanes;
+  const Lanes<2> M_0_6_p3_lanes = c3 * M_1_6_p3_lanes;
+  const Lanes<2> M_0_6_p4_lanes = M_0_6_p2_lanes + M_0_6_p3_lanes;
+  const Lanes<2> M_0_6_p5_lanes = s2 * M_0_6_p4_lanes;
+  const Lanes<2> M_0_6_p6_lanes = M_0_6_p1_lanes + M_0_6_p5_lanes;
+  const Lanes<2> M_0_6_p7_lanes = 0.434 * M_0_6_p6_lanes;
+  const Lanes<2> M_0_6_lanes = M_1_6_lanes + M_0_6_p7_lanes;
+  M[6] = M_0_6_lanes[0];
+  M[144] = M_0_6_lanes[0];
+
+  // link 14 (right_shoulder1), mass matrix
+  M[13] = M_0_6_lanes[1];
+  M[312] = M_0_6_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_4_7_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p269_lanes;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p249_lanes;
+  M[175] = M_7_7_lanes[0];
 
   // link 16 (right_upperarm), composite inertia
-  const Real M_14_14 = 0.18125194219699997 + M_2_2_p55;
-  M[350] = M_14_14;
+  M[350] = M_7_7_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_4_7_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_7_7_lanes;
+  const Lanes<2> M_4_7_p3_lanes = M_4_7_p2_lanes + M_4_7_p1_lanes;
+  const Lanes<2> M_4_7_p4_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p319_lanes;
+  const Lanes<2> M_4_7_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_4_7_p4_lanes;
+  const Lanes<2> M_4_7_p6_lanes = M_4_7_p3_lanes + M_4_7_p5_lanes;
+  const Lanes<2> M_4_7_p7_lanes = s6 * M_4_7_p6_lanes;
+  const Lanes<2> M_4_7_p8_lanes = 0.226 * M_4_7_p4_lanes;
+  const Lanes<2> M_4_7_p9_lanes = M_6_7_lanes + M_4_7_p8_lanes;
+  const Lanes<2> M_4_7_p10_lanes = c6 * M_4_7_p9_lanes;
+  const Lanes<2> M_4_7_p11_lanes = M_4_7_p7_lanes + M_4_7_p10_lanes;
+  const Lanes<2> M_4_7_p12_lanes = 0.072 * M_4_7_p4_lanes;
+  const Lanes<2> M_4_7_lanes = M_4_7_p11_lanes + M_4_7_p12_lanes;
+  M[103] = M_4_7_lanes[0];
+  M[172] = M_4_7_lanes[0];
 
   // link 15 (right_shoulder2), mass matrix
-  const Real M_4_14_p1 = s14 * M_2_2_p148;
-  const Real M_4_14_p2 = s14 * M_14_14 + c14 * M_2_2_p59 - 0.18 * M_4_14_p1;
-  const Real M_4_14_p3 = M_13_14 + 0.226 * M_4_14_p1;
-  const Real M_4_14 = s6 * M_4_14_p2 + c6 * M_4_14_p3 + 0.072 * M_4_14_p1;
-  M[110] = M_4_14;
-  M[340] = M_4_14;
-  const Real M_2_14_p1 = c14 * M_2_2_p148;
-  const Real M_2_14_p2 = c6 * M_2_14_p1 + s6 * M_2_2_p165;
-  const Real M_2_14_p3 = c5 * M_4_14_p1 + s5 * M_2_14_p2;
-  const Real M_2_14_p4 = c6 * M_4_14_p2 - s6 * M_4_14_p3;
-  const Real M_5_14 = c14 * M_14_14 - s14 * M_2_2_p59 - (0.18 * M_2_14_p1 + 0.226 * M_2_2_p165);
-  M[134] = M_5_14;
-  M[341] = M_5_14;
-  const Real M_2_14_p5 = c6 * M_2_2_p165 - s6 * M_2_14_p1;
-  const Real M_2_14_p6 = M_5_14 - 0.072 * M_2_14_p5;
-  const Real M_2_14 = c4 * (M_4_14 + 0.21799999999999997 * M_2_14_p3) - s4 *
-      (s5 * M_2_14_p4 - c5 * M_2_14_p6 + 0.21799999999999997 * M_2_14_p5);
-  M[62] = M_2_14;
-  M[338] = M_2_14;
-  const Real M_1_14_p1 = s4 * M_2_14_p5 - c4 * M_2_14_p3;
-  const Real M_1_14_p2 = c5 * M_2_14_p2 - s5 * M_4_14_p1;
-  const Real M_1_14_p3 = s3 * M_1_14_p2 - c3 * M_1_14_p1;
-  const Real M_1_14 = M_2_14 + 0.422 * M_1_14_p3;
-  M[38] = M_1_14;
-  M[337] = M_1_14;
-  const Real M_0_14 = M_1_14 + 0.434 * (c2 * M_1_14_p3 + s2 * (s3 * M_1_14_p1 + c3 * M_1_14_p2));
-  M[14] = M_0_14;
-  M[336] = M_0_14;
+  M[110] = M_4_7_lanes[1];
+  M[340] = M_4_7_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_2_7_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p319_lanes;
+  const Lanes<2> M_2_7_p2_lanes = c6 * M_2_7_p1_lanes;
+  const Lanes<2> M_2_7_p3_lanes = s6 * M_2_2_p353_lanes;
+  const Lanes<2> M_2_7_p4_lanes = M_2_7_p2_lanes + M_2_7_p3_lanes;
+  const Lanes<2> M_2_7_p5_lanes = s5 * M_2_7_p4_lanes;
+  const Lanes<2> M_2_7_p6_lanes = c5 * M_4_7_p4_lanes;
+  const Lanes<2> M_2_7_p7_lanes = M_2_7_p6_lanes + M_2_7_p5_lanes;
+  const Lanes<2> M_2_7_p8_lanes = 0.21799999999999997 * M_2_7_p7_lanes;
+  const Lanes<2> M_2_7_p9_lanes = M_4_7_lanes + M_2_7_p8_lanes;
+  const Lanes<2> M_2_7_p10_lanes = c4 * M_2_7_p9_lanes;
+  const Lanes<2> M_2_7_p11_lanes = c6 * M_4_7_p6_lanes;
+  const Lanes<2> M_2_7_p12_lanes = s6 * M_4_7_p9_lanes;
+  const Lanes<2> M_2_7_p13_lanes = M_2_7_p11_lanes - M_2_7_p12_lanes;
+  const Lanes<2> M_2_7_p14_lanes = s5 * M_2_7_p13_lanes;
+  const Lanes<2> M_5_7_p1_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p269_lanes;
+  const Lanes<2> M_5_7_p2_lanes = detail::make_lanes<Real>(c7, c14) * M_7_7_lanes;
+  const Lanes<2> M_5_7_p3_lanes = M_5_7_p2_lanes - M_5_7_p1_lanes;
+  const Lanes<2> M_5_7_p4_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_7_p1_lanes;
+  const Lanes<2> M_5_7_p5_lanes = 0.226 * M_2_2_p353_lanes;
+  const Lanes<2> M_5_7_p6_lanes = M_5_7_p4_lanes - M_5_7_p5_lanes;
+  const Lanes<2> M_5_7_lanes = M_5_7_p3_lanes + M_5_7_p6_lanes;
+  M[127] = M_5_7_lanes[0];
+  M[173] = M_5_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[134] = M_5_7_lanes[1];
+  M[341] = M_5_7_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_2_7_p15_lanes = c6 * M_2_2_p353_lanes;
+  const Lanes<2> M_2_7_p16_lanes = s6 * M_2_7_p1_lanes;
+  const Lanes<2> M_2_7_p17_lanes = M_2_7_p15_lanes - M_2_7_p16_lanes;
+  const Lanes<2> M_2_7_p18_lanes = 0.072 * M_2_7_p17_lanes;
+  const Lanes<2> M_2_7_p19_lanes = M_5_7_lanes - M_2_7_p18_lanes;
+  const Lanes<2> M_2_7_p20_lanes = c5 * M_2_7_p19_lanes;
+  const Lanes<2> M_2_7_p21_lanes = M_2_7_p14_lanes - M_2_7_p20_lanes;
+  const Lanes<2> M_2_7_p22_lanes = 0.21799999999999997 * M_2_7_p17_lanes;
+  const Lanes<2> M_2_7_p23_lanes = M_2_7_p21_lanes + M_2_7_p22_lanes;
+  const Lanes<2> M_2_7_p24_lanes = s4 * M_2_7_p23_lanes;
+  const Lanes<2> M_2_7_lanes = M_2_7_p10_lanes - M_2_7_p24_lanes;
+  M[55] = M_2_7_lanes[0];
+  M[170] = M_2_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[62] = M_2_7_lanes[1];
+  M[338] = M_2_7_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_1_7_p1_lanes = c4 * M_2_7_p7_lanes;
+  const Lanes<2> M_1_7_p2_lanes = s4 * M_2_7_p17_lanes;
+  const Lanes<2> M_1_7_p3_lanes = M_1_7_p1_lanes - M_1_7_p2_lanes;
+  const Lanes<2> M_1_7_p4_lanes = c3 * M_1_7_p3_lanes;
+  const Lanes<2> M_1_7_p5_lanes = c5 * M_2_7_p4_lanes;
+  const Lanes<2> M_1_7_p6_lanes = s5 * M_4_7_p4_lanes;
+  const Lanes<2> M_1_7_p7_lanes = M_1_7_p5_lanes - M_1_7_p6_lanes;
+  const Lanes<2> M_1_7_p8_lanes = s3 * M_1_7_p7_lanes;
+  const Lanes<2> M_1_7_p9_lanes = M_1_7_p4_lanes + M_1_7_p8_lanes;
+  const Lanes<2> M_1_7_p10_lanes = 0.422 * M_1_7_p9_lanes;
+  const Lanes<2> M_1_7_lanes = M_2_7_lanes + M_1_7_p10_lanes;
+  M[31] = M_1_7_lanes[0];
+  M[169] = M_1_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[38] = M_1_7_lanes[1];
+  M[337] = M_1_7_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_0_7_p1_lanes = c2 * M_1_7_p9_lanes;
+  const Lanes<2> M_0_7_p2_lanes = s3 * M_1_7_p3_lanes;
+  const Lanes<2> M_0_7_p3_lanes = c3 * M_1_7_p7_lanes;
+  const Lanes<2> M_0_7_p4_lanes = M_0_7_p2_lanes - M_0_7_p3_lanes;
+  const Lanes<2> M_0_7_p5_lanes = s2 * M_0_7_p4_lanes;
+  const Lanes<2> M_0_7_p6_lanes = M_0_7_p1_lanes - M_0_7_p5_lanes;
+  const Lanes<2> M_0_7_p7_lanes = 0.434 * M_0_7_p6_lanes;
+  const Lanes<2> M_0_7_lanes = M_1_7_lanes + M_0_7_p7_lanes;
+  M[7] = M_0_7_lanes[0];
+  M[168] = M_0_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[14] = M_0_7_lanes[1];
+  M[336] = M_0_7_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p1_lanes = detail::make_lanes<Real>(s7, s14) * M_7_8_lanes;
+  const Lanes<2> M_2_8_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p233_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_8_8_lanes = 0.0027762933559338653 + M_2_2_p193_lanes;
+  M[200] = M_8_8_lanes[0];
 
   // link 17 (right_lowerarm), composite inertia
-  const Real M_15_15 = 0.0027762933559338653 + M_2_2_p44;
-  M[375] = M_15_15;
+  M[375] = M_8_8_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p3_lanes = detail::make_lanes<Real>(c8, c15) * M_8_8_lanes;
+  const Lanes<2> M_2_8_p4_lanes = M_2_8_p2_lanes - M_2_8_p3_lanes;
+  const Lanes<2> M_2_8_p5_lanes = detail::make_lanes<Real>(c7, c14) * M_2_8_p4_lanes;
+  const Lanes<2> M_2_8_p6_lanes = M_2_8_p1_lanes - M_2_8_p5_lanes;
+  const Lanes<2> M_2_8_p7_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p309_lanes;
+  const Lanes<2> M_2_8_p8_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p343_lanes;
+  const Lanes<2> M_2_8_p9_lanes = detail::make_lanes<Real>(s7, s14) * M_2_8_p8_lanes;
+  const Lanes<2> M_2_8_p10_lanes = M_2_8_p7_lanes - M_2_8_p9_lanes;
+  const Lanes<2> M_2_8_p11_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_8_p10_lanes;
+  const Lanes<2> M_2_8_p12_lanes = M_2_8_p11_lanes - M_2_8_p6_lanes;
+  const Lanes<2> M_2_8_p13_lanes = c6 * M_2_8_p12_lanes;
+  const Lanes<2> M_6_8_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p233_lanes;
+  const Lanes<2> M_6_8_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_8_8_lanes;
+  const Lanes<2> M_6_8_lanes = M_6_8_p2_lanes + M_6_8_p1_lanes;
+  M[152] = -M_6_8_lanes[0];
+  M[198] = -M_6_8_lanes[0];
 
   // link 16 (right_upperarm), mass matrix
-  const Real M_5_15_p1 = s15 * M_2_2_p50 - c15 * M_15_15;
-  const Real M_5_15_p2 = s15 * M_2_2_p163;
-  const Real M_5_15_p3 = s14 * M_2_2_p145 + c14 * M_5_15_p2;
-  const Real M_5_15_p4 = c15 * M_2_2_p163;
-  const Real M_5_15 = 0.226 * M_5_15_p4 + 0.18 * M_5_15_p3 - (c14 * M_14_15 + s14 * M_5_15_p1);
-  M[135] = M_5_15;
-  M[365] = M_5_15;
-  const Real M_2_15_p1 = s6 * M_5_15_p3 - c6 * M_5_15_p4;
-  const Real M_2_15_p2 = M_5_15 - 0.072 * M_2_15_p1;
-  const Real M_2_15_p3 = c14 * M_2_2_p145 - s14 * M_5_15_p2;
-  const Real M_2_15_p4 = s14 * M_14_15 - c14 * M_5_15_p1 + 0.18 * M_2_15_p3;
-  const Real M_13_15 = s15 * M_15_15 + c15 * M_2_2_p50;
-  M[327] = -M_13_15;
-  M[373] = -M_13_15;
-  const Real M_2_15_p5 = 0.226 * M_2_15_p3 - M_13_15;
-  const Real M_2_15_p6 = c6 * M_2_15_p4 + s6 * M_2_15_p5;
-  const Real M_4_15 = c6 * M_2_15_p5 - s6 * M_2_15_p4 + 0.072 * M_2_15_p3;
-  M[111] = M_4_15;
-  M[364] = M_4_15;
-  const Real M_2_15_p7 = c6 * M_5_15_p3 + s6 * M_5_15_p4;
-  const Real M_2_15_p8 = s5 * M_2_15_p7 - c5 * M_2_15_p3;
-  const Real M_2_15 = s4 * (c5 * M_2_15_p2 + s5 * M_2_15_p6 - 0.21799999999999997 * M_2_15_p1) +
-      c4 * (M_4_15 - 0.21799999999999997 * M_2_15_p8);
-  M[63] = M_2_15;
-  M[362] = M_2_15;
-  const Real M_1_15_p1 = c4 * M_2_15_p8 + s4 * M_2_15_p1;
-  const Real M_1_15_p2 = s5 * M_2_15_p3 + c5 * M_2_15_p7;
-  const Real M_1_15_p3 = c3 * M_1_15_p1 + s3 * M_1_15_p2;
-  const Real M_1_15 = M_2_15 - 0.422 * M_1_15_p3;
-  M[39] = M_1_15;
-  M[361] = M_1_15;
-  const Real M_0_15 = M_1_15 - 0.434 * (c2 * M_1_15_p3 + s2 * (c3 * M_1_15_p2 - s3 * M_1_15_p1));
-  M[15] = M_0_15;
-  M[360] = M_0_15;
+  M[327] = -M_6_8_lanes[1];
+  M[373] = -M_6_8_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p14_lanes = 0.226 * M_2_8_p10_lanes;
+  const Lanes<2> M_2_8_p15_lanes = M_2_8_p14_lanes - M_6_8_lanes;
+  const Lanes<2> M_2_8_p16_lanes = s6 * M_2_8_p15_lanes;
+  const Lanes<2> M_2_8_p17_lanes = M_2_8_p13_lanes - M_2_8_p16_lanes;
+  const Lanes<2> M_2_8_p18_lanes = s5 * M_2_8_p17_lanes;
+  const Lanes<2> M_5_8_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_7_8_lanes;
+  const Lanes<2> M_5_8_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_2_8_p4_lanes;
+  const Lanes<2> M_5_8_p3_lanes = M_5_8_p1_lanes + M_5_8_p2_lanes;
+  const Lanes<2> M_5_8_p4_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p309_lanes;
+  const Lanes<2> M_5_8_p5_lanes = detail::make_lanes<Real>(c7, c14) * M_2_8_p8_lanes;
+  const Lanes<2> M_5_8_p6_lanes = M_5_8_p4_lanes + M_5_8_p5_lanes;
+  const Lanes<2> M_5_8_p7_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_5_8_p6_lanes;
+  const Lanes<2> M_5_8_p8_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p343_lanes;
+  const Lanes<2> M_5_8_p9_lanes = 0.226 * M_5_8_p8_lanes;
+  const Lanes<2> M_5_8_p10_lanes = M_5_8_p9_lanes - M_5_8_p7_lanes;
+  const Lanes<2> M_5_8_lanes = M_5_8_p10_lanes - M_5_8_p3_lanes;
+  M[128] = M_5_8_lanes[0];
+  M[197] = M_5_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[135] = M_5_8_lanes[1];
+  M[365] = M_5_8_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p19_lanes = s6 * M_5_8_p6_lanes;
+  const Lanes<2> M_2_8_p20_lanes = c6 * M_5_8_p8_lanes;
+  const Lanes<2> M_2_8_p21_lanes = M_2_8_p19_lanes - M_2_8_p20_lanes;
+  const Lanes<2> M_2_8_p22_lanes = 0.072 * M_2_8_p21_lanes;
+  const Lanes<2> M_2_8_p23_lanes = M_5_8_lanes - M_2_8_p22_lanes;
+  const Lanes<2> M_2_8_p24_lanes = c5 * M_2_8_p23_lanes;
+  const Lanes<2> M_2_8_p25_lanes = M_2_8_p18_lanes - M_2_8_p24_lanes;
+  const Lanes<2> M_2_8_p26_lanes = 0.21799999999999997 * M_2_8_p21_lanes;
+  const Lanes<2> M_2_8_p27_lanes = M_2_8_p25_lanes + M_2_8_p26_lanes;
+  const Lanes<2> M_2_8_p28_lanes = s4 * M_2_8_p27_lanes;
+  const Lanes<2> M_4_8_p1_lanes = s6 * M_2_8_p12_lanes;
+  const Lanes<2> M_4_8_p2_lanes = c6 * M_2_8_p15_lanes;
+  const Lanes<2> M_4_8_p3_lanes = M_4_8_p1_lanes + M_4_8_p2_lanes;
+  const Lanes<2> M_4_8_p4_lanes = 0.072 * M_2_8_p10_lanes;
+  const Lanes<2> M_4_8_lanes = M_4_8_p3_lanes + M_4_8_p4_lanes;
+  M[104] = M_4_8_lanes[0];
+  M[196] = M_4_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[111] = M_4_8_lanes[1];
+  M[364] = M_4_8_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p29_lanes = c6 * M_5_8_p6_lanes;
+  const Lanes<2> M_2_8_p30_lanes = s6 * M_5_8_p8_lanes;
+  const Lanes<2> M_2_8_p31_lanes = M_2_8_p29_lanes + M_2_8_p30_lanes;
+  const Lanes<2> M_2_8_p32_lanes = s5 * M_2_8_p31_lanes;
+  const Lanes<2> M_2_8_p33_lanes = c5 * M_2_8_p10_lanes;
+  const Lanes<2> M_2_8_p34_lanes = M_2_8_p32_lanes - M_2_8_p33_lanes;
+  const Lanes<2> M_2_8_p35_lanes = 0.21799999999999997 * M_2_8_p34_lanes;
+  const Lanes<2> M_2_8_p36_lanes = M_4_8_lanes - M_2_8_p35_lanes;
+  const Lanes<2> M_2_8_p37_lanes = c4 * M_2_8_p36_lanes;
+  const Lanes<2> M_2_8_lanes = M_2_8_p37_lanes - M_2_8_p28_lanes;
+  M[56] = M_2_8_lanes[0];
+  M[194] = M_2_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[63] = M_2_8_lanes[1];
+  M[362] = M_2_8_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_1_8_p1_lanes = c4 * M_2_8_p34_lanes;
+  const Lanes<2> M_1_8_p2_lanes = s4 * M_2_8_p21_lanes;
+  const Lanes<2> M_1_8_p3_lanes = M_1_8_p1_lanes + M_1_8_p2_lanes;
+  const Lanes<2> M_1_8_p4_lanes = c3 * M_1_8_p3_lanes;
+  const Lanes<2> M_1_8_p5_lanes = s5 * M_2_8_p10_lanes;
+  const Lanes<2> M_1_8_p6_lanes = c5 * M_2_8_p31_lanes;
+  const Lanes<2> M_1_8_p7_lanes = M_1_8_p5_lanes + M_1_8_p6_lanes;
+  const Lanes<2> M_1_8_p8_lanes = s3 * M_1_8_p7_lanes;
+  const Lanes<2> M_1_8_p9_lanes = M_1_8_p4_lanes + M_1_8_p8_lanes;
+  const Lanes<2> M_1_8_p10_lanes = 0.422 * M_1_8_p9_lanes;
+  const Lanes<2> M_1_8_lanes = M_2_8_lanes - M_1_8_p10_lanes;
+  M[32] = M_1_8_lanes[0];
+  M[193] = M_1_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[39] = M_1_8_lanes[1];
+  M[361] = M_1_8_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_0_8_p1_lanes = c2 * M_1_8_p9_lanes;
+  const Lanes<2> M_0_8_p2_lanes = c3 * M_1_8_p7_lanes;
+  const Lanes<2> M_0_8_p3_lanes = s3 * M_1_8_p3_lanes;
+  const Lanes<2> M_0_8_p4_lanes = M_0_8_p2_lanes - M_0_8_p3_lanes;
+  const Lanes<2> M_0_8_p5_lanes = s2 * M_0_8_p4_lanes;
+  const Lanes<2> M_0_8_p6_lanes = M_0_8_p1_lanes + M_0_8_p5_lanes;
+  const Lanes<2> M_0_8_p7_lanes = 0.434 * M_0_8_p6_lanes;
+  const Lanes<2> M_0_8_lanes = M_1_8_lanes - M_0_8_p7_lanes;
+  M[8] = M_0_8_lanes[0];
+  M[192] = M_0_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[15] = M_0_8_lanes[1];
+  M[360] = M_0_8_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_8_9_lanes;
+  const Lanes<2> M_2_9_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p177_lanes;
+  const Lanes<2> M_2_9_p3_lanes = 0.282 * M_2_2_p149_lanes;
+  const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + M_2_9_p3_lanes;
+  const Lanes<2> M_2_9_p5_lanes = detail::make_lanes<Real>(c9, c16) * M_2_9_p4_lanes;
+  const Lanes<2> M_2_9_p6_lanes = M_2_9_p2_lanes - M_2_9_p5_lanes;
+  const Lanes<2> M_2_9_p7_lanes = detail::make_lanes<Real>(s8, s15) * M_2_9_p6_lanes;
+  const Lanes<2> M_2_9_p8_lanes = M_2_9_p1_lanes + M_2_9_p7_lanes;
+  const Lanes<2> M_2_9_p9_lanes = detail::make_lanes<Real>(c7, c14) * M_2_9_p8_lanes;
+  const Lanes<2> M_7_9_p1_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p177_lanes;
+  const Lanes<2> M_7_9_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_2_9_p4_lanes;
+  const Lanes<2> M_7_9_lanes = M_7_9_p1_lanes + M_7_9_p2_lanes;
+  M[177] = -M_7_9_lanes[0];
+  M[223] = -M_7_9_lanes[0];
 
   // link 17 (right_lowerarm), mass matrix
-  const Real M_2_16_p1 = M_16_16 + 0.282 * M_2_2_p33;
-  const Real M_2_16_p2 = s16 * M_2_2_p39 - c16 * M_2_16_p1;
-  const Real M_2_16_p3 = c15 * M_15_16 + s15 * M_2_16_p2;
-  const Real M_14_16 = c16 * M_2_2_p39 + s16 * M_2_16_p1;
-  M[352] = -M_14_16;
-  M[398] = -M_14_16;
-  const Real M_2_16_p4 = s16 * M_2_2_p33;
-  const Real M_2_16_p5 = s15 * M_2_16_p4 - c15 * M_2_2_p46;
-  const Real M_2_16_p6 = c16 * M_2_2_p33;
-  const Real M_2_16_p7 = c14 * M_2_16_p6 + s14 * M_2_16_p5;
-  const Real M_2_16_p8 = 0.18 * M_2_16_p7 - (s14 * M_14_16 - c14 * M_2_16_p3);
-  const Real M_13_16 = s15 * M_15_16 - c15 * M_2_16_p2;
-  M[328] = M_13_16;
-  M[397] = M_13_16;
-  const Real M_2_16_p9 = M_13_16 - 0.226 * M_2_16_p7;
-  const Real M_2_16_p10 = c6 * M_2_16_p8 - s6 * M_2_16_p9;
-  const Real M_5_16_p1 = s15 * M_2_2_p46 + c15 * M_2_16_p4;
-  const Real M_5_16_p2 = s14 * M_2_16_p6 - c14 * M_2_16_p5;
-  const Real M_5_16 = 0.226 * M_5_16_p1 - 0.18 * M_5_16_p2 - (c14 * M_14_16 + s14 * M_2_16_p3);
-  M[136] = M_5_16;
-  M[389] = M_5_16;
-  const Real M_2_16_p11 = s6 * M_5_16_p2 + c6 * M_5_16_p1;
-  const Real M_2_16_p12 = M_5_16 + 0.072 * M_2_16_p11;
-  const Real M_4_16 = s6 * M_2_16_p8 + c6 * M_2_16_p9 - 0.072 * M_2_16_p7;
-  M[112] = M_4_16;
-  M[388] = M_4_16;
-  const Real M_2_16_p13 = s6 * M_5_16_p1 - c6 * M_5_16_p2;
-  const Real M_2_16_p14 = c5 * M_2_16_p7 + s5 * M_2_16_p13;
-  const Real M_2_16 = s4 * (0.21799999999999997 * M_2_16_p11 -
-      (s5 * M_2_16_p10 - c5 * M_2_16_p12)) + c4 * (M_4_16 - 0.21799999999999997 * M_2_16_p14);
-  M[64] = M_2_16;
-  M[386] = M_2_16;
-  const Real M_1_16_p1 = s4 * M_2_16_p11 - c4 * M_2_16_p14;
-  const Real M_1_16_p2 = s5 * M_2_16_p7 - c5 * M_2_16_p13;
-  const Real M_1_16_p3 = c3 * M_1_16_p1 + s3 * M_1_16_p2;
-  const Real M_1_16 = M_2_16 + 0.422 * M_1_16_p3;
-  M[40] = M_1_16;
-  M[385] = M_1_16;
-  const Real M_0_16 = M_1_16 + 0.434 * (c2 * M_1_16_p3 - s2 * (s3 * M_1_16_p1 - c3 * M_1_16_p2));
-  M[16] = M_0_16;
-  M[384] = M_0_16;
+  M[352] = -M_7_9_lanes[1];
+  M[398] = -M_7_9_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p10_lanes = detail::make_lanes<Real>(s7, s14) * M_7_9_lanes;
+  const Lanes<2> M_2_9_p11_lanes = M_2_9_p10_lanes - M_2_9_p9_lanes;
+  const Lanes<2> M_2_9_p12_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p149_lanes;
+  const Lanes<2> M_2_9_p13_lanes = detail::make_lanes<Real>(s8, s15) * M_2_9_p12_lanes;
+  const Lanes<2> M_2_9_p14_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p209_lanes;
+  const Lanes<2> M_2_9_p15_lanes = M_2_9_p13_lanes - M_2_9_p14_lanes;
+  const Lanes<2> M_2_9_p16_lanes = detail::make_lanes<Real>(s7, s14) * M_2_9_p15_lanes;
+  const Lanes<2> M_2_9_p17_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p149_lanes;
+  const Lanes<2> M_2_9_p18_lanes = detail::make_lanes<Real>(c7, c14) * M_2_9_p17_lanes;
+  const Lanes<2> M_2_9_p19_lanes = M_2_9_p18_lanes + M_2_9_p16_lanes;
+  const Lanes<2> M_2_9_p20_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_9_p19_lanes;
+  const Lanes<2> M_2_9_p21_lanes = M_2_9_p11_lanes + M_2_9_p20_lanes;
+  const Lanes<2> M_2_9_p22_lanes = c6 * M_2_9_p21_lanes;
+  const Lanes<2> M_6_9_p1_lanes = detail::make_lanes<Real>(s8, s15) * M_8_9_lanes;
+  const Lanes<2> M_6_9_p2_lanes = detail::make_lanes<Real>(c8, c15) * M_2_9_p6_lanes;
+  const Lanes<2> M_6_9_lanes = M_6_9_p1_lanes - M_6_9_p2_lanes;
+  M[153] = M_6_9_lanes[0];
+  M[222] = M_6_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[328] = M_6_9_lanes[1];
+  M[397] = M_6_9_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p23_lanes = 0.226 * M_2_9_p19_lanes;
+  const Lanes<2> M_2_9_p24_lanes = M_6_9_lanes - M_2_9_p23_lanes;
+  const Lanes<2> M_2_9_p25_lanes = s6 * M_2_9_p24_lanes;
+  const Lanes<2> M_2_9_p26_lanes = M_2_9_p22_lanes + M_2_9_p25_lanes;
+  const Lanes<2> M_2_9_p27_lanes = s5 * M_2_9_p26_lanes;
+  const Lanes<2> M_5_9_p1_lanes = detail::make_lanes<Real>(s7, s14) * M_2_9_p8_lanes;
+  const Lanes<2> M_5_9_p2_lanes = detail::make_lanes<Real>(c7, c14) * M_7_9_lanes;
+  const Lanes<2> M_5_9_p3_lanes = M_5_9_p2_lanes + M_5_9_p1_lanes;
+  const Lanes<2> M_5_9_p4_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p209_lanes;
+  const Lanes<2> M_5_9_p5_lanes = detail::make_lanes<Real>(c8, c15) * M_2_9_p12_lanes;
+  const Lanes<2> M_5_9_p6_lanes = M_5_9_p4_lanes + M_5_9_p5_lanes;
+  const Lanes<2> M_5_9_p7_lanes = 0.226 * M_5_9_p6_lanes;
+  const Lanes<2> M_5_9_p8_lanes = detail::make_lanes<Real>(c7, c14) * M_2_9_p15_lanes;
+  const Lanes<2> M_5_9_p9_lanes = detail::make_lanes<Real>(s7, s14) * M_2_9_p17_lanes;
+  const Lanes<2> M_5_9_p10_lanes = M_5_9_p9_lanes - M_5_9_p8_lanes;
+  const Lanes<2> M_5_9_p11_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_5_9_p10_lanes;
+  const Lanes<2> M_5_9_p12_lanes = M_5_9_p7_lanes + M_5_9_p11_lanes;
+  const Lanes<2> M_5_9_lanes = M_5_9_p12_lanes - M_5_9_p3_lanes;
+  M[129] = M_5_9_lanes[0];
+  M[221] = M_5_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[136] = M_5_9_lanes[1];
+  M[389] = M_5_9_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p28_lanes = s6 * M_5_9_p10_lanes;
+  const Lanes<2> M_2_9_p29_lanes = c6 * M_5_9_p6_lanes;
+  const Lanes<2> M_2_9_p30_lanes = M_2_9_p28_lanes + M_2_9_p29_lanes;
+  const Lanes<2> M_2_9_p31_lanes = 0.072 * M_2_9_p30_lanes;
+  const Lanes<2> M_2_9_p32_lanes = M_5_9_lanes + M_2_9_p31_lanes;
+  const Lanes<2> M_2_9_p33_lanes = c5 * M_2_9_p32_lanes;
+  const Lanes<2> M_2_9_p34_lanes = M_2_9_p33_lanes + M_2_9_p27_lanes;
+  const Lanes<2> M_2_9_p35_lanes = 0.21799999999999997 * M_2_9_p30_lanes;
+  const Lanes<2> M_2_9_p36_lanes = M_2_9_p34_lanes + M_2_9_p35_lanes;
+  const Lanes<2> M_2_9_p37_lanes = s4 * M_2_9_p36_lanes;
+  const Lanes<2> M_4_9_p1_lanes = c6 * M_2_9_p24_lanes;
+  const Lanes<2> M_4_9_p2_lanes = s6 * M_2_9_p21_lanes;
+  const Lanes<2> M_4_9_p3_lanes = M_4_9_p1_lanes - M_4_9_p2_lanes;
+  const Lanes<2> M_4_9_p4_lanes = 0.072 * M_2_9_p19_lanes;
+  const Lanes<2> M_4_9_lanes = M_4_9_p3_lanes - M_4_9_p4_lanes;
+  M[105] = M_4_9_lanes[0];
+  M[220] = M_4_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[112] = M_4_9_lanes[1];
+  M[388] = M_4_9_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p38_lanes = s6 * M_5_9_p6_lanes;
+  const Lanes<2> M_2_9_p39_lanes = c6 * M_5_9_p10_lanes;
+  const Lanes<2> M_2_9_p40_lanes = M_2_9_p38_lanes - M_2_9_p39_lanes;
+  const Lanes<2> M_2_9_p41_lanes = s5 * M_2_9_p40_lanes;
+  const Lanes<2> M_2_9_p42_lanes = c5 * M_2_9_p19_lanes;
+  const Lanes<2> M_2_9_p43_lanes = M_2_9_p42_lanes + M_2_9_p41_lanes;
+  const Lanes<2> M_2_9_p44_lanes = 0.21799999999999997 * M_2_9_p43_lanes;
+  const Lanes<2> M_2_9_p45_lanes = M_4_9_lanes - M_2_9_p44_lanes;
+  const Lanes<2> M_2_9_p46_lanes = c4 * M_2_9_p45_lanes;
+  const Lanes<2> M_2_9_lanes = M_2_9_p37_lanes + M_2_9_p46_lanes;
+  M[57] = M_2_9_lanes[0];
+  M[218] = M_2_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[64] = M_2_9_lanes[1];
+  M[386] = M_2_9_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_1_9_p1_lanes = s4 * M_2_9_p30_lanes;
+  const Lanes<2> M_1_9_p2_lanes = c4 * M_2_9_p43_lanes;
+  const Lanes<2> M_1_9_p3_lanes = M_1_9_p1_lanes - M_1_9_p2_lanes;
+  const Lanes<2> M_1_9_p4_lanes = c3 * M_1_9_p3_lanes;
+  const Lanes<2> M_1_9_p5_lanes = c5 * M_2_9_p40_lanes;
+  const Lanes<2> M_1_9_p6_lanes = s5 * M_2_9_p19_lanes;
+  const Lanes<2> M_1_9_p7_lanes = M_1_9_p6_lanes - M_1_9_p5_lanes;
+  const Lanes<2> M_1_9_p8_lanes = s3 * M_1_9_p7_lanes;
+  const Lanes<2> M_1_9_p9_lanes = M_1_9_p4_lanes + M_1_9_p8_lanes;
+  const Lanes<2> M_1_9_p10_lanes = 0.422 * M_1_9_p9_lanes;
+  const Lanes<2> M_1_9_lanes = M_2_9_lanes + M_1_9_p10_lanes;
+  M[33] = M_1_9_lanes[0];
+  M[217] = M_1_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[40] = M_1_9_lanes[1];
+  M[385] = M_1_9_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_p1_lanes = c2 * M_1_9_p9_lanes;
+  const Lanes<2> M_0_9_p2_lanes = s3 * M_1_9_p3_lanes;
+  const Lanes<2> M_0_9_p3_lanes = c3 * M_1_9_p7_lanes;
+  const Lanes<2> M_0_9_p4_lanes = M_0_9_p2_lanes - M_0_9_p3_lanes;
+  const Lanes<2> M_0_9_p5_lanes = s2 * M_0_9_p4_lanes;
+  const Lanes<2> M_0_9_p6_lanes = M_0_9_p1_lanes - M_0_9_p5_lanes;
+  const Lanes<2> M_0_9_p7_lanes = 0.434 * M_0_9_p6_lanes;
+  const Lanes<2> M_0_9_lanes = M_1_9_lanes + M_0_9_p7_lanes;
+  M[9] = M_0_9_lanes[0];
+  M[216] = M_0_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[16] = M_0_9_lanes[1];
+  M[384] = M_0_9_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p1_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p65_lanes;
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_10_10_lanes = 0.00022920000000000001 + M_2_2_p117_lanes;
+  M[250] = M_10_10_lanes[0];
 
   // link 19 (right_wrist2), composite inertia
-  const Real M_17_17 = 0.00022920000000000001 + M_2_2_p24;
-  M[425] = M_17_17;
+  M[425] = M_10_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p2_lanes = detail::make_lanes<Real>(s10, s17) * M_10_10_lanes;
+  const Lanes<2> M_2_10_p3_lanes = M_2_10_p1_lanes + M_2_10_p2_lanes;
+  const Lanes<2> M_2_10_p4_lanes = 0.282 * M_2_2_p139_lanes;
+  const Lanes<2> M_2_10_p5_lanes = M_2_10_p3_lanes + M_2_10_p4_lanes;
+  const Lanes<2> M_2_10_p6_lanes = detail::make_lanes<Real>(s9, s16) * M_2_10_p5_lanes;
+  const Lanes<2> M_2_10_p7_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p223_lanes;
+  const Lanes<2> M_2_10_p8_lanes = 0.282 * M_2_10_p7_lanes;
+  const Lanes<2> M_2_10_p9_lanes = M_9_10_lanes + M_2_10_p8_lanes;
+  const Lanes<2> M_2_10_p10_lanes = detail::make_lanes<Real>(c9, c16) * M_2_10_p9_lanes;
+  const Lanes<2> M_2_10_p11_lanes = M_2_10_p6_lanes + M_2_10_p10_lanes;
+  const Lanes<2> M_2_10_p12_lanes = detail::make_lanes<Real>(s8, s15) * M_2_10_p11_lanes;
+  const Lanes<2> M_8_10_p1_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p65_lanes;
+  const Lanes<2> M_8_10_p2_lanes = detail::make_lanes<Real>(c10, c17) * M_10_10_lanes;
+  const Lanes<2> M_8_10_lanes = M_8_10_p2_lanes - M_8_10_p1_lanes;
+  M[202] = M_8_10_lanes[0];
+  M[248] = M_8_10_lanes[0];
 
   // link 18 (right_wrist1), mass matrix
-  const Real M_2_17_p1 = c17 * M_2_2_p12 + s17 * M_17_17 + 0.282 * M_2_2_p30;
-  const Real M_2_17_p2 = c17 * M_2_2_p48;
-  const Real M_2_17_p3 = M_16_17 + 0.282 * M_2_17_p2;
-  const Real M_2_17_p4 = s16 * M_2_17_p1 + c16 * M_2_17_p3;
-  const Real M_15_17 = c17 * M_17_17 - s17 * M_2_2_p12;
-  M[377] = M_15_17;
-  M[423] = M_15_17;
-  const Real M_2_17_p5 = c15 * M_15_17 + s15 * M_2_17_p4;
-  const Real M_14_17 = c16 * M_2_17_p1 - s16 * M_2_17_p3;
-  M[353] = M_14_17;
-  M[422] = M_14_17;
-  const Real M_2_17_p6 = c16 * M_2_17_p2 + s16 * M_2_2_p30;
-  const Real M_2_17_p7 = s16 * M_2_17_p2 - c16 * M_2_2_p30;
-  const Real M_2_17_p8 = s17 * M_2_2_p48;
-  const Real M_2_17_p9 = s15 * M_2_17_p7 - c15 * M_2_17_p8;
-  const Real M_2_17_p10 = c14 * M_2_17_p6 + s14 * M_2_17_p9;
-  const Real M_2_17_p11 = 0.18 * M_2_17_p10 - (c14 * M_2_17_p5 - s14 * M_14_17);
-  const Real M_13_17 = c15 * M_2_17_p4 - s15 * M_15_17;
-  M[329] = M_13_17;
-  M[421] = M_13_17;
-  const Real M_2_17_p12 = M_13_17 - 0.226 * M_2_17_p10;
-  const Real M_2_17_p13 = c6 * M_2_17_p11 - s6 * M_2_17_p12;
-  const Real M_5_17_p1 = s14 * M_2_17_p6 - c14 * M_2_17_p9;
-  const Real M_5_17_p2 = s15 * M_2_17_p8 + c15 * M_2_17_p7;
-  const Real M_5_17 = c14 * M_14_17 + s14 * M_2_17_p5 + (0.226 * M_5_17_p2 - 0.18 * M_5_17_p1);
-  M[137] = M_5_17;
-  M[413] = M_5_17;
-  const Real M_2_17_p14 = s6 * M_5_17_p1 + c6 * M_5_17_p2;
-  const Real M_2_17_p15 = M_5_17 + 0.072 * M_2_17_p14;
-  const Real M_4_17 = s6 * M_2_17_p11 + c6 * M_2_17_p12 - 0.072 * M_2_17_p10;
-  M[113] = M_4_17;
-  M[412] = M_4_17;
-  const Real M_2_17_p16 = s6 * M_5_17_p2 - c6 * M_5_17_p1;
-  const Real M_2_17_p17 = c5 * M_2_17_p10 + s5 * M_2_17_p16;
-  const Real M_2_17 = s4 * (0.21799999999999997 * M_2_17_p14 -
-      (s5 * M_2_17_p13 - c5 * M_2_17_p15)) + c4 * (M_4_17 - 0.21799999999999997 * M_2_17_p17);
-  M[65] = M_2_17;
-  M[410] = M_2_17;
-  const Real M_1_17_p1 = s4 * M_2_17_p14 - c4 * M_2_17_p17;
-  const Real M_1_17_p2 = s5 * M_2_17_p10 - c5 * M_2_17_p16;
-  const Real M_1_17_p3 = c3 * M_1_17_p1 + s3 * M_1_17_p2;
-  const Real M_1_17 = M_2_17 + 0.422 * M_1_17_p3;
-  M[41] = M_1_17;
-  M[409] = M_1_17;
-  const Real M_0_17 = M_1_17 + 0.434 * (c2 * M_1_17_p3 - s2 * (s3 * M_1_17_p1 - c3 * M_1_17_p2));
-  M[17] = M_0_17;
-  M[408] = M_0_17;
+  M[377] = M_8_10_lanes[1];
+  M[423] = M_8_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p13_lanes = detail::make_lanes<Real>(c8, c15) * M_8_10_lanes;
+  const Lanes<2> M_2_10_p14_lanes = M_2_10_p13_lanes + M_2_10_p12_lanes;
+  const Lanes<2> M_2_10_p15_lanes = detail::make_lanes<Real>(c7, c14) * M_2_10_p14_lanes;
+  const Lanes<2> M_7_10_p1_lanes = detail::make_lanes<Real>(c9, c16) * M_2_10_p5_lanes;
+  const Lanes<2> M_7_10_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_2_10_p9_lanes;
+  const Lanes<2> M_7_10_lanes = M_7_10_p1_lanes - M_7_10_p2_lanes;
+  M[178] = M_7_10_lanes[0];
+  M[247] = M_7_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[353] = M_7_10_lanes[1];
+  M[422] = M_7_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p16_lanes = detail::make_lanes<Real>(s7, s14) * M_7_10_lanes;
+  const Lanes<2> M_2_10_p17_lanes = M_2_10_p15_lanes - M_2_10_p16_lanes;
+  const Lanes<2> M_2_10_p18_lanes = detail::make_lanes<Real>(c9, c16) * M_2_10_p7_lanes;
+  const Lanes<2> M_2_10_p19_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p139_lanes;
+  const Lanes<2> M_2_10_p20_lanes = M_2_10_p18_lanes + M_2_10_p19_lanes;
+  const Lanes<2> M_2_10_p21_lanes = detail::make_lanes<Real>(c7, c14) * M_2_10_p20_lanes;
+  const Lanes<2> M_2_10_p22_lanes = detail::make_lanes<Real>(s9, s16) * M_2_10_p7_lanes;
+  const Lanes<2> M_2_10_p23_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p139_lanes;
+  const Lanes<2> M_2_10_p24_lanes = M_2_10_p22_lanes - M_2_10_p23_lanes;
+  const Lanes<2> M_2_10_p25_lanes = detail::make_lanes<Real>(s8, s15) * M_2_10_p24_lanes;
+  const Lanes<2> M_2_10_p26_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p223_lanes;
+  const Lanes<2> M_2_10_p27_lanes = detail::make_lanes<Real>(c8, c15) * M_2_10_p26_lanes;
+  const Lanes<2> M_2_10_p28_lanes = M_2_10_p25_lanes - M_2_10_p27_lanes;
+  const Lanes<2> M_2_10_p29_lanes = detail::make_lanes<Real>(s7, s14) * M_2_10_p28_lanes;
+  const Lanes<2> M_2_10_p30_lanes = M_2_10_p21_lanes + M_2_10_p29_lanes;
+  const Lanes<2> M_2_10_p31_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_10_p30_lanes;
+  const Lanes<2> M_2_10_p32_lanes = M_2_10_p17_lanes + M_2_10_p31_lanes;
+  const Lanes<2> M_2_10_p33_lanes = c6 * M_2_10_p32_lanes;
+  const Lanes<2> M_6_10_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_2_10_p11_lanes;
+  const Lanes<2> M_6_10_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_8_10_lanes;
+  const Lanes<2> M_6_10_lanes = M_6_10_p1_lanes - M_6_10_p2_lanes;
+  M[154] = M_6_10_lanes[0];
+  M[246] = M_6_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[329] = M_6_10_lanes[1];
+  M[421] = M_6_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p34_lanes = 0.226 * M_2_10_p30_lanes;
+  const Lanes<2> M_2_10_p35_lanes = M_6_10_lanes - M_2_10_p34_lanes;
+  const Lanes<2> M_2_10_p36_lanes = s6 * M_2_10_p35_lanes;
+  const Lanes<2> M_2_10_p37_lanes = M_2_10_p33_lanes + M_2_10_p36_lanes;
+  const Lanes<2> M_2_10_p38_lanes = s5 * M_2_10_p37_lanes;
+  const Lanes<2> M_5_10_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_7_10_lanes;
+  const Lanes<2> M_5_10_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_2_10_p14_lanes;
+  const Lanes<2> M_5_10_p3_lanes = M_5_10_p1_lanes + M_5_10_p2_lanes;
+  const Lanes<2> M_5_10_p4_lanes = detail::make_lanes<Real>(s7, s14) * M_2_10_p20_lanes;
+  const Lanes<2> M_5_10_p5_lanes = detail::make_lanes<Real>(c7, c14) * M_2_10_p28_lanes;
+  const Lanes<2> M_5_10_p6_lanes = M_5_10_p4_lanes - M_5_10_p5_lanes;
+  const Lanes<2> M_5_10_p7_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_5_10_p6_lanes;
+  const Lanes<2> M_5_10_p8_lanes = detail::make_lanes<Real>(c8, c15) * M_2_10_p24_lanes;
+  const Lanes<2> M_5_10_p9_lanes = detail::make_lanes<Real>(s8, s15) * M_2_10_p26_lanes;
+  const Lanes<2> M_5_10_p10_lanes = M_5_10_p9_lanes + M_5_10_p8_lanes;
+  const Lanes<2> M_5_10_p11_lanes = 0.226 * M_5_10_p10_lanes;
+  const Lanes<2> M_5_10_p12_lanes = M_5_10_p11_lanes + M_5_10_p7_lanes;
+  const Lanes<2> M_5_10_lanes = M_5_10_p3_lanes + M_5_10_p12_lanes;
+  M[130] = M_5_10_lanes[0];
+  M[245] = M_5_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[137] = M_5_10_lanes[1];
+  M[413] = M_5_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p39_lanes = s6 * M_5_10_p6_lanes;
+  const Lanes<2> M_2_10_p40_lanes = c6 * M_5_10_p10_lanes;
+  const Lanes<2> M_2_10_p41_lanes = M_2_10_p39_lanes + M_2_10_p40_lanes;
+  const Lanes<2> M_2_10_p42_lanes = 0.072 * M_2_10_p41_lanes;
+  const Lanes<2> M_2_10_p43_lanes = M_5_10_lanes + M_2_10_p42_lanes;
+  const Lanes<2> M_2_10_p44_lanes = c5 * M_2_10_p43_lanes;
+  const Lanes<2> M_2_10_p45_lanes = M_2_10_p44_lanes + M_2_10_p38_lanes;
+  const Lanes<2> M_2_10_p46_lanes = 0.21799999999999997 * M_2_10_p41_lanes;
+  const Lanes<2> M_2_10_p47_lanes = M_2_10_p45_lanes + M_2_10_p46_lanes;
+  const Lanes<2> M_2_10_p48_lanes = s4 * M_2_10_p47_lanes;
+  const Lanes<2> M_4_10_p1_lanes = c6 * M_2_10_p35_lanes;
+  const Lanes<2> M_4_10_p2_lanes = s6 * M_2_10_p32_lanes;
+  const Lanes<2> M_4_10_p3_lanes = M_4_10_p1_lanes - M_4_10_p2_lanes;
+  const Lanes<2> M_4_10_p4_lanes = 0.072 * M_2_10_p30_lanes;
+  const Lanes<2> M_4_10_lanes = M_4_10_p3_lanes - M_4_10_p4_lanes;
+  M[106] = M_4_10_lanes[0];
+  M[244] = M_4_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[113] = M_4_10_lanes[1];
+  M[412] = M_4_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p49_lanes = c5 * M_2_10_p30_lanes;
+  const Lanes<2> M_2_10_p50_lanes = c6 * M_5_10_p6_lanes;
+  const Lanes<2> M_2_10_p51_lanes = s6 * M_5_10_p10_lanes;
+  const Lanes<2> M_2_10_p52_lanes = M_2_10_p51_lanes - M_2_10_p50_lanes;
+  const Lanes<2> M_2_10_p53_lanes = s5 * M_2_10_p52_lanes;
+  const Lanes<2> M_2_10_p54_lanes = M_2_10_p49_lanes + M_2_10_p53_lanes;
+  const Lanes<2> M_2_10_p55_lanes = 0.21799999999999997 * M_2_10_p54_lanes;
+  const Lanes<2> M_2_10_p56_lanes = M_4_10_lanes - M_2_10_p55_lanes;
+  const Lanes<2> M_2_10_p57_lanes = c4 * M_2_10_p56_lanes;
+  const Lanes<2> M_2_10_lanes = M_2_10_p48_lanes + M_2_10_p57_lanes;
+  M[58] = M_2_10_lanes[0];
+  M[242] = M_2_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[65] = M_2_10_lanes[1];
+  M[410] = M_2_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_1_10_p1_lanes = c4 * M_2_10_p54_lanes;
+  const Lanes<2> M_1_10_p2_lanes = s4 * M_2_10_p41_lanes;
+  const Lanes<2> M_1_10_p3_lanes = M_1_10_p2_lanes - M_1_10_p1_lanes;
+  const Lanes<2> M_1_10_p4_lanes = c3 * M_1_10_p3_lanes;
+  const Lanes<2> M_1_10_p5_lanes = s5 * M_2_10_p30_lanes;
+  const Lanes<2> M_1_10_p6_lanes = c5 * M_2_10_p52_lanes;
+  const Lanes<2> M_1_10_p7_lanes = M_1_10_p5_lanes - M_1_10_p6_lanes;
+  const Lanes<2> M_1_10_p8_lanes = s3 * M_1_10_p7_lanes;
+  const Lanes<2> M_1_10_p9_lanes = M_1_10_p4_lanes + M_1_10_p8_lanes;
+  const Lanes<2> M_1_10_p10_lanes = 0.422 * M_1_10_p9_lanes;
+  const Lanes<2> M_1_10_lanes = M_2_10_lanes + M_1_10_p10_lanes;
+  M[34] = M_1_10_lanes[0];
+  M[241] = M_1_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[41] = M_1_10_lanes[1];
+  M[409] = M_1_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_p1_lanes = c2 * M_1_10_p9_lanes;
+  const Lanes<2> M_0_10_p2_lanes = s3 * M_1_10_p3_lanes;
+  const Lanes<2> M_0_10_p3_lanes = c3 * M_1_10_p7_lanes;
+  const Lanes<2> M_0_10_p4_lanes = M_0_10_p2_lanes - M_0_10_p3_lanes;
+  const Lanes<2> M_0_10_p5_lanes = s2 * M_0_10_p4_lanes;
+  const Lanes<2> M_0_10_p6_lanes = M_0_10_p1_lanes - M_0_10_p5_lanes;
+  const Lanes<2> M_0_10_p7_lanes = 0.434 * M_0_10_p6_lanes;
+  const Lanes<2> M_0_10_lanes = M_1_10_lanes + M_0_10_p7_lanes;
+  M[10] = M_0_10_lanes[0];
+  M[240] = M_0_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[17] = M_0_10_lanes[1];
+  M[408] = M_0_10_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_7_11_p1_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p99_lanes;
+  const Lanes<2> M_7_11_p2_lanes = 0.269 * M_2_2_p81_lanes;
+  const Lanes<2> M_7_11_p3_lanes = M_11_11_lanes + M_7_11_p2_lanes;
+  const Lanes<2> M_7_11_p4_lanes = detail::make_lanes<Real>(s11, s18) * M_7_11_p3_lanes;
+  const Lanes<2> M_7_11_p5_lanes = M_7_11_p1_lanes + M_7_11_p4_lanes;
+  const Lanes<2> M_7_11_p6_lanes = detail::make_lanes<Real>(c10, c17) * M_7_11_p5_lanes;
+  const Lanes<2> M_7_11_p7_lanes = detail::make_lanes<Real>(s10, s17) * M_10_11_lanes;
+  const Lanes<2> M_7_11_p8_lanes = M_7_11_p6_lanes + M_7_11_p7_lanes;
+  const Lanes<2> M_7_11_p9_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p81_lanes;
+  const Lanes<2> M_7_11_p10_lanes = 0.282 * M_7_11_p9_lanes;
+  const Lanes<2> M_7_11_p11_lanes = M_7_11_p8_lanes + M_7_11_p10_lanes;
+  const Lanes<2> M_7_11_p12_lanes = detail::make_lanes<Real>(c9, c16) * M_7_11_p11_lanes;
+  const Lanes<2> M_9_11_p1_lanes = detail::make_lanes<Real>(c11, c18) * M_7_11_p3_lanes;
+  const Lanes<2> M_9_11_p2_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p99_lanes;
+  const Lanes<2> M_9_11_lanes = M_9_11_p1_lanes - M_9_11_p2_lanes;
+  M[227] = M_9_11_lanes[0];
+  M[273] = M_9_11_lanes[0];
 
   // link 19 (right_wrist2), mass matrix
-  const Real M_14_18_p1 = M_18_18 + 0.269 * M_2_2_p15;
-  const Real M_14_18_p2 = c18 * M_2_2_p19 + s18 * M_14_18_p1;
-  const Real M_14_18_p3 = s18 * M_2_2_p15;
-  const Real M_14_18_p4 = c17 * M_14_18_p2 - s17 * M_17_18 + 0.282 * M_14_18_p3;
-  const Real M_16_18 = c18 * M_14_18_p1 - s18 * M_2_2_p19;
-  M[402] = M_16_18;
-  M[448] = M_16_18;
-  const Real M_14_18_p5 = c18 * M_2_2_p15;
-  const Real M_14_18_p6 = c17 * M_14_18_p5 - s17 * M_2_2_p8;
-  const Real M_14_18_p7 = M_16_18 + 0.282 * M_14_18_p6;
-  const Real M_14_18 = c16 * M_14_18_p4 + s16 * M_14_18_p7;
-  M[354] = -M_14_18;
-  M[446] = -M_14_18;
-  const Real M_5_18_p1 = s16 * M_14_18_p4 - c16 * M_14_18_p7;
-  const Real M_15_18 = s17 * M_14_18_p2 + c17 * M_17_18;
-  M[378] = M_15_18;
-  M[447] = M_15_18;
-  const Real M_5_18_p2 = s15 * M_5_18_p1 - c15 * M_15_18;
-  const Real M_5_18_p3 = s17 * M_14_18_p5 + c17 * M_2_2_p8;
-  const Real M_5_18_p4 = s16 * M_14_18_p6 + c16 * M_14_18_p3;
-  const Real M_5_18_p5 = s15 * M_5_18_p3 + c15 * M_5_18_p4;
-  const Real M_5_18_p6 = s15 * M_5_18_p4 - c15 * M_5_18_p3;
-  const Real M_5_18_p7 = s16 * M_14_18_p3 - c16 * M_14_18_p6;
-  const Real M_5_18_p8 = s14 * M_5_18_p7 + c14 * M_5_18_p6;
-  const Real M_5_18 = 0.226 * M_5_18_p5 + 0.18 * M_5_18_p8 - (c14 * M_14_18 + s14 * M_5_18_p2);
-  M[138] = M_5_18;
-  M[437] = M_5_18;
-  const Real M_2_18_p1 = s6 * M_5_18_p8 - c6 * M_5_18_p5;
-  const Real M_2_18_p2 = M_5_18 - 0.072 * M_2_18_p1;
-  const Real M_2_18_p3 = c14 * M_5_18_p7 - s14 * M_5_18_p6;
-  const Real M_2_18_p4 = s14 * M_14_18 - c14 * M_5_18_p2 + 0.18 * M_2_18_p3;
-  const Real M_13_18 = s15 * M_15_18 + c15 * M_5_18_p1;
-  M[330] = -M_13_18;
-  M[445] = -M_13_18;
-  const Real M_2_18_p5 = 0.226 * M_2_18_p3 - M_13_18;
-  const Real M_2_18_p6 = c6 * M_2_18_p4 + s6 * M_2_18_p5;
-  const Real M_4_18 = c6 * M_2_18_p5 - s6 * M_2_18_p4 + 0.072 * M_2_18_p3;
-  M[114] = M_4_18;
-  M[436] = M_4_18;
-  const Real M_2_18_p7 = c6 * M_5_18_p8 + s6 * M_5_18_p5;
-  const Real M_2_18_p8 = s5 * M_2_18_p7 - c5 * M_2_18_p3;
-  const Real M_2_18 = s4 * (c5 * M_2_18_p2 + s5 * M_2_18_p6 - 0.21799999999999997 * M_2_18_p1) +
-      c4 * (M_4_18 - 0.21799999999999997 * M_2_18_p8);
-  M[66] = M_2_18;
-  M[434] = M_2_18;
-  const Real M_1_18_p1 = c4 * M_2_18_p8 + s4 * M_2_18_p1;
-  const Real M_1_18_p2 = s5 * M_2_18_p3 + c5 * M_2_18_p7;
-  const Real M_1_18_p3 = c3 * M_1_18_p1 + s3 * M_1_18_p2;
-  const Real M_1_18 = M_2_18 - 0.422 * M_1_18_p3;
-  M[42] = M_1_18;
-  M[433] = M_1_18;
-  const Real M_0_18 = M_1_18 - 0.434 * (c2 * M_1_18_p3 + s2 * (c3 * M_1_18_p2 - s3 * M_1_18_p1));
-  M[18] = M_0_18;
-  M[432] = M_0_18;
+  M[402] = M_9_11_lanes[1];
+  M[448] = M_9_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_7_11_p13_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p81_lanes;
+  const Lanes<2> M_7_11_p14_lanes = detail::make_lanes<Real>(c10, c17) * M_7_11_p13_lanes;
+  const Lanes<2> M_7_11_p15_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p41_lanes;
+  const Lanes<2> M_7_11_p16_lanes = M_7_11_p14_lanes - M_7_11_p15_lanes;
+  const Lanes<2> M_7_11_p17_lanes = 0.282 * M_7_11_p16_lanes;
+  const Lanes<2> M_7_11_p18_lanes = M_9_11_lanes + M_7_11_p17_lanes;
+  const Lanes<2> M_7_11_p19_lanes = detail::make_lanes<Real>(s9, s16) * M_7_11_p18_lanes;
+  const Lanes<2> M_7_11_lanes = M_7_11_p12_lanes + M_7_11_p19_lanes;
+  M[179] = -M_7_11_lanes[0];
+  M[271] = -M_7_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[354] = -M_7_11_lanes[1];
+  M[446] = -M_7_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p1_lanes = detail::make_lanes<Real>(s7, s14) * M_7_11_lanes;
+  const Lanes<2> M_2_11_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_7_11_p11_lanes;
+  const Lanes<2> M_2_11_p3_lanes = detail::make_lanes<Real>(c9, c16) * M_7_11_p18_lanes;
+  const Lanes<2> M_2_11_p4_lanes = M_2_11_p2_lanes - M_2_11_p3_lanes;
+  const Lanes<2> M_2_11_p5_lanes = detail::make_lanes<Real>(s8, s15) * M_2_11_p4_lanes;
+  const Lanes<2> M_8_11_p1_lanes = detail::make_lanes<Real>(s10, s17) * M_7_11_p5_lanes;
+  const Lanes<2> M_8_11_p2_lanes = detail::make_lanes<Real>(c10, c17) * M_10_11_lanes;
+  const Lanes<2> M_8_11_lanes = M_8_11_p1_lanes - M_8_11_p2_lanes;
+  M[203] = M_8_11_lanes[0];
+  M[272] = M_8_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[378] = M_8_11_lanes[1];
+  M[447] = M_8_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p6_lanes = detail::make_lanes<Real>(c8, c15) * M_8_11_lanes;
+  const Lanes<2> M_2_11_p7_lanes = M_2_11_p5_lanes - M_2_11_p6_lanes;
+  const Lanes<2> M_2_11_p8_lanes = detail::make_lanes<Real>(c7, c14) * M_2_11_p7_lanes;
+  const Lanes<2> M_2_11_p9_lanes = M_2_11_p1_lanes - M_2_11_p8_lanes;
+  const Lanes<2> M_2_11_p10_lanes = detail::make_lanes<Real>(s9, s16) * M_7_11_p16_lanes;
+  const Lanes<2> M_2_11_p11_lanes = detail::make_lanes<Real>(c9, c16) * M_7_11_p9_lanes;
+  const Lanes<2> M_2_11_p12_lanes = M_2_11_p10_lanes + M_2_11_p11_lanes;
+  const Lanes<2> M_2_11_p13_lanes = detail::make_lanes<Real>(s8, s15) * M_2_11_p12_lanes;
+  const Lanes<2> M_2_11_p14_lanes = detail::make_lanes<Real>(s10, s17) * M_7_11_p13_lanes;
+  const Lanes<2> M_2_11_p15_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p41_lanes;
+  const Lanes<2> M_2_11_p16_lanes = M_2_11_p14_lanes + M_2_11_p15_lanes;
+  const Lanes<2> M_2_11_p17_lanes = detail::make_lanes<Real>(c8, c15) * M_2_11_p16_lanes;
+  const Lanes<2> M_2_11_p18_lanes = M_2_11_p13_lanes - M_2_11_p17_lanes;
+  const Lanes<2> M_2_11_p19_lanes = detail::make_lanes<Real>(s7, s14) * M_2_11_p18_lanes;
+  const Lanes<2> M_2_11_p20_lanes = detail::make_lanes<Real>(c9, c16) * M_7_11_p16_lanes;
+  const Lanes<2> M_2_11_p21_lanes = detail::make_lanes<Real>(s9, s16) * M_7_11_p9_lanes;
+  const Lanes<2> M_2_11_p22_lanes = M_2_11_p21_lanes - M_2_11_p20_lanes;
+  const Lanes<2> M_2_11_p23_lanes = detail::make_lanes<Real>(c7, c14) * M_2_11_p22_lanes;
+  const Lanes<2> M_2_11_p24_lanes = M_2_11_p23_lanes - M_2_11_p19_lanes;
+  const Lanes<2> M_2_11_p25_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_11_p24_lanes;
+  const Lanes<2> M_2_11_p26_lanes = M_2_11_p25_lanes - M_2_11_p9_lanes;
+  const Lanes<2> M_2_11_p27_lanes = c6 * M_2_11_p26_lanes;
+  const Lanes<2> M_6_11_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_2_11_p4_lanes;
+  const Lanes<2> M_6_11_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_8_11_lanes;
+  const Lanes<2> M_6_11_lanes = M_6_11_p2_lanes + M_6_11_p1_lanes;
+  M[155] = -M_6_11_lanes[0];
+  M[270] = -M_6_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[330] = -M_6_11_lanes[1];
+  M[445] = -M_6_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p28_lanes = 0.226 * M_2_11_p24_lanes;
+  const Lanes<2> M_2_11_p29_lanes = M_2_11_p28_lanes - M_6_11_lanes;
+  const Lanes<2> M_2_11_p30_lanes = s6 * M_2_11_p29_lanes;
+  const Lanes<2> M_2_11_p31_lanes = M_2_11_p27_lanes - M_2_11_p30_lanes;
+  const Lanes<2> M_2_11_p32_lanes = s5 * M_2_11_p31_lanes;
+  const Lanes<2> M_5_11_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_7_11_lanes;
+  const Lanes<2> M_5_11_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_2_11_p7_lanes;
+  const Lanes<2> M_5_11_p3_lanes = M_5_11_p1_lanes + M_5_11_p2_lanes;
+  const Lanes<2> M_5_11_p4_lanes = detail::make_lanes<Real>(s8, s15) * M_2_11_p16_lanes;
+  const Lanes<2> M_5_11_p5_lanes = detail::make_lanes<Real>(c8, c15) * M_2_11_p12_lanes;
+  const Lanes<2> M_5_11_p6_lanes = M_5_11_p4_lanes + M_5_11_p5_lanes;
+  const Lanes<2> M_5_11_p7_lanes = 0.226 * M_5_11_p6_lanes;
+  const Lanes<2> M_5_11_p8_lanes = detail::make_lanes<Real>(c7, c14) * M_2_11_p18_lanes;
+  const Lanes<2> M_5_11_p9_lanes = detail::make_lanes<Real>(s7, s14) * M_2_11_p22_lanes;
+  const Lanes<2> M_5_11_p10_lanes = M_5_11_p9_lanes + M_5_11_p8_lanes;
+  const Lanes<2> M_5_11_p11_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_5_11_p10_lanes;
+  const Lanes<2> M_5_11_p12_lanes = M_5_11_p7_lanes - M_5_11_p11_lanes;
+  const Lanes<2> M_5_11_lanes = M_5_11_p12_lanes - M_5_11_p3_lanes;
+  M[131] = M_5_11_lanes[0];
+  M[269] = M_5_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[138] = M_5_11_lanes[1];
+  M[437] = M_5_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p33_lanes = s6 * M_5_11_p10_lanes;
+  const Lanes<2> M_2_11_p34_lanes = c6 * M_5_11_p6_lanes;
+  const Lanes<2> M_2_11_p35_lanes = M_2_11_p33_lanes - M_2_11_p34_lanes;
+  const Lanes<2> M_2_11_p36_lanes = 0.072 * M_2_11_p35_lanes;
+  const Lanes<2> M_2_11_p37_lanes = M_5_11_lanes - M_2_11_p36_lanes;
+  const Lanes<2> M_2_11_p38_lanes = c5 * M_2_11_p37_lanes;
+  const Lanes<2> M_2_11_p39_lanes = M_2_11_p32_lanes - M_2_11_p38_lanes;
+  const Lanes<2> M_2_11_p40_lanes = 0.21799999999999997 * M_2_11_p35_lanes;
+  const Lanes<2> M_2_11_p41_lanes = M_2_11_p39_lanes + M_2_11_p40_lanes;
+  const Lanes<2> M_2_11_p42_lanes = s4 * M_2_11_p41_lanes;
+  const Lanes<2> M_4_11_p1_lanes = s6 * M_2_11_p26_lanes;
+  const Lanes<2> M_4_11_p2_lanes = c6 * M_2_11_p29_lanes;
+  const Lanes<2> M_4_11_p3_lanes = M_4_11_p1_lanes + M_4_11_p2_lanes;
+  const Lanes<2> M_4_11_p4_lanes = 0.072 * M_2_11_p24_lanes;
+  const Lanes<2> M_4_11_lanes = M_4_11_p3_lanes + M_4_11_p4_lanes;
+  M[107] = M_4_11_lanes[0];
+  M[268] = M_4_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[114] = M_4_11_lanes[1];
+  M[436] = M_4_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p43_lanes = c6 * M_5_11_p10_lanes;
+  const Lanes<2> M_2_11_p44_lanes = s6 * M_5_11_p6_lanes;
+  const Lanes<2> M_2_11_p45_lanes = M_2_11_p43_lanes + M_2_11_p44_lanes;
+  const Lanes<2> M_2_11_p46_lanes = s5 * M_2_11_p45_lanes;
+  const Lanes<2> M_2_11_p47_lanes = c5 * M_2_11_p24_lanes;
+  const Lanes<2> M_2_11_p48_lanes = M_2_11_p46_lanes - M_2_11_p47_lanes;
+  const Lanes<2> M_2_11_p49_lanes = 0.21799999999999997 * M_2_11_p48_lanes;
+  const Lanes<2> M_2_11_p50_lanes = M_4_11_lanes - M_2_11_p49_lanes;
+  const Lanes<2> M_2_11_p51_lanes = c4 * M_2_11_p50_lanes;
+  const Lanes<2> M_2_11_lanes = M_2_11_p51_lanes - M_2_11_p42_lanes;
+  M[59] = M_2_11_lanes[0];
+  M[266] = M_2_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[66] = M_2_11_lanes[1];
+  M[434] = M_2_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_1_11_p1_lanes = c4 * M_2_11_p48_lanes;
+  const Lanes<2> M_1_11_p2_lanes = s4 * M_2_11_p35_lanes;
+  const Lanes<2> M_1_11_p3_lanes = M_1_11_p1_lanes + M_1_11_p2_lanes;
+  const Lanes<2> M_1_11_p4_lanes = c3 * M_1_11_p3_lanes;
+  const Lanes<2> M_1_11_p5_lanes = c5 * M_2_11_p45_lanes;
+  const Lanes<2> M_1_11_p6_lanes = s5 * M_2_11_p24_lanes;
+  const Lanes<2> M_1_11_p7_lanes = M_1_11_p6_lanes + M_1_11_p5_lanes;
+  const Lanes<2> M_1_11_p8_lanes = s3 * M_1_11_p7_lanes;
+  const Lanes<2> M_1_11_p9_lanes = M_1_11_p4_lanes + M_1_11_p8_lanes;
+  const Lanes<2> M_1_11_p10_lanes = 0.422 * M_1_11_p9_lanes;
+  const Lanes<2> M_1_11_lanes = M_2_11_lanes - M_1_11_p10_lanes;
+  M[35] = M_1_11_lanes[0];
+  M[265] = M_1_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[42] = M_1_11_lanes[1];
+  M[433] = M_1_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_0_11_p1_lanes = c2 * M_1_11_p9_lanes;
+  const Lanes<2> M_0_11_p2_lanes = s3 * M_1_11_p3_lanes;
+  const Lanes<2> M_0_11_p3_lanes = c3 * M_1_11_p7_lanes;
+  const Lanes<2> M_0_11_p4_lanes = M_0_11_p3_lanes - M_0_11_p2_lanes;
+  const Lanes<2> M_0_11_p5_lanes = s2 * M_0_11_p4_lanes;
+  const Lanes<2> M_0_11_p6_lanes = M_0_11_p1_lanes + M_0_11_p5_lanes;
+  const Lanes<2> M_0_11_p7_lanes = 0.434 * M_0_11_p6_lanes;
+  const Lanes<2> M_0_11_lanes = M_1_11_lanes - M_0_11_p7_lanes;
+  M[11] = M_0_11_lanes[0];
+  M[264] = M_0_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[18] = M_0_11_lanes[1];
+  M[432] = M_0_11_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_4_12_p1_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p5_lanes;
 
   // link 20 (right_hand), mass matrix
-  const Real M_14_19_p1 = 0.269 * M_2_2_p6 - (s19 * M_2_2_p3 - 0.0009386316083993107 * c19);
-  const Real M_14_19_p2 = s19 * M_2_2_p10;
-  const Real M_14_19_p3 = M_18_19 + 0.269 * M_14_19_p2;
-  const Real M_14_19_p4 = c18 * M_14_19_p1 + s18 * M_14_19_p3;
-  const Real M_17_19 = 0.0009386316083993107 * s19 + M_2_2_p4;
-  M[427] = -M_17_19;
-  M[473] = -M_17_19;
-  const Real M_14_19_p5 = s18 * M_14_19_p2 + c18 * M_2_2_p6;
-  const Real M_14_19_p6 = 0.282 * M_14_19_p5 - (s17 * M_17_19 - c17 * M_14_19_p4);
-  const Real M_16_19 = s18 * M_14_19_p1 - c18 * M_14_19_p3;
-  M[403] = M_16_19;
-  M[472] = M_16_19;
-  const Real M_14_19_p7 = c18 * M_14_19_p2 - s18 * M_2_2_p6;
-  const Real M_14_19_p8 = c19 * M_2_2_p10;
-  const Real M_14_19_p9 = c17 * M_14_19_p7 + s17 * M_14_19_p8;
-  const Real M_14_19_p10 = M_16_19 - 0.282 * M_14_19_p9;
-  const Real M_14_19 = c16 * M_14_19_p6 - s16 * M_14_19_p10;
-  M[355] = M_14_19;
-  M[470] = M_14_19;
-  const Real M_4_19_p1 = s16 * M_14_19_p6 + c16 * M_14_19_p10;
-  const Real M_15_19 = s17 * M_14_19_p4 + c17 * M_17_19;
-  M[379] = -M_15_19;
-  M[471] = -M_15_19;
-  const Real M_4_19_p2 = c15 * M_15_19 - s15 * M_4_19_p1;
-  const Real M_4_19_p3 = c16 * M_14_19_p9 - s16 * M_14_19_p5;
-  const Real M_4_19_p4 = s16 * M_14_19_p9 + c16 * M_14_19_p5;
-  const Real M_4_19_p5 = c17 * M_14_19_p8 - s17 * M_14_19_p7;
-  const Real M_4_19_p6 = c15 * M_4_19_p5 + s15 * M_4_19_p4;
-  const Real M_4_19_p7 = c14 * M_4_19_p3 + s14 * M_4_19_p6;
-  const Real M_4_19_p8 = s14 * M_14_19 + c14 * M_4_19_p2 - 0.18 * M_4_19_p7;
-  const Real M_13_19 = s15 * M_15_19 + c15 * M_4_19_p1;
-  M[331] = M_13_19;
-  M[469] = M_13_19;
-  const Real M_4_19_p9 = M_13_19 + 0.226 * M_4_19_p7;
-  const Real M_4_19 = s6 * M_4_19_p8 + c6 * M_4_19_p9 + 0.072 * M_4_19_p7;
-  M[115] = M_4_19;
-  M[460] = M_4_19;
-  const Real M_2_19_p1 = c14 * M_4_19_p6 - s14 * M_4_19_p3;
-  const Real M_2_19_p2 = c15 * M_4_19_p4 - s15 * M_4_19_p5;
-  const Real M_2_19_p3 = c6 * M_2_19_p1 + s6 * M_2_19_p2;
-  const Real M_2_19_p4 = c5 * M_4_19_p7 + s5 * M_2_19_p3;
-  const Real M_2_19_p5 = c6 * M_4_19_p8 - s6 * M_4_19_p9;
-  const Real M_5_19 = c14 * M_14_19 - s14 * M_4_19_p2 - (0.226 * M_2_19_p2 + 0.18 * M_2_19_p1);
-  M[139] = M_5_19;
-  M[461] = M_5_19;
-  const Real M_2_19_p6 = c6 * M_2_19_p2 - s6 * M_2_19_p1;
-  const Real M_2_19_p7 = M_5_19 - 0.072 * M_2_19_p6;
-  const Real M_2_19 = c4 * (M_4_19 + 0.21799999999999997 * M_2_19_p4) - s4 *
-      (s5 * M_2_19_p5 - c5 * M_2_19_p7 + 0.21799999999999997 * M_2_19_p6);
-  M[67] = M_2_19;
-  M[458] = M_2_19;
-  const Real M_1_19_p1 = c4 * M_2_19_p4 - s4 * M_2_19_p6;
-  const Real M_1_19_p2 = c5 * M_2_19_p3 - s5 * M_4_19_p7;
-  const Real M_1_19_p3 = c3 * M_1_19_p1 + s3 * M_1_19_p2;
-  const Real M_1_19 = M_2_19 + 0.422 * M_1_19_p3;
-  M[43] = M_1_19;
-  M[457] = M_1_19;
-  const Real M_0_19 = M_1_19 + 0.434 * (c2 * M_1_19_p3 - s2 * (s3 * M_1_19_p1 - c3 * M_1_19_p2));
-  M[19] = M_0_19;
-  M[456] = M_0_19;
+  M[300] = 0.0009386316083993107;
+  M[475] = 0.0009386316083993107;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_4_12_p2_lanes = 0.0009386316083993107 * detail::make_lanes<Real>(c12, c19);
+  const Lanes<2> M_4_12_p3_lanes = M_4_12_p2_lanes + M_4_12_p1_lanes;
+  const Lanes<2> M_4_12_p4_lanes = 0.269 * M_2_2_p33_lanes;
+  const Lanes<2> M_4_12_p5_lanes = M_4_12_p3_lanes + M_4_12_p4_lanes;
+  const Lanes<2> M_4_12_p6_lanes = detail::make_lanes<Real>(c11, c18) * M_4_12_p5_lanes;
+  const Lanes<2> M_4_12_p7_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p55_lanes;
+  const Lanes<2> M_4_12_p8_lanes = 0.269 * M_4_12_p7_lanes;
+  const Lanes<2> M_4_12_p9_lanes = M_11_12_lanes - M_4_12_p8_lanes;
+  const Lanes<2> M_4_12_p10_lanes = detail::make_lanes<Real>(s11, s18) * M_4_12_p9_lanes;
+  const Lanes<2> M_4_12_p11_lanes = M_4_12_p6_lanes - M_4_12_p10_lanes;
+  const Lanes<2> M_4_12_p12_lanes = detail::make_lanes<Real>(c10, c17) * M_4_12_p11_lanes;
+  const Lanes<2> M_10_12_p1_lanes = 0.0009386316083993107 * detail::make_lanes<Real>(s12, s19);
+  const Lanes<2> M_10_12_lanes = M_2_2_p7_lanes - M_10_12_p1_lanes;
+  M[252] = M_10_12_lanes[0];
+  M[298] = M_10_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[427] = M_10_12_lanes[1];
+  M[473] = M_10_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_4_12_p13_lanes = detail::make_lanes<Real>(s10, s17) * M_10_12_lanes;
+  const Lanes<2> M_4_12_p14_lanes = M_4_12_p12_lanes + M_4_12_p13_lanes;
+  const Lanes<2> M_4_12_p15_lanes = detail::make_lanes<Real>(s11, s18) * M_4_12_p7_lanes;
+  const Lanes<2> M_4_12_p16_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p33_lanes;
+  const Lanes<2> M_4_12_p17_lanes = M_4_12_p15_lanes + M_4_12_p16_lanes;
+  const Lanes<2> M_4_12_p18_lanes = 0.282 * M_4_12_p17_lanes;
+  const Lanes<2> M_4_12_p19_lanes = M_4_12_p14_lanes + M_4_12_p18_lanes;
+  const Lanes<2> M_4_12_p20_lanes = detail::make_lanes<Real>(s9, s16) * M_4_12_p19_lanes;
+  const Lanes<2> M_9_12_p1_lanes = detail::make_lanes<Real>(s11, s18) * M_4_12_p5_lanes;
+  const Lanes<2> M_9_12_p2_lanes = detail::make_lanes<Real>(c11, c18) * M_4_12_p9_lanes;
+  const Lanes<2> M_9_12_lanes = M_9_12_p1_lanes + M_9_12_p2_lanes;
+  M[228] = M_9_12_lanes[0];
+  M[297] = M_9_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[403] = M_9_12_lanes[1];
+  M[472] = M_9_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_4_12_p21_lanes = detail::make_lanes<Real>(c11, c18) * M_4_12_p7_lanes;
+  const Lanes<2> M_4_12_p22_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p33_lanes;
+  const Lanes<2> M_4_12_p23_lanes = M_4_12_p21_lanes - M_4_12_p22_lanes;
+  const Lanes<2> M_4_12_p24_lanes = detail::make_lanes<Real>(c10, c17) * M_4_12_p23_lanes;
+  const Lanes<2> M_4_12_p25_lanes = detail::make_lanes<Real>(c12, c19) * M_2_2_p55_lanes;
+  const Lanes<2> M_4_12_p26_lanes = detail::make_lanes<Real>(s10, s17) * M_4_12_p25_lanes;
+  const Lanes<2> M_4_12_p27_lanes = M_4_12_p24_lanes + M_4_12_p26_lanes;
+  const Lanes<2> M_4_12_p28_lanes = 0.282 * M_4_12_p27_lanes;
+  const Lanes<2> M_4_12_p29_lanes = M_9_12_lanes - M_4_12_p28_lanes;
+  const Lanes<2> M_4_12_p30_lanes = detail::make_lanes<Real>(c9, c16) * M_4_12_p29_lanes;
+  const Lanes<2> M_4_12_p31_lanes = M_4_12_p20_lanes + M_4_12_p30_lanes;
+  const Lanes<2> M_4_12_p32_lanes = detail::make_lanes<Real>(s8, s15) * M_4_12_p31_lanes;
+  const Lanes<2> M_8_12_p1_lanes = detail::make_lanes<Real>(s10, s17) * M_4_12_p11_lanes;
+  const Lanes<2> M_8_12_p2_lanes = detail::make_lanes<Real>(c10, c17) * M_10_12_lanes;
+  const Lanes<2> M_8_12_lanes = M_8_12_p2_lanes - M_8_12_p1_lanes;
+  M[204] = M_8_12_lanes[0];
+  M[296] = M_8_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[379] = M_8_12_lanes[1];
+  M[471] = M_8_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_4_12_p33_lanes = detail::make_lanes<Real>(c8, c15) * M_8_12_lanes;
+  const Lanes<2> M_4_12_p34_lanes = M_4_12_p33_lanes + M_4_12_p32_lanes;
+  const Lanes<2> M_4_12_p35_lanes = detail::make_lanes<Real>(c7, c14) * M_4_12_p34_lanes;
+  const Lanes<2> M_7_12_p1_lanes = detail::make_lanes<Real>(c9, c16) * M_4_12_p19_lanes;
+  const Lanes<2> M_7_12_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_4_12_p29_lanes;
+  const Lanes<2> M_7_12_lanes = M_7_12_p1_lanes - M_7_12_p2_lanes;
+  M[180] = M_7_12_lanes[0];
+  M[295] = M_7_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[355] = M_7_12_lanes[1];
+  M[470] = M_7_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_4_12_p36_lanes = detail::make_lanes<Real>(s7, s14) * M_7_12_lanes;
+  const Lanes<2> M_4_12_p37_lanes = M_4_12_p35_lanes - M_4_12_p36_lanes;
+  const Lanes<2> M_4_12_p38_lanes = detail::make_lanes<Real>(c9, c16) * M_4_12_p27_lanes;
+  const Lanes<2> M_4_12_p39_lanes = detail::make_lanes<Real>(s9, s16) * M_4_12_p17_lanes;
+  const Lanes<2> M_4_12_p40_lanes = M_4_12_p38_lanes - M_4_12_p39_lanes;
+  const Lanes<2> M_4_12_p41_lanes = detail::make_lanes<Real>(c7, c14) * M_4_12_p40_lanes;
+  const Lanes<2> M_4_12_p42_lanes = detail::make_lanes<Real>(s9, s16) * M_4_12_p27_lanes;
+  const Lanes<2> M_4_12_p43_lanes = detail::make_lanes<Real>(c9, c16) * M_4_12_p17_lanes;
+  const Lanes<2> M_4_12_p44_lanes = M_4_12_p42_lanes + M_4_12_p43_lanes;
+  const Lanes<2> M_4_12_p45_lanes = detail::make_lanes<Real>(s8, s15) * M_4_12_p44_lanes;
+  const Lanes<2> M_4_12_p46_lanes = detail::make_lanes<Real>(s10, s17) * M_4_12_p23_lanes;
+  const Lanes<2> M_4_12_p47_lanes = detail::make_lanes<Real>(c10, c17) * M_4_12_p25_lanes;
+  const Lanes<2> M_4_12_p48_lanes = M_4_12_p47_lanes - M_4_12_p46_lanes;
+  const Lanes<2> M_4_12_p49_lanes = detail::make_lanes<Real>(c8, c15) * M_4_12_p48_lanes;
+  const Lanes<2> M_4_12_p50_lanes = M_4_12_p49_lanes + M_4_12_p45_lanes;
+  const Lanes<2> M_4_12_p51_lanes = detail::make_lanes<Real>(s7, s14) * M_4_12_p50_lanes;
+  const Lanes<2> M_4_12_p52_lanes = M_4_12_p41_lanes + M_4_12_p51_lanes;
+  const Lanes<2> M_4_12_p53_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_4_12_p52_lanes;
+  const Lanes<2> M_4_12_p54_lanes = M_4_12_p53_lanes - M_4_12_p37_lanes;
+  const Lanes<2> M_4_12_p55_lanes = s6 * M_4_12_p54_lanes;
+  const Lanes<2> M_6_12_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_4_12_p31_lanes;
+  const Lanes<2> M_6_12_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_8_12_lanes;
+  const Lanes<2> M_6_12_lanes = M_6_12_p1_lanes - M_6_12_p2_lanes;
+  M[156] = M_6_12_lanes[0];
+  M[294] = M_6_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[331] = M_6_12_lanes[1];
+  M[469] = M_6_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_4_12_p56_lanes = 0.226 * M_4_12_p52_lanes;
+  const Lanes<2> M_4_12_p57_lanes = M_6_12_lanes + M_4_12_p56_lanes;
+  const Lanes<2> M_4_12_p58_lanes = c6 * M_4_12_p57_lanes;
+  const Lanes<2> M_4_12_p59_lanes = M_4_12_p55_lanes + M_4_12_p58_lanes;
+  const Lanes<2> M_4_12_p60_lanes = 0.072 * M_4_12_p52_lanes;
+  const Lanes<2> M_4_12_lanes = M_4_12_p59_lanes + M_4_12_p60_lanes;
+  M[108] = M_4_12_lanes[0];
+  M[292] = M_4_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[115] = M_4_12_lanes[1];
+  M[460] = M_4_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p1_lanes = c5 * M_4_12_p52_lanes;
+  const Lanes<2> M_2_12_p2_lanes = detail::make_lanes<Real>(c7, c14) * M_4_12_p50_lanes;
+  const Lanes<2> M_2_12_p3_lanes = detail::make_lanes<Real>(s7, s14) * M_4_12_p40_lanes;
+  const Lanes<2> M_2_12_p4_lanes = M_2_12_p2_lanes - M_2_12_p3_lanes;
+  const Lanes<2> M_2_12_p5_lanes = c6 * M_2_12_p4_lanes;
+  const Lanes<2> M_2_12_p6_lanes = detail::make_lanes<Real>(c8, c15) * M_4_12_p44_lanes;
+  const Lanes<2> M_2_12_p7_lanes = detail::make_lanes<Real>(s8, s15) * M_4_12_p48_lanes;
+  const Lanes<2> M_2_12_p8_lanes = M_2_12_p6_lanes - M_2_12_p7_lanes;
+  const Lanes<2> M_2_12_p9_lanes = s6 * M_2_12_p8_lanes;
+  const Lanes<2> M_2_12_p10_lanes = M_2_12_p5_lanes + M_2_12_p9_lanes;
+  const Lanes<2> M_2_12_p11_lanes = s5 * M_2_12_p10_lanes;
+  const Lanes<2> M_2_12_p12_lanes = M_2_12_p1_lanes + M_2_12_p11_lanes;
+  const Lanes<2> M_2_12_p13_lanes = 0.21799999999999997 * M_2_12_p12_lanes;
+  const Lanes<2> M_2_12_p14_lanes = M_4_12_lanes + M_2_12_p13_lanes;
+  const Lanes<2> M_2_12_p15_lanes = c4 * M_2_12_p14_lanes;
+  const Lanes<2> M_2_12_p16_lanes = c6 * M_4_12_p54_lanes;
+  const Lanes<2> M_2_12_p17_lanes = s6 * M_4_12_p57_lanes;
+  const Lanes<2> M_2_12_p18_lanes = M_2_12_p16_lanes - M_2_12_p17_lanes;
+  const Lanes<2> M_2_12_p19_lanes = s5 * M_2_12_p18_lanes;
+  const Lanes<2> M_5_12_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_7_12_lanes;
+  const Lanes<2> M_5_12_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_4_12_p34_lanes;
+  const Lanes<2> M_5_12_p3_lanes = M_5_12_p1_lanes + M_5_12_p2_lanes;
+  const Lanes<2> M_5_12_p4_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_12_p4_lanes;
+  const Lanes<2> M_5_12_p5_lanes = 0.226 * M_2_12_p8_lanes;
+  const Lanes<2> M_5_12_p6_lanes = M_5_12_p4_lanes - M_5_12_p5_lanes;
+  const Lanes<2> M_5_12_lanes = M_5_12_p3_lanes + M_5_12_p6_lanes;
+  M[132] = M_5_12_lanes[0];
+  M[293] = M_5_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[139] = M_5_12_lanes[1];
+  M[461] = M_5_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p20_lanes = s6 * M_2_12_p4_lanes;
+  const Lanes<2> M_2_12_p21_lanes = c6 * M_2_12_p8_lanes;
+  const Lanes<2> M_2_12_p22_lanes = M_2_12_p21_lanes - M_2_12_p20_lanes;
+  const Lanes<2> M_2_12_p23_lanes = 0.072 * M_2_12_p22_lanes;
+  const Lanes<2> M_2_12_p24_lanes = M_5_12_lanes - M_2_12_p23_lanes;
+  const Lanes<2> M_2_12_p25_lanes = c5 * M_2_12_p24_lanes;
+  const Lanes<2> M_2_12_p26_lanes = M_2_12_p19_lanes - M_2_12_p25_lanes;
+  const Lanes<2> M_2_12_p27_lanes = 0.21799999999999997 * M_2_12_p22_lanes;
+  const Lanes<2> M_2_12_p28_lanes = M_2_12_p26_lanes + M_2_12_p27_lanes;
+  const Lanes<2> M_2_12_p29_lanes = s4 * M_2_12_p28_lanes;
+  const Lanes<2> M_2_12_lanes = M_2_12_p15_lanes - M_2_12_p29_lanes;
+  M[60] = M_2_12_lanes[0];
+  M[290] = M_2_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[67] = M_2_12_lanes[1];
+  M[458] = M_2_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_1_12_p1_lanes = c4 * M_2_12_p12_lanes;
+  const Lanes<2> M_1_12_p2_lanes = s4 * M_2_12_p22_lanes;
+  const Lanes<2> M_1_12_p3_lanes = M_1_12_p1_lanes - M_1_12_p2_lanes;
+  const Lanes<2> M_1_12_p4_lanes = c3 * M_1_12_p3_lanes;
+  const Lanes<2> M_1_12_p5_lanes = c5 * M_2_12_p10_lanes;
+  const Lanes<2> M_1_12_p6_lanes = s5 * M_4_12_p52_lanes;
+  const Lanes<2> M_1_12_p7_lanes = M_1_12_p5_lanes - M_1_12_p6_lanes;
+  const Lanes<2> M_1_12_p8_lanes = s3 * M_1_12_p7_lanes;
+  const Lanes<2> M_1_12_p9_lanes = M_1_12_p4_lanes + M_1_12_p8_lanes;
+  const Lanes<2> M_1_12_p10_lanes = 0.422 * M_1_12_p9_lanes;
+  const Lanes<2> M_1_12_lanes = M_2_12_lanes + M_1_12_p10_lanes;
+  M[36] = M_1_12_lanes[0];
+  M[289] = M_1_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[43] = M_1_12_lanes[1];
+  M[457] = M_1_12_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_0_12_p1_lanes = c2 * M_1_12_p9_lanes;
+  const Lanes<2> M_0_12_p2_lanes = s3 * M_1_12_p3_lanes;
+  const Lanes<2> M_0_12_p3_lanes = c3 * M_1_12_p7_lanes;
+  const Lanes<2> M_0_12_p4_lanes = M_0_12_p2_lanes - M_0_12_p3_lanes;
+  const Lanes<2> M_0_12_p5_lanes = s2 * M_0_12_p4_lanes;
+  const Lanes<2> M_0_12_p6_lanes = M_0_12_p1_lanes - M_0_12_p5_lanes;
+  const Lanes<2> M_0_12_p7_lanes = 0.434 * M_0_12_p6_lanes;
+  const Lanes<2> M_0_12_lanes = M_1_12_lanes + M_0_12_p7_lanes;
+  M[12] = M_0_12_lanes[0];
+  M[288] = M_0_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[19] = M_0_12_lanes[1];
+  M[456] = M_0_12_lanes[1];
 
   // link 22 (head), composite inertia
-  const Real M_20_20 = 0.006216750000000001 + M_2_2_p136;
+  const Real M_20_20 = 0.006216750000000001 + M_2_2_p300;
   M[500] = M_20_20;
 
   // link 21 (neck), mass matrix
-  const Real M_2_20_p1 = s6 * M_2_2_p184 - c6 * M_20_20;
-  const Real M_2_20_p2 = c6 * M_2_2_p206;
+  const Real M_2_20_p1 = s6 * M_2_2_p387 - c6 * M_20_20;
+  const Real M_2_20_p2 = c6 * M_2_2_p412;
   const Real M_2_20_p3 = 0.072 * M_2_20_p2 + M_5_20;
-  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p184 + 0.072 * M_2_2_p195;
+  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p387 + 0.072 * M_2_2_p395;
   M[116] = -M_4_20;
   M[484] = -M_4_20;
-  const Real M_2_20_p4 = s6 * M_2_2_p206;
-  const Real M_2_20_p5 = c5 * M_2_2_p195 - s5 * M_2_20_p4;
+  const Real M_2_20_p4 = s6 * M_2_2_p412;
+  const Real M_2_20_p5 = c5 * M_2_2_p395 - s5 * M_2_20_p4;
   const Real M_2_20 = s4 * (0.21799999999999997 * M_2_20_p2 + (s5 * M_2_20_p1 + c5 * M_2_20_p3)) +
       c4 * (M_4_20 + 0.21799999999999997 * M_2_20_p5);
   M[68] = -M_2_20;
   M[482] = -M_2_20;
-  const Real M_1_20_p1 = s5 * M_2_2_p195 + c5 * M_2_20_p4;
+  const Real M_1_20_p1 = s5 * M_2_2_p395 + c5 * M_2_20_p4;
   const Real M_1_20_p2 = s4 * M_2_20_p2 + c4 * M_2_20_p5;
   const Real M_1_20_p3 = s3 * M_1_20_p1 - c3 * M_1_20_p2;
   const Real M_1_20 = 0.422 * M_1_20_p3 - M_2_20;
@@ -1602,20 +2053,20 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[480] = M_0_20;
 
   // link 22 (head), mass matrix
-  const Real M_0_21_p1 = s21 * M_2_2_p153;
-  const Real M_0_21_p2 = c6 * M_2_2_p178 - s6 * M_0_21_p1;
-  const Real M_0_21_p3 = c21 * M_2_2_p153;
+  const Real M_0_21_p1 = s21 * M_2_2_p325;
+  const Real M_0_21_p2 = c6 * M_2_2_p381 - s6 * M_0_21_p1;
+  const Real M_0_21_p3 = c21 * M_2_2_p325;
   const Real M_0_21_p4 = s5 * M_0_21_p2 - c5 * M_0_21_p3;
-  const Real M_0_21_p5 = s6 * M_2_2_p178 + c6 * M_0_21_p1;
+  const Real M_0_21_p5 = s6 * M_2_2_p381 + c6 * M_0_21_p1;
   const Real M_0_21_p6 = c4 * M_0_21_p4 + s4 * M_0_21_p5;
   const Real M_0_21_p7 = s5 * M_0_21_p3 + c5 * M_0_21_p2;
   const Real M_0_21_p8 = s3 * M_0_21_p7 + c3 * M_0_21_p6;
-  const Real M_5_21_p1 = M_21_21 + 0.394 * M_2_2_p153;
-  const Real M_5_21 = c21 * M_2_2_p159 + s21 * M_5_21_p1;
+  const Real M_5_21_p1 = M_21_21 + 0.394 * M_2_2_p325;
+  const Real M_5_21 = c21 * M_2_2_p335 + s21 * M_5_21_p1;
   M[141] = -M_5_21;
   M[509] = -M_5_21;
   const Real M_2_21_p1 = M_5_21 + 0.072 * M_0_21_p5;
-  const Real M_2_21_p2 = M_2_2_p160 - c21 * M_5_21_p1;
+  const Real M_2_21_p2 = M_2_2_p336 - c21 * M_5_21_p1;
   const Real M_2_21_p3 = s6 * M_2_21_p2 - c6 * M_20_21;
   const Real M_4_21 = s6 * M_20_21 + c6 * M_2_21_p2 - 0.072 * M_0_21_p3;
   M[117] = -M_4_21;
@@ -1634,156 +2085,210 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[575] = 9.25e-06;
 
   // link 23 (left_eye), mass matrix
-  const Real M_2_22_p1 = 9.25e-06 + M_2_2_p125;
-  const Real M_2_22_p2 = c22 * M_2_2_p132 - s22 * M_2_22_p1 + 9.850000000000001e-05 * c23;
-  const Real M_2_22_p3 = c22 * M_2_2_p181;
-  const Real M_2_22_p4 = M_21_22 + 0.394 * M_2_22_p3;
-  const Real M_2_22_p5 = s21 * M_2_22_p2 + c21 * M_2_22_p4;
-  const Real M_20_22 = s22 * M_2_2_p132 + c22 * M_2_22_p1;
-  M[502] = M_20_22;
-  M[548] = M_20_22;
-  const Real M_2_22_p6 = s6 * M_2_22_p5 - c6 * M_20_22;
-  const Real M_5_22 = s21 * M_2_22_p4 - c21 * M_2_22_p2;
-  M[142] = M_5_22;
-  M[533] = M_5_22;
-  const Real M_2_22_p7 = s21 * M_2_22_p3 - c21 * M_2_2_p151;
-  const Real M_2_22_p8 = s22 * M_2_2_p181;
-  const Real M_2_22_p9 = s6 * M_2_22_p8 + c6 * M_2_22_p7;
-  const Real M_2_22_p10 = M_5_22 + 0.072 * M_2_22_p9;
-  const Real M_4_22_p1 = c21 * M_2_22_p3 + s21 * M_2_2_p151;
-  const Real M_4_22 = s6 * M_20_22 + c6 * M_2_22_p5 + 0.072 * M_4_22_p1;
-  M[118] = -M_4_22;
-  M[532] = -M_4_22;
-  const Real M_2_22_p11 = s6 * M_2_22_p7 - c6 * M_2_22_p8;
-  const Real M_2_22_p12 = c5 * M_4_22_p1 + s5 * M_2_22_p11;
-  const Real M_2_22 = s4 * (0.21799999999999997 * M_2_22_p9 - (s5 * M_2_22_p6 - c5 * M_2_22_p10)) -
-      c4 * (M_4_22 + 0.21799999999999997 * M_2_22_p12);
-  M[70] = M_2_22;
-  M[530] = M_2_22;
-  const Real M_1_22_p1 = s4 * M_2_22_p9 - c4 * M_2_22_p12;
-  const Real M_1_22_p2 = s5 * M_4_22_p1 - c5 * M_2_22_p11;
-  const Real M_1_22_p3 = c3 * M_1_22_p1 + s3 * M_1_22_p2;
-  const Real M_1_22 = M_2_22 + 0.422 * M_1_22_p3;
-  M[46] = M_1_22;
-  M[529] = M_1_22;
-  const Real M_0_22 = M_1_22 + 0.434 * (c2 * M_1_22_p3 - s2 * (s3 * M_1_22_p1 - c3 * M_1_22_p2));
-  M[22] = M_0_22;
-  M[528] = M_0_22;
+  const Lanes<2> M_2_22_p1_lanes = 9.25e-06 + M_2_2_p286_lanes;
+  const Lanes<2> M_2_22_p2_lanes = s22 * M_2_22_p1_lanes;
+  const Lanes<2> M_2_22_p3_lanes = c22 * M_2_2_p295_lanes;
+  const Lanes<2> M_2_22_p4_lanes = M_2_22_p3_lanes - M_2_22_p2_lanes;
+  const Lanes<2> M_2_22_p5_lanes = 9.850000000000001e-05 * detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> M_2_22_p6_lanes = M_2_22_p4_lanes + M_2_22_p5_lanes;
+  const Lanes<2> M_2_22_p7_lanes = s21 * M_2_22_p6_lanes;
+  const Lanes<2> M_2_22_p8_lanes = c22 * M_2_2_p383_lanes;
+  const Lanes<2> M_2_22_p9_lanes = 0.394 * M_2_22_p8_lanes;
+  const Lanes<2> M_2_22_p10_lanes = M_21_22_lanes + M_2_22_p9_lanes;
+  const Lanes<2> M_2_22_p11_lanes = c21 * M_2_22_p10_lanes;
+  const Lanes<2> M_2_22_p12_lanes = M_2_22_p7_lanes + M_2_22_p11_lanes;
+  const Lanes<2> M_2_22_p13_lanes = s6 * M_2_22_p12_lanes;
+  const Lanes<2> M_20_22_p1_lanes = c22 * M_2_22_p1_lanes;
+  const Lanes<2> M_20_22_p2_lanes = s22 * M_2_2_p295_lanes;
+  const Lanes<2> M_20_22_lanes = M_20_22_p2_lanes + M_20_22_p1_lanes;
+  M[502] = M_20_22_lanes[0];
+  M[548] = M_20_22_lanes[0];
 
   // link 24 (right_eye), mass matrix
-  const Real M_2_23_p1 = 9.25e-06 + M_2_2_p124;
-  const Real M_2_23_p2 = c22 * M_2_2_p131 - s22 * M_2_23_p1 + 9.850000000000001e-05 * c24;
-  const Real M_2_23_p3 = c22 * M_2_2_p180;
-  const Real M_2_23_p4 = M_21_23 + 0.394 * M_2_23_p3;
-  const Real M_2_23_p5 = s21 * M_2_23_p2 + c21 * M_2_23_p4;
-  const Real M_20_23 = s22 * M_2_2_p131 + c22 * M_2_23_p1;
-  M[503] = M_20_23;
-  M[572] = M_20_23;
-  const Real M_2_23_p6 = s6 * M_2_23_p5 - c6 * M_20_23;
-  const Real M_5_23 = s21 * M_2_23_p4 - c21 * M_2_23_p2;
-  M[143] = M_5_23;
-  M[557] = M_5_23;
-  const Real M_2_23_p7 = s21 * M_2_23_p3 - c21 * M_2_2_p150;
-  const Real M_2_23_p8 = s22 * M_2_2_p180;
-  const Real M_2_23_p9 = s6 * M_2_23_p8 + c6 * M_2_23_p7;
-  const Real M_2_23_p10 = M_5_23 + 0.072 * M_2_23_p9;
-  const Real M_4_23_p1 = c21 * M_2_23_p3 + s21 * M_2_2_p150;
-  const Real M_4_23 = s6 * M_20_23 + c6 * M_2_23_p5 + 0.072 * M_4_23_p1;
-  M[119] = -M_4_23;
-  M[556] = -M_4_23;
-  const Real M_2_23_p11 = s6 * M_2_23_p7 - c6 * M_2_23_p8;
-  const Real M_2_23_p12 = c5 * M_4_23_p1 + s5 * M_2_23_p11;
-  const Real M_2_23 = s4 * (0.21799999999999997 * M_2_23_p9 - (s5 * M_2_23_p6 - c5 * M_2_23_p10)) -
-      c4 * (M_4_23 + 0.21799999999999997 * M_2_23_p12);
-  M[71] = M_2_23;
-  M[554] = M_2_23;
-  const Real M_1_23_p1 = s4 * M_2_23_p9 - c4 * M_2_23_p12;
-  const Real M_1_23_p2 = s5 * M_4_23_p1 - c5 * M_2_23_p11;
-  const Real M_1_23_p3 = c3 * M_1_23_p1 + s3 * M_1_23_p2;
-  const Real M_1_23 = M_2_23 + 0.422 * M_1_23_p3;
-  M[47] = M_1_23;
-  M[553] = M_1_23;
-  const Real M_0_23 = M_1_23 + 0.434 * (c2 * M_1_23_p3 - s2 * (s3 * M_1_23_p1 - c3 * M_1_23_p2));
-  M[23] = M_0_23;
-  M[552] = M_0_23;
+  M[503] = M_20_22_lanes[1];
+  M[572] = M_20_22_lanes[1];
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_p14_lanes = c6 * M_20_22_lanes;
+  const Lanes<2> M_2_22_p15_lanes = M_2_22_p13_lanes - M_2_22_p14_lanes;
+  const Lanes<2> M_2_22_p16_lanes = s5 * M_2_22_p15_lanes;
+  const Lanes<2> M_5_22_p1_lanes = s21 * M_2_22_p10_lanes;
+  const Lanes<2> M_5_22_p2_lanes = c21 * M_2_22_p6_lanes;
+  const Lanes<2> M_5_22_lanes = M_5_22_p1_lanes - M_5_22_p2_lanes;
+  M[142] = M_5_22_lanes[0];
+  M[533] = M_5_22_lanes[0];
+
+  // link 24 (right_eye), mass matrix
+  M[143] = M_5_22_lanes[1];
+  M[557] = M_5_22_lanes[1];
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_p17_lanes = s21 * M_2_22_p8_lanes;
+  const Lanes<2> M_2_22_p18_lanes = c21 * M_2_2_p322_lanes;
+  const Lanes<2> M_2_22_p19_lanes = M_2_22_p17_lanes - M_2_22_p18_lanes;
+  const Lanes<2> M_2_22_p20_lanes = c6 * M_2_22_p19_lanes;
+  const Lanes<2> M_2_22_p21_lanes = s22 * M_2_2_p383_lanes;
+  const Lanes<2> M_2_22_p22_lanes = s6 * M_2_22_p21_lanes;
+  const Lanes<2> M_2_22_p23_lanes = M_2_22_p22_lanes + M_2_22_p20_lanes;
+  const Lanes<2> M_2_22_p24_lanes = 0.072 * M_2_22_p23_lanes;
+  const Lanes<2> M_2_22_p25_lanes = M_5_22_lanes + M_2_22_p24_lanes;
+  const Lanes<2> M_2_22_p26_lanes = c5 * M_2_22_p25_lanes;
+  const Lanes<2> M_2_22_p27_lanes = M_2_22_p16_lanes - M_2_22_p26_lanes;
+  const Lanes<2> M_2_22_p28_lanes = 0.21799999999999997 * M_2_22_p23_lanes;
+  const Lanes<2> M_2_22_p29_lanes = M_2_22_p28_lanes - M_2_22_p27_lanes;
+  const Lanes<2> M_2_22_p30_lanes = s4 * M_2_22_p29_lanes;
+  const Lanes<2> M_4_22_p1_lanes = c6 * M_2_22_p12_lanes;
+  const Lanes<2> M_4_22_p2_lanes = s6 * M_20_22_lanes;
+  const Lanes<2> M_4_22_p3_lanes = M_4_22_p2_lanes + M_4_22_p1_lanes;
+  const Lanes<2> M_4_22_p4_lanes = c21 * M_2_22_p8_lanes;
+  const Lanes<2> M_4_22_p5_lanes = s21 * M_2_2_p322_lanes;
+  const Lanes<2> M_4_22_p6_lanes = M_4_22_p4_lanes + M_4_22_p5_lanes;
+  const Lanes<2> M_4_22_p7_lanes = 0.072 * M_4_22_p6_lanes;
+  const Lanes<2> M_4_22_lanes = M_4_22_p3_lanes + M_4_22_p7_lanes;
+  M[118] = -M_4_22_lanes[0];
+  M[532] = -M_4_22_lanes[0];
+
+  // link 24 (right_eye), mass matrix
+  M[119] = -M_4_22_lanes[1];
+  M[556] = -M_4_22_lanes[1];
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_p31_lanes = c5 * M_4_22_p6_lanes;
+  const Lanes<2> M_2_22_p32_lanes = s6 * M_2_22_p19_lanes;
+  const Lanes<2> M_2_22_p33_lanes = c6 * M_2_22_p21_lanes;
+  const Lanes<2> M_2_22_p34_lanes = M_2_22_p32_lanes - M_2_22_p33_lanes;
+  const Lanes<2> M_2_22_p35_lanes = s5 * M_2_22_p34_lanes;
+  const Lanes<2> M_2_22_p36_lanes = M_2_22_p31_lanes + M_2_22_p35_lanes;
+  const Lanes<2> M_2_22_p37_lanes = 0.21799999999999997 * M_2_22_p36_lanes;
+  const Lanes<2> M_2_22_p38_lanes = M_4_22_lanes + M_2_22_p37_lanes;
+  const Lanes<2> M_2_22_p39_lanes = c4 * M_2_22_p38_lanes;
+  const Lanes<2> M_2_22_lanes = M_2_22_p30_lanes - M_2_22_p39_lanes;
+  M[70] = M_2_22_lanes[0];
+  M[530] = M_2_22_lanes[0];
+
+  // link 24 (right_eye), mass matrix
+  M[71] = M_2_22_lanes[1];
+  M[554] = M_2_22_lanes[1];
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_1_22_p1_lanes = c4 * M_2_22_p36_lanes;
+  const Lanes<2> M_1_22_p2_lanes = s4 * M_2_22_p23_lanes;
+  const Lanes<2> M_1_22_p3_lanes = M_1_22_p2_lanes - M_1_22_p1_lanes;
+  const Lanes<2> M_1_22_p4_lanes = c3 * M_1_22_p3_lanes;
+  const Lanes<2> M_1_22_p5_lanes = s5 * M_4_22_p6_lanes;
+  const Lanes<2> M_1_22_p6_lanes = c5 * M_2_22_p34_lanes;
+  const Lanes<2> M_1_22_p7_lanes = M_1_22_p5_lanes - M_1_22_p6_lanes;
+  const Lanes<2> M_1_22_p8_lanes = s3 * M_1_22_p7_lanes;
+  const Lanes<2> M_1_22_p9_lanes = M_1_22_p4_lanes + M_1_22_p8_lanes;
+  const Lanes<2> M_1_22_p10_lanes = 0.422 * M_1_22_p9_lanes;
+  const Lanes<2> M_1_22_lanes = M_2_22_lanes + M_1_22_p10_lanes;
+  M[46] = M_1_22_lanes[0];
+  M[529] = M_1_22_lanes[0];
+
+  // link 24 (right_eye), mass matrix
+  M[47] = M_1_22_lanes[1];
+  M[553] = M_1_22_lanes[1];
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_0_22_p1_lanes = c2 * M_1_22_p9_lanes;
+  const Lanes<2> M_0_22_p2_lanes = s3 * M_1_22_p3_lanes;
+  const Lanes<2> M_0_22_p3_lanes = c3 * M_1_22_p7_lanes;
+  const Lanes<2> M_0_22_p4_lanes = M_0_22_p2_lanes - M_0_22_p3_lanes;
+  const Lanes<2> M_0_22_p5_lanes = s2 * M_0_22_p4_lanes;
+  const Lanes<2> M_0_22_p6_lanes = M_0_22_p1_lanes - M_0_22_p5_lanes;
+  const Lanes<2> M_0_22_p7_lanes = 0.434 * M_0_22_p6_lanes;
+  const Lanes<2> M_0_22_lanes = M_1_22_lanes + M_0_22_p7_lanes;
+  M[22] = M_0_22_lanes[0];
+  M[528] = M_0_22_lanes[0];
+
+  // link 24 (right_eye), mass matrix
+  M[23] = M_0_22_lanes[1];
+  M[552] = M_0_22_lanes[1];
 
   // link 5 (chest2), composite inertia
-  M[75] = 0.060169103246295166 + (M_2_2_p192 + M_2_2_p210);
+  M[75] = 0.060169103246295166 + (M_2_2_p392 + M_2_2_p416);
 
   // link 6 (chest3), mass matrix
-  const Real M_3_5 = s5 * M_2_5_p2 + c5 * M_2_2_p205;
+  const Real M_3_5 = s5 * M_2_5_p2 + c5 * M_2_2_p411;
   M[77] = -M_3_5;
   M[123] = -M_3_5;
 
   // link 7 (left_shoulder1), mass matrix
-  const Real M_3_6 = s5 * M_2_6_p4 + c5 * M_2_6_p2;
-  M[78] = -M_3_6;
-  M[147] = -M_3_6;
-
-  // link 8 (left_shoulder2), mass matrix
-  const Real M_3_7 = s5 * M_2_7_p6 + c5 * M_2_7_p4;
-  M[79] = -M_3_7;
-  M[171] = -M_3_7;
-
-  // link 9 (left_upperarm), mass matrix
-  const Real M_3_8 = s5 * M_2_8_p8 + c5 * M_2_8_p6;
-  M[80] = -M_3_8;
-  M[195] = -M_3_8;
-
-  // link 10 (left_lowerarm), mass matrix
-  const Real M_3_9 = c5 * M_2_9_p10 - s5 * M_2_9_p12;
-  M[81] = M_3_9;
-  M[219] = M_3_9;
-
-  // link 11 (left_wrist1), mass matrix
-  const Real M_3_10 = c5 * M_2_10_p13 - s5 * M_2_10_p15;
-  M[82] = M_3_10;
-  M[243] = M_3_10;
-
-  // link 12 (left_wrist2), mass matrix
-  const Real M_3_11 = s5 * M_2_11_p12 + c5 * M_2_11_p10;
-  M[83] = -M_3_11;
-  M[267] = -M_3_11;
-
-  // link 13 (left_hand), mass matrix
-  const Real M_3_12 = c5 * M_2_12_p20 - s5 * M_2_12_p22;
-  M[84] = M_3_12;
-  M[291] = M_3_12;
+  const Lanes<2> M_3_6_p1_lanes = s5 * M_2_6_p8_lanes;
+  const Lanes<2> M_3_6_p2_lanes = c5 * M_2_6_p4_lanes;
+  const Lanes<2> M_3_6_lanes = M_3_6_p1_lanes + M_3_6_p2_lanes;
+  M[78] = -M_3_6_lanes[0];
+  M[147] = -M_3_6_lanes[0];
 
   // link 14 (right_shoulder1), mass matrix
-  const Real M_3_13 = s5 * M_2_13_p4 + c5 * M_2_13_p2;
-  M[85] = -M_3_13;
-  M[315] = -M_3_13;
+  M[85] = -M_3_6_lanes[1];
+  M[315] = -M_3_6_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_3_7_p1_lanes = c5 * M_2_7_p13_lanes;
+  const Lanes<2> M_3_7_p2_lanes = s5 * M_2_7_p19_lanes;
+  const Lanes<2> M_3_7_lanes = M_3_7_p2_lanes + M_3_7_p1_lanes;
+  M[79] = -M_3_7_lanes[0];
+  M[171] = -M_3_7_lanes[0];
 
   // link 15 (right_shoulder2), mass matrix
-  const Real M_3_14 = s5 * M_2_14_p6 + c5 * M_2_14_p4;
-  M[86] = -M_3_14;
-  M[339] = -M_3_14;
+  M[86] = -M_3_7_lanes[1];
+  M[339] = -M_3_7_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_3_8_p1_lanes = s5 * M_2_8_p23_lanes;
+  const Lanes<2> M_3_8_p2_lanes = c5 * M_2_8_p17_lanes;
+  const Lanes<2> M_3_8_lanes = M_3_8_p1_lanes + M_3_8_p2_lanes;
+  M[80] = -M_3_8_lanes[0];
+  M[195] = -M_3_8_lanes[0];
 
   // link 16 (right_upperarm), mass matrix
-  const Real M_3_15 = c5 * M_2_15_p6 - s5 * M_2_15_p2;
-  M[87] = M_3_15;
-  M[363] = M_3_15;
+  M[87] = -M_3_8_lanes[1];
+  M[363] = -M_3_8_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_3_9_p1_lanes = c5 * M_2_9_p26_lanes;
+  const Lanes<2> M_3_9_p2_lanes = s5 * M_2_9_p32_lanes;
+  const Lanes<2> M_3_9_lanes = M_3_9_p1_lanes - M_3_9_p2_lanes;
+  M[81] = M_3_9_lanes[0];
+  M[219] = M_3_9_lanes[0];
 
   // link 17 (right_lowerarm), mass matrix
-  const Real M_3_16 = s5 * M_2_16_p12 + c5 * M_2_16_p10;
-  M[88] = -M_3_16;
-  M[387] = -M_3_16;
+  M[88] = M_3_9_lanes[1];
+  M[387] = M_3_9_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_3_10_p1_lanes = c5 * M_2_10_p37_lanes;
+  const Lanes<2> M_3_10_p2_lanes = s5 * M_2_10_p43_lanes;
+  const Lanes<2> M_3_10_lanes = M_3_10_p1_lanes - M_3_10_p2_lanes;
+  M[82] = M_3_10_lanes[0];
+  M[243] = M_3_10_lanes[0];
 
   // link 18 (right_wrist1), mass matrix
-  const Real M_3_17 = s5 * M_2_17_p15 + c5 * M_2_17_p13;
-  M[89] = -M_3_17;
-  M[411] = -M_3_17;
+  M[89] = M_3_10_lanes[1];
+  M[411] = M_3_10_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_3_11_p1_lanes = s5 * M_2_11_p37_lanes;
+  const Lanes<2> M_3_11_p2_lanes = c5 * M_2_11_p31_lanes;
+  const Lanes<2> M_3_11_lanes = M_3_11_p1_lanes + M_3_11_p2_lanes;
+  M[83] = -M_3_11_lanes[0];
+  M[267] = -M_3_11_lanes[0];
 
   // link 19 (right_wrist2), mass matrix
-  const Real M_3_18 = c5 * M_2_18_p6 - s5 * M_2_18_p2;
-  M[90] = M_3_18;
-  M[435] = M_3_18;
+  M[90] = -M_3_11_lanes[1];
+  M[435] = -M_3_11_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_3_12_p1_lanes = c5 * M_2_12_p18_lanes;
+  const Lanes<2> M_3_12_p2_lanes = s5 * M_2_12_p24_lanes;
+  const Lanes<2> M_3_12_lanes = M_3_12_p2_lanes + M_3_12_p1_lanes;
+  M[84] = -M_3_12_lanes[0];
+  M[291] = -M_3_12_lanes[0];
 
   // link 20 (right_hand), mass matrix
-  const Real M_3_19 = s5 * M_2_19_p7 + c5 * M_2_19_p5;
-  M[91] = -M_3_19;
-  M[459] = -M_3_19;
+  M[91] = -M_3_12_lanes[1];
+  M[459] = -M_3_12_lanes[1];
 
   // link 21 (neck), mass matrix
   const Real M_3_20 = c5 * M_2_20_p1 - s5 * M_2_20_p3;
@@ -1796,14 +2301,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[507] = M_3_21;
 
   // link 23 (left_eye), mass matrix
-  const Real M_3_22 = s5 * M_2_22_p10 + c5 * M_2_22_p6;
-  M[94] = -M_3_22;
-  M[531] = -M_3_22;
+  const Lanes<2> M_3_22_p1_lanes = s5 * M_2_22_p25_lanes;
+  const Lanes<2> M_3_22_p2_lanes = c5 * M_2_22_p15_lanes;
+  const Lanes<2> M_3_22_lanes = M_3_22_p1_lanes + M_3_22_p2_lanes;
+  M[94] = -M_3_22_lanes[0];
+  M[531] = -M_3_22_lanes[0];
 
   // link 24 (right_eye), mass matrix
-  const Real M_3_23 = s5 * M_2_23_p10 + c5 * M_2_23_p6;
-  M[95] = -M_3_23;
-  M[555] = -M_3_23;
+  M[95] = -M_3_22_lanes[1];
+  M[555] = -M_3_22_lanes[1];
 }
 
 }  // namespace humanoid24

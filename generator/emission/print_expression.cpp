@@ -22,8 +22,9 @@ bool ExpressionPrinter::is_atom(std::uint32_t node) const {
 std::string ExpressionPrinter::reference(std::uint32_t node) const {
   const Node& what = graph_.nodes()[node];
   if (what.op == Op::constant) {
-    return single_precision_ ? format_literal(static_cast<float>(what.value))
-                             : format_literal(what.value);
+    const std::string text = single_precision_ ? format_literal(static_cast<float>(what.value))
+                                               : format_literal(what.value);
+    return what.value < 0 ? fmt::format("({})", text) : text;
   }
   if (what.op == Op::input) {
     return graph_.inputs()[what.a];

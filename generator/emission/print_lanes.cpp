@@ -66,9 +66,10 @@ std::string LanePrinter::statement(std::uint32_t node, const ExpressionPrinter& 
   const LanePack& pack = pack_of(node);
   const Op op = program_.graph.nodes()[node].op;
   const LaneOperands operands = lane_operands(program_.graph, pack);
-  return fmt::format(
-      "const Lanes {} = {} {} {};", pack_names_[static_cast<std::size_t>(pack_of_[node])],
-      operand(operands.a, expressions), operation(op).symbol, operand(operands.b, expressions));
+  return fmt::format("const Lanes<{}> {} = {} {} {};", pack.size(),
+                     pack_names_[static_cast<std::size_t>(pack_of_[node])],
+                     operand(operands.a, expressions), operation(op).symbol,
+                     operand(operands.b, expressions));
 }
 
 }  // namespace treeline

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "emission/digest.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_source.hpp"
@@ -26,12 +28,26 @@ std::string print_input(const EmissionContext::Input& input) {
                      digest(input.text));
 }
 
+/// How many operations share how many instructions, and what that costs.
+std::string print_lanes(const Program& program) {
+  if (program.packs.empty()) {
+    return "";
+  }
+  std::ptrdiff_t shared = 0;
+  for (const LanePack& pack : program.packs) {
+    shared += std::count_if(pack.begin(), pack.end(), [](std::uint32_t node) { return node != 0; });
+  }
+  return fmt::format(R"(, "lanes": {{"packs": {}, "operations": {}, "moves": {}}})",
+                     program.packs.size(), shared, program.lane_moves);
+}
+
 std::string print_function(const Program& program) {
   const OperationCount count = count_operations(program);
   return fmt::format(R"({{"name": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, )"
-                     R"("sin_cos": {}, "live_values": {}}})",
+                     R"("sin_cos": {}, "live_values": {}{}}})",
                      quote_json(program.name), quote_json(program.source), count.flops(), count.add,
-                     count.mul, count.div, count.sin_cos, count_live_values(program));
+                     count.mul, count.div, count.sin_cos, count_live_values(program),
+                     print_lanes(program));
 }
 
 std::string print_method(const EmissionContext::Method& method) {

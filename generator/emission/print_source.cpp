@@ -47,9 +47,8 @@ std::string print_includes(const Program& program) {
 }
 
 std::string print_lanes_type(const Program& program) {
-  return uses_lanes(program)
-             ? fmt::format("using Lanes = detail::Lanes<Real, {}>;\n", program.packs.front().size())
-             : "";
+  return uses_lanes(program) ? "template <int count>\nusing Lanes = detail::Lanes<Real, count>;\n"
+                             : "";
 }
 
 }  // namespace

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
 #include "description/check_scene.hpp"
 #include "generation/describe_scene.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "mechanism/find_limbs.hpp"
 #include "passes/settle.hpp"
 #include "passes/take_sines.hpp"
 #include "recursion/trace_function.hpp"
@@ -61,22 +63,95 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
   return context;
 }
 
+using PassLogs = std::map<std::string, std::vector<PassReport>>;
+
+/// Traces the routes of a function and runs the passes on those that may win.
+class RouteRunner {
+ public:
+  RouteRunner(Function function, int lanes, Sines sin_cos)
+      : function_(function), lanes_(lanes), sin_cos_(sin_cos) {}
+
+  /// Routes that the passes and lanes will not make the cheapest go to `hopeless`, as traced.
+  std::vector<Candidate> run(const Mechanism& mechanism, std::vector<Cost>& hopeless,
+                             PassLogs& logs) const {
+    constexpr double kHopeless = 1.4;  // the passes take away a few per cent, lanes up to a quarter
+    std::vector<Program> programs = trace_function(mechanism, function_, lanes_);
+    std::vector<Cost> costs;
+    for (const Program& program : programs) {
+      costs.push_back(cost_of(program));
+    }
+    const double least = std::min_element(costs.begin(), costs.end(), is_cheaper)->weighted;
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (costs[i].weighted <= kHopeless * least) {
+        candidates.push_back(finish(std::move(programs[i]), logs));
+      } else {
+        hopeless.push_back(costs[i]);
+      }
+    }
+    std::sort(hopeless.begin(), hopeless.end(), is_cheaper);
+    return candidates;
+  }
+
+  /// The same for the best of `candidates`, alike limbs in lanes.
+  void append_with_limbs(const Mechanism& with_limbs, std::vector<Candidate>& candidates,
+                         PassLogs& logs) const {
+    constexpr double kNear = 1.1;
+    std::map<std::string, double> costs;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : candidates) {
+      costs[candidate.method] = cost_of(candidate.program).weighted;
+      least = std::min(least, costs[candidate.method]);
+    }
+    for (Program& program : trace_function(with_limbs, function_, lanes_)) {
+      const auto plain = costs.find(program.source);
+      if (plain != costs.end() && plain->second <= kNear * least) {
+        program.source += ", alike limbs in lanes";
+        candidates.push_back(finish(std::move(program), logs));
+      }
+    }
+  }
+
+ private:
+  static bool is_cheaper(const Cost& a, const Cost& b) { return a.weighted < b.weighted; }
+
+  static Cost cost_of(const Program& program) {
+    const OperationCount count = count_operations(program);
+    return {program.source, count, cost(program, count)};
+  }
+
+  Candidate finish(Program program, PassLogs& logs) const {
+    const std::string method = program.source;
+    if (sin_cos_ == Sines::given) {
+      program = take_sines(settle(program));
+    }
+    return {method, run_passes(std::move(program), logs[method])};
+  }
+
+  Function function_;
+  int lanes_;
+  Sines sin_cos_;
+};
+
 }  // namespace
 
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
                                     Sines sin_cos) {
-  std::vector<Candidate> candidates;
+  const RouteRunner runner(function, lanes, sin_cos);
   std::map<std::string, std::vector<PassReport>> logs;  // by method
-  for (Program& program : trace_function(mechanism, function, lanes)) {
-    const std::string method = program.source;
-    if (sin_cos == Sines::given) program = take_sines(settle(program));
-    candidates.push_back({method, run_passes(std::move(program), logs[method])});
+  std::vector<Cost> hopeless;
+  std::vector<Candidate> candidates = runner.run(mechanism, hopeless, logs);
+  Mechanism with_limbs = mechanism;
+  with_limbs.limbs = find_limbs(mechanism, lanes);
+  if (!with_limbs.limbs.empty()) {
+    runner.append_with_limbs(with_limbs, candidates, logs);
   }
   Choice choice = *choose(std::move(candidates));  // there is at least one route
   GeneratedFunction generated;
   generated.function = function;
   generated.chosen = std::move(choice.chosen);
   generated.rejected = std::move(choice.rejected);
+  generated.rejected.insert(generated.rejected.end(), hopeless.begin(), hopeless.end());
   generated.program = std::move(choice.program);
   generated.passes = std::move(logs[generated.chosen.method]);
   return generated;

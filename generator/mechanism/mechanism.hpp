@@ -80,6 +80,11 @@ struct Coordinate {
   double upper = std::numeric_limits<double>::infinity();
 };
 
+/// Subtrees of one shape that hang on the same link: arms, legs, fingers. They may run in lanes.
+struct LimbFamily {
+  std::vector<std::vector<int>> limbs;  ///< of each limb its links, in corresponding order
+};
+
 /// What a reduction did, for `inspect` and the manifest.
 struct ReductionNote {
   std::string step;  ///< "lump", "seat", "regroup"
@@ -105,6 +110,8 @@ struct Mechanism {
   std::vector<Coordinate> coordinates;  ///< nq of them
   std::vector<std::string> velocities;  ///< nv of them, e.g. "elbow, rad/s"
   std::vector<ReductionNote> notes;
+  /// See `find_limbs`; empty where limbs are not to share lanes.
+  std::vector<LimbFamily> limbs;
 
   [[nodiscard]] int nq() const { return static_cast<int>(coordinates.size()); }
   [[nodiscard]] int nv() const { return static_cast<int>(velocities.size()); }

@@ -41,12 +41,14 @@ SectionCount& entry(std::vector<SectionCount>& counts, const std::string& title)
 }  // namespace
 
 OperationCount count_operations(const Program& program) {
+  const std::vector<Node>& nodes = program.graph.nodes();
+  const std::vector<bool> live = find_live(program);
+  std::vector<bool> angle_seen(nodes.size(), false);
   OperationCount total;
-  for (const SectionCount& section : count_sections(program)) {
-    total.add += section.count.add;
-    total.mul += section.count.mul;
-    total.div += section.count.div;
-    total.sin_cos += section.count.sin_cos;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (live[i] && operation(nodes[i].op).operands > 0) {
+      count_node(nodes[i], angle_seen, total);
+    }
   }
   return total;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "passes/find_orbits.hpp"
 #include "passes/lane_operands.hpp"
 #include "passes/rebuild.hpp"
 
@@ -62,6 +63,9 @@ class Packer {
         pack(std::move(lanes), 2);
       }
     }
+    for (LanePack& orbit : find_orbits(program_)) {
+      add(std::move(orbit), 2);
+    }
     dissolve_cycles();
     while (dissolve_losses()) {
     }
@@ -93,10 +97,11 @@ class Packer {
     }
   }
 
-  void pack(LanePack lanes, int fewest) {
+  /// Makes a pack of what is alike in `lanes`, if that is enough.
+  bool add(LanePack lanes, int fewest) {
     keep_alike(lanes);
     if (count_lanes(lanes) < fewest) {
-      return;
+      return false;
     }
     for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
       if (lanes[lane] != kNone) {
@@ -104,8 +109,15 @@ class Packer {
         lane_of_[lanes[lane]] = lane;
       }
     }
-    packs_.push_back(lanes);
-    const LaneOperands both = lane_operands(program_.graph, lanes);
+    packs_.push_back(std::move(lanes));
+    return true;
+  }
+
+  void pack(LanePack lanes, int fewest) {
+    if (!add(std::move(lanes), fewest)) {
+      return;
+    }
+    const LaneOperands both = lane_operands(program_.graph, packs_.back());
     for (LanePack operands : {both.a, both.b}) {
       const bool in_groups = std::any_of(operands.begin(), operands.end(), [&](std::uint32_t n) {
         return program_.graph.lane_group_of(n) >= 0;

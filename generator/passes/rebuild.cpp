@@ -96,11 +96,16 @@ std::vector<int> count_uses(const Program& program) {
   return uses;
 }
 
+Program without_graph(const Program& program) {
+  return {program.name,    program.equation, program.source, program.arguments,
+          program.results, Graph(),          program.packs,  program.lane_moves};
+}
+
 Program rebuild(const Program& program, std::span<const std::uint32_t> order) {
   const Graph& from = program.graph;
-  Program rebuilt = program;
-  rebuilt.graph = Graph();
+  Program rebuilt = without_graph(program);
   Graph& to = rebuilt.graph;
+  to.reserve(order.size() + 1);
   std::vector<std::uint32_t> place(from.nodes().size(), 0);
   SectionWriter sections(from, to);
   for (const std::uint32_t i : order) {
@@ -110,7 +115,7 @@ Program rebuild(const Program& program, std::span<const std::uint32_t> order) {
       to.name({place[i], false}, name->second);
     }
   }
-  to.set_lane_width(from.lane_width());
+  to.keep_lanes_of(from);
   for (Graph::LaneGroup group : from.lane_groups()) {
     for (std::uint32_t& node : group) {
       node = place[node];

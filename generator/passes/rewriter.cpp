@@ -2,18 +2,21 @@
 
 #include <utility>
 
+#include "passes/rebuild.hpp"
+
 namespace treeline {
 
 Rewriter::Rewriter(const Program& program)
-    : program_(program), rewritten_(program), values_(program.graph.nodes().size()) {
-  rewritten_.graph = Graph();
+    : program_(program), rewritten_(without_graph(program)), values_(program.graph.nodes().size()) {
+  rewritten_.graph.reserve(program.graph.nodes().size() + program.graph.nodes().size() / 8);
 }
 
 Expression Rewriter::copy(std::uint32_t node) const {
   const Node& old = program_.graph.nodes()[node];
   switch (old.op) {
     case Op::constant:
-      return {old.value};
+      return limb_constant(old).slot == 0 ? Expression(old.value)
+                                          : Expression(Graph::current().intern(old), false);
     case Op::input:
       return Graph::current().input(program_.graph.inputs()[old.a]);
     case Op::add:
@@ -65,7 +68,7 @@ Program Rewriter::finish() {
       element = element.negative() ? -value : value;
     }
   }
-  rewritten_.graph.set_lane_width(program_.graph.lane_width());
+  rewritten_.graph.keep_lanes_of(program_.graph);
   for (Graph::LaneGroup group : program_.graph.lane_groups()) {
     for (std::uint32_t& node : group) {
       node = values_[node].node();

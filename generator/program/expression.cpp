@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 // The constructors. Each tries its rules in the order written, most special first; whatever is
@@ -28,6 +29,81 @@ Expression make(Op op, Expression a, Expression b) {
   return {Graph::current().intern({op, a.node(), b.node(), 0}), false};
 }
 
+bool is_ordinary_constant(Expression e) {
+  return e.is_constant() && !e.is_limb_constant();
+}
+
+/// What tells constants apart in all limbs alike: the slot, or an ordinary constant's value.
+std::uint64_t key_of(Expression e) {
+  const LimbConstant own = limb_constant(look(e));
+  std::uint64_t key = own.slot;
+  if (own.slot == 0) {
+    const double value = look(e).value;
+    std::memcpy(&key, &value, sizeof key);
+    key ^= std::uint64_t{1} << 63;
+  }
+  return key;
+}
+
+std::uint32_t slot_of(Op op, Expression a, Expression b) {
+  std::uint64_t hash = static_cast<std::uint64_t>(op) + 1;
+  for (const std::uint64_t part : {key_of(a), key_of(b), std::uint64_t{b.negative()}}) {
+    hash = (hash ^ part) * 0x9e3779b97f4a7c15U;
+    hash ^= hash >> 29;
+  }
+  const auto slot = static_cast<std::uint32_t>(hash >> 16);
+  return slot == 0 ? 1 : slot;
+}
+
+/// A constant out of constants of one limb, or of none, with the sign of `a` taken out.
+Expression fold(Op op, double value, Expression a, Expression b) {
+  const LimbConstant of_a = limb_constant(look(a));
+  const LimbConstant of_b = limb_constant(look(b));
+  const LimbConstant& own = of_a.slot != 0 ? of_a : of_b;
+  const bool mixed =
+      of_a.slot != 0 && of_b.slot != 0 && (of_a.limb != of_b.limb || of_a.limbs != of_b.limbs);
+  if (own.slot == 0 || mixed) {
+    return {value};
+  }
+  return {
+      Graph::current().intern(make_limb_constant({slot_of(op, a, b), own.limb, own.limbs}, value)),
+      false};
+}
+
+Expression fold_sum(Expression a, Expression b) {
+  if (a.node() == b.node()) {
+    return a.negative() != b.negative() ? Expression() : Expression(2) * a;
+  }
+  if (key_of(b) < key_of(a)) {
+    std::swap(a, b);
+  }
+  const Expression sum =
+      fold(Op::add, look(a).value + (a.negative() == b.negative() ? 1 : -1) * look(b).value,
+           unsigned_of(a), with_sign(b, a.negative()));
+  return with_sign(sum, a.negative());
+}
+
+Expression fold_product(Expression a, Expression b) {
+  if (key_of(b) < key_of(a)) {
+    std::swap(a, b);
+  }
+  const bool negative = a.negative() != b.negative();
+  a = unsigned_of(a);
+  b = unsigned_of(b);
+  for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
+    if (is_ordinary_constant(one) && one.constant() == 1) {
+      return with_sign(other, negative);
+    }
+  }
+  return with_sign(fold(Op::mul, look(a).value * look(b).value, a, b), negative);
+}
+
+Expression fold_quotient(Expression a, Expression b) {
+  const bool negative = a.negative() != b.negative();
+  return with_sign(fold(Op::div, look(a).value / look(b).value, unsigned_of(a), unsigned_of(b)),
+                   negative);
+}
+
 /// Operands of a commutative operation: a constant first.
 void order(Expression& a, Expression& b) {
   if (!a.is_constant() && b.is_constant()) {
@@ -42,8 +118,8 @@ Expression make_commuting(Op op, Expression a, Expression b) {
                                                                                 : make(op, a, b);
 }
 
-/// Reads an expression as coefficient * base; a node that is no product with a constant is its
-/// own base.
+/// Reads an expression as coefficient * base; a node that is no product with an ordinary constant
+/// is its own base.
 struct Multiple {
   double coefficient;
   Expression base;
@@ -52,7 +128,7 @@ struct Multiple {
 Multiple as_multiple(Expression e) {
   const Node node = look(e);
   const double sign = e.negative() ? -1 : 1;
-  if (node.op == Op::mul && Expression(node.a, false).is_constant()) {
+  if (node.op == Op::mul && is_ordinary_constant({node.a, false})) {
     return {sign * Expression(node.a, false).constant(), {node.b, false}};
   }
   return {sign, unsigned_of(e)};
@@ -92,7 +168,7 @@ bool is_pythagorean(Expression a, Expression b) {
 /// What two terms make when adding them takes no operation: (x - x), constants, (2 x - x).
 bool add_for_free(Expression a, Expression b, Expression& result) {
   if (a.is_constant() && b.is_constant()) {
-    result = a.constant() + b.constant();
+    result = fold_sum(a, b);
     return true;
   }
   const Multiple m = as_multiple(a);
@@ -172,17 +248,16 @@ bool remove_factor(const Node& product, Expression known, Expression& other) {
 
 /// c * x for a constant c >= 0 and an unsigned x that is no constant.
 Expression scale(Expression c, Expression x) {
-  const double factor = c.constant();
-  if (factor == 1) {
+  if (is_ordinary_constant(c) && c.constant() == 1) {
     return x;
   }
   const Node node = look(x);
   const Expression a(node.a, false);
   if (node.op == Op::mul && a.is_constant()) {  // c (d y) -> (c d) y
-    return Expression(factor * a.constant()) * Expression(node.b, false);
+    return fold_product(c, a) * Expression(node.b, false);
   }
   if (node.op == Op::div && a.is_constant()) {  // c (d / y) -> (c d) / y
-    return Expression(factor * a.constant()) / Expression(node.b, false);
+    return fold_product(c, a) / Expression(node.b, false);
   }
   return make(Op::mul, c, x);
 }
@@ -193,12 +268,12 @@ Expression divide_constant(Expression c, Expression x) {
   const Expression a(node.a, false);
   const Expression b(node.b, false);
   if (node.op == Op::mul && a.is_constant()) {  // c / (d y) -> (c / d) / y
-    return Expression(c.constant() / a.constant()) / b;
+    return fold_quotient(c, a) / b;
   }
   if (node.op == Op::div && a.is_constant()) {  // c / (d / y) -> (c / d) y
-    return Expression(c.constant() / a.constant()) * b;
+    return fold_quotient(c, a) * b;
   }
-  if (node.op == Op::div && c.constant() == 1) {  // 1 / (x / y) -> y / x
+  if (node.op == Op::div && is_ordinary_constant(c) && c.constant() == 1) {  // 1 / (x / y) -> y / x
     return b / a;
   }
   return make(Op::div, c, x);
@@ -213,6 +288,20 @@ Expression::Expression(double value) {
     node_ = Graph::current().intern({Op::constant, 0, 0, std::fabs(value)});
     negative_ = std::signbit(value);
   }
+}
+
+LimbConstant limb_constant(const Node& node) {
+  constexpr std::uint32_t kLowHalf = 0xffff;
+  return node.op == Op::constant ? LimbConstant{node.a, node.b & kLowHalf, node.b >> 16}
+                                 : LimbConstant{};
+}
+
+Node make_limb_constant(LimbConstant what, double value) {
+  return {Op::constant, what.slot, what.limb | what.limbs << 16, value};
+}
+
+bool Expression::is_limb_constant() const {
+  return limb_constant(look(*this)).slot != 0;
 }
 
 bool Expression::is_constant() const {
@@ -231,7 +320,7 @@ Expression operator+(Expression a, Expression b) {
     return a;
   }
   if (a.is_constant() && b.is_constant()) {
-    return {a.constant() + b.constant()};
+    return fold_sum(a, b);
   }
   const Multiple m = as_multiple(a);
   const Multiple n = as_multiple(b);
@@ -255,7 +344,7 @@ Expression operator*(Expression a, Expression b) {
     return {};
   }
   if (a.is_constant() && b.is_constant()) {
-    return {a.constant() * b.constant()};
+    return fold_product(a, b);
   }
   const bool negative = a.negative() != b.negative();
   a = unsigned_of(a);
@@ -289,10 +378,10 @@ Expression operator/(Expression a, Expression b) {
     return {};
   }
   if (a.is_constant() && b.is_constant()) {
-    return with_sign(a.constant() / b.constant(), negative);
+    return with_sign(fold_quotient(a, b), negative);
   }
   if (b.is_constant()) {
-    return with_sign(Expression(1 / b.constant()) * a, negative);
+    return with_sign(fold_quotient(1, b) * a, negative);
   }
   if (a.is_constant()) {
     return with_sign(divide_constant(a, b), negative);

@@ -42,8 +42,20 @@ struct Node {
   Op op = Op::constant;
   std::uint32_t a = 0;  ///< left operand; for `input` its index into Graph::inputs
   std::uint32_t b = 0;  ///< right operand of add, sub, mul, div
-  double value = 0;     ///< of `constant`; always positive or zero
+  double value = 0;     ///< of `constant`; positive or zero, but for a limb's constant of any sign
 };
+
+/// Limbs of one build differ in their constants. Where they do, the constant of each limb is a
+/// node of its own kind: it does not vanish, not even where it is 0 or 1, so that all limbs trace
+/// to the same operations and may share lanes. Kept in the node of a constant: `a` is `slot`, 0
+/// for ordinary constants, `b` is `limb` and `limbs`.
+struct LimbConstant {
+  std::uint32_t slot = 0;  ///< the same for corresponding constants of all limbs
+  std::uint32_t limb = 0;
+  std::uint32_t limbs = 0;  ///< how many there are
+};
+LimbConstant limb_constant(const Node& node);
+Node make_limb_constant(LimbConstant what, double value);
 
 /// A value while a recursion is traced: a node and a sign. `double` converts to a constant;
 /// + - * / sin cos build nodes in the graph that is open in this thread (see `Graph::Scope`).
@@ -58,6 +70,8 @@ class Expression {
   [[nodiscard]] bool negative() const { return negative_; }
   [[nodiscard]] bool is_zero() const { return node_ == 0; }
   [[nodiscard]] bool is_constant() const;
+  /// A constant of one of several limbs, see LimbConstant.
+  [[nodiscard]] bool is_limb_constant() const;
   /// Value of a constant, with its sign.
   [[nodiscard]] double constant() const;
 
@@ -101,9 +115,19 @@ class Graph {
   /// A scalar input; `name` is how emitted code reads it, e.g. `q[3]`. The same name is the same
   /// input.
   Expression input(std::string name);
+  /// Makes room for so many nodes.
+  void reserve(std::size_t nodes) {
+    nodes_.reserve(nodes);
+    index_.reserve(nodes);
+  }
   /// Interns; expects canonical operands.
   std::uint32_t intern(Node node);
   [[nodiscard]] bool contains(const Node& node) const { return index_.contains(node); }
+  /// Where the node is, or 0.
+  [[nodiscard]] std::uint32_t find(const Node& node) const {
+    const auto found = index_.find(node);
+    return found == index_.end() ? 0 : found->second;
+  }
   /// Whether x y and y x, x - y and y - x are one node; the first that is built stays. A trace
   /// turns this off: C++ leaves open which operand of an operator is evaluated first, so the order
   /// of building would depend on the compiler. The pass `settle` merges later, in a fixed order.
@@ -135,6 +159,16 @@ class Graph {
     return found == lane_group_of_.end() ? -1 : found->second;
   }
 
+  /// Inputs that are one for each limb, in the order of limbs: by name, `qd[3]`.
+  using LimbInputs = std::vector<std::string>;
+  [[nodiscard]] const std::vector<LimbInputs>& limb_inputs() const { return limb_inputs_; }
+  void add_limb_inputs(LimbInputs inputs) { limb_inputs_.push_back(std::move(inputs)); }
+  /// Takes over what `other` says about lanes as a whole: their number, the limbs' inputs.
+  void keep_lanes_of(const Graph& other) {
+    lane_width_ = other.lane_width_;
+    limb_inputs_ = other.limb_inputs_;
+  }
+
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
   [[nodiscard]] const std::unordered_map<std::uint32_t, std::string>& names() const {
@@ -160,6 +194,7 @@ class Graph {
   std::vector<Section> sections_;
   std::vector<LaneGroup> lane_groups_;
   std::unordered_map<std::uint32_t, int> lane_group_of_;
+  std::vector<LimbInputs> limb_inputs_;
   int lane_width_ = 1;
   bool merges_commuted_ = true;
 };

@@ -8,6 +8,7 @@
 
 #include "mechanism/mechanism.hpp"
 #include "program/expression.hpp"
+#include "recursion/mark_limbs.hpp"
 #include "recursion/planar_rotation.hpp"
 
 namespace treeline {
@@ -147,6 +148,9 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
   tree.nq = mechanism.nq();
   tree.nv = mechanism.nv();
   tree.has_mimics = mechanism.has_mimics();
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    mark_limbs(mechanism, tree);
+  }
   return tree;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "program/expression.hpp"
 
@@ -143,6 +144,50 @@ TEST_F(ExpressionTest, NamesTellTheSign) {
   EXPECT_EQ(graph_.names().size(), 2u);
   EXPECT_EQ(graph_.names().at((x_ * y_).node()), "product");
   EXPECT_EQ(graph_.names().at((x_ * z_).node()), "minus_w");
+}
+
+Expression limb_constant_of(std::uint32_t slot, std::uint32_t limb, double value) {
+  return {Graph::current().intern(make_limb_constant({slot, limb, 2}, value)), false};
+}
+
+TEST_F(ExpressionTest, LimbConstantsDoNotVanish) {
+  for (const double value : {0.0, 1.0, -1.0}) {
+    const Expression c = limb_constant_of(1, 0, value);
+    EXPECT_EQ(graph_.nodes()[(c * x_).node()].op, Op::mul);
+    EXPECT_EQ(graph_.nodes()[(x_ + c).node()].op, Op::add);
+    EXPECT_NE(x_ + c * y_, x_);
+  }
+}
+
+/// What the constructors make of a limb's constants is again one, with corresponding slots.
+TEST_F(ExpressionTest, LimbConstantsFoldAlikeInAllLimbs) {
+  const auto fold = [](std::uint32_t limb, double a, double b) {
+    const Expression p = limb_constant_of(1, limb, a);
+    const Expression r = limb_constant_of(2, limb, b);
+    return std::vector<Expression>{p * r, r * p, p + r, r - p, p - 3, 2 / r, p * (r * 4), p + p};
+  };
+  const auto left = fold(0, 2, 5);
+  const auto right = fold(1, 0, -0.5);
+  const std::vector<double> left_values{10, 10, 7, 3, -1, 0.4, 40, 4};
+  const std::vector<double> right_values{0, 0, -0.5, -0.5, -3, -4, 0, 0};
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const LimbConstant l = limb_constant(graph_.nodes()[left[i].node()]);
+    const LimbConstant r = limb_constant(graph_.nodes()[right[i].node()]);
+    EXPECT_NE(l.slot, 0u) << i;
+    EXPECT_EQ(l.slot, r.slot) << i;
+    EXPECT_EQ(l.limb, 0u);
+    EXPECT_EQ(r.limb, 1u);
+    EXPECT_EQ(left[i].negative(), right[i].negative()) << i;
+    EXPECT_EQ(left[i].constant(), left_values[i]) << i;
+    EXPECT_EQ(right[i].constant(), right_values[i]) << i;
+  }
+}
+
+TEST_F(ExpressionTest, LimbConstantsTimesOneAndMinusThemselves) {
+  const Expression c = limb_constant_of(1, 0, 0.25);
+  EXPECT_EQ(c * -1, -c);
+  EXPECT_EQ(c - c, Expression());
+  EXPECT_EQ(c * limb_constant_of(2, 1, 2), Expression(0.5));  // of two limbs: of none
 }
 
 TEST(Graph, WithoutScopeIsAnError) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mechanism/build_mechanism.hpp"
+#include "mechanism/find_limbs.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/trace_function.hpp"
@@ -67,12 +68,10 @@ inline bool needs_points(Function function) {
 class CheckedPrograms {
  public:
   CheckedPrograms(const Robot& robot, const Scene& scene) : oracle_(robot, scene) {
-    const Mechanism mechanism = reduced_mechanism(robot, scene);
-    for (const Function function : kAllFunctions) {
-      if (!needs_points(function) || oracle_.has_points()) {
-        programs_.emplace_back(function, trace_function(mechanism, function));
-      }
-    }
+    Mechanism mechanism = reduced_mechanism(robot, scene);
+    append(mechanism);
+    mechanism.limbs = find_limbs(mechanism, 8);
+    if (!mechanism.limbs.empty()) append(mechanism);
   }
 
   [[nodiscard]] const Oracle<Digits50>& oracle() const { return oracle_; }
@@ -116,6 +115,14 @@ class CheckedPrograms {
   }
 
  private:
+  void append(const Mechanism& mechanism) {
+    for (const Function function : kAllFunctions) {
+      if (!needs_points(function) || oracle_.has_points()) {
+        programs_.emplace_back(function, trace_function(mechanism, function));
+      }
+    }
+  }
+
   Oracle<Digits50> oracle_;
   std::vector<std::pair<Function, std::vector<Program>>> programs_;
 };
