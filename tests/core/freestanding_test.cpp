@@ -4,6 +4,7 @@
 #include "core/closed_chain.hpp"
 #include "core/command_laws.hpp"
 #include "core/contact_solver.hpp"
+#include "core/damped_solve.hpp"
 #include "core/ldlt.hpp"
 #include "core/orientation.hpp"
 #include "core/posture_laws.hpp"
@@ -18,6 +19,7 @@ namespace treeline::test {
 float use_everything(float x) noexcept;
 float use_closed_chain(float x) noexcept;
 float use_contact_solver(float x) noexcept;
+float use_damped_solve(float x) noexcept;
 float use_posture_laws(float x) noexcept;
 float use_singularity(float x) noexcept;
 
@@ -55,6 +57,15 @@ float use_contact_solver(float x) noexcept {
   float wanted[1];
   core::solve_contacts<float>(1, A, &law, v, y, wanted, {10, 1e-6F});
   return y[2];
+}
+
+float use_damped_solve(float x) noexcept {
+  const float Lambda_inv[4] = {x, 0.0F, 0.0F, 1.0F};
+  const float J[6] = {x, 1.0F, 2.0F, 3.0F, x, 1.0F};
+  const float rows[2] = {x, x};
+  const float qdd_0[3] = {};
+  float tau[3] = {};
+  return core::add_damped_task_torque(Lambda_inv, J, rows, qdd_0, rows, rows, tau) + tau[0];
 }
 
 float use_posture_laws(float x) noexcept {
