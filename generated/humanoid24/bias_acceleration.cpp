@@ -15,7 +15,7 @@
 namespace humanoid24 {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
     const Real (&TREELINE_RESTRICT qd)[24], Real (&TREELINE_RESTRICT bias)[12]) noexcept {
   const Real angles[20] = {q[12], q[10], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1], q[0], q[9],
@@ -132,9 +132,7 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   const Real a7_x_p4 = a7_x_p3 - wd5_x;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * a7_x_p4;
-  const Lanes<2> a7_x_p6_lanes = a7_x_p2 + a7_x_p5_lanes;
-  const Lanes<2> a7_x_p7_lanes = detail::make_lanes<Real>(s7, s14) * a7_x_p6_lanes;
+  const Lanes<2> a7_x_p6_lanes = a7_x_p2 + detail::make_pack<Real>(0.18, (-0.18)) * a7_x_p4;
 
   // link 5 (chest2), outward
   const Real a5_x = c5 * a4_x + s5 * a5_y_p1;
@@ -159,21 +157,11 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   const Real a7_x_p9 = w6_y * w6_z + wd6_x;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_p10_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * a7_x_p9;
-  const Lanes<2> a7_x_p11_lanes = a7_x_p8 + a7_x_p10_lanes;
-  const Lanes<2> a7_x_p12_lanes = detail::make_lanes<Real>(c7, c14) * a7_x_p11_lanes;
-  const Lanes<2> a7_x_lanes = a7_x_p7_lanes + a7_x_p12_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> a9_x_p1_lanes = detail::make_lanes<Real>(c9, c16) * a7_x_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * a7_x_p6_lanes;
-  const Lanes<2> a7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * a7_x_p11_lanes;
-  const Lanes<2> a7_y_lanes = a7_y_p1_lanes - a7_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * a7_y_lanes;
+  const Lanes<2> a7_x_p11_lanes = a7_x_p8 + detail::make_pack<Real>(0.18, (-0.18)) * a7_x_p9;
+  const Lanes<2> a7_x_lanes = detail::make_pack<Real>(s7, s14) * a7_x_p6_lanes +
+      detail::make_pack<Real>(c7, c14) * a7_x_p11_lanes;
+  const Lanes<2> a7_y_lanes = detail::make_pack<Real>(c7, c14) * a7_x_p6_lanes -
+      detail::make_pack<Real>(s7, s14) * a7_x_p11_lanes;
 
   // link 6 (chest3), outward
   const Real minus_a6_y = s6 * a6_x_p1 + c6 * a6_x_p2;
@@ -181,264 +169,163 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   // link 7 (left_shoulder1), outward
   const Real minus_a7_z_p1 = minus_a6_y + 0.226 * (a7_x_p3 + wd5_x);
   const Real minus_a7_z_p2 = w6_x * w6_x + a7_x_p1;
-  const Lanes<2> minus_a7_z_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * minus_a7_z_p2;
-  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p1 + minus_a7_z_p3_lanes;
+  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p1 + detail::make_pack<Real>(0.18, (-0.18)) *
+      minus_a7_z_p2;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * minus_a7_z_lanes;
-  const Lanes<2> minus_a8_y_lanes = minus_a8_y_p1_lanes + minus_a8_y_p2_lanes;
+  const Lanes<2> minus_a8_y_lanes = detail::make_pack<Real>(s8, s15) * a7_y_lanes +
+      detail::make_pack<Real>(c8, c15) * minus_a7_z_lanes;
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> a9_x_p2_lanes = detail::make_lanes<Real>(s9, s16) * minus_a8_y_lanes;
-  const Lanes<2> a9_x_lanes = a9_x_p1_lanes - a9_x_p2_lanes;
+  const Lanes<2> a9_x_lanes = detail::make_pack<Real>(c9, c16) * a7_x_lanes -
+      detail::make_pack<Real>(s9, s16) * minus_a8_y_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * wd6_x;
-  const Lanes<2> wd7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * wd5_x;
-  const Lanes<2> wd7_y_p3_lanes = wd7_y_p1_lanes - wd7_y_p2_lanes;
-  const Lanes<2> w7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * w6_x;
-  const Lanes<2> w7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * w6_z;
-  const Lanes<2> w7_x_lanes = w7_x_p1_lanes + w7_x_p2_lanes;
-  const Lanes<2> wd7_y_p4_lanes = w7_x_lanes * detail::make_lanes<Real>(qd[6], qd[13]);
-  const Lanes<2> wd7_y_lanes = wd7_y_p3_lanes - wd7_y_p4_lanes;
+  const Lanes<2> w7_x_lanes = detail::make_pack<Real>(s7, s14) * w6_x +
+      detail::make_pack<Real>(c7, c14) * w6_z;
+  const Lanes<2> wd7_y_lanes = detail::make_pack<Real>(c7, c14) * wd6_x -
+      detail::make_pack<Real>(s7, s14) * wd5_x - w7_x_lanes *
+      detail::make_pack<Real>(qd[6], qd[13]);
+  const Lanes<2> w7_y_lanes = detail::make_pack<Real>(c7, c14) * w6_x -
+      detail::make_pack<Real>(s7, s14) * w6_z;
+  const Lanes<2> w7_z_lanes = w6_y + detail::make_pack<Real>(qd[6], qd[13]);
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * wd7_y_lanes;
-  const Lanes<2> wd8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * wd6_y;
-  const Lanes<2> wd8_y_p3_lanes = wd8_y_p2_lanes - wd8_y_p1_lanes;
+  const Lanes<2> w8_x_lanes = detail::make_pack<Real>(c8, c15) * w7_y_lanes +
+      detail::make_pack<Real>(s8, s15) * w7_z_lanes;
+  const Lanes<2> wd8_y_lanes = detail::make_pack<Real>(c8, c15) * wd6_y -
+      detail::make_pack<Real>(s8, s15) * wd7_y_lanes - w8_x_lanes *
+      detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * w6_x;
-  const Lanes<2> w7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * w6_z;
-  const Lanes<2> w7_y_lanes = w7_y_p1_lanes - w7_y_p2_lanes;
+  const Lanes<2> wd7_x_lanes = detail::make_pack<Real>(s7, s14) * wd6_x +
+      detail::make_pack<Real>(c7, c14) * wd5_x + w7_y_lanes *
+      detail::make_pack<Real>(qd[6], qd[13]);
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * w7_y_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_z_lanes = w6_y + detail::make_lanes<Real>(qd[6], qd[13]);
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * w7_z_lanes;
-  const Lanes<2> w8_x_lanes = w8_x_p1_lanes + w8_x_p2_lanes;
-  const Lanes<2> wd8_y_p4_lanes = w8_x_lanes * detail::make_lanes<Real>(qd[7], qd[14]);
-  const Lanes<2> wd8_y_lanes = wd8_y_p3_lanes - wd8_y_p4_lanes;
+  const Lanes<2> w8_y_lanes = detail::make_pack<Real>(c8, c15) * w7_z_lanes -
+      detail::make_pack<Real>(s8, s15) * w7_y_lanes;
+  const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> wd9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * wd8_y_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * wd6_x;
-  const Lanes<2> wd7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * wd5_x;
-  const Lanes<2> wd7_x_p3_lanes = wd7_x_p1_lanes + wd7_x_p2_lanes;
-  const Lanes<2> wd7_x_p4_lanes = w7_y_lanes * detail::make_lanes<Real>(qd[6], qd[13]);
-  const Lanes<2> wd7_x_lanes = wd7_x_p3_lanes + wd7_x_p4_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> wd9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * wd7_x_lanes;
-  const Lanes<2> wd9_y_p3_lanes = wd9_y_p1_lanes - wd9_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * w7_y_lanes;
-  const Lanes<2> w8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * w7_z_lanes;
-  const Lanes<2> w8_y_lanes = w8_y_p2_lanes - w8_y_p1_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> w9_x_p1_lanes = detail::make_lanes<Real>(s9, s16) * w8_y_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_lanes<Real>(qd[7], qd[14]);
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> w9_x_p2_lanes = detail::make_lanes<Real>(c9, c16) * w8_z_lanes;
-  const Lanes<2> w9_x_lanes = w9_x_p1_lanes + w9_x_p2_lanes;
-  const Lanes<2> wd9_y_p4_lanes = w9_x_lanes * detail::make_lanes<Real>(qd[8], qd[15]);
-  const Lanes<2> wd9_y_lanes = wd9_y_p3_lanes - wd9_y_p4_lanes;
-  const Lanes<2> w9_z_lanes = detail::make_lanes<Real>(qd[8], qd[15]) - w8_x_lanes;
-  const Lanes<2> a10_x_p1_lanes = w9_x_lanes * w9_z_lanes;
-  const Lanes<2> a10_x_p2_lanes = a10_x_p1_lanes + wd9_y_lanes;
+  const Lanes<2> w9_x_lanes = detail::make_pack<Real>(s9, s16) * w8_y_lanes +
+      detail::make_pack<Real>(c9, c16) * w8_z_lanes;
+  const Lanes<2> wd9_y_lanes = detail::make_pack<Real>(c9, c16) * wd8_y_lanes -
+      detail::make_pack<Real>(s9, s16) * wd7_x_lanes - w9_x_lanes *
+      detail::make_pack<Real>(qd[8], qd[15]);
+  const Lanes<2> w9_z_lanes = detail::make_pack<Real>(qd[8], qd[15]) - w8_x_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p3_lanes = 0.282 * a10_x_p2_lanes;
-  const Lanes<2> a10_x_p4_lanes = a9_x_lanes - a10_x_p3_lanes;
-  const Lanes<2> a10_x_p5_lanes = detail::make_lanes<Real>(c10, c17) * a10_x_p4_lanes;
+  const Lanes<2> a10_x_p4_lanes = a9_x_lanes - 0.282 * (w9_x_lanes * w9_z_lanes + wd9_y_lanes);
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> a10_x_p6_lanes = w9_x_lanes * w9_x_lanes;
-  const Lanes<2> w9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * w8_y_lanes;
-  const Lanes<2> w9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * w8_z_lanes;
-  const Lanes<2> w9_y_lanes = w9_y_p1_lanes - w9_y_p2_lanes;
-  const Lanes<2> a10_x_p7_lanes = w9_y_lanes * w9_y_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p8_lanes = a10_x_p6_lanes + a10_x_p7_lanes;
-  const Lanes<2> a10_x_p9_lanes = 0.282 * a10_x_p8_lanes;
+  const Lanes<2> w9_y_lanes = detail::make_pack<Real>(c9, c16) * w8_y_lanes -
+      detail::make_pack<Real>(s9, s16) * w8_z_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> a8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * a7_y_lanes;
-  const Lanes<2> a8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * minus_a7_z_lanes;
-  const Lanes<2> a8_x_lanes = a8_x_p1_lanes - a8_x_p2_lanes;
+  const Lanes<2> a8_x_lanes = detail::make_pack<Real>(c8, c15) * a7_y_lanes -
+      detail::make_pack<Real>(s8, s15) * minus_a7_z_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p10_lanes = a10_x_p9_lanes - a8_x_lanes;
-  const Lanes<2> a10_x_p11_lanes = detail::make_lanes<Real>(s10, s17) * a10_x_p10_lanes;
-  const Lanes<2> a10_x_lanes = a10_x_p5_lanes - a10_x_p11_lanes;
+  const Lanes<2> a10_x_p10_lanes = 0.282 * (w9_x_lanes * w9_x_lanes + w9_y_lanes * w9_y_lanes) -
+      a8_x_lanes;
+  const Lanes<2> a10_x_lanes = detail::make_pack<Real>(c10, c17) * a10_x_p4_lanes -
+      detail::make_pack<Real>(s10, s17) * a10_x_p10_lanes;
+
+  // link 9 (left_upperarm), outward
+  const Lanes<2> minus_a9_y_lanes = detail::make_pack<Real>(c9, c16) * minus_a8_y_lanes +
+      detail::make_pack<Real>(s9, s16) * a7_x_lanes;
+  const Lanes<2> wd9_x_lanes = detail::make_pack<Real>(s9, s16) * wd8_y_lanes +
+      detail::make_pack<Real>(c9, c16) * wd7_x_lanes + w9_y_lanes *
+      detail::make_pack<Real>(qd[8], qd[15]);
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + 0.282 *
+      (w9_y_lanes * w9_z_lanes - wd9_x_lanes);
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> a11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * a10_x_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> minus_a9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * minus_a8_y_lanes;
-  const Lanes<2> minus_a9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * a7_x_lanes;
-  const Lanes<2> minus_a9_y_lanes = minus_a9_y_p1_lanes + minus_a9_y_p2_lanes;
-  const Lanes<2> wd9_x_p1_lanes = detail::make_lanes<Real>(s9, s16) * wd8_y_lanes;
-  const Lanes<2> wd9_x_p2_lanes = detail::make_lanes<Real>(c9, c16) * wd7_x_lanes;
-  const Lanes<2> wd9_x_p3_lanes = wd9_x_p1_lanes + wd9_x_p2_lanes;
-  const Lanes<2> wd9_x_p4_lanes = w9_y_lanes * detail::make_lanes<Real>(qd[8], qd[15]);
-  const Lanes<2> wd9_x_lanes = wd9_x_p3_lanes + wd9_x_p4_lanes;
-  const Lanes<2> minus_a10_z_p1_lanes = w9_y_lanes * w9_z_lanes;
-  const Lanes<2> minus_a10_z_p2_lanes = minus_a10_z_p1_lanes - wd9_x_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_a10_z_p3_lanes = 0.282 * minus_a10_z_p2_lanes;
-  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + minus_a10_z_p3_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> a11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * minus_a10_z_lanes;
-  const Lanes<2> a11_x_lanes = a11_x_p1_lanes - a11_x_p2_lanes;
-  const Lanes<2> wd11_y_p1_lanes = detail::make_lanes<Real>(c11, c18) * wd9_y_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * wd9_x_lanes;
+  const Lanes<2> a11_x_lanes = detail::make_pack<Real>(c11, c18) * a10_x_lanes -
+      detail::make_pack<Real>(s11, s18) * minus_a10_z_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * wd7_y_lanes;
-  const Lanes<2> wd8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * wd6_y;
-  const Lanes<2> wd8_x_p3_lanes = wd8_x_p1_lanes + wd8_x_p2_lanes;
-  const Lanes<2> wd8_x_p4_lanes = w8_y_lanes * detail::make_lanes<Real>(qd[7], qd[14]);
-  const Lanes<2> wd8_x_lanes = wd8_x_p3_lanes + wd8_x_p4_lanes;
+  const Lanes<2> wd8_x_lanes = detail::make_pack<Real>(c8, c15) * wd7_y_lanes +
+      detail::make_pack<Real>(s8, s15) * wd6_y + w8_y_lanes *
+      detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * wd8_x_lanes;
-  const Lanes<2> wd10_x_p3_lanes = wd10_x_p1_lanes + wd10_x_p2_lanes;
-  const Lanes<2> minus_w10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * w9_x_lanes;
-  const Lanes<2> minus_w10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * w9_z_lanes;
-  const Lanes<2> minus_w10_y_lanes = minus_w10_y_p1_lanes + minus_w10_y_p2_lanes;
-  const Lanes<2> wd10_x_p4_lanes = minus_w10_y_lanes * detail::make_lanes<Real>(qd[9], qd[16]);
-  const Lanes<2> wd10_x_lanes = wd10_x_p3_lanes - wd10_x_p4_lanes;
+  const Lanes<2> minus_w10_y_lanes = detail::make_pack<Real>(s10, s17) * w9_x_lanes +
+      detail::make_pack<Real>(c10, c17) * w9_z_lanes;
+  const Lanes<2> wd10_x_lanes = detail::make_pack<Real>(c10, c17) * wd9_x_lanes +
+      detail::make_pack<Real>(s10, s17) * wd8_x_lanes - minus_w10_y_lanes *
+      detail::make_pack<Real>(qd[9], qd[16]);
+  const Lanes<2> w10_x_lanes = detail::make_pack<Real>(c10, c17) * w9_x_lanes -
+      detail::make_pack<Real>(s10, s17) * w9_z_lanes;
+  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_pack<Real>(qd[9], qd[16]);
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> wd11_y_p2_lanes = detail::make_lanes<Real>(s11, s18) * wd10_x_lanes;
-  const Lanes<2> wd11_y_p3_lanes = wd11_y_p1_lanes - wd11_y_p2_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> w10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * w9_x_lanes;
-  const Lanes<2> w10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * w9_z_lanes;
-  const Lanes<2> w10_x_lanes = w10_x_p1_lanes - w10_x_p2_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> w11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * w10_x_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_lanes<Real>(qd[9], qd[16]);
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> w11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * w10_z_lanes;
-  const Lanes<2> w11_x_lanes = w11_x_p1_lanes + w11_x_p2_lanes;
-  const Lanes<2> wd11_y_p4_lanes = w11_x_lanes * detail::make_lanes<Real>(qd[10], qd[17]);
-  const Lanes<2> wd11_y_lanes = wd11_y_p3_lanes - wd11_y_p4_lanes;
-  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_lanes<Real>(qd[10], qd[17]);
-  const Lanes<2> minus_a12_y_p1_lanes = w11_x_lanes * w11_z_lanes;
-  const Lanes<2> minus_a12_y_p2_lanes = minus_a12_y_p1_lanes + wd11_y_lanes;
+  const Lanes<2> w11_x_lanes = detail::make_pack<Real>(c11, c18) * w10_x_lanes +
+      detail::make_pack<Real>(s11, s18) * w10_z_lanes;
+  const Lanes<2> wd11_y_lanes = detail::make_pack<Real>(c11, c18) * wd9_y_lanes -
+      detail::make_pack<Real>(s11, s18) * wd10_x_lanes - w11_x_lanes *
+      detail::make_pack<Real>(qd[10], qd[17]);
+  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_pack<Real>(qd[10], qd[17]);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_p3_lanes = 0.269 * minus_a12_y_p2_lanes;
-  const Lanes<2> minus_a12_y_p4_lanes = a11_x_lanes - minus_a12_y_p3_lanes;
-  const Lanes<2> minus_a12_y_p5_lanes = detail::make_lanes<Real>(s12, s19) * minus_a12_y_p4_lanes;
+  const Lanes<2> minus_a12_y_p4_lanes = a11_x_lanes - 0.269 *
+      (w11_x_lanes * w11_z_lanes + wd11_y_lanes);
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_a10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * a10_x_p4_lanes;
-  const Lanes<2> minus_a10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * a10_x_p10_lanes;
-  const Lanes<2> minus_a10_y_lanes = minus_a10_y_p1_lanes + minus_a10_y_p2_lanes;
+  const Lanes<2> minus_a10_y_lanes = detail::make_pack<Real>(s10, s17) * a10_x_p4_lanes +
+      detail::make_pack<Real>(c10, c17) * a10_x_p10_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a12_y_p6_lanes = w11_x_lanes * w11_x_lanes;
-  const Lanes<2> w11_y_p1_lanes = detail::make_lanes<Real>(c11, c18) * w10_z_lanes;
-  const Lanes<2> w11_y_p2_lanes = detail::make_lanes<Real>(s11, s18) * w10_x_lanes;
-  const Lanes<2> w11_y_lanes = w11_y_p1_lanes - w11_y_p2_lanes;
-  const Lanes<2> minus_a12_y_p7_lanes = w11_y_lanes * w11_y_lanes;
+  const Lanes<2> w11_y_lanes = detail::make_pack<Real>(c11, c18) * w10_z_lanes -
+      detail::make_pack<Real>(s11, s18) * w10_x_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_p8_lanes = minus_a12_y_p6_lanes + minus_a12_y_p7_lanes;
-  const Lanes<2> minus_a12_y_p9_lanes = 0.269 * minus_a12_y_p8_lanes;
-  const Lanes<2> minus_a12_y_p10_lanes = minus_a10_y_lanes + minus_a12_y_p9_lanes;
-  const Lanes<2> minus_a12_y_p11_lanes = detail::make_lanes<Real>(c12, c19) * minus_a12_y_p10_lanes;
-  const Lanes<2> minus_a12_y_lanes = minus_a12_y_p5_lanes + minus_a12_y_p11_lanes;
+  const Lanes<2> minus_a12_y_p10_lanes = minus_a10_y_lanes + 0.269 *
+      (w11_x_lanes * w11_x_lanes + w11_y_lanes * w11_y_lanes);
+  const Lanes<2> minus_a12_y_lanes = detail::make_pack<Real>(s12, s19) * minus_a12_y_p4_lanes +
+      detail::make_pack<Real>(c12, c19) * minus_a12_y_p10_lanes;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> minus_a11_y_lanes = detail::make_pack<Real>(s11, s18) * a10_x_lanes +
+      detail::make_pack<Real>(c11, c18) * minus_a10_z_lanes;
+  const Lanes<2> wd11_x_lanes = detail::make_pack<Real>(c11, c18) * wd10_x_lanes +
+      detail::make_pack<Real>(s11, s18) * wd9_y_lanes + w11_y_lanes *
+      detail::make_pack<Real>(qd[10], qd[17]);
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + 0.269 *
+      (w11_y_lanes * w11_z_lanes - wd11_x_lanes);
 
   // link 13 (left_hand), outward
-  const Lanes<2> a13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_a12_y_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a11_y_p1_lanes = detail::make_lanes<Real>(s11, s18) * a10_x_lanes;
-  const Lanes<2> minus_a11_y_p2_lanes = detail::make_lanes<Real>(c11, c18) * minus_a10_z_lanes;
-  const Lanes<2> minus_a11_y_lanes = minus_a11_y_p1_lanes + minus_a11_y_p2_lanes;
-  const Lanes<2> wd11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * wd10_x_lanes;
-  const Lanes<2> wd11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * wd9_y_lanes;
-  const Lanes<2> wd11_x_p3_lanes = wd11_x_p1_lanes + wd11_x_p2_lanes;
-  const Lanes<2> wd11_x_p4_lanes = w11_y_lanes * detail::make_lanes<Real>(qd[10], qd[17]);
-  const Lanes<2> wd11_x_lanes = wd11_x_p3_lanes + wd11_x_p4_lanes;
-  const Lanes<2> minus_a12_z_p1_lanes = w11_y_lanes * w11_z_lanes;
-  const Lanes<2> minus_a12_z_p2_lanes = minus_a12_z_p1_lanes - wd11_x_lanes;
+  const Lanes<2> a13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_a12_y_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_a12_z_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_z_p3_lanes = 0.269 * minus_a12_z_p2_lanes;
-  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + minus_a12_z_p3_lanes;
+  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_pack<Real>(qd[11], qd[18]);
+  const Lanes<2> minus_w12_y_lanes = detail::make_pack<Real>(s12, s19) * w11_x_lanes +
+      detail::make_pack<Real>(c12, c19) * w11_z_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> a13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_a12_z_lanes;
-  const Lanes<2> a13_y_lanes = a13_y_p1_lanes - a13_y_p2_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_lanes<Real>(qd[11], qd[18]);
-
-  // link 13 (left_hand), outward
-  const Lanes<2> w13_x_p1_lanes = detail::make_lanes<Real>(s13, s20) * w12_z_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> minus_w12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * w11_x_lanes;
-  const Lanes<2> minus_w12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * w11_z_lanes;
-  const Lanes<2> minus_w12_y_lanes = minus_w12_y_p1_lanes + minus_w12_y_p2_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> w13_x_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_w12_y_lanes;
-  const Lanes<2> w13_x_lanes = w13_x_p1_lanes - w13_x_p2_lanes;
-  const Lanes<2> w13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_w12_y_lanes;
-  const Lanes<2> w13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * w12_z_lanes;
-  const Lanes<2> w13_y_lanes = w13_y_p1_lanes + w13_y_p2_lanes;
-  const Lanes<2> bias_0_p1_lanes = w13_x_lanes * w13_y_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * wd11_x_lanes;
+  const Lanes<2> w13_x_lanes = detail::make_pack<Real>(s13, s20) * w12_z_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_w12_y_lanes;
+  const Lanes<2> w13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_w12_y_lanes +
+      detail::make_pack<Real>(c13, c20) * w12_z_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * wd9_x_lanes;
-  const Lanes<2> wd10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * wd8_x_lanes;
-  const Lanes<2> wd10_y_p3_lanes = wd10_y_p2_lanes - wd10_y_p1_lanes;
-  const Lanes<2> wd10_y_p4_lanes = w10_x_lanes * detail::make_lanes<Real>(qd[9], qd[16]);
-  const Lanes<2> wd10_y_lanes = wd10_y_p3_lanes - wd10_y_p4_lanes;
+  const Lanes<2> wd10_y_lanes = detail::make_pack<Real>(c10, c17) * wd8_x_lanes -
+      detail::make_pack<Real>(s10, s17) * wd9_x_lanes - w10_x_lanes *
+      detail::make_pack<Real>(qd[9], qd[16]);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * wd10_y_lanes;
-  const Lanes<2> wd12_x_p3_lanes = wd12_x_p1_lanes + wd12_x_p2_lanes;
-  const Lanes<2> wd12_x_p4_lanes = minus_w12_y_lanes * detail::make_lanes<Real>(qd[11], qd[18]);
-  const Lanes<2> wd12_x_lanes = wd12_x_p3_lanes - wd12_x_p4_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> bias_0_p2_lanes = bias_0_p1_lanes + wd12_x_lanes;
+  const Lanes<2> wd12_x_lanes = detail::make_pack<Real>(c12, c19) * wd11_x_lanes +
+      detail::make_pack<Real>(s12, s19) * wd10_y_lanes - minus_w12_y_lanes *
+      detail::make_pack<Real>(qd[11], qd[18]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> bias_0_p3_lanes = 0.086 * bias_0_p2_lanes;
-  const Lanes<2> bias_0_p4_lanes = a13_y_lanes + bias_0_p3_lanes;
+  const Lanes<2> bias_0_p4_lanes = a13_y_lanes + 0.086 * (w13_x_lanes * w13_y_lanes + wd12_x_lanes);
 
   // link 2 (thigh), pose
   const Real bias_0_p5 = c2 * c1 - s2 * s1;
@@ -462,153 +349,98 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real bias_0_p12 = c6 * bias_0_p10 + s6 * bias_0_p11;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_0_p13_lanes = detail::make_lanes<Real>(c7, c14) * bias_0_p12;
-
   // link 5 (chest2), pose
   const Real bias_0_p14 = c5 * bias_0_p8 - s5 * bias_0_p9;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_0_p15_lanes = detail::make_lanes<Real>(s7, s14) * bias_0_p14;
-  const Lanes<2> bias_0_p16_lanes = bias_0_p13_lanes + bias_0_p15_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_0_p17_lanes = detail::make_lanes<Real>(s8, s15) * bias_0_p16_lanes;
+  const Lanes<2> bias_0_p16_lanes = detail::make_pack<Real>(c7, c14) * bias_0_p12 +
+      detail::make_pack<Real>(s7, s14) * bias_0_p14;
 
   // link 6 (chest3), pose
   const Real bias_0_p18 = s6 * bias_0_p10 - c6 * bias_0_p11;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_0_p19_lanes = detail::make_lanes<Real>(c8, c15) * bias_0_p18;
-  const Lanes<2> bias_0_p20_lanes = bias_0_p17_lanes + bias_0_p19_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> bias_0_p21_lanes = detail::make_lanes<Real>(c9, c16) * bias_0_p20_lanes;
+  const Lanes<2> bias_0_p20_lanes = detail::make_pack<Real>(s8, s15) * bias_0_p16_lanes +
+      detail::make_pack<Real>(c8, c15) * bias_0_p18;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_0_p22_lanes = detail::make_lanes<Real>(c7, c14) * bias_0_p14;
-  const Lanes<2> bias_0_p23_lanes = detail::make_lanes<Real>(s7, s14) * bias_0_p12;
-  const Lanes<2> bias_0_p24_lanes = bias_0_p22_lanes - bias_0_p23_lanes;
+  const Lanes<2> bias_0_p24_lanes = detail::make_pack<Real>(c7, c14) * bias_0_p14 -
+      detail::make_pack<Real>(s7, s14) * bias_0_p12;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> bias_0_p25_lanes = detail::make_lanes<Real>(s9, s16) * bias_0_p24_lanes;
-  const Lanes<2> bias_0_p26_lanes = bias_0_p21_lanes - bias_0_p25_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> bias_0_p27_lanes = detail::make_lanes<Real>(c11, c18) * bias_0_p26_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> bias_0_p28_lanes = detail::make_lanes<Real>(s9, s16) * bias_0_p20_lanes;
-  const Lanes<2> bias_0_p29_lanes = detail::make_lanes<Real>(c9, c16) * bias_0_p24_lanes;
-  const Lanes<2> bias_0_p30_lanes = bias_0_p28_lanes + bias_0_p29_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_0_p31_lanes = detail::make_lanes<Real>(c10, c17) * bias_0_p30_lanes;
+  const Lanes<2> bias_0_p26_lanes = detail::make_pack<Real>(c9, c16) * bias_0_p20_lanes -
+      detail::make_pack<Real>(s9, s16) * bias_0_p24_lanes;
+  const Lanes<2> bias_0_p30_lanes = detail::make_pack<Real>(s9, s16) * bias_0_p20_lanes +
+      detail::make_pack<Real>(c9, c16) * bias_0_p24_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_0_p32_lanes = detail::make_lanes<Real>(c8, c15) * bias_0_p16_lanes;
-  const Lanes<2> bias_0_p33_lanes = detail::make_lanes<Real>(s8, s15) * bias_0_p18;
-  const Lanes<2> bias_0_p34_lanes = bias_0_p33_lanes - bias_0_p32_lanes;
+  const Lanes<2> bias_0_p34_lanes = detail::make_pack<Real>(s8, s15) * bias_0_p18 -
+      detail::make_pack<Real>(c8, c15) * bias_0_p16_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_0_p35_lanes = detail::make_lanes<Real>(s10, s17) * bias_0_p34_lanes;
-  const Lanes<2> bias_0_p36_lanes = bias_0_p31_lanes + bias_0_p35_lanes;
+  const Lanes<2> bias_0_p36_lanes = detail::make_pack<Real>(c10, c17) * bias_0_p30_lanes +
+      detail::make_pack<Real>(s10, s17) * bias_0_p34_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> bias_0_p37_lanes = detail::make_lanes<Real>(s11, s18) * bias_0_p36_lanes;
-  const Lanes<2> bias_0_p38_lanes = bias_0_p27_lanes - bias_0_p37_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> bias_0_p39_lanes = detail::make_lanes<Real>(c13, c20) * bias_0_p38_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> bias_0_p40_lanes = detail::make_lanes<Real>(c11, c18) * bias_0_p36_lanes;
-  const Lanes<2> bias_0_p41_lanes = detail::make_lanes<Real>(s11, s18) * bias_0_p26_lanes;
-  const Lanes<2> bias_0_p42_lanes = bias_0_p40_lanes + bias_0_p41_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> bias_0_p43_lanes = detail::make_lanes<Real>(s12, s19) * bias_0_p42_lanes;
+  const Lanes<2> bias_0_p38_lanes = detail::make_pack<Real>(c11, c18) * bias_0_p26_lanes -
+      detail::make_pack<Real>(s11, s18) * bias_0_p36_lanes;
+  const Lanes<2> bias_0_p42_lanes = detail::make_pack<Real>(c11, c18) * bias_0_p36_lanes +
+      detail::make_pack<Real>(s11, s18) * bias_0_p26_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_0_p44_lanes = detail::make_lanes<Real>(s10, s17) * bias_0_p30_lanes;
-  const Lanes<2> bias_0_p45_lanes = detail::make_lanes<Real>(c10, c17) * bias_0_p34_lanes;
-  const Lanes<2> bias_0_p46_lanes = bias_0_p45_lanes - bias_0_p44_lanes;
+  const Lanes<2> bias_0_p46_lanes = detail::make_pack<Real>(c10, c17) * bias_0_p34_lanes -
+      detail::make_pack<Real>(s10, s17) * bias_0_p30_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> bias_0_p47_lanes = detail::make_lanes<Real>(c12, c19) * bias_0_p46_lanes;
-  const Lanes<2> bias_0_p48_lanes = bias_0_p47_lanes - bias_0_p43_lanes;
+  const Lanes<2> bias_0_p48_lanes = detail::make_pack<Real>(c12, c19) * bias_0_p46_lanes -
+      detail::make_pack<Real>(s12, s19) * bias_0_p42_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> bias_0_p49_lanes = detail::make_lanes<Real>(s13, s20) * bias_0_p48_lanes;
-  const Lanes<2> bias_0_p50_lanes = bias_0_p39_lanes - bias_0_p49_lanes;
-
-  // link 24 (right_eye), outward
-  const Lanes<2> bias_0_p51_lanes = bias_0_p50_lanes * bias_0_p4_lanes;
+  const Lanes<2> bias_0_p50_lanes = detail::make_pack<Real>(c13, c20) * bias_0_p38_lanes -
+      detail::make_pack<Real>(s13, s20) * bias_0_p48_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> minus_a13_x_p1_lanes = detail::make_lanes<Real>(c13, c20) * minus_a12_y_lanes;
-  const Lanes<2> minus_a13_x_p2_lanes = detail::make_lanes<Real>(s13, s20) * minus_a12_z_lanes;
-  const Lanes<2> minus_a13_x_lanes = minus_a13_x_p1_lanes + minus_a13_x_p2_lanes;
-  const Lanes<2> bias_0_p52_lanes = w13_y_lanes * w13_y_lanes;
+  const Lanes<2> minus_a13_x_lanes = detail::make_pack<Real>(c13, c20) * minus_a12_y_lanes +
+      detail::make_pack<Real>(s13, s20) * minus_a12_z_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> w12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * w11_x_lanes;
-  const Lanes<2> w12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * w11_z_lanes;
-  const Lanes<2> w12_x_lanes = w12_x_p1_lanes - w12_x_p2_lanes;
+  const Lanes<2> w12_x_lanes = detail::make_pack<Real>(c12, c19) * w11_x_lanes -
+      detail::make_pack<Real>(s12, s19) * w11_z_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_lanes<Real>(qd[12], qd[19]);
-  const Lanes<2> bias_0_p53_lanes = w13_z_lanes * w13_z_lanes;
+  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> bias_0_p54_lanes = bias_0_p52_lanes + bias_0_p53_lanes;
-  const Lanes<2> bias_0_p55_lanes = 0.086 * bias_0_p54_lanes;
-  const Lanes<2> bias_0_p56_lanes = minus_a13_x_lanes + bias_0_p55_lanes;
+  const Lanes<2> bias_0_p56_lanes = minus_a13_x_lanes + 0.086 *
+      (w13_y_lanes * w13_y_lanes + w13_z_lanes * w13_z_lanes);
 
   // link 13 (left_hand), pose
-  const Lanes<2> bias_0_p57_lanes = detail::make_lanes<Real>(c13, c20) * bias_0_p48_lanes;
-  const Lanes<2> bias_0_p58_lanes = detail::make_lanes<Real>(s13, s20) * bias_0_p38_lanes;
-  const Lanes<2> bias_0_p59_lanes = bias_0_p57_lanes + bias_0_p58_lanes;
-
-  // link 24 (right_eye), outward
-  const Lanes<2> bias_0_p60_lanes = bias_0_p59_lanes * bias_0_p56_lanes;
-  const Lanes<2> bias_0_p61_lanes = bias_0_p51_lanes - bias_0_p60_lanes;
+  const Lanes<2> bias_0_p59_lanes = detail::make_pack<Real>(c13, c20) * bias_0_p48_lanes +
+      detail::make_pack<Real>(s13, s20) * bias_0_p38_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> a12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * minus_a12_y_p4_lanes;
-  const Lanes<2> a12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * minus_a12_y_p10_lanes;
-  const Lanes<2> a12_x_lanes = a12_x_p1_lanes - a12_x_p2_lanes;
+  const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * minus_a12_y_p4_lanes -
+      detail::make_pack<Real>(s12, s19) * minus_a12_y_p10_lanes;
+  const Lanes<2> wd12_y_lanes = detail::make_pack<Real>(c12, c19) * wd10_y_lanes -
+      detail::make_pack<Real>(s12, s19) * wd11_x_lanes - w12_x_lanes *
+      detail::make_pack<Real>(qd[11], qd[18]);
 
   // link 13 (left_hand), outward
-  const Lanes<2> wd13_y_p1_lanes = detail::make_lanes<Real>(c13, c20) * wd11_y_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * wd11_x_lanes;
-  const Lanes<2> wd12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * wd10_y_lanes;
-  const Lanes<2> wd12_y_p3_lanes = wd12_y_p2_lanes - wd12_y_p1_lanes;
-  const Lanes<2> wd12_y_p4_lanes = w12_x_lanes * detail::make_lanes<Real>(qd[11], qd[18]);
-  const Lanes<2> wd12_y_lanes = wd12_y_p3_lanes - wd12_y_p4_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> wd13_y_p2_lanes = detail::make_lanes<Real>(s13, s20) * wd12_y_lanes;
-  const Lanes<2> wd13_y_p3_lanes = wd13_y_p1_lanes - wd13_y_p2_lanes;
-  const Lanes<2> wd13_y_p4_lanes = w13_x_lanes * detail::make_lanes<Real>(qd[12], qd[19]);
-  const Lanes<2> wd13_y_lanes = wd13_y_p3_lanes - wd13_y_p4_lanes;
-  const Lanes<2> bias_0_p62_lanes = w13_x_lanes * w13_z_lanes;
-  const Lanes<2> bias_0_p63_lanes = bias_0_p62_lanes - wd13_y_lanes;
+  const Lanes<2> wd13_y_lanes = detail::make_pack<Real>(c13, c20) * wd11_y_lanes -
+      detail::make_pack<Real>(s13, s20) * wd12_y_lanes - w13_x_lanes *
+      detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> bias_0_p64_lanes = 0.086 * bias_0_p63_lanes;
-  const Lanes<2> bias_0_p65_lanes = a12_x_lanes + bias_0_p64_lanes;
+  const Lanes<2> bias_0_p65_lanes = a12_x_lanes + 0.086 *
+      (w13_x_lanes * w13_z_lanes - wd13_y_lanes);
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> bias_0_p66_lanes = detail::make_lanes<Real>(c12, c19) * bias_0_p42_lanes;
-  const Lanes<2> bias_0_p67_lanes = detail::make_lanes<Real>(s12, s19) * bias_0_p46_lanes;
-  const Lanes<2> bias_0_p68_lanes = bias_0_p66_lanes + bias_0_p67_lanes;
+  const Lanes<2> bias_0_p68_lanes = detail::make_pack<Real>(c12, c19) * bias_0_p42_lanes +
+      detail::make_pack<Real>(s12, s19) * bias_0_p46_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> bias_0_p69_lanes = bias_0_p68_lanes * bias_0_p65_lanes;
-  const Lanes<2> bias_0_lanes = bias_0_p61_lanes + bias_0_p69_lanes;
+  const Lanes<2> bias_0_lanes = bias_0_p50_lanes * bias_0_p4_lanes - bias_0_p59_lanes *
+      bias_0_p56_lanes + bias_0_p68_lanes * bias_0_p65_lanes;
   bias[0] = bias_0_lanes[0];
   bias[6] = bias_0_lanes[1];
 
@@ -618,106 +450,65 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real bias_1_p2 = s6 * c4 - c6 * bias_1_p1;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_1_p3_lanes = detail::make_lanes<Real>(c7, c14) * bias_1_p2;
-
   // link 5 (chest2), pose
   const Real bias_1_p4 = c5 * s4;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_1_p5_lanes = detail::make_lanes<Real>(s7, s14) * bias_1_p4;
-  const Lanes<2> bias_1_p6_lanes = bias_1_p3_lanes - bias_1_p5_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_1_p7_lanes = detail::make_lanes<Real>(c8, c15) * bias_1_p6_lanes;
+  const Lanes<2> bias_1_p6_lanes = detail::make_pack<Real>(c7, c14) * bias_1_p2 -
+      detail::make_pack<Real>(s7, s14) * bias_1_p4;
 
   // link 6 (chest3), pose
   const Real bias_1_p8 = s6 * bias_1_p1 + c6 * c4;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_1_p9_lanes = detail::make_lanes<Real>(s8, s15) * bias_1_p8;
-  const Lanes<2> bias_1_p10_lanes = bias_1_p7_lanes + bias_1_p9_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_1_p11_lanes = detail::make_lanes<Real>(c10, c17) * bias_1_p10_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_1_p12_lanes = detail::make_lanes<Real>(c8, c15) * bias_1_p8;
-  const Lanes<2> bias_1_p13_lanes = detail::make_lanes<Real>(s8, s15) * bias_1_p6_lanes;
-  const Lanes<2> bias_1_p14_lanes = bias_1_p12_lanes - bias_1_p13_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> bias_1_p15_lanes = detail::make_lanes<Real>(s9, s16) * bias_1_p14_lanes;
+  const Lanes<2> bias_1_p10_lanes = detail::make_pack<Real>(c8, c15) * bias_1_p6_lanes +
+      detail::make_pack<Real>(s8, s15) * bias_1_p8;
+  const Lanes<2> bias_1_p14_lanes = detail::make_pack<Real>(c8, c15) * bias_1_p8 -
+      detail::make_pack<Real>(s8, s15) * bias_1_p6_lanes;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_1_p16_lanes = detail::make_lanes<Real>(s7, s14) * bias_1_p2;
-  const Lanes<2> bias_1_p17_lanes = detail::make_lanes<Real>(c7, c14) * bias_1_p4;
-  const Lanes<2> bias_1_p18_lanes = bias_1_p16_lanes + bias_1_p17_lanes;
+  const Lanes<2> bias_1_p18_lanes = detail::make_pack<Real>(s7, s14) * bias_1_p2 +
+      detail::make_pack<Real>(c7, c14) * bias_1_p4;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> bias_1_p19_lanes = detail::make_lanes<Real>(c9, c16) * bias_1_p18_lanes;
-  const Lanes<2> bias_1_p20_lanes = bias_1_p15_lanes + bias_1_p19_lanes;
+  const Lanes<2> bias_1_p20_lanes = detail::make_pack<Real>(s9, s16) * bias_1_p14_lanes +
+      detail::make_pack<Real>(c9, c16) * bias_1_p18_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_1_p21_lanes = detail::make_lanes<Real>(s10, s17) * bias_1_p20_lanes;
-  const Lanes<2> bias_1_p22_lanes = bias_1_p11_lanes - bias_1_p21_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> bias_1_p23_lanes = detail::make_lanes<Real>(c12, c19) * bias_1_p22_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_1_p24_lanes = detail::make_lanes<Real>(c10, c17) * bias_1_p20_lanes;
-  const Lanes<2> bias_1_p25_lanes = detail::make_lanes<Real>(s10, s17) * bias_1_p10_lanes;
-  const Lanes<2> bias_1_p26_lanes = bias_1_p24_lanes + bias_1_p25_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> bias_1_p27_lanes = detail::make_lanes<Real>(c11, c18) * bias_1_p26_lanes;
+  const Lanes<2> bias_1_p22_lanes = detail::make_pack<Real>(c10, c17) * bias_1_p10_lanes -
+      detail::make_pack<Real>(s10, s17) * bias_1_p20_lanes;
+  const Lanes<2> bias_1_p26_lanes = detail::make_pack<Real>(c10, c17) * bias_1_p20_lanes +
+      detail::make_pack<Real>(s10, s17) * bias_1_p10_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> bias_1_p28_lanes = detail::make_lanes<Real>(c9, c16) * bias_1_p14_lanes;
-  const Lanes<2> bias_1_p29_lanes = detail::make_lanes<Real>(s9, s16) * bias_1_p18_lanes;
-  const Lanes<2> bias_1_p30_lanes = bias_1_p28_lanes - bias_1_p29_lanes;
+  const Lanes<2> bias_1_p30_lanes = detail::make_pack<Real>(c9, c16) * bias_1_p14_lanes -
+      detail::make_pack<Real>(s9, s16) * bias_1_p18_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> bias_1_p31_lanes = detail::make_lanes<Real>(s11, s18) * bias_1_p30_lanes;
-  const Lanes<2> bias_1_p32_lanes = bias_1_p27_lanes + bias_1_p31_lanes;
+  const Lanes<2> bias_1_p32_lanes = detail::make_pack<Real>(c11, c18) * bias_1_p26_lanes +
+      detail::make_pack<Real>(s11, s18) * bias_1_p30_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> bias_1_p33_lanes = detail::make_lanes<Real>(s12, s19) * bias_1_p32_lanes;
-  const Lanes<2> bias_1_p34_lanes = bias_1_p23_lanes - bias_1_p33_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> bias_1_p35_lanes = detail::make_lanes<Real>(s13, s20) * bias_1_p34_lanes;
+  const Lanes<2> bias_1_p34_lanes = detail::make_pack<Real>(c12, c19) * bias_1_p22_lanes -
+      detail::make_pack<Real>(s12, s19) * bias_1_p32_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> bias_1_p36_lanes = detail::make_lanes<Real>(s11, s18) * bias_1_p26_lanes;
-  const Lanes<2> bias_1_p37_lanes = detail::make_lanes<Real>(c11, c18) * bias_1_p30_lanes;
-  const Lanes<2> bias_1_p38_lanes = bias_1_p37_lanes - bias_1_p36_lanes;
+  const Lanes<2> bias_1_p38_lanes = detail::make_pack<Real>(c11, c18) * bias_1_p30_lanes -
+      detail::make_pack<Real>(s11, s18) * bias_1_p26_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> bias_1_p39_lanes = detail::make_lanes<Real>(c13, c20) * bias_1_p38_lanes;
-  const Lanes<2> bias_1_p40_lanes = bias_1_p39_lanes - bias_1_p35_lanes;
-
-  // link 24 (right_eye), outward
-  const Lanes<2> bias_1_p41_lanes = bias_1_p40_lanes * bias_0_p4_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> bias_1_p42_lanes = detail::make_lanes<Real>(c13, c20) * bias_1_p34_lanes;
-  const Lanes<2> bias_1_p43_lanes = detail::make_lanes<Real>(s13, s20) * bias_1_p38_lanes;
-  const Lanes<2> bias_1_p44_lanes = bias_1_p42_lanes + bias_1_p43_lanes;
-
-  // link 24 (right_eye), outward
-  const Lanes<2> bias_1_p45_lanes = bias_1_p44_lanes * bias_0_p56_lanes;
-  const Lanes<2> bias_1_p46_lanes = bias_1_p41_lanes - bias_1_p45_lanes;
+  const Lanes<2> bias_1_p40_lanes = detail::make_pack<Real>(c13, c20) * bias_1_p38_lanes -
+      detail::make_pack<Real>(s13, s20) * bias_1_p34_lanes;
+  const Lanes<2> bias_1_p44_lanes = detail::make_pack<Real>(c13, c20) * bias_1_p34_lanes +
+      detail::make_pack<Real>(s13, s20) * bias_1_p38_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> bias_1_p47_lanes = detail::make_lanes<Real>(c12, c19) * bias_1_p32_lanes;
-  const Lanes<2> bias_1_p48_lanes = detail::make_lanes<Real>(s12, s19) * bias_1_p22_lanes;
-  const Lanes<2> bias_1_p49_lanes = bias_1_p47_lanes + bias_1_p48_lanes;
+  const Lanes<2> bias_1_p49_lanes = detail::make_pack<Real>(c12, c19) * bias_1_p32_lanes +
+      detail::make_pack<Real>(s12, s19) * bias_1_p22_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> bias_1_p50_lanes = bias_1_p49_lanes * bias_0_p65_lanes;
-  const Lanes<2> bias_1_lanes = bias_1_p46_lanes + bias_1_p50_lanes;
+  const Lanes<2> bias_1_lanes = bias_1_p40_lanes * bias_0_p4_lanes - bias_1_p44_lanes *
+      bias_0_p56_lanes + bias_1_p49_lanes * bias_0_p65_lanes;
   bias[1] = bias_1_lanes[0];
   bias[7] = bias_1_lanes[1];
 
@@ -733,136 +524,86 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real bias_2_p4 = c6 * bias_2_p2 + s6 * bias_2_p3;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_2_p5_lanes = detail::make_lanes<Real>(s7, s14) * bias_2_p4;
-
   // link 5 (chest2), pose
   const Real bias_2_p6 = c5 * bias_2_p1 + s5 * bias_0_p7;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_2_p7_lanes = detail::make_lanes<Real>(c7, c14) * bias_2_p6;
-  const Lanes<2> bias_2_p8_lanes = bias_2_p5_lanes - bias_2_p7_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> bias_2_p9_lanes = detail::make_lanes<Real>(c9, c16) * bias_2_p8_lanes;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> bias_2_p10_lanes = detail::make_lanes<Real>(c7, c14) * bias_2_p4;
-  const Lanes<2> bias_2_p11_lanes = detail::make_lanes<Real>(s7, s14) * bias_2_p6;
-  const Lanes<2> bias_2_p12_lanes = bias_2_p10_lanes + bias_2_p11_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_2_p13_lanes = detail::make_lanes<Real>(s8, s15) * bias_2_p12_lanes;
+  const Lanes<2> bias_2_p8_lanes = detail::make_pack<Real>(s7, s14) * bias_2_p4 -
+      detail::make_pack<Real>(c7, c14) * bias_2_p6;
+  const Lanes<2> bias_2_p12_lanes = detail::make_pack<Real>(c7, c14) * bias_2_p4 +
+      detail::make_pack<Real>(s7, s14) * bias_2_p6;
 
   // link 6 (chest3), pose
   const Real bias_2_p14 = s6 * bias_2_p2 - c6 * bias_2_p3;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_2_p15_lanes = detail::make_lanes<Real>(c8, c15) * bias_2_p14;
-  const Lanes<2> bias_2_p16_lanes = bias_2_p13_lanes + bias_2_p15_lanes;
+  const Lanes<2> bias_2_p16_lanes = detail::make_pack<Real>(s8, s15) * bias_2_p12_lanes +
+      detail::make_pack<Real>(c8, c15) * bias_2_p14;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> bias_2_p17_lanes = detail::make_lanes<Real>(s9, s16) * bias_2_p16_lanes;
-  const Lanes<2> bias_2_p18_lanes = bias_2_p9_lanes - bias_2_p17_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_2_p19_lanes = detail::make_lanes<Real>(c10, c17) * bias_2_p18_lanes;
+  const Lanes<2> bias_2_p18_lanes = detail::make_pack<Real>(c9, c16) * bias_2_p8_lanes -
+      detail::make_pack<Real>(s9, s16) * bias_2_p16_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> bias_2_p20_lanes = detail::make_lanes<Real>(c8, c15) * bias_2_p12_lanes;
-  const Lanes<2> bias_2_p21_lanes = detail::make_lanes<Real>(s8, s15) * bias_2_p14;
-  const Lanes<2> bias_2_p22_lanes = bias_2_p20_lanes - bias_2_p21_lanes;
+  const Lanes<2> bias_2_p22_lanes = detail::make_pack<Real>(c8, c15) * bias_2_p12_lanes -
+      detail::make_pack<Real>(s8, s15) * bias_2_p14;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_2_p23_lanes = detail::make_lanes<Real>(s10, s17) * bias_2_p22_lanes;
-  const Lanes<2> bias_2_p24_lanes = bias_2_p19_lanes + bias_2_p23_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> bias_2_p25_lanes = detail::make_lanes<Real>(c11, c18) * bias_2_p24_lanes;
+  const Lanes<2> bias_2_p24_lanes = detail::make_pack<Real>(c10, c17) * bias_2_p18_lanes +
+      detail::make_pack<Real>(s10, s17) * bias_2_p22_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> bias_2_p26_lanes = detail::make_lanes<Real>(c9, c16) * bias_2_p16_lanes;
-  const Lanes<2> bias_2_p27_lanes = detail::make_lanes<Real>(s9, s16) * bias_2_p8_lanes;
-  const Lanes<2> bias_2_p28_lanes = bias_2_p26_lanes + bias_2_p27_lanes;
+  const Lanes<2> bias_2_p28_lanes = detail::make_pack<Real>(c9, c16) * bias_2_p16_lanes +
+      detail::make_pack<Real>(s9, s16) * bias_2_p8_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> bias_2_p29_lanes = detail::make_lanes<Real>(s11, s18) * bias_2_p28_lanes;
-  const Lanes<2> bias_2_p30_lanes = bias_2_p25_lanes - bias_2_p29_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> bias_2_p31_lanes = detail::make_lanes<Real>(s12, s19) * bias_2_p30_lanes;
+  const Lanes<2> bias_2_p30_lanes = detail::make_pack<Real>(c11, c18) * bias_2_p24_lanes -
+      detail::make_pack<Real>(s11, s18) * bias_2_p28_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> bias_2_p32_lanes = detail::make_lanes<Real>(s10, s17) * bias_2_p18_lanes;
-  const Lanes<2> bias_2_p33_lanes = detail::make_lanes<Real>(c10, c17) * bias_2_p22_lanes;
-  const Lanes<2> bias_2_p34_lanes = bias_2_p33_lanes - bias_2_p32_lanes;
+  const Lanes<2> bias_2_p34_lanes = detail::make_pack<Real>(c10, c17) * bias_2_p22_lanes -
+      detail::make_pack<Real>(s10, s17) * bias_2_p18_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> bias_2_p35_lanes = detail::make_lanes<Real>(c12, c19) * bias_2_p34_lanes;
-  const Lanes<2> bias_2_p36_lanes = bias_2_p35_lanes - bias_2_p31_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> bias_2_p37_lanes = detail::make_lanes<Real>(c13, c20) * bias_2_p36_lanes;
+  const Lanes<2> bias_2_p36_lanes = detail::make_pack<Real>(c12, c19) * bias_2_p34_lanes -
+      detail::make_pack<Real>(s12, s19) * bias_2_p30_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> bias_2_p38_lanes = detail::make_lanes<Real>(s11, s18) * bias_2_p24_lanes;
-  const Lanes<2> bias_2_p39_lanes = detail::make_lanes<Real>(c11, c18) * bias_2_p28_lanes;
-  const Lanes<2> bias_2_p40_lanes = bias_2_p38_lanes + bias_2_p39_lanes;
+  const Lanes<2> bias_2_p40_lanes = detail::make_pack<Real>(s11, s18) * bias_2_p24_lanes +
+      detail::make_pack<Real>(c11, c18) * bias_2_p28_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> bias_2_p41_lanes = detail::make_lanes<Real>(s13, s20) * bias_2_p40_lanes;
-  const Lanes<2> bias_2_p42_lanes = bias_2_p37_lanes - bias_2_p41_lanes;
-
-  // link 24 (right_eye), outward
-  const Lanes<2> bias_2_p43_lanes = bias_2_p42_lanes * bias_0_p56_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> bias_2_p44_lanes = detail::make_lanes<Real>(s13, s20) * bias_2_p36_lanes;
-  const Lanes<2> bias_2_p45_lanes = detail::make_lanes<Real>(c13, c20) * bias_2_p40_lanes;
-  const Lanes<2> bias_2_p46_lanes = bias_2_p44_lanes + bias_2_p45_lanes;
-
-  // link 24 (right_eye), outward
-  const Lanes<2> bias_2_p47_lanes = bias_2_p46_lanes * bias_0_p4_lanes;
-  const Lanes<2> bias_2_p48_lanes = bias_2_p43_lanes + bias_2_p47_lanes;
+  const Lanes<2> bias_2_p42_lanes = detail::make_pack<Real>(c13, c20) * bias_2_p36_lanes -
+      detail::make_pack<Real>(s13, s20) * bias_2_p40_lanes;
+  const Lanes<2> bias_2_p46_lanes = detail::make_pack<Real>(s13, s20) * bias_2_p36_lanes +
+      detail::make_pack<Real>(c13, c20) * bias_2_p40_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> bias_2_p49_lanes = detail::make_lanes<Real>(c12, c19) * bias_2_p30_lanes;
-  const Lanes<2> bias_2_p50_lanes = detail::make_lanes<Real>(s12, s19) * bias_2_p34_lanes;
-  const Lanes<2> bias_2_p51_lanes = bias_2_p49_lanes + bias_2_p50_lanes;
+  const Lanes<2> bias_2_p51_lanes = detail::make_pack<Real>(c12, c19) * bias_2_p30_lanes +
+      detail::make_pack<Real>(s12, s19) * bias_2_p34_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> bias_2_p52_lanes = bias_2_p51_lanes * bias_0_p65_lanes;
-  const Lanes<2> bias_2_lanes = bias_2_p52_lanes - bias_2_p48_lanes;
+  const Lanes<2> bias_2_lanes = bias_2_p51_lanes * bias_0_p65_lanes -
+      (bias_2_p42_lanes * bias_0_p56_lanes + bias_2_p46_lanes * bias_0_p4_lanes);
   bias[2] = bias_2_lanes[0];
   bias[8] = bias_2_lanes[1];
 
   // link 13 (left_hand), outward
-  const Lanes<2> wd13_x_p1_lanes = detail::make_lanes<Real>(c13, c20) * wd12_y_lanes;
-  const Lanes<2> wd13_x_p2_lanes = detail::make_lanes<Real>(s13, s20) * wd11_y_lanes;
-  const Lanes<2> wd13_x_p3_lanes = wd13_x_p1_lanes + wd13_x_p2_lanes;
-  const Lanes<2> wd13_x_p4_lanes = w13_y_lanes * detail::make_lanes<Real>(qd[12], qd[19]);
-  const Lanes<2> wd13_x_lanes = wd13_x_p3_lanes + wd13_x_p4_lanes;
+  const Lanes<2> wd13_x_lanes = detail::make_pack<Real>(c13, c20) * wd12_y_lanes +
+      detail::make_pack<Real>(s13, s20) * wd11_y_lanes + w13_y_lanes *
+      detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> bias_3_p1_lanes = bias_0_p59_lanes * wd13_x_lanes;
-  const Lanes<2> bias_3_p2_lanes = bias_0_p50_lanes * wd13_y_lanes;
-  const Lanes<2> bias_3_p3_lanes = bias_3_p1_lanes + bias_3_p2_lanes;
-  const Lanes<2> bias_3_p4_lanes = bias_0_p68_lanes * wd12_x_lanes;
-  const Lanes<2> bias_3_lanes = bias_3_p3_lanes + bias_3_p4_lanes;
+  const Lanes<2> bias_3_lanes = bias_0_p59_lanes * wd13_x_lanes + bias_0_p50_lanes * wd13_y_lanes +
+      bias_0_p68_lanes * wd12_x_lanes;
   bias[3] = bias_3_lanes[0];
   bias[9] = bias_3_lanes[1];
-  const Lanes<2> bias_4_p1_lanes = bias_1_p44_lanes * wd13_x_lanes;
-  const Lanes<2> bias_4_p2_lanes = bias_1_p40_lanes * wd13_y_lanes;
-  const Lanes<2> bias_4_p3_lanes = bias_4_p1_lanes + bias_4_p2_lanes;
-  const Lanes<2> bias_4_p4_lanes = bias_1_p49_lanes * wd12_x_lanes;
-  const Lanes<2> bias_4_lanes = bias_4_p3_lanes + bias_4_p4_lanes;
+  const Lanes<2> bias_4_lanes = bias_1_p44_lanes * wd13_x_lanes + bias_1_p40_lanes * wd13_y_lanes +
+      bias_1_p49_lanes * wd12_x_lanes;
   bias[4] = bias_4_lanes[0];
   bias[10] = bias_4_lanes[1];
-  const Lanes<2> bias_5_p1_lanes = bias_2_p42_lanes * wd13_x_lanes;
-  const Lanes<2> bias_5_p2_lanes = bias_2_p46_lanes * wd13_y_lanes;
-  const Lanes<2> bias_5_p3_lanes = bias_5_p1_lanes - bias_5_p2_lanes;
-  const Lanes<2> bias_5_p4_lanes = bias_2_p51_lanes * wd12_x_lanes;
-  const Lanes<2> bias_5_lanes = bias_5_p3_lanes + bias_5_p4_lanes;
+  const Lanes<2> bias_5_lanes = bias_2_p42_lanes * wd13_x_lanes - bias_2_p46_lanes * wd13_y_lanes +
+      bias_2_p51_lanes * wd12_x_lanes;
   bias[5] = bias_5_lanes[0];
   bias[11] = bias_5_lanes[1];
 }

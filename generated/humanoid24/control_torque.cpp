@@ -15,7 +15,7 @@
 namespace humanoid24 {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE_RESTRICT qd)[24],
     const Real (&TREELINE_RESTRICT qdd_0)[24], const Real (&TREELINE_RESTRICT xdd_cmd)[12],
     Real (&TREELINE_RESTRICT tau)[24]) noexcept {
@@ -74,492 +74,299 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real s7 = sines[23];
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p1_lanes = detail::make_lanes<Real>(0.001090468517736955,
-      (-0.001090468517736955)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p3_lanes = detail::make_lanes<Real>(0.001742099791326752,
-      0.001742099791326752) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p5_lanes = f13_x_p1_lanes + f13_x_p3_lanes;
-  const Lanes<2> f13_x_p7_lanes = detail::make_lanes<Real>(c13, c20) * f13_x_p5_lanes;
+  const Lanes<2> f13_x_p5_lanes = detail::make_pack<Real>(0.001090468517736955,
+      (-0.001090468517736955)) * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>(0.001742099791326752, 0.001742099791326752) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p7_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5_lanes;
   const Lanes<2> f13_x_p9_lanes = 0.0006340258712020409 + f13_x_p7_lanes;
-  const Lanes<2> inverse_D12_p1_lanes = detail::make_lanes<Real>((-0.0007660844555829042),
-      (-0.0007660844555829042)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> inverse_D12_p2_lanes = detail::make_lanes<Real>(0.0002628975791811551,
-      (-0.0002628975791811551)) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> inverse_D12_p3_lanes = inverse_D12_p1_lanes + inverse_D12_p2_lanes;
-  const Lanes<2> inverse_D12_p4_lanes = detail::make_lanes<Real>(s13, s20) * inverse_D12_p3_lanes;
-  const Lanes<2> inverse_D12_p5_lanes = inverse_D12_p4_lanes -
-      detail::make_lanes<Real>((-0.0010519177038056625), (-0.0010519177038056625));
+  const Lanes<2> inverse_D12_p3_lanes = detail::make_pack<Real>((-0.0007660844555829042),
+      (-0.0007660844555829042)) * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>(0.0002628975791811551, (-0.0002628975791811551)) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> inverse_D12_p4_lanes = detail::make_pack<Real>(s13, s20) * inverse_D12_p3_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D12_lanes = 1.0 / inverse_D12_p5_lanes;
+  const Lanes<2> inverse_D12_lanes = 1.0 / (inverse_D12_p4_lanes -
+      detail::make_pack<Real>((-0.0010519177038056625), (-0.0010519177038056625)));
   const Lanes<2> f13_x_p11_lanes = f13_x_p9_lanes * inverse_D12_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p13_lanes = detail::make_lanes<Real>(c13, c20) * inverse_D12_p3_lanes;
-  const Lanes<2> f13_x_p15_lanes = detail::make_lanes<Real>((-0.00013384878959057754),
-      0.00013384878959057754) + f13_x_p13_lanes;
+  const Lanes<2> f13_x_p15_lanes = detail::make_pack<Real>((-0.00013384878959057754),
+      0.00013384878959057754) + detail::make_pack<Real>(c13, c20) * inverse_D12_p3_lanes;
+  const Lanes<2> f13_x_p19_lanes = detail::make_pack<Real>(s13, s20) * f13_x_p5_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p17_lanes = f13_x_p15_lanes * f13_x_p11_lanes;
+  const Lanes<2> f13_x_p23_lanes = detail::make_pack<Real>((-0.00033044389597753786),
+      0.00033044389597753786) + f13_x_p19_lanes + f13_x_p15_lanes * f13_x_p11_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p19_lanes = detail::make_lanes<Real>(s13, s20) * f13_x_p5_lanes;
-  const Lanes<2> f13_x_p21_lanes = detail::make_lanes<Real>((-0.00033044389597753786),
-      0.00033044389597753786) + f13_x_p19_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p23_lanes = f13_x_p21_lanes + f13_x_p17_lanes;
-  const Lanes<2> f13_x_p25_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p23_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p27_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p29_lanes = 0.01626499875 * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p31_lanes = f13_x_p27_lanes - f13_x_p29_lanes;
-  const Lanes<2> f13_x_p33_lanes = f13_x_p31_lanes - 0.0006000000000000001;
+  const Lanes<2> f13_x_p33_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(s13, s20) - 0.01626499875 * detail::make_pack<Real>(c13, c20) -
+      0.0006000000000000001;
 
   // link 12 (left_wrist2), articulated inertia
   const Lanes<2> f13_x_p35_lanes = f13_x_p33_lanes * inverse_D12_lanes;
-  const Lanes<2> f13_x_p37_lanes = f13_x_p15_lanes * f13_x_p35_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p39_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p41_lanes = 0.01626499875 * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p43_lanes = f13_x_p39_lanes + f13_x_p41_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p45_lanes = f13_x_p43_lanes - f13_x_p37_lanes;
-  const Lanes<2> f13_x_p47_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p45_lanes;
-  const Lanes<2> f13_x_p49_lanes = f13_x_p25_lanes + f13_x_p47_lanes;
-  const Lanes<2> f13_x_p51_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p49_lanes;
-  const Lanes<2> f13_x_p53_lanes = detail::make_lanes<Real>(0.001, (-0.001)) + f13_x_p51_lanes;
+  const Lanes<2> f13_x_p45_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(c13, c20) + 0.01626499875 * detail::make_pack<Real>(s13, s20) -
+      f13_x_p15_lanes * f13_x_p35_lanes;
+  const Lanes<2> f13_x_p49_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p23_lanes +
+      detail::make_pack<Real>(c12, c19) * f13_x_p45_lanes;
+  const Lanes<2> f13_x_p51_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p49_lanes;
+  const Lanes<2> f13_x_p53_lanes = detail::make_pack<Real>(0.001, (-0.001)) + f13_x_p51_lanes;
   const Lanes<2> inverse_D11_p1_lanes = f13_x_p15_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D11_p2_lanes = f13_x_p15_lanes * inverse_D11_p1_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D11_p3_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D11_p4_lanes = inverse_D11_p3_lanes - inverse_D11_p2_lanes;
-  const Lanes<2> inverse_D11_p5_lanes = 1.16e-05 - inverse_D11_p4_lanes;
-  const Lanes<2> inverse_D11_p6_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p5_lanes;
-  const Lanes<2> inverse_D11_p7_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p6_lanes;
-  const Lanes<2> inverse_D11_p8_lanes = inverse_D11_p4_lanes + inverse_D11_p7_lanes;
-  const Lanes<2> inverse_D11_p9_lanes = 0.00022920000000000001 + inverse_D11_p8_lanes;
+  const Lanes<2> inverse_D11_p4_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes -
+      f13_x_p15_lanes * inverse_D11_p1_lanes;
+  const Lanes<2> inverse_D11_p6_lanes = detail::make_pack<Real>(s12, s19) *
+      (1.16e-05 - inverse_D11_p4_lanes);
+  const Lanes<2> inverse_D11_p7_lanes = detail::make_pack<Real>(s12, s19) * inverse_D11_p6_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D11_lanes = 1.0 / inverse_D11_p9_lanes;
+  const Lanes<2> inverse_D11_lanes = 1.0 / (0.00022920000000000001 +
+      (inverse_D11_p4_lanes + inverse_D11_p7_lanes));
   const Lanes<2> f13_x_p55_lanes = f13_x_p53_lanes * inverse_D11_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p57_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D11_p6_lanes;
 
   // link 13 (left_hand), articulated inertia
   const Lanes<2> f13_x_p59_lanes = f13_x_p19_lanes -
-      detail::make_lanes<Real>(0.000760024621759417, (-0.000760024621759417));
+      detail::make_pack<Real>(0.000760024621759417, (-0.000760024621759417));
 
   // link 12 (left_wrist2), articulated inertia
   const Lanes<2> f13_x_p61_lanes = f13_x_p59_lanes * inverse_D12_lanes;
-  const Lanes<2> f13_x_p63_lanes = f13_x_p15_lanes * f13_x_p61_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p65_lanes = f13_x_p7_lanes -
-      detail::make_lanes<Real>(0.002376125662528793, 0.002376125662528793);
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p67_lanes = f13_x_p65_lanes - f13_x_p63_lanes;
-  const Lanes<2> f13_x_p69_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p67_lanes;
-  const Lanes<2> f13_x_p71_lanes = 0.0006000000000000001 * detail::make_lanes<Real>(s12, s19);
-  const Lanes<2> f13_x_p73_lanes = f13_x_p71_lanes + f13_x_p69_lanes;
-  const Lanes<2> f13_x_p75_lanes = 0.269 * f13_x_p73_lanes;
-  const Lanes<2> f13_x_p77_lanes = f13_x_p57_lanes + f13_x_p75_lanes;
-  const Lanes<2> f13_x_p79_lanes = 0.000144 - f13_x_p77_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p81_lanes = f13_x_p79_lanes * f13_x_p55_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p83_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p49_lanes;
+  const Lanes<2> f13_x_p67_lanes = f13_x_p7_lanes -
+      detail::make_pack<Real>(0.002376125662528793, 0.002376125662528793) - f13_x_p15_lanes *
+      f13_x_p61_lanes;
+  const Lanes<2> f13_x_p73_lanes = 0.0006000000000000001 * detail::make_pack<Real>(s12, s19) +
+      detail::make_pack<Real>(c12, c19) * f13_x_p67_lanes;
+  const Lanes<2> f13_x_p79_lanes = 0.000144 - (detail::make_pack<Real>(c12, c19) *
+      inverse_D11_p6_lanes + 0.269 * f13_x_p73_lanes);
+  const Lanes<2> f13_x_p83_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p49_lanes;
   const Lanes<2> f13_x_p85_lanes = f13_x_p33_lanes * f13_x_p61_lanes;
-  const Lanes<2> f13_x_p87_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p85_lanes;
-  const Lanes<2> f13_x_p89_lanes = f13_x_p9_lanes * f13_x_p61_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p91_lanes = detail::make_lanes<Real>((-0.09929187165525127),
-      0.09929187165525127) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p93_lanes = detail::make_lanes<Real>((-0.27310176737964387),
-      (-0.27310176737964387)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p95_lanes = f13_x_p91_lanes - f13_x_p93_lanes;
-  const Lanes<2> f13_x_p97_lanes = detail::make_lanes<Real>(c13, c20) * f13_x_p95_lanes;
-  const Lanes<2> f13_x_p99_lanes = f13_x_p97_lanes -
-      detail::make_lanes<Real>((-0.04964593582762564), 0.04964593582762564);
+  const Lanes<2> f13_x_p95_lanes = detail::make_pack<Real>((-0.09929187165525127),
+      0.09929187165525127) * detail::make_pack<Real>(c13, c20) -
+      detail::make_pack<Real>((-0.27310176737964387), (-0.27310176737964387)) *
+      detail::make_pack<Real>(s13, s20);
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p101_lanes = f13_x_p99_lanes - f13_x_p89_lanes;
-  const Lanes<2> f13_x_p103_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p101_lanes;
-  const Lanes<2> f13_x_p105_lanes = f13_x_p87_lanes + f13_x_p103_lanes;
+  const Lanes<2> f13_x_p101_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p95_lanes -
+      detail::make_pack<Real>((-0.04964593582762564), 0.04964593582762564) - f13_x_p9_lanes *
+      f13_x_p61_lanes;
+  const Lanes<2> f13_x_p105_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p85_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p101_lanes;
   const Lanes<2> f13_x_p107_lanes = 0.269 * f13_x_p105_lanes;
   const Lanes<2> f13_x_p109_lanes = f13_x_p83_lanes + f13_x_p107_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p111_lanes = f13_x_p81_lanes - f13_x_p109_lanes;
+  const Lanes<2> f13_x_p111_lanes = f13_x_p79_lanes * f13_x_p55_lanes - f13_x_p109_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p113_lanes = 0.269 * f13_x_p51_lanes;
-  const Lanes<2> f13_x_p115_lanes = detail::make_lanes<Real>(0.0002516, (-0.0002516)) +
-      f13_x_p113_lanes;
+  const Lanes<2> f13_x_p115_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) + 0.269 *
+      f13_x_p51_lanes;
   const Lanes<2> f13_x_p117_lanes = 6e-04 - f13_x_p73_lanes;
 
   // link 11 (left_wrist1), articulated inertia
   const Lanes<2> f13_x_p119_lanes = f13_x_p117_lanes * inverse_D11_lanes;
-  const Lanes<2> f13_x_p121_lanes = f13_x_p115_lanes * f13_x_p119_lanes;
-  const Lanes<2> f13_x_p123_lanes = f13_x_p107_lanes - f13_x_p121_lanes;
-  const Lanes<2> f13_x_p125_lanes = f13_x_p111_lanes - f13_x_p123_lanes;
-  const Lanes<2> f13_x_p127_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p125_lanes;
-  const Lanes<2> f13_x_p129_lanes = f13_x_p115_lanes * f13_x_p55_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p131_lanes = f13_x_p9_lanes * f13_x_p11_lanes;
+  const Lanes<2> f13_x_p123_lanes = f13_x_p107_lanes - f13_x_p115_lanes * f13_x_p119_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p133_lanes = detail::make_lanes<Real>(s13, s20) * f13_x_p95_lanes;
-  const Lanes<2> f13_x_p135_lanes = detail::make_lanes<Real>(0.008744893195371809,
-      0.008744893195371809) + f13_x_p133_lanes;
+  const Lanes<2> f13_x_p133_lanes = detail::make_pack<Real>(s13, s20) * f13_x_p95_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p137_lanes = f13_x_p135_lanes + f13_x_p131_lanes;
+  const Lanes<2> f13_x_p137_lanes = detail::make_pack<Real>(0.008744893195371809,
+      0.008744893195371809) + f13_x_p133_lanes + f13_x_p9_lanes * f13_x_p11_lanes;
   const Lanes<2> f13_x_p139_lanes = f13_x_p33_lanes * f13_x_p35_lanes;
-  const Lanes<2> f13_x_p141_lanes = f13_x_p137_lanes - f13_x_p139_lanes;
-  const Lanes<2> f13_x_p143_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p141_lanes;
   const Lanes<2> f13_x_p145_lanes = f13_x_p33_lanes * f13_x_p11_lanes;
-  const Lanes<2> f13_x_p147_lanes = 2.0 * f13_x_p145_lanes;
-  const Lanes<2> f13_x_p149_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p147_lanes;
-  const Lanes<2> f13_x_p151_lanes = f13_x_p149_lanes - f13_x_p143_lanes;
-  const Lanes<2> f13_x_p153_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p151_lanes;
+  const Lanes<2> f13_x_p151_lanes = detail::make_pack<Real>(c12, c19) * (2.0 * f13_x_p145_lanes) -
+      detail::make_pack<Real>(s12, s19) * (f13_x_p137_lanes - f13_x_p139_lanes);
+  const Lanes<2> f13_x_p153_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p151_lanes;
   const Lanes<2> f13_x_p155_lanes = f13_x_p153_lanes - f13_x_p139_lanes;
-  const Lanes<2> f13_x_p157_lanes = 0.269 * f13_x_p155_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p159_lanes = f13_x_p129_lanes - f13_x_p157_lanes;
-  const Lanes<2> f13_x_p161_lanes = f13_x_p79_lanes * f13_x_p119_lanes;
+  const Lanes<2> f13_x_p159_lanes = f13_x_p115_lanes * f13_x_p55_lanes - 0.269 * f13_x_p155_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p163_lanes = f13_x_p59_lanes * f13_x_p61_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> f13_x_p165_lanes = f13_x_p133_lanes - 0.2818466605750157;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p167_lanes = f13_x_p165_lanes - f13_x_p163_lanes;
-  const Lanes<2> f13_x_p169_lanes = 0.269 * f13_x_p167_lanes;
-  const Lanes<2> f13_x_p171_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p67_lanes;
-  const Lanes<2> f13_x_p173_lanes = 0.0006000000000000001 * detail::make_lanes<Real>(c12, c19);
-  const Lanes<2> f13_x_p175_lanes = f13_x_p171_lanes - f13_x_p173_lanes;
-  const Lanes<2> f13_x_p177_lanes = f13_x_p169_lanes - f13_x_p175_lanes;
+  const Lanes<2> f13_x_p167_lanes = f13_x_p133_lanes - 0.2818466605750157 - f13_x_p59_lanes *
+      f13_x_p61_lanes;
+  const Lanes<2> f13_x_p175_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p67_lanes -
+      0.0006000000000000001 * detail::make_pack<Real>(c12, c19);
+  const Lanes<2> f13_x_p177_lanes = 0.269 * f13_x_p167_lanes - f13_x_p175_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p179_lanes = f13_x_p177_lanes - f13_x_p161_lanes;
-  const Lanes<2> f13_x_p181_lanes = f13_x_p159_lanes + f13_x_p179_lanes;
-  const Lanes<2> f13_x_p183_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p181_lanes;
-  const Lanes<2> f13_x_p185_lanes = f13_x_p127_lanes + f13_x_p183_lanes;
-  const Lanes<2> f13_x_p187_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p185_lanes;
+  const Lanes<2> f13_x_p179_lanes = f13_x_p177_lanes - f13_x_p79_lanes * f13_x_p119_lanes;
+  const Lanes<2> f13_x_p185_lanes = detail::make_pack<Real>(s11, s18) *
+      (f13_x_p111_lanes - f13_x_p123_lanes) + detail::make_pack<Real>(c11, c18) *
+      (f13_x_p159_lanes + f13_x_p179_lanes);
+  const Lanes<2> f13_x_p187_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p185_lanes;
   const Lanes<2> f13_x_p189_lanes = f13_x_p123_lanes + f13_x_p187_lanes;
   const Lanes<2> inverse_D10_p1_lanes = f13_x_p79_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p2_lanes = f13_x_p79_lanes * inverse_D10_p1_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p3_lanes = f13_x_p177_lanes - f13_x_p175_lanes;
-  const Lanes<2> inverse_D10_p4_lanes = 0.269 * inverse_D10_p3_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p5_lanes = 0.000131 - inverse_D11_p7_lanes;
-  const Lanes<2> inverse_D10_p6_lanes = inverse_D10_p5_lanes + inverse_D10_p4_lanes;
-  const Lanes<2> inverse_D10_p7_lanes = inverse_D10_p6_lanes - inverse_D10_p2_lanes;
+  const Lanes<2> inverse_D10_p7_lanes = 0.000131 - inverse_D11_p7_lanes + 0.269 *
+      (f13_x_p177_lanes - f13_x_p175_lanes) - f13_x_p79_lanes * inverse_D10_p1_lanes;
   const Lanes<2> inverse_D10_p8_lanes = f13_x_p115_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p9_lanes = f13_x_p115_lanes * inverse_D10_p8_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p10_lanes = 0.07236100000000001 * f13_x_p155_lanes;
-  const Lanes<2> inverse_D10_p11_lanes = 0.0001098 + inverse_D10_p10_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p12_lanes = inverse_D10_p11_lanes - inverse_D10_p9_lanes;
-  const Lanes<2> inverse_D10_p13_lanes = inverse_D10_p7_lanes - inverse_D10_p12_lanes;
-  const Lanes<2> inverse_D10_p14_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p13_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p15_lanes = 0.269 * f13_x_p109_lanes;
-  const Lanes<2> inverse_D10_p16_lanes = detail::make_lanes<Real>((-6e-06), 6e-06) +
-      inverse_D10_p15_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p17_lanes = f13_x_p79_lanes * inverse_D10_p8_lanes;
-  const Lanes<2> inverse_D10_p18_lanes = inverse_D10_p16_lanes - inverse_D10_p17_lanes;
-  const Lanes<2> inverse_D10_p19_lanes = 2.0 * detail::make_lanes<Real>(c11, c18);
-  const Lanes<2> inverse_D10_p20_lanes = inverse_D10_p19_lanes * inverse_D10_p18_lanes;
-  const Lanes<2> inverse_D10_p21_lanes = inverse_D10_p14_lanes + inverse_D10_p20_lanes;
-  const Lanes<2> inverse_D10_p22_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p21_lanes;
-  const Lanes<2> inverse_D10_p23_lanes = inverse_D10_p12_lanes + inverse_D10_p22_lanes;
-  const Lanes<2> inverse_D10_p24_lanes = 0.060888541114265754 + inverse_D10_p23_lanes;
+  const Lanes<2> inverse_D10_p12_lanes = 0.0001098 + 0.07236100000000001 * f13_x_p155_lanes -
+      f13_x_p115_lanes * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p18_lanes = detail::make_pack<Real>((-6e-06), 6e-06) + 0.269 *
+      f13_x_p109_lanes - f13_x_p79_lanes * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p19_lanes = 2.0 * detail::make_pack<Real>(c11, c18);
+  const Lanes<2> inverse_D10_p21_lanes = detail::make_pack<Real>(s11, s18) *
+      (inverse_D10_p7_lanes - inverse_D10_p12_lanes) + inverse_D10_p19_lanes *
+      inverse_D10_p18_lanes;
+  const Lanes<2> inverse_D10_p22_lanes = detail::make_pack<Real>(s11, s18) * inverse_D10_p21_lanes;
+  const Lanes<2> inverse_D10_p24_lanes = 0.060888541114265754 +
+      (inverse_D10_p12_lanes + inverse_D10_p22_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p24_lanes;
   const Lanes<2> f13_x_p191_lanes = f13_x_p189_lanes * inverse_D10_lanes;
-  const Lanes<2> f13_x_p193_lanes = detail::make_lanes<Real>((-0.0001499998887063),
-      0.0001499998887063) * f13_x_p191_lanes;
-  const Lanes<2> f13_x_p195_lanes = 0.0014999985000000002 + f13_x_p193_lanes;
-  const Lanes<2> f13_x_p197_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p195_lanes;
+  const Lanes<2> f13_x_p195_lanes = 0.0014999985000000002 +
+      detail::make_pack<Real>((-0.0001499998887063), 0.0001499998887063) * f13_x_p191_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p199_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D10_p21_lanes;
-  const Lanes<2> f13_x_p201_lanes = f13_x_p199_lanes - inverse_D10_p18_lanes;
-  const Lanes<2> f13_x_p203_lanes = detail::make_lanes<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + f13_x_p201_lanes;
+  const Lanes<2> f13_x_p203_lanes = detail::make_pack<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * inverse_D10_p21_lanes -
+      inverse_D10_p18_lanes);
+  const Lanes<2> f13_x_p207_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p185_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p205_lanes = f13_x_p203_lanes * f13_x_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p207_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p185_lanes;
-  const Lanes<2> f13_x_p209_lanes = f13_x_p207_lanes - f13_x_p159_lanes;
-  const Lanes<2> f13_x_p211_lanes = 0.28049749700000004 + f13_x_p209_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p213_lanes = f13_x_p211_lanes - f13_x_p205_lanes;
-  const Lanes<2> f13_x_p215_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p213_lanes;
-  const Lanes<2> f13_x_p217_lanes = f13_x_p197_lanes - f13_x_p215_lanes;
-  const Lanes<2> f13_x_p219_lanes = 0.282 * f13_x_p217_lanes;
-  const Lanes<2> f13_x_p221_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> f13_x_p213_lanes = 0.28049749700000004 + (f13_x_p207_lanes - f13_x_p159_lanes) -
+      f13_x_p203_lanes * f13_x_p191_lanes;
+  const Lanes<2> f13_x_p217_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p195_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p213_lanes;
+  const Lanes<2> f13_x_p221_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) / inverse_D10_p24_lanes;
-  const Lanes<2> f13_x_p223_lanes = f13_x_p203_lanes * f13_x_p221_lanes;
-  const Lanes<2> f13_x_p225_lanes = 0.0001499998887063 + f13_x_p223_lanes;
-  const Lanes<2> f13_x_p227_lanes = 2.0 * detail::make_lanes<Real>(c10, c17);
-  const Lanes<2> f13_x_p229_lanes = f13_x_p227_lanes * f13_x_p225_lanes;
+  const Lanes<2> f13_x_p225_lanes = 0.0001499998887063 + f13_x_p203_lanes * f13_x_p221_lanes;
+  const Lanes<2> f13_x_p227_lanes = 2.0 * detail::make_pack<Real>(c10, c17);
   const Lanes<2> f13_x_p231_lanes = f13_x_p203_lanes * inverse_D10_lanes;
-  const Lanes<2> f13_x_p233_lanes = f13_x_p203_lanes * f13_x_p231_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p235_lanes = inverse_D10_p7_lanes - inverse_D10_p22_lanes;
-  const Lanes<2> f13_x_p237_lanes = 0.06060754126741261 + f13_x_p235_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p239_lanes = f13_x_p237_lanes - f13_x_p233_lanes;
-  const Lanes<2> f13_x_p241_lanes = detail::make_lanes<Real>(2.249996661190239e-08,
-      2.249996661190239e-08) / inverse_D10_p24_lanes;
-  const Lanes<2> f13_x_p243_lanes = 0.00028099984685315 - f13_x_p241_lanes;
-  const Lanes<2> f13_x_p245_lanes = f13_x_p239_lanes - f13_x_p243_lanes;
-  const Lanes<2> f13_x_p247_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p245_lanes;
-  const Lanes<2> f13_x_p249_lanes = f13_x_p229_lanes - f13_x_p247_lanes;
-  const Lanes<2> f13_x_p251_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p249_lanes;
-  const Lanes<2> f13_x_p253_lanes = f13_x_p225_lanes - f13_x_p251_lanes;
-  const Lanes<2> f13_x_p255_lanes = f13_x_p219_lanes - f13_x_p253_lanes;
-  const Lanes<2> f13_x_p257_lanes = f13_x_p255_lanes - 0.0005895000784280001;
-  const Lanes<2> inverse_D9_p1_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p249_lanes;
-  const Lanes<2> inverse_D9_p2_lanes = f13_x_p243_lanes - inverse_D9_p1_lanes;
-  const Lanes<2> inverse_D9_p3_lanes = 0.0027762933559338653 + inverse_D9_p2_lanes;
+  const Lanes<2> f13_x_p239_lanes = 0.06060754126741261 +
+      (inverse_D10_p7_lanes - inverse_D10_p22_lanes) - f13_x_p203_lanes * f13_x_p231_lanes;
+  const Lanes<2> f13_x_p243_lanes = 0.00028099984685315 -
+      detail::make_pack<Real>(2.249996661190239e-08, 2.249996661190239e-08) / inverse_D10_p24_lanes;
+  const Lanes<2> f13_x_p249_lanes = f13_x_p227_lanes * f13_x_p225_lanes -
+      detail::make_pack<Real>(s10, s17) * (f13_x_p239_lanes - f13_x_p243_lanes);
+  const Lanes<2> f13_x_p257_lanes = 0.282 * f13_x_p217_lanes -
+      (f13_x_p225_lanes - detail::make_pack<Real>(c10, c17) * f13_x_p249_lanes) -
+      0.0005895000784280001;
+  const Lanes<2> inverse_D9_p1_lanes = detail::make_pack<Real>(s10, s17) * f13_x_p249_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D9_lanes = 1.0 / inverse_D9_p3_lanes;
+  const Lanes<2> inverse_D9_lanes = 1.0 / (0.0027762933559338653 +
+      (f13_x_p243_lanes - inverse_D9_p1_lanes));
   const Lanes<2> f13_x_p259_lanes = f13_x_p257_lanes * inverse_D9_lanes;
   const Lanes<2> f13_x_p261_lanes = f13_x_p257_lanes * f13_x_p259_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p263_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p213_lanes;
-  const Lanes<2> f13_x_p265_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p195_lanes;
-  const Lanes<2> f13_x_p267_lanes = f13_x_p263_lanes + f13_x_p265_lanes;
-  const Lanes<2> f13_x_p269_lanes = f13_x_p189_lanes * f13_x_p191_lanes;
+  const Lanes<2> f13_x_p267_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p213_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p195_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p271_lanes = f13_x_p53_lanes * f13_x_p55_lanes;
-  const Lanes<2> f13_x_p273_lanes = f13_x_p155_lanes - f13_x_p271_lanes;
-  const Lanes<2> f13_x_p275_lanes = f13_x_p117_lanes * f13_x_p119_lanes;
-  const Lanes<2> f13_x_p277_lanes = f13_x_p167_lanes - f13_x_p275_lanes;
-  const Lanes<2> f13_x_p279_lanes = f13_x_p273_lanes - f13_x_p277_lanes;
-  const Lanes<2> f13_x_p281_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p279_lanes;
-  const Lanes<2> f13_x_p283_lanes = f13_x_p53_lanes * f13_x_p119_lanes;
-  const Lanes<2> f13_x_p285_lanes = f13_x_p283_lanes - f13_x_p105_lanes;
-  const Lanes<2> f13_x_p287_lanes = inverse_D10_p19_lanes * f13_x_p285_lanes;
-  const Lanes<2> f13_x_p289_lanes = f13_x_p281_lanes + f13_x_p287_lanes;
-  const Lanes<2> f13_x_p291_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p289_lanes;
-  const Lanes<2> f13_x_p293_lanes = f13_x_p277_lanes + f13_x_p291_lanes;
+  const Lanes<2> f13_x_p273_lanes = f13_x_p155_lanes - f13_x_p53_lanes * f13_x_p55_lanes;
+  const Lanes<2> f13_x_p277_lanes = f13_x_p167_lanes - f13_x_p117_lanes * f13_x_p119_lanes;
+  const Lanes<2> f13_x_p285_lanes = f13_x_p53_lanes * f13_x_p119_lanes - f13_x_p105_lanes;
+  const Lanes<2> f13_x_p289_lanes = detail::make_pack<Real>(s11, s18) *
+      (f13_x_p273_lanes - f13_x_p277_lanes) + inverse_D10_p19_lanes * f13_x_p285_lanes;
+  const Lanes<2> f13_x_p291_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p289_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p295_lanes = f13_x_p293_lanes - f13_x_p269_lanes;
-  const Lanes<2> f13_x_p297_lanes = 0.282 * f13_x_p295_lanes;
-  const Lanes<2> f13_x_p299_lanes = f13_x_p267_lanes + f13_x_p297_lanes;
-  const Lanes<2> f13_x_p301_lanes = f13_x_p267_lanes + f13_x_p299_lanes;
-  const Lanes<2> f13_x_p303_lanes = 0.282 * f13_x_p301_lanes;
-  const Lanes<2> f13_x_p305_lanes = f13_x_p239_lanes + inverse_D9_p1_lanes;
-  const Lanes<2> f13_x_p307_lanes = f13_x_p305_lanes + f13_x_p303_lanes;
-  const Lanes<2> f13_x_p309_lanes = 0.0019585440854647937 + f13_x_p307_lanes;
+  const Lanes<2> f13_x_p295_lanes = f13_x_p277_lanes + f13_x_p291_lanes - f13_x_p189_lanes *
+      f13_x_p191_lanes;
+  const Lanes<2> f13_x_p299_lanes = f13_x_p267_lanes + 0.282 * f13_x_p295_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p311_lanes = f13_x_p309_lanes - f13_x_p261_lanes;
+  const Lanes<2> f13_x_p311_lanes = 0.0019585440854647937 +
+      (f13_x_p239_lanes + inverse_D9_p1_lanes + 0.282 * (f13_x_p267_lanes + f13_x_p299_lanes)) -
+      f13_x_p261_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p313_lanes = f13_x_p207_lanes - f13_x_p179_lanes;
-  const Lanes<2> f13_x_p315_lanes = f13_x_p313_lanes - 0.28049749700000004;
+  const Lanes<2> f13_x_p315_lanes = f13_x_p207_lanes - f13_x_p179_lanes - 0.28049749700000004;
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> f13_x_p317_lanes = f13_x_p315_lanes * inverse_D10_lanes;
-  const Lanes<2> f13_x_p319_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> f13_x_p319_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) * f13_x_p317_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p321_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p85_lanes;
-  const Lanes<2> f13_x_p323_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p101_lanes;
-  const Lanes<2> f13_x_p325_lanes = f13_x_p321_lanes - f13_x_p323_lanes;
-  const Lanes<2> f13_x_p327_lanes = 0.269 * f13_x_p325_lanes;
-  const Lanes<2> f13_x_p329_lanes = f13_x_p51_lanes - f13_x_p45_lanes;
-  const Lanes<2> f13_x_p331_lanes = f13_x_p327_lanes - f13_x_p329_lanes;
-  const Lanes<2> f13_x_p333_lanes = detail::make_lanes<Real>(0.001, (-0.001)) + f13_x_p331_lanes;
+  const Lanes<2> f13_x_p325_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p85_lanes -
+      detail::make_pack<Real>(c12, c19) * f13_x_p101_lanes;
   const Lanes<2> f13_x_p335_lanes = f13_x_p83_lanes - f13_x_p23_lanes;
 
   // link 11 (left_wrist1), articulated inertia
   const Lanes<2> f13_x_p337_lanes = f13_x_p335_lanes * inverse_D11_lanes;
-  const Lanes<2> f13_x_p339_lanes = f13_x_p79_lanes * f13_x_p337_lanes;
-  const Lanes<2> f13_x_p341_lanes = f13_x_p333_lanes - f13_x_p339_lanes;
-  const Lanes<2> f13_x_p343_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p341_lanes;
-  const Lanes<2> f13_x_p345_lanes = f13_x_p115_lanes * f13_x_p337_lanes;
+  const Lanes<2> f13_x_p341_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
+      (0.269 * f13_x_p325_lanes - (f13_x_p51_lanes - f13_x_p45_lanes)) - f13_x_p79_lanes *
+      f13_x_p337_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p347_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p151_lanes;
-  const Lanes<2> f13_x_p349_lanes = f13_x_p145_lanes - f13_x_p347_lanes;
-  const Lanes<2> f13_x_p351_lanes = 0.269 * f13_x_p349_lanes;
-  const Lanes<2> f13_x_p353_lanes = f13_x_p351_lanes - 6e-04;
+  const Lanes<2> f13_x_p349_lanes = f13_x_p145_lanes - detail::make_pack<Real>(c12, c19) *
+      f13_x_p151_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p355_lanes = f13_x_p353_lanes - f13_x_p345_lanes;
-  const Lanes<2> f13_x_p357_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p355_lanes;
-  const Lanes<2> f13_x_p359_lanes = f13_x_p343_lanes + f13_x_p357_lanes;
-  const Lanes<2> f13_x_p361_lanes = 0.0014999985000000002 - f13_x_p359_lanes;
+  const Lanes<2> f13_x_p355_lanes = 0.269 * f13_x_p349_lanes - 6e-04 - f13_x_p115_lanes *
+      f13_x_p337_lanes;
+  const Lanes<2> f13_x_p361_lanes = 0.0014999985000000002 -
+      (detail::make_pack<Real>(s11, s18) * f13_x_p341_lanes + detail::make_pack<Real>(c11, c18) *
+      f13_x_p355_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> f13_x_p363_lanes = f13_x_p361_lanes * inverse_D10_lanes;
-  const Lanes<2> f13_x_p365_lanes = f13_x_p203_lanes * f13_x_p363_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p367_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p341_lanes;
-  const Lanes<2> f13_x_p369_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p355_lanes;
-  const Lanes<2> f13_x_p371_lanes = f13_x_p367_lanes - f13_x_p369_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p373_lanes = f13_x_p371_lanes + f13_x_p365_lanes;
-  const Lanes<2> f13_x_p375_lanes = f13_x_p319_lanes + f13_x_p373_lanes;
-  const Lanes<2> f13_x_p377_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p375_lanes;
-  const Lanes<2> f13_x_p379_lanes = f13_x_p203_lanes * f13_x_p317_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p381_lanes = f13_x_p111_lanes - f13_x_p187_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p383_lanes = f13_x_p381_lanes - f13_x_p379_lanes;
-  const Lanes<2> f13_x_p385_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> f13_x_p373_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p341_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p355_lanes + f13_x_p203_lanes * f13_x_p363_lanes;
+  const Lanes<2> f13_x_p383_lanes = f13_x_p111_lanes - f13_x_p187_lanes - f13_x_p203_lanes *
+      f13_x_p317_lanes;
+  const Lanes<2> f13_x_p385_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) * f13_x_p363_lanes;
-  const Lanes<2> f13_x_p387_lanes = f13_x_p383_lanes + f13_x_p385_lanes;
-  const Lanes<2> f13_x_p389_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p387_lanes;
-  const Lanes<2> f13_x_p391_lanes = f13_x_p377_lanes - f13_x_p389_lanes;
-  const Lanes<2> f13_x_p393_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p391_lanes;
+  const Lanes<2> f13_x_p391_lanes = detail::make_pack<Real>(c10, c17) *
+      (f13_x_p319_lanes + f13_x_p373_lanes) - detail::make_pack<Real>(s10, s17) *
+      (f13_x_p383_lanes + f13_x_p385_lanes);
+  const Lanes<2> f13_x_p393_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p391_lanes;
   const Lanes<2> f13_x_p395_lanes = f13_x_p373_lanes - f13_x_p393_lanes;
-  const Lanes<2> f13_x_p397_lanes = 0.282 * f13_x_p395_lanes;
-  const Lanes<2> f13_x_p399_lanes = detail::make_lanes<Real>(0.0012089992423205001,
-      (-0.0012089992423205001)) + f13_x_p397_lanes;
+  const Lanes<2> f13_x_p399_lanes = detail::make_pack<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + 0.282 * f13_x_p395_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> f13_x_p401_lanes = f13_x_p399_lanes * inverse_D9_lanes;
-  const Lanes<2> f13_x_p403_lanes = f13_x_p399_lanes * f13_x_p401_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p405_lanes = f13_x_p315_lanes * f13_x_p363_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p407_lanes = f13_x_p53_lanes * f13_x_p337_lanes;
-  const Lanes<2> f13_x_p409_lanes = f13_x_p407_lanes - f13_x_p349_lanes;
-  const Lanes<2> f13_x_p411_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p409_lanes;
-  const Lanes<2> f13_x_p413_lanes = f13_x_p117_lanes * f13_x_p337_lanes;
-  const Lanes<2> f13_x_p415_lanes = f13_x_p325_lanes - f13_x_p413_lanes;
-  const Lanes<2> f13_x_p417_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p415_lanes;
-  const Lanes<2> f13_x_p419_lanes = f13_x_p411_lanes - f13_x_p417_lanes;
+  const Lanes<2> f13_x_p409_lanes = f13_x_p53_lanes * f13_x_p337_lanes - f13_x_p349_lanes;
+  const Lanes<2> f13_x_p415_lanes = f13_x_p325_lanes - f13_x_p117_lanes * f13_x_p337_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p421_lanes = f13_x_p419_lanes + f13_x_p405_lanes;
-  const Lanes<2> f13_x_p423_lanes = f13_x_p227_lanes * f13_x_p421_lanes;
-  const Lanes<2> f13_x_p425_lanes = f13_x_p315_lanes * f13_x_p317_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p427_lanes = f13_x_p273_lanes - f13_x_p291_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p429_lanes = f13_x_p427_lanes - f13_x_p425_lanes;
-  const Lanes<2> f13_x_p431_lanes = f13_x_p361_lanes * f13_x_p363_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p433_lanes = f13_x_p335_lanes * f13_x_p337_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> f13_x_p435_lanes = f13_x_p137_lanes + f13_x_p153_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p437_lanes = f13_x_p435_lanes + f13_x_p433_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p439_lanes = f13_x_p437_lanes + f13_x_p431_lanes;
-  const Lanes<2> f13_x_p441_lanes = f13_x_p429_lanes + f13_x_p439_lanes;
-  const Lanes<2> f13_x_p443_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p441_lanes;
-  const Lanes<2> f13_x_p445_lanes = f13_x_p423_lanes - f13_x_p443_lanes;
-  const Lanes<2> f13_x_p447_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p445_lanes;
+  const Lanes<2> f13_x_p421_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p409_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p415_lanes + f13_x_p315_lanes * f13_x_p363_lanes;
+  const Lanes<2> f13_x_p429_lanes = f13_x_p273_lanes - f13_x_p291_lanes - f13_x_p315_lanes *
+      f13_x_p317_lanes;
+  const Lanes<2> f13_x_p439_lanes = f13_x_p137_lanes + f13_x_p153_lanes + f13_x_p335_lanes *
+      f13_x_p337_lanes + f13_x_p361_lanes * f13_x_p363_lanes;
+  const Lanes<2> f13_x_p445_lanes = f13_x_p227_lanes * f13_x_p421_lanes -
+      detail::make_pack<Real>(s10, s17) * (f13_x_p429_lanes + f13_x_p439_lanes);
+  const Lanes<2> f13_x_p447_lanes = detail::make_pack<Real>(s10, s17) * f13_x_p445_lanes;
   const Lanes<2> f13_x_p449_lanes = f13_x_p429_lanes + f13_x_p447_lanes;
-  const Lanes<2> f13_x_p451_lanes = 0.07952399999999998 * f13_x_p449_lanes;
-  const Lanes<2> f13_x_p453_lanes = 0.0008177492704690715 + f13_x_p451_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p455_lanes = f13_x_p453_lanes - f13_x_p403_lanes;
-  const Lanes<2> f13_x_p457_lanes = f13_x_p311_lanes - f13_x_p455_lanes;
-  const Lanes<2> f13_x_p459_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p457_lanes;
-  const Lanes<2> f13_x_p461_lanes = f13_x_p257_lanes * f13_x_p401_lanes;
+  const Lanes<2> f13_x_p455_lanes = 0.0008177492704690715 + 0.07952399999999998 * f13_x_p449_lanes -
+      f13_x_p399_lanes * f13_x_p401_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p463_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p391_lanes;
-  const Lanes<2> f13_x_p465_lanes = f13_x_p383_lanes + f13_x_p463_lanes;
-  const Lanes<2> f13_x_p467_lanes = f13_x_p315_lanes * f13_x_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p469_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p289_lanes;
-  const Lanes<2> f13_x_p471_lanes = f13_x_p469_lanes - f13_x_p285_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p473_lanes = f13_x_p471_lanes - f13_x_p467_lanes;
-  const Lanes<2> f13_x_p475_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p473_lanes;
-  const Lanes<2> f13_x_p477_lanes = f13_x_p361_lanes * f13_x_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> f13_x_p479_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p409_lanes;
-  const Lanes<2> f13_x_p481_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p415_lanes;
-  const Lanes<2> f13_x_p483_lanes = f13_x_p479_lanes + f13_x_p481_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p485_lanes = f13_x_p483_lanes + f13_x_p477_lanes;
-  const Lanes<2> f13_x_p487_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p485_lanes;
-  const Lanes<2> f13_x_p489_lanes = f13_x_p475_lanes + f13_x_p487_lanes;
+  const Lanes<2> f13_x_p463_lanes = detail::make_pack<Real>(s10, s17) * f13_x_p391_lanes;
+  const Lanes<2> f13_x_p473_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p289_lanes -
+      f13_x_p285_lanes - f13_x_p315_lanes * f13_x_p191_lanes;
+  const Lanes<2> f13_x_p485_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p409_lanes +
+      detail::make_pack<Real>(c11, c18) * f13_x_p415_lanes + f13_x_p361_lanes * f13_x_p191_lanes;
+  const Lanes<2> f13_x_p489_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p473_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p485_lanes;
   const Lanes<2> f13_x_p491_lanes = 0.282 * f13_x_p489_lanes;
-  const Lanes<2> f13_x_p493_lanes = f13_x_p465_lanes + f13_x_p491_lanes;
-  const Lanes<2> f13_x_p495_lanes = 0.282 * f13_x_p493_lanes;
-  const Lanes<2> f13_x_p497_lanes = detail::make_lanes<Real>(4.4999986458742003e-05,
-      (-4.4999986458742003e-05)) - f13_x_p495_lanes;
+  const Lanes<2> f13_x_p493_lanes = f13_x_p383_lanes + f13_x_p463_lanes + f13_x_p491_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p499_lanes = f13_x_p497_lanes - f13_x_p461_lanes;
-  const Lanes<2> f13_x_p501_lanes = 2.0 * detail::make_lanes<Real>(s9, s16);
-  const Lanes<2> f13_x_p503_lanes = f13_x_p501_lanes * f13_x_p499_lanes;
-  const Lanes<2> f13_x_p505_lanes = f13_x_p459_lanes - f13_x_p503_lanes;
-  const Lanes<2> f13_x_p507_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p505_lanes;
-  const Lanes<2> f13_x_p509_lanes = f13_x_p507_lanes + f13_x_p499_lanes;
-  const Lanes<2> f13_x_p511_lanes = detail::make_lanes<Real>((-1.75e-05), 1.75e-05) +
-      f13_x_p509_lanes;
-  const Lanes<2> inverse_D8_p1_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p505_lanes;
-  const Lanes<2> inverse_D8_p2_lanes = f13_x_p455_lanes + inverse_D8_p1_lanes;
-  const Lanes<2> inverse_D8_p3_lanes = 0.18125194219699997 + inverse_D8_p2_lanes;
+  const Lanes<2> f13_x_p499_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - 0.282 * f13_x_p493_lanes - f13_x_p257_lanes * f13_x_p401_lanes;
+  const Lanes<2> f13_x_p501_lanes = 2.0 * detail::make_pack<Real>(s9, s16);
+  const Lanes<2> f13_x_p505_lanes = detail::make_pack<Real>(c9, c16) *
+      (f13_x_p311_lanes - f13_x_p455_lanes) - f13_x_p501_lanes * f13_x_p499_lanes;
+  const Lanes<2> f13_x_p511_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
+      (detail::make_pack<Real>(s9, s16) * f13_x_p505_lanes + f13_x_p499_lanes);
+  const Lanes<2> inverse_D8_p1_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p505_lanes;
+  const Lanes<2> inverse_D8_p3_lanes = 0.18125194219699997 +
+      (f13_x_p455_lanes + inverse_D8_p1_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D8_lanes = 1.0 / inverse_D8_p3_lanes;
@@ -569,328 +376,191 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> f13_x_p515_lanes = f13_x_p513_lanes * inverse_D9_lanes;
-  const Lanes<2> f13_x_p517_lanes = f13_x_p257_lanes * f13_x_p515_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p519_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p485_lanes;
-  const Lanes<2> f13_x_p521_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p473_lanes;
-  const Lanes<2> f13_x_p523_lanes = f13_x_p519_lanes - f13_x_p521_lanes;
-  const Lanes<2> f13_x_p525_lanes = 0.282 * f13_x_p523_lanes;
-  const Lanes<2> f13_x_p527_lanes = f13_x_p319_lanes - f13_x_p393_lanes;
-  const Lanes<2> f13_x_p529_lanes = f13_x_p525_lanes - f13_x_p527_lanes;
-  const Lanes<2> f13_x_p531_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) +
-      f13_x_p529_lanes;
+  const Lanes<2> f13_x_p523_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p485_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p473_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p533_lanes = f13_x_p531_lanes + f13_x_p517_lanes;
-  const Lanes<2> f13_x_p535_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p533_lanes;
-  const Lanes<2> f13_x_p537_lanes = f13_x_p399_lanes * f13_x_p515_lanes;
+  const Lanes<2> f13_x_p533_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
+      (0.282 * f13_x_p523_lanes - (f13_x_p319_lanes - f13_x_p393_lanes)) + f13_x_p257_lanes *
+      f13_x_p515_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p539_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p445_lanes;
-  const Lanes<2> f13_x_p541_lanes = f13_x_p421_lanes - f13_x_p539_lanes;
-  const Lanes<2> f13_x_p543_lanes = 0.282 * f13_x_p541_lanes;
-  const Lanes<2> f13_x_p545_lanes = 0.0022500062 + f13_x_p543_lanes;
+  const Lanes<2> f13_x_p541_lanes = f13_x_p421_lanes - detail::make_pack<Real>(c10, c17) *
+      f13_x_p445_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p547_lanes = f13_x_p545_lanes + f13_x_p537_lanes;
-  const Lanes<2> f13_x_p549_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p547_lanes;
-  const Lanes<2> f13_x_p551_lanes = f13_x_p535_lanes - f13_x_p549_lanes;
-  const Lanes<2> f13_x_p553_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) + f13_x_p551_lanes;
+  const Lanes<2> f13_x_p547_lanes = 0.0022500062 + 0.282 * f13_x_p541_lanes + f13_x_p399_lanes *
+      f13_x_p515_lanes;
+  const Lanes<2> f13_x_p553_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + (detail::make_pack<Real>(c9, c16) * f13_x_p533_lanes -
+      detail::make_pack<Real>(s9, s16) * f13_x_p547_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> f13_x_p555_lanes = f13_x_p553_lanes * inverse_D8_lanes;
-  const Lanes<2> f13_x_p557_lanes = f13_x_p511_lanes * f13_x_p555_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p559_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p533_lanes;
-  const Lanes<2> f13_x_p561_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p547_lanes;
-  const Lanes<2> f13_x_p563_lanes = f13_x_p559_lanes + f13_x_p561_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p565_lanes = f13_x_p557_lanes - f13_x_p563_lanes;
+  const Lanes<2> f13_x_p565_lanes = f13_x_p511_lanes * f13_x_p555_lanes -
+      (detail::make_pack<Real>(s9, s16) * f13_x_p533_lanes + detail::make_pack<Real>(c9, c16) *
+      f13_x_p547_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p567_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) +
+  const Lanes<2> f13_x_p567_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
       f13_x_p395_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> f13_x_p569_lanes = f13_x_p567_lanes * inverse_D9_lanes;
-  const Lanes<2> f13_x_p571_lanes = f13_x_p257_lanes * f13_x_p569_lanes;
-  const Lanes<2> f13_x_p573_lanes = f13_x_p493_lanes + f13_x_p571_lanes;
+  const Lanes<2> f13_x_p573_lanes = f13_x_p493_lanes + f13_x_p257_lanes * f13_x_p569_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> f13_x_p575_lanes = f13_x_p217_lanes - 0.0022500062;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> f13_x_p577_lanes = f13_x_p575_lanes * inverse_D9_lanes;
-  const Lanes<2> f13_x_p579_lanes = f13_x_p399_lanes * f13_x_p577_lanes;
-  const Lanes<2> f13_x_p581_lanes = f13_x_p491_lanes + f13_x_p579_lanes;
-  const Lanes<2> f13_x_p583_lanes = f13_x_p573_lanes + f13_x_p581_lanes;
-  const Lanes<2> f13_x_p585_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p583_lanes;
-  const Lanes<2> f13_x_p587_lanes = f13_x_p257_lanes * f13_x_p577_lanes;
-  const Lanes<2> f13_x_p589_lanes = f13_x_p299_lanes - f13_x_p587_lanes;
-  const Lanes<2> f13_x_p591_lanes = f13_x_p399_lanes * f13_x_p569_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p593_lanes = 0.282 * f13_x_p449_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p595_lanes = f13_x_p591_lanes - f13_x_p593_lanes;
-  const Lanes<2> f13_x_p597_lanes = f13_x_p595_lanes + f13_x_p589_lanes;
-  const Lanes<2> f13_x_p599_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p597_lanes;
-  const Lanes<2> f13_x_p601_lanes = f13_x_p585_lanes - f13_x_p599_lanes;
-  const Lanes<2> f13_x_p603_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p601_lanes;
-  const Lanes<2> f13_x_p605_lanes = f13_x_p603_lanes + f13_x_p589_lanes;
-  const Lanes<2> f13_x_p607_lanes = 0.7139200499999999 + f13_x_p605_lanes;
+  const Lanes<2> f13_x_p581_lanes = f13_x_p491_lanes + f13_x_p399_lanes * f13_x_p577_lanes;
+  const Lanes<2> f13_x_p589_lanes = f13_x_p299_lanes - f13_x_p257_lanes * f13_x_p577_lanes;
+  const Lanes<2> f13_x_p595_lanes = f13_x_p399_lanes * f13_x_p569_lanes - 0.282 * f13_x_p449_lanes;
+  const Lanes<2> f13_x_p601_lanes = detail::make_pack<Real>(c9, c16) *
+      (f13_x_p573_lanes + f13_x_p581_lanes) - detail::make_pack<Real>(s9, s16) *
+      (f13_x_p595_lanes + f13_x_p589_lanes);
+  const Lanes<2> f13_x_p603_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p601_lanes;
+  const Lanes<2> f13_x_p607_lanes = 0.7139200499999999 + (f13_x_p603_lanes + f13_x_p589_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> f13_x_p609_lanes = f13_x_p607_lanes * inverse_D8_lanes;
   const Lanes<2> f13_x_p611_lanes = 0.00010499999999999999 * f13_x_p609_lanes;
-  const Lanes<2> f13_x_p613_lanes = f13_x_p565_lanes + f13_x_p611_lanes;
-  const Lanes<2> f13_x_p615_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p613_lanes;
-  const Lanes<2> f13_x_p617_lanes = f13_x_p511_lanes * f13_x_p609_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p619_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p601_lanes;
-  const Lanes<2> f13_x_p621_lanes = f13_x_p573_lanes - f13_x_p619_lanes;
+  const Lanes<2> f13_x_p619_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p601_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p623_lanes = f13_x_p621_lanes - f13_x_p617_lanes;
+  const Lanes<2> f13_x_p623_lanes = f13_x_p573_lanes - f13_x_p619_lanes - f13_x_p511_lanes *
+      f13_x_p609_lanes;
   const Lanes<2> f13_x_p625_lanes = 0.00010499999999999999 * f13_x_p555_lanes;
-  const Lanes<2> f13_x_p627_lanes = f13_x_p625_lanes + f13_x_p623_lanes;
-  const Lanes<2> f13_x_p629_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p627_lanes;
-  const Lanes<2> f13_x_p631_lanes = f13_x_p615_lanes - f13_x_p629_lanes;
-  const Lanes<2> f13_x_p633_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p631_lanes;
-  const Lanes<2> f13_x_p635_lanes = f13_x_p633_lanes - f13_x_p611_lanes;
-  const Lanes<2> f13_x_p637_lanes = 0.0017499999999999998 + f13_x_p635_lanes;
+  const Lanes<2> f13_x_p631_lanes = detail::make_pack<Real>(c8, c15) *
+      (f13_x_p565_lanes + f13_x_p611_lanes) - detail::make_pack<Real>(s8, s15) *
+      (f13_x_p625_lanes + f13_x_p623_lanes);
+  const Lanes<2> f13_x_p633_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p631_lanes;
+  const Lanes<2> f13_x_p637_lanes = 0.0017499999999999998 + (f13_x_p633_lanes - f13_x_p611_lanes);
   const Lanes<2> inverse_D7_p1_lanes = f13_x_p511_lanes * inverse_D8_lanes;
-  const Lanes<2> inverse_D7_p2_lanes = f13_x_p511_lanes * inverse_D7_p1_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D7_p3_lanes = f13_x_p311_lanes - inverse_D8_p1_lanes;
-  const Lanes<2> inverse_D7_p4_lanes = 0.18113119219699997 + inverse_D7_p3_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D7_p5_lanes = inverse_D7_p4_lanes - inverse_D7_p2_lanes;
-  const Lanes<2> inverse_D7_p6_lanes = 1.1024999999999998e-08 / inverse_D8_p3_lanes;
-  const Lanes<2> inverse_D7_p7_lanes = 0.00012075 - inverse_D7_p6_lanes;
-  const Lanes<2> inverse_D7_p8_lanes = inverse_D7_p7_lanes - inverse_D7_p5_lanes;
-  const Lanes<2> inverse_D7_p9_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p8_lanes;
-  const Lanes<2> inverse_D7_p10_lanes = 0.00010499999999999999 * inverse_D7_p1_lanes;
-  const Lanes<2> inverse_D7_p11_lanes = detail::make_lanes<Real>((-5.2499999999999995e-05),
-      5.2499999999999995e-05) + inverse_D7_p10_lanes;
-  const Lanes<2> inverse_D7_p12_lanes = 2.0 * detail::make_lanes<Real>(c8, c15);
-  const Lanes<2> inverse_D7_p13_lanes = inverse_D7_p12_lanes * inverse_D7_p11_lanes;
-  const Lanes<2> inverse_D7_p14_lanes = inverse_D7_p9_lanes + inverse_D7_p13_lanes;
-  const Lanes<2> inverse_D7_p15_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p14_lanes;
-  const Lanes<2> inverse_D7_p16_lanes = inverse_D7_p5_lanes + inverse_D7_p15_lanes;
-  const Lanes<2> inverse_D7_p17_lanes = 0.000448 + inverse_D7_p16_lanes;
+  const Lanes<2> inverse_D7_p5_lanes = 0.18113119219699997 +
+      (f13_x_p311_lanes - inverse_D8_p1_lanes) - f13_x_p511_lanes * inverse_D7_p1_lanes;
+  const Lanes<2> inverse_D7_p7_lanes = 0.00012075 - 1.1024999999999998e-08 / inverse_D8_p3_lanes;
+  const Lanes<2> inverse_D7_p11_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + 0.00010499999999999999 * inverse_D7_p1_lanes;
+  const Lanes<2> inverse_D7_p12_lanes = 2.0 * detail::make_pack<Real>(c8, c15);
+  const Lanes<2> inverse_D7_p14_lanes = detail::make_pack<Real>(s8, s15) *
+      (inverse_D7_p7_lanes - inverse_D7_p5_lanes) + inverse_D7_p12_lanes * inverse_D7_p11_lanes;
+  const Lanes<2> inverse_D7_p15_lanes = detail::make_pack<Real>(s8, s15) * inverse_D7_p14_lanes;
+  const Lanes<2> inverse_D7_p17_lanes = 0.000448 + (inverse_D7_p5_lanes + inverse_D7_p15_lanes);
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D7_lanes = 1.0 / inverse_D7_p17_lanes;
   const Lanes<2> f13_x_p639_lanes = f13_x_p637_lanes * inverse_D7_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p641_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D7_p14_lanes;
-  const Lanes<2> f13_x_p643_lanes = f13_x_p641_lanes - inverse_D7_p11_lanes;
-  const Lanes<2> f13_x_p645_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + f13_x_p643_lanes;
+  const Lanes<2> f13_x_p645_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * inverse_D7_p14_lanes -
+      inverse_D7_p11_lanes);
+  const Lanes<2> f13_x_p649_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p631_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p647_lanes = f13_x_p645_lanes * f13_x_p639_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p649_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p631_lanes;
-  const Lanes<2> f13_x_p651_lanes = f13_x_p625_lanes + f13_x_p649_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p653_lanes = f13_x_p651_lanes + f13_x_p647_lanes;
+  const Lanes<2> f13_x_p653_lanes = f13_x_p625_lanes + f13_x_p649_lanes + f13_x_p645_lanes *
+      f13_x_p639_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> f13_x_p655_lanes = f13_x_p619_lanes - f13_x_p581_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> f13_x_p657_lanes = f13_x_p655_lanes * inverse_D8_lanes;
-  const Lanes<2> f13_x_p659_lanes = 0.00010499999999999999 * f13_x_p657_lanes;
-  const Lanes<2> f13_x_p661_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) + f13_x_p659_lanes;
-  const Lanes<2> f13_x_p663_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p661_lanes;
-  const Lanes<2> f13_x_p665_lanes = f13_x_p511_lanes * f13_x_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p667_lanes = f13_x_p603_lanes + f13_x_p595_lanes;
-  const Lanes<2> f13_x_p669_lanes = f13_x_p667_lanes - 0.7139200499999999;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p671_lanes = f13_x_p669_lanes - f13_x_p665_lanes;
-  const Lanes<2> f13_x_p673_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p671_lanes;
-  const Lanes<2> f13_x_p675_lanes = f13_x_p663_lanes + f13_x_p673_lanes;
-  const Lanes<2> f13_x_p677_lanes = 0.0017499999999999998 + f13_x_p675_lanes;
+  const Lanes<2> f13_x_p661_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + 0.00010499999999999999 * f13_x_p657_lanes;
+  const Lanes<2> f13_x_p671_lanes = f13_x_p603_lanes + f13_x_p595_lanes - 0.7139200499999999 -
+      f13_x_p511_lanes * f13_x_p657_lanes;
+  const Lanes<2> f13_x_p677_lanes = 0.0017499999999999998 +
+      (detail::make_pack<Real>(s8, s15) * f13_x_p661_lanes + detail::make_pack<Real>(c8, c15) *
+      f13_x_p671_lanes);
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> f13_x_p679_lanes = f13_x_p677_lanes * inverse_D7_lanes;
-  const Lanes<2> f13_x_p681_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> f13_x_p681_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) * f13_x_p679_lanes;
-  const Lanes<2> f13_x_p683_lanes = f13_x_p653_lanes - f13_x_p681_lanes;
-  const Lanes<2> f13_x_p685_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p683_lanes;
-  const Lanes<2> f13_x_p687_lanes = f13_x_p645_lanes * f13_x_p679_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p689_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p661_lanes;
-  const Lanes<2> f13_x_p691_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p671_lanes;
-  const Lanes<2> f13_x_p693_lanes = f13_x_p689_lanes - f13_x_p691_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p695_lanes = f13_x_p693_lanes - f13_x_p687_lanes;
-  const Lanes<2> f13_x_p697_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> f13_x_p695_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p661_lanes -
+      detail::make_pack<Real>(s8, s15) * f13_x_p671_lanes - f13_x_p645_lanes * f13_x_p679_lanes;
+  const Lanes<2> f13_x_p697_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) * f13_x_p639_lanes;
-  const Lanes<2> f13_x_p699_lanes = f13_x_p695_lanes - f13_x_p697_lanes;
-  const Lanes<2> f13_x_p701_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p699_lanes;
-  const Lanes<2> f13_x_p703_lanes = f13_x_p685_lanes - f13_x_p701_lanes;
-  const Lanes<2> f13_x_p705_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p703_lanes;
+  const Lanes<2> f13_x_p703_lanes = detail::make_pack<Real>(c7, c14) *
+      (f13_x_p653_lanes - f13_x_p681_lanes) - detail::make_pack<Real>(s7, s14) *
+      (f13_x_p695_lanes - f13_x_p697_lanes);
+  const Lanes<2> f13_x_p705_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p703_lanes;
   const Lanes<2> f13_x_p707_lanes = f13_x_p697_lanes - f13_x_p705_lanes;
-  const Lanes<2> f13_x_p709_lanes = f13_x_p677_lanes * f13_x_p679_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p711_lanes = f13_x_p655_lanes * f13_x_p657_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p713_lanes = f13_x_p567_lanes * f13_x_p569_lanes;
-  const Lanes<2> f13_x_p715_lanes = f13_x_p449_lanes - f13_x_p713_lanes;
-  const Lanes<2> f13_x_p717_lanes = f13_x_p575_lanes * f13_x_p577_lanes;
-  const Lanes<2> f13_x_p719_lanes = f13_x_p295_lanes - f13_x_p717_lanes;
-  const Lanes<2> f13_x_p721_lanes = f13_x_p715_lanes - f13_x_p719_lanes;
-  const Lanes<2> f13_x_p723_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p721_lanes;
-  const Lanes<2> f13_x_p725_lanes = f13_x_p567_lanes * f13_x_p577_lanes;
-  const Lanes<2> f13_x_p727_lanes = f13_x_p489_lanes + f13_x_p725_lanes;
-  const Lanes<2> f13_x_p729_lanes = f13_x_p501_lanes * f13_x_p727_lanes;
-  const Lanes<2> f13_x_p731_lanes = f13_x_p723_lanes - f13_x_p729_lanes;
-  const Lanes<2> f13_x_p733_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p731_lanes;
-  const Lanes<2> f13_x_p735_lanes = f13_x_p719_lanes + f13_x_p733_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p737_lanes = f13_x_p735_lanes - f13_x_p711_lanes;
+  const Lanes<2> f13_x_p715_lanes = f13_x_p449_lanes - f13_x_p567_lanes * f13_x_p569_lanes;
+  const Lanes<2> f13_x_p719_lanes = f13_x_p295_lanes - f13_x_p575_lanes * f13_x_p577_lanes;
+  const Lanes<2> f13_x_p727_lanes = f13_x_p489_lanes + f13_x_p567_lanes * f13_x_p577_lanes;
+  const Lanes<2> f13_x_p731_lanes = detail::make_pack<Real>(c9, c16) *
+      (f13_x_p715_lanes - f13_x_p719_lanes) - f13_x_p501_lanes * f13_x_p727_lanes;
+  const Lanes<2> f13_x_p733_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p731_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p739_lanes = f13_x_p737_lanes - f13_x_p709_lanes;
-  const Lanes<2> f13_x_p741_lanes = f13_x_p637_lanes * f13_x_p639_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p743_lanes = f13_x_p553_lanes * f13_x_p609_lanes;
+  const Lanes<2> f13_x_p739_lanes = f13_x_p719_lanes + f13_x_p733_lanes - f13_x_p655_lanes *
+      f13_x_p657_lanes - f13_x_p677_lanes * f13_x_p679_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p745_lanes = f13_x_p567_lanes * f13_x_p515_lanes;
-  const Lanes<2> f13_x_p747_lanes = f13_x_p541_lanes + f13_x_p745_lanes;
-  const Lanes<2> f13_x_p749_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p747_lanes;
-  const Lanes<2> f13_x_p751_lanes = f13_x_p575_lanes * f13_x_p515_lanes;
-  const Lanes<2> f13_x_p753_lanes = f13_x_p523_lanes + f13_x_p751_lanes;
-  const Lanes<2> f13_x_p755_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p753_lanes;
-  const Lanes<2> f13_x_p757_lanes = f13_x_p749_lanes - f13_x_p755_lanes;
+  const Lanes<2> f13_x_p747_lanes = f13_x_p541_lanes + f13_x_p567_lanes * f13_x_p515_lanes;
+  const Lanes<2> f13_x_p753_lanes = f13_x_p523_lanes + f13_x_p575_lanes * f13_x_p515_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p759_lanes = f13_x_p757_lanes + f13_x_p743_lanes;
-  const Lanes<2> f13_x_p761_lanes = inverse_D7_p12_lanes * f13_x_p759_lanes;
-  const Lanes<2> f13_x_p763_lanes = f13_x_p607_lanes * f13_x_p609_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p765_lanes = f13_x_p715_lanes - f13_x_p733_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p767_lanes = f13_x_p765_lanes - f13_x_p763_lanes;
-  const Lanes<2> f13_x_p769_lanes = f13_x_p553_lanes * f13_x_p555_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p771_lanes = f13_x_p513_lanes * f13_x_p515_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> f13_x_p773_lanes = f13_x_p439_lanes + f13_x_p447_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p775_lanes = f13_x_p773_lanes + f13_x_p771_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p777_lanes = f13_x_p775_lanes + f13_x_p769_lanes;
-  const Lanes<2> f13_x_p779_lanes = f13_x_p777_lanes + f13_x_p767_lanes;
-  const Lanes<2> f13_x_p781_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p779_lanes;
-  const Lanes<2> f13_x_p783_lanes = f13_x_p761_lanes - f13_x_p781_lanes;
-  const Lanes<2> f13_x_p785_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p783_lanes;
-  const Lanes<2> f13_x_p787_lanes = f13_x_p777_lanes + f13_x_p785_lanes;
+  const Lanes<2> f13_x_p759_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p747_lanes -
+      detail::make_pack<Real>(c9, c16) * f13_x_p753_lanes + f13_x_p553_lanes * f13_x_p609_lanes;
+  const Lanes<2> f13_x_p767_lanes = f13_x_p715_lanes - f13_x_p733_lanes - f13_x_p607_lanes *
+      f13_x_p609_lanes;
+  const Lanes<2> f13_x_p777_lanes = f13_x_p439_lanes + f13_x_p447_lanes + f13_x_p513_lanes *
+      f13_x_p515_lanes + f13_x_p553_lanes * f13_x_p555_lanes;
+  const Lanes<2> f13_x_p783_lanes = inverse_D7_p12_lanes * f13_x_p759_lanes -
+      detail::make_pack<Real>(s8, s15) * (f13_x_p777_lanes + f13_x_p767_lanes);
+  const Lanes<2> f13_x_p785_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p783_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p789_lanes = f13_x_p787_lanes + f13_x_p741_lanes;
-  const Lanes<2> f13_x_p791_lanes = f13_x_p739_lanes + f13_x_p789_lanes;
-  const Lanes<2> f13_x_p793_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p791_lanes;
-  const Lanes<2> f13_x_p795_lanes = f13_x_p677_lanes * f13_x_p639_lanes;
+  const Lanes<2> f13_x_p789_lanes = f13_x_p777_lanes + f13_x_p785_lanes + f13_x_p637_lanes *
+      f13_x_p639_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p797_lanes = f13_x_p553_lanes * f13_x_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p799_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p747_lanes;
-  const Lanes<2> f13_x_p801_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p753_lanes;
-  const Lanes<2> f13_x_p803_lanes = f13_x_p799_lanes + f13_x_p801_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p805_lanes = f13_x_p803_lanes + f13_x_p797_lanes;
-  const Lanes<2> f13_x_p807_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p805_lanes;
-  const Lanes<2> f13_x_p809_lanes = f13_x_p607_lanes * f13_x_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> f13_x_p811_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p731_lanes;
-  const Lanes<2> f13_x_p813_lanes = f13_x_p811_lanes + f13_x_p727_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p815_lanes = f13_x_p813_lanes - f13_x_p809_lanes;
-  const Lanes<2> f13_x_p817_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p815_lanes;
-  const Lanes<2> f13_x_p819_lanes = f13_x_p807_lanes - f13_x_p817_lanes;
+  const Lanes<2> f13_x_p805_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p747_lanes +
+      detail::make_pack<Real>(s9, s16) * f13_x_p753_lanes + f13_x_p553_lanes * f13_x_p657_lanes;
+  const Lanes<2> f13_x_p815_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p731_lanes +
+      f13_x_p727_lanes - f13_x_p607_lanes * f13_x_p657_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p821_lanes = f13_x_p819_lanes - f13_x_p795_lanes;
-  const Lanes<2> f13_x_p823_lanes = 2.0 * detail::make_lanes<Real>(s7, s14);
-  const Lanes<2> f13_x_p825_lanes = f13_x_p823_lanes * f13_x_p821_lanes;
-  const Lanes<2> f13_x_p827_lanes = f13_x_p793_lanes - f13_x_p825_lanes;
-  const Lanes<2> f13_x_p829_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p827_lanes;
+  const Lanes<2> f13_x_p821_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p805_lanes -
+      detail::make_pack<Real>(s8, s15) * f13_x_p815_lanes - f13_x_p677_lanes * f13_x_p639_lanes;
+  const Lanes<2> f13_x_p823_lanes = 2.0 * detail::make_pack<Real>(s7, s14);
+  const Lanes<2> f13_x_p827_lanes = detail::make_pack<Real>(c7, c14) *
+      (f13_x_p739_lanes + f13_x_p789_lanes) - f13_x_p823_lanes * f13_x_p821_lanes;
+  const Lanes<2> f13_x_p829_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p827_lanes;
   const Lanes<2> f13_x_p831_lanes = f13_x_p739_lanes - f13_x_p829_lanes;
-  const Lanes<2> f13_x_p833_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * f13_x_p831_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> f13_x_p835_lanes = f13_x_p623_lanes + f13_x_p649_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> f13_x_p837_lanes = f13_x_p835_lanes * inverse_D7_lanes;
-  const Lanes<2> f13_x_p839_lanes = f13_x_p677_lanes * f13_x_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p841_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p805_lanes;
-  const Lanes<2> f13_x_p843_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p815_lanes;
-  const Lanes<2> f13_x_p845_lanes = f13_x_p841_lanes + f13_x_p843_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p847_lanes = f13_x_p845_lanes - f13_x_p839_lanes;
-  const Lanes<2> f13_x_p849_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p847_lanes;
-  const Lanes<2> f13_x_p851_lanes = f13_x_p637_lanes * f13_x_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p853_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p783_lanes;
-  const Lanes<2> f13_x_p855_lanes = f13_x_p853_lanes - f13_x_p759_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p857_lanes = f13_x_p855_lanes - f13_x_p851_lanes;
-  const Lanes<2> f13_x_p859_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p857_lanes;
-  const Lanes<2> f13_x_p861_lanes = f13_x_p849_lanes + f13_x_p859_lanes;
-  const Lanes<2> f13_x_p863_lanes = 0.226 * f13_x_p861_lanes;
-  const Lanes<2> f13_x_p865_lanes = f13_x_p833_lanes + f13_x_p863_lanes;
-  const Lanes<2> f13_x_p867_lanes = f13_x_p707_lanes + f13_x_p865_lanes;
+  const Lanes<2> f13_x_p847_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p805_lanes +
+      detail::make_pack<Real>(c8, c15) * f13_x_p815_lanes - f13_x_p677_lanes * f13_x_p837_lanes;
+  const Lanes<2> f13_x_p857_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p783_lanes -
+      f13_x_p759_lanes - f13_x_p637_lanes * f13_x_p837_lanes;
+  const Lanes<2> f13_x_p861_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p847_lanes +
+      detail::make_pack<Real>(c7, c14) * f13_x_p857_lanes;
+  const Lanes<2> f13_x_p867_lanes = f13_x_p707_lanes +
+      (detail::make_pack<Real>(0.18, (-0.18)) * f13_x_p831_lanes + 0.226 * f13_x_p861_lanes);
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> f13_x_p869_lanes = 0.0007770270270270272 * detail::make_lanes<Real>(c23, c24);
-  const Lanes<2> f13_x_p871_lanes = detail::make_lanes<Real>(c23, c24) * f13_x_p869_lanes;
+  const Lanes<2> f13_x_p869_lanes = 0.0007770270270270272 * detail::make_pack<Real>(c23, c24);
+  const Lanes<2> f13_x_p871_lanes = detail::make_pack<Real>(c23, c24) * f13_x_p869_lanes;
   const Lanes<2> f13_x_p873_lanes = f13_x_p871_lanes - 0.0007770270270270272;
   const Real f13_x_p875 = 0.431222972972973 + f13_x_p871_lanes[1] + f13_x_p873_lanes[0];
-  const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_lanes<Real>(s23, s24);
-  const Lanes<2> inverse_D22_p3_lanes = detail::make_lanes<Real>(s23, s24) * inverse_D22_p1_lanes;
+  const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> inverse_D22_p3_lanes = detail::make_pack<Real>(s23, s24) * inverse_D22_p1_lanes;
   const Real inverse_D22_p5 = inverse_D22_p3_lanes[1] + inverse_D22_p3_lanes[0];
   const Real inverse_D22_p6 = c24 + c23;
 
@@ -899,19 +569,18 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p876 = f13_x_p875 * inverse_D22;
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> f13_x_p877_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) +
-      inverse_D22_p1_lanes;
-  const Lanes<2> f13_x_p879_lanes = f13_x_p877_lanes * detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> f13_x_p879_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) +
+      inverse_D22_p1_lanes) * detail::make_pack<Real>(c23, c24);
   const Real f13_x_p881 = s24 + s23;
   const Real f13_x_p882 = f13_x_p879_lanes[0] + 2.375e-05 * f13_x_p881 + f13_x_p879_lanes[1];
-  const Lanes<2> f13_x_p883_lanes = detail::make_lanes<Real>(s23, s24) * f13_x_p869_lanes;
+  const Lanes<2> f13_x_p883_lanes = detail::make_pack<Real>(s23, s24) * f13_x_p869_lanes;
   const Real f13_x_p885 = f13_x_p883_lanes[1] + f13_x_p883_lanes[0];
 
   // link 22 (head), articulated inertia
   const Real f13_x_p886 = f13_x_p882 * f13_x_p876 - f13_x_p885;
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> f13_x_p887_lanes = detail::make_lanes<Real>(0.032, (-0.032)) * f13_x_p873_lanes;
+  const Lanes<2> f13_x_p887_lanes = detail::make_pack<Real>(0.032, (-0.032)) * f13_x_p873_lanes;
   const Real f13_x_p889 = f13_x_p887_lanes[1] + f13_x_p887_lanes[0] - 0.095 * f13_x_p885;
   const Real f13_x_p890 = 0.072575 + 0.00025 * inverse_D22_p6;
 
@@ -920,12 +589,11 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p892 = f13_x_p889 * f13_x_p891;
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> f13_x_p893_lanes = 0.006756756756756757 * detail::make_lanes<Real>(s23, s24);
-  const Lanes<2> f13_x_p895_lanes = detail::make_lanes<Real>(c23, c24) * f13_x_p893_lanes;
-  const Lanes<2> f13_x_p897_lanes = 0.095 * f13_x_p895_lanes;
-  const Lanes<2> f13_x_p899_lanes = detail::make_lanes<Real>(s23, s24) * f13_x_p893_lanes;
-  const Lanes<2> f13_x_p901_lanes = detail::make_lanes<Real>(0.032, (-0.032)) * f13_x_p899_lanes;
-  const Lanes<2> f13_x_p903_lanes = f13_x_p897_lanes + f13_x_p901_lanes;
+  const Lanes<2> f13_x_p893_lanes = 0.006756756756756757 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> f13_x_p895_lanes = detail::make_pack<Real>(c23, c24) * f13_x_p893_lanes;
+  const Lanes<2> f13_x_p899_lanes = detail::make_pack<Real>(s23, s24) * f13_x_p893_lanes;
+  const Lanes<2> f13_x_p903_lanes = 0.095 * f13_x_p895_lanes +
+      detail::make_pack<Real>(0.032, (-0.032)) * f13_x_p899_lanes;
 
   // link 22 (head), articulated inertia
   const Real f13_x_p905 = f13_x_p903_lanes[1] + f13_x_p903_lanes[0] + f13_x_p889 * f13_x_p876;
@@ -937,10 +605,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> inverse_D21_p2_lanes = f13_x_p899_lanes - 0.006756756756756757;
-  const Lanes<2> inverse_D21_p4_lanes = 0.095 * inverse_D21_p2_lanes;
-  const Lanes<2> inverse_D21_p6_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
-      f13_x_p895_lanes;
-  const Lanes<2> inverse_D21_p8_lanes = inverse_D21_p4_lanes - inverse_D21_p6_lanes;
+  const Lanes<2> inverse_D21_p8_lanes = 0.095 * inverse_D21_p2_lanes -
+      detail::make_pack<Real>(0.032, (-0.032)) * f13_x_p895_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D21_p10 = inverse_D21_p8_lanes[1] + inverse_D21_p8_lanes[0];
@@ -991,29 +657,20 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 7 (left_shoulder1), articulated inertia
   const Real f13_x_p929 = c21 * f13_x_p920 - s21 * f13_x_p928 + f13_x_p867_lanes[1] +
       f13_x_p867_lanes[0];
-  const Lanes<2> inverse_D6_p1_lanes = f13_x_p707_lanes + f13_x_p867_lanes;
-  const Lanes<2> inverse_D6_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D6_p1_lanes;
+  const Lanes<2> inverse_D6_p3_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (f13_x_p707_lanes + f13_x_p867_lanes);
   const Lanes<2> inverse_D6_p5_lanes = f13_x_p645_lanes * inverse_D7_lanes;
-  const Lanes<2> inverse_D6_p7_lanes = f13_x_p645_lanes * inverse_D6_p5_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p9_lanes = inverse_D7_p7_lanes - inverse_D7_p15_lanes;
-  const Lanes<2> inverse_D6_p11_lanes = 0.0002975 + inverse_D6_p9_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p13_lanes = inverse_D6_p11_lanes - inverse_D6_p7_lanes;
-  const Lanes<2> inverse_D6_p15_lanes = detail::make_lanes<Real>(6.890624999999999e-10,
+  const Lanes<2> inverse_D6_p13_lanes = 0.0002975 + (inverse_D7_p7_lanes - inverse_D7_p15_lanes) -
+      f13_x_p645_lanes * inverse_D6_p5_lanes;
+  const Lanes<2> inverse_D6_p15_lanes = detail::make_pack<Real>(6.890624999999999e-10,
       6.890624999999999e-10) / inverse_D7_p17_lanes;
   const Lanes<2> inverse_D6_p17_lanes = 0.0001505 - inverse_D6_p15_lanes;
-  const Lanes<2> inverse_D6_p19_lanes = inverse_D6_p17_lanes - inverse_D6_p13_lanes;
-  const Lanes<2> inverse_D6_p21_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p19_lanes;
-  const Lanes<2> inverse_D6_p23_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) * inverse_D6_p5_lanes;
-  const Lanes<2> inverse_D6_p25_lanes = 8.75e-06 + inverse_D6_p23_lanes;
-  const Lanes<2> inverse_D6_p27_lanes = f13_x_p823_lanes * inverse_D6_p25_lanes;
-  const Lanes<2> inverse_D6_p29_lanes = inverse_D6_p21_lanes + inverse_D6_p27_lanes;
-  const Lanes<2> inverse_D6_p31_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p29_lanes;
+  const Lanes<2> inverse_D6_p25_lanes = 8.75e-06 +
+      detail::make_pack<Real>((-2.6249999999999998e-05), 2.6249999999999998e-05) *
+      inverse_D6_p5_lanes;
+  const Lanes<2> inverse_D6_p29_lanes = detail::make_pack<Real>(c7, c14) *
+      (inverse_D6_p17_lanes - inverse_D6_p13_lanes) + f13_x_p823_lanes * inverse_D6_p25_lanes;
+  const Lanes<2> inverse_D6_p31_lanes = detail::make_pack<Real>(c7, c14) * inverse_D6_p29_lanes;
   const Real inverse_D6_p33 = inverse_D6_p31_lanes[1] + inverse_D6_p31_lanes[0];
 
   // link 22 (head), articulated inertia
@@ -1047,31 +704,16 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real inverse_D6_p48 = c21 * inverse_D6_p47;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p49_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) * f13_x_p837_lanes;
-  const Lanes<2> inverse_D6_p51_lanes = 0.0017499999999999998 + inverse_D6_p49_lanes;
-  const Lanes<2> inverse_D6_p53_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p51_lanes;
-  const Lanes<2> inverse_D6_p55_lanes = f13_x_p645_lanes * f13_x_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p57_lanes = f13_x_p633_lanes - f13_x_p565_lanes;
-  const Lanes<2> inverse_D6_p59_lanes = inverse_D6_p57_lanes - 0.0017499999999999998;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p61_lanes = inverse_D6_p59_lanes - inverse_D6_p55_lanes;
-  const Lanes<2> inverse_D6_p63_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p61_lanes;
-  const Lanes<2> inverse_D6_p65_lanes = inverse_D6_p53_lanes + inverse_D6_p63_lanes;
-  const Lanes<2> inverse_D6_p67_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * f13_x_p861_lanes;
-  const Lanes<2> inverse_D6_p69_lanes = f13_x_p835_lanes * f13_x_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p71_lanes = f13_x_p767_lanes + f13_x_p785_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p73_lanes = inverse_D6_p71_lanes - inverse_D6_p69_lanes;
-  const Lanes<2> inverse_D6_p75_lanes = 0.226 * inverse_D6_p73_lanes;
-  const Lanes<2> inverse_D6_p77_lanes = inverse_D6_p67_lanes + inverse_D6_p75_lanes;
-  const Lanes<2> inverse_D6_p79_lanes = inverse_D6_p65_lanes + inverse_D6_p77_lanes;
+  const Lanes<2> inverse_D6_p51_lanes = 0.0017499999999999998 +
+      detail::make_pack<Real>((-2.6249999999999998e-05), 2.6249999999999998e-05) * f13_x_p837_lanes;
+  const Lanes<2> inverse_D6_p61_lanes = f13_x_p633_lanes - f13_x_p565_lanes -
+      0.0017499999999999998 - f13_x_p645_lanes * f13_x_p837_lanes;
+  const Lanes<2> inverse_D6_p65_lanes = detail::make_pack<Real>(c7, c14) * inverse_D6_p51_lanes +
+      detail::make_pack<Real>(s7, s14) * inverse_D6_p61_lanes;
+  const Lanes<2> inverse_D6_p73_lanes = f13_x_p767_lanes + f13_x_p785_lanes - f13_x_p835_lanes *
+      f13_x_p837_lanes;
+  const Lanes<2> inverse_D6_p79_lanes = inverse_D6_p65_lanes +
+      (detail::make_pack<Real>(0.18, (-0.18)) * f13_x_p861_lanes + 0.226 * inverse_D6_p73_lanes);
   const Real inverse_D6_p81 = inverse_D6_p79_lanes[1] + inverse_D6_p79_lanes[0];
   const Real inverse_D6_p82 = 2.06965463592404 + inverse_D6_p41 + inverse_D6_p48 +
       inverse_D6_p13_lanes[1] + inverse_D6_p33 + inverse_D6_p3_lanes[1] + inverse_D6_p13_lanes[0] +
@@ -1083,24 +725,21 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p930 = f13_x_p929 * inverse_D6;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p931_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p703_lanes;
-  const Lanes<2> f13_x_p933_lanes = f13_x_p931_lanes - f13_x_p653_lanes;
-  const Lanes<2> f13_x_p935_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p827_lanes;
-  const Lanes<2> f13_x_p937_lanes = f13_x_p935_lanes + f13_x_p821_lanes;
-  const Lanes<2> f13_x_p939_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * f13_x_p937_lanes;
-  const Lanes<2> f13_x_p941_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p847_lanes;
-  const Lanes<2> f13_x_p943_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p857_lanes;
-  const Lanes<2> f13_x_p945_lanes = f13_x_p941_lanes - f13_x_p943_lanes;
+  const Lanes<2> f13_x_p931_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p703_lanes;
+  const Lanes<2> f13_x_p937_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p827_lanes +
+      f13_x_p821_lanes;
+  const Lanes<2> f13_x_p939_lanes = detail::make_pack<Real>(0.18, (-0.18)) * f13_x_p937_lanes;
+  const Lanes<2> f13_x_p945_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p847_lanes -
+      detail::make_pack<Real>(s7, s14) * f13_x_p857_lanes;
   const Lanes<2> f13_x_p947_lanes = 0.226 * f13_x_p945_lanes;
-  const Lanes<2> f13_x_p949_lanes = f13_x_p939_lanes + f13_x_p947_lanes;
-  const Lanes<2> f13_x_p951_lanes = f13_x_p933_lanes - f13_x_p949_lanes;
+  const Lanes<2> f13_x_p951_lanes = f13_x_p931_lanes - f13_x_p653_lanes -
+      (f13_x_p939_lanes + f13_x_p947_lanes);
   const Lanes<2> f13_x_p953_lanes = f13_x_p681_lanes + f13_x_p931_lanes;
-  const Lanes<2> f13_x_p955_lanes = f13_x_p951_lanes + f13_x_p953_lanes;
-  const Lanes<2> f13_x_p957_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * f13_x_p955_lanes;
-  const Lanes<2> f13_x_p959_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p29_lanes;
-  const Lanes<2> f13_x_p961_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p51_lanes;
-  const Lanes<2> f13_x_p963_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p61_lanes;
-  const Lanes<2> f13_x_p965_lanes = f13_x_p961_lanes - f13_x_p963_lanes;
+  const Lanes<2> f13_x_p957_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (f13_x_p951_lanes + f13_x_p953_lanes);
+  const Lanes<2> f13_x_p959_lanes = detail::make_pack<Real>(s7, s14) * inverse_D6_p29_lanes;
+  const Lanes<2> f13_x_p965_lanes = detail::make_pack<Real>(s7, s14) * inverse_D6_p51_lanes -
+      detail::make_pack<Real>(c7, c14) * inverse_D6_p61_lanes;
   const Real f13_x_p967 = f13_x_p965_lanes[1] + f13_x_p965_lanes[0];
   const Real f13_x_p968 = 0.0187369177636143 + f13_x_p957_lanes[1] - inverse_D6_p25_lanes[1] +
       f13_x_p959_lanes[1] + f13_x_p957_lanes[0] - inverse_D6_p25_lanes[0] + f13_x_p959_lanes[0] +
@@ -1179,9 +818,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D5_p1_lanes = f13_x_p705_lanes + f13_x_p695_lanes;
   const Lanes<2> inverse_D5_p3_lanes = f13_x_p829_lanes - f13_x_p789_lanes;
-  const Lanes<2> inverse_D5_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D5_p3_lanes;
-  const Lanes<2> inverse_D5_p7_lanes = inverse_D5_p1_lanes + inverse_D5_p5_lanes;
+  const Lanes<2> inverse_D5_p7_lanes = inverse_D5_p1_lanes +
+      detail::make_pack<Real>(0.18, (-0.18)) * inverse_D5_p3_lanes;
 
   // link 6 (chest3), articulated inertia
   const Real inverse_D5_p9 = inverse_D5_p7_lanes[1] + inverse_D5_p7_lanes[0] - f13_x_p968 *
@@ -1201,9 +839,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real inverse_D5_p16 = f13_x_p968 * inverse_D6;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D5_p17_lanes = inverse_D5_p1_lanes + inverse_D5_p7_lanes;
-  const Lanes<2> inverse_D5_p19_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D5_p17_lanes;
+  const Lanes<2> inverse_D5_p19_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (inverse_D5_p1_lanes + inverse_D5_p7_lanes);
 
   // link 6 (chest3), articulated inertia
   const Real inverse_D5_p21 = 0.40056549999999996 - inverse_D6_p15_lanes[1] - inverse_D6_p33 +
@@ -1376,300 +1013,196 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p1080 = f13_x_p1079 * inverse_D2;
 
   // link 13 (left_hand), force propagation
-  const Lanes<2> f13_x_p1081_lanes = 0.11533812622014242 * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p1083_lanes = detail::make_lanes<Real>(0.04672761636452121,
-      (-0.04672761636452121)) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p1085_lanes = f13_x_p1081_lanes - f13_x_p1083_lanes;
+  const Lanes<2> f13_x_p1085_lanes = 0.11533812622014242 * detail::make_pack<Real>(s13, s20) -
+      detail::make_pack<Real>(0.04672761636452121, (-0.04672761636452121)) *
+      detail::make_pack<Real>(c13, c20);
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1087_lanes = inverse_D11_p1_lanes * f13_x_p1085_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> f13_x_p1089_lanes = 0.11533812622014242 * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p1091_lanes = detail::make_lanes<Real>(0.04672761636452121,
-      (-0.04672761636452121)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p1093_lanes = f13_x_p1089_lanes + f13_x_p1091_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1095_lanes = f13_x_p1093_lanes - f13_x_p1087_lanes;
-  const Lanes<2> f13_x_p1097_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1095_lanes;
+  const Lanes<2> f13_x_p1095_lanes = 0.11533812622014242 * detail::make_pack<Real>(c13, c20) +
+      detail::make_pack<Real>(0.04672761636452121, (-0.04672761636452121)) *
+      detail::make_pack<Real>(s13, s20) - inverse_D11_p1_lanes * f13_x_p1085_lanes;
+  const Lanes<2> f13_x_p1097_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1095_lanes;
 
   // link 18 (right_wrist1), force propagation
   const Real f13_x_p1099 = -f13_x_p1097_lanes[1];
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1100_lanes = inverse_D11_p1_lanes * detail::make_lanes<Real>(c13, c20);
 
   // link 19 (right_wrist2), force propagation
   const Real neg_s20 = -s20;
 
   // link 12 (left_wrist2), force propagation
   const Real neg_s13 = -s13;
-  const Lanes<2> f13_x_p1102_lanes = detail::make_lanes<Real>(neg_s13, neg_s20) - f13_x_p1100_lanes;
-  const Lanes<2> f13_x_p1104_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1102_lanes;
+  const Lanes<2> f13_x_p1102_lanes = detail::make_pack<Real>(neg_s13, neg_s20) -
+      inverse_D11_p1_lanes * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p1104_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1102_lanes;
 
   // link 18 (right_wrist1), force propagation
   const Real f13_x_p1106 = -f13_x_p1104_lanes[1];
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1107_lanes = inverse_D11_p1_lanes * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p1109_lanes = detail::make_lanes<Real>(c13, c20) - f13_x_p1107_lanes;
-  const Lanes<2> f13_x_p1111_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1109_lanes;
+  const Lanes<2> f13_x_p1109_lanes = detail::make_pack<Real>(c13, c20) - inverse_D11_p1_lanes *
+      detail::make_pack<Real>(s13, s20);
+  const Lanes<2> f13_x_p1111_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1109_lanes;
 
   // link 18 (right_wrist1), force propagation
   const Real f13_x_p1113 = -f13_x_p1111_lanes[1];
-  const Lanes<8> f13_x_p1114_lanes = inverse_D10_p1_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
-      f13_x_p1113, f13_x_p1113, f13_x_p1113);
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1117_lanes = f13_x_p61_lanes * f13_x_p1085_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> f13_x_p1119_lanes = detail::make_lanes<Real>((-3.0523172236718206),
-      3.0523172236718206) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p1121_lanes = 17.32841575379867 * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p1123_lanes = f13_x_p1119_lanes - f13_x_p1121_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1125_lanes = f13_x_p1123_lanes - f13_x_p1117_lanes;
-  const Lanes<2> f13_x_p1127_lanes = 0.269 * f13_x_p1125_lanes;
-  const Lanes<2> f13_x_p1129_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1095_lanes;
-  const Lanes<2> f13_x_p1131_lanes = f13_x_p1127_lanes - f13_x_p1129_lanes;
-  const Lanes<2> f13_x_p1133_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1102_lanes;
-  const Lanes<2> f13_x_p1135_lanes = f13_x_p61_lanes * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p1137_lanes = 0.269 * f13_x_p1135_lanes;
-  const Lanes<2> f13_x_p1139_lanes = f13_x_p1133_lanes + f13_x_p1137_lanes;
-  const Lanes<2> f13_x_p1141_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1109_lanes;
-  const Lanes<2> f13_x_p1143_lanes = f13_x_p61_lanes * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p1145_lanes = 0.269 * f13_x_p1143_lanes;
-  const Lanes<2> f13_x_p1147_lanes = f13_x_p1141_lanes + f13_x_p1145_lanes;
+  const Lanes<2> f13_x_p1125_lanes = detail::make_pack<Real>((-3.0523172236718206),
+      3.0523172236718206) * detail::make_pack<Real>(s13, s20) - 17.32841575379867 *
+      detail::make_pack<Real>(c13, c20) - f13_x_p61_lanes * f13_x_p1085_lanes;
+  const Lanes<2> f13_x_p1131_lanes = 0.269 * f13_x_p1125_lanes - detail::make_pack<Real>(s12, s19) *
+      f13_x_p1095_lanes;
+  const Lanes<2> f13_x_p1135_lanes = f13_x_p61_lanes * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p1139_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1102_lanes + 0.269 *
+      f13_x_p1135_lanes;
+  const Lanes<2> f13_x_p1143_lanes = f13_x_p61_lanes * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> f13_x_p1147_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1109_lanes + 0.269 *
+      f13_x_p1143_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1149_lanes = detail::make_lanes<Real>(-f13_x_p1147_lanes[1],
+  const Lanes<8> f13_x_p1149_lanes = detail::make_pack<Real>(-f13_x_p1147_lanes[1],
       -f13_x_p1147_lanes[1], -f13_x_p1139_lanes[1], f13_x_p1131_lanes[1], -f13_x_p1147_lanes[1],
-      -f13_x_p1147_lanes[1], -f13_x_p1147_lanes[1], -f13_x_p1147_lanes[1]) - f13_x_p1114_lanes;
-  const Lanes<8> f13_x_p1152_lanes = s18 * f13_x_p1149_lanes;
-  const Lanes<8> f13_x_p1155_lanes = inverse_D10_p8_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
-      f13_x_p1113, f13_x_p1113, f13_x_p1113);
+      -f13_x_p1147_lanes[1], -f13_x_p1147_lanes[1], -f13_x_p1147_lanes[1]) -
+      inverse_D10_p1_lanes[1] * detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106,
+      f13_x_p1099, f13_x_p1113, f13_x_p1113, f13_x_p1113, f13_x_p1113);
 
   // link 12 (left_wrist2), force propagation
   const Lanes<2> f13_x_p1158_lanes = f13_x_p35_lanes * f13_x_p1085_lanes;
-  const Lanes<2> f13_x_p1160_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1158_lanes;
-  const Lanes<2> f13_x_p1162_lanes = f13_x_p11_lanes * f13_x_p1085_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> f13_x_p1164_lanes = detail::make_lanes<Real>((-3.0523172236718206),
-      3.0523172236718206) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p1166_lanes = 17.32841575379867 * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p1168_lanes = f13_x_p1164_lanes + f13_x_p1166_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1170_lanes = f13_x_p1168_lanes - f13_x_p1162_lanes;
-  const Lanes<2> f13_x_p1172_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1170_lanes;
-  const Lanes<2> f13_x_p1174_lanes = f13_x_p1160_lanes + f13_x_p1172_lanes;
-  const Lanes<2> f13_x_p1176_lanes = f13_x_p35_lanes * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p1178_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1176_lanes;
-  const Lanes<2> f13_x_p1180_lanes = f13_x_p11_lanes * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> f13_x_p1182_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1180_lanes;
-  const Lanes<2> f13_x_p1184_lanes = f13_x_p1178_lanes - f13_x_p1182_lanes;
-  const Lanes<2> f13_x_p1186_lanes = f13_x_p35_lanes * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p1188_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1186_lanes;
-  const Lanes<2> f13_x_p1190_lanes = f13_x_p11_lanes * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> f13_x_p1192_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1190_lanes;
-  const Lanes<2> f13_x_p1194_lanes = f13_x_p1188_lanes - f13_x_p1192_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> f13_x_p1196_lanes = 0.269 * detail::make_lanes<Real>(f13_x_p1194_lanes[1],
-      f13_x_p1194_lanes[1], f13_x_p1184_lanes[1], f13_x_p1174_lanes[1], f13_x_p1194_lanes[1],
-      f13_x_p1194_lanes[1], f13_x_p1194_lanes[1], f13_x_p1194_lanes[1]);
+  const Lanes<2> f13_x_p1170_lanes = detail::make_pack<Real>((-3.0523172236718206),
+      3.0523172236718206) * detail::make_pack<Real>(c13, c20) + 17.32841575379867 *
+      detail::make_pack<Real>(s13, s20) - f13_x_p11_lanes * f13_x_p1085_lanes;
+  const Lanes<2> f13_x_p1174_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1158_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p1170_lanes;
+  const Lanes<2> f13_x_p1176_lanes = f13_x_p35_lanes * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p1180_lanes = f13_x_p11_lanes * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p1184_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1176_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p1180_lanes;
+  const Lanes<2> f13_x_p1186_lanes = f13_x_p35_lanes * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> f13_x_p1190_lanes = f13_x_p11_lanes * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> f13_x_p1194_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1186_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p1190_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1199_lanes = f13_x_p1196_lanes - f13_x_p1155_lanes;
-  const Lanes<8> f13_x_p1202_lanes = c18 * f13_x_p1199_lanes;
-  const Lanes<8> f13_x_p1205_lanes = f13_x_p1152_lanes + f13_x_p1202_lanes;
+  const Lanes<8> f13_x_p1199_lanes = 0.269 * detail::make_pack<Real>(f13_x_p1194_lanes[1],
+      f13_x_p1194_lanes[1], f13_x_p1184_lanes[1], f13_x_p1174_lanes[1], f13_x_p1194_lanes[1],
+      f13_x_p1194_lanes[1], f13_x_p1194_lanes[1], f13_x_p1194_lanes[1]) - inverse_D10_p8_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
+      f13_x_p1113, f13_x_p1113, f13_x_p1113);
+  const Lanes<8> f13_x_p1205_lanes = s18 * f13_x_p1149_lanes + c18 * f13_x_p1199_lanes;
   const Real f13_x_p1208 = -(0.269 * c19);
   const Real f13_x_p1209 = c18 * f13_x_p1208;
+  const Lanes<8> f13_x_p1220_lanes = c18 * f13_x_p1149_lanes - s18 * f13_x_p1199_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1210_lanes = f13_x_p231_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
-      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1214_lanes = c18 * f13_x_p1149_lanes;
-  const Lanes<8> f13_x_p1217_lanes = s18 * f13_x_p1199_lanes;
-  const Lanes<8> f13_x_p1220_lanes = f13_x_p1214_lanes - f13_x_p1217_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1223_lanes = detail::make_lanes<Real>(-(s18 * f13_x_p1208),
+  const Lanes<8> f13_x_p1223_lanes = detail::make_pack<Real>(-(s18 * f13_x_p1208),
       f13_x_p1220_lanes[1], f13_x_p1220_lanes[2], f13_x_p1220_lanes[3], -(s18 * f13_x_p1208),
-      -(s18 * f13_x_p1208), -(s18 * f13_x_p1208), -(s18 * f13_x_p1208)) - f13_x_p1210_lanes;
-  const Lanes<8> f13_x_p1227_lanes = s17 * f13_x_p1223_lanes;
-  const Lanes<8> f13_x_p1231_lanes = f13_x_p221_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
+      -(s18 * f13_x_p1208), -(s18 * f13_x_p1208), -(s18 * f13_x_p1208)) - f13_x_p231_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
       f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
-  const Lanes<8> f13_x_p1235_lanes = c17 * f13_x_p1231_lanes;
-  const Lanes<8> f13_x_p1239_lanes = f13_x_p1235_lanes - f13_x_p1227_lanes;
+  const Lanes<8> f13_x_p1231_lanes = f13_x_p221_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
+      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
+  const Lanes<8> f13_x_p1239_lanes = c17 * f13_x_p1231_lanes - s17 * f13_x_p1223_lanes;
 
   // link 16 (right_upperarm), force propagation
   const Lanes<8> f13_x_p1243_lanes = f13_x_p259_lanes[1] * f13_x_p1239_lanes;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1247_lanes = c17 * f13_x_p1223_lanes;
-  const Lanes<8> f13_x_p1251_lanes = s17 * f13_x_p1231_lanes;
-  const Lanes<8> f13_x_p1255_lanes = f13_x_p1247_lanes + f13_x_p1251_lanes;
-  const Lanes<8> f13_x_p1259_lanes = f13_x_p191_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
-      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
-
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1263_lanes = f13_x_p55_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
-      f13_x_p1113, f13_x_p1113, f13_x_p1113);
-  const Lanes<8> f13_x_p1266_lanes = detail::make_lanes<Real>(-f13_x_p1194_lanes[1],
+  const Lanes<8> f13_x_p1266_lanes = detail::make_pack<Real>(-f13_x_p1194_lanes[1],
       -f13_x_p1194_lanes[1], -f13_x_p1184_lanes[1], -f13_x_p1174_lanes[1], -f13_x_p1194_lanes[1],
-      -f13_x_p1194_lanes[1], -f13_x_p1194_lanes[1], -f13_x_p1194_lanes[1]) + f13_x_p1263_lanes;
-  const Lanes<8> f13_x_p1269_lanes = s18 * f13_x_p1266_lanes;
-  const Lanes<8> f13_x_p1272_lanes = f13_x_p119_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
+      -f13_x_p1194_lanes[1], -f13_x_p1194_lanes[1], -f13_x_p1194_lanes[1]) + f13_x_p55_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
       f13_x_p1113, f13_x_p1113, f13_x_p1113);
-  const Lanes<8> f13_x_p1275_lanes = detail::make_lanes<Real>(-f13_x_p1143_lanes[1],
+  const Lanes<8> f13_x_p1275_lanes = detail::make_pack<Real>(-f13_x_p1143_lanes[1],
       -f13_x_p1143_lanes[1], -f13_x_p1135_lanes[1], f13_x_p1125_lanes[1], -f13_x_p1143_lanes[1],
-      -f13_x_p1143_lanes[1], -f13_x_p1143_lanes[1], -f13_x_p1143_lanes[1]) - f13_x_p1272_lanes;
-  const Lanes<8> f13_x_p1278_lanes = c18 * f13_x_p1275_lanes;
-  const Lanes<8> f13_x_p1281_lanes = f13_x_p1269_lanes + f13_x_p1278_lanes;
+      -f13_x_p1143_lanes[1], -f13_x_p1143_lanes[1], -f13_x_p1143_lanes[1]) - f13_x_p119_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
+      f13_x_p1113, f13_x_p1113, f13_x_p1113);
+  const Lanes<8> f13_x_p1281_lanes = s18 * f13_x_p1266_lanes + c18 * f13_x_p1275_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p1284_lanes = detail::make_lanes<Real>(s11, s18) *
-      detail::make_lanes<Real>(c12, c19);
+  const Lanes<2> f13_x_p1284_lanes = detail::make_pack<Real>(s11, s18) *
+      detail::make_pack<Real>(c12, c19);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1286_lanes = detail::make_lanes<Real>(f13_x_p1284_lanes[1],
+  const Lanes<8> f13_x_p1286_lanes = detail::make_pack<Real>(f13_x_p1284_lanes[1],
       f13_x_p1281_lanes[1], f13_x_p1281_lanes[2], f13_x_p1281_lanes[3], f13_x_p1284_lanes[1],
-      f13_x_p1284_lanes[1], f13_x_p1284_lanes[1], f13_x_p1284_lanes[1]) - f13_x_p1259_lanes;
-  const Lanes<8> f13_x_p1290_lanes = 0.282 * f13_x_p1286_lanes;
-  const Lanes<8> f13_x_p1294_lanes = f13_x_p1255_lanes + f13_x_p1290_lanes;
+      f13_x_p1284_lanes[1], f13_x_p1284_lanes[1], f13_x_p1284_lanes[1]) - f13_x_p191_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
+      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1298_lanes = f13_x_p1294_lanes - f13_x_p1243_lanes;
-  const Lanes<8> f13_x_p1302_lanes = c16 * f13_x_p1298_lanes;
-  const Lanes<8> f13_x_p1306_lanes = f13_x_p401_lanes[1] * f13_x_p1239_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1310_lanes = f13_x_p317_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
-      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
+  const Lanes<8> f13_x_p1298_lanes = c17 * f13_x_p1223_lanes + s17 * f13_x_p1231_lanes + 0.282 *
+      f13_x_p1286_lanes - f13_x_p1243_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1314_lanes = c18 * f13_x_p1266_lanes;
-  const Lanes<8> f13_x_p1317_lanes = s18 * f13_x_p1275_lanes;
-  const Lanes<8> f13_x_p1320_lanes = f13_x_p1314_lanes - f13_x_p1317_lanes;
+  const Lanes<8> f13_x_p1320_lanes = c18 * f13_x_p1266_lanes - s18 * f13_x_p1275_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p1323_lanes = detail::make_lanes<Real>(c11, c18) *
-      detail::make_lanes<Real>(c12, c19);
+  const Lanes<2> f13_x_p1323_lanes = detail::make_pack<Real>(c11, c18) *
+      detail::make_pack<Real>(c12, c19);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1325_lanes = detail::make_lanes<Real>(f13_x_p1323_lanes[1],
+  const Lanes<8> f13_x_p1325_lanes = detail::make_pack<Real>(f13_x_p1323_lanes[1],
       f13_x_p1320_lanes[1], f13_x_p1320_lanes[2], f13_x_p1320_lanes[3], f13_x_p1323_lanes[1],
-      f13_x_p1323_lanes[1], f13_x_p1323_lanes[1], f13_x_p1323_lanes[1]) - f13_x_p1310_lanes;
-  const Lanes<8> f13_x_p1329_lanes = c17 * f13_x_p1325_lanes;
-  const Lanes<8> f13_x_p1333_lanes = f13_x_p363_lanes[1] *
-      detail::make_lanes<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
+      f13_x_p1323_lanes[1], f13_x_p1323_lanes[1], f13_x_p1323_lanes[1]) - f13_x_p317_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
       f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
 
   // link 11 (left_wrist1), force propagation
   const Real f13_x_p1337 = -f13_x_p1097_lanes[0];
-  const Lanes<2> f13_x_p1338_lanes = f13_x_p337_lanes *
-      detail::make_lanes<Real>(f13_x_p1337, f13_x_p1099);
+  const Lanes<2> f13_x_p1346_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1158_lanes -
+      detail::make_pack<Real>(c12, c19) * f13_x_p1170_lanes - f13_x_p337_lanes *
+      detail::make_pack<Real>(f13_x_p1337, f13_x_p1099);
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1340_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1158_lanes;
-  const Lanes<2> f13_x_p1342_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1170_lanes;
-  const Lanes<2> f13_x_p1344_lanes = f13_x_p1340_lanes - f13_x_p1342_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p1346_lanes = f13_x_p1344_lanes - f13_x_p1338_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1348_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1176_lanes;
-  const Lanes<2> f13_x_p1350_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1180_lanes;
-  const Lanes<2> f13_x_p1352_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p1186_lanes;
-  const Lanes<2> f13_x_p1354_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p1190_lanes;
+  const Lanes<2> f13_x_p1348_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1176_lanes;
+  const Lanes<2> f13_x_p1350_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1180_lanes;
+  const Lanes<2> f13_x_p1352_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1186_lanes;
+  const Lanes<2> f13_x_p1354_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1190_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1356_lanes = detail::make_lanes<Real>(-(-s19),
+  const Lanes<8> f13_x_p1356_lanes = detail::make_pack<Real>(-(-s19),
       -(f13_x_p1352_lanes[1] + f13_x_p1354_lanes[1] - f13_x_p337_lanes[1] * f13_x_p1113),
       -(f13_x_p1348_lanes[1] + f13_x_p1350_lanes[1] - f13_x_p337_lanes[1] * f13_x_p1106),
-      -f13_x_p1346_lanes[1], -(-s19), -(-s19), -(-s19), -(-s19)) - f13_x_p1333_lanes;
-  const Lanes<8> f13_x_p1360_lanes = s17 * f13_x_p1356_lanes;
-  const Lanes<8> f13_x_p1364_lanes = f13_x_p1360_lanes - f13_x_p1329_lanes;
-  const Lanes<8> f13_x_p1368_lanes = 0.282 * f13_x_p1364_lanes;
+      -f13_x_p1346_lanes[1], -(-s19), -(-s19), -(-s19), -(-s19)) - f13_x_p363_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
+      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
+  const Lanes<8> f13_x_p1364_lanes = s17 * f13_x_p1356_lanes - c17 * f13_x_p1325_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1372_lanes = f13_x_p1368_lanes - f13_x_p1306_lanes;
-  const Lanes<8> f13_x_p1376_lanes = s16 * f13_x_p1372_lanes;
-  const Lanes<8> f13_x_p1380_lanes = f13_x_p1302_lanes - f13_x_p1376_lanes;
+  const Lanes<8> f13_x_p1372_lanes = 0.282 * f13_x_p1364_lanes - f13_x_p401_lanes[1] *
+      f13_x_p1239_lanes;
+  const Lanes<8> f13_x_p1380_lanes = c16 * f13_x_p1298_lanes - s16 * f13_x_p1372_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1384_lanes = inverse_D7_p1_lanes[1] * f13_x_p1380_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1388_lanes = s16 * f13_x_p1298_lanes;
-  const Lanes<8> f13_x_p1392_lanes = c16 * f13_x_p1372_lanes;
-  const Lanes<8> f13_x_p1396_lanes = f13_x_p1388_lanes + f13_x_p1392_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1400_lanes = f13_x_p1396_lanes - f13_x_p1384_lanes;
-  const Lanes<8> f13_x_p1404_lanes = c15 * f13_x_p1400_lanes;
+  const Lanes<8> f13_x_p1400_lanes = s16 * f13_x_p1298_lanes + c16 * f13_x_p1372_lanes -
+      inverse_D7_p1_lanes[1] * f13_x_p1380_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> f13_x_p1408_lanes = 0.00010499999999999999 / inverse_D8_p3_lanes;
 
   // link 15 (right_shoulder2), force propagation
   const Lanes<8> f13_x_p1410_lanes = f13_x_p1408_lanes[1] * f13_x_p1380_lanes;
-  const Lanes<8> f13_x_p1414_lanes = s15 * f13_x_p1410_lanes;
-  const Lanes<8> f13_x_p1418_lanes = f13_x_p1414_lanes + f13_x_p1404_lanes;
+  const Lanes<8> f13_x_p1418_lanes = s15 * f13_x_p1410_lanes + c15 * f13_x_p1400_lanes;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> f13_x_p1422_lanes = f13_x_p679_lanes[1] * f13_x_p1418_lanes;
 
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1426_lanes = f13_x_p657_lanes[1] * f13_x_p1380_lanes;
-
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1430_lanes = f13_x_p569_lanes[1] * f13_x_p1239_lanes;
-  const Lanes<8> f13_x_p1434_lanes = detail::make_lanes<Real>(-f13_x_p1364_lanes[0],
+  const Lanes<8> f13_x_p1434_lanes = detail::make_pack<Real>(-f13_x_p1364_lanes[0],
       -f13_x_p1364_lanes[1], -f13_x_p1364_lanes[2], -f13_x_p1364_lanes[3], -f13_x_p1364_lanes[0],
-      -f13_x_p1364_lanes[0], -f13_x_p1364_lanes[0], -f13_x_p1364_lanes[0]) + f13_x_p1430_lanes;
-  const Lanes<8> f13_x_p1438_lanes = c16 * f13_x_p1434_lanes;
-  const Lanes<8> f13_x_p1442_lanes = f13_x_p577_lanes[1] * f13_x_p1239_lanes;
-  const Lanes<8> f13_x_p1446_lanes = f13_x_p1286_lanes - f13_x_p1442_lanes;
-  const Lanes<8> f13_x_p1450_lanes = s16 * f13_x_p1446_lanes;
-  const Lanes<8> f13_x_p1454_lanes = f13_x_p1438_lanes - f13_x_p1450_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1458_lanes = f13_x_p1454_lanes - f13_x_p1426_lanes;
+      -f13_x_p1364_lanes[0], -f13_x_p1364_lanes[0], -f13_x_p1364_lanes[0]) + f13_x_p569_lanes[1] *
+      f13_x_p1239_lanes;
+  const Lanes<8> f13_x_p1446_lanes = f13_x_p1286_lanes - f13_x_p577_lanes[1] * f13_x_p1239_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p1462_lanes = f13_x_p1458_lanes - f13_x_p1422_lanes;
-  const Lanes<8> f13_x_p1466_lanes = s14 * f13_x_p1462_lanes;
-  const Lanes<8> f13_x_p1470_lanes = f13_x_p639_lanes[1] * f13_x_p1418_lanes;
+  const Lanes<8> f13_x_p1462_lanes = c16 * f13_x_p1434_lanes - s16 * f13_x_p1446_lanes -
+      f13_x_p657_lanes[1] * f13_x_p1380_lanes - f13_x_p1422_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1474_lanes = f13_x_p609_lanes[1] * f13_x_p1380_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1478_lanes = s16 * f13_x_p1434_lanes;
-  const Lanes<8> f13_x_p1482_lanes = c16 * f13_x_p1446_lanes;
-  const Lanes<8> f13_x_p1486_lanes = f13_x_p1478_lanes + f13_x_p1482_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1490_lanes = f13_x_p1486_lanes - f13_x_p1474_lanes;
-  const Lanes<8> f13_x_p1494_lanes = s15 * f13_x_p1490_lanes;
-  const Lanes<8> f13_x_p1498_lanes = f13_x_p555_lanes[1] * f13_x_p1380_lanes;
+  const Lanes<8> f13_x_p1490_lanes = s16 * f13_x_p1434_lanes + c16 * f13_x_p1446_lanes -
+      f13_x_p609_lanes[1] * f13_x_p1380_lanes;
 
   // link 11 (left_wrist1), force propagation
   const Real f13_x_p1502 = f13_x_p1131_lanes[0] - inverse_D10_p1_lanes[0] * f13_x_p1337;
@@ -1683,8 +1216,6 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p1508 = 0.269 * s13;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p1509_lanes = s11 * detail::make_lanes<Real>(f13_x_p1508, f13_x_p1507,
-      f13_x_p1508, f13_x_p1506, f13_x_p1504, f13_x_p1502, f13_x_p1508, f13_x_p1508);
   const Real f13_x_p1514 = 0.269 * f13_x_p1174_lanes[0] - inverse_D10_p8_lanes[0] * f13_x_p1337;
   const Real f13_x_p1515 = 0.269 * f13_x_p1184_lanes[0] - inverse_D10_p8_lanes[0] * f13_x_p1503;
   const Real f13_x_p1516 = 0.269 * f13_x_p1194_lanes[0] - inverse_D10_p8_lanes[0] * f13_x_p1505;
@@ -1696,82 +1227,70 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p1520 = 0.269 * f13_x_p1519;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p1521_lanes = c11 * detail::make_lanes<Real>(f13_x_p1520, f13_x_p1518,
-      f13_x_p1520, f13_x_p1516, f13_x_p1515, f13_x_p1514, f13_x_p1520, f13_x_p1520);
-  const Lanes<8> f13_x_p1526_lanes = f13_x_p1509_lanes + f13_x_p1521_lanes;
+  const Lanes<8> f13_x_p1526_lanes = s11 * detail::make_pack<Real>(f13_x_p1508, f13_x_p1507,
+      f13_x_p1508, f13_x_p1506, f13_x_p1504, f13_x_p1502, f13_x_p1508, f13_x_p1508) + c11 *
+      detail::make_pack<Real>(f13_x_p1520, f13_x_p1518, f13_x_p1520, f13_x_p1516, f13_x_p1515,
+      f13_x_p1514, f13_x_p1520, f13_x_p1520);
   const Real f13_x_p1531 = -(0.269 * c12);
   const Real f13_x_p1532 = c11 * f13_x_p1531;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1533_lanes = f13_x_p317_lanes[0] *
-      detail::make_lanes<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
-      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
-      f13_x_p1526_lanes[0]);
-
-  // link 11 (left_wrist1), force propagation
   const Real f13_x_p1539 = -f13_x_p1174_lanes[0] + f13_x_p55_lanes[0] * f13_x_p1337;
   const Real f13_x_p1540 = -f13_x_p1184_lanes[0] + f13_x_p55_lanes[0] * f13_x_p1503;
   const Real f13_x_p1541 = -f13_x_p1194_lanes[0] + f13_x_p55_lanes[0] * f13_x_p1505;
   const Real f13_x_p1542 = -f13_x_p1517;
   const Real f13_x_p1543 = -f13_x_p1519;
-  const Lanes<8> f13_x_p1544_lanes = c11 * detail::make_lanes<Real>(f13_x_p1543, f13_x_p1542,
-      f13_x_p1543, f13_x_p1541, f13_x_p1540, f13_x_p1539, f13_x_p1543, f13_x_p1543);
   const Real f13_x_p1549 = f13_x_p1125_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1337;
   const Real f13_x_p1550 = -f13_x_p1135_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1503;
   const Real f13_x_p1551 = -f13_x_p1143_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1505;
-  const Lanes<8> f13_x_p1552_lanes = s11 * detail::make_lanes<Real>(s13, c13, s13, f13_x_p1551,
-      f13_x_p1550, f13_x_p1549, s13, s13);
-  const Lanes<8> f13_x_p1557_lanes = f13_x_p1544_lanes - f13_x_p1552_lanes;
+  const Lanes<8> f13_x_p1557_lanes = c11 * detail::make_pack<Real>(f13_x_p1543, f13_x_p1542,
+      f13_x_p1543, f13_x_p1541, f13_x_p1540, f13_x_p1539, f13_x_p1543, f13_x_p1543) - s11 *
+      detail::make_pack<Real>(s13, c13, s13, f13_x_p1551, f13_x_p1550, f13_x_p1549, s13, s13);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1562_lanes = detail::make_lanes<Real>(f13_x_p1557_lanes[0],
+  const Lanes<8> f13_x_p1562_lanes = detail::make_pack<Real>(f13_x_p1557_lanes[0],
       f13_x_p1557_lanes[1], f13_x_p1323_lanes[0], f13_x_p1557_lanes[3], f13_x_p1557_lanes[4],
-      f13_x_p1557_lanes[5], f13_x_p1557_lanes[0], f13_x_p1557_lanes[0]) - f13_x_p1533_lanes;
-  const Lanes<2> f13_x_p1568_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(f13_x_p1562_lanes[5], f13_x_p1325_lanes[3]);
-  const Lanes<8> f13_x_p1570_lanes = f13_x_p363_lanes[0] *
-      detail::make_lanes<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
+      f13_x_p1557_lanes[5], f13_x_p1557_lanes[0], f13_x_p1557_lanes[0]) - f13_x_p317_lanes[0] *
+      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
       f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
       f13_x_p1526_lanes[0]);
-  const Lanes<8> f13_x_p1576_lanes = detail::make_lanes<Real>(-(-(c12 * c13)), -(-(c12 * neg_s13)),
+  const Lanes<8> f13_x_p1576_lanes = detail::make_pack<Real>(-(-(c12 * c13)), -(-(c12 * neg_s13)),
       -(-s12), -(f13_x_p1352_lanes[0] + f13_x_p1354_lanes[0] - f13_x_p337_lanes[0] * f13_x_p1505),
       -(f13_x_p1348_lanes[0] + f13_x_p1350_lanes[0] - f13_x_p337_lanes[0] * f13_x_p1503),
-      -f13_x_p1346_lanes[0], -(-(c12 * c13)), -(-(c12 * c13))) - f13_x_p1570_lanes;
-  const Lanes<2> f13_x_p1582_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(f13_x_p1576_lanes[5], f13_x_p1356_lanes[3]);
-  const Lanes<2> f13_x_p1584_lanes = f13_x_p1568_lanes + f13_x_p1582_lanes;
-  const Lanes<2> f13_x_p1586_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(f13_x_p1562_lanes[4], f13_x_p1325_lanes[2]);
-  const Lanes<2> f13_x_p1588_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(f13_x_p1576_lanes[4], f13_x_p1356_lanes[2]);
-  const Lanes<2> f13_x_p1590_lanes = f13_x_p1586_lanes + f13_x_p1588_lanes;
-  const Lanes<2> f13_x_p1592_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(f13_x_p1562_lanes[3], f13_x_p1325_lanes[1]);
-  const Lanes<2> f13_x_p1594_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(f13_x_p1576_lanes[3], f13_x_p1356_lanes[1]);
-  const Lanes<2> f13_x_p1596_lanes = f13_x_p1592_lanes + f13_x_p1594_lanes;
-  const Lanes<2> f13_x_p1598_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(f13_x_p1562_lanes[2], f13_x_p1325_lanes[0]);
-  const Lanes<2> f13_x_p1600_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(f13_x_p1576_lanes[2], f13_x_p1356_lanes[0]);
-  const Lanes<2> f13_x_p1602_lanes = f13_x_p1598_lanes + f13_x_p1600_lanes;
+      -f13_x_p1346_lanes[0], -(-(c12 * c13)), -(-(c12 * c13))) - f13_x_p363_lanes[0] *
+      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
+      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
+      f13_x_p1526_lanes[0]);
+  const Lanes<2> f13_x_p1584_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(f13_x_p1562_lanes[5], f13_x_p1325_lanes[3]) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[5],
+      f13_x_p1356_lanes[3]);
+  const Lanes<2> f13_x_p1590_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(f13_x_p1562_lanes[4], f13_x_p1325_lanes[2]) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[4],
+      f13_x_p1356_lanes[2]);
+  const Lanes<2> f13_x_p1596_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(f13_x_p1562_lanes[3], f13_x_p1325_lanes[1]) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[3],
+      f13_x_p1356_lanes[1]);
+  const Lanes<2> f13_x_p1602_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(f13_x_p1562_lanes[2], f13_x_p1325_lanes[0]) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[2],
+      f13_x_p1356_lanes[0]);
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1604_lanes = detail::make_lanes<Real>(-(-f13_x_p1602_lanes[1] +
+  const Lanes<8> f13_x_p1604_lanes = detail::make_pack<Real>(-(-f13_x_p1602_lanes[1] +
       f13_x_p515_lanes[1] * f13_x_p1239_lanes[0]), -(-f13_x_p1596_lanes[1] + f13_x_p515_lanes[1] *
       f13_x_p1239_lanes[1]), -(-f13_x_p1590_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[2]),
       -(-f13_x_p1584_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[3]),
       -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0]),
       -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0]),
       -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0]),
-      -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0])) + f13_x_p1498_lanes;
-  const Lanes<8> f13_x_p1608_lanes = c15 * f13_x_p1604_lanes;
-  const Lanes<8> f13_x_p1612_lanes = f13_x_p1608_lanes - f13_x_p1494_lanes;
+      -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0])) + f13_x_p555_lanes[1] *
+      f13_x_p1380_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p1616_lanes = f13_x_p1612_lanes - f13_x_p1470_lanes;
-  const Lanes<8> f13_x_p1620_lanes = c14 * f13_x_p1616_lanes;
-  const Lanes<8> f13_x_p1624_lanes = f13_x_p1466_lanes + f13_x_p1620_lanes;
+  const Lanes<8> f13_x_p1616_lanes = c15 * f13_x_p1604_lanes - s15 * f13_x_p1490_lanes -
+      f13_x_p639_lanes[1] * f13_x_p1418_lanes;
+  const Lanes<8> f13_x_p1624_lanes = s14 * f13_x_p1462_lanes + c14 * f13_x_p1616_lanes;
 
   // link 19 (right_wrist2), force propagation
   const Real f13_x_p1628 = 0.269 * c20;
@@ -1851,94 +1370,58 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p1662 = f13_x_p1408_lanes[1] * f13_x_p1660;
   const Real f13_x_p1663 = s15 * f13_x_p1662 + c15 * f13_x_p1661;
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1664_lanes = f13_x_p231_lanes[0] *
-      detail::make_lanes<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
-      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
-      f13_x_p1526_lanes[0]);
-
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p1670_lanes = c11 * detail::make_lanes<Real>(f13_x_p1508, f13_x_p1507,
-      f13_x_p1508, f13_x_p1506, f13_x_p1504, f13_x_p1502, f13_x_p1508, f13_x_p1508);
-  const Lanes<8> f13_x_p1675_lanes = s11 * detail::make_lanes<Real>(f13_x_p1520, f13_x_p1518,
-      f13_x_p1520, f13_x_p1516, f13_x_p1515, f13_x_p1514, f13_x_p1520, f13_x_p1520);
-  const Lanes<8> f13_x_p1680_lanes = f13_x_p1670_lanes - f13_x_p1675_lanes;
+  const Lanes<8> f13_x_p1680_lanes = c11 * detail::make_pack<Real>(f13_x_p1508, f13_x_p1507,
+      f13_x_p1508, f13_x_p1506, f13_x_p1504, f13_x_p1502, f13_x_p1508, f13_x_p1508) - s11 *
+      detail::make_pack<Real>(f13_x_p1520, f13_x_p1518, f13_x_p1520, f13_x_p1516, f13_x_p1515,
+      f13_x_p1514, f13_x_p1520, f13_x_p1520);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1685_lanes = detail::make_lanes<Real>(f13_x_p1680_lanes[0],
+  const Lanes<8> f13_x_p1685_lanes = detail::make_pack<Real>(f13_x_p1680_lanes[0],
       f13_x_p1680_lanes[1], -(s11 * f13_x_p1531), f13_x_p1680_lanes[3], f13_x_p1680_lanes[4],
-      f13_x_p1680_lanes[5], f13_x_p1680_lanes[0], f13_x_p1680_lanes[0]) - f13_x_p1664_lanes;
-  const Lanes<8> f13_x_p1691_lanes = s10 * f13_x_p1685_lanes;
-  const Lanes<8> f13_x_p1697_lanes = f13_x_p221_lanes[0] *
-      detail::make_lanes<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
+      f13_x_p1680_lanes[5], f13_x_p1680_lanes[0], f13_x_p1680_lanes[0]) - f13_x_p231_lanes[0] *
+      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
       f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
       f13_x_p1526_lanes[0]);
-  const Lanes<8> f13_x_p1703_lanes = c10 * f13_x_p1697_lanes;
-  const Lanes<8> f13_x_p1709_lanes = f13_x_p1703_lanes - f13_x_p1691_lanes;
+  const Lanes<8> f13_x_p1697_lanes = f13_x_p221_lanes[0] *
+      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
+      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
+      f13_x_p1526_lanes[0]);
+  const Lanes<8> f13_x_p1709_lanes = c10 * f13_x_p1697_lanes - s10 * f13_x_p1685_lanes;
 
   // link 9 (left_upperarm), force propagation
   const Lanes<8> f13_x_p1715_lanes = f13_x_p259_lanes[0] * f13_x_p1709_lanes;
 
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> f13_x_p1755_lanes = s11 * detail::make_pack<Real>(f13_x_p1543, f13_x_p1542,
+      f13_x_p1543, f13_x_p1541, f13_x_p1540, f13_x_p1539, f13_x_p1543, f13_x_p1543) + c11 *
+      detail::make_pack<Real>(s13, c13, s13, f13_x_p1551, f13_x_p1550, f13_x_p1549, s13, s13);
+
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1721_lanes = c10 * f13_x_p1685_lanes;
-  const Lanes<8> f13_x_p1727_lanes = s10 * f13_x_p1697_lanes;
-  const Lanes<8> f13_x_p1733_lanes = f13_x_p1721_lanes + f13_x_p1727_lanes;
-  const Lanes<8> f13_x_p1739_lanes = f13_x_p191_lanes[0] *
-      detail::make_lanes<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
+  const Lanes<8> f13_x_p1760_lanes = detail::make_pack<Real>(f13_x_p1755_lanes[0],
+      f13_x_p1755_lanes[1], f13_x_p1284_lanes[0], f13_x_p1755_lanes[3], f13_x_p1755_lanes[4],
+      f13_x_p1755_lanes[5], f13_x_p1755_lanes[0], f13_x_p1755_lanes[0]) - f13_x_p191_lanes[0] *
+      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
       f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
       f13_x_p1526_lanes[0]);
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p1745_lanes = s11 * detail::make_lanes<Real>(f13_x_p1543, f13_x_p1542,
-      f13_x_p1543, f13_x_p1541, f13_x_p1540, f13_x_p1539, f13_x_p1543, f13_x_p1543);
-  const Lanes<8> f13_x_p1750_lanes = c11 * detail::make_lanes<Real>(s13, c13, s13, f13_x_p1551,
-      f13_x_p1550, f13_x_p1549, s13, s13);
-  const Lanes<8> f13_x_p1755_lanes = f13_x_p1745_lanes + f13_x_p1750_lanes;
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p1778_lanes = c10 * f13_x_p1685_lanes + s10 * f13_x_p1697_lanes + 0.282 *
+      f13_x_p1760_lanes - f13_x_p1715_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1760_lanes = detail::make_lanes<Real>(f13_x_p1755_lanes[0],
-      f13_x_p1755_lanes[1], f13_x_p1284_lanes[0], f13_x_p1755_lanes[3], f13_x_p1755_lanes[4],
-      f13_x_p1755_lanes[5], f13_x_p1755_lanes[0], f13_x_p1755_lanes[0]) - f13_x_p1739_lanes;
-  const Lanes<8> f13_x_p1766_lanes = 0.282 * f13_x_p1760_lanes;
-  const Lanes<8> f13_x_p1772_lanes = f13_x_p1733_lanes + f13_x_p1766_lanes;
+  const Lanes<8> f13_x_p1808_lanes = s10 * f13_x_p1576_lanes - c10 * f13_x_p1562_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1778_lanes = f13_x_p1772_lanes - f13_x_p1715_lanes;
-  const Lanes<8> f13_x_p1784_lanes = c9 * f13_x_p1778_lanes;
-  const Lanes<8> f13_x_p1790_lanes = f13_x_p401_lanes[0] * f13_x_p1709_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1796_lanes = c10 * f13_x_p1562_lanes;
-  const Lanes<8> f13_x_p1802_lanes = s10 * f13_x_p1576_lanes;
-  const Lanes<8> f13_x_p1808_lanes = f13_x_p1802_lanes - f13_x_p1796_lanes;
-  const Lanes<8> f13_x_p1814_lanes = 0.282 * f13_x_p1808_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1820_lanes = f13_x_p1814_lanes - f13_x_p1790_lanes;
-  const Lanes<8> f13_x_p1826_lanes = s9 * f13_x_p1820_lanes;
-  const Lanes<8> f13_x_p1832_lanes = f13_x_p1784_lanes - f13_x_p1826_lanes;
+  const Lanes<8> f13_x_p1820_lanes = 0.282 * f13_x_p1808_lanes - f13_x_p401_lanes[0] *
+      f13_x_p1709_lanes;
+  const Lanes<8> f13_x_p1832_lanes = c9 * f13_x_p1778_lanes - s9 * f13_x_p1820_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1838_lanes = inverse_D7_p1_lanes[0] * f13_x_p1832_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1844_lanes = s9 * f13_x_p1778_lanes;
-  const Lanes<8> f13_x_p1850_lanes = c9 * f13_x_p1820_lanes;
-  const Lanes<8> f13_x_p1856_lanes = f13_x_p1844_lanes + f13_x_p1850_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1862_lanes = f13_x_p1856_lanes - f13_x_p1838_lanes;
-  const Lanes<8> f13_x_p1868_lanes = c8 * f13_x_p1862_lanes;
+  const Lanes<8> f13_x_p1862_lanes = s9 * f13_x_p1778_lanes + c9 * f13_x_p1820_lanes -
+      inverse_D7_p1_lanes[0] * f13_x_p1832_lanes;
   const Lanes<8> f13_x_p1874_lanes = f13_x_p1408_lanes[0] * f13_x_p1832_lanes;
-  const Lanes<8> f13_x_p1880_lanes = s8 * f13_x_p1874_lanes;
-  const Lanes<8> f13_x_p1886_lanes = f13_x_p1880_lanes + f13_x_p1868_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p1892_lanes = detail::make_lanes<Real>(f13_x_p679_lanes[0],
-      f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[0],
-      f13_x_p679_lanes[0], f13_x_p679_lanes[1], f13_x_p679_lanes[1]) *
-      detail::make_lanes<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1], f13_x_p1886_lanes[2],
-      f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
+  const Lanes<8> f13_x_p1886_lanes = s8 * f13_x_p1874_lanes + c8 * f13_x_p1862_lanes;
 
   // link 16 (right_upperarm), force propagation
   const Real f13_x_p1900 = -f13_x_p1640 + f13_x_p569_lanes[1] * f13_x_p1634;
@@ -1946,47 +1429,37 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p1902 = -f13_x_p1658 + f13_x_p569_lanes[1] * f13_x_p1652;
   const Real f13_x_p1903 = f13_x_p1654 - f13_x_p577_lanes[1] * f13_x_p1652;
 
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1904_lanes = f13_x_p657_lanes[0] * f13_x_p1832_lanes;
-
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1910_lanes = f13_x_p569_lanes[0] * f13_x_p1709_lanes;
-  const Lanes<8> f13_x_p1916_lanes = detail::make_lanes<Real>(-f13_x_p1808_lanes[0],
+  const Lanes<8> f13_x_p1916_lanes = detail::make_pack<Real>(-f13_x_p1808_lanes[0],
       -f13_x_p1808_lanes[1], -f13_x_p1808_lanes[2], -f13_x_p1808_lanes[3], -f13_x_p1808_lanes[4],
-      -f13_x_p1808_lanes[5], -f13_x_p1808_lanes[0], -f13_x_p1808_lanes[0]) + f13_x_p1910_lanes;
-  const Lanes<8> f13_x_p1922_lanes = c9 * f13_x_p1916_lanes;
-  const Lanes<8> f13_x_p1928_lanes = f13_x_p577_lanes[0] * f13_x_p1709_lanes;
-  const Lanes<8> f13_x_p1934_lanes = f13_x_p1760_lanes - f13_x_p1928_lanes;
-  const Lanes<8> f13_x_p1940_lanes = s9 * f13_x_p1934_lanes;
-  const Lanes<8> f13_x_p1946_lanes = f13_x_p1922_lanes - f13_x_p1940_lanes;
+      -f13_x_p1808_lanes[5], -f13_x_p1808_lanes[0], -f13_x_p1808_lanes[0]) + f13_x_p569_lanes[0] *
+      f13_x_p1709_lanes;
+  const Lanes<8> f13_x_p1934_lanes = f13_x_p1760_lanes - f13_x_p577_lanes[0] * f13_x_p1709_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1952_lanes = f13_x_p1946_lanes - f13_x_p1904_lanes;
+  const Lanes<8> f13_x_p1952_lanes = c9 * f13_x_p1916_lanes - s9 * f13_x_p1934_lanes -
+      f13_x_p657_lanes[0] * f13_x_p1832_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p1958_lanes = detail::make_lanes<Real>(f13_x_p1952_lanes[0],
+  const Lanes<8> f13_x_p1958_lanes = detail::make_pack<Real>(f13_x_p1952_lanes[0],
       f13_x_p1952_lanes[1], f13_x_p1952_lanes[2], f13_x_p1952_lanes[3], f13_x_p1952_lanes[4],
       f13_x_p1952_lanes[5], c16 * f13_x_p1902 - s16 * f13_x_p1903 - f13_x_p657_lanes[1] *
       f13_x_p1660, c16 * f13_x_p1900 - s16 * f13_x_p1901 - f13_x_p657_lanes[1] * f13_x_p1642) -
-      f13_x_p1892_lanes;
-  const Lanes<8> f13_x_p1966_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      f13_x_p1958_lanes;
-  const Lanes<8> f13_x_p1974_lanes = detail::make_lanes<Real>(f13_x_p639_lanes[0],
-      f13_x_p639_lanes[0], f13_x_p639_lanes[0], f13_x_p639_lanes[0], f13_x_p639_lanes[0],
-      f13_x_p639_lanes[0], f13_x_p639_lanes[1], f13_x_p639_lanes[1]) *
-      detail::make_lanes<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1], f13_x_p1886_lanes[2],
-      f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
+      detail::make_pack<Real>(f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[0],
+      f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[1],
+      f13_x_p679_lanes[1]) * detail::make_pack<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1],
+      f13_x_p1886_lanes[2], f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5],
+      f13_x_p1663, f13_x_p1645);
 
   // link 15 (right_shoulder2), force propagation
   const Real f13_x_p1982 = s16 * f13_x_p1900 + c16 * f13_x_p1901 - f13_x_p609_lanes[1] *
       f13_x_p1642;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p1983_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(f13_x_p1562_lanes[1], f13_x_p1638);
-  const Lanes<2> f13_x_p1985_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(f13_x_p1576_lanes[1], f13_x_p1639);
-  const Lanes<2> f13_x_p1987_lanes = f13_x_p1983_lanes + f13_x_p1985_lanes;
+  const Lanes<2> f13_x_p1987_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(f13_x_p1562_lanes[1], f13_x_p1638) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[1],
+      f13_x_p1639);
 
   // link 15 (right_shoulder2), force propagation
   const Real f13_x_p1989 = -(-f13_x_p1987_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1634) +
@@ -1995,232 +1468,166 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       f13_x_p1660;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p1991_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(f13_x_p1562_lanes[0], f13_x_p1656);
-  const Lanes<2> f13_x_p1993_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(f13_x_p1576_lanes[0], f13_x_p1657);
-  const Lanes<2> f13_x_p1995_lanes = f13_x_p1991_lanes + f13_x_p1993_lanes;
+  const Lanes<2> f13_x_p1995_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(f13_x_p1562_lanes[0], f13_x_p1656) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[0],
+      f13_x_p1657);
 
   // link 15 (right_shoulder2), force propagation
   const Real f13_x_p1997 = -(-f13_x_p1995_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1652) +
       f13_x_p555_lanes[1] * f13_x_p1660;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1998_lanes = f13_x_p609_lanes[0] * f13_x_p1832_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p2004_lanes = s9 * f13_x_p1916_lanes;
-  const Lanes<8> f13_x_p2010_lanes = c9 * f13_x_p1934_lanes;
-  const Lanes<8> f13_x_p2016_lanes = f13_x_p2004_lanes + f13_x_p2010_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2022_lanes = f13_x_p2016_lanes - f13_x_p1998_lanes;
-  const Lanes<8> f13_x_p2028_lanes = s8 * f13_x_p2022_lanes;
-  const Lanes<8> f13_x_p2034_lanes = f13_x_p555_lanes[0] * f13_x_p1832_lanes;
-  const Lanes<8> f13_x_p2040_lanes = detail::make_lanes<Real>(-(-f13_x_p1995_lanes[0] +
+  const Lanes<8> f13_x_p2022_lanes = s9 * f13_x_p1916_lanes + c9 * f13_x_p1934_lanes -
+      f13_x_p609_lanes[0] * f13_x_p1832_lanes;
+  const Lanes<8> f13_x_p2040_lanes = detail::make_pack<Real>(-(-f13_x_p1995_lanes[0] +
       f13_x_p515_lanes[0] * f13_x_p1709_lanes[0]), -(-f13_x_p1987_lanes[0] + f13_x_p515_lanes[0] *
       f13_x_p1709_lanes[1]), -(-f13_x_p1602_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[2]),
       -(-f13_x_p1596_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[3]),
       -(-f13_x_p1590_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[4]),
       -(-f13_x_p1584_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[5]),
       -(-f13_x_p1995_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[0]),
-      -(-f13_x_p1995_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[0])) + f13_x_p2034_lanes;
-  const Lanes<8> f13_x_p2046_lanes = c8 * f13_x_p2040_lanes;
-  const Lanes<8> f13_x_p2052_lanes = f13_x_p2046_lanes - f13_x_p2028_lanes;
+      -(-f13_x_p1995_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[0])) + f13_x_p555_lanes[0] *
+      f13_x_p1832_lanes;
+  const Lanes<8> f13_x_p2052_lanes = c8 * f13_x_p2040_lanes - s8 * f13_x_p2022_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2058_lanes = detail::make_lanes<Real>(f13_x_p2052_lanes[0],
+  const Lanes<8> f13_x_p2058_lanes = detail::make_pack<Real>(f13_x_p2052_lanes[0],
       f13_x_p2052_lanes[1], f13_x_p2052_lanes[2], f13_x_p2052_lanes[3], f13_x_p2052_lanes[4],
       f13_x_p2052_lanes[5], c15 * f13_x_p1997 - s15 * f13_x_p1990, c15 * f13_x_p1989 - s15 *
-      f13_x_p1982) - f13_x_p1974_lanes;
-  const Lanes<8> f13_x_p2066_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p1982) - detail::make_pack<Real>(f13_x_p639_lanes[0], f13_x_p639_lanes[0],
+      f13_x_p639_lanes[0], f13_x_p639_lanes[0], f13_x_p639_lanes[0], f13_x_p639_lanes[0],
+      f13_x_p639_lanes[1], f13_x_p639_lanes[1]) * detail::make_pack<Real>(f13_x_p1886_lanes[0],
+      f13_x_p1886_lanes[1], f13_x_p1886_lanes[2], f13_x_p1886_lanes[3], f13_x_p1886_lanes[4],
+      f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
+  const Lanes<8> f13_x_p2074_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      f13_x_p1958_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
       f13_x_p2058_lanes;
-  const Lanes<8> f13_x_p2074_lanes = f13_x_p1966_lanes + f13_x_p2066_lanes;
-  const Lanes<2> f13_x_p2082_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(f13_x_p2074_lanes[5], f13_x_p1624_lanes[3]);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2084_lanes = f13_x_p837_lanes[1] * f13_x_p1418_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p2088_lanes = c15 * f13_x_p1490_lanes;
-  const Lanes<8> f13_x_p2092_lanes = s15 * f13_x_p1604_lanes;
-  const Lanes<8> f13_x_p2096_lanes = f13_x_p2092_lanes + f13_x_p2088_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2100_lanes = f13_x_p2096_lanes - f13_x_p2084_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2104_lanes = detail::make_lanes<Real>(f13_x_p837_lanes[0],
-      f13_x_p837_lanes[0], f13_x_p837_lanes[0], f13_x_p837_lanes[0], f13_x_p837_lanes[0],
-      f13_x_p837_lanes[0], f13_x_p837_lanes[1], f13_x_p837_lanes[1]) *
-      detail::make_lanes<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1], f13_x_p1886_lanes[2],
-      f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
+  const Lanes<8> f13_x_p2100_lanes = s15 * f13_x_p1604_lanes + c15 * f13_x_p1490_lanes -
+      f13_x_p837_lanes[1] * f13_x_p1418_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2112_lanes = c8 * f13_x_p2022_lanes;
-  const Lanes<8> f13_x_p2118_lanes = s8 * f13_x_p2040_lanes;
-  const Lanes<8> f13_x_p2124_lanes = f13_x_p2118_lanes + f13_x_p2112_lanes;
+  const Lanes<8> f13_x_p2124_lanes = s8 * f13_x_p2040_lanes + c8 * f13_x_p2022_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2130_lanes = detail::make_lanes<Real>(f13_x_p2124_lanes[0],
+  const Lanes<8> f13_x_p2130_lanes = detail::make_pack<Real>(f13_x_p2124_lanes[0],
       f13_x_p2124_lanes[1], f13_x_p2124_lanes[2], f13_x_p2124_lanes[3], f13_x_p2124_lanes[4],
       f13_x_p2124_lanes[5], s15 * f13_x_p1997 + c15 * f13_x_p1990, s15 * f13_x_p1989 + c15 *
-      f13_x_p1982) - f13_x_p2104_lanes;
-  const Lanes<2> f13_x_p2138_lanes = 0.226 * detail::make_lanes<Real>(f13_x_p2130_lanes[5],
-      f13_x_p2100_lanes[3]);
-  const Lanes<2> f13_x_p2140_lanes = f13_x_p2138_lanes + f13_x_p2082_lanes;
+      f13_x_p1982) - detail::make_pack<Real>(f13_x_p837_lanes[0], f13_x_p837_lanes[0],
+      f13_x_p837_lanes[0], f13_x_p837_lanes[0], f13_x_p837_lanes[0], f13_x_p837_lanes[0],
+      f13_x_p837_lanes[1], f13_x_p837_lanes[1]) * detail::make_pack<Real>(f13_x_p1886_lanes[0],
+      f13_x_p1886_lanes[1], f13_x_p1886_lanes[2], f13_x_p1886_lanes[3], f13_x_p1886_lanes[4],
+      f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
+  const Lanes<2> f13_x_p2140_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[5],
+      f13_x_p2100_lanes[3]) + detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(f13_x_p2074_lanes[5], f13_x_p1624_lanes[3]);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2142_lanes = inverse_D6_p5_lanes[1] * f13_x_p1418_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p2146_lanes = s15 * f13_x_p1400_lanes;
-  const Lanes<8> f13_x_p2150_lanes = c15 * f13_x_p1410_lanes;
-  const Lanes<8> f13_x_p2154_lanes = f13_x_p2150_lanes - f13_x_p2146_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2158_lanes = f13_x_p2154_lanes - f13_x_p2142_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2162_lanes = detail::make_lanes<Real>(inverse_D6_p5_lanes[0],
-      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
-      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1],
-      inverse_D6_p5_lanes[1]) * detail::make_lanes<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1],
-      f13_x_p1886_lanes[2], f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5],
-      f13_x_p1663, f13_x_p1645);
+  const Lanes<8> f13_x_p2158_lanes = c15 * f13_x_p1410_lanes - s15 * f13_x_p1400_lanes -
+      inverse_D6_p5_lanes[1] * f13_x_p1418_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2170_lanes = s8 * f13_x_p1862_lanes;
-  const Lanes<8> f13_x_p2176_lanes = c8 * f13_x_p1874_lanes;
-  const Lanes<8> f13_x_p2182_lanes = f13_x_p2176_lanes - f13_x_p2170_lanes;
+  const Lanes<8> f13_x_p2182_lanes = c8 * f13_x_p1874_lanes - s8 * f13_x_p1862_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2188_lanes = detail::make_lanes<Real>(f13_x_p2182_lanes[0],
+  const Lanes<8> f13_x_p2188_lanes = detail::make_pack<Real>(f13_x_p2182_lanes[0],
       f13_x_p2182_lanes[1], f13_x_p2182_lanes[2], f13_x_p2182_lanes[3], f13_x_p2182_lanes[4],
       f13_x_p2182_lanes[5], c15 * f13_x_p1662 - s15 * f13_x_p1661, c15 * f13_x_p1644 - s15 *
-      f13_x_p1643) - f13_x_p2162_lanes;
-  const Lanes<2> f13_x_p2196_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(f13_x_p2188_lanes[5], f13_x_p2158_lanes[3]);
+      f13_x_p1643) - detail::make_pack<Real>(inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1], inverse_D6_p5_lanes[1]) *
+      detail::make_pack<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1], f13_x_p1886_lanes[2],
+      f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p2198_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> f13_x_p2198_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) / inverse_D7_p17_lanes;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> f13_x_p2200_lanes = f13_x_p2198_lanes[1] * f13_x_p1418_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2204_lanes = detail::make_lanes<Real>(f13_x_p2198_lanes[0],
+  const Lanes<8> f13_x_p2204_lanes = detail::make_pack<Real>(f13_x_p2198_lanes[0],
       f13_x_p2198_lanes[0], f13_x_p2198_lanes[0], f13_x_p2198_lanes[0], f13_x_p2198_lanes[0],
       f13_x_p2198_lanes[0], f13_x_p2198_lanes[1], f13_x_p2198_lanes[1]) *
-      detail::make_lanes<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1], f13_x_p1886_lanes[2],
+      detail::make_pack<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1], f13_x_p1886_lanes[2],
       f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
-  const Lanes<2> f13_x_p2212_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(f13_x_p2204_lanes[5], f13_x_p2200_lanes[3]);
-  const Lanes<2> f13_x_p2214_lanes = f13_x_p2212_lanes + f13_x_p2196_lanes;
-  const Lanes<2> f13_x_p2216_lanes = f13_x_p2214_lanes + f13_x_p2140_lanes;
+  const Lanes<2> f13_x_p2216_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(f13_x_p2204_lanes[5], f13_x_p2200_lanes[3]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[5],
+      f13_x_p2158_lanes[3]) + f13_x_p2140_lanes;
 
   // link 6 (chest3), force propagation
   const Real f13_x_p2218 = -f13_x_p2216_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2219_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(f13_x_p2074_lanes[4], f13_x_p1624_lanes[2]);
-  const Lanes<2> f13_x_p2221_lanes = 0.226 * detail::make_lanes<Real>(f13_x_p2130_lanes[4],
-      f13_x_p2100_lanes[2]);
-  const Lanes<2> f13_x_p2223_lanes = f13_x_p2221_lanes + f13_x_p2219_lanes;
-  const Lanes<2> f13_x_p2225_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(f13_x_p2188_lanes[4], f13_x_p2158_lanes[2]);
-  const Lanes<2> f13_x_p2227_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(f13_x_p2204_lanes[4], f13_x_p2200_lanes[2]);
-  const Lanes<2> f13_x_p2229_lanes = f13_x_p2227_lanes + f13_x_p2225_lanes;
-  const Lanes<2> f13_x_p2231_lanes = f13_x_p2229_lanes + f13_x_p2223_lanes;
+  const Lanes<2> f13_x_p2223_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[4],
+      f13_x_p2100_lanes[2]) + detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(f13_x_p2074_lanes[4], f13_x_p1624_lanes[2]);
+  const Lanes<2> f13_x_p2231_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(f13_x_p2204_lanes[4], f13_x_p2200_lanes[2]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[4],
+      f13_x_p2158_lanes[2]) + f13_x_p2223_lanes;
 
   // link 6 (chest3), force propagation
   const Real f13_x_p2233 = -f13_x_p2231_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2234_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(f13_x_p2074_lanes[3], f13_x_p1624_lanes[1]);
-  const Lanes<2> f13_x_p2236_lanes = 0.226 * detail::make_lanes<Real>(f13_x_p2130_lanes[3],
-      f13_x_p2100_lanes[1]);
-  const Lanes<2> f13_x_p2238_lanes = f13_x_p2236_lanes + f13_x_p2234_lanes;
-  const Lanes<2> f13_x_p2240_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(f13_x_p2188_lanes[3], f13_x_p2158_lanes[1]);
-  const Lanes<2> f13_x_p2242_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(f13_x_p2204_lanes[3], f13_x_p2200_lanes[1]);
-  const Lanes<2> f13_x_p2244_lanes = f13_x_p2242_lanes + f13_x_p2240_lanes;
-  const Lanes<2> f13_x_p2246_lanes = f13_x_p2244_lanes + f13_x_p2238_lanes;
+  const Lanes<2> f13_x_p2238_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[3],
+      f13_x_p2100_lanes[1]) + detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(f13_x_p2074_lanes[3], f13_x_p1624_lanes[1]);
+  const Lanes<2> f13_x_p2246_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(f13_x_p2204_lanes[3], f13_x_p2200_lanes[1]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[3],
+      f13_x_p2158_lanes[1]) + f13_x_p2238_lanes;
 
   // link 6 (chest3), force propagation
   const Real f13_x_p2248 = -f13_x_p2246_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2249_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(f13_x_p2074_lanes[2], f13_x_p1624_lanes[0]);
-  const Lanes<2> f13_x_p2251_lanes = 0.226 * detail::make_lanes<Real>(f13_x_p2130_lanes[2],
-      f13_x_p2100_lanes[0]);
-  const Lanes<2> f13_x_p2253_lanes = f13_x_p2251_lanes + f13_x_p2249_lanes;
-  const Lanes<2> f13_x_p2255_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(f13_x_p2188_lanes[2], f13_x_p2158_lanes[0]);
-  const Lanes<2> f13_x_p2257_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(f13_x_p2204_lanes[2], f13_x_p2200_lanes[0]);
-  const Lanes<2> f13_x_p2259_lanes = f13_x_p2257_lanes + f13_x_p2255_lanes;
-  const Lanes<2> f13_x_p2261_lanes = f13_x_p2259_lanes + f13_x_p2253_lanes;
+  const Lanes<2> f13_x_p2253_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[2],
+      f13_x_p2100_lanes[0]) + detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(f13_x_p2074_lanes[2], f13_x_p1624_lanes[0]);
+  const Lanes<2> f13_x_p2261_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(f13_x_p2204_lanes[2], f13_x_p2200_lanes[0]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[2],
+      f13_x_p2158_lanes[0]) + f13_x_p2253_lanes;
 
   // link 6 (chest3), force propagation
   const Real f13_x_p2263 = -f13_x_p2261_lanes[1];
   const Lanes<8> f13_x_p2264_lanes = inverse_D5_p16 *
-      detail::make_lanes<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
+      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
       f13_x_p2263, f13_x_p2263, f13_x_p2263);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2268_lanes = c14 * f13_x_p1462_lanes;
-  const Lanes<8> f13_x_p2272_lanes = s14 * f13_x_p1616_lanes;
-  const Lanes<8> f13_x_p2276_lanes = f13_x_p2268_lanes - f13_x_p2272_lanes;
-  const Lanes<8> f13_x_p2280_lanes = (-0.18) * f13_x_p2276_lanes;
-  const Lanes<8> f13_x_p2284_lanes = c14 * f13_x_p2158_lanes;
-  const Lanes<8> f13_x_p2288_lanes = s14 * f13_x_p2200_lanes;
-  const Lanes<8> f13_x_p2292_lanes = f13_x_p2288_lanes - f13_x_p2284_lanes;
-  const Lanes<8> f13_x_p2296_lanes = f13_x_p2280_lanes - f13_x_p2292_lanes;
+  const Lanes<8> f13_x_p2276_lanes = c14 * f13_x_p1462_lanes - s14 * f13_x_p1616_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2300_lanes = f13_x_p2296_lanes - f13_x_p2264_lanes;
-  const Lanes<8> f13_x_p2304_lanes = s6 * f13_x_p2300_lanes;
-  const Lanes<8> f13_x_p2308_lanes = inverse_D5_p22 *
-      detail::make_lanes<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
+  const Lanes<8> f13_x_p2300_lanes = (-0.18) * f13_x_p2276_lanes -
+      (s14 * f13_x_p2200_lanes - c14 * f13_x_p2158_lanes) - f13_x_p2264_lanes;
+  const Lanes<8> f13_x_p2316_lanes = 0.226 * f13_x_p2276_lanes - inverse_D5_p22 *
+      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
       f13_x_p2263, f13_x_p2263, f13_x_p2263);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2312_lanes = 0.226 * f13_x_p2276_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2316_lanes = f13_x_p2312_lanes - f13_x_p2308_lanes;
-  const Lanes<8> f13_x_p2320_lanes = c6 * f13_x_p2316_lanes;
-  const Lanes<8> f13_x_p2324_lanes = f13_x_p2304_lanes + f13_x_p2320_lanes;
-  const Lanes<8> f13_x_p2328_lanes = f13_x_p993 * detail::make_lanes<Real>(f13_x_p2263, f13_x_p2248,
-      f13_x_p2233, f13_x_p2218, f13_x_p2263, f13_x_p2263, f13_x_p2263, f13_x_p2263);
-  const Lanes<8> f13_x_p2332_lanes = f13_x_p2276_lanes - f13_x_p2328_lanes;
-  const Lanes<8> f13_x_p2336_lanes = 0.072 * f13_x_p2332_lanes;
-  const Lanes<8> f13_x_p2340_lanes = f13_x_p2324_lanes + f13_x_p2336_lanes;
-  const Lanes<8> f13_x_p2344_lanes = f13_x_p930 * detail::make_lanes<Real>(f13_x_p2263, f13_x_p2248,
-      f13_x_p2233, f13_x_p2218, f13_x_p2263, f13_x_p2263, f13_x_p2263, f13_x_p2263);
-  const Lanes<8> f13_x_p2348_lanes = f13_x_p1624_lanes + f13_x_p2344_lanes;
-  const Lanes<8> f13_x_p2352_lanes = s6 * f13_x_p2348_lanes;
-  const Lanes<8> f13_x_p2356_lanes = f13_x_p984 * detail::make_lanes<Real>(f13_x_p2263, f13_x_p2248,
-      f13_x_p2233, f13_x_p2218, f13_x_p2263, f13_x_p2263, f13_x_p2263, f13_x_p2263);
-  const Lanes<8> f13_x_p2360_lanes = f13_x_p2100_lanes - f13_x_p2356_lanes;
-  const Lanes<8> f13_x_p2364_lanes = c6 * f13_x_p2360_lanes;
-  const Lanes<8> f13_x_p2368_lanes = f13_x_p2352_lanes + f13_x_p2364_lanes;
+  const Lanes<8> f13_x_p2332_lanes = f13_x_p2276_lanes - f13_x_p993 *
+      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
+      f13_x_p2263, f13_x_p2263, f13_x_p2263);
+  const Lanes<8> f13_x_p2340_lanes = s6 * f13_x_p2300_lanes + c6 * f13_x_p2316_lanes + 0.072 *
+      f13_x_p2332_lanes;
+  const Lanes<8> f13_x_p2348_lanes = f13_x_p1624_lanes + f13_x_p930 *
+      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
+      f13_x_p2263, f13_x_p2263, f13_x_p2263);
+  const Lanes<8> f13_x_p2360_lanes = f13_x_p2100_lanes - f13_x_p984 *
+      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
+      f13_x_p2263, f13_x_p2263, f13_x_p2263);
+  const Lanes<8> f13_x_p2368_lanes = s6 * f13_x_p2348_lanes + c6 * f13_x_p2360_lanes;
 
   // link 5 (chest2), force propagation
   const Real f13_x_p2372 = -(0.072 * f13_x_p2368_lanes[3]) + f13_x_p1020 * f13_x_p2340_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2373_lanes = c6 * f13_x_p2300_lanes;
-  const Lanes<8> f13_x_p2377_lanes = s6 * f13_x_p2316_lanes;
-  const Lanes<8> f13_x_p2381_lanes = f13_x_p2373_lanes - f13_x_p2377_lanes;
+  const Lanes<8> f13_x_p2381_lanes = c6 * f13_x_p2300_lanes - s6 * f13_x_p2316_lanes;
 
   // link 5 (chest2), force propagation
   const Real f13_x_p2385 = f13_x_p2381_lanes[3] - f13_x_p1022 * f13_x_p2340_lanes[3];
@@ -2248,34 +1655,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 4 (chest1), force propagation
   const Real f13_x_p2395 = -(s5 * f13_x_p2393 + c5 * f13_x_p2394);
-  const Lanes<8> f13_x_p2396_lanes = inverse_D3_p1 *
-      detail::make_lanes<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386, f13_x_p2395,
-      f13_x_p2395, f13_x_p2395, f13_x_p2395);
 
   // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p2400_lanes = f13_x_p1005 * f13_x_p2340_lanes;
-  const Lanes<8> f13_x_p2404_lanes = f13_x_p2368_lanes - f13_x_p2400_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2408_lanes = detail::make_lanes<Real>(-(s5 * f13_x_p2394 - c5 *
-      f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
-      -(s5 * f13_x_p2391 - c5 * f13_x_p2390 + 0.21799999999999997 * f13_x_p2404_lanes[1]),
-      -(s5 * f13_x_p2388 - c5 * f13_x_p2387 + 0.21799999999999997 * f13_x_p2404_lanes[2]),
-      -(s5 * f13_x_p2385 - c5 * f13_x_p2372 + 0.21799999999999997 * f13_x_p2404_lanes[3]),
-      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
-      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
-      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
-      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0])) -
-      f13_x_p2396_lanes;
-  const Lanes<8> f13_x_p2412_lanes = s4 * f13_x_p2408_lanes;
-  const Lanes<8> f13_x_p2416_lanes = inverse_D3_p2 *
-      detail::make_lanes<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386, f13_x_p2395,
-      f13_x_p2395, f13_x_p2395, f13_x_p2395);
+  const Lanes<8> f13_x_p2404_lanes = f13_x_p2368_lanes - f13_x_p1005 * f13_x_p2340_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2420_lanes = c6 * f13_x_p2348_lanes;
-  const Lanes<8> f13_x_p2424_lanes = s6 * f13_x_p2360_lanes;
-  const Lanes<8> f13_x_p2428_lanes = f13_x_p2420_lanes - f13_x_p2424_lanes;
+  const Lanes<8> f13_x_p2428_lanes = c6 * f13_x_p2348_lanes - s6 * f13_x_p2360_lanes;
 
   // link 5 (chest2), force propagation
   const Real f13_x_p2432 = f13_x_p2428_lanes[3] - f13_x_p1033 * f13_x_p2340_lanes[3];
@@ -2292,50 +1677,45 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p2443 = s5 * f13_x_p2441 - c5 * f13_x_p2442;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2444_lanes = detail::make_lanes<Real>(-(0.21799999999999997 * f13_x_p2443),
-      -(0.21799999999999997 * f13_x_p2440), -(0.21799999999999997 * f13_x_p2437),
+  const Lanes<8> f13_x_p2448_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
+      f13_x_p2443), -(0.21799999999999997 * f13_x_p2440), -(0.21799999999999997 * f13_x_p2437),
       -(0.21799999999999997 * f13_x_p2434), -(0.21799999999999997 * f13_x_p2443),
       -(0.21799999999999997 * f13_x_p2443), -(0.21799999999999997 * f13_x_p2443),
-      -(0.21799999999999997 * f13_x_p2443)) + f13_x_p2416_lanes;
-  const Lanes<8> f13_x_p2448_lanes = c4 * f13_x_p2444_lanes;
-  const Lanes<8> f13_x_p2452_lanes = f13_x_p2412_lanes + f13_x_p2448_lanes;
+      -(0.21799999999999997 * f13_x_p2443)) + inverse_D3_p2 *
+      detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386, f13_x_p2395,
+      f13_x_p2395, f13_x_p2395, f13_x_p2395));
+  const Lanes<8> f13_x_p2452_lanes = s4 * (detail::make_pack<Real>(-(s5 * f13_x_p2394 - c5 *
+      f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
+      -(s5 * f13_x_p2391 - c5 * f13_x_p2390 + 0.21799999999999997 * f13_x_p2404_lanes[1]),
+      -(s5 * f13_x_p2388 - c5 * f13_x_p2387 + 0.21799999999999997 * f13_x_p2404_lanes[2]),
+      -(s5 * f13_x_p2385 - c5 * f13_x_p2372 + 0.21799999999999997 * f13_x_p2404_lanes[3]),
+      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
+      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
+      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
+      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0])) -
+      inverse_D3_p1 * detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386,
+      f13_x_p2395, f13_x_p2395, f13_x_p2395, f13_x_p2395)) + f13_x_p2448_lanes;
+  const Lanes<8> f13_x_p2480_lanes = s4 * (f13_x_p2404_lanes + f13_x_p1050 *
+      detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386, f13_x_p2395,
+      f13_x_p2395, f13_x_p2395, f13_x_p2395));
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2456_lanes = f13_x_p1063 * f13_x_p2452_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2460_lanes = f13_x_p1041 * detail::make_lanes<Real>(f13_x_p2395,
-      f13_x_p2392, f13_x_p2389, f13_x_p2386, f13_x_p2395, f13_x_p2395, f13_x_p2395, f13_x_p2395);
-  const Lanes<8> f13_x_p2464_lanes = detail::make_lanes<Real>(-f13_x_p2443, -f13_x_p2440,
+  const Lanes<8> f13_x_p2488_lanes = c4 * (detail::make_pack<Real>(-f13_x_p2443, -f13_x_p2440,
       -f13_x_p2437, -f13_x_p2434, -f13_x_p2443, -f13_x_p2443, -f13_x_p2443, -f13_x_p2443) +
-      f13_x_p2460_lanes;
-  const Lanes<8> f13_x_p2468_lanes = c4 * f13_x_p2464_lanes;
-  const Lanes<8> f13_x_p2472_lanes = f13_x_p1050 * detail::make_lanes<Real>(f13_x_p2395,
-      f13_x_p2392, f13_x_p2389, f13_x_p2386, f13_x_p2395, f13_x_p2395, f13_x_p2395, f13_x_p2395);
-  const Lanes<8> f13_x_p2476_lanes = f13_x_p2404_lanes + f13_x_p2472_lanes;
-  const Lanes<8> f13_x_p2480_lanes = s4 * f13_x_p2476_lanes;
-  const Lanes<8> f13_x_p2484_lanes = f13_x_p2468_lanes - f13_x_p2480_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2488_lanes = f13_x_p2484_lanes - f13_x_p2456_lanes;
-  const Lanes<8> f13_x_p2492_lanes = c3 * f13_x_p2488_lanes;
-  const Lanes<8> f13_x_p2496_lanes = f13_x_p1073 * f13_x_p2452_lanes;
-  const Lanes<8> f13_x_p2500_lanes = detail::make_lanes<Real>(-(-(s5 * f13_x_p2442 + c5 *
+      f13_x_p1041 * detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386,
+      f13_x_p2395, f13_x_p2395, f13_x_p2395, f13_x_p2395)) - f13_x_p2480_lanes - f13_x_p1063 *
+      f13_x_p2452_lanes;
+  const Lanes<8> f13_x_p2500_lanes = detail::make_pack<Real>(-(-(s5 * f13_x_p2442 + c5 *
       f13_x_p2441) - f13_x_p1068 * f13_x_p2395), -(-(s5 * f13_x_p2439 + c5 * f13_x_p2438) -
       f13_x_p1068 * f13_x_p2392), -(-(s5 * f13_x_p2436 + c5 * f13_x_p2435) - f13_x_p1068 *
       f13_x_p2389), -(-(s5 * f13_x_p2433 + c5 * f13_x_p2432) - f13_x_p1068 * f13_x_p2386),
       -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395),
       -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395),
       -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395),
-      -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395)) + f13_x_p2496_lanes;
-  const Lanes<8> f13_x_p2504_lanes = s3 * f13_x_p2500_lanes;
-  const Lanes<8> f13_x_p2508_lanes = f13_x_p2492_lanes - f13_x_p2504_lanes;
+      -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395)) + f13_x_p1073 *
+      f13_x_p2452_lanes;
+  const Lanes<8> f13_x_p2508_lanes = c3 * f13_x_p2488_lanes - s3 * f13_x_p2500_lanes;
   const Lanes<8> f13_x_p2512_lanes = 0.422 * f13_x_p2508_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p2516_lanes = f13_x_p1080 * f13_x_p2512_lanes;
-  const Lanes<8> f13_x_p2520_lanes = f13_x_p2508_lanes - f13_x_p2516_lanes;
-  const Lanes<8> f13_x_p2524_lanes = c2 * f13_x_p2520_lanes;
 
   // link 3 (hip), articulated inertia
   const Real f13_x_p2528 = c3 * f13_x_p1076 - f13_x_p1075;
@@ -2345,18 +1725,10 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p2530 = f13_x_p2529 * inverse_D2;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p2531_lanes = f13_x_p2530 * f13_x_p2512_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2535_lanes = s3 * f13_x_p2488_lanes;
-  const Lanes<8> f13_x_p2539_lanes = c3 * f13_x_p2500_lanes;
-  const Lanes<8> f13_x_p2543_lanes = f13_x_p2535_lanes + f13_x_p2539_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p2547_lanes = f13_x_p2543_lanes - f13_x_p2531_lanes;
-  const Lanes<8> f13_x_p2551_lanes = s2 * f13_x_p2547_lanes;
-  const Lanes<8> f13_x_p2555_lanes = f13_x_p2524_lanes - f13_x_p2551_lanes;
-  const Lanes<8> f13_x_p2559_lanes = 0.434 * f13_x_p2555_lanes;
+  const Lanes<8> f13_x_p2551_lanes = s2 * (s3 * f13_x_p2488_lanes + c3 * f13_x_p2500_lanes -
+      f13_x_p2530 * f13_x_p2512_lanes);
+  const Lanes<8> f13_x_p2559_lanes = 0.434 * (c2 * (f13_x_p2508_lanes - f13_x_p1080 *
+      f13_x_p2512_lanes) - f13_x_p2551_lanes);
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D1_p1 = f13_x_p1078 - f13_x_p1079 * f13_x_p1080;
@@ -2371,33 +1743,25 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<8> f13_x_p2563_lanes = f13_x_p2559_lanes * inverse_D1;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2567_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(f13_x_p2074_lanes[1], f13_x_p2074_lanes[7]);
-  const Lanes<2> f13_x_p2569_lanes = 0.226 * detail::make_lanes<Real>(f13_x_p2130_lanes[1],
-      f13_x_p2130_lanes[7]);
-  const Lanes<2> f13_x_p2571_lanes = f13_x_p2569_lanes + f13_x_p2567_lanes;
-  const Lanes<2> f13_x_p2573_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(f13_x_p2188_lanes[1], f13_x_p2188_lanes[7]);
-  const Lanes<2> f13_x_p2575_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(f13_x_p2204_lanes[1], f13_x_p2204_lanes[7]);
-  const Lanes<2> f13_x_p2577_lanes = f13_x_p2575_lanes + f13_x_p2573_lanes;
-  const Lanes<2> f13_x_p2579_lanes = f13_x_p2577_lanes + f13_x_p2571_lanes;
+  const Lanes<2> f13_x_p2571_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[1],
+      f13_x_p2130_lanes[7]) + detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(f13_x_p2074_lanes[1], f13_x_p2074_lanes[7]);
+  const Lanes<2> f13_x_p2579_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(f13_x_p2204_lanes[1], f13_x_p2204_lanes[7]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[1],
+      f13_x_p2188_lanes[7]) + f13_x_p2571_lanes;
 
   // link 6 (chest3), force propagation
   const Real f13_x_p2581 = -f13_x_p2579_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2582_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(f13_x_p2074_lanes[0], f13_x_p2074_lanes[6]);
-  const Lanes<2> f13_x_p2584_lanes = 0.226 * detail::make_lanes<Real>(f13_x_p2130_lanes[0],
-      f13_x_p2130_lanes[6]);
-  const Lanes<2> f13_x_p2586_lanes = f13_x_p2584_lanes + f13_x_p2582_lanes;
-  const Lanes<2> f13_x_p2588_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(f13_x_p2188_lanes[0], f13_x_p2188_lanes[6]);
-  const Lanes<2> f13_x_p2590_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(f13_x_p2204_lanes[0], f13_x_p2204_lanes[6]);
-  const Lanes<2> f13_x_p2592_lanes = f13_x_p2590_lanes + f13_x_p2588_lanes;
-  const Lanes<2> f13_x_p2594_lanes = f13_x_p2592_lanes + f13_x_p2586_lanes;
+  const Lanes<2> f13_x_p2586_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[0],
+      f13_x_p2130_lanes[6]) + detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(f13_x_p2074_lanes[0], f13_x_p2074_lanes[6]);
+  const Lanes<2> f13_x_p2594_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(f13_x_p2204_lanes[0], f13_x_p2204_lanes[6]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[0],
+      f13_x_p2188_lanes[6]) + f13_x_p2586_lanes;
 
   // link 6 (chest3), force propagation
   const Real f13_x_p2596 = -f13_x_p2594_lanes[1];
@@ -2408,60 +1772,40 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p2601 = -f13_x_p2579_lanes[0];
   const Real f13_x_p2602 = -f13_x_p2594_lanes[0];
   const Lanes<8> f13_x_p2603_lanes = inverse_D5_p16 *
-      detail::make_lanes<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
+      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
       f13_x_p2597, f13_x_p2596, f13_x_p2581);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2611_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p1958_lanes;
-  const Lanes<8> f13_x_p2619_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+  const Lanes<8> f13_x_p2627_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p1958_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
       f13_x_p2058_lanes;
-  const Lanes<8> f13_x_p2627_lanes = f13_x_p2611_lanes - f13_x_p2619_lanes;
-  const Lanes<8> f13_x_p2635_lanes = detail::make_lanes<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18,
-      (-0.18), (-0.18)) * f13_x_p2627_lanes;
-  const Lanes<8> f13_x_p2643_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p2188_lanes;
-  const Lanes<8> f13_x_p2651_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      f13_x_p2204_lanes;
-  const Lanes<8> f13_x_p2659_lanes = f13_x_p2651_lanes - f13_x_p2643_lanes;
-  const Lanes<8> f13_x_p2667_lanes = f13_x_p2635_lanes - f13_x_p2659_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2675_lanes = f13_x_p2667_lanes - f13_x_p2603_lanes;
-  const Lanes<8> f13_x_p2683_lanes = s6 * f13_x_p2675_lanes;
-  const Lanes<8> f13_x_p2691_lanes = inverse_D5_p22 *
-      detail::make_lanes<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
+  const Lanes<8> f13_x_p2675_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18,
+      (-0.18), (-0.18)) * f13_x_p2627_lanes - (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * f13_x_p2204_lanes - detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p2188_lanes) - f13_x_p2603_lanes;
+  const Lanes<8> f13_x_p2707_lanes = 0.226 * f13_x_p2627_lanes - inverse_D5_p22 *
+      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
       f13_x_p2597, f13_x_p2596, f13_x_p2581);
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2699_lanes = 0.226 * f13_x_p2627_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2707_lanes = f13_x_p2699_lanes - f13_x_p2691_lanes;
-  const Lanes<8> f13_x_p2715_lanes = c6 * f13_x_p2707_lanes;
-  const Lanes<8> f13_x_p2723_lanes = f13_x_p2683_lanes + f13_x_p2715_lanes;
-  const Lanes<8> f13_x_p2731_lanes = f13_x_p993 * detail::make_lanes<Real>(f13_x_p2602, f13_x_p2601,
-      f13_x_p2600, f13_x_p2599, f13_x_p2598, f13_x_p2597, f13_x_p2596, f13_x_p2581);
-  const Lanes<8> f13_x_p2739_lanes = f13_x_p2627_lanes - f13_x_p2731_lanes;
-  const Lanes<8> f13_x_p2747_lanes = 0.072 * f13_x_p2739_lanes;
-  const Lanes<8> f13_x_p2755_lanes = f13_x_p2723_lanes + f13_x_p2747_lanes;
-  const Lanes<8> f13_x_p2763_lanes = f13_x_p930 * detail::make_lanes<Real>(f13_x_p2602, f13_x_p2601,
-      f13_x_p2600, f13_x_p2599, f13_x_p2598, f13_x_p2597, f13_x_p2596, f13_x_p2581);
-  const Lanes<8> f13_x_p2771_lanes = f13_x_p2074_lanes + f13_x_p2763_lanes;
-  const Lanes<8> f13_x_p2779_lanes = s6 * f13_x_p2771_lanes;
-  const Lanes<8> f13_x_p2787_lanes = f13_x_p984 * detail::make_lanes<Real>(f13_x_p2602, f13_x_p2601,
-      f13_x_p2600, f13_x_p2599, f13_x_p2598, f13_x_p2597, f13_x_p2596, f13_x_p2581);
-  const Lanes<8> f13_x_p2795_lanes = f13_x_p2130_lanes - f13_x_p2787_lanes;
-  const Lanes<8> f13_x_p2803_lanes = c6 * f13_x_p2795_lanes;
-  const Lanes<8> f13_x_p2811_lanes = f13_x_p2779_lanes + f13_x_p2803_lanes;
+  const Lanes<8> f13_x_p2739_lanes = f13_x_p2627_lanes - f13_x_p993 *
+      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
+      f13_x_p2597, f13_x_p2596, f13_x_p2581);
+  const Lanes<8> f13_x_p2755_lanes = s6 * f13_x_p2675_lanes + c6 * f13_x_p2707_lanes + 0.072 *
+      f13_x_p2739_lanes;
+  const Lanes<8> f13_x_p2771_lanes = f13_x_p2074_lanes + f13_x_p930 *
+      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
+      f13_x_p2597, f13_x_p2596, f13_x_p2581);
+  const Lanes<8> f13_x_p2795_lanes = f13_x_p2130_lanes - f13_x_p984 *
+      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
+      f13_x_p2597, f13_x_p2596, f13_x_p2581);
+  const Lanes<8> f13_x_p2811_lanes = s6 * f13_x_p2771_lanes + c6 * f13_x_p2795_lanes;
 
   // link 5 (chest2), force propagation
   const Real f13_x_p2819 = -(0.072 * f13_x_p2811_lanes[7]) + f13_x_p1020 * f13_x_p2755_lanes[7];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2820_lanes = c6 * f13_x_p2675_lanes;
-  const Lanes<8> f13_x_p2828_lanes = s6 * f13_x_p2707_lanes;
-  const Lanes<8> f13_x_p2836_lanes = f13_x_p2820_lanes - f13_x_p2828_lanes;
+  const Lanes<8> f13_x_p2836_lanes = c6 * f13_x_p2675_lanes - s6 * f13_x_p2707_lanes;
 
   // link 5 (chest2), force propagation
   const Real f13_x_p2844 = f13_x_p2836_lanes[7] - f13_x_p1022 * f13_x_p2755_lanes[7];
@@ -2517,34 +1861,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 4 (chest1), force propagation
   const Real f13_x_p2866 = -(s5 * f13_x_p2864 + c5 * f13_x_p2865);
-  const Lanes<8> f13_x_p2867_lanes = inverse_D3_p1 *
-      detail::make_lanes<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857, f13_x_p2854,
-      f13_x_p2851, f13_x_p2848, f13_x_p2845);
 
   // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p2875_lanes = f13_x_p1005 * f13_x_p2755_lanes;
-  const Lanes<8> f13_x_p2883_lanes = f13_x_p2811_lanes - f13_x_p2875_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2891_lanes = detail::make_lanes<Real>(-(s5 * f13_x_p2865 - c5 *
-      f13_x_p2864 + 0.21799999999999997 * f13_x_p2883_lanes[0]),
-      -(s5 * f13_x_p2862 - c5 * f13_x_p2861 + 0.21799999999999997 * f13_x_p2883_lanes[1]),
-      -(s5 * f13_x_p2859 - c5 * f13_x_p2858 + 0.21799999999999997 * f13_x_p2883_lanes[2]),
-      -(s5 * f13_x_p2856 - c5 * f13_x_p2855 + 0.21799999999999997 * f13_x_p2883_lanes[3]),
-      -(s5 * f13_x_p2853 - c5 * f13_x_p2852 + 0.21799999999999997 * f13_x_p2883_lanes[4]),
-      -(s5 * f13_x_p2850 - c5 * f13_x_p2849 + 0.21799999999999997 * f13_x_p2883_lanes[5]),
-      -(s5 * f13_x_p2847 - c5 * f13_x_p2846 + 0.21799999999999997 * f13_x_p2883_lanes[6]),
-      -(s5 * f13_x_p2844 - c5 * f13_x_p2819 + 0.21799999999999997 * f13_x_p2883_lanes[7])) -
-      f13_x_p2867_lanes;
-  const Lanes<8> f13_x_p2899_lanes = s4 * f13_x_p2891_lanes;
-  const Lanes<8> f13_x_p2907_lanes = inverse_D3_p2 *
-      detail::make_lanes<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857, f13_x_p2854,
-      f13_x_p2851, f13_x_p2848, f13_x_p2845);
+  const Lanes<8> f13_x_p2883_lanes = f13_x_p2811_lanes - f13_x_p1005 * f13_x_p2755_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2915_lanes = c6 * f13_x_p2771_lanes;
-  const Lanes<8> f13_x_p2923_lanes = s6 * f13_x_p2795_lanes;
-  const Lanes<8> f13_x_p2931_lanes = f13_x_p2915_lanes - f13_x_p2923_lanes;
+  const Lanes<8> f13_x_p2931_lanes = c6 * f13_x_p2771_lanes - s6 * f13_x_p2795_lanes;
 
   // link 5 (chest2), force propagation
   const Real f13_x_p2939 = f13_x_p2931_lanes[7] - f13_x_p1033 * f13_x_p2755_lanes[7];
@@ -2573,128 +1895,95 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p2962 = s5 * f13_x_p2960 - c5 * f13_x_p2961;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2963_lanes = detail::make_lanes<Real>(-(0.21799999999999997 * f13_x_p2962),
-      -(0.21799999999999997 * f13_x_p2959), -(0.21799999999999997 * f13_x_p2956),
+  const Lanes<8> f13_x_p2971_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
+      f13_x_p2962), -(0.21799999999999997 * f13_x_p2959), -(0.21799999999999997 * f13_x_p2956),
       -(0.21799999999999997 * f13_x_p2953), -(0.21799999999999997 * f13_x_p2950),
       -(0.21799999999999997 * f13_x_p2947), -(0.21799999999999997 * f13_x_p2944),
-      -(0.21799999999999997 * f13_x_p2941)) + f13_x_p2907_lanes;
-  const Lanes<8> f13_x_p2971_lanes = c4 * f13_x_p2963_lanes;
-  const Lanes<8> f13_x_p2979_lanes = f13_x_p2899_lanes + f13_x_p2971_lanes;
+      -(0.21799999999999997 * f13_x_p2941)) + inverse_D3_p2 *
+      detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857, f13_x_p2854,
+      f13_x_p2851, f13_x_p2848, f13_x_p2845));
+  const Lanes<8> f13_x_p2979_lanes = s4 * (detail::make_pack<Real>(-(s5 * f13_x_p2865 - c5 *
+      f13_x_p2864 + 0.21799999999999997 * f13_x_p2883_lanes[0]),
+      -(s5 * f13_x_p2862 - c5 * f13_x_p2861 + 0.21799999999999997 * f13_x_p2883_lanes[1]),
+      -(s5 * f13_x_p2859 - c5 * f13_x_p2858 + 0.21799999999999997 * f13_x_p2883_lanes[2]),
+      -(s5 * f13_x_p2856 - c5 * f13_x_p2855 + 0.21799999999999997 * f13_x_p2883_lanes[3]),
+      -(s5 * f13_x_p2853 - c5 * f13_x_p2852 + 0.21799999999999997 * f13_x_p2883_lanes[4]),
+      -(s5 * f13_x_p2850 - c5 * f13_x_p2849 + 0.21799999999999997 * f13_x_p2883_lanes[5]),
+      -(s5 * f13_x_p2847 - c5 * f13_x_p2846 + 0.21799999999999997 * f13_x_p2883_lanes[6]),
+      -(s5 * f13_x_p2844 - c5 * f13_x_p2819 + 0.21799999999999997 * f13_x_p2883_lanes[7])) -
+      inverse_D3_p1 * detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857,
+      f13_x_p2854, f13_x_p2851, f13_x_p2848, f13_x_p2845)) + f13_x_p2971_lanes;
+  const Lanes<8> f13_x_p3035_lanes = s4 * (f13_x_p2883_lanes + f13_x_p1050 *
+      detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857, f13_x_p2854,
+      f13_x_p2851, f13_x_p2848, f13_x_p2845));
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2987_lanes = f13_x_p1063 * f13_x_p2979_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2995_lanes = f13_x_p1041 * detail::make_lanes<Real>(f13_x_p2866,
-      f13_x_p2863, f13_x_p2860, f13_x_p2857, f13_x_p2854, f13_x_p2851, f13_x_p2848, f13_x_p2845);
-  const Lanes<8> f13_x_p3003_lanes = detail::make_lanes<Real>(-f13_x_p2962, -f13_x_p2959,
+  const Lanes<8> f13_x_p3051_lanes = c4 * (detail::make_pack<Real>(-f13_x_p2962, -f13_x_p2959,
       -f13_x_p2956, -f13_x_p2953, -f13_x_p2950, -f13_x_p2947, -f13_x_p2944, -f13_x_p2941) +
-      f13_x_p2995_lanes;
-  const Lanes<8> f13_x_p3011_lanes = c4 * f13_x_p3003_lanes;
-  const Lanes<8> f13_x_p3019_lanes = f13_x_p1050 * detail::make_lanes<Real>(f13_x_p2866,
-      f13_x_p2863, f13_x_p2860, f13_x_p2857, f13_x_p2854, f13_x_p2851, f13_x_p2848, f13_x_p2845);
-  const Lanes<8> f13_x_p3027_lanes = f13_x_p2883_lanes + f13_x_p3019_lanes;
-  const Lanes<8> f13_x_p3035_lanes = s4 * f13_x_p3027_lanes;
-  const Lanes<8> f13_x_p3043_lanes = f13_x_p3011_lanes - f13_x_p3035_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3051_lanes = f13_x_p3043_lanes - f13_x_p2987_lanes;
-  const Lanes<8> f13_x_p3059_lanes = c3 * f13_x_p3051_lanes;
-  const Lanes<8> f13_x_p3067_lanes = f13_x_p1073 * f13_x_p2979_lanes;
-  const Lanes<8> f13_x_p3075_lanes = detail::make_lanes<Real>(-(-(s5 * f13_x_p2961 + c5 *
+      f13_x_p1041 * detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857,
+      f13_x_p2854, f13_x_p2851, f13_x_p2848, f13_x_p2845)) - f13_x_p3035_lanes - f13_x_p1063 *
+      f13_x_p2979_lanes;
+  const Lanes<8> f13_x_p3075_lanes = detail::make_pack<Real>(-(-(s5 * f13_x_p2961 + c5 *
       f13_x_p2960) - f13_x_p1068 * f13_x_p2866), -(-(s5 * f13_x_p2958 + c5 * f13_x_p2957) -
       f13_x_p1068 * f13_x_p2863), -(-(s5 * f13_x_p2955 + c5 * f13_x_p2954) - f13_x_p1068 *
       f13_x_p2860), -(-(s5 * f13_x_p2952 + c5 * f13_x_p2951) - f13_x_p1068 * f13_x_p2857),
       -(-(s5 * f13_x_p2949 + c5 * f13_x_p2948) - f13_x_p1068 * f13_x_p2854),
       -(-(s5 * f13_x_p2946 + c5 * f13_x_p2945) - f13_x_p1068 * f13_x_p2851),
       -(-(s5 * f13_x_p2943 + c5 * f13_x_p2942) - f13_x_p1068 * f13_x_p2848),
-      -(-(s5 * f13_x_p2940 + c5 * f13_x_p2939) - f13_x_p1068 * f13_x_p2845)) + f13_x_p3067_lanes;
-  const Lanes<8> f13_x_p3083_lanes = s3 * f13_x_p3075_lanes;
-  const Lanes<8> f13_x_p3091_lanes = f13_x_p3059_lanes - f13_x_p3083_lanes;
+      -(-(s5 * f13_x_p2940 + c5 * f13_x_p2939) - f13_x_p1068 * f13_x_p2845)) + f13_x_p1073 *
+      f13_x_p2979_lanes;
+  const Lanes<8> f13_x_p3091_lanes = c3 * f13_x_p3051_lanes - s3 * f13_x_p3075_lanes;
   const Lanes<8> f13_x_p3099_lanes = 0.422 * f13_x_p3091_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3107_lanes = f13_x_p1080 * f13_x_p3099_lanes;
-  const Lanes<8> f13_x_p3115_lanes = f13_x_p3091_lanes - f13_x_p3107_lanes;
-  const Lanes<8> f13_x_p3123_lanes = c2 * f13_x_p3115_lanes;
-  const Lanes<8> f13_x_p3131_lanes = f13_x_p2530 * f13_x_p3099_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3139_lanes = s3 * f13_x_p3051_lanes;
-  const Lanes<8> f13_x_p3147_lanes = c3 * f13_x_p3075_lanes;
-  const Lanes<8> f13_x_p3155_lanes = f13_x_p3139_lanes + f13_x_p3147_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3163_lanes = f13_x_p3155_lanes - f13_x_p3131_lanes;
-  const Lanes<8> f13_x_p3171_lanes = s2 * f13_x_p3163_lanes;
-  const Lanes<8> f13_x_p3179_lanes = f13_x_p3123_lanes - f13_x_p3171_lanes;
-  const Lanes<8> f13_x_p3187_lanes = 0.434 * f13_x_p3179_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3195_lanes = f13_x_p2563_lanes * f13_x_p3187_lanes[0];
-
-  // link 2 (thigh), force propagation
+  const Lanes<8> f13_x_p3171_lanes = s2 * (s3 * f13_x_p3051_lanes + c3 * f13_x_p3075_lanes -
+      f13_x_p2530 * f13_x_p3099_lanes);
+  const Lanes<8> f13_x_p3187_lanes = 0.434 * (c2 * (f13_x_p3091_lanes - f13_x_p1080 *
+      f13_x_p3099_lanes) - f13_x_p3171_lanes);
   const Lanes<8> f13_x_p3199_lanes = f13_x_p2512_lanes * inverse_D2;
-  const Lanes<8> f13_x_p3203_lanes = f13_x_p3199_lanes * f13_x_p3099_lanes[0];
 
   // link 3 (hip), force propagation
   const Lanes<8> f13_x_p3207_lanes = f13_x_p2452_lanes * inverse_D3;
   const Lanes<8> f13_x_p3211_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3215_lanes = detail::make_lanes<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389,
+  const Lanes<8> f13_x_p3215_lanes = detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389,
       f13_x_p2386, f13_x_p2395, f13_x_p2395, f13_x_p2395, f13_x_p2395) * inverse_D4;
-  const Lanes<8> f13_x_p3219_lanes = f13_x_p3215_lanes * f13_x_p2866;
 
   // link 5 (chest2), force propagation
   const Lanes<8> f13_x_p3223_lanes = f13_x_p2340_lanes * inverse_D5;
-  const Lanes<8> f13_x_p3227_lanes = f13_x_p3223_lanes * f13_x_p2755_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3231_lanes = detail::make_lanes<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233,
+  const Lanes<8> f13_x_p3231_lanes = detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233,
       f13_x_p2218, f13_x_p2263, f13_x_p2263, f13_x_p2263, f13_x_p2263) * inverse_D6;
-  const Lanes<8> f13_x_p3235_lanes = f13_x_p3231_lanes * f13_x_p2602;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3239_lanes = f13_x_p3235_lanes + f13_x_p3227_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3243_lanes = f13_x_p3239_lanes + f13_x_p3219_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3247_lanes = f13_x_p3243_lanes + f13_x_p3211_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3251_lanes = f13_x_p3247_lanes + f13_x_p3203_lanes;
+  const Lanes<8> f13_x_p3247_lanes = f13_x_p3231_lanes * f13_x_p2602 + f13_x_p3223_lanes *
+      f13_x_p2755_lanes[0] + f13_x_p3215_lanes * f13_x_p2866 + f13_x_p3211_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3255_lanes = f13_x_p3251_lanes + f13_x_p3195_lanes;
+  const Lanes<8> f13_x_p3255_lanes = f13_x_p3247_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[0] +
+      f13_x_p2563_lanes * f13_x_p3187_lanes[0];
   const Lanes<8> f13_x_p3259_lanes = f13_x_p3187_lanes * inverse_D1;
-  const Lanes<8> f13_x_p3267_lanes = f13_x_p3259_lanes * f13_x_p3187_lanes[0];
 
   // link 2 (thigh), force propagation
   const Lanes<8> f13_x_p3275_lanes = f13_x_p3099_lanes * inverse_D2;
-  const Lanes<8> f13_x_p3283_lanes = f13_x_p3275_lanes * f13_x_p3099_lanes[0];
 
   // link 3 (hip), force propagation
   const Lanes<8> f13_x_p3291_lanes = f13_x_p2979_lanes * inverse_D3;
-  const Lanes<8> f13_x_p3299_lanes = f13_x_p3291_lanes * f13_x_p2979_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3307_lanes = detail::make_lanes<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860,
+  const Lanes<8> f13_x_p3307_lanes = detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860,
       f13_x_p2857, f13_x_p2854, f13_x_p2851, f13_x_p2848, f13_x_p2845) * inverse_D4;
-  const Lanes<8> f13_x_p3315_lanes = f13_x_p3307_lanes * f13_x_p2866;
 
   // link 5 (chest2), force propagation
   const Lanes<8> f13_x_p3323_lanes = f13_x_p2755_lanes * inverse_D5;
-  const Lanes<8> f13_x_p3331_lanes = f13_x_p3323_lanes * f13_x_p2755_lanes[0];
 
   // link 6 (chest3), force propagation
   const Real f13_x_p3339 = f13_x_p2581 * inverse_D6;
   const Real f13_x_p3340 = f13_x_p2596 * inverse_D6;
-  const Lanes<8> f13_x_p3341_lanes = detail::make_lanes<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600,
+  const Lanes<8> f13_x_p3341_lanes = detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600,
       f13_x_p2599, f13_x_p2598, f13_x_p2597, f13_x_p2602, f13_x_p2602) * inverse_D6;
-  const Lanes<8> f13_x_p3347_lanes = f13_x_p3341_lanes * f13_x_p2602;
 
   // link 7 (left_shoulder1), force propagation
   const Lanes<8> f13_x_p3353_lanes = f13_x_p1886_lanes * inverse_D7_lanes[0];
@@ -2702,732 +1991,316 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 8 (left_shoulder2), force propagation
   const Lanes<8> f13_x_p3365_lanes = f13_x_p1832_lanes * inverse_D8_lanes[0];
-  const Lanes<8> f13_x_p3371_lanes = f13_x_p3365_lanes * f13_x_p1832_lanes[0];
 
   // link 9 (left_upperarm), force propagation
   const Lanes<8> f13_x_p3377_lanes = f13_x_p1709_lanes * inverse_D9_lanes[0];
-  const Lanes<8> f13_x_p3383_lanes = f13_x_p3377_lanes * f13_x_p1709_lanes[0];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p3389_lanes = detail::make_lanes<Real>(f13_x_p1526_lanes[0],
+  const Lanes<8> f13_x_p3389_lanes = detail::make_pack<Real>(f13_x_p1526_lanes[0],
       f13_x_p1526_lanes[1], f13_x_p1532, f13_x_p1526_lanes[3], f13_x_p1526_lanes[4],
       f13_x_p1526_lanes[5], f13_x_p1526_lanes[0], f13_x_p1526_lanes[0]) * inverse_D10_lanes[0];
-  const Lanes<8> f13_x_p3395_lanes = f13_x_p3389_lanes * f13_x_p1526_lanes[0];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p3401_lanes = f13_x_p3395_lanes + f13_x_p3383_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p3407_lanes = f13_x_p3401_lanes + f13_x_p3371_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p3413_lanes = f13_x_p3407_lanes + f13_x_p3359_lanes;
+  const Lanes<8> f13_x_p3413_lanes = f13_x_p3389_lanes * f13_x_p1526_lanes[0] + f13_x_p3377_lanes *
+      f13_x_p1709_lanes[0] + f13_x_p3365_lanes * f13_x_p1832_lanes[0] + f13_x_p3359_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3419_lanes = f13_x_p3413_lanes + f13_x_p3347_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3425_lanes = detail::make_lanes<Real>(f13_x_p3419_lanes[0],
-      f13_x_p3419_lanes[1], f13_x_p3419_lanes[2], f13_x_p3419_lanes[3], f13_x_p3419_lanes[4],
-      f13_x_p3419_lanes[5], f13_x_p3340 * f13_x_p2602, f13_x_p3339 * f13_x_p2602) +
-      f13_x_p3331_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3433_lanes = f13_x_p3425_lanes + f13_x_p3315_lanes;
+  const Lanes<8> f13_x_p3419_lanes = f13_x_p3413_lanes + f13_x_p3341_lanes * f13_x_p2602;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3441_lanes = f13_x_p3433_lanes + f13_x_p3299_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3449_lanes = f13_x_p3441_lanes + f13_x_p3283_lanes;
+  const Lanes<8> f13_x_p3441_lanes = detail::make_pack<Real>(f13_x_p3419_lanes[0],
+      f13_x_p3419_lanes[1], f13_x_p3419_lanes[2], f13_x_p3419_lanes[3], f13_x_p3419_lanes[4],
+      f13_x_p3419_lanes[5], f13_x_p3340 * f13_x_p2602, f13_x_p3339 * f13_x_p2602) +
+      f13_x_p3323_lanes * f13_x_p2755_lanes[0] + f13_x_p3307_lanes * f13_x_p2866 +
+      f13_x_p3291_lanes * f13_x_p2979_lanes[0];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3457_lanes = f13_x_p3449_lanes + f13_x_p3267_lanes;
+  const Lanes<8> f13_x_p3457_lanes = f13_x_p3441_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[0] +
+      f13_x_p3259_lanes * f13_x_p3187_lanes[0];
   const Real f13_x_p3465 = 1.0 / f13_x_p3457_lanes[0];
   const Lanes<8> f13_x_p3466_lanes = f13_x_p3255_lanes * f13_x_p3465;
-  const Lanes<8> f13_x_p3470_lanes = f13_x_p3466_lanes * f13_x_p3457_lanes[1];
-  const Lanes<8> f13_x_p3474_lanes = f13_x_p2563_lanes * f13_x_p3187_lanes[1];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3478_lanes = f13_x_p3199_lanes * f13_x_p3099_lanes[1];
 
   // link 3 (hip), force propagation
   const Lanes<8> f13_x_p3482_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3486_lanes = f13_x_p3215_lanes * f13_x_p2863;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3490_lanes = f13_x_p3223_lanes * f13_x_p2755_lanes[1];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3494_lanes = f13_x_p3231_lanes * f13_x_p2601;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3498_lanes = f13_x_p3494_lanes + f13_x_p3490_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3502_lanes = f13_x_p3498_lanes + f13_x_p3486_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3506_lanes = f13_x_p3502_lanes + f13_x_p3482_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3510_lanes = f13_x_p3506_lanes + f13_x_p3478_lanes;
+  const Lanes<8> f13_x_p3506_lanes = f13_x_p3231_lanes * f13_x_p2601 + f13_x_p3223_lanes *
+      f13_x_p2755_lanes[1] + f13_x_p3215_lanes * f13_x_p2863 + f13_x_p3482_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3514_lanes = f13_x_p3510_lanes + f13_x_p3474_lanes;
-  const Lanes<8> f13_x_p3518_lanes = f13_x_p3514_lanes - f13_x_p3470_lanes;
+  const Lanes<8> f13_x_p3518_lanes = f13_x_p3506_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[1] +
+      f13_x_p2563_lanes * f13_x_p3187_lanes[1] - f13_x_p3466_lanes * f13_x_p3457_lanes[1];
   const Lanes<8> f13_x_p3522_lanes = f13_x_p3457_lanes * f13_x_p3465;
-  const Lanes<8> f13_x_p3529_lanes = f13_x_p3522_lanes * f13_x_p3457_lanes[1];
-  const Lanes<8> f13_x_p3536_lanes = f13_x_p3259_lanes * f13_x_p3187_lanes[1];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3543_lanes = f13_x_p3275_lanes * f13_x_p3099_lanes[1];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3550_lanes = f13_x_p3291_lanes * f13_x_p2979_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3557_lanes = f13_x_p3307_lanes * f13_x_p2863;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3564_lanes = f13_x_p3323_lanes * f13_x_p2755_lanes[1];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3571_lanes = f13_x_p3341_lanes * f13_x_p2601;
 
   // link 7 (left_shoulder1), force propagation
   const Lanes<8> f13_x_p3576_lanes = f13_x_p3353_lanes * f13_x_p1886_lanes[1];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p3581_lanes = f13_x_p3365_lanes * f13_x_p1832_lanes[1];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p3586_lanes = f13_x_p3377_lanes * f13_x_p1709_lanes[1];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p3591_lanes = f13_x_p3389_lanes * f13_x_p1526_lanes[1];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p3596_lanes = f13_x_p3591_lanes + f13_x_p3586_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p3601_lanes = f13_x_p3596_lanes + f13_x_p3581_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p3606_lanes = f13_x_p3601_lanes + f13_x_p3576_lanes;
+  const Lanes<8> f13_x_p3606_lanes = f13_x_p3389_lanes * f13_x_p1526_lanes[1] + f13_x_p3377_lanes *
+      f13_x_p1709_lanes[1] + f13_x_p3365_lanes * f13_x_p1832_lanes[1] + f13_x_p3576_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3611_lanes = f13_x_p3606_lanes + f13_x_p3571_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3616_lanes = detail::make_lanes<Real>(f13_x_p3611_lanes[1],
-      f13_x_p3611_lanes[1], f13_x_p3611_lanes[2], f13_x_p3611_lanes[3], f13_x_p3611_lanes[4],
-      f13_x_p3611_lanes[5], f13_x_p3340 * f13_x_p2601, f13_x_p3339 * f13_x_p2601) +
-      f13_x_p3564_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3623_lanes = f13_x_p3616_lanes + f13_x_p3557_lanes;
+  const Lanes<8> f13_x_p3611_lanes = f13_x_p3606_lanes + f13_x_p3341_lanes * f13_x_p2601;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3630_lanes = f13_x_p3623_lanes + f13_x_p3550_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3637_lanes = f13_x_p3630_lanes + f13_x_p3543_lanes;
+  const Lanes<8> f13_x_p3630_lanes = detail::make_pack<Real>(f13_x_p3611_lanes[1],
+      f13_x_p3611_lanes[1], f13_x_p3611_lanes[2], f13_x_p3611_lanes[3], f13_x_p3611_lanes[4],
+      f13_x_p3611_lanes[5], f13_x_p3340 * f13_x_p2601, f13_x_p3339 * f13_x_p2601) +
+      f13_x_p3323_lanes * f13_x_p2755_lanes[1] + f13_x_p3307_lanes * f13_x_p2863 +
+      f13_x_p3291_lanes * f13_x_p2979_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3644_lanes = f13_x_p3637_lanes + f13_x_p3536_lanes;
-  const Lanes<8> f13_x_p3651_lanes = f13_x_p3644_lanes - f13_x_p3529_lanes;
+  const Lanes<8> f13_x_p3651_lanes = f13_x_p3630_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[1] +
+      f13_x_p3259_lanes * f13_x_p3187_lanes[1] - f13_x_p3522_lanes * f13_x_p3457_lanes[1];
   const Real f13_x_p3658 = 1.0 / f13_x_p3651_lanes[1];
   const Lanes<8> f13_x_p3659_lanes = f13_x_p3518_lanes * f13_x_p3658;
-  const Lanes<8> f13_x_p3663_lanes = f13_x_p3659_lanes * f13_x_p3651_lanes[2];
-  const Lanes<8> f13_x_p3667_lanes = f13_x_p3466_lanes * f13_x_p3457_lanes[2];
-  const Lanes<8> f13_x_p3671_lanes = f13_x_p2563_lanes * f13_x_p3187_lanes[2];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3675_lanes = f13_x_p3199_lanes * f13_x_p3099_lanes[2];
 
   // link 3 (hip), force propagation
   const Lanes<8> f13_x_p3679_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3683_lanes = f13_x_p3215_lanes * f13_x_p2860;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3687_lanes = f13_x_p3223_lanes * f13_x_p2755_lanes[2];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3691_lanes = f13_x_p3231_lanes * f13_x_p2600;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3695_lanes = f13_x_p3691_lanes + f13_x_p3687_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3699_lanes = f13_x_p3695_lanes + f13_x_p3683_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3703_lanes = f13_x_p3699_lanes + f13_x_p3679_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3707_lanes = f13_x_p3703_lanes + f13_x_p3675_lanes;
+  const Lanes<8> f13_x_p3703_lanes = f13_x_p3231_lanes * f13_x_p2600 + f13_x_p3223_lanes *
+      f13_x_p2755_lanes[2] + f13_x_p3215_lanes * f13_x_p2860 + f13_x_p3679_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3711_lanes = f13_x_p3707_lanes + f13_x_p3671_lanes;
-  const Lanes<8> f13_x_p3715_lanes = f13_x_p3711_lanes - f13_x_p3667_lanes;
-  const Lanes<8> f13_x_p3719_lanes = f13_x_p3715_lanes - f13_x_p3663_lanes;
+  const Lanes<8> f13_x_p3715_lanes = f13_x_p3703_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[2] +
+      f13_x_p2563_lanes * f13_x_p3187_lanes[2] - f13_x_p3466_lanes * f13_x_p3457_lanes[2];
+  const Lanes<8> f13_x_p3719_lanes = f13_x_p3715_lanes - f13_x_p3659_lanes * f13_x_p3651_lanes[2];
   const Lanes<8> f13_x_p3723_lanes = f13_x_p3651_lanes * f13_x_p3658;
-  const Lanes<8> f13_x_p3729_lanes = f13_x_p3723_lanes * f13_x_p3651_lanes[2];
-  const Lanes<8> f13_x_p3735_lanes = f13_x_p3522_lanes * f13_x_p3457_lanes[2];
-  const Lanes<8> f13_x_p3741_lanes = f13_x_p3259_lanes * f13_x_p3187_lanes[2];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3747_lanes = f13_x_p3275_lanes * f13_x_p3099_lanes[2];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3753_lanes = f13_x_p3291_lanes * f13_x_p2979_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3759_lanes = f13_x_p3307_lanes * f13_x_p2860;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3765_lanes = f13_x_p3323_lanes * f13_x_p2755_lanes[2];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3771_lanes = f13_x_p3341_lanes * f13_x_p2600;
 
   // link 7 (left_shoulder1), force propagation
   const Lanes<8> f13_x_p3775_lanes = f13_x_p3353_lanes * f13_x_p1886_lanes[2];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p3779_lanes = f13_x_p3365_lanes * f13_x_p1832_lanes[2];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p3783_lanes = f13_x_p3377_lanes * f13_x_p1709_lanes[2];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p3787_lanes = f13_x_p3389_lanes * f13_x_p1532;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p3791_lanes = f13_x_p3787_lanes + f13_x_p3783_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p3795_lanes = f13_x_p3791_lanes + f13_x_p3779_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p3799_lanes = f13_x_p3795_lanes + f13_x_p3775_lanes;
+  const Lanes<8> f13_x_p3799_lanes = f13_x_p3389_lanes * f13_x_p1532 + f13_x_p3377_lanes *
+      f13_x_p1709_lanes[2] + f13_x_p3365_lanes * f13_x_p1832_lanes[2] + f13_x_p3775_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3803_lanes = f13_x_p3799_lanes + f13_x_p3771_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3807_lanes = detail::make_lanes<Real>(f13_x_p3803_lanes[2],
-      f13_x_p3803_lanes[2], f13_x_p3803_lanes[2], f13_x_p3803_lanes[3], f13_x_p3803_lanes[4],
-      f13_x_p3803_lanes[5], f13_x_p3340 * f13_x_p2600, f13_x_p3339 * f13_x_p2600) +
-      f13_x_p3765_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3813_lanes = f13_x_p3807_lanes + f13_x_p3759_lanes;
+  const Lanes<8> f13_x_p3803_lanes = f13_x_p3799_lanes + f13_x_p3341_lanes * f13_x_p2600;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3819_lanes = f13_x_p3813_lanes + f13_x_p3753_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3825_lanes = f13_x_p3819_lanes + f13_x_p3747_lanes;
+  const Lanes<8> f13_x_p3819_lanes = detail::make_pack<Real>(f13_x_p3803_lanes[2],
+      f13_x_p3803_lanes[2], f13_x_p3803_lanes[2], f13_x_p3803_lanes[3], f13_x_p3803_lanes[4],
+      f13_x_p3803_lanes[5], f13_x_p3340 * f13_x_p2600, f13_x_p3339 * f13_x_p2600) +
+      f13_x_p3323_lanes * f13_x_p2755_lanes[2] + f13_x_p3307_lanes * f13_x_p2860 +
+      f13_x_p3291_lanes * f13_x_p2979_lanes[2];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3831_lanes = f13_x_p3825_lanes + f13_x_p3741_lanes;
-  const Lanes<8> f13_x_p3837_lanes = f13_x_p3831_lanes - f13_x_p3735_lanes;
-  const Lanes<8> f13_x_p3843_lanes = f13_x_p3837_lanes - f13_x_p3729_lanes;
+  const Lanes<8> f13_x_p3837_lanes = f13_x_p3819_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[2] +
+      f13_x_p3259_lanes * f13_x_p3187_lanes[2] - f13_x_p3522_lanes * f13_x_p3457_lanes[2];
+  const Lanes<8> f13_x_p3843_lanes = f13_x_p3837_lanes - f13_x_p3723_lanes * f13_x_p3651_lanes[2];
   const Real f13_x_p3849 = 1.0 / f13_x_p3843_lanes[2];
   const Lanes<8> f13_x_p3850_lanes = f13_x_p3719_lanes * f13_x_p3849;
-  const Lanes<8> f13_x_p3854_lanes = f13_x_p3850_lanes * f13_x_p3843_lanes[3];
-  const Lanes<8> f13_x_p3858_lanes = f13_x_p3659_lanes * f13_x_p3651_lanes[3];
-  const Lanes<8> f13_x_p3862_lanes = f13_x_p3466_lanes * f13_x_p3457_lanes[3];
-  const Lanes<8> f13_x_p3866_lanes = f13_x_p2563_lanes * f13_x_p3187_lanes[3];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3870_lanes = f13_x_p3199_lanes * f13_x_p3099_lanes[3];
 
   // link 3 (hip), force propagation
   const Lanes<8> f13_x_p3874_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3878_lanes = f13_x_p3215_lanes * f13_x_p2857;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3882_lanes = f13_x_p3223_lanes * f13_x_p2755_lanes[3];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3886_lanes = f13_x_p3231_lanes * f13_x_p2599;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3890_lanes = f13_x_p3886_lanes + f13_x_p3882_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3894_lanes = f13_x_p3890_lanes + f13_x_p3878_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3898_lanes = f13_x_p3894_lanes + f13_x_p3874_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3902_lanes = f13_x_p3898_lanes + f13_x_p3870_lanes;
+  const Lanes<8> f13_x_p3898_lanes = f13_x_p3231_lanes * f13_x_p2599 + f13_x_p3223_lanes *
+      f13_x_p2755_lanes[3] + f13_x_p3215_lanes * f13_x_p2857 + f13_x_p3874_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3906_lanes = f13_x_p3902_lanes + f13_x_p3866_lanes;
-  const Lanes<8> f13_x_p3910_lanes = f13_x_p3906_lanes - f13_x_p3862_lanes;
-  const Lanes<8> f13_x_p3914_lanes = f13_x_p3910_lanes - f13_x_p3858_lanes;
-  const Lanes<8> f13_x_p3918_lanes = f13_x_p3914_lanes - f13_x_p3854_lanes;
+  const Lanes<8> f13_x_p3910_lanes = f13_x_p3898_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[3] +
+      f13_x_p2563_lanes * f13_x_p3187_lanes[3] - f13_x_p3466_lanes * f13_x_p3457_lanes[3];
+  const Lanes<8> f13_x_p3918_lanes = f13_x_p3910_lanes - f13_x_p3659_lanes * f13_x_p3651_lanes[3] -
+      f13_x_p3850_lanes * f13_x_p3843_lanes[3];
   const Lanes<8> f13_x_p3922_lanes = f13_x_p3843_lanes * f13_x_p3849;
-  const Lanes<8> f13_x_p3927_lanes = f13_x_p3922_lanes * f13_x_p3843_lanes[3];
-  const Lanes<8> f13_x_p3932_lanes = f13_x_p3723_lanes * f13_x_p3651_lanes[3];
-  const Lanes<8> f13_x_p3937_lanes = f13_x_p3522_lanes * f13_x_p3457_lanes[3];
-  const Lanes<8> f13_x_p3942_lanes = f13_x_p3259_lanes * f13_x_p3187_lanes[3];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3947_lanes = f13_x_p3275_lanes * f13_x_p3099_lanes[3];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3952_lanes = f13_x_p3291_lanes * f13_x_p2979_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3957_lanes = f13_x_p3307_lanes * f13_x_p2857;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3962_lanes = f13_x_p3323_lanes * f13_x_p2755_lanes[3];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3967_lanes = f13_x_p3341_lanes * f13_x_p2599;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p3970_lanes = f13_x_p3353_lanes * f13_x_p1886_lanes[3];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p3973_lanes = f13_x_p3365_lanes * f13_x_p1832_lanes[3];
 
   // link 9 (left_upperarm), force propagation
   const Lanes<8> f13_x_p3976_lanes = f13_x_p3377_lanes * f13_x_p1709_lanes[3];
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p3979_lanes = f13_x_p3389_lanes * f13_x_p1526_lanes[3];
-
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p3982_lanes = detail::make_lanes<Real>(f13_x_p1505, f13_x_p1505, f13_x_p1505,
+  const Lanes<8> f13_x_p3982_lanes = detail::make_pack<Real>(f13_x_p1505, f13_x_p1505, f13_x_p1505,
       f13_x_p1505, f13_x_p1503, f13_x_p1337, f13_x_p1505, f13_x_p1505) * inverse_D11_lanes[0];
-  const Lanes<8> f13_x_p3985_lanes = f13_x_p3982_lanes * f13_x_p1505;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> f13_x_p3988_lanes = detail::make_lanes<Real>(s13, s13, s13, s13, c13,
+  const Lanes<8> f13_x_p3988_lanes = detail::make_pack<Real>(s13, s13, s13, s13, c13,
       f13_x_p1085_lanes[0], s13, s13) * inverse_D12_lanes[0];
-  const Lanes<8> f13_x_p3991_lanes = f13_x_p3988_lanes * s13;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p3994_lanes = f13_x_p3991_lanes + f13_x_p3985_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p3997_lanes = f13_x_p3994_lanes + f13_x_p3979_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p4000_lanes = f13_x_p3997_lanes + f13_x_p3976_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p4003_lanes = f13_x_p4000_lanes + f13_x_p3973_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p4006_lanes = f13_x_p4003_lanes + f13_x_p3970_lanes;
+  const Lanes<8> f13_x_p4000_lanes = f13_x_p3988_lanes * s13 + f13_x_p3982_lanes * f13_x_p1505 +
+      f13_x_p3389_lanes * f13_x_p1526_lanes[3] + f13_x_p3976_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4009_lanes = f13_x_p4006_lanes + f13_x_p3967_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4012_lanes = detail::make_lanes<Real>(f13_x_p4009_lanes[3],
-      f13_x_p4009_lanes[3], f13_x_p4009_lanes[3], f13_x_p4009_lanes[3], f13_x_p4009_lanes[4],
-      f13_x_p4009_lanes[5], f13_x_p3340 * f13_x_p2599, f13_x_p3339 * f13_x_p2599) +
-      f13_x_p3962_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4017_lanes = f13_x_p4012_lanes + f13_x_p3957_lanes;
+  const Lanes<8> f13_x_p4009_lanes = f13_x_p4000_lanes + f13_x_p3365_lanes * f13_x_p1832_lanes[3] +
+      f13_x_p3353_lanes * f13_x_p1886_lanes[3] + f13_x_p3341_lanes * f13_x_p2599;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4022_lanes = f13_x_p4017_lanes + f13_x_p3952_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4027_lanes = f13_x_p4022_lanes + f13_x_p3947_lanes;
+  const Lanes<8> f13_x_p4022_lanes = detail::make_pack<Real>(f13_x_p4009_lanes[3],
+      f13_x_p4009_lanes[3], f13_x_p4009_lanes[3], f13_x_p4009_lanes[3], f13_x_p4009_lanes[4],
+      f13_x_p4009_lanes[5], f13_x_p3340 * f13_x_p2599, f13_x_p3339 * f13_x_p2599) +
+      f13_x_p3323_lanes * f13_x_p2755_lanes[3] + f13_x_p3307_lanes * f13_x_p2857 +
+      f13_x_p3291_lanes * f13_x_p2979_lanes[3];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4032_lanes = f13_x_p4027_lanes + f13_x_p3942_lanes;
-  const Lanes<8> f13_x_p4037_lanes = f13_x_p4032_lanes - f13_x_p3937_lanes;
-  const Lanes<8> f13_x_p4042_lanes = f13_x_p4037_lanes - f13_x_p3932_lanes;
-  const Lanes<8> f13_x_p4047_lanes = f13_x_p4042_lanes - f13_x_p3927_lanes;
+  const Lanes<8> f13_x_p4037_lanes = f13_x_p4022_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[3] +
+      f13_x_p3259_lanes * f13_x_p3187_lanes[3] - f13_x_p3522_lanes * f13_x_p3457_lanes[3];
+  const Lanes<8> f13_x_p4047_lanes = f13_x_p4037_lanes - f13_x_p3723_lanes * f13_x_p3651_lanes[3] -
+      f13_x_p3922_lanes * f13_x_p3843_lanes[3];
   const Real f13_x_p4052 = 1.0 / f13_x_p4047_lanes[3];
   const Lanes<8> f13_x_p4053_lanes = f13_x_p3918_lanes * f13_x_p4052;
-  const Lanes<8> f13_x_p4057_lanes = f13_x_p4053_lanes * f13_x_p4047_lanes[4];
-  const Lanes<8> f13_x_p4061_lanes = f13_x_p3850_lanes * f13_x_p3843_lanes[4];
-  const Lanes<8> f13_x_p4065_lanes = f13_x_p3659_lanes * f13_x_p3651_lanes[4];
-  const Lanes<8> f13_x_p4069_lanes = f13_x_p3466_lanes * f13_x_p3457_lanes[4];
-  const Lanes<8> f13_x_p4073_lanes = f13_x_p2563_lanes * f13_x_p3187_lanes[4];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4077_lanes = f13_x_p3199_lanes * f13_x_p3099_lanes[4];
 
   // link 3 (hip), force propagation
   const Lanes<8> f13_x_p4081_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4085_lanes = f13_x_p3215_lanes * f13_x_p2854;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4089_lanes = f13_x_p3223_lanes * f13_x_p2755_lanes[4];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4093_lanes = f13_x_p3231_lanes * f13_x_p2598;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4097_lanes = f13_x_p4093_lanes + f13_x_p4089_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4101_lanes = f13_x_p4097_lanes + f13_x_p4085_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4105_lanes = f13_x_p4101_lanes + f13_x_p4081_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4109_lanes = f13_x_p4105_lanes + f13_x_p4077_lanes;
+  const Lanes<8> f13_x_p4105_lanes = f13_x_p3231_lanes * f13_x_p2598 + f13_x_p3223_lanes *
+      f13_x_p2755_lanes[4] + f13_x_p3215_lanes * f13_x_p2854 + f13_x_p4081_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4113_lanes = f13_x_p4109_lanes + f13_x_p4073_lanes;
-  const Lanes<8> f13_x_p4117_lanes = f13_x_p4113_lanes - f13_x_p4069_lanes;
-  const Lanes<8> f13_x_p4121_lanes = f13_x_p4117_lanes - f13_x_p4065_lanes;
-  const Lanes<8> f13_x_p4125_lanes = f13_x_p4121_lanes - f13_x_p4061_lanes;
-  const Lanes<8> f13_x_p4129_lanes = f13_x_p4125_lanes - f13_x_p4057_lanes;
+  const Lanes<8> f13_x_p4117_lanes = f13_x_p4105_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[4] +
+      f13_x_p2563_lanes * f13_x_p3187_lanes[4] - f13_x_p3466_lanes * f13_x_p3457_lanes[4];
+  const Lanes<8> f13_x_p4129_lanes = f13_x_p4117_lanes - f13_x_p3659_lanes * f13_x_p3651_lanes[4] -
+      f13_x_p3850_lanes * f13_x_p3843_lanes[4] - f13_x_p4053_lanes * f13_x_p4047_lanes[4];
   const Lanes<8> f13_x_p4133_lanes = f13_x_p4047_lanes * f13_x_p4052;
-  const Lanes<8> f13_x_p4137_lanes = f13_x_p4133_lanes * f13_x_p4047_lanes[4];
-  const Lanes<8> f13_x_p4141_lanes = f13_x_p3922_lanes * f13_x_p3843_lanes[4];
-  const Lanes<8> f13_x_p4145_lanes = f13_x_p3723_lanes * f13_x_p3651_lanes[4];
-  const Lanes<8> f13_x_p4149_lanes = f13_x_p3522_lanes * f13_x_p3457_lanes[4];
-  const Lanes<8> f13_x_p4153_lanes = f13_x_p3259_lanes * f13_x_p3187_lanes[4];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4157_lanes = f13_x_p3275_lanes * f13_x_p3099_lanes[4];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4161_lanes = f13_x_p3291_lanes * f13_x_p2979_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4165_lanes = f13_x_p3307_lanes * f13_x_p2854;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4169_lanes = f13_x_p3323_lanes * f13_x_p2755_lanes[4];
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> f13_x_p4173_lanes = f13_x_p1418_lanes * inverse_D7_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p4177_lanes = detail::make_lanes<Real>(f13_x_p3353_lanes[5],
-      f13_x_p4173_lanes[3]) * detail::make_lanes<Real>(f13_x_p1886_lanes[4], f13_x_p1418_lanes[2]);
+  const Lanes<2> f13_x_p4177_lanes = detail::make_pack<Real>(f13_x_p3353_lanes[5],
+      f13_x_p4173_lanes[3]) * detail::make_pack<Real>(f13_x_p1886_lanes[4], f13_x_p1418_lanes[2]);
 
   // link 15 (right_shoulder2), force propagation
   const Lanes<8> f13_x_p4179_lanes = f13_x_p1380_lanes * inverse_D8_lanes[1];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<2> f13_x_p4183_lanes = detail::make_lanes<Real>(f13_x_p3365_lanes[5],
-      f13_x_p4179_lanes[3]) * detail::make_lanes<Real>(f13_x_p1832_lanes[4], f13_x_p1380_lanes[2]);
+  const Lanes<2> f13_x_p4183_lanes = detail::make_pack<Real>(f13_x_p3365_lanes[5],
+      f13_x_p4179_lanes[3]) * detail::make_pack<Real>(f13_x_p1832_lanes[4], f13_x_p1380_lanes[2]);
 
   // link 16 (right_upperarm), force propagation
   const Lanes<8> f13_x_p4185_lanes = f13_x_p1239_lanes * inverse_D9_lanes[1];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<2> f13_x_p4189_lanes = detail::make_lanes<Real>(f13_x_p3377_lanes[5],
-      f13_x_p4185_lanes[3]) * detail::make_lanes<Real>(f13_x_p1709_lanes[4], f13_x_p1239_lanes[2]);
+  const Lanes<2> f13_x_p4189_lanes = detail::make_pack<Real>(f13_x_p3377_lanes[5],
+      f13_x_p4185_lanes[3]) * detail::make_pack<Real>(f13_x_p1709_lanes[4], f13_x_p1239_lanes[2]);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p4191_lanes = detail::make_lanes<Real>(f13_x_p1209, f13_x_p1205_lanes[1],
+  const Lanes<8> f13_x_p4191_lanes = detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1],
       f13_x_p1205_lanes[2], f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209,
       f13_x_p1209) * inverse_D10_lanes[1];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p4195_lanes = detail::make_lanes<Real>(f13_x_p3389_lanes[5],
-      f13_x_p4191_lanes[3]) * detail::make_lanes<Real>(f13_x_p1526_lanes[4], f13_x_p1205_lanes[2]);
+  const Lanes<2> f13_x_p4195_lanes = detail::make_pack<Real>(f13_x_p3389_lanes[5],
+      f13_x_p4191_lanes[3]) * detail::make_pack<Real>(f13_x_p1526_lanes[4], f13_x_p1205_lanes[2]);
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p4197_lanes = detail::make_lanes<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106,
+  const Lanes<8> f13_x_p4197_lanes = detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106,
       f13_x_p1099, f13_x_p1113, f13_x_p1113, f13_x_p1113, f13_x_p1113) * inverse_D11_lanes[1];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p4200_lanes = detail::make_lanes<Real>(f13_x_p3982_lanes[5],
-      f13_x_p4197_lanes[3]) * detail::make_lanes<Real>(f13_x_p1503, f13_x_p1106);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> f13_x_p4202_lanes = f13_x_p3988_lanes * c13;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p4204_lanes = detail::make_lanes<Real>(f13_x_p3982_lanes[4],
-      f13_x_p4197_lanes[2]) * detail::make_lanes<Real>(f13_x_p1503, f13_x_p1106);
-  const Lanes<8> f13_x_p4206_lanes = f13_x_p4202_lanes +
-      detail::make_lanes<Real>(f13_x_p4204_lanes[0], f13_x_p4204_lanes[0], f13_x_p4204_lanes[0],
-      f13_x_p4204_lanes[0], f13_x_p4204_lanes[0], f13_x_p4200_lanes[0], f13_x_p4204_lanes[0],
-      f13_x_p4204_lanes[0]);
+  const Lanes<2> f13_x_p4200_lanes = detail::make_pack<Real>(f13_x_p3982_lanes[5],
+      f13_x_p4197_lanes[3]) * detail::make_pack<Real>(f13_x_p1503, f13_x_p1106);
+  const Lanes<2> f13_x_p4204_lanes = detail::make_pack<Real>(f13_x_p3982_lanes[4],
+      f13_x_p4197_lanes[2]) * detail::make_pack<Real>(f13_x_p1503, f13_x_p1106);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p4208_lanes = detail::make_lanes<Real>(f13_x_p3389_lanes[4],
-      f13_x_p4191_lanes[2]) * detail::make_lanes<Real>(f13_x_p1526_lanes[4], f13_x_p1205_lanes[2]);
-  const Lanes<8> f13_x_p4210_lanes = f13_x_p4206_lanes +
-      detail::make_lanes<Real>(f13_x_p4208_lanes[0], f13_x_p4208_lanes[0], f13_x_p4208_lanes[0],
-      f13_x_p4208_lanes[0], f13_x_p4208_lanes[0], f13_x_p4195_lanes[0], f13_x_p4208_lanes[0],
-      f13_x_p4208_lanes[0]);
+  const Lanes<2> f13_x_p4208_lanes = detail::make_pack<Real>(f13_x_p3389_lanes[4],
+      f13_x_p4191_lanes[2]) * detail::make_pack<Real>(f13_x_p1526_lanes[4], f13_x_p1205_lanes[2]);
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<2> f13_x_p4212_lanes = detail::make_lanes<Real>(f13_x_p3377_lanes[4],
-      f13_x_p4185_lanes[2]) * detail::make_lanes<Real>(f13_x_p1709_lanes[4], f13_x_p1239_lanes[2]);
-  const Lanes<8> f13_x_p4214_lanes = f13_x_p4210_lanes +
-      detail::make_lanes<Real>(f13_x_p4212_lanes[0], f13_x_p4212_lanes[0], f13_x_p4212_lanes[0],
-      f13_x_p4212_lanes[0], f13_x_p4212_lanes[0], f13_x_p4189_lanes[0], f13_x_p4212_lanes[0],
-      f13_x_p4212_lanes[0]);
+  const Lanes<2> f13_x_p4212_lanes = detail::make_pack<Real>(f13_x_p3377_lanes[4],
+      f13_x_p4185_lanes[2]) * detail::make_pack<Real>(f13_x_p1709_lanes[4], f13_x_p1239_lanes[2]);
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<2> f13_x_p4216_lanes = detail::make_lanes<Real>(f13_x_p3365_lanes[4],
-      f13_x_p4179_lanes[2]) * detail::make_lanes<Real>(f13_x_p1832_lanes[4], f13_x_p1380_lanes[2]);
-  const Lanes<8> f13_x_p4218_lanes = f13_x_p4214_lanes +
-      detail::make_lanes<Real>(f13_x_p4216_lanes[0], f13_x_p4216_lanes[0], f13_x_p4216_lanes[0],
-      f13_x_p4216_lanes[0], f13_x_p4216_lanes[0], f13_x_p4183_lanes[0], f13_x_p4216_lanes[0],
-      f13_x_p4216_lanes[0]);
+  const Lanes<2> f13_x_p4216_lanes = detail::make_pack<Real>(f13_x_p3365_lanes[4],
+      f13_x_p4179_lanes[2]) * detail::make_pack<Real>(f13_x_p1832_lanes[4], f13_x_p1380_lanes[2]);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p4220_lanes = detail::make_lanes<Real>(f13_x_p3353_lanes[4],
-      f13_x_p4173_lanes[2]) * detail::make_lanes<Real>(f13_x_p1886_lanes[4], f13_x_p1418_lanes[2]);
-  const Lanes<8> f13_x_p4222_lanes = f13_x_p4218_lanes +
-      detail::make_lanes<Real>(f13_x_p4220_lanes[0], f13_x_p4220_lanes[0], f13_x_p4220_lanes[0],
-      f13_x_p4220_lanes[0], f13_x_p4220_lanes[0], f13_x_p4177_lanes[0], f13_x_p4220_lanes[0],
-      f13_x_p4220_lanes[0]);
+  const Lanes<2> f13_x_p4220_lanes = detail::make_pack<Real>(f13_x_p3353_lanes[4],
+      f13_x_p4173_lanes[2]) * detail::make_pack<Real>(f13_x_p1886_lanes[4], f13_x_p1418_lanes[2]);
+  const Lanes<8> f13_x_p4222_lanes = f13_x_p3988_lanes * c13 +
+      detail::make_pack<Real>(f13_x_p4204_lanes[0], f13_x_p4204_lanes[0], f13_x_p4204_lanes[0],
+      f13_x_p4204_lanes[0], f13_x_p4204_lanes[0], f13_x_p4200_lanes[0], f13_x_p4204_lanes[0],
+      f13_x_p4204_lanes[0]) + detail::make_pack<Real>(f13_x_p4208_lanes[0], f13_x_p4208_lanes[0],
+      f13_x_p4208_lanes[0], f13_x_p4208_lanes[0], f13_x_p4208_lanes[0], f13_x_p4195_lanes[0],
+      f13_x_p4208_lanes[0], f13_x_p4208_lanes[0]) + detail::make_pack<Real>(f13_x_p4212_lanes[0],
+      f13_x_p4212_lanes[0], f13_x_p4212_lanes[0], f13_x_p4212_lanes[0], f13_x_p4212_lanes[0],
+      f13_x_p4189_lanes[0], f13_x_p4212_lanes[0], f13_x_p4212_lanes[0]) +
+      detail::make_pack<Real>(f13_x_p4216_lanes[0], f13_x_p4216_lanes[0], f13_x_p4216_lanes[0],
+      f13_x_p4216_lanes[0], f13_x_p4216_lanes[0], f13_x_p4183_lanes[0], f13_x_p4216_lanes[0],
+      f13_x_p4216_lanes[0]) + detail::make_pack<Real>(f13_x_p4220_lanes[0], f13_x_p4220_lanes[0],
+      f13_x_p4220_lanes[0], f13_x_p4220_lanes[0], f13_x_p4220_lanes[0], f13_x_p4177_lanes[0],
+      f13_x_p4220_lanes[0], f13_x_p4220_lanes[0]);
 
   // link 6 (chest3), force propagation
   const Lanes<8> f13_x_p4224_lanes = f13_x_p4222_lanes +
-      detail::make_lanes<Real>(f13_x_p3341_lanes[4] * f13_x_p2598, f13_x_p3341_lanes[4] *
+      detail::make_pack<Real>(f13_x_p3341_lanes[4] * f13_x_p2598, f13_x_p3341_lanes[4] *
       f13_x_p2598, f13_x_p3341_lanes[4] * f13_x_p2598, f13_x_p3341_lanes[4] * f13_x_p2598,
       f13_x_p3341_lanes[4] * f13_x_p2598, f13_x_p3341_lanes[5] * f13_x_p2598, f13_x_p3341_lanes[4] *
       f13_x_p2598, f13_x_p3341_lanes[4] * f13_x_p2598);
 
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4226_lanes = detail::make_lanes<Real>(f13_x_p4224_lanes[4],
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p4234_lanes = detail::make_pack<Real>(f13_x_p4224_lanes[4],
       f13_x_p4224_lanes[4], f13_x_p4224_lanes[4], f13_x_p4224_lanes[4], f13_x_p4224_lanes[4],
       f13_x_p4224_lanes[5], f13_x_p3340 * f13_x_p2598, f13_x_p3339 * f13_x_p2598) +
-      f13_x_p4169_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4230_lanes = f13_x_p4226_lanes + f13_x_p4165_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4234_lanes = f13_x_p4230_lanes + f13_x_p4161_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4238_lanes = f13_x_p4234_lanes + f13_x_p4157_lanes;
+      f13_x_p3323_lanes * f13_x_p2755_lanes[4] + f13_x_p3307_lanes * f13_x_p2854 +
+      f13_x_p3291_lanes * f13_x_p2979_lanes[4];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4242_lanes = f13_x_p4238_lanes + f13_x_p4153_lanes;
-  const Lanes<8> f13_x_p4246_lanes = f13_x_p4242_lanes - f13_x_p4149_lanes;
-  const Lanes<8> f13_x_p4250_lanes = f13_x_p4246_lanes - f13_x_p4145_lanes;
-  const Lanes<8> f13_x_p4254_lanes = f13_x_p4250_lanes - f13_x_p4141_lanes;
-  const Lanes<8> f13_x_p4258_lanes = f13_x_p4254_lanes - f13_x_p4137_lanes;
+  const Lanes<8> f13_x_p4246_lanes = f13_x_p4234_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[4] +
+      f13_x_p3259_lanes * f13_x_p3187_lanes[4] - f13_x_p3522_lanes * f13_x_p3457_lanes[4];
+  const Lanes<8> f13_x_p4258_lanes = f13_x_p4246_lanes - f13_x_p3723_lanes * f13_x_p3651_lanes[4] -
+      f13_x_p3922_lanes * f13_x_p3843_lanes[4] - f13_x_p4133_lanes * f13_x_p4047_lanes[4];
   const Real f13_x_p4262 = 1.0 / f13_x_p4258_lanes[4];
   const Lanes<8> f13_x_p4263_lanes = f13_x_p4129_lanes * f13_x_p4262;
-  const Lanes<8> f13_x_p4267_lanes = f13_x_p4263_lanes * f13_x_p4258_lanes[5];
-  const Lanes<8> f13_x_p4271_lanes = f13_x_p4053_lanes * f13_x_p4047_lanes[5];
-  const Lanes<8> f13_x_p4275_lanes = f13_x_p3850_lanes * f13_x_p3843_lanes[5];
-  const Lanes<8> f13_x_p4279_lanes = f13_x_p3659_lanes * f13_x_p3651_lanes[5];
-  const Lanes<8> f13_x_p4283_lanes = f13_x_p3466_lanes * f13_x_p3457_lanes[5];
-  const Lanes<8> f13_x_p4287_lanes = f13_x_p2563_lanes * f13_x_p3187_lanes[5];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4291_lanes = f13_x_p3199_lanes * f13_x_p3099_lanes[5];
 
   // link 3 (hip), force propagation
   const Lanes<8> f13_x_p4295_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4299_lanes = f13_x_p3215_lanes * f13_x_p2851;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4303_lanes = f13_x_p3223_lanes * f13_x_p2755_lanes[5];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4307_lanes = f13_x_p3231_lanes * f13_x_p2597;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4311_lanes = f13_x_p4307_lanes + f13_x_p4303_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4315_lanes = f13_x_p4311_lanes + f13_x_p4299_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4319_lanes = f13_x_p4315_lanes + f13_x_p4295_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4323_lanes = f13_x_p4319_lanes + f13_x_p4291_lanes;
+  const Lanes<8> f13_x_p4319_lanes = f13_x_p3231_lanes * f13_x_p2597 + f13_x_p3223_lanes *
+      f13_x_p2755_lanes[5] + f13_x_p3215_lanes * f13_x_p2851 + f13_x_p4295_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4327_lanes = f13_x_p4323_lanes + f13_x_p4287_lanes;
-  const Lanes<8> f13_x_p4331_lanes = f13_x_p4327_lanes - f13_x_p4283_lanes;
-  const Lanes<8> f13_x_p4335_lanes = f13_x_p4331_lanes - f13_x_p4279_lanes;
-  const Lanes<8> f13_x_p4339_lanes = f13_x_p4335_lanes - f13_x_p4275_lanes;
-  const Lanes<8> f13_x_p4343_lanes = f13_x_p4339_lanes - f13_x_p4271_lanes;
-  const Lanes<8> f13_x_p4347_lanes = f13_x_p4343_lanes - f13_x_p4267_lanes;
+  const Lanes<8> f13_x_p4331_lanes = f13_x_p4319_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[5] +
+      f13_x_p2563_lanes * f13_x_p3187_lanes[5] - f13_x_p3466_lanes * f13_x_p3457_lanes[5];
+  const Lanes<8> f13_x_p4343_lanes = f13_x_p4331_lanes - f13_x_p3659_lanes * f13_x_p3651_lanes[5] -
+      f13_x_p3850_lanes * f13_x_p3843_lanes[5] - f13_x_p4053_lanes * f13_x_p4047_lanes[5];
+  const Lanes<8> f13_x_p4347_lanes = f13_x_p4343_lanes - f13_x_p4263_lanes * f13_x_p4258_lanes[5];
   const Lanes<8> f13_x_p4351_lanes = f13_x_p4258_lanes * f13_x_p4262;
-  const Lanes<8> f13_x_p4354_lanes = f13_x_p4351_lanes * f13_x_p4258_lanes[5];
-  const Lanes<8> f13_x_p4357_lanes = f13_x_p4133_lanes * f13_x_p4047_lanes[5];
-  const Lanes<8> f13_x_p4360_lanes = f13_x_p3922_lanes * f13_x_p3843_lanes[5];
-  const Lanes<8> f13_x_p4363_lanes = f13_x_p3723_lanes * f13_x_p3651_lanes[5];
-  const Lanes<8> f13_x_p4366_lanes = f13_x_p3522_lanes * f13_x_p3457_lanes[5];
-  const Lanes<8> f13_x_p4369_lanes = f13_x_p3259_lanes * f13_x_p3187_lanes[5];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4372_lanes = f13_x_p3275_lanes * f13_x_p3099_lanes[5];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4375_lanes = f13_x_p3291_lanes * f13_x_p2979_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4378_lanes = f13_x_p3307_lanes * f13_x_p2851;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4381_lanes = f13_x_p3323_lanes * f13_x_p2755_lanes[5];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p4384_lanes = detail::make_lanes<Real>(f13_x_p3353_lanes[5],
-      f13_x_p4173_lanes[3]) * detail::make_lanes<Real>(f13_x_p1886_lanes[5], f13_x_p1418_lanes[3]);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<2> f13_x_p4386_lanes = detail::make_lanes<Real>(f13_x_p3365_lanes[5],
-      f13_x_p4179_lanes[3]) * detail::make_lanes<Real>(f13_x_p1832_lanes[5], f13_x_p1380_lanes[3]);
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> f13_x_p4388_lanes = detail::make_lanes<Real>(f13_x_p3377_lanes[5],
-      f13_x_p4185_lanes[3]) * detail::make_lanes<Real>(f13_x_p1709_lanes[5], f13_x_p1239_lanes[3]);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p4390_lanes = detail::make_lanes<Real>(f13_x_p3389_lanes[5],
-      f13_x_p4191_lanes[3]) * detail::make_lanes<Real>(f13_x_p1526_lanes[5], f13_x_p1205_lanes[3]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p4392_lanes = detail::make_lanes<Real>(f13_x_p3982_lanes[5],
-      f13_x_p4197_lanes[3]) * detail::make_lanes<Real>(f13_x_p1337, f13_x_p1099);
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> f13_x_p4394_lanes = detail::make_lanes<Real>(s20, s20, c20, f13_x_p1085_lanes[1],
+  const Lanes<8> f13_x_p4394_lanes = detail::make_pack<Real>(s20, s20, c20, f13_x_p1085_lanes[1],
       s20, s20, s20, s20) * inverse_D12_lanes[1];
 
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p4397_lanes = detail::make_lanes<Real>(f13_x_p3988_lanes[5],
-      f13_x_p4394_lanes[3]) * f13_x_p1085_lanes;
-  const Lanes<2> f13_x_p4399_lanes = 1065.380700001509 + f13_x_p4397_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p4401_lanes = f13_x_p4399_lanes + f13_x_p4392_lanes;
-
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p4403_lanes = f13_x_p4401_lanes + f13_x_p4390_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> f13_x_p4405_lanes = f13_x_p4403_lanes + f13_x_p4388_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<2> f13_x_p4407_lanes = f13_x_p4405_lanes + f13_x_p4386_lanes;
+  const Lanes<2> f13_x_p4403_lanes = 1065.380700001509 +
+      detail::make_pack<Real>(f13_x_p3988_lanes[5], f13_x_p4394_lanes[3]) * f13_x_p1085_lanes +
+      detail::make_pack<Real>(f13_x_p3982_lanes[5], f13_x_p4197_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p1337, f13_x_p1099) +
+      detail::make_pack<Real>(f13_x_p3389_lanes[5], f13_x_p4191_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p1526_lanes[5], f13_x_p1205_lanes[3]);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p4409_lanes = f13_x_p4407_lanes + f13_x_p4384_lanes;
+  const Lanes<2> f13_x_p4409_lanes = f13_x_p4403_lanes +
+      detail::make_pack<Real>(f13_x_p3377_lanes[5], f13_x_p4185_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p1709_lanes[5], f13_x_p1239_lanes[3]) +
+      detail::make_pack<Real>(f13_x_p3365_lanes[5], f13_x_p4179_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p1832_lanes[5], f13_x_p1380_lanes[3]) +
+      detail::make_pack<Real>(f13_x_p3353_lanes[5], f13_x_p4173_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p1886_lanes[5], f13_x_p1418_lanes[3]);
 
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4411_lanes = detail::make_lanes<Real>(f13_x_p4409_lanes[0] +
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p4417_lanes = detail::make_pack<Real>(f13_x_p4409_lanes[0] +
       f13_x_p3341_lanes[5] * f13_x_p2597, f13_x_p4409_lanes[0] + f13_x_p3341_lanes[5] * f13_x_p2597,
       f13_x_p4409_lanes[0] + f13_x_p3341_lanes[5] * f13_x_p2597, f13_x_p4409_lanes[0] +
       f13_x_p3341_lanes[5] * f13_x_p2597, f13_x_p4409_lanes[0] + f13_x_p3341_lanes[5] * f13_x_p2597,
       f13_x_p4409_lanes[0] + f13_x_p3341_lanes[5] * f13_x_p2597, f13_x_p3340 * f13_x_p2597,
-      f13_x_p3339 * f13_x_p2597) + f13_x_p4381_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4414_lanes = f13_x_p4411_lanes + f13_x_p4378_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4417_lanes = f13_x_p4414_lanes + f13_x_p4375_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4420_lanes = f13_x_p4417_lanes + f13_x_p4372_lanes;
+      f13_x_p3339 * f13_x_p2597) + f13_x_p3323_lanes * f13_x_p2755_lanes[5] + f13_x_p3307_lanes *
+      f13_x_p2851 + f13_x_p3291_lanes * f13_x_p2979_lanes[5];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4423_lanes = f13_x_p4420_lanes + f13_x_p4369_lanes;
-  const Lanes<8> f13_x_p4426_lanes = f13_x_p4423_lanes - f13_x_p4366_lanes;
-  const Lanes<8> f13_x_p4429_lanes = f13_x_p4426_lanes - f13_x_p4363_lanes;
-  const Lanes<8> f13_x_p4432_lanes = f13_x_p4429_lanes - f13_x_p4360_lanes;
-  const Lanes<8> f13_x_p4435_lanes = f13_x_p4432_lanes - f13_x_p4357_lanes;
-  const Lanes<8> f13_x_p4438_lanes = f13_x_p4435_lanes - f13_x_p4354_lanes;
+  const Lanes<8> f13_x_p4426_lanes = f13_x_p4417_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[5] +
+      f13_x_p3259_lanes * f13_x_p3187_lanes[5] - f13_x_p3522_lanes * f13_x_p3457_lanes[5];
+  const Lanes<8> f13_x_p4435_lanes = f13_x_p4426_lanes - f13_x_p3723_lanes * f13_x_p3651_lanes[5] -
+      f13_x_p3922_lanes * f13_x_p3843_lanes[5] - f13_x_p4133_lanes * f13_x_p4047_lanes[5];
+  const Lanes<8> f13_x_p4438_lanes = f13_x_p4435_lanes - f13_x_p4351_lanes * f13_x_p4258_lanes[5];
   const Real f13_x_p4441 = 1.0 / f13_x_p4438_lanes[5];
   const Lanes<8> f13_x_p4442_lanes = f13_x_p4347_lanes * f13_x_p4441;
-  const Lanes<8> f13_x_p4446_lanes = f13_x_p4442_lanes * f13_x_p4438_lanes[6];
-  const Lanes<8> f13_x_p4450_lanes = f13_x_p4263_lanes * f13_x_p4258_lanes[6];
-  const Lanes<8> f13_x_p4454_lanes = f13_x_p4053_lanes * f13_x_p4047_lanes[6];
-  const Lanes<8> f13_x_p4458_lanes = f13_x_p3850_lanes * f13_x_p3843_lanes[6];
-  const Lanes<8> f13_x_p4462_lanes = f13_x_p3659_lanes * f13_x_p3651_lanes[6];
-  const Lanes<8> f13_x_p4466_lanes = f13_x_p3466_lanes * f13_x_p3457_lanes[6];
-  const Lanes<8> f13_x_p4470_lanes = f13_x_p2563_lanes * f13_x_p3187_lanes[6];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4474_lanes = f13_x_p3199_lanes * f13_x_p3099_lanes[6];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4478_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[6];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4482_lanes = f13_x_p3215_lanes * f13_x_p2848;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4486_lanes = f13_x_p3223_lanes * f13_x_p2755_lanes[6];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4490_lanes = f13_x_p3231_lanes * f13_x_p2596;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> f13_x_p4494_lanes = f13_x_p4173_lanes * f13_x_p1663;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4498_lanes = f13_x_p4179_lanes * f13_x_p1660;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4502_lanes = f13_x_p4185_lanes * f13_x_p1652;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p4506_lanes = f13_x_p4191_lanes * f13_x_p1649;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4510_lanes = f13_x_p4506_lanes + f13_x_p4502_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4514_lanes = f13_x_p4510_lanes + f13_x_p4498_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4518_lanes = f13_x_p4514_lanes + f13_x_p4494_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4522_lanes = f13_x_p4518_lanes + f13_x_p4490_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4526_lanes = f13_x_p4522_lanes + f13_x_p4486_lanes;
+  const Lanes<8> f13_x_p4518_lanes = f13_x_p4191_lanes * f13_x_p1649 + f13_x_p4185_lanes *
+      f13_x_p1652 + f13_x_p4179_lanes * f13_x_p1660 + f13_x_p4494_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4530_lanes = f13_x_p4526_lanes + f13_x_p4482_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4534_lanes = f13_x_p4530_lanes + f13_x_p4478_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4538_lanes = f13_x_p4534_lanes + f13_x_p4474_lanes;
+  const Lanes<8> f13_x_p4530_lanes = f13_x_p4518_lanes + f13_x_p3231_lanes * f13_x_p2596 +
+      f13_x_p3223_lanes * f13_x_p2755_lanes[6] + f13_x_p3215_lanes * f13_x_p2848;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4542_lanes = f13_x_p4538_lanes + f13_x_p4470_lanes;
-  const Lanes<8> f13_x_p4546_lanes = f13_x_p4542_lanes - f13_x_p4466_lanes;
-  const Lanes<8> f13_x_p4550_lanes = f13_x_p4546_lanes - f13_x_p4462_lanes;
-  const Lanes<8> f13_x_p4554_lanes = f13_x_p4550_lanes - f13_x_p4458_lanes;
-  const Lanes<8> f13_x_p4558_lanes = f13_x_p4554_lanes - f13_x_p4454_lanes;
-  const Lanes<8> f13_x_p4562_lanes = f13_x_p4558_lanes - f13_x_p4450_lanes;
-  const Lanes<8> f13_x_p4566_lanes = f13_x_p4562_lanes - f13_x_p4446_lanes;
+  const Lanes<8> f13_x_p4542_lanes = f13_x_p4530_lanes + f13_x_p3207_lanes * f13_x_p2979_lanes[6] +
+      f13_x_p3199_lanes * f13_x_p3099_lanes[6] + f13_x_p2563_lanes * f13_x_p3187_lanes[6];
+  const Lanes<8> f13_x_p4554_lanes = f13_x_p4542_lanes - f13_x_p3466_lanes * f13_x_p3457_lanes[6] -
+      f13_x_p3659_lanes * f13_x_p3651_lanes[6] - f13_x_p3850_lanes * f13_x_p3843_lanes[6];
+  const Lanes<8> f13_x_p4566_lanes = f13_x_p4554_lanes - f13_x_p4053_lanes * f13_x_p4047_lanes[6] -
+      f13_x_p4263_lanes * f13_x_p4258_lanes[6] - f13_x_p4442_lanes * f13_x_p4438_lanes[6];
   const Real f13_x_p4570 = f13_x_p4438_lanes[6] * f13_x_p4441;
 
   // link 15 (right_shoulder2), force propagation
@@ -3477,75 +2350,24 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       f13_x_p3922_lanes[7] * f13_x_p3843_lanes[6];
   const Real f13_x_p4588 = f13_x_p4587 - f13_x_p4133_lanes[7] * f13_x_p4047_lanes[6] -
       f13_x_p4351_lanes[7] * f13_x_p4258_lanes[6] - f13_x_p4580 * f13_x_p4438_lanes[6];
-  const Lanes<8> f13_x_p4589_lanes = f13_x_p4576_lanes * f13_x_p4588;
-  const Lanes<8> f13_x_p4593_lanes = f13_x_p4442_lanes * f13_x_p4438_lanes[7];
-  const Lanes<8> f13_x_p4597_lanes = f13_x_p4263_lanes * f13_x_p4258_lanes[7];
-  const Lanes<8> f13_x_p4601_lanes = f13_x_p4053_lanes * f13_x_p4047_lanes[7];
-  const Lanes<8> f13_x_p4605_lanes = f13_x_p3850_lanes * f13_x_p3843_lanes[7];
-  const Lanes<8> f13_x_p4609_lanes = f13_x_p3659_lanes * f13_x_p3651_lanes[7];
-  const Lanes<8> f13_x_p4613_lanes = f13_x_p3466_lanes * f13_x_p3457_lanes[7];
-  const Lanes<8> f13_x_p4617_lanes = f13_x_p2563_lanes * f13_x_p3187_lanes[7];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4621_lanes = f13_x_p3199_lanes * f13_x_p3099_lanes[7];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4625_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[7];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4629_lanes = f13_x_p3215_lanes * f13_x_p2845;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4633_lanes = f13_x_p3223_lanes * f13_x_p2755_lanes[7];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4637_lanes = f13_x_p3231_lanes * f13_x_p2581;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> f13_x_p4641_lanes = f13_x_p4173_lanes * f13_x_p1645;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4645_lanes = f13_x_p4179_lanes * f13_x_p1642;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4649_lanes = f13_x_p4185_lanes * f13_x_p1634;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p4653_lanes = f13_x_p4191_lanes * f13_x_p1631;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4657_lanes = f13_x_p4653_lanes + f13_x_p4649_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4661_lanes = f13_x_p4657_lanes + f13_x_p4645_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4665_lanes = f13_x_p4661_lanes + f13_x_p4641_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4669_lanes = f13_x_p4665_lanes + f13_x_p4637_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4673_lanes = f13_x_p4669_lanes + f13_x_p4633_lanes;
+  const Lanes<8> f13_x_p4665_lanes = f13_x_p4191_lanes * f13_x_p1631 + f13_x_p4185_lanes *
+      f13_x_p1634 + f13_x_p4179_lanes * f13_x_p1642 + f13_x_p4641_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4677_lanes = f13_x_p4673_lanes + f13_x_p4629_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4681_lanes = f13_x_p4677_lanes + f13_x_p4625_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4685_lanes = f13_x_p4681_lanes + f13_x_p4621_lanes;
+  const Lanes<8> f13_x_p4677_lanes = f13_x_p4665_lanes + f13_x_p3231_lanes * f13_x_p2581 +
+      f13_x_p3223_lanes * f13_x_p2755_lanes[7] + f13_x_p3215_lanes * f13_x_p2845;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4689_lanes = f13_x_p4685_lanes + f13_x_p4617_lanes;
-  const Lanes<8> f13_x_p4693_lanes = f13_x_p4689_lanes - f13_x_p4613_lanes;
-  const Lanes<8> f13_x_p4697_lanes = f13_x_p4693_lanes - f13_x_p4609_lanes;
-  const Lanes<8> f13_x_p4701_lanes = f13_x_p4697_lanes - f13_x_p4605_lanes;
-  const Lanes<8> f13_x_p4705_lanes = f13_x_p4701_lanes - f13_x_p4601_lanes;
-  const Lanes<8> f13_x_p4709_lanes = f13_x_p4705_lanes - f13_x_p4597_lanes;
-  const Lanes<8> f13_x_p4713_lanes = f13_x_p4709_lanes - f13_x_p4593_lanes;
-  const Lanes<8> f13_x_p4717_lanes = f13_x_p4713_lanes - f13_x_p4589_lanes;
+  const Lanes<8> f13_x_p4689_lanes = f13_x_p4677_lanes + f13_x_p3207_lanes * f13_x_p2979_lanes[7] +
+      f13_x_p3199_lanes * f13_x_p3099_lanes[7] + f13_x_p2563_lanes * f13_x_p3187_lanes[7];
+  const Lanes<8> f13_x_p4701_lanes = f13_x_p4689_lanes - f13_x_p3466_lanes * f13_x_p3457_lanes[7] -
+      f13_x_p3659_lanes * f13_x_p3651_lanes[7] - f13_x_p3850_lanes * f13_x_p3843_lanes[7];
+  const Lanes<8> f13_x_p4713_lanes = f13_x_p4701_lanes - f13_x_p4053_lanes * f13_x_p4047_lanes[7] -
+      f13_x_p4263_lanes * f13_x_p4258_lanes[7] - f13_x_p4442_lanes * f13_x_p4438_lanes[7];
+  const Lanes<8> f13_x_p4717_lanes = f13_x_p4713_lanes - f13_x_p4576_lanes * f13_x_p4588;
   const Real f13_x_p4721 = f13_x_p4588 * f13_x_p4575;
 
   // link 6 (chest3), force propagation
@@ -3566,199 +2388,67 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       f13_x_p4721 * f13_x_p4588;
   const Real f13_x_p4726 = 1.0 / f13_x_p4725;
   const Lanes<8> f13_x_p4727_lanes = f13_x_p4717_lanes * f13_x_p4726;
-  const Lanes<8> f13_x_p4731_lanes = f13_x_p4727_lanes * f13_x_p4717_lanes[0];
-  const Lanes<8> f13_x_p4735_lanes = f13_x_p4576_lanes * f13_x_p4566_lanes[0];
-  const Lanes<8> f13_x_p4739_lanes = f13_x_p4442_lanes * f13_x_p4347_lanes[0];
-  const Lanes<8> f13_x_p4743_lanes = f13_x_p4263_lanes * f13_x_p4129_lanes[0];
-  const Lanes<8> f13_x_p4747_lanes = f13_x_p4053_lanes * f13_x_p3918_lanes[0];
-  const Lanes<8> f13_x_p4751_lanes = f13_x_p3850_lanes * f13_x_p3719_lanes[0];
-  const Lanes<8> f13_x_p4755_lanes = f13_x_p3659_lanes * f13_x_p3518_lanes[0];
-  const Lanes<8> f13_x_p4759_lanes = f13_x_p3466_lanes * f13_x_p3255_lanes[0];
-  const Lanes<8> f13_x_p4763_lanes = f13_x_p2563_lanes * f13_x_p2559_lanes[0];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4767_lanes = f13_x_p3199_lanes * f13_x_p2512_lanes[0];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4771_lanes = f13_x_p3207_lanes * f13_x_p2452_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4775_lanes = f13_x_p3215_lanes * f13_x_p2395;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4779_lanes = f13_x_p3223_lanes * f13_x_p2340_lanes[0];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4783_lanes = f13_x_p3231_lanes * f13_x_p2263;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> f13_x_p4787_lanes = f13_x_p4173_lanes * f13_x_p1418_lanes[0];
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4791_lanes = f13_x_p4179_lanes * f13_x_p1380_lanes[0];
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4795_lanes = f13_x_p4185_lanes * f13_x_p1239_lanes[0];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p4799_lanes = f13_x_p4191_lanes * f13_x_p1209;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4803_lanes = f13_x_p4799_lanes + f13_x_p4795_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4807_lanes = f13_x_p4803_lanes + f13_x_p4791_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4811_lanes = f13_x_p4807_lanes + f13_x_p4787_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4815_lanes = f13_x_p4811_lanes + f13_x_p4783_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4819_lanes = f13_x_p4815_lanes + f13_x_p4779_lanes;
+  const Lanes<8> f13_x_p4811_lanes = f13_x_p4191_lanes * f13_x_p1209 + f13_x_p4185_lanes *
+      f13_x_p1239_lanes[0] + f13_x_p4179_lanes * f13_x_p1380_lanes[0] + f13_x_p4787_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4823_lanes = f13_x_p4819_lanes + f13_x_p4775_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4827_lanes = f13_x_p4823_lanes + f13_x_p4771_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4831_lanes = f13_x_p4827_lanes + f13_x_p4767_lanes;
+  const Lanes<8> f13_x_p4823_lanes = f13_x_p4811_lanes + f13_x_p3231_lanes * f13_x_p2263 +
+      f13_x_p3223_lanes * f13_x_p2340_lanes[0] + f13_x_p3215_lanes * f13_x_p2395;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4835_lanes = f13_x_p4831_lanes + f13_x_p4763_lanes;
-  const Lanes<8> f13_x_p4839_lanes = f13_x_p4835_lanes - f13_x_p4759_lanes;
-  const Lanes<8> f13_x_p4843_lanes = f13_x_p4839_lanes - f13_x_p4755_lanes;
-  const Lanes<8> f13_x_p4847_lanes = f13_x_p4843_lanes - f13_x_p4751_lanes;
-  const Lanes<8> f13_x_p4851_lanes = f13_x_p4847_lanes - f13_x_p4747_lanes;
-  const Lanes<8> f13_x_p4855_lanes = f13_x_p4851_lanes - f13_x_p4743_lanes;
-  const Lanes<8> f13_x_p4859_lanes = f13_x_p4855_lanes - f13_x_p4739_lanes;
-  const Lanes<8> f13_x_p4863_lanes = f13_x_p4859_lanes - f13_x_p4735_lanes;
-  const Lanes<8> f13_x_p4867_lanes = f13_x_p4863_lanes - f13_x_p4731_lanes;
+  const Lanes<8> f13_x_p4835_lanes = f13_x_p4823_lanes + f13_x_p3207_lanes * f13_x_p2452_lanes[0] +
+      f13_x_p3199_lanes * f13_x_p2512_lanes[0] + f13_x_p2563_lanes * f13_x_p2559_lanes[0];
+  const Lanes<8> f13_x_p4847_lanes = f13_x_p4835_lanes - f13_x_p3466_lanes * f13_x_p3255_lanes[0] -
+      f13_x_p3659_lanes * f13_x_p3518_lanes[0] - f13_x_p3850_lanes * f13_x_p3719_lanes[0];
+  const Lanes<8> f13_x_p4859_lanes = f13_x_p4847_lanes - f13_x_p4053_lanes * f13_x_p3918_lanes[0] -
+      f13_x_p4263_lanes * f13_x_p4129_lanes[0] - f13_x_p4442_lanes * f13_x_p4347_lanes[0];
+  const Lanes<8> f13_x_p4867_lanes = f13_x_p4859_lanes - f13_x_p4576_lanes * f13_x_p4566_lanes[0] -
+      f13_x_p4727_lanes * f13_x_p4717_lanes[0];
   const Real f13_x_p4871 = 1.0 / f13_x_p4867_lanes[0];
   const Lanes<8> f13_x_p4872_lanes = f13_x_p4867_lanes * f13_x_p4871;
-  const Lanes<8> f13_x_p4875_lanes = f13_x_p4872_lanes * f13_x_p4867_lanes[1];
-  const Lanes<8> f13_x_p4878_lanes = f13_x_p4727_lanes * f13_x_p4717_lanes[1];
-  const Lanes<8> f13_x_p4881_lanes = f13_x_p4576_lanes * f13_x_p4566_lanes[1];
-  const Lanes<8> f13_x_p4884_lanes = f13_x_p4442_lanes * f13_x_p4347_lanes[1];
-  const Lanes<8> f13_x_p4887_lanes = f13_x_p4263_lanes * f13_x_p4129_lanes[1];
-  const Lanes<8> f13_x_p4890_lanes = f13_x_p4053_lanes * f13_x_p3918_lanes[1];
-  const Lanes<8> f13_x_p4893_lanes = f13_x_p3850_lanes * f13_x_p3719_lanes[1];
-  const Lanes<8> f13_x_p4896_lanes = f13_x_p3659_lanes * f13_x_p3518_lanes[1];
-  const Lanes<8> f13_x_p4899_lanes = f13_x_p3466_lanes * f13_x_p3255_lanes[1];
-  const Lanes<8> f13_x_p4902_lanes = f13_x_p2563_lanes * f13_x_p2559_lanes[1];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4905_lanes = f13_x_p3199_lanes * f13_x_p2512_lanes[1];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4908_lanes = f13_x_p3207_lanes * f13_x_p2452_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4911_lanes = f13_x_p3215_lanes * f13_x_p2392;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4914_lanes = f13_x_p3223_lanes * f13_x_p2340_lanes[1];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4917_lanes = f13_x_p3231_lanes * f13_x_p2248;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4920_lanes = f13_x_p4173_lanes * f13_x_p1418_lanes[1];
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4923_lanes = f13_x_p4179_lanes * f13_x_p1380_lanes[1];
 
   // link 16 (right_upperarm), force propagation
   const Lanes<8> f13_x_p4926_lanes = f13_x_p4185_lanes * f13_x_p1239_lanes[1];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p4929_lanes = f13_x_p4191_lanes * f13_x_p1205_lanes[1];
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p4932_lanes = f13_x_p4197_lanes * f13_x_p1113;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> f13_x_p4935_lanes = f13_x_p4394_lanes * s20;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p4938_lanes = f13_x_p4935_lanes + f13_x_p4932_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p4941_lanes = f13_x_p4938_lanes + f13_x_p4929_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4944_lanes = f13_x_p4941_lanes + f13_x_p4926_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4947_lanes = f13_x_p4944_lanes + f13_x_p4923_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4950_lanes = f13_x_p4947_lanes + f13_x_p4920_lanes;
+  const Lanes<8> f13_x_p4944_lanes = f13_x_p4394_lanes * s20 + f13_x_p4197_lanes * f13_x_p1113 +
+      f13_x_p4191_lanes * f13_x_p1205_lanes[1] + f13_x_p4926_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4953_lanes = f13_x_p4950_lanes + f13_x_p4917_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4956_lanes = f13_x_p4953_lanes + f13_x_p4914_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4959_lanes = f13_x_p4956_lanes + f13_x_p4911_lanes;
+  const Lanes<8> f13_x_p4953_lanes = f13_x_p4944_lanes + f13_x_p4179_lanes * f13_x_p1380_lanes[1] +
+      f13_x_p4173_lanes * f13_x_p1418_lanes[1] + f13_x_p3231_lanes * f13_x_p2248;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4962_lanes = f13_x_p4959_lanes + f13_x_p4908_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4965_lanes = f13_x_p4962_lanes + f13_x_p4905_lanes;
+  const Lanes<8> f13_x_p4962_lanes = f13_x_p4953_lanes + f13_x_p3223_lanes * f13_x_p2340_lanes[1] +
+      f13_x_p3215_lanes * f13_x_p2392 + f13_x_p3207_lanes * f13_x_p2452_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4968_lanes = f13_x_p4965_lanes + f13_x_p4902_lanes;
-  const Lanes<8> f13_x_p4971_lanes = f13_x_p4968_lanes - f13_x_p4899_lanes;
-  const Lanes<8> f13_x_p4974_lanes = f13_x_p4971_lanes - f13_x_p4896_lanes;
-  const Lanes<8> f13_x_p4977_lanes = f13_x_p4974_lanes - f13_x_p4893_lanes;
-  const Lanes<8> f13_x_p4980_lanes = f13_x_p4977_lanes - f13_x_p4890_lanes;
-  const Lanes<8> f13_x_p4983_lanes = f13_x_p4980_lanes - f13_x_p4887_lanes;
-  const Lanes<8> f13_x_p4986_lanes = f13_x_p4983_lanes - f13_x_p4884_lanes;
-  const Lanes<8> f13_x_p4989_lanes = f13_x_p4986_lanes - f13_x_p4881_lanes;
-  const Lanes<8> f13_x_p4992_lanes = f13_x_p4989_lanes - f13_x_p4878_lanes;
-  const Lanes<8> f13_x_p4995_lanes = f13_x_p4992_lanes - f13_x_p4875_lanes;
+  const Lanes<8> f13_x_p4971_lanes = f13_x_p4962_lanes + f13_x_p3199_lanes * f13_x_p2512_lanes[1] +
+      f13_x_p2563_lanes * f13_x_p2559_lanes[1] - f13_x_p3466_lanes * f13_x_p3255_lanes[1];
+  const Lanes<8> f13_x_p4980_lanes = f13_x_p4971_lanes - f13_x_p3659_lanes * f13_x_p3518_lanes[1] -
+      f13_x_p3850_lanes * f13_x_p3719_lanes[1] - f13_x_p4053_lanes * f13_x_p3918_lanes[1];
+  const Lanes<8> f13_x_p4989_lanes = f13_x_p4980_lanes - f13_x_p4263_lanes * f13_x_p4129_lanes[1] -
+      f13_x_p4442_lanes * f13_x_p4347_lanes[1] - f13_x_p4576_lanes * f13_x_p4566_lanes[1];
+  const Lanes<8> f13_x_p4995_lanes = f13_x_p4989_lanes - f13_x_p4727_lanes * f13_x_p4717_lanes[1] -
+      f13_x_p4872_lanes * f13_x_p4867_lanes[1];
   const Real f13_x_p4998 = 1.0 / f13_x_p4995_lanes[1];
   const Real f13_x_p4999 = f13_x_p4995_lanes[3] * f13_x_p4998;
 
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> f13_x_p5000_lanes = f13_x_p4394_lanes * c20;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p5002_lanes = f13_x_p5000_lanes +
-      detail::make_lanes<Real>(f13_x_p4204_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1],
-      f13_x_p4200_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1],
-      f13_x_p4204_lanes[1]);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p5004_lanes = f13_x_p5002_lanes +
-      detail::make_lanes<Real>(f13_x_p4208_lanes[1], f13_x_p4208_lanes[1], f13_x_p4208_lanes[1],
-      f13_x_p4195_lanes[1], f13_x_p4208_lanes[1], f13_x_p4208_lanes[1], f13_x_p4208_lanes[1],
-      f13_x_p4208_lanes[1]);
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p5006_lanes = f13_x_p5004_lanes +
-      detail::make_lanes<Real>(f13_x_p4212_lanes[1], f13_x_p4212_lanes[1], f13_x_p4212_lanes[1],
-      f13_x_p4189_lanes[1], f13_x_p4212_lanes[1], f13_x_p4212_lanes[1], f13_x_p4212_lanes[1],
-      f13_x_p4212_lanes[1]);
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p5008_lanes = f13_x_p5006_lanes +
-      detail::make_lanes<Real>(f13_x_p4216_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1],
-      f13_x_p4183_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1],
-      f13_x_p4216_lanes[1]);
-
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p5010_lanes = f13_x_p5008_lanes +
-      detail::make_lanes<Real>(f13_x_p4220_lanes[1], f13_x_p4220_lanes[1], f13_x_p4220_lanes[1],
-      f13_x_p4177_lanes[1], f13_x_p4220_lanes[1], f13_x_p4220_lanes[1], f13_x_p4220_lanes[1],
-      f13_x_p4220_lanes[1]);
+  const Lanes<8> f13_x_p5010_lanes = f13_x_p4394_lanes * c20 +
+      detail::make_pack<Real>(f13_x_p4204_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1],
+      f13_x_p4200_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1],
+      f13_x_p4204_lanes[1]) + detail::make_pack<Real>(f13_x_p4208_lanes[1], f13_x_p4208_lanes[1],
+      f13_x_p4208_lanes[1], f13_x_p4195_lanes[1], f13_x_p4208_lanes[1], f13_x_p4208_lanes[1],
+      f13_x_p4208_lanes[1], f13_x_p4208_lanes[1]) + detail::make_pack<Real>(f13_x_p4212_lanes[1],
+      f13_x_p4212_lanes[1], f13_x_p4212_lanes[1], f13_x_p4189_lanes[1], f13_x_p4212_lanes[1],
+      f13_x_p4212_lanes[1], f13_x_p4212_lanes[1], f13_x_p4212_lanes[1]) +
+      detail::make_pack<Real>(f13_x_p4216_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1],
+      f13_x_p4183_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1],
+      f13_x_p4216_lanes[1]) + detail::make_pack<Real>(f13_x_p4220_lanes[1], f13_x_p4220_lanes[1],
+      f13_x_p4220_lanes[1], f13_x_p4177_lanes[1], f13_x_p4220_lanes[1], f13_x_p4220_lanes[1],
+      f13_x_p4220_lanes[1], f13_x_p4220_lanes[1]);
 
   // link 3 (hip), force propagation
   const Real f13_x_p5012 = f13_x_p5010_lanes[3] + f13_x_p3231_lanes[3] * f13_x_p2233 +
@@ -3796,79 +2486,45 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f13_x_p5022 = f13_x_p5015 * f13_x_p5021;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5023_lanes = c1 * detail::make_lanes<Real>(xdd_cmd[0], xdd_cmd[6]);
-  const Lanes<2> f13_x_p5025_lanes = 9.81 + detail::make_lanes<Real>(xdd_cmd[2], xdd_cmd[8]);
-  const Lanes<2> f13_x_p5027_lanes = s1 * f13_x_p5025_lanes;
-  const Lanes<2> f13_x_p5029_lanes = f13_x_p5023_lanes - f13_x_p5027_lanes;
-  const Lanes<2> f13_x_p5031_lanes = c2 * f13_x_p5029_lanes;
-  const Lanes<2> f13_x_p5033_lanes = s1 * detail::make_lanes<Real>(xdd_cmd[0], xdd_cmd[6]);
-  const Lanes<2> f13_x_p5035_lanes = c1 * f13_x_p5025_lanes;
-  const Lanes<2> f13_x_p5037_lanes = f13_x_p5033_lanes + f13_x_p5035_lanes;
-  const Lanes<2> f13_x_p5039_lanes = s2 * f13_x_p5037_lanes;
-  const Lanes<2> f13_x_p5041_lanes = f13_x_p5031_lanes - f13_x_p5039_lanes;
-  const Lanes<2> f13_x_p5043_lanes = c3 * f13_x_p5041_lanes;
-  const Lanes<2> f13_x_p5045_lanes = s2 * f13_x_p5029_lanes;
-  const Lanes<2> f13_x_p5047_lanes = c2 * f13_x_p5037_lanes;
-  const Lanes<2> f13_x_p5049_lanes = f13_x_p5045_lanes + f13_x_p5047_lanes;
-  const Lanes<2> f13_x_p5051_lanes = s3 * f13_x_p5049_lanes;
-  const Lanes<2> f13_x_p5053_lanes = f13_x_p5043_lanes - f13_x_p5051_lanes;
-  const Lanes<2> f13_x_p5055_lanes = c4 * f13_x_p5053_lanes;
-  const Lanes<2> f13_x_p5057_lanes = s4 * detail::make_lanes<Real>(xdd_cmd[1], xdd_cmd[7]);
-  const Lanes<2> f13_x_p5059_lanes = f13_x_p5055_lanes + f13_x_p5057_lanes;
-  const Lanes<2> f13_x_p5061_lanes = s5 * f13_x_p5059_lanes;
-  const Lanes<2> f13_x_p5063_lanes = s3 * f13_x_p5041_lanes;
-  const Lanes<2> f13_x_p5065_lanes = c3 * f13_x_p5049_lanes;
-  const Lanes<2> f13_x_p5067_lanes = f13_x_p5063_lanes + f13_x_p5065_lanes;
-  const Lanes<2> f13_x_p5069_lanes = c5 * f13_x_p5067_lanes;
-  const Lanes<2> f13_x_p5071_lanes = f13_x_p5061_lanes + f13_x_p5069_lanes;
-  const Lanes<2> f13_x_p5073_lanes = c6 * f13_x_p5071_lanes;
-  const Lanes<2> f13_x_p5075_lanes = s4 * f13_x_p5053_lanes;
-  const Lanes<2> f13_x_p5077_lanes = c4 * detail::make_lanes<Real>(xdd_cmd[1], xdd_cmd[7]);
-  const Lanes<2> f13_x_p5079_lanes = f13_x_p5077_lanes - f13_x_p5075_lanes;
-  const Lanes<2> f13_x_p5081_lanes = s6 * f13_x_p5079_lanes;
-  const Lanes<2> f13_x_p5083_lanes = f13_x_p5081_lanes - f13_x_p5073_lanes;
-  const Lanes<2> f13_x_p5085_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p5083_lanes;
-  const Lanes<2> f13_x_p5087_lanes = c5 * f13_x_p5059_lanes;
-  const Lanes<2> f13_x_p5089_lanes = s5 * f13_x_p5067_lanes;
-  const Lanes<2> f13_x_p5091_lanes = f13_x_p5087_lanes - f13_x_p5089_lanes;
-  const Lanes<2> f13_x_p5093_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p5091_lanes;
-  const Lanes<2> f13_x_p5095_lanes = f13_x_p5085_lanes - f13_x_p5093_lanes;
-  const Lanes<2> f13_x_p5097_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p5095_lanes;
-  const Lanes<2> f13_x_p5099_lanes = s6 * f13_x_p5071_lanes;
-  const Lanes<2> f13_x_p5101_lanes = c6 * f13_x_p5079_lanes;
-  const Lanes<2> f13_x_p5103_lanes = f13_x_p5099_lanes + f13_x_p5101_lanes;
-  const Lanes<2> f13_x_p5105_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p5103_lanes;
-  const Lanes<2> f13_x_p5107_lanes = f13_x_p5105_lanes - f13_x_p5097_lanes;
-  const Lanes<2> f13_x_p5109_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p5107_lanes;
-  const Lanes<2> f13_x_p5111_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p5083_lanes;
-  const Lanes<2> f13_x_p5113_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p5091_lanes;
-  const Lanes<2> f13_x_p5115_lanes = f13_x_p5111_lanes + f13_x_p5113_lanes;
-  const Lanes<2> f13_x_p5117_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p5115_lanes;
-  const Lanes<2> f13_x_p5119_lanes = f13_x_p5109_lanes + f13_x_p5117_lanes;
-  const Lanes<2> f13_x_p5121_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p5119_lanes;
-  const Lanes<2> f13_x_p5123_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p5095_lanes;
-  const Lanes<2> f13_x_p5125_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p5103_lanes;
-  const Lanes<2> f13_x_p5127_lanes = f13_x_p5123_lanes + f13_x_p5125_lanes;
-  const Lanes<2> f13_x_p5129_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p5127_lanes;
-  const Lanes<2> f13_x_p5131_lanes = f13_x_p5121_lanes + f13_x_p5129_lanes;
-  const Lanes<2> f13_x_p5133_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p5131_lanes;
-  const Lanes<2> f13_x_p5135_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p5107_lanes;
-  const Lanes<2> f13_x_p5137_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p5115_lanes;
-  const Lanes<2> f13_x_p5139_lanes = f13_x_p5135_lanes - f13_x_p5137_lanes;
-  const Lanes<2> f13_x_p5141_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p5139_lanes;
-  const Lanes<2> f13_x_p5143_lanes = f13_x_p5133_lanes + f13_x_p5141_lanes;
-  const Lanes<2> f13_x_p5145_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p5143_lanes;
-  const Lanes<2> f13_x_p5147_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p5119_lanes;
-  const Lanes<2> f13_x_p5149_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p5127_lanes;
-  const Lanes<2> f13_x_p5151_lanes = f13_x_p5149_lanes - f13_x_p5147_lanes;
-  const Lanes<2> f13_x_p5153_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p5151_lanes;
-  const Lanes<2> f13_x_p5155_lanes = f13_x_p5153_lanes - f13_x_p5145_lanes;
-  const Lanes<2> f13_x_p5157_lanes = detail::make_lanes<Real>(c13, c20) * f13_x_p5155_lanes;
-  const Lanes<2> f13_x_p5159_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p5139_lanes;
-  const Lanes<2> f13_x_p5161_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p5131_lanes;
-  const Lanes<2> f13_x_p5163_lanes = f13_x_p5159_lanes - f13_x_p5161_lanes;
-  const Lanes<2> f13_x_p5165_lanes = detail::make_lanes<Real>(s13, s20) * f13_x_p5163_lanes;
-  const Lanes<2> f13_x_p5167_lanes = f13_x_p5157_lanes + f13_x_p5165_lanes;
+  const Lanes<2> f13_x_p5025_lanes = 9.81 + detail::make_pack<Real>(xdd_cmd[2], xdd_cmd[8]);
+  const Lanes<2> f13_x_p5029_lanes = c1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) - s1 *
+      f13_x_p5025_lanes;
+  const Lanes<2> f13_x_p5037_lanes = s1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) + c1 *
+      f13_x_p5025_lanes;
+  const Lanes<2> f13_x_p5041_lanes = c2 * f13_x_p5029_lanes - s2 * f13_x_p5037_lanes;
+  const Lanes<2> f13_x_p5049_lanes = s2 * f13_x_p5029_lanes + c2 * f13_x_p5037_lanes;
+  const Lanes<2> f13_x_p5053_lanes = c3 * f13_x_p5041_lanes - s3 * f13_x_p5049_lanes;
+  const Lanes<2> f13_x_p5059_lanes = c4 * f13_x_p5053_lanes + s4 *
+      detail::make_pack<Real>(xdd_cmd[1], xdd_cmd[7]);
+  const Lanes<2> f13_x_p5067_lanes = s3 * f13_x_p5041_lanes + c3 * f13_x_p5049_lanes;
+  const Lanes<2> f13_x_p5071_lanes = s5 * f13_x_p5059_lanes + c5 * f13_x_p5067_lanes;
+  const Lanes<2> f13_x_p5079_lanes = c4 * detail::make_pack<Real>(xdd_cmd[1], xdd_cmd[7]) - s4 *
+      f13_x_p5053_lanes;
+  const Lanes<2> f13_x_p5083_lanes = s6 * f13_x_p5079_lanes - c6 * f13_x_p5071_lanes;
+  const Lanes<2> f13_x_p5091_lanes = c5 * f13_x_p5059_lanes - s5 * f13_x_p5067_lanes;
+  const Lanes<2> f13_x_p5095_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p5083_lanes -
+      detail::make_pack<Real>(s7, s14) * f13_x_p5091_lanes;
+  const Lanes<2> f13_x_p5103_lanes = s6 * f13_x_p5071_lanes + c6 * f13_x_p5079_lanes;
+  const Lanes<2> f13_x_p5107_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5103_lanes -
+      detail::make_pack<Real>(s8, s15) * f13_x_p5095_lanes;
+  const Lanes<2> f13_x_p5115_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p5083_lanes +
+      detail::make_pack<Real>(c7, c14) * f13_x_p5091_lanes;
+  const Lanes<2> f13_x_p5119_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p5107_lanes +
+      detail::make_pack<Real>(c9, c16) * f13_x_p5115_lanes;
+  const Lanes<2> f13_x_p5127_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5095_lanes +
+      detail::make_pack<Real>(s8, s15) * f13_x_p5103_lanes;
+  const Lanes<2> f13_x_p5131_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5119_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p5127_lanes;
+  const Lanes<2> f13_x_p5139_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p5107_lanes -
+      detail::make_pack<Real>(s9, s16) * f13_x_p5115_lanes;
+  const Lanes<2> f13_x_p5143_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5131_lanes +
+      detail::make_pack<Real>(s11, s18) * f13_x_p5139_lanes;
+  const Lanes<2> f13_x_p5151_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5127_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p5119_lanes;
+  const Lanes<2> f13_x_p5155_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5151_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p5143_lanes;
+  const Lanes<2> f13_x_p5163_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5139_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p5131_lanes;
 
   // link 1 (calf), outward
   const Real minus_a1_y = 9.81 * c1;
@@ -3966,9 +2622,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real a7_x_p5 = a7_x_p4 - wd6_z;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_p6_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * a7_x_p5;
-  const Lanes<2> a7_x_p7_lanes = a7_x_p3 + a7_x_p6_lanes;
-  const Lanes<2> a7_x_p8_lanes = detail::make_lanes<Real>(s7, s14) * a7_x_p7_lanes;
+  const Lanes<2> a7_x_p7_lanes = a7_x_p3 + detail::make_pack<Real>(0.18, (-0.18)) * a7_x_p5;
 
   // link 5 (chest2), outward
   const Real a5_x = c5 * a5_y_p5 + s5 * a5_y_p3;
@@ -4001,21 +2655,11 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real a7_x_p12 = a7_x_p11 + wd6_x;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_p13_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * a7_x_p12;
-  const Lanes<2> a7_x_p14_lanes = a7_x_p10 + a7_x_p13_lanes;
-  const Lanes<2> a7_x_p15_lanes = detail::make_lanes<Real>(c7, c14) * a7_x_p14_lanes;
-  const Lanes<2> a7_x_lanes = a7_x_p8_lanes + a7_x_p15_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> a9_x_p1_lanes = detail::make_lanes<Real>(c9, c16) * a7_x_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * a7_x_p7_lanes;
-  const Lanes<2> a7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * a7_x_p14_lanes;
-  const Lanes<2> a7_y_lanes = a7_y_p1_lanes - a7_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * a7_y_lanes;
+  const Lanes<2> a7_x_p14_lanes = a7_x_p10 + detail::make_pack<Real>(0.18, (-0.18)) * a7_x_p12;
+  const Lanes<2> a7_x_lanes = detail::make_pack<Real>(s7, s14) * a7_x_p7_lanes +
+      detail::make_pack<Real>(c7, c14) * a7_x_p14_lanes;
+  const Lanes<2> a7_y_lanes = detail::make_pack<Real>(c7, c14) * a7_x_p7_lanes -
+      detail::make_pack<Real>(s7, s14) * a7_x_p14_lanes;
 
   // link 6 (chest3), outward
   const Real minus_a6_y = s6 * a6_x_p4 + c6 * a6_x_p6;
@@ -4029,443 +2673,293 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 7 (left_shoulder1), outward
   const Real minus_a7_z_p4 = minus_a7_z_p3 + a7_x_p1;
-  const Lanes<2> minus_a7_z_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * minus_a7_z_p4;
-  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p2 + minus_a7_z_p5_lanes;
+  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p2 + detail::make_pack<Real>(0.18, (-0.18)) *
+      minus_a7_z_p4;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * minus_a7_z_lanes;
-  const Lanes<2> minus_a8_y_lanes = minus_a8_y_p1_lanes + minus_a8_y_p2_lanes;
+  const Lanes<2> minus_a8_y_lanes = detail::make_pack<Real>(s8, s15) * a7_y_lanes +
+      detail::make_pack<Real>(c8, c15) * minus_a7_z_lanes;
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> a9_x_p2_lanes = detail::make_lanes<Real>(s9, s16) * minus_a8_y_lanes;
-  const Lanes<2> a9_x_lanes = a9_x_p1_lanes - a9_x_p2_lanes;
+  const Lanes<2> a9_x_lanes = detail::make_pack<Real>(c9, c16) * a7_x_lanes -
+      detail::make_pack<Real>(s9, s16) * minus_a8_y_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * wd6_x;
-  const Lanes<2> wd7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * wd6_z;
-  const Lanes<2> wd7_y_p3_lanes = wd7_y_p1_lanes - wd7_y_p2_lanes;
-  const Lanes<2> w7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * w6_x;
-  const Lanes<2> w7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * w6_z;
-  const Lanes<2> w7_x_lanes = w7_x_p1_lanes + w7_x_p2_lanes;
-  const Lanes<2> wd7_y_p4_lanes = w7_x_lanes * detail::make_lanes<Real>(qd[6], qd[13]);
-  const Lanes<2> wd7_y_lanes = wd7_y_p3_lanes - wd7_y_p4_lanes;
+  const Lanes<2> w7_x_lanes = detail::make_pack<Real>(s7, s14) * w6_x +
+      detail::make_pack<Real>(c7, c14) * w6_z;
+  const Lanes<2> wd7_y_lanes = detail::make_pack<Real>(c7, c14) * wd6_x -
+      detail::make_pack<Real>(s7, s14) * wd6_z - w7_x_lanes *
+      detail::make_pack<Real>(qd[6], qd[13]);
+  const Lanes<2> wd7_z_lanes = wd6_y + detail::make_pack<Real>(qdd_0[6], qdd_0[13]);
+  const Lanes<2> w7_y_lanes = detail::make_pack<Real>(c7, c14) * w6_x -
+      detail::make_pack<Real>(s7, s14) * w6_z;
+  const Lanes<2> w7_z_lanes = w6_y + detail::make_pack<Real>(qd[6], qd[13]);
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * wd7_y_lanes;
+  const Lanes<2> w8_x_lanes = detail::make_pack<Real>(c8, c15) * w7_y_lanes +
+      detail::make_pack<Real>(s8, s15) * w7_z_lanes;
+  const Lanes<2> wd8_y_lanes = detail::make_pack<Real>(c8, c15) * wd7_z_lanes -
+      detail::make_pack<Real>(s8, s15) * wd7_y_lanes - w8_x_lanes *
+      detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_z_lanes = wd6_y + detail::make_lanes<Real>(qdd_0[6], qdd_0[13]);
+  const Lanes<2> wd7_x_lanes = detail::make_pack<Real>(s7, s14) * wd6_x +
+      detail::make_pack<Real>(c7, c14) * wd6_z + w7_y_lanes *
+      detail::make_pack<Real>(qd[6], qd[13]);
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * wd7_z_lanes;
-  const Lanes<2> wd8_y_p3_lanes = wd8_y_p2_lanes - wd8_y_p1_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * w6_x;
-  const Lanes<2> w7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * w6_z;
-  const Lanes<2> w7_y_lanes = w7_y_p1_lanes - w7_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * w7_y_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_z_lanes = w6_y + detail::make_lanes<Real>(qd[6], qd[13]);
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * w7_z_lanes;
-  const Lanes<2> w8_x_lanes = w8_x_p1_lanes + w8_x_p2_lanes;
-  const Lanes<2> wd8_y_p4_lanes = w8_x_lanes * detail::make_lanes<Real>(qd[7], qd[14]);
-  const Lanes<2> wd8_y_lanes = wd8_y_p3_lanes - wd8_y_p4_lanes;
+  const Lanes<2> wd8_z_lanes = wd7_x_lanes + detail::make_pack<Real>(qdd_0[7], qdd_0[14]);
+  const Lanes<2> w8_y_lanes = detail::make_pack<Real>(c8, c15) * w7_z_lanes -
+      detail::make_pack<Real>(s8, s15) * w7_y_lanes;
+  const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> wd9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * wd8_y_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * wd6_x;
-  const Lanes<2> wd7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * wd6_z;
-  const Lanes<2> wd7_x_p3_lanes = wd7_x_p1_lanes + wd7_x_p2_lanes;
-  const Lanes<2> wd7_x_p4_lanes = w7_y_lanes * detail::make_lanes<Real>(qd[6], qd[13]);
-  const Lanes<2> wd7_x_lanes = wd7_x_p3_lanes + wd7_x_p4_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_z_lanes = wd7_x_lanes + detail::make_lanes<Real>(qdd_0[7], qdd_0[14]);
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> wd9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * wd8_z_lanes;
-  const Lanes<2> wd9_y_p3_lanes = wd9_y_p1_lanes - wd9_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * w7_y_lanes;
-  const Lanes<2> w8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * w7_z_lanes;
-  const Lanes<2> w8_y_lanes = w8_y_p2_lanes - w8_y_p1_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> w9_x_p1_lanes = detail::make_lanes<Real>(s9, s16) * w8_y_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_lanes<Real>(qd[7], qd[14]);
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> w9_x_p2_lanes = detail::make_lanes<Real>(c9, c16) * w8_z_lanes;
-  const Lanes<2> w9_x_lanes = w9_x_p1_lanes + w9_x_p2_lanes;
-  const Lanes<2> wd9_y_p4_lanes = w9_x_lanes * detail::make_lanes<Real>(qd[8], qd[15]);
-  const Lanes<2> wd9_y_lanes = wd9_y_p3_lanes - wd9_y_p4_lanes;
-  const Lanes<2> w9_z_lanes = detail::make_lanes<Real>(qd[8], qd[15]) - w8_x_lanes;
+  const Lanes<2> w9_x_lanes = detail::make_pack<Real>(s9, s16) * w8_y_lanes +
+      detail::make_pack<Real>(c9, c16) * w8_z_lanes;
+  const Lanes<2> wd9_y_lanes = detail::make_pack<Real>(c9, c16) * wd8_y_lanes -
+      detail::make_pack<Real>(s9, s16) * wd8_z_lanes - w9_x_lanes *
+      detail::make_pack<Real>(qd[8], qd[15]);
+  const Lanes<2> w9_z_lanes = detail::make_pack<Real>(qd[8], qd[15]) - w8_x_lanes;
   const Lanes<2> a10_x_p1_lanes = w9_x_lanes * w9_z_lanes;
   const Lanes<2> a10_x_p2_lanes = a10_x_p1_lanes + wd9_y_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p3_lanes = 0.282 * a10_x_p2_lanes;
-  const Lanes<2> a10_x_p4_lanes = a9_x_lanes - a10_x_p3_lanes;
-  const Lanes<2> a10_x_p5_lanes = detail::make_lanes<Real>(c10, c17) * a10_x_p4_lanes;
+  const Lanes<2> a10_x_p4_lanes = a9_x_lanes - 0.282 * a10_x_p2_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> a10_x_p6_lanes = w9_x_lanes * w9_x_lanes;
-  const Lanes<2> w9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * w8_y_lanes;
-  const Lanes<2> w9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * w8_z_lanes;
-  const Lanes<2> w9_y_lanes = w9_y_p1_lanes - w9_y_p2_lanes;
+  const Lanes<2> w9_y_lanes = detail::make_pack<Real>(c9, c16) * w8_y_lanes -
+      detail::make_pack<Real>(s9, s16) * w8_z_lanes;
   const Lanes<2> a10_x_p7_lanes = w9_y_lanes * w9_y_lanes;
 
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p8_lanes = a10_x_p6_lanes + a10_x_p7_lanes;
-  const Lanes<2> a10_x_p9_lanes = 0.282 * a10_x_p8_lanes;
-
   // link 8 (left_shoulder2), outward
-  const Lanes<2> a8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * a7_y_lanes;
-  const Lanes<2> a8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * minus_a7_z_lanes;
-  const Lanes<2> a8_x_lanes = a8_x_p1_lanes - a8_x_p2_lanes;
+  const Lanes<2> a8_x_lanes = detail::make_pack<Real>(c8, c15) * a7_y_lanes -
+      detail::make_pack<Real>(s8, s15) * minus_a7_z_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p10_lanes = a10_x_p9_lanes - a8_x_lanes;
-  const Lanes<2> a10_x_p11_lanes = detail::make_lanes<Real>(s10, s17) * a10_x_p10_lanes;
-  const Lanes<2> a10_x_lanes = a10_x_p5_lanes - a10_x_p11_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> a11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * a10_x_lanes;
+  const Lanes<2> a10_x_p10_lanes = 0.282 * (a10_x_p6_lanes + a10_x_p7_lanes) - a8_x_lanes;
+  const Lanes<2> a10_x_lanes = detail::make_pack<Real>(c10, c17) * a10_x_p4_lanes -
+      detail::make_pack<Real>(s10, s17) * a10_x_p10_lanes;
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> minus_a9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * minus_a8_y_lanes;
-  const Lanes<2> minus_a9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * a7_x_lanes;
-  const Lanes<2> minus_a9_y_lanes = minus_a9_y_p1_lanes + minus_a9_y_p2_lanes;
-  const Lanes<2> wd9_x_p1_lanes = detail::make_lanes<Real>(s9, s16) * wd8_y_lanes;
-  const Lanes<2> wd9_x_p2_lanes = detail::make_lanes<Real>(c9, c16) * wd8_z_lanes;
-  const Lanes<2> wd9_x_p3_lanes = wd9_x_p1_lanes + wd9_x_p2_lanes;
-  const Lanes<2> wd9_x_p4_lanes = w9_y_lanes * detail::make_lanes<Real>(qd[8], qd[15]);
-  const Lanes<2> wd9_x_lanes = wd9_x_p3_lanes + wd9_x_p4_lanes;
+  const Lanes<2> minus_a9_y_lanes = detail::make_pack<Real>(c9, c16) * minus_a8_y_lanes +
+      detail::make_pack<Real>(s9, s16) * a7_x_lanes;
+  const Lanes<2> wd9_x_lanes = detail::make_pack<Real>(s9, s16) * wd8_y_lanes +
+      detail::make_pack<Real>(c9, c16) * wd8_z_lanes + w9_y_lanes *
+      detail::make_pack<Real>(qd[8], qd[15]);
   const Lanes<2> minus_a10_z_p1_lanes = w9_y_lanes * w9_z_lanes;
   const Lanes<2> minus_a10_z_p2_lanes = minus_a10_z_p1_lanes - wd9_x_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_a10_z_p3_lanes = 0.282 * minus_a10_z_p2_lanes;
-  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + minus_a10_z_p3_lanes;
+  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + 0.282 * minus_a10_z_p2_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> a11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * minus_a10_z_lanes;
-  const Lanes<2> a11_x_lanes = a11_x_p1_lanes - a11_x_p2_lanes;
+  const Lanes<2> a11_x_lanes = detail::make_pack<Real>(c11, c18) * a10_x_lanes -
+      detail::make_pack<Real>(s11, s18) * minus_a10_z_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_z_lanes = wd9_y_lanes + detail::make_lanes<Real>(qdd_0[9], qdd_0[16]);
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> wd11_y_p1_lanes = detail::make_lanes<Real>(c11, c18) * wd10_z_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * wd9_x_lanes;
+  const Lanes<2> wd10_z_lanes = wd9_y_lanes + detail::make_pack<Real>(qdd_0[9], qdd_0[16]);
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * wd7_y_lanes;
-  const Lanes<2> wd8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * wd7_z_lanes;
-  const Lanes<2> wd8_x_p3_lanes = wd8_x_p1_lanes + wd8_x_p2_lanes;
-  const Lanes<2> wd8_x_p4_lanes = w8_y_lanes * detail::make_lanes<Real>(qd[7], qd[14]);
-  const Lanes<2> wd8_x_lanes = wd8_x_p3_lanes + wd8_x_p4_lanes;
+  const Lanes<2> wd8_x_lanes = detail::make_pack<Real>(c8, c15) * wd7_y_lanes +
+      detail::make_pack<Real>(s8, s15) * wd7_z_lanes + w8_y_lanes *
+      detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> wd9_z_lanes = detail::make_lanes<Real>(qdd_0[8], qdd_0[15]) - wd8_x_lanes;
+  const Lanes<2> wd9_z_lanes = detail::make_pack<Real>(qdd_0[8], qdd_0[15]) - wd8_x_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * wd9_z_lanes;
-  const Lanes<2> wd10_x_p3_lanes = wd10_x_p1_lanes - wd10_x_p2_lanes;
-  const Lanes<2> minus_w10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * w9_x_lanes;
-  const Lanes<2> minus_w10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * w9_z_lanes;
-  const Lanes<2> minus_w10_y_lanes = minus_w10_y_p1_lanes + minus_w10_y_p2_lanes;
-  const Lanes<2> wd10_x_p4_lanes = minus_w10_y_lanes * detail::make_lanes<Real>(qd[9], qd[16]);
-  const Lanes<2> wd10_x_lanes = wd10_x_p3_lanes - wd10_x_p4_lanes;
+  const Lanes<2> minus_w10_y_lanes = detail::make_pack<Real>(s10, s17) * w9_x_lanes +
+      detail::make_pack<Real>(c10, c17) * w9_z_lanes;
+  const Lanes<2> wd10_x_lanes = detail::make_pack<Real>(c10, c17) * wd9_x_lanes -
+      detail::make_pack<Real>(s10, s17) * wd9_z_lanes - minus_w10_y_lanes *
+      detail::make_pack<Real>(qd[9], qd[16]);
+  const Lanes<2> w10_x_lanes = detail::make_pack<Real>(c10, c17) * w9_x_lanes -
+      detail::make_pack<Real>(s10, s17) * w9_z_lanes;
+  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_pack<Real>(qd[9], qd[16]);
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> wd11_y_p2_lanes = detail::make_lanes<Real>(s11, s18) * wd10_x_lanes;
-  const Lanes<2> wd11_y_p3_lanes = wd11_y_p1_lanes - wd11_y_p2_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> w10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * w9_x_lanes;
-  const Lanes<2> w10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * w9_z_lanes;
-  const Lanes<2> w10_x_lanes = w10_x_p1_lanes - w10_x_p2_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> w11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * w10_x_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_lanes<Real>(qd[9], qd[16]);
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> w11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * w10_z_lanes;
-  const Lanes<2> w11_x_lanes = w11_x_p1_lanes + w11_x_p2_lanes;
-  const Lanes<2> wd11_y_p4_lanes = w11_x_lanes * detail::make_lanes<Real>(qd[10], qd[17]);
-  const Lanes<2> wd11_y_lanes = wd11_y_p3_lanes - wd11_y_p4_lanes;
-  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_lanes<Real>(qd[10], qd[17]);
+  const Lanes<2> w11_x_lanes = detail::make_pack<Real>(c11, c18) * w10_x_lanes +
+      detail::make_pack<Real>(s11, s18) * w10_z_lanes;
+  const Lanes<2> wd11_y_lanes = detail::make_pack<Real>(c11, c18) * wd10_z_lanes -
+      detail::make_pack<Real>(s11, s18) * wd10_x_lanes - w11_x_lanes *
+      detail::make_pack<Real>(qd[10], qd[17]);
+  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_pack<Real>(qd[10], qd[17]);
   const Lanes<2> minus_a12_y_p1_lanes = w11_x_lanes * w11_z_lanes;
   const Lanes<2> minus_a12_y_p2_lanes = minus_a12_y_p1_lanes + wd11_y_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_p3_lanes = 0.269 * minus_a12_y_p2_lanes;
-  const Lanes<2> minus_a12_y_p4_lanes = a11_x_lanes - minus_a12_y_p3_lanes;
-  const Lanes<2> minus_a12_y_p5_lanes = detail::make_lanes<Real>(s12, s19) * minus_a12_y_p4_lanes;
+  const Lanes<2> minus_a12_y_p4_lanes = a11_x_lanes - 0.269 * minus_a12_y_p2_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_a10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * a10_x_p4_lanes;
-  const Lanes<2> minus_a10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * a10_x_p10_lanes;
-  const Lanes<2> minus_a10_y_lanes = minus_a10_y_p1_lanes + minus_a10_y_p2_lanes;
+  const Lanes<2> minus_a10_y_lanes = detail::make_pack<Real>(s10, s17) * a10_x_p4_lanes +
+      detail::make_pack<Real>(c10, c17) * a10_x_p10_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> minus_a12_y_p6_lanes = w11_x_lanes * w11_x_lanes;
-  const Lanes<2> w11_y_p1_lanes = detail::make_lanes<Real>(c11, c18) * w10_z_lanes;
-  const Lanes<2> w11_y_p2_lanes = detail::make_lanes<Real>(s11, s18) * w10_x_lanes;
-  const Lanes<2> w11_y_lanes = w11_y_p1_lanes - w11_y_p2_lanes;
+  const Lanes<2> w11_y_lanes = detail::make_pack<Real>(c11, c18) * w10_z_lanes -
+      detail::make_pack<Real>(s11, s18) * w10_x_lanes;
   const Lanes<2> minus_a12_y_p7_lanes = w11_y_lanes * w11_y_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_p8_lanes = minus_a12_y_p6_lanes + minus_a12_y_p7_lanes;
-  const Lanes<2> minus_a12_y_p9_lanes = 0.269 * minus_a12_y_p8_lanes;
-  const Lanes<2> minus_a12_y_p10_lanes = minus_a10_y_lanes + minus_a12_y_p9_lanes;
-  const Lanes<2> minus_a12_y_p11_lanes = detail::make_lanes<Real>(c12, c19) * minus_a12_y_p10_lanes;
-  const Lanes<2> minus_a12_y_lanes = minus_a12_y_p5_lanes + minus_a12_y_p11_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> minus_a13_x_p1_lanes = detail::make_lanes<Real>(c13, c20) * minus_a12_y_lanes;
+  const Lanes<2> minus_a12_y_p10_lanes = minus_a10_y_lanes + 0.269 *
+      (minus_a12_y_p6_lanes + minus_a12_y_p7_lanes);
+  const Lanes<2> minus_a12_y_lanes = detail::make_pack<Real>(s12, s19) * minus_a12_y_p4_lanes +
+      detail::make_pack<Real>(c12, c19) * minus_a12_y_p10_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a11_y_p1_lanes = detail::make_lanes<Real>(s11, s18) * a10_x_lanes;
-  const Lanes<2> minus_a11_y_p2_lanes = detail::make_lanes<Real>(c11, c18) * minus_a10_z_lanes;
-  const Lanes<2> minus_a11_y_lanes = minus_a11_y_p1_lanes + minus_a11_y_p2_lanes;
-  const Lanes<2> wd11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * wd10_x_lanes;
-  const Lanes<2> wd11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * wd10_z_lanes;
-  const Lanes<2> wd11_x_p3_lanes = wd11_x_p1_lanes + wd11_x_p2_lanes;
-  const Lanes<2> wd11_x_p4_lanes = w11_y_lanes * detail::make_lanes<Real>(qd[10], qd[17]);
-  const Lanes<2> wd11_x_lanes = wd11_x_p3_lanes + wd11_x_p4_lanes;
+  const Lanes<2> minus_a11_y_lanes = detail::make_pack<Real>(s11, s18) * a10_x_lanes +
+      detail::make_pack<Real>(c11, c18) * minus_a10_z_lanes;
+  const Lanes<2> wd11_x_lanes = detail::make_pack<Real>(c11, c18) * wd10_x_lanes +
+      detail::make_pack<Real>(s11, s18) * wd10_z_lanes + w11_y_lanes *
+      detail::make_pack<Real>(qd[10], qd[17]);
   const Lanes<2> minus_a12_z_p1_lanes = w11_y_lanes * w11_z_lanes;
   const Lanes<2> minus_a12_z_p2_lanes = minus_a12_z_p1_lanes - wd11_x_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_z_p3_lanes = 0.269 * minus_a12_z_p2_lanes;
-  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + minus_a12_z_p3_lanes;
+  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + 0.269 * minus_a12_z_p2_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> minus_a13_x_p2_lanes = detail::make_lanes<Real>(s13, s20) * minus_a12_z_lanes;
-  const Lanes<2> minus_a13_x_lanes = minus_a13_x_p1_lanes + minus_a13_x_p2_lanes;
+  const Lanes<2> minus_a13_x_lanes = detail::make_pack<Real>(c13, c20) * minus_a12_y_lanes +
+      detail::make_pack<Real>(s13, s20) * minus_a12_z_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_w12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * w11_x_lanes;
-  const Lanes<2> minus_w12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * w11_z_lanes;
-  const Lanes<2> minus_w12_y_lanes = minus_w12_y_p1_lanes + minus_w12_y_p2_lanes;
+  const Lanes<2> minus_w12_y_lanes = detail::make_pack<Real>(s12, s19) * w11_x_lanes +
+      detail::make_pack<Real>(c12, c19) * w11_z_lanes;
+  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_pack<Real>(qd[11], qd[18]);
 
   // link 13 (left_hand), outward
-  const Lanes<2> w13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_w12_y_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_lanes<Real>(qd[11], qd[18]);
-
-  // link 13 (left_hand), outward
-  const Lanes<2> w13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * w12_z_lanes;
-  const Lanes<2> w13_y_lanes = w13_y_p1_lanes + w13_y_p2_lanes;
+  const Lanes<2> w13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_w12_y_lanes +
+      detail::make_pack<Real>(c13, c20) * w12_z_lanes;
   const Lanes<2> f13_x_p5169_lanes = w13_y_lanes * w13_y_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> w12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * w11_x_lanes;
-  const Lanes<2> w12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * w11_z_lanes;
-  const Lanes<2> w12_x_lanes = w12_x_p1_lanes - w12_x_p2_lanes;
+  const Lanes<2> w12_x_lanes = detail::make_pack<Real>(c12, c19) * w11_x_lanes -
+      detail::make_pack<Real>(s12, s19) * w11_z_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_lanes<Real>(qd[12], qd[19]);
+  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_pack<Real>(qd[12], qd[19]);
   const Lanes<2> f13_x_p5171_lanes = w13_z_lanes * w13_z_lanes;
 
   // link 24 (right_eye), outward
   const Lanes<2> f13_x_p5173_lanes = f13_x_p5169_lanes + f13_x_p5171_lanes;
-  const Lanes<2> f13_x_p5175_lanes = 0.086 * f13_x_p5173_lanes;
-  const Lanes<2> f13_x_p5177_lanes = minus_a13_x_lanes + f13_x_p5175_lanes;
-  const Lanes<2> f13_x_p5179_lanes = f13_x_p5167_lanes + f13_x_p5177_lanes;
-  const Lanes<2> f13_x_p5181_lanes = detail::make_lanes<Real>(c13, c20) * f13_x_p5163_lanes;
-  const Lanes<2> f13_x_p5183_lanes = detail::make_lanes<Real>(s13, s20) * f13_x_p5155_lanes;
-  const Lanes<2> f13_x_p5185_lanes = f13_x_p5181_lanes - f13_x_p5183_lanes;
+  const Lanes<2> f13_x_p5179_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5155_lanes +
+      detail::make_pack<Real>(s13, s20) * f13_x_p5163_lanes +
+      (minus_a13_x_lanes + 0.086 * f13_x_p5173_lanes);
 
   // link 13 (left_hand), outward
-  const Lanes<2> a13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_a12_y_lanes;
-  const Lanes<2> a13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_a12_z_lanes;
-  const Lanes<2> a13_y_lanes = a13_y_p1_lanes - a13_y_p2_lanes;
+  const Lanes<2> a13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_a12_y_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_a12_z_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p5187_lanes = f13_x_p5185_lanes - a13_y_lanes;
+  const Lanes<2> f13_x_p5187_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5163_lanes -
+      detail::make_pack<Real>(s13, s20) * f13_x_p5155_lanes - a13_y_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5189_lanes = c1 * detail::make_lanes<Real>(xdd_cmd[3], xdd_cmd[9]);
-  const Lanes<2> f13_x_p5191_lanes = s1 * detail::make_lanes<Real>(xdd_cmd[5], xdd_cmd[11]);
-  const Lanes<2> f13_x_p5193_lanes = f13_x_p5189_lanes - f13_x_p5191_lanes;
-  const Lanes<2> f13_x_p5195_lanes = c2 * f13_x_p5193_lanes;
-  const Lanes<2> f13_x_p5197_lanes = s1 * detail::make_lanes<Real>(xdd_cmd[3], xdd_cmd[9]);
-  const Lanes<2> f13_x_p5199_lanes = c1 * detail::make_lanes<Real>(xdd_cmd[5], xdd_cmd[11]);
-  const Lanes<2> f13_x_p5201_lanes = f13_x_p5197_lanes + f13_x_p5199_lanes;
-  const Lanes<2> f13_x_p5203_lanes = s2 * f13_x_p5201_lanes;
-  const Lanes<2> f13_x_p5205_lanes = f13_x_p5195_lanes - f13_x_p5203_lanes;
-  const Lanes<2> f13_x_p5207_lanes = c3 * f13_x_p5205_lanes;
-  const Lanes<2> f13_x_p5209_lanes = s2 * f13_x_p5193_lanes;
-  const Lanes<2> f13_x_p5211_lanes = c2 * f13_x_p5201_lanes;
-  const Lanes<2> f13_x_p5213_lanes = f13_x_p5209_lanes + f13_x_p5211_lanes;
-  const Lanes<2> f13_x_p5215_lanes = s3 * f13_x_p5213_lanes;
-  const Lanes<2> f13_x_p5217_lanes = f13_x_p5207_lanes - f13_x_p5215_lanes;
-  const Lanes<2> f13_x_p5219_lanes = c4 * f13_x_p5217_lanes;
-  const Lanes<2> f13_x_p5221_lanes = s4 * detail::make_lanes<Real>(xdd_cmd[4], xdd_cmd[10]);
-  const Lanes<2> f13_x_p5223_lanes = f13_x_p5219_lanes + f13_x_p5221_lanes;
-  const Lanes<2> f13_x_p5225_lanes = s5 * f13_x_p5223_lanes;
-  const Lanes<2> f13_x_p5227_lanes = s3 * f13_x_p5205_lanes;
-  const Lanes<2> f13_x_p5229_lanes = c3 * f13_x_p5213_lanes;
-  const Lanes<2> f13_x_p5231_lanes = f13_x_p5227_lanes + f13_x_p5229_lanes;
-  const Lanes<2> f13_x_p5233_lanes = c5 * f13_x_p5231_lanes;
-  const Lanes<2> f13_x_p5235_lanes = f13_x_p5225_lanes + f13_x_p5233_lanes;
-  const Lanes<2> f13_x_p5237_lanes = c6 * f13_x_p5235_lanes;
-  const Lanes<2> f13_x_p5239_lanes = s4 * f13_x_p5217_lanes;
-  const Lanes<2> f13_x_p5241_lanes = c4 * detail::make_lanes<Real>(xdd_cmd[4], xdd_cmd[10]);
-  const Lanes<2> f13_x_p5243_lanes = f13_x_p5241_lanes - f13_x_p5239_lanes;
-  const Lanes<2> f13_x_p5245_lanes = s6 * f13_x_p5243_lanes;
-  const Lanes<2> f13_x_p5247_lanes = f13_x_p5245_lanes - f13_x_p5237_lanes;
-  const Lanes<2> f13_x_p5249_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p5247_lanes;
-  const Lanes<2> f13_x_p5251_lanes = c5 * f13_x_p5223_lanes;
-  const Lanes<2> f13_x_p5253_lanes = s5 * f13_x_p5231_lanes;
-  const Lanes<2> f13_x_p5255_lanes = f13_x_p5251_lanes - f13_x_p5253_lanes;
-  const Lanes<2> f13_x_p5257_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p5255_lanes;
-  const Lanes<2> f13_x_p5259_lanes = f13_x_p5249_lanes - f13_x_p5257_lanes;
-  const Lanes<2> f13_x_p5261_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p5259_lanes;
-  const Lanes<2> f13_x_p5263_lanes = s6 * f13_x_p5235_lanes;
-  const Lanes<2> f13_x_p5265_lanes = c6 * f13_x_p5243_lanes;
-  const Lanes<2> f13_x_p5267_lanes = f13_x_p5263_lanes + f13_x_p5265_lanes;
-  const Lanes<2> f13_x_p5269_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p5267_lanes;
-  const Lanes<2> f13_x_p5271_lanes = f13_x_p5269_lanes - f13_x_p5261_lanes;
-  const Lanes<2> f13_x_p5273_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p5271_lanes;
-  const Lanes<2> f13_x_p5275_lanes = detail::make_lanes<Real>(s7, s14) * f13_x_p5247_lanes;
-  const Lanes<2> f13_x_p5277_lanes = detail::make_lanes<Real>(c7, c14) * f13_x_p5255_lanes;
-  const Lanes<2> f13_x_p5279_lanes = f13_x_p5275_lanes + f13_x_p5277_lanes;
-  const Lanes<2> f13_x_p5281_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p5279_lanes;
-  const Lanes<2> f13_x_p5283_lanes = f13_x_p5273_lanes + f13_x_p5281_lanes;
-  const Lanes<2> f13_x_p5285_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p5283_lanes;
-  const Lanes<2> f13_x_p5287_lanes = detail::make_lanes<Real>(c8, c15) * f13_x_p5259_lanes;
-  const Lanes<2> f13_x_p5289_lanes = detail::make_lanes<Real>(s8, s15) * f13_x_p5267_lanes;
-  const Lanes<2> f13_x_p5291_lanes = f13_x_p5287_lanes + f13_x_p5289_lanes;
-  const Lanes<2> f13_x_p5293_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p5291_lanes;
-  const Lanes<2> f13_x_p5295_lanes = f13_x_p5285_lanes + f13_x_p5293_lanes;
-  const Lanes<2> f13_x_p5297_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p5295_lanes;
-  const Lanes<2> f13_x_p5299_lanes = detail::make_lanes<Real>(c9, c16) * f13_x_p5271_lanes;
-  const Lanes<2> f13_x_p5301_lanes = detail::make_lanes<Real>(s9, s16) * f13_x_p5279_lanes;
-  const Lanes<2> f13_x_p5303_lanes = f13_x_p5299_lanes - f13_x_p5301_lanes;
-  const Lanes<2> f13_x_p5305_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p5303_lanes;
-  const Lanes<2> f13_x_p5307_lanes = f13_x_p5297_lanes + f13_x_p5305_lanes;
-  const Lanes<2> f13_x_p5309_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p5307_lanes;
-  const Lanes<2> f13_x_p5311_lanes = detail::make_lanes<Real>(s10, s17) * f13_x_p5283_lanes;
-  const Lanes<2> f13_x_p5313_lanes = detail::make_lanes<Real>(c10, c17) * f13_x_p5291_lanes;
-  const Lanes<2> f13_x_p5315_lanes = f13_x_p5313_lanes - f13_x_p5311_lanes;
-  const Lanes<2> f13_x_p5317_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p5315_lanes;
-  const Lanes<2> f13_x_p5319_lanes = f13_x_p5309_lanes + f13_x_p5317_lanes;
+  const Lanes<2> f13_x_p5193_lanes = c1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) - s1 *
+      detail::make_pack<Real>(xdd_cmd[5], xdd_cmd[11]);
+  const Lanes<2> f13_x_p5201_lanes = s1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) + c1 *
+      detail::make_pack<Real>(xdd_cmd[5], xdd_cmd[11]);
+  const Lanes<2> f13_x_p5205_lanes = c2 * f13_x_p5193_lanes - s2 * f13_x_p5201_lanes;
+  const Lanes<2> f13_x_p5213_lanes = s2 * f13_x_p5193_lanes + c2 * f13_x_p5201_lanes;
+  const Lanes<2> f13_x_p5217_lanes = c3 * f13_x_p5205_lanes - s3 * f13_x_p5213_lanes;
+  const Lanes<2> f13_x_p5223_lanes = c4 * f13_x_p5217_lanes + s4 *
+      detail::make_pack<Real>(xdd_cmd[4], xdd_cmd[10]);
+  const Lanes<2> f13_x_p5231_lanes = s3 * f13_x_p5205_lanes + c3 * f13_x_p5213_lanes;
+  const Lanes<2> f13_x_p5235_lanes = s5 * f13_x_p5223_lanes + c5 * f13_x_p5231_lanes;
+  const Lanes<2> f13_x_p5243_lanes = c4 * detail::make_pack<Real>(xdd_cmd[4], xdd_cmd[10]) - s4 *
+      f13_x_p5217_lanes;
+  const Lanes<2> f13_x_p5247_lanes = s6 * f13_x_p5243_lanes - c6 * f13_x_p5235_lanes;
+  const Lanes<2> f13_x_p5255_lanes = c5 * f13_x_p5223_lanes - s5 * f13_x_p5231_lanes;
+  const Lanes<2> f13_x_p5259_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p5247_lanes -
+      detail::make_pack<Real>(s7, s14) * f13_x_p5255_lanes;
+  const Lanes<2> f13_x_p5267_lanes = s6 * f13_x_p5235_lanes + c6 * f13_x_p5243_lanes;
+  const Lanes<2> f13_x_p5271_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5267_lanes -
+      detail::make_pack<Real>(s8, s15) * f13_x_p5259_lanes;
+  const Lanes<2> f13_x_p5279_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p5247_lanes +
+      detail::make_pack<Real>(c7, c14) * f13_x_p5255_lanes;
+  const Lanes<2> f13_x_p5283_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p5271_lanes +
+      detail::make_pack<Real>(c9, c16) * f13_x_p5279_lanes;
+  const Lanes<2> f13_x_p5291_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5259_lanes +
+      detail::make_pack<Real>(s8, s15) * f13_x_p5267_lanes;
+  const Lanes<2> f13_x_p5295_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5283_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p5291_lanes;
+  const Lanes<2> f13_x_p5303_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p5271_lanes -
+      detail::make_pack<Real>(s9, s16) * f13_x_p5279_lanes;
+  const Lanes<2> f13_x_p5307_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5295_lanes +
+      detail::make_pack<Real>(s11, s18) * f13_x_p5303_lanes;
+  const Lanes<2> f13_x_p5315_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5291_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p5283_lanes;
+  const Lanes<2> f13_x_p5319_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5307_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p5315_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> w13_x_p1_lanes = detail::make_lanes<Real>(s13, s20) * w12_z_lanes;
-  const Lanes<2> w13_x_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_w12_y_lanes;
-  const Lanes<2> w13_x_lanes = w13_x_p1_lanes - w13_x_p2_lanes;
+  const Lanes<2> w13_x_lanes = detail::make_pack<Real>(s13, s20) * w12_z_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_w12_y_lanes;
   const Lanes<2> f13_x_p5321_lanes = w13_x_lanes * w13_y_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p5323_lanes = f13_x_p5321_lanes + f13_x_p5319_lanes;
-  const Lanes<2> f13_x_p5325_lanes = 0.086 * f13_x_p5323_lanes;
+  const Lanes<2> f13_x_p5325_lanes = 0.086 * (f13_x_p5321_lanes + f13_x_p5319_lanes);
   const Real f13_x_p5327 = f13_x_p5187_lanes[0] - f13_x_p3522_lanes[1] * f13_x_p5179_lanes[0] -
       f13_x_p5325_lanes[0];
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> a12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * minus_a12_y_p4_lanes;
-  const Lanes<2> a12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * minus_a12_y_p10_lanes;
-  const Lanes<2> a12_x_lanes = a12_x_p1_lanes - a12_x_p2_lanes;
-
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5328_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p5143_lanes;
-  const Lanes<2> f13_x_p5330_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p5151_lanes;
-  const Lanes<2> f13_x_p5332_lanes = f13_x_p5328_lanes + f13_x_p5330_lanes;
+  const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * minus_a12_y_p4_lanes -
+      detail::make_pack<Real>(s12, s19) * minus_a12_y_p10_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p5334_lanes = f13_x_p5332_lanes - a12_x_lanes;
+  const Lanes<2> f13_x_p5334_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5143_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p5151_lanes - a12_x_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5336_lanes = detail::make_lanes<Real>(c11, c18) * f13_x_p5303_lanes;
-  const Lanes<2> f13_x_p5338_lanes = detail::make_lanes<Real>(s11, s18) * f13_x_p5295_lanes;
-  const Lanes<2> f13_x_p5340_lanes = f13_x_p5336_lanes - f13_x_p5338_lanes;
-  const Lanes<2> f13_x_p5342_lanes = detail::make_lanes<Real>(c13, c20) * f13_x_p5340_lanes;
-  const Lanes<2> f13_x_p5344_lanes = detail::make_lanes<Real>(s12, s19) * f13_x_p5307_lanes;
-  const Lanes<2> f13_x_p5346_lanes = detail::make_lanes<Real>(c12, c19) * f13_x_p5315_lanes;
-  const Lanes<2> f13_x_p5348_lanes = f13_x_p5346_lanes - f13_x_p5344_lanes;
-  const Lanes<2> f13_x_p5350_lanes = detail::make_lanes<Real>(s13, s20) * f13_x_p5348_lanes;
-  const Lanes<2> f13_x_p5352_lanes = f13_x_p5342_lanes - f13_x_p5350_lanes;
+  const Lanes<2> f13_x_p5340_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5303_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p5295_lanes;
+  const Lanes<2> f13_x_p5348_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5315_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p5307_lanes;
+  const Lanes<2> f13_x_p5352_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5340_lanes -
+      detail::make_pack<Real>(s13, s20) * f13_x_p5348_lanes;
 
   // link 13 (left_hand), outward
   const Lanes<2> f13_x_p5354_lanes = w13_x_lanes * w13_z_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p5356_lanes = f13_x_p5352_lanes - f13_x_p5354_lanes;
-  const Lanes<2> f13_x_p5358_lanes = 0.086 * f13_x_p5356_lanes;
+  const Lanes<2> f13_x_p5358_lanes = 0.086 * (f13_x_p5352_lanes - f13_x_p5354_lanes);
   const Real f13_x_p5360 = f13_x_p5334_lanes[0] - f13_x_p3522_lanes[2] * f13_x_p5179_lanes[0] -
       f13_x_p3723_lanes[2] * f13_x_p5327 + f13_x_p5358_lanes[0];
 
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5361_lanes = detail::make_lanes<Real>(c13, c20) * f13_x_p5348_lanes;
-  const Lanes<2> f13_x_p5363_lanes = detail::make_lanes<Real>(s13, s20) * f13_x_p5340_lanes;
-  const Lanes<2> f13_x_p5365_lanes = f13_x_p5361_lanes + f13_x_p5363_lanes;
-
   // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_z_lanes = wd11_y_lanes + detail::make_lanes<Real>(qdd_0[11], qdd_0[18]);
-
-  // link 13 (left_hand), outward
-  const Lanes<2> wd13_x_p1_lanes = detail::make_lanes<Real>(s13, s20) * wd12_z_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> minus_wd12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * wd11_x_lanes;
+  const Lanes<2> wd12_z_lanes = wd11_y_lanes + detail::make_pack<Real>(qdd_0[11], qdd_0[18]);
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_wd10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * wd9_x_lanes;
-  const Lanes<2> minus_wd10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * wd9_z_lanes;
-  const Lanes<2> minus_wd10_y_p3_lanes = minus_wd10_y_p1_lanes + minus_wd10_y_p2_lanes;
-  const Lanes<2> minus_wd10_y_p4_lanes = w10_x_lanes * detail::make_lanes<Real>(qd[9], qd[16]);
-  const Lanes<2> minus_wd10_y_lanes = minus_wd10_y_p3_lanes + minus_wd10_y_p4_lanes;
+  const Lanes<2> minus_wd10_y_lanes = detail::make_pack<Real>(s10, s17) * wd9_x_lanes +
+      detail::make_pack<Real>(c10, c17) * wd9_z_lanes + w10_x_lanes *
+      detail::make_pack<Real>(qd[9], qd[16]);
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> wd11_z_lanes = minus_wd10_y_lanes + detail::make_lanes<Real>(qdd_0[10], qdd_0[17]);
+  const Lanes<2> wd11_z_lanes = minus_wd10_y_lanes + detail::make_pack<Real>(qdd_0[10], qdd_0[17]);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_wd12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * wd11_z_lanes;
-  const Lanes<2> minus_wd12_y_p3_lanes = minus_wd12_y_p1_lanes + minus_wd12_y_p2_lanes;
-  const Lanes<2> minus_wd12_y_p4_lanes = w12_x_lanes * detail::make_lanes<Real>(qd[11], qd[18]);
-  const Lanes<2> minus_wd12_y_lanes = minus_wd12_y_p3_lanes + minus_wd12_y_p4_lanes;
+  const Lanes<2> minus_wd12_y_lanes = detail::make_pack<Real>(s12, s19) * wd11_x_lanes +
+      detail::make_pack<Real>(c12, c19) * wd11_z_lanes + w12_x_lanes *
+      detail::make_pack<Real>(qd[11], qd[18]);
 
   // link 13 (left_hand), outward
-  const Lanes<2> wd13_x_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_wd12_y_lanes;
-  const Lanes<2> wd13_x_p3_lanes = wd13_x_p1_lanes - wd13_x_p2_lanes;
-  const Lanes<2> wd13_x_p4_lanes = w13_y_lanes * detail::make_lanes<Real>(qd[12], qd[19]);
-  const Lanes<2> wd13_x_lanes = wd13_x_p3_lanes + wd13_x_p4_lanes;
+  const Lanes<2> wd13_x_lanes = detail::make_pack<Real>(s13, s20) * wd12_z_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_wd12_y_lanes + w13_y_lanes *
+      detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5367_lanes = f13_x_p5365_lanes - wd13_x_lanes;
+  const Lanes<2> f13_x_p5367_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5348_lanes +
+      detail::make_pack<Real>(s13, s20) * f13_x_p5340_lanes - wd13_x_lanes;
 
   // link 1 (calf), force propagation
   const Real f13_x_p5369 = f13_x_p5367_lanes[0] - f13_x_p3522_lanes[3] * f13_x_p5179_lanes[0] -
       f13_x_p3723_lanes[3] * f13_x_p5327 - f13_x_p3922_lanes[3] * f13_x_p5360;
 
   // link 13 (left_hand), outward
-  const Lanes<2> wd13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_wd12_y_lanes;
-  const Lanes<2> wd13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * wd12_z_lanes;
-  const Lanes<2> wd13_y_p3_lanes = wd13_y_p1_lanes + wd13_y_p2_lanes;
-  const Lanes<2> wd13_y_p4_lanes = w13_x_lanes * detail::make_lanes<Real>(qd[12], qd[19]);
-  const Lanes<2> wd13_y_lanes = wd13_y_p3_lanes - wd13_y_p4_lanes;
+  const Lanes<2> wd13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_wd12_y_lanes +
+      detail::make_pack<Real>(c13, c20) * wd12_z_lanes - w13_x_lanes *
+      detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 24 (right_eye), outward
   const Lanes<2> f13_x_p5370_lanes = f13_x_p5352_lanes - wd13_y_lanes;
@@ -4476,14 +2970,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       f13_x_p4133_lanes[4] * f13_x_p5369;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * wd11_x_lanes;
-  const Lanes<2> wd12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * wd11_z_lanes;
-  const Lanes<2> wd12_x_p3_lanes = wd12_x_p1_lanes - wd12_x_p2_lanes;
-  const Lanes<2> wd12_x_p4_lanes = minus_w12_y_lanes * detail::make_lanes<Real>(qd[11], qd[18]);
-  const Lanes<2> wd12_x_lanes = wd12_x_p3_lanes - wd12_x_p4_lanes;
+  const Lanes<2> wd12_x_lanes = detail::make_pack<Real>(c12, c19) * wd11_x_lanes -
+      detail::make_pack<Real>(s12, s19) * wd11_z_lanes - minus_w12_y_lanes *
+      detail::make_pack<Real>(qd[11], qd[18]);
 
   // link 13 (left_hand), outward
-  const Lanes<2> wd13_z_lanes = wd12_x_lanes + detail::make_lanes<Real>(qdd_0[12], qdd_0[19]);
+  const Lanes<2> wd13_z_lanes = wd12_x_lanes + detail::make_pack<Real>(qdd_0[12], qdd_0[19]);
 
   // link 24 (right_eye), outward
   const Lanes<2> f13_x_p5373_lanes = f13_x_p5319_lanes - wd13_z_lanes;
@@ -4594,10 +3086,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> f13_x_p5417_lanes = f13_x_p5321_lanes - wd13_z_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_x_p5418_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      f13_x_p5417_lanes;
-  const Lanes<2> f13_x_p5419_lanes = 0.01626499875 * f13_x_p5173_lanes;
-  const Lanes<2> f13_x_p5420_lanes = f13_x_p5418_lanes - f13_x_p5419_lanes;
+  const Lanes<2> f13_x_p5420_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      f13_x_p5417_lanes - 0.01626499875 * f13_x_p5173_lanes;
 
   // link 24 (right_eye), inertial wrench
   const Real f13_x = f13_x_p5420_lanes[0] + (f13_x_p5416 - f13_x_p3466_lanes[1] * f13_x_p5398 -
@@ -4605,78 +3095,46 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 13 (left_hand), outward
   const Lanes<2> f13_y_p1_lanes = f13_x_p5321_lanes + wd13_z_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_y_p2_lanes = 0.01626499875 * f13_y_p1_lanes;
-
-  // link 13 (left_hand), outward
   const Lanes<2> f13_y_p3_lanes = w13_x_lanes * w13_x_lanes;
 
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_y_p4_lanes = f13_y_p3_lanes + f13_x_p5171_lanes;
-
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_y_p5_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      f13_y_p4_lanes;
-  const Lanes<2> f13_y_p6_lanes = f13_y_p2_lanes - f13_y_p5_lanes;
+  const Lanes<2> f13_y_p6_lanes = 0.01626499875 * f13_y_p1_lanes -
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      (f13_y_p3_lanes + f13_x_p5171_lanes);
 
   // link 24 (right_eye), inertial wrench
   const Real f13_y = f13_y_p6_lanes[0] + f13_x_p5414;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> f12_y_p1_lanes = w12_x_lanes * minus_w12_y_lanes;
-  const Lanes<2> f12_y_p2_lanes = wd12_z_lanes - f12_y_p1_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_y_p3_lanes = 0.0025100003499999995 * f12_y_p2_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> f12_y_p4_lanes = w12_x_lanes * w12_x_lanes;
   const Lanes<2> f12_y_p5_lanes = w12_z_lanes * w12_z_lanes;
 
-  // link 13 (left_hand), outward
-  const Lanes<2> f12_y_p6_lanes = f12_y_p4_lanes + f12_y_p5_lanes;
-
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_y_p7_lanes = 0.0006000000000000001 * f12_y_p6_lanes;
-  const Lanes<2> f12_y_p8_lanes = f12_y_p3_lanes - f12_y_p7_lanes;
+  const Lanes<2> f12_y_p8_lanes = 0.0025100003499999995 * (wd12_z_lanes - f12_y_p1_lanes) -
+      0.0006000000000000001 * (w12_x_lanes * w12_x_lanes + f12_y_p5_lanes);
 
   // link 13 (left_hand), inward
   const Real f12_y = f12_y_p8_lanes[0] + (c13 * f13_x - s13 * f13_y);
 
   // link 13 (left_hand), outward
   const Lanes<2> f13_z_p1_lanes = f13_x_p5354_lanes - wd13_y_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_z_p2_lanes = 0.01626499875 * f13_z_p1_lanes;
-
-  // link 13 (left_hand), outward
   const Lanes<2> f13_z_p3_lanes = w13_y_lanes * w13_z_lanes;
   const Lanes<2> f13_z_p4_lanes = f13_z_p3_lanes + wd13_x_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_z_p5_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      f13_z_p4_lanes;
-  const Lanes<2> f13_z_p6_lanes = f13_z_p2_lanes + f13_z_p5_lanes;
+  const Lanes<2> f13_z_p6_lanes = 0.01626499875 * f13_z_p1_lanes +
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * f13_z_p4_lanes;
 
   // link 24 (right_eye), inertial wrench
   const Real f13_z = f13_z_p6_lanes[0] + f13_x_p5411;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> f12_x_p1_lanes = minus_w12_y_lanes * minus_w12_y_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> f12_x_p2_lanes = f12_x_p1_lanes + f12_y_p5_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_x_p3_lanes = 0.0025100003499999995 * f12_x_p2_lanes;
-
-  // link 12 (left_wrist2), outward
   const Lanes<2> f12_x_p4_lanes = f12_y_p1_lanes + wd12_z_lanes;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_x_p5_lanes = 0.0006000000000000001 * f12_x_p4_lanes;
-  const Lanes<2> f12_x_p6_lanes = f12_x_p3_lanes + f12_x_p5_lanes;
+  const Lanes<2> f12_x_p6_lanes = 0.0025100003499999995 * (f12_x_p1_lanes + f12_y_p5_lanes) +
+      0.0006000000000000001 * f12_x_p4_lanes;
 
   // link 13 (left_hand), inward
   const Real f12_x = f13_z - f12_x_p6_lanes[0];
@@ -4687,19 +3145,11 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 11 (left_wrist1), outward
   const Lanes<2> f11_x_p2_lanes = w11_x_lanes * w11_y_lanes;
   const Lanes<2> f11_x_p3_lanes = f11_x_p2_lanes - wd11_z_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_x_p4_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * f11_x_p3_lanes;
-
-  // link 11 (left_wrist1), outward
   const Lanes<2> f11_x_p5_lanes = w11_z_lanes * w11_z_lanes;
 
-  // link 12 (left_wrist2), outward
-  const Lanes<2> f11_x_p6_lanes = minus_a12_y_p7_lanes + f11_x_p5_lanes;
-
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_x_p7_lanes = 6e-04 * f11_x_p6_lanes;
-  const Lanes<2> f11_x_p8_lanes = f11_x_p4_lanes - f11_x_p7_lanes;
+  const Lanes<2> f11_x_p8_lanes = detail::make_pack<Real>(0.001, (-0.001)) * f11_x_p3_lanes -
+      6e-04 * (minus_a12_y_p7_lanes + f11_x_p5_lanes);
 
   // link 12 (left_wrist2), inward
   const Real f11_x = f11_x_p8_lanes[0] - f11_x_p1;
@@ -4707,17 +3157,11 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 12 (left_wrist2), outward
   const Lanes<2> f12_z_p1_lanes = w12_x_lanes * w12_z_lanes;
   const Lanes<2> f12_z_p2_lanes = f12_z_p1_lanes + minus_wd12_y_lanes;
+  const Lanes<2> f12_z_p5_lanes = wd12_x_lanes - minus_w12_y_lanes * w12_z_lanes;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_z_p3_lanes = 0.0025100003499999995 * f12_z_p2_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> f12_z_p4_lanes = minus_w12_y_lanes * w12_z_lanes;
-  const Lanes<2> f12_z_p5_lanes = wd12_x_lanes - f12_z_p4_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_z_p6_lanes = 0.0006000000000000001 * f12_z_p5_lanes;
-  const Lanes<2> f12_z_p7_lanes = f12_z_p3_lanes + f12_z_p6_lanes;
+  const Lanes<2> f12_z_p7_lanes = 0.0025100003499999995 * f12_z_p2_lanes + 0.0006000000000000001 *
+      f12_z_p5_lanes;
 
   // link 13 (left_hand), inward
   const Real f12_z = f12_z_p7_lanes[0] + (s13 * f13_x + c13 * f13_y);
@@ -4726,14 +3170,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> f11_y_p1_lanes = f11_x_p2_lanes + wd11_z_lanes;
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_y_p2_lanes = 6e-04 * f11_y_p1_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> f11_y_p3_lanes = minus_a12_y_p6_lanes + f11_x_p5_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_y_p4_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * f11_y_p3_lanes;
-  const Lanes<2> f11_y_p5_lanes = f11_y_p2_lanes - f11_y_p4_lanes;
+  const Lanes<2> f11_y_p5_lanes = 6e-04 * f11_y_p1_lanes -
+      detail::make_pack<Real>(0.001, (-0.001)) * (minus_a12_y_p6_lanes + f11_x_p5_lanes);
 
   // link 12 (left_wrist2), inward
   const Real f11_y = f11_y_p5_lanes[0] + f12_z;
@@ -4741,349 +3179,208 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 10 (left_lowerarm), outward
   const Lanes<2> f10_z_p1_lanes = w10_x_lanes * w10_z_lanes;
   const Lanes<2> f10_z_p2_lanes = f10_z_p1_lanes + minus_wd10_y_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_z_p3_lanes = 0.0014999985000000002 * f10_z_p2_lanes;
-
-  // link 10 (left_lowerarm), outward
   const Lanes<2> f10_z_p4_lanes = minus_w10_y_lanes * w10_z_lanes;
   const Lanes<2> f10_z_p5_lanes = wd10_x_lanes - f10_z_p4_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_z_p6_lanes = 0.28049749700000004 * f10_z_p5_lanes;
-  const Lanes<2> f10_z_p7_lanes = f10_z_p3_lanes + f10_z_p6_lanes;
+  const Lanes<2> f10_z_p7_lanes = 0.0014999985000000002 * f10_z_p2_lanes + 0.28049749700000004 *
+      f10_z_p5_lanes;
 
   // link 11 (left_wrist1), inward
   const Real f10_z = f10_z_p7_lanes[0] + (s11 * f11_x + c11 * f11_y);
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p1_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      a12_x_lanes;
-  const Lanes<2> n13_x_p2_lanes = 9.149209276993575e-05 * f13_z_p4_lanes;
-  const Lanes<2> n13_x_p3_lanes = detail::make_lanes<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * f13_z_p1_lanes;
-  const Lanes<2> n13_x_p4_lanes = n13_x_p2_lanes + n13_x_p3_lanes;
-  const Lanes<2> n13_x_p5_lanes = 0.000108260010923775 * f13_y_p1_lanes;
-  const Lanes<2> n13_x_p6_lanes = n13_x_p4_lanes - n13_x_p5_lanes;
-  const Lanes<2> n13_x_p7_lanes = f13_x_p5171_lanes - f13_x_p5169_lanes;
-  const Lanes<2> n13_x_p8_lanes = detail::make_lanes<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * n13_x_p7_lanes;
-  const Lanes<2> n13_x_p9_lanes = n13_x_p6_lanes + n13_x_p8_lanes;
-  const Lanes<2> n13_x_p10_lanes = n13_x_p9_lanes + n13_x_p1_lanes;
+  const Lanes<2> n13_x_p8_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
+      4.38600177048965e-05) * (f13_x_p5171_lanes - f13_x_p5169_lanes);
+  const Lanes<2> n13_x_p9_lanes = 9.149209276993575e-05 * f13_z_p4_lanes +
+      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * f13_z_p1_lanes -
+      0.000108260010923775 * f13_y_p1_lanes + n13_x_p8_lanes;
+  const Lanes<2> n13_x_p10_lanes = n13_x_p9_lanes +
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * a12_x_lanes;
 
   // link 24 (right_eye), inertial wrench
   const Real n13_x = n13_x_p10_lanes[0] + f13_x_p5408;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_y_p1_lanes = 0.01626499875 * a12_x_lanes;
-  const Lanes<2> n13_y_p2_lanes = detail::make_lanes<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * f13_x_p5417_lanes;
-  const Lanes<2> n13_y_p3_lanes = 0.000847139515629375 * f13_z_p1_lanes;
-  const Lanes<2> n13_y_p4_lanes = n13_y_p2_lanes - n13_y_p3_lanes;
-  const Lanes<2> n13_y_p5_lanes = detail::make_lanes<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * f13_z_p4_lanes;
-  const Lanes<2> n13_y_p6_lanes = n13_y_p4_lanes - n13_y_p5_lanes;
-  const Lanes<2> n13_y_p7_lanes = f13_y_p3_lanes - f13_x_p5171_lanes;
-  const Lanes<2> n13_y_p8_lanes = 0.000108260010923775 * n13_y_p7_lanes;
-  const Lanes<2> n13_y_p9_lanes = n13_y_p6_lanes + n13_y_p8_lanes;
-  const Lanes<2> n13_y_p10_lanes = n13_y_p9_lanes - n13_y_p1_lanes;
+  const Lanes<2> n13_y_p8_lanes = 0.000108260010923775 * (f13_y_p3_lanes - f13_x_p5171_lanes);
+  const Lanes<2> n13_y_p9_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
+      4.38600177048965e-05) * f13_x_p5417_lanes - 0.000847139515629375 * f13_z_p1_lanes -
+      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * f13_z_p4_lanes +
+      n13_y_p8_lanes;
+  const Lanes<2> n13_y_p10_lanes = n13_y_p9_lanes - 0.01626499875 * a12_x_lanes;
 
   // link 24 (right_eye), inertial wrench
   const Real n13_y = n13_y_p10_lanes[0] + f13_x_p5406;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_y_p1_lanes = 0.0025100003499999995 * minus_a12_z_lanes;
-  const Lanes<2> n12_y_p2_lanes = 0.000195227662257343 * f12_z_p2_lanes;
-  const Lanes<2> n12_y_p3_lanes = detail::make_lanes<Real>(2.4000000000000003e-06,
-      (-2.4000000000000003e-06)) * f12_x_p4_lanes;
-  const Lanes<2> n12_y_p4_lanes = n12_y_p2_lanes + n12_y_p3_lanes;
-  const Lanes<2> n12_y_p5_lanes = n12_y_p1_lanes - n12_y_p4_lanes;
+  const Lanes<2> n12_y_p5_lanes = 0.0025100003499999995 * minus_a12_z_lanes -
+      (0.000195227662257343 * f12_z_p2_lanes + detail::make_pack<Real>(2.4000000000000003e-06,
+      (-2.4000000000000003e-06)) * f12_x_p4_lanes);
 
   // link 13 (left_hand), inward
   const Real n12_y = n12_y_p5_lanes[0] + (c13 * n13_x - s13 * n13_y);
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p1_lanes = 0.01626499875 * a13_y_lanes;
-  const Lanes<2> n13_z_p2_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      minus_a13_x_lanes;
-  const Lanes<2> n13_z_p3_lanes = n13_z_p1_lanes + n13_z_p2_lanes;
-  const Lanes<2> n13_z_p4_lanes = 0.0007556474228594393 * f13_x_p5321_lanes;
-  const Lanes<2> n13_z_p5_lanes = 0.0009386316083993107 * wd13_z_lanes;
-  const Lanes<2> n13_z_p6_lanes = n13_z_p4_lanes + n13_z_p5_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> n13_z_p7_lanes = f13_z_p3_lanes - wd13_x_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p8_lanes = 0.000108260010923775 * n13_z_p7_lanes;
-  const Lanes<2> n13_z_p9_lanes = n13_z_p6_lanes + n13_z_p8_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> n13_z_p10_lanes = f13_x_p5354_lanes + wd13_y_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p11_lanes = detail::make_lanes<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * n13_z_p10_lanes;
-  const Lanes<2> n13_z_p12_lanes = n13_z_p9_lanes - n13_z_p11_lanes;
-  const Lanes<2> n13_z_p13_lanes = f13_x_p5169_lanes - f13_y_p3_lanes;
-  const Lanes<2> n13_z_p14_lanes = detail::make_lanes<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * n13_z_p13_lanes;
-  const Lanes<2> n13_z_p15_lanes = n13_z_p12_lanes + n13_z_p14_lanes;
-  const Lanes<2> n13_z_p16_lanes = n13_z_p15_lanes + n13_z_p3_lanes;
+  const Lanes<2> n13_z_p9_lanes = 0.0007556474228594393 * f13_x_p5321_lanes +
+      0.0009386316083993107 * wd13_z_lanes + 0.000108260010923775 * (f13_z_p3_lanes - wd13_x_lanes);
+  const Lanes<2> n13_z_p15_lanes = n13_z_p9_lanes -
+      detail::make_pack<Real>((-4.38600177048965e-05), 4.38600177048965e-05) *
+      (f13_x_p5354_lanes + wd13_y_lanes) + detail::make_pack<Real>((-0.0001263900573325125),
+      0.0001263900573325125) * (f13_x_p5169_lanes - f13_y_p3_lanes);
+  const Lanes<2> n13_z_p16_lanes = n13_z_p15_lanes +
+      (0.01626499875 * a13_y_lanes + detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      minus_a13_x_lanes);
 
   // link 24 (right_eye), inertial wrench
   const Real n13_z = n13_z_p16_lanes[0] + f13_x_p5404;
   tau[12] = n13_z;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_x_p1_lanes = 1.16e-05 * f12_z_p5_lanes;
-  const Lanes<2> n12_x_p2_lanes = f12_y_p5_lanes - f12_x_p1_lanes;
-  const Lanes<2> n12_x_p3_lanes = detail::make_lanes<Real>(2.4000000000000003e-06,
-      (-2.4000000000000003e-06)) * n12_x_p2_lanes;
-  const Lanes<2> n12_x_p4_lanes = n12_x_p1_lanes + n12_x_p3_lanes;
-  const Lanes<2> n12_x_p5_lanes = 0.0006000000000000001 * minus_a12_z_lanes;
-  const Lanes<2> n12_x_p6_lanes = n12_x_p4_lanes - n12_x_p5_lanes;
+  const Lanes<2> n12_x_p6_lanes = 1.16e-05 * f12_z_p5_lanes +
+      detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
+      (f12_y_p5_lanes - f12_x_p1_lanes) - 0.0006000000000000001 * minus_a12_z_lanes;
 
   // link 13 (left_hand), inward
   const Real n12_x = n12_x_p6_lanes[0] + n13_z;
 
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p1_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * minus_a10_y_lanes;
-
   // link 11 (left_wrist1), outward
   const Lanes<2> n11_x_p2_lanes = minus_a12_z_p1_lanes + wd11_x_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p3_lanes = 0.0001194 * n11_x_p2_lanes;
-
-  // link 11 (left_wrist1), outward
   const Lanes<2> n11_x_p4_lanes = minus_a12_y_p1_lanes - wd11_y_lanes;
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p5_lanes = detail::make_lanes<Real>(6e-06, (-6e-06)) * n11_x_p4_lanes;
-  const Lanes<2> n11_x_p6_lanes = n11_x_p3_lanes + n11_x_p5_lanes;
-  const Lanes<2> n11_x_p7_lanes = 0.000144 * f11_y_p1_lanes;
-  const Lanes<2> n11_x_p8_lanes = n11_x_p6_lanes + n11_x_p7_lanes;
-  const Lanes<2> n11_x_p9_lanes = f11_x_p5_lanes - minus_a12_y_p7_lanes;
-  const Lanes<2> n11_x_p10_lanes = detail::make_lanes<Real>((-0.0002516), 0.0002516) *
-      n11_x_p9_lanes;
-  const Lanes<2> n11_x_p11_lanes = n11_x_p8_lanes + n11_x_p10_lanes;
-  const Lanes<2> n11_x_p12_lanes = n11_x_p11_lanes + n11_x_p1_lanes;
+  const Lanes<2> n11_x_p10_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      (f11_x_p5_lanes - minus_a12_y_p7_lanes);
+  const Lanes<2> n11_x_p11_lanes = 0.0001194 * n11_x_p2_lanes +
+      detail::make_pack<Real>(6e-06, (-6e-06)) * n11_x_p4_lanes + 0.000144 * f11_y_p1_lanes +
+      n11_x_p10_lanes;
+  const Lanes<2> n11_x_p12_lanes = n11_x_p11_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
+      minus_a10_y_lanes;
 
   // link 12 (left_wrist2), inward
   const Real n11_x = n11_x_p12_lanes[0] + (0.269 * f12_z - (s12 * n12_y - c12 * n12_x));
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p1_lanes = 0.0025100003499999995 * minus_a12_y_lanes;
-  const Lanes<2> n12_z_p2_lanes = 0.0006000000000000001 * a12_x_lanes;
-  const Lanes<2> n12_z_p3_lanes = n12_z_p1_lanes + n12_z_p2_lanes;
-  const Lanes<2> n12_z_p4_lanes = 0.00020682766225734302 * wd12_z_lanes;
-  const Lanes<2> n12_z_p5_lanes = 0.000183627662257343 * f12_y_p1_lanes;
-  const Lanes<2> n12_z_p6_lanes = n12_z_p4_lanes - n12_z_p5_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> n12_z_p7_lanes = f12_z_p1_lanes - minus_wd12_y_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p8_lanes = detail::make_lanes<Real>(2.4000000000000003e-06,
-      (-2.4000000000000003e-06)) * n12_z_p7_lanes;
-  const Lanes<2> n12_z_p9_lanes = n12_z_p6_lanes - n12_z_p8_lanes;
-  const Lanes<2> n12_z_p10_lanes = n12_z_p9_lanes - n12_z_p3_lanes;
+  const Lanes<2> n12_z_p9_lanes = 0.00020682766225734302 * wd12_z_lanes - 0.000183627662257343 *
+      f12_y_p1_lanes - detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
+      (f12_z_p1_lanes - minus_wd12_y_lanes);
+  const Lanes<2> n12_z_p10_lanes = n12_z_p9_lanes -
+      (0.0025100003499999995 * minus_a12_y_lanes + 0.0006000000000000001 * a12_x_lanes);
 
   // link 13 (left_hand), inward
   const Real n12_z = n12_z_p10_lanes[0] + (s13 * n13_x + c13 * n13_y);
   tau[11] = n12_z;
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_y_p1_lanes = 6e-04 * minus_a10_y_lanes;
-  const Lanes<2> n11_y_p2_lanes = detail::make_lanes<Real>((-0.0002516), 0.0002516) *
-      f11_x_p3_lanes;
-  const Lanes<2> n11_y_p3_lanes = 0.0001098 * n11_x_p4_lanes;
-  const Lanes<2> n11_y_p4_lanes = n11_y_p2_lanes - n11_y_p3_lanes;
-  const Lanes<2> n11_y_p5_lanes = detail::make_lanes<Real>(6e-06, (-6e-06)) * n11_x_p2_lanes;
-  const Lanes<2> n11_y_p6_lanes = n11_y_p4_lanes - n11_y_p5_lanes;
-  const Lanes<2> n11_y_p7_lanes = minus_a12_y_p6_lanes - f11_x_p5_lanes;
-  const Lanes<2> n11_y_p8_lanes = 0.000144 * n11_y_p7_lanes;
-  const Lanes<2> n11_y_p9_lanes = n11_y_p6_lanes - n11_y_p8_lanes;
-  const Lanes<2> n11_y_p10_lanes = n11_y_p9_lanes - n11_y_p1_lanes;
+  const Lanes<2> n11_y_p8_lanes = 0.000144 * (minus_a12_y_p6_lanes - f11_x_p5_lanes);
+  const Lanes<2> n11_y_p9_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      f11_x_p3_lanes - 0.0001098 * n11_x_p4_lanes - detail::make_pack<Real>(6e-06, (-6e-06)) *
+      n11_x_p2_lanes - n11_y_p8_lanes;
+  const Lanes<2> n11_y_p10_lanes = n11_y_p9_lanes - 6e-04 * minus_a10_y_lanes;
 
   // link 12 (left_wrist2), inward
   const Real n11_y = n11_y_p10_lanes[0] + (n12_z + 0.269 * f11_x_p1);
 
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p1_lanes = 0.06060754126741261 * f10_z_p5_lanes;
-  const Lanes<2> n10_x_p2_lanes = 0.0001499998887063 * f10_z_p2_lanes;
-  const Lanes<2> n10_x_p3_lanes = n10_x_p1_lanes + n10_x_p2_lanes;
-
   // link 10 (left_lowerarm), outward
   const Lanes<2> n10_x_p4_lanes = w10_x_lanes * minus_w10_y_lanes;
   const Lanes<2> n10_x_p5_lanes = wd10_z_lanes - n10_x_p4_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p6_lanes = detail::make_lanes<Real>(2.249994685315e-05,
-      (-2.249994685315e-05)) * n10_x_p5_lanes;
-  const Lanes<2> n10_x_p7_lanes = n10_x_p3_lanes - n10_x_p6_lanes;
-
-  // link 10 (left_lowerarm), outward
   const Lanes<2> n10_x_p8_lanes = w10_z_lanes * w10_z_lanes;
   const Lanes<2> n10_x_p9_lanes = minus_w10_y_lanes * minus_w10_y_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p10_lanes = n10_x_p8_lanes - n10_x_p9_lanes;
-  const Lanes<2> n10_x_p11_lanes = detail::make_lanes<Real>(0.0001499998887063,
-      (-0.0001499998887063)) * n10_x_p10_lanes;
-  const Lanes<2> n10_x_p12_lanes = n10_x_p7_lanes + n10_x_p11_lanes;
-  const Lanes<2> n10_x_p13_lanes = 0.28049749700000004 * minus_a10_z_lanes;
-  const Lanes<2> n10_x_p14_lanes = n10_x_p12_lanes - n10_x_p13_lanes;
+  const Lanes<2> n10_x_p11_lanes = detail::make_pack<Real>(0.0001499998887063,
+      (-0.0001499998887063)) * (n10_x_p8_lanes - n10_x_p9_lanes);
+  const Lanes<2> n10_x_p12_lanes = 0.06060754126741261 * f10_z_p5_lanes + 0.0001499998887063 *
+      f10_z_p2_lanes - detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
+      n10_x_p5_lanes + n10_x_p11_lanes;
+  const Lanes<2> n10_x_p14_lanes = n10_x_p12_lanes - 0.28049749700000004 * minus_a10_z_lanes;
 
   // link 11 (left_wrist1), inward
   const Real n10_x = n10_x_p14_lanes[0] + (c11 * n11_x - s11 * n11_y);
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_z_p1_lanes = 6e-04 * minus_a11_y_lanes;
-  const Lanes<2> n11_z_p2_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * a11_x_lanes;
-  const Lanes<2> n11_z_p3_lanes = n11_z_p1_lanes + n11_z_p2_lanes;
-  const Lanes<2> n11_z_p4_lanes = 9.600000000000003e-06 * f11_x_p2_lanes;
-  const Lanes<2> n11_z_p5_lanes = 0.0002292 * wd11_z_lanes;
-  const Lanes<2> n11_z_p6_lanes = n11_z_p5_lanes - n11_z_p4_lanes;
-  const Lanes<2> n11_z_p7_lanes = 0.000144 * minus_a12_z_p2_lanes;
-  const Lanes<2> n11_z_p8_lanes = n11_z_p6_lanes - n11_z_p7_lanes;
-  const Lanes<2> n11_z_p9_lanes = detail::make_lanes<Real>((-0.0002516), 0.0002516) *
+  const Lanes<2> n11_z_p3_lanes = 6e-04 * minus_a11_y_lanes +
+      detail::make_pack<Real>(0.001, (-0.001)) * a11_x_lanes;
+  const Lanes<2> n11_z_p9_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
       minus_a12_y_p2_lanes;
-  const Lanes<2> n11_z_p10_lanes = n11_z_p8_lanes - n11_z_p9_lanes;
-  const Lanes<2> n11_z_p11_lanes = minus_a12_y_p7_lanes - minus_a12_y_p6_lanes;
-  const Lanes<2> n11_z_p12_lanes = detail::make_lanes<Real>(6e-06, (-6e-06)) * n11_z_p11_lanes;
-  const Lanes<2> n11_z_p13_lanes = n11_z_p10_lanes + n11_z_p12_lanes;
-  const Lanes<2> n11_z_p14_lanes = n11_z_p13_lanes - n11_z_p3_lanes;
+  const Lanes<2> n11_z_p10_lanes = 0.0002292 * wd11_z_lanes - 9.600000000000003e-06 *
+      f11_x_p2_lanes - 0.000144 * minus_a12_z_p2_lanes - n11_z_p9_lanes;
+  const Lanes<2> n11_z_p14_lanes = n11_z_p10_lanes + detail::make_pack<Real>(6e-06, (-6e-06)) *
+      (minus_a12_y_p7_lanes - minus_a12_y_p6_lanes) - n11_z_p3_lanes;
 
   // link 12 (left_wrist2), inward
   const Real n11_z = n11_z_p14_lanes[0] - (s12 * n12_x + c12 * n12_y);
   tau[10] = n11_z;
 
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_y_p1_lanes = 0.00028099984685315 * f10_z_p2_lanes;
-
   // link 10 (left_lowerarm), outward
   const Lanes<2> n10_y_p2_lanes = n10_x_p4_lanes + wd10_z_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_y_p3_lanes = detail::make_lanes<Real>(0.0001499998887063,
-      (-0.0001499998887063)) * n10_y_p2_lanes;
-  const Lanes<2> n10_y_p4_lanes = n10_y_p1_lanes + n10_y_p3_lanes;
-  const Lanes<2> n10_y_p5_lanes = 0.0001499998887063 * f10_z_p5_lanes;
-  const Lanes<2> n10_y_p6_lanes = n10_y_p4_lanes + n10_y_p5_lanes;
+  const Lanes<2> n10_y_p6_lanes = 0.00028099984685315 * f10_z_p2_lanes +
+      detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) * n10_y_p2_lanes +
+      0.0001499998887063 * f10_z_p5_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> n10_y_p7_lanes = w10_x_lanes * w10_x_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_y_p8_lanes = n10_y_p7_lanes - n10_x_p8_lanes;
-  const Lanes<2> n10_y_p9_lanes = detail::make_lanes<Real>(2.249994685315e-05,
-      (-2.249994685315e-05)) * n10_y_p8_lanes;
-  const Lanes<2> n10_y_p10_lanes = n10_y_p9_lanes - n10_y_p6_lanes;
-  const Lanes<2> n10_y_p11_lanes = 0.0014999985000000002 * minus_a10_z_lanes;
-  const Lanes<2> n10_y_p12_lanes = n10_y_p10_lanes + n10_y_p11_lanes;
+  const Lanes<2> n10_y_p12_lanes = detail::make_pack<Real>(2.249994685315e-05,
+      (-2.249994685315e-05)) * (n10_y_p7_lanes - n10_x_p8_lanes) - n10_y_p6_lanes +
+      0.0014999985000000002 * minus_a10_z_lanes;
 
   // link 11 (left_wrist1), inward
   const Real n10_y = n10_y_p12_lanes[0] - n11_z;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p1_lanes = minus_a10_z_p1_lanes + wd9_x_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p2_lanes = 0.0019585440854647937 * n9_x_p1_lanes;
-
-  // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p3_lanes = a10_x_p1_lanes - wd9_y_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p4_lanes = detail::make_lanes<Real>((-4.4999986458742003e-05),
-      4.4999986458742003e-05) * n9_x_p3_lanes;
-  const Lanes<2> n9_x_p5_lanes = n9_x_p2_lanes + n9_x_p4_lanes;
-
-  // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p6_lanes = w9_x_lanes * w9_y_lanes;
   const Lanes<2> n9_x_p7_lanes = n9_x_p6_lanes + wd9_z_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p8_lanes = 0.0005895000784280001 * n9_x_p7_lanes;
-  const Lanes<2> n9_x_p9_lanes = n9_x_p5_lanes - n9_x_p8_lanes;
-
-  // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p10_lanes = w9_z_lanes * w9_z_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p11_lanes = n9_x_p10_lanes - a10_x_p7_lanes;
-  const Lanes<2> n9_x_p12_lanes = detail::make_lanes<Real>((-0.0012089992423205001),
-      0.0012089992423205001) * n9_x_p11_lanes;
-  const Lanes<2> n9_x_p13_lanes = n9_x_p9_lanes + n9_x_p12_lanes;
-  const Lanes<2> n9_x_p14_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      a8_x_lanes;
-  const Lanes<2> n9_x_p15_lanes = n9_x_p13_lanes - n9_x_p14_lanes;
+  const Lanes<2> n9_x_p12_lanes = detail::make_pack<Real>((-0.0012089992423205001),
+      0.0012089992423205001) * (n9_x_p10_lanes - a10_x_p7_lanes);
+  const Lanes<2> n9_x_p13_lanes = 0.0019585440854647937 * n9_x_p1_lanes +
+      detail::make_pack<Real>((-4.4999986458742003e-05), 4.4999986458742003e-05) * n9_x_p3_lanes -
+      0.0005895000784280001 * n9_x_p7_lanes + n9_x_p12_lanes;
+  const Lanes<2> n9_x_p15_lanes = n9_x_p13_lanes - detail::make_pack<Real>(0.004500002325,
+      (-0.004500002325)) * a8_x_lanes;
 
   // link 10 (left_lowerarm), inward
   const Real n9_x = n9_x_p15_lanes[0] + (0.282 * f10_z - (s10 * n10_y - c10 * n10_x));
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p1_lanes = 0.0014999985000000002 * minus_a10_y_lanes;
-  const Lanes<2> n10_z_p2_lanes = 0.28049749700000004 * a10_x_lanes;
-  const Lanes<2> n10_z_p3_lanes = n10_z_p1_lanes + n10_z_p2_lanes;
-  const Lanes<2> n10_z_p4_lanes = 0.06032654142055946 * n10_x_p4_lanes;
-  const Lanes<2> n10_z_p5_lanes = 0.060888541114265754 * wd10_z_lanes;
-  const Lanes<2> n10_z_p6_lanes = n10_z_p4_lanes + n10_z_p5_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_z_p7_lanes = f10_z_p4_lanes + wd10_x_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p8_lanes = detail::make_lanes<Real>(2.249994685315e-05,
-      (-2.249994685315e-05)) * n10_z_p7_lanes;
-  const Lanes<2> n10_z_p9_lanes = n10_z_p6_lanes - n10_z_p8_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_z_p10_lanes = f10_z_p1_lanes - minus_wd10_y_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p11_lanes = detail::make_lanes<Real>(0.0001499998887063,
-      (-0.0001499998887063)) * n10_z_p10_lanes;
-  const Lanes<2> n10_z_p12_lanes = n10_z_p9_lanes - n10_z_p11_lanes;
-  const Lanes<2> n10_z_p13_lanes = n10_x_p9_lanes - n10_y_p7_lanes;
-  const Lanes<2> n10_z_p14_lanes = 0.0001499998887063 * n10_z_p13_lanes;
-  const Lanes<2> n10_z_p15_lanes = n10_z_p12_lanes + n10_z_p14_lanes;
-  const Lanes<2> n10_z_p16_lanes = n10_z_p15_lanes - n10_z_p3_lanes;
+  const Lanes<2> n10_z_p9_lanes = 0.06032654142055946 * n10_x_p4_lanes + 0.060888541114265754 *
+      wd10_z_lanes - detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
+      (f10_z_p4_lanes + wd10_x_lanes);
+  const Lanes<2> n10_z_p15_lanes = n10_z_p9_lanes -
+      detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) *
+      (f10_z_p1_lanes - minus_wd10_y_lanes) + 0.0001499998887063 *
+      (n10_x_p9_lanes - n10_y_p7_lanes);
+  const Lanes<2> n10_z_p16_lanes = n10_z_p15_lanes -
+      (0.0014999985000000002 * minus_a10_y_lanes + 0.28049749700000004 * a10_x_lanes);
 
   // link 11 (left_wrist1), inward
   const Real n10_z = n10_z_p16_lanes[0] + (s11 * n11_x + c11 * n11_y);
   tau[9] = n10_z;
 
-  // link 11 (left_wrist1), outward
-  const Lanes<2> f10_x_p1_lanes = n10_x_p9_lanes + n10_x_p8_lanes;
-
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_x_p2_lanes = 0.0014999985000000002 * f10_x_p1_lanes;
-  const Lanes<2> f10_x_p3_lanes = 0.28049749700000004 * n10_y_p2_lanes;
-  const Lanes<2> f10_x_p4_lanes = f10_x_p2_lanes + f10_x_p3_lanes;
+  const Lanes<2> f10_x_p4_lanes = 0.0014999985000000002 * (n10_x_p9_lanes + n10_x_p8_lanes) +
+      0.28049749700000004 * n10_y_p2_lanes;
 
   // link 11 (left_wrist1), inward
   const Real f10_x = c11 * f11_x - s11 * f11_y - f10_x_p4_lanes[0];
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_z_p1_lanes = 6e-04 * n11_x_p4_lanes;
-  const Lanes<2> f11_z_p2_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * n11_x_p2_lanes;
-  const Lanes<2> f11_z_p3_lanes = f11_z_p1_lanes + f11_z_p2_lanes;
+  const Lanes<2> f11_z_p3_lanes = 6e-04 * n11_x_p4_lanes +
+      detail::make_pack<Real>(0.001, (-0.001)) * n11_x_p2_lanes;
 
   // link 12 (left_wrist2), inward
   const Real f11_z = f11_z_p3_lanes[0] - (s12 * f12_x + c12 * f12_y);
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_y_p1_lanes = 0.0014999985000000002 * n10_x_p5_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> f10_y_p2_lanes = n10_y_p7_lanes + n10_x_p8_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_y_p3_lanes = 0.28049749700000004 * f10_y_p2_lanes;
-  const Lanes<2> f10_y_p4_lanes = f10_y_p1_lanes - f10_y_p3_lanes;
+  const Lanes<2> f10_y_p4_lanes = 0.0014999985000000002 * n10_x_p5_lanes - 0.28049749700000004 *
+      (n10_y_p7_lanes + n10_x_p8_lanes);
 
   // link 11 (left_wrist1), inward
   const Real f10_y = f10_y_p4_lanes[0] - f11_z;
@@ -5095,62 +3392,35 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> n9_y_p2_lanes = n9_x_p6_lanes - wd9_z_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_y_p3_lanes = detail::make_lanes<Real>((-0.0012089992423205001),
-      0.0012089992423205001) * n9_y_p2_lanes;
-  const Lanes<2> n9_y_p4_lanes = 0.0008177492704690715 * n9_x_p3_lanes;
-  const Lanes<2> n9_y_p5_lanes = n9_y_p3_lanes - n9_y_p4_lanes;
-  const Lanes<2> n9_y_p6_lanes = detail::make_lanes<Real>((-4.4999986458742003e-05),
-      4.4999986458742003e-05) * n9_x_p1_lanes;
-  const Lanes<2> n9_y_p7_lanes = n9_y_p5_lanes - n9_y_p6_lanes;
-  const Lanes<2> n9_y_p8_lanes = a10_x_p6_lanes - n9_x_p10_lanes;
-  const Lanes<2> n9_y_p9_lanes = 0.0005895000784280001 * n9_y_p8_lanes;
-  const Lanes<2> n9_y_p10_lanes = n9_y_p7_lanes + n9_y_p9_lanes;
-  const Lanes<2> n9_y_p11_lanes = 0.0022500062 * a8_x_lanes;
-  const Lanes<2> n9_y_p12_lanes = n9_y_p10_lanes - n9_y_p11_lanes;
+  const Lanes<2> n9_y_p9_lanes = 0.0005895000784280001 * (a10_x_p6_lanes - n9_x_p10_lanes);
+  const Lanes<2> n9_y_p10_lanes = detail::make_pack<Real>((-0.0012089992423205001),
+      0.0012089992423205001) * n9_y_p2_lanes - 0.0008177492704690715 * n9_x_p3_lanes -
+      detail::make_pack<Real>((-4.4999986458742003e-05), 4.4999986458742003e-05) * n9_x_p1_lanes +
+      n9_y_p9_lanes;
+  const Lanes<2> n9_y_p12_lanes = n9_y_p10_lanes - 0.0022500062 * a8_x_lanes;
 
   // link 10 (left_lowerarm), inward
   const Real n9_y = n9_y_p12_lanes[0] + (n10_z + 0.282 * n9_y_p1);
 
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p1_lanes = 0.7139200499999999 * minus_a8_y_lanes;
-  const Lanes<2> n8_z_p2_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * a8_x_lanes;
-  const Lanes<2> n8_z_p3_lanes = n8_z_p1_lanes + n8_z_p2_lanes;
-
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p4_lanes = w8_x_lanes * w8_y_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p5_lanes = 0.18101044219699997 * n8_z_p4_lanes;
-  const Lanes<2> n8_z_p6_lanes = 0.18125194219699997 * wd8_z_lanes;
-  const Lanes<2> n8_z_p7_lanes = n8_z_p5_lanes + n8_z_p6_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p8_lanes = w8_y_lanes * w8_z_lanes;
-  const Lanes<2> n8_z_p9_lanes = n8_z_p8_lanes - wd8_x_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p10_lanes = 0.00010499999999999999 * n8_z_p9_lanes;
-  const Lanes<2> n8_z_p11_lanes = n8_z_p7_lanes + n8_z_p10_lanes;
+  const Lanes<2> n8_z_p11_lanes = 0.18101044219699997 * n8_z_p4_lanes + 0.18125194219699997 *
+      wd8_z_lanes + 0.00010499999999999999 * (n8_z_p8_lanes - wd8_x_lanes);
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p12_lanes = w8_x_lanes * w8_z_lanes;
-  const Lanes<2> n8_z_p13_lanes = n8_z_p12_lanes + wd8_y_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p14_lanes = detail::make_lanes<Real>(1.75e-05, (-1.75e-05)) * n8_z_p13_lanes;
-  const Lanes<2> n8_z_p15_lanes = n8_z_p11_lanes - n8_z_p14_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p16_lanes = w8_y_lanes * w8_y_lanes;
   const Lanes<2> n8_z_p17_lanes = w8_x_lanes * w8_x_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p18_lanes = n8_z_p16_lanes - n8_z_p17_lanes;
-  const Lanes<2> n8_z_p19_lanes = detail::make_lanes<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * n8_z_p18_lanes;
-  const Lanes<2> n8_z_p20_lanes = n8_z_p15_lanes + n8_z_p19_lanes;
-  const Lanes<2> n8_z_p21_lanes = n8_z_p20_lanes - n8_z_p3_lanes;
+  const Lanes<2> n8_z_p20_lanes = n8_z_p11_lanes - detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
+      (n8_z_p12_lanes + wd8_y_lanes) + detail::make_pack<Real>(5.2499999999999995e-05,
+      (-5.2499999999999995e-05)) * (n8_z_p16_lanes - n8_z_p17_lanes);
+  const Lanes<2> n8_z_p21_lanes = n8_z_p20_lanes - (0.7139200499999999 * minus_a8_y_lanes +
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * a8_x_lanes);
 
   // link 9 (left_upperarm), inward
   const Real n8_z = n8_z_p21_lanes[0] + (c9 * n9_x - s9 * n9_y);
@@ -5159,36 +3429,19 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_x_p1_lanes = w7_y_lanes * w7_z_lanes;
   const Lanes<2> n7_x_p2_lanes = n7_x_p1_lanes + wd7_x_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p3_lanes = 0.0001505 * n7_x_p2_lanes;
-
-  // link 7 (left_shoulder1), outward
   const Lanes<2> n7_x_p4_lanes = w7_x_lanes * w7_z_lanes;
   const Lanes<2> n7_x_p5_lanes = n7_x_p4_lanes - wd7_y_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p6_lanes = 8.75e-06 * n7_x_p5_lanes;
-  const Lanes<2> n7_x_p7_lanes = n7_x_p3_lanes + n7_x_p6_lanes;
-
-  // link 7 (left_shoulder1), outward
   const Lanes<2> n7_x_p8_lanes = w7_x_lanes * w7_y_lanes;
   const Lanes<2> n7_x_p9_lanes = n7_x_p8_lanes + wd7_z_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p10_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_x_p9_lanes;
-  const Lanes<2> n7_x_p11_lanes = n7_x_p7_lanes - n7_x_p10_lanes;
-
-  // link 7 (left_shoulder1), outward
   const Lanes<2> n7_x_p12_lanes = w7_y_lanes * w7_y_lanes;
   const Lanes<2> n7_x_p13_lanes = w7_z_lanes * w7_z_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p14_lanes = n7_x_p13_lanes - n7_x_p12_lanes;
-  const Lanes<2> n7_x_p15_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_x_p14_lanes;
-  const Lanes<2> n7_x_p16_lanes = n7_x_p11_lanes + n7_x_p15_lanes;
+  const Lanes<2> n7_x_p15_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_x_p13_lanes - n7_x_p12_lanes);
+  const Lanes<2> n7_x_p16_lanes = 0.0001505 * n7_x_p2_lanes + 8.75e-06 * n7_x_p5_lanes -
+      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * n7_x_p9_lanes +
+      n7_x_p15_lanes;
   const Lanes<2> n7_x_p17_lanes = 0.0017499999999999998 * minus_a7_z_lanes;
   const Lanes<2> n7_x_p18_lanes = n7_x_p16_lanes + n7_x_p17_lanes;
 
@@ -5197,190 +3450,115 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_y_p1_lanes = n8_z_p4_lanes - wd8_z_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p2_lanes = detail::make_lanes<Real>(1.75e-05, (-1.75e-05)) * n8_y_p1_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_y_p3_lanes = n8_z_p12_lanes - wd8_y_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p4_lanes = 0.18113119219699997 * n8_y_p3_lanes;
-  const Lanes<2> n8_y_p5_lanes = n8_y_p2_lanes - n8_y_p4_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_y_p6_lanes = n8_z_p8_lanes + wd8_x_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p7_lanes = detail::make_lanes<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * n8_y_p6_lanes;
-  const Lanes<2> n8_y_p8_lanes = n8_y_p5_lanes - n8_y_p7_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_y_p9_lanes = w8_z_lanes * w8_z_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p10_lanes = n8_z_p17_lanes - n8_y_p9_lanes;
-  const Lanes<2> n8_y_p11_lanes = 0.00010499999999999999 * n8_y_p10_lanes;
-  const Lanes<2> n8_y_p12_lanes = n8_y_p8_lanes + n8_y_p11_lanes;
-  const Lanes<2> n8_y_p13_lanes = 0.7139200499999999 * a7_x_lanes;
-  const Lanes<2> n8_y_p14_lanes = n8_y_p12_lanes - n8_y_p13_lanes;
+  const Lanes<2> n8_y_p11_lanes = 0.00010499999999999999 * (n8_z_p17_lanes - n8_y_p9_lanes);
+  const Lanes<2> n8_y_p12_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) * n8_y_p1_lanes -
+      0.18113119219699997 * n8_y_p3_lanes - detail::make_pack<Real>(5.2499999999999995e-05,
+      (-5.2499999999999995e-05)) * n8_y_p6_lanes + n8_y_p11_lanes;
+  const Lanes<2> n8_y_p14_lanes = n8_y_p12_lanes - 0.7139200499999999 * a7_x_lanes;
 
   // link 9 (left_upperarm), inward
   const Real n8_y = n8_y_p14_lanes[0] + (s9 * n9_x + c9 * n9_y);
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p1_lanes = 0.0022500062 * minus_a9_y_lanes;
-  const Lanes<2> n9_z_p2_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      a9_x_lanes;
-  const Lanes<2> n9_z_p3_lanes = n9_z_p1_lanes - n9_z_p2_lanes;
-  const Lanes<2> n9_z_p4_lanes = 0.001140794814995722 * n9_x_p6_lanes;
-  const Lanes<2> n9_z_p5_lanes = 0.0027762933559338653 * wd9_z_lanes;
-  const Lanes<2> n9_z_p6_lanes = n9_z_p5_lanes - n9_z_p4_lanes;
-  const Lanes<2> n9_z_p7_lanes = 0.0005895000784280001 * minus_a10_z_p2_lanes;
-  const Lanes<2> n9_z_p8_lanes = n9_z_p6_lanes + n9_z_p7_lanes;
-  const Lanes<2> n9_z_p9_lanes = detail::make_lanes<Real>((-0.0012089992423205001),
+  const Lanes<2> n9_z_p3_lanes = 0.0022500062 * minus_a9_y_lanes -
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * a9_x_lanes;
+  const Lanes<2> n9_z_p9_lanes = detail::make_pack<Real>((-0.0012089992423205001),
       0.0012089992423205001) * a10_x_p2_lanes;
-  const Lanes<2> n9_z_p10_lanes = n9_z_p8_lanes - n9_z_p9_lanes;
-  const Lanes<2> n9_z_p11_lanes = a10_x_p7_lanes - a10_x_p6_lanes;
-  const Lanes<2> n9_z_p12_lanes = detail::make_lanes<Real>((-4.4999986458742003e-05),
-      4.4999986458742003e-05) * n9_z_p11_lanes;
-  const Lanes<2> n9_z_p13_lanes = n9_z_p10_lanes + n9_z_p12_lanes;
-  const Lanes<2> n9_z_p14_lanes = n9_z_p13_lanes + n9_z_p3_lanes;
+  const Lanes<2> n9_z_p10_lanes = 0.0027762933559338653 * wd9_z_lanes - 0.001140794814995722 *
+      n9_x_p6_lanes + 0.0005895000784280001 * minus_a10_z_p2_lanes - n9_z_p9_lanes;
+  const Lanes<2> n9_z_p14_lanes = n9_z_p10_lanes +
+      detail::make_pack<Real>((-4.4999986458742003e-05), 4.4999986458742003e-05) *
+      (a10_x_p7_lanes - a10_x_p6_lanes) + n9_z_p3_lanes;
 
   // link 10 (left_lowerarm), inward
   const Real n9_z = n9_z_p14_lanes[0] - (s10 * n10_x + c10 * n10_y);
   tau[8] = n9_z;
 
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_x_p1_lanes = 0.00012075 * n8_y_p6_lanes;
-  const Lanes<2> n8_x_p2_lanes = detail::make_lanes<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * n8_y_p3_lanes;
-  const Lanes<2> n8_x_p3_lanes = n8_x_p1_lanes + n8_x_p2_lanes;
-
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_x_p4_lanes = n8_z_p4_lanes + wd8_z_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_x_p5_lanes = 0.00010499999999999999 * n8_x_p4_lanes;
-  const Lanes<2> n8_x_p6_lanes = n8_x_p3_lanes - n8_x_p5_lanes;
-  const Lanes<2> n8_x_p7_lanes = n8_y_p9_lanes - n8_z_p16_lanes;
-  const Lanes<2> n8_x_p8_lanes = detail::make_lanes<Real>(1.75e-05, (-1.75e-05)) * n8_x_p7_lanes;
-  const Lanes<2> n8_x_p9_lanes = n8_x_p6_lanes + n8_x_p8_lanes;
-  const Lanes<2> n8_x_p10_lanes = detail::make_lanes<Real>(0.0017499999999999998,
+  const Lanes<2> n8_x_p8_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
+      (n8_y_p9_lanes - n8_z_p16_lanes);
+  const Lanes<2> n8_x_p9_lanes = 0.00012075 * n8_y_p6_lanes +
+      detail::make_pack<Real>(5.2499999999999995e-05, (-5.2499999999999995e-05)) * n8_y_p3_lanes -
+      0.00010499999999999999 * n8_x_p4_lanes + n8_x_p8_lanes;
+  const Lanes<2> n8_x_p11_lanes = n8_x_p9_lanes + detail::make_pack<Real>(0.0017499999999999998,
       (-0.0017499999999999998)) * a7_x_lanes;
-  const Lanes<2> n8_x_p11_lanes = n8_x_p9_lanes + n8_x_p10_lanes;
 
   // link 9 (left_upperarm), inward
   const Real n8_x = n8_x_p11_lanes[0] - n9_z;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_y_p1_lanes = n7_x_p8_lanes - wd7_z_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_y_p2_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_y_p1_lanes;
-  const Lanes<2> n7_y_p3_lanes = 0.0002975 * n7_x_p5_lanes;
-  const Lanes<2> n7_y_p4_lanes = n7_y_p2_lanes - n7_y_p3_lanes;
-  const Lanes<2> n7_y_p5_lanes = 8.75e-06 * n7_x_p2_lanes;
-  const Lanes<2> n7_y_p6_lanes = n7_y_p4_lanes - n7_y_p5_lanes;
-
-  // link 7 (left_shoulder1), outward
   const Lanes<2> n7_y_p7_lanes = w7_x_lanes * w7_x_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_y_p8_lanes = n7_y_p7_lanes - n7_x_p13_lanes;
-  const Lanes<2> n7_y_p9_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_y_p8_lanes;
-  const Lanes<2> n7_y_p10_lanes = n7_y_p6_lanes + n7_y_p9_lanes;
+  const Lanes<2> n7_y_p9_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_y_p7_lanes - n7_x_p13_lanes);
+  const Lanes<2> n7_y_p10_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * n7_y_p1_lanes - 0.0002975 * n7_x_p5_lanes - 8.75e-06 *
+      n7_x_p2_lanes + n7_y_p9_lanes;
   const Lanes<2> n7_y_p11_lanes = n7_y_p10_lanes + n7_x_p17_lanes;
 
   // link 8 (left_shoulder2), inward
   const Real n7_y = n7_y_p11_lanes[0] + (c8 * n8_x - s8 * n8_y);
 
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> f9_x_p1_lanes = a10_x_p7_lanes + n9_x_p10_lanes;
-
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> f9_x_p2_lanes = 0.0022500062 * f9_x_p1_lanes;
-  const Lanes<2> f9_x_p3_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      n9_y_p2_lanes;
-  const Lanes<2> f9_x_p4_lanes = f9_x_p2_lanes + f9_x_p3_lanes;
+  const Lanes<2> f9_x_p4_lanes = 0.0022500062 * (a10_x_p7_lanes + n9_x_p10_lanes) +
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * n9_y_p2_lanes;
 
   // link 10 (left_lowerarm), inward
   const Real f9_x = f9_x_p4_lanes[0] - n9_y_p1;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f7_x_p1_lanes = 0.7139200499999999 * n8_y_p3_lanes;
-  const Lanes<2> f7_x_p2_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * n8_y_p6_lanes;
-  const Lanes<2> f7_x_p3_lanes = f7_x_p1_lanes + f7_x_p2_lanes;
+  const Lanes<2> f7_x_p3_lanes = 0.7139200499999999 * n8_y_p3_lanes +
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * n8_y_p6_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> f9_y_p1_lanes = 0.0022500062 * n9_x_p7_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> f9_y_p2_lanes = a10_x_p6_lanes + n9_x_p10_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> f9_y_p3_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      f9_y_p2_lanes;
-  const Lanes<2> f9_y_p4_lanes = f9_y_p1_lanes + f9_y_p3_lanes;
+  const Lanes<2> f9_y_p4_lanes = 0.0022500062 * n9_x_p7_lanes +
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
+      (a10_x_p6_lanes + n9_x_p10_lanes);
 
   // link 10 (left_lowerarm), inward
   const Real f9_y = f10_z - f9_y_p4_lanes[0];
 
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> f7_x_p4_lanes = n7_x_p12_lanes + n7_x_p13_lanes;
-
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_x_p5_lanes = f7_x_p4_lanes + n7_y_p1_lanes;
-  const Lanes<2> f7_x_p6_lanes = 0.0017499999999999998 * f7_x_p5_lanes;
+  const Lanes<2> f7_x_p6_lanes = 0.0017499999999999998 *
+      (n7_x_p12_lanes + n7_x_p13_lanes + n7_y_p1_lanes);
   const Real f7_x = f7_x_p3_lanes[0] + c9 * f9_x - s9 * f9_y - f7_x_p6_lanes[0];
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f8_y_p1_lanes = 0.7139200499999999 * n8_x_p4_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> f8_y_p2_lanes = n8_z_p17_lanes + n8_y_p9_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f8_y_p3_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * f8_y_p2_lanes;
-  const Lanes<2> f8_y_p4_lanes = f8_y_p1_lanes - f8_y_p3_lanes;
+  const Lanes<2> f8_y_p4_lanes = 0.7139200499999999 * n8_x_p4_lanes -
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) *
+      (n8_z_p17_lanes + n8_y_p9_lanes);
 
   // link 9 (left_upperarm), inward
   const Real f8_y = f8_y_p4_lanes[0] + (s9 * f9_x + c9 * f9_y);
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> f9_z_p1_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      n9_x_p1_lanes;
-  const Lanes<2> f9_z_p2_lanes = 0.0022500062 * n9_x_p3_lanes;
-  const Lanes<2> f9_z_p3_lanes = f9_z_p1_lanes - f9_z_p2_lanes;
+  const Lanes<2> f9_z_p3_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
+      n9_x_p1_lanes - 0.0022500062 * n9_x_p3_lanes;
 
   // link 10 (left_lowerarm), inward
   const Real f9_z = f9_z_p3_lanes[0] - (s10 * f10_x + c10 * f10_y);
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f8_x_p1_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * n8_y_p1_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> f8_x_p2_lanes = n8_z_p16_lanes + n8_y_p9_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f8_x_p3_lanes = 0.7139200499999999 * f8_x_p2_lanes;
-  const Lanes<2> f8_x_p4_lanes = f8_x_p1_lanes - f8_x_p3_lanes;
+  const Lanes<2> f8_x_p4_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) * n8_y_p1_lanes - 0.7139200499999999 *
+      (n8_z_p16_lanes + n8_y_p9_lanes);
 
   // link 9 (left_upperarm), inward
   const Real f8_x = f8_x_p4_lanes[0] - f9_z;
 
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> f7_y_p1_lanes = n7_y_p7_lanes + n7_x_p13_lanes;
-
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_y_p2_lanes = n7_x_p9_lanes + f7_y_p1_lanes;
-  const Lanes<2> f7_y_p3_lanes = 0.0017499999999999998 * f7_y_p2_lanes;
+  const Lanes<2> f7_y_p3_lanes = 0.0017499999999999998 *
+      (n7_x_p9_lanes + (n7_y_p7_lanes + n7_x_p13_lanes));
   const Real f7_y = c8 * f8_x - s8 * f8_y + f7_y_p3_lanes[0];
 
   // link 7 (left_shoulder1), inward
@@ -5558,69 +3736,44 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real minus_a23_z_p4 = n22_x_p1 + wd22_x;
 
   // link 23 (left_eye), outward
-  const Lanes<2> minus_a23_z_p5_lanes = detail::make_lanes<Real>(0.032, (-0.032)) * minus_a23_z_p4;
-  const Lanes<2> minus_a23_z_lanes = minus_a23_z_p3 - minus_a23_z_p5_lanes;
+  const Lanes<2> minus_a23_z_lanes = minus_a23_z_p3 - detail::make_pack<Real>(0.032, (-0.032)) *
+      minus_a23_z_p4;
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_y_p1_lanes = 0.00025 * minus_a23_z_lanes;
 
   // link 23 (left_eye), outward
-  const Lanes<2> w23_x_p1_lanes = detail::make_lanes<Real>(c23, c24) * w22_x;
-  const Lanes<2> w23_x_p2_lanes = detail::make_lanes<Real>(s23, s24) * w22_z;
-  const Lanes<2> w23_x_lanes = w23_x_p1_lanes + w23_x_p2_lanes;
-  const Lanes<2> n23_y_p2_lanes = w23_x_lanes * w23_x_lanes;
-  const Lanes<2> w23_z_lanes = minus_w22_y + detail::make_lanes<Real>(qd[22], qd[23]);
+  const Lanes<2> w23_x_lanes = detail::make_pack<Real>(c23, c24) * w22_x +
+      detail::make_pack<Real>(s23, s24) * w22_z;
+  const Lanes<2> w23_z_lanes = minus_w22_y + detail::make_pack<Real>(qd[22], qd[23]);
   const Lanes<2> n23_y_p3_lanes = w23_z_lanes * w23_z_lanes;
+  const Lanes<2> n23_y_p11_lanes = (w23_z_lanes + detail::make_pack<Real>(qd[22], qd[23])) *
+      w23_x_lanes - (detail::make_pack<Real>(c23, c24) * wd22_z -
+      detail::make_pack<Real>(s23, s24) * wd22_x);
 
   // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_y_p4_lanes = n23_y_p2_lanes - n23_y_p3_lanes;
-  const Lanes<2> n23_y_p5_lanes = 2.8750000000000004e-05 * n23_y_p4_lanes;
+  const Lanes<2> n23_y_lanes = 2.8750000000000004e-05 *
+      (w23_x_lanes * w23_x_lanes - n23_y_p3_lanes) - 5.25e-06 * n23_y_p11_lanes + n23_y_p1_lanes;
 
   // link 23 (left_eye), outward
-  const Lanes<2> n23_y_p6_lanes = detail::make_lanes<Real>(c23, c24) * wd22_z;
-  const Lanes<2> n23_y_p7_lanes = detail::make_lanes<Real>(s23, s24) * wd22_x;
-  const Lanes<2> n23_y_p8_lanes = n23_y_p6_lanes - n23_y_p7_lanes;
-  const Lanes<2> n23_y_p9_lanes = w23_z_lanes + detail::make_lanes<Real>(qd[22], qd[23]);
-  const Lanes<2> n23_y_p10_lanes = n23_y_p9_lanes * w23_x_lanes;
-  const Lanes<2> n23_y_p11_lanes = n23_y_p10_lanes - n23_y_p8_lanes;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_y_p12_lanes = 5.25e-06 * n23_y_p11_lanes;
-  const Lanes<2> n23_y_p13_lanes = n23_y_p5_lanes - n23_y_p12_lanes;
-  const Lanes<2> n23_y_lanes = n23_y_p13_lanes + n23_y_p1_lanes;
-
-  // link 23 (left_eye), inward
-  const Lanes<2> n22_x_p5_lanes = detail::make_lanes<Real>(s23, s24) * n23_y_lanes;
-
-  // link 23 (left_eye), outward
-  const Lanes<2> wd23_x_p1_lanes = detail::make_lanes<Real>(c23, c24) * wd22_x;
-  const Lanes<2> wd23_x_p2_lanes = detail::make_lanes<Real>(s23, s24) * wd22_z;
-  const Lanes<2> wd23_x_p3_lanes = wd23_x_p1_lanes + wd23_x_p2_lanes;
-  const Lanes<2> w23_y_p1_lanes = detail::make_lanes<Real>(c23, c24) * w22_z;
-  const Lanes<2> w23_y_p2_lanes = detail::make_lanes<Real>(s23, s24) * w22_x;
-  const Lanes<2> w23_y_lanes = w23_y_p1_lanes - w23_y_p2_lanes;
-  const Lanes<2> wd23_x_p4_lanes = w23_y_lanes * detail::make_lanes<Real>(qd[22], qd[23]);
-  const Lanes<2> wd23_x_lanes = wd23_x_p3_lanes + wd23_x_p4_lanes;
+  const Lanes<2> w23_y_lanes = detail::make_pack<Real>(c23, c24) * w22_z -
+      detail::make_pack<Real>(s23, s24) * w22_x;
+  const Lanes<2> wd23_x_lanes = detail::make_pack<Real>(c23, c24) * wd22_x +
+      detail::make_pack<Real>(s23, s24) * wd22_z + w23_y_lanes *
+      detail::make_pack<Real>(qd[22], qd[23]);
   const Lanes<2> n23_x_p1_lanes = w23_y_lanes * w23_z_lanes;
-  const Lanes<2> n23_x_p2_lanes = n23_x_p1_lanes + wd23_x_lanes;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_x_p3_lanes = 4e-06 * n23_x_p2_lanes;
-
-  // link 23 (left_eye), outward
   const Lanes<2> n23_x_p4_lanes = w23_x_lanes * w23_y_lanes;
-  const Lanes<2> wd23_z_lanes = minus_wd22_y + detail::make_lanes<Real>(qdd_0[22], qdd_0[23]);
+  const Lanes<2> wd23_z_lanes = minus_wd22_y + detail::make_pack<Real>(qdd_0[22], qdd_0[23]);
   const Lanes<2> n23_x_p5_lanes = n23_x_p4_lanes + wd23_z_lanes;
 
   // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_x_p6_lanes = 2.8750000000000004e-05 * n23_x_p5_lanes;
-  const Lanes<2> n23_x_lanes = n23_x_p3_lanes - n23_x_p6_lanes;
+  const Lanes<2> n23_x_lanes = 4e-06 * (n23_x_p1_lanes + wd23_x_lanes) - 2.8750000000000004e-05 *
+      n23_x_p5_lanes;
 
   // link 23 (left_eye), inward
-  const Lanes<2> n22_x_p7_lanes = detail::make_lanes<Real>(c23, c24) * n23_x_lanes;
-  const Lanes<2> n22_x_p9_lanes = n22_x_p7_lanes - n22_x_p5_lanes;
-  const Lanes<2> n22_x_p11_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) * n23_y_p11_lanes;
-  const Lanes<2> n22_x_p13_lanes = n22_x_p9_lanes + n22_x_p11_lanes;
+  const Lanes<2> n22_x_p13_lanes = detail::make_pack<Real>(c23, c24) * n23_x_lanes -
+      detail::make_pack<Real>(s23, s24) * n23_y_lanes + detail::make_pack<Real>(8e-06, (-8e-06)) *
+      n23_y_p11_lanes;
   const Real n22_x = 0.05450270000000001 * n22_x_p2 - 0.0074 * n22_x_p4 - 0.43200000000000005 *
       a22_z + n22_x_p13_lanes[1] + n22_x_p13_lanes[0];
 
@@ -5639,9 +3792,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real a23_y_p5 = n22_x_p3 - minus_wd22_y;
 
   // link 23 (left_eye), outward
-  const Lanes<2> a23_y_p6_lanes = detail::make_lanes<Real>(0.032, (-0.032)) * a23_y_p5;
-  const Lanes<2> a23_y_p7_lanes = a23_y_p4 + a23_y_p6_lanes;
-  const Lanes<2> a23_y_p8_lanes = detail::make_lanes<Real>(s23, s24) * a23_y_p7_lanes;
+  const Lanes<2> a23_y_p8_lanes = detail::make_pack<Real>(s23, s24) *
+      (a23_y_p4 + detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p5);
 
   // link 24 (right_eye), outward
   const Real a23_y_p9 = a22_z + 0.095 * n22_x_p4;
@@ -5651,50 +3803,29 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 23 (left_eye), outward
   const Real a23_y_p11 = a23_y_p10 + a23_y_p1;
-  const Lanes<2> a23_y_p12_lanes = detail::make_lanes<Real>(0.032, (-0.032)) * a23_y_p11;
-  const Lanes<2> a23_y_p13_lanes = a23_y_p9 - a23_y_p12_lanes;
-  const Lanes<2> a23_y_p14_lanes = detail::make_lanes<Real>(c23, c24) * a23_y_p13_lanes;
-  const Lanes<2> a23_y_lanes = a23_y_p14_lanes - a23_y_p8_lanes;
+  const Lanes<2> a23_y_lanes = detail::make_pack<Real>(c23, c24) *
+      (a23_y_p9 - detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p11) - a23_y_p8_lanes;
 
   // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_z_p1_lanes = 0.00025 * a23_y_lanes;
-  const Lanes<2> n23_z_p2_lanes = 1.2499999999999999e-06 * n23_x_p4_lanes;
-  const Lanes<2> n23_z_p3_lanes = 9.25e-06 * wd23_z_lanes;
-  const Lanes<2> n23_z_p4_lanes = n23_z_p2_lanes + n23_z_p3_lanes;
-
-  // link 23 (left_eye), outward
-  const Lanes<2> n23_z_p5_lanes = n23_x_p1_lanes - wd23_x_lanes;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_z_p6_lanes = 2.8750000000000004e-05 * n23_z_p5_lanes;
-  const Lanes<2> n23_z_p7_lanes = n23_z_p4_lanes + n23_z_p6_lanes;
-  const Lanes<2> n23_z_lanes = n23_z_p7_lanes + n23_z_p1_lanes;
+  const Lanes<2> n23_z_p7_lanes = 1.2499999999999999e-06 * n23_x_p4_lanes + 9.25e-06 *
+      wd23_z_lanes + 2.8750000000000004e-05 * (n23_x_p1_lanes - wd23_x_lanes);
+  const Lanes<2> n23_z_lanes = n23_z_p7_lanes + 0.00025 * a23_y_lanes;
   tau[22] = n23_z_lanes[0];
 
   // link 24 (right_eye), inertial wrench
   tau[23] = n23_z_lanes[1];
 
-  // link 23 (left_eye), outward
-  const Lanes<2> minus_f23_x_p1_lanes = w23_y_lanes * w23_y_lanes;
-
   // link 23 (left_eye), inertial wrench
-  const Lanes<2> minus_f23_x_p2_lanes = minus_f23_x_p1_lanes + n23_y_p3_lanes;
-  const Lanes<2> minus_f23_x_lanes = 0.00025 * minus_f23_x_p2_lanes;
-
-  // link 23 (left_eye), inward
-  const Lanes<2> n22_y_p1_lanes = detail::make_lanes<Real>(c23, c24) * minus_f23_x_lanes;
-
-  // link 23 (left_eye), inertial wrench
+  const Lanes<2> minus_f23_x_lanes = 0.00025 * (w23_y_lanes * w23_y_lanes + n23_y_p3_lanes);
   const Lanes<2> f23_y_lanes = 0.00025 * n23_x_p5_lanes;
 
   // link 23 (left_eye), inward
-  const Lanes<2> n22_y_p3_lanes = detail::make_lanes<Real>(s23, s24) * f23_y_lanes;
-  const Lanes<2> n22_y_p5_lanes = n22_y_p1_lanes + n22_y_p3_lanes;
+  const Lanes<2> n22_y_p5_lanes = detail::make_pack<Real>(c23, c24) * minus_f23_x_lanes +
+      detail::make_pack<Real>(s23, s24) * f23_y_lanes;
   const Real n22_y_p7 = 0.0074 * n22_x_p2 - 0.009438624999999999 * n22_x_p4 - 0.072575 * a22_z -
       n23_z_lanes[1] - (-0.032) * n22_y_p5_lanes[1];
-  const Lanes<2> n22_y_p8_lanes = detail::make_lanes<Real>(c23, c24) * f23_y_lanes;
-  const Lanes<2> n22_y_p10_lanes = detail::make_lanes<Real>(s23, s24) * minus_f23_x_lanes;
-  const Lanes<2> n22_y_p12_lanes = n22_y_p8_lanes - n22_y_p10_lanes;
+  const Lanes<2> n22_y_p12_lanes = detail::make_pack<Real>(c23, c24) * f23_y_lanes -
+      detail::make_pack<Real>(s23, s24) * minus_f23_x_lanes;
   const Real n22_y_p14 = n22_y_p12_lanes[1] + n22_y_p12_lanes[0];
   const Real n22_y = n22_y_p7 - n23_z_lanes[0] - 0.032 * n22_y_p5_lanes[0] - 0.095 * n22_y_p14;
 
@@ -5714,32 +3845,15 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real n6_x = n6_x_p3 + (s7 * n7_x + c7 * n7_y + 0.18 * n6_x_p1);
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p1_lanes = 0.00014700000000000002 * n7_x_p8_lanes;
-  const Lanes<2> n7_z_p2_lanes = 0.00044800000000000005 * wd7_z_lanes;
-  const Lanes<2> n7_z_p3_lanes = n7_z_p1_lanes + n7_z_p2_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_z_p4_lanes = n7_x_p1_lanes - wd7_x_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p5_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_z_p4_lanes;
-  const Lanes<2> n7_z_p6_lanes = n7_z_p3_lanes + n7_z_p5_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_z_p7_lanes = n7_x_p4_lanes + wd7_y_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p8_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_z_p7_lanes;
-  const Lanes<2> n7_z_p9_lanes = n7_z_p6_lanes - n7_z_p8_lanes;
-  const Lanes<2> n7_z_p10_lanes = n7_x_p12_lanes - n7_y_p7_lanes;
-  const Lanes<2> n7_z_p11_lanes = 8.75e-06 * n7_z_p10_lanes;
-  const Lanes<2> n7_z_p12_lanes = n7_z_p9_lanes + n7_z_p11_lanes;
+  const Lanes<2> n7_z_p6_lanes = 0.00014700000000000002 * n7_x_p8_lanes + 0.00044800000000000005 *
+      wd7_z_lanes + detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) *
+      (n7_x_p1_lanes - wd7_x_lanes);
+  const Lanes<2> n7_z_p12_lanes = n7_z_p6_lanes - detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_x_p4_lanes + wd7_y_lanes) + 8.75e-06 *
+      (n7_x_p12_lanes - n7_y_p7_lanes);
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_p13_lanes = a7_y_lanes + a7_x_lanes;
-  const Lanes<2> n7_z_p14_lanes = 0.0017499999999999998 * n7_z_p13_lanes;
+  const Lanes<2> n7_z_p14_lanes = 0.0017499999999999998 * (a7_y_lanes + a7_x_lanes);
   const Real n7_z = n7_z_p12_lanes[0] + s8 * n8_x + c8 * n8_y + n7_z_p14_lanes[0];
   tau[6] = n7_z;
 
@@ -5764,8 +3878,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 23 (left_eye), inward
   const Real n22_z_p1 = 0.04506407500000001 * minus_a23_z_p1 + 0.06394132500000001 * wd22_z -
       0.0074 * (a23_y_p1 - a23_y_p10) + 0.072575 * a22_y;
-  const Lanes<2> n22_z_p2_lanes = detail::make_lanes<Real>(s23, s24) * n23_x_lanes;
-  const Lanes<2> n22_z_p4_lanes = detail::make_lanes<Real>(c23, c24) * n23_y_lanes;
+  const Lanes<2> n22_z_p2_lanes = detail::make_pack<Real>(s23, s24) * n23_x_lanes;
+  const Lanes<2> n22_z_p4_lanes = detail::make_pack<Real>(c23, c24) * n23_y_lanes;
   const Real n22_z_p6 = n23_y_p11_lanes[1] + n23_y_p11_lanes[0];
   const Real n22_z = n22_z_p1 + 0.43200000000000005 * a22_x + n22_z_p2_lanes[1] +
       n22_z_p4_lanes[1] + n22_z_p2_lanes[0] + n22_z_p4_lanes[0] - 2.375e-05 * n22_z_p6;
@@ -5812,8 +3926,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real n6_z_p5 = n6_z_p2 - (-0.18) * n6_z_p3 + c7 * n7_x - s7 * n7_y - 0.18 * n6_z_p4;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_z_p1_lanes = n7_x_p5_lanes - n7_x_p2_lanes;
-  const Lanes<2> f7_z_p2_lanes = 0.0017499999999999998 * f7_z_p1_lanes;
+  const Lanes<2> f7_z_p2_lanes = 0.0017499999999999998 * (n7_x_p5_lanes - n7_x_p2_lanes);
   const Real f7_z = s8 * f8_x + c8 * f8_y + f7_z_p2_lanes[0];
 
   // link 15 (right_shoulder2), inward

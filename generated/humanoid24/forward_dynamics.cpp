@@ -15,7 +15,7 @@
 namespace humanoid24 {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE_RESTRICT qd)[24],
     const Real (&TREELINE_RESTRICT tau)[24], Real (&TREELINE_RESTRICT qdd)[24]) noexcept {
   const Real angles[24] = {q[23], q[22], q[21], q[20], q[13], q[19], q[18], q[17], q[16], q[15],
@@ -73,494 +73,321 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real s1 = sines[23];
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p1_lanes = detail::make_lanes<Real>(0.001090468517736955,
-      (-0.001090468517736955)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> inverse_D1_p3_lanes = detail::make_lanes<Real>(0.001742099791326752,
-      0.001742099791326752) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> inverse_D1_p5_lanes = inverse_D1_p1_lanes + inverse_D1_p3_lanes;
-  const Lanes<2> inverse_D1_p7_lanes = detail::make_lanes<Real>(c13, c20) * inverse_D1_p5_lanes;
+  const Lanes<2> inverse_D1_p5_lanes = detail::make_pack<Real>(0.001090468517736955,
+      (-0.001090468517736955)) * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>(0.001742099791326752, 0.001742099791326752) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> inverse_D1_p7_lanes = detail::make_pack<Real>(c13, c20) * inverse_D1_p5_lanes;
   const Lanes<2> inverse_D1_p9_lanes = 0.0006340258712020409 + inverse_D1_p7_lanes;
-  const Lanes<2> inverse_D12_p1_lanes = detail::make_lanes<Real>((-0.0007660844555829042),
-      (-0.0007660844555829042)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> inverse_D12_p2_lanes = detail::make_lanes<Real>(0.0002628975791811551,
-      (-0.0002628975791811551)) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> inverse_D12_p3_lanes = inverse_D12_p1_lanes + inverse_D12_p2_lanes;
-  const Lanes<2> inverse_D12_p4_lanes = detail::make_lanes<Real>(s13, s20) * inverse_D12_p3_lanes;
-  const Lanes<2> inverse_D12_p5_lanes = inverse_D12_p4_lanes -
-      detail::make_lanes<Real>((-0.0010519177038056625), (-0.0010519177038056625));
+  const Lanes<2> inverse_D12_p3_lanes = detail::make_pack<Real>((-0.0007660844555829042),
+      (-0.0007660844555829042)) * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>(0.0002628975791811551, (-0.0002628975791811551)) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> inverse_D12_p4_lanes = detail::make_pack<Real>(s13, s20) * inverse_D12_p3_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D12_lanes = 1.0 / inverse_D12_p5_lanes;
+  const Lanes<2> inverse_D12_lanes = 1.0 / (inverse_D12_p4_lanes -
+      detail::make_pack<Real>((-0.0010519177038056625), (-0.0010519177038056625)));
   const Lanes<2> inverse_D1_p11_lanes = inverse_D1_p9_lanes * inverse_D12_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p13_lanes = detail::make_lanes<Real>(c13, c20) * inverse_D12_p3_lanes;
-  const Lanes<2> inverse_D1_p15_lanes = detail::make_lanes<Real>((-0.00013384878959057754),
-      0.00013384878959057754) + inverse_D1_p13_lanes;
+  const Lanes<2> inverse_D1_p15_lanes = detail::make_pack<Real>((-0.00013384878959057754),
+      0.00013384878959057754) + detail::make_pack<Real>(c13, c20) * inverse_D12_p3_lanes;
+  const Lanes<2> inverse_D1_p19_lanes = detail::make_pack<Real>(s13, s20) * inverse_D1_p5_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p17_lanes = inverse_D1_p15_lanes * inverse_D1_p11_lanes;
+  const Lanes<2> inverse_D1_p23_lanes = detail::make_pack<Real>((-0.00033044389597753786),
+      0.00033044389597753786) + inverse_D1_p19_lanes + inverse_D1_p15_lanes * inverse_D1_p11_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p19_lanes = detail::make_lanes<Real>(s13, s20) * inverse_D1_p5_lanes;
-  const Lanes<2> inverse_D1_p21_lanes = detail::make_lanes<Real>((-0.00033044389597753786),
-      0.00033044389597753786) + inverse_D1_p19_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p23_lanes = inverse_D1_p21_lanes + inverse_D1_p17_lanes;
-  const Lanes<2> inverse_D1_p25_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D1_p23_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p27_lanes = detail::make_lanes<Real>((-0.002865001425),
-      0.002865001425) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> inverse_D1_p29_lanes = 0.01626499875 * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> inverse_D1_p31_lanes = inverse_D1_p27_lanes - inverse_D1_p29_lanes;
-  const Lanes<2> inverse_D1_p33_lanes = inverse_D1_p31_lanes - 0.0006000000000000001;
+  const Lanes<2> inverse_D1_p33_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(s13, s20) - 0.01626499875 * detail::make_pack<Real>(c13, c20) -
+      0.0006000000000000001;
 
   // link 12 (left_wrist2), articulated inertia
   const Lanes<2> inverse_D1_p35_lanes = inverse_D1_p33_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D1_p37_lanes = inverse_D1_p15_lanes * inverse_D1_p35_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p39_lanes = detail::make_lanes<Real>((-0.002865001425),
-      0.002865001425) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> inverse_D1_p41_lanes = 0.01626499875 * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> inverse_D1_p43_lanes = inverse_D1_p39_lanes + inverse_D1_p41_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p45_lanes = inverse_D1_p43_lanes - inverse_D1_p37_lanes;
-  const Lanes<2> inverse_D1_p47_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D1_p45_lanes;
-  const Lanes<2> inverse_D1_p49_lanes = inverse_D1_p25_lanes + inverse_D1_p47_lanes;
-  const Lanes<2> inverse_D1_p51_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D1_p49_lanes;
-  const Lanes<2> inverse_D1_p53_lanes = detail::make_lanes<Real>(0.001, (-0.001)) +
+  const Lanes<2> inverse_D1_p45_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(c13, c20) + 0.01626499875 * detail::make_pack<Real>(s13, s20) -
+      inverse_D1_p15_lanes * inverse_D1_p35_lanes;
+  const Lanes<2> inverse_D1_p49_lanes = detail::make_pack<Real>(s12, s19) * inverse_D1_p23_lanes +
+      detail::make_pack<Real>(c12, c19) * inverse_D1_p45_lanes;
+  const Lanes<2> inverse_D1_p51_lanes = detail::make_pack<Real>(c12, c19) * inverse_D1_p49_lanes;
+  const Lanes<2> inverse_D1_p53_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
       inverse_D1_p51_lanes;
   const Lanes<2> inverse_D11_p1_lanes = inverse_D1_p15_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D11_p2_lanes = inverse_D1_p15_lanes * inverse_D11_p1_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D11_p3_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D11_p4_lanes = inverse_D11_p3_lanes - inverse_D11_p2_lanes;
-  const Lanes<2> inverse_D11_p5_lanes = 1.16e-05 - inverse_D11_p4_lanes;
-  const Lanes<2> inverse_D11_p6_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p5_lanes;
-  const Lanes<2> inverse_D11_p7_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p6_lanes;
-  const Lanes<2> inverse_D11_p8_lanes = inverse_D11_p4_lanes + inverse_D11_p7_lanes;
-  const Lanes<2> inverse_D11_p9_lanes = 0.00022920000000000001 + inverse_D11_p8_lanes;
+  const Lanes<2> inverse_D11_p4_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes -
+      inverse_D1_p15_lanes * inverse_D11_p1_lanes;
+  const Lanes<2> inverse_D11_p6_lanes = detail::make_pack<Real>(s12, s19) *
+      (1.16e-05 - inverse_D11_p4_lanes);
+  const Lanes<2> inverse_D11_p7_lanes = detail::make_pack<Real>(s12, s19) * inverse_D11_p6_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D11_lanes = 1.0 / inverse_D11_p9_lanes;
+  const Lanes<2> inverse_D11_lanes = 1.0 / (0.00022920000000000001 +
+      (inverse_D11_p4_lanes + inverse_D11_p7_lanes));
   const Lanes<2> inverse_D1_p55_lanes = inverse_D1_p53_lanes * inverse_D11_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p57_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D11_p6_lanes;
 
   // link 13 (left_hand), articulated inertia
   const Lanes<2> inverse_D1_p59_lanes = inverse_D1_p19_lanes -
-      detail::make_lanes<Real>(0.000760024621759417, (-0.000760024621759417));
+      detail::make_pack<Real>(0.000760024621759417, (-0.000760024621759417));
 
   // link 12 (left_wrist2), articulated inertia
   const Lanes<2> inverse_D1_p61_lanes = inverse_D1_p59_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D1_p63_lanes = inverse_D1_p15_lanes * inverse_D1_p61_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p65_lanes = inverse_D1_p7_lanes -
-      detail::make_lanes<Real>(0.002376125662528793, 0.002376125662528793);
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p67_lanes = inverse_D1_p65_lanes - inverse_D1_p63_lanes;
-  const Lanes<2> inverse_D1_p69_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D1_p67_lanes;
-  const Lanes<2> inverse_D1_p71_lanes = 0.0006000000000000001 * detail::make_lanes<Real>(s12, s19);
-  const Lanes<2> inverse_D1_p73_lanes = inverse_D1_p71_lanes + inverse_D1_p69_lanes;
-  const Lanes<2> inverse_D1_p75_lanes = 0.269 * inverse_D1_p73_lanes;
-  const Lanes<2> inverse_D1_p77_lanes = inverse_D1_p57_lanes + inverse_D1_p75_lanes;
-  const Lanes<2> inverse_D1_p79_lanes = 0.000144 - inverse_D1_p77_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p81_lanes = inverse_D1_p79_lanes * inverse_D1_p55_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p83_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D1_p49_lanes;
+  const Lanes<2> inverse_D1_p67_lanes = inverse_D1_p7_lanes -
+      detail::make_pack<Real>(0.002376125662528793, 0.002376125662528793) - inverse_D1_p15_lanes *
+      inverse_D1_p61_lanes;
+  const Lanes<2> inverse_D1_p73_lanes = 0.0006000000000000001 * detail::make_pack<Real>(s12, s19) +
+      detail::make_pack<Real>(c12, c19) * inverse_D1_p67_lanes;
+  const Lanes<2> inverse_D1_p79_lanes = 0.000144 - (detail::make_pack<Real>(c12, c19) *
+      inverse_D11_p6_lanes + 0.269 * inverse_D1_p73_lanes);
+  const Lanes<2> inverse_D1_p83_lanes = detail::make_pack<Real>(s12, s19) * inverse_D1_p49_lanes;
   const Lanes<2> inverse_D1_p85_lanes = inverse_D1_p33_lanes * inverse_D1_p61_lanes;
-  const Lanes<2> inverse_D1_p87_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D1_p85_lanes;
-  const Lanes<2> inverse_D1_p89_lanes = inverse_D1_p9_lanes * inverse_D1_p61_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p91_lanes = detail::make_lanes<Real>((-0.09929187165525127),
-      0.09929187165525127) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> inverse_D1_p93_lanes = detail::make_lanes<Real>((-0.27310176737964387),
-      (-0.27310176737964387)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> inverse_D1_p95_lanes = inverse_D1_p91_lanes - inverse_D1_p93_lanes;
-  const Lanes<2> inverse_D1_p97_lanes = detail::make_lanes<Real>(c13, c20) * inverse_D1_p95_lanes;
-  const Lanes<2> inverse_D1_p99_lanes = inverse_D1_p97_lanes -
-      detail::make_lanes<Real>((-0.04964593582762564), 0.04964593582762564);
+  const Lanes<2> inverse_D1_p95_lanes = detail::make_pack<Real>((-0.09929187165525127),
+      0.09929187165525127) * detail::make_pack<Real>(c13, c20) -
+      detail::make_pack<Real>((-0.27310176737964387), (-0.27310176737964387)) *
+      detail::make_pack<Real>(s13, s20);
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p101_lanes = inverse_D1_p99_lanes - inverse_D1_p89_lanes;
-  const Lanes<2> inverse_D1_p103_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D1_p101_lanes;
-  const Lanes<2> inverse_D1_p105_lanes = inverse_D1_p87_lanes + inverse_D1_p103_lanes;
+  const Lanes<2> inverse_D1_p101_lanes = detail::make_pack<Real>(c13, c20) * inverse_D1_p95_lanes -
+      detail::make_pack<Real>((-0.04964593582762564), 0.04964593582762564) - inverse_D1_p9_lanes *
+      inverse_D1_p61_lanes;
+  const Lanes<2> inverse_D1_p105_lanes = detail::make_pack<Real>(c12, c19) * inverse_D1_p85_lanes +
+      detail::make_pack<Real>(s12, s19) * inverse_D1_p101_lanes;
   const Lanes<2> inverse_D1_p107_lanes = 0.269 * inverse_D1_p105_lanes;
   const Lanes<2> inverse_D1_p109_lanes = inverse_D1_p83_lanes + inverse_D1_p107_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p111_lanes = inverse_D1_p81_lanes - inverse_D1_p109_lanes;
+  const Lanes<2> inverse_D1_p111_lanes = inverse_D1_p79_lanes * inverse_D1_p55_lanes -
+      inverse_D1_p109_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p113_lanes = 0.269 * inverse_D1_p51_lanes;
-  const Lanes<2> inverse_D1_p115_lanes = detail::make_lanes<Real>(0.0002516, (-0.0002516)) +
-      inverse_D1_p113_lanes;
+  const Lanes<2> inverse_D1_p115_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) + 0.269 *
+      inverse_D1_p51_lanes;
   const Lanes<2> inverse_D1_p117_lanes = 6e-04 - inverse_D1_p73_lanes;
 
   // link 11 (left_wrist1), articulated inertia
   const Lanes<2> inverse_D1_p119_lanes = inverse_D1_p117_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D1_p121_lanes = inverse_D1_p115_lanes * inverse_D1_p119_lanes;
-  const Lanes<2> inverse_D1_p123_lanes = inverse_D1_p107_lanes - inverse_D1_p121_lanes;
-  const Lanes<2> inverse_D1_p125_lanes = inverse_D1_p111_lanes - inverse_D1_p123_lanes;
-  const Lanes<2> inverse_D1_p127_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D1_p125_lanes;
-  const Lanes<2> inverse_D1_p129_lanes = inverse_D1_p115_lanes * inverse_D1_p55_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p131_lanes = inverse_D1_p9_lanes * inverse_D1_p11_lanes;
+  const Lanes<2> inverse_D1_p123_lanes = inverse_D1_p107_lanes - inverse_D1_p115_lanes *
+      inverse_D1_p119_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p133_lanes = detail::make_lanes<Real>(s13, s20) * inverse_D1_p95_lanes;
-  const Lanes<2> inverse_D1_p135_lanes = detail::make_lanes<Real>(0.008744893195371809,
-      0.008744893195371809) + inverse_D1_p133_lanes;
+  const Lanes<2> inverse_D1_p133_lanes = detail::make_pack<Real>(s13, s20) * inverse_D1_p95_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p137_lanes = inverse_D1_p135_lanes + inverse_D1_p131_lanes;
+  const Lanes<2> inverse_D1_p137_lanes = detail::make_pack<Real>(0.008744893195371809,
+      0.008744893195371809) + inverse_D1_p133_lanes + inverse_D1_p9_lanes * inverse_D1_p11_lanes;
   const Lanes<2> inverse_D1_p139_lanes = inverse_D1_p33_lanes * inverse_D1_p35_lanes;
-  const Lanes<2> inverse_D1_p141_lanes = inverse_D1_p137_lanes - inverse_D1_p139_lanes;
-  const Lanes<2> inverse_D1_p143_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D1_p141_lanes;
   const Lanes<2> inverse_D1_p145_lanes = inverse_D1_p33_lanes * inverse_D1_p11_lanes;
-  const Lanes<2> inverse_D1_p147_lanes = 2.0 * inverse_D1_p145_lanes;
-  const Lanes<2> inverse_D1_p149_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D1_p147_lanes;
-  const Lanes<2> inverse_D1_p151_lanes = inverse_D1_p149_lanes - inverse_D1_p143_lanes;
-  const Lanes<2> inverse_D1_p153_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D1_p151_lanes;
+  const Lanes<2> inverse_D1_p151_lanes = detail::make_pack<Real>(c12, c19) *
+      (2.0 * inverse_D1_p145_lanes) - detail::make_pack<Real>(s12, s19) *
+      (inverse_D1_p137_lanes - inverse_D1_p139_lanes);
+  const Lanes<2> inverse_D1_p153_lanes = detail::make_pack<Real>(s12, s19) * inverse_D1_p151_lanes;
   const Lanes<2> inverse_D1_p155_lanes = inverse_D1_p153_lanes - inverse_D1_p139_lanes;
-  const Lanes<2> inverse_D1_p157_lanes = 0.269 * inverse_D1_p155_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p159_lanes = inverse_D1_p129_lanes - inverse_D1_p157_lanes;
-  const Lanes<2> inverse_D1_p161_lanes = inverse_D1_p79_lanes * inverse_D1_p119_lanes;
+  const Lanes<2> inverse_D1_p159_lanes = inverse_D1_p115_lanes * inverse_D1_p55_lanes - 0.269 *
+      inverse_D1_p155_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p163_lanes = inverse_D1_p59_lanes * inverse_D1_p61_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D1_p165_lanes = inverse_D1_p133_lanes - 0.2818466605750157;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p167_lanes = inverse_D1_p165_lanes - inverse_D1_p163_lanes;
-  const Lanes<2> inverse_D1_p169_lanes = 0.269 * inverse_D1_p167_lanes;
-  const Lanes<2> inverse_D1_p171_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D1_p67_lanes;
-  const Lanes<2> inverse_D1_p173_lanes = 0.0006000000000000001 * detail::make_lanes<Real>(c12, c19);
-  const Lanes<2> inverse_D1_p175_lanes = inverse_D1_p171_lanes - inverse_D1_p173_lanes;
-  const Lanes<2> inverse_D1_p177_lanes = inverse_D1_p169_lanes - inverse_D1_p175_lanes;
+  const Lanes<2> inverse_D1_p167_lanes = inverse_D1_p133_lanes - 0.2818466605750157 -
+      inverse_D1_p59_lanes * inverse_D1_p61_lanes;
+  const Lanes<2> inverse_D1_p175_lanes = detail::make_pack<Real>(s12, s19) * inverse_D1_p67_lanes -
+      0.0006000000000000001 * detail::make_pack<Real>(c12, c19);
+  const Lanes<2> inverse_D1_p177_lanes = 0.269 * inverse_D1_p167_lanes - inverse_D1_p175_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p179_lanes = inverse_D1_p177_lanes - inverse_D1_p161_lanes;
-  const Lanes<2> inverse_D1_p181_lanes = inverse_D1_p159_lanes + inverse_D1_p179_lanes;
-  const Lanes<2> inverse_D1_p183_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D1_p181_lanes;
-  const Lanes<2> inverse_D1_p185_lanes = inverse_D1_p127_lanes + inverse_D1_p183_lanes;
-  const Lanes<2> inverse_D1_p187_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D1_p185_lanes;
+  const Lanes<2> inverse_D1_p179_lanes = inverse_D1_p177_lanes - inverse_D1_p79_lanes *
+      inverse_D1_p119_lanes;
+  const Lanes<2> inverse_D1_p185_lanes = detail::make_pack<Real>(s11, s18) *
+      (inverse_D1_p111_lanes - inverse_D1_p123_lanes) + detail::make_pack<Real>(c11, c18) *
+      (inverse_D1_p159_lanes + inverse_D1_p179_lanes);
+  const Lanes<2> inverse_D1_p187_lanes = detail::make_pack<Real>(s11, s18) * inverse_D1_p185_lanes;
   const Lanes<2> inverse_D1_p189_lanes = inverse_D1_p123_lanes + inverse_D1_p187_lanes;
   const Lanes<2> inverse_D10_p1_lanes = inverse_D1_p79_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p2_lanes = inverse_D1_p79_lanes * inverse_D10_p1_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p3_lanes = inverse_D1_p177_lanes - inverse_D1_p175_lanes;
-  const Lanes<2> inverse_D10_p4_lanes = 0.269 * inverse_D10_p3_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p5_lanes = 0.000131 - inverse_D11_p7_lanes;
-  const Lanes<2> inverse_D10_p6_lanes = inverse_D10_p5_lanes + inverse_D10_p4_lanes;
-  const Lanes<2> inverse_D10_p7_lanes = inverse_D10_p6_lanes - inverse_D10_p2_lanes;
+  const Lanes<2> inverse_D10_p7_lanes = 0.000131 - inverse_D11_p7_lanes + 0.269 *
+      (inverse_D1_p177_lanes - inverse_D1_p175_lanes) - inverse_D1_p79_lanes * inverse_D10_p1_lanes;
   const Lanes<2> inverse_D10_p8_lanes = inverse_D1_p115_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p9_lanes = inverse_D1_p115_lanes * inverse_D10_p8_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p10_lanes = 0.07236100000000001 * inverse_D1_p155_lanes;
-  const Lanes<2> inverse_D10_p11_lanes = 0.0001098 + inverse_D10_p10_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p12_lanes = inverse_D10_p11_lanes - inverse_D10_p9_lanes;
-  const Lanes<2> inverse_D10_p13_lanes = inverse_D10_p7_lanes - inverse_D10_p12_lanes;
-  const Lanes<2> inverse_D10_p14_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p13_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p15_lanes = 0.269 * inverse_D1_p109_lanes;
-  const Lanes<2> inverse_D10_p16_lanes = detail::make_lanes<Real>((-6e-06), 6e-06) +
-      inverse_D10_p15_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p17_lanes = inverse_D1_p79_lanes * inverse_D10_p8_lanes;
-  const Lanes<2> inverse_D10_p18_lanes = inverse_D10_p16_lanes - inverse_D10_p17_lanes;
-  const Lanes<2> inverse_D10_p19_lanes = 2.0 * detail::make_lanes<Real>(c11, c18);
-  const Lanes<2> inverse_D10_p20_lanes = inverse_D10_p19_lanes * inverse_D10_p18_lanes;
-  const Lanes<2> inverse_D10_p21_lanes = inverse_D10_p14_lanes + inverse_D10_p20_lanes;
-  const Lanes<2> inverse_D10_p22_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p21_lanes;
-  const Lanes<2> inverse_D10_p23_lanes = inverse_D10_p12_lanes + inverse_D10_p22_lanes;
-  const Lanes<2> inverse_D10_p24_lanes = 0.060888541114265754 + inverse_D10_p23_lanes;
+  const Lanes<2> inverse_D10_p12_lanes = 0.0001098 + 0.07236100000000001 * inverse_D1_p155_lanes -
+      inverse_D1_p115_lanes * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p18_lanes = detail::make_pack<Real>((-6e-06), 6e-06) + 0.269 *
+      inverse_D1_p109_lanes - inverse_D1_p79_lanes * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p19_lanes = 2.0 * detail::make_pack<Real>(c11, c18);
+  const Lanes<2> inverse_D10_p21_lanes = detail::make_pack<Real>(s11, s18) *
+      (inverse_D10_p7_lanes - inverse_D10_p12_lanes) + inverse_D10_p19_lanes *
+      inverse_D10_p18_lanes;
+  const Lanes<2> inverse_D10_p22_lanes = detail::make_pack<Real>(s11, s18) * inverse_D10_p21_lanes;
+  const Lanes<2> inverse_D10_p24_lanes = 0.060888541114265754 +
+      (inverse_D10_p12_lanes + inverse_D10_p22_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p24_lanes;
   const Lanes<2> inverse_D1_p191_lanes = inverse_D1_p189_lanes * inverse_D10_lanes;
-  const Lanes<2> inverse_D1_p193_lanes = detail::make_lanes<Real>((-0.0001499998887063),
-      0.0001499998887063) * inverse_D1_p191_lanes;
-  const Lanes<2> inverse_D1_p195_lanes = 0.0014999985000000002 + inverse_D1_p193_lanes;
-  const Lanes<2> inverse_D1_p197_lanes = detail::make_lanes<Real>(c10, c17) * inverse_D1_p195_lanes;
+  const Lanes<2> inverse_D1_p195_lanes = 0.0014999985000000002 +
+      detail::make_pack<Real>((-0.0001499998887063), 0.0001499998887063) * inverse_D1_p191_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p199_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D10_p21_lanes;
-  const Lanes<2> inverse_D1_p201_lanes = inverse_D1_p199_lanes - inverse_D10_p18_lanes;
-  const Lanes<2> inverse_D1_p203_lanes = detail::make_lanes<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + inverse_D1_p201_lanes;
+  const Lanes<2> inverse_D1_p203_lanes = detail::make_pack<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * inverse_D10_p21_lanes -
+      inverse_D10_p18_lanes);
+  const Lanes<2> inverse_D1_p207_lanes = detail::make_pack<Real>(c11, c18) * inverse_D1_p185_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p205_lanes = inverse_D1_p203_lanes * inverse_D1_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p207_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D1_p185_lanes;
-  const Lanes<2> inverse_D1_p209_lanes = inverse_D1_p207_lanes - inverse_D1_p159_lanes;
-  const Lanes<2> inverse_D1_p211_lanes = 0.28049749700000004 + inverse_D1_p209_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p213_lanes = inverse_D1_p211_lanes - inverse_D1_p205_lanes;
-  const Lanes<2> inverse_D1_p215_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p213_lanes;
-  const Lanes<2> inverse_D1_p217_lanes = inverse_D1_p197_lanes - inverse_D1_p215_lanes;
-  const Lanes<2> inverse_D1_p219_lanes = 0.282 * inverse_D1_p217_lanes;
-  const Lanes<2> inverse_D1_p221_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> inverse_D1_p213_lanes = 0.28049749700000004 +
+      (inverse_D1_p207_lanes - inverse_D1_p159_lanes) - inverse_D1_p203_lanes *
+      inverse_D1_p191_lanes;
+  const Lanes<2> inverse_D1_p217_lanes = detail::make_pack<Real>(c10, c17) * inverse_D1_p195_lanes -
+      detail::make_pack<Real>(s10, s17) * inverse_D1_p213_lanes;
+  const Lanes<2> inverse_D1_p221_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) / inverse_D10_p24_lanes;
-  const Lanes<2> inverse_D1_p223_lanes = inverse_D1_p203_lanes * inverse_D1_p221_lanes;
-  const Lanes<2> inverse_D1_p225_lanes = 0.0001499998887063 + inverse_D1_p223_lanes;
-  const Lanes<2> inverse_D1_p227_lanes = 2.0 * detail::make_lanes<Real>(c10, c17);
-  const Lanes<2> inverse_D1_p229_lanes = inverse_D1_p227_lanes * inverse_D1_p225_lanes;
+  const Lanes<2> inverse_D1_p225_lanes = 0.0001499998887063 + inverse_D1_p203_lanes *
+      inverse_D1_p221_lanes;
+  const Lanes<2> inverse_D1_p227_lanes = 2.0 * detail::make_pack<Real>(c10, c17);
   const Lanes<2> inverse_D1_p231_lanes = inverse_D1_p203_lanes * inverse_D10_lanes;
-  const Lanes<2> inverse_D1_p233_lanes = inverse_D1_p203_lanes * inverse_D1_p231_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p235_lanes = inverse_D10_p7_lanes - inverse_D10_p22_lanes;
-  const Lanes<2> inverse_D1_p237_lanes = 0.06060754126741261 + inverse_D1_p235_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p239_lanes = inverse_D1_p237_lanes - inverse_D1_p233_lanes;
-  const Lanes<2> inverse_D1_p241_lanes = detail::make_lanes<Real>(2.249996661190239e-08,
-      2.249996661190239e-08) / inverse_D10_p24_lanes;
-  const Lanes<2> inverse_D1_p243_lanes = 0.00028099984685315 - inverse_D1_p241_lanes;
-  const Lanes<2> inverse_D1_p245_lanes = inverse_D1_p239_lanes - inverse_D1_p243_lanes;
-  const Lanes<2> inverse_D1_p247_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p245_lanes;
-  const Lanes<2> inverse_D1_p249_lanes = inverse_D1_p229_lanes - inverse_D1_p247_lanes;
-  const Lanes<2> inverse_D1_p251_lanes = detail::make_lanes<Real>(c10, c17) * inverse_D1_p249_lanes;
-  const Lanes<2> inverse_D1_p253_lanes = inverse_D1_p225_lanes - inverse_D1_p251_lanes;
-  const Lanes<2> inverse_D1_p255_lanes = inverse_D1_p219_lanes - inverse_D1_p253_lanes;
-  const Lanes<2> inverse_D1_p257_lanes = inverse_D1_p255_lanes - 0.0005895000784280001;
-  const Lanes<2> inverse_D9_p1_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p249_lanes;
-  const Lanes<2> inverse_D9_p2_lanes = inverse_D1_p243_lanes - inverse_D9_p1_lanes;
-  const Lanes<2> inverse_D9_p3_lanes = 0.0027762933559338653 + inverse_D9_p2_lanes;
+  const Lanes<2> inverse_D1_p239_lanes = 0.06060754126741261 +
+      (inverse_D10_p7_lanes - inverse_D10_p22_lanes) - inverse_D1_p203_lanes *
+      inverse_D1_p231_lanes;
+  const Lanes<2> inverse_D1_p243_lanes = 0.00028099984685315 -
+      detail::make_pack<Real>(2.249996661190239e-08, 2.249996661190239e-08) / inverse_D10_p24_lanes;
+  const Lanes<2> inverse_D1_p249_lanes = inverse_D1_p227_lanes * inverse_D1_p225_lanes -
+      detail::make_pack<Real>(s10, s17) * (inverse_D1_p239_lanes - inverse_D1_p243_lanes);
+  const Lanes<2> inverse_D1_p257_lanes = 0.282 * inverse_D1_p217_lanes -
+      (inverse_D1_p225_lanes - detail::make_pack<Real>(c10, c17) * inverse_D1_p249_lanes) -
+      0.0005895000784280001;
+  const Lanes<2> inverse_D9_p1_lanes = detail::make_pack<Real>(s10, s17) * inverse_D1_p249_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D9_lanes = 1.0 / inverse_D9_p3_lanes;
+  const Lanes<2> inverse_D9_lanes = 1.0 / (0.0027762933559338653 +
+      (inverse_D1_p243_lanes - inverse_D9_p1_lanes));
   const Lanes<2> inverse_D1_p259_lanes = inverse_D1_p257_lanes * inverse_D9_lanes;
   const Lanes<2> inverse_D1_p261_lanes = inverse_D1_p257_lanes * inverse_D1_p259_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p263_lanes = detail::make_lanes<Real>(c10, c17) * inverse_D1_p213_lanes;
-  const Lanes<2> inverse_D1_p265_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p195_lanes;
-  const Lanes<2> inverse_D1_p267_lanes = inverse_D1_p263_lanes + inverse_D1_p265_lanes;
-  const Lanes<2> inverse_D1_p269_lanes = inverse_D1_p189_lanes * inverse_D1_p191_lanes;
+  const Lanes<2> inverse_D1_p267_lanes = detail::make_pack<Real>(c10, c17) * inverse_D1_p213_lanes +
+      detail::make_pack<Real>(s10, s17) * inverse_D1_p195_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p271_lanes = inverse_D1_p53_lanes * inverse_D1_p55_lanes;
-  const Lanes<2> inverse_D1_p273_lanes = inverse_D1_p155_lanes - inverse_D1_p271_lanes;
-  const Lanes<2> inverse_D1_p275_lanes = inverse_D1_p117_lanes * inverse_D1_p119_lanes;
-  const Lanes<2> inverse_D1_p277_lanes = inverse_D1_p167_lanes - inverse_D1_p275_lanes;
-  const Lanes<2> inverse_D1_p279_lanes = inverse_D1_p273_lanes - inverse_D1_p277_lanes;
-  const Lanes<2> inverse_D1_p281_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D1_p279_lanes;
-  const Lanes<2> inverse_D1_p283_lanes = inverse_D1_p53_lanes * inverse_D1_p119_lanes;
-  const Lanes<2> inverse_D1_p285_lanes = inverse_D1_p283_lanes - inverse_D1_p105_lanes;
-  const Lanes<2> inverse_D1_p287_lanes = inverse_D10_p19_lanes * inverse_D1_p285_lanes;
-  const Lanes<2> inverse_D1_p289_lanes = inverse_D1_p281_lanes + inverse_D1_p287_lanes;
-  const Lanes<2> inverse_D1_p291_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D1_p289_lanes;
-  const Lanes<2> inverse_D1_p293_lanes = inverse_D1_p277_lanes + inverse_D1_p291_lanes;
+  const Lanes<2> inverse_D1_p273_lanes = inverse_D1_p155_lanes - inverse_D1_p53_lanes *
+      inverse_D1_p55_lanes;
+  const Lanes<2> inverse_D1_p277_lanes = inverse_D1_p167_lanes - inverse_D1_p117_lanes *
+      inverse_D1_p119_lanes;
+  const Lanes<2> inverse_D1_p285_lanes = inverse_D1_p53_lanes * inverse_D1_p119_lanes -
+      inverse_D1_p105_lanes;
+  const Lanes<2> inverse_D1_p289_lanes = detail::make_pack<Real>(s11, s18) *
+      (inverse_D1_p273_lanes - inverse_D1_p277_lanes) + inverse_D10_p19_lanes *
+      inverse_D1_p285_lanes;
+  const Lanes<2> inverse_D1_p291_lanes = detail::make_pack<Real>(s11, s18) * inverse_D1_p289_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p295_lanes = inverse_D1_p293_lanes - inverse_D1_p269_lanes;
-  const Lanes<2> inverse_D1_p297_lanes = 0.282 * inverse_D1_p295_lanes;
-  const Lanes<2> inverse_D1_p299_lanes = inverse_D1_p267_lanes + inverse_D1_p297_lanes;
-  const Lanes<2> inverse_D1_p301_lanes = inverse_D1_p267_lanes + inverse_D1_p299_lanes;
-  const Lanes<2> inverse_D1_p303_lanes = 0.282 * inverse_D1_p301_lanes;
-  const Lanes<2> inverse_D1_p305_lanes = inverse_D1_p239_lanes + inverse_D9_p1_lanes;
-  const Lanes<2> inverse_D1_p307_lanes = inverse_D1_p305_lanes + inverse_D1_p303_lanes;
-  const Lanes<2> inverse_D1_p309_lanes = 0.0019585440854647937 + inverse_D1_p307_lanes;
+  const Lanes<2> inverse_D1_p295_lanes = inverse_D1_p277_lanes + inverse_D1_p291_lanes -
+      inverse_D1_p189_lanes * inverse_D1_p191_lanes;
+  const Lanes<2> inverse_D1_p299_lanes = inverse_D1_p267_lanes + 0.282 * inverse_D1_p295_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p311_lanes = inverse_D1_p309_lanes - inverse_D1_p261_lanes;
+  const Lanes<2> inverse_D1_p311_lanes = 0.0019585440854647937 +
+      (inverse_D1_p239_lanes + inverse_D9_p1_lanes + 0.282 *
+      (inverse_D1_p267_lanes + inverse_D1_p299_lanes)) - inverse_D1_p261_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p313_lanes = inverse_D1_p207_lanes - inverse_D1_p179_lanes;
-  const Lanes<2> inverse_D1_p315_lanes = inverse_D1_p313_lanes - 0.28049749700000004;
+  const Lanes<2> inverse_D1_p315_lanes = inverse_D1_p207_lanes - inverse_D1_p179_lanes -
+      0.28049749700000004;
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> inverse_D1_p317_lanes = inverse_D1_p315_lanes * inverse_D10_lanes;
-  const Lanes<2> inverse_D1_p319_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> inverse_D1_p319_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) * inverse_D1_p317_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p321_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D1_p85_lanes;
-  const Lanes<2> inverse_D1_p323_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D1_p101_lanes;
-  const Lanes<2> inverse_D1_p325_lanes = inverse_D1_p321_lanes - inverse_D1_p323_lanes;
-  const Lanes<2> inverse_D1_p327_lanes = 0.269 * inverse_D1_p325_lanes;
-  const Lanes<2> inverse_D1_p329_lanes = inverse_D1_p51_lanes - inverse_D1_p45_lanes;
-  const Lanes<2> inverse_D1_p331_lanes = inverse_D1_p327_lanes - inverse_D1_p329_lanes;
-  const Lanes<2> inverse_D1_p333_lanes = detail::make_lanes<Real>(0.001, (-0.001)) +
-      inverse_D1_p331_lanes;
+  const Lanes<2> inverse_D1_p325_lanes = detail::make_pack<Real>(s12, s19) * inverse_D1_p85_lanes -
+      detail::make_pack<Real>(c12, c19) * inverse_D1_p101_lanes;
   const Lanes<2> inverse_D1_p335_lanes = inverse_D1_p83_lanes - inverse_D1_p23_lanes;
 
   // link 11 (left_wrist1), articulated inertia
   const Lanes<2> inverse_D1_p337_lanes = inverse_D1_p335_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D1_p339_lanes = inverse_D1_p79_lanes * inverse_D1_p337_lanes;
-  const Lanes<2> inverse_D1_p341_lanes = inverse_D1_p333_lanes - inverse_D1_p339_lanes;
-  const Lanes<2> inverse_D1_p343_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D1_p341_lanes;
-  const Lanes<2> inverse_D1_p345_lanes = inverse_D1_p115_lanes * inverse_D1_p337_lanes;
+  const Lanes<2> inverse_D1_p341_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
+      (0.269 * inverse_D1_p325_lanes - (inverse_D1_p51_lanes - inverse_D1_p45_lanes)) -
+      inverse_D1_p79_lanes * inverse_D1_p337_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p347_lanes = detail::make_lanes<Real>(c12, c19) * inverse_D1_p151_lanes;
-  const Lanes<2> inverse_D1_p349_lanes = inverse_D1_p145_lanes - inverse_D1_p347_lanes;
-  const Lanes<2> inverse_D1_p351_lanes = 0.269 * inverse_D1_p349_lanes;
-  const Lanes<2> inverse_D1_p353_lanes = inverse_D1_p351_lanes - 6e-04;
+  const Lanes<2> inverse_D1_p349_lanes = inverse_D1_p145_lanes - detail::make_pack<Real>(c12, c19) *
+      inverse_D1_p151_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p355_lanes = inverse_D1_p353_lanes - inverse_D1_p345_lanes;
-  const Lanes<2> inverse_D1_p357_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D1_p355_lanes;
-  const Lanes<2> inverse_D1_p359_lanes = inverse_D1_p343_lanes + inverse_D1_p357_lanes;
-  const Lanes<2> inverse_D1_p361_lanes = 0.0014999985000000002 - inverse_D1_p359_lanes;
+  const Lanes<2> inverse_D1_p355_lanes = 0.269 * inverse_D1_p349_lanes - 6e-04 -
+      inverse_D1_p115_lanes * inverse_D1_p337_lanes;
+  const Lanes<2> inverse_D1_p361_lanes = 0.0014999985000000002 -
+      (detail::make_pack<Real>(s11, s18) * inverse_D1_p341_lanes +
+      detail::make_pack<Real>(c11, c18) * inverse_D1_p355_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> inverse_D1_p363_lanes = inverse_D1_p361_lanes * inverse_D10_lanes;
-  const Lanes<2> inverse_D1_p365_lanes = inverse_D1_p203_lanes * inverse_D1_p363_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p367_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D1_p341_lanes;
-  const Lanes<2> inverse_D1_p369_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D1_p355_lanes;
-  const Lanes<2> inverse_D1_p371_lanes = inverse_D1_p367_lanes - inverse_D1_p369_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p373_lanes = inverse_D1_p371_lanes + inverse_D1_p365_lanes;
-  const Lanes<2> inverse_D1_p375_lanes = inverse_D1_p319_lanes + inverse_D1_p373_lanes;
-  const Lanes<2> inverse_D1_p377_lanes = detail::make_lanes<Real>(c10, c17) * inverse_D1_p375_lanes;
-  const Lanes<2> inverse_D1_p379_lanes = inverse_D1_p203_lanes * inverse_D1_p317_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p381_lanes = inverse_D1_p111_lanes - inverse_D1_p187_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p383_lanes = inverse_D1_p381_lanes - inverse_D1_p379_lanes;
-  const Lanes<2> inverse_D1_p385_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> inverse_D1_p373_lanes = detail::make_pack<Real>(c11, c18) * inverse_D1_p341_lanes -
+      detail::make_pack<Real>(s11, s18) * inverse_D1_p355_lanes + inverse_D1_p203_lanes *
+      inverse_D1_p363_lanes;
+  const Lanes<2> inverse_D1_p383_lanes = inverse_D1_p111_lanes - inverse_D1_p187_lanes -
+      inverse_D1_p203_lanes * inverse_D1_p317_lanes;
+  const Lanes<2> inverse_D1_p385_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) * inverse_D1_p363_lanes;
-  const Lanes<2> inverse_D1_p387_lanes = inverse_D1_p383_lanes + inverse_D1_p385_lanes;
-  const Lanes<2> inverse_D1_p389_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p387_lanes;
-  const Lanes<2> inverse_D1_p391_lanes = inverse_D1_p377_lanes - inverse_D1_p389_lanes;
-  const Lanes<2> inverse_D1_p393_lanes = detail::make_lanes<Real>(c10, c17) * inverse_D1_p391_lanes;
+  const Lanes<2> inverse_D1_p391_lanes = detail::make_pack<Real>(c10, c17) *
+      (inverse_D1_p319_lanes + inverse_D1_p373_lanes) - detail::make_pack<Real>(s10, s17) *
+      (inverse_D1_p383_lanes + inverse_D1_p385_lanes);
+  const Lanes<2> inverse_D1_p393_lanes = detail::make_pack<Real>(c10, c17) * inverse_D1_p391_lanes;
   const Lanes<2> inverse_D1_p395_lanes = inverse_D1_p373_lanes - inverse_D1_p393_lanes;
-  const Lanes<2> inverse_D1_p397_lanes = 0.282 * inverse_D1_p395_lanes;
-  const Lanes<2> inverse_D1_p399_lanes = detail::make_lanes<Real>(0.0012089992423205001,
-      (-0.0012089992423205001)) + inverse_D1_p397_lanes;
+  const Lanes<2> inverse_D1_p399_lanes = detail::make_pack<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + 0.282 * inverse_D1_p395_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D1_p401_lanes = inverse_D1_p399_lanes * inverse_D9_lanes;
-  const Lanes<2> inverse_D1_p403_lanes = inverse_D1_p399_lanes * inverse_D1_p401_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p405_lanes = inverse_D1_p315_lanes * inverse_D1_p363_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p407_lanes = inverse_D1_p53_lanes * inverse_D1_p337_lanes;
-  const Lanes<2> inverse_D1_p409_lanes = inverse_D1_p407_lanes - inverse_D1_p349_lanes;
-  const Lanes<2> inverse_D1_p411_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D1_p409_lanes;
-  const Lanes<2> inverse_D1_p413_lanes = inverse_D1_p117_lanes * inverse_D1_p337_lanes;
-  const Lanes<2> inverse_D1_p415_lanes = inverse_D1_p325_lanes - inverse_D1_p413_lanes;
-  const Lanes<2> inverse_D1_p417_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D1_p415_lanes;
-  const Lanes<2> inverse_D1_p419_lanes = inverse_D1_p411_lanes - inverse_D1_p417_lanes;
+  const Lanes<2> inverse_D1_p409_lanes = inverse_D1_p53_lanes * inverse_D1_p337_lanes -
+      inverse_D1_p349_lanes;
+  const Lanes<2> inverse_D1_p415_lanes = inverse_D1_p325_lanes - inverse_D1_p117_lanes *
+      inverse_D1_p337_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p421_lanes = inverse_D1_p419_lanes + inverse_D1_p405_lanes;
-  const Lanes<2> inverse_D1_p423_lanes = inverse_D1_p227_lanes * inverse_D1_p421_lanes;
-  const Lanes<2> inverse_D1_p425_lanes = inverse_D1_p315_lanes * inverse_D1_p317_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p427_lanes = inverse_D1_p273_lanes - inverse_D1_p291_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p429_lanes = inverse_D1_p427_lanes - inverse_D1_p425_lanes;
-  const Lanes<2> inverse_D1_p431_lanes = inverse_D1_p361_lanes * inverse_D1_p363_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p433_lanes = inverse_D1_p335_lanes * inverse_D1_p337_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D1_p435_lanes = inverse_D1_p137_lanes + inverse_D1_p153_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p437_lanes = inverse_D1_p435_lanes + inverse_D1_p433_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p439_lanes = inverse_D1_p437_lanes + inverse_D1_p431_lanes;
-  const Lanes<2> inverse_D1_p441_lanes = inverse_D1_p429_lanes + inverse_D1_p439_lanes;
-  const Lanes<2> inverse_D1_p443_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p441_lanes;
-  const Lanes<2> inverse_D1_p445_lanes = inverse_D1_p423_lanes - inverse_D1_p443_lanes;
-  const Lanes<2> inverse_D1_p447_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p445_lanes;
+  const Lanes<2> inverse_D1_p421_lanes = detail::make_pack<Real>(c11, c18) * inverse_D1_p409_lanes -
+      detail::make_pack<Real>(s11, s18) * inverse_D1_p415_lanes + inverse_D1_p315_lanes *
+      inverse_D1_p363_lanes;
+  const Lanes<2> inverse_D1_p429_lanes = inverse_D1_p273_lanes - inverse_D1_p291_lanes -
+      inverse_D1_p315_lanes * inverse_D1_p317_lanes;
+  const Lanes<2> inverse_D1_p439_lanes = inverse_D1_p137_lanes + inverse_D1_p153_lanes +
+      inverse_D1_p335_lanes * inverse_D1_p337_lanes + inverse_D1_p361_lanes * inverse_D1_p363_lanes;
+  const Lanes<2> inverse_D1_p445_lanes = inverse_D1_p227_lanes * inverse_D1_p421_lanes -
+      detail::make_pack<Real>(s10, s17) * (inverse_D1_p429_lanes + inverse_D1_p439_lanes);
+  const Lanes<2> inverse_D1_p447_lanes = detail::make_pack<Real>(s10, s17) * inverse_D1_p445_lanes;
   const Lanes<2> inverse_D1_p449_lanes = inverse_D1_p429_lanes + inverse_D1_p447_lanes;
-  const Lanes<2> inverse_D1_p451_lanes = 0.07952399999999998 * inverse_D1_p449_lanes;
-  const Lanes<2> inverse_D1_p453_lanes = 0.0008177492704690715 + inverse_D1_p451_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p455_lanes = inverse_D1_p453_lanes - inverse_D1_p403_lanes;
-  const Lanes<2> inverse_D1_p457_lanes = inverse_D1_p311_lanes - inverse_D1_p455_lanes;
-  const Lanes<2> inverse_D1_p459_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p457_lanes;
-  const Lanes<2> inverse_D1_p461_lanes = inverse_D1_p257_lanes * inverse_D1_p401_lanes;
+  const Lanes<2> inverse_D1_p455_lanes = 0.0008177492704690715 + 0.07952399999999998 *
+      inverse_D1_p449_lanes - inverse_D1_p399_lanes * inverse_D1_p401_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p463_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p391_lanes;
-  const Lanes<2> inverse_D1_p465_lanes = inverse_D1_p383_lanes + inverse_D1_p463_lanes;
-  const Lanes<2> inverse_D1_p467_lanes = inverse_D1_p315_lanes * inverse_D1_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p469_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D1_p289_lanes;
-  const Lanes<2> inverse_D1_p471_lanes = inverse_D1_p469_lanes - inverse_D1_p285_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p473_lanes = inverse_D1_p471_lanes - inverse_D1_p467_lanes;
-  const Lanes<2> inverse_D1_p475_lanes = detail::make_lanes<Real>(c10, c17) * inverse_D1_p473_lanes;
-  const Lanes<2> inverse_D1_p477_lanes = inverse_D1_p361_lanes * inverse_D1_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D1_p479_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D1_p409_lanes;
-  const Lanes<2> inverse_D1_p481_lanes = detail::make_lanes<Real>(c11, c18) * inverse_D1_p415_lanes;
-  const Lanes<2> inverse_D1_p483_lanes = inverse_D1_p479_lanes + inverse_D1_p481_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p485_lanes = inverse_D1_p483_lanes + inverse_D1_p477_lanes;
-  const Lanes<2> inverse_D1_p487_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p485_lanes;
-  const Lanes<2> inverse_D1_p489_lanes = inverse_D1_p475_lanes + inverse_D1_p487_lanes;
+  const Lanes<2> inverse_D1_p463_lanes = detail::make_pack<Real>(s10, s17) * inverse_D1_p391_lanes;
+  const Lanes<2> inverse_D1_p473_lanes = detail::make_pack<Real>(c11, c18) * inverse_D1_p289_lanes -
+      inverse_D1_p285_lanes - inverse_D1_p315_lanes * inverse_D1_p191_lanes;
+  const Lanes<2> inverse_D1_p485_lanes = detail::make_pack<Real>(s11, s18) * inverse_D1_p409_lanes +
+      detail::make_pack<Real>(c11, c18) * inverse_D1_p415_lanes + inverse_D1_p361_lanes *
+      inverse_D1_p191_lanes;
+  const Lanes<2> inverse_D1_p489_lanes = detail::make_pack<Real>(c10, c17) * inverse_D1_p473_lanes +
+      detail::make_pack<Real>(s10, s17) * inverse_D1_p485_lanes;
   const Lanes<2> inverse_D1_p491_lanes = 0.282 * inverse_D1_p489_lanes;
-  const Lanes<2> inverse_D1_p493_lanes = inverse_D1_p465_lanes + inverse_D1_p491_lanes;
-  const Lanes<2> inverse_D1_p495_lanes = 0.282 * inverse_D1_p493_lanes;
-  const Lanes<2> inverse_D1_p497_lanes = detail::make_lanes<Real>(4.4999986458742003e-05,
-      (-4.4999986458742003e-05)) - inverse_D1_p495_lanes;
+  const Lanes<2> inverse_D1_p493_lanes = inverse_D1_p383_lanes + inverse_D1_p463_lanes +
+      inverse_D1_p491_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p499_lanes = inverse_D1_p497_lanes - inverse_D1_p461_lanes;
-  const Lanes<2> inverse_D1_p501_lanes = 2.0 * detail::make_lanes<Real>(s9, s16);
-  const Lanes<2> inverse_D1_p503_lanes = inverse_D1_p501_lanes * inverse_D1_p499_lanes;
-  const Lanes<2> inverse_D1_p505_lanes = inverse_D1_p459_lanes - inverse_D1_p503_lanes;
-  const Lanes<2> inverse_D1_p507_lanes = detail::make_lanes<Real>(s9, s16) * inverse_D1_p505_lanes;
-  const Lanes<2> inverse_D1_p509_lanes = inverse_D1_p507_lanes + inverse_D1_p499_lanes;
-  const Lanes<2> inverse_D1_p511_lanes = detail::make_lanes<Real>((-1.75e-05), 1.75e-05) +
-      inverse_D1_p509_lanes;
-  const Lanes<2> inverse_D8_p1_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p505_lanes;
-  const Lanes<2> inverse_D8_p2_lanes = inverse_D1_p455_lanes + inverse_D8_p1_lanes;
-  const Lanes<2> inverse_D8_p3_lanes = 0.18125194219699997 + inverse_D8_p2_lanes;
+  const Lanes<2> inverse_D1_p499_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - 0.282 * inverse_D1_p493_lanes - inverse_D1_p257_lanes *
+      inverse_D1_p401_lanes;
+  const Lanes<2> inverse_D1_p501_lanes = 2.0 * detail::make_pack<Real>(s9, s16);
+  const Lanes<2> inverse_D1_p505_lanes = detail::make_pack<Real>(c9, c16) *
+      (inverse_D1_p311_lanes - inverse_D1_p455_lanes) - inverse_D1_p501_lanes *
+      inverse_D1_p499_lanes;
+  const Lanes<2> inverse_D1_p511_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
+      (detail::make_pack<Real>(s9, s16) * inverse_D1_p505_lanes + inverse_D1_p499_lanes);
+  const Lanes<2> inverse_D8_p1_lanes = detail::make_pack<Real>(c9, c16) * inverse_D1_p505_lanes;
+  const Lanes<2> inverse_D8_p3_lanes = 0.18125194219699997 +
+      (inverse_D1_p455_lanes + inverse_D8_p1_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D8_lanes = 1.0 / inverse_D8_p3_lanes;
@@ -570,330 +397,212 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D1_p515_lanes = inverse_D1_p513_lanes * inverse_D9_lanes;
-  const Lanes<2> inverse_D1_p517_lanes = inverse_D1_p257_lanes * inverse_D1_p515_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p519_lanes = detail::make_lanes<Real>(c10, c17) * inverse_D1_p485_lanes;
-  const Lanes<2> inverse_D1_p521_lanes = detail::make_lanes<Real>(s10, s17) * inverse_D1_p473_lanes;
-  const Lanes<2> inverse_D1_p523_lanes = inverse_D1_p519_lanes - inverse_D1_p521_lanes;
-  const Lanes<2> inverse_D1_p525_lanes = 0.282 * inverse_D1_p523_lanes;
-  const Lanes<2> inverse_D1_p527_lanes = inverse_D1_p319_lanes - inverse_D1_p393_lanes;
-  const Lanes<2> inverse_D1_p529_lanes = inverse_D1_p525_lanes - inverse_D1_p527_lanes;
-  const Lanes<2> inverse_D1_p531_lanes = detail::make_lanes<Real>(0.004500002325,
-      (-0.004500002325)) + inverse_D1_p529_lanes;
+  const Lanes<2> inverse_D1_p523_lanes = detail::make_pack<Real>(c10, c17) * inverse_D1_p485_lanes -
+      detail::make_pack<Real>(s10, s17) * inverse_D1_p473_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p533_lanes = inverse_D1_p531_lanes + inverse_D1_p517_lanes;
-  const Lanes<2> inverse_D1_p535_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p533_lanes;
-  const Lanes<2> inverse_D1_p537_lanes = inverse_D1_p399_lanes * inverse_D1_p515_lanes;
+  const Lanes<2> inverse_D1_p533_lanes = detail::make_pack<Real>(0.004500002325,
+      (-0.004500002325)) + (0.282 * inverse_D1_p523_lanes -
+      (inverse_D1_p319_lanes - inverse_D1_p393_lanes)) + inverse_D1_p257_lanes *
+      inverse_D1_p515_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p539_lanes = detail::make_lanes<Real>(c10, c17) * inverse_D1_p445_lanes;
-  const Lanes<2> inverse_D1_p541_lanes = inverse_D1_p421_lanes - inverse_D1_p539_lanes;
-  const Lanes<2> inverse_D1_p543_lanes = 0.282 * inverse_D1_p541_lanes;
-  const Lanes<2> inverse_D1_p545_lanes = 0.0022500062 + inverse_D1_p543_lanes;
+  const Lanes<2> inverse_D1_p541_lanes = inverse_D1_p421_lanes - detail::make_pack<Real>(c10, c17) *
+      inverse_D1_p445_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p547_lanes = inverse_D1_p545_lanes + inverse_D1_p537_lanes;
-  const Lanes<2> inverse_D1_p549_lanes = detail::make_lanes<Real>(s9, s16) * inverse_D1_p547_lanes;
-  const Lanes<2> inverse_D1_p551_lanes = inverse_D1_p535_lanes - inverse_D1_p549_lanes;
-  const Lanes<2> inverse_D1_p553_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) + inverse_D1_p551_lanes;
+  const Lanes<2> inverse_D1_p547_lanes = 0.0022500062 + 0.282 * inverse_D1_p541_lanes +
+      inverse_D1_p399_lanes * inverse_D1_p515_lanes;
+  const Lanes<2> inverse_D1_p553_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + (detail::make_pack<Real>(c9, c16) * inverse_D1_p533_lanes -
+      detail::make_pack<Real>(s9, s16) * inverse_D1_p547_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D1_p555_lanes = inverse_D1_p553_lanes * inverse_D8_lanes;
-  const Lanes<2> inverse_D1_p557_lanes = inverse_D1_p511_lanes * inverse_D1_p555_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p559_lanes = detail::make_lanes<Real>(s9, s16) * inverse_D1_p533_lanes;
-  const Lanes<2> inverse_D1_p561_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p547_lanes;
-  const Lanes<2> inverse_D1_p563_lanes = inverse_D1_p559_lanes + inverse_D1_p561_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p565_lanes = inverse_D1_p557_lanes - inverse_D1_p563_lanes;
+  const Lanes<2> inverse_D1_p565_lanes = inverse_D1_p511_lanes * inverse_D1_p555_lanes -
+      (detail::make_pack<Real>(s9, s16) * inverse_D1_p533_lanes + detail::make_pack<Real>(c9, c16) *
+      inverse_D1_p547_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p567_lanes = detail::make_lanes<Real>(0.004500002325,
+  const Lanes<2> inverse_D1_p567_lanes = detail::make_pack<Real>(0.004500002325,
       (-0.004500002325)) + inverse_D1_p395_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D1_p569_lanes = inverse_D1_p567_lanes * inverse_D9_lanes;
-  const Lanes<2> inverse_D1_p571_lanes = inverse_D1_p257_lanes * inverse_D1_p569_lanes;
-  const Lanes<2> inverse_D1_p573_lanes = inverse_D1_p493_lanes + inverse_D1_p571_lanes;
+  const Lanes<2> inverse_D1_p573_lanes = inverse_D1_p493_lanes + inverse_D1_p257_lanes *
+      inverse_D1_p569_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> inverse_D1_p575_lanes = inverse_D1_p217_lanes - 0.0022500062;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D1_p577_lanes = inverse_D1_p575_lanes * inverse_D9_lanes;
-  const Lanes<2> inverse_D1_p579_lanes = inverse_D1_p399_lanes * inverse_D1_p577_lanes;
-  const Lanes<2> inverse_D1_p581_lanes = inverse_D1_p491_lanes + inverse_D1_p579_lanes;
-  const Lanes<2> inverse_D1_p583_lanes = inverse_D1_p573_lanes + inverse_D1_p581_lanes;
-  const Lanes<2> inverse_D1_p585_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p583_lanes;
-  const Lanes<2> inverse_D1_p587_lanes = inverse_D1_p257_lanes * inverse_D1_p577_lanes;
-  const Lanes<2> inverse_D1_p589_lanes = inverse_D1_p299_lanes - inverse_D1_p587_lanes;
-  const Lanes<2> inverse_D1_p591_lanes = inverse_D1_p399_lanes * inverse_D1_p569_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p593_lanes = 0.282 * inverse_D1_p449_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p595_lanes = inverse_D1_p591_lanes - inverse_D1_p593_lanes;
-  const Lanes<2> inverse_D1_p597_lanes = inverse_D1_p595_lanes + inverse_D1_p589_lanes;
-  const Lanes<2> inverse_D1_p599_lanes = detail::make_lanes<Real>(s9, s16) * inverse_D1_p597_lanes;
-  const Lanes<2> inverse_D1_p601_lanes = inverse_D1_p585_lanes - inverse_D1_p599_lanes;
-  const Lanes<2> inverse_D1_p603_lanes = detail::make_lanes<Real>(s9, s16) * inverse_D1_p601_lanes;
-  const Lanes<2> inverse_D1_p605_lanes = inverse_D1_p603_lanes + inverse_D1_p589_lanes;
-  const Lanes<2> inverse_D1_p607_lanes = 0.7139200499999999 + inverse_D1_p605_lanes;
+  const Lanes<2> inverse_D1_p581_lanes = inverse_D1_p491_lanes + inverse_D1_p399_lanes *
+      inverse_D1_p577_lanes;
+  const Lanes<2> inverse_D1_p589_lanes = inverse_D1_p299_lanes - inverse_D1_p257_lanes *
+      inverse_D1_p577_lanes;
+  const Lanes<2> inverse_D1_p595_lanes = inverse_D1_p399_lanes * inverse_D1_p569_lanes - 0.282 *
+      inverse_D1_p449_lanes;
+  const Lanes<2> inverse_D1_p601_lanes = detail::make_pack<Real>(c9, c16) *
+      (inverse_D1_p573_lanes + inverse_D1_p581_lanes) - detail::make_pack<Real>(s9, s16) *
+      (inverse_D1_p595_lanes + inverse_D1_p589_lanes);
+  const Lanes<2> inverse_D1_p603_lanes = detail::make_pack<Real>(s9, s16) * inverse_D1_p601_lanes;
+  const Lanes<2> inverse_D1_p607_lanes = 0.7139200499999999 +
+      (inverse_D1_p603_lanes + inverse_D1_p589_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D1_p609_lanes = inverse_D1_p607_lanes * inverse_D8_lanes;
   const Lanes<2> inverse_D1_p611_lanes = 0.00010499999999999999 * inverse_D1_p609_lanes;
-  const Lanes<2> inverse_D1_p613_lanes = inverse_D1_p565_lanes + inverse_D1_p611_lanes;
-  const Lanes<2> inverse_D1_p615_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D1_p613_lanes;
-  const Lanes<2> inverse_D1_p617_lanes = inverse_D1_p511_lanes * inverse_D1_p609_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p619_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p601_lanes;
-  const Lanes<2> inverse_D1_p621_lanes = inverse_D1_p573_lanes - inverse_D1_p619_lanes;
+  const Lanes<2> inverse_D1_p619_lanes = detail::make_pack<Real>(c9, c16) * inverse_D1_p601_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p623_lanes = inverse_D1_p621_lanes - inverse_D1_p617_lanes;
+  const Lanes<2> inverse_D1_p623_lanes = inverse_D1_p573_lanes - inverse_D1_p619_lanes -
+      inverse_D1_p511_lanes * inverse_D1_p609_lanes;
   const Lanes<2> inverse_D1_p625_lanes = 0.00010499999999999999 * inverse_D1_p555_lanes;
-  const Lanes<2> inverse_D1_p627_lanes = inverse_D1_p625_lanes + inverse_D1_p623_lanes;
-  const Lanes<2> inverse_D1_p629_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D1_p627_lanes;
-  const Lanes<2> inverse_D1_p631_lanes = inverse_D1_p615_lanes - inverse_D1_p629_lanes;
-  const Lanes<2> inverse_D1_p633_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D1_p631_lanes;
-  const Lanes<2> inverse_D1_p635_lanes = inverse_D1_p633_lanes - inverse_D1_p611_lanes;
-  const Lanes<2> inverse_D1_p637_lanes = 0.0017499999999999998 + inverse_D1_p635_lanes;
+  const Lanes<2> inverse_D1_p631_lanes = detail::make_pack<Real>(c8, c15) *
+      (inverse_D1_p565_lanes + inverse_D1_p611_lanes) - detail::make_pack<Real>(s8, s15) *
+      (inverse_D1_p625_lanes + inverse_D1_p623_lanes);
+  const Lanes<2> inverse_D1_p633_lanes = detail::make_pack<Real>(c8, c15) * inverse_D1_p631_lanes;
+  const Lanes<2> inverse_D1_p637_lanes = 0.0017499999999999998 +
+      (inverse_D1_p633_lanes - inverse_D1_p611_lanes);
   const Lanes<2> inverse_D7_p1_lanes = inverse_D1_p511_lanes * inverse_D8_lanes;
-  const Lanes<2> inverse_D7_p2_lanes = inverse_D1_p511_lanes * inverse_D7_p1_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D7_p3_lanes = inverse_D1_p311_lanes - inverse_D8_p1_lanes;
-  const Lanes<2> inverse_D7_p4_lanes = 0.18113119219699997 + inverse_D7_p3_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D7_p5_lanes = inverse_D7_p4_lanes - inverse_D7_p2_lanes;
-  const Lanes<2> inverse_D7_p6_lanes = 1.1024999999999998e-08 / inverse_D8_p3_lanes;
-  const Lanes<2> inverse_D7_p7_lanes = 0.00012075 - inverse_D7_p6_lanes;
-  const Lanes<2> inverse_D7_p8_lanes = inverse_D7_p7_lanes - inverse_D7_p5_lanes;
-  const Lanes<2> inverse_D7_p9_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p8_lanes;
-  const Lanes<2> inverse_D7_p10_lanes = 0.00010499999999999999 * inverse_D7_p1_lanes;
-  const Lanes<2> inverse_D7_p11_lanes = detail::make_lanes<Real>((-5.2499999999999995e-05),
-      5.2499999999999995e-05) + inverse_D7_p10_lanes;
-  const Lanes<2> inverse_D7_p12_lanes = 2.0 * detail::make_lanes<Real>(c8, c15);
-  const Lanes<2> inverse_D7_p13_lanes = inverse_D7_p12_lanes * inverse_D7_p11_lanes;
-  const Lanes<2> inverse_D7_p14_lanes = inverse_D7_p9_lanes + inverse_D7_p13_lanes;
-  const Lanes<2> inverse_D7_p15_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p14_lanes;
-  const Lanes<2> inverse_D7_p16_lanes = inverse_D7_p5_lanes + inverse_D7_p15_lanes;
-  const Lanes<2> inverse_D7_p17_lanes = 0.000448 + inverse_D7_p16_lanes;
+  const Lanes<2> inverse_D7_p5_lanes = 0.18113119219699997 +
+      (inverse_D1_p311_lanes - inverse_D8_p1_lanes) - inverse_D1_p511_lanes * inverse_D7_p1_lanes;
+  const Lanes<2> inverse_D7_p7_lanes = 0.00012075 - 1.1024999999999998e-08 / inverse_D8_p3_lanes;
+  const Lanes<2> inverse_D7_p11_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + 0.00010499999999999999 * inverse_D7_p1_lanes;
+  const Lanes<2> inverse_D7_p12_lanes = 2.0 * detail::make_pack<Real>(c8, c15);
+  const Lanes<2> inverse_D7_p14_lanes = detail::make_pack<Real>(s8, s15) *
+      (inverse_D7_p7_lanes - inverse_D7_p5_lanes) + inverse_D7_p12_lanes * inverse_D7_p11_lanes;
+  const Lanes<2> inverse_D7_p15_lanes = detail::make_pack<Real>(s8, s15) * inverse_D7_p14_lanes;
+  const Lanes<2> inverse_D7_p17_lanes = 0.000448 + (inverse_D7_p5_lanes + inverse_D7_p15_lanes);
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D7_lanes = 1.0 / inverse_D7_p17_lanes;
   const Lanes<2> inverse_D1_p639_lanes = inverse_D1_p637_lanes * inverse_D7_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p641_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D7_p14_lanes;
-  const Lanes<2> inverse_D1_p643_lanes = inverse_D1_p641_lanes - inverse_D7_p11_lanes;
-  const Lanes<2> inverse_D1_p645_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + inverse_D1_p643_lanes;
+  const Lanes<2> inverse_D1_p645_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * inverse_D7_p14_lanes -
+      inverse_D7_p11_lanes);
+  const Lanes<2> inverse_D1_p649_lanes = detail::make_pack<Real>(s8, s15) * inverse_D1_p631_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p647_lanes = inverse_D1_p645_lanes * inverse_D1_p639_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p649_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D1_p631_lanes;
-  const Lanes<2> inverse_D1_p651_lanes = inverse_D1_p625_lanes + inverse_D1_p649_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p653_lanes = inverse_D1_p651_lanes + inverse_D1_p647_lanes;
+  const Lanes<2> inverse_D1_p653_lanes = inverse_D1_p625_lanes + inverse_D1_p649_lanes +
+      inverse_D1_p645_lanes * inverse_D1_p639_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D1_p655_lanes = inverse_D1_p619_lanes - inverse_D1_p581_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D1_p657_lanes = inverse_D1_p655_lanes * inverse_D8_lanes;
-  const Lanes<2> inverse_D1_p659_lanes = 0.00010499999999999999 * inverse_D1_p657_lanes;
-  const Lanes<2> inverse_D1_p661_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) + inverse_D1_p659_lanes;
-  const Lanes<2> inverse_D1_p663_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D1_p661_lanes;
-  const Lanes<2> inverse_D1_p665_lanes = inverse_D1_p511_lanes * inverse_D1_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p667_lanes = inverse_D1_p603_lanes + inverse_D1_p595_lanes;
-  const Lanes<2> inverse_D1_p669_lanes = inverse_D1_p667_lanes - 0.7139200499999999;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p671_lanes = inverse_D1_p669_lanes - inverse_D1_p665_lanes;
-  const Lanes<2> inverse_D1_p673_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D1_p671_lanes;
-  const Lanes<2> inverse_D1_p675_lanes = inverse_D1_p663_lanes + inverse_D1_p673_lanes;
-  const Lanes<2> inverse_D1_p677_lanes = 0.0017499999999999998 + inverse_D1_p675_lanes;
+  const Lanes<2> inverse_D1_p661_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + 0.00010499999999999999 * inverse_D1_p657_lanes;
+  const Lanes<2> inverse_D1_p671_lanes = inverse_D1_p603_lanes + inverse_D1_p595_lanes -
+      0.7139200499999999 - inverse_D1_p511_lanes * inverse_D1_p657_lanes;
+  const Lanes<2> inverse_D1_p677_lanes = 0.0017499999999999998 +
+      (detail::make_pack<Real>(s8, s15) * inverse_D1_p661_lanes + detail::make_pack<Real>(c8, c15) *
+      inverse_D1_p671_lanes);
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D1_p679_lanes = inverse_D1_p677_lanes * inverse_D7_lanes;
-  const Lanes<2> inverse_D1_p681_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> inverse_D1_p681_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) * inverse_D1_p679_lanes;
-  const Lanes<2> inverse_D1_p683_lanes = inverse_D1_p653_lanes - inverse_D1_p681_lanes;
-  const Lanes<2> inverse_D1_p685_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D1_p683_lanes;
-  const Lanes<2> inverse_D1_p687_lanes = inverse_D1_p645_lanes * inverse_D1_p679_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p689_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D1_p661_lanes;
-  const Lanes<2> inverse_D1_p691_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D1_p671_lanes;
-  const Lanes<2> inverse_D1_p693_lanes = inverse_D1_p689_lanes - inverse_D1_p691_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p695_lanes = inverse_D1_p693_lanes - inverse_D1_p687_lanes;
-  const Lanes<2> inverse_D1_p697_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> inverse_D1_p695_lanes = detail::make_pack<Real>(c8, c15) * inverse_D1_p661_lanes -
+      detail::make_pack<Real>(s8, s15) * inverse_D1_p671_lanes - inverse_D1_p645_lanes *
+      inverse_D1_p679_lanes;
+  const Lanes<2> inverse_D1_p697_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) * inverse_D1_p639_lanes;
-  const Lanes<2> inverse_D1_p699_lanes = inverse_D1_p695_lanes - inverse_D1_p697_lanes;
-  const Lanes<2> inverse_D1_p701_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D1_p699_lanes;
-  const Lanes<2> inverse_D1_p703_lanes = inverse_D1_p685_lanes - inverse_D1_p701_lanes;
-  const Lanes<2> inverse_D1_p705_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D1_p703_lanes;
+  const Lanes<2> inverse_D1_p703_lanes = detail::make_pack<Real>(c7, c14) *
+      (inverse_D1_p653_lanes - inverse_D1_p681_lanes) - detail::make_pack<Real>(s7, s14) *
+      (inverse_D1_p695_lanes - inverse_D1_p697_lanes);
+  const Lanes<2> inverse_D1_p705_lanes = detail::make_pack<Real>(s7, s14) * inverse_D1_p703_lanes;
   const Lanes<2> inverse_D1_p707_lanes = inverse_D1_p697_lanes - inverse_D1_p705_lanes;
-  const Lanes<2> inverse_D1_p709_lanes = inverse_D1_p677_lanes * inverse_D1_p679_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p711_lanes = inverse_D1_p655_lanes * inverse_D1_p657_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p713_lanes = inverse_D1_p567_lanes * inverse_D1_p569_lanes;
-  const Lanes<2> inverse_D1_p715_lanes = inverse_D1_p449_lanes - inverse_D1_p713_lanes;
-  const Lanes<2> inverse_D1_p717_lanes = inverse_D1_p575_lanes * inverse_D1_p577_lanes;
-  const Lanes<2> inverse_D1_p719_lanes = inverse_D1_p295_lanes - inverse_D1_p717_lanes;
-  const Lanes<2> inverse_D1_p721_lanes = inverse_D1_p715_lanes - inverse_D1_p719_lanes;
-  const Lanes<2> inverse_D1_p723_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p721_lanes;
-  const Lanes<2> inverse_D1_p725_lanes = inverse_D1_p567_lanes * inverse_D1_p577_lanes;
-  const Lanes<2> inverse_D1_p727_lanes = inverse_D1_p489_lanes + inverse_D1_p725_lanes;
-  const Lanes<2> inverse_D1_p729_lanes = inverse_D1_p501_lanes * inverse_D1_p727_lanes;
-  const Lanes<2> inverse_D1_p731_lanes = inverse_D1_p723_lanes - inverse_D1_p729_lanes;
-  const Lanes<2> inverse_D1_p733_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p731_lanes;
-  const Lanes<2> inverse_D1_p735_lanes = inverse_D1_p719_lanes + inverse_D1_p733_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p737_lanes = inverse_D1_p735_lanes - inverse_D1_p711_lanes;
+  const Lanes<2> inverse_D1_p715_lanes = inverse_D1_p449_lanes - inverse_D1_p567_lanes *
+      inverse_D1_p569_lanes;
+  const Lanes<2> inverse_D1_p719_lanes = inverse_D1_p295_lanes - inverse_D1_p575_lanes *
+      inverse_D1_p577_lanes;
+  const Lanes<2> inverse_D1_p727_lanes = inverse_D1_p489_lanes + inverse_D1_p567_lanes *
+      inverse_D1_p577_lanes;
+  const Lanes<2> inverse_D1_p731_lanes = detail::make_pack<Real>(c9, c16) *
+      (inverse_D1_p715_lanes - inverse_D1_p719_lanes) - inverse_D1_p501_lanes *
+      inverse_D1_p727_lanes;
+  const Lanes<2> inverse_D1_p733_lanes = detail::make_pack<Real>(c9, c16) * inverse_D1_p731_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p739_lanes = inverse_D1_p737_lanes - inverse_D1_p709_lanes;
-  const Lanes<2> inverse_D1_p741_lanes = inverse_D1_p637_lanes * inverse_D1_p639_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p743_lanes = inverse_D1_p553_lanes * inverse_D1_p609_lanes;
+  const Lanes<2> inverse_D1_p739_lanes = inverse_D1_p719_lanes + inverse_D1_p733_lanes -
+      inverse_D1_p655_lanes * inverse_D1_p657_lanes - inverse_D1_p677_lanes * inverse_D1_p679_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p745_lanes = inverse_D1_p567_lanes * inverse_D1_p515_lanes;
-  const Lanes<2> inverse_D1_p747_lanes = inverse_D1_p541_lanes + inverse_D1_p745_lanes;
-  const Lanes<2> inverse_D1_p749_lanes = detail::make_lanes<Real>(s9, s16) * inverse_D1_p747_lanes;
-  const Lanes<2> inverse_D1_p751_lanes = inverse_D1_p575_lanes * inverse_D1_p515_lanes;
-  const Lanes<2> inverse_D1_p753_lanes = inverse_D1_p523_lanes + inverse_D1_p751_lanes;
-  const Lanes<2> inverse_D1_p755_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p753_lanes;
-  const Lanes<2> inverse_D1_p757_lanes = inverse_D1_p749_lanes - inverse_D1_p755_lanes;
+  const Lanes<2> inverse_D1_p747_lanes = inverse_D1_p541_lanes + inverse_D1_p567_lanes *
+      inverse_D1_p515_lanes;
+  const Lanes<2> inverse_D1_p753_lanes = inverse_D1_p523_lanes + inverse_D1_p575_lanes *
+      inverse_D1_p515_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p759_lanes = inverse_D1_p757_lanes + inverse_D1_p743_lanes;
-  const Lanes<2> inverse_D1_p761_lanes = inverse_D7_p12_lanes * inverse_D1_p759_lanes;
-  const Lanes<2> inverse_D1_p763_lanes = inverse_D1_p607_lanes * inverse_D1_p609_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p765_lanes = inverse_D1_p715_lanes - inverse_D1_p733_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p767_lanes = inverse_D1_p765_lanes - inverse_D1_p763_lanes;
-  const Lanes<2> inverse_D1_p769_lanes = inverse_D1_p553_lanes * inverse_D1_p555_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p771_lanes = inverse_D1_p513_lanes * inverse_D1_p515_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D1_p773_lanes = inverse_D1_p439_lanes + inverse_D1_p447_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p775_lanes = inverse_D1_p773_lanes + inverse_D1_p771_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p777_lanes = inverse_D1_p775_lanes + inverse_D1_p769_lanes;
-  const Lanes<2> inverse_D1_p779_lanes = inverse_D1_p777_lanes + inverse_D1_p767_lanes;
-  const Lanes<2> inverse_D1_p781_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D1_p779_lanes;
-  const Lanes<2> inverse_D1_p783_lanes = inverse_D1_p761_lanes - inverse_D1_p781_lanes;
-  const Lanes<2> inverse_D1_p785_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D1_p783_lanes;
-  const Lanes<2> inverse_D1_p787_lanes = inverse_D1_p777_lanes + inverse_D1_p785_lanes;
+  const Lanes<2> inverse_D1_p759_lanes = detail::make_pack<Real>(s9, s16) * inverse_D1_p747_lanes -
+      detail::make_pack<Real>(c9, c16) * inverse_D1_p753_lanes + inverse_D1_p553_lanes *
+      inverse_D1_p609_lanes;
+  const Lanes<2> inverse_D1_p767_lanes = inverse_D1_p715_lanes - inverse_D1_p733_lanes -
+      inverse_D1_p607_lanes * inverse_D1_p609_lanes;
+  const Lanes<2> inverse_D1_p777_lanes = inverse_D1_p439_lanes + inverse_D1_p447_lanes +
+      inverse_D1_p513_lanes * inverse_D1_p515_lanes + inverse_D1_p553_lanes * inverse_D1_p555_lanes;
+  const Lanes<2> inverse_D1_p783_lanes = inverse_D7_p12_lanes * inverse_D1_p759_lanes -
+      detail::make_pack<Real>(s8, s15) * (inverse_D1_p777_lanes + inverse_D1_p767_lanes);
+  const Lanes<2> inverse_D1_p785_lanes = detail::make_pack<Real>(s8, s15) * inverse_D1_p783_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p789_lanes = inverse_D1_p787_lanes + inverse_D1_p741_lanes;
-  const Lanes<2> inverse_D1_p791_lanes = inverse_D1_p739_lanes + inverse_D1_p789_lanes;
-  const Lanes<2> inverse_D1_p793_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D1_p791_lanes;
-  const Lanes<2> inverse_D1_p795_lanes = inverse_D1_p677_lanes * inverse_D1_p639_lanes;
+  const Lanes<2> inverse_D1_p789_lanes = inverse_D1_p777_lanes + inverse_D1_p785_lanes +
+      inverse_D1_p637_lanes * inverse_D1_p639_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p797_lanes = inverse_D1_p553_lanes * inverse_D1_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p799_lanes = detail::make_lanes<Real>(c9, c16) * inverse_D1_p747_lanes;
-  const Lanes<2> inverse_D1_p801_lanes = detail::make_lanes<Real>(s9, s16) * inverse_D1_p753_lanes;
-  const Lanes<2> inverse_D1_p803_lanes = inverse_D1_p799_lanes + inverse_D1_p801_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p805_lanes = inverse_D1_p803_lanes + inverse_D1_p797_lanes;
-  const Lanes<2> inverse_D1_p807_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D1_p805_lanes;
-  const Lanes<2> inverse_D1_p809_lanes = inverse_D1_p607_lanes * inverse_D1_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D1_p811_lanes = detail::make_lanes<Real>(s9, s16) * inverse_D1_p731_lanes;
-  const Lanes<2> inverse_D1_p813_lanes = inverse_D1_p811_lanes + inverse_D1_p727_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p815_lanes = inverse_D1_p813_lanes - inverse_D1_p809_lanes;
-  const Lanes<2> inverse_D1_p817_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D1_p815_lanes;
-  const Lanes<2> inverse_D1_p819_lanes = inverse_D1_p807_lanes - inverse_D1_p817_lanes;
+  const Lanes<2> inverse_D1_p805_lanes = detail::make_pack<Real>(c9, c16) * inverse_D1_p747_lanes +
+      detail::make_pack<Real>(s9, s16) * inverse_D1_p753_lanes + inverse_D1_p553_lanes *
+      inverse_D1_p657_lanes;
+  const Lanes<2> inverse_D1_p815_lanes = detail::make_pack<Real>(s9, s16) * inverse_D1_p731_lanes +
+      inverse_D1_p727_lanes - inverse_D1_p607_lanes * inverse_D1_p657_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p821_lanes = inverse_D1_p819_lanes - inverse_D1_p795_lanes;
-  const Lanes<2> inverse_D1_p823_lanes = 2.0 * detail::make_lanes<Real>(s7, s14);
-  const Lanes<2> inverse_D1_p825_lanes = inverse_D1_p823_lanes * inverse_D1_p821_lanes;
-  const Lanes<2> inverse_D1_p827_lanes = inverse_D1_p793_lanes - inverse_D1_p825_lanes;
-  const Lanes<2> inverse_D1_p829_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D1_p827_lanes;
+  const Lanes<2> inverse_D1_p821_lanes = detail::make_pack<Real>(c8, c15) * inverse_D1_p805_lanes -
+      detail::make_pack<Real>(s8, s15) * inverse_D1_p815_lanes - inverse_D1_p677_lanes *
+      inverse_D1_p639_lanes;
+  const Lanes<2> inverse_D1_p823_lanes = 2.0 * detail::make_pack<Real>(s7, s14);
+  const Lanes<2> inverse_D1_p827_lanes = detail::make_pack<Real>(c7, c14) *
+      (inverse_D1_p739_lanes + inverse_D1_p789_lanes) - inverse_D1_p823_lanes *
+      inverse_D1_p821_lanes;
+  const Lanes<2> inverse_D1_p829_lanes = detail::make_pack<Real>(c7, c14) * inverse_D1_p827_lanes;
   const Lanes<2> inverse_D1_p831_lanes = inverse_D1_p739_lanes - inverse_D1_p829_lanes;
-  const Lanes<2> inverse_D1_p833_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D1_p831_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D1_p835_lanes = inverse_D1_p623_lanes + inverse_D1_p649_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D1_p837_lanes = inverse_D1_p835_lanes * inverse_D7_lanes;
-  const Lanes<2> inverse_D1_p839_lanes = inverse_D1_p677_lanes * inverse_D1_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p841_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D1_p805_lanes;
-  const Lanes<2> inverse_D1_p843_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D1_p815_lanes;
-  const Lanes<2> inverse_D1_p845_lanes = inverse_D1_p841_lanes + inverse_D1_p843_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p847_lanes = inverse_D1_p845_lanes - inverse_D1_p839_lanes;
-  const Lanes<2> inverse_D1_p849_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D1_p847_lanes;
-  const Lanes<2> inverse_D1_p851_lanes = inverse_D1_p637_lanes * inverse_D1_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D1_p853_lanes = detail::make_lanes<Real>(c8, c15) * inverse_D1_p783_lanes;
-  const Lanes<2> inverse_D1_p855_lanes = inverse_D1_p853_lanes - inverse_D1_p759_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p857_lanes = inverse_D1_p855_lanes - inverse_D1_p851_lanes;
-  const Lanes<2> inverse_D1_p859_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D1_p857_lanes;
-  const Lanes<2> inverse_D1_p861_lanes = inverse_D1_p849_lanes + inverse_D1_p859_lanes;
-  const Lanes<2> inverse_D1_p863_lanes = 0.226 * inverse_D1_p861_lanes;
-  const Lanes<2> inverse_D1_p865_lanes = inverse_D1_p833_lanes + inverse_D1_p863_lanes;
-  const Lanes<2> inverse_D1_p867_lanes = inverse_D1_p707_lanes + inverse_D1_p865_lanes;
+  const Lanes<2> inverse_D1_p847_lanes = detail::make_pack<Real>(s8, s15) * inverse_D1_p805_lanes +
+      detail::make_pack<Real>(c8, c15) * inverse_D1_p815_lanes - inverse_D1_p677_lanes *
+      inverse_D1_p837_lanes;
+  const Lanes<2> inverse_D1_p857_lanes = detail::make_pack<Real>(c8, c15) * inverse_D1_p783_lanes -
+      inverse_D1_p759_lanes - inverse_D1_p637_lanes * inverse_D1_p837_lanes;
+  const Lanes<2> inverse_D1_p861_lanes = detail::make_pack<Real>(s7, s14) * inverse_D1_p847_lanes +
+      detail::make_pack<Real>(c7, c14) * inverse_D1_p857_lanes;
+  const Lanes<2> inverse_D1_p867_lanes = inverse_D1_p707_lanes +
+      (detail::make_pack<Real>(0.18, (-0.18)) * inverse_D1_p831_lanes + 0.226 *
+      inverse_D1_p861_lanes);
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> inverse_D1_p869_lanes = 0.0007770270270270272 * detail::make_lanes<Real>(c23, c24);
-  const Lanes<2> inverse_D1_p871_lanes = detail::make_lanes<Real>(c23, c24) * inverse_D1_p869_lanes;
+  const Lanes<2> inverse_D1_p869_lanes = 0.0007770270270270272 * detail::make_pack<Real>(c23, c24);
+  const Lanes<2> inverse_D1_p871_lanes = detail::make_pack<Real>(c23, c24) * inverse_D1_p869_lanes;
   const Lanes<2> inverse_D1_p873_lanes = inverse_D1_p871_lanes - 0.0007770270270270272;
   const Real inverse_D1_p875 = 0.431222972972973 + inverse_D1_p871_lanes[1] +
       inverse_D1_p873_lanes[0];
-  const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_lanes<Real>(s23, s24);
-  const Lanes<2> inverse_D22_p3_lanes = detail::make_lanes<Real>(s23, s24) * inverse_D22_p1_lanes;
+  const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> inverse_D22_p3_lanes = detail::make_pack<Real>(s23, s24) * inverse_D22_p1_lanes;
   const Real inverse_D22_p5 = inverse_D22_p3_lanes[1] + inverse_D22_p3_lanes[0];
   const Real inverse_D22_p6 = c24 + c23;
 
@@ -902,20 +611,19 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D1_p876 = inverse_D1_p875 * inverse_D22;
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> inverse_D1_p877_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) +
-      inverse_D22_p1_lanes;
-  const Lanes<2> inverse_D1_p879_lanes = inverse_D1_p877_lanes * detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> inverse_D1_p879_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) +
+      inverse_D22_p1_lanes) * detail::make_pack<Real>(c23, c24);
   const Real inverse_D1_p881 = s24 + s23;
   const Real inverse_D1_p882 = inverse_D1_p879_lanes[0] + 2.375e-05 * inverse_D1_p881 +
       inverse_D1_p879_lanes[1];
-  const Lanes<2> inverse_D1_p883_lanes = detail::make_lanes<Real>(s23, s24) * inverse_D1_p869_lanes;
+  const Lanes<2> inverse_D1_p883_lanes = detail::make_pack<Real>(s23, s24) * inverse_D1_p869_lanes;
   const Real inverse_D1_p885 = inverse_D1_p883_lanes[1] + inverse_D1_p883_lanes[0];
 
   // link 22 (head), articulated inertia
   const Real inverse_D1_p886 = inverse_D1_p882 * inverse_D1_p876 - inverse_D1_p885;
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> inverse_D1_p887_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
+  const Lanes<2> inverse_D1_p887_lanes = detail::make_pack<Real>(0.032, (-0.032)) *
       inverse_D1_p873_lanes;
   const Real inverse_D1_p889 = inverse_D1_p887_lanes[1] + inverse_D1_p887_lanes[0] - 0.095 *
       inverse_D1_p885;
@@ -926,13 +634,11 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D1_p892 = inverse_D1_p889 * inverse_D1_p891;
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> inverse_D1_p893_lanes = 0.006756756756756757 * detail::make_lanes<Real>(s23, s24);
-  const Lanes<2> inverse_D1_p895_lanes = detail::make_lanes<Real>(c23, c24) * inverse_D1_p893_lanes;
-  const Lanes<2> inverse_D1_p897_lanes = 0.095 * inverse_D1_p895_lanes;
-  const Lanes<2> inverse_D1_p899_lanes = detail::make_lanes<Real>(s23, s24) * inverse_D1_p893_lanes;
-  const Lanes<2> inverse_D1_p901_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
-      inverse_D1_p899_lanes;
-  const Lanes<2> inverse_D1_p903_lanes = inverse_D1_p897_lanes + inverse_D1_p901_lanes;
+  const Lanes<2> inverse_D1_p893_lanes = 0.006756756756756757 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> inverse_D1_p895_lanes = detail::make_pack<Real>(c23, c24) * inverse_D1_p893_lanes;
+  const Lanes<2> inverse_D1_p899_lanes = detail::make_pack<Real>(s23, s24) * inverse_D1_p893_lanes;
+  const Lanes<2> inverse_D1_p903_lanes = 0.095 * inverse_D1_p895_lanes +
+      detail::make_pack<Real>(0.032, (-0.032)) * inverse_D1_p899_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D1_p905 = inverse_D1_p903_lanes[1] + inverse_D1_p903_lanes[0] +
@@ -946,10 +652,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> inverse_D21_p2_lanes = inverse_D1_p899_lanes - 0.006756756756756757;
-  const Lanes<2> inverse_D21_p4_lanes = 0.095 * inverse_D21_p2_lanes;
-  const Lanes<2> inverse_D21_p6_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
-      inverse_D1_p895_lanes;
-  const Lanes<2> inverse_D21_p8_lanes = inverse_D21_p4_lanes - inverse_D21_p6_lanes;
+  const Lanes<2> inverse_D21_p8_lanes = 0.095 * inverse_D21_p2_lanes -
+      detail::make_pack<Real>(0.032, (-0.032)) * inverse_D1_p895_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D21_p10 = inverse_D21_p8_lanes[1] + inverse_D21_p8_lanes[0];
@@ -1006,29 +710,20 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 7 (left_shoulder1), articulated inertia
   const Real inverse_D1_p929 = c21 * inverse_D1_p920 - s21 * inverse_D1_p928 +
       inverse_D1_p867_lanes[1] + inverse_D1_p867_lanes[0];
-  const Lanes<2> inverse_D6_p1_lanes = inverse_D1_p707_lanes + inverse_D1_p867_lanes;
-  const Lanes<2> inverse_D6_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D6_p1_lanes;
+  const Lanes<2> inverse_D6_p3_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (inverse_D1_p707_lanes + inverse_D1_p867_lanes);
   const Lanes<2> inverse_D6_p5_lanes = inverse_D1_p645_lanes * inverse_D7_lanes;
-  const Lanes<2> inverse_D6_p7_lanes = inverse_D1_p645_lanes * inverse_D6_p5_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p9_lanes = inverse_D7_p7_lanes - inverse_D7_p15_lanes;
-  const Lanes<2> inverse_D6_p11_lanes = 0.0002975 + inverse_D6_p9_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p13_lanes = inverse_D6_p11_lanes - inverse_D6_p7_lanes;
-  const Lanes<2> inverse_D6_p15_lanes = detail::make_lanes<Real>(6.890624999999999e-10,
+  const Lanes<2> inverse_D6_p13_lanes = 0.0002975 + (inverse_D7_p7_lanes - inverse_D7_p15_lanes) -
+      inverse_D1_p645_lanes * inverse_D6_p5_lanes;
+  const Lanes<2> inverse_D6_p15_lanes = detail::make_pack<Real>(6.890624999999999e-10,
       6.890624999999999e-10) / inverse_D7_p17_lanes;
   const Lanes<2> inverse_D6_p17_lanes = 0.0001505 - inverse_D6_p15_lanes;
-  const Lanes<2> inverse_D6_p19_lanes = inverse_D6_p17_lanes - inverse_D6_p13_lanes;
-  const Lanes<2> inverse_D6_p21_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p19_lanes;
-  const Lanes<2> inverse_D6_p23_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) * inverse_D6_p5_lanes;
-  const Lanes<2> inverse_D6_p25_lanes = 8.75e-06 + inverse_D6_p23_lanes;
-  const Lanes<2> inverse_D6_p27_lanes = inverse_D1_p823_lanes * inverse_D6_p25_lanes;
-  const Lanes<2> inverse_D6_p29_lanes = inverse_D6_p21_lanes + inverse_D6_p27_lanes;
-  const Lanes<2> inverse_D6_p31_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p29_lanes;
+  const Lanes<2> inverse_D6_p25_lanes = 8.75e-06 +
+      detail::make_pack<Real>((-2.6249999999999998e-05), 2.6249999999999998e-05) *
+      inverse_D6_p5_lanes;
+  const Lanes<2> inverse_D6_p29_lanes = detail::make_pack<Real>(c7, c14) *
+      (inverse_D6_p17_lanes - inverse_D6_p13_lanes) + inverse_D1_p823_lanes * inverse_D6_p25_lanes;
+  const Lanes<2> inverse_D6_p31_lanes = detail::make_pack<Real>(c7, c14) * inverse_D6_p29_lanes;
   const Real inverse_D6_p33 = inverse_D6_p31_lanes[1] + inverse_D6_p31_lanes[0];
 
   // link 21 (neck), articulated inertia
@@ -1066,32 +761,18 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D6_p49 = c21 * inverse_D6_p48;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p50_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) * inverse_D1_p837_lanes;
-  const Lanes<2> inverse_D6_p52_lanes = 0.0017499999999999998 + inverse_D6_p50_lanes;
-  const Lanes<2> inverse_D6_p54_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p52_lanes;
-  const Lanes<2> inverse_D6_p56_lanes = inverse_D1_p645_lanes * inverse_D1_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p58_lanes = inverse_D1_p633_lanes - inverse_D1_p565_lanes;
-  const Lanes<2> inverse_D6_p60_lanes = inverse_D6_p58_lanes - 0.0017499999999999998;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p62_lanes = inverse_D6_p60_lanes - inverse_D6_p56_lanes;
-  const Lanes<2> inverse_D6_p64_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p62_lanes;
-  const Lanes<2> inverse_D6_p66_lanes = inverse_D6_p54_lanes + inverse_D6_p64_lanes;
-  const Lanes<2> inverse_D6_p68_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D1_p861_lanes;
-  const Lanes<2> inverse_D6_p70_lanes = inverse_D1_p835_lanes * inverse_D1_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p72_lanes = inverse_D1_p767_lanes + inverse_D1_p785_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p74_lanes = inverse_D6_p72_lanes - inverse_D6_p70_lanes;
-  const Lanes<2> inverse_D6_p76_lanes = 0.226 * inverse_D6_p74_lanes;
-  const Lanes<2> inverse_D6_p78_lanes = inverse_D6_p68_lanes + inverse_D6_p76_lanes;
-  const Lanes<2> inverse_D6_p80_lanes = inverse_D6_p66_lanes + inverse_D6_p78_lanes;
+  const Lanes<2> inverse_D6_p52_lanes = 0.0017499999999999998 +
+      detail::make_pack<Real>((-2.6249999999999998e-05), 2.6249999999999998e-05) *
+      inverse_D1_p837_lanes;
+  const Lanes<2> inverse_D6_p62_lanes = inverse_D1_p633_lanes - inverse_D1_p565_lanes -
+      0.0017499999999999998 - inverse_D1_p645_lanes * inverse_D1_p837_lanes;
+  const Lanes<2> inverse_D6_p66_lanes = detail::make_pack<Real>(c7, c14) * inverse_D6_p52_lanes +
+      detail::make_pack<Real>(s7, s14) * inverse_D6_p62_lanes;
+  const Lanes<2> inverse_D6_p74_lanes = inverse_D1_p767_lanes + inverse_D1_p785_lanes -
+      inverse_D1_p835_lanes * inverse_D1_p837_lanes;
+  const Lanes<2> inverse_D6_p80_lanes = inverse_D6_p66_lanes +
+      (detail::make_pack<Real>(0.18, (-0.18)) * inverse_D1_p861_lanes + 0.226 *
+      inverse_D6_p74_lanes);
   const Real inverse_D6_p82 = inverse_D6_p80_lanes[1] + inverse_D6_p80_lanes[0];
   const Real inverse_D6_p83 = 2.06965463592404 + inverse_D6_p42 + inverse_D6_p49 +
       inverse_D6_p13_lanes[1] + inverse_D6_p33 + inverse_D6_p3_lanes[1] + inverse_D6_p13_lanes[0] +
@@ -1103,26 +784,22 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D1_p930 = inverse_D1_p929 * inverse_D6;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D1_p931_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D1_p703_lanes;
-  const Lanes<2> inverse_D1_p933_lanes = inverse_D1_p931_lanes - inverse_D1_p653_lanes;
-  const Lanes<2> inverse_D1_p935_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D1_p827_lanes;
-  const Lanes<2> inverse_D1_p937_lanes = inverse_D1_p935_lanes + inverse_D1_p821_lanes;
-  const Lanes<2> inverse_D1_p939_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+  const Lanes<2> inverse_D1_p931_lanes = detail::make_pack<Real>(c7, c14) * inverse_D1_p703_lanes;
+  const Lanes<2> inverse_D1_p937_lanes = detail::make_pack<Real>(s7, s14) * inverse_D1_p827_lanes +
+      inverse_D1_p821_lanes;
+  const Lanes<2> inverse_D1_p939_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
       inverse_D1_p937_lanes;
-  const Lanes<2> inverse_D1_p941_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D1_p847_lanes;
-  const Lanes<2> inverse_D1_p943_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D1_p857_lanes;
-  const Lanes<2> inverse_D1_p945_lanes = inverse_D1_p941_lanes - inverse_D1_p943_lanes;
+  const Lanes<2> inverse_D1_p945_lanes = detail::make_pack<Real>(c7, c14) * inverse_D1_p847_lanes -
+      detail::make_pack<Real>(s7, s14) * inverse_D1_p857_lanes;
   const Lanes<2> inverse_D1_p947_lanes = 0.226 * inverse_D1_p945_lanes;
-  const Lanes<2> inverse_D1_p949_lanes = inverse_D1_p939_lanes + inverse_D1_p947_lanes;
-  const Lanes<2> inverse_D1_p951_lanes = inverse_D1_p933_lanes - inverse_D1_p949_lanes;
+  const Lanes<2> inverse_D1_p951_lanes = inverse_D1_p931_lanes - inverse_D1_p653_lanes -
+      (inverse_D1_p939_lanes + inverse_D1_p947_lanes);
   const Lanes<2> inverse_D1_p953_lanes = inverse_D1_p681_lanes + inverse_D1_p931_lanes;
-  const Lanes<2> inverse_D1_p955_lanes = inverse_D1_p951_lanes + inverse_D1_p953_lanes;
-  const Lanes<2> inverse_D1_p957_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D1_p955_lanes;
-  const Lanes<2> inverse_D1_p959_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p29_lanes;
-  const Lanes<2> inverse_D1_p961_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p52_lanes;
-  const Lanes<2> inverse_D1_p963_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p62_lanes;
-  const Lanes<2> inverse_D1_p965_lanes = inverse_D1_p961_lanes - inverse_D1_p963_lanes;
+  const Lanes<2> inverse_D1_p957_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (inverse_D1_p951_lanes + inverse_D1_p953_lanes);
+  const Lanes<2> inverse_D1_p959_lanes = detail::make_pack<Real>(s7, s14) * inverse_D6_p29_lanes;
+  const Lanes<2> inverse_D1_p965_lanes = detail::make_pack<Real>(s7, s14) * inverse_D6_p52_lanes -
+      detail::make_pack<Real>(c7, c14) * inverse_D6_p62_lanes;
   const Real inverse_D1_p967 = inverse_D1_p965_lanes[1] + inverse_D1_p965_lanes[0];
   const Real inverse_D1_p968 = 0.0187369177636143 + inverse_D1_p957_lanes[1] -
       inverse_D6_p25_lanes[1] + inverse_D1_p959_lanes[1] + inverse_D1_p957_lanes[0] -
@@ -1206,9 +883,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D5_p1_lanes = inverse_D1_p705_lanes + inverse_D1_p695_lanes;
   const Lanes<2> inverse_D5_p3_lanes = inverse_D1_p829_lanes - inverse_D1_p789_lanes;
-  const Lanes<2> inverse_D5_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D5_p3_lanes;
-  const Lanes<2> inverse_D5_p7_lanes = inverse_D5_p1_lanes + inverse_D5_p5_lanes;
+  const Lanes<2> inverse_D5_p7_lanes = inverse_D5_p1_lanes +
+      detail::make_pack<Real>(0.18, (-0.18)) * inverse_D5_p3_lanes;
 
   // link 6 (chest3), articulated inertia
   const Real inverse_D5_p9 = inverse_D5_p7_lanes[1] + inverse_D5_p7_lanes[0] - inverse_D1_p968 *
@@ -1228,9 +904,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D5_p16 = inverse_D1_p968 * inverse_D6;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D5_p17_lanes = inverse_D5_p1_lanes + inverse_D5_p7_lanes;
-  const Lanes<2> inverse_D5_p19_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D5_p17_lanes;
+  const Lanes<2> inverse_D5_p19_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (inverse_D5_p1_lanes + inverse_D5_p7_lanes);
 
   // link 6 (chest3), articulated inertia
   const Real inverse_D5_p21 = 0.40056549999999996 - inverse_D6_p15_lanes[1] - inverse_D6_p33 +
@@ -1515,9 +1190,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real a7_x_p5 = a7_x_p4 - wd5_x;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_p6_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * a7_x_p5;
-  const Lanes<2> a7_x_p7_lanes = a7_x_p3 + a7_x_p6_lanes;
-  const Lanes<2> a7_x_p8_lanes = detail::make_lanes<Real>(s7, s14) * a7_x_p7_lanes;
+  const Lanes<2> a7_x_p7_lanes = a7_x_p3 + detail::make_pack<Real>(0.18, (-0.18)) * a7_x_p5;
 
   // link 5 (chest2), outward
   const Real a5_x = c5 * a4_x + s5 * a5_y_p3;
@@ -1548,21 +1221,11 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real a7_x_p12 = a7_x_p11 + wd6_x;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_p13_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * a7_x_p12;
-  const Lanes<2> a7_x_p14_lanes = a7_x_p10 + a7_x_p13_lanes;
-  const Lanes<2> a7_x_p15_lanes = detail::make_lanes<Real>(c7, c14) * a7_x_p14_lanes;
-  const Lanes<2> a7_x_lanes = a7_x_p8_lanes + a7_x_p15_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> a9_x_p1_lanes = detail::make_lanes<Real>(c9, c16) * a7_x_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * a7_x_p7_lanes;
-  const Lanes<2> a7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * a7_x_p14_lanes;
-  const Lanes<2> a7_y_lanes = a7_y_p1_lanes - a7_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * a7_y_lanes;
+  const Lanes<2> a7_x_p14_lanes = a7_x_p10 + detail::make_pack<Real>(0.18, (-0.18)) * a7_x_p12;
+  const Lanes<2> a7_x_lanes = detail::make_pack<Real>(s7, s14) * a7_x_p7_lanes +
+      detail::make_pack<Real>(c7, c14) * a7_x_p14_lanes;
+  const Lanes<2> a7_y_lanes = detail::make_pack<Real>(c7, c14) * a7_x_p7_lanes -
+      detail::make_pack<Real>(s7, s14) * a7_x_p14_lanes;
 
   // link 6 (chest3), outward
   const Real minus_a6_y = s6 * a6_x_p4 + c6 * a6_x_p6;
@@ -1576,1367 +1239,754 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 7 (left_shoulder1), outward
   const Real minus_a7_z_p4 = minus_a7_z_p3 + a7_x_p1;
-  const Lanes<2> minus_a7_z_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * minus_a7_z_p4;
-  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p2 + minus_a7_z_p5_lanes;
+  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p2 + detail::make_pack<Real>(0.18, (-0.18)) *
+      minus_a7_z_p4;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * minus_a7_z_lanes;
-  const Lanes<2> minus_a8_y_lanes = minus_a8_y_p1_lanes + minus_a8_y_p2_lanes;
+  const Lanes<2> minus_a8_y_lanes = detail::make_pack<Real>(s8, s15) * a7_y_lanes +
+      detail::make_pack<Real>(c8, c15) * minus_a7_z_lanes;
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> a9_x_p2_lanes = detail::make_lanes<Real>(s9, s16) * minus_a8_y_lanes;
-  const Lanes<2> a9_x_lanes = a9_x_p1_lanes - a9_x_p2_lanes;
+  const Lanes<2> a9_x_lanes = detail::make_pack<Real>(c9, c16) * a7_x_lanes -
+      detail::make_pack<Real>(s9, s16) * minus_a8_y_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * wd6_x;
-  const Lanes<2> wd7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * wd5_x;
-  const Lanes<2> wd7_y_p3_lanes = wd7_y_p1_lanes - wd7_y_p2_lanes;
-  const Lanes<2> w7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * w6_x;
-  const Lanes<2> w7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * w6_z;
-  const Lanes<2> w7_x_lanes = w7_x_p1_lanes + w7_x_p2_lanes;
-  const Lanes<2> wd7_y_p4_lanes = w7_x_lanes * detail::make_lanes<Real>(qd[6], qd[13]);
-  const Lanes<2> wd7_y_lanes = wd7_y_p3_lanes - wd7_y_p4_lanes;
+  const Lanes<2> w7_x_lanes = detail::make_pack<Real>(s7, s14) * w6_x +
+      detail::make_pack<Real>(c7, c14) * w6_z;
+  const Lanes<2> wd7_y_lanes = detail::make_pack<Real>(c7, c14) * wd6_x -
+      detail::make_pack<Real>(s7, s14) * wd5_x - w7_x_lanes *
+      detail::make_pack<Real>(qd[6], qd[13]);
+  const Lanes<2> w7_y_lanes = detail::make_pack<Real>(c7, c14) * w6_x -
+      detail::make_pack<Real>(s7, s14) * w6_z;
+  const Lanes<2> w7_z_lanes = w6_y + detail::make_pack<Real>(qd[6], qd[13]);
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * wd7_y_lanes;
-  const Lanes<2> wd8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * wd6_y;
-  const Lanes<2> wd8_y_p3_lanes = wd8_y_p2_lanes - wd8_y_p1_lanes;
+  const Lanes<2> w8_x_lanes = detail::make_pack<Real>(c8, c15) * w7_y_lanes +
+      detail::make_pack<Real>(s8, s15) * w7_z_lanes;
+  const Lanes<2> wd8_y_lanes = detail::make_pack<Real>(c8, c15) * wd6_y -
+      detail::make_pack<Real>(s8, s15) * wd7_y_lanes - w8_x_lanes *
+      detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * w6_x;
-  const Lanes<2> w7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * w6_z;
-  const Lanes<2> w7_y_lanes = w7_y_p1_lanes - w7_y_p2_lanes;
+  const Lanes<2> wd7_x_lanes = detail::make_pack<Real>(s7, s14) * wd6_x +
+      detail::make_pack<Real>(c7, c14) * wd5_x + w7_y_lanes *
+      detail::make_pack<Real>(qd[6], qd[13]);
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * w7_y_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_z_lanes = w6_y + detail::make_lanes<Real>(qd[6], qd[13]);
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * w7_z_lanes;
-  const Lanes<2> w8_x_lanes = w8_x_p1_lanes + w8_x_p2_lanes;
-  const Lanes<2> wd8_y_p4_lanes = w8_x_lanes * detail::make_lanes<Real>(qd[7], qd[14]);
-  const Lanes<2> wd8_y_lanes = wd8_y_p3_lanes - wd8_y_p4_lanes;
+  const Lanes<2> w8_y_lanes = detail::make_pack<Real>(c8, c15) * w7_z_lanes -
+      detail::make_pack<Real>(s8, s15) * w7_y_lanes;
+  const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> wd9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * wd8_y_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * wd6_x;
-  const Lanes<2> wd7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * wd5_x;
-  const Lanes<2> wd7_x_p3_lanes = wd7_x_p1_lanes + wd7_x_p2_lanes;
-  const Lanes<2> wd7_x_p4_lanes = w7_y_lanes * detail::make_lanes<Real>(qd[6], qd[13]);
-  const Lanes<2> wd7_x_lanes = wd7_x_p3_lanes + wd7_x_p4_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> wd9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * wd7_x_lanes;
-  const Lanes<2> wd9_y_p3_lanes = wd9_y_p1_lanes - wd9_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * w7_y_lanes;
-  const Lanes<2> w8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * w7_z_lanes;
-  const Lanes<2> w8_y_lanes = w8_y_p2_lanes - w8_y_p1_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> w9_x_p1_lanes = detail::make_lanes<Real>(s9, s16) * w8_y_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_lanes<Real>(qd[7], qd[14]);
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> w9_x_p2_lanes = detail::make_lanes<Real>(c9, c16) * w8_z_lanes;
-  const Lanes<2> w9_x_lanes = w9_x_p1_lanes + w9_x_p2_lanes;
-  const Lanes<2> wd9_y_p4_lanes = w9_x_lanes * detail::make_lanes<Real>(qd[8], qd[15]);
-  const Lanes<2> wd9_y_lanes = wd9_y_p3_lanes - wd9_y_p4_lanes;
-  const Lanes<2> w9_z_lanes = detail::make_lanes<Real>(qd[8], qd[15]) - w8_x_lanes;
+  const Lanes<2> w9_x_lanes = detail::make_pack<Real>(s9, s16) * w8_y_lanes +
+      detail::make_pack<Real>(c9, c16) * w8_z_lanes;
+  const Lanes<2> wd9_y_lanes = detail::make_pack<Real>(c9, c16) * wd8_y_lanes -
+      detail::make_pack<Real>(s9, s16) * wd7_x_lanes - w9_x_lanes *
+      detail::make_pack<Real>(qd[8], qd[15]);
+  const Lanes<2> w9_z_lanes = detail::make_pack<Real>(qd[8], qd[15]) - w8_x_lanes;
   const Lanes<2> a10_x_p1_lanes = w9_x_lanes * w9_z_lanes;
   const Lanes<2> a10_x_p2_lanes = a10_x_p1_lanes + wd9_y_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p3_lanes = 0.282 * a10_x_p2_lanes;
-  const Lanes<2> a10_x_p4_lanes = a9_x_lanes - a10_x_p3_lanes;
-  const Lanes<2> a10_x_p5_lanes = detail::make_lanes<Real>(c10, c17) * a10_x_p4_lanes;
+  const Lanes<2> a10_x_p4_lanes = a9_x_lanes - 0.282 * a10_x_p2_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> a10_x_p6_lanes = w9_x_lanes * w9_x_lanes;
-  const Lanes<2> w9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * w8_y_lanes;
-  const Lanes<2> w9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * w8_z_lanes;
-  const Lanes<2> w9_y_lanes = w9_y_p1_lanes - w9_y_p2_lanes;
+  const Lanes<2> w9_y_lanes = detail::make_pack<Real>(c9, c16) * w8_y_lanes -
+      detail::make_pack<Real>(s9, s16) * w8_z_lanes;
   const Lanes<2> a10_x_p7_lanes = w9_y_lanes * w9_y_lanes;
 
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p8_lanes = a10_x_p6_lanes + a10_x_p7_lanes;
-  const Lanes<2> a10_x_p9_lanes = 0.282 * a10_x_p8_lanes;
-
   // link 8 (left_shoulder2), outward
-  const Lanes<2> a8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * a7_y_lanes;
-  const Lanes<2> a8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * minus_a7_z_lanes;
-  const Lanes<2> a8_x_lanes = a8_x_p1_lanes - a8_x_p2_lanes;
+  const Lanes<2> a8_x_lanes = detail::make_pack<Real>(c8, c15) * a7_y_lanes -
+      detail::make_pack<Real>(s8, s15) * minus_a7_z_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p10_lanes = a10_x_p9_lanes - a8_x_lanes;
-  const Lanes<2> a10_x_p11_lanes = detail::make_lanes<Real>(s10, s17) * a10_x_p10_lanes;
-  const Lanes<2> a10_x_lanes = a10_x_p5_lanes - a10_x_p11_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> a11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * a10_x_lanes;
+  const Lanes<2> a10_x_p10_lanes = 0.282 * (a10_x_p6_lanes + a10_x_p7_lanes) - a8_x_lanes;
+  const Lanes<2> a10_x_lanes = detail::make_pack<Real>(c10, c17) * a10_x_p4_lanes -
+      detail::make_pack<Real>(s10, s17) * a10_x_p10_lanes;
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> minus_a9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * minus_a8_y_lanes;
-  const Lanes<2> minus_a9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * a7_x_lanes;
-  const Lanes<2> minus_a9_y_lanes = minus_a9_y_p1_lanes + minus_a9_y_p2_lanes;
-  const Lanes<2> wd9_x_p1_lanes = detail::make_lanes<Real>(s9, s16) * wd8_y_lanes;
-  const Lanes<2> wd9_x_p2_lanes = detail::make_lanes<Real>(c9, c16) * wd7_x_lanes;
-  const Lanes<2> wd9_x_p3_lanes = wd9_x_p1_lanes + wd9_x_p2_lanes;
-  const Lanes<2> wd9_x_p4_lanes = w9_y_lanes * detail::make_lanes<Real>(qd[8], qd[15]);
-  const Lanes<2> wd9_x_lanes = wd9_x_p3_lanes + wd9_x_p4_lanes;
+  const Lanes<2> minus_a9_y_lanes = detail::make_pack<Real>(c9, c16) * minus_a8_y_lanes +
+      detail::make_pack<Real>(s9, s16) * a7_x_lanes;
+  const Lanes<2> wd9_x_lanes = detail::make_pack<Real>(s9, s16) * wd8_y_lanes +
+      detail::make_pack<Real>(c9, c16) * wd7_x_lanes + w9_y_lanes *
+      detail::make_pack<Real>(qd[8], qd[15]);
   const Lanes<2> minus_a10_z_p1_lanes = w9_y_lanes * w9_z_lanes;
   const Lanes<2> minus_a10_z_p2_lanes = minus_a10_z_p1_lanes - wd9_x_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_a10_z_p3_lanes = 0.282 * minus_a10_z_p2_lanes;
-  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + minus_a10_z_p3_lanes;
+  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + 0.282 * minus_a10_z_p2_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> a11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * minus_a10_z_lanes;
-  const Lanes<2> a11_x_lanes = a11_x_p1_lanes - a11_x_p2_lanes;
-  const Lanes<2> wd11_y_p1_lanes = detail::make_lanes<Real>(c11, c18) * wd9_y_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * wd9_x_lanes;
+  const Lanes<2> a11_x_lanes = detail::make_pack<Real>(c11, c18) * a10_x_lanes -
+      detail::make_pack<Real>(s11, s18) * minus_a10_z_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * wd7_y_lanes;
-  const Lanes<2> wd8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * wd6_y;
-  const Lanes<2> wd8_x_p3_lanes = wd8_x_p1_lanes + wd8_x_p2_lanes;
-  const Lanes<2> wd8_x_p4_lanes = w8_y_lanes * detail::make_lanes<Real>(qd[7], qd[14]);
-  const Lanes<2> wd8_x_lanes = wd8_x_p3_lanes + wd8_x_p4_lanes;
+  const Lanes<2> wd8_x_lanes = detail::make_pack<Real>(c8, c15) * wd7_y_lanes +
+      detail::make_pack<Real>(s8, s15) * wd6_y + w8_y_lanes *
+      detail::make_pack<Real>(qd[7], qd[14]);
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * wd8_x_lanes;
-  const Lanes<2> wd10_x_p3_lanes = wd10_x_p1_lanes + wd10_x_p2_lanes;
-  const Lanes<2> minus_w10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * w9_x_lanes;
-  const Lanes<2> minus_w10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * w9_z_lanes;
-  const Lanes<2> minus_w10_y_lanes = minus_w10_y_p1_lanes + minus_w10_y_p2_lanes;
-  const Lanes<2> wd10_x_p4_lanes = minus_w10_y_lanes * detail::make_lanes<Real>(qd[9], qd[16]);
-  const Lanes<2> wd10_x_lanes = wd10_x_p3_lanes - wd10_x_p4_lanes;
+  const Lanes<2> minus_w10_y_lanes = detail::make_pack<Real>(s10, s17) * w9_x_lanes +
+      detail::make_pack<Real>(c10, c17) * w9_z_lanes;
+  const Lanes<2> wd10_x_lanes = detail::make_pack<Real>(c10, c17) * wd9_x_lanes +
+      detail::make_pack<Real>(s10, s17) * wd8_x_lanes - minus_w10_y_lanes *
+      detail::make_pack<Real>(qd[9], qd[16]);
+  const Lanes<2> w10_x_lanes = detail::make_pack<Real>(c10, c17) * w9_x_lanes -
+      detail::make_pack<Real>(s10, s17) * w9_z_lanes;
+  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_pack<Real>(qd[9], qd[16]);
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> wd11_y_p2_lanes = detail::make_lanes<Real>(s11, s18) * wd10_x_lanes;
-  const Lanes<2> wd11_y_p3_lanes = wd11_y_p1_lanes - wd11_y_p2_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> w10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * w9_x_lanes;
-  const Lanes<2> w10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * w9_z_lanes;
-  const Lanes<2> w10_x_lanes = w10_x_p1_lanes - w10_x_p2_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> w11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * w10_x_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_lanes<Real>(qd[9], qd[16]);
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> w11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * w10_z_lanes;
-  const Lanes<2> w11_x_lanes = w11_x_p1_lanes + w11_x_p2_lanes;
-  const Lanes<2> wd11_y_p4_lanes = w11_x_lanes * detail::make_lanes<Real>(qd[10], qd[17]);
-  const Lanes<2> wd11_y_lanes = wd11_y_p3_lanes - wd11_y_p4_lanes;
-  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_lanes<Real>(qd[10], qd[17]);
+  const Lanes<2> w11_x_lanes = detail::make_pack<Real>(c11, c18) * w10_x_lanes +
+      detail::make_pack<Real>(s11, s18) * w10_z_lanes;
+  const Lanes<2> wd11_y_lanes = detail::make_pack<Real>(c11, c18) * wd9_y_lanes -
+      detail::make_pack<Real>(s11, s18) * wd10_x_lanes - w11_x_lanes *
+      detail::make_pack<Real>(qd[10], qd[17]);
+  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_pack<Real>(qd[10], qd[17]);
   const Lanes<2> minus_a12_y_p1_lanes = w11_x_lanes * w11_z_lanes;
   const Lanes<2> minus_a12_y_p2_lanes = minus_a12_y_p1_lanes + wd11_y_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_p3_lanes = 0.269 * minus_a12_y_p2_lanes;
-  const Lanes<2> minus_a12_y_p4_lanes = a11_x_lanes - minus_a12_y_p3_lanes;
-  const Lanes<2> minus_a12_y_p5_lanes = detail::make_lanes<Real>(s12, s19) * minus_a12_y_p4_lanes;
+  const Lanes<2> minus_a12_y_p4_lanes = a11_x_lanes - 0.269 * minus_a12_y_p2_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_a10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * a10_x_p4_lanes;
-  const Lanes<2> minus_a10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * a10_x_p10_lanes;
-  const Lanes<2> minus_a10_y_lanes = minus_a10_y_p1_lanes + minus_a10_y_p2_lanes;
+  const Lanes<2> minus_a10_y_lanes = detail::make_pack<Real>(s10, s17) * a10_x_p4_lanes +
+      detail::make_pack<Real>(c10, c17) * a10_x_p10_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> minus_a12_y_p6_lanes = w11_x_lanes * w11_x_lanes;
-  const Lanes<2> w11_y_p1_lanes = detail::make_lanes<Real>(c11, c18) * w10_z_lanes;
-  const Lanes<2> w11_y_p2_lanes = detail::make_lanes<Real>(s11, s18) * w10_x_lanes;
-  const Lanes<2> w11_y_lanes = w11_y_p1_lanes - w11_y_p2_lanes;
+  const Lanes<2> w11_y_lanes = detail::make_pack<Real>(c11, c18) * w10_z_lanes -
+      detail::make_pack<Real>(s11, s18) * w10_x_lanes;
   const Lanes<2> minus_a12_y_p7_lanes = w11_y_lanes * w11_y_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_p8_lanes = minus_a12_y_p6_lanes + minus_a12_y_p7_lanes;
-  const Lanes<2> minus_a12_y_p9_lanes = 0.269 * minus_a12_y_p8_lanes;
-  const Lanes<2> minus_a12_y_p10_lanes = minus_a10_y_lanes + minus_a12_y_p9_lanes;
-  const Lanes<2> minus_a12_y_p11_lanes = detail::make_lanes<Real>(c12, c19) * minus_a12_y_p10_lanes;
-  const Lanes<2> minus_a12_y_lanes = minus_a12_y_p5_lanes + minus_a12_y_p11_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p1_lanes = 0.0025100003499999995 * minus_a12_y_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> a12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * minus_a12_y_p4_lanes;
-  const Lanes<2> a12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * minus_a12_y_p10_lanes;
-  const Lanes<2> a12_x_lanes = a12_x_p1_lanes - a12_x_p2_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p2_lanes = 0.0006000000000000001 * a12_x_lanes;
-  const Lanes<2> n12_z_p3_lanes = n12_z_p1_lanes + n12_z_p2_lanes;
-  const Lanes<2> n12_z_p4_lanes = 0.00020682766225734302 * wd11_y_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> w12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * w11_x_lanes;
-  const Lanes<2> w12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * w11_z_lanes;
-  const Lanes<2> w12_x_lanes = w12_x_p1_lanes - w12_x_p2_lanes;
-  const Lanes<2> minus_w12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * w11_x_lanes;
-  const Lanes<2> minus_w12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * w11_z_lanes;
-  const Lanes<2> minus_w12_y_lanes = minus_w12_y_p1_lanes + minus_w12_y_p2_lanes;
+  const Lanes<2> minus_a12_y_p10_lanes = minus_a10_y_lanes + 0.269 *
+      (minus_a12_y_p6_lanes + minus_a12_y_p7_lanes);
+  const Lanes<2> minus_a12_y_lanes = detail::make_pack<Real>(s12, s19) * minus_a12_y_p4_lanes +
+      detail::make_pack<Real>(c12, c19) * minus_a12_y_p10_lanes;
+  const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * minus_a12_y_p4_lanes -
+      detail::make_pack<Real>(s12, s19) * minus_a12_y_p10_lanes;
+  const Lanes<2> w12_x_lanes = detail::make_pack<Real>(c12, c19) * w11_x_lanes -
+      detail::make_pack<Real>(s12, s19) * w11_z_lanes;
+  const Lanes<2> minus_w12_y_lanes = detail::make_pack<Real>(s12, s19) * w11_x_lanes +
+      detail::make_pack<Real>(c12, c19) * w11_z_lanes;
   const Lanes<2> n12_z_p5_lanes = w12_x_lanes * minus_w12_y_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p6_lanes = 0.000183627662257343 * n12_z_p5_lanes;
-  const Lanes<2> n12_z_p7_lanes = n12_z_p4_lanes - n12_z_p6_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_lanes<Real>(qd[11], qd[18]);
+  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_pack<Real>(qd[11], qd[18]);
   const Lanes<2> n12_z_p8_lanes = w12_x_lanes * w12_z_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> wd11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * wd10_x_lanes;
-  const Lanes<2> wd11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * wd9_y_lanes;
-  const Lanes<2> wd11_x_p3_lanes = wd11_x_p1_lanes + wd11_x_p2_lanes;
-  const Lanes<2> wd11_x_p4_lanes = w11_y_lanes * detail::make_lanes<Real>(qd[10], qd[17]);
-  const Lanes<2> wd11_x_lanes = wd11_x_p3_lanes + wd11_x_p4_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * wd11_x_lanes;
+  const Lanes<2> wd11_x_lanes = detail::make_pack<Real>(c11, c18) * wd10_x_lanes +
+      detail::make_pack<Real>(s11, s18) * wd9_y_lanes + w11_y_lanes *
+      detail::make_pack<Real>(qd[10], qd[17]);
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> wd10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * wd9_x_lanes;
-  const Lanes<2> wd10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * wd8_x_lanes;
-  const Lanes<2> wd10_y_p3_lanes = wd10_y_p2_lanes - wd10_y_p1_lanes;
-  const Lanes<2> wd10_y_p4_lanes = w10_x_lanes * detail::make_lanes<Real>(qd[9], qd[16]);
-  const Lanes<2> wd10_y_lanes = wd10_y_p3_lanes - wd10_y_p4_lanes;
+  const Lanes<2> wd10_y_lanes = detail::make_pack<Real>(c10, c17) * wd8_x_lanes -
+      detail::make_pack<Real>(s10, s17) * wd9_x_lanes - w10_x_lanes *
+      detail::make_pack<Real>(qd[9], qd[16]);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * wd10_y_lanes;
-  const Lanes<2> wd12_y_p3_lanes = wd12_y_p2_lanes - wd12_y_p1_lanes;
-  const Lanes<2> wd12_y_p4_lanes = w12_x_lanes * detail::make_lanes<Real>(qd[11], qd[18]);
-  const Lanes<2> wd12_y_lanes = wd12_y_p3_lanes - wd12_y_p4_lanes;
-  const Lanes<2> n12_z_p9_lanes = n12_z_p8_lanes + wd12_y_lanes;
+  const Lanes<2> wd12_y_lanes = detail::make_pack<Real>(c12, c19) * wd10_y_lanes -
+      detail::make_pack<Real>(s12, s19) * wd11_x_lanes - w12_x_lanes *
+      detail::make_pack<Real>(qd[11], qd[18]);
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p10_lanes = detail::make_lanes<Real>(2.4000000000000003e-06,
-      (-2.4000000000000003e-06)) * n12_z_p9_lanes;
-  const Lanes<2> n12_z_p11_lanes = n12_z_p7_lanes - n12_z_p10_lanes;
-  const Lanes<2> n12_z_p12_lanes = n12_z_p11_lanes - n12_z_p3_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p1_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      a12_x_lanes;
+  const Lanes<2> n12_z_p11_lanes = 0.00020682766225734302 * wd11_y_lanes - 0.000183627662257343 *
+      n12_z_p5_lanes - detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
+      (n12_z_p8_lanes + wd12_y_lanes);
 
   // link 13 (left_hand), outward
-  const Lanes<2> wd13_x_p1_lanes = detail::make_lanes<Real>(c13, c20) * wd12_y_lanes;
-  const Lanes<2> wd13_x_p2_lanes = detail::make_lanes<Real>(s13, s20) * wd11_y_lanes;
-  const Lanes<2> wd13_x_p3_lanes = wd13_x_p1_lanes + wd13_x_p2_lanes;
-  const Lanes<2> w13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_w12_y_lanes;
-  const Lanes<2> w13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * w12_z_lanes;
-  const Lanes<2> w13_y_lanes = w13_y_p1_lanes + w13_y_p2_lanes;
-  const Lanes<2> wd13_x_p4_lanes = w13_y_lanes * detail::make_lanes<Real>(qd[12], qd[19]);
-  const Lanes<2> wd13_x_lanes = wd13_x_p3_lanes + wd13_x_p4_lanes;
-  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_lanes<Real>(qd[12], qd[19]);
+  const Lanes<2> w13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_w12_y_lanes +
+      detail::make_pack<Real>(c13, c20) * w12_z_lanes;
+  const Lanes<2> wd13_x_lanes = detail::make_pack<Real>(c13, c20) * wd12_y_lanes +
+      detail::make_pack<Real>(s13, s20) * wd11_y_lanes + w13_y_lanes *
+      detail::make_pack<Real>(qd[12], qd[19]);
+  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_pack<Real>(qd[12], qd[19]);
   const Lanes<2> n13_x_p2_lanes = w13_y_lanes * w13_z_lanes;
   const Lanes<2> n13_x_p3_lanes = n13_x_p2_lanes + wd13_x_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p4_lanes = 9.149209276993575e-05 * n13_x_p3_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> wd13_y_p1_lanes = detail::make_lanes<Real>(c13, c20) * wd11_y_lanes;
-  const Lanes<2> wd13_y_p2_lanes = detail::make_lanes<Real>(s13, s20) * wd12_y_lanes;
-  const Lanes<2> wd13_y_p3_lanes = wd13_y_p1_lanes - wd13_y_p2_lanes;
-  const Lanes<2> w13_x_p1_lanes = detail::make_lanes<Real>(s13, s20) * w12_z_lanes;
-  const Lanes<2> w13_x_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_w12_y_lanes;
-  const Lanes<2> w13_x_lanes = w13_x_p1_lanes - w13_x_p2_lanes;
-  const Lanes<2> wd13_y_p4_lanes = w13_x_lanes * detail::make_lanes<Real>(qd[12], qd[19]);
-  const Lanes<2> wd13_y_lanes = wd13_y_p3_lanes - wd13_y_p4_lanes;
+  const Lanes<2> w13_x_lanes = detail::make_pack<Real>(s13, s20) * w12_z_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_w12_y_lanes;
+  const Lanes<2> wd13_y_lanes = detail::make_pack<Real>(c13, c20) * wd11_y_lanes -
+      detail::make_pack<Real>(s13, s20) * wd12_y_lanes - w13_x_lanes *
+      detail::make_pack<Real>(qd[12], qd[19]);
   const Lanes<2> n13_x_p5_lanes = w13_x_lanes * w13_z_lanes;
   const Lanes<2> n13_x_p6_lanes = n13_x_p5_lanes - wd13_y_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p7_lanes = detail::make_lanes<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * n13_x_p6_lanes;
-  const Lanes<2> n13_x_p8_lanes = n13_x_p4_lanes + n13_x_p7_lanes;
-
-  // link 13 (left_hand), outward
   const Lanes<2> n13_x_p9_lanes = w13_x_lanes * w13_y_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * wd11_x_lanes;
-  const Lanes<2> wd12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * wd10_y_lanes;
-  const Lanes<2> wd12_x_p3_lanes = wd12_x_p1_lanes + wd12_x_p2_lanes;
-  const Lanes<2> wd12_x_p4_lanes = minus_w12_y_lanes * detail::make_lanes<Real>(qd[11], qd[18]);
-  const Lanes<2> wd12_x_lanes = wd12_x_p3_lanes - wd12_x_p4_lanes;
+  const Lanes<2> wd12_x_lanes = detail::make_pack<Real>(c12, c19) * wd11_x_lanes +
+      detail::make_pack<Real>(s12, s19) * wd10_y_lanes - minus_w12_y_lanes *
+      detail::make_pack<Real>(qd[11], qd[18]);
 
   // link 13 (left_hand), outward
   const Lanes<2> n13_x_p10_lanes = n13_x_p9_lanes + wd12_x_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p11_lanes = 0.000108260010923775 * n13_x_p10_lanes;
-  const Lanes<2> n13_x_p12_lanes = n13_x_p8_lanes - n13_x_p11_lanes;
-
-  // link 13 (left_hand), outward
   const Lanes<2> n13_x_p13_lanes = w13_y_lanes * w13_y_lanes;
   const Lanes<2> n13_x_p14_lanes = w13_z_lanes * w13_z_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p15_lanes = n13_x_p14_lanes - n13_x_p13_lanes;
-  const Lanes<2> n13_x_p16_lanes = detail::make_lanes<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * n13_x_p15_lanes;
-  const Lanes<2> n13_x_p17_lanes = n13_x_p12_lanes + n13_x_p16_lanes;
-  const Lanes<2> n13_x_lanes = n13_x_p17_lanes + n13_x_p1_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_z_p13_lanes = detail::make_lanes<Real>(s13, s20) * n13_x_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_y_p1_lanes = 0.01626499875 * a12_x_lanes;
+  const Lanes<2> n13_x_p16_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
+      4.38600177048965e-05) * (n13_x_p14_lanes - n13_x_p13_lanes);
+  const Lanes<2> n13_x_p17_lanes = 9.149209276993575e-05 * n13_x_p3_lanes +
+      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * n13_x_p6_lanes -
+      0.000108260010923775 * n13_x_p10_lanes + n13_x_p16_lanes;
+  const Lanes<2> n13_x_lanes = n13_x_p17_lanes + detail::make_pack<Real>((-0.002865001425),
+      0.002865001425) * a12_x_lanes;
 
   // link 13 (left_hand), outward
   const Lanes<2> n13_y_p2_lanes = n13_x_p9_lanes - wd12_x_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_y_p3_lanes = detail::make_lanes<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * n13_y_p2_lanes;
-  const Lanes<2> n13_y_p4_lanes = 0.000847139515629375 * n13_x_p6_lanes;
-  const Lanes<2> n13_y_p5_lanes = n13_y_p3_lanes - n13_y_p4_lanes;
-  const Lanes<2> n13_y_p6_lanes = detail::make_lanes<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * n13_x_p3_lanes;
-  const Lanes<2> n13_y_p7_lanes = n13_y_p5_lanes - n13_y_p6_lanes;
-
-  // link 13 (left_hand), outward
   const Lanes<2> n13_y_p8_lanes = w13_x_lanes * w13_x_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_y_p9_lanes = n13_y_p8_lanes - n13_x_p14_lanes;
-  const Lanes<2> n13_y_p10_lanes = 0.000108260010923775 * n13_y_p9_lanes;
-  const Lanes<2> n13_y_p11_lanes = n13_y_p7_lanes + n13_y_p10_lanes;
-  const Lanes<2> n13_y_lanes = n13_y_p11_lanes - n13_y_p1_lanes;
+  const Lanes<2> n13_y_p10_lanes = 0.000108260010923775 * (n13_y_p8_lanes - n13_x_p14_lanes);
+  const Lanes<2> n13_y_p11_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
+      4.38600177048965e-05) * n13_y_p2_lanes - 0.000847139515629375 * n13_x_p6_lanes -
+      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * n13_x_p3_lanes +
+      n13_y_p10_lanes;
+  const Lanes<2> n13_y_lanes = n13_y_p11_lanes - 0.01626499875 * a12_x_lanes;
 
   // link 13 (left_hand), inward
-  const Lanes<2> n12_z_p14_lanes = detail::make_lanes<Real>(c13, c20) * n13_y_lanes;
-  const Lanes<2> n12_z_p15_lanes = n12_z_p13_lanes + n12_z_p14_lanes;
-  const Lanes<2> n12_z_lanes = n12_z_p12_lanes + n12_z_p15_lanes;
+  const Lanes<2> n12_z_p15_lanes = detail::make_pack<Real>(s13, s20) * n13_x_lanes +
+      detail::make_pack<Real>(c13, c20) * n13_y_lanes;
+  const Lanes<2> n12_z_lanes = n12_z_p11_lanes - (0.0025100003499999995 * minus_a12_y_lanes +
+      0.0006000000000000001 * a12_x_lanes) + n12_z_p15_lanes;
 
   // link 1 (calf), inward
-  const Lanes<2> qdd_0_p1_lanes = detail::make_lanes<Real>(tau[11], tau[18]) - n12_z_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> a13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * minus_a12_y_lanes;
+  const Lanes<2> qdd_0_p1_lanes = detail::make_pack<Real>(tau[11], tau[18]) - n12_z_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a11_y_p1_lanes = detail::make_lanes<Real>(s11, s18) * a10_x_lanes;
-  const Lanes<2> minus_a11_y_p2_lanes = detail::make_lanes<Real>(c11, c18) * minus_a10_z_lanes;
-  const Lanes<2> minus_a11_y_lanes = minus_a11_y_p1_lanes + minus_a11_y_p2_lanes;
+  const Lanes<2> minus_a11_y_lanes = detail::make_pack<Real>(s11, s18) * a10_x_lanes +
+      detail::make_pack<Real>(c11, c18) * minus_a10_z_lanes;
   const Lanes<2> minus_a12_z_p1_lanes = w11_y_lanes * w11_z_lanes;
   const Lanes<2> minus_a12_z_p2_lanes = minus_a12_z_p1_lanes - wd11_x_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_z_p3_lanes = 0.269 * minus_a12_z_p2_lanes;
-  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + minus_a12_z_p3_lanes;
+  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + 0.269 * minus_a12_z_p2_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> a13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_a12_z_lanes;
-  const Lanes<2> a13_y_lanes = a13_y_p1_lanes - a13_y_p2_lanes;
+  const Lanes<2> a13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_a12_y_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_a12_z_lanes;
+  const Lanes<2> minus_a13_x_lanes = detail::make_pack<Real>(c13, c20) * minus_a12_y_lanes +
+      detail::make_pack<Real>(s13, s20) * minus_a12_z_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p1_lanes = 0.01626499875 * a13_y_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> minus_a13_x_p1_lanes = detail::make_lanes<Real>(c13, c20) * minus_a12_y_lanes;
-  const Lanes<2> minus_a13_x_p2_lanes = detail::make_lanes<Real>(s13, s20) * minus_a12_z_lanes;
-  const Lanes<2> minus_a13_x_lanes = minus_a13_x_p1_lanes + minus_a13_x_p2_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p2_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      minus_a13_x_lanes;
-  const Lanes<2> n13_z_p3_lanes = n13_z_p1_lanes + n13_z_p2_lanes;
-  const Lanes<2> n13_z_p4_lanes = 0.0007556474228594393 * n13_x_p9_lanes;
-  const Lanes<2> n13_z_p5_lanes = 0.0009386316083993107 * wd12_x_lanes;
-  const Lanes<2> n13_z_p6_lanes = n13_z_p4_lanes + n13_z_p5_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> n13_z_p7_lanes = n13_x_p2_lanes - wd13_x_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p8_lanes = 0.000108260010923775 * n13_z_p7_lanes;
-  const Lanes<2> n13_z_p9_lanes = n13_z_p6_lanes + n13_z_p8_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> n13_z_p10_lanes = n13_x_p5_lanes + wd13_y_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p11_lanes = detail::make_lanes<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * n13_z_p10_lanes;
-  const Lanes<2> n13_z_p12_lanes = n13_z_p9_lanes - n13_z_p11_lanes;
-  const Lanes<2> n13_z_p13_lanes = n13_x_p13_lanes - n13_y_p8_lanes;
-  const Lanes<2> n13_z_p14_lanes = detail::make_lanes<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * n13_z_p13_lanes;
-  const Lanes<2> n13_z_p15_lanes = n13_z_p12_lanes + n13_z_p14_lanes;
-  const Lanes<2> n13_z_lanes = n13_z_p15_lanes + n13_z_p3_lanes;
+  const Lanes<2> n13_z_p9_lanes = 0.0007556474228594393 * n13_x_p9_lanes + 0.0009386316083993107 *
+      wd12_x_lanes + 0.000108260010923775 * (n13_x_p2_lanes - wd13_x_lanes);
+  const Lanes<2> n13_z_p15_lanes = n13_z_p9_lanes -
+      detail::make_pack<Real>((-4.38600177048965e-05), 4.38600177048965e-05) *
+      (n13_x_p5_lanes + wd13_y_lanes) + detail::make_pack<Real>((-0.0001263900573325125),
+      0.0001263900573325125) * (n13_x_p13_lanes - n13_y_p8_lanes);
+  const Lanes<2> n13_z_lanes = n13_z_p15_lanes + (0.01626499875 * a13_y_lanes +
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * minus_a13_x_lanes);
 
   // link 1 (calf), inward
-  const Lanes<2> qdd_0_p3_lanes = detail::make_lanes<Real>(tau[12], tau[19]) - n13_z_lanes;
+  const Lanes<2> qdd_0_p3_lanes = detail::make_pack<Real>(tau[12], tau[19]) - n13_z_lanes;
 
   // link 13 (left_hand), bias force
-  const Lanes<2> qdd_0_p5_lanes = detail::make_lanes<Real>(0.04672761636452121,
+  const Lanes<2> qdd_0_p5_lanes = detail::make_pack<Real>(0.04672761636452121,
       (-0.04672761636452121)) * qdd_0_p3_lanes;
-  const Lanes<2> qdd_0_p7_lanes = detail::make_lanes<Real>(c13, c20) * qdd_0_p5_lanes;
   const Lanes<2> qdd_0_p9_lanes = 0.11533812622014242 * qdd_0_p3_lanes;
-  const Lanes<2> qdd_0_p11_lanes = detail::make_lanes<Real>(s13, s20) * qdd_0_p9_lanes;
-  const Lanes<2> qdd_0_p13_lanes = qdd_0_p7_lanes - qdd_0_p11_lanes;
 
   // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p15_lanes = qdd_0_p1_lanes - qdd_0_p13_lanes;
-  const Lanes<2> qdd_0_p17_lanes = inverse_D1_p61_lanes * qdd_0_p15_lanes;
+  const Lanes<2> qdd_0_p15_lanes = qdd_0_p1_lanes -
+      (detail::make_pack<Real>(c13, c20) * qdd_0_p5_lanes - detail::make_pack<Real>(s13, s20) *
+      qdd_0_p9_lanes);
 
   // link 13 (left_hand), bias force
   const Lanes<2> qdd_0_p19_lanes = 17.32841575379867 * qdd_0_p3_lanes;
-  const Lanes<2> qdd_0_p21_lanes = detail::make_lanes<Real>(c13, c20) * qdd_0_p19_lanes;
-  const Lanes<2> qdd_0_p23_lanes = detail::make_lanes<Real>((-3.0523172236718206),
+  const Lanes<2> qdd_0_p23_lanes = detail::make_pack<Real>((-3.0523172236718206),
       3.0523172236718206) * qdd_0_p3_lanes;
-  const Lanes<2> qdd_0_p25_lanes = detail::make_lanes<Real>(s13, s20) * qdd_0_p23_lanes;
-  const Lanes<2> qdd_0_p27_lanes = qdd_0_p21_lanes - qdd_0_p25_lanes;
 
   // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p29_lanes = qdd_0_p27_lanes + qdd_0_p17_lanes;
-  const Lanes<2> qdd_0_p31_lanes = inverse_D11_p1_lanes * qdd_0_p15_lanes;
-
-  // link 13 (left_hand), bias force
-  const Lanes<2> qdd_0_p33_lanes = detail::make_lanes<Real>(c13, c20) * qdd_0_p9_lanes;
-  const Lanes<2> qdd_0_p35_lanes = detail::make_lanes<Real>(s13, s20) * qdd_0_p5_lanes;
-  const Lanes<2> qdd_0_p37_lanes = qdd_0_p33_lanes + qdd_0_p35_lanes;
-
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p39_lanes = qdd_0_p31_lanes - qdd_0_p37_lanes;
-  const Lanes<2> qdd_0_p41_lanes = detail::make_lanes<Real>(c12, c19) * qdd_0_p39_lanes;
-  const Lanes<2> qdd_0_p43_lanes = detail::make_lanes<Real>(s12, s19) * qdd_0_p3_lanes;
-  const Lanes<2> qdd_0_p45_lanes = qdd_0_p43_lanes + qdd_0_p41_lanes;
+  const Lanes<2> qdd_0_p29_lanes = detail::make_pack<Real>(c13, c20) * qdd_0_p19_lanes -
+      detail::make_pack<Real>(s13, s20) * qdd_0_p23_lanes + inverse_D1_p61_lanes * qdd_0_p15_lanes;
+  const Lanes<2> qdd_0_p39_lanes = inverse_D11_p1_lanes * qdd_0_p15_lanes -
+      (detail::make_pack<Real>(c13, c20) * qdd_0_p9_lanes + detail::make_pack<Real>(s13, s20) *
+      qdd_0_p5_lanes);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> n12_x_p1_lanes = minus_w12_y_lanes * w12_z_lanes;
-  const Lanes<2> n12_x_p2_lanes = wd12_x_lanes - n12_x_p1_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_x_p3_lanes = 1.16e-05 * n12_x_p2_lanes;
-
-  // link 12 (left_wrist2), outward
+  const Lanes<2> n12_x_p2_lanes = wd12_x_lanes - minus_w12_y_lanes * w12_z_lanes;
   const Lanes<2> n12_x_p4_lanes = w12_z_lanes * w12_z_lanes;
   const Lanes<2> n12_x_p5_lanes = minus_w12_y_lanes * minus_w12_y_lanes;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_x_p6_lanes = n12_x_p4_lanes - n12_x_p5_lanes;
-  const Lanes<2> n12_x_p7_lanes = detail::make_lanes<Real>(2.4000000000000003e-06,
-      (-2.4000000000000003e-06)) * n12_x_p6_lanes;
-  const Lanes<2> n12_x_p8_lanes = n12_x_p3_lanes + n12_x_p7_lanes;
-  const Lanes<2> n12_x_p9_lanes = 0.0006000000000000001 * minus_a12_z_lanes;
-  const Lanes<2> n12_x_p10_lanes = n12_x_p8_lanes - n12_x_p9_lanes;
+  const Lanes<2> n12_x_p10_lanes = 1.16e-05 * n12_x_p2_lanes +
+      detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
+      (n12_x_p4_lanes - n12_x_p5_lanes) - 0.0006000000000000001 * minus_a12_z_lanes;
 
   // link 13 (left_hand), inward
   const Lanes<2> n12_x_lanes = n12_x_p10_lanes + n13_z_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> n11_z_p1_lanes = detail::make_lanes<Real>(s12, s19) * n12_x_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_y_p1_lanes = detail::make_lanes<Real>(c13, c20) * n13_x_lanes;
-  const Lanes<2> n12_y_p2_lanes = detail::make_lanes<Real>(s13, s20) * n13_y_lanes;
-  const Lanes<2> n12_y_p3_lanes = n12_y_p1_lanes - n12_y_p2_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_y_p4_lanes = 0.0025100003499999995 * minus_a12_z_lanes;
+  const Lanes<2> n12_y_p3_lanes = detail::make_pack<Real>(c13, c20) * n13_x_lanes -
+      detail::make_pack<Real>(s13, s20) * n13_y_lanes;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> n12_y_p5_lanes = n12_z_p8_lanes - wd12_y_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_y_p6_lanes = 0.000195227662257343 * n12_y_p5_lanes;
-
-  // link 12 (left_wrist2), outward
   const Lanes<2> n12_y_p7_lanes = n12_z_p5_lanes + wd11_y_lanes;
 
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_y_p8_lanes = detail::make_lanes<Real>(2.4000000000000003e-06,
-      (-2.4000000000000003e-06)) * n12_y_p7_lanes;
-  const Lanes<2> n12_y_p9_lanes = n12_y_p6_lanes + n12_y_p8_lanes;
-  const Lanes<2> n12_y_p10_lanes = n12_y_p4_lanes - n12_y_p9_lanes;
-
   // link 13 (left_hand), inward
-  const Lanes<2> n12_y_lanes = n12_y_p10_lanes + n12_y_p3_lanes;
+  const Lanes<2> n12_y_lanes = 0.0025100003499999995 * minus_a12_z_lanes -
+      (0.000195227662257343 * n12_y_p5_lanes + detail::make_pack<Real>(2.4000000000000003e-06,
+      (-2.4000000000000003e-06)) * n12_y_p7_lanes) + n12_y_p3_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_z_p2_lanes = detail::make_lanes<Real>(c12, c19) * n12_y_lanes;
-  const Lanes<2> n11_z_p3_lanes = n11_z_p1_lanes + n11_z_p2_lanes;
+  const Lanes<2> n11_z_p3_lanes = detail::make_pack<Real>(s12, s19) * n12_x_lanes +
+      detail::make_pack<Real>(c12, c19) * n12_y_lanes;
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_z_p4_lanes = 6e-04 * minus_a11_y_lanes;
-  const Lanes<2> n11_z_p5_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * a11_x_lanes;
-  const Lanes<2> n11_z_p6_lanes = n11_z_p4_lanes + n11_z_p5_lanes;
-  const Lanes<2> n11_z_p7_lanes = minus_a12_y_p7_lanes - minus_a12_y_p6_lanes;
-  const Lanes<2> n11_z_p8_lanes = detail::make_lanes<Real>(6e-06, (-6e-06)) * n11_z_p7_lanes;
+  const Lanes<2> n11_z_p6_lanes = 6e-04 * minus_a11_y_lanes +
+      detail::make_pack<Real>(0.001, (-0.001)) * a11_x_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> n11_z_p9_lanes = w11_x_lanes * w11_y_lanes;
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_z_p10_lanes = 9.600000000000003e-06 * n11_z_p9_lanes;
-  const Lanes<2> n11_z_p11_lanes = 0.0002292 * wd10_y_lanes;
-  const Lanes<2> n11_z_p12_lanes = n11_z_p10_lanes + n11_z_p11_lanes;
-  const Lanes<2> n11_z_p13_lanes = 0.000144 * minus_a12_z_p2_lanes;
-  const Lanes<2> n11_z_p14_lanes = n11_z_p12_lanes + n11_z_p13_lanes;
-  const Lanes<2> n11_z_p15_lanes = detail::make_lanes<Real>((-0.0002516), 0.0002516) *
+  const Lanes<2> n11_z_p15_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
       minus_a12_y_p2_lanes;
-  const Lanes<2> n11_z_p16_lanes = n11_z_p14_lanes + n11_z_p15_lanes;
-  const Lanes<2> n11_z_p17_lanes = n11_z_p8_lanes - n11_z_p16_lanes;
-  const Lanes<2> n11_z_p18_lanes = n11_z_p17_lanes - n11_z_p6_lanes;
+  const Lanes<2> n11_z_p16_lanes = 9.600000000000003e-06 * n11_z_p9_lanes + 0.0002292 *
+      wd10_y_lanes + 0.000144 * minus_a12_z_p2_lanes + n11_z_p15_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_z_lanes = n11_z_p18_lanes - n11_z_p3_lanes;
+  const Lanes<2> n11_z_lanes = detail::make_pack<Real>(6e-06, (-6e-06)) *
+      (minus_a12_y_p7_lanes - minus_a12_y_p6_lanes) - n11_z_p16_lanes - n11_z_p6_lanes -
+      n11_z_p3_lanes;
 
   // link 1 (calf), inward
-  const Lanes<2> qdd_0_p47_lanes = detail::make_lanes<Real>(tau[10], tau[17]) - n11_z_lanes;
+  const Lanes<2> qdd_0_p47_lanes = detail::make_pack<Real>(tau[10], tau[17]) - n11_z_lanes;
 
   // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p49_lanes = qdd_0_p47_lanes + qdd_0_p45_lanes;
-  const Lanes<2> qdd_0_p51_lanes = inverse_D1_p119_lanes * qdd_0_p49_lanes;
-  const Lanes<2> qdd_0_p53_lanes = qdd_0_p29_lanes + qdd_0_p51_lanes;
-  const Lanes<2> qdd_0_p55_lanes = detail::make_lanes<Real>(c11, c18) * qdd_0_p53_lanes;
+  const Lanes<2> qdd_0_p49_lanes = qdd_0_p47_lanes +
+      (detail::make_pack<Real>(s12, s19) * qdd_0_p3_lanes + detail::make_pack<Real>(c12, c19) *
+      qdd_0_p39_lanes);
+  const Lanes<2> qdd_0_p53_lanes = qdd_0_p29_lanes + inverse_D1_p119_lanes * qdd_0_p49_lanes;
 
   // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p57_lanes = inverse_D1_p11_lanes * qdd_0_p15_lanes;
-
-  // link 13 (left_hand), bias force
-  const Lanes<2> qdd_0_p59_lanes = detail::make_lanes<Real>(c13, c20) * qdd_0_p23_lanes;
-  const Lanes<2> qdd_0_p61_lanes = detail::make_lanes<Real>(s13, s20) * qdd_0_p19_lanes;
-  const Lanes<2> qdd_0_p63_lanes = qdd_0_p59_lanes + qdd_0_p61_lanes;
-
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p65_lanes = qdd_0_p57_lanes - qdd_0_p63_lanes;
-  const Lanes<2> qdd_0_p67_lanes = detail::make_lanes<Real>(s12, s19) * qdd_0_p65_lanes;
+  const Lanes<2> qdd_0_p65_lanes = inverse_D1_p11_lanes * qdd_0_p15_lanes -
+      (detail::make_pack<Real>(c13, c20) * qdd_0_p23_lanes + detail::make_pack<Real>(s13, s20) *
+      qdd_0_p19_lanes);
   const Lanes<2> qdd_0_p69_lanes = inverse_D1_p35_lanes * qdd_0_p15_lanes;
-  const Lanes<2> qdd_0_p71_lanes = detail::make_lanes<Real>(c12, c19) * qdd_0_p69_lanes;
-  const Lanes<2> qdd_0_p73_lanes = qdd_0_p67_lanes - qdd_0_p71_lanes;
+  const Lanes<2> qdd_0_p73_lanes = detail::make_pack<Real>(s12, s19) * qdd_0_p65_lanes -
+      detail::make_pack<Real>(c12, c19) * qdd_0_p69_lanes;
 
   // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p75_lanes = inverse_D1_p55_lanes * qdd_0_p49_lanes;
-  const Lanes<2> qdd_0_p77_lanes = qdd_0_p73_lanes + qdd_0_p75_lanes;
-  const Lanes<2> qdd_0_p79_lanes = detail::make_lanes<Real>(s11, s18) * qdd_0_p77_lanes;
-  const Lanes<2> qdd_0_p81_lanes = qdd_0_p55_lanes - qdd_0_p79_lanes;
-
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p83_lanes = 0.269 * qdd_0_p29_lanes;
-  const Lanes<2> qdd_0_p85_lanes = detail::make_lanes<Real>(s12, s19) * qdd_0_p39_lanes;
-  const Lanes<2> qdd_0_p87_lanes = detail::make_lanes<Real>(c12, c19) * qdd_0_p3_lanes;
-  const Lanes<2> qdd_0_p89_lanes = qdd_0_p85_lanes - qdd_0_p87_lanes;
-  const Lanes<2> qdd_0_p91_lanes = qdd_0_p83_lanes - qdd_0_p89_lanes;
-
-  // link 11 (left_wrist1), bias force
+  const Lanes<2> qdd_0_p77_lanes = qdd_0_p73_lanes + inverse_D1_p55_lanes * qdd_0_p49_lanes;
   const Lanes<2> qdd_0_p93_lanes = inverse_D10_p1_lanes * qdd_0_p49_lanes;
-  const Lanes<2> qdd_0_p95_lanes = qdd_0_p91_lanes + qdd_0_p93_lanes;
-  const Lanes<2> qdd_0_p97_lanes = detail::make_lanes<Real>(s11, s18) * qdd_0_p95_lanes;
-
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p99_lanes = 0.269 * qdd_0_p73_lanes;
-  const Lanes<2> qdd_0_p101_lanes = qdd_0_p1_lanes + qdd_0_p99_lanes;
-
-  // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p103_lanes = inverse_D10_p8_lanes * qdd_0_p49_lanes;
-  const Lanes<2> qdd_0_p105_lanes = qdd_0_p101_lanes + qdd_0_p103_lanes;
-  const Lanes<2> qdd_0_p107_lanes = detail::make_lanes<Real>(c11, c18) * qdd_0_p105_lanes;
-  const Lanes<2> qdd_0_p109_lanes = qdd_0_p97_lanes + qdd_0_p107_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> n11_x_p1_lanes = detail::make_lanes<Real>(s12, s19) * n12_y_lanes;
-  const Lanes<2> n11_x_p2_lanes = detail::make_lanes<Real>(c12, c19) * n12_x_lanes;
-  const Lanes<2> n11_x_p3_lanes = n11_x_p1_lanes - n11_x_p2_lanes;
+  const Lanes<2> qdd_0_p95_lanes = 0.269 * qdd_0_p29_lanes -
+      (detail::make_pack<Real>(s12, s19) * qdd_0_p39_lanes - detail::make_pack<Real>(c12, c19) *
+      qdd_0_p3_lanes) + qdd_0_p93_lanes;
+  const Lanes<2> qdd_0_p105_lanes = qdd_0_p1_lanes + 0.269 * qdd_0_p73_lanes +
+      inverse_D10_p8_lanes * qdd_0_p49_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_x_p1_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      n13_y_p2_lanes;
-  const Lanes<2> f13_x_p2_lanes = n13_x_p13_lanes + n13_x_p14_lanes;
-  const Lanes<2> f13_x_p3_lanes = 0.01626499875 * f13_x_p2_lanes;
-  const Lanes<2> f13_x_lanes = f13_x_p1_lanes - f13_x_p3_lanes;
+  const Lanes<2> f13_x_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      n13_y_p2_lanes - 0.01626499875 * (n13_x_p13_lanes + n13_x_p14_lanes);
+  const Lanes<2> f13_y_lanes = 0.01626499875 * n13_x_p10_lanes -
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      (n13_y_p8_lanes + n13_x_p14_lanes);
 
   // link 13 (left_hand), inward
-  const Lanes<2> f12_z_p1_lanes = detail::make_lanes<Real>(s13, s20) * f13_x_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_y_p1_lanes = 0.01626499875 * n13_x_p10_lanes;
-  const Lanes<2> f13_y_p2_lanes = n13_y_p8_lanes + n13_x_p14_lanes;
-  const Lanes<2> f13_y_p3_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      f13_y_p2_lanes;
-  const Lanes<2> f13_y_lanes = f13_y_p1_lanes - f13_y_p3_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> f12_z_p2_lanes = detail::make_lanes<Real>(c13, c20) * f13_y_lanes;
-  const Lanes<2> f12_z_p3_lanes = f12_z_p1_lanes + f12_z_p2_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_z_p4_lanes = 0.0025100003499999995 * n12_y_p5_lanes;
-  const Lanes<2> f12_z_p5_lanes = 0.0006000000000000001 * n12_x_p2_lanes;
-  const Lanes<2> f12_z_p6_lanes = f12_z_p4_lanes + f12_z_p5_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> f12_z_lanes = f12_z_p6_lanes + f12_z_p3_lanes;
+  const Lanes<2> f12_z_p3_lanes = detail::make_pack<Real>(s13, s20) * f13_x_lanes +
+      detail::make_pack<Real>(c13, c20) * f13_y_lanes;
+  const Lanes<2> f12_z_lanes = 0.0025100003499999995 * n12_y_p5_lanes + 0.0006000000000000001 *
+      n12_x_p2_lanes + f12_z_p3_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_x_p4_lanes = 0.269 * f12_z_lanes;
-  const Lanes<2> n11_x_p5_lanes = n11_x_p4_lanes - n11_x_p3_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p6_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * minus_a10_y_lanes;
+  const Lanes<2> n11_x_p5_lanes = 0.269 * f12_z_lanes -
+      (detail::make_pack<Real>(s12, s19) * n12_y_lanes - detail::make_pack<Real>(c12, c19) *
+      n12_x_lanes);
 
   // link 11 (left_wrist1), outward
   const Lanes<2> n11_x_p7_lanes = minus_a12_z_p1_lanes + wd11_x_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p8_lanes = 0.0001194 * n11_x_p7_lanes;
-
-  // link 11 (left_wrist1), outward
   const Lanes<2> n11_x_p9_lanes = minus_a12_y_p1_lanes - wd11_y_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p10_lanes = detail::make_lanes<Real>(6e-06, (-6e-06)) * n11_x_p9_lanes;
-  const Lanes<2> n11_x_p11_lanes = n11_x_p8_lanes + n11_x_p10_lanes;
-
-  // link 11 (left_wrist1), outward
   const Lanes<2> n11_x_p12_lanes = n11_z_p9_lanes - wd10_y_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p13_lanes = 0.000144 * n11_x_p12_lanes;
-  const Lanes<2> n11_x_p14_lanes = n11_x_p11_lanes + n11_x_p13_lanes;
-
-  // link 11 (left_wrist1), outward
   const Lanes<2> n11_x_p15_lanes = w11_z_lanes * w11_z_lanes;
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p16_lanes = n11_x_p15_lanes - minus_a12_y_p7_lanes;
-  const Lanes<2> n11_x_p17_lanes = detail::make_lanes<Real>((-0.0002516), 0.0002516) *
-      n11_x_p16_lanes;
-  const Lanes<2> n11_x_p18_lanes = n11_x_p14_lanes + n11_x_p17_lanes;
-  const Lanes<2> n11_x_p19_lanes = n11_x_p18_lanes + n11_x_p6_lanes;
+  const Lanes<2> n11_x_p17_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      (n11_x_p15_lanes - minus_a12_y_p7_lanes);
+  const Lanes<2> n11_x_p18_lanes = 0.0001194 * n11_x_p7_lanes +
+      detail::make_pack<Real>(6e-06, (-6e-06)) * n11_x_p9_lanes + 0.000144 * n11_x_p12_lanes +
+      n11_x_p17_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_x_lanes = n11_x_p19_lanes + n11_x_p5_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> n10_z_p1_lanes = detail::make_lanes<Real>(s11, s18) * n11_x_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> f12_y_p1_lanes = detail::make_lanes<Real>(c13, c20) * f13_x_lanes;
-  const Lanes<2> f12_y_p2_lanes = detail::make_lanes<Real>(s13, s20) * f13_y_lanes;
-  const Lanes<2> f12_y_p3_lanes = f12_y_p1_lanes - f12_y_p2_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> f12_y_p4_lanes = wd11_y_lanes - n12_z_p5_lanes;
+  const Lanes<2> n11_x_lanes = n11_x_p18_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
+      minus_a10_y_lanes + n11_x_p5_lanes;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_y_p5_lanes = 0.0025100003499999995 * f12_y_p4_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> f12_y_p6_lanes = w12_x_lanes * w12_x_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> f12_y_p7_lanes = f12_y_p6_lanes + n12_x_p4_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_y_p8_lanes = 0.0006000000000000001 * f12_y_p7_lanes;
-  const Lanes<2> f12_y_p9_lanes = f12_y_p5_lanes - f12_y_p8_lanes;
+  const Lanes<2> f12_y_p9_lanes = 0.0025100003499999995 * (wd11_y_lanes - n12_z_p5_lanes) -
+      0.0006000000000000001 * (w12_x_lanes * w12_x_lanes + n12_x_p4_lanes);
 
   // link 13 (left_hand), inward
-  const Lanes<2> f12_y_lanes = f12_y_p9_lanes + f12_y_p3_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> n11_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * f12_y_lanes;
+  const Lanes<2> f12_y_lanes = f12_y_p9_lanes + (detail::make_pack<Real>(c13, c20) * f13_x_lanes -
+      detail::make_pack<Real>(s13, s20) * f13_y_lanes);
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_z_p1_lanes = 0.01626499875 * n13_x_p6_lanes;
-  const Lanes<2> f13_z_p2_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      n13_x_p3_lanes;
-  const Lanes<2> f13_z_lanes = f13_z_p1_lanes + f13_z_p2_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> f12_x_p1_lanes = n12_x_p5_lanes + n12_x_p4_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_x_p2_lanes = 0.0025100003499999995 * f12_x_p1_lanes;
-  const Lanes<2> f12_x_p3_lanes = 0.0006000000000000001 * n12_y_p7_lanes;
-  const Lanes<2> f12_x_p4_lanes = f12_x_p2_lanes + f12_x_p3_lanes;
+  const Lanes<2> f13_z_lanes = 0.01626499875 * n13_x_p6_lanes +
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * n13_x_p3_lanes;
 
   // link 13 (left_hand), inward
-  const Lanes<2> f12_x_lanes = f13_z_lanes - f12_x_p4_lanes;
+  const Lanes<2> f12_x_lanes = f13_z_lanes - (0.0025100003499999995 *
+      (n12_x_p5_lanes + n12_x_p4_lanes) + 0.0006000000000000001 * n12_y_p7_lanes);
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * f12_x_lanes;
-  const Lanes<2> n11_y_p3_lanes = n11_y_p1_lanes - n11_y_p2_lanes;
-  const Lanes<2> n11_y_p4_lanes = 0.269 * n11_y_p3_lanes;
-  const Lanes<2> n11_y_p5_lanes = n12_z_lanes + n11_y_p4_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_y_p6_lanes = 6e-04 * minus_a10_y_lanes;
+  const Lanes<2> n11_y_p3_lanes = detail::make_pack<Real>(s12, s19) * f12_y_lanes -
+      detail::make_pack<Real>(c12, c19) * f12_x_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> n11_y_p7_lanes = n11_z_p9_lanes + wd10_y_lanes;
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_y_p8_lanes = detail::make_lanes<Real>((-0.0002516), 0.0002516) *
-      n11_y_p7_lanes;
-  const Lanes<2> n11_y_p9_lanes = 0.0001098 * n11_x_p9_lanes;
-  const Lanes<2> n11_y_p10_lanes = n11_y_p8_lanes - n11_y_p9_lanes;
-  const Lanes<2> n11_y_p11_lanes = detail::make_lanes<Real>(6e-06, (-6e-06)) * n11_x_p7_lanes;
-  const Lanes<2> n11_y_p12_lanes = n11_y_p10_lanes - n11_y_p11_lanes;
-  const Lanes<2> n11_y_p13_lanes = minus_a12_y_p6_lanes - n11_x_p15_lanes;
-  const Lanes<2> n11_y_p14_lanes = 0.000144 * n11_y_p13_lanes;
-  const Lanes<2> n11_y_p15_lanes = n11_y_p12_lanes - n11_y_p14_lanes;
-  const Lanes<2> n11_y_p16_lanes = n11_y_p15_lanes - n11_y_p6_lanes;
+  const Lanes<2> n11_y_p14_lanes = 0.000144 * (minus_a12_y_p6_lanes - n11_x_p15_lanes);
+  const Lanes<2> n11_y_p15_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      n11_y_p7_lanes - 0.0001098 * n11_x_p9_lanes - detail::make_pack<Real>(6e-06, (-6e-06)) *
+      n11_x_p7_lanes - n11_y_p14_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_y_lanes = n11_y_p16_lanes + n11_y_p5_lanes;
+  const Lanes<2> n11_y_lanes = n11_y_p15_lanes - 6e-04 * minus_a10_y_lanes +
+      (n12_z_lanes + 0.269 * n11_y_p3_lanes);
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> n10_z_p2_lanes = detail::make_lanes<Real>(c11, c18) * n11_y_lanes;
-  const Lanes<2> n10_z_p3_lanes = n10_z_p1_lanes + n10_z_p2_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p4_lanes = 0.0014999985000000002 * minus_a10_y_lanes;
-  const Lanes<2> n10_z_p5_lanes = 0.28049749700000004 * a10_x_lanes;
-  const Lanes<2> n10_z_p6_lanes = n10_z_p4_lanes + n10_z_p5_lanes;
+  const Lanes<2> n10_z_p3_lanes = detail::make_pack<Real>(s11, s18) * n11_x_lanes +
+      detail::make_pack<Real>(c11, c18) * n11_y_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> n10_z_p7_lanes = w10_x_lanes * minus_w10_y_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p8_lanes = 0.06032654142055946 * n10_z_p7_lanes;
-  const Lanes<2> n10_z_p9_lanes = 0.060888541114265754 * wd9_y_lanes;
-  const Lanes<2> n10_z_p10_lanes = n10_z_p8_lanes + n10_z_p9_lanes;
-
-  // link 10 (left_lowerarm), outward
   const Lanes<2> n10_z_p11_lanes = minus_w10_y_lanes * w10_z_lanes;
-  const Lanes<2> n10_z_p12_lanes = n10_z_p11_lanes + wd10_x_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p13_lanes = detail::make_lanes<Real>(2.249994685315e-05,
-      (-2.249994685315e-05)) * n10_z_p12_lanes;
-  const Lanes<2> n10_z_p14_lanes = n10_z_p10_lanes - n10_z_p13_lanes;
+  const Lanes<2> n10_z_p14_lanes = 0.06032654142055946 * n10_z_p7_lanes + 0.060888541114265754 *
+      wd9_y_lanes - detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
+      (n10_z_p11_lanes + wd10_x_lanes);
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> n10_z_p15_lanes = w10_x_lanes * w10_z_lanes;
-  const Lanes<2> n10_z_p16_lanes = n10_z_p15_lanes + wd10_y_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p17_lanes = detail::make_lanes<Real>(0.0001499998887063,
-      (-0.0001499998887063)) * n10_z_p16_lanes;
-  const Lanes<2> n10_z_p18_lanes = n10_z_p14_lanes - n10_z_p17_lanes;
-
-  // link 10 (left_lowerarm), outward
   const Lanes<2> n10_z_p19_lanes = minus_w10_y_lanes * minus_w10_y_lanes;
   const Lanes<2> n10_z_p20_lanes = w10_x_lanes * w10_x_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p21_lanes = n10_z_p19_lanes - n10_z_p20_lanes;
-  const Lanes<2> n10_z_p22_lanes = 0.0001499998887063 * n10_z_p21_lanes;
-  const Lanes<2> n10_z_p23_lanes = n10_z_p18_lanes + n10_z_p22_lanes;
-  const Lanes<2> n10_z_p24_lanes = n10_z_p23_lanes - n10_z_p6_lanes;
+  const Lanes<2> n10_z_p23_lanes = n10_z_p14_lanes -
+      detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) *
+      (n10_z_p15_lanes + wd10_y_lanes) + 0.0001499998887063 * (n10_z_p19_lanes - n10_z_p20_lanes);
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> n10_z_lanes = n10_z_p24_lanes + n10_z_p3_lanes;
+  const Lanes<2> n10_z_lanes = n10_z_p23_lanes - (0.0014999985000000002 * minus_a10_y_lanes +
+      0.28049749700000004 * a10_x_lanes) + n10_z_p3_lanes;
 
   // link 1 (calf), inward
-  const Lanes<2> qdd_0_p111_lanes = detail::make_lanes<Real>(tau[9], tau[16]) - n10_z_lanes;
+  const Lanes<2> qdd_0_p111_lanes = detail::make_pack<Real>(tau[9], tau[16]) - n10_z_lanes;
 
   // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p113_lanes = qdd_0_p111_lanes - qdd_0_p109_lanes;
-  const Lanes<2> qdd_0_p115_lanes = inverse_D1_p191_lanes * qdd_0_p113_lanes;
-  const Lanes<2> qdd_0_p117_lanes = qdd_0_p81_lanes + qdd_0_p115_lanes;
-  const Lanes<2> qdd_0_p119_lanes = 0.282 * qdd_0_p117_lanes;
-
-  // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p121_lanes = detail::make_lanes<Real>(c11, c18) * qdd_0_p95_lanes;
-  const Lanes<2> qdd_0_p123_lanes = detail::make_lanes<Real>(s11, s18) * qdd_0_p105_lanes;
-  const Lanes<2> qdd_0_p125_lanes = qdd_0_p121_lanes - qdd_0_p123_lanes;
-
-  // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p127_lanes = inverse_D1_p231_lanes * qdd_0_p113_lanes;
-  const Lanes<2> qdd_0_p129_lanes = qdd_0_p125_lanes + qdd_0_p127_lanes;
-  const Lanes<2> qdd_0_p131_lanes = detail::make_lanes<Real>(c10, c17) * qdd_0_p129_lanes;
-  const Lanes<2> qdd_0_p133_lanes = inverse_D1_p221_lanes * qdd_0_p113_lanes;
-  const Lanes<2> qdd_0_p135_lanes = qdd_0_p133_lanes - qdd_0_p47_lanes;
-  const Lanes<2> qdd_0_p137_lanes = detail::make_lanes<Real>(s10, s17) * qdd_0_p135_lanes;
-  const Lanes<2> qdd_0_p139_lanes = qdd_0_p137_lanes - qdd_0_p131_lanes;
-  const Lanes<2> qdd_0_p141_lanes = qdd_0_p119_lanes - qdd_0_p139_lanes;
-  const Lanes<2> qdd_0_p143_lanes = detail::make_lanes<Real>(s10, s17) * qdd_0_p129_lanes;
-  const Lanes<2> qdd_0_p145_lanes = detail::make_lanes<Real>(c10, c17) * qdd_0_p135_lanes;
-  const Lanes<2> qdd_0_p147_lanes = qdd_0_p143_lanes + qdd_0_p145_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> n10_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * n11_x_lanes;
-  const Lanes<2> n10_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * n11_y_lanes;
-  const Lanes<2> n10_x_p3_lanes = n10_x_p1_lanes - n10_x_p2_lanes;
+  const Lanes<2> qdd_0_p113_lanes = qdd_0_p111_lanes -
+      (detail::make_pack<Real>(s11, s18) * qdd_0_p95_lanes + detail::make_pack<Real>(c11, c18) *
+      qdd_0_p105_lanes);
+  const Lanes<2> qdd_0_p117_lanes = detail::make_pack<Real>(c11, c18) * qdd_0_p53_lanes -
+      detail::make_pack<Real>(s11, s18) * qdd_0_p77_lanes + inverse_D1_p191_lanes *
+      qdd_0_p113_lanes;
+  const Lanes<2> qdd_0_p129_lanes = detail::make_pack<Real>(c11, c18) * qdd_0_p95_lanes -
+      detail::make_pack<Real>(s11, s18) * qdd_0_p105_lanes + inverse_D1_p231_lanes *
+      qdd_0_p113_lanes;
+  const Lanes<2> qdd_0_p135_lanes = inverse_D1_p221_lanes * qdd_0_p113_lanes - qdd_0_p47_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> n10_x_p4_lanes = wd10_x_lanes - n10_z_p11_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p5_lanes = 0.06060754126741261 * n10_x_p4_lanes;
-
-  // link 10 (left_lowerarm), outward
   const Lanes<2> n10_x_p6_lanes = n10_z_p15_lanes - wd10_y_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p7_lanes = 0.0001499998887063 * n10_x_p6_lanes;
-  const Lanes<2> n10_x_p8_lanes = n10_x_p5_lanes + n10_x_p7_lanes;
-
-  // link 10 (left_lowerarm), outward
   const Lanes<2> n10_x_p9_lanes = wd9_y_lanes - n10_z_p7_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p10_lanes = detail::make_lanes<Real>(2.249994685315e-05,
-      (-2.249994685315e-05)) * n10_x_p9_lanes;
-  const Lanes<2> n10_x_p11_lanes = n10_x_p8_lanes - n10_x_p10_lanes;
-
-  // link 10 (left_lowerarm), outward
   const Lanes<2> n10_x_p12_lanes = w10_z_lanes * w10_z_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p13_lanes = n10_x_p12_lanes - n10_z_p19_lanes;
-  const Lanes<2> n10_x_p14_lanes = detail::make_lanes<Real>(0.0001499998887063,
-      (-0.0001499998887063)) * n10_x_p13_lanes;
-  const Lanes<2> n10_x_p15_lanes = n10_x_p11_lanes + n10_x_p14_lanes;
-  const Lanes<2> n10_x_p16_lanes = 0.28049749700000004 * minus_a10_z_lanes;
-  const Lanes<2> n10_x_p17_lanes = n10_x_p15_lanes - n10_x_p16_lanes;
+  const Lanes<2> n10_x_p14_lanes = detail::make_pack<Real>(0.0001499998887063,
+      (-0.0001499998887063)) * (n10_x_p12_lanes - n10_z_p19_lanes);
+  const Lanes<2> n10_x_p15_lanes = 0.06060754126741261 * n10_x_p4_lanes + 0.0001499998887063 *
+      n10_x_p6_lanes - detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
+      n10_x_p9_lanes + n10_x_p14_lanes;
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> n10_x_lanes = n10_x_p17_lanes + n10_x_p3_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_z_p1_lanes = detail::make_lanes<Real>(s10, s17) * n10_x_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_y_p1_lanes = 0.00028099984685315 * n10_x_p6_lanes;
+  const Lanes<2> n10_x_lanes = n10_x_p15_lanes - 0.28049749700000004 * minus_a10_z_lanes +
+      (detail::make_pack<Real>(c11, c18) * n11_x_lanes - detail::make_pack<Real>(s11, s18) *
+      n11_y_lanes);
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> n10_y_p2_lanes = n10_z_p7_lanes + wd9_y_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_y_p3_lanes = detail::make_lanes<Real>(0.0001499998887063,
-      (-0.0001499998887063)) * n10_y_p2_lanes;
-  const Lanes<2> n10_y_p4_lanes = n10_y_p1_lanes + n10_y_p3_lanes;
-  const Lanes<2> n10_y_p5_lanes = 0.0001499998887063 * n10_x_p4_lanes;
-  const Lanes<2> n10_y_p6_lanes = n10_y_p4_lanes + n10_y_p5_lanes;
-  const Lanes<2> n10_y_p7_lanes = n10_z_p20_lanes - n10_x_p12_lanes;
-  const Lanes<2> n10_y_p8_lanes = detail::make_lanes<Real>(2.249994685315e-05,
-      (-2.249994685315e-05)) * n10_y_p7_lanes;
-  const Lanes<2> n10_y_p9_lanes = n10_y_p8_lanes - n10_y_p6_lanes;
-  const Lanes<2> n10_y_p10_lanes = 0.0014999985000000002 * minus_a10_z_lanes;
-  const Lanes<2> n10_y_p11_lanes = n10_y_p9_lanes + n10_y_p10_lanes;
+  const Lanes<2> n10_y_p6_lanes = 0.00028099984685315 * n10_x_p6_lanes +
+      detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) * n10_y_p2_lanes +
+      0.0001499998887063 * n10_x_p4_lanes;
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> n10_y_lanes = n10_y_p11_lanes - n11_z_lanes;
+  const Lanes<2> n10_y_lanes = detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
+      (n10_z_p20_lanes - n10_x_p12_lanes) - n10_y_p6_lanes + 0.0014999985000000002 *
+      minus_a10_z_lanes - n11_z_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_z_p2_lanes = detail::make_lanes<Real>(c10, c17) * n10_y_lanes;
-  const Lanes<2> n9_z_p3_lanes = n9_z_p1_lanes + n9_z_p2_lanes;
+  const Lanes<2> n9_z_p3_lanes = detail::make_pack<Real>(s10, s17) * n10_x_lanes +
+      detail::make_pack<Real>(c10, c17) * n10_y_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p4_lanes = 0.0022500062 * minus_a9_y_lanes;
-  const Lanes<2> n9_z_p5_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      a9_x_lanes;
-  const Lanes<2> n9_z_p6_lanes = n9_z_p4_lanes - n9_z_p5_lanes;
-  const Lanes<2> n9_z_p7_lanes = 0.0005895000784280001 * minus_a10_z_p2_lanes;
+  const Lanes<2> n9_z_p6_lanes = 0.0022500062 * minus_a9_y_lanes -
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * a9_x_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_z_p8_lanes = w9_x_lanes * w9_y_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p9_lanes = 0.001140794814995722 * n9_z_p8_lanes;
-  const Lanes<2> n9_z_p10_lanes = 0.0027762933559338653 * wd8_x_lanes;
-  const Lanes<2> n9_z_p11_lanes = n9_z_p9_lanes + n9_z_p10_lanes;
-  const Lanes<2> n9_z_p12_lanes = n9_z_p7_lanes - n9_z_p11_lanes;
-  const Lanes<2> n9_z_p13_lanes = detail::make_lanes<Real>((-0.0012089992423205001),
+  const Lanes<2> n9_z_p13_lanes = detail::make_pack<Real>((-0.0012089992423205001),
       0.0012089992423205001) * a10_x_p2_lanes;
-  const Lanes<2> n9_z_p14_lanes = n9_z_p12_lanes - n9_z_p13_lanes;
-  const Lanes<2> n9_z_p15_lanes = a10_x_p7_lanes - a10_x_p6_lanes;
-  const Lanes<2> n9_z_p16_lanes = detail::make_lanes<Real>((-4.4999986458742003e-05),
-      4.4999986458742003e-05) * n9_z_p15_lanes;
-  const Lanes<2> n9_z_p17_lanes = n9_z_p14_lanes + n9_z_p16_lanes;
-  const Lanes<2> n9_z_p18_lanes = n9_z_p17_lanes + n9_z_p6_lanes;
+  const Lanes<2> n9_z_p14_lanes = 0.0005895000784280001 * minus_a10_z_p2_lanes -
+      (0.001140794814995722 * n9_z_p8_lanes + 0.0027762933559338653 * wd8_x_lanes) - n9_z_p13_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_z_lanes = n9_z_p18_lanes - n9_z_p3_lanes;
+  const Lanes<2> n9_z_lanes = n9_z_p14_lanes + detail::make_pack<Real>((-4.4999986458742003e-05),
+      4.4999986458742003e-05) * (a10_x_p7_lanes - a10_x_p6_lanes) + n9_z_p6_lanes - n9_z_p3_lanes;
 
   // link 1 (calf), inward
-  const Lanes<2> qdd_0_p149_lanes = detail::make_lanes<Real>(tau[8], tau[15]) - n9_z_lanes;
+  const Lanes<2> qdd_0_p149_lanes = detail::make_pack<Real>(tau[8], tau[15]) - n9_z_lanes;
 
   // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p151_lanes = qdd_0_p149_lanes + qdd_0_p147_lanes;
+  const Lanes<2> qdd_0_p151_lanes = qdd_0_p149_lanes +
+      (detail::make_pack<Real>(s10, s17) * qdd_0_p129_lanes + detail::make_pack<Real>(c10, c17) *
+      qdd_0_p135_lanes);
   const Lanes<2> qdd_0_p153_lanes = inverse_D1_p259_lanes * qdd_0_p151_lanes;
-  const Lanes<2> qdd_0_p155_lanes = qdd_0_p141_lanes + qdd_0_p153_lanes;
-  const Lanes<2> qdd_0_p157_lanes = detail::make_lanes<Real>(c9, c16) * qdd_0_p155_lanes;
+  const Lanes<2> qdd_0_p155_lanes = 0.282 * qdd_0_p117_lanes -
+      (detail::make_pack<Real>(s10, s17) * qdd_0_p135_lanes - detail::make_pack<Real>(c10, c17) *
+      qdd_0_p129_lanes) + qdd_0_p153_lanes;
 
   // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p159_lanes = inverse_D1_p317_lanes * qdd_0_p113_lanes;
+  const Lanes<2> qdd_0_p167_lanes = inverse_D1_p317_lanes * qdd_0_p113_lanes -
+      (detail::make_pack<Real>(c11, c18) * qdd_0_p77_lanes + detail::make_pack<Real>(s11, s18) *
+      qdd_0_p53_lanes);
 
   // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p161_lanes = detail::make_lanes<Real>(c11, c18) * qdd_0_p77_lanes;
-  const Lanes<2> qdd_0_p163_lanes = detail::make_lanes<Real>(s11, s18) * qdd_0_p53_lanes;
-  const Lanes<2> qdd_0_p165_lanes = qdd_0_p161_lanes + qdd_0_p163_lanes;
+  const Lanes<2> qdd_0_p181_lanes = inverse_D1_p337_lanes * qdd_0_p49_lanes -
+      (detail::make_pack<Real>(s12, s19) * qdd_0_p69_lanes + detail::make_pack<Real>(c12, c19) *
+      qdd_0_p65_lanes);
 
   // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p167_lanes = qdd_0_p159_lanes - qdd_0_p165_lanes;
-  const Lanes<2> qdd_0_p169_lanes = detail::make_lanes<Real>(c10, c17) * qdd_0_p167_lanes;
-  const Lanes<2> qdd_0_p171_lanes = inverse_D1_p363_lanes * qdd_0_p113_lanes;
-
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p173_lanes = detail::make_lanes<Real>(s12, s19) * qdd_0_p69_lanes;
-  const Lanes<2> qdd_0_p175_lanes = detail::make_lanes<Real>(c12, c19) * qdd_0_p65_lanes;
-  const Lanes<2> qdd_0_p177_lanes = qdd_0_p173_lanes + qdd_0_p175_lanes;
-
-  // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p179_lanes = inverse_D1_p337_lanes * qdd_0_p49_lanes;
-  const Lanes<2> qdd_0_p181_lanes = qdd_0_p179_lanes - qdd_0_p177_lanes;
-
-  // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p183_lanes = qdd_0_p171_lanes - qdd_0_p181_lanes;
-  const Lanes<2> qdd_0_p185_lanes = detail::make_lanes<Real>(s10, s17) * qdd_0_p183_lanes;
-  const Lanes<2> qdd_0_p187_lanes = qdd_0_p185_lanes - qdd_0_p169_lanes;
-  const Lanes<2> qdd_0_p189_lanes = 0.282 * qdd_0_p187_lanes;
-  const Lanes<2> qdd_0_p191_lanes = qdd_0_p111_lanes + qdd_0_p189_lanes;
+  const Lanes<2> qdd_0_p183_lanes = inverse_D1_p363_lanes * qdd_0_p113_lanes - qdd_0_p181_lanes;
+  const Lanes<2> qdd_0_p187_lanes = detail::make_pack<Real>(s10, s17) * qdd_0_p183_lanes -
+      detail::make_pack<Real>(c10, c17) * qdd_0_p167_lanes;
 
   // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p193_lanes = inverse_D1_p401_lanes * qdd_0_p151_lanes;
-  const Lanes<2> qdd_0_p195_lanes = qdd_0_p191_lanes + qdd_0_p193_lanes;
-  const Lanes<2> qdd_0_p197_lanes = detail::make_lanes<Real>(s9, s16) * qdd_0_p195_lanes;
-  const Lanes<2> qdd_0_p199_lanes = qdd_0_p157_lanes - qdd_0_p197_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * n10_x_lanes;
-  const Lanes<2> n9_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * n10_y_lanes;
-  const Lanes<2> n9_x_p3_lanes = n9_x_p2_lanes - n9_x_p1_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_x_p1_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * n11_y_p7_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> f11_x_p2_lanes = minus_a12_y_p7_lanes + n11_x_p15_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_x_p3_lanes = 6e-04 * f11_x_p2_lanes;
-  const Lanes<2> f11_x_p4_lanes = f11_x_p1_lanes - f11_x_p3_lanes;
+  const Lanes<2> qdd_0_p195_lanes = qdd_0_p111_lanes + 0.282 * qdd_0_p187_lanes +
+      inverse_D1_p401_lanes * qdd_0_p151_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> f11_x_lanes = f11_x_p4_lanes - n11_y_p3_lanes;
+  const Lanes<2> f11_x_lanes = detail::make_pack<Real>(0.001, (-0.001)) * n11_y_p7_lanes - 6e-04 *
+      (minus_a12_y_p7_lanes + n11_x_p15_lanes) - n11_y_p3_lanes;
+  const Lanes<2> f11_y_lanes = 6e-04 * n11_x_p12_lanes - detail::make_pack<Real>(0.001, (-0.001)) *
+      (minus_a12_y_p6_lanes + n11_x_p15_lanes) + f12_z_lanes;
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> f10_z_p1_lanes = detail::make_lanes<Real>(s11, s18) * f11_x_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_y_p1_lanes = 6e-04 * n11_x_p12_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> f11_y_p2_lanes = minus_a12_y_p6_lanes + n11_x_p15_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_y_p3_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * f11_y_p2_lanes;
-  const Lanes<2> f11_y_p4_lanes = f11_y_p1_lanes - f11_y_p3_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> f11_y_lanes = f11_y_p4_lanes + f12_z_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> f10_z_p2_lanes = detail::make_lanes<Real>(c11, c18) * f11_y_lanes;
-  const Lanes<2> f10_z_p3_lanes = f10_z_p1_lanes + f10_z_p2_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_z_p4_lanes = 0.0014999985000000002 * n10_x_p6_lanes;
-  const Lanes<2> f10_z_p5_lanes = 0.28049749700000004 * n10_x_p4_lanes;
-  const Lanes<2> f10_z_p6_lanes = f10_z_p4_lanes + f10_z_p5_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> f10_z_lanes = f10_z_p6_lanes + f10_z_p3_lanes;
+  const Lanes<2> f10_z_p3_lanes = detail::make_pack<Real>(s11, s18) * f11_x_lanes +
+      detail::make_pack<Real>(c11, c18) * f11_y_lanes;
+  const Lanes<2> f10_z_lanes = 0.0014999985000000002 * n10_x_p6_lanes + 0.28049749700000004 *
+      n10_x_p4_lanes + f10_z_p3_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_x_p4_lanes = 0.282 * f10_z_lanes;
-  const Lanes<2> n9_x_p5_lanes = n9_x_p4_lanes - n9_x_p3_lanes;
+  const Lanes<2> n9_x_p5_lanes = 0.282 * f10_z_lanes -
+      (detail::make_pack<Real>(s10, s17) * n10_y_lanes - detail::make_pack<Real>(c10, c17) *
+      n10_x_lanes);
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p6_lanes = minus_a10_z_p1_lanes + wd9_x_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p7_lanes = 0.0019585440854647937 * n9_x_p6_lanes;
-
-  // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p8_lanes = a10_x_p1_lanes - wd9_y_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p9_lanes = detail::make_lanes<Real>((-4.4999986458742003e-05),
-      4.4999986458742003e-05) * n9_x_p8_lanes;
-  const Lanes<2> n9_x_p10_lanes = n9_x_p7_lanes + n9_x_p9_lanes;
-
-  // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p11_lanes = n9_z_p8_lanes - wd8_x_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p12_lanes = 0.0005895000784280001 * n9_x_p11_lanes;
-  const Lanes<2> n9_x_p13_lanes = n9_x_p10_lanes - n9_x_p12_lanes;
-
-  // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p14_lanes = w9_z_lanes * w9_z_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p15_lanes = n9_x_p14_lanes - a10_x_p7_lanes;
-  const Lanes<2> n9_x_p16_lanes = detail::make_lanes<Real>((-0.0012089992423205001),
-      0.0012089992423205001) * n9_x_p15_lanes;
-  const Lanes<2> n9_x_p17_lanes = n9_x_p13_lanes + n9_x_p16_lanes;
-  const Lanes<2> n9_x_p18_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      a8_x_lanes;
-  const Lanes<2> n9_x_p19_lanes = n9_x_p17_lanes - n9_x_p18_lanes;
+  const Lanes<2> n9_x_p16_lanes = detail::make_pack<Real>((-0.0012089992423205001),
+      0.0012089992423205001) * (n9_x_p14_lanes - a10_x_p7_lanes);
+  const Lanes<2> n9_x_p17_lanes = 0.0019585440854647937 * n9_x_p6_lanes +
+      detail::make_pack<Real>((-4.4999986458742003e-05), 4.4999986458742003e-05) * n9_x_p8_lanes -
+      0.0005895000784280001 * n9_x_p11_lanes + n9_x_p16_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_x_lanes = n9_x_p19_lanes + n9_x_p5_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> n8_z_p1_lanes = detail::make_lanes<Real>(c9, c16) * n9_x_lanes;
+  const Lanes<2> n9_x_lanes = n9_x_p17_lanes - detail::make_pack<Real>(0.004500002325,
+      (-0.004500002325)) * a8_x_lanes + n9_x_p5_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> f11_z_p1_lanes = detail::make_lanes<Real>(s12, s19) * f12_x_lanes;
-  const Lanes<2> f11_z_p2_lanes = detail::make_lanes<Real>(c12, c19) * f12_y_lanes;
-  const Lanes<2> f11_z_p3_lanes = f11_z_p1_lanes + f11_z_p2_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> f11_z_p4_lanes = 6e-04 * n11_x_p9_lanes;
-  const Lanes<2> f11_z_p5_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * n11_x_p7_lanes;
-  const Lanes<2> f11_z_p6_lanes = f11_z_p4_lanes + f11_z_p5_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> f11_z_lanes = f11_z_p6_lanes - f11_z_p3_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_y_p1_lanes = 0.0014999985000000002 * n10_x_p9_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> f10_y_p2_lanes = n10_z_p20_lanes + n10_x_p12_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_y_p3_lanes = 0.28049749700000004 * f10_y_p2_lanes;
-  const Lanes<2> f10_y_p4_lanes = f10_y_p1_lanes - f10_y_p3_lanes;
+  const Lanes<2> f11_z_p3_lanes = detail::make_pack<Real>(s12, s19) * f12_x_lanes +
+      detail::make_pack<Real>(c12, c19) * f12_y_lanes;
+  const Lanes<2> f11_z_lanes = 6e-04 * n11_x_p9_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
+      n11_x_p7_lanes - f11_z_p3_lanes;
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> f10_y_lanes = f10_y_p4_lanes - f11_z_lanes;
+  const Lanes<2> f10_y_lanes = 0.0014999985000000002 * n10_x_p9_lanes - 0.28049749700000004 *
+      (n10_z_p20_lanes + n10_x_p12_lanes) - f11_z_lanes;
+
+  // link 10 (left_lowerarm), inertial wrench
+  const Lanes<2> f10_x_p7_lanes = 0.0014999985000000002 * (n10_z_p19_lanes + n10_x_p12_lanes) +
+      0.28049749700000004 * n10_y_p2_lanes;
+
+  // link 11 (left_wrist1), inward
+  const Lanes<2> f10_x_lanes = detail::make_pack<Real>(c11, c18) * f11_x_lanes -
+      detail::make_pack<Real>(s11, s18) * f11_y_lanes - f10_x_p7_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * f10_y_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> f10_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * f11_x_lanes;
-  const Lanes<2> f10_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * f11_y_lanes;
-  const Lanes<2> f10_x_p3_lanes = f10_x_p1_lanes - f10_x_p2_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> f10_x_p4_lanes = n10_z_p19_lanes + n10_x_p12_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_x_p5_lanes = 0.0014999985000000002 * f10_x_p4_lanes;
-  const Lanes<2> f10_x_p6_lanes = 0.28049749700000004 * n10_y_p2_lanes;
-  const Lanes<2> f10_x_p7_lanes = f10_x_p5_lanes + f10_x_p6_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> f10_x_lanes = f10_x_p3_lanes - f10_x_p7_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * f10_x_lanes;
-  const Lanes<2> n9_y_p3_lanes = n9_y_p1_lanes - n9_y_p2_lanes;
-  const Lanes<2> n9_y_p4_lanes = 0.282 * n9_y_p3_lanes;
-  const Lanes<2> n9_y_p5_lanes = n10_z_lanes + n9_y_p4_lanes;
+  const Lanes<2> n9_y_p3_lanes = detail::make_pack<Real>(s10, s17) * f10_y_lanes -
+      detail::make_pack<Real>(c10, c17) * f10_x_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_y_p6_lanes = n9_z_p8_lanes + wd8_x_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_y_p7_lanes = detail::make_lanes<Real>((-0.0012089992423205001),
-      0.0012089992423205001) * n9_y_p6_lanes;
-  const Lanes<2> n9_y_p8_lanes = 0.0008177492704690715 * n9_x_p8_lanes;
-  const Lanes<2> n9_y_p9_lanes = n9_y_p7_lanes - n9_y_p8_lanes;
-  const Lanes<2> n9_y_p10_lanes = detail::make_lanes<Real>((-4.4999986458742003e-05),
-      4.4999986458742003e-05) * n9_x_p6_lanes;
-  const Lanes<2> n9_y_p11_lanes = n9_y_p9_lanes - n9_y_p10_lanes;
-  const Lanes<2> n9_y_p12_lanes = a10_x_p6_lanes - n9_x_p14_lanes;
-  const Lanes<2> n9_y_p13_lanes = 0.0005895000784280001 * n9_y_p12_lanes;
-  const Lanes<2> n9_y_p14_lanes = n9_y_p11_lanes + n9_y_p13_lanes;
-  const Lanes<2> n9_y_p15_lanes = 0.0022500062 * a8_x_lanes;
-  const Lanes<2> n9_y_p16_lanes = n9_y_p14_lanes - n9_y_p15_lanes;
+  const Lanes<2> n9_y_p13_lanes = 0.0005895000784280001 * (a10_x_p6_lanes - n9_x_p14_lanes);
+  const Lanes<2> n9_y_p14_lanes = detail::make_pack<Real>((-0.0012089992423205001),
+      0.0012089992423205001) * n9_y_p6_lanes - 0.0008177492704690715 * n9_x_p8_lanes -
+      detail::make_pack<Real>((-4.4999986458742003e-05), 4.4999986458742003e-05) * n9_x_p6_lanes +
+      n9_y_p13_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_y_lanes = n9_y_p16_lanes + n9_y_p5_lanes;
+  const Lanes<2> n9_y_lanes = n9_y_p14_lanes - 0.0022500062 * a8_x_lanes +
+      (n10_z_lanes + 0.282 * n9_y_p3_lanes);
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> n8_z_p2_lanes = detail::make_lanes<Real>(s9, s16) * n9_y_lanes;
-  const Lanes<2> n8_z_p3_lanes = n8_z_p1_lanes - n8_z_p2_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p4_lanes = 0.7139200499999999 * minus_a8_y_lanes;
-  const Lanes<2> n8_z_p5_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * a8_x_lanes;
-  const Lanes<2> n8_z_p6_lanes = n8_z_p4_lanes + n8_z_p5_lanes;
+  const Lanes<2> n8_z_p3_lanes = detail::make_pack<Real>(c9, c16) * n9_x_lanes -
+      detail::make_pack<Real>(s9, s16) * n9_y_lanes;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p7_lanes = w8_x_lanes * w8_y_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p8_lanes = 0.18101044219699997 * n8_z_p7_lanes;
-  const Lanes<2> n8_z_p9_lanes = 0.18125194219699997 * wd7_x_lanes;
-  const Lanes<2> n8_z_p10_lanes = n8_z_p8_lanes + n8_z_p9_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p11_lanes = w8_y_lanes * w8_z_lanes;
-  const Lanes<2> n8_z_p12_lanes = n8_z_p11_lanes - wd8_x_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p13_lanes = 0.00010499999999999999 * n8_z_p12_lanes;
-  const Lanes<2> n8_z_p14_lanes = n8_z_p10_lanes + n8_z_p13_lanes;
+  const Lanes<2> n8_z_p14_lanes = 0.18101044219699997 * n8_z_p7_lanes + 0.18125194219699997 *
+      wd7_x_lanes + 0.00010499999999999999 * (n8_z_p11_lanes - wd8_x_lanes);
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p15_lanes = w8_x_lanes * w8_z_lanes;
-  const Lanes<2> n8_z_p16_lanes = n8_z_p15_lanes + wd8_y_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p17_lanes = detail::make_lanes<Real>(1.75e-05, (-1.75e-05)) * n8_z_p16_lanes;
-  const Lanes<2> n8_z_p18_lanes = n8_z_p14_lanes - n8_z_p17_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p19_lanes = w8_y_lanes * w8_y_lanes;
   const Lanes<2> n8_z_p20_lanes = w8_x_lanes * w8_x_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_z_p21_lanes = n8_z_p19_lanes - n8_z_p20_lanes;
-  const Lanes<2> n8_z_p22_lanes = detail::make_lanes<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * n8_z_p21_lanes;
-  const Lanes<2> n8_z_p23_lanes = n8_z_p18_lanes + n8_z_p22_lanes;
-  const Lanes<2> n8_z_p24_lanes = n8_z_p23_lanes - n8_z_p6_lanes;
+  const Lanes<2> n8_z_p23_lanes = n8_z_p14_lanes - detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
+      (n8_z_p15_lanes + wd8_y_lanes) + detail::make_pack<Real>(5.2499999999999995e-05,
+      (-5.2499999999999995e-05)) * (n8_z_p19_lanes - n8_z_p20_lanes);
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> n8_z_lanes = n8_z_p24_lanes + n8_z_p3_lanes;
+  const Lanes<2> n8_z_lanes = n8_z_p23_lanes - (0.7139200499999999 * minus_a8_y_lanes +
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * a8_x_lanes) +
+      n8_z_p3_lanes;
 
   // link 1 (calf), inward
-  const Lanes<2> qdd_0_p201_lanes = detail::make_lanes<Real>(tau[7], tau[14]) - n8_z_lanes;
+  const Lanes<2> qdd_0_p201_lanes = detail::make_pack<Real>(tau[7], tau[14]) - n8_z_lanes;
 
   // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p203_lanes = qdd_0_p201_lanes - qdd_0_p199_lanes;
-  const Lanes<2> qdd_0_p205_lanes = inverse_D1_p657_lanes * qdd_0_p203_lanes;
+  const Lanes<2> qdd_0_p203_lanes = qdd_0_p201_lanes -
+      (detail::make_pack<Real>(c9, c16) * qdd_0_p155_lanes - detail::make_pack<Real>(s9, s16) *
+      qdd_0_p195_lanes);
 
   // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p207_lanes = inverse_D1_p569_lanes * qdd_0_p151_lanes;
-  const Lanes<2> qdd_0_p209_lanes = qdd_0_p187_lanes + qdd_0_p207_lanes;
-  const Lanes<2> qdd_0_p211_lanes = detail::make_lanes<Real>(c9, c16) * qdd_0_p209_lanes;
-  const Lanes<2> qdd_0_p213_lanes = inverse_D1_p577_lanes * qdd_0_p151_lanes;
-  const Lanes<2> qdd_0_p215_lanes = qdd_0_p117_lanes + qdd_0_p213_lanes;
-  const Lanes<2> qdd_0_p217_lanes = detail::make_lanes<Real>(s9, s16) * qdd_0_p215_lanes;
-  const Lanes<2> qdd_0_p219_lanes = qdd_0_p211_lanes + qdd_0_p217_lanes;
+  const Lanes<2> qdd_0_p209_lanes = qdd_0_p187_lanes + inverse_D1_p569_lanes * qdd_0_p151_lanes;
+  const Lanes<2> qdd_0_p215_lanes = qdd_0_p117_lanes + inverse_D1_p577_lanes * qdd_0_p151_lanes;
 
   // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p221_lanes = qdd_0_p205_lanes - qdd_0_p219_lanes;
-
-  // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p223_lanes = detail::make_lanes<Real>(s9, s16) * qdd_0_p155_lanes;
-  const Lanes<2> qdd_0_p225_lanes = detail::make_lanes<Real>(c9, c16) * qdd_0_p195_lanes;
-  const Lanes<2> qdd_0_p227_lanes = qdd_0_p223_lanes + qdd_0_p225_lanes;
-
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p229_lanes = inverse_D7_p1_lanes * qdd_0_p203_lanes;
-  const Lanes<2> qdd_0_p231_lanes = qdd_0_p227_lanes + qdd_0_p229_lanes;
-  const Lanes<2> qdd_0_p233_lanes = detail::make_lanes<Real>(c8, c15) * qdd_0_p231_lanes;
+  const Lanes<2> qdd_0_p231_lanes = detail::make_pack<Real>(s9, s16) * qdd_0_p155_lanes +
+      detail::make_pack<Real>(c9, c16) * qdd_0_p195_lanes + inverse_D7_p1_lanes * qdd_0_p203_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> qdd_0_p235_lanes = 0.00010499999999999999 / inverse_D8_p3_lanes;
 
   // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p237_lanes = qdd_0_p235_lanes * qdd_0_p203_lanes;
-  const Lanes<2> qdd_0_p239_lanes = qdd_0_p149_lanes + qdd_0_p237_lanes;
-  const Lanes<2> qdd_0_p241_lanes = detail::make_lanes<Real>(s8, s15) * qdd_0_p239_lanes;
-  const Lanes<2> qdd_0_p243_lanes = qdd_0_p233_lanes - qdd_0_p241_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> n8_y_p1_lanes = detail::make_lanes<Real>(s9, s16) * n9_x_lanes;
-  const Lanes<2> n8_y_p2_lanes = detail::make_lanes<Real>(c9, c16) * n9_y_lanes;
-  const Lanes<2> n8_y_p3_lanes = n8_y_p1_lanes + n8_y_p2_lanes;
+  const Lanes<2> qdd_0_p239_lanes = qdd_0_p149_lanes + qdd_0_p235_lanes * qdd_0_p203_lanes;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_y_p4_lanes = n8_z_p7_lanes - wd7_x_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p5_lanes = detail::make_lanes<Real>(1.75e-05, (-1.75e-05)) * n8_y_p4_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_y_p6_lanes = n8_z_p15_lanes - wd8_y_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p7_lanes = 0.18113119219699997 * n8_y_p6_lanes;
-  const Lanes<2> n8_y_p8_lanes = n8_y_p5_lanes - n8_y_p7_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_y_p9_lanes = n8_z_p11_lanes + wd8_x_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p10_lanes = detail::make_lanes<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * n8_y_p9_lanes;
-  const Lanes<2> n8_y_p11_lanes = n8_y_p8_lanes - n8_y_p10_lanes;
-
-  // link 8 (left_shoulder2), outward
   const Lanes<2> n8_y_p12_lanes = w8_z_lanes * w8_z_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p13_lanes = n8_z_p20_lanes - n8_y_p12_lanes;
-  const Lanes<2> n8_y_p14_lanes = 0.00010499999999999999 * n8_y_p13_lanes;
-  const Lanes<2> n8_y_p15_lanes = n8_y_p11_lanes + n8_y_p14_lanes;
-  const Lanes<2> n8_y_p16_lanes = 0.7139200499999999 * a7_x_lanes;
-  const Lanes<2> n8_y_p17_lanes = n8_y_p15_lanes - n8_y_p16_lanes;
+  const Lanes<2> n8_y_p14_lanes = 0.00010499999999999999 * (n8_z_p20_lanes - n8_y_p12_lanes);
+  const Lanes<2> n8_y_p15_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) * n8_y_p4_lanes -
+      0.18113119219699997 * n8_y_p6_lanes - detail::make_pack<Real>(5.2499999999999995e-05,
+      (-5.2499999999999995e-05)) * n8_y_p9_lanes + n8_y_p14_lanes;
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> n8_y_lanes = n8_y_p17_lanes + n8_y_p3_lanes;
+  const Lanes<2> n8_y_lanes = n8_y_p15_lanes - 0.7139200499999999 * a7_x_lanes +
+      (detail::make_pack<Real>(s9, s16) * n9_x_lanes + detail::make_pack<Real>(c9, c16) *
+      n9_y_lanes);
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_p1_lanes = detail::make_lanes<Real>(c8, c15) * n8_y_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_x_p1_lanes = 0.00012075 * n8_y_p9_lanes;
-  const Lanes<2> n8_x_p2_lanes = detail::make_lanes<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * n8_y_p6_lanes;
-  const Lanes<2> n8_x_p3_lanes = n8_x_p1_lanes + n8_x_p2_lanes;
+  const Lanes<2> n7_z_p1_lanes = detail::make_pack<Real>(c8, c15) * n8_y_lanes;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_x_p4_lanes = n8_z_p7_lanes + wd7_x_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_x_p5_lanes = 0.00010499999999999999 * n8_x_p4_lanes;
-  const Lanes<2> n8_x_p6_lanes = n8_x_p3_lanes - n8_x_p5_lanes;
-  const Lanes<2> n8_x_p7_lanes = n8_y_p12_lanes - n8_z_p19_lanes;
-  const Lanes<2> n8_x_p8_lanes = detail::make_lanes<Real>(1.75e-05, (-1.75e-05)) * n8_x_p7_lanes;
-  const Lanes<2> n8_x_p9_lanes = n8_x_p6_lanes + n8_x_p8_lanes;
-  const Lanes<2> n8_x_p10_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * a7_x_lanes;
-  const Lanes<2> n8_x_p11_lanes = n8_x_p9_lanes + n8_x_p10_lanes;
+  const Lanes<2> n8_x_p8_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
+      (n8_y_p12_lanes - n8_z_p19_lanes);
+  const Lanes<2> n8_x_p9_lanes = 0.00012075 * n8_y_p9_lanes +
+      detail::make_pack<Real>(5.2499999999999995e-05, (-5.2499999999999995e-05)) * n8_y_p6_lanes -
+      0.00010499999999999999 * n8_x_p4_lanes + n8_x_p8_lanes;
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> n8_x_lanes = n8_x_p11_lanes - n9_z_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_p2_lanes = detail::make_lanes<Real>(s8, s15) * n8_x_lanes;
+  const Lanes<2> n8_x_lanes = n8_x_p9_lanes + detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) * a7_x_lanes - n9_z_lanes;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_z_p3_lanes = w7_x_lanes * w7_y_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p4_lanes = 0.00014700000000000002 * n7_z_p3_lanes;
   const Real n7_z_p5 = 0.00044800000000000005 * wd6_y;
-  const Lanes<2> n7_z_p6_lanes = n7_z_p4_lanes + n7_z_p5;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_z_p7_lanes = w7_y_lanes * w7_z_lanes;
-  const Lanes<2> n7_z_p8_lanes = n7_z_p7_lanes - wd7_x_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p9_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_z_p8_lanes;
-  const Lanes<2> n7_z_p10_lanes = n7_z_p6_lanes + n7_z_p9_lanes;
-
-  // link 7 (left_shoulder1), outward
   const Lanes<2> n7_z_p11_lanes = w7_x_lanes * w7_z_lanes;
-  const Lanes<2> n7_z_p12_lanes = n7_z_p11_lanes + wd7_y_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p13_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_z_p12_lanes;
-  const Lanes<2> n7_z_p14_lanes = n7_z_p10_lanes - n7_z_p13_lanes;
+  const Lanes<2> n7_z_p13_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_z_p11_lanes + wd7_y_lanes);
+  const Lanes<2> n7_z_p14_lanes = 0.00014700000000000002 * n7_z_p3_lanes + n7_z_p5 +
+      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) *
+      (n7_z_p7_lanes - wd7_x_lanes) - n7_z_p13_lanes;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_z_p15_lanes = w7_y_lanes * w7_y_lanes;
   const Lanes<2> n7_z_p16_lanes = w7_x_lanes * w7_x_lanes;
 
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p17_lanes = n7_z_p15_lanes - n7_z_p16_lanes;
-  const Lanes<2> n7_z_p18_lanes = 8.75e-06 * n7_z_p17_lanes;
-  const Lanes<2> n7_z_p19_lanes = n7_z_p14_lanes + n7_z_p18_lanes;
-
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_p20_lanes = n7_z_p19_lanes + n7_z_p2_lanes;
-  const Lanes<2> n7_z_p21_lanes = n7_z_p20_lanes + n7_z_p1_lanes;
-  const Lanes<2> n7_z_p22_lanes = a7_y_lanes + a7_x_lanes;
-  const Lanes<2> n7_z_p23_lanes = 0.0017499999999999998 * n7_z_p22_lanes;
-  const Lanes<2> n7_z_lanes = n7_z_p21_lanes + n7_z_p23_lanes;
+  const Lanes<2> n7_z_p21_lanes = n7_z_p14_lanes + 8.75e-06 * (n7_z_p15_lanes - n7_z_p16_lanes) +
+      detail::make_pack<Real>(s8, s15) * n8_x_lanes + n7_z_p1_lanes;
+  const Lanes<2> n7_z_lanes = n7_z_p21_lanes + 0.0017499999999999998 * (a7_y_lanes + a7_x_lanes);
 
   // link 1 (calf), inward
   const Real qdd_0_p245 = tau[13] - n7_z_lanes[1];
   const Real qdd_0_p246 = tau[6] - n7_z_lanes[0];
 
   // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p247_lanes = detail::make_lanes<Real>(qdd_0_p246, qdd_0_p245) -
-      qdd_0_p243_lanes;
+  const Lanes<2> qdd_0_p247_lanes = detail::make_pack<Real>(qdd_0_p246, qdd_0_p245) -
+      (detail::make_pack<Real>(c8, c15) * qdd_0_p231_lanes - detail::make_pack<Real>(s8, s15) *
+      qdd_0_p239_lanes);
   const Lanes<2> qdd_0_p249_lanes = inverse_D1_p679_lanes * qdd_0_p247_lanes;
-  const Lanes<2> qdd_0_p251_lanes = qdd_0_p221_lanes + qdd_0_p249_lanes;
-  const Lanes<2> qdd_0_p253_lanes = detail::make_lanes<Real>(c7, c14) * qdd_0_p251_lanes;
+  const Lanes<2> qdd_0_p251_lanes = inverse_D1_p657_lanes * qdd_0_p203_lanes -
+      (detail::make_pack<Real>(c9, c16) * qdd_0_p209_lanes + detail::make_pack<Real>(s9, s16) *
+      qdd_0_p215_lanes) + qdd_0_p249_lanes;
 
   // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p255_lanes = inverse_D1_p609_lanes * qdd_0_p203_lanes;
-
-  // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p257_lanes = detail::make_lanes<Real>(s9, s16) * qdd_0_p209_lanes;
-  const Lanes<2> qdd_0_p259_lanes = detail::make_lanes<Real>(c9, c16) * qdd_0_p215_lanes;
-  const Lanes<2> qdd_0_p261_lanes = qdd_0_p257_lanes - qdd_0_p259_lanes;
-
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p263_lanes = qdd_0_p255_lanes - qdd_0_p261_lanes;
-  const Lanes<2> qdd_0_p265_lanes = detail::make_lanes<Real>(s8, s15) * qdd_0_p263_lanes;
+  const Lanes<2> qdd_0_p263_lanes = inverse_D1_p609_lanes * qdd_0_p203_lanes -
+      (detail::make_pack<Real>(s9, s16) * qdd_0_p209_lanes - detail::make_pack<Real>(c9, c16) *
+      qdd_0_p215_lanes);
   const Lanes<2> qdd_0_p267_lanes = inverse_D1_p555_lanes * qdd_0_p203_lanes;
-
-  // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p269_lanes = detail::make_lanes<Real>(s10, s17) * qdd_0_p167_lanes;
-  const Lanes<2> qdd_0_p271_lanes = detail::make_lanes<Real>(c10, c17) * qdd_0_p183_lanes;
-  const Lanes<2> qdd_0_p273_lanes = qdd_0_p269_lanes + qdd_0_p271_lanes;
-
-  // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p275_lanes = inverse_D1_p515_lanes * qdd_0_p151_lanes;
-  const Lanes<2> qdd_0_p277_lanes = qdd_0_p273_lanes + qdd_0_p275_lanes;
-
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p279_lanes = qdd_0_p277_lanes - qdd_0_p267_lanes;
-  const Lanes<2> qdd_0_p281_lanes = detail::make_lanes<Real>(c8, c15) * qdd_0_p279_lanes;
-  const Lanes<2> qdd_0_p283_lanes = qdd_0_p281_lanes - qdd_0_p265_lanes;
+  const Lanes<2> qdd_0_p279_lanes = detail::make_pack<Real>(s10, s17) * qdd_0_p167_lanes +
+      detail::make_pack<Real>(c10, c17) * qdd_0_p183_lanes + inverse_D1_p515_lanes *
+      qdd_0_p151_lanes - qdd_0_p267_lanes;
 
   // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p285_lanes = inverse_D1_p639_lanes * qdd_0_p247_lanes;
-  const Lanes<2> qdd_0_p287_lanes = qdd_0_p283_lanes + qdd_0_p285_lanes;
-  const Lanes<2> qdd_0_p289_lanes = detail::make_lanes<Real>(s7, s14) * qdd_0_p287_lanes;
-  const Lanes<2> qdd_0_p291_lanes = qdd_0_p253_lanes - qdd_0_p289_lanes;
-  const Lanes<2> qdd_0_p293_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * qdd_0_p291_lanes;
-  const Lanes<2> qdd_0_p295_lanes = inverse_D6_p5_lanes * qdd_0_p247_lanes;
-
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p297_lanes = detail::make_lanes<Real>(s8, s15) * qdd_0_p231_lanes;
-  const Lanes<2> qdd_0_p299_lanes = detail::make_lanes<Real>(c8, c15) * qdd_0_p239_lanes;
-  const Lanes<2> qdd_0_p301_lanes = qdd_0_p299_lanes + qdd_0_p297_lanes;
-
-  // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p303_lanes = qdd_0_p295_lanes - qdd_0_p301_lanes;
-  const Lanes<2> qdd_0_p305_lanes = detail::make_lanes<Real>(c7, c14) * qdd_0_p303_lanes;
+  const Lanes<2> qdd_0_p287_lanes = detail::make_pack<Real>(c8, c15) * qdd_0_p279_lanes -
+      detail::make_pack<Real>(s8, s15) * qdd_0_p263_lanes + inverse_D1_p639_lanes *
+      qdd_0_p247_lanes;
+  const Lanes<2> qdd_0_p291_lanes = detail::make_pack<Real>(c7, c14) * qdd_0_p251_lanes -
+      detail::make_pack<Real>(s7, s14) * qdd_0_p287_lanes;
+  const Lanes<2> qdd_0_p303_lanes = inverse_D6_p5_lanes * qdd_0_p247_lanes -
+      (detail::make_pack<Real>(c8, c15) * qdd_0_p239_lanes + detail::make_pack<Real>(s8, s15) *
+      qdd_0_p231_lanes);
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> qdd_0_p307_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> qdd_0_p307_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) / inverse_D7_p17_lanes;
 
   // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p309_lanes = qdd_0_p307_lanes * qdd_0_p247_lanes;
-  const Lanes<2> qdd_0_p311_lanes = qdd_0_p201_lanes + qdd_0_p309_lanes;
-  const Lanes<2> qdd_0_p313_lanes = detail::make_lanes<Real>(s7, s14) * qdd_0_p311_lanes;
-  const Lanes<2> qdd_0_p315_lanes = qdd_0_p313_lanes + qdd_0_p305_lanes;
-  const Lanes<2> qdd_0_p317_lanes = qdd_0_p315_lanes + qdd_0_p293_lanes;
+  const Lanes<2> qdd_0_p311_lanes = qdd_0_p201_lanes + qdd_0_p307_lanes * qdd_0_p247_lanes;
+  const Lanes<2> qdd_0_p317_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p311_lanes +
+      detail::make_pack<Real>(c7, c14) * qdd_0_p303_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      qdd_0_p291_lanes;
 
   // link 21 (neck), outward
   const Real w21_x = s21 * w6_y + c21 * w6_z;
@@ -2945,9 +1995,6 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 22 (head), outward
   const Real w22_x = c22 * w21_x - s22 * w21_z;
 
-  // link 23 (left_eye), outward
-  const Lanes<2> w23_x_p1_lanes = detail::make_lanes<Real>(c23, c24) * w22_x;
-
   // link 21 (neck), outward
   const Real w21_y = c21 * w6_y - s21 * w6_z;
 
@@ -2955,43 +2002,27 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real w22_z = w21_y + qd[21];
 
   // link 23 (left_eye), outward
-  const Lanes<2> w23_x_p2_lanes = detail::make_lanes<Real>(s23, s24) * w22_z;
-  const Lanes<2> w23_x_lanes = w23_x_p1_lanes + w23_x_p2_lanes;
-  const Lanes<2> n23_y_p1_lanes = w23_x_lanes * w23_x_lanes;
+  const Lanes<2> w23_x_lanes = detail::make_pack<Real>(c23, c24) * w22_x +
+      detail::make_pack<Real>(s23, s24) * w22_z;
 
   // link 22 (head), outward
   const Real minus_w22_y = s22 * w21_x + c22 * w21_z;
 
   // link 23 (left_eye), outward
-  const Lanes<2> w23_z_lanes = minus_w22_y + detail::make_lanes<Real>(qd[22], qd[23]);
+  const Lanes<2> w23_z_lanes = minus_w22_y + detail::make_pack<Real>(qd[22], qd[23]);
   const Lanes<2> n23_y_p2_lanes = w23_z_lanes * w23_z_lanes;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_y_p3_lanes = n23_y_p1_lanes - n23_y_p2_lanes;
-  const Lanes<2> n23_y_p4_lanes = 2.8750000000000004e-05 * n23_y_p3_lanes;
 
   // link 21 (neck), outward
   const Real wd21_y = c21 * wd6_y - s21 * wd5_x - w21_x * qd[20];
-
-  // link 23 (left_eye), outward
-  const Lanes<2> n23_y_p5_lanes = detail::make_lanes<Real>(c23, c24) * wd21_y;
-
-  // link 21 (neck), outward
   const Real wd21_x = s21 * wd6_y + c21 * wd5_x + w21_y * qd[20];
 
   // link 22 (head), outward
   const Real wd22_x = c22 * wd21_x + s22 * wd6_x - minus_w22_y * qd[21];
 
   // link 23 (left_eye), outward
-  const Lanes<2> n23_y_p6_lanes = detail::make_lanes<Real>(s23, s24) * wd22_x;
-  const Lanes<2> n23_y_p7_lanes = n23_y_p5_lanes - n23_y_p6_lanes;
-  const Lanes<2> n23_y_p8_lanes = w23_z_lanes + detail::make_lanes<Real>(qd[22], qd[23]);
-  const Lanes<2> n23_y_p9_lanes = n23_y_p8_lanes * w23_x_lanes;
-  const Lanes<2> n23_y_p10_lanes = n23_y_p9_lanes - n23_y_p7_lanes;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_y_p11_lanes = 5.25e-06 * n23_y_p10_lanes;
-  const Lanes<2> n23_y_p12_lanes = n23_y_p4_lanes - n23_y_p11_lanes;
+  const Lanes<2> n23_y_p10_lanes = (w23_z_lanes + detail::make_pack<Real>(qd[22], qd[23])) *
+      w23_x_lanes - (detail::make_pack<Real>(c23, c24) * wd21_y -
+      detail::make_pack<Real>(s23, s24) * wd22_x);
 
   // link 21 (neck), outward
   const Real a22_y_p1 = w21_x * w21_x;
@@ -3018,32 +2049,21 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real minus_a23_z_p5 = minus_a23_z_p4 + wd22_x;
 
   // link 23 (left_eye), outward
-  const Lanes<2> minus_a23_z_p6_lanes = detail::make_lanes<Real>(0.032, (-0.032)) * minus_a23_z_p5;
-  const Lanes<2> minus_a23_z_lanes = minus_a23_z_p3 - minus_a23_z_p6_lanes;
+  const Lanes<2> minus_a23_z_lanes = minus_a23_z_p3 - detail::make_pack<Real>(0.032, (-0.032)) *
+      minus_a23_z_p5;
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_y_p13_lanes = 0.00025 * minus_a23_z_lanes;
-  const Lanes<2> n23_y_lanes = n23_y_p12_lanes + n23_y_p13_lanes;
-
-  // link 23 (left_eye), inward
-  const Lanes<2> n22_x_p1_lanes = detail::make_lanes<Real>(s23, s24) * n23_y_lanes;
+  const Lanes<2> n23_y_lanes = 2.8750000000000004e-05 *
+      (w23_x_lanes * w23_x_lanes - n23_y_p2_lanes) - 5.25e-06 * n23_y_p10_lanes + n23_y_p13_lanes;
 
   // link 23 (left_eye), outward
-  const Lanes<2> wd23_x_p1_lanes = detail::make_lanes<Real>(c23, c24) * wd22_x;
-  const Lanes<2> wd23_x_p2_lanes = detail::make_lanes<Real>(s23, s24) * wd21_y;
-  const Lanes<2> wd23_x_p3_lanes = wd23_x_p1_lanes + wd23_x_p2_lanes;
-  const Lanes<2> w23_y_p1_lanes = detail::make_lanes<Real>(c23, c24) * w22_z;
-  const Lanes<2> w23_y_p2_lanes = detail::make_lanes<Real>(s23, s24) * w22_x;
-  const Lanes<2> w23_y_lanes = w23_y_p1_lanes - w23_y_p2_lanes;
-  const Lanes<2> wd23_x_p4_lanes = w23_y_lanes * detail::make_lanes<Real>(qd[22], qd[23]);
-  const Lanes<2> wd23_x_lanes = wd23_x_p3_lanes + wd23_x_p4_lanes;
+  const Lanes<2> w23_y_lanes = detail::make_pack<Real>(c23, c24) * w22_z -
+      detail::make_pack<Real>(s23, s24) * w22_x;
+  const Lanes<2> wd23_x_lanes = detail::make_pack<Real>(c23, c24) * wd22_x +
+      detail::make_pack<Real>(s23, s24) * wd21_y + w23_y_lanes *
+      detail::make_pack<Real>(qd[22], qd[23]);
   const Lanes<2> n23_x_p1_lanes = w23_y_lanes * w23_z_lanes;
-  const Lanes<2> n23_x_p2_lanes = n23_x_p1_lanes + wd23_x_lanes;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_x_p3_lanes = 4e-06 * n23_x_p2_lanes;
-
-  // link 23 (left_eye), outward
   const Lanes<2> n23_x_p4_lanes = w23_x_lanes * w23_y_lanes;
 
   // link 22 (head), outward
@@ -3053,14 +2073,13 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> n23_x_p5_lanes = n23_x_p4_lanes - wd22_y;
 
   // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_x_p6_lanes = 2.8750000000000004e-05 * n23_x_p5_lanes;
-  const Lanes<2> n23_x_lanes = n23_x_p3_lanes - n23_x_p6_lanes;
+  const Lanes<2> n23_x_lanes = 4e-06 * (n23_x_p1_lanes + wd23_x_lanes) - 2.8750000000000004e-05 *
+      n23_x_p5_lanes;
 
   // link 23 (left_eye), inward
-  const Lanes<2> n22_x_p3_lanes = detail::make_lanes<Real>(c23, c24) * n23_x_lanes;
-  const Lanes<2> n22_x_p5_lanes = n22_x_p3_lanes - n22_x_p1_lanes;
-  const Lanes<2> n22_x_p7_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) * n23_y_p10_lanes;
-  const Lanes<2> n22_x_p9_lanes = n22_x_p5_lanes + n22_x_p7_lanes;
+  const Lanes<2> n22_x_p9_lanes = detail::make_pack<Real>(c23, c24) * n23_x_lanes -
+      detail::make_pack<Real>(s23, s24) * n23_y_lanes + detail::make_pack<Real>(8e-06, (-8e-06)) *
+      n23_y_p10_lanes;
 
   // link 22 (head), outward
   const Real n22_x_p11 = wd22_x - minus_a23_z_p4;
@@ -3088,9 +2107,6 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 23 (left_eye), outward
   const Real a23_y_p4 = a23_y_p2 + a23_y_p3;
-  const Lanes<2> a23_y_p5_lanes = detail::make_lanes<Real>(0.032, (-0.032)) * a23_y_p4;
-  const Lanes<2> a23_y_p6_lanes = a23_y_p1 - a23_y_p5_lanes;
-  const Lanes<2> a23_y_p7_lanes = detail::make_lanes<Real>(c23, c24) * a23_y_p6_lanes;
 
   // link 22 (head), outward
   const Real a22_x = c22 * a22_y_p5 + s22 * a22_y_p3;
@@ -3106,46 +2122,26 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real a23_y_p11 = n22_x_p12 + wd22_y;
 
   // link 23 (left_eye), outward
-  const Lanes<2> a23_y_p12_lanes = detail::make_lanes<Real>(0.032, (-0.032)) * a23_y_p11;
-  const Lanes<2> a23_y_p13_lanes = a23_y_p10 + a23_y_p12_lanes;
-  const Lanes<2> a23_y_p14_lanes = detail::make_lanes<Real>(s23, s24) * a23_y_p13_lanes;
-  const Lanes<2> a23_y_lanes = a23_y_p7_lanes - a23_y_p14_lanes;
+  const Lanes<2> a23_y_p14_lanes = detail::make_pack<Real>(s23, s24) *
+      (a23_y_p10 + detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p11);
+  const Lanes<2> a23_y_lanes = detail::make_pack<Real>(c23, c24) *
+      (a23_y_p1 - detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p4) - a23_y_p14_lanes;
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_z_p1_lanes = 0.00025 * a23_y_lanes;
-  const Lanes<2> n23_z_p2_lanes = 1.2499999999999999e-06 * n23_x_p4_lanes;
   const Real n23_z_p3 = 9.25e-06 * wd22_y;
-  const Lanes<2> n23_z_p4_lanes = n23_z_p2_lanes - n23_z_p3;
-
-  // link 23 (left_eye), outward
-  const Lanes<2> n23_z_p5_lanes = n23_x_p1_lanes - wd23_x_lanes;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> n23_z_p6_lanes = 2.8750000000000004e-05 * n23_z_p5_lanes;
-  const Lanes<2> n23_z_p7_lanes = n23_z_p4_lanes + n23_z_p6_lanes;
-  const Lanes<2> n23_z_lanes = n23_z_p7_lanes + n23_z_p1_lanes;
-
-  // link 23 (left_eye), outward
-  const Lanes<2> minus_f23_x_p1_lanes = w23_y_lanes * w23_y_lanes;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> minus_f23_x_p2_lanes = minus_f23_x_p1_lanes + n23_y_p2_lanes;
-  const Lanes<2> minus_f23_x_lanes = 0.00025 * minus_f23_x_p2_lanes;
-
-  // link 23 (left_eye), inward
-  const Lanes<2> n22_y_p1_lanes = detail::make_lanes<Real>(c23, c24) * minus_f23_x_lanes;
-
-  // link 23 (left_eye), inertial wrench
+  const Lanes<2> n23_z_lanes = 1.2499999999999999e-06 * n23_x_p4_lanes - n23_z_p3 +
+      2.8750000000000004e-05 * (n23_x_p1_lanes - wd23_x_lanes) + n23_z_p1_lanes;
+  const Lanes<2> minus_f23_x_lanes = 0.00025 * (w23_y_lanes * w23_y_lanes + n23_y_p2_lanes);
   const Lanes<2> f23_y_lanes = 0.00025 * n23_x_p5_lanes;
 
   // link 23 (left_eye), inward
-  const Lanes<2> n22_y_p3_lanes = detail::make_lanes<Real>(s23, s24) * f23_y_lanes;
-  const Lanes<2> n22_y_p5_lanes = n22_y_p1_lanes + n22_y_p3_lanes;
+  const Lanes<2> n22_y_p5_lanes = detail::make_pack<Real>(c23, c24) * minus_f23_x_lanes +
+      detail::make_pack<Real>(s23, s24) * f23_y_lanes;
   const Real n22_y_p7 = 0.0074 * n22_x_p11 - 0.009438624999999999 * n22_x_p13 - 0.072575 * a22_z -
       n23_z_lanes[1] - (-0.032) * n22_y_p5_lanes[1];
-  const Lanes<2> n22_y_p8_lanes = detail::make_lanes<Real>(c23, c24) * f23_y_lanes;
-  const Lanes<2> n22_y_p10_lanes = detail::make_lanes<Real>(s23, s24) * minus_f23_x_lanes;
-  const Lanes<2> n22_y_p12_lanes = n22_y_p8_lanes - n22_y_p10_lanes;
+  const Lanes<2> n22_y_p12_lanes = detail::make_pack<Real>(c23, c24) * f23_y_lanes -
+      detail::make_pack<Real>(s23, s24) * minus_f23_x_lanes;
   const Real n22_y_p14 = n22_y_p12_lanes[1] + n22_y_p12_lanes[0];
   const Real n22_y = n22_y_p7 - n23_z_lanes[0] - 0.032 * n22_y_p5_lanes[0] - 0.095 * n22_y_p14;
 
@@ -3160,49 +2156,30 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_0_p319 = tau[20] - n21_z;
 
   // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p320_lanes = detail::make_lanes<Real>(s7, s14) * qdd_0_p251_lanes;
-  const Lanes<2> qdd_0_p322_lanes = detail::make_lanes<Real>(c7, c14) * qdd_0_p287_lanes;
-  const Lanes<2> qdd_0_p324_lanes = qdd_0_p320_lanes + qdd_0_p322_lanes;
-  const Lanes<2> qdd_0_p326_lanes = detail::make_lanes<Real>(s7, s14) * qdd_0_p303_lanes;
-  const Lanes<2> qdd_0_p328_lanes = detail::make_lanes<Real>(c7, c14) * qdd_0_p311_lanes;
+  const Lanes<2> qdd_0_p324_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p251_lanes +
+      detail::make_pack<Real>(c7, c14) * qdd_0_p287_lanes;
+  const Lanes<2> qdd_0_p326_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p303_lanes;
+  const Lanes<2> qdd_0_p328_lanes = detail::make_pack<Real>(c7, c14) * qdd_0_p311_lanes;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_x_p1_lanes = n7_z_p7_lanes + wd7_x_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p2_lanes = 0.0001505 * n7_x_p1_lanes;
-
-  // link 7 (left_shoulder1), outward
   const Lanes<2> n7_x_p3_lanes = n7_z_p11_lanes - wd7_y_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p4_lanes = 8.75e-06 * n7_x_p3_lanes;
-  const Lanes<2> n7_x_p5_lanes = n7_x_p2_lanes + n7_x_p4_lanes;
-
-  // link 7 (left_shoulder1), outward
   const Lanes<2> n7_x_p6_lanes = n7_z_p3_lanes + wd6_y;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p7_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_x_p6_lanes;
-  const Lanes<2> n7_x_p8_lanes = n7_x_p5_lanes - n7_x_p7_lanes;
-
-  // link 7 (left_shoulder1), outward
   const Lanes<2> n7_x_p9_lanes = w7_z_lanes * w7_z_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p10_lanes = n7_x_p9_lanes - n7_z_p15_lanes;
-  const Lanes<2> n7_x_p11_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_x_p10_lanes;
-  const Lanes<2> n7_x_p12_lanes = n7_x_p8_lanes + n7_x_p11_lanes;
+  const Lanes<2> n7_x_p11_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_x_p9_lanes - n7_z_p15_lanes);
+  const Lanes<2> n7_x_p12_lanes = 0.0001505 * n7_x_p1_lanes + 8.75e-06 * n7_x_p3_lanes -
+      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * n7_x_p6_lanes +
+      n7_x_p11_lanes;
   const Lanes<2> n7_x_p13_lanes = 0.0017499999999999998 * minus_a7_z_lanes;
-  const Lanes<2> n7_x_p14_lanes = n7_x_p12_lanes + n7_x_p13_lanes;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_x_lanes = n7_x_p14_lanes + n8_z_lanes;
+  const Lanes<2> n7_x_lanes = n7_x_p12_lanes + n7_x_p13_lanes + n8_z_lanes;
 
   // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_z_p1_lanes = detail::make_lanes<Real>(c7, c14) * n7_x_lanes;
+  const Lanes<2> n6_z_p1_lanes = detail::make_pack<Real>(c7, c14) * n7_x_lanes;
 
   // link 23 (left_eye), inward
   const Real f22_z = 0.072575 * n22_x_p13 - 0.43200000000000005 * n22_x_p11 + n22_y_p14;
@@ -3221,8 +2198,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 23 (left_eye), inward
   const Real n22_z_p1 = 0.04506407500000001 * minus_a23_z_p1 + 0.06394132500000001 * wd21_y -
       0.0074 * (a23_y_p3 - a23_y_p2) + 0.072575 * a22_y;
-  const Lanes<2> n22_z_p2_lanes = detail::make_lanes<Real>(s23, s24) * n23_x_lanes;
-  const Lanes<2> n22_z_p4_lanes = detail::make_lanes<Real>(c23, c24) * n23_y_lanes;
+  const Lanes<2> n22_z_p2_lanes = detail::make_pack<Real>(s23, s24) * n23_x_lanes;
+  const Lanes<2> n22_z_p4_lanes = detail::make_pack<Real>(c23, c24) * n23_y_lanes;
   const Real n22_z_p6 = n23_y_p10_lanes[1] + n23_y_p10_lanes[0];
   const Real n22_z = n22_z_p1 + 0.43200000000000005 * a22_x + n22_z_p2_lanes[1] +
       n22_z_p4_lanes[1] + n22_z_p2_lanes[0] + n22_z_p4_lanes[0] - 2.375e-05 * n22_z_p6;
@@ -3242,165 +2219,75 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real n21_y = 0.0016155 * (a22_y_p1 - n21_y_p2) - 0.000703125 * n21_y_p3 +
       0.0045000000000000005 * a6_x + (n22_z - 0.394 * n21_y_p1);
 
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * n8_y_lanes;
-  const Lanes<2> n7_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * n8_x_lanes;
-  const Lanes<2> n7_y_p3_lanes = n7_y_p2_lanes - n7_y_p1_lanes;
-
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_y_p4_lanes = n7_z_p3_lanes - wd6_y;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_y_p5_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_y_p4_lanes;
-  const Lanes<2> n7_y_p6_lanes = 0.0002975 * n7_x_p3_lanes;
-  const Lanes<2> n7_y_p7_lanes = n7_y_p5_lanes - n7_y_p6_lanes;
-  const Lanes<2> n7_y_p8_lanes = 8.75e-06 * n7_x_p1_lanes;
-  const Lanes<2> n7_y_p9_lanes = n7_y_p7_lanes - n7_y_p8_lanes;
-  const Lanes<2> n7_y_p10_lanes = n7_z_p16_lanes - n7_x_p9_lanes;
-  const Lanes<2> n7_y_p11_lanes = detail::make_lanes<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_y_p10_lanes;
-  const Lanes<2> n7_y_p12_lanes = n7_y_p9_lanes + n7_y_p11_lanes;
-  const Lanes<2> n7_y_p13_lanes = n7_y_p12_lanes + n7_x_p13_lanes;
+  const Lanes<2> n7_y_p11_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_z_p16_lanes - n7_x_p9_lanes);
+  const Lanes<2> n7_y_p12_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * n7_y_p4_lanes - 0.0002975 * n7_x_p3_lanes - 8.75e-06 *
+      n7_x_p1_lanes + n7_y_p11_lanes;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_y_lanes = n7_y_p13_lanes + n7_y_p3_lanes;
+  const Lanes<2> n7_y_lanes = n7_y_p12_lanes + n7_x_p13_lanes +
+      (detail::make_pack<Real>(c8, c15) * n8_x_lanes - detail::make_pack<Real>(s8, s15) *
+      n8_y_lanes);
 
   // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_z_p4_lanes = detail::make_lanes<Real>(s7, s14) * n7_y_lanes;
+  const Lanes<2> n6_z_p4_lanes = detail::make_pack<Real>(s7, s14) * n7_y_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> f9_z_p1_lanes = detail::make_lanes<Real>(s10, s17) * f10_x_lanes;
-  const Lanes<2> f9_z_p2_lanes = detail::make_lanes<Real>(c10, c17) * f10_y_lanes;
-  const Lanes<2> f9_z_p3_lanes = f9_z_p1_lanes + f9_z_p2_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> f9_z_p4_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      n9_x_p6_lanes;
-  const Lanes<2> f9_z_p5_lanes = 0.0022500062 * n9_x_p8_lanes;
-  const Lanes<2> f9_z_p6_lanes = f9_z_p4_lanes - f9_z_p5_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> f9_z_lanes = f9_z_p6_lanes - f9_z_p3_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f8_x_p1_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * n8_y_p4_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> f8_x_p2_lanes = n8_z_p19_lanes + n8_y_p12_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f8_x_p3_lanes = 0.7139200499999999 * f8_x_p2_lanes;
-  const Lanes<2> f8_x_p4_lanes = f8_x_p1_lanes - f8_x_p3_lanes;
+  const Lanes<2> f9_z_p3_lanes = detail::make_pack<Real>(s10, s17) * f10_x_lanes +
+      detail::make_pack<Real>(c10, c17) * f10_y_lanes;
+  const Lanes<2> f9_z_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
+      n9_x_p6_lanes - 0.0022500062 * n9_x_p8_lanes - f9_z_p3_lanes;
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> f8_x_lanes = f8_x_p4_lanes - f9_z_lanes;
+  const Lanes<2> f8_x_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) * n8_y_p4_lanes - 0.7139200499999999 *
+      (n8_z_p19_lanes + n8_y_p12_lanes) - f9_z_lanes;
+
+  // link 10 (left_lowerarm), inward
+  const Lanes<2> f9_x_lanes = 0.0022500062 * (a10_x_p7_lanes + n9_x_p14_lanes) +
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * n9_y_p6_lanes - n9_y_p3_lanes;
+  const Lanes<2> f9_y_lanes = f10_z_lanes - (0.0022500062 * n9_x_p11_lanes +
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
+      (a10_x_p6_lanes + n9_x_p14_lanes));
+
+  // link 9 (left_upperarm), inward
+  const Lanes<2> f8_y_p3_lanes = detail::make_pack<Real>(s9, s16) * f9_x_lanes +
+      detail::make_pack<Real>(c9, c16) * f9_y_lanes;
+  const Lanes<2> f8_y_lanes = 0.7139200499999999 * n8_x_p4_lanes -
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) *
+      (n8_z_p20_lanes + n8_y_p12_lanes) + f8_y_p3_lanes;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_y_p1_lanes = detail::make_lanes<Real>(c8, c15) * f8_x_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> f9_x_p1_lanes = a10_x_p7_lanes + n9_x_p14_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> f9_x_p2_lanes = 0.0022500062 * f9_x_p1_lanes;
-  const Lanes<2> f9_x_p3_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      n9_y_p6_lanes;
-  const Lanes<2> f9_x_p4_lanes = f9_x_p2_lanes + f9_x_p3_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> f9_x_lanes = f9_x_p4_lanes - n9_y_p3_lanes;
+  const Lanes<2> f7_y_p6_lanes = 0.0017499999999999998 *
+      (n7_x_p6_lanes + (n7_z_p16_lanes + n7_x_p9_lanes));
+  const Lanes<2> f7_y_lanes = detail::make_pack<Real>(c8, c15) * f8_x_lanes -
+      detail::make_pack<Real>(s8, s15) * f8_y_lanes + f7_y_p6_lanes;
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> f8_y_p1_lanes = detail::make_lanes<Real>(s9, s16) * f9_x_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> f9_y_p1_lanes = 0.0022500062 * n9_x_p11_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> f9_y_p2_lanes = a10_x_p6_lanes + n9_x_p14_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> f9_y_p3_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      f9_y_p2_lanes;
-  const Lanes<2> f9_y_p4_lanes = f9_y_p1_lanes + f9_y_p3_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> f9_y_lanes = f10_z_lanes - f9_y_p4_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> f8_y_p2_lanes = detail::make_lanes<Real>(c9, c16) * f9_y_lanes;
-  const Lanes<2> f8_y_p3_lanes = f8_y_p1_lanes + f8_y_p2_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f8_y_p4_lanes = 0.7139200499999999 * n8_x_p4_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> f8_y_p5_lanes = n8_z_p20_lanes + n8_y_p12_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f8_y_p6_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * f8_y_p5_lanes;
-  const Lanes<2> f8_y_p7_lanes = f8_y_p4_lanes - f8_y_p6_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> f8_y_lanes = f8_y_p7_lanes + f8_y_p3_lanes;
+  const Lanes<2> f7_x_p6_lanes = detail::make_pack<Real>(s9, s16) * f9_y_lanes;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_y_p2_lanes = detail::make_lanes<Real>(s8, s15) * f8_y_lanes;
-  const Lanes<2> f7_y_p3_lanes = f7_y_p1_lanes - f7_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> f7_y_p4_lanes = n7_z_p16_lanes + n7_x_p9_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_y_p5_lanes = n7_x_p6_lanes + f7_y_p4_lanes;
-  const Lanes<2> f7_y_p6_lanes = 0.0017499999999999998 * f7_y_p5_lanes;
-  const Lanes<2> f7_y_lanes = f7_y_p3_lanes + f7_y_p6_lanes;
+  const Lanes<2> f7_x_p7_lanes = 0.7139200499999999 * n8_y_p6_lanes +
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * n8_y_p9_lanes +
+      detail::make_pack<Real>(c9, c16) * f9_x_lanes - f7_x_p6_lanes;
+  const Lanes<2> f7_x_lanes = f7_x_p7_lanes - 0.0017499999999999998 *
+      (n7_z_p15_lanes + n7_x_p9_lanes + n7_y_p4_lanes);
 
   // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_z_p6_lanes = detail::make_lanes<Real>(c7, c14) * f7_y_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> f7_x_p1_lanes = detail::make_lanes<Real>(c9, c16) * f9_x_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> f7_x_p2_lanes = 0.7139200499999999 * n8_y_p6_lanes;
-  const Lanes<2> f7_x_p3_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * n8_y_p9_lanes;
-  const Lanes<2> f7_x_p4_lanes = f7_x_p2_lanes + f7_x_p3_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_x_p5_lanes = f7_x_p4_lanes + f7_x_p1_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> f7_x_p6_lanes = detail::make_lanes<Real>(s9, s16) * f9_y_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_x_p7_lanes = f7_x_p5_lanes - f7_x_p6_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> f7_x_p8_lanes = n7_z_p15_lanes + n7_x_p9_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_x_p9_lanes = f7_x_p8_lanes + n7_y_p4_lanes;
-  const Lanes<2> f7_x_p10_lanes = 0.0017499999999999998 * f7_x_p9_lanes;
-  const Lanes<2> f7_x_lanes = f7_x_p7_lanes - f7_x_p10_lanes;
-
-  // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_z_p8_lanes = detail::make_lanes<Real>(s7, s14) * f7_x_lanes;
-  const Lanes<2> n6_z_p10_lanes = n6_z_p8_lanes + n6_z_p6_lanes;
+  const Lanes<2> n6_z_p10_lanes = detail::make_pack<Real>(s7, s14) * f7_x_lanes +
+      detail::make_pack<Real>(c7, c14) * f7_y_lanes;
   const Real n6_z_p12 = n6_z_p3 + c21 * n21_x - s21 * n21_y + n6_z_p1_lanes[1] - n6_z_p4_lanes[1] -
       (-0.18) * n6_z_p10_lanes[1];
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_z_p1_lanes = detail::make_lanes<Real>(s8, s15) * f8_x_lanes;
-  const Lanes<2> f7_z_p2_lanes = detail::make_lanes<Real>(c8, c15) * f8_y_lanes;
-  const Lanes<2> f7_z_p3_lanes = f7_z_p1_lanes + f7_z_p2_lanes;
-  const Lanes<2> f7_z_p4_lanes = n7_x_p3_lanes - n7_x_p1_lanes;
-  const Lanes<2> f7_z_p5_lanes = 0.0017499999999999998 * f7_z_p4_lanes;
-  const Lanes<2> f7_z_lanes = f7_z_p3_lanes + f7_z_p5_lanes;
+  const Lanes<2> f7_z_lanes = detail::make_pack<Real>(s8, s15) * f8_x_lanes +
+      detail::make_pack<Real>(c8, c15) * f8_y_lanes + 0.0017499999999999998 *
+      (n7_x_p3_lanes - n7_x_p1_lanes);
 
   // link 7 (left_shoulder1), inward
   const Real n6_z_p13 = f7_z_lanes[1] + f7_z_lanes[0];
@@ -3415,23 +2302,23 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 23 (left_eye), bias force
   const Lanes<2> qdd_0_p334_lanes = 3.1081081081081083 *
-      detail::make_lanes<Real>(qdd_0_p333, qdd_0_p332);
-  const Lanes<2> qdd_0_p336_lanes = detail::make_lanes<Real>(s23, s24) * qdd_0_p334_lanes;
+      detail::make_pack<Real>(qdd_0_p333, qdd_0_p332);
+  const Lanes<2> qdd_0_p336_lanes = detail::make_pack<Real>(s23, s24) * qdd_0_p334_lanes;
 
   // link 22 (head), bias force
   const Real qdd_0_p338 = qdd_0_p331 + (qdd_0_p336_lanes[1] + qdd_0_p336_lanes[0]);
 
   // link 23 (left_eye), bias force
-  const Lanes<2> qdd_0_p339_lanes = detail::make_lanes<Real>(c23, c24) * qdd_0_p334_lanes;
+  const Lanes<2> qdd_0_p339_lanes = detail::make_pack<Real>(c23, c24) * qdd_0_p334_lanes;
 
   // link 22 (head), bias force
   const Real qdd_0_p341 = qdd_0_p339_lanes[1] + qdd_0_p339_lanes[0] + inverse_D21_p12 * qdd_0_p338;
 
   // link 23 (left_eye), bias force
   const Lanes<2> qdd_0_p342_lanes = 27.027027027027028 *
-      detail::make_lanes<Real>(qdd_0_p333, qdd_0_p332);
-  const Lanes<2> qdd_0_p344_lanes = detail::make_lanes<Real>(s23, s24) * qdd_0_p342_lanes;
-  const Lanes<2> qdd_0_p346_lanes = detail::make_lanes<Real>(c23, c24) * qdd_0_p342_lanes;
+      detail::make_pack<Real>(qdd_0_p333, qdd_0_p332);
+  const Lanes<2> qdd_0_p344_lanes = detail::make_pack<Real>(s23, s24) * qdd_0_p342_lanes;
+  const Lanes<2> qdd_0_p346_lanes = detail::make_pack<Real>(c23, c24) * qdd_0_p342_lanes;
 
   // link 22 (head), bias force
   const Real qdd_0_p348 = qdd_0_p346_lanes[1] + qdd_0_p346_lanes[0];
@@ -3457,14 +2344,10 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_0_p357 = qdd_0_p330 - qdd_0_p328_lanes[1] + qdd_0_p326_lanes[1] + (-0.18) *
       qdd_0_p324_lanes[1] + c21 * qdd_0_p352 + s21 * qdd_0_p356;
 
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p358_lanes = detail::make_lanes<Real>(c8, c15) * qdd_0_p263_lanes;
-  const Lanes<2> qdd_0_p360_lanes = detail::make_lanes<Real>(s8, s15) * qdd_0_p279_lanes;
-  const Lanes<2> qdd_0_p362_lanes = qdd_0_p360_lanes + qdd_0_p358_lanes;
-
   // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p364_lanes = inverse_D1_p837_lanes * qdd_0_p247_lanes;
-  const Lanes<2> qdd_0_p366_lanes = qdd_0_p362_lanes + qdd_0_p364_lanes;
+  const Lanes<2> qdd_0_p366_lanes = detail::make_pack<Real>(s8, s15) * qdd_0_p279_lanes +
+      detail::make_pack<Real>(c8, c15) * qdd_0_p263_lanes + inverse_D1_p837_lanes *
+      qdd_0_p247_lanes;
 
   // link 6 (chest3), bias force
   const Real qdd_0_p368 = qdd_0_p366_lanes[1] + qdd_0_p366_lanes[0];
@@ -3485,14 +2368,11 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       qdd_0_p369;
 
   // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * n7_x_lanes;
-  const Lanes<2> n6_x_p3_lanes = detail::make_lanes<Real>(c7, c14) * n7_y_lanes;
-  const Lanes<2> n6_x_p5_lanes = n6_x_p1_lanes + n6_x_p3_lanes;
-  const Lanes<2> n6_x_p7_lanes = detail::make_lanes<Real>(s7, s14) * f7_y_lanes;
-  const Lanes<2> n6_x_p9_lanes = detail::make_lanes<Real>(c7, c14) * f7_x_lanes;
-  const Lanes<2> n6_x_p11_lanes = n6_x_p9_lanes - n6_x_p7_lanes;
-  const Lanes<2> n6_x_p13_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * n6_x_p11_lanes;
-  const Lanes<2> n6_x_p15_lanes = n6_x_p5_lanes + n6_x_p13_lanes;
+  const Lanes<2> n6_x_p11_lanes = detail::make_pack<Real>(c7, c14) * f7_x_lanes -
+      detail::make_pack<Real>(s7, s14) * f7_y_lanes;
+  const Lanes<2> n6_x_p15_lanes = detail::make_pack<Real>(s7, s14) * n7_x_lanes +
+      detail::make_pack<Real>(c7, c14) * n7_y_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      n6_x_p11_lanes;
   const Real n6_x = 0.40041499999999997 * a7_x_p12 + 0.0187369177636143 * minus_a7_z_p1 - n21_z +
       n6_x_p15_lanes[1] + n6_x_p15_lanes[0];
   const Real n6_y_p1 = 6.1665928899999995 * a6_z - 1.66923963592404 * a7_x_p9 - 0.0187369177636143 *

@@ -15,7 +15,7 @@
 namespace humanoid24 {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
     Real (&TREELINE_RESTRICT position)[6], Real (&TREELINE_RESTRICT rotation)[18]) noexcept {
   const Real angles[20] = {q[0], q[1], q[2], q[4], q[3], q[5], q[7], q[6], q[9], q[8], q[12], q[11],
@@ -86,92 +86,63 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real rotation_2_p8 = c6 * rotation_2_p6 + s6 * rotation_2_p7;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_2_p9_lanes = detail::make_lanes<Real>(c7, c14) * rotation_2_p8;
-
   // link 5 (chest2), pose
   const Real rotation_2_p10 = c5 * rotation_2_p4 - s5 * rotation_2_p5;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_2_p11_lanes = detail::make_lanes<Real>(s7, s14) * rotation_2_p10;
-  const Lanes<2> rotation_2_p12_lanes = rotation_2_p9_lanes + rotation_2_p11_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_2_p13_lanes = detail::make_lanes<Real>(s8, s15) * rotation_2_p12_lanes;
+  const Lanes<2> rotation_2_p12_lanes = detail::make_pack<Real>(c7, c14) * rotation_2_p8 +
+      detail::make_pack<Real>(s7, s14) * rotation_2_p10;
 
   // link 6 (chest3), pose
   const Real rotation_2_p14 = s6 * rotation_2_p6 - c6 * rotation_2_p7;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_2_p15_lanes = detail::make_lanes<Real>(c8, c15) * rotation_2_p14;
-  const Lanes<2> rotation_2_p16_lanes = rotation_2_p13_lanes + rotation_2_p15_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_2_p17_lanes = detail::make_lanes<Real>(s9, s16) * rotation_2_p16_lanes;
+  const Lanes<2> rotation_2_p16_lanes = detail::make_pack<Real>(s8, s15) * rotation_2_p12_lanes +
+      detail::make_pack<Real>(c8, c15) * rotation_2_p14;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_2_p18_lanes = detail::make_lanes<Real>(c7, c14) * rotation_2_p10;
-  const Lanes<2> rotation_2_p19_lanes = detail::make_lanes<Real>(s7, s14) * rotation_2_p8;
-  const Lanes<2> rotation_2_p20_lanes = rotation_2_p18_lanes - rotation_2_p19_lanes;
+  const Lanes<2> rotation_2_p20_lanes = detail::make_pack<Real>(c7, c14) * rotation_2_p10 -
+      detail::make_pack<Real>(s7, s14) * rotation_2_p8;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_2_p21_lanes = detail::make_lanes<Real>(c9, c16) * rotation_2_p20_lanes;
-  const Lanes<2> rotation_2_p22_lanes = rotation_2_p17_lanes + rotation_2_p21_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_2_p23_lanes = detail::make_lanes<Real>(c10, c17) * rotation_2_p22_lanes;
+  const Lanes<2> rotation_2_p22_lanes = detail::make_pack<Real>(s9, s16) * rotation_2_p16_lanes +
+      detail::make_pack<Real>(c9, c16) * rotation_2_p20_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_2_p24_lanes = detail::make_lanes<Real>(c8, c15) * rotation_2_p12_lanes;
-  const Lanes<2> rotation_2_p25_lanes = detail::make_lanes<Real>(s8, s15) * rotation_2_p14;
-  const Lanes<2> rotation_2_p26_lanes = rotation_2_p25_lanes - rotation_2_p24_lanes;
+  const Lanes<2> rotation_2_p26_lanes = detail::make_pack<Real>(s8, s15) * rotation_2_p14 -
+      detail::make_pack<Real>(c8, c15) * rotation_2_p12_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_2_p27_lanes = detail::make_lanes<Real>(s10, s17) * rotation_2_p26_lanes;
-  const Lanes<2> rotation_2_p28_lanes = rotation_2_p23_lanes + rotation_2_p27_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_2_p29_lanes = detail::make_lanes<Real>(c11, c18) * rotation_2_p28_lanes;
+  const Lanes<2> rotation_2_p28_lanes = detail::make_pack<Real>(c10, c17) * rotation_2_p22_lanes +
+      detail::make_pack<Real>(s10, s17) * rotation_2_p26_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_2_p30_lanes = detail::make_lanes<Real>(c9, c16) * rotation_2_p16_lanes;
-  const Lanes<2> rotation_2_p31_lanes = detail::make_lanes<Real>(s9, s16) * rotation_2_p20_lanes;
-  const Lanes<2> rotation_2_p32_lanes = rotation_2_p30_lanes - rotation_2_p31_lanes;
+  const Lanes<2> rotation_2_p32_lanes = detail::make_pack<Real>(c9, c16) * rotation_2_p16_lanes -
+      detail::make_pack<Real>(s9, s16) * rotation_2_p20_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_2_p33_lanes = detail::make_lanes<Real>(s11, s18) * rotation_2_p32_lanes;
-  const Lanes<2> rotation_2_p34_lanes = rotation_2_p29_lanes + rotation_2_p33_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_2_p35_lanes = detail::make_lanes<Real>(s12, s19) * rotation_2_p34_lanes;
+  const Lanes<2> rotation_2_p34_lanes = detail::make_pack<Real>(c11, c18) * rotation_2_p28_lanes +
+      detail::make_pack<Real>(s11, s18) * rotation_2_p32_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_2_p36_lanes = detail::make_lanes<Real>(s10, s17) * rotation_2_p22_lanes;
-  const Lanes<2> rotation_2_p37_lanes = detail::make_lanes<Real>(c10, c17) * rotation_2_p26_lanes;
-  const Lanes<2> rotation_2_p38_lanes = rotation_2_p37_lanes - rotation_2_p36_lanes;
+  const Lanes<2> rotation_2_p38_lanes = detail::make_pack<Real>(c10, c17) * rotation_2_p26_lanes -
+      detail::make_pack<Real>(s10, s17) * rotation_2_p22_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_2_p39_lanes = detail::make_lanes<Real>(c12, c19) * rotation_2_p38_lanes;
-  const Lanes<2> rotation_2_p40_lanes = rotation_2_p39_lanes - rotation_2_p35_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_2_p41_lanes = detail::make_lanes<Real>(c13, c20) * rotation_2_p40_lanes;
+  const Lanes<2> rotation_2_p40_lanes = detail::make_pack<Real>(c12, c19) * rotation_2_p38_lanes -
+      detail::make_pack<Real>(s12, s19) * rotation_2_p34_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_2_p42_lanes = detail::make_lanes<Real>(c11, c18) * rotation_2_p32_lanes;
-  const Lanes<2> rotation_2_p43_lanes = detail::make_lanes<Real>(s11, s18) * rotation_2_p28_lanes;
-  const Lanes<2> rotation_2_p44_lanes = rotation_2_p42_lanes - rotation_2_p43_lanes;
+  const Lanes<2> rotation_2_p44_lanes = detail::make_pack<Real>(c11, c18) * rotation_2_p32_lanes -
+      detail::make_pack<Real>(s11, s18) * rotation_2_p28_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> rotation_2_p45_lanes = detail::make_lanes<Real>(s13, s20) * rotation_2_p44_lanes;
-  const Lanes<2> rotation_2_lanes = rotation_2_p41_lanes + rotation_2_p45_lanes;
+  const Lanes<2> rotation_2_lanes = detail::make_pack<Real>(c13, c20) * rotation_2_p40_lanes +
+      detail::make_pack<Real>(s13, s20) * rotation_2_p44_lanes;
   rotation[2] = -rotation_2_lanes[0];
 
   // link 20 (right_hand), pose
   rotation[11] = -rotation_2_lanes[1];
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_0_p1_lanes = 0.086 * rotation_2_lanes;
 
   // link 2 (thigh), pose
   const Real p2_x = 0.434 * s1;
@@ -187,25 +158,9 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 24 (right_eye), pose
   const Real position_0_p2 = p6_x + 0.226 * rotation_2_p8;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> position_0_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * rotation_2_p14;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_0_p4_lanes = position_0_p2 + position_0_p3_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> position_0_p5_lanes = 0.282 * rotation_2_p26_lanes;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_0_p6_lanes = position_0_p4_lanes + position_0_p5_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> position_0_p7_lanes = 0.269 * rotation_2_p38_lanes;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_0_p8_lanes = position_0_p6_lanes + position_0_p7_lanes;
-  const Lanes<2> position_0_lanes = position_0_p8_lanes + position_0_p1_lanes;
+  const Lanes<2> position_0_p8_lanes = position_0_p2 + detail::make_pack<Real>(0.18, (-0.18)) *
+      rotation_2_p14 + 0.282 * rotation_2_p26_lanes + 0.269 * rotation_2_p38_lanes;
+  const Lanes<2> position_0_lanes = position_0_p8_lanes + 0.086 * rotation_2_lanes;
   position[0] = position_0_lanes[0];
   position[3] = position_0_lanes[1];
 
@@ -222,106 +177,65 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real position_1_p4 = s6 * position_1_p1 + c6 * c4;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> position_1_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * position_1_p4;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_1_p6_lanes = position_1_p3 + position_1_p5_lanes;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> position_1_p7_lanes = detail::make_lanes<Real>(c7, c14) * position_1_p2;
-
   // link 5 (chest2), pose
   const Real position_1_p8 = c5 * s4;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> position_1_p9_lanes = detail::make_lanes<Real>(s7, s14) * position_1_p8;
-  const Lanes<2> position_1_p10_lanes = position_1_p7_lanes - position_1_p9_lanes;
+  const Lanes<2> position_1_p10_lanes = detail::make_pack<Real>(c7, c14) * position_1_p2 -
+      detail::make_pack<Real>(s7, s14) * position_1_p8;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> position_1_p11_lanes = detail::make_lanes<Real>(c8, c15) * position_1_p10_lanes;
-  const Lanes<2> position_1_p12_lanes = detail::make_lanes<Real>(s8, s15) * position_1_p4;
-  const Lanes<2> position_1_p13_lanes = position_1_p11_lanes + position_1_p12_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> position_1_p14_lanes = 0.282 * position_1_p13_lanes;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_1_p15_lanes = position_1_p6_lanes + position_1_p14_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> position_1_p16_lanes = detail::make_lanes<Real>(c10, c17) * position_1_p13_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> position_1_p17_lanes = detail::make_lanes<Real>(c8, c15) * position_1_p4;
-  const Lanes<2> position_1_p18_lanes = detail::make_lanes<Real>(s8, s15) * position_1_p10_lanes;
-  const Lanes<2> position_1_p19_lanes = position_1_p17_lanes - position_1_p18_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> position_1_p20_lanes = detail::make_lanes<Real>(s9, s16) * position_1_p19_lanes;
+  const Lanes<2> position_1_p13_lanes = detail::make_pack<Real>(c8, c15) * position_1_p10_lanes +
+      detail::make_pack<Real>(s8, s15) * position_1_p4;
+  const Lanes<2> position_1_p19_lanes = detail::make_pack<Real>(c8, c15) * position_1_p4 -
+      detail::make_pack<Real>(s8, s15) * position_1_p10_lanes;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> position_1_p21_lanes = detail::make_lanes<Real>(s7, s14) * position_1_p2;
-  const Lanes<2> position_1_p22_lanes = detail::make_lanes<Real>(c7, c14) * position_1_p8;
-  const Lanes<2> position_1_p23_lanes = position_1_p21_lanes + position_1_p22_lanes;
+  const Lanes<2> position_1_p23_lanes = detail::make_pack<Real>(s7, s14) * position_1_p2 +
+      detail::make_pack<Real>(c7, c14) * position_1_p8;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> position_1_p24_lanes = detail::make_lanes<Real>(c9, c16) * position_1_p23_lanes;
-  const Lanes<2> position_1_p25_lanes = position_1_p20_lanes + position_1_p24_lanes;
+  const Lanes<2> position_1_p25_lanes = detail::make_pack<Real>(s9, s16) * position_1_p19_lanes +
+      detail::make_pack<Real>(c9, c16) * position_1_p23_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> position_1_p26_lanes = detail::make_lanes<Real>(s10, s17) * position_1_p25_lanes;
-  const Lanes<2> position_1_p27_lanes = position_1_p16_lanes - position_1_p26_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> position_1_p28_lanes = 0.269 * position_1_p27_lanes;
+  const Lanes<2> position_1_p27_lanes = detail::make_pack<Real>(c10, c17) * position_1_p13_lanes -
+      detail::make_pack<Real>(s10, s17) * position_1_p25_lanes;
 
   // link 24 (right_eye), pose
-  const Lanes<2> position_1_p29_lanes = position_1_p15_lanes + position_1_p28_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_5_p1_lanes = detail::make_lanes<Real>(c12, c19) * position_1_p27_lanes;
+  const Lanes<2> position_1_p29_lanes = position_1_p3 + detail::make_pack<Real>(0.18, (-0.18)) *
+      position_1_p4 + 0.282 * position_1_p13_lanes + 0.269 * position_1_p27_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_5_p2_lanes = detail::make_lanes<Real>(c10, c17) * position_1_p25_lanes;
-  const Lanes<2> rotation_5_p3_lanes = detail::make_lanes<Real>(s10, s17) * position_1_p13_lanes;
-  const Lanes<2> rotation_5_p4_lanes = rotation_5_p2_lanes + rotation_5_p3_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_5_p5_lanes = detail::make_lanes<Real>(c11, c18) * rotation_5_p4_lanes;
+  const Lanes<2> rotation_5_p4_lanes = detail::make_pack<Real>(c10, c17) * position_1_p25_lanes +
+      detail::make_pack<Real>(s10, s17) * position_1_p13_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_5_p6_lanes = detail::make_lanes<Real>(c9, c16) * position_1_p19_lanes;
-  const Lanes<2> rotation_5_p7_lanes = detail::make_lanes<Real>(s9, s16) * position_1_p23_lanes;
-  const Lanes<2> rotation_5_p8_lanes = rotation_5_p6_lanes - rotation_5_p7_lanes;
+  const Lanes<2> rotation_5_p8_lanes = detail::make_pack<Real>(c9, c16) * position_1_p19_lanes -
+      detail::make_pack<Real>(s9, s16) * position_1_p23_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_5_p9_lanes = detail::make_lanes<Real>(s11, s18) * rotation_5_p8_lanes;
-  const Lanes<2> rotation_5_p10_lanes = rotation_5_p5_lanes + rotation_5_p9_lanes;
+  const Lanes<2> rotation_5_p10_lanes = detail::make_pack<Real>(c11, c18) * rotation_5_p4_lanes +
+      detail::make_pack<Real>(s11, s18) * rotation_5_p8_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_5_p11_lanes = detail::make_lanes<Real>(s12, s19) * rotation_5_p10_lanes;
-  const Lanes<2> rotation_5_p12_lanes = rotation_5_p1_lanes - rotation_5_p11_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_5_p13_lanes = detail::make_lanes<Real>(c13, c20) * rotation_5_p12_lanes;
+  const Lanes<2> rotation_5_p12_lanes = detail::make_pack<Real>(c12, c19) * position_1_p27_lanes -
+      detail::make_pack<Real>(s12, s19) * rotation_5_p10_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_5_p14_lanes = detail::make_lanes<Real>(s11, s18) * rotation_5_p4_lanes;
-  const Lanes<2> rotation_5_p15_lanes = detail::make_lanes<Real>(c11, c18) * rotation_5_p8_lanes;
-  const Lanes<2> rotation_5_p16_lanes = rotation_5_p15_lanes - rotation_5_p14_lanes;
+  const Lanes<2> rotation_5_p16_lanes = detail::make_pack<Real>(c11, c18) * rotation_5_p8_lanes -
+      detail::make_pack<Real>(s11, s18) * rotation_5_p4_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> rotation_5_p17_lanes = detail::make_lanes<Real>(s13, s20) * rotation_5_p16_lanes;
-  const Lanes<2> rotation_5_lanes = rotation_5_p13_lanes + rotation_5_p17_lanes;
+  const Lanes<2> rotation_5_lanes = detail::make_pack<Real>(c13, c20) * rotation_5_p12_lanes +
+      detail::make_pack<Real>(s13, s20) * rotation_5_p16_lanes;
   rotation[5] = -rotation_5_lanes[0];
 
   // link 20 (right_hand), pose
   rotation[14] = -rotation_5_lanes[1];
 
   // link 24 (right_eye), pose
-  const Lanes<2> position_1_p30_lanes = 0.086 * rotation_5_lanes;
-  const Lanes<2> position_1_lanes = position_1_p29_lanes + position_1_p30_lanes;
+  const Lanes<2> position_1_lanes = position_1_p29_lanes + 0.086 * rotation_5_lanes;
   position[1] = position_1_lanes[0];
   position[4] = position_1_lanes[1];
 
@@ -337,92 +251,61 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real rotation_8_p4 = c6 * rotation_8_p2 + s6 * rotation_8_p3;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_8_p5_lanes = detail::make_lanes<Real>(s7, s14) * rotation_8_p4;
-
   // link 5 (chest2), pose
   const Real rotation_8_p6 = c5 * rotation_8_p1 + s5 * rotation_2_p3;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_8_p7_lanes = detail::make_lanes<Real>(c7, c14) * rotation_8_p6;
-  const Lanes<2> rotation_8_p8_lanes = rotation_8_p5_lanes - rotation_8_p7_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_8_p9_lanes = detail::make_lanes<Real>(c9, c16) * rotation_8_p8_lanes;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_8_p10_lanes = detail::make_lanes<Real>(c7, c14) * rotation_8_p4;
-  const Lanes<2> rotation_8_p11_lanes = detail::make_lanes<Real>(s7, s14) * rotation_8_p6;
-  const Lanes<2> rotation_8_p12_lanes = rotation_8_p10_lanes + rotation_8_p11_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_8_p13_lanes = detail::make_lanes<Real>(s8, s15) * rotation_8_p12_lanes;
+  const Lanes<2> rotation_8_p8_lanes = detail::make_pack<Real>(s7, s14) * rotation_8_p4 -
+      detail::make_pack<Real>(c7, c14) * rotation_8_p6;
+  const Lanes<2> rotation_8_p12_lanes = detail::make_pack<Real>(c7, c14) * rotation_8_p4 +
+      detail::make_pack<Real>(s7, s14) * rotation_8_p6;
 
   // link 6 (chest3), pose
   const Real rotation_8_p14 = s6 * rotation_8_p2 - c6 * rotation_8_p3;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_8_p15_lanes = detail::make_lanes<Real>(c8, c15) * rotation_8_p14;
-  const Lanes<2> rotation_8_p16_lanes = rotation_8_p13_lanes + rotation_8_p15_lanes;
+  const Lanes<2> rotation_8_p16_lanes = detail::make_pack<Real>(s8, s15) * rotation_8_p12_lanes +
+      detail::make_pack<Real>(c8, c15) * rotation_8_p14;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_8_p17_lanes = detail::make_lanes<Real>(s9, s16) * rotation_8_p16_lanes;
-  const Lanes<2> rotation_8_p18_lanes = rotation_8_p9_lanes - rotation_8_p17_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_8_p19_lanes = detail::make_lanes<Real>(c10, c17) * rotation_8_p18_lanes;
+  const Lanes<2> rotation_8_p18_lanes = detail::make_pack<Real>(c9, c16) * rotation_8_p8_lanes -
+      detail::make_pack<Real>(s9, s16) * rotation_8_p16_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_8_p20_lanes = detail::make_lanes<Real>(c8, c15) * rotation_8_p12_lanes;
-  const Lanes<2> rotation_8_p21_lanes = detail::make_lanes<Real>(s8, s15) * rotation_8_p14;
-  const Lanes<2> rotation_8_p22_lanes = rotation_8_p20_lanes - rotation_8_p21_lanes;
+  const Lanes<2> rotation_8_p22_lanes = detail::make_pack<Real>(c8, c15) * rotation_8_p12_lanes -
+      detail::make_pack<Real>(s8, s15) * rotation_8_p14;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_8_p23_lanes = detail::make_lanes<Real>(s10, s17) * rotation_8_p22_lanes;
-  const Lanes<2> rotation_8_p24_lanes = rotation_8_p19_lanes + rotation_8_p23_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_8_p25_lanes = detail::make_lanes<Real>(c11, c18) * rotation_8_p24_lanes;
+  const Lanes<2> rotation_8_p24_lanes = detail::make_pack<Real>(c10, c17) * rotation_8_p18_lanes +
+      detail::make_pack<Real>(s10, s17) * rotation_8_p22_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_8_p26_lanes = detail::make_lanes<Real>(c9, c16) * rotation_8_p16_lanes;
-  const Lanes<2> rotation_8_p27_lanes = detail::make_lanes<Real>(s9, s16) * rotation_8_p8_lanes;
-  const Lanes<2> rotation_8_p28_lanes = rotation_8_p26_lanes + rotation_8_p27_lanes;
+  const Lanes<2> rotation_8_p28_lanes = detail::make_pack<Real>(c9, c16) * rotation_8_p16_lanes +
+      detail::make_pack<Real>(s9, s16) * rotation_8_p8_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_8_p29_lanes = detail::make_lanes<Real>(s11, s18) * rotation_8_p28_lanes;
-  const Lanes<2> rotation_8_p30_lanes = rotation_8_p25_lanes - rotation_8_p29_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_8_p31_lanes = detail::make_lanes<Real>(s12, s19) * rotation_8_p30_lanes;
+  const Lanes<2> rotation_8_p30_lanes = detail::make_pack<Real>(c11, c18) * rotation_8_p24_lanes -
+      detail::make_pack<Real>(s11, s18) * rotation_8_p28_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_8_p32_lanes = detail::make_lanes<Real>(s10, s17) * rotation_8_p18_lanes;
-  const Lanes<2> rotation_8_p33_lanes = detail::make_lanes<Real>(c10, c17) * rotation_8_p22_lanes;
-  const Lanes<2> rotation_8_p34_lanes = rotation_8_p33_lanes - rotation_8_p32_lanes;
+  const Lanes<2> rotation_8_p34_lanes = detail::make_pack<Real>(c10, c17) * rotation_8_p22_lanes -
+      detail::make_pack<Real>(s10, s17) * rotation_8_p18_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_8_p35_lanes = detail::make_lanes<Real>(c12, c19) * rotation_8_p34_lanes;
-  const Lanes<2> rotation_8_p36_lanes = rotation_8_p35_lanes - rotation_8_p31_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_8_p37_lanes = detail::make_lanes<Real>(c13, c20) * rotation_8_p36_lanes;
+  const Lanes<2> rotation_8_p36_lanes = detail::make_pack<Real>(c12, c19) * rotation_8_p34_lanes -
+      detail::make_pack<Real>(s12, s19) * rotation_8_p30_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_8_p38_lanes = detail::make_lanes<Real>(s11, s18) * rotation_8_p24_lanes;
-  const Lanes<2> rotation_8_p39_lanes = detail::make_lanes<Real>(c11, c18) * rotation_8_p28_lanes;
-  const Lanes<2> rotation_8_p40_lanes = rotation_8_p38_lanes + rotation_8_p39_lanes;
+  const Lanes<2> rotation_8_p40_lanes = detail::make_pack<Real>(s11, s18) * rotation_8_p24_lanes +
+      detail::make_pack<Real>(c11, c18) * rotation_8_p28_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> rotation_8_p41_lanes = detail::make_lanes<Real>(s13, s20) * rotation_8_p40_lanes;
-  const Lanes<2> rotation_8_lanes = rotation_8_p37_lanes - rotation_8_p41_lanes;
+  const Lanes<2> rotation_8_lanes = detail::make_pack<Real>(c13, c20) * rotation_8_p36_lanes -
+      detail::make_pack<Real>(s13, s20) * rotation_8_p40_lanes;
   rotation[8] = -rotation_8_lanes[0];
 
   // link 20 (right_hand), pose
   rotation[17] = -rotation_8_lanes[1];
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_2_p1_lanes = 0.086 * rotation_8_lanes;
 
   // link 2 (thigh), pose
   const Real p2_z = 0.07 + 0.434 * c1;
@@ -438,77 +321,55 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 24 (right_eye), pose
   const Real position_2_p2 = p6_z - 0.226 * rotation_8_p4;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> position_2_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * rotation_8_p14;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_2_p4_lanes = position_2_p2 - position_2_p3_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> position_2_p5_lanes = 0.282 * rotation_8_p22_lanes;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_2_p6_lanes = position_2_p4_lanes + position_2_p5_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> position_2_p7_lanes = 0.269 * rotation_8_p34_lanes;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_2_p8_lanes = position_2_p6_lanes + position_2_p7_lanes;
-  const Lanes<2> position_2_lanes = position_2_p8_lanes + position_2_p1_lanes;
+  const Lanes<2> position_2_p8_lanes = position_2_p2 - detail::make_pack<Real>(0.18, (-0.18)) *
+      rotation_8_p14 + 0.282 * rotation_8_p22_lanes + 0.269 * rotation_8_p34_lanes;
+  const Lanes<2> position_2_lanes = position_2_p8_lanes + 0.086 * rotation_8_lanes;
   position[2] = position_2_lanes[0];
   position[5] = position_2_lanes[1];
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_0_p1_lanes = detail::make_lanes<Real>(c12, c19) * rotation_2_p34_lanes;
-  const Lanes<2> rotation_0_p2_lanes = detail::make_lanes<Real>(s12, s19) * rotation_2_p38_lanes;
-  const Lanes<2> rotation_0_lanes = rotation_0_p1_lanes + rotation_0_p2_lanes;
+  const Lanes<2> rotation_0_lanes = detail::make_pack<Real>(c12, c19) * rotation_2_p34_lanes +
+      detail::make_pack<Real>(s12, s19) * rotation_2_p38_lanes;
   rotation[0] = rotation_0_lanes[0];
 
   // link 19 (right_wrist2), pose
   rotation[9] = rotation_0_lanes[1];
 
   // link 13 (left_hand), pose
-  const Lanes<2> rotation_1_p1_lanes = detail::make_lanes<Real>(c13, c20) * rotation_2_p44_lanes;
-  const Lanes<2> rotation_1_p2_lanes = detail::make_lanes<Real>(s13, s20) * rotation_2_p40_lanes;
-  const Lanes<2> rotation_1_lanes = rotation_1_p1_lanes - rotation_1_p2_lanes;
+  const Lanes<2> rotation_1_lanes = detail::make_pack<Real>(c13, c20) * rotation_2_p44_lanes -
+      detail::make_pack<Real>(s13, s20) * rotation_2_p40_lanes;
   rotation[1] = rotation_1_lanes[0];
 
   // link 20 (right_hand), pose
   rotation[10] = rotation_1_lanes[1];
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_3_p1_lanes = detail::make_lanes<Real>(c12, c19) * rotation_5_p10_lanes;
-  const Lanes<2> rotation_3_p2_lanes = detail::make_lanes<Real>(s12, s19) * position_1_p27_lanes;
-  const Lanes<2> rotation_3_lanes = rotation_3_p1_lanes + rotation_3_p2_lanes;
+  const Lanes<2> rotation_3_lanes = detail::make_pack<Real>(c12, c19) * rotation_5_p10_lanes +
+      detail::make_pack<Real>(s12, s19) * position_1_p27_lanes;
   rotation[3] = rotation_3_lanes[0];
 
   // link 19 (right_wrist2), pose
   rotation[12] = rotation_3_lanes[1];
 
   // link 13 (left_hand), pose
-  const Lanes<2> rotation_4_p1_lanes = detail::make_lanes<Real>(s13, s20) * rotation_5_p12_lanes;
-  const Lanes<2> rotation_4_p2_lanes = detail::make_lanes<Real>(c13, c20) * rotation_5_p16_lanes;
-  const Lanes<2> rotation_4_lanes = rotation_4_p2_lanes - rotation_4_p1_lanes;
+  const Lanes<2> rotation_4_lanes = detail::make_pack<Real>(c13, c20) * rotation_5_p16_lanes -
+      detail::make_pack<Real>(s13, s20) * rotation_5_p12_lanes;
   rotation[4] = rotation_4_lanes[0];
 
   // link 20 (right_hand), pose
   rotation[13] = rotation_4_lanes[1];
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_6_p1_lanes = detail::make_lanes<Real>(c12, c19) * rotation_8_p30_lanes;
-  const Lanes<2> rotation_6_p2_lanes = detail::make_lanes<Real>(s12, s19) * rotation_8_p34_lanes;
-  const Lanes<2> rotation_6_lanes = rotation_6_p1_lanes + rotation_6_p2_lanes;
+  const Lanes<2> rotation_6_lanes = detail::make_pack<Real>(c12, c19) * rotation_8_p30_lanes +
+      detail::make_pack<Real>(s12, s19) * rotation_8_p34_lanes;
   rotation[6] = rotation_6_lanes[0];
 
   // link 19 (right_wrist2), pose
   rotation[15] = rotation_6_lanes[1];
 
   // link 13 (left_hand), pose
-  const Lanes<2> rotation_7_p1_lanes = detail::make_lanes<Real>(s13, s20) * rotation_8_p36_lanes;
-  const Lanes<2> rotation_7_p2_lanes = detail::make_lanes<Real>(c13, c20) * rotation_8_p40_lanes;
-  const Lanes<2> rotation_7_lanes = rotation_7_p1_lanes + rotation_7_p2_lanes;
+  const Lanes<2> rotation_7_lanes = detail::make_pack<Real>(s13, s20) * rotation_8_p36_lanes +
+      detail::make_pack<Real>(c13, c20) * rotation_8_p40_lanes;
   rotation[7] = -rotation_7_lanes[0];
 
   // link 20 (right_hand), pose

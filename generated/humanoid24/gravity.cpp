@@ -15,7 +15,7 @@
 namespace humanoid24 {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[24]) noexcept {
   const Real angles[24] = {q[0], q[1], q[2], q[3], q[4], q[5], q[20], q[21], q[23], q[22], q[13],
       q[14], q[15], q[16], q[17], q[18], q[19], q[6], q[7], q[8], q[9], q[10], q[11], q[12]};
@@ -95,256 +95,147 @@ void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[
   // link 6 (chest3), outward
   const Real a6_x = c6 * a5_y - s6 * minus_a4_y;
 
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * a6_x;
-
   // link 5 (chest2), outward
   const Real a5_x = c5 * a4_x + s5 * a3_y;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_p2_lanes = detail::make_lanes<Real>(c7, c14) * a5_x;
-  const Lanes<2> a7_x_lanes = a7_x_p1_lanes + a7_x_p2_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> a9_x_p1_lanes = detail::make_lanes<Real>(c9, c16) * a7_x_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_y_p1_lanes = detail::make_lanes<Real>(c7, c14) * a6_x;
-  const Lanes<2> a7_y_p2_lanes = detail::make_lanes<Real>(s7, s14) * a5_x;
-  const Lanes<2> a7_y_lanes = a7_y_p1_lanes - a7_y_p2_lanes;
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * a7_y_lanes;
+  const Lanes<2> a7_x_lanes = detail::make_pack<Real>(s7, s14) * a6_x +
+      detail::make_pack<Real>(c7, c14) * a5_x;
+  const Lanes<2> a7_y_lanes = detail::make_pack<Real>(c7, c14) * a6_x -
+      detail::make_pack<Real>(s7, s14) * a5_x;
 
   // link 6 (chest3), outward
   const Real minus_a6_y = s6 * a5_y + c6 * minus_a4_y;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * minus_a6_y;
-  const Lanes<2> minus_a8_y_lanes = minus_a8_y_p1_lanes + minus_a8_y_p2_lanes;
+  const Lanes<2> minus_a8_y_lanes = detail::make_pack<Real>(s8, s15) * a7_y_lanes +
+      detail::make_pack<Real>(c8, c15) * minus_a6_y;
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> a9_x_p2_lanes = detail::make_lanes<Real>(s9, s16) * minus_a8_y_lanes;
-  const Lanes<2> a9_x_lanes = a9_x_p1_lanes - a9_x_p2_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * a9_x_lanes;
+  const Lanes<2> a9_x_lanes = detail::make_pack<Real>(c9, c16) * a7_x_lanes -
+      detail::make_pack<Real>(s9, s16) * minus_a8_y_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> a8_x_p1_lanes = detail::make_lanes<Real>(c8, c15) * a7_y_lanes;
-  const Lanes<2> a8_x_p2_lanes = detail::make_lanes<Real>(s8, s15) * minus_a6_y;
-  const Lanes<2> a8_x_lanes = a8_x_p1_lanes - a8_x_p2_lanes;
+  const Lanes<2> a8_x_lanes = detail::make_pack<Real>(c8, c15) * a7_y_lanes -
+      detail::make_pack<Real>(s8, s15) * minus_a6_y;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * a8_x_lanes;
-  const Lanes<2> a10_x_lanes = a10_x_p1_lanes + a10_x_p2_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> a11_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * a10_x_lanes;
+  const Lanes<2> a10_x_lanes = detail::make_pack<Real>(c10, c17) * a9_x_lanes +
+      detail::make_pack<Real>(s10, s17) * a8_x_lanes;
 
   // link 9 (left_upperarm), outward
-  const Lanes<2> minus_a9_y_p1_lanes = detail::make_lanes<Real>(c9, c16) * minus_a8_y_lanes;
-  const Lanes<2> minus_a9_y_p2_lanes = detail::make_lanes<Real>(s9, s16) * a7_x_lanes;
-  const Lanes<2> minus_a9_y_lanes = minus_a9_y_p1_lanes + minus_a9_y_p2_lanes;
+  const Lanes<2> minus_a9_y_lanes = detail::make_pack<Real>(c9, c16) * minus_a8_y_lanes +
+      detail::make_pack<Real>(s9, s16) * a7_x_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> a11_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * minus_a9_y_lanes;
-  const Lanes<2> a11_x_lanes = a11_x_p1_lanes - a11_x_p2_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> a12_y_p1_lanes = detail::make_lanes<Real>(s12, s19) * a11_x_lanes;
+  const Lanes<2> a11_x_lanes = detail::make_pack<Real>(c11, c18) * a10_x_lanes -
+      detail::make_pack<Real>(s11, s18) * minus_a9_y_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_y_p1_lanes = detail::make_lanes<Real>(s10, s17) * a9_x_lanes;
-  const Lanes<2> a10_y_p2_lanes = detail::make_lanes<Real>(c10, c17) * a8_x_lanes;
-  const Lanes<2> a10_y_lanes = a10_y_p2_lanes - a10_y_p1_lanes;
+  const Lanes<2> a10_y_lanes = detail::make_pack<Real>(c10, c17) * a8_x_lanes -
+      detail::make_pack<Real>(s10, s17) * a9_x_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> a12_y_p2_lanes = detail::make_lanes<Real>(c12, c19) * a10_y_lanes;
-  const Lanes<2> a12_y_lanes = a12_y_p2_lanes - a12_y_p1_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> minus_a13_y_p1_lanes = detail::make_lanes<Real>(s13, s20) * a12_y_lanes;
+  const Lanes<2> a12_y_lanes = detail::make_pack<Real>(c12, c19) * a10_y_lanes -
+      detail::make_pack<Real>(s12, s19) * a11_x_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a11_y_p1_lanes = detail::make_lanes<Real>(s11, s18) * a10_x_lanes;
-  const Lanes<2> minus_a11_y_p2_lanes = detail::make_lanes<Real>(c11, c18) * minus_a9_y_lanes;
-  const Lanes<2> minus_a11_y_lanes = minus_a11_y_p1_lanes + minus_a11_y_p2_lanes;
+  const Lanes<2> minus_a11_y_lanes = detail::make_pack<Real>(s11, s18) * a10_x_lanes +
+      detail::make_pack<Real>(c11, c18) * minus_a9_y_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> minus_a13_y_p2_lanes = detail::make_lanes<Real>(c13, c20) * minus_a11_y_lanes;
-  const Lanes<2> minus_a13_y_lanes = minus_a13_y_p1_lanes + minus_a13_y_p2_lanes;
+  const Lanes<2> minus_a13_y_lanes = detail::make_pack<Real>(s13, s20) * a12_y_lanes +
+      detail::make_pack<Real>(c13, c20) * minus_a11_y_lanes;
+  const Lanes<2> a13_x_lanes = detail::make_pack<Real>(c13, c20) * a12_y_lanes -
+      detail::make_pack<Real>(s13, s20) * minus_a11_y_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> minus_n13_z_p1_lanes = 0.01626499875 * minus_a13_y_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> a13_x_p1_lanes = detail::make_lanes<Real>(c13, c20) * a12_y_lanes;
-  const Lanes<2> a13_x_p2_lanes = detail::make_lanes<Real>(s13, s20) * minus_a11_y_lanes;
-  const Lanes<2> a13_x_lanes = a13_x_p1_lanes - a13_x_p2_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> minus_n13_z_p2_lanes = detail::make_lanes<Real>((-0.002865001425),
-      0.002865001425) * a13_x_lanes;
-  const Lanes<2> minus_n13_z_lanes = minus_n13_z_p1_lanes + minus_n13_z_p2_lanes;
+  const Lanes<2> minus_n13_z_lanes = 0.01626499875 * minus_a13_y_lanes +
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * a13_x_lanes;
   g[12] = -minus_n13_z_lanes[0];
 
   // link 20 (right_hand), inertial wrench
   g[19] = -minus_n13_z_lanes[1];
 
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> minus_n12_x_p1_lanes = 0.0006000000000000001 * minus_a11_y_lanes;
-
   // link 13 (left_hand), inward
-  const Lanes<2> minus_n12_x_lanes = minus_n12_x_p1_lanes + minus_n13_z_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> minus_n11_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * minus_n12_x_lanes;
+  const Lanes<2> minus_n12_x_lanes = 0.0006000000000000001 * minus_a11_y_lanes + minus_n13_z_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> a12_x_p1_lanes = detail::make_lanes<Real>(c12, c19) * a11_x_lanes;
-  const Lanes<2> a12_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * a10_y_lanes;
-  const Lanes<2> a12_x_lanes = a12_x_p1_lanes + a12_x_p2_lanes;
+  const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * a11_x_lanes +
+      detail::make_pack<Real>(s12, s19) * a10_y_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
+  const Lanes<2> n13_x_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
       a12_x_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_y_p1_lanes = detail::make_lanes<Real>(c13, c20) * n13_x_lanes;
-
-  // link 13 (left_hand), inertial wrench
   const Lanes<2> minus_n13_y_lanes = 0.01626499875 * a12_x_lanes;
 
   // link 13 (left_hand), inward
-  const Lanes<2> n12_y_p2_lanes = detail::make_lanes<Real>(s13, s20) * minus_n13_y_lanes;
-  const Lanes<2> n12_y_p3_lanes = n12_y_p1_lanes + n12_y_p2_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_y_p4_lanes = 0.0025100003499999995 * minus_a11_y_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_y_lanes = n12_y_p4_lanes + n12_y_p3_lanes;
+  const Lanes<2> n12_y_lanes = 0.0025100003499999995 * minus_a11_y_lanes +
+      (detail::make_pack<Real>(c13, c20) * n13_x_lanes + detail::make_pack<Real>(s13, s20) *
+      minus_n13_y_lanes);
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> minus_n11_x_p2_lanes = detail::make_lanes<Real>(s12, s19) * n12_y_lanes;
-  const Lanes<2> minus_n11_x_p3_lanes = minus_n11_x_p1_lanes + minus_n11_x_p2_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> minus_n11_x_p4_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * a10_y_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> minus_n11_x_lanes = minus_n11_x_p4_lanes + minus_n11_x_p3_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> minus_n10_x_p1_lanes = detail::make_lanes<Real>(c11, c18) * minus_n11_x_lanes;
-
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p1_lanes = 0.0025100003499999995 * a12_y_lanes;
-  const Lanes<2> n12_z_p2_lanes = 0.0006000000000000001 * a12_x_lanes;
-  const Lanes<2> n12_z_p3_lanes = n12_z_p1_lanes - n12_z_p2_lanes;
+  const Lanes<2> minus_n11_x_lanes = detail::make_pack<Real>(0.001, (-0.001)) * a10_y_lanes +
+      (detail::make_pack<Real>(c12, c19) * minus_n12_x_lanes + detail::make_pack<Real>(s12, s19) *
+      n12_y_lanes);
 
   // link 13 (left_hand), inward
-  const Lanes<2> n12_z_p4_lanes = detail::make_lanes<Real>(s13, s20) * n13_x_lanes;
-  const Lanes<2> n12_z_p5_lanes = detail::make_lanes<Real>(c13, c20) * minus_n13_y_lanes;
-  const Lanes<2> n12_z_p6_lanes = n12_z_p4_lanes - n12_z_p5_lanes;
-  const Lanes<2> n12_z_lanes = n12_z_p3_lanes + n12_z_p6_lanes;
+  const Lanes<2> n12_z_p6_lanes = detail::make_pack<Real>(s13, s20) * n13_x_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_n13_y_lanes;
+  const Lanes<2> n12_z_lanes = 0.0025100003499999995 * a12_y_lanes - 0.0006000000000000001 *
+      a12_x_lanes + n12_z_p6_lanes;
   g[11] = n12_z_lanes[0];
 
   // link 20 (right_hand), inward
   g[18] = n12_z_lanes[1];
 
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_y_p1_lanes = 6e-04 * a10_y_lanes;
-
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_y_lanes = n11_y_p1_lanes + n12_z_lanes;
+  const Lanes<2> n11_y_lanes = 6e-04 * a10_y_lanes + n12_z_lanes;
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> minus_n10_x_p2_lanes = detail::make_lanes<Real>(s11, s18) * n11_y_lanes;
-  const Lanes<2> minus_n10_x_p3_lanes = minus_n10_x_p1_lanes + minus_n10_x_p2_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> minus_n10_x_p4_lanes = 0.28049749700000004 * minus_a9_y_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> minus_n10_x_lanes = minus_n10_x_p4_lanes + minus_n10_x_p3_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> minus_n9_x_p1_lanes = detail::make_lanes<Real>(c10, c17) * minus_n10_x_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> n11_z_p1_lanes = detail::make_lanes<Real>(s12, s19) * minus_n12_x_lanes;
-  const Lanes<2> n11_z_p2_lanes = detail::make_lanes<Real>(c12, c19) * n12_y_lanes;
-  const Lanes<2> n11_z_p3_lanes = n11_z_p1_lanes - n11_z_p2_lanes;
+  const Lanes<2> minus_n10_x_lanes = 0.28049749700000004 * minus_a9_y_lanes +
+      (detail::make_pack<Real>(c11, c18) * minus_n11_x_lanes + detail::make_pack<Real>(s11, s18) *
+      n11_y_lanes);
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_z_p4_lanes = 6e-04 * minus_a11_y_lanes;
-  const Lanes<2> n11_z_p5_lanes = detail::make_lanes<Real>(0.001, (-0.001)) * a11_x_lanes;
-  const Lanes<2> n11_z_p6_lanes = n11_z_p4_lanes + n11_z_p5_lanes;
+  const Lanes<2> n11_z_p6_lanes = 6e-04 * minus_a11_y_lanes +
+      detail::make_pack<Real>(0.001, (-0.001)) * a11_x_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_z_lanes = n11_z_p3_lanes - n11_z_p6_lanes;
+  const Lanes<2> n11_z_lanes = detail::make_pack<Real>(s12, s19) * minus_n12_x_lanes -
+      detail::make_pack<Real>(c12, c19) * n12_y_lanes - n11_z_p6_lanes;
   g[10] = n11_z_lanes[0];
 
   // link 19 (right_wrist2), inward
   g[17] = n11_z_lanes[1];
 
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_y_p1_lanes = 0.0014999985000000002 * minus_a9_y_lanes;
-
   // link 11 (left_wrist1), inward
-  const Lanes<2> n10_y_lanes = n10_y_p1_lanes - n11_z_lanes;
+  const Lanes<2> n10_y_lanes = 0.0014999985000000002 * minus_a9_y_lanes - n11_z_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> minus_n9_x_p2_lanes = detail::make_lanes<Real>(s10, s17) * n10_y_lanes;
-  const Lanes<2> minus_n9_x_p3_lanes = minus_n9_x_p1_lanes + minus_n9_x_p2_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> minus_n9_x_p4_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      a8_x_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> minus_n9_x_lanes = minus_n9_x_p4_lanes + minus_n9_x_p3_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> minus_n8_z_p1_lanes = detail::make_lanes<Real>(c9, c16) * minus_n9_x_lanes;
+  const Lanes<2> minus_n9_x_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
+      a8_x_lanes + (detail::make_pack<Real>(c10, c17) * minus_n10_x_lanes +
+      detail::make_pack<Real>(s10, s17) * n10_y_lanes);
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> n10_z_p1_lanes = detail::make_lanes<Real>(c11, c18) * n11_y_lanes;
-  const Lanes<2> n10_z_p2_lanes = detail::make_lanes<Real>(s11, s18) * minus_n11_x_lanes;
-  const Lanes<2> n10_z_p3_lanes = n10_z_p1_lanes - n10_z_p2_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p4_lanes = 0.0014999985000000002 * a10_y_lanes;
-  const Lanes<2> n10_z_p5_lanes = 0.28049749700000004 * a10_x_lanes;
-  const Lanes<2> n10_z_p6_lanes = n10_z_p4_lanes - n10_z_p5_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> n10_z_lanes = n10_z_p6_lanes + n10_z_p3_lanes;
+  const Lanes<2> n10_z_p3_lanes = detail::make_pack<Real>(c11, c18) * n11_y_lanes -
+      detail::make_pack<Real>(s11, s18) * minus_n11_x_lanes;
+  const Lanes<2> n10_z_lanes = 0.0014999985000000002 * a10_y_lanes - 0.28049749700000004 *
+      a10_x_lanes + n10_z_p3_lanes;
   g[9] = n10_z_lanes[0];
 
   // link 18 (right_wrist1), inward
   g[16] = n10_z_lanes[1];
 
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_y_p1_lanes = 0.0022500062 * a8_x_lanes;
-
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_y_lanes = n10_z_lanes - n9_y_p1_lanes;
+  const Lanes<2> n9_y_lanes = n10_z_lanes - 0.0022500062 * a8_x_lanes;
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> minus_n8_z_p2_lanes = detail::make_lanes<Real>(s9, s16) * n9_y_lanes;
-  const Lanes<2> minus_n8_z_p3_lanes = minus_n8_z_p1_lanes + minus_n8_z_p2_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> minus_n8_z_p4_lanes = 0.7139200499999999 * minus_a8_y_lanes;
-  const Lanes<2> minus_n8_z_p5_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * a8_x_lanes;
-  const Lanes<2> minus_n8_z_p6_lanes = minus_n8_z_p4_lanes + minus_n8_z_p5_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> minus_n8_z_lanes = minus_n8_z_p6_lanes + minus_n8_z_p3_lanes;
+  const Lanes<2> minus_n8_z_p3_lanes = detail::make_pack<Real>(c9, c16) * minus_n9_x_lanes +
+      detail::make_pack<Real>(s9, s16) * n9_y_lanes;
+  const Lanes<2> minus_n8_z_lanes = 0.7139200499999999 * minus_a8_y_lanes +
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * a8_x_lanes +
+      minus_n8_z_p3_lanes;
   g[7] = -minus_n8_z_lanes[0];
 
   // link 16 (right_upperarm), inward
@@ -356,56 +247,32 @@ void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[
   // link 8 (left_shoulder2), inward
   const Lanes<2> n7_x_lanes = n7_x_p1 - minus_n8_z_lanes;
 
-  // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_x_p1_lanes = detail::make_lanes<Real>(s7, s14) * n7_x_lanes;
-
   // link 9 (left_upperarm), inward
-  const Lanes<2> minus_n8_y_p1_lanes = detail::make_lanes<Real>(s9, s16) * minus_n9_x_lanes;
-  const Lanes<2> minus_n8_y_p2_lanes = detail::make_lanes<Real>(c9, c16) * n9_y_lanes;
-  const Lanes<2> minus_n8_y_p3_lanes = minus_n8_y_p1_lanes - minus_n8_y_p2_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> minus_n8_y_p4_lanes = 0.7139200499999999 * a7_x_lanes;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> minus_n8_y_lanes = minus_n8_y_p4_lanes + minus_n8_y_p3_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_y_p1_lanes = detail::make_lanes<Real>(s8, s15) * minus_n8_y_lanes;
+  const Lanes<2> minus_n8_y_lanes = 0.7139200499999999 * a7_x_lanes +
+      (detail::make_pack<Real>(s9, s16) * minus_n9_x_lanes - detail::make_pack<Real>(c9, c16) *
+      n9_y_lanes);
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_z_p1_lanes = detail::make_lanes<Real>(s10, s17) * minus_n10_x_lanes;
-  const Lanes<2> n9_z_p2_lanes = detail::make_lanes<Real>(c10, c17) * n10_y_lanes;
-  const Lanes<2> n9_z_p3_lanes = n9_z_p1_lanes - n9_z_p2_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p4_lanes = 0.0022500062 * minus_a9_y_lanes;
-  const Lanes<2> n9_z_p5_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) *
-      a9_x_lanes;
-  const Lanes<2> n9_z_p6_lanes = n9_z_p4_lanes - n9_z_p5_lanes;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_z_lanes = n9_z_p6_lanes + n9_z_p3_lanes;
+  const Lanes<2> n9_z_p3_lanes = detail::make_pack<Real>(s10, s17) * minus_n10_x_lanes -
+      detail::make_pack<Real>(c10, c17) * n10_y_lanes;
+  const Lanes<2> n9_z_lanes = 0.0022500062 * minus_a9_y_lanes -
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * a9_x_lanes + n9_z_p3_lanes;
   g[8] = n9_z_lanes[0];
 
   // link 17 (right_lowerarm), inward
   g[15] = n9_z_lanes[1];
 
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_x_p1_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * a7_x_lanes;
-
   // link 9 (left_upperarm), inward
-  const Lanes<2> n8_x_lanes = n8_x_p1_lanes - n9_z_lanes;
+  const Lanes<2> n8_x_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) * a7_x_lanes - n9_z_lanes;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_y_p2_lanes = detail::make_lanes<Real>(c8, c15) * n8_x_lanes;
-  const Lanes<2> n7_y_p3_lanes = n7_y_p2_lanes + n7_y_p1_lanes;
-  const Lanes<2> n7_y_lanes = n7_x_p1 + n7_y_p3_lanes;
+  const Lanes<2> n7_y_lanes = n7_x_p1 + (detail::make_pack<Real>(c8, c15) * n8_x_lanes +
+      detail::make_pack<Real>(s8, s15) * minus_n8_y_lanes);
 
   // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_x_p3_lanes = detail::make_lanes<Real>(c7, c14) * n7_y_lanes;
-  const Lanes<2> n6_x_p5_lanes = n6_x_p1_lanes + n6_x_p3_lanes;
+  const Lanes<2> n6_x_p5_lanes = detail::make_pack<Real>(s7, s14) * n7_x_lanes +
+      detail::make_pack<Real>(c7, c14) * n7_y_lanes;
 
   // link 21 (neck), outward
   const Real a21_x = c21 * a5_x - s21 * minus_a6_y;
@@ -413,15 +280,12 @@ void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[
   // link 22 (head), outward
   const Real a22_x = c22 * a21_x + s22 * a6_x;
 
-  // link 23 (left_eye), outward
-  const Lanes<2> minus_a23_y_p1_lanes = detail::make_lanes<Real>(s23, s24) * a22_x;
-
   // link 21 (neck), outward
   const Real minus_a21_y = c21 * minus_a6_y + s21 * a5_x;
 
   // link 23 (left_eye), outward
-  const Lanes<2> minus_a23_y_p2_lanes = detail::make_lanes<Real>(c23, c24) * minus_a21_y;
-  const Lanes<2> minus_a23_y_lanes = minus_a23_y_p1_lanes + minus_a23_y_p2_lanes;
+  const Lanes<2> minus_a23_y_lanes = detail::make_pack<Real>(s23, s24) * a22_x +
+      detail::make_pack<Real>(c23, c24) * minus_a21_y;
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> minus_n23_z_lanes = 0.00025 * minus_a23_y_lanes;
@@ -450,12 +314,9 @@ void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[
   const Real n6_x = minus_n21_z + n6_x_p5_lanes[1] + n6_x_p5_lanes[0];
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_p1_lanes = detail::make_lanes<Real>(c8, c15) * minus_n8_y_lanes;
-  const Lanes<2> n7_z_p2_lanes = detail::make_lanes<Real>(s8, s15) * n8_x_lanes;
-  const Lanes<2> n7_z_p3_lanes = n7_z_p2_lanes - n7_z_p1_lanes;
-  const Lanes<2> n7_z_p4_lanes = a7_y_lanes + a7_x_lanes;
-  const Lanes<2> n7_z_p5_lanes = 0.0017499999999999998 * n7_z_p4_lanes;
-  const Lanes<2> n7_z_lanes = n7_z_p3_lanes + n7_z_p5_lanes;
+  const Lanes<2> n7_z_lanes = detail::make_pack<Real>(s8, s15) * n8_x_lanes -
+      detail::make_pack<Real>(c8, c15) * minus_n8_y_lanes + 0.0017499999999999998 *
+      (a7_y_lanes + a7_x_lanes);
   g[6] = n7_z_lanes[0];
 
   // link 15 (right_shoulder2), inward
@@ -479,9 +340,8 @@ void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[
   const Real n5_y = 0.069699984375 * minus_a4_y + (c6 * n6_x - s6 * n6_y);
 
   // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_z_p1_lanes = detail::make_lanes<Real>(c7, c14) * n7_x_lanes;
-  const Lanes<2> n6_z_p3_lanes = detail::make_lanes<Real>(s7, s14) * n7_y_lanes;
-  const Lanes<2> n6_z_p5_lanes = n6_z_p1_lanes - n6_z_p3_lanes;
+  const Lanes<2> n6_z_p5_lanes = detail::make_pack<Real>(c7, c14) * n7_x_lanes -
+      detail::make_pack<Real>(s7, s14) * n7_y_lanes;
   const Real n6_z = 6.1665928899999995 * minus_a6_y - (c21 * minus_n21_x + s21 * n21_y) +
       n6_z_p5_lanes[1] + n6_z_p5_lanes[0];
   g[5] = n6_z;

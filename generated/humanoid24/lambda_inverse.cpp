@@ -15,7 +15,7 @@
 namespace humanoid24 {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
     Real (&TREELINE_RESTRICT Lambda_inv)[144]) noexcept {
   const Real angles[24] = {q[12], q[10], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1], q[0], q[9],
@@ -73,550 +73,343 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real s14 = sines[23];
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p1_lanes = detail::make_lanes<Real>(0.001090468517736955,
-      (-0.001090468517736955)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> Lambda_inv_0_0_p3_lanes = detail::make_lanes<Real>(0.001742099791326752,
-      0.001742099791326752) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> Lambda_inv_0_0_p5_lanes = Lambda_inv_0_0_p1_lanes + Lambda_inv_0_0_p3_lanes;
-  const Lanes<2> Lambda_inv_0_0_p7_lanes = detail::make_lanes<Real>(c13, c20) *
+  const Lanes<2> Lambda_inv_0_0_p5_lanes = detail::make_pack<Real>(0.001090468517736955,
+      (-0.001090468517736955)) * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>(0.001742099791326752, 0.001742099791326752) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> Lambda_inv_0_0_p7_lanes = detail::make_pack<Real>(c13, c20) *
       Lambda_inv_0_0_p5_lanes;
   const Lanes<2> Lambda_inv_0_0_p9_lanes = 0.0006340258712020409 + Lambda_inv_0_0_p7_lanes;
-  const Lanes<2> inverse_D12_p1_lanes = detail::make_lanes<Real>((-0.0007660844555829042),
-      (-0.0007660844555829042)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> inverse_D12_p2_lanes = detail::make_lanes<Real>(0.0002628975791811551,
-      (-0.0002628975791811551)) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> inverse_D12_p3_lanes = inverse_D12_p1_lanes + inverse_D12_p2_lanes;
-  const Lanes<2> inverse_D12_p4_lanes = detail::make_lanes<Real>(s13, s20) * inverse_D12_p3_lanes;
-  const Lanes<2> inverse_D12_p5_lanes = inverse_D12_p4_lanes -
-      detail::make_lanes<Real>((-0.0010519177038056625), (-0.0010519177038056625));
+  const Lanes<2> inverse_D12_p3_lanes = detail::make_pack<Real>((-0.0007660844555829042),
+      (-0.0007660844555829042)) * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>(0.0002628975791811551, (-0.0002628975791811551)) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> inverse_D12_p4_lanes = detail::make_pack<Real>(s13, s20) * inverse_D12_p3_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D12_lanes = 1.0 / inverse_D12_p5_lanes;
+  const Lanes<2> inverse_D12_lanes = 1.0 / (inverse_D12_p4_lanes -
+      detail::make_pack<Real>((-0.0010519177038056625), (-0.0010519177038056625)));
   const Lanes<2> Lambda_inv_0_0_p11_lanes = Lambda_inv_0_0_p9_lanes * inverse_D12_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p13_lanes = detail::make_lanes<Real>(c13, c20) *
-      inverse_D12_p3_lanes;
-  const Lanes<2> Lambda_inv_0_0_p15_lanes = detail::make_lanes<Real>((-0.00013384878959057754),
-      0.00013384878959057754) + Lambda_inv_0_0_p13_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p17_lanes = Lambda_inv_0_0_p15_lanes * Lambda_inv_0_0_p11_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p19_lanes = detail::make_lanes<Real>(s13, s20) *
+  const Lanes<2> Lambda_inv_0_0_p15_lanes = detail::make_pack<Real>((-0.00013384878959057754),
+      0.00013384878959057754) + detail::make_pack<Real>(c13, c20) * inverse_D12_p3_lanes;
+  const Lanes<2> Lambda_inv_0_0_p19_lanes = detail::make_pack<Real>(s13, s20) *
       Lambda_inv_0_0_p5_lanes;
-  const Lanes<2> Lambda_inv_0_0_p21_lanes = detail::make_lanes<Real>((-0.00033044389597753786),
-      0.00033044389597753786) + Lambda_inv_0_0_p19_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p23_lanes = Lambda_inv_0_0_p21_lanes + Lambda_inv_0_0_p17_lanes;
-  const Lanes<2> Lambda_inv_0_0_p25_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_0_p23_lanes;
+  const Lanes<2> Lambda_inv_0_0_p23_lanes = detail::make_pack<Real>((-0.00033044389597753786),
+      0.00033044389597753786) + Lambda_inv_0_0_p19_lanes + Lambda_inv_0_0_p15_lanes *
+      Lambda_inv_0_0_p11_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p27_lanes = detail::make_lanes<Real>((-0.002865001425),
-      0.002865001425) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> Lambda_inv_0_0_p29_lanes = 0.01626499875 * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> Lambda_inv_0_0_p31_lanes = Lambda_inv_0_0_p27_lanes - Lambda_inv_0_0_p29_lanes;
-  const Lanes<2> Lambda_inv_0_0_p33_lanes = Lambda_inv_0_0_p31_lanes - 0.0006000000000000001;
+  const Lanes<2> Lambda_inv_0_0_p33_lanes = detail::make_pack<Real>((-0.002865001425),
+      0.002865001425) * detail::make_pack<Real>(s13, s20) - 0.01626499875 *
+      detail::make_pack<Real>(c13, c20) - 0.0006000000000000001;
 
   // link 12 (left_wrist2), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p35_lanes = Lambda_inv_0_0_p33_lanes * inverse_D12_lanes;
-  const Lanes<2> Lambda_inv_0_0_p37_lanes = Lambda_inv_0_0_p15_lanes * Lambda_inv_0_0_p35_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p39_lanes = detail::make_lanes<Real>((-0.002865001425),
-      0.002865001425) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> Lambda_inv_0_0_p41_lanes = 0.01626499875 * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> Lambda_inv_0_0_p43_lanes = Lambda_inv_0_0_p39_lanes + Lambda_inv_0_0_p41_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p45_lanes = Lambda_inv_0_0_p43_lanes - Lambda_inv_0_0_p37_lanes;
-  const Lanes<2> Lambda_inv_0_0_p47_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_0_p45_lanes;
-  const Lanes<2> Lambda_inv_0_0_p49_lanes = Lambda_inv_0_0_p25_lanes + Lambda_inv_0_0_p47_lanes;
-  const Lanes<2> Lambda_inv_0_0_p51_lanes = detail::make_lanes<Real>(c12, c19) *
+  const Lanes<2> Lambda_inv_0_0_p45_lanes = detail::make_pack<Real>((-0.002865001425),
+      0.002865001425) * detail::make_pack<Real>(c13, c20) + 0.01626499875 *
+      detail::make_pack<Real>(s13, s20) - Lambda_inv_0_0_p15_lanes * Lambda_inv_0_0_p35_lanes;
+  const Lanes<2> Lambda_inv_0_0_p49_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_0_p23_lanes + detail::make_pack<Real>(c12, c19) * Lambda_inv_0_0_p45_lanes;
+  const Lanes<2> Lambda_inv_0_0_p51_lanes = detail::make_pack<Real>(c12, c19) *
       Lambda_inv_0_0_p49_lanes;
-  const Lanes<2> Lambda_inv_0_0_p53_lanes = detail::make_lanes<Real>(0.001, (-0.001)) +
+  const Lanes<2> Lambda_inv_0_0_p53_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
       Lambda_inv_0_0_p51_lanes;
   const Lanes<2> inverse_D11_p1_lanes = Lambda_inv_0_0_p15_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D11_p2_lanes = Lambda_inv_0_0_p15_lanes * inverse_D11_p1_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D11_p3_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D11_p4_lanes = inverse_D11_p3_lanes - inverse_D11_p2_lanes;
-  const Lanes<2> inverse_D11_p5_lanes = 1.16e-05 - inverse_D11_p4_lanes;
-  const Lanes<2> inverse_D11_p6_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p5_lanes;
-  const Lanes<2> inverse_D11_p7_lanes = detail::make_lanes<Real>(s12, s19) * inverse_D11_p6_lanes;
-  const Lanes<2> inverse_D11_p8_lanes = inverse_D11_p4_lanes + inverse_D11_p7_lanes;
-  const Lanes<2> inverse_D11_p9_lanes = 0.00022920000000000001 + inverse_D11_p8_lanes;
+  const Lanes<2> inverse_D11_p4_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes -
+      Lambda_inv_0_0_p15_lanes * inverse_D11_p1_lanes;
+  const Lanes<2> inverse_D11_p6_lanes = detail::make_pack<Real>(s12, s19) *
+      (1.16e-05 - inverse_D11_p4_lanes);
+  const Lanes<2> inverse_D11_p7_lanes = detail::make_pack<Real>(s12, s19) * inverse_D11_p6_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D11_lanes = 1.0 / inverse_D11_p9_lanes;
+  const Lanes<2> inverse_D11_lanes = 1.0 / (0.00022920000000000001 +
+      (inverse_D11_p4_lanes + inverse_D11_p7_lanes));
   const Lanes<2> Lambda_inv_0_0_p55_lanes = Lambda_inv_0_0_p53_lanes * inverse_D11_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p57_lanes = detail::make_lanes<Real>(c12, c19) *
-      inverse_D11_p6_lanes;
 
   // link 13 (left_hand), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p59_lanes = Lambda_inv_0_0_p19_lanes -
-      detail::make_lanes<Real>(0.000760024621759417, (-0.000760024621759417));
+      detail::make_pack<Real>(0.000760024621759417, (-0.000760024621759417));
 
   // link 12 (left_wrist2), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p61_lanes = Lambda_inv_0_0_p59_lanes * inverse_D12_lanes;
-  const Lanes<2> Lambda_inv_0_0_p63_lanes = Lambda_inv_0_0_p15_lanes * Lambda_inv_0_0_p61_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p65_lanes = Lambda_inv_0_0_p7_lanes -
-      detail::make_lanes<Real>(0.002376125662528793, 0.002376125662528793);
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p67_lanes = Lambda_inv_0_0_p65_lanes - Lambda_inv_0_0_p63_lanes;
-  const Lanes<2> Lambda_inv_0_0_p69_lanes = detail::make_lanes<Real>(c12, c19) *
+  const Lanes<2> Lambda_inv_0_0_p67_lanes = Lambda_inv_0_0_p7_lanes -
+      detail::make_pack<Real>(0.002376125662528793, 0.002376125662528793) -
+      Lambda_inv_0_0_p15_lanes * Lambda_inv_0_0_p61_lanes;
+  const Lanes<2> Lambda_inv_0_0_p73_lanes = 0.0006000000000000001 *
+      detail::make_pack<Real>(s12, s19) + detail::make_pack<Real>(c12, c19) *
       Lambda_inv_0_0_p67_lanes;
-  const Lanes<2> Lambda_inv_0_0_p71_lanes = 0.0006000000000000001 *
-      detail::make_lanes<Real>(s12, s19);
-  const Lanes<2> Lambda_inv_0_0_p73_lanes = Lambda_inv_0_0_p71_lanes + Lambda_inv_0_0_p69_lanes;
-  const Lanes<2> Lambda_inv_0_0_p75_lanes = 0.269 * Lambda_inv_0_0_p73_lanes;
-  const Lanes<2> Lambda_inv_0_0_p77_lanes = Lambda_inv_0_0_p57_lanes + Lambda_inv_0_0_p75_lanes;
-  const Lanes<2> Lambda_inv_0_0_p79_lanes = 0.000144 - Lambda_inv_0_0_p77_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p81_lanes = Lambda_inv_0_0_p79_lanes * Lambda_inv_0_0_p55_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p83_lanes = detail::make_lanes<Real>(s12, s19) *
+  const Lanes<2> Lambda_inv_0_0_p79_lanes = 0.000144 -
+      (detail::make_pack<Real>(c12, c19) * inverse_D11_p6_lanes + 0.269 * Lambda_inv_0_0_p73_lanes);
+  const Lanes<2> Lambda_inv_0_0_p83_lanes = detail::make_pack<Real>(s12, s19) *
       Lambda_inv_0_0_p49_lanes;
   const Lanes<2> Lambda_inv_0_0_p85_lanes = Lambda_inv_0_0_p33_lanes * Lambda_inv_0_0_p61_lanes;
-  const Lanes<2> Lambda_inv_0_0_p87_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_0_p85_lanes;
-  const Lanes<2> Lambda_inv_0_0_p89_lanes = Lambda_inv_0_0_p9_lanes * Lambda_inv_0_0_p61_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p91_lanes = detail::make_lanes<Real>((-0.09929187165525127),
-      0.09929187165525127) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> Lambda_inv_0_0_p93_lanes = detail::make_lanes<Real>((-0.27310176737964387),
-      (-0.27310176737964387)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> Lambda_inv_0_0_p95_lanes = Lambda_inv_0_0_p91_lanes - Lambda_inv_0_0_p93_lanes;
-  const Lanes<2> Lambda_inv_0_0_p97_lanes = detail::make_lanes<Real>(c13, c20) *
-      Lambda_inv_0_0_p95_lanes;
-  const Lanes<2> Lambda_inv_0_0_p99_lanes = Lambda_inv_0_0_p97_lanes -
-      detail::make_lanes<Real>((-0.04964593582762564), 0.04964593582762564);
+  const Lanes<2> Lambda_inv_0_0_p95_lanes = detail::make_pack<Real>((-0.09929187165525127),
+      0.09929187165525127) * detail::make_pack<Real>(c13, c20) -
+      detail::make_pack<Real>((-0.27310176737964387), (-0.27310176737964387)) *
+      detail::make_pack<Real>(s13, s20);
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p101_lanes = Lambda_inv_0_0_p99_lanes - Lambda_inv_0_0_p89_lanes;
-  const Lanes<2> Lambda_inv_0_0_p103_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_0_p101_lanes;
-  const Lanes<2> Lambda_inv_0_0_p105_lanes = Lambda_inv_0_0_p87_lanes + Lambda_inv_0_0_p103_lanes;
+  const Lanes<2> Lambda_inv_0_0_p101_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_0_p95_lanes - detail::make_pack<Real>((-0.04964593582762564),
+      0.04964593582762564) - Lambda_inv_0_0_p9_lanes * Lambda_inv_0_0_p61_lanes;
+  const Lanes<2> Lambda_inv_0_0_p105_lanes = detail::make_pack<Real>(c12, c19) *
+      Lambda_inv_0_0_p85_lanes + detail::make_pack<Real>(s12, s19) * Lambda_inv_0_0_p101_lanes;
   const Lanes<2> Lambda_inv_0_0_p107_lanes = 0.269 * Lambda_inv_0_0_p105_lanes;
   const Lanes<2> Lambda_inv_0_0_p109_lanes = Lambda_inv_0_0_p83_lanes + Lambda_inv_0_0_p107_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p111_lanes = Lambda_inv_0_0_p81_lanes - Lambda_inv_0_0_p109_lanes;
+  const Lanes<2> Lambda_inv_0_0_p111_lanes = Lambda_inv_0_0_p79_lanes * Lambda_inv_0_0_p55_lanes -
+      Lambda_inv_0_0_p109_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p113_lanes = 0.269 * Lambda_inv_0_0_p51_lanes;
-  const Lanes<2> Lambda_inv_0_0_p115_lanes = detail::make_lanes<Real>(0.0002516, (-0.0002516)) +
-      Lambda_inv_0_0_p113_lanes;
+  const Lanes<2> Lambda_inv_0_0_p115_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
+      0.269 * Lambda_inv_0_0_p51_lanes;
   const Lanes<2> Lambda_inv_0_0_p117_lanes = 6e-04 - Lambda_inv_0_0_p73_lanes;
 
   // link 11 (left_wrist1), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p119_lanes = Lambda_inv_0_0_p117_lanes * inverse_D11_lanes;
-  const Lanes<2> Lambda_inv_0_0_p121_lanes = Lambda_inv_0_0_p115_lanes * Lambda_inv_0_0_p119_lanes;
-  const Lanes<2> Lambda_inv_0_0_p123_lanes = Lambda_inv_0_0_p107_lanes - Lambda_inv_0_0_p121_lanes;
-  const Lanes<2> Lambda_inv_0_0_p125_lanes = Lambda_inv_0_0_p111_lanes - Lambda_inv_0_0_p123_lanes;
-  const Lanes<2> Lambda_inv_0_0_p127_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_0_p125_lanes;
-  const Lanes<2> Lambda_inv_0_0_p129_lanes = Lambda_inv_0_0_p115_lanes * Lambda_inv_0_0_p55_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p131_lanes = Lambda_inv_0_0_p9_lanes * Lambda_inv_0_0_p11_lanes;
+  const Lanes<2> Lambda_inv_0_0_p123_lanes = Lambda_inv_0_0_p107_lanes - Lambda_inv_0_0_p115_lanes *
+      Lambda_inv_0_0_p119_lanes;
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p133_lanes = detail::make_lanes<Real>(s13, s20) *
+  const Lanes<2> Lambda_inv_0_0_p133_lanes = detail::make_pack<Real>(s13, s20) *
       Lambda_inv_0_0_p95_lanes;
-  const Lanes<2> Lambda_inv_0_0_p135_lanes = detail::make_lanes<Real>(0.008744893195371809,
-      0.008744893195371809) + Lambda_inv_0_0_p133_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p137_lanes = Lambda_inv_0_0_p135_lanes + Lambda_inv_0_0_p131_lanes;
+  const Lanes<2> Lambda_inv_0_0_p137_lanes = detail::make_pack<Real>(0.008744893195371809,
+      0.008744893195371809) + Lambda_inv_0_0_p133_lanes + Lambda_inv_0_0_p9_lanes *
+      Lambda_inv_0_0_p11_lanes;
   const Lanes<2> Lambda_inv_0_0_p139_lanes = Lambda_inv_0_0_p33_lanes * Lambda_inv_0_0_p35_lanes;
-  const Lanes<2> Lambda_inv_0_0_p141_lanes = Lambda_inv_0_0_p137_lanes - Lambda_inv_0_0_p139_lanes;
-  const Lanes<2> Lambda_inv_0_0_p143_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_0_p141_lanes;
   const Lanes<2> Lambda_inv_0_0_p145_lanes = Lambda_inv_0_0_p33_lanes * Lambda_inv_0_0_p11_lanes;
-  const Lanes<2> Lambda_inv_0_0_p147_lanes = 2.0 * Lambda_inv_0_0_p145_lanes;
-  const Lanes<2> Lambda_inv_0_0_p149_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_0_p147_lanes;
-  const Lanes<2> Lambda_inv_0_0_p151_lanes = Lambda_inv_0_0_p149_lanes - Lambda_inv_0_0_p143_lanes;
-  const Lanes<2> Lambda_inv_0_0_p153_lanes = detail::make_lanes<Real>(s12, s19) *
+  const Lanes<2> Lambda_inv_0_0_p151_lanes = detail::make_pack<Real>(c12, c19) *
+      (2.0 * Lambda_inv_0_0_p145_lanes) - detail::make_pack<Real>(s12, s19) *
+      (Lambda_inv_0_0_p137_lanes - Lambda_inv_0_0_p139_lanes);
+  const Lanes<2> Lambda_inv_0_0_p153_lanes = detail::make_pack<Real>(s12, s19) *
       Lambda_inv_0_0_p151_lanes;
   const Lanes<2> Lambda_inv_0_0_p155_lanes = Lambda_inv_0_0_p153_lanes - Lambda_inv_0_0_p139_lanes;
-  const Lanes<2> Lambda_inv_0_0_p157_lanes = 0.269 * Lambda_inv_0_0_p155_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p159_lanes = Lambda_inv_0_0_p129_lanes - Lambda_inv_0_0_p157_lanes;
-  const Lanes<2> Lambda_inv_0_0_p161_lanes = Lambda_inv_0_0_p79_lanes * Lambda_inv_0_0_p119_lanes;
+  const Lanes<2> Lambda_inv_0_0_p159_lanes = Lambda_inv_0_0_p115_lanes * Lambda_inv_0_0_p55_lanes -
+      0.269 * Lambda_inv_0_0_p155_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p163_lanes = Lambda_inv_0_0_p59_lanes * Lambda_inv_0_0_p61_lanes;
-
-  // link 13 (left_hand), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p165_lanes = Lambda_inv_0_0_p133_lanes - 0.2818466605750157;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p167_lanes = Lambda_inv_0_0_p165_lanes - Lambda_inv_0_0_p163_lanes;
-  const Lanes<2> Lambda_inv_0_0_p169_lanes = 0.269 * Lambda_inv_0_0_p167_lanes;
-  const Lanes<2> Lambda_inv_0_0_p171_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_0_p67_lanes;
-  const Lanes<2> Lambda_inv_0_0_p173_lanes = 0.0006000000000000001 *
-      detail::make_lanes<Real>(c12, c19);
-  const Lanes<2> Lambda_inv_0_0_p175_lanes = Lambda_inv_0_0_p171_lanes - Lambda_inv_0_0_p173_lanes;
-  const Lanes<2> Lambda_inv_0_0_p177_lanes = Lambda_inv_0_0_p169_lanes - Lambda_inv_0_0_p175_lanes;
+  const Lanes<2> Lambda_inv_0_0_p167_lanes = Lambda_inv_0_0_p133_lanes - 0.2818466605750157 -
+      Lambda_inv_0_0_p59_lanes * Lambda_inv_0_0_p61_lanes;
+  const Lanes<2> Lambda_inv_0_0_p175_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_0_p67_lanes - 0.0006000000000000001 * detail::make_pack<Real>(c12, c19);
+  const Lanes<2> Lambda_inv_0_0_p177_lanes = 0.269 * Lambda_inv_0_0_p167_lanes -
+      Lambda_inv_0_0_p175_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p179_lanes = Lambda_inv_0_0_p177_lanes - Lambda_inv_0_0_p161_lanes;
-  const Lanes<2> Lambda_inv_0_0_p181_lanes = Lambda_inv_0_0_p159_lanes + Lambda_inv_0_0_p179_lanes;
-  const Lanes<2> Lambda_inv_0_0_p183_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_0_p181_lanes;
-  const Lanes<2> Lambda_inv_0_0_p185_lanes = Lambda_inv_0_0_p127_lanes + Lambda_inv_0_0_p183_lanes;
-  const Lanes<2> Lambda_inv_0_0_p187_lanes = detail::make_lanes<Real>(s11, s18) *
+  const Lanes<2> Lambda_inv_0_0_p179_lanes = Lambda_inv_0_0_p177_lanes - Lambda_inv_0_0_p79_lanes *
+      Lambda_inv_0_0_p119_lanes;
+  const Lanes<2> Lambda_inv_0_0_p185_lanes = detail::make_pack<Real>(s11, s18) *
+      (Lambda_inv_0_0_p111_lanes - Lambda_inv_0_0_p123_lanes) + detail::make_pack<Real>(c11, c18) *
+      (Lambda_inv_0_0_p159_lanes + Lambda_inv_0_0_p179_lanes);
+  const Lanes<2> Lambda_inv_0_0_p187_lanes = detail::make_pack<Real>(s11, s18) *
       Lambda_inv_0_0_p185_lanes;
   const Lanes<2> Lambda_inv_0_0_p189_lanes = Lambda_inv_0_0_p123_lanes + Lambda_inv_0_0_p187_lanes;
   const Lanes<2> inverse_D10_p1_lanes = Lambda_inv_0_0_p79_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p2_lanes = Lambda_inv_0_0_p79_lanes * inverse_D10_p1_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p3_lanes = Lambda_inv_0_0_p177_lanes - Lambda_inv_0_0_p175_lanes;
-  const Lanes<2> inverse_D10_p4_lanes = 0.269 * inverse_D10_p3_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p5_lanes = 0.000131 - inverse_D11_p7_lanes;
-  const Lanes<2> inverse_D10_p6_lanes = inverse_D10_p5_lanes + inverse_D10_p4_lanes;
-  const Lanes<2> inverse_D10_p7_lanes = inverse_D10_p6_lanes - inverse_D10_p2_lanes;
+  const Lanes<2> inverse_D10_p7_lanes = 0.000131 - inverse_D11_p7_lanes + 0.269 *
+      (Lambda_inv_0_0_p177_lanes - Lambda_inv_0_0_p175_lanes) - Lambda_inv_0_0_p79_lanes *
+      inverse_D10_p1_lanes;
   const Lanes<2> inverse_D10_p8_lanes = Lambda_inv_0_0_p115_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p9_lanes = Lambda_inv_0_0_p115_lanes * inverse_D10_p8_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p10_lanes = 0.07236100000000001 * Lambda_inv_0_0_p155_lanes;
-  const Lanes<2> inverse_D10_p11_lanes = 0.0001098 + inverse_D10_p10_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p12_lanes = inverse_D10_p11_lanes - inverse_D10_p9_lanes;
-  const Lanes<2> inverse_D10_p13_lanes = inverse_D10_p7_lanes - inverse_D10_p12_lanes;
-  const Lanes<2> inverse_D10_p14_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p13_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D10_p15_lanes = 0.269 * Lambda_inv_0_0_p109_lanes;
-  const Lanes<2> inverse_D10_p16_lanes = detail::make_lanes<Real>((-6e-06), 6e-06) +
-      inverse_D10_p15_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p17_lanes = Lambda_inv_0_0_p79_lanes * inverse_D10_p8_lanes;
-  const Lanes<2> inverse_D10_p18_lanes = inverse_D10_p16_lanes - inverse_D10_p17_lanes;
-  const Lanes<2> inverse_D10_p19_lanes = 2.0 * detail::make_lanes<Real>(c11, c18);
-  const Lanes<2> inverse_D10_p20_lanes = inverse_D10_p19_lanes * inverse_D10_p18_lanes;
-  const Lanes<2> inverse_D10_p21_lanes = inverse_D10_p14_lanes + inverse_D10_p20_lanes;
-  const Lanes<2> inverse_D10_p22_lanes = detail::make_lanes<Real>(s11, s18) * inverse_D10_p21_lanes;
-  const Lanes<2> inverse_D10_p23_lanes = inverse_D10_p12_lanes + inverse_D10_p22_lanes;
-  const Lanes<2> inverse_D10_p24_lanes = 0.060888541114265754 + inverse_D10_p23_lanes;
+  const Lanes<2> inverse_D10_p12_lanes = 0.0001098 + 0.07236100000000001 *
+      Lambda_inv_0_0_p155_lanes - Lambda_inv_0_0_p115_lanes * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p18_lanes = detail::make_pack<Real>((-6e-06), 6e-06) + 0.269 *
+      Lambda_inv_0_0_p109_lanes - Lambda_inv_0_0_p79_lanes * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p19_lanes = 2.0 * detail::make_pack<Real>(c11, c18);
+  const Lanes<2> inverse_D10_p21_lanes = detail::make_pack<Real>(s11, s18) *
+      (inverse_D10_p7_lanes - inverse_D10_p12_lanes) + inverse_D10_p19_lanes *
+      inverse_D10_p18_lanes;
+  const Lanes<2> inverse_D10_p22_lanes = detail::make_pack<Real>(s11, s18) * inverse_D10_p21_lanes;
+  const Lanes<2> inverse_D10_p24_lanes = 0.060888541114265754 +
+      (inverse_D10_p12_lanes + inverse_D10_p22_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p24_lanes;
   const Lanes<2> Lambda_inv_0_0_p191_lanes = Lambda_inv_0_0_p189_lanes * inverse_D10_lanes;
-  const Lanes<2> Lambda_inv_0_0_p193_lanes = detail::make_lanes<Real>((-0.0001499998887063),
-      0.0001499998887063) * Lambda_inv_0_0_p191_lanes;
-  const Lanes<2> Lambda_inv_0_0_p195_lanes = 0.0014999985000000002 + Lambda_inv_0_0_p193_lanes;
-  const Lanes<2> Lambda_inv_0_0_p197_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_0_p195_lanes;
+  const Lanes<2> Lambda_inv_0_0_p195_lanes = 0.0014999985000000002 +
+      detail::make_pack<Real>((-0.0001499998887063), 0.0001499998887063) *
+      Lambda_inv_0_0_p191_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p199_lanes = detail::make_lanes<Real>(c11, c18) *
-      inverse_D10_p21_lanes;
-  const Lanes<2> Lambda_inv_0_0_p201_lanes = Lambda_inv_0_0_p199_lanes - inverse_D10_p18_lanes;
-  const Lanes<2> Lambda_inv_0_0_p203_lanes = detail::make_lanes<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + Lambda_inv_0_0_p201_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p205_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p207_lanes = detail::make_lanes<Real>(c11, c18) *
+  const Lanes<2> Lambda_inv_0_0_p203_lanes = detail::make_pack<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * inverse_D10_p21_lanes -
+      inverse_D10_p18_lanes);
+  const Lanes<2> Lambda_inv_0_0_p207_lanes = detail::make_pack<Real>(c11, c18) *
       Lambda_inv_0_0_p185_lanes;
-  const Lanes<2> Lambda_inv_0_0_p209_lanes = Lambda_inv_0_0_p207_lanes - Lambda_inv_0_0_p159_lanes;
-  const Lanes<2> Lambda_inv_0_0_p211_lanes = 0.28049749700000004 + Lambda_inv_0_0_p209_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p213_lanes = Lambda_inv_0_0_p211_lanes - Lambda_inv_0_0_p205_lanes;
-  const Lanes<2> Lambda_inv_0_0_p215_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_0_p213_lanes;
-  const Lanes<2> Lambda_inv_0_0_p217_lanes = Lambda_inv_0_0_p197_lanes - Lambda_inv_0_0_p215_lanes;
-  const Lanes<2> Lambda_inv_0_0_p219_lanes = 0.282 * Lambda_inv_0_0_p217_lanes;
-  const Lanes<2> Lambda_inv_0_0_p221_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> Lambda_inv_0_0_p213_lanes = 0.28049749700000004 +
+      (Lambda_inv_0_0_p207_lanes - Lambda_inv_0_0_p159_lanes) - Lambda_inv_0_0_p203_lanes *
+      Lambda_inv_0_0_p191_lanes;
+  const Lanes<2> Lambda_inv_0_0_p217_lanes = detail::make_pack<Real>(c10, c17) *
+      Lambda_inv_0_0_p195_lanes - detail::make_pack<Real>(s10, s17) * Lambda_inv_0_0_p213_lanes;
+  const Lanes<2> Lambda_inv_0_0_p221_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) / inverse_D10_p24_lanes;
-  const Lanes<2> Lambda_inv_0_0_p223_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p221_lanes;
-  const Lanes<2> Lambda_inv_0_0_p225_lanes = 0.0001499998887063 + Lambda_inv_0_0_p223_lanes;
-  const Lanes<2> Lambda_inv_0_0_p227_lanes = 2.0 * detail::make_lanes<Real>(c10, c17);
-  const Lanes<2> Lambda_inv_0_0_p229_lanes = Lambda_inv_0_0_p227_lanes * Lambda_inv_0_0_p225_lanes;
+  const Lanes<2> Lambda_inv_0_0_p225_lanes = 0.0001499998887063 + Lambda_inv_0_0_p203_lanes *
+      Lambda_inv_0_0_p221_lanes;
+  const Lanes<2> Lambda_inv_0_0_p227_lanes = 2.0 * detail::make_pack<Real>(c10, c17);
   const Lanes<2> Lambda_inv_0_0_p231_lanes = Lambda_inv_0_0_p203_lanes * inverse_D10_lanes;
-  const Lanes<2> Lambda_inv_0_0_p233_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p231_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p235_lanes = inverse_D10_p7_lanes - inverse_D10_p22_lanes;
-  const Lanes<2> Lambda_inv_0_0_p237_lanes = 0.06060754126741261 + Lambda_inv_0_0_p235_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p239_lanes = Lambda_inv_0_0_p237_lanes - Lambda_inv_0_0_p233_lanes;
-  const Lanes<2> Lambda_inv_0_0_p241_lanes = detail::make_lanes<Real>(2.249996661190239e-08,
-      2.249996661190239e-08) / inverse_D10_p24_lanes;
-  const Lanes<2> Lambda_inv_0_0_p243_lanes = 0.00028099984685315 - Lambda_inv_0_0_p241_lanes;
-  const Lanes<2> Lambda_inv_0_0_p245_lanes = Lambda_inv_0_0_p239_lanes - Lambda_inv_0_0_p243_lanes;
-  const Lanes<2> Lambda_inv_0_0_p247_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_0_p245_lanes;
-  const Lanes<2> Lambda_inv_0_0_p249_lanes = Lambda_inv_0_0_p229_lanes - Lambda_inv_0_0_p247_lanes;
-  const Lanes<2> Lambda_inv_0_0_p251_lanes = detail::make_lanes<Real>(c10, c17) *
+  const Lanes<2> Lambda_inv_0_0_p239_lanes = 0.06060754126741261 +
+      (inverse_D10_p7_lanes - inverse_D10_p22_lanes) - Lambda_inv_0_0_p203_lanes *
+      Lambda_inv_0_0_p231_lanes;
+  const Lanes<2> Lambda_inv_0_0_p243_lanes = 0.00028099984685315 -
+      detail::make_pack<Real>(2.249996661190239e-08, 2.249996661190239e-08) / inverse_D10_p24_lanes;
+  const Lanes<2> Lambda_inv_0_0_p249_lanes = Lambda_inv_0_0_p227_lanes * Lambda_inv_0_0_p225_lanes -
+      detail::make_pack<Real>(s10, s17) * (Lambda_inv_0_0_p239_lanes - Lambda_inv_0_0_p243_lanes);
+  const Lanes<2> Lambda_inv_0_0_p257_lanes = 0.282 * Lambda_inv_0_0_p217_lanes -
+      (Lambda_inv_0_0_p225_lanes - detail::make_pack<Real>(c10, c17) * Lambda_inv_0_0_p249_lanes) -
+      0.0005895000784280001;
+  const Lanes<2> inverse_D9_p1_lanes = detail::make_pack<Real>(s10, s17) *
       Lambda_inv_0_0_p249_lanes;
-  const Lanes<2> Lambda_inv_0_0_p253_lanes = Lambda_inv_0_0_p225_lanes - Lambda_inv_0_0_p251_lanes;
-  const Lanes<2> Lambda_inv_0_0_p255_lanes = Lambda_inv_0_0_p219_lanes - Lambda_inv_0_0_p253_lanes;
-  const Lanes<2> Lambda_inv_0_0_p257_lanes = Lambda_inv_0_0_p255_lanes - 0.0005895000784280001;
-  const Lanes<2> inverse_D9_p1_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_0_p249_lanes;
-  const Lanes<2> inverse_D9_p2_lanes = Lambda_inv_0_0_p243_lanes - inverse_D9_p1_lanes;
-  const Lanes<2> inverse_D9_p3_lanes = 0.0027762933559338653 + inverse_D9_p2_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D9_lanes = 1.0 / inverse_D9_p3_lanes;
+  const Lanes<2> inverse_D9_lanes = 1.0 / (0.0027762933559338653 +
+      (Lambda_inv_0_0_p243_lanes - inverse_D9_p1_lanes));
   const Lanes<2> Lambda_inv_0_0_p259_lanes = Lambda_inv_0_0_p257_lanes * inverse_D9_lanes;
   const Lanes<2> Lambda_inv_0_0_p261_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p259_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p263_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_0_p213_lanes;
-  const Lanes<2> Lambda_inv_0_0_p265_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_0_p195_lanes;
-  const Lanes<2> Lambda_inv_0_0_p267_lanes = Lambda_inv_0_0_p263_lanes + Lambda_inv_0_0_p265_lanes;
-  const Lanes<2> Lambda_inv_0_0_p269_lanes = Lambda_inv_0_0_p189_lanes * Lambda_inv_0_0_p191_lanes;
+  const Lanes<2> Lambda_inv_0_0_p267_lanes = detail::make_pack<Real>(c10, c17) *
+      Lambda_inv_0_0_p213_lanes + detail::make_pack<Real>(s10, s17) * Lambda_inv_0_0_p195_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p271_lanes = Lambda_inv_0_0_p53_lanes * Lambda_inv_0_0_p55_lanes;
-  const Lanes<2> Lambda_inv_0_0_p273_lanes = Lambda_inv_0_0_p155_lanes - Lambda_inv_0_0_p271_lanes;
-  const Lanes<2> Lambda_inv_0_0_p275_lanes = Lambda_inv_0_0_p117_lanes * Lambda_inv_0_0_p119_lanes;
-  const Lanes<2> Lambda_inv_0_0_p277_lanes = Lambda_inv_0_0_p167_lanes - Lambda_inv_0_0_p275_lanes;
-  const Lanes<2> Lambda_inv_0_0_p279_lanes = Lambda_inv_0_0_p273_lanes - Lambda_inv_0_0_p277_lanes;
-  const Lanes<2> Lambda_inv_0_0_p281_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_0_p279_lanes;
-  const Lanes<2> Lambda_inv_0_0_p283_lanes = Lambda_inv_0_0_p53_lanes * Lambda_inv_0_0_p119_lanes;
-  const Lanes<2> Lambda_inv_0_0_p285_lanes = Lambda_inv_0_0_p283_lanes - Lambda_inv_0_0_p105_lanes;
-  const Lanes<2> Lambda_inv_0_0_p287_lanes = inverse_D10_p19_lanes * Lambda_inv_0_0_p285_lanes;
-  const Lanes<2> Lambda_inv_0_0_p289_lanes = Lambda_inv_0_0_p281_lanes + Lambda_inv_0_0_p287_lanes;
-  const Lanes<2> Lambda_inv_0_0_p291_lanes = detail::make_lanes<Real>(s11, s18) *
+  const Lanes<2> Lambda_inv_0_0_p273_lanes = Lambda_inv_0_0_p155_lanes - Lambda_inv_0_0_p53_lanes *
+      Lambda_inv_0_0_p55_lanes;
+  const Lanes<2> Lambda_inv_0_0_p277_lanes = Lambda_inv_0_0_p167_lanes - Lambda_inv_0_0_p117_lanes *
+      Lambda_inv_0_0_p119_lanes;
+  const Lanes<2> Lambda_inv_0_0_p285_lanes = Lambda_inv_0_0_p53_lanes * Lambda_inv_0_0_p119_lanes -
+      Lambda_inv_0_0_p105_lanes;
+  const Lanes<2> Lambda_inv_0_0_p289_lanes = detail::make_pack<Real>(s11, s18) *
+      (Lambda_inv_0_0_p273_lanes - Lambda_inv_0_0_p277_lanes) + inverse_D10_p19_lanes *
+      Lambda_inv_0_0_p285_lanes;
+  const Lanes<2> Lambda_inv_0_0_p291_lanes = detail::make_pack<Real>(s11, s18) *
       Lambda_inv_0_0_p289_lanes;
-  const Lanes<2> Lambda_inv_0_0_p293_lanes = Lambda_inv_0_0_p277_lanes + Lambda_inv_0_0_p291_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p295_lanes = Lambda_inv_0_0_p293_lanes - Lambda_inv_0_0_p269_lanes;
-  const Lanes<2> Lambda_inv_0_0_p297_lanes = 0.282 * Lambda_inv_0_0_p295_lanes;
-  const Lanes<2> Lambda_inv_0_0_p299_lanes = Lambda_inv_0_0_p267_lanes + Lambda_inv_0_0_p297_lanes;
-  const Lanes<2> Lambda_inv_0_0_p301_lanes = Lambda_inv_0_0_p267_lanes + Lambda_inv_0_0_p299_lanes;
-  const Lanes<2> Lambda_inv_0_0_p303_lanes = 0.282 * Lambda_inv_0_0_p301_lanes;
-  const Lanes<2> Lambda_inv_0_0_p305_lanes = Lambda_inv_0_0_p239_lanes + inverse_D9_p1_lanes;
-  const Lanes<2> Lambda_inv_0_0_p307_lanes = Lambda_inv_0_0_p305_lanes + Lambda_inv_0_0_p303_lanes;
-  const Lanes<2> Lambda_inv_0_0_p309_lanes = 0.0019585440854647937 + Lambda_inv_0_0_p307_lanes;
+  const Lanes<2> Lambda_inv_0_0_p295_lanes = Lambda_inv_0_0_p277_lanes + Lambda_inv_0_0_p291_lanes -
+      Lambda_inv_0_0_p189_lanes * Lambda_inv_0_0_p191_lanes;
+  const Lanes<2> Lambda_inv_0_0_p299_lanes = Lambda_inv_0_0_p267_lanes + 0.282 *
+      Lambda_inv_0_0_p295_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p311_lanes = Lambda_inv_0_0_p309_lanes - Lambda_inv_0_0_p261_lanes;
+  const Lanes<2> Lambda_inv_0_0_p311_lanes = 0.0019585440854647937 +
+      (Lambda_inv_0_0_p239_lanes + inverse_D9_p1_lanes + 0.282 *
+      (Lambda_inv_0_0_p267_lanes + Lambda_inv_0_0_p299_lanes)) - Lambda_inv_0_0_p261_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p313_lanes = Lambda_inv_0_0_p207_lanes - Lambda_inv_0_0_p179_lanes;
-  const Lanes<2> Lambda_inv_0_0_p315_lanes = Lambda_inv_0_0_p313_lanes - 0.28049749700000004;
+  const Lanes<2> Lambda_inv_0_0_p315_lanes = Lambda_inv_0_0_p207_lanes - Lambda_inv_0_0_p179_lanes -
+      0.28049749700000004;
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p317_lanes = Lambda_inv_0_0_p315_lanes * inverse_D10_lanes;
-  const Lanes<2> Lambda_inv_0_0_p319_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> Lambda_inv_0_0_p319_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) * Lambda_inv_0_0_p317_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p321_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_0_p85_lanes;
-  const Lanes<2> Lambda_inv_0_0_p323_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_0_p101_lanes;
-  const Lanes<2> Lambda_inv_0_0_p325_lanes = Lambda_inv_0_0_p321_lanes - Lambda_inv_0_0_p323_lanes;
-  const Lanes<2> Lambda_inv_0_0_p327_lanes = 0.269 * Lambda_inv_0_0_p325_lanes;
-  const Lanes<2> Lambda_inv_0_0_p329_lanes = Lambda_inv_0_0_p51_lanes - Lambda_inv_0_0_p45_lanes;
-  const Lanes<2> Lambda_inv_0_0_p331_lanes = Lambda_inv_0_0_p327_lanes - Lambda_inv_0_0_p329_lanes;
-  const Lanes<2> Lambda_inv_0_0_p333_lanes = detail::make_lanes<Real>(0.001, (-0.001)) +
-      Lambda_inv_0_0_p331_lanes;
+  const Lanes<2> Lambda_inv_0_0_p325_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_0_p85_lanes - detail::make_pack<Real>(c12, c19) * Lambda_inv_0_0_p101_lanes;
   const Lanes<2> Lambda_inv_0_0_p335_lanes = Lambda_inv_0_0_p83_lanes - Lambda_inv_0_0_p23_lanes;
 
   // link 11 (left_wrist1), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p337_lanes = Lambda_inv_0_0_p335_lanes * inverse_D11_lanes;
-  const Lanes<2> Lambda_inv_0_0_p339_lanes = Lambda_inv_0_0_p79_lanes * Lambda_inv_0_0_p337_lanes;
-  const Lanes<2> Lambda_inv_0_0_p341_lanes = Lambda_inv_0_0_p333_lanes - Lambda_inv_0_0_p339_lanes;
-  const Lanes<2> Lambda_inv_0_0_p343_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_0_p341_lanes;
-  const Lanes<2> Lambda_inv_0_0_p345_lanes = Lambda_inv_0_0_p115_lanes * Lambda_inv_0_0_p337_lanes;
+  const Lanes<2> Lambda_inv_0_0_p341_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
+      (0.269 * Lambda_inv_0_0_p325_lanes - (Lambda_inv_0_0_p51_lanes - Lambda_inv_0_0_p45_lanes)) -
+      Lambda_inv_0_0_p79_lanes * Lambda_inv_0_0_p337_lanes;
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p347_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_0_p151_lanes;
-  const Lanes<2> Lambda_inv_0_0_p349_lanes = Lambda_inv_0_0_p145_lanes - Lambda_inv_0_0_p347_lanes;
-  const Lanes<2> Lambda_inv_0_0_p351_lanes = 0.269 * Lambda_inv_0_0_p349_lanes;
-  const Lanes<2> Lambda_inv_0_0_p353_lanes = Lambda_inv_0_0_p351_lanes - 6e-04;
+  const Lanes<2> Lambda_inv_0_0_p349_lanes = Lambda_inv_0_0_p145_lanes -
+      detail::make_pack<Real>(c12, c19) * Lambda_inv_0_0_p151_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p355_lanes = Lambda_inv_0_0_p353_lanes - Lambda_inv_0_0_p345_lanes;
-  const Lanes<2> Lambda_inv_0_0_p357_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_0_p355_lanes;
-  const Lanes<2> Lambda_inv_0_0_p359_lanes = Lambda_inv_0_0_p343_lanes + Lambda_inv_0_0_p357_lanes;
-  const Lanes<2> Lambda_inv_0_0_p361_lanes = 0.0014999985000000002 - Lambda_inv_0_0_p359_lanes;
+  const Lanes<2> Lambda_inv_0_0_p355_lanes = 0.269 * Lambda_inv_0_0_p349_lanes - 6e-04 -
+      Lambda_inv_0_0_p115_lanes * Lambda_inv_0_0_p337_lanes;
+  const Lanes<2> Lambda_inv_0_0_p361_lanes = 0.0014999985000000002 -
+      (detail::make_pack<Real>(s11, s18) * Lambda_inv_0_0_p341_lanes +
+      detail::make_pack<Real>(c11, c18) * Lambda_inv_0_0_p355_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p363_lanes = Lambda_inv_0_0_p361_lanes * inverse_D10_lanes;
-  const Lanes<2> Lambda_inv_0_0_p365_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p363_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p367_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_0_p341_lanes;
-  const Lanes<2> Lambda_inv_0_0_p369_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_0_p355_lanes;
-  const Lanes<2> Lambda_inv_0_0_p371_lanes = Lambda_inv_0_0_p367_lanes - Lambda_inv_0_0_p369_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p373_lanes = Lambda_inv_0_0_p371_lanes + Lambda_inv_0_0_p365_lanes;
-  const Lanes<2> Lambda_inv_0_0_p375_lanes = Lambda_inv_0_0_p319_lanes + Lambda_inv_0_0_p373_lanes;
-  const Lanes<2> Lambda_inv_0_0_p377_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_0_p375_lanes;
-  const Lanes<2> Lambda_inv_0_0_p379_lanes = Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p317_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p381_lanes = Lambda_inv_0_0_p111_lanes - Lambda_inv_0_0_p187_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p383_lanes = Lambda_inv_0_0_p381_lanes - Lambda_inv_0_0_p379_lanes;
-  const Lanes<2> Lambda_inv_0_0_p385_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> Lambda_inv_0_0_p373_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_0_p341_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_0_p355_lanes +
+      Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p363_lanes;
+  const Lanes<2> Lambda_inv_0_0_p383_lanes = Lambda_inv_0_0_p111_lanes - Lambda_inv_0_0_p187_lanes -
+      Lambda_inv_0_0_p203_lanes * Lambda_inv_0_0_p317_lanes;
+  const Lanes<2> Lambda_inv_0_0_p385_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) * Lambda_inv_0_0_p363_lanes;
-  const Lanes<2> Lambda_inv_0_0_p387_lanes = Lambda_inv_0_0_p383_lanes + Lambda_inv_0_0_p385_lanes;
-  const Lanes<2> Lambda_inv_0_0_p389_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_0_p387_lanes;
-  const Lanes<2> Lambda_inv_0_0_p391_lanes = Lambda_inv_0_0_p377_lanes - Lambda_inv_0_0_p389_lanes;
-  const Lanes<2> Lambda_inv_0_0_p393_lanes = detail::make_lanes<Real>(c10, c17) *
+  const Lanes<2> Lambda_inv_0_0_p391_lanes = detail::make_pack<Real>(c10, c17) *
+      (Lambda_inv_0_0_p319_lanes + Lambda_inv_0_0_p373_lanes) - detail::make_pack<Real>(s10, s17) *
+      (Lambda_inv_0_0_p383_lanes + Lambda_inv_0_0_p385_lanes);
+  const Lanes<2> Lambda_inv_0_0_p393_lanes = detail::make_pack<Real>(c10, c17) *
       Lambda_inv_0_0_p391_lanes;
   const Lanes<2> Lambda_inv_0_0_p395_lanes = Lambda_inv_0_0_p373_lanes - Lambda_inv_0_0_p393_lanes;
-  const Lanes<2> Lambda_inv_0_0_p397_lanes = 0.282 * Lambda_inv_0_0_p395_lanes;
-  const Lanes<2> Lambda_inv_0_0_p399_lanes = detail::make_lanes<Real>(0.0012089992423205001,
-      (-0.0012089992423205001)) + Lambda_inv_0_0_p397_lanes;
+  const Lanes<2> Lambda_inv_0_0_p399_lanes = detail::make_pack<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + 0.282 * Lambda_inv_0_0_p395_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p401_lanes = Lambda_inv_0_0_p399_lanes * inverse_D9_lanes;
-  const Lanes<2> Lambda_inv_0_0_p403_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p401_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p405_lanes = Lambda_inv_0_0_p315_lanes * Lambda_inv_0_0_p363_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p407_lanes = Lambda_inv_0_0_p53_lanes * Lambda_inv_0_0_p337_lanes;
-  const Lanes<2> Lambda_inv_0_0_p409_lanes = Lambda_inv_0_0_p407_lanes - Lambda_inv_0_0_p349_lanes;
-  const Lanes<2> Lambda_inv_0_0_p411_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_0_p409_lanes;
-  const Lanes<2> Lambda_inv_0_0_p413_lanes = Lambda_inv_0_0_p117_lanes * Lambda_inv_0_0_p337_lanes;
-  const Lanes<2> Lambda_inv_0_0_p415_lanes = Lambda_inv_0_0_p325_lanes - Lambda_inv_0_0_p413_lanes;
-  const Lanes<2> Lambda_inv_0_0_p417_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_0_p415_lanes;
-  const Lanes<2> Lambda_inv_0_0_p419_lanes = Lambda_inv_0_0_p411_lanes - Lambda_inv_0_0_p417_lanes;
+  const Lanes<2> Lambda_inv_0_0_p409_lanes = Lambda_inv_0_0_p53_lanes * Lambda_inv_0_0_p337_lanes -
+      Lambda_inv_0_0_p349_lanes;
+  const Lanes<2> Lambda_inv_0_0_p415_lanes = Lambda_inv_0_0_p325_lanes - Lambda_inv_0_0_p117_lanes *
+      Lambda_inv_0_0_p337_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p421_lanes = Lambda_inv_0_0_p419_lanes + Lambda_inv_0_0_p405_lanes;
-  const Lanes<2> Lambda_inv_0_0_p423_lanes = Lambda_inv_0_0_p227_lanes * Lambda_inv_0_0_p421_lanes;
-  const Lanes<2> Lambda_inv_0_0_p425_lanes = Lambda_inv_0_0_p315_lanes * Lambda_inv_0_0_p317_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p427_lanes = Lambda_inv_0_0_p273_lanes - Lambda_inv_0_0_p291_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p429_lanes = Lambda_inv_0_0_p427_lanes - Lambda_inv_0_0_p425_lanes;
-  const Lanes<2> Lambda_inv_0_0_p431_lanes = Lambda_inv_0_0_p361_lanes * Lambda_inv_0_0_p363_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p433_lanes = Lambda_inv_0_0_p335_lanes * Lambda_inv_0_0_p337_lanes;
-
-  // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p435_lanes = Lambda_inv_0_0_p137_lanes + Lambda_inv_0_0_p153_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p437_lanes = Lambda_inv_0_0_p435_lanes + Lambda_inv_0_0_p433_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p439_lanes = Lambda_inv_0_0_p437_lanes + Lambda_inv_0_0_p431_lanes;
-  const Lanes<2> Lambda_inv_0_0_p441_lanes = Lambda_inv_0_0_p429_lanes + Lambda_inv_0_0_p439_lanes;
-  const Lanes<2> Lambda_inv_0_0_p443_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_0_p441_lanes;
-  const Lanes<2> Lambda_inv_0_0_p445_lanes = Lambda_inv_0_0_p423_lanes - Lambda_inv_0_0_p443_lanes;
-  const Lanes<2> Lambda_inv_0_0_p447_lanes = detail::make_lanes<Real>(s10, s17) *
+  const Lanes<2> Lambda_inv_0_0_p421_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_0_p409_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_0_p415_lanes +
+      Lambda_inv_0_0_p315_lanes * Lambda_inv_0_0_p363_lanes;
+  const Lanes<2> Lambda_inv_0_0_p429_lanes = Lambda_inv_0_0_p273_lanes - Lambda_inv_0_0_p291_lanes -
+      Lambda_inv_0_0_p315_lanes * Lambda_inv_0_0_p317_lanes;
+  const Lanes<2> Lambda_inv_0_0_p439_lanes = Lambda_inv_0_0_p137_lanes + Lambda_inv_0_0_p153_lanes +
+      Lambda_inv_0_0_p335_lanes * Lambda_inv_0_0_p337_lanes + Lambda_inv_0_0_p361_lanes *
+      Lambda_inv_0_0_p363_lanes;
+  const Lanes<2> Lambda_inv_0_0_p445_lanes = Lambda_inv_0_0_p227_lanes * Lambda_inv_0_0_p421_lanes -
+      detail::make_pack<Real>(s10, s17) * (Lambda_inv_0_0_p429_lanes + Lambda_inv_0_0_p439_lanes);
+  const Lanes<2> Lambda_inv_0_0_p447_lanes = detail::make_pack<Real>(s10, s17) *
       Lambda_inv_0_0_p445_lanes;
   const Lanes<2> Lambda_inv_0_0_p449_lanes = Lambda_inv_0_0_p429_lanes + Lambda_inv_0_0_p447_lanes;
-  const Lanes<2> Lambda_inv_0_0_p451_lanes = 0.07952399999999998 * Lambda_inv_0_0_p449_lanes;
-  const Lanes<2> Lambda_inv_0_0_p453_lanes = 0.0008177492704690715 + Lambda_inv_0_0_p451_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p455_lanes = Lambda_inv_0_0_p453_lanes - Lambda_inv_0_0_p403_lanes;
-  const Lanes<2> Lambda_inv_0_0_p457_lanes = Lambda_inv_0_0_p311_lanes - Lambda_inv_0_0_p455_lanes;
-  const Lanes<2> Lambda_inv_0_0_p459_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_0_p457_lanes;
-  const Lanes<2> Lambda_inv_0_0_p461_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p401_lanes;
+  const Lanes<2> Lambda_inv_0_0_p455_lanes = 0.0008177492704690715 + 0.07952399999999998 *
+      Lambda_inv_0_0_p449_lanes - Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p401_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p463_lanes = detail::make_lanes<Real>(s10, s17) *
+  const Lanes<2> Lambda_inv_0_0_p463_lanes = detail::make_pack<Real>(s10, s17) *
       Lambda_inv_0_0_p391_lanes;
-  const Lanes<2> Lambda_inv_0_0_p465_lanes = Lambda_inv_0_0_p383_lanes + Lambda_inv_0_0_p463_lanes;
-  const Lanes<2> Lambda_inv_0_0_p467_lanes = Lambda_inv_0_0_p315_lanes * Lambda_inv_0_0_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p469_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_0_p289_lanes;
-  const Lanes<2> Lambda_inv_0_0_p471_lanes = Lambda_inv_0_0_p469_lanes - Lambda_inv_0_0_p285_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p473_lanes = Lambda_inv_0_0_p471_lanes - Lambda_inv_0_0_p467_lanes;
-  const Lanes<2> Lambda_inv_0_0_p475_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_0_p473_lanes;
-  const Lanes<2> Lambda_inv_0_0_p477_lanes = Lambda_inv_0_0_p361_lanes * Lambda_inv_0_0_p191_lanes;
-
-  // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p479_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_0_p409_lanes;
-  const Lanes<2> Lambda_inv_0_0_p481_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_0_p415_lanes;
-  const Lanes<2> Lambda_inv_0_0_p483_lanes = Lambda_inv_0_0_p479_lanes + Lambda_inv_0_0_p481_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p485_lanes = Lambda_inv_0_0_p483_lanes + Lambda_inv_0_0_p477_lanes;
-  const Lanes<2> Lambda_inv_0_0_p487_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_0_p485_lanes;
-  const Lanes<2> Lambda_inv_0_0_p489_lanes = Lambda_inv_0_0_p475_lanes + Lambda_inv_0_0_p487_lanes;
+  const Lanes<2> Lambda_inv_0_0_p473_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_0_p289_lanes - Lambda_inv_0_0_p285_lanes - Lambda_inv_0_0_p315_lanes *
+      Lambda_inv_0_0_p191_lanes;
+  const Lanes<2> Lambda_inv_0_0_p485_lanes = detail::make_pack<Real>(s11, s18) *
+      Lambda_inv_0_0_p409_lanes + detail::make_pack<Real>(c11, c18) * Lambda_inv_0_0_p415_lanes +
+      Lambda_inv_0_0_p361_lanes * Lambda_inv_0_0_p191_lanes;
+  const Lanes<2> Lambda_inv_0_0_p489_lanes = detail::make_pack<Real>(c10, c17) *
+      Lambda_inv_0_0_p473_lanes + detail::make_pack<Real>(s10, s17) * Lambda_inv_0_0_p485_lanes;
   const Lanes<2> Lambda_inv_0_0_p491_lanes = 0.282 * Lambda_inv_0_0_p489_lanes;
-  const Lanes<2> Lambda_inv_0_0_p493_lanes = Lambda_inv_0_0_p465_lanes + Lambda_inv_0_0_p491_lanes;
-  const Lanes<2> Lambda_inv_0_0_p495_lanes = 0.282 * Lambda_inv_0_0_p493_lanes;
-  const Lanes<2> Lambda_inv_0_0_p497_lanes = detail::make_lanes<Real>(4.4999986458742003e-05,
-      (-4.4999986458742003e-05)) - Lambda_inv_0_0_p495_lanes;
+  const Lanes<2> Lambda_inv_0_0_p493_lanes = Lambda_inv_0_0_p383_lanes + Lambda_inv_0_0_p463_lanes +
+      Lambda_inv_0_0_p491_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p499_lanes = Lambda_inv_0_0_p497_lanes - Lambda_inv_0_0_p461_lanes;
-  const Lanes<2> Lambda_inv_0_0_p501_lanes = 2.0 * detail::make_lanes<Real>(s9, s16);
-  const Lanes<2> Lambda_inv_0_0_p503_lanes = Lambda_inv_0_0_p501_lanes * Lambda_inv_0_0_p499_lanes;
-  const Lanes<2> Lambda_inv_0_0_p505_lanes = Lambda_inv_0_0_p459_lanes - Lambda_inv_0_0_p503_lanes;
-  const Lanes<2> Lambda_inv_0_0_p507_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_0_p505_lanes;
-  const Lanes<2> Lambda_inv_0_0_p509_lanes = Lambda_inv_0_0_p507_lanes + Lambda_inv_0_0_p499_lanes;
-  const Lanes<2> Lambda_inv_0_0_p511_lanes = detail::make_lanes<Real>((-1.75e-05), 1.75e-05) +
-      Lambda_inv_0_0_p509_lanes;
-  const Lanes<2> inverse_D8_p1_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_0_p505_lanes;
-  const Lanes<2> inverse_D8_p2_lanes = Lambda_inv_0_0_p455_lanes + inverse_D8_p1_lanes;
-  const Lanes<2> inverse_D8_p3_lanes = 0.18125194219699997 + inverse_D8_p2_lanes;
+  const Lanes<2> Lambda_inv_0_0_p499_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - 0.282 * Lambda_inv_0_0_p493_lanes - Lambda_inv_0_0_p257_lanes *
+      Lambda_inv_0_0_p401_lanes;
+  const Lanes<2> Lambda_inv_0_0_p501_lanes = 2.0 * detail::make_pack<Real>(s9, s16);
+  const Lanes<2> Lambda_inv_0_0_p505_lanes = detail::make_pack<Real>(c9, c16) *
+      (Lambda_inv_0_0_p311_lanes - Lambda_inv_0_0_p455_lanes) - Lambda_inv_0_0_p501_lanes *
+      Lambda_inv_0_0_p499_lanes;
+  const Lanes<2> Lambda_inv_0_0_p511_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
+      (detail::make_pack<Real>(s9, s16) * Lambda_inv_0_0_p505_lanes + Lambda_inv_0_0_p499_lanes);
+  const Lanes<2> inverse_D8_p1_lanes = detail::make_pack<Real>(c9, c16) * Lambda_inv_0_0_p505_lanes;
+  const Lanes<2> inverse_D8_p3_lanes = 0.18125194219699997 +
+      (Lambda_inv_0_0_p455_lanes + inverse_D8_p1_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D8_lanes = 1.0 / inverse_D8_p3_lanes;
@@ -626,373 +419,227 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p515_lanes = Lambda_inv_0_0_p513_lanes * inverse_D9_lanes;
-  const Lanes<2> Lambda_inv_0_0_p517_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p515_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p519_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_0_p485_lanes;
-  const Lanes<2> Lambda_inv_0_0_p521_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_0_p473_lanes;
-  const Lanes<2> Lambda_inv_0_0_p523_lanes = Lambda_inv_0_0_p519_lanes - Lambda_inv_0_0_p521_lanes;
-  const Lanes<2> Lambda_inv_0_0_p525_lanes = 0.282 * Lambda_inv_0_0_p523_lanes;
-  const Lanes<2> Lambda_inv_0_0_p527_lanes = Lambda_inv_0_0_p319_lanes - Lambda_inv_0_0_p393_lanes;
-  const Lanes<2> Lambda_inv_0_0_p529_lanes = Lambda_inv_0_0_p525_lanes - Lambda_inv_0_0_p527_lanes;
-  const Lanes<2> Lambda_inv_0_0_p531_lanes = detail::make_lanes<Real>(0.004500002325,
-      (-0.004500002325)) + Lambda_inv_0_0_p529_lanes;
+  const Lanes<2> Lambda_inv_0_0_p523_lanes = detail::make_pack<Real>(c10, c17) *
+      Lambda_inv_0_0_p485_lanes - detail::make_pack<Real>(s10, s17) * Lambda_inv_0_0_p473_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p533_lanes = Lambda_inv_0_0_p531_lanes + Lambda_inv_0_0_p517_lanes;
-  const Lanes<2> Lambda_inv_0_0_p535_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_0_p533_lanes;
-  const Lanes<2> Lambda_inv_0_0_p537_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p515_lanes;
+  const Lanes<2> Lambda_inv_0_0_p533_lanes = detail::make_pack<Real>(0.004500002325,
+      (-0.004500002325)) + (0.282 * Lambda_inv_0_0_p523_lanes -
+      (Lambda_inv_0_0_p319_lanes - Lambda_inv_0_0_p393_lanes)) + Lambda_inv_0_0_p257_lanes *
+      Lambda_inv_0_0_p515_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p539_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_0_p445_lanes;
-  const Lanes<2> Lambda_inv_0_0_p541_lanes = Lambda_inv_0_0_p421_lanes - Lambda_inv_0_0_p539_lanes;
-  const Lanes<2> Lambda_inv_0_0_p543_lanes = 0.282 * Lambda_inv_0_0_p541_lanes;
-  const Lanes<2> Lambda_inv_0_0_p545_lanes = 0.0022500062 + Lambda_inv_0_0_p543_lanes;
+  const Lanes<2> Lambda_inv_0_0_p541_lanes = Lambda_inv_0_0_p421_lanes -
+      detail::make_pack<Real>(c10, c17) * Lambda_inv_0_0_p445_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p547_lanes = Lambda_inv_0_0_p545_lanes + Lambda_inv_0_0_p537_lanes;
-  const Lanes<2> Lambda_inv_0_0_p549_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_0_p547_lanes;
-  const Lanes<2> Lambda_inv_0_0_p551_lanes = Lambda_inv_0_0_p535_lanes - Lambda_inv_0_0_p549_lanes;
-  const Lanes<2> Lambda_inv_0_0_p553_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) + Lambda_inv_0_0_p551_lanes;
+  const Lanes<2> Lambda_inv_0_0_p547_lanes = 0.0022500062 + 0.282 * Lambda_inv_0_0_p541_lanes +
+      Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p515_lanes;
+  const Lanes<2> Lambda_inv_0_0_p553_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + (detail::make_pack<Real>(c9, c16) * Lambda_inv_0_0_p533_lanes -
+      detail::make_pack<Real>(s9, s16) * Lambda_inv_0_0_p547_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p555_lanes = Lambda_inv_0_0_p553_lanes * inverse_D8_lanes;
-  const Lanes<2> Lambda_inv_0_0_p557_lanes = Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p555_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p559_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_0_p533_lanes;
-  const Lanes<2> Lambda_inv_0_0_p561_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_0_p547_lanes;
-  const Lanes<2> Lambda_inv_0_0_p563_lanes = Lambda_inv_0_0_p559_lanes + Lambda_inv_0_0_p561_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p565_lanes = Lambda_inv_0_0_p557_lanes - Lambda_inv_0_0_p563_lanes;
+  const Lanes<2> Lambda_inv_0_0_p565_lanes = Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p555_lanes -
+      (detail::make_pack<Real>(s9, s16) * Lambda_inv_0_0_p533_lanes +
+      detail::make_pack<Real>(c9, c16) * Lambda_inv_0_0_p547_lanes);
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p567_lanes = detail::make_lanes<Real>(0.004500002325,
+  const Lanes<2> Lambda_inv_0_0_p567_lanes = detail::make_pack<Real>(0.004500002325,
       (-0.004500002325)) + Lambda_inv_0_0_p395_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p569_lanes = Lambda_inv_0_0_p567_lanes * inverse_D9_lanes;
-  const Lanes<2> Lambda_inv_0_0_p571_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p569_lanes;
-  const Lanes<2> Lambda_inv_0_0_p573_lanes = Lambda_inv_0_0_p493_lanes + Lambda_inv_0_0_p571_lanes;
+  const Lanes<2> Lambda_inv_0_0_p573_lanes = Lambda_inv_0_0_p493_lanes + Lambda_inv_0_0_p257_lanes *
+      Lambda_inv_0_0_p569_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p575_lanes = Lambda_inv_0_0_p217_lanes - 0.0022500062;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p577_lanes = Lambda_inv_0_0_p575_lanes * inverse_D9_lanes;
-  const Lanes<2> Lambda_inv_0_0_p579_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p577_lanes;
-  const Lanes<2> Lambda_inv_0_0_p581_lanes = Lambda_inv_0_0_p491_lanes + Lambda_inv_0_0_p579_lanes;
-  const Lanes<2> Lambda_inv_0_0_p583_lanes = Lambda_inv_0_0_p573_lanes + Lambda_inv_0_0_p581_lanes;
-  const Lanes<2> Lambda_inv_0_0_p585_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_0_p583_lanes;
-  const Lanes<2> Lambda_inv_0_0_p587_lanes = Lambda_inv_0_0_p257_lanes * Lambda_inv_0_0_p577_lanes;
-  const Lanes<2> Lambda_inv_0_0_p589_lanes = Lambda_inv_0_0_p299_lanes - Lambda_inv_0_0_p587_lanes;
-  const Lanes<2> Lambda_inv_0_0_p591_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p569_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p593_lanes = 0.282 * Lambda_inv_0_0_p449_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p595_lanes = Lambda_inv_0_0_p591_lanes - Lambda_inv_0_0_p593_lanes;
-  const Lanes<2> Lambda_inv_0_0_p597_lanes = Lambda_inv_0_0_p595_lanes + Lambda_inv_0_0_p589_lanes;
-  const Lanes<2> Lambda_inv_0_0_p599_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_0_p597_lanes;
-  const Lanes<2> Lambda_inv_0_0_p601_lanes = Lambda_inv_0_0_p585_lanes - Lambda_inv_0_0_p599_lanes;
-  const Lanes<2> Lambda_inv_0_0_p603_lanes = detail::make_lanes<Real>(s9, s16) *
+  const Lanes<2> Lambda_inv_0_0_p581_lanes = Lambda_inv_0_0_p491_lanes + Lambda_inv_0_0_p399_lanes *
+      Lambda_inv_0_0_p577_lanes;
+  const Lanes<2> Lambda_inv_0_0_p589_lanes = Lambda_inv_0_0_p299_lanes - Lambda_inv_0_0_p257_lanes *
+      Lambda_inv_0_0_p577_lanes;
+  const Lanes<2> Lambda_inv_0_0_p595_lanes = Lambda_inv_0_0_p399_lanes * Lambda_inv_0_0_p569_lanes -
+      0.282 * Lambda_inv_0_0_p449_lanes;
+  const Lanes<2> Lambda_inv_0_0_p601_lanes = detail::make_pack<Real>(c9, c16) *
+      (Lambda_inv_0_0_p573_lanes + Lambda_inv_0_0_p581_lanes) - detail::make_pack<Real>(s9, s16) *
+      (Lambda_inv_0_0_p595_lanes + Lambda_inv_0_0_p589_lanes);
+  const Lanes<2> Lambda_inv_0_0_p603_lanes = detail::make_pack<Real>(s9, s16) *
       Lambda_inv_0_0_p601_lanes;
-  const Lanes<2> Lambda_inv_0_0_p605_lanes = Lambda_inv_0_0_p603_lanes + Lambda_inv_0_0_p589_lanes;
-  const Lanes<2> Lambda_inv_0_0_p607_lanes = 0.7139200499999999 + Lambda_inv_0_0_p605_lanes;
+  const Lanes<2> Lambda_inv_0_0_p607_lanes = 0.7139200499999999 +
+      (Lambda_inv_0_0_p603_lanes + Lambda_inv_0_0_p589_lanes);
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p609_lanes = Lambda_inv_0_0_p607_lanes * inverse_D8_lanes;
   const Lanes<2> Lambda_inv_0_0_p611_lanes = 0.00010499999999999999 * Lambda_inv_0_0_p609_lanes;
-  const Lanes<2> Lambda_inv_0_0_p613_lanes = Lambda_inv_0_0_p565_lanes + Lambda_inv_0_0_p611_lanes;
-  const Lanes<2> Lambda_inv_0_0_p615_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_0_p613_lanes;
-  const Lanes<2> Lambda_inv_0_0_p617_lanes = Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p609_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p619_lanes = detail::make_lanes<Real>(c9, c16) *
+  const Lanes<2> Lambda_inv_0_0_p619_lanes = detail::make_pack<Real>(c9, c16) *
       Lambda_inv_0_0_p601_lanes;
-  const Lanes<2> Lambda_inv_0_0_p621_lanes = Lambda_inv_0_0_p573_lanes - Lambda_inv_0_0_p619_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p623_lanes = Lambda_inv_0_0_p621_lanes - Lambda_inv_0_0_p617_lanes;
+  const Lanes<2> Lambda_inv_0_0_p623_lanes = Lambda_inv_0_0_p573_lanes - Lambda_inv_0_0_p619_lanes -
+      Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p609_lanes;
   const Lanes<2> Lambda_inv_0_0_p625_lanes = 0.00010499999999999999 * Lambda_inv_0_0_p555_lanes;
-  const Lanes<2> Lambda_inv_0_0_p627_lanes = Lambda_inv_0_0_p625_lanes + Lambda_inv_0_0_p623_lanes;
-  const Lanes<2> Lambda_inv_0_0_p629_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_0_p627_lanes;
-  const Lanes<2> Lambda_inv_0_0_p631_lanes = Lambda_inv_0_0_p615_lanes - Lambda_inv_0_0_p629_lanes;
-  const Lanes<2> Lambda_inv_0_0_p633_lanes = detail::make_lanes<Real>(c8, c15) *
+  const Lanes<2> Lambda_inv_0_0_p631_lanes = detail::make_pack<Real>(c8, c15) *
+      (Lambda_inv_0_0_p565_lanes + Lambda_inv_0_0_p611_lanes) - detail::make_pack<Real>(s8, s15) *
+      (Lambda_inv_0_0_p625_lanes + Lambda_inv_0_0_p623_lanes);
+  const Lanes<2> Lambda_inv_0_0_p633_lanes = detail::make_pack<Real>(c8, c15) *
       Lambda_inv_0_0_p631_lanes;
-  const Lanes<2> Lambda_inv_0_0_p635_lanes = Lambda_inv_0_0_p633_lanes - Lambda_inv_0_0_p611_lanes;
-  const Lanes<2> Lambda_inv_0_0_p637_lanes = 0.0017499999999999998 + Lambda_inv_0_0_p635_lanes;
+  const Lanes<2> Lambda_inv_0_0_p637_lanes = 0.0017499999999999998 +
+      (Lambda_inv_0_0_p633_lanes - Lambda_inv_0_0_p611_lanes);
   const Lanes<2> inverse_D7_p1_lanes = Lambda_inv_0_0_p511_lanes * inverse_D8_lanes;
-  const Lanes<2> inverse_D7_p2_lanes = Lambda_inv_0_0_p511_lanes * inverse_D7_p1_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D7_p3_lanes = Lambda_inv_0_0_p311_lanes - inverse_D8_p1_lanes;
-  const Lanes<2> inverse_D7_p4_lanes = 0.18113119219699997 + inverse_D7_p3_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D7_p5_lanes = inverse_D7_p4_lanes - inverse_D7_p2_lanes;
-  const Lanes<2> inverse_D7_p6_lanes = 1.1024999999999998e-08 / inverse_D8_p3_lanes;
-  const Lanes<2> inverse_D7_p7_lanes = 0.00012075 - inverse_D7_p6_lanes;
-  const Lanes<2> inverse_D7_p8_lanes = inverse_D7_p7_lanes - inverse_D7_p5_lanes;
-  const Lanes<2> inverse_D7_p9_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p8_lanes;
-  const Lanes<2> inverse_D7_p10_lanes = 0.00010499999999999999 * inverse_D7_p1_lanes;
-  const Lanes<2> inverse_D7_p11_lanes = detail::make_lanes<Real>((-5.2499999999999995e-05),
-      5.2499999999999995e-05) + inverse_D7_p10_lanes;
-  const Lanes<2> inverse_D7_p12_lanes = 2.0 * detail::make_lanes<Real>(c8, c15);
-  const Lanes<2> inverse_D7_p13_lanes = inverse_D7_p12_lanes * inverse_D7_p11_lanes;
-  const Lanes<2> inverse_D7_p14_lanes = inverse_D7_p9_lanes + inverse_D7_p13_lanes;
-  const Lanes<2> inverse_D7_p15_lanes = detail::make_lanes<Real>(s8, s15) * inverse_D7_p14_lanes;
-  const Lanes<2> inverse_D7_p16_lanes = inverse_D7_p5_lanes + inverse_D7_p15_lanes;
-  const Lanes<2> inverse_D7_p17_lanes = 0.000448 + inverse_D7_p16_lanes;
+  const Lanes<2> inverse_D7_p5_lanes = 0.18113119219699997 +
+      (Lambda_inv_0_0_p311_lanes - inverse_D8_p1_lanes) - Lambda_inv_0_0_p511_lanes *
+      inverse_D7_p1_lanes;
+  const Lanes<2> inverse_D7_p7_lanes = 0.00012075 - 1.1024999999999998e-08 / inverse_D8_p3_lanes;
+  const Lanes<2> inverse_D7_p11_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + 0.00010499999999999999 * inverse_D7_p1_lanes;
+  const Lanes<2> inverse_D7_p12_lanes = 2.0 * detail::make_pack<Real>(c8, c15);
+  const Lanes<2> inverse_D7_p14_lanes = detail::make_pack<Real>(s8, s15) *
+      (inverse_D7_p7_lanes - inverse_D7_p5_lanes) + inverse_D7_p12_lanes * inverse_D7_p11_lanes;
+  const Lanes<2> inverse_D7_p15_lanes = detail::make_pack<Real>(s8, s15) * inverse_D7_p14_lanes;
+  const Lanes<2> inverse_D7_p17_lanes = 0.000448 + (inverse_D7_p5_lanes + inverse_D7_p15_lanes);
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D7_lanes = 1.0 / inverse_D7_p17_lanes;
   const Lanes<2> Lambda_inv_0_0_p639_lanes = Lambda_inv_0_0_p637_lanes * inverse_D7_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p641_lanes = detail::make_lanes<Real>(c8, c15) *
-      inverse_D7_p14_lanes;
-  const Lanes<2> Lambda_inv_0_0_p643_lanes = Lambda_inv_0_0_p641_lanes - inverse_D7_p11_lanes;
-  const Lanes<2> Lambda_inv_0_0_p645_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + Lambda_inv_0_0_p643_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p647_lanes = Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p639_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p649_lanes = detail::make_lanes<Real>(s8, s15) *
+  const Lanes<2> Lambda_inv_0_0_p645_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * inverse_D7_p14_lanes -
+      inverse_D7_p11_lanes);
+  const Lanes<2> Lambda_inv_0_0_p649_lanes = detail::make_pack<Real>(s8, s15) *
       Lambda_inv_0_0_p631_lanes;
-  const Lanes<2> Lambda_inv_0_0_p651_lanes = Lambda_inv_0_0_p625_lanes + Lambda_inv_0_0_p649_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p653_lanes = Lambda_inv_0_0_p651_lanes + Lambda_inv_0_0_p647_lanes;
+  const Lanes<2> Lambda_inv_0_0_p653_lanes = Lambda_inv_0_0_p625_lanes + Lambda_inv_0_0_p649_lanes +
+      Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p639_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p655_lanes = Lambda_inv_0_0_p619_lanes - Lambda_inv_0_0_p581_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p657_lanes = Lambda_inv_0_0_p655_lanes * inverse_D8_lanes;
-  const Lanes<2> Lambda_inv_0_0_p659_lanes = 0.00010499999999999999 * Lambda_inv_0_0_p657_lanes;
-  const Lanes<2> Lambda_inv_0_0_p661_lanes = detail::make_lanes<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) + Lambda_inv_0_0_p659_lanes;
-  const Lanes<2> Lambda_inv_0_0_p663_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_0_p661_lanes;
-  const Lanes<2> Lambda_inv_0_0_p665_lanes = Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p667_lanes = Lambda_inv_0_0_p603_lanes + Lambda_inv_0_0_p595_lanes;
-  const Lanes<2> Lambda_inv_0_0_p669_lanes = Lambda_inv_0_0_p667_lanes - 0.7139200499999999;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p671_lanes = Lambda_inv_0_0_p669_lanes - Lambda_inv_0_0_p665_lanes;
-  const Lanes<2> Lambda_inv_0_0_p673_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_0_p671_lanes;
-  const Lanes<2> Lambda_inv_0_0_p675_lanes = Lambda_inv_0_0_p663_lanes + Lambda_inv_0_0_p673_lanes;
-  const Lanes<2> Lambda_inv_0_0_p677_lanes = 0.0017499999999999998 + Lambda_inv_0_0_p675_lanes;
+  const Lanes<2> Lambda_inv_0_0_p661_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + 0.00010499999999999999 * Lambda_inv_0_0_p657_lanes;
+  const Lanes<2> Lambda_inv_0_0_p671_lanes = Lambda_inv_0_0_p603_lanes + Lambda_inv_0_0_p595_lanes -
+      0.7139200499999999 - Lambda_inv_0_0_p511_lanes * Lambda_inv_0_0_p657_lanes;
+  const Lanes<2> Lambda_inv_0_0_p677_lanes = 0.0017499999999999998 +
+      (detail::make_pack<Real>(s8, s15) * Lambda_inv_0_0_p661_lanes +
+      detail::make_pack<Real>(c8, c15) * Lambda_inv_0_0_p671_lanes);
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p679_lanes = Lambda_inv_0_0_p677_lanes * inverse_D7_lanes;
-  const Lanes<2> Lambda_inv_0_0_p681_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> Lambda_inv_0_0_p681_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) * Lambda_inv_0_0_p679_lanes;
-  const Lanes<2> Lambda_inv_0_0_p683_lanes = Lambda_inv_0_0_p653_lanes - Lambda_inv_0_0_p681_lanes;
-  const Lanes<2> Lambda_inv_0_0_p685_lanes = detail::make_lanes<Real>(c7, c14) *
-      Lambda_inv_0_0_p683_lanes;
-  const Lanes<2> Lambda_inv_0_0_p687_lanes = Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p679_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p689_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_0_p661_lanes;
-  const Lanes<2> Lambda_inv_0_0_p691_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_0_p671_lanes;
-  const Lanes<2> Lambda_inv_0_0_p693_lanes = Lambda_inv_0_0_p689_lanes - Lambda_inv_0_0_p691_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p695_lanes = Lambda_inv_0_0_p693_lanes - Lambda_inv_0_0_p687_lanes;
-  const Lanes<2> Lambda_inv_0_0_p697_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> Lambda_inv_0_0_p695_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_inv_0_0_p661_lanes - detail::make_pack<Real>(s8, s15) * Lambda_inv_0_0_p671_lanes -
+      Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p679_lanes;
+  const Lanes<2> Lambda_inv_0_0_p697_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) * Lambda_inv_0_0_p639_lanes;
-  const Lanes<2> Lambda_inv_0_0_p699_lanes = Lambda_inv_0_0_p695_lanes - Lambda_inv_0_0_p697_lanes;
-  const Lanes<2> Lambda_inv_0_0_p701_lanes = detail::make_lanes<Real>(s7, s14) *
-      Lambda_inv_0_0_p699_lanes;
-  const Lanes<2> Lambda_inv_0_0_p703_lanes = Lambda_inv_0_0_p685_lanes - Lambda_inv_0_0_p701_lanes;
-  const Lanes<2> Lambda_inv_0_0_p705_lanes = detail::make_lanes<Real>(s7, s14) *
+  const Lanes<2> Lambda_inv_0_0_p703_lanes = detail::make_pack<Real>(c7, c14) *
+      (Lambda_inv_0_0_p653_lanes - Lambda_inv_0_0_p681_lanes) - detail::make_pack<Real>(s7, s14) *
+      (Lambda_inv_0_0_p695_lanes - Lambda_inv_0_0_p697_lanes);
+  const Lanes<2> Lambda_inv_0_0_p705_lanes = detail::make_pack<Real>(s7, s14) *
       Lambda_inv_0_0_p703_lanes;
   const Lanes<2> Lambda_inv_0_0_p707_lanes = Lambda_inv_0_0_p697_lanes - Lambda_inv_0_0_p705_lanes;
-  const Lanes<2> Lambda_inv_0_0_p709_lanes = Lambda_inv_0_0_p677_lanes * Lambda_inv_0_0_p679_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p711_lanes = Lambda_inv_0_0_p655_lanes * Lambda_inv_0_0_p657_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p713_lanes = Lambda_inv_0_0_p567_lanes * Lambda_inv_0_0_p569_lanes;
-  const Lanes<2> Lambda_inv_0_0_p715_lanes = Lambda_inv_0_0_p449_lanes - Lambda_inv_0_0_p713_lanes;
-  const Lanes<2> Lambda_inv_0_0_p717_lanes = Lambda_inv_0_0_p575_lanes * Lambda_inv_0_0_p577_lanes;
-  const Lanes<2> Lambda_inv_0_0_p719_lanes = Lambda_inv_0_0_p295_lanes - Lambda_inv_0_0_p717_lanes;
-  const Lanes<2> Lambda_inv_0_0_p721_lanes = Lambda_inv_0_0_p715_lanes - Lambda_inv_0_0_p719_lanes;
-  const Lanes<2> Lambda_inv_0_0_p723_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_0_p721_lanes;
-  const Lanes<2> Lambda_inv_0_0_p725_lanes = Lambda_inv_0_0_p567_lanes * Lambda_inv_0_0_p577_lanes;
-  const Lanes<2> Lambda_inv_0_0_p727_lanes = Lambda_inv_0_0_p489_lanes + Lambda_inv_0_0_p725_lanes;
-  const Lanes<2> Lambda_inv_0_0_p729_lanes = Lambda_inv_0_0_p501_lanes * Lambda_inv_0_0_p727_lanes;
-  const Lanes<2> Lambda_inv_0_0_p731_lanes = Lambda_inv_0_0_p723_lanes - Lambda_inv_0_0_p729_lanes;
-  const Lanes<2> Lambda_inv_0_0_p733_lanes = detail::make_lanes<Real>(c9, c16) *
+  const Lanes<2> Lambda_inv_0_0_p715_lanes = Lambda_inv_0_0_p449_lanes - Lambda_inv_0_0_p567_lanes *
+      Lambda_inv_0_0_p569_lanes;
+  const Lanes<2> Lambda_inv_0_0_p719_lanes = Lambda_inv_0_0_p295_lanes - Lambda_inv_0_0_p575_lanes *
+      Lambda_inv_0_0_p577_lanes;
+  const Lanes<2> Lambda_inv_0_0_p727_lanes = Lambda_inv_0_0_p489_lanes + Lambda_inv_0_0_p567_lanes *
+      Lambda_inv_0_0_p577_lanes;
+  const Lanes<2> Lambda_inv_0_0_p731_lanes = detail::make_pack<Real>(c9, c16) *
+      (Lambda_inv_0_0_p715_lanes - Lambda_inv_0_0_p719_lanes) - Lambda_inv_0_0_p501_lanes *
+      Lambda_inv_0_0_p727_lanes;
+  const Lanes<2> Lambda_inv_0_0_p733_lanes = detail::make_pack<Real>(c9, c16) *
       Lambda_inv_0_0_p731_lanes;
-  const Lanes<2> Lambda_inv_0_0_p735_lanes = Lambda_inv_0_0_p719_lanes + Lambda_inv_0_0_p733_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p737_lanes = Lambda_inv_0_0_p735_lanes - Lambda_inv_0_0_p711_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p739_lanes = Lambda_inv_0_0_p737_lanes - Lambda_inv_0_0_p709_lanes;
-  const Lanes<2> Lambda_inv_0_0_p741_lanes = Lambda_inv_0_0_p637_lanes * Lambda_inv_0_0_p639_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p743_lanes = Lambda_inv_0_0_p553_lanes * Lambda_inv_0_0_p609_lanes;
+  const Lanes<2> Lambda_inv_0_0_p739_lanes = Lambda_inv_0_0_p719_lanes + Lambda_inv_0_0_p733_lanes -
+      Lambda_inv_0_0_p655_lanes * Lambda_inv_0_0_p657_lanes - Lambda_inv_0_0_p677_lanes *
+      Lambda_inv_0_0_p679_lanes;
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p745_lanes = Lambda_inv_0_0_p567_lanes * Lambda_inv_0_0_p515_lanes;
-  const Lanes<2> Lambda_inv_0_0_p747_lanes = Lambda_inv_0_0_p541_lanes + Lambda_inv_0_0_p745_lanes;
-  const Lanes<2> Lambda_inv_0_0_p749_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_0_p747_lanes;
-  const Lanes<2> Lambda_inv_0_0_p751_lanes = Lambda_inv_0_0_p575_lanes * Lambda_inv_0_0_p515_lanes;
-  const Lanes<2> Lambda_inv_0_0_p753_lanes = Lambda_inv_0_0_p523_lanes + Lambda_inv_0_0_p751_lanes;
-  const Lanes<2> Lambda_inv_0_0_p755_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_0_p753_lanes;
-  const Lanes<2> Lambda_inv_0_0_p757_lanes = Lambda_inv_0_0_p749_lanes - Lambda_inv_0_0_p755_lanes;
+  const Lanes<2> Lambda_inv_0_0_p747_lanes = Lambda_inv_0_0_p541_lanes + Lambda_inv_0_0_p567_lanes *
+      Lambda_inv_0_0_p515_lanes;
+  const Lanes<2> Lambda_inv_0_0_p753_lanes = Lambda_inv_0_0_p523_lanes + Lambda_inv_0_0_p575_lanes *
+      Lambda_inv_0_0_p515_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p759_lanes = Lambda_inv_0_0_p757_lanes + Lambda_inv_0_0_p743_lanes;
-  const Lanes<2> Lambda_inv_0_0_p761_lanes = inverse_D7_p12_lanes * Lambda_inv_0_0_p759_lanes;
-  const Lanes<2> Lambda_inv_0_0_p763_lanes = Lambda_inv_0_0_p607_lanes * Lambda_inv_0_0_p609_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p765_lanes = Lambda_inv_0_0_p715_lanes - Lambda_inv_0_0_p733_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p767_lanes = Lambda_inv_0_0_p765_lanes - Lambda_inv_0_0_p763_lanes;
-  const Lanes<2> Lambda_inv_0_0_p769_lanes = Lambda_inv_0_0_p553_lanes * Lambda_inv_0_0_p555_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p771_lanes = Lambda_inv_0_0_p513_lanes * Lambda_inv_0_0_p515_lanes;
-
-  // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p773_lanes = Lambda_inv_0_0_p439_lanes + Lambda_inv_0_0_p447_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p775_lanes = Lambda_inv_0_0_p773_lanes + Lambda_inv_0_0_p771_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p777_lanes = Lambda_inv_0_0_p775_lanes + Lambda_inv_0_0_p769_lanes;
-  const Lanes<2> Lambda_inv_0_0_p779_lanes = Lambda_inv_0_0_p777_lanes + Lambda_inv_0_0_p767_lanes;
-  const Lanes<2> Lambda_inv_0_0_p781_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_0_p779_lanes;
-  const Lanes<2> Lambda_inv_0_0_p783_lanes = Lambda_inv_0_0_p761_lanes - Lambda_inv_0_0_p781_lanes;
-  const Lanes<2> Lambda_inv_0_0_p785_lanes = detail::make_lanes<Real>(s8, s15) *
+  const Lanes<2> Lambda_inv_0_0_p759_lanes = detail::make_pack<Real>(s9, s16) *
+      Lambda_inv_0_0_p747_lanes - detail::make_pack<Real>(c9, c16) * Lambda_inv_0_0_p753_lanes +
+      Lambda_inv_0_0_p553_lanes * Lambda_inv_0_0_p609_lanes;
+  const Lanes<2> Lambda_inv_0_0_p767_lanes = Lambda_inv_0_0_p715_lanes - Lambda_inv_0_0_p733_lanes -
+      Lambda_inv_0_0_p607_lanes * Lambda_inv_0_0_p609_lanes;
+  const Lanes<2> Lambda_inv_0_0_p777_lanes = Lambda_inv_0_0_p439_lanes + Lambda_inv_0_0_p447_lanes +
+      Lambda_inv_0_0_p513_lanes * Lambda_inv_0_0_p515_lanes + Lambda_inv_0_0_p553_lanes *
+      Lambda_inv_0_0_p555_lanes;
+  const Lanes<2> Lambda_inv_0_0_p783_lanes = inverse_D7_p12_lanes * Lambda_inv_0_0_p759_lanes -
+      detail::make_pack<Real>(s8, s15) * (Lambda_inv_0_0_p777_lanes + Lambda_inv_0_0_p767_lanes);
+  const Lanes<2> Lambda_inv_0_0_p785_lanes = detail::make_pack<Real>(s8, s15) *
       Lambda_inv_0_0_p783_lanes;
-  const Lanes<2> Lambda_inv_0_0_p787_lanes = Lambda_inv_0_0_p777_lanes + Lambda_inv_0_0_p785_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p789_lanes = Lambda_inv_0_0_p787_lanes + Lambda_inv_0_0_p741_lanes;
-  const Lanes<2> Lambda_inv_0_0_p791_lanes = Lambda_inv_0_0_p739_lanes + Lambda_inv_0_0_p789_lanes;
-  const Lanes<2> Lambda_inv_0_0_p793_lanes = detail::make_lanes<Real>(c7, c14) *
-      Lambda_inv_0_0_p791_lanes;
-  const Lanes<2> Lambda_inv_0_0_p795_lanes = Lambda_inv_0_0_p677_lanes * Lambda_inv_0_0_p639_lanes;
+  const Lanes<2> Lambda_inv_0_0_p789_lanes = Lambda_inv_0_0_p777_lanes + Lambda_inv_0_0_p785_lanes +
+      Lambda_inv_0_0_p637_lanes * Lambda_inv_0_0_p639_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p797_lanes = Lambda_inv_0_0_p553_lanes * Lambda_inv_0_0_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p799_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_0_p747_lanes;
-  const Lanes<2> Lambda_inv_0_0_p801_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_0_p753_lanes;
-  const Lanes<2> Lambda_inv_0_0_p803_lanes = Lambda_inv_0_0_p799_lanes + Lambda_inv_0_0_p801_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p805_lanes = Lambda_inv_0_0_p803_lanes + Lambda_inv_0_0_p797_lanes;
-  const Lanes<2> Lambda_inv_0_0_p807_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_0_p805_lanes;
-  const Lanes<2> Lambda_inv_0_0_p809_lanes = Lambda_inv_0_0_p607_lanes * Lambda_inv_0_0_p657_lanes;
-
-  // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p811_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_0_p731_lanes;
-  const Lanes<2> Lambda_inv_0_0_p813_lanes = Lambda_inv_0_0_p811_lanes + Lambda_inv_0_0_p727_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p815_lanes = Lambda_inv_0_0_p813_lanes - Lambda_inv_0_0_p809_lanes;
-  const Lanes<2> Lambda_inv_0_0_p817_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_0_p815_lanes;
-  const Lanes<2> Lambda_inv_0_0_p819_lanes = Lambda_inv_0_0_p807_lanes - Lambda_inv_0_0_p817_lanes;
+  const Lanes<2> Lambda_inv_0_0_p805_lanes = detail::make_pack<Real>(c9, c16) *
+      Lambda_inv_0_0_p747_lanes + detail::make_pack<Real>(s9, s16) * Lambda_inv_0_0_p753_lanes +
+      Lambda_inv_0_0_p553_lanes * Lambda_inv_0_0_p657_lanes;
+  const Lanes<2> Lambda_inv_0_0_p815_lanes = detail::make_pack<Real>(s9, s16) *
+      Lambda_inv_0_0_p731_lanes + Lambda_inv_0_0_p727_lanes - Lambda_inv_0_0_p607_lanes *
+      Lambda_inv_0_0_p657_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p821_lanes = Lambda_inv_0_0_p819_lanes - Lambda_inv_0_0_p795_lanes;
-  const Lanes<2> Lambda_inv_0_0_p823_lanes = 2.0 * detail::make_lanes<Real>(s7, s14);
-  const Lanes<2> Lambda_inv_0_0_p825_lanes = Lambda_inv_0_0_p823_lanes * Lambda_inv_0_0_p821_lanes;
-  const Lanes<2> Lambda_inv_0_0_p827_lanes = Lambda_inv_0_0_p793_lanes - Lambda_inv_0_0_p825_lanes;
-  const Lanes<2> Lambda_inv_0_0_p829_lanes = detail::make_lanes<Real>(c7, c14) *
+  const Lanes<2> Lambda_inv_0_0_p821_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_inv_0_0_p805_lanes - detail::make_pack<Real>(s8, s15) * Lambda_inv_0_0_p815_lanes -
+      Lambda_inv_0_0_p677_lanes * Lambda_inv_0_0_p639_lanes;
+  const Lanes<2> Lambda_inv_0_0_p823_lanes = 2.0 * detail::make_pack<Real>(s7, s14);
+  const Lanes<2> Lambda_inv_0_0_p827_lanes = detail::make_pack<Real>(c7, c14) *
+      (Lambda_inv_0_0_p739_lanes + Lambda_inv_0_0_p789_lanes) - Lambda_inv_0_0_p823_lanes *
+      Lambda_inv_0_0_p821_lanes;
+  const Lanes<2> Lambda_inv_0_0_p829_lanes = detail::make_pack<Real>(c7, c14) *
       Lambda_inv_0_0_p827_lanes;
   const Lanes<2> Lambda_inv_0_0_p831_lanes = Lambda_inv_0_0_p739_lanes - Lambda_inv_0_0_p829_lanes;
-  const Lanes<2> Lambda_inv_0_0_p833_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      Lambda_inv_0_0_p831_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p835_lanes = Lambda_inv_0_0_p623_lanes + Lambda_inv_0_0_p649_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p837_lanes = Lambda_inv_0_0_p835_lanes * inverse_D7_lanes;
-  const Lanes<2> Lambda_inv_0_0_p839_lanes = Lambda_inv_0_0_p677_lanes * Lambda_inv_0_0_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p841_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_0_p805_lanes;
-  const Lanes<2> Lambda_inv_0_0_p843_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_0_p815_lanes;
-  const Lanes<2> Lambda_inv_0_0_p845_lanes = Lambda_inv_0_0_p841_lanes + Lambda_inv_0_0_p843_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p847_lanes = Lambda_inv_0_0_p845_lanes - Lambda_inv_0_0_p839_lanes;
-  const Lanes<2> Lambda_inv_0_0_p849_lanes = detail::make_lanes<Real>(s7, s14) *
-      Lambda_inv_0_0_p847_lanes;
-  const Lanes<2> Lambda_inv_0_0_p851_lanes = Lambda_inv_0_0_p637_lanes * Lambda_inv_0_0_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p853_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_0_p783_lanes;
-  const Lanes<2> Lambda_inv_0_0_p855_lanes = Lambda_inv_0_0_p853_lanes - Lambda_inv_0_0_p759_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p857_lanes = Lambda_inv_0_0_p855_lanes - Lambda_inv_0_0_p851_lanes;
-  const Lanes<2> Lambda_inv_0_0_p859_lanes = detail::make_lanes<Real>(c7, c14) *
-      Lambda_inv_0_0_p857_lanes;
-  const Lanes<2> Lambda_inv_0_0_p861_lanes = Lambda_inv_0_0_p849_lanes + Lambda_inv_0_0_p859_lanes;
-  const Lanes<2> Lambda_inv_0_0_p863_lanes = 0.226 * Lambda_inv_0_0_p861_lanes;
-  const Lanes<2> Lambda_inv_0_0_p865_lanes = Lambda_inv_0_0_p833_lanes + Lambda_inv_0_0_p863_lanes;
-  const Lanes<2> Lambda_inv_0_0_p867_lanes = Lambda_inv_0_0_p707_lanes + Lambda_inv_0_0_p865_lanes;
+  const Lanes<2> Lambda_inv_0_0_p847_lanes = detail::make_pack<Real>(s8, s15) *
+      Lambda_inv_0_0_p805_lanes + detail::make_pack<Real>(c8, c15) * Lambda_inv_0_0_p815_lanes -
+      Lambda_inv_0_0_p677_lanes * Lambda_inv_0_0_p837_lanes;
+  const Lanes<2> Lambda_inv_0_0_p857_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_inv_0_0_p783_lanes - Lambda_inv_0_0_p759_lanes - Lambda_inv_0_0_p637_lanes *
+      Lambda_inv_0_0_p837_lanes;
+  const Lanes<2> Lambda_inv_0_0_p861_lanes = detail::make_pack<Real>(s7, s14) *
+      Lambda_inv_0_0_p847_lanes + detail::make_pack<Real>(c7, c14) * Lambda_inv_0_0_p857_lanes;
+  const Lanes<2> Lambda_inv_0_0_p867_lanes = Lambda_inv_0_0_p707_lanes +
+      (detail::make_pack<Real>(0.18, (-0.18)) * Lambda_inv_0_0_p831_lanes + 0.226 *
+      Lambda_inv_0_0_p861_lanes);
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p869_lanes = 0.0007770270270270272 *
-      detail::make_lanes<Real>(c23, c24);
-  const Lanes<2> Lambda_inv_0_0_p871_lanes = detail::make_lanes<Real>(c23, c24) *
+      detail::make_pack<Real>(c23, c24);
+  const Lanes<2> Lambda_inv_0_0_p871_lanes = detail::make_pack<Real>(c23, c24) *
       Lambda_inv_0_0_p869_lanes;
   const Lanes<2> Lambda_inv_0_0_p873_lanes = Lambda_inv_0_0_p871_lanes - 0.0007770270270270272;
   const Real Lambda_inv_0_0_p875 = 0.431222972972973 + Lambda_inv_0_0_p871_lanes[1] +
       Lambda_inv_0_0_p873_lanes[0];
-  const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_lanes<Real>(s23, s24);
-  const Lanes<2> inverse_D22_p3_lanes = detail::make_lanes<Real>(s23, s24) * inverse_D22_p1_lanes;
+  const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> inverse_D22_p3_lanes = detail::make_pack<Real>(s23, s24) * inverse_D22_p1_lanes;
   const Real inverse_D22_p5 = inverse_D22_p3_lanes[1] + inverse_D22_p3_lanes[0];
   const Real inverse_D22_p6 = c24 + c23;
 
@@ -1001,14 +648,12 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_0_p876 = Lambda_inv_0_0_p875 * inverse_D22;
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p877_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) +
-      inverse_D22_p1_lanes;
-  const Lanes<2> Lambda_inv_0_0_p879_lanes = Lambda_inv_0_0_p877_lanes *
-      detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> Lambda_inv_0_0_p879_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) +
+      inverse_D22_p1_lanes) * detail::make_pack<Real>(c23, c24);
   const Real Lambda_inv_0_0_p881 = s24 + s23;
   const Real Lambda_inv_0_0_p882 = Lambda_inv_0_0_p879_lanes[0] + 2.375e-05 * Lambda_inv_0_0_p881 +
       Lambda_inv_0_0_p879_lanes[1];
-  const Lanes<2> Lambda_inv_0_0_p883_lanes = detail::make_lanes<Real>(s23, s24) *
+  const Lanes<2> Lambda_inv_0_0_p883_lanes = detail::make_pack<Real>(s23, s24) *
       Lambda_inv_0_0_p869_lanes;
   const Real Lambda_inv_0_0_p885 = Lambda_inv_0_0_p883_lanes[1] + Lambda_inv_0_0_p883_lanes[0];
 
@@ -1016,7 +661,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_0_p886 = Lambda_inv_0_0_p882 * Lambda_inv_0_0_p876 - Lambda_inv_0_0_p885;
 
   // link 23 (left_eye), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p887_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
+  const Lanes<2> Lambda_inv_0_0_p887_lanes = detail::make_pack<Real>(0.032, (-0.032)) *
       Lambda_inv_0_0_p873_lanes;
   const Real Lambda_inv_0_0_p889 = Lambda_inv_0_0_p887_lanes[1] + Lambda_inv_0_0_p887_lanes[0] -
       0.095 * Lambda_inv_0_0_p885;
@@ -1028,15 +673,13 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> Lambda_inv_0_0_p893_lanes = 0.006756756756756757 *
-      detail::make_lanes<Real>(s23, s24);
-  const Lanes<2> Lambda_inv_0_0_p895_lanes = detail::make_lanes<Real>(c23, c24) *
+      detail::make_pack<Real>(s23, s24);
+  const Lanes<2> Lambda_inv_0_0_p895_lanes = detail::make_pack<Real>(c23, c24) *
       Lambda_inv_0_0_p893_lanes;
-  const Lanes<2> Lambda_inv_0_0_p897_lanes = 0.095 * Lambda_inv_0_0_p895_lanes;
-  const Lanes<2> Lambda_inv_0_0_p899_lanes = detail::make_lanes<Real>(s23, s24) *
+  const Lanes<2> Lambda_inv_0_0_p899_lanes = detail::make_pack<Real>(s23, s24) *
       Lambda_inv_0_0_p893_lanes;
-  const Lanes<2> Lambda_inv_0_0_p901_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
-      Lambda_inv_0_0_p899_lanes;
-  const Lanes<2> Lambda_inv_0_0_p903_lanes = Lambda_inv_0_0_p897_lanes + Lambda_inv_0_0_p901_lanes;
+  const Lanes<2> Lambda_inv_0_0_p903_lanes = 0.095 * Lambda_inv_0_0_p895_lanes +
+      detail::make_pack<Real>(0.032, (-0.032)) * Lambda_inv_0_0_p899_lanes;
 
   // link 22 (head), articulated inertia
   const Real Lambda_inv_0_0_p905 = Lambda_inv_0_0_p903_lanes[1] + Lambda_inv_0_0_p903_lanes[0] +
@@ -1051,10 +694,8 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> inverse_D21_p2_lanes = Lambda_inv_0_0_p899_lanes - 0.006756756756756757;
-  const Lanes<2> inverse_D21_p4_lanes = 0.095 * inverse_D21_p2_lanes;
-  const Lanes<2> inverse_D21_p6_lanes = detail::make_lanes<Real>(0.032, (-0.032)) *
-      Lambda_inv_0_0_p895_lanes;
-  const Lanes<2> inverse_D21_p8_lanes = inverse_D21_p4_lanes - inverse_D21_p6_lanes;
+  const Lanes<2> inverse_D21_p8_lanes = 0.095 * inverse_D21_p2_lanes -
+      detail::make_pack<Real>(0.032, (-0.032)) * Lambda_inv_0_0_p895_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D21_p10 = inverse_D21_p8_lanes[1] + inverse_D21_p8_lanes[0];
@@ -1113,29 +754,21 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   // link 7 (left_shoulder1), articulated inertia
   const Real Lambda_inv_0_0_p929 = c21 * Lambda_inv_0_0_p920 - s21 * Lambda_inv_0_0_p928 +
       Lambda_inv_0_0_p867_lanes[1] + Lambda_inv_0_0_p867_lanes[0];
-  const Lanes<2> inverse_D6_p1_lanes = Lambda_inv_0_0_p707_lanes + Lambda_inv_0_0_p867_lanes;
-  const Lanes<2> inverse_D6_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D6_p1_lanes;
+  const Lanes<2> inverse_D6_p3_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (Lambda_inv_0_0_p707_lanes + Lambda_inv_0_0_p867_lanes);
   const Lanes<2> inverse_D6_p5_lanes = Lambda_inv_0_0_p645_lanes * inverse_D7_lanes;
-  const Lanes<2> inverse_D6_p7_lanes = Lambda_inv_0_0_p645_lanes * inverse_D6_p5_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p9_lanes = inverse_D7_p7_lanes - inverse_D7_p15_lanes;
-  const Lanes<2> inverse_D6_p11_lanes = 0.0002975 + inverse_D6_p9_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p13_lanes = inverse_D6_p11_lanes - inverse_D6_p7_lanes;
-  const Lanes<2> inverse_D6_p15_lanes = detail::make_lanes<Real>(6.890624999999999e-10,
+  const Lanes<2> inverse_D6_p13_lanes = 0.0002975 + (inverse_D7_p7_lanes - inverse_D7_p15_lanes) -
+      Lambda_inv_0_0_p645_lanes * inverse_D6_p5_lanes;
+  const Lanes<2> inverse_D6_p15_lanes = detail::make_pack<Real>(6.890624999999999e-10,
       6.890624999999999e-10) / inverse_D7_p17_lanes;
   const Lanes<2> inverse_D6_p17_lanes = 0.0001505 - inverse_D6_p15_lanes;
-  const Lanes<2> inverse_D6_p19_lanes = inverse_D6_p17_lanes - inverse_D6_p13_lanes;
-  const Lanes<2> inverse_D6_p21_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p19_lanes;
-  const Lanes<2> inverse_D6_p23_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) * inverse_D6_p5_lanes;
-  const Lanes<2> inverse_D6_p25_lanes = 8.75e-06 + inverse_D6_p23_lanes;
-  const Lanes<2> inverse_D6_p27_lanes = Lambda_inv_0_0_p823_lanes * inverse_D6_p25_lanes;
-  const Lanes<2> inverse_D6_p29_lanes = inverse_D6_p21_lanes + inverse_D6_p27_lanes;
-  const Lanes<2> inverse_D6_p31_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p29_lanes;
+  const Lanes<2> inverse_D6_p25_lanes = 8.75e-06 +
+      detail::make_pack<Real>((-2.6249999999999998e-05), 2.6249999999999998e-05) *
+      inverse_D6_p5_lanes;
+  const Lanes<2> inverse_D6_p29_lanes = detail::make_pack<Real>(c7, c14) *
+      (inverse_D6_p17_lanes - inverse_D6_p13_lanes) + Lambda_inv_0_0_p823_lanes *
+      inverse_D6_p25_lanes;
+  const Lanes<2> inverse_D6_p31_lanes = detail::make_pack<Real>(c7, c14) * inverse_D6_p29_lanes;
   const Real inverse_D6_p33 = inverse_D6_p31_lanes[1] + inverse_D6_p31_lanes[0];
 
   // link 22 (head), articulated inertia
@@ -1171,32 +804,18 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real inverse_D6_p48 = c21 * inverse_D6_p47;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p49_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) * Lambda_inv_0_0_p837_lanes;
-  const Lanes<2> inverse_D6_p51_lanes = 0.0017499999999999998 + inverse_D6_p49_lanes;
-  const Lanes<2> inverse_D6_p53_lanes = detail::make_lanes<Real>(c7, c14) * inverse_D6_p51_lanes;
-  const Lanes<2> inverse_D6_p55_lanes = Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p57_lanes = Lambda_inv_0_0_p633_lanes - Lambda_inv_0_0_p565_lanes;
-  const Lanes<2> inverse_D6_p59_lanes = inverse_D6_p57_lanes - 0.0017499999999999998;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p61_lanes = inverse_D6_p59_lanes - inverse_D6_p55_lanes;
-  const Lanes<2> inverse_D6_p63_lanes = detail::make_lanes<Real>(s7, s14) * inverse_D6_p61_lanes;
-  const Lanes<2> inverse_D6_p65_lanes = inverse_D6_p53_lanes + inverse_D6_p63_lanes;
-  const Lanes<2> inverse_D6_p67_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      Lambda_inv_0_0_p861_lanes;
-  const Lanes<2> inverse_D6_p69_lanes = Lambda_inv_0_0_p835_lanes * Lambda_inv_0_0_p837_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p71_lanes = Lambda_inv_0_0_p767_lanes + Lambda_inv_0_0_p785_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p73_lanes = inverse_D6_p71_lanes - inverse_D6_p69_lanes;
-  const Lanes<2> inverse_D6_p75_lanes = 0.226 * inverse_D6_p73_lanes;
-  const Lanes<2> inverse_D6_p77_lanes = inverse_D6_p67_lanes + inverse_D6_p75_lanes;
-  const Lanes<2> inverse_D6_p79_lanes = inverse_D6_p65_lanes + inverse_D6_p77_lanes;
+  const Lanes<2> inverse_D6_p51_lanes = 0.0017499999999999998 +
+      detail::make_pack<Real>((-2.6249999999999998e-05), 2.6249999999999998e-05) *
+      Lambda_inv_0_0_p837_lanes;
+  const Lanes<2> inverse_D6_p61_lanes = Lambda_inv_0_0_p633_lanes - Lambda_inv_0_0_p565_lanes -
+      0.0017499999999999998 - Lambda_inv_0_0_p645_lanes * Lambda_inv_0_0_p837_lanes;
+  const Lanes<2> inverse_D6_p65_lanes = detail::make_pack<Real>(c7, c14) * inverse_D6_p51_lanes +
+      detail::make_pack<Real>(s7, s14) * inverse_D6_p61_lanes;
+  const Lanes<2> inverse_D6_p73_lanes = Lambda_inv_0_0_p767_lanes + Lambda_inv_0_0_p785_lanes -
+      Lambda_inv_0_0_p835_lanes * Lambda_inv_0_0_p837_lanes;
+  const Lanes<2> inverse_D6_p79_lanes = inverse_D6_p65_lanes +
+      (detail::make_pack<Real>(0.18, (-0.18)) * Lambda_inv_0_0_p861_lanes + 0.226 *
+      inverse_D6_p73_lanes);
   const Real inverse_D6_p81 = inverse_D6_p79_lanes[1] + inverse_D6_p79_lanes[0];
   const Real inverse_D6_p82 = 2.06965463592404 + inverse_D6_p41 + inverse_D6_p48 +
       inverse_D6_p13_lanes[1] + inverse_D6_p33 + inverse_D6_p3_lanes[1] + inverse_D6_p13_lanes[0] +
@@ -1208,33 +827,24 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_0_p930 = Lambda_inv_0_0_p929 * inverse_D6;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p931_lanes = detail::make_lanes<Real>(c7, c14) *
+  const Lanes<2> Lambda_inv_0_0_p931_lanes = detail::make_pack<Real>(c7, c14) *
       Lambda_inv_0_0_p703_lanes;
-  const Lanes<2> Lambda_inv_0_0_p933_lanes = Lambda_inv_0_0_p931_lanes - Lambda_inv_0_0_p653_lanes;
-  const Lanes<2> Lambda_inv_0_0_p935_lanes = detail::make_lanes<Real>(s7, s14) *
-      Lambda_inv_0_0_p827_lanes;
-  const Lanes<2> Lambda_inv_0_0_p937_lanes = Lambda_inv_0_0_p935_lanes + Lambda_inv_0_0_p821_lanes;
-  const Lanes<2> Lambda_inv_0_0_p939_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
+  const Lanes<2> Lambda_inv_0_0_p937_lanes = detail::make_pack<Real>(s7, s14) *
+      Lambda_inv_0_0_p827_lanes + Lambda_inv_0_0_p821_lanes;
+  const Lanes<2> Lambda_inv_0_0_p939_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
       Lambda_inv_0_0_p937_lanes;
-  const Lanes<2> Lambda_inv_0_0_p941_lanes = detail::make_lanes<Real>(c7, c14) *
-      Lambda_inv_0_0_p847_lanes;
-  const Lanes<2> Lambda_inv_0_0_p943_lanes = detail::make_lanes<Real>(s7, s14) *
-      Lambda_inv_0_0_p857_lanes;
-  const Lanes<2> Lambda_inv_0_0_p945_lanes = Lambda_inv_0_0_p941_lanes - Lambda_inv_0_0_p943_lanes;
+  const Lanes<2> Lambda_inv_0_0_p945_lanes = detail::make_pack<Real>(c7, c14) *
+      Lambda_inv_0_0_p847_lanes - detail::make_pack<Real>(s7, s14) * Lambda_inv_0_0_p857_lanes;
   const Lanes<2> Lambda_inv_0_0_p947_lanes = 0.226 * Lambda_inv_0_0_p945_lanes;
-  const Lanes<2> Lambda_inv_0_0_p949_lanes = Lambda_inv_0_0_p939_lanes + Lambda_inv_0_0_p947_lanes;
-  const Lanes<2> Lambda_inv_0_0_p951_lanes = Lambda_inv_0_0_p933_lanes - Lambda_inv_0_0_p949_lanes;
+  const Lanes<2> Lambda_inv_0_0_p951_lanes = Lambda_inv_0_0_p931_lanes - Lambda_inv_0_0_p653_lanes -
+      (Lambda_inv_0_0_p939_lanes + Lambda_inv_0_0_p947_lanes);
   const Lanes<2> Lambda_inv_0_0_p953_lanes = Lambda_inv_0_0_p681_lanes + Lambda_inv_0_0_p931_lanes;
-  const Lanes<2> Lambda_inv_0_0_p955_lanes = Lambda_inv_0_0_p951_lanes + Lambda_inv_0_0_p953_lanes;
-  const Lanes<2> Lambda_inv_0_0_p957_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      Lambda_inv_0_0_p955_lanes;
-  const Lanes<2> Lambda_inv_0_0_p959_lanes = detail::make_lanes<Real>(s7, s14) *
+  const Lanes<2> Lambda_inv_0_0_p957_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (Lambda_inv_0_0_p951_lanes + Lambda_inv_0_0_p953_lanes);
+  const Lanes<2> Lambda_inv_0_0_p959_lanes = detail::make_pack<Real>(s7, s14) *
       inverse_D6_p29_lanes;
-  const Lanes<2> Lambda_inv_0_0_p961_lanes = detail::make_lanes<Real>(s7, s14) *
-      inverse_D6_p51_lanes;
-  const Lanes<2> Lambda_inv_0_0_p963_lanes = detail::make_lanes<Real>(c7, c14) *
-      inverse_D6_p61_lanes;
-  const Lanes<2> Lambda_inv_0_0_p965_lanes = Lambda_inv_0_0_p961_lanes - Lambda_inv_0_0_p963_lanes;
+  const Lanes<2> Lambda_inv_0_0_p965_lanes = detail::make_pack<Real>(s7, s14) *
+      inverse_D6_p51_lanes - detail::make_pack<Real>(c7, c14) * inverse_D6_p61_lanes;
   const Real Lambda_inv_0_0_p967 = Lambda_inv_0_0_p965_lanes[1] + Lambda_inv_0_0_p965_lanes[0];
   const Real Lambda_inv_0_0_p968 = 0.0187369177636143 + Lambda_inv_0_0_p957_lanes[1] -
       inverse_D6_p25_lanes[1] + Lambda_inv_0_0_p959_lanes[1] + Lambda_inv_0_0_p957_lanes[0] -
@@ -1323,9 +933,8 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D5_p1_lanes = Lambda_inv_0_0_p705_lanes + Lambda_inv_0_0_p695_lanes;
   const Lanes<2> inverse_D5_p3_lanes = Lambda_inv_0_0_p829_lanes - Lambda_inv_0_0_p789_lanes;
-  const Lanes<2> inverse_D5_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D5_p3_lanes;
-  const Lanes<2> inverse_D5_p7_lanes = inverse_D5_p1_lanes + inverse_D5_p5_lanes;
+  const Lanes<2> inverse_D5_p7_lanes = inverse_D5_p1_lanes +
+      detail::make_pack<Real>(0.18, (-0.18)) * inverse_D5_p3_lanes;
 
   // link 6 (chest3), articulated inertia
   const Real inverse_D5_p9 = inverse_D5_p7_lanes[1] + inverse_D5_p7_lanes[0] - Lambda_inv_0_0_p968 *
@@ -1345,9 +954,8 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real inverse_D5_p16 = Lambda_inv_0_0_p968 * inverse_D6;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D5_p17_lanes = inverse_D5_p1_lanes + inverse_D5_p7_lanes;
-  const Lanes<2> inverse_D5_p19_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      inverse_D5_p17_lanes;
+  const Lanes<2> inverse_D5_p19_lanes = detail::make_pack<Real>(0.18, (-0.18)) *
+      (inverse_D5_p1_lanes + inverse_D5_p7_lanes);
 
   // link 6 (chest3), articulated inertia
   const Real inverse_D5_p21 = 0.40056549999999996 - inverse_D6_p15_lanes[1] - inverse_D6_p33 +
@@ -1552,7 +1160,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_0_p1080 = Lambda_inv_0_0_p1079 * inverse_D2;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_inv_0_0_p1081_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> Lambda_inv_0_0_p1081_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) / inverse_D7_p17_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
@@ -1564,44 +1172,29 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real Lambda_inv_0_1_p2 = s6 * c4 - c6 * Lambda_inv_0_1_p1;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_1_p3_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_1_p2;
-
   // link 5 (chest2), pose
   const Real Lambda_inv_0_1_p4 = c5 * s4;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_1_p5_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_1_p4;
-  const Lanes<2> Lambda_inv_0_1_p6_lanes = Lambda_inv_0_1_p3_lanes - Lambda_inv_0_1_p5_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_1_p7_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_1_p6_lanes;
+  const Lanes<2> Lambda_inv_0_1_p6_lanes = detail::make_pack<Real>(c7, c14) * Lambda_inv_0_1_p2 -
+      detail::make_pack<Real>(s7, s14) * Lambda_inv_0_1_p4;
 
   // link 6 (chest3), pose
   const Real Lambda_inv_0_1_p8 = s6 * Lambda_inv_0_1_p1 + c6 * c4;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_1_p9_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_inv_0_1_p8;
-  const Lanes<2> Lambda_inv_0_1_p10_lanes = Lambda_inv_0_1_p7_lanes + Lambda_inv_0_1_p9_lanes;
-  const Lanes<2> Lambda_inv_0_1_p11_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_inv_0_1_p8;
-  const Lanes<2> Lambda_inv_0_1_p12_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_1_p6_lanes;
-  const Lanes<2> Lambda_inv_0_1_p13_lanes = Lambda_inv_0_1_p11_lanes - Lambda_inv_0_1_p12_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_1_p14_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_1_p13_lanes;
+  const Lanes<2> Lambda_inv_0_1_p10_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_inv_0_1_p6_lanes + detail::make_pack<Real>(s8, s15) * Lambda_inv_0_1_p8;
+  const Lanes<2> Lambda_inv_0_1_p13_lanes = detail::make_pack<Real>(c8, c15) * Lambda_inv_0_1_p8 -
+      detail::make_pack<Real>(s8, s15) * Lambda_inv_0_1_p6_lanes;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_1_p15_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_1_p2;
-  const Lanes<2> Lambda_inv_0_1_p16_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_1_p4;
-  const Lanes<2> Lambda_inv_0_1_p17_lanes = Lambda_inv_0_1_p15_lanes + Lambda_inv_0_1_p16_lanes;
+  const Lanes<2> Lambda_inv_0_1_p17_lanes = detail::make_pack<Real>(s7, s14) * Lambda_inv_0_1_p2 +
+      detail::make_pack<Real>(c7, c14) * Lambda_inv_0_1_p4;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_1_p18_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_1_p17_lanes;
-  const Lanes<2> Lambda_inv_0_1_p19_lanes = Lambda_inv_0_1_p14_lanes + Lambda_inv_0_1_p18_lanes;
+  const Lanes<2> Lambda_inv_0_1_p19_lanes = detail::make_pack<Real>(s9, s16) *
+      Lambda_inv_0_1_p13_lanes + detail::make_pack<Real>(c9, c16) * Lambda_inv_0_1_p17_lanes;
 
   // link 17 (right_lowerarm), pose
   const Real Lambda_inv_0_7_p17 = c17 * Lambda_inv_0_1_p10_lanes[1] - s17 *
@@ -1629,40 +1222,25 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real Lambda_inv_0_5_p8 = c6 * Lambda_inv_0_5_p6 + s6 * Lambda_inv_0_5_p7;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_5_p9_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_5_p8;
-
   // link 5 (chest2), pose
   const Real Lambda_inv_0_5_p10 = c5 * Lambda_inv_0_5_p4 + s5 * Lambda_inv_0_5_p5;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_5_p11_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_5_p10;
-  const Lanes<2> Lambda_inv_0_5_p12_lanes = Lambda_inv_0_5_p9_lanes - Lambda_inv_0_5_p11_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_5_p13_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_5_p12_lanes;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_5_p14_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_5_p8;
-  const Lanes<2> Lambda_inv_0_5_p15_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_5_p10;
-  const Lanes<2> Lambda_inv_0_5_p16_lanes = Lambda_inv_0_5_p14_lanes + Lambda_inv_0_5_p15_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_5_p17_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_5_p16_lanes;
+  const Lanes<2> Lambda_inv_0_5_p12_lanes = detail::make_pack<Real>(s7, s14) * Lambda_inv_0_5_p8 -
+      detail::make_pack<Real>(c7, c14) * Lambda_inv_0_5_p10;
+  const Lanes<2> Lambda_inv_0_5_p16_lanes = detail::make_pack<Real>(c7, c14) * Lambda_inv_0_5_p8 +
+      detail::make_pack<Real>(s7, s14) * Lambda_inv_0_5_p10;
 
   // link 6 (chest3), pose
   const Real Lambda_inv_0_5_p18 = s6 * Lambda_inv_0_5_p6 - c6 * Lambda_inv_0_5_p7;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_5_p19_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_inv_0_5_p18;
-  const Lanes<2> Lambda_inv_0_5_p20_lanes = Lambda_inv_0_5_p17_lanes + Lambda_inv_0_5_p19_lanes;
+  const Lanes<2> Lambda_inv_0_5_p20_lanes = detail::make_pack<Real>(s8, s15) *
+      Lambda_inv_0_5_p16_lanes + detail::make_pack<Real>(c8, c15) * Lambda_inv_0_5_p18;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_5_p21_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_5_p20_lanes;
-  const Lanes<2> Lambda_inv_0_5_p22_lanes = Lambda_inv_0_5_p13_lanes - Lambda_inv_0_5_p21_lanes;
+  const Lanes<2> Lambda_inv_0_5_p22_lanes = detail::make_pack<Real>(c9, c16) *
+      Lambda_inv_0_5_p12_lanes - detail::make_pack<Real>(s9, s16) * Lambda_inv_0_5_p20_lanes;
 
   // link 4 (chest1), pose
   const Real Lambda_inv_0_3_p1 = c4 * Lambda_inv_0_5_p5;
@@ -1676,118 +1254,77 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   // link 6 (chest3), pose
   const Real Lambda_inv_0_3_p4 = c6 * Lambda_inv_0_3_p2 + s6 * Lambda_inv_0_3_p3;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_3_p5_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_3_p4;
-
   // link 5 (chest2), pose
   const Real Lambda_inv_0_3_p6 = c5 * Lambda_inv_0_3_p1 - s5 * Lambda_inv_0_5_p3;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_3_p7_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_3_p6;
-  const Lanes<2> Lambda_inv_0_3_p8_lanes = Lambda_inv_0_3_p5_lanes + Lambda_inv_0_3_p7_lanes;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_3_p9_lanes = detail::make_lanes<Real>(s8, s15) *
-      Lambda_inv_0_3_p8_lanes;
+  const Lanes<2> Lambda_inv_0_3_p8_lanes = detail::make_pack<Real>(c7, c14) * Lambda_inv_0_3_p4 +
+      detail::make_pack<Real>(s7, s14) * Lambda_inv_0_3_p6;
 
   // link 6 (chest3), pose
   const Real Lambda_inv_0_3_p10 = s6 * Lambda_inv_0_3_p2 - c6 * Lambda_inv_0_3_p3;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_3_p11_lanes = detail::make_lanes<Real>(c8, c15) * Lambda_inv_0_3_p10;
-  const Lanes<2> Lambda_inv_0_3_p12_lanes = Lambda_inv_0_3_p9_lanes + Lambda_inv_0_3_p11_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_3_p13_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_3_p12_lanes;
+  const Lanes<2> Lambda_inv_0_3_p12_lanes = detail::make_pack<Real>(s8, s15) *
+      Lambda_inv_0_3_p8_lanes + detail::make_pack<Real>(c8, c15) * Lambda_inv_0_3_p10;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_3_p14_lanes = detail::make_lanes<Real>(c7, c14) * Lambda_inv_0_3_p6;
-  const Lanes<2> Lambda_inv_0_3_p15_lanes = detail::make_lanes<Real>(s7, s14) * Lambda_inv_0_3_p4;
-  const Lanes<2> Lambda_inv_0_3_p16_lanes = Lambda_inv_0_3_p14_lanes - Lambda_inv_0_3_p15_lanes;
+  const Lanes<2> Lambda_inv_0_3_p16_lanes = detail::make_pack<Real>(c7, c14) * Lambda_inv_0_3_p6 -
+      detail::make_pack<Real>(s7, s14) * Lambda_inv_0_3_p4;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_3_p17_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_3_p16_lanes;
-  const Lanes<2> Lambda_inv_0_3_p18_lanes = Lambda_inv_0_3_p13_lanes + Lambda_inv_0_3_p17_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<8> Lambda_inv_0_3_p19_lanes = s10 *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_1_p19_lanes[0],
-      Lambda_inv_0_5_p22_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0],
-      Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0]);
+  const Lanes<2> Lambda_inv_0_3_p18_lanes = detail::make_pack<Real>(s9, s16) *
+      Lambda_inv_0_3_p12_lanes + detail::make_pack<Real>(c9, c16) * Lambda_inv_0_3_p16_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_5_p24_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_5_p16_lanes;
-  const Lanes<2> Lambda_inv_0_5_p25_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_inv_0_5_p18;
-  const Lanes<2> Lambda_inv_0_5_p26_lanes = Lambda_inv_0_5_p24_lanes - Lambda_inv_0_5_p25_lanes;
-  const Lanes<2> Lambda_inv_0_3_p20_lanes = detail::make_lanes<Real>(c8, c15) *
-      Lambda_inv_0_3_p8_lanes;
-  const Lanes<2> Lambda_inv_0_3_p21_lanes = detail::make_lanes<Real>(s8, s15) * Lambda_inv_0_3_p10;
-  const Lanes<2> Lambda_inv_0_3_p22_lanes = Lambda_inv_0_3_p21_lanes - Lambda_inv_0_3_p20_lanes;
+  const Lanes<2> Lambda_inv_0_5_p26_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_inv_0_5_p16_lanes - detail::make_pack<Real>(s8, s15) * Lambda_inv_0_5_p18;
+  const Lanes<2> Lambda_inv_0_3_p22_lanes = detail::make_pack<Real>(s8, s15) * Lambda_inv_0_3_p10 -
+      detail::make_pack<Real>(c8, c15) * Lambda_inv_0_3_p8_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<8> Lambda_inv_0_3_p23_lanes = c10 *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_1_p10_lanes[0],
+  const Lanes<8> Lambda_inv_0_3_p24_lanes = c10 *
+      detail::make_pack<Real>(Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_1_p10_lanes[0],
       Lambda_inv_0_5_p26_lanes[0], Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0],
-      Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0]);
-  const Lanes<8> Lambda_inv_0_3_p24_lanes = Lambda_inv_0_3_p23_lanes - Lambda_inv_0_3_p19_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_inv_0_1_p23_lanes = detail::make_lanes<Real>(c12, c19) *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p24_lanes[1], Lambda_inv_0_7_p17);
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> Lambda_inv_0_1_p24_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_1_p19_lanes;
-  const Lanes<2> Lambda_inv_0_1_p25_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_1_p10_lanes;
-  const Lanes<2> Lambda_inv_0_1_p26_lanes = Lambda_inv_0_1_p24_lanes + Lambda_inv_0_1_p25_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_1_p27_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_1_p26_lanes;
+      Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0]) - s10 *
+      detail::make_pack<Real>(Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_1_p19_lanes[0],
+      Lambda_inv_0_5_p22_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0],
+      Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0]);
+  const Lanes<2> Lambda_inv_0_1_p26_lanes = detail::make_pack<Real>(c10, c17) *
+      Lambda_inv_0_1_p19_lanes + detail::make_pack<Real>(s10, s17) * Lambda_inv_0_1_p10_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_1_p28_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_1_p13_lanes;
-  const Lanes<2> Lambda_inv_0_1_p29_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_1_p17_lanes;
-  const Lanes<2> Lambda_inv_0_1_p30_lanes = Lambda_inv_0_1_p28_lanes - Lambda_inv_0_1_p29_lanes;
+  const Lanes<2> Lambda_inv_0_1_p30_lanes = detail::make_pack<Real>(c9, c16) *
+      Lambda_inv_0_1_p13_lanes - detail::make_pack<Real>(s9, s16) * Lambda_inv_0_1_p17_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_1_p31_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_1_p30_lanes;
-  const Lanes<2> Lambda_inv_0_1_p32_lanes = Lambda_inv_0_1_p27_lanes + Lambda_inv_0_1_p31_lanes;
+  const Lanes<2> Lambda_inv_0_1_p32_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_1_p26_lanes + detail::make_pack<Real>(s11, s18) * Lambda_inv_0_1_p30_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_inv_0_1_p33_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_1_p32_lanes;
-  const Lanes<2> Lambda_inv_0_1_p34_lanes = Lambda_inv_0_1_p23_lanes - Lambda_inv_0_1_p33_lanes;
+  const Lanes<2> Lambda_inv_0_1_p34_lanes = detail::make_pack<Real>(c12, c19) *
+      detail::make_pack<Real>(Lambda_inv_0_3_p24_lanes[1], Lambda_inv_0_7_p17) -
+      detail::make_pack<Real>(s12, s19) * Lambda_inv_0_1_p32_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_1_p35_lanes = detail::make_lanes<Real>(c13, c20) *
+  const Lanes<2> Lambda_inv_0_1_p35_lanes = detail::make_pack<Real>(c13, c20) *
       Lambda_inv_0_1_p34_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_1_p36_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_1_p26_lanes;
-  const Lanes<2> Lambda_inv_0_1_p37_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_1_p30_lanes;
-  const Lanes<2> Lambda_inv_0_1_p38_lanes = Lambda_inv_0_1_p37_lanes - Lambda_inv_0_1_p36_lanes;
+  const Lanes<2> Lambda_inv_0_1_p38_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_1_p30_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_1_p26_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_1_p39_lanes = detail::make_lanes<Real>(s13, s20) *
+  const Lanes<2> Lambda_inv_0_1_p39_lanes = detail::make_pack<Real>(s13, s20) *
       Lambda_inv_0_1_p38_lanes;
 
   // link 20 (right_hand), pose
   const Real Lambda_inv_0_7_p35 = Lambda_inv_0_1_p35_lanes[1] + Lambda_inv_0_1_p39_lanes[1];
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_1_p40_lanes = detail::make_lanes<Real>(s13, s20) *
+  const Lanes<2> Lambda_inv_0_1_p40_lanes = detail::make_pack<Real>(s13, s20) *
       Lambda_inv_0_1_p34_lanes;
-  const Lanes<2> Lambda_inv_0_1_p41_lanes = detail::make_lanes<Real>(c13, c20) *
+  const Lanes<2> Lambda_inv_0_1_p41_lanes = detail::make_pack<Real>(c13, c20) *
       Lambda_inv_0_1_p38_lanes;
 
   // link 20 (right_hand), pose
@@ -1795,17 +1332,12 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 13 (left_hand), pose
   const Real Lambda_inv_0_1_p42 = Lambda_inv_0_1_p41_lanes[0] - Lambda_inv_0_1_p40_lanes[0];
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_1_p43_lanes = detail::make_lanes<Real>((-0.26249928123577654),
-      0.26249928123577654) * detail::make_lanes<Real>(Lambda_inv_0_1_p42, Lambda_inv_0_7_p38);
-
-  // link 13 (left_hand), pose
   const Real Lambda_inv_0_1_p44 = Lambda_inv_0_1_p35_lanes[0] + Lambda_inv_0_1_p39_lanes[0];
 
   // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_1_p45_lanes = detail::make_lanes<Real>(Lambda_inv_0_1_p44,
-      Lambda_inv_0_7_p35) + Lambda_inv_0_1_p43_lanes;
+  const Lanes<2> Lambda_inv_0_1_p45_lanes = detail::make_pack<Real>(Lambda_inv_0_1_p44,
+      Lambda_inv_0_7_p35) + detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
+      detail::make_pack<Real>(Lambda_inv_0_1_p42, Lambda_inv_0_7_p38);
 
   // link 20 (right_hand), force propagation
   const Real Lambda_inv_0_7_p41 = 0.49024375482668536 * Lambda_inv_0_7_p38;
@@ -1831,135 +1363,86 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       inverse_D10_p1_lanes[1] * Lambda_inv_0_7_p48;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> Lambda_inv_0_5_p29_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_5_p22_lanes;
-  const Lanes<2> Lambda_inv_0_5_p30_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_5_p26_lanes;
-  const Lanes<2> Lambda_inv_0_5_p31_lanes = Lambda_inv_0_5_p29_lanes + Lambda_inv_0_5_p30_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_5_p32_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_5_p31_lanes;
+  const Lanes<2> Lambda_inv_0_5_p31_lanes = detail::make_pack<Real>(c10, c17) *
+      Lambda_inv_0_5_p22_lanes + detail::make_pack<Real>(s10, s17) * Lambda_inv_0_5_p26_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_5_p33_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_5_p20_lanes;
-  const Lanes<2> Lambda_inv_0_5_p34_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_5_p12_lanes;
-  const Lanes<2> Lambda_inv_0_5_p35_lanes = Lambda_inv_0_5_p33_lanes + Lambda_inv_0_5_p34_lanes;
+  const Lanes<2> Lambda_inv_0_5_p35_lanes = detail::make_pack<Real>(c9, c16) *
+      Lambda_inv_0_5_p20_lanes + detail::make_pack<Real>(s9, s16) * Lambda_inv_0_5_p12_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_5_p36_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_5_p35_lanes;
-  const Lanes<2> Lambda_inv_0_5_p37_lanes = Lambda_inv_0_5_p32_lanes - Lambda_inv_0_5_p36_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_inv_0_5_p38_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_5_p37_lanes;
+  const Lanes<2> Lambda_inv_0_5_p37_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_5_p31_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_5_p35_lanes;
 
   // link 17 (right_lowerarm), pose
   const Real Lambda_inv_0_8_p26 = c17 * Lambda_inv_0_5_p26_lanes[1] - s17 *
       Lambda_inv_0_5_p22_lanes[1];
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_inv_0_5_p39_lanes = detail::make_lanes<Real>(c12, c19) *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p24_lanes[2], Lambda_inv_0_8_p26);
-  const Lanes<2> Lambda_inv_0_5_p40_lanes = Lambda_inv_0_5_p39_lanes - Lambda_inv_0_5_p38_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_5_p41_lanes = detail::make_lanes<Real>(c13, c20) *
-      Lambda_inv_0_5_p40_lanes;
+  const Lanes<2> Lambda_inv_0_5_p40_lanes = detail::make_pack<Real>(c12, c19) *
+      detail::make_pack<Real>(Lambda_inv_0_3_p24_lanes[2], Lambda_inv_0_8_p26) -
+      detail::make_pack<Real>(s12, s19) * Lambda_inv_0_5_p37_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_5_p42_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_5_p31_lanes;
-  const Lanes<2> Lambda_inv_0_5_p43_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_5_p35_lanes;
-  const Lanes<2> Lambda_inv_0_5_p44_lanes = Lambda_inv_0_5_p42_lanes + Lambda_inv_0_5_p43_lanes;
+  const Lanes<2> Lambda_inv_0_5_p44_lanes = detail::make_pack<Real>(s11, s18) *
+      Lambda_inv_0_5_p31_lanes + detail::make_pack<Real>(c11, c18) * Lambda_inv_0_5_p35_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_5_p45_lanes = detail::make_lanes<Real>(s13, s20) *
-      Lambda_inv_0_5_p44_lanes;
-  const Lanes<2> Lambda_inv_0_5_p46_lanes = Lambda_inv_0_5_p41_lanes - Lambda_inv_0_5_p45_lanes;
+  const Lanes<2> Lambda_inv_0_5_p46_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_5_p40_lanes - detail::make_pack<Real>(s13, s20) * Lambda_inv_0_5_p44_lanes;
 
   // link 10 (left_lowerarm), pose
-  const Lanes<2> Lambda_inv_0_3_p25_lanes = detail::make_lanes<Real>(c10, c17) *
-      Lambda_inv_0_3_p18_lanes;
-  const Lanes<2> Lambda_inv_0_3_p26_lanes = detail::make_lanes<Real>(s10, s17) *
-      Lambda_inv_0_3_p22_lanes;
-  const Lanes<2> Lambda_inv_0_3_p27_lanes = Lambda_inv_0_3_p25_lanes + Lambda_inv_0_3_p26_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_3_p28_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_3_p27_lanes;
+  const Lanes<2> Lambda_inv_0_3_p27_lanes = detail::make_pack<Real>(c10, c17) *
+      Lambda_inv_0_3_p18_lanes + detail::make_pack<Real>(s10, s17) * Lambda_inv_0_3_p22_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_3_p29_lanes = detail::make_lanes<Real>(c9, c16) *
-      Lambda_inv_0_3_p12_lanes;
-  const Lanes<2> Lambda_inv_0_3_p30_lanes = detail::make_lanes<Real>(s9, s16) *
-      Lambda_inv_0_3_p16_lanes;
-  const Lanes<2> Lambda_inv_0_3_p31_lanes = Lambda_inv_0_3_p29_lanes - Lambda_inv_0_3_p30_lanes;
+  const Lanes<2> Lambda_inv_0_3_p31_lanes = detail::make_pack<Real>(c9, c16) *
+      Lambda_inv_0_3_p12_lanes - detail::make_pack<Real>(s9, s16) * Lambda_inv_0_3_p16_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_3_p32_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_3_p31_lanes;
-  const Lanes<2> Lambda_inv_0_3_p33_lanes = Lambda_inv_0_3_p28_lanes + Lambda_inv_0_3_p32_lanes;
+  const Lanes<2> Lambda_inv_0_3_p33_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_3_p27_lanes + detail::make_pack<Real>(s11, s18) * Lambda_inv_0_3_p31_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<8> Lambda_inv_0_3_p34_lanes = c12 *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_1_p32_lanes[0],
+  const Lanes<8> Lambda_inv_0_3_p36_lanes = c12 *
+      detail::make_pack<Real>(Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_1_p32_lanes[0],
       Lambda_inv_0_5_p37_lanes[0], Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0],
-      Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0]);
-  const Lanes<8> Lambda_inv_0_3_p35_lanes = s12 * Lambda_inv_0_3_p24_lanes;
-  const Lanes<8> Lambda_inv_0_3_p36_lanes = Lambda_inv_0_3_p34_lanes + Lambda_inv_0_3_p35_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_0_3_p37_lanes = 0.11533812622014242 *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0],
-      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1],
-      Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0]);
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_inv_0_3_p38_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_3_p33_lanes;
+      Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0]) + s12 *
+      Lambda_inv_0_3_p24_lanes;
 
   // link 17 (right_lowerarm), pose
   const Real Lambda_inv_0_6_p27 = c17 * Lambda_inv_0_3_p22_lanes[1] - s17 *
       Lambda_inv_0_3_p18_lanes[1];
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_inv_0_3_p39_lanes = detail::make_lanes<Real>(c12, c19) *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p24_lanes[0], Lambda_inv_0_6_p27);
-  const Lanes<2> Lambda_inv_0_3_p40_lanes = Lambda_inv_0_3_p39_lanes - Lambda_inv_0_3_p38_lanes;
+  const Lanes<2> Lambda_inv_0_3_p40_lanes = detail::make_pack<Real>(c12, c19) *
+      detail::make_pack<Real>(Lambda_inv_0_3_p24_lanes[0], Lambda_inv_0_6_p27) -
+      detail::make_pack<Real>(s12, s19) * Lambda_inv_0_3_p33_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_3_p41_lanes = detail::make_lanes<Real>(c13, c20) *
+  const Lanes<2> Lambda_inv_0_3_p41_lanes = detail::make_pack<Real>(c13, c20) *
       Lambda_inv_0_3_p40_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_3_p42_lanes = detail::make_lanes<Real>(c11, c18) *
-      Lambda_inv_0_3_p31_lanes;
-  const Lanes<2> Lambda_inv_0_3_p43_lanes = detail::make_lanes<Real>(s11, s18) *
-      Lambda_inv_0_3_p27_lanes;
-  const Lanes<2> Lambda_inv_0_3_p44_lanes = Lambda_inv_0_3_p42_lanes - Lambda_inv_0_3_p43_lanes;
+  const Lanes<2> Lambda_inv_0_3_p44_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_3_p31_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_3_p27_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_3_p45_lanes = detail::make_lanes<Real>(s13, s20) *
+  const Lanes<2> Lambda_inv_0_3_p45_lanes = detail::make_pack<Real>(s13, s20) *
       Lambda_inv_0_3_p44_lanes;
   const Real Lambda_inv_0_3_p46 = Lambda_inv_0_3_p41_lanes[0] + Lambda_inv_0_3_p45_lanes[0];
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_0_3_p47_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p46,
+  const Lanes<8> Lambda_inv_0_3_p47_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p46,
       Lambda_inv_0_3_p46, Lambda_inv_0_3_p46, Lambda_inv_0_3_p46, Lambda_inv_0_1_p44,
-      Lambda_inv_0_5_p46_lanes[0], Lambda_inv_0_3_p46, Lambda_inv_0_3_p46) +
-      Lambda_inv_0_3_p37_lanes;
+      Lambda_inv_0_5_p46_lanes[0], Lambda_inv_0_3_p46, Lambda_inv_0_3_p46) + 0.11533812622014242 *
+      detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0],
+      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1],
+      Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0]);
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_2_p1_lanes = detail::make_lanes<Real>(s13, s20) *
-      Lambda_inv_0_5_p40_lanes;
-  const Lanes<2> Lambda_inv_0_2_p2_lanes = detail::make_lanes<Real>(c13, c20) *
-      Lambda_inv_0_5_p44_lanes;
-  const Lanes<2> Lambda_inv_0_2_p3_lanes = Lambda_inv_0_2_p1_lanes + Lambda_inv_0_2_p2_lanes;
+  const Lanes<2> Lambda_inv_0_2_p3_lanes = detail::make_pack<Real>(s13, s20) *
+      Lambda_inv_0_5_p40_lanes + detail::make_pack<Real>(c13, c20) * Lambda_inv_0_5_p44_lanes;
 
   // link 13 (left_hand), force propagation
   const Real Lambda_inv_0_2_p4 = -(0.086 * Lambda_inv_0_2_p3_lanes[0]);
@@ -1967,41 +1450,31 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_1_p46 = 0.009919078854932248 * Lambda_inv_0_1_p42;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_0_p1083_lanes = detail::make_lanes<Real>(c13, c20) *
+  const Lanes<2> Lambda_inv_0_0_p1083_lanes = detail::make_pack<Real>(c13, c20) *
       Lambda_inv_0_3_p44_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1084_lanes = detail::make_lanes<Real>(s13, s20) *
+  const Lanes<2> Lambda_inv_0_0_p1084_lanes = detail::make_pack<Real>(s13, s20) *
       Lambda_inv_0_3_p40_lanes;
   const Real Lambda_inv_0_0_p1085 = Lambda_inv_0_0_p1083_lanes[0] - Lambda_inv_0_0_p1084_lanes[0];
 
   // link 13 (left_hand), force propagation
   const Real Lambda_inv_0_0_p1086 = 0.009919078854932248 * Lambda_inv_0_0_p1085;
-  const Lanes<8> Lambda_inv_0_0_p1087_lanes = s13 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1086, Lambda_inv_0_1_p46, Lambda_inv_0_2_p5,
-      Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4], Lambda_inv_0_3_p47_lanes[5],
-      Lambda_inv_0_0_p1086, Lambda_inv_0_0_p1086);
   const Real Lambda_inv_0_5_p53 = -Lambda_inv_0_2_p3_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1088_lanes = detail::make_lanes<Real>(0.004018575007348824,
-      0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
-      0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42, Lambda_inv_0_2_p4,
-      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2],
-      Lambda_inv_0_0_p1085, Lambda_inv_0_0_p1085);
-  const Lanes<8> Lambda_inv_0_0_p1089_lanes = detail::make_lanes<Real>(-(0.086 *
+  const Lanes<8> Lambda_inv_0_0_p1089_lanes = detail::make_pack<Real>(-(0.086 *
       Lambda_inv_0_3_p36_lanes[0]), -(0.086 * Lambda_inv_0_3_p36_lanes[1]),
       -(0.086 * Lambda_inv_0_3_p36_lanes[2]), Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42,
       Lambda_inv_0_5_p53, -(0.086 * Lambda_inv_0_3_p36_lanes[0]),
-      -(0.086 * Lambda_inv_0_3_p36_lanes[0])) - Lambda_inv_0_0_p1088_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1090_lanes = c13 * Lambda_inv_0_0_p1089_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1091_lanes = Lambda_inv_0_0_p1087_lanes +
-      Lambda_inv_0_0_p1090_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_1_p52_lanes = Lambda_inv_0_0_p11_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[1], Lambda_inv_0_7_p45);
-
-  // link 13 (left_hand), force propagation
+      -(0.086 * Lambda_inv_0_3_p36_lanes[0])) - detail::make_pack<Real>(0.004018575007348824,
+      0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
+      0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42, Lambda_inv_0_2_p4,
+      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2],
+      Lambda_inv_0_0_p1085, Lambda_inv_0_0_p1085);
+  const Lanes<8> Lambda_inv_0_0_p1091_lanes = s13 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1086, Lambda_inv_0_1_p46, Lambda_inv_0_2_p5,
+      Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4], Lambda_inv_0_3_p47_lanes[5],
+      Lambda_inv_0_0_p1086, Lambda_inv_0_0_p1086) + c13 * Lambda_inv_0_0_p1089_lanes;
   const Lanes<8> Lambda_inv_0_3_p53_lanes = (-3.0523172236718206) *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0],
+      detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0],
       Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1],
       Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0]);
 
@@ -2010,36 +1483,30 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_6_p38 = Lambda_inv_0_0_p1083_lanes[1] - Lambda_inv_0_0_p1084_lanes[1];
 
   // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1092_lanes = detail::make_lanes<Real>((-0.26249928123577654),
-      0.26249928123577654) * detail::make_lanes<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_6_p38);
-  const Lanes<2> Lambda_inv_0_0_p1093_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p46,
-      Lambda_inv_0_6_p37) + Lambda_inv_0_0_p1092_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1094_lanes = c13 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_1_p45_lanes[0],
-      Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
-      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_0_p1093_lanes[0]);
-  const Lanes<8> Lambda_inv_0_0_p1095_lanes = detail::make_lanes<Real>(0.49024375482668536,
+  const Lanes<2> Lambda_inv_0_0_p1093_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p46,
+      Lambda_inv_0_6_p37) + detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_6_p38);
+  const Lanes<8> Lambda_inv_0_0_p1095_lanes = detail::make_pack<Real>(0.49024375482668536,
       0.49024375482668536, 0.49024375482668536, 17.32841575379867, 17.32841575379867,
       17.32841575379867, 0.49024375482668536, 0.49024375482668536) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42, Lambda_inv_0_0_p1085,
+      detail::make_pack<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42, Lambda_inv_0_0_p1085,
       Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2],
       Lambda_inv_0_0_p1085, Lambda_inv_0_0_p1085);
-  const Lanes<8> Lambda_inv_0_0_p1096_lanes = s13 * Lambda_inv_0_0_p1095_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1097_lanes = Lambda_inv_0_0_p1094_lanes +
-      Lambda_inv_0_0_p1096_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1097_lanes = c13 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_1_p45_lanes[0],
+      Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
+      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_0_p1093_lanes[0]) +
+      s13 * Lambda_inv_0_0_p1095_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_1_p57_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1097_lanes[1],
-      c20 * Lambda_inv_0_1_p45_lanes[1] + s20 * Lambda_inv_0_7_p41) - Lambda_inv_0_1_p52_lanes;
-  const Lanes<2> Lambda_inv_0_1_p58_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_1_p57_lanes;
-  const Lanes<2> Lambda_inv_0_1_p59_lanes = Lambda_inv_0_0_p35_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[1], Lambda_inv_0_7_p45);
-  const Lanes<2> Lambda_inv_0_1_p60_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[1],
-      Lambda_inv_0_7_p42) - Lambda_inv_0_1_p59_lanes;
-  const Lanes<2> Lambda_inv_0_1_p61_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_1_p60_lanes;
-  const Lanes<2> Lambda_inv_0_1_p62_lanes = Lambda_inv_0_1_p58_lanes - Lambda_inv_0_1_p61_lanes;
+  const Lanes<2> Lambda_inv_0_1_p57_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1097_lanes[1],
+      c20 * Lambda_inv_0_1_p45_lanes[1] + s20 * Lambda_inv_0_7_p41) - Lambda_inv_0_0_p11_lanes *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[1], Lambda_inv_0_7_p45);
+  const Lanes<2> Lambda_inv_0_1_p60_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[1],
+      Lambda_inv_0_7_p42) - Lambda_inv_0_0_p35_lanes *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[1], Lambda_inv_0_7_p45);
+  const Lanes<2> Lambda_inv_0_1_p62_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_1_p57_lanes - detail::make_pack<Real>(c12, c19) * Lambda_inv_0_1_p60_lanes;
 
   // link 18 (right_wrist1), force propagation
   const Real Lambda_inv_0_7_p57 = 0.269 * Lambda_inv_0_1_p62_lanes[1] - inverse_D10_p8_lanes[1] *
@@ -2071,11 +1538,8 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_7_p58;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_1_p63_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_1_p57_lanes;
-  const Lanes<2> Lambda_inv_0_1_p64_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_1_p60_lanes;
-  const Lanes<2> Lambda_inv_0_1_p65_lanes = Lambda_inv_0_1_p64_lanes + Lambda_inv_0_1_p63_lanes;
+  const Lanes<2> Lambda_inv_0_1_p65_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_1_p60_lanes + detail::make_pack<Real>(c12, c19) * Lambda_inv_0_1_p57_lanes;
 
   // link 17 (right_lowerarm), force propagation
   const Real Lambda_inv_0_7_p70 = -(-Lambda_inv_0_1_p65_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
@@ -2117,21 +1581,14 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       inverse_D10_p1_lanes[1] * Lambda_inv_0_6_p48;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1098_lanes = Lambda_inv_0_0_p11_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[0], Lambda_inv_0_6_p45);
-  const Lanes<2> Lambda_inv_0_0_p1099_lanes =
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1097_lanes[0], c20 * Lambda_inv_0_0_p1093_lanes[1] +
-      s20 * Lambda_inv_0_6_p41) - Lambda_inv_0_0_p1098_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1100_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_0_p1099_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1101_lanes = Lambda_inv_0_0_p35_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[0], Lambda_inv_0_6_p45);
-  const Lanes<2> Lambda_inv_0_0_p1102_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[0],
-      Lambda_inv_0_6_p43) - Lambda_inv_0_0_p1101_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1103_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_0_p1102_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1104_lanes = Lambda_inv_0_0_p1100_lanes -
-      Lambda_inv_0_0_p1103_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1099_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1097_lanes[0],
+      c20 * Lambda_inv_0_0_p1093_lanes[1] + s20 * Lambda_inv_0_6_p41) - Lambda_inv_0_0_p11_lanes *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[0], Lambda_inv_0_6_p45);
+  const Lanes<2> Lambda_inv_0_0_p1102_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[0],
+      Lambda_inv_0_6_p43) - Lambda_inv_0_0_p35_lanes *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[0], Lambda_inv_0_6_p45);
+  const Lanes<2> Lambda_inv_0_0_p1104_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_0_p1099_lanes - detail::make_pack<Real>(c12, c19) * Lambda_inv_0_0_p1102_lanes;
 
   // link 18 (right_wrist1), force propagation
   const Real Lambda_inv_0_6_p57 = 0.269 * Lambda_inv_0_0_p1104_lanes[1] - inverse_D10_p8_lanes[1] *
@@ -2163,12 +1620,8 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_6_p58;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1105_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_0_p1099_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1106_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_0_p1102_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1107_lanes = Lambda_inv_0_0_p1106_lanes +
-      Lambda_inv_0_0_p1105_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1107_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_0_p1102_lanes + detail::make_pack<Real>(c12, c19) * Lambda_inv_0_0_p1099_lanes;
 
   // link 17 (right_lowerarm), force propagation
   const Real Lambda_inv_0_6_p70 = -(-Lambda_inv_0_0_p1107_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
@@ -2186,63 +1639,43 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_6_p75 = Lambda_inv_0_0_p1082_lanes[1] * Lambda_inv_0_6_p73;
   const Real Lambda_inv_0_6_p76 = s15 * Lambda_inv_0_6_p75 + c15 * Lambda_inv_0_6_p74;
 
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1108_lanes = c13 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1086, Lambda_inv_0_1_p46, Lambda_inv_0_2_p5,
-      Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4], Lambda_inv_0_3_p47_lanes[5],
-      Lambda_inv_0_0_p1086, Lambda_inv_0_0_p1086);
-  const Lanes<8> Lambda_inv_0_0_p1109_lanes = s13 * Lambda_inv_0_0_p1089_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1110_lanes = Lambda_inv_0_0_p1108_lanes -
-      Lambda_inv_0_0_p1109_lanes;
-
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1111_lanes = inverse_D11_p1_lanes[0] * Lambda_inv_0_0_p1091_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1112_lanes = Lambda_inv_0_0_p1110_lanes -
-      Lambda_inv_0_0_p1111_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1113_lanes = s12 * Lambda_inv_0_0_p1112_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1114_lanes = Lambda_inv_0_0_p61_lanes[0] *
-      Lambda_inv_0_0_p1091_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1112_lanes = c13 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1086, Lambda_inv_0_1_p46, Lambda_inv_0_2_p5,
+      Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4], Lambda_inv_0_3_p47_lanes[5],
+      Lambda_inv_0_0_p1086, Lambda_inv_0_0_p1086) - s13 * Lambda_inv_0_0_p1089_lanes -
+      inverse_D11_p1_lanes[0] * Lambda_inv_0_0_p1091_lanes;
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1115_lanes = s13 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_1_p45_lanes[0],
+  const Lanes<8> Lambda_inv_0_0_p1117_lanes = s13 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_1_p45_lanes[0],
       Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
-      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_0_p1093_lanes[0]);
-  const Lanes<8> Lambda_inv_0_0_p1116_lanes = c13 * Lambda_inv_0_0_p1095_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1117_lanes = Lambda_inv_0_0_p1115_lanes -
-      Lambda_inv_0_0_p1116_lanes;
+      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_0_p1093_lanes[0]) -
+      c13 * Lambda_inv_0_0_p1095_lanes;
 
   // link 20 (right_hand), force propagation
   const Real Lambda_inv_0_8_p38 = -(0.086 * Lambda_inv_0_2_p3_lanes[1]);
 
   // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_2_p18_lanes = detail::make_lanes<Real>((-3.0523172236718206),
-      3.0523172236718206) * detail::make_lanes<Real>(Lambda_inv_0_2_p4, Lambda_inv_0_8_p38);
-  const Lanes<2> Lambda_inv_0_2_p19_lanes = Lambda_inv_0_5_p46_lanes + Lambda_inv_0_2_p18_lanes;
-  const Lanes<2> Lambda_inv_0_2_p20_lanes = detail::make_lanes<Real>(s13, s20) *
-      Lambda_inv_0_2_p19_lanes;
+  const Lanes<2> Lambda_inv_0_2_p19_lanes = Lambda_inv_0_5_p46_lanes +
+      detail::make_pack<Real>((-3.0523172236718206), 3.0523172236718206) *
+      detail::make_pack<Real>(Lambda_inv_0_2_p4, Lambda_inv_0_8_p38);
 
   // link 20 (right_hand), force propagation
   const Real Lambda_inv_0_8_p42 = -Lambda_inv_0_2_p3_lanes[1];
 
   // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_2_p21_lanes = 17.32841575379867 *
-      detail::make_lanes<Real>(Lambda_inv_0_2_p4, Lambda_inv_0_8_p38);
-  const Lanes<2> Lambda_inv_0_2_p22_lanes = detail::make_lanes<Real>(Lambda_inv_0_5_p53,
-      Lambda_inv_0_8_p42) - Lambda_inv_0_2_p21_lanes;
-  const Lanes<2> Lambda_inv_0_2_p23_lanes = detail::make_lanes<Real>(c13, c20) *
-      Lambda_inv_0_2_p22_lanes;
-  const Lanes<2> Lambda_inv_0_2_p24_lanes = Lambda_inv_0_2_p20_lanes + Lambda_inv_0_2_p23_lanes;
+  const Lanes<2> Lambda_inv_0_2_p22_lanes = detail::make_pack<Real>(Lambda_inv_0_5_p53,
+      Lambda_inv_0_8_p42) - 17.32841575379867 * detail::make_pack<Real>(Lambda_inv_0_2_p4,
+      Lambda_inv_0_8_p38);
+  const Lanes<2> Lambda_inv_0_2_p24_lanes = detail::make_pack<Real>(s13, s20) *
+      Lambda_inv_0_2_p19_lanes + detail::make_pack<Real>(c13, c20) * Lambda_inv_0_2_p22_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1118_lanes =
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1117_lanes[0], Lambda_inv_0_0_p1117_lanes[1],
-      Lambda_inv_0_2_p24_lanes[0], Lambda_inv_0_0_p1117_lanes[3], Lambda_inv_0_0_p1117_lanes[4],
-      Lambda_inv_0_0_p1117_lanes[5], Lambda_inv_0_0_p1117_lanes[0], Lambda_inv_0_0_p1117_lanes[0]) -
-      Lambda_inv_0_0_p1114_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1119_lanes = 0.269 * Lambda_inv_0_0_p1118_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1120_lanes = Lambda_inv_0_0_p1119_lanes -
-      Lambda_inv_0_0_p1113_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1118_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1117_lanes[0],
+      Lambda_inv_0_0_p1117_lanes[1], Lambda_inv_0_2_p24_lanes[0], Lambda_inv_0_0_p1117_lanes[3],
+      Lambda_inv_0_0_p1117_lanes[4], Lambda_inv_0_0_p1117_lanes[5], Lambda_inv_0_0_p1117_lanes[0],
+      Lambda_inv_0_0_p1117_lanes[0]) - Lambda_inv_0_0_p61_lanes[0] * Lambda_inv_0_0_p1091_lanes;
 
   // link 11 (left_wrist1), force propagation
   const Real Lambda_inv_0_5_p76 = -(c12 * Lambda_inv_0_0_p1112_lanes[5]);
@@ -2251,314 +1684,204 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_2_p28 = -(c12 * Lambda_inv_0_0_p1112_lanes[2]);
   const Real Lambda_inv_0_1_p79 = -(c12 * Lambda_inv_0_0_p1112_lanes[1]);
   const Real Lambda_inv_0_0_p1121 = -(c12 * Lambda_inv_0_0_p1112_lanes[0]);
-  const Lanes<8> Lambda_inv_0_0_p1122_lanes = inverse_D10_p1_lanes[0] *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
+  const Lanes<8> Lambda_inv_0_0_p1123_lanes = 0.269 * Lambda_inv_0_0_p1118_lanes - s12 *
+      Lambda_inv_0_0_p1112_lanes - inverse_D10_p1_lanes[0] *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
       Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
       Lambda_inv_0_0_p1121);
-  const Lanes<8> Lambda_inv_0_0_p1123_lanes = Lambda_inv_0_0_p1120_lanes -
-      Lambda_inv_0_0_p1122_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1124_lanes = c11 * Lambda_inv_0_0_p1123_lanes;
 
   // link 12 (left_wrist2), force propagation
   const Lanes<8> Lambda_inv_0_3_p75_lanes = Lambda_inv_0_0_p35_lanes[0] *
       Lambda_inv_0_0_p1091_lanes;
-  const Lanes<8> Lambda_inv_0_3_p76_lanes = c12 * Lambda_inv_0_3_p75_lanes;
-  const Lanes<8> Lambda_inv_0_3_p77_lanes = Lambda_inv_0_0_p11_lanes[0] *
-      Lambda_inv_0_0_p1091_lanes;
-  const Lanes<8> Lambda_inv_0_3_p78_lanes = Lambda_inv_0_0_p1097_lanes - Lambda_inv_0_3_p77_lanes;
-  const Lanes<8> Lambda_inv_0_3_p79_lanes = s12 * Lambda_inv_0_3_p78_lanes;
-  const Lanes<8> Lambda_inv_0_3_p80_lanes = Lambda_inv_0_3_p76_lanes + Lambda_inv_0_3_p79_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_2_p32_lanes = detail::make_lanes<Real>(c13, c20) *
-      Lambda_inv_0_2_p19_lanes;
-  const Lanes<2> Lambda_inv_0_2_p33_lanes = detail::make_lanes<Real>(s13, s20) *
-      Lambda_inv_0_2_p22_lanes;
-  const Lanes<2> Lambda_inv_0_2_p34_lanes = Lambda_inv_0_2_p32_lanes - Lambda_inv_0_2_p33_lanes;
+  const Lanes<8> Lambda_inv_0_3_p78_lanes = Lambda_inv_0_0_p1097_lanes -
+      Lambda_inv_0_0_p11_lanes[0] * Lambda_inv_0_0_p1091_lanes;
+  const Lanes<8> Lambda_inv_0_3_p80_lanes = c12 * Lambda_inv_0_3_p75_lanes + s12 *
+      Lambda_inv_0_3_p78_lanes;
 
   // link 19 (right_wrist2), pose
   const Real Lambda_inv_0_11_p1 = c19 * Lambda_inv_0_5_p37_lanes[1] + s19 * Lambda_inv_0_8_p26;
 
   // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_0_9_p1_lanes = 0.11533812622014242 *
-      detail::make_lanes<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+  const Lanes<8> Lambda_inv_0_9_p2_lanes = detail::make_pack<Real>(Lambda_inv_0_6_p37,
+      Lambda_inv_0_6_p37, Lambda_inv_0_7_p35, Lambda_inv_0_5_p46_lanes[1], Lambda_inv_0_6_p37,
+      Lambda_inv_0_6_p37, Lambda_inv_0_6_p37, Lambda_inv_0_6_p37) + 0.11533812622014242 *
+      detail::make_pack<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
       Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
       Lambda_inv_0_6_p43);
-  const Lanes<8> Lambda_inv_0_9_p2_lanes = detail::make_lanes<Real>(Lambda_inv_0_6_p37,
-      Lambda_inv_0_6_p37, Lambda_inv_0_7_p35, Lambda_inv_0_5_p46_lanes[1], Lambda_inv_0_6_p37,
-      Lambda_inv_0_6_p37, Lambda_inv_0_6_p37, Lambda_inv_0_6_p37) + Lambda_inv_0_9_p1_lanes;
   const Real Lambda_inv_0_8_p50 = 0.11533812622014242 * Lambda_inv_0_8_p38;
-  const Lanes<8> Lambda_inv_0_8_p51_lanes = s20 * detail::make_lanes<Real>(Lambda_inv_0_8_p50,
-      Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
-      Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50);
-  const Lanes<8> Lambda_inv_0_8_p52_lanes = (-0.04672761636452121) *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p38, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
-      Lambda_inv_0_11_p1, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38,
-      Lambda_inv_0_8_p38);
-  const Lanes<8> Lambda_inv_0_8_p53_lanes = detail::make_lanes<Real>(-(0.086 * Lambda_inv_0_11_p1),
+  const Lanes<8> Lambda_inv_0_8_p53_lanes = detail::make_pack<Real>(-(0.086 * Lambda_inv_0_11_p1),
       Lambda_inv_0_6_p38, Lambda_inv_0_7_p38, Lambda_inv_0_8_p42, -(0.086 * Lambda_inv_0_11_p1),
       -(0.086 * Lambda_inv_0_11_p1), -(0.086 * Lambda_inv_0_11_p1), -(0.086 * Lambda_inv_0_11_p1)) -
-      Lambda_inv_0_8_p52_lanes;
-  const Lanes<8> Lambda_inv_0_8_p54_lanes = c20 * Lambda_inv_0_8_p53_lanes;
-  const Lanes<8> Lambda_inv_0_8_p55_lanes = Lambda_inv_0_8_p51_lanes + Lambda_inv_0_8_p54_lanes;
+      (-0.04672761636452121) * detail::make_pack<Real>(Lambda_inv_0_8_p38, Lambda_inv_0_6_p43,
+      Lambda_inv_0_7_p42, Lambda_inv_0_11_p1, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38,
+      Lambda_inv_0_8_p38, Lambda_inv_0_8_p38);
+  const Lanes<8> Lambda_inv_0_8_p55_lanes = s20 * detail::make_pack<Real>(Lambda_inv_0_8_p50,
+      Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
+      Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50) + c20 *
+      Lambda_inv_0_8_p53_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_2_p35_lanes = Lambda_inv_0_0_p11_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[2], Lambda_inv_0_8_p55_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p36_lanes = Lambda_inv_0_2_p34_lanes - Lambda_inv_0_2_p35_lanes;
-  const Lanes<2> Lambda_inv_0_2_p37_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_2_p36_lanes;
-  const Lanes<2> Lambda_inv_0_2_p38_lanes = Lambda_inv_0_0_p35_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[2], Lambda_inv_0_8_p55_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p39_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[2],
-      Lambda_inv_0_11_p1) - Lambda_inv_0_2_p38_lanes;
-  const Lanes<2> Lambda_inv_0_2_p40_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_2_p39_lanes;
-  const Lanes<2> Lambda_inv_0_2_p41_lanes = Lambda_inv_0_2_p37_lanes - Lambda_inv_0_2_p40_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1125_lanes = 0.269 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1104_lanes[0], Lambda_inv_0_1_p62_lanes[0],
-      Lambda_inv_0_2_p41_lanes[0], Lambda_inv_0_3_p80_lanes[3], Lambda_inv_0_3_p80_lanes[4],
-      Lambda_inv_0_3_p80_lanes[5], Lambda_inv_0_0_p1104_lanes[0], Lambda_inv_0_0_p1104_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p36_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_2_p19_lanes - detail::make_pack<Real>(s13, s20) * Lambda_inv_0_2_p22_lanes -
+      Lambda_inv_0_0_p11_lanes * detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[2],
+      Lambda_inv_0_8_p55_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p39_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[2],
+      Lambda_inv_0_11_p1) - Lambda_inv_0_0_p35_lanes *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[2], Lambda_inv_0_8_p55_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p41_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_2_p36_lanes - detail::make_pack<Real>(c12, c19) * Lambda_inv_0_2_p39_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1126_lanes = inverse_D10_p8_lanes[0] *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
-      Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
-      Lambda_inv_0_0_p1121);
-  const Lanes<8> Lambda_inv_0_0_p1127_lanes = Lambda_inv_0_0_p1125_lanes -
-      Lambda_inv_0_0_p1126_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1128_lanes = s11 * Lambda_inv_0_0_p1127_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1129_lanes = Lambda_inv_0_0_p1124_lanes -
-      Lambda_inv_0_0_p1128_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1130_lanes = s11 * Lambda_inv_0_0_p1123_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1131_lanes = c11 * Lambda_inv_0_0_p1127_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1132_lanes = Lambda_inv_0_0_p1130_lanes +
-      Lambda_inv_0_0_p1131_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1127_lanes = 0.269 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1104_lanes[0], Lambda_inv_0_1_p62_lanes[0],
+      Lambda_inv_0_2_p41_lanes[0], Lambda_inv_0_3_p80_lanes[3], Lambda_inv_0_3_p80_lanes[4],
+      Lambda_inv_0_3_p80_lanes[5], Lambda_inv_0_0_p1104_lanes[0], Lambda_inv_0_0_p1104_lanes[0]) -
+      inverse_D10_p8_lanes[0] * detail::make_pack<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79,
+      Lambda_inv_0_2_p28, Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76,
+      Lambda_inv_0_0_p1121, Lambda_inv_0_0_p1121);
+  const Lanes<8> Lambda_inv_0_0_p1132_lanes = s11 * Lambda_inv_0_0_p1123_lanes + c11 *
+      Lambda_inv_0_0_p1127_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1133_lanes = Lambda_inv_0_0_p231_lanes[0] *
-      Lambda_inv_0_0_p1132_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1134_lanes = Lambda_inv_0_0_p1129_lanes -
-      Lambda_inv_0_0_p1133_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1135_lanes = c10 * Lambda_inv_0_0_p1134_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1134_lanes = c11 * Lambda_inv_0_0_p1123_lanes - s11 *
+      Lambda_inv_0_0_p1127_lanes - Lambda_inv_0_0_p231_lanes[0] * Lambda_inv_0_0_p1132_lanes;
   const Lanes<8> Lambda_inv_0_0_p1136_lanes = Lambda_inv_0_0_p221_lanes[0] *
-      Lambda_inv_0_0_p1132_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1137_lanes = s10 * Lambda_inv_0_0_p1136_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1138_lanes = Lambda_inv_0_0_p1135_lanes +
-      Lambda_inv_0_0_p1137_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1139_lanes = Lambda_inv_0_0_p191_lanes[0] *
       Lambda_inv_0_0_p1132_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1140_lanes = Lambda_inv_0_0_p55_lanes[0] *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
-      Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
-      Lambda_inv_0_0_p1121);
   const Lanes<8> Lambda_inv_0_0_p1141_lanes =
-      detail::make_lanes<Real>(-Lambda_inv_0_0_p1104_lanes[0], -Lambda_inv_0_1_p62_lanes[0],
+      detail::make_pack<Real>(-Lambda_inv_0_0_p1104_lanes[0], -Lambda_inv_0_1_p62_lanes[0],
       -Lambda_inv_0_2_p41_lanes[0], -Lambda_inv_0_3_p80_lanes[3], -Lambda_inv_0_3_p80_lanes[4],
       -Lambda_inv_0_3_p80_lanes[5], -Lambda_inv_0_0_p1104_lanes[0],
-      -Lambda_inv_0_0_p1104_lanes[0]) + Lambda_inv_0_0_p1140_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1142_lanes = s11 * Lambda_inv_0_0_p1141_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1143_lanes = Lambda_inv_0_0_p119_lanes[0] *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
+      -Lambda_inv_0_0_p1104_lanes[0]) + Lambda_inv_0_0_p55_lanes[0] *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
       Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
       Lambda_inv_0_0_p1121);
   const Lanes<8> Lambda_inv_0_0_p1144_lanes = Lambda_inv_0_0_p1118_lanes -
-      Lambda_inv_0_0_p1143_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1145_lanes = c11 * Lambda_inv_0_0_p1144_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1146_lanes = Lambda_inv_0_0_p1142_lanes +
-      Lambda_inv_0_0_p1145_lanes;
+      Lambda_inv_0_0_p119_lanes[0] * detail::make_pack<Real>(Lambda_inv_0_0_p1121,
+      Lambda_inv_0_1_p79, Lambda_inv_0_2_p28, Lambda_inv_0_3_p71, Lambda_inv_0_4_p29,
+      Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121, Lambda_inv_0_0_p1121);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1147_lanes = Lambda_inv_0_0_p1146_lanes -
-      Lambda_inv_0_0_p1139_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1148_lanes = 0.282 * Lambda_inv_0_0_p1147_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1149_lanes = Lambda_inv_0_0_p1138_lanes +
-      Lambda_inv_0_0_p1148_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1150_lanes = s10 * Lambda_inv_0_0_p1134_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1151_lanes = c10 * Lambda_inv_0_0_p1136_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1152_lanes = Lambda_inv_0_0_p1151_lanes -
-      Lambda_inv_0_0_p1150_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1147_lanes = s11 * Lambda_inv_0_0_p1141_lanes + c11 *
+      Lambda_inv_0_0_p1144_lanes - Lambda_inv_0_0_p191_lanes[0] * Lambda_inv_0_0_p1132_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1152_lanes = c10 * Lambda_inv_0_0_p1136_lanes - s10 *
+      Lambda_inv_0_0_p1134_lanes;
 
   // link 9 (left_upperarm), force propagation
   const Lanes<8> Lambda_inv_0_0_p1153_lanes = Lambda_inv_0_0_p259_lanes[0] *
       Lambda_inv_0_0_p1152_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1154_lanes = Lambda_inv_0_0_p1149_lanes -
-      Lambda_inv_0_0_p1153_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1155_lanes = s9 * Lambda_inv_0_0_p1154_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1156_lanes = Lambda_inv_0_0_p363_lanes[0] *
-      Lambda_inv_0_0_p1132_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1154_lanes = c10 * Lambda_inv_0_0_p1134_lanes + s10 *
+      Lambda_inv_0_0_p1136_lanes + 0.282 * Lambda_inv_0_0_p1147_lanes - Lambda_inv_0_0_p1153_lanes;
 
   // link 19 (right_wrist2), force propagation
   const Lanes<8> Lambda_inv_0_9_p8_lanes = Lambda_inv_0_0_p35_lanes[1] * Lambda_inv_0_8_p55_lanes;
-  const Lanes<8> Lambda_inv_0_9_p9_lanes = s19 * Lambda_inv_0_9_p8_lanes;
-  const Lanes<8> Lambda_inv_0_9_p10_lanes = Lambda_inv_0_0_p11_lanes[1] * Lambda_inv_0_8_p55_lanes;
 
   // link 20 (right_hand), force propagation
   const Lanes<8> Lambda_inv_0_9_p11_lanes = 3.0523172236718206 *
-      detail::make_lanes<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      detail::make_pack<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
       Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
       Lambda_inv_0_6_p43);
-  const Lanes<8> Lambda_inv_0_9_p12_lanes = c20 * Lambda_inv_0_9_p11_lanes;
   const Lanes<8> Lambda_inv_0_9_p13_lanes = 17.32841575379867 *
-      detail::make_lanes<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      detail::make_pack<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
       Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
       Lambda_inv_0_6_p43);
-  const Lanes<8> Lambda_inv_0_9_p14_lanes = s20 * Lambda_inv_0_9_p13_lanes;
-  const Lanes<8> Lambda_inv_0_9_p15_lanes = Lambda_inv_0_9_p12_lanes + Lambda_inv_0_9_p14_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_9_p16_lanes = Lambda_inv_0_9_p15_lanes - Lambda_inv_0_9_p10_lanes;
-  const Lanes<8> Lambda_inv_0_9_p17_lanes = c19 * Lambda_inv_0_9_p16_lanes;
-  const Lanes<8> Lambda_inv_0_9_p18_lanes = Lambda_inv_0_9_p9_lanes - Lambda_inv_0_9_p17_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_0_8_p63_lanes = c20 * detail::make_lanes<Real>(Lambda_inv_0_8_p50,
+  const Lanes<8> Lambda_inv_0_9_p16_lanes = c20 * Lambda_inv_0_9_p11_lanes + s20 *
+      Lambda_inv_0_9_p13_lanes - Lambda_inv_0_0_p11_lanes[1] * Lambda_inv_0_8_p55_lanes;
+  const Lanes<8> Lambda_inv_0_9_p18_lanes = s19 * Lambda_inv_0_9_p8_lanes - c19 *
+      Lambda_inv_0_9_p16_lanes;
+  const Lanes<8> Lambda_inv_0_8_p67_lanes = c20 * detail::make_pack<Real>(Lambda_inv_0_8_p50,
       Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
-      Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50);
-  const Lanes<8> Lambda_inv_0_8_p64_lanes = s20 * Lambda_inv_0_8_p53_lanes;
-  const Lanes<8> Lambda_inv_0_8_p65_lanes = Lambda_inv_0_8_p63_lanes - Lambda_inv_0_8_p64_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p66_lanes = inverse_D11_p1_lanes[1] * Lambda_inv_0_8_p55_lanes;
-  const Lanes<8> Lambda_inv_0_8_p67_lanes = Lambda_inv_0_8_p65_lanes - Lambda_inv_0_8_p66_lanes;
+      Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50) - s20 *
+      Lambda_inv_0_8_p53_lanes - inverse_D11_p1_lanes[1] * Lambda_inv_0_8_p55_lanes;
 
   // link 18 (right_wrist1), force propagation
   const Real Lambda_inv_0_11_p25 = -(c19 * Lambda_inv_0_8_p67_lanes[3]);
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p118_lanes = Lambda_inv_0_0_p337_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_5_p76, Lambda_inv_0_11_p25);
-
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_3_p113_lanes = s12 * Lambda_inv_0_3_p75_lanes;
-  const Lanes<8> Lambda_inv_0_3_p114_lanes = c12 * Lambda_inv_0_3_p78_lanes;
-  const Lanes<8> Lambda_inv_0_3_p115_lanes = Lambda_inv_0_3_p113_lanes - Lambda_inv_0_3_p114_lanes;
+  const Lanes<8> Lambda_inv_0_3_p115_lanes = s12 * Lambda_inv_0_3_p75_lanes - c12 *
+      Lambda_inv_0_3_p78_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p122_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p115_lanes[5],
-      Lambda_inv_0_9_p18_lanes[3]) - Lambda_inv_0_5_p118_lanes;
+  const Lanes<2> Lambda_inv_0_5_p122_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p115_lanes[5],
+      Lambda_inv_0_9_p18_lanes[3]) - Lambda_inv_0_0_p337_lanes *
+      detail::make_pack<Real>(Lambda_inv_0_5_p76, Lambda_inv_0_11_p25);
 
   // link 18 (right_wrist1), force propagation
   const Real Lambda_inv_0_10_p24 = -(c19 * Lambda_inv_0_8_p67_lanes[2]);
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_0_4_p74_lanes = Lambda_inv_0_0_p337_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_4_p29, Lambda_inv_0_10_p24);
-  const Lanes<2> Lambda_inv_0_4_p75_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p115_lanes[4],
-      Lambda_inv_0_9_p18_lanes[2]) - Lambda_inv_0_4_p74_lanes;
+  const Lanes<2> Lambda_inv_0_4_p75_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p115_lanes[4],
+      Lambda_inv_0_9_p18_lanes[2]) - Lambda_inv_0_0_p337_lanes *
+      detail::make_pack<Real>(Lambda_inv_0_4_p29, Lambda_inv_0_10_p24);
 
   // link 18 (right_wrist1), force propagation
   const Real Lambda_inv_0_9_p24 = -(c19 * Lambda_inv_0_8_p67_lanes[1]);
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_0_3_p116_lanes = Lambda_inv_0_0_p337_lanes *
-      detail::make_lanes<Real>(Lambda_inv_0_3_p71, Lambda_inv_0_9_p24);
-  const Lanes<2> Lambda_inv_0_3_p117_lanes = detail::make_lanes<Real>(Lambda_inv_0_3_p115_lanes[3],
-      Lambda_inv_0_9_p18_lanes[1]) - Lambda_inv_0_3_p116_lanes;
+  const Lanes<2> Lambda_inv_0_3_p117_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p115_lanes[3],
+      Lambda_inv_0_9_p18_lanes[1]) - Lambda_inv_0_0_p337_lanes *
+      detail::make_pack<Real>(Lambda_inv_0_3_p71, Lambda_inv_0_9_p24);
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_2_p74_lanes = detail::make_lanes<Real>(c12, c19) *
-      Lambda_inv_0_2_p36_lanes;
-  const Lanes<2> Lambda_inv_0_2_p75_lanes = detail::make_lanes<Real>(s12, s19) *
-      Lambda_inv_0_2_p39_lanes;
-  const Lanes<2> Lambda_inv_0_2_p76_lanes = Lambda_inv_0_2_p75_lanes + Lambda_inv_0_2_p74_lanes;
+  const Lanes<2> Lambda_inv_0_2_p76_lanes = detail::make_pack<Real>(s12, s19) *
+      Lambda_inv_0_2_p39_lanes + detail::make_pack<Real>(c12, c19) * Lambda_inv_0_2_p36_lanes;
 
   // link 10 (left_lowerarm), force propagation
   const Lanes<8> Lambda_inv_0_0_p1157_lanes =
-      detail::make_lanes<Real>(-(-Lambda_inv_0_0_p1107_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
+      detail::make_pack<Real>(-(-Lambda_inv_0_0_p1107_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
       Lambda_inv_0_0_p1121), -(-Lambda_inv_0_1_p65_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
       Lambda_inv_0_1_p79), -(-Lambda_inv_0_2_p76_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
       Lambda_inv_0_2_p28), -Lambda_inv_0_3_p117_lanes[0], -Lambda_inv_0_4_p75_lanes[0],
       -Lambda_inv_0_5_p122_lanes[0], -(-Lambda_inv_0_0_p1107_lanes[0] -
       Lambda_inv_0_0_p337_lanes[0] * Lambda_inv_0_0_p1121),
       -(-Lambda_inv_0_0_p1107_lanes[0] - Lambda_inv_0_0_p337_lanes[0] * Lambda_inv_0_0_p1121)) -
-      Lambda_inv_0_0_p1156_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1158_lanes = s10 * Lambda_inv_0_0_p1157_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1159_lanes = Lambda_inv_0_0_p317_lanes[0] *
-      Lambda_inv_0_0_p1132_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1160_lanes = c11 * Lambda_inv_0_0_p1141_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1161_lanes = s11 * Lambda_inv_0_0_p1144_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1162_lanes = Lambda_inv_0_0_p1160_lanes -
-      Lambda_inv_0_0_p1161_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1163_lanes = Lambda_inv_0_0_p1162_lanes -
-      Lambda_inv_0_0_p1159_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1164_lanes = c10 * Lambda_inv_0_0_p1163_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1165_lanes = Lambda_inv_0_0_p1158_lanes -
-      Lambda_inv_0_0_p1164_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1166_lanes = 0.282 * Lambda_inv_0_0_p1165_lanes;
+      Lambda_inv_0_0_p363_lanes[0] * Lambda_inv_0_0_p1132_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1163_lanes = c11 * Lambda_inv_0_0_p1141_lanes - s11 *
+      Lambda_inv_0_0_p1144_lanes - Lambda_inv_0_0_p317_lanes[0] * Lambda_inv_0_0_p1132_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1165_lanes = s10 * Lambda_inv_0_0_p1157_lanes - c10 *
+      Lambda_inv_0_0_p1163_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1167_lanes = Lambda_inv_0_0_p401_lanes[0] *
-      Lambda_inv_0_0_p1152_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1168_lanes = Lambda_inv_0_0_p1166_lanes -
-      Lambda_inv_0_0_p1167_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1169_lanes = c9 * Lambda_inv_0_0_p1168_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1170_lanes = Lambda_inv_0_0_p1155_lanes +
-      Lambda_inv_0_0_p1169_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1171_lanes = c9 * Lambda_inv_0_0_p1154_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1172_lanes = s9 * Lambda_inv_0_0_p1168_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1173_lanes = Lambda_inv_0_0_p1171_lanes -
-      Lambda_inv_0_0_p1172_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1168_lanes = 0.282 * Lambda_inv_0_0_p1165_lanes -
+      Lambda_inv_0_0_p401_lanes[0] * Lambda_inv_0_0_p1152_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1173_lanes = c9 * Lambda_inv_0_0_p1154_lanes - s9 *
+      Lambda_inv_0_0_p1168_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1174_lanes = inverse_D7_p1_lanes[0] * Lambda_inv_0_0_p1173_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1175_lanes = Lambda_inv_0_0_p1170_lanes -
-      Lambda_inv_0_0_p1174_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1176_lanes = c8 * Lambda_inv_0_0_p1175_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1175_lanes = s9 * Lambda_inv_0_0_p1154_lanes + c9 *
+      Lambda_inv_0_0_p1168_lanes - inverse_D7_p1_lanes[0] * Lambda_inv_0_0_p1173_lanes;
   const Lanes<8> Lambda_inv_0_0_p1177_lanes = Lambda_inv_0_0_p1082_lanes[0] *
       Lambda_inv_0_0_p1173_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1178_lanes = s8 * Lambda_inv_0_0_p1177_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1179_lanes = Lambda_inv_0_0_p1178_lanes +
-      Lambda_inv_0_0_p1176_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1179_lanes = s8 * Lambda_inv_0_0_p1177_lanes + c8 *
+      Lambda_inv_0_0_p1175_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1180_lanes =
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0],
+  const Lanes<8> Lambda_inv_0_0_p1180_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1081_lanes[0],
       Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0],
-      Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[1], Lambda_inv_0_0_p1081_lanes[1]) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0], Lambda_inv_0_0_p1179_lanes[1],
-      Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3], Lambda_inv_0_0_p1179_lanes[4],
-      Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76, Lambda_inv_0_7_p76);
-  const Lanes<2> Lambda_inv_0_1_p139_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[1], Lambda_inv_0_0_p1180_lanes[7]);
-  const Lanes<8> Lambda_inv_0_0_p1181_lanes = detail::make_lanes<Real>(inverse_D6_p5_lanes[0],
-      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
-      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1],
-      inverse_D6_p5_lanes[1]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0],
+      Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[1],
+      Lambda_inv_0_0_p1081_lanes[1]) * detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0],
       Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
       Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
       Lambda_inv_0_7_p76);
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1182_lanes = s8 * Lambda_inv_0_0_p1175_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1183_lanes = c8 * Lambda_inv_0_0_p1177_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1184_lanes = Lambda_inv_0_0_p1183_lanes -
-      Lambda_inv_0_0_p1182_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1184_lanes = c8 * Lambda_inv_0_0_p1177_lanes - s8 *
+      Lambda_inv_0_0_p1175_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1185_lanes =
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1184_lanes[0], Lambda_inv_0_0_p1184_lanes[1],
-      Lambda_inv_0_0_p1184_lanes[2], Lambda_inv_0_0_p1184_lanes[3], Lambda_inv_0_0_p1184_lanes[4],
-      Lambda_inv_0_0_p1184_lanes[5], c15 * Lambda_inv_0_6_p75 - s15 * Lambda_inv_0_6_p74, c15 *
-      Lambda_inv_0_7_p74 - s15 * Lambda_inv_0_7_p75) - Lambda_inv_0_0_p1181_lanes;
-  const Lanes<2> Lambda_inv_0_1_p145_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[1], Lambda_inv_0_0_p1185_lanes[7]);
-  const Lanes<2> Lambda_inv_0_1_p146_lanes = Lambda_inv_0_1_p139_lanes + Lambda_inv_0_1_p145_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1186_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p679_lanes[0],
-      Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0],
-      Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[1],
-      Lambda_inv_0_0_p679_lanes[1]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0],
-      Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
-      Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
-      Lambda_inv_0_7_p76);
+  const Lanes<8> Lambda_inv_0_0_p1185_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1184_lanes[0],
+      Lambda_inv_0_0_p1184_lanes[1], Lambda_inv_0_0_p1184_lanes[2], Lambda_inv_0_0_p1184_lanes[3],
+      Lambda_inv_0_0_p1184_lanes[4], Lambda_inv_0_0_p1184_lanes[5], c15 * Lambda_inv_0_6_p75 - s15 *
+      Lambda_inv_0_6_p74, c15 * Lambda_inv_0_7_p74 - s15 * Lambda_inv_0_7_p75) -
+      detail::make_pack<Real>(inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1], inverse_D6_p5_lanes[1]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0], Lambda_inv_0_0_p1179_lanes[1],
+      Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3], Lambda_inv_0_0_p1179_lanes[4],
+      Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76, Lambda_inv_0_7_p76);
 
   // link 16 (right_upperarm), force propagation
   const Real Lambda_inv_0_7_p84 = -Lambda_inv_0_7_p71 + Lambda_inv_0_0_p569_lanes[1] *
@@ -2570,55 +1893,39 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_6_p82 = Lambda_inv_0_6_p63 - Lambda_inv_0_0_p577_lanes[1] *
       Lambda_inv_0_6_p64;
 
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1187_lanes = Lambda_inv_0_0_p657_lanes[0] *
-      Lambda_inv_0_0_p1173_lanes;
-
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1188_lanes = Lambda_inv_0_0_p569_lanes[0] *
-      Lambda_inv_0_0_p1152_lanes;
   const Lanes<8> Lambda_inv_0_0_p1189_lanes =
-      detail::make_lanes<Real>(-Lambda_inv_0_0_p1165_lanes[0], -Lambda_inv_0_0_p1165_lanes[1],
+      detail::make_pack<Real>(-Lambda_inv_0_0_p1165_lanes[0], -Lambda_inv_0_0_p1165_lanes[1],
       -Lambda_inv_0_0_p1165_lanes[2], -Lambda_inv_0_0_p1165_lanes[3],
       -Lambda_inv_0_0_p1165_lanes[4], -Lambda_inv_0_0_p1165_lanes[5],
-      -Lambda_inv_0_0_p1165_lanes[0], -Lambda_inv_0_0_p1165_lanes[0]) + Lambda_inv_0_0_p1188_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1190_lanes = c9 * Lambda_inv_0_0_p1189_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1191_lanes = Lambda_inv_0_0_p577_lanes[0] *
-      Lambda_inv_0_0_p1152_lanes;
+      -Lambda_inv_0_0_p1165_lanes[0], -Lambda_inv_0_0_p1165_lanes[0]) +
+      Lambda_inv_0_0_p569_lanes[0] * Lambda_inv_0_0_p1152_lanes;
   const Lanes<8> Lambda_inv_0_0_p1192_lanes = Lambda_inv_0_0_p1147_lanes -
-      Lambda_inv_0_0_p1191_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1193_lanes = s9 * Lambda_inv_0_0_p1192_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1194_lanes = Lambda_inv_0_0_p1190_lanes -
-      Lambda_inv_0_0_p1193_lanes;
+      Lambda_inv_0_0_p577_lanes[0] * Lambda_inv_0_0_p1152_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1195_lanes = Lambda_inv_0_0_p1194_lanes -
-      Lambda_inv_0_0_p1187_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1195_lanes = c9 * Lambda_inv_0_0_p1189_lanes - s9 *
+      Lambda_inv_0_0_p1192_lanes - Lambda_inv_0_0_p657_lanes[0] * Lambda_inv_0_0_p1173_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1196_lanes =
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1195_lanes[0], Lambda_inv_0_0_p1195_lanes[1],
-      Lambda_inv_0_0_p1195_lanes[2], Lambda_inv_0_0_p1195_lanes[3], Lambda_inv_0_0_p1195_lanes[4],
-      Lambda_inv_0_0_p1195_lanes[5], c16 * Lambda_inv_0_6_p81 - s16 * Lambda_inv_0_6_p82 -
-      Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_6_p73, c16 * Lambda_inv_0_7_p84 - s16 *
-      Lambda_inv_0_7_p85 - Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_7_p73) -
-      Lambda_inv_0_0_p1186_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1197_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_inv_0_0_p1196_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1198_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p639_lanes[0],
-      Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0],
-      Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[1],
-      Lambda_inv_0_0_p639_lanes[1]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0],
+  const Lanes<8> Lambda_inv_0_0_p1196_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1195_lanes[0],
+      Lambda_inv_0_0_p1195_lanes[1], Lambda_inv_0_0_p1195_lanes[2], Lambda_inv_0_0_p1195_lanes[3],
+      Lambda_inv_0_0_p1195_lanes[4], Lambda_inv_0_0_p1195_lanes[5], c16 * Lambda_inv_0_6_p81 - s16 *
+      Lambda_inv_0_6_p82 - Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_6_p73, c16 *
+      Lambda_inv_0_7_p84 - s16 * Lambda_inv_0_7_p85 - Lambda_inv_0_0_p657_lanes[1] *
+      Lambda_inv_0_7_p73) - detail::make_pack<Real>(Lambda_inv_0_0_p679_lanes[0],
+      Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0],
+      Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[1],
+      Lambda_inv_0_0_p679_lanes[1]) * detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0],
       Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
       Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
       Lambda_inv_0_7_p76);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_0_1_p160_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[1], Lambda_inv_0_7_p66);
-  const Lanes<2> Lambda_inv_0_1_p161_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[1], Lambda_inv_0_7_p70);
-  const Lanes<2> Lambda_inv_0_1_p162_lanes = Lambda_inv_0_1_p160_lanes + Lambda_inv_0_1_p161_lanes;
+  const Lanes<2> Lambda_inv_0_1_p162_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[1], Lambda_inv_0_7_p66) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[1],
+      Lambda_inv_0_7_p70);
 
   // link 15 (right_shoulder2), force propagation
   const Real Lambda_inv_0_7_p92 = -(-Lambda_inv_0_1_p162_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
@@ -2629,127 +1936,92 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_6_p73;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1199_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[0], Lambda_inv_0_6_p66);
-  const Lanes<2> Lambda_inv_0_0_p1200_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[0], Lambda_inv_0_6_p70);
-  const Lanes<2> Lambda_inv_0_0_p1201_lanes = Lambda_inv_0_0_p1199_lanes +
-      Lambda_inv_0_0_p1200_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1201_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[0], Lambda_inv_0_6_p66) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[0],
+      Lambda_inv_0_6_p70);
 
   // link 15 (right_shoulder2), force propagation
   const Real Lambda_inv_0_6_p90 = -(-Lambda_inv_0_0_p1201_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
       Lambda_inv_0_6_p64) + Lambda_inv_0_0_p555_lanes[1] * Lambda_inv_0_6_p73;
 
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1202_lanes = Lambda_inv_0_0_p555_lanes[0] *
-      Lambda_inv_0_0_p1173_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p71_lanes = s19 * Lambda_inv_0_8_p67_lanes;
-  const Lanes<8> Lambda_inv_0_8_p72_lanes = Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_8_p55_lanes;
-
   // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_0_9_p29_lanes = s20 * Lambda_inv_0_9_p11_lanes;
-  const Lanes<8> Lambda_inv_0_9_p30_lanes = c20 * Lambda_inv_0_9_p13_lanes;
-  const Lanes<8> Lambda_inv_0_9_p31_lanes = Lambda_inv_0_9_p29_lanes - Lambda_inv_0_9_p30_lanes;
+  const Lanes<8> Lambda_inv_0_9_p31_lanes = s20 * Lambda_inv_0_9_p11_lanes - c20 *
+      Lambda_inv_0_9_p13_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p73_lanes = detail::make_lanes<Real>(Lambda_inv_0_2_p24_lanes[1],
+  const Lanes<8> Lambda_inv_0_8_p73_lanes = detail::make_pack<Real>(Lambda_inv_0_2_p24_lanes[1],
       Lambda_inv_0_9_p31_lanes[1], Lambda_inv_0_9_p31_lanes[2], Lambda_inv_0_9_p31_lanes[3],
       Lambda_inv_0_2_p24_lanes[1], Lambda_inv_0_2_p24_lanes[1], Lambda_inv_0_2_p24_lanes[1],
-      Lambda_inv_0_2_p24_lanes[1]) - Lambda_inv_0_8_p72_lanes;
-  const Lanes<8> Lambda_inv_0_8_p74_lanes = 0.269 * Lambda_inv_0_8_p73_lanes;
-  const Lanes<8> Lambda_inv_0_8_p75_lanes = Lambda_inv_0_8_p74_lanes - Lambda_inv_0_8_p71_lanes;
+      Lambda_inv_0_2_p24_lanes[1]) - Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_8_p55_lanes;
 
   // link 18 (right_wrist1), force propagation
   const Real Lambda_inv_0_8_p76 = -(c19 * Lambda_inv_0_8_p67_lanes[0]);
-  const Lanes<8> Lambda_inv_0_8_p77_lanes = inverse_D10_p1_lanes[1] *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
+  const Lanes<8> Lambda_inv_0_8_p78_lanes = 0.269 * Lambda_inv_0_8_p73_lanes - s19 *
+      Lambda_inv_0_8_p67_lanes - inverse_D10_p1_lanes[1] *
+      detail::make_pack<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
       Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
       Lambda_inv_0_8_p76);
-  const Lanes<8> Lambda_inv_0_8_p78_lanes = Lambda_inv_0_8_p75_lanes - Lambda_inv_0_8_p77_lanes;
-  const Lanes<8> Lambda_inv_0_8_p79_lanes = s18 * Lambda_inv_0_8_p78_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_9_p38_lanes = c19 * Lambda_inv_0_9_p8_lanes;
-  const Lanes<8> Lambda_inv_0_9_p39_lanes = s19 * Lambda_inv_0_9_p16_lanes;
-  const Lanes<8> Lambda_inv_0_9_p40_lanes = Lambda_inv_0_9_p38_lanes + Lambda_inv_0_9_p39_lanes;
-  const Lanes<8> Lambda_inv_0_8_p80_lanes = 0.269 *
-      detail::make_lanes<Real>(Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_9_p40_lanes[1],
+  const Lanes<8> Lambda_inv_0_9_p40_lanes = c19 * Lambda_inv_0_9_p8_lanes + s19 *
+      Lambda_inv_0_9_p16_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p82_lanes = 0.269 *
+      detail::make_pack<Real>(Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_9_p40_lanes[1],
       Lambda_inv_0_9_p40_lanes[2], Lambda_inv_0_9_p40_lanes[3], Lambda_inv_0_2_p41_lanes[1],
-      Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_2_p41_lanes[1]);
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p81_lanes = inverse_D10_p8_lanes[1] *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
-      Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
-      Lambda_inv_0_8_p76);
-  const Lanes<8> Lambda_inv_0_8_p82_lanes = Lambda_inv_0_8_p80_lanes - Lambda_inv_0_8_p81_lanes;
-  const Lanes<8> Lambda_inv_0_8_p83_lanes = c18 * Lambda_inv_0_8_p82_lanes;
-  const Lanes<8> Lambda_inv_0_8_p84_lanes = Lambda_inv_0_8_p79_lanes + Lambda_inv_0_8_p83_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p85_lanes = Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_8_p84_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p86_lanes = Lambda_inv_0_0_p55_lanes[1] *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
-      Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
-      Lambda_inv_0_8_p76);
-  const Lanes<8> Lambda_inv_0_8_p87_lanes = detail::make_lanes<Real>(-Lambda_inv_0_2_p41_lanes[1],
+      Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_2_p41_lanes[1]) -
+      inverse_D10_p8_lanes[1] * detail::make_pack<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24,
+      Lambda_inv_0_10_p24, Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
+      Lambda_inv_0_8_p76, Lambda_inv_0_8_p76);
+  const Lanes<8> Lambda_inv_0_8_p84_lanes = s18 * Lambda_inv_0_8_p78_lanes + c18 *
+      Lambda_inv_0_8_p82_lanes;
+  const Lanes<8> Lambda_inv_0_8_p87_lanes = detail::make_pack<Real>(-Lambda_inv_0_2_p41_lanes[1],
       -Lambda_inv_0_9_p40_lanes[1], -Lambda_inv_0_9_p40_lanes[2], -Lambda_inv_0_9_p40_lanes[3],
       -Lambda_inv_0_2_p41_lanes[1], -Lambda_inv_0_2_p41_lanes[1], -Lambda_inv_0_2_p41_lanes[1],
-      -Lambda_inv_0_2_p41_lanes[1]) + Lambda_inv_0_8_p86_lanes;
-  const Lanes<8> Lambda_inv_0_8_p88_lanes = c18 * Lambda_inv_0_8_p87_lanes;
-  const Lanes<8> Lambda_inv_0_8_p89_lanes = Lambda_inv_0_0_p119_lanes[1] *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
+      -Lambda_inv_0_2_p41_lanes[1]) + Lambda_inv_0_0_p55_lanes[1] *
+      detail::make_pack<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
       Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
       Lambda_inv_0_8_p76);
-  const Lanes<8> Lambda_inv_0_8_p90_lanes = Lambda_inv_0_8_p73_lanes - Lambda_inv_0_8_p89_lanes;
-  const Lanes<8> Lambda_inv_0_8_p91_lanes = s18 * Lambda_inv_0_8_p90_lanes;
-  const Lanes<8> Lambda_inv_0_8_p92_lanes = Lambda_inv_0_8_p88_lanes - Lambda_inv_0_8_p91_lanes;
+  const Lanes<8> Lambda_inv_0_8_p90_lanes = Lambda_inv_0_8_p73_lanes -
+      Lambda_inv_0_0_p119_lanes[1] * detail::make_pack<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24,
+      Lambda_inv_0_10_p24, Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
+      Lambda_inv_0_8_p76, Lambda_inv_0_8_p76);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p93_lanes = Lambda_inv_0_8_p92_lanes - Lambda_inv_0_8_p85_lanes;
+  const Lanes<8> Lambda_inv_0_8_p93_lanes = c18 * Lambda_inv_0_8_p87_lanes - s18 *
+      Lambda_inv_0_8_p90_lanes - Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_8_p84_lanes;
+  const Lanes<8> Lambda_inv_0_8_p95_lanes = detail::make_pack<Real>(-(-Lambda_inv_0_2_p76_lanes[1] -
+      Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76), -Lambda_inv_0_3_p117_lanes[1],
+      -Lambda_inv_0_4_p75_lanes[1], -Lambda_inv_0_5_p122_lanes[1],
+      -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76),
+      -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76),
+      -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76),
+      -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76)) -
+      Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_8_p84_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_0_5_p166_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[5], Lambda_inv_0_8_p93_lanes[3]);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p94_lanes = Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_8_p84_lanes;
-  const Lanes<8> Lambda_inv_0_8_p95_lanes =
-      detail::make_lanes<Real>(-(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
-      Lambda_inv_0_8_p76), -Lambda_inv_0_3_p117_lanes[1], -Lambda_inv_0_4_p75_lanes[1],
-      -Lambda_inv_0_5_p122_lanes[1], -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
-      Lambda_inv_0_8_p76), -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
-      Lambda_inv_0_8_p76), -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
-      Lambda_inv_0_8_p76), -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
-      Lambda_inv_0_8_p76)) - Lambda_inv_0_8_p94_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_0_5_p167_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[5], Lambda_inv_0_8_p95_lanes[3]);
-  const Lanes<2> Lambda_inv_0_5_p168_lanes = Lambda_inv_0_5_p166_lanes + Lambda_inv_0_5_p167_lanes;
-  const Lanes<2> Lambda_inv_0_4_p119_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[4], Lambda_inv_0_8_p93_lanes[2]);
-  const Lanes<2> Lambda_inv_0_4_p120_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[4], Lambda_inv_0_8_p95_lanes[2]);
-  const Lanes<2> Lambda_inv_0_4_p121_lanes = Lambda_inv_0_4_p119_lanes + Lambda_inv_0_4_p120_lanes;
-  const Lanes<2> Lambda_inv_0_3_p161_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[3], Lambda_inv_0_8_p93_lanes[1]);
-  const Lanes<2> Lambda_inv_0_3_p162_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[3], Lambda_inv_0_8_p95_lanes[1]);
-  const Lanes<2> Lambda_inv_0_3_p163_lanes = Lambda_inv_0_3_p161_lanes + Lambda_inv_0_3_p162_lanes;
-  const Lanes<2> Lambda_inv_0_2_p120_lanes = detail::make_lanes<Real>(s10, s17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1163_lanes[2], Lambda_inv_0_8_p93_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p121_lanes = detail::make_lanes<Real>(c10, c17) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1157_lanes[2], Lambda_inv_0_8_p95_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p122_lanes = Lambda_inv_0_2_p120_lanes + Lambda_inv_0_2_p121_lanes;
+  const Lanes<2> Lambda_inv_0_5_p168_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[5], Lambda_inv_0_8_p93_lanes[3]) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[5],
+      Lambda_inv_0_8_p95_lanes[3]);
+  const Lanes<2> Lambda_inv_0_4_p121_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[4], Lambda_inv_0_8_p93_lanes[2]) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[4],
+      Lambda_inv_0_8_p95_lanes[2]);
+  const Lanes<2> Lambda_inv_0_3_p163_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[3], Lambda_inv_0_8_p93_lanes[1]) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[3],
+      Lambda_inv_0_8_p95_lanes[1]);
+  const Lanes<2> Lambda_inv_0_2_p122_lanes = detail::make_pack<Real>(s10, s17) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[2], Lambda_inv_0_8_p93_lanes[0]) +
+      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[2],
+      Lambda_inv_0_8_p95_lanes[0]);
 
   // link 8 (left_shoulder2), force propagation
   const Lanes<8> Lambda_inv_0_0_p1203_lanes =
-      detail::make_lanes<Real>(-(-Lambda_inv_0_0_p1201_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
+      detail::make_pack<Real>(-(-Lambda_inv_0_0_p1201_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
       Lambda_inv_0_0_p1152_lanes[0]), -(-Lambda_inv_0_1_p162_lanes[0] +
       Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[1]),
       -(-Lambda_inv_0_2_p122_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
@@ -2760,137 +2032,97 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[5]),
       -(-Lambda_inv_0_0_p1201_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
       Lambda_inv_0_0_p1152_lanes[0]), -(-Lambda_inv_0_0_p1201_lanes[0] +
-      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[0])) + Lambda_inv_0_0_p1202_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1204_lanes = c8 * Lambda_inv_0_0_p1203_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1205_lanes = Lambda_inv_0_0_p609_lanes[0] *
-      Lambda_inv_0_0_p1173_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1206_lanes = s9 * Lambda_inv_0_0_p1189_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1207_lanes = c9 * Lambda_inv_0_0_p1192_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1208_lanes = Lambda_inv_0_0_p1206_lanes +
-      Lambda_inv_0_0_p1207_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1209_lanes = Lambda_inv_0_0_p1208_lanes -
-      Lambda_inv_0_0_p1205_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1210_lanes = s8 * Lambda_inv_0_0_p1209_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1211_lanes = Lambda_inv_0_0_p1204_lanes -
-      Lambda_inv_0_0_p1210_lanes;
+      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[0])) +
+      Lambda_inv_0_0_p555_lanes[0] * Lambda_inv_0_0_p1173_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1209_lanes = s9 * Lambda_inv_0_0_p1189_lanes + c9 *
+      Lambda_inv_0_0_p1192_lanes - Lambda_inv_0_0_p609_lanes[0] * Lambda_inv_0_0_p1173_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1211_lanes = c8 * Lambda_inv_0_0_p1203_lanes - s8 *
+      Lambda_inv_0_0_p1209_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1212_lanes =
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1211_lanes[0], Lambda_inv_0_0_p1211_lanes[1],
-      Lambda_inv_0_0_p1211_lanes[2], Lambda_inv_0_0_p1211_lanes[3], Lambda_inv_0_0_p1211_lanes[4],
-      Lambda_inv_0_0_p1211_lanes[5], c15 * Lambda_inv_0_6_p90 - s15 * Lambda_inv_0_6_p86, c15 *
-      Lambda_inv_0_7_p92 - s15 * Lambda_inv_0_7_p93) - Lambda_inv_0_0_p1198_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1213_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
+  const Lanes<8> Lambda_inv_0_0_p1212_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1211_lanes[0],
+      Lambda_inv_0_0_p1211_lanes[1], Lambda_inv_0_0_p1211_lanes[2], Lambda_inv_0_0_p1211_lanes[3],
+      Lambda_inv_0_0_p1211_lanes[4], Lambda_inv_0_0_p1211_lanes[5], c15 * Lambda_inv_0_6_p90 - s15 *
+      Lambda_inv_0_6_p86, c15 * Lambda_inv_0_7_p92 - s15 * Lambda_inv_0_7_p93) -
+      detail::make_pack<Real>(Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0],
+      Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0],
+      Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[1], Lambda_inv_0_0_p639_lanes[1]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0], Lambda_inv_0_0_p1179_lanes[1],
+      Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3], Lambda_inv_0_0_p1179_lanes[4],
+      Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76, Lambda_inv_0_7_p76);
+  const Lanes<8> Lambda_inv_0_0_p1214_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_inv_0_0_p1196_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
       c14) * Lambda_inv_0_0_p1212_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1214_lanes = Lambda_inv_0_0_p1197_lanes +
-      Lambda_inv_0_0_p1213_lanes;
-  const Lanes<2> Lambda_inv_0_1_p176_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[1], Lambda_inv_0_0_p1214_lanes[7]);
-  const Lanes<8> Lambda_inv_0_0_p1215_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p837_lanes[0],
-      Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0],
-      Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[1],
-      Lambda_inv_0_0_p837_lanes[1]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[0],
-      Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
-      Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
-      Lambda_inv_0_7_p76);
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1216_lanes = s8 * Lambda_inv_0_0_p1203_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1217_lanes = c8 * Lambda_inv_0_0_p1209_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1218_lanes = Lambda_inv_0_0_p1216_lanes +
-      Lambda_inv_0_0_p1217_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1218_lanes = s8 * Lambda_inv_0_0_p1203_lanes + c8 *
+      Lambda_inv_0_0_p1209_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1219_lanes =
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1218_lanes[0], Lambda_inv_0_0_p1218_lanes[1],
-      Lambda_inv_0_0_p1218_lanes[2], Lambda_inv_0_0_p1218_lanes[3], Lambda_inv_0_0_p1218_lanes[4],
-      Lambda_inv_0_0_p1218_lanes[5], s15 * Lambda_inv_0_6_p90 + c15 * Lambda_inv_0_6_p86, s15 *
-      Lambda_inv_0_7_p92 + c15 * Lambda_inv_0_7_p93) - Lambda_inv_0_0_p1215_lanes;
-  const Lanes<2> Lambda_inv_0_1_p182_lanes = 0.226 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[1], Lambda_inv_0_0_p1219_lanes[7]);
-  const Lanes<2> Lambda_inv_0_1_p183_lanes = Lambda_inv_0_1_p182_lanes + Lambda_inv_0_1_p176_lanes;
-  const Lanes<2> Lambda_inv_0_1_p184_lanes = Lambda_inv_0_1_p146_lanes + Lambda_inv_0_1_p183_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1219_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1218_lanes[0],
+      Lambda_inv_0_0_p1218_lanes[1], Lambda_inv_0_0_p1218_lanes[2], Lambda_inv_0_0_p1218_lanes[3],
+      Lambda_inv_0_0_p1218_lanes[4], Lambda_inv_0_0_p1218_lanes[5], s15 * Lambda_inv_0_6_p90 + c15 *
+      Lambda_inv_0_6_p86, s15 * Lambda_inv_0_7_p92 + c15 * Lambda_inv_0_7_p93) -
+      detail::make_pack<Real>(Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0],
+      Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0],
+      Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[1], Lambda_inv_0_0_p837_lanes[1]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0], Lambda_inv_0_0_p1179_lanes[1],
+      Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3], Lambda_inv_0_0_p1179_lanes[4],
+      Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76, Lambda_inv_0_7_p76);
+  const Lanes<2> Lambda_inv_0_1_p183_lanes = 0.226 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[1], Lambda_inv_0_0_p1219_lanes[7]) +
+      detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[1], Lambda_inv_0_0_p1214_lanes[7]);
+  const Lanes<2> Lambda_inv_0_1_p184_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[1], Lambda_inv_0_0_p1180_lanes[7]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[1],
+      Lambda_inv_0_0_p1185_lanes[7]) + Lambda_inv_0_1_p183_lanes;
 
   // link 6 (chest3), force propagation
   const Real Lambda_inv_0_7_p103 = -Lambda_inv_0_1_p184_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1220_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[0], Lambda_inv_0_0_p1214_lanes[6]);
-  const Lanes<2> Lambda_inv_0_0_p1221_lanes = 0.226 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[0], Lambda_inv_0_0_p1219_lanes[6]);
-  const Lanes<2> Lambda_inv_0_0_p1222_lanes = Lambda_inv_0_0_p1221_lanes +
-      Lambda_inv_0_0_p1220_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1223_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[0], Lambda_inv_0_0_p1185_lanes[6]);
-  const Lanes<2> Lambda_inv_0_0_p1224_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[0], Lambda_inv_0_0_p1180_lanes[6]);
-  const Lanes<2> Lambda_inv_0_0_p1225_lanes = Lambda_inv_0_0_p1224_lanes +
-      Lambda_inv_0_0_p1223_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1226_lanes = Lambda_inv_0_0_p1225_lanes +
-      Lambda_inv_0_0_p1222_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1222_lanes = 0.226 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[0], Lambda_inv_0_0_p1219_lanes[6]) +
+      detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[0], Lambda_inv_0_0_p1214_lanes[6]);
+  const Lanes<2> Lambda_inv_0_0_p1226_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[0], Lambda_inv_0_0_p1180_lanes[6]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[0],
+      Lambda_inv_0_0_p1185_lanes[6]) + Lambda_inv_0_0_p1222_lanes;
 
   // link 6 (chest3), force propagation
   const Real Lambda_inv_0_6_p103 = -Lambda_inv_0_0_p1226_lanes[1];
 
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p99_lanes = c18 * Lambda_inv_0_8_p78_lanes;
-  const Lanes<8> Lambda_inv_0_8_p100_lanes = s18 * Lambda_inv_0_8_p82_lanes;
-  const Lanes<8> Lambda_inv_0_8_p101_lanes = Lambda_inv_0_8_p99_lanes - Lambda_inv_0_8_p100_lanes;
-
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p102_lanes = Lambda_inv_0_0_p231_lanes[1] *
-      Lambda_inv_0_8_p84_lanes;
-  const Lanes<8> Lambda_inv_0_8_p103_lanes = Lambda_inv_0_8_p101_lanes - Lambda_inv_0_8_p102_lanes;
-  const Lanes<8> Lambda_inv_0_8_p104_lanes = c17 * Lambda_inv_0_8_p103_lanes;
+  const Lanes<8> Lambda_inv_0_8_p103_lanes = c18 * Lambda_inv_0_8_p78_lanes - s18 *
+      Lambda_inv_0_8_p82_lanes - Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_8_p84_lanes;
   const Lanes<8> Lambda_inv_0_8_p105_lanes = Lambda_inv_0_0_p221_lanes[1] *
       Lambda_inv_0_8_p84_lanes;
-  const Lanes<8> Lambda_inv_0_8_p106_lanes = s17 * Lambda_inv_0_8_p105_lanes;
-  const Lanes<8> Lambda_inv_0_8_p107_lanes = Lambda_inv_0_8_p104_lanes + Lambda_inv_0_8_p106_lanes;
-  const Lanes<8> Lambda_inv_0_8_p108_lanes = Lambda_inv_0_0_p191_lanes[1] *
-      Lambda_inv_0_8_p84_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p109_lanes = s18 * Lambda_inv_0_8_p87_lanes;
-  const Lanes<8> Lambda_inv_0_8_p110_lanes = c18 * Lambda_inv_0_8_p90_lanes;
-  const Lanes<8> Lambda_inv_0_8_p111_lanes = Lambda_inv_0_8_p109_lanes + Lambda_inv_0_8_p110_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p112_lanes = Lambda_inv_0_8_p111_lanes - Lambda_inv_0_8_p108_lanes;
-  const Lanes<8> Lambda_inv_0_8_p113_lanes = 0.282 * Lambda_inv_0_8_p112_lanes;
-  const Lanes<8> Lambda_inv_0_8_p114_lanes = Lambda_inv_0_8_p107_lanes + Lambda_inv_0_8_p113_lanes;
-  const Lanes<8> Lambda_inv_0_8_p115_lanes = s17 * Lambda_inv_0_8_p103_lanes;
-  const Lanes<8> Lambda_inv_0_8_p116_lanes = c17 * Lambda_inv_0_8_p105_lanes;
-  const Lanes<8> Lambda_inv_0_8_p117_lanes = Lambda_inv_0_8_p116_lanes - Lambda_inv_0_8_p115_lanes;
+  const Lanes<8> Lambda_inv_0_8_p112_lanes = s18 * Lambda_inv_0_8_p87_lanes + c18 *
+      Lambda_inv_0_8_p90_lanes - Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_8_p84_lanes;
+  const Lanes<8> Lambda_inv_0_8_p117_lanes = c17 * Lambda_inv_0_8_p105_lanes - s17 *
+      Lambda_inv_0_8_p103_lanes;
 
   // link 16 (right_upperarm), force propagation
   const Lanes<8> Lambda_inv_0_8_p118_lanes = Lambda_inv_0_0_p259_lanes[1] *
       Lambda_inv_0_8_p117_lanes;
-  const Lanes<8> Lambda_inv_0_8_p119_lanes = Lambda_inv_0_8_p114_lanes - Lambda_inv_0_8_p118_lanes;
-  const Lanes<8> Lambda_inv_0_8_p120_lanes = c16 * Lambda_inv_0_8_p119_lanes;
+  const Lanes<8> Lambda_inv_0_8_p119_lanes = c17 * Lambda_inv_0_8_p103_lanes + s17 *
+      Lambda_inv_0_8_p105_lanes + 0.282 * Lambda_inv_0_8_p112_lanes - Lambda_inv_0_8_p118_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p121_lanes = s17 * Lambda_inv_0_8_p95_lanes;
-  const Lanes<8> Lambda_inv_0_8_p122_lanes = c17 * Lambda_inv_0_8_p93_lanes;
-  const Lanes<8> Lambda_inv_0_8_p123_lanes = Lambda_inv_0_8_p121_lanes - Lambda_inv_0_8_p122_lanes;
-  const Lanes<8> Lambda_inv_0_8_p124_lanes = 0.282 * Lambda_inv_0_8_p123_lanes;
+  const Lanes<8> Lambda_inv_0_8_p123_lanes = s17 * Lambda_inv_0_8_p95_lanes - c17 *
+      Lambda_inv_0_8_p93_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p125_lanes = Lambda_inv_0_0_p401_lanes[1] *
-      Lambda_inv_0_8_p117_lanes;
-  const Lanes<8> Lambda_inv_0_8_p126_lanes = Lambda_inv_0_8_p124_lanes - Lambda_inv_0_8_p125_lanes;
-  const Lanes<8> Lambda_inv_0_8_p127_lanes = s16 * Lambda_inv_0_8_p126_lanes;
-  const Lanes<8> Lambda_inv_0_8_p128_lanes = Lambda_inv_0_8_p120_lanes - Lambda_inv_0_8_p127_lanes;
+  const Lanes<8> Lambda_inv_0_8_p126_lanes = 0.282 * Lambda_inv_0_8_p123_lanes -
+      Lambda_inv_0_0_p401_lanes[1] * Lambda_inv_0_8_p117_lanes;
+  const Lanes<8> Lambda_inv_0_8_p128_lanes = c16 * Lambda_inv_0_8_p119_lanes - s16 *
+      Lambda_inv_0_8_p126_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p129_lanes = Lambda_inv_0_0_p555_lanes[1] *
-      Lambda_inv_0_8_p128_lanes;
   const Lanes<8> Lambda_inv_0_8_p130_lanes =
-      detail::make_lanes<Real>(-(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
+      detail::make_pack<Real>(-(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
       Lambda_inv_0_8_p117_lanes[0]), -(-Lambda_inv_0_3_p163_lanes[1] +
       Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[1]),
       -(-Lambda_inv_0_4_p121_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
@@ -2901,239 +2133,145 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[0]),
       -(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
       Lambda_inv_0_8_p117_lanes[0]), -(-Lambda_inv_0_2_p122_lanes[1] +
-      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[0])) + Lambda_inv_0_8_p129_lanes;
-  const Lanes<8> Lambda_inv_0_8_p131_lanes = s15 * Lambda_inv_0_8_p130_lanes;
-  const Lanes<8> Lambda_inv_0_8_p132_lanes = Lambda_inv_0_0_p609_lanes[1] *
+      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[0])) + Lambda_inv_0_0_p555_lanes[1] *
       Lambda_inv_0_8_p128_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p133_lanes = Lambda_inv_0_0_p569_lanes[1] *
-      Lambda_inv_0_8_p117_lanes;
-  const Lanes<8> Lambda_inv_0_8_p134_lanes = detail::make_lanes<Real>(-Lambda_inv_0_8_p123_lanes[0],
+  const Lanes<8> Lambda_inv_0_8_p134_lanes = detail::make_pack<Real>(-Lambda_inv_0_8_p123_lanes[0],
       -Lambda_inv_0_8_p123_lanes[1], -Lambda_inv_0_8_p123_lanes[2], -Lambda_inv_0_8_p123_lanes[3],
       -Lambda_inv_0_8_p123_lanes[0], -Lambda_inv_0_8_p123_lanes[0], -Lambda_inv_0_8_p123_lanes[0],
-      -Lambda_inv_0_8_p123_lanes[0]) + Lambda_inv_0_8_p133_lanes;
-  const Lanes<8> Lambda_inv_0_8_p135_lanes = s16 * Lambda_inv_0_8_p134_lanes;
-  const Lanes<8> Lambda_inv_0_8_p136_lanes = Lambda_inv_0_0_p577_lanes[1] *
-      Lambda_inv_0_8_p117_lanes;
-  const Lanes<8> Lambda_inv_0_8_p137_lanes = Lambda_inv_0_8_p112_lanes - Lambda_inv_0_8_p136_lanes;
-  const Lanes<8> Lambda_inv_0_8_p138_lanes = c16 * Lambda_inv_0_8_p137_lanes;
-  const Lanes<8> Lambda_inv_0_8_p139_lanes = Lambda_inv_0_8_p135_lanes + Lambda_inv_0_8_p138_lanes;
+      -Lambda_inv_0_8_p123_lanes[0]) + Lambda_inv_0_0_p569_lanes[1] * Lambda_inv_0_8_p117_lanes;
+  const Lanes<8> Lambda_inv_0_8_p137_lanes = Lambda_inv_0_8_p112_lanes -
+      Lambda_inv_0_0_p577_lanes[1] * Lambda_inv_0_8_p117_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p140_lanes = Lambda_inv_0_8_p139_lanes - Lambda_inv_0_8_p132_lanes;
-  const Lanes<8> Lambda_inv_0_8_p141_lanes = c15 * Lambda_inv_0_8_p140_lanes;
-  const Lanes<8> Lambda_inv_0_8_p142_lanes = Lambda_inv_0_8_p131_lanes + Lambda_inv_0_8_p141_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p143_lanes = s16 * Lambda_inv_0_8_p119_lanes;
-  const Lanes<8> Lambda_inv_0_8_p144_lanes = c16 * Lambda_inv_0_8_p126_lanes;
-  const Lanes<8> Lambda_inv_0_8_p145_lanes = Lambda_inv_0_8_p143_lanes + Lambda_inv_0_8_p144_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p146_lanes = inverse_D7_p1_lanes[1] * Lambda_inv_0_8_p128_lanes;
-  const Lanes<8> Lambda_inv_0_8_p147_lanes = Lambda_inv_0_8_p145_lanes - Lambda_inv_0_8_p146_lanes;
-  const Lanes<8> Lambda_inv_0_8_p148_lanes = c15 * Lambda_inv_0_8_p147_lanes;
+  const Lanes<8> Lambda_inv_0_8_p140_lanes = s16 * Lambda_inv_0_8_p134_lanes + c16 *
+      Lambda_inv_0_8_p137_lanes - Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_8_p128_lanes;
+  const Lanes<8> Lambda_inv_0_8_p147_lanes = s16 * Lambda_inv_0_8_p119_lanes + c16 *
+      Lambda_inv_0_8_p126_lanes - inverse_D7_p1_lanes[1] * Lambda_inv_0_8_p128_lanes;
   const Lanes<8> Lambda_inv_0_8_p149_lanes = Lambda_inv_0_0_p1082_lanes[1] *
       Lambda_inv_0_8_p128_lanes;
-  const Lanes<8> Lambda_inv_0_8_p150_lanes = s15 * Lambda_inv_0_8_p149_lanes;
-  const Lanes<8> Lambda_inv_0_8_p151_lanes = Lambda_inv_0_8_p150_lanes + Lambda_inv_0_8_p148_lanes;
+  const Lanes<8> Lambda_inv_0_8_p151_lanes = s15 * Lambda_inv_0_8_p149_lanes + c15 *
+      Lambda_inv_0_8_p147_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p152_lanes = Lambda_inv_0_0_p837_lanes[1] *
-      Lambda_inv_0_8_p151_lanes;
-  const Lanes<8> Lambda_inv_0_8_p153_lanes = Lambda_inv_0_8_p142_lanes - Lambda_inv_0_8_p152_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p186_lanes = 0.226 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[5], Lambda_inv_0_8_p153_lanes[3]);
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p154_lanes = c15 * Lambda_inv_0_8_p130_lanes;
-  const Lanes<8> Lambda_inv_0_8_p155_lanes = s15 * Lambda_inv_0_8_p140_lanes;
-  const Lanes<8> Lambda_inv_0_8_p156_lanes = Lambda_inv_0_8_p154_lanes - Lambda_inv_0_8_p155_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p157_lanes = Lambda_inv_0_0_p639_lanes[1] *
-      Lambda_inv_0_8_p151_lanes;
-  const Lanes<8> Lambda_inv_0_8_p158_lanes = Lambda_inv_0_8_p156_lanes - Lambda_inv_0_8_p157_lanes;
-  const Lanes<8> Lambda_inv_0_8_p159_lanes = c14 * Lambda_inv_0_8_p158_lanes;
+  const Lanes<8> Lambda_inv_0_8_p153_lanes = s15 * Lambda_inv_0_8_p130_lanes + c15 *
+      Lambda_inv_0_8_p140_lanes - Lambda_inv_0_0_p837_lanes[1] * Lambda_inv_0_8_p151_lanes;
+  const Lanes<8> Lambda_inv_0_8_p158_lanes = c15 * Lambda_inv_0_8_p130_lanes - s15 *
+      Lambda_inv_0_8_p140_lanes - Lambda_inv_0_0_p639_lanes[1] * Lambda_inv_0_8_p151_lanes;
   const Lanes<8> Lambda_inv_0_8_p160_lanes = Lambda_inv_0_0_p679_lanes[1] *
       Lambda_inv_0_8_p151_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p161_lanes = Lambda_inv_0_0_p657_lanes[1] *
-      Lambda_inv_0_8_p128_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p162_lanes = c16 * Lambda_inv_0_8_p134_lanes;
-  const Lanes<8> Lambda_inv_0_8_p163_lanes = s16 * Lambda_inv_0_8_p137_lanes;
-  const Lanes<8> Lambda_inv_0_8_p164_lanes = Lambda_inv_0_8_p162_lanes - Lambda_inv_0_8_p163_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p165_lanes = Lambda_inv_0_8_p164_lanes - Lambda_inv_0_8_p161_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p166_lanes = Lambda_inv_0_8_p165_lanes - Lambda_inv_0_8_p160_lanes;
-  const Lanes<8> Lambda_inv_0_8_p167_lanes = s14 * Lambda_inv_0_8_p166_lanes;
-  const Lanes<8> Lambda_inv_0_8_p168_lanes = Lambda_inv_0_8_p167_lanes + Lambda_inv_0_8_p159_lanes;
+  const Lanes<8> Lambda_inv_0_8_p166_lanes = c16 * Lambda_inv_0_8_p134_lanes - s16 *
+      Lambda_inv_0_8_p137_lanes - Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_8_p128_lanes -
+      Lambda_inv_0_8_p160_lanes;
+  const Lanes<8> Lambda_inv_0_8_p168_lanes = s14 * Lambda_inv_0_8_p166_lanes + c14 *
+      Lambda_inv_0_8_p158_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p187_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[5], Lambda_inv_0_8_p168_lanes[3]);
-  const Lanes<2> Lambda_inv_0_5_p188_lanes = Lambda_inv_0_5_p186_lanes + Lambda_inv_0_5_p187_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p169_lanes = s15 * Lambda_inv_0_8_p147_lanes;
-  const Lanes<8> Lambda_inv_0_8_p170_lanes = c15 * Lambda_inv_0_8_p149_lanes;
-  const Lanes<8> Lambda_inv_0_8_p171_lanes = Lambda_inv_0_8_p170_lanes - Lambda_inv_0_8_p169_lanes;
+  const Lanes<2> Lambda_inv_0_5_p188_lanes = 0.226 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[5], Lambda_inv_0_8_p153_lanes[3]) +
+      detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[5], Lambda_inv_0_8_p168_lanes[3]);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p172_lanes = inverse_D6_p5_lanes[1] * Lambda_inv_0_8_p151_lanes;
-  const Lanes<8> Lambda_inv_0_8_p173_lanes = Lambda_inv_0_8_p171_lanes - Lambda_inv_0_8_p172_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p189_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[5], Lambda_inv_0_8_p173_lanes[3]);
-
-  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p173_lanes = c15 * Lambda_inv_0_8_p149_lanes - s15 *
+      Lambda_inv_0_8_p147_lanes - inverse_D6_p5_lanes[1] * Lambda_inv_0_8_p151_lanes;
   const Lanes<8> Lambda_inv_0_8_p174_lanes = Lambda_inv_0_0_p1081_lanes[1] *
       Lambda_inv_0_8_p151_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p190_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[5], Lambda_inv_0_8_p174_lanes[3]);
-  const Lanes<2> Lambda_inv_0_5_p191_lanes = Lambda_inv_0_5_p190_lanes + Lambda_inv_0_5_p189_lanes;
-  const Lanes<2> Lambda_inv_0_5_p192_lanes = Lambda_inv_0_5_p191_lanes + Lambda_inv_0_5_p188_lanes;
+  const Lanes<2> Lambda_inv_0_5_p192_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[5], Lambda_inv_0_8_p174_lanes[3]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[5],
+      Lambda_inv_0_8_p173_lanes[3]) + Lambda_inv_0_5_p188_lanes;
 
   // link 6 (chest3), force propagation
   const Real Lambda_inv_0_5_p193 = -Lambda_inv_0_5_p192_lanes[0];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_4_p139_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[4], Lambda_inv_0_8_p174_lanes[2]);
-  const Lanes<2> Lambda_inv_0_4_p140_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[4], Lambda_inv_0_8_p173_lanes[2]);
-  const Lanes<2> Lambda_inv_0_4_p141_lanes = Lambda_inv_0_4_p139_lanes + Lambda_inv_0_4_p140_lanes;
-  const Lanes<2> Lambda_inv_0_4_p142_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[4], Lambda_inv_0_8_p168_lanes[2]);
-  const Lanes<2> Lambda_inv_0_4_p143_lanes = 0.226 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[4], Lambda_inv_0_8_p153_lanes[2]);
-  const Lanes<2> Lambda_inv_0_4_p144_lanes = Lambda_inv_0_4_p143_lanes + Lambda_inv_0_4_p142_lanes;
-  const Lanes<2> Lambda_inv_0_4_p145_lanes = Lambda_inv_0_4_p141_lanes + Lambda_inv_0_4_p144_lanes;
+  const Lanes<2> Lambda_inv_0_4_p144_lanes = 0.226 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[4], Lambda_inv_0_8_p153_lanes[2]) +
+      detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[4], Lambda_inv_0_8_p168_lanes[2]);
+  const Lanes<2> Lambda_inv_0_4_p145_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[4], Lambda_inv_0_8_p174_lanes[2]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[4],
+      Lambda_inv_0_8_p173_lanes[2]) + Lambda_inv_0_4_p144_lanes;
 
   // link 6 (chest3), force propagation
   const Real Lambda_inv_0_4_p146 = -Lambda_inv_0_4_p145_lanes[0];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_3_p181_lanes = 0.226 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[3], Lambda_inv_0_8_p153_lanes[1]);
-  const Lanes<2> Lambda_inv_0_3_p182_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[3], Lambda_inv_0_8_p168_lanes[1]);
-  const Lanes<2> Lambda_inv_0_3_p183_lanes = Lambda_inv_0_3_p181_lanes + Lambda_inv_0_3_p182_lanes;
-  const Lanes<2> Lambda_inv_0_3_p184_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[3], Lambda_inv_0_8_p173_lanes[1]);
-  const Lanes<2> Lambda_inv_0_3_p185_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[3], Lambda_inv_0_8_p174_lanes[1]);
-  const Lanes<2> Lambda_inv_0_3_p186_lanes = Lambda_inv_0_3_p185_lanes + Lambda_inv_0_3_p184_lanes;
-  const Lanes<2> Lambda_inv_0_3_p187_lanes = Lambda_inv_0_3_p186_lanes + Lambda_inv_0_3_p183_lanes;
+  const Lanes<2> Lambda_inv_0_3_p183_lanes = 0.226 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[3], Lambda_inv_0_8_p153_lanes[1]) +
+      detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[3], Lambda_inv_0_8_p168_lanes[1]);
+  const Lanes<2> Lambda_inv_0_3_p187_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[3], Lambda_inv_0_8_p174_lanes[1]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[3],
+      Lambda_inv_0_8_p173_lanes[1]) + Lambda_inv_0_3_p183_lanes;
 
   // link 6 (chest3), force propagation
   const Real Lambda_inv_0_3_p188 = -Lambda_inv_0_3_p187_lanes[0];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_2_p140_lanes = detail::make_lanes<Real>(0.18, (-0.18)) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1214_lanes[2], Lambda_inv_0_8_p168_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p141_lanes = 0.226 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1219_lanes[2], Lambda_inv_0_8_p153_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p142_lanes = Lambda_inv_0_2_p141_lanes + Lambda_inv_0_2_p140_lanes;
-  const Lanes<2> Lambda_inv_0_2_p143_lanes = detail::make_lanes<Real>(s7, s14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1185_lanes[2], Lambda_inv_0_8_p173_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p144_lanes = detail::make_lanes<Real>(c7, c14) *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1180_lanes[2], Lambda_inv_0_8_p174_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p145_lanes = Lambda_inv_0_2_p144_lanes + Lambda_inv_0_2_p143_lanes;
-  const Lanes<2> Lambda_inv_0_2_p146_lanes = Lambda_inv_0_2_p145_lanes + Lambda_inv_0_2_p142_lanes;
+  const Lanes<2> Lambda_inv_0_2_p142_lanes = 0.226 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[2], Lambda_inv_0_8_p153_lanes[0]) +
+      detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[2], Lambda_inv_0_8_p168_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p146_lanes = detail::make_pack<Real>(c7, c14) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[2], Lambda_inv_0_8_p174_lanes[0]) +
+      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[2],
+      Lambda_inv_0_8_p173_lanes[0]) + Lambda_inv_0_2_p142_lanes;
 
   // link 6 (chest3), force propagation
   const Real Lambda_inv_0_2_p147 = -Lambda_inv_0_2_p146_lanes[0];
   const Real Lambda_inv_0_1_p185 = -Lambda_inv_0_1_p184_lanes[0];
   const Real Lambda_inv_0_0_p1227 = -Lambda_inv_0_0_p1226_lanes[0];
   const Lanes<8> Lambda_inv_0_0_p1228_lanes = inverse_D5_p16 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
       Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
       Lambda_inv_0_7_p103);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1229_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_inv_0_0_p1196_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1230_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
+  const Lanes<8> Lambda_inv_0_0_p1231_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_inv_0_0_p1196_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
       s14) * Lambda_inv_0_0_p1212_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1231_lanes = Lambda_inv_0_0_p1229_lanes -
-      Lambda_inv_0_0_p1230_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1232_lanes = detail::make_lanes<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
-      0.18, (-0.18), (-0.18)) * Lambda_inv_0_0_p1231_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1233_lanes = detail::make_lanes<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_inv_0_0_p1180_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1234_lanes = detail::make_lanes<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_inv_0_0_p1185_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1235_lanes = Lambda_inv_0_0_p1233_lanes -
-      Lambda_inv_0_0_p1234_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1236_lanes = Lambda_inv_0_0_p1232_lanes -
-      Lambda_inv_0_0_p1235_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1237_lanes = Lambda_inv_0_0_p1236_lanes -
+  const Lanes<8> Lambda_inv_0_0_p1237_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
+      0.18, (-0.18), (-0.18)) * Lambda_inv_0_0_p1231_lanes -
+      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_inv_0_0_p1180_lanes -
+      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_inv_0_0_p1185_lanes) -
       Lambda_inv_0_0_p1228_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1238_lanes = s6 * Lambda_inv_0_0_p1237_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1239_lanes = inverse_D5_p22 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+  const Lanes<8> Lambda_inv_0_0_p1241_lanes = 0.226 * Lambda_inv_0_0_p1231_lanes - inverse_D5_p22 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
       Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
       Lambda_inv_0_7_p103);
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1240_lanes = 0.226 * Lambda_inv_0_0_p1231_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1241_lanes = Lambda_inv_0_0_p1240_lanes -
-      Lambda_inv_0_0_p1239_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1242_lanes = c6 * Lambda_inv_0_0_p1241_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1243_lanes = Lambda_inv_0_0_p1238_lanes +
-      Lambda_inv_0_0_p1242_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1244_lanes = Lambda_inv_0_0_p993 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+  const Lanes<8> Lambda_inv_0_0_p1245_lanes = Lambda_inv_0_0_p1231_lanes - Lambda_inv_0_0_p993 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
       Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
       Lambda_inv_0_7_p103);
-  const Lanes<8> Lambda_inv_0_0_p1245_lanes = Lambda_inv_0_0_p1231_lanes -
-      Lambda_inv_0_0_p1244_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1246_lanes = 0.072 * Lambda_inv_0_0_p1245_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1247_lanes = Lambda_inv_0_0_p1243_lanes +
-      Lambda_inv_0_0_p1246_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1248_lanes = Lambda_inv_0_0_p930 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+  const Lanes<8> Lambda_inv_0_0_p1247_lanes = s6 * Lambda_inv_0_0_p1237_lanes + c6 *
+      Lambda_inv_0_0_p1241_lanes + 0.072 * Lambda_inv_0_0_p1245_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1249_lanes = Lambda_inv_0_0_p1214_lanes + Lambda_inv_0_0_p930 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
       Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
       Lambda_inv_0_7_p103);
-  const Lanes<8> Lambda_inv_0_0_p1249_lanes = Lambda_inv_0_0_p1214_lanes +
-      Lambda_inv_0_0_p1248_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1250_lanes = s6 * Lambda_inv_0_0_p1249_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1251_lanes = Lambda_inv_0_0_p984 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
+  const Lanes<8> Lambda_inv_0_0_p1252_lanes = Lambda_inv_0_0_p1219_lanes - Lambda_inv_0_0_p984 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
       Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
       Lambda_inv_0_7_p103);
-  const Lanes<8> Lambda_inv_0_0_p1252_lanes = Lambda_inv_0_0_p1219_lanes -
-      Lambda_inv_0_0_p1251_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1253_lanes = c6 * Lambda_inv_0_0_p1252_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1254_lanes = Lambda_inv_0_0_p1250_lanes +
-      Lambda_inv_0_0_p1253_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1254_lanes = s6 * Lambda_inv_0_0_p1249_lanes + c6 *
+      Lambda_inv_0_0_p1252_lanes;
 
   // link 5 (chest2), force propagation
   const Real Lambda_inv_0_7_p131 = -(0.072 * Lambda_inv_0_0_p1254_lanes[7]) + Lambda_inv_0_0_p1020 *
       Lambda_inv_0_0_p1247_lanes[7];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1255_lanes = c6 * Lambda_inv_0_0_p1237_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1256_lanes = s6 * Lambda_inv_0_0_p1241_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1257_lanes = Lambda_inv_0_0_p1255_lanes -
-      Lambda_inv_0_0_p1256_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1257_lanes = c6 * Lambda_inv_0_0_p1237_lanes - s6 *
+      Lambda_inv_0_0_p1241_lanes;
 
   // link 5 (chest2), force propagation
   const Real Lambda_inv_0_7_p135 = Lambda_inv_0_0_p1257_lanes[7] - Lambda_inv_0_0_p1022 *
@@ -3204,41 +2342,14 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 4 (chest1), force propagation
   const Real Lambda_inv_0_0_p1260 = -(s5 * Lambda_inv_0_0_p1258 + c5 * Lambda_inv_0_0_p1259);
-  const Lanes<8> Lambda_inv_0_0_p1261_lanes = inverse_D3_p1 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
-      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
-      Lambda_inv_0_7_p136);
 
   // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1262_lanes = Lambda_inv_0_0_p1005 * Lambda_inv_0_0_p1247_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1263_lanes = Lambda_inv_0_0_p1254_lanes -
-      Lambda_inv_0_0_p1262_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1264_lanes = detail::make_lanes<Real>(-(s5 * Lambda_inv_0_0_p1259 -
-      c5 * Lambda_inv_0_0_p1258 + 0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[0]),
-      -(s5 * Lambda_inv_0_1_p217 - c5 * Lambda_inv_0_1_p216 + 0.21799999999999997 *
-      Lambda_inv_0_0_p1263_lanes[1]), -(s5 * Lambda_inv_0_2_p179 - c5 * Lambda_inv_0_2_p178 +
-      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[2]),
-      -(s5 * Lambda_inv_0_3_p220 - c5 * Lambda_inv_0_3_p219 + 0.21799999999999997 *
-      Lambda_inv_0_0_p1263_lanes[3]), -(s5 * Lambda_inv_0_4_p178 - c5 * Lambda_inv_0_4_p177 +
-      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[4]),
-      -(s5 * Lambda_inv_0_5_p225 - c5 * Lambda_inv_0_5_p224 + 0.21799999999999997 *
-      Lambda_inv_0_0_p1263_lanes[5]), -(s5 * Lambda_inv_0_6_p135 - c5 * Lambda_inv_0_6_p134 +
-      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[6]),
-      -(s5 * Lambda_inv_0_7_p135 - c5 * Lambda_inv_0_7_p131 + 0.21799999999999997 *
-      Lambda_inv_0_0_p1263_lanes[7])) - Lambda_inv_0_0_p1261_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1265_lanes = s4 * Lambda_inv_0_0_p1264_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1266_lanes = inverse_D3_p2 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
-      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
-      Lambda_inv_0_7_p136);
+  const Lanes<8> Lambda_inv_0_0_p1263_lanes = Lambda_inv_0_0_p1254_lanes - Lambda_inv_0_0_p1005 *
+      Lambda_inv_0_0_p1247_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1267_lanes = c6 * Lambda_inv_0_0_p1249_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1268_lanes = s6 * Lambda_inv_0_0_p1252_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1269_lanes = Lambda_inv_0_0_p1267_lanes -
-      Lambda_inv_0_0_p1268_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1269_lanes = c6 * Lambda_inv_0_0_p1249_lanes - s6 *
+      Lambda_inv_0_0_p1252_lanes;
 
   // link 5 (chest2), force propagation
   const Real Lambda_inv_0_7_p146 = Lambda_inv_0_0_p1269_lanes[7] - Lambda_inv_0_0_p1033 *
@@ -3283,45 +2394,44 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_0_p1272 = s5 * Lambda_inv_0_0_p1270 - c5 * Lambda_inv_0_0_p1271;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1273_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
+  const Lanes<8> Lambda_inv_0_0_p1274_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
       Lambda_inv_0_0_p1272), -(0.21799999999999997 * Lambda_inv_0_1_p230),
       -(0.21799999999999997 * Lambda_inv_0_2_p192), -(0.21799999999999997 * Lambda_inv_0_3_p233),
       -(0.21799999999999997 * Lambda_inv_0_4_p191), -(0.21799999999999997 * Lambda_inv_0_5_p238),
       -(0.21799999999999997 * Lambda_inv_0_6_p148), -(0.21799999999999997 * Lambda_inv_0_7_p148)) +
-      Lambda_inv_0_0_p1266_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1274_lanes = c4 * Lambda_inv_0_0_p1273_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1275_lanes = Lambda_inv_0_0_p1265_lanes +
-      Lambda_inv_0_0_p1274_lanes;
+      inverse_D3_p2 * detail::make_pack<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218,
+      Lambda_inv_0_2_p180, Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226,
+      Lambda_inv_0_6_p136, Lambda_inv_0_7_p136));
+  const Lanes<8> Lambda_inv_0_0_p1275_lanes = s4 * (detail::make_pack<Real>(-(s5 *
+      Lambda_inv_0_0_p1259 - c5 * Lambda_inv_0_0_p1258 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1263_lanes[0]), -(s5 * Lambda_inv_0_1_p217 - c5 * Lambda_inv_0_1_p216 +
+      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[1]),
+      -(s5 * Lambda_inv_0_2_p179 - c5 * Lambda_inv_0_2_p178 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1263_lanes[2]), -(s5 * Lambda_inv_0_3_p220 - c5 * Lambda_inv_0_3_p219 +
+      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[3]),
+      -(s5 * Lambda_inv_0_4_p178 - c5 * Lambda_inv_0_4_p177 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1263_lanes[4]), -(s5 * Lambda_inv_0_5_p225 - c5 * Lambda_inv_0_5_p224 +
+      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[5]),
+      -(s5 * Lambda_inv_0_6_p135 - c5 * Lambda_inv_0_6_p134 + 0.21799999999999997 *
+      Lambda_inv_0_0_p1263_lanes[6]), -(s5 * Lambda_inv_0_7_p135 - c5 * Lambda_inv_0_7_p131 +
+      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[7])) - inverse_D3_p1 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
+      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
+      Lambda_inv_0_7_p136)) + Lambda_inv_0_0_p1274_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1282_lanes = s4 * (Lambda_inv_0_0_p1263_lanes +
+      Lambda_inv_0_0_p1050 * detail::make_pack<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218,
+      Lambda_inv_0_2_p180, Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226,
+      Lambda_inv_0_6_p136, Lambda_inv_0_7_p136));
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1276_lanes = Lambda_inv_0_0_p1063 * Lambda_inv_0_0_p1275_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1277_lanes = Lambda_inv_0_0_p1041 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
-      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
-      Lambda_inv_0_7_p136);
-  const Lanes<8> Lambda_inv_0_0_p1278_lanes = detail::make_lanes<Real>(-Lambda_inv_0_0_p1272,
+  const Lanes<8> Lambda_inv_0_0_p1284_lanes = c4 * (detail::make_pack<Real>(-Lambda_inv_0_0_p1272,
       -Lambda_inv_0_1_p230, -Lambda_inv_0_2_p192, -Lambda_inv_0_3_p233, -Lambda_inv_0_4_p191,
-      -Lambda_inv_0_5_p238, -Lambda_inv_0_6_p148, -Lambda_inv_0_7_p148) +
-      Lambda_inv_0_0_p1277_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1279_lanes = c4 * Lambda_inv_0_0_p1278_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1280_lanes = Lambda_inv_0_0_p1050 *
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
+      -Lambda_inv_0_5_p238, -Lambda_inv_0_6_p148, -Lambda_inv_0_7_p148) + Lambda_inv_0_0_p1041 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
       Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
-      Lambda_inv_0_7_p136);
-  const Lanes<8> Lambda_inv_0_0_p1281_lanes = Lambda_inv_0_0_p1263_lanes +
-      Lambda_inv_0_0_p1280_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1282_lanes = s4 * Lambda_inv_0_0_p1281_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1283_lanes = Lambda_inv_0_0_p1279_lanes -
-      Lambda_inv_0_0_p1282_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1284_lanes = Lambda_inv_0_0_p1283_lanes -
-      Lambda_inv_0_0_p1276_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1285_lanes = c3 * Lambda_inv_0_0_p1284_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1286_lanes = Lambda_inv_0_0_p1073 * Lambda_inv_0_0_p1275_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1287_lanes = detail::make_lanes<Real>(-(-(s5 *
+      Lambda_inv_0_7_p136)) - Lambda_inv_0_0_p1282_lanes - Lambda_inv_0_0_p1063 *
+      Lambda_inv_0_0_p1275_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1287_lanes = detail::make_pack<Real>(-(-(s5 *
       Lambda_inv_0_0_p1271 + c5 * Lambda_inv_0_0_p1270) - Lambda_inv_0_0_p1068 *
       Lambda_inv_0_0_p1260), -(-(s5 * Lambda_inv_0_1_p229 + c5 * Lambda_inv_0_1_p228) -
       Lambda_inv_0_0_p1068 * Lambda_inv_0_1_p218), -(-(s5 * Lambda_inv_0_2_p191 + c5 *
@@ -3332,17 +2442,11 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_5_p236) - Lambda_inv_0_0_p1068 * Lambda_inv_0_5_p226),
       -(-(s5 * Lambda_inv_0_6_p147 + c5 * Lambda_inv_0_6_p146) - Lambda_inv_0_0_p1068 *
       Lambda_inv_0_6_p136), -(-(s5 * Lambda_inv_0_7_p147 + c5 * Lambda_inv_0_7_p146) -
-      Lambda_inv_0_0_p1068 * Lambda_inv_0_7_p136)) + Lambda_inv_0_0_p1286_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1288_lanes = s3 * Lambda_inv_0_0_p1287_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1289_lanes = Lambda_inv_0_0_p1285_lanes -
-      Lambda_inv_0_0_p1288_lanes;
+      Lambda_inv_0_0_p1068 * Lambda_inv_0_7_p136)) + Lambda_inv_0_0_p1073 *
+      Lambda_inv_0_0_p1275_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1289_lanes = c3 * Lambda_inv_0_0_p1284_lanes - s3 *
+      Lambda_inv_0_0_p1287_lanes;
   const Lanes<8> Lambda_inv_0_0_p1290_lanes = 0.422 * Lambda_inv_0_0_p1289_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1291_lanes = Lambda_inv_0_0_p1080 * Lambda_inv_0_0_p1290_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1292_lanes = Lambda_inv_0_0_p1289_lanes -
-      Lambda_inv_0_0_p1291_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1293_lanes = c2 * Lambda_inv_0_0_p1292_lanes;
 
   // link 3 (hip), articulated inertia
   const Real Lambda_inv_0_0_p1294 = c3 * Lambda_inv_0_0_p1076 - Lambda_inv_0_0_p1075;
@@ -3352,21 +2456,11 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_0_p1296 = Lambda_inv_0_0_p1295 * inverse_D2;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1297_lanes = Lambda_inv_0_0_p1296 * Lambda_inv_0_0_p1290_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1298_lanes = s3 * Lambda_inv_0_0_p1284_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1299_lanes = c3 * Lambda_inv_0_0_p1287_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1300_lanes = Lambda_inv_0_0_p1298_lanes +
-      Lambda_inv_0_0_p1299_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1301_lanes = Lambda_inv_0_0_p1300_lanes -
-      Lambda_inv_0_0_p1297_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1302_lanes = s2 * Lambda_inv_0_0_p1301_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1303_lanes = Lambda_inv_0_0_p1293_lanes -
-      Lambda_inv_0_0_p1302_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1304_lanes = 0.434 * Lambda_inv_0_0_p1303_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1302_lanes = s2 * (s3 * Lambda_inv_0_0_p1284_lanes + c3 *
+      Lambda_inv_0_0_p1287_lanes - Lambda_inv_0_0_p1296 * Lambda_inv_0_0_p1290_lanes);
+  const Lanes<8> Lambda_inv_0_0_p1304_lanes = 0.434 *
+      (c2 * (Lambda_inv_0_0_p1289_lanes - Lambda_inv_0_0_p1080 * Lambda_inv_0_0_p1290_lanes) -
+      Lambda_inv_0_0_p1302_lanes);
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D1_p1 = Lambda_inv_0_0_p1078 - Lambda_inv_0_0_p1079 * Lambda_inv_0_0_p1080;
@@ -3380,52 +2474,36 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 1 (calf), force propagation
   const Lanes<8> Lambda_inv_0_0_p1305_lanes = Lambda_inv_0_0_p1304_lanes * inverse_D1;
-  const Lanes<8> Lambda_inv_0_0_p1306_lanes = Lambda_inv_0_0_p1305_lanes *
-      Lambda_inv_0_0_p1304_lanes[0];
 
   // link 2 (thigh), force propagation
   const Lanes<8> Lambda_inv_0_0_p1307_lanes = Lambda_inv_0_0_p1290_lanes * inverse_D2;
-  const Lanes<8> Lambda_inv_0_0_p1308_lanes = Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[0];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_0_0_p1309_lanes = Lambda_inv_0_0_p1275_lanes * inverse_D3;
-  const Lanes<8> Lambda_inv_0_0_p1310_lanes = Lambda_inv_0_0_p1309_lanes *
-      Lambda_inv_0_0_p1275_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1311_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1260,
+  const Lanes<8> Lambda_inv_0_0_p1311_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1260,
       Lambda_inv_0_1_p218, Lambda_inv_0_2_p180, Lambda_inv_0_3_p221, Lambda_inv_0_4_p179,
       Lambda_inv_0_5_p226, Lambda_inv_0_6_p136, Lambda_inv_0_7_p136) * inverse_D4;
-  const Lanes<8> Lambda_inv_0_0_p1312_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_0_p1260;
 
   // link 5 (chest2), force propagation
   const Lanes<8> Lambda_inv_0_0_p1313_lanes = Lambda_inv_0_0_p1247_lanes * inverse_D5;
-  const Lanes<8> Lambda_inv_0_0_p1314_lanes = Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[0];
 
   // link 6 (chest3), force propagation
   const Real Lambda_inv_0_7_p188 = Lambda_inv_0_7_p103 * inverse_D6;
   const Real Lambda_inv_0_6_p188 = Lambda_inv_0_6_p103 * inverse_D6;
-  const Lanes<8> Lambda_inv_0_0_p1315_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1227,
+  const Lanes<8> Lambda_inv_0_0_p1315_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1227,
       Lambda_inv_0_1_p185, Lambda_inv_0_2_p147, Lambda_inv_0_3_p188, Lambda_inv_0_4_p146,
       Lambda_inv_0_5_p193, Lambda_inv_0_0_p1227, Lambda_inv_0_0_p1227) * inverse_D6;
-  const Lanes<8> Lambda_inv_0_0_p1316_lanes = Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_0_p1227;
 
   // link 7 (left_shoulder1), force propagation
   const Lanes<8> Lambda_inv_0_0_p1317_lanes = Lambda_inv_0_0_p1179_lanes * inverse_D7_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1318_lanes = Lambda_inv_0_0_p1317_lanes *
-      Lambda_inv_0_0_p1179_lanes[0];
 
   // link 8 (left_shoulder2), force propagation
   const Lanes<8> Lambda_inv_0_0_p1319_lanes = Lambda_inv_0_0_p1173_lanes * inverse_D8_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1320_lanes = Lambda_inv_0_0_p1319_lanes *
-      Lambda_inv_0_0_p1173_lanes[0];
 
   // link 9 (left_upperarm), force propagation
   const Lanes<8> Lambda_inv_0_0_p1321_lanes = Lambda_inv_0_0_p1152_lanes * inverse_D9_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1322_lanes = Lambda_inv_0_0_p1321_lanes *
-      Lambda_inv_0_0_p1152_lanes[0];
 
   // link 10 (left_lowerarm), force propagation
   const Lanes<8> Lambda_inv_0_0_p1323_lanes = Lambda_inv_0_0_p1132_lanes * inverse_D10_lanes[0];
@@ -3433,77 +2511,49 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p1132_lanes[0];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1325_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1121,
+  const Lanes<8> Lambda_inv_0_0_p1325_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1121,
       Lambda_inv_0_1_p79, Lambda_inv_0_2_p28, Lambda_inv_0_3_p71, Lambda_inv_0_4_p29,
       Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121, Lambda_inv_0_0_p1121) * inverse_D11_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1326_lanes = Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_0_p1121;
 
   // link 12 (left_wrist2), force propagation
   const Lanes<8> Lambda_inv_0_0_p1327_lanes = Lambda_inv_0_0_p1091_lanes * inverse_D12_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1328_lanes = Lambda_inv_0_0_p1327_lanes *
-      Lambda_inv_0_0_p1091_lanes[0];
 
   // link 1 (calf), articulated inertia
   const Real Lambda_inv_0_0_p1329 = 0.086 * Lambda_inv_0_0_p1085;
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1330_lanes = detail::make_lanes<Real>(91.62274020012977,
+  const Lanes<8> Lambda_inv_0_0_p1330_lanes = detail::make_pack<Real>(91.62274020012977,
       91.62274020012977, 1065.380700001509, 1065.380700001509, 1065.380700001509, 1065.380700001509,
-      91.62274020012977, 91.62274020012977) * detail::make_lanes<Real>(Lambda_inv_0_0_p1085,
+      91.62274020012977, 91.62274020012977) * detail::make_pack<Real>(Lambda_inv_0_0_p1085,
       Lambda_inv_0_1_p42, Lambda_inv_0_2_p4, Lambda_inv_0_3_p36_lanes[0],
       Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_0_p1085,
       Lambda_inv_0_0_p1085);
-  const Lanes<8> Lambda_inv_0_0_p1331_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_0_p1329;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1332_lanes = Lambda_inv_0_0_p1331_lanes +
-      Lambda_inv_0_0_p1328_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1333_lanes = Lambda_inv_0_0_p1332_lanes +
-      Lambda_inv_0_0_p1326_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1334_lanes = Lambda_inv_0_0_p1333_lanes +
-      Lambda_inv_0_0_p1324_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1335_lanes = Lambda_inv_0_0_p1334_lanes +
-      Lambda_inv_0_0_p1322_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1336_lanes = Lambda_inv_0_0_p1335_lanes +
-      Lambda_inv_0_0_p1320_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1334_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_0_p1329 +
+      Lambda_inv_0_0_p1327_lanes * Lambda_inv_0_0_p1091_lanes[0] + Lambda_inv_0_0_p1325_lanes *
+      Lambda_inv_0_0_p1121 + Lambda_inv_0_0_p1324_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1337_lanes = Lambda_inv_0_0_p1336_lanes +
-      Lambda_inv_0_0_p1318_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1337_lanes = Lambda_inv_0_0_p1334_lanes +
+      Lambda_inv_0_0_p1321_lanes * Lambda_inv_0_0_p1152_lanes[0] + Lambda_inv_0_0_p1319_lanes *
+      Lambda_inv_0_0_p1173_lanes[0] + Lambda_inv_0_0_p1317_lanes * Lambda_inv_0_0_p1179_lanes[0];
 
   // link 6 (chest3), force propagation
   const Lanes<8> Lambda_inv_0_0_p1338_lanes = Lambda_inv_0_0_p1337_lanes +
-      Lambda_inv_0_0_p1316_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1339_lanes =
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1338_lanes[0], Lambda_inv_0_0_p1338_lanes[1],
-      Lambda_inv_0_0_p1338_lanes[2], Lambda_inv_0_0_p1338_lanes[3], Lambda_inv_0_0_p1338_lanes[4],
-      Lambda_inv_0_0_p1338_lanes[5], Lambda_inv_0_6_p188 * Lambda_inv_0_0_p1227,
-      Lambda_inv_0_7_p188 * Lambda_inv_0_0_p1227) + Lambda_inv_0_0_p1314_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1340_lanes = Lambda_inv_0_0_p1339_lanes +
-      Lambda_inv_0_0_p1312_lanes;
+      Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_0_p1227;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1341_lanes = Lambda_inv_0_0_p1340_lanes +
-      Lambda_inv_0_0_p1310_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1342_lanes = Lambda_inv_0_0_p1341_lanes +
-      Lambda_inv_0_0_p1308_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1341_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1338_lanes[0],
+      Lambda_inv_0_0_p1338_lanes[1], Lambda_inv_0_0_p1338_lanes[2], Lambda_inv_0_0_p1338_lanes[3],
+      Lambda_inv_0_0_p1338_lanes[4], Lambda_inv_0_0_p1338_lanes[5], Lambda_inv_0_6_p188 *
+      Lambda_inv_0_0_p1227, Lambda_inv_0_7_p188 * Lambda_inv_0_0_p1227) +
+      Lambda_inv_0_0_p1313_lanes * Lambda_inv_0_0_p1247_lanes[0] + Lambda_inv_0_0_p1311_lanes *
+      Lambda_inv_0_0_p1260 + Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[0];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_0_0_lanes = Lambda_inv_0_0_p1342_lanes + Lambda_inv_0_0_p1306_lanes;
+  const Lanes<8> Lambda_inv_0_0_lanes = Lambda_inv_0_0_p1341_lanes + Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[0] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[0];
   Lambda_inv[0] = Lambda_inv_0_0_lanes[0];
   Lambda_inv[1] = Lambda_inv_0_0_lanes[1];
   Lambda_inv[12] = Lambda_inv_0_0_lanes[1];
@@ -3526,64 +2576,46 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_9_p143 = -Lambda_inv_0_3_p187_lanes[1];
   const Real Lambda_inv_0_8_p182 = -Lambda_inv_0_2_p146_lanes[1];
   const Lanes<8> Lambda_inv_0_8_p183_lanes = inverse_D5_p16 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
       Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
       Lambda_inv_0_8_p182);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p184_lanes = s14 * Lambda_inv_0_8_p158_lanes;
-  const Lanes<8> Lambda_inv_0_8_p185_lanes = c14 * Lambda_inv_0_8_p166_lanes;
-  const Lanes<8> Lambda_inv_0_8_p186_lanes = Lambda_inv_0_8_p185_lanes - Lambda_inv_0_8_p184_lanes;
-  const Lanes<8> Lambda_inv_0_8_p187_lanes = (-0.18) * Lambda_inv_0_8_p186_lanes;
-  const Lanes<8> Lambda_inv_0_8_p188_lanes = c14 * Lambda_inv_0_8_p173_lanes;
-  const Lanes<8> Lambda_inv_0_8_p189_lanes = s14 * Lambda_inv_0_8_p174_lanes;
-  const Lanes<8> Lambda_inv_0_8_p190_lanes = Lambda_inv_0_8_p189_lanes - Lambda_inv_0_8_p188_lanes;
-  const Lanes<8> Lambda_inv_0_8_p191_lanes = Lambda_inv_0_8_p187_lanes - Lambda_inv_0_8_p190_lanes;
+  const Lanes<8> Lambda_inv_0_8_p186_lanes = c14 * Lambda_inv_0_8_p166_lanes - s14 *
+      Lambda_inv_0_8_p158_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p192_lanes = Lambda_inv_0_8_p191_lanes - Lambda_inv_0_8_p183_lanes;
-  const Lanes<8> Lambda_inv_0_8_p193_lanes = s6 * Lambda_inv_0_8_p192_lanes;
-  const Lanes<8> Lambda_inv_0_8_p194_lanes = inverse_D5_p22 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+  const Lanes<8> Lambda_inv_0_8_p192_lanes = (-0.18) * Lambda_inv_0_8_p186_lanes -
+      (s14 * Lambda_inv_0_8_p174_lanes - c14 * Lambda_inv_0_8_p173_lanes) -
+      Lambda_inv_0_8_p183_lanes;
+  const Lanes<8> Lambda_inv_0_8_p196_lanes = 0.226 * Lambda_inv_0_8_p186_lanes - inverse_D5_p22 *
+      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
       Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
       Lambda_inv_0_8_p182);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p195_lanes = 0.226 * Lambda_inv_0_8_p186_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p196_lanes = Lambda_inv_0_8_p195_lanes - Lambda_inv_0_8_p194_lanes;
-  const Lanes<8> Lambda_inv_0_8_p197_lanes = c6 * Lambda_inv_0_8_p196_lanes;
-  const Lanes<8> Lambda_inv_0_8_p198_lanes = Lambda_inv_0_8_p193_lanes + Lambda_inv_0_8_p197_lanes;
-  const Lanes<8> Lambda_inv_0_8_p199_lanes = Lambda_inv_0_0_p993 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+  const Lanes<8> Lambda_inv_0_8_p200_lanes = Lambda_inv_0_8_p186_lanes - Lambda_inv_0_0_p993 *
+      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
       Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
       Lambda_inv_0_8_p182);
-  const Lanes<8> Lambda_inv_0_8_p200_lanes = Lambda_inv_0_8_p186_lanes - Lambda_inv_0_8_p199_lanes;
-  const Lanes<8> Lambda_inv_0_8_p201_lanes = 0.072 * Lambda_inv_0_8_p200_lanes;
-  const Lanes<8> Lambda_inv_0_8_p202_lanes = Lambda_inv_0_8_p198_lanes + Lambda_inv_0_8_p201_lanes;
-  const Lanes<8> Lambda_inv_0_8_p203_lanes = Lambda_inv_0_0_p930 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+  const Lanes<8> Lambda_inv_0_8_p202_lanes = s6 * Lambda_inv_0_8_p192_lanes + c6 *
+      Lambda_inv_0_8_p196_lanes + 0.072 * Lambda_inv_0_8_p200_lanes;
+  const Lanes<8> Lambda_inv_0_8_p204_lanes = Lambda_inv_0_8_p168_lanes + Lambda_inv_0_0_p930 *
+      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
       Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
       Lambda_inv_0_8_p182);
-  const Lanes<8> Lambda_inv_0_8_p204_lanes = Lambda_inv_0_8_p168_lanes + Lambda_inv_0_8_p203_lanes;
-  const Lanes<8> Lambda_inv_0_8_p205_lanes = s6 * Lambda_inv_0_8_p204_lanes;
-  const Lanes<8> Lambda_inv_0_8_p206_lanes = Lambda_inv_0_0_p984 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
+  const Lanes<8> Lambda_inv_0_8_p207_lanes = Lambda_inv_0_8_p153_lanes - Lambda_inv_0_0_p984 *
+      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
       Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
       Lambda_inv_0_8_p182);
-  const Lanes<8> Lambda_inv_0_8_p207_lanes = Lambda_inv_0_8_p153_lanes - Lambda_inv_0_8_p206_lanes;
-  const Lanes<8> Lambda_inv_0_8_p208_lanes = c6 * Lambda_inv_0_8_p207_lanes;
-  const Lanes<8> Lambda_inv_0_8_p209_lanes = Lambda_inv_0_8_p205_lanes + Lambda_inv_0_8_p208_lanes;
+  const Lanes<8> Lambda_inv_0_8_p209_lanes = s6 * Lambda_inv_0_8_p204_lanes + c6 *
+      Lambda_inv_0_8_p207_lanes;
 
   // link 5 (chest2), force propagation
   const Real Lambda_inv_0_11_p172 = -(0.072 * Lambda_inv_0_8_p209_lanes[3]) + Lambda_inv_0_0_p1020 *
       Lambda_inv_0_8_p202_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p210_lanes = c6 * Lambda_inv_0_8_p192_lanes;
-  const Lanes<8> Lambda_inv_0_8_p211_lanes = s6 * Lambda_inv_0_8_p196_lanes;
-  const Lanes<8> Lambda_inv_0_8_p212_lanes = Lambda_inv_0_8_p210_lanes - Lambda_inv_0_8_p211_lanes;
+  const Lanes<8> Lambda_inv_0_8_p212_lanes = c6 * Lambda_inv_0_8_p192_lanes - s6 *
+      Lambda_inv_0_8_p196_lanes;
 
   // link 5 (chest2), force propagation
   const Real Lambda_inv_0_11_p176 = Lambda_inv_0_8_p212_lanes[3] - Lambda_inv_0_0_p1022 *
@@ -3618,39 +2650,14 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 4 (chest1), force propagation
   const Real Lambda_inv_0_8_p215 = -(s5 * Lambda_inv_0_8_p213 + c5 * Lambda_inv_0_8_p214);
-  const Lanes<8> Lambda_inv_0_8_p216_lanes = inverse_D3_p1 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
-      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215);
 
   // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p217_lanes = Lambda_inv_0_0_p1005 * Lambda_inv_0_8_p202_lanes;
-  const Lanes<8> Lambda_inv_0_8_p218_lanes = Lambda_inv_0_8_p209_lanes - Lambda_inv_0_8_p217_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p219_lanes = detail::make_lanes<Real>(-(s5 * Lambda_inv_0_8_p214 -
-      c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0]),
-      -(s5 * Lambda_inv_0_9_p175 - c5 * Lambda_inv_0_9_p174 + 0.21799999999999997 *
-      Lambda_inv_0_8_p218_lanes[1]), -(s5 * Lambda_inv_0_10_p175 - c5 * Lambda_inv_0_10_p174 +
-      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[2]),
-      -(s5 * Lambda_inv_0_11_p176 - c5 * Lambda_inv_0_11_p172 + 0.21799999999999997 *
-      Lambda_inv_0_8_p218_lanes[3]), -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 +
-      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0]),
-      -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
-      Lambda_inv_0_8_p218_lanes[0]), -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 +
-      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0]),
-      -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
-      Lambda_inv_0_8_p218_lanes[0])) - Lambda_inv_0_8_p216_lanes;
-  const Lanes<8> Lambda_inv_0_8_p220_lanes = s4 * Lambda_inv_0_8_p219_lanes;
-  const Lanes<8> Lambda_inv_0_8_p221_lanes = inverse_D3_p2 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
-      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215);
+  const Lanes<8> Lambda_inv_0_8_p218_lanes = Lambda_inv_0_8_p209_lanes - Lambda_inv_0_0_p1005 *
+      Lambda_inv_0_8_p202_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p222_lanes = c6 * Lambda_inv_0_8_p204_lanes;
-  const Lanes<8> Lambda_inv_0_8_p223_lanes = s6 * Lambda_inv_0_8_p207_lanes;
-  const Lanes<8> Lambda_inv_0_8_p224_lanes = Lambda_inv_0_8_p222_lanes - Lambda_inv_0_8_p223_lanes;
+  const Lanes<8> Lambda_inv_0_8_p224_lanes = c6 * Lambda_inv_0_8_p204_lanes - s6 *
+      Lambda_inv_0_8_p207_lanes;
 
   // link 5 (chest2), force propagation
   const Real Lambda_inv_0_11_p187 = Lambda_inv_0_8_p224_lanes[3] - Lambda_inv_0_0_p1033 *
@@ -3675,40 +2682,44 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_8_p227 = s5 * Lambda_inv_0_8_p225 - c5 * Lambda_inv_0_8_p226;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p228_lanes = detail::make_lanes<Real>(-(0.21799999999999997 *
+  const Lanes<8> Lambda_inv_0_8_p229_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
       Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_9_p188),
       -(0.21799999999999997 * Lambda_inv_0_10_p188), -(0.21799999999999997 * Lambda_inv_0_11_p189),
       -(0.21799999999999997 * Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_8_p227),
       -(0.21799999999999997 * Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_8_p227)) +
-      Lambda_inv_0_8_p221_lanes;
-  const Lanes<8> Lambda_inv_0_8_p229_lanes = c4 * Lambda_inv_0_8_p228_lanes;
-  const Lanes<8> Lambda_inv_0_8_p230_lanes = Lambda_inv_0_8_p220_lanes + Lambda_inv_0_8_p229_lanes;
+      inverse_D3_p2 * detail::make_pack<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176,
+      Lambda_inv_0_10_p176, Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
+      Lambda_inv_0_8_p215, Lambda_inv_0_8_p215));
+  const Lanes<8> Lambda_inv_0_8_p230_lanes = s4 * (detail::make_pack<Real>(-(s5 *
+      Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
+      Lambda_inv_0_8_p218_lanes[0]), -(s5 * Lambda_inv_0_9_p175 - c5 * Lambda_inv_0_9_p174 +
+      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[1]),
+      -(s5 * Lambda_inv_0_10_p175 - c5 * Lambda_inv_0_10_p174 + 0.21799999999999997 *
+      Lambda_inv_0_8_p218_lanes[2]), -(s5 * Lambda_inv_0_11_p176 - c5 * Lambda_inv_0_11_p172 +
+      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[3]),
+      -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
+      Lambda_inv_0_8_p218_lanes[0]), -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 +
+      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0]),
+      -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
+      Lambda_inv_0_8_p218_lanes[0]), -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 +
+      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0])) - inverse_D3_p1 *
+      detail::make_pack<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
+      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
+      Lambda_inv_0_8_p215)) + Lambda_inv_0_8_p229_lanes;
+  const Lanes<8> Lambda_inv_0_8_p237_lanes = s4 * (Lambda_inv_0_8_p218_lanes +
+      Lambda_inv_0_0_p1050 * detail::make_pack<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176,
+      Lambda_inv_0_10_p176, Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
+      Lambda_inv_0_8_p215, Lambda_inv_0_8_p215));
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_8_p231_lanes = Lambda_inv_0_0_p1063 * Lambda_inv_0_8_p230_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p232_lanes = Lambda_inv_0_0_p1041 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
-      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215);
-  const Lanes<8> Lambda_inv_0_8_p233_lanes = detail::make_lanes<Real>(-Lambda_inv_0_8_p227,
+  const Lanes<8> Lambda_inv_0_8_p239_lanes = c4 * (detail::make_pack<Real>(-Lambda_inv_0_8_p227,
       -Lambda_inv_0_9_p188, -Lambda_inv_0_10_p188, -Lambda_inv_0_11_p189, -Lambda_inv_0_8_p227,
-      -Lambda_inv_0_8_p227, -Lambda_inv_0_8_p227, -Lambda_inv_0_8_p227) + Lambda_inv_0_8_p232_lanes;
-  const Lanes<8> Lambda_inv_0_8_p234_lanes = c4 * Lambda_inv_0_8_p233_lanes;
-  const Lanes<8> Lambda_inv_0_8_p235_lanes = Lambda_inv_0_0_p1050 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
+      -Lambda_inv_0_8_p227, -Lambda_inv_0_8_p227, -Lambda_inv_0_8_p227) + Lambda_inv_0_0_p1041 *
+      detail::make_pack<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
       Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215);
-  const Lanes<8> Lambda_inv_0_8_p236_lanes = Lambda_inv_0_8_p218_lanes + Lambda_inv_0_8_p235_lanes;
-  const Lanes<8> Lambda_inv_0_8_p237_lanes = s4 * Lambda_inv_0_8_p236_lanes;
-  const Lanes<8> Lambda_inv_0_8_p238_lanes = Lambda_inv_0_8_p234_lanes - Lambda_inv_0_8_p237_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_8_p239_lanes = Lambda_inv_0_8_p238_lanes - Lambda_inv_0_8_p231_lanes;
-  const Lanes<8> Lambda_inv_0_8_p240_lanes = c3 * Lambda_inv_0_8_p239_lanes;
-  const Lanes<8> Lambda_inv_0_8_p241_lanes = Lambda_inv_0_0_p1073 * Lambda_inv_0_8_p230_lanes;
-  const Lanes<8> Lambda_inv_0_8_p242_lanes = detail::make_lanes<Real>(-(-(s5 * Lambda_inv_0_8_p226 +
+      Lambda_inv_0_8_p215)) - Lambda_inv_0_8_p237_lanes - Lambda_inv_0_0_p1063 *
+      Lambda_inv_0_8_p230_lanes;
+  const Lanes<8> Lambda_inv_0_8_p242_lanes = detail::make_pack<Real>(-(-(s5 * Lambda_inv_0_8_p226 +
       c5 * Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215),
       -(-(s5 * Lambda_inv_0_9_p187 + c5 * Lambda_inv_0_9_p186) - Lambda_inv_0_0_p1068 *
       Lambda_inv_0_9_p176), -(-(s5 * Lambda_inv_0_10_p187 + c5 * Lambda_inv_0_10_p186) -
@@ -3719,37 +2730,23 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215), -(-(s5 * Lambda_inv_0_8_p226 + c5 *
       Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215),
       -(-(s5 * Lambda_inv_0_8_p226 + c5 * Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 *
-      Lambda_inv_0_8_p215)) + Lambda_inv_0_8_p241_lanes;
-  const Lanes<8> Lambda_inv_0_8_p243_lanes = s3 * Lambda_inv_0_8_p242_lanes;
-  const Lanes<8> Lambda_inv_0_8_p244_lanes = Lambda_inv_0_8_p240_lanes - Lambda_inv_0_8_p243_lanes;
+      Lambda_inv_0_8_p215)) + Lambda_inv_0_0_p1073 * Lambda_inv_0_8_p230_lanes;
+  const Lanes<8> Lambda_inv_0_8_p244_lanes = c3 * Lambda_inv_0_8_p239_lanes - s3 *
+      Lambda_inv_0_8_p242_lanes;
   const Lanes<8> Lambda_inv_0_8_p245_lanes = 0.422 * Lambda_inv_0_8_p244_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_8_p246_lanes = Lambda_inv_0_0_p1080 * Lambda_inv_0_8_p245_lanes;
-  const Lanes<8> Lambda_inv_0_8_p247_lanes = Lambda_inv_0_8_p244_lanes - Lambda_inv_0_8_p246_lanes;
-  const Lanes<8> Lambda_inv_0_8_p248_lanes = c2 * Lambda_inv_0_8_p247_lanes;
-  const Lanes<8> Lambda_inv_0_8_p249_lanes = Lambda_inv_0_0_p1296 * Lambda_inv_0_8_p245_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_8_p250_lanes = s3 * Lambda_inv_0_8_p239_lanes;
-  const Lanes<8> Lambda_inv_0_8_p251_lanes = c3 * Lambda_inv_0_8_p242_lanes;
-  const Lanes<8> Lambda_inv_0_8_p252_lanes = Lambda_inv_0_8_p250_lanes + Lambda_inv_0_8_p251_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_8_p253_lanes = Lambda_inv_0_8_p252_lanes - Lambda_inv_0_8_p249_lanes;
-  const Lanes<8> Lambda_inv_0_8_p254_lanes = s2 * Lambda_inv_0_8_p253_lanes;
-  const Lanes<8> Lambda_inv_0_8_p255_lanes = Lambda_inv_0_8_p248_lanes - Lambda_inv_0_8_p254_lanes;
-  const Lanes<8> Lambda_inv_0_8_p256_lanes = 0.434 * Lambda_inv_0_8_p255_lanes;
+  const Lanes<8> Lambda_inv_0_8_p254_lanes = s2 * (s3 * Lambda_inv_0_8_p239_lanes + c3 *
+      Lambda_inv_0_8_p242_lanes - Lambda_inv_0_0_p1296 * Lambda_inv_0_8_p245_lanes);
+  const Lanes<8> Lambda_inv_0_8_p256_lanes = 0.434 *
+      (c2 * (Lambda_inv_0_8_p244_lanes - Lambda_inv_0_0_p1080 * Lambda_inv_0_8_p245_lanes) -
+      Lambda_inv_0_8_p254_lanes);
 
   // link 1 (calf), force propagation
   const Lanes<8> Lambda_inv_0_8_p257_lanes = Lambda_inv_0_8_p256_lanes * inverse_D1;
-  const Lanes<8> Lambda_inv_0_8_p258_lanes = Lambda_inv_0_8_p257_lanes *
-      Lambda_inv_0_0_p1304_lanes[0];
 
   // link 2 (thigh), force propagation
   const Lanes<8> Lambda_inv_0_8_p259_lanes = Lambda_inv_0_8_p245_lanes * inverse_D2;
-  const Lanes<8> Lambda_inv_0_8_p260_lanes = Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[0];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_0_8_p261_lanes = Lambda_inv_0_8_p230_lanes * inverse_D3;
@@ -3757,36 +2754,26 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p1275_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p263_lanes = detail::make_lanes<Real>(Lambda_inv_0_8_p215,
+  const Lanes<8> Lambda_inv_0_8_p263_lanes = detail::make_pack<Real>(Lambda_inv_0_8_p215,
       Lambda_inv_0_9_p176, Lambda_inv_0_10_p176, Lambda_inv_0_11_p177, Lambda_inv_0_8_p215,
       Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215) * inverse_D4;
-  const Lanes<8> Lambda_inv_0_8_p264_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_0_p1260;
 
   // link 5 (chest2), force propagation
   const Lanes<8> Lambda_inv_0_8_p265_lanes = Lambda_inv_0_8_p202_lanes * inverse_D5;
-  const Lanes<8> Lambda_inv_0_8_p266_lanes = Lambda_inv_0_8_p265_lanes *
-      Lambda_inv_0_0_p1247_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p267_lanes = detail::make_lanes<Real>(Lambda_inv_0_8_p182,
+  const Lanes<8> Lambda_inv_0_8_p267_lanes = detail::make_pack<Real>(Lambda_inv_0_8_p182,
       Lambda_inv_0_9_p143, Lambda_inv_0_10_p143, Lambda_inv_0_11_p144, Lambda_inv_0_8_p182,
       Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182) * inverse_D6;
-  const Lanes<8> Lambda_inv_0_8_p268_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_0_p1227;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p269_lanes = Lambda_inv_0_8_p268_lanes + Lambda_inv_0_8_p266_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p270_lanes = Lambda_inv_0_8_p269_lanes + Lambda_inv_0_8_p264_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_8_p271_lanes = Lambda_inv_0_8_p270_lanes + Lambda_inv_0_8_p262_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_8_p272_lanes = Lambda_inv_0_8_p271_lanes + Lambda_inv_0_8_p260_lanes;
+  const Lanes<8> Lambda_inv_0_8_p271_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_0_p1227 +
+      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[0] + Lambda_inv_0_8_p263_lanes *
+      Lambda_inv_0_0_p1260 + Lambda_inv_0_8_p262_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_0_8_lanes = Lambda_inv_0_8_p272_lanes + Lambda_inv_0_8_p258_lanes;
+  const Lanes<8> Lambda_inv_0_8_lanes = Lambda_inv_0_8_p271_lanes + Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[0] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[0];
   Lambda_inv[8] = Lambda_inv_0_8_lanes[0];
   Lambda_inv[96] = Lambda_inv_0_8_lanes[0];
   Lambda_inv[9] = Lambda_inv_0_8_lanes[1];
@@ -3795,94 +2782,39 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[120] = Lambda_inv_0_8_lanes[2];
   Lambda_inv[11] = Lambda_inv_0_8_lanes[3];
   Lambda_inv[132] = Lambda_inv_0_8_lanes[3];
-  const Lanes<8> Lambda_inv_1_1_p1_lanes = Lambda_inv_0_0_p1305_lanes *
-      Lambda_inv_0_0_p1304_lanes[1];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_1_1_p2_lanes = Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[1];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_1_1_p3_lanes = Lambda_inv_0_0_p1309_lanes *
-      Lambda_inv_0_0_p1275_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_1_1_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_1_p218;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_1_1_p5_lanes = Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[1];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_1_1_p6_lanes = Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_1_p185;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_1_1_p7_lanes = Lambda_inv_0_0_p1317_lanes *
-      Lambda_inv_0_0_p1179_lanes[1];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_1_1_p8_lanes = Lambda_inv_0_0_p1319_lanes *
-      Lambda_inv_0_0_p1173_lanes[1];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_1_1_p9_lanes = Lambda_inv_0_0_p1321_lanes *
-      Lambda_inv_0_0_p1152_lanes[1];
 
   // link 10 (left_lowerarm), force propagation
   const Lanes<8> Lambda_inv_1_1_p10_lanes = Lambda_inv_0_0_p1323_lanes *
       Lambda_inv_0_0_p1132_lanes[1];
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_1_1_p11_lanes = Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_1_p79;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_1_1_p12_lanes = Lambda_inv_0_0_p1327_lanes *
-      Lambda_inv_0_0_p1091_lanes[1];
-
   // link 1 (calf), articulated inertia
   const Real Lambda_inv_1_1_p13 = 0.086 * Lambda_inv_0_1_p42;
 
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_1_1_p14_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_1_1_p13;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_1_1_p15_lanes = Lambda_inv_1_1_p14_lanes + Lambda_inv_1_1_p12_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_1_1_p16_lanes = Lambda_inv_1_1_p15_lanes + Lambda_inv_1_1_p11_lanes;
-
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_1_1_p17_lanes = Lambda_inv_1_1_p16_lanes + Lambda_inv_1_1_p10_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_1_1_p18_lanes = Lambda_inv_1_1_p17_lanes + Lambda_inv_1_1_p9_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_1_1_p19_lanes = Lambda_inv_1_1_p18_lanes + Lambda_inv_1_1_p8_lanes;
+  const Lanes<8> Lambda_inv_1_1_p17_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_1_1_p13 +
+      Lambda_inv_0_0_p1327_lanes * Lambda_inv_0_0_p1091_lanes[1] + Lambda_inv_0_0_p1325_lanes *
+      Lambda_inv_0_1_p79 + Lambda_inv_1_1_p10_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_1_1_p20_lanes = Lambda_inv_1_1_p19_lanes + Lambda_inv_1_1_p7_lanes;
+  const Lanes<8> Lambda_inv_1_1_p20_lanes = Lambda_inv_1_1_p17_lanes + Lambda_inv_0_0_p1321_lanes *
+      Lambda_inv_0_0_p1152_lanes[1] + Lambda_inv_0_0_p1319_lanes * Lambda_inv_0_0_p1173_lanes[1] +
+      Lambda_inv_0_0_p1317_lanes * Lambda_inv_0_0_p1179_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_1_1_p21_lanes = Lambda_inv_1_1_p20_lanes + Lambda_inv_1_1_p6_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_1_1_p22_lanes = detail::make_lanes<Real>(Lambda_inv_1_1_p21_lanes[1],
-      Lambda_inv_1_1_p21_lanes[1], Lambda_inv_1_1_p21_lanes[2], Lambda_inv_1_1_p21_lanes[3],
-      Lambda_inv_1_1_p21_lanes[4], Lambda_inv_1_1_p21_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_1_p185, Lambda_inv_0_7_p188 * Lambda_inv_0_1_p185) + Lambda_inv_1_1_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_1_1_p23_lanes = Lambda_inv_1_1_p22_lanes + Lambda_inv_1_1_p4_lanes;
+  const Lanes<8> Lambda_inv_1_1_p21_lanes = Lambda_inv_1_1_p20_lanes + Lambda_inv_0_0_p1315_lanes *
+      Lambda_inv_0_1_p185;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_1_1_p24_lanes = Lambda_inv_1_1_p23_lanes + Lambda_inv_1_1_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_1_1_p25_lanes = Lambda_inv_1_1_p24_lanes + Lambda_inv_1_1_p2_lanes;
+  const Lanes<8> Lambda_inv_1_1_p24_lanes = detail::make_pack<Real>(Lambda_inv_1_1_p21_lanes[1],
+      Lambda_inv_1_1_p21_lanes[1], Lambda_inv_1_1_p21_lanes[2], Lambda_inv_1_1_p21_lanes[3],
+      Lambda_inv_1_1_p21_lanes[4], Lambda_inv_1_1_p21_lanes[5], Lambda_inv_0_6_p188 *
+      Lambda_inv_0_1_p185, Lambda_inv_0_7_p188 * Lambda_inv_0_1_p185) + Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[1] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_1_p218 +
+      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_1_1_lanes = Lambda_inv_1_1_p25_lanes + Lambda_inv_1_1_p1_lanes;
+  const Lanes<8> Lambda_inv_1_1_lanes = Lambda_inv_1_1_p24_lanes + Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[1] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[1];
   Lambda_inv[13] = Lambda_inv_1_1_lanes[1];
   Lambda_inv[14] = Lambda_inv_1_1_lanes[2];
   Lambda_inv[25] = Lambda_inv_1_1_lanes[2];
@@ -3896,41 +2828,17 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[73] = Lambda_inv_1_1_lanes[6];
   Lambda_inv[19] = Lambda_inv_1_1_lanes[7];
   Lambda_inv[85] = Lambda_inv_1_1_lanes[7];
-  const Lanes<8> Lambda_inv_1_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
-      Lambda_inv_0_0_p1304_lanes[1];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_1_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[1];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_1_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
       Lambda_inv_0_0_p1275_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_1_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_1_p218;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_1_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
-      Lambda_inv_0_0_p1247_lanes[1];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_1_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_1_p185;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_1_8_p7_lanes = Lambda_inv_1_8_p6_lanes + Lambda_inv_1_8_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_1_8_p8_lanes = Lambda_inv_1_8_p7_lanes + Lambda_inv_1_8_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_1_8_p9_lanes = Lambda_inv_1_8_p8_lanes + Lambda_inv_1_8_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_1_8_p10_lanes = Lambda_inv_1_8_p9_lanes + Lambda_inv_1_8_p2_lanes;
+  const Lanes<8> Lambda_inv_1_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_1_p185 +
+      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[1] + Lambda_inv_0_8_p263_lanes *
+      Lambda_inv_0_1_p218 + Lambda_inv_1_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_1_8_lanes = Lambda_inv_1_8_p10_lanes + Lambda_inv_1_8_p1_lanes;
+  const Lanes<8> Lambda_inv_1_8_lanes = Lambda_inv_1_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[1] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[1];
   Lambda_inv[20] = Lambda_inv_1_8_lanes[0];
   Lambda_inv[97] = Lambda_inv_1_8_lanes[0];
   Lambda_inv[21] = Lambda_inv_1_8_lanes[1];
@@ -3939,91 +2847,34 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[121] = Lambda_inv_1_8_lanes[2];
   Lambda_inv[23] = Lambda_inv_1_8_lanes[3];
   Lambda_inv[133] = Lambda_inv_1_8_lanes[3];
-  const Lanes<8> Lambda_inv_2_2_p1_lanes = Lambda_inv_0_0_p1305_lanes *
-      Lambda_inv_0_0_p1304_lanes[2];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_2_2_p2_lanes = Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[2];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_2_2_p3_lanes = Lambda_inv_0_0_p1309_lanes *
-      Lambda_inv_0_0_p1275_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_2_2_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_2_p180;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_2_2_p5_lanes = Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[2];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_2_2_p6_lanes = Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_2_p147;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_2_2_p7_lanes = Lambda_inv_0_0_p1317_lanes *
-      Lambda_inv_0_0_p1179_lanes[2];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_2_2_p8_lanes = Lambda_inv_0_0_p1319_lanes *
-      Lambda_inv_0_0_p1173_lanes[2];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_2_2_p9_lanes = Lambda_inv_0_0_p1321_lanes *
-      Lambda_inv_0_0_p1152_lanes[2];
 
   // link 10 (left_lowerarm), force propagation
   const Lanes<8> Lambda_inv_2_2_p10_lanes = Lambda_inv_0_0_p1323_lanes *
       Lambda_inv_0_0_p1132_lanes[2];
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_2_2_p11_lanes = Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_2_p28;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_2_2_p12_lanes = Lambda_inv_0_0_p1327_lanes *
-      Lambda_inv_0_0_p1091_lanes[2];
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_2_2_p13_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_2_p4;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_2_2_p14_lanes = Lambda_inv_2_2_p13_lanes + Lambda_inv_2_2_p12_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_2_2_p15_lanes = Lambda_inv_2_2_p14_lanes + Lambda_inv_2_2_p11_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_2_2_p16_lanes = Lambda_inv_2_2_p15_lanes + Lambda_inv_2_2_p10_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_2_2_p17_lanes = Lambda_inv_2_2_p16_lanes + Lambda_inv_2_2_p9_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_2_2_p18_lanes = Lambda_inv_2_2_p17_lanes + Lambda_inv_2_2_p8_lanes;
+  const Lanes<8> Lambda_inv_2_2_p16_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_2_p4 +
+      Lambda_inv_0_0_p1327_lanes * Lambda_inv_0_0_p1091_lanes[2] + Lambda_inv_0_0_p1325_lanes *
+      Lambda_inv_0_2_p28 + Lambda_inv_2_2_p10_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_2_2_p19_lanes = Lambda_inv_2_2_p18_lanes + Lambda_inv_2_2_p7_lanes;
+  const Lanes<8> Lambda_inv_2_2_p19_lanes = Lambda_inv_2_2_p16_lanes + Lambda_inv_0_0_p1321_lanes *
+      Lambda_inv_0_0_p1152_lanes[2] + Lambda_inv_0_0_p1319_lanes * Lambda_inv_0_0_p1173_lanes[2] +
+      Lambda_inv_0_0_p1317_lanes * Lambda_inv_0_0_p1179_lanes[2];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_2_2_p20_lanes = Lambda_inv_2_2_p19_lanes + Lambda_inv_2_2_p6_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_2_2_p21_lanes = detail::make_lanes<Real>(Lambda_inv_2_2_p20_lanes[2],
-      Lambda_inv_2_2_p20_lanes[2], Lambda_inv_2_2_p20_lanes[2], Lambda_inv_2_2_p20_lanes[3],
-      Lambda_inv_2_2_p20_lanes[4], Lambda_inv_2_2_p20_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_2_p147, Lambda_inv_0_7_p188 * Lambda_inv_0_2_p147) + Lambda_inv_2_2_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_2_2_p22_lanes = Lambda_inv_2_2_p21_lanes + Lambda_inv_2_2_p4_lanes;
+  const Lanes<8> Lambda_inv_2_2_p20_lanes = Lambda_inv_2_2_p19_lanes + Lambda_inv_0_0_p1315_lanes *
+      Lambda_inv_0_2_p147;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_2_2_p23_lanes = Lambda_inv_2_2_p22_lanes + Lambda_inv_2_2_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_2_2_p24_lanes = Lambda_inv_2_2_p23_lanes + Lambda_inv_2_2_p2_lanes;
+  const Lanes<8> Lambda_inv_2_2_p23_lanes = detail::make_pack<Real>(Lambda_inv_2_2_p20_lanes[2],
+      Lambda_inv_2_2_p20_lanes[2], Lambda_inv_2_2_p20_lanes[2], Lambda_inv_2_2_p20_lanes[3],
+      Lambda_inv_2_2_p20_lanes[4], Lambda_inv_2_2_p20_lanes[5], Lambda_inv_0_6_p188 *
+      Lambda_inv_0_2_p147, Lambda_inv_0_7_p188 * Lambda_inv_0_2_p147) + Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[2] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_2_p180 +
+      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[2];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_2_2_lanes = Lambda_inv_2_2_p24_lanes + Lambda_inv_2_2_p1_lanes;
+  const Lanes<8> Lambda_inv_2_2_lanes = Lambda_inv_2_2_p23_lanes + Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[2] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[2];
   Lambda_inv[26] = Lambda_inv_2_2_lanes[2];
   Lambda_inv[27] = Lambda_inv_2_2_lanes[3];
   Lambda_inv[38] = Lambda_inv_2_2_lanes[3];
@@ -4035,41 +2886,17 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[74] = Lambda_inv_2_2_lanes[6];
   Lambda_inv[31] = Lambda_inv_2_2_lanes[7];
   Lambda_inv[86] = Lambda_inv_2_2_lanes[7];
-  const Lanes<8> Lambda_inv_2_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
-      Lambda_inv_0_0_p1304_lanes[2];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_2_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[2];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_2_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
       Lambda_inv_0_0_p1275_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_2_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_2_p180;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_2_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
-      Lambda_inv_0_0_p1247_lanes[2];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_2_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_2_p147;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_2_8_p7_lanes = Lambda_inv_2_8_p6_lanes + Lambda_inv_2_8_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_2_8_p8_lanes = Lambda_inv_2_8_p7_lanes + Lambda_inv_2_8_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_2_8_p9_lanes = Lambda_inv_2_8_p8_lanes + Lambda_inv_2_8_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_2_8_p10_lanes = Lambda_inv_2_8_p9_lanes + Lambda_inv_2_8_p2_lanes;
+  const Lanes<8> Lambda_inv_2_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_2_p147 +
+      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[2] + Lambda_inv_0_8_p263_lanes *
+      Lambda_inv_0_2_p180 + Lambda_inv_2_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_2_8_lanes = Lambda_inv_2_8_p10_lanes + Lambda_inv_2_8_p1_lanes;
+  const Lanes<8> Lambda_inv_2_8_lanes = Lambda_inv_2_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[2] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[2];
   Lambda_inv[32] = Lambda_inv_2_8_lanes[0];
   Lambda_inv[98] = Lambda_inv_2_8_lanes[0];
   Lambda_inv[33] = Lambda_inv_2_8_lanes[1];
@@ -4078,92 +2905,34 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[122] = Lambda_inv_2_8_lanes[2];
   Lambda_inv[35] = Lambda_inv_2_8_lanes[3];
   Lambda_inv[134] = Lambda_inv_2_8_lanes[3];
-  const Lanes<8> Lambda_inv_3_3_p1_lanes = Lambda_inv_0_0_p1305_lanes *
-      Lambda_inv_0_0_p1304_lanes[3];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_3_3_p2_lanes = Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[3];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_3_3_p3_lanes = Lambda_inv_0_0_p1309_lanes *
-      Lambda_inv_0_0_p1275_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_3_3_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_3_p221;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_3_3_p5_lanes = Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[3];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_3_3_p6_lanes = Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_3_p188;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_3_3_p7_lanes = Lambda_inv_0_0_p1317_lanes *
-      Lambda_inv_0_0_p1179_lanes[3];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_3_3_p8_lanes = Lambda_inv_0_0_p1319_lanes *
-      Lambda_inv_0_0_p1173_lanes[3];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_3_3_p9_lanes = Lambda_inv_0_0_p1321_lanes *
-      Lambda_inv_0_0_p1152_lanes[3];
 
   // link 10 (left_lowerarm), force propagation
   const Lanes<8> Lambda_inv_3_3_p10_lanes = Lambda_inv_0_0_p1323_lanes *
       Lambda_inv_0_0_p1132_lanes[3];
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_3_3_p11_lanes = Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_3_p71;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_3_3_p12_lanes = Lambda_inv_0_0_p1327_lanes *
-      Lambda_inv_0_0_p1091_lanes[3];
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_3_3_p13_lanes = Lambda_inv_0_0_p1330_lanes *
-      Lambda_inv_0_3_p36_lanes[0];
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_3_3_p14_lanes = Lambda_inv_3_3_p13_lanes + Lambda_inv_3_3_p12_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_3_3_p15_lanes = Lambda_inv_3_3_p14_lanes + Lambda_inv_3_3_p11_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_3_3_p16_lanes = Lambda_inv_3_3_p15_lanes + Lambda_inv_3_3_p10_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_3_3_p17_lanes = Lambda_inv_3_3_p16_lanes + Lambda_inv_3_3_p9_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_3_3_p18_lanes = Lambda_inv_3_3_p17_lanes + Lambda_inv_3_3_p8_lanes;
+  const Lanes<8> Lambda_inv_3_3_p16_lanes = Lambda_inv_0_0_p1330_lanes *
+      Lambda_inv_0_3_p36_lanes[0] + Lambda_inv_0_0_p1327_lanes * Lambda_inv_0_0_p1091_lanes[3] +
+      Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_3_p71 + Lambda_inv_3_3_p10_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_3_3_p19_lanes = Lambda_inv_3_3_p18_lanes + Lambda_inv_3_3_p7_lanes;
+  const Lanes<8> Lambda_inv_3_3_p19_lanes = Lambda_inv_3_3_p16_lanes + Lambda_inv_0_0_p1321_lanes *
+      Lambda_inv_0_0_p1152_lanes[3] + Lambda_inv_0_0_p1319_lanes * Lambda_inv_0_0_p1173_lanes[3] +
+      Lambda_inv_0_0_p1317_lanes * Lambda_inv_0_0_p1179_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_3_3_p20_lanes = Lambda_inv_3_3_p19_lanes + Lambda_inv_3_3_p6_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_3_3_p21_lanes = detail::make_lanes<Real>(Lambda_inv_3_3_p20_lanes[3],
-      Lambda_inv_3_3_p20_lanes[3], Lambda_inv_3_3_p20_lanes[3], Lambda_inv_3_3_p20_lanes[3],
-      Lambda_inv_3_3_p20_lanes[4], Lambda_inv_3_3_p20_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_3_p188, Lambda_inv_0_7_p188 * Lambda_inv_0_3_p188) + Lambda_inv_3_3_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_3_3_p22_lanes = Lambda_inv_3_3_p21_lanes + Lambda_inv_3_3_p4_lanes;
+  const Lanes<8> Lambda_inv_3_3_p20_lanes = Lambda_inv_3_3_p19_lanes + Lambda_inv_0_0_p1315_lanes *
+      Lambda_inv_0_3_p188;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_3_3_p23_lanes = Lambda_inv_3_3_p22_lanes + Lambda_inv_3_3_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_3_3_p24_lanes = Lambda_inv_3_3_p23_lanes + Lambda_inv_3_3_p2_lanes;
+  const Lanes<8> Lambda_inv_3_3_p23_lanes = detail::make_pack<Real>(Lambda_inv_3_3_p20_lanes[3],
+      Lambda_inv_3_3_p20_lanes[3], Lambda_inv_3_3_p20_lanes[3], Lambda_inv_3_3_p20_lanes[3],
+      Lambda_inv_3_3_p20_lanes[4], Lambda_inv_3_3_p20_lanes[5], Lambda_inv_0_6_p188 *
+      Lambda_inv_0_3_p188, Lambda_inv_0_7_p188 * Lambda_inv_0_3_p188) + Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[3] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_3_p221 +
+      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[3];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_3_3_lanes = Lambda_inv_3_3_p24_lanes + Lambda_inv_3_3_p1_lanes;
+  const Lanes<8> Lambda_inv_3_3_lanes = Lambda_inv_3_3_p23_lanes + Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[3] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[3];
   Lambda_inv[39] = Lambda_inv_3_3_lanes[3];
   Lambda_inv[40] = Lambda_inv_3_3_lanes[4];
   Lambda_inv[51] = Lambda_inv_3_3_lanes[4];
@@ -4173,41 +2942,17 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[75] = Lambda_inv_3_3_lanes[6];
   Lambda_inv[43] = Lambda_inv_3_3_lanes[7];
   Lambda_inv[87] = Lambda_inv_3_3_lanes[7];
-  const Lanes<8> Lambda_inv_3_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
-      Lambda_inv_0_0_p1304_lanes[3];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_3_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[3];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_3_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
       Lambda_inv_0_0_p1275_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_3_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_3_p221;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_3_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
-      Lambda_inv_0_0_p1247_lanes[3];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_3_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_3_p188;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_3_8_p7_lanes = Lambda_inv_3_8_p6_lanes + Lambda_inv_3_8_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_3_8_p8_lanes = Lambda_inv_3_8_p7_lanes + Lambda_inv_3_8_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_3_8_p9_lanes = Lambda_inv_3_8_p8_lanes + Lambda_inv_3_8_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_3_8_p10_lanes = Lambda_inv_3_8_p9_lanes + Lambda_inv_3_8_p2_lanes;
+  const Lanes<8> Lambda_inv_3_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_3_p188 +
+      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[3] + Lambda_inv_0_8_p263_lanes *
+      Lambda_inv_0_3_p221 + Lambda_inv_3_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_3_8_lanes = Lambda_inv_3_8_p10_lanes + Lambda_inv_3_8_p1_lanes;
+  const Lanes<8> Lambda_inv_3_8_lanes = Lambda_inv_3_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[3] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[3];
   Lambda_inv[44] = Lambda_inv_3_8_lanes[0];
   Lambda_inv[99] = Lambda_inv_3_8_lanes[0];
   Lambda_inv[45] = Lambda_inv_3_8_lanes[1];
@@ -4216,157 +2961,125 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[123] = Lambda_inv_3_8_lanes[2];
   Lambda_inv[47] = Lambda_inv_3_8_lanes[3];
   Lambda_inv[135] = Lambda_inv_3_8_lanes[3];
-  const Lanes<8> Lambda_inv_4_4_p1_lanes = Lambda_inv_0_0_p1305_lanes *
-      Lambda_inv_0_0_p1304_lanes[4];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_4_4_p2_lanes = Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[4];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_4_4_p3_lanes = Lambda_inv_0_0_p1309_lanes *
-      Lambda_inv_0_0_p1275_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_4_4_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_4_p179;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_4_4_p5_lanes = Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[4];
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> Lambda_inv_6_8_p1_lanes = Lambda_inv_0_8_p151_lanes * inverse_D7_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_4_5_p6_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1317_lanes[5],
-      Lambda_inv_6_8_p1_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[4],
+  const Lanes<2> Lambda_inv_4_5_p6_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1317_lanes[5],
+      Lambda_inv_6_8_p1_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[4],
       Lambda_inv_0_8_p151_lanes[2]);
 
   // link 15 (right_shoulder2), force propagation
   const Lanes<8> Lambda_inv_6_8_p2_lanes = Lambda_inv_0_8_p128_lanes * inverse_D8_lanes[1];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<2> Lambda_inv_4_5_p7_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1319_lanes[5],
-      Lambda_inv_6_8_p2_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1173_lanes[4],
+  const Lanes<2> Lambda_inv_4_5_p7_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1319_lanes[5],
+      Lambda_inv_6_8_p2_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1173_lanes[4],
       Lambda_inv_0_8_p128_lanes[2]);
 
   // link 16 (right_upperarm), force propagation
   const Lanes<8> Lambda_inv_6_8_p3_lanes = Lambda_inv_0_8_p117_lanes * inverse_D9_lanes[1];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<2> Lambda_inv_4_5_p8_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1321_lanes[5],
-      Lambda_inv_6_8_p3_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1152_lanes[4],
+  const Lanes<2> Lambda_inv_4_5_p8_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1321_lanes[5],
+      Lambda_inv_6_8_p3_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1152_lanes[4],
       Lambda_inv_0_8_p117_lanes[2]);
 
   // link 17 (right_lowerarm), force propagation
   const Lanes<8> Lambda_inv_6_8_p4_lanes = Lambda_inv_0_8_p84_lanes * inverse_D10_lanes[1];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_4_5_p9_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1323_lanes[5],
-      Lambda_inv_6_8_p4_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1132_lanes[4],
+  const Lanes<2> Lambda_inv_4_5_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1323_lanes[5],
+      Lambda_inv_6_8_p4_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1132_lanes[4],
       Lambda_inv_0_8_p84_lanes[2]);
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p5_lanes = detail::make_lanes<Real>(Lambda_inv_0_8_p76,
+  const Lanes<8> Lambda_inv_6_8_p5_lanes = detail::make_pack<Real>(Lambda_inv_0_8_p76,
       Lambda_inv_0_9_p24, Lambda_inv_0_10_p24, Lambda_inv_0_11_p25, Lambda_inv_0_8_p76,
       Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76) * inverse_D11_lanes[1];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_4_5_p10_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1325_lanes[5],
-      Lambda_inv_6_8_p5_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_4_p29,
+  const Lanes<2> Lambda_inv_4_5_p10_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1325_lanes[5],
+      Lambda_inv_6_8_p5_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_4_p29,
       Lambda_inv_0_10_p24);
 
   // link 19 (right_wrist2), force propagation
   const Lanes<8> Lambda_inv_6_8_p6_lanes = Lambda_inv_0_8_p55_lanes * inverse_D12_lanes[1];
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_4_5_p11_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1327_lanes[5],
-      Lambda_inv_6_8_p6_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[4],
+  const Lanes<2> Lambda_inv_4_5_p11_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1327_lanes[5],
+      Lambda_inv_6_8_p6_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[4],
       Lambda_inv_0_8_p55_lanes[2]);
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_4_4_p6_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_3_p36_lanes[1];
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_4_4_p7_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1327_lanes[4],
-      Lambda_inv_6_8_p6_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[4],
+  const Lanes<2> Lambda_inv_4_4_p7_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1327_lanes[4],
+      Lambda_inv_6_8_p6_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[4],
       Lambda_inv_0_8_p55_lanes[2]);
-  const Lanes<8> Lambda_inv_4_4_p8_lanes = Lambda_inv_4_4_p6_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0],
-      Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0],
-      Lambda_inv_4_5_p11_lanes[0], Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0]);
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_4_4_p9_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1325_lanes[4],
-      Lambda_inv_6_8_p5_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_4_p29,
+  const Lanes<2> Lambda_inv_4_4_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1325_lanes[4],
+      Lambda_inv_6_8_p5_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_4_p29,
       Lambda_inv_0_10_p24);
-  const Lanes<8> Lambda_inv_4_4_p10_lanes = Lambda_inv_4_4_p8_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0],
-      Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0],
-      Lambda_inv_4_5_p10_lanes[0], Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0]);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_4_4_p11_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1323_lanes[4],
-      Lambda_inv_6_8_p4_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1132_lanes[4],
+  const Lanes<2> Lambda_inv_4_4_p11_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1323_lanes[4],
+      Lambda_inv_6_8_p4_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1132_lanes[4],
       Lambda_inv_0_8_p84_lanes[2]);
-  const Lanes<8> Lambda_inv_4_4_p12_lanes = Lambda_inv_4_4_p10_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0],
-      Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0],
-      Lambda_inv_4_5_p9_lanes[0], Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0]);
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<2> Lambda_inv_4_4_p13_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1321_lanes[4],
-      Lambda_inv_6_8_p3_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1152_lanes[4],
+  const Lanes<2> Lambda_inv_4_4_p13_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1321_lanes[4],
+      Lambda_inv_6_8_p3_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1152_lanes[4],
       Lambda_inv_0_8_p117_lanes[2]);
-  const Lanes<8> Lambda_inv_4_4_p14_lanes = Lambda_inv_4_4_p12_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0],
-      Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0],
-      Lambda_inv_4_5_p8_lanes[0], Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0]);
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<2> Lambda_inv_4_4_p15_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1319_lanes[4],
-      Lambda_inv_6_8_p2_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1173_lanes[4],
+  const Lanes<2> Lambda_inv_4_4_p15_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1319_lanes[4],
+      Lambda_inv_6_8_p2_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1173_lanes[4],
       Lambda_inv_0_8_p128_lanes[2]);
-  const Lanes<8> Lambda_inv_4_4_p16_lanes = Lambda_inv_4_4_p14_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_4_p15_lanes[0],
+  const Lanes<8> Lambda_inv_4_4_p16_lanes = Lambda_inv_0_0_p1330_lanes *
+      Lambda_inv_0_3_p36_lanes[1] + detail::make_pack<Real>(Lambda_inv_4_4_p7_lanes[0],
+      Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0],
+      Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_5_p11_lanes[0], Lambda_inv_4_4_p7_lanes[0],
+      Lambda_inv_4_4_p7_lanes[0]) + detail::make_pack<Real>(Lambda_inv_4_4_p9_lanes[0],
+      Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_4_p9_lanes[0],
+      Lambda_inv_4_4_p9_lanes[0], Lambda_inv_4_5_p10_lanes[0], Lambda_inv_4_4_p9_lanes[0],
+      Lambda_inv_4_4_p9_lanes[0]) + detail::make_pack<Real>(Lambda_inv_4_4_p11_lanes[0],
+      Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_4_p11_lanes[0],
+      Lambda_inv_4_4_p11_lanes[0], Lambda_inv_4_5_p9_lanes[0], Lambda_inv_4_4_p11_lanes[0],
+      Lambda_inv_4_4_p11_lanes[0]) + detail::make_pack<Real>(Lambda_inv_4_4_p13_lanes[0],
+      Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_4_p13_lanes[0],
+      Lambda_inv_4_4_p13_lanes[0], Lambda_inv_4_5_p8_lanes[0], Lambda_inv_4_4_p13_lanes[0],
+      Lambda_inv_4_4_p13_lanes[0]) + detail::make_pack<Real>(Lambda_inv_4_4_p15_lanes[0],
       Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_4_p15_lanes[0],
-      Lambda_inv_4_5_p7_lanes[0], Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_4_p15_lanes[0]);
+      Lambda_inv_4_4_p15_lanes[0], Lambda_inv_4_5_p7_lanes[0], Lambda_inv_4_4_p15_lanes[0],
+      Lambda_inv_4_4_p15_lanes[0]);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_4_4_p17_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1317_lanes[4],
-      Lambda_inv_6_8_p1_lanes[2]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[4],
+  const Lanes<2> Lambda_inv_4_4_p17_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1317_lanes[4],
+      Lambda_inv_6_8_p1_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[4],
       Lambda_inv_0_8_p151_lanes[2]);
-  const Lanes<8> Lambda_inv_4_4_p18_lanes = Lambda_inv_4_4_p16_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0],
-      Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0],
-      Lambda_inv_4_5_p6_lanes[0], Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0]);
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_4_4_p19_lanes = Lambda_inv_4_4_p18_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
+  const Lanes<8> Lambda_inv_4_4_p19_lanes = Lambda_inv_4_4_p16_lanes +
+      detail::make_pack<Real>(Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0],
+      Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0],
+      Lambda_inv_4_5_p6_lanes[0], Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
       Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] *
       Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
       Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[5] *
       Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
       Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146);
 
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_4_4_p20_lanes = detail::make_lanes<Real>(Lambda_inv_4_4_p19_lanes[4],
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_inv_4_4_p22_lanes = detail::make_pack<Real>(Lambda_inv_4_4_p19_lanes[4],
       Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[4],
       Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_4_p146, Lambda_inv_0_7_p188 * Lambda_inv_0_4_p146) + Lambda_inv_4_4_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_4_4_p21_lanes = Lambda_inv_4_4_p20_lanes + Lambda_inv_4_4_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_4_4_p22_lanes = Lambda_inv_4_4_p21_lanes + Lambda_inv_4_4_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_4_4_p23_lanes = Lambda_inv_4_4_p22_lanes + Lambda_inv_4_4_p2_lanes;
+      Lambda_inv_0_4_p146, Lambda_inv_0_7_p188 * Lambda_inv_0_4_p146) + Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[4] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_4_p179 +
+      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[4];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_4_4_lanes = Lambda_inv_4_4_p23_lanes + Lambda_inv_4_4_p1_lanes;
+  const Lanes<8> Lambda_inv_4_4_lanes = Lambda_inv_4_4_p22_lanes + Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[4] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[4];
   Lambda_inv[52] = Lambda_inv_4_4_lanes[4];
   Lambda_inv[53] = Lambda_inv_4_4_lanes[5];
   Lambda_inv[64] = Lambda_inv_4_4_lanes[5];
@@ -4374,41 +3087,17 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[76] = Lambda_inv_4_4_lanes[6];
   Lambda_inv[55] = Lambda_inv_4_4_lanes[7];
   Lambda_inv[88] = Lambda_inv_4_4_lanes[7];
-  const Lanes<8> Lambda_inv_4_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
-      Lambda_inv_0_0_p1304_lanes[4];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_4_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[4];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_4_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
       Lambda_inv_0_0_p1275_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_4_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_4_p179;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_4_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
-      Lambda_inv_0_0_p1247_lanes[4];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_4_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_4_p146;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_4_8_p7_lanes = Lambda_inv_4_8_p6_lanes + Lambda_inv_4_8_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_4_8_p8_lanes = Lambda_inv_4_8_p7_lanes + Lambda_inv_4_8_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_4_8_p9_lanes = Lambda_inv_4_8_p8_lanes + Lambda_inv_4_8_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_4_8_p10_lanes = Lambda_inv_4_8_p9_lanes + Lambda_inv_4_8_p2_lanes;
+  const Lanes<8> Lambda_inv_4_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_4_p146 +
+      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[4] + Lambda_inv_0_8_p263_lanes *
+      Lambda_inv_0_4_p179 + Lambda_inv_4_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_4_8_lanes = Lambda_inv_4_8_p10_lanes + Lambda_inv_4_8_p1_lanes;
+  const Lanes<8> Lambda_inv_4_8_lanes = Lambda_inv_4_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[4] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[4];
   Lambda_inv[56] = Lambda_inv_4_8_lanes[0];
   Lambda_inv[100] = Lambda_inv_4_8_lanes[0];
   Lambda_inv[57] = Lambda_inv_4_8_lanes[1];
@@ -4417,144 +3106,67 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[124] = Lambda_inv_4_8_lanes[2];
   Lambda_inv[59] = Lambda_inv_4_8_lanes[3];
   Lambda_inv[136] = Lambda_inv_4_8_lanes[3];
-  const Lanes<8> Lambda_inv_5_5_p1_lanes = Lambda_inv_0_0_p1305_lanes *
-      Lambda_inv_0_0_p1304_lanes[5];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_5_5_p2_lanes = Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[5];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_5_5_p3_lanes = Lambda_inv_0_0_p1309_lanes *
-      Lambda_inv_0_0_p1275_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_5_5_p4_lanes = Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_5_p226;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_5_5_p5_lanes = Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[5];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_5_5_p6_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1317_lanes[5],
-      Lambda_inv_6_8_p1_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1179_lanes[5],
-      Lambda_inv_0_8_p151_lanes[3]);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<2> Lambda_inv_5_5_p7_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1319_lanes[5],
-      Lambda_inv_6_8_p2_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1173_lanes[5],
-      Lambda_inv_0_8_p128_lanes[3]);
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> Lambda_inv_5_5_p8_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1321_lanes[5],
-      Lambda_inv_6_8_p3_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1152_lanes[5],
-      Lambda_inv_0_8_p117_lanes[3]);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_5_5_p9_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1323_lanes[5],
-      Lambda_inv_6_8_p4_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1132_lanes[5],
+  const Lanes<2> Lambda_inv_5_5_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1323_lanes[5],
+      Lambda_inv_6_8_p4_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1132_lanes[5],
       Lambda_inv_0_8_p84_lanes[3]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_5_5_p10_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1325_lanes[5],
-      Lambda_inv_6_8_p5_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_5_p76,
-      Lambda_inv_0_11_p25);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_5_5_p11_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1327_lanes[5],
-      Lambda_inv_6_8_p6_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_0_p1091_lanes[5],
-      Lambda_inv_0_8_p55_lanes[3]);
 
   // link 20 (right_hand), force propagation
   const Lanes<8> Lambda_inv_6_8_p7_lanes = 1065.380700001509 *
-      detail::make_lanes<Real>(Lambda_inv_0_8_p38, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      detail::make_pack<Real>(Lambda_inv_0_8_p38, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
       Lambda_inv_0_11_p1, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38,
       Lambda_inv_0_8_p38);
 
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_5_5_p12_lanes = detail::make_lanes<Real>(Lambda_inv_0_0_p1330_lanes[5],
-      Lambda_inv_6_8_p7_lanes[3]) * detail::make_lanes<Real>(Lambda_inv_0_3_p36_lanes[2],
-      Lambda_inv_0_11_p1);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_5_5_p13_lanes = Lambda_inv_5_5_p12_lanes + Lambda_inv_5_5_p11_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_5_5_p14_lanes = Lambda_inv_5_5_p13_lanes + Lambda_inv_5_5_p10_lanes;
-
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_5_5_p15_lanes = Lambda_inv_5_5_p14_lanes + Lambda_inv_5_5_p9_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> Lambda_inv_5_5_p16_lanes = Lambda_inv_5_5_p15_lanes + Lambda_inv_5_5_p8_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<2> Lambda_inv_5_5_p17_lanes = Lambda_inv_5_5_p16_lanes + Lambda_inv_5_5_p7_lanes;
+  const Lanes<2> Lambda_inv_5_5_p15_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1330_lanes[5],
+      Lambda_inv_6_8_p7_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[2],
+      Lambda_inv_0_11_p1) + detail::make_pack<Real>(Lambda_inv_0_0_p1327_lanes[5],
+      Lambda_inv_6_8_p6_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[5],
+      Lambda_inv_0_8_p55_lanes[3]) + detail::make_pack<Real>(Lambda_inv_0_0_p1325_lanes[5],
+      Lambda_inv_6_8_p5_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_5_p76,
+      Lambda_inv_0_11_p25) + Lambda_inv_5_5_p9_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_5_5_p18_lanes = Lambda_inv_5_5_p17_lanes + Lambda_inv_5_5_p6_lanes;
+  const Lanes<2> Lambda_inv_5_5_p18_lanes = Lambda_inv_5_5_p15_lanes +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1321_lanes[5], Lambda_inv_6_8_p3_lanes[3]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1152_lanes[5], Lambda_inv_0_8_p117_lanes[3]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1319_lanes[5], Lambda_inv_6_8_p2_lanes[3]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1173_lanes[5], Lambda_inv_0_8_p128_lanes[3]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1317_lanes[5], Lambda_inv_6_8_p1_lanes[3]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_8_p151_lanes[3]);
 
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_5_5_p19_lanes = detail::make_lanes<Real>(Lambda_inv_5_5_p18_lanes[0] +
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_inv_5_5_p21_lanes = detail::make_pack<Real>(Lambda_inv_5_5_p18_lanes[0] +
       Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
       Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
       Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
       Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
       Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
       Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_0_6_p188 *
-      Lambda_inv_0_5_p193, Lambda_inv_0_7_p188 * Lambda_inv_0_5_p193) + Lambda_inv_5_5_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_5_5_p20_lanes = Lambda_inv_5_5_p19_lanes + Lambda_inv_5_5_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_5_5_p21_lanes = Lambda_inv_5_5_p20_lanes + Lambda_inv_5_5_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_5_5_p22_lanes = Lambda_inv_5_5_p21_lanes + Lambda_inv_5_5_p2_lanes;
+      Lambda_inv_0_5_p193, Lambda_inv_0_7_p188 * Lambda_inv_0_5_p193) + Lambda_inv_0_0_p1313_lanes *
+      Lambda_inv_0_0_p1247_lanes[5] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_5_p226 +
+      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[5];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_5_5_lanes = Lambda_inv_5_5_p22_lanes + Lambda_inv_5_5_p1_lanes;
+  const Lanes<8> Lambda_inv_5_5_lanes = Lambda_inv_5_5_p21_lanes + Lambda_inv_0_0_p1307_lanes *
+      Lambda_inv_0_0_p1290_lanes[5] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[5];
   Lambda_inv[65] = Lambda_inv_5_5_lanes[5];
   Lambda_inv[66] = Lambda_inv_5_5_lanes[6];
   Lambda_inv[77] = Lambda_inv_5_5_lanes[6];
   Lambda_inv[67] = Lambda_inv_5_5_lanes[7];
   Lambda_inv[89] = Lambda_inv_5_5_lanes[7];
-  const Lanes<8> Lambda_inv_5_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
-      Lambda_inv_0_0_p1304_lanes[5];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_5_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[5];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_5_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
       Lambda_inv_0_0_p1275_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_5_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_5_p226;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_5_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
-      Lambda_inv_0_0_p1247_lanes[5];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_5_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_5_p193;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_5_8_p7_lanes = Lambda_inv_5_8_p6_lanes + Lambda_inv_5_8_p5_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_5_8_p8_lanes = Lambda_inv_5_8_p7_lanes + Lambda_inv_5_8_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_5_8_p9_lanes = Lambda_inv_5_8_p8_lanes + Lambda_inv_5_8_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_5_8_p10_lanes = Lambda_inv_5_8_p9_lanes + Lambda_inv_5_8_p2_lanes;
+  const Lanes<8> Lambda_inv_5_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_5_p193 +
+      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[5] + Lambda_inv_0_8_p263_lanes *
+      Lambda_inv_0_5_p226 + Lambda_inv_5_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_5_8_lanes = Lambda_inv_5_8_p10_lanes + Lambda_inv_5_8_p1_lanes;
+  const Lanes<8> Lambda_inv_5_8_lanes = Lambda_inv_5_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
+      Lambda_inv_0_0_p1290_lanes[5] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[5];
   Lambda_inv[68] = Lambda_inv_5_8_lanes[0];
   Lambda_inv[101] = Lambda_inv_5_8_lanes[0];
   Lambda_inv[69] = Lambda_inv_5_8_lanes[1];
@@ -4587,104 +3199,75 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 20 (right_hand), force propagation
   const Real Lambda_inv_6_7_p7 = 91.62274020012977 * Lambda_inv_0_7_p38;
-  const Lanes<8> Lambda_inv_6_6_p2_lanes = detail::make_lanes<Real>(91.62274020012977 *
-      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
-      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
-      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
-      Lambda_inv_0_6_p38, Lambda_inv_6_7_p7) * Lambda_inv_6_6_p1;
 
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_6_6_p3_lanes = Lambda_inv_6_6_p2_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45,
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_6_6_p7_lanes = detail::make_pack<Real>(91.62274020012977 *
+      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
+      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
+      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
+      Lambda_inv_0_6_p38, Lambda_inv_6_7_p7) * Lambda_inv_6_6_p1 +
+      detail::make_pack<Real>(Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45,
       Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 *
       inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 * inverse_D12_lanes[1] *
       Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45,
       Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 *
-      inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_6_7_p6 * Lambda_inv_0_6_p45);
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_6_6_p4_lanes = Lambda_inv_6_6_p3_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48,
+      inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_6_7_p6 * Lambda_inv_0_6_p45) +
+      detail::make_pack<Real>(Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48,
       Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 *
       inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 * inverse_D11_lanes[1] *
       Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48,
       Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 *
-      inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_6_7_p5 * Lambda_inv_0_6_p48);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_6_6_p5_lanes = Lambda_inv_6_6_p4_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58,
+      inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_6_7_p5 * Lambda_inv_0_6_p48) +
+      detail::make_pack<Real>(Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58,
       Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 *
       inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 * inverse_D10_lanes[1] *
       Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58,
       Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 *
-      inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_6_7_p4 * Lambda_inv_0_6_p58);
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_6_6_p6_lanes = Lambda_inv_6_6_p5_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64,
+      inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_6_7_p4 * Lambda_inv_0_6_p58) +
+      detail::make_pack<Real>(Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64,
       Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 *
       inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 * inverse_D9_lanes[1] *
       Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64,
       Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 *
-      inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_6_7_p3 * Lambda_inv_0_6_p64);
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_6_6_p7_lanes = Lambda_inv_6_6_p6_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73,
+      inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_6_7_p3 * Lambda_inv_0_6_p64) +
+      detail::make_pack<Real>(Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73,
       Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 *
       inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 * inverse_D8_lanes[1] *
       Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73,
       Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 *
       inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_6_7_p2 * Lambda_inv_0_6_p73);
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_6_6_p8_lanes = Lambda_inv_6_6_p7_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76,
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_inv_6_6_p13_lanes = Lambda_inv_6_6_p7_lanes +
+      detail::make_pack<Real>(Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76,
       Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 *
       inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 * inverse_D7_lanes[1] *
       Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76,
       Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 *
-      inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_6_7_p1 * Lambda_inv_0_6_p76);
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_6_6_p9_lanes = Lambda_inv_6_6_p8_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
+      inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_6_7_p1 * Lambda_inv_0_6_p76) +
+      detail::make_pack<Real>(Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
       Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
       Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
       Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_7_p188 *
-      Lambda_inv_0_6_p103);
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_6_6_p10_lanes = Lambda_inv_6_6_p9_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6],
-      Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] *
+      Lambda_inv_0_6_p103) + detail::make_pack<Real>(Lambda_inv_0_0_p1313_lanes[6] *
       Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6],
       Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] *
       Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6],
-      Lambda_inv_0_0_p1313_lanes[7] * Lambda_inv_0_0_p1247_lanes[6]);
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_6_6_p11_lanes = Lambda_inv_6_6_p10_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136,
-      Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] *
+      Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] *
+      Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[7] *
+      Lambda_inv_0_0_p1247_lanes[6]) + detail::make_pack<Real>(Lambda_inv_0_0_p1311_lanes[6] *
       Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136,
       Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] *
       Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136,
-      Lambda_inv_0_0_p1311_lanes[7] * Lambda_inv_0_6_p136);
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_6_6_p12_lanes = Lambda_inv_6_6_p11_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
+      Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] *
+      Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[7] * Lambda_inv_0_6_p136) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
       Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] *
       Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
       Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] *
       Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
-      Lambda_inv_0_0_p1309_lanes[7] * Lambda_inv_0_0_p1275_lanes[6]);
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_6_6_p13_lanes = Lambda_inv_6_6_p12_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
+      Lambda_inv_0_0_p1309_lanes[7] * Lambda_inv_0_0_p1275_lanes[6]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
       Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] *
       Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
       Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] *
@@ -4693,7 +3276,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 1 (calf), force propagation
   const Lanes<8> Lambda_inv_6_6_lanes = Lambda_inv_6_6_p13_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
+      detail::make_pack<Real>(Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
       Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] *
       Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
       Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] *
@@ -4702,83 +3285,27 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[78] = Lambda_inv_6_6_lanes[6];
   Lambda_inv[79] = Lambda_inv_6_6_lanes[7];
   Lambda_inv[90] = Lambda_inv_6_6_lanes[7];
-  const Lanes<8> Lambda_inv_6_8_p8_lanes = Lambda_inv_0_8_p257_lanes *
-      Lambda_inv_0_0_p1304_lanes[6];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_6_8_p9_lanes = Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[6];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_6_8_p10_lanes = Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[6];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p11_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_6_p136;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_6_8_p12_lanes = Lambda_inv_0_8_p265_lanes *
-      Lambda_inv_0_0_p1247_lanes[6];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_6_8_p13_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_6_p103;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p14_lanes = Lambda_inv_6_8_p1_lanes * Lambda_inv_0_6_p76;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_6_8_p15_lanes = Lambda_inv_6_8_p2_lanes * Lambda_inv_0_6_p73;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_6_8_p16_lanes = Lambda_inv_6_8_p3_lanes * Lambda_inv_0_6_p64;
 
   // link 17 (right_lowerarm), force propagation
   const Lanes<8> Lambda_inv_6_8_p17_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_6_p58;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p18_lanes = Lambda_inv_6_8_p5_lanes * Lambda_inv_0_6_p48;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_6_8_p19_lanes = Lambda_inv_6_8_p6_lanes * Lambda_inv_0_6_p45;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_6_8_p20_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_6_6_p1;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_6_8_p21_lanes = Lambda_inv_6_8_p20_lanes + Lambda_inv_6_8_p19_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p22_lanes = Lambda_inv_6_8_p21_lanes + Lambda_inv_6_8_p18_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_6_8_p23_lanes = Lambda_inv_6_8_p22_lanes + Lambda_inv_6_8_p17_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_6_8_p24_lanes = Lambda_inv_6_8_p23_lanes + Lambda_inv_6_8_p16_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_6_8_p25_lanes = Lambda_inv_6_8_p24_lanes + Lambda_inv_6_8_p15_lanes;
+  const Lanes<8> Lambda_inv_6_8_p23_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_6_6_p1 +
+      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_6_p45 + Lambda_inv_6_8_p5_lanes * Lambda_inv_0_6_p48 +
+      Lambda_inv_6_8_p17_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p26_lanes = Lambda_inv_6_8_p25_lanes + Lambda_inv_6_8_p14_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_6_8_p27_lanes = Lambda_inv_6_8_p26_lanes + Lambda_inv_6_8_p13_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_6_8_p28_lanes = Lambda_inv_6_8_p27_lanes + Lambda_inv_6_8_p12_lanes;
+  const Lanes<8> Lambda_inv_6_8_p26_lanes = Lambda_inv_6_8_p23_lanes + Lambda_inv_6_8_p3_lanes *
+      Lambda_inv_0_6_p64 + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_6_p73 + Lambda_inv_6_8_p1_lanes *
+      Lambda_inv_0_6_p76;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p29_lanes = Lambda_inv_6_8_p28_lanes + Lambda_inv_6_8_p11_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_6_8_p30_lanes = Lambda_inv_6_8_p29_lanes + Lambda_inv_6_8_p10_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_6_8_p31_lanes = Lambda_inv_6_8_p30_lanes + Lambda_inv_6_8_p9_lanes;
+  const Lanes<8> Lambda_inv_6_8_p29_lanes = Lambda_inv_6_8_p26_lanes + Lambda_inv_0_8_p267_lanes *
+      Lambda_inv_0_6_p103 + Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[6] +
+      Lambda_inv_0_8_p263_lanes * Lambda_inv_0_6_p136;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_6_8_lanes = Lambda_inv_6_8_p31_lanes + Lambda_inv_6_8_p8_lanes;
+  const Lanes<8> Lambda_inv_6_8_lanes = Lambda_inv_6_8_p29_lanes + Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[6] + Lambda_inv_0_8_p259_lanes * Lambda_inv_0_0_p1290_lanes[6] +
+      Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[6];
   Lambda_inv[80] = Lambda_inv_6_8_lanes[0];
   Lambda_inv[102] = Lambda_inv_6_8_lanes[0];
   Lambda_inv[81] = Lambda_inv_6_8_lanes[1];
@@ -4806,83 +3333,27 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_0_p1309_lanes[7] * Lambda_inv_0_0_p1275_lanes[7] +
       Lambda_inv_0_0_p1307_lanes[7] * Lambda_inv_0_0_p1290_lanes[7] +
       Lambda_inv_0_0_p1305_lanes[7] * Lambda_inv_0_0_p1304_lanes[7];
-  const Lanes<8> Lambda_inv_7_8_p1_lanes = Lambda_inv_0_8_p257_lanes *
-      Lambda_inv_0_0_p1304_lanes[7];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_7_8_p2_lanes = Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[7];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_7_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[7];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_7_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_7_p136;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_7_8_p5_lanes = Lambda_inv_0_8_p265_lanes *
-      Lambda_inv_0_0_p1247_lanes[7];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_7_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_7_p103;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_7_8_p7_lanes = Lambda_inv_6_8_p1_lanes * Lambda_inv_0_7_p76;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_7_8_p8_lanes = Lambda_inv_6_8_p2_lanes * Lambda_inv_0_7_p73;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_7_8_p9_lanes = Lambda_inv_6_8_p3_lanes * Lambda_inv_0_7_p64;
 
   // link 17 (right_lowerarm), force propagation
   const Lanes<8> Lambda_inv_7_8_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_7_p58;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_7_8_p11_lanes = Lambda_inv_6_8_p5_lanes * Lambda_inv_0_7_p48;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_7_8_p12_lanes = Lambda_inv_6_8_p6_lanes * Lambda_inv_0_7_p45;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_7_8_p13_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_7_7_p1;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_7_8_p14_lanes = Lambda_inv_7_8_p13_lanes + Lambda_inv_7_8_p12_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_7_8_p15_lanes = Lambda_inv_7_8_p14_lanes + Lambda_inv_7_8_p11_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_7_8_p16_lanes = Lambda_inv_7_8_p15_lanes + Lambda_inv_7_8_p10_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_7_8_p17_lanes = Lambda_inv_7_8_p16_lanes + Lambda_inv_7_8_p9_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_7_8_p18_lanes = Lambda_inv_7_8_p17_lanes + Lambda_inv_7_8_p8_lanes;
+  const Lanes<8> Lambda_inv_7_8_p16_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_7_7_p1 +
+      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_7_p45 + Lambda_inv_6_8_p5_lanes * Lambda_inv_0_7_p48 +
+      Lambda_inv_7_8_p10_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_7_8_p19_lanes = Lambda_inv_7_8_p18_lanes + Lambda_inv_7_8_p7_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_7_8_p20_lanes = Lambda_inv_7_8_p19_lanes + Lambda_inv_7_8_p6_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_7_8_p21_lanes = Lambda_inv_7_8_p20_lanes + Lambda_inv_7_8_p5_lanes;
+  const Lanes<8> Lambda_inv_7_8_p19_lanes = Lambda_inv_7_8_p16_lanes + Lambda_inv_6_8_p3_lanes *
+      Lambda_inv_0_7_p64 + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_7_p73 + Lambda_inv_6_8_p1_lanes *
+      Lambda_inv_0_7_p76;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_7_8_p22_lanes = Lambda_inv_7_8_p21_lanes + Lambda_inv_7_8_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_7_8_p23_lanes = Lambda_inv_7_8_p22_lanes + Lambda_inv_7_8_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_7_8_p24_lanes = Lambda_inv_7_8_p23_lanes + Lambda_inv_7_8_p2_lanes;
+  const Lanes<8> Lambda_inv_7_8_p22_lanes = Lambda_inv_7_8_p19_lanes + Lambda_inv_0_8_p267_lanes *
+      Lambda_inv_0_7_p103 + Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[7] +
+      Lambda_inv_0_8_p263_lanes * Lambda_inv_0_7_p136;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_7_8_lanes = Lambda_inv_7_8_p24_lanes + Lambda_inv_7_8_p1_lanes;
+  const Lanes<8> Lambda_inv_7_8_lanes = Lambda_inv_7_8_p22_lanes + Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_0_p1275_lanes[7] + Lambda_inv_0_8_p259_lanes * Lambda_inv_0_0_p1290_lanes[7] +
+      Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[7];
   Lambda_inv[92] = Lambda_inv_7_8_lanes[0];
   Lambda_inv[103] = Lambda_inv_7_8_lanes[0];
   Lambda_inv[93] = Lambda_inv_7_8_lanes[1];
@@ -4891,79 +3362,27 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[127] = Lambda_inv_7_8_lanes[2];
   Lambda_inv[95] = Lambda_inv_7_8_lanes[3];
   Lambda_inv[139] = Lambda_inv_7_8_lanes[3];
-  const Lanes<8> Lambda_inv_8_8_p1_lanes = Lambda_inv_0_8_p257_lanes * Lambda_inv_0_8_p256_lanes[0];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_8_8_p2_lanes = Lambda_inv_0_8_p259_lanes * Lambda_inv_0_8_p245_lanes[0];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_8_8_p3_lanes = Lambda_inv_0_8_p261_lanes * Lambda_inv_0_8_p230_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_8_8_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_8_p215;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_8_8_p5_lanes = Lambda_inv_0_8_p265_lanes * Lambda_inv_0_8_p202_lanes[0];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_8_8_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_8_p182;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_8_8_p7_lanes = Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p151_lanes[0];
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_8_8_p8_lanes = Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[0];
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_8_8_p9_lanes = Lambda_inv_6_8_p3_lanes * Lambda_inv_0_8_p117_lanes[0];
 
   // link 17 (right_lowerarm), force propagation
   const Lanes<8> Lambda_inv_8_8_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_8_p84_lanes[0];
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_8_8_p11_lanes = Lambda_inv_6_8_p5_lanes * Lambda_inv_0_8_p76;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_8_8_p12_lanes = Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p55_lanes[0];
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_8_8_p13_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_8_p38;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_8_8_p14_lanes = Lambda_inv_8_8_p13_lanes + Lambda_inv_8_8_p12_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_8_8_p15_lanes = Lambda_inv_8_8_p14_lanes + Lambda_inv_8_8_p11_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_8_8_p16_lanes = Lambda_inv_8_8_p15_lanes + Lambda_inv_8_8_p10_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_8_8_p17_lanes = Lambda_inv_8_8_p16_lanes + Lambda_inv_8_8_p9_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_8_8_p18_lanes = Lambda_inv_8_8_p17_lanes + Lambda_inv_8_8_p8_lanes;
+  const Lanes<8> Lambda_inv_8_8_p16_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_8_p38 +
+      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p55_lanes[0] + Lambda_inv_6_8_p5_lanes *
+      Lambda_inv_0_8_p76 + Lambda_inv_8_8_p10_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_8_8_p19_lanes = Lambda_inv_8_8_p18_lanes + Lambda_inv_8_8_p7_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_8_8_p20_lanes = Lambda_inv_8_8_p19_lanes + Lambda_inv_8_8_p6_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_8_8_p21_lanes = Lambda_inv_8_8_p20_lanes + Lambda_inv_8_8_p5_lanes;
+  const Lanes<8> Lambda_inv_8_8_p19_lanes = Lambda_inv_8_8_p16_lanes + Lambda_inv_6_8_p3_lanes *
+      Lambda_inv_0_8_p117_lanes[0] + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[0] +
+      Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p151_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_8_8_p22_lanes = Lambda_inv_8_8_p21_lanes + Lambda_inv_8_8_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_8_8_p23_lanes = Lambda_inv_8_8_p22_lanes + Lambda_inv_8_8_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_8_8_p24_lanes = Lambda_inv_8_8_p23_lanes + Lambda_inv_8_8_p2_lanes;
+  const Lanes<8> Lambda_inv_8_8_p22_lanes = Lambda_inv_8_8_p19_lanes + Lambda_inv_0_8_p267_lanes *
+      Lambda_inv_0_8_p182 + Lambda_inv_0_8_p265_lanes * Lambda_inv_0_8_p202_lanes[0] +
+      Lambda_inv_0_8_p263_lanes * Lambda_inv_0_8_p215;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_8_8_lanes = Lambda_inv_8_8_p24_lanes + Lambda_inv_8_8_p1_lanes;
+  const Lanes<8> Lambda_inv_8_8_lanes = Lambda_inv_8_8_p22_lanes + Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_8_p230_lanes[0] + Lambda_inv_0_8_p259_lanes * Lambda_inv_0_8_p245_lanes[0] +
+      Lambda_inv_0_8_p257_lanes * Lambda_inv_0_8_p256_lanes[0];
   Lambda_inv[104] = Lambda_inv_8_8_lanes[0];
   Lambda_inv[105] = Lambda_inv_8_8_lanes[1];
   Lambda_inv[116] = Lambda_inv_8_8_lanes[1];
@@ -4971,163 +3390,81 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[128] = Lambda_inv_8_8_lanes[2];
   Lambda_inv[107] = Lambda_inv_8_8_lanes[3];
   Lambda_inv[140] = Lambda_inv_8_8_lanes[3];
-  const Lanes<8> Lambda_inv_9_9_p1_lanes = Lambda_inv_0_8_p257_lanes * Lambda_inv_0_8_p256_lanes[1];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_9_9_p2_lanes = Lambda_inv_0_8_p259_lanes * Lambda_inv_0_8_p245_lanes[1];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_9_9_p3_lanes = Lambda_inv_0_8_p261_lanes * Lambda_inv_0_8_p230_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_9_9_p4_lanes = Lambda_inv_0_8_p263_lanes * Lambda_inv_0_9_p176;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_9_9_p5_lanes = Lambda_inv_0_8_p265_lanes * Lambda_inv_0_8_p202_lanes[1];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_9_9_p6_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_9_p143;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_9_9_p7_lanes = Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p151_lanes[1];
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_9_9_p8_lanes = Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[1];
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_9_9_p9_lanes = Lambda_inv_6_8_p3_lanes * Lambda_inv_0_8_p117_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
   const Lanes<8> Lambda_inv_9_9_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_8_p84_lanes[1];
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_9_9_p11_lanes = Lambda_inv_6_8_p5_lanes * Lambda_inv_0_9_p24;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_9_9_p12_lanes = Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p55_lanes[1];
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_9_9_p13_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_6_p43;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_9_9_p14_lanes = Lambda_inv_9_9_p13_lanes + Lambda_inv_9_9_p12_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_9_9_p15_lanes = Lambda_inv_9_9_p14_lanes + Lambda_inv_9_9_p11_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_9_9_p16_lanes = Lambda_inv_9_9_p15_lanes + Lambda_inv_9_9_p10_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_9_9_p17_lanes = Lambda_inv_9_9_p16_lanes + Lambda_inv_9_9_p9_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_9_9_p18_lanes = Lambda_inv_9_9_p17_lanes + Lambda_inv_9_9_p8_lanes;
+  const Lanes<8> Lambda_inv_9_9_p16_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_6_p43 +
+      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p55_lanes[1] + Lambda_inv_6_8_p5_lanes *
+      Lambda_inv_0_9_p24 + Lambda_inv_9_9_p10_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_9_9_p19_lanes = Lambda_inv_9_9_p18_lanes + Lambda_inv_9_9_p7_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_9_9_p20_lanes = Lambda_inv_9_9_p19_lanes + Lambda_inv_9_9_p6_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_9_9_p21_lanes = Lambda_inv_9_9_p20_lanes + Lambda_inv_9_9_p5_lanes;
+  const Lanes<8> Lambda_inv_9_9_p19_lanes = Lambda_inv_9_9_p16_lanes + Lambda_inv_6_8_p3_lanes *
+      Lambda_inv_0_8_p117_lanes[1] + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[1] +
+      Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p151_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_9_9_p22_lanes = Lambda_inv_9_9_p21_lanes + Lambda_inv_9_9_p4_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_9_9_p23_lanes = Lambda_inv_9_9_p22_lanes + Lambda_inv_9_9_p3_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_9_9_p24_lanes = Lambda_inv_9_9_p23_lanes + Lambda_inv_9_9_p2_lanes;
+  const Lanes<8> Lambda_inv_9_9_p22_lanes = Lambda_inv_9_9_p19_lanes + Lambda_inv_0_8_p267_lanes *
+      Lambda_inv_0_9_p143 + Lambda_inv_0_8_p265_lanes * Lambda_inv_0_8_p202_lanes[1] +
+      Lambda_inv_0_8_p263_lanes * Lambda_inv_0_9_p176;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_9_9_lanes = Lambda_inv_9_9_p24_lanes + Lambda_inv_9_9_p1_lanes;
+  const Lanes<8> Lambda_inv_9_9_lanes = Lambda_inv_9_9_p22_lanes + Lambda_inv_0_8_p261_lanes *
+      Lambda_inv_0_8_p230_lanes[1] + Lambda_inv_0_8_p259_lanes * Lambda_inv_0_8_p245_lanes[1] +
+      Lambda_inv_0_8_p257_lanes * Lambda_inv_0_8_p256_lanes[1];
   Lambda_inv[117] = Lambda_inv_9_9_lanes[1];
   Lambda_inv[118] = Lambda_inv_9_9_lanes[2];
   Lambda_inv[129] = Lambda_inv_9_9_lanes[2];
   Lambda_inv[119] = Lambda_inv_9_9_lanes[3];
   Lambda_inv[141] = Lambda_inv_9_9_lanes[3];
 
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_10_10_p13_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_7_p42;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_10_10_p14_lanes = Lambda_inv_10_10_p13_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1],
-      Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_5_p11_lanes[1], Lambda_inv_4_4_p7_lanes[1],
-      Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1]);
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_10_10_p15_lanes = Lambda_inv_10_10_p14_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1],
-      Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_5_p10_lanes[1], Lambda_inv_4_4_p9_lanes[1],
-      Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1]);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_10_10_p16_lanes = Lambda_inv_10_10_p15_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1],
-      Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_5_p9_lanes[1], Lambda_inv_4_4_p11_lanes[1],
-      Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1]);
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_10_10_p17_lanes = Lambda_inv_10_10_p16_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1],
-      Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_5_p8_lanes[1], Lambda_inv_4_4_p13_lanes[1],
-      Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1]);
-
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_10_10_p18_lanes = Lambda_inv_10_10_p17_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_4_p15_lanes[1],
+  const Lanes<8> Lambda_inv_10_10_p18_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_7_p42 +
+      detail::make_pack<Real>(Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1],
+      Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_5_p11_lanes[1], Lambda_inv_4_4_p7_lanes[1],
+      Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1], Lambda_inv_4_4_p7_lanes[1]) +
+      detail::make_pack<Real>(Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1],
+      Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_5_p10_lanes[1], Lambda_inv_4_4_p9_lanes[1],
+      Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1], Lambda_inv_4_4_p9_lanes[1]) +
+      detail::make_pack<Real>(Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1],
+      Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_5_p9_lanes[1], Lambda_inv_4_4_p11_lanes[1],
+      Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1], Lambda_inv_4_4_p11_lanes[1]) +
+      detail::make_pack<Real>(Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1],
+      Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_5_p8_lanes[1], Lambda_inv_4_4_p13_lanes[1],
+      Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1], Lambda_inv_4_4_p13_lanes[1]) +
+      detail::make_pack<Real>(Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_4_p15_lanes[1],
       Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_5_p7_lanes[1], Lambda_inv_4_4_p15_lanes[1],
       Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_4_p15_lanes[1], Lambda_inv_4_4_p15_lanes[1]);
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_10_10_p19_lanes = Lambda_inv_10_10_p18_lanes +
-      detail::make_lanes<Real>(Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1],
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_inv_10_10_p24_lanes = Lambda_inv_10_10_p18_lanes +
+      detail::make_pack<Real>(Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1],
       Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_5_p6_lanes[1], Lambda_inv_4_4_p17_lanes[1],
-      Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1]);
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_10_10_p20_lanes = Lambda_inv_10_10_p19_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143,
+      Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1]) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143,
       Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] *
       Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[3] * Lambda_inv_0_10_p143,
       Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] *
       Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143,
-      Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143);
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_10_10_p21_lanes = Lambda_inv_10_10_p20_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2],
+      Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2],
       Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] *
       Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[3] * Lambda_inv_0_8_p202_lanes[2],
       Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] *
       Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2],
-      Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2]);
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_10_10_p22_lanes = Lambda_inv_10_10_p21_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176,
+      Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2]) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176,
       Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] *
       Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[3] * Lambda_inv_0_10_p176,
       Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] *
       Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176,
-      Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176);
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_10_10_p23_lanes = Lambda_inv_10_10_p22_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
+      Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
       Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] *
       Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[3] * Lambda_inv_0_8_p230_lanes[2],
       Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] *
       Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
-      Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2]);
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_10_10_p24_lanes = Lambda_inv_10_10_p23_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2],
+      Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2]) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2],
       Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[2] *
       Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[3] * Lambda_inv_0_8_p245_lanes[2],
       Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[2] *
@@ -5136,7 +3473,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 1 (calf), force propagation
   const Lanes<8> Lambda_inv_10_10_lanes = Lambda_inv_10_10_p24_lanes +
-      detail::make_lanes<Real>(Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2],
+      detail::make_pack<Real>(Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2],
       Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[2] *
       Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[3] * Lambda_inv_0_8_p256_lanes[2],
       Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[2] *

@@ -15,7 +15,7 @@
 namespace humanoid24 {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT M)[576]) noexcept {
   M[157] = 0.0;
   M[158] = 0.0;
@@ -282,52 +282,39 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real c2 = cosines[22];
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p1_lanes = 0.000108260010923775 * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> M_2_2_p3_lanes = detail::make_lanes<Real>(4.38600177048965e-05,
-      (-4.38600177048965e-05)) * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> M_2_2_p5_lanes = M_2_2_p1_lanes + M_2_2_p3_lanes;
+  const Lanes<2> M_2_2_p5_lanes = 0.000108260010923775 * detail::make_pack<Real>(c13, c20) +
+      detail::make_pack<Real>(4.38600177048965e-05, (-4.38600177048965e-05)) *
+      detail::make_pack<Real>(s13, s20);
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p7_lanes = detail::make_lanes<Real>(c12, c19) * M_2_2_p5_lanes;
-  const Lanes<2> M_2_2_p9_lanes = 2.0 * M_2_2_p7_lanes;
+  const Lanes<2> M_2_2_p7_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p5_lanes;
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p11_lanes = detail::make_lanes<Real>(0.000252780114665025,
-      (-0.000252780114665025)) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> M_2_2_p13_lanes = 0.0007556474228594393 * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> M_2_2_p15_lanes = M_2_2_p11_lanes - M_2_2_p13_lanes;
-  const Lanes<2> M_2_2_p17_lanes = detail::make_lanes<Real>(s13, s20) * M_2_2_p15_lanes;
+  const Lanes<2> M_2_2_p15_lanes = detail::make_pack<Real>(0.000252780114665025,
+      (-0.000252780114665025)) * detail::make_pack<Real>(c13, c20) - 0.0007556474228594393 *
+      detail::make_pack<Real>(s13, s20);
+  const Lanes<2> M_2_2_p17_lanes = detail::make_pack<Real>(s13, s20) * M_2_2_p15_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p19_lanes = 0.000663511853372032 + M_2_2_p17_lanes;
-  const Lanes<2> M_2_2_p21_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p19_lanes;
-  const Lanes<2> M_2_2_p23_lanes = M_2_2_p9_lanes - M_2_2_p21_lanes;
-  const Lanes<2> M_2_2_p25_lanes = detail::make_lanes<Real>(c12, c19) * M_2_2_p23_lanes;
-  const Lanes<2> M_2_2_p27_lanes = M_2_2_p5_lanes - M_2_2_p25_lanes;
+  const Lanes<2> M_2_2_p23_lanes = 2.0 * M_2_2_p7_lanes - detail::make_pack<Real>(s12, s19) *
+      (0.000663511853372032 + M_2_2_p17_lanes);
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p29_lanes = 0.01626499875 * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> M_2_2_p31_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> M_2_2_p33_lanes = M_2_2_p29_lanes - M_2_2_p31_lanes;
+  const Lanes<2> M_2_2_p33_lanes = 0.01626499875 * detail::make_pack<Real>(c13, c20) -
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(s13, s20);
   const Lanes<2> M_2_2_p35_lanes = 0.0006000000000000001 + M_2_2_p33_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p37_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p35_lanes;
-  const Lanes<2> M_2_2_p39_lanes = 0.0025100003499999995 * detail::make_lanes<Real>(c12, c19);
-  const Lanes<2> M_2_2_p41_lanes = M_2_2_p37_lanes - M_2_2_p39_lanes;
-  const Lanes<2> M_2_2_p43_lanes = 0.269 * M_2_2_p41_lanes;
-  const Lanes<2> M_2_2_p45_lanes = M_2_2_p27_lanes + M_2_2_p43_lanes;
-  const Lanes<2> M_2_2_p47_lanes = 0.000144 - M_2_2_p45_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p49_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p47_lanes;
+  const Lanes<2> M_2_2_p41_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p35_lanes -
+      0.0025100003499999995 * detail::make_pack<Real>(c12, c19);
+  const Lanes<2> M_2_2_p47_lanes = 0.000144 - (M_2_2_p5_lanes - detail::make_pack<Real>(c12, c19) *
+      M_2_2_p23_lanes + 0.269 * M_2_2_p41_lanes);
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_11_12_p1_lanes = detail::make_lanes<Real>(4.38600177048965e-05,
-      (-4.38600177048965e-05)) * detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> M_11_12_p2_lanes = 0.000108260010923775 * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> M_11_12_lanes = M_11_12_p1_lanes - M_11_12_p2_lanes;
+  const Lanes<2> M_11_12_lanes = detail::make_pack<Real>(4.38600177048965e-05,
+      (-4.38600177048965e-05)) * detail::make_pack<Real>(c13, c20) - 0.000108260010923775 *
+      detail::make_pack<Real>(s13, s20);
   M[276] = M_11_12_lanes[0];
   M[299] = M_11_12_lanes[0];
 
@@ -335,17 +322,13 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[451] = M_11_12_lanes[1];
   M[474] = M_11_12_lanes[1];
 
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_10_11_p1_lanes = detail::make_lanes<Real>(s12, s19) * M_11_12_lanes;
-
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_10_11_p2_lanes = detail::make_lanes<Real>(c13, c20) * M_2_2_p15_lanes;
-  const Lanes<2> M_10_11_p3_lanes = detail::make_lanes<Real>((-0.0001287900573325125),
-      0.0001287900573325125) + M_10_11_p2_lanes;
+  const Lanes<2> M_10_11_p3_lanes = detail::make_pack<Real>((-0.0001287900573325125),
+      0.0001287900573325125) + detail::make_pack<Real>(c13, c20) * M_2_2_p15_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_10_11_p4_lanes = detail::make_lanes<Real>(c12, c19) * M_10_11_p3_lanes;
-  const Lanes<2> M_10_11_lanes = M_10_11_p1_lanes + M_10_11_p4_lanes;
+  const Lanes<2> M_10_11_lanes = detail::make_pack<Real>(s12, s19) * M_11_12_lanes +
+      detail::make_pack<Real>(c12, c19) * M_10_11_p3_lanes;
   M[251] = -M_10_11_lanes[0];
   M[274] = -M_10_11_lanes[0];
 
@@ -354,34 +337,25 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[449] = -M_10_11_lanes[1];
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p51_lanes = 0.01626499875 * detail::make_lanes<Real>(s13, s20);
-  const Lanes<2> M_2_2_p53_lanes = detail::make_lanes<Real>((-0.002865001425), 0.002865001425) *
-      detail::make_lanes<Real>(c13, c20);
-  const Lanes<2> M_2_2_p55_lanes = M_2_2_p51_lanes + M_2_2_p53_lanes;
+  const Lanes<2> M_2_2_p55_lanes = 0.01626499875 * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(c13, c20);
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p57_lanes = 0.269 * M_2_2_p55_lanes;
-  const Lanes<2> M_2_2_p59_lanes = M_2_2_p57_lanes - M_10_11_lanes;
-  const Lanes<2> M_2_2_p61_lanes = detail::make_lanes<Real>(0.0002516, (-0.0002516)) +
-      M_2_2_p59_lanes;
+  const Lanes<2> M_2_2_p61_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
+      (0.269 * M_2_2_p55_lanes - M_10_11_lanes);
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p63_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p61_lanes;
-  const Lanes<2> M_2_2_p65_lanes = M_2_2_p49_lanes - M_2_2_p63_lanes;
+  const Lanes<2> M_2_2_p65_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p47_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p61_lanes;
   const Lanes<2> M_2_2_p67_lanes = 0.0001499998887063 + M_2_2_p65_lanes;
 
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p69_lanes = 2.0 * M_2_2_p67_lanes;
-  const Lanes<2> M_2_2_p71_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p69_lanes;
-
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p73_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p23_lanes;
-  const Lanes<2> M_2_2_p75_lanes = 0.0010696316083993107 + M_2_2_p73_lanes;
-  const Lanes<2> M_2_2_p77_lanes = detail::make_lanes<Real>(c12, c19) * M_2_2_p35_lanes;
-  const Lanes<2> M_2_2_p79_lanes = 0.0025100003499999995 * detail::make_lanes<Real>(s12, s19);
-  const Lanes<2> M_2_2_p81_lanes = M_2_2_p79_lanes + M_2_2_p77_lanes;
+  const Lanes<2> M_2_2_p73_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p23_lanes;
+  const Lanes<2> M_2_2_p81_lanes = 0.0025100003499999995 * detail::make_pack<Real>(s12, s19) +
+      detail::make_pack<Real>(c12, c19) * M_2_2_p35_lanes;
   const Lanes<2> M_2_2_p83_lanes = 0.538 * M_2_2_p81_lanes;
-  const Lanes<2> M_2_2_p85_lanes = M_2_2_p75_lanes + M_2_2_p83_lanes;
+  const Lanes<2> M_2_2_p85_lanes = 0.0010696316083993107 + M_2_2_p73_lanes + M_2_2_p83_lanes;
 
   // link 13 (left_hand), composite inertia
   const Lanes<2> M_11_11_lanes = 0.001053967177886718 + M_2_2_p17_lanes;
@@ -391,90 +365,59 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[450] = M_11_11_lanes[1];
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p87_lanes = M_11_11_lanes + M_2_2_p83_lanes;
-  const Lanes<2> M_2_2_p89_lanes = 0.0001098 + M_2_2_p87_lanes;
+  const Lanes<2> M_2_2_p89_lanes = 0.0001098 + (M_11_11_lanes + M_2_2_p83_lanes);
+  const Lanes<2> M_2_2_p99_lanes = detail::make_pack<Real>(s12, s19) * M_10_11_p3_lanes -
+      detail::make_pack<Real>(c12, c19) * M_11_12_lanes;
+  const Lanes<2> M_2_2_p101_lanes = detail::make_pack<Real>((-6e-06), 6e-06) - M_2_2_p99_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p91_lanes = M_2_2_p85_lanes - M_2_2_p89_lanes;
-  const Lanes<2> M_2_2_p93_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p91_lanes;
+  const Lanes<2> M_2_2_p107_lanes = detail::make_pack<Real>(s11, s18) *
+      (M_2_2_p85_lanes - M_2_2_p89_lanes) + detail::make_pack<Real>(c11, c18) *
+      (2.0 * M_2_2_p101_lanes);
+  const Lanes<2> M_2_2_p109_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p107_lanes;
+  const Lanes<2> M_2_2_p113_lanes = 0.06060754126741261 + (M_2_2_p85_lanes - M_2_2_p109_lanes);
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p95_lanes = detail::make_lanes<Real>(s12, s19) * M_10_11_p3_lanes;
-  const Lanes<2> M_2_2_p97_lanes = detail::make_lanes<Real>(c12, c19) * M_11_12_lanes;
-  const Lanes<2> M_2_2_p99_lanes = M_2_2_p95_lanes - M_2_2_p97_lanes;
-  const Lanes<2> M_2_2_p101_lanes = detail::make_lanes<Real>((-6e-06), 6e-06) - M_2_2_p99_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p103_lanes = 2.0 * M_2_2_p101_lanes;
-  const Lanes<2> M_2_2_p105_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p103_lanes;
-  const Lanes<2> M_2_2_p107_lanes = M_2_2_p93_lanes + M_2_2_p105_lanes;
-  const Lanes<2> M_2_2_p109_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p107_lanes;
-  const Lanes<2> M_2_2_p111_lanes = M_2_2_p85_lanes - M_2_2_p109_lanes;
-  const Lanes<2> M_2_2_p113_lanes = 0.06060754126741261 + M_2_2_p111_lanes;
-
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p115_lanes = 0.0002867197550272787 - M_2_2_p17_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p117_lanes = M_2_2_p115_lanes - M_2_2_p73_lanes;
+  const Lanes<2> M_2_2_p117_lanes = 0.0002867197550272787 - M_2_2_p17_lanes - M_2_2_p73_lanes;
 
   // link 11 (left_wrist1), composite inertia
   const Lanes<2> M_2_2_p119_lanes = 0.00051019984685315 + M_2_2_p117_lanes;
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p121_lanes = M_2_2_p113_lanes - M_2_2_p119_lanes;
-  const Lanes<2> M_2_2_p123_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p121_lanes;
-  const Lanes<2> M_2_2_p125_lanes = M_2_2_p71_lanes - M_2_2_p123_lanes;
-  const Lanes<2> M_2_2_p127_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p125_lanes;
-  const Lanes<2> M_2_2_p129_lanes = M_2_2_p113_lanes + M_2_2_p127_lanes;
+  const Lanes<2> M_2_2_p125_lanes = detail::make_pack<Real>(c10, c17) * (2.0 * M_2_2_p67_lanes) -
+      detail::make_pack<Real>(s10, s17) * (M_2_2_p113_lanes - M_2_2_p119_lanes);
+  const Lanes<2> M_2_2_p127_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p125_lanes;
 
   // link 12 (left_wrist2), composite inertia
   const Lanes<2> M_2_2_p131_lanes = 6e-04 - M_2_2_p41_lanes;
+  const Lanes<2> M_2_2_p135_lanes = detail::make_pack<Real>(0.001, (-0.001)) + M_2_2_p55_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p133_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p131_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p135_lanes = detail::make_lanes<Real>(0.001, (-0.001)) + M_2_2_p55_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p137_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p135_lanes;
-  const Lanes<2> M_2_2_p139_lanes = M_2_2_p133_lanes - M_2_2_p137_lanes;
+  const Lanes<2> M_2_2_p139_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p131_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p135_lanes;
   const Lanes<2> M_2_2_p141_lanes = 0.0014999985000000002 + M_2_2_p139_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p143_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p141_lanes;
-
-  // link 11 (left_wrist1), composite inertia
   const Lanes<2> M_2_2_p145_lanes = 0.28049749700000004 + M_2_2_p81_lanes;
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p147_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p145_lanes;
-  const Lanes<2> M_2_2_p149_lanes = M_2_2_p143_lanes + M_2_2_p147_lanes;
+  const Lanes<2> M_2_2_p149_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p141_lanes +
+      detail::make_pack<Real>(c10, c17) * M_2_2_p145_lanes;
   const Lanes<2> M_2_2_p151_lanes = 0.564 * M_2_2_p149_lanes;
-  const Lanes<2> M_2_2_p153_lanes = M_2_2_p129_lanes + M_2_2_p151_lanes;
-  const Lanes<2> M_2_2_p155_lanes = 0.0019585440854647937 + M_2_2_p153_lanes;
+  const Lanes<2> M_2_2_p155_lanes = 0.0019585440854647937 +
+      (M_2_2_p113_lanes + M_2_2_p127_lanes + M_2_2_p151_lanes);
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_9_9_p1_lanes = M_2_2_p89_lanes + M_2_2_p109_lanes;
-  const Lanes<2> M_9_9_lanes = 0.060888541114265754 + M_9_9_p1_lanes;
+  const Lanes<2> M_9_9_lanes = 0.060888541114265754 + (M_2_2_p89_lanes + M_2_2_p109_lanes);
   M[225] = M_9_9_lanes[0];
 
   // link 18 (right_wrist1), composite inertia
   M[400] = M_9_9_lanes[1];
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p157_lanes = M_9_9_lanes + M_2_2_p151_lanes;
-  const Lanes<2> M_2_2_p159_lanes = 0.0008177492704690715 + M_2_2_p157_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p161_lanes = M_2_2_p155_lanes - M_2_2_p159_lanes;
-  const Lanes<2> M_2_2_p163_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p161_lanes;
+  const Lanes<2> M_2_2_p159_lanes = 0.0008177492704690715 + (M_9_9_lanes + M_2_2_p151_lanes);
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_9_10_p1_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p47_lanes;
-  const Lanes<2> M_9_10_p2_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p61_lanes;
-  const Lanes<2> M_9_10_lanes = M_9_10_p1_lanes + M_9_10_p2_lanes;
+  const Lanes<2> M_9_10_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p47_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_2_p61_lanes;
   M[226] = M_9_10_lanes[0];
   M[249] = M_9_10_lanes[0];
 
@@ -483,31 +426,24 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[424] = M_9_10_lanes[1];
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p165_lanes = detail::make_lanes<Real>((-0.0001499998887063),
+  const Lanes<2> M_2_2_p165_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) - M_9_10_lanes;
+  const Lanes<2> M_2_2_p173_lanes = detail::make_pack<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * M_2_2_p107_lanes -
+      M_2_2_p101_lanes);
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p167_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p165_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p169_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p107_lanes;
-  const Lanes<2> M_2_2_p171_lanes = M_2_2_p169_lanes - M_2_2_p101_lanes;
-  const Lanes<2> M_2_2_p173_lanes = detail::make_lanes<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + M_2_2_p171_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p175_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p173_lanes;
-  const Lanes<2> M_2_2_p177_lanes = M_2_2_p167_lanes - M_2_2_p175_lanes;
-  const Lanes<2> M_2_2_p179_lanes = detail::make_lanes<Real>(4.4999986458742003e-05,
+  const Lanes<2> M_2_2_p177_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p165_lanes -
+      detail::make_pack<Real>(c10, c17) * M_2_2_p173_lanes;
+  const Lanes<2> M_2_2_p179_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
       (-4.4999986458742003e-05)) - M_2_2_p177_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p181_lanes = 2.0 * M_2_2_p179_lanes;
-  const Lanes<2> M_2_2_p183_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p181_lanes;
-  const Lanes<2> M_2_2_p185_lanes = M_2_2_p163_lanes - M_2_2_p183_lanes;
-  const Lanes<2> M_2_2_p187_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p185_lanes;
-  const Lanes<2> M_2_2_p189_lanes = M_2_2_p155_lanes - M_2_2_p187_lanes;
-  const Lanes<2> M_2_2_p191_lanes = 0.18113119219699997 + M_2_2_p189_lanes;
+  const Lanes<2> M_2_2_p185_lanes = detail::make_pack<Real>(c9, c16) *
+      (M_2_2_p155_lanes - M_2_2_p159_lanes) - detail::make_pack<Real>(s9, s16) *
+      (2.0 * M_2_2_p179_lanes);
+  const Lanes<2> M_2_2_p187_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p185_lanes;
+  const Lanes<2> M_2_2_p191_lanes = 0.18113119219699997 + (M_2_2_p155_lanes - M_2_2_p187_lanes);
 
   // link 10 (left_lowerarm), composite inertia
   const Lanes<2> M_2_2_p193_lanes = M_2_2_p119_lanes - M_2_2_p127_lanes;
@@ -515,27 +451,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   // link 9 (left_upperarm), composite inertia
   const Lanes<2> M_2_2_p195_lanes = 0.0028970433559338655 + M_2_2_p193_lanes;
 
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p197_lanes = M_2_2_p195_lanes - M_2_2_p191_lanes;
-  const Lanes<2> M_2_2_p199_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p197_lanes;
-
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p201_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p125_lanes;
-  const Lanes<2> M_2_2_p203_lanes = M_2_2_p67_lanes - M_2_2_p201_lanes;
-  const Lanes<2> M_2_2_p205_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p141_lanes;
-  const Lanes<2> M_2_2_p207_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p145_lanes;
-  const Lanes<2> M_2_2_p209_lanes = M_2_2_p207_lanes - M_2_2_p205_lanes;
-  const Lanes<2> M_2_2_p211_lanes = 0.282 * M_2_2_p209_lanes;
-  const Lanes<2> M_2_2_p213_lanes = M_2_2_p203_lanes + M_2_2_p211_lanes;
-  const Lanes<2> M_2_2_p215_lanes = 0.0005895000784280001 + M_2_2_p213_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p217_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p215_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_8_9_p1_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p173_lanes;
-  const Lanes<2> M_8_9_p2_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p165_lanes;
-  const Lanes<2> M_8_9_lanes = M_8_9_p1_lanes + M_8_9_p2_lanes;
+  const Lanes<2> M_2_2_p209_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p145_lanes -
+      detail::make_pack<Real>(c10, c17) * M_2_2_p141_lanes;
+  const Lanes<2> M_2_2_p215_lanes = 0.0005895000784280001 +
+      (M_2_2_p67_lanes - detail::make_pack<Real>(c10, c17) * M_2_2_p125_lanes + 0.282 *
+      M_2_2_p209_lanes);
+  const Lanes<2> M_8_9_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p173_lanes +
+      detail::make_pack<Real>(c10, c17) * M_2_2_p165_lanes;
   M[201] = -M_8_9_lanes[0];
   M[224] = -M_8_9_lanes[0];
 
@@ -544,29 +467,25 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[399] = -M_8_9_lanes[1];
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p219_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p131_lanes;
-  const Lanes<2> M_2_2_p221_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p135_lanes;
-  const Lanes<2> M_2_2_p223_lanes = M_2_2_p219_lanes + M_2_2_p221_lanes;
+  const Lanes<2> M_2_2_p223_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p131_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_2_p135_lanes;
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p225_lanes = 0.282 * M_2_2_p223_lanes;
-  const Lanes<2> M_2_2_p227_lanes = M_2_2_p225_lanes - M_8_9_lanes;
-  const Lanes<2> M_2_2_p229_lanes = detail::make_lanes<Real>(0.0012089992423205001,
-      (-0.0012089992423205001)) + M_2_2_p227_lanes;
+  const Lanes<2> M_2_2_p229_lanes = detail::make_pack<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + (0.282 * M_2_2_p223_lanes - M_8_9_lanes);
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p231_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p229_lanes;
-  const Lanes<2> M_2_2_p233_lanes = M_2_2_p217_lanes - M_2_2_p231_lanes;
-  const Lanes<2> M_2_2_p235_lanes = detail::make_lanes<Real>((-5.2499999999999995e-05),
+  const Lanes<2> M_2_2_p233_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p215_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_2_p229_lanes;
+  const Lanes<2> M_2_2_p235_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
       5.2499999999999995e-05) + M_2_2_p233_lanes;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p237_lanes = 2.0 * M_2_2_p235_lanes;
-  const Lanes<2> M_2_2_p239_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p237_lanes;
-  const Lanes<2> M_2_2_p241_lanes = M_2_2_p199_lanes + M_2_2_p239_lanes;
-  const Lanes<2> M_2_2_p243_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p241_lanes;
-  const Lanes<2> M_2_2_p245_lanes = M_2_2_p195_lanes - M_2_2_p243_lanes;
-  const Lanes<2> M_2_2_p247_lanes = 0.0002975 + M_2_2_p245_lanes;
+  const Lanes<2> M_2_2_p241_lanes = detail::make_pack<Real>(s8, s15) *
+      (M_2_2_p195_lanes - M_2_2_p191_lanes) + detail::make_pack<Real>(c8, c15) *
+      (2.0 * M_2_2_p235_lanes);
+  const Lanes<2> M_2_2_p243_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p241_lanes;
+  const Lanes<2> M_2_2_p247_lanes = 0.0002975 + (M_2_2_p195_lanes - M_2_2_p243_lanes);
 
   // link 9 (left_upperarm), composite inertia
   const Lanes<2> M_2_2_p249_lanes = M_2_2_p159_lanes + M_2_2_p187_lanes;
@@ -574,14 +493,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   // link 8 (left_shoulder2), composite inertia
   const Lanes<2> M_2_2_p251_lanes = 0.18140244219699997 + M_2_2_p249_lanes;
 
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p253_lanes = M_2_2_p251_lanes - M_2_2_p247_lanes;
-  const Lanes<2> M_2_2_p255_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p253_lanes;
-
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_7_8_p1_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p215_lanes;
-  const Lanes<2> M_7_8_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p229_lanes;
-  const Lanes<2> M_7_8_lanes = M_7_8_p1_lanes + M_7_8_p2_lanes;
+  const Lanes<2> M_7_8_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p215_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_2_p229_lanes;
   M[176] = -M_7_8_lanes[0];
   M[199] = -M_7_8_lanes[0];
 
@@ -591,39 +505,30 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 9 (left_upperarm), composite inertia
   const Lanes<2> M_2_2_p257_lanes = M_7_8_lanes - 0.00010499999999999999;
+  const Lanes<2> M_2_2_p265_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
+      (detail::make_pack<Real>(s9, s16) * M_2_2_p185_lanes + M_2_2_p179_lanes);
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p259_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p257_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p261_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p185_lanes;
-  const Lanes<2> M_2_2_p263_lanes = M_2_2_p261_lanes + M_2_2_p179_lanes;
-  const Lanes<2> M_2_2_p265_lanes = detail::make_lanes<Real>((-1.75e-05), 1.75e-05) +
-      M_2_2_p263_lanes;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p267_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p265_lanes;
-  const Lanes<2> M_2_2_p269_lanes = M_2_2_p259_lanes - M_2_2_p267_lanes;
+  const Lanes<2> M_2_2_p269_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p257_lanes -
+      detail::make_pack<Real>(s8, s15) * M_2_2_p265_lanes;
   const Lanes<2> M_2_2_p271_lanes = M_2_2_p269_lanes - 8.75e-06;
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p273_lanes = 2.0 * M_2_2_p271_lanes;
-  const Lanes<2> M_2_2_p275_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p273_lanes;
-  const Lanes<2> M_2_2_p277_lanes = M_2_2_p255_lanes - M_2_2_p275_lanes;
-  const Lanes<2> M_2_2_p279_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p277_lanes;
+  const Lanes<2> M_2_2_p277_lanes = detail::make_pack<Real>(c7, c14) *
+      (M_2_2_p251_lanes - M_2_2_p247_lanes) - detail::make_pack<Real>(s7, s14) *
+      (2.0 * M_2_2_p271_lanes);
+  const Lanes<2> M_2_2_p279_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p277_lanes;
   const Real M_2_2_p281 = M_2_2_p279_lanes[1] + M_2_2_p279_lanes[0];
 
   // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p282_lanes = 2.375e-05 * detail::make_lanes<Real>(c23, c24);
-  const Lanes<2> M_2_2_p284_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) *
-      detail::make_lanes<Real>(s23, s24);
-  const Lanes<2> M_2_2_p286_lanes = M_2_2_p282_lanes + M_2_2_p284_lanes;
+  const Lanes<2> M_2_2_p286_lanes = 2.375e-05 * detail::make_pack<Real>(c23, c24) +
+      detail::make_pack<Real>(8e-06, (-8e-06)) * detail::make_pack<Real>(s23, s24);
   const Real M_2_2_p288 = 0.009457125 + 2.0 * (M_2_2_p286_lanes[1] + M_2_2_p286_lanes[0]);
-  const Lanes<2> M_2_2_p289_lanes = 1.2499999999999999e-06 * detail::make_lanes<Real>(s23, s24);
-  const Lanes<2> M_2_2_p291_lanes = detail::make_lanes<Real>(s23, s24) * M_2_2_p289_lanes;
+  const Lanes<2> M_2_2_p289_lanes = 1.2499999999999999e-06 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> M_2_2_p291_lanes = detail::make_pack<Real>(s23, s24) * M_2_2_p289_lanes;
   const Real M_2_2_p293 = M_2_2_p291_lanes[1] + M_2_2_p291_lanes[0];
   const Real M_2_2_p294 = 0.05451070000000001 + M_2_2_p293 + (-1.6e-05) * s24 + 1.6e-05 * s23;
-  const Lanes<2> M_2_2_p295_lanes = 2.8750000000000004e-05 * detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> M_2_2_p295_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(c23, c24);
   const Real M_2_2_p297 = 0.0074 + M_2_2_p295_lanes[1] + M_2_2_p295_lanes[0];
 
   // link 22 (head), composite inertia
@@ -633,44 +538,33 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 10 (left_lowerarm), composite inertia
   const Lanes<2> M_2_2_p301_lanes = 0.0022500062 + M_2_2_p209_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p303_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p301_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p305_lanes = detail::make_lanes<Real>(0.004500002325, (-0.004500002325)) +
+  const Lanes<2> M_2_2_p305_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
       M_2_2_p223_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p307_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p305_lanes;
-  const Lanes<2> M_2_2_p309_lanes = M_2_2_p303_lanes - M_2_2_p307_lanes;
-  const Lanes<2> M_2_2_p311_lanes = detail::make_lanes<Real>(0.0017499999999999998,
+  const Lanes<2> M_2_2_p309_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p301_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_2_p305_lanes;
+  const Lanes<2> M_2_2_p311_lanes = detail::make_pack<Real>(0.0017499999999999998,
       (-0.0017499999999999998)) - M_2_2_p309_lanes;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p313_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p311_lanes;
-
-  // link 9 (left_upperarm), composite inertia
   const Lanes<2> M_2_2_p315_lanes = 0.7139200499999999 + M_2_2_p149_lanes;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p317_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p315_lanes;
-  const Lanes<2> M_2_2_p319_lanes = M_2_2_p317_lanes + M_2_2_p313_lanes;
+  const Lanes<2> M_2_2_p319_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p315_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_2_p311_lanes;
 
   // link 7 (left_shoulder1), composite inertia
   const Real M_2_2_p321 = 0.40663174999999996 + M_2_2_p300 + M_2_2_p251_lanes[1] - M_2_2_p281 +
       (-0.36) * M_2_2_p319_lanes[1] + M_2_2_p251_lanes[0] + 0.36 * M_2_2_p319_lanes[0];
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_6_6_p1_lanes = M_2_2_p191_lanes + M_2_2_p243_lanes;
-  const Lanes<2> M_6_6_lanes = 0.000448 + M_6_6_p1_lanes;
+  const Lanes<2> M_6_6_lanes = 0.000448 + (M_2_2_p191_lanes + M_2_2_p243_lanes);
   M[150] = M_6_6_lanes[0];
 
   // link 15 (right_shoulder2), composite inertia
   M[325] = M_6_6_lanes[1];
 
   // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p322_lanes = 0.00025 * detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> M_2_2_p322_lanes = 0.00025 * detail::make_pack<Real>(c23, c24);
   const Real M_2_2_p324 = 0.072575 + M_2_2_p322_lanes[1] + M_2_2_p322_lanes[0];
 
   // link 22 (head), composite inertia
@@ -686,10 +580,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_2_2_p328 = M_21_21 + M_2_2_p326;
 
   // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p329_lanes = detail::make_lanes<Real>(8e-06, (-8e-06)) + M_2_2_p289_lanes;
-  const Lanes<2> M_2_2_p331_lanes = M_2_2_p329_lanes * detail::make_lanes<Real>(c23, c24);
+  const Lanes<2> M_2_2_p331_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + M_2_2_p289_lanes) *
+      detail::make_pack<Real>(c23, c24);
   const Real M_2_2_p333 = M_2_2_p331_lanes[0] + 2.375e-05 * (s24 + s23) + M_2_2_p331_lanes[1];
-  const Lanes<2> M_21_22_lanes = 2.8750000000000004e-05 * detail::make_lanes<Real>(s23, s24);
+  const Lanes<2> M_21_22_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(s23, s24);
   M[526] = -M_21_22_lanes[0];
   M[549] = -M_21_22_lanes[0];
 
@@ -710,33 +604,25 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_2_2_p338 = c21 * M_2_2_p337;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p339_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p301_lanes;
-  const Lanes<2> M_2_2_p341_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p305_lanes;
-  const Lanes<2> M_2_2_p343_lanes = M_2_2_p339_lanes + M_2_2_p341_lanes;
+  const Lanes<2> M_2_2_p343_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p301_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_2_p305_lanes;
 
   // link 8 (left_shoulder2), composite inertia
   const Lanes<2> M_2_2_p345_lanes = 0.0017499999999999998 - M_2_2_p343_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p347_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p345_lanes;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p349_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p311_lanes;
-  const Lanes<2> M_2_2_p351_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p315_lanes;
-  const Lanes<2> M_2_2_p353_lanes = M_2_2_p351_lanes - M_2_2_p349_lanes;
+  const Lanes<2> M_2_2_p353_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p315_lanes -
+      detail::make_pack<Real>(s8, s15) * M_2_2_p311_lanes;
   const Lanes<2> M_2_2_p355_lanes = M_2_2_p353_lanes - 0.0017499999999999998;
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p357_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p355_lanes;
-  const Lanes<2> M_2_2_p359_lanes = M_2_2_p347_lanes + M_2_2_p357_lanes;
+  const Lanes<2> M_2_2_p359_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p345_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_2_p355_lanes;
   const Real M_2_2_p361 = M_2_2_p359_lanes[1] + M_2_2_p359_lanes[0];
   const Real M_2_2_p362 = 1.67475326092404 + M_2_2_p327 - M_2_2_p338 + M_6_6_lanes[1] +
       M_6_6_lanes[0] - 0.452 * M_2_2_p361;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_6_7_p1_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p257_lanes;
-  const Lanes<2> M_6_7_p2_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p265_lanes;
-  const Lanes<2> M_6_7_lanes = M_6_7_p1_lanes + M_6_7_p2_lanes;
+  const Lanes<2> M_6_7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p257_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_2_p265_lanes;
   M[151] = M_6_7_lanes[0];
   M[174] = M_6_7_lanes[0];
 
@@ -745,23 +631,16 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[349] = M_6_7_lanes[1];
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p363_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
+  const Lanes<2> M_2_2_p363_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) + M_6_7_lanes;
+  const Lanes<2> M_2_2_p371_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * M_2_2_p241_lanes -
+      M_2_2_p235_lanes);
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p365_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p363_lanes;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p367_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p241_lanes;
-  const Lanes<2> M_2_2_p369_lanes = M_2_2_p367_lanes - M_2_2_p235_lanes;
-  const Lanes<2> M_2_2_p371_lanes = detail::make_lanes<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + M_2_2_p369_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p373_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p371_lanes;
-  const Lanes<2> M_2_2_p375_lanes = M_2_2_p365_lanes + M_2_2_p373_lanes;
-  const Lanes<2> M_2_2_p377_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_2_p359_lanes;
-  const Lanes<2> M_2_2_p379_lanes = M_2_2_p375_lanes - M_2_2_p377_lanes;
+  const Lanes<2> M_2_2_p379_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p363_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_2_p371_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_2_p359_lanes;
 
   // link 22 (head), composite inertia
   const Real M_2_2_p381 = c22 * M_2_2_p324 + 0.43200000000000005 * s22;
@@ -771,7 +650,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[524] = M_20_21;
 
   // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p383_lanes = 0.00025 * detail::make_lanes<Real>(s23, s24);
+  const Lanes<2> M_2_2_p383_lanes = 0.00025 * detail::make_pack<Real>(s23, s24);
   const Real M_2_2_p385 = M_2_2_p383_lanes[1] + M_2_2_p383_lanes[0];
 
   // link 22 (head), composite inertia
@@ -792,8 +671,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 7 (left_shoulder1), composite inertia
   const Lanes<2> M_5_5_p1_lanes = 0.226 * M_2_2_p359_lanes;
-  const Lanes<2> M_5_5_p3_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_2_p319_lanes;
-  const Lanes<2> M_5_5_p5_lanes = M_5_5_p3_lanes - M_5_5_p1_lanes;
+  const Lanes<2> M_5_5_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_2_p319_lanes -
+      M_5_5_p1_lanes;
   const Real M_5_5 = 2.07035776092404 + M_2_2_p328 + M_2_2_p338 + M_2_2_p247_lanes[1] + M_2_2_p281 +
       M_2_2_p247_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
   M[125] = M_5_5;
@@ -814,7 +693,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_2_2_p399 = 0.15637308509675518 + (M_5_5 - M_2_2_p398);
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p400_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p277_lanes;
+  const Lanes<2> M_2_2_p400_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p277_lanes;
 
   // link 21 (neck), composite inertia
   const Real M_5_20 = c21 * M_2_2_p382 + s21 * M_2_2_p386;
@@ -822,17 +701,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[485] = -M_5_20;
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p402_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p345_lanes;
-  const Lanes<2> M_2_2_p404_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p355_lanes;
-  const Lanes<2> M_2_2_p406_lanes = M_2_2_p402_lanes - M_2_2_p404_lanes;
+  const Lanes<2> M_2_2_p406_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p345_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_2_p355_lanes;
   const Real M_2_2_p408 = M_2_2_p406_lanes[1] + M_2_2_p406_lanes[0];
   const Real M_2_2_p409 = 0.0187369177636143 + M_5_20 + M_2_2_p400_lanes[1] + M_2_2_p271_lanes[1] +
       M_2_2_p400_lanes[0] + M_2_2_p271_lanes[0] + 0.226 * M_2_2_p408;
-  const Lanes<2> M_5_6_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p363_lanes;
-  const Lanes<2> M_5_6_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p371_lanes;
-  const Lanes<2> M_5_6_p3_lanes = M_5_6_p1_lanes - M_5_6_p2_lanes;
-  const Lanes<2> M_5_6_p4_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_2_p406_lanes;
-  const Lanes<2> M_5_6_lanes = M_5_6_p3_lanes - M_5_6_p4_lanes;
+  const Lanes<2> M_5_6_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p363_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_2_p371_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_2_p406_lanes;
   M[126] = M_5_6_lanes[0];
   M[149] = M_5_6_lanes[0];
 
@@ -973,24 +849,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[120] = M_0_5;
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p1_lanes = c6 * M_2_2_p379_lanes;
   const Lanes<2> M_2_6_p2_lanes = M_6_6_lanes - M_5_5_p1_lanes;
-  const Lanes<2> M_2_6_p3_lanes = s6 * M_2_6_p2_lanes;
-  const Lanes<2> M_2_6_p4_lanes = M_2_6_p1_lanes - M_2_6_p3_lanes;
-  const Lanes<2> M_2_6_p5_lanes = s5 * M_2_6_p4_lanes;
+  const Lanes<2> M_2_6_p4_lanes = c6 * M_2_2_p379_lanes - s6 * M_2_6_p2_lanes;
   const Lanes<2> M_2_6_p6_lanes = s6 * M_2_2_p406_lanes;
-  const Lanes<2> M_2_6_p7_lanes = 0.072 * M_2_6_p6_lanes;
-  const Lanes<2> M_2_6_p8_lanes = M_5_6_lanes - M_2_6_p7_lanes;
-  const Lanes<2> M_2_6_p9_lanes = c5 * M_2_6_p8_lanes;
-  const Lanes<2> M_2_6_p10_lanes = M_2_6_p5_lanes - M_2_6_p9_lanes;
-  const Lanes<2> M_2_6_p11_lanes = 0.21799999999999997 * M_2_6_p6_lanes;
-  const Lanes<2> M_2_6_p12_lanes = M_2_6_p11_lanes + M_2_6_p10_lanes;
-  const Lanes<2> M_2_6_p13_lanes = s4 * M_2_6_p12_lanes;
-  const Lanes<2> M_4_6_p1_lanes = s6 * M_2_2_p379_lanes;
-  const Lanes<2> M_4_6_p2_lanes = c6 * M_2_6_p2_lanes;
-  const Lanes<2> M_4_6_p3_lanes = M_4_6_p1_lanes + M_4_6_p2_lanes;
-  const Lanes<2> M_4_6_p4_lanes = 0.072 * M_2_2_p359_lanes;
-  const Lanes<2> M_4_6_lanes = M_4_6_p3_lanes - M_4_6_p4_lanes;
+  const Lanes<2> M_2_6_p8_lanes = M_5_6_lanes - 0.072 * M_2_6_p6_lanes;
+  const Lanes<2> M_2_6_p13_lanes = s4 * (0.21799999999999997 * M_2_6_p6_lanes +
+      (s5 * M_2_6_p4_lanes - c5 * M_2_6_p8_lanes));
+  const Lanes<2> M_4_6_lanes = s6 * M_2_2_p379_lanes + c6 * M_2_6_p2_lanes - 0.072 *
+      M_2_2_p359_lanes;
   M[102] = M_4_6_lanes[0];
   M[148] = M_4_6_lanes[0];
 
@@ -999,14 +865,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[316] = M_4_6_lanes[1];
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p14_lanes = c5 * M_2_2_p359_lanes;
   const Lanes<2> M_2_6_p15_lanes = c6 * M_2_2_p406_lanes;
-  const Lanes<2> M_2_6_p16_lanes = s5 * M_2_6_p15_lanes;
-  const Lanes<2> M_2_6_p17_lanes = M_2_6_p14_lanes + M_2_6_p16_lanes;
-  const Lanes<2> M_2_6_p18_lanes = 0.21799999999999997 * M_2_6_p17_lanes;
-  const Lanes<2> M_2_6_p19_lanes = M_4_6_lanes - M_2_6_p18_lanes;
-  const Lanes<2> M_2_6_p20_lanes = c4 * M_2_6_p19_lanes;
-  const Lanes<2> M_2_6_lanes = M_2_6_p20_lanes - M_2_6_p13_lanes;
+  const Lanes<2> M_2_6_p17_lanes = c5 * M_2_2_p359_lanes + s5 * M_2_6_p15_lanes;
+  const Lanes<2> M_2_6_lanes = c4 * (M_4_6_lanes - 0.21799999999999997 * M_2_6_p17_lanes) -
+      M_2_6_p13_lanes;
   M[54] = M_2_6_lanes[0];
   M[146] = M_2_6_lanes[0];
 
@@ -1015,17 +877,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[314] = M_2_6_lanes[1];
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_p1_lanes = s5 * M_2_2_p359_lanes;
-  const Lanes<2> M_1_6_p2_lanes = c5 * M_2_6_p15_lanes;
-  const Lanes<2> M_1_6_p3_lanes = M_1_6_p1_lanes - M_1_6_p2_lanes;
-  const Lanes<2> M_1_6_p4_lanes = s3 * M_1_6_p3_lanes;
-  const Lanes<2> M_1_6_p5_lanes = c4 * M_2_6_p17_lanes;
-  const Lanes<2> M_1_6_p6_lanes = s4 * M_2_6_p6_lanes;
-  const Lanes<2> M_1_6_p7_lanes = M_1_6_p6_lanes + M_1_6_p5_lanes;
-  const Lanes<2> M_1_6_p8_lanes = c3 * M_1_6_p7_lanes;
-  const Lanes<2> M_1_6_p9_lanes = M_1_6_p4_lanes - M_1_6_p8_lanes;
-  const Lanes<2> M_1_6_p10_lanes = 0.422 * M_1_6_p9_lanes;
-  const Lanes<2> M_1_6_lanes = M_2_6_lanes + M_1_6_p10_lanes;
+  const Lanes<2> M_1_6_p3_lanes = s5 * M_2_2_p359_lanes - c5 * M_2_6_p15_lanes;
+  const Lanes<2> M_1_6_p7_lanes = s4 * M_2_6_p6_lanes + c4 * M_2_6_p17_lanes;
+  const Lanes<2> M_1_6_p9_lanes = s3 * M_1_6_p3_lanes - c3 * M_1_6_p7_lanes;
+  const Lanes<2> M_1_6_lanes = M_2_6_lanes + 0.422 * M_1_6_p9_lanes;
   M[30] = M_1_6_lanes[0];
   M[145] = M_1_6_lanes[0];
 
@@ -1034,23 +889,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[313] = M_1_6_lanes[1];
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_p1_lanes = c2 * M_1_6_p9_lanes;
-  const Lanes<2> M_0_6_p2_lanes = s3 * M_1_6_p7_lanes;
-  const Lanes<2> M_0_6_p3_lanes = c3 * M_1_6_p3_lanes;
-  const Lanes<2> M_0_6_p4_lanes = M_0_6_p2_lanes + M_0_6_p3_lanes;
-  const Lanes<2> M_0_6_p5_lanes = s2 * M_0_6_p4_lanes;
-  const Lanes<2> M_0_6_p6_lanes = M_0_6_p1_lanes + M_0_6_p5_lanes;
-  const Lanes<2> M_0_6_p7_lanes = 0.434 * M_0_6_p6_lanes;
-  const Lanes<2> M_0_6_lanes = M_1_6_lanes + M_0_6_p7_lanes;
+  const Lanes<2> M_0_6_p6_lanes = c2 * M_1_6_p9_lanes + s2 *
+      (s3 * M_1_6_p7_lanes + c3 * M_1_6_p3_lanes);
+  const Lanes<2> M_0_6_lanes = M_1_6_lanes + 0.434 * M_0_6_p6_lanes;
   M[6] = M_0_6_lanes[0];
   M[144] = M_0_6_lanes[0];
 
   // link 14 (right_shoulder1), mass matrix
   M[13] = M_0_6_lanes[1];
   M[312] = M_0_6_lanes[1];
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_4_7_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p269_lanes;
 
   // link 9 (left_upperarm), composite inertia
   const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p249_lanes;
@@ -1060,18 +907,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[350] = M_7_7_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_4_7_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_7_7_lanes;
-  const Lanes<2> M_4_7_p3_lanes = M_4_7_p2_lanes + M_4_7_p1_lanes;
-  const Lanes<2> M_4_7_p4_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p319_lanes;
-  const Lanes<2> M_4_7_p5_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_4_7_p4_lanes;
-  const Lanes<2> M_4_7_p6_lanes = M_4_7_p3_lanes + M_4_7_p5_lanes;
-  const Lanes<2> M_4_7_p7_lanes = s6 * M_4_7_p6_lanes;
-  const Lanes<2> M_4_7_p8_lanes = 0.226 * M_4_7_p4_lanes;
-  const Lanes<2> M_4_7_p9_lanes = M_6_7_lanes + M_4_7_p8_lanes;
-  const Lanes<2> M_4_7_p10_lanes = c6 * M_4_7_p9_lanes;
-  const Lanes<2> M_4_7_p11_lanes = M_4_7_p7_lanes + M_4_7_p10_lanes;
-  const Lanes<2> M_4_7_p12_lanes = 0.072 * M_4_7_p4_lanes;
-  const Lanes<2> M_4_7_lanes = M_4_7_p11_lanes + M_4_7_p12_lanes;
+  const Lanes<2> M_4_7_p4_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p319_lanes;
+  const Lanes<2> M_4_7_p6_lanes = detail::make_pack<Real>(s7, s14) * M_7_7_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_2_p269_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_4_7_p4_lanes;
+  const Lanes<2> M_4_7_p9_lanes = M_6_7_lanes + 0.226 * M_4_7_p4_lanes;
+  const Lanes<2> M_4_7_lanes = s6 * M_4_7_p6_lanes + c6 * M_4_7_p9_lanes + 0.072 * M_4_7_p4_lanes;
   M[103] = M_4_7_lanes[0];
   M[172] = M_4_7_lanes[0];
 
@@ -1080,27 +921,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[340] = M_4_7_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p319_lanes;
-  const Lanes<2> M_2_7_p2_lanes = c6 * M_2_7_p1_lanes;
-  const Lanes<2> M_2_7_p3_lanes = s6 * M_2_2_p353_lanes;
-  const Lanes<2> M_2_7_p4_lanes = M_2_7_p2_lanes + M_2_7_p3_lanes;
-  const Lanes<2> M_2_7_p5_lanes = s5 * M_2_7_p4_lanes;
-  const Lanes<2> M_2_7_p6_lanes = c5 * M_4_7_p4_lanes;
-  const Lanes<2> M_2_7_p7_lanes = M_2_7_p6_lanes + M_2_7_p5_lanes;
-  const Lanes<2> M_2_7_p8_lanes = 0.21799999999999997 * M_2_7_p7_lanes;
-  const Lanes<2> M_2_7_p9_lanes = M_4_7_lanes + M_2_7_p8_lanes;
-  const Lanes<2> M_2_7_p10_lanes = c4 * M_2_7_p9_lanes;
-  const Lanes<2> M_2_7_p11_lanes = c6 * M_4_7_p6_lanes;
-  const Lanes<2> M_2_7_p12_lanes = s6 * M_4_7_p9_lanes;
-  const Lanes<2> M_2_7_p13_lanes = M_2_7_p11_lanes - M_2_7_p12_lanes;
-  const Lanes<2> M_2_7_p14_lanes = s5 * M_2_7_p13_lanes;
-  const Lanes<2> M_5_7_p1_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p269_lanes;
-  const Lanes<2> M_5_7_p2_lanes = detail::make_lanes<Real>(c7, c14) * M_7_7_lanes;
-  const Lanes<2> M_5_7_p3_lanes = M_5_7_p2_lanes - M_5_7_p1_lanes;
-  const Lanes<2> M_5_7_p4_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_7_p1_lanes;
-  const Lanes<2> M_5_7_p5_lanes = 0.226 * M_2_2_p353_lanes;
-  const Lanes<2> M_5_7_p6_lanes = M_5_7_p4_lanes - M_5_7_p5_lanes;
-  const Lanes<2> M_5_7_lanes = M_5_7_p3_lanes + M_5_7_p6_lanes;
+  const Lanes<2> M_2_7_p1_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p319_lanes;
+  const Lanes<2> M_2_7_p4_lanes = c6 * M_2_7_p1_lanes + s6 * M_2_2_p353_lanes;
+  const Lanes<2> M_2_7_p7_lanes = c5 * M_4_7_p4_lanes + s5 * M_2_7_p4_lanes;
+  const Lanes<2> M_2_7_p13_lanes = c6 * M_4_7_p6_lanes - s6 * M_4_7_p9_lanes;
+  const Lanes<2> M_5_7_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_7_p1_lanes - 0.226 *
+      M_2_2_p353_lanes;
+  const Lanes<2> M_5_7_lanes = detail::make_pack<Real>(c7, c14) * M_7_7_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_2_p269_lanes + M_5_7_p6_lanes;
   M[127] = M_5_7_lanes[0];
   M[173] = M_5_7_lanes[0];
 
@@ -1109,17 +937,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[341] = M_5_7_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p15_lanes = c6 * M_2_2_p353_lanes;
-  const Lanes<2> M_2_7_p16_lanes = s6 * M_2_7_p1_lanes;
-  const Lanes<2> M_2_7_p17_lanes = M_2_7_p15_lanes - M_2_7_p16_lanes;
-  const Lanes<2> M_2_7_p18_lanes = 0.072 * M_2_7_p17_lanes;
-  const Lanes<2> M_2_7_p19_lanes = M_5_7_lanes - M_2_7_p18_lanes;
-  const Lanes<2> M_2_7_p20_lanes = c5 * M_2_7_p19_lanes;
-  const Lanes<2> M_2_7_p21_lanes = M_2_7_p14_lanes - M_2_7_p20_lanes;
-  const Lanes<2> M_2_7_p22_lanes = 0.21799999999999997 * M_2_7_p17_lanes;
-  const Lanes<2> M_2_7_p23_lanes = M_2_7_p21_lanes + M_2_7_p22_lanes;
-  const Lanes<2> M_2_7_p24_lanes = s4 * M_2_7_p23_lanes;
-  const Lanes<2> M_2_7_lanes = M_2_7_p10_lanes - M_2_7_p24_lanes;
+  const Lanes<2> M_2_7_p17_lanes = c6 * M_2_2_p353_lanes - s6 * M_2_7_p1_lanes;
+  const Lanes<2> M_2_7_p19_lanes = M_5_7_lanes - 0.072 * M_2_7_p17_lanes;
+  const Lanes<2> M_2_7_p24_lanes = s4 * (s5 * M_2_7_p13_lanes - c5 * M_2_7_p19_lanes +
+      0.21799999999999997 * M_2_7_p17_lanes);
+  const Lanes<2> M_2_7_lanes = c4 * (M_4_7_lanes + 0.21799999999999997 * M_2_7_p7_lanes) -
+      M_2_7_p24_lanes;
   M[55] = M_2_7_lanes[0];
   M[170] = M_2_7_lanes[0];
 
@@ -1128,17 +951,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[338] = M_2_7_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_p1_lanes = c4 * M_2_7_p7_lanes;
-  const Lanes<2> M_1_7_p2_lanes = s4 * M_2_7_p17_lanes;
-  const Lanes<2> M_1_7_p3_lanes = M_1_7_p1_lanes - M_1_7_p2_lanes;
-  const Lanes<2> M_1_7_p4_lanes = c3 * M_1_7_p3_lanes;
-  const Lanes<2> M_1_7_p5_lanes = c5 * M_2_7_p4_lanes;
-  const Lanes<2> M_1_7_p6_lanes = s5 * M_4_7_p4_lanes;
-  const Lanes<2> M_1_7_p7_lanes = M_1_7_p5_lanes - M_1_7_p6_lanes;
-  const Lanes<2> M_1_7_p8_lanes = s3 * M_1_7_p7_lanes;
-  const Lanes<2> M_1_7_p9_lanes = M_1_7_p4_lanes + M_1_7_p8_lanes;
-  const Lanes<2> M_1_7_p10_lanes = 0.422 * M_1_7_p9_lanes;
-  const Lanes<2> M_1_7_lanes = M_2_7_lanes + M_1_7_p10_lanes;
+  const Lanes<2> M_1_7_p3_lanes = c4 * M_2_7_p7_lanes - s4 * M_2_7_p17_lanes;
+  const Lanes<2> M_1_7_p7_lanes = c5 * M_2_7_p4_lanes - s5 * M_4_7_p4_lanes;
+  const Lanes<2> M_1_7_p9_lanes = c3 * M_1_7_p3_lanes + s3 * M_1_7_p7_lanes;
+  const Lanes<2> M_1_7_lanes = M_2_7_lanes + 0.422 * M_1_7_p9_lanes;
   M[31] = M_1_7_lanes[0];
   M[169] = M_1_7_lanes[0];
 
@@ -1147,24 +963,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[337] = M_1_7_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_p1_lanes = c2 * M_1_7_p9_lanes;
-  const Lanes<2> M_0_7_p2_lanes = s3 * M_1_7_p3_lanes;
-  const Lanes<2> M_0_7_p3_lanes = c3 * M_1_7_p7_lanes;
-  const Lanes<2> M_0_7_p4_lanes = M_0_7_p2_lanes - M_0_7_p3_lanes;
-  const Lanes<2> M_0_7_p5_lanes = s2 * M_0_7_p4_lanes;
-  const Lanes<2> M_0_7_p6_lanes = M_0_7_p1_lanes - M_0_7_p5_lanes;
-  const Lanes<2> M_0_7_p7_lanes = 0.434 * M_0_7_p6_lanes;
-  const Lanes<2> M_0_7_lanes = M_1_7_lanes + M_0_7_p7_lanes;
+  const Lanes<2> M_0_7_p6_lanes = c2 * M_1_7_p9_lanes - s2 *
+      (s3 * M_1_7_p3_lanes - c3 * M_1_7_p7_lanes);
+  const Lanes<2> M_0_7_lanes = M_1_7_lanes + 0.434 * M_0_7_p6_lanes;
   M[7] = M_0_7_lanes[0];
   M[168] = M_0_7_lanes[0];
 
   // link 15 (right_shoulder2), mass matrix
   M[14] = M_0_7_lanes[1];
   M[336] = M_0_7_lanes[1];
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p1_lanes = detail::make_lanes<Real>(s7, s14) * M_7_8_lanes;
-  const Lanes<2> M_2_8_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p233_lanes;
 
   // link 10 (left_lowerarm), composite inertia
   const Lanes<2> M_8_8_lanes = 0.0027762933559338653 + M_2_2_p193_lanes;
@@ -1174,20 +981,16 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[375] = M_8_8_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p3_lanes = detail::make_lanes<Real>(c8, c15) * M_8_8_lanes;
-  const Lanes<2> M_2_8_p4_lanes = M_2_8_p2_lanes - M_2_8_p3_lanes;
-  const Lanes<2> M_2_8_p5_lanes = detail::make_lanes<Real>(c7, c14) * M_2_8_p4_lanes;
-  const Lanes<2> M_2_8_p6_lanes = M_2_8_p1_lanes - M_2_8_p5_lanes;
-  const Lanes<2> M_2_8_p7_lanes = detail::make_lanes<Real>(c7, c14) * M_2_2_p309_lanes;
-  const Lanes<2> M_2_8_p8_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p343_lanes;
-  const Lanes<2> M_2_8_p9_lanes = detail::make_lanes<Real>(s7, s14) * M_2_8_p8_lanes;
-  const Lanes<2> M_2_8_p10_lanes = M_2_8_p7_lanes - M_2_8_p9_lanes;
-  const Lanes<2> M_2_8_p11_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_8_p10_lanes;
-  const Lanes<2> M_2_8_p12_lanes = M_2_8_p11_lanes - M_2_8_p6_lanes;
-  const Lanes<2> M_2_8_p13_lanes = c6 * M_2_8_p12_lanes;
-  const Lanes<2> M_6_8_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p233_lanes;
-  const Lanes<2> M_6_8_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_8_8_lanes;
-  const Lanes<2> M_6_8_lanes = M_6_8_p2_lanes + M_6_8_p1_lanes;
+  const Lanes<2> M_2_8_p4_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p233_lanes -
+      detail::make_pack<Real>(c8, c15) * M_8_8_lanes;
+  const Lanes<2> M_2_8_p8_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p343_lanes;
+  const Lanes<2> M_2_8_p10_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p309_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_8_p8_lanes;
+  const Lanes<2> M_2_8_p12_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_8_p10_lanes -
+      (detail::make_pack<Real>(s7, s14) * M_7_8_lanes - detail::make_pack<Real>(c7, c14) *
+      M_2_8_p4_lanes);
+  const Lanes<2> M_6_8_lanes = detail::make_pack<Real>(s8, s15) * M_8_8_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_2_p233_lanes;
   M[152] = -M_6_8_lanes[0];
   M[198] = -M_6_8_lanes[0];
 
@@ -1196,22 +999,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[373] = -M_6_8_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p14_lanes = 0.226 * M_2_8_p10_lanes;
-  const Lanes<2> M_2_8_p15_lanes = M_2_8_p14_lanes - M_6_8_lanes;
-  const Lanes<2> M_2_8_p16_lanes = s6 * M_2_8_p15_lanes;
-  const Lanes<2> M_2_8_p17_lanes = M_2_8_p13_lanes - M_2_8_p16_lanes;
-  const Lanes<2> M_2_8_p18_lanes = s5 * M_2_8_p17_lanes;
-  const Lanes<2> M_5_8_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_7_8_lanes;
-  const Lanes<2> M_5_8_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_2_8_p4_lanes;
-  const Lanes<2> M_5_8_p3_lanes = M_5_8_p1_lanes + M_5_8_p2_lanes;
-  const Lanes<2> M_5_8_p4_lanes = detail::make_lanes<Real>(s7, s14) * M_2_2_p309_lanes;
-  const Lanes<2> M_5_8_p5_lanes = detail::make_lanes<Real>(c7, c14) * M_2_8_p8_lanes;
-  const Lanes<2> M_5_8_p6_lanes = M_5_8_p4_lanes + M_5_8_p5_lanes;
-  const Lanes<2> M_5_8_p7_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_5_8_p6_lanes;
-  const Lanes<2> M_5_8_p8_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p343_lanes;
-  const Lanes<2> M_5_8_p9_lanes = 0.226 * M_5_8_p8_lanes;
-  const Lanes<2> M_5_8_p10_lanes = M_5_8_p9_lanes - M_5_8_p7_lanes;
-  const Lanes<2> M_5_8_lanes = M_5_8_p10_lanes - M_5_8_p3_lanes;
+  const Lanes<2> M_2_8_p15_lanes = 0.226 * M_2_8_p10_lanes - M_6_8_lanes;
+  const Lanes<2> M_2_8_p17_lanes = c6 * M_2_8_p12_lanes - s6 * M_2_8_p15_lanes;
+  const Lanes<2> M_5_8_p3_lanes = detail::make_pack<Real>(c7, c14) * M_7_8_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_8_p4_lanes;
+  const Lanes<2> M_5_8_p6_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p309_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_8_p8_lanes;
+  const Lanes<2> M_5_8_p8_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p343_lanes;
+  const Lanes<2> M_5_8_lanes = 0.226 * M_5_8_p8_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_5_8_p6_lanes - M_5_8_p3_lanes;
   M[128] = M_5_8_lanes[0];
   M[197] = M_5_8_lanes[0];
 
@@ -1220,21 +1016,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[365] = M_5_8_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p19_lanes = s6 * M_5_8_p6_lanes;
-  const Lanes<2> M_2_8_p20_lanes = c6 * M_5_8_p8_lanes;
-  const Lanes<2> M_2_8_p21_lanes = M_2_8_p19_lanes - M_2_8_p20_lanes;
-  const Lanes<2> M_2_8_p22_lanes = 0.072 * M_2_8_p21_lanes;
-  const Lanes<2> M_2_8_p23_lanes = M_5_8_lanes - M_2_8_p22_lanes;
-  const Lanes<2> M_2_8_p24_lanes = c5 * M_2_8_p23_lanes;
-  const Lanes<2> M_2_8_p25_lanes = M_2_8_p18_lanes - M_2_8_p24_lanes;
-  const Lanes<2> M_2_8_p26_lanes = 0.21799999999999997 * M_2_8_p21_lanes;
-  const Lanes<2> M_2_8_p27_lanes = M_2_8_p25_lanes + M_2_8_p26_lanes;
-  const Lanes<2> M_2_8_p28_lanes = s4 * M_2_8_p27_lanes;
-  const Lanes<2> M_4_8_p1_lanes = s6 * M_2_8_p12_lanes;
-  const Lanes<2> M_4_8_p2_lanes = c6 * M_2_8_p15_lanes;
-  const Lanes<2> M_4_8_p3_lanes = M_4_8_p1_lanes + M_4_8_p2_lanes;
-  const Lanes<2> M_4_8_p4_lanes = 0.072 * M_2_8_p10_lanes;
-  const Lanes<2> M_4_8_lanes = M_4_8_p3_lanes + M_4_8_p4_lanes;
+  const Lanes<2> M_2_8_p21_lanes = s6 * M_5_8_p6_lanes - c6 * M_5_8_p8_lanes;
+  const Lanes<2> M_2_8_p23_lanes = M_5_8_lanes - 0.072 * M_2_8_p21_lanes;
+  const Lanes<2> M_2_8_p28_lanes = s4 * (s5 * M_2_8_p17_lanes - c5 * M_2_8_p23_lanes +
+      0.21799999999999997 * M_2_8_p21_lanes);
+  const Lanes<2> M_4_8_lanes = s6 * M_2_8_p12_lanes + c6 * M_2_8_p15_lanes + 0.072 *
+      M_2_8_p10_lanes;
   M[104] = M_4_8_lanes[0];
   M[196] = M_4_8_lanes[0];
 
@@ -1243,16 +1030,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[364] = M_4_8_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p29_lanes = c6 * M_5_8_p6_lanes;
-  const Lanes<2> M_2_8_p30_lanes = s6 * M_5_8_p8_lanes;
-  const Lanes<2> M_2_8_p31_lanes = M_2_8_p29_lanes + M_2_8_p30_lanes;
-  const Lanes<2> M_2_8_p32_lanes = s5 * M_2_8_p31_lanes;
-  const Lanes<2> M_2_8_p33_lanes = c5 * M_2_8_p10_lanes;
-  const Lanes<2> M_2_8_p34_lanes = M_2_8_p32_lanes - M_2_8_p33_lanes;
-  const Lanes<2> M_2_8_p35_lanes = 0.21799999999999997 * M_2_8_p34_lanes;
-  const Lanes<2> M_2_8_p36_lanes = M_4_8_lanes - M_2_8_p35_lanes;
-  const Lanes<2> M_2_8_p37_lanes = c4 * M_2_8_p36_lanes;
-  const Lanes<2> M_2_8_lanes = M_2_8_p37_lanes - M_2_8_p28_lanes;
+  const Lanes<2> M_2_8_p31_lanes = c6 * M_5_8_p6_lanes + s6 * M_5_8_p8_lanes;
+  const Lanes<2> M_2_8_p34_lanes = s5 * M_2_8_p31_lanes - c5 * M_2_8_p10_lanes;
+  const Lanes<2> M_2_8_lanes = c4 * (M_4_8_lanes - 0.21799999999999997 * M_2_8_p34_lanes) -
+      M_2_8_p28_lanes;
   M[56] = M_2_8_lanes[0];
   M[194] = M_2_8_lanes[0];
 
@@ -1261,17 +1042,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[362] = M_2_8_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_p1_lanes = c4 * M_2_8_p34_lanes;
-  const Lanes<2> M_1_8_p2_lanes = s4 * M_2_8_p21_lanes;
-  const Lanes<2> M_1_8_p3_lanes = M_1_8_p1_lanes + M_1_8_p2_lanes;
-  const Lanes<2> M_1_8_p4_lanes = c3 * M_1_8_p3_lanes;
-  const Lanes<2> M_1_8_p5_lanes = s5 * M_2_8_p10_lanes;
-  const Lanes<2> M_1_8_p6_lanes = c5 * M_2_8_p31_lanes;
-  const Lanes<2> M_1_8_p7_lanes = M_1_8_p5_lanes + M_1_8_p6_lanes;
-  const Lanes<2> M_1_8_p8_lanes = s3 * M_1_8_p7_lanes;
-  const Lanes<2> M_1_8_p9_lanes = M_1_8_p4_lanes + M_1_8_p8_lanes;
-  const Lanes<2> M_1_8_p10_lanes = 0.422 * M_1_8_p9_lanes;
-  const Lanes<2> M_1_8_lanes = M_2_8_lanes - M_1_8_p10_lanes;
+  const Lanes<2> M_1_8_p3_lanes = c4 * M_2_8_p34_lanes + s4 * M_2_8_p21_lanes;
+  const Lanes<2> M_1_8_p7_lanes = s5 * M_2_8_p10_lanes + c5 * M_2_8_p31_lanes;
+  const Lanes<2> M_1_8_p9_lanes = c3 * M_1_8_p3_lanes + s3 * M_1_8_p7_lanes;
+  const Lanes<2> M_1_8_lanes = M_2_8_lanes - 0.422 * M_1_8_p9_lanes;
   M[32] = M_1_8_lanes[0];
   M[193] = M_1_8_lanes[0];
 
@@ -1280,14 +1054,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[361] = M_1_8_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_p1_lanes = c2 * M_1_8_p9_lanes;
-  const Lanes<2> M_0_8_p2_lanes = c3 * M_1_8_p7_lanes;
-  const Lanes<2> M_0_8_p3_lanes = s3 * M_1_8_p3_lanes;
-  const Lanes<2> M_0_8_p4_lanes = M_0_8_p2_lanes - M_0_8_p3_lanes;
-  const Lanes<2> M_0_8_p5_lanes = s2 * M_0_8_p4_lanes;
-  const Lanes<2> M_0_8_p6_lanes = M_0_8_p1_lanes + M_0_8_p5_lanes;
-  const Lanes<2> M_0_8_p7_lanes = 0.434 * M_0_8_p6_lanes;
-  const Lanes<2> M_0_8_lanes = M_1_8_lanes - M_0_8_p7_lanes;
+  const Lanes<2> M_0_8_p6_lanes = c2 * M_1_8_p9_lanes + s2 *
+      (c3 * M_1_8_p7_lanes - s3 * M_1_8_p3_lanes);
+  const Lanes<2> M_0_8_lanes = M_1_8_lanes - 0.434 * M_0_8_p6_lanes;
   M[8] = M_0_8_lanes[0];
   M[192] = M_0_8_lanes[0];
 
@@ -1296,18 +1065,13 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[360] = M_0_8_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_8_9_lanes;
-  const Lanes<2> M_2_9_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p177_lanes;
-  const Lanes<2> M_2_9_p3_lanes = 0.282 * M_2_2_p149_lanes;
-  const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + M_2_9_p3_lanes;
-  const Lanes<2> M_2_9_p5_lanes = detail::make_lanes<Real>(c9, c16) * M_2_9_p4_lanes;
-  const Lanes<2> M_2_9_p6_lanes = M_2_9_p2_lanes - M_2_9_p5_lanes;
-  const Lanes<2> M_2_9_p7_lanes = detail::make_lanes<Real>(s8, s15) * M_2_9_p6_lanes;
-  const Lanes<2> M_2_9_p8_lanes = M_2_9_p1_lanes + M_2_9_p7_lanes;
-  const Lanes<2> M_2_9_p9_lanes = detail::make_lanes<Real>(c7, c14) * M_2_9_p8_lanes;
-  const Lanes<2> M_7_9_p1_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p177_lanes;
-  const Lanes<2> M_7_9_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_2_9_p4_lanes;
-  const Lanes<2> M_7_9_lanes = M_7_9_p1_lanes + M_7_9_p2_lanes;
+  const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + 0.282 * M_2_2_p149_lanes;
+  const Lanes<2> M_2_9_p6_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p177_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_9_p4_lanes;
+  const Lanes<2> M_2_9_p8_lanes = detail::make_pack<Real>(c8, c15) * M_8_9_lanes +
+      detail::make_pack<Real>(s8, s15) * M_2_9_p6_lanes;
+  const Lanes<2> M_7_9_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p177_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_9_p4_lanes;
   M[177] = -M_7_9_lanes[0];
   M[223] = -M_7_9_lanes[0];
 
@@ -1316,22 +1080,17 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[398] = -M_7_9_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p10_lanes = detail::make_lanes<Real>(s7, s14) * M_7_9_lanes;
-  const Lanes<2> M_2_9_p11_lanes = M_2_9_p10_lanes - M_2_9_p9_lanes;
-  const Lanes<2> M_2_9_p12_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p149_lanes;
-  const Lanes<2> M_2_9_p13_lanes = detail::make_lanes<Real>(s8, s15) * M_2_9_p12_lanes;
-  const Lanes<2> M_2_9_p14_lanes = detail::make_lanes<Real>(c8, c15) * M_2_2_p209_lanes;
-  const Lanes<2> M_2_9_p15_lanes = M_2_9_p13_lanes - M_2_9_p14_lanes;
-  const Lanes<2> M_2_9_p16_lanes = detail::make_lanes<Real>(s7, s14) * M_2_9_p15_lanes;
-  const Lanes<2> M_2_9_p17_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p149_lanes;
-  const Lanes<2> M_2_9_p18_lanes = detail::make_lanes<Real>(c7, c14) * M_2_9_p17_lanes;
-  const Lanes<2> M_2_9_p19_lanes = M_2_9_p18_lanes + M_2_9_p16_lanes;
-  const Lanes<2> M_2_9_p20_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_9_p19_lanes;
-  const Lanes<2> M_2_9_p21_lanes = M_2_9_p11_lanes + M_2_9_p20_lanes;
-  const Lanes<2> M_2_9_p22_lanes = c6 * M_2_9_p21_lanes;
-  const Lanes<2> M_6_9_p1_lanes = detail::make_lanes<Real>(s8, s15) * M_8_9_lanes;
-  const Lanes<2> M_6_9_p2_lanes = detail::make_lanes<Real>(c8, c15) * M_2_9_p6_lanes;
-  const Lanes<2> M_6_9_lanes = M_6_9_p1_lanes - M_6_9_p2_lanes;
+  const Lanes<2> M_2_9_p12_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p149_lanes;
+  const Lanes<2> M_2_9_p15_lanes = detail::make_pack<Real>(s8, s15) * M_2_9_p12_lanes -
+      detail::make_pack<Real>(c8, c15) * M_2_2_p209_lanes;
+  const Lanes<2> M_2_9_p17_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p149_lanes;
+  const Lanes<2> M_2_9_p19_lanes = detail::make_pack<Real>(c7, c14) * M_2_9_p17_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_9_p15_lanes;
+  const Lanes<2> M_2_9_p21_lanes = detail::make_pack<Real>(s7, s14) * M_7_9_lanes -
+      detail::make_pack<Real>(c7, c14) * M_2_9_p8_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_9_p19_lanes;
+  const Lanes<2> M_6_9_lanes = detail::make_pack<Real>(s8, s15) * M_8_9_lanes -
+      detail::make_pack<Real>(c8, c15) * M_2_9_p6_lanes;
   M[153] = M_6_9_lanes[0];
   M[222] = M_6_9_lanes[0];
 
@@ -1340,24 +1099,16 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[397] = M_6_9_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p23_lanes = 0.226 * M_2_9_p19_lanes;
-  const Lanes<2> M_2_9_p24_lanes = M_6_9_lanes - M_2_9_p23_lanes;
-  const Lanes<2> M_2_9_p25_lanes = s6 * M_2_9_p24_lanes;
-  const Lanes<2> M_2_9_p26_lanes = M_2_9_p22_lanes + M_2_9_p25_lanes;
-  const Lanes<2> M_2_9_p27_lanes = s5 * M_2_9_p26_lanes;
-  const Lanes<2> M_5_9_p1_lanes = detail::make_lanes<Real>(s7, s14) * M_2_9_p8_lanes;
-  const Lanes<2> M_5_9_p2_lanes = detail::make_lanes<Real>(c7, c14) * M_7_9_lanes;
-  const Lanes<2> M_5_9_p3_lanes = M_5_9_p2_lanes + M_5_9_p1_lanes;
-  const Lanes<2> M_5_9_p4_lanes = detail::make_lanes<Real>(s8, s15) * M_2_2_p209_lanes;
-  const Lanes<2> M_5_9_p5_lanes = detail::make_lanes<Real>(c8, c15) * M_2_9_p12_lanes;
-  const Lanes<2> M_5_9_p6_lanes = M_5_9_p4_lanes + M_5_9_p5_lanes;
-  const Lanes<2> M_5_9_p7_lanes = 0.226 * M_5_9_p6_lanes;
-  const Lanes<2> M_5_9_p8_lanes = detail::make_lanes<Real>(c7, c14) * M_2_9_p15_lanes;
-  const Lanes<2> M_5_9_p9_lanes = detail::make_lanes<Real>(s7, s14) * M_2_9_p17_lanes;
-  const Lanes<2> M_5_9_p10_lanes = M_5_9_p9_lanes - M_5_9_p8_lanes;
-  const Lanes<2> M_5_9_p11_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_5_9_p10_lanes;
-  const Lanes<2> M_5_9_p12_lanes = M_5_9_p7_lanes + M_5_9_p11_lanes;
-  const Lanes<2> M_5_9_lanes = M_5_9_p12_lanes - M_5_9_p3_lanes;
+  const Lanes<2> M_2_9_p24_lanes = M_6_9_lanes - 0.226 * M_2_9_p19_lanes;
+  const Lanes<2> M_2_9_p26_lanes = c6 * M_2_9_p21_lanes + s6 * M_2_9_p24_lanes;
+  const Lanes<2> M_5_9_p3_lanes = detail::make_pack<Real>(c7, c14) * M_7_9_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_9_p8_lanes;
+  const Lanes<2> M_5_9_p6_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p209_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_9_p12_lanes;
+  const Lanes<2> M_5_9_p10_lanes = detail::make_pack<Real>(s7, s14) * M_2_9_p17_lanes -
+      detail::make_pack<Real>(c7, c14) * M_2_9_p15_lanes;
+  const Lanes<2> M_5_9_lanes = 0.226 * M_5_9_p6_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_5_9_p10_lanes - M_5_9_p3_lanes;
   M[129] = M_5_9_lanes[0];
   M[221] = M_5_9_lanes[0];
 
@@ -1366,21 +1117,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[389] = M_5_9_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p28_lanes = s6 * M_5_9_p10_lanes;
-  const Lanes<2> M_2_9_p29_lanes = c6 * M_5_9_p6_lanes;
-  const Lanes<2> M_2_9_p30_lanes = M_2_9_p28_lanes + M_2_9_p29_lanes;
-  const Lanes<2> M_2_9_p31_lanes = 0.072 * M_2_9_p30_lanes;
-  const Lanes<2> M_2_9_p32_lanes = M_5_9_lanes + M_2_9_p31_lanes;
-  const Lanes<2> M_2_9_p33_lanes = c5 * M_2_9_p32_lanes;
-  const Lanes<2> M_2_9_p34_lanes = M_2_9_p33_lanes + M_2_9_p27_lanes;
-  const Lanes<2> M_2_9_p35_lanes = 0.21799999999999997 * M_2_9_p30_lanes;
-  const Lanes<2> M_2_9_p36_lanes = M_2_9_p34_lanes + M_2_9_p35_lanes;
-  const Lanes<2> M_2_9_p37_lanes = s4 * M_2_9_p36_lanes;
-  const Lanes<2> M_4_9_p1_lanes = c6 * M_2_9_p24_lanes;
-  const Lanes<2> M_4_9_p2_lanes = s6 * M_2_9_p21_lanes;
-  const Lanes<2> M_4_9_p3_lanes = M_4_9_p1_lanes - M_4_9_p2_lanes;
-  const Lanes<2> M_4_9_p4_lanes = 0.072 * M_2_9_p19_lanes;
-  const Lanes<2> M_4_9_lanes = M_4_9_p3_lanes - M_4_9_p4_lanes;
+  const Lanes<2> M_2_9_p30_lanes = s6 * M_5_9_p10_lanes + c6 * M_5_9_p6_lanes;
+  const Lanes<2> M_2_9_p32_lanes = M_5_9_lanes + 0.072 * M_2_9_p30_lanes;
+  const Lanes<2> M_2_9_p37_lanes = s4 * (c5 * M_2_9_p32_lanes + s5 * M_2_9_p26_lanes +
+      0.21799999999999997 * M_2_9_p30_lanes);
+  const Lanes<2> M_4_9_lanes = c6 * M_2_9_p24_lanes - s6 * M_2_9_p21_lanes - 0.072 *
+      M_2_9_p19_lanes;
   M[105] = M_4_9_lanes[0];
   M[220] = M_4_9_lanes[0];
 
@@ -1389,16 +1131,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[388] = M_4_9_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p38_lanes = s6 * M_5_9_p6_lanes;
-  const Lanes<2> M_2_9_p39_lanes = c6 * M_5_9_p10_lanes;
-  const Lanes<2> M_2_9_p40_lanes = M_2_9_p38_lanes - M_2_9_p39_lanes;
-  const Lanes<2> M_2_9_p41_lanes = s5 * M_2_9_p40_lanes;
-  const Lanes<2> M_2_9_p42_lanes = c5 * M_2_9_p19_lanes;
-  const Lanes<2> M_2_9_p43_lanes = M_2_9_p42_lanes + M_2_9_p41_lanes;
-  const Lanes<2> M_2_9_p44_lanes = 0.21799999999999997 * M_2_9_p43_lanes;
-  const Lanes<2> M_2_9_p45_lanes = M_4_9_lanes - M_2_9_p44_lanes;
-  const Lanes<2> M_2_9_p46_lanes = c4 * M_2_9_p45_lanes;
-  const Lanes<2> M_2_9_lanes = M_2_9_p37_lanes + M_2_9_p46_lanes;
+  const Lanes<2> M_2_9_p40_lanes = s6 * M_5_9_p6_lanes - c6 * M_5_9_p10_lanes;
+  const Lanes<2> M_2_9_p43_lanes = c5 * M_2_9_p19_lanes + s5 * M_2_9_p40_lanes;
+  const Lanes<2> M_2_9_lanes = M_2_9_p37_lanes + c4 *
+      (M_4_9_lanes - 0.21799999999999997 * M_2_9_p43_lanes);
   M[57] = M_2_9_lanes[0];
   M[218] = M_2_9_lanes[0];
 
@@ -1407,17 +1143,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[386] = M_2_9_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p1_lanes = s4 * M_2_9_p30_lanes;
-  const Lanes<2> M_1_9_p2_lanes = c4 * M_2_9_p43_lanes;
-  const Lanes<2> M_1_9_p3_lanes = M_1_9_p1_lanes - M_1_9_p2_lanes;
-  const Lanes<2> M_1_9_p4_lanes = c3 * M_1_9_p3_lanes;
-  const Lanes<2> M_1_9_p5_lanes = c5 * M_2_9_p40_lanes;
-  const Lanes<2> M_1_9_p6_lanes = s5 * M_2_9_p19_lanes;
-  const Lanes<2> M_1_9_p7_lanes = M_1_9_p6_lanes - M_1_9_p5_lanes;
-  const Lanes<2> M_1_9_p8_lanes = s3 * M_1_9_p7_lanes;
-  const Lanes<2> M_1_9_p9_lanes = M_1_9_p4_lanes + M_1_9_p8_lanes;
-  const Lanes<2> M_1_9_p10_lanes = 0.422 * M_1_9_p9_lanes;
-  const Lanes<2> M_1_9_lanes = M_2_9_lanes + M_1_9_p10_lanes;
+  const Lanes<2> M_1_9_p3_lanes = s4 * M_2_9_p30_lanes - c4 * M_2_9_p43_lanes;
+  const Lanes<2> M_1_9_p7_lanes = s5 * M_2_9_p19_lanes - c5 * M_2_9_p40_lanes;
+  const Lanes<2> M_1_9_p9_lanes = c3 * M_1_9_p3_lanes + s3 * M_1_9_p7_lanes;
+  const Lanes<2> M_1_9_lanes = M_2_9_lanes + 0.422 * M_1_9_p9_lanes;
   M[33] = M_1_9_lanes[0];
   M[217] = M_1_9_lanes[0];
 
@@ -1426,23 +1155,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[385] = M_1_9_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p1_lanes = c2 * M_1_9_p9_lanes;
-  const Lanes<2> M_0_9_p2_lanes = s3 * M_1_9_p3_lanes;
-  const Lanes<2> M_0_9_p3_lanes = c3 * M_1_9_p7_lanes;
-  const Lanes<2> M_0_9_p4_lanes = M_0_9_p2_lanes - M_0_9_p3_lanes;
-  const Lanes<2> M_0_9_p5_lanes = s2 * M_0_9_p4_lanes;
-  const Lanes<2> M_0_9_p6_lanes = M_0_9_p1_lanes - M_0_9_p5_lanes;
-  const Lanes<2> M_0_9_p7_lanes = 0.434 * M_0_9_p6_lanes;
-  const Lanes<2> M_0_9_lanes = M_1_9_lanes + M_0_9_p7_lanes;
+  const Lanes<2> M_0_9_p6_lanes = c2 * M_1_9_p9_lanes - s2 *
+      (s3 * M_1_9_p3_lanes - c3 * M_1_9_p7_lanes);
+  const Lanes<2> M_0_9_lanes = M_1_9_lanes + 0.434 * M_0_9_p6_lanes;
   M[9] = M_0_9_lanes[0];
   M[216] = M_0_9_lanes[0];
 
   // link 17 (right_lowerarm), mass matrix
   M[16] = M_0_9_lanes[1];
   M[384] = M_0_9_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p1_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p65_lanes;
 
   // link 12 (left_wrist2), composite inertia
   const Lanes<2> M_10_10_lanes = 0.00022920000000000001 + M_2_2_p117_lanes;
@@ -1452,20 +1173,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[425] = M_10_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p2_lanes = detail::make_lanes<Real>(s10, s17) * M_10_10_lanes;
-  const Lanes<2> M_2_10_p3_lanes = M_2_10_p1_lanes + M_2_10_p2_lanes;
-  const Lanes<2> M_2_10_p4_lanes = 0.282 * M_2_2_p139_lanes;
-  const Lanes<2> M_2_10_p5_lanes = M_2_10_p3_lanes + M_2_10_p4_lanes;
-  const Lanes<2> M_2_10_p6_lanes = detail::make_lanes<Real>(s9, s16) * M_2_10_p5_lanes;
-  const Lanes<2> M_2_10_p7_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p223_lanes;
-  const Lanes<2> M_2_10_p8_lanes = 0.282 * M_2_10_p7_lanes;
-  const Lanes<2> M_2_10_p9_lanes = M_9_10_lanes + M_2_10_p8_lanes;
-  const Lanes<2> M_2_10_p10_lanes = detail::make_lanes<Real>(c9, c16) * M_2_10_p9_lanes;
-  const Lanes<2> M_2_10_p11_lanes = M_2_10_p6_lanes + M_2_10_p10_lanes;
-  const Lanes<2> M_2_10_p12_lanes = detail::make_lanes<Real>(s8, s15) * M_2_10_p11_lanes;
-  const Lanes<2> M_8_10_p1_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p65_lanes;
-  const Lanes<2> M_8_10_p2_lanes = detail::make_lanes<Real>(c10, c17) * M_10_10_lanes;
-  const Lanes<2> M_8_10_lanes = M_8_10_p2_lanes - M_8_10_p1_lanes;
+  const Lanes<2> M_2_10_p5_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p65_lanes +
+      detail::make_pack<Real>(s10, s17) * M_10_10_lanes + 0.282 * M_2_2_p139_lanes;
+  const Lanes<2> M_2_10_p7_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p223_lanes;
+  const Lanes<2> M_2_10_p9_lanes = M_9_10_lanes + 0.282 * M_2_10_p7_lanes;
+  const Lanes<2> M_2_10_p11_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p5_lanes +
+      detail::make_pack<Real>(c9, c16) * M_2_10_p9_lanes;
+  const Lanes<2> M_8_10_lanes = detail::make_pack<Real>(c10, c17) * M_10_10_lanes -
+      detail::make_pack<Real>(s10, s17) * M_2_2_p65_lanes;
   M[202] = M_8_10_lanes[0];
   M[248] = M_8_10_lanes[0];
 
@@ -1474,12 +1189,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[423] = M_8_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p13_lanes = detail::make_lanes<Real>(c8, c15) * M_8_10_lanes;
-  const Lanes<2> M_2_10_p14_lanes = M_2_10_p13_lanes + M_2_10_p12_lanes;
-  const Lanes<2> M_2_10_p15_lanes = detail::make_lanes<Real>(c7, c14) * M_2_10_p14_lanes;
-  const Lanes<2> M_7_10_p1_lanes = detail::make_lanes<Real>(c9, c16) * M_2_10_p5_lanes;
-  const Lanes<2> M_7_10_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_2_10_p9_lanes;
-  const Lanes<2> M_7_10_lanes = M_7_10_p1_lanes - M_7_10_p2_lanes;
+  const Lanes<2> M_2_10_p14_lanes = detail::make_pack<Real>(c8, c15) * M_8_10_lanes +
+      detail::make_pack<Real>(s8, s15) * M_2_10_p11_lanes;
+  const Lanes<2> M_7_10_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p5_lanes -
+      detail::make_pack<Real>(s9, s16) * M_2_10_p9_lanes;
   M[178] = M_7_10_lanes[0];
   M[247] = M_7_10_lanes[0];
 
@@ -1488,27 +1201,20 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[422] = M_7_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p16_lanes = detail::make_lanes<Real>(s7, s14) * M_7_10_lanes;
-  const Lanes<2> M_2_10_p17_lanes = M_2_10_p15_lanes - M_2_10_p16_lanes;
-  const Lanes<2> M_2_10_p18_lanes = detail::make_lanes<Real>(c9, c16) * M_2_10_p7_lanes;
-  const Lanes<2> M_2_10_p19_lanes = detail::make_lanes<Real>(s9, s16) * M_2_2_p139_lanes;
-  const Lanes<2> M_2_10_p20_lanes = M_2_10_p18_lanes + M_2_10_p19_lanes;
-  const Lanes<2> M_2_10_p21_lanes = detail::make_lanes<Real>(c7, c14) * M_2_10_p20_lanes;
-  const Lanes<2> M_2_10_p22_lanes = detail::make_lanes<Real>(s9, s16) * M_2_10_p7_lanes;
-  const Lanes<2> M_2_10_p23_lanes = detail::make_lanes<Real>(c9, c16) * M_2_2_p139_lanes;
-  const Lanes<2> M_2_10_p24_lanes = M_2_10_p22_lanes - M_2_10_p23_lanes;
-  const Lanes<2> M_2_10_p25_lanes = detail::make_lanes<Real>(s8, s15) * M_2_10_p24_lanes;
-  const Lanes<2> M_2_10_p26_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p223_lanes;
-  const Lanes<2> M_2_10_p27_lanes = detail::make_lanes<Real>(c8, c15) * M_2_10_p26_lanes;
-  const Lanes<2> M_2_10_p28_lanes = M_2_10_p25_lanes - M_2_10_p27_lanes;
-  const Lanes<2> M_2_10_p29_lanes = detail::make_lanes<Real>(s7, s14) * M_2_10_p28_lanes;
-  const Lanes<2> M_2_10_p30_lanes = M_2_10_p21_lanes + M_2_10_p29_lanes;
-  const Lanes<2> M_2_10_p31_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_10_p30_lanes;
-  const Lanes<2> M_2_10_p32_lanes = M_2_10_p17_lanes + M_2_10_p31_lanes;
-  const Lanes<2> M_2_10_p33_lanes = c6 * M_2_10_p32_lanes;
-  const Lanes<2> M_6_10_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_2_10_p11_lanes;
-  const Lanes<2> M_6_10_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_8_10_lanes;
-  const Lanes<2> M_6_10_lanes = M_6_10_p1_lanes - M_6_10_p2_lanes;
+  const Lanes<2> M_2_10_p20_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p7_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_2_p139_lanes;
+  const Lanes<2> M_2_10_p24_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p7_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_2_p139_lanes;
+  const Lanes<2> M_2_10_p26_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p223_lanes;
+  const Lanes<2> M_2_10_p28_lanes = detail::make_pack<Real>(s8, s15) * M_2_10_p24_lanes -
+      detail::make_pack<Real>(c8, c15) * M_2_10_p26_lanes;
+  const Lanes<2> M_2_10_p30_lanes = detail::make_pack<Real>(c7, c14) * M_2_10_p20_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_10_p28_lanes;
+  const Lanes<2> M_2_10_p32_lanes = detail::make_pack<Real>(c7, c14) * M_2_10_p14_lanes -
+      detail::make_pack<Real>(s7, s14) * M_7_10_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_10_p30_lanes;
+  const Lanes<2> M_6_10_lanes = detail::make_pack<Real>(c8, c15) * M_2_10_p11_lanes -
+      detail::make_pack<Real>(s8, s15) * M_8_10_lanes;
   M[154] = M_6_10_lanes[0];
   M[246] = M_6_10_lanes[0];
 
@@ -1517,24 +1223,16 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[421] = M_6_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p34_lanes = 0.226 * M_2_10_p30_lanes;
-  const Lanes<2> M_2_10_p35_lanes = M_6_10_lanes - M_2_10_p34_lanes;
-  const Lanes<2> M_2_10_p36_lanes = s6 * M_2_10_p35_lanes;
-  const Lanes<2> M_2_10_p37_lanes = M_2_10_p33_lanes + M_2_10_p36_lanes;
-  const Lanes<2> M_2_10_p38_lanes = s5 * M_2_10_p37_lanes;
-  const Lanes<2> M_5_10_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_7_10_lanes;
-  const Lanes<2> M_5_10_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_2_10_p14_lanes;
-  const Lanes<2> M_5_10_p3_lanes = M_5_10_p1_lanes + M_5_10_p2_lanes;
-  const Lanes<2> M_5_10_p4_lanes = detail::make_lanes<Real>(s7, s14) * M_2_10_p20_lanes;
-  const Lanes<2> M_5_10_p5_lanes = detail::make_lanes<Real>(c7, c14) * M_2_10_p28_lanes;
-  const Lanes<2> M_5_10_p6_lanes = M_5_10_p4_lanes - M_5_10_p5_lanes;
-  const Lanes<2> M_5_10_p7_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_5_10_p6_lanes;
-  const Lanes<2> M_5_10_p8_lanes = detail::make_lanes<Real>(c8, c15) * M_2_10_p24_lanes;
-  const Lanes<2> M_5_10_p9_lanes = detail::make_lanes<Real>(s8, s15) * M_2_10_p26_lanes;
-  const Lanes<2> M_5_10_p10_lanes = M_5_10_p9_lanes + M_5_10_p8_lanes;
-  const Lanes<2> M_5_10_p11_lanes = 0.226 * M_5_10_p10_lanes;
-  const Lanes<2> M_5_10_p12_lanes = M_5_10_p11_lanes + M_5_10_p7_lanes;
-  const Lanes<2> M_5_10_lanes = M_5_10_p3_lanes + M_5_10_p12_lanes;
+  const Lanes<2> M_2_10_p35_lanes = M_6_10_lanes - 0.226 * M_2_10_p30_lanes;
+  const Lanes<2> M_2_10_p37_lanes = c6 * M_2_10_p32_lanes + s6 * M_2_10_p35_lanes;
+  const Lanes<2> M_5_10_p6_lanes = detail::make_pack<Real>(s7, s14) * M_2_10_p20_lanes -
+      detail::make_pack<Real>(c7, c14) * M_2_10_p28_lanes;
+  const Lanes<2> M_5_10_p10_lanes = detail::make_pack<Real>(s8, s15) * M_2_10_p26_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_10_p24_lanes;
+  const Lanes<2> M_5_10_p12_lanes = 0.226 * M_5_10_p10_lanes +
+      detail::make_pack<Real>(0.18, (-0.18)) * M_5_10_p6_lanes;
+  const Lanes<2> M_5_10_lanes = detail::make_pack<Real>(c7, c14) * M_7_10_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_10_p14_lanes + M_5_10_p12_lanes;
   M[130] = M_5_10_lanes[0];
   M[245] = M_5_10_lanes[0];
 
@@ -1543,21 +1241,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[413] = M_5_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p39_lanes = s6 * M_5_10_p6_lanes;
-  const Lanes<2> M_2_10_p40_lanes = c6 * M_5_10_p10_lanes;
-  const Lanes<2> M_2_10_p41_lanes = M_2_10_p39_lanes + M_2_10_p40_lanes;
-  const Lanes<2> M_2_10_p42_lanes = 0.072 * M_2_10_p41_lanes;
-  const Lanes<2> M_2_10_p43_lanes = M_5_10_lanes + M_2_10_p42_lanes;
-  const Lanes<2> M_2_10_p44_lanes = c5 * M_2_10_p43_lanes;
-  const Lanes<2> M_2_10_p45_lanes = M_2_10_p44_lanes + M_2_10_p38_lanes;
-  const Lanes<2> M_2_10_p46_lanes = 0.21799999999999997 * M_2_10_p41_lanes;
-  const Lanes<2> M_2_10_p47_lanes = M_2_10_p45_lanes + M_2_10_p46_lanes;
-  const Lanes<2> M_2_10_p48_lanes = s4 * M_2_10_p47_lanes;
-  const Lanes<2> M_4_10_p1_lanes = c6 * M_2_10_p35_lanes;
-  const Lanes<2> M_4_10_p2_lanes = s6 * M_2_10_p32_lanes;
-  const Lanes<2> M_4_10_p3_lanes = M_4_10_p1_lanes - M_4_10_p2_lanes;
-  const Lanes<2> M_4_10_p4_lanes = 0.072 * M_2_10_p30_lanes;
-  const Lanes<2> M_4_10_lanes = M_4_10_p3_lanes - M_4_10_p4_lanes;
+  const Lanes<2> M_2_10_p41_lanes = s6 * M_5_10_p6_lanes + c6 * M_5_10_p10_lanes;
+  const Lanes<2> M_2_10_p43_lanes = M_5_10_lanes + 0.072 * M_2_10_p41_lanes;
+  const Lanes<2> M_2_10_p48_lanes = s4 * (c5 * M_2_10_p43_lanes + s5 * M_2_10_p37_lanes +
+      0.21799999999999997 * M_2_10_p41_lanes);
+  const Lanes<2> M_4_10_lanes = c6 * M_2_10_p35_lanes - s6 * M_2_10_p32_lanes - 0.072 *
+      M_2_10_p30_lanes;
   M[106] = M_4_10_lanes[0];
   M[244] = M_4_10_lanes[0];
 
@@ -1566,16 +1255,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[412] = M_4_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p49_lanes = c5 * M_2_10_p30_lanes;
-  const Lanes<2> M_2_10_p50_lanes = c6 * M_5_10_p6_lanes;
-  const Lanes<2> M_2_10_p51_lanes = s6 * M_5_10_p10_lanes;
-  const Lanes<2> M_2_10_p52_lanes = M_2_10_p51_lanes - M_2_10_p50_lanes;
-  const Lanes<2> M_2_10_p53_lanes = s5 * M_2_10_p52_lanes;
-  const Lanes<2> M_2_10_p54_lanes = M_2_10_p49_lanes + M_2_10_p53_lanes;
-  const Lanes<2> M_2_10_p55_lanes = 0.21799999999999997 * M_2_10_p54_lanes;
-  const Lanes<2> M_2_10_p56_lanes = M_4_10_lanes - M_2_10_p55_lanes;
-  const Lanes<2> M_2_10_p57_lanes = c4 * M_2_10_p56_lanes;
-  const Lanes<2> M_2_10_lanes = M_2_10_p48_lanes + M_2_10_p57_lanes;
+  const Lanes<2> M_2_10_p52_lanes = s6 * M_5_10_p10_lanes - c6 * M_5_10_p6_lanes;
+  const Lanes<2> M_2_10_p54_lanes = c5 * M_2_10_p30_lanes + s5 * M_2_10_p52_lanes;
+  const Lanes<2> M_2_10_lanes = M_2_10_p48_lanes + c4 *
+      (M_4_10_lanes - 0.21799999999999997 * M_2_10_p54_lanes);
   M[58] = M_2_10_lanes[0];
   M[242] = M_2_10_lanes[0];
 
@@ -1584,17 +1267,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[410] = M_2_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p1_lanes = c4 * M_2_10_p54_lanes;
-  const Lanes<2> M_1_10_p2_lanes = s4 * M_2_10_p41_lanes;
-  const Lanes<2> M_1_10_p3_lanes = M_1_10_p2_lanes - M_1_10_p1_lanes;
-  const Lanes<2> M_1_10_p4_lanes = c3 * M_1_10_p3_lanes;
-  const Lanes<2> M_1_10_p5_lanes = s5 * M_2_10_p30_lanes;
-  const Lanes<2> M_1_10_p6_lanes = c5 * M_2_10_p52_lanes;
-  const Lanes<2> M_1_10_p7_lanes = M_1_10_p5_lanes - M_1_10_p6_lanes;
-  const Lanes<2> M_1_10_p8_lanes = s3 * M_1_10_p7_lanes;
-  const Lanes<2> M_1_10_p9_lanes = M_1_10_p4_lanes + M_1_10_p8_lanes;
-  const Lanes<2> M_1_10_p10_lanes = 0.422 * M_1_10_p9_lanes;
-  const Lanes<2> M_1_10_lanes = M_2_10_lanes + M_1_10_p10_lanes;
+  const Lanes<2> M_1_10_p3_lanes = s4 * M_2_10_p41_lanes - c4 * M_2_10_p54_lanes;
+  const Lanes<2> M_1_10_p7_lanes = s5 * M_2_10_p30_lanes - c5 * M_2_10_p52_lanes;
+  const Lanes<2> M_1_10_p9_lanes = c3 * M_1_10_p3_lanes + s3 * M_1_10_p7_lanes;
+  const Lanes<2> M_1_10_lanes = M_2_10_lanes + 0.422 * M_1_10_p9_lanes;
   M[34] = M_1_10_lanes[0];
   M[241] = M_1_10_lanes[0];
 
@@ -1603,14 +1279,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[409] = M_1_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p1_lanes = c2 * M_1_10_p9_lanes;
-  const Lanes<2> M_0_10_p2_lanes = s3 * M_1_10_p3_lanes;
-  const Lanes<2> M_0_10_p3_lanes = c3 * M_1_10_p7_lanes;
-  const Lanes<2> M_0_10_p4_lanes = M_0_10_p2_lanes - M_0_10_p3_lanes;
-  const Lanes<2> M_0_10_p5_lanes = s2 * M_0_10_p4_lanes;
-  const Lanes<2> M_0_10_p6_lanes = M_0_10_p1_lanes - M_0_10_p5_lanes;
-  const Lanes<2> M_0_10_p7_lanes = 0.434 * M_0_10_p6_lanes;
-  const Lanes<2> M_0_10_lanes = M_1_10_lanes + M_0_10_p7_lanes;
+  const Lanes<2> M_0_10_p6_lanes = c2 * M_1_10_p9_lanes - s2 *
+      (s3 * M_1_10_p3_lanes - c3 * M_1_10_p7_lanes);
+  const Lanes<2> M_0_10_lanes = M_1_10_lanes + 0.434 * M_0_10_p6_lanes;
   M[10] = M_0_10_lanes[0];
   M[240] = M_0_10_lanes[0];
 
@@ -1619,21 +1290,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[408] = M_0_10_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_7_11_p1_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p99_lanes;
-  const Lanes<2> M_7_11_p2_lanes = 0.269 * M_2_2_p81_lanes;
-  const Lanes<2> M_7_11_p3_lanes = M_11_11_lanes + M_7_11_p2_lanes;
-  const Lanes<2> M_7_11_p4_lanes = detail::make_lanes<Real>(s11, s18) * M_7_11_p3_lanes;
-  const Lanes<2> M_7_11_p5_lanes = M_7_11_p1_lanes + M_7_11_p4_lanes;
-  const Lanes<2> M_7_11_p6_lanes = detail::make_lanes<Real>(c10, c17) * M_7_11_p5_lanes;
-  const Lanes<2> M_7_11_p7_lanes = detail::make_lanes<Real>(s10, s17) * M_10_11_lanes;
-  const Lanes<2> M_7_11_p8_lanes = M_7_11_p6_lanes + M_7_11_p7_lanes;
-  const Lanes<2> M_7_11_p9_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p81_lanes;
-  const Lanes<2> M_7_11_p10_lanes = 0.282 * M_7_11_p9_lanes;
-  const Lanes<2> M_7_11_p11_lanes = M_7_11_p8_lanes + M_7_11_p10_lanes;
-  const Lanes<2> M_7_11_p12_lanes = detail::make_lanes<Real>(c9, c16) * M_7_11_p11_lanes;
-  const Lanes<2> M_9_11_p1_lanes = detail::make_lanes<Real>(c11, c18) * M_7_11_p3_lanes;
-  const Lanes<2> M_9_11_p2_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p99_lanes;
-  const Lanes<2> M_9_11_lanes = M_9_11_p1_lanes - M_9_11_p2_lanes;
+  const Lanes<2> M_7_11_p3_lanes = M_11_11_lanes + 0.269 * M_2_2_p81_lanes;
+  const Lanes<2> M_7_11_p5_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p99_lanes +
+      detail::make_pack<Real>(s11, s18) * M_7_11_p3_lanes;
+  const Lanes<2> M_7_11_p9_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p81_lanes;
+  const Lanes<2> M_7_11_p11_lanes = detail::make_pack<Real>(c10, c17) * M_7_11_p5_lanes +
+      detail::make_pack<Real>(s10, s17) * M_10_11_lanes + 0.282 * M_7_11_p9_lanes;
+  const Lanes<2> M_9_11_lanes = detail::make_pack<Real>(c11, c18) * M_7_11_p3_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p99_lanes;
   M[227] = M_9_11_lanes[0];
   M[273] = M_9_11_lanes[0];
 
@@ -1642,14 +1306,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[448] = M_9_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_7_11_p13_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p81_lanes;
-  const Lanes<2> M_7_11_p14_lanes = detail::make_lanes<Real>(c10, c17) * M_7_11_p13_lanes;
-  const Lanes<2> M_7_11_p15_lanes = detail::make_lanes<Real>(s10, s17) * M_2_2_p41_lanes;
-  const Lanes<2> M_7_11_p16_lanes = M_7_11_p14_lanes - M_7_11_p15_lanes;
-  const Lanes<2> M_7_11_p17_lanes = 0.282 * M_7_11_p16_lanes;
-  const Lanes<2> M_7_11_p18_lanes = M_9_11_lanes + M_7_11_p17_lanes;
-  const Lanes<2> M_7_11_p19_lanes = detail::make_lanes<Real>(s9, s16) * M_7_11_p18_lanes;
-  const Lanes<2> M_7_11_lanes = M_7_11_p12_lanes + M_7_11_p19_lanes;
+  const Lanes<2> M_7_11_p13_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p81_lanes;
+  const Lanes<2> M_7_11_p16_lanes = detail::make_pack<Real>(c10, c17) * M_7_11_p13_lanes -
+      detail::make_pack<Real>(s10, s17) * M_2_2_p41_lanes;
+  const Lanes<2> M_7_11_p18_lanes = M_9_11_lanes + 0.282 * M_7_11_p16_lanes;
+  const Lanes<2> M_7_11_lanes = detail::make_pack<Real>(c9, c16) * M_7_11_p11_lanes +
+      detail::make_pack<Real>(s9, s16) * M_7_11_p18_lanes;
   M[179] = -M_7_11_lanes[0];
   M[271] = -M_7_11_lanes[0];
 
@@ -1658,14 +1320,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[446] = -M_7_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p1_lanes = detail::make_lanes<Real>(s7, s14) * M_7_11_lanes;
-  const Lanes<2> M_2_11_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_7_11_p11_lanes;
-  const Lanes<2> M_2_11_p3_lanes = detail::make_lanes<Real>(c9, c16) * M_7_11_p18_lanes;
-  const Lanes<2> M_2_11_p4_lanes = M_2_11_p2_lanes - M_2_11_p3_lanes;
-  const Lanes<2> M_2_11_p5_lanes = detail::make_lanes<Real>(s8, s15) * M_2_11_p4_lanes;
-  const Lanes<2> M_8_11_p1_lanes = detail::make_lanes<Real>(s10, s17) * M_7_11_p5_lanes;
-  const Lanes<2> M_8_11_p2_lanes = detail::make_lanes<Real>(c10, c17) * M_10_11_lanes;
-  const Lanes<2> M_8_11_lanes = M_8_11_p1_lanes - M_8_11_p2_lanes;
+  const Lanes<2> M_2_11_p4_lanes = detail::make_pack<Real>(s9, s16) * M_7_11_p11_lanes -
+      detail::make_pack<Real>(c9, c16) * M_7_11_p18_lanes;
+  const Lanes<2> M_8_11_lanes = detail::make_pack<Real>(s10, s17) * M_7_11_p5_lanes -
+      detail::make_pack<Real>(c10, c17) * M_10_11_lanes;
   M[203] = M_8_11_lanes[0];
   M[272] = M_8_11_lanes[0];
 
@@ -1674,31 +1332,23 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[447] = M_8_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p6_lanes = detail::make_lanes<Real>(c8, c15) * M_8_11_lanes;
-  const Lanes<2> M_2_11_p7_lanes = M_2_11_p5_lanes - M_2_11_p6_lanes;
-  const Lanes<2> M_2_11_p8_lanes = detail::make_lanes<Real>(c7, c14) * M_2_11_p7_lanes;
-  const Lanes<2> M_2_11_p9_lanes = M_2_11_p1_lanes - M_2_11_p8_lanes;
-  const Lanes<2> M_2_11_p10_lanes = detail::make_lanes<Real>(s9, s16) * M_7_11_p16_lanes;
-  const Lanes<2> M_2_11_p11_lanes = detail::make_lanes<Real>(c9, c16) * M_7_11_p9_lanes;
-  const Lanes<2> M_2_11_p12_lanes = M_2_11_p10_lanes + M_2_11_p11_lanes;
-  const Lanes<2> M_2_11_p13_lanes = detail::make_lanes<Real>(s8, s15) * M_2_11_p12_lanes;
-  const Lanes<2> M_2_11_p14_lanes = detail::make_lanes<Real>(s10, s17) * M_7_11_p13_lanes;
-  const Lanes<2> M_2_11_p15_lanes = detail::make_lanes<Real>(c10, c17) * M_2_2_p41_lanes;
-  const Lanes<2> M_2_11_p16_lanes = M_2_11_p14_lanes + M_2_11_p15_lanes;
-  const Lanes<2> M_2_11_p17_lanes = detail::make_lanes<Real>(c8, c15) * M_2_11_p16_lanes;
-  const Lanes<2> M_2_11_p18_lanes = M_2_11_p13_lanes - M_2_11_p17_lanes;
-  const Lanes<2> M_2_11_p19_lanes = detail::make_lanes<Real>(s7, s14) * M_2_11_p18_lanes;
-  const Lanes<2> M_2_11_p20_lanes = detail::make_lanes<Real>(c9, c16) * M_7_11_p16_lanes;
-  const Lanes<2> M_2_11_p21_lanes = detail::make_lanes<Real>(s9, s16) * M_7_11_p9_lanes;
-  const Lanes<2> M_2_11_p22_lanes = M_2_11_p21_lanes - M_2_11_p20_lanes;
-  const Lanes<2> M_2_11_p23_lanes = detail::make_lanes<Real>(c7, c14) * M_2_11_p22_lanes;
-  const Lanes<2> M_2_11_p24_lanes = M_2_11_p23_lanes - M_2_11_p19_lanes;
-  const Lanes<2> M_2_11_p25_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_11_p24_lanes;
-  const Lanes<2> M_2_11_p26_lanes = M_2_11_p25_lanes - M_2_11_p9_lanes;
-  const Lanes<2> M_2_11_p27_lanes = c6 * M_2_11_p26_lanes;
-  const Lanes<2> M_6_11_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_2_11_p4_lanes;
-  const Lanes<2> M_6_11_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_8_11_lanes;
-  const Lanes<2> M_6_11_lanes = M_6_11_p2_lanes + M_6_11_p1_lanes;
+  const Lanes<2> M_2_11_p7_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p4_lanes -
+      detail::make_pack<Real>(c8, c15) * M_8_11_lanes;
+  const Lanes<2> M_2_11_p12_lanes = detail::make_pack<Real>(s9, s16) * M_7_11_p16_lanes +
+      detail::make_pack<Real>(c9, c16) * M_7_11_p9_lanes;
+  const Lanes<2> M_2_11_p16_lanes = detail::make_pack<Real>(s10, s17) * M_7_11_p13_lanes +
+      detail::make_pack<Real>(c10, c17) * M_2_2_p41_lanes;
+  const Lanes<2> M_2_11_p18_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p12_lanes -
+      detail::make_pack<Real>(c8, c15) * M_2_11_p16_lanes;
+  const Lanes<2> M_2_11_p22_lanes = detail::make_pack<Real>(s9, s16) * M_7_11_p9_lanes -
+      detail::make_pack<Real>(c9, c16) * M_7_11_p16_lanes;
+  const Lanes<2> M_2_11_p24_lanes = detail::make_pack<Real>(c7, c14) * M_2_11_p22_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_11_p18_lanes;
+  const Lanes<2> M_2_11_p26_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_11_p24_lanes -
+      (detail::make_pack<Real>(s7, s14) * M_7_11_lanes - detail::make_pack<Real>(c7, c14) *
+      M_2_11_p7_lanes);
+  const Lanes<2> M_6_11_lanes = detail::make_pack<Real>(s8, s15) * M_8_11_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_11_p4_lanes;
   M[155] = -M_6_11_lanes[0];
   M[270] = -M_6_11_lanes[0];
 
@@ -1707,24 +1357,16 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[445] = -M_6_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p28_lanes = 0.226 * M_2_11_p24_lanes;
-  const Lanes<2> M_2_11_p29_lanes = M_2_11_p28_lanes - M_6_11_lanes;
-  const Lanes<2> M_2_11_p30_lanes = s6 * M_2_11_p29_lanes;
-  const Lanes<2> M_2_11_p31_lanes = M_2_11_p27_lanes - M_2_11_p30_lanes;
-  const Lanes<2> M_2_11_p32_lanes = s5 * M_2_11_p31_lanes;
-  const Lanes<2> M_5_11_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_7_11_lanes;
-  const Lanes<2> M_5_11_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_2_11_p7_lanes;
-  const Lanes<2> M_5_11_p3_lanes = M_5_11_p1_lanes + M_5_11_p2_lanes;
-  const Lanes<2> M_5_11_p4_lanes = detail::make_lanes<Real>(s8, s15) * M_2_11_p16_lanes;
-  const Lanes<2> M_5_11_p5_lanes = detail::make_lanes<Real>(c8, c15) * M_2_11_p12_lanes;
-  const Lanes<2> M_5_11_p6_lanes = M_5_11_p4_lanes + M_5_11_p5_lanes;
-  const Lanes<2> M_5_11_p7_lanes = 0.226 * M_5_11_p6_lanes;
-  const Lanes<2> M_5_11_p8_lanes = detail::make_lanes<Real>(c7, c14) * M_2_11_p18_lanes;
-  const Lanes<2> M_5_11_p9_lanes = detail::make_lanes<Real>(s7, s14) * M_2_11_p22_lanes;
-  const Lanes<2> M_5_11_p10_lanes = M_5_11_p9_lanes + M_5_11_p8_lanes;
-  const Lanes<2> M_5_11_p11_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_5_11_p10_lanes;
-  const Lanes<2> M_5_11_p12_lanes = M_5_11_p7_lanes - M_5_11_p11_lanes;
-  const Lanes<2> M_5_11_lanes = M_5_11_p12_lanes - M_5_11_p3_lanes;
+  const Lanes<2> M_2_11_p29_lanes = 0.226 * M_2_11_p24_lanes - M_6_11_lanes;
+  const Lanes<2> M_2_11_p31_lanes = c6 * M_2_11_p26_lanes - s6 * M_2_11_p29_lanes;
+  const Lanes<2> M_5_11_p3_lanes = detail::make_pack<Real>(c7, c14) * M_7_11_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_11_p7_lanes;
+  const Lanes<2> M_5_11_p6_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p16_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_11_p12_lanes;
+  const Lanes<2> M_5_11_p10_lanes = detail::make_pack<Real>(s7, s14) * M_2_11_p22_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_11_p18_lanes;
+  const Lanes<2> M_5_11_lanes = 0.226 * M_5_11_p6_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_5_11_p10_lanes - M_5_11_p3_lanes;
   M[131] = M_5_11_lanes[0];
   M[269] = M_5_11_lanes[0];
 
@@ -1733,21 +1375,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[437] = M_5_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p33_lanes = s6 * M_5_11_p10_lanes;
-  const Lanes<2> M_2_11_p34_lanes = c6 * M_5_11_p6_lanes;
-  const Lanes<2> M_2_11_p35_lanes = M_2_11_p33_lanes - M_2_11_p34_lanes;
-  const Lanes<2> M_2_11_p36_lanes = 0.072 * M_2_11_p35_lanes;
-  const Lanes<2> M_2_11_p37_lanes = M_5_11_lanes - M_2_11_p36_lanes;
-  const Lanes<2> M_2_11_p38_lanes = c5 * M_2_11_p37_lanes;
-  const Lanes<2> M_2_11_p39_lanes = M_2_11_p32_lanes - M_2_11_p38_lanes;
-  const Lanes<2> M_2_11_p40_lanes = 0.21799999999999997 * M_2_11_p35_lanes;
-  const Lanes<2> M_2_11_p41_lanes = M_2_11_p39_lanes + M_2_11_p40_lanes;
-  const Lanes<2> M_2_11_p42_lanes = s4 * M_2_11_p41_lanes;
-  const Lanes<2> M_4_11_p1_lanes = s6 * M_2_11_p26_lanes;
-  const Lanes<2> M_4_11_p2_lanes = c6 * M_2_11_p29_lanes;
-  const Lanes<2> M_4_11_p3_lanes = M_4_11_p1_lanes + M_4_11_p2_lanes;
-  const Lanes<2> M_4_11_p4_lanes = 0.072 * M_2_11_p24_lanes;
-  const Lanes<2> M_4_11_lanes = M_4_11_p3_lanes + M_4_11_p4_lanes;
+  const Lanes<2> M_2_11_p35_lanes = s6 * M_5_11_p10_lanes - c6 * M_5_11_p6_lanes;
+  const Lanes<2> M_2_11_p37_lanes = M_5_11_lanes - 0.072 * M_2_11_p35_lanes;
+  const Lanes<2> M_2_11_p42_lanes = s4 * (s5 * M_2_11_p31_lanes - c5 * M_2_11_p37_lanes +
+      0.21799999999999997 * M_2_11_p35_lanes);
+  const Lanes<2> M_4_11_lanes = s6 * M_2_11_p26_lanes + c6 * M_2_11_p29_lanes + 0.072 *
+      M_2_11_p24_lanes;
   M[107] = M_4_11_lanes[0];
   M[268] = M_4_11_lanes[0];
 
@@ -1756,16 +1389,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[436] = M_4_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p43_lanes = c6 * M_5_11_p10_lanes;
-  const Lanes<2> M_2_11_p44_lanes = s6 * M_5_11_p6_lanes;
-  const Lanes<2> M_2_11_p45_lanes = M_2_11_p43_lanes + M_2_11_p44_lanes;
-  const Lanes<2> M_2_11_p46_lanes = s5 * M_2_11_p45_lanes;
-  const Lanes<2> M_2_11_p47_lanes = c5 * M_2_11_p24_lanes;
-  const Lanes<2> M_2_11_p48_lanes = M_2_11_p46_lanes - M_2_11_p47_lanes;
-  const Lanes<2> M_2_11_p49_lanes = 0.21799999999999997 * M_2_11_p48_lanes;
-  const Lanes<2> M_2_11_p50_lanes = M_4_11_lanes - M_2_11_p49_lanes;
-  const Lanes<2> M_2_11_p51_lanes = c4 * M_2_11_p50_lanes;
-  const Lanes<2> M_2_11_lanes = M_2_11_p51_lanes - M_2_11_p42_lanes;
+  const Lanes<2> M_2_11_p45_lanes = c6 * M_5_11_p10_lanes + s6 * M_5_11_p6_lanes;
+  const Lanes<2> M_2_11_p48_lanes = s5 * M_2_11_p45_lanes - c5 * M_2_11_p24_lanes;
+  const Lanes<2> M_2_11_lanes = c4 * (M_4_11_lanes - 0.21799999999999997 * M_2_11_p48_lanes) -
+      M_2_11_p42_lanes;
   M[59] = M_2_11_lanes[0];
   M[266] = M_2_11_lanes[0];
 
@@ -1774,17 +1401,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[434] = M_2_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p1_lanes = c4 * M_2_11_p48_lanes;
-  const Lanes<2> M_1_11_p2_lanes = s4 * M_2_11_p35_lanes;
-  const Lanes<2> M_1_11_p3_lanes = M_1_11_p1_lanes + M_1_11_p2_lanes;
-  const Lanes<2> M_1_11_p4_lanes = c3 * M_1_11_p3_lanes;
-  const Lanes<2> M_1_11_p5_lanes = c5 * M_2_11_p45_lanes;
-  const Lanes<2> M_1_11_p6_lanes = s5 * M_2_11_p24_lanes;
-  const Lanes<2> M_1_11_p7_lanes = M_1_11_p6_lanes + M_1_11_p5_lanes;
-  const Lanes<2> M_1_11_p8_lanes = s3 * M_1_11_p7_lanes;
-  const Lanes<2> M_1_11_p9_lanes = M_1_11_p4_lanes + M_1_11_p8_lanes;
-  const Lanes<2> M_1_11_p10_lanes = 0.422 * M_1_11_p9_lanes;
-  const Lanes<2> M_1_11_lanes = M_2_11_lanes - M_1_11_p10_lanes;
+  const Lanes<2> M_1_11_p3_lanes = c4 * M_2_11_p48_lanes + s4 * M_2_11_p35_lanes;
+  const Lanes<2> M_1_11_p7_lanes = s5 * M_2_11_p24_lanes + c5 * M_2_11_p45_lanes;
+  const Lanes<2> M_1_11_p9_lanes = c3 * M_1_11_p3_lanes + s3 * M_1_11_p7_lanes;
+  const Lanes<2> M_1_11_lanes = M_2_11_lanes - 0.422 * M_1_11_p9_lanes;
   M[35] = M_1_11_lanes[0];
   M[265] = M_1_11_lanes[0];
 
@@ -1793,14 +1413,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[433] = M_1_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p1_lanes = c2 * M_1_11_p9_lanes;
-  const Lanes<2> M_0_11_p2_lanes = s3 * M_1_11_p3_lanes;
-  const Lanes<2> M_0_11_p3_lanes = c3 * M_1_11_p7_lanes;
-  const Lanes<2> M_0_11_p4_lanes = M_0_11_p3_lanes - M_0_11_p2_lanes;
-  const Lanes<2> M_0_11_p5_lanes = s2 * M_0_11_p4_lanes;
-  const Lanes<2> M_0_11_p6_lanes = M_0_11_p1_lanes + M_0_11_p5_lanes;
-  const Lanes<2> M_0_11_p7_lanes = 0.434 * M_0_11_p6_lanes;
-  const Lanes<2> M_0_11_lanes = M_1_11_lanes - M_0_11_p7_lanes;
+  const Lanes<2> M_0_11_p6_lanes = c2 * M_1_11_p9_lanes + s2 *
+      (c3 * M_1_11_p7_lanes - s3 * M_1_11_p3_lanes);
+  const Lanes<2> M_0_11_lanes = M_1_11_lanes - 0.434 * M_0_11_p6_lanes;
   M[11] = M_0_11_lanes[0];
   M[264] = M_0_11_lanes[0];
 
@@ -1808,27 +1423,19 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[18] = M_0_11_lanes[1];
   M[432] = M_0_11_lanes[1];
 
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p1_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p5_lanes;
-
   // link 20 (right_hand), mass matrix
   M[300] = 0.0009386316083993107;
   M[475] = 0.0009386316083993107;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p2_lanes = 0.0009386316083993107 * detail::make_lanes<Real>(c12, c19);
-  const Lanes<2> M_4_12_p3_lanes = M_4_12_p2_lanes + M_4_12_p1_lanes;
-  const Lanes<2> M_4_12_p4_lanes = 0.269 * M_2_2_p33_lanes;
-  const Lanes<2> M_4_12_p5_lanes = M_4_12_p3_lanes + M_4_12_p4_lanes;
-  const Lanes<2> M_4_12_p6_lanes = detail::make_lanes<Real>(c11, c18) * M_4_12_p5_lanes;
-  const Lanes<2> M_4_12_p7_lanes = detail::make_lanes<Real>(s12, s19) * M_2_2_p55_lanes;
-  const Lanes<2> M_4_12_p8_lanes = 0.269 * M_4_12_p7_lanes;
-  const Lanes<2> M_4_12_p9_lanes = M_11_12_lanes - M_4_12_p8_lanes;
-  const Lanes<2> M_4_12_p10_lanes = detail::make_lanes<Real>(s11, s18) * M_4_12_p9_lanes;
-  const Lanes<2> M_4_12_p11_lanes = M_4_12_p6_lanes - M_4_12_p10_lanes;
-  const Lanes<2> M_4_12_p12_lanes = detail::make_lanes<Real>(c10, c17) * M_4_12_p11_lanes;
-  const Lanes<2> M_10_12_p1_lanes = 0.0009386316083993107 * detail::make_lanes<Real>(s12, s19);
-  const Lanes<2> M_10_12_lanes = M_2_2_p7_lanes - M_10_12_p1_lanes;
+  const Lanes<2> M_4_12_p5_lanes = 0.0009386316083993107 * detail::make_pack<Real>(c12, c19) +
+      detail::make_pack<Real>(s12, s19) * M_2_2_p5_lanes + 0.269 * M_2_2_p33_lanes;
+  const Lanes<2> M_4_12_p7_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p55_lanes;
+  const Lanes<2> M_4_12_p9_lanes = M_11_12_lanes - 0.269 * M_4_12_p7_lanes;
+  const Lanes<2> M_4_12_p11_lanes = detail::make_pack<Real>(c11, c18) * M_4_12_p5_lanes -
+      detail::make_pack<Real>(s11, s18) * M_4_12_p9_lanes;
+  const Lanes<2> M_10_12_lanes = M_2_2_p7_lanes - 0.0009386316083993107 *
+      detail::make_pack<Real>(s12, s19);
   M[252] = M_10_12_lanes[0];
   M[298] = M_10_12_lanes[0];
 
@@ -1837,17 +1444,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[473] = M_10_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p13_lanes = detail::make_lanes<Real>(s10, s17) * M_10_12_lanes;
-  const Lanes<2> M_4_12_p14_lanes = M_4_12_p12_lanes + M_4_12_p13_lanes;
-  const Lanes<2> M_4_12_p15_lanes = detail::make_lanes<Real>(s11, s18) * M_4_12_p7_lanes;
-  const Lanes<2> M_4_12_p16_lanes = detail::make_lanes<Real>(c11, c18) * M_2_2_p33_lanes;
-  const Lanes<2> M_4_12_p17_lanes = M_4_12_p15_lanes + M_4_12_p16_lanes;
-  const Lanes<2> M_4_12_p18_lanes = 0.282 * M_4_12_p17_lanes;
-  const Lanes<2> M_4_12_p19_lanes = M_4_12_p14_lanes + M_4_12_p18_lanes;
-  const Lanes<2> M_4_12_p20_lanes = detail::make_lanes<Real>(s9, s16) * M_4_12_p19_lanes;
-  const Lanes<2> M_9_12_p1_lanes = detail::make_lanes<Real>(s11, s18) * M_4_12_p5_lanes;
-  const Lanes<2> M_9_12_p2_lanes = detail::make_lanes<Real>(c11, c18) * M_4_12_p9_lanes;
-  const Lanes<2> M_9_12_lanes = M_9_12_p1_lanes + M_9_12_p2_lanes;
+  const Lanes<2> M_4_12_p17_lanes = detail::make_pack<Real>(s11, s18) * M_4_12_p7_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_2_p33_lanes;
+  const Lanes<2> M_4_12_p19_lanes = detail::make_pack<Real>(c10, c17) * M_4_12_p11_lanes +
+      detail::make_pack<Real>(s10, s17) * M_10_12_lanes + 0.282 * M_4_12_p17_lanes;
+  const Lanes<2> M_9_12_lanes = detail::make_pack<Real>(s11, s18) * M_4_12_p5_lanes +
+      detail::make_pack<Real>(c11, c18) * M_4_12_p9_lanes;
   M[228] = M_9_12_lanes[0];
   M[297] = M_9_12_lanes[0];
 
@@ -1856,21 +1458,16 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[472] = M_9_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p21_lanes = detail::make_lanes<Real>(c11, c18) * M_4_12_p7_lanes;
-  const Lanes<2> M_4_12_p22_lanes = detail::make_lanes<Real>(s11, s18) * M_2_2_p33_lanes;
-  const Lanes<2> M_4_12_p23_lanes = M_4_12_p21_lanes - M_4_12_p22_lanes;
-  const Lanes<2> M_4_12_p24_lanes = detail::make_lanes<Real>(c10, c17) * M_4_12_p23_lanes;
-  const Lanes<2> M_4_12_p25_lanes = detail::make_lanes<Real>(c12, c19) * M_2_2_p55_lanes;
-  const Lanes<2> M_4_12_p26_lanes = detail::make_lanes<Real>(s10, s17) * M_4_12_p25_lanes;
-  const Lanes<2> M_4_12_p27_lanes = M_4_12_p24_lanes + M_4_12_p26_lanes;
-  const Lanes<2> M_4_12_p28_lanes = 0.282 * M_4_12_p27_lanes;
-  const Lanes<2> M_4_12_p29_lanes = M_9_12_lanes - M_4_12_p28_lanes;
-  const Lanes<2> M_4_12_p30_lanes = detail::make_lanes<Real>(c9, c16) * M_4_12_p29_lanes;
-  const Lanes<2> M_4_12_p31_lanes = M_4_12_p20_lanes + M_4_12_p30_lanes;
-  const Lanes<2> M_4_12_p32_lanes = detail::make_lanes<Real>(s8, s15) * M_4_12_p31_lanes;
-  const Lanes<2> M_8_12_p1_lanes = detail::make_lanes<Real>(s10, s17) * M_4_12_p11_lanes;
-  const Lanes<2> M_8_12_p2_lanes = detail::make_lanes<Real>(c10, c17) * M_10_12_lanes;
-  const Lanes<2> M_8_12_lanes = M_8_12_p2_lanes - M_8_12_p1_lanes;
+  const Lanes<2> M_4_12_p23_lanes = detail::make_pack<Real>(c11, c18) * M_4_12_p7_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p33_lanes;
+  const Lanes<2> M_4_12_p25_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p55_lanes;
+  const Lanes<2> M_4_12_p27_lanes = detail::make_pack<Real>(c10, c17) * M_4_12_p23_lanes +
+      detail::make_pack<Real>(s10, s17) * M_4_12_p25_lanes;
+  const Lanes<2> M_4_12_p29_lanes = M_9_12_lanes - 0.282 * M_4_12_p27_lanes;
+  const Lanes<2> M_4_12_p31_lanes = detail::make_pack<Real>(s9, s16) * M_4_12_p19_lanes +
+      detail::make_pack<Real>(c9, c16) * M_4_12_p29_lanes;
+  const Lanes<2> M_8_12_lanes = detail::make_pack<Real>(c10, c17) * M_10_12_lanes -
+      detail::make_pack<Real>(s10, s17) * M_4_12_p11_lanes;
   M[204] = M_8_12_lanes[0];
   M[296] = M_8_12_lanes[0];
 
@@ -1879,12 +1476,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[471] = M_8_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p33_lanes = detail::make_lanes<Real>(c8, c15) * M_8_12_lanes;
-  const Lanes<2> M_4_12_p34_lanes = M_4_12_p33_lanes + M_4_12_p32_lanes;
-  const Lanes<2> M_4_12_p35_lanes = detail::make_lanes<Real>(c7, c14) * M_4_12_p34_lanes;
-  const Lanes<2> M_7_12_p1_lanes = detail::make_lanes<Real>(c9, c16) * M_4_12_p19_lanes;
-  const Lanes<2> M_7_12_p2_lanes = detail::make_lanes<Real>(s9, s16) * M_4_12_p29_lanes;
-  const Lanes<2> M_7_12_lanes = M_7_12_p1_lanes - M_7_12_p2_lanes;
+  const Lanes<2> M_4_12_p34_lanes = detail::make_pack<Real>(c8, c15) * M_8_12_lanes +
+      detail::make_pack<Real>(s8, s15) * M_4_12_p31_lanes;
+  const Lanes<2> M_7_12_lanes = detail::make_pack<Real>(c9, c16) * M_4_12_p19_lanes -
+      detail::make_pack<Real>(s9, s16) * M_4_12_p29_lanes;
   M[180] = M_7_12_lanes[0];
   M[295] = M_7_12_lanes[0];
 
@@ -1893,29 +1488,21 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[470] = M_7_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p36_lanes = detail::make_lanes<Real>(s7, s14) * M_7_12_lanes;
-  const Lanes<2> M_4_12_p37_lanes = M_4_12_p35_lanes - M_4_12_p36_lanes;
-  const Lanes<2> M_4_12_p38_lanes = detail::make_lanes<Real>(c9, c16) * M_4_12_p27_lanes;
-  const Lanes<2> M_4_12_p39_lanes = detail::make_lanes<Real>(s9, s16) * M_4_12_p17_lanes;
-  const Lanes<2> M_4_12_p40_lanes = M_4_12_p38_lanes - M_4_12_p39_lanes;
-  const Lanes<2> M_4_12_p41_lanes = detail::make_lanes<Real>(c7, c14) * M_4_12_p40_lanes;
-  const Lanes<2> M_4_12_p42_lanes = detail::make_lanes<Real>(s9, s16) * M_4_12_p27_lanes;
-  const Lanes<2> M_4_12_p43_lanes = detail::make_lanes<Real>(c9, c16) * M_4_12_p17_lanes;
-  const Lanes<2> M_4_12_p44_lanes = M_4_12_p42_lanes + M_4_12_p43_lanes;
-  const Lanes<2> M_4_12_p45_lanes = detail::make_lanes<Real>(s8, s15) * M_4_12_p44_lanes;
-  const Lanes<2> M_4_12_p46_lanes = detail::make_lanes<Real>(s10, s17) * M_4_12_p23_lanes;
-  const Lanes<2> M_4_12_p47_lanes = detail::make_lanes<Real>(c10, c17) * M_4_12_p25_lanes;
-  const Lanes<2> M_4_12_p48_lanes = M_4_12_p47_lanes - M_4_12_p46_lanes;
-  const Lanes<2> M_4_12_p49_lanes = detail::make_lanes<Real>(c8, c15) * M_4_12_p48_lanes;
-  const Lanes<2> M_4_12_p50_lanes = M_4_12_p49_lanes + M_4_12_p45_lanes;
-  const Lanes<2> M_4_12_p51_lanes = detail::make_lanes<Real>(s7, s14) * M_4_12_p50_lanes;
-  const Lanes<2> M_4_12_p52_lanes = M_4_12_p41_lanes + M_4_12_p51_lanes;
-  const Lanes<2> M_4_12_p53_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_4_12_p52_lanes;
-  const Lanes<2> M_4_12_p54_lanes = M_4_12_p53_lanes - M_4_12_p37_lanes;
-  const Lanes<2> M_4_12_p55_lanes = s6 * M_4_12_p54_lanes;
-  const Lanes<2> M_6_12_p1_lanes = detail::make_lanes<Real>(c8, c15) * M_4_12_p31_lanes;
-  const Lanes<2> M_6_12_p2_lanes = detail::make_lanes<Real>(s8, s15) * M_8_12_lanes;
-  const Lanes<2> M_6_12_lanes = M_6_12_p1_lanes - M_6_12_p2_lanes;
+  const Lanes<2> M_4_12_p40_lanes = detail::make_pack<Real>(c9, c16) * M_4_12_p27_lanes -
+      detail::make_pack<Real>(s9, s16) * M_4_12_p17_lanes;
+  const Lanes<2> M_4_12_p44_lanes = detail::make_pack<Real>(s9, s16) * M_4_12_p27_lanes +
+      detail::make_pack<Real>(c9, c16) * M_4_12_p17_lanes;
+  const Lanes<2> M_4_12_p48_lanes = detail::make_pack<Real>(c10, c17) * M_4_12_p25_lanes -
+      detail::make_pack<Real>(s10, s17) * M_4_12_p23_lanes;
+  const Lanes<2> M_4_12_p50_lanes = detail::make_pack<Real>(c8, c15) * M_4_12_p48_lanes +
+      detail::make_pack<Real>(s8, s15) * M_4_12_p44_lanes;
+  const Lanes<2> M_4_12_p52_lanes = detail::make_pack<Real>(c7, c14) * M_4_12_p40_lanes +
+      detail::make_pack<Real>(s7, s14) * M_4_12_p50_lanes;
+  const Lanes<2> M_4_12_p54_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_4_12_p52_lanes -
+      (detail::make_pack<Real>(c7, c14) * M_4_12_p34_lanes - detail::make_pack<Real>(s7, s14) *
+      M_7_12_lanes);
+  const Lanes<2> M_6_12_lanes = detail::make_pack<Real>(c8, c15) * M_4_12_p31_lanes -
+      detail::make_pack<Real>(s8, s15) * M_8_12_lanes;
   M[156] = M_6_12_lanes[0];
   M[294] = M_6_12_lanes[0];
 
@@ -1924,12 +1511,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[469] = M_6_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p56_lanes = 0.226 * M_4_12_p52_lanes;
-  const Lanes<2> M_4_12_p57_lanes = M_6_12_lanes + M_4_12_p56_lanes;
-  const Lanes<2> M_4_12_p58_lanes = c6 * M_4_12_p57_lanes;
-  const Lanes<2> M_4_12_p59_lanes = M_4_12_p55_lanes + M_4_12_p58_lanes;
-  const Lanes<2> M_4_12_p60_lanes = 0.072 * M_4_12_p52_lanes;
-  const Lanes<2> M_4_12_lanes = M_4_12_p59_lanes + M_4_12_p60_lanes;
+  const Lanes<2> M_4_12_p57_lanes = M_6_12_lanes + 0.226 * M_4_12_p52_lanes;
+  const Lanes<2> M_4_12_lanes = s6 * M_4_12_p54_lanes + c6 * M_4_12_p57_lanes + 0.072 *
+      M_4_12_p52_lanes;
   M[108] = M_4_12_lanes[0];
   M[292] = M_4_12_lanes[0];
 
@@ -1938,32 +1522,17 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[460] = M_4_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p1_lanes = c5 * M_4_12_p52_lanes;
-  const Lanes<2> M_2_12_p2_lanes = detail::make_lanes<Real>(c7, c14) * M_4_12_p50_lanes;
-  const Lanes<2> M_2_12_p3_lanes = detail::make_lanes<Real>(s7, s14) * M_4_12_p40_lanes;
-  const Lanes<2> M_2_12_p4_lanes = M_2_12_p2_lanes - M_2_12_p3_lanes;
-  const Lanes<2> M_2_12_p5_lanes = c6 * M_2_12_p4_lanes;
-  const Lanes<2> M_2_12_p6_lanes = detail::make_lanes<Real>(c8, c15) * M_4_12_p44_lanes;
-  const Lanes<2> M_2_12_p7_lanes = detail::make_lanes<Real>(s8, s15) * M_4_12_p48_lanes;
-  const Lanes<2> M_2_12_p8_lanes = M_2_12_p6_lanes - M_2_12_p7_lanes;
-  const Lanes<2> M_2_12_p9_lanes = s6 * M_2_12_p8_lanes;
-  const Lanes<2> M_2_12_p10_lanes = M_2_12_p5_lanes + M_2_12_p9_lanes;
-  const Lanes<2> M_2_12_p11_lanes = s5 * M_2_12_p10_lanes;
-  const Lanes<2> M_2_12_p12_lanes = M_2_12_p1_lanes + M_2_12_p11_lanes;
-  const Lanes<2> M_2_12_p13_lanes = 0.21799999999999997 * M_2_12_p12_lanes;
-  const Lanes<2> M_2_12_p14_lanes = M_4_12_lanes + M_2_12_p13_lanes;
-  const Lanes<2> M_2_12_p15_lanes = c4 * M_2_12_p14_lanes;
-  const Lanes<2> M_2_12_p16_lanes = c6 * M_4_12_p54_lanes;
-  const Lanes<2> M_2_12_p17_lanes = s6 * M_4_12_p57_lanes;
-  const Lanes<2> M_2_12_p18_lanes = M_2_12_p16_lanes - M_2_12_p17_lanes;
-  const Lanes<2> M_2_12_p19_lanes = s5 * M_2_12_p18_lanes;
-  const Lanes<2> M_5_12_p1_lanes = detail::make_lanes<Real>(c7, c14) * M_7_12_lanes;
-  const Lanes<2> M_5_12_p2_lanes = detail::make_lanes<Real>(s7, s14) * M_4_12_p34_lanes;
-  const Lanes<2> M_5_12_p3_lanes = M_5_12_p1_lanes + M_5_12_p2_lanes;
-  const Lanes<2> M_5_12_p4_lanes = detail::make_lanes<Real>(0.18, (-0.18)) * M_2_12_p4_lanes;
-  const Lanes<2> M_5_12_p5_lanes = 0.226 * M_2_12_p8_lanes;
-  const Lanes<2> M_5_12_p6_lanes = M_5_12_p4_lanes - M_5_12_p5_lanes;
-  const Lanes<2> M_5_12_lanes = M_5_12_p3_lanes + M_5_12_p6_lanes;
+  const Lanes<2> M_2_12_p4_lanes = detail::make_pack<Real>(c7, c14) * M_4_12_p50_lanes -
+      detail::make_pack<Real>(s7, s14) * M_4_12_p40_lanes;
+  const Lanes<2> M_2_12_p8_lanes = detail::make_pack<Real>(c8, c15) * M_4_12_p44_lanes -
+      detail::make_pack<Real>(s8, s15) * M_4_12_p48_lanes;
+  const Lanes<2> M_2_12_p10_lanes = c6 * M_2_12_p4_lanes + s6 * M_2_12_p8_lanes;
+  const Lanes<2> M_2_12_p12_lanes = c5 * M_4_12_p52_lanes + s5 * M_2_12_p10_lanes;
+  const Lanes<2> M_2_12_p18_lanes = c6 * M_4_12_p54_lanes - s6 * M_4_12_p57_lanes;
+  const Lanes<2> M_5_12_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_12_p4_lanes -
+      0.226 * M_2_12_p8_lanes;
+  const Lanes<2> M_5_12_lanes = detail::make_pack<Real>(c7, c14) * M_7_12_lanes +
+      detail::make_pack<Real>(s7, s14) * M_4_12_p34_lanes + M_5_12_p6_lanes;
   M[132] = M_5_12_lanes[0];
   M[293] = M_5_12_lanes[0];
 
@@ -1972,17 +1541,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[461] = M_5_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p20_lanes = s6 * M_2_12_p4_lanes;
-  const Lanes<2> M_2_12_p21_lanes = c6 * M_2_12_p8_lanes;
-  const Lanes<2> M_2_12_p22_lanes = M_2_12_p21_lanes - M_2_12_p20_lanes;
-  const Lanes<2> M_2_12_p23_lanes = 0.072 * M_2_12_p22_lanes;
-  const Lanes<2> M_2_12_p24_lanes = M_5_12_lanes - M_2_12_p23_lanes;
-  const Lanes<2> M_2_12_p25_lanes = c5 * M_2_12_p24_lanes;
-  const Lanes<2> M_2_12_p26_lanes = M_2_12_p19_lanes - M_2_12_p25_lanes;
-  const Lanes<2> M_2_12_p27_lanes = 0.21799999999999997 * M_2_12_p22_lanes;
-  const Lanes<2> M_2_12_p28_lanes = M_2_12_p26_lanes + M_2_12_p27_lanes;
-  const Lanes<2> M_2_12_p29_lanes = s4 * M_2_12_p28_lanes;
-  const Lanes<2> M_2_12_lanes = M_2_12_p15_lanes - M_2_12_p29_lanes;
+  const Lanes<2> M_2_12_p22_lanes = c6 * M_2_12_p8_lanes - s6 * M_2_12_p4_lanes;
+  const Lanes<2> M_2_12_p24_lanes = M_5_12_lanes - 0.072 * M_2_12_p22_lanes;
+  const Lanes<2> M_2_12_p29_lanes = s4 * (s5 * M_2_12_p18_lanes - c5 * M_2_12_p24_lanes +
+      0.21799999999999997 * M_2_12_p22_lanes);
+  const Lanes<2> M_2_12_lanes = c4 * (M_4_12_lanes + 0.21799999999999997 * M_2_12_p12_lanes) -
+      M_2_12_p29_lanes;
   M[60] = M_2_12_lanes[0];
   M[290] = M_2_12_lanes[0];
 
@@ -1991,17 +1555,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[458] = M_2_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p1_lanes = c4 * M_2_12_p12_lanes;
-  const Lanes<2> M_1_12_p2_lanes = s4 * M_2_12_p22_lanes;
-  const Lanes<2> M_1_12_p3_lanes = M_1_12_p1_lanes - M_1_12_p2_lanes;
-  const Lanes<2> M_1_12_p4_lanes = c3 * M_1_12_p3_lanes;
-  const Lanes<2> M_1_12_p5_lanes = c5 * M_2_12_p10_lanes;
-  const Lanes<2> M_1_12_p6_lanes = s5 * M_4_12_p52_lanes;
-  const Lanes<2> M_1_12_p7_lanes = M_1_12_p5_lanes - M_1_12_p6_lanes;
-  const Lanes<2> M_1_12_p8_lanes = s3 * M_1_12_p7_lanes;
-  const Lanes<2> M_1_12_p9_lanes = M_1_12_p4_lanes + M_1_12_p8_lanes;
-  const Lanes<2> M_1_12_p10_lanes = 0.422 * M_1_12_p9_lanes;
-  const Lanes<2> M_1_12_lanes = M_2_12_lanes + M_1_12_p10_lanes;
+  const Lanes<2> M_1_12_p3_lanes = c4 * M_2_12_p12_lanes - s4 * M_2_12_p22_lanes;
+  const Lanes<2> M_1_12_p7_lanes = c5 * M_2_12_p10_lanes - s5 * M_4_12_p52_lanes;
+  const Lanes<2> M_1_12_p9_lanes = c3 * M_1_12_p3_lanes + s3 * M_1_12_p7_lanes;
+  const Lanes<2> M_1_12_lanes = M_2_12_lanes + 0.422 * M_1_12_p9_lanes;
   M[36] = M_1_12_lanes[0];
   M[289] = M_1_12_lanes[0];
 
@@ -2010,14 +1567,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[457] = M_1_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p1_lanes = c2 * M_1_12_p9_lanes;
-  const Lanes<2> M_0_12_p2_lanes = s3 * M_1_12_p3_lanes;
-  const Lanes<2> M_0_12_p3_lanes = c3 * M_1_12_p7_lanes;
-  const Lanes<2> M_0_12_p4_lanes = M_0_12_p2_lanes - M_0_12_p3_lanes;
-  const Lanes<2> M_0_12_p5_lanes = s2 * M_0_12_p4_lanes;
-  const Lanes<2> M_0_12_p6_lanes = M_0_12_p1_lanes - M_0_12_p5_lanes;
-  const Lanes<2> M_0_12_p7_lanes = 0.434 * M_0_12_p6_lanes;
-  const Lanes<2> M_0_12_lanes = M_1_12_lanes + M_0_12_p7_lanes;
+  const Lanes<2> M_0_12_p6_lanes = c2 * M_1_12_p9_lanes - s2 *
+      (s3 * M_1_12_p3_lanes - c3 * M_1_12_p7_lanes);
+  const Lanes<2> M_0_12_lanes = M_1_12_lanes + 0.434 * M_0_12_p6_lanes;
   M[12] = M_0_12_lanes[0];
   M[288] = M_0_12_lanes[0];
 
@@ -2086,21 +1638,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 23 (left_eye), mass matrix
   const Lanes<2> M_2_22_p1_lanes = 9.25e-06 + M_2_2_p286_lanes;
-  const Lanes<2> M_2_22_p2_lanes = s22 * M_2_22_p1_lanes;
-  const Lanes<2> M_2_22_p3_lanes = c22 * M_2_2_p295_lanes;
-  const Lanes<2> M_2_22_p4_lanes = M_2_22_p3_lanes - M_2_22_p2_lanes;
-  const Lanes<2> M_2_22_p5_lanes = 9.850000000000001e-05 * detail::make_lanes<Real>(c23, c24);
-  const Lanes<2> M_2_22_p6_lanes = M_2_22_p4_lanes + M_2_22_p5_lanes;
-  const Lanes<2> M_2_22_p7_lanes = s21 * M_2_22_p6_lanes;
+  const Lanes<2> M_2_22_p6_lanes = c22 * M_2_2_p295_lanes - s22 * M_2_22_p1_lanes +
+      9.850000000000001e-05 * detail::make_pack<Real>(c23, c24);
   const Lanes<2> M_2_22_p8_lanes = c22 * M_2_2_p383_lanes;
-  const Lanes<2> M_2_22_p9_lanes = 0.394 * M_2_22_p8_lanes;
-  const Lanes<2> M_2_22_p10_lanes = M_21_22_lanes + M_2_22_p9_lanes;
-  const Lanes<2> M_2_22_p11_lanes = c21 * M_2_22_p10_lanes;
-  const Lanes<2> M_2_22_p12_lanes = M_2_22_p7_lanes + M_2_22_p11_lanes;
-  const Lanes<2> M_2_22_p13_lanes = s6 * M_2_22_p12_lanes;
-  const Lanes<2> M_20_22_p1_lanes = c22 * M_2_22_p1_lanes;
-  const Lanes<2> M_20_22_p2_lanes = s22 * M_2_2_p295_lanes;
-  const Lanes<2> M_20_22_lanes = M_20_22_p2_lanes + M_20_22_p1_lanes;
+  const Lanes<2> M_2_22_p10_lanes = M_21_22_lanes + 0.394 * M_2_22_p8_lanes;
+  const Lanes<2> M_2_22_p12_lanes = s21 * M_2_22_p6_lanes + c21 * M_2_22_p10_lanes;
+  const Lanes<2> M_20_22_lanes = s22 * M_2_2_p295_lanes + c22 * M_2_22_p1_lanes;
   M[502] = M_20_22_lanes[0];
   M[548] = M_20_22_lanes[0];
 
@@ -2109,12 +1652,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[572] = M_20_22_lanes[1];
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p14_lanes = c6 * M_20_22_lanes;
-  const Lanes<2> M_2_22_p15_lanes = M_2_22_p13_lanes - M_2_22_p14_lanes;
-  const Lanes<2> M_2_22_p16_lanes = s5 * M_2_22_p15_lanes;
-  const Lanes<2> M_5_22_p1_lanes = s21 * M_2_22_p10_lanes;
-  const Lanes<2> M_5_22_p2_lanes = c21 * M_2_22_p6_lanes;
-  const Lanes<2> M_5_22_lanes = M_5_22_p1_lanes - M_5_22_p2_lanes;
+  const Lanes<2> M_2_22_p15_lanes = s6 * M_2_22_p12_lanes - c6 * M_20_22_lanes;
+  const Lanes<2> M_5_22_lanes = s21 * M_2_22_p10_lanes - c21 * M_2_22_p6_lanes;
   M[142] = M_5_22_lanes[0];
   M[533] = M_5_22_lanes[0];
 
@@ -2123,28 +1662,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[557] = M_5_22_lanes[1];
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p17_lanes = s21 * M_2_22_p8_lanes;
-  const Lanes<2> M_2_22_p18_lanes = c21 * M_2_2_p322_lanes;
-  const Lanes<2> M_2_22_p19_lanes = M_2_22_p17_lanes - M_2_22_p18_lanes;
-  const Lanes<2> M_2_22_p20_lanes = c6 * M_2_22_p19_lanes;
+  const Lanes<2> M_2_22_p19_lanes = s21 * M_2_22_p8_lanes - c21 * M_2_2_p322_lanes;
   const Lanes<2> M_2_22_p21_lanes = s22 * M_2_2_p383_lanes;
-  const Lanes<2> M_2_22_p22_lanes = s6 * M_2_22_p21_lanes;
-  const Lanes<2> M_2_22_p23_lanes = M_2_22_p22_lanes + M_2_22_p20_lanes;
-  const Lanes<2> M_2_22_p24_lanes = 0.072 * M_2_22_p23_lanes;
-  const Lanes<2> M_2_22_p25_lanes = M_5_22_lanes + M_2_22_p24_lanes;
-  const Lanes<2> M_2_22_p26_lanes = c5 * M_2_22_p25_lanes;
-  const Lanes<2> M_2_22_p27_lanes = M_2_22_p16_lanes - M_2_22_p26_lanes;
-  const Lanes<2> M_2_22_p28_lanes = 0.21799999999999997 * M_2_22_p23_lanes;
-  const Lanes<2> M_2_22_p29_lanes = M_2_22_p28_lanes - M_2_22_p27_lanes;
-  const Lanes<2> M_2_22_p30_lanes = s4 * M_2_22_p29_lanes;
-  const Lanes<2> M_4_22_p1_lanes = c6 * M_2_22_p12_lanes;
-  const Lanes<2> M_4_22_p2_lanes = s6 * M_20_22_lanes;
-  const Lanes<2> M_4_22_p3_lanes = M_4_22_p2_lanes + M_4_22_p1_lanes;
-  const Lanes<2> M_4_22_p4_lanes = c21 * M_2_22_p8_lanes;
-  const Lanes<2> M_4_22_p5_lanes = s21 * M_2_2_p322_lanes;
-  const Lanes<2> M_4_22_p6_lanes = M_4_22_p4_lanes + M_4_22_p5_lanes;
-  const Lanes<2> M_4_22_p7_lanes = 0.072 * M_4_22_p6_lanes;
-  const Lanes<2> M_4_22_lanes = M_4_22_p3_lanes + M_4_22_p7_lanes;
+  const Lanes<2> M_2_22_p23_lanes = s6 * M_2_22_p21_lanes + c6 * M_2_22_p19_lanes;
+  const Lanes<2> M_2_22_p25_lanes = M_5_22_lanes + 0.072 * M_2_22_p23_lanes;
+  const Lanes<2> M_2_22_p30_lanes = s4 * (0.21799999999999997 * M_2_22_p23_lanes -
+      (s5 * M_2_22_p15_lanes - c5 * M_2_22_p25_lanes));
+  const Lanes<2> M_4_22_p6_lanes = c21 * M_2_22_p8_lanes + s21 * M_2_2_p322_lanes;
+  const Lanes<2> M_4_22_lanes = s6 * M_20_22_lanes + c6 * M_2_22_p12_lanes + 0.072 *
+      M_4_22_p6_lanes;
   M[118] = -M_4_22_lanes[0];
   M[532] = -M_4_22_lanes[0];
 
@@ -2153,16 +1679,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[556] = -M_4_22_lanes[1];
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p31_lanes = c5 * M_4_22_p6_lanes;
-  const Lanes<2> M_2_22_p32_lanes = s6 * M_2_22_p19_lanes;
-  const Lanes<2> M_2_22_p33_lanes = c6 * M_2_22_p21_lanes;
-  const Lanes<2> M_2_22_p34_lanes = M_2_22_p32_lanes - M_2_22_p33_lanes;
-  const Lanes<2> M_2_22_p35_lanes = s5 * M_2_22_p34_lanes;
-  const Lanes<2> M_2_22_p36_lanes = M_2_22_p31_lanes + M_2_22_p35_lanes;
-  const Lanes<2> M_2_22_p37_lanes = 0.21799999999999997 * M_2_22_p36_lanes;
-  const Lanes<2> M_2_22_p38_lanes = M_4_22_lanes + M_2_22_p37_lanes;
-  const Lanes<2> M_2_22_p39_lanes = c4 * M_2_22_p38_lanes;
-  const Lanes<2> M_2_22_lanes = M_2_22_p30_lanes - M_2_22_p39_lanes;
+  const Lanes<2> M_2_22_p34_lanes = s6 * M_2_22_p19_lanes - c6 * M_2_22_p21_lanes;
+  const Lanes<2> M_2_22_p36_lanes = c5 * M_4_22_p6_lanes + s5 * M_2_22_p34_lanes;
+  const Lanes<2> M_2_22_lanes = M_2_22_p30_lanes - c4 *
+      (M_4_22_lanes + 0.21799999999999997 * M_2_22_p36_lanes);
   M[70] = M_2_22_lanes[0];
   M[530] = M_2_22_lanes[0];
 
@@ -2171,17 +1691,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[554] = M_2_22_lanes[1];
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p1_lanes = c4 * M_2_22_p36_lanes;
-  const Lanes<2> M_1_22_p2_lanes = s4 * M_2_22_p23_lanes;
-  const Lanes<2> M_1_22_p3_lanes = M_1_22_p2_lanes - M_1_22_p1_lanes;
-  const Lanes<2> M_1_22_p4_lanes = c3 * M_1_22_p3_lanes;
-  const Lanes<2> M_1_22_p5_lanes = s5 * M_4_22_p6_lanes;
-  const Lanes<2> M_1_22_p6_lanes = c5 * M_2_22_p34_lanes;
-  const Lanes<2> M_1_22_p7_lanes = M_1_22_p5_lanes - M_1_22_p6_lanes;
-  const Lanes<2> M_1_22_p8_lanes = s3 * M_1_22_p7_lanes;
-  const Lanes<2> M_1_22_p9_lanes = M_1_22_p4_lanes + M_1_22_p8_lanes;
-  const Lanes<2> M_1_22_p10_lanes = 0.422 * M_1_22_p9_lanes;
-  const Lanes<2> M_1_22_lanes = M_2_22_lanes + M_1_22_p10_lanes;
+  const Lanes<2> M_1_22_p3_lanes = s4 * M_2_22_p23_lanes - c4 * M_2_22_p36_lanes;
+  const Lanes<2> M_1_22_p7_lanes = s5 * M_4_22_p6_lanes - c5 * M_2_22_p34_lanes;
+  const Lanes<2> M_1_22_p9_lanes = c3 * M_1_22_p3_lanes + s3 * M_1_22_p7_lanes;
+  const Lanes<2> M_1_22_lanes = M_2_22_lanes + 0.422 * M_1_22_p9_lanes;
   M[46] = M_1_22_lanes[0];
   M[529] = M_1_22_lanes[0];
 
@@ -2190,14 +1703,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[553] = M_1_22_lanes[1];
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p1_lanes = c2 * M_1_22_p9_lanes;
-  const Lanes<2> M_0_22_p2_lanes = s3 * M_1_22_p3_lanes;
-  const Lanes<2> M_0_22_p3_lanes = c3 * M_1_22_p7_lanes;
-  const Lanes<2> M_0_22_p4_lanes = M_0_22_p2_lanes - M_0_22_p3_lanes;
-  const Lanes<2> M_0_22_p5_lanes = s2 * M_0_22_p4_lanes;
-  const Lanes<2> M_0_22_p6_lanes = M_0_22_p1_lanes - M_0_22_p5_lanes;
-  const Lanes<2> M_0_22_p7_lanes = 0.434 * M_0_22_p6_lanes;
-  const Lanes<2> M_0_22_lanes = M_1_22_lanes + M_0_22_p7_lanes;
+  const Lanes<2> M_0_22_p6_lanes = c2 * M_1_22_p9_lanes - s2 *
+      (s3 * M_1_22_p3_lanes - c3 * M_1_22_p7_lanes);
+  const Lanes<2> M_0_22_lanes = M_1_22_lanes + 0.434 * M_0_22_p6_lanes;
   M[22] = M_0_22_lanes[0];
   M[528] = M_0_22_lanes[0];
 
@@ -2214,9 +1722,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[123] = -M_3_5;
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_3_6_p1_lanes = s5 * M_2_6_p8_lanes;
-  const Lanes<2> M_3_6_p2_lanes = c5 * M_2_6_p4_lanes;
-  const Lanes<2> M_3_6_lanes = M_3_6_p1_lanes + M_3_6_p2_lanes;
+  const Lanes<2> M_3_6_lanes = s5 * M_2_6_p8_lanes + c5 * M_2_6_p4_lanes;
   M[78] = -M_3_6_lanes[0];
   M[147] = -M_3_6_lanes[0];
 
@@ -2225,9 +1731,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[315] = -M_3_6_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_3_7_p1_lanes = c5 * M_2_7_p13_lanes;
-  const Lanes<2> M_3_7_p2_lanes = s5 * M_2_7_p19_lanes;
-  const Lanes<2> M_3_7_lanes = M_3_7_p2_lanes + M_3_7_p1_lanes;
+  const Lanes<2> M_3_7_lanes = s5 * M_2_7_p19_lanes + c5 * M_2_7_p13_lanes;
   M[79] = -M_3_7_lanes[0];
   M[171] = -M_3_7_lanes[0];
 
@@ -2236,9 +1740,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[339] = -M_3_7_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_3_8_p1_lanes = s5 * M_2_8_p23_lanes;
-  const Lanes<2> M_3_8_p2_lanes = c5 * M_2_8_p17_lanes;
-  const Lanes<2> M_3_8_lanes = M_3_8_p1_lanes + M_3_8_p2_lanes;
+  const Lanes<2> M_3_8_lanes = s5 * M_2_8_p23_lanes + c5 * M_2_8_p17_lanes;
   M[80] = -M_3_8_lanes[0];
   M[195] = -M_3_8_lanes[0];
 
@@ -2247,9 +1749,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[363] = -M_3_8_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_3_9_p1_lanes = c5 * M_2_9_p26_lanes;
-  const Lanes<2> M_3_9_p2_lanes = s5 * M_2_9_p32_lanes;
-  const Lanes<2> M_3_9_lanes = M_3_9_p1_lanes - M_3_9_p2_lanes;
+  const Lanes<2> M_3_9_lanes = c5 * M_2_9_p26_lanes - s5 * M_2_9_p32_lanes;
   M[81] = M_3_9_lanes[0];
   M[219] = M_3_9_lanes[0];
 
@@ -2258,9 +1758,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[387] = M_3_9_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_3_10_p1_lanes = c5 * M_2_10_p37_lanes;
-  const Lanes<2> M_3_10_p2_lanes = s5 * M_2_10_p43_lanes;
-  const Lanes<2> M_3_10_lanes = M_3_10_p1_lanes - M_3_10_p2_lanes;
+  const Lanes<2> M_3_10_lanes = c5 * M_2_10_p37_lanes - s5 * M_2_10_p43_lanes;
   M[82] = M_3_10_lanes[0];
   M[243] = M_3_10_lanes[0];
 
@@ -2269,9 +1767,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[411] = M_3_10_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_3_11_p1_lanes = s5 * M_2_11_p37_lanes;
-  const Lanes<2> M_3_11_p2_lanes = c5 * M_2_11_p31_lanes;
-  const Lanes<2> M_3_11_lanes = M_3_11_p1_lanes + M_3_11_p2_lanes;
+  const Lanes<2> M_3_11_lanes = s5 * M_2_11_p37_lanes + c5 * M_2_11_p31_lanes;
   M[83] = -M_3_11_lanes[0];
   M[267] = -M_3_11_lanes[0];
 
@@ -2280,9 +1776,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[435] = -M_3_11_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_3_12_p1_lanes = c5 * M_2_12_p18_lanes;
-  const Lanes<2> M_3_12_p2_lanes = s5 * M_2_12_p24_lanes;
-  const Lanes<2> M_3_12_lanes = M_3_12_p2_lanes + M_3_12_p1_lanes;
+  const Lanes<2> M_3_12_lanes = s5 * M_2_12_p24_lanes + c5 * M_2_12_p18_lanes;
   M[84] = -M_3_12_lanes[0];
   M[291] = -M_3_12_lanes[0];
 
@@ -2301,9 +1795,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[507] = M_3_21;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_3_22_p1_lanes = s5 * M_2_22_p25_lanes;
-  const Lanes<2> M_3_22_p2_lanes = c5 * M_2_22_p15_lanes;
-  const Lanes<2> M_3_22_lanes = M_3_22_p1_lanes + M_3_22_p2_lanes;
+  const Lanes<2> M_3_22_lanes = s5 * M_2_22_p25_lanes + c5 * M_2_22_p15_lanes;
   M[94] = -M_3_22_lanes[0];
   M[531] = -M_3_22_lanes[0];
 

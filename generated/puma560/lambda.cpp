@@ -15,7 +15,7 @@
 namespace puma560 {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambda)[36]) noexcept {
   const Real angles[5] = {q[2], q[1], q[3], q[4], q[0]};
   Real sines[5];
@@ -390,20 +390,14 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_5_p178 = c1 * Lambda_0_5_p175 - s1 * Lambda_0_5_p177;
   const Real Lambda_0_5_p179 = Lambda_0_5_p178 * Lambda_0_5_p154;
   const Real Lambda_0_5_p180 = Lambda_0_5_p157 * Lambda_0_5_p154;
-  const Lanes<8> Lambda_0_5_p181_lanes = detail::make_lanes<Real>(Lambda_0_5_p180, Lambda_0_5_p180,
-      Lambda_0_5_p179, Lambda_0_5_p166, Lambda_0_5_p163, Lambda_0_5_p156, Lambda_0_5_p180,
-      Lambda_0_5_p180) * Lambda_0_5_p157;
-  const Lanes<8> Lambda_0_5_p186_lanes = detail::make_lanes<Real>(Lambda_0_5_p143 + Lambda_0_5_p153,
+  const Lanes<8> Lambda_0_5_p186_lanes = detail::make_pack<Real>(Lambda_0_5_p143 + Lambda_0_5_p153,
       Lambda_0_5_p143 + Lambda_0_5_p153, s1 * Lambda_0_5_p175 + c1 * Lambda_0_5_p177,
       Lambda_0_5_p161 - Lambda_0_5_p118, Lambda_0_5_p159 + Lambda_0_5_p164, s1 * Lambda_0_5_p108 +
       c1 * Lambda_0_5_p141, Lambda_0_5_p143 + Lambda_0_5_p153, Lambda_0_5_p143 + Lambda_0_5_p153) -
-      Lambda_0_5_p181_lanes;
+      detail::make_pack<Real>(Lambda_0_5_p180, Lambda_0_5_p180, Lambda_0_5_p179, Lambda_0_5_p166,
+      Lambda_0_5_p163, Lambda_0_5_p156, Lambda_0_5_p180, Lambda_0_5_p180) * Lambda_0_5_p157;
   const Real Lambda_0_5_p191 = 1.0 / Lambda_0_5_p186_lanes[1];
   const Lanes<8> Lambda_0_5_p192_lanes = Lambda_0_5_p186_lanes * Lambda_0_5_p191;
-  const Lanes<8> Lambda_0_5_p196_lanes = Lambda_0_5_p192_lanes * Lambda_0_5_p186_lanes[2];
-  const Lanes<8> Lambda_0_5_p200_lanes = detail::make_lanes<Real>(Lambda_0_5_p179, Lambda_0_5_p179,
-      Lambda_0_5_p179, Lambda_0_5_p166, Lambda_0_5_p163, Lambda_0_5_p156, Lambda_0_5_p179,
-      Lambda_0_5_p179) * Lambda_0_5_p178;
 
   // link 1 (link1), mass matrix
   const Real Lambda_0_5_p204 = Lambda_0_5_p176 - (Lambda_0_5_p146 * Lambda_0_5_p135 -
@@ -416,28 +410,25 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
       (Lambda_0_5_p176 + Lambda_0_5_p204));
 
   // link 1 (link1), turn
-  const Lanes<8> Lambda_0_5_p207_lanes = detail::make_lanes<Real>(Lambda_0_5_p206, Lambda_0_5_p206,
+  const Lanes<8> Lambda_0_5_p211_lanes = detail::make_pack<Real>(Lambda_0_5_p206, Lambda_0_5_p206,
       Lambda_0_5_p206, c1 * Lambda_0_5_p204 - s1 * Lambda_0_5_p205, s1 * Lambda_0_5_p204 + c1 *
       Lambda_0_5_p205, Lambda_0_5_p174 - (Lambda_0_5_p158 - Lambda_0_5_p144), Lambda_0_5_p206,
-      Lambda_0_5_p206) - Lambda_0_5_p200_lanes;
-  const Lanes<8> Lambda_0_5_p211_lanes = Lambda_0_5_p207_lanes - Lambda_0_5_p196_lanes;
+      Lambda_0_5_p206) - detail::make_pack<Real>(Lambda_0_5_p179, Lambda_0_5_p179, Lambda_0_5_p179,
+      Lambda_0_5_p166, Lambda_0_5_p163, Lambda_0_5_p156, Lambda_0_5_p179, Lambda_0_5_p179) *
+      Lambda_0_5_p178 - Lambda_0_5_p192_lanes * Lambda_0_5_p186_lanes[2];
   const Real Lambda_0_5_p215 = 1.0 / Lambda_0_5_p211_lanes[2];
   const Lanes<8> Lambda_0_5_p216_lanes = Lambda_0_5_p211_lanes * Lambda_0_5_p215;
-  const Lanes<8> Lambda_0_5_p219_lanes = Lambda_0_5_p216_lanes * Lambda_0_5_p211_lanes[3];
-  const Lanes<8> Lambda_0_5_p222_lanes = Lambda_0_5_p192_lanes * Lambda_0_5_p186_lanes[3];
-  const Lanes<8> Lambda_0_5_p225_lanes = detail::make_lanes<Real>(Lambda_0_5_p166, Lambda_0_5_p166,
-      Lambda_0_5_p166, Lambda_0_5_p166, Lambda_0_5_p163, Lambda_0_5_p156, Lambda_0_5_p166,
-      Lambda_0_5_p166) * Lambda_0_5_p165;
   const Real Lambda_0_5_p228 = s1 * (Lambda_0_5_p132 - Lambda_0_5_p116) + Lambda_0_5_p151 *
       Lambda_0_5_p146;
   const Real Lambda_0_5_p229 = s1 * Lambda_0_5_p228;
-  const Lanes<8> Lambda_0_5_p230_lanes = detail::make_lanes<Real>(Lambda_0_5_p132 - Lambda_0_5_p229,
+  const Lanes<8> Lambda_0_5_p236_lanes = detail::make_pack<Real>(Lambda_0_5_p132 - Lambda_0_5_p229,
       Lambda_0_5_p132 - Lambda_0_5_p229, Lambda_0_5_p132 - Lambda_0_5_p229, Lambda_0_5_p132 -
       Lambda_0_5_p229, c1 * Lambda_0_5_p228 - Lambda_0_5_p146, c1 * Lambda_0_5_p134 - s1 *
       Lambda_0_5_p102, Lambda_0_5_p132 - Lambda_0_5_p229, Lambda_0_5_p132 - Lambda_0_5_p229) -
-      Lambda_0_5_p225_lanes;
-  const Lanes<8> Lambda_0_5_p233_lanes = Lambda_0_5_p230_lanes - Lambda_0_5_p222_lanes;
-  const Lanes<8> Lambda_0_5_p236_lanes = Lambda_0_5_p233_lanes - Lambda_0_5_p219_lanes;
+      detail::make_pack<Real>(Lambda_0_5_p166, Lambda_0_5_p166, Lambda_0_5_p166, Lambda_0_5_p166,
+      Lambda_0_5_p163, Lambda_0_5_p156, Lambda_0_5_p166, Lambda_0_5_p166) * Lambda_0_5_p165 -
+      Lambda_0_5_p192_lanes * Lambda_0_5_p186_lanes[3] - Lambda_0_5_p216_lanes *
+      Lambda_0_5_p211_lanes[3];
   const Real Lambda_0_5_p239 = 1.0 / Lambda_0_5_p236_lanes[3];
   const Real Lambda_0_5_p240 = Lambda_0_5_p236_lanes[5] * Lambda_0_5_p239;
   const Real Lambda_0_5_p241 = s1 * Lambda_0_5_p134 + c1 * Lambda_0_5_p102 - Lambda_0_5_p156 *

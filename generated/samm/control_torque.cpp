@@ -15,7 +15,7 @@
 namespace samm {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_RESTRICT qd)[9],
     const Real (&TREELINE_RESTRICT qdd_0)[9], const Real (&TREELINE_RESTRICT xdd_cmd)[6],
     Real (&TREELINE_RESTRICT tau)[9]) noexcept {
@@ -440,29 +440,26 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real f9_z_p129 = f9_z_p115 + f9_z_p128;
   const Real f9_z_p130 = f9_z_p129 * f9_z_p123;
   const Real f9_z_p131 = f9_z_p127 * f9_z_p123;
-  const Lanes<8> f9_z_p132_lanes = detail::make_lanes<Real>(f9_z_p131, f9_z_p131, f9_z_p131,
-      f9_z_p130, f9_z_p124, f9_z_p131, f9_z_p131, f9_z_p131) * f9_z_p127;
 
   // link 8 (link5), mobility
   const Real f9_z_p135 = c8 * f9_z_p114 + f9_z_p113;
   const Real f9_z_p136 = 4.484863585399276 * f9_z_p125;
 
   // link 9 (link6), mobility
-  const Lanes<8> f9_z_p137_lanes = detail::make_lanes<Real>(f9_z_p100 + f9_z_p106, f9_z_p100 +
-      f9_z_p106, f9_z_p100 + f9_z_p106, c9 * f9_z_p135 - s9 * f9_z_p136,
-      -(s9 * f9_z_p135 + c9 * f9_z_p136), f9_z_p100 + f9_z_p106, f9_z_p100 + f9_z_p106, f9_z_p100 +
-      f9_z_p106) - f9_z_p132_lanes;
   const Real f9_z_p140 = c9 * f9_z_p121 - f9_z_p116;
   const Real f9_z_p141 = f9_z_p140 * f9_z_p123;
-  const Lanes<8> f9_z_p142_lanes = detail::make_lanes<Real>(f9_z_p141, f9_z_p141, f9_z_p131,
-      f9_z_p130, f9_z_p124, f9_z_p141, f9_z_p141, f9_z_p141) * f9_z_p140;
-  const Lanes<8> f9_z_p146_lanes = detail::make_lanes<Real>(f9_z_p95 - f9_z_p122, f9_z_p95 -
+  const Lanes<8> f9_z_p146_lanes = detail::make_pack<Real>(f9_z_p95 - f9_z_p122, f9_z_p95 -
       f9_z_p122, c9 * f9_z_p126 - s9 * f9_z_p125, f9_z_p119 + f9_z_p108, -(f9_z_p117 + f9_z_p128),
-      f9_z_p95 - f9_z_p122, f9_z_p95 - f9_z_p122, f9_z_p95 - f9_z_p122) - f9_z_p142_lanes;
+      f9_z_p95 - f9_z_p122, f9_z_p95 - f9_z_p122, f9_z_p95 - f9_z_p122) -
+      detail::make_pack<Real>(f9_z_p141, f9_z_p141, f9_z_p131, f9_z_p130, f9_z_p124, f9_z_p141,
+      f9_z_p141, f9_z_p141) * f9_z_p140;
   const Real f9_z_p150 = 1.0 / f9_z_p146_lanes[1];
   const Lanes<8> f9_z_p151_lanes = f9_z_p146_lanes * f9_z_p150;
-  const Lanes<8> f9_z_p154_lanes = f9_z_p151_lanes * f9_z_p146_lanes[2];
-  const Lanes<8> f9_z_p157_lanes = f9_z_p137_lanes - f9_z_p154_lanes;
+  const Lanes<8> f9_z_p157_lanes = detail::make_pack<Real>(f9_z_p100 + f9_z_p106, f9_z_p100 +
+      f9_z_p106, f9_z_p100 + f9_z_p106, c9 * f9_z_p135 - s9 * f9_z_p136,
+      -(s9 * f9_z_p135 + c9 * f9_z_p136), f9_z_p100 + f9_z_p106, f9_z_p100 + f9_z_p106, f9_z_p100 +
+      f9_z_p106) - detail::make_pack<Real>(f9_z_p131, f9_z_p131, f9_z_p131, f9_z_p130, f9_z_p124,
+      f9_z_p131, f9_z_p131, f9_z_p131) * f9_z_p127 - f9_z_p151_lanes * f9_z_p146_lanes[2];
   const Real f9_z_p160 = 1.0 / f9_z_p157_lanes[2];
   const Real f9_z_p161 = f9_z_p157_lanes[4] * f9_z_p160;
 

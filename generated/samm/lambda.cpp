@@ -15,7 +15,7 @@
 namespace samm {
 
 template <int count>
-using Lanes = detail::Lanes<Real, count>;
+using Lanes = detail::Pack<Real, count>;
 void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambda)[36]) noexcept {
   const Real angles[6] = {q[3], q[2], q[5], q[4], q[6], q[7]};
   Real sines[6];
@@ -431,7 +431,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
       Lambda_0_5_p178 - Lambda_0_5_p133 * Lambda_0_5_p181 - Lambda_0_5_p132 * Lambda_0_5_p182 -
       Lambda_0_5_p131 * Lambda_0_5_p183;
   const Real Lambda_0_5_p186 = Lambda_0_5_p185 - Lambda_0_5_p114 * Lambda_0_5_p184;
-  const Lanes<8> Lambda_0_5_p187_lanes = detail::make_lanes<Real>(Lambda_0_5_p150, Lambda_0_5_p150,
+  const Lanes<8> Lambda_0_5_p187_lanes = detail::make_pack<Real>(Lambda_0_5_p150, Lambda_0_5_p150,
       Lambda_0_5_p150, Lambda_0_5_p186, Lambda_0_5_p176, Lambda_0_5_p166, Lambda_0_5_p150,
       Lambda_0_5_p150) * Lambda_0_5_p138;
   const Real Lambda_0_5_p191 = Lambda_0_5_p164 * Lambda_0_5_p113;
@@ -463,7 +463,6 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_5_p210 = Lambda_0_5_p209 - (Lambda_0_5_p204 * Lambda_0_5_p196 +
       Lambda_0_5_p201 * Lambda_0_5_p202);
   const Real Lambda_0_5_p211 = 0.05625 * Lambda_0_5_p177;
-  const Lanes<8> Lambda_0_5_p212_lanes = Lambda_0_5_p187_lanes * Lambda_0_5_p186;
   const Real Lambda_0_5_p215 = Lambda_0_5_p199 * Lambda_0_5_p179 -
       (Lambda_0_5_p197 * Lambda_0_5_p177 + Lambda_0_5_p198 * Lambda_0_5_p178) + Lambda_0_5_p194 *
       Lambda_0_5_p181 + Lambda_0_5_p193 * Lambda_0_5_p182;
@@ -487,10 +486,11 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_5_p229 = Lambda_0_5_p226 + Lambda_0_5_p227 * Lambda_0_5_p181 +
       Lambda_0_5_p228 * Lambda_0_5_p182 + Lambda_0_5_p225 * Lambda_0_5_p183 + Lambda_0_5_p224 *
       Lambda_0_5_p184;
-  const Lanes<8> Lambda_0_5_p230_lanes = detail::make_lanes<Real>(Lambda_0_5_p229, Lambda_0_5_p229,
+  const Lanes<8> Lambda_0_5_p230_lanes = detail::make_pack<Real>(Lambda_0_5_p229, Lambda_0_5_p229,
       Lambda_0_5_p229, Lambda_0_5_p229, Lambda_0_5_p223 + Lambda_0_5_p217 * Lambda_0_5_p183 -
       Lambda_0_5_p216 * Lambda_0_5_p184, Lambda_0_5_p215 + Lambda_0_5_p192 * Lambda_0_5_p183 -
-      Lambda_0_5_p191 * Lambda_0_5_p184, Lambda_0_5_p229, Lambda_0_5_p229) + Lambda_0_5_p212_lanes;
+      Lambda_0_5_p191 * Lambda_0_5_p184, Lambda_0_5_p229, Lambda_0_5_p229) + Lambda_0_5_p187_lanes *
+      Lambda_0_5_p186;
   const Real Lambda_0_5_p233 = Lambda_0_5_p230_lanes[5] * Lambda_0_5_p196;
   const Real Lambda_0_5_p234 = Lambda_0_5_p230_lanes[4] * Lambda_0_5_p202;
   const Real Lambda_0_5_p235 = Lambda_0_5_p227 * Lambda_0_5_p140 + Lambda_0_5_p228 *
@@ -585,12 +585,6 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_5_p280 = Lambda_0_5_p248 - Lambda_0_5_p279 * Lambda_0_5_p238;
   const Real Lambda_0_5_p281 = Lambda_0_5_p280 * Lambda_0_5_p252;
   const Real Lambda_0_5_p282 = Lambda_0_5_p275 * Lambda_0_5_p252;
-  const Lanes<8> Lambda_0_5_p283_lanes = detail::make_lanes<Real>(Lambda_0_5_p282, Lambda_0_5_p282,
-      Lambda_0_5_p282, Lambda_0_5_p281, Lambda_0_5_p278, Lambda_0_5_p255, Lambda_0_5_p282,
-      Lambda_0_5_p282) * Lambda_0_5_p275;
-  const Lanes<8> Lambda_0_5_p287_lanes = detail::make_lanes<Real>(Lambda_0_5_p270, Lambda_0_5_p270,
-      Lambda_0_5_p270, Lambda_0_5_p279, Lambda_0_5_p276, Lambda_0_5_p253, Lambda_0_5_p270,
-      Lambda_0_5_p270) * Lambda_0_5_p269;
   const Real Lambda_0_5_p291 = Lambda_0_5_p261 - (Lambda_0_5_p240 * Lambda_0_5_p211 -
       Lambda_0_5_p230_lanes[4] * Lambda_0_5_p196);
   const Real Lambda_0_5_p292 = Lambda_0_5_p272 - (Lambda_0_5_p230_lanes[4] * Lambda_0_5_p211 -
@@ -598,7 +592,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_5_p293 = Lambda_0_5_p266 * Lambda_0_5_p256 + Lambda_0_5_p265 *
       Lambda_0_5_p257 + Lambda_0_5_p264 * Lambda_0_5_p258 + Lambda_0_5_p263 * Lambda_0_5_p259 +
       Lambda_0_5_p262 * Lambda_0_5_p260;
-  const Lanes<8> Lambda_0_5_p294_lanes = detail::make_lanes<Real>(Lambda_0_5_p293 -
+  const Lanes<8> Lambda_0_5_p298_lanes = detail::make_pack<Real>(Lambda_0_5_p293 -
       (Lambda_0_5_p211 * (Lambda_0_5_p261 + Lambda_0_5_p291) - Lambda_0_5_p196 *
       (Lambda_0_5_p272 + Lambda_0_5_p292)), Lambda_0_5_p293 -
       (Lambda_0_5_p211 * (Lambda_0_5_p261 + Lambda_0_5_p291) - Lambda_0_5_p196 *
@@ -609,20 +603,19 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
       (Lambda_0_5_p211 * (Lambda_0_5_p261 + Lambda_0_5_p291) - Lambda_0_5_p196 *
       (Lambda_0_5_p272 + Lambda_0_5_p292)), Lambda_0_5_p293 -
       (Lambda_0_5_p211 * (Lambda_0_5_p261 + Lambda_0_5_p291) - Lambda_0_5_p196 *
-      (Lambda_0_5_p272 + Lambda_0_5_p292))) - Lambda_0_5_p287_lanes;
-  const Lanes<8> Lambda_0_5_p298_lanes = Lambda_0_5_p294_lanes - Lambda_0_5_p283_lanes;
+      (Lambda_0_5_p272 + Lambda_0_5_p292))) - detail::make_pack<Real>(Lambda_0_5_p270,
+      Lambda_0_5_p270, Lambda_0_5_p270, Lambda_0_5_p279, Lambda_0_5_p276, Lambda_0_5_p253,
+      Lambda_0_5_p270, Lambda_0_5_p270) * Lambda_0_5_p269 -
+      detail::make_pack<Real>(Lambda_0_5_p282, Lambda_0_5_p282, Lambda_0_5_p282, Lambda_0_5_p281,
+      Lambda_0_5_p278, Lambda_0_5_p255, Lambda_0_5_p282, Lambda_0_5_p282) * Lambda_0_5_p275;
   const Real Lambda_0_5_p302 = 1.0 / Lambda_0_5_p298_lanes[2];
   const Lanes<8> Lambda_0_5_p303_lanes = Lambda_0_5_p298_lanes * Lambda_0_5_p302;
-  const Lanes<8> Lambda_0_5_p306_lanes = Lambda_0_5_p303_lanes * Lambda_0_5_p298_lanes[3];
-  const Lanes<8> Lambda_0_5_p309_lanes = detail::make_lanes<Real>(Lambda_0_5_p281, Lambda_0_5_p281,
-      Lambda_0_5_p281, Lambda_0_5_p281, Lambda_0_5_p278, Lambda_0_5_p255, Lambda_0_5_p281,
-      Lambda_0_5_p281) * Lambda_0_5_p280;
-  const Lanes<8> Lambda_0_5_p312_lanes = detail::make_lanes<Real>(Lambda_0_5_p279, Lambda_0_5_p279,
-      Lambda_0_5_p279, Lambda_0_5_p279, Lambda_0_5_p276, Lambda_0_5_p253, Lambda_0_5_p279,
-      Lambda_0_5_p279) * Lambda_0_5_p236;
-  const Lanes<8> Lambda_0_5_p315_lanes = Lambda_0_5_p230_lanes - Lambda_0_5_p312_lanes;
-  const Lanes<8> Lambda_0_5_p318_lanes = Lambda_0_5_p315_lanes - Lambda_0_5_p309_lanes;
-  const Lanes<8> Lambda_0_5_p321_lanes = Lambda_0_5_p318_lanes - Lambda_0_5_p306_lanes;
+  const Lanes<8> Lambda_0_5_p321_lanes = Lambda_0_5_p230_lanes -
+      detail::make_pack<Real>(Lambda_0_5_p279, Lambda_0_5_p279, Lambda_0_5_p279, Lambda_0_5_p279,
+      Lambda_0_5_p276, Lambda_0_5_p253, Lambda_0_5_p279, Lambda_0_5_p279) * Lambda_0_5_p236 -
+      detail::make_pack<Real>(Lambda_0_5_p281, Lambda_0_5_p281, Lambda_0_5_p281, Lambda_0_5_p281,
+      Lambda_0_5_p278, Lambda_0_5_p255, Lambda_0_5_p281, Lambda_0_5_p281) * Lambda_0_5_p280 -
+      Lambda_0_5_p303_lanes * Lambda_0_5_p298_lanes[3];
   const Real Lambda_0_5_p324 = 1.0 / Lambda_0_5_p321_lanes[3];
   const Real Lambda_0_5_p325 = Lambda_0_5_p321_lanes[5] * Lambda_0_5_p324;
   const Real Lambda_0_5_p326 = Lambda_0_5_p201 - Lambda_0_5_p253 * Lambda_0_5_p242 -

@@ -75,7 +75,7 @@ class BodyPrinter {
   }
 
   void print_node(std::uint32_t node) {
-    if (lanes_.is_first(node)) {
+    if (lanes_.has_statement(node)) {
       print_statement(lanes_.statement(node, expressions_));
     } else if (selected_[node] && !lanes_.is_packed(node)) {
       print_statement(

@@ -4,12 +4,18 @@
 
 #include <algorithm>
 
-#include "passes/lane_operands.hpp"
+#include "passes/rebuild.hpp"
 
 namespace treeline {
 namespace {
 
 constexpr std::uint32_t kNone = 0;
+/// Operations in one statement.
+constexpr int kLargestStatement = 6;
+
+bool is_sum(Op op) {
+  return op == Op::add || op == Op::sub;
+}
 
 std::uint32_t first_node(const LanePack& pack) {
   return *std::min_element(pack.begin(), pack.end(), [](std::uint32_t a, std::uint32_t b) {
@@ -24,6 +30,7 @@ LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names
   for (std::size_t p = 0; p < program.packs.size(); ++p) {
     const LanePack& pack = program.packs[p];
     pack_names_.push_back(names[first_node(pack)] + "_lanes");
+    operands_.push_back(lane_operands(program.graph, pack));
     for (std::size_t lane = 0; lane < pack.size(); ++lane) {
       if (pack[lane] != kNone) {
         pack_of_[pack[lane]] = static_cast<int>(p);
@@ -32,14 +39,60 @@ LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names
       }
     }
   }
+  find_inner_packs();
 }
 
-bool LanePrinter::is_first(std::uint32_t node) const {
-  return is_packed(node) && first_node(pack_of(node)) == node;
+int LanePrinter::pack_in_place(const LanePack& nodes) const {
+  const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNone; });
+  const int pack = pack_of_[*some];
+  for (std::size_t lane = 0; lane < nodes.size(); ++lane) {
+    const std::uint32_t node = nodes[lane];
+    if (node != kNone && (pack_of_[node] != pack || lane_of_[node] != static_cast<int>(lane))) {
+      return -1;
+    }
+  }
+  return pack;
+}
+
+void LanePrinter::find_inner_packs() {
+  const std::vector<int> uses = count_uses(program_);
+  const auto used_once = [&](const LanePack& pack) {
+    return std::all_of(pack.begin(), pack.end(), [&](std::uint32_t node) {
+      return node == kNone || (uses[node] == 1 && !program_.graph.names().contains(node));
+    });
+  };
+  is_inner_.assign(program_.packs.size(), false);
+  std::vector<int> size(program_.packs.size(), 1);
+  std::vector<std::size_t> by_place(program_.packs.size());
+  for (std::size_t p = 0; p < by_place.size(); ++p) by_place[p] = p;
+  std::sort(by_place.begin(), by_place.end(), [&](std::size_t p, std::size_t q) {
+    return first_node(program_.packs[p]) < first_node(program_.packs[q]);
+  });
+  for (const std::size_t user : by_place) {
+    for (const LanePack& nodes : {operands_[user].a, operands_[user].b}) {
+      const int pack = pack_in_place(nodes);
+      const auto p = static_cast<std::size_t>(pack);
+      // Every use of a lane of the pack has to be in `nodes`, so none may be left out there.
+      if (pack >= 0 && program_.packs[p] == nodes && used_once(nodes) &&
+          size[user] + size[p] <= kLargestStatement) {
+        is_inner_[p] = true;
+        size[user] += size[p];
+      }
+    }
+  }
+}
+
+bool LanePrinter::has_statement(std::uint32_t node) const {
+  return is_packed(node) && !is_inner_[index_of(node)] &&
+         first_node(program_.packs[index_of(node)]) == node;
+}
+
+Op LanePrinter::op_of(std::size_t pack) const {
+  return program_.graph.nodes()[first_node(program_.packs[pack])].op;
 }
 
 /// One value for all lanes is a scalar, which C++ spreads; another pack in place is its name.
-std::string LanePrinter::operand(const LanePack& nodes,
+std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
                                  const ExpressionPrinter& expressions) const {
   const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNone; });
   const bool same =
@@ -47,29 +100,33 @@ std::string LanePrinter::operand(const LanePack& nodes,
   if (same) {
     return expressions.atom(*some);
   }
-  bool in_place = pack_of_[*some] >= 0;
-  std::string list;
-  for (std::size_t lane = 0; lane < nodes.size(); ++lane) {
-    const std::uint32_t node = nodes[lane];
-    if (node != kNone) {
-      in_place =
-          in_place && pack_of_[node] == pack_of_[*some] && lane_of_[node] == static_cast<int>(lane);
+  if (const int pack = pack_in_place(nodes); pack >= 0) {
+    const auto p = static_cast<std::size_t>(pack);
+    if (!is_inner_[p]) {
+      return pack_names_[p];
     }
-    // An empty lane repeats a value: whatever it computes is not read.
-    list += (lane == 0 ? "" : ", ") + expressions.reference(node != kNone ? node : *some);
+    const bool own_is_sum = is_sum(op_of(p));
+    const bool binds = (is_sum(user) && !own_is_sum) || (is_sum(user) == own_is_sum && !is_right);
+    return binds ? formula(p, expressions) : fmt::format("({})", formula(p, expressions));
   }
-  return in_place ? pack_names_[static_cast<std::size_t>(pack_of_[*some])]
-                  : fmt::format("detail::make_lanes<Real>({})", list);
+  std::string list;
+  for (const std::uint32_t node : nodes) {
+    // An empty lane repeats a value: whatever it computes is not read.
+    list += (list.empty() ? "" : ", ") + expressions.reference(node != kNone ? node : *some);
+  }
+  return fmt::format("detail::make_pack<Real>({})", list);
+}
+
+std::string LanePrinter::formula(std::size_t pack, const ExpressionPrinter& expressions) const {
+  const Op op = op_of(pack);
+  return fmt::format("{} {} {}", operand(operands_[pack].a, op, false, expressions),
+                     operation(op).symbol, operand(operands_[pack].b, op, true, expressions));
 }
 
 std::string LanePrinter::statement(std::uint32_t node, const ExpressionPrinter& expressions) const {
-  const LanePack& pack = pack_of(node);
-  const Op op = program_.graph.nodes()[node].op;
-  const LaneOperands operands = lane_operands(program_.graph, pack);
-  return fmt::format("const Lanes<{}> {} = {} {} {};", pack.size(),
-                     pack_names_[static_cast<std::size_t>(pack_of_[node])],
-                     operand(operands.a, expressions), operation(op).symbol,
-                     operand(operands.b, expressions));
+  const std::size_t pack = index_of(node);
+  return fmt::format("const Lanes<{}> {} = {};", program_.packs[pack].size(), pack_names_[pack],
+                     formula(pack, expressions));
 }
 
 }  // namespace treeline

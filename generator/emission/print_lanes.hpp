@@ -5,33 +5,44 @@
 #include <vector>
 
 #include "emission/print_expression.hpp"
+#include "passes/lane_operands.hpp"
 #include "program/program.hpp"
 
 namespace treeline {
 
-/// Prints the packs of a program, see `pack_lanes`: one statement on `Lanes` for each.
+/// Prints the packs of a program, see `pack_lanes`: statements on `Lanes`. A pack that only one
+/// other reads, each lane in its place, is written inside that one's statement; a compiler may fuse
+/// a product and a sum of one expression, and some fuse no others.
 class LanePrinter {
  public:
   /// Gives the packed nodes in `names` the names of their lanes: `w_lanes[2]`.
   LanePrinter(const Program& program, std::vector<std::string>& names);
 
   [[nodiscard]] bool is_packed(std::uint32_t node) const { return pack_of_[node] >= 0; }
-  /// Whether `node` is the first of its pack in the order of emission.
-  [[nodiscard]] bool is_first(std::uint32_t node) const;
+  /// Whether the statement of a pack stands where `node` is: the pack's first in the order of
+  /// emission.
+  [[nodiscard]] bool has_statement(std::uint32_t node) const;
   /// The statement that computes the pack of `node`.
   [[nodiscard]] std::string statement(std::uint32_t node,
                                       const ExpressionPrinter& expressions) const;
 
  private:
-  [[nodiscard]] const LanePack& pack_of(std::uint32_t node) const {
-    return program_.packs[static_cast<std::size_t>(pack_of_[node])];
+  [[nodiscard]] std::size_t index_of(std::uint32_t node) const {
+    return static_cast<std::size_t>(pack_of_[node]);
   }
-  [[nodiscard]] std::string operand(const LanePack& nodes,
+  /// The pack that `nodes` are, lane by lane; -1: none.
+  [[nodiscard]] int pack_in_place(const LanePack& nodes) const;
+  void find_inner_packs();
+  [[nodiscard]] Op op_of(std::size_t pack) const;
+  [[nodiscard]] std::string formula(std::size_t pack, const ExpressionPrinter& expressions) const;
+  [[nodiscard]] std::string operand(const LanePack& nodes, Op user, bool is_right,
                                     const ExpressionPrinter& expressions) const;
 
   const Program& program_;
   std::vector<int> pack_of_, lane_of_;
   std::vector<std::string> pack_names_;
+  std::vector<LaneOperands> operands_;  // of each pack
+  std::vector<bool> is_inner_;          // written inside another's statement
 };
 
 }  // namespace treeline

@@ -47,7 +47,7 @@ std::string print_includes(const Program& program) {
 }
 
 std::string print_lanes_type(const Program& program) {
-  return uses_lanes(program) ? "template <int count>\nusing Lanes = detail::Lanes<Real, count>;\n"
+  return uses_lanes(program) ? "template <int count>\nusing Lanes = detail::Pack<Real, count>;\n"
                              : "";
 }
 

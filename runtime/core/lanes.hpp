@@ -130,6 +130,33 @@ TREELINE_LANES_INLINE Lanes<Real, 8> make_lanes(Real a, Real b, Real c, Real d, 
   }
 }
 
+/// Lanes as straight-line code declares them by the thousand: where a register holds them they are
+/// the compiler's own vector, not a structure around one. GCC gives up taking structures apart in
+/// long functions; their dead stores then keep products from becoming fused multiply-adds.
+template <class Real, int count, bool fits = (count * int{sizeof(Real)} <= kVectorBytes)>
+struct PackOf {
+  using Type = Lanes<Real, count>;
+};
+#if defined(__GNUC__)
+template <class Real, int count>
+struct PackOf<Real, count, true> {
+  using Type = typename Lanes<Real, count>::Vector;
+};
+#endif
+template <class Real, int count>
+using Pack = typename PackOf<Real, count>::Type;
+
+template <class Real, class... Rest>
+TREELINE_LANES_INLINE Pack<Real, 1 + int{sizeof...(Rest)}> make_pack(Real first,
+                                                                     Rest... rest) noexcept {
+  constexpr int kCount = 1 + int{sizeof...(Rest)};
+  if constexpr (kCount * int{sizeof(Real)} <= kVectorBytes) {
+    return Pack<Real, kCount>{first, rest...};
+  } else {
+    return make_lanes<Real>(first, rest...);
+  }
+}
+
 #undef TREELINE_LANES_INLINE
 
 }  // namespace treeline::core

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "emission/print_body.hpp"
 #include "passes/two_link_arm.hpp"
 
@@ -49,6 +51,36 @@ TEST(PrintBody, KeepsTheGraphsOrderOfOperations) {
             "  y[3] = x[0] * (x[1] * x[3]);\n"
             "  y[4] = x[0] / (x[1] / x[3]);\n"
             "  y[5] = x[0] / x[2] / x[3];\n");
+}
+
+/// Two lanes: a product that only the sum reads stands in its statement, one that has another use
+/// or a name does not.
+TEST(PrintBody, LanesAreWrittenInStatementsOfSeveralOperations) {
+  Program program;
+  const Graph::Scope scope(program.graph);
+  const auto x = test::input_vector("x", 6);
+  std::array<Expression, 2> product, named, difference;
+  const std::size_t first_pack = program.graph.nodes().size();
+  for (std::size_t limb = 0; limb < 2; ++limb) {
+    product[limb] = x[limb] * x[4];
+    named[limb] = (product[limb] + x[limb + 2]) * x[5];
+    program.graph.name(named[limb], limb == 0 ? "w1_x" : "w2_x");
+    difference[limb] = x[limb + 2] - (x[4] - named[limb]);
+  }
+  const std::size_t count = (program.graph.nodes().size() - first_pack) / 2;
+  for (std::size_t i = first_pack; i < first_pack + count; ++i) {
+    program.packs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + count)});
+  }
+  program.results = {{{"y", 3, 1, ""}, {difference[0], difference[1], product[0]}}};
+  EXPECT_EQ(print_body(program, false, {}),
+            "  const Lanes<2> y_2_lanes = detail::make_pack<Real>(x[0], x[1]) * x[4];\n"
+            "  y[2] = y_2_lanes[0];\n"
+            "  const Lanes<2> w1_x_lanes = (y_2_lanes + detail::make_pack<Real>(x[2], x[3])) * "
+            "x[5];\n"
+            "  const Lanes<2> y_0_lanes = detail::make_pack<Real>(x[2], x[3]) - (x[4] - "
+            "w1_x_lanes);\n"
+            "  y[0] = y_0_lanes[0];\n"
+            "  y[1] = y_0_lanes[1];\n");
 }
 
 TEST(PrintBody, LinesStayWithinTheWidth) {
