@@ -122,6 +122,9 @@ Program schedule(const Program& program) {
   for (const std::uint32_t node : trigonometry) {
     scheduler.place(node);
   }
+  for (const ResultPlace& place : program.order) {
+    scheduler.place(program.results[place.result].values[place.entry].node());
+  }
   for (const Result& result : program.results) {
     for (const Expression& value : result.values) {
       scheduler.place(value.node());

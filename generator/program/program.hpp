@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct Result {
   std::vector<Expression> values;
 };
 
+/// One entry of one result.
+struct ResultPlace {
+  std::size_t result = 0;
+  std::size_t entry = 0;
+};
+
 /// Nodes that share a register, by lane; node 0 is an empty lane. All are the same operation.
 using LanePack = std::vector<std::uint32_t>;
 
@@ -34,6 +41,9 @@ struct Program {
   Graph graph;
   std::vector<LanePack> packs;  ///< disjoint; see `pack_lanes`
   int lane_moves = 0;           ///< values brought into lanes or taken out of them
+  /// What to compute first, in this order, so that values are used soon after they are made; what
+  /// is not listed follows in the order of the results.
+  std::vector<ResultPlace> order;
 };
 
 /// Operations that the results need, as emitted; sin and cos are counted apart.

@@ -126,6 +126,7 @@ template <class Scalar>
 struct CarriedColumn {
   std::size_t column = 0;
   Scalar multiplier{};
+  int way = 0;  ///< joints between its own and the base
   /// Its force is t.f a + t.n wd + t_alpha alpha + t_turn e for a change of motion beyond an
   /// earlier joint that is displaced about e. t also is the wrench for its unit acceleration.
   Wrench<Scalar> t;
@@ -166,6 +167,34 @@ void move_wrench(const Wrench<Scalar>& force, const JointFreedom<Scalar>& freedo
                  Wrench<Scalar>& by_q) {
   by_q = by_q + Wrench<Scalar>{cross(freedom.turn, force.f),
                                cross(freedom.turn, force.n) + cross(freedom.slide, force.f)};
+}
+
+/// Tells a trace that three values may share lanes. A sign that all have stays outside.
+template <class Scalar>
+void align_triple(Scalar& a, Scalar& b, Scalar& c) {
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    const auto minus = [](const Scalar& x) { return x.is_constant() || x.negative(); };
+    const bool negative = minus(a) && minus(b) && minus(c);
+    std::vector<Scalar> lanes{a, b, c};
+    for (Scalar& lane : lanes) {
+      lane = negative ? -lane : lane;
+    }
+    align_lanes(lanes);
+    a = negative ? -lanes[0] : lanes[0];
+    b = negative ? -lanes[1] : lanes[1];
+    c = negative ? -lanes[2] : lanes[2];
+  }
+}
+
+/// The wrenches of a column run through the same operations: a lane for each.
+template <class Scalar>
+void align_lanes(CarriedColumn<Scalar>& column) {
+  using V = Vector3<Scalar>;
+  for (const auto half : {&Wrench<Scalar>::f, &Wrench<Scalar>::n}) {
+    for (const auto part : {&V::x, &V::y, &V::z}) {
+      align_triple(column.t.*half.*part, column.by_q.*half.*part, column.by_qd.*half.*part);
+    }
+  }
 }
 
 template <class Scalar>
@@ -279,6 +308,19 @@ DerivativeParts<Scalar> derivative_parts(const Tree<Scalar>& tree,
   return parts;
 }
 
+/// On shorter ways lanes cost more to fill than they save (measured).
+inline constexpr int kLongWay = 6;
+
+template <class Scalar>
+int joints_before(const Tree<Scalar>& tree, std::size_t link) {
+  int count = 0;
+  for (int h = tree.links[link].parent; h >= 0;
+       h = tree.links[static_cast<std::size_t>(h)].parent) {
+    ++count;
+  }
+  return count;
+}
+
 /// Derivatives of inverse dynamics in O(n d), d the depth of the tree, in link frames: each freedom
 /// is carried inward once and meets those of all earlier joints. Entries of joints on different
 /// branches stay structural zeros.
@@ -303,6 +345,7 @@ ForceDerivatives<Scalar> inverse_dynamics_derivatives(const Tree<Scalar>& tree,
     std::vector<CarriedColumn<Scalar>> own;
     for (const JointFreedom<Scalar>& freedom : freedoms) {
       own.push_back(begin_column(body, freedom));
+      own.back().way = joints_before(tree, i);
     }
     entries.add_own(freedoms, own);
     if (link.parent < 0) {
@@ -313,8 +356,11 @@ ForceDerivatives<Scalar> inverse_dynamics_derivatives(const Tree<Scalar>& tree,
       carried[i].push_back(own[k]);
     }
     for (const CarriedColumn<Scalar>& column : carried[i]) {
-      carried[static_cast<std::size_t>(link.parent)].push_back(
-          to_parent(X[i], parts.velocities[i], column));
+      auto& at_parent = carried[static_cast<std::size_t>(link.parent)];
+      at_parent.push_back(to_parent(X[i], parts.velocities[i], column));
+      if (column.way >= kLongWay) {
+        align_lanes(at_parent.back());
+      }
     }
   }
   return entries.results();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace {
 
 using Expressions = std::vector<Expression>;
 using Matrix = DenseMatrix<Expression>;
+
+constexpr int kMostLanes = 4;  // three values go together
 
 Expressions declare(Program& program, const char* name, int size, const char* meaning) {
   program.arguments.push_back({name, size, 1, meaning});
@@ -57,6 +60,21 @@ Result by_displacements(const char* name, const Mechanism& mechanism, const Matr
                        matrix);
 }
 
+/// Each column of the lower triangles with its row, from the last freedom to the first, all results
+/// together: what is carried inward is then in use from beginning to end and nothing else is.
+std::vector<ResultPlace> order_inward(std::size_t nv, std::size_t results) {
+  std::vector<ResultPlace> order;
+  for (std::size_t i = nv; i-- > 0;) {
+    for (std::size_t j = i + 1; j-- > 0;) {
+      for (std::size_t k = 0; k < results; ++k) {
+        order.push_back({k, i * nv + j});
+        order.push_back({k, j * nv + i});
+      }
+    }
+  }
+  return order;
+}
+
 Program trace_inverse(const Mechanism& mechanism, Program program) {
   const Graph::Scope scope(program.graph);
   program.equation = "derivatives of tau = M qdd + b + g - J_ext^T f_ext, f_ext held";
@@ -68,6 +86,7 @@ Program trace_inverse(const Mechanism& mechanism, Program program) {
   program.results = {by_displacements("dtau_dq", mechanism, d.dq),
                      matrix_result("dtau_dqd", "by qd", d.dqd),
                      matrix_result("dtau_dqdd", "by qdd: M", d.dqdd)};
+  program.order = order_inward(static_cast<std::size_t>(mechanism.nv()), program.results.size());
   return program;
 }
 
@@ -94,7 +113,7 @@ std::vector<Program> trace_derivative_function(const Mechanism& mechanism, Funct
                                                int lanes) {
   Program empty;
   empty.name = function_name(function);
-  empty.graph = Graph::for_trace(lanes);
+  empty.graph = Graph::for_trace(std::min(lanes, kMostLanes));
   if (function == Function::inverse_dynamics_derivatives) {
     return {trace_inverse(mechanism, std::move(empty))};
   }

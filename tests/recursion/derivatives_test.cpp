@@ -1,0 +1,240 @@
+#include <gtest/gtest.h>
+
+#include "mechanism/build_mechanism.hpp"
+#include "program/evaluate.hpp"
+#include "recursion/forward_dynamics_derivatives.hpp"
+#include "recursion/function_results.hpp"
+#include "recursion/trace_function.hpp"
+
+// Derivatives of inverse and forward dynamics against central differences in 50 digits of the
+// interpreter on the robot as it is in the files. Would catch a wrong term of the recursion for any
+// type of joint, a displacement of a floating joint in the wrong axes or about the wrong point, an
+// external force that does not keep (or keeps) its direction, a mimic joint without its multiplier,
+// an entry in the other triangle. The interpreter's own derivatives, which `check` trusts, are held
+// to the same differences.
+
+namespace treeline::tests {
+namespace {
+
+using Matrix50 = interpreter::Matrix<Digits50>;
+using Vector50 = interpreter::Vector<Digits50>;
+using interpreter::DynamicsDerivatives;
+
+std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
+  std::vector<std::pair<std::uint64_t, RandomOptions>> all;
+  const auto add = [&](RandomOptions options, int seeds) {
+    options.external_forces = 2;
+    for (int i = 0; i < seeds; ++i) all.emplace_back(700 + all.size(), options);
+  };
+  add({.joints = 1}, 3);
+  add({.joints = 8, .branching = 0}, 3);
+  add({.joints = 8, .branching = 0.4, .locked = 0.2}, 4);
+  add({.joints = 6, .branching = 0.4, .floating_base = true}, 3);
+  add({.joints = 8, .branching = 0.4, .mimic = 0.4, .locked = 0.1}, 5);
+  add({.joints = 5, .branching = 0.2, .mix = {5, 1, 2, 1, 2, 2}}, 5);
+  return all;
+}
+
+/// q displaced along `d`: floating joints by p + R d_v and the quaternion turned by d_w in the
+/// child's axes, the others by adding. Exact, not a series.
+Vector50 displaced(const interpreter::Model<Digits50>& model, const Vector50& q,
+                   const Vector50& d) {
+  Vector50 moved = q;
+  for (const auto& body : model.bodies) {
+    if (body.mimics) continue;
+    if (body.kind != interpreter::JointKind::floating) {
+      const int n = interpreter::velocity_count(body.kind);
+      moved.segment(body.q, n) += d.segment(body.v, n);
+      continue;
+    }
+    const Eigen::Quaternion<Digits50> turn(q(body.q + 6), q(body.q + 3), q(body.q + 4),
+                                           q(body.q + 5));
+    const interpreter::Vector3<Digits50> slide = d.segment<3>(body.v);
+    const interpreter::Vector3<Digits50> w = d.segment<3>(body.v + 3);
+    const Digits50 angle = sqrt(w.squaredNorm());
+    const Digits50 s = angle == 0 ? Digits50(0) : Digits50(sin(angle / 2) / angle);
+    const Eigen::Quaternion<Digits50> turned =
+        turn * Eigen::Quaternion<Digits50>(cos(angle / 2), s * w(0), s * w(1), s * w(2));
+    moved.segment<3>(body.q) += turn.toRotationMatrix() * slide;
+    moved.segment<4>(body.q + 3) = turned.coeffs();
+  }
+  return moved;
+}
+
+/// Columns (f(h e_j) - f(-h e_j)) / 2h: an error of h^2 = 1e-36 beside cancellation's 1e-50 / h.
+template <class Function>
+Matrix50 differences(Eigen::Index n, Function f) {
+  const Digits50 h("1e-18");
+  Matrix50 result(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    Vector50 step = Vector50::Zero(n);
+    step(j) = h;
+    result.col(j) = (f(step) - f(Vector50(-step))) / (2 * h);
+  }
+  return result;
+}
+
+class Derivatives : public testing::TestWithParam<std::pair<std::uint64_t, RandomOptions>> {
+ protected:
+  Derivatives()
+      : made_(random_mechanism(GetParam().first, GetParam().second)),
+        mechanism_(reduced_mechanism(made_.robot, made_.scene)),
+        model_(model_from_robot<Digits50>(made_.robot, made_.scene)),
+        forces_(points_from_scene(model_, made_.scene.external_forces)) {
+    Dice dice(GetParam().first + 7);
+    const Oracle<Digits50> oracle(made_.robot, made_.scene);
+    in_ = oracle.random_inputs(dice, 2);
+    q_ = vector(in_.q), qd_ = vector(in_.qd), qdd_ = vector(in_.qdd);
+    tau_ = vector(in_.tau), f_ = vector(in_.f_ext);
+  }
+
+  static Vector50 vector(const std::vector<Digits50>& values) {
+    return Eigen::Map<const Vector50>(values.data(), static_cast<Eigen::Index>(values.size()));
+  }
+
+  [[nodiscard]] DynamicsDerivatives<Digits50> of_inverse() const {
+    const auto tau = [&](const Vector50& q, const Vector50& qd, const Vector50& qdd) {
+      return interpreter::inverse_dynamics<Digits50>(model_, q, qd, qdd, forces_, f_);
+    };
+    return {
+        differences(model_.nv, [&](auto d) { return tau(displaced(model_, q_, d), qd_, qdd_); }),
+        differences(model_.nv, [&](auto d) { return tau(q_, Vector50(qd_ + d), qdd_); }),
+        differences(model_.nv, [&](auto d) { return tau(q_, qd_, Vector50(qdd_ + d)); })};
+  }
+
+  [[nodiscard]] DynamicsDerivatives<Digits50> of_forward() const {
+    const auto qdd = [&](const Vector50& q, const Vector50& qd, const Vector50& tau) {
+      return interpreter::forward_dynamics<Digits50>(model_, q, qd, tau, forces_, f_);
+    };
+    return {
+        differences(model_.nv, [&](auto d) { return qdd(displaced(model_, q_, d), qd_, tau_); }),
+        differences(model_.nv, [&](auto d) { return qdd(q_, Vector50(qd_ + d), tau_); }),
+        differences(model_.nv, [&](auto d) { return qdd(q_, qd_, Vector50(tau_ + d)); })};
+  }
+
+  [[nodiscard]] DynamicsDerivatives<Digits50> expected(Function function) const {
+    return function == Function::inverse_dynamics_derivatives ? of_inverse() : of_forward();
+  }
+
+  [[nodiscard]] double condition() const {
+    return tests::condition(interpreter::mass_matrix<Digits50>(model_, q_));
+  }
+
+  static Results<Digits50> listed_all(const DynamicsDerivatives<Digits50>& d) {
+    return {listed(d.by_displacement), listed(d.by_velocity), listed(d.by_drive)};
+  }
+
+  RandomMechanism made_;
+  Mechanism mechanism_;
+  interpreter::Model<Digits50> model_;
+  interpreter::Points<Digits50> forces_;
+  Inputs<Digits50> in_;
+  Vector50 q_, qd_, qdd_, tau_, f_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Robots, Derivatives, testing::ValuesIn(robots()));
+
+/// Of a difference, relative to the largest entry; solving adds the condition.
+constexpr double kDifference = 1e-28;
+
+TEST_P(Derivatives, RecursionsAgreeWithDifferencesInFiftyDigits) {
+  const auto tree = tree_of<Digits50>(mechanism_);
+  const auto X = joint_transforms<Digits50>(tree, in_.q);
+  const auto inverse =
+      inverse_dynamics_derivatives<Digits50>(tree, X, {in_.qd, in_.qdd}, in_.f_ext);
+  EXPECT_LT(
+      relative_error<Digits50>({inverse.dq.values(), inverse.dqd.values(), inverse.dqdd.values()},
+                               listed_all(of_inverse()), 1),
+      kDifference);
+  const auto exact = listed_all(of_forward());
+  for (const auto route : {DerivativeRoute::solve, DerivativeRoute::multiply}) {
+    const auto forward =
+        forward_dynamics_derivatives<Digits50>(tree, X, in_.qd, in_.tau, in_.f_ext, route);
+    EXPECT_LT(relative_error<Digits50>(
+                  {forward.dq.values(), forward.dqd.values(), forward.dtau.values()}, exact, 1),
+              kDifference * condition());
+  }
+}
+
+TEST_P(Derivatives, InterpreterAgreesWithDifferencesInFiftyDigits) {
+  EXPECT_LT(relative_error(listed_all(interpreter::inverse_dynamics_derivatives<Digits50>(
+                               model_, q_, qd_, qdd_, forces_, f_)),
+                           listed_all(of_inverse()), 1),
+            kDifference);
+  EXPECT_LT(relative_error(listed_all(interpreter::forward_dynamics_derivatives<Digits50>(
+                               model_, q_, qd_, tau_, forces_, f_)),
+                           listed_all(of_forward()), 1),
+            kDifference * condition());
+}
+
+// What is emitted, before the passes: roundings of constants, inputs and operations, some n a
+// result; solved results pass through M^-1 twice.
+TEST_P(Derivatives, TracedFunctionsAgreeInDouble) {
+  for (const Function function : kDerivativeFunctions) {
+    const auto exact = listed_all(expected(function));
+    const double growth =
+        function == Function::forward_dynamics_derivatives ? condition() * condition() : 1;
+    for (const Program& program : trace_function(mechanism_, function, 4)) {
+      std::vector<std::vector<double>> arguments;
+      for (const Argument& argument : program.arguments) {
+        const auto& name = argument.name;
+        arguments.push_back(rounded_to<double>(name == "q"     ? in_.q
+                                               : name == "qd"  ? in_.qd
+                                               : name == "qdd" ? in_.qdd
+                                               : name == "tau" ? in_.tau
+                                                               : in_.f_ext));
+      }
+      EXPECT_LT(relative_error(evaluate<double>(program, arguments), exact, 1), 1e-13 * growth)
+          << program.source;
+    }
+  }
+}
+
+// dtau/dqdd = M, dqdd/dtau = M^-1, both symmetric, without differences.
+TEST_P(Derivatives, ByAccelerationsAndForcesAreInverse) {
+  const auto tree = tree_of<Digits50>(mechanism_);
+  const auto X = joint_transforms<Digits50>(tree, in_.q);
+  const auto inverse =
+      inverse_dynamics_derivatives<Digits50>(tree, X, {in_.qd, in_.qdd}, in_.f_ext);
+  const auto forward = forward_dynamics_derivatives<Digits50>(tree, X, in_.qd, in_.tau, in_.f_ext,
+                                                              DerivativeRoute::solve);
+  const auto one = product(inverse.dqdd, forward.dtau);
+  for (std::size_t i = 0; i < one.rows(); ++i) {
+    for (std::size_t j = 0; j < one.cols(); ++j) {
+      EXPECT_LT(abs(Digits50(one(i, j) - (i == j ? 1 : 0))), 1e-44 * condition());
+      EXPECT_EQ(forward.dtau(i, j), forward.dtau(j, i));
+      EXPECT_LT(abs(Digits50(inverse.dqdd(i, j) - inverse.dqdd(j, i))), 1e-44);
+    }
+  }
+}
+
+// Joints on different branches have nothing to say to each other: constants zero, where M has them.
+TEST_P(Derivatives, BranchesAreStructuralZeros) {
+  const Program M = trace_function(mechanism_, Function::mass_matrix).front();
+  const Program d = trace_function(mechanism_, Function::inverse_dynamics_derivatives).front();
+  const int nv = mechanism_.nv();
+  std::vector<bool> related(static_cast<std::size_t>(nv * nv));
+  for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
+    for (int j = static_cast<int>(i); j >= 0;
+         j = mechanism_.links[static_cast<std::size_t>(j)].parent) {
+      const MovingLink& a = mechanism_.links[i];
+      const MovingLink& b = mechanism_.links[static_cast<std::size_t>(j)];
+      const auto dofs = [](const MovingLink& l) { return l.kind == JointKind::floating ? 6 : 1; };
+      for (int k = 0; k < dofs(a); ++k) {
+        for (int l = 0; l < dofs(b); ++l) {
+          related[static_cast<std::size_t>((a.v_index + k) * nv + b.v_index + l)] = true;
+          related[static_cast<std::size_t>((b.v_index + l) * nv + a.v_index + k)] = true;
+        }
+      }
+    }
+  }
+  for (std::size_t at = 0; at < related.size(); ++at) {
+    for (const Result& result : d.results) {
+      EXPECT_TRUE(related[at] || result.values[at].is_zero()) << result.argument.name << at;
+    }
+    EXPECT_TRUE(related[at] || M.results[0].values[at].is_zero());
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests
