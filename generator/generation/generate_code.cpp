@@ -158,7 +158,7 @@ GeneratedFunction generate_function(const Mechanism& mechanism, Function functio
 }
 
 std::string source_stem(const GeneratedFunction& generated) {
-  return (generated.batch > 0 ? "batch_" : "") + generated.program.name;
+  return fmt::format("{}{}", generated.batch > 0 ? "batch_" : "", generated.program.name);
 }
 
 std::vector<GeneratedFunction> all_functions(const Generation& generation) {
