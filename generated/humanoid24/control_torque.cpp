@@ -1016,1515 +1016,1234 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> f13_x_p1085_lanes = 0.11533812622014242 * detail::make_pack<Real>(s13, s20) -
       detail::make_pack<Real>(0.04672761636452121, (-0.04672761636452121)) *
       detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p1094_lanes = 0.11533812622014242 * detail::make_pack<Real>(c13, c20) +
+      detail::make_pack<Real>(0.04672761636452121, (-0.04672761636452121)) *
+      detail::make_pack<Real>(s13, s20);
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1095_lanes = 0.11533812622014242 * detail::make_pack<Real>(c13, c20) +
-      detail::make_pack<Real>(0.04672761636452121, (-0.04672761636452121)) *
-      detail::make_pack<Real>(s13, s20) - inverse_D11_p1_lanes * f13_x_p1085_lanes;
-  const Lanes<2> f13_x_p1097_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1095_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real f13_x_p1099 = -f13_x_p1097_lanes[1];
+  const Lanes<2> neg_s13_lanes = -detail::make_pack<Real>(s13, s20);
 
   // link 19 (right_wrist2), force propagation
-  const Real neg_s20 = -s20;
-
-  // link 12 (left_wrist2), force propagation
-  const Real neg_s13 = -s13;
-  const Lanes<2> f13_x_p1102_lanes = detail::make_pack<Real>(neg_s13, neg_s20) -
-      inverse_D11_p1_lanes * detail::make_pack<Real>(c13, c20);
-  const Lanes<2> f13_x_p1104_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1102_lanes;
+  const Lanes<8> f13_x_p1096_lanes = detail::make_pack<Real>(c20, c20, neg_s13_lanes[1],
+      f13_x_p1094_lanes[1], c20, c20, c20, c20) - inverse_D11_p1_lanes[1] *
+      detail::make_pack<Real>(s20, s20, c20, f13_x_p1085_lanes[1], s20, s20, s20, s20);
 
   // link 18 (right_wrist1), force propagation
-  const Real f13_x_p1106 = -f13_x_p1104_lanes[1];
+  const Lanes<8> f13_x_p1102_lanes = -(c19 * f13_x_p1096_lanes);
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1109_lanes = detail::make_pack<Real>(c13, c20) - inverse_D11_p1_lanes *
-      detail::make_pack<Real>(s13, s20);
-  const Lanes<2> f13_x_p1111_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1109_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real f13_x_p1113 = -f13_x_p1111_lanes[1];
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1125_lanes = detail::make_pack<Real>((-3.0523172236718206),
+  const Lanes<2> f13_x_p1116_lanes = detail::make_pack<Real>((-3.0523172236718206),
       3.0523172236718206) * detail::make_pack<Real>(s13, s20) - 17.32841575379867 *
       detail::make_pack<Real>(c13, c20) - f13_x_p61_lanes * f13_x_p1085_lanes;
-  const Lanes<2> f13_x_p1131_lanes = 0.269 * f13_x_p1125_lanes - detail::make_pack<Real>(s12, s19) *
-      f13_x_p1095_lanes;
-  const Lanes<2> f13_x_p1135_lanes = f13_x_p61_lanes * detail::make_pack<Real>(c13, c20);
-  const Lanes<2> f13_x_p1139_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1102_lanes + 0.269 *
-      f13_x_p1135_lanes;
-  const Lanes<2> f13_x_p1143_lanes = f13_x_p61_lanes * detail::make_pack<Real>(s13, s20);
-  const Lanes<2> f13_x_p1147_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1109_lanes + 0.269 *
-      f13_x_p1143_lanes;
+  const Lanes<8> f13_x_p1123_lanes = detail::make_pack<Real>(c13, c13, c13, c13, neg_s13_lanes[0],
+      f13_x_p1094_lanes[0], c13, c13) - inverse_D11_p1_lanes[0] *
+      detail::make_pack<Real>(s13, s13, s13, s13, c13, f13_x_p1085_lanes[0], s13, s13);
+  const Lanes<2> f13_x_p1128_lanes = 0.269 * f13_x_p1116_lanes - detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(f13_x_p1123_lanes[5], f13_x_p1096_lanes[3]);
+  const Lanes<2> f13_x_p1132_lanes = f13_x_p61_lanes * detail::make_pack<Real>(c13, c20);
 
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1149_lanes = detail::make_pack<Real>(-f13_x_p1147_lanes[1],
-      -f13_x_p1147_lanes[1], -f13_x_p1139_lanes[1], f13_x_p1131_lanes[1], -f13_x_p1147_lanes[1],
-      -f13_x_p1147_lanes[1], -f13_x_p1147_lanes[1], -f13_x_p1147_lanes[1]) -
-      inverse_D10_p1_lanes[1] * detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106,
-      f13_x_p1099, f13_x_p1113, f13_x_p1113, f13_x_p1113, f13_x_p1113);
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p1138_lanes = -(detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(f13_x_p1123_lanes[4], f13_x_p1096_lanes[2]) + 0.269 *
+      f13_x_p1132_lanes);
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1158_lanes = f13_x_p35_lanes * f13_x_p1085_lanes;
-  const Lanes<2> f13_x_p1170_lanes = detail::make_pack<Real>((-3.0523172236718206),
+  const Lanes<2> f13_x_p1142_lanes = f13_x_p61_lanes * detail::make_pack<Real>(s13, s20);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p1148_lanes = -(detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(f13_x_p1123_lanes[3], f13_x_p1096_lanes[1]) + 0.269 *
+      f13_x_p1142_lanes);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> f13_x_p1150_lanes = detail::make_pack<Real>(f13_x_p1148_lanes[1],
+      f13_x_p1148_lanes[1], f13_x_p1138_lanes[1], f13_x_p1128_lanes[1], f13_x_p1148_lanes[1],
+      f13_x_p1148_lanes[1], f13_x_p1148_lanes[1], f13_x_p1148_lanes[1]) - inverse_D10_p1_lanes[1] *
+      f13_x_p1102_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> f13_x_p1159_lanes = f13_x_p35_lanes * f13_x_p1085_lanes;
+  const Lanes<2> f13_x_p1171_lanes = detail::make_pack<Real>((-3.0523172236718206),
       3.0523172236718206) * detail::make_pack<Real>(c13, c20) + 17.32841575379867 *
       detail::make_pack<Real>(s13, s20) - f13_x_p11_lanes * f13_x_p1085_lanes;
-  const Lanes<2> f13_x_p1174_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1158_lanes +
-      detail::make_pack<Real>(s12, s19) * f13_x_p1170_lanes;
-  const Lanes<2> f13_x_p1176_lanes = f13_x_p35_lanes * detail::make_pack<Real>(c13, c20);
-  const Lanes<2> f13_x_p1180_lanes = f13_x_p11_lanes * detail::make_pack<Real>(c13, c20);
-  const Lanes<2> f13_x_p1184_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1176_lanes -
-      detail::make_pack<Real>(s12, s19) * f13_x_p1180_lanes;
-  const Lanes<2> f13_x_p1186_lanes = f13_x_p35_lanes * detail::make_pack<Real>(s13, s20);
-  const Lanes<2> f13_x_p1190_lanes = f13_x_p11_lanes * detail::make_pack<Real>(s13, s20);
-  const Lanes<2> f13_x_p1194_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1186_lanes -
-      detail::make_pack<Real>(s12, s19) * f13_x_p1190_lanes;
+  const Lanes<2> f13_x_p1175_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1159_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p1171_lanes;
+  const Lanes<2> f13_x_p1177_lanes = f13_x_p35_lanes * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p1181_lanes = f13_x_p11_lanes * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p1185_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1177_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p1181_lanes;
+  const Lanes<2> f13_x_p1187_lanes = f13_x_p35_lanes * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> f13_x_p1191_lanes = f13_x_p11_lanes * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> f13_x_p1195_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1187_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p1191_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1199_lanes = 0.269 * detail::make_pack<Real>(f13_x_p1194_lanes[1],
-      f13_x_p1194_lanes[1], f13_x_p1184_lanes[1], f13_x_p1174_lanes[1], f13_x_p1194_lanes[1],
-      f13_x_p1194_lanes[1], f13_x_p1194_lanes[1], f13_x_p1194_lanes[1]) - inverse_D10_p8_lanes[1] *
-      detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
-      f13_x_p1113, f13_x_p1113, f13_x_p1113);
-  const Lanes<8> f13_x_p1205_lanes = s18 * f13_x_p1149_lanes + c18 * f13_x_p1199_lanes;
-  const Real f13_x_p1208 = -(0.269 * c19);
-  const Real f13_x_p1209 = c18 * f13_x_p1208;
-  const Lanes<8> f13_x_p1220_lanes = c18 * f13_x_p1149_lanes - s18 * f13_x_p1199_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1223_lanes = detail::make_pack<Real>(-(s18 * f13_x_p1208),
-      f13_x_p1220_lanes[1], f13_x_p1220_lanes[2], f13_x_p1220_lanes[3], -(s18 * f13_x_p1208),
-      -(s18 * f13_x_p1208), -(s18 * f13_x_p1208), -(s18 * f13_x_p1208)) - f13_x_p231_lanes[1] *
-      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
-      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
-  const Lanes<8> f13_x_p1231_lanes = f13_x_p221_lanes[1] *
-      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
-      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
-  const Lanes<8> f13_x_p1239_lanes = c17 * f13_x_p1231_lanes - s17 * f13_x_p1223_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1243_lanes = f13_x_p259_lanes[1] * f13_x_p1239_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1266_lanes = detail::make_pack<Real>(-f13_x_p1194_lanes[1],
-      -f13_x_p1194_lanes[1], -f13_x_p1184_lanes[1], -f13_x_p1174_lanes[1], -f13_x_p1194_lanes[1],
-      -f13_x_p1194_lanes[1], -f13_x_p1194_lanes[1], -f13_x_p1194_lanes[1]) + f13_x_p55_lanes[1] *
-      detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
-      f13_x_p1113, f13_x_p1113, f13_x_p1113);
-  const Lanes<8> f13_x_p1275_lanes = detail::make_pack<Real>(-f13_x_p1143_lanes[1],
-      -f13_x_p1143_lanes[1], -f13_x_p1135_lanes[1], f13_x_p1125_lanes[1], -f13_x_p1143_lanes[1],
-      -f13_x_p1143_lanes[1], -f13_x_p1143_lanes[1], -f13_x_p1143_lanes[1]) - f13_x_p119_lanes[1] *
-      detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106, f13_x_p1099, f13_x_p1113,
-      f13_x_p1113, f13_x_p1113, f13_x_p1113);
-  const Lanes<8> f13_x_p1281_lanes = s18 * f13_x_p1266_lanes + c18 * f13_x_p1275_lanes;
+  const Lanes<8> f13_x_p1200_lanes = 0.269 * detail::make_pack<Real>(f13_x_p1195_lanes[1],
+      f13_x_p1195_lanes[1], f13_x_p1185_lanes[1], f13_x_p1175_lanes[1], f13_x_p1195_lanes[1],
+      f13_x_p1195_lanes[1], f13_x_p1195_lanes[1], f13_x_p1195_lanes[1]) - inverse_D10_p8_lanes[1] *
+      f13_x_p1102_lanes;
+  const Lanes<8> f13_x_p1206_lanes = s18 * f13_x_p1150_lanes + c18 * f13_x_p1200_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p1284_lanes = detail::make_pack<Real>(s11, s18) *
+  const Lanes<2> f13_x_p1211_lanes = -(0.269 * detail::make_pack<Real>(c12, c19));
+  const Lanes<2> f13_x_p1213_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p1211_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> f13_x_p1225_lanes = c18 * f13_x_p1150_lanes - s18 * f13_x_p1200_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> f13_x_p1230_lanes = -(detail::make_pack<Real>(s11, s18) * f13_x_p1211_lanes);
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> f13_x_p1232_lanes = detail::make_pack<Real>(f13_x_p1230_lanes[1],
+      f13_x_p1225_lanes[1], f13_x_p1225_lanes[2], f13_x_p1225_lanes[3], f13_x_p1230_lanes[1],
+      f13_x_p1230_lanes[1], f13_x_p1230_lanes[1], f13_x_p1230_lanes[1]) - f13_x_p231_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1213_lanes[1], f13_x_p1206_lanes[1], f13_x_p1206_lanes[2],
+      f13_x_p1206_lanes[3], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1],
+      f13_x_p1213_lanes[1]);
+  const Lanes<8> f13_x_p1240_lanes = f13_x_p221_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1213_lanes[1], f13_x_p1206_lanes[1], f13_x_p1206_lanes[2],
+      f13_x_p1206_lanes[3], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1],
+      f13_x_p1213_lanes[1]);
+  const Lanes<8> f13_x_p1248_lanes = c17 * f13_x_p1240_lanes - s17 * f13_x_p1232_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p1252_lanes = f13_x_p259_lanes[1] * f13_x_p1248_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> f13_x_p1278_lanes = -detail::make_pack<Real>(f13_x_p1195_lanes[1],
+      f13_x_p1195_lanes[1], f13_x_p1185_lanes[1], f13_x_p1175_lanes[1], f13_x_p1195_lanes[1],
+      f13_x_p1195_lanes[1], f13_x_p1195_lanes[1], f13_x_p1195_lanes[1]) + f13_x_p55_lanes[1] *
+      f13_x_p1102_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p1287_lanes = -f13_x_p1132_lanes;
+  const Lanes<2> f13_x_p1289_lanes = -f13_x_p1142_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> f13_x_p1291_lanes = detail::make_pack<Real>(f13_x_p1289_lanes[1],
+      f13_x_p1289_lanes[1], f13_x_p1287_lanes[1], f13_x_p1116_lanes[1], f13_x_p1289_lanes[1],
+      f13_x_p1289_lanes[1], f13_x_p1289_lanes[1], f13_x_p1289_lanes[1]) - f13_x_p119_lanes[1] *
+      f13_x_p1102_lanes;
+  const Lanes<8> f13_x_p1297_lanes = s18 * f13_x_p1278_lanes + c18 * f13_x_p1291_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p1300_lanes = detail::make_pack<Real>(s11, s18) *
       detail::make_pack<Real>(c12, c19);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1286_lanes = detail::make_pack<Real>(f13_x_p1284_lanes[1],
-      f13_x_p1281_lanes[1], f13_x_p1281_lanes[2], f13_x_p1281_lanes[3], f13_x_p1284_lanes[1],
-      f13_x_p1284_lanes[1], f13_x_p1284_lanes[1], f13_x_p1284_lanes[1]) - f13_x_p191_lanes[1] *
-      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
-      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
+  const Lanes<8> f13_x_p1302_lanes = detail::make_pack<Real>(f13_x_p1300_lanes[1],
+      f13_x_p1297_lanes[1], f13_x_p1297_lanes[2], f13_x_p1297_lanes[3], f13_x_p1300_lanes[1],
+      f13_x_p1300_lanes[1], f13_x_p1300_lanes[1], f13_x_p1300_lanes[1]) - f13_x_p191_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1213_lanes[1], f13_x_p1206_lanes[1], f13_x_p1206_lanes[2],
+      f13_x_p1206_lanes[3], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1],
+      f13_x_p1213_lanes[1]);
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1298_lanes = c17 * f13_x_p1223_lanes + s17 * f13_x_p1231_lanes + 0.282 *
-      f13_x_p1286_lanes - f13_x_p1243_lanes;
+  const Lanes<8> f13_x_p1314_lanes = c17 * f13_x_p1232_lanes + s17 * f13_x_p1240_lanes + 0.282 *
+      f13_x_p1302_lanes - f13_x_p1252_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p1320_lanes = c18 * f13_x_p1266_lanes - s18 * f13_x_p1275_lanes;
+  const Lanes<8> f13_x_p1336_lanes = c18 * f13_x_p1278_lanes - s18 * f13_x_p1291_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p1323_lanes = detail::make_pack<Real>(c11, c18) *
+  const Lanes<2> f13_x_p1339_lanes = detail::make_pack<Real>(c11, c18) *
       detail::make_pack<Real>(c12, c19);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1325_lanes = detail::make_pack<Real>(f13_x_p1323_lanes[1],
-      f13_x_p1320_lanes[1], f13_x_p1320_lanes[2], f13_x_p1320_lanes[3], f13_x_p1323_lanes[1],
-      f13_x_p1323_lanes[1], f13_x_p1323_lanes[1], f13_x_p1323_lanes[1]) - f13_x_p317_lanes[1] *
-      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
-      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
+  const Lanes<8> f13_x_p1341_lanes = detail::make_pack<Real>(f13_x_p1339_lanes[1],
+      f13_x_p1336_lanes[1], f13_x_p1336_lanes[2], f13_x_p1336_lanes[3], f13_x_p1339_lanes[1],
+      f13_x_p1339_lanes[1], f13_x_p1339_lanes[1], f13_x_p1339_lanes[1]) - f13_x_p317_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1213_lanes[1], f13_x_p1206_lanes[1], f13_x_p1206_lanes[2],
+      f13_x_p1206_lanes[3], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1],
+      f13_x_p1213_lanes[1]);
 
   // link 11 (left_wrist1), force propagation
-  const Real f13_x_p1337 = -f13_x_p1097_lanes[0];
-  const Lanes<2> f13_x_p1346_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1158_lanes -
-      detail::make_pack<Real>(c12, c19) * f13_x_p1170_lanes - f13_x_p337_lanes *
-      detail::make_pack<Real>(f13_x_p1337, f13_x_p1099);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p1348_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1176_lanes;
-  const Lanes<2> f13_x_p1350_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1180_lanes;
-  const Lanes<2> f13_x_p1352_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1186_lanes;
-  const Lanes<2> f13_x_p1354_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p1190_lanes;
+  const Lanes<8> f13_x_p1356_lanes = -(c12 * f13_x_p1123_lanes);
+  const Lanes<2> f13_x_p1367_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1159_lanes -
+      detail::make_pack<Real>(c12, c19) * f13_x_p1171_lanes - f13_x_p337_lanes *
+      detail::make_pack<Real>(f13_x_p1356_lanes[5], f13_x_p1102_lanes[3]);
+  const Lanes<2> f13_x_p1377_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1177_lanes +
+      detail::make_pack<Real>(c12, c19) * f13_x_p1181_lanes - f13_x_p337_lanes *
+      detail::make_pack<Real>(f13_x_p1356_lanes[4], f13_x_p1102_lanes[2]);
+  const Lanes<2> f13_x_p1387_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p1187_lanes +
+      detail::make_pack<Real>(c12, c19) * f13_x_p1191_lanes - f13_x_p337_lanes *
+      detail::make_pack<Real>(f13_x_p1356_lanes[3], f13_x_p1102_lanes[1]);
+  const Lanes<2> neg_s12_lanes = -detail::make_pack<Real>(s12, s19);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p1356_lanes = detail::make_pack<Real>(-(-s19),
-      -(f13_x_p1352_lanes[1] + f13_x_p1354_lanes[1] - f13_x_p337_lanes[1] * f13_x_p1113),
-      -(f13_x_p1348_lanes[1] + f13_x_p1350_lanes[1] - f13_x_p337_lanes[1] * f13_x_p1106),
-      -f13_x_p1346_lanes[1], -(-s19), -(-s19), -(-s19), -(-s19)) - f13_x_p363_lanes[1] *
-      detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1], f13_x_p1205_lanes[2],
-      f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209, f13_x_p1209);
-  const Lanes<8> f13_x_p1364_lanes = s17 * f13_x_p1356_lanes - c17 * f13_x_p1325_lanes;
+  const Lanes<8> f13_x_p1392_lanes = -detail::make_pack<Real>(neg_s12_lanes[1],
+      f13_x_p1387_lanes[1], f13_x_p1377_lanes[1], f13_x_p1367_lanes[1], neg_s12_lanes[1],
+      neg_s12_lanes[1], neg_s12_lanes[1], neg_s12_lanes[1]) - f13_x_p363_lanes[1] *
+      detail::make_pack<Real>(f13_x_p1213_lanes[1], f13_x_p1206_lanes[1], f13_x_p1206_lanes[2],
+      f13_x_p1206_lanes[3], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1],
+      f13_x_p1213_lanes[1]);
+  const Lanes<8> f13_x_p1400_lanes = s17 * f13_x_p1392_lanes - c17 * f13_x_p1341_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1372_lanes = 0.282 * f13_x_p1364_lanes - f13_x_p401_lanes[1] *
-      f13_x_p1239_lanes;
-  const Lanes<8> f13_x_p1380_lanes = c16 * f13_x_p1298_lanes - s16 * f13_x_p1372_lanes;
+  const Lanes<8> f13_x_p1408_lanes = 0.282 * f13_x_p1400_lanes - f13_x_p401_lanes[1] *
+      f13_x_p1248_lanes;
+  const Lanes<8> f13_x_p1416_lanes = c16 * f13_x_p1314_lanes - s16 * f13_x_p1408_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1400_lanes = s16 * f13_x_p1298_lanes + c16 * f13_x_p1372_lanes -
-      inverse_D7_p1_lanes[1] * f13_x_p1380_lanes;
+  const Lanes<8> f13_x_p1436_lanes = s16 * f13_x_p1314_lanes + c16 * f13_x_p1408_lanes -
+      inverse_D7_p1_lanes[1] * f13_x_p1416_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p1408_lanes = 0.00010499999999999999 / inverse_D8_p3_lanes;
+  const Lanes<2> f13_x_p1444_lanes = 0.00010499999999999999 / inverse_D8_p3_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1410_lanes = f13_x_p1408_lanes[1] * f13_x_p1380_lanes;
-  const Lanes<8> f13_x_p1418_lanes = s15 * f13_x_p1410_lanes + c15 * f13_x_p1400_lanes;
+  const Lanes<8> f13_x_p1446_lanes = f13_x_p1444_lanes[1] * f13_x_p1416_lanes;
+  const Lanes<8> f13_x_p1454_lanes = s15 * f13_x_p1446_lanes + c15 * f13_x_p1436_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p1422_lanes = f13_x_p679_lanes[1] * f13_x_p1418_lanes;
+  const Lanes<8> f13_x_p1458_lanes = f13_x_p679_lanes[1] * f13_x_p1454_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p1434_lanes = detail::make_pack<Real>(-f13_x_p1364_lanes[0],
-      -f13_x_p1364_lanes[1], -f13_x_p1364_lanes[2], -f13_x_p1364_lanes[3], -f13_x_p1364_lanes[0],
-      -f13_x_p1364_lanes[0], -f13_x_p1364_lanes[0], -f13_x_p1364_lanes[0]) + f13_x_p569_lanes[1] *
-      f13_x_p1239_lanes;
-  const Lanes<8> f13_x_p1446_lanes = f13_x_p1286_lanes - f13_x_p577_lanes[1] * f13_x_p1239_lanes;
+  const Lanes<8> f13_x_p1474_lanes = -f13_x_p1400_lanes + f13_x_p569_lanes[1] * f13_x_p1248_lanes;
+  const Lanes<8> f13_x_p1486_lanes = f13_x_p1302_lanes - f13_x_p577_lanes[1] * f13_x_p1248_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p1462_lanes = c16 * f13_x_p1434_lanes - s16 * f13_x_p1446_lanes -
-      f13_x_p657_lanes[1] * f13_x_p1380_lanes - f13_x_p1422_lanes;
+  const Lanes<8> f13_x_p1502_lanes = c16 * f13_x_p1474_lanes - s16 * f13_x_p1486_lanes -
+      f13_x_p657_lanes[1] * f13_x_p1416_lanes - f13_x_p1458_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1490_lanes = s16 * f13_x_p1434_lanes + c16 * f13_x_p1446_lanes -
-      f13_x_p609_lanes[1] * f13_x_p1380_lanes;
+  const Lanes<8> f13_x_p1530_lanes = s16 * f13_x_p1474_lanes + c16 * f13_x_p1486_lanes -
+      f13_x_p609_lanes[1] * f13_x_p1416_lanes;
 
-  // link 11 (left_wrist1), force propagation
-  const Real f13_x_p1502 = f13_x_p1131_lanes[0] - inverse_D10_p1_lanes[0] * f13_x_p1337;
-  const Real f13_x_p1503 = -f13_x_p1104_lanes[0];
-  const Real f13_x_p1504 = -f13_x_p1139_lanes[0] - inverse_D10_p1_lanes[0] * f13_x_p1503;
-  const Real f13_x_p1505 = -f13_x_p1111_lanes[0];
-  const Real f13_x_p1506 = -f13_x_p1147_lanes[0] - inverse_D10_p1_lanes[0] * f13_x_p1505;
-
-  // link 12 (left_wrist2), force propagation
-  const Real f13_x_p1507 = 0.269 * c13;
-  const Real f13_x_p1508 = 0.269 * s13;
-
-  // link 11 (left_wrist1), force propagation
-  const Real f13_x_p1514 = 0.269 * f13_x_p1174_lanes[0] - inverse_D10_p8_lanes[0] * f13_x_p1337;
-  const Real f13_x_p1515 = 0.269 * f13_x_p1184_lanes[0] - inverse_D10_p8_lanes[0] * f13_x_p1503;
-  const Real f13_x_p1516 = 0.269 * f13_x_p1194_lanes[0] - inverse_D10_p8_lanes[0] * f13_x_p1505;
-
-  // link 12 (left_wrist2), force propagation
-  const Real f13_x_p1517 = s12 * neg_s13;
-  const Real f13_x_p1518 = 0.269 * f13_x_p1517;
-  const Real f13_x_p1519 = s12 * c13;
-  const Real f13_x_p1520 = 0.269 * f13_x_p1519;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p1526_lanes = s11 * detail::make_pack<Real>(f13_x_p1508, f13_x_p1507,
-      f13_x_p1508, f13_x_p1506, f13_x_p1504, f13_x_p1502, f13_x_p1508, f13_x_p1508) + c11 *
-      detail::make_pack<Real>(f13_x_p1520, f13_x_p1518, f13_x_p1520, f13_x_p1516, f13_x_p1515,
-      f13_x_p1514, f13_x_p1520, f13_x_p1520);
-  const Real f13_x_p1531 = -(0.269 * c12);
-  const Real f13_x_p1532 = c11 * f13_x_p1531;
-  const Real f13_x_p1539 = -f13_x_p1174_lanes[0] + f13_x_p55_lanes[0] * f13_x_p1337;
-  const Real f13_x_p1540 = -f13_x_p1184_lanes[0] + f13_x_p55_lanes[0] * f13_x_p1503;
-  const Real f13_x_p1541 = -f13_x_p1194_lanes[0] + f13_x_p55_lanes[0] * f13_x_p1505;
-  const Real f13_x_p1542 = -f13_x_p1517;
-  const Real f13_x_p1543 = -f13_x_p1519;
-  const Real f13_x_p1549 = f13_x_p1125_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1337;
-  const Real f13_x_p1550 = -f13_x_p1135_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1503;
-  const Real f13_x_p1551 = -f13_x_p1143_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1505;
-  const Lanes<8> f13_x_p1557_lanes = c11 * detail::make_pack<Real>(f13_x_p1543, f13_x_p1542,
-      f13_x_p1543, f13_x_p1541, f13_x_p1540, f13_x_p1539, f13_x_p1543, f13_x_p1543) - s11 *
-      detail::make_pack<Real>(s13, c13, s13, f13_x_p1551, f13_x_p1550, f13_x_p1549, s13, s13);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1562_lanes = detail::make_pack<Real>(f13_x_p1557_lanes[0],
-      f13_x_p1557_lanes[1], f13_x_p1323_lanes[0], f13_x_p1557_lanes[3], f13_x_p1557_lanes[4],
-      f13_x_p1557_lanes[5], f13_x_p1557_lanes[0], f13_x_p1557_lanes[0]) - f13_x_p317_lanes[0] *
-      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
-      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
-      f13_x_p1526_lanes[0]);
-  const Lanes<8> f13_x_p1576_lanes = detail::make_pack<Real>(-(-(c12 * c13)), -(-(c12 * neg_s13)),
-      -(-s12), -(f13_x_p1352_lanes[0] + f13_x_p1354_lanes[0] - f13_x_p337_lanes[0] * f13_x_p1505),
-      -(f13_x_p1348_lanes[0] + f13_x_p1350_lanes[0] - f13_x_p337_lanes[0] * f13_x_p1503),
-      -f13_x_p1346_lanes[0], -(-(c12 * c13)), -(-(c12 * c13))) - f13_x_p363_lanes[0] *
-      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
-      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
-      f13_x_p1526_lanes[0]);
-  const Lanes<2> f13_x_p1584_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(f13_x_p1562_lanes[5], f13_x_p1325_lanes[3]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[5],
-      f13_x_p1356_lanes[3]);
-  const Lanes<2> f13_x_p1590_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(f13_x_p1562_lanes[4], f13_x_p1325_lanes[2]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[4],
-      f13_x_p1356_lanes[2]);
-  const Lanes<2> f13_x_p1596_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(f13_x_p1562_lanes[3], f13_x_p1325_lanes[1]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[3],
-      f13_x_p1356_lanes[1]);
-  const Lanes<2> f13_x_p1602_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(f13_x_p1562_lanes[2], f13_x_p1325_lanes[0]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[2],
-      f13_x_p1356_lanes[0]);
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p1562_lanes = -(s17 * f13_x_p1341_lanes + c17 * f13_x_p1392_lanes) +
+      f13_x_p515_lanes[1] * f13_x_p1248_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p1604_lanes = detail::make_pack<Real>(-(-f13_x_p1602_lanes[1] +
-      f13_x_p515_lanes[1] * f13_x_p1239_lanes[0]), -(-f13_x_p1596_lanes[1] + f13_x_p515_lanes[1] *
-      f13_x_p1239_lanes[1]), -(-f13_x_p1590_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[2]),
-      -(-f13_x_p1584_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[3]),
-      -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0]),
-      -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0]),
-      -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0]),
-      -(-f13_x_p1602_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1239_lanes[0])) + f13_x_p555_lanes[1] *
-      f13_x_p1380_lanes;
+  const Lanes<8> f13_x_p1570_lanes = -f13_x_p1562_lanes + f13_x_p555_lanes[1] * f13_x_p1416_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p1616_lanes = c15 * f13_x_p1604_lanes - s15 * f13_x_p1490_lanes -
-      f13_x_p639_lanes[1] * f13_x_p1418_lanes;
-  const Lanes<8> f13_x_p1624_lanes = s14 * f13_x_p1462_lanes + c14 * f13_x_p1616_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Real f13_x_p1628 = 0.269 * c20;
-  const Real f13_x_p1629 = s19 * neg_s20;
-  const Real f13_x_p1630 = 0.269 * f13_x_p1629;
-
-  // link 18 (right_wrist1), force propagation
-  const Real f13_x_p1631 = s18 * f13_x_p1628 + c18 * f13_x_p1630;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p1632 = c18 * f13_x_p1628 - s18 * f13_x_p1630 - f13_x_p231_lanes[1] *
-      f13_x_p1631;
-  const Real f13_x_p1633 = f13_x_p221_lanes[1] * f13_x_p1631;
-  const Real f13_x_p1634 = c17 * f13_x_p1633 - s17 * f13_x_p1632;
-
-  // link 18 (right_wrist1), force propagation
-  const Real f13_x_p1635 = -f13_x_p1629;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p1636 = s18 * f13_x_p1635 + c18 * c20 - f13_x_p191_lanes[1] * f13_x_p1631;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1637 = c17 * f13_x_p1632 + s17 * f13_x_p1633 + 0.282 * f13_x_p1636 -
-      f13_x_p259_lanes[1] * f13_x_p1634;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p1638 = c18 * f13_x_p1635 - s18 * c20 - f13_x_p317_lanes[1] * f13_x_p1631;
-  const Real f13_x_p1639 = -(-(c19 * neg_s20)) - f13_x_p363_lanes[1] * f13_x_p1631;
-  const Real f13_x_p1640 = s17 * f13_x_p1639 - c17 * f13_x_p1638;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1641 = 0.282 * f13_x_p1640 - f13_x_p401_lanes[1] * f13_x_p1634;
-  const Real f13_x_p1642 = c16 * f13_x_p1637 - s16 * f13_x_p1641;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1643 = s16 * f13_x_p1637 + c16 * f13_x_p1641 - inverse_D7_p1_lanes[1] *
-      f13_x_p1642;
-  const Real f13_x_p1644 = f13_x_p1408_lanes[1] * f13_x_p1642;
-  const Real f13_x_p1645 = s15 * f13_x_p1644 + c15 * f13_x_p1643;
-
-  // link 19 (right_wrist2), force propagation
-  const Real f13_x_p1646 = 0.269 * s20;
-  const Real f13_x_p1647 = s19 * c20;
-  const Real f13_x_p1648 = 0.269 * f13_x_p1647;
-
-  // link 18 (right_wrist1), force propagation
-  const Real f13_x_p1649 = s18 * f13_x_p1646 + c18 * f13_x_p1648;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p1650 = c18 * f13_x_p1646 - s18 * f13_x_p1648 - f13_x_p231_lanes[1] *
-      f13_x_p1649;
-  const Real f13_x_p1651 = f13_x_p221_lanes[1] * f13_x_p1649;
-  const Real f13_x_p1652 = c17 * f13_x_p1651 - s17 * f13_x_p1650;
-
-  // link 18 (right_wrist1), force propagation
-  const Real f13_x_p1653 = -f13_x_p1647;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p1654 = s18 * f13_x_p1653 + c18 * s20 - f13_x_p191_lanes[1] * f13_x_p1649;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1655 = c17 * f13_x_p1650 + s17 * f13_x_p1651 + 0.282 * f13_x_p1654 -
-      f13_x_p259_lanes[1] * f13_x_p1652;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p1656 = c18 * f13_x_p1653 - s18 * s20 - f13_x_p317_lanes[1] * f13_x_p1649;
-  const Real f13_x_p1657 = -(-(c19 * c20)) - f13_x_p363_lanes[1] * f13_x_p1649;
-  const Real f13_x_p1658 = s17 * f13_x_p1657 - c17 * f13_x_p1656;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1659 = 0.282 * f13_x_p1658 - f13_x_p401_lanes[1] * f13_x_p1652;
-  const Real f13_x_p1660 = c16 * f13_x_p1655 - s16 * f13_x_p1659;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1661 = s16 * f13_x_p1655 + c16 * f13_x_p1659 - inverse_D7_p1_lanes[1] *
-      f13_x_p1660;
-  const Real f13_x_p1662 = f13_x_p1408_lanes[1] * f13_x_p1660;
-  const Real f13_x_p1663 = s15 * f13_x_p1662 + c15 * f13_x_p1661;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p1680_lanes = c11 * detail::make_pack<Real>(f13_x_p1508, f13_x_p1507,
-      f13_x_p1508, f13_x_p1506, f13_x_p1504, f13_x_p1502, f13_x_p1508, f13_x_p1508) - s11 *
-      detail::make_pack<Real>(f13_x_p1520, f13_x_p1518, f13_x_p1520, f13_x_p1516, f13_x_p1515,
-      f13_x_p1514, f13_x_p1520, f13_x_p1520);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1685_lanes = detail::make_pack<Real>(f13_x_p1680_lanes[0],
-      f13_x_p1680_lanes[1], -(s11 * f13_x_p1531), f13_x_p1680_lanes[3], f13_x_p1680_lanes[4],
-      f13_x_p1680_lanes[5], f13_x_p1680_lanes[0], f13_x_p1680_lanes[0]) - f13_x_p231_lanes[0] *
-      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
-      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
-      f13_x_p1526_lanes[0]);
-  const Lanes<8> f13_x_p1697_lanes = f13_x_p221_lanes[0] *
-      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
-      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
-      f13_x_p1526_lanes[0]);
-  const Lanes<8> f13_x_p1709_lanes = c10 * f13_x_p1697_lanes - s10 * f13_x_p1685_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1715_lanes = f13_x_p259_lanes[0] * f13_x_p1709_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p1755_lanes = s11 * detail::make_pack<Real>(f13_x_p1543, f13_x_p1542,
-      f13_x_p1543, f13_x_p1541, f13_x_p1540, f13_x_p1539, f13_x_p1543, f13_x_p1543) + c11 *
-      detail::make_pack<Real>(s13, c13, s13, f13_x_p1551, f13_x_p1550, f13_x_p1549, s13, s13);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1760_lanes = detail::make_pack<Real>(f13_x_p1755_lanes[0],
-      f13_x_p1755_lanes[1], f13_x_p1284_lanes[0], f13_x_p1755_lanes[3], f13_x_p1755_lanes[4],
-      f13_x_p1755_lanes[5], f13_x_p1755_lanes[0], f13_x_p1755_lanes[0]) - f13_x_p191_lanes[0] *
-      detail::make_pack<Real>(f13_x_p1526_lanes[0], f13_x_p1526_lanes[1], f13_x_p1532,
-      f13_x_p1526_lanes[3], f13_x_p1526_lanes[4], f13_x_p1526_lanes[5], f13_x_p1526_lanes[0],
-      f13_x_p1526_lanes[0]);
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1778_lanes = c10 * f13_x_p1685_lanes + s10 * f13_x_p1697_lanes + 0.282 *
-      f13_x_p1760_lanes - f13_x_p1715_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1808_lanes = s10 * f13_x_p1576_lanes - c10 * f13_x_p1562_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1820_lanes = 0.282 * f13_x_p1808_lanes - f13_x_p401_lanes[0] *
-      f13_x_p1709_lanes;
-  const Lanes<8> f13_x_p1832_lanes = c9 * f13_x_p1778_lanes - s9 * f13_x_p1820_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1862_lanes = s9 * f13_x_p1778_lanes + c9 * f13_x_p1820_lanes -
-      inverse_D7_p1_lanes[0] * f13_x_p1832_lanes;
-  const Lanes<8> f13_x_p1874_lanes = f13_x_p1408_lanes[0] * f13_x_p1832_lanes;
-  const Lanes<8> f13_x_p1886_lanes = s8 * f13_x_p1874_lanes + c8 * f13_x_p1862_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1900 = -f13_x_p1640 + f13_x_p569_lanes[1] * f13_x_p1634;
-  const Real f13_x_p1901 = f13_x_p1636 - f13_x_p577_lanes[1] * f13_x_p1634;
-  const Real f13_x_p1902 = -f13_x_p1658 + f13_x_p569_lanes[1] * f13_x_p1652;
-  const Real f13_x_p1903 = f13_x_p1654 - f13_x_p577_lanes[1] * f13_x_p1652;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1916_lanes = detail::make_pack<Real>(-f13_x_p1808_lanes[0],
-      -f13_x_p1808_lanes[1], -f13_x_p1808_lanes[2], -f13_x_p1808_lanes[3], -f13_x_p1808_lanes[4],
-      -f13_x_p1808_lanes[5], -f13_x_p1808_lanes[0], -f13_x_p1808_lanes[0]) + f13_x_p569_lanes[0] *
-      f13_x_p1709_lanes;
-  const Lanes<8> f13_x_p1934_lanes = f13_x_p1760_lanes - f13_x_p577_lanes[0] * f13_x_p1709_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1952_lanes = c9 * f13_x_p1916_lanes - s9 * f13_x_p1934_lanes -
-      f13_x_p657_lanes[0] * f13_x_p1832_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p1958_lanes = detail::make_pack<Real>(f13_x_p1952_lanes[0],
-      f13_x_p1952_lanes[1], f13_x_p1952_lanes[2], f13_x_p1952_lanes[3], f13_x_p1952_lanes[4],
-      f13_x_p1952_lanes[5], c16 * f13_x_p1902 - s16 * f13_x_p1903 - f13_x_p657_lanes[1] *
-      f13_x_p1660, c16 * f13_x_p1900 - s16 * f13_x_p1901 - f13_x_p657_lanes[1] * f13_x_p1642) -
-      detail::make_pack<Real>(f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[0],
-      f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[1],
-      f13_x_p679_lanes[1]) * detail::make_pack<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1],
-      f13_x_p1886_lanes[2], f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5],
-      f13_x_p1663, f13_x_p1645);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1982 = s16 * f13_x_p1900 + c16 * f13_x_p1901 - f13_x_p609_lanes[1] *
-      f13_x_p1642;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p1987_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(f13_x_p1562_lanes[1], f13_x_p1638) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[1],
-      f13_x_p1639);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1989 = -(-f13_x_p1987_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1634) +
-      f13_x_p555_lanes[1] * f13_x_p1642;
-  const Real f13_x_p1990 = s16 * f13_x_p1902 + c16 * f13_x_p1903 - f13_x_p609_lanes[1] *
-      f13_x_p1660;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p1995_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(f13_x_p1562_lanes[0], f13_x_p1656) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(f13_x_p1576_lanes[0],
-      f13_x_p1657);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1997 = -(-f13_x_p1995_lanes[1] + f13_x_p515_lanes[1] * f13_x_p1652) +
-      f13_x_p555_lanes[1] * f13_x_p1660;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2022_lanes = s9 * f13_x_p1916_lanes + c9 * f13_x_p1934_lanes -
-      f13_x_p609_lanes[0] * f13_x_p1832_lanes;
-  const Lanes<8> f13_x_p2040_lanes = detail::make_pack<Real>(-(-f13_x_p1995_lanes[0] +
-      f13_x_p515_lanes[0] * f13_x_p1709_lanes[0]), -(-f13_x_p1987_lanes[0] + f13_x_p515_lanes[0] *
-      f13_x_p1709_lanes[1]), -(-f13_x_p1602_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[2]),
-      -(-f13_x_p1596_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[3]),
-      -(-f13_x_p1590_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[4]),
-      -(-f13_x_p1584_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[5]),
-      -(-f13_x_p1995_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[0]),
-      -(-f13_x_p1995_lanes[0] + f13_x_p515_lanes[0] * f13_x_p1709_lanes[0])) + f13_x_p555_lanes[0] *
-      f13_x_p1832_lanes;
-  const Lanes<8> f13_x_p2052_lanes = c8 * f13_x_p2040_lanes - s8 * f13_x_p2022_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2058_lanes = detail::make_pack<Real>(f13_x_p2052_lanes[0],
-      f13_x_p2052_lanes[1], f13_x_p2052_lanes[2], f13_x_p2052_lanes[3], f13_x_p2052_lanes[4],
-      f13_x_p2052_lanes[5], c15 * f13_x_p1997 - s15 * f13_x_p1990, c15 * f13_x_p1989 - s15 *
-      f13_x_p1982) - detail::make_pack<Real>(f13_x_p639_lanes[0], f13_x_p639_lanes[0],
-      f13_x_p639_lanes[0], f13_x_p639_lanes[0], f13_x_p639_lanes[0], f13_x_p639_lanes[0],
-      f13_x_p639_lanes[1], f13_x_p639_lanes[1]) * detail::make_pack<Real>(f13_x_p1886_lanes[0],
-      f13_x_p1886_lanes[1], f13_x_p1886_lanes[2], f13_x_p1886_lanes[3], f13_x_p1886_lanes[4],
-      f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
-  const Lanes<8> f13_x_p2074_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      f13_x_p1958_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p2058_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2100_lanes = s15 * f13_x_p1604_lanes + c15 * f13_x_p1490_lanes -
-      f13_x_p837_lanes[1] * f13_x_p1418_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2124_lanes = s8 * f13_x_p2040_lanes + c8 * f13_x_p2022_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2130_lanes = detail::make_pack<Real>(f13_x_p2124_lanes[0],
-      f13_x_p2124_lanes[1], f13_x_p2124_lanes[2], f13_x_p2124_lanes[3], f13_x_p2124_lanes[4],
-      f13_x_p2124_lanes[5], s15 * f13_x_p1997 + c15 * f13_x_p1990, s15 * f13_x_p1989 + c15 *
-      f13_x_p1982) - detail::make_pack<Real>(f13_x_p837_lanes[0], f13_x_p837_lanes[0],
-      f13_x_p837_lanes[0], f13_x_p837_lanes[0], f13_x_p837_lanes[0], f13_x_p837_lanes[0],
-      f13_x_p837_lanes[1], f13_x_p837_lanes[1]) * detail::make_pack<Real>(f13_x_p1886_lanes[0],
-      f13_x_p1886_lanes[1], f13_x_p1886_lanes[2], f13_x_p1886_lanes[3], f13_x_p1886_lanes[4],
-      f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
-  const Lanes<2> f13_x_p2140_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[5],
-      f13_x_p2100_lanes[3]) + detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(f13_x_p2074_lanes[5], f13_x_p1624_lanes[3]);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2158_lanes = c15 * f13_x_p1410_lanes - s15 * f13_x_p1400_lanes -
-      inverse_D6_p5_lanes[1] * f13_x_p1418_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2182_lanes = c8 * f13_x_p1874_lanes - s8 * f13_x_p1862_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2188_lanes = detail::make_pack<Real>(f13_x_p2182_lanes[0],
-      f13_x_p2182_lanes[1], f13_x_p2182_lanes[2], f13_x_p2182_lanes[3], f13_x_p2182_lanes[4],
-      f13_x_p2182_lanes[5], c15 * f13_x_p1662 - s15 * f13_x_p1661, c15 * f13_x_p1644 - s15 *
-      f13_x_p1643) - detail::make_pack<Real>(inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
-      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
-      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1], inverse_D6_p5_lanes[1]) *
-      detail::make_pack<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1], f13_x_p1886_lanes[2],
-      f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
+  const Lanes<8> f13_x_p1582_lanes = c15 * f13_x_p1570_lanes - s15 * f13_x_p1530_lanes -
+      f13_x_p639_lanes[1] * f13_x_p1454_lanes;
+  const Lanes<8> f13_x_p1590_lanes = s14 * f13_x_p1502_lanes + c14 * f13_x_p1582_lanes;
+  const Lanes<8> f13_x_p1614_lanes = s15 * f13_x_p1570_lanes + c15 * f13_x_p1530_lanes -
+      f13_x_p837_lanes[1] * f13_x_p1454_lanes;
+  const Lanes<8> f13_x_p1622_lanes = 0.226 * f13_x_p1614_lanes + (-0.18) * f13_x_p1590_lanes;
+  const Lanes<8> f13_x_p1642_lanes = c15 * f13_x_p1446_lanes - s15 * f13_x_p1436_lanes -
+      inverse_D6_p5_lanes[1] * f13_x_p1454_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p2198_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+  const Lanes<2> f13_x_p1650_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) / inverse_D7_p17_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2200_lanes = f13_x_p2198_lanes[1] * f13_x_p1418_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2204_lanes = detail::make_pack<Real>(f13_x_p2198_lanes[0],
-      f13_x_p2198_lanes[0], f13_x_p2198_lanes[0], f13_x_p2198_lanes[0], f13_x_p2198_lanes[0],
-      f13_x_p2198_lanes[0], f13_x_p2198_lanes[1], f13_x_p2198_lanes[1]) *
-      detail::make_pack<Real>(f13_x_p1886_lanes[0], f13_x_p1886_lanes[1], f13_x_p1886_lanes[2],
-      f13_x_p1886_lanes[3], f13_x_p1886_lanes[4], f13_x_p1886_lanes[5], f13_x_p1663, f13_x_p1645);
-  const Lanes<2> f13_x_p2216_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(f13_x_p2204_lanes[5], f13_x_p2200_lanes[3]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[5],
-      f13_x_p2158_lanes[3]) + f13_x_p2140_lanes;
+  const Lanes<8> f13_x_p1652_lanes = f13_x_p1650_lanes[1] * f13_x_p1454_lanes;
 
   // link 6 (chest3), force propagation
-  const Real f13_x_p2218 = -f13_x_p2216_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2223_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[4],
-      f13_x_p2100_lanes[2]) + detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(f13_x_p2074_lanes[4], f13_x_p1624_lanes[2]);
-  const Lanes<2> f13_x_p2231_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(f13_x_p2204_lanes[4], f13_x_p2200_lanes[2]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[4],
-      f13_x_p2158_lanes[2]) + f13_x_p2223_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real f13_x_p2233 = -f13_x_p2231_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2238_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[3],
-      f13_x_p2100_lanes[1]) + detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(f13_x_p2074_lanes[3], f13_x_p1624_lanes[1]);
-  const Lanes<2> f13_x_p2246_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(f13_x_p2204_lanes[3], f13_x_p2200_lanes[1]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[3],
-      f13_x_p2158_lanes[1]) + f13_x_p2238_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real f13_x_p2248 = -f13_x_p2246_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2253_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[2],
-      f13_x_p2100_lanes[0]) + detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(f13_x_p2074_lanes[2], f13_x_p1624_lanes[0]);
-  const Lanes<2> f13_x_p2261_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(f13_x_p2204_lanes[2], f13_x_p2200_lanes[0]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[2],
-      f13_x_p2158_lanes[0]) + f13_x_p2253_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real f13_x_p2263 = -f13_x_p2261_lanes[1];
-  const Lanes<8> f13_x_p2264_lanes = inverse_D5_p16 *
-      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
-      f13_x_p2263, f13_x_p2263, f13_x_p2263);
+  const Lanes<8> f13_x_p1668_lanes = -(c14 * f13_x_p1652_lanes + s14 * f13_x_p1642_lanes +
+      f13_x_p1622_lanes);
+  const Lanes<8> f13_x_p1672_lanes = inverse_D5_p16 * f13_x_p1668_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p2276_lanes = c14 * f13_x_p1462_lanes - s14 * f13_x_p1616_lanes;
+  const Lanes<8> f13_x_p1684_lanes = c14 * f13_x_p1502_lanes - s14 * f13_x_p1582_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2300_lanes = (-0.18) * f13_x_p2276_lanes -
-      (s14 * f13_x_p2200_lanes - c14 * f13_x_p2158_lanes) - f13_x_p2264_lanes;
-  const Lanes<8> f13_x_p2316_lanes = 0.226 * f13_x_p2276_lanes - inverse_D5_p22 *
-      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
-      f13_x_p2263, f13_x_p2263, f13_x_p2263);
-  const Lanes<8> f13_x_p2332_lanes = f13_x_p2276_lanes - f13_x_p993 *
-      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
-      f13_x_p2263, f13_x_p2263, f13_x_p2263);
-  const Lanes<8> f13_x_p2340_lanes = s6 * f13_x_p2300_lanes + c6 * f13_x_p2316_lanes + 0.072 *
-      f13_x_p2332_lanes;
-  const Lanes<8> f13_x_p2348_lanes = f13_x_p1624_lanes + f13_x_p930 *
-      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
-      f13_x_p2263, f13_x_p2263, f13_x_p2263);
-  const Lanes<8> f13_x_p2360_lanes = f13_x_p2100_lanes - f13_x_p984 *
-      detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233, f13_x_p2218, f13_x_p2263,
-      f13_x_p2263, f13_x_p2263, f13_x_p2263);
-  const Lanes<8> f13_x_p2368_lanes = s6 * f13_x_p2348_lanes + c6 * f13_x_p2360_lanes;
+  const Lanes<8> f13_x_p1708_lanes = (-0.18) * f13_x_p1684_lanes -
+      (s14 * f13_x_p1652_lanes - c14 * f13_x_p1642_lanes) - f13_x_p1672_lanes;
+  const Lanes<8> f13_x_p1724_lanes = 0.226 * f13_x_p1684_lanes - inverse_D5_p22 * f13_x_p1668_lanes;
+  const Lanes<8> f13_x_p1740_lanes = f13_x_p1684_lanes - f13_x_p993 * f13_x_p1668_lanes;
+  const Lanes<8> f13_x_p1748_lanes = s6 * f13_x_p1708_lanes + c6 * f13_x_p1724_lanes + 0.072 *
+      f13_x_p1740_lanes;
+  const Lanes<8> f13_x_p1760_lanes = f13_x_p1590_lanes + f13_x_p930 * f13_x_p1668_lanes;
+  const Lanes<8> f13_x_p1772_lanes = f13_x_p1614_lanes - f13_x_p984 * f13_x_p1668_lanes;
+  const Lanes<8> f13_x_p1780_lanes = s6 * f13_x_p1760_lanes + c6 * f13_x_p1772_lanes;
 
   // link 5 (chest2), force propagation
-  const Real f13_x_p2372 = -(0.072 * f13_x_p2368_lanes[3]) + f13_x_p1020 * f13_x_p2340_lanes[3];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2381_lanes = c6 * f13_x_p2300_lanes - s6 * f13_x_p2316_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2385 = f13_x_p2381_lanes[3] - f13_x_p1022 * f13_x_p2340_lanes[3];
+  const Lanes<8> f13_x_p1792_lanes = -(0.072 * f13_x_p1780_lanes) + f13_x_p1020 * f13_x_p1748_lanes;
+  const Lanes<8> f13_x_p1816_lanes = c6 * f13_x_p1708_lanes - s6 * f13_x_p1724_lanes - f13_x_p1022 *
+      f13_x_p1748_lanes;
 
   // link 4 (chest1), force propagation
-  const Real f13_x_p2386 = -(s5 * f13_x_p2372 + c5 * f13_x_p2385);
+  const Lanes<8> f13_x_p1828_lanes = -(s5 * f13_x_p1792_lanes + c5 * f13_x_p1816_lanes);
 
   // link 5 (chest2), force propagation
-  const Real f13_x_p2387 = -(0.072 * f13_x_p2368_lanes[2]) + f13_x_p1020 * f13_x_p2340_lanes[2];
-  const Real f13_x_p2388 = f13_x_p2381_lanes[2] - f13_x_p1022 * f13_x_p2340_lanes[2];
+  const Lanes<8> f13_x_p1852_lanes = f13_x_p1780_lanes - f13_x_p1005 * f13_x_p1748_lanes;
 
   // link 4 (chest1), force propagation
-  const Real f13_x_p2389 = -(s5 * f13_x_p2387 + c5 * f13_x_p2388);
+  const Lanes<8> f13_x_p1864_lanes = -(s5 * f13_x_p1816_lanes - c5 * f13_x_p1792_lanes +
+      0.21799999999999997 * f13_x_p1852_lanes);
 
   // link 5 (chest2), force propagation
-  const Real f13_x_p2390 = -(0.072 * f13_x_p2368_lanes[1]) + f13_x_p1020 * f13_x_p2340_lanes[1];
-  const Real f13_x_p2391 = f13_x_p2381_lanes[1] - f13_x_p1022 * f13_x_p2340_lanes[1];
+  const Lanes<8> f13_x_p1896_lanes = c6 * f13_x_p1760_lanes - s6 * f13_x_p1772_lanes - f13_x_p1033 *
+      f13_x_p1748_lanes;
+  const Lanes<8> f13_x_p1908_lanes = f13_x_p1740_lanes - f13_x_p1029 * f13_x_p1748_lanes;
+  const Lanes<8> f13_x_p1916_lanes = s5 * f13_x_p1896_lanes - c5 * f13_x_p1908_lanes;
 
   // link 4 (chest1), force propagation
-  const Real f13_x_p2392 = -(s5 * f13_x_p2390 + c5 * f13_x_p2391);
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2393 = -(0.072 * f13_x_p2368_lanes[0]) + f13_x_p1020 * f13_x_p2340_lanes[0];
-  const Real f13_x_p2394 = f13_x_p2381_lanes[0] - f13_x_p1022 * f13_x_p2340_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2395 = -(s5 * f13_x_p2393 + c5 * f13_x_p2394);
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p2404_lanes = f13_x_p2368_lanes - f13_x_p1005 * f13_x_p2340_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2428_lanes = c6 * f13_x_p2348_lanes - s6 * f13_x_p2360_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2432 = f13_x_p2428_lanes[3] - f13_x_p1033 * f13_x_p2340_lanes[3];
-  const Real f13_x_p2433 = f13_x_p2332_lanes[3] - f13_x_p1029 * f13_x_p2340_lanes[3];
-  const Real f13_x_p2434 = s5 * f13_x_p2432 - c5 * f13_x_p2433;
-  const Real f13_x_p2435 = f13_x_p2428_lanes[2] - f13_x_p1033 * f13_x_p2340_lanes[2];
-  const Real f13_x_p2436 = f13_x_p2332_lanes[2] - f13_x_p1029 * f13_x_p2340_lanes[2];
-  const Real f13_x_p2437 = s5 * f13_x_p2435 - c5 * f13_x_p2436;
-  const Real f13_x_p2438 = f13_x_p2428_lanes[1] - f13_x_p1033 * f13_x_p2340_lanes[1];
-  const Real f13_x_p2439 = f13_x_p2332_lanes[1] - f13_x_p1029 * f13_x_p2340_lanes[1];
-  const Real f13_x_p2440 = s5 * f13_x_p2438 - c5 * f13_x_p2439;
-  const Real f13_x_p2441 = f13_x_p2428_lanes[0] - f13_x_p1033 * f13_x_p2340_lanes[0];
-  const Real f13_x_p2442 = f13_x_p2332_lanes[0] - f13_x_p1029 * f13_x_p2340_lanes[0];
-  const Real f13_x_p2443 = s5 * f13_x_p2441 - c5 * f13_x_p2442;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2448_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
-      f13_x_p2443), -(0.21799999999999997 * f13_x_p2440), -(0.21799999999999997 * f13_x_p2437),
-      -(0.21799999999999997 * f13_x_p2434), -(0.21799999999999997 * f13_x_p2443),
-      -(0.21799999999999997 * f13_x_p2443), -(0.21799999999999997 * f13_x_p2443),
-      -(0.21799999999999997 * f13_x_p2443)) + inverse_D3_p2 *
-      detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386, f13_x_p2395,
-      f13_x_p2395, f13_x_p2395, f13_x_p2395));
-  const Lanes<8> f13_x_p2452_lanes = s4 * (detail::make_pack<Real>(-(s5 * f13_x_p2394 - c5 *
-      f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
-      -(s5 * f13_x_p2391 - c5 * f13_x_p2390 + 0.21799999999999997 * f13_x_p2404_lanes[1]),
-      -(s5 * f13_x_p2388 - c5 * f13_x_p2387 + 0.21799999999999997 * f13_x_p2404_lanes[2]),
-      -(s5 * f13_x_p2385 - c5 * f13_x_p2372 + 0.21799999999999997 * f13_x_p2404_lanes[3]),
-      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
-      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
-      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0]),
-      -(s5 * f13_x_p2394 - c5 * f13_x_p2393 + 0.21799999999999997 * f13_x_p2404_lanes[0])) -
-      inverse_D3_p1 * detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386,
-      f13_x_p2395, f13_x_p2395, f13_x_p2395, f13_x_p2395)) + f13_x_p2448_lanes;
-  const Lanes<8> f13_x_p2480_lanes = s4 * (f13_x_p2404_lanes + f13_x_p1050 *
-      detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386, f13_x_p2395,
-      f13_x_p2395, f13_x_p2395, f13_x_p2395));
+  const Lanes<8> f13_x_p1932_lanes = c4 * (-(0.21799999999999997 * f13_x_p1916_lanes) +
+      inverse_D3_p2 * f13_x_p1828_lanes);
+  const Lanes<8> f13_x_p1936_lanes = s4 * (f13_x_p1864_lanes - inverse_D3_p1 * f13_x_p1828_lanes) +
+      f13_x_p1932_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2488_lanes = c4 * (detail::make_pack<Real>(-f13_x_p2443, -f13_x_p2440,
-      -f13_x_p2437, -f13_x_p2434, -f13_x_p2443, -f13_x_p2443, -f13_x_p2443, -f13_x_p2443) +
-      f13_x_p1041 * detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389, f13_x_p2386,
-      f13_x_p2395, f13_x_p2395, f13_x_p2395, f13_x_p2395)) - f13_x_p2480_lanes - f13_x_p1063 *
-      f13_x_p2452_lanes;
-  const Lanes<8> f13_x_p2500_lanes = detail::make_pack<Real>(-(-(s5 * f13_x_p2442 + c5 *
-      f13_x_p2441) - f13_x_p1068 * f13_x_p2395), -(-(s5 * f13_x_p2439 + c5 * f13_x_p2438) -
-      f13_x_p1068 * f13_x_p2392), -(-(s5 * f13_x_p2436 + c5 * f13_x_p2435) - f13_x_p1068 *
-      f13_x_p2389), -(-(s5 * f13_x_p2433 + c5 * f13_x_p2432) - f13_x_p1068 * f13_x_p2386),
-      -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395),
-      -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395),
-      -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395),
-      -(-(s5 * f13_x_p2442 + c5 * f13_x_p2441) - f13_x_p1068 * f13_x_p2395)) + f13_x_p1073 *
-      f13_x_p2452_lanes;
-  const Lanes<8> f13_x_p2508_lanes = c3 * f13_x_p2488_lanes - s3 * f13_x_p2500_lanes;
-  const Lanes<8> f13_x_p2512_lanes = 0.422 * f13_x_p2508_lanes;
+  const Lanes<8> f13_x_p1940_lanes = f13_x_p1063 * f13_x_p1936_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p1968_lanes = s4 * (f13_x_p1852_lanes + f13_x_p1050 * f13_x_p1828_lanes);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p1976_lanes = c4 * (-f13_x_p1916_lanes + f13_x_p1041 * f13_x_p1828_lanes) -
+      f13_x_p1968_lanes - f13_x_p1940_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p2008_lanes = -(s5 * f13_x_p1908_lanes + c5 * f13_x_p1896_lanes) -
+      f13_x_p1068 * f13_x_p1828_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p2016_lanes = -f13_x_p2008_lanes + f13_x_p1073 * f13_x_p1936_lanes;
+  const Lanes<8> f13_x_p2024_lanes = c3 * f13_x_p1976_lanes - s3 * f13_x_p2016_lanes;
+  const Lanes<8> f13_x_p2028_lanes = 0.422 * f13_x_p2024_lanes;
 
   // link 3 (hip), articulated inertia
-  const Real f13_x_p2528 = c3 * f13_x_p1076 - f13_x_p1075;
-  const Real f13_x_p2529 = 0.031999971599999996 + 0.422 * f13_x_p2528;
+  const Real f13_x_p2044 = c3 * f13_x_p1076 - f13_x_p1075;
+  const Real f13_x_p2045 = 0.031999971599999996 + 0.422 * f13_x_p2044;
 
   // link 2 (thigh), articulated inertia
-  const Real f13_x_p2530 = f13_x_p2529 * inverse_D2;
+  const Real f13_x_p2046 = f13_x_p2045 * inverse_D2;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p2551_lanes = s2 * (s3 * f13_x_p2488_lanes + c3 * f13_x_p2500_lanes -
-      f13_x_p2530 * f13_x_p2512_lanes);
-  const Lanes<8> f13_x_p2559_lanes = 0.434 * (c2 * (f13_x_p2508_lanes - f13_x_p1080 *
-      f13_x_p2512_lanes) - f13_x_p2551_lanes);
+  const Lanes<8> f13_x_p2067_lanes = s2 * (s3 * f13_x_p1976_lanes + c3 * f13_x_p2016_lanes -
+      f13_x_p2046 * f13_x_p2028_lanes);
+  const Lanes<8> f13_x_p2075_lanes = 0.434 * (c2 * (f13_x_p2024_lanes - f13_x_p1080 *
+      f13_x_p2028_lanes) - f13_x_p2067_lanes);
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D1_p1 = f13_x_p1078 - f13_x_p1079 * f13_x_p1080;
-  const Real inverse_D1_p2 = s2 * (inverse_D1_p1 - (f13_x_p1074 + f13_x_p1077 - f13_x_p2529 *
-      f13_x_p2530)) + c2 * (2.0 * (f13_x_p2528 - f13_x_p1079 * f13_x_p2530));
+  const Real inverse_D1_p2 = s2 * (inverse_D1_p1 - (f13_x_p1074 + f13_x_p1077 - f13_x_p2045 *
+      f13_x_p2046)) + c2 * (2.0 * (f13_x_p2044 - f13_x_p1079 * f13_x_p2046));
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
       (inverse_D1_p1 - s2 * inverse_D1_p2));
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p2563_lanes = f13_x_p2559_lanes * inverse_D1;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2571_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[1],
-      f13_x_p2130_lanes[7]) + detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(f13_x_p2074_lanes[1], f13_x_p2074_lanes[7]);
-  const Lanes<2> f13_x_p2579_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(f13_x_p2204_lanes[1], f13_x_p2204_lanes[7]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[1],
-      f13_x_p2188_lanes[7]) + f13_x_p2571_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real f13_x_p2581 = -f13_x_p2579_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p2586_lanes = 0.226 * detail::make_pack<Real>(f13_x_p2130_lanes[0],
-      f13_x_p2130_lanes[6]) + detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(f13_x_p2074_lanes[0], f13_x_p2074_lanes[6]);
-  const Lanes<2> f13_x_p2594_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(f13_x_p2204_lanes[0], f13_x_p2204_lanes[6]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(f13_x_p2188_lanes[0],
-      f13_x_p2188_lanes[6]) + f13_x_p2586_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real f13_x_p2596 = -f13_x_p2594_lanes[1];
-  const Real f13_x_p2597 = -f13_x_p2216_lanes[0];
-  const Real f13_x_p2598 = -f13_x_p2231_lanes[0];
-  const Real f13_x_p2599 = -f13_x_p2246_lanes[0];
-  const Real f13_x_p2600 = -f13_x_p2261_lanes[0];
-  const Real f13_x_p2601 = -f13_x_p2579_lanes[0];
-  const Real f13_x_p2602 = -f13_x_p2594_lanes[0];
-  const Lanes<8> f13_x_p2603_lanes = inverse_D5_p16 *
-      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
-      f13_x_p2597, f13_x_p2596, f13_x_p2581);
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2627_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p1958_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      f13_x_p2058_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2675_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18,
-      (-0.18), (-0.18)) * f13_x_p2627_lanes - (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * f13_x_p2204_lanes - detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p2188_lanes) - f13_x_p2603_lanes;
-  const Lanes<8> f13_x_p2707_lanes = 0.226 * f13_x_p2627_lanes - inverse_D5_p22 *
-      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
-      f13_x_p2597, f13_x_p2596, f13_x_p2581);
-  const Lanes<8> f13_x_p2739_lanes = f13_x_p2627_lanes - f13_x_p993 *
-      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
-      f13_x_p2597, f13_x_p2596, f13_x_p2581);
-  const Lanes<8> f13_x_p2755_lanes = s6 * f13_x_p2675_lanes + c6 * f13_x_p2707_lanes + 0.072 *
-      f13_x_p2739_lanes;
-  const Lanes<8> f13_x_p2771_lanes = f13_x_p2074_lanes + f13_x_p930 *
-      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
-      f13_x_p2597, f13_x_p2596, f13_x_p2581);
-  const Lanes<8> f13_x_p2795_lanes = f13_x_p2130_lanes - f13_x_p984 *
-      detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600, f13_x_p2599, f13_x_p2598,
-      f13_x_p2597, f13_x_p2596, f13_x_p2581);
-  const Lanes<8> f13_x_p2811_lanes = s6 * f13_x_p2771_lanes + c6 * f13_x_p2795_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2819 = -(0.072 * f13_x_p2811_lanes[7]) + f13_x_p1020 * f13_x_p2755_lanes[7];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2836_lanes = c6 * f13_x_p2675_lanes - s6 * f13_x_p2707_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2844 = f13_x_p2836_lanes[7] - f13_x_p1022 * f13_x_p2755_lanes[7];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2845 = -(s5 * f13_x_p2819 + c5 * f13_x_p2844);
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2846 = -(0.072 * f13_x_p2811_lanes[6]) + f13_x_p1020 * f13_x_p2755_lanes[6];
-  const Real f13_x_p2847 = f13_x_p2836_lanes[6] - f13_x_p1022 * f13_x_p2755_lanes[6];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2848 = -(s5 * f13_x_p2846 + c5 * f13_x_p2847);
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2849 = -(0.072 * f13_x_p2811_lanes[5]) + f13_x_p1020 * f13_x_p2755_lanes[5];
-  const Real f13_x_p2850 = f13_x_p2836_lanes[5] - f13_x_p1022 * f13_x_p2755_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2851 = -(s5 * f13_x_p2849 + c5 * f13_x_p2850);
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2852 = -(0.072 * f13_x_p2811_lanes[4]) + f13_x_p1020 * f13_x_p2755_lanes[4];
-  const Real f13_x_p2853 = f13_x_p2836_lanes[4] - f13_x_p1022 * f13_x_p2755_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2854 = -(s5 * f13_x_p2852 + c5 * f13_x_p2853);
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2855 = -(0.072 * f13_x_p2811_lanes[3]) + f13_x_p1020 * f13_x_p2755_lanes[3];
-  const Real f13_x_p2856 = f13_x_p2836_lanes[3] - f13_x_p1022 * f13_x_p2755_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2857 = -(s5 * f13_x_p2855 + c5 * f13_x_p2856);
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2858 = -(0.072 * f13_x_p2811_lanes[2]) + f13_x_p1020 * f13_x_p2755_lanes[2];
-  const Real f13_x_p2859 = f13_x_p2836_lanes[2] - f13_x_p1022 * f13_x_p2755_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2860 = -(s5 * f13_x_p2858 + c5 * f13_x_p2859);
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2861 = -(0.072 * f13_x_p2811_lanes[1]) + f13_x_p1020 * f13_x_p2755_lanes[1];
-  const Real f13_x_p2862 = f13_x_p2836_lanes[1] - f13_x_p1022 * f13_x_p2755_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2863 = -(s5 * f13_x_p2861 + c5 * f13_x_p2862);
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2864 = -(0.072 * f13_x_p2811_lanes[0]) + f13_x_p1020 * f13_x_p2755_lanes[0];
-  const Real f13_x_p2865 = f13_x_p2836_lanes[0] - f13_x_p1022 * f13_x_p2755_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p2866 = -(s5 * f13_x_p2864 + c5 * f13_x_p2865);
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p2883_lanes = f13_x_p2811_lanes - f13_x_p1005 * f13_x_p2755_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2931_lanes = c6 * f13_x_p2771_lanes - s6 * f13_x_p2795_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real f13_x_p2939 = f13_x_p2931_lanes[7] - f13_x_p1033 * f13_x_p2755_lanes[7];
-  const Real f13_x_p2940 = f13_x_p2739_lanes[7] - f13_x_p1029 * f13_x_p2755_lanes[7];
-  const Real f13_x_p2941 = s5 * f13_x_p2939 - c5 * f13_x_p2940;
-  const Real f13_x_p2942 = f13_x_p2931_lanes[6] - f13_x_p1033 * f13_x_p2755_lanes[6];
-  const Real f13_x_p2943 = f13_x_p2739_lanes[6] - f13_x_p1029 * f13_x_p2755_lanes[6];
-  const Real f13_x_p2944 = s5 * f13_x_p2942 - c5 * f13_x_p2943;
-  const Real f13_x_p2945 = f13_x_p2931_lanes[5] - f13_x_p1033 * f13_x_p2755_lanes[5];
-  const Real f13_x_p2946 = f13_x_p2739_lanes[5] - f13_x_p1029 * f13_x_p2755_lanes[5];
-  const Real f13_x_p2947 = s5 * f13_x_p2945 - c5 * f13_x_p2946;
-  const Real f13_x_p2948 = f13_x_p2931_lanes[4] - f13_x_p1033 * f13_x_p2755_lanes[4];
-  const Real f13_x_p2949 = f13_x_p2739_lanes[4] - f13_x_p1029 * f13_x_p2755_lanes[4];
-  const Real f13_x_p2950 = s5 * f13_x_p2948 - c5 * f13_x_p2949;
-  const Real f13_x_p2951 = f13_x_p2931_lanes[3] - f13_x_p1033 * f13_x_p2755_lanes[3];
-  const Real f13_x_p2952 = f13_x_p2739_lanes[3] - f13_x_p1029 * f13_x_p2755_lanes[3];
-  const Real f13_x_p2953 = s5 * f13_x_p2951 - c5 * f13_x_p2952;
-  const Real f13_x_p2954 = f13_x_p2931_lanes[2] - f13_x_p1033 * f13_x_p2755_lanes[2];
-  const Real f13_x_p2955 = f13_x_p2739_lanes[2] - f13_x_p1029 * f13_x_p2755_lanes[2];
-  const Real f13_x_p2956 = s5 * f13_x_p2954 - c5 * f13_x_p2955;
-  const Real f13_x_p2957 = f13_x_p2931_lanes[1] - f13_x_p1033 * f13_x_p2755_lanes[1];
-  const Real f13_x_p2958 = f13_x_p2739_lanes[1] - f13_x_p1029 * f13_x_p2755_lanes[1];
-  const Real f13_x_p2959 = s5 * f13_x_p2957 - c5 * f13_x_p2958;
-  const Real f13_x_p2960 = f13_x_p2931_lanes[0] - f13_x_p1033 * f13_x_p2755_lanes[0];
-  const Real f13_x_p2961 = f13_x_p2739_lanes[0] - f13_x_p1029 * f13_x_p2755_lanes[0];
-  const Real f13_x_p2962 = s5 * f13_x_p2960 - c5 * f13_x_p2961;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2971_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
-      f13_x_p2962), -(0.21799999999999997 * f13_x_p2959), -(0.21799999999999997 * f13_x_p2956),
-      -(0.21799999999999997 * f13_x_p2953), -(0.21799999999999997 * f13_x_p2950),
-      -(0.21799999999999997 * f13_x_p2947), -(0.21799999999999997 * f13_x_p2944),
-      -(0.21799999999999997 * f13_x_p2941)) + inverse_D3_p2 *
-      detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857, f13_x_p2854,
-      f13_x_p2851, f13_x_p2848, f13_x_p2845));
-  const Lanes<8> f13_x_p2979_lanes = s4 * (detail::make_pack<Real>(-(s5 * f13_x_p2865 - c5 *
-      f13_x_p2864 + 0.21799999999999997 * f13_x_p2883_lanes[0]),
-      -(s5 * f13_x_p2862 - c5 * f13_x_p2861 + 0.21799999999999997 * f13_x_p2883_lanes[1]),
-      -(s5 * f13_x_p2859 - c5 * f13_x_p2858 + 0.21799999999999997 * f13_x_p2883_lanes[2]),
-      -(s5 * f13_x_p2856 - c5 * f13_x_p2855 + 0.21799999999999997 * f13_x_p2883_lanes[3]),
-      -(s5 * f13_x_p2853 - c5 * f13_x_p2852 + 0.21799999999999997 * f13_x_p2883_lanes[4]),
-      -(s5 * f13_x_p2850 - c5 * f13_x_p2849 + 0.21799999999999997 * f13_x_p2883_lanes[5]),
-      -(s5 * f13_x_p2847 - c5 * f13_x_p2846 + 0.21799999999999997 * f13_x_p2883_lanes[6]),
-      -(s5 * f13_x_p2844 - c5 * f13_x_p2819 + 0.21799999999999997 * f13_x_p2883_lanes[7])) -
-      inverse_D3_p1 * detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857,
-      f13_x_p2854, f13_x_p2851, f13_x_p2848, f13_x_p2845)) + f13_x_p2971_lanes;
-  const Lanes<8> f13_x_p3035_lanes = s4 * (f13_x_p2883_lanes + f13_x_p1050 *
-      detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857, f13_x_p2854,
-      f13_x_p2851, f13_x_p2848, f13_x_p2845));
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3051_lanes = c4 * (detail::make_pack<Real>(-f13_x_p2962, -f13_x_p2959,
-      -f13_x_p2956, -f13_x_p2953, -f13_x_p2950, -f13_x_p2947, -f13_x_p2944, -f13_x_p2941) +
-      f13_x_p1041 * detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860, f13_x_p2857,
-      f13_x_p2854, f13_x_p2851, f13_x_p2848, f13_x_p2845)) - f13_x_p3035_lanes - f13_x_p1063 *
-      f13_x_p2979_lanes;
-  const Lanes<8> f13_x_p3075_lanes = detail::make_pack<Real>(-(-(s5 * f13_x_p2961 + c5 *
-      f13_x_p2960) - f13_x_p1068 * f13_x_p2866), -(-(s5 * f13_x_p2958 + c5 * f13_x_p2957) -
-      f13_x_p1068 * f13_x_p2863), -(-(s5 * f13_x_p2955 + c5 * f13_x_p2954) - f13_x_p1068 *
-      f13_x_p2860), -(-(s5 * f13_x_p2952 + c5 * f13_x_p2951) - f13_x_p1068 * f13_x_p2857),
-      -(-(s5 * f13_x_p2949 + c5 * f13_x_p2948) - f13_x_p1068 * f13_x_p2854),
-      -(-(s5 * f13_x_p2946 + c5 * f13_x_p2945) - f13_x_p1068 * f13_x_p2851),
-      -(-(s5 * f13_x_p2943 + c5 * f13_x_p2942) - f13_x_p1068 * f13_x_p2848),
-      -(-(s5 * f13_x_p2940 + c5 * f13_x_p2939) - f13_x_p1068 * f13_x_p2845)) + f13_x_p1073 *
-      f13_x_p2979_lanes;
-  const Lanes<8> f13_x_p3091_lanes = c3 * f13_x_p3051_lanes - s3 * f13_x_p3075_lanes;
-  const Lanes<8> f13_x_p3099_lanes = 0.422 * f13_x_p3091_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3171_lanes = s2 * (s3 * f13_x_p3051_lanes + c3 * f13_x_p3075_lanes -
-      f13_x_p2530 * f13_x_p3099_lanes);
-  const Lanes<8> f13_x_p3187_lanes = 0.434 * (c2 * (f13_x_p3091_lanes - f13_x_p1080 *
-      f13_x_p3099_lanes) - f13_x_p3171_lanes);
-  const Lanes<8> f13_x_p3199_lanes = f13_x_p2512_lanes * inverse_D2;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3207_lanes = f13_x_p2452_lanes * inverse_D3;
-  const Lanes<8> f13_x_p3211_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3215_lanes = detail::make_pack<Real>(f13_x_p2395, f13_x_p2392, f13_x_p2389,
-      f13_x_p2386, f13_x_p2395, f13_x_p2395, f13_x_p2395, f13_x_p2395) * inverse_D4;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3223_lanes = f13_x_p2340_lanes * inverse_D5;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3231_lanes = detail::make_pack<Real>(f13_x_p2263, f13_x_p2248, f13_x_p2233,
-      f13_x_p2218, f13_x_p2263, f13_x_p2263, f13_x_p2263, f13_x_p2263) * inverse_D6;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3247_lanes = f13_x_p3231_lanes * f13_x_p2602 + f13_x_p3223_lanes *
-      f13_x_p2755_lanes[0] + f13_x_p3215_lanes * f13_x_p2866 + f13_x_p3211_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3255_lanes = f13_x_p3247_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[0] +
-      f13_x_p2563_lanes * f13_x_p3187_lanes[0];
-  const Lanes<8> f13_x_p3259_lanes = f13_x_p3187_lanes * inverse_D1;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p3275_lanes = f13_x_p3099_lanes * inverse_D2;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3291_lanes = f13_x_p2979_lanes * inverse_D3;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3307_lanes = detail::make_pack<Real>(f13_x_p2866, f13_x_p2863, f13_x_p2860,
-      f13_x_p2857, f13_x_p2854, f13_x_p2851, f13_x_p2848, f13_x_p2845) * inverse_D4;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p3323_lanes = f13_x_p2755_lanes * inverse_D5;
-
-  // link 6 (chest3), force propagation
-  const Real f13_x_p3339 = f13_x_p2581 * inverse_D6;
-  const Real f13_x_p3340 = f13_x_p2596 * inverse_D6;
-  const Lanes<8> f13_x_p3341_lanes = detail::make_pack<Real>(f13_x_p2602, f13_x_p2601, f13_x_p2600,
-      f13_x_p2599, f13_x_p2598, f13_x_p2597, f13_x_p2602, f13_x_p2602) * inverse_D6;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p3353_lanes = f13_x_p1886_lanes * inverse_D7_lanes[0];
-  const Lanes<8> f13_x_p3359_lanes = f13_x_p3353_lanes * f13_x_p1886_lanes[0];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p3365_lanes = f13_x_p1832_lanes * inverse_D8_lanes[0];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p3377_lanes = f13_x_p1709_lanes * inverse_D9_lanes[0];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p3389_lanes = detail::make_pack<Real>(f13_x_p1526_lanes[0],
-      f13_x_p1526_lanes[1], f13_x_p1532, f13_x_p1526_lanes[3], f13_x_p1526_lanes[4],
-      f13_x_p1526_lanes[5], f13_x_p1526_lanes[0], f13_x_p1526_lanes[0]) * inverse_D10_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p3413_lanes = f13_x_p3389_lanes * f13_x_p1526_lanes[0] + f13_x_p3377_lanes *
-      f13_x_p1709_lanes[0] + f13_x_p3365_lanes * f13_x_p1832_lanes[0] + f13_x_p3359_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3419_lanes = f13_x_p3413_lanes + f13_x_p3341_lanes * f13_x_p2602;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3441_lanes = detail::make_pack<Real>(f13_x_p3419_lanes[0],
-      f13_x_p3419_lanes[1], f13_x_p3419_lanes[2], f13_x_p3419_lanes[3], f13_x_p3419_lanes[4],
-      f13_x_p3419_lanes[5], f13_x_p3340 * f13_x_p2602, f13_x_p3339 * f13_x_p2602) +
-      f13_x_p3323_lanes * f13_x_p2755_lanes[0] + f13_x_p3307_lanes * f13_x_p2866 +
-      f13_x_p3291_lanes * f13_x_p2979_lanes[0];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3457_lanes = f13_x_p3441_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[0] +
-      f13_x_p3259_lanes * f13_x_p3187_lanes[0];
-  const Real f13_x_p3465 = 1.0 / f13_x_p3457_lanes[0];
-  const Lanes<8> f13_x_p3466_lanes = f13_x_p3255_lanes * f13_x_p3465;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3482_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[1];
-  const Lanes<8> f13_x_p3506_lanes = f13_x_p3231_lanes * f13_x_p2601 + f13_x_p3223_lanes *
-      f13_x_p2755_lanes[1] + f13_x_p3215_lanes * f13_x_p2863 + f13_x_p3482_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3518_lanes = f13_x_p3506_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[1] +
-      f13_x_p2563_lanes * f13_x_p3187_lanes[1] - f13_x_p3466_lanes * f13_x_p3457_lanes[1];
-  const Lanes<8> f13_x_p3522_lanes = f13_x_p3457_lanes * f13_x_p3465;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p3576_lanes = f13_x_p3353_lanes * f13_x_p1886_lanes[1];
-  const Lanes<8> f13_x_p3606_lanes = f13_x_p3389_lanes * f13_x_p1526_lanes[1] + f13_x_p3377_lanes *
-      f13_x_p1709_lanes[1] + f13_x_p3365_lanes * f13_x_p1832_lanes[1] + f13_x_p3576_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3611_lanes = f13_x_p3606_lanes + f13_x_p3341_lanes * f13_x_p2601;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3630_lanes = detail::make_pack<Real>(f13_x_p3611_lanes[1],
-      f13_x_p3611_lanes[1], f13_x_p3611_lanes[2], f13_x_p3611_lanes[3], f13_x_p3611_lanes[4],
-      f13_x_p3611_lanes[5], f13_x_p3340 * f13_x_p2601, f13_x_p3339 * f13_x_p2601) +
-      f13_x_p3323_lanes * f13_x_p2755_lanes[1] + f13_x_p3307_lanes * f13_x_p2863 +
-      f13_x_p3291_lanes * f13_x_p2979_lanes[1];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3651_lanes = f13_x_p3630_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[1] +
-      f13_x_p3259_lanes * f13_x_p3187_lanes[1] - f13_x_p3522_lanes * f13_x_p3457_lanes[1];
-  const Real f13_x_p3658 = 1.0 / f13_x_p3651_lanes[1];
-  const Lanes<8> f13_x_p3659_lanes = f13_x_p3518_lanes * f13_x_p3658;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3679_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[2];
-  const Lanes<8> f13_x_p3703_lanes = f13_x_p3231_lanes * f13_x_p2600 + f13_x_p3223_lanes *
-      f13_x_p2755_lanes[2] + f13_x_p3215_lanes * f13_x_p2860 + f13_x_p3679_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3715_lanes = f13_x_p3703_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[2] +
-      f13_x_p2563_lanes * f13_x_p3187_lanes[2] - f13_x_p3466_lanes * f13_x_p3457_lanes[2];
-  const Lanes<8> f13_x_p3719_lanes = f13_x_p3715_lanes - f13_x_p3659_lanes * f13_x_p3651_lanes[2];
-  const Lanes<8> f13_x_p3723_lanes = f13_x_p3651_lanes * f13_x_p3658;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p3775_lanes = f13_x_p3353_lanes * f13_x_p1886_lanes[2];
-  const Lanes<8> f13_x_p3799_lanes = f13_x_p3389_lanes * f13_x_p1532 + f13_x_p3377_lanes *
-      f13_x_p1709_lanes[2] + f13_x_p3365_lanes * f13_x_p1832_lanes[2] + f13_x_p3775_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3803_lanes = f13_x_p3799_lanes + f13_x_p3341_lanes * f13_x_p2600;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3819_lanes = detail::make_pack<Real>(f13_x_p3803_lanes[2],
-      f13_x_p3803_lanes[2], f13_x_p3803_lanes[2], f13_x_p3803_lanes[3], f13_x_p3803_lanes[4],
-      f13_x_p3803_lanes[5], f13_x_p3340 * f13_x_p2600, f13_x_p3339 * f13_x_p2600) +
-      f13_x_p3323_lanes * f13_x_p2755_lanes[2] + f13_x_p3307_lanes * f13_x_p2860 +
-      f13_x_p3291_lanes * f13_x_p2979_lanes[2];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3837_lanes = f13_x_p3819_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[2] +
-      f13_x_p3259_lanes * f13_x_p3187_lanes[2] - f13_x_p3522_lanes * f13_x_p3457_lanes[2];
-  const Lanes<8> f13_x_p3843_lanes = f13_x_p3837_lanes - f13_x_p3723_lanes * f13_x_p3651_lanes[2];
-  const Real f13_x_p3849 = 1.0 / f13_x_p3843_lanes[2];
-  const Lanes<8> f13_x_p3850_lanes = f13_x_p3719_lanes * f13_x_p3849;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3874_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[3];
-  const Lanes<8> f13_x_p3898_lanes = f13_x_p3231_lanes * f13_x_p2599 + f13_x_p3223_lanes *
-      f13_x_p2755_lanes[3] + f13_x_p3215_lanes * f13_x_p2857 + f13_x_p3874_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3910_lanes = f13_x_p3898_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[3] +
-      f13_x_p2563_lanes * f13_x_p3187_lanes[3] - f13_x_p3466_lanes * f13_x_p3457_lanes[3];
-  const Lanes<8> f13_x_p3918_lanes = f13_x_p3910_lanes - f13_x_p3659_lanes * f13_x_p3651_lanes[3] -
-      f13_x_p3850_lanes * f13_x_p3843_lanes[3];
-  const Lanes<8> f13_x_p3922_lanes = f13_x_p3843_lanes * f13_x_p3849;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p3976_lanes = f13_x_p3377_lanes * f13_x_p1709_lanes[3];
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p3982_lanes = detail::make_pack<Real>(f13_x_p1505, f13_x_p1505, f13_x_p1505,
-      f13_x_p1505, f13_x_p1503, f13_x_p1337, f13_x_p1505, f13_x_p1505) * inverse_D11_lanes[0];
+  const Lanes<8> f13_x_p2079_lanes = f13_x_p2075_lanes * inverse_D1;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> f13_x_p3988_lanes = detail::make_pack<Real>(s13, s13, s13, s13, c13,
+  const Lanes<2> f13_x_p2083_lanes = 0.269 * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p2085_lanes = detail::make_pack<Real>(s12, s19) * neg_s13_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Real f13_x_p2087 = 0.269 * f13_x_p2085_lanes[1];
+
+  // link 18 (right_wrist1), force propagation
+  const Real f13_x_p2088 = s18 * f13_x_p2083_lanes[1] + c18 * f13_x_p2087;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p2089 = c18 * f13_x_p2083_lanes[1] - s18 * f13_x_p2087 - f13_x_p231_lanes[1] *
+      f13_x_p2088;
+  const Real f13_x_p2090 = f13_x_p221_lanes[1] * f13_x_p2088;
+  const Real f13_x_p2091 = c17 * f13_x_p2090 - s17 * f13_x_p2089;
+
+  // link 18 (right_wrist1), force propagation
+  const Real f13_x_p2092 = -f13_x_p2085_lanes[1];
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p2093 = s18 * f13_x_p2092 + c18 * c20 - f13_x_p191_lanes[1] * f13_x_p2088;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p2094 = c17 * f13_x_p2089 + s17 * f13_x_p2090 + 0.282 * f13_x_p2093 -
+      f13_x_p259_lanes[1] * f13_x_p2091;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p2095 = c18 * f13_x_p2092 - s18 * c20 - f13_x_p317_lanes[1] * f13_x_p2088;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> f13_x_p2096_lanes = detail::make_pack<Real>(c12, c19) * neg_s13_lanes;
+  const Lanes<2> f13_x_p2098_lanes = detail::make_pack<Real>(c12, c19) *
+      detail::make_pack<Real>(c13, c20);
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> f13_x_p2102_lanes = -(-detail::make_pack<Real>(f13_x_p2098_lanes[1],
+      f13_x_p2098_lanes[1], f13_x_p2098_lanes[1], f13_x_p2098_lanes[1], f13_x_p2098_lanes[1],
+      f13_x_p2098_lanes[1], f13_x_p2098_lanes[1], f13_x_p2096_lanes[1]));
+  const Real f13_x_p2104 = f13_x_p2102_lanes[7] - f13_x_p363_lanes[1] * f13_x_p2088;
+  const Real f13_x_p2105 = s17 * f13_x_p2104 - c17 * f13_x_p2095;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p2106 = 0.282 * f13_x_p2105 - f13_x_p401_lanes[1] * f13_x_p2091;
+  const Real f13_x_p2107 = c16 * f13_x_p2094 - s16 * f13_x_p2106;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p2108 = s16 * f13_x_p2094 + c16 * f13_x_p2106 - inverse_D7_p1_lanes[1] *
+      f13_x_p2107;
+  const Real f13_x_p2109 = f13_x_p1444_lanes[1] * f13_x_p2107;
+  const Real f13_x_p2110 = s15 * f13_x_p2109 + c15 * f13_x_p2108;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> f13_x_p2111_lanes = 0.269 * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> f13_x_p2113_lanes = detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(c13, c20);
+
+  // link 19 (right_wrist2), force propagation
+  const Real f13_x_p2115 = 0.269 * f13_x_p2113_lanes[1];
+
+  // link 18 (right_wrist1), force propagation
+  const Real f13_x_p2116 = s18 * f13_x_p2111_lanes[1] + c18 * f13_x_p2115;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p2117 = c18 * f13_x_p2111_lanes[1] - s18 * f13_x_p2115 - f13_x_p231_lanes[1] *
+      f13_x_p2116;
+  const Real f13_x_p2118 = f13_x_p221_lanes[1] * f13_x_p2116;
+  const Real f13_x_p2119 = c17 * f13_x_p2118 - s17 * f13_x_p2117;
+
+  // link 18 (right_wrist1), force propagation
+  const Real f13_x_p2120 = -f13_x_p2113_lanes[1];
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p2121 = s18 * f13_x_p2120 + c18 * s20 - f13_x_p191_lanes[1] * f13_x_p2116;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p2122 = c17 * f13_x_p2117 + s17 * f13_x_p2118 + 0.282 * f13_x_p2121 -
+      f13_x_p259_lanes[1] * f13_x_p2119;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p2123 = c18 * f13_x_p2120 - s18 * s20 - f13_x_p317_lanes[1] * f13_x_p2116;
+  const Real f13_x_p2124 = f13_x_p2102_lanes[6] - f13_x_p363_lanes[1] * f13_x_p2116;
+  const Real f13_x_p2125 = s17 * f13_x_p2124 - c17 * f13_x_p2123;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p2126 = 0.282 * f13_x_p2125 - f13_x_p401_lanes[1] * f13_x_p2119;
+  const Real f13_x_p2127 = c16 * f13_x_p2122 - s16 * f13_x_p2126;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p2128 = s16 * f13_x_p2122 + c16 * f13_x_p2126 - inverse_D7_p1_lanes[1] *
+      f13_x_p2127;
+  const Real f13_x_p2129 = f13_x_p1444_lanes[1] * f13_x_p2127;
+  const Real f13_x_p2130 = s15 * f13_x_p2129 + c15 * f13_x_p2128;
+
+  // link 11 (left_wrist1), force propagation
+  const Real f13_x_p2131 = f13_x_p1128_lanes[0] - inverse_D10_p1_lanes[0] * f13_x_p1356_lanes[5];
+  const Real f13_x_p2132 = f13_x_p1138_lanes[0] - inverse_D10_p1_lanes[0] * f13_x_p1356_lanes[4];
+  const Real f13_x_p2133 = f13_x_p1148_lanes[0] - inverse_D10_p1_lanes[0] * f13_x_p1356_lanes[3];
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> f13_x_p2139_lanes = 0.269 * detail::make_pack<Real>(f13_x_p2113_lanes[0],
+      f13_x_p2085_lanes[0], f13_x_p2113_lanes[0], f13_x_p1195_lanes[0], f13_x_p1185_lanes[0],
+      f13_x_p1175_lanes[0], f13_x_p2113_lanes[0], f13_x_p2113_lanes[0]);
+
+  // link 11 (left_wrist1), force propagation
+  const Real f13_x_p2144 = f13_x_p2139_lanes[5] - inverse_D10_p8_lanes[0] * f13_x_p1356_lanes[5];
+  const Real f13_x_p2145 = f13_x_p2139_lanes[4] - inverse_D10_p8_lanes[0] * f13_x_p1356_lanes[4];
+  const Real f13_x_p2146 = f13_x_p2139_lanes[3] - inverse_D10_p8_lanes[0] * f13_x_p1356_lanes[3];
+  const Lanes<8> f13_x_p2152_lanes = s11 * detail::make_pack<Real>(f13_x_p2111_lanes[0],
+      f13_x_p2083_lanes[0], f13_x_p2111_lanes[0], f13_x_p2133, f13_x_p2132, f13_x_p2131,
+      f13_x_p2111_lanes[0], f13_x_p2111_lanes[0]) + c11 *
+      detail::make_pack<Real>(f13_x_p2139_lanes[0], f13_x_p2139_lanes[1], f13_x_p2139_lanes[0],
+      f13_x_p2146, f13_x_p2145, f13_x_p2144, f13_x_p2139_lanes[0], f13_x_p2139_lanes[0]);
+  const Lanes<8> f13_x_p2173_lanes = c11 * detail::make_pack<Real>(f13_x_p2111_lanes[0],
+      f13_x_p2083_lanes[0], f13_x_p2111_lanes[0], f13_x_p2133, f13_x_p2132, f13_x_p2131,
+      f13_x_p2111_lanes[0], f13_x_p2111_lanes[0]) - s11 *
+      detail::make_pack<Real>(f13_x_p2139_lanes[0], f13_x_p2139_lanes[1], f13_x_p2139_lanes[0],
+      f13_x_p2146, f13_x_p2145, f13_x_p2144, f13_x_p2139_lanes[0], f13_x_p2139_lanes[0]);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p2178_lanes = detail::make_pack<Real>(f13_x_p2173_lanes[0],
+      f13_x_p2173_lanes[1], f13_x_p1230_lanes[0], f13_x_p2173_lanes[3], f13_x_p2173_lanes[4],
+      f13_x_p2173_lanes[5], f13_x_p2173_lanes[0], f13_x_p2173_lanes[0]) - f13_x_p231_lanes[0] *
+      detail::make_pack<Real>(f13_x_p2152_lanes[0], f13_x_p2152_lanes[1], f13_x_p1213_lanes[0],
+      f13_x_p2152_lanes[3], f13_x_p2152_lanes[4], f13_x_p2152_lanes[5], f13_x_p2152_lanes[0],
+      f13_x_p2152_lanes[0]);
+  const Lanes<8> f13_x_p2190_lanes = f13_x_p221_lanes[0] *
+      detail::make_pack<Real>(f13_x_p2152_lanes[0], f13_x_p2152_lanes[1], f13_x_p1213_lanes[0],
+      f13_x_p2152_lanes[3], f13_x_p2152_lanes[4], f13_x_p2152_lanes[5], f13_x_p2152_lanes[0],
+      f13_x_p2152_lanes[0]);
+  const Lanes<8> f13_x_p2202_lanes = c10 * f13_x_p2190_lanes - s10 * f13_x_p2178_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p2208_lanes = f13_x_p259_lanes[0] * f13_x_p2202_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> f13_x_p2238_lanes = -detail::make_pack<Real>(f13_x_p2113_lanes[0],
+      f13_x_p2085_lanes[0], f13_x_p2113_lanes[0], f13_x_p1195_lanes[0], f13_x_p1185_lanes[0],
+      f13_x_p1175_lanes[0], f13_x_p2113_lanes[0], f13_x_p2113_lanes[0]);
+  const Real f13_x_p2243 = f13_x_p2238_lanes[5] + f13_x_p55_lanes[0] * f13_x_p1356_lanes[5];
+  const Real f13_x_p2244 = f13_x_p2238_lanes[4] + f13_x_p55_lanes[0] * f13_x_p1356_lanes[4];
+  const Real f13_x_p2245 = f13_x_p2238_lanes[3] + f13_x_p55_lanes[0] * f13_x_p1356_lanes[3];
+  const Real f13_x_p2251 = f13_x_p1116_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1356_lanes[5];
+  const Real f13_x_p2252 = f13_x_p1287_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1356_lanes[4];
+  const Real f13_x_p2253 = f13_x_p1289_lanes[0] - f13_x_p119_lanes[0] * f13_x_p1356_lanes[3];
+  const Lanes<8> f13_x_p2259_lanes = s11 * detail::make_pack<Real>(f13_x_p2238_lanes[0],
+      f13_x_p2238_lanes[1], f13_x_p2238_lanes[0], f13_x_p2245, f13_x_p2244, f13_x_p2243,
+      f13_x_p2238_lanes[0], f13_x_p2238_lanes[0]) + c11 *
+      detail::make_pack<Real>(s13, c13, s13, f13_x_p2253, f13_x_p2252, f13_x_p2251, s13, s13);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p2264_lanes = detail::make_pack<Real>(f13_x_p2259_lanes[0],
+      f13_x_p2259_lanes[1], f13_x_p1300_lanes[0], f13_x_p2259_lanes[3], f13_x_p2259_lanes[4],
+      f13_x_p2259_lanes[5], f13_x_p2259_lanes[0], f13_x_p2259_lanes[0]) - f13_x_p191_lanes[0] *
+      detail::make_pack<Real>(f13_x_p2152_lanes[0], f13_x_p2152_lanes[1], f13_x_p1213_lanes[0],
+      f13_x_p2152_lanes[3], f13_x_p2152_lanes[4], f13_x_p2152_lanes[5], f13_x_p2152_lanes[0],
+      f13_x_p2152_lanes[0]);
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p2282_lanes = c10 * f13_x_p2178_lanes + s10 * f13_x_p2190_lanes + 0.282 *
+      f13_x_p2264_lanes - f13_x_p2208_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> f13_x_p2316_lanes = c11 * detail::make_pack<Real>(f13_x_p2238_lanes[0],
+      f13_x_p2238_lanes[1], f13_x_p2238_lanes[0], f13_x_p2245, f13_x_p2244, f13_x_p2243,
+      f13_x_p2238_lanes[0], f13_x_p2238_lanes[0]) - s11 *
+      detail::make_pack<Real>(s13, c13, s13, f13_x_p2253, f13_x_p2252, f13_x_p2251, s13, s13);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p2321_lanes = detail::make_pack<Real>(f13_x_p2316_lanes[0],
+      f13_x_p2316_lanes[1], f13_x_p1339_lanes[0], f13_x_p2316_lanes[3], f13_x_p2316_lanes[4],
+      f13_x_p2316_lanes[5], f13_x_p2316_lanes[0], f13_x_p2316_lanes[0]) - f13_x_p317_lanes[0] *
+      detail::make_pack<Real>(f13_x_p2152_lanes[0], f13_x_p2152_lanes[1], f13_x_p1213_lanes[0],
+      f13_x_p2152_lanes[3], f13_x_p2152_lanes[4], f13_x_p2152_lanes[5], f13_x_p2152_lanes[0],
+      f13_x_p2152_lanes[0]);
+  const Lanes<8> f13_x_p2344_lanes = -detail::make_pack<Real>(-f13_x_p2098_lanes[0],
+      -f13_x_p2096_lanes[0], neg_s12_lanes[0], f13_x_p1387_lanes[0], f13_x_p1377_lanes[0],
+      f13_x_p1367_lanes[0], -f13_x_p2098_lanes[0], -f13_x_p2098_lanes[0]) - f13_x_p363_lanes[0] *
+      detail::make_pack<Real>(f13_x_p2152_lanes[0], f13_x_p2152_lanes[1], f13_x_p1213_lanes[0],
+      f13_x_p2152_lanes[3], f13_x_p2152_lanes[4], f13_x_p2152_lanes[5], f13_x_p2152_lanes[0],
+      f13_x_p2152_lanes[0]);
+  const Lanes<8> f13_x_p2356_lanes = s10 * f13_x_p2344_lanes - c10 * f13_x_p2321_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p2368_lanes = 0.282 * f13_x_p2356_lanes - f13_x_p401_lanes[0] *
+      f13_x_p2202_lanes;
+  const Lanes<8> f13_x_p2380_lanes = c9 * f13_x_p2282_lanes - s9 * f13_x_p2368_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p2410_lanes = s9 * f13_x_p2282_lanes + c9 * f13_x_p2368_lanes -
+      inverse_D7_p1_lanes[0] * f13_x_p2380_lanes;
+  const Lanes<8> f13_x_p2422_lanes = f13_x_p1444_lanes[0] * f13_x_p2380_lanes;
+  const Lanes<8> f13_x_p2434_lanes = s8 * f13_x_p2422_lanes + c8 * f13_x_p2410_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p2448 = -f13_x_p2105 + f13_x_p569_lanes[1] * f13_x_p2091;
+  const Real f13_x_p2449 = f13_x_p2093 - f13_x_p577_lanes[1] * f13_x_p2091;
+  const Real f13_x_p2450 = -f13_x_p2125 + f13_x_p569_lanes[1] * f13_x_p2119;
+  const Real f13_x_p2451 = f13_x_p2121 - f13_x_p577_lanes[1] * f13_x_p2119;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p2470_lanes = -f13_x_p2356_lanes + f13_x_p569_lanes[0] * f13_x_p2202_lanes;
+  const Lanes<8> f13_x_p2488_lanes = f13_x_p2264_lanes - f13_x_p577_lanes[0] * f13_x_p2202_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p2506_lanes = c9 * f13_x_p2470_lanes - s9 * f13_x_p2488_lanes -
+      f13_x_p657_lanes[0] * f13_x_p2380_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p2512_lanes = detail::make_pack<Real>(f13_x_p2506_lanes[0],
+      f13_x_p2506_lanes[1], f13_x_p2506_lanes[2], f13_x_p2506_lanes[3], f13_x_p2506_lanes[4],
+      f13_x_p2506_lanes[5], c16 * f13_x_p2450 - s16 * f13_x_p2451 - f13_x_p657_lanes[1] *
+      f13_x_p2127, c16 * f13_x_p2448 - s16 * f13_x_p2449 - f13_x_p657_lanes[1] * f13_x_p2107) -
+      detail::make_pack<Real>(f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[0],
+      f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[0], f13_x_p679_lanes[1],
+      f13_x_p679_lanes[1]) * detail::make_pack<Real>(f13_x_p2434_lanes[0], f13_x_p2434_lanes[1],
+      f13_x_p2434_lanes[2], f13_x_p2434_lanes[3], f13_x_p2434_lanes[4], f13_x_p2434_lanes[5],
+      f13_x_p2130, f13_x_p2110);
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p2536 = s16 * f13_x_p2448 + c16 * f13_x_p2449 - f13_x_p609_lanes[1] *
+      f13_x_p2107;
+  const Real f13_x_p2537 = -(-(s17 * f13_x_p2095 + c17 * f13_x_p2104) + f13_x_p515_lanes[1] *
+      f13_x_p2091) + f13_x_p555_lanes[1] * f13_x_p2107;
+  const Real f13_x_p2538 = s16 * f13_x_p2450 + c16 * f13_x_p2451 - f13_x_p609_lanes[1] *
+      f13_x_p2127;
+  const Real f13_x_p2539 = -(-(s17 * f13_x_p2123 + c17 * f13_x_p2124) + f13_x_p515_lanes[1] *
+      f13_x_p2119) + f13_x_p555_lanes[1] * f13_x_p2127;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p2564_lanes = s9 * f13_x_p2470_lanes + c9 * f13_x_p2488_lanes -
+      f13_x_p609_lanes[0] * f13_x_p2380_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p2612_lanes = -(s10 * f13_x_p2321_lanes + c10 * f13_x_p2344_lanes) +
+      f13_x_p515_lanes[0] * f13_x_p2202_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p2624_lanes = -f13_x_p2612_lanes + f13_x_p555_lanes[0] * f13_x_p2380_lanes;
+  const Lanes<8> f13_x_p2636_lanes = c8 * f13_x_p2624_lanes - s8 * f13_x_p2564_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p2642_lanes = detail::make_pack<Real>(f13_x_p2636_lanes[0],
+      f13_x_p2636_lanes[1], f13_x_p2636_lanes[2], f13_x_p2636_lanes[3], f13_x_p2636_lanes[4],
+      f13_x_p2636_lanes[5], c15 * f13_x_p2539 - s15 * f13_x_p2538, c15 * f13_x_p2537 - s15 *
+      f13_x_p2536) - detail::make_pack<Real>(f13_x_p639_lanes[0], f13_x_p639_lanes[0],
+      f13_x_p639_lanes[0], f13_x_p639_lanes[0], f13_x_p639_lanes[0], f13_x_p639_lanes[0],
+      f13_x_p639_lanes[1], f13_x_p639_lanes[1]) * detail::make_pack<Real>(f13_x_p2434_lanes[0],
+      f13_x_p2434_lanes[1], f13_x_p2434_lanes[2], f13_x_p2434_lanes[3], f13_x_p2434_lanes[4],
+      f13_x_p2434_lanes[5], f13_x_p2130, f13_x_p2110);
+  const Lanes<8> f13_x_p2658_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      f13_x_p2512_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p2642_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p2694_lanes = s8 * f13_x_p2624_lanes + c8 * f13_x_p2564_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p2700_lanes = detail::make_pack<Real>(f13_x_p2694_lanes[0],
+      f13_x_p2694_lanes[1], f13_x_p2694_lanes[2], f13_x_p2694_lanes[3], f13_x_p2694_lanes[4],
+      f13_x_p2694_lanes[5], s15 * f13_x_p2539 + c15 * f13_x_p2538, s15 * f13_x_p2537 + c15 *
+      f13_x_p2536) - detail::make_pack<Real>(f13_x_p837_lanes[0], f13_x_p837_lanes[0],
+      f13_x_p837_lanes[0], f13_x_p837_lanes[0], f13_x_p837_lanes[0], f13_x_p837_lanes[0],
+      f13_x_p837_lanes[1], f13_x_p837_lanes[1]) * detail::make_pack<Real>(f13_x_p2434_lanes[0],
+      f13_x_p2434_lanes[1], f13_x_p2434_lanes[2], f13_x_p2434_lanes[3], f13_x_p2434_lanes[4],
+      f13_x_p2434_lanes[5], f13_x_p2130, f13_x_p2110);
+  const Lanes<8> f13_x_p2716_lanes = 0.226 * f13_x_p2700_lanes +
+      detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18, (-0.18), (-0.18)) *
+      f13_x_p2658_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p2744_lanes = c8 * f13_x_p2422_lanes - s8 * f13_x_p2410_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p2750_lanes = detail::make_pack<Real>(f13_x_p2744_lanes[0],
+      f13_x_p2744_lanes[1], f13_x_p2744_lanes[2], f13_x_p2744_lanes[3], f13_x_p2744_lanes[4],
+      f13_x_p2744_lanes[5], c15 * f13_x_p2129 - s15 * f13_x_p2128, c15 * f13_x_p2109 - s15 *
+      f13_x_p2108) - detail::make_pack<Real>(inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1], inverse_D6_p5_lanes[1]) *
+      detail::make_pack<Real>(f13_x_p2434_lanes[0], f13_x_p2434_lanes[1], f13_x_p2434_lanes[2],
+      f13_x_p2434_lanes[3], f13_x_p2434_lanes[4], f13_x_p2434_lanes[5], f13_x_p2130, f13_x_p2110);
+  const Lanes<8> f13_x_p2766_lanes = detail::make_pack<Real>(f13_x_p1650_lanes[0],
+      f13_x_p1650_lanes[0], f13_x_p1650_lanes[0], f13_x_p1650_lanes[0], f13_x_p1650_lanes[0],
+      f13_x_p1650_lanes[0], f13_x_p1650_lanes[1], f13_x_p1650_lanes[1]) *
+      detail::make_pack<Real>(f13_x_p2434_lanes[0], f13_x_p2434_lanes[1], f13_x_p2434_lanes[2],
+      f13_x_p2434_lanes[3], f13_x_p2434_lanes[4], f13_x_p2434_lanes[5], f13_x_p2130, f13_x_p2110);
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p2798_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p2766_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      f13_x_p2750_lanes + f13_x_p2716_lanes);
+  const Lanes<8> f13_x_p2806_lanes = inverse_D5_p16 * f13_x_p2798_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p2830_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p2512_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      f13_x_p2642_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p2878_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18,
+      (-0.18), (-0.18)) * f13_x_p2830_lanes - (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * f13_x_p2766_lanes - detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p2750_lanes) - f13_x_p2806_lanes;
+  const Lanes<8> f13_x_p2910_lanes = 0.226 * f13_x_p2830_lanes - inverse_D5_p22 * f13_x_p2798_lanes;
+  const Lanes<8> f13_x_p2942_lanes = f13_x_p2830_lanes - f13_x_p993 * f13_x_p2798_lanes;
+  const Lanes<8> f13_x_p2958_lanes = s6 * f13_x_p2878_lanes + c6 * f13_x_p2910_lanes + 0.072 *
+      f13_x_p2942_lanes;
+  const Lanes<8> f13_x_p2982_lanes = f13_x_p2658_lanes + f13_x_p930 * f13_x_p2798_lanes;
+  const Lanes<8> f13_x_p3006_lanes = f13_x_p2700_lanes - f13_x_p984 * f13_x_p2798_lanes;
+  const Lanes<8> f13_x_p3022_lanes = s6 * f13_x_p2982_lanes + c6 * f13_x_p3006_lanes;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p3046_lanes = -(0.072 * f13_x_p3022_lanes) + f13_x_p1020 * f13_x_p2958_lanes;
+  const Lanes<8> f13_x_p3094_lanes = c6 * f13_x_p2878_lanes - s6 * f13_x_p2910_lanes - f13_x_p1022 *
+      f13_x_p2958_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3118_lanes = -(s5 * f13_x_p3046_lanes + c5 * f13_x_p3094_lanes);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p3166_lanes = f13_x_p3022_lanes - f13_x_p1005 * f13_x_p2958_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3190_lanes = -(s5 * f13_x_p3094_lanes - c5 * f13_x_p3046_lanes +
+      0.21799999999999997 * f13_x_p3166_lanes);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p3254_lanes = c6 * f13_x_p2982_lanes - s6 * f13_x_p3006_lanes - f13_x_p1033 *
+      f13_x_p2958_lanes;
+  const Lanes<8> f13_x_p3278_lanes = f13_x_p2942_lanes - f13_x_p1029 * f13_x_p2958_lanes;
+  const Lanes<8> f13_x_p3294_lanes = s5 * f13_x_p3254_lanes - c5 * f13_x_p3278_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3326_lanes = c4 * (-(0.21799999999999997 * f13_x_p3294_lanes) +
+      inverse_D3_p2 * f13_x_p3118_lanes);
+  const Lanes<8> f13_x_p3334_lanes = s4 * (f13_x_p3190_lanes - inverse_D3_p1 * f13_x_p3118_lanes) +
+      f13_x_p3326_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3342_lanes = f13_x_p1063 * f13_x_p3334_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3398_lanes = s4 * (f13_x_p3166_lanes + f13_x_p1050 * f13_x_p3118_lanes);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3414_lanes = c4 * (-f13_x_p3294_lanes + f13_x_p1041 * f13_x_p3118_lanes) -
+      f13_x_p3398_lanes - f13_x_p3342_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3478_lanes = -(s5 * f13_x_p3278_lanes + c5 * f13_x_p3254_lanes) -
+      f13_x_p1068 * f13_x_p3118_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3494_lanes = -f13_x_p3478_lanes + f13_x_p1073 * f13_x_p3334_lanes;
+  const Lanes<8> f13_x_p3510_lanes = c3 * f13_x_p3414_lanes - s3 * f13_x_p3494_lanes;
+  const Lanes<8> f13_x_p3518_lanes = 0.422 * f13_x_p3510_lanes;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> f13_x_p3590_lanes = s2 * (s3 * f13_x_p3414_lanes + c3 * f13_x_p3494_lanes -
+      f13_x_p2046 * f13_x_p3518_lanes);
+  const Lanes<8> f13_x_p3606_lanes = 0.434 * (c2 * (f13_x_p3510_lanes - f13_x_p1080 *
+      f13_x_p3518_lanes) - f13_x_p3590_lanes);
+  const Lanes<8> f13_x_p3618_lanes = f13_x_p2028_lanes * inverse_D2;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3626_lanes = f13_x_p1936_lanes * inverse_D3;
+  const Lanes<8> f13_x_p3630_lanes = f13_x_p3626_lanes * f13_x_p3334_lanes[0];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3634_lanes = f13_x_p1828_lanes * inverse_D4;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p3642_lanes = f13_x_p1748_lanes * inverse_D5;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p3650_lanes = f13_x_p1668_lanes * inverse_D6;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3666_lanes = f13_x_p3650_lanes * f13_x_p2798_lanes[0] + f13_x_p3642_lanes *
+      f13_x_p2958_lanes[0] + f13_x_p3634_lanes * f13_x_p3118_lanes[0] + f13_x_p3630_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3674_lanes = f13_x_p3666_lanes + f13_x_p3618_lanes * f13_x_p3518_lanes[0] +
+      f13_x_p2079_lanes * f13_x_p3606_lanes[0];
+  const Lanes<8> f13_x_p3678_lanes = f13_x_p3606_lanes * inverse_D1;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> f13_x_p3694_lanes = f13_x_p3518_lanes * inverse_D2;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3710_lanes = f13_x_p3334_lanes * inverse_D3;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3726_lanes = f13_x_p3118_lanes * inverse_D4;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p3742_lanes = f13_x_p2958_lanes * inverse_D5;
+
+  // link 6 (chest3), force propagation
+  const Real f13_x_p3758 = f13_x_p2798_lanes[7] * inverse_D6;
+  const Real f13_x_p3759 = f13_x_p2798_lanes[6] * inverse_D6;
+  const Lanes<8> f13_x_p3760_lanes = f13_x_p2798_lanes * inverse_D6;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p3772_lanes = f13_x_p2434_lanes * inverse_D7_lanes[0];
+  const Lanes<8> f13_x_p3778_lanes = f13_x_p3772_lanes * f13_x_p2434_lanes[0];
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p3784_lanes = f13_x_p2380_lanes * inverse_D8_lanes[0];
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p3796_lanes = f13_x_p2202_lanes * inverse_D9_lanes[0];
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p3808_lanes = detail::make_pack<Real>(f13_x_p2152_lanes[0],
+      f13_x_p2152_lanes[1], f13_x_p1213_lanes[0], f13_x_p2152_lanes[3], f13_x_p2152_lanes[4],
+      f13_x_p2152_lanes[5], f13_x_p2152_lanes[0], f13_x_p2152_lanes[0]) * inverse_D10_lanes[0];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p3832_lanes = f13_x_p3808_lanes * f13_x_p2152_lanes[0] + f13_x_p3796_lanes *
+      f13_x_p2202_lanes[0] + f13_x_p3784_lanes * f13_x_p2380_lanes[0] + f13_x_p3778_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p3838_lanes = f13_x_p3832_lanes + f13_x_p3760_lanes * f13_x_p2798_lanes[0];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3860_lanes = detail::make_pack<Real>(f13_x_p3838_lanes[0],
+      f13_x_p3838_lanes[1], f13_x_p3838_lanes[2], f13_x_p3838_lanes[3], f13_x_p3838_lanes[4],
+      f13_x_p3838_lanes[5], f13_x_p3759 * f13_x_p2798_lanes[0], f13_x_p3758 *
+      f13_x_p2798_lanes[0]) + f13_x_p3742_lanes * f13_x_p2958_lanes[0] + f13_x_p3726_lanes *
+      f13_x_p3118_lanes[0] + f13_x_p3710_lanes * f13_x_p3334_lanes[0];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3876_lanes = f13_x_p3860_lanes + f13_x_p3694_lanes * f13_x_p3518_lanes[0] +
+      f13_x_p3678_lanes * f13_x_p3606_lanes[0];
+  const Real f13_x_p3884 = 1.0 / f13_x_p3876_lanes[0];
+  const Lanes<8> f13_x_p3885_lanes = f13_x_p3674_lanes * f13_x_p3884;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3901_lanes = f13_x_p3626_lanes * f13_x_p3334_lanes[1];
+  const Lanes<8> f13_x_p3925_lanes = f13_x_p3650_lanes * f13_x_p2798_lanes[1] + f13_x_p3642_lanes *
+      f13_x_p2958_lanes[1] + f13_x_p3634_lanes * f13_x_p3118_lanes[1] + f13_x_p3901_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3937_lanes = f13_x_p3925_lanes + f13_x_p3618_lanes * f13_x_p3518_lanes[1] +
+      f13_x_p2079_lanes * f13_x_p3606_lanes[1] - f13_x_p3885_lanes * f13_x_p3876_lanes[1];
+  const Lanes<8> f13_x_p3941_lanes = f13_x_p3876_lanes * f13_x_p3884;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p3995_lanes = f13_x_p3772_lanes * f13_x_p2434_lanes[1];
+  const Lanes<8> f13_x_p4025_lanes = f13_x_p3808_lanes * f13_x_p2152_lanes[1] + f13_x_p3796_lanes *
+      f13_x_p2202_lanes[1] + f13_x_p3784_lanes * f13_x_p2380_lanes[1] + f13_x_p3995_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p4030_lanes = f13_x_p4025_lanes + f13_x_p3760_lanes * f13_x_p2798_lanes[1];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p4049_lanes = detail::make_pack<Real>(f13_x_p4030_lanes[1],
+      f13_x_p4030_lanes[1], f13_x_p4030_lanes[2], f13_x_p4030_lanes[3], f13_x_p4030_lanes[4],
+      f13_x_p4030_lanes[5], f13_x_p3759 * f13_x_p2798_lanes[1], f13_x_p3758 *
+      f13_x_p2798_lanes[1]) + f13_x_p3742_lanes * f13_x_p2958_lanes[1] + f13_x_p3726_lanes *
+      f13_x_p3118_lanes[1] + f13_x_p3710_lanes * f13_x_p3334_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p4070_lanes = f13_x_p4049_lanes + f13_x_p3694_lanes * f13_x_p3518_lanes[1] +
+      f13_x_p3678_lanes * f13_x_p3606_lanes[1] - f13_x_p3941_lanes * f13_x_p3876_lanes[1];
+  const Real f13_x_p4077 = 1.0 / f13_x_p4070_lanes[1];
+  const Lanes<8> f13_x_p4078_lanes = f13_x_p3937_lanes * f13_x_p4077;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p4098_lanes = f13_x_p3626_lanes * f13_x_p3334_lanes[2];
+  const Lanes<8> f13_x_p4122_lanes = f13_x_p3650_lanes * f13_x_p2798_lanes[2] + f13_x_p3642_lanes *
+      f13_x_p2958_lanes[2] + f13_x_p3634_lanes * f13_x_p3118_lanes[2] + f13_x_p4098_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p4134_lanes = f13_x_p4122_lanes + f13_x_p3618_lanes * f13_x_p3518_lanes[2] +
+      f13_x_p2079_lanes * f13_x_p3606_lanes[2] - f13_x_p3885_lanes * f13_x_p3876_lanes[2];
+  const Lanes<8> f13_x_p4138_lanes = f13_x_p4134_lanes - f13_x_p4078_lanes * f13_x_p4070_lanes[2];
+  const Lanes<8> f13_x_p4142_lanes = f13_x_p4070_lanes * f13_x_p4077;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p4194_lanes = f13_x_p3772_lanes * f13_x_p2434_lanes[2];
+  const Lanes<8> f13_x_p4218_lanes = f13_x_p3808_lanes * f13_x_p1213_lanes[0] + f13_x_p3796_lanes *
+      f13_x_p2202_lanes[2] + f13_x_p3784_lanes * f13_x_p2380_lanes[2] + f13_x_p4194_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p4222_lanes = f13_x_p4218_lanes + f13_x_p3760_lanes * f13_x_p2798_lanes[2];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p4238_lanes = detail::make_pack<Real>(f13_x_p4222_lanes[2],
+      f13_x_p4222_lanes[2], f13_x_p4222_lanes[2], f13_x_p4222_lanes[3], f13_x_p4222_lanes[4],
+      f13_x_p4222_lanes[5], f13_x_p3759 * f13_x_p2798_lanes[2], f13_x_p3758 *
+      f13_x_p2798_lanes[2]) + f13_x_p3742_lanes * f13_x_p2958_lanes[2] + f13_x_p3726_lanes *
+      f13_x_p3118_lanes[2] + f13_x_p3710_lanes * f13_x_p3334_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p4256_lanes = f13_x_p4238_lanes + f13_x_p3694_lanes * f13_x_p3518_lanes[2] +
+      f13_x_p3678_lanes * f13_x_p3606_lanes[2] - f13_x_p3941_lanes * f13_x_p3876_lanes[2];
+  const Lanes<8> f13_x_p4262_lanes = f13_x_p4256_lanes - f13_x_p4142_lanes * f13_x_p4070_lanes[2];
+  const Real f13_x_p4268 = 1.0 / f13_x_p4262_lanes[2];
+  const Lanes<8> f13_x_p4269_lanes = f13_x_p4138_lanes * f13_x_p4268;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p4293_lanes = f13_x_p3626_lanes * f13_x_p3334_lanes[3];
+  const Lanes<8> f13_x_p4317_lanes = f13_x_p3650_lanes * f13_x_p2798_lanes[3] + f13_x_p3642_lanes *
+      f13_x_p2958_lanes[3] + f13_x_p3634_lanes * f13_x_p3118_lanes[3] + f13_x_p4293_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p4329_lanes = f13_x_p4317_lanes + f13_x_p3618_lanes * f13_x_p3518_lanes[3] +
+      f13_x_p2079_lanes * f13_x_p3606_lanes[3] - f13_x_p3885_lanes * f13_x_p3876_lanes[3];
+  const Lanes<8> f13_x_p4337_lanes = f13_x_p4329_lanes - f13_x_p4078_lanes * f13_x_p4070_lanes[3] -
+      f13_x_p4269_lanes * f13_x_p4262_lanes[3];
+  const Lanes<8> f13_x_p4341_lanes = f13_x_p4262_lanes * f13_x_p4268;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p4395_lanes = f13_x_p3796_lanes * f13_x_p2202_lanes[3];
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> f13_x_p4401_lanes = f13_x_p1356_lanes * inverse_D11_lanes[0];
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> f13_x_p4407_lanes = detail::make_pack<Real>(s13, s13, s13, s13, c13,
       f13_x_p1085_lanes[0], s13, s13) * inverse_D12_lanes[0];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p4000_lanes = f13_x_p3988_lanes * s13 + f13_x_p3982_lanes * f13_x_p1505 +
-      f13_x_p3389_lanes * f13_x_p1526_lanes[3] + f13_x_p3976_lanes;
+  const Lanes<8> f13_x_p4419_lanes = f13_x_p4407_lanes * s13 + f13_x_p4401_lanes *
+      f13_x_p1356_lanes[3] + f13_x_p3808_lanes * f13_x_p2152_lanes[3] + f13_x_p4395_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4009_lanes = f13_x_p4000_lanes + f13_x_p3365_lanes * f13_x_p1832_lanes[3] +
-      f13_x_p3353_lanes * f13_x_p1886_lanes[3] + f13_x_p3341_lanes * f13_x_p2599;
+  const Lanes<8> f13_x_p4428_lanes = f13_x_p4419_lanes + f13_x_p3784_lanes * f13_x_p2380_lanes[3] +
+      f13_x_p3772_lanes * f13_x_p2434_lanes[3] + f13_x_p3760_lanes * f13_x_p2798_lanes[3];
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4022_lanes = detail::make_pack<Real>(f13_x_p4009_lanes[3],
-      f13_x_p4009_lanes[3], f13_x_p4009_lanes[3], f13_x_p4009_lanes[3], f13_x_p4009_lanes[4],
-      f13_x_p4009_lanes[5], f13_x_p3340 * f13_x_p2599, f13_x_p3339 * f13_x_p2599) +
-      f13_x_p3323_lanes * f13_x_p2755_lanes[3] + f13_x_p3307_lanes * f13_x_p2857 +
-      f13_x_p3291_lanes * f13_x_p2979_lanes[3];
+  const Lanes<8> f13_x_p4441_lanes = detail::make_pack<Real>(f13_x_p4428_lanes[3],
+      f13_x_p4428_lanes[3], f13_x_p4428_lanes[3], f13_x_p4428_lanes[3], f13_x_p4428_lanes[4],
+      f13_x_p4428_lanes[5], f13_x_p3759 * f13_x_p2798_lanes[3], f13_x_p3758 *
+      f13_x_p2798_lanes[3]) + f13_x_p3742_lanes * f13_x_p2958_lanes[3] + f13_x_p3726_lanes *
+      f13_x_p3118_lanes[3] + f13_x_p3710_lanes * f13_x_p3334_lanes[3];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4037_lanes = f13_x_p4022_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[3] +
-      f13_x_p3259_lanes * f13_x_p3187_lanes[3] - f13_x_p3522_lanes * f13_x_p3457_lanes[3];
-  const Lanes<8> f13_x_p4047_lanes = f13_x_p4037_lanes - f13_x_p3723_lanes * f13_x_p3651_lanes[3] -
-      f13_x_p3922_lanes * f13_x_p3843_lanes[3];
-  const Real f13_x_p4052 = 1.0 / f13_x_p4047_lanes[3];
-  const Lanes<8> f13_x_p4053_lanes = f13_x_p3918_lanes * f13_x_p4052;
+  const Lanes<8> f13_x_p4456_lanes = f13_x_p4441_lanes + f13_x_p3694_lanes * f13_x_p3518_lanes[3] +
+      f13_x_p3678_lanes * f13_x_p3606_lanes[3] - f13_x_p3941_lanes * f13_x_p3876_lanes[3];
+  const Lanes<8> f13_x_p4466_lanes = f13_x_p4456_lanes - f13_x_p4142_lanes * f13_x_p4070_lanes[3] -
+      f13_x_p4341_lanes * f13_x_p4262_lanes[3];
+  const Real f13_x_p4471 = 1.0 / f13_x_p4466_lanes[3];
+  const Lanes<8> f13_x_p4472_lanes = f13_x_p4337_lanes * f13_x_p4471;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4081_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[4];
-  const Lanes<8> f13_x_p4105_lanes = f13_x_p3231_lanes * f13_x_p2598 + f13_x_p3223_lanes *
-      f13_x_p2755_lanes[4] + f13_x_p3215_lanes * f13_x_p2854 + f13_x_p4081_lanes;
+  const Lanes<8> f13_x_p4500_lanes = f13_x_p3626_lanes * f13_x_p3334_lanes[4];
+  const Lanes<8> f13_x_p4524_lanes = f13_x_p3650_lanes * f13_x_p2798_lanes[4] + f13_x_p3642_lanes *
+      f13_x_p2958_lanes[4] + f13_x_p3634_lanes * f13_x_p3118_lanes[4] + f13_x_p4500_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4117_lanes = f13_x_p4105_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[4] +
-      f13_x_p2563_lanes * f13_x_p3187_lanes[4] - f13_x_p3466_lanes * f13_x_p3457_lanes[4];
-  const Lanes<8> f13_x_p4129_lanes = f13_x_p4117_lanes - f13_x_p3659_lanes * f13_x_p3651_lanes[4] -
-      f13_x_p3850_lanes * f13_x_p3843_lanes[4] - f13_x_p4053_lanes * f13_x_p4047_lanes[4];
-  const Lanes<8> f13_x_p4133_lanes = f13_x_p4047_lanes * f13_x_p4052;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4173_lanes = f13_x_p1418_lanes * inverse_D7_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p4177_lanes = detail::make_pack<Real>(f13_x_p3353_lanes[5],
-      f13_x_p4173_lanes[3]) * detail::make_pack<Real>(f13_x_p1886_lanes[4], f13_x_p1418_lanes[2]);
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p4179_lanes = f13_x_p1380_lanes * inverse_D8_lanes[1];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<2> f13_x_p4183_lanes = detail::make_pack<Real>(f13_x_p3365_lanes[5],
-      f13_x_p4179_lanes[3]) * detail::make_pack<Real>(f13_x_p1832_lanes[4], f13_x_p1380_lanes[2]);
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4185_lanes = f13_x_p1239_lanes * inverse_D9_lanes[1];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> f13_x_p4189_lanes = detail::make_pack<Real>(f13_x_p3377_lanes[5],
-      f13_x_p4185_lanes[3]) * detail::make_pack<Real>(f13_x_p1709_lanes[4], f13_x_p1239_lanes[2]);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p4191_lanes = detail::make_pack<Real>(f13_x_p1209, f13_x_p1205_lanes[1],
-      f13_x_p1205_lanes[2], f13_x_p1205_lanes[3], f13_x_p1209, f13_x_p1209, f13_x_p1209,
-      f13_x_p1209) * inverse_D10_lanes[1];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p4195_lanes = detail::make_pack<Real>(f13_x_p3389_lanes[5],
-      f13_x_p4191_lanes[3]) * detail::make_pack<Real>(f13_x_p1526_lanes[4], f13_x_p1205_lanes[2]);
+  const Lanes<8> f13_x_p4536_lanes = f13_x_p4524_lanes + f13_x_p3618_lanes * f13_x_p3518_lanes[4] +
+      f13_x_p2079_lanes * f13_x_p3606_lanes[4] - f13_x_p3885_lanes * f13_x_p3876_lanes[4];
+  const Lanes<8> f13_x_p4548_lanes = f13_x_p4536_lanes - f13_x_p4078_lanes * f13_x_p4070_lanes[4] -
+      f13_x_p4269_lanes * f13_x_p4262_lanes[4] - f13_x_p4472_lanes * f13_x_p4466_lanes[4];
+  const Lanes<8> f13_x_p4552_lanes = f13_x_p4466_lanes * f13_x_p4471;
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p4197_lanes = detail::make_pack<Real>(f13_x_p1113, f13_x_p1113, f13_x_p1106,
-      f13_x_p1099, f13_x_p1113, f13_x_p1113, f13_x_p1113, f13_x_p1113) * inverse_D11_lanes[1];
+  const Lanes<8> f13_x_p4592_lanes = f13_x_p1102_lanes * inverse_D11_lanes[1];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p4200_lanes = detail::make_pack<Real>(f13_x_p3982_lanes[5],
-      f13_x_p4197_lanes[3]) * detail::make_pack<Real>(f13_x_p1503, f13_x_p1106);
-  const Lanes<2> f13_x_p4204_lanes = detail::make_pack<Real>(f13_x_p3982_lanes[4],
-      f13_x_p4197_lanes[2]) * detail::make_pack<Real>(f13_x_p1503, f13_x_p1106);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p4208_lanes = detail::make_pack<Real>(f13_x_p3389_lanes[4],
-      f13_x_p4191_lanes[2]) * detail::make_pack<Real>(f13_x_p1526_lanes[4], f13_x_p1205_lanes[2]);
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> f13_x_p4212_lanes = detail::make_pack<Real>(f13_x_p3377_lanes[4],
-      f13_x_p4185_lanes[2]) * detail::make_pack<Real>(f13_x_p1709_lanes[4], f13_x_p1239_lanes[2]);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<2> f13_x_p4216_lanes = detail::make_pack<Real>(f13_x_p3365_lanes[4],
-      f13_x_p4179_lanes[2]) * detail::make_pack<Real>(f13_x_p1832_lanes[4], f13_x_p1380_lanes[2]);
+  const Lanes<2> f13_x_p4595_lanes = detail::make_pack<Real>(f13_x_p4401_lanes[5],
+      f13_x_p4592_lanes[3]) * detail::make_pack<Real>(f13_x_p1356_lanes[4], f13_x_p1102_lanes[2]);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p4220_lanes = detail::make_pack<Real>(f13_x_p3353_lanes[4],
-      f13_x_p4173_lanes[2]) * detail::make_pack<Real>(f13_x_p1886_lanes[4], f13_x_p1418_lanes[2]);
-  const Lanes<8> f13_x_p4222_lanes = f13_x_p3988_lanes * c13 +
-      detail::make_pack<Real>(f13_x_p4204_lanes[0], f13_x_p4204_lanes[0], f13_x_p4204_lanes[0],
-      f13_x_p4204_lanes[0], f13_x_p4204_lanes[0], f13_x_p4200_lanes[0], f13_x_p4204_lanes[0],
-      f13_x_p4204_lanes[0]) + detail::make_pack<Real>(f13_x_p4208_lanes[0], f13_x_p4208_lanes[0],
-      f13_x_p4208_lanes[0], f13_x_p4208_lanes[0], f13_x_p4208_lanes[0], f13_x_p4195_lanes[0],
-      f13_x_p4208_lanes[0], f13_x_p4208_lanes[0]) + detail::make_pack<Real>(f13_x_p4212_lanes[0],
-      f13_x_p4212_lanes[0], f13_x_p4212_lanes[0], f13_x_p4212_lanes[0], f13_x_p4212_lanes[0],
-      f13_x_p4189_lanes[0], f13_x_p4212_lanes[0], f13_x_p4212_lanes[0]) +
-      detail::make_pack<Real>(f13_x_p4216_lanes[0], f13_x_p4216_lanes[0], f13_x_p4216_lanes[0],
-      f13_x_p4216_lanes[0], f13_x_p4216_lanes[0], f13_x_p4183_lanes[0], f13_x_p4216_lanes[0],
-      f13_x_p4216_lanes[0]) + detail::make_pack<Real>(f13_x_p4220_lanes[0], f13_x_p4220_lanes[0],
-      f13_x_p4220_lanes[0], f13_x_p4220_lanes[0], f13_x_p4220_lanes[0], f13_x_p4177_lanes[0],
-      f13_x_p4220_lanes[0], f13_x_p4220_lanes[0]);
+  const Lanes<8> f13_x_p4607_lanes = f13_x_p4407_lanes * c13 +
+      detail::make_pack<Real>(f13_x_p4401_lanes[4] * f13_x_p1356_lanes[4], f13_x_p4401_lanes[4] *
+      f13_x_p1356_lanes[4], f13_x_p4401_lanes[4] * f13_x_p1356_lanes[4], f13_x_p4401_lanes[4] *
+      f13_x_p1356_lanes[4], f13_x_p4401_lanes[4] * f13_x_p1356_lanes[4], f13_x_p4595_lanes[0],
+      f13_x_p4401_lanes[4] * f13_x_p1356_lanes[4], f13_x_p4401_lanes[4] * f13_x_p1356_lanes[4]) +
+      detail::make_pack<Real>(f13_x_p3808_lanes[4] * f13_x_p2152_lanes[4], f13_x_p3808_lanes[4] *
+      f13_x_p2152_lanes[4], f13_x_p3808_lanes[4] * f13_x_p2152_lanes[4], f13_x_p3808_lanes[4] *
+      f13_x_p2152_lanes[4], f13_x_p3808_lanes[4] * f13_x_p2152_lanes[4], f13_x_p3808_lanes[5] *
+      f13_x_p2152_lanes[4], f13_x_p3808_lanes[4] * f13_x_p2152_lanes[4], f13_x_p3808_lanes[4] *
+      f13_x_p2152_lanes[4]) + detail::make_pack<Real>(f13_x_p3796_lanes[4] * f13_x_p2202_lanes[4],
+      f13_x_p3796_lanes[4] * f13_x_p2202_lanes[4], f13_x_p3796_lanes[4] * f13_x_p2202_lanes[4],
+      f13_x_p3796_lanes[4] * f13_x_p2202_lanes[4], f13_x_p3796_lanes[4] * f13_x_p2202_lanes[4],
+      f13_x_p3796_lanes[5] * f13_x_p2202_lanes[4], f13_x_p3796_lanes[4] * f13_x_p2202_lanes[4],
+      f13_x_p3796_lanes[4] * f13_x_p2202_lanes[4]) + detail::make_pack<Real>(f13_x_p3784_lanes[4] *
+      f13_x_p2380_lanes[4], f13_x_p3784_lanes[4] * f13_x_p2380_lanes[4], f13_x_p3784_lanes[4] *
+      f13_x_p2380_lanes[4], f13_x_p3784_lanes[4] * f13_x_p2380_lanes[4], f13_x_p3784_lanes[4] *
+      f13_x_p2380_lanes[4], f13_x_p3784_lanes[5] * f13_x_p2380_lanes[4], f13_x_p3784_lanes[4] *
+      f13_x_p2380_lanes[4], f13_x_p3784_lanes[4] * f13_x_p2380_lanes[4]) +
+      detail::make_pack<Real>(f13_x_p3772_lanes[4] * f13_x_p2434_lanes[4], f13_x_p3772_lanes[4] *
+      f13_x_p2434_lanes[4], f13_x_p3772_lanes[4] * f13_x_p2434_lanes[4], f13_x_p3772_lanes[4] *
+      f13_x_p2434_lanes[4], f13_x_p3772_lanes[4] * f13_x_p2434_lanes[4], f13_x_p3772_lanes[5] *
+      f13_x_p2434_lanes[4], f13_x_p3772_lanes[4] * f13_x_p2434_lanes[4], f13_x_p3772_lanes[4] *
+      f13_x_p2434_lanes[4]);
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4224_lanes = f13_x_p4222_lanes +
-      detail::make_pack<Real>(f13_x_p3341_lanes[4] * f13_x_p2598, f13_x_p3341_lanes[4] *
-      f13_x_p2598, f13_x_p3341_lanes[4] * f13_x_p2598, f13_x_p3341_lanes[4] * f13_x_p2598,
-      f13_x_p3341_lanes[4] * f13_x_p2598, f13_x_p3341_lanes[5] * f13_x_p2598, f13_x_p3341_lanes[4] *
-      f13_x_p2598, f13_x_p3341_lanes[4] * f13_x_p2598);
+  const Lanes<8> f13_x_p4609_lanes = f13_x_p4607_lanes +
+      detail::make_pack<Real>(f13_x_p3760_lanes[4] * f13_x_p2798_lanes[4], f13_x_p3760_lanes[4] *
+      f13_x_p2798_lanes[4], f13_x_p3760_lanes[4] * f13_x_p2798_lanes[4], f13_x_p3760_lanes[4] *
+      f13_x_p2798_lanes[4], f13_x_p3760_lanes[4] * f13_x_p2798_lanes[4], f13_x_p3760_lanes[5] *
+      f13_x_p2798_lanes[4], f13_x_p3760_lanes[4] * f13_x_p2798_lanes[4], f13_x_p3760_lanes[4] *
+      f13_x_p2798_lanes[4]);
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4234_lanes = detail::make_pack<Real>(f13_x_p4224_lanes[4],
-      f13_x_p4224_lanes[4], f13_x_p4224_lanes[4], f13_x_p4224_lanes[4], f13_x_p4224_lanes[4],
-      f13_x_p4224_lanes[5], f13_x_p3340 * f13_x_p2598, f13_x_p3339 * f13_x_p2598) +
-      f13_x_p3323_lanes * f13_x_p2755_lanes[4] + f13_x_p3307_lanes * f13_x_p2854 +
-      f13_x_p3291_lanes * f13_x_p2979_lanes[4];
+  const Lanes<8> f13_x_p4619_lanes = detail::make_pack<Real>(f13_x_p4609_lanes[4],
+      f13_x_p4609_lanes[4], f13_x_p4609_lanes[4], f13_x_p4609_lanes[4], f13_x_p4609_lanes[4],
+      f13_x_p4609_lanes[5], f13_x_p3759 * f13_x_p2798_lanes[4], f13_x_p3758 *
+      f13_x_p2798_lanes[4]) + f13_x_p3742_lanes * f13_x_p2958_lanes[4] + f13_x_p3726_lanes *
+      f13_x_p3118_lanes[4] + f13_x_p3710_lanes * f13_x_p3334_lanes[4];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4246_lanes = f13_x_p4234_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[4] +
-      f13_x_p3259_lanes * f13_x_p3187_lanes[4] - f13_x_p3522_lanes * f13_x_p3457_lanes[4];
-  const Lanes<8> f13_x_p4258_lanes = f13_x_p4246_lanes - f13_x_p3723_lanes * f13_x_p3651_lanes[4] -
-      f13_x_p3922_lanes * f13_x_p3843_lanes[4] - f13_x_p4133_lanes * f13_x_p4047_lanes[4];
-  const Real f13_x_p4262 = 1.0 / f13_x_p4258_lanes[4];
-  const Lanes<8> f13_x_p4263_lanes = f13_x_p4129_lanes * f13_x_p4262;
+  const Lanes<8> f13_x_p4631_lanes = f13_x_p4619_lanes + f13_x_p3694_lanes * f13_x_p3518_lanes[4] +
+      f13_x_p3678_lanes * f13_x_p3606_lanes[4] - f13_x_p3941_lanes * f13_x_p3876_lanes[4];
+  const Lanes<8> f13_x_p4643_lanes = f13_x_p4631_lanes - f13_x_p4142_lanes * f13_x_p4070_lanes[4] -
+      f13_x_p4341_lanes * f13_x_p4262_lanes[4] - f13_x_p4552_lanes * f13_x_p4466_lanes[4];
+  const Real f13_x_p4647 = 1.0 / f13_x_p4643_lanes[4];
+  const Lanes<8> f13_x_p4648_lanes = f13_x_p4548_lanes * f13_x_p4647;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4295_lanes = f13_x_p3207_lanes * f13_x_p2979_lanes[5];
-  const Lanes<8> f13_x_p4319_lanes = f13_x_p3231_lanes * f13_x_p2597 + f13_x_p3223_lanes *
-      f13_x_p2755_lanes[5] + f13_x_p3215_lanes * f13_x_p2851 + f13_x_p4295_lanes;
+  const Lanes<8> f13_x_p4680_lanes = f13_x_p3626_lanes * f13_x_p3334_lanes[5];
+  const Lanes<8> f13_x_p4704_lanes = f13_x_p3650_lanes * f13_x_p2798_lanes[5] + f13_x_p3642_lanes *
+      f13_x_p2958_lanes[5] + f13_x_p3634_lanes * f13_x_p3118_lanes[5] + f13_x_p4680_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4331_lanes = f13_x_p4319_lanes + f13_x_p3199_lanes * f13_x_p3099_lanes[5] +
-      f13_x_p2563_lanes * f13_x_p3187_lanes[5] - f13_x_p3466_lanes * f13_x_p3457_lanes[5];
-  const Lanes<8> f13_x_p4343_lanes = f13_x_p4331_lanes - f13_x_p3659_lanes * f13_x_p3651_lanes[5] -
-      f13_x_p3850_lanes * f13_x_p3843_lanes[5] - f13_x_p4053_lanes * f13_x_p4047_lanes[5];
-  const Lanes<8> f13_x_p4347_lanes = f13_x_p4343_lanes - f13_x_p4263_lanes * f13_x_p4258_lanes[5];
-  const Lanes<8> f13_x_p4351_lanes = f13_x_p4258_lanes * f13_x_p4262;
+  const Lanes<8> f13_x_p4716_lanes = f13_x_p4704_lanes + f13_x_p3618_lanes * f13_x_p3518_lanes[5] +
+      f13_x_p2079_lanes * f13_x_p3606_lanes[5] - f13_x_p3885_lanes * f13_x_p3876_lanes[5];
+  const Lanes<8> f13_x_p4728_lanes = f13_x_p4716_lanes - f13_x_p4078_lanes * f13_x_p4070_lanes[5] -
+      f13_x_p4269_lanes * f13_x_p4262_lanes[5] - f13_x_p4472_lanes * f13_x_p4466_lanes[5];
+  const Lanes<8> f13_x_p4732_lanes = f13_x_p4728_lanes - f13_x_p4648_lanes * f13_x_p4643_lanes[5];
+  const Lanes<8> f13_x_p4736_lanes = f13_x_p4643_lanes * f13_x_p4647;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p4769_lanes = f13_x_p1454_lanes * inverse_D7_lanes[1];
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> f13_x_p4775_lanes = f13_x_p1416_lanes * inverse_D8_lanes[1];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p4781_lanes = f13_x_p1248_lanes * inverse_D9_lanes[1];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> f13_x_p4787_lanes = detail::make_pack<Real>(f13_x_p1213_lanes[1],
+      f13_x_p1206_lanes[1], f13_x_p1206_lanes[2], f13_x_p1206_lanes[3], f13_x_p1213_lanes[1],
+      f13_x_p1213_lanes[1], f13_x_p1213_lanes[1], f13_x_p1213_lanes[1]) * inverse_D10_lanes[1];
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> f13_x_p4394_lanes = detail::make_pack<Real>(s20, s20, c20, f13_x_p1085_lanes[1],
+  const Lanes<8> f13_x_p4795_lanes = detail::make_pack<Real>(s20, s20, c20, f13_x_p1085_lanes[1],
       s20, s20, s20, s20) * inverse_D12_lanes[1];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p4403_lanes = 1065.380700001509 +
-      detail::make_pack<Real>(f13_x_p3988_lanes[5], f13_x_p4394_lanes[3]) * f13_x_p1085_lanes +
-      detail::make_pack<Real>(f13_x_p3982_lanes[5], f13_x_p4197_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1337, f13_x_p1099) +
-      detail::make_pack<Real>(f13_x_p3389_lanes[5], f13_x_p4191_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1526_lanes[5], f13_x_p1205_lanes[3]);
+  const Lanes<2> f13_x_p4804_lanes = 1065.380700001509 +
+      detail::make_pack<Real>(f13_x_p4407_lanes[5], f13_x_p4795_lanes[3]) * f13_x_p1085_lanes +
+      detail::make_pack<Real>(f13_x_p4401_lanes[5], f13_x_p4592_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p1356_lanes[5], f13_x_p1102_lanes[3]) +
+      detail::make_pack<Real>(f13_x_p3808_lanes[5], f13_x_p4787_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p2152_lanes[5], f13_x_p1206_lanes[3]);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p4409_lanes = f13_x_p4403_lanes +
-      detail::make_pack<Real>(f13_x_p3377_lanes[5], f13_x_p4185_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1709_lanes[5], f13_x_p1239_lanes[3]) +
-      detail::make_pack<Real>(f13_x_p3365_lanes[5], f13_x_p4179_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1832_lanes[5], f13_x_p1380_lanes[3]) +
-      detail::make_pack<Real>(f13_x_p3353_lanes[5], f13_x_p4173_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1886_lanes[5], f13_x_p1418_lanes[3]);
+  const Lanes<2> f13_x_p4810_lanes = f13_x_p4804_lanes +
+      detail::make_pack<Real>(f13_x_p3796_lanes[5], f13_x_p4781_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p2202_lanes[5], f13_x_p1248_lanes[3]) +
+      detail::make_pack<Real>(f13_x_p3784_lanes[5], f13_x_p4775_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p2380_lanes[5], f13_x_p1416_lanes[3]) +
+      detail::make_pack<Real>(f13_x_p3772_lanes[5], f13_x_p4769_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p2434_lanes[5], f13_x_p1454_lanes[3]);
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4417_lanes = detail::make_pack<Real>(f13_x_p4409_lanes[0] +
-      f13_x_p3341_lanes[5] * f13_x_p2597, f13_x_p4409_lanes[0] + f13_x_p3341_lanes[5] * f13_x_p2597,
-      f13_x_p4409_lanes[0] + f13_x_p3341_lanes[5] * f13_x_p2597, f13_x_p4409_lanes[0] +
-      f13_x_p3341_lanes[5] * f13_x_p2597, f13_x_p4409_lanes[0] + f13_x_p3341_lanes[5] * f13_x_p2597,
-      f13_x_p4409_lanes[0] + f13_x_p3341_lanes[5] * f13_x_p2597, f13_x_p3340 * f13_x_p2597,
-      f13_x_p3339 * f13_x_p2597) + f13_x_p3323_lanes * f13_x_p2755_lanes[5] + f13_x_p3307_lanes *
-      f13_x_p2851 + f13_x_p3291_lanes * f13_x_p2979_lanes[5];
+  const Lanes<8> f13_x_p4818_lanes = detail::make_pack<Real>(f13_x_p4810_lanes[0] +
+      f13_x_p3760_lanes[5] * f13_x_p2798_lanes[5], f13_x_p4810_lanes[0] + f13_x_p3760_lanes[5] *
+      f13_x_p2798_lanes[5], f13_x_p4810_lanes[0] + f13_x_p3760_lanes[5] * f13_x_p2798_lanes[5],
+      f13_x_p4810_lanes[0] + f13_x_p3760_lanes[5] * f13_x_p2798_lanes[5], f13_x_p4810_lanes[0] +
+      f13_x_p3760_lanes[5] * f13_x_p2798_lanes[5], f13_x_p4810_lanes[0] + f13_x_p3760_lanes[5] *
+      f13_x_p2798_lanes[5], f13_x_p3759 * f13_x_p2798_lanes[5], f13_x_p3758 *
+      f13_x_p2798_lanes[5]) + f13_x_p3742_lanes * f13_x_p2958_lanes[5] + f13_x_p3726_lanes *
+      f13_x_p3118_lanes[5] + f13_x_p3710_lanes * f13_x_p3334_lanes[5];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4426_lanes = f13_x_p4417_lanes + f13_x_p3275_lanes * f13_x_p3099_lanes[5] +
-      f13_x_p3259_lanes * f13_x_p3187_lanes[5] - f13_x_p3522_lanes * f13_x_p3457_lanes[5];
-  const Lanes<8> f13_x_p4435_lanes = f13_x_p4426_lanes - f13_x_p3723_lanes * f13_x_p3651_lanes[5] -
-      f13_x_p3922_lanes * f13_x_p3843_lanes[5] - f13_x_p4133_lanes * f13_x_p4047_lanes[5];
-  const Lanes<8> f13_x_p4438_lanes = f13_x_p4435_lanes - f13_x_p4351_lanes * f13_x_p4258_lanes[5];
-  const Real f13_x_p4441 = 1.0 / f13_x_p4438_lanes[5];
-  const Lanes<8> f13_x_p4442_lanes = f13_x_p4347_lanes * f13_x_p4441;
+  const Lanes<8> f13_x_p4827_lanes = f13_x_p4818_lanes + f13_x_p3694_lanes * f13_x_p3518_lanes[5] +
+      f13_x_p3678_lanes * f13_x_p3606_lanes[5] - f13_x_p3941_lanes * f13_x_p3876_lanes[5];
+  const Lanes<8> f13_x_p4836_lanes = f13_x_p4827_lanes - f13_x_p4142_lanes * f13_x_p4070_lanes[5] -
+      f13_x_p4341_lanes * f13_x_p4262_lanes[5] - f13_x_p4552_lanes * f13_x_p4466_lanes[5];
+  const Lanes<8> f13_x_p4839_lanes = f13_x_p4836_lanes - f13_x_p4736_lanes * f13_x_p4643_lanes[5];
+  const Real f13_x_p4842 = 1.0 / f13_x_p4839_lanes[5];
+  const Lanes<8> f13_x_p4843_lanes = f13_x_p4732_lanes * f13_x_p4842;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4494_lanes = f13_x_p4173_lanes * f13_x_p1663;
-  const Lanes<8> f13_x_p4518_lanes = f13_x_p4191_lanes * f13_x_p1649 + f13_x_p4185_lanes *
-      f13_x_p1652 + f13_x_p4179_lanes * f13_x_p1660 + f13_x_p4494_lanes;
+  const Lanes<8> f13_x_p4895_lanes = f13_x_p4769_lanes * f13_x_p2130;
+  const Lanes<8> f13_x_p4919_lanes = f13_x_p4787_lanes * f13_x_p2116 + f13_x_p4781_lanes *
+      f13_x_p2119 + f13_x_p4775_lanes * f13_x_p2127 + f13_x_p4895_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4530_lanes = f13_x_p4518_lanes + f13_x_p3231_lanes * f13_x_p2596 +
-      f13_x_p3223_lanes * f13_x_p2755_lanes[6] + f13_x_p3215_lanes * f13_x_p2848;
+  const Lanes<8> f13_x_p4931_lanes = f13_x_p4919_lanes + f13_x_p3650_lanes * f13_x_p2798_lanes[6] +
+      f13_x_p3642_lanes * f13_x_p2958_lanes[6] + f13_x_p3634_lanes * f13_x_p3118_lanes[6];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4542_lanes = f13_x_p4530_lanes + f13_x_p3207_lanes * f13_x_p2979_lanes[6] +
-      f13_x_p3199_lanes * f13_x_p3099_lanes[6] + f13_x_p2563_lanes * f13_x_p3187_lanes[6];
-  const Lanes<8> f13_x_p4554_lanes = f13_x_p4542_lanes - f13_x_p3466_lanes * f13_x_p3457_lanes[6] -
-      f13_x_p3659_lanes * f13_x_p3651_lanes[6] - f13_x_p3850_lanes * f13_x_p3843_lanes[6];
-  const Lanes<8> f13_x_p4566_lanes = f13_x_p4554_lanes - f13_x_p4053_lanes * f13_x_p4047_lanes[6] -
-      f13_x_p4263_lanes * f13_x_p4258_lanes[6] - f13_x_p4442_lanes * f13_x_p4438_lanes[6];
-  const Real f13_x_p4570 = f13_x_p4438_lanes[6] * f13_x_p4441;
+  const Lanes<8> f13_x_p4943_lanes = f13_x_p4931_lanes + f13_x_p3626_lanes * f13_x_p3334_lanes[6] +
+      f13_x_p3618_lanes * f13_x_p3518_lanes[6] + f13_x_p2079_lanes * f13_x_p3606_lanes[6];
+  const Lanes<8> f13_x_p4955_lanes = f13_x_p4943_lanes - f13_x_p3885_lanes * f13_x_p3876_lanes[6] -
+      f13_x_p4078_lanes * f13_x_p4070_lanes[6] - f13_x_p4269_lanes * f13_x_p4262_lanes[6];
+  const Lanes<8> f13_x_p4967_lanes = f13_x_p4955_lanes - f13_x_p4472_lanes * f13_x_p4466_lanes[6] -
+      f13_x_p4648_lanes * f13_x_p4643_lanes[6] - f13_x_p4843_lanes * f13_x_p4839_lanes[6];
+  const Real f13_x_p4971 = f13_x_p4839_lanes[6] * f13_x_p4842;
 
   // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p4571 = f13_x_p1649 * inverse_D10_lanes[1] * f13_x_p1649 + f13_x_p1652 *
-      inverse_D9_lanes[1] * f13_x_p1652 + f13_x_p1660 * inverse_D8_lanes[1] * f13_x_p1660;
+  const Real f13_x_p4972 = f13_x_p2116 * inverse_D10_lanes[1] * f13_x_p2116 + f13_x_p2119 *
+      inverse_D9_lanes[1] * f13_x_p2119 + f13_x_p2127 * inverse_D8_lanes[1] * f13_x_p2127;
 
   // link 4 (chest1), force propagation
-  const Real f13_x_p4572 = f13_x_p4571 + f13_x_p1663 * inverse_D7_lanes[1] * f13_x_p1663 +
-      f13_x_p3340 * f13_x_p2596 + f13_x_p3323_lanes[6] * f13_x_p2755_lanes[6] +
-      f13_x_p3307_lanes[6] * f13_x_p2848;
+  const Real f13_x_p4973 = f13_x_p4972 + f13_x_p2130 * inverse_D7_lanes[1] * f13_x_p2130 +
+      f13_x_p3759 * f13_x_p2798_lanes[6] + f13_x_p3742_lanes[6] * f13_x_p2958_lanes[6] +
+      f13_x_p3726_lanes[6] * f13_x_p3118_lanes[6];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4573 = f13_x_p4572 + f13_x_p3291_lanes[6] * f13_x_p2979_lanes[6] +
-      f13_x_p3275_lanes[6] * f13_x_p3099_lanes[6] + f13_x_p3259_lanes[6] * f13_x_p3187_lanes[6] -
-      f13_x_p3522_lanes[6] * f13_x_p3457_lanes[6];
-  const Real f13_x_p4574 = f13_x_p4573 - f13_x_p3723_lanes[6] * f13_x_p3651_lanes[6] -
-      f13_x_p3922_lanes[6] * f13_x_p3843_lanes[6] - f13_x_p4133_lanes[6] * f13_x_p4047_lanes[6] -
-      f13_x_p4351_lanes[6] * f13_x_p4258_lanes[6];
-  const Real f13_x_p4575 = 1.0 / (f13_x_p4574 - f13_x_p4570 * f13_x_p4438_lanes[6]);
-  const Lanes<8> f13_x_p4576_lanes = f13_x_p4566_lanes * f13_x_p4575;
-  const Real f13_x_p4580 = f13_x_p4438_lanes[7] * f13_x_p4441;
+  const Real f13_x_p4974 = f13_x_p4973 + f13_x_p3710_lanes[6] * f13_x_p3334_lanes[6] +
+      f13_x_p3694_lanes[6] * f13_x_p3518_lanes[6] + f13_x_p3678_lanes[6] * f13_x_p3606_lanes[6] -
+      f13_x_p3941_lanes[6] * f13_x_p3876_lanes[6];
+  const Real f13_x_p4975 = f13_x_p4974 - f13_x_p4142_lanes[6] * f13_x_p4070_lanes[6] -
+      f13_x_p4341_lanes[6] * f13_x_p4262_lanes[6] - f13_x_p4552_lanes[6] * f13_x_p4466_lanes[6] -
+      f13_x_p4736_lanes[6] * f13_x_p4643_lanes[6];
+  const Real f13_x_p4976 = 1.0 / (f13_x_p4975 - f13_x_p4971 * f13_x_p4839_lanes[6]);
+  const Lanes<8> f13_x_p4977_lanes = f13_x_p4967_lanes * f13_x_p4976;
+  const Real f13_x_p4981 = f13_x_p4839_lanes[7] * f13_x_p4842;
 
   // link 14 (right_shoulder1), force propagation
-  const Real f13_x_p4581 = f13_x_p1645 * inverse_D7_lanes[1];
+  const Real f13_x_p4982 = f13_x_p2110 * inverse_D7_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p4582 = f13_x_p1642 * inverse_D8_lanes[1];
+  const Real f13_x_p4983 = f13_x_p2107 * inverse_D8_lanes[1];
 
   // link 16 (right_upperarm), force propagation
-  const Real f13_x_p4583 = f13_x_p1634 * inverse_D9_lanes[1];
+  const Real f13_x_p4984 = f13_x_p2091 * inverse_D9_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p4584 = f13_x_p1631 * inverse_D10_lanes[1];
+  const Real f13_x_p4985 = f13_x_p2088 * inverse_D10_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Real f13_x_p4585 = f13_x_p4584 * f13_x_p1649 + f13_x_p4583 * f13_x_p1652 + f13_x_p4582 *
-      f13_x_p1660 + f13_x_p4581 * f13_x_p1663 + f13_x_p3339 * f13_x_p2596;
+  const Real f13_x_p4986 = f13_x_p4985 * f13_x_p2116 + f13_x_p4984 * f13_x_p2119 + f13_x_p4983 *
+      f13_x_p2127 + f13_x_p4982 * f13_x_p2130 + f13_x_p3758 * f13_x_p2798_lanes[6];
 
   // link 2 (thigh), force propagation
-  const Real f13_x_p4586 = f13_x_p4585 + f13_x_p3323_lanes[7] * f13_x_p2755_lanes[6] +
-      f13_x_p3307_lanes[7] * f13_x_p2848 + f13_x_p3291_lanes[7] * f13_x_p2979_lanes[6] +
-      f13_x_p3275_lanes[7] * f13_x_p3099_lanes[6];
+  const Real f13_x_p4987 = f13_x_p4986 + f13_x_p3742_lanes[7] * f13_x_p2958_lanes[6] +
+      f13_x_p3726_lanes[7] * f13_x_p3118_lanes[6] + f13_x_p3710_lanes[7] * f13_x_p3334_lanes[6] +
+      f13_x_p3694_lanes[7] * f13_x_p3518_lanes[6];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4587 = f13_x_p4586 + f13_x_p3259_lanes[7] * f13_x_p3187_lanes[6] -
-      f13_x_p3522_lanes[7] * f13_x_p3457_lanes[6] - f13_x_p3723_lanes[7] * f13_x_p3651_lanes[6] -
-      f13_x_p3922_lanes[7] * f13_x_p3843_lanes[6];
-  const Real f13_x_p4588 = f13_x_p4587 - f13_x_p4133_lanes[7] * f13_x_p4047_lanes[6] -
-      f13_x_p4351_lanes[7] * f13_x_p4258_lanes[6] - f13_x_p4580 * f13_x_p4438_lanes[6];
+  const Real f13_x_p4988 = f13_x_p4987 + f13_x_p3678_lanes[7] * f13_x_p3606_lanes[6] -
+      f13_x_p3941_lanes[7] * f13_x_p3876_lanes[6] - f13_x_p4142_lanes[7] * f13_x_p4070_lanes[6] -
+      f13_x_p4341_lanes[7] * f13_x_p4262_lanes[6];
+  const Real f13_x_p4989 = f13_x_p4988 - f13_x_p4552_lanes[7] * f13_x_p4466_lanes[6] -
+      f13_x_p4736_lanes[7] * f13_x_p4643_lanes[6] - f13_x_p4981 * f13_x_p4839_lanes[6];
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4641_lanes = f13_x_p4173_lanes * f13_x_p1645;
-  const Lanes<8> f13_x_p4665_lanes = f13_x_p4191_lanes * f13_x_p1631 + f13_x_p4185_lanes *
-      f13_x_p1634 + f13_x_p4179_lanes * f13_x_p1642 + f13_x_p4641_lanes;
+  const Lanes<8> f13_x_p5042_lanes = f13_x_p4769_lanes * f13_x_p2110;
+  const Lanes<8> f13_x_p5066_lanes = f13_x_p4787_lanes * f13_x_p2088 + f13_x_p4781_lanes *
+      f13_x_p2091 + f13_x_p4775_lanes * f13_x_p2107 + f13_x_p5042_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4677_lanes = f13_x_p4665_lanes + f13_x_p3231_lanes * f13_x_p2581 +
-      f13_x_p3223_lanes * f13_x_p2755_lanes[7] + f13_x_p3215_lanes * f13_x_p2845;
+  const Lanes<8> f13_x_p5078_lanes = f13_x_p5066_lanes + f13_x_p3650_lanes * f13_x_p2798_lanes[7] +
+      f13_x_p3642_lanes * f13_x_p2958_lanes[7] + f13_x_p3634_lanes * f13_x_p3118_lanes[7];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4689_lanes = f13_x_p4677_lanes + f13_x_p3207_lanes * f13_x_p2979_lanes[7] +
-      f13_x_p3199_lanes * f13_x_p3099_lanes[7] + f13_x_p2563_lanes * f13_x_p3187_lanes[7];
-  const Lanes<8> f13_x_p4701_lanes = f13_x_p4689_lanes - f13_x_p3466_lanes * f13_x_p3457_lanes[7] -
-      f13_x_p3659_lanes * f13_x_p3651_lanes[7] - f13_x_p3850_lanes * f13_x_p3843_lanes[7];
-  const Lanes<8> f13_x_p4713_lanes = f13_x_p4701_lanes - f13_x_p4053_lanes * f13_x_p4047_lanes[7] -
-      f13_x_p4263_lanes * f13_x_p4258_lanes[7] - f13_x_p4442_lanes * f13_x_p4438_lanes[7];
-  const Lanes<8> f13_x_p4717_lanes = f13_x_p4713_lanes - f13_x_p4576_lanes * f13_x_p4588;
-  const Real f13_x_p4721 = f13_x_p4588 * f13_x_p4575;
+  const Lanes<8> f13_x_p5090_lanes = f13_x_p5078_lanes + f13_x_p3626_lanes * f13_x_p3334_lanes[7] +
+      f13_x_p3618_lanes * f13_x_p3518_lanes[7] + f13_x_p2079_lanes * f13_x_p3606_lanes[7];
+  const Lanes<8> f13_x_p5102_lanes = f13_x_p5090_lanes - f13_x_p3885_lanes * f13_x_p3876_lanes[7] -
+      f13_x_p4078_lanes * f13_x_p4070_lanes[7] - f13_x_p4269_lanes * f13_x_p4262_lanes[7];
+  const Lanes<8> f13_x_p5114_lanes = f13_x_p5102_lanes - f13_x_p4472_lanes * f13_x_p4466_lanes[7] -
+      f13_x_p4648_lanes * f13_x_p4643_lanes[7] - f13_x_p4843_lanes * f13_x_p4839_lanes[7];
+  const Lanes<8> f13_x_p5118_lanes = f13_x_p5114_lanes - f13_x_p4977_lanes * f13_x_p4989;
+  const Real f13_x_p5122 = f13_x_p4989 * f13_x_p4976;
 
   // link 6 (chest3), force propagation
-  const Real f13_x_p4722 = f13_x_p4584 * f13_x_p1631 + f13_x_p4583 * f13_x_p1634 + f13_x_p4582 *
-      f13_x_p1642 + f13_x_p4581 * f13_x_p1645 + f13_x_p3339 * f13_x_p2581;
+  const Real f13_x_p5123 = f13_x_p4985 * f13_x_p2088 + f13_x_p4984 * f13_x_p2091 + f13_x_p4983 *
+      f13_x_p2107 + f13_x_p4982 * f13_x_p2110 + f13_x_p3758 * f13_x_p2798_lanes[7];
 
   // link 2 (thigh), force propagation
-  const Real f13_x_p4723 = f13_x_p4722 + f13_x_p3323_lanes[7] * f13_x_p2755_lanes[7] +
-      f13_x_p3307_lanes[7] * f13_x_p2845 + f13_x_p3291_lanes[7] * f13_x_p2979_lanes[7] +
-      f13_x_p3275_lanes[7] * f13_x_p3099_lanes[7];
+  const Real f13_x_p5124 = f13_x_p5123 + f13_x_p3742_lanes[7] * f13_x_p2958_lanes[7] +
+      f13_x_p3726_lanes[7] * f13_x_p3118_lanes[7] + f13_x_p3710_lanes[7] * f13_x_p3334_lanes[7] +
+      f13_x_p3694_lanes[7] * f13_x_p3518_lanes[7];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4724 = f13_x_p4723 + f13_x_p3259_lanes[7] * f13_x_p3187_lanes[7] -
-      f13_x_p3522_lanes[7] * f13_x_p3457_lanes[7] - f13_x_p3723_lanes[7] * f13_x_p3651_lanes[7] -
-      f13_x_p3922_lanes[7] * f13_x_p3843_lanes[7];
-  const Real f13_x_p4725 = f13_x_p4724 - f13_x_p4133_lanes[7] * f13_x_p4047_lanes[7] -
-      f13_x_p4351_lanes[7] * f13_x_p4258_lanes[7] - f13_x_p4580 * f13_x_p4438_lanes[7] -
-      f13_x_p4721 * f13_x_p4588;
-  const Real f13_x_p4726 = 1.0 / f13_x_p4725;
-  const Lanes<8> f13_x_p4727_lanes = f13_x_p4717_lanes * f13_x_p4726;
+  const Real f13_x_p5125 = f13_x_p5124 + f13_x_p3678_lanes[7] * f13_x_p3606_lanes[7] -
+      f13_x_p3941_lanes[7] * f13_x_p3876_lanes[7] - f13_x_p4142_lanes[7] * f13_x_p4070_lanes[7] -
+      f13_x_p4341_lanes[7] * f13_x_p4262_lanes[7];
+  const Real f13_x_p5126 = f13_x_p5125 - f13_x_p4552_lanes[7] * f13_x_p4466_lanes[7] -
+      f13_x_p4736_lanes[7] * f13_x_p4643_lanes[7] - f13_x_p4981 * f13_x_p4839_lanes[7] -
+      f13_x_p5122 * f13_x_p4989;
+  const Real f13_x_p5127 = 1.0 / f13_x_p5126;
+  const Lanes<8> f13_x_p5128_lanes = f13_x_p5118_lanes * f13_x_p5127;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p4787_lanes = f13_x_p4173_lanes * f13_x_p1418_lanes[0];
-  const Lanes<8> f13_x_p4811_lanes = f13_x_p4191_lanes * f13_x_p1209 + f13_x_p4185_lanes *
-      f13_x_p1239_lanes[0] + f13_x_p4179_lanes * f13_x_p1380_lanes[0] + f13_x_p4787_lanes;
+  const Lanes<8> f13_x_p5188_lanes = f13_x_p4769_lanes * f13_x_p1454_lanes[0];
+  const Lanes<8> f13_x_p5212_lanes = f13_x_p4787_lanes * f13_x_p1213_lanes[1] + f13_x_p4781_lanes *
+      f13_x_p1248_lanes[0] + f13_x_p4775_lanes * f13_x_p1416_lanes[0] + f13_x_p5188_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p4823_lanes = f13_x_p4811_lanes + f13_x_p3231_lanes * f13_x_p2263 +
-      f13_x_p3223_lanes * f13_x_p2340_lanes[0] + f13_x_p3215_lanes * f13_x_p2395;
+  const Lanes<8> f13_x_p5224_lanes = f13_x_p5212_lanes + f13_x_p3650_lanes * f13_x_p1668_lanes[0] +
+      f13_x_p3642_lanes * f13_x_p1748_lanes[0] + f13_x_p3634_lanes * f13_x_p1828_lanes[0];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4835_lanes = f13_x_p4823_lanes + f13_x_p3207_lanes * f13_x_p2452_lanes[0] +
-      f13_x_p3199_lanes * f13_x_p2512_lanes[0] + f13_x_p2563_lanes * f13_x_p2559_lanes[0];
-  const Lanes<8> f13_x_p4847_lanes = f13_x_p4835_lanes - f13_x_p3466_lanes * f13_x_p3255_lanes[0] -
-      f13_x_p3659_lanes * f13_x_p3518_lanes[0] - f13_x_p3850_lanes * f13_x_p3719_lanes[0];
-  const Lanes<8> f13_x_p4859_lanes = f13_x_p4847_lanes - f13_x_p4053_lanes * f13_x_p3918_lanes[0] -
-      f13_x_p4263_lanes * f13_x_p4129_lanes[0] - f13_x_p4442_lanes * f13_x_p4347_lanes[0];
-  const Lanes<8> f13_x_p4867_lanes = f13_x_p4859_lanes - f13_x_p4576_lanes * f13_x_p4566_lanes[0] -
-      f13_x_p4727_lanes * f13_x_p4717_lanes[0];
-  const Real f13_x_p4871 = 1.0 / f13_x_p4867_lanes[0];
-  const Lanes<8> f13_x_p4872_lanes = f13_x_p4867_lanes * f13_x_p4871;
+  const Lanes<8> f13_x_p5236_lanes = f13_x_p5224_lanes + f13_x_p3626_lanes * f13_x_p1936_lanes[0] +
+      f13_x_p3618_lanes * f13_x_p2028_lanes[0] + f13_x_p2079_lanes * f13_x_p2075_lanes[0];
+  const Lanes<8> f13_x_p5248_lanes = f13_x_p5236_lanes - f13_x_p3885_lanes * f13_x_p3674_lanes[0] -
+      f13_x_p4078_lanes * f13_x_p3937_lanes[0] - f13_x_p4269_lanes * f13_x_p4138_lanes[0];
+  const Lanes<8> f13_x_p5260_lanes = f13_x_p5248_lanes - f13_x_p4472_lanes * f13_x_p4337_lanes[0] -
+      f13_x_p4648_lanes * f13_x_p4548_lanes[0] - f13_x_p4843_lanes * f13_x_p4732_lanes[0];
+  const Lanes<8> f13_x_p5268_lanes = f13_x_p5260_lanes - f13_x_p4977_lanes * f13_x_p4967_lanes[0] -
+      f13_x_p5128_lanes * f13_x_p5118_lanes[0];
+  const Real f13_x_p5272 = 1.0 / f13_x_p5268_lanes[0];
+  const Lanes<8> f13_x_p5273_lanes = f13_x_p5268_lanes * f13_x_p5272;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p4926_lanes = f13_x_p4185_lanes * f13_x_p1239_lanes[1];
-  const Lanes<8> f13_x_p4944_lanes = f13_x_p4394_lanes * s20 + f13_x_p4197_lanes * f13_x_p1113 +
-      f13_x_p4191_lanes * f13_x_p1205_lanes[1] + f13_x_p4926_lanes;
+  const Lanes<8> f13_x_p5327_lanes = f13_x_p4781_lanes * f13_x_p1248_lanes[1];
+  const Lanes<8> f13_x_p5345_lanes = f13_x_p4795_lanes * s20 + f13_x_p4592_lanes *
+      f13_x_p1102_lanes[1] + f13_x_p4787_lanes * f13_x_p1206_lanes[1] + f13_x_p5327_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p4953_lanes = f13_x_p4944_lanes + f13_x_p4179_lanes * f13_x_p1380_lanes[1] +
-      f13_x_p4173_lanes * f13_x_p1418_lanes[1] + f13_x_p3231_lanes * f13_x_p2248;
+  const Lanes<8> f13_x_p5354_lanes = f13_x_p5345_lanes + f13_x_p4775_lanes * f13_x_p1416_lanes[1] +
+      f13_x_p4769_lanes * f13_x_p1454_lanes[1] + f13_x_p3650_lanes * f13_x_p1668_lanes[1];
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p4962_lanes = f13_x_p4953_lanes + f13_x_p3223_lanes * f13_x_p2340_lanes[1] +
-      f13_x_p3215_lanes * f13_x_p2392 + f13_x_p3207_lanes * f13_x_p2452_lanes[1];
+  const Lanes<8> f13_x_p5363_lanes = f13_x_p5354_lanes + f13_x_p3642_lanes * f13_x_p1748_lanes[1] +
+      f13_x_p3634_lanes * f13_x_p1828_lanes[1] + f13_x_p3626_lanes * f13_x_p1936_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4971_lanes = f13_x_p4962_lanes + f13_x_p3199_lanes * f13_x_p2512_lanes[1] +
-      f13_x_p2563_lanes * f13_x_p2559_lanes[1] - f13_x_p3466_lanes * f13_x_p3255_lanes[1];
-  const Lanes<8> f13_x_p4980_lanes = f13_x_p4971_lanes - f13_x_p3659_lanes * f13_x_p3518_lanes[1] -
-      f13_x_p3850_lanes * f13_x_p3719_lanes[1] - f13_x_p4053_lanes * f13_x_p3918_lanes[1];
-  const Lanes<8> f13_x_p4989_lanes = f13_x_p4980_lanes - f13_x_p4263_lanes * f13_x_p4129_lanes[1] -
-      f13_x_p4442_lanes * f13_x_p4347_lanes[1] - f13_x_p4576_lanes * f13_x_p4566_lanes[1];
-  const Lanes<8> f13_x_p4995_lanes = f13_x_p4989_lanes - f13_x_p4727_lanes * f13_x_p4717_lanes[1] -
-      f13_x_p4872_lanes * f13_x_p4867_lanes[1];
-  const Real f13_x_p4998 = 1.0 / f13_x_p4995_lanes[1];
-  const Real f13_x_p4999 = f13_x_p4995_lanes[3] * f13_x_p4998;
+  const Lanes<8> f13_x_p5372_lanes = f13_x_p5363_lanes + f13_x_p3618_lanes * f13_x_p2028_lanes[1] +
+      f13_x_p2079_lanes * f13_x_p2075_lanes[1] - f13_x_p3885_lanes * f13_x_p3674_lanes[1];
+  const Lanes<8> f13_x_p5381_lanes = f13_x_p5372_lanes - f13_x_p4078_lanes * f13_x_p3937_lanes[1] -
+      f13_x_p4269_lanes * f13_x_p4138_lanes[1] - f13_x_p4472_lanes * f13_x_p4337_lanes[1];
+  const Lanes<8> f13_x_p5390_lanes = f13_x_p5381_lanes - f13_x_p4648_lanes * f13_x_p4548_lanes[1] -
+      f13_x_p4843_lanes * f13_x_p4732_lanes[1] - f13_x_p4977_lanes * f13_x_p4967_lanes[1];
+  const Lanes<8> f13_x_p5396_lanes = f13_x_p5390_lanes - f13_x_p5128_lanes * f13_x_p5118_lanes[1] -
+      f13_x_p5273_lanes * f13_x_p5268_lanes[1];
+  const Real f13_x_p5399 = 1.0 / f13_x_p5396_lanes[1];
+  const Real f13_x_p5400 = f13_x_p5396_lanes[3] * f13_x_p5399;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> f13_x_p5401_lanes = f13_x_p4795_lanes * c20;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p5010_lanes = f13_x_p4394_lanes * c20 +
-      detail::make_pack<Real>(f13_x_p4204_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1],
-      f13_x_p4200_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1], f13_x_p4204_lanes[1],
-      f13_x_p4204_lanes[1]) + detail::make_pack<Real>(f13_x_p4208_lanes[1], f13_x_p4208_lanes[1],
-      f13_x_p4208_lanes[1], f13_x_p4195_lanes[1], f13_x_p4208_lanes[1], f13_x_p4208_lanes[1],
-      f13_x_p4208_lanes[1], f13_x_p4208_lanes[1]) + detail::make_pack<Real>(f13_x_p4212_lanes[1],
-      f13_x_p4212_lanes[1], f13_x_p4212_lanes[1], f13_x_p4189_lanes[1], f13_x_p4212_lanes[1],
-      f13_x_p4212_lanes[1], f13_x_p4212_lanes[1], f13_x_p4212_lanes[1]) +
-      detail::make_pack<Real>(f13_x_p4216_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1],
-      f13_x_p4183_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1], f13_x_p4216_lanes[1],
-      f13_x_p4216_lanes[1]) + detail::make_pack<Real>(f13_x_p4220_lanes[1], f13_x_p4220_lanes[1],
-      f13_x_p4220_lanes[1], f13_x_p4177_lanes[1], f13_x_p4220_lanes[1], f13_x_p4220_lanes[1],
-      f13_x_p4220_lanes[1], f13_x_p4220_lanes[1]);
+  const Real f13_x_p5403 = f13_x_p5401_lanes[3] + f13_x_p4595_lanes[1] + f13_x_p4787_lanes[3] *
+      f13_x_p1206_lanes[2] + f13_x_p4781_lanes[3] * f13_x_p1248_lanes[2] + f13_x_p4775_lanes[3] *
+      f13_x_p1416_lanes[2] + f13_x_p4769_lanes[3] * f13_x_p1454_lanes[2];
 
   // link 3 (hip), force propagation
-  const Real f13_x_p5012 = f13_x_p5010_lanes[3] + f13_x_p3231_lanes[3] * f13_x_p2233 +
-      f13_x_p3223_lanes[3] * f13_x_p2340_lanes[2] + f13_x_p3215_lanes[3] * f13_x_p2389 +
-      f13_x_p3207_lanes[3] * f13_x_p2452_lanes[2];
+  const Real f13_x_p5404 = f13_x_p5403 + f13_x_p3650_lanes[3] * f13_x_p1668_lanes[2] +
+      f13_x_p3642_lanes[3] * f13_x_p1748_lanes[2] + f13_x_p3634_lanes[3] * f13_x_p1828_lanes[2] +
+      f13_x_p3626_lanes[3] * f13_x_p1936_lanes[2];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p5013 = f13_x_p5012 + f13_x_p3199_lanes[3] * f13_x_p2512_lanes[2] +
-      f13_x_p2563_lanes[3] * f13_x_p2559_lanes[2] - f13_x_p3466_lanes[3] * f13_x_p3255_lanes[2] -
-      f13_x_p3659_lanes[3] * f13_x_p3518_lanes[2];
-  const Real f13_x_p5014 = f13_x_p5013 - f13_x_p3850_lanes[3] * f13_x_p3719_lanes[2] -
-      f13_x_p4053_lanes[3] * f13_x_p3918_lanes[2] - f13_x_p4263_lanes[3] * f13_x_p4129_lanes[2] -
-      f13_x_p4442_lanes[3] * f13_x_p4347_lanes[2];
-  const Real f13_x_p5015 = f13_x_p5014 - f13_x_p4576_lanes[3] * f13_x_p4566_lanes[2] -
-      f13_x_p4727_lanes[3] * f13_x_p4717_lanes[2] - f13_x_p4872_lanes[3] * f13_x_p4867_lanes[2] -
-      f13_x_p4999 * f13_x_p4995_lanes[2];
-  const Real f13_x_p5016 = f13_x_p4995_lanes[2] * f13_x_p4998;
+  const Real f13_x_p5405 = f13_x_p5404 + f13_x_p3618_lanes[3] * f13_x_p2028_lanes[2] +
+      f13_x_p2079_lanes[3] * f13_x_p2075_lanes[2] - f13_x_p3885_lanes[3] * f13_x_p3674_lanes[2] -
+      f13_x_p4078_lanes[3] * f13_x_p3937_lanes[2];
+  const Real f13_x_p5406 = f13_x_p5405 - f13_x_p4269_lanes[3] * f13_x_p4138_lanes[2] -
+      f13_x_p4472_lanes[3] * f13_x_p4337_lanes[2] - f13_x_p4648_lanes[3] * f13_x_p4548_lanes[2] -
+      f13_x_p4843_lanes[3] * f13_x_p4732_lanes[2];
+  const Real f13_x_p5407 = f13_x_p5406 - f13_x_p4977_lanes[3] * f13_x_p4967_lanes[2] -
+      f13_x_p5128_lanes[3] * f13_x_p5118_lanes[2] - f13_x_p5273_lanes[3] * f13_x_p5268_lanes[2] -
+      f13_x_p5400 * f13_x_p5396_lanes[2];
+  const Real f13_x_p5408 = f13_x_p5396_lanes[2] * f13_x_p5399;
 
-  // link 3 (hip), force propagation
-  const Real f13_x_p5017 = f13_x_p5010_lanes[2] + f13_x_p3231_lanes[2] * f13_x_p2233 +
-      f13_x_p3223_lanes[2] * f13_x_p2340_lanes[2] + f13_x_p3215_lanes[2] * f13_x_p2389 +
-      f13_x_p3207_lanes[2] * f13_x_p2452_lanes[2];
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p5409 = f13_x_p5401_lanes[2] + f13_x_p4592_lanes[2] * f13_x_p1102_lanes[2] +
+      f13_x_p4787_lanes[2] * f13_x_p1206_lanes[2] + f13_x_p4781_lanes[2] * f13_x_p1248_lanes[2] +
+      f13_x_p4775_lanes[2] * f13_x_p1416_lanes[2];
+
+  // link 4 (chest1), force propagation
+  const Real f13_x_p5410 = f13_x_p5409 + f13_x_p4769_lanes[2] * f13_x_p1454_lanes[2] +
+      f13_x_p3650_lanes[2] * f13_x_p1668_lanes[2] + f13_x_p3642_lanes[2] * f13_x_p1748_lanes[2] +
+      f13_x_p3634_lanes[2] * f13_x_p1828_lanes[2];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p5018 = f13_x_p5017 + f13_x_p3199_lanes[2] * f13_x_p2512_lanes[2] +
-      f13_x_p2563_lanes[2] * f13_x_p2559_lanes[2] - f13_x_p3466_lanes[2] * f13_x_p3255_lanes[2] -
-      f13_x_p3659_lanes[2] * f13_x_p3518_lanes[2];
-  const Real f13_x_p5019 = f13_x_p5018 - f13_x_p3850_lanes[2] * f13_x_p3719_lanes[2] -
-      f13_x_p4053_lanes[2] * f13_x_p3918_lanes[2] - f13_x_p4263_lanes[2] * f13_x_p4129_lanes[2] -
-      f13_x_p4442_lanes[2] * f13_x_p4347_lanes[2];
-  const Real f13_x_p5020 = f13_x_p5019 - f13_x_p4576_lanes[2] * f13_x_p4566_lanes[2] -
-      f13_x_p4727_lanes[2] * f13_x_p4717_lanes[2] - f13_x_p4872_lanes[2] * f13_x_p4867_lanes[2] -
-      f13_x_p5016 * f13_x_p4995_lanes[2];
-  const Real f13_x_p5021 = 1.0 / f13_x_p5020;
-  const Real f13_x_p5022 = f13_x_p5015 * f13_x_p5021;
+  const Real f13_x_p5411 = f13_x_p5410 + f13_x_p3626_lanes[2] * f13_x_p1936_lanes[2] +
+      f13_x_p3618_lanes[2] * f13_x_p2028_lanes[2] + f13_x_p2079_lanes[2] * f13_x_p2075_lanes[2] -
+      f13_x_p3885_lanes[2] * f13_x_p3674_lanes[2];
+  const Real f13_x_p5412 = f13_x_p5411 - f13_x_p4078_lanes[2] * f13_x_p3937_lanes[2] -
+      f13_x_p4269_lanes[2] * f13_x_p4138_lanes[2] - f13_x_p4472_lanes[2] * f13_x_p4337_lanes[2] -
+      f13_x_p4648_lanes[2] * f13_x_p4548_lanes[2];
+  const Real f13_x_p5413 = f13_x_p5412 - f13_x_p4843_lanes[2] * f13_x_p4732_lanes[2] -
+      f13_x_p4977_lanes[2] * f13_x_p4967_lanes[2] - f13_x_p5128_lanes[2] * f13_x_p5118_lanes[2] -
+      f13_x_p5273_lanes[2] * f13_x_p5268_lanes[2];
+  const Real f13_x_p5414 = 1.0 / (f13_x_p5413 - f13_x_p5408 * f13_x_p5396_lanes[2]);
+  const Real f13_x_p5415 = f13_x_p5407 * f13_x_p5414;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5025_lanes = 9.81 + detail::make_pack<Real>(xdd_cmd[2], xdd_cmd[8]);
-  const Lanes<2> f13_x_p5029_lanes = c1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) - s1 *
-      f13_x_p5025_lanes;
-  const Lanes<2> f13_x_p5037_lanes = s1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) + c1 *
-      f13_x_p5025_lanes;
-  const Lanes<2> f13_x_p5041_lanes = c2 * f13_x_p5029_lanes - s2 * f13_x_p5037_lanes;
-  const Lanes<2> f13_x_p5049_lanes = s2 * f13_x_p5029_lanes + c2 * f13_x_p5037_lanes;
-  const Lanes<2> f13_x_p5053_lanes = c3 * f13_x_p5041_lanes - s3 * f13_x_p5049_lanes;
-  const Lanes<2> f13_x_p5059_lanes = c4 * f13_x_p5053_lanes + s4 *
+  const Lanes<2> f13_x_p5418_lanes = 9.81 + detail::make_pack<Real>(xdd_cmd[2], xdd_cmd[8]);
+  const Lanes<2> f13_x_p5422_lanes = c1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) - s1 *
+      f13_x_p5418_lanes;
+  const Lanes<2> f13_x_p5430_lanes = s1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) + c1 *
+      f13_x_p5418_lanes;
+  const Lanes<2> f13_x_p5434_lanes = c2 * f13_x_p5422_lanes - s2 * f13_x_p5430_lanes;
+  const Lanes<2> f13_x_p5442_lanes = s2 * f13_x_p5422_lanes + c2 * f13_x_p5430_lanes;
+  const Lanes<2> f13_x_p5446_lanes = c3 * f13_x_p5434_lanes - s3 * f13_x_p5442_lanes;
+  const Lanes<2> f13_x_p5452_lanes = c4 * f13_x_p5446_lanes + s4 *
       detail::make_pack<Real>(xdd_cmd[1], xdd_cmd[7]);
-  const Lanes<2> f13_x_p5067_lanes = s3 * f13_x_p5041_lanes + c3 * f13_x_p5049_lanes;
-  const Lanes<2> f13_x_p5071_lanes = s5 * f13_x_p5059_lanes + c5 * f13_x_p5067_lanes;
-  const Lanes<2> f13_x_p5079_lanes = c4 * detail::make_pack<Real>(xdd_cmd[1], xdd_cmd[7]) - s4 *
-      f13_x_p5053_lanes;
-  const Lanes<2> f13_x_p5083_lanes = s6 * f13_x_p5079_lanes - c6 * f13_x_p5071_lanes;
-  const Lanes<2> f13_x_p5091_lanes = c5 * f13_x_p5059_lanes - s5 * f13_x_p5067_lanes;
-  const Lanes<2> f13_x_p5095_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p5083_lanes -
-      detail::make_pack<Real>(s7, s14) * f13_x_p5091_lanes;
-  const Lanes<2> f13_x_p5103_lanes = s6 * f13_x_p5071_lanes + c6 * f13_x_p5079_lanes;
-  const Lanes<2> f13_x_p5107_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5103_lanes -
-      detail::make_pack<Real>(s8, s15) * f13_x_p5095_lanes;
-  const Lanes<2> f13_x_p5115_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p5083_lanes +
-      detail::make_pack<Real>(c7, c14) * f13_x_p5091_lanes;
-  const Lanes<2> f13_x_p5119_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p5107_lanes +
-      detail::make_pack<Real>(c9, c16) * f13_x_p5115_lanes;
-  const Lanes<2> f13_x_p5127_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5095_lanes +
-      detail::make_pack<Real>(s8, s15) * f13_x_p5103_lanes;
-  const Lanes<2> f13_x_p5131_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5119_lanes +
-      detail::make_pack<Real>(s10, s17) * f13_x_p5127_lanes;
-  const Lanes<2> f13_x_p5139_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p5107_lanes -
-      detail::make_pack<Real>(s9, s16) * f13_x_p5115_lanes;
-  const Lanes<2> f13_x_p5143_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5131_lanes +
-      detail::make_pack<Real>(s11, s18) * f13_x_p5139_lanes;
-  const Lanes<2> f13_x_p5151_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5127_lanes -
-      detail::make_pack<Real>(s10, s17) * f13_x_p5119_lanes;
-  const Lanes<2> f13_x_p5155_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5151_lanes -
-      detail::make_pack<Real>(s12, s19) * f13_x_p5143_lanes;
-  const Lanes<2> f13_x_p5163_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5139_lanes -
-      detail::make_pack<Real>(s11, s18) * f13_x_p5131_lanes;
+  const Lanes<2> f13_x_p5460_lanes = s3 * f13_x_p5434_lanes + c3 * f13_x_p5442_lanes;
+  const Lanes<2> f13_x_p5464_lanes = s5 * f13_x_p5452_lanes + c5 * f13_x_p5460_lanes;
+  const Lanes<2> f13_x_p5472_lanes = c4 * detail::make_pack<Real>(xdd_cmd[1], xdd_cmd[7]) - s4 *
+      f13_x_p5446_lanes;
+  const Lanes<2> f13_x_p5476_lanes = s6 * f13_x_p5472_lanes - c6 * f13_x_p5464_lanes;
+  const Lanes<2> f13_x_p5484_lanes = c5 * f13_x_p5452_lanes - s5 * f13_x_p5460_lanes;
+  const Lanes<2> f13_x_p5488_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p5476_lanes -
+      detail::make_pack<Real>(s7, s14) * f13_x_p5484_lanes;
+  const Lanes<2> f13_x_p5496_lanes = s6 * f13_x_p5464_lanes + c6 * f13_x_p5472_lanes;
+  const Lanes<2> f13_x_p5500_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5496_lanes -
+      detail::make_pack<Real>(s8, s15) * f13_x_p5488_lanes;
+  const Lanes<2> f13_x_p5508_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p5476_lanes +
+      detail::make_pack<Real>(c7, c14) * f13_x_p5484_lanes;
+  const Lanes<2> f13_x_p5512_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p5500_lanes +
+      detail::make_pack<Real>(c9, c16) * f13_x_p5508_lanes;
+  const Lanes<2> f13_x_p5520_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5488_lanes +
+      detail::make_pack<Real>(s8, s15) * f13_x_p5496_lanes;
+  const Lanes<2> f13_x_p5524_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5512_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p5520_lanes;
+  const Lanes<2> f13_x_p5532_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p5500_lanes -
+      detail::make_pack<Real>(s9, s16) * f13_x_p5508_lanes;
+  const Lanes<2> f13_x_p5536_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5524_lanes +
+      detail::make_pack<Real>(s11, s18) * f13_x_p5532_lanes;
+  const Lanes<2> f13_x_p5544_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5520_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p5512_lanes;
+  const Lanes<2> f13_x_p5548_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5544_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p5536_lanes;
+  const Lanes<2> f13_x_p5556_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5532_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p5524_lanes;
 
   // link 1 (calf), outward
   const Real minus_a1_y = 9.81 * c1;
@@ -2831,7 +2550,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 13 (left_hand), outward
   const Lanes<2> w13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_w12_y_lanes +
       detail::make_pack<Real>(c13, c20) * w12_z_lanes;
-  const Lanes<2> f13_x_p5169_lanes = w13_y_lanes * w13_y_lanes;
+  const Lanes<2> f13_x_p5562_lanes = w13_y_lanes * w13_y_lanes;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> w12_x_lanes = detail::make_pack<Real>(c12, c19) * w11_x_lanes -
@@ -2839,93 +2558,93 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 13 (left_hand), outward
   const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_pack<Real>(qd[12], qd[19]);
-  const Lanes<2> f13_x_p5171_lanes = w13_z_lanes * w13_z_lanes;
+  const Lanes<2> f13_x_p5564_lanes = w13_z_lanes * w13_z_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5173_lanes = f13_x_p5169_lanes + f13_x_p5171_lanes;
-  const Lanes<2> f13_x_p5179_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5155_lanes +
-      detail::make_pack<Real>(s13, s20) * f13_x_p5163_lanes +
-      (minus_a13_x_lanes + 0.086 * f13_x_p5173_lanes);
+  const Lanes<2> f13_x_p5566_lanes = f13_x_p5562_lanes + f13_x_p5564_lanes;
+  const Lanes<2> f13_x_p5572_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5548_lanes +
+      detail::make_pack<Real>(s13, s20) * f13_x_p5556_lanes +
+      (minus_a13_x_lanes + 0.086 * f13_x_p5566_lanes);
 
   // link 13 (left_hand), outward
   const Lanes<2> a13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_a12_y_lanes -
       detail::make_pack<Real>(c13, c20) * minus_a12_z_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p5187_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5163_lanes -
-      detail::make_pack<Real>(s13, s20) * f13_x_p5155_lanes - a13_y_lanes;
+  const Lanes<2> f13_x_p5580_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5556_lanes -
+      detail::make_pack<Real>(s13, s20) * f13_x_p5548_lanes - a13_y_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5193_lanes = c1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) - s1 *
+  const Lanes<2> f13_x_p5586_lanes = c1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) - s1 *
       detail::make_pack<Real>(xdd_cmd[5], xdd_cmd[11]);
-  const Lanes<2> f13_x_p5201_lanes = s1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) + c1 *
+  const Lanes<2> f13_x_p5594_lanes = s1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) + c1 *
       detail::make_pack<Real>(xdd_cmd[5], xdd_cmd[11]);
-  const Lanes<2> f13_x_p5205_lanes = c2 * f13_x_p5193_lanes - s2 * f13_x_p5201_lanes;
-  const Lanes<2> f13_x_p5213_lanes = s2 * f13_x_p5193_lanes + c2 * f13_x_p5201_lanes;
-  const Lanes<2> f13_x_p5217_lanes = c3 * f13_x_p5205_lanes - s3 * f13_x_p5213_lanes;
-  const Lanes<2> f13_x_p5223_lanes = c4 * f13_x_p5217_lanes + s4 *
+  const Lanes<2> f13_x_p5598_lanes = c2 * f13_x_p5586_lanes - s2 * f13_x_p5594_lanes;
+  const Lanes<2> f13_x_p5606_lanes = s2 * f13_x_p5586_lanes + c2 * f13_x_p5594_lanes;
+  const Lanes<2> f13_x_p5610_lanes = c3 * f13_x_p5598_lanes - s3 * f13_x_p5606_lanes;
+  const Lanes<2> f13_x_p5616_lanes = c4 * f13_x_p5610_lanes + s4 *
       detail::make_pack<Real>(xdd_cmd[4], xdd_cmd[10]);
-  const Lanes<2> f13_x_p5231_lanes = s3 * f13_x_p5205_lanes + c3 * f13_x_p5213_lanes;
-  const Lanes<2> f13_x_p5235_lanes = s5 * f13_x_p5223_lanes + c5 * f13_x_p5231_lanes;
-  const Lanes<2> f13_x_p5243_lanes = c4 * detail::make_pack<Real>(xdd_cmd[4], xdd_cmd[10]) - s4 *
-      f13_x_p5217_lanes;
-  const Lanes<2> f13_x_p5247_lanes = s6 * f13_x_p5243_lanes - c6 * f13_x_p5235_lanes;
-  const Lanes<2> f13_x_p5255_lanes = c5 * f13_x_p5223_lanes - s5 * f13_x_p5231_lanes;
-  const Lanes<2> f13_x_p5259_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p5247_lanes -
-      detail::make_pack<Real>(s7, s14) * f13_x_p5255_lanes;
-  const Lanes<2> f13_x_p5267_lanes = s6 * f13_x_p5235_lanes + c6 * f13_x_p5243_lanes;
-  const Lanes<2> f13_x_p5271_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5267_lanes -
-      detail::make_pack<Real>(s8, s15) * f13_x_p5259_lanes;
-  const Lanes<2> f13_x_p5279_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p5247_lanes +
-      detail::make_pack<Real>(c7, c14) * f13_x_p5255_lanes;
-  const Lanes<2> f13_x_p5283_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p5271_lanes +
-      detail::make_pack<Real>(c9, c16) * f13_x_p5279_lanes;
-  const Lanes<2> f13_x_p5291_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5259_lanes +
-      detail::make_pack<Real>(s8, s15) * f13_x_p5267_lanes;
-  const Lanes<2> f13_x_p5295_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5283_lanes +
-      detail::make_pack<Real>(s10, s17) * f13_x_p5291_lanes;
-  const Lanes<2> f13_x_p5303_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p5271_lanes -
-      detail::make_pack<Real>(s9, s16) * f13_x_p5279_lanes;
-  const Lanes<2> f13_x_p5307_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5295_lanes +
-      detail::make_pack<Real>(s11, s18) * f13_x_p5303_lanes;
-  const Lanes<2> f13_x_p5315_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5291_lanes -
-      detail::make_pack<Real>(s10, s17) * f13_x_p5283_lanes;
-  const Lanes<2> f13_x_p5319_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5307_lanes +
-      detail::make_pack<Real>(s12, s19) * f13_x_p5315_lanes;
+  const Lanes<2> f13_x_p5624_lanes = s3 * f13_x_p5598_lanes + c3 * f13_x_p5606_lanes;
+  const Lanes<2> f13_x_p5628_lanes = s5 * f13_x_p5616_lanes + c5 * f13_x_p5624_lanes;
+  const Lanes<2> f13_x_p5636_lanes = c4 * detail::make_pack<Real>(xdd_cmd[4], xdd_cmd[10]) - s4 *
+      f13_x_p5610_lanes;
+  const Lanes<2> f13_x_p5640_lanes = s6 * f13_x_p5636_lanes - c6 * f13_x_p5628_lanes;
+  const Lanes<2> f13_x_p5648_lanes = c5 * f13_x_p5616_lanes - s5 * f13_x_p5624_lanes;
+  const Lanes<2> f13_x_p5652_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p5640_lanes -
+      detail::make_pack<Real>(s7, s14) * f13_x_p5648_lanes;
+  const Lanes<2> f13_x_p5660_lanes = s6 * f13_x_p5628_lanes + c6 * f13_x_p5636_lanes;
+  const Lanes<2> f13_x_p5664_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5660_lanes -
+      detail::make_pack<Real>(s8, s15) * f13_x_p5652_lanes;
+  const Lanes<2> f13_x_p5672_lanes = detail::make_pack<Real>(s7, s14) * f13_x_p5640_lanes +
+      detail::make_pack<Real>(c7, c14) * f13_x_p5648_lanes;
+  const Lanes<2> f13_x_p5676_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p5664_lanes +
+      detail::make_pack<Real>(c9, c16) * f13_x_p5672_lanes;
+  const Lanes<2> f13_x_p5684_lanes = detail::make_pack<Real>(c8, c15) * f13_x_p5652_lanes +
+      detail::make_pack<Real>(s8, s15) * f13_x_p5660_lanes;
+  const Lanes<2> f13_x_p5688_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5676_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p5684_lanes;
+  const Lanes<2> f13_x_p5696_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p5664_lanes -
+      detail::make_pack<Real>(s9, s16) * f13_x_p5672_lanes;
+  const Lanes<2> f13_x_p5700_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5688_lanes +
+      detail::make_pack<Real>(s11, s18) * f13_x_p5696_lanes;
+  const Lanes<2> f13_x_p5708_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p5684_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p5676_lanes;
+  const Lanes<2> f13_x_p5712_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5700_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p5708_lanes;
 
   // link 13 (left_hand), outward
   const Lanes<2> w13_x_lanes = detail::make_pack<Real>(s13, s20) * w12_z_lanes -
       detail::make_pack<Real>(c13, c20) * minus_w12_y_lanes;
-  const Lanes<2> f13_x_p5321_lanes = w13_x_lanes * w13_y_lanes;
+  const Lanes<2> f13_x_p5714_lanes = w13_x_lanes * w13_y_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p5325_lanes = 0.086 * (f13_x_p5321_lanes + f13_x_p5319_lanes);
-  const Real f13_x_p5327 = f13_x_p5187_lanes[0] - f13_x_p3522_lanes[1] * f13_x_p5179_lanes[0] -
-      f13_x_p5325_lanes[0];
+  const Lanes<2> f13_x_p5718_lanes = 0.086 * (f13_x_p5714_lanes + f13_x_p5712_lanes);
+  const Real f13_x_p5720 = f13_x_p5580_lanes[0] - f13_x_p3941_lanes[1] * f13_x_p5572_lanes[0] -
+      f13_x_p5718_lanes[0];
 
   // link 12 (left_wrist2), outward
   const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * minus_a12_y_p4_lanes -
       detail::make_pack<Real>(s12, s19) * minus_a12_y_p10_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p5334_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5143_lanes +
-      detail::make_pack<Real>(s12, s19) * f13_x_p5151_lanes - a12_x_lanes;
+  const Lanes<2> f13_x_p5727_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5536_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p5544_lanes - a12_x_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5340_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5303_lanes -
-      detail::make_pack<Real>(s11, s18) * f13_x_p5295_lanes;
-  const Lanes<2> f13_x_p5348_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5315_lanes -
-      detail::make_pack<Real>(s12, s19) * f13_x_p5307_lanes;
-  const Lanes<2> f13_x_p5352_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5340_lanes -
-      detail::make_pack<Real>(s13, s20) * f13_x_p5348_lanes;
+  const Lanes<2> f13_x_p5733_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p5696_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p5688_lanes;
+  const Lanes<2> f13_x_p5741_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p5708_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p5700_lanes;
+  const Lanes<2> f13_x_p5745_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5733_lanes -
+      detail::make_pack<Real>(s13, s20) * f13_x_p5741_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_x_p5354_lanes = w13_x_lanes * w13_z_lanes;
+  const Lanes<2> f13_x_p5747_lanes = w13_x_lanes * w13_z_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p5358_lanes = 0.086 * (f13_x_p5352_lanes - f13_x_p5354_lanes);
-  const Real f13_x_p5360 = f13_x_p5334_lanes[0] - f13_x_p3522_lanes[2] * f13_x_p5179_lanes[0] -
-      f13_x_p3723_lanes[2] * f13_x_p5327 + f13_x_p5358_lanes[0];
+  const Lanes<2> f13_x_p5751_lanes = 0.086 * (f13_x_p5745_lanes - f13_x_p5747_lanes);
+  const Real f13_x_p5753 = f13_x_p5727_lanes[0] - f13_x_p3941_lanes[2] * f13_x_p5572_lanes[0] -
+      f13_x_p4142_lanes[2] * f13_x_p5720 + f13_x_p5751_lanes[0];
 
   // link 12 (left_wrist2), outward
   const Lanes<2> wd12_z_lanes = wd11_y_lanes + detail::make_pack<Real>(qdd_0[11], qdd_0[18]);
@@ -2949,12 +2668,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5367_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5348_lanes +
-      detail::make_pack<Real>(s13, s20) * f13_x_p5340_lanes - wd13_x_lanes;
+  const Lanes<2> f13_x_p5760_lanes = detail::make_pack<Real>(c13, c20) * f13_x_p5741_lanes +
+      detail::make_pack<Real>(s13, s20) * f13_x_p5733_lanes - wd13_x_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p5369 = f13_x_p5367_lanes[0] - f13_x_p3522_lanes[3] * f13_x_p5179_lanes[0] -
-      f13_x_p3723_lanes[3] * f13_x_p5327 - f13_x_p3922_lanes[3] * f13_x_p5360;
+  const Real f13_x_p5762 = f13_x_p5760_lanes[0] - f13_x_p3941_lanes[3] * f13_x_p5572_lanes[0] -
+      f13_x_p4142_lanes[3] * f13_x_p5720 - f13_x_p4341_lanes[3] * f13_x_p5753;
 
   // link 13 (left_hand), outward
   const Lanes<2> wd13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_wd12_y_lanes +
@@ -2962,12 +2681,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5370_lanes = f13_x_p5352_lanes - wd13_y_lanes;
+  const Lanes<2> f13_x_p5763_lanes = f13_x_p5745_lanes - wd13_y_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p5372 = f13_x_p5370_lanes[0] - f13_x_p3522_lanes[4] * f13_x_p5179_lanes[0] -
-      f13_x_p3723_lanes[4] * f13_x_p5327 - f13_x_p3922_lanes[4] * f13_x_p5360 -
-      f13_x_p4133_lanes[4] * f13_x_p5369;
+  const Real f13_x_p5765 = f13_x_p5763_lanes[0] - f13_x_p3941_lanes[4] * f13_x_p5572_lanes[0] -
+      f13_x_p4142_lanes[4] * f13_x_p5720 - f13_x_p4341_lanes[4] * f13_x_p5753 -
+      f13_x_p4552_lanes[4] * f13_x_p5762;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> wd12_x_lanes = detail::make_pack<Real>(c12, c19) * wd11_x_lanes -
@@ -2978,132 +2697,132 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> wd13_z_lanes = wd12_x_lanes + detail::make_pack<Real>(qdd_0[12], qdd_0[19]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p5373_lanes = f13_x_p5319_lanes - wd13_z_lanes;
+  const Lanes<2> f13_x_p5766_lanes = f13_x_p5712_lanes - wd13_z_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p5375 = f13_x_p5373_lanes[0] - f13_x_p3522_lanes[5] * f13_x_p5179_lanes[0] -
-      f13_x_p3723_lanes[5] * f13_x_p5327 - f13_x_p3922_lanes[5] * f13_x_p5360 -
-      f13_x_p4133_lanes[5] * f13_x_p5369;
-  const Real f13_x_p5376 = f13_x_p5375 - f13_x_p4351_lanes[5] * f13_x_p5372;
-  const Real f13_x_p5377 = f13_x_p5179_lanes[1] - f13_x_p3522_lanes[6] * f13_x_p5179_lanes[0] -
-      f13_x_p3723_lanes[6] * f13_x_p5327 - f13_x_p3922_lanes[6] * f13_x_p5360 -
-      f13_x_p4133_lanes[6] * f13_x_p5369;
-  const Real f13_x_p5378 = f13_x_p5377 - f13_x_p4351_lanes[6] * f13_x_p5372 - f13_x_p4570 *
-      f13_x_p5376;
-  const Real f13_x_p5379 = f13_x_p5187_lanes[1] - f13_x_p3522_lanes[7] * f13_x_p5179_lanes[0] -
-      f13_x_p3723_lanes[7] * f13_x_p5327 - f13_x_p3922_lanes[7] * f13_x_p5360 -
-      f13_x_p4133_lanes[7] * f13_x_p5369;
-  const Real f13_x_p5380 = f13_x_p5379 - f13_x_p4351_lanes[7] * f13_x_p5372 - f13_x_p4580 *
-      f13_x_p5376 - f13_x_p4721 * f13_x_p5378 - f13_x_p5325_lanes[1];
-  const Real f13_x_p5381 = f13_x_p5334_lanes[1] - f13_x_p3466_lanes[0] * f13_x_p5179_lanes[0] -
-      f13_x_p3659_lanes[0] * f13_x_p5327 - f13_x_p3850_lanes[0] * f13_x_p5360 -
-      f13_x_p4053_lanes[0] * f13_x_p5369;
-  const Real f13_x_p5382 = f13_x_p5381 - f13_x_p4263_lanes[0] * f13_x_p5372 - f13_x_p4442_lanes[0] *
-      f13_x_p5376 - f13_x_p4576_lanes[0] * f13_x_p5378 - f13_x_p4727_lanes[0] * f13_x_p5380;
-  const Real f13_x_p5383 = f13_x_p5382 + f13_x_p5358_lanes[1];
-  const Real f13_x_p5384 = f13_x_p5367_lanes[1] - f13_x_p3466_lanes[1] * f13_x_p5179_lanes[0] -
-      f13_x_p3659_lanes[1] * f13_x_p5327 - f13_x_p3850_lanes[1] * f13_x_p5360 -
-      f13_x_p4053_lanes[1] * f13_x_p5369;
-  const Real f13_x_p5385 = f13_x_p5384 - f13_x_p4263_lanes[1] * f13_x_p5372 - f13_x_p4442_lanes[1] *
-      f13_x_p5376 - f13_x_p4576_lanes[1] * f13_x_p5378 - f13_x_p4727_lanes[1] * f13_x_p5380;
-  const Real f13_x_p5386 = f13_x_p5385 - f13_x_p4872_lanes[1] * f13_x_p5383;
-  const Real f13_x_p5387 = f13_x_p5370_lanes[1] - f13_x_p3466_lanes[2] * f13_x_p5179_lanes[0] -
-      f13_x_p3659_lanes[2] * f13_x_p5327 - f13_x_p3850_lanes[2] * f13_x_p5360 -
-      f13_x_p4053_lanes[2] * f13_x_p5369;
-  const Real f13_x_p5388 = f13_x_p5387 - f13_x_p4263_lanes[2] * f13_x_p5372 - f13_x_p4442_lanes[2] *
-      f13_x_p5376 - f13_x_p4576_lanes[2] * f13_x_p5378 - f13_x_p4727_lanes[2] * f13_x_p5380;
-  const Real f13_x_p5389 = f13_x_p5388 - f13_x_p4872_lanes[2] * f13_x_p5383 - f13_x_p5016 *
-      f13_x_p5386;
-  const Real f13_x_p5390 = f13_x_p5373_lanes[1] - f13_x_p3466_lanes[3] * f13_x_p5179_lanes[0] -
-      f13_x_p3659_lanes[3] * f13_x_p5327 - f13_x_p3850_lanes[3] * f13_x_p5360 -
-      f13_x_p4053_lanes[3] * f13_x_p5369;
-  const Real f13_x_p5391 = f13_x_p5390 - f13_x_p4263_lanes[3] * f13_x_p5372 - f13_x_p4442_lanes[3] *
-      f13_x_p5376 - f13_x_p4576_lanes[3] * f13_x_p5378 - f13_x_p4727_lanes[3] * f13_x_p5380;
+  const Real f13_x_p5768 = f13_x_p5766_lanes[0] - f13_x_p3941_lanes[5] * f13_x_p5572_lanes[0] -
+      f13_x_p4142_lanes[5] * f13_x_p5720 - f13_x_p4341_lanes[5] * f13_x_p5753 -
+      f13_x_p4552_lanes[5] * f13_x_p5762;
+  const Real f13_x_p5769 = f13_x_p5768 - f13_x_p4736_lanes[5] * f13_x_p5765;
+  const Real f13_x_p5770 = f13_x_p5572_lanes[1] - f13_x_p3941_lanes[6] * f13_x_p5572_lanes[0] -
+      f13_x_p4142_lanes[6] * f13_x_p5720 - f13_x_p4341_lanes[6] * f13_x_p5753 -
+      f13_x_p4552_lanes[6] * f13_x_p5762;
+  const Real f13_x_p5771 = f13_x_p5770 - f13_x_p4736_lanes[6] * f13_x_p5765 - f13_x_p4971 *
+      f13_x_p5769;
+  const Real f13_x_p5772 = f13_x_p5580_lanes[1] - f13_x_p3941_lanes[7] * f13_x_p5572_lanes[0] -
+      f13_x_p4142_lanes[7] * f13_x_p5720 - f13_x_p4341_lanes[7] * f13_x_p5753 -
+      f13_x_p4552_lanes[7] * f13_x_p5762;
+  const Real f13_x_p5773 = f13_x_p5772 - f13_x_p4736_lanes[7] * f13_x_p5765 - f13_x_p4981 *
+      f13_x_p5769 - f13_x_p5122 * f13_x_p5771 - f13_x_p5718_lanes[1];
+  const Real f13_x_p5774 = f13_x_p5727_lanes[1] - f13_x_p3885_lanes[0] * f13_x_p5572_lanes[0] -
+      f13_x_p4078_lanes[0] * f13_x_p5720 - f13_x_p4269_lanes[0] * f13_x_p5753 -
+      f13_x_p4472_lanes[0] * f13_x_p5762;
+  const Real f13_x_p5775 = f13_x_p5774 - f13_x_p4648_lanes[0] * f13_x_p5765 - f13_x_p4843_lanes[0] *
+      f13_x_p5769 - f13_x_p4977_lanes[0] * f13_x_p5771 - f13_x_p5128_lanes[0] * f13_x_p5773;
+  const Real f13_x_p5776 = f13_x_p5775 + f13_x_p5751_lanes[1];
+  const Real f13_x_p5777 = f13_x_p5760_lanes[1] - f13_x_p3885_lanes[1] * f13_x_p5572_lanes[0] -
+      f13_x_p4078_lanes[1] * f13_x_p5720 - f13_x_p4269_lanes[1] * f13_x_p5753 -
+      f13_x_p4472_lanes[1] * f13_x_p5762;
+  const Real f13_x_p5778 = f13_x_p5777 - f13_x_p4648_lanes[1] * f13_x_p5765 - f13_x_p4843_lanes[1] *
+      f13_x_p5769 - f13_x_p4977_lanes[1] * f13_x_p5771 - f13_x_p5128_lanes[1] * f13_x_p5773;
+  const Real f13_x_p5779 = f13_x_p5778 - f13_x_p5273_lanes[1] * f13_x_p5776;
+  const Real f13_x_p5780 = f13_x_p5763_lanes[1] - f13_x_p3885_lanes[2] * f13_x_p5572_lanes[0] -
+      f13_x_p4078_lanes[2] * f13_x_p5720 - f13_x_p4269_lanes[2] * f13_x_p5753 -
+      f13_x_p4472_lanes[2] * f13_x_p5762;
+  const Real f13_x_p5781 = f13_x_p5780 - f13_x_p4648_lanes[2] * f13_x_p5765 - f13_x_p4843_lanes[2] *
+      f13_x_p5769 - f13_x_p4977_lanes[2] * f13_x_p5771 - f13_x_p5128_lanes[2] * f13_x_p5773;
+  const Real f13_x_p5782 = f13_x_p5781 - f13_x_p5273_lanes[2] * f13_x_p5776 - f13_x_p5408 *
+      f13_x_p5779;
+  const Real f13_x_p5783 = f13_x_p5766_lanes[1] - f13_x_p3885_lanes[3] * f13_x_p5572_lanes[0] -
+      f13_x_p4078_lanes[3] * f13_x_p5720 - f13_x_p4269_lanes[3] * f13_x_p5753 -
+      f13_x_p4472_lanes[3] * f13_x_p5762;
+  const Real f13_x_p5784 = f13_x_p5783 - f13_x_p4648_lanes[3] * f13_x_p5765 - f13_x_p4843_lanes[3] *
+      f13_x_p5769 - f13_x_p4977_lanes[3] * f13_x_p5771 - f13_x_p5128_lanes[3] * f13_x_p5773;
 
   // link 3 (hip), force propagation
-  const Real f13_x_p5392 = f13_x_p4409_lanes[1] + f13_x_p3231_lanes[3] * f13_x_p2218 +
-      f13_x_p3223_lanes[3] * f13_x_p2340_lanes[3] + f13_x_p3215_lanes[3] * f13_x_p2386 +
-      f13_x_p3207_lanes[3] * f13_x_p2452_lanes[3];
+  const Real f13_x_p5785 = f13_x_p4810_lanes[1] + f13_x_p3650_lanes[3] * f13_x_p1668_lanes[3] +
+      f13_x_p3642_lanes[3] * f13_x_p1748_lanes[3] + f13_x_p3634_lanes[3] * f13_x_p1828_lanes[3] +
+      f13_x_p3626_lanes[3] * f13_x_p1936_lanes[3];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p5393 = f13_x_p5392 + f13_x_p3199_lanes[3] * f13_x_p2512_lanes[3] +
-      f13_x_p2563_lanes[3] * f13_x_p2559_lanes[3] - f13_x_p3466_lanes[3] * f13_x_p3255_lanes[3] -
-      f13_x_p3659_lanes[3] * f13_x_p3518_lanes[3];
-  const Real f13_x_p5394 = f13_x_p5393 - f13_x_p3850_lanes[3] * f13_x_p3719_lanes[3] -
-      f13_x_p4053_lanes[3] * f13_x_p3918_lanes[3] - f13_x_p4263_lanes[3] * f13_x_p4129_lanes[3] -
-      f13_x_p4442_lanes[3] * f13_x_p4347_lanes[3];
-  const Real f13_x_p5395 = f13_x_p5394 - f13_x_p4576_lanes[3] * f13_x_p4566_lanes[3] -
-      f13_x_p4727_lanes[3] * f13_x_p4717_lanes[3] - f13_x_p4872_lanes[3] * f13_x_p4867_lanes[3] -
-      f13_x_p4999 * f13_x_p4995_lanes[3];
-  const Real f13_x_p5396 = (f13_x_p5391 - f13_x_p4872_lanes[3] * f13_x_p5383 - f13_x_p4999 *
-      f13_x_p5386 - f13_x_p5022 * f13_x_p5389) * (1.0 / (f13_x_p5395 - f13_x_p5022 * f13_x_p5015));
-  const Real f13_x_p5397 = f13_x_p5389 * f13_x_p5021 - f13_x_p5022 * f13_x_p5396;
-  const Real f13_x_p5398 = f13_x_p5386 * f13_x_p4998 - f13_x_p5016 * f13_x_p5397 - f13_x_p4999 *
-      f13_x_p5396;
-  const Real f13_x_p5399 = f13_x_p5383 * f13_x_p4871 - f13_x_p4872_lanes[1] * f13_x_p5398 -
-      f13_x_p4872_lanes[2] * f13_x_p5397 - f13_x_p4872_lanes[3] * f13_x_p5396;
-  const Real f13_x_p5400 = f13_x_p5380 * f13_x_p4726 - f13_x_p4727_lanes[0] * f13_x_p5399 -
-      f13_x_p4727_lanes[1] * f13_x_p5398 - f13_x_p4727_lanes[2] * f13_x_p5397 -
-      f13_x_p4727_lanes[3] * f13_x_p5396;
-  const Real f13_x_p5401 = f13_x_p5378 * f13_x_p4575 - f13_x_p4721 * f13_x_p5400 -
-      f13_x_p4576_lanes[0] * f13_x_p5399 - f13_x_p4576_lanes[1] * f13_x_p5398 -
-      f13_x_p4576_lanes[2] * f13_x_p5397;
-  const Real f13_x_p5402 = f13_x_p5401 - f13_x_p4576_lanes[3] * f13_x_p5396;
-  const Real f13_x_p5403 = f13_x_p5376 * f13_x_p4441 - f13_x_p4570 * f13_x_p5402 - f13_x_p4580 *
-      f13_x_p5400 - f13_x_p4442_lanes[0] * f13_x_p5399 - f13_x_p4442_lanes[1] * f13_x_p5398;
-  const Real f13_x_p5404 = f13_x_p5403 - f13_x_p4442_lanes[2] * f13_x_p5397 - f13_x_p4442_lanes[3] *
-      f13_x_p5396;
-  const Real f13_x_p5405 = f13_x_p5372 * f13_x_p4262 - f13_x_p4351_lanes[5] * f13_x_p5404 -
-      f13_x_p4351_lanes[6] * f13_x_p5402 - f13_x_p4351_lanes[7] * f13_x_p5400 -
-      f13_x_p4263_lanes[0] * f13_x_p5399;
-  const Real f13_x_p5406 = f13_x_p5405 - f13_x_p4263_lanes[1] * f13_x_p5398 - f13_x_p4263_lanes[2] *
-      f13_x_p5397 - f13_x_p4263_lanes[3] * f13_x_p5396;
-  const Real f13_x_p5407 = f13_x_p5369 * f13_x_p4052 - f13_x_p4133_lanes[4] * f13_x_p5406 -
-      f13_x_p4133_lanes[5] * f13_x_p5404 - f13_x_p4133_lanes[6] * f13_x_p5402 -
-      f13_x_p4133_lanes[7] * f13_x_p5400;
-  const Real f13_x_p5408 = f13_x_p5407 - f13_x_p4053_lanes[0] * f13_x_p5399 - f13_x_p4053_lanes[1] *
-      f13_x_p5398 - f13_x_p4053_lanes[2] * f13_x_p5397 - f13_x_p4053_lanes[3] * f13_x_p5396;
-  const Real f13_x_p5409 = f13_x_p5360 * f13_x_p3849 - f13_x_p3922_lanes[3] * f13_x_p5408 -
-      f13_x_p3922_lanes[4] * f13_x_p5406 - f13_x_p3922_lanes[5] * f13_x_p5404 -
-      f13_x_p3922_lanes[6] * f13_x_p5402;
-  const Real f13_x_p5410 = f13_x_p5409 - f13_x_p3922_lanes[7] * f13_x_p5400 - f13_x_p3850_lanes[0] *
-      f13_x_p5399 - f13_x_p3850_lanes[1] * f13_x_p5398 - f13_x_p3850_lanes[2] * f13_x_p5397;
-  const Real f13_x_p5411 = f13_x_p5410 - f13_x_p3850_lanes[3] * f13_x_p5396;
-  const Real f13_x_p5412 = f13_x_p5327 * f13_x_p3658 - f13_x_p3723_lanes[2] * f13_x_p5411 -
-      f13_x_p3723_lanes[3] * f13_x_p5408 - f13_x_p3723_lanes[4] * f13_x_p5406 -
-      f13_x_p3723_lanes[5] * f13_x_p5404;
-  const Real f13_x_p5413 = f13_x_p5412 - f13_x_p3723_lanes[6] * f13_x_p5402 - f13_x_p3723_lanes[7] *
-      f13_x_p5400 - f13_x_p3659_lanes[0] * f13_x_p5399 - f13_x_p3659_lanes[1] * f13_x_p5398;
-  const Real f13_x_p5414 = f13_x_p5413 - f13_x_p3659_lanes[2] * f13_x_p5397 - f13_x_p3659_lanes[3] *
-      f13_x_p5396;
-  const Real f13_x_p5415 = f13_x_p5179_lanes[0] * f13_x_p3465 - f13_x_p3522_lanes[1] * f13_x_p5414 -
-      f13_x_p3522_lanes[2] * f13_x_p5411 - f13_x_p3522_lanes[3] * f13_x_p5408 -
-      f13_x_p3522_lanes[4] * f13_x_p5406;
-  const Real f13_x_p5416 = f13_x_p5415 - f13_x_p3522_lanes[5] * f13_x_p5404 - f13_x_p3522_lanes[6] *
-      f13_x_p5402 - f13_x_p3522_lanes[7] * f13_x_p5400 - f13_x_p3466_lanes[0] * f13_x_p5399;
+  const Real f13_x_p5786 = f13_x_p5785 + f13_x_p3618_lanes[3] * f13_x_p2028_lanes[3] +
+      f13_x_p2079_lanes[3] * f13_x_p2075_lanes[3] - f13_x_p3885_lanes[3] * f13_x_p3674_lanes[3] -
+      f13_x_p4078_lanes[3] * f13_x_p3937_lanes[3];
+  const Real f13_x_p5787 = f13_x_p5786 - f13_x_p4269_lanes[3] * f13_x_p4138_lanes[3] -
+      f13_x_p4472_lanes[3] * f13_x_p4337_lanes[3] - f13_x_p4648_lanes[3] * f13_x_p4548_lanes[3] -
+      f13_x_p4843_lanes[3] * f13_x_p4732_lanes[3];
+  const Real f13_x_p5788 = f13_x_p5787 - f13_x_p4977_lanes[3] * f13_x_p4967_lanes[3] -
+      f13_x_p5128_lanes[3] * f13_x_p5118_lanes[3] - f13_x_p5273_lanes[3] * f13_x_p5268_lanes[3] -
+      f13_x_p5400 * f13_x_p5396_lanes[3];
+  const Real f13_x_p5789 = (f13_x_p5784 - f13_x_p5273_lanes[3] * f13_x_p5776 - f13_x_p5400 *
+      f13_x_p5779 - f13_x_p5415 * f13_x_p5782) * (1.0 / (f13_x_p5788 - f13_x_p5415 * f13_x_p5407));
+  const Real f13_x_p5790 = f13_x_p5782 * f13_x_p5414 - f13_x_p5415 * f13_x_p5789;
+  const Real f13_x_p5791 = f13_x_p5779 * f13_x_p5399 - f13_x_p5408 * f13_x_p5790 - f13_x_p5400 *
+      f13_x_p5789;
+  const Real f13_x_p5792 = f13_x_p5776 * f13_x_p5272 - f13_x_p5273_lanes[1] * f13_x_p5791 -
+      f13_x_p5273_lanes[2] * f13_x_p5790 - f13_x_p5273_lanes[3] * f13_x_p5789;
+  const Real f13_x_p5793 = f13_x_p5773 * f13_x_p5127 - f13_x_p5128_lanes[0] * f13_x_p5792 -
+      f13_x_p5128_lanes[1] * f13_x_p5791 - f13_x_p5128_lanes[2] * f13_x_p5790 -
+      f13_x_p5128_lanes[3] * f13_x_p5789;
+  const Real f13_x_p5794 = f13_x_p5771 * f13_x_p4976 - f13_x_p5122 * f13_x_p5793 -
+      f13_x_p4977_lanes[0] * f13_x_p5792 - f13_x_p4977_lanes[1] * f13_x_p5791 -
+      f13_x_p4977_lanes[2] * f13_x_p5790;
+  const Real f13_x_p5795 = f13_x_p5794 - f13_x_p4977_lanes[3] * f13_x_p5789;
+  const Real f13_x_p5796 = f13_x_p5769 * f13_x_p4842 - f13_x_p4971 * f13_x_p5795 - f13_x_p4981 *
+      f13_x_p5793 - f13_x_p4843_lanes[0] * f13_x_p5792 - f13_x_p4843_lanes[1] * f13_x_p5791;
+  const Real f13_x_p5797 = f13_x_p5796 - f13_x_p4843_lanes[2] * f13_x_p5790 - f13_x_p4843_lanes[3] *
+      f13_x_p5789;
+  const Real f13_x_p5798 = f13_x_p5765 * f13_x_p4647 - f13_x_p4736_lanes[5] * f13_x_p5797 -
+      f13_x_p4736_lanes[6] * f13_x_p5795 - f13_x_p4736_lanes[7] * f13_x_p5793 -
+      f13_x_p4648_lanes[0] * f13_x_p5792;
+  const Real f13_x_p5799 = f13_x_p5798 - f13_x_p4648_lanes[1] * f13_x_p5791 - f13_x_p4648_lanes[2] *
+      f13_x_p5790 - f13_x_p4648_lanes[3] * f13_x_p5789;
+  const Real f13_x_p5800 = f13_x_p5762 * f13_x_p4471 - f13_x_p4552_lanes[4] * f13_x_p5799 -
+      f13_x_p4552_lanes[5] * f13_x_p5797 - f13_x_p4552_lanes[6] * f13_x_p5795 -
+      f13_x_p4552_lanes[7] * f13_x_p5793;
+  const Real f13_x_p5801 = f13_x_p5800 - f13_x_p4472_lanes[0] * f13_x_p5792 - f13_x_p4472_lanes[1] *
+      f13_x_p5791 - f13_x_p4472_lanes[2] * f13_x_p5790 - f13_x_p4472_lanes[3] * f13_x_p5789;
+  const Real f13_x_p5802 = f13_x_p5753 * f13_x_p4268 - f13_x_p4341_lanes[3] * f13_x_p5801 -
+      f13_x_p4341_lanes[4] * f13_x_p5799 - f13_x_p4341_lanes[5] * f13_x_p5797 -
+      f13_x_p4341_lanes[6] * f13_x_p5795;
+  const Real f13_x_p5803 = f13_x_p5802 - f13_x_p4341_lanes[7] * f13_x_p5793 - f13_x_p4269_lanes[0] *
+      f13_x_p5792 - f13_x_p4269_lanes[1] * f13_x_p5791 - f13_x_p4269_lanes[2] * f13_x_p5790;
+  const Real f13_x_p5804 = f13_x_p5803 - f13_x_p4269_lanes[3] * f13_x_p5789;
+  const Real f13_x_p5805 = f13_x_p5720 * f13_x_p4077 - f13_x_p4142_lanes[2] * f13_x_p5804 -
+      f13_x_p4142_lanes[3] * f13_x_p5801 - f13_x_p4142_lanes[4] * f13_x_p5799 -
+      f13_x_p4142_lanes[5] * f13_x_p5797;
+  const Real f13_x_p5806 = f13_x_p5805 - f13_x_p4142_lanes[6] * f13_x_p5795 - f13_x_p4142_lanes[7] *
+      f13_x_p5793 - f13_x_p4078_lanes[0] * f13_x_p5792 - f13_x_p4078_lanes[1] * f13_x_p5791;
+  const Real f13_x_p5807 = f13_x_p5806 - f13_x_p4078_lanes[2] * f13_x_p5790 - f13_x_p4078_lanes[3] *
+      f13_x_p5789;
+  const Real f13_x_p5808 = f13_x_p5572_lanes[0] * f13_x_p3884 - f13_x_p3941_lanes[1] * f13_x_p5807 -
+      f13_x_p3941_lanes[2] * f13_x_p5804 - f13_x_p3941_lanes[3] * f13_x_p5801 -
+      f13_x_p3941_lanes[4] * f13_x_p5799;
+  const Real f13_x_p5809 = f13_x_p5808 - f13_x_p3941_lanes[5] * f13_x_p5797 - f13_x_p3941_lanes[6] *
+      f13_x_p5795 - f13_x_p3941_lanes[7] * f13_x_p5793 - f13_x_p3885_lanes[0] * f13_x_p5792;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_x_p5417_lanes = f13_x_p5321_lanes - wd13_z_lanes;
+  const Lanes<2> f13_x_p5810_lanes = f13_x_p5714_lanes - wd13_z_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_x_p5420_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      f13_x_p5417_lanes - 0.01626499875 * f13_x_p5173_lanes;
+  const Lanes<2> f13_x_p5813_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      f13_x_p5810_lanes - 0.01626499875 * f13_x_p5566_lanes;
 
   // link 24 (right_eye), inertial wrench
-  const Real f13_x = f13_x_p5420_lanes[0] + (f13_x_p5416 - f13_x_p3466_lanes[1] * f13_x_p5398 -
-      f13_x_p3466_lanes[2] * f13_x_p5397 - f13_x_p3466_lanes[3] * f13_x_p5396);
+  const Real f13_x = f13_x_p5813_lanes[0] + (f13_x_p5809 - f13_x_p3885_lanes[1] * f13_x_p5791 -
+      f13_x_p3885_lanes[2] * f13_x_p5790 - f13_x_p3885_lanes[3] * f13_x_p5789);
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_y_p1_lanes = f13_x_p5321_lanes + wd13_z_lanes;
+  const Lanes<2> f13_y_p1_lanes = f13_x_p5714_lanes + wd13_z_lanes;
   const Lanes<2> f13_y_p3_lanes = w13_x_lanes * w13_x_lanes;
 
   // link 13 (left_hand), inertial wrench
   const Lanes<2> f13_y_p6_lanes = 0.01626499875 * f13_y_p1_lanes -
       detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      (f13_y_p3_lanes + f13_x_p5171_lanes);
+      (f13_y_p3_lanes + f13_x_p5564_lanes);
 
   // link 24 (right_eye), inertial wrench
-  const Real f13_y = f13_y_p6_lanes[0] + f13_x_p5414;
+  const Real f13_y = f13_y_p6_lanes[0] + f13_x_p5807;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> f12_y_p1_lanes = w12_x_lanes * minus_w12_y_lanes;
@@ -3117,7 +2836,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f12_y = f12_y_p8_lanes[0] + (c13 * f13_x - s13 * f13_y);
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_z_p1_lanes = f13_x_p5354_lanes - wd13_y_lanes;
+  const Lanes<2> f13_z_p1_lanes = f13_x_p5747_lanes - wd13_y_lanes;
   const Lanes<2> f13_z_p3_lanes = w13_y_lanes * w13_z_lanes;
   const Lanes<2> f13_z_p4_lanes = f13_z_p3_lanes + wd13_x_lanes;
 
@@ -3126,7 +2845,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>((-0.002865001425), 0.002865001425) * f13_z_p4_lanes;
 
   // link 24 (right_eye), inertial wrench
-  const Real f13_z = f13_z_p6_lanes[0] + f13_x_p5411;
+  const Real f13_z = f13_z_p6_lanes[0] + f13_x_p5804;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> f12_x_p1_lanes = minus_w12_y_lanes * minus_w12_y_lanes;
@@ -3191,7 +2910,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 13 (left_hand), inertial wrench
   const Lanes<2> n13_x_p8_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * (f13_x_p5171_lanes - f13_x_p5169_lanes);
+      4.38600177048965e-05) * (f13_x_p5564_lanes - f13_x_p5562_lanes);
   const Lanes<2> n13_x_p9_lanes = 9.149209276993575e-05 * f13_z_p4_lanes +
       detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * f13_z_p1_lanes -
       0.000108260010923775 * f13_y_p1_lanes + n13_x_p8_lanes;
@@ -3199,18 +2918,18 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>((-0.002865001425), 0.002865001425) * a12_x_lanes;
 
   // link 24 (right_eye), inertial wrench
-  const Real n13_x = n13_x_p10_lanes[0] + f13_x_p5408;
+  const Real n13_x = n13_x_p10_lanes[0] + f13_x_p5801;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_y_p8_lanes = 0.000108260010923775 * (f13_y_p3_lanes - f13_x_p5171_lanes);
+  const Lanes<2> n13_y_p8_lanes = 0.000108260010923775 * (f13_y_p3_lanes - f13_x_p5564_lanes);
   const Lanes<2> n13_y_p9_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * f13_x_p5417_lanes - 0.000847139515629375 * f13_z_p1_lanes -
+      4.38600177048965e-05) * f13_x_p5810_lanes - 0.000847139515629375 * f13_z_p1_lanes -
       detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * f13_z_p4_lanes +
       n13_y_p8_lanes;
   const Lanes<2> n13_y_p10_lanes = n13_y_p9_lanes - 0.01626499875 * a12_x_lanes;
 
   // link 24 (right_eye), inertial wrench
-  const Real n13_y = n13_y_p10_lanes[0] + f13_x_p5406;
+  const Real n13_y = n13_y_p10_lanes[0] + f13_x_p5799;
 
   // link 12 (left_wrist2), inertial wrench
   const Lanes<2> n12_y_p5_lanes = 0.0025100003499999995 * minus_a12_z_lanes -
@@ -3221,18 +2940,18 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real n12_y = n12_y_p5_lanes[0] + (c13 * n13_x - s13 * n13_y);
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p9_lanes = 0.0007556474228594393 * f13_x_p5321_lanes +
+  const Lanes<2> n13_z_p9_lanes = 0.0007556474228594393 * f13_x_p5714_lanes +
       0.0009386316083993107 * wd13_z_lanes + 0.000108260010923775 * (f13_z_p3_lanes - wd13_x_lanes);
   const Lanes<2> n13_z_p15_lanes = n13_z_p9_lanes -
       detail::make_pack<Real>((-4.38600177048965e-05), 4.38600177048965e-05) *
-      (f13_x_p5354_lanes + wd13_y_lanes) + detail::make_pack<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * (f13_x_p5169_lanes - f13_y_p3_lanes);
+      (f13_x_p5747_lanes + wd13_y_lanes) + detail::make_pack<Real>((-0.0001263900573325125),
+      0.0001263900573325125) * (f13_x_p5562_lanes - f13_y_p3_lanes);
   const Lanes<2> n13_z_p16_lanes = n13_z_p15_lanes +
       (0.01626499875 * a13_y_lanes + detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
       minus_a13_x_lanes);
 
   // link 24 (right_eye), inertial wrench
-  const Real n13_z = n13_z_p16_lanes[0] + f13_x_p5404;
+  const Real n13_z = n13_z_p16_lanes[0] + f13_x_p5797;
   tau[12] = n13_z;
 
   // link 12 (left_wrist2), inertial wrench
@@ -3565,14 +3284,14 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real n6_x_p1 = c7 * f7_x - s7 * f7_y;
 
   // link 24 (right_eye), inertial wrench
-  const Real f20_x = f13_x_p5420_lanes[1] + f13_x_p5402;
-  const Real f20_y = f13_y_p6_lanes[1] + f13_x_p5400;
+  const Real f20_x = f13_x_p5813_lanes[1] + f13_x_p5795;
+  const Real f20_y = f13_y_p6_lanes[1] + f13_x_p5793;
 
   // link 20 (right_hand), inward
   const Real f19_y = f12_y_p8_lanes[1] + (c20 * f20_x - s20 * f20_y);
 
   // link 24 (right_eye), inertial wrench
-  const Real f20_z = f13_z_p6_lanes[1] + f13_x_p5399;
+  const Real f20_z = f13_z_p6_lanes[1] + f13_x_p5792;
 
   // link 20 (right_hand), inward
   const Real f19_x = f20_z - f12_x_p6_lanes[1];
@@ -3591,14 +3310,14 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f17_z = f10_z_p7_lanes[1] + (s18 * f18_x + c18 * f18_y);
 
   // link 24 (right_eye), inertial wrench
-  const Real n20_x = n13_x_p10_lanes[1] + f13_x_p5398;
-  const Real n20_y = n13_y_p10_lanes[1] + f13_x_p5397;
+  const Real n20_x = n13_x_p10_lanes[1] + f13_x_p5791;
+  const Real n20_y = n13_y_p10_lanes[1] + f13_x_p5790;
 
   // link 20 (right_hand), inward
   const Real n19_y = n12_y_p5_lanes[1] + (c20 * n20_x - s20 * n20_y);
 
   // link 24 (right_eye), inertial wrench
-  const Real n20_z = n13_z_p16_lanes[1] + f13_x_p5396;
+  const Real n20_z = n13_z_p16_lanes[1] + f13_x_p5789;
   tau[19] = n20_z;
 
   // link 20 (right_hand), inward

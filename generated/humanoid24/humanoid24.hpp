@@ -127,7 +127,7 @@ void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&ta
 /// in  q (24): joint coordinates
 /// out Lambda_inv (12x12): inverse operational-space inertia
 /// Cost: 6533 flops (add 2756, mul 3745, div 32), sine and cosine of 24 angles.
-/// Stack: at most 364 values live at once, 2912 bytes.
+/// Stack: at most 370 values live at once, 2960 bytes.
 void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -135,7 +135,7 @@ void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 /// in  q (24): joint coordinates
 /// out Lambda (12x12): operational-space inertia
 /// Cost: 8261 flops (add 3548, mul 4669, div 44), sine and cosine of 24 angles.
-/// Stack: at most 345 values live at once, 2760 bytes.
+/// Stack: at most 346 values live at once, 2768 bytes.
 void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)

@@ -1305,2367 +1305,1895 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       detail::make_pack<Real>(Lambda_0_11_p1218_lanes[1], Lambda_0_11_p1256) -
       detail::make_pack<Real>(s12, s19) * Lambda_0_11_p1254_lanes;
 
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_0_11_p1287_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_0_11_p1285_lanes;
-
   // link 11 (left_wrist1), pose
   const Lanes<2> Lambda_0_11_p1293_lanes = detail::make_pack<Real>(c11, c18) *
       Lambda_0_11_p1250_lanes - detail::make_pack<Real>(s11, s18) * Lambda_0_11_p1242_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_0_11_p1295_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_0_11_p1293_lanes;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_0_11_p1297 = Lambda_0_11_p1287_lanes[1] + Lambda_0_11_p1295_lanes[1];
+  const Lanes<2> Lambda_0_11_p1297_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_0_11_p1285_lanes + detail::make_pack<Real>(s13, s20) * Lambda_0_11_p1293_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_0_11_p1302_lanes = detail::make_pack<Real>(c12, c19) *
+  const Lanes<2> Lambda_0_11_p1303_lanes = detail::make_pack<Real>(c12, c19) *
       detail::make_pack<Real>(Lambda_0_11_p1218_lanes[0], Lambda_0_11_p1276) -
       detail::make_pack<Real>(s12, s19) * Lambda_0_11_p1274_lanes;
 
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_0_11_p1304_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_0_11_p1302_lanes;
-
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_0_11_p1310_lanes = detail::make_pack<Real>(c11, c18) *
+  const Lanes<2> Lambda_0_11_p1311_lanes = detail::make_pack<Real>(c11, c18) *
       Lambda_0_11_p1270_lanes - detail::make_pack<Real>(s11, s18) * Lambda_0_11_p1262_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_0_11_p1312_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_0_11_p1310_lanes;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_0_11_p1314 = Lambda_0_11_p1304_lanes[1] + Lambda_0_11_p1312_lanes[1];
+  const Lanes<2> Lambda_0_11_p1315_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_0_11_p1303_lanes + detail::make_pack<Real>(s13, s20) * Lambda_0_11_p1311_lanes;
 
   // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_0_11_p1315_lanes = detail::make_pack<Real>(Lambda_0_11_p1314,
-      Lambda_0_11_p1314, Lambda_0_11_p1297, Lambda_0_11_p1235_lanes[1], Lambda_0_11_p1314,
-      Lambda_0_11_p1314, Lambda_0_11_p1314, Lambda_0_11_p1314) + 0.11533812622014242 *
+  const Lanes<8> Lambda_0_11_p1317_lanes = detail::make_pack<Real>(Lambda_0_11_p1315_lanes[1],
+      Lambda_0_11_p1315_lanes[1], Lambda_0_11_p1297_lanes[1], Lambda_0_11_p1235_lanes[1],
+      Lambda_0_11_p1315_lanes[1], Lambda_0_11_p1315_lanes[1], Lambda_0_11_p1315_lanes[1],
+      Lambda_0_11_p1315_lanes[1]) + 0.11533812622014242 *
       detail::make_pack<Real>(Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1257,
       Lambda_0_11_p1237, Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1277,
       Lambda_0_11_p1277);
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_0_11_p1322_lanes = detail::make_pack<Real>(s13, s20) *
+  const Lanes<2> Lambda_0_11_p1324_lanes = detail::make_pack<Real>(s13, s20) *
       Lambda_0_11_p1223_lanes + detail::make_pack<Real>(c13, c20) * Lambda_0_11_p1231_lanes;
 
-  // link 20 (right_hand), force propagation
-  const Real Lambda_0_11_p1324 = -(0.086 * Lambda_0_11_p1322_lanes[1]);
-  const Real Lambda_0_11_p1325 = 0.11533812622014242 * Lambda_0_11_p1324;
-  const Real Lambda_0_11_p1330 = -Lambda_0_11_p1322_lanes[1];
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_0_11_p1328_lanes = -(0.086 * Lambda_0_11_p1324_lanes);
+  const Lanes<2> Lambda_0_11_p1330_lanes = 0.11533812622014242 * Lambda_0_11_p1328_lanes;
+  const Lanes<2> Lambda_0_11_p1336_lanes = -Lambda_0_11_p1324_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_0_11_p1335_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_0_11_p1285_lanes;
-  const Lanes<2> Lambda_0_11_p1337_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_0_11_p1293_lanes;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_0_11_p1339 = Lambda_0_11_p1337_lanes[1] - Lambda_0_11_p1335_lanes[1];
-
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_0_11_p1340_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_0_11_p1310_lanes;
-  const Lanes<2> Lambda_0_11_p1342_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_0_11_p1302_lanes;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_0_11_p1344 = Lambda_0_11_p1340_lanes[1] - Lambda_0_11_p1342_lanes[1];
+  const Lanes<2> Lambda_0_11_p1346_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_0_11_p1293_lanes - detail::make_pack<Real>(s13, s20) * Lambda_0_11_p1285_lanes;
+  const Lanes<2> Lambda_0_11_p1352_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_0_11_p1311_lanes - detail::make_pack<Real>(s13, s20) * Lambda_0_11_p1303_lanes;
 
   // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_0_11_p1345_lanes = detail::make_pack<Real>(-(0.086 * Lambda_0_11_p1237),
-      Lambda_0_11_p1344, Lambda_0_11_p1339, Lambda_0_11_p1330, -(0.086 * Lambda_0_11_p1237),
-      -(0.086 * Lambda_0_11_p1237), -(0.086 * Lambda_0_11_p1237), -(0.086 * Lambda_0_11_p1237)) -
-      (-0.04672761636452121) * detail::make_pack<Real>(Lambda_0_11_p1324, Lambda_0_11_p1277,
-      Lambda_0_11_p1257, Lambda_0_11_p1237, Lambda_0_11_p1324, Lambda_0_11_p1324, Lambda_0_11_p1324,
-      Lambda_0_11_p1324);
-  const Lanes<8> Lambda_0_11_p1365_lanes = s20 * detail::make_pack<Real>(Lambda_0_11_p1325,
-      Lambda_0_11_p1315_lanes[1], Lambda_0_11_p1315_lanes[2], Lambda_0_11_p1315_lanes[3],
-      Lambda_0_11_p1325, Lambda_0_11_p1325, Lambda_0_11_p1325, Lambda_0_11_p1325) + c20 *
-      Lambda_0_11_p1345_lanes;
+  const Lanes<8> Lambda_0_11_p1354_lanes = detail::make_pack<Real>(-(0.086 * Lambda_0_11_p1237),
+      Lambda_0_11_p1352_lanes[1], Lambda_0_11_p1346_lanes[1], Lambda_0_11_p1336_lanes[1],
+      -(0.086 * Lambda_0_11_p1237), -(0.086 * Lambda_0_11_p1237), -(0.086 * Lambda_0_11_p1237),
+      -(0.086 * Lambda_0_11_p1237)) - (-0.04672761636452121) *
+      detail::make_pack<Real>(Lambda_0_11_p1328_lanes[1], Lambda_0_11_p1277, Lambda_0_11_p1257,
+      Lambda_0_11_p1237, Lambda_0_11_p1328_lanes[1], Lambda_0_11_p1328_lanes[1],
+      Lambda_0_11_p1328_lanes[1], Lambda_0_11_p1328_lanes[1]);
+  const Lanes<8> Lambda_0_11_p1374_lanes = s20 * detail::make_pack<Real>(Lambda_0_11_p1330_lanes[1],
+      Lambda_0_11_p1317_lanes[1], Lambda_0_11_p1317_lanes[2], Lambda_0_11_p1317_lanes[3],
+      Lambda_0_11_p1330_lanes[1], Lambda_0_11_p1330_lanes[1], Lambda_0_11_p1330_lanes[1],
+      Lambda_0_11_p1330_lanes[1]) + c20 * Lambda_0_11_p1354_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1373_lanes = c20 * detail::make_pack<Real>(Lambda_0_11_p1325,
-      Lambda_0_11_p1315_lanes[1], Lambda_0_11_p1315_lanes[2], Lambda_0_11_p1315_lanes[3],
-      Lambda_0_11_p1325, Lambda_0_11_p1325, Lambda_0_11_p1325, Lambda_0_11_p1325) - s20 *
-      Lambda_0_11_p1345_lanes - inverse_D11_p1_lanes[1] * Lambda_0_11_p1365_lanes;
+  const Lanes<8> Lambda_0_11_p1382_lanes = c20 * detail::make_pack<Real>(Lambda_0_11_p1330_lanes[1],
+      Lambda_0_11_p1317_lanes[1], Lambda_0_11_p1317_lanes[2], Lambda_0_11_p1317_lanes[3],
+      Lambda_0_11_p1330_lanes[1], Lambda_0_11_p1330_lanes[1], Lambda_0_11_p1330_lanes[1],
+      Lambda_0_11_p1330_lanes[1]) - s20 * Lambda_0_11_p1354_lanes - inverse_D11_p1_lanes[1] *
+      Lambda_0_11_p1374_lanes;
 
   // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_0_11_p1385_lanes = 3.0523172236718206 *
+  const Lanes<8> Lambda_0_11_p1394_lanes = 3.0523172236718206 *
       detail::make_pack<Real>(Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1257,
       Lambda_0_11_p1237, Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1277,
       Lambda_0_11_p1277);
-  const Lanes<8> Lambda_0_11_p1391_lanes = 17.32841575379867 *
+  const Lanes<8> Lambda_0_11_p1400_lanes = 17.32841575379867 *
       detail::make_pack<Real>(Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1257,
       Lambda_0_11_p1237, Lambda_0_11_p1277, Lambda_0_11_p1277, Lambda_0_11_p1277,
       Lambda_0_11_p1277);
-  const Lanes<8> Lambda_0_11_p1397_lanes = s20 * Lambda_0_11_p1385_lanes - c20 *
-      Lambda_0_11_p1391_lanes;
+  const Lanes<8> Lambda_0_11_p1406_lanes = s20 * Lambda_0_11_p1394_lanes - c20 *
+      Lambda_0_11_p1400_lanes;
 
   // link 13 (left_hand), force propagation
-  const Real Lambda_0_11_p1400 = -(0.086 * Lambda_0_11_p1322_lanes[0]);
-  const Lanes<2> Lambda_0_11_p1403_lanes = Lambda_0_11_p1235_lanes +
-      detail::make_pack<Real>((-3.0523172236718206), 3.0523172236718206) *
-      detail::make_pack<Real>(Lambda_0_11_p1400, Lambda_0_11_p1324);
-  const Real Lambda_0_11_p1409 = -Lambda_0_11_p1322_lanes[0];
-  const Lanes<2> Lambda_0_11_p1410_lanes = detail::make_pack<Real>(Lambda_0_11_p1409,
-      Lambda_0_11_p1330) - 17.32841575379867 * detail::make_pack<Real>(Lambda_0_11_p1400,
-      Lambda_0_11_p1324);
-  const Lanes<2> Lambda_0_11_p1414_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_0_11_p1403_lanes + detail::make_pack<Real>(c13, c20) * Lambda_0_11_p1410_lanes;
+  const Lanes<2> Lambda_0_11_p1411_lanes = Lambda_0_11_p1235_lanes +
+      detail::make_pack<Real>((-3.0523172236718206), 3.0523172236718206) * Lambda_0_11_p1328_lanes;
+  const Lanes<2> Lambda_0_11_p1417_lanes = Lambda_0_11_p1336_lanes - 17.32841575379867 *
+      Lambda_0_11_p1328_lanes;
+  const Lanes<2> Lambda_0_11_p1421_lanes = detail::make_pack<Real>(s13, s20) *
+      Lambda_0_11_p1411_lanes + detail::make_pack<Real>(c13, c20) * Lambda_0_11_p1417_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1416_lanes = detail::make_pack<Real>(Lambda_0_11_p1414_lanes[1],
-      Lambda_0_11_p1397_lanes[1], Lambda_0_11_p1397_lanes[2], Lambda_0_11_p1397_lanes[3],
-      Lambda_0_11_p1414_lanes[1], Lambda_0_11_p1414_lanes[1], Lambda_0_11_p1414_lanes[1],
-      Lambda_0_11_p1414_lanes[1]) - Lambda_0_11_p61_lanes[1] * Lambda_0_11_p1365_lanes;
+  const Lanes<8> Lambda_0_11_p1423_lanes = detail::make_pack<Real>(Lambda_0_11_p1421_lanes[1],
+      Lambda_0_11_p1406_lanes[1], Lambda_0_11_p1406_lanes[2], Lambda_0_11_p1406_lanes[3],
+      Lambda_0_11_p1421_lanes[1], Lambda_0_11_p1421_lanes[1], Lambda_0_11_p1421_lanes[1],
+      Lambda_0_11_p1421_lanes[1]) - Lambda_0_11_p61_lanes[1] * Lambda_0_11_p1374_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p1428 = -(c19 * Lambda_0_11_p1373_lanes[3]);
-  const Real Lambda_0_11_p1429 = -(c19 * Lambda_0_11_p1373_lanes[2]);
-  const Real Lambda_0_11_p1430 = -(c19 * Lambda_0_11_p1373_lanes[1]);
-  const Real Lambda_0_11_p1431 = -(c19 * Lambda_0_11_p1373_lanes[0]);
-  const Lanes<8> Lambda_0_11_p1436_lanes = 0.269 * Lambda_0_11_p1416_lanes - s19 *
-      Lambda_0_11_p1373_lanes - inverse_D10_p1_lanes[1] *
-      detail::make_pack<Real>(Lambda_0_11_p1431, Lambda_0_11_p1430, Lambda_0_11_p1429,
-      Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431, Lambda_0_11_p1431,
-      Lambda_0_11_p1431);
+  const Lanes<8> Lambda_0_11_p1439_lanes = -(c19 * Lambda_0_11_p1382_lanes);
+  const Lanes<8> Lambda_0_11_p1447_lanes = 0.269 * Lambda_0_11_p1423_lanes - s19 *
+      Lambda_0_11_p1382_lanes - inverse_D10_p1_lanes[1] * Lambda_0_11_p1439_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1444_lanes = Lambda_0_11_p35_lanes[1] * Lambda_0_11_p1365_lanes;
-  const Lanes<8> Lambda_0_11_p1462_lanes = c20 * Lambda_0_11_p1385_lanes + s20 *
-      Lambda_0_11_p1391_lanes - Lambda_0_11_p11_lanes[1] * Lambda_0_11_p1365_lanes;
-  const Lanes<8> Lambda_0_11_p1468_lanes = c19 * Lambda_0_11_p1444_lanes + s19 *
-      Lambda_0_11_p1462_lanes;
+  const Lanes<8> Lambda_0_11_p1455_lanes = Lambda_0_11_p35_lanes[1] * Lambda_0_11_p1374_lanes;
+  const Lanes<8> Lambda_0_11_p1473_lanes = c20 * Lambda_0_11_p1394_lanes + s20 *
+      Lambda_0_11_p1400_lanes - Lambda_0_11_p11_lanes[1] * Lambda_0_11_p1374_lanes;
+  const Lanes<8> Lambda_0_11_p1479_lanes = c19 * Lambda_0_11_p1455_lanes + s19 *
+      Lambda_0_11_p1473_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_0_11_p1486_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_0_11_p1411_lanes - detail::make_pack<Real>(s13, s20) * Lambda_0_11_p1417_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_0_11_p1488 = Lambda_0_11_p1486_lanes[1] - Lambda_0_11_p11_lanes[1] *
+      Lambda_0_11_p1374_lanes[0];
+  const Real Lambda_0_11_p1489 = Lambda_0_11_p1237 - Lambda_0_11_p35_lanes[1] *
+      Lambda_0_11_p1374_lanes[0];
+  const Real Lambda_0_11_p1490 = s19 * Lambda_0_11_p1488 - c19 * Lambda_0_11_p1489;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p1499_lanes = 0.269 * detail::make_pack<Real>(Lambda_0_11_p1490,
+      Lambda_0_11_p1479_lanes[1], Lambda_0_11_p1479_lanes[2], Lambda_0_11_p1479_lanes[3],
+      Lambda_0_11_p1490, Lambda_0_11_p1490, Lambda_0_11_p1490, Lambda_0_11_p1490) -
+      inverse_D10_p8_lanes[1] * Lambda_0_11_p1439_lanes;
+  const Lanes<8> Lambda_0_11_p1519_lanes = s18 * Lambda_0_11_p1447_lanes + c18 *
+      Lambda_0_11_p1499_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p1527_lanes = c18 * Lambda_0_11_p1447_lanes - s18 *
+      Lambda_0_11_p1499_lanes - Lambda_0_11_p231_lanes[1] * Lambda_0_11_p1519_lanes;
+  const Lanes<8> Lambda_0_11_p1535_lanes = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p1519_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p1559_lanes = -detail::make_pack<Real>(Lambda_0_11_p1490,
+      Lambda_0_11_p1479_lanes[1], Lambda_0_11_p1479_lanes[2], Lambda_0_11_p1479_lanes[3],
+      Lambda_0_11_p1490, Lambda_0_11_p1490, Lambda_0_11_p1490, Lambda_0_11_p1490) +
+      Lambda_0_11_p55_lanes[1] * Lambda_0_11_p1439_lanes;
+  const Lanes<8> Lambda_0_11_p1571_lanes = Lambda_0_11_p1423_lanes - Lambda_0_11_p119_lanes[1] *
+      Lambda_0_11_p1439_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p1583_lanes = s18 * Lambda_0_11_p1559_lanes + c18 *
+      Lambda_0_11_p1571_lanes - Lambda_0_11_p191_lanes[1] * Lambda_0_11_p1519_lanes;
+  const Lanes<8> Lambda_0_11_p1603_lanes = c17 * Lambda_0_11_p1535_lanes - s17 *
+      Lambda_0_11_p1527_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p1607_lanes = Lambda_0_11_p259_lanes[1] * Lambda_0_11_p1603_lanes;
+  const Lanes<8> Lambda_0_11_p1611_lanes = c17 * Lambda_0_11_p1527_lanes + s17 *
+      Lambda_0_11_p1535_lanes + 0.282 * Lambda_0_11_p1583_lanes - Lambda_0_11_p1607_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p1629_lanes = s19 * Lambda_0_11_p1455_lanes - c19 *
+      Lambda_0_11_p1473_lanes;
 
   // link 12 (left_wrist2), pose
-  const Lanes<8> Lambda_0_11_p1483_lanes = c12 * detail::make_pack<Real>(Lambda_0_11_p1274_lanes[0],
+  const Lanes<8> Lambda_0_11_p1642_lanes = c12 * detail::make_pack<Real>(Lambda_0_11_p1274_lanes[0],
       Lambda_0_11_p1254_lanes[0], Lambda_0_11_p1137_lanes[0], Lambda_0_11_p1274_lanes[0],
       Lambda_0_11_p1274_lanes[0], Lambda_0_11_p1274_lanes[0], Lambda_0_11_p1274_lanes[0],
       Lambda_0_11_p1274_lanes[0]) + s12 * Lambda_0_11_p1218_lanes;
 
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1489 = Lambda_0_11_p1287_lanes[0] + Lambda_0_11_p1295_lanes[0];
-  const Real Lambda_0_11_p1490 = Lambda_0_11_p1304_lanes[0] + Lambda_0_11_p1312_lanes[0];
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_0_11_p1648_lanes = detail::make_pack<Real>(Lambda_0_11_p1315_lanes[0],
+      Lambda_0_11_p1315_lanes[0], Lambda_0_11_p1315_lanes[0], Lambda_0_11_p1315_lanes[0],
+      Lambda_0_11_p1297_lanes[0], Lambda_0_11_p1235_lanes[0], Lambda_0_11_p1315_lanes[0],
+      Lambda_0_11_p1315_lanes[0]) + 0.11533812622014242 *
+      detail::make_pack<Real>(Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[0],
+      Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[1],
+      Lambda_0_11_p1642_lanes[2], Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[0]);
+  const Lanes<2> Lambda_0_11_p1651_lanes = 0.009919078854932248 * Lambda_0_11_p1346_lanes;
+  const Lanes<2> Lambda_0_11_p1653_lanes = 0.009919078854932248 * Lambda_0_11_p1352_lanes;
+
+  // link 1 (calf), articulated inertia
+  const Lanes<8> Lambda_0_11_p1667_lanes = 0.086 * Lambda_0_11_p1642_lanes;
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_0_11_p1491_lanes = detail::make_pack<Real>(Lambda_0_11_p1490,
-      Lambda_0_11_p1490, Lambda_0_11_p1490, Lambda_0_11_p1490, Lambda_0_11_p1489,
-      Lambda_0_11_p1235_lanes[0], Lambda_0_11_p1490, Lambda_0_11_p1490) + 0.11533812622014242 *
-      detail::make_pack<Real>(Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0],
-      Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1],
-      Lambda_0_11_p1483_lanes[2], Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0]);
-  const Real Lambda_0_11_p1494 = 0.11533812622014242 * Lambda_0_11_p1400;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1495 = Lambda_0_11_p1337_lanes[0] - Lambda_0_11_p1335_lanes[0];
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_0_11_p1496 = 0.009919078854932248 * Lambda_0_11_p1495;
-
-  // link 13 (left_hand), pose
-  const Real Lambda_0_11_p1497 = Lambda_0_11_p1340_lanes[0] - Lambda_0_11_p1342_lanes[0];
-
-  // link 13 (left_hand), force propagation
-  const Real Lambda_0_11_p1498 = 0.009919078854932248 * Lambda_0_11_p1497;
-  const Lanes<8> Lambda_0_11_p1511_lanes = detail::make_pack<Real>(-(0.086 *
-      Lambda_0_11_p1483_lanes[0]), -(0.086 * Lambda_0_11_p1483_lanes[1]),
-      -(0.086 * Lambda_0_11_p1483_lanes[2]), Lambda_0_11_p1497, Lambda_0_11_p1495,
-      Lambda_0_11_p1409, -(0.086 * Lambda_0_11_p1483_lanes[0]),
-      -(0.086 * Lambda_0_11_p1483_lanes[0])) - detail::make_pack<Real>(0.004018575007348824,
+  const Lanes<8> Lambda_0_11_p1670_lanes = detail::make_pack<Real>(-Lambda_0_11_p1667_lanes[0],
+      -Lambda_0_11_p1667_lanes[1], -Lambda_0_11_p1667_lanes[2], Lambda_0_11_p1352_lanes[0],
+      Lambda_0_11_p1346_lanes[0], Lambda_0_11_p1336_lanes[0], -Lambda_0_11_p1667_lanes[0],
+      -Lambda_0_11_p1667_lanes[0]) - detail::make_pack<Real>(0.004018575007348824,
       0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
       0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
-      detail::make_pack<Real>(Lambda_0_11_p1497, Lambda_0_11_p1495, Lambda_0_11_p1400,
-      Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1], Lambda_0_11_p1483_lanes[2],
-      Lambda_0_11_p1497, Lambda_0_11_p1497);
-  const Lanes<8> Lambda_0_11_p1523_lanes = s13 * detail::make_pack<Real>(Lambda_0_11_p1498,
-      Lambda_0_11_p1496, Lambda_0_11_p1494, Lambda_0_11_p1491_lanes[3], Lambda_0_11_p1491_lanes[4],
-      Lambda_0_11_p1491_lanes[5], Lambda_0_11_p1498, Lambda_0_11_p1498) + c13 *
-      Lambda_0_11_p1511_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_0_11_p1531_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_0_11_p1403_lanes - detail::make_pack<Real>(s13, s20) * Lambda_0_11_p1410_lanes -
-      Lambda_0_11_p11_lanes * detail::make_pack<Real>(Lambda_0_11_p1523_lanes[2],
-      Lambda_0_11_p1365_lanes[0]);
-  const Lanes<2> Lambda_0_11_p1537_lanes = detail::make_pack<Real>(Lambda_0_11_p1483_lanes[2],
-      Lambda_0_11_p1237) - Lambda_0_11_p35_lanes *
-      detail::make_pack<Real>(Lambda_0_11_p1523_lanes[2], Lambda_0_11_p1365_lanes[0]);
-  const Lanes<2> Lambda_0_11_p1541_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_0_11_p1531_lanes - detail::make_pack<Real>(c12, c19) * Lambda_0_11_p1537_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_0_11_p1551_lanes = 0.269 *
-      detail::make_pack<Real>(Lambda_0_11_p1541_lanes[1], Lambda_0_11_p1468_lanes[1],
-      Lambda_0_11_p1468_lanes[2], Lambda_0_11_p1468_lanes[3], Lambda_0_11_p1541_lanes[1],
-      Lambda_0_11_p1541_lanes[1], Lambda_0_11_p1541_lanes[1], Lambda_0_11_p1541_lanes[1]) -
-      inverse_D10_p8_lanes[1] * detail::make_pack<Real>(Lambda_0_11_p1431, Lambda_0_11_p1430,
-      Lambda_0_11_p1429, Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431, Lambda_0_11_p1431,
-      Lambda_0_11_p1431);
-  const Lanes<8> Lambda_0_11_p1571_lanes = s18 * Lambda_0_11_p1436_lanes + c18 *
-      Lambda_0_11_p1551_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p1579_lanes = c18 * Lambda_0_11_p1436_lanes - s18 *
-      Lambda_0_11_p1551_lanes - Lambda_0_11_p231_lanes[1] * Lambda_0_11_p1571_lanes;
-  const Lanes<8> Lambda_0_11_p1587_lanes = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p1571_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_0_11_p1607_lanes = detail::make_pack<Real>(-Lambda_0_11_p1541_lanes[1],
-      -Lambda_0_11_p1468_lanes[1], -Lambda_0_11_p1468_lanes[2], -Lambda_0_11_p1468_lanes[3],
-      -Lambda_0_11_p1541_lanes[1], -Lambda_0_11_p1541_lanes[1], -Lambda_0_11_p1541_lanes[1],
-      -Lambda_0_11_p1541_lanes[1]) + Lambda_0_11_p55_lanes[1] *
-      detail::make_pack<Real>(Lambda_0_11_p1431, Lambda_0_11_p1430, Lambda_0_11_p1429,
-      Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431, Lambda_0_11_p1431,
-      Lambda_0_11_p1431);
-  const Lanes<8> Lambda_0_11_p1619_lanes = Lambda_0_11_p1416_lanes - Lambda_0_11_p119_lanes[1] *
-      detail::make_pack<Real>(Lambda_0_11_p1431, Lambda_0_11_p1430, Lambda_0_11_p1429,
-      Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431, Lambda_0_11_p1431,
-      Lambda_0_11_p1431);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p1631_lanes = s18 * Lambda_0_11_p1607_lanes + c18 *
-      Lambda_0_11_p1619_lanes - Lambda_0_11_p191_lanes[1] * Lambda_0_11_p1571_lanes;
-  const Lanes<8> Lambda_0_11_p1651_lanes = c17 * Lambda_0_11_p1587_lanes - s17 *
-      Lambda_0_11_p1579_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_0_11_p1655_lanes = Lambda_0_11_p259_lanes[1] * Lambda_0_11_p1651_lanes;
-  const Lanes<8> Lambda_0_11_p1659_lanes = c17 * Lambda_0_11_p1579_lanes + s17 *
-      Lambda_0_11_p1587_lanes + 0.282 * Lambda_0_11_p1631_lanes - Lambda_0_11_p1655_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1677_lanes = s19 * Lambda_0_11_p1444_lanes - c19 *
-      Lambda_0_11_p1462_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1704_lanes = c13 * detail::make_pack<Real>(Lambda_0_11_p1498,
-      Lambda_0_11_p1496, Lambda_0_11_p1494, Lambda_0_11_p1491_lanes[3], Lambda_0_11_p1491_lanes[4],
-      Lambda_0_11_p1491_lanes[5], Lambda_0_11_p1498, Lambda_0_11_p1498) - s13 *
-      Lambda_0_11_p1511_lanes - inverse_D11_p1_lanes[0] * Lambda_0_11_p1523_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Real Lambda_0_11_p1710 = -(c12 * Lambda_0_11_p1704_lanes[5]);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1713_lanes = Lambda_0_11_p35_lanes[0] * Lambda_0_11_p1523_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_0_11_p1722_lanes = (-3.0523172236718206) *
-      detail::make_pack<Real>(Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0],
-      Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1],
-      Lambda_0_11_p1483_lanes[2], Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[0]);
-  const Lanes<2> Lambda_0_11_p1727_lanes = detail::make_pack<Real>(Lambda_0_11_p1489,
-      Lambda_0_11_p1297) + detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
-      detail::make_pack<Real>(Lambda_0_11_p1495, Lambda_0_11_p1339);
-  const Lanes<2> Lambda_0_11_p1731_lanes = detail::make_pack<Real>(Lambda_0_11_p1490,
-      Lambda_0_11_p1314) + detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
-      detail::make_pack<Real>(Lambda_0_11_p1497, Lambda_0_11_p1344);
-  const Lanes<8> Lambda_0_11_p1738_lanes = detail::make_pack<Real>(0.49024375482668536,
+      detail::make_pack<Real>(Lambda_0_11_p1352_lanes[0], Lambda_0_11_p1346_lanes[0],
+      Lambda_0_11_p1328_lanes[0], Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[1],
+      Lambda_0_11_p1642_lanes[2], Lambda_0_11_p1352_lanes[0], Lambda_0_11_p1352_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1682_lanes = s13 * detail::make_pack<Real>(Lambda_0_11_p1653_lanes[0],
+      Lambda_0_11_p1651_lanes[0], Lambda_0_11_p1330_lanes[0], Lambda_0_11_p1648_lanes[3],
+      Lambda_0_11_p1648_lanes[4], Lambda_0_11_p1648_lanes[5], Lambda_0_11_p1653_lanes[0],
+      Lambda_0_11_p1653_lanes[0]) + c13 * Lambda_0_11_p1670_lanes;
+  const Lanes<8> Lambda_0_11_p1691_lanes = (-3.0523172236718206) *
+      detail::make_pack<Real>(Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[0],
+      Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[1],
+      Lambda_0_11_p1642_lanes[2], Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[0]);
+  const Lanes<2> Lambda_0_11_p1696_lanes = Lambda_0_11_p1297_lanes +
+      detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
+      Lambda_0_11_p1346_lanes;
+  const Lanes<2> Lambda_0_11_p1700_lanes = Lambda_0_11_p1315_lanes +
+      detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
+      Lambda_0_11_p1352_lanes;
+  const Lanes<8> Lambda_0_11_p1707_lanes = detail::make_pack<Real>(0.49024375482668536,
       0.49024375482668536, 0.49024375482668536, 17.32841575379867, 17.32841575379867,
       17.32841575379867, 0.49024375482668536, 0.49024375482668536) *
-      detail::make_pack<Real>(Lambda_0_11_p1497, Lambda_0_11_p1495, Lambda_0_11_p1497,
-      Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1], Lambda_0_11_p1483_lanes[2],
-      Lambda_0_11_p1497, Lambda_0_11_p1497);
-  const Lanes<8> Lambda_0_11_p1748_lanes = c13 * detail::make_pack<Real>(Lambda_0_11_p1731_lanes[0],
-      Lambda_0_11_p1727_lanes[0], Lambda_0_11_p1731_lanes[0], Lambda_0_11_p1722_lanes[3],
-      Lambda_0_11_p1722_lanes[4], Lambda_0_11_p1722_lanes[5], Lambda_0_11_p1731_lanes[0],
-      Lambda_0_11_p1731_lanes[0]) + s13 * Lambda_0_11_p1738_lanes;
+      detail::make_pack<Real>(Lambda_0_11_p1352_lanes[0], Lambda_0_11_p1346_lanes[0],
+      Lambda_0_11_p1352_lanes[0], Lambda_0_11_p1642_lanes[0], Lambda_0_11_p1642_lanes[1],
+      Lambda_0_11_p1642_lanes[2], Lambda_0_11_p1352_lanes[0], Lambda_0_11_p1352_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1717_lanes = c13 * detail::make_pack<Real>(Lambda_0_11_p1700_lanes[0],
+      Lambda_0_11_p1696_lanes[0], Lambda_0_11_p1700_lanes[0], Lambda_0_11_p1691_lanes[3],
+      Lambda_0_11_p1691_lanes[4], Lambda_0_11_p1691_lanes[5], Lambda_0_11_p1700_lanes[0],
+      Lambda_0_11_p1700_lanes[0]) + s13 * Lambda_0_11_p1707_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1753_lanes = Lambda_0_11_p1748_lanes - Lambda_0_11_p11_lanes[0] *
-      Lambda_0_11_p1523_lanes;
-  const Lanes<8> Lambda_0_11_p1759_lanes = s12 * Lambda_0_11_p1713_lanes - c12 *
-      Lambda_0_11_p1753_lanes;
+  const Lanes<8> Lambda_0_11_p1722_lanes = detail::make_pack<Real>(Lambda_0_11_p1717_lanes[0],
+      Lambda_0_11_p1717_lanes[1], Lambda_0_11_p1486_lanes[0], Lambda_0_11_p1717_lanes[0],
+      Lambda_0_11_p1717_lanes[0], Lambda_0_11_p1717_lanes[0], Lambda_0_11_p1717_lanes[0],
+      Lambda_0_11_p1717_lanes[0]) - Lambda_0_11_p11_lanes[0] * Lambda_0_11_p1682_lanes;
+  const Lanes<8> Lambda_0_11_p1730_lanes = Lambda_0_11_p1642_lanes - Lambda_0_11_p35_lanes[0] *
+      Lambda_0_11_p1682_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_0_11_p1762_lanes = detail::make_pack<Real>(Lambda_0_11_p1759_lanes[5],
-      Lambda_0_11_p1677_lanes[3]) - Lambda_0_11_p337_lanes *
-      detail::make_pack<Real>(Lambda_0_11_p1710, Lambda_0_11_p1428);
-  const Real Lambda_0_11_p1764 = -(c12 * Lambda_0_11_p1704_lanes[4]);
-  const Lanes<2> Lambda_0_11_p1767_lanes = detail::make_pack<Real>(Lambda_0_11_p1759_lanes[4],
-      Lambda_0_11_p1677_lanes[2]) - Lambda_0_11_p337_lanes *
-      detail::make_pack<Real>(Lambda_0_11_p1764, Lambda_0_11_p1429);
-  const Real Lambda_0_11_p1769 = -(c12 * Lambda_0_11_p1704_lanes[3]);
-  const Lanes<2> Lambda_0_11_p1772_lanes = detail::make_pack<Real>(Lambda_0_11_p1759_lanes[3],
-      Lambda_0_11_p1677_lanes[1]) - Lambda_0_11_p337_lanes *
-      detail::make_pack<Real>(Lambda_0_11_p1769, Lambda_0_11_p1430);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_0_11_p1778_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_0_11_p1537_lanes + detail::make_pack<Real>(c12, c19) * Lambda_0_11_p1531_lanes;
+  const Lanes<2> Lambda_0_11_p1737_lanes = -(detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(Lambda_0_11_p1730_lanes[2], Lambda_0_11_p1489) +
+      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_0_11_p1722_lanes[2],
+      Lambda_0_11_p1488));
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p1780_lanes = detail::make_pack<Real>(-(-Lambda_0_11_p1778_lanes[1] -
-      Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431), -Lambda_0_11_p1772_lanes[1],
-      -Lambda_0_11_p1767_lanes[1], -Lambda_0_11_p1762_lanes[1],
-      -(-Lambda_0_11_p1778_lanes[1] - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431),
-      -(-Lambda_0_11_p1778_lanes[1] - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431),
-      -(-Lambda_0_11_p1778_lanes[1] - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431),
-      -(-Lambda_0_11_p1778_lanes[1] - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1431)) -
-      Lambda_0_11_p363_lanes[1] * Lambda_0_11_p1571_lanes;
-  const Lanes<8> Lambda_0_11_p1804_lanes = c18 * Lambda_0_11_p1607_lanes - s18 *
-      Lambda_0_11_p1619_lanes - Lambda_0_11_p317_lanes[1] * Lambda_0_11_p1571_lanes;
-  const Lanes<8> Lambda_0_11_p1812_lanes = s17 * Lambda_0_11_p1780_lanes - c17 *
-      Lambda_0_11_p1804_lanes;
+  const Lanes<8> Lambda_0_11_p1747_lanes = -(detail::make_pack<Real>(Lambda_0_11_p1737_lanes[1],
+      Lambda_0_11_p1629_lanes[1], Lambda_0_11_p1629_lanes[2], Lambda_0_11_p1629_lanes[3],
+      Lambda_0_11_p1737_lanes[1], Lambda_0_11_p1737_lanes[1], Lambda_0_11_p1737_lanes[1],
+      Lambda_0_11_p1737_lanes[1]) - Lambda_0_11_p337_lanes[1] * Lambda_0_11_p1439_lanes) -
+      Lambda_0_11_p363_lanes[1] * Lambda_0_11_p1519_lanes;
+  const Lanes<8> Lambda_0_11_p1771_lanes = c18 * Lambda_0_11_p1559_lanes - s18 *
+      Lambda_0_11_p1571_lanes - Lambda_0_11_p317_lanes[1] * Lambda_0_11_p1519_lanes;
+  const Lanes<8> Lambda_0_11_p1779_lanes = s17 * Lambda_0_11_p1747_lanes - c17 *
+      Lambda_0_11_p1771_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_0_11_p1824_lanes = 0.282 * Lambda_0_11_p1812_lanes -
-      Lambda_0_11_p401_lanes[1] * Lambda_0_11_p1651_lanes;
-  const Lanes<8> Lambda_0_11_p1832_lanes = c16 * Lambda_0_11_p1659_lanes - s16 *
-      Lambda_0_11_p1824_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_0_11_p1862_lanes = s13 * detail::make_pack<Real>(Lambda_0_11_p1731_lanes[0],
-      Lambda_0_11_p1727_lanes[0], Lambda_0_11_p1731_lanes[0], Lambda_0_11_p1722_lanes[3],
-      Lambda_0_11_p1722_lanes[4], Lambda_0_11_p1722_lanes[5], Lambda_0_11_p1731_lanes[0],
-      Lambda_0_11_p1731_lanes[0]) - c13 * Lambda_0_11_p1738_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1867_lanes = detail::make_pack<Real>(Lambda_0_11_p1862_lanes[0],
-      Lambda_0_11_p1862_lanes[1], Lambda_0_11_p1414_lanes[0], Lambda_0_11_p1862_lanes[3],
-      Lambda_0_11_p1862_lanes[4], Lambda_0_11_p1862_lanes[5], Lambda_0_11_p1862_lanes[0],
-      Lambda_0_11_p1862_lanes[0]) - Lambda_0_11_p61_lanes[0] * Lambda_0_11_p1523_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Real Lambda_0_11_p1885 = -(c12 * Lambda_0_11_p1704_lanes[2]);
-  const Real Lambda_0_11_p1886 = -(c12 * Lambda_0_11_p1704_lanes[1]);
-  const Real Lambda_0_11_p1887 = -(c12 * Lambda_0_11_p1704_lanes[0]);
-  const Lanes<8> Lambda_0_11_p1894_lanes = 0.269 * Lambda_0_11_p1867_lanes - s12 *
-      Lambda_0_11_p1704_lanes - inverse_D10_p1_lanes[0] *
-      detail::make_pack<Real>(Lambda_0_11_p1887, Lambda_0_11_p1886, Lambda_0_11_p1885,
-      Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710, Lambda_0_11_p1887,
-      Lambda_0_11_p1887);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p1912_lanes = c12 * Lambda_0_11_p1713_lanes + s12 *
-      Lambda_0_11_p1753_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_0_11_p1915 = 0.49024375482668536 * Lambda_0_11_p1339;
-  const Real Lambda_0_11_p1916 = -(0.086 * Lambda_0_11_p1257) - (-0.004018575007348824) *
-      Lambda_0_11_p1339;
-  const Real Lambda_0_11_p1917 = 0.009919078854932248 * Lambda_0_11_p1339;
-  const Real Lambda_0_11_p1918 = s20 * Lambda_0_11_p1917 + c20 * Lambda_0_11_p1916;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_0_11_p1921_lanes = detail::make_pack<Real>(Lambda_0_11_p1748_lanes[1], c20 *
-      Lambda_0_11_p1727_lanes[1] + s20 * Lambda_0_11_p1915) - Lambda_0_11_p11_lanes *
-      detail::make_pack<Real>(Lambda_0_11_p1523_lanes[1], Lambda_0_11_p1918);
-  const Lanes<2> Lambda_0_11_p1927_lanes = detail::make_pack<Real>(Lambda_0_11_p1483_lanes[1],
-      Lambda_0_11_p1257) - Lambda_0_11_p35_lanes *
-      detail::make_pack<Real>(Lambda_0_11_p1523_lanes[1], Lambda_0_11_p1918);
-  const Lanes<2> Lambda_0_11_p1931_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_0_11_p1921_lanes - detail::make_pack<Real>(c12, c19) * Lambda_0_11_p1927_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_0_11_p1933 = 0.49024375482668536 * Lambda_0_11_p1344;
-  const Real Lambda_0_11_p1934 = 0.009919078854932248 * Lambda_0_11_p1344;
-  const Real Lambda_0_11_p1935 = -(0.086 * Lambda_0_11_p1277) - (-0.004018575007348824) *
-      Lambda_0_11_p1344;
-  const Real Lambda_0_11_p1936 = s20 * Lambda_0_11_p1934 + c20 * Lambda_0_11_p1935;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_0_11_p1939_lanes = detail::make_pack<Real>(Lambda_0_11_p1748_lanes[0], c20 *
-      Lambda_0_11_p1731_lanes[1] + s20 * Lambda_0_11_p1933) - Lambda_0_11_p11_lanes *
-      detail::make_pack<Real>(Lambda_0_11_p1523_lanes[0], Lambda_0_11_p1936);
-  const Lanes<2> Lambda_0_11_p1945_lanes = detail::make_pack<Real>(Lambda_0_11_p1483_lanes[0],
-      Lambda_0_11_p1277) - Lambda_0_11_p35_lanes *
-      detail::make_pack<Real>(Lambda_0_11_p1523_lanes[0], Lambda_0_11_p1936);
-  const Lanes<2> Lambda_0_11_p1949_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_0_11_p1939_lanes - detail::make_pack<Real>(c12, c19) * Lambda_0_11_p1945_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_0_11_p1963_lanes = 0.269 *
-      detail::make_pack<Real>(Lambda_0_11_p1949_lanes[0], Lambda_0_11_p1931_lanes[0],
-      Lambda_0_11_p1541_lanes[0], Lambda_0_11_p1912_lanes[3], Lambda_0_11_p1912_lanes[4],
-      Lambda_0_11_p1912_lanes[5], Lambda_0_11_p1949_lanes[0], Lambda_0_11_p1949_lanes[0]) -
-      inverse_D10_p8_lanes[0] * detail::make_pack<Real>(Lambda_0_11_p1887, Lambda_0_11_p1886,
-      Lambda_0_11_p1885, Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710, Lambda_0_11_p1887,
-      Lambda_0_11_p1887);
-  const Lanes<8> Lambda_0_11_p1975_lanes = s11 * Lambda_0_11_p1894_lanes + c11 *
-      Lambda_0_11_p1963_lanes;
-  const Lanes<8> Lambda_0_11_p1993_lanes = detail::make_pack<Real>(-Lambda_0_11_p1949_lanes[0],
-      -Lambda_0_11_p1931_lanes[0], -Lambda_0_11_p1541_lanes[0], -Lambda_0_11_p1912_lanes[3],
-      -Lambda_0_11_p1912_lanes[4], -Lambda_0_11_p1912_lanes[5], -Lambda_0_11_p1949_lanes[0],
-      -Lambda_0_11_p1949_lanes[0]) + Lambda_0_11_p55_lanes[0] *
-      detail::make_pack<Real>(Lambda_0_11_p1887, Lambda_0_11_p1886, Lambda_0_11_p1885,
-      Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710, Lambda_0_11_p1887,
-      Lambda_0_11_p1887);
-  const Lanes<8> Lambda_0_11_p2011_lanes = Lambda_0_11_p1867_lanes - Lambda_0_11_p119_lanes[0] *
-      detail::make_pack<Real>(Lambda_0_11_p1887, Lambda_0_11_p1886, Lambda_0_11_p1885,
-      Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710, Lambda_0_11_p1887,
-      Lambda_0_11_p1887);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p2029_lanes = c11 * Lambda_0_11_p1993_lanes - s11 *
-      Lambda_0_11_p2011_lanes - Lambda_0_11_p317_lanes[0] * Lambda_0_11_p1975_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_0_11_p2047_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_0_11_p1927_lanes + detail::make_pack<Real>(c12, c19) * Lambda_0_11_p1921_lanes;
-  const Lanes<2> Lambda_0_11_p2053_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_0_11_p1945_lanes + detail::make_pack<Real>(c12, c19) * Lambda_0_11_p1939_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p2055_lanes = detail::make_pack<Real>(-(-Lambda_0_11_p2053_lanes[0] -
-      Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1887),
-      -(-Lambda_0_11_p2047_lanes[0] - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1886),
-      -(-Lambda_0_11_p1778_lanes[0] - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1885),
-      -Lambda_0_11_p1772_lanes[0], -Lambda_0_11_p1767_lanes[0], -Lambda_0_11_p1762_lanes[0],
-      -(-Lambda_0_11_p2053_lanes[0] - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1887),
-      -(-Lambda_0_11_p2053_lanes[0] - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p1887)) -
-      Lambda_0_11_p363_lanes[0] * Lambda_0_11_p1975_lanes;
-  const Lanes<2> Lambda_0_11_p2063_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_0_11_p2029_lanes[5], Lambda_0_11_p1804_lanes[3]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_0_11_p2055_lanes[5],
-      Lambda_0_11_p1780_lanes[3]);
-  const Lanes<2> Lambda_0_11_p2069_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_0_11_p2029_lanes[4], Lambda_0_11_p1804_lanes[2]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_0_11_p2055_lanes[4],
-      Lambda_0_11_p1780_lanes[2]);
-  const Lanes<2> Lambda_0_11_p2075_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_0_11_p2029_lanes[3], Lambda_0_11_p1804_lanes[1]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_0_11_p2055_lanes[3],
-      Lambda_0_11_p1780_lanes[1]);
-  const Lanes<2> Lambda_0_11_p2081_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_0_11_p2029_lanes[2], Lambda_0_11_p1804_lanes[0]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_0_11_p2055_lanes[2],
-      Lambda_0_11_p1780_lanes[0]);
+  const Lanes<8> Lambda_0_11_p1791_lanes = 0.282 * Lambda_0_11_p1779_lanes -
+      Lambda_0_11_p401_lanes[1] * Lambda_0_11_p1603_lanes;
+  const Lanes<8> Lambda_0_11_p1799_lanes = c16 * Lambda_0_11_p1611_lanes - s16 *
+      Lambda_0_11_p1791_lanes;
+  const Lanes<8> Lambda_0_11_p1827_lanes = -(s17 * Lambda_0_11_p1771_lanes + c17 *
+      Lambda_0_11_p1747_lanes) + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1603_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2083_lanes = detail::make_pack<Real>(-(-Lambda_0_11_p2081_lanes[1] +
-      Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0]),
-      -(-Lambda_0_11_p2075_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[1]),
-      -(-Lambda_0_11_p2069_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[2]),
-      -(-Lambda_0_11_p2063_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[3]),
-      -(-Lambda_0_11_p2081_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0]),
-      -(-Lambda_0_11_p2081_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0]),
-      -(-Lambda_0_11_p2081_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0]),
-      -(-Lambda_0_11_p2081_lanes[1] + Lambda_0_11_p515_lanes[1] * Lambda_0_11_p1651_lanes[0])) +
-      Lambda_0_11_p555_lanes[1] * Lambda_0_11_p1832_lanes;
+  const Lanes<8> Lambda_0_11_p1835_lanes = -Lambda_0_11_p1827_lanes + Lambda_0_11_p555_lanes[1] *
+      Lambda_0_11_p1799_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_0_11_p2099_lanes = detail::make_pack<Real>(-Lambda_0_11_p1812_lanes[0],
-      -Lambda_0_11_p1812_lanes[1], -Lambda_0_11_p1812_lanes[2], -Lambda_0_11_p1812_lanes[3],
-      -Lambda_0_11_p1812_lanes[0], -Lambda_0_11_p1812_lanes[0], -Lambda_0_11_p1812_lanes[0],
-      -Lambda_0_11_p1812_lanes[0]) + Lambda_0_11_p569_lanes[1] * Lambda_0_11_p1651_lanes;
-  const Lanes<8> Lambda_0_11_p2111_lanes = Lambda_0_11_p1631_lanes - Lambda_0_11_p577_lanes[1] *
-      Lambda_0_11_p1651_lanes;
+  const Lanes<8> Lambda_0_11_p1855_lanes = -Lambda_0_11_p1779_lanes + Lambda_0_11_p569_lanes[1] *
+      Lambda_0_11_p1603_lanes;
+  const Lanes<8> Lambda_0_11_p1867_lanes = Lambda_0_11_p1583_lanes - Lambda_0_11_p577_lanes[1] *
+      Lambda_0_11_p1603_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2123_lanes = s16 * Lambda_0_11_p2099_lanes + c16 *
-      Lambda_0_11_p2111_lanes - Lambda_0_11_p609_lanes[1] * Lambda_0_11_p1832_lanes;
-  const Lanes<8> Lambda_0_11_p2151_lanes = s16 * Lambda_0_11_p1659_lanes + c16 *
-      Lambda_0_11_p1824_lanes - inverse_D7_p1_lanes[1] * Lambda_0_11_p1832_lanes;
+  const Lanes<8> Lambda_0_11_p1879_lanes = s16 * Lambda_0_11_p1855_lanes + c16 *
+      Lambda_0_11_p1867_lanes - Lambda_0_11_p609_lanes[1] * Lambda_0_11_p1799_lanes;
+  const Lanes<8> Lambda_0_11_p1907_lanes = s16 * Lambda_0_11_p1611_lanes + c16 *
+      Lambda_0_11_p1791_lanes - inverse_D7_p1_lanes[1] * Lambda_0_11_p1799_lanes;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_0_11_p2159_lanes = 0.00010499999999999999 / inverse_D8_p3_lanes;
+  const Lanes<2> Lambda_0_11_p1915_lanes = 0.00010499999999999999 / inverse_D8_p3_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2161_lanes = Lambda_0_11_p2159_lanes[1] * Lambda_0_11_p1832_lanes;
-  const Lanes<8> Lambda_0_11_p2169_lanes = s15 * Lambda_0_11_p2161_lanes + c15 *
-      Lambda_0_11_p2151_lanes;
+  const Lanes<8> Lambda_0_11_p1917_lanes = Lambda_0_11_p1915_lanes[1] * Lambda_0_11_p1799_lanes;
+  const Lanes<8> Lambda_0_11_p1925_lanes = s15 * Lambda_0_11_p1917_lanes + c15 *
+      Lambda_0_11_p1907_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2177_lanes = s15 * Lambda_0_11_p2083_lanes + c15 *
-      Lambda_0_11_p2123_lanes - Lambda_0_11_p837_lanes[1] * Lambda_0_11_p2169_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_0_11_p2181 = s20 * Lambda_0_11_p1727_lanes[1] - c20 * Lambda_0_11_p1915 -
-      Lambda_0_11_p61_lanes[1] * Lambda_0_11_p1918;
-  const Real Lambda_0_11_p2182 = c20 * Lambda_0_11_p1917 - s20 * Lambda_0_11_p1916 -
-      inverse_D11_p1_lanes[1] * Lambda_0_11_p1918;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p2183 = -(c19 * Lambda_0_11_p2182);
-  const Real Lambda_0_11_p2184 = 0.269 * Lambda_0_11_p2181 - s19 * Lambda_0_11_p2182 -
-      inverse_D10_p1_lanes[1] * Lambda_0_11_p2183;
-  const Real Lambda_0_11_p2185 = 0.269 * Lambda_0_11_p1931_lanes[1] - inverse_D10_p8_lanes[1] *
-      Lambda_0_11_p2183;
-  const Real Lambda_0_11_p2186 = s18 * Lambda_0_11_p2184 + c18 * Lambda_0_11_p2185;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p2187 = c18 * Lambda_0_11_p2184 - s18 * Lambda_0_11_p2185 -
-      Lambda_0_11_p231_lanes[1] * Lambda_0_11_p2186;
-  const Real Lambda_0_11_p2188 = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p2186;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p2189 = -Lambda_0_11_p1931_lanes[1] + Lambda_0_11_p55_lanes[1] *
-      Lambda_0_11_p2183;
-  const Real Lambda_0_11_p2190 = Lambda_0_11_p2181 - Lambda_0_11_p119_lanes[1] * Lambda_0_11_p2183;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p2191 = s18 * Lambda_0_11_p2189 + c18 * Lambda_0_11_p2190 -
-      Lambda_0_11_p191_lanes[1] * Lambda_0_11_p2186;
-  const Real Lambda_0_11_p2192 = c17 * Lambda_0_11_p2188 - s17 * Lambda_0_11_p2187;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p2193 = c17 * Lambda_0_11_p2187 + s17 * Lambda_0_11_p2188 + 0.282 *
-      Lambda_0_11_p2191 - Lambda_0_11_p259_lanes[1] * Lambda_0_11_p2192;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p2194 = c18 * Lambda_0_11_p2189 - s18 * Lambda_0_11_p2190 -
-      Lambda_0_11_p317_lanes[1] * Lambda_0_11_p2186;
-  const Real Lambda_0_11_p2195 = -(-Lambda_0_11_p2047_lanes[1] - Lambda_0_11_p337_lanes[1] *
-      Lambda_0_11_p2183) - Lambda_0_11_p363_lanes[1] * Lambda_0_11_p2186;
-  const Real Lambda_0_11_p2196 = s17 * Lambda_0_11_p2195 - c17 * Lambda_0_11_p2194;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p2197 = 0.282 * Lambda_0_11_p2196 - Lambda_0_11_p401_lanes[1] *
-      Lambda_0_11_p2192;
-  const Real Lambda_0_11_p2198 = c16 * Lambda_0_11_p2193 - s16 * Lambda_0_11_p2197;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p2199 = Lambda_0_11_p2159_lanes[1] * Lambda_0_11_p2198;
-  const Real Lambda_0_11_p2200 = s16 * Lambda_0_11_p2193 + c16 * Lambda_0_11_p2197 -
-      inverse_D7_p1_lanes[1] * Lambda_0_11_p2198;
-  const Real Lambda_0_11_p2201 = s15 * Lambda_0_11_p2199 + c15 * Lambda_0_11_p2200;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_0_11_p2202 = s20 * Lambda_0_11_p1731_lanes[1] - c20 * Lambda_0_11_p1933 -
-      Lambda_0_11_p61_lanes[1] * Lambda_0_11_p1936;
-  const Real Lambda_0_11_p2203 = c20 * Lambda_0_11_p1934 - s20 * Lambda_0_11_p1935 -
-      inverse_D11_p1_lanes[1] * Lambda_0_11_p1936;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p2204 = -(c19 * Lambda_0_11_p2203);
-  const Real Lambda_0_11_p2205 = 0.269 * Lambda_0_11_p2202 - s19 * Lambda_0_11_p2203 -
-      inverse_D10_p1_lanes[1] * Lambda_0_11_p2204;
-  const Real Lambda_0_11_p2206 = 0.269 * Lambda_0_11_p1949_lanes[1] - inverse_D10_p8_lanes[1] *
-      Lambda_0_11_p2204;
-  const Real Lambda_0_11_p2207 = s18 * Lambda_0_11_p2205 + c18 * Lambda_0_11_p2206;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p2208 = c18 * Lambda_0_11_p2205 - s18 * Lambda_0_11_p2206 -
-      Lambda_0_11_p231_lanes[1] * Lambda_0_11_p2207;
-  const Real Lambda_0_11_p2209 = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p2207;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p2210 = -Lambda_0_11_p1949_lanes[1] + Lambda_0_11_p55_lanes[1] *
-      Lambda_0_11_p2204;
-  const Real Lambda_0_11_p2211 = Lambda_0_11_p2202 - Lambda_0_11_p119_lanes[1] * Lambda_0_11_p2204;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p2212 = s18 * Lambda_0_11_p2210 + c18 * Lambda_0_11_p2211 -
-      Lambda_0_11_p191_lanes[1] * Lambda_0_11_p2207;
-  const Real Lambda_0_11_p2213 = c17 * Lambda_0_11_p2209 - s17 * Lambda_0_11_p2208;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p2214 = c17 * Lambda_0_11_p2208 + s17 * Lambda_0_11_p2209 + 0.282 *
-      Lambda_0_11_p2212 - Lambda_0_11_p259_lanes[1] * Lambda_0_11_p2213;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p2215 = c18 * Lambda_0_11_p2210 - s18 * Lambda_0_11_p2211 -
-      Lambda_0_11_p317_lanes[1] * Lambda_0_11_p2207;
-  const Real Lambda_0_11_p2216 = -(-Lambda_0_11_p2053_lanes[1] - Lambda_0_11_p337_lanes[1] *
-      Lambda_0_11_p2204) - Lambda_0_11_p363_lanes[1] * Lambda_0_11_p2207;
-  const Real Lambda_0_11_p2217 = s17 * Lambda_0_11_p2216 - c17 * Lambda_0_11_p2215;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p2218 = 0.282 * Lambda_0_11_p2217 - Lambda_0_11_p401_lanes[1] *
-      Lambda_0_11_p2213;
-  const Real Lambda_0_11_p2219 = c16 * Lambda_0_11_p2214 - s16 * Lambda_0_11_p2218;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p2220 = s16 * Lambda_0_11_p2214 + c16 * Lambda_0_11_p2218 -
-      inverse_D7_p1_lanes[1] * Lambda_0_11_p2219;
-  const Real Lambda_0_11_p2221 = Lambda_0_11_p2159_lanes[1] * Lambda_0_11_p2219;
-  const Real Lambda_0_11_p2222 = s15 * Lambda_0_11_p2221 + c15 * Lambda_0_11_p2220;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p2247_lanes = c11 * Lambda_0_11_p1894_lanes - s11 *
-      Lambda_0_11_p1963_lanes - Lambda_0_11_p231_lanes[0] * Lambda_0_11_p1975_lanes;
-  const Lanes<8> Lambda_0_11_p2259_lanes = Lambda_0_11_p221_lanes[0] * Lambda_0_11_p1975_lanes;
-  const Lanes<8> Lambda_0_11_p2301_lanes = s11 * Lambda_0_11_p1993_lanes + c11 *
-      Lambda_0_11_p2011_lanes - Lambda_0_11_p191_lanes[0] * Lambda_0_11_p1975_lanes;
-  const Lanes<8> Lambda_0_11_p2331_lanes = c10 * Lambda_0_11_p2259_lanes - s10 *
-      Lambda_0_11_p2247_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_0_11_p2337_lanes = Lambda_0_11_p259_lanes[0] * Lambda_0_11_p2331_lanes;
-  const Lanes<8> Lambda_0_11_p2343_lanes = c10 * Lambda_0_11_p2247_lanes + s10 *
-      Lambda_0_11_p2259_lanes + 0.282 * Lambda_0_11_p2301_lanes - Lambda_0_11_p2337_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p2367_lanes = s10 * Lambda_0_11_p2055_lanes - c10 *
-      Lambda_0_11_p2029_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_0_11_p2385_lanes = 0.282 * Lambda_0_11_p2367_lanes -
-      Lambda_0_11_p401_lanes[0] * Lambda_0_11_p2331_lanes;
-  const Lanes<8> Lambda_0_11_p2415_lanes = c9 * Lambda_0_11_p2343_lanes - s9 *
-      Lambda_0_11_p2385_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2427_lanes = s9 * Lambda_0_11_p2343_lanes + c9 *
-      Lambda_0_11_p2385_lanes - inverse_D7_p1_lanes[0] * Lambda_0_11_p2415_lanes;
-  const Lanes<8> Lambda_0_11_p2439_lanes = Lambda_0_11_p2159_lanes[0] * Lambda_0_11_p2415_lanes;
-  const Lanes<8> Lambda_0_11_p2451_lanes = s8 * Lambda_0_11_p2439_lanes + c8 *
-      Lambda_0_11_p2427_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_0_11_p2469_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_0_11_p2029_lanes[1], Lambda_0_11_p2194) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_0_11_p2055_lanes[1],
-      Lambda_0_11_p2195);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p2471 = -(-Lambda_0_11_p2469_lanes[1] + Lambda_0_11_p515_lanes[1] *
-      Lambda_0_11_p2192) + Lambda_0_11_p555_lanes[1] * Lambda_0_11_p2198;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p2472 = -Lambda_0_11_p2196 + Lambda_0_11_p569_lanes[1] * Lambda_0_11_p2192;
-  const Real Lambda_0_11_p2473 = Lambda_0_11_p2191 - Lambda_0_11_p577_lanes[1] * Lambda_0_11_p2192;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p2474 = s16 * Lambda_0_11_p2472 + c16 * Lambda_0_11_p2473 -
-      Lambda_0_11_p609_lanes[1] * Lambda_0_11_p2198;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p2475 = -Lambda_0_11_p2217 + Lambda_0_11_p569_lanes[1] * Lambda_0_11_p2213;
-  const Real Lambda_0_11_p2476 = Lambda_0_11_p2212 - Lambda_0_11_p577_lanes[1] * Lambda_0_11_p2213;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p2477 = s16 * Lambda_0_11_p2475 + c16 * Lambda_0_11_p2476 -
-      Lambda_0_11_p609_lanes[1] * Lambda_0_11_p2219;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_0_11_p2482_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_0_11_p2029_lanes[0], Lambda_0_11_p2215) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_0_11_p2055_lanes[0],
-      Lambda_0_11_p2216);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p2484 = -(-Lambda_0_11_p2482_lanes[1] + Lambda_0_11_p515_lanes[1] *
-      Lambda_0_11_p2213) + Lambda_0_11_p555_lanes[1] * Lambda_0_11_p2219;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2491_lanes = detail::make_pack<Real>(-(-Lambda_0_11_p2482_lanes[0] +
-      Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[0]),
-      -(-Lambda_0_11_p2469_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[1]),
-      -(-Lambda_0_11_p2081_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[2]),
-      -(-Lambda_0_11_p2075_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[3]),
-      -(-Lambda_0_11_p2069_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[4]),
-      -(-Lambda_0_11_p2063_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[5]),
-      -(-Lambda_0_11_p2482_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[0]),
-      -(-Lambda_0_11_p2482_lanes[0] + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2331_lanes[0])) +
-      Lambda_0_11_p555_lanes[0] * Lambda_0_11_p2415_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_0_11_p2515_lanes = detail::make_pack<Real>(-Lambda_0_11_p2367_lanes[0],
-      -Lambda_0_11_p2367_lanes[1], -Lambda_0_11_p2367_lanes[2], -Lambda_0_11_p2367_lanes[3],
-      -Lambda_0_11_p2367_lanes[4], -Lambda_0_11_p2367_lanes[5], -Lambda_0_11_p2367_lanes[0],
-      -Lambda_0_11_p2367_lanes[0]) + Lambda_0_11_p569_lanes[0] * Lambda_0_11_p2331_lanes;
-  const Lanes<8> Lambda_0_11_p2533_lanes = Lambda_0_11_p2301_lanes - Lambda_0_11_p577_lanes[0] *
-      Lambda_0_11_p2331_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2551_lanes = s9 * Lambda_0_11_p2515_lanes + c9 *
-      Lambda_0_11_p2533_lanes - Lambda_0_11_p609_lanes[0] * Lambda_0_11_p2415_lanes;
-  const Lanes<8> Lambda_0_11_p2563_lanes = s8 * Lambda_0_11_p2491_lanes + c8 *
-      Lambda_0_11_p2551_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2569_lanes = detail::make_pack<Real>(Lambda_0_11_p2563_lanes[0],
-      Lambda_0_11_p2563_lanes[1], Lambda_0_11_p2563_lanes[2], Lambda_0_11_p2563_lanes[3],
-      Lambda_0_11_p2563_lanes[4], Lambda_0_11_p2563_lanes[5], s15 * Lambda_0_11_p2484 + c15 *
-      Lambda_0_11_p2477, s15 * Lambda_0_11_p2471 + c15 * Lambda_0_11_p2474) -
-      detail::make_pack<Real>(Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0],
-      Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0],
-      Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[1], Lambda_0_11_p837_lanes[1]) *
-      detail::make_pack<Real>(Lambda_0_11_p2451_lanes[0], Lambda_0_11_p2451_lanes[1],
-      Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3], Lambda_0_11_p2451_lanes[4],
-      Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2595_lanes = c15 * Lambda_0_11_p2083_lanes - s15 *
-      Lambda_0_11_p2123_lanes - Lambda_0_11_p639_lanes[1] * Lambda_0_11_p2169_lanes;
-  const Lanes<8> Lambda_0_11_p2603_lanes = Lambda_0_11_p679_lanes[1] * Lambda_0_11_p2169_lanes;
-  const Lanes<8> Lambda_0_11_p2627_lanes = c16 * Lambda_0_11_p2099_lanes - s16 *
-      Lambda_0_11_p2111_lanes - Lambda_0_11_p657_lanes[1] * Lambda_0_11_p1832_lanes -
-      Lambda_0_11_p2603_lanes;
-  const Lanes<8> Lambda_0_11_p2635_lanes = s14 * Lambda_0_11_p2627_lanes + c14 *
-      Lambda_0_11_p2595_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2671_lanes = c9 * Lambda_0_11_p2515_lanes - s9 *
-      Lambda_0_11_p2533_lanes - Lambda_0_11_p657_lanes[0] * Lambda_0_11_p2415_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2677_lanes = detail::make_pack<Real>(Lambda_0_11_p2671_lanes[0],
-      Lambda_0_11_p2671_lanes[1], Lambda_0_11_p2671_lanes[2], Lambda_0_11_p2671_lanes[3],
-      Lambda_0_11_p2671_lanes[4], Lambda_0_11_p2671_lanes[5], c16 * Lambda_0_11_p2475 - s16 *
-      Lambda_0_11_p2476 - Lambda_0_11_p657_lanes[1] * Lambda_0_11_p2219, c16 * Lambda_0_11_p2472 -
-      s16 * Lambda_0_11_p2473 - Lambda_0_11_p657_lanes[1] * Lambda_0_11_p2198) -
-      detail::make_pack<Real>(Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0],
-      Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0],
-      Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[1], Lambda_0_11_p679_lanes[1]) *
-      detail::make_pack<Real>(Lambda_0_11_p2451_lanes[0], Lambda_0_11_p2451_lanes[1],
-      Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3], Lambda_0_11_p2451_lanes[4],
-      Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2713_lanes = c8 * Lambda_0_11_p2491_lanes - s8 *
-      Lambda_0_11_p2551_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2719_lanes = detail::make_pack<Real>(Lambda_0_11_p2713_lanes[0],
-      Lambda_0_11_p2713_lanes[1], Lambda_0_11_p2713_lanes[2], Lambda_0_11_p2713_lanes[3],
-      Lambda_0_11_p2713_lanes[4], Lambda_0_11_p2713_lanes[5], c15 * Lambda_0_11_p2484 - s15 *
-      Lambda_0_11_p2477, c15 * Lambda_0_11_p2471 - s15 * Lambda_0_11_p2474) -
-      detail::make_pack<Real>(Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0],
-      Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0],
-      Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[1], Lambda_0_11_p639_lanes[1]) *
-      detail::make_pack<Real>(Lambda_0_11_p2451_lanes[0], Lambda_0_11_p2451_lanes[1],
-      Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3], Lambda_0_11_p2451_lanes[4],
-      Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
-  const Lanes<8> Lambda_0_11_p2735_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_0_11_p2677_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      Lambda_0_11_p2719_lanes;
-  const Lanes<2> Lambda_0_11_p2745_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_0_11_p2569_lanes[5], Lambda_0_11_p2177_lanes[3]) +
-      detail::make_pack<Real>(0.18, (-0.18)) * detail::make_pack<Real>(Lambda_0_11_p2735_lanes[5],
-      Lambda_0_11_p2635_lanes[3]);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2763_lanes = c15 * Lambda_0_11_p2161_lanes - s15 *
-      Lambda_0_11_p2151_lanes - inverse_D6_p5_lanes[1] * Lambda_0_11_p2169_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p2787_lanes = c8 * Lambda_0_11_p2439_lanes - s8 *
-      Lambda_0_11_p2427_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2793_lanes = detail::make_pack<Real>(Lambda_0_11_p2787_lanes[0],
-      Lambda_0_11_p2787_lanes[1], Lambda_0_11_p2787_lanes[2], Lambda_0_11_p2787_lanes[3],
-      Lambda_0_11_p2787_lanes[4], Lambda_0_11_p2787_lanes[5], c15 * Lambda_0_11_p2221 - s15 *
-      Lambda_0_11_p2220, c15 * Lambda_0_11_p2199 - s15 * Lambda_0_11_p2200) -
-      detail::make_pack<Real>(inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
-      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
-      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1], inverse_D6_p5_lanes[1]) *
-      detail::make_pack<Real>(Lambda_0_11_p2451_lanes[0], Lambda_0_11_p2451_lanes[1],
-      Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3], Lambda_0_11_p2451_lanes[4],
-      Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
+  const Lanes<8> Lambda_0_11_p1933_lanes = s15 * Lambda_0_11_p1835_lanes + c15 *
+      Lambda_0_11_p1879_lanes - Lambda_0_11_p837_lanes[1] * Lambda_0_11_p1925_lanes;
+  const Lanes<8> Lambda_0_11_p1957_lanes = c15 * Lambda_0_11_p1835_lanes - s15 *
+      Lambda_0_11_p1879_lanes - Lambda_0_11_p639_lanes[1] * Lambda_0_11_p1925_lanes;
+  const Lanes<8> Lambda_0_11_p1965_lanes = Lambda_0_11_p679_lanes[1] * Lambda_0_11_p1925_lanes;
+  const Lanes<8> Lambda_0_11_p1989_lanes = c16 * Lambda_0_11_p1855_lanes - s16 *
+      Lambda_0_11_p1867_lanes - Lambda_0_11_p657_lanes[1] * Lambda_0_11_p1799_lanes -
+      Lambda_0_11_p1965_lanes;
+  const Lanes<8> Lambda_0_11_p1997_lanes = s14 * Lambda_0_11_p1989_lanes + c14 *
+      Lambda_0_11_p1957_lanes;
+  const Lanes<8> Lambda_0_11_p2005_lanes = 0.226 * Lambda_0_11_p1933_lanes + (-0.18) *
+      Lambda_0_11_p1997_lanes;
+  const Lanes<8> Lambda_0_11_p2025_lanes = c15 * Lambda_0_11_p1917_lanes - s15 *
+      Lambda_0_11_p1907_lanes - inverse_D6_p5_lanes[1] * Lambda_0_11_p1925_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_0_11_p2803_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+  const Lanes<2> Lambda_0_11_p2033_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) / inverse_D7_p17_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2805_lanes = Lambda_0_11_p2803_lanes[1] * Lambda_0_11_p2169_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2809_lanes = detail::make_pack<Real>(Lambda_0_11_p2803_lanes[0],
-      Lambda_0_11_p2803_lanes[0], Lambda_0_11_p2803_lanes[0], Lambda_0_11_p2803_lanes[0],
-      Lambda_0_11_p2803_lanes[0], Lambda_0_11_p2803_lanes[0], Lambda_0_11_p2803_lanes[1],
-      Lambda_0_11_p2803_lanes[1]) * detail::make_pack<Real>(Lambda_0_11_p2451_lanes[0],
-      Lambda_0_11_p2451_lanes[1], Lambda_0_11_p2451_lanes[2], Lambda_0_11_p2451_lanes[3],
-      Lambda_0_11_p2451_lanes[4], Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2222, Lambda_0_11_p2201);
-  const Lanes<2> Lambda_0_11_p2821_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_0_11_p2809_lanes[5], Lambda_0_11_p2805_lanes[3]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_0_11_p2793_lanes[5],
-      Lambda_0_11_p2763_lanes[3]) + Lambda_0_11_p2745_lanes;
+  const Lanes<8> Lambda_0_11_p2035_lanes = Lambda_0_11_p2033_lanes[1] * Lambda_0_11_p1925_lanes;
 
   // link 6 (chest3), force propagation
-  const Real Lambda_0_11_p2823 = -Lambda_0_11_p2821_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_0_11_p2834_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_0_11_p2569_lanes[4], Lambda_0_11_p2177_lanes[2]) +
-      detail::make_pack<Real>(0.18, (-0.18)) * detail::make_pack<Real>(Lambda_0_11_p2735_lanes[4],
-      Lambda_0_11_p2635_lanes[2]);
-  const Lanes<2> Lambda_0_11_p2836_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_0_11_p2809_lanes[4], Lambda_0_11_p2805_lanes[2]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_0_11_p2793_lanes[4],
-      Lambda_0_11_p2763_lanes[2]) + Lambda_0_11_p2834_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real Lambda_0_11_p2838 = -Lambda_0_11_p2836_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_0_11_p2843_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_0_11_p2569_lanes[3], Lambda_0_11_p2177_lanes[1]) +
-      detail::make_pack<Real>(0.18, (-0.18)) * detail::make_pack<Real>(Lambda_0_11_p2735_lanes[3],
-      Lambda_0_11_p2635_lanes[1]);
-  const Lanes<2> Lambda_0_11_p2851_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_0_11_p2809_lanes[3], Lambda_0_11_p2805_lanes[1]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_0_11_p2793_lanes[3],
-      Lambda_0_11_p2763_lanes[1]) + Lambda_0_11_p2843_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real Lambda_0_11_p2853 = -Lambda_0_11_p2851_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_0_11_p2858_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_0_11_p2569_lanes[2], Lambda_0_11_p2177_lanes[0]) +
-      detail::make_pack<Real>(0.18, (-0.18)) * detail::make_pack<Real>(Lambda_0_11_p2735_lanes[2],
-      Lambda_0_11_p2635_lanes[0]);
-  const Lanes<2> Lambda_0_11_p2866_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_0_11_p2809_lanes[2], Lambda_0_11_p2805_lanes[0]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_0_11_p2793_lanes[2],
-      Lambda_0_11_p2763_lanes[0]) + Lambda_0_11_p2858_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real Lambda_0_11_p2868 = -Lambda_0_11_p2866_lanes[1];
-  const Lanes<8> Lambda_0_11_p2869_lanes = inverse_D5_p16 *
-      detail::make_pack<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
-      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
-      Lambda_0_11_p2868);
+  const Lanes<8> Lambda_0_11_p2051_lanes = -(c14 * Lambda_0_11_p2035_lanes + s14 *
+      Lambda_0_11_p2025_lanes + Lambda_0_11_p2005_lanes);
+  const Lanes<8> Lambda_0_11_p2055_lanes = inverse_D5_p16 * Lambda_0_11_p2051_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p2881_lanes = c14 * Lambda_0_11_p2627_lanes - s14 *
-      Lambda_0_11_p2595_lanes;
+  const Lanes<8> Lambda_0_11_p2067_lanes = c14 * Lambda_0_11_p1989_lanes - s14 *
+      Lambda_0_11_p1957_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p2905_lanes = (-0.18) * Lambda_0_11_p2881_lanes -
-      (s14 * Lambda_0_11_p2805_lanes - c14 * Lambda_0_11_p2763_lanes) - Lambda_0_11_p2869_lanes;
-  const Lanes<8> Lambda_0_11_p2921_lanes = 0.226 * Lambda_0_11_p2881_lanes - inverse_D5_p22 *
-      detail::make_pack<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
-      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
-      Lambda_0_11_p2868);
-  const Lanes<8> Lambda_0_11_p2937_lanes = Lambda_0_11_p2881_lanes - Lambda_0_11_p993 *
-      detail::make_pack<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
-      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
-      Lambda_0_11_p2868);
-  const Lanes<8> Lambda_0_11_p2945_lanes = s6 * Lambda_0_11_p2905_lanes + c6 *
-      Lambda_0_11_p2921_lanes + 0.072 * Lambda_0_11_p2937_lanes;
-  const Lanes<8> Lambda_0_11_p2953_lanes = Lambda_0_11_p2635_lanes + Lambda_0_11_p930 *
-      detail::make_pack<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
-      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
-      Lambda_0_11_p2868);
-  const Lanes<8> Lambda_0_11_p2965_lanes = Lambda_0_11_p2177_lanes - Lambda_0_11_p984 *
-      detail::make_pack<Real>(Lambda_0_11_p2868, Lambda_0_11_p2853, Lambda_0_11_p2838,
-      Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868, Lambda_0_11_p2868,
-      Lambda_0_11_p2868);
-  const Lanes<8> Lambda_0_11_p2973_lanes = s6 * Lambda_0_11_p2953_lanes + c6 *
-      Lambda_0_11_p2965_lanes;
+  const Lanes<8> Lambda_0_11_p2091_lanes = (-0.18) * Lambda_0_11_p2067_lanes -
+      (s14 * Lambda_0_11_p2035_lanes - c14 * Lambda_0_11_p2025_lanes) - Lambda_0_11_p2055_lanes;
+  const Lanes<8> Lambda_0_11_p2107_lanes = 0.226 * Lambda_0_11_p2067_lanes - inverse_D5_p22 *
+      Lambda_0_11_p2051_lanes;
+  const Lanes<8> Lambda_0_11_p2123_lanes = Lambda_0_11_p2067_lanes - Lambda_0_11_p993 *
+      Lambda_0_11_p2051_lanes;
+  const Lanes<8> Lambda_0_11_p2131_lanes = s6 * Lambda_0_11_p2091_lanes + c6 *
+      Lambda_0_11_p2107_lanes + 0.072 * Lambda_0_11_p2123_lanes;
+  const Lanes<8> Lambda_0_11_p2143_lanes = Lambda_0_11_p1997_lanes + Lambda_0_11_p930 *
+      Lambda_0_11_p2051_lanes;
+  const Lanes<8> Lambda_0_11_p2155_lanes = Lambda_0_11_p1933_lanes - Lambda_0_11_p984 *
+      Lambda_0_11_p2051_lanes;
+  const Lanes<8> Lambda_0_11_p2163_lanes = s6 * Lambda_0_11_p2143_lanes + c6 *
+      Lambda_0_11_p2155_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2977 = -(0.072 * Lambda_0_11_p2973_lanes[3]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p2945_lanes[3];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p2986_lanes = c6 * Lambda_0_11_p2905_lanes - s6 *
-      Lambda_0_11_p2921_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2990 = Lambda_0_11_p2986_lanes[3] - Lambda_0_11_p1022 *
-      Lambda_0_11_p2945_lanes[3];
+  const Lanes<8> Lambda_0_11_p2175_lanes = -(0.072 * Lambda_0_11_p2163_lanes) + Lambda_0_11_p1020 *
+      Lambda_0_11_p2131_lanes;
+  const Lanes<8> Lambda_0_11_p2199_lanes = c6 * Lambda_0_11_p2091_lanes - s6 *
+      Lambda_0_11_p2107_lanes - Lambda_0_11_p1022 * Lambda_0_11_p2131_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2991 = -(s5 * Lambda_0_11_p2977 + c5 * Lambda_0_11_p2990);
+  const Lanes<8> Lambda_0_11_p2211_lanes = -(s5 * Lambda_0_11_p2175_lanes + c5 *
+      Lambda_0_11_p2199_lanes);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2992 = -(0.072 * Lambda_0_11_p2973_lanes[2]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p2945_lanes[2];
-  const Real Lambda_0_11_p2993 = Lambda_0_11_p2986_lanes[2] - Lambda_0_11_p1022 *
-      Lambda_0_11_p2945_lanes[2];
+  const Lanes<8> Lambda_0_11_p2235_lanes = Lambda_0_11_p2163_lanes - Lambda_0_11_p1005 *
+      Lambda_0_11_p2131_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2994 = -(s5 * Lambda_0_11_p2992 + c5 * Lambda_0_11_p2993);
+  const Lanes<8> Lambda_0_11_p2247_lanes = -(s5 * Lambda_0_11_p2199_lanes - c5 *
+      Lambda_0_11_p2175_lanes + 0.21799999999999997 * Lambda_0_11_p2235_lanes);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2995 = -(0.072 * Lambda_0_11_p2973_lanes[1]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p2945_lanes[1];
-  const Real Lambda_0_11_p2996 = Lambda_0_11_p2986_lanes[1] - Lambda_0_11_p1022 *
-      Lambda_0_11_p2945_lanes[1];
+  const Lanes<8> Lambda_0_11_p2279_lanes = c6 * Lambda_0_11_p2143_lanes - s6 *
+      Lambda_0_11_p2155_lanes - Lambda_0_11_p1033 * Lambda_0_11_p2131_lanes;
+  const Lanes<8> Lambda_0_11_p2291_lanes = Lambda_0_11_p2123_lanes - Lambda_0_11_p1029 *
+      Lambda_0_11_p2131_lanes;
+  const Lanes<8> Lambda_0_11_p2299_lanes = s5 * Lambda_0_11_p2279_lanes - c5 *
+      Lambda_0_11_p2291_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p2997 = -(s5 * Lambda_0_11_p2995 + c5 * Lambda_0_11_p2996);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p2998 = -(0.072 * Lambda_0_11_p2973_lanes[0]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p2945_lanes[0];
-  const Real Lambda_0_11_p2999 = Lambda_0_11_p2986_lanes[0] - Lambda_0_11_p1022 *
-      Lambda_0_11_p2945_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3000 = -(s5 * Lambda_0_11_p2998 + c5 * Lambda_0_11_p2999);
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_0_11_p3009_lanes = Lambda_0_11_p2973_lanes - Lambda_0_11_p1005 *
-      Lambda_0_11_p2945_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p3033_lanes = c6 * Lambda_0_11_p2953_lanes - s6 *
-      Lambda_0_11_p2965_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3037 = Lambda_0_11_p3033_lanes[3] - Lambda_0_11_p1033 *
-      Lambda_0_11_p2945_lanes[3];
-  const Real Lambda_0_11_p3038 = Lambda_0_11_p2937_lanes[3] - Lambda_0_11_p1029 *
-      Lambda_0_11_p2945_lanes[3];
-  const Real Lambda_0_11_p3039 = s5 * Lambda_0_11_p3037 - c5 * Lambda_0_11_p3038;
-  const Real Lambda_0_11_p3040 = Lambda_0_11_p3033_lanes[2] - Lambda_0_11_p1033 *
-      Lambda_0_11_p2945_lanes[2];
-  const Real Lambda_0_11_p3041 = Lambda_0_11_p2937_lanes[2] - Lambda_0_11_p1029 *
-      Lambda_0_11_p2945_lanes[2];
-  const Real Lambda_0_11_p3042 = s5 * Lambda_0_11_p3040 - c5 * Lambda_0_11_p3041;
-  const Real Lambda_0_11_p3043 = Lambda_0_11_p3033_lanes[1] - Lambda_0_11_p1033 *
-      Lambda_0_11_p2945_lanes[1];
-  const Real Lambda_0_11_p3044 = Lambda_0_11_p2937_lanes[1] - Lambda_0_11_p1029 *
-      Lambda_0_11_p2945_lanes[1];
-  const Real Lambda_0_11_p3045 = s5 * Lambda_0_11_p3043 - c5 * Lambda_0_11_p3044;
-  const Real Lambda_0_11_p3046 = Lambda_0_11_p3033_lanes[0] - Lambda_0_11_p1033 *
-      Lambda_0_11_p2945_lanes[0];
-  const Real Lambda_0_11_p3047 = Lambda_0_11_p2937_lanes[0] - Lambda_0_11_p1029 *
-      Lambda_0_11_p2945_lanes[0];
-  const Real Lambda_0_11_p3048 = s5 * Lambda_0_11_p3046 - c5 * Lambda_0_11_p3047;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_0_11_p3053_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
-      Lambda_0_11_p3048), -(0.21799999999999997 * Lambda_0_11_p3045),
-      -(0.21799999999999997 * Lambda_0_11_p3042), -(0.21799999999999997 * Lambda_0_11_p3039),
-      -(0.21799999999999997 * Lambda_0_11_p3048), -(0.21799999999999997 * Lambda_0_11_p3048),
-      -(0.21799999999999997 * Lambda_0_11_p3048), -(0.21799999999999997 * Lambda_0_11_p3048)) +
-      inverse_D3_p2 * detail::make_pack<Real>(Lambda_0_11_p3000, Lambda_0_11_p2997,
-      Lambda_0_11_p2994, Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000, Lambda_0_11_p3000,
-      Lambda_0_11_p3000));
-  const Lanes<8> Lambda_0_11_p3057_lanes = s4 * (detail::make_pack<Real>(-(s5 * Lambda_0_11_p2999 -
-      c5 * Lambda_0_11_p2998 + 0.21799999999999997 * Lambda_0_11_p3009_lanes[0]),
-      -(s5 * Lambda_0_11_p2996 - c5 * Lambda_0_11_p2995 + 0.21799999999999997 *
-      Lambda_0_11_p3009_lanes[1]), -(s5 * Lambda_0_11_p2993 - c5 * Lambda_0_11_p2992 +
-      0.21799999999999997 * Lambda_0_11_p3009_lanes[2]),
-      -(s5 * Lambda_0_11_p2990 - c5 * Lambda_0_11_p2977 + 0.21799999999999997 *
-      Lambda_0_11_p3009_lanes[3]), -(s5 * Lambda_0_11_p2999 - c5 * Lambda_0_11_p2998 +
-      0.21799999999999997 * Lambda_0_11_p3009_lanes[0]),
-      -(s5 * Lambda_0_11_p2999 - c5 * Lambda_0_11_p2998 + 0.21799999999999997 *
-      Lambda_0_11_p3009_lanes[0]), -(s5 * Lambda_0_11_p2999 - c5 * Lambda_0_11_p2998 +
-      0.21799999999999997 * Lambda_0_11_p3009_lanes[0]),
-      -(s5 * Lambda_0_11_p2999 - c5 * Lambda_0_11_p2998 + 0.21799999999999997 *
-      Lambda_0_11_p3009_lanes[0])) - inverse_D3_p1 * detail::make_pack<Real>(Lambda_0_11_p3000,
-      Lambda_0_11_p2997, Lambda_0_11_p2994, Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000,
-      Lambda_0_11_p3000, Lambda_0_11_p3000)) + Lambda_0_11_p3053_lanes;
-  const Lanes<8> Lambda_0_11_p3085_lanes = s4 * (Lambda_0_11_p3009_lanes + Lambda_0_11_p1050 *
-      detail::make_pack<Real>(Lambda_0_11_p3000, Lambda_0_11_p2997, Lambda_0_11_p2994,
-      Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000, Lambda_0_11_p3000,
-      Lambda_0_11_p3000));
+  const Lanes<8> Lambda_0_11_p2315_lanes = c4 * (-(0.21799999999999997 * Lambda_0_11_p2299_lanes) +
+      inverse_D3_p2 * Lambda_0_11_p2211_lanes);
+  const Lanes<8> Lambda_0_11_p2319_lanes = s4 * (Lambda_0_11_p2247_lanes - inverse_D3_p1 *
+      Lambda_0_11_p2211_lanes) + Lambda_0_11_p2315_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p3093_lanes = c4 * (detail::make_pack<Real>(-Lambda_0_11_p3048,
-      -Lambda_0_11_p3045, -Lambda_0_11_p3042, -Lambda_0_11_p3039, -Lambda_0_11_p3048,
-      -Lambda_0_11_p3048, -Lambda_0_11_p3048, -Lambda_0_11_p3048) + Lambda_0_11_p1041 *
-      detail::make_pack<Real>(Lambda_0_11_p3000, Lambda_0_11_p2997, Lambda_0_11_p2994,
-      Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000, Lambda_0_11_p3000,
-      Lambda_0_11_p3000)) - Lambda_0_11_p3085_lanes - Lambda_0_11_p1063 * Lambda_0_11_p3057_lanes;
-  const Lanes<8> Lambda_0_11_p3105_lanes = detail::make_pack<Real>(-(-(s5 * Lambda_0_11_p3047 + c5 *
-      Lambda_0_11_p3046) - Lambda_0_11_p1068 * Lambda_0_11_p3000),
-      -(-(s5 * Lambda_0_11_p3044 + c5 * Lambda_0_11_p3043) - Lambda_0_11_p1068 * Lambda_0_11_p2997),
-      -(-(s5 * Lambda_0_11_p3041 + c5 * Lambda_0_11_p3040) - Lambda_0_11_p1068 * Lambda_0_11_p2994),
-      -(-(s5 * Lambda_0_11_p3038 + c5 * Lambda_0_11_p3037) - Lambda_0_11_p1068 * Lambda_0_11_p2991),
-      -(-(s5 * Lambda_0_11_p3047 + c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 * Lambda_0_11_p3000),
-      -(-(s5 * Lambda_0_11_p3047 + c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 * Lambda_0_11_p3000),
-      -(-(s5 * Lambda_0_11_p3047 + c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 * Lambda_0_11_p3000),
-      -(-(s5 * Lambda_0_11_p3047 + c5 * Lambda_0_11_p3046) - Lambda_0_11_p1068 *
-      Lambda_0_11_p3000)) + Lambda_0_11_p1073 * Lambda_0_11_p3057_lanes;
-  const Lanes<8> Lambda_0_11_p3113_lanes = c3 * Lambda_0_11_p3093_lanes - s3 *
-      Lambda_0_11_p3105_lanes;
-  const Lanes<8> Lambda_0_11_p3117_lanes = 0.422 * Lambda_0_11_p3113_lanes;
+  const Lanes<8> Lambda_0_11_p2323_lanes = Lambda_0_11_p1063 * Lambda_0_11_p2319_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p2351_lanes = s4 * (Lambda_0_11_p2235_lanes + Lambda_0_11_p1050 *
+      Lambda_0_11_p2211_lanes);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p2359_lanes = c4 * (-Lambda_0_11_p2299_lanes + Lambda_0_11_p1041 *
+      Lambda_0_11_p2211_lanes) - Lambda_0_11_p2351_lanes - Lambda_0_11_p2323_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p2391_lanes = -(s5 * Lambda_0_11_p2291_lanes + c5 *
+      Lambda_0_11_p2279_lanes) - Lambda_0_11_p1068 * Lambda_0_11_p2211_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p2399_lanes = -Lambda_0_11_p2391_lanes + Lambda_0_11_p1073 *
+      Lambda_0_11_p2319_lanes;
+  const Lanes<8> Lambda_0_11_p2407_lanes = c3 * Lambda_0_11_p2359_lanes - s3 *
+      Lambda_0_11_p2399_lanes;
+  const Lanes<8> Lambda_0_11_p2411_lanes = 0.422 * Lambda_0_11_p2407_lanes;
 
   // link 3 (hip), articulated inertia
-  const Real Lambda_0_11_p3133 = c3 * Lambda_0_11_p1076 - Lambda_0_11_p1075;
-  const Real Lambda_0_11_p3134 = 0.031999971599999996 + 0.422 * Lambda_0_11_p3133;
+  const Real Lambda_0_11_p2427 = c3 * Lambda_0_11_p1076 - Lambda_0_11_p1075;
+  const Real Lambda_0_11_p2428 = 0.031999971599999996 + 0.422 * Lambda_0_11_p2427;
 
   // link 2 (thigh), articulated inertia
-  const Real Lambda_0_11_p3135 = Lambda_0_11_p3134 * inverse_D2;
+  const Real Lambda_0_11_p2429 = Lambda_0_11_p2428 * inverse_D2;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_0_11_p3156_lanes = s2 * (s3 * Lambda_0_11_p3093_lanes + c3 *
-      Lambda_0_11_p3105_lanes - Lambda_0_11_p3135 * Lambda_0_11_p3117_lanes);
-  const Lanes<8> Lambda_0_11_p3164_lanes = 0.434 * (c2 *
-      (Lambda_0_11_p3113_lanes - Lambda_0_11_p1080 * Lambda_0_11_p3117_lanes) -
-      Lambda_0_11_p3156_lanes);
+  const Lanes<8> Lambda_0_11_p2450_lanes = s2 * (s3 * Lambda_0_11_p2359_lanes + c3 *
+      Lambda_0_11_p2399_lanes - Lambda_0_11_p2429 * Lambda_0_11_p2411_lanes);
+  const Lanes<8> Lambda_0_11_p2458_lanes = 0.434 * (c2 *
+      (Lambda_0_11_p2407_lanes - Lambda_0_11_p1080 * Lambda_0_11_p2411_lanes) -
+      Lambda_0_11_p2450_lanes);
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D1_p1 = Lambda_0_11_p1078 - Lambda_0_11_p1079 * Lambda_0_11_p1080;
   const Real inverse_D1_p2 = s2 * (inverse_D1_p1 - (Lambda_0_11_p1074 + Lambda_0_11_p1077 -
-      Lambda_0_11_p3134 * Lambda_0_11_p3135)) + c2 * (2.0 *
-      (Lambda_0_11_p3133 - Lambda_0_11_p1079 * Lambda_0_11_p3135));
+      Lambda_0_11_p2428 * Lambda_0_11_p2429)) + c2 * (2.0 *
+      (Lambda_0_11_p2427 - Lambda_0_11_p1079 * Lambda_0_11_p2429));
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
       (inverse_D1_p1 - s2 * inverse_D1_p2));
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p3168_lanes = Lambda_0_11_p3164_lanes * inverse_D1;
+  const Lanes<8> Lambda_0_11_p2462_lanes = Lambda_0_11_p2458_lanes * inverse_D1;
 
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_0_11_p3182_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_0_11_p2569_lanes[1], Lambda_0_11_p2569_lanes[7]) +
-      detail::make_pack<Real>(0.18, (-0.18)) * detail::make_pack<Real>(Lambda_0_11_p2735_lanes[1],
-      Lambda_0_11_p2735_lanes[7]);
-  const Lanes<2> Lambda_0_11_p3184_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_0_11_p2809_lanes[1], Lambda_0_11_p2809_lanes[7]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_0_11_p2793_lanes[1],
-      Lambda_0_11_p2793_lanes[7]) + Lambda_0_11_p3182_lanes;
+  // link 20 (right_hand), force propagation
+  const Real Lambda_0_11_p2466 = 0.49024375482668536 * Lambda_0_11_p1346_lanes[1];
+  const Real Lambda_0_11_p2467 = -(0.086 * Lambda_0_11_p1257) - (-0.004018575007348824) *
+      Lambda_0_11_p1346_lanes[1];
+  const Real Lambda_0_11_p2468 = s20 * Lambda_0_11_p1651_lanes[1] + c20 * Lambda_0_11_p2467;
 
-  // link 6 (chest3), force propagation
-  const Real Lambda_0_11_p3186 = -Lambda_0_11_p3184_lanes[1];
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_0_11_p2469 = s20 * Lambda_0_11_p1696_lanes[1] - c20 * Lambda_0_11_p2466 -
+      Lambda_0_11_p61_lanes[1] * Lambda_0_11_p2468;
+  const Real Lambda_0_11_p2470 = c20 * Lambda_0_11_p1651_lanes[1] - s20 * Lambda_0_11_p2467 -
+      inverse_D11_p1_lanes[1] * Lambda_0_11_p2468;
 
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_0_11_p3191_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_0_11_p2569_lanes[0], Lambda_0_11_p2569_lanes[6]) +
-      detail::make_pack<Real>(0.18, (-0.18)) * detail::make_pack<Real>(Lambda_0_11_p2735_lanes[0],
-      Lambda_0_11_p2735_lanes[6]);
-  const Lanes<2> Lambda_0_11_p3199_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_0_11_p2809_lanes[0], Lambda_0_11_p2809_lanes[6]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_0_11_p2793_lanes[0],
-      Lambda_0_11_p2793_lanes[6]) + Lambda_0_11_p3191_lanes;
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2471 = -(c19 * Lambda_0_11_p2470);
+  const Real Lambda_0_11_p2472 = 0.269 * Lambda_0_11_p2469 - s19 * Lambda_0_11_p2470 -
+      inverse_D10_p1_lanes[1] * Lambda_0_11_p2471;
 
-  // link 6 (chest3), force propagation
-  const Real Lambda_0_11_p3201 = -Lambda_0_11_p3199_lanes[1];
-  const Real Lambda_0_11_p3202 = -Lambda_0_11_p2821_lanes[0];
-  const Real Lambda_0_11_p3203 = -Lambda_0_11_p2836_lanes[0];
-  const Real Lambda_0_11_p3204 = -Lambda_0_11_p2851_lanes[0];
-  const Real Lambda_0_11_p3205 = -Lambda_0_11_p2866_lanes[0];
-  const Real Lambda_0_11_p3206 = -Lambda_0_11_p3184_lanes[0];
-  const Real Lambda_0_11_p3207 = -Lambda_0_11_p3199_lanes[0];
-  const Lanes<8> Lambda_0_11_p3208_lanes = inverse_D5_p16 *
-      detail::make_pack<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
-      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
-      Lambda_0_11_p3186);
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_0_11_p2473 = c20 * Lambda_0_11_p1696_lanes[1] + s20 * Lambda_0_11_p2466 -
+      Lambda_0_11_p11_lanes[1] * Lambda_0_11_p2468;
+  const Real Lambda_0_11_p2474 = Lambda_0_11_p1257 - Lambda_0_11_p35_lanes[1] * Lambda_0_11_p2468;
+  const Real Lambda_0_11_p2475 = s19 * Lambda_0_11_p2473 - c19 * Lambda_0_11_p2474;
 
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p3232_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_0_11_p2677_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      Lambda_0_11_p2719_lanes;
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2476 = 0.269 * Lambda_0_11_p2475 - inverse_D10_p8_lanes[1] *
+      Lambda_0_11_p2471;
+  const Real Lambda_0_11_p2477 = s18 * Lambda_0_11_p2472 + c18 * Lambda_0_11_p2476;
 
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p3280_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
-      0.18, (-0.18), (-0.18)) * Lambda_0_11_p3232_lanes -
-      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_0_11_p2809_lanes -
-      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_0_11_p2793_lanes) -
-      Lambda_0_11_p3208_lanes;
-  const Lanes<8> Lambda_0_11_p3312_lanes = 0.226 * Lambda_0_11_p3232_lanes - inverse_D5_p22 *
-      detail::make_pack<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
-      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
-      Lambda_0_11_p3186);
-  const Lanes<8> Lambda_0_11_p3344_lanes = Lambda_0_11_p3232_lanes - Lambda_0_11_p993 *
-      detail::make_pack<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
-      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
-      Lambda_0_11_p3186);
-  const Lanes<8> Lambda_0_11_p3360_lanes = s6 * Lambda_0_11_p3280_lanes + c6 *
-      Lambda_0_11_p3312_lanes + 0.072 * Lambda_0_11_p3344_lanes;
-  const Lanes<8> Lambda_0_11_p3376_lanes = Lambda_0_11_p2735_lanes + Lambda_0_11_p930 *
-      detail::make_pack<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
-      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
-      Lambda_0_11_p3186);
-  const Lanes<8> Lambda_0_11_p3400_lanes = Lambda_0_11_p2569_lanes - Lambda_0_11_p984 *
-      detail::make_pack<Real>(Lambda_0_11_p3207, Lambda_0_11_p3206, Lambda_0_11_p3205,
-      Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202, Lambda_0_11_p3201,
-      Lambda_0_11_p3186);
-  const Lanes<8> Lambda_0_11_p3416_lanes = s6 * Lambda_0_11_p3376_lanes + c6 *
-      Lambda_0_11_p3400_lanes;
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2478 = c18 * Lambda_0_11_p2472 - s18 * Lambda_0_11_p2476 -
+      Lambda_0_11_p231_lanes[1] * Lambda_0_11_p2477;
+  const Real Lambda_0_11_p2479 = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p2477;
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3424 = -(0.072 * Lambda_0_11_p3416_lanes[7]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p3360_lanes[7];
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2480 = -Lambda_0_11_p2475 + Lambda_0_11_p55_lanes[1] * Lambda_0_11_p2471;
+  const Real Lambda_0_11_p2481 = Lambda_0_11_p2469 - Lambda_0_11_p119_lanes[1] * Lambda_0_11_p2471;
 
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p3441_lanes = c6 * Lambda_0_11_p3280_lanes - s6 *
-      Lambda_0_11_p3312_lanes;
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2482 = s18 * Lambda_0_11_p2480 + c18 * Lambda_0_11_p2481 -
+      Lambda_0_11_p191_lanes[1] * Lambda_0_11_p2477;
+  const Real Lambda_0_11_p2483 = c17 * Lambda_0_11_p2479 - s17 * Lambda_0_11_p2478;
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3449 = Lambda_0_11_p3441_lanes[7] - Lambda_0_11_p1022 *
-      Lambda_0_11_p3360_lanes[7];
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2484 = c17 * Lambda_0_11_p2478 + s17 * Lambda_0_11_p2479 + 0.282 *
+      Lambda_0_11_p2482 - Lambda_0_11_p259_lanes[1] * Lambda_0_11_p2483;
 
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3450 = -(s5 * Lambda_0_11_p3424 + c5 * Lambda_0_11_p3449);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3451 = -(0.072 * Lambda_0_11_p3416_lanes[6]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p3360_lanes[6];
-  const Real Lambda_0_11_p3452 = Lambda_0_11_p3441_lanes[6] - Lambda_0_11_p1022 *
-      Lambda_0_11_p3360_lanes[6];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3453 = -(s5 * Lambda_0_11_p3451 + c5 * Lambda_0_11_p3452);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3454 = -(0.072 * Lambda_0_11_p3416_lanes[5]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p3360_lanes[5];
-  const Real Lambda_0_11_p3455 = Lambda_0_11_p3441_lanes[5] - Lambda_0_11_p1022 *
-      Lambda_0_11_p3360_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3456 = -(s5 * Lambda_0_11_p3454 + c5 * Lambda_0_11_p3455);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3457 = -(0.072 * Lambda_0_11_p3416_lanes[4]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p3360_lanes[4];
-  const Real Lambda_0_11_p3458 = Lambda_0_11_p3441_lanes[4] - Lambda_0_11_p1022 *
-      Lambda_0_11_p3360_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3459 = -(s5 * Lambda_0_11_p3457 + c5 * Lambda_0_11_p3458);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3460 = -(0.072 * Lambda_0_11_p3416_lanes[3]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p3360_lanes[3];
-  const Real Lambda_0_11_p3461 = Lambda_0_11_p3441_lanes[3] - Lambda_0_11_p1022 *
-      Lambda_0_11_p3360_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3462 = -(s5 * Lambda_0_11_p3460 + c5 * Lambda_0_11_p3461);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3463 = -(0.072 * Lambda_0_11_p3416_lanes[2]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p3360_lanes[2];
-  const Real Lambda_0_11_p3464 = Lambda_0_11_p3441_lanes[2] - Lambda_0_11_p1022 *
-      Lambda_0_11_p3360_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3465 = -(s5 * Lambda_0_11_p3463 + c5 * Lambda_0_11_p3464);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3466 = -(0.072 * Lambda_0_11_p3416_lanes[1]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p3360_lanes[1];
-  const Real Lambda_0_11_p3467 = Lambda_0_11_p3441_lanes[1] - Lambda_0_11_p1022 *
-      Lambda_0_11_p3360_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3468 = -(s5 * Lambda_0_11_p3466 + c5 * Lambda_0_11_p3467);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3469 = -(0.072 * Lambda_0_11_p3416_lanes[0]) + Lambda_0_11_p1020 *
-      Lambda_0_11_p3360_lanes[0];
-  const Real Lambda_0_11_p3470 = Lambda_0_11_p3441_lanes[0] - Lambda_0_11_p1022 *
-      Lambda_0_11_p3360_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p3471 = -(s5 * Lambda_0_11_p3469 + c5 * Lambda_0_11_p3470);
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_0_11_p3488_lanes = Lambda_0_11_p3416_lanes - Lambda_0_11_p1005 *
-      Lambda_0_11_p3360_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p3536_lanes = c6 * Lambda_0_11_p3376_lanes - s6 *
-      Lambda_0_11_p3400_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p3544 = Lambda_0_11_p3536_lanes[7] - Lambda_0_11_p1033 *
-      Lambda_0_11_p3360_lanes[7];
-  const Real Lambda_0_11_p3545 = Lambda_0_11_p3344_lanes[7] - Lambda_0_11_p1029 *
-      Lambda_0_11_p3360_lanes[7];
-  const Real Lambda_0_11_p3546 = s5 * Lambda_0_11_p3544 - c5 * Lambda_0_11_p3545;
-  const Real Lambda_0_11_p3547 = Lambda_0_11_p3536_lanes[6] - Lambda_0_11_p1033 *
-      Lambda_0_11_p3360_lanes[6];
-  const Real Lambda_0_11_p3548 = Lambda_0_11_p3344_lanes[6] - Lambda_0_11_p1029 *
-      Lambda_0_11_p3360_lanes[6];
-  const Real Lambda_0_11_p3549 = s5 * Lambda_0_11_p3547 - c5 * Lambda_0_11_p3548;
-  const Real Lambda_0_11_p3550 = Lambda_0_11_p3536_lanes[5] - Lambda_0_11_p1033 *
-      Lambda_0_11_p3360_lanes[5];
-  const Real Lambda_0_11_p3551 = Lambda_0_11_p3344_lanes[5] - Lambda_0_11_p1029 *
-      Lambda_0_11_p3360_lanes[5];
-  const Real Lambda_0_11_p3552 = s5 * Lambda_0_11_p3550 - c5 * Lambda_0_11_p3551;
-  const Real Lambda_0_11_p3553 = Lambda_0_11_p3536_lanes[4] - Lambda_0_11_p1033 *
-      Lambda_0_11_p3360_lanes[4];
-  const Real Lambda_0_11_p3554 = Lambda_0_11_p3344_lanes[4] - Lambda_0_11_p1029 *
-      Lambda_0_11_p3360_lanes[4];
-  const Real Lambda_0_11_p3555 = s5 * Lambda_0_11_p3553 - c5 * Lambda_0_11_p3554;
-  const Real Lambda_0_11_p3556 = Lambda_0_11_p3536_lanes[3] - Lambda_0_11_p1033 *
-      Lambda_0_11_p3360_lanes[3];
-  const Real Lambda_0_11_p3557 = Lambda_0_11_p3344_lanes[3] - Lambda_0_11_p1029 *
-      Lambda_0_11_p3360_lanes[3];
-  const Real Lambda_0_11_p3558 = s5 * Lambda_0_11_p3556 - c5 * Lambda_0_11_p3557;
-  const Real Lambda_0_11_p3559 = Lambda_0_11_p3536_lanes[2] - Lambda_0_11_p1033 *
-      Lambda_0_11_p3360_lanes[2];
-  const Real Lambda_0_11_p3560 = Lambda_0_11_p3344_lanes[2] - Lambda_0_11_p1029 *
-      Lambda_0_11_p3360_lanes[2];
-  const Real Lambda_0_11_p3561 = s5 * Lambda_0_11_p3559 - c5 * Lambda_0_11_p3560;
-  const Real Lambda_0_11_p3562 = Lambda_0_11_p3536_lanes[1] - Lambda_0_11_p1033 *
-      Lambda_0_11_p3360_lanes[1];
-  const Real Lambda_0_11_p3563 = Lambda_0_11_p3344_lanes[1] - Lambda_0_11_p1029 *
-      Lambda_0_11_p3360_lanes[1];
-  const Real Lambda_0_11_p3564 = s5 * Lambda_0_11_p3562 - c5 * Lambda_0_11_p3563;
-  const Real Lambda_0_11_p3565 = Lambda_0_11_p3536_lanes[0] - Lambda_0_11_p1033 *
-      Lambda_0_11_p3360_lanes[0];
-  const Real Lambda_0_11_p3566 = Lambda_0_11_p3344_lanes[0] - Lambda_0_11_p1029 *
-      Lambda_0_11_p3360_lanes[0];
-  const Real Lambda_0_11_p3567 = s5 * Lambda_0_11_p3565 - c5 * Lambda_0_11_p3566;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_0_11_p3576_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
-      Lambda_0_11_p3567), -(0.21799999999999997 * Lambda_0_11_p3564),
-      -(0.21799999999999997 * Lambda_0_11_p3561), -(0.21799999999999997 * Lambda_0_11_p3558),
-      -(0.21799999999999997 * Lambda_0_11_p3555), -(0.21799999999999997 * Lambda_0_11_p3552),
-      -(0.21799999999999997 * Lambda_0_11_p3549), -(0.21799999999999997 * Lambda_0_11_p3546)) +
-      inverse_D3_p2 * detail::make_pack<Real>(Lambda_0_11_p3471, Lambda_0_11_p3468,
-      Lambda_0_11_p3465, Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456, Lambda_0_11_p3453,
-      Lambda_0_11_p3450));
-  const Lanes<8> Lambda_0_11_p3584_lanes = s4 * (detail::make_pack<Real>(-(s5 * Lambda_0_11_p3470 -
-      c5 * Lambda_0_11_p3469 + 0.21799999999999997 * Lambda_0_11_p3488_lanes[0]),
-      -(s5 * Lambda_0_11_p3467 - c5 * Lambda_0_11_p3466 + 0.21799999999999997 *
-      Lambda_0_11_p3488_lanes[1]), -(s5 * Lambda_0_11_p3464 - c5 * Lambda_0_11_p3463 +
-      0.21799999999999997 * Lambda_0_11_p3488_lanes[2]),
-      -(s5 * Lambda_0_11_p3461 - c5 * Lambda_0_11_p3460 + 0.21799999999999997 *
-      Lambda_0_11_p3488_lanes[3]), -(s5 * Lambda_0_11_p3458 - c5 * Lambda_0_11_p3457 +
-      0.21799999999999997 * Lambda_0_11_p3488_lanes[4]),
-      -(s5 * Lambda_0_11_p3455 - c5 * Lambda_0_11_p3454 + 0.21799999999999997 *
-      Lambda_0_11_p3488_lanes[5]), -(s5 * Lambda_0_11_p3452 - c5 * Lambda_0_11_p3451 +
-      0.21799999999999997 * Lambda_0_11_p3488_lanes[6]),
-      -(s5 * Lambda_0_11_p3449 - c5 * Lambda_0_11_p3424 + 0.21799999999999997 *
-      Lambda_0_11_p3488_lanes[7])) - inverse_D3_p1 * detail::make_pack<Real>(Lambda_0_11_p3471,
-      Lambda_0_11_p3468, Lambda_0_11_p3465, Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456,
-      Lambda_0_11_p3453, Lambda_0_11_p3450)) + Lambda_0_11_p3576_lanes;
-  const Lanes<8> Lambda_0_11_p3640_lanes = s4 * (Lambda_0_11_p3488_lanes + Lambda_0_11_p1050 *
-      detail::make_pack<Real>(Lambda_0_11_p3471, Lambda_0_11_p3468, Lambda_0_11_p3465,
-      Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456, Lambda_0_11_p3453,
-      Lambda_0_11_p3450));
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p3656_lanes = c4 * (detail::make_pack<Real>(-Lambda_0_11_p3567,
-      -Lambda_0_11_p3564, -Lambda_0_11_p3561, -Lambda_0_11_p3558, -Lambda_0_11_p3555,
-      -Lambda_0_11_p3552, -Lambda_0_11_p3549, -Lambda_0_11_p3546) + Lambda_0_11_p1041 *
-      detail::make_pack<Real>(Lambda_0_11_p3471, Lambda_0_11_p3468, Lambda_0_11_p3465,
-      Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456, Lambda_0_11_p3453,
-      Lambda_0_11_p3450)) - Lambda_0_11_p3640_lanes - Lambda_0_11_p1063 * Lambda_0_11_p3584_lanes;
-  const Lanes<8> Lambda_0_11_p3680_lanes = detail::make_pack<Real>(-(-(s5 * Lambda_0_11_p3566 + c5 *
-      Lambda_0_11_p3565) - Lambda_0_11_p1068 * Lambda_0_11_p3471),
-      -(-(s5 * Lambda_0_11_p3563 + c5 * Lambda_0_11_p3562) - Lambda_0_11_p1068 * Lambda_0_11_p3468),
-      -(-(s5 * Lambda_0_11_p3560 + c5 * Lambda_0_11_p3559) - Lambda_0_11_p1068 * Lambda_0_11_p3465),
-      -(-(s5 * Lambda_0_11_p3557 + c5 * Lambda_0_11_p3556) - Lambda_0_11_p1068 * Lambda_0_11_p3462),
-      -(-(s5 * Lambda_0_11_p3554 + c5 * Lambda_0_11_p3553) - Lambda_0_11_p1068 * Lambda_0_11_p3459),
-      -(-(s5 * Lambda_0_11_p3551 + c5 * Lambda_0_11_p3550) - Lambda_0_11_p1068 * Lambda_0_11_p3456),
-      -(-(s5 * Lambda_0_11_p3548 + c5 * Lambda_0_11_p3547) - Lambda_0_11_p1068 * Lambda_0_11_p3453),
-      -(-(s5 * Lambda_0_11_p3545 + c5 * Lambda_0_11_p3544) - Lambda_0_11_p1068 *
-      Lambda_0_11_p3450)) + Lambda_0_11_p1073 * Lambda_0_11_p3584_lanes;
-  const Lanes<8> Lambda_0_11_p3696_lanes = c3 * Lambda_0_11_p3656_lanes - s3 *
-      Lambda_0_11_p3680_lanes;
-  const Lanes<8> Lambda_0_11_p3704_lanes = 0.422 * Lambda_0_11_p3696_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_0_11_p3776_lanes = s2 * (s3 * Lambda_0_11_p3656_lanes + c3 *
-      Lambda_0_11_p3680_lanes - Lambda_0_11_p3135 * Lambda_0_11_p3704_lanes);
-  const Lanes<8> Lambda_0_11_p3792_lanes = 0.434 * (c2 *
-      (Lambda_0_11_p3696_lanes - Lambda_0_11_p1080 * Lambda_0_11_p3704_lanes) -
-      Lambda_0_11_p3776_lanes);
-  const Lanes<8> Lambda_0_11_p3804_lanes = Lambda_0_11_p3117_lanes * inverse_D2;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p3812_lanes = Lambda_0_11_p3057_lanes * inverse_D3;
-  const Lanes<8> Lambda_0_11_p3816_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_0_11_p3820_lanes = detail::make_pack<Real>(Lambda_0_11_p3000,
-      Lambda_0_11_p2997, Lambda_0_11_p2994, Lambda_0_11_p2991, Lambda_0_11_p3000, Lambda_0_11_p3000,
-      Lambda_0_11_p3000, Lambda_0_11_p3000) * inverse_D4;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_0_11_p3828_lanes = Lambda_0_11_p2945_lanes * inverse_D5;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p3836_lanes = detail::make_pack<Real>(Lambda_0_11_p2868,
-      Lambda_0_11_p2853, Lambda_0_11_p2838, Lambda_0_11_p2823, Lambda_0_11_p2868, Lambda_0_11_p2868,
-      Lambda_0_11_p2868, Lambda_0_11_p2868) * inverse_D6;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p3852_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3207 +
-      Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[0] + Lambda_0_11_p3820_lanes *
-      Lambda_0_11_p3471 + Lambda_0_11_p3816_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p3860_lanes = Lambda_0_11_p3852_lanes + Lambda_0_11_p3804_lanes *
-      Lambda_0_11_p3704_lanes[0] + Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[0];
-  const Lanes<8> Lambda_0_11_p3864_lanes = Lambda_0_11_p3792_lanes * inverse_D1;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_0_11_p3880_lanes = Lambda_0_11_p3704_lanes * inverse_D2;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p3896_lanes = Lambda_0_11_p3584_lanes * inverse_D3;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_0_11_p3912_lanes = detail::make_pack<Real>(Lambda_0_11_p3471,
-      Lambda_0_11_p3468, Lambda_0_11_p3465, Lambda_0_11_p3462, Lambda_0_11_p3459, Lambda_0_11_p3456,
-      Lambda_0_11_p3453, Lambda_0_11_p3450) * inverse_D4;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_0_11_p3928_lanes = Lambda_0_11_p3360_lanes * inverse_D5;
-
-  // link 6 (chest3), force propagation
-  const Real Lambda_0_11_p3944 = Lambda_0_11_p3186 * inverse_D6;
-  const Real Lambda_0_11_p3945 = Lambda_0_11_p3201 * inverse_D6;
-  const Lanes<8> Lambda_0_11_p3946_lanes = detail::make_pack<Real>(Lambda_0_11_p3207,
-      Lambda_0_11_p3206, Lambda_0_11_p3205, Lambda_0_11_p3204, Lambda_0_11_p3203, Lambda_0_11_p3202,
-      Lambda_0_11_p3207, Lambda_0_11_p3207) * inverse_D6;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p3958_lanes = Lambda_0_11_p2451_lanes * inverse_D7_lanes[0];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p3970_lanes = Lambda_0_11_p2415_lanes * inverse_D8_lanes[0];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_0_11_p3982_lanes = Lambda_0_11_p2331_lanes * inverse_D9_lanes[0];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p3994_lanes = Lambda_0_11_p1975_lanes * inverse_D10_lanes[0];
-  const Lanes<8> Lambda_0_11_p4000_lanes = Lambda_0_11_p3994_lanes * Lambda_0_11_p1975_lanes[0];
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2485 = c18 * Lambda_0_11_p2480 - s18 * Lambda_0_11_p2481 -
+      Lambda_0_11_p317_lanes[1] * Lambda_0_11_p2477;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_0_11_p4006_lanes = detail::make_pack<Real>(Lambda_0_11_p1887,
-      Lambda_0_11_p1886, Lambda_0_11_p1885, Lambda_0_11_p1769, Lambda_0_11_p1764, Lambda_0_11_p1710,
-      Lambda_0_11_p1887, Lambda_0_11_p1887) * inverse_D11_lanes[0];
+  const Lanes<2> Lambda_0_11_p2492_lanes = -(detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(Lambda_0_11_p1730_lanes[1], Lambda_0_11_p2474) +
+      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_0_11_p1722_lanes[1],
+      Lambda_0_11_p2473));
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2494 = -(Lambda_0_11_p2492_lanes[1] - Lambda_0_11_p337_lanes[1] *
+      Lambda_0_11_p2471) - Lambda_0_11_p363_lanes[1] * Lambda_0_11_p2477;
+  const Real Lambda_0_11_p2495 = s17 * Lambda_0_11_p2494 - c17 * Lambda_0_11_p2485;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2496 = 0.282 * Lambda_0_11_p2495 - Lambda_0_11_p401_lanes[1] *
+      Lambda_0_11_p2483;
+  const Real Lambda_0_11_p2497 = c16 * Lambda_0_11_p2484 - s16 * Lambda_0_11_p2496;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p2498 = Lambda_0_11_p1915_lanes[1] * Lambda_0_11_p2497;
+  const Real Lambda_0_11_p2499 = s16 * Lambda_0_11_p2484 + c16 * Lambda_0_11_p2496 -
+      inverse_D7_p1_lanes[1] * Lambda_0_11_p2497;
+  const Real Lambda_0_11_p2500 = s15 * Lambda_0_11_p2498 + c15 * Lambda_0_11_p2499;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_0_11_p2501 = 0.49024375482668536 * Lambda_0_11_p1352_lanes[1];
+  const Real Lambda_0_11_p2502 = -(0.086 * Lambda_0_11_p1277) - (-0.004018575007348824) *
+      Lambda_0_11_p1352_lanes[1];
+  const Real Lambda_0_11_p2503 = s20 * Lambda_0_11_p1653_lanes[1] + c20 * Lambda_0_11_p2502;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_0_11_p2504 = s20 * Lambda_0_11_p1700_lanes[1] - c20 * Lambda_0_11_p2501 -
+      Lambda_0_11_p61_lanes[1] * Lambda_0_11_p2503;
+  const Real Lambda_0_11_p2505 = c20 * Lambda_0_11_p1653_lanes[1] - s20 * Lambda_0_11_p2502 -
+      inverse_D11_p1_lanes[1] * Lambda_0_11_p2503;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2506 = -(c19 * Lambda_0_11_p2505);
+  const Real Lambda_0_11_p2507 = 0.269 * Lambda_0_11_p2504 - s19 * Lambda_0_11_p2505 -
+      inverse_D10_p1_lanes[1] * Lambda_0_11_p2506;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_0_11_p2508 = c20 * Lambda_0_11_p1700_lanes[1] + s20 * Lambda_0_11_p2501 -
+      Lambda_0_11_p11_lanes[1] * Lambda_0_11_p2503;
+  const Real Lambda_0_11_p2509 = Lambda_0_11_p1277 - Lambda_0_11_p35_lanes[1] * Lambda_0_11_p2503;
+  const Real Lambda_0_11_p2510 = s19 * Lambda_0_11_p2508 - c19 * Lambda_0_11_p2509;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2511 = 0.269 * Lambda_0_11_p2510 - inverse_D10_p8_lanes[1] *
+      Lambda_0_11_p2506;
+  const Real Lambda_0_11_p2512 = s18 * Lambda_0_11_p2507 + c18 * Lambda_0_11_p2511;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2513 = c18 * Lambda_0_11_p2507 - s18 * Lambda_0_11_p2511 -
+      Lambda_0_11_p231_lanes[1] * Lambda_0_11_p2512;
+  const Real Lambda_0_11_p2514 = Lambda_0_11_p221_lanes[1] * Lambda_0_11_p2512;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p2515 = -Lambda_0_11_p2510 + Lambda_0_11_p55_lanes[1] * Lambda_0_11_p2506;
+  const Real Lambda_0_11_p2516 = Lambda_0_11_p2504 - Lambda_0_11_p119_lanes[1] * Lambda_0_11_p2506;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2517 = s18 * Lambda_0_11_p2515 + c18 * Lambda_0_11_p2516 -
+      Lambda_0_11_p191_lanes[1] * Lambda_0_11_p2512;
+  const Real Lambda_0_11_p2518 = c17 * Lambda_0_11_p2514 - s17 * Lambda_0_11_p2513;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2519 = c17 * Lambda_0_11_p2513 + s17 * Lambda_0_11_p2514 + 0.282 *
+      Lambda_0_11_p2517 - Lambda_0_11_p259_lanes[1] * Lambda_0_11_p2518;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2520 = c18 * Lambda_0_11_p2515 - s18 * Lambda_0_11_p2516 -
+      Lambda_0_11_p317_lanes[1] * Lambda_0_11_p2512;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_0_11_p2527_lanes = -(detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(Lambda_0_11_p1730_lanes[0], Lambda_0_11_p2509) +
+      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_0_11_p1722_lanes[0],
+      Lambda_0_11_p2508));
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p2529 = -(Lambda_0_11_p2527_lanes[1] - Lambda_0_11_p337_lanes[1] *
+      Lambda_0_11_p2506) - Lambda_0_11_p363_lanes[1] * Lambda_0_11_p2512;
+  const Real Lambda_0_11_p2530 = s17 * Lambda_0_11_p2529 - c17 * Lambda_0_11_p2520;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p2531 = 0.282 * Lambda_0_11_p2530 - Lambda_0_11_p401_lanes[1] *
+      Lambda_0_11_p2518;
+  const Real Lambda_0_11_p2532 = c16 * Lambda_0_11_p2519 - s16 * Lambda_0_11_p2531;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p2533 = s16 * Lambda_0_11_p2519 + c16 * Lambda_0_11_p2531 -
+      inverse_D7_p1_lanes[1] * Lambda_0_11_p2532;
+  const Real Lambda_0_11_p2534 = Lambda_0_11_p1915_lanes[1] * Lambda_0_11_p2532;
+  const Real Lambda_0_11_p2535 = s15 * Lambda_0_11_p2534 + c15 * Lambda_0_11_p2533;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p4018_lanes = Lambda_0_11_p1523_lanes * inverse_D12_lanes[0];
-
-  // link 1 (calf), articulated inertia
-  const Real Lambda_0_11_p4030 = 0.086 * Lambda_0_11_p1497;
+  const Lanes<8> Lambda_0_11_p2560_lanes = c13 * detail::make_pack<Real>(Lambda_0_11_p1653_lanes[0],
+      Lambda_0_11_p1651_lanes[0], Lambda_0_11_p1330_lanes[0], Lambda_0_11_p1648_lanes[3],
+      Lambda_0_11_p1648_lanes[4], Lambda_0_11_p1648_lanes[5], Lambda_0_11_p1653_lanes[0],
+      Lambda_0_11_p1653_lanes[0]) - s13 * Lambda_0_11_p1670_lanes - inverse_D11_p1_lanes[0] *
+      Lambda_0_11_p1682_lanes;
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_0_11_p4031_lanes = detail::make_pack<Real>(91.62274020012977,
-      91.62274020012977, 1065.380700001509, 1065.380700001509, 1065.380700001509, 1065.380700001509,
-      91.62274020012977, 91.62274020012977) * detail::make_pack<Real>(Lambda_0_11_p1497,
-      Lambda_0_11_p1495, Lambda_0_11_p1400, Lambda_0_11_p1483_lanes[0], Lambda_0_11_p1483_lanes[1],
-      Lambda_0_11_p1483_lanes[2], Lambda_0_11_p1497, Lambda_0_11_p1497);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p4055_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p4030 +
-      Lambda_0_11_p4018_lanes * Lambda_0_11_p1523_lanes[0] + Lambda_0_11_p4006_lanes *
-      Lambda_0_11_p1887 + Lambda_0_11_p4000_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p4073_lanes = Lambda_0_11_p4055_lanes + Lambda_0_11_p3982_lanes *
-      Lambda_0_11_p2331_lanes[0] + Lambda_0_11_p3970_lanes * Lambda_0_11_p2415_lanes[0] +
-      Lambda_0_11_p3958_lanes * Lambda_0_11_p2451_lanes[0];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p4079_lanes = Lambda_0_11_p4073_lanes + Lambda_0_11_p3946_lanes *
-      Lambda_0_11_p3207;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4101_lanes = detail::make_pack<Real>(Lambda_0_11_p4079_lanes[0],
-      Lambda_0_11_p4079_lanes[1], Lambda_0_11_p4079_lanes[2], Lambda_0_11_p4079_lanes[3],
-      Lambda_0_11_p4079_lanes[4], Lambda_0_11_p4079_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3207,
-      Lambda_0_11_p3944 * Lambda_0_11_p3207) + Lambda_0_11_p3928_lanes *
-      Lambda_0_11_p3360_lanes[0] + Lambda_0_11_p3912_lanes * Lambda_0_11_p3471 +
-      Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[0];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4117_lanes = Lambda_0_11_p4101_lanes + Lambda_0_11_p3880_lanes *
-      Lambda_0_11_p3704_lanes[0] + Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[0];
-  const Real Lambda_0_11_p4125 = 1.0 / Lambda_0_11_p4117_lanes[0];
-  const Lanes<8> Lambda_0_11_p4126_lanes = Lambda_0_11_p3860_lanes * Lambda_0_11_p4125;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4142_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[1];
-  const Lanes<8> Lambda_0_11_p4166_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3206 +
-      Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[1] + Lambda_0_11_p3820_lanes *
-      Lambda_0_11_p3468 + Lambda_0_11_p4142_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4178_lanes = Lambda_0_11_p4166_lanes + Lambda_0_11_p3804_lanes *
-      Lambda_0_11_p3704_lanes[1] + Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[1] -
-      Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[1];
-  const Lanes<8> Lambda_0_11_p4182_lanes = Lambda_0_11_p4117_lanes * Lambda_0_11_p4125;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p4251_lanes = Lambda_0_11_p3994_lanes * Lambda_0_11_p1975_lanes[1];
-
-  // link 1 (calf), articulated inertia
-  const Real Lambda_0_11_p4266 = 0.086 * Lambda_0_11_p1495;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p4282_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p4266 +
-      Lambda_0_11_p4018_lanes * Lambda_0_11_p1523_lanes[1] + Lambda_0_11_p4006_lanes *
-      Lambda_0_11_p1886 + Lambda_0_11_p4251_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p4297_lanes = Lambda_0_11_p4282_lanes + Lambda_0_11_p3982_lanes *
-      Lambda_0_11_p2331_lanes[1] + Lambda_0_11_p3970_lanes * Lambda_0_11_p2415_lanes[1] +
-      Lambda_0_11_p3958_lanes * Lambda_0_11_p2451_lanes[1];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p4302_lanes = Lambda_0_11_p4297_lanes + Lambda_0_11_p3946_lanes *
-      Lambda_0_11_p3206;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4321_lanes = detail::make_pack<Real>(Lambda_0_11_p4302_lanes[1],
-      Lambda_0_11_p4302_lanes[1], Lambda_0_11_p4302_lanes[2], Lambda_0_11_p4302_lanes[3],
-      Lambda_0_11_p4302_lanes[4], Lambda_0_11_p4302_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3206,
-      Lambda_0_11_p3944 * Lambda_0_11_p3206) + Lambda_0_11_p3928_lanes *
-      Lambda_0_11_p3360_lanes[1] + Lambda_0_11_p3912_lanes * Lambda_0_11_p3468 +
-      Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[1];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4342_lanes = Lambda_0_11_p4321_lanes + Lambda_0_11_p3880_lanes *
-      Lambda_0_11_p3704_lanes[1] + Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[1] -
-      Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[1];
-  const Real Lambda_0_11_p4349 = 1.0 / Lambda_0_11_p4342_lanes[1];
-  const Lanes<8> Lambda_0_11_p4350_lanes = Lambda_0_11_p4178_lanes * Lambda_0_11_p4349;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4370_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[2];
-  const Lanes<8> Lambda_0_11_p4394_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3205 +
-      Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[2] + Lambda_0_11_p3820_lanes *
-      Lambda_0_11_p3465 + Lambda_0_11_p4370_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4406_lanes = Lambda_0_11_p4394_lanes + Lambda_0_11_p3804_lanes *
-      Lambda_0_11_p3704_lanes[2] + Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[2] -
-      Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[2];
-  const Lanes<8> Lambda_0_11_p4410_lanes = Lambda_0_11_p4406_lanes - Lambda_0_11_p4350_lanes *
-      Lambda_0_11_p4342_lanes[2];
-  const Lanes<8> Lambda_0_11_p4414_lanes = Lambda_0_11_p4342_lanes * Lambda_0_11_p4349;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p4478_lanes = Lambda_0_11_p3994_lanes * Lambda_0_11_p1975_lanes[2];
-  const Lanes<8> Lambda_0_11_p4502_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p1400 +
-      Lambda_0_11_p4018_lanes * Lambda_0_11_p1523_lanes[2] + Lambda_0_11_p4006_lanes *
-      Lambda_0_11_p1885 + Lambda_0_11_p4478_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p4514_lanes = Lambda_0_11_p4502_lanes + Lambda_0_11_p3982_lanes *
-      Lambda_0_11_p2331_lanes[2] + Lambda_0_11_p3970_lanes * Lambda_0_11_p2415_lanes[2] +
-      Lambda_0_11_p3958_lanes * Lambda_0_11_p2451_lanes[2];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p4518_lanes = Lambda_0_11_p4514_lanes + Lambda_0_11_p3946_lanes *
-      Lambda_0_11_p3205;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4534_lanes = detail::make_pack<Real>(Lambda_0_11_p4518_lanes[2],
-      Lambda_0_11_p4518_lanes[2], Lambda_0_11_p4518_lanes[2], Lambda_0_11_p4518_lanes[3],
-      Lambda_0_11_p4518_lanes[4], Lambda_0_11_p4518_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3205,
-      Lambda_0_11_p3944 * Lambda_0_11_p3205) + Lambda_0_11_p3928_lanes *
-      Lambda_0_11_p3360_lanes[2] + Lambda_0_11_p3912_lanes * Lambda_0_11_p3465 +
-      Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[2];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4552_lanes = Lambda_0_11_p4534_lanes + Lambda_0_11_p3880_lanes *
-      Lambda_0_11_p3704_lanes[2] + Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[2] -
-      Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[2];
-  const Lanes<8> Lambda_0_11_p4558_lanes = Lambda_0_11_p4552_lanes - Lambda_0_11_p4414_lanes *
-      Lambda_0_11_p4342_lanes[2];
-  const Real Lambda_0_11_p4564 = 1.0 / Lambda_0_11_p4558_lanes[2];
-  const Lanes<8> Lambda_0_11_p4565_lanes = Lambda_0_11_p4410_lanes * Lambda_0_11_p4564;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4589_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[3];
-  const Lanes<8> Lambda_0_11_p4613_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3204 +
-      Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[3] + Lambda_0_11_p3820_lanes *
-      Lambda_0_11_p3462 + Lambda_0_11_p4589_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4625_lanes = Lambda_0_11_p4613_lanes + Lambda_0_11_p3804_lanes *
-      Lambda_0_11_p3704_lanes[3] + Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[3] -
-      Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[3];
-  const Lanes<8> Lambda_0_11_p4633_lanes = Lambda_0_11_p4625_lanes - Lambda_0_11_p4350_lanes *
-      Lambda_0_11_p4342_lanes[3] - Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[3];
-  const Lanes<8> Lambda_0_11_p4637_lanes = Lambda_0_11_p4558_lanes * Lambda_0_11_p4564;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p4694_lanes = Lambda_0_11_p3994_lanes * Lambda_0_11_p1975_lanes[3];
-  const Lanes<8> Lambda_0_11_p4712_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p1483_lanes[0] +
-      Lambda_0_11_p4018_lanes * Lambda_0_11_p1523_lanes[3] + Lambda_0_11_p4006_lanes *
-      Lambda_0_11_p1769 + Lambda_0_11_p4694_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p4721_lanes = Lambda_0_11_p4712_lanes + Lambda_0_11_p3982_lanes *
-      Lambda_0_11_p2331_lanes[3] + Lambda_0_11_p3970_lanes * Lambda_0_11_p2415_lanes[3] +
-      Lambda_0_11_p3958_lanes * Lambda_0_11_p2451_lanes[3];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p4724_lanes = Lambda_0_11_p4721_lanes + Lambda_0_11_p3946_lanes *
-      Lambda_0_11_p3204;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4737_lanes = detail::make_pack<Real>(Lambda_0_11_p4724_lanes[3],
-      Lambda_0_11_p4724_lanes[3], Lambda_0_11_p4724_lanes[3], Lambda_0_11_p4724_lanes[3],
-      Lambda_0_11_p4724_lanes[4], Lambda_0_11_p4724_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3204,
-      Lambda_0_11_p3944 * Lambda_0_11_p3204) + Lambda_0_11_p3928_lanes *
-      Lambda_0_11_p3360_lanes[3] + Lambda_0_11_p3912_lanes * Lambda_0_11_p3462 +
-      Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[3];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4752_lanes = Lambda_0_11_p4737_lanes + Lambda_0_11_p3880_lanes *
-      Lambda_0_11_p3704_lanes[3] + Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[3] -
-      Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[3];
-  const Lanes<8> Lambda_0_11_p4762_lanes = Lambda_0_11_p4752_lanes - Lambda_0_11_p4414_lanes *
-      Lambda_0_11_p4342_lanes[3] - Lambda_0_11_p4637_lanes * Lambda_0_11_p4558_lanes[3];
-  const Real Lambda_0_11_p4767 = 1.0 / Lambda_0_11_p4762_lanes[3];
-  const Lanes<8> Lambda_0_11_p4768_lanes = Lambda_0_11_p4633_lanes * Lambda_0_11_p4767;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4796_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[4];
-  const Lanes<8> Lambda_0_11_p4820_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3203 +
-      Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[4] + Lambda_0_11_p3820_lanes *
-      Lambda_0_11_p3459 + Lambda_0_11_p4796_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4832_lanes = Lambda_0_11_p4820_lanes + Lambda_0_11_p3804_lanes *
-      Lambda_0_11_p3704_lanes[4] + Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[4] -
-      Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[4];
-  const Lanes<8> Lambda_0_11_p4844_lanes = Lambda_0_11_p4832_lanes - Lambda_0_11_p4350_lanes *
-      Lambda_0_11_p4342_lanes[4] - Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[4] -
-      Lambda_0_11_p4768_lanes * Lambda_0_11_p4762_lanes[4];
-  const Lanes<8> Lambda_0_11_p4848_lanes = Lambda_0_11_p4762_lanes * Lambda_0_11_p4767;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p4888_lanes = Lambda_0_11_p2169_lanes * inverse_D7_lanes[1];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_0_11_p4892_lanes = detail::make_pack<Real>(Lambda_0_11_p3958_lanes[5],
-      Lambda_0_11_p4888_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p2451_lanes[4],
-      Lambda_0_11_p2169_lanes[2]);
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p4894_lanes = Lambda_0_11_p1832_lanes * inverse_D8_lanes[1];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<2> Lambda_0_11_p4898_lanes = detail::make_pack<Real>(Lambda_0_11_p3970_lanes[5],
-      Lambda_0_11_p4894_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p2415_lanes[4],
-      Lambda_0_11_p1832_lanes[2]);
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_0_11_p4900_lanes = Lambda_0_11_p1651_lanes * inverse_D9_lanes[1];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> Lambda_0_11_p4904_lanes = detail::make_pack<Real>(Lambda_0_11_p3982_lanes[5],
-      Lambda_0_11_p4900_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p2331_lanes[4],
-      Lambda_0_11_p1651_lanes[2]);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p4906_lanes = Lambda_0_11_p1571_lanes * inverse_D10_lanes[1];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_0_11_p4910_lanes = detail::make_pack<Real>(Lambda_0_11_p3994_lanes[5],
-      Lambda_0_11_p4906_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1975_lanes[4],
-      Lambda_0_11_p1571_lanes[2]);
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_0_11_p4912_lanes = detail::make_pack<Real>(Lambda_0_11_p1431,
-      Lambda_0_11_p1430, Lambda_0_11_p1429, Lambda_0_11_p1428, Lambda_0_11_p1431, Lambda_0_11_p1431,
-      Lambda_0_11_p1431, Lambda_0_11_p1431) * inverse_D11_lanes[1];
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_0_11_p4916_lanes = detail::make_pack<Real>(Lambda_0_11_p4006_lanes[5],
-      Lambda_0_11_p4912_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1764, Lambda_0_11_p1429);
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_0_11_p4918_lanes = Lambda_0_11_p1365_lanes * inverse_D12_lanes[1];
+  const Lanes<8> Lambda_0_11_p2588_lanes = s13 * detail::make_pack<Real>(Lambda_0_11_p1700_lanes[0],
+      Lambda_0_11_p1696_lanes[0], Lambda_0_11_p1700_lanes[0], Lambda_0_11_p1691_lanes[3],
+      Lambda_0_11_p1691_lanes[4], Lambda_0_11_p1691_lanes[5], Lambda_0_11_p1700_lanes[0],
+      Lambda_0_11_p1700_lanes[0]) - c13 * Lambda_0_11_p1707_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_0_11_p4922_lanes = detail::make_pack<Real>(Lambda_0_11_p4018_lanes[5],
-      Lambda_0_11_p4918_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1523_lanes[4],
-      Lambda_0_11_p1365_lanes[2]);
-  const Lanes<2> Lambda_0_11_p4926_lanes = detail::make_pack<Real>(Lambda_0_11_p4018_lanes[4],
-      Lambda_0_11_p4918_lanes[2]) * detail::make_pack<Real>(Lambda_0_11_p1523_lanes[4],
-      Lambda_0_11_p1365_lanes[2]);
+  const Lanes<8> Lambda_0_11_p2593_lanes = detail::make_pack<Real>(Lambda_0_11_p2588_lanes[0],
+      Lambda_0_11_p2588_lanes[1], Lambda_0_11_p1421_lanes[0], Lambda_0_11_p2588_lanes[3],
+      Lambda_0_11_p2588_lanes[4], Lambda_0_11_p2588_lanes[5], Lambda_0_11_p2588_lanes[0],
+      Lambda_0_11_p2588_lanes[0]) - Lambda_0_11_p61_lanes[0] * Lambda_0_11_p1682_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_0_11_p4930_lanes = detail::make_pack<Real>(Lambda_0_11_p4006_lanes[4],
-      Lambda_0_11_p4912_lanes[2]) * detail::make_pack<Real>(Lambda_0_11_p1764, Lambda_0_11_p1429);
+  const Lanes<8> Lambda_0_11_p2617_lanes = -(c12 * Lambda_0_11_p2560_lanes);
+  const Lanes<8> Lambda_0_11_p2629_lanes = 0.269 * Lambda_0_11_p2593_lanes - s12 *
+      Lambda_0_11_p2560_lanes - inverse_D10_p1_lanes[0] * Lambda_0_11_p2617_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p2641_lanes = Lambda_0_11_p35_lanes[0] * Lambda_0_11_p1682_lanes;
+  const Lanes<8> Lambda_0_11_p2650_lanes = Lambda_0_11_p1717_lanes - Lambda_0_11_p11_lanes[0] *
+      Lambda_0_11_p1682_lanes;
+  const Lanes<8> Lambda_0_11_p2656_lanes = c12 * Lambda_0_11_p2641_lanes + s12 *
+      Lambda_0_11_p2650_lanes;
+  const Lanes<8> Lambda_0_11_p2665_lanes = s12 * Lambda_0_11_p1722_lanes - c12 *
+      Lambda_0_11_p1730_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p2680_lanes = 0.269 *
+      detail::make_pack<Real>(Lambda_0_11_p2665_lanes[0], Lambda_0_11_p2665_lanes[1],
+      Lambda_0_11_p2665_lanes[2], Lambda_0_11_p2656_lanes[3], Lambda_0_11_p2656_lanes[4],
+      Lambda_0_11_p2656_lanes[5], Lambda_0_11_p2665_lanes[0], Lambda_0_11_p2665_lanes[0]) -
+      inverse_D10_p8_lanes[0] * Lambda_0_11_p2617_lanes;
+  const Lanes<8> Lambda_0_11_p2710_lanes = s11 * Lambda_0_11_p2629_lanes + c11 *
+      Lambda_0_11_p2680_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_0_11_p4934_lanes = detail::make_pack<Real>(Lambda_0_11_p3994_lanes[4],
-      Lambda_0_11_p4906_lanes[2]) * detail::make_pack<Real>(Lambda_0_11_p1975_lanes[4],
-      Lambda_0_11_p1571_lanes[2]);
+  const Lanes<8> Lambda_0_11_p2722_lanes = c11 * Lambda_0_11_p2629_lanes - s11 *
+      Lambda_0_11_p2680_lanes - Lambda_0_11_p231_lanes[0] * Lambda_0_11_p2710_lanes;
+  const Lanes<8> Lambda_0_11_p2734_lanes = Lambda_0_11_p221_lanes[0] * Lambda_0_11_p2710_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p2770_lanes = -detail::make_pack<Real>(Lambda_0_11_p2665_lanes[0],
+      Lambda_0_11_p2665_lanes[1], Lambda_0_11_p2665_lanes[2], Lambda_0_11_p2656_lanes[3],
+      Lambda_0_11_p2656_lanes[4], Lambda_0_11_p2656_lanes[5], Lambda_0_11_p2665_lanes[0],
+      Lambda_0_11_p2665_lanes[0]) + Lambda_0_11_p55_lanes[0] * Lambda_0_11_p2617_lanes;
+  const Lanes<8> Lambda_0_11_p2788_lanes = Lambda_0_11_p2593_lanes - Lambda_0_11_p119_lanes[0] *
+      Lambda_0_11_p2617_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p2806_lanes = s11 * Lambda_0_11_p2770_lanes + c11 *
+      Lambda_0_11_p2788_lanes - Lambda_0_11_p191_lanes[0] * Lambda_0_11_p2710_lanes;
+  const Lanes<8> Lambda_0_11_p2836_lanes = c10 * Lambda_0_11_p2734_lanes - s10 *
+      Lambda_0_11_p2722_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<2> Lambda_0_11_p4938_lanes = detail::make_pack<Real>(Lambda_0_11_p3982_lanes[4],
-      Lambda_0_11_p4900_lanes[2]) * detail::make_pack<Real>(Lambda_0_11_p2331_lanes[4],
-      Lambda_0_11_p1651_lanes[2]);
+  const Lanes<8> Lambda_0_11_p2842_lanes = Lambda_0_11_p259_lanes[0] * Lambda_0_11_p2836_lanes;
+  const Lanes<8> Lambda_0_11_p2848_lanes = c10 * Lambda_0_11_p2722_lanes + s10 *
+      Lambda_0_11_p2734_lanes + 0.282 * Lambda_0_11_p2806_lanes - Lambda_0_11_p2842_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p2872_lanes = s12 * Lambda_0_11_p2641_lanes - c12 *
+      Lambda_0_11_p2650_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p2893_lanes = -(detail::make_pack<Real>(Lambda_0_11_p2527_lanes[0],
+      Lambda_0_11_p2492_lanes[0], Lambda_0_11_p1737_lanes[0], Lambda_0_11_p2872_lanes[3],
+      Lambda_0_11_p2872_lanes[4], Lambda_0_11_p2872_lanes[5], Lambda_0_11_p2527_lanes[0],
+      Lambda_0_11_p2527_lanes[0]) - Lambda_0_11_p337_lanes[0] * Lambda_0_11_p2617_lanes) -
+      Lambda_0_11_p363_lanes[0] * Lambda_0_11_p2710_lanes;
+  const Lanes<8> Lambda_0_11_p2929_lanes = c11 * Lambda_0_11_p2770_lanes - s11 *
+      Lambda_0_11_p2788_lanes - Lambda_0_11_p317_lanes[0] * Lambda_0_11_p2710_lanes;
+  const Lanes<8> Lambda_0_11_p2941_lanes = s10 * Lambda_0_11_p2893_lanes - c10 *
+      Lambda_0_11_p2929_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p2959_lanes = 0.282 * Lambda_0_11_p2941_lanes -
+      Lambda_0_11_p401_lanes[0] * Lambda_0_11_p2836_lanes;
+  const Lanes<8> Lambda_0_11_p2989_lanes = c9 * Lambda_0_11_p2848_lanes - s9 *
+      Lambda_0_11_p2959_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<2> Lambda_0_11_p4942_lanes = detail::make_pack<Real>(Lambda_0_11_p3970_lanes[4],
-      Lambda_0_11_p4894_lanes[2]) * detail::make_pack<Real>(Lambda_0_11_p2415_lanes[4],
-      Lambda_0_11_p1832_lanes[2]);
-  const Lanes<8> Lambda_0_11_p4944_lanes = Lambda_0_11_p4031_lanes * Lambda_0_11_p1483_lanes[1] +
-      detail::make_pack<Real>(Lambda_0_11_p4926_lanes[0], Lambda_0_11_p4926_lanes[0],
-      Lambda_0_11_p4926_lanes[0], Lambda_0_11_p4926_lanes[0], Lambda_0_11_p4926_lanes[0],
-      Lambda_0_11_p4922_lanes[0], Lambda_0_11_p4926_lanes[0], Lambda_0_11_p4926_lanes[0]) +
-      detail::make_pack<Real>(Lambda_0_11_p4930_lanes[0], Lambda_0_11_p4930_lanes[0],
-      Lambda_0_11_p4930_lanes[0], Lambda_0_11_p4930_lanes[0], Lambda_0_11_p4930_lanes[0],
-      Lambda_0_11_p4916_lanes[0], Lambda_0_11_p4930_lanes[0], Lambda_0_11_p4930_lanes[0]) +
-      detail::make_pack<Real>(Lambda_0_11_p4934_lanes[0], Lambda_0_11_p4934_lanes[0],
-      Lambda_0_11_p4934_lanes[0], Lambda_0_11_p4934_lanes[0], Lambda_0_11_p4934_lanes[0],
-      Lambda_0_11_p4910_lanes[0], Lambda_0_11_p4934_lanes[0], Lambda_0_11_p4934_lanes[0]) +
-      detail::make_pack<Real>(Lambda_0_11_p4938_lanes[0], Lambda_0_11_p4938_lanes[0],
-      Lambda_0_11_p4938_lanes[0], Lambda_0_11_p4938_lanes[0], Lambda_0_11_p4938_lanes[0],
-      Lambda_0_11_p4904_lanes[0], Lambda_0_11_p4938_lanes[0], Lambda_0_11_p4938_lanes[0]) +
-      detail::make_pack<Real>(Lambda_0_11_p4942_lanes[0], Lambda_0_11_p4942_lanes[0],
-      Lambda_0_11_p4942_lanes[0], Lambda_0_11_p4942_lanes[0], Lambda_0_11_p4942_lanes[0],
-      Lambda_0_11_p4898_lanes[0], Lambda_0_11_p4942_lanes[0], Lambda_0_11_p4942_lanes[0]);
+  const Lanes<8> Lambda_0_11_p3001_lanes = s9 * Lambda_0_11_p2848_lanes + c9 *
+      Lambda_0_11_p2959_lanes - inverse_D7_p1_lanes[0] * Lambda_0_11_p2989_lanes;
+  const Lanes<8> Lambda_0_11_p3013_lanes = Lambda_0_11_p1915_lanes[0] * Lambda_0_11_p2989_lanes;
+  const Lanes<8> Lambda_0_11_p3025_lanes = s8 * Lambda_0_11_p3013_lanes + c8 *
+      Lambda_0_11_p3001_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_0_11_p4946_lanes = detail::make_pack<Real>(Lambda_0_11_p3958_lanes[4],
-      Lambda_0_11_p4888_lanes[2]) * detail::make_pack<Real>(Lambda_0_11_p2451_lanes[4],
-      Lambda_0_11_p2169_lanes[2]);
+  const Lanes<8> Lambda_0_11_p3031_lanes = detail::make_pack<Real>(Lambda_0_11_p2033_lanes[0],
+      Lambda_0_11_p2033_lanes[0], Lambda_0_11_p2033_lanes[0], Lambda_0_11_p2033_lanes[0],
+      Lambda_0_11_p2033_lanes[0], Lambda_0_11_p2033_lanes[0], Lambda_0_11_p2033_lanes[1],
+      Lambda_0_11_p2033_lanes[1]) * detail::make_pack<Real>(Lambda_0_11_p3025_lanes[0],
+      Lambda_0_11_p3025_lanes[1], Lambda_0_11_p3025_lanes[2], Lambda_0_11_p3025_lanes[3],
+      Lambda_0_11_p3025_lanes[4], Lambda_0_11_p3025_lanes[5], Lambda_0_11_p2535, Lambda_0_11_p2500);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p3067_lanes = c8 * Lambda_0_11_p3013_lanes - s8 *
+      Lambda_0_11_p3001_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p3073_lanes = detail::make_pack<Real>(Lambda_0_11_p3067_lanes[0],
+      Lambda_0_11_p3067_lanes[1], Lambda_0_11_p3067_lanes[2], Lambda_0_11_p3067_lanes[3],
+      Lambda_0_11_p3067_lanes[4], Lambda_0_11_p3067_lanes[5], c15 * Lambda_0_11_p2534 - s15 *
+      Lambda_0_11_p2533, c15 * Lambda_0_11_p2498 - s15 * Lambda_0_11_p2499) -
+      detail::make_pack<Real>(inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
+      inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1], inverse_D6_p5_lanes[1]) *
+      detail::make_pack<Real>(Lambda_0_11_p3025_lanes[0], Lambda_0_11_p3025_lanes[1],
+      Lambda_0_11_p3025_lanes[2], Lambda_0_11_p3025_lanes[3], Lambda_0_11_p3025_lanes[4],
+      Lambda_0_11_p3025_lanes[5], Lambda_0_11_p2535, Lambda_0_11_p2500);
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p3105 = -Lambda_0_11_p2495 + Lambda_0_11_p569_lanes[1] * Lambda_0_11_p2483;
+  const Real Lambda_0_11_p3106 = Lambda_0_11_p2482 - Lambda_0_11_p577_lanes[1] * Lambda_0_11_p2483;
+  const Real Lambda_0_11_p3107 = -Lambda_0_11_p2530 + Lambda_0_11_p569_lanes[1] * Lambda_0_11_p2518;
+  const Real Lambda_0_11_p3108 = Lambda_0_11_p2517 - Lambda_0_11_p577_lanes[1] * Lambda_0_11_p2518;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p3127_lanes = -Lambda_0_11_p2941_lanes + Lambda_0_11_p569_lanes[0] *
+      Lambda_0_11_p2836_lanes;
+  const Lanes<8> Lambda_0_11_p3145_lanes = Lambda_0_11_p2806_lanes - Lambda_0_11_p577_lanes[0] *
+      Lambda_0_11_p2836_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p3163_lanes = c9 * Lambda_0_11_p3127_lanes - s9 *
+      Lambda_0_11_p3145_lanes - Lambda_0_11_p657_lanes[0] * Lambda_0_11_p2989_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p3169_lanes = detail::make_pack<Real>(Lambda_0_11_p3163_lanes[0],
+      Lambda_0_11_p3163_lanes[1], Lambda_0_11_p3163_lanes[2], Lambda_0_11_p3163_lanes[3],
+      Lambda_0_11_p3163_lanes[4], Lambda_0_11_p3163_lanes[5], c16 * Lambda_0_11_p3107 - s16 *
+      Lambda_0_11_p3108 - Lambda_0_11_p657_lanes[1] * Lambda_0_11_p2532, c16 * Lambda_0_11_p3105 -
+      s16 * Lambda_0_11_p3106 - Lambda_0_11_p657_lanes[1] * Lambda_0_11_p2497) -
+      detail::make_pack<Real>(Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0],
+      Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[0],
+      Lambda_0_11_p679_lanes[0], Lambda_0_11_p679_lanes[1], Lambda_0_11_p679_lanes[1]) *
+      detail::make_pack<Real>(Lambda_0_11_p3025_lanes[0], Lambda_0_11_p3025_lanes[1],
+      Lambda_0_11_p3025_lanes[2], Lambda_0_11_p3025_lanes[3], Lambda_0_11_p3025_lanes[4],
+      Lambda_0_11_p3025_lanes[5], Lambda_0_11_p2535, Lambda_0_11_p2500);
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p3193 = -(-(s17 * Lambda_0_11_p2485 + c17 * Lambda_0_11_p2494) +
+      Lambda_0_11_p515_lanes[1] * Lambda_0_11_p2483) + Lambda_0_11_p555_lanes[1] *
+      Lambda_0_11_p2497;
+  const Real Lambda_0_11_p3194 = s16 * Lambda_0_11_p3105 + c16 * Lambda_0_11_p3106 -
+      Lambda_0_11_p609_lanes[1] * Lambda_0_11_p2497;
+  const Real Lambda_0_11_p3195 = s16 * Lambda_0_11_p3107 + c16 * Lambda_0_11_p3108 -
+      Lambda_0_11_p609_lanes[1] * Lambda_0_11_p2532;
+  const Real Lambda_0_11_p3196 = -(-(s17 * Lambda_0_11_p2520 + c17 * Lambda_0_11_p2529) +
+      Lambda_0_11_p515_lanes[1] * Lambda_0_11_p2518) + Lambda_0_11_p555_lanes[1] *
+      Lambda_0_11_p2532;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p3233_lanes = -(s10 * Lambda_0_11_p2929_lanes + c10 *
+      Lambda_0_11_p2893_lanes) + Lambda_0_11_p515_lanes[0] * Lambda_0_11_p2836_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p3245_lanes = -Lambda_0_11_p3233_lanes + Lambda_0_11_p555_lanes[0] *
+      Lambda_0_11_p2989_lanes;
+  const Lanes<8> Lambda_0_11_p3281_lanes = s9 * Lambda_0_11_p3127_lanes + c9 *
+      Lambda_0_11_p3145_lanes - Lambda_0_11_p609_lanes[0] * Lambda_0_11_p2989_lanes;
+  const Lanes<8> Lambda_0_11_p3293_lanes = c8 * Lambda_0_11_p3245_lanes - s8 *
+      Lambda_0_11_p3281_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p3299_lanes = detail::make_pack<Real>(Lambda_0_11_p3293_lanes[0],
+      Lambda_0_11_p3293_lanes[1], Lambda_0_11_p3293_lanes[2], Lambda_0_11_p3293_lanes[3],
+      Lambda_0_11_p3293_lanes[4], Lambda_0_11_p3293_lanes[5], c15 * Lambda_0_11_p3196 - s15 *
+      Lambda_0_11_p3195, c15 * Lambda_0_11_p3193 - s15 * Lambda_0_11_p3194) -
+      detail::make_pack<Real>(Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0],
+      Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[0],
+      Lambda_0_11_p639_lanes[0], Lambda_0_11_p639_lanes[1], Lambda_0_11_p639_lanes[1]) *
+      detail::make_pack<Real>(Lambda_0_11_p3025_lanes[0], Lambda_0_11_p3025_lanes[1],
+      Lambda_0_11_p3025_lanes[2], Lambda_0_11_p3025_lanes[3], Lambda_0_11_p3025_lanes[4],
+      Lambda_0_11_p3025_lanes[5], Lambda_0_11_p2535, Lambda_0_11_p2500);
+  const Lanes<8> Lambda_0_11_p3315_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_0_11_p3169_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      Lambda_0_11_p3299_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p3351_lanes = s8 * Lambda_0_11_p3245_lanes + c8 *
+      Lambda_0_11_p3281_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p3357_lanes = detail::make_pack<Real>(Lambda_0_11_p3351_lanes[0],
+      Lambda_0_11_p3351_lanes[1], Lambda_0_11_p3351_lanes[2], Lambda_0_11_p3351_lanes[3],
+      Lambda_0_11_p3351_lanes[4], Lambda_0_11_p3351_lanes[5], s15 * Lambda_0_11_p3196 + c15 *
+      Lambda_0_11_p3195, s15 * Lambda_0_11_p3193 + c15 * Lambda_0_11_p3194) -
+      detail::make_pack<Real>(Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0],
+      Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[0],
+      Lambda_0_11_p837_lanes[0], Lambda_0_11_p837_lanes[1], Lambda_0_11_p837_lanes[1]) *
+      detail::make_pack<Real>(Lambda_0_11_p3025_lanes[0], Lambda_0_11_p3025_lanes[1],
+      Lambda_0_11_p3025_lanes[2], Lambda_0_11_p3025_lanes[3], Lambda_0_11_p3025_lanes[4],
+      Lambda_0_11_p3025_lanes[5], Lambda_0_11_p2535, Lambda_0_11_p2500);
+  const Lanes<8> Lambda_0_11_p3373_lanes = 0.226 * Lambda_0_11_p3357_lanes +
+      detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18, (-0.18), (-0.18)) *
+      Lambda_0_11_p3315_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_0_11_p4950_lanes = Lambda_0_11_p4944_lanes +
-      detail::make_pack<Real>(Lambda_0_11_p4946_lanes[0], Lambda_0_11_p4946_lanes[0],
-      Lambda_0_11_p4946_lanes[0], Lambda_0_11_p4946_lanes[0], Lambda_0_11_p4946_lanes[0],
-      Lambda_0_11_p4892_lanes[0], Lambda_0_11_p4946_lanes[0], Lambda_0_11_p4946_lanes[0]) +
-      detail::make_pack<Real>(Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203,
-      Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203, Lambda_0_11_p3946_lanes[4] *
-      Lambda_0_11_p3203, Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203,
-      Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203, Lambda_0_11_p3946_lanes[5] *
-      Lambda_0_11_p3203, Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203,
-      Lambda_0_11_p3946_lanes[4] * Lambda_0_11_p3203);
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p4960_lanes = detail::make_pack<Real>(Lambda_0_11_p4950_lanes[4],
-      Lambda_0_11_p4950_lanes[4], Lambda_0_11_p4950_lanes[4], Lambda_0_11_p4950_lanes[4],
-      Lambda_0_11_p4950_lanes[4], Lambda_0_11_p4950_lanes[5], Lambda_0_11_p3945 * Lambda_0_11_p3203,
-      Lambda_0_11_p3944 * Lambda_0_11_p3203) + Lambda_0_11_p3928_lanes *
-      Lambda_0_11_p3360_lanes[4] + Lambda_0_11_p3912_lanes * Lambda_0_11_p3459 +
-      Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[4];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p4972_lanes = Lambda_0_11_p4960_lanes + Lambda_0_11_p3880_lanes *
-      Lambda_0_11_p3704_lanes[4] + Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[4] -
-      Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[4];
-  const Lanes<8> Lambda_0_11_p4984_lanes = Lambda_0_11_p4972_lanes - Lambda_0_11_p4414_lanes *
-      Lambda_0_11_p4342_lanes[4] - Lambda_0_11_p4637_lanes * Lambda_0_11_p4558_lanes[4] -
-      Lambda_0_11_p4848_lanes * Lambda_0_11_p4762_lanes[4];
-  const Real Lambda_0_11_p4988 = 1.0 / Lambda_0_11_p4984_lanes[4];
-  const Lanes<8> Lambda_0_11_p4989_lanes = Lambda_0_11_p4844_lanes * Lambda_0_11_p4988;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p5021_lanes = Lambda_0_11_p3812_lanes * Lambda_0_11_p3584_lanes[5];
-  const Lanes<8> Lambda_0_11_p5045_lanes = Lambda_0_11_p3836_lanes * Lambda_0_11_p3202 +
-      Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[5] + Lambda_0_11_p3820_lanes *
-      Lambda_0_11_p3456 + Lambda_0_11_p5021_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p5057_lanes = Lambda_0_11_p5045_lanes + Lambda_0_11_p3804_lanes *
-      Lambda_0_11_p3704_lanes[5] + Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[5] -
-      Lambda_0_11_p4126_lanes * Lambda_0_11_p4117_lanes[5];
-  const Lanes<8> Lambda_0_11_p5069_lanes = Lambda_0_11_p5057_lanes - Lambda_0_11_p4350_lanes *
-      Lambda_0_11_p4342_lanes[5] - Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[5] -
-      Lambda_0_11_p4768_lanes * Lambda_0_11_p4762_lanes[5];
-  const Lanes<8> Lambda_0_11_p5073_lanes = Lambda_0_11_p5069_lanes - Lambda_0_11_p4989_lanes *
-      Lambda_0_11_p4984_lanes[5];
-  const Lanes<8> Lambda_0_11_p5077_lanes = Lambda_0_11_p4984_lanes * Lambda_0_11_p4988;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_0_11_p5113_lanes = detail::make_pack<Real>(Lambda_0_11_p3994_lanes[5],
-      Lambda_0_11_p4906_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1975_lanes[5],
-      Lambda_0_11_p1571_lanes[3]);
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_0_11_p5116_lanes = 1065.380700001509 *
-      detail::make_pack<Real>(Lambda_0_11_p1324, Lambda_0_11_p1277, Lambda_0_11_p1257,
-      Lambda_0_11_p1237, Lambda_0_11_p1324, Lambda_0_11_p1324, Lambda_0_11_p1324,
-      Lambda_0_11_p1324);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_0_11_p5122_lanes = detail::make_pack<Real>(Lambda_0_11_p4031_lanes[5],
-      Lambda_0_11_p5116_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1483_lanes[2],
-      Lambda_0_11_p1237) + detail::make_pack<Real>(Lambda_0_11_p4018_lanes[5],
-      Lambda_0_11_p4918_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1523_lanes[5],
-      Lambda_0_11_p1365_lanes[3]) + detail::make_pack<Real>(Lambda_0_11_p4006_lanes[5],
-      Lambda_0_11_p4912_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1710, Lambda_0_11_p1428) +
-      Lambda_0_11_p5113_lanes;
+  const Lanes<8> Lambda_0_11_p3389_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_0_11_p3031_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      Lambda_0_11_p3073_lanes + Lambda_0_11_p3373_lanes);
+  const Lanes<8> Lambda_0_11_p3397_lanes = inverse_D5_p16 * Lambda_0_11_p3389_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_0_11_p5125_lanes = Lambda_0_11_p5122_lanes +
-      detail::make_pack<Real>(Lambda_0_11_p3982_lanes[5], Lambda_0_11_p4900_lanes[3]) *
-      detail::make_pack<Real>(Lambda_0_11_p2331_lanes[5], Lambda_0_11_p1651_lanes[3]) +
-      detail::make_pack<Real>(Lambda_0_11_p3970_lanes[5], Lambda_0_11_p4894_lanes[3]) *
-      detail::make_pack<Real>(Lambda_0_11_p2415_lanes[5], Lambda_0_11_p1832_lanes[3]) +
-      detail::make_pack<Real>(Lambda_0_11_p3958_lanes[5], Lambda_0_11_p4888_lanes[3]) *
-      detail::make_pack<Real>(Lambda_0_11_p2451_lanes[5], Lambda_0_11_p2169_lanes[3]);
+  const Lanes<8> Lambda_0_11_p3421_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_0_11_p3169_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      Lambda_0_11_p3299_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p3469_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
+      0.18, (-0.18), (-0.18)) * Lambda_0_11_p3421_lanes -
+      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_0_11_p3031_lanes -
+      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_0_11_p3073_lanes) -
+      Lambda_0_11_p3397_lanes;
+  const Lanes<8> Lambda_0_11_p3501_lanes = 0.226 * Lambda_0_11_p3421_lanes - inverse_D5_p22 *
+      Lambda_0_11_p3389_lanes;
+  const Lanes<8> Lambda_0_11_p3533_lanes = Lambda_0_11_p3421_lanes - Lambda_0_11_p993 *
+      Lambda_0_11_p3389_lanes;
+  const Lanes<8> Lambda_0_11_p3549_lanes = s6 * Lambda_0_11_p3469_lanes + c6 *
+      Lambda_0_11_p3501_lanes + 0.072 * Lambda_0_11_p3533_lanes;
+  const Lanes<8> Lambda_0_11_p3573_lanes = Lambda_0_11_p3315_lanes + Lambda_0_11_p930 *
+      Lambda_0_11_p3389_lanes;
+  const Lanes<8> Lambda_0_11_p3597_lanes = Lambda_0_11_p3357_lanes - Lambda_0_11_p984 *
+      Lambda_0_11_p3389_lanes;
+  const Lanes<8> Lambda_0_11_p3613_lanes = s6 * Lambda_0_11_p3573_lanes + c6 *
+      Lambda_0_11_p3597_lanes;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p3637_lanes = -(0.072 * Lambda_0_11_p3613_lanes) + Lambda_0_11_p1020 *
+      Lambda_0_11_p3549_lanes;
+  const Lanes<8> Lambda_0_11_p3685_lanes = c6 * Lambda_0_11_p3469_lanes - s6 *
+      Lambda_0_11_p3501_lanes - Lambda_0_11_p1022 * Lambda_0_11_p3549_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p3709_lanes = -(s5 * Lambda_0_11_p3637_lanes + c5 *
+      Lambda_0_11_p3685_lanes);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p3757_lanes = Lambda_0_11_p3613_lanes - Lambda_0_11_p1005 *
+      Lambda_0_11_p3549_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p3781_lanes = -(s5 * Lambda_0_11_p3685_lanes - c5 *
+      Lambda_0_11_p3637_lanes + 0.21799999999999997 * Lambda_0_11_p3757_lanes);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p3845_lanes = c6 * Lambda_0_11_p3573_lanes - s6 *
+      Lambda_0_11_p3597_lanes - Lambda_0_11_p1033 * Lambda_0_11_p3549_lanes;
+  const Lanes<8> Lambda_0_11_p3869_lanes = Lambda_0_11_p3533_lanes - Lambda_0_11_p1029 *
+      Lambda_0_11_p3549_lanes;
+  const Lanes<8> Lambda_0_11_p3885_lanes = s5 * Lambda_0_11_p3845_lanes - c5 *
+      Lambda_0_11_p3869_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p3917_lanes = c4 * (-(0.21799999999999997 * Lambda_0_11_p3885_lanes) +
+      inverse_D3_p2 * Lambda_0_11_p3709_lanes);
+  const Lanes<8> Lambda_0_11_p3925_lanes = s4 * (Lambda_0_11_p3781_lanes - inverse_D3_p1 *
+      Lambda_0_11_p3709_lanes) + Lambda_0_11_p3917_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_0_11_p5132_lanes = detail::make_pack<Real>(Lambda_0_11_p5125_lanes[0] +
-      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
-      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
-      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
-      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
-      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p5125_lanes[0] +
-      Lambda_0_11_p3946_lanes[5] * Lambda_0_11_p3202, Lambda_0_11_p3945 * Lambda_0_11_p3202,
-      Lambda_0_11_p3944 * Lambda_0_11_p3202) + Lambda_0_11_p3928_lanes *
-      Lambda_0_11_p3360_lanes[5] + Lambda_0_11_p3912_lanes * Lambda_0_11_p3456 +
-      Lambda_0_11_p3896_lanes * Lambda_0_11_p3584_lanes[5];
+  const Lanes<8> Lambda_0_11_p3933_lanes = Lambda_0_11_p1063 * Lambda_0_11_p3925_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p3989_lanes = s4 * (Lambda_0_11_p3757_lanes + Lambda_0_11_p1050 *
+      Lambda_0_11_p3709_lanes);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4005_lanes = c4 * (-Lambda_0_11_p3885_lanes + Lambda_0_11_p1041 *
+      Lambda_0_11_p3709_lanes) - Lambda_0_11_p3989_lanes - Lambda_0_11_p3933_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p4069_lanes = -(s5 * Lambda_0_11_p3869_lanes + c5 *
+      Lambda_0_11_p3845_lanes) - Lambda_0_11_p1068 * Lambda_0_11_p3709_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4085_lanes = -Lambda_0_11_p4069_lanes + Lambda_0_11_p1073 *
+      Lambda_0_11_p3925_lanes;
+  const Lanes<8> Lambda_0_11_p4101_lanes = c3 * Lambda_0_11_p4005_lanes - s3 *
+      Lambda_0_11_p4085_lanes;
+  const Lanes<8> Lambda_0_11_p4109_lanes = 0.422 * Lambda_0_11_p4101_lanes;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_0_11_p4181_lanes = s2 * (s3 * Lambda_0_11_p4005_lanes + c3 *
+      Lambda_0_11_p4085_lanes - Lambda_0_11_p2429 * Lambda_0_11_p4109_lanes);
+  const Lanes<8> Lambda_0_11_p4197_lanes = 0.434 * (c2 *
+      (Lambda_0_11_p4101_lanes - Lambda_0_11_p1080 * Lambda_0_11_p4109_lanes) -
+      Lambda_0_11_p4181_lanes);
+  const Lanes<8> Lambda_0_11_p4209_lanes = Lambda_0_11_p2411_lanes * inverse_D2;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4217_lanes = Lambda_0_11_p2319_lanes * inverse_D3;
+  const Lanes<8> Lambda_0_11_p4221_lanes = Lambda_0_11_p4217_lanes * Lambda_0_11_p3925_lanes[0];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p4225_lanes = Lambda_0_11_p2211_lanes * inverse_D4;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p4233_lanes = Lambda_0_11_p2131_lanes * inverse_D5;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p4241_lanes = Lambda_0_11_p2051_lanes * inverse_D6;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4257_lanes = Lambda_0_11_p4241_lanes * Lambda_0_11_p3389_lanes[0] +
+      Lambda_0_11_p4233_lanes * Lambda_0_11_p3549_lanes[0] + Lambda_0_11_p4225_lanes *
+      Lambda_0_11_p3709_lanes[0] + Lambda_0_11_p4221_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p5141_lanes = Lambda_0_11_p5132_lanes + Lambda_0_11_p3880_lanes *
-      Lambda_0_11_p3704_lanes[5] + Lambda_0_11_p3864_lanes * Lambda_0_11_p3792_lanes[5] -
-      Lambda_0_11_p4182_lanes * Lambda_0_11_p4117_lanes[5];
-  const Lanes<8> Lambda_0_11_p5150_lanes = Lambda_0_11_p5141_lanes - Lambda_0_11_p4414_lanes *
-      Lambda_0_11_p4342_lanes[5] - Lambda_0_11_p4637_lanes * Lambda_0_11_p4558_lanes[5] -
-      Lambda_0_11_p4848_lanes * Lambda_0_11_p4762_lanes[5];
-  const Lanes<8> Lambda_0_11_p5153_lanes = Lambda_0_11_p5150_lanes - Lambda_0_11_p5077_lanes *
-      Lambda_0_11_p4984_lanes[5];
-  const Real Lambda_0_11_p5156 = 1.0 / Lambda_0_11_p5153_lanes[5];
-  const Lanes<8> Lambda_0_11_p5157_lanes = Lambda_0_11_p5073_lanes * Lambda_0_11_p5156;
+  const Lanes<8> Lambda_0_11_p4265_lanes = Lambda_0_11_p4257_lanes + Lambda_0_11_p4209_lanes *
+      Lambda_0_11_p4109_lanes[0] + Lambda_0_11_p2462_lanes * Lambda_0_11_p4197_lanes[0];
+  const Lanes<8> Lambda_0_11_p4269_lanes = Lambda_0_11_p4197_lanes * inverse_D1;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p5221_lanes = Lambda_0_11_p4906_lanes * Lambda_0_11_p2207;
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_0_11_p4285_lanes = Lambda_0_11_p4109_lanes * inverse_D2;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4301_lanes = Lambda_0_11_p3925_lanes * inverse_D3;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p4317_lanes = Lambda_0_11_p3709_lanes * inverse_D4;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_0_11_p4333_lanes = Lambda_0_11_p3549_lanes * inverse_D5;
+
+  // link 6 (chest3), force propagation
+  const Real Lambda_0_11_p4349 = Lambda_0_11_p3389_lanes[7] * inverse_D6;
+  const Real Lambda_0_11_p4350 = Lambda_0_11_p3389_lanes[6] * inverse_D6;
+  const Lanes<8> Lambda_0_11_p4351_lanes = Lambda_0_11_p3389_lanes * inverse_D6;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p4363_lanes = Lambda_0_11_p3025_lanes * inverse_D7_lanes[0];
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p4375_lanes = Lambda_0_11_p2989_lanes * inverse_D8_lanes[0];
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_0_11_p4387_lanes = Lambda_0_11_p2836_lanes * inverse_D9_lanes[0];
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p4399_lanes = Lambda_0_11_p2710_lanes * inverse_D10_lanes[0];
+  const Lanes<8> Lambda_0_11_p4405_lanes = Lambda_0_11_p4399_lanes * Lambda_0_11_p2710_lanes[0];
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_0_11_p4411_lanes = Lambda_0_11_p2617_lanes * inverse_D11_lanes[0];
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_0_11_p4423_lanes = Lambda_0_11_p1682_lanes * inverse_D12_lanes[0];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_0_11_p5233 = 0.086 * Lambda_0_11_p1344;
+  const Lanes<2> Lambda_0_11_p4435_lanes = 0.086 * Lambda_0_11_p1352_lanes;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p5246_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p5233 +
-      Lambda_0_11_p4918_lanes * Lambda_0_11_p1936 + Lambda_0_11_p4912_lanes * Lambda_0_11_p2204 +
-      Lambda_0_11_p5221_lanes;
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_0_11_p4437_lanes = detail::make_pack<Real>(91.62274020012977,
+      91.62274020012977, 1065.380700001509, 1065.380700001509, 1065.380700001509, 1065.380700001509,
+      91.62274020012977, 91.62274020012977) * detail::make_pack<Real>(Lambda_0_11_p1352_lanes[0],
+      Lambda_0_11_p1346_lanes[0], Lambda_0_11_p1328_lanes[0], Lambda_0_11_p1642_lanes[0],
+      Lambda_0_11_p1642_lanes[1], Lambda_0_11_p1642_lanes[2], Lambda_0_11_p1352_lanes[0],
+      Lambda_0_11_p1352_lanes[0]);
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p5258_lanes = Lambda_0_11_p5246_lanes + Lambda_0_11_p4900_lanes *
-      Lambda_0_11_p2213 + Lambda_0_11_p4894_lanes * Lambda_0_11_p2219 + Lambda_0_11_p4888_lanes *
-      Lambda_0_11_p2222;
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p4461_lanes = Lambda_0_11_p4437_lanes * Lambda_0_11_p4435_lanes[0] +
+      Lambda_0_11_p4423_lanes * Lambda_0_11_p1682_lanes[0] + Lambda_0_11_p4411_lanes *
+      Lambda_0_11_p2617_lanes[0] + Lambda_0_11_p4405_lanes;
 
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_0_11_p5270_lanes = Lambda_0_11_p5258_lanes + Lambda_0_11_p3836_lanes *
-      Lambda_0_11_p3201 + Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[6] +
-      Lambda_0_11_p3820_lanes * Lambda_0_11_p3453;
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p4479_lanes = Lambda_0_11_p4461_lanes + Lambda_0_11_p4387_lanes *
+      Lambda_0_11_p2836_lanes[0] + Lambda_0_11_p4375_lanes * Lambda_0_11_p2989_lanes[0] +
+      Lambda_0_11_p4363_lanes * Lambda_0_11_p3025_lanes[0];
 
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p5282_lanes = Lambda_0_11_p5270_lanes + Lambda_0_11_p3812_lanes *
-      Lambda_0_11_p3584_lanes[6] + Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[6] +
-      Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[6];
-  const Lanes<8> Lambda_0_11_p5294_lanes = Lambda_0_11_p5282_lanes - Lambda_0_11_p4126_lanes *
-      Lambda_0_11_p4117_lanes[6] - Lambda_0_11_p4350_lanes * Lambda_0_11_p4342_lanes[6] -
-      Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[6];
-  const Lanes<8> Lambda_0_11_p5306_lanes = Lambda_0_11_p5294_lanes - Lambda_0_11_p4768_lanes *
-      Lambda_0_11_p4762_lanes[6] - Lambda_0_11_p4989_lanes * Lambda_0_11_p4984_lanes[6] -
-      Lambda_0_11_p5157_lanes * Lambda_0_11_p5153_lanes[6];
-  const Real Lambda_0_11_p5310 = Lambda_0_11_p5153_lanes[6] * Lambda_0_11_p5156;
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p4485_lanes = Lambda_0_11_p4479_lanes + Lambda_0_11_p4351_lanes *
+      Lambda_0_11_p3389_lanes[0];
 
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p5311 = 91.62274020012977 * Lambda_0_11_p1344 * Lambda_0_11_p5233 +
-      Lambda_0_11_p1936 * inverse_D12_lanes[1] * Lambda_0_11_p1936 + Lambda_0_11_p2204 *
-      inverse_D11_lanes[1] * Lambda_0_11_p2204;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p5312 = Lambda_0_11_p5311 + Lambda_0_11_p2207 * inverse_D10_lanes[1] *
-      Lambda_0_11_p2207 + Lambda_0_11_p2213 * inverse_D9_lanes[1] * Lambda_0_11_p2213 +
-      Lambda_0_11_p2219 * inverse_D8_lanes[1] * Lambda_0_11_p2219;
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_0_11_p5313 = Lambda_0_11_p5312 + Lambda_0_11_p2222 * inverse_D7_lanes[1] *
-      Lambda_0_11_p2222 + Lambda_0_11_p3945 * Lambda_0_11_p3201 + Lambda_0_11_p3928_lanes[6] *
-      Lambda_0_11_p3360_lanes[6] + Lambda_0_11_p3912_lanes[6] * Lambda_0_11_p3453;
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4507_lanes = detail::make_pack<Real>(Lambda_0_11_p4485_lanes[0],
+      Lambda_0_11_p4485_lanes[1], Lambda_0_11_p4485_lanes[2], Lambda_0_11_p4485_lanes[3],
+      Lambda_0_11_p4485_lanes[4], Lambda_0_11_p4485_lanes[5], Lambda_0_11_p4350 *
+      Lambda_0_11_p3389_lanes[0], Lambda_0_11_p4349 * Lambda_0_11_p3389_lanes[0]) +
+      Lambda_0_11_p4333_lanes * Lambda_0_11_p3549_lanes[0] + Lambda_0_11_p4317_lanes *
+      Lambda_0_11_p3709_lanes[0] + Lambda_0_11_p4301_lanes * Lambda_0_11_p3925_lanes[0];
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_11_p5314 = Lambda_0_11_p5313 + Lambda_0_11_p3896_lanes[6] *
-      Lambda_0_11_p3584_lanes[6] + Lambda_0_11_p3880_lanes[6] * Lambda_0_11_p3704_lanes[6] +
-      Lambda_0_11_p3864_lanes[6] * Lambda_0_11_p3792_lanes[6] - Lambda_0_11_p4182_lanes[6] *
-      Lambda_0_11_p4117_lanes[6];
-  const Real Lambda_0_11_p5315 = Lambda_0_11_p5314 - Lambda_0_11_p4414_lanes[6] *
-      Lambda_0_11_p4342_lanes[6] - Lambda_0_11_p4637_lanes[6] * Lambda_0_11_p4558_lanes[6] -
-      Lambda_0_11_p4848_lanes[6] * Lambda_0_11_p4762_lanes[6] - Lambda_0_11_p5077_lanes[6] *
-      Lambda_0_11_p4984_lanes[6];
-  const Real Lambda_0_11_p5316 = 1.0 / (Lambda_0_11_p5315 - Lambda_0_11_p5310 *
-      Lambda_0_11_p5153_lanes[6]);
-  const Lanes<8> Lambda_0_11_p5317_lanes = Lambda_0_11_p5306_lanes * Lambda_0_11_p5316;
-  const Real Lambda_0_11_p5321 = Lambda_0_11_p5153_lanes[7] * Lambda_0_11_p5156;
+  const Lanes<8> Lambda_0_11_p4523_lanes = Lambda_0_11_p4507_lanes + Lambda_0_11_p4285_lanes *
+      Lambda_0_11_p4109_lanes[0] + Lambda_0_11_p4269_lanes * Lambda_0_11_p4197_lanes[0];
+  const Real Lambda_0_11_p4531 = 1.0 / Lambda_0_11_p4523_lanes[0];
+  const Lanes<8> Lambda_0_11_p4532_lanes = Lambda_0_11_p4265_lanes * Lambda_0_11_p4531;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4548_lanes = Lambda_0_11_p4217_lanes * Lambda_0_11_p3925_lanes[1];
+  const Lanes<8> Lambda_0_11_p4572_lanes = Lambda_0_11_p4241_lanes * Lambda_0_11_p3389_lanes[1] +
+      Lambda_0_11_p4233_lanes * Lambda_0_11_p3549_lanes[1] + Lambda_0_11_p4225_lanes *
+      Lambda_0_11_p3709_lanes[1] + Lambda_0_11_p4548_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p4584_lanes = Lambda_0_11_p4572_lanes + Lambda_0_11_p4209_lanes *
+      Lambda_0_11_p4109_lanes[1] + Lambda_0_11_p2462_lanes * Lambda_0_11_p4197_lanes[1] -
+      Lambda_0_11_p4532_lanes * Lambda_0_11_p4523_lanes[1];
+  const Lanes<8> Lambda_0_11_p4588_lanes = Lambda_0_11_p4523_lanes * Lambda_0_11_p4531;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p4657_lanes = Lambda_0_11_p4399_lanes * Lambda_0_11_p2710_lanes[1];
+
+  // link 1 (calf), articulated inertia
+  const Lanes<2> Lambda_0_11_p4672_lanes = 0.086 * Lambda_0_11_p1346_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p4689_lanes = Lambda_0_11_p4437_lanes * Lambda_0_11_p4672_lanes[0] +
+      Lambda_0_11_p4423_lanes * Lambda_0_11_p1682_lanes[1] + Lambda_0_11_p4411_lanes *
+      Lambda_0_11_p2617_lanes[1] + Lambda_0_11_p4657_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p4704_lanes = Lambda_0_11_p4689_lanes + Lambda_0_11_p4387_lanes *
+      Lambda_0_11_p2836_lanes[1] + Lambda_0_11_p4375_lanes * Lambda_0_11_p2989_lanes[1] +
+      Lambda_0_11_p4363_lanes * Lambda_0_11_p3025_lanes[1];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p4709_lanes = Lambda_0_11_p4704_lanes + Lambda_0_11_p4351_lanes *
+      Lambda_0_11_p3389_lanes[1];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4728_lanes = detail::make_pack<Real>(Lambda_0_11_p4709_lanes[1],
+      Lambda_0_11_p4709_lanes[1], Lambda_0_11_p4709_lanes[2], Lambda_0_11_p4709_lanes[3],
+      Lambda_0_11_p4709_lanes[4], Lambda_0_11_p4709_lanes[5], Lambda_0_11_p4350 *
+      Lambda_0_11_p3389_lanes[1], Lambda_0_11_p4349 * Lambda_0_11_p3389_lanes[1]) +
+      Lambda_0_11_p4333_lanes * Lambda_0_11_p3549_lanes[1] + Lambda_0_11_p4317_lanes *
+      Lambda_0_11_p3709_lanes[1] + Lambda_0_11_p4301_lanes * Lambda_0_11_p3925_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p4749_lanes = Lambda_0_11_p4728_lanes + Lambda_0_11_p4285_lanes *
+      Lambda_0_11_p4109_lanes[1] + Lambda_0_11_p4269_lanes * Lambda_0_11_p4197_lanes[1] -
+      Lambda_0_11_p4588_lanes * Lambda_0_11_p4523_lanes[1];
+  const Real Lambda_0_11_p4756 = 1.0 / Lambda_0_11_p4749_lanes[1];
+  const Lanes<8> Lambda_0_11_p4757_lanes = Lambda_0_11_p4584_lanes * Lambda_0_11_p4756;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4777_lanes = Lambda_0_11_p4217_lanes * Lambda_0_11_p3925_lanes[2];
+  const Lanes<8> Lambda_0_11_p4801_lanes = Lambda_0_11_p4241_lanes * Lambda_0_11_p3389_lanes[2] +
+      Lambda_0_11_p4233_lanes * Lambda_0_11_p3549_lanes[2] + Lambda_0_11_p4225_lanes *
+      Lambda_0_11_p3709_lanes[2] + Lambda_0_11_p4777_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p4813_lanes = Lambda_0_11_p4801_lanes + Lambda_0_11_p4209_lanes *
+      Lambda_0_11_p4109_lanes[2] + Lambda_0_11_p2462_lanes * Lambda_0_11_p4197_lanes[2] -
+      Lambda_0_11_p4532_lanes * Lambda_0_11_p4523_lanes[2];
+  const Lanes<8> Lambda_0_11_p4817_lanes = Lambda_0_11_p4813_lanes - Lambda_0_11_p4757_lanes *
+      Lambda_0_11_p4749_lanes[2];
+  const Lanes<8> Lambda_0_11_p4821_lanes = Lambda_0_11_p4749_lanes * Lambda_0_11_p4756;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p4885_lanes = Lambda_0_11_p4399_lanes * Lambda_0_11_p2710_lanes[2];
+  const Lanes<8> Lambda_0_11_p4909_lanes = Lambda_0_11_p4437_lanes * Lambda_0_11_p1328_lanes[0] +
+      Lambda_0_11_p4423_lanes * Lambda_0_11_p1682_lanes[2] + Lambda_0_11_p4411_lanes *
+      Lambda_0_11_p2617_lanes[2] + Lambda_0_11_p4885_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p4921_lanes = Lambda_0_11_p4909_lanes + Lambda_0_11_p4387_lanes *
+      Lambda_0_11_p2836_lanes[2] + Lambda_0_11_p4375_lanes * Lambda_0_11_p2989_lanes[2] +
+      Lambda_0_11_p4363_lanes * Lambda_0_11_p3025_lanes[2];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p4925_lanes = Lambda_0_11_p4921_lanes + Lambda_0_11_p4351_lanes *
+      Lambda_0_11_p3389_lanes[2];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4941_lanes = detail::make_pack<Real>(Lambda_0_11_p4925_lanes[2],
+      Lambda_0_11_p4925_lanes[2], Lambda_0_11_p4925_lanes[2], Lambda_0_11_p4925_lanes[3],
+      Lambda_0_11_p4925_lanes[4], Lambda_0_11_p4925_lanes[5], Lambda_0_11_p4350 *
+      Lambda_0_11_p3389_lanes[2], Lambda_0_11_p4349 * Lambda_0_11_p3389_lanes[2]) +
+      Lambda_0_11_p4333_lanes * Lambda_0_11_p3549_lanes[2] + Lambda_0_11_p4317_lanes *
+      Lambda_0_11_p3709_lanes[2] + Lambda_0_11_p4301_lanes * Lambda_0_11_p3925_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p4959_lanes = Lambda_0_11_p4941_lanes + Lambda_0_11_p4285_lanes *
+      Lambda_0_11_p4109_lanes[2] + Lambda_0_11_p4269_lanes * Lambda_0_11_p4197_lanes[2] -
+      Lambda_0_11_p4588_lanes * Lambda_0_11_p4523_lanes[2];
+  const Lanes<8> Lambda_0_11_p4965_lanes = Lambda_0_11_p4959_lanes - Lambda_0_11_p4821_lanes *
+      Lambda_0_11_p4749_lanes[2];
+  const Real Lambda_0_11_p4971 = 1.0 / Lambda_0_11_p4965_lanes[2];
+  const Lanes<8> Lambda_0_11_p4972_lanes = Lambda_0_11_p4817_lanes * Lambda_0_11_p4971;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p4996_lanes = Lambda_0_11_p4217_lanes * Lambda_0_11_p3925_lanes[3];
+  const Lanes<8> Lambda_0_11_p5020_lanes = Lambda_0_11_p4241_lanes * Lambda_0_11_p3389_lanes[3] +
+      Lambda_0_11_p4233_lanes * Lambda_0_11_p3549_lanes[3] + Lambda_0_11_p4225_lanes *
+      Lambda_0_11_p3709_lanes[3] + Lambda_0_11_p4996_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p5032_lanes = Lambda_0_11_p5020_lanes + Lambda_0_11_p4209_lanes *
+      Lambda_0_11_p4109_lanes[3] + Lambda_0_11_p2462_lanes * Lambda_0_11_p4197_lanes[3] -
+      Lambda_0_11_p4532_lanes * Lambda_0_11_p4523_lanes[3];
+  const Lanes<8> Lambda_0_11_p5040_lanes = Lambda_0_11_p5032_lanes - Lambda_0_11_p4757_lanes *
+      Lambda_0_11_p4749_lanes[3] - Lambda_0_11_p4972_lanes * Lambda_0_11_p4965_lanes[3];
+  const Lanes<8> Lambda_0_11_p5044_lanes = Lambda_0_11_p4965_lanes * Lambda_0_11_p4971;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p5101_lanes = Lambda_0_11_p4399_lanes * Lambda_0_11_p2710_lanes[3];
+  const Lanes<8> Lambda_0_11_p5119_lanes = Lambda_0_11_p4437_lanes * Lambda_0_11_p1642_lanes[0] +
+      Lambda_0_11_p4423_lanes * Lambda_0_11_p1682_lanes[3] + Lambda_0_11_p4411_lanes *
+      Lambda_0_11_p2617_lanes[3] + Lambda_0_11_p5101_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p5128_lanes = Lambda_0_11_p5119_lanes + Lambda_0_11_p4387_lanes *
+      Lambda_0_11_p2836_lanes[3] + Lambda_0_11_p4375_lanes * Lambda_0_11_p2989_lanes[3] +
+      Lambda_0_11_p4363_lanes * Lambda_0_11_p3025_lanes[3];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p5131_lanes = Lambda_0_11_p5128_lanes + Lambda_0_11_p4351_lanes *
+      Lambda_0_11_p3389_lanes[3];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5144_lanes = detail::make_pack<Real>(Lambda_0_11_p5131_lanes[3],
+      Lambda_0_11_p5131_lanes[3], Lambda_0_11_p5131_lanes[3], Lambda_0_11_p5131_lanes[3],
+      Lambda_0_11_p5131_lanes[4], Lambda_0_11_p5131_lanes[5], Lambda_0_11_p4350 *
+      Lambda_0_11_p3389_lanes[3], Lambda_0_11_p4349 * Lambda_0_11_p3389_lanes[3]) +
+      Lambda_0_11_p4333_lanes * Lambda_0_11_p3549_lanes[3] + Lambda_0_11_p4317_lanes *
+      Lambda_0_11_p3709_lanes[3] + Lambda_0_11_p4301_lanes * Lambda_0_11_p3925_lanes[3];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p5159_lanes = Lambda_0_11_p5144_lanes + Lambda_0_11_p4285_lanes *
+      Lambda_0_11_p4109_lanes[3] + Lambda_0_11_p4269_lanes * Lambda_0_11_p4197_lanes[3] -
+      Lambda_0_11_p4588_lanes * Lambda_0_11_p4523_lanes[3];
+  const Lanes<8> Lambda_0_11_p5169_lanes = Lambda_0_11_p5159_lanes - Lambda_0_11_p4821_lanes *
+      Lambda_0_11_p4749_lanes[3] - Lambda_0_11_p5044_lanes * Lambda_0_11_p4965_lanes[3];
+  const Real Lambda_0_11_p5174 = 1.0 / Lambda_0_11_p5169_lanes[3];
+  const Lanes<8> Lambda_0_11_p5175_lanes = Lambda_0_11_p5040_lanes * Lambda_0_11_p5174;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5203_lanes = Lambda_0_11_p4217_lanes * Lambda_0_11_p3925_lanes[4];
+  const Lanes<8> Lambda_0_11_p5227_lanes = Lambda_0_11_p4241_lanes * Lambda_0_11_p3389_lanes[4] +
+      Lambda_0_11_p4233_lanes * Lambda_0_11_p3549_lanes[4] + Lambda_0_11_p4225_lanes *
+      Lambda_0_11_p3709_lanes[4] + Lambda_0_11_p5203_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p5239_lanes = Lambda_0_11_p5227_lanes + Lambda_0_11_p4209_lanes *
+      Lambda_0_11_p4109_lanes[4] + Lambda_0_11_p2462_lanes * Lambda_0_11_p4197_lanes[4] -
+      Lambda_0_11_p4532_lanes * Lambda_0_11_p4523_lanes[4];
+  const Lanes<8> Lambda_0_11_p5251_lanes = Lambda_0_11_p5239_lanes - Lambda_0_11_p4757_lanes *
+      Lambda_0_11_p4749_lanes[4] - Lambda_0_11_p4972_lanes * Lambda_0_11_p4965_lanes[4] -
+      Lambda_0_11_p5175_lanes * Lambda_0_11_p5169_lanes[4];
+  const Lanes<8> Lambda_0_11_p5255_lanes = Lambda_0_11_p5169_lanes * Lambda_0_11_p5174;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_0_11_p5305_lanes = Lambda_0_11_p4437_lanes * Lambda_0_11_p1642_lanes[1] +
+      detail::make_pack<Real>(Lambda_0_11_p4423_lanes[4] * Lambda_0_11_p1682_lanes[4],
+      Lambda_0_11_p4423_lanes[4] * Lambda_0_11_p1682_lanes[4], Lambda_0_11_p4423_lanes[4] *
+      Lambda_0_11_p1682_lanes[4], Lambda_0_11_p4423_lanes[4] * Lambda_0_11_p1682_lanes[4],
+      Lambda_0_11_p4423_lanes[4] * Lambda_0_11_p1682_lanes[4], Lambda_0_11_p4423_lanes[5] *
+      Lambda_0_11_p1682_lanes[4], Lambda_0_11_p4423_lanes[4] * Lambda_0_11_p1682_lanes[4],
+      Lambda_0_11_p4423_lanes[4] * Lambda_0_11_p1682_lanes[4]) +
+      detail::make_pack<Real>(Lambda_0_11_p4411_lanes[4] * Lambda_0_11_p2617_lanes[4],
+      Lambda_0_11_p4411_lanes[4] * Lambda_0_11_p2617_lanes[4], Lambda_0_11_p4411_lanes[4] *
+      Lambda_0_11_p2617_lanes[4], Lambda_0_11_p4411_lanes[4] * Lambda_0_11_p2617_lanes[4],
+      Lambda_0_11_p4411_lanes[4] * Lambda_0_11_p2617_lanes[4], Lambda_0_11_p4411_lanes[5] *
+      Lambda_0_11_p2617_lanes[4], Lambda_0_11_p4411_lanes[4] * Lambda_0_11_p2617_lanes[4],
+      Lambda_0_11_p4411_lanes[4] * Lambda_0_11_p2617_lanes[4]) +
+      detail::make_pack<Real>(Lambda_0_11_p4399_lanes[4] * Lambda_0_11_p2710_lanes[4],
+      Lambda_0_11_p4399_lanes[4] * Lambda_0_11_p2710_lanes[4], Lambda_0_11_p4399_lanes[4] *
+      Lambda_0_11_p2710_lanes[4], Lambda_0_11_p4399_lanes[4] * Lambda_0_11_p2710_lanes[4],
+      Lambda_0_11_p4399_lanes[4] * Lambda_0_11_p2710_lanes[4], Lambda_0_11_p4399_lanes[5] *
+      Lambda_0_11_p2710_lanes[4], Lambda_0_11_p4399_lanes[4] * Lambda_0_11_p2710_lanes[4],
+      Lambda_0_11_p4399_lanes[4] * Lambda_0_11_p2710_lanes[4]) +
+      detail::make_pack<Real>(Lambda_0_11_p4387_lanes[4] * Lambda_0_11_p2836_lanes[4],
+      Lambda_0_11_p4387_lanes[4] * Lambda_0_11_p2836_lanes[4], Lambda_0_11_p4387_lanes[4] *
+      Lambda_0_11_p2836_lanes[4], Lambda_0_11_p4387_lanes[4] * Lambda_0_11_p2836_lanes[4],
+      Lambda_0_11_p4387_lanes[4] * Lambda_0_11_p2836_lanes[4], Lambda_0_11_p4387_lanes[5] *
+      Lambda_0_11_p2836_lanes[4], Lambda_0_11_p4387_lanes[4] * Lambda_0_11_p2836_lanes[4],
+      Lambda_0_11_p4387_lanes[4] * Lambda_0_11_p2836_lanes[4]) +
+      detail::make_pack<Real>(Lambda_0_11_p4375_lanes[4] * Lambda_0_11_p2989_lanes[4],
+      Lambda_0_11_p4375_lanes[4] * Lambda_0_11_p2989_lanes[4], Lambda_0_11_p4375_lanes[4] *
+      Lambda_0_11_p2989_lanes[4], Lambda_0_11_p4375_lanes[4] * Lambda_0_11_p2989_lanes[4],
+      Lambda_0_11_p4375_lanes[4] * Lambda_0_11_p2989_lanes[4], Lambda_0_11_p4375_lanes[5] *
+      Lambda_0_11_p2989_lanes[4], Lambda_0_11_p4375_lanes[4] * Lambda_0_11_p2989_lanes[4],
+      Lambda_0_11_p4375_lanes[4] * Lambda_0_11_p2989_lanes[4]);
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_0_11_p5309_lanes = Lambda_0_11_p5305_lanes +
+      detail::make_pack<Real>(Lambda_0_11_p4363_lanes[4] * Lambda_0_11_p3025_lanes[4],
+      Lambda_0_11_p4363_lanes[4] * Lambda_0_11_p3025_lanes[4], Lambda_0_11_p4363_lanes[4] *
+      Lambda_0_11_p3025_lanes[4], Lambda_0_11_p4363_lanes[4] * Lambda_0_11_p3025_lanes[4],
+      Lambda_0_11_p4363_lanes[4] * Lambda_0_11_p3025_lanes[4], Lambda_0_11_p4363_lanes[5] *
+      Lambda_0_11_p3025_lanes[4], Lambda_0_11_p4363_lanes[4] * Lambda_0_11_p3025_lanes[4],
+      Lambda_0_11_p4363_lanes[4] * Lambda_0_11_p3025_lanes[4]) +
+      detail::make_pack<Real>(Lambda_0_11_p4351_lanes[4] * Lambda_0_11_p3389_lanes[4],
+      Lambda_0_11_p4351_lanes[4] * Lambda_0_11_p3389_lanes[4], Lambda_0_11_p4351_lanes[4] *
+      Lambda_0_11_p3389_lanes[4], Lambda_0_11_p4351_lanes[4] * Lambda_0_11_p3389_lanes[4],
+      Lambda_0_11_p4351_lanes[4] * Lambda_0_11_p3389_lanes[4], Lambda_0_11_p4351_lanes[5] *
+      Lambda_0_11_p3389_lanes[4], Lambda_0_11_p4351_lanes[4] * Lambda_0_11_p3389_lanes[4],
+      Lambda_0_11_p4351_lanes[4] * Lambda_0_11_p3389_lanes[4]);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5319_lanes = detail::make_pack<Real>(Lambda_0_11_p5309_lanes[4],
+      Lambda_0_11_p5309_lanes[4], Lambda_0_11_p5309_lanes[4], Lambda_0_11_p5309_lanes[4],
+      Lambda_0_11_p5309_lanes[4], Lambda_0_11_p5309_lanes[5], Lambda_0_11_p4350 *
+      Lambda_0_11_p3389_lanes[4], Lambda_0_11_p4349 * Lambda_0_11_p3389_lanes[4]) +
+      Lambda_0_11_p4333_lanes * Lambda_0_11_p3549_lanes[4] + Lambda_0_11_p4317_lanes *
+      Lambda_0_11_p3709_lanes[4] + Lambda_0_11_p4301_lanes * Lambda_0_11_p3925_lanes[4];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p5331_lanes = Lambda_0_11_p5319_lanes + Lambda_0_11_p4285_lanes *
+      Lambda_0_11_p4109_lanes[4] + Lambda_0_11_p4269_lanes * Lambda_0_11_p4197_lanes[4] -
+      Lambda_0_11_p4588_lanes * Lambda_0_11_p4523_lanes[4];
+  const Lanes<8> Lambda_0_11_p5343_lanes = Lambda_0_11_p5331_lanes - Lambda_0_11_p4821_lanes *
+      Lambda_0_11_p4749_lanes[4] - Lambda_0_11_p5044_lanes * Lambda_0_11_p4965_lanes[4] -
+      Lambda_0_11_p5255_lanes * Lambda_0_11_p5169_lanes[4];
+  const Real Lambda_0_11_p5347 = 1.0 / Lambda_0_11_p5343_lanes[4];
+  const Lanes<8> Lambda_0_11_p5348_lanes = Lambda_0_11_p5251_lanes * Lambda_0_11_p5347;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5380_lanes = Lambda_0_11_p4217_lanes * Lambda_0_11_p3925_lanes[5];
+  const Lanes<8> Lambda_0_11_p5404_lanes = Lambda_0_11_p4241_lanes * Lambda_0_11_p3389_lanes[5] +
+      Lambda_0_11_p4233_lanes * Lambda_0_11_p3549_lanes[5] + Lambda_0_11_p4225_lanes *
+      Lambda_0_11_p3709_lanes[5] + Lambda_0_11_p5380_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p5416_lanes = Lambda_0_11_p5404_lanes + Lambda_0_11_p4209_lanes *
+      Lambda_0_11_p4109_lanes[5] + Lambda_0_11_p2462_lanes * Lambda_0_11_p4197_lanes[5] -
+      Lambda_0_11_p4532_lanes * Lambda_0_11_p4523_lanes[5];
+  const Lanes<8> Lambda_0_11_p5428_lanes = Lambda_0_11_p5416_lanes - Lambda_0_11_p4757_lanes *
+      Lambda_0_11_p4749_lanes[5] - Lambda_0_11_p4972_lanes * Lambda_0_11_p4965_lanes[5] -
+      Lambda_0_11_p5175_lanes * Lambda_0_11_p5169_lanes[5];
+  const Lanes<8> Lambda_0_11_p5432_lanes = Lambda_0_11_p5428_lanes - Lambda_0_11_p5348_lanes *
+      Lambda_0_11_p5343_lanes[5];
+  const Lanes<8> Lambda_0_11_p5436_lanes = Lambda_0_11_p5343_lanes * Lambda_0_11_p5347;
 
   // link 14 (right_shoulder1), force propagation
-  const Real Lambda_0_11_p5322 = Lambda_0_11_p2201 * inverse_D7_lanes[1];
+  const Lanes<8> Lambda_0_11_p5469_lanes = Lambda_0_11_p1925_lanes * inverse_D7_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_0_11_p5323 = Lambda_0_11_p2198 * inverse_D8_lanes[1];
+  const Lanes<8> Lambda_0_11_p5473_lanes = Lambda_0_11_p1799_lanes * inverse_D8_lanes[1];
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p5324 = Lambda_0_11_p2192 * inverse_D9_lanes[1];
+  const Lanes<8> Lambda_0_11_p5477_lanes = Lambda_0_11_p1603_lanes * inverse_D9_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_0_11_p5325 = Lambda_0_11_p2186 * inverse_D10_lanes[1];
+  const Lanes<8> Lambda_0_11_p5481_lanes = Lambda_0_11_p1519_lanes * inverse_D10_lanes[1];
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_0_11_p5484_lanes = detail::make_pack<Real>(Lambda_0_11_p4399_lanes[5],
+      Lambda_0_11_p5481_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p2710_lanes[5],
+      Lambda_0_11_p1519_lanes[3]);
 
   // link 18 (right_wrist1), force propagation
-  const Real Lambda_0_11_p5326 = Lambda_0_11_p2183 * inverse_D11_lanes[1];
+  const Lanes<8> Lambda_0_11_p5485_lanes = Lambda_0_11_p1439_lanes * inverse_D11_lanes[1];
 
   // link 19 (right_wrist2), force propagation
-  const Real Lambda_0_11_p5327 = Lambda_0_11_p1918 * inverse_D12_lanes[1];
+  const Lanes<8> Lambda_0_11_p5489_lanes = Lambda_0_11_p1374_lanes * inverse_D12_lanes[1];
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_0_11_p5328 = 91.62274020012977 * Lambda_0_11_p1339;
+  const Lanes<8> Lambda_0_11_p5493_lanes = 1065.380700001509 *
+      detail::make_pack<Real>(Lambda_0_11_p1328_lanes[1], Lambda_0_11_p1277, Lambda_0_11_p1257,
+      Lambda_0_11_p1237, Lambda_0_11_p1328_lanes[1], Lambda_0_11_p1328_lanes[1],
+      Lambda_0_11_p1328_lanes[1], Lambda_0_11_p1328_lanes[1]);
 
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p5329 = Lambda_0_11_p5328 * Lambda_0_11_p5233 + Lambda_0_11_p5327 *
-      Lambda_0_11_p1936 + Lambda_0_11_p5326 * Lambda_0_11_p2204 + Lambda_0_11_p5325 *
-      Lambda_0_11_p2207 + Lambda_0_11_p5324 * Lambda_0_11_p2213;
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_0_11_p5499_lanes = detail::make_pack<Real>(Lambda_0_11_p4437_lanes[5],
+      Lambda_0_11_p5493_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1642_lanes[2],
+      Lambda_0_11_p1237) + detail::make_pack<Real>(Lambda_0_11_p4423_lanes[5],
+      Lambda_0_11_p5489_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p1682_lanes[5],
+      Lambda_0_11_p1374_lanes[3]) + detail::make_pack<Real>(Lambda_0_11_p4411_lanes[5],
+      Lambda_0_11_p5485_lanes[3]) * detail::make_pack<Real>(Lambda_0_11_p2617_lanes[5],
+      Lambda_0_11_p1439_lanes[3]) + Lambda_0_11_p5484_lanes;
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p5330 = Lambda_0_11_p5329 + Lambda_0_11_p5323 * Lambda_0_11_p2219 +
-      Lambda_0_11_p5322 * Lambda_0_11_p2222 + Lambda_0_11_p3944 * Lambda_0_11_p3201 +
-      Lambda_0_11_p3928_lanes[7] * Lambda_0_11_p3360_lanes[6];
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_0_11_p5502_lanes = Lambda_0_11_p5499_lanes +
+      detail::make_pack<Real>(Lambda_0_11_p4387_lanes[5], Lambda_0_11_p5477_lanes[3]) *
+      detail::make_pack<Real>(Lambda_0_11_p2836_lanes[5], Lambda_0_11_p1603_lanes[3]) +
+      detail::make_pack<Real>(Lambda_0_11_p4375_lanes[5], Lambda_0_11_p5473_lanes[3]) *
+      detail::make_pack<Real>(Lambda_0_11_p2989_lanes[5], Lambda_0_11_p1799_lanes[3]) +
+      detail::make_pack<Real>(Lambda_0_11_p4363_lanes[5], Lambda_0_11_p5469_lanes[3]) *
+      detail::make_pack<Real>(Lambda_0_11_p3025_lanes[5], Lambda_0_11_p1925_lanes[3]);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_0_11_p5509_lanes = detail::make_pack<Real>(Lambda_0_11_p5502_lanes[0] +
+      Lambda_0_11_p4351_lanes[5] * Lambda_0_11_p3389_lanes[5], Lambda_0_11_p5502_lanes[0] +
+      Lambda_0_11_p4351_lanes[5] * Lambda_0_11_p3389_lanes[5], Lambda_0_11_p5502_lanes[0] +
+      Lambda_0_11_p4351_lanes[5] * Lambda_0_11_p3389_lanes[5], Lambda_0_11_p5502_lanes[0] +
+      Lambda_0_11_p4351_lanes[5] * Lambda_0_11_p3389_lanes[5], Lambda_0_11_p5502_lanes[0] +
+      Lambda_0_11_p4351_lanes[5] * Lambda_0_11_p3389_lanes[5], Lambda_0_11_p5502_lanes[0] +
+      Lambda_0_11_p4351_lanes[5] * Lambda_0_11_p3389_lanes[5], Lambda_0_11_p4350 *
+      Lambda_0_11_p3389_lanes[5], Lambda_0_11_p4349 * Lambda_0_11_p3389_lanes[5]) +
+      Lambda_0_11_p4333_lanes * Lambda_0_11_p3549_lanes[5] + Lambda_0_11_p4317_lanes *
+      Lambda_0_11_p3709_lanes[5] + Lambda_0_11_p4301_lanes * Lambda_0_11_p3925_lanes[5];
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_11_p5331 = Lambda_0_11_p5330 + Lambda_0_11_p3912_lanes[7] *
-      Lambda_0_11_p3453 + Lambda_0_11_p3896_lanes[7] * Lambda_0_11_p3584_lanes[6] +
-      Lambda_0_11_p3880_lanes[7] * Lambda_0_11_p3704_lanes[6] + Lambda_0_11_p3864_lanes[7] *
-      Lambda_0_11_p3792_lanes[6];
-  const Real Lambda_0_11_p5332 = Lambda_0_11_p5331 - Lambda_0_11_p4182_lanes[7] *
-      Lambda_0_11_p4117_lanes[6] - Lambda_0_11_p4414_lanes[7] * Lambda_0_11_p4342_lanes[6] -
-      Lambda_0_11_p4637_lanes[7] * Lambda_0_11_p4558_lanes[6] - Lambda_0_11_p4848_lanes[7] *
-      Lambda_0_11_p4762_lanes[6];
-  const Real Lambda_0_11_p5333 = Lambda_0_11_p5332 - Lambda_0_11_p5077_lanes[7] *
-      Lambda_0_11_p4984_lanes[6] - Lambda_0_11_p5321 * Lambda_0_11_p5153_lanes[6];
+  const Lanes<8> Lambda_0_11_p5518_lanes = Lambda_0_11_p5509_lanes + Lambda_0_11_p4285_lanes *
+      Lambda_0_11_p4109_lanes[5] + Lambda_0_11_p4269_lanes * Lambda_0_11_p4197_lanes[5] -
+      Lambda_0_11_p4588_lanes * Lambda_0_11_p4523_lanes[5];
+  const Lanes<8> Lambda_0_11_p5527_lanes = Lambda_0_11_p5518_lanes - Lambda_0_11_p4821_lanes *
+      Lambda_0_11_p4749_lanes[5] - Lambda_0_11_p5044_lanes * Lambda_0_11_p4965_lanes[5] -
+      Lambda_0_11_p5255_lanes * Lambda_0_11_p5169_lanes[5];
+  const Lanes<8> Lambda_0_11_p5530_lanes = Lambda_0_11_p5527_lanes - Lambda_0_11_p5436_lanes *
+      Lambda_0_11_p5343_lanes[5];
+  const Real Lambda_0_11_p5533 = 1.0 / Lambda_0_11_p5530_lanes[5];
+  const Lanes<8> Lambda_0_11_p5534_lanes = Lambda_0_11_p5432_lanes * Lambda_0_11_p5533;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p5398_lanes = Lambda_0_11_p4906_lanes * Lambda_0_11_p2186;
-
-  // link 1 (calf), articulated inertia
-  const Real Lambda_0_11_p5410 = 0.086 * Lambda_0_11_p1339;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p5423_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p5410 +
-      Lambda_0_11_p4918_lanes * Lambda_0_11_p1918 + Lambda_0_11_p4912_lanes * Lambda_0_11_p2183 +
-      Lambda_0_11_p5398_lanes;
+  const Lanes<8> Lambda_0_11_p5598_lanes = Lambda_0_11_p5481_lanes * Lambda_0_11_p2512;
+  const Lanes<8> Lambda_0_11_p5622_lanes = Lambda_0_11_p5493_lanes * Lambda_0_11_p4435_lanes[1] +
+      Lambda_0_11_p5489_lanes * Lambda_0_11_p2503 + Lambda_0_11_p5485_lanes * Lambda_0_11_p2506 +
+      Lambda_0_11_p5598_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p5435_lanes = Lambda_0_11_p5423_lanes + Lambda_0_11_p4900_lanes *
-      Lambda_0_11_p2192 + Lambda_0_11_p4894_lanes * Lambda_0_11_p2198 + Lambda_0_11_p4888_lanes *
-      Lambda_0_11_p2201;
+  const Lanes<8> Lambda_0_11_p5634_lanes = Lambda_0_11_p5622_lanes + Lambda_0_11_p5477_lanes *
+      Lambda_0_11_p2518 + Lambda_0_11_p5473_lanes * Lambda_0_11_p2532 + Lambda_0_11_p5469_lanes *
+      Lambda_0_11_p2535;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_0_11_p5447_lanes = Lambda_0_11_p5435_lanes + Lambda_0_11_p3836_lanes *
-      Lambda_0_11_p3186 + Lambda_0_11_p3828_lanes * Lambda_0_11_p3360_lanes[7] +
-      Lambda_0_11_p3820_lanes * Lambda_0_11_p3450;
+  const Lanes<8> Lambda_0_11_p5646_lanes = Lambda_0_11_p5634_lanes + Lambda_0_11_p4241_lanes *
+      Lambda_0_11_p3389_lanes[6] + Lambda_0_11_p4233_lanes * Lambda_0_11_p3549_lanes[6] +
+      Lambda_0_11_p4225_lanes * Lambda_0_11_p3709_lanes[6];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p5459_lanes = Lambda_0_11_p5447_lanes + Lambda_0_11_p3812_lanes *
-      Lambda_0_11_p3584_lanes[7] + Lambda_0_11_p3804_lanes * Lambda_0_11_p3704_lanes[7] +
-      Lambda_0_11_p3168_lanes * Lambda_0_11_p3792_lanes[7];
-  const Lanes<8> Lambda_0_11_p5471_lanes = Lambda_0_11_p5459_lanes - Lambda_0_11_p4126_lanes *
-      Lambda_0_11_p4117_lanes[7] - Lambda_0_11_p4350_lanes * Lambda_0_11_p4342_lanes[7] -
-      Lambda_0_11_p4565_lanes * Lambda_0_11_p4558_lanes[7];
-  const Lanes<8> Lambda_0_11_p5483_lanes = Lambda_0_11_p5471_lanes - Lambda_0_11_p4768_lanes *
-      Lambda_0_11_p4762_lanes[7] - Lambda_0_11_p4989_lanes * Lambda_0_11_p4984_lanes[7] -
-      Lambda_0_11_p5157_lanes * Lambda_0_11_p5153_lanes[7];
-  const Lanes<8> Lambda_0_11_p5487_lanes = Lambda_0_11_p5483_lanes - Lambda_0_11_p5317_lanes *
-      Lambda_0_11_p5333;
-  const Real Lambda_0_11_p5491 = Lambda_0_11_p5333 * Lambda_0_11_p5316;
+  const Lanes<8> Lambda_0_11_p5658_lanes = Lambda_0_11_p5646_lanes + Lambda_0_11_p4217_lanes *
+      Lambda_0_11_p3925_lanes[6] + Lambda_0_11_p4209_lanes * Lambda_0_11_p4109_lanes[6] +
+      Lambda_0_11_p2462_lanes * Lambda_0_11_p4197_lanes[6];
+  const Lanes<8> Lambda_0_11_p5670_lanes = Lambda_0_11_p5658_lanes - Lambda_0_11_p4532_lanes *
+      Lambda_0_11_p4523_lanes[6] - Lambda_0_11_p4757_lanes * Lambda_0_11_p4749_lanes[6] -
+      Lambda_0_11_p4972_lanes * Lambda_0_11_p4965_lanes[6];
+  const Lanes<8> Lambda_0_11_p5682_lanes = Lambda_0_11_p5670_lanes - Lambda_0_11_p5175_lanes *
+      Lambda_0_11_p5169_lanes[6] - Lambda_0_11_p5348_lanes * Lambda_0_11_p5343_lanes[6] -
+      Lambda_0_11_p5534_lanes * Lambda_0_11_p5530_lanes[6];
+  const Real Lambda_0_11_p5686 = Lambda_0_11_p5530_lanes[6] * Lambda_0_11_p5533;
 
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_0_11_p5492 = Lambda_0_11_p5328 * Lambda_0_11_p5410 + Lambda_0_11_p5327 *
-      Lambda_0_11_p1918 + Lambda_0_11_p5326 * Lambda_0_11_p2183 + Lambda_0_11_p5325 *
-      Lambda_0_11_p2186 + Lambda_0_11_p5324 * Lambda_0_11_p2192;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_0_11_p5493 = Lambda_0_11_p5492 + Lambda_0_11_p5323 * Lambda_0_11_p2198 +
-      Lambda_0_11_p5322 * Lambda_0_11_p2201 + Lambda_0_11_p3944 * Lambda_0_11_p3186 +
-      Lambda_0_11_p3928_lanes[7] * Lambda_0_11_p3360_lanes[7];
-
-  // link 1 (calf), force propagation
-  const Real Lambda_0_11_p5494 = Lambda_0_11_p5493 + Lambda_0_11_p3912_lanes[7] *
-      Lambda_0_11_p3450 + Lambda_0_11_p3896_lanes[7] * Lambda_0_11_p3584_lanes[7] +
-      Lambda_0_11_p3880_lanes[7] * Lambda_0_11_p3704_lanes[7] + Lambda_0_11_p3864_lanes[7] *
-      Lambda_0_11_p3792_lanes[7];
-  const Real Lambda_0_11_p5495 = Lambda_0_11_p5494 - Lambda_0_11_p4182_lanes[7] *
-      Lambda_0_11_p4117_lanes[7] - Lambda_0_11_p4414_lanes[7] * Lambda_0_11_p4342_lanes[7] -
-      Lambda_0_11_p4637_lanes[7] * Lambda_0_11_p4558_lanes[7] - Lambda_0_11_p4848_lanes[7] *
-      Lambda_0_11_p4762_lanes[7];
-  const Real Lambda_0_11_p5496 = 1.0 / (Lambda_0_11_p5495 - Lambda_0_11_p5077_lanes[7] *
-      Lambda_0_11_p4984_lanes[7] - Lambda_0_11_p5321 * Lambda_0_11_p5153_lanes[7] -
-      Lambda_0_11_p5491 * Lambda_0_11_p5333);
-  const Lanes<8> Lambda_0_11_p5497_lanes = Lambda_0_11_p5487_lanes * Lambda_0_11_p5496;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p5569_lanes = Lambda_0_11_p4906_lanes * Lambda_0_11_p1571_lanes[0];
-  const Lanes<8> Lambda_0_11_p5593_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p1324 +
-      Lambda_0_11_p4918_lanes * Lambda_0_11_p1365_lanes[0] + Lambda_0_11_p4912_lanes *
-      Lambda_0_11_p1431 + Lambda_0_11_p5569_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p5605_lanes = Lambda_0_11_p5593_lanes + Lambda_0_11_p4900_lanes *
-      Lambda_0_11_p1651_lanes[0] + Lambda_0_11_p4894_lanes * Lambda_0_11_p1832_lanes[0] +
-      Lambda_0_11_p4888_lanes * Lambda_0_11_p2169_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_0_11_p5617_lanes = Lambda_0_11_p5605_lanes + Lambda_0_11_p3836_lanes *
-      Lambda_0_11_p2868 + Lambda_0_11_p3828_lanes * Lambda_0_11_p2945_lanes[0] +
-      Lambda_0_11_p3820_lanes * Lambda_0_11_p3000;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p5629_lanes = Lambda_0_11_p5617_lanes + Lambda_0_11_p3812_lanes *
-      Lambda_0_11_p3057_lanes[0] + Lambda_0_11_p3804_lanes * Lambda_0_11_p3117_lanes[0] +
-      Lambda_0_11_p3168_lanes * Lambda_0_11_p3164_lanes[0];
-  const Lanes<8> Lambda_0_11_p5641_lanes = Lambda_0_11_p5629_lanes - Lambda_0_11_p4126_lanes *
-      Lambda_0_11_p3860_lanes[0] - Lambda_0_11_p4350_lanes * Lambda_0_11_p4178_lanes[0] -
-      Lambda_0_11_p4565_lanes * Lambda_0_11_p4410_lanes[0];
-  const Lanes<8> Lambda_0_11_p5653_lanes = Lambda_0_11_p5641_lanes - Lambda_0_11_p4768_lanes *
-      Lambda_0_11_p4633_lanes[0] - Lambda_0_11_p4989_lanes * Lambda_0_11_p4844_lanes[0] -
-      Lambda_0_11_p5157_lanes * Lambda_0_11_p5073_lanes[0];
-  const Lanes<8> Lambda_0_11_p5661_lanes = Lambda_0_11_p5653_lanes - Lambda_0_11_p5317_lanes *
-      Lambda_0_11_p5306_lanes[0] - Lambda_0_11_p5497_lanes * Lambda_0_11_p5487_lanes[0];
-  const Real Lambda_0_11_p5665 = 1.0 / Lambda_0_11_p5661_lanes[0];
-  const Lanes<8> Lambda_0_11_p5666_lanes = Lambda_0_11_p5661_lanes * Lambda_0_11_p5665;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_0_11_p5723_lanes = Lambda_0_11_p4906_lanes * Lambda_0_11_p1571_lanes[1];
-  const Lanes<8> Lambda_0_11_p5741_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p1277 +
-      Lambda_0_11_p4918_lanes * Lambda_0_11_p1365_lanes[1] + Lambda_0_11_p4912_lanes *
-      Lambda_0_11_p1430 + Lambda_0_11_p5723_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p5750_lanes = Lambda_0_11_p5741_lanes + Lambda_0_11_p4900_lanes *
-      Lambda_0_11_p1651_lanes[1] + Lambda_0_11_p4894_lanes * Lambda_0_11_p1832_lanes[1] +
-      Lambda_0_11_p4888_lanes * Lambda_0_11_p2169_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_0_11_p5759_lanes = Lambda_0_11_p5750_lanes + Lambda_0_11_p3836_lanes *
-      Lambda_0_11_p2853 + Lambda_0_11_p3828_lanes * Lambda_0_11_p2945_lanes[1] +
-      Lambda_0_11_p3820_lanes * Lambda_0_11_p2997;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_0_11_p5768_lanes = Lambda_0_11_p5759_lanes + Lambda_0_11_p3812_lanes *
-      Lambda_0_11_p3057_lanes[1] + Lambda_0_11_p3804_lanes * Lambda_0_11_p3117_lanes[1] +
-      Lambda_0_11_p3168_lanes * Lambda_0_11_p3164_lanes[1];
-  const Lanes<8> Lambda_0_11_p5777_lanes = Lambda_0_11_p5768_lanes - Lambda_0_11_p4126_lanes *
-      Lambda_0_11_p3860_lanes[1] - Lambda_0_11_p4350_lanes * Lambda_0_11_p4178_lanes[1] -
-      Lambda_0_11_p4565_lanes * Lambda_0_11_p4410_lanes[1];
-  const Lanes<8> Lambda_0_11_p5786_lanes = Lambda_0_11_p5777_lanes - Lambda_0_11_p4768_lanes *
-      Lambda_0_11_p4633_lanes[1] - Lambda_0_11_p4989_lanes * Lambda_0_11_p4844_lanes[1] -
-      Lambda_0_11_p5157_lanes * Lambda_0_11_p5073_lanes[1];
-  const Lanes<8> Lambda_0_11_p5795_lanes = Lambda_0_11_p5786_lanes - Lambda_0_11_p5317_lanes *
-      Lambda_0_11_p5306_lanes[1] - Lambda_0_11_p5497_lanes * Lambda_0_11_p5487_lanes[1] -
-      Lambda_0_11_p5666_lanes * Lambda_0_11_p5661_lanes[1];
-  const Real Lambda_0_11_p5798 = 1.0 / Lambda_0_11_p5795_lanes[1];
-  const Real Lambda_0_11_p5799 = Lambda_0_11_p5795_lanes[3] * Lambda_0_11_p5798;
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p5687 = 91.62274020012977 * Lambda_0_11_p1352_lanes[1] *
+      Lambda_0_11_p4435_lanes[1] + Lambda_0_11_p2503 * inverse_D12_lanes[1] * Lambda_0_11_p2503 +
+      Lambda_0_11_p2506 * inverse_D11_lanes[1] * Lambda_0_11_p2506;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_0_11_p5810_lanes = Lambda_0_11_p5116_lanes * Lambda_0_11_p1257 +
-      detail::make_pack<Real>(Lambda_0_11_p4926_lanes[1], Lambda_0_11_p4926_lanes[1],
-      Lambda_0_11_p4926_lanes[1], Lambda_0_11_p4922_lanes[1], Lambda_0_11_p4926_lanes[1],
-      Lambda_0_11_p4926_lanes[1], Lambda_0_11_p4926_lanes[1], Lambda_0_11_p4926_lanes[1]) +
-      detail::make_pack<Real>(Lambda_0_11_p4930_lanes[1], Lambda_0_11_p4930_lanes[1],
-      Lambda_0_11_p4930_lanes[1], Lambda_0_11_p4916_lanes[1], Lambda_0_11_p4930_lanes[1],
-      Lambda_0_11_p4930_lanes[1], Lambda_0_11_p4930_lanes[1], Lambda_0_11_p4930_lanes[1]) +
-      detail::make_pack<Real>(Lambda_0_11_p4934_lanes[1], Lambda_0_11_p4934_lanes[1],
-      Lambda_0_11_p4934_lanes[1], Lambda_0_11_p4910_lanes[1], Lambda_0_11_p4934_lanes[1],
-      Lambda_0_11_p4934_lanes[1], Lambda_0_11_p4934_lanes[1], Lambda_0_11_p4934_lanes[1]) +
-      detail::make_pack<Real>(Lambda_0_11_p4938_lanes[1], Lambda_0_11_p4938_lanes[1],
-      Lambda_0_11_p4938_lanes[1], Lambda_0_11_p4904_lanes[1], Lambda_0_11_p4938_lanes[1],
-      Lambda_0_11_p4938_lanes[1], Lambda_0_11_p4938_lanes[1], Lambda_0_11_p4938_lanes[1]) +
-      detail::make_pack<Real>(Lambda_0_11_p4942_lanes[1], Lambda_0_11_p4942_lanes[1],
-      Lambda_0_11_p4942_lanes[1], Lambda_0_11_p4898_lanes[1], Lambda_0_11_p4942_lanes[1],
-      Lambda_0_11_p4942_lanes[1], Lambda_0_11_p4942_lanes[1], Lambda_0_11_p4942_lanes[1]);
+  const Real Lambda_0_11_p5688 = Lambda_0_11_p5687 + Lambda_0_11_p2512 * inverse_D10_lanes[1] *
+      Lambda_0_11_p2512 + Lambda_0_11_p2518 * inverse_D9_lanes[1] * Lambda_0_11_p2518 +
+      Lambda_0_11_p2532 * inverse_D8_lanes[1] * Lambda_0_11_p2532;
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_0_11_p5689 = Lambda_0_11_p5688 + Lambda_0_11_p2535 * inverse_D7_lanes[1] *
+      Lambda_0_11_p2535 + Lambda_0_11_p4350 * Lambda_0_11_p3389_lanes[6] +
+      Lambda_0_11_p4333_lanes[6] * Lambda_0_11_p3549_lanes[6] + Lambda_0_11_p4317_lanes[6] *
+      Lambda_0_11_p3709_lanes[6];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_0_11_p5690 = Lambda_0_11_p5689 + Lambda_0_11_p4301_lanes[6] *
+      Lambda_0_11_p3925_lanes[6] + Lambda_0_11_p4285_lanes[6] * Lambda_0_11_p4109_lanes[6] +
+      Lambda_0_11_p4269_lanes[6] * Lambda_0_11_p4197_lanes[6] - Lambda_0_11_p4588_lanes[6] *
+      Lambda_0_11_p4523_lanes[6];
+  const Real Lambda_0_11_p5691 = Lambda_0_11_p5690 - Lambda_0_11_p4821_lanes[6] *
+      Lambda_0_11_p4749_lanes[6] - Lambda_0_11_p5044_lanes[6] * Lambda_0_11_p4965_lanes[6] -
+      Lambda_0_11_p5255_lanes[6] * Lambda_0_11_p5169_lanes[6] - Lambda_0_11_p5436_lanes[6] *
+      Lambda_0_11_p5343_lanes[6];
+  const Real Lambda_0_11_p5692 = 1.0 / (Lambda_0_11_p5691 - Lambda_0_11_p5686 *
+      Lambda_0_11_p5530_lanes[6]);
+  const Lanes<8> Lambda_0_11_p5693_lanes = Lambda_0_11_p5682_lanes * Lambda_0_11_p5692;
+  const Real Lambda_0_11_p5697 = Lambda_0_11_p5530_lanes[7] * Lambda_0_11_p5533;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_0_11_p5812_lanes = Lambda_0_11_p5810_lanes +
-      detail::make_pack<Real>(Lambda_0_11_p4946_lanes[1], Lambda_0_11_p4946_lanes[1],
-      Lambda_0_11_p4946_lanes[1], Lambda_0_11_p4892_lanes[1], Lambda_0_11_p4946_lanes[1],
-      Lambda_0_11_p4946_lanes[1], Lambda_0_11_p4946_lanes[1], Lambda_0_11_p4946_lanes[1]);
+  const Real Lambda_0_11_p5698 = Lambda_0_11_p2500 * inverse_D7_lanes[1];
 
-  // link 3 (hip), force propagation
-  const Real Lambda_0_11_p5814 = Lambda_0_11_p5812_lanes[3] + Lambda_0_11_p3836_lanes[3] *
-      Lambda_0_11_p2838 + Lambda_0_11_p3828_lanes[3] * Lambda_0_11_p2945_lanes[2] +
-      Lambda_0_11_p3820_lanes[3] * Lambda_0_11_p2994 + Lambda_0_11_p3812_lanes[3] *
-      Lambda_0_11_p3057_lanes[2];
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_0_11_p5699 = Lambda_0_11_p2497 * inverse_D8_lanes[1];
 
-  // link 1 (calf), force propagation
-  const Real Lambda_0_11_p5815 = Lambda_0_11_p5814 + Lambda_0_11_p3804_lanes[3] *
-      Lambda_0_11_p3117_lanes[2] + Lambda_0_11_p3168_lanes[3] * Lambda_0_11_p3164_lanes[2] -
-      Lambda_0_11_p4126_lanes[3] * Lambda_0_11_p3860_lanes[2] - Lambda_0_11_p4350_lanes[3] *
-      Lambda_0_11_p4178_lanes[2];
-  const Real Lambda_0_11_p5816 = Lambda_0_11_p5815 - Lambda_0_11_p4565_lanes[3] *
-      Lambda_0_11_p4410_lanes[2] - Lambda_0_11_p4768_lanes[3] * Lambda_0_11_p4633_lanes[2] -
-      Lambda_0_11_p4989_lanes[3] * Lambda_0_11_p4844_lanes[2] - Lambda_0_11_p5157_lanes[3] *
-      Lambda_0_11_p5073_lanes[2];
-  const Real Lambda_0_11_p5817 = Lambda_0_11_p5816 - Lambda_0_11_p5317_lanes[3] *
-      Lambda_0_11_p5306_lanes[2] - Lambda_0_11_p5497_lanes[3] * Lambda_0_11_p5487_lanes[2] -
-      Lambda_0_11_p5666_lanes[3] * Lambda_0_11_p5661_lanes[2] - Lambda_0_11_p5799 *
-      Lambda_0_11_p5795_lanes[2];
-  const Real Lambda_0_11_p5818 = Lambda_0_11_p5795_lanes[2] * Lambda_0_11_p5798;
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p5700 = Lambda_0_11_p2483 * inverse_D9_lanes[1];
 
-  // link 3 (hip), force propagation
-  const Real Lambda_0_11_p5819 = Lambda_0_11_p5812_lanes[2] + Lambda_0_11_p3836_lanes[2] *
-      Lambda_0_11_p2838 + Lambda_0_11_p3828_lanes[2] * Lambda_0_11_p2945_lanes[2] +
-      Lambda_0_11_p3820_lanes[2] * Lambda_0_11_p2994 + Lambda_0_11_p3812_lanes[2] *
-      Lambda_0_11_p3057_lanes[2];
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_0_11_p5701 = Lambda_0_11_p2477 * inverse_D10_lanes[1];
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_0_11_p5702 = Lambda_0_11_p2471 * inverse_D11_lanes[1];
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_0_11_p5703 = Lambda_0_11_p2468 * inverse_D12_lanes[1];
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_0_11_p5704 = 91.62274020012977 * Lambda_0_11_p1346_lanes[1];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p5705 = Lambda_0_11_p5704 * Lambda_0_11_p4435_lanes[1] +
+      Lambda_0_11_p5703 * Lambda_0_11_p2503 + Lambda_0_11_p5702 * Lambda_0_11_p2506 +
+      Lambda_0_11_p5701 * Lambda_0_11_p2512 + Lambda_0_11_p5700 * Lambda_0_11_p2518;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p5706 = Lambda_0_11_p5705 + Lambda_0_11_p5699 * Lambda_0_11_p2532 +
+      Lambda_0_11_p5698 * Lambda_0_11_p2535 + Lambda_0_11_p4349 * Lambda_0_11_p3389_lanes[6] +
+      Lambda_0_11_p4333_lanes[7] * Lambda_0_11_p3549_lanes[6];
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_11_p5820 = Lambda_0_11_p5819 + Lambda_0_11_p3804_lanes[2] *
-      Lambda_0_11_p3117_lanes[2] + Lambda_0_11_p3168_lanes[2] * Lambda_0_11_p3164_lanes[2] -
-      Lambda_0_11_p4126_lanes[2] * Lambda_0_11_p3860_lanes[2] - Lambda_0_11_p4350_lanes[2] *
-      Lambda_0_11_p4178_lanes[2];
-  const Real Lambda_0_11_p5821 = Lambda_0_11_p5820 - Lambda_0_11_p4565_lanes[2] *
-      Lambda_0_11_p4410_lanes[2] - Lambda_0_11_p4768_lanes[2] * Lambda_0_11_p4633_lanes[2] -
-      Lambda_0_11_p4989_lanes[2] * Lambda_0_11_p4844_lanes[2] - Lambda_0_11_p5157_lanes[2] *
-      Lambda_0_11_p5073_lanes[2];
-  const Real Lambda_0_11_p5822 = Lambda_0_11_p5821 - Lambda_0_11_p5317_lanes[2] *
-      Lambda_0_11_p5306_lanes[2] - Lambda_0_11_p5497_lanes[2] * Lambda_0_11_p5487_lanes[2] -
-      Lambda_0_11_p5666_lanes[2] * Lambda_0_11_p5661_lanes[2] - Lambda_0_11_p5818 *
-      Lambda_0_11_p5795_lanes[2];
-  const Real Lambda_0_11_p5823 = 1.0 / Lambda_0_11_p5822;
-  const Real Lambda_0_11_p5824 = Lambda_0_11_p5817 * Lambda_0_11_p5823;
-  const Real Lambda_0_11_p5825 = Lambda_0_11_p4414_lanes[2] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4182_lanes[2];
-  const Real Lambda_0_11_p5826 = Lambda_0_11_p4414_lanes[3] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4182_lanes[3] - Lambda_0_11_p4637_lanes[3] * Lambda_0_11_p5825;
-  const Real Lambda_0_11_p5827 = Lambda_0_11_p4414_lanes[4] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4182_lanes[4] - Lambda_0_11_p4637_lanes[4] * Lambda_0_11_p5825 -
-      Lambda_0_11_p4848_lanes[4] * Lambda_0_11_p5826;
-  const Real Lambda_0_11_p5828 = Lambda_0_11_p4414_lanes[5] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4182_lanes[5] - Lambda_0_11_p4637_lanes[5] * Lambda_0_11_p5825 -
-      Lambda_0_11_p4848_lanes[5] * Lambda_0_11_p5826 - Lambda_0_11_p5077_lanes[5] *
-      Lambda_0_11_p5827;
-  const Real Lambda_0_11_p5829 = Lambda_0_11_p4414_lanes[6] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4182_lanes[6] - Lambda_0_11_p4637_lanes[6] * Lambda_0_11_p5825 -
-      Lambda_0_11_p4848_lanes[6] * Lambda_0_11_p5826 - Lambda_0_11_p5077_lanes[6] *
-      Lambda_0_11_p5827;
-  const Real Lambda_0_11_p5830 = Lambda_0_11_p5829 - Lambda_0_11_p5310 * Lambda_0_11_p5828;
-  const Real Lambda_0_11_p5831 = Lambda_0_11_p4414_lanes[7] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4182_lanes[7] - Lambda_0_11_p4637_lanes[7] * Lambda_0_11_p5825 -
-      Lambda_0_11_p4848_lanes[7] * Lambda_0_11_p5826 - Lambda_0_11_p5077_lanes[7] *
-      Lambda_0_11_p5827;
-  const Real Lambda_0_11_p5832 = Lambda_0_11_p5831 - Lambda_0_11_p5321 * Lambda_0_11_p5828 -
-      Lambda_0_11_p5491 * Lambda_0_11_p5830;
-  const Real Lambda_0_11_p5833 = Lambda_0_11_p4350_lanes[0] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4126_lanes[0] - Lambda_0_11_p4565_lanes[0] * Lambda_0_11_p5825 -
-      Lambda_0_11_p4768_lanes[0] * Lambda_0_11_p5826 - Lambda_0_11_p4989_lanes[0] *
-      Lambda_0_11_p5827;
-  const Real Lambda_0_11_p5834 = Lambda_0_11_p5833 - Lambda_0_11_p5157_lanes[0] *
-      Lambda_0_11_p5828 - Lambda_0_11_p5317_lanes[0] * Lambda_0_11_p5830 -
-      Lambda_0_11_p5497_lanes[0] * Lambda_0_11_p5832;
-  const Real Lambda_0_11_p5835 = Lambda_0_11_p4350_lanes[1] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4126_lanes[1] - Lambda_0_11_p4565_lanes[1] * Lambda_0_11_p5825 -
-      Lambda_0_11_p4768_lanes[1] * Lambda_0_11_p5826 - Lambda_0_11_p4989_lanes[1] *
-      Lambda_0_11_p5827;
-  const Real Lambda_0_11_p5836 = Lambda_0_11_p5835 - Lambda_0_11_p5157_lanes[1] *
-      Lambda_0_11_p5828 - Lambda_0_11_p5317_lanes[1] * Lambda_0_11_p5830 -
-      Lambda_0_11_p5497_lanes[1] * Lambda_0_11_p5832 - Lambda_0_11_p5666_lanes[1] *
-      Lambda_0_11_p5834;
-  const Real Lambda_0_11_p5837 = Lambda_0_11_p4350_lanes[2] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4126_lanes[2] - Lambda_0_11_p4565_lanes[2] * Lambda_0_11_p5825 -
-      Lambda_0_11_p4768_lanes[2] * Lambda_0_11_p5826 - Lambda_0_11_p4989_lanes[2] *
-      Lambda_0_11_p5827;
-  const Real Lambda_0_11_p5838 = Lambda_0_11_p5837 - Lambda_0_11_p5157_lanes[2] *
-      Lambda_0_11_p5828 - Lambda_0_11_p5317_lanes[2] * Lambda_0_11_p5830 -
-      Lambda_0_11_p5497_lanes[2] * Lambda_0_11_p5832 - Lambda_0_11_p5666_lanes[2] *
-      Lambda_0_11_p5834;
-  const Real Lambda_0_11_p5839 = Lambda_0_11_p5838 - Lambda_0_11_p5818 * Lambda_0_11_p5836;
-  const Real Lambda_0_11_p5840 = Lambda_0_11_p4350_lanes[3] * Lambda_0_11_p4182_lanes[1] -
-      Lambda_0_11_p4126_lanes[3] - Lambda_0_11_p4565_lanes[3] * Lambda_0_11_p5825 -
-      Lambda_0_11_p4768_lanes[3] * Lambda_0_11_p5826 - Lambda_0_11_p4989_lanes[3] *
-      Lambda_0_11_p5827;
-  const Real Lambda_0_11_p5841 = Lambda_0_11_p5840 - Lambda_0_11_p5157_lanes[3] *
-      Lambda_0_11_p5828 - Lambda_0_11_p5317_lanes[3] * Lambda_0_11_p5830 -
-      Lambda_0_11_p5497_lanes[3] * Lambda_0_11_p5832 - Lambda_0_11_p5666_lanes[3] *
-      Lambda_0_11_p5834;
-  const Real Lambda_0_11_p5842 = Lambda_0_11_p5841 - Lambda_0_11_p5799 * Lambda_0_11_p5836 -
-      Lambda_0_11_p5824 * Lambda_0_11_p5839;
+  const Real Lambda_0_11_p5707 = Lambda_0_11_p5706 + Lambda_0_11_p4317_lanes[7] *
+      Lambda_0_11_p3709_lanes[6] + Lambda_0_11_p4301_lanes[7] * Lambda_0_11_p3925_lanes[6] +
+      Lambda_0_11_p4285_lanes[7] * Lambda_0_11_p4109_lanes[6] + Lambda_0_11_p4269_lanes[7] *
+      Lambda_0_11_p4197_lanes[6];
+  const Real Lambda_0_11_p5708 = Lambda_0_11_p5707 - Lambda_0_11_p4588_lanes[7] *
+      Lambda_0_11_p4523_lanes[6] - Lambda_0_11_p4821_lanes[7] * Lambda_0_11_p4749_lanes[6] -
+      Lambda_0_11_p5044_lanes[7] * Lambda_0_11_p4965_lanes[6] - Lambda_0_11_p5255_lanes[7] *
+      Lambda_0_11_p5169_lanes[6];
+  const Real Lambda_0_11_p5709 = Lambda_0_11_p5708 - Lambda_0_11_p5436_lanes[7] *
+      Lambda_0_11_p5343_lanes[6] - Lambda_0_11_p5697 * Lambda_0_11_p5530_lanes[6];
 
-  // link 3 (hip), force propagation
-  const Real Lambda_11_11_p15 = Lambda_0_11_p5125_lanes[1] + Lambda_0_11_p3836_lanes[3] *
-      Lambda_0_11_p2823 + Lambda_0_11_p3828_lanes[3] * Lambda_0_11_p2945_lanes[3] +
-      Lambda_0_11_p3820_lanes[3] * Lambda_0_11_p2991 + Lambda_0_11_p3812_lanes[3] *
-      Lambda_0_11_p3057_lanes[3];
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p5774_lanes = Lambda_0_11_p5481_lanes * Lambda_0_11_p2477;
+  const Lanes<8> Lambda_0_11_p5798_lanes = Lambda_0_11_p5493_lanes * Lambda_0_11_p4672_lanes[1] +
+      Lambda_0_11_p5489_lanes * Lambda_0_11_p2468 + Lambda_0_11_p5485_lanes * Lambda_0_11_p2471 +
+      Lambda_0_11_p5774_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p5810_lanes = Lambda_0_11_p5798_lanes + Lambda_0_11_p5477_lanes *
+      Lambda_0_11_p2483 + Lambda_0_11_p5473_lanes * Lambda_0_11_p2497 + Lambda_0_11_p5469_lanes *
+      Lambda_0_11_p2500;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p5822_lanes = Lambda_0_11_p5810_lanes + Lambda_0_11_p4241_lanes *
+      Lambda_0_11_p3389_lanes[7] + Lambda_0_11_p4233_lanes * Lambda_0_11_p3549_lanes[7] +
+      Lambda_0_11_p4225_lanes * Lambda_0_11_p3709_lanes[7];
 
   // link 1 (calf), force propagation
-  const Real Lambda_11_11_p16 = Lambda_11_11_p15 + Lambda_0_11_p3804_lanes[3] *
-      Lambda_0_11_p3117_lanes[3] + Lambda_0_11_p3168_lanes[3] * Lambda_0_11_p3164_lanes[3] -
-      Lambda_0_11_p4126_lanes[3] * Lambda_0_11_p3860_lanes[3] - Lambda_0_11_p4350_lanes[3] *
-      Lambda_0_11_p4178_lanes[3];
-  const Real Lambda_11_11_p17 = Lambda_11_11_p16 - Lambda_0_11_p4565_lanes[3] *
-      Lambda_0_11_p4410_lanes[3] - Lambda_0_11_p4768_lanes[3] * Lambda_0_11_p4633_lanes[3] -
-      Lambda_0_11_p4989_lanes[3] * Lambda_0_11_p4844_lanes[3] - Lambda_0_11_p5157_lanes[3] *
-      Lambda_0_11_p5073_lanes[3];
-  const Real Lambda_11_11_p18 = Lambda_11_11_p17 - Lambda_0_11_p5317_lanes[3] *
-      Lambda_0_11_p5306_lanes[3] - Lambda_0_11_p5497_lanes[3] * Lambda_0_11_p5487_lanes[3] -
-      Lambda_0_11_p5666_lanes[3] * Lambda_0_11_p5661_lanes[3] - Lambda_0_11_p5799 *
-      Lambda_0_11_p5795_lanes[3];
-  const Real Lambda_11_11 = 1.0 / (Lambda_11_11_p18 - Lambda_0_11_p5824 * Lambda_0_11_p5817);
+  const Lanes<8> Lambda_0_11_p5834_lanes = Lambda_0_11_p5822_lanes + Lambda_0_11_p4217_lanes *
+      Lambda_0_11_p3925_lanes[7] + Lambda_0_11_p4209_lanes * Lambda_0_11_p4109_lanes[7] +
+      Lambda_0_11_p2462_lanes * Lambda_0_11_p4197_lanes[7];
+  const Lanes<8> Lambda_0_11_p5846_lanes = Lambda_0_11_p5834_lanes - Lambda_0_11_p4532_lanes *
+      Lambda_0_11_p4523_lanes[7] - Lambda_0_11_p4757_lanes * Lambda_0_11_p4749_lanes[7] -
+      Lambda_0_11_p4972_lanes * Lambda_0_11_p4965_lanes[7];
+  const Lanes<8> Lambda_0_11_p5858_lanes = Lambda_0_11_p5846_lanes - Lambda_0_11_p5175_lanes *
+      Lambda_0_11_p5169_lanes[7] - Lambda_0_11_p5348_lanes * Lambda_0_11_p5343_lanes[7] -
+      Lambda_0_11_p5534_lanes * Lambda_0_11_p5530_lanes[7];
+  const Lanes<8> Lambda_0_11_p5862_lanes = Lambda_0_11_p5858_lanes - Lambda_0_11_p5693_lanes *
+      Lambda_0_11_p5709;
+  const Real Lambda_0_11_p5866 = Lambda_0_11_p5709 * Lambda_0_11_p5692;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p5867 = Lambda_0_11_p5704 * Lambda_0_11_p4672_lanes[1] +
+      Lambda_0_11_p5703 * Lambda_0_11_p2468 + Lambda_0_11_p5702 * Lambda_0_11_p2471 +
+      Lambda_0_11_p5701 * Lambda_0_11_p2477 + Lambda_0_11_p5700 * Lambda_0_11_p2483;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p5868 = Lambda_0_11_p5867 + Lambda_0_11_p5699 * Lambda_0_11_p2497 +
+      Lambda_0_11_p5698 * Lambda_0_11_p2500 + Lambda_0_11_p4349 * Lambda_0_11_p3389_lanes[7] +
+      Lambda_0_11_p4333_lanes[7] * Lambda_0_11_p3549_lanes[7];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_0_11_p5869 = Lambda_0_11_p5868 + Lambda_0_11_p4317_lanes[7] *
+      Lambda_0_11_p3709_lanes[7] + Lambda_0_11_p4301_lanes[7] * Lambda_0_11_p3925_lanes[7] +
+      Lambda_0_11_p4285_lanes[7] * Lambda_0_11_p4109_lanes[7] + Lambda_0_11_p4269_lanes[7] *
+      Lambda_0_11_p4197_lanes[7];
+  const Real Lambda_0_11_p5870 = Lambda_0_11_p5869 - Lambda_0_11_p4588_lanes[7] *
+      Lambda_0_11_p4523_lanes[7] - Lambda_0_11_p4821_lanes[7] * Lambda_0_11_p4749_lanes[7] -
+      Lambda_0_11_p5044_lanes[7] * Lambda_0_11_p4965_lanes[7] - Lambda_0_11_p5255_lanes[7] *
+      Lambda_0_11_p5169_lanes[7];
+  const Real Lambda_0_11_p5871 = 1.0 / (Lambda_0_11_p5870 - Lambda_0_11_p5436_lanes[7] *
+      Lambda_0_11_p5343_lanes[7] - Lambda_0_11_p5697 * Lambda_0_11_p5530_lanes[7] -
+      Lambda_0_11_p5866 * Lambda_0_11_p5709);
+  const Lanes<8> Lambda_0_11_p5872_lanes = Lambda_0_11_p5862_lanes * Lambda_0_11_p5871;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p5944_lanes = Lambda_0_11_p5481_lanes * Lambda_0_11_p1519_lanes[0];
+  const Lanes<8> Lambda_0_11_p5968_lanes = Lambda_0_11_p5493_lanes * Lambda_0_11_p1328_lanes[1] +
+      Lambda_0_11_p5489_lanes * Lambda_0_11_p1374_lanes[0] + Lambda_0_11_p5485_lanes *
+      Lambda_0_11_p1439_lanes[0] + Lambda_0_11_p5944_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p5980_lanes = Lambda_0_11_p5968_lanes + Lambda_0_11_p5477_lanes *
+      Lambda_0_11_p1603_lanes[0] + Lambda_0_11_p5473_lanes * Lambda_0_11_p1799_lanes[0] +
+      Lambda_0_11_p5469_lanes * Lambda_0_11_p1925_lanes[0];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p5992_lanes = Lambda_0_11_p5980_lanes + Lambda_0_11_p4241_lanes *
+      Lambda_0_11_p2051_lanes[0] + Lambda_0_11_p4233_lanes * Lambda_0_11_p2131_lanes[0] +
+      Lambda_0_11_p4225_lanes * Lambda_0_11_p2211_lanes[0];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p6004_lanes = Lambda_0_11_p5992_lanes + Lambda_0_11_p4217_lanes *
+      Lambda_0_11_p2319_lanes[0] + Lambda_0_11_p4209_lanes * Lambda_0_11_p2411_lanes[0] +
+      Lambda_0_11_p2462_lanes * Lambda_0_11_p2458_lanes[0];
+  const Lanes<8> Lambda_0_11_p6016_lanes = Lambda_0_11_p6004_lanes - Lambda_0_11_p4532_lanes *
+      Lambda_0_11_p4265_lanes[0] - Lambda_0_11_p4757_lanes * Lambda_0_11_p4584_lanes[0] -
+      Lambda_0_11_p4972_lanes * Lambda_0_11_p4817_lanes[0];
+  const Lanes<8> Lambda_0_11_p6028_lanes = Lambda_0_11_p6016_lanes - Lambda_0_11_p5175_lanes *
+      Lambda_0_11_p5040_lanes[0] - Lambda_0_11_p5348_lanes * Lambda_0_11_p5251_lanes[0] -
+      Lambda_0_11_p5534_lanes * Lambda_0_11_p5432_lanes[0];
+  const Lanes<8> Lambda_0_11_p6036_lanes = Lambda_0_11_p6028_lanes - Lambda_0_11_p5693_lanes *
+      Lambda_0_11_p5682_lanes[0] - Lambda_0_11_p5872_lanes * Lambda_0_11_p5862_lanes[0];
+  const Real Lambda_0_11_p6040 = 1.0 / Lambda_0_11_p6036_lanes[0];
+  const Lanes<8> Lambda_0_11_p6041_lanes = Lambda_0_11_p6036_lanes * Lambda_0_11_p6040;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_0_11_p6098_lanes = Lambda_0_11_p5481_lanes * Lambda_0_11_p1519_lanes[1];
+  const Lanes<8> Lambda_0_11_p6116_lanes = Lambda_0_11_p5493_lanes * Lambda_0_11_p1277 +
+      Lambda_0_11_p5489_lanes * Lambda_0_11_p1374_lanes[1] + Lambda_0_11_p5485_lanes *
+      Lambda_0_11_p1439_lanes[1] + Lambda_0_11_p6098_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_0_11_p6125_lanes = Lambda_0_11_p6116_lanes + Lambda_0_11_p5477_lanes *
+      Lambda_0_11_p1603_lanes[1] + Lambda_0_11_p5473_lanes * Lambda_0_11_p1799_lanes[1] +
+      Lambda_0_11_p5469_lanes * Lambda_0_11_p1925_lanes[1];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_0_11_p6134_lanes = Lambda_0_11_p6125_lanes + Lambda_0_11_p4241_lanes *
+      Lambda_0_11_p2051_lanes[1] + Lambda_0_11_p4233_lanes * Lambda_0_11_p2131_lanes[1] +
+      Lambda_0_11_p4225_lanes * Lambda_0_11_p2211_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_0_11_p6143_lanes = Lambda_0_11_p6134_lanes + Lambda_0_11_p4217_lanes *
+      Lambda_0_11_p2319_lanes[1] + Lambda_0_11_p4209_lanes * Lambda_0_11_p2411_lanes[1] +
+      Lambda_0_11_p2462_lanes * Lambda_0_11_p2458_lanes[1];
+  const Lanes<8> Lambda_0_11_p6152_lanes = Lambda_0_11_p6143_lanes - Lambda_0_11_p4532_lanes *
+      Lambda_0_11_p4265_lanes[1] - Lambda_0_11_p4757_lanes * Lambda_0_11_p4584_lanes[1] -
+      Lambda_0_11_p4972_lanes * Lambda_0_11_p4817_lanes[1];
+  const Lanes<8> Lambda_0_11_p6161_lanes = Lambda_0_11_p6152_lanes - Lambda_0_11_p5175_lanes *
+      Lambda_0_11_p5040_lanes[1] - Lambda_0_11_p5348_lanes * Lambda_0_11_p5251_lanes[1] -
+      Lambda_0_11_p5534_lanes * Lambda_0_11_p5432_lanes[1];
+  const Lanes<8> Lambda_0_11_p6170_lanes = Lambda_0_11_p6161_lanes - Lambda_0_11_p5693_lanes *
+      Lambda_0_11_p5682_lanes[1] - Lambda_0_11_p5872_lanes * Lambda_0_11_p5862_lanes[1] -
+      Lambda_0_11_p6041_lanes * Lambda_0_11_p6036_lanes[1];
+  const Real Lambda_0_11_p6173 = 1.0 / Lambda_0_11_p6170_lanes[1];
+  const Real Lambda_0_11_p6174 = Lambda_0_11_p6170_lanes[3] * Lambda_0_11_p6173;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_0_11_p6175_lanes = Lambda_0_11_p5493_lanes * Lambda_0_11_p1257;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p6177 = Lambda_0_11_p6175_lanes[3] + Lambda_0_11_p5489_lanes[3] *
+      Lambda_0_11_p1374_lanes[2] + Lambda_0_11_p5485_lanes[3] * Lambda_0_11_p1439_lanes[2] +
+      Lambda_0_11_p5481_lanes[3] * Lambda_0_11_p1519_lanes[2] + Lambda_0_11_p5477_lanes[3] *
+      Lambda_0_11_p1603_lanes[2];
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p6178 = Lambda_0_11_p6177 + Lambda_0_11_p5473_lanes[3] *
+      Lambda_0_11_p1799_lanes[2] + Lambda_0_11_p5469_lanes[3] * Lambda_0_11_p1925_lanes[2] +
+      Lambda_0_11_p4241_lanes[3] * Lambda_0_11_p2051_lanes[2] + Lambda_0_11_p4233_lanes[3] *
+      Lambda_0_11_p2131_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_0_11_p6179 = Lambda_0_11_p6178 + Lambda_0_11_p4225_lanes[3] *
+      Lambda_0_11_p2211_lanes[2] + Lambda_0_11_p4217_lanes[3] * Lambda_0_11_p2319_lanes[2] +
+      Lambda_0_11_p4209_lanes[3] * Lambda_0_11_p2411_lanes[2] + Lambda_0_11_p2462_lanes[3] *
+      Lambda_0_11_p2458_lanes[2];
+  const Real Lambda_0_11_p6180 = Lambda_0_11_p6179 - Lambda_0_11_p4532_lanes[3] *
+      Lambda_0_11_p4265_lanes[2] - Lambda_0_11_p4757_lanes[3] * Lambda_0_11_p4584_lanes[2] -
+      Lambda_0_11_p4972_lanes[3] * Lambda_0_11_p4817_lanes[2] - Lambda_0_11_p5175_lanes[3] *
+      Lambda_0_11_p5040_lanes[2];
+  const Real Lambda_0_11_p6181 = Lambda_0_11_p6180 - Lambda_0_11_p5348_lanes[3] *
+      Lambda_0_11_p5251_lanes[2] - Lambda_0_11_p5534_lanes[3] * Lambda_0_11_p5432_lanes[2] -
+      Lambda_0_11_p5693_lanes[3] * Lambda_0_11_p5682_lanes[2] - Lambda_0_11_p5872_lanes[3] *
+      Lambda_0_11_p5862_lanes[2];
+  const Real Lambda_0_11_p6182 = Lambda_0_11_p6181 - Lambda_0_11_p6041_lanes[3] *
+      Lambda_0_11_p6036_lanes[2] - Lambda_0_11_p6174 * Lambda_0_11_p6170_lanes[2];
+  const Real Lambda_0_11_p6183 = Lambda_0_11_p6170_lanes[2] * Lambda_0_11_p6173;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_0_11_p6184 = Lambda_0_11_p6175_lanes[2] + Lambda_0_11_p5489_lanes[2] *
+      Lambda_0_11_p1374_lanes[2] + Lambda_0_11_p5485_lanes[2] * Lambda_0_11_p1439_lanes[2] +
+      Lambda_0_11_p5481_lanes[2] * Lambda_0_11_p1519_lanes[2] + Lambda_0_11_p5477_lanes[2] *
+      Lambda_0_11_p1603_lanes[2];
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_0_11_p6185 = Lambda_0_11_p6184 + Lambda_0_11_p5473_lanes[2] *
+      Lambda_0_11_p1799_lanes[2] + Lambda_0_11_p5469_lanes[2] * Lambda_0_11_p1925_lanes[2] +
+      Lambda_0_11_p4241_lanes[2] * Lambda_0_11_p2051_lanes[2] + Lambda_0_11_p4233_lanes[2] *
+      Lambda_0_11_p2131_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_0_11_p6186 = Lambda_0_11_p6185 + Lambda_0_11_p4225_lanes[2] *
+      Lambda_0_11_p2211_lanes[2] + Lambda_0_11_p4217_lanes[2] * Lambda_0_11_p2319_lanes[2] +
+      Lambda_0_11_p4209_lanes[2] * Lambda_0_11_p2411_lanes[2] + Lambda_0_11_p2462_lanes[2] *
+      Lambda_0_11_p2458_lanes[2];
+  const Real Lambda_0_11_p6187 = Lambda_0_11_p6186 - Lambda_0_11_p4532_lanes[2] *
+      Lambda_0_11_p4265_lanes[2] - Lambda_0_11_p4757_lanes[2] * Lambda_0_11_p4584_lanes[2] -
+      Lambda_0_11_p4972_lanes[2] * Lambda_0_11_p4817_lanes[2] - Lambda_0_11_p5175_lanes[2] *
+      Lambda_0_11_p5040_lanes[2];
+  const Real Lambda_0_11_p6188 = Lambda_0_11_p6187 - Lambda_0_11_p5348_lanes[2] *
+      Lambda_0_11_p5251_lanes[2] - Lambda_0_11_p5534_lanes[2] * Lambda_0_11_p5432_lanes[2] -
+      Lambda_0_11_p5693_lanes[2] * Lambda_0_11_p5682_lanes[2] - Lambda_0_11_p5872_lanes[2] *
+      Lambda_0_11_p5862_lanes[2];
+  const Real Lambda_0_11_p6189 = 1.0 / (Lambda_0_11_p6188 - Lambda_0_11_p6041_lanes[2] *
+      Lambda_0_11_p6036_lanes[2] - Lambda_0_11_p6183 * Lambda_0_11_p6170_lanes[2]);
+  const Real Lambda_0_11_p6190 = Lambda_0_11_p6182 * Lambda_0_11_p6189;
+  const Real Lambda_0_11_p6191 = Lambda_0_11_p4821_lanes[2] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4588_lanes[2];
+  const Real Lambda_0_11_p6192 = Lambda_0_11_p4821_lanes[3] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4588_lanes[3] - Lambda_0_11_p5044_lanes[3] * Lambda_0_11_p6191;
+  const Real Lambda_0_11_p6193 = Lambda_0_11_p4821_lanes[4] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4588_lanes[4] - Lambda_0_11_p5044_lanes[4] * Lambda_0_11_p6191 -
+      Lambda_0_11_p5255_lanes[4] * Lambda_0_11_p6192;
+  const Real Lambda_0_11_p6194 = Lambda_0_11_p4821_lanes[5] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4588_lanes[5] - Lambda_0_11_p5044_lanes[5] * Lambda_0_11_p6191 -
+      Lambda_0_11_p5255_lanes[5] * Lambda_0_11_p6192 - Lambda_0_11_p5436_lanes[5] *
+      Lambda_0_11_p6193;
+  const Real Lambda_0_11_p6195 = Lambda_0_11_p4821_lanes[6] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4588_lanes[6] - Lambda_0_11_p5044_lanes[6] * Lambda_0_11_p6191 -
+      Lambda_0_11_p5255_lanes[6] * Lambda_0_11_p6192 - Lambda_0_11_p5436_lanes[6] *
+      Lambda_0_11_p6193;
+  const Real Lambda_0_11_p6196 = Lambda_0_11_p6195 - Lambda_0_11_p5686 * Lambda_0_11_p6194;
+  const Real Lambda_0_11_p6197 = Lambda_0_11_p4821_lanes[7] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4588_lanes[7] - Lambda_0_11_p5044_lanes[7] * Lambda_0_11_p6191 -
+      Lambda_0_11_p5255_lanes[7] * Lambda_0_11_p6192 - Lambda_0_11_p5436_lanes[7] *
+      Lambda_0_11_p6193;
+  const Real Lambda_0_11_p6198 = Lambda_0_11_p6197 - Lambda_0_11_p5697 * Lambda_0_11_p6194 -
+      Lambda_0_11_p5866 * Lambda_0_11_p6196;
+  const Real Lambda_0_11_p6199 = Lambda_0_11_p4757_lanes[0] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4532_lanes[0] - Lambda_0_11_p4972_lanes[0] * Lambda_0_11_p6191 -
+      Lambda_0_11_p5175_lanes[0] * Lambda_0_11_p6192 - Lambda_0_11_p5348_lanes[0] *
+      Lambda_0_11_p6193;
+  const Real Lambda_0_11_p6200 = Lambda_0_11_p6199 - Lambda_0_11_p5534_lanes[0] *
+      Lambda_0_11_p6194 - Lambda_0_11_p5693_lanes[0] * Lambda_0_11_p6196 -
+      Lambda_0_11_p5872_lanes[0] * Lambda_0_11_p6198;
+  const Real Lambda_0_11_p6201 = Lambda_0_11_p4757_lanes[1] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4532_lanes[1] - Lambda_0_11_p4972_lanes[1] * Lambda_0_11_p6191 -
+      Lambda_0_11_p5175_lanes[1] * Lambda_0_11_p6192 - Lambda_0_11_p5348_lanes[1] *
+      Lambda_0_11_p6193;
+  const Real Lambda_0_11_p6202 = Lambda_0_11_p6201 - Lambda_0_11_p5534_lanes[1] *
+      Lambda_0_11_p6194 - Lambda_0_11_p5693_lanes[1] * Lambda_0_11_p6196 -
+      Lambda_0_11_p5872_lanes[1] * Lambda_0_11_p6198 - Lambda_0_11_p6041_lanes[1] *
+      Lambda_0_11_p6200;
+  const Real Lambda_0_11_p6203 = Lambda_0_11_p4757_lanes[2] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4532_lanes[2] - Lambda_0_11_p4972_lanes[2] * Lambda_0_11_p6191 -
+      Lambda_0_11_p5175_lanes[2] * Lambda_0_11_p6192 - Lambda_0_11_p5348_lanes[2] *
+      Lambda_0_11_p6193;
+  const Real Lambda_0_11_p6204 = Lambda_0_11_p6203 - Lambda_0_11_p5534_lanes[2] *
+      Lambda_0_11_p6194 - Lambda_0_11_p5693_lanes[2] * Lambda_0_11_p6196 -
+      Lambda_0_11_p5872_lanes[2] * Lambda_0_11_p6198 - Lambda_0_11_p6041_lanes[2] *
+      Lambda_0_11_p6200;
+  const Real Lambda_0_11_p6205 = Lambda_0_11_p6204 - Lambda_0_11_p6183 * Lambda_0_11_p6202;
+  const Real Lambda_0_11_p6206 = Lambda_0_11_p4757_lanes[3] * Lambda_0_11_p4588_lanes[1] -
+      Lambda_0_11_p4532_lanes[3] - Lambda_0_11_p4972_lanes[3] * Lambda_0_11_p6191 -
+      Lambda_0_11_p5175_lanes[3] * Lambda_0_11_p6192 - Lambda_0_11_p5348_lanes[3] *
+      Lambda_0_11_p6193;
+  const Real Lambda_0_11_p6207 = Lambda_0_11_p6206 - Lambda_0_11_p5534_lanes[3] *
+      Lambda_0_11_p6194 - Lambda_0_11_p5693_lanes[3] * Lambda_0_11_p6196 -
+      Lambda_0_11_p5872_lanes[3] * Lambda_0_11_p6198 - Lambda_0_11_p6041_lanes[3] *
+      Lambda_0_11_p6200;
+  const Real Lambda_0_11_p6208 = Lambda_0_11_p6207 - Lambda_0_11_p6174 * Lambda_0_11_p6202 -
+      Lambda_0_11_p6190 * Lambda_0_11_p6205;
+
+  // link 3 (hip), force propagation
+  const Real Lambda_11_11_p21 = Lambda_0_11_p5502_lanes[1] + Lambda_0_11_p4241_lanes[3] *
+      Lambda_0_11_p2051_lanes[3] + Lambda_0_11_p4233_lanes[3] * Lambda_0_11_p2131_lanes[3] +
+      Lambda_0_11_p4225_lanes[3] * Lambda_0_11_p2211_lanes[3] + Lambda_0_11_p4217_lanes[3] *
+      Lambda_0_11_p2319_lanes[3];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p22 = Lambda_11_11_p21 + Lambda_0_11_p4209_lanes[3] *
+      Lambda_0_11_p2411_lanes[3] + Lambda_0_11_p2462_lanes[3] * Lambda_0_11_p2458_lanes[3] -
+      Lambda_0_11_p4532_lanes[3] * Lambda_0_11_p4265_lanes[3] - Lambda_0_11_p4757_lanes[3] *
+      Lambda_0_11_p4584_lanes[3];
+  const Real Lambda_11_11_p23 = Lambda_11_11_p22 - Lambda_0_11_p4972_lanes[3] *
+      Lambda_0_11_p4817_lanes[3] - Lambda_0_11_p5175_lanes[3] * Lambda_0_11_p5040_lanes[3] -
+      Lambda_0_11_p5348_lanes[3] * Lambda_0_11_p5251_lanes[3] - Lambda_0_11_p5534_lanes[3] *
+      Lambda_0_11_p5432_lanes[3];
+  const Real Lambda_11_11_p24 = Lambda_11_11_p23 - Lambda_0_11_p5693_lanes[3] *
+      Lambda_0_11_p5682_lanes[3] - Lambda_0_11_p5872_lanes[3] * Lambda_0_11_p5862_lanes[3] -
+      Lambda_0_11_p6041_lanes[3] * Lambda_0_11_p6036_lanes[3] - Lambda_0_11_p6174 *
+      Lambda_0_11_p6170_lanes[3];
+  const Real Lambda_11_11 = 1.0 / (Lambda_11_11_p24 - Lambda_0_11_p6190 * Lambda_0_11_p6182);
   Lambda[143] = Lambda_11_11;
-  const Real Lambda_0_11 = Lambda_0_11_p5842 * Lambda_11_11;
+  const Real Lambda_0_11 = Lambda_0_11_p6208 * Lambda_11_11;
   Lambda[11] = Lambda_0_11;
   Lambda[132] = Lambda_0_11;
-  const Real Lambda_0_0_p1 = Lambda_0_11_p5839 * Lambda_0_11_p5823;
-  const Real Lambda_0_0_p2 = Lambda_0_11_p5836 * Lambda_0_11_p5798;
-  const Real Lambda_0_0_p3 = Lambda_0_11_p5834 * Lambda_0_11_p5665;
-  const Real Lambda_0_0_p4 = Lambda_0_11_p5832 * Lambda_0_11_p5496;
-  const Real Lambda_0_0_p5 = Lambda_0_11_p5830 * Lambda_0_11_p5316;
-  const Real Lambda_0_0_p6 = Lambda_0_11_p5828 * Lambda_0_11_p5156;
-  const Real Lambda_0_0_p7 = Lambda_0_11_p5827 * Lambda_0_11_p4988;
-  const Real Lambda_0_0_p8 = Lambda_0_11_p5826 * Lambda_0_11_p4767;
-  const Real Lambda_0_0_p9 = Lambda_0_11_p5825 * Lambda_0_11_p4564;
-  const Real Lambda_0_0_p10 = Lambda_0_11_p4182_lanes[1] * Lambda_0_11_p4349;
-  const Real Lambda_0_0_p11 = Lambda_0_11_p4125 + Lambda_0_0_p10 * Lambda_0_11_p4182_lanes[1] +
-      Lambda_0_0_p9 * Lambda_0_11_p5825 + Lambda_0_0_p8 * Lambda_0_11_p5826 + Lambda_0_0_p7 *
-      Lambda_0_11_p5827;
-  const Real Lambda_0_0_p12 = Lambda_0_0_p11 + Lambda_0_0_p6 * Lambda_0_11_p5828 + Lambda_0_0_p5 *
-      Lambda_0_11_p5830 + Lambda_0_0_p4 * Lambda_0_11_p5832 + Lambda_0_0_p3 * Lambda_0_11_p5834;
-  Lambda[0] = Lambda_0_0_p12 + Lambda_0_0_p2 * Lambda_0_11_p5836 + Lambda_0_0_p1 *
-      Lambda_0_11_p5839 + Lambda_0_11 * Lambda_0_11_p5842;
-  const Real Lambda_1_11_p1 = Lambda_0_11_p4637_lanes[3] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4414_lanes[3];
-  const Real Lambda_1_11_p2 = Lambda_0_11_p4637_lanes[4] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4414_lanes[4] - Lambda_0_11_p4848_lanes[4] * Lambda_1_11_p1;
-  const Real Lambda_1_11_p3 = Lambda_0_11_p4637_lanes[5] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4414_lanes[5] - Lambda_0_11_p4848_lanes[5] * Lambda_1_11_p1 -
-      Lambda_0_11_p5077_lanes[5] * Lambda_1_11_p2;
-  const Real Lambda_1_11_p4 = Lambda_0_11_p4637_lanes[6] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4414_lanes[6] - Lambda_0_11_p4848_lanes[6] * Lambda_1_11_p1 -
-      Lambda_0_11_p5077_lanes[6] * Lambda_1_11_p2 - Lambda_0_11_p5310 * Lambda_1_11_p3;
-  const Real Lambda_1_11_p5 = Lambda_0_11_p4637_lanes[7] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4414_lanes[7] - Lambda_0_11_p4848_lanes[7] * Lambda_1_11_p1 -
-      Lambda_0_11_p5077_lanes[7] * Lambda_1_11_p2 - Lambda_0_11_p5321 * Lambda_1_11_p3;
-  const Real Lambda_1_11_p6 = Lambda_1_11_p5 - Lambda_0_11_p5491 * Lambda_1_11_p4;
-  const Real Lambda_1_11_p7 = Lambda_0_11_p4565_lanes[0] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4350_lanes[0] - Lambda_0_11_p4768_lanes[0] * Lambda_1_11_p1 -
-      Lambda_0_11_p4989_lanes[0] * Lambda_1_11_p2 - Lambda_0_11_p5157_lanes[0] * Lambda_1_11_p3;
-  const Real Lambda_1_11_p8 = Lambda_1_11_p7 - Lambda_0_11_p5317_lanes[0] * Lambda_1_11_p4 -
-      Lambda_0_11_p5497_lanes[0] * Lambda_1_11_p6;
-  const Real Lambda_1_11_p9 = Lambda_0_11_p4565_lanes[1] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4350_lanes[1] - Lambda_0_11_p4768_lanes[1] * Lambda_1_11_p1 -
-      Lambda_0_11_p4989_lanes[1] * Lambda_1_11_p2 - Lambda_0_11_p5157_lanes[1] * Lambda_1_11_p3;
-  const Real Lambda_1_11_p10 = Lambda_1_11_p9 - Lambda_0_11_p5317_lanes[1] * Lambda_1_11_p4 -
-      Lambda_0_11_p5497_lanes[1] * Lambda_1_11_p6 - Lambda_0_11_p5666_lanes[1] * Lambda_1_11_p8;
-  const Real Lambda_1_11_p11 = Lambda_0_11_p4565_lanes[2] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4350_lanes[2] - Lambda_0_11_p4768_lanes[2] * Lambda_1_11_p1 -
-      Lambda_0_11_p4989_lanes[2] * Lambda_1_11_p2 - Lambda_0_11_p5157_lanes[2] * Lambda_1_11_p3;
-  const Real Lambda_1_11_p12 = Lambda_1_11_p11 - Lambda_0_11_p5317_lanes[2] * Lambda_1_11_p4 -
-      Lambda_0_11_p5497_lanes[2] * Lambda_1_11_p6 - Lambda_0_11_p5666_lanes[2] * Lambda_1_11_p8 -
-      Lambda_0_11_p5818 * Lambda_1_11_p10;
-  const Real Lambda_1_11_p13 = Lambda_0_11_p4565_lanes[3] * Lambda_0_11_p4414_lanes[2] -
-      Lambda_0_11_p4350_lanes[3] - Lambda_0_11_p4768_lanes[3] * Lambda_1_11_p1 -
-      Lambda_0_11_p4989_lanes[3] * Lambda_1_11_p2 - Lambda_0_11_p5157_lanes[3] * Lambda_1_11_p3;
-  const Real Lambda_1_11_p14 = Lambda_1_11_p13 - Lambda_0_11_p5317_lanes[3] * Lambda_1_11_p4 -
-      Lambda_0_11_p5497_lanes[3] * Lambda_1_11_p6 - Lambda_0_11_p5666_lanes[3] * Lambda_1_11_p8 -
-      Lambda_0_11_p5799 * Lambda_1_11_p10;
-  const Real Lambda_1_11_p15 = Lambda_1_11_p14 - Lambda_0_11_p5824 * Lambda_1_11_p12;
+  const Real Lambda_0_0_p1 = Lambda_0_11_p6205 * Lambda_0_11_p6189;
+  const Real Lambda_0_0_p2 = Lambda_0_11_p6202 * Lambda_0_11_p6173;
+  const Real Lambda_0_0_p3 = Lambda_0_11_p6200 * Lambda_0_11_p6040;
+  const Real Lambda_0_0_p4 = Lambda_0_11_p6198 * Lambda_0_11_p5871;
+  const Real Lambda_0_0_p5 = Lambda_0_11_p6196 * Lambda_0_11_p5692;
+  const Real Lambda_0_0_p6 = Lambda_0_11_p6194 * Lambda_0_11_p5533;
+  const Real Lambda_0_0_p7 = Lambda_0_11_p6193 * Lambda_0_11_p5347;
+  const Real Lambda_0_0_p8 = Lambda_0_11_p6192 * Lambda_0_11_p5174;
+  const Real Lambda_0_0_p9 = Lambda_0_11_p6191 * Lambda_0_11_p4971;
+  const Real Lambda_0_0_p10 = Lambda_0_11_p4588_lanes[1] * Lambda_0_11_p4756;
+  const Real Lambda_0_0_p11 = Lambda_0_11_p4531 + Lambda_0_0_p10 * Lambda_0_11_p4588_lanes[1] +
+      Lambda_0_0_p9 * Lambda_0_11_p6191 + Lambda_0_0_p8 * Lambda_0_11_p6192 + Lambda_0_0_p7 *
+      Lambda_0_11_p6193;
+  const Real Lambda_0_0_p12 = Lambda_0_0_p11 + Lambda_0_0_p6 * Lambda_0_11_p6194 + Lambda_0_0_p5 *
+      Lambda_0_11_p6196 + Lambda_0_0_p4 * Lambda_0_11_p6198 + Lambda_0_0_p3 * Lambda_0_11_p6200;
+  Lambda[0] = Lambda_0_0_p12 + Lambda_0_0_p2 * Lambda_0_11_p6202 + Lambda_0_0_p1 *
+      Lambda_0_11_p6205 + Lambda_0_11 * Lambda_0_11_p6208;
+  const Real Lambda_1_11_p1 = Lambda_0_11_p5044_lanes[3] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4821_lanes[3];
+  const Real Lambda_1_11_p2 = Lambda_0_11_p5044_lanes[4] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4821_lanes[4] - Lambda_0_11_p5255_lanes[4] * Lambda_1_11_p1;
+  const Real Lambda_1_11_p3 = Lambda_0_11_p5044_lanes[5] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4821_lanes[5] - Lambda_0_11_p5255_lanes[5] * Lambda_1_11_p1 -
+      Lambda_0_11_p5436_lanes[5] * Lambda_1_11_p2;
+  const Real Lambda_1_11_p4 = Lambda_0_11_p5044_lanes[6] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4821_lanes[6] - Lambda_0_11_p5255_lanes[6] * Lambda_1_11_p1 -
+      Lambda_0_11_p5436_lanes[6] * Lambda_1_11_p2 - Lambda_0_11_p5686 * Lambda_1_11_p3;
+  const Real Lambda_1_11_p5 = Lambda_0_11_p5044_lanes[7] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4821_lanes[7] - Lambda_0_11_p5255_lanes[7] * Lambda_1_11_p1 -
+      Lambda_0_11_p5436_lanes[7] * Lambda_1_11_p2 - Lambda_0_11_p5697 * Lambda_1_11_p3;
+  const Real Lambda_1_11_p6 = Lambda_1_11_p5 - Lambda_0_11_p5866 * Lambda_1_11_p4;
+  const Real Lambda_1_11_p7 = Lambda_0_11_p4972_lanes[0] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4757_lanes[0] - Lambda_0_11_p5175_lanes[0] * Lambda_1_11_p1 -
+      Lambda_0_11_p5348_lanes[0] * Lambda_1_11_p2 - Lambda_0_11_p5534_lanes[0] * Lambda_1_11_p3;
+  const Real Lambda_1_11_p8 = Lambda_1_11_p7 - Lambda_0_11_p5693_lanes[0] * Lambda_1_11_p4 -
+      Lambda_0_11_p5872_lanes[0] * Lambda_1_11_p6;
+  const Real Lambda_1_11_p9 = Lambda_0_11_p4972_lanes[1] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4757_lanes[1] - Lambda_0_11_p5175_lanes[1] * Lambda_1_11_p1 -
+      Lambda_0_11_p5348_lanes[1] * Lambda_1_11_p2 - Lambda_0_11_p5534_lanes[1] * Lambda_1_11_p3;
+  const Real Lambda_1_11_p10 = Lambda_1_11_p9 - Lambda_0_11_p5693_lanes[1] * Lambda_1_11_p4 -
+      Lambda_0_11_p5872_lanes[1] * Lambda_1_11_p6 - Lambda_0_11_p6041_lanes[1] * Lambda_1_11_p8;
+  const Real Lambda_1_11_p11 = Lambda_0_11_p4972_lanes[2] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4757_lanes[2] - Lambda_0_11_p5175_lanes[2] * Lambda_1_11_p1 -
+      Lambda_0_11_p5348_lanes[2] * Lambda_1_11_p2 - Lambda_0_11_p5534_lanes[2] * Lambda_1_11_p3;
+  const Real Lambda_1_11_p12 = Lambda_1_11_p11 - Lambda_0_11_p5693_lanes[2] * Lambda_1_11_p4 -
+      Lambda_0_11_p5872_lanes[2] * Lambda_1_11_p6 - Lambda_0_11_p6041_lanes[2] * Lambda_1_11_p8 -
+      Lambda_0_11_p6183 * Lambda_1_11_p10;
+  const Real Lambda_1_11_p13 = Lambda_0_11_p4972_lanes[3] * Lambda_0_11_p4821_lanes[2] -
+      Lambda_0_11_p4757_lanes[3] - Lambda_0_11_p5175_lanes[3] * Lambda_1_11_p1 -
+      Lambda_0_11_p5348_lanes[3] * Lambda_1_11_p2 - Lambda_0_11_p5534_lanes[3] * Lambda_1_11_p3;
+  const Real Lambda_1_11_p14 = Lambda_1_11_p13 - Lambda_0_11_p5693_lanes[3] * Lambda_1_11_p4 -
+      Lambda_0_11_p5872_lanes[3] * Lambda_1_11_p6 - Lambda_0_11_p6041_lanes[3] * Lambda_1_11_p8 -
+      Lambda_0_11_p6174 * Lambda_1_11_p10;
+  const Real Lambda_1_11_p15 = Lambda_1_11_p14 - Lambda_0_11_p6190 * Lambda_1_11_p12;
   const Real Lambda_1_11 = Lambda_1_11_p15 * Lambda_11_11;
   Lambda[23] = Lambda_1_11;
   Lambda[133] = Lambda_1_11;
-  const Real Lambda_0_1_p1 = Lambda_1_11_p12 * Lambda_0_11_p5823;
-  const Real Lambda_0_1_p2 = Lambda_1_11_p10 * Lambda_0_11_p5798;
-  const Real Lambda_0_1_p3 = Lambda_1_11_p8 * Lambda_0_11_p5665;
-  const Real Lambda_0_1_p4 = Lambda_1_11_p6 * Lambda_0_11_p5496;
-  const Real Lambda_0_1_p5 = Lambda_1_11_p4 * Lambda_0_11_p5316;
-  const Real Lambda_0_1_p6 = Lambda_1_11_p3 * Lambda_0_11_p5156;
-  const Real Lambda_0_1_p7 = Lambda_1_11_p2 * Lambda_0_11_p4988;
-  const Real Lambda_0_1_p8 = Lambda_1_11_p1 * Lambda_0_11_p4767;
-  const Real Lambda_0_1_p9 = Lambda_0_11_p4414_lanes[2] * Lambda_0_11_p4564;
-  const Real Lambda_0_1_p10 = Lambda_0_1_p8 * Lambda_0_11_p5826 -
-      (Lambda_0_0_p10 + Lambda_0_1_p9 * Lambda_0_11_p5825) + Lambda_0_1_p7 * Lambda_0_11_p5827 +
-      Lambda_0_1_p6 * Lambda_0_11_p5828;
-  const Real Lambda_0_1_p11 = Lambda_0_1_p10 + Lambda_0_1_p5 * Lambda_0_11_p5830 + Lambda_0_1_p4 *
-      Lambda_0_11_p5832 + Lambda_0_1_p3 * Lambda_0_11_p5834 + Lambda_0_1_p2 * Lambda_0_11_p5836;
-  const Real Lambda_0_1 = Lambda_0_1_p11 + Lambda_0_1_p1 * Lambda_0_11_p5839 + Lambda_1_11 *
-      Lambda_0_11_p5842;
+  const Real Lambda_0_1_p1 = Lambda_1_11_p12 * Lambda_0_11_p6189;
+  const Real Lambda_0_1_p2 = Lambda_1_11_p10 * Lambda_0_11_p6173;
+  const Real Lambda_0_1_p3 = Lambda_1_11_p8 * Lambda_0_11_p6040;
+  const Real Lambda_0_1_p4 = Lambda_1_11_p6 * Lambda_0_11_p5871;
+  const Real Lambda_0_1_p5 = Lambda_1_11_p4 * Lambda_0_11_p5692;
+  const Real Lambda_0_1_p6 = Lambda_1_11_p3 * Lambda_0_11_p5533;
+  const Real Lambda_0_1_p7 = Lambda_1_11_p2 * Lambda_0_11_p5347;
+  const Real Lambda_0_1_p8 = Lambda_1_11_p1 * Lambda_0_11_p5174;
+  const Real Lambda_0_1_p9 = Lambda_0_11_p4821_lanes[2] * Lambda_0_11_p4971;
+  const Real Lambda_0_1_p10 = Lambda_0_1_p8 * Lambda_0_11_p6192 -
+      (Lambda_0_0_p10 + Lambda_0_1_p9 * Lambda_0_11_p6191) + Lambda_0_1_p7 * Lambda_0_11_p6193 +
+      Lambda_0_1_p6 * Lambda_0_11_p6194;
+  const Real Lambda_0_1_p11 = Lambda_0_1_p10 + Lambda_0_1_p5 * Lambda_0_11_p6196 + Lambda_0_1_p4 *
+      Lambda_0_11_p6198 + Lambda_0_1_p3 * Lambda_0_11_p6200 + Lambda_0_1_p2 * Lambda_0_11_p6202;
+  const Real Lambda_0_1 = Lambda_0_1_p11 + Lambda_0_1_p1 * Lambda_0_11_p6205 + Lambda_1_11 *
+      Lambda_0_11_p6208;
   Lambda[1] = Lambda_0_1;
   Lambda[12] = Lambda_0_1;
-  const Real Lambda_2_11_p1 = Lambda_0_11_p4848_lanes[4] * Lambda_0_11_p4637_lanes[3] -
-      Lambda_0_11_p4637_lanes[4];
-  const Real Lambda_2_11_p2 = Lambda_0_11_p4848_lanes[5] * Lambda_0_11_p4637_lanes[3] -
-      Lambda_0_11_p4637_lanes[5] - Lambda_0_11_p5077_lanes[5] * Lambda_2_11_p1;
-  const Real Lambda_2_11_p3 = Lambda_0_11_p4848_lanes[6] * Lambda_0_11_p4637_lanes[3] -
-      Lambda_0_11_p4637_lanes[6] - Lambda_0_11_p5077_lanes[6] * Lambda_2_11_p1 - Lambda_0_11_p5310 *
+  const Real Lambda_2_11_p1 = Lambda_0_11_p5255_lanes[4] * Lambda_0_11_p5044_lanes[3] -
+      Lambda_0_11_p5044_lanes[4];
+  const Real Lambda_2_11_p2 = Lambda_0_11_p5255_lanes[5] * Lambda_0_11_p5044_lanes[3] -
+      Lambda_0_11_p5044_lanes[5] - Lambda_0_11_p5436_lanes[5] * Lambda_2_11_p1;
+  const Real Lambda_2_11_p3 = Lambda_0_11_p5255_lanes[6] * Lambda_0_11_p5044_lanes[3] -
+      Lambda_0_11_p5044_lanes[6] - Lambda_0_11_p5436_lanes[6] * Lambda_2_11_p1 - Lambda_0_11_p5686 *
       Lambda_2_11_p2;
-  const Real Lambda_2_11_p4 = Lambda_0_11_p4848_lanes[7] * Lambda_0_11_p4637_lanes[3] -
-      Lambda_0_11_p4637_lanes[7] - Lambda_0_11_p5077_lanes[7] * Lambda_2_11_p1 - Lambda_0_11_p5321 *
-      Lambda_2_11_p2 - Lambda_0_11_p5491 * Lambda_2_11_p3;
-  const Real Lambda_2_11_p5 = Lambda_0_11_p4768_lanes[0] * Lambda_0_11_p4637_lanes[3] -
-      Lambda_0_11_p4565_lanes[0] - Lambda_0_11_p4989_lanes[0] * Lambda_2_11_p1 -
-      Lambda_0_11_p5157_lanes[0] * Lambda_2_11_p2 - Lambda_0_11_p5317_lanes[0] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p6 = Lambda_2_11_p5 - Lambda_0_11_p5497_lanes[0] * Lambda_2_11_p4;
-  const Real Lambda_2_11_p7 = Lambda_0_11_p4768_lanes[1] * Lambda_0_11_p4637_lanes[3] -
-      Lambda_0_11_p4565_lanes[1] - Lambda_0_11_p4989_lanes[1] * Lambda_2_11_p1 -
-      Lambda_0_11_p5157_lanes[1] * Lambda_2_11_p2 - Lambda_0_11_p5317_lanes[1] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p8 = Lambda_2_11_p7 - Lambda_0_11_p5497_lanes[1] * Lambda_2_11_p4 -
-      Lambda_0_11_p5666_lanes[1] * Lambda_2_11_p6;
-  const Real Lambda_2_11_p9 = Lambda_0_11_p4768_lanes[2] * Lambda_0_11_p4637_lanes[3] -
-      Lambda_0_11_p4565_lanes[2] - Lambda_0_11_p4989_lanes[2] * Lambda_2_11_p1 -
-      Lambda_0_11_p5157_lanes[2] * Lambda_2_11_p2 - Lambda_0_11_p5317_lanes[2] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p10 = Lambda_2_11_p9 - Lambda_0_11_p5497_lanes[2] * Lambda_2_11_p4 -
-      Lambda_0_11_p5666_lanes[2] * Lambda_2_11_p6 - Lambda_0_11_p5818 * Lambda_2_11_p8;
-  const Real Lambda_2_11_p11 = Lambda_0_11_p4768_lanes[3] * Lambda_0_11_p4637_lanes[3] -
-      Lambda_0_11_p4565_lanes[3] - Lambda_0_11_p4989_lanes[3] * Lambda_2_11_p1 -
-      Lambda_0_11_p5157_lanes[3] * Lambda_2_11_p2 - Lambda_0_11_p5317_lanes[3] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p12 = Lambda_2_11_p11 - Lambda_0_11_p5497_lanes[3] * Lambda_2_11_p4 -
-      Lambda_0_11_p5666_lanes[3] * Lambda_2_11_p6 - Lambda_0_11_p5799 * Lambda_2_11_p8 -
-      Lambda_0_11_p5824 * Lambda_2_11_p10;
+  const Real Lambda_2_11_p4 = Lambda_0_11_p5255_lanes[7] * Lambda_0_11_p5044_lanes[3] -
+      Lambda_0_11_p5044_lanes[7] - Lambda_0_11_p5436_lanes[7] * Lambda_2_11_p1 - Lambda_0_11_p5697 *
+      Lambda_2_11_p2 - Lambda_0_11_p5866 * Lambda_2_11_p3;
+  const Real Lambda_2_11_p5 = Lambda_0_11_p5175_lanes[0] * Lambda_0_11_p5044_lanes[3] -
+      Lambda_0_11_p4972_lanes[0] - Lambda_0_11_p5348_lanes[0] * Lambda_2_11_p1 -
+      Lambda_0_11_p5534_lanes[0] * Lambda_2_11_p2 - Lambda_0_11_p5693_lanes[0] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p6 = Lambda_2_11_p5 - Lambda_0_11_p5872_lanes[0] * Lambda_2_11_p4;
+  const Real Lambda_2_11_p7 = Lambda_0_11_p5175_lanes[1] * Lambda_0_11_p5044_lanes[3] -
+      Lambda_0_11_p4972_lanes[1] - Lambda_0_11_p5348_lanes[1] * Lambda_2_11_p1 -
+      Lambda_0_11_p5534_lanes[1] * Lambda_2_11_p2 - Lambda_0_11_p5693_lanes[1] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p8 = Lambda_2_11_p7 - Lambda_0_11_p5872_lanes[1] * Lambda_2_11_p4 -
+      Lambda_0_11_p6041_lanes[1] * Lambda_2_11_p6;
+  const Real Lambda_2_11_p9 = Lambda_0_11_p5175_lanes[2] * Lambda_0_11_p5044_lanes[3] -
+      Lambda_0_11_p4972_lanes[2] - Lambda_0_11_p5348_lanes[2] * Lambda_2_11_p1 -
+      Lambda_0_11_p5534_lanes[2] * Lambda_2_11_p2 - Lambda_0_11_p5693_lanes[2] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p10 = Lambda_2_11_p9 - Lambda_0_11_p5872_lanes[2] * Lambda_2_11_p4 -
+      Lambda_0_11_p6041_lanes[2] * Lambda_2_11_p6 - Lambda_0_11_p6183 * Lambda_2_11_p8;
+  const Real Lambda_2_11_p11 = Lambda_0_11_p5175_lanes[3] * Lambda_0_11_p5044_lanes[3] -
+      Lambda_0_11_p4972_lanes[3] - Lambda_0_11_p5348_lanes[3] * Lambda_2_11_p1 -
+      Lambda_0_11_p5534_lanes[3] * Lambda_2_11_p2 - Lambda_0_11_p5693_lanes[3] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p12 = Lambda_2_11_p11 - Lambda_0_11_p5872_lanes[3] * Lambda_2_11_p4 -
+      Lambda_0_11_p6041_lanes[3] * Lambda_2_11_p6 - Lambda_0_11_p6174 * Lambda_2_11_p8 -
+      Lambda_0_11_p6190 * Lambda_2_11_p10;
   const Real Lambda_2_11 = Lambda_2_11_p12 * Lambda_11_11;
   Lambda[35] = Lambda_2_11;
   Lambda[134] = Lambda_2_11;
-  const Real Lambda_0_2_p1 = Lambda_2_11_p10 * Lambda_0_11_p5823;
-  const Real Lambda_0_2_p2 = Lambda_2_11_p8 * Lambda_0_11_p5798;
-  const Real Lambda_0_2_p3 = Lambda_2_11_p6 * Lambda_0_11_p5665;
-  const Real Lambda_0_2_p4 = Lambda_2_11_p4 * Lambda_0_11_p5496;
-  const Real Lambda_0_2_p5 = Lambda_2_11_p3 * Lambda_0_11_p5316;
-  const Real Lambda_0_2_p6 = Lambda_2_11_p2 * Lambda_0_11_p5156;
-  const Real Lambda_0_2_p7 = Lambda_2_11_p1 * Lambda_0_11_p4988;
-  const Real Lambda_0_2_p8 = Lambda_0_11_p4637_lanes[3] * Lambda_0_11_p4767;
-  const Real Lambda_0_2_p9 = Lambda_0_0_p9 - Lambda_0_2_p8 * Lambda_0_11_p5826 + Lambda_0_2_p7 *
-      Lambda_0_11_p5827 + Lambda_0_2_p6 * Lambda_0_11_p5828 + Lambda_0_2_p5 * Lambda_0_11_p5830;
-  const Real Lambda_0_2_p10 = Lambda_0_2_p9 + Lambda_0_2_p4 * Lambda_0_11_p5832 + Lambda_0_2_p3 *
-      Lambda_0_11_p5834 + Lambda_0_2_p2 * Lambda_0_11_p5836 + Lambda_0_2_p1 * Lambda_0_11_p5839;
-  const Real Lambda_0_2 = Lambda_0_2_p10 + Lambda_2_11 * Lambda_0_11_p5842;
+  const Real Lambda_0_2_p1 = Lambda_2_11_p10 * Lambda_0_11_p6189;
+  const Real Lambda_0_2_p2 = Lambda_2_11_p8 * Lambda_0_11_p6173;
+  const Real Lambda_0_2_p3 = Lambda_2_11_p6 * Lambda_0_11_p6040;
+  const Real Lambda_0_2_p4 = Lambda_2_11_p4 * Lambda_0_11_p5871;
+  const Real Lambda_0_2_p5 = Lambda_2_11_p3 * Lambda_0_11_p5692;
+  const Real Lambda_0_2_p6 = Lambda_2_11_p2 * Lambda_0_11_p5533;
+  const Real Lambda_0_2_p7 = Lambda_2_11_p1 * Lambda_0_11_p5347;
+  const Real Lambda_0_2_p8 = Lambda_0_11_p5044_lanes[3] * Lambda_0_11_p5174;
+  const Real Lambda_0_2_p9 = Lambda_0_0_p9 - Lambda_0_2_p8 * Lambda_0_11_p6192 + Lambda_0_2_p7 *
+      Lambda_0_11_p6193 + Lambda_0_2_p6 * Lambda_0_11_p6194 + Lambda_0_2_p5 * Lambda_0_11_p6196;
+  const Real Lambda_0_2_p10 = Lambda_0_2_p9 + Lambda_0_2_p4 * Lambda_0_11_p6198 + Lambda_0_2_p3 *
+      Lambda_0_11_p6200 + Lambda_0_2_p2 * Lambda_0_11_p6202 + Lambda_0_2_p1 * Lambda_0_11_p6205;
+  const Real Lambda_0_2 = Lambda_0_2_p10 + Lambda_2_11 * Lambda_0_11_p6208;
   Lambda[2] = Lambda_0_2;
   Lambda[24] = Lambda_0_2;
-  const Real Lambda_3_11_p1 = Lambda_0_11_p5077_lanes[5] * Lambda_0_11_p4848_lanes[4] -
-      Lambda_0_11_p4848_lanes[5];
-  const Real Lambda_3_11_p2 = Lambda_0_11_p5077_lanes[6] * Lambda_0_11_p4848_lanes[4] -
-      Lambda_0_11_p4848_lanes[6] - Lambda_0_11_p5310 * Lambda_3_11_p1;
-  const Real Lambda_3_11_p3 = Lambda_0_11_p5077_lanes[7] * Lambda_0_11_p4848_lanes[4] -
-      Lambda_0_11_p4848_lanes[7] - Lambda_0_11_p5321 * Lambda_3_11_p1 - Lambda_0_11_p5491 *
+  const Real Lambda_3_11_p1 = Lambda_0_11_p5436_lanes[5] * Lambda_0_11_p5255_lanes[4] -
+      Lambda_0_11_p5255_lanes[5];
+  const Real Lambda_3_11_p2 = Lambda_0_11_p5436_lanes[6] * Lambda_0_11_p5255_lanes[4] -
+      Lambda_0_11_p5255_lanes[6] - Lambda_0_11_p5686 * Lambda_3_11_p1;
+  const Real Lambda_3_11_p3 = Lambda_0_11_p5436_lanes[7] * Lambda_0_11_p5255_lanes[4] -
+      Lambda_0_11_p5255_lanes[7] - Lambda_0_11_p5697 * Lambda_3_11_p1 - Lambda_0_11_p5866 *
       Lambda_3_11_p2;
-  const Real Lambda_3_11_p4 = Lambda_0_11_p4989_lanes[0] * Lambda_0_11_p4848_lanes[4] -
-      Lambda_0_11_p4768_lanes[0] - Lambda_0_11_p5157_lanes[0] * Lambda_3_11_p1 -
-      Lambda_0_11_p5317_lanes[0] * Lambda_3_11_p2 - Lambda_0_11_p5497_lanes[0] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p5 = Lambda_0_11_p4989_lanes[1] * Lambda_0_11_p4848_lanes[4] -
-      Lambda_0_11_p4768_lanes[1] - Lambda_0_11_p5157_lanes[1] * Lambda_3_11_p1 -
-      Lambda_0_11_p5317_lanes[1] * Lambda_3_11_p2 - Lambda_0_11_p5497_lanes[1] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p6 = Lambda_3_11_p5 - Lambda_0_11_p5666_lanes[1] * Lambda_3_11_p4;
-  const Real Lambda_3_11_p7 = Lambda_0_11_p4989_lanes[2] * Lambda_0_11_p4848_lanes[4] -
-      Lambda_0_11_p4768_lanes[2] - Lambda_0_11_p5157_lanes[2] * Lambda_3_11_p1 -
-      Lambda_0_11_p5317_lanes[2] * Lambda_3_11_p2 - Lambda_0_11_p5497_lanes[2] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p8 = Lambda_3_11_p7 - Lambda_0_11_p5666_lanes[2] * Lambda_3_11_p4 -
-      Lambda_0_11_p5818 * Lambda_3_11_p6;
-  const Real Lambda_3_11_p9 = Lambda_0_11_p4989_lanes[3] * Lambda_0_11_p4848_lanes[4] -
-      Lambda_0_11_p4768_lanes[3] - Lambda_0_11_p5157_lanes[3] * Lambda_3_11_p1 -
-      Lambda_0_11_p5317_lanes[3] * Lambda_3_11_p2 - Lambda_0_11_p5497_lanes[3] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p10 = Lambda_3_11_p9 - Lambda_0_11_p5666_lanes[3] * Lambda_3_11_p4 -
-      Lambda_0_11_p5799 * Lambda_3_11_p6 - Lambda_0_11_p5824 * Lambda_3_11_p8;
+  const Real Lambda_3_11_p4 = Lambda_0_11_p5348_lanes[0] * Lambda_0_11_p5255_lanes[4] -
+      Lambda_0_11_p5175_lanes[0] - Lambda_0_11_p5534_lanes[0] * Lambda_3_11_p1 -
+      Lambda_0_11_p5693_lanes[0] * Lambda_3_11_p2 - Lambda_0_11_p5872_lanes[0] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p5 = Lambda_0_11_p5348_lanes[1] * Lambda_0_11_p5255_lanes[4] -
+      Lambda_0_11_p5175_lanes[1] - Lambda_0_11_p5534_lanes[1] * Lambda_3_11_p1 -
+      Lambda_0_11_p5693_lanes[1] * Lambda_3_11_p2 - Lambda_0_11_p5872_lanes[1] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p6 = Lambda_3_11_p5 - Lambda_0_11_p6041_lanes[1] * Lambda_3_11_p4;
+  const Real Lambda_3_11_p7 = Lambda_0_11_p5348_lanes[2] * Lambda_0_11_p5255_lanes[4] -
+      Lambda_0_11_p5175_lanes[2] - Lambda_0_11_p5534_lanes[2] * Lambda_3_11_p1 -
+      Lambda_0_11_p5693_lanes[2] * Lambda_3_11_p2 - Lambda_0_11_p5872_lanes[2] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p8 = Lambda_3_11_p7 - Lambda_0_11_p6041_lanes[2] * Lambda_3_11_p4 -
+      Lambda_0_11_p6183 * Lambda_3_11_p6;
+  const Real Lambda_3_11_p9 = Lambda_0_11_p5348_lanes[3] * Lambda_0_11_p5255_lanes[4] -
+      Lambda_0_11_p5175_lanes[3] - Lambda_0_11_p5534_lanes[3] * Lambda_3_11_p1 -
+      Lambda_0_11_p5693_lanes[3] * Lambda_3_11_p2 - Lambda_0_11_p5872_lanes[3] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p10 = Lambda_3_11_p9 - Lambda_0_11_p6041_lanes[3] * Lambda_3_11_p4 -
+      Lambda_0_11_p6174 * Lambda_3_11_p6 - Lambda_0_11_p6190 * Lambda_3_11_p8;
   const Real Lambda_3_11 = Lambda_3_11_p10 * Lambda_11_11;
   Lambda[47] = Lambda_3_11;
   Lambda[135] = Lambda_3_11;
-  const Real Lambda_0_3_p1 = Lambda_3_11_p8 * Lambda_0_11_p5823;
-  const Real Lambda_0_3_p2 = Lambda_3_11_p6 * Lambda_0_11_p5798;
-  const Real Lambda_0_3_p3 = Lambda_3_11_p4 * Lambda_0_11_p5665;
-  const Real Lambda_0_3_p4 = Lambda_3_11_p3 * Lambda_0_11_p5496;
-  const Real Lambda_0_3_p5 = Lambda_3_11_p2 * Lambda_0_11_p5316;
-  const Real Lambda_0_3_p6 = Lambda_3_11_p1 * Lambda_0_11_p5156;
-  const Real Lambda_0_3_p7 = Lambda_0_11_p4848_lanes[4] * Lambda_0_11_p4988;
-  const Real Lambda_0_3_p8 = Lambda_0_0_p8 - Lambda_0_3_p7 * Lambda_0_11_p5827 + Lambda_0_3_p6 *
-      Lambda_0_11_p5828 + Lambda_0_3_p5 * Lambda_0_11_p5830 + Lambda_0_3_p4 * Lambda_0_11_p5832;
-  const Real Lambda_0_3 = Lambda_0_3_p8 + Lambda_0_3_p3 * Lambda_0_11_p5834 + Lambda_0_3_p2 *
-      Lambda_0_11_p5836 + Lambda_0_3_p1 * Lambda_0_11_p5839 + Lambda_3_11 * Lambda_0_11_p5842;
+  const Real Lambda_0_3_p1 = Lambda_3_11_p8 * Lambda_0_11_p6189;
+  const Real Lambda_0_3_p2 = Lambda_3_11_p6 * Lambda_0_11_p6173;
+  const Real Lambda_0_3_p3 = Lambda_3_11_p4 * Lambda_0_11_p6040;
+  const Real Lambda_0_3_p4 = Lambda_3_11_p3 * Lambda_0_11_p5871;
+  const Real Lambda_0_3_p5 = Lambda_3_11_p2 * Lambda_0_11_p5692;
+  const Real Lambda_0_3_p6 = Lambda_3_11_p1 * Lambda_0_11_p5533;
+  const Real Lambda_0_3_p7 = Lambda_0_11_p5255_lanes[4] * Lambda_0_11_p5347;
+  const Real Lambda_0_3_p8 = Lambda_0_0_p8 - Lambda_0_3_p7 * Lambda_0_11_p6193 + Lambda_0_3_p6 *
+      Lambda_0_11_p6194 + Lambda_0_3_p5 * Lambda_0_11_p6196 + Lambda_0_3_p4 * Lambda_0_11_p6198;
+  const Real Lambda_0_3 = Lambda_0_3_p8 + Lambda_0_3_p3 * Lambda_0_11_p6200 + Lambda_0_3_p2 *
+      Lambda_0_11_p6202 + Lambda_0_3_p1 * Lambda_0_11_p6205 + Lambda_3_11 * Lambda_0_11_p6208;
   Lambda[3] = Lambda_0_3;
   Lambda[36] = Lambda_0_3;
-  const Real Lambda_4_11_p1 = Lambda_0_11_p5310 * Lambda_0_11_p5077_lanes[5] -
-      Lambda_0_11_p5077_lanes[6];
-  const Real Lambda_4_11_p2 = Lambda_0_11_p5321 * Lambda_0_11_p5077_lanes[5] -
-      Lambda_0_11_p5077_lanes[7] - Lambda_0_11_p5491 * Lambda_4_11_p1;
-  const Real Lambda_4_11_p3 = Lambda_0_11_p5157_lanes[0] * Lambda_0_11_p5077_lanes[5] -
-      Lambda_0_11_p4989_lanes[0] - Lambda_0_11_p5317_lanes[0] * Lambda_4_11_p1 -
-      Lambda_0_11_p5497_lanes[0] * Lambda_4_11_p2;
-  const Real Lambda_4_11_p4 = Lambda_0_11_p5157_lanes[1] * Lambda_0_11_p5077_lanes[5] -
-      Lambda_0_11_p4989_lanes[1] - Lambda_0_11_p5317_lanes[1] * Lambda_4_11_p1 -
-      Lambda_0_11_p5497_lanes[1] * Lambda_4_11_p2 - Lambda_0_11_p5666_lanes[1] * Lambda_4_11_p3;
-  const Real Lambda_4_11_p5 = Lambda_0_11_p5157_lanes[2] * Lambda_0_11_p5077_lanes[5] -
-      Lambda_0_11_p4989_lanes[2] - Lambda_0_11_p5317_lanes[2] * Lambda_4_11_p1 -
-      Lambda_0_11_p5497_lanes[2] * Lambda_4_11_p2 - Lambda_0_11_p5666_lanes[2] * Lambda_4_11_p3;
-  const Real Lambda_4_11_p6 = Lambda_4_11_p5 - Lambda_0_11_p5818 * Lambda_4_11_p4;
-  const Real Lambda_4_11_p7 = Lambda_0_11_p5157_lanes[3] * Lambda_0_11_p5077_lanes[5] -
-      Lambda_0_11_p4989_lanes[3] - Lambda_0_11_p5317_lanes[3] * Lambda_4_11_p1 -
-      Lambda_0_11_p5497_lanes[3] * Lambda_4_11_p2 - Lambda_0_11_p5666_lanes[3] * Lambda_4_11_p3;
-  const Real Lambda_4_11_p8 = Lambda_4_11_p7 - Lambda_0_11_p5799 * Lambda_4_11_p4 -
-      Lambda_0_11_p5824 * Lambda_4_11_p6;
+  const Real Lambda_4_11_p1 = Lambda_0_11_p5686 * Lambda_0_11_p5436_lanes[5] -
+      Lambda_0_11_p5436_lanes[6];
+  const Real Lambda_4_11_p2 = Lambda_0_11_p5697 * Lambda_0_11_p5436_lanes[5] -
+      Lambda_0_11_p5436_lanes[7] - Lambda_0_11_p5866 * Lambda_4_11_p1;
+  const Real Lambda_4_11_p3 = Lambda_0_11_p5534_lanes[0] * Lambda_0_11_p5436_lanes[5] -
+      Lambda_0_11_p5348_lanes[0] - Lambda_0_11_p5693_lanes[0] * Lambda_4_11_p1 -
+      Lambda_0_11_p5872_lanes[0] * Lambda_4_11_p2;
+  const Real Lambda_4_11_p4 = Lambda_0_11_p5534_lanes[1] * Lambda_0_11_p5436_lanes[5] -
+      Lambda_0_11_p5348_lanes[1] - Lambda_0_11_p5693_lanes[1] * Lambda_4_11_p1 -
+      Lambda_0_11_p5872_lanes[1] * Lambda_4_11_p2 - Lambda_0_11_p6041_lanes[1] * Lambda_4_11_p3;
+  const Real Lambda_4_11_p5 = Lambda_0_11_p5534_lanes[2] * Lambda_0_11_p5436_lanes[5] -
+      Lambda_0_11_p5348_lanes[2] - Lambda_0_11_p5693_lanes[2] * Lambda_4_11_p1 -
+      Lambda_0_11_p5872_lanes[2] * Lambda_4_11_p2 - Lambda_0_11_p6041_lanes[2] * Lambda_4_11_p3;
+  const Real Lambda_4_11_p6 = Lambda_4_11_p5 - Lambda_0_11_p6183 * Lambda_4_11_p4;
+  const Real Lambda_4_11_p7 = Lambda_0_11_p5534_lanes[3] * Lambda_0_11_p5436_lanes[5] -
+      Lambda_0_11_p5348_lanes[3] - Lambda_0_11_p5693_lanes[3] * Lambda_4_11_p1 -
+      Lambda_0_11_p5872_lanes[3] * Lambda_4_11_p2 - Lambda_0_11_p6041_lanes[3] * Lambda_4_11_p3;
+  const Real Lambda_4_11_p8 = Lambda_4_11_p7 - Lambda_0_11_p6174 * Lambda_4_11_p4 -
+      Lambda_0_11_p6190 * Lambda_4_11_p6;
   const Real Lambda_4_11 = Lambda_4_11_p8 * Lambda_11_11;
   Lambda[59] = Lambda_4_11;
   Lambda[136] = Lambda_4_11;
-  const Real Lambda_0_4_p1 = Lambda_4_11_p6 * Lambda_0_11_p5823;
-  const Real Lambda_0_4_p2 = Lambda_4_11_p4 * Lambda_0_11_p5798;
-  const Real Lambda_0_4_p3 = Lambda_4_11_p3 * Lambda_0_11_p5665;
-  const Real Lambda_0_4_p4 = Lambda_4_11_p2 * Lambda_0_11_p5496;
-  const Real Lambda_0_4_p5 = Lambda_4_11_p1 * Lambda_0_11_p5316;
-  const Real Lambda_0_4_p6 = Lambda_0_11_p5077_lanes[5] * Lambda_0_11_p5156;
-  const Real Lambda_0_4_p7 = Lambda_0_0_p7 - Lambda_0_4_p6 * Lambda_0_11_p5828 + Lambda_0_4_p5 *
-      Lambda_0_11_p5830 + Lambda_0_4_p4 * Lambda_0_11_p5832 + Lambda_0_4_p3 * Lambda_0_11_p5834;
-  const Real Lambda_0_4 = Lambda_0_4_p7 + Lambda_0_4_p2 * Lambda_0_11_p5836 + Lambda_0_4_p1 *
-      Lambda_0_11_p5839 + Lambda_4_11 * Lambda_0_11_p5842;
+  const Real Lambda_0_4_p1 = Lambda_4_11_p6 * Lambda_0_11_p6189;
+  const Real Lambda_0_4_p2 = Lambda_4_11_p4 * Lambda_0_11_p6173;
+  const Real Lambda_0_4_p3 = Lambda_4_11_p3 * Lambda_0_11_p6040;
+  const Real Lambda_0_4_p4 = Lambda_4_11_p2 * Lambda_0_11_p5871;
+  const Real Lambda_0_4_p5 = Lambda_4_11_p1 * Lambda_0_11_p5692;
+  const Real Lambda_0_4_p6 = Lambda_0_11_p5436_lanes[5] * Lambda_0_11_p5533;
+  const Real Lambda_0_4_p7 = Lambda_0_0_p7 - Lambda_0_4_p6 * Lambda_0_11_p6194 + Lambda_0_4_p5 *
+      Lambda_0_11_p6196 + Lambda_0_4_p4 * Lambda_0_11_p6198 + Lambda_0_4_p3 * Lambda_0_11_p6200;
+  const Real Lambda_0_4 = Lambda_0_4_p7 + Lambda_0_4_p2 * Lambda_0_11_p6202 + Lambda_0_4_p1 *
+      Lambda_0_11_p6205 + Lambda_4_11 * Lambda_0_11_p6208;
   Lambda[4] = Lambda_0_4;
   Lambda[48] = Lambda_0_4;
-  const Real Lambda_5_11_p1 = Lambda_0_11_p5491 * Lambda_0_11_p5310 - Lambda_0_11_p5321;
-  const Real Lambda_5_11_p2 = Lambda_0_11_p5317_lanes[0] * Lambda_0_11_p5310 -
-      Lambda_0_11_p5157_lanes[0] - Lambda_0_11_p5497_lanes[0] * Lambda_5_11_p1;
-  const Real Lambda_5_11_p3 = Lambda_0_11_p5317_lanes[1] * Lambda_0_11_p5310 -
-      Lambda_0_11_p5157_lanes[1] - Lambda_0_11_p5497_lanes[1] * Lambda_5_11_p1 -
-      Lambda_0_11_p5666_lanes[1] * Lambda_5_11_p2;
-  const Real Lambda_5_11_p4 = Lambda_0_11_p5317_lanes[2] * Lambda_0_11_p5310 -
-      Lambda_0_11_p5157_lanes[2] - Lambda_0_11_p5497_lanes[2] * Lambda_5_11_p1 -
-      Lambda_0_11_p5666_lanes[2] * Lambda_5_11_p2 - Lambda_0_11_p5818 * Lambda_5_11_p3;
-  const Real Lambda_5_11_p5 = Lambda_0_11_p5317_lanes[3] * Lambda_0_11_p5310 -
-      Lambda_0_11_p5157_lanes[3] - Lambda_0_11_p5497_lanes[3] * Lambda_5_11_p1 -
-      Lambda_0_11_p5666_lanes[3] * Lambda_5_11_p2 - Lambda_0_11_p5799 * Lambda_5_11_p3;
-  const Real Lambda_5_11_p6 = Lambda_5_11_p5 - Lambda_0_11_p5824 * Lambda_5_11_p4;
+  const Real Lambda_5_11_p1 = Lambda_0_11_p5866 * Lambda_0_11_p5686 - Lambda_0_11_p5697;
+  const Real Lambda_5_11_p2 = Lambda_0_11_p5693_lanes[0] * Lambda_0_11_p5686 -
+      Lambda_0_11_p5534_lanes[0] - Lambda_0_11_p5872_lanes[0] * Lambda_5_11_p1;
+  const Real Lambda_5_11_p3 = Lambda_0_11_p5693_lanes[1] * Lambda_0_11_p5686 -
+      Lambda_0_11_p5534_lanes[1] - Lambda_0_11_p5872_lanes[1] * Lambda_5_11_p1 -
+      Lambda_0_11_p6041_lanes[1] * Lambda_5_11_p2;
+  const Real Lambda_5_11_p4 = Lambda_0_11_p5693_lanes[2] * Lambda_0_11_p5686 -
+      Lambda_0_11_p5534_lanes[2] - Lambda_0_11_p5872_lanes[2] * Lambda_5_11_p1 -
+      Lambda_0_11_p6041_lanes[2] * Lambda_5_11_p2 - Lambda_0_11_p6183 * Lambda_5_11_p3;
+  const Real Lambda_5_11_p5 = Lambda_0_11_p5693_lanes[3] * Lambda_0_11_p5686 -
+      Lambda_0_11_p5534_lanes[3] - Lambda_0_11_p5872_lanes[3] * Lambda_5_11_p1 -
+      Lambda_0_11_p6041_lanes[3] * Lambda_5_11_p2 - Lambda_0_11_p6174 * Lambda_5_11_p3;
+  const Real Lambda_5_11_p6 = Lambda_5_11_p5 - Lambda_0_11_p6190 * Lambda_5_11_p4;
   const Real Lambda_5_11 = Lambda_5_11_p6 * Lambda_11_11;
   Lambda[71] = Lambda_5_11;
   Lambda[137] = Lambda_5_11;
-  const Real Lambda_0_5_p1 = Lambda_5_11_p4 * Lambda_0_11_p5823;
-  const Real Lambda_0_5_p2 = Lambda_5_11_p3 * Lambda_0_11_p5798;
-  const Real Lambda_0_5_p3 = Lambda_5_11_p2 * Lambda_0_11_p5665;
-  const Real Lambda_0_5_p4 = Lambda_5_11_p1 * Lambda_0_11_p5496;
-  const Real Lambda_0_5_p5 = Lambda_0_11_p5310 * Lambda_0_11_p5316;
-  const Real Lambda_0_5_p6 = Lambda_0_0_p6 - Lambda_0_5_p5 * Lambda_0_11_p5830 + Lambda_0_5_p4 *
-      Lambda_0_11_p5832 + Lambda_0_5_p3 * Lambda_0_11_p5834 + Lambda_0_5_p2 * Lambda_0_11_p5836;
-  const Real Lambda_0_5 = Lambda_0_5_p6 + Lambda_0_5_p1 * Lambda_0_11_p5839 + Lambda_5_11 *
-      Lambda_0_11_p5842;
+  const Real Lambda_0_5_p1 = Lambda_5_11_p4 * Lambda_0_11_p6189;
+  const Real Lambda_0_5_p2 = Lambda_5_11_p3 * Lambda_0_11_p6173;
+  const Real Lambda_0_5_p3 = Lambda_5_11_p2 * Lambda_0_11_p6040;
+  const Real Lambda_0_5_p4 = Lambda_5_11_p1 * Lambda_0_11_p5871;
+  const Real Lambda_0_5_p5 = Lambda_0_11_p5686 * Lambda_0_11_p5692;
+  const Real Lambda_0_5_p6 = Lambda_0_0_p6 - Lambda_0_5_p5 * Lambda_0_11_p6196 + Lambda_0_5_p4 *
+      Lambda_0_11_p6198 + Lambda_0_5_p3 * Lambda_0_11_p6200 + Lambda_0_5_p2 * Lambda_0_11_p6202;
+  const Real Lambda_0_5 = Lambda_0_5_p6 + Lambda_0_5_p1 * Lambda_0_11_p6205 + Lambda_5_11 *
+      Lambda_0_11_p6208;
   Lambda[5] = Lambda_0_5;
   Lambda[60] = Lambda_0_5;
-  const Real Lambda_6_11_p1 = Lambda_0_11_p5497_lanes[0] * Lambda_0_11_p5491 -
-      Lambda_0_11_p5317_lanes[0];
-  const Real Lambda_6_11_p2 = Lambda_0_11_p5497_lanes[1] * Lambda_0_11_p5491 -
-      Lambda_0_11_p5317_lanes[1] - Lambda_0_11_p5666_lanes[1] * Lambda_6_11_p1;
-  const Real Lambda_6_11_p3 = Lambda_0_11_p5497_lanes[2] * Lambda_0_11_p5491 -
-      Lambda_0_11_p5317_lanes[2] - Lambda_0_11_p5666_lanes[2] * Lambda_6_11_p1 - Lambda_0_11_p5818 *
+  const Real Lambda_6_11_p1 = Lambda_0_11_p5872_lanes[0] * Lambda_0_11_p5866 -
+      Lambda_0_11_p5693_lanes[0];
+  const Real Lambda_6_11_p2 = Lambda_0_11_p5872_lanes[1] * Lambda_0_11_p5866 -
+      Lambda_0_11_p5693_lanes[1] - Lambda_0_11_p6041_lanes[1] * Lambda_6_11_p1;
+  const Real Lambda_6_11_p3 = Lambda_0_11_p5872_lanes[2] * Lambda_0_11_p5866 -
+      Lambda_0_11_p5693_lanes[2] - Lambda_0_11_p6041_lanes[2] * Lambda_6_11_p1 - Lambda_0_11_p6183 *
       Lambda_6_11_p2;
-  const Real Lambda_6_11_p4 = Lambda_0_11_p5497_lanes[3] * Lambda_0_11_p5491 -
-      Lambda_0_11_p5317_lanes[3] - Lambda_0_11_p5666_lanes[3] * Lambda_6_11_p1 - Lambda_0_11_p5799 *
-      Lambda_6_11_p2 - Lambda_0_11_p5824 * Lambda_6_11_p3;
+  const Real Lambda_6_11_p4 = Lambda_0_11_p5872_lanes[3] * Lambda_0_11_p5866 -
+      Lambda_0_11_p5693_lanes[3] - Lambda_0_11_p6041_lanes[3] * Lambda_6_11_p1 - Lambda_0_11_p6174 *
+      Lambda_6_11_p2 - Lambda_0_11_p6190 * Lambda_6_11_p3;
   const Real Lambda_6_11 = Lambda_6_11_p4 * Lambda_11_11;
   Lambda[83] = Lambda_6_11;
   Lambda[138] = Lambda_6_11;
-  const Real Lambda_0_6_p1 = Lambda_6_11_p3 * Lambda_0_11_p5823;
-  const Real Lambda_0_6_p2 = Lambda_6_11_p2 * Lambda_0_11_p5798;
-  const Real Lambda_0_6_p3 = Lambda_6_11_p1 * Lambda_0_11_p5665;
-  const Real Lambda_0_6_p4 = Lambda_0_11_p5491 * Lambda_0_11_p5496;
-  const Real Lambda_0_6_p5 = Lambda_0_0_p5 - Lambda_0_6_p4 * Lambda_0_11_p5832 + Lambda_0_6_p3 *
-      Lambda_0_11_p5834 + Lambda_0_6_p2 * Lambda_0_11_p5836 + Lambda_0_6_p1 * Lambda_0_11_p5839;
-  const Real Lambda_0_6 = Lambda_0_6_p5 + Lambda_6_11 * Lambda_0_11_p5842;
+  const Real Lambda_0_6_p1 = Lambda_6_11_p3 * Lambda_0_11_p6189;
+  const Real Lambda_0_6_p2 = Lambda_6_11_p2 * Lambda_0_11_p6173;
+  const Real Lambda_0_6_p3 = Lambda_6_11_p1 * Lambda_0_11_p6040;
+  const Real Lambda_0_6_p4 = Lambda_0_11_p5866 * Lambda_0_11_p5871;
+  const Real Lambda_0_6_p5 = Lambda_0_0_p5 - Lambda_0_6_p4 * Lambda_0_11_p6198 + Lambda_0_6_p3 *
+      Lambda_0_11_p6200 + Lambda_0_6_p2 * Lambda_0_11_p6202 + Lambda_0_6_p1 * Lambda_0_11_p6205;
+  const Real Lambda_0_6 = Lambda_0_6_p5 + Lambda_6_11 * Lambda_0_11_p6208;
   Lambda[6] = Lambda_0_6;
   Lambda[72] = Lambda_0_6;
-  const Real Lambda_7_11_p1 = Lambda_0_11_p5666_lanes[1] * Lambda_0_11_p5497_lanes[0] -
-      Lambda_0_11_p5497_lanes[1];
-  const Real Lambda_7_11_p2 = Lambda_0_11_p5666_lanes[2] * Lambda_0_11_p5497_lanes[0] -
-      Lambda_0_11_p5497_lanes[2] - Lambda_0_11_p5818 * Lambda_7_11_p1;
-  const Real Lambda_7_11_p3 = Lambda_0_11_p5666_lanes[3] * Lambda_0_11_p5497_lanes[0] -
-      Lambda_0_11_p5497_lanes[3] - Lambda_0_11_p5799 * Lambda_7_11_p1 - Lambda_0_11_p5824 *
+  const Real Lambda_7_11_p1 = Lambda_0_11_p6041_lanes[1] * Lambda_0_11_p5872_lanes[0] -
+      Lambda_0_11_p5872_lanes[1];
+  const Real Lambda_7_11_p2 = Lambda_0_11_p6041_lanes[2] * Lambda_0_11_p5872_lanes[0] -
+      Lambda_0_11_p5872_lanes[2] - Lambda_0_11_p6183 * Lambda_7_11_p1;
+  const Real Lambda_7_11_p3 = Lambda_0_11_p6041_lanes[3] * Lambda_0_11_p5872_lanes[0] -
+      Lambda_0_11_p5872_lanes[3] - Lambda_0_11_p6174 * Lambda_7_11_p1 - Lambda_0_11_p6190 *
       Lambda_7_11_p2;
   const Real Lambda_7_11 = Lambda_7_11_p3 * Lambda_11_11;
   Lambda[95] = Lambda_7_11;
   Lambda[139] = Lambda_7_11;
-  const Real Lambda_0_7_p1 = Lambda_7_11_p2 * Lambda_0_11_p5823;
-  const Real Lambda_0_7_p2 = Lambda_7_11_p1 * Lambda_0_11_p5798;
-  const Real Lambda_0_7_p3 = Lambda_0_11_p5497_lanes[0] * Lambda_0_11_p5665;
-  const Real Lambda_0_7 = Lambda_0_0_p4 - Lambda_0_7_p3 * Lambda_0_11_p5834 + Lambda_0_7_p2 *
-      Lambda_0_11_p5836 + Lambda_0_7_p1 * Lambda_0_11_p5839 + Lambda_7_11 * Lambda_0_11_p5842;
+  const Real Lambda_0_7_p1 = Lambda_7_11_p2 * Lambda_0_11_p6189;
+  const Real Lambda_0_7_p2 = Lambda_7_11_p1 * Lambda_0_11_p6173;
+  const Real Lambda_0_7_p3 = Lambda_0_11_p5872_lanes[0] * Lambda_0_11_p6040;
+  const Real Lambda_0_7 = Lambda_0_0_p4 - Lambda_0_7_p3 * Lambda_0_11_p6200 + Lambda_0_7_p2 *
+      Lambda_0_11_p6202 + Lambda_0_7_p1 * Lambda_0_11_p6205 + Lambda_7_11 * Lambda_0_11_p6208;
   Lambda[7] = Lambda_0_7;
   Lambda[84] = Lambda_0_7;
-  const Real Lambda_8_11_p1 = Lambda_0_11_p5818 * Lambda_0_11_p5666_lanes[1] -
-      Lambda_0_11_p5666_lanes[2];
-  const Real Lambda_8_11_p2 = Lambda_0_11_p5799 * Lambda_0_11_p5666_lanes[1] -
-      Lambda_0_11_p5666_lanes[3] - Lambda_0_11_p5824 * Lambda_8_11_p1;
+  const Real Lambda_8_11_p1 = Lambda_0_11_p6183 * Lambda_0_11_p6041_lanes[1] -
+      Lambda_0_11_p6041_lanes[2];
+  const Real Lambda_8_11_p2 = Lambda_0_11_p6174 * Lambda_0_11_p6041_lanes[1] -
+      Lambda_0_11_p6041_lanes[3] - Lambda_0_11_p6190 * Lambda_8_11_p1;
   const Real Lambda_8_11 = Lambda_8_11_p2 * Lambda_11_11;
   Lambda[107] = Lambda_8_11;
   Lambda[140] = Lambda_8_11;
-  const Real Lambda_0_8_p1 = Lambda_8_11_p1 * Lambda_0_11_p5823;
-  const Real Lambda_0_8_p2 = Lambda_0_11_p5666_lanes[1] * Lambda_0_11_p5798;
-  const Real Lambda_0_8 = Lambda_0_0_p3 - Lambda_0_8_p2 * Lambda_0_11_p5836 + Lambda_0_8_p1 *
-      Lambda_0_11_p5839 + Lambda_8_11 * Lambda_0_11_p5842;
+  const Real Lambda_0_8_p1 = Lambda_8_11_p1 * Lambda_0_11_p6189;
+  const Real Lambda_0_8_p2 = Lambda_0_11_p6041_lanes[1] * Lambda_0_11_p6173;
+  const Real Lambda_0_8 = Lambda_0_0_p3 - Lambda_0_8_p2 * Lambda_0_11_p6202 + Lambda_0_8_p1 *
+      Lambda_0_11_p6205 + Lambda_8_11 * Lambda_0_11_p6208;
   Lambda[8] = Lambda_0_8;
   Lambda[96] = Lambda_0_8;
-  const Real Lambda_9_11_p1 = Lambda_0_11_p5824 * Lambda_0_11_p5818 - Lambda_0_11_p5799;
+  const Real Lambda_9_11_p1 = Lambda_0_11_p6190 * Lambda_0_11_p6183 - Lambda_0_11_p6174;
   const Real Lambda_9_11 = Lambda_9_11_p1 * Lambda_11_11;
   Lambda[119] = Lambda_9_11;
   Lambda[141] = Lambda_9_11;
-  const Real Lambda_0_9_p1 = Lambda_0_11_p5818 * Lambda_0_11_p5823;
-  const Real Lambda_0_9 = Lambda_0_0_p2 - Lambda_0_9_p1 * Lambda_0_11_p5839 + Lambda_9_11 *
-      Lambda_0_11_p5842;
+  const Real Lambda_0_9_p1 = Lambda_0_11_p6183 * Lambda_0_11_p6189;
+  const Real Lambda_0_9 = Lambda_0_0_p2 - Lambda_0_9_p1 * Lambda_0_11_p6205 + Lambda_9_11 *
+      Lambda_0_11_p6208;
   Lambda[9] = Lambda_0_9;
   Lambda[108] = Lambda_0_9;
-  const Real Lambda_10_11 = Lambda_0_11_p5824 * Lambda_11_11;
+  const Real Lambda_10_11 = Lambda_0_11_p6190 * Lambda_11_11;
   Lambda[131] = -Lambda_10_11;
   Lambda[142] = -Lambda_10_11;
-  const Real Lambda_0_10 = Lambda_0_0_p1 - Lambda_10_11 * Lambda_0_11_p5842;
+  const Real Lambda_0_10 = Lambda_0_0_p1 - Lambda_10_11 * Lambda_0_11_p6208;
   Lambda[10] = Lambda_0_10;
   Lambda[120] = Lambda_0_10;
-  const Real Lambda_1_1_p1 = Lambda_0_11_p4349 + Lambda_0_1_p9 * Lambda_0_11_p4414_lanes[2] +
+  const Real Lambda_1_1_p1 = Lambda_0_11_p4756 + Lambda_0_1_p9 * Lambda_0_11_p4821_lanes[2] +
       Lambda_0_1_p8 * Lambda_1_11_p1 + Lambda_0_1_p7 * Lambda_1_11_p2 + Lambda_0_1_p6 *
       Lambda_1_11_p3;
   const Real Lambda_1_1_p2 = Lambda_1_1_p1 + Lambda_0_1_p5 * Lambda_1_11_p4 + Lambda_0_1_p4 *
@@ -3717,7 +3245,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_1_10 = Lambda_0_1_p1 - Lambda_10_11 * Lambda_1_11_p15;
   Lambda[22] = Lambda_1_10;
   Lambda[121] = Lambda_1_10;
-  const Real Lambda_2_2_p1 = Lambda_0_11_p4564 + Lambda_0_2_p8 * Lambda_0_11_p4637_lanes[3] +
+  const Real Lambda_2_2_p1 = Lambda_0_11_p4971 + Lambda_0_2_p8 * Lambda_0_11_p5044_lanes[3] +
       Lambda_0_2_p7 * Lambda_2_11_p1 + Lambda_0_2_p6 * Lambda_2_11_p2 + Lambda_0_2_p5 *
       Lambda_2_11_p3;
   const Real Lambda_2_2_p2 = Lambda_2_2_p1 + Lambda_0_2_p4 * Lambda_2_11_p4 + Lambda_0_2_p3 *
@@ -3762,7 +3290,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_2_10 = Lambda_0_2_p1 - Lambda_10_11 * Lambda_2_11_p12;
   Lambda[34] = Lambda_2_10;
   Lambda[122] = Lambda_2_10;
-  const Real Lambda_3_3_p1 = Lambda_0_11_p4767 + Lambda_0_3_p7 * Lambda_0_11_p4848_lanes[4] +
+  const Real Lambda_3_3_p1 = Lambda_0_11_p5174 + Lambda_0_3_p7 * Lambda_0_11_p5255_lanes[4] +
       Lambda_0_3_p6 * Lambda_3_11_p1 + Lambda_0_3_p5 * Lambda_3_11_p2 + Lambda_0_3_p4 *
       Lambda_3_11_p3;
   Lambda[39] = Lambda_3_3_p1 + Lambda_0_3_p3 * Lambda_3_11_p4 + Lambda_0_3_p2 * Lambda_3_11_p6 +
@@ -3800,7 +3328,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_3_10 = Lambda_0_3_p1 - Lambda_10_11 * Lambda_3_11_p10;
   Lambda[46] = Lambda_3_10;
   Lambda[123] = Lambda_3_10;
-  const Real Lambda_4_4_p1 = Lambda_0_11_p4988 + Lambda_0_4_p6 * Lambda_0_11_p5077_lanes[5] +
+  const Real Lambda_4_4_p1 = Lambda_0_11_p5347 + Lambda_0_4_p6 * Lambda_0_11_p5436_lanes[5] +
       Lambda_0_4_p5 * Lambda_4_11_p1 + Lambda_0_4_p4 * Lambda_4_11_p2 + Lambda_0_4_p3 *
       Lambda_4_11_p3;
   Lambda[52] = Lambda_4_4_p1 + Lambda_0_4_p2 * Lambda_4_11_p4 + Lambda_0_4_p1 * Lambda_4_11_p6 +
@@ -3832,7 +3360,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_4_10 = Lambda_0_4_p1 - Lambda_10_11 * Lambda_4_11_p8;
   Lambda[58] = Lambda_4_10;
   Lambda[124] = Lambda_4_10;
-  const Real Lambda_5_5_p1 = Lambda_0_11_p5156 + Lambda_0_5_p5 * Lambda_0_11_p5310 + Lambda_0_5_p4 *
+  const Real Lambda_5_5_p1 = Lambda_0_11_p5533 + Lambda_0_5_p5 * Lambda_0_11_p5686 + Lambda_0_5_p4 *
       Lambda_5_11_p1 + Lambda_0_5_p3 * Lambda_5_11_p2 + Lambda_0_5_p2 * Lambda_5_11_p3;
   Lambda[65] = Lambda_5_5_p1 + Lambda_0_5_p1 * Lambda_5_11_p4 + Lambda_5_11 * Lambda_5_11_p6;
   const Real Lambda_5_6_p1 = Lambda_0_6_p3 * Lambda_5_11_p2 -
@@ -3856,7 +3384,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_5_10 = Lambda_0_5_p1 - Lambda_10_11 * Lambda_5_11_p6;
   Lambda[70] = Lambda_5_10;
   Lambda[125] = Lambda_5_10;
-  const Real Lambda_6_6_p1 = Lambda_0_11_p5316 + Lambda_0_6_p4 * Lambda_0_11_p5491 + Lambda_0_6_p3 *
+  const Real Lambda_6_6_p1 = Lambda_0_11_p5692 + Lambda_0_6_p4 * Lambda_0_11_p5866 + Lambda_0_6_p3 *
       Lambda_6_11_p1 + Lambda_0_6_p2 * Lambda_6_11_p2 + Lambda_0_6_p1 * Lambda_6_11_p3;
   Lambda[78] = Lambda_6_6_p1 + Lambda_6_11 * Lambda_6_11_p4;
   const Real Lambda_6_7 = Lambda_0_7_p2 * Lambda_6_11_p2 -
@@ -3875,7 +3403,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_6_10 = Lambda_0_6_p1 - Lambda_10_11 * Lambda_6_11_p4;
   Lambda[82] = Lambda_6_10;
   Lambda[126] = Lambda_6_10;
-  Lambda[91] = Lambda_0_11_p5496 + Lambda_0_7_p3 * Lambda_0_11_p5497_lanes[0] + Lambda_0_7_p2 *
+  Lambda[91] = Lambda_0_11_p5871 + Lambda_0_7_p3 * Lambda_0_11_p5872_lanes[0] + Lambda_0_7_p2 *
       Lambda_7_11_p1 + Lambda_0_7_p1 * Lambda_7_11_p2 + Lambda_7_11 * Lambda_7_11_p3;
   const Real Lambda_7_8 = Lambda_0_8_p1 * Lambda_7_11_p2 -
       (Lambda_0_7_p3 + Lambda_0_8_p2 * Lambda_7_11_p1) + Lambda_8_11 * Lambda_7_11_p3;
@@ -3888,7 +3416,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_7_10 = Lambda_0_7_p1 - Lambda_10_11 * Lambda_7_11_p3;
   Lambda[94] = Lambda_7_10;
   Lambda[127] = Lambda_7_10;
-  Lambda[104] = Lambda_0_11_p5665 + Lambda_0_8_p2 * Lambda_0_11_p5666_lanes[1] + Lambda_0_8_p1 *
+  Lambda[104] = Lambda_0_11_p6040 + Lambda_0_8_p2 * Lambda_0_11_p6041_lanes[1] + Lambda_0_8_p1 *
       Lambda_8_11_p1 + Lambda_8_11 * Lambda_8_11_p2;
   const Real Lambda_8_9 = Lambda_9_11 * Lambda_8_11_p2 -
       (Lambda_0_8_p2 + Lambda_0_9_p1 * Lambda_8_11_p1);
@@ -3897,12 +3425,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_8_10 = Lambda_0_8_p1 - Lambda_10_11 * Lambda_8_11_p2;
   Lambda[106] = Lambda_8_10;
   Lambda[128] = Lambda_8_10;
-  Lambda[117] = Lambda_0_11_p5798 + Lambda_0_9_p1 * Lambda_0_11_p5818 + Lambda_9_11 *
+  Lambda[117] = Lambda_0_11_p6173 + Lambda_0_9_p1 * Lambda_0_11_p6183 + Lambda_9_11 *
       Lambda_9_11_p1;
   const Real Lambda_9_10 = Lambda_0_9_p1 + Lambda_10_11 * Lambda_9_11_p1;
   Lambda[118] = -Lambda_9_10;
   Lambda[129] = -Lambda_9_10;
-  Lambda[130] = Lambda_0_11_p5823 + Lambda_10_11 * Lambda_0_11_p5824;
+  Lambda[130] = Lambda_0_11_p6189 + Lambda_10_11 * Lambda_0_11_p6190;
 }
 
 }  // namespace humanoid24

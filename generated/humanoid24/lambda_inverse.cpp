@@ -1201,61 +1201,61 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_1_p19_lanes[1];
 
   // link 2 (thigh), pose
-  const Real Lambda_inv_0_5_p1 = c2 * c1 - s2 * s1;
-  const Real Lambda_inv_0_5_p2 = s2 * c1 + c2 * s1;
+  const Real Lambda_inv_0_2_p1 = c2 * c1 - s2 * s1;
+  const Real Lambda_inv_0_2_p2 = s2 * c1 + c2 * s1;
 
   // link 3 (hip), pose
-  const Real Lambda_inv_0_5_p3 = s3 * Lambda_inv_0_5_p1 + c3 * Lambda_inv_0_5_p2;
+  const Real Lambda_inv_0_2_p3 = s3 * Lambda_inv_0_2_p1 + c3 * Lambda_inv_0_2_p2;
 
   // link 4 (chest1), pose
-  const Real Lambda_inv_0_5_p4 = c4 * Lambda_inv_0_5_p3;
+  const Real Lambda_inv_0_2_p4 = c4 * Lambda_inv_0_2_p3;
 
   // link 3 (hip), pose
-  const Real Lambda_inv_0_5_p5 = c3 * Lambda_inv_0_5_p1 - s3 * Lambda_inv_0_5_p2;
+  const Real Lambda_inv_0_2_p5 = c3 * Lambda_inv_0_2_p1 - s3 * Lambda_inv_0_2_p2;
 
   // link 5 (chest2), pose
-  const Real Lambda_inv_0_5_p6 = s5 * Lambda_inv_0_5_p4 - c5 * Lambda_inv_0_5_p5;
+  const Real Lambda_inv_0_2_p6 = s5 * Lambda_inv_0_2_p4 - c5 * Lambda_inv_0_2_p5;
 
   // link 4 (chest1), pose
-  const Real Lambda_inv_0_5_p7 = s4 * Lambda_inv_0_5_p3;
+  const Real Lambda_inv_0_2_p7 = s4 * Lambda_inv_0_2_p3;
 
   // link 6 (chest3), pose
-  const Real Lambda_inv_0_5_p8 = c6 * Lambda_inv_0_5_p6 + s6 * Lambda_inv_0_5_p7;
+  const Real Lambda_inv_0_2_p8 = c6 * Lambda_inv_0_2_p6 + s6 * Lambda_inv_0_2_p7;
 
   // link 5 (chest2), pose
-  const Real Lambda_inv_0_5_p10 = c5 * Lambda_inv_0_5_p4 + s5 * Lambda_inv_0_5_p5;
+  const Real Lambda_inv_0_2_p10 = c5 * Lambda_inv_0_2_p4 + s5 * Lambda_inv_0_2_p5;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_inv_0_5_p12_lanes = detail::make_pack<Real>(s7, s14) * Lambda_inv_0_5_p8 -
-      detail::make_pack<Real>(c7, c14) * Lambda_inv_0_5_p10;
-  const Lanes<2> Lambda_inv_0_5_p16_lanes = detail::make_pack<Real>(c7, c14) * Lambda_inv_0_5_p8 +
-      detail::make_pack<Real>(s7, s14) * Lambda_inv_0_5_p10;
+  const Lanes<2> Lambda_inv_0_2_p12_lanes = detail::make_pack<Real>(s7, s14) * Lambda_inv_0_2_p8 -
+      detail::make_pack<Real>(c7, c14) * Lambda_inv_0_2_p10;
+  const Lanes<2> Lambda_inv_0_2_p16_lanes = detail::make_pack<Real>(c7, c14) * Lambda_inv_0_2_p8 +
+      detail::make_pack<Real>(s7, s14) * Lambda_inv_0_2_p10;
 
   // link 6 (chest3), pose
-  const Real Lambda_inv_0_5_p18 = s6 * Lambda_inv_0_5_p6 - c6 * Lambda_inv_0_5_p7;
+  const Real Lambda_inv_0_2_p18 = s6 * Lambda_inv_0_2_p6 - c6 * Lambda_inv_0_2_p7;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_5_p20_lanes = detail::make_pack<Real>(s8, s15) *
-      Lambda_inv_0_5_p16_lanes + detail::make_pack<Real>(c8, c15) * Lambda_inv_0_5_p18;
+  const Lanes<2> Lambda_inv_0_2_p20_lanes = detail::make_pack<Real>(s8, s15) *
+      Lambda_inv_0_2_p16_lanes + detail::make_pack<Real>(c8, c15) * Lambda_inv_0_2_p18;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_5_p22_lanes = detail::make_pack<Real>(c9, c16) *
-      Lambda_inv_0_5_p12_lanes - detail::make_pack<Real>(s9, s16) * Lambda_inv_0_5_p20_lanes;
+  const Lanes<2> Lambda_inv_0_2_p22_lanes = detail::make_pack<Real>(c9, c16) *
+      Lambda_inv_0_2_p12_lanes - detail::make_pack<Real>(s9, s16) * Lambda_inv_0_2_p20_lanes;
 
   // link 4 (chest1), pose
-  const Real Lambda_inv_0_3_p1 = c4 * Lambda_inv_0_5_p5;
+  const Real Lambda_inv_0_3_p1 = c4 * Lambda_inv_0_2_p5;
 
   // link 5 (chest2), pose
-  const Real Lambda_inv_0_3_p2 = s5 * Lambda_inv_0_3_p1 + c5 * Lambda_inv_0_5_p3;
+  const Real Lambda_inv_0_3_p2 = s5 * Lambda_inv_0_3_p1 + c5 * Lambda_inv_0_2_p3;
 
   // link 4 (chest1), pose
-  const Real Lambda_inv_0_3_p3 = s4 * Lambda_inv_0_5_p5;
+  const Real Lambda_inv_0_3_p3 = s4 * Lambda_inv_0_2_p5;
 
   // link 6 (chest3), pose
   const Real Lambda_inv_0_3_p4 = c6 * Lambda_inv_0_3_p2 + s6 * Lambda_inv_0_3_p3;
 
   // link 5 (chest2), pose
-  const Real Lambda_inv_0_3_p6 = c5 * Lambda_inv_0_3_p1 - s5 * Lambda_inv_0_5_p3;
+  const Real Lambda_inv_0_3_p6 = c5 * Lambda_inv_0_3_p1 - s5 * Lambda_inv_0_2_p3;
 
   // link 7 (left_shoulder1), pose
   const Lanes<2> Lambda_inv_0_3_p8_lanes = detail::make_pack<Real>(c7, c14) * Lambda_inv_0_3_p4 +
@@ -1277,18 +1277,18 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_3_p12_lanes + detail::make_pack<Real>(c9, c16) * Lambda_inv_0_3_p16_lanes;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_inv_0_5_p26_lanes = detail::make_pack<Real>(c8, c15) *
-      Lambda_inv_0_5_p16_lanes - detail::make_pack<Real>(s8, s15) * Lambda_inv_0_5_p18;
+  const Lanes<2> Lambda_inv_0_2_p26_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_inv_0_2_p16_lanes - detail::make_pack<Real>(s8, s15) * Lambda_inv_0_2_p18;
   const Lanes<2> Lambda_inv_0_3_p22_lanes = detail::make_pack<Real>(s8, s15) * Lambda_inv_0_3_p10 -
       detail::make_pack<Real>(c8, c15) * Lambda_inv_0_3_p8_lanes;
 
   // link 10 (left_lowerarm), pose
   const Lanes<8> Lambda_inv_0_3_p24_lanes = c10 *
       detail::make_pack<Real>(Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_1_p10_lanes[0],
-      Lambda_inv_0_5_p26_lanes[0], Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0],
+      Lambda_inv_0_2_p26_lanes[0], Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0],
       Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0], Lambda_inv_0_3_p22_lanes[0]) - s10 *
       detail::make_pack<Real>(Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_1_p19_lanes[0],
-      Lambda_inv_0_5_p22_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0],
+      Lambda_inv_0_2_p22_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0],
       Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0], Lambda_inv_0_3_p18_lanes[0]);
   const Lanes<2> Lambda_inv_0_1_p26_lanes = detail::make_pack<Real>(c10, c17) *
       Lambda_inv_0_1_p19_lanes + detail::make_pack<Real>(s10, s17) * Lambda_inv_0_1_p10_lanes;
@@ -1306,55 +1306,41 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       detail::make_pack<Real>(Lambda_inv_0_3_p24_lanes[1], Lambda_inv_0_7_p17) -
       detail::make_pack<Real>(s12, s19) * Lambda_inv_0_1_p32_lanes;
 
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_1_p35_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_inv_0_1_p34_lanes;
-
   // link 11 (left_wrist1), pose
   const Lanes<2> Lambda_inv_0_1_p38_lanes = detail::make_pack<Real>(c11, c18) *
       Lambda_inv_0_1_p30_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_1_p26_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_1_p39_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_inv_0_1_p38_lanes;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_inv_0_7_p35 = Lambda_inv_0_1_p35_lanes[1] + Lambda_inv_0_1_p39_lanes[1];
-
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_1_p40_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_inv_0_1_p34_lanes;
-  const Lanes<2> Lambda_inv_0_1_p41_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_inv_0_1_p38_lanes;
-
-  // link 20 (right_hand), pose
-  const Real Lambda_inv_0_7_p38 = Lambda_inv_0_1_p41_lanes[1] - Lambda_inv_0_1_p40_lanes[1];
-
-  // link 13 (left_hand), pose
-  const Real Lambda_inv_0_1_p42 = Lambda_inv_0_1_p41_lanes[0] - Lambda_inv_0_1_p40_lanes[0];
-  const Real Lambda_inv_0_1_p44 = Lambda_inv_0_1_p35_lanes[0] + Lambda_inv_0_1_p39_lanes[0];
+  const Lanes<2> Lambda_inv_0_1_p40_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_1_p34_lanes + detail::make_pack<Real>(s13, s20) * Lambda_inv_0_1_p38_lanes;
+  const Lanes<2> Lambda_inv_0_1_p43_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_1_p38_lanes - detail::make_pack<Real>(s13, s20) * Lambda_inv_0_1_p34_lanes;
 
   // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_1_p45_lanes = detail::make_pack<Real>(Lambda_inv_0_1_p44,
-      Lambda_inv_0_7_p35) + detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
-      detail::make_pack<Real>(Lambda_inv_0_1_p42, Lambda_inv_0_7_p38);
+  const Lanes<2> Lambda_inv_0_1_p45_lanes = Lambda_inv_0_1_p40_lanes +
+      detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
+      Lambda_inv_0_1_p43_lanes;
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_7_p41 = 0.49024375482668536 * Lambda_inv_0_7_p38;
+  const Real Lambda_inv_0_7_p41 = 0.49024375482668536 * Lambda_inv_0_1_p43_lanes[1];
 
   // link 19 (right_wrist2), pose
   const Real Lambda_inv_0_7_p42 = c19 * Lambda_inv_0_1_p32_lanes[1] + s19 * Lambda_inv_0_7_p17;
 
   // link 20 (right_hand), force propagation
   const Real Lambda_inv_0_7_p43 = -(0.086 * Lambda_inv_0_7_p42) - (-0.004018575007348824) *
-      Lambda_inv_0_7_p38;
-  const Real Lambda_inv_0_7_p44 = 0.009919078854932248 * Lambda_inv_0_7_p38;
-  const Real Lambda_inv_0_7_p45 = s20 * Lambda_inv_0_7_p44 + c20 * Lambda_inv_0_7_p43;
+      Lambda_inv_0_1_p43_lanes[1];
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_0_1_p46_lanes = 0.009919078854932248 * Lambda_inv_0_1_p43_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_inv_0_7_p45 = s20 * Lambda_inv_0_1_p46_lanes[1] + c20 * Lambda_inv_0_7_p43;
 
   // link 19 (right_wrist2), force propagation
   const Real Lambda_inv_0_7_p46 = s20 * Lambda_inv_0_1_p45_lanes[1] - c20 * Lambda_inv_0_7_p41 -
       Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_7_p45;
-  const Real Lambda_inv_0_7_p47 = c20 * Lambda_inv_0_7_p44 - s20 * Lambda_inv_0_7_p43 -
+  const Real Lambda_inv_0_7_p47 = c20 * Lambda_inv_0_1_p46_lanes[1] - s20 * Lambda_inv_0_7_p43 -
       inverse_D11_p1_lanes[1] * Lambda_inv_0_7_p45;
 
   // link 18 (right_wrist1), force propagation
@@ -1362,34 +1348,82 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_7_p49 = 0.269 * Lambda_inv_0_7_p46 - s19 * Lambda_inv_0_7_p47 -
       inverse_D10_p1_lanes[1] * Lambda_inv_0_7_p48;
 
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_inv_0_7_p50 = c20 * Lambda_inv_0_1_p45_lanes[1] + s20 * Lambda_inv_0_7_p41 -
+      Lambda_inv_0_0_p11_lanes[1] * Lambda_inv_0_7_p45;
+  const Real Lambda_inv_0_7_p51 = Lambda_inv_0_7_p42 - Lambda_inv_0_0_p35_lanes[1] *
+      Lambda_inv_0_7_p45;
+  const Real Lambda_inv_0_7_p52 = s19 * Lambda_inv_0_7_p50 - c19 * Lambda_inv_0_7_p51;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_7_p53 = 0.269 * Lambda_inv_0_7_p52 - inverse_D10_p8_lanes[1] *
+      Lambda_inv_0_7_p48;
+  const Real Lambda_inv_0_7_p54 = s18 * Lambda_inv_0_7_p49 + c18 * Lambda_inv_0_7_p53;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_7_p55 = c18 * Lambda_inv_0_7_p49 - s18 * Lambda_inv_0_7_p53 -
+      Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_7_p54;
+  const Real Lambda_inv_0_7_p56 = Lambda_inv_0_0_p221_lanes[1] * Lambda_inv_0_7_p54;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_inv_0_7_p57 = -Lambda_inv_0_7_p52 + Lambda_inv_0_0_p55_lanes[1] *
+      Lambda_inv_0_7_p48;
+  const Real Lambda_inv_0_7_p58 = Lambda_inv_0_7_p46 - Lambda_inv_0_0_p119_lanes[1] *
+      Lambda_inv_0_7_p48;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_7_p59 = s18 * Lambda_inv_0_7_p57 + c18 * Lambda_inv_0_7_p58 -
+      Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_7_p54;
+  const Real Lambda_inv_0_7_p60 = c17 * Lambda_inv_0_7_p56 - s17 * Lambda_inv_0_7_p55;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_inv_0_7_p61 = c17 * Lambda_inv_0_7_p55 + s17 * Lambda_inv_0_7_p56 + 0.282 *
+      Lambda_inv_0_7_p59 - Lambda_inv_0_0_p259_lanes[1] * Lambda_inv_0_7_p60;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_inv_0_7_p62 = c18 * Lambda_inv_0_7_p57 - s18 * Lambda_inv_0_7_p58 -
+      Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_7_p54;
+
   // link 10 (left_lowerarm), pose
-  const Lanes<2> Lambda_inv_0_5_p31_lanes = detail::make_pack<Real>(c10, c17) *
-      Lambda_inv_0_5_p22_lanes + detail::make_pack<Real>(s10, s17) * Lambda_inv_0_5_p26_lanes;
+  const Lanes<2> Lambda_inv_0_2_p31_lanes = detail::make_pack<Real>(c10, c17) *
+      Lambda_inv_0_2_p22_lanes + detail::make_pack<Real>(s10, s17) * Lambda_inv_0_2_p26_lanes;
 
   // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_inv_0_5_p35_lanes = detail::make_pack<Real>(c9, c16) *
-      Lambda_inv_0_5_p20_lanes + detail::make_pack<Real>(s9, s16) * Lambda_inv_0_5_p12_lanes;
+  const Lanes<2> Lambda_inv_0_2_p35_lanes = detail::make_pack<Real>(c9, c16) *
+      Lambda_inv_0_2_p20_lanes + detail::make_pack<Real>(s9, s16) * Lambda_inv_0_2_p12_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_5_p37_lanes = detail::make_pack<Real>(c11, c18) *
-      Lambda_inv_0_5_p31_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_5_p35_lanes;
+  const Lanes<2> Lambda_inv_0_2_p37_lanes = detail::make_pack<Real>(c11, c18) *
+      Lambda_inv_0_2_p31_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_2_p35_lanes;
 
   // link 17 (right_lowerarm), pose
-  const Real Lambda_inv_0_8_p26 = c17 * Lambda_inv_0_5_p26_lanes[1] - s17 *
-      Lambda_inv_0_5_p22_lanes[1];
+  const Real Lambda_inv_0_8_p26 = c17 * Lambda_inv_0_2_p26_lanes[1] - s17 *
+      Lambda_inv_0_2_p22_lanes[1];
 
   // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_inv_0_5_p40_lanes = detail::make_pack<Real>(c12, c19) *
+  const Lanes<2> Lambda_inv_0_2_p40_lanes = detail::make_pack<Real>(c12, c19) *
       detail::make_pack<Real>(Lambda_inv_0_3_p24_lanes[2], Lambda_inv_0_8_p26) -
-      detail::make_pack<Real>(s12, s19) * Lambda_inv_0_5_p37_lanes;
+      detail::make_pack<Real>(s12, s19) * Lambda_inv_0_2_p37_lanes;
 
   // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_inv_0_5_p44_lanes = detail::make_pack<Real>(s11, s18) *
-      Lambda_inv_0_5_p31_lanes + detail::make_pack<Real>(c11, c18) * Lambda_inv_0_5_p35_lanes;
+  const Lanes<2> Lambda_inv_0_2_p44_lanes = detail::make_pack<Real>(s11, s18) *
+      Lambda_inv_0_2_p31_lanes + detail::make_pack<Real>(c11, c18) * Lambda_inv_0_2_p35_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_5_p46_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_inv_0_5_p40_lanes - detail::make_pack<Real>(s13, s20) * Lambda_inv_0_5_p44_lanes;
+  const Lanes<2> Lambda_inv_0_2_p46_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_2_p40_lanes - detail::make_pack<Real>(s13, s20) * Lambda_inv_0_2_p44_lanes;
+  const Lanes<2> Lambda_inv_0_2_p49_lanes = detail::make_pack<Real>(s13, s20) *
+      Lambda_inv_0_2_p40_lanes + detail::make_pack<Real>(c13, c20) * Lambda_inv_0_2_p44_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<2> Lambda_inv_0_2_p51_lanes = -(0.086 * Lambda_inv_0_2_p49_lanes);
+  const Lanes<2> Lambda_inv_0_2_p53_lanes = Lambda_inv_0_2_p46_lanes +
+      detail::make_pack<Real>((-3.0523172236718206), 3.0523172236718206) * Lambda_inv_0_2_p51_lanes;
+  const Lanes<2> Lambda_inv_0_2_p55_lanes = -Lambda_inv_0_2_p49_lanes;
+  const Lanes<2> Lambda_inv_0_2_p57_lanes = Lambda_inv_0_2_p55_lanes - 17.32841575379867 *
+      Lambda_inv_0_2_p51_lanes;
+  const Lanes<2> Lambda_inv_0_2_p59_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_2_p53_lanes - detail::make_pack<Real>(s13, s20) * Lambda_inv_0_2_p57_lanes;
 
   // link 10 (left_lowerarm), pose
   const Lanes<2> Lambda_inv_0_3_p27_lanes = detail::make_pack<Real>(c10, c17) *
@@ -1406,7 +1440,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   // link 12 (left_wrist2), pose
   const Lanes<8> Lambda_inv_0_3_p36_lanes = c12 *
       detail::make_pack<Real>(Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_1_p32_lanes[0],
-      Lambda_inv_0_5_p37_lanes[0], Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0],
+      Lambda_inv_0_2_p37_lanes[0], Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0],
       Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0], Lambda_inv_0_3_p33_lanes[0]) + s12 *
       Lambda_inv_0_3_p24_lanes;
 
@@ -1419,160 +1453,114 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       detail::make_pack<Real>(Lambda_inv_0_3_p24_lanes[0], Lambda_inv_0_6_p27) -
       detail::make_pack<Real>(s12, s19) * Lambda_inv_0_3_p33_lanes;
 
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_3_p41_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_inv_0_3_p40_lanes;
-
   // link 11 (left_wrist1), pose
   const Lanes<2> Lambda_inv_0_3_p44_lanes = detail::make_pack<Real>(c11, c18) *
       Lambda_inv_0_3_p31_lanes - detail::make_pack<Real>(s11, s18) * Lambda_inv_0_3_p27_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_3_p45_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_inv_0_3_p44_lanes;
-  const Real Lambda_inv_0_3_p46 = Lambda_inv_0_3_p41_lanes[0] + Lambda_inv_0_3_p45_lanes[0];
+  const Lanes<2> Lambda_inv_0_3_p46_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_3_p40_lanes + detail::make_pack<Real>(s13, s20) * Lambda_inv_0_3_p44_lanes;
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_0_3_p47_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p46,
-      Lambda_inv_0_3_p46, Lambda_inv_0_3_p46, Lambda_inv_0_3_p46, Lambda_inv_0_1_p44,
-      Lambda_inv_0_5_p46_lanes[0], Lambda_inv_0_3_p46, Lambda_inv_0_3_p46) + 0.11533812622014242 *
+  const Lanes<8> Lambda_inv_0_3_p47_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p46_lanes[0],
+      Lambda_inv_0_3_p46_lanes[0], Lambda_inv_0_3_p46_lanes[0], Lambda_inv_0_3_p46_lanes[0],
+      Lambda_inv_0_1_p40_lanes[0], Lambda_inv_0_2_p46_lanes[0], Lambda_inv_0_3_p46_lanes[0],
+      Lambda_inv_0_3_p46_lanes[0]) + 0.11533812622014242 *
       detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0],
       Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1],
       Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0]);
+  const Lanes<2> Lambda_inv_0_2_p60_lanes = 0.11533812622014242 * Lambda_inv_0_2_p51_lanes;
 
   // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_2_p3_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_inv_0_5_p40_lanes + detail::make_pack<Real>(c13, c20) * Lambda_inv_0_5_p44_lanes;
+  const Lanes<2> Lambda_inv_0_0_p1085_lanes = detail::make_pack<Real>(c13, c20) *
+      Lambda_inv_0_3_p44_lanes - detail::make_pack<Real>(s13, s20) * Lambda_inv_0_3_p40_lanes;
 
   // link 13 (left_hand), force propagation
-  const Real Lambda_inv_0_2_p4 = -(0.086 * Lambda_inv_0_2_p3_lanes[0]);
-  const Real Lambda_inv_0_2_p5 = 0.11533812622014242 * Lambda_inv_0_2_p4;
-  const Real Lambda_inv_0_1_p46 = 0.009919078854932248 * Lambda_inv_0_1_p42;
+  const Lanes<2> Lambda_inv_0_0_p1086_lanes = 0.009919078854932248 * Lambda_inv_0_0_p1085_lanes;
 
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_inv_0_0_p1083_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_inv_0_3_p44_lanes;
-  const Lanes<2> Lambda_inv_0_0_p1084_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_inv_0_3_p40_lanes;
-  const Real Lambda_inv_0_0_p1085 = Lambda_inv_0_0_p1083_lanes[0] - Lambda_inv_0_0_p1084_lanes[0];
+  // link 1 (calf), articulated inertia
+  const Lanes<8> Lambda_inv_0_0_p1089_lanes = 0.086 * Lambda_inv_0_3_p36_lanes;
 
   // link 13 (left_hand), force propagation
-  const Real Lambda_inv_0_0_p1086 = 0.009919078854932248 * Lambda_inv_0_0_p1085;
-  const Real Lambda_inv_0_5_p53 = -Lambda_inv_0_2_p3_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1089_lanes = detail::make_pack<Real>(-(0.086 *
-      Lambda_inv_0_3_p36_lanes[0]), -(0.086 * Lambda_inv_0_3_p36_lanes[1]),
-      -(0.086 * Lambda_inv_0_3_p36_lanes[2]), Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42,
-      Lambda_inv_0_5_p53, -(0.086 * Lambda_inv_0_3_p36_lanes[0]),
-      -(0.086 * Lambda_inv_0_3_p36_lanes[0])) - detail::make_pack<Real>(0.004018575007348824,
-      0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
-      0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42, Lambda_inv_0_2_p4,
-      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2],
-      Lambda_inv_0_0_p1085, Lambda_inv_0_0_p1085);
-  const Lanes<8> Lambda_inv_0_0_p1091_lanes = s13 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1086, Lambda_inv_0_1_p46, Lambda_inv_0_2_p5,
-      Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4], Lambda_inv_0_3_p47_lanes[5],
-      Lambda_inv_0_0_p1086, Lambda_inv_0_0_p1086) + c13 * Lambda_inv_0_0_p1089_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1090_lanes =
+      detail::make_pack<Real>(-Lambda_inv_0_0_p1089_lanes[0], -Lambda_inv_0_0_p1089_lanes[1],
+      -Lambda_inv_0_0_p1089_lanes[2], Lambda_inv_0_0_p1085_lanes[0], Lambda_inv_0_1_p43_lanes[0],
+      Lambda_inv_0_2_p55_lanes[0], -Lambda_inv_0_0_p1089_lanes[0], -Lambda_inv_0_0_p1089_lanes[0]) -
+      detail::make_pack<Real>(0.004018575007348824, 0.004018575007348824, 0.04672761636452121,
+      0.04672761636452121, 0.04672761636452121, 0.04672761636452121, 0.004018575007348824,
+      0.004018575007348824) * detail::make_pack<Real>(Lambda_inv_0_0_p1085_lanes[0],
+      Lambda_inv_0_1_p43_lanes[0], Lambda_inv_0_2_p51_lanes[0], Lambda_inv_0_3_p36_lanes[0],
+      Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_0_p1085_lanes[0],
+      Lambda_inv_0_0_p1085_lanes[0]);
+  const Lanes<8> Lambda_inv_0_0_p1092_lanes = s13 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1086_lanes[0], Lambda_inv_0_1_p46_lanes[0],
+      Lambda_inv_0_2_p60_lanes[0], Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4],
+      Lambda_inv_0_3_p47_lanes[5], Lambda_inv_0_0_p1086_lanes[0], Lambda_inv_0_0_p1086_lanes[0]) +
+      c13 * Lambda_inv_0_0_p1090_lanes;
   const Lanes<8> Lambda_inv_0_3_p53_lanes = (-3.0523172236718206) *
       detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0],
       Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1],
       Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[0]);
-
-  // link 20 (right_hand), pose
-  const Real Lambda_inv_0_6_p37 = Lambda_inv_0_3_p41_lanes[1] + Lambda_inv_0_3_p45_lanes[1];
-  const Real Lambda_inv_0_6_p38 = Lambda_inv_0_0_p1083_lanes[1] - Lambda_inv_0_0_p1084_lanes[1];
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1093_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p46,
-      Lambda_inv_0_6_p37) + detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_6_p38);
-  const Lanes<8> Lambda_inv_0_0_p1095_lanes = detail::make_pack<Real>(0.49024375482668536,
+  const Lanes<2> Lambda_inv_0_0_p1095_lanes = Lambda_inv_0_3_p46_lanes +
+      detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
+      Lambda_inv_0_0_p1085_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1097_lanes = detail::make_pack<Real>(0.49024375482668536,
       0.49024375482668536, 0.49024375482668536, 17.32841575379867, 17.32841575379867,
       17.32841575379867, 0.49024375482668536, 0.49024375482668536) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1085, Lambda_inv_0_1_p42, Lambda_inv_0_0_p1085,
-      Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2],
-      Lambda_inv_0_0_p1085, Lambda_inv_0_0_p1085);
-  const Lanes<8> Lambda_inv_0_0_p1097_lanes = c13 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_1_p45_lanes[0],
-      Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
-      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_0_p1093_lanes[0]) +
-      s13 * Lambda_inv_0_0_p1095_lanes;
+      detail::make_pack<Real>(Lambda_inv_0_0_p1085_lanes[0], Lambda_inv_0_1_p43_lanes[0],
+      Lambda_inv_0_0_p1085_lanes[0], Lambda_inv_0_3_p36_lanes[0], Lambda_inv_0_3_p36_lanes[1],
+      Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_0_p1085_lanes[0], Lambda_inv_0_0_p1085_lanes[0]);
+  const Lanes<8> Lambda_inv_0_0_p1099_lanes = c13 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1095_lanes[0], Lambda_inv_0_1_p45_lanes[0],
+      Lambda_inv_0_0_p1095_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
+      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1095_lanes[0], Lambda_inv_0_0_p1095_lanes[0]) +
+      s13 * Lambda_inv_0_0_p1097_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_1_p57_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1097_lanes[1],
-      c20 * Lambda_inv_0_1_p45_lanes[1] + s20 * Lambda_inv_0_7_p41) - Lambda_inv_0_0_p11_lanes *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[1], Lambda_inv_0_7_p45);
-  const Lanes<2> Lambda_inv_0_1_p60_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[1],
-      Lambda_inv_0_7_p42) - Lambda_inv_0_0_p35_lanes *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[1], Lambda_inv_0_7_p45);
-  const Lanes<2> Lambda_inv_0_1_p62_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_inv_0_1_p57_lanes - detail::make_pack<Real>(c12, c19) * Lambda_inv_0_1_p60_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1100_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1099_lanes[0],
+      Lambda_inv_0_0_p1099_lanes[1], Lambda_inv_0_2_p59_lanes[0], Lambda_inv_0_0_p1099_lanes[0],
+      Lambda_inv_0_0_p1099_lanes[0], Lambda_inv_0_0_p1099_lanes[0], Lambda_inv_0_0_p1099_lanes[0],
+      Lambda_inv_0_0_p1099_lanes[0]) - Lambda_inv_0_0_p11_lanes[0] * Lambda_inv_0_0_p1092_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1102_lanes = Lambda_inv_0_3_p36_lanes -
+      Lambda_inv_0_0_p35_lanes[0] * Lambda_inv_0_0_p1092_lanes;
 
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_7_p57 = 0.269 * Lambda_inv_0_1_p62_lanes[1] - inverse_D10_p8_lanes[1] *
-      Lambda_inv_0_7_p48;
-  const Real Lambda_inv_0_7_p58 = s18 * Lambda_inv_0_7_p49 + c18 * Lambda_inv_0_7_p57;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_7_p59 = c18 * Lambda_inv_0_7_p49 - s18 * Lambda_inv_0_7_p57 -
-      Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_7_p58;
-  const Real Lambda_inv_0_7_p60 = Lambda_inv_0_0_p221_lanes[1] * Lambda_inv_0_7_p58;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_7_p61 = -Lambda_inv_0_1_p62_lanes[1] + Lambda_inv_0_0_p55_lanes[1] *
-      Lambda_inv_0_7_p48;
-  const Real Lambda_inv_0_7_p62 = Lambda_inv_0_7_p46 - Lambda_inv_0_0_p119_lanes[1] *
-      Lambda_inv_0_7_p48;
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_0_1_p64_lanes = -(detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1102_lanes[1], Lambda_inv_0_7_p51) +
+      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_inv_0_0_p1100_lanes[1],
+      Lambda_inv_0_7_p50));
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_7_p63 = s18 * Lambda_inv_0_7_p61 + c18 * Lambda_inv_0_7_p62 -
-      Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_7_p58;
-  const Real Lambda_inv_0_7_p64 = c17 * Lambda_inv_0_7_p60 - s17 * Lambda_inv_0_7_p59;
+  const Real Lambda_inv_0_7_p67 = -(Lambda_inv_0_1_p64_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_7_p48) - Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_7_p54;
+  const Real Lambda_inv_0_7_p68 = s17 * Lambda_inv_0_7_p67 - c17 * Lambda_inv_0_7_p62;
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_7_p65 = c17 * Lambda_inv_0_7_p59 + s17 * Lambda_inv_0_7_p60 + 0.282 *
-      Lambda_inv_0_7_p63 - Lambda_inv_0_0_p259_lanes[1] * Lambda_inv_0_7_p64;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_7_p66 = c18 * Lambda_inv_0_7_p61 - s18 * Lambda_inv_0_7_p62 -
-      Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_7_p58;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_1_p65_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_inv_0_1_p60_lanes + detail::make_pack<Real>(c12, c19) * Lambda_inv_0_1_p57_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_7_p70 = -(-Lambda_inv_0_1_p65_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
-      Lambda_inv_0_7_p48) - Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_7_p58;
-  const Real Lambda_inv_0_7_p71 = s17 * Lambda_inv_0_7_p70 - c17 * Lambda_inv_0_7_p66;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_7_p72 = 0.282 * Lambda_inv_0_7_p71 - Lambda_inv_0_0_p401_lanes[1] *
-      Lambda_inv_0_7_p64;
-  const Real Lambda_inv_0_7_p73 = c16 * Lambda_inv_0_7_p65 - s16 * Lambda_inv_0_7_p72;
+  const Real Lambda_inv_0_7_p69 = 0.282 * Lambda_inv_0_7_p68 - Lambda_inv_0_0_p401_lanes[1] *
+      Lambda_inv_0_7_p60;
+  const Real Lambda_inv_0_7_p70 = c16 * Lambda_inv_0_7_p61 - s16 * Lambda_inv_0_7_p69;
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_0_7_p74 = Lambda_inv_0_0_p1082_lanes[1] * Lambda_inv_0_7_p73;
-  const Real Lambda_inv_0_7_p75 = s16 * Lambda_inv_0_7_p65 + c16 * Lambda_inv_0_7_p72 -
-      inverse_D7_p1_lanes[1] * Lambda_inv_0_7_p73;
-  const Real Lambda_inv_0_7_p76 = s15 * Lambda_inv_0_7_p74 + c15 * Lambda_inv_0_7_p75;
+  const Real Lambda_inv_0_7_p71 = Lambda_inv_0_0_p1082_lanes[1] * Lambda_inv_0_7_p70;
+  const Real Lambda_inv_0_7_p72 = s16 * Lambda_inv_0_7_p61 + c16 * Lambda_inv_0_7_p69 -
+      inverse_D7_p1_lanes[1] * Lambda_inv_0_7_p70;
+  const Real Lambda_inv_0_7_p73 = s15 * Lambda_inv_0_7_p71 + c15 * Lambda_inv_0_7_p72;
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_6_p41 = 0.49024375482668536 * Lambda_inv_0_6_p38;
-  const Real Lambda_inv_0_6_p42 = 0.009919078854932248 * Lambda_inv_0_6_p38;
+  const Real Lambda_inv_0_6_p42 = 0.49024375482668536 * Lambda_inv_0_0_p1085_lanes[1];
 
   // link 19 (right_wrist2), pose
   const Real Lambda_inv_0_6_p43 = c19 * Lambda_inv_0_3_p33_lanes[1] + s19 * Lambda_inv_0_6_p27;
 
   // link 20 (right_hand), force propagation
   const Real Lambda_inv_0_6_p44 = -(0.086 * Lambda_inv_0_6_p43) - (-0.004018575007348824) *
-      Lambda_inv_0_6_p38;
-  const Real Lambda_inv_0_6_p45 = s20 * Lambda_inv_0_6_p42 + c20 * Lambda_inv_0_6_p44;
+      Lambda_inv_0_0_p1085_lanes[1];
+  const Real Lambda_inv_0_6_p45 = s20 * Lambda_inv_0_0_p1086_lanes[1] + c20 * Lambda_inv_0_6_p44;
 
   // link 19 (right_wrist2), force propagation
-  const Real Lambda_inv_0_6_p46 = s20 * Lambda_inv_0_0_p1093_lanes[1] - c20 * Lambda_inv_0_6_p41 -
+  const Real Lambda_inv_0_6_p46 = s20 * Lambda_inv_0_0_p1095_lanes[1] - c20 * Lambda_inv_0_6_p42 -
       Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_6_p45;
-  const Real Lambda_inv_0_6_p47 = c20 * Lambda_inv_0_6_p42 - s20 * Lambda_inv_0_6_p44 -
+  const Real Lambda_inv_0_6_p47 = c20 * Lambda_inv_0_0_p1086_lanes[1] - s20 * Lambda_inv_0_6_p44 -
       inverse_D11_p1_lanes[1] * Lambda_inv_0_6_p45;
 
   // link 18 (right_wrist1), force propagation
@@ -1580,980 +1568,505 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real Lambda_inv_0_6_p49 = 0.269 * Lambda_inv_0_6_p46 - s19 * Lambda_inv_0_6_p47 -
       inverse_D10_p1_lanes[1] * Lambda_inv_0_6_p48;
 
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1099_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1097_lanes[0],
-      c20 * Lambda_inv_0_0_p1093_lanes[1] + s20 * Lambda_inv_0_6_p41) - Lambda_inv_0_0_p11_lanes *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[0], Lambda_inv_0_6_p45);
-  const Lanes<2> Lambda_inv_0_0_p1102_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[0],
-      Lambda_inv_0_6_p43) - Lambda_inv_0_0_p35_lanes *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[0], Lambda_inv_0_6_p45);
-  const Lanes<2> Lambda_inv_0_0_p1104_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_inv_0_0_p1099_lanes - detail::make_pack<Real>(c12, c19) * Lambda_inv_0_0_p1102_lanes;
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_inv_0_6_p50 = c20 * Lambda_inv_0_0_p1095_lanes[1] + s20 * Lambda_inv_0_6_p42 -
+      Lambda_inv_0_0_p11_lanes[1] * Lambda_inv_0_6_p45;
+  const Real Lambda_inv_0_6_p51 = Lambda_inv_0_6_p43 - Lambda_inv_0_0_p35_lanes[1] *
+      Lambda_inv_0_6_p45;
+  const Real Lambda_inv_0_6_p52 = s19 * Lambda_inv_0_6_p50 - c19 * Lambda_inv_0_6_p51;
 
   // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_6_p57 = 0.269 * Lambda_inv_0_0_p1104_lanes[1] - inverse_D10_p8_lanes[1] *
+  const Real Lambda_inv_0_6_p53 = 0.269 * Lambda_inv_0_6_p52 - inverse_D10_p8_lanes[1] *
       Lambda_inv_0_6_p48;
-  const Real Lambda_inv_0_6_p58 = s18 * Lambda_inv_0_6_p49 + c18 * Lambda_inv_0_6_p57;
+  const Real Lambda_inv_0_6_p54 = s18 * Lambda_inv_0_6_p49 + c18 * Lambda_inv_0_6_p53;
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_6_p59 = c18 * Lambda_inv_0_6_p49 - s18 * Lambda_inv_0_6_p57 -
-      Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_6_p58;
-  const Real Lambda_inv_0_6_p60 = Lambda_inv_0_0_p221_lanes[1] * Lambda_inv_0_6_p58;
+  const Real Lambda_inv_0_6_p55 = c18 * Lambda_inv_0_6_p49 - s18 * Lambda_inv_0_6_p53 -
+      Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_6_p54;
+  const Real Lambda_inv_0_6_p56 = Lambda_inv_0_0_p221_lanes[1] * Lambda_inv_0_6_p54;
 
   // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_6_p61 = -Lambda_inv_0_0_p1104_lanes[1] + Lambda_inv_0_0_p55_lanes[1] *
+  const Real Lambda_inv_0_6_p57 = -Lambda_inv_0_6_p52 + Lambda_inv_0_0_p55_lanes[1] *
       Lambda_inv_0_6_p48;
-  const Real Lambda_inv_0_6_p62 = Lambda_inv_0_6_p46 - Lambda_inv_0_0_p119_lanes[1] *
+  const Real Lambda_inv_0_6_p58 = Lambda_inv_0_6_p46 - Lambda_inv_0_0_p119_lanes[1] *
       Lambda_inv_0_6_p48;
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_6_p63 = s18 * Lambda_inv_0_6_p61 + c18 * Lambda_inv_0_6_p62 -
-      Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_6_p58;
-  const Real Lambda_inv_0_6_p64 = c17 * Lambda_inv_0_6_p60 - s17 * Lambda_inv_0_6_p59;
+  const Real Lambda_inv_0_6_p59 = s18 * Lambda_inv_0_6_p57 + c18 * Lambda_inv_0_6_p58 -
+      Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_6_p54;
+  const Real Lambda_inv_0_6_p60 = c17 * Lambda_inv_0_6_p56 - s17 * Lambda_inv_0_6_p55;
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_6_p65 = c17 * Lambda_inv_0_6_p59 + s17 * Lambda_inv_0_6_p60 + 0.282 *
-      Lambda_inv_0_6_p63 - Lambda_inv_0_0_p259_lanes[1] * Lambda_inv_0_6_p64;
+  const Real Lambda_inv_0_6_p61 = c17 * Lambda_inv_0_6_p55 + s17 * Lambda_inv_0_6_p56 + 0.282 *
+      Lambda_inv_0_6_p59 - Lambda_inv_0_0_p259_lanes[1] * Lambda_inv_0_6_p60;
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_6_p66 = c18 * Lambda_inv_0_6_p61 - s18 * Lambda_inv_0_6_p62 -
-      Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_6_p58;
+  const Real Lambda_inv_0_6_p62 = c18 * Lambda_inv_0_6_p57 - s18 * Lambda_inv_0_6_p58 -
+      Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_6_p54;
 
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1107_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_inv_0_0_p1102_lanes + detail::make_pack<Real>(c12, c19) * Lambda_inv_0_0_p1099_lanes;
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> Lambda_inv_0_0_p1106_lanes = -(detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1102_lanes[0], Lambda_inv_0_6_p51) +
+      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_inv_0_0_p1100_lanes[0],
+      Lambda_inv_0_6_p50));
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_0_6_p70 = -(-Lambda_inv_0_0_p1107_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
-      Lambda_inv_0_6_p48) - Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_6_p58;
-  const Real Lambda_inv_0_6_p71 = s17 * Lambda_inv_0_6_p70 - c17 * Lambda_inv_0_6_p66;
+  const Real Lambda_inv_0_6_p67 = -(Lambda_inv_0_0_p1106_lanes[1] - Lambda_inv_0_0_p337_lanes[1] *
+      Lambda_inv_0_6_p48) - Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_6_p54;
+  const Real Lambda_inv_0_6_p68 = s17 * Lambda_inv_0_6_p67 - c17 * Lambda_inv_0_6_p62;
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_6_p72 = 0.282 * Lambda_inv_0_6_p71 - Lambda_inv_0_0_p401_lanes[1] *
-      Lambda_inv_0_6_p64;
-  const Real Lambda_inv_0_6_p73 = c16 * Lambda_inv_0_6_p65 - s16 * Lambda_inv_0_6_p72;
+  const Real Lambda_inv_0_6_p69 = 0.282 * Lambda_inv_0_6_p68 - Lambda_inv_0_0_p401_lanes[1] *
+      Lambda_inv_0_6_p60;
+  const Real Lambda_inv_0_6_p70 = c16 * Lambda_inv_0_6_p61 - s16 * Lambda_inv_0_6_p69;
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_0_6_p74 = s16 * Lambda_inv_0_6_p65 + c16 * Lambda_inv_0_6_p72 -
-      inverse_D7_p1_lanes[1] * Lambda_inv_0_6_p73;
-  const Real Lambda_inv_0_6_p75 = Lambda_inv_0_0_p1082_lanes[1] * Lambda_inv_0_6_p73;
-  const Real Lambda_inv_0_6_p76 = s15 * Lambda_inv_0_6_p75 + c15 * Lambda_inv_0_6_p74;
+  const Real Lambda_inv_0_6_p71 = s16 * Lambda_inv_0_6_p61 + c16 * Lambda_inv_0_6_p69 -
+      inverse_D7_p1_lanes[1] * Lambda_inv_0_6_p70;
+  const Real Lambda_inv_0_6_p72 = Lambda_inv_0_0_p1082_lanes[1] * Lambda_inv_0_6_p70;
+  const Real Lambda_inv_0_6_p73 = s15 * Lambda_inv_0_6_p72 + c15 * Lambda_inv_0_6_p71;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1112_lanes = c13 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1086, Lambda_inv_0_1_p46, Lambda_inv_0_2_p5,
-      Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4], Lambda_inv_0_3_p47_lanes[5],
-      Lambda_inv_0_0_p1086, Lambda_inv_0_0_p1086) - s13 * Lambda_inv_0_0_p1089_lanes -
-      inverse_D11_p1_lanes[0] * Lambda_inv_0_0_p1091_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1111_lanes = c13 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1086_lanes[0], Lambda_inv_0_1_p46_lanes[0],
+      Lambda_inv_0_2_p60_lanes[0], Lambda_inv_0_3_p47_lanes[3], Lambda_inv_0_3_p47_lanes[4],
+      Lambda_inv_0_3_p47_lanes[5], Lambda_inv_0_0_p1086_lanes[0], Lambda_inv_0_0_p1086_lanes[0]) -
+      s13 * Lambda_inv_0_0_p1090_lanes - inverse_D11_p1_lanes[0] * Lambda_inv_0_0_p1092_lanes;
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1117_lanes = s13 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_1_p45_lanes[0],
-      Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
-      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1093_lanes[0], Lambda_inv_0_0_p1093_lanes[0]) -
-      c13 * Lambda_inv_0_0_p1095_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_8_p38 = -(0.086 * Lambda_inv_0_2_p3_lanes[1]);
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_2_p19_lanes = Lambda_inv_0_5_p46_lanes +
-      detail::make_pack<Real>((-3.0523172236718206), 3.0523172236718206) *
-      detail::make_pack<Real>(Lambda_inv_0_2_p4, Lambda_inv_0_8_p38);
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_inv_0_8_p42 = -Lambda_inv_0_2_p3_lanes[1];
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_inv_0_2_p22_lanes = detail::make_pack<Real>(Lambda_inv_0_5_p53,
-      Lambda_inv_0_8_p42) - 17.32841575379867 * detail::make_pack<Real>(Lambda_inv_0_2_p4,
-      Lambda_inv_0_8_p38);
-  const Lanes<2> Lambda_inv_0_2_p24_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_inv_0_2_p19_lanes + detail::make_pack<Real>(c13, c20) * Lambda_inv_0_2_p22_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1116_lanes = s13 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1095_lanes[0], Lambda_inv_0_1_p45_lanes[0],
+      Lambda_inv_0_0_p1095_lanes[0], Lambda_inv_0_3_p53_lanes[3], Lambda_inv_0_3_p53_lanes[4],
+      Lambda_inv_0_3_p53_lanes[5], Lambda_inv_0_0_p1095_lanes[0], Lambda_inv_0_0_p1095_lanes[0]) -
+      c13 * Lambda_inv_0_0_p1097_lanes;
+  const Lanes<2> Lambda_inv_0_2_p80_lanes = detail::make_pack<Real>(s13, s20) *
+      Lambda_inv_0_2_p53_lanes + detail::make_pack<Real>(c13, c20) * Lambda_inv_0_2_p57_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1118_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1117_lanes[0],
-      Lambda_inv_0_0_p1117_lanes[1], Lambda_inv_0_2_p24_lanes[0], Lambda_inv_0_0_p1117_lanes[3],
-      Lambda_inv_0_0_p1117_lanes[4], Lambda_inv_0_0_p1117_lanes[5], Lambda_inv_0_0_p1117_lanes[0],
-      Lambda_inv_0_0_p1117_lanes[0]) - Lambda_inv_0_0_p61_lanes[0] * Lambda_inv_0_0_p1091_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1117_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1116_lanes[0],
+      Lambda_inv_0_0_p1116_lanes[1], Lambda_inv_0_2_p80_lanes[0], Lambda_inv_0_0_p1116_lanes[3],
+      Lambda_inv_0_0_p1116_lanes[4], Lambda_inv_0_0_p1116_lanes[5], Lambda_inv_0_0_p1116_lanes[0],
+      Lambda_inv_0_0_p1116_lanes[0]) - Lambda_inv_0_0_p61_lanes[0] * Lambda_inv_0_0_p1092_lanes;
 
   // link 11 (left_wrist1), force propagation
-  const Real Lambda_inv_0_5_p76 = -(c12 * Lambda_inv_0_0_p1112_lanes[5]);
-  const Real Lambda_inv_0_4_p29 = -(c12 * Lambda_inv_0_0_p1112_lanes[4]);
-  const Real Lambda_inv_0_3_p71 = -(c12 * Lambda_inv_0_0_p1112_lanes[3]);
-  const Real Lambda_inv_0_2_p28 = -(c12 * Lambda_inv_0_0_p1112_lanes[2]);
-  const Real Lambda_inv_0_1_p79 = -(c12 * Lambda_inv_0_0_p1112_lanes[1]);
-  const Real Lambda_inv_0_0_p1121 = -(c12 * Lambda_inv_0_0_p1112_lanes[0]);
-  const Lanes<8> Lambda_inv_0_0_p1123_lanes = 0.269 * Lambda_inv_0_0_p1118_lanes - s12 *
-      Lambda_inv_0_0_p1112_lanes - inverse_D10_p1_lanes[0] *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
-      Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
-      Lambda_inv_0_0_p1121);
+  const Lanes<8> Lambda_inv_0_0_p1121_lanes = -(c12 * Lambda_inv_0_0_p1111_lanes);
+  const Lanes<8> Lambda_inv_0_0_p1123_lanes = 0.269 * Lambda_inv_0_0_p1117_lanes - s12 *
+      Lambda_inv_0_0_p1111_lanes - inverse_D10_p1_lanes[0] * Lambda_inv_0_0_p1121_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_3_p75_lanes = Lambda_inv_0_0_p35_lanes[0] *
-      Lambda_inv_0_0_p1091_lanes;
-  const Lanes<8> Lambda_inv_0_3_p78_lanes = Lambda_inv_0_0_p1097_lanes -
-      Lambda_inv_0_0_p11_lanes[0] * Lambda_inv_0_0_p1091_lanes;
-  const Lanes<8> Lambda_inv_0_3_p80_lanes = c12 * Lambda_inv_0_3_p75_lanes + s12 *
-      Lambda_inv_0_3_p78_lanes;
+  const Lanes<8> Lambda_inv_0_3_p76_lanes = Lambda_inv_0_0_p35_lanes[0] *
+      Lambda_inv_0_0_p1092_lanes;
+  const Lanes<8> Lambda_inv_0_3_p79_lanes = Lambda_inv_0_0_p1099_lanes -
+      Lambda_inv_0_0_p11_lanes[0] * Lambda_inv_0_0_p1092_lanes;
+  const Lanes<8> Lambda_inv_0_3_p81_lanes = c12 * Lambda_inv_0_3_p76_lanes + s12 *
+      Lambda_inv_0_3_p79_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1127_lanes = s12 * Lambda_inv_0_0_p1100_lanes - c12 *
+      Lambda_inv_0_0_p1102_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1130_lanes = 0.269 *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1127_lanes[0], Lambda_inv_0_0_p1127_lanes[1],
+      Lambda_inv_0_0_p1127_lanes[2], Lambda_inv_0_3_p81_lanes[3], Lambda_inv_0_3_p81_lanes[4],
+      Lambda_inv_0_3_p81_lanes[5], Lambda_inv_0_0_p1127_lanes[0], Lambda_inv_0_0_p1127_lanes[0]) -
+      inverse_D10_p8_lanes[0] * Lambda_inv_0_0_p1121_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1135_lanes = s11 * Lambda_inv_0_0_p1123_lanes + c11 *
+      Lambda_inv_0_0_p1130_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1137_lanes = c11 * Lambda_inv_0_0_p1123_lanes - s11 *
+      Lambda_inv_0_0_p1130_lanes - Lambda_inv_0_0_p231_lanes[0] * Lambda_inv_0_0_p1135_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1139_lanes = Lambda_inv_0_0_p221_lanes[0] *
+      Lambda_inv_0_0_p1135_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1145_lanes =
+      -detail::make_pack<Real>(Lambda_inv_0_0_p1127_lanes[0], Lambda_inv_0_0_p1127_lanes[1],
+      Lambda_inv_0_0_p1127_lanes[2], Lambda_inv_0_3_p81_lanes[3], Lambda_inv_0_3_p81_lanes[4],
+      Lambda_inv_0_3_p81_lanes[5], Lambda_inv_0_0_p1127_lanes[0], Lambda_inv_0_0_p1127_lanes[0]) +
+      Lambda_inv_0_0_p55_lanes[0] * Lambda_inv_0_0_p1121_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1148_lanes = Lambda_inv_0_0_p1117_lanes -
+      Lambda_inv_0_0_p119_lanes[0] * Lambda_inv_0_0_p1121_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1151_lanes = s11 * Lambda_inv_0_0_p1145_lanes + c11 *
+      Lambda_inv_0_0_p1148_lanes - Lambda_inv_0_0_p191_lanes[0] * Lambda_inv_0_0_p1135_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1156_lanes = c10 * Lambda_inv_0_0_p1139_lanes - s10 *
+      Lambda_inv_0_0_p1137_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1157_lanes = Lambda_inv_0_0_p259_lanes[0] *
+      Lambda_inv_0_0_p1156_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1158_lanes = c10 * Lambda_inv_0_0_p1137_lanes + s10 *
+      Lambda_inv_0_0_p1139_lanes + 0.282 * Lambda_inv_0_0_p1151_lanes - Lambda_inv_0_0_p1157_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_3_p117_lanes = s12 * Lambda_inv_0_3_p76_lanes - c12 *
+      Lambda_inv_0_3_p79_lanes;
 
   // link 19 (right_wrist2), pose
-  const Real Lambda_inv_0_11_p1 = c19 * Lambda_inv_0_5_p37_lanes[1] + s19 * Lambda_inv_0_8_p26;
+  const Real Lambda_inv_0_11_p1 = c19 * Lambda_inv_0_2_p37_lanes[1] + s19 * Lambda_inv_0_8_p26;
 
   // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_0_9_p2_lanes = detail::make_pack<Real>(Lambda_inv_0_6_p37,
-      Lambda_inv_0_6_p37, Lambda_inv_0_7_p35, Lambda_inv_0_5_p46_lanes[1], Lambda_inv_0_6_p37,
-      Lambda_inv_0_6_p37, Lambda_inv_0_6_p37, Lambda_inv_0_6_p37) + 0.11533812622014242 *
+  const Lanes<8> Lambda_inv_0_9_p2_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p46_lanes[1],
+      Lambda_inv_0_3_p46_lanes[1], Lambda_inv_0_1_p40_lanes[1], Lambda_inv_0_2_p46_lanes[1],
+      Lambda_inv_0_3_p46_lanes[1], Lambda_inv_0_3_p46_lanes[1], Lambda_inv_0_3_p46_lanes[1],
+      Lambda_inv_0_3_p46_lanes[1]) + 0.11533812622014242 *
       detail::make_pack<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
       Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
       Lambda_inv_0_6_p43);
-  const Real Lambda_inv_0_8_p50 = 0.11533812622014242 * Lambda_inv_0_8_p38;
-  const Lanes<8> Lambda_inv_0_8_p53_lanes = detail::make_pack<Real>(-(0.086 * Lambda_inv_0_11_p1),
-      Lambda_inv_0_6_p38, Lambda_inv_0_7_p38, Lambda_inv_0_8_p42, -(0.086 * Lambda_inv_0_11_p1),
-      -(0.086 * Lambda_inv_0_11_p1), -(0.086 * Lambda_inv_0_11_p1), -(0.086 * Lambda_inv_0_11_p1)) -
-      (-0.04672761636452121) * detail::make_pack<Real>(Lambda_inv_0_8_p38, Lambda_inv_0_6_p43,
-      Lambda_inv_0_7_p42, Lambda_inv_0_11_p1, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38,
-      Lambda_inv_0_8_p38, Lambda_inv_0_8_p38);
-  const Lanes<8> Lambda_inv_0_8_p55_lanes = s20 * detail::make_pack<Real>(Lambda_inv_0_8_p50,
-      Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
-      Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50) + c20 *
-      Lambda_inv_0_8_p53_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_2_p36_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_inv_0_2_p19_lanes - detail::make_pack<Real>(s13, s20) * Lambda_inv_0_2_p22_lanes -
-      Lambda_inv_0_0_p11_lanes * detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[2],
-      Lambda_inv_0_8_p55_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p39_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[2],
-      Lambda_inv_0_11_p1) - Lambda_inv_0_0_p35_lanes *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[2], Lambda_inv_0_8_p55_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p41_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_inv_0_2_p36_lanes - detail::make_pack<Real>(c12, c19) * Lambda_inv_0_2_p39_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1127_lanes = 0.269 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1104_lanes[0], Lambda_inv_0_1_p62_lanes[0],
-      Lambda_inv_0_2_p41_lanes[0], Lambda_inv_0_3_p80_lanes[3], Lambda_inv_0_3_p80_lanes[4],
-      Lambda_inv_0_3_p80_lanes[5], Lambda_inv_0_0_p1104_lanes[0], Lambda_inv_0_0_p1104_lanes[0]) -
-      inverse_D10_p8_lanes[0] * detail::make_pack<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79,
-      Lambda_inv_0_2_p28, Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76,
-      Lambda_inv_0_0_p1121, Lambda_inv_0_0_p1121);
-  const Lanes<8> Lambda_inv_0_0_p1132_lanes = s11 * Lambda_inv_0_0_p1123_lanes + c11 *
-      Lambda_inv_0_0_p1127_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1134_lanes = c11 * Lambda_inv_0_0_p1123_lanes - s11 *
-      Lambda_inv_0_0_p1127_lanes - Lambda_inv_0_0_p231_lanes[0] * Lambda_inv_0_0_p1132_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1136_lanes = Lambda_inv_0_0_p221_lanes[0] *
-      Lambda_inv_0_0_p1132_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1141_lanes =
-      detail::make_pack<Real>(-Lambda_inv_0_0_p1104_lanes[0], -Lambda_inv_0_1_p62_lanes[0],
-      -Lambda_inv_0_2_p41_lanes[0], -Lambda_inv_0_3_p80_lanes[3], -Lambda_inv_0_3_p80_lanes[4],
-      -Lambda_inv_0_3_p80_lanes[5], -Lambda_inv_0_0_p1104_lanes[0],
-      -Lambda_inv_0_0_p1104_lanes[0]) + Lambda_inv_0_0_p55_lanes[0] *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1121, Lambda_inv_0_1_p79, Lambda_inv_0_2_p28,
-      Lambda_inv_0_3_p71, Lambda_inv_0_4_p29, Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121,
-      Lambda_inv_0_0_p1121);
-  const Lanes<8> Lambda_inv_0_0_p1144_lanes = Lambda_inv_0_0_p1118_lanes -
-      Lambda_inv_0_0_p119_lanes[0] * detail::make_pack<Real>(Lambda_inv_0_0_p1121,
-      Lambda_inv_0_1_p79, Lambda_inv_0_2_p28, Lambda_inv_0_3_p71, Lambda_inv_0_4_p29,
-      Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121, Lambda_inv_0_0_p1121);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1147_lanes = s11 * Lambda_inv_0_0_p1141_lanes + c11 *
-      Lambda_inv_0_0_p1144_lanes - Lambda_inv_0_0_p191_lanes[0] * Lambda_inv_0_0_p1132_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1152_lanes = c10 * Lambda_inv_0_0_p1136_lanes - s10 *
-      Lambda_inv_0_0_p1134_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1153_lanes = Lambda_inv_0_0_p259_lanes[0] *
-      Lambda_inv_0_0_p1152_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1154_lanes = c10 * Lambda_inv_0_0_p1134_lanes + s10 *
-      Lambda_inv_0_0_p1136_lanes + 0.282 * Lambda_inv_0_0_p1147_lanes - Lambda_inv_0_0_p1153_lanes;
+  const Lanes<8> Lambda_inv_0_8_p54_lanes = detail::make_pack<Real>(-(0.086 * Lambda_inv_0_11_p1),
+      Lambda_inv_0_0_p1085_lanes[1], Lambda_inv_0_1_p43_lanes[1], Lambda_inv_0_2_p55_lanes[1],
+      -(0.086 * Lambda_inv_0_11_p1), -(0.086 * Lambda_inv_0_11_p1), -(0.086 * Lambda_inv_0_11_p1),
+      -(0.086 * Lambda_inv_0_11_p1)) - (-0.04672761636452121) *
+      detail::make_pack<Real>(Lambda_inv_0_2_p51_lanes[1], Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_2_p51_lanes[1], Lambda_inv_0_2_p51_lanes[1],
+      Lambda_inv_0_2_p51_lanes[1], Lambda_inv_0_2_p51_lanes[1]);
+  const Lanes<8> Lambda_inv_0_8_p56_lanes = s20 *
+      detail::make_pack<Real>(Lambda_inv_0_2_p60_lanes[1], Lambda_inv_0_9_p2_lanes[1],
+      Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3], Lambda_inv_0_2_p60_lanes[1],
+      Lambda_inv_0_2_p60_lanes[1], Lambda_inv_0_2_p60_lanes[1], Lambda_inv_0_2_p60_lanes[1]) + c20 *
+      Lambda_inv_0_8_p54_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_9_p8_lanes = Lambda_inv_0_0_p35_lanes[1] * Lambda_inv_0_8_p55_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_0_9_p11_lanes = 3.0523172236718206 *
-      detail::make_pack<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
-      Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
-      Lambda_inv_0_6_p43);
-  const Lanes<8> Lambda_inv_0_9_p13_lanes = 17.32841575379867 *
-      detail::make_pack<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
-      Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
-      Lambda_inv_0_6_p43);
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_9_p16_lanes = c20 * Lambda_inv_0_9_p11_lanes + s20 *
-      Lambda_inv_0_9_p13_lanes - Lambda_inv_0_0_p11_lanes[1] * Lambda_inv_0_8_p55_lanes;
-  const Lanes<8> Lambda_inv_0_9_p18_lanes = s19 * Lambda_inv_0_9_p8_lanes - c19 *
-      Lambda_inv_0_9_p16_lanes;
-  const Lanes<8> Lambda_inv_0_8_p67_lanes = c20 * detail::make_pack<Real>(Lambda_inv_0_8_p50,
-      Lambda_inv_0_9_p2_lanes[1], Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3],
-      Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50, Lambda_inv_0_8_p50) - s20 *
-      Lambda_inv_0_8_p53_lanes - inverse_D11_p1_lanes[1] * Lambda_inv_0_8_p55_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_11_p25 = -(c19 * Lambda_inv_0_8_p67_lanes[3]);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_3_p115_lanes = s12 * Lambda_inv_0_3_p75_lanes - c12 *
-      Lambda_inv_0_3_p78_lanes;
+  const Real Lambda_inv_0_8_p57 = Lambda_inv_0_2_p59_lanes[1] - Lambda_inv_0_0_p11_lanes[1] *
+      Lambda_inv_0_8_p56_lanes[0];
+  const Real Lambda_inv_0_8_p59 = Lambda_inv_0_11_p1 - Lambda_inv_0_0_p35_lanes[1] *
+      Lambda_inv_0_8_p56_lanes[0];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p122_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p115_lanes[5],
-      Lambda_inv_0_9_p18_lanes[3]) - Lambda_inv_0_0_p337_lanes *
-      detail::make_pack<Real>(Lambda_inv_0_5_p76, Lambda_inv_0_11_p25);
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_10_p24 = -(c19 * Lambda_inv_0_8_p67_lanes[2]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_0_4_p75_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p115_lanes[4],
-      Lambda_inv_0_9_p18_lanes[2]) - Lambda_inv_0_0_p337_lanes *
-      detail::make_pack<Real>(Lambda_inv_0_4_p29, Lambda_inv_0_10_p24);
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_9_p24 = -(c19 * Lambda_inv_0_8_p67_lanes[1]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_0_3_p117_lanes = detail::make_pack<Real>(Lambda_inv_0_3_p115_lanes[3],
-      Lambda_inv_0_9_p18_lanes[1]) - Lambda_inv_0_0_p337_lanes *
-      detail::make_pack<Real>(Lambda_inv_0_3_p71, Lambda_inv_0_9_p24);
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_0_2_p76_lanes = detail::make_pack<Real>(s12, s19) *
-      Lambda_inv_0_2_p39_lanes + detail::make_pack<Real>(c12, c19) * Lambda_inv_0_2_p36_lanes;
+  const Lanes<2> Lambda_inv_0_2_p129_lanes = -(detail::make_pack<Real>(s12, s19) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1102_lanes[2], Lambda_inv_0_8_p59) +
+      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_inv_0_0_p1100_lanes[2],
+      Lambda_inv_0_8_p57));
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1157_lanes =
-      detail::make_pack<Real>(-(-Lambda_inv_0_0_p1107_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
-      Lambda_inv_0_0_p1121), -(-Lambda_inv_0_1_p65_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
-      Lambda_inv_0_1_p79), -(-Lambda_inv_0_2_p76_lanes[0] - Lambda_inv_0_0_p337_lanes[0] *
-      Lambda_inv_0_2_p28), -Lambda_inv_0_3_p117_lanes[0], -Lambda_inv_0_4_p75_lanes[0],
-      -Lambda_inv_0_5_p122_lanes[0], -(-Lambda_inv_0_0_p1107_lanes[0] -
-      Lambda_inv_0_0_p337_lanes[0] * Lambda_inv_0_0_p1121),
-      -(-Lambda_inv_0_0_p1107_lanes[0] - Lambda_inv_0_0_p337_lanes[0] * Lambda_inv_0_0_p1121)) -
-      Lambda_inv_0_0_p363_lanes[0] * Lambda_inv_0_0_p1132_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1163_lanes = c11 * Lambda_inv_0_0_p1141_lanes - s11 *
-      Lambda_inv_0_0_p1144_lanes - Lambda_inv_0_0_p317_lanes[0] * Lambda_inv_0_0_p1132_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1165_lanes = s10 * Lambda_inv_0_0_p1157_lanes - c10 *
-      Lambda_inv_0_0_p1163_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1164_lanes =
+      -(detail::make_pack<Real>(Lambda_inv_0_0_p1106_lanes[0], Lambda_inv_0_1_p64_lanes[0],
+      Lambda_inv_0_2_p129_lanes[0], Lambda_inv_0_3_p117_lanes[3], Lambda_inv_0_3_p117_lanes[4],
+      Lambda_inv_0_3_p117_lanes[5], Lambda_inv_0_0_p1106_lanes[0], Lambda_inv_0_0_p1106_lanes[0]) -
+      Lambda_inv_0_0_p337_lanes[0] * Lambda_inv_0_0_p1121_lanes) - Lambda_inv_0_0_p363_lanes[0] *
+      Lambda_inv_0_0_p1135_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1170_lanes = c11 * Lambda_inv_0_0_p1145_lanes - s11 *
+      Lambda_inv_0_0_p1148_lanes - Lambda_inv_0_0_p317_lanes[0] * Lambda_inv_0_0_p1135_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1172_lanes = s10 * Lambda_inv_0_0_p1164_lanes - c10 *
+      Lambda_inv_0_0_p1170_lanes;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1168_lanes = 0.282 * Lambda_inv_0_0_p1165_lanes -
-      Lambda_inv_0_0_p401_lanes[0] * Lambda_inv_0_0_p1152_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1173_lanes = c9 * Lambda_inv_0_0_p1154_lanes - s9 *
-      Lambda_inv_0_0_p1168_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1175_lanes = s9 * Lambda_inv_0_0_p1154_lanes + c9 *
-      Lambda_inv_0_0_p1168_lanes - inverse_D7_p1_lanes[0] * Lambda_inv_0_0_p1173_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1177_lanes = Lambda_inv_0_0_p1082_lanes[0] *
-      Lambda_inv_0_0_p1173_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1179_lanes = s8 * Lambda_inv_0_0_p1177_lanes + c8 *
+  const Lanes<8> Lambda_inv_0_0_p1175_lanes = 0.282 * Lambda_inv_0_0_p1172_lanes -
+      Lambda_inv_0_0_p401_lanes[0] * Lambda_inv_0_0_p1156_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1180_lanes = c9 * Lambda_inv_0_0_p1158_lanes - s9 *
       Lambda_inv_0_0_p1175_lanes;
 
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1182_lanes = s9 * Lambda_inv_0_0_p1158_lanes + c9 *
+      Lambda_inv_0_0_p1175_lanes - inverse_D7_p1_lanes[0] * Lambda_inv_0_0_p1180_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1184_lanes = Lambda_inv_0_0_p1082_lanes[0] *
+      Lambda_inv_0_0_p1180_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1186_lanes = s8 * Lambda_inv_0_0_p1184_lanes + c8 *
+      Lambda_inv_0_0_p1182_lanes;
+
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1180_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1081_lanes[0],
+  const Lanes<8> Lambda_inv_0_0_p1187_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1081_lanes[0],
       Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0],
       Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[0], Lambda_inv_0_0_p1081_lanes[1],
-      Lambda_inv_0_0_p1081_lanes[1]) * detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0],
-      Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
-      Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
-      Lambda_inv_0_7_p76);
+      Lambda_inv_0_0_p1081_lanes[1]) * detail::make_pack<Real>(Lambda_inv_0_0_p1186_lanes[0],
+      Lambda_inv_0_0_p1186_lanes[1], Lambda_inv_0_0_p1186_lanes[2], Lambda_inv_0_0_p1186_lanes[3],
+      Lambda_inv_0_0_p1186_lanes[4], Lambda_inv_0_0_p1186_lanes[5], Lambda_inv_0_6_p73,
+      Lambda_inv_0_7_p73);
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1184_lanes = c8 * Lambda_inv_0_0_p1177_lanes - s8 *
-      Lambda_inv_0_0_p1175_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1192_lanes = c8 * Lambda_inv_0_0_p1184_lanes - s8 *
+      Lambda_inv_0_0_p1182_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1185_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1184_lanes[0],
-      Lambda_inv_0_0_p1184_lanes[1], Lambda_inv_0_0_p1184_lanes[2], Lambda_inv_0_0_p1184_lanes[3],
-      Lambda_inv_0_0_p1184_lanes[4], Lambda_inv_0_0_p1184_lanes[5], c15 * Lambda_inv_0_6_p75 - s15 *
-      Lambda_inv_0_6_p74, c15 * Lambda_inv_0_7_p74 - s15 * Lambda_inv_0_7_p75) -
+  const Lanes<8> Lambda_inv_0_0_p1193_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1192_lanes[0],
+      Lambda_inv_0_0_p1192_lanes[1], Lambda_inv_0_0_p1192_lanes[2], Lambda_inv_0_0_p1192_lanes[3],
+      Lambda_inv_0_0_p1192_lanes[4], Lambda_inv_0_0_p1192_lanes[5], c15 * Lambda_inv_0_6_p72 - s15 *
+      Lambda_inv_0_6_p71, c15 * Lambda_inv_0_7_p71 - s15 * Lambda_inv_0_7_p72) -
       detail::make_pack<Real>(inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
       inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[0],
       inverse_D6_p5_lanes[0], inverse_D6_p5_lanes[1], inverse_D6_p5_lanes[1]) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0], Lambda_inv_0_0_p1179_lanes[1],
-      Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3], Lambda_inv_0_0_p1179_lanes[4],
-      Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76, Lambda_inv_0_7_p76);
+      detail::make_pack<Real>(Lambda_inv_0_0_p1186_lanes[0], Lambda_inv_0_0_p1186_lanes[1],
+      Lambda_inv_0_0_p1186_lanes[2], Lambda_inv_0_0_p1186_lanes[3], Lambda_inv_0_0_p1186_lanes[4],
+      Lambda_inv_0_0_p1186_lanes[5], Lambda_inv_0_6_p73, Lambda_inv_0_7_p73);
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_0_7_p84 = -Lambda_inv_0_7_p71 + Lambda_inv_0_0_p569_lanes[1] *
-      Lambda_inv_0_7_p64;
-  const Real Lambda_inv_0_7_p85 = Lambda_inv_0_7_p63 - Lambda_inv_0_0_p577_lanes[1] *
-      Lambda_inv_0_7_p64;
-  const Real Lambda_inv_0_6_p81 = -Lambda_inv_0_6_p71 + Lambda_inv_0_0_p569_lanes[1] *
-      Lambda_inv_0_6_p64;
-  const Real Lambda_inv_0_6_p82 = Lambda_inv_0_6_p63 - Lambda_inv_0_0_p577_lanes[1] *
-      Lambda_inv_0_6_p64;
+  const Real Lambda_inv_0_7_p81 = -Lambda_inv_0_7_p68 + Lambda_inv_0_0_p569_lanes[1] *
+      Lambda_inv_0_7_p60;
+  const Real Lambda_inv_0_7_p82 = Lambda_inv_0_7_p59 - Lambda_inv_0_0_p577_lanes[1] *
+      Lambda_inv_0_7_p60;
+  const Real Lambda_inv_0_6_p81 = -Lambda_inv_0_6_p68 + Lambda_inv_0_0_p569_lanes[1] *
+      Lambda_inv_0_6_p60;
+  const Real Lambda_inv_0_6_p82 = Lambda_inv_0_6_p59 - Lambda_inv_0_0_p577_lanes[1] *
+      Lambda_inv_0_6_p60;
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1189_lanes =
-      detail::make_pack<Real>(-Lambda_inv_0_0_p1165_lanes[0], -Lambda_inv_0_0_p1165_lanes[1],
-      -Lambda_inv_0_0_p1165_lanes[2], -Lambda_inv_0_0_p1165_lanes[3],
-      -Lambda_inv_0_0_p1165_lanes[4], -Lambda_inv_0_0_p1165_lanes[5],
-      -Lambda_inv_0_0_p1165_lanes[0], -Lambda_inv_0_0_p1165_lanes[0]) +
-      Lambda_inv_0_0_p569_lanes[0] * Lambda_inv_0_0_p1152_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1192_lanes = Lambda_inv_0_0_p1147_lanes -
-      Lambda_inv_0_0_p577_lanes[0] * Lambda_inv_0_0_p1152_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1200_lanes = -Lambda_inv_0_0_p1172_lanes +
+      Lambda_inv_0_0_p569_lanes[0] * Lambda_inv_0_0_p1156_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1203_lanes = Lambda_inv_0_0_p1151_lanes -
+      Lambda_inv_0_0_p577_lanes[0] * Lambda_inv_0_0_p1156_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1195_lanes = c9 * Lambda_inv_0_0_p1189_lanes - s9 *
-      Lambda_inv_0_0_p1192_lanes - Lambda_inv_0_0_p657_lanes[0] * Lambda_inv_0_0_p1173_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1206_lanes = c9 * Lambda_inv_0_0_p1200_lanes - s9 *
+      Lambda_inv_0_0_p1203_lanes - Lambda_inv_0_0_p657_lanes[0] * Lambda_inv_0_0_p1180_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1196_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1195_lanes[0],
-      Lambda_inv_0_0_p1195_lanes[1], Lambda_inv_0_0_p1195_lanes[2], Lambda_inv_0_0_p1195_lanes[3],
-      Lambda_inv_0_0_p1195_lanes[4], Lambda_inv_0_0_p1195_lanes[5], c16 * Lambda_inv_0_6_p81 - s16 *
-      Lambda_inv_0_6_p82 - Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_6_p73, c16 *
-      Lambda_inv_0_7_p84 - s16 * Lambda_inv_0_7_p85 - Lambda_inv_0_0_p657_lanes[1] *
-      Lambda_inv_0_7_p73) - detail::make_pack<Real>(Lambda_inv_0_0_p679_lanes[0],
+  const Lanes<8> Lambda_inv_0_0_p1207_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1206_lanes[0],
+      Lambda_inv_0_0_p1206_lanes[1], Lambda_inv_0_0_p1206_lanes[2], Lambda_inv_0_0_p1206_lanes[3],
+      Lambda_inv_0_0_p1206_lanes[4], Lambda_inv_0_0_p1206_lanes[5], c16 * Lambda_inv_0_6_p81 - s16 *
+      Lambda_inv_0_6_p82 - Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_6_p70, c16 *
+      Lambda_inv_0_7_p81 - s16 * Lambda_inv_0_7_p82 - Lambda_inv_0_0_p657_lanes[1] *
+      Lambda_inv_0_7_p70) - detail::make_pack<Real>(Lambda_inv_0_0_p679_lanes[0],
       Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0],
       Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[0], Lambda_inv_0_0_p679_lanes[1],
-      Lambda_inv_0_0_p679_lanes[1]) * detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0],
-      Lambda_inv_0_0_p1179_lanes[1], Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3],
-      Lambda_inv_0_0_p1179_lanes[4], Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76,
-      Lambda_inv_0_7_p76);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_0_1_p162_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[1], Lambda_inv_0_7_p66) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[1],
-      Lambda_inv_0_7_p70);
+      Lambda_inv_0_0_p679_lanes[1]) * detail::make_pack<Real>(Lambda_inv_0_0_p1186_lanes[0],
+      Lambda_inv_0_0_p1186_lanes[1], Lambda_inv_0_0_p1186_lanes[2], Lambda_inv_0_0_p1186_lanes[3],
+      Lambda_inv_0_0_p1186_lanes[4], Lambda_inv_0_0_p1186_lanes[5], Lambda_inv_0_6_p73,
+      Lambda_inv_0_7_p73);
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_0_7_p92 = -(-Lambda_inv_0_1_p162_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
-      Lambda_inv_0_7_p64) + Lambda_inv_0_0_p555_lanes[1] * Lambda_inv_0_7_p73;
-  const Real Lambda_inv_0_7_p93 = s16 * Lambda_inv_0_7_p84 + c16 * Lambda_inv_0_7_p85 -
-      Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_7_p73;
+  const Real Lambda_inv_0_7_p86 = -(-(s17 * Lambda_inv_0_7_p62 + c17 * Lambda_inv_0_7_p67) +
+      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_7_p60) + Lambda_inv_0_0_p555_lanes[1] *
+      Lambda_inv_0_7_p70;
+  const Real Lambda_inv_0_7_p87 = s16 * Lambda_inv_0_7_p81 + c16 * Lambda_inv_0_7_p82 -
+      Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_7_p70;
   const Real Lambda_inv_0_6_p86 = s16 * Lambda_inv_0_6_p81 + c16 * Lambda_inv_0_6_p82 -
-      Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_6_p73;
+      Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_6_p70;
+  const Real Lambda_inv_0_6_p87 = -(-(s17 * Lambda_inv_0_6_p62 + c17 * Lambda_inv_0_6_p67) +
+      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_6_p60) + Lambda_inv_0_0_p555_lanes[1] *
+      Lambda_inv_0_6_p70;
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1201_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[0], Lambda_inv_0_6_p66) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[0],
-      Lambda_inv_0_6_p70);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_0_6_p90 = -(-Lambda_inv_0_0_p1201_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
-      Lambda_inv_0_6_p64) + Lambda_inv_0_0_p555_lanes[1] * Lambda_inv_0_6_p73;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_inv_0_9_p31_lanes = s20 * Lambda_inv_0_9_p11_lanes - c20 *
-      Lambda_inv_0_9_p13_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p73_lanes = detail::make_pack<Real>(Lambda_inv_0_2_p24_lanes[1],
-      Lambda_inv_0_9_p31_lanes[1], Lambda_inv_0_9_p31_lanes[2], Lambda_inv_0_9_p31_lanes[3],
-      Lambda_inv_0_2_p24_lanes[1], Lambda_inv_0_2_p24_lanes[1], Lambda_inv_0_2_p24_lanes[1],
-      Lambda_inv_0_2_p24_lanes[1]) - Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_8_p55_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_inv_0_8_p76 = -(c19 * Lambda_inv_0_8_p67_lanes[0]);
-  const Lanes<8> Lambda_inv_0_8_p78_lanes = 0.269 * Lambda_inv_0_8_p73_lanes - s19 *
-      Lambda_inv_0_8_p67_lanes - inverse_D10_p1_lanes[1] *
-      detail::make_pack<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
-      Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
-      Lambda_inv_0_8_p76);
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_9_p40_lanes = c19 * Lambda_inv_0_9_p8_lanes + s19 *
-      Lambda_inv_0_9_p16_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p82_lanes = 0.269 *
-      detail::make_pack<Real>(Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_9_p40_lanes[1],
-      Lambda_inv_0_9_p40_lanes[2], Lambda_inv_0_9_p40_lanes[3], Lambda_inv_0_2_p41_lanes[1],
-      Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_2_p41_lanes[1], Lambda_inv_0_2_p41_lanes[1]) -
-      inverse_D10_p8_lanes[1] * detail::make_pack<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24,
-      Lambda_inv_0_10_p24, Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
-      Lambda_inv_0_8_p76, Lambda_inv_0_8_p76);
-  const Lanes<8> Lambda_inv_0_8_p84_lanes = s18 * Lambda_inv_0_8_p78_lanes + c18 *
-      Lambda_inv_0_8_p82_lanes;
-  const Lanes<8> Lambda_inv_0_8_p87_lanes = detail::make_pack<Real>(-Lambda_inv_0_2_p41_lanes[1],
-      -Lambda_inv_0_9_p40_lanes[1], -Lambda_inv_0_9_p40_lanes[2], -Lambda_inv_0_9_p40_lanes[3],
-      -Lambda_inv_0_2_p41_lanes[1], -Lambda_inv_0_2_p41_lanes[1], -Lambda_inv_0_2_p41_lanes[1],
-      -Lambda_inv_0_2_p41_lanes[1]) + Lambda_inv_0_0_p55_lanes[1] *
-      detail::make_pack<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24, Lambda_inv_0_10_p24,
-      Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
-      Lambda_inv_0_8_p76);
-  const Lanes<8> Lambda_inv_0_8_p90_lanes = Lambda_inv_0_8_p73_lanes -
-      Lambda_inv_0_0_p119_lanes[1] * detail::make_pack<Real>(Lambda_inv_0_8_p76, Lambda_inv_0_9_p24,
-      Lambda_inv_0_10_p24, Lambda_inv_0_11_p25, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76,
-      Lambda_inv_0_8_p76, Lambda_inv_0_8_p76);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p93_lanes = c18 * Lambda_inv_0_8_p87_lanes - s18 *
-      Lambda_inv_0_8_p90_lanes - Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_8_p84_lanes;
-  const Lanes<8> Lambda_inv_0_8_p95_lanes = detail::make_pack<Real>(-(-Lambda_inv_0_2_p76_lanes[1] -
-      Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76), -Lambda_inv_0_3_p117_lanes[1],
-      -Lambda_inv_0_4_p75_lanes[1], -Lambda_inv_0_5_p122_lanes[1],
-      -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76),
-      -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76),
-      -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76),
-      -(-Lambda_inv_0_2_p76_lanes[1] - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p76)) -
-      Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_8_p84_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_0_5_p168_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[5], Lambda_inv_0_8_p93_lanes[3]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[5],
-      Lambda_inv_0_8_p95_lanes[3]);
-  const Lanes<2> Lambda_inv_0_4_p121_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[4], Lambda_inv_0_8_p93_lanes[2]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[4],
-      Lambda_inv_0_8_p95_lanes[2]);
-  const Lanes<2> Lambda_inv_0_3_p163_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[3], Lambda_inv_0_8_p93_lanes[1]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[3],
-      Lambda_inv_0_8_p95_lanes[1]);
-  const Lanes<2> Lambda_inv_0_2_p122_lanes = detail::make_pack<Real>(s10, s17) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1163_lanes[2], Lambda_inv_0_8_p93_lanes[0]) +
-      detail::make_pack<Real>(c10, c17) * detail::make_pack<Real>(Lambda_inv_0_0_p1157_lanes[2],
-      Lambda_inv_0_8_p95_lanes[0]);
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1216_lanes = -(s10 * Lambda_inv_0_0_p1170_lanes + c10 *
+      Lambda_inv_0_0_p1164_lanes) + Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1156_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1203_lanes =
-      detail::make_pack<Real>(-(-Lambda_inv_0_0_p1201_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
-      Lambda_inv_0_0_p1152_lanes[0]), -(-Lambda_inv_0_1_p162_lanes[0] +
-      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[1]),
-      -(-Lambda_inv_0_2_p122_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
-      Lambda_inv_0_0_p1152_lanes[2]), -(-Lambda_inv_0_3_p163_lanes[0] +
-      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[3]),
-      -(-Lambda_inv_0_4_p121_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
-      Lambda_inv_0_0_p1152_lanes[4]), -(-Lambda_inv_0_5_p168_lanes[0] +
-      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[5]),
-      -(-Lambda_inv_0_0_p1201_lanes[0] + Lambda_inv_0_0_p515_lanes[0] *
-      Lambda_inv_0_0_p1152_lanes[0]), -(-Lambda_inv_0_0_p1201_lanes[0] +
-      Lambda_inv_0_0_p515_lanes[0] * Lambda_inv_0_0_p1152_lanes[0])) +
-      Lambda_inv_0_0_p555_lanes[0] * Lambda_inv_0_0_p1173_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1209_lanes = s9 * Lambda_inv_0_0_p1189_lanes + c9 *
-      Lambda_inv_0_0_p1192_lanes - Lambda_inv_0_0_p609_lanes[0] * Lambda_inv_0_0_p1173_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1211_lanes = c8 * Lambda_inv_0_0_p1203_lanes - s8 *
-      Lambda_inv_0_0_p1209_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1218_lanes = -Lambda_inv_0_0_p1216_lanes +
+      Lambda_inv_0_0_p555_lanes[0] * Lambda_inv_0_0_p1180_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1224_lanes = s9 * Lambda_inv_0_0_p1200_lanes + c9 *
+      Lambda_inv_0_0_p1203_lanes - Lambda_inv_0_0_p609_lanes[0] * Lambda_inv_0_0_p1180_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1226_lanes = c8 * Lambda_inv_0_0_p1218_lanes - s8 *
+      Lambda_inv_0_0_p1224_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1212_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1211_lanes[0],
-      Lambda_inv_0_0_p1211_lanes[1], Lambda_inv_0_0_p1211_lanes[2], Lambda_inv_0_0_p1211_lanes[3],
-      Lambda_inv_0_0_p1211_lanes[4], Lambda_inv_0_0_p1211_lanes[5], c15 * Lambda_inv_0_6_p90 - s15 *
-      Lambda_inv_0_6_p86, c15 * Lambda_inv_0_7_p92 - s15 * Lambda_inv_0_7_p93) -
+  const Lanes<8> Lambda_inv_0_0_p1227_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1226_lanes[0],
+      Lambda_inv_0_0_p1226_lanes[1], Lambda_inv_0_0_p1226_lanes[2], Lambda_inv_0_0_p1226_lanes[3],
+      Lambda_inv_0_0_p1226_lanes[4], Lambda_inv_0_0_p1226_lanes[5], c15 * Lambda_inv_0_6_p87 - s15 *
+      Lambda_inv_0_6_p86, c15 * Lambda_inv_0_7_p86 - s15 * Lambda_inv_0_7_p87) -
       detail::make_pack<Real>(Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0],
       Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[0],
       Lambda_inv_0_0_p639_lanes[0], Lambda_inv_0_0_p639_lanes[1], Lambda_inv_0_0_p639_lanes[1]) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0], Lambda_inv_0_0_p1179_lanes[1],
-      Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3], Lambda_inv_0_0_p1179_lanes[4],
-      Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76, Lambda_inv_0_7_p76);
-  const Lanes<8> Lambda_inv_0_0_p1214_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_inv_0_0_p1196_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_inv_0_0_p1212_lanes;
+      detail::make_pack<Real>(Lambda_inv_0_0_p1186_lanes[0], Lambda_inv_0_0_p1186_lanes[1],
+      Lambda_inv_0_0_p1186_lanes[2], Lambda_inv_0_0_p1186_lanes[3], Lambda_inv_0_0_p1186_lanes[4],
+      Lambda_inv_0_0_p1186_lanes[5], Lambda_inv_0_6_p73, Lambda_inv_0_7_p73);
+  const Lanes<8> Lambda_inv_0_0_p1229_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_inv_0_0_p1207_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_inv_0_0_p1227_lanes;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1218_lanes = s8 * Lambda_inv_0_0_p1203_lanes + c8 *
-      Lambda_inv_0_0_p1209_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1234_lanes = s8 * Lambda_inv_0_0_p1218_lanes + c8 *
+      Lambda_inv_0_0_p1224_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1219_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1218_lanes[0],
-      Lambda_inv_0_0_p1218_lanes[1], Lambda_inv_0_0_p1218_lanes[2], Lambda_inv_0_0_p1218_lanes[3],
-      Lambda_inv_0_0_p1218_lanes[4], Lambda_inv_0_0_p1218_lanes[5], s15 * Lambda_inv_0_6_p90 + c15 *
-      Lambda_inv_0_6_p86, s15 * Lambda_inv_0_7_p92 + c15 * Lambda_inv_0_7_p93) -
+  const Lanes<8> Lambda_inv_0_0_p1235_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1234_lanes[0],
+      Lambda_inv_0_0_p1234_lanes[1], Lambda_inv_0_0_p1234_lanes[2], Lambda_inv_0_0_p1234_lanes[3],
+      Lambda_inv_0_0_p1234_lanes[4], Lambda_inv_0_0_p1234_lanes[5], s15 * Lambda_inv_0_6_p87 + c15 *
+      Lambda_inv_0_6_p86, s15 * Lambda_inv_0_7_p86 + c15 * Lambda_inv_0_7_p87) -
       detail::make_pack<Real>(Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0],
       Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[0],
       Lambda_inv_0_0_p837_lanes[0], Lambda_inv_0_0_p837_lanes[1], Lambda_inv_0_0_p837_lanes[1]) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[0], Lambda_inv_0_0_p1179_lanes[1],
-      Lambda_inv_0_0_p1179_lanes[2], Lambda_inv_0_0_p1179_lanes[3], Lambda_inv_0_0_p1179_lanes[4],
-      Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_6_p76, Lambda_inv_0_7_p76);
-  const Lanes<2> Lambda_inv_0_1_p183_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[1], Lambda_inv_0_0_p1219_lanes[7]) +
-      detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[1], Lambda_inv_0_0_p1214_lanes[7]);
-  const Lanes<2> Lambda_inv_0_1_p184_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[1], Lambda_inv_0_0_p1180_lanes[7]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[1],
-      Lambda_inv_0_0_p1185_lanes[7]) + Lambda_inv_0_1_p183_lanes;
+      detail::make_pack<Real>(Lambda_inv_0_0_p1186_lanes[0], Lambda_inv_0_0_p1186_lanes[1],
+      Lambda_inv_0_0_p1186_lanes[2], Lambda_inv_0_0_p1186_lanes[3], Lambda_inv_0_0_p1186_lanes[4],
+      Lambda_inv_0_0_p1186_lanes[5], Lambda_inv_0_6_p73, Lambda_inv_0_7_p73);
+  const Lanes<8> Lambda_inv_0_0_p1237_lanes = 0.226 * Lambda_inv_0_0_p1235_lanes +
+      detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18, (-0.18), (-0.18)) *
+      Lambda_inv_0_0_p1229_lanes;
 
   // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_7_p103 = -Lambda_inv_0_1_p184_lanes[1];
+  const Lanes<8> Lambda_inv_0_0_p1239_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_inv_0_0_p1187_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_inv_0_0_p1193_lanes + Lambda_inv_0_0_p1237_lanes);
+  const Lanes<8> Lambda_inv_0_0_p1240_lanes = inverse_D5_p16 * Lambda_inv_0_0_p1239_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_0_p1222_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[0], Lambda_inv_0_0_p1219_lanes[6]) +
-      detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[0], Lambda_inv_0_0_p1214_lanes[6]);
-  const Lanes<2> Lambda_inv_0_0_p1226_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[0], Lambda_inv_0_0_p1180_lanes[6]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[0],
-      Lambda_inv_0_0_p1185_lanes[6]) + Lambda_inv_0_0_p1222_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1243_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_inv_0_0_p1207_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_inv_0_0_p1227_lanes;
 
   // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_6_p103 = -Lambda_inv_0_0_p1226_lanes[1];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p103_lanes = c18 * Lambda_inv_0_8_p78_lanes - s18 *
-      Lambda_inv_0_8_p82_lanes - Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_8_p84_lanes;
-  const Lanes<8> Lambda_inv_0_8_p105_lanes = Lambda_inv_0_0_p221_lanes[1] *
-      Lambda_inv_0_8_p84_lanes;
-  const Lanes<8> Lambda_inv_0_8_p112_lanes = s18 * Lambda_inv_0_8_p87_lanes + c18 *
-      Lambda_inv_0_8_p90_lanes - Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_8_p84_lanes;
-  const Lanes<8> Lambda_inv_0_8_p117_lanes = c17 * Lambda_inv_0_8_p105_lanes - s17 *
-      Lambda_inv_0_8_p103_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p118_lanes = Lambda_inv_0_0_p259_lanes[1] *
-      Lambda_inv_0_8_p117_lanes;
-  const Lanes<8> Lambda_inv_0_8_p119_lanes = c17 * Lambda_inv_0_8_p103_lanes + s17 *
-      Lambda_inv_0_8_p105_lanes + 0.282 * Lambda_inv_0_8_p112_lanes - Lambda_inv_0_8_p118_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p123_lanes = s17 * Lambda_inv_0_8_p95_lanes - c17 *
-      Lambda_inv_0_8_p93_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p126_lanes = 0.282 * Lambda_inv_0_8_p123_lanes -
-      Lambda_inv_0_0_p401_lanes[1] * Lambda_inv_0_8_p117_lanes;
-  const Lanes<8> Lambda_inv_0_8_p128_lanes = c16 * Lambda_inv_0_8_p119_lanes - s16 *
-      Lambda_inv_0_8_p126_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p130_lanes =
-      detail::make_pack<Real>(-(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
-      Lambda_inv_0_8_p117_lanes[0]), -(-Lambda_inv_0_3_p163_lanes[1] +
-      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[1]),
-      -(-Lambda_inv_0_4_p121_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
-      Lambda_inv_0_8_p117_lanes[2]), -(-Lambda_inv_0_5_p168_lanes[1] +
-      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[3]),
-      -(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
-      Lambda_inv_0_8_p117_lanes[0]), -(-Lambda_inv_0_2_p122_lanes[1] +
-      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[0]),
-      -(-Lambda_inv_0_2_p122_lanes[1] + Lambda_inv_0_0_p515_lanes[1] *
-      Lambda_inv_0_8_p117_lanes[0]), -(-Lambda_inv_0_2_p122_lanes[1] +
-      Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p117_lanes[0])) + Lambda_inv_0_0_p555_lanes[1] *
-      Lambda_inv_0_8_p128_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_8_p134_lanes = detail::make_pack<Real>(-Lambda_inv_0_8_p123_lanes[0],
-      -Lambda_inv_0_8_p123_lanes[1], -Lambda_inv_0_8_p123_lanes[2], -Lambda_inv_0_8_p123_lanes[3],
-      -Lambda_inv_0_8_p123_lanes[0], -Lambda_inv_0_8_p123_lanes[0], -Lambda_inv_0_8_p123_lanes[0],
-      -Lambda_inv_0_8_p123_lanes[0]) + Lambda_inv_0_0_p569_lanes[1] * Lambda_inv_0_8_p117_lanes;
-  const Lanes<8> Lambda_inv_0_8_p137_lanes = Lambda_inv_0_8_p112_lanes -
-      Lambda_inv_0_0_p577_lanes[1] * Lambda_inv_0_8_p117_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p140_lanes = s16 * Lambda_inv_0_8_p134_lanes + c16 *
-      Lambda_inv_0_8_p137_lanes - Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_8_p128_lanes;
-  const Lanes<8> Lambda_inv_0_8_p147_lanes = s16 * Lambda_inv_0_8_p119_lanes + c16 *
-      Lambda_inv_0_8_p126_lanes - inverse_D7_p1_lanes[1] * Lambda_inv_0_8_p128_lanes;
-  const Lanes<8> Lambda_inv_0_8_p149_lanes = Lambda_inv_0_0_p1082_lanes[1] *
-      Lambda_inv_0_8_p128_lanes;
-  const Lanes<8> Lambda_inv_0_8_p151_lanes = s15 * Lambda_inv_0_8_p149_lanes + c15 *
-      Lambda_inv_0_8_p147_lanes;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p153_lanes = s15 * Lambda_inv_0_8_p130_lanes + c15 *
-      Lambda_inv_0_8_p140_lanes - Lambda_inv_0_0_p837_lanes[1] * Lambda_inv_0_8_p151_lanes;
-  const Lanes<8> Lambda_inv_0_8_p158_lanes = c15 * Lambda_inv_0_8_p130_lanes - s15 *
-      Lambda_inv_0_8_p140_lanes - Lambda_inv_0_0_p639_lanes[1] * Lambda_inv_0_8_p151_lanes;
-  const Lanes<8> Lambda_inv_0_8_p160_lanes = Lambda_inv_0_0_p679_lanes[1] *
-      Lambda_inv_0_8_p151_lanes;
-  const Lanes<8> Lambda_inv_0_8_p166_lanes = c16 * Lambda_inv_0_8_p134_lanes - s16 *
-      Lambda_inv_0_8_p137_lanes - Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_8_p128_lanes -
-      Lambda_inv_0_8_p160_lanes;
-  const Lanes<8> Lambda_inv_0_8_p168_lanes = s14 * Lambda_inv_0_8_p166_lanes + c14 *
-      Lambda_inv_0_8_p158_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p188_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[5], Lambda_inv_0_8_p153_lanes[3]) +
-      detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[5], Lambda_inv_0_8_p168_lanes[3]);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p173_lanes = c15 * Lambda_inv_0_8_p149_lanes - s15 *
-      Lambda_inv_0_8_p147_lanes - inverse_D6_p5_lanes[1] * Lambda_inv_0_8_p151_lanes;
-  const Lanes<8> Lambda_inv_0_8_p174_lanes = Lambda_inv_0_0_p1081_lanes[1] *
-      Lambda_inv_0_8_p151_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_5_p192_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[5], Lambda_inv_0_8_p174_lanes[3]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[5],
-      Lambda_inv_0_8_p173_lanes[3]) + Lambda_inv_0_5_p188_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_5_p193 = -Lambda_inv_0_5_p192_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_4_p144_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[4], Lambda_inv_0_8_p153_lanes[2]) +
-      detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[4], Lambda_inv_0_8_p168_lanes[2]);
-  const Lanes<2> Lambda_inv_0_4_p145_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[4], Lambda_inv_0_8_p174_lanes[2]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[4],
-      Lambda_inv_0_8_p173_lanes[2]) + Lambda_inv_0_4_p144_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_4_p146 = -Lambda_inv_0_4_p145_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_3_p183_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[3], Lambda_inv_0_8_p153_lanes[1]) +
-      detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[3], Lambda_inv_0_8_p168_lanes[1]);
-  const Lanes<2> Lambda_inv_0_3_p187_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[3], Lambda_inv_0_8_p174_lanes[1]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[3],
-      Lambda_inv_0_8_p173_lanes[1]) + Lambda_inv_0_3_p183_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_3_p188 = -Lambda_inv_0_3_p187_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_0_2_p142_lanes = 0.226 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1219_lanes[2], Lambda_inv_0_8_p153_lanes[0]) +
-      detail::make_pack<Real>(0.18, (-0.18)) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1214_lanes[2], Lambda_inv_0_8_p168_lanes[0]);
-  const Lanes<2> Lambda_inv_0_2_p146_lanes = detail::make_pack<Real>(c7, c14) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[2], Lambda_inv_0_8_p174_lanes[0]) +
-      detail::make_pack<Real>(s7, s14) * detail::make_pack<Real>(Lambda_inv_0_0_p1185_lanes[2],
-      Lambda_inv_0_8_p173_lanes[0]) + Lambda_inv_0_2_p142_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_2_p147 = -Lambda_inv_0_2_p146_lanes[0];
-  const Real Lambda_inv_0_1_p185 = -Lambda_inv_0_1_p184_lanes[0];
-  const Real Lambda_inv_0_0_p1227 = -Lambda_inv_0_0_p1226_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1228_lanes = inverse_D5_p16 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
-      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p103);
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1231_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_inv_0_0_p1196_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_inv_0_0_p1212_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1237_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
-      0.18, (-0.18), (-0.18)) * Lambda_inv_0_0_p1231_lanes -
-      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_inv_0_0_p1180_lanes -
-      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_inv_0_0_p1185_lanes) -
-      Lambda_inv_0_0_p1228_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1241_lanes = 0.226 * Lambda_inv_0_0_p1231_lanes - inverse_D5_p22 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
-      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p103);
-  const Lanes<8> Lambda_inv_0_0_p1245_lanes = Lambda_inv_0_0_p1231_lanes - Lambda_inv_0_0_p993 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
-      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p103);
-  const Lanes<8> Lambda_inv_0_0_p1247_lanes = s6 * Lambda_inv_0_0_p1237_lanes + c6 *
-      Lambda_inv_0_0_p1241_lanes + 0.072 * Lambda_inv_0_0_p1245_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1249_lanes = Lambda_inv_0_0_p1214_lanes + Lambda_inv_0_0_p930 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
-      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p103);
-  const Lanes<8> Lambda_inv_0_0_p1252_lanes = Lambda_inv_0_0_p1219_lanes - Lambda_inv_0_0_p984 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1227, Lambda_inv_0_1_p185, Lambda_inv_0_2_p147,
-      Lambda_inv_0_3_p188, Lambda_inv_0_4_p146, Lambda_inv_0_5_p193, Lambda_inv_0_6_p103,
-      Lambda_inv_0_7_p103);
-  const Lanes<8> Lambda_inv_0_0_p1254_lanes = s6 * Lambda_inv_0_0_p1249_lanes + c6 *
-      Lambda_inv_0_0_p1252_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1249_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
+      0.18, (-0.18), (-0.18)) * Lambda_inv_0_0_p1243_lanes -
+      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_inv_0_0_p1187_lanes -
+      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_inv_0_0_p1193_lanes) -
+      Lambda_inv_0_0_p1240_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1253_lanes = 0.226 * Lambda_inv_0_0_p1243_lanes - inverse_D5_p22 *
+      Lambda_inv_0_0_p1239_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1257_lanes = Lambda_inv_0_0_p1243_lanes - Lambda_inv_0_0_p993 *
+      Lambda_inv_0_0_p1239_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1259_lanes = s6 * Lambda_inv_0_0_p1249_lanes + c6 *
+      Lambda_inv_0_0_p1253_lanes + 0.072 * Lambda_inv_0_0_p1257_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1262_lanes = Lambda_inv_0_0_p1229_lanes + Lambda_inv_0_0_p930 *
+      Lambda_inv_0_0_p1239_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1265_lanes = Lambda_inv_0_0_p1235_lanes - Lambda_inv_0_0_p984 *
+      Lambda_inv_0_0_p1239_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1267_lanes = s6 * Lambda_inv_0_0_p1262_lanes + c6 *
+      Lambda_inv_0_0_p1265_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_7_p131 = -(0.072 * Lambda_inv_0_0_p1254_lanes[7]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_0_p1247_lanes[7];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1257_lanes = c6 * Lambda_inv_0_0_p1237_lanes - s6 *
-      Lambda_inv_0_0_p1241_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_7_p135 = Lambda_inv_0_0_p1257_lanes[7] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_0_p1247_lanes[7];
+  const Lanes<8> Lambda_inv_0_0_p1270_lanes = -(0.072 * Lambda_inv_0_0_p1267_lanes) +
+      Lambda_inv_0_0_p1020 * Lambda_inv_0_0_p1259_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1276_lanes = c6 * Lambda_inv_0_0_p1249_lanes - s6 *
+      Lambda_inv_0_0_p1253_lanes - Lambda_inv_0_0_p1022 * Lambda_inv_0_0_p1259_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_7_p136 = -(s5 * Lambda_inv_0_7_p131 + c5 * Lambda_inv_0_7_p135);
+  const Lanes<8> Lambda_inv_0_0_p1279_lanes = -(s5 * Lambda_inv_0_0_p1270_lanes + c5 *
+      Lambda_inv_0_0_p1276_lanes);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_6_p134 = -(0.072 * Lambda_inv_0_0_p1254_lanes[6]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_0_p1247_lanes[6];
-  const Real Lambda_inv_0_6_p135 = Lambda_inv_0_0_p1257_lanes[6] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_0_p1247_lanes[6];
+  const Lanes<8> Lambda_inv_0_0_p1285_lanes = Lambda_inv_0_0_p1267_lanes - Lambda_inv_0_0_p1005 *
+      Lambda_inv_0_0_p1259_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_6_p136 = -(s5 * Lambda_inv_0_6_p134 + c5 * Lambda_inv_0_6_p135);
+  const Lanes<8> Lambda_inv_0_0_p1288_lanes = -(s5 * Lambda_inv_0_0_p1276_lanes - c5 *
+      Lambda_inv_0_0_p1270_lanes + 0.21799999999999997 * Lambda_inv_0_0_p1285_lanes);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_5_p224 = -(0.072 * Lambda_inv_0_0_p1254_lanes[5]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_0_p1247_lanes[5];
-  const Real Lambda_inv_0_5_p225 = Lambda_inv_0_0_p1257_lanes[5] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_0_p1247_lanes[5];
+  const Lanes<8> Lambda_inv_0_0_p1296_lanes = c6 * Lambda_inv_0_0_p1262_lanes - s6 *
+      Lambda_inv_0_0_p1265_lanes - Lambda_inv_0_0_p1033 * Lambda_inv_0_0_p1259_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1299_lanes = Lambda_inv_0_0_p1257_lanes - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_0_p1259_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1301_lanes = s5 * Lambda_inv_0_0_p1296_lanes - c5 *
+      Lambda_inv_0_0_p1299_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_5_p226 = -(s5 * Lambda_inv_0_5_p224 + c5 * Lambda_inv_0_5_p225);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_4_p177 = -(0.072 * Lambda_inv_0_0_p1254_lanes[4]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_0_p1247_lanes[4];
-  const Real Lambda_inv_0_4_p178 = Lambda_inv_0_0_p1257_lanes[4] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_0_p1247_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_4_p179 = -(s5 * Lambda_inv_0_4_p177 + c5 * Lambda_inv_0_4_p178);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_3_p219 = -(0.072 * Lambda_inv_0_0_p1254_lanes[3]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_0_p1247_lanes[3];
-  const Real Lambda_inv_0_3_p220 = Lambda_inv_0_0_p1257_lanes[3] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_0_p1247_lanes[3];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_3_p221 = -(s5 * Lambda_inv_0_3_p219 + c5 * Lambda_inv_0_3_p220);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_2_p178 = -(0.072 * Lambda_inv_0_0_p1254_lanes[2]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_0_p1247_lanes[2];
-  const Real Lambda_inv_0_2_p179 = Lambda_inv_0_0_p1257_lanes[2] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_0_p1247_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_2_p180 = -(s5 * Lambda_inv_0_2_p178 + c5 * Lambda_inv_0_2_p179);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_1_p216 = -(0.072 * Lambda_inv_0_0_p1254_lanes[1]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_0_p1247_lanes[1];
-  const Real Lambda_inv_0_1_p217 = Lambda_inv_0_0_p1257_lanes[1] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_0_p1247_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_1_p218 = -(s5 * Lambda_inv_0_1_p216 + c5 * Lambda_inv_0_1_p217);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_0_p1258 = -(0.072 * Lambda_inv_0_0_p1254_lanes[0]) +
-      Lambda_inv_0_0_p1020 * Lambda_inv_0_0_p1247_lanes[0];
-  const Real Lambda_inv_0_0_p1259 = Lambda_inv_0_0_p1257_lanes[0] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_0_p1247_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_0_p1260 = -(s5 * Lambda_inv_0_0_p1258 + c5 * Lambda_inv_0_0_p1259);
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1263_lanes = Lambda_inv_0_0_p1254_lanes - Lambda_inv_0_0_p1005 *
-      Lambda_inv_0_0_p1247_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1269_lanes = c6 * Lambda_inv_0_0_p1249_lanes - s6 *
-      Lambda_inv_0_0_p1252_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_7_p146 = Lambda_inv_0_0_p1269_lanes[7] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_0_p1247_lanes[7];
-  const Real Lambda_inv_0_7_p147 = Lambda_inv_0_0_p1245_lanes[7] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_0_p1247_lanes[7];
-  const Real Lambda_inv_0_7_p148 = s5 * Lambda_inv_0_7_p146 - c5 * Lambda_inv_0_7_p147;
-  const Real Lambda_inv_0_6_p146 = Lambda_inv_0_0_p1269_lanes[6] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_0_p1247_lanes[6];
-  const Real Lambda_inv_0_6_p147 = Lambda_inv_0_0_p1245_lanes[6] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_0_p1247_lanes[6];
-  const Real Lambda_inv_0_6_p148 = s5 * Lambda_inv_0_6_p146 - c5 * Lambda_inv_0_6_p147;
-  const Real Lambda_inv_0_5_p236 = Lambda_inv_0_0_p1269_lanes[5] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_0_p1247_lanes[5];
-  const Real Lambda_inv_0_5_p237 = Lambda_inv_0_0_p1245_lanes[5] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_0_p1247_lanes[5];
-  const Real Lambda_inv_0_5_p238 = s5 * Lambda_inv_0_5_p236 - c5 * Lambda_inv_0_5_p237;
-  const Real Lambda_inv_0_4_p189 = Lambda_inv_0_0_p1269_lanes[4] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_0_p1247_lanes[4];
-  const Real Lambda_inv_0_4_p190 = Lambda_inv_0_0_p1245_lanes[4] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_0_p1247_lanes[4];
-  const Real Lambda_inv_0_4_p191 = s5 * Lambda_inv_0_4_p189 - c5 * Lambda_inv_0_4_p190;
-  const Real Lambda_inv_0_3_p231 = Lambda_inv_0_0_p1269_lanes[3] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_0_p1247_lanes[3];
-  const Real Lambda_inv_0_3_p232 = Lambda_inv_0_0_p1245_lanes[3] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_0_p1247_lanes[3];
-  const Real Lambda_inv_0_3_p233 = s5 * Lambda_inv_0_3_p231 - c5 * Lambda_inv_0_3_p232;
-  const Real Lambda_inv_0_2_p190 = Lambda_inv_0_0_p1269_lanes[2] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_0_p1247_lanes[2];
-  const Real Lambda_inv_0_2_p191 = Lambda_inv_0_0_p1245_lanes[2] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_0_p1247_lanes[2];
-  const Real Lambda_inv_0_2_p192 = s5 * Lambda_inv_0_2_p190 - c5 * Lambda_inv_0_2_p191;
-  const Real Lambda_inv_0_1_p228 = Lambda_inv_0_0_p1269_lanes[1] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_0_p1247_lanes[1];
-  const Real Lambda_inv_0_1_p229 = Lambda_inv_0_0_p1245_lanes[1] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_0_p1247_lanes[1];
-  const Real Lambda_inv_0_1_p230 = s5 * Lambda_inv_0_1_p228 - c5 * Lambda_inv_0_1_p229;
-  const Real Lambda_inv_0_0_p1270 = Lambda_inv_0_0_p1269_lanes[0] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_0_p1247_lanes[0];
-  const Real Lambda_inv_0_0_p1271 = Lambda_inv_0_0_p1245_lanes[0] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_0_p1247_lanes[0];
-  const Real Lambda_inv_0_0_p1272 = s5 * Lambda_inv_0_0_p1270 - c5 * Lambda_inv_0_0_p1271;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1274_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
-      Lambda_inv_0_0_p1272), -(0.21799999999999997 * Lambda_inv_0_1_p230),
-      -(0.21799999999999997 * Lambda_inv_0_2_p192), -(0.21799999999999997 * Lambda_inv_0_3_p233),
-      -(0.21799999999999997 * Lambda_inv_0_4_p191), -(0.21799999999999997 * Lambda_inv_0_5_p238),
-      -(0.21799999999999997 * Lambda_inv_0_6_p148), -(0.21799999999999997 * Lambda_inv_0_7_p148)) +
-      inverse_D3_p2 * detail::make_pack<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218,
-      Lambda_inv_0_2_p180, Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226,
-      Lambda_inv_0_6_p136, Lambda_inv_0_7_p136));
-  const Lanes<8> Lambda_inv_0_0_p1275_lanes = s4 * (detail::make_pack<Real>(-(s5 *
-      Lambda_inv_0_0_p1259 - c5 * Lambda_inv_0_0_p1258 + 0.21799999999999997 *
-      Lambda_inv_0_0_p1263_lanes[0]), -(s5 * Lambda_inv_0_1_p217 - c5 * Lambda_inv_0_1_p216 +
-      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[1]),
-      -(s5 * Lambda_inv_0_2_p179 - c5 * Lambda_inv_0_2_p178 + 0.21799999999999997 *
-      Lambda_inv_0_0_p1263_lanes[2]), -(s5 * Lambda_inv_0_3_p220 - c5 * Lambda_inv_0_3_p219 +
-      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[3]),
-      -(s5 * Lambda_inv_0_4_p178 - c5 * Lambda_inv_0_4_p177 + 0.21799999999999997 *
-      Lambda_inv_0_0_p1263_lanes[4]), -(s5 * Lambda_inv_0_5_p225 - c5 * Lambda_inv_0_5_p224 +
-      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[5]),
-      -(s5 * Lambda_inv_0_6_p135 - c5 * Lambda_inv_0_6_p134 + 0.21799999999999997 *
-      Lambda_inv_0_0_p1263_lanes[6]), -(s5 * Lambda_inv_0_7_p135 - c5 * Lambda_inv_0_7_p131 +
-      0.21799999999999997 * Lambda_inv_0_0_p1263_lanes[7])) - inverse_D3_p1 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
-      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
-      Lambda_inv_0_7_p136)) + Lambda_inv_0_0_p1274_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1282_lanes = s4 * (Lambda_inv_0_0_p1263_lanes +
-      Lambda_inv_0_0_p1050 * detail::make_pack<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218,
-      Lambda_inv_0_2_p180, Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226,
-      Lambda_inv_0_6_p136, Lambda_inv_0_7_p136));
+  const Lanes<8> Lambda_inv_0_0_p1305_lanes = c4 * (-(0.21799999999999997 *
+      Lambda_inv_0_0_p1301_lanes) + inverse_D3_p2 * Lambda_inv_0_0_p1279_lanes);
+  const Lanes<8> Lambda_inv_0_0_p1306_lanes = s4 * (Lambda_inv_0_0_p1288_lanes - inverse_D3_p1 *
+      Lambda_inv_0_0_p1279_lanes) + Lambda_inv_0_0_p1305_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1284_lanes = c4 * (detail::make_pack<Real>(-Lambda_inv_0_0_p1272,
-      -Lambda_inv_0_1_p230, -Lambda_inv_0_2_p192, -Lambda_inv_0_3_p233, -Lambda_inv_0_4_p191,
-      -Lambda_inv_0_5_p238, -Lambda_inv_0_6_p148, -Lambda_inv_0_7_p148) + Lambda_inv_0_0_p1041 *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1260, Lambda_inv_0_1_p218, Lambda_inv_0_2_p180,
-      Lambda_inv_0_3_p221, Lambda_inv_0_4_p179, Lambda_inv_0_5_p226, Lambda_inv_0_6_p136,
-      Lambda_inv_0_7_p136)) - Lambda_inv_0_0_p1282_lanes - Lambda_inv_0_0_p1063 *
-      Lambda_inv_0_0_p1275_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1287_lanes = detail::make_pack<Real>(-(-(s5 *
-      Lambda_inv_0_0_p1271 + c5 * Lambda_inv_0_0_p1270) - Lambda_inv_0_0_p1068 *
-      Lambda_inv_0_0_p1260), -(-(s5 * Lambda_inv_0_1_p229 + c5 * Lambda_inv_0_1_p228) -
-      Lambda_inv_0_0_p1068 * Lambda_inv_0_1_p218), -(-(s5 * Lambda_inv_0_2_p191 + c5 *
-      Lambda_inv_0_2_p190) - Lambda_inv_0_0_p1068 * Lambda_inv_0_2_p180),
-      -(-(s5 * Lambda_inv_0_3_p232 + c5 * Lambda_inv_0_3_p231) - Lambda_inv_0_0_p1068 *
-      Lambda_inv_0_3_p221), -(-(s5 * Lambda_inv_0_4_p190 + c5 * Lambda_inv_0_4_p189) -
-      Lambda_inv_0_0_p1068 * Lambda_inv_0_4_p179), -(-(s5 * Lambda_inv_0_5_p237 + c5 *
-      Lambda_inv_0_5_p236) - Lambda_inv_0_0_p1068 * Lambda_inv_0_5_p226),
-      -(-(s5 * Lambda_inv_0_6_p147 + c5 * Lambda_inv_0_6_p146) - Lambda_inv_0_0_p1068 *
-      Lambda_inv_0_6_p136), -(-(s5 * Lambda_inv_0_7_p147 + c5 * Lambda_inv_0_7_p146) -
-      Lambda_inv_0_0_p1068 * Lambda_inv_0_7_p136)) + Lambda_inv_0_0_p1073 *
-      Lambda_inv_0_0_p1275_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1289_lanes = c3 * Lambda_inv_0_0_p1284_lanes - s3 *
-      Lambda_inv_0_0_p1287_lanes;
-  const Lanes<8> Lambda_inv_0_0_p1290_lanes = 0.422 * Lambda_inv_0_0_p1289_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1307_lanes = Lambda_inv_0_0_p1063 * Lambda_inv_0_0_p1306_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1314_lanes = s4 * (Lambda_inv_0_0_p1285_lanes +
+      Lambda_inv_0_0_p1050 * Lambda_inv_0_0_p1279_lanes);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1316_lanes = c4 * (-Lambda_inv_0_0_p1301_lanes +
+      Lambda_inv_0_0_p1041 * Lambda_inv_0_0_p1279_lanes) - Lambda_inv_0_0_p1314_lanes -
+      Lambda_inv_0_0_p1307_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1324_lanes = -(s5 * Lambda_inv_0_0_p1299_lanes + c5 *
+      Lambda_inv_0_0_p1296_lanes) - Lambda_inv_0_0_p1068 * Lambda_inv_0_0_p1279_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_inv_0_0_p1326_lanes = -Lambda_inv_0_0_p1324_lanes + Lambda_inv_0_0_p1073 *
+      Lambda_inv_0_0_p1306_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1328_lanes = c3 * Lambda_inv_0_0_p1316_lanes - s3 *
+      Lambda_inv_0_0_p1326_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1329_lanes = 0.422 * Lambda_inv_0_0_p1328_lanes;
 
   // link 3 (hip), articulated inertia
-  const Real Lambda_inv_0_0_p1294 = c3 * Lambda_inv_0_0_p1076 - Lambda_inv_0_0_p1075;
-  const Real Lambda_inv_0_0_p1295 = 0.031999971599999996 + 0.422 * Lambda_inv_0_0_p1294;
+  const Real Lambda_inv_0_0_p1333 = c3 * Lambda_inv_0_0_p1076 - Lambda_inv_0_0_p1075;
+  const Real Lambda_inv_0_0_p1334 = 0.031999971599999996 + 0.422 * Lambda_inv_0_0_p1333;
 
   // link 2 (thigh), articulated inertia
-  const Real Lambda_inv_0_0_p1296 = Lambda_inv_0_0_p1295 * inverse_D2;
+  const Real Lambda_inv_0_0_p1335 = Lambda_inv_0_0_p1334 * inverse_D2;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1302_lanes = s2 * (s3 * Lambda_inv_0_0_p1284_lanes + c3 *
-      Lambda_inv_0_0_p1287_lanes - Lambda_inv_0_0_p1296 * Lambda_inv_0_0_p1290_lanes);
-  const Lanes<8> Lambda_inv_0_0_p1304_lanes = 0.434 *
-      (c2 * (Lambda_inv_0_0_p1289_lanes - Lambda_inv_0_0_p1080 * Lambda_inv_0_0_p1290_lanes) -
-      Lambda_inv_0_0_p1302_lanes);
+  const Lanes<8> Lambda_inv_0_0_p1341_lanes = s2 * (s3 * Lambda_inv_0_0_p1316_lanes + c3 *
+      Lambda_inv_0_0_p1326_lanes - Lambda_inv_0_0_p1335 * Lambda_inv_0_0_p1329_lanes);
+  const Lanes<8> Lambda_inv_0_0_p1343_lanes = 0.434 *
+      (c2 * (Lambda_inv_0_0_p1328_lanes - Lambda_inv_0_0_p1080 * Lambda_inv_0_0_p1329_lanes) -
+      Lambda_inv_0_0_p1341_lanes);
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D1_p1 = Lambda_inv_0_0_p1078 - Lambda_inv_0_0_p1079 * Lambda_inv_0_0_p1080;
   const Real inverse_D1_p2 = s2 * (inverse_D1_p1 - (Lambda_inv_0_0_p1074 + Lambda_inv_0_0_p1077 -
-      Lambda_inv_0_0_p1295 * Lambda_inv_0_0_p1296)) + c2 *
-      (2.0 * (Lambda_inv_0_0_p1294 - Lambda_inv_0_0_p1079 * Lambda_inv_0_0_p1296));
+      Lambda_inv_0_0_p1334 * Lambda_inv_0_0_p1335)) + c2 *
+      (2.0 * (Lambda_inv_0_0_p1333 - Lambda_inv_0_0_p1079 * Lambda_inv_0_0_p1335));
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
       (inverse_D1_p1 - s2 * inverse_D1_p2));
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1305_lanes = Lambda_inv_0_0_p1304_lanes * inverse_D1;
+  const Lanes<8> Lambda_inv_0_0_p1344_lanes = Lambda_inv_0_0_p1343_lanes * inverse_D1;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1307_lanes = Lambda_inv_0_0_p1290_lanes * inverse_D2;
+  const Lanes<8> Lambda_inv_0_0_p1346_lanes = Lambda_inv_0_0_p1329_lanes * inverse_D2;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1309_lanes = Lambda_inv_0_0_p1275_lanes * inverse_D3;
+  const Lanes<8> Lambda_inv_0_0_p1348_lanes = Lambda_inv_0_0_p1306_lanes * inverse_D3;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1311_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1260,
-      Lambda_inv_0_1_p218, Lambda_inv_0_2_p180, Lambda_inv_0_3_p221, Lambda_inv_0_4_p179,
-      Lambda_inv_0_5_p226, Lambda_inv_0_6_p136, Lambda_inv_0_7_p136) * inverse_D4;
+  const Lanes<8> Lambda_inv_0_0_p1350_lanes = Lambda_inv_0_0_p1279_lanes * inverse_D4;
 
   // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1313_lanes = Lambda_inv_0_0_p1247_lanes * inverse_D5;
+  const Lanes<8> Lambda_inv_0_0_p1352_lanes = Lambda_inv_0_0_p1259_lanes * inverse_D5;
 
   // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_7_p188 = Lambda_inv_0_7_p103 * inverse_D6;
-  const Real Lambda_inv_0_6_p188 = Lambda_inv_0_6_p103 * inverse_D6;
-  const Lanes<8> Lambda_inv_0_0_p1315_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1227,
-      Lambda_inv_0_1_p185, Lambda_inv_0_2_p147, Lambda_inv_0_3_p188, Lambda_inv_0_4_p146,
-      Lambda_inv_0_5_p193, Lambda_inv_0_0_p1227, Lambda_inv_0_0_p1227) * inverse_D6;
+  const Real Lambda_inv_0_7_p209 = Lambda_inv_0_0_p1239_lanes[7] * inverse_D6;
+  const Real Lambda_inv_0_6_p209 = Lambda_inv_0_0_p1239_lanes[6] * inverse_D6;
+  const Lanes<8> Lambda_inv_0_0_p1354_lanes = Lambda_inv_0_0_p1239_lanes * inverse_D6;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1317_lanes = Lambda_inv_0_0_p1179_lanes * inverse_D7_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1356_lanes = Lambda_inv_0_0_p1186_lanes * inverse_D7_lanes[0];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1319_lanes = Lambda_inv_0_0_p1173_lanes * inverse_D8_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1358_lanes = Lambda_inv_0_0_p1180_lanes * inverse_D8_lanes[0];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1321_lanes = Lambda_inv_0_0_p1152_lanes * inverse_D9_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1360_lanes = Lambda_inv_0_0_p1156_lanes * inverse_D9_lanes[0];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1323_lanes = Lambda_inv_0_0_p1132_lanes * inverse_D10_lanes[0];
-  const Lanes<8> Lambda_inv_0_0_p1324_lanes = Lambda_inv_0_0_p1323_lanes *
-      Lambda_inv_0_0_p1132_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1362_lanes = Lambda_inv_0_0_p1135_lanes * inverse_D10_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1363_lanes = Lambda_inv_0_0_p1362_lanes *
+      Lambda_inv_0_0_p1135_lanes[0];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1325_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1121,
-      Lambda_inv_0_1_p79, Lambda_inv_0_2_p28, Lambda_inv_0_3_p71, Lambda_inv_0_4_p29,
-      Lambda_inv_0_5_p76, Lambda_inv_0_0_p1121, Lambda_inv_0_0_p1121) * inverse_D11_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1364_lanes = Lambda_inv_0_0_p1121_lanes * inverse_D11_lanes[0];
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1327_lanes = Lambda_inv_0_0_p1091_lanes * inverse_D12_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1366_lanes = Lambda_inv_0_0_p1092_lanes * inverse_D12_lanes[0];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_inv_0_0_p1329 = 0.086 * Lambda_inv_0_0_p1085;
+  const Lanes<2> Lambda_inv_0_0_p1368_lanes = 0.086 * Lambda_inv_0_0_p1085_lanes;
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1330_lanes = detail::make_pack<Real>(91.62274020012977,
+  const Lanes<8> Lambda_inv_0_0_p1369_lanes = detail::make_pack<Real>(91.62274020012977,
       91.62274020012977, 1065.380700001509, 1065.380700001509, 1065.380700001509, 1065.380700001509,
-      91.62274020012977, 91.62274020012977) * detail::make_pack<Real>(Lambda_inv_0_0_p1085,
-      Lambda_inv_0_1_p42, Lambda_inv_0_2_p4, Lambda_inv_0_3_p36_lanes[0],
-      Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_0_p1085,
-      Lambda_inv_0_0_p1085);
+      91.62274020012977, 91.62274020012977) * detail::make_pack<Real>(Lambda_inv_0_0_p1085_lanes[0],
+      Lambda_inv_0_1_p43_lanes[0], Lambda_inv_0_2_p51_lanes[0], Lambda_inv_0_3_p36_lanes[0],
+      Lambda_inv_0_3_p36_lanes[1], Lambda_inv_0_3_p36_lanes[2], Lambda_inv_0_0_p1085_lanes[0],
+      Lambda_inv_0_0_p1085_lanes[0]);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1334_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_0_p1329 +
-      Lambda_inv_0_0_p1327_lanes * Lambda_inv_0_0_p1091_lanes[0] + Lambda_inv_0_0_p1325_lanes *
-      Lambda_inv_0_0_p1121 + Lambda_inv_0_0_p1324_lanes;
+  const Lanes<8> Lambda_inv_0_0_p1373_lanes = Lambda_inv_0_0_p1369_lanes *
+      Lambda_inv_0_0_p1368_lanes[0] + Lambda_inv_0_0_p1366_lanes * Lambda_inv_0_0_p1092_lanes[0] +
+      Lambda_inv_0_0_p1364_lanes * Lambda_inv_0_0_p1121_lanes[0] + Lambda_inv_0_0_p1363_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1337_lanes = Lambda_inv_0_0_p1334_lanes +
-      Lambda_inv_0_0_p1321_lanes * Lambda_inv_0_0_p1152_lanes[0] + Lambda_inv_0_0_p1319_lanes *
-      Lambda_inv_0_0_p1173_lanes[0] + Lambda_inv_0_0_p1317_lanes * Lambda_inv_0_0_p1179_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1376_lanes = Lambda_inv_0_0_p1373_lanes +
+      Lambda_inv_0_0_p1360_lanes * Lambda_inv_0_0_p1156_lanes[0] + Lambda_inv_0_0_p1358_lanes *
+      Lambda_inv_0_0_p1180_lanes[0] + Lambda_inv_0_0_p1356_lanes * Lambda_inv_0_0_p1186_lanes[0];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1338_lanes = Lambda_inv_0_0_p1337_lanes +
-      Lambda_inv_0_0_p1315_lanes * Lambda_inv_0_0_p1227;
+  const Lanes<8> Lambda_inv_0_0_p1377_lanes = Lambda_inv_0_0_p1376_lanes +
+      Lambda_inv_0_0_p1354_lanes * Lambda_inv_0_0_p1239_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_0_p1341_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1338_lanes[0],
-      Lambda_inv_0_0_p1338_lanes[1], Lambda_inv_0_0_p1338_lanes[2], Lambda_inv_0_0_p1338_lanes[3],
-      Lambda_inv_0_0_p1338_lanes[4], Lambda_inv_0_0_p1338_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_0_p1227, Lambda_inv_0_7_p188 * Lambda_inv_0_0_p1227) +
-      Lambda_inv_0_0_p1313_lanes * Lambda_inv_0_0_p1247_lanes[0] + Lambda_inv_0_0_p1311_lanes *
-      Lambda_inv_0_0_p1260 + Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_p1380_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1377_lanes[0],
+      Lambda_inv_0_0_p1377_lanes[1], Lambda_inv_0_0_p1377_lanes[2], Lambda_inv_0_0_p1377_lanes[3],
+      Lambda_inv_0_0_p1377_lanes[4], Lambda_inv_0_0_p1377_lanes[5], Lambda_inv_0_6_p209 *
+      Lambda_inv_0_0_p1239_lanes[0], Lambda_inv_0_7_p209 * Lambda_inv_0_0_p1239_lanes[0]) +
+      Lambda_inv_0_0_p1352_lanes * Lambda_inv_0_0_p1259_lanes[0] + Lambda_inv_0_0_p1350_lanes *
+      Lambda_inv_0_0_p1279_lanes[0] + Lambda_inv_0_0_p1348_lanes * Lambda_inv_0_0_p1306_lanes[0];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_0_0_lanes = Lambda_inv_0_0_p1341_lanes + Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[0] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[0];
+  const Lanes<8> Lambda_inv_0_0_lanes = Lambda_inv_0_0_p1380_lanes + Lambda_inv_0_0_p1346_lanes *
+      Lambda_inv_0_0_p1329_lanes[0] + Lambda_inv_0_0_p1344_lanes * Lambda_inv_0_0_p1343_lanes[0];
   Lambda_inv[0] = Lambda_inv_0_0_lanes[0];
   Lambda_inv[1] = Lambda_inv_0_0_lanes[1];
   Lambda_inv[12] = Lambda_inv_0_0_lanes[1];
@@ -2570,210 +2083,256 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[7] = Lambda_inv_0_0_lanes[7];
   Lambda_inv[84] = Lambda_inv_0_0_lanes[7];
 
-  // link 6 (chest3), force propagation
-  const Real Lambda_inv_0_11_p144 = -Lambda_inv_0_5_p192_lanes[1];
-  const Real Lambda_inv_0_10_p143 = -Lambda_inv_0_4_p145_lanes[1];
-  const Real Lambda_inv_0_9_p143 = -Lambda_inv_0_3_p187_lanes[1];
-  const Real Lambda_inv_0_8_p182 = -Lambda_inv_0_2_p146_lanes[1];
-  const Lanes<8> Lambda_inv_0_8_p183_lanes = inverse_D5_p16 *
-      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
-      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
-      Lambda_inv_0_8_p182);
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p67_lanes = c20 *
+      detail::make_pack<Real>(Lambda_inv_0_2_p60_lanes[1], Lambda_inv_0_9_p2_lanes[1],
+      Lambda_inv_0_9_p2_lanes[2], Lambda_inv_0_9_p2_lanes[3], Lambda_inv_0_2_p60_lanes[1],
+      Lambda_inv_0_2_p60_lanes[1], Lambda_inv_0_2_p60_lanes[1], Lambda_inv_0_2_p60_lanes[1]) - s20 *
+      Lambda_inv_0_8_p54_lanes - inverse_D11_p1_lanes[1] * Lambda_inv_0_8_p56_lanes;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_inv_0_9_p15_lanes = 3.0523172236718206 *
+      detail::make_pack<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
+      Lambda_inv_0_6_p43);
+  const Lanes<8> Lambda_inv_0_9_p17_lanes = 17.32841575379867 *
+      detail::make_pack<Real>(Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43, Lambda_inv_0_6_p43,
+      Lambda_inv_0_6_p43);
+  const Lanes<8> Lambda_inv_0_9_p19_lanes = s20 * Lambda_inv_0_9_p15_lanes - c20 *
+      Lambda_inv_0_9_p17_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p70_lanes = detail::make_pack<Real>(Lambda_inv_0_2_p80_lanes[1],
+      Lambda_inv_0_9_p19_lanes[1], Lambda_inv_0_9_p19_lanes[2], Lambda_inv_0_9_p19_lanes[3],
+      Lambda_inv_0_2_p80_lanes[1], Lambda_inv_0_2_p80_lanes[1], Lambda_inv_0_2_p80_lanes[1],
+      Lambda_inv_0_2_p80_lanes[1]) - Lambda_inv_0_0_p61_lanes[1] * Lambda_inv_0_8_p56_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p74_lanes = -(c19 * Lambda_inv_0_8_p67_lanes);
+  const Lanes<8> Lambda_inv_0_8_p76_lanes = 0.269 * Lambda_inv_0_8_p70_lanes - s19 *
+      Lambda_inv_0_8_p67_lanes - inverse_D10_p1_lanes[1] * Lambda_inv_0_8_p74_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_9_p28_lanes = Lambda_inv_0_0_p35_lanes[1] * Lambda_inv_0_8_p56_lanes;
+  const Lanes<8> Lambda_inv_0_9_p34_lanes = c20 * Lambda_inv_0_9_p15_lanes + s20 *
+      Lambda_inv_0_9_p17_lanes - Lambda_inv_0_0_p11_lanes[1] * Lambda_inv_0_8_p56_lanes;
+  const Lanes<8> Lambda_inv_0_9_p36_lanes = c19 * Lambda_inv_0_9_p28_lanes + s19 *
+      Lambda_inv_0_9_p34_lanes;
+  const Real Lambda_inv_0_8_p78 = s19 * Lambda_inv_0_8_p57 - c19 * Lambda_inv_0_8_p59;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p81_lanes = 0.269 *
+      detail::make_pack<Real>(Lambda_inv_0_8_p78, Lambda_inv_0_9_p36_lanes[1],
+      Lambda_inv_0_9_p36_lanes[2], Lambda_inv_0_9_p36_lanes[3], Lambda_inv_0_8_p78,
+      Lambda_inv_0_8_p78, Lambda_inv_0_8_p78, Lambda_inv_0_8_p78) - inverse_D10_p8_lanes[1] *
+      Lambda_inv_0_8_p74_lanes;
+  const Lanes<8> Lambda_inv_0_8_p86_lanes = s18 * Lambda_inv_0_8_p76_lanes + c18 *
+      Lambda_inv_0_8_p81_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p88_lanes = c18 * Lambda_inv_0_8_p76_lanes - s18 *
+      Lambda_inv_0_8_p81_lanes - Lambda_inv_0_0_p231_lanes[1] * Lambda_inv_0_8_p86_lanes;
+  const Lanes<8> Lambda_inv_0_8_p90_lanes = Lambda_inv_0_0_p221_lanes[1] * Lambda_inv_0_8_p86_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p96_lanes = -detail::make_pack<Real>(Lambda_inv_0_8_p78,
+      Lambda_inv_0_9_p36_lanes[1], Lambda_inv_0_9_p36_lanes[2], Lambda_inv_0_9_p36_lanes[3],
+      Lambda_inv_0_8_p78, Lambda_inv_0_8_p78, Lambda_inv_0_8_p78, Lambda_inv_0_8_p78) +
+      Lambda_inv_0_0_p55_lanes[1] * Lambda_inv_0_8_p74_lanes;
+  const Lanes<8> Lambda_inv_0_8_p99_lanes = Lambda_inv_0_8_p70_lanes -
+      Lambda_inv_0_0_p119_lanes[1] * Lambda_inv_0_8_p74_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p102_lanes = s18 * Lambda_inv_0_8_p96_lanes + c18 *
+      Lambda_inv_0_8_p99_lanes - Lambda_inv_0_0_p191_lanes[1] * Lambda_inv_0_8_p86_lanes;
+  const Lanes<8> Lambda_inv_0_8_p107_lanes = c17 * Lambda_inv_0_8_p90_lanes - s17 *
+      Lambda_inv_0_8_p88_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p108_lanes = Lambda_inv_0_0_p259_lanes[1] *
+      Lambda_inv_0_8_p107_lanes;
+  const Lanes<8> Lambda_inv_0_8_p109_lanes = c17 * Lambda_inv_0_8_p88_lanes + s17 *
+      Lambda_inv_0_8_p90_lanes + 0.282 * Lambda_inv_0_8_p102_lanes - Lambda_inv_0_8_p108_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_inv_0_9_p72_lanes = s19 * Lambda_inv_0_9_p28_lanes - c19 *
+      Lambda_inv_0_9_p34_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p115_lanes = -(detail::make_pack<Real>(Lambda_inv_0_2_p129_lanes[1],
+      Lambda_inv_0_9_p72_lanes[1], Lambda_inv_0_9_p72_lanes[2], Lambda_inv_0_9_p72_lanes[3],
+      Lambda_inv_0_2_p129_lanes[1], Lambda_inv_0_2_p129_lanes[1], Lambda_inv_0_2_p129_lanes[1],
+      Lambda_inv_0_2_p129_lanes[1]) - Lambda_inv_0_0_p337_lanes[1] * Lambda_inv_0_8_p74_lanes) -
+      Lambda_inv_0_0_p363_lanes[1] * Lambda_inv_0_8_p86_lanes;
+  const Lanes<8> Lambda_inv_0_8_p121_lanes = c18 * Lambda_inv_0_8_p96_lanes - s18 *
+      Lambda_inv_0_8_p99_lanes - Lambda_inv_0_0_p317_lanes[1] * Lambda_inv_0_8_p86_lanes;
+  const Lanes<8> Lambda_inv_0_8_p123_lanes = s17 * Lambda_inv_0_8_p115_lanes - c17 *
+      Lambda_inv_0_8_p121_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p126_lanes = 0.282 * Lambda_inv_0_8_p123_lanes -
+      Lambda_inv_0_0_p401_lanes[1] * Lambda_inv_0_8_p107_lanes;
+  const Lanes<8> Lambda_inv_0_8_p128_lanes = c16 * Lambda_inv_0_8_p109_lanes - s16 *
+      Lambda_inv_0_8_p126_lanes;
+  const Lanes<8> Lambda_inv_0_8_p135_lanes = -(s17 * Lambda_inv_0_8_p121_lanes + c17 *
+      Lambda_inv_0_8_p115_lanes) + Lambda_inv_0_0_p515_lanes[1] * Lambda_inv_0_8_p107_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p137_lanes = -Lambda_inv_0_8_p135_lanes +
+      Lambda_inv_0_0_p555_lanes[1] * Lambda_inv_0_8_p128_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_inv_0_8_p142_lanes = -Lambda_inv_0_8_p123_lanes +
+      Lambda_inv_0_0_p569_lanes[1] * Lambda_inv_0_8_p107_lanes;
+  const Lanes<8> Lambda_inv_0_8_p145_lanes = Lambda_inv_0_8_p102_lanes -
+      Lambda_inv_0_0_p577_lanes[1] * Lambda_inv_0_8_p107_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_inv_0_8_p148_lanes = s16 * Lambda_inv_0_8_p142_lanes + c16 *
+      Lambda_inv_0_8_p145_lanes - Lambda_inv_0_0_p609_lanes[1] * Lambda_inv_0_8_p128_lanes;
+  const Lanes<8> Lambda_inv_0_8_p155_lanes = s16 * Lambda_inv_0_8_p109_lanes + c16 *
+      Lambda_inv_0_8_p126_lanes - inverse_D7_p1_lanes[1] * Lambda_inv_0_8_p128_lanes;
+  const Lanes<8> Lambda_inv_0_8_p157_lanes = Lambda_inv_0_0_p1082_lanes[1] *
+      Lambda_inv_0_8_p128_lanes;
+  const Lanes<8> Lambda_inv_0_8_p159_lanes = s15 * Lambda_inv_0_8_p157_lanes + c15 *
+      Lambda_inv_0_8_p155_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p186_lanes = c14 * Lambda_inv_0_8_p166_lanes - s14 *
-      Lambda_inv_0_8_p158_lanes;
+  const Lanes<8> Lambda_inv_0_8_p161_lanes = s15 * Lambda_inv_0_8_p137_lanes + c15 *
+      Lambda_inv_0_8_p148_lanes - Lambda_inv_0_0_p837_lanes[1] * Lambda_inv_0_8_p159_lanes;
+  const Lanes<8> Lambda_inv_0_8_p167_lanes = c15 * Lambda_inv_0_8_p137_lanes - s15 *
+      Lambda_inv_0_8_p148_lanes - Lambda_inv_0_0_p639_lanes[1] * Lambda_inv_0_8_p159_lanes;
+  const Lanes<8> Lambda_inv_0_8_p169_lanes = Lambda_inv_0_0_p679_lanes[1] *
+      Lambda_inv_0_8_p159_lanes;
+  const Lanes<8> Lambda_inv_0_8_p175_lanes = c16 * Lambda_inv_0_8_p142_lanes - s16 *
+      Lambda_inv_0_8_p145_lanes - Lambda_inv_0_0_p657_lanes[1] * Lambda_inv_0_8_p128_lanes -
+      Lambda_inv_0_8_p169_lanes;
+  const Lanes<8> Lambda_inv_0_8_p177_lanes = s14 * Lambda_inv_0_8_p175_lanes + c14 *
+      Lambda_inv_0_8_p167_lanes;
+  const Lanes<8> Lambda_inv_0_8_p179_lanes = 0.226 * Lambda_inv_0_8_p161_lanes + (-0.18) *
+      Lambda_inv_0_8_p177_lanes;
+  const Lanes<8> Lambda_inv_0_8_p184_lanes = c15 * Lambda_inv_0_8_p157_lanes - s15 *
+      Lambda_inv_0_8_p155_lanes - inverse_D6_p5_lanes[1] * Lambda_inv_0_8_p159_lanes;
+  const Lanes<8> Lambda_inv_0_8_p186_lanes = Lambda_inv_0_0_p1081_lanes[1] *
+      Lambda_inv_0_8_p159_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p192_lanes = (-0.18) * Lambda_inv_0_8_p186_lanes -
-      (s14 * Lambda_inv_0_8_p174_lanes - c14 * Lambda_inv_0_8_p173_lanes) -
-      Lambda_inv_0_8_p183_lanes;
-  const Lanes<8> Lambda_inv_0_8_p196_lanes = 0.226 * Lambda_inv_0_8_p186_lanes - inverse_D5_p22 *
-      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
-      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
-      Lambda_inv_0_8_p182);
-  const Lanes<8> Lambda_inv_0_8_p200_lanes = Lambda_inv_0_8_p186_lanes - Lambda_inv_0_0_p993 *
-      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
-      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
-      Lambda_inv_0_8_p182);
-  const Lanes<8> Lambda_inv_0_8_p202_lanes = s6 * Lambda_inv_0_8_p192_lanes + c6 *
-      Lambda_inv_0_8_p196_lanes + 0.072 * Lambda_inv_0_8_p200_lanes;
-  const Lanes<8> Lambda_inv_0_8_p204_lanes = Lambda_inv_0_8_p168_lanes + Lambda_inv_0_0_p930 *
-      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
-      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
-      Lambda_inv_0_8_p182);
-  const Lanes<8> Lambda_inv_0_8_p207_lanes = Lambda_inv_0_8_p153_lanes - Lambda_inv_0_0_p984 *
-      detail::make_pack<Real>(Lambda_inv_0_8_p182, Lambda_inv_0_9_p143, Lambda_inv_0_10_p143,
-      Lambda_inv_0_11_p144, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182,
-      Lambda_inv_0_8_p182);
-  const Lanes<8> Lambda_inv_0_8_p209_lanes = s6 * Lambda_inv_0_8_p204_lanes + c6 *
-      Lambda_inv_0_8_p207_lanes;
+  const Lanes<8> Lambda_inv_0_8_p190_lanes = -(c14 * Lambda_inv_0_8_p186_lanes + s14 *
+      Lambda_inv_0_8_p184_lanes + Lambda_inv_0_8_p179_lanes);
+  const Lanes<8> Lambda_inv_0_8_p191_lanes = inverse_D5_p16 * Lambda_inv_0_8_p190_lanes;
 
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_11_p172 = -(0.072 * Lambda_inv_0_8_p209_lanes[3]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_8_p202_lanes[3];
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p194_lanes = c14 * Lambda_inv_0_8_p175_lanes - s14 *
+      Lambda_inv_0_8_p167_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p212_lanes = c6 * Lambda_inv_0_8_p192_lanes - s6 *
-      Lambda_inv_0_8_p196_lanes;
+  const Lanes<8> Lambda_inv_0_8_p200_lanes = (-0.18) * Lambda_inv_0_8_p194_lanes -
+      (s14 * Lambda_inv_0_8_p186_lanes - c14 * Lambda_inv_0_8_p184_lanes) -
+      Lambda_inv_0_8_p191_lanes;
+  const Lanes<8> Lambda_inv_0_8_p204_lanes = 0.226 * Lambda_inv_0_8_p194_lanes - inverse_D5_p22 *
+      Lambda_inv_0_8_p190_lanes;
+  const Lanes<8> Lambda_inv_0_8_p208_lanes = Lambda_inv_0_8_p194_lanes - Lambda_inv_0_0_p993 *
+      Lambda_inv_0_8_p190_lanes;
+  const Lanes<8> Lambda_inv_0_8_p210_lanes = s6 * Lambda_inv_0_8_p200_lanes + c6 *
+      Lambda_inv_0_8_p204_lanes + 0.072 * Lambda_inv_0_8_p208_lanes;
+  const Lanes<8> Lambda_inv_0_8_p213_lanes = Lambda_inv_0_8_p177_lanes + Lambda_inv_0_0_p930 *
+      Lambda_inv_0_8_p190_lanes;
+  const Lanes<8> Lambda_inv_0_8_p216_lanes = Lambda_inv_0_8_p161_lanes - Lambda_inv_0_0_p984 *
+      Lambda_inv_0_8_p190_lanes;
+  const Lanes<8> Lambda_inv_0_8_p218_lanes = s6 * Lambda_inv_0_8_p213_lanes + c6 *
+      Lambda_inv_0_8_p216_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_11_p176 = Lambda_inv_0_8_p212_lanes[3] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_8_p202_lanes[3];
+  const Lanes<8> Lambda_inv_0_8_p221_lanes = -(0.072 * Lambda_inv_0_8_p218_lanes) +
+      Lambda_inv_0_0_p1020 * Lambda_inv_0_8_p210_lanes;
+  const Lanes<8> Lambda_inv_0_8_p227_lanes = c6 * Lambda_inv_0_8_p200_lanes - s6 *
+      Lambda_inv_0_8_p204_lanes - Lambda_inv_0_0_p1022 * Lambda_inv_0_8_p210_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_11_p177 = -(s5 * Lambda_inv_0_11_p172 + c5 * Lambda_inv_0_11_p176);
+  const Lanes<8> Lambda_inv_0_8_p230_lanes = -(s5 * Lambda_inv_0_8_p221_lanes + c5 *
+      Lambda_inv_0_8_p227_lanes);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_10_p174 = -(0.072 * Lambda_inv_0_8_p209_lanes[2]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_8_p202_lanes[2];
-  const Real Lambda_inv_0_10_p175 = Lambda_inv_0_8_p212_lanes[2] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_8_p202_lanes[2];
+  const Lanes<8> Lambda_inv_0_8_p236_lanes = Lambda_inv_0_8_p218_lanes - Lambda_inv_0_0_p1005 *
+      Lambda_inv_0_8_p210_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_10_p176 = -(s5 * Lambda_inv_0_10_p174 + c5 * Lambda_inv_0_10_p175);
+  const Lanes<8> Lambda_inv_0_8_p239_lanes = -(s5 * Lambda_inv_0_8_p227_lanes - c5 *
+      Lambda_inv_0_8_p221_lanes + 0.21799999999999997 * Lambda_inv_0_8_p236_lanes);
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_9_p174 = -(0.072 * Lambda_inv_0_8_p209_lanes[1]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_8_p202_lanes[1];
-  const Real Lambda_inv_0_9_p175 = Lambda_inv_0_8_p212_lanes[1] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_8_p202_lanes[1];
+  const Lanes<8> Lambda_inv_0_8_p247_lanes = c6 * Lambda_inv_0_8_p213_lanes - s6 *
+      Lambda_inv_0_8_p216_lanes - Lambda_inv_0_0_p1033 * Lambda_inv_0_8_p210_lanes;
+  const Lanes<8> Lambda_inv_0_8_p250_lanes = Lambda_inv_0_8_p208_lanes - Lambda_inv_0_0_p1029 *
+      Lambda_inv_0_8_p210_lanes;
+  const Lanes<8> Lambda_inv_0_8_p252_lanes = s5 * Lambda_inv_0_8_p247_lanes - c5 *
+      Lambda_inv_0_8_p250_lanes;
 
   // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_9_p176 = -(s5 * Lambda_inv_0_9_p174 + c5 * Lambda_inv_0_9_p175);
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_8_p213 = -(0.072 * Lambda_inv_0_8_p209_lanes[0]) + Lambda_inv_0_0_p1020 *
-      Lambda_inv_0_8_p202_lanes[0];
-  const Real Lambda_inv_0_8_p214 = Lambda_inv_0_8_p212_lanes[0] - Lambda_inv_0_0_p1022 *
-      Lambda_inv_0_8_p202_lanes[0];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_inv_0_8_p215 = -(s5 * Lambda_inv_0_8_p213 + c5 * Lambda_inv_0_8_p214);
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p218_lanes = Lambda_inv_0_8_p209_lanes - Lambda_inv_0_0_p1005 *
-      Lambda_inv_0_8_p202_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p224_lanes = c6 * Lambda_inv_0_8_p204_lanes - s6 *
-      Lambda_inv_0_8_p207_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_inv_0_11_p187 = Lambda_inv_0_8_p224_lanes[3] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_8_p202_lanes[3];
-  const Real Lambda_inv_0_11_p188 = Lambda_inv_0_8_p200_lanes[3] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_8_p202_lanes[3];
-  const Real Lambda_inv_0_11_p189 = s5 * Lambda_inv_0_11_p187 - c5 * Lambda_inv_0_11_p188;
-  const Real Lambda_inv_0_10_p186 = Lambda_inv_0_8_p224_lanes[2] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_8_p202_lanes[2];
-  const Real Lambda_inv_0_10_p187 = Lambda_inv_0_8_p200_lanes[2] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_8_p202_lanes[2];
-  const Real Lambda_inv_0_10_p188 = s5 * Lambda_inv_0_10_p186 - c5 * Lambda_inv_0_10_p187;
-  const Real Lambda_inv_0_9_p186 = Lambda_inv_0_8_p224_lanes[1] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_8_p202_lanes[1];
-  const Real Lambda_inv_0_9_p187 = Lambda_inv_0_8_p200_lanes[1] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_8_p202_lanes[1];
-  const Real Lambda_inv_0_9_p188 = s5 * Lambda_inv_0_9_p186 - c5 * Lambda_inv_0_9_p187;
-  const Real Lambda_inv_0_8_p225 = Lambda_inv_0_8_p224_lanes[0] - Lambda_inv_0_0_p1033 *
-      Lambda_inv_0_8_p202_lanes[0];
-  const Real Lambda_inv_0_8_p226 = Lambda_inv_0_8_p200_lanes[0] - Lambda_inv_0_0_p1029 *
-      Lambda_inv_0_8_p202_lanes[0];
-  const Real Lambda_inv_0_8_p227 = s5 * Lambda_inv_0_8_p225 - c5 * Lambda_inv_0_8_p226;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p229_lanes = c4 * (detail::make_pack<Real>(-(0.21799999999999997 *
-      Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_9_p188),
-      -(0.21799999999999997 * Lambda_inv_0_10_p188), -(0.21799999999999997 * Lambda_inv_0_11_p189),
-      -(0.21799999999999997 * Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_8_p227),
-      -(0.21799999999999997 * Lambda_inv_0_8_p227), -(0.21799999999999997 * Lambda_inv_0_8_p227)) +
-      inverse_D3_p2 * detail::make_pack<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176,
-      Lambda_inv_0_10_p176, Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215, Lambda_inv_0_8_p215));
-  const Lanes<8> Lambda_inv_0_8_p230_lanes = s4 * (detail::make_pack<Real>(-(s5 *
-      Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
-      Lambda_inv_0_8_p218_lanes[0]), -(s5 * Lambda_inv_0_9_p175 - c5 * Lambda_inv_0_9_p174 +
-      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[1]),
-      -(s5 * Lambda_inv_0_10_p175 - c5 * Lambda_inv_0_10_p174 + 0.21799999999999997 *
-      Lambda_inv_0_8_p218_lanes[2]), -(s5 * Lambda_inv_0_11_p176 - c5 * Lambda_inv_0_11_p172 +
-      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[3]),
-      -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
-      Lambda_inv_0_8_p218_lanes[0]), -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 +
-      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0]),
-      -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 + 0.21799999999999997 *
-      Lambda_inv_0_8_p218_lanes[0]), -(s5 * Lambda_inv_0_8_p214 - c5 * Lambda_inv_0_8_p213 +
-      0.21799999999999997 * Lambda_inv_0_8_p218_lanes[0])) - inverse_D3_p1 *
-      detail::make_pack<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
-      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215)) + Lambda_inv_0_8_p229_lanes;
-  const Lanes<8> Lambda_inv_0_8_p237_lanes = s4 * (Lambda_inv_0_8_p218_lanes +
-      Lambda_inv_0_0_p1050 * detail::make_pack<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176,
-      Lambda_inv_0_10_p176, Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215, Lambda_inv_0_8_p215));
+  const Lanes<8> Lambda_inv_0_8_p256_lanes = c4 * (-(0.21799999999999997 *
+      Lambda_inv_0_8_p252_lanes) + inverse_D3_p2 * Lambda_inv_0_8_p230_lanes);
+  const Lanes<8> Lambda_inv_0_8_p257_lanes = s4 * (Lambda_inv_0_8_p239_lanes - inverse_D3_p1 *
+      Lambda_inv_0_8_p230_lanes) + Lambda_inv_0_8_p256_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_8_p239_lanes = c4 * (detail::make_pack<Real>(-Lambda_inv_0_8_p227,
-      -Lambda_inv_0_9_p188, -Lambda_inv_0_10_p188, -Lambda_inv_0_11_p189, -Lambda_inv_0_8_p227,
-      -Lambda_inv_0_8_p227, -Lambda_inv_0_8_p227, -Lambda_inv_0_8_p227) + Lambda_inv_0_0_p1041 *
-      detail::make_pack<Real>(Lambda_inv_0_8_p215, Lambda_inv_0_9_p176, Lambda_inv_0_10_p176,
-      Lambda_inv_0_11_p177, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215)) - Lambda_inv_0_8_p237_lanes - Lambda_inv_0_0_p1063 *
-      Lambda_inv_0_8_p230_lanes;
-  const Lanes<8> Lambda_inv_0_8_p242_lanes = detail::make_pack<Real>(-(-(s5 * Lambda_inv_0_8_p226 +
-      c5 * Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215),
-      -(-(s5 * Lambda_inv_0_9_p187 + c5 * Lambda_inv_0_9_p186) - Lambda_inv_0_0_p1068 *
-      Lambda_inv_0_9_p176), -(-(s5 * Lambda_inv_0_10_p187 + c5 * Lambda_inv_0_10_p186) -
-      Lambda_inv_0_0_p1068 * Lambda_inv_0_10_p176), -(-(s5 * Lambda_inv_0_11_p188 + c5 *
-      Lambda_inv_0_11_p187) - Lambda_inv_0_0_p1068 * Lambda_inv_0_11_p177),
-      -(-(s5 * Lambda_inv_0_8_p226 + c5 * Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 *
-      Lambda_inv_0_8_p215), -(-(s5 * Lambda_inv_0_8_p226 + c5 * Lambda_inv_0_8_p225) -
-      Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215), -(-(s5 * Lambda_inv_0_8_p226 + c5 *
-      Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p215),
-      -(-(s5 * Lambda_inv_0_8_p226 + c5 * Lambda_inv_0_8_p225) - Lambda_inv_0_0_p1068 *
-      Lambda_inv_0_8_p215)) + Lambda_inv_0_0_p1073 * Lambda_inv_0_8_p230_lanes;
-  const Lanes<8> Lambda_inv_0_8_p244_lanes = c3 * Lambda_inv_0_8_p239_lanes - s3 *
-      Lambda_inv_0_8_p242_lanes;
-  const Lanes<8> Lambda_inv_0_8_p245_lanes = 0.422 * Lambda_inv_0_8_p244_lanes;
+  const Lanes<8> Lambda_inv_0_8_p258_lanes = Lambda_inv_0_0_p1063 * Lambda_inv_0_8_p257_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p265_lanes = s4 * (Lambda_inv_0_8_p236_lanes +
+      Lambda_inv_0_0_p1050 * Lambda_inv_0_8_p230_lanes);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_inv_0_8_p267_lanes = c4 * (-Lambda_inv_0_8_p252_lanes +
+      Lambda_inv_0_0_p1041 * Lambda_inv_0_8_p230_lanes) - Lambda_inv_0_8_p265_lanes -
+      Lambda_inv_0_8_p258_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_inv_0_8_p275_lanes = -(s5 * Lambda_inv_0_8_p250_lanes + c5 *
+      Lambda_inv_0_8_p247_lanes) - Lambda_inv_0_0_p1068 * Lambda_inv_0_8_p230_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_inv_0_8_p277_lanes = -Lambda_inv_0_8_p275_lanes + Lambda_inv_0_0_p1073 *
+      Lambda_inv_0_8_p257_lanes;
+  const Lanes<8> Lambda_inv_0_8_p279_lanes = c3 * Lambda_inv_0_8_p267_lanes - s3 *
+      Lambda_inv_0_8_p277_lanes;
+  const Lanes<8> Lambda_inv_0_8_p280_lanes = 0.422 * Lambda_inv_0_8_p279_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_8_p254_lanes = s2 * (s3 * Lambda_inv_0_8_p239_lanes + c3 *
-      Lambda_inv_0_8_p242_lanes - Lambda_inv_0_0_p1296 * Lambda_inv_0_8_p245_lanes);
-  const Lanes<8> Lambda_inv_0_8_p256_lanes = 0.434 *
-      (c2 * (Lambda_inv_0_8_p244_lanes - Lambda_inv_0_0_p1080 * Lambda_inv_0_8_p245_lanes) -
-      Lambda_inv_0_8_p254_lanes);
+  const Lanes<8> Lambda_inv_0_8_p289_lanes = s2 * (s3 * Lambda_inv_0_8_p267_lanes + c3 *
+      Lambda_inv_0_8_p277_lanes - Lambda_inv_0_0_p1335 * Lambda_inv_0_8_p280_lanes);
+  const Lanes<8> Lambda_inv_0_8_p291_lanes = 0.434 *
+      (c2 * (Lambda_inv_0_8_p279_lanes - Lambda_inv_0_0_p1080 * Lambda_inv_0_8_p280_lanes) -
+      Lambda_inv_0_8_p289_lanes);
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_0_8_p257_lanes = Lambda_inv_0_8_p256_lanes * inverse_D1;
+  const Lanes<8> Lambda_inv_0_8_p292_lanes = Lambda_inv_0_8_p291_lanes * inverse_D1;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_inv_0_8_p259_lanes = Lambda_inv_0_8_p245_lanes * inverse_D2;
+  const Lanes<8> Lambda_inv_0_8_p294_lanes = Lambda_inv_0_8_p280_lanes * inverse_D2;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_8_p261_lanes = Lambda_inv_0_8_p230_lanes * inverse_D3;
-  const Lanes<8> Lambda_inv_0_8_p262_lanes = Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[0];
+  const Lanes<8> Lambda_inv_0_8_p296_lanes = Lambda_inv_0_8_p257_lanes * inverse_D3;
+  const Lanes<8> Lambda_inv_0_8_p297_lanes = Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_0_p1306_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_0_8_p263_lanes = detail::make_pack<Real>(Lambda_inv_0_8_p215,
-      Lambda_inv_0_9_p176, Lambda_inv_0_10_p176, Lambda_inv_0_11_p177, Lambda_inv_0_8_p215,
-      Lambda_inv_0_8_p215, Lambda_inv_0_8_p215, Lambda_inv_0_8_p215) * inverse_D4;
+  const Lanes<8> Lambda_inv_0_8_p298_lanes = Lambda_inv_0_8_p230_lanes * inverse_D4;
 
   // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_inv_0_8_p265_lanes = Lambda_inv_0_8_p202_lanes * inverse_D5;
+  const Lanes<8> Lambda_inv_0_8_p300_lanes = Lambda_inv_0_8_p210_lanes * inverse_D5;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_0_8_p267_lanes = detail::make_pack<Real>(Lambda_inv_0_8_p182,
-      Lambda_inv_0_9_p143, Lambda_inv_0_10_p143, Lambda_inv_0_11_p144, Lambda_inv_0_8_p182,
-      Lambda_inv_0_8_p182, Lambda_inv_0_8_p182, Lambda_inv_0_8_p182) * inverse_D6;
+  const Lanes<8> Lambda_inv_0_8_p302_lanes = Lambda_inv_0_8_p190_lanes * inverse_D6;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_0_8_p271_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_0_p1227 +
-      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[0] + Lambda_inv_0_8_p263_lanes *
-      Lambda_inv_0_0_p1260 + Lambda_inv_0_8_p262_lanes;
+  const Lanes<8> Lambda_inv_0_8_p306_lanes = Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_0_p1239_lanes[0] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_0_p1259_lanes[0] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_0_p1279_lanes[0] + Lambda_inv_0_8_p297_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_0_8_lanes = Lambda_inv_0_8_p271_lanes + Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[0] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[0];
+  const Lanes<8> Lambda_inv_0_8_lanes = Lambda_inv_0_8_p306_lanes + Lambda_inv_0_8_p294_lanes *
+      Lambda_inv_0_0_p1329_lanes[0] + Lambda_inv_0_8_p292_lanes * Lambda_inv_0_0_p1343_lanes[0];
   Lambda_inv[8] = Lambda_inv_0_8_lanes[0];
   Lambda_inv[96] = Lambda_inv_0_8_lanes[0];
   Lambda_inv[9] = Lambda_inv_0_8_lanes[1];
@@ -2784,37 +2343,37 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[132] = Lambda_inv_0_8_lanes[3];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_1_1_p10_lanes = Lambda_inv_0_0_p1323_lanes *
-      Lambda_inv_0_0_p1132_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p10_lanes = Lambda_inv_0_0_p1362_lanes *
+      Lambda_inv_0_0_p1135_lanes[1];
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_inv_1_1_p13 = 0.086 * Lambda_inv_0_1_p42;
+  const Lanes<2> Lambda_inv_1_1_p13_lanes = 0.086 * Lambda_inv_0_1_p43_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_1_1_p17_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_1_1_p13 +
-      Lambda_inv_0_0_p1327_lanes * Lambda_inv_0_0_p1091_lanes[1] + Lambda_inv_0_0_p1325_lanes *
-      Lambda_inv_0_1_p79 + Lambda_inv_1_1_p10_lanes;
+  const Lanes<8> Lambda_inv_1_1_p17_lanes = Lambda_inv_0_0_p1369_lanes *
+      Lambda_inv_1_1_p13_lanes[0] + Lambda_inv_0_0_p1366_lanes * Lambda_inv_0_0_p1092_lanes[1] +
+      Lambda_inv_0_0_p1364_lanes * Lambda_inv_0_0_p1121_lanes[1] + Lambda_inv_1_1_p10_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_1_1_p20_lanes = Lambda_inv_1_1_p17_lanes + Lambda_inv_0_0_p1321_lanes *
-      Lambda_inv_0_0_p1152_lanes[1] + Lambda_inv_0_0_p1319_lanes * Lambda_inv_0_0_p1173_lanes[1] +
-      Lambda_inv_0_0_p1317_lanes * Lambda_inv_0_0_p1179_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_p20_lanes = Lambda_inv_1_1_p17_lanes + Lambda_inv_0_0_p1360_lanes *
+      Lambda_inv_0_0_p1156_lanes[1] + Lambda_inv_0_0_p1358_lanes * Lambda_inv_0_0_p1180_lanes[1] +
+      Lambda_inv_0_0_p1356_lanes * Lambda_inv_0_0_p1186_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_1_1_p21_lanes = Lambda_inv_1_1_p20_lanes + Lambda_inv_0_0_p1315_lanes *
-      Lambda_inv_0_1_p185;
+  const Lanes<8> Lambda_inv_1_1_p21_lanes = Lambda_inv_1_1_p20_lanes + Lambda_inv_0_0_p1354_lanes *
+      Lambda_inv_0_0_p1239_lanes[1];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_1_1_p24_lanes = detail::make_pack<Real>(Lambda_inv_1_1_p21_lanes[1],
       Lambda_inv_1_1_p21_lanes[1], Lambda_inv_1_1_p21_lanes[2], Lambda_inv_1_1_p21_lanes[3],
-      Lambda_inv_1_1_p21_lanes[4], Lambda_inv_1_1_p21_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_1_p185, Lambda_inv_0_7_p188 * Lambda_inv_0_1_p185) + Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[1] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_1_p218 +
-      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[1];
+      Lambda_inv_1_1_p21_lanes[4], Lambda_inv_1_1_p21_lanes[5], Lambda_inv_0_6_p209 *
+      Lambda_inv_0_0_p1239_lanes[1], Lambda_inv_0_7_p209 * Lambda_inv_0_0_p1239_lanes[1]) +
+      Lambda_inv_0_0_p1352_lanes * Lambda_inv_0_0_p1259_lanes[1] + Lambda_inv_0_0_p1350_lanes *
+      Lambda_inv_0_0_p1279_lanes[1] + Lambda_inv_0_0_p1348_lanes * Lambda_inv_0_0_p1306_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_1_1_lanes = Lambda_inv_1_1_p24_lanes + Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[1] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[1];
+  const Lanes<8> Lambda_inv_1_1_lanes = Lambda_inv_1_1_p24_lanes + Lambda_inv_0_0_p1346_lanes *
+      Lambda_inv_0_0_p1329_lanes[1] + Lambda_inv_0_0_p1344_lanes * Lambda_inv_0_0_p1343_lanes[1];
   Lambda_inv[13] = Lambda_inv_1_1_lanes[1];
   Lambda_inv[14] = Lambda_inv_1_1_lanes[2];
   Lambda_inv[25] = Lambda_inv_1_1_lanes[2];
@@ -2830,15 +2389,15 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[85] = Lambda_inv_1_1_lanes[7];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_1_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[1];
-  const Lanes<8> Lambda_inv_1_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_1_p185 +
-      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[1] + Lambda_inv_0_8_p263_lanes *
-      Lambda_inv_0_1_p218 + Lambda_inv_1_8_p3_lanes;
+  const Lanes<8> Lambda_inv_1_8_p3_lanes = Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_0_p1306_lanes[1];
+  const Lanes<8> Lambda_inv_1_8_p9_lanes = Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_0_p1239_lanes[1] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_0_p1259_lanes[1] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_0_p1279_lanes[1] + Lambda_inv_1_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_1_8_lanes = Lambda_inv_1_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[1] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[1];
+  const Lanes<8> Lambda_inv_1_8_lanes = Lambda_inv_1_8_p9_lanes + Lambda_inv_0_8_p294_lanes *
+      Lambda_inv_0_0_p1329_lanes[1] + Lambda_inv_0_8_p292_lanes * Lambda_inv_0_0_p1343_lanes[1];
   Lambda_inv[20] = Lambda_inv_1_8_lanes[0];
   Lambda_inv[97] = Lambda_inv_1_8_lanes[0];
   Lambda_inv[21] = Lambda_inv_1_8_lanes[1];
@@ -2849,32 +2408,32 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[133] = Lambda_inv_1_8_lanes[3];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_2_2_p10_lanes = Lambda_inv_0_0_p1323_lanes *
-      Lambda_inv_0_0_p1132_lanes[2];
-  const Lanes<8> Lambda_inv_2_2_p16_lanes = Lambda_inv_0_0_p1330_lanes * Lambda_inv_0_2_p4 +
-      Lambda_inv_0_0_p1327_lanes * Lambda_inv_0_0_p1091_lanes[2] + Lambda_inv_0_0_p1325_lanes *
-      Lambda_inv_0_2_p28 + Lambda_inv_2_2_p10_lanes;
+  const Lanes<8> Lambda_inv_2_2_p10_lanes = Lambda_inv_0_0_p1362_lanes *
+      Lambda_inv_0_0_p1135_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p16_lanes = Lambda_inv_0_0_p1369_lanes *
+      Lambda_inv_0_2_p51_lanes[0] + Lambda_inv_0_0_p1366_lanes * Lambda_inv_0_0_p1092_lanes[2] +
+      Lambda_inv_0_0_p1364_lanes * Lambda_inv_0_0_p1121_lanes[2] + Lambda_inv_2_2_p10_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_2_2_p19_lanes = Lambda_inv_2_2_p16_lanes + Lambda_inv_0_0_p1321_lanes *
-      Lambda_inv_0_0_p1152_lanes[2] + Lambda_inv_0_0_p1319_lanes * Lambda_inv_0_0_p1173_lanes[2] +
-      Lambda_inv_0_0_p1317_lanes * Lambda_inv_0_0_p1179_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_p19_lanes = Lambda_inv_2_2_p16_lanes + Lambda_inv_0_0_p1360_lanes *
+      Lambda_inv_0_0_p1156_lanes[2] + Lambda_inv_0_0_p1358_lanes * Lambda_inv_0_0_p1180_lanes[2] +
+      Lambda_inv_0_0_p1356_lanes * Lambda_inv_0_0_p1186_lanes[2];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_2_2_p20_lanes = Lambda_inv_2_2_p19_lanes + Lambda_inv_0_0_p1315_lanes *
-      Lambda_inv_0_2_p147;
+  const Lanes<8> Lambda_inv_2_2_p20_lanes = Lambda_inv_2_2_p19_lanes + Lambda_inv_0_0_p1354_lanes *
+      Lambda_inv_0_0_p1239_lanes[2];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_2_2_p23_lanes = detail::make_pack<Real>(Lambda_inv_2_2_p20_lanes[2],
       Lambda_inv_2_2_p20_lanes[2], Lambda_inv_2_2_p20_lanes[2], Lambda_inv_2_2_p20_lanes[3],
-      Lambda_inv_2_2_p20_lanes[4], Lambda_inv_2_2_p20_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_2_p147, Lambda_inv_0_7_p188 * Lambda_inv_0_2_p147) + Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[2] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_2_p180 +
-      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[2];
+      Lambda_inv_2_2_p20_lanes[4], Lambda_inv_2_2_p20_lanes[5], Lambda_inv_0_6_p209 *
+      Lambda_inv_0_0_p1239_lanes[2], Lambda_inv_0_7_p209 * Lambda_inv_0_0_p1239_lanes[2]) +
+      Lambda_inv_0_0_p1352_lanes * Lambda_inv_0_0_p1259_lanes[2] + Lambda_inv_0_0_p1350_lanes *
+      Lambda_inv_0_0_p1279_lanes[2] + Lambda_inv_0_0_p1348_lanes * Lambda_inv_0_0_p1306_lanes[2];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_2_2_lanes = Lambda_inv_2_2_p23_lanes + Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[2] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[2];
+  const Lanes<8> Lambda_inv_2_2_lanes = Lambda_inv_2_2_p23_lanes + Lambda_inv_0_0_p1346_lanes *
+      Lambda_inv_0_0_p1329_lanes[2] + Lambda_inv_0_0_p1344_lanes * Lambda_inv_0_0_p1343_lanes[2];
   Lambda_inv[26] = Lambda_inv_2_2_lanes[2];
   Lambda_inv[27] = Lambda_inv_2_2_lanes[3];
   Lambda_inv[38] = Lambda_inv_2_2_lanes[3];
@@ -2888,15 +2447,15 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[86] = Lambda_inv_2_2_lanes[7];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_2_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[2];
-  const Lanes<8> Lambda_inv_2_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_2_p147 +
-      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[2] + Lambda_inv_0_8_p263_lanes *
-      Lambda_inv_0_2_p180 + Lambda_inv_2_8_p3_lanes;
+  const Lanes<8> Lambda_inv_2_8_p3_lanes = Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_0_p1306_lanes[2];
+  const Lanes<8> Lambda_inv_2_8_p9_lanes = Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_0_p1239_lanes[2] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_0_p1259_lanes[2] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_0_p1279_lanes[2] + Lambda_inv_2_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_2_8_lanes = Lambda_inv_2_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[2] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[2];
+  const Lanes<8> Lambda_inv_2_8_lanes = Lambda_inv_2_8_p9_lanes + Lambda_inv_0_8_p294_lanes *
+      Lambda_inv_0_0_p1329_lanes[2] + Lambda_inv_0_8_p292_lanes * Lambda_inv_0_0_p1343_lanes[2];
   Lambda_inv[32] = Lambda_inv_2_8_lanes[0];
   Lambda_inv[98] = Lambda_inv_2_8_lanes[0];
   Lambda_inv[33] = Lambda_inv_2_8_lanes[1];
@@ -2907,32 +2466,32 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[134] = Lambda_inv_2_8_lanes[3];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_3_3_p10_lanes = Lambda_inv_0_0_p1323_lanes *
-      Lambda_inv_0_0_p1132_lanes[3];
-  const Lanes<8> Lambda_inv_3_3_p16_lanes = Lambda_inv_0_0_p1330_lanes *
-      Lambda_inv_0_3_p36_lanes[0] + Lambda_inv_0_0_p1327_lanes * Lambda_inv_0_0_p1091_lanes[3] +
-      Lambda_inv_0_0_p1325_lanes * Lambda_inv_0_3_p71 + Lambda_inv_3_3_p10_lanes;
+  const Lanes<8> Lambda_inv_3_3_p10_lanes = Lambda_inv_0_0_p1362_lanes *
+      Lambda_inv_0_0_p1135_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p16_lanes = Lambda_inv_0_0_p1369_lanes *
+      Lambda_inv_0_3_p36_lanes[0] + Lambda_inv_0_0_p1366_lanes * Lambda_inv_0_0_p1092_lanes[3] +
+      Lambda_inv_0_0_p1364_lanes * Lambda_inv_0_0_p1121_lanes[3] + Lambda_inv_3_3_p10_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_3_3_p19_lanes = Lambda_inv_3_3_p16_lanes + Lambda_inv_0_0_p1321_lanes *
-      Lambda_inv_0_0_p1152_lanes[3] + Lambda_inv_0_0_p1319_lanes * Lambda_inv_0_0_p1173_lanes[3] +
-      Lambda_inv_0_0_p1317_lanes * Lambda_inv_0_0_p1179_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_p19_lanes = Lambda_inv_3_3_p16_lanes + Lambda_inv_0_0_p1360_lanes *
+      Lambda_inv_0_0_p1156_lanes[3] + Lambda_inv_0_0_p1358_lanes * Lambda_inv_0_0_p1180_lanes[3] +
+      Lambda_inv_0_0_p1356_lanes * Lambda_inv_0_0_p1186_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_inv_3_3_p20_lanes = Lambda_inv_3_3_p19_lanes + Lambda_inv_0_0_p1315_lanes *
-      Lambda_inv_0_3_p188;
+  const Lanes<8> Lambda_inv_3_3_p20_lanes = Lambda_inv_3_3_p19_lanes + Lambda_inv_0_0_p1354_lanes *
+      Lambda_inv_0_0_p1239_lanes[3];
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_3_3_p23_lanes = detail::make_pack<Real>(Lambda_inv_3_3_p20_lanes[3],
       Lambda_inv_3_3_p20_lanes[3], Lambda_inv_3_3_p20_lanes[3], Lambda_inv_3_3_p20_lanes[3],
-      Lambda_inv_3_3_p20_lanes[4], Lambda_inv_3_3_p20_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_3_p188, Lambda_inv_0_7_p188 * Lambda_inv_0_3_p188) + Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[3] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_3_p221 +
-      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[3];
+      Lambda_inv_3_3_p20_lanes[4], Lambda_inv_3_3_p20_lanes[5], Lambda_inv_0_6_p209 *
+      Lambda_inv_0_0_p1239_lanes[3], Lambda_inv_0_7_p209 * Lambda_inv_0_0_p1239_lanes[3]) +
+      Lambda_inv_0_0_p1352_lanes * Lambda_inv_0_0_p1259_lanes[3] + Lambda_inv_0_0_p1350_lanes *
+      Lambda_inv_0_0_p1279_lanes[3] + Lambda_inv_0_0_p1348_lanes * Lambda_inv_0_0_p1306_lanes[3];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_3_3_lanes = Lambda_inv_3_3_p23_lanes + Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[3] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[3];
+  const Lanes<8> Lambda_inv_3_3_lanes = Lambda_inv_3_3_p23_lanes + Lambda_inv_0_0_p1346_lanes *
+      Lambda_inv_0_0_p1329_lanes[3] + Lambda_inv_0_0_p1344_lanes * Lambda_inv_0_0_p1343_lanes[3];
   Lambda_inv[39] = Lambda_inv_3_3_lanes[3];
   Lambda_inv[40] = Lambda_inv_3_3_lanes[4];
   Lambda_inv[51] = Lambda_inv_3_3_lanes[4];
@@ -2944,15 +2503,15 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[87] = Lambda_inv_3_3_lanes[7];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_3_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[3];
-  const Lanes<8> Lambda_inv_3_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_3_p188 +
-      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[3] + Lambda_inv_0_8_p263_lanes *
-      Lambda_inv_0_3_p221 + Lambda_inv_3_8_p3_lanes;
+  const Lanes<8> Lambda_inv_3_8_p3_lanes = Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_0_p1306_lanes[3];
+  const Lanes<8> Lambda_inv_3_8_p9_lanes = Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_0_p1239_lanes[3] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_0_p1259_lanes[3] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_0_p1279_lanes[3] + Lambda_inv_3_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_3_8_lanes = Lambda_inv_3_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[3] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[3];
+  const Lanes<8> Lambda_inv_3_8_lanes = Lambda_inv_3_8_p9_lanes + Lambda_inv_0_8_p294_lanes *
+      Lambda_inv_0_0_p1329_lanes[3] + Lambda_inv_0_8_p292_lanes * Lambda_inv_0_0_p1343_lanes[3];
   Lambda_inv[44] = Lambda_inv_3_8_lanes[0];
   Lambda_inv[99] = Lambda_inv_3_8_lanes[0];
   Lambda_inv[45] = Lambda_inv_3_8_lanes[1];
@@ -2963,78 +2522,76 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[135] = Lambda_inv_3_8_lanes[3];
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p1_lanes = Lambda_inv_0_8_p151_lanes * inverse_D7_lanes[1];
+  const Lanes<8> Lambda_inv_6_8_p1_lanes = Lambda_inv_0_8_p159_lanes * inverse_D7_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_4_5_p6_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1317_lanes[5],
-      Lambda_inv_6_8_p1_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[4],
-      Lambda_inv_0_8_p151_lanes[2]);
+  const Lanes<2> Lambda_inv_4_5_p6_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1356_lanes[5],
+      Lambda_inv_6_8_p1_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1186_lanes[4],
+      Lambda_inv_0_8_p159_lanes[2]);
 
   // link 15 (right_shoulder2), force propagation
   const Lanes<8> Lambda_inv_6_8_p2_lanes = Lambda_inv_0_8_p128_lanes * inverse_D8_lanes[1];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<2> Lambda_inv_4_5_p7_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1319_lanes[5],
-      Lambda_inv_6_8_p2_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1173_lanes[4],
+  const Lanes<2> Lambda_inv_4_5_p7_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1358_lanes[5],
+      Lambda_inv_6_8_p2_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[4],
       Lambda_inv_0_8_p128_lanes[2]);
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_inv_6_8_p3_lanes = Lambda_inv_0_8_p117_lanes * inverse_D9_lanes[1];
+  const Lanes<8> Lambda_inv_6_8_p3_lanes = Lambda_inv_0_8_p107_lanes * inverse_D9_lanes[1];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<2> Lambda_inv_4_5_p8_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1321_lanes[5],
-      Lambda_inv_6_8_p3_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1152_lanes[4],
-      Lambda_inv_0_8_p117_lanes[2]);
+  const Lanes<2> Lambda_inv_4_5_p8_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1360_lanes[5],
+      Lambda_inv_6_8_p3_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1156_lanes[4],
+      Lambda_inv_0_8_p107_lanes[2]);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_6_8_p4_lanes = Lambda_inv_0_8_p84_lanes * inverse_D10_lanes[1];
+  const Lanes<8> Lambda_inv_6_8_p4_lanes = Lambda_inv_0_8_p86_lanes * inverse_D10_lanes[1];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_4_5_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1323_lanes[5],
-      Lambda_inv_6_8_p4_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1132_lanes[4],
-      Lambda_inv_0_8_p84_lanes[2]);
+  const Lanes<2> Lambda_inv_4_5_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1362_lanes[5],
+      Lambda_inv_6_8_p4_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1135_lanes[4],
+      Lambda_inv_0_8_p86_lanes[2]);
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p5_lanes = detail::make_pack<Real>(Lambda_inv_0_8_p76,
-      Lambda_inv_0_9_p24, Lambda_inv_0_10_p24, Lambda_inv_0_11_p25, Lambda_inv_0_8_p76,
-      Lambda_inv_0_8_p76, Lambda_inv_0_8_p76, Lambda_inv_0_8_p76) * inverse_D11_lanes[1];
+  const Lanes<8> Lambda_inv_6_8_p5_lanes = Lambda_inv_0_8_p74_lanes * inverse_D11_lanes[1];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_4_5_p10_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1325_lanes[5],
-      Lambda_inv_6_8_p5_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_4_p29,
-      Lambda_inv_0_10_p24);
+  const Lanes<2> Lambda_inv_4_5_p10_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1364_lanes[5],
+      Lambda_inv_6_8_p5_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1121_lanes[4],
+      Lambda_inv_0_8_p74_lanes[2]);
 
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_inv_6_8_p6_lanes = Lambda_inv_0_8_p55_lanes * inverse_D12_lanes[1];
+  const Lanes<8> Lambda_inv_6_8_p6_lanes = Lambda_inv_0_8_p56_lanes * inverse_D12_lanes[1];
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> Lambda_inv_4_5_p11_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1327_lanes[5],
-      Lambda_inv_6_8_p6_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[4],
-      Lambda_inv_0_8_p55_lanes[2]);
-  const Lanes<2> Lambda_inv_4_4_p7_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1327_lanes[4],
-      Lambda_inv_6_8_p6_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[4],
-      Lambda_inv_0_8_p55_lanes[2]);
+  const Lanes<2> Lambda_inv_4_5_p11_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1366_lanes[5],
+      Lambda_inv_6_8_p6_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1092_lanes[4],
+      Lambda_inv_0_8_p56_lanes[2]);
+  const Lanes<2> Lambda_inv_4_4_p7_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1366_lanes[4],
+      Lambda_inv_6_8_p6_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1092_lanes[4],
+      Lambda_inv_0_8_p56_lanes[2]);
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_inv_4_4_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1325_lanes[4],
-      Lambda_inv_6_8_p5_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_4_p29,
-      Lambda_inv_0_10_p24);
+  const Lanes<2> Lambda_inv_4_4_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1364_lanes[4],
+      Lambda_inv_6_8_p5_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1121_lanes[4],
+      Lambda_inv_0_8_p74_lanes[2]);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_4_4_p11_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1323_lanes[4],
-      Lambda_inv_6_8_p4_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1132_lanes[4],
-      Lambda_inv_0_8_p84_lanes[2]);
+  const Lanes<2> Lambda_inv_4_4_p11_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1362_lanes[4],
+      Lambda_inv_6_8_p4_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1135_lanes[4],
+      Lambda_inv_0_8_p86_lanes[2]);
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<2> Lambda_inv_4_4_p13_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1321_lanes[4],
-      Lambda_inv_6_8_p3_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1152_lanes[4],
-      Lambda_inv_0_8_p117_lanes[2]);
+  const Lanes<2> Lambda_inv_4_4_p13_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1360_lanes[4],
+      Lambda_inv_6_8_p3_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1156_lanes[4],
+      Lambda_inv_0_8_p107_lanes[2]);
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<2> Lambda_inv_4_4_p15_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1319_lanes[4],
-      Lambda_inv_6_8_p2_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1173_lanes[4],
+  const Lanes<2> Lambda_inv_4_4_p15_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1358_lanes[4],
+      Lambda_inv_6_8_p2_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[4],
       Lambda_inv_0_8_p128_lanes[2]);
-  const Lanes<8> Lambda_inv_4_4_p16_lanes = Lambda_inv_0_0_p1330_lanes *
+  const Lanes<8> Lambda_inv_4_4_p16_lanes = Lambda_inv_0_0_p1369_lanes *
       Lambda_inv_0_3_p36_lanes[1] + detail::make_pack<Real>(Lambda_inv_4_4_p7_lanes[0],
       Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_4_p7_lanes[0],
       Lambda_inv_4_4_p7_lanes[0], Lambda_inv_4_5_p11_lanes[0], Lambda_inv_4_4_p7_lanes[0],
@@ -3053,33 +2610,33 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_4_4_p15_lanes[0]);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_inv_4_4_p17_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1317_lanes[4],
-      Lambda_inv_6_8_p1_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[4],
-      Lambda_inv_0_8_p151_lanes[2]);
+  const Lanes<2> Lambda_inv_4_4_p17_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1356_lanes[4],
+      Lambda_inv_6_8_p1_lanes[2]) * detail::make_pack<Real>(Lambda_inv_0_0_p1186_lanes[4],
+      Lambda_inv_0_8_p159_lanes[2]);
 
   // link 6 (chest3), force propagation
   const Lanes<8> Lambda_inv_4_4_p19_lanes = Lambda_inv_4_4_p16_lanes +
       detail::make_pack<Real>(Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0],
       Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0],
       Lambda_inv_4_5_p6_lanes[0], Lambda_inv_4_4_p17_lanes[0], Lambda_inv_4_4_p17_lanes[0]) +
-      detail::make_pack<Real>(Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
-      Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] *
-      Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
-      Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[5] *
-      Lambda_inv_0_4_p146, Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146,
-      Lambda_inv_0_0_p1315_lanes[4] * Lambda_inv_0_4_p146);
+      detail::make_pack<Real>(Lambda_inv_0_0_p1354_lanes[4] * Lambda_inv_0_0_p1239_lanes[4],
+      Lambda_inv_0_0_p1354_lanes[4] * Lambda_inv_0_0_p1239_lanes[4], Lambda_inv_0_0_p1354_lanes[4] *
+      Lambda_inv_0_0_p1239_lanes[4], Lambda_inv_0_0_p1354_lanes[4] * Lambda_inv_0_0_p1239_lanes[4],
+      Lambda_inv_0_0_p1354_lanes[4] * Lambda_inv_0_0_p1239_lanes[4], Lambda_inv_0_0_p1354_lanes[5] *
+      Lambda_inv_0_0_p1239_lanes[4], Lambda_inv_0_0_p1354_lanes[4] * Lambda_inv_0_0_p1239_lanes[4],
+      Lambda_inv_0_0_p1354_lanes[4] * Lambda_inv_0_0_p1239_lanes[4]);
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_4_4_p22_lanes = detail::make_pack<Real>(Lambda_inv_4_4_p19_lanes[4],
       Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[4],
-      Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[5], Lambda_inv_0_6_p188 *
-      Lambda_inv_0_4_p146, Lambda_inv_0_7_p188 * Lambda_inv_0_4_p146) + Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[4] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_4_p179 +
-      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[4];
+      Lambda_inv_4_4_p19_lanes[4], Lambda_inv_4_4_p19_lanes[5], Lambda_inv_0_6_p209 *
+      Lambda_inv_0_0_p1239_lanes[4], Lambda_inv_0_7_p209 * Lambda_inv_0_0_p1239_lanes[4]) +
+      Lambda_inv_0_0_p1352_lanes * Lambda_inv_0_0_p1259_lanes[4] + Lambda_inv_0_0_p1350_lanes *
+      Lambda_inv_0_0_p1279_lanes[4] + Lambda_inv_0_0_p1348_lanes * Lambda_inv_0_0_p1306_lanes[4];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_4_4_lanes = Lambda_inv_4_4_p22_lanes + Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[4] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[4];
+  const Lanes<8> Lambda_inv_4_4_lanes = Lambda_inv_4_4_p22_lanes + Lambda_inv_0_0_p1346_lanes *
+      Lambda_inv_0_0_p1329_lanes[4] + Lambda_inv_0_0_p1344_lanes * Lambda_inv_0_0_p1343_lanes[4];
   Lambda_inv[52] = Lambda_inv_4_4_lanes[4];
   Lambda_inv[53] = Lambda_inv_4_4_lanes[5];
   Lambda_inv[64] = Lambda_inv_4_4_lanes[5];
@@ -3089,15 +2646,15 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[88] = Lambda_inv_4_4_lanes[7];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_4_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[4];
-  const Lanes<8> Lambda_inv_4_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_4_p146 +
-      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[4] + Lambda_inv_0_8_p263_lanes *
-      Lambda_inv_0_4_p179 + Lambda_inv_4_8_p3_lanes;
+  const Lanes<8> Lambda_inv_4_8_p3_lanes = Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_0_p1306_lanes[4];
+  const Lanes<8> Lambda_inv_4_8_p9_lanes = Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_0_p1239_lanes[4] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_0_p1259_lanes[4] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_0_p1279_lanes[4] + Lambda_inv_4_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_4_8_lanes = Lambda_inv_4_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[4] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[4];
+  const Lanes<8> Lambda_inv_4_8_lanes = Lambda_inv_4_8_p9_lanes + Lambda_inv_0_8_p294_lanes *
+      Lambda_inv_0_0_p1329_lanes[4] + Lambda_inv_0_8_p292_lanes * Lambda_inv_0_0_p1343_lanes[4];
   Lambda_inv[56] = Lambda_inv_4_8_lanes[0];
   Lambda_inv[100] = Lambda_inv_4_8_lanes[0];
   Lambda_inv[57] = Lambda_inv_4_8_lanes[1];
@@ -3108,49 +2665,49 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[136] = Lambda_inv_4_8_lanes[3];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_5_5_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1323_lanes[5],
-      Lambda_inv_6_8_p4_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1132_lanes[5],
-      Lambda_inv_0_8_p84_lanes[3]);
+  const Lanes<2> Lambda_inv_5_5_p9_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1362_lanes[5],
+      Lambda_inv_6_8_p4_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1135_lanes[5],
+      Lambda_inv_0_8_p86_lanes[3]);
 
   // link 20 (right_hand), force propagation
   const Lanes<8> Lambda_inv_6_8_p7_lanes = 1065.380700001509 *
-      detail::make_pack<Real>(Lambda_inv_0_8_p38, Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
-      Lambda_inv_0_11_p1, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38, Lambda_inv_0_8_p38,
-      Lambda_inv_0_8_p38);
+      detail::make_pack<Real>(Lambda_inv_0_2_p51_lanes[1], Lambda_inv_0_6_p43, Lambda_inv_0_7_p42,
+      Lambda_inv_0_11_p1, Lambda_inv_0_2_p51_lanes[1], Lambda_inv_0_2_p51_lanes[1],
+      Lambda_inv_0_2_p51_lanes[1], Lambda_inv_0_2_p51_lanes[1]);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_inv_5_5_p15_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1330_lanes[5],
+  const Lanes<2> Lambda_inv_5_5_p15_lanes = detail::make_pack<Real>(Lambda_inv_0_0_p1369_lanes[5],
       Lambda_inv_6_8_p7_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_3_p36_lanes[2],
-      Lambda_inv_0_11_p1) + detail::make_pack<Real>(Lambda_inv_0_0_p1327_lanes[5],
-      Lambda_inv_6_8_p6_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1091_lanes[5],
-      Lambda_inv_0_8_p55_lanes[3]) + detail::make_pack<Real>(Lambda_inv_0_0_p1325_lanes[5],
-      Lambda_inv_6_8_p5_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_5_p76,
-      Lambda_inv_0_11_p25) + Lambda_inv_5_5_p9_lanes;
+      Lambda_inv_0_11_p1) + detail::make_pack<Real>(Lambda_inv_0_0_p1366_lanes[5],
+      Lambda_inv_6_8_p6_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1092_lanes[5],
+      Lambda_inv_0_8_p56_lanes[3]) + detail::make_pack<Real>(Lambda_inv_0_0_p1364_lanes[5],
+      Lambda_inv_6_8_p5_lanes[3]) * detail::make_pack<Real>(Lambda_inv_0_0_p1121_lanes[5],
+      Lambda_inv_0_8_p74_lanes[3]) + Lambda_inv_5_5_p9_lanes;
 
   // link 7 (left_shoulder1), force propagation
   const Lanes<2> Lambda_inv_5_5_p18_lanes = Lambda_inv_5_5_p15_lanes +
-      detail::make_pack<Real>(Lambda_inv_0_0_p1321_lanes[5], Lambda_inv_6_8_p3_lanes[3]) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1152_lanes[5], Lambda_inv_0_8_p117_lanes[3]) +
-      detail::make_pack<Real>(Lambda_inv_0_0_p1319_lanes[5], Lambda_inv_6_8_p2_lanes[3]) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1173_lanes[5], Lambda_inv_0_8_p128_lanes[3]) +
-      detail::make_pack<Real>(Lambda_inv_0_0_p1317_lanes[5], Lambda_inv_6_8_p1_lanes[3]) *
-      detail::make_pack<Real>(Lambda_inv_0_0_p1179_lanes[5], Lambda_inv_0_8_p151_lanes[3]);
+      detail::make_pack<Real>(Lambda_inv_0_0_p1360_lanes[5], Lambda_inv_6_8_p3_lanes[3]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1156_lanes[5], Lambda_inv_0_8_p107_lanes[3]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1358_lanes[5], Lambda_inv_6_8_p2_lanes[3]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1180_lanes[5], Lambda_inv_0_8_p128_lanes[3]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1356_lanes[5], Lambda_inv_6_8_p1_lanes[3]) *
+      detail::make_pack<Real>(Lambda_inv_0_0_p1186_lanes[5], Lambda_inv_0_8_p159_lanes[3]);
 
   // link 3 (hip), force propagation
   const Lanes<8> Lambda_inv_5_5_p21_lanes = detail::make_pack<Real>(Lambda_inv_5_5_p18_lanes[0] +
-      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
-      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
-      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
-      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
-      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_5_5_p18_lanes[0] +
-      Lambda_inv_0_0_p1315_lanes[5] * Lambda_inv_0_5_p193, Lambda_inv_0_6_p188 *
-      Lambda_inv_0_5_p193, Lambda_inv_0_7_p188 * Lambda_inv_0_5_p193) + Lambda_inv_0_0_p1313_lanes *
-      Lambda_inv_0_0_p1247_lanes[5] + Lambda_inv_0_0_p1311_lanes * Lambda_inv_0_5_p226 +
-      Lambda_inv_0_0_p1309_lanes * Lambda_inv_0_0_p1275_lanes[5];
+      Lambda_inv_0_0_p1354_lanes[5] * Lambda_inv_0_0_p1239_lanes[5], Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1354_lanes[5] * Lambda_inv_0_0_p1239_lanes[5], Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1354_lanes[5] * Lambda_inv_0_0_p1239_lanes[5], Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1354_lanes[5] * Lambda_inv_0_0_p1239_lanes[5], Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1354_lanes[5] * Lambda_inv_0_0_p1239_lanes[5], Lambda_inv_5_5_p18_lanes[0] +
+      Lambda_inv_0_0_p1354_lanes[5] * Lambda_inv_0_0_p1239_lanes[5], Lambda_inv_0_6_p209 *
+      Lambda_inv_0_0_p1239_lanes[5], Lambda_inv_0_7_p209 * Lambda_inv_0_0_p1239_lanes[5]) +
+      Lambda_inv_0_0_p1352_lanes * Lambda_inv_0_0_p1259_lanes[5] + Lambda_inv_0_0_p1350_lanes *
+      Lambda_inv_0_0_p1279_lanes[5] + Lambda_inv_0_0_p1348_lanes * Lambda_inv_0_0_p1306_lanes[5];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_5_5_lanes = Lambda_inv_5_5_p21_lanes + Lambda_inv_0_0_p1307_lanes *
-      Lambda_inv_0_0_p1290_lanes[5] + Lambda_inv_0_0_p1305_lanes * Lambda_inv_0_0_p1304_lanes[5];
+  const Lanes<8> Lambda_inv_5_5_lanes = Lambda_inv_5_5_p21_lanes + Lambda_inv_0_0_p1346_lanes *
+      Lambda_inv_0_0_p1329_lanes[5] + Lambda_inv_0_0_p1344_lanes * Lambda_inv_0_0_p1343_lanes[5];
   Lambda_inv[65] = Lambda_inv_5_5_lanes[5];
   Lambda_inv[66] = Lambda_inv_5_5_lanes[6];
   Lambda_inv[77] = Lambda_inv_5_5_lanes[6];
@@ -3158,15 +2715,15 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[89] = Lambda_inv_5_5_lanes[7];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_inv_5_8_p3_lanes = Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[5];
-  const Lanes<8> Lambda_inv_5_8_p9_lanes = Lambda_inv_0_8_p267_lanes * Lambda_inv_0_5_p193 +
-      Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[5] + Lambda_inv_0_8_p263_lanes *
-      Lambda_inv_0_5_p226 + Lambda_inv_5_8_p3_lanes;
+  const Lanes<8> Lambda_inv_5_8_p3_lanes = Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_0_p1306_lanes[5];
+  const Lanes<8> Lambda_inv_5_8_p9_lanes = Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_0_p1239_lanes[5] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_0_p1259_lanes[5] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_0_p1279_lanes[5] + Lambda_inv_5_8_p3_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_5_8_lanes = Lambda_inv_5_8_p9_lanes + Lambda_inv_0_8_p259_lanes *
-      Lambda_inv_0_0_p1290_lanes[5] + Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[5];
+  const Lanes<8> Lambda_inv_5_8_lanes = Lambda_inv_5_8_p9_lanes + Lambda_inv_0_8_p294_lanes *
+      Lambda_inv_0_0_p1329_lanes[5] + Lambda_inv_0_8_p292_lanes * Lambda_inv_0_0_p1343_lanes[5];
   Lambda_inv[68] = Lambda_inv_5_8_lanes[0];
   Lambda_inv[101] = Lambda_inv_5_8_lanes[0];
   Lambda_inv[69] = Lambda_inv_5_8_lanes[1];
@@ -3177,16 +2734,16 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[137] = Lambda_inv_5_8_lanes[3];
 
   // link 14 (right_shoulder1), force propagation
-  const Real Lambda_inv_6_7_p1 = Lambda_inv_0_7_p76 * inverse_D7_lanes[1];
+  const Real Lambda_inv_6_7_p1 = Lambda_inv_0_7_p73 * inverse_D7_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_inv_6_7_p2 = Lambda_inv_0_7_p73 * inverse_D8_lanes[1];
+  const Real Lambda_inv_6_7_p2 = Lambda_inv_0_7_p70 * inverse_D8_lanes[1];
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_6_7_p3 = Lambda_inv_0_7_p64 * inverse_D9_lanes[1];
+  const Real Lambda_inv_6_7_p3 = Lambda_inv_0_7_p60 * inverse_D9_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_inv_6_7_p4 = Lambda_inv_0_7_p58 * inverse_D10_lanes[1];
+  const Real Lambda_inv_6_7_p4 = Lambda_inv_0_7_p54 * inverse_D10_lanes[1];
 
   // link 18 (right_wrist1), force propagation
   const Real Lambda_inv_6_7_p5 = Lambda_inv_0_7_p48 * inverse_D11_lanes[1];
@@ -3194,18 +2751,16 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   // link 19 (right_wrist2), force propagation
   const Real Lambda_inv_6_7_p6 = Lambda_inv_0_7_p45 * inverse_D12_lanes[1];
 
-  // link 1 (calf), articulated inertia
-  const Real Lambda_inv_6_6_p1 = 0.086 * Lambda_inv_0_6_p38;
-
   // link 20 (right_hand), force propagation
-  const Real Lambda_inv_6_7_p7 = 91.62274020012977 * Lambda_inv_0_7_p38;
+  const Real Lambda_inv_6_7_p7 = 91.62274020012977 * Lambda_inv_0_1_p43_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
   const Lanes<8> Lambda_inv_6_6_p7_lanes = detail::make_pack<Real>(91.62274020012977 *
-      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
-      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
-      Lambda_inv_0_6_p38, 91.62274020012977 * Lambda_inv_0_6_p38, 91.62274020012977 *
-      Lambda_inv_0_6_p38, Lambda_inv_6_7_p7) * Lambda_inv_6_6_p1 +
+      Lambda_inv_0_0_p1085_lanes[1], 91.62274020012977 * Lambda_inv_0_0_p1085_lanes[1],
+      91.62274020012977 * Lambda_inv_0_0_p1085_lanes[1], 91.62274020012977 *
+      Lambda_inv_0_0_p1085_lanes[1], 91.62274020012977 * Lambda_inv_0_0_p1085_lanes[1],
+      91.62274020012977 * Lambda_inv_0_0_p1085_lanes[1], 91.62274020012977 *
+      Lambda_inv_0_0_p1085_lanes[1], Lambda_inv_6_7_p7) * Lambda_inv_0_0_p1368_lanes[1] +
       detail::make_pack<Real>(Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45,
       Lambda_inv_0_6_p45 * inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 *
       inverse_D12_lanes[1] * Lambda_inv_0_6_p45, Lambda_inv_0_6_p45 * inverse_D12_lanes[1] *
@@ -3218,94 +2773,96 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48,
       Lambda_inv_0_6_p48 * inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_0_6_p48 *
       inverse_D11_lanes[1] * Lambda_inv_0_6_p48, Lambda_inv_6_7_p5 * Lambda_inv_0_6_p48) +
-      detail::make_pack<Real>(Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58,
-      Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 *
-      inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 * inverse_D10_lanes[1] *
-      Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58,
-      Lambda_inv_0_6_p58 * inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_0_6_p58 *
-      inverse_D10_lanes[1] * Lambda_inv_0_6_p58, Lambda_inv_6_7_p4 * Lambda_inv_0_6_p58) +
-      detail::make_pack<Real>(Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64,
-      Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 *
-      inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 * inverse_D9_lanes[1] *
-      Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64,
-      Lambda_inv_0_6_p64 * inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_0_6_p64 *
-      inverse_D9_lanes[1] * Lambda_inv_0_6_p64, Lambda_inv_6_7_p3 * Lambda_inv_0_6_p64) +
-      detail::make_pack<Real>(Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73,
-      Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 *
-      inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 * inverse_D8_lanes[1] *
-      Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73,
-      Lambda_inv_0_6_p73 * inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 *
-      inverse_D8_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_6_7_p2 * Lambda_inv_0_6_p73);
+      detail::make_pack<Real>(Lambda_inv_0_6_p54 * inverse_D10_lanes[1] * Lambda_inv_0_6_p54,
+      Lambda_inv_0_6_p54 * inverse_D10_lanes[1] * Lambda_inv_0_6_p54, Lambda_inv_0_6_p54 *
+      inverse_D10_lanes[1] * Lambda_inv_0_6_p54, Lambda_inv_0_6_p54 * inverse_D10_lanes[1] *
+      Lambda_inv_0_6_p54, Lambda_inv_0_6_p54 * inverse_D10_lanes[1] * Lambda_inv_0_6_p54,
+      Lambda_inv_0_6_p54 * inverse_D10_lanes[1] * Lambda_inv_0_6_p54, Lambda_inv_0_6_p54 *
+      inverse_D10_lanes[1] * Lambda_inv_0_6_p54, Lambda_inv_6_7_p4 * Lambda_inv_0_6_p54) +
+      detail::make_pack<Real>(Lambda_inv_0_6_p60 * inverse_D9_lanes[1] * Lambda_inv_0_6_p60,
+      Lambda_inv_0_6_p60 * inverse_D9_lanes[1] * Lambda_inv_0_6_p60, Lambda_inv_0_6_p60 *
+      inverse_D9_lanes[1] * Lambda_inv_0_6_p60, Lambda_inv_0_6_p60 * inverse_D9_lanes[1] *
+      Lambda_inv_0_6_p60, Lambda_inv_0_6_p60 * inverse_D9_lanes[1] * Lambda_inv_0_6_p60,
+      Lambda_inv_0_6_p60 * inverse_D9_lanes[1] * Lambda_inv_0_6_p60, Lambda_inv_0_6_p60 *
+      inverse_D9_lanes[1] * Lambda_inv_0_6_p60, Lambda_inv_6_7_p3 * Lambda_inv_0_6_p60) +
+      detail::make_pack<Real>(Lambda_inv_0_6_p70 * inverse_D8_lanes[1] * Lambda_inv_0_6_p70,
+      Lambda_inv_0_6_p70 * inverse_D8_lanes[1] * Lambda_inv_0_6_p70, Lambda_inv_0_6_p70 *
+      inverse_D8_lanes[1] * Lambda_inv_0_6_p70, Lambda_inv_0_6_p70 * inverse_D8_lanes[1] *
+      Lambda_inv_0_6_p70, Lambda_inv_0_6_p70 * inverse_D8_lanes[1] * Lambda_inv_0_6_p70,
+      Lambda_inv_0_6_p70 * inverse_D8_lanes[1] * Lambda_inv_0_6_p70, Lambda_inv_0_6_p70 *
+      inverse_D8_lanes[1] * Lambda_inv_0_6_p70, Lambda_inv_6_7_p2 * Lambda_inv_0_6_p70);
 
   // link 2 (thigh), force propagation
   const Lanes<8> Lambda_inv_6_6_p13_lanes = Lambda_inv_6_6_p7_lanes +
-      detail::make_pack<Real>(Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76,
-      Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 *
-      inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 * inverse_D7_lanes[1] *
-      Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76,
-      Lambda_inv_0_6_p76 * inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_0_6_p76 *
-      inverse_D7_lanes[1] * Lambda_inv_0_6_p76, Lambda_inv_6_7_p1 * Lambda_inv_0_6_p76) +
-      detail::make_pack<Real>(Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
-      Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
-      Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 *
-      Lambda_inv_0_6_p103, Lambda_inv_0_6_p188 * Lambda_inv_0_6_p103, Lambda_inv_0_7_p188 *
-      Lambda_inv_0_6_p103) + detail::make_pack<Real>(Lambda_inv_0_0_p1313_lanes[6] *
-      Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6],
-      Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] *
-      Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6],
-      Lambda_inv_0_0_p1313_lanes[6] * Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[6] *
-      Lambda_inv_0_0_p1247_lanes[6], Lambda_inv_0_0_p1313_lanes[7] *
-      Lambda_inv_0_0_p1247_lanes[6]) + detail::make_pack<Real>(Lambda_inv_0_0_p1311_lanes[6] *
-      Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136,
-      Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] *
-      Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136,
-      Lambda_inv_0_0_p1311_lanes[6] * Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[6] *
-      Lambda_inv_0_6_p136, Lambda_inv_0_0_p1311_lanes[7] * Lambda_inv_0_6_p136) +
-      detail::make_pack<Real>(Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
-      Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] *
-      Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
-      Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] *
-      Lambda_inv_0_0_p1275_lanes[6], Lambda_inv_0_0_p1309_lanes[6] * Lambda_inv_0_0_p1275_lanes[6],
-      Lambda_inv_0_0_p1309_lanes[7] * Lambda_inv_0_0_p1275_lanes[6]) +
-      detail::make_pack<Real>(Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
-      Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] *
-      Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
-      Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] *
-      Lambda_inv_0_0_p1290_lanes[6], Lambda_inv_0_0_p1307_lanes[6] * Lambda_inv_0_0_p1290_lanes[6],
-      Lambda_inv_0_0_p1307_lanes[7] * Lambda_inv_0_0_p1290_lanes[6]);
+      detail::make_pack<Real>(Lambda_inv_0_6_p73 * inverse_D7_lanes[1] * Lambda_inv_0_6_p73,
+      Lambda_inv_0_6_p73 * inverse_D7_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 *
+      inverse_D7_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 * inverse_D7_lanes[1] *
+      Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 * inverse_D7_lanes[1] * Lambda_inv_0_6_p73,
+      Lambda_inv_0_6_p73 * inverse_D7_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_0_6_p73 *
+      inverse_D7_lanes[1] * Lambda_inv_0_6_p73, Lambda_inv_6_7_p1 * Lambda_inv_0_6_p73) +
+      detail::make_pack<Real>(Lambda_inv_0_6_p209 * Lambda_inv_0_0_p1239_lanes[6],
+      Lambda_inv_0_6_p209 * Lambda_inv_0_0_p1239_lanes[6], Lambda_inv_0_6_p209 *
+      Lambda_inv_0_0_p1239_lanes[6], Lambda_inv_0_6_p209 * Lambda_inv_0_0_p1239_lanes[6],
+      Lambda_inv_0_6_p209 * Lambda_inv_0_0_p1239_lanes[6], Lambda_inv_0_6_p209 *
+      Lambda_inv_0_0_p1239_lanes[6], Lambda_inv_0_6_p209 * Lambda_inv_0_0_p1239_lanes[6],
+      Lambda_inv_0_7_p209 * Lambda_inv_0_0_p1239_lanes[6]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1352_lanes[6] * Lambda_inv_0_0_p1259_lanes[6],
+      Lambda_inv_0_0_p1352_lanes[6] * Lambda_inv_0_0_p1259_lanes[6], Lambda_inv_0_0_p1352_lanes[6] *
+      Lambda_inv_0_0_p1259_lanes[6], Lambda_inv_0_0_p1352_lanes[6] * Lambda_inv_0_0_p1259_lanes[6],
+      Lambda_inv_0_0_p1352_lanes[6] * Lambda_inv_0_0_p1259_lanes[6], Lambda_inv_0_0_p1352_lanes[6] *
+      Lambda_inv_0_0_p1259_lanes[6], Lambda_inv_0_0_p1352_lanes[6] * Lambda_inv_0_0_p1259_lanes[6],
+      Lambda_inv_0_0_p1352_lanes[7] * Lambda_inv_0_0_p1259_lanes[6]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1350_lanes[6] * Lambda_inv_0_0_p1279_lanes[6],
+      Lambda_inv_0_0_p1350_lanes[6] * Lambda_inv_0_0_p1279_lanes[6], Lambda_inv_0_0_p1350_lanes[6] *
+      Lambda_inv_0_0_p1279_lanes[6], Lambda_inv_0_0_p1350_lanes[6] * Lambda_inv_0_0_p1279_lanes[6],
+      Lambda_inv_0_0_p1350_lanes[6] * Lambda_inv_0_0_p1279_lanes[6], Lambda_inv_0_0_p1350_lanes[6] *
+      Lambda_inv_0_0_p1279_lanes[6], Lambda_inv_0_0_p1350_lanes[6] * Lambda_inv_0_0_p1279_lanes[6],
+      Lambda_inv_0_0_p1350_lanes[7] * Lambda_inv_0_0_p1279_lanes[6]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1348_lanes[6] * Lambda_inv_0_0_p1306_lanes[6],
+      Lambda_inv_0_0_p1348_lanes[6] * Lambda_inv_0_0_p1306_lanes[6], Lambda_inv_0_0_p1348_lanes[6] *
+      Lambda_inv_0_0_p1306_lanes[6], Lambda_inv_0_0_p1348_lanes[6] * Lambda_inv_0_0_p1306_lanes[6],
+      Lambda_inv_0_0_p1348_lanes[6] * Lambda_inv_0_0_p1306_lanes[6], Lambda_inv_0_0_p1348_lanes[6] *
+      Lambda_inv_0_0_p1306_lanes[6], Lambda_inv_0_0_p1348_lanes[6] * Lambda_inv_0_0_p1306_lanes[6],
+      Lambda_inv_0_0_p1348_lanes[7] * Lambda_inv_0_0_p1306_lanes[6]) +
+      detail::make_pack<Real>(Lambda_inv_0_0_p1346_lanes[6] * Lambda_inv_0_0_p1329_lanes[6],
+      Lambda_inv_0_0_p1346_lanes[6] * Lambda_inv_0_0_p1329_lanes[6], Lambda_inv_0_0_p1346_lanes[6] *
+      Lambda_inv_0_0_p1329_lanes[6], Lambda_inv_0_0_p1346_lanes[6] * Lambda_inv_0_0_p1329_lanes[6],
+      Lambda_inv_0_0_p1346_lanes[6] * Lambda_inv_0_0_p1329_lanes[6], Lambda_inv_0_0_p1346_lanes[6] *
+      Lambda_inv_0_0_p1329_lanes[6], Lambda_inv_0_0_p1346_lanes[6] * Lambda_inv_0_0_p1329_lanes[6],
+      Lambda_inv_0_0_p1346_lanes[7] * Lambda_inv_0_0_p1329_lanes[6]);
 
   // link 1 (calf), force propagation
   const Lanes<8> Lambda_inv_6_6_lanes = Lambda_inv_6_6_p13_lanes +
-      detail::make_pack<Real>(Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
-      Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] *
-      Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
-      Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] *
-      Lambda_inv_0_0_p1304_lanes[6], Lambda_inv_0_0_p1305_lanes[6] * Lambda_inv_0_0_p1304_lanes[6],
-      Lambda_inv_0_0_p1305_lanes[7] * Lambda_inv_0_0_p1304_lanes[6]);
+      detail::make_pack<Real>(Lambda_inv_0_0_p1344_lanes[6] * Lambda_inv_0_0_p1343_lanes[6],
+      Lambda_inv_0_0_p1344_lanes[6] * Lambda_inv_0_0_p1343_lanes[6], Lambda_inv_0_0_p1344_lanes[6] *
+      Lambda_inv_0_0_p1343_lanes[6], Lambda_inv_0_0_p1344_lanes[6] * Lambda_inv_0_0_p1343_lanes[6],
+      Lambda_inv_0_0_p1344_lanes[6] * Lambda_inv_0_0_p1343_lanes[6], Lambda_inv_0_0_p1344_lanes[6] *
+      Lambda_inv_0_0_p1343_lanes[6], Lambda_inv_0_0_p1344_lanes[6] * Lambda_inv_0_0_p1343_lanes[6],
+      Lambda_inv_0_0_p1344_lanes[7] * Lambda_inv_0_0_p1343_lanes[6]);
   Lambda_inv[78] = Lambda_inv_6_6_lanes[6];
   Lambda_inv[79] = Lambda_inv_6_6_lanes[7];
   Lambda_inv[90] = Lambda_inv_6_6_lanes[7];
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_6_8_p17_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_6_p58;
-  const Lanes<8> Lambda_inv_6_8_p23_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_6_6_p1 +
-      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_6_p45 + Lambda_inv_6_8_p5_lanes * Lambda_inv_0_6_p48 +
-      Lambda_inv_6_8_p17_lanes;
+  const Lanes<8> Lambda_inv_6_8_p17_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_6_p54;
+  const Lanes<8> Lambda_inv_6_8_p23_lanes = Lambda_inv_6_8_p7_lanes *
+      Lambda_inv_0_0_p1368_lanes[1] + Lambda_inv_6_8_p6_lanes * Lambda_inv_0_6_p45 +
+      Lambda_inv_6_8_p5_lanes * Lambda_inv_0_6_p48 + Lambda_inv_6_8_p17_lanes;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> Lambda_inv_6_8_p26_lanes = Lambda_inv_6_8_p23_lanes + Lambda_inv_6_8_p3_lanes *
-      Lambda_inv_0_6_p64 + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_6_p73 + Lambda_inv_6_8_p1_lanes *
-      Lambda_inv_0_6_p76;
+      Lambda_inv_0_6_p60 + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_6_p70 + Lambda_inv_6_8_p1_lanes *
+      Lambda_inv_0_6_p73;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_6_8_p29_lanes = Lambda_inv_6_8_p26_lanes + Lambda_inv_0_8_p267_lanes *
-      Lambda_inv_0_6_p103 + Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[6] +
-      Lambda_inv_0_8_p263_lanes * Lambda_inv_0_6_p136;
+  const Lanes<8> Lambda_inv_6_8_p29_lanes = Lambda_inv_6_8_p26_lanes + Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_0_p1239_lanes[6] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_0_p1259_lanes[6] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_0_p1279_lanes[6];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_6_8_lanes = Lambda_inv_6_8_p29_lanes + Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[6] + Lambda_inv_0_8_p259_lanes * Lambda_inv_0_0_p1290_lanes[6] +
-      Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[6];
+  const Lanes<8> Lambda_inv_6_8_lanes = Lambda_inv_6_8_p29_lanes + Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_0_p1306_lanes[6] + Lambda_inv_0_8_p294_lanes * Lambda_inv_0_0_p1329_lanes[6] +
+      Lambda_inv_0_8_p292_lanes * Lambda_inv_0_0_p1343_lanes[6];
   Lambda_inv[80] = Lambda_inv_6_8_lanes[0];
   Lambda_inv[102] = Lambda_inv_6_8_lanes[0];
   Lambda_inv[81] = Lambda_inv_6_8_lanes[1];
@@ -3315,45 +2872,42 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[83] = Lambda_inv_6_8_lanes[3];
   Lambda_inv[138] = Lambda_inv_6_8_lanes[3];
 
-  // link 1 (calf), articulated inertia
-  const Real Lambda_inv_7_7_p1 = 0.086 * Lambda_inv_0_7_p38;
-
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_inv_7_7_p2 = Lambda_inv_6_7_p7 * Lambda_inv_7_7_p1 + Lambda_inv_6_7_p6 *
-      Lambda_inv_0_7_p45 + Lambda_inv_6_7_p5 * Lambda_inv_0_7_p48 + Lambda_inv_6_7_p4 *
-      Lambda_inv_0_7_p58 + Lambda_inv_6_7_p3 * Lambda_inv_0_7_p64;
+  const Real Lambda_inv_7_7_p2 = Lambda_inv_6_7_p7 * Lambda_inv_1_1_p13_lanes[1] +
+      Lambda_inv_6_7_p6 * Lambda_inv_0_7_p45 + Lambda_inv_6_7_p5 * Lambda_inv_0_7_p48 +
+      Lambda_inv_6_7_p4 * Lambda_inv_0_7_p54 + Lambda_inv_6_7_p3 * Lambda_inv_0_7_p60;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_inv_7_7_p3 = Lambda_inv_7_7_p2 + Lambda_inv_6_7_p2 * Lambda_inv_0_7_p73 +
-      Lambda_inv_6_7_p1 * Lambda_inv_0_7_p76 + Lambda_inv_0_7_p188 * Lambda_inv_0_7_p103 +
-      Lambda_inv_0_0_p1313_lanes[7] * Lambda_inv_0_0_p1247_lanes[7];
+  const Real Lambda_inv_7_7_p3 = Lambda_inv_7_7_p2 + Lambda_inv_6_7_p2 * Lambda_inv_0_7_p70 +
+      Lambda_inv_6_7_p1 * Lambda_inv_0_7_p73 + Lambda_inv_0_7_p209 * Lambda_inv_0_0_p1239_lanes[7] +
+      Lambda_inv_0_0_p1352_lanes[7] * Lambda_inv_0_0_p1259_lanes[7];
 
   // link 1 (calf), force propagation
-  Lambda_inv[91] = Lambda_inv_7_7_p3 + Lambda_inv_0_0_p1311_lanes[7] * Lambda_inv_0_7_p136 +
-      Lambda_inv_0_0_p1309_lanes[7] * Lambda_inv_0_0_p1275_lanes[7] +
-      Lambda_inv_0_0_p1307_lanes[7] * Lambda_inv_0_0_p1290_lanes[7] +
-      Lambda_inv_0_0_p1305_lanes[7] * Lambda_inv_0_0_p1304_lanes[7];
+  Lambda_inv[91] = Lambda_inv_7_7_p3 + Lambda_inv_0_0_p1350_lanes[7] *
+      Lambda_inv_0_0_p1279_lanes[7] + Lambda_inv_0_0_p1348_lanes[7] *
+      Lambda_inv_0_0_p1306_lanes[7] + Lambda_inv_0_0_p1346_lanes[7] *
+      Lambda_inv_0_0_p1329_lanes[7] + Lambda_inv_0_0_p1344_lanes[7] * Lambda_inv_0_0_p1343_lanes[7];
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_7_8_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_7_p58;
-  const Lanes<8> Lambda_inv_7_8_p16_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_7_7_p1 +
+  const Lanes<8> Lambda_inv_7_8_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_7_p54;
+  const Lanes<8> Lambda_inv_7_8_p16_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_1_1_p13_lanes[1] +
       Lambda_inv_6_8_p6_lanes * Lambda_inv_0_7_p45 + Lambda_inv_6_8_p5_lanes * Lambda_inv_0_7_p48 +
       Lambda_inv_7_8_p10_lanes;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> Lambda_inv_7_8_p19_lanes = Lambda_inv_7_8_p16_lanes + Lambda_inv_6_8_p3_lanes *
-      Lambda_inv_0_7_p64 + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_7_p73 + Lambda_inv_6_8_p1_lanes *
-      Lambda_inv_0_7_p76;
+      Lambda_inv_0_7_p60 + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_7_p70 + Lambda_inv_6_8_p1_lanes *
+      Lambda_inv_0_7_p73;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_7_8_p22_lanes = Lambda_inv_7_8_p19_lanes + Lambda_inv_0_8_p267_lanes *
-      Lambda_inv_0_7_p103 + Lambda_inv_0_8_p265_lanes * Lambda_inv_0_0_p1247_lanes[7] +
-      Lambda_inv_0_8_p263_lanes * Lambda_inv_0_7_p136;
+  const Lanes<8> Lambda_inv_7_8_p22_lanes = Lambda_inv_7_8_p19_lanes + Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_0_p1239_lanes[7] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_0_p1259_lanes[7] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_0_p1279_lanes[7];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_7_8_lanes = Lambda_inv_7_8_p22_lanes + Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_0_p1275_lanes[7] + Lambda_inv_0_8_p259_lanes * Lambda_inv_0_0_p1290_lanes[7] +
-      Lambda_inv_0_8_p257_lanes * Lambda_inv_0_0_p1304_lanes[7];
+  const Lanes<8> Lambda_inv_7_8_lanes = Lambda_inv_7_8_p22_lanes + Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_0_p1306_lanes[7] + Lambda_inv_0_8_p294_lanes * Lambda_inv_0_0_p1329_lanes[7] +
+      Lambda_inv_0_8_p292_lanes * Lambda_inv_0_0_p1343_lanes[7];
   Lambda_inv[92] = Lambda_inv_7_8_lanes[0];
   Lambda_inv[103] = Lambda_inv_7_8_lanes[0];
   Lambda_inv[93] = Lambda_inv_7_8_lanes[1];
@@ -3364,25 +2918,25 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[139] = Lambda_inv_7_8_lanes[3];
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_8_8_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_8_p84_lanes[0];
-  const Lanes<8> Lambda_inv_8_8_p16_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_8_p38 +
-      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p55_lanes[0] + Lambda_inv_6_8_p5_lanes *
-      Lambda_inv_0_8_p76 + Lambda_inv_8_8_p10_lanes;
+  const Lanes<8> Lambda_inv_8_8_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_8_p86_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_p16_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_2_p51_lanes[1] +
+      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p56_lanes[0] + Lambda_inv_6_8_p5_lanes *
+      Lambda_inv_0_8_p74_lanes[0] + Lambda_inv_8_8_p10_lanes;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> Lambda_inv_8_8_p19_lanes = Lambda_inv_8_8_p16_lanes + Lambda_inv_6_8_p3_lanes *
-      Lambda_inv_0_8_p117_lanes[0] + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[0] +
-      Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p151_lanes[0];
+      Lambda_inv_0_8_p107_lanes[0] + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[0] +
+      Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p159_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_8_8_p22_lanes = Lambda_inv_8_8_p19_lanes + Lambda_inv_0_8_p267_lanes *
-      Lambda_inv_0_8_p182 + Lambda_inv_0_8_p265_lanes * Lambda_inv_0_8_p202_lanes[0] +
-      Lambda_inv_0_8_p263_lanes * Lambda_inv_0_8_p215;
+  const Lanes<8> Lambda_inv_8_8_p22_lanes = Lambda_inv_8_8_p19_lanes + Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_8_p190_lanes[0] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_8_p210_lanes[0] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_8_p230_lanes[0];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_8_8_lanes = Lambda_inv_8_8_p22_lanes + Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_8_p230_lanes[0] + Lambda_inv_0_8_p259_lanes * Lambda_inv_0_8_p245_lanes[0] +
-      Lambda_inv_0_8_p257_lanes * Lambda_inv_0_8_p256_lanes[0];
+  const Lanes<8> Lambda_inv_8_8_lanes = Lambda_inv_8_8_p22_lanes + Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_8_p257_lanes[0] + Lambda_inv_0_8_p294_lanes * Lambda_inv_0_8_p280_lanes[0] +
+      Lambda_inv_0_8_p292_lanes * Lambda_inv_0_8_p291_lanes[0];
   Lambda_inv[104] = Lambda_inv_8_8_lanes[0];
   Lambda_inv[105] = Lambda_inv_8_8_lanes[1];
   Lambda_inv[116] = Lambda_inv_8_8_lanes[1];
@@ -3392,25 +2946,25 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   Lambda_inv[140] = Lambda_inv_8_8_lanes[3];
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_inv_9_9_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_8_p84_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_p10_lanes = Lambda_inv_6_8_p4_lanes * Lambda_inv_0_8_p86_lanes[1];
   const Lanes<8> Lambda_inv_9_9_p16_lanes = Lambda_inv_6_8_p7_lanes * Lambda_inv_0_6_p43 +
-      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p55_lanes[1] + Lambda_inv_6_8_p5_lanes *
-      Lambda_inv_0_9_p24 + Lambda_inv_9_9_p10_lanes;
+      Lambda_inv_6_8_p6_lanes * Lambda_inv_0_8_p56_lanes[1] + Lambda_inv_6_8_p5_lanes *
+      Lambda_inv_0_8_p74_lanes[1] + Lambda_inv_9_9_p10_lanes;
 
   // link 14 (right_shoulder1), force propagation
   const Lanes<8> Lambda_inv_9_9_p19_lanes = Lambda_inv_9_9_p16_lanes + Lambda_inv_6_8_p3_lanes *
-      Lambda_inv_0_8_p117_lanes[1] + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[1] +
-      Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p151_lanes[1];
+      Lambda_inv_0_8_p107_lanes[1] + Lambda_inv_6_8_p2_lanes * Lambda_inv_0_8_p128_lanes[1] +
+      Lambda_inv_6_8_p1_lanes * Lambda_inv_0_8_p159_lanes[1];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_inv_9_9_p22_lanes = Lambda_inv_9_9_p19_lanes + Lambda_inv_0_8_p267_lanes *
-      Lambda_inv_0_9_p143 + Lambda_inv_0_8_p265_lanes * Lambda_inv_0_8_p202_lanes[1] +
-      Lambda_inv_0_8_p263_lanes * Lambda_inv_0_9_p176;
+  const Lanes<8> Lambda_inv_9_9_p22_lanes = Lambda_inv_9_9_p19_lanes + Lambda_inv_0_8_p302_lanes *
+      Lambda_inv_0_8_p190_lanes[1] + Lambda_inv_0_8_p300_lanes * Lambda_inv_0_8_p210_lanes[1] +
+      Lambda_inv_0_8_p298_lanes * Lambda_inv_0_8_p230_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_inv_9_9_lanes = Lambda_inv_9_9_p22_lanes + Lambda_inv_0_8_p261_lanes *
-      Lambda_inv_0_8_p230_lanes[1] + Lambda_inv_0_8_p259_lanes * Lambda_inv_0_8_p245_lanes[1] +
-      Lambda_inv_0_8_p257_lanes * Lambda_inv_0_8_p256_lanes[1];
+  const Lanes<8> Lambda_inv_9_9_lanes = Lambda_inv_9_9_p22_lanes + Lambda_inv_0_8_p296_lanes *
+      Lambda_inv_0_8_p257_lanes[1] + Lambda_inv_0_8_p294_lanes * Lambda_inv_0_8_p280_lanes[1] +
+      Lambda_inv_0_8_p292_lanes * Lambda_inv_0_8_p291_lanes[1];
   Lambda_inv[117] = Lambda_inv_9_9_lanes[1];
   Lambda_inv[118] = Lambda_inv_9_9_lanes[2];
   Lambda_inv[129] = Lambda_inv_9_9_lanes[2];
@@ -3440,58 +2994,58 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
       detail::make_pack<Real>(Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1],
       Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_5_p6_lanes[1], Lambda_inv_4_4_p17_lanes[1],
       Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1], Lambda_inv_4_4_p17_lanes[1]) +
-      detail::make_pack<Real>(Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143,
-      Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] *
-      Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[3] * Lambda_inv_0_10_p143,
-      Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] *
-      Lambda_inv_0_10_p143, Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143,
-      Lambda_inv_0_8_p267_lanes[2] * Lambda_inv_0_10_p143) +
-      detail::make_pack<Real>(Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2],
-      Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] *
-      Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[3] * Lambda_inv_0_8_p202_lanes[2],
-      Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] *
-      Lambda_inv_0_8_p202_lanes[2], Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2],
-      Lambda_inv_0_8_p265_lanes[2] * Lambda_inv_0_8_p202_lanes[2]) +
-      detail::make_pack<Real>(Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176,
-      Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] *
-      Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[3] * Lambda_inv_0_10_p176,
-      Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] *
-      Lambda_inv_0_10_p176, Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176,
-      Lambda_inv_0_8_p263_lanes[2] * Lambda_inv_0_10_p176) +
-      detail::make_pack<Real>(Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
-      Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] *
-      Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[3] * Lambda_inv_0_8_p230_lanes[2],
-      Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] *
-      Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
-      Lambda_inv_0_8_p261_lanes[2] * Lambda_inv_0_8_p230_lanes[2]) +
-      detail::make_pack<Real>(Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2],
-      Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[2] *
-      Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[3] * Lambda_inv_0_8_p245_lanes[2],
-      Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[2] *
-      Lambda_inv_0_8_p245_lanes[2], Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2],
-      Lambda_inv_0_8_p259_lanes[2] * Lambda_inv_0_8_p245_lanes[2]);
+      detail::make_pack<Real>(Lambda_inv_0_8_p302_lanes[2] * Lambda_inv_0_8_p190_lanes[2],
+      Lambda_inv_0_8_p302_lanes[2] * Lambda_inv_0_8_p190_lanes[2], Lambda_inv_0_8_p302_lanes[2] *
+      Lambda_inv_0_8_p190_lanes[2], Lambda_inv_0_8_p302_lanes[3] * Lambda_inv_0_8_p190_lanes[2],
+      Lambda_inv_0_8_p302_lanes[2] * Lambda_inv_0_8_p190_lanes[2], Lambda_inv_0_8_p302_lanes[2] *
+      Lambda_inv_0_8_p190_lanes[2], Lambda_inv_0_8_p302_lanes[2] * Lambda_inv_0_8_p190_lanes[2],
+      Lambda_inv_0_8_p302_lanes[2] * Lambda_inv_0_8_p190_lanes[2]) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p300_lanes[2] * Lambda_inv_0_8_p210_lanes[2],
+      Lambda_inv_0_8_p300_lanes[2] * Lambda_inv_0_8_p210_lanes[2], Lambda_inv_0_8_p300_lanes[2] *
+      Lambda_inv_0_8_p210_lanes[2], Lambda_inv_0_8_p300_lanes[3] * Lambda_inv_0_8_p210_lanes[2],
+      Lambda_inv_0_8_p300_lanes[2] * Lambda_inv_0_8_p210_lanes[2], Lambda_inv_0_8_p300_lanes[2] *
+      Lambda_inv_0_8_p210_lanes[2], Lambda_inv_0_8_p300_lanes[2] * Lambda_inv_0_8_p210_lanes[2],
+      Lambda_inv_0_8_p300_lanes[2] * Lambda_inv_0_8_p210_lanes[2]) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p298_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
+      Lambda_inv_0_8_p298_lanes[2] * Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p298_lanes[2] *
+      Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p298_lanes[3] * Lambda_inv_0_8_p230_lanes[2],
+      Lambda_inv_0_8_p298_lanes[2] * Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p298_lanes[2] *
+      Lambda_inv_0_8_p230_lanes[2], Lambda_inv_0_8_p298_lanes[2] * Lambda_inv_0_8_p230_lanes[2],
+      Lambda_inv_0_8_p298_lanes[2] * Lambda_inv_0_8_p230_lanes[2]) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p296_lanes[2] * Lambda_inv_0_8_p257_lanes[2],
+      Lambda_inv_0_8_p296_lanes[2] * Lambda_inv_0_8_p257_lanes[2], Lambda_inv_0_8_p296_lanes[2] *
+      Lambda_inv_0_8_p257_lanes[2], Lambda_inv_0_8_p296_lanes[3] * Lambda_inv_0_8_p257_lanes[2],
+      Lambda_inv_0_8_p296_lanes[2] * Lambda_inv_0_8_p257_lanes[2], Lambda_inv_0_8_p296_lanes[2] *
+      Lambda_inv_0_8_p257_lanes[2], Lambda_inv_0_8_p296_lanes[2] * Lambda_inv_0_8_p257_lanes[2],
+      Lambda_inv_0_8_p296_lanes[2] * Lambda_inv_0_8_p257_lanes[2]) +
+      detail::make_pack<Real>(Lambda_inv_0_8_p294_lanes[2] * Lambda_inv_0_8_p280_lanes[2],
+      Lambda_inv_0_8_p294_lanes[2] * Lambda_inv_0_8_p280_lanes[2], Lambda_inv_0_8_p294_lanes[2] *
+      Lambda_inv_0_8_p280_lanes[2], Lambda_inv_0_8_p294_lanes[3] * Lambda_inv_0_8_p280_lanes[2],
+      Lambda_inv_0_8_p294_lanes[2] * Lambda_inv_0_8_p280_lanes[2], Lambda_inv_0_8_p294_lanes[2] *
+      Lambda_inv_0_8_p280_lanes[2], Lambda_inv_0_8_p294_lanes[2] * Lambda_inv_0_8_p280_lanes[2],
+      Lambda_inv_0_8_p294_lanes[2] * Lambda_inv_0_8_p280_lanes[2]);
 
   // link 1 (calf), force propagation
   const Lanes<8> Lambda_inv_10_10_lanes = Lambda_inv_10_10_p24_lanes +
-      detail::make_pack<Real>(Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2],
-      Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[2] *
-      Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[3] * Lambda_inv_0_8_p256_lanes[2],
-      Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[2] *
-      Lambda_inv_0_8_p256_lanes[2], Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2],
-      Lambda_inv_0_8_p257_lanes[2] * Lambda_inv_0_8_p256_lanes[2]);
+      detail::make_pack<Real>(Lambda_inv_0_8_p292_lanes[2] * Lambda_inv_0_8_p291_lanes[2],
+      Lambda_inv_0_8_p292_lanes[2] * Lambda_inv_0_8_p291_lanes[2], Lambda_inv_0_8_p292_lanes[2] *
+      Lambda_inv_0_8_p291_lanes[2], Lambda_inv_0_8_p292_lanes[3] * Lambda_inv_0_8_p291_lanes[2],
+      Lambda_inv_0_8_p292_lanes[2] * Lambda_inv_0_8_p291_lanes[2], Lambda_inv_0_8_p292_lanes[2] *
+      Lambda_inv_0_8_p291_lanes[2], Lambda_inv_0_8_p292_lanes[2] * Lambda_inv_0_8_p291_lanes[2],
+      Lambda_inv_0_8_p292_lanes[2] * Lambda_inv_0_8_p291_lanes[2]);
   Lambda_inv[130] = Lambda_inv_10_10_lanes[2];
   Lambda_inv[131] = Lambda_inv_10_10_lanes[3];
   Lambda_inv[142] = Lambda_inv_10_10_lanes[3];
 
   // link 3 (hip), force propagation
-  const Real Lambda_inv_11_11_p15 = Lambda_inv_5_5_p18_lanes[1] + Lambda_inv_0_8_p267_lanes[3] *
-      Lambda_inv_0_11_p144 + Lambda_inv_0_8_p265_lanes[3] * Lambda_inv_0_8_p202_lanes[3] +
-      Lambda_inv_0_8_p263_lanes[3] * Lambda_inv_0_11_p177 + Lambda_inv_0_8_p261_lanes[3] *
-      Lambda_inv_0_8_p230_lanes[3];
+  const Real Lambda_inv_11_11_p15 = Lambda_inv_5_5_p18_lanes[1] + Lambda_inv_0_8_p302_lanes[3] *
+      Lambda_inv_0_8_p190_lanes[3] + Lambda_inv_0_8_p300_lanes[3] * Lambda_inv_0_8_p210_lanes[3] +
+      Lambda_inv_0_8_p298_lanes[3] * Lambda_inv_0_8_p230_lanes[3] + Lambda_inv_0_8_p296_lanes[3] *
+      Lambda_inv_0_8_p257_lanes[3];
 
   // link 1 (calf), force propagation
-  Lambda_inv[143] = Lambda_inv_11_11_p15 + Lambda_inv_0_8_p259_lanes[3] *
-      Lambda_inv_0_8_p245_lanes[3] + Lambda_inv_0_8_p257_lanes[3] * Lambda_inv_0_8_p256_lanes[3];
+  Lambda_inv[143] = Lambda_inv_11_11_p15 + Lambda_inv_0_8_p294_lanes[3] *
+      Lambda_inv_0_8_p280_lanes[3] + Lambda_inv_0_8_p292_lanes[3] * Lambda_inv_0_8_p291_lanes[3];
 }
 
 }  // namespace humanoid24

@@ -44,7 +44,7 @@ LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names
 
 int LanePrinter::pack_in_place(const LanePack& nodes) const {
   const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNone; });
-  const int pack = pack_of_[*some];
+  const int pack = some == nodes.end() ? -1 : pack_of_[*some];
   for (std::size_t lane = 0; lane < nodes.size(); ++lane) {
     const std::uint32_t node = nodes[lane];
     if (node != kNone && (pack_of_[node] != pack || lane_of_[node] != static_cast<int>(lane))) {
@@ -119,6 +119,9 @@ std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
 
 std::string LanePrinter::formula(std::size_t pack, const ExpressionPrinter& expressions) const {
   const Op op = op_of(pack);
+  if (operation(op).operands == 1) {
+    return fmt::format("-{}", operand(operands_[pack].a, Op::div, true, expressions));
+  }
   return fmt::format("{} {} {}", operand(operands_[pack].a, op, false, expressions),
                      operation(op).symbol, operand(operands_[pack].b, op, true, expressions));
 }

@@ -74,7 +74,7 @@ class RouteRunner {
   /// Routes that the passes and lanes will not make the cheapest go to `hopeless`, as traced.
   std::vector<Candidate> run(const Mechanism& mechanism, std::vector<Cost>& hopeless,
                              PassLogs& logs) const {
-    constexpr double kHopeless = 1.4;  // the passes take away a few per cent, lanes up to a quarter
+    constexpr double kHopeless = 1.3;  // the passes take away a few per cent, lanes up to a quarter
     std::vector<Program> programs = trace_function(mechanism, function_, lanes_);
     std::vector<Cost> costs;
     for (const Program& program : programs) {
@@ -96,7 +96,7 @@ class RouteRunner {
   /// The same for the best of `candidates`, alike limbs in lanes.
   void append_with_limbs(const Mechanism& with_limbs, std::vector<Candidate>& candidates,
                          PassLogs& logs) const {
-    constexpr double kNear = 1.1;
+    constexpr double kNear = 1.05;
     std::map<std::string, double> costs;
     double least = std::numeric_limits<double>::infinity();
     for (const Candidate& candidate : candidates) {

@@ -12,6 +12,10 @@ double cost(const Program& program, const OperationCount& count) {
   constexpr int kRegister = 4;  // doubles: AVX2's, the most that can be counted on
   int shared = 0;
   for (const LanePack& pack : program.packs) {
+    const std::uint32_t some = *std::max_element(pack.begin(), pack.end());
+    if (program.graph.nodes()[some].op == Op::neg) {  // no operation, see OperationCount
+      continue;
+    }
     const auto used =
         static_cast<int>(pack.size()) - static_cast<int>(std::count(pack.begin(), pack.end(), 0U));
     shared += used - (used + kRegister - 1) / kRegister;

@@ -32,7 +32,7 @@ LaneOperands lane_operands(const Graph& graph, const LanePack& lanes) {
       std::swap(node.a, node.b);
     }
     operands.a[lane] = node.a;
-    operands.b[lane] = node.b;
+    operands.b[lane] = operation(node.op).operands == 2 ? node.b : 0;
   }
   return operands;
 }

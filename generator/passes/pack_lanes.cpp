@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,7 +17,7 @@ constexpr std::uint32_t kNone = 0;
 constexpr int kNoPack = -1;
 
 bool is_arithmetic(Op op) {
-  return op == Op::add || op == Op::sub || op == Op::mul || op == Op::div;
+  return op == Op::add || op == Op::sub || op == Op::mul || op == Op::div || op == Op::neg;
 }
 
 int count_lanes(const LanePack& lanes) {
@@ -26,10 +25,14 @@ int count_lanes(const LanePack& lanes) {
          static_cast<int>(std::count(lanes.begin(), lanes.end(), kNone));
 }
 
-/// The lanes that hold something, as a set.
-std::set<std::uint32_t> distinct(const LanePack& lanes) {
-  std::set<std::uint32_t> nodes(lanes.begin(), lanes.end());
-  nodes.erase(kNone);
+/// The values in the lanes, each once.
+std::vector<std::uint32_t> distinct(const LanePack& lanes) {
+  std::vector<std::uint32_t> nodes;
+  for (const std::uint32_t node : lanes) {
+    if (node != kNone && std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
+      nodes.push_back(node);
+    }
+  }
   return nodes;
 }
 
@@ -52,7 +55,45 @@ class Packer {
         pack_of_(nodes_.size(), kNoPack),
         lane_of_(nodes_.size(), 0) {}
 
-  void run(Program& packed) {
+  /// What to look for first: the columns that the trace aligned, or operations of alike limbs.
+  enum class First { columns, limbs };
+
+  void run(First first) {
+    const std::vector<LanePack> orbits = find_orbits(program_);
+    if (first == First::columns) {
+      pack_columns();
+      settle_packs();
+    }
+    pack_orbits(orbits);
+    settle_packs();
+    if (first == First::limbs) {
+      pack_columns();
+      settle_packs();
+    }
+    pack_orbits(orbits);  // what has come free
+    settle_packs();
+  }
+
+  /// Instructions that the program takes.
+  [[nodiscard]] int count_instructions() const {
+    int count = count_moves();
+    for (const LanePack& pack : packs_) {
+      count += pack.empty() ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      count += live_[i] && is_arithmetic(nodes_[i].op) && pack_of_[i] == kNoPack ? 1 : 0;
+    }
+    return count;
+  }
+
+  void deliver(Program& packed) {
+    packed.lane_moves = count_moves();
+    std::erase_if(packs_, [](const LanePack& lanes) { return lanes.empty(); });
+    packed.packs = std::move(packs_);
+  }
+
+ private:
+  void pack_columns() {
     const auto& groups = program_.graph.lane_groups();
     const auto width = static_cast<std::size_t>(program_.graph.lane_width());
     for (const Graph::LaneGroup& group : groups) {
@@ -63,27 +104,29 @@ class Packer {
         pack(std::move(lanes), 2);
       }
     }
-    for (LanePack& orbit : find_orbits(program_)) {
-      add(std::move(orbit), 2);
+  }
+
+  void pack_orbits(const std::vector<LanePack>& orbits) {
+    for (const LanePack& orbit : orbits) {
+      add(orbit, 2);
     }
+  }
+
+  void settle_packs() {
     dissolve_cycles();
     while (dissolve_losses()) {
     }
-    std::erase_if(packs_, [](const LanePack& lanes) { return lanes.empty(); });
-    packed.lane_moves = count_moves();
-    packed.packs = std::move(packs_);
   }
 
- private:
   /// Leaves in `lanes` what may be computed together: live, not packed yet, one operation.
   void keep_alike(LanePack& lanes) const {
     std::array<int, kOperations.size()> votes{};
-    std::set<std::uint32_t> seen;
-    for (std::uint32_t& node : lanes) {
+    for (auto lane = lanes.begin(); lane != lanes.end(); ++lane) {
+      const std::uint32_t node = *lane;
       const Op op = nodes_[node].op;
       if (!live_[node] || !is_arithmetic(op) || pack_of_[node] != kNoPack ||
-          !seen.insert(node).second) {
-        node = kNone;
+          std::find(lanes.begin(), lane, node) != lane) {
+        *lane = kNone;
       } else {
         ++votes[static_cast<std::size_t>(op)];
       }
@@ -109,16 +152,28 @@ class Packer {
         lane_of_[lanes[lane]] = lane;
       }
     }
+    const LaneOperands both = lane_operands(program_.graph, lanes);
+    readings_.push_back({number_of(lanes), number_of(both.a), number_of(both.b)});
     packs_.push_back(std::move(lanes));
     return true;
+  }
+
+  /// Of lanes as some pack is them or reads them.
+  int number_of(const LanePack& lanes) {
+    const auto [found, is_new] = numbers_.try_emplace(lanes, static_cast<int>(readable_.size()));
+    if (is_new) {
+      readable_.push_back(lanes);
+    }
+    return found->second;
   }
 
   void pack(LanePack lanes, int fewest) {
     if (!add(std::move(lanes), fewest)) {
       return;
     }
-    const LaneOperands both = lane_operands(program_.graph, packs_.back());
-    for (LanePack operands : {both.a, both.b}) {
+    const Reading reading = readings_.back();
+    for (const int number : {reading.a, reading.b}) {
+      LanePack operands = readable_[static_cast<std::size_t>(number)];
       const bool in_groups = std::any_of(operands.begin(), operands.end(), [&](std::uint32_t n) {
         return program_.graph.lane_group_of(n) >= 0;
       });
@@ -128,25 +183,32 @@ class Packer {
     }
   }
 
-  /// Instructions to bring `operands` into lanes: none for one value in all lanes, for constants
+  /// Instructions to bring `operands` into lanes: none for one scalar in all lanes, for constants
   /// and for another pack's lanes in place; one to permute a pack; else one for each value.
   [[nodiscard]] int gather_cost(const LanePack& operands) const {
-    const std::set<std::uint32_t> values = distinct(operands);
-    if (values.size() <= 1 || std::all_of(values.begin(), values.end(), [&](std::uint32_t n) {
-          return nodes_[n].op == Op::constant;
-        })) {
+    const std::vector<std::uint32_t> values = distinct(operands);
+    if (values.size() == 1) {
+      return pack_of_[values.front()] == kNoPack ? 0 : 1;
+    }
+    if (std::all_of(values.begin(), values.end(),
+                    [&](std::uint32_t n) { return nodes_[n].op == Op::constant; })) {
       return 0;
     }
     bool in_place = true;
-    std::set<int> packs;
+    bool scalars = false;
+    std::vector<int> packs;
     for (std::size_t lane = 0; lane < operands.size(); ++lane) {
       const std::uint32_t node = operands[lane];
       if (node != kNone) {
-        packs.insert(pack_of_[node]);
-        in_place = in_place && pack_of_[node] != kNoPack && lane_of_[node] == lane;
+        const int pack = pack_of_[node];
+        scalars = scalars || pack == kNoPack;
+        in_place = in_place && lane_of_[node] == lane;
+        if (std::find(packs.begin(), packs.end(), pack) == packs.end()) {
+          packs.push_back(pack);
+        }
       }
     }
-    if (packs.size() <= 2 && !packs.contains(kNoPack)) {
+    if (packs.size() <= 2 && !scalars) {
       return packs.size() == 1 && in_place ? 0 : 1;
     }
     return static_cast<int>(values.size());
@@ -173,8 +235,8 @@ class Packer {
   [[nodiscard]] std::vector<bool> find_scalar_reads() const;
   [[nodiscard]] int count_extractions(const LanePack& pack, const std::vector<bool>& read) const;
 
-  /// How many packs read these lanes as they stand.
-  using Readers = std::map<LanePack, int>;
+  /// How many packs read lanes as they stand, by `number_of` these.
+  using Readers = std::vector<int>;
   [[nodiscard]] Readers find_readers() const;
   /// Values that are brought into lanes or taken out.
   [[nodiscard]] int count_moves() const;
@@ -188,6 +250,12 @@ class Packer {
   std::vector<int> pack_of_;
   std::vector<std::size_t> lane_of_;
   std::vector<LanePack> packs_;
+  struct Reading {
+    int own = 0, a = 0, b = 0;  ///< numbers of the lanes that a pack is and that it reads
+  };
+  std::vector<Reading> readings_;  // of packs
+  std::map<LanePack, int> numbers_;
+  std::vector<LanePack> readable_;  // by number
 };
 
 std::vector<bool> Packer::find_scalar_reads() const {
@@ -208,11 +276,12 @@ int Packer::count_extractions(const LanePack& pack, const std::vector<bool>& rea
 }
 
 Packer::Readers Packer::find_readers() const {
-  Readers readers;
-  for (const LanePack& pack : packs_) {
-    const LaneOperands both = lane_operands(program_.graph, pack);
-    ++readers[both.a];
-    ++readers[both.b];
+  Readers readers(readable_.size(), 0);
+  for (std::size_t p = 0; p < packs_.size(); ++p) {
+    if (!packs_[p].empty()) {
+      ++readers[static_cast<std::size_t>(readings_[p].a)];
+      ++readers[static_cast<std::size_t>(readings_[p].b)];
+    }
   }
   return readers;
 }
@@ -221,17 +290,20 @@ int Packer::cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
                                const Readers& readers) const {
   const LanePack& pack = packs_[p];
   int cost = count_lanes(pack) - 1 - count_extractions(pack, read);
-  const LaneOperands both = lane_operands(program_.graph, pack);
-  for (const LanePack& operands : {both.a, both.b}) {
+  for (const int number : {readings_[p].a, readings_[p].b}) {
+    const LanePack& operands = readable_[static_cast<std::size_t>(number)];
+    const int gather = gather_cost(operands);
     // What one pack has gathered others find ready.
-    cost -= readers.at(operands) == 1 ? gather_cost(operands) : 0;
-    if (gather_cost(operands) == 0 && distinct(operands).size() > 1) {  // scalar code reads it now
-      for (const std::uint32_t node : distinct(operands)) {
+    cost -= readers[static_cast<std::size_t>(number)] == 1 ? gather : 0;
+    const std::vector<std::uint32_t> values = distinct(operands);
+    if (gather == 0 && values.size() > 1) {  // scalar code reads it now
+      for (const std::uint32_t node : values) {
         cost += pack_of_[node] != kNoPack && !read[node] ? 1 : 0;
       }
     }
   }
-  return cost + (readers.contains(pack) ? count_lanes(pack) : 0);
+  const bool read_in_place = readers[static_cast<std::size_t>(readings_[p].own)] > 0;
+  return cost + (read_in_place ? count_lanes(pack) : 0);
 }
 
 int Packer::count_moves() const {
@@ -240,8 +312,9 @@ int Packer::count_moves() const {
   for (const LanePack& pack : packs_) {
     moves += count_extractions(pack, read);
   }
-  for (const auto& [operands, count] : find_readers()) {
-    moves += gather_cost(operands);
+  const Readers readers = find_readers();
+  for (std::size_t number = 0; number < readers.size(); ++number) {
+    moves += readers[number] > 0 ? gather_cost(readable_[number]) : 0;
   }
   return moves;
 }
@@ -315,9 +388,20 @@ void Packer::dissolve_cycles() {
 
 Program pack_lanes(const Program& program) {
   Program packed = program;
-  if (program.graph.lane_width() > 1) {
-    Packer(program).run(packed);
+  if (program.graph.lane_width() == 1) {
+    return packed;
   }
+  Packer best(program);
+  best.run(Packer::First::columns);
+  if (!program.graph.limb_inputs().empty()) {
+    Packer limbs_first(program);
+    limbs_first.run(Packer::First::limbs);
+    if (limbs_first.count_instructions() < best.count_instructions()) {
+      limbs_first.deliver(packed);
+      return packed;
+    }
+  }
+  best.deliver(packed);
   return packed;
 }
 

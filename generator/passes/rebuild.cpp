@@ -12,7 +12,9 @@ constexpr std::size_t kNoSection = static_cast<std::size_t>(-1);
 std::vector<std::size_t> sections_of_nodes(const Graph& graph) {
   std::vector<std::size_t> sections(graph.nodes().size(), kNoSection);
   for (std::size_t s = 0; s < graph.sections().size(); ++s) {
-    for (std::size_t i = graph.sections()[s].first_node; i < sections.size(); ++i) {
+    const bool is_last = s + 1 == graph.sections().size();
+    const std::size_t end = is_last ? sections.size() : graph.sections()[s + 1].first_node;
+    for (std::size_t i = graph.sections()[s].first_node; i < end; ++i) {
       sections[i] = s;
     }
   }
