@@ -38,18 +38,48 @@ DenseMatrix<Scalar> inverse(const LtdlFactor<Scalar>& factor) {
   return result;
 }
 
-/// M^-1 B, one column after the other.
+/// A lane for each column; a sign that all entries have stays outside.
+template <class Scalar>
+void align_row(DenseMatrix<Scalar>& B, std::size_t i) {
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    bool negative = true;
+    for (std::size_t j = 0; j < B.cols(); ++j) {
+      negative = negative && (B(i, j).is_constant() || B(i, j).negative());
+    }
+    std::vector<Scalar> lanes;
+    for (std::size_t j = 0; j < B.cols(); ++j) {
+      lanes.push_back(negative ? -B(i, j) : B(i, j));
+    }
+    align_lanes(lanes);
+    for (std::size_t j = 0; j < B.cols(); ++j) {
+      B(i, j) = negative ? -lanes[j] : lanes[j];
+    }
+  }
+}
+
+/// M^-1 B, all columns together.
 template <class Scalar>
 DenseMatrix<Scalar> solve_columns(const LtdlFactor<Scalar>& factor, DenseMatrix<Scalar> B) {
-  for (std::size_t j = 0; j < B.cols(); ++j) {
-    std::vector<Scalar> column;
-    for (std::size_t i = 0; i < B.rows(); ++i) {
-      column.push_back(B(i, j));
+  const std::size_t n = B.rows();
+  const auto subtract = [&B](std::size_t to, const Scalar& factor_of, std::size_t from) {
+    for (std::size_t j = 0; j < B.cols(); ++j) {
+      B(to, j) = B(to, j) - factor_of * B(from, j);
     }
-    column = solve(factor, std::move(column));
-    for (std::size_t i = 0; i < B.rows(); ++i) {
-      B(i, j) = column[i];
+  };
+  for (std::size_t k = n; k-- > 0;) {
+    align_row(B, k);
+    for (std::size_t i = 0; i < k; ++i) {
+      subtract(i, factor.L(k, i), k);
     }
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t j = 0; j < B.cols(); ++j) {
+      B(k, j) = B(k, j) * factor.inverse_D[k];
+    }
+    for (std::size_t i = 0; i < k; ++i) {
+      subtract(k, factor.L(k, i), i);
+    }
+    align_row(B, k);
   }
   return B;
 }
