@@ -66,6 +66,20 @@ void check_functions(const SceneElement& top, const std::string& singular, const
   }
 }
 
+/// What `damped_control_torque` calls.
+void check_damped(const SceneElement& top, const Scene& scene) {
+  if (!scene.damped) return;
+  for (const Function function : kDampedFunctions) {
+    if (std::count(scene.functions.begin(), scene.functions.end(), function) > 0) continue;
+    top.error(fmt::format("damped needs {}, which is not among the functions",
+                          function_name(function)),
+              needs_points(function) && scene.operational_points.empty()
+                  ? "add a list operational_points"
+                  : "add it to functions, or leave out functions for all");
+    return;
+  }
+}
+
 void check_forces_used(const SceneElement& top, const Scene& scene) {
   if (scene.external_forces.empty()) return;
   const auto uses = [](Function function) {
@@ -190,6 +204,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   } else {
     check_functions(top, singular, scene);
   }
+  check_damped(top, scene);
   check_forces_used(top, scene);
   check_contacts(top, robot, scene);
   check_rows(top, robot, scene);

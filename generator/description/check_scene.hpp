@@ -13,9 +13,9 @@ bool needs_points(Function function);
 bool inverts_mass_matrix(Function function);
 
 /// Chooses the functions where the scene lists none, and reports what the robot cannot do: nothing
-/// moves, functions of points without points, functions that invert a mass matrix which is singular
-/// by its structure, more controlled rows than coordinates that move them, names of joints that
-/// meet in one identifier.
+/// moves, functions of points without points or that `damped` lacks, functions that invert a mass
+/// matrix which is singular by its structure, more controlled rows than coordinates that move them,
+/// names of joints that meet in one identifier.
 void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene);
 
 }  // namespace treeline

@@ -47,6 +47,29 @@ void read_functions(const SceneElement& element, Scene& scene) {
   std::sort(scene.functions.begin(), scene.functions.end());
 }
 
+std::optional<double> read_heaviest(const SceneElement& element,
+                                    const std::map<std::string, SceneElement>& fields,
+                                    const char* key) {
+  const auto found = fields.find(key);
+  if (found == fields.end()) {
+    element.error(fmt::format("the key \"{}\" is missing", key),
+                  "give mass (kg) and inertia (kg m^2) from which on a direction yields");
+    return std::nullopt;
+  }
+  const auto value = found->second.number();
+  if (value && !(*value > 0)) {
+    found->second.error("this is not positive", "a direction that feels heavier than this yields");
+  }
+  return value;
+}
+
+void read_damped(const SceneElement& element, Scene& scene) {
+  const auto fields = element.fields({"mass", "inertia"});
+  const auto mass = read_heaviest(element, fields, "mass");
+  const auto inertia = read_heaviest(element, fields, "inertia");
+  if (mass && inertia) scene.damped = HeaviestMotion{*mass, *inertia};
+}
+
 void read_settings(const std::map<std::string, SceneElement>& fields, Scene& scene) {
   const auto find = [&](const char* key) { return fields.find(key); };
   if (const auto name = find("name"); name != fields.end()) read_name(name->second, scene);
@@ -69,6 +92,9 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
   if (const auto batch = find("batch"); batch != fields.end()) {
     scene.batch = 2 << batch->second.choice({"2", "4", "8", "16"}).value_or(2);
   }
+  if (const auto damped = find("damped"); damped != fields.end()) {
+    read_damped(damped->second, scene);
+  }
   if (const auto functions = find("functions"); functions != fields.end()) {
     read_functions(functions->second, scene);
   }
@@ -78,8 +104,8 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = identifier_from(robot.name);
   const auto fields = top.fields({"name", "base", "gravity", "real", "sin_cos", "lanes", "batch",
-                                  "operational_points", "external_forces", "contacts", "functions",
-                                  "locked", "objects"});
+                                  "damped", "operational_points", "external_forces", "contacts",
+                                  "functions", "locked", "objects"});
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);

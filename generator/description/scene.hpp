@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,10 @@ constexpr bool is_derivative(Function function) {
   return function == Function::inverse_dynamics_derivatives ||
          function == Function::forward_dynamics_derivatives;
 }
+/// Those that `damped_control_torque` is composed of.
+inline constexpr std::array kDampedFunctions = {Function::jacobian, Function::bias_acceleration,
+                                                Function::inverse_dynamics,
+                                                Function::lambda_inverse};
 const char* function_name(Function function);
 
 /// A frame fixed to a link: an operational point, or the place where an external force acts.
@@ -110,6 +115,13 @@ struct SceneObject {
   std::vector<SceneGrasp> grasps;  ///< at least one; the first says where the object is
 };
 
+/// The effective masses beyond which a direction of the task yields near singularities: kg in rows
+/// of translation, kg m^2 in rows of rotation. See `core::damped_solve`.
+struct HeaviestMotion {
+  double mass = 0;
+  double inertia = 0;
+};
+
 /// What to generate for a robot; every key but `operational_points` has a default.
 struct Scene {
   std::string file;
@@ -127,6 +139,7 @@ struct Scene {
   /// cannot hold its compiler takes apart again.
   int lanes = 8;
   int batch = 0;  ///< states that the functions of NAME_batch.hpp take in one call; 0: none emitted
+  std::optional<HeaviestMotion> damped;  ///< asks for NAME_damped.hpp: damped_control_torque
   std::map<std::string, double> locked;  ///< joint name -> value it is held at
 };
 

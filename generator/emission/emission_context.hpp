@@ -15,6 +15,7 @@ struct EmissionContext {
   std::string command;  ///< that regenerates the folder, file names without directories
   bool single_precision = false;
   int batch = 0;                    ///< states a call of the functions in NAME_batch.hpp; 0: none
+  std::vector<double> heaviest;     ///< of each task row, for NAME_damped.hpp; empty: none
   int coordinates = 0;              ///< nq
   int velocities = 0;               ///< nv
   int task_rows = 0;                ///< stacked over the operational points

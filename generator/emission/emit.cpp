@@ -6,6 +6,7 @@
 #include "emission/fill_template.hpp"
 #include "emission/print_batch.hpp"
 #include "emission/print_contract.hpp"
+#include "emission/print_damped.hpp"
 #include "emission/print_eigen.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/print_source.hpp"
@@ -15,15 +16,17 @@ namespace treeline {
 namespace {
 
 /// A header of the runtime in the robot's own namespace, so that robots generated at
-/// different times live in one program.
+/// different times live in one program, and in one folder with those that it includes.
 std::string print_runtime(const EmissionContext& context, std::string_view header) {
-  constexpr std::string_view kNamespace = "treeline::core";
   std::string text(header);
-  const std::string own = context.name + "::detail";
-  for (std::size_t at = text.find(kNamespace); at != std::string::npos;
-       at = text.find(kNamespace, at + own.size())) {
-    text.replace(at, kNamespace.size(), own);
-  }
+  const auto replace_all = [&text](std::string_view old, const std::string& by) {
+    for (std::size_t at = text.find(old); at != std::string::npos;
+         at = text.find(old, at + by.size())) {
+      text.replace(at, old.size(), by);
+    }
+  };
+  replace_all("treeline::core", context.name + "::detail");
+  replace_all("#include \"core/", "#include \"");
   return text;
 }
 
@@ -43,7 +46,8 @@ std::string print_cmake(const EmissionContext& context, std::span<const Program>
 /// The headers of the runtime that these sources include.
 void add_runtime(const EmissionContext& context, std::span<const Program> programs, bool has_batch,
                  std::vector<GeneratedFile>& files) {
-  if (has_batch || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+  const bool damped = !context.heaviest.empty();
+  if (has_batch || damped || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", print_runtime(context, templates::kSinCos)});
   }
   if (has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes)) {
@@ -51,6 +55,12 @@ void add_runtime(const EmissionContext& context, std::span<const Program> progra
   }
   if (has_batch) {
     files.push_back({"states.hpp", print_runtime(context, templates::kStates)});
+  }
+  if (damped) {
+    files.push_back({"damped_solve.hpp", print_runtime(context, templates::kDampedSolve)});
+    files.push_back({"ldlt.hpp", print_runtime(context, templates::kLdlt)});
+    files.push_back({"square_root.hpp", print_runtime(context, templates::kSquareRoot)});
+    files.push_back({"symmetric_eigen.hpp", print_runtime(context, templates::kSymmetricEigen)});
   }
 }
 
@@ -77,6 +87,9 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
   }
   for (const Program& program : batch) {
     files.push_back({"batch_" + program.name + ".cpp", print_batch_source(context, program)});
+  }
+  if (!context.heaviest.empty()) {
+    files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
   }
   add_runtime(context, programs, !batch.empty(), files);
   std::vector<std::string> names = {kManifestName};

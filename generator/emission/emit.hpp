@@ -17,10 +17,10 @@ struct GeneratedFile {
 };
 
 /// The files of `generated/NAME/`, in order of name: header, a source for each program, sine and
-/// cosine, Eigen wrapper, CMakeLists.txt, manifest.json. Nodes are emitted in the order they have
-/// in the programs (see `schedule`). Same input, same bytes. Errors, each with an empty result: a
-/// name that cannot be one in C++, two functions of one name, an argument without elements, a
-/// division by a structural zero, a constant that is not finite in Real.
+/// cosine, Eigen wrapper, what the scene adds, CMakeLists.txt, manifest.json. Nodes are emitted in
+/// the order they have in the programs (see `schedule`). Same input, same bytes. Errors, each with
+/// an empty result: a name that cannot be one in C++, two functions of one name, an argument
+/// without elements, a division by a structural zero, a constant that is not finite in Real.
 /// `batch` are the functions to emit for `context.batch` states as well: without packs.
 std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const Program> programs,
                                 Diagnostics& diagnostics, std::span<const Program> batch = {});

@@ -1,29 +1,12 @@
 #pragma once
 // Orientations: rotation matrices (row-major, frame to world), unit quaternions (x, y, z, w) and
-// rotation vectors (axis times angle, rad). C++17, freestanding: square root and arctangent are
-// here because no library is.
-
-#include <cstdint>
+// rotation vectors (axis times angle, rad). C++17, freestanding: the arctangent is here because no
+// library is.
 
 #include "core/sin_cos.hpp"
+#include "core/square_root.hpp"
 
 namespace treeline::core {
-
-/// Square root of x >= 0 within 1 ulp; 0 for 0. Newton's method on 1/sqrt(x) from the halved
-/// exponent, then one step on the root itself.
-inline double square_root(double x) noexcept {
-  std::uint64_t bits = 0;
-  OneLane::to_bits(x, bits);
-  bits = std::uint64_t{0x5fe6eb50c7b537a9} - (bits >> 1);
-  double inverse = 0.0;
-  OneLane::from_bits(bits, inverse);
-  const double half = 0.5 * x;
-  for (int i = 0; i < 4; ++i) {
-    inverse *= 1.5 - half * inverse * inverse;
-  }
-  const double root = x * inverse;
-  return root + 0.5 * inverse * (x - root * root);
-}
 
 namespace steps {
 

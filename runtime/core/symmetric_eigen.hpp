@@ -2,7 +2,7 @@
 // Eigenvalues and eigenvectors of small symmetric matrices by cyclic Jacobi rotations. C++17,
 // freestanding, fixed size, a fixed number of sweeps: same time for every matrix.
 
-#include "core/orientation.hpp"
+#include "core/square_root.hpp"
 
 namespace treeline::core {
 

@@ -10,6 +10,7 @@
 #include "interpreter/augmented_object.hpp"
 #include "interpreter/center_of_mass.hpp"
 #include "interpreter/control_torque.hpp"
+#include "interpreter/damped_torque.hpp"
 #include "interpreter/derivatives.hpp"
 #include "interpreter/explicit_operational_space.hpp"
 #include "interpreter/extend_force_propagators.hpp"

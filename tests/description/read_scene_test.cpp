@@ -69,6 +69,7 @@ base: floating
 gravity: [0, +1.5, -1e-1]
 real: float
 batch: 16
+damped: {mass: 200, inertia: 1.5}
 sin_cos: given
 operational_points:
   - name: tip
@@ -79,7 +80,7 @@ operational_points:
   - {name: other, link: rail, rows: [rx]}
 external_forces:
   - {name: grip, link: tool, origin: {xyz: [1, 2, 3]}, axes: local}
-functions: [control_torque, inverse_dynamics]
+functions: [control_torque, inverse_dynamics, jacobian, bias_acceleration, lambda_inverse]
 locked: {slide: 0.25}
 )");
   EXPECT_EQ(scene.name, "arm");
@@ -101,7 +102,12 @@ locked: {slide: 0.25}
             (std::array{false, false, false, true, false, false}));
   ASSERT_EQ(scene.external_forces.size(), 1U);
   EXPECT_EQ(scene.external_forces[0].origin.xyz, (std::array{1.0, 2.0, 3.0}));
-  EXPECT_EQ(scene.functions, (std::vector{Function::inverse_dynamics, Function::control_torque}));
+  EXPECT_EQ(scene.functions, (std::vector{Function::jacobian, Function::bias_acceleration,
+                                          Function::inverse_dynamics, Function::lambda_inverse,
+                                          Function::control_torque}));
+  ASSERT_TRUE(scene.damped);
+  EXPECT_EQ(scene.damped->mass, 200);
+  EXPECT_EQ(scene.damped->inertia, 1.5);
   EXPECT_EQ(scene.locked.at("slide"), 0.25);
 }
 
@@ -246,6 +252,18 @@ const Case kCases[] = {
     {"NoRow",
      "operational_points: [{name: a, link: tool, rows: []}]",
      {kError, 1, "operational_points[0]/rows", "no row", "leave out"}},
+    {"PriorityZero",
+     "operational_points: [{name: a, link: tool, rows: [x], priority: 0}]",
+     {kError, 1, "operational_points[0]/priority", "0 is no priority", "from 1 on"}},
+    {"PriorityBetween",
+     "operational_points: [{name: a, link: tool, rows: [x], priority: 1.5}]",
+     {kError, 1, "operational_points[0]/priority", "1.5 is no priority", "whole number"}},
+    {"PriorityInWords",
+     "operational_points: [{name: a, link: tool, rows: [x], priority: high}]",
+     {kError, 1, "operational_points[0]/priority", "finite number", ""}},
+    {"PriorityOfAForce",
+     "external_forces: [{name: a, link: tool, priority: 1}]",
+     {kError, 1, "external_forces[0]/priority", "unknown", "the keys here are"}},
     {"UnknownOriginKey",
      "operational_points: [{name: a, link: tool, origin: {xzy: [0, 0, 0]}}]",
      {kError, 1, "operational_points[0]/origin/xzy", "unknown", "did you mean \"xyz\"?"}},
@@ -286,6 +304,19 @@ const Case kCases[] = {
     {"UnusedContact",
      "contacts: [{name: a, link: tool}]\nfunctions: [gravity]",
      {kWarning, 1, "", "no function takes them", "add"}},
+    {"DampedNeedsFunctions",
+     "damped: {mass: 1, inertia: 1}\noperational_points: [{name: a, link: tool, rows: [x]}]\n"
+     "functions: [jacobian, bias_acceleration, inverse_dynamics]",
+     {kError, 1, "", "damped needs lambda_inverse", "add it to functions"}},
+    {"DampedNeedsPoints",
+     "damped: {mass: 1, inertia: 1}",
+     {kError, 1, "", "damped needs jacobian", "operational_points"}},
+    {"DampedNeedsInertia",
+     "damped: {mass: 1}\noperational_points: [{name: a, link: tool, rows: [x]}]",
+     {kError, 1, "damped", "\"inertia\" is missing", "kg m^2"}},
+    {"DampedIsPositive",
+     "damped: {mass: 1, inertia: 0}\noperational_points: [{name: a, link: tool, rows: [x]}]",
+     {kError, 1, "damped/inertia", "not positive", "yields"}},
     {"UnusedForce",
      "external_forces: [{name: a, link: tool}]\nfunctions: [gravity]",
      {kWarning, 1, "", "no function takes them", "add"}},

@@ -1,0 +1,104 @@
+#pragma once
+// Eigenvalues and eigenvectors of small symmetric matrices by cyclic Jacobi rotations. C++17,
+// freestanding, fixed size, a fixed number of sweeps: same time for every matrix.
+
+#include "square_root.hpp"
+
+namespace ur10e::detail {
+
+/// A = sum_i values[i] v_i v_i^T.
+template <int N, class Real>
+struct SymmetricEigen {
+  Real values[N] = {};       ///< descending
+  Real vectors[N * N] = {};  ///< row i: the unit vector v_i
+};
+
+namespace steps {
+
+/// Square root in any `Real`; 0 for what rounding has made negative.
+template <class Real>
+inline Real root(Real x) noexcept {
+  return x > Real(0) ? static_cast<Real>(square_root(static_cast<double>(x))) : Real(0);
+}
+
+template <class Real>
+constexpr void exchange(Real& a, Real& b) noexcept {
+  const Real kept = a;
+  a = b;
+  b = kept;
+}
+
+template <class Real>
+constexpr void turn_pair(Real c, Real s, Real& a, Real& b) noexcept {
+  const Real kept = a;
+  a = c * a - s * b;
+  b = s * kept + c * b;
+}
+
+/// Turns rows and columns p, q of the symmetric `A` so that A_pq = 0, and rows p, q of `V` with
+/// them. t = tan(angle) is the smaller root of t^2 + (A_qq - A_pp)/A_pq t - 1 = 0, written so that
+/// nothing is divided by A_pq.
+template <int N, class Real>
+inline void rotate_pair(int p, int q, Real (&A)[N * N], Real (&V)[N * N]) noexcept {
+  const Real difference = A[q * N + q] - A[p * N + p];
+  const Real twice = Real(2) * A[p * N + q];
+  const Real size = difference < Real(0) ? -difference : difference;
+  const Real sum = size + root(difference * difference + twice * twice);
+  const Real signed_twice = difference < Real(0) ? -twice : twice;
+  const Real t = sum > Real(0) ? signed_twice / sum : Real(0);
+  const Real c = Real(1) / root(Real(1) + t * t);
+  const Real s = t * c;
+  for (int k = 0; k < N; ++k) {
+    turn_pair(c, s, A[k * N + p], A[k * N + q]);
+  }
+  for (int k = 0; k < N; ++k) {
+    turn_pair(c, s, A[p * N + k], A[q * N + k]);
+    turn_pair(c, s, V[p * N + k], V[q * N + k]);
+  }
+}
+
+/// Exchanges pairs until the values descend.
+template <int N, class Real>
+constexpr void sort_descending(SymmetricEigen<N, Real>& eigen) noexcept {
+  for (int end = N - 1; end > 0; --end) {
+    for (int i = 0; i < end; ++i) {
+      if (eigen.values[i] < eigen.values[i + 1]) {
+        exchange(eigen.values[i], eigen.values[i + 1]);
+        for (int k = 0; k < N; ++k) {
+          exchange(eigen.vectors[i * N + k], eigen.vectors[(i + 1) * N + k]);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace steps
+
+/// The eigenvalues and vectors of the row-major symmetric `A`, both triangles of which are read.
+/// Absolute errors of the values: a few roundings of the largest. Convergence is quadratic; ten
+/// sweeps suffice for N up to about 30. A vector's sign, and the basis of equal values, mean
+/// nothing.
+template <int N, int NN, class Real>
+inline SymmetricEigen<N, Real> symmetric_eigen(const Real (&A)[NN], int sweeps = 10) noexcept {
+  static_assert(NN == N * N, "A holds N x N numbers");
+  SymmetricEigen<N, Real> eigen;
+  Real work[N * N];
+  for (int i = 0; i < N * N; ++i) {
+    work[i] = A[i];
+    eigen.vectors[i] = i % (N + 1) == 0 ? Real(1) : Real(0);
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int p = 0; p < N - 1; ++p) {
+      for (int q = p + 1; q < N; ++q) {
+        steps::rotate_pair<N>(p, q, work, eigen.vectors);
+      }
+    }
+  }
+  for (int i = 0; i < N; ++i) {
+    eigen.values[i] = work[i * N + i];
+  }
+  steps::sort_descending(eigen);
+  return eigen;
+}
+
+}  // namespace ur10e::detail

@@ -1,0 +1,134 @@
+#pragma once
+// ur10e: rigid-body dynamics as straight-line code.
+//
+// From ur10e.urdf and scene.yaml by
+//   treeline generate ur10e.urdf scene.yaml --output ur10e
+//
+// Generated; edit the inputs, not this file. It belongs to whoever ran the generator, who may use,
+// change and pass it on without condition. It needs C++17 and nothing else: no library, no heap, no
+// exception, no branch, no global state. Same input, same bits, same time.
+// Compile without -ffast-math.
+//
+// Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
+// row-major. Arguments of one call must not overlap.
+//
+// Joints, in the order of q and of qd, qdd, tau (fixed base):
+//   q 0       qd 0       shoulder_pan (revolute): -6.283185307179586 .. 6.283185307179586 rad, 330 N m, 2.0944 rad/s
+//   q 1       qd 1       shoulder_lift (revolute): -6.283185307179586 .. 6.283185307179586 rad, 330 N m, 2.0944 rad/s
+//   q 2       qd 2       elbow (revolute): -3.141592653589793 .. 3.141592653589793 rad, 150 N m, 3.1416 rad/s
+//   q 3       qd 3       wrist_1 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m, 3.1416 rad/s
+//   q 4       qd 4       wrist_2 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m, 3.1416 rad/s
+//   q 5       qd 5       wrist_3 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m, 3.1416 rad/s
+// Operational points, rows of task vectors:
+//   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
+// Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+
+namespace ur10e {
+
+using Real = double;
+inline constexpr int kCoordinates = 6;  // of q
+inline constexpr int kVelocities = 6;  // of qd, qdd, tau
+inline constexpr int kTaskRows = 6;  // stacked over the operational points
+
+/// x_world = R x_point + p, for every operational point
+/// By outward recursion.
+/// in  q (6): joint coordinates
+/// out position (3): positions in the world, m, one point after the other
+/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
+/// Cost: 98 flops (add 34, mul 64, div 0), sine and cosine of 6 angles.
+/// Stack: at most 21 values live at once, 168 bytes.
+void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
+
+/// xd = J qd, rows stacked over operational points
+/// By from the poses of all links.
+/// in  q (6): joint coordinates
+/// out J (6x6): Jacobian
+/// Cost: 105 flops (add 34, mul 71, div 0), sine and cosine of 5 angles.
+/// Stack: at most 26 values live at once, 208 bytes.
+void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
+
+/// xdd = J qdd + Jd qd: the term Jd qd
+/// By outward recursion, Chang eq. 6.11.
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// out bias (6): accelerations of the task rows at qdd = 0
+/// Cost: 252 flops (add 92, mul 160, div 0), sine and cosine of 6 angles.
+/// Stack: at most 32 values live at once, 256 bytes.
+void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
+
+/// tau = M qdd + b + g - J_ext^T f_ext
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// in  qdd (6): joint accelerations
+/// out tau (6): joint forces
+/// Cost: 306 flops (add 135, mul 171, div 0), sine and cosine of 5 angles.
+/// Stack: at most 56 values live at once, 448 bytes.
+void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
+    Real (&tau)[6]) noexcept;
+
+/// g: the joint forces that hold the robot at rest
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (6): joint coordinates
+/// out g (6): joint forces
+/// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
+/// Stack: at most 15 values live at once, 120 bytes.
+void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
+
+/// h = b + g: the joint forces at qdd = 0
+/// By recursive Newton-Euler, Chang table 4.1.
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// out h (6): joint forces
+/// Cost: 279 flops (add 117, mul 162, div 0), sine and cosine of 5 angles.
+/// Stack: at most 49 values live at once, 392 bytes.
+void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
+
+/// tau = M qdd + b + g: the matrix M
+/// By composite rigid bodies, RBDA table 6.2.
+/// in  q (6): joint coordinates
+/// out M (6x6): joint-space inertia
+/// Cost: 154 flops (add 69, mul 85, div 0), sine and cosine of 4 angles.
+/// Stack: at most 23 values live at once, 184 bytes.
+void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
+
+/// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
+/// By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// in  tau (6): joint forces
+/// out qdd (6): joint accelerations
+/// Cost: 560 flops (add 245, mul 311, div 4), sine and cosine of 5 angles.
+/// Stack: at most 50 values live at once, 400 bytes.
+void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
+    Real (&qdd)[6]) noexcept;
+
+/// Lambda^-1 = J M^-1 J^T
+/// By M = L^T D L, J carried inward, in the axes of link 1 (shoulder) at link origins.
+/// in  q (6): joint coordinates
+/// out Lambda_inv (6x6): inverse operational-space inertia
+/// Cost: 622 flops (add 267, mul 351, div 4), sine and cosine of 5 angles.
+/// Stack: at most 58 values live at once, 464 bytes.
+void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
+
+/// Lambda = (J M^-1 J^T)^-1
+/// By M = L^T D L, J carried inward, in the axes of link 1 (shoulder) at link origins.
+/// in  q (6): joint coordinates
+/// out Lambda (6x6): operational-space inertia
+/// Cost: 838 flops (add 357, mul 471, div 10), sine and cosine of 5 angles.
+/// Stack: at most 65 values live at once, 520 bytes.
+void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
+
+/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
+/// By Chang table 6.1, fused; Lambda^-1: M = L^T D L, J from poses, in the axes of link 4 (wrist_1) at link origins.
+/// in  q (6): joint coordinates
+/// in  qd (6): joint velocities
+/// in  qdd_0 (6): joint accelerations that the posture asks for
+/// in  xdd_cmd (6): commanded accelerations of the task rows
+/// out tau (6): joint forces
+/// Cost: 1059 flops (add 447, mul 601, div 11), sine and cosine of 6 angles.
+/// Stack: at most 116 values live at once, 928 bytes.
+void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
+    const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
+
+}  // namespace ur10e

@@ -1,0 +1,237 @@
+#include "singular_run.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/command_laws.hpp"
+#include "core/spline.hpp"
+#include "servo/simulated_robot.hpp"
+
+namespace treeline::ur10e_experiments {
+namespace {
+
+struct Arm {
+  static constexpr int kCoordinates = ur10e::kCoordinates;
+  static constexpr int kVelocities = ur10e::kVelocities;
+  static constexpr auto& forward_dynamics = ur10e::forward_dynamics;
+};
+using State = servo::StateOf<Arm>;
+
+constexpr double kPeriod = 1e-3;  ///< s
+constexpr core::Gains<double> kTask{100.0, 20.0};
+constexpr double kEffort[6] = {330, 330, 150, 56, 56, 56};          ///< N m, of the URDF
+constexpr double kSpeed[6] = {2.09, 2.09, 3.14, 3.14, 3.14, 3.14};  ///< rad/s
+constexpr double kUpperArm = 0.6127, kForearm = 0.57155;            ///< m
+constexpr std::size_t kPositions = 4, kSpeeds = 10, kTorques = 16;  ///< columns
+
+/// From the pose of `start` along `travel` and back, at rest at both ends.
+struct Path {
+  double start[6] = {};
+  double position[3] = {};
+  double rotation[9] = {};
+  double travel[3] = {};
+  double seconds = 2.0;  ///< each way
+  double wait = 1.0;     ///< at the end
+};
+
+Path reach_path() {
+  Path path{{0.0, -0.9, 1.1, -1.4, -1.3, 0.0}, {}, {}, {}, 2.0, 1.0};
+  // Joint 1 is zero: shoulder, elbow and wrist lie in a plane y = const.
+  const double fore = path.start[1] + path.start[2];
+  const double x = -kUpperArm * std::cos(path.start[1]) - kForearm * std::cos(fore);
+  const double z = -kUpperArm * std::sin(path.start[1]) - kForearm * std::sin(fore);
+  const double distance = std::hypot(x, z);
+  const double far = kUpperArm + kForearm - distance + 0.02;
+  path.travel[0] = far * x / distance;
+  path.travel[2] = far * z / distance;
+  return path;
+}
+
+Path wrist_path() {
+  // Axis 5 leans 0.034 rad from the vertical and joint 5 is -0.3: axis 6 is 0.01 off the
+  // horizontal.
+  return {{-0.3, -1.2, 1.6, -0.4 + 0.034, -0.3, 0.0}, {}, {}, {0.0, -0.45, 0.0}, 2.0, 1.0};
+}
+
+Path make_path(Line line) {
+  Path path = line == Line::reach ? reach_path() : wrist_path();
+  ur10e::forward_kinematics(path.start, path.position, path.rotation);
+  return path;
+}
+
+core::Motion<1, double> along(const Path& path, double t) {
+  const double zero[1] = {0.0};
+  const double one[1] = {1.0};
+  const bool back = t > path.seconds;
+  return back ? core::rest_to_rest(one, zero, path.seconds).at(t - path.seconds)
+              : core::rest_to_rest(zero, one, path.seconds).at(t);
+}
+
+/// PD about the path; also gives the present error.
+void command(const Path& path, double t, const State& state, double (&error)[6],
+             double (&xdd_cmd)[6]) {
+  const auto s = along(path, t);
+  double wanted[3];
+  double velocity_wanted[6] = {};
+  double acceleration_wanted[6] = {};
+  for (int i = 0; i < 3; ++i) {
+    wanted[i] = path.position[i] + s.position[0] * path.travel[i];
+    velocity_wanted[i] = s.velocity[0] * path.travel[i];
+    acceleration_wanted[i] = s.acceleration[0] * path.travel[i];
+  }
+  double position[3];
+  double rotation[9];
+  double J[36];
+  double velocity[6] = {};
+  ur10e::forward_kinematics(state.q, position, rotation);
+  ur10e::jacobian(state.q, J);
+  for (int i = 0; i < 36; ++i) {
+    velocity[i / 6] += J[i] * state.qd[i % 6];
+  }
+  core::pose_error(position, rotation, wanted, path.rotation, error);
+  core::tracking_law(kTask, error, velocity, velocity_wanted, acceleration_wanted, xdd_cmd);
+}
+
+/// Appends the cycle and takes it into the figures; false when the run is lost.
+bool record(double time, const State& state, const double (&error)[6], const double (&tau)[6],
+            const double (&tau_before)[6], double ease, SingularRun& run) {
+  Figures& figures = run.figures;
+  const double position = std::hypot(error[0], error[1], error[2]);
+  const double rotation = std::hypot(error[3], error[4], error[5]);
+  double row[22] = {time, position, rotation, ease};
+  for (std::size_t i = 0; i < 6; ++i) {
+    row[kPositions + i] = state.q[i];
+    row[kSpeeds + i] = state.qd[i];
+    row[kTorques + i] = tau[i];
+    figures.torque = std::max(figures.torque, std::fabs(tau[i]) / kEffort[i]);
+    figures.speed = std::max(figures.speed, std::fabs(state.qd[i]) / kSpeed[i]);
+    const double step = time > 0.0 ? std::fabs(tau[i] - tau_before[i]) / kEffort[i] : 0.0;
+    figures.torque_step = std::max(figures.torque_step, step);
+    figures.lost = figures.lost || !(figures.torque < 1e3) || !std::isfinite(tau[i]);
+  }
+  run.table.append(row);
+  figures.position_error = std::max(figures.position_error, position);
+  figures.rotation_error = std::max(figures.rotation_error, rotation);
+  figures.final_error = position + rotation;
+  figures.ease = std::min(figures.ease, ease);
+  return !figures.lost;
+}
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names{"time", "position_error", "rotation_error", "ease"};
+  for (const char* quantity : {"q", "qd", "tau"}) {
+    for (int i = 1; i <= 6; ++i) names.push_back(fmt::format("{}{}", quantity, i));
+  }
+  return names;
+}
+
+/// One curve for each run; those that were lost end early, and what is far off the scale is cut.
+servo::PlotPanel compared(const std::string& title, const std::string& label,
+                          const std::vector<SingularRun>& runs, std::size_t column, double most) {
+  const std::size_t rows = runs.back().table.rows();
+  servo::PlotPanel panel{title, label, {}, 0.0};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::vector<double> values = runs[i].table.column(column);
+    values.resize(rows, std::nan(""));
+    for (double& value : values) value = std::fabs(value) <= most ? value : std::nan("");
+    panel.lines.push_back({name_of(kLaws[i]), std::move(values), false});
+  }
+  return panel;
+}
+
+/// The largest of six columns, each over its limit.
+std::vector<double> largest_share(const SingularRun& run, std::size_t first,
+                                  const double (&limits)[6], std::size_t rows, double most) {
+  std::vector<double> largest(run.table.rows(), 0.0);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::vector<double> column = run.table.column(first + i);
+    for (std::size_t k = 0; k < largest.size(); ++k) {
+      largest[k] = std::max(largest[k], std::fabs(column[k]) / limits[i]);
+    }
+  }
+  for (double& value : largest) value = value <= most ? value : std::nan("");
+  largest.resize(rows, std::nan(""));
+  return largest;
+}
+
+servo::PlotPanel shares(const std::string& title, const std::vector<SingularRun>& runs,
+                        std::size_t first, const double (&limits)[6]) {
+  constexpr double kMost = 3.0;
+  const std::size_t rows = runs.back().table.rows();
+  servo::PlotPanel panel{title, "largest of six (cut at 3)", {}, 0.0};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    panel.lines.push_back(
+        {name_of(kLaws[i]), largest_share(runs[i], first, limits, rows, kMost), false});
+  }
+  return panel;
+}
+
+}  // namespace
+
+SingularRun run_line(Line line, Law law) {
+  const Path path = make_path(line);
+  const int cycles = static_cast<int>(std::lround((2.0 * path.seconds + path.wait) / kPeriod));
+  SingularRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
+  State state;
+  std::copy(std::begin(path.start), std::end(path.start), std::begin(state.q));
+  servo::SimulatedRobot<Arm> robot(state);
+  double tau[6] = {};
+  for (int cycle = 0; cycle <= cycles; ++cycle) {
+    double error[6];
+    double xdd_cmd[6];
+    double before[6];
+    std::copy(std::begin(tau), std::end(tau), std::begin(before));
+    robot.read(state);
+    command(path, cycle * kPeriod, state, error, xdd_cmd);
+    const double ease = control(law, state.q, state.qd, xdd_cmd, tau);
+    if (!record(cycle * kPeriod, state, error, tau, before, ease, run)) break;
+    robot.write(tau);
+    robot.pass_time(kPeriod);
+  }
+  return run;
+}
+
+std::string summary(Line line, const std::vector<SingularRun>& runs) {
+  std::string text = fmt::format(
+      "{:<24}{:>12}{:>12}{:>14}{:>12}{:>12}{:>12}{:>12}\n",
+      line == Line::reach ? "Beyond reach and back" : "Past the wrist's lock", "|tau|/limit",
+      "|qd|/limit", "step of tau", "position m", "rotation", "at the end", "least ease");
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Figures& f = runs[i].figures;
+    text += fmt::format(
+        "{:<24}{:>12.3g}{:>12.3g}{:>14.3g}{:>12.2e}{:>12.2e}{:>12.2e}{:>12.1e}{}\n",
+        name_of(kLaws[i]), f.torque, f.speed, f.torque_step, f.position_error, f.rotation_error,
+        f.final_error, f.ease,
+        f.lost ? fmt::format("  lost at {:.3f} s", runs[i].table.column(0).back()) : "");
+  }
+  return text;
+}
+
+servo::Plot figure(Line line, const std::vector<SingularRun>& runs) {
+  servo::Plot plot;
+  plot.title = line == Line::reach ? "UR10e: flange to 2 cm beyond reach and back"
+                                   : "UR10e: straight past the wrist's singularity and back";
+  plot.x_label = "time (s)";
+  plot.x = runs.back().table.column(0);
+  plot.panels.push_back(shares("Joint torque over its limit", runs, kTorques, kEffort));
+  plot.panels.push_back(shares("Joint speed over its limit", runs, kSpeeds, kSpeed));
+  plot.panels.push_back(compared("Position error", "m (cut at 0.2)", runs, 1, 0.2));
+  plot.panels.push_back(compared("Orientation error", "rad (cut at 0.5)", runs, 2, 0.5));
+  plot.panels.push_back(compared("Least ease", "1: begins to yield (cut at 4)", runs, 3, 4.0));
+  return plot;
+}
+
+bool claim_holds(Line, const std::vector<SingularRun>& runs) {
+  const Figures& exact = runs[0].figures;
+  const Figures& squares = runs[1].figures;
+  const Figures& damped = runs[2].figures;
+  const bool bounded = !damped.lost && damped.torque < 1.0 && damped.speed < 1.0;
+  const bool smooth = damped.torque_step < 0.05 && damped.final_error < 1e-3;
+  const bool needed = exact.lost || exact.torque > 3.0 || exact.speed > 3.0;
+  const bool better = squares.lost || squares.position_error > damped.position_error;
+  return bounded && smooth && needed && better;
+}
+
+}  // namespace treeline::ur10e_experiments

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "servo/plot.hpp"
+#include "servo/table.hpp"
+#include "singular_control.hpp"
+
+/// The UR10e's flange along straight lines through singular configurations and back, 1 kHz.
+namespace treeline::ur10e_experiments {
+
+enum class Line {
+  reach,  ///< outward to 2 cm beyond reach: elbow straight at the workspace's border
+  wrist,  ///< sideways past joint 5 = 0, 0.01 rad beside the singular orientation
+};
+
+/// Largest values over a run, and where it ended.
+struct Figures {
+  double torque = 0.0;          ///< of a joint, as a share of its effort limit
+  double speed = 0.0;           ///< of a joint, as a share of its speed limit
+  double torque_step = 0.0;     ///< N m between cycles, as a share of the effort limit
+  double position_error = 0.0;  ///< m
+  double rotation_error = 0.0;  ///< rad
+  double final_error = 0.0;     ///< m and rad together
+  double ease = 1e300;          ///< least on the way, see `core::damped_solve`
+  bool lost = false;            ///< torque a thousand times the limit, or not finite
+};
+
+struct SingularRun {
+  servo::Table table;  ///< time, errors, ease, q, qd, tau; a row every millisecond
+  Figures figures;
+};
+
+SingularRun run_line(Line line, Law law);
+
+/// A line of text for each run, in the order of kLaws.
+std::string summary(Line line, const std::vector<SingularRun>& runs);
+servo::Plot figure(Line line, const std::vector<SingularRun>& runs);
+
+/// Damped by directions, torques and speeds stay within the maker's limits, torque has no step, the
+/// arm passes and comes back to where it began. Without damping limits are broken manifold. Damped
+/// least squares is bounded too, but leaves the line farther: it lets all directions yield.
+bool claim_holds(Line line, const std::vector<SingularRun>& runs);
+
+}  // namespace treeline::ur10e_experiments
