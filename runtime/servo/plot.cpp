@@ -17,6 +17,8 @@ constexpr double kLeft = 84.0;
 constexpr double kPlotWidth = 660.0;
 constexpr double kTop = 66.0;
 constexpr double kPanelHeight = 150.0;
+constexpr double kPathHeight = 330.0;
+constexpr double kPathGap = 76.0;  // below a path, for its own axis
 constexpr double kGap = 42.0;
 constexpr double kBottom = 56.0;
 constexpr double kSample = 24.0;    // length of a line in the legend
@@ -43,9 +45,24 @@ struct Frame {
   Range x;
   Range y;
   double top = 0.0;
-  double column(double value) const { return kLeft + (value - x.low) / x.span() * kPlotWidth; }
-  double row(double value) const { return top + (y.high - value) / y.span() * kPanelHeight; }
+  double height = kPanelHeight;
+  double width = kPlotWidth;
+  double column(double value) const { return kLeft + (value - x.low) / x.span() * width; }
+  double row(double value) const { return top + (y.high - value) / y.span() * height; }
 };
+
+bool is_path(const PlotPanel& panel) {
+  return !panel.path_x_label.empty();
+}
+
+double panel_height(const PlotPanel& panel) {
+  return is_path(panel) ? kPathHeight : kPanelHeight;
+}
+
+/// From a panel's bottom to the top of the next one.
+double gap_below(const PlotPanel& panel) {
+  return is_path(panel) ? kPathGap : kGap;
+}
 
 std::string escape(const std::string& text) {
   std::string escaped;
@@ -92,6 +109,30 @@ Range y_range(const PlotPanel& panel) {
   range = {range.low - widen, range.high + widen};
   const double margin = 0.06 * range.span();
   return {range.low - margin, range.high + margin};
+}
+
+/// A square with one scale for both directions, the path in its middle.
+void frame_path(const PlotPanel& panel, Frame& frame) {
+  Range x;
+  for (const PlotLine& line : panel.lines) {
+    for (const double value : line.x) {
+      x.take(value);
+    }
+  }
+  const Range y = frame.y;
+  frame.height = kPathHeight;
+  frame.width = kPathHeight;
+  if (!std::isfinite(x.span())) {
+    frame.x = {0.0, 1.0};
+    return;
+  }
+  const double half = 0.5 * std::max(1.12 * x.span(), y.span());
+  const auto around = [half](const Range& range) {
+    const double middle = 0.5 * (range.low + range.high);
+    return Range{middle - half, middle + half};
+  };
+  frame.x = around(x);
+  frame.y = around(y);
 }
 
 /// The first, the smallest and the largest value of each pixel column, and the last of all, in
@@ -145,9 +186,14 @@ std::string line_style(const PlotLine& line, std::size_t solid_index) {
   return fmt::format("stroke=\"{}\" stroke-width=\"2.2\"", kColours[solid_index % kColours.size()]);
 }
 
+std::string draw_x_label(const Frame& frame, const std::string& label, double y) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
+                     kLeft + frame.width / 2.0, y, escape(label));
+}
+
 std::string draw_axes(const Frame& frame, const PlotPanel& panel, bool with_x_labels) {
-  const double right = kLeft + kPlotWidth;
-  const double bottom = frame.top + kPanelHeight;
+  const double right = kLeft + frame.width;
+  const double bottom = frame.top + frame.height;
   std::string text;
   const Ticks vertical = round_ticks(frame.y.low, frame.y.high, 6);
   for (const double value : vertical.values) {
@@ -157,7 +203,7 @@ std::string draw_axes(const Frame& frame, const PlotPanel& panel, bool with_x_la
         "<text x=\"{:.1f}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n",
         kLeft, row, right, kLeft - 8.0, row + 4.0, tick_label(value, vertical.decimals));
   }
-  const Ticks horizontal = round_ticks(frame.x.low, frame.x.high, 11);
+  const Ticks horizontal = round_ticks(frame.x.low, frame.x.high, is_path(panel) ? 6 : 11);
   for (const double value : horizontal.values) {
     const double column = frame.column(value);
     text += fmt::format("<path d=\"M{:.2f} {:.1f}V{:.1f}\" stroke=\"#e4e4e4\"/>", column, frame.top,
@@ -172,14 +218,17 @@ std::string draw_axes(const Frame& frame, const PlotPanel& panel, bool with_x_la
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
       "stroke=\"#555\"/>\n<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">{}</text>\n"
       "<text transform=\"translate(22 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-      kLeft, frame.top, kPlotWidth, kPanelHeight, kLeft, frame.top - 9.0, escape(panel.title),
-      frame.top + kPanelHeight / 2.0, escape(panel.y_label));
+      kLeft, frame.top, frame.width, frame.height, kLeft, frame.top - 9.0, escape(panel.title),
+      frame.top + frame.height / 2.0, escape(panel.y_label));
+  if (is_path(panel)) {
+    text += draw_x_label(frame, panel.path_x_label, bottom + 38.0);
+  }
   return text;
 }
 
 std::string draw_legend_entry(const Frame& frame, const PlotLine& line, const std::string& style,
                               std::size_t place) {
-  const double x = kLeft + kPlotWidth + 14.0;
+  const double x = kLeft + frame.width + 14.0;
   const double y = frame.top + 10.0 + 18.0 * static_cast<double>(place);
   return fmt::format(
       "<path d=\"M{:.1f} {:.1f}h{:.0f}\" {}/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y,
@@ -187,14 +236,15 @@ std::string draw_legend_entry(const Frame& frame, const PlotLine& line, const st
 }
 
 std::string draw_panel(const Frame& frame, const Plot& plot, const PlotPanel& panel, bool last) {
-  std::string text = draw_axes(frame, panel, last);
+  std::string text = draw_axes(frame, panel, last || is_path(panel));
   std::string on_top;
   std::size_t solid_index = 0;
   std::size_t entries = 0;
   for (const PlotLine& line : panel.lines) {
     const std::string style = line_style(line, solid_index);
     solid_index += line.dashed ? 0 : 1;
-    (line.dashed ? on_top : text) += draw_curve(frame, plot.x, line, style.c_str());
+    const std::vector<double>& x = is_path(panel) ? line.x : plot.x;
+    (line.dashed ? on_top : text) += draw_curve(frame, x, line, style.c_str());
     if (!line.name.empty()) {
       on_top += draw_legend_entry(frame, line, style, entries++);
     }
@@ -205,24 +255,29 @@ std::string draw_panel(const Frame& frame, const Plot& plot, const PlotPanel& pa
 }  // namespace
 
 std::string svg_text(const Plot& plot) {
-  const double panels = static_cast<double>(plot.panels.size());
-  const double height = kTop + panels * (kPanelHeight + kGap) - kGap + kBottom;
+  double height = kTop + kBottom;
+  for (const PlotPanel& panel : plot.panels) {
+    height += panel_height(panel) + (&panel == &plot.panels.back() ? 0.0 : gap_below(panel));
+  }
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"Helvetica, Arial, sans-serif\" "
       "font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
       "<text x=\"{2:.1f}\" y=\"26\" font-size=\"15\" font-weight=\"600\">{3}</text>\n",
       kLeft + kPlotWidth + legend_width(plot), height, kLeft, escape(plot.title));
-  Frame frame;
-  frame.x = x_range(plot.x);
-  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
-    frame.y = y_range(plot.panels[i]);
-    frame.top = kTop + static_cast<double>(i) * (kPanelHeight + kGap);
-    text += draw_panel(frame, plot, plot.panels[i], i + 1 == plot.panels.size());
+  Frame shared;
+  shared.x = x_range(plot.x);
+  shared.top = kTop;
+  for (const PlotPanel& panel : plot.panels) {
+    Frame frame = shared;
+    frame.y = y_range(panel);
+    if (is_path(panel)) {
+      frame_path(panel, frame);
+    }
+    text += draw_panel(frame, plot, panel, &panel == &plot.panels.back());
+    shared.top += frame.height + gap_below(panel);
   }
-  text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n</svg>\n",
-                      kLeft + kPlotWidth / 2.0, height - 14.0, escape(plot.x_label));
-  return text;
+  return text + draw_x_label(shared, plot.x_label, height - 14.0) + "</svg>\n";
 }
 
 }  // namespace treeline::servo
