@@ -184,6 +184,7 @@ interpreter::Points<Scalar> points_from_scene(const interpreter::Model<Scalar>& 
     point.axes =
         from.axes == Axes::world ? interpreter::PointAxes::world : interpreter::PointAxes::local;
     point.rows = from.rows;
+    point.priority = from.priority;
     points.push_back(point);
   }
   return points;

@@ -132,7 +132,7 @@ class ReferenceMaker {
                                const ResultSizes& sizes) const {
     FunctionReference reference;
     if (!has_truth(generated.function)) return reference;
-    reference.condition = sizes.condition(solve_of(generated.function));
+    reference.condition = sizes.condition(generated.function);
     reference.singular = !(reference.condition < kSingular / unit_of(real_));
     if (reference.singular) return reference;
     split(interpret<Digits50>(generated.function, exact_, state), reference);

@@ -1,6 +1,7 @@
 #include "check/result_sizes.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 #include <stdexcept>
@@ -38,6 +39,21 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& A) {
   return A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
 }
 
+/// Lambda^-1 plus what rows in strict priority yield by: c (1 - w) / w of each.
+Eigen::MatrixXd with_yields(const interpreter::Points<double>& points, const Eigen::MatrixXd& A) {
+  const Eigen::VectorXd borders = interpreter::yield_borders<double>(points, A.diagonal());
+  Eigen::MatrixXd left = A;
+  Eigen::MatrixXd yielded = A;
+  for (const int row : interpreter::rows_by_priority(points)) {
+    const double c = std::max(left(row, row), 1e-9 * borders(row));
+    const double inverse = interpreter::yielding_inverse<double>(c, borders(row));
+    if (borders(row) > 0) yielded(row, row) += 1 / inverse - c;
+    const Eigen::VectorXd column = left.col(row);
+    left -= column * (inverse * column.transpose());
+  }
+  return yielded;
+}
+
 }  // namespace
 
 ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
@@ -48,20 +64,28 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   M_inverse_ = inverse(M).cwiseAbs();
   if (subject.points.empty() || M_condition_ > std::numeric_limits<double>::max()) {
     Lambda_condition_ = std::numeric_limits<double>::infinity();
+    control_condition_ = Lambda_condition_;
     return;
   }
   const Eigen::MatrixXd Lambda_inverse =
       interpreter::lambda_inverse<double>(subject.model, subject.points, q);
   Lambda_condition_ = scaled_condition(Lambda_inverse, lambda_inverse().diagonal());
   Lambda_ = inverse(Lambda_inverse).cwiseAbs();
+  control_condition_ = Lambda_condition_;
+  control_Lambda_ = Lambda_;
+  if (!interpreter::has_priorities(subject.points)) return;
+  const Eigen::MatrixXd yielded = with_yields(subject.points, Lambda_inverse);
+  const Eigen::VectorXd scale = lambda_inverse().diagonal() + (yielded - Lambda_inverse).diagonal();
+  control_condition_ = scaled_condition(yielded, scale);
+  control_Lambda_ = inverse(yielded).cwiseAbs();
 }
 
-double ResultSizes::condition(Solve solve) const {
-  switch (solve) {
+double ResultSizes::condition(Function function) const {
+  switch (solve_of(function)) {
     case Solve::mass_matrix:
       return M_condition_;
     case Solve::lambda_inverse:
-      return Lambda_condition_;
+      return function == Function::control_torque ? control_condition_ : Lambda_condition_;
     case Solve::none:
       break;
   }
@@ -138,7 +162,8 @@ Eigen::VectorXd ResultSizes::control_torque() const {
   const Eigen::MatrixXd J = terms_.jacobian();
   const Eigen::VectorXd rows = vector_of(state_.xdd_cmd).cwiseAbs() + terms_.bias(state_.qd) +
                                J * vector_of(state_.qdd).cwiseAbs();
-  return terms_.forces(state_.qd, state_.qdd, state_.f_ext) + J.transpose() * (Lambda_ * rows);
+  return terms_.forces(state_.qd, state_.qdd, state_.f_ext) +
+         J.transpose() * (control_Lambda_ * rows);
 }
 
 std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {

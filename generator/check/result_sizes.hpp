@@ -16,8 +16,8 @@ class ResultSizes {
   /// Of each entry of the function's results, in their order. `result` is what it is.
   [[nodiscard]] std::vector<double> sizes(Function function,
                                           const std::vector<double>& result) const;
-  /// Of the matrix that is solved with; 1 for none.
-  [[nodiscard]] double condition(Solve solve) const;
+  /// Of the matrix that the function solves with; 1 for none.
+  [[nodiscard]] double condition(Function function) const;
 
  private:
   [[nodiscard]] Eigen::VectorXd forward_dynamics(const std::vector<double>& qdd) const;
@@ -30,8 +30,9 @@ class ResultSizes {
   const Subject<double>& subject_;
   const State& state_;
   TermSizes terms_;
-  Eigen::MatrixXd M_inverse_, Lambda_;  ///< magnitudes of the entries
-  double M_condition_ = 1, Lambda_condition_ = 1;
+  /// Magnitudes of the entries; the last is Lambda as tasks in strict priority leave it.
+  Eigen::MatrixXd M_inverse_, Lambda_, control_Lambda_;
+  double M_condition_ = 1, Lambda_condition_ = 1, control_condition_ = 1;
 };
 
 }  // namespace treeline

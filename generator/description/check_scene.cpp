@@ -69,6 +69,11 @@ void check_functions(const SceneElement& top, const std::string& singular, const
 /// What `damped_control_torque` calls.
 void check_damped(const SceneElement& top, const Scene& scene) {
   if (!scene.damped) return;
+  if (has_priorities(scene.operational_points)) {
+    top.error("damped knows no priorities, but the operational points differ in theirs",
+              "remove damped: what conflicts yields by priority; or remove the priorities");
+    return;
+  }
   for (const Function function : kDampedFunctions) {
     if (std::count(scene.functions.begin(), scene.functions.end(), function) > 0) continue;
     top.error(fmt::format("damped needs {}, which is not among the functions",
@@ -106,10 +111,12 @@ void check_contacts(const SceneElement& top, const Robot& robot, const Scene& sc
   }
 }
 
-/// Lambda exists only if the rows can be moved independently of each other.
+/// Lambda exists only if the rows can be moved independently of each other. Rows in strict priority
+/// need not be.
 void check_rows(const SceneElement& top, const Robot& robot, const Scene& scene) {
-  const auto needs_lambda = [](Function f) {
-    return f == Function::lambda || f == Function::control_torque;
+  const bool yield = has_priorities(scene.operational_points);
+  const auto needs_lambda = [yield](Function f) {
+    return f == Function::lambda || (f == Function::control_torque && !yield);
   };
   if (std::none_of(scene.functions.begin(), scene.functions.end(), needs_lambda)) return;
   const std::string remedy =

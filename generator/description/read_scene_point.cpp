@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
@@ -66,6 +67,16 @@ std::array<bool, 6> read_rows(const SceneElement& element) {
   return rows;
 }
 
+int read_priority(const SceneElement& element) {
+  const double priority = element.number().value_or(1);
+  if (priority >= 1 && priority <= 1000 && priority == std::floor(priority)) {
+    return static_cast<int>(priority);
+  }
+  element.error(fmt::format("{} is no priority", priority),
+                "write a whole number from 1 on; 1 comes first, equal ones share a level");
+  return 1;
+}
+
 ScenePoint read_point(const SceneElement& element, const Robot& robot,
                       const std::vector<std::string>& keys) {
   ScenePoint point;
@@ -80,6 +91,9 @@ ScenePoint read_point(const SceneElement& element, const Robot& robot,
   }
   if (const auto rows = fields.find("rows"); rows != fields.end()) {
     point.rows = read_rows(rows->second);
+  }
+  if (const auto priority = fields.find("priority"); priority != fields.end()) {
+    point.priority = read_priority(priority->second);
   }
   return point;
 }
@@ -125,7 +139,7 @@ Pose read_origin(const SceneElement& element) {
 }
 
 std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot) {
-  return read_points(element, robot, {"name", "link", "origin", "rows", "axes"});
+  return read_points(element, robot, {"name", "link", "origin", "rows", "axes", "priority"});
 }
 
 std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot) {

@@ -98,7 +98,16 @@ struct ScenePoint {
   Pose origin;
   Axes axes = Axes::world;
   std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
+  int priority = 1;  ///< of an operational point's task: 1 comes first; equal ones share a level
 };
+
+/// Whether the points differ in priority: then `control_torque` obeys it.
+inline bool has_priorities(const std::vector<ScenePoint>& points) {
+  for (const ScenePoint& point : points) {
+    if (point.priority != points.front().priority) return true;
+  }
+  return false;
+}
 
 /// A hand that holds an object rigidly: an operational point, and the object's frame seen from it.
 /// The point's rows and axes play no part.

@@ -86,8 +86,12 @@ std::string frame_text(const ScenePoint& point) {
 std::vector<EmissionContext::PointRow> point_rows(const std::vector<ScenePoint>& points) {
   std::vector<EmissionContext::PointRow> rows;
   int first_row = 0;
+  const bool prioritized = has_priorities(points);
   for (const ScenePoint& point : points) {
-    rows.push_back({point.name, point.link, frame_text(point), rows_text(point), first_row});
+    const std::string priority =
+        prioritized ? fmt::format(", priority {}", point.priority) : std::string();
+    rows.push_back(
+        {point.name, point.link, frame_text(point) + priority, rows_text(point), first_row});
     for (const bool on : point.rows) {
       first_row += on ? 1 : 0;
     }
@@ -110,6 +114,19 @@ void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
                                 mechanism.link_frames[i].name));
   }
 }
+
+/// What becomes of tasks that conflict.
+constexpr const char* kPriorityNote =
+    "control_torque keeps strict priority: each row acts in the dynamically consistent null space\n"
+    "of the rows above it, by priority and then by row. With c its inverse inertia there and s "
+    "that\n"
+    "of its point, summed over the rows of its kind (x y z or rx ry rz), it is achieved to the "
+    "last\n"
+    "digits where c > s/80, whatever lower rows ask for. A row in conflict with rows above it has "
+    "a\n"
+    "smaller c and gives up, alone, the share 1/(1 + t^8), t = 2^13 c/s; the torque remains "
+    "finite.\n"
+    "Each point must be able to move in some row of each kind that it lists.";
 
 /// What the reader must know to fill `xdd_object` and `internal`.
 std::string object_text(const SceneObject& object) {
@@ -183,6 +200,11 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
     }
   }
   append_contact_notes(scene, mechanism, context.notes);
+  const bool controlled = std::find(scene.functions.begin(), scene.functions.end(),
+                                    Function::control_torque) != scene.functions.end();
+  if (controlled && has_priorities(scene.operational_points)) {
+    context.notes.emplace_back(kPriorityNote);
+  }
   return context;
 }
 

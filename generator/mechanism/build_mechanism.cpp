@@ -279,7 +279,8 @@ class Builder {
       for (std::size_t i = 0; i < robot_.links.size(); ++i) {
         if (robot_.links[i].name == point.link) {
           const ExactPose pose = places_[i].pose * exact_pose(point.origin);
-          result.push_back({point.name, places_[i].link, snapped(pose), point.axes, point.rows});
+          result.push_back({point.name, places_[i].link, snapped(pose), point.axes, point.rows,
+                            point.priority});
         }
       }
     }

@@ -55,6 +55,7 @@ struct MechanismPoint {
   ExactPose pose;  ///< of the point's frame in the link's
   Axes axes = Axes::world;
   std::array<bool, 6> rows{true, true, true, true, true, true};
+  int priority = 1;  ///< see `ScenePoint`
   [[nodiscard]] int row_count() const;
   [[nodiscard]] bool all_rows() const { return row_count() == 6; }
 };

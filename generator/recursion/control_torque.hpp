@@ -129,14 +129,24 @@ struct ControlInputs {
   std::vector<Wrench<Scalar>> applied;
 };
 
-/// F = Lambda times the acceleration errors. Table 5.1 gives Lambda itself, at one link's origin in
-/// its axes; all other routes its inverse.
+/// In which coordinates the rows of a control torque are worked with.
+template <class Scalar>
+TaskBasis control_basis(const Tree<Scalar>& tree, const LambdaChoice& choice) {
+  return has_priorities(tree) ? TaskBasis{} : choice.basis;
+}
+
+/// F = Lambda times the acceleration errors, see `prioritized_task_force` for priorities. Table 5.1
+/// gives Lambda itself, at one link's origin in its axes; all other routes its inverse.
 template <class Scalar>
 std::vector<Scalar> task_force(const Tree<Scalar>& tree,
                                const std::vector<JointTransform<Scalar>>& X,
                                const std::vector<WorldPose<Scalar>>& poses,
                                const LambdaChoice& choice, std::size_t row_count,
                                const std::vector<Scalar>& errors) {
+  if (has_priorities(tree)) {
+    return prioritized_task_force(tree, lambda_inverse_as_asked(tree, X, choice, row_count),
+                                  errors);
+  }
   if (choice.route != LambdaRoute::inertia_propagation) {
     return solve(factor_ldlt(lambda_inverse(tree, X, poses, choice, row_count)), errors);
   }
@@ -158,7 +168,7 @@ std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
                                    const std::vector<JointTransform<Scalar>>& X,
                                    const ControlInputs<Scalar>& inputs, const LambdaChoice& choice,
                                    std::size_t row_count) {
-  const TaskBasis& basis = choice.basis;
+  const TaskBasis basis = control_basis(tree, choice);
   const bool as_asked = !basis.in_link_axes && basis.axes_link < 0;
   const auto poses = poses_seen_from(tree, X, basis.axes_link);
   const auto motions = outward_motion(tree, X, inputs.rates, -tree.gravity);

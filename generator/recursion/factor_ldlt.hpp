@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "recursion/dense_matrix.hpp"
@@ -29,13 +30,15 @@ void align_lower_columns(DenseMatrix<Scalar>& A, std::size_t first) {
   }
 }
 
-template <class Scalar>
-LdltFactor<Scalar> factor_ldlt(DenseMatrix<Scalar> A) {
+/// The factor of A, or where `invert` gives another inverse than 1 / D_k to pivot k, of the matrix
+/// that has those pivots.
+template <class Scalar, class Invert>
+LdltFactor<Scalar> factor_ldlt(DenseMatrix<Scalar> A, const Invert& invert) {
   const std::size_t n = A.rows();
   LdltFactor<Scalar> factor{DenseMatrix<Scalar>(n, n), std::vector<Scalar>(n)};
   for (std::size_t k = 0; k < n; ++k) {
     align_lower_columns(A, k);
-    factor.inverse_D[k] = Scalar(1.0) / A(k, k);
+    factor.inverse_D[k] = invert(k, A(k, k));
     for (std::size_t i = k + 1; i < n; ++i) {
       factor.L(i, k) = A(i, k) * factor.inverse_D[k];
       for (std::size_t j = k + 1; j <= i; ++j) {
@@ -45,6 +48,11 @@ LdltFactor<Scalar> factor_ldlt(DenseMatrix<Scalar> A) {
     align_lower_columns(factor.L, k);
   }
   return factor;
+}
+
+template <class Scalar>
+LdltFactor<Scalar> factor_ldlt(DenseMatrix<Scalar> A) {
+  return factor_ldlt(std::move(A), [](std::size_t, const Scalar& D) { return Scalar(1.0) / D; });
 }
 
 /// L^-1 b.

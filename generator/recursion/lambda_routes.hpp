@@ -8,6 +8,7 @@
 #include "recursion/inertia_propagation.hpp"
 #include "recursion/lambda_inverse.hpp"
 #include "recursion/link_poses.hpp"
+#include "recursion/prioritized_task_force.hpp"
 #include "recursion/shift_lambda_inverse.hpp"
 #include "recursion/turn_lambda_inverse.hpp"
 
@@ -153,10 +154,13 @@ std::vector<LambdaChoice> lambda_choices(const Tree<Scalar>& tree) {
 }
 
 /// Every way to Lambda^-1 for a control torque, in which the axes need not be those asked for. What
-/// is solved at links' origins is solved in their axes.
+/// is solved at links' origins is solved in their axes. Priorities are among the rows asked for.
 template <class Scalar>
 std::vector<LambdaChoice> control_choices(const Tree<Scalar>& tree) {
   using enum LambdaRoute;
+  if (has_priorities(tree)) {
+    return lambda_choices(tree);
+  }
   std::vector<LambdaChoice> choices;
   detail::append_choices(tree, {}, {unit_forces, factors_inward, factors_world}, choices);
   std::erase_if(choices, [](const LambdaChoice& choice) { return choice.basis.at_link_origin; });

@@ -87,6 +87,19 @@ Signature signature(Function function) {
   return {};
 }
 
+/// `, in strict priority: left_hand (1), right_hand (2)`, the most important first.
+std::string priorities_of(const TracedTree& tree) {
+  std::vector<TreePoint<Expression>> points = tree.operational_points;
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return a.priority < b.priority; });
+  std::string text;
+  for (const TreePoint<Expression>& point : points) {
+    text += fmt::format("{}{} ({})", text.empty() ? ", in strict priority: " : ", ", point.name,
+                        point.priority);
+  }
+  return text;
+}
+
 std::string axes_name(int link, const TracedTree& tree) {
   return fmt::format("the axes of link {} ({})", link + 1,
                      tree.links[static_cast<std::size_t>(link)].name);
@@ -126,6 +139,9 @@ class Tracer {
     const Graph::Scope scope(program.graph);
     Trace trace;
     trace.tree = tree_of<Expression>(mechanism_);
+    if (function == Function::control_torque && has_priorities(trace.tree)) {
+      program.equation += priorities_of(trace.tree);
+    }
     trace.rows = static_cast<std::size_t>(mechanism_.task_rows());
     declare_inputs(common.inputs, program, trace);
     trace.X = joint_transforms<Expression>(trace.tree, trace.q);
@@ -284,7 +300,9 @@ std::vector<Route> control_routes(const TracedTree& tree) {
   std::vector<Route> routes;
   for (const LambdaChoice& choice : control_choices(tree)) {
     routes.push_back(
-        {"Chang table 6.1, fused; Lambda^-1: " + describe(choice, tree),
+        {(has_priorities(tree) ? "Chang table 6.1, fused, LDL^T in order of priority; Lambda^-1: "
+                               : "Chang table 6.1, fused; Lambda^-1: ") +
+             describe(choice, tree),
          [choice](const Trace& trace) {
            return vector_output(
                "tau", "joint forces",

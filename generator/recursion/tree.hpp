@@ -44,6 +44,7 @@ struct TreePoint {
   Vector3<Scalar> p;  ///< in the link's axes
   Axes axes = Axes::world;
   std::array<bool, 6> rows{};
+  int priority = 1;
 };
 
 template <class Scalar>
@@ -106,7 +107,7 @@ Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
 template <class Scalar>
 TreePoint<Scalar> tree_point(const MechanismPoint& point) {
   return {point.name, point.link, rounded<Scalar>(point.pose.R), rounded<Scalar>(point.pose.p),
-          point.axes, point.rows};
+          point.axes, point.rows, point.priority};
 }
 
 template <class Scalar>

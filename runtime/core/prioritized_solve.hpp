@@ -7,13 +7,19 @@
 // of all rows above it, (Lambda_(k|prec))^-1, and the recursion of prioritised null spaces (Khatib,
 // Sentis) is nothing but this elimination. As long as no pivot vanishes all rows are achieved.
 // Where row k depends on the rows above, its pivot vanishes and row k alone yields: 1/c_k becomes
-// w_k/c_k with a share w_k that falls smoothly from 1 to 0. What is solved then is
+// w_k/c_k with a share that falls smoothly from 1 to 0,
+//
+//     w_k = t^8 / (1 + t^8),  t = c_k / border_k:
+//
+// one half at the border, and from a hundred borders on 1 to the last digit of double. What is
+// solved then is
 //
 //     (A + diag(delta)) F = b,  delta_k = c_k (1 - w_k) / w_k,
 //
 // so A F = b - delta F. Since delta is zero for every row with w = 1, and w_k depends on rows 1..k
 // only: every row that does not yield is achieved to rounding, whatever the rows below it ask for
-// or how they conflict. F stays bounded.
+// or how they conflict. F stays bounded, |w_k / c_k| < 1 / border_k. It is the law of the generated
+// `control_torque` of scenes whose points differ in priority.
 
 namespace treeline::core {
 
@@ -59,23 +65,46 @@ constexpr SelectiveFactors<N, Real> eliminate(const Real (&A)[N * N],
 
 }  // namespace steps
 
+namespace steps {
+
+/// w and w / pivot, without dividing by a pivot that may be as small as it likes.
+template <class Real>
+constexpr void yield(Real pivot, Real border, Real& inverse, Real& share) noexcept {
+  const bool moves = border > Real(0) && pivot > Real(0);
+  const bool below = moves && pivot < border;
+  const Real t = !moves ? Real(0) : below ? Real(pivot / border) : Real(border / pivot);
+  const Real t2 = t * t;
+  const Real t4 = t2 * t2;
+  const Real t8 = t4 * t4;
+  const Real part = Real(1) / (Real(1) + t8);
+  share = !moves ? Real(0) : below ? Real(t8 * part) : part;
+  inverse = !moves ? Real(0) : below ? Real(t4 * t2 * t * part / border) : Real(part / pivot);
+}
+
+}  // namespace steps
+
 /// Factors the row-major symmetric positive semidefinite `A`, of which the lower triangle is read.
-/// Row k yields where its pivot falls below `tolerance` A_kk: c_k / A_kk is the squared sine, in
-/// the metric of kinetic energy, of the angle between row k and the rows above it. 1e-4 (0.6
-/// degrees) suits control; not below 1e-10 in double.
+/// Row k yields where its pivot falls towards borders[k].
+template <int N, int NN, class Real>
+constexpr SelectiveFactors<N, Real> bordered_factor(const Real (&A)[NN],
+                                                    const Real (&borders)[N]) noexcept {
+  static_assert(NN == N * N, "A holds N x N numbers");
+  return steps::eliminate<N>(
+      A, [&borders](int k, Real pivot, Real, Real& inverse, Real& share) noexcept {
+        steps::yield(pivot, borders[k], inverse, share);
+      });
+}
+
+/// The same with borders of `tolerance` A_kk: c_k / A_kk is the squared sine, in the metric of
+/// kinetic energy, of the angle between row k and the rows above it. 1e-4 (0.6 degrees; nothing
+/// yields beyond 6) suits control; not below 1e-12 in double.
 template <int N, int NN, class Real>
 constexpr SelectiveFactors<N, Real> prioritized_factor(const Real (&A)[NN],
                                                        Real tolerance) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
   return steps::eliminate<N>(
       A, [tolerance](int, Real pivot, Real own, Real& inverse, Real& share) noexcept {
-        const Real border = tolerance * own;
-        const bool moves = border > Real(0) && pivot > Real(0);
-        const Real ratio = moves ? pivot / border : Real(0);
-        share = smooth_step(ratio);
-        // share / pivot without dividing by a pivot that may be as small as it likes.
-        inverse = ratio < Real(1) ? (moves ? ratio * (Real(3) - Real(2) * ratio) / border : Real(0))
-                                  : Real(1) / pivot;
+        steps::yield(pivot, Real(tolerance * own), inverse, share);
       });
 }
 

@@ -2,6 +2,7 @@
 
 #include "interpreter/lambda_inverse.hpp"
 #include "interpreter/point_accelerations.hpp"
+#include "interpreter/prioritized_control_torque.hpp"
 
 namespace treeline::interpreter {
 
@@ -17,12 +18,17 @@ Vector<Scalar> task_force(const Model<Scalar>& model, PointsArg<Scalar> points, 
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext (Chang table 6.1), without a joint-space matrix:
 /// F enters the inward recursion as a force at the points. `qdd_0` is the posture's acceleration;
-/// what of it the task does not need acts in the null space.
+/// what of it the task does not need acts in the null space. Points that differ in priority:
+/// `prioritized_control_torque`.
 template <class Scalar>
 Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
                               VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,
                               VectorArg<Scalar> xdd_cmd, PointsArg<Scalar> external_points,
                               VectorArg<Scalar> f_ext) {
+  if (has_priorities(points)) {
+    return prioritized_control_torque<Scalar>(model, points, q, qd, qdd_0, xdd_cmd, external_points,
+                                              f_ext);
+  }
   const Vector<Scalar> F = task_force<Scalar>(model, points, q, qd, qdd_0, xdd_cmd);
   const auto k = kinematics<Scalar>(model, q, qd);
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());

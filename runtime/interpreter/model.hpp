@@ -93,6 +93,7 @@ struct OperationalPoint {
   Vector3<Scalar> p = Vector3<Scalar>::Zero();
   PointAxes axes = PointAxes::world;
   std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
+  int priority = 1;  ///< of the task at the point: 1 comes first, see `control_torque`
 };
 
 /// Always all six rows; positive when it acts on the robot.
@@ -128,7 +129,8 @@ Points<To> cast(const Points<From>& points) {
   const auto to = [](const From& x) { return static_cast<To>(x); };
   Points<To> result;
   for (const auto& e : points) {
-    result.push_back({e.name, e.body, e.R.unaryExpr(to), e.p.unaryExpr(to), e.axes, e.rows});
+    result.push_back(
+        {e.name, e.body, e.R.unaryExpr(to), e.p.unaryExpr(to), e.axes, e.rows, e.priority});
   }
   return result;
 }

@@ -120,6 +120,28 @@ TEST(Check, RandomRobots) {
   }
 }
 
+// Tasks in strict priority, more rows than freedoms: whatever conflicts yields, and is compared
+// too.
+TEST(Check, Priorities) {
+  for (std::uint64_t seed = 51; seed <= 54; ++seed) {
+    RandomOptions options;
+    options.joints = 7;
+    options.floating_base = seed % 2 == 0;
+    options.mix = {4, 1, 1, 0, 0, 1};
+    options.operational_points = 3;
+    const RandomMechanism drawn = random_mechanism(seed, options);
+    Subjects subjects{drawn.robot, drawn.scene, {}};
+    subjects.scene.real = seed == 53 ? Real::float32 : Real::float64;
+    int priority = 3;
+    for (ScenePoint& point : subjects.scene.operational_points) point.priority = priority--;
+    subjects.scene.functions = {Function::control_torque};
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    const auto report = check_or_throw(subjects, quick_options(60));
+    EXPECT_TRUE(report.passed()) << "seed " << seed << "\n" << print_text(report);
+    EXPECT_LT(report.functions.front().singular, 20) << "seed " << seed;
+  }
+}
+
 // A task that no state can fulfil, four rows with three joints: nothing to compare with is no pass.
 TEST(Check, AlwaysSingularIsNoPass) {
   Subjects subjects = load("planar3r");
