@@ -12,24 +12,6 @@
 namespace treeline::experiments {
 namespace {
 
-/// Joint 2 such that the wrist's centre is above the shoulder, for a given joint 3.
-double overhead(double q3) {
-  const auto wrist_x = [q3](double q2) {
-    const double q[6] = {0, q2, q3, 0, 0, 0};
-    double position[3];
-    double rotation[9];
-    puma560::forward_kinematics(q, position, rotation);
-    return position[0] - 0.05625 * rotation[2];
-  };
-  double low = -3.0;
-  double high = 0.0;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    ((wrist_x(middle) > 0.0) == (wrist_x(low) > 0.0) ? low : high) = middle;
-  }
-  return low;
-}
-
 void expect_type(const double (&q)[6], core::SingularityType type) {
   const WeakestDirection found = look_at_direction(q, 5);
   EXPECT_LT(found.all.values[5], 1e-6);
@@ -64,7 +46,7 @@ TEST(Singularity, NullMotionsAreThoseOfTheLocks) {
 
 class Locks : public testing::TestWithParam<Lock> {};
 
-INSTANTIATE_TEST_SUITE_P(Both, Locks, testing::Values(Lock::elbow, Lock::wrist));
+INSTANTIATE_TEST_SUITE_P(All, Locks, testing::ValuesIn(kLocks));
 
 TEST_P(Locks, AreEnteredPassedAndLeft) {
   std::vector<LockRun> runs;
@@ -79,6 +61,30 @@ TEST(Singularity, ElbowComesBackOnTheSideAskedFor) {
   EXPECT_NEAR(through.final_q[2], 2.0 * elbow_lock() - start, 1e-3);
   EXPECT_NEAR(back.final_q[2], start, 1e-3);
   EXPECT_LT(back.final_position_error, 1e-5);
+}
+
+// Joint 1 turns by what its azimuth to the wrist changes when the arm leans the other way, or not.
+TEST(Singularity, ShoulderComesBackOnTheSideAskedFor) {
+  const LockPath path = make_path(Lock::head);
+  const double* start = path.start;
+  const LockFigures through = run_lock(Lock::head, Strategy::singular, 1.0).figures;
+  const LockFigures back = run_lock(Lock::head, Strategy::singular, -1.0).figures;
+  EXPECT_NEAR(through.final_q[0] - start[0], 2.0 * std::atan2(0.1501, 0.1) - std::acos(-1.0), 1e-3);
+  EXPECT_NEAR(through.final_q[2], start[2], 1e-3);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(back.final_q[i], start[i], 1e-3);
+}
+
+// The lock is where `overhead` says: nearer than the offset the wrist's centre does not come.
+TEST(Singularity, OverheadPutsTheWristOverTheAxis) {
+  for (const double ahead : {0.0, 0.1, -0.07}) {
+    const double q[6] = {0.0, overhead(2.3, ahead), 2.3, 0.4, 0.8, 0.0};
+    double position[3];
+    double rotation[9];
+    puma560::forward_kinematics(q, position, rotation);
+    EXPECT_NEAR(position[0] - 0.05625 * rotation[2], ahead, 1e-12);
+    EXPECT_NEAR(position[1] - 0.05625 * rotation[5], 0.1501, 1e-12);
+    EXPECT_GT(position[2], 1.0);
+  }
 }
 
 // Anywhere, exactly at every combination of locks, and a hair beside: finite and bounded.

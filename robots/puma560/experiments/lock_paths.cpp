@@ -16,6 +16,7 @@ constexpr double kForearmAlong = 0.4331;
 constexpr double kForearmAcross = 0.0203;
 constexpr double kShoulderHeight = 0.6718;
 constexpr double kFlange = 0.05625;
+constexpr double kShoulderOffset = 0.2435 - 0.0934;  // of the arm's plane from joint 1's axis
 
 core::CubicSegment<1, double> segment(double from, double to, double duration) {
   const double a[1] = {from};
@@ -50,6 +51,26 @@ void make_elbow_path(LockPath& path) {
   path.line[2] = wrist_z / distance;
   const double reach = kUpperArm + std::hypot(kForearmAlong, kForearmAcross);
   const double far = reach - distance + 0.02;
+  path.travel[0] = segment(0.0, far, 1.5);
+  path.travel[1] = segment(far, 0.0, 1.5);
+  path.duration = 4.0;
+}
+
+void make_head_path(LockPath& path) {
+  constexpr double kBent = 0.7;
+  constexpr double kAhead = 0.1;
+  const double q3 = elbow_lock() + kBent;
+  const double start[6] = {0.0, overhead(q3, kAhead), q3, 1.57, 1.3, 0.0};
+  std::copy(std::begin(start), std::end(start), std::begin(path.start));
+  puma560::forward_kinematics(path.start, path.position, path.rotation);
+  double away[2];
+  for (int i = 0; i < 2; ++i) {
+    away[i] = path.position[i] - kFlange * path.rotation[3 * i + 2];
+  }
+  const double distance = std::hypot(away[0], away[1]);
+  path.line[0] = -away[0] / distance;
+  path.line[1] = -away[1] / distance;
+  const double far = distance - kShoulderOffset + 0.02;
   path.travel[0] = segment(0.0, far, 1.5);
   path.travel[1] = segment(far, 0.0, 1.5);
   path.duration = 4.0;
@@ -98,12 +119,35 @@ double elbow_lock() {
   return std::atan2(kForearmAlong, -kForearmAcross);
 }
 
+const char* name_of(Lock lock) {
+  switch (lock) {
+    case Lock::elbow:
+      return "Elbow lock";
+    case Lock::head:
+      return "Head lock";
+    case Lock::wrist:
+      return "Wrist lock";
+  }
+  return "";
+}
+
+double overhead(double q3, double ahead) {
+  // Joint 2 turns the wrist's centre about y from where it is at zero.
+  const double forearm = std::hypot(kForearmAlong, kForearmAcross);
+  const double leaning = q3 + std::atan2(-kForearmAcross, kForearmAlong);
+  const double x = kUpperArm + forearm * std::sin(leaning);
+  const double z = forearm * std::cos(leaning);
+  return std::asin(ahead / std::hypot(x, z)) - std::atan2(x, z);
+}
+
 LockPath make_path(Lock lock) {
   LockPath path;
   path.travel[0] = path.travel[1] = segment(0.0, 0.0, 1.0);
   path.turns[0] = path.turns[1] = path.turns[2] = segment(0.0, 0.0, 1.0);
   if (lock == Lock::elbow) {
     make_elbow_path(path);
+  } else if (lock == Lock::head) {
+    make_head_path(path);
   } else {
     make_wrist_path(path);
   }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+
 #include "core/spline.hpp"
 
-/// The tool's paths into, through and out of the PUMA's elbow lock and wrist lock (Chang fig. A.1).
+/// The tool's paths into, through and out of the three basic singularities of the PUMA (Chang
+/// appendix A, fig. A.1): elbow, head and wrist lock.
 namespace treeline::experiments {
 
 /// A wanted pose and its rates; world axes, linear over angular.
@@ -13,7 +16,10 @@ struct ToolMotion {
   double acceleration[6] = {};
 };
 
-enum class Lock { elbow, wrist };
+enum class Lock { elbow, head, wrist };
+inline constexpr std::array kLocks{Lock::elbow, Lock::head, Lock::wrist};
+/// "Elbow lock" and so on.
+const char* name_of(Lock lock);
 
 /// From a start configuration along one direction or about one axis at a time; rests between.
 struct LockPath {
@@ -28,9 +34,16 @@ struct LockPath {
 };
 
 /// Elbow: outward along shoulder-wrist to 2 cm beyond reach and back again, orientation kept; the
-/// elbow is to come back on its other side. Wrist: turns joint 5 to zero, then turns about the
-/// direction that is lost there, then back through the lock to the other side.
+/// elbow is to come back on its other side. Head: the wrist's centre goes horizontally towards
+/// joint 1's axis to 2 cm nearer than the shoulder's offset lets it come, overhead, and back again,
+/// orientation kept; joint 1 is to come back turned and the arm leaning the other way. Wrist: turns
+/// joint 5 to zero, then turns about the direction that is lost there, then back through the lock
+/// to the other side.
 LockPath make_path(Lock lock);
+
+/// Joint 2 (rad) where the wrist's centre is in joint 1's axis plus `ahead` (m) in the arm's plane,
+/// for a given joint 3. At 0 it is as near to the axis as the shoulder's offset lets it be.
+double overhead(double q3, double ahead = 0.0);
 
 /// Joint 3 (rad) where shoulder, elbow and wrist are in line.
 double elbow_lock();

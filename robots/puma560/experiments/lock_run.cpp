@@ -22,11 +22,15 @@ using State = servo::StateOf<Puma>;
 constexpr double kPeriod = 1e-3;    ///< s
 constexpr double kLookAhead = 0.2;  ///< s of wanted velocity that count as wanted motion
 constexpr core::Gains<double> kTask{100.0, 20.0};
-constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};  ///< N m, of the URDF
+constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};      ///< N m, of the URDF
+constexpr double kLower[6] = {-2.79, -3.93, -0.79, -1.92, -1.75, -4.64};  ///< rad, of the URDF
+constexpr double kUpper[6] = {2.79, 0.79, 3.93, 2.97, 1.75, 4.64};
 constexpr std::size_t kErrorColumns = 1;
 constexpr std::size_t kPositions = 4;
 constexpr std::size_t kSpeeds = 10;
 constexpr std::size_t kTorques = 16;
+constexpr std::size_t kShare = 22;
+constexpr std::size_t kColumns = 24;
 
 std::vector<std::string> column_names() {
   std::vector<std::string> names{"time", "position_error", "rotation_error", "sigma"};
@@ -35,6 +39,8 @@ std::vector<std::string> column_names() {
       names.push_back(fmt::format("{}{}", quantity, i));
     }
   }
+  names.emplace_back("share");
+  names.emplace_back("type");
   return names;
 }
 
@@ -59,8 +65,25 @@ ToolCommand command_for(const ToolMotion& wanted, const State& state, double (&e
   return command;
 }
 
-double smallest_value(const double (&q)[6]) {
-  return look_at_direction(q, 5).all.values[5];
+/// Chang's numbers of the types; 0 where neither.
+int type_number(core::SingularityType type) {
+  return type == core::SingularityType::moves_along
+             ? 1
+             : (type == core::SingularityType::turns ? 2 : 0);
+}
+
+/// Takes the cycle into the run's phases.
+void follow_phases(const WeakestDirection& weakest, LockRun& run) {
+  LockFigures& figures = run.figures;
+  const double share = weakest.all.shares[5];
+  const bool first = run.table.rows() == 0;
+  run.began_regular = first ? share == 1.0 : run.began_regular;
+  if (share == 0.0) {
+    figures.type =
+        !run.was_in || figures.type == weakest.type ? weakest.type : core::SingularityType::none;
+    run.was_in = true;
+  }
+  figures.three_phases = run.began_regular && run.was_in && share == 1.0;
 }
 
 /// Appends the cycle and takes it into the figures; false when the run is lost.
@@ -69,7 +92,11 @@ bool record(double time, const State& state, const double (&error)[6], const dou
   LockFigures& figures = run.figures;
   const double position = std::hypot(error[0], error[1], error[2]);
   const double rotation = std::hypot(error[3], error[4], error[5]);
-  double row[22] = {time, position, rotation, smallest_value(state.q)};
+  const WeakestDirection weakest = look_at_direction(state.q, 5);
+  follow_phases(weakest, run);
+  double row[kColumns] = {time, position, rotation, weakest.all.values[5]};
+  row[kShare] = weakest.all.shares[5];
+  row[kShare + 1] = type_number(weakest.type);
   for (std::size_t i = 0; i < 6; ++i) {
     row[kPositions + i] = state.q[i];
     row[kSpeeds + i] = state.qd[i];
@@ -77,6 +104,8 @@ bool record(double time, const State& state, const double (&error)[6], const dou
     figures.speed = std::max(figures.speed, std::fabs(state.qd[i]));
     figures.torque = std::max(figures.torque, std::fabs(tau[i]) / kEffort[i]);
     figures.lost = figures.lost || !std::isfinite(tau[i]) || !(figures.torque < 1e3);
+    figures.within_limits =
+        figures.within_limits && state.q[i] > kLower[i] && state.q[i] < kUpper[i];
     figures.final_q[i] = state.q[i];
   }
   run.table.append(row);
@@ -103,6 +132,18 @@ servo::PlotPanel compared(const std::string& title, const std::string& label,
   return panel;
 }
 
+const char* title_of(Lock lock) {
+  switch (lock) {
+    case Lock::elbow:
+      return "PUMA 560 through the elbow lock (Chang fig. A.2)";
+    case Lock::head:
+      return "PUMA 560 through the head lock (Chang appendix A)";
+    case Lock::wrist:
+      return "PUMA 560 into the wrist lock and out about the lost axis (Chang fig. A.3)";
+  }
+  return "";
+}
+
 servo::PlotPanel joints(const std::string& title, const std::string& label, const LockRun& run,
                         std::size_t first) {
   servo::PlotPanel panel{title, label, {}, 0.0};
@@ -117,7 +158,8 @@ servo::PlotPanel joints(const std::string& title, const std::string& label, cons
 LockRun run_lock(Lock lock, Strategy strategy, double branch) {
   const LockPath path = make_path(lock);
   const int cycles = static_cast<int>(std::lround(path.duration / kPeriod));
-  LockRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
+  LockRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}, {}};
+  std::copy(std::begin(path.start), std::end(path.start), std::begin(run.start));
   State state;
   std::copy(std::begin(path.start), std::end(path.start), std::begin(state.q));
   servo::SimulatedRobot<Puma> robot(state);
@@ -140,9 +182,8 @@ std::string lock_summary(Lock lock, const std::vector<LockRun>& runs) {
   std::string text = fmt::format(
       "{:<22}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n{:<22}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}"
       "{:>12}\n",
-      lock == Lock::elbow ? "Elbow lock" : "Wrist lock", "torque", "speed", "position", "rotation",
-      "left at end", "left at end", "least", "", "/ limit", "rad/s", "error m", "error rad", "m",
-      "rad", "sigma");
+      name_of(lock), "torque", "speed", "position", "rotation", "left at end", "left at end",
+      "least", "", "/ limit", "rad/s", "error m", "error rad", "m", "rad", "sigma");
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const LockFigures& f = runs[i].figures;
     text += fmt::format(
@@ -158,9 +199,7 @@ servo::Plot lock_figure(Lock lock, const std::vector<LockRun>& runs) {
   const LockRun& controlled = runs.back();
   const std::size_t rows = controlled.table.rows();
   servo::Plot plot;
-  plot.title = lock == Lock::elbow
-                   ? "PUMA 560 through the elbow lock (Chang fig. A.2)"
-                   : "PUMA 560 into the wrist lock and out about the lost axis (Chang fig. A.3)";
+  plot.title = title_of(lock);
   plot.x_label = "time (s)";
   plot.x = controlled.table.column(0);
   plot.panels.push_back(compared("Position error", "distance (m)", runs, kErrorColumns, rows));
@@ -168,6 +207,10 @@ servo::Plot lock_figure(Lock lock, const std::vector<LockRun>& runs) {
       compared("Orientation error", "angle (rad)", runs, kErrorColumns + 1, rows));
   plot.panels.push_back(
       compared("Smallest singular value", "sigma (1)", runs, kErrorColumns + 2, rows));
+  plot.panels.push_back({"Share of the weakest direction that is in the task, singularity control",
+                         "share (1)",
+                         {{"", controlled.table.column(kShare), false}},
+                         1.0});
   plot.panels.push_back(
       joints("Joints, singularity control", "angle (rad)", controlled, kPositions));
   plot.panels.push_back(
@@ -181,14 +224,20 @@ bool lock_claim_holds(Lock lock, const std::vector<LockRun>& runs) {
   const LockFigures& none = runs[0].figures;
   const LockFigures& damped = runs[1].figures;
   const LockFigures& ours = runs[2].figures;
-  const bool bounded = !ours.lost && ours.torque < 1.0 && ours.speed < 3.0;
+  const bool bounded = !ours.lost && ours.within_limits && ours.torque < 1.0 && ours.speed < 3.0;
   const bool arrived = ours.final_position_error < 1e-5 && ours.final_rotation_error < 1e-4;
-  const bool entered = ours.least_value < 1e-3;
-  const bool passed = lock == Lock::wrist || ours.final_q[2] > make_path(lock).start[2] + 1.1;
-  const bool worse_damped = damped.position_error > 1.2 * ours.position_error &&
-                            damped.rotation_error > 1.2 * ours.rotation_error &&
-                            damped.speed > 1.2 * ours.speed;
-  return bounded && arrived && entered && passed && none.lost && worse_damped;
+  const auto expected =
+      lock == Lock::wrist ? core::SingularityType::turns : core::SingularityType::moves_along;
+  const bool phases = ours.three_phases && ours.type == expected && ours.least_value < 1e-3;
+  const double* from = runs[2].start;
+  const bool passed = lock == Lock::elbow  ? ours.final_q[2] > from[2] + 1.1
+                      : lock == Lock::head ? ours.final_q[0] < from[0] - 1.1
+                                           : true;
+  const bool farther = damped.position_error > 1.2 * ours.position_error &&
+                       damped.rotation_error > 1.2 * ours.rotation_error;
+  const bool came_back = std::fabs(damped.final_q[0] - from[0]) < 0.1;
+  const bool worse = farther && (lock == Lock::head ? came_back : damped.speed > 1.2 * ours.speed);
+  return bounded && arrived && phases && passed && none.lost && worse;
 }
 
 }  // namespace treeline::experiments

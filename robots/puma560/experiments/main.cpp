@@ -1,4 +1,4 @@
-// Chang appendix A in one command: the PUMA 560 through its elbow lock and wrist lock with the
+// Chang appendix A in one command: the PUMA 560 through its elbow, head and wrist lock with the
 // strategy, without it, and with damped least squares. Exit status: 0 the claims hold, 1 a file
 // cannot be written, 2 usage, 3 a claim is broken.
 #include <fmt/core.h>
@@ -12,8 +12,21 @@ namespace {
 
 using namespace treeline;  // NOLINT: a program, not a header
 
-std::string write_files(const std::string& folder, const char* name, experiments::Lock lock,
+const char* file_name(experiments::Lock lock) {
+  switch (lock) {
+    case experiments::Lock::elbow:
+      return "elbow_lock";
+    case experiments::Lock::head:
+      return "head_lock";
+    case experiments::Lock::wrist:
+      return "wrist_lock";
+  }
+  return "";
+}
+
+std::string write_files(const std::string& folder, experiments::Lock lock,
                         const std::vector<experiments::LockRun>& runs) {
+  const char* name = file_name(lock);
   const char* suffixes[] = {"none", "damped", "singular"};
   std::string error;
   for (std::size_t i = 0; i < runs.size() && error.empty(); ++i) {
@@ -30,24 +43,27 @@ std::string write_files(const std::string& folder, const char* name, experiments
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"PUMA 560: entering, passing and leaving singularities."};
+  CLI::App app{
+      "PUMA 560 at 1 kHz entering, passing and leaving its elbow, head and wrist lock: with the\n"
+      "strategy, without it, and with damped least squares. Prints torques, speeds and errors;\n"
+      "exit status 3 if a claim is broken."};
   std::string folder;
-  app.add_option("--output", folder, "existing folder for CSV and SVG files");
+  app.add_option("--output", folder, "existing folder for LOCK_STRATEGY.csv and LOCK.svg")
+      ->check(CLI::ExistingDirectory);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   bool holds = true;
-  for (const auto lock : {experiments::Lock::elbow, experiments::Lock::wrist}) {
+  for (const auto lock : experiments::kLocks) {
     std::vector<experiments::LockRun> runs;
     for (const auto strategy : experiments::kStrategies) {
       runs.push_back(experiments::run_lock(lock, strategy));
     }
     fmt::print("{}", experiments::lock_summary(lock, runs));
     holds = experiments::lock_claim_holds(lock, runs) && holds;
-    const char* name = lock == experiments::Lock::elbow ? "elbow_lock" : "wrist_lock";
-    const std::string error = folder.empty() ? "" : write_files(folder, name, lock, runs);
+    const std::string error = folder.empty() ? "" : write_files(folder, lock, runs);
     if (!error.empty()) {
       fmt::print(stderr, "puma560_singularity: {}\n", error);
       return 1;
