@@ -55,7 +55,7 @@ inline constexpr int kTaskRows = 12;  // stacked over the operational points
 /// out position (6): positions in the world, m, one point after the other
 /// out rotation (18): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 370 flops (add 132, mul 238, div 0), sine and cosine of 20 angles.
-/// Stack: at most 61 values live at once, 488 bytes.
+/// Stack: at most 74 values live at once, 592 bytes.
 void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotation)[18]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
@@ -63,7 +63,7 @@ void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotatio
 /// in  q (24): joint coordinates
 /// out J (12x24): Jacobian
 /// Cost: 532 flops (add 190, mul 342, div 0), sine and cosine of 20 angles.
-/// Stack: at most 96 values live at once, 768 bytes.
+/// Stack: at most 114 values live at once, 912 bytes.
 void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -72,7 +72,7 @@ void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 /// in  qd (24): joint velocities
 /// out bias (12): accelerations of the task rows at qdd = 0
 /// Cost: 871 flops (add 328, mul 543, div 0), sine and cosine of 20 angles.
-/// Stack: at most 77 values live at once, 616 bytes.
+/// Stack: at most 98 values live at once, 784 bytes.
 void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[12]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -82,7 +82,7 @@ void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[1
 /// in  qdd (24): joint accelerations
 /// out tau (24): joint forces
 /// Cost: 2052 flops (add 982, mul 1070, div 0), sine and cosine of 24 angles.
-/// Stack: at most 272 values live at once, 2176 bytes.
+/// Stack: at most 280 values live at once, 2240 bytes.
 void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd)[24],
     Real (&tau)[24]) noexcept;
 
@@ -91,7 +91,7 @@ void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qd
 /// in  q (24): joint coordinates
 /// out g (24): joint forces
 /// Cost: 396 flops (add 158, mul 238, div 0), sine and cosine of 24 angles.
-/// Stack: at most 90 values live at once, 720 bytes.
+/// Stack: at most 102 values live at once, 816 bytes.
 void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -100,7 +100,7 @@ void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 /// in  qd (24): joint velocities
 /// out h (24): joint forces
 /// Cost: 1991 flops (add 940, mul 1051, div 0), sine and cosine of 24 angles.
-/// Stack: at most 251 values live at once, 2008 bytes.
+/// Stack: at most 265 values live at once, 2120 bytes.
 void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -108,7 +108,7 @@ void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24])
 /// in  q (24): joint coordinates
 /// out M (24x24): joint-space inertia
 /// Cost: 2294 flops (add 956, mul 1338, div 0), sine and cosine of 23 angles.
-/// Stack: at most 157 values live at once, 1256 bytes.
+/// Stack: at most 221 values live at once, 1768 bytes.
 void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -118,7 +118,7 @@ void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 /// in  tau (24): joint forces
 /// out qdd (24): joint accelerations
 /// Cost: 4826 flops (add 2289, mul 2505, div 32), sine and cosine of 24 angles.
-/// Stack: at most 354 values live at once, 2832 bytes.
+/// Stack: at most 377 values live at once, 3016 bytes.
 void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&tau)[24],
     Real (&qdd)[24]) noexcept;
 
@@ -127,7 +127,7 @@ void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&ta
 /// in  q (24): joint coordinates
 /// out Lambda_inv (12x12): inverse operational-space inertia
 /// Cost: 6533 flops (add 2756, mul 3745, div 32), sine and cosine of 24 angles.
-/// Stack: at most 370 values live at once, 2960 bytes.
+/// Stack: at most 414 values live at once, 3312 bytes.
 void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -135,7 +135,7 @@ void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 /// in  q (24): joint coordinates
 /// out Lambda (12x12): operational-space inertia
 /// Cost: 8261 flops (add 3548, mul 4669, div 44), sine and cosine of 24 angles.
-/// Stack: at most 346 values live at once, 2768 bytes.
+/// Stack: at most 379 values live at once, 3032 bytes.
 void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -146,7 +146,7 @@ void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 /// in  xdd_cmd (12): commanded accelerations of the task rows
 /// out tau (24): joint forces
 /// Cost: 8953 flops (add 3944, mul 4965, div 44), sine and cosine of 24 angles.
-/// Stack: at most 374 values live at once, 2992 bytes.
+/// Stack: at most 381 values live at once, 3048 bytes.
 void control_torque(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd_0)[24],
     const Real (&xdd_cmd)[12], Real (&tau)[24]) noexcept;
 

@@ -282,36 +282,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real c2 = cosines[22];
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p5_lanes = 0.000108260010923775 * detail::make_pack<Real>(c13, c20) +
-      detail::make_pack<Real>(4.38600177048965e-05, (-4.38600177048965e-05)) *
-      detail::make_pack<Real>(s13, s20);
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p7_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p5_lanes;
-
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p15_lanes = detail::make_pack<Real>(0.000252780114665025,
+  const Lanes<2> M_2_2_p21_lanes = detail::make_pack<Real>(0.000252780114665025,
       (-0.000252780114665025)) * detail::make_pack<Real>(c13, c20) - 0.0007556474228594393 *
       detail::make_pack<Real>(s13, s20);
-  const Lanes<2> M_2_2_p17_lanes = detail::make_pack<Real>(s13, s20) * M_2_2_p15_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p23_lanes = 2.0 * M_2_2_p7_lanes - detail::make_pack<Real>(s12, s19) *
-      (0.000663511853372032 + M_2_2_p17_lanes);
-
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p33_lanes = 0.01626499875 * detail::make_pack<Real>(c13, c20) -
+  const Lanes<2> M_2_2_p23_lanes = 0.000108260010923775 * detail::make_pack<Real>(c13, c20) +
+      detail::make_pack<Real>(4.38600177048965e-05, (-4.38600177048965e-05)) *
+      detail::make_pack<Real>(s13, s20);
+  const Lanes<2> M_2_2_p25_lanes = 0.01626499875 * detail::make_pack<Real>(c13, c20) -
       detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
       detail::make_pack<Real>(s13, s20);
-  const Lanes<2> M_2_2_p35_lanes = 0.0006000000000000001 + M_2_2_p33_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p41_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p35_lanes -
-      0.0025100003499999995 * detail::make_pack<Real>(c12, c19);
-  const Lanes<2> M_2_2_p47_lanes = 0.000144 - (M_2_2_p5_lanes - detail::make_pack<Real>(c12, c19) *
-      M_2_2_p23_lanes + 0.269 * M_2_2_p41_lanes);
-
-  // link 13 (left_hand), composite inertia
   const Lanes<2> M_11_12_lanes = detail::make_pack<Real>(4.38600177048965e-05,
       (-4.38600177048965e-05)) * detail::make_pack<Real>(c13, c20) - 0.000108260010923775 *
       detail::make_pack<Real>(s13, s20);
@@ -323,12 +302,50 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[474] = M_11_12_lanes[1];
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_10_11_p3_lanes = detail::make_pack<Real>((-0.0001287900573325125),
-      0.0001287900573325125) + detail::make_pack<Real>(c13, c20) * M_2_2_p15_lanes;
+  const Lanes<2> M_2_2_p27_lanes = 0.01626499875 * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> M_2_2_p29_lanes = detail::make_pack<Real>(s13, s20) * M_2_2_p21_lanes;
 
   // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p31_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p23_lanes;
+
+  // link 13 (left_hand), composite inertia
+  const Lanes<2> M_2_2_p35_lanes = 0.0006000000000000001 + M_2_2_p25_lanes;
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p41_lanes = detail::make_pack<Real>(0.001, (-0.001)) + M_2_2_p27_lanes;
+
+  // link 13 (left_hand), composite inertia
+  const Lanes<2> M_2_2_p49_lanes = detail::make_pack<Real>((-0.0001287900573325125),
+      0.0001287900573325125) + detail::make_pack<Real>(c13, c20) * M_2_2_p21_lanes;
+  const Lanes<2> M_11_11_lanes = 0.001053967177886718 + M_2_2_p29_lanes;
+  M[275] = M_11_11_lanes[0];
+
+  // link 20 (right_hand), composite inertia
+  M[450] = M_11_11_lanes[1];
+
+  // link 23 (left_eye), composite inertia
+  const Lanes<2> M_2_2_p67_lanes = 1.2499999999999999e-06 * detail::make_pack<Real>(s23, s24);
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p69_lanes = 0.0025100003499999995 * detail::make_pack<Real>(s12, s19) +
+      detail::make_pack<Real>(c12, c19) * M_2_2_p35_lanes;
+  const Lanes<2> M_2_2_p71_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p35_lanes -
+      0.0025100003499999995 * detail::make_pack<Real>(c12, c19);
+
+  // link 23 (left_eye), composite inertia
+  const Lanes<2> M_2_2_p73_lanes = 2.375e-05 * detail::make_pack<Real>(c23, c24) +
+      detail::make_pack<Real>(8e-06, (-8e-06)) * detail::make_pack<Real>(s23, s24);
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p75_lanes = 2.0 * M_2_2_p31_lanes - detail::make_pack<Real>(s12, s19) *
+      (0.000663511853372032 + M_2_2_p29_lanes);
+  const Lanes<2> M_2_2_p77_lanes = 0.538 * M_2_2_p69_lanes;
+  const Lanes<2> M_2_2_p79_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p49_lanes -
+      detail::make_pack<Real>(c12, c19) * M_11_12_lanes;
   const Lanes<2> M_10_11_lanes = detail::make_pack<Real>(s12, s19) * M_11_12_lanes +
-      detail::make_pack<Real>(c12, c19) * M_10_11_p3_lanes;
+      detail::make_pack<Real>(c12, c19) * M_2_2_p49_lanes;
   M[251] = -M_10_11_lanes[0];
   M[274] = -M_10_11_lanes[0];
 
@@ -336,253 +353,59 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[426] = -M_10_11_lanes[1];
   M[449] = -M_10_11_lanes[1];
 
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p55_lanes = 0.01626499875 * detail::make_pack<Real>(s13, s20) +
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      detail::make_pack<Real>(c13, c20);
-
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p61_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
-      (0.269 * M_2_2_p55_lanes - M_10_11_lanes);
+  const Lanes<2> M_2_2_p83_lanes = 6e-04 - M_2_2_p71_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p65_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p47_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p61_lanes;
-  const Lanes<2> M_2_2_p67_lanes = 0.0001499998887063 + M_2_2_p65_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p73_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p23_lanes;
-  const Lanes<2> M_2_2_p81_lanes = 0.0025100003499999995 * detail::make_pack<Real>(s12, s19) +
-      detail::make_pack<Real>(c12, c19) * M_2_2_p35_lanes;
-  const Lanes<2> M_2_2_p83_lanes = 0.538 * M_2_2_p81_lanes;
-  const Lanes<2> M_2_2_p85_lanes = 0.0010696316083993107 + M_2_2_p73_lanes + M_2_2_p83_lanes;
-
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_11_11_lanes = 0.001053967177886718 + M_2_2_p17_lanes;
-  M[275] = M_11_11_lanes[0];
-
-  // link 20 (right_hand), composite inertia
-  M[450] = M_11_11_lanes[1];
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p89_lanes = 0.0001098 + (M_11_11_lanes + M_2_2_p83_lanes);
-  const Lanes<2> M_2_2_p99_lanes = detail::make_pack<Real>(s12, s19) * M_10_11_p3_lanes -
-      detail::make_pack<Real>(c12, c19) * M_11_12_lanes;
-  const Lanes<2> M_2_2_p101_lanes = detail::make_pack<Real>((-6e-06), 6e-06) - M_2_2_p99_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p107_lanes = detail::make_pack<Real>(s11, s18) *
-      (M_2_2_p85_lanes - M_2_2_p89_lanes) + detail::make_pack<Real>(c11, c18) *
-      (2.0 * M_2_2_p101_lanes);
-  const Lanes<2> M_2_2_p109_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p107_lanes;
-  const Lanes<2> M_2_2_p113_lanes = 0.06060754126741261 + (M_2_2_p85_lanes - M_2_2_p109_lanes);
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p117_lanes = 0.0002867197550272787 - M_2_2_p17_lanes - M_2_2_p73_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p119_lanes = 0.00051019984685315 + M_2_2_p117_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p125_lanes = detail::make_pack<Real>(c10, c17) * (2.0 * M_2_2_p67_lanes) -
-      detail::make_pack<Real>(s10, s17) * (M_2_2_p113_lanes - M_2_2_p119_lanes);
-  const Lanes<2> M_2_2_p127_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p125_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p131_lanes = 6e-04 - M_2_2_p41_lanes;
-  const Lanes<2> M_2_2_p135_lanes = detail::make_pack<Real>(0.001, (-0.001)) + M_2_2_p55_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p139_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p131_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p135_lanes;
-  const Lanes<2> M_2_2_p141_lanes = 0.0014999985000000002 + M_2_2_p139_lanes;
-  const Lanes<2> M_2_2_p145_lanes = 0.28049749700000004 + M_2_2_p81_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p149_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p141_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p145_lanes;
-  const Lanes<2> M_2_2_p151_lanes = 0.564 * M_2_2_p149_lanes;
-  const Lanes<2> M_2_2_p155_lanes = 0.0019585440854647937 +
-      (M_2_2_p113_lanes + M_2_2_p127_lanes + M_2_2_p151_lanes);
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_9_9_lanes = 0.060888541114265754 + (M_2_2_p89_lanes + M_2_2_p109_lanes);
-  M[225] = M_9_9_lanes[0];
-
-  // link 18 (right_wrist1), composite inertia
-  M[400] = M_9_9_lanes[1];
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p159_lanes = 0.0008177492704690715 + (M_9_9_lanes + M_2_2_p151_lanes);
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_9_10_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p47_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p61_lanes;
-  M[226] = M_9_10_lanes[0];
-  M[249] = M_9_10_lanes[0];
-
-  // link 18 (right_wrist1), composite inertia
-  M[401] = M_9_10_lanes[1];
-  M[424] = M_9_10_lanes[1];
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p165_lanes = detail::make_pack<Real>((-0.0001499998887063),
-      0.0001499998887063) - M_9_10_lanes;
-  const Lanes<2> M_2_2_p173_lanes = detail::make_pack<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * M_2_2_p107_lanes -
-      M_2_2_p101_lanes);
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p177_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p165_lanes -
-      detail::make_pack<Real>(c10, c17) * M_2_2_p173_lanes;
-  const Lanes<2> M_2_2_p179_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
-      (-4.4999986458742003e-05)) - M_2_2_p177_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p185_lanes = detail::make_pack<Real>(c9, c16) *
-      (M_2_2_p155_lanes - M_2_2_p159_lanes) - detail::make_pack<Real>(s9, s16) *
-      (2.0 * M_2_2_p179_lanes);
-  const Lanes<2> M_2_2_p187_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p185_lanes;
-  const Lanes<2> M_2_2_p191_lanes = 0.18113119219699997 + (M_2_2_p155_lanes - M_2_2_p187_lanes);
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p193_lanes = M_2_2_p119_lanes - M_2_2_p127_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p195_lanes = 0.0028970433559338655 + M_2_2_p193_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p209_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p145_lanes -
-      detail::make_pack<Real>(c10, c17) * M_2_2_p141_lanes;
-  const Lanes<2> M_2_2_p215_lanes = 0.0005895000784280001 +
-      (M_2_2_p67_lanes - detail::make_pack<Real>(c10, c17) * M_2_2_p125_lanes + 0.282 *
-      M_2_2_p209_lanes);
-  const Lanes<2> M_8_9_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p173_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p165_lanes;
-  M[201] = -M_8_9_lanes[0];
-  M[224] = -M_8_9_lanes[0];
-
-  // link 17 (right_lowerarm), composite inertia
-  M[376] = -M_8_9_lanes[1];
-  M[399] = -M_8_9_lanes[1];
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p223_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p131_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p135_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p229_lanes = detail::make_pack<Real>(0.0012089992423205001,
-      (-0.0012089992423205001)) + (0.282 * M_2_2_p223_lanes - M_8_9_lanes);
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p233_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p215_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_2_p229_lanes;
-  const Lanes<2> M_2_2_p235_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
-      5.2499999999999995e-05) + M_2_2_p233_lanes;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p241_lanes = detail::make_pack<Real>(s8, s15) *
-      (M_2_2_p195_lanes - M_2_2_p191_lanes) + detail::make_pack<Real>(c8, c15) *
-      (2.0 * M_2_2_p235_lanes);
-  const Lanes<2> M_2_2_p243_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p241_lanes;
-  const Lanes<2> M_2_2_p247_lanes = 0.0002975 + (M_2_2_p195_lanes - M_2_2_p243_lanes);
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p249_lanes = M_2_2_p159_lanes + M_2_2_p187_lanes;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p251_lanes = 0.18140244219699997 + M_2_2_p249_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_7_8_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p215_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_2_p229_lanes;
-  M[176] = -M_7_8_lanes[0];
-  M[199] = -M_7_8_lanes[0];
-
-  // link 16 (right_upperarm), composite inertia
-  M[351] = -M_7_8_lanes[1];
-  M[374] = -M_7_8_lanes[1];
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p257_lanes = M_7_8_lanes - 0.00010499999999999999;
-  const Lanes<2> M_2_2_p265_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
-      (detail::make_pack<Real>(s9, s16) * M_2_2_p185_lanes + M_2_2_p179_lanes);
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p269_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p257_lanes -
-      detail::make_pack<Real>(s8, s15) * M_2_2_p265_lanes;
-  const Lanes<2> M_2_2_p271_lanes = M_2_2_p269_lanes - 8.75e-06;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p277_lanes = detail::make_pack<Real>(c7, c14) *
-      (M_2_2_p251_lanes - M_2_2_p247_lanes) - detail::make_pack<Real>(s7, s14) *
-      (2.0 * M_2_2_p271_lanes);
-  const Lanes<2> M_2_2_p279_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p277_lanes;
-  const Real M_2_2_p281 = M_2_2_p279_lanes[1] + M_2_2_p279_lanes[0];
+  const Lanes<2> M_2_2_p85_lanes = 0.28049749700000004 + M_2_2_p69_lanes;
 
   // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p286_lanes = 2.375e-05 * detail::make_pack<Real>(c23, c24) +
-      detail::make_pack<Real>(8e-06, (-8e-06)) * detail::make_pack<Real>(s23, s24);
-  const Real M_2_2_p288 = 0.009457125 + 2.0 * (M_2_2_p286_lanes[1] + M_2_2_p286_lanes[0]);
-  const Lanes<2> M_2_2_p289_lanes = 1.2499999999999999e-06 * detail::make_pack<Real>(s23, s24);
-  const Lanes<2> M_2_2_p291_lanes = detail::make_pack<Real>(s23, s24) * M_2_2_p289_lanes;
-  const Real M_2_2_p293 = M_2_2_p291_lanes[1] + M_2_2_p291_lanes[0];
-  const Real M_2_2_p294 = 0.05451070000000001 + M_2_2_p293 + (-1.6e-05) * s24 + 1.6e-05 * s23;
-  const Lanes<2> M_2_2_p295_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(c23, c24);
-  const Real M_2_2_p297 = 0.0074 + M_2_2_p295_lanes[1] + M_2_2_p295_lanes[0];
+  const Lanes<2> M_2_2_p87_lanes = detail::make_pack<Real>(s23, s24) * M_2_2_p67_lanes;
+  const Lanes<2> M_2_2_p89_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(c23, c24);
 
-  // link 22 (head), composite inertia
-  const Real M_2_2_p298 = s22 * (M_2_2_p294 - M_2_2_p288) + c22 * (2.0 * M_2_2_p297);
-  const Real M_2_2_p299 = s22 * M_2_2_p298;
-  const Real M_2_2_p300 = M_2_2_p288 + M_2_2_p299;
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p91_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p75_lanes;
+  const Lanes<2> M_2_2_p95_lanes = detail::make_pack<Real>((-6e-06), 6e-06) - M_2_2_p79_lanes;
+
+  // link 23 (left_eye), composite inertia
+  const Real M_2_2_p109 = M_2_2_p87_lanes[1] + M_2_2_p87_lanes[0];
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p112_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
+      (0.269 * M_2_2_p27_lanes - M_10_11_lanes);
+  const Lanes<2> M_2_2_p116_lanes = 0.0001098 + (M_11_11_lanes + M_2_2_p77_lanes);
+  const Lanes<2> M_2_2_p120_lanes = 0.0002867197550272787 - M_2_2_p29_lanes - M_2_2_p91_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p122_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p83_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p41_lanes;
+  const Lanes<2> M_2_2_p126_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p83_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_2_p41_lanes;
+
+  // link 23 (left_eye), composite inertia
+  const Real M_2_2_p128 = 0.0074 + M_2_2_p89_lanes[1] + M_2_2_p89_lanes[0];
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p129_lanes = 0.0010696316083993107 + M_2_2_p91_lanes + M_2_2_p77_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p135_lanes = 0.00051019984685315 + M_2_2_p120_lanes;
+  const Lanes<2> M_2_2_p137_lanes = 0.0014999985000000002 + M_2_2_p122_lanes;
+
+  // link 23 (left_eye), composite inertia
+  const Lanes<2> M_2_2_p139_lanes = 0.00025 * detail::make_pack<Real>(c23, c24);
+  const Real M_2_2_p141 = 0.009457125 + 2.0 * (M_2_2_p73_lanes[1] + M_2_2_p73_lanes[0]);
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p301_lanes = 0.0022500062 + M_2_2_p209_lanes;
-  const Lanes<2> M_2_2_p305_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
-      M_2_2_p223_lanes;
+  const Lanes<2> M_2_6_p1_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
+      M_2_2_p126_lanes;
 
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p309_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p301_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_2_p305_lanes;
-  const Lanes<2> M_2_2_p311_lanes = detail::make_pack<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) - M_2_2_p309_lanes;
-  const Lanes<2> M_2_2_p315_lanes = 0.7139200499999999 + M_2_2_p149_lanes;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p319_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p315_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_2_p311_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p321 = 0.40663174999999996 + M_2_2_p300 + M_2_2_p251_lanes[1] - M_2_2_p281 +
-      (-0.36) * M_2_2_p319_lanes[1] + M_2_2_p251_lanes[0] + 0.36 * M_2_2_p319_lanes[0];
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_6_6_lanes = 0.000448 + (M_2_2_p191_lanes + M_2_2_p243_lanes);
-  M[150] = M_6_6_lanes[0];
-
-  // link 15 (right_shoulder2), composite inertia
-  M[325] = M_6_6_lanes[1];
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p147_lanes = 0.000144 - (M_2_2_p23_lanes -
+      detail::make_pack<Real>(c12, c19) * M_2_2_p75_lanes + 0.269 * M_2_2_p71_lanes);
 
   // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p322_lanes = 0.00025 * detail::make_pack<Real>(c23, c24);
-  const Real M_2_2_p324 = 0.072575 + M_2_2_p322_lanes[1] + M_2_2_p322_lanes[0];
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p325 = 0.43200000000000005 * c22 - s22 * M_2_2_p324;
-  const Real M_2_2_p326 = 0.788 * M_2_2_p325;
-  const Real M_2_2_p327 = M_2_2_p294 - M_2_2_p299 + M_2_2_p326;
-
-  // link 23 (left_eye), composite inertia
-  const Real M_21_21 = 0.063951825 - M_2_2_p293 + 4.75e-05 * (c24 + c23);
-  M[525] = M_21_21;
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p328 = M_21_21 + M_2_2_p326;
-
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p331_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + M_2_2_p289_lanes) *
-      detail::make_pack<Real>(c23, c24);
-  const Real M_2_2_p333 = M_2_2_p331_lanes[0] + 2.375e-05 * (s24 + s23) + M_2_2_p331_lanes[1];
+  const Real M_2_2_p153 = 0.05451070000000001 + M_2_2_p109 + (-1.6e-05) * s24 + 1.6e-05 * s23;
   const Lanes<2> M_21_22_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(s23, s24);
   M[526] = -M_21_22_lanes[0];
   M[549] = -M_21_22_lanes[0];
@@ -592,37 +415,263 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[573] = -M_21_22_lanes[1];
 
   // link 23 (left_eye), composite inertia
-  const Real M_2_2_p334 = M_21_22_lanes[1] + M_21_22_lanes[0];
+  const Lanes<2> M_2_2_p161_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + M_2_2_p67_lanes) *
+      detail::make_pack<Real>(c23, c24);
 
-  // link 22 (head), composite inertia
-  const Real M_2_2_p335 = c22 * M_2_2_p333 + s22 * M_2_2_p334;
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p163_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p137_lanes +
+      detail::make_pack<Real>(c10, c17) * M_2_2_p85_lanes;
+  const Lanes<2> M_2_2_p165_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p85_lanes -
+      detail::make_pack<Real>(c10, c17) * M_2_2_p137_lanes;
 
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p336 = s21 * M_2_2_p335;
-  const Real M_2_2_p337 = c21 * (0.005513625 + M_2_2_p327 - (0.000703125 + M_2_2_p328)) + 2.0 *
-      M_2_2_p336;
-  const Real M_2_2_p338 = c21 * M_2_2_p337;
+  // link 23 (left_eye), composite inertia
+  const Real M_2_2_p167 = 0.072575 + M_2_2_p139_lanes[1] + M_2_2_p139_lanes[0];
+  const Real M_2_2_p168 = M_21_22_lanes[1] + M_21_22_lanes[0];
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p170_lanes = detail::make_pack<Real>(s11, s18) *
+      (M_2_2_p129_lanes - M_2_2_p116_lanes) + detail::make_pack<Real>(c11, c18) *
+      (2.0 * M_2_2_p95_lanes);
+  const Lanes<2> M_2_2_p172_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p147_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p112_lanes;
+  const Lanes<2> M_9_10_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p147_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_2_p112_lanes;
+  M[226] = M_9_10_lanes[0];
+  M[249] = M_9_10_lanes[0];
+
+  // link 18 (right_wrist1), composite inertia
+  M[401] = M_9_10_lanes[1];
+  M[424] = M_9_10_lanes[1];
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p174_lanes = 0.564 * M_2_2_p163_lanes;
+  const Lanes<2> M_2_6_p4_lanes = 0.0022500062 + M_2_2_p165_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p343_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p301_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_2_p305_lanes;
+  const Lanes<2> M_2_6_p5_lanes = 0.7139200499999999 + M_2_2_p163_lanes;
+
+  // link 23 (left_eye), composite inertia
+  const Real M_21_21 = 0.063951825 - M_2_2_p109 + 4.75e-05 * (c24 + c23);
+  M[525] = M_21_21;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p180_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p170_lanes;
+  const Lanes<2> M_2_2_p182_lanes = 0.0001499998887063 + M_2_2_p172_lanes;
+  const Lanes<2> M_2_2_p186_lanes = detail::make_pack<Real>((-0.0001499998887063),
+      0.0001499998887063) - M_9_10_lanes;
+
+  // link 22 (head), composite inertia
+  const Real M_2_2_p189 = s22 * (M_2_2_p153 - M_2_2_p141) + c22 * (2.0 * M_2_2_p128);
+  const Real M_2_2_p191 = 0.43200000000000005 * c22 - s22 * M_2_2_p167;
+
+  // link 23 (left_eye), composite inertia
+  const Real M_2_2_p192 = M_2_2_p161_lanes[0] + 2.375e-05 * (s24 + s23) + M_2_2_p161_lanes[1];
+
+  // link 22 (head), composite inertia
+  const Real M_2_2_p204 = s22 * M_2_2_p189;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_6_p9_lanes = detail::make_pack<Real>(s9, s16) * M_2_6_p4_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_6_p1_lanes;
+
+  // link 22 (head), composite inertia
+  const Real M_2_2_p206 = 0.788 * M_2_2_p191;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_6_p10_lanes = detail::make_pack<Real>(c9, c16) * M_2_6_p4_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_6_p1_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p208_lanes = 0.06060754126741261 + (M_2_2_p129_lanes - M_2_2_p180_lanes);
+  const Lanes<2> M_2_2_p212_lanes = detail::make_pack<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * M_2_2_p170_lanes -
+      M_2_2_p95_lanes);
+  const Lanes<2> M_9_9_lanes = 0.060888541114265754 + (M_2_2_p116_lanes + M_2_2_p180_lanes);
+  M[225] = M_9_9_lanes[0];
+
+  // link 18 (right_wrist1), composite inertia
+  M[400] = M_9_9_lanes[1];
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_6_p11_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) - M_2_6_p9_lanes;
+
+  // link 23 (left_eye), composite inertia
+  const Lanes<2> M_5_20_p1_lanes = 0.00025 * detail::make_pack<Real>(s23, s24);
+
+  // link 22 (head), composite inertia
+  const Real M_2_2_p215 = M_21_21 + M_2_2_p206;
+  const Real M_5_20_p3 = c22 * M_2_2_p167 + 0.43200000000000005 * s22;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p345_lanes = 0.0017499999999999998 - M_2_2_p343_lanes;
-  const Lanes<2> M_2_2_p353_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p315_lanes -
-      detail::make_pack<Real>(s8, s15) * M_2_2_p311_lanes;
-  const Lanes<2> M_2_2_p355_lanes = M_2_2_p353_lanes - 0.0017499999999999998;
+  const Lanes<2> M_2_6_p12_lanes = 0.0017499999999999998 - M_2_6_p10_lanes;
+
+  // link 22 (head), composite inertia
+  const Real M_2_2_p217 = M_2_2_p141 + M_2_2_p204;
+  const Real M_2_2_p225 = M_2_2_p153 - M_2_2_p204 + M_2_2_p206;
+  const Real M_2_2_p226 = c22 * M_2_2_p192 + s22 * M_2_2_p168;
+
+  // link 23 (left_eye), composite inertia
+  const Real M_5_20_p4 = M_5_20_p1_lanes[1] + M_5_20_p1_lanes[0];
+
+  // link 22 (head), composite inertia
+  const Real M_20_21 = s22 * M_2_2_p192 - c22 * M_2_2_p168;
+  M[501] = M_20_21;
+  M[524] = M_20_21;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p229_lanes = 0.0008177492704690715 + (M_9_9_lanes + M_2_2_p174_lanes);
+  const Lanes<2> M_2_2_p234_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p186_lanes -
+      detail::make_pack<Real>(c10, c17) * M_2_2_p212_lanes;
+  const Lanes<2> M_8_9_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p212_lanes +
+      detail::make_pack<Real>(c10, c17) * M_2_2_p186_lanes;
+  M[201] = -M_8_9_lanes[0];
+  M[224] = -M_8_9_lanes[0];
+
+  // link 17 (right_lowerarm), composite inertia
+  M[376] = -M_8_9_lanes[1];
+  M[399] = -M_8_9_lanes[1];
+
+  // link 21 (neck), composite inertia
+  const Real M_2_2_p236 = s21 * M_2_2_p226;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_6_p15_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p5_lanes -
+      detail::make_pack<Real>(s8, s15) * M_2_6_p11_lanes;
+
+  // link 22 (head), composite inertia
+  const Real M_2_2_p238 = 0.0045000000000000005 + M_5_20_p3;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p239_lanes = detail::make_pack<Real>(c10, c17) * (2.0 * M_2_2_p182_lanes) -
+      detail::make_pack<Real>(s10, s17) * (M_2_2_p208_lanes - M_2_2_p135_lanes);
+  const Lanes<2> M_2_2_p241_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - M_2_2_p234_lanes;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_6_p16_lanes = M_2_6_p15_lanes - 0.0017499999999999998;
+  const Lanes<2> M_2_2_p246_lanes = detail::make_pack<Real>(s8, s15) * M_2_6_p5_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_6_p11_lanes;
+
+  // link 22 (head), composite inertia
+  const Real M_5_20_p5 = 0.0016155 + (c22 * M_2_2_p189 - M_2_2_p128 + 0.394 * M_5_20_p3);
+  const Real M_5_20_p6 = M_20_21 - 0.394 * M_5_20_p4;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p248_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p239_lanes;
+  const Lanes<2> M_2_2_p254_lanes = detail::make_pack<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + (0.282 * M_2_2_p126_lanes - M_8_9_lanes);
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p359_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p345_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_2_p355_lanes;
-  const Real M_2_2_p361 = M_2_2_p359_lanes[1] + M_2_2_p359_lanes[0];
-  const Real M_2_2_p362 = 1.67475326092404 + M_2_2_p327 - M_2_2_p338 + M_6_6_lanes[1] +
-      M_6_6_lanes[0] - 0.452 * M_2_2_p361;
+  const Real M_2_2_p259 = M_2_2_p246_lanes[1] + M_2_2_p246_lanes[0];
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p266_lanes = M_2_2_p135_lanes - M_2_2_p248_lanes;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Lanes<2> M_2_6_p18_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p12_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_6_p16_lanes;
+
+  // link 21 (neck), composite inertia
+  const Real M_2_2_p269 = c21 * (0.005513625 + M_2_2_p225 - (0.000703125 + M_2_2_p215)) + 2.0 *
+      M_2_2_p236;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Lanes<2> M_5_6_p3_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p12_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_6_p16_lanes;
+
+  // link 21 (neck), composite inertia
+  const Real M_5_20 = c21 * M_5_20_p5 + s21 * M_5_20_p6;
+  M[140] = -M_5_20;
+  M[485] = -M_5_20;
+  const Real M_2_2_p270 = s21 * M_5_20_p5 - c21 * M_5_20_p6;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p275_lanes = 0.0028970433559338655 + M_2_2_p266_lanes;
+
+  // link 21 (neck), composite inertia
+  const Real M_2_2_p277 = s21 * M_2_2_p238 + c21 * M_5_20_p4;
+  const Real M_2_2_p279 = c21 * M_2_2_p269;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p280 = M_2_6_p18_lanes[1] + M_2_6_p18_lanes[0];
+  const Real M_2_2_p281 = M_5_6_p3_lanes[1] + M_5_6_p3_lanes[0];
+  const Lanes<2> M_5_5_p3_lanes = 0.226 * M_2_6_p18_lanes;
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p282_lanes = 0.0019585440854647937 +
+      (M_2_2_p208_lanes + M_2_2_p248_lanes + M_2_2_p174_lanes);
+  const Lanes<2> M_2_2_p284_lanes = 0.0005895000784280001 +
+      (M_2_2_p182_lanes - detail::make_pack<Real>(c10, c17) * M_2_2_p239_lanes + 0.282 *
+      M_2_2_p165_lanes);
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p286 = M_2_2_p277 + M_2_2_p259;
+  const Real M_2_2_p291 = M_2_2_p280 - 6.1665928899999995 - M_2_2_p191;
+  const Lanes<2> M_5_5_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_2_p246_lanes -
+      M_5_5_p3_lanes;
+
+  // link 21 (neck), composite inertia
+  const Real M_2_2_p292 = c21 * M_2_2_p238 - s21 * M_5_20_p4;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p295_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p284_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_2_p254_lanes;
+  const Lanes<2> M_7_8_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p284_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_2_p254_lanes;
+  M[176] = -M_7_8_lanes[0];
+  M[199] = -M_7_8_lanes[0];
+
+  // link 16 (right_upperarm), composite inertia
+  M[351] = -M_7_8_lanes[1];
+  M[374] = -M_7_8_lanes[1];
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p297 = M_2_2_p292 + M_2_2_p281;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p298_lanes = detail::make_pack<Real>(c9, c16) *
+      (M_2_2_p282_lanes - M_2_2_p229_lanes) - detail::make_pack<Real>(s9, s16) *
+      (2.0 * M_2_2_p241_lanes);
+  const Lanes<2> M_2_2_p300_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + M_2_2_p295_lanes;
+  const Lanes<2> M_2_2_p302_lanes = M_7_8_lanes - 0.00010499999999999999;
+
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p304 = c6 * M_2_2_p291 - s6 * M_2_2_p286;
+  const Real M_2_2_p305 = 0.069699984375 + M_2_2_p297;
+  const Real M_2_2_p306 = s6 * M_2_2_p291 + c6 * M_2_2_p286;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p307_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p298_lanes;
+
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p315 = 0.144 * M_2_2_p304;
+  const Real M_2_2_p316 = M_2_2_p304 - 2.2194301519999997;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p323_lanes = M_2_2_p229_lanes + M_2_2_p307_lanes;
+  const Lanes<2> M_2_2_p325_lanes = 0.18113119219699997 + (M_2_2_p282_lanes - M_2_2_p307_lanes);
+  const Lanes<2> M_2_2_p327_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
+      (detail::make_pack<Real>(s9, s16) * M_2_2_p298_lanes + M_2_2_p241_lanes);
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_6_7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p257_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_2_p265_lanes;
+  const Lanes<2> M_2_2_p329_lanes = 0.18140244219699997 + M_2_2_p323_lanes;
+
+  // link 5 (chest2), composite inertia
+  const Real M_2_2_p331 = s5 * M_2_2_p305 + c5 * M_2_2_p316;
+  const Real M_0_0_p1 = s5 * M_2_2_p316 - c5 * M_2_2_p305;
+  const Real M_2_2_p336 = 0.43599999999999994 * M_2_2_p331;
+  const Real M_0_0_p2 = 0.0300000063 + M_0_0_p1;
+
+  // link 4 (chest1), composite inertia
+  const Real M_0_0_p3 = M_2_2_p331 - 8.419374554;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p339_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p302_lanes -
+      detail::make_pack<Real>(s8, s15) * M_2_2_p327_lanes;
+  const Lanes<2> M_6_7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p302_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_2_p327_lanes;
   M[151] = M_6_7_lanes[0];
   M[174] = M_6_7_lanes[0];
 
@@ -631,84 +680,62 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[349] = M_6_7_lanes[1];
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p363_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+  const Lanes<2> M_2_2_p341_lanes = detail::make_pack<Real>(s8, s15) *
+      (M_2_2_p275_lanes - M_2_2_p325_lanes) + detail::make_pack<Real>(c8, c15) *
+      (2.0 * M_2_2_p300_lanes);
+  const Lanes<2> M_2_2_p343_lanes = M_2_2_p339_lanes - 8.75e-06;
+  const Lanes<2> M_2_6_p20_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) + M_6_7_lanes;
-  const Lanes<2> M_2_2_p371_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * M_2_2_p241_lanes -
-      M_2_2_p235_lanes);
+  const Lanes<2> M_2_2_p346_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p341_lanes;
+
+  // link 4 (chest1), composite inertia
+  const Real M_0_0_p4 = 0.02999999505 + (c4 * M_0_0_p2 + s4 * M_2_2_p306);
+
+  // link 4 (chest1), mass matrix
+  const Real M_0_3_p1 = s4 * M_0_0_p2 - c4 * M_2_2_p306;
+
+  // link 5 (chest2), mass matrix
+  const Real M_0_4_p1 = c4 * M_2_2_p331;
+
+  // link 4 (chest1), mass matrix
+  const Real M_0_3_p2 = c3 * M_0_3_p1;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p357_lanes = 0.0002975 + (M_2_2_p275_lanes - M_2_2_p346_lanes);
+  const Lanes<2> M_2_6_p24_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * M_2_2_p341_lanes -
+      M_2_2_p300_lanes);
+  const Lanes<2> M_6_6_lanes = 0.000448 + (M_2_2_p325_lanes + M_2_2_p346_lanes);
+  M[150] = M_6_6_lanes[0];
+
+  // link 15 (right_shoulder2), composite inertia
+  M[325] = M_6_6_lanes[1];
+
+  // link 3 (hip), composite inertia
+  const Real M_0_0_p5 = c3 * M_0_0_p3 - s3 * M_0_0_p4;
+  const Real M_0_0_p6 = c3 * M_0_0_p4 + s3 * M_0_0_p3;
+
+  // link 6 (chest3), mass matrix
+  const Real M_0_5_p1 = s5 * M_2_2_p306;
+  const Real M_0_5_p2 = c5 * M_2_2_p306;
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p379_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p363_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_2_p371_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_2_p359_lanes;
+  const Real M_2_2_p366 = 1.67475326092404 + M_2_2_p225 - M_2_2_p279 + M_6_6_lanes[1] +
+      M_6_6_lanes[0] - 0.452 * M_2_2_p280;
 
-  // link 22 (head), composite inertia
-  const Real M_2_2_p381 = c22 * M_2_2_p324 + 0.43200000000000005 * s22;
-  const Real M_2_2_p382 = 0.0016155 + (c22 * M_2_2_p298 - M_2_2_p297 + 0.394 * M_2_2_p381);
-  const Real M_20_21 = s22 * M_2_2_p333 - c22 * M_2_2_p334;
-  M[501] = M_20_21;
-  M[524] = M_20_21;
-
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p383_lanes = 0.00025 * detail::make_pack<Real>(s23, s24);
-  const Real M_2_2_p385 = M_2_2_p383_lanes[1] + M_2_2_p383_lanes[0];
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p386 = M_20_21 - 0.394 * M_2_2_p385;
-
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p387 = s21 * M_2_2_p382 - c21 * M_2_2_p386;
+  // link 5 (chest2), mass matrix
+  const Real M_0_4_p2 = s3 * M_0_0_p1 - c3 * M_0_4_p1;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p388 = M_2_2_p319_lanes[1] + M_2_2_p319_lanes[0];
-  const Real M_2_2_p389 = M_2_2_p387 + M_2_2_p379_lanes[1] + M_2_2_p379_lanes[0] + 0.226 *
-      M_2_2_p388;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p390 = s6 * (M_2_2_p321 - M_2_2_p362) + c6 * (2.0 * M_2_2_p389);
-  const Real M_2_2_p391 = s6 * M_2_2_p390;
-  const Real M_2_2_p392 = 0.04675382692737882 + (M_2_2_p321 - M_2_2_p391);
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_5_5_p1_lanes = 0.226 * M_2_2_p359_lanes;
-  const Lanes<2> M_5_5_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_2_p319_lanes -
-      M_5_5_p1_lanes;
-  const Real M_5_5 = 2.07035776092404 + M_2_2_p328 + M_2_2_p338 + M_2_2_p247_lanes[1] + M_2_2_p281 +
-      M_2_2_p247_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
-  M[125] = M_5_5;
-  const Real M_2_2_p393 = M_2_2_p361 - 6.1665928899999995 - M_2_2_p325;
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p394 = 0.0045000000000000005 + M_2_2_p381;
-
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p395 = s21 * M_2_2_p394 + c21 * M_2_2_p385;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p396 = M_2_2_p395 + M_2_2_p388;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p397 = c6 * M_2_2_p393 - s6 * M_2_2_p396;
-  const Real M_2_2_p398 = 0.144 * M_2_2_p397;
-  const Real M_2_2_p399 = 0.15637308509675518 + (M_5_5 - M_2_2_p398);
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p400_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p277_lanes;
-
-  // link 21 (neck), composite inertia
-  const Real M_5_20 = c21 * M_2_2_p382 + s21 * M_2_2_p386;
-  M[140] = -M_5_20;
-  M[485] = -M_5_20;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p406_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p345_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_2_p355_lanes;
-  const Real M_2_2_p408 = M_2_2_p406_lanes[1] + M_2_2_p406_lanes[0];
-  const Real M_2_2_p409 = 0.0187369177636143 + M_5_20 + M_2_2_p400_lanes[1] + M_2_2_p271_lanes[1] +
-      M_2_2_p400_lanes[0] + M_2_2_p271_lanes[0] + 0.226 * M_2_2_p408;
-  const Lanes<2> M_5_6_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p363_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_2_p371_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_2_p406_lanes;
+  const Lanes<2> M_2_2_p367_lanes = detail::make_pack<Real>(c7, c14) *
+      (M_2_2_p329_lanes - M_2_2_p357_lanes) - detail::make_pack<Real>(s7, s14) *
+      (2.0 * M_2_2_p343_lanes);
+  const Lanes<2> M_2_6_p27_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p20_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_6_p24_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_6_p18_lanes;
+  const Lanes<2> M_5_6_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p20_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_6_p24_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_5_6_p3_lanes;
   M[126] = M_5_6_lanes[0];
   M[149] = M_5_6_lanes[0];
 
@@ -716,147 +743,55 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[133] = M_5_6_lanes[1];
   M[317] = M_5_6_lanes[1];
 
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p410 = M_5_6_lanes[1] - (M_2_2_p335 - s21 * M_2_2_p337) + M_5_6_lanes[0];
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p411 = c6 * M_2_2_p409 - s6 * M_2_2_p410;
-
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p412 = c21 * M_2_2_p394 - s21 * M_2_2_p385;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p413 = M_2_2_p412 + M_2_2_p408;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p414 = 0.005678398088837119 + (M_2_2_p411 + 0.072 * M_2_2_p413);
-
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p415 = s5 * (M_2_2_p399 - M_2_2_p392) + c5 * (2.0 * M_2_2_p414);
-  const Real M_2_2_p416 = s5 * M_2_2_p415;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p417 = 0.069699984375 + M_2_2_p413;
-  const Real M_2_2_p418 = M_2_2_p397 - 2.2194301519999997;
-
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p419 = s5 * M_2_2_p417 + c5 * M_2_2_p418;
-  const Real M_2_2_p420 = 0.43599999999999994 * M_2_2_p419;
-
-  // link 6 (chest3), composite inertia
-  const Real M_4_4 = 0.203126912024134 + (M_2_2_p362 + M_2_2_p391 - M_2_2_p398);
-  M[100] = M_4_4;
-
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p421 = 0.01227760324629517 + (M_4_4 - M_2_2_p420);
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p422 = s6 * M_2_2_p393 + c6 * M_2_2_p396;
-  const Real M_2_2_p423 = c6 * M_2_2_p390 - M_2_2_p389 + 0.072 * M_2_2_p422;
-  const Real M_4_5 = s6 * M_2_2_p409 + c6 * M_2_2_p410;
-  M[101] = M_4_5;
-  M[124] = M_4_5;
-
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p424 = s5 * M_2_2_p423 - c5 * M_4_5;
-
-  // link 4 (chest1), composite inertia
-  const Real M_2_2_p425 = s4 * (0.0478915 + (M_2_2_p399 - M_2_2_p416 - M_2_2_p420) - M_2_2_p421) -
-      c4 * (2.0 * M_2_2_p424);
-  const Real M_2_2 = 1.7824817919087104 + (M_2_2_p421 + s4 * M_2_2_p425);
-  M[50] = M_2_2;
-  const Real M_1_1_p1 = M_2_2_p419 - 8.419374554;
-
-  // link 5 (chest2), composite inertia
-  const Real M_1_1_p2 = s5 * M_2_2_p418 - c5 * M_2_2_p417;
-  const Real M_1_1_p3 = 0.0300000063 + M_1_1_p2;
-
-  // link 4 (chest1), composite inertia
-  const Real M_1_1_p4 = 0.02999999505 + (c4 * M_1_1_p3 + s4 * M_2_2_p422);
-
-  // link 3 (hip), composite inertia
-  const Real M_1_1_p5 = c3 * M_1_1_p1 - s3 * M_1_1_p4;
-  const Real M_1_1 = 9.885744550888212 + (M_2_2 - 0.844 * M_1_1_p5);
-  M[25] = M_1_1;
-  const Real M_0_0_p1 = c3 * M_1_1_p4 + s3 * M_1_1_p1;
-
-  // link 2 (thigh), composite inertia
-  const Real M_0_0_p2 = s2 * (0.031999971599999996 - M_0_0_p1) + c2 * (M_1_1_p5 - 24.5839218);
-  M[0] = 13.049859506913753 + (M_1_1 - 0.868 * M_0_0_p2);
-
-  // link 2 (thigh), mass matrix
-  const Real M_0_1 = M_1_1 - 0.434 * M_0_0_p2;
-  M[1] = M_0_1;
-  M[24] = M_0_1;
-
-  // link 3 (hip), mass matrix
-  const Real M_1_2 = M_2_2 - 0.422 * M_1_1_p5;
-  M[26] = M_1_2;
-  M[49] = M_1_2;
-  const Real M_0_2 = M_1_2 + 0.434 * (s2 * M_0_0_p1 - c2 * M_1_1_p5);
-  M[2] = M_0_2;
-  M[48] = M_0_2;
-
-  // link 5 (chest2), composite inertia
-  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p423;
-  M[76] = -M_3_4;
-  M[99] = -M_3_4;
-
-  // link 4 (chest1), composite inertia
-  const Real M_2_3 = s4 * (0.005880002159562879 + (0.21799999999999997 * M_1_1_p2 -
-      (c5 * M_2_2_p415 - M_2_2_p414))) - c4 * (M_3_4 + 0.21799999999999997 * M_2_2_p422);
-  M[51] = M_2_3;
-  M[74] = M_2_3;
-
-  // link 4 (chest1), mass matrix
-  const Real M_1_3_p1 = s4 * M_1_1_p3 - c4 * M_2_2_p422;
-  const Real M_1_3_p2 = c3 * M_1_3_p1;
-  const Real M_1_3 = M_2_3 + 0.422 * M_1_3_p2;
-  M[27] = M_1_3;
-  M[73] = M_1_3;
-  const Real M_0_3 = M_1_3 + 0.434 * (c2 * M_1_3_p2 - s2 * (s3 * M_1_3_p1));
-  M[3] = M_0_3;
-  M[72] = M_0_3;
-
-  // link 5 (chest2), mass matrix
-  const Real M_2_4 = c4 * (M_4_4 - 0.21799999999999997 * M_2_2_p419) - s4 * M_2_2_p424;
-  M[52] = M_2_4;
-  M[98] = M_2_4;
-  const Real M_1_4_p1 = c4 * M_2_2_p419;
-  const Real M_1_4_p2 = s3 * M_1_1_p2 - c3 * M_1_4_p1;
-  const Real M_1_4 = M_2_4 + 0.422 * M_1_4_p2;
-  M[28] = M_1_4;
-  M[97] = M_1_4;
-  const Real M_0_4 = M_1_4 + 0.434 * (c2 * M_1_4_p2 + s2 * (s3 * M_1_4_p1 + c3 * M_1_1_p2));
-  M[4] = M_0_4;
-  M[96] = M_0_4;
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_p28_lanes = M_6_6_lanes - M_5_5_p3_lanes;
 
   // link 6 (chest3), mass matrix
-  const Real M_2_5_p1 = s5 * M_2_2_p422;
-  const Real M_2_5_p2 = M_5_5 - 0.072 * M_2_2_p397;
-  const Real M_2_5 = c4 * (M_4_5 + 0.21799999999999997 * M_2_5_p1) - s4 *
-      (s5 * M_2_2_p411 - c5 * M_2_5_p2 + 0.21799999999999997 * M_2_2_p397);
-  M[53] = M_2_5;
-  M[122] = M_2_5;
-  const Real M_1_5_p1 = c4 * M_2_5_p1 - s4 * M_2_2_p397;
-  const Real M_1_5_p2 = c5 * M_2_2_p422;
-  const Real M_1_5_p3 = c3 * M_1_5_p1 + s3 * M_1_5_p2;
-  const Real M_1_5 = M_2_5 + 0.422 * M_1_5_p3;
-  M[29] = M_1_5;
-  M[121] = M_1_5;
-  const Real M_0_5 = M_1_5 + 0.434 * (c2 * M_1_5_p3 - s2 * (s3 * M_1_5_p1 - c3 * M_1_5_p2));
-  M[5] = M_0_5;
-  M[120] = M_0_5;
+  const Real M_0_5_p3 = c4 * M_0_5_p1 - s4 * M_2_2_p304;
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p2_lanes = M_6_6_lanes - M_5_5_p1_lanes;
-  const Lanes<2> M_2_6_p4_lanes = c6 * M_2_2_p379_lanes - s6 * M_2_6_p2_lanes;
-  const Lanes<2> M_2_6_p6_lanes = s6 * M_2_2_p406_lanes;
-  const Lanes<2> M_2_6_p8_lanes = M_5_6_lanes - 0.072 * M_2_6_p6_lanes;
-  const Lanes<2> M_2_6_p13_lanes = s4 * (0.21799999999999997 * M_2_6_p6_lanes +
-      (s5 * M_2_6_p4_lanes - c5 * M_2_6_p8_lanes));
-  const Lanes<2> M_4_6_lanes = s6 * M_2_2_p379_lanes + c6 * M_2_6_p2_lanes - 0.072 *
-      M_2_2_p359_lanes;
+  const Lanes<2> M_2_6_p29_lanes = s6 * M_5_6_p3_lanes;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Lanes<2> M_2_2_p370_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p367_lanes;
+  const Lanes<2> M_2_2_p372_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p367_lanes;
+  const Real M_2_2_p374 = M_5_6_lanes[1] - (M_2_2_p226 - s21 * M_2_2_p269) + M_5_6_lanes[0];
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_0_6_p1_lanes = c6 * M_5_6_p3_lanes;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p375 = M_2_2_p370_lanes[1] + M_2_2_p370_lanes[0];
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_p34_lanes = c6 * M_2_6_p27_lanes - s6 * M_2_6_p28_lanes;
+
+  // link 2 (thigh), composite inertia
+  const Real M_0_0_p7 = s2 * (0.031999971599999996 - M_0_0_p6) + c2 * (M_0_0_p5 - 24.5839218);
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p376 = M_2_2_p270 + M_2_6_p27_lanes[1] + M_2_6_p27_lanes[0] + 0.226 * M_2_2_p259;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_p35_lanes = M_5_6_lanes - 0.072 * M_2_6_p29_lanes;
+
+  // link 6 (chest3), mass matrix
+  const Real M_0_5_p4 = c3 * M_0_5_p3 + s3 * M_0_5_p2;
+
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p323_lanes;
+  M[175] = M_7_7_lanes[0];
+
+  // link 16 (right_upperarm), composite inertia
+  M[350] = M_7_7_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_2_7_p2_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p246_lanes;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_0_6_p7_lanes = c5 * M_2_6_p18_lanes + s5 * M_0_6_p1_lanes;
+  const Lanes<2> M_4_6_lanes = s6 * M_2_6_p27_lanes + c6 * M_2_6_p28_lanes - 0.072 *
+      M_2_6_p18_lanes;
   M[102] = M_4_6_lanes[0];
   M[148] = M_4_6_lanes[0];
 
@@ -865,70 +800,64 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[316] = M_4_6_lanes[1];
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p15_lanes = c6 * M_2_2_p406_lanes;
-  const Lanes<2> M_2_6_p17_lanes = c5 * M_2_2_p359_lanes + s5 * M_2_6_p15_lanes;
-  const Lanes<2> M_2_6_lanes = c4 * (M_4_6_lanes - 0.21799999999999997 * M_2_6_p17_lanes) -
-      M_2_6_p13_lanes;
-  M[54] = M_2_6_lanes[0];
-  M[146] = M_2_6_lanes[0];
+  const Lanes<2> M_0_6_p8_lanes = s5 * M_2_6_p18_lanes - c5 * M_0_6_p1_lanes;
 
-  // link 14 (right_shoulder1), mass matrix
-  M[61] = M_2_6_lanes[1];
-  M[314] = M_2_6_lanes[1];
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_p3_lanes = s5 * M_2_2_p359_lanes - c5 * M_2_6_p15_lanes;
-  const Lanes<2> M_1_6_p7_lanes = s4 * M_2_6_p6_lanes + c4 * M_2_6_p17_lanes;
-  const Lanes<2> M_1_6_p9_lanes = s3 * M_1_6_p3_lanes - c3 * M_1_6_p7_lanes;
-  const Lanes<2> M_1_6_lanes = M_2_6_lanes + 0.422 * M_1_6_p9_lanes;
-  M[30] = M_1_6_lanes[0];
-  M[145] = M_1_6_lanes[0];
-
-  // link 14 (right_shoulder1), mass matrix
-  M[37] = M_1_6_lanes[1];
-  M[313] = M_1_6_lanes[1];
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_p6_lanes = c2 * M_1_6_p9_lanes + s2 *
-      (s3 * M_1_6_p7_lanes + c3 * M_1_6_p3_lanes);
-  const Lanes<2> M_0_6_lanes = M_1_6_lanes + 0.434 * M_0_6_p6_lanes;
-  M[6] = M_0_6_lanes[0];
-  M[144] = M_0_6_lanes[0];
-
-  // link 14 (right_shoulder1), mass matrix
-  M[13] = M_0_6_lanes[1];
-  M[312] = M_0_6_lanes[1];
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p249_lanes;
-  M[175] = M_7_7_lanes[0];
-
-  // link 16 (right_upperarm), composite inertia
-  M[350] = M_7_7_lanes[1];
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_5_5 = 2.07035776092404 + M_2_2_p215 + M_2_2_p279 + M_2_2_p357_lanes[1] + M_2_2_p375 +
+      M_2_2_p357_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
+  M[125] = M_5_5;
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_4_7_p4_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p319_lanes;
-  const Lanes<2> M_4_7_p6_lanes = detail::make_pack<Real>(s7, s14) * M_7_7_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_2_p269_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_4_7_p4_lanes;
-  const Lanes<2> M_4_7_p9_lanes = M_6_7_lanes + 0.226 * M_4_7_p4_lanes;
-  const Lanes<2> M_4_7_lanes = s6 * M_4_7_p6_lanes + c6 * M_4_7_p9_lanes + 0.072 * M_4_7_p4_lanes;
-  M[103] = M_4_7_lanes[0];
-  M[172] = M_4_7_lanes[0];
+  const Lanes<2> M_0_7_p1_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p246_lanes;
 
-  // link 15 (right_shoulder2), mass matrix
-  M[110] = M_4_7_lanes[1];
-  M[340] = M_4_7_lanes[1];
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p377 = 0.40663174999999996 + M_2_2_p217 + M_2_2_p329_lanes[1] - M_2_2_p375 +
+      (-0.36) * M_2_2_p246_lanes[1] + M_2_2_p329_lanes[0] + 0.36 * M_2_2_p246_lanes[0];
+  const Real M_2_2_p378 = 0.0187369177636143 + M_5_20 + M_2_2_p372_lanes[1] + M_2_2_p343_lanes[1] +
+      M_2_2_p372_lanes[0] + M_2_2_p343_lanes[0] + 0.226 * M_2_2_p281;
+
+  // link 6 (chest3), mass matrix
+  const Real M_2_5_p1 = M_5_5 - 0.072 * M_2_2_p304;
+
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p379 = 0.15637308509675518 + (M_5_5 - M_2_2_p315);
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p1_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p319_lanes;
-  const Lanes<2> M_2_7_p4_lanes = c6 * M_2_7_p1_lanes + s6 * M_2_2_p353_lanes;
-  const Lanes<2> M_2_7_p7_lanes = c5 * M_4_7_p4_lanes + s5 * M_2_7_p4_lanes;
-  const Lanes<2> M_2_7_p13_lanes = c6 * M_4_7_p6_lanes - s6 * M_4_7_p9_lanes;
-  const Lanes<2> M_5_7_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_7_p1_lanes - 0.226 *
-      M_2_2_p353_lanes;
+  const Lanes<2> M_2_7_p9_lanes = M_6_7_lanes + 0.226 * M_2_7_p2_lanes;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_0_6_p11_lanes = s4 * M_2_6_p29_lanes + c4 * M_0_6_p7_lanes;
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_2_7_p10_lanes = detail::make_pack<Real>(s7, s14) * M_7_7_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_2_p339_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_7_p2_lanes;
+  const Lanes<2> M_0_7_p5_lanes = c6 * M_0_7_p1_lanes + s6 * M_2_6_p15_lanes;
+  const Lanes<2> M_2_7_p11_lanes = c6 * M_2_6_p15_lanes - s6 * M_0_7_p1_lanes;
+
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p380 = c6 * M_2_2_p378 - s6 * M_2_2_p374;
+  const Real M_4_5 = s6 * M_2_2_p378 + c6 * M_2_2_p374;
+  M[101] = M_4_5;
+  M[124] = M_4_5;
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_5_7_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_0_7_p1_lanes - 0.226 *
+      M_2_6_p15_lanes;
+
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p381 = s6 * (M_2_2_p377 - M_2_2_p366) + c6 * (2.0 * M_2_2_p376);
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_8_8_lanes = 0.0027762933559338653 + M_2_2_p266_lanes;
+  M[200] = M_8_8_lanes[0];
+
+  // link 17 (right_lowerarm), composite inertia
+  M[375] = M_8_8_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
   const Lanes<2> M_5_7_lanes = detail::make_pack<Real>(c7, c14) * M_7_7_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_2_p269_lanes + M_5_7_p6_lanes;
+      detail::make_pack<Real>(s7, s14) * M_2_2_p339_lanes + M_5_7_p6_lanes;
   M[127] = M_5_7_lanes[0];
   M[173] = M_5_7_lanes[0];
 
@@ -936,61 +865,27 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[134] = M_5_7_lanes[1];
   M[341] = M_5_7_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p17_lanes = c6 * M_2_2_p353_lanes - s6 * M_2_7_p1_lanes;
-  const Lanes<2> M_2_7_p19_lanes = M_5_7_lanes - 0.072 * M_2_7_p17_lanes;
-  const Lanes<2> M_2_7_p24_lanes = s4 * (s5 * M_2_7_p13_lanes - c5 * M_2_7_p19_lanes +
-      0.21799999999999997 * M_2_7_p17_lanes);
-  const Lanes<2> M_2_7_lanes = c4 * (M_4_7_lanes + 0.21799999999999997 * M_2_7_p7_lanes) -
-      M_2_7_p24_lanes;
-  M[55] = M_2_7_lanes[0];
-  M[170] = M_2_7_lanes[0];
-
-  // link 15 (right_shoulder2), mass matrix
-  M[62] = M_2_7_lanes[1];
-  M[338] = M_2_7_lanes[1];
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_0_8_p1_lanes = detail::make_pack<Real>(s8, s15) * M_2_6_p10_lanes;
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_p3_lanes = c4 * M_2_7_p7_lanes - s4 * M_2_7_p17_lanes;
-  const Lanes<2> M_1_7_p7_lanes = c5 * M_2_7_p4_lanes - s5 * M_4_7_p4_lanes;
-  const Lanes<2> M_1_7_p9_lanes = c3 * M_1_7_p3_lanes + s3 * M_1_7_p7_lanes;
-  const Lanes<2> M_1_7_lanes = M_2_7_lanes + 0.422 * M_1_7_p9_lanes;
-  M[31] = M_1_7_lanes[0];
-  M[169] = M_1_7_lanes[0];
+  const Lanes<2> M_2_7_p15_lanes = c6 * M_2_7_p10_lanes - s6 * M_2_7_p9_lanes;
 
-  // link 15 (right_shoulder2), mass matrix
-  M[38] = M_1_7_lanes[1];
-  M[337] = M_1_7_lanes[1];
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p382 = s6 * M_2_2_p381;
+  const Real M_2_2_p383 = 0.005678398088837119 + (M_2_2_p380 + 0.072 * M_2_2_p297);
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_p6_lanes = c2 * M_1_7_p9_lanes - s2 *
-      (s3 * M_1_7_p3_lanes - c3 * M_1_7_p7_lanes);
-  const Lanes<2> M_0_7_lanes = M_1_7_lanes + 0.434 * M_0_7_p6_lanes;
-  M[7] = M_0_7_lanes[0];
-  M[168] = M_0_7_lanes[0];
-
-  // link 15 (right_shoulder2), mass matrix
-  M[14] = M_0_7_lanes[1];
-  M[336] = M_0_7_lanes[1];
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_8_8_lanes = 0.0027762933559338653 + M_2_2_p193_lanes;
-  M[200] = M_8_8_lanes[0];
-
-  // link 17 (right_lowerarm), composite inertia
-  M[375] = M_8_8_lanes[1];
+  const Lanes<2> M_0_7_p10_lanes = c5 * M_2_7_p2_lanes + s5 * M_0_7_p5_lanes;
+  const Lanes<2> M_2_7_p16_lanes = M_5_7_lanes - 0.072 * M_2_7_p11_lanes;
+  const Lanes<2> M_0_7_p11_lanes = c5 * M_0_7_p5_lanes - s5 * M_2_7_p2_lanes;
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p4_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p233_lanes -
+  const Lanes<2> M_2_8_p6_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p10_lanes;
+  const Lanes<2> M_2_8_p7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p295_lanes -
       detail::make_pack<Real>(c8, c15) * M_8_8_lanes;
-  const Lanes<2> M_2_8_p8_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p343_lanes;
-  const Lanes<2> M_2_8_p10_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p309_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_8_p8_lanes;
-  const Lanes<2> M_2_8_p12_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_8_p10_lanes -
-      (detail::make_pack<Real>(s7, s14) * M_7_8_lanes - detail::make_pack<Real>(c7, c14) *
-      M_2_8_p4_lanes);
   const Lanes<2> M_6_8_lanes = detail::make_pack<Real>(s8, s15) * M_8_8_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_2_p233_lanes;
+      detail::make_pack<Real>(c8, c15) * M_2_2_p295_lanes;
   M[152] = -M_6_8_lanes[0];
   M[198] = -M_6_8_lanes[0];
 
@@ -998,16 +893,49 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[327] = -M_6_8_lanes[1];
   M[373] = -M_6_8_lanes[1];
 
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p384 = 0.04675382692737882 + (M_2_2_p377 - M_2_2_p382);
+
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p15_lanes = 0.226 * M_2_8_p10_lanes - M_6_8_lanes;
-  const Lanes<2> M_2_8_p17_lanes = c6 * M_2_8_p12_lanes - s6 * M_2_8_p15_lanes;
-  const Lanes<2> M_5_8_p3_lanes = detail::make_pack<Real>(c7, c14) * M_7_8_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_8_p4_lanes;
-  const Lanes<2> M_5_8_p6_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p309_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_8_p8_lanes;
-  const Lanes<2> M_5_8_p8_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p343_lanes;
-  const Lanes<2> M_5_8_lanes = 0.226 * M_5_8_p8_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_5_8_p6_lanes - M_5_8_p3_lanes;
+  const Lanes<2> M_0_8_p4_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p9_lanes +
+      detail::make_pack<Real>(c7, c14) * M_0_8_p1_lanes;
+
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p385 = c6 * M_2_2_p381 - M_2_2_p376 + 0.072 * M_2_2_p306;
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p9_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p9_lanes -
+      detail::make_pack<Real>(s7, s14) * M_0_8_p1_lanes;
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_0_7_p15_lanes = c4 * M_0_7_p10_lanes - s4 * M_2_7_p11_lanes;
+
+  // link 6 (chest3), composite inertia
+  const Real M_4_4 = 0.203126912024134 + (M_2_2_p366 + M_2_2_p382 - M_2_2_p315);
+  M[100] = M_4_4;
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_5_8_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_8_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_8_p7_lanes;
+  const Lanes<2> M_0_8_p9_lanes = c6 * M_0_8_p4_lanes + s6 * M_2_8_p6_lanes;
+  const Lanes<2> M_2_8_p15_lanes = s6 * M_0_8_p4_lanes - c6 * M_2_8_p6_lanes;
+
+  // link 5 (chest2), composite inertia
+  const Real M_2_2_p386 = s5 * M_2_2_p385 - c5 * M_4_5;
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p16_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_8_p9_lanes -
+      (detail::make_pack<Real>(s7, s14) * M_7_8_lanes - detail::make_pack<Real>(c7, c14) *
+      M_2_8_p7_lanes);
+  const Lanes<2> M_2_8_p17_lanes = 0.226 * M_2_8_p9_lanes - M_6_8_lanes;
+
+  // link 5 (chest2), composite inertia
+  const Real M_2_2_p387 = 0.01227760324629517 + (M_4_4 - M_2_2_p336);
+  const Real M_2_2_p388 = s5 * (M_2_2_p379 - M_2_2_p384) + c5 * (2.0 * M_2_2_p383);
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_5_8_lanes = 0.226 * M_2_8_p6_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_0_8_p4_lanes - M_5_8_p5_lanes;
   M[128] = M_5_8_lanes[0];
   M[197] = M_5_8_lanes[0];
 
@@ -1015,62 +943,28 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[135] = M_5_8_lanes[1];
   M[365] = M_5_8_lanes[1];
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p21_lanes = s6 * M_5_8_p6_lanes - c6 * M_5_8_p8_lanes;
-  const Lanes<2> M_2_8_p23_lanes = M_5_8_lanes - 0.072 * M_2_8_p21_lanes;
-  const Lanes<2> M_2_8_p28_lanes = s4 * (s5 * M_2_8_p17_lanes - c5 * M_2_8_p23_lanes +
-      0.21799999999999997 * M_2_8_p21_lanes);
-  const Lanes<2> M_4_8_lanes = s6 * M_2_8_p12_lanes + c6 * M_2_8_p15_lanes + 0.072 *
-      M_2_8_p10_lanes;
-  M[104] = M_4_8_lanes[0];
-  M[196] = M_4_8_lanes[0];
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_p1_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p163_lanes;
+  const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + 0.282 * M_2_2_p163_lanes;
 
-  // link 16 (right_upperarm), mass matrix
-  M[111] = M_4_8_lanes[1];
-  M[364] = M_4_8_lanes[1];
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p31_lanes = c6 * M_5_8_p6_lanes + s6 * M_5_8_p8_lanes;
-  const Lanes<2> M_2_8_p34_lanes = s5 * M_2_8_p31_lanes - c5 * M_2_8_p10_lanes;
-  const Lanes<2> M_2_8_lanes = c4 * (M_4_8_lanes - 0.21799999999999997 * M_2_8_p34_lanes) -
-      M_2_8_p28_lanes;
-  M[56] = M_2_8_lanes[0];
-  M[194] = M_2_8_lanes[0];
-
-  // link 16 (right_upperarm), mass matrix
-  M[63] = M_2_8_lanes[1];
-  M[362] = M_2_8_lanes[1];
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_p3_lanes = c4 * M_2_8_p34_lanes + s4 * M_2_8_p21_lanes;
-  const Lanes<2> M_1_8_p7_lanes = s5 * M_2_8_p10_lanes + c5 * M_2_8_p31_lanes;
-  const Lanes<2> M_1_8_p9_lanes = c3 * M_1_8_p3_lanes + s3 * M_1_8_p7_lanes;
-  const Lanes<2> M_1_8_lanes = M_2_8_lanes - 0.422 * M_1_8_p9_lanes;
-  M[32] = M_1_8_lanes[0];
-  M[193] = M_1_8_lanes[0];
-
-  // link 16 (right_upperarm), mass matrix
-  M[39] = M_1_8_lanes[1];
-  M[361] = M_1_8_lanes[1];
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_p6_lanes = c2 * M_1_8_p9_lanes + s2 *
-      (c3 * M_1_8_p7_lanes - s3 * M_1_8_p3_lanes);
-  const Lanes<2> M_0_8_lanes = M_1_8_lanes - 0.434 * M_0_8_p6_lanes;
-  M[8] = M_0_8_lanes[0];
-  M[192] = M_0_8_lanes[0];
-
-  // link 16 (right_upperarm), mass matrix
-  M[15] = M_0_8_lanes[1];
-  M[360] = M_0_8_lanes[1];
+  // link 5 (chest2), composite inertia
+  const Real M_2_2_p389 = s5 * M_2_2_p388;
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + 0.282 * M_2_2_p149_lanes;
-  const Lanes<2> M_2_9_p6_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p177_lanes -
+  const Lanes<2> M_2_9_p5_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p163_lanes;
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_0_8_p13_lanes = s5 * M_0_8_p9_lanes - c5 * M_2_8_p9_lanes;
+  const Lanes<2> M_2_8_p21_lanes = c6 * M_2_8_p16_lanes - s6 * M_2_8_p17_lanes;
+  const Lanes<2> M_2_8_p22_lanes = M_5_8_lanes - 0.072 * M_2_8_p15_lanes;
+  const Lanes<2> M_0_8_p14_lanes = s5 * M_2_8_p9_lanes + c5 * M_0_8_p9_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_p7_lanes = detail::make_pack<Real>(s8, s15) * M_0_9_p1_lanes -
+      detail::make_pack<Real>(c8, c15) * M_2_2_p165_lanes;
+  const Lanes<2> M_2_9_p8_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p234_lanes -
       detail::make_pack<Real>(c9, c16) * M_2_9_p4_lanes;
-  const Lanes<2> M_2_9_p8_lanes = detail::make_pack<Real>(c8, c15) * M_8_9_lanes +
-      detail::make_pack<Real>(s8, s15) * M_2_9_p6_lanes;
-  const Lanes<2> M_7_9_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p177_lanes +
+  const Lanes<2> M_7_9_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p234_lanes +
       detail::make_pack<Real>(s9, s16) * M_2_9_p4_lanes;
   M[177] = -M_7_9_lanes[0];
   M[223] = -M_7_9_lanes[0];
@@ -1079,18 +973,45 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[352] = -M_7_9_lanes[1];
   M[398] = -M_7_9_lanes[1];
 
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_0_8_p17_lanes = c4 * M_0_8_p13_lanes + s4 * M_2_8_p15_lanes;
+
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p12_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p149_lanes;
-  const Lanes<2> M_2_9_p15_lanes = detail::make_pack<Real>(s8, s15) * M_2_9_p12_lanes -
-      detail::make_pack<Real>(c8, c15) * M_2_2_p209_lanes;
-  const Lanes<2> M_2_9_p17_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p149_lanes;
-  const Lanes<2> M_2_9_p19_lanes = detail::make_pack<Real>(c7, c14) * M_2_9_p17_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_9_p15_lanes;
-  const Lanes<2> M_2_9_p21_lanes = detail::make_pack<Real>(s7, s14) * M_7_9_lanes -
-      detail::make_pack<Real>(c7, c14) * M_2_9_p8_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_9_p19_lanes;
+  const Lanes<2> M_0_9_p8_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p165_lanes +
+      detail::make_pack<Real>(c8, c15) * M_0_9_p1_lanes;
+
+  // link 5 (chest2), composite inertia
+  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p385;
+  M[76] = -M_3_4;
+  M[99] = -M_3_4;
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_4_7_lanes = s6 * M_2_7_p10_lanes + c6 * M_2_7_p9_lanes + 0.072 * M_2_7_p2_lanes;
+  M[103] = M_4_7_lanes[0];
+  M[172] = M_4_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[110] = M_4_7_lanes[1];
+  M[340] = M_4_7_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_4_8_lanes = s6 * M_2_8_p16_lanes + c6 * M_2_8_p17_lanes + 0.072 * M_2_8_p9_lanes;
+  M[104] = M_4_8_lanes[0];
+  M[196] = M_4_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[111] = M_4_8_lanes[1];
+  M[364] = M_4_8_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_p11_lanes = detail::make_pack<Real>(s7, s14) * M_2_9_p5_lanes -
+      detail::make_pack<Real>(c7, c14) * M_0_9_p7_lanes;
+  const Lanes<2> M_2_9_p13_lanes = detail::make_pack<Real>(c8, c15) * M_8_9_lanes +
+      detail::make_pack<Real>(s8, s15) * M_2_9_p8_lanes;
+  const Lanes<2> M_2_9_p14_lanes = detail::make_pack<Real>(c7, c14) * M_2_9_p5_lanes +
+      detail::make_pack<Real>(s7, s14) * M_0_9_p7_lanes;
   const Lanes<2> M_6_9_lanes = detail::make_pack<Real>(s8, s15) * M_8_9_lanes -
-      detail::make_pack<Real>(c8, c15) * M_2_9_p6_lanes;
+      detail::make_pack<Real>(c8, c15) * M_2_9_p8_lanes;
   M[153] = M_6_9_lanes[0];
   M[222] = M_6_9_lanes[0];
 
@@ -1098,89 +1019,44 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[328] = M_6_9_lanes[1];
   M[397] = M_6_9_lanes[1];
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p24_lanes = M_6_9_lanes - 0.226 * M_2_9_p19_lanes;
-  const Lanes<2> M_2_9_p26_lanes = c6 * M_2_9_p21_lanes + s6 * M_2_9_p24_lanes;
-  const Lanes<2> M_5_9_p3_lanes = detail::make_pack<Real>(c7, c14) * M_7_9_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_9_p8_lanes;
-  const Lanes<2> M_5_9_p6_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p209_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_9_p12_lanes;
-  const Lanes<2> M_5_9_p10_lanes = detail::make_pack<Real>(s7, s14) * M_2_9_p17_lanes -
-      detail::make_pack<Real>(c7, c14) * M_2_9_p15_lanes;
-  const Lanes<2> M_5_9_lanes = 0.226 * M_5_9_p6_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_5_9_p10_lanes - M_5_9_p3_lanes;
-  M[129] = M_5_9_lanes[0];
-  M[221] = M_5_9_lanes[0];
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_0_6_p15_lanes = s3 * M_0_6_p8_lanes - c3 * M_0_6_p11_lanes;
 
-  // link 17 (right_lowerarm), mass matrix
-  M[136] = M_5_9_lanes[1];
-  M[389] = M_5_9_lanes[1];
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_0_7_p18_lanes = c3 * M_0_7_p15_lanes + s3 * M_0_7_p11_lanes;
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p30_lanes = s6 * M_5_9_p10_lanes + c6 * M_5_9_p6_lanes;
-  const Lanes<2> M_2_9_p32_lanes = M_5_9_lanes + 0.072 * M_2_9_p30_lanes;
-  const Lanes<2> M_2_9_p37_lanes = s4 * (c5 * M_2_9_p32_lanes + s5 * M_2_9_p26_lanes +
-      0.21799999999999997 * M_2_9_p30_lanes);
-  const Lanes<2> M_4_9_lanes = c6 * M_2_9_p24_lanes - s6 * M_2_9_p21_lanes - 0.072 *
-      M_2_9_p19_lanes;
-  M[105] = M_4_9_lanes[0];
-  M[220] = M_4_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[112] = M_4_9_lanes[1];
-  M[388] = M_4_9_lanes[1];
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p40_lanes = s6 * M_5_9_p6_lanes - c6 * M_5_9_p10_lanes;
-  const Lanes<2> M_2_9_p43_lanes = c5 * M_2_9_p19_lanes + s5 * M_2_9_p40_lanes;
-  const Lanes<2> M_2_9_lanes = M_2_9_p37_lanes + c4 *
-      (M_4_9_lanes - 0.21799999999999997 * M_2_9_p43_lanes);
-  M[57] = M_2_9_lanes[0];
-  M[218] = M_2_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[64] = M_2_9_lanes[1];
-  M[386] = M_2_9_lanes[1];
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p3_lanes = s4 * M_2_9_p30_lanes - c4 * M_2_9_p43_lanes;
-  const Lanes<2> M_1_9_p7_lanes = s5 * M_2_9_p19_lanes - c5 * M_2_9_p40_lanes;
-  const Lanes<2> M_1_9_p9_lanes = c3 * M_1_9_p3_lanes + s3 * M_1_9_p7_lanes;
-  const Lanes<2> M_1_9_lanes = M_2_9_lanes + 0.422 * M_1_9_p9_lanes;
-  M[33] = M_1_9_lanes[0];
-  M[217] = M_1_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[40] = M_1_9_lanes[1];
-  M[385] = M_1_9_lanes[1];
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p6_lanes = c2 * M_1_9_p9_lanes - s2 *
-      (s3 * M_1_9_p3_lanes - c3 * M_1_9_p7_lanes);
-  const Lanes<2> M_0_9_lanes = M_1_9_lanes + 0.434 * M_0_9_p6_lanes;
-  M[9] = M_0_9_lanes[0];
-  M[216] = M_0_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[16] = M_0_9_lanes[1];
-  M[384] = M_0_9_lanes[1];
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_0_8_p21_lanes = c3 * M_0_8_p17_lanes + s3 * M_0_8_p14_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_10_10_lanes = 0.00022920000000000001 + M_2_2_p117_lanes;
+  const Lanes<2> M_10_10_lanes = 0.00022920000000000001 + M_2_2_p120_lanes;
   M[250] = M_10_10_lanes[0];
 
   // link 19 (right_wrist2), composite inertia
   M[425] = M_10_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p5_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p65_lanes +
-      detail::make_pack<Real>(s10, s17) * M_10_10_lanes + 0.282 * M_2_2_p139_lanes;
-  const Lanes<2> M_2_10_p7_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p223_lanes;
-  const Lanes<2> M_2_10_p9_lanes = M_9_10_lanes + 0.282 * M_2_10_p7_lanes;
-  const Lanes<2> M_2_10_p11_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p5_lanes +
-      detail::make_pack<Real>(c9, c16) * M_2_10_p9_lanes;
+  const Lanes<2> M_2_10_p3_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p126_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_p15_lanes = s6 * M_0_9_p8_lanes - c6 * M_0_9_p11_lanes;
+  const Lanes<2> M_2_9_p20_lanes = M_6_9_lanes - 0.226 * M_2_9_p14_lanes;
+  const Lanes<2> M_2_9_p21_lanes = s6 * M_0_9_p11_lanes + c6 * M_0_9_p8_lanes;
+  const Lanes<2> M_5_9_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_9_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_9_p13_lanes;
+
+  // link 4 (chest1), composite inertia
+  const Real M_2_2_p390 = s4 * (0.0478915 + (M_2_2_p379 - M_2_2_p389 - M_2_2_p336) - M_2_2_p387) -
+      c4 * (2.0 * M_2_2_p386);
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p22_lanes = detail::make_pack<Real>(s7, s14) * M_7_9_lanes -
+      detail::make_pack<Real>(c7, c14) * M_2_9_p13_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_9_p14_lanes;
+
+  // link 11 (left_wrist1), mass matrix
   const Lanes<2> M_8_10_lanes = detail::make_pack<Real>(c10, c17) * M_10_10_lanes -
-      detail::make_pack<Real>(s10, s17) * M_2_2_p65_lanes;
+      detail::make_pack<Real>(s10, s17) * M_2_2_p172_lanes;
   M[202] = M_8_10_lanes[0];
   M[248] = M_8_10_lanes[0];
 
@@ -1189,10 +1065,43 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[423] = M_8_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p14_lanes = detail::make_pack<Real>(c8, c15) * M_8_10_lanes +
-      detail::make_pack<Real>(s8, s15) * M_2_10_p11_lanes;
-  const Lanes<2> M_7_10_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p5_lanes -
-      detail::make_pack<Real>(s9, s16) * M_2_10_p9_lanes;
+  const Lanes<2> M_0_10_p5_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p126_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_5_9_lanes = 0.226 * M_0_9_p8_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_0_9_p11_lanes - M_5_9_p5_lanes;
+  M[129] = M_5_9_lanes[0];
+  M[221] = M_5_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[136] = M_5_9_lanes[1];
+  M[389] = M_5_9_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p7_lanes = M_9_10_lanes + 0.282 * M_2_10_p3_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_p19_lanes = c5 * M_2_9_p14_lanes + s5 * M_0_9_p15_lanes;
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p8_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p172_lanes +
+      detail::make_pack<Real>(s10, s17) * M_10_10_lanes + 0.282 * M_2_2_p122_lanes;
+  const Lanes<2> M_0_10_p6_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p3_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_2_p122_lanes;
+  const Lanes<2> M_0_10_p7_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p3_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_2_p122_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p26_lanes = M_5_9_lanes + 0.072 * M_2_9_p21_lanes;
+  const Lanes<2> M_2_9_p27_lanes = c6 * M_2_9_p22_lanes + s6 * M_2_9_p20_lanes;
+  const Lanes<2> M_0_9_p21_lanes = s5 * M_2_9_p14_lanes - c5 * M_0_9_p15_lanes;
+  const Lanes<2> M_0_9_p22_lanes = s4 * M_2_9_p21_lanes - c4 * M_0_9_p19_lanes;
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p13_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p8_lanes +
+      detail::make_pack<Real>(c9, c16) * M_2_10_p7_lanes;
+  const Lanes<2> M_7_10_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p8_lanes -
+      detail::make_pack<Real>(s9, s16) * M_2_10_p7_lanes;
   M[178] = M_7_10_lanes[0];
   M[247] = M_7_10_lanes[0];
 
@@ -1201,19 +1110,28 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[422] = M_7_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p20_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p7_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_2_p139_lanes;
-  const Lanes<2> M_2_10_p24_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p7_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_2_p139_lanes;
-  const Lanes<2> M_2_10_p26_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p223_lanes;
-  const Lanes<2> M_2_10_p28_lanes = detail::make_pack<Real>(s8, s15) * M_2_10_p24_lanes -
-      detail::make_pack<Real>(c8, c15) * M_2_10_p26_lanes;
-  const Lanes<2> M_2_10_p30_lanes = detail::make_pack<Real>(c7, c14) * M_2_10_p20_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_10_p28_lanes;
-  const Lanes<2> M_2_10_p32_lanes = detail::make_pack<Real>(c7, c14) * M_2_10_p14_lanes -
-      detail::make_pack<Real>(s7, s14) * M_7_10_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_10_p30_lanes;
-  const Lanes<2> M_6_10_lanes = detail::make_pack<Real>(c8, c15) * M_2_10_p11_lanes -
+  const Lanes<2> M_0_10_p13_lanes = detail::make_pack<Real>(s8, s15) * M_0_10_p7_lanes -
+      detail::make_pack<Real>(c8, c15) * M_0_10_p5_lanes;
+  const Lanes<2> M_0_10_p14_lanes = detail::make_pack<Real>(s8, s15) * M_0_10_p5_lanes +
+      detail::make_pack<Real>(c8, c15) * M_0_10_p7_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_4_9_lanes = c6 * M_2_9_p20_lanes - s6 * M_2_9_p22_lanes - 0.072 *
+      M_2_9_p14_lanes;
+  M[105] = M_4_9_lanes[0];
+  M[220] = M_4_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[112] = M_4_9_lanes[1];
+  M[388] = M_4_9_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_p27_lanes = c3 * M_0_9_p22_lanes + s3 * M_0_9_p21_lanes;
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p18_lanes = detail::make_pack<Real>(c8, c15) * M_8_10_lanes +
+      detail::make_pack<Real>(s8, s15) * M_2_10_p13_lanes;
+  const Lanes<2> M_6_10_lanes = detail::make_pack<Real>(c8, c15) * M_2_10_p13_lanes -
       detail::make_pack<Real>(s8, s15) * M_8_10_lanes;
   M[154] = M_6_10_lanes[0];
   M[246] = M_6_10_lanes[0];
@@ -1222,17 +1140,48 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[329] = M_6_10_lanes[1];
   M[421] = M_6_10_lanes[1];
 
+  // link 4 (chest1), composite inertia
+  const Real M_2_2 = 1.7824817919087104 + (M_2_2_p387 + s4 * M_2_2_p390);
+  M[50] = M_2_2;
+
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p35_lanes = M_6_10_lanes - 0.226 * M_2_10_p30_lanes;
-  const Lanes<2> M_2_10_p37_lanes = c6 * M_2_10_p32_lanes + s6 * M_2_10_p35_lanes;
-  const Lanes<2> M_5_10_p6_lanes = detail::make_pack<Real>(s7, s14) * M_2_10_p20_lanes -
-      detail::make_pack<Real>(c7, c14) * M_2_10_p28_lanes;
-  const Lanes<2> M_5_10_p10_lanes = detail::make_pack<Real>(s8, s15) * M_2_10_p26_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_10_p24_lanes;
-  const Lanes<2> M_5_10_p12_lanes = 0.226 * M_5_10_p10_lanes +
-      detail::make_pack<Real>(0.18, (-0.18)) * M_5_10_p6_lanes;
+  const Lanes<2> M_0_10_p17_lanes = detail::make_pack<Real>(s7, s14) * M_0_10_p6_lanes -
+      detail::make_pack<Real>(c7, c14) * M_0_10_p13_lanes;
+  const Lanes<2> M_2_10_p19_lanes = detail::make_pack<Real>(c7, c14) * M_0_10_p6_lanes +
+      detail::make_pack<Real>(s7, s14) * M_0_10_p13_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p4_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p69_lanes;
+  const Lanes<2> M_0_11_p1_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p69_lanes;
+  const Lanes<2> M_2_11_p5_lanes = M_11_11_lanes + 0.269 * M_2_2_p69_lanes;
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_p21_lanes = s6 * M_0_10_p14_lanes - c6 * M_0_10_p17_lanes;
+  const Lanes<2> M_2_10_p25_lanes = M_6_10_lanes - 0.226 * M_2_10_p19_lanes;
+  const Lanes<2> M_2_10_p26_lanes = detail::make_pack<Real>(c7, c14) * M_2_10_p18_lanes -
+      detail::make_pack<Real>(s7, s14) * M_7_10_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_10_p19_lanes;
+  const Lanes<2> M_2_10_p27_lanes = s6 * M_0_10_p17_lanes + c6 * M_0_10_p14_lanes;
+  const Lanes<2> M_5_10_p6_lanes = 0.226 * M_0_10_p14_lanes +
+      detail::make_pack<Real>(0.18, (-0.18)) * M_0_10_p17_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p8_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p79_lanes +
+      detail::make_pack<Real>(s11, s18) * M_2_11_p5_lanes;
+  const Lanes<2> M_0_11_p7_lanes = detail::make_pack<Real>(c10, c17) * M_0_11_p1_lanes -
+      detail::make_pack<Real>(s10, s17) * M_2_2_p71_lanes;
+  const Lanes<2> M_9_11_lanes = detail::make_pack<Real>(c11, c18) * M_2_11_p5_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p79_lanes;
+  M[227] = M_9_11_lanes[0];
+  M[273] = M_9_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[402] = M_9_11_lanes[1];
+  M[448] = M_9_11_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
   const Lanes<2> M_5_10_lanes = detail::make_pack<Real>(c7, c14) * M_7_10_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_10_p14_lanes + M_5_10_p12_lanes;
+      detail::make_pack<Real>(s7, s14) * M_2_10_p18_lanes + M_5_10_p6_lanes;
   M[130] = M_5_10_lanes[0];
   M[245] = M_5_10_lanes[0];
 
@@ -1241,88 +1190,24 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[413] = M_5_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p41_lanes = s6 * M_5_10_p6_lanes + c6 * M_5_10_p10_lanes;
-  const Lanes<2> M_2_10_p43_lanes = M_5_10_lanes + 0.072 * M_2_10_p41_lanes;
-  const Lanes<2> M_2_10_p48_lanes = s4 * (c5 * M_2_10_p43_lanes + s5 * M_2_10_p37_lanes +
-      0.21799999999999997 * M_2_10_p41_lanes);
-  const Lanes<2> M_4_10_lanes = c6 * M_2_10_p35_lanes - s6 * M_2_10_p32_lanes - 0.072 *
-      M_2_10_p30_lanes;
-  M[106] = M_4_10_lanes[0];
-  M[244] = M_4_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[113] = M_4_10_lanes[1];
-  M[412] = M_4_10_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p52_lanes = s6 * M_5_10_p10_lanes - c6 * M_5_10_p6_lanes;
-  const Lanes<2> M_2_10_p54_lanes = c5 * M_2_10_p30_lanes + s5 * M_2_10_p52_lanes;
-  const Lanes<2> M_2_10_lanes = M_2_10_p48_lanes + c4 *
-      (M_4_10_lanes - 0.21799999999999997 * M_2_10_p54_lanes);
-  M[58] = M_2_10_lanes[0];
-  M[242] = M_2_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[65] = M_2_10_lanes[1];
-  M[410] = M_2_10_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p3_lanes = s4 * M_2_10_p41_lanes - c4 * M_2_10_p54_lanes;
-  const Lanes<2> M_1_10_p7_lanes = s5 * M_2_10_p30_lanes - c5 * M_2_10_p52_lanes;
-  const Lanes<2> M_1_10_p9_lanes = c3 * M_1_10_p3_lanes + s3 * M_1_10_p7_lanes;
-  const Lanes<2> M_1_10_lanes = M_2_10_lanes + 0.422 * M_1_10_p9_lanes;
-  M[34] = M_1_10_lanes[0];
-  M[241] = M_1_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[41] = M_1_10_lanes[1];
-  M[409] = M_1_10_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p6_lanes = c2 * M_1_10_p9_lanes - s2 *
-      (s3 * M_1_10_p3_lanes - c3 * M_1_10_p7_lanes);
-  const Lanes<2> M_0_10_lanes = M_1_10_lanes + 0.434 * M_0_10_p6_lanes;
-  M[10] = M_0_10_lanes[0];
-  M[240] = M_0_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[17] = M_0_10_lanes[1];
-  M[408] = M_0_10_lanes[1];
+  const Lanes<2> M_0_10_p25_lanes = c5 * M_2_10_p19_lanes + s5 * M_0_10_p21_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_7_11_p3_lanes = M_11_11_lanes + 0.269 * M_2_2_p81_lanes;
-  const Lanes<2> M_7_11_p5_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p99_lanes +
-      detail::make_pack<Real>(s11, s18) * M_7_11_p3_lanes;
-  const Lanes<2> M_7_11_p9_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p81_lanes;
-  const Lanes<2> M_7_11_p11_lanes = detail::make_pack<Real>(c10, c17) * M_7_11_p5_lanes +
-      detail::make_pack<Real>(s10, s17) * M_10_11_lanes + 0.282 * M_7_11_p9_lanes;
-  const Lanes<2> M_9_11_lanes = detail::make_pack<Real>(c11, c18) * M_7_11_p3_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p99_lanes;
-  M[227] = M_9_11_lanes[0];
-  M[273] = M_9_11_lanes[0];
+  const Lanes<2> M_0_11_p10_lanes = detail::make_pack<Real>(s10, s17) * M_0_11_p1_lanes +
+      detail::make_pack<Real>(c10, c17) * M_2_2_p71_lanes;
 
-  // link 19 (right_wrist2), mass matrix
-  M[402] = M_9_11_lanes[1];
-  M[448] = M_9_11_lanes[1];
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_p26_lanes = s5 * M_2_10_p19_lanes - c5 * M_0_10_p21_lanes;
+  const Lanes<2> M_2_10_p32_lanes = c6 * M_2_10_p26_lanes + s6 * M_2_10_p25_lanes;
+  const Lanes<2> M_2_10_p33_lanes = M_5_10_lanes + 0.072 * M_2_10_p27_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_7_11_p13_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p81_lanes;
-  const Lanes<2> M_7_11_p16_lanes = detail::make_pack<Real>(c10, c17) * M_7_11_p13_lanes -
-      detail::make_pack<Real>(s10, s17) * M_2_2_p41_lanes;
-  const Lanes<2> M_7_11_p18_lanes = M_9_11_lanes + 0.282 * M_7_11_p16_lanes;
-  const Lanes<2> M_7_11_lanes = detail::make_pack<Real>(c9, c16) * M_7_11_p11_lanes +
-      detail::make_pack<Real>(s9, s16) * M_7_11_p18_lanes;
-  M[179] = -M_7_11_lanes[0];
-  M[271] = -M_7_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[354] = -M_7_11_lanes[1];
-  M[446] = -M_7_11_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p4_lanes = detail::make_pack<Real>(s9, s16) * M_7_11_p11_lanes -
-      detail::make_pack<Real>(c9, c16) * M_7_11_p18_lanes;
-  const Lanes<2> M_8_11_lanes = detail::make_pack<Real>(s10, s17) * M_7_11_p5_lanes -
+  const Lanes<2> M_0_11_p14_lanes = detail::make_pack<Real>(s9, s16) * M_0_11_p7_lanes +
+      detail::make_pack<Real>(c9, c16) * M_2_11_p4_lanes;
+  const Lanes<2> M_2_11_p12_lanes = M_9_11_lanes + 0.282 * M_0_11_p7_lanes;
+  const Lanes<2> M_0_11_p15_lanes = detail::make_pack<Real>(s9, s16) * M_2_11_p4_lanes -
+      detail::make_pack<Real>(c9, c16) * M_0_11_p7_lanes;
+  const Lanes<2> M_8_11_lanes = detail::make_pack<Real>(s10, s17) * M_2_11_p8_lanes -
       detail::make_pack<Real>(c10, c17) * M_10_11_lanes;
   M[203] = M_8_11_lanes[0];
   M[272] = M_8_11_lanes[0];
@@ -1331,110 +1216,81 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[378] = M_8_11_lanes[1];
   M[447] = M_8_11_lanes[1];
 
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p7_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p4_lanes -
-      detail::make_pack<Real>(c8, c15) * M_8_11_lanes;
-  const Lanes<2> M_2_11_p12_lanes = detail::make_pack<Real>(s9, s16) * M_7_11_p16_lanes +
-      detail::make_pack<Real>(c9, c16) * M_7_11_p9_lanes;
-  const Lanes<2> M_2_11_p16_lanes = detail::make_pack<Real>(s10, s17) * M_7_11_p13_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p41_lanes;
-  const Lanes<2> M_2_11_p18_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p12_lanes -
-      detail::make_pack<Real>(c8, c15) * M_2_11_p16_lanes;
-  const Lanes<2> M_2_11_p22_lanes = detail::make_pack<Real>(s9, s16) * M_7_11_p9_lanes -
-      detail::make_pack<Real>(c9, c16) * M_7_11_p16_lanes;
-  const Lanes<2> M_2_11_p24_lanes = detail::make_pack<Real>(c7, c14) * M_2_11_p22_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_11_p18_lanes;
-  const Lanes<2> M_2_11_p26_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_11_p24_lanes -
-      (detail::make_pack<Real>(s7, s14) * M_7_11_lanes - detail::make_pack<Real>(c7, c14) *
-      M_2_11_p7_lanes);
-  const Lanes<2> M_6_11_lanes = detail::make_pack<Real>(s8, s15) * M_8_11_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_11_p4_lanes;
-  M[155] = -M_6_11_lanes[0];
-  M[270] = -M_6_11_lanes[0];
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_p29_lanes = s4 * M_2_10_p27_lanes - c4 * M_0_10_p25_lanes;
+  const Lanes<2> M_4_10_lanes = c6 * M_2_10_p25_lanes - s6 * M_2_10_p26_lanes - 0.072 *
+      M_2_10_p19_lanes;
+  M[106] = M_4_10_lanes[0];
+  M[244] = M_4_10_lanes[0];
 
-  // link 19 (right_wrist2), mass matrix
-  M[330] = -M_6_11_lanes[1];
-  M[445] = -M_6_11_lanes[1];
+  // link 18 (right_wrist1), mass matrix
+  M[113] = M_4_10_lanes[1];
+  M[412] = M_4_10_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p29_lanes = 0.226 * M_2_11_p24_lanes - M_6_11_lanes;
-  const Lanes<2> M_2_11_p31_lanes = c6 * M_2_11_p26_lanes - s6 * M_2_11_p29_lanes;
-  const Lanes<2> M_5_11_p3_lanes = detail::make_pack<Real>(c7, c14) * M_7_11_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_11_p7_lanes;
-  const Lanes<2> M_5_11_p6_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p16_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_11_p12_lanes;
-  const Lanes<2> M_5_11_p10_lanes = detail::make_pack<Real>(s7, s14) * M_2_11_p22_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_11_p18_lanes;
-  const Lanes<2> M_5_11_lanes = 0.226 * M_5_11_p6_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_5_11_p10_lanes - M_5_11_p3_lanes;
-  M[131] = M_5_11_lanes[0];
-  M[269] = M_5_11_lanes[0];
+  const Lanes<2> M_2_11_p13_lanes = detail::make_pack<Real>(c10, c17) * M_2_11_p8_lanes +
+      detail::make_pack<Real>(s10, s17) * M_10_11_lanes + 0.282 * M_2_11_p4_lanes;
+  const Lanes<2> M_0_11_p19_lanes = detail::make_pack<Real>(s8, s15) * M_0_11_p14_lanes -
+      detail::make_pack<Real>(c8, c15) * M_0_11_p10_lanes;
+  const Lanes<2> M_0_11_p20_lanes = detail::make_pack<Real>(s8, s15) * M_0_11_p10_lanes +
+      detail::make_pack<Real>(c8, c15) * M_0_11_p14_lanes;
 
-  // link 19 (right_wrist2), mass matrix
-  M[138] = M_5_11_lanes[1];
-  M[437] = M_5_11_lanes[1];
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_p42_lanes = s4 * (0.21799999999999997 * M_2_6_p29_lanes +
+      (s5 * M_2_6_p34_lanes - c5 * M_2_6_p35_lanes));
 
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p35_lanes = s6 * M_5_11_p10_lanes - c6 * M_5_11_p6_lanes;
-  const Lanes<2> M_2_11_p37_lanes = M_5_11_lanes - 0.072 * M_2_11_p35_lanes;
-  const Lanes<2> M_2_11_p42_lanes = s4 * (s5 * M_2_11_p31_lanes - c5 * M_2_11_p37_lanes +
-      0.21799999999999997 * M_2_11_p35_lanes);
-  const Lanes<2> M_4_11_lanes = s6 * M_2_11_p26_lanes + c6 * M_2_11_p29_lanes + 0.072 *
-      M_2_11_p24_lanes;
-  M[107] = M_4_11_lanes[0];
-  M[268] = M_4_11_lanes[0];
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_2_7_p25_lanes = s4 * (s5 * M_2_7_p15_lanes - c5 * M_2_7_p16_lanes +
+      0.21799999999999997 * M_2_7_p11_lanes);
 
-  // link 19 (right_wrist2), mass matrix
-  M[114] = M_4_11_lanes[1];
-  M[436] = M_4_11_lanes[1];
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p30_lanes = s4 * (s5 * M_2_8_p21_lanes - c5 * M_2_8_p22_lanes +
+      0.21799999999999997 * M_2_8_p15_lanes);
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_p33_lanes = c3 * M_0_10_p29_lanes + s3 * M_0_10_p26_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p35_lanes = s4 * (c5 * M_2_9_p26_lanes + s5 * M_2_9_p27_lanes +
+      0.21799999999999997 * M_2_9_p21_lanes);
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p45_lanes = c6 * M_5_11_p10_lanes + s6 * M_5_11_p6_lanes;
-  const Lanes<2> M_2_11_p48_lanes = s5 * M_2_11_p45_lanes - c5 * M_2_11_p24_lanes;
-  const Lanes<2> M_2_11_lanes = c4 * (M_4_11_lanes - 0.21799999999999997 * M_2_11_p48_lanes) -
-      M_2_11_p42_lanes;
-  M[59] = M_2_11_lanes[0];
-  M[266] = M_2_11_lanes[0];
+  const Lanes<2> M_2_11_p18_lanes = detail::make_pack<Real>(s9, s16) * M_2_11_p13_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_11_p12_lanes;
+  const Lanes<2> M_7_11_lanes = detail::make_pack<Real>(c9, c16) * M_2_11_p13_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_11_p12_lanes;
+  M[179] = -M_7_11_lanes[0];
+  M[271] = -M_7_11_lanes[0];
 
   // link 19 (right_wrist2), mass matrix
-  M[66] = M_2_11_lanes[1];
-  M[434] = M_2_11_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p3_lanes = c4 * M_2_11_p48_lanes + s4 * M_2_11_p35_lanes;
-  const Lanes<2> M_1_11_p7_lanes = s5 * M_2_11_p24_lanes + c5 * M_2_11_p45_lanes;
-  const Lanes<2> M_1_11_p9_lanes = c3 * M_1_11_p3_lanes + s3 * M_1_11_p7_lanes;
-  const Lanes<2> M_1_11_lanes = M_2_11_lanes - 0.422 * M_1_11_p9_lanes;
-  M[35] = M_1_11_lanes[0];
-  M[265] = M_1_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[42] = M_1_11_lanes[1];
-  M[433] = M_1_11_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p6_lanes = c2 * M_1_11_p9_lanes + s2 *
-      (c3 * M_1_11_p7_lanes - s3 * M_1_11_p3_lanes);
-  const Lanes<2> M_0_11_lanes = M_1_11_lanes - 0.434 * M_0_11_p6_lanes;
-  M[11] = M_0_11_lanes[0];
-  M[264] = M_0_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[18] = M_0_11_lanes[1];
-  M[432] = M_0_11_lanes[1];
+  M[354] = -M_7_11_lanes[1];
+  M[446] = -M_7_11_lanes[1];
 
   // link 20 (right_hand), mass matrix
   M[300] = 0.0009386316083993107;
   M[475] = 0.0009386316083993107;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p5_lanes = 0.0009386316083993107 * detail::make_pack<Real>(c12, c19) +
-      detail::make_pack<Real>(s12, s19) * M_2_2_p5_lanes + 0.269 * M_2_2_p33_lanes;
-  const Lanes<2> M_4_12_p7_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p55_lanes;
-  const Lanes<2> M_4_12_p9_lanes = M_11_12_lanes - 0.269 * M_4_12_p7_lanes;
-  const Lanes<2> M_4_12_p11_lanes = detail::make_pack<Real>(c11, c18) * M_4_12_p5_lanes -
-      detail::make_pack<Real>(s11, s18) * M_4_12_p9_lanes;
-  const Lanes<2> M_10_12_lanes = M_2_2_p7_lanes - 0.0009386316083993107 *
+  const Lanes<2> M_2_12_p4_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p27_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_0_11_p23_lanes = detail::make_pack<Real>(s7, s14) * M_0_11_p15_lanes +
+      detail::make_pack<Real>(c7, c14) * M_0_11_p19_lanes;
+  const Lanes<2> M_2_11_p23_lanes = detail::make_pack<Real>(c7, c14) * M_0_11_p15_lanes -
+      detail::make_pack<Real>(s7, s14) * M_0_11_p19_lanes;
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p40_lanes = s4 * (c5 * M_2_10_p33_lanes + s5 * M_2_10_p32_lanes +
+      0.21799999999999997 * M_2_10_p27_lanes);
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p24_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p18_lanes -
+      detail::make_pack<Real>(c8, c15) * M_8_11_lanes;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p9_lanes = 0.0009386316083993107 * detail::make_pack<Real>(c12, c19) +
+      detail::make_pack<Real>(s12, s19) * M_2_2_p23_lanes + 0.269 * M_2_2_p25_lanes;
+  const Lanes<2> M_10_12_lanes = M_2_2_p31_lanes - 0.0009386316083993107 *
       detail::make_pack<Real>(s12, s19);
   M[252] = M_10_12_lanes[0];
   M[298] = M_10_12_lanes[0];
@@ -1444,12 +1300,37 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[473] = M_10_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p17_lanes = detail::make_pack<Real>(s11, s18) * M_4_12_p7_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p33_lanes;
-  const Lanes<2> M_4_12_p19_lanes = detail::make_pack<Real>(c10, c17) * M_4_12_p11_lanes +
-      detail::make_pack<Real>(s10, s17) * M_10_12_lanes + 0.282 * M_4_12_p17_lanes;
-  const Lanes<2> M_9_12_lanes = detail::make_pack<Real>(s11, s18) * M_4_12_p5_lanes +
-      detail::make_pack<Real>(c11, c18) * M_4_12_p9_lanes;
+  const Lanes<2> M_0_12_p3_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p27_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_6_11_lanes = detail::make_pack<Real>(s8, s15) * M_8_11_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_11_p18_lanes;
+  M[155] = -M_6_11_lanes[0];
+  M[270] = -M_6_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[330] = -M_6_11_lanes[1];
+  M[445] = -M_6_11_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p10_lanes = M_11_12_lanes - 0.269 * M_2_12_p4_lanes;
+  const Lanes<2> M_2_12_p12_lanes = detail::make_pack<Real>(s11, s18) * M_2_12_p4_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_2_p25_lanes;
+  const Lanes<2> M_0_12_p4_lanes = detail::make_pack<Real>(c11, c18) * M_2_12_p4_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p25_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_0_11_p25_lanes = c6 * M_0_11_p23_lanes + s6 * M_0_11_p20_lanes;
+  const Lanes<2> M_2_11_p29_lanes = 0.226 * M_2_11_p23_lanes - M_6_11_lanes;
+  const Lanes<2> M_2_11_p30_lanes = s6 * M_0_11_p23_lanes - c6 * M_0_11_p20_lanes;
+  const Lanes<2> M_5_11_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_11_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_11_p24_lanes;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p16_lanes = detail::make_pack<Real>(c11, c18) * M_2_12_p9_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_12_p10_lanes;
+  const Lanes<2> M_9_12_lanes = detail::make_pack<Real>(s11, s18) * M_2_12_p9_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_12_p10_lanes;
   M[228] = M_9_12_lanes[0];
   M[297] = M_9_12_lanes[0];
 
@@ -1458,16 +1339,32 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[472] = M_9_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p23_lanes = detail::make_pack<Real>(c11, c18) * M_4_12_p7_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p33_lanes;
-  const Lanes<2> M_4_12_p25_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p55_lanes;
-  const Lanes<2> M_4_12_p27_lanes = detail::make_pack<Real>(c10, c17) * M_4_12_p23_lanes +
-      detail::make_pack<Real>(s10, s17) * M_4_12_p25_lanes;
-  const Lanes<2> M_4_12_p29_lanes = M_9_12_lanes - 0.282 * M_4_12_p27_lanes;
-  const Lanes<2> M_4_12_p31_lanes = detail::make_pack<Real>(s9, s16) * M_4_12_p19_lanes +
-      detail::make_pack<Real>(c9, c16) * M_4_12_p29_lanes;
+  const Lanes<2> M_0_12_p11_lanes = detail::make_pack<Real>(c10, c17) * M_0_12_p4_lanes +
+      detail::make_pack<Real>(s10, s17) * M_0_12_p3_lanes;
+  const Lanes<2> M_0_12_p12_lanes = detail::make_pack<Real>(c10, c17) * M_0_12_p3_lanes -
+      detail::make_pack<Real>(s10, s17) * M_0_12_p4_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p34_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_11_p23_lanes -
+      (detail::make_pack<Real>(s7, s14) * M_7_11_lanes - detail::make_pack<Real>(c7, c14) *
+      M_2_11_p24_lanes);
+  const Lanes<2> M_5_11_lanes = 0.226 * M_0_11_p20_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_0_11_p23_lanes - M_5_11_p5_lanes;
+  M[131] = M_5_11_lanes[0];
+  M[269] = M_5_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[138] = M_5_11_lanes[1];
+  M[437] = M_5_11_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_0_11_p31_lanes = s5 * M_0_11_p25_lanes - c5 * M_2_11_p23_lanes;
+  const Lanes<2> M_2_11_p37_lanes = M_5_11_lanes - 0.072 * M_2_11_p30_lanes;
+  const Lanes<2> M_0_11_p33_lanes = s5 * M_2_11_p23_lanes + c5 * M_0_11_p25_lanes;
+
+  // link 13 (left_hand), mass matrix
   const Lanes<2> M_8_12_lanes = detail::make_pack<Real>(c10, c17) * M_10_12_lanes -
-      detail::make_pack<Real>(s10, s17) * M_4_12_p11_lanes;
+      detail::make_pack<Real>(s10, s17) * M_2_12_p16_lanes;
   M[204] = M_8_12_lanes[0];
   M[296] = M_8_12_lanes[0];
 
@@ -1475,11 +1372,65 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[379] = M_8_12_lanes[1];
   M[471] = M_8_12_lanes[1];
 
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_0_6_p19_lanes = c2 * M_0_6_p15_lanes + s2 *
+      (s3 * M_0_6_p11_lanes + c3 * M_0_6_p8_lanes);
+
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p34_lanes = detail::make_pack<Real>(c8, c15) * M_8_12_lanes +
-      detail::make_pack<Real>(s8, s15) * M_4_12_p31_lanes;
-  const Lanes<2> M_7_12_lanes = detail::make_pack<Real>(c9, c16) * M_4_12_p19_lanes -
-      detail::make_pack<Real>(s9, s16) * M_4_12_p29_lanes;
+  const Lanes<2> M_0_12_p17_lanes = detail::make_pack<Real>(s9, s16) * M_0_12_p11_lanes +
+      detail::make_pack<Real>(c9, c16) * M_2_12_p12_lanes;
+  const Lanes<2> M_2_12_p20_lanes = M_9_12_lanes - 0.282 * M_0_12_p11_lanes;
+  const Lanes<2> M_0_12_p18_lanes = detail::make_pack<Real>(c9, c16) * M_0_12_p11_lanes -
+      detail::make_pack<Real>(s9, s16) * M_2_12_p12_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p40_lanes = c6 * M_2_11_p34_lanes - s6 * M_2_11_p29_lanes;
+  const Lanes<2> M_0_11_p34_lanes = c4 * M_0_11_p31_lanes + s4 * M_2_11_p30_lanes;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p21_lanes = detail::make_pack<Real>(c10, c17) * M_2_12_p16_lanes +
+      detail::make_pack<Real>(s10, s17) * M_10_12_lanes + 0.282 * M_2_12_p12_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_4_11_lanes = s6 * M_2_11_p34_lanes + c6 * M_2_11_p29_lanes + 0.072 *
+      M_2_11_p23_lanes;
+  M[107] = M_4_11_lanes[0];
+  M[268] = M_4_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[114] = M_4_11_lanes[1];
+  M[436] = M_4_11_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_0_7_p22_lanes = c2 * M_0_7_p18_lanes - s2 *
+      (s3 * M_0_7_p15_lanes - c3 * M_0_7_p11_lanes);
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_0_8_p25_lanes = c2 * M_0_8_p21_lanes + s2 *
+      (c3 * M_0_8_p14_lanes - s3 * M_0_8_p17_lanes);
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_0_12_p22_lanes = detail::make_pack<Real>(c8, c15) * M_0_12_p12_lanes +
+      detail::make_pack<Real>(s8, s15) * M_0_12_p17_lanes;
+  const Lanes<2> M_0_12_p23_lanes = detail::make_pack<Real>(c8, c15) * M_0_12_p17_lanes -
+      detail::make_pack<Real>(s8, s15) * M_0_12_p12_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_p31_lanes = c2 * M_0_9_p27_lanes - s2 *
+      (s3 * M_0_9_p22_lanes - c3 * M_0_9_p21_lanes);
+
+  // link 22 (head), composite inertia
+  const Real M_20_20 = 0.006216750000000001 + M_2_2_p217;
+  M[500] = M_20_20;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_0_11_p39_lanes = c3 * M_0_11_p34_lanes + s3 * M_0_11_p33_lanes;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p26_lanes = detail::make_pack<Real>(s9, s16) * M_2_12_p21_lanes +
+      detail::make_pack<Real>(c9, c16) * M_2_12_p20_lanes;
+  const Lanes<2> M_7_12_lanes = detail::make_pack<Real>(c9, c16) * M_2_12_p21_lanes -
+      detail::make_pack<Real>(s9, s16) * M_2_12_p20_lanes;
   M[180] = M_7_12_lanes[0];
   M[295] = M_7_12_lanes[0];
 
@@ -1487,21 +1438,23 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[355] = M_7_12_lanes[1];
   M[470] = M_7_12_lanes[1];
 
+  // link 21 (neck), mass matrix
+  const Real M_2_20_p1 = c6 * M_2_2_p292;
+  const Real M_0_20_p1 = s6 * M_2_2_p292;
+
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p40_lanes = detail::make_pack<Real>(c9, c16) * M_4_12_p27_lanes -
-      detail::make_pack<Real>(s9, s16) * M_4_12_p17_lanes;
-  const Lanes<2> M_4_12_p44_lanes = detail::make_pack<Real>(s9, s16) * M_4_12_p27_lanes +
-      detail::make_pack<Real>(c9, c16) * M_4_12_p17_lanes;
-  const Lanes<2> M_4_12_p48_lanes = detail::make_pack<Real>(c10, c17) * M_4_12_p25_lanes -
-      detail::make_pack<Real>(s10, s17) * M_4_12_p23_lanes;
-  const Lanes<2> M_4_12_p50_lanes = detail::make_pack<Real>(c8, c15) * M_4_12_p48_lanes +
-      detail::make_pack<Real>(s8, s15) * M_4_12_p44_lanes;
-  const Lanes<2> M_4_12_p52_lanes = detail::make_pack<Real>(c7, c14) * M_4_12_p40_lanes +
-      detail::make_pack<Real>(s7, s14) * M_4_12_p50_lanes;
-  const Lanes<2> M_4_12_p54_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_4_12_p52_lanes -
-      (detail::make_pack<Real>(c7, c14) * M_4_12_p34_lanes - detail::make_pack<Real>(s7, s14) *
-      M_7_12_lanes);
-  const Lanes<2> M_6_12_lanes = detail::make_pack<Real>(c8, c15) * M_4_12_p31_lanes -
+  const Lanes<2> M_0_12_p26_lanes = detail::make_pack<Real>(c7, c14) * M_0_12_p22_lanes -
+      detail::make_pack<Real>(s7, s14) * M_0_12_p18_lanes;
+  const Lanes<2> M_2_12_p31_lanes = detail::make_pack<Real>(c7, c14) * M_0_12_p18_lanes +
+      detail::make_pack<Real>(s7, s14) * M_0_12_p22_lanes;
+
+  // link 21 (neck), mass matrix
+  const Real M_2_20_p2 = s6 * M_2_2_p270 - c6 * M_20_20;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p32_lanes = detail::make_pack<Real>(c8, c15) * M_8_12_lanes +
+      detail::make_pack<Real>(s8, s15) * M_2_12_p26_lanes;
+  const Lanes<2> M_6_12_lanes = detail::make_pack<Real>(c8, c15) * M_2_12_p26_lanes -
       detail::make_pack<Real>(s8, s15) * M_8_12_lanes;
   M[156] = M_6_12_lanes[0];
   M[294] = M_6_12_lanes[0];
@@ -1510,29 +1463,34 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[331] = M_6_12_lanes[1];
   M[469] = M_6_12_lanes[1];
 
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_p57_lanes = M_6_12_lanes + 0.226 * M_4_12_p52_lanes;
-  const Lanes<2> M_4_12_lanes = s6 * M_4_12_p54_lanes + c6 * M_4_12_p57_lanes + 0.072 *
-      M_4_12_p52_lanes;
-  M[108] = M_4_12_lanes[0];
-  M[292] = M_4_12_lanes[0];
+  // link 22 (head), mass matrix
+  const Real M_0_21_p1 = s21 * M_2_2_p191;
 
-  // link 20 (right_hand), mass matrix
-  M[115] = M_4_12_lanes[1];
-  M[460] = M_4_12_lanes[1];
+  // link 21 (neck), mass matrix
+  const Real M_2_20_p3 = 0.072 * M_2_20_p1 + M_5_20;
+
+  // link 22 (head), mass matrix
+  const Real M_0_21_p2 = c21 * M_2_2_p191;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p4_lanes = detail::make_pack<Real>(c7, c14) * M_4_12_p50_lanes -
-      detail::make_pack<Real>(s7, s14) * M_4_12_p40_lanes;
-  const Lanes<2> M_2_12_p8_lanes = detail::make_pack<Real>(c8, c15) * M_4_12_p44_lanes -
-      detail::make_pack<Real>(s8, s15) * M_4_12_p48_lanes;
-  const Lanes<2> M_2_12_p10_lanes = c6 * M_2_12_p4_lanes + s6 * M_2_12_p8_lanes;
-  const Lanes<2> M_2_12_p12_lanes = c5 * M_4_12_p52_lanes + s5 * M_2_12_p10_lanes;
-  const Lanes<2> M_2_12_p18_lanes = c6 * M_4_12_p54_lanes - s6 * M_4_12_p57_lanes;
-  const Lanes<2> M_5_12_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_12_p4_lanes -
-      0.226 * M_2_12_p8_lanes;
+  const Lanes<2> M_0_12_p30_lanes = c6 * M_0_12_p26_lanes + s6 * M_0_12_p23_lanes;
+  const Lanes<2> M_2_12_p37_lanes = M_6_12_lanes + 0.226 * M_2_12_p31_lanes;
+  const Lanes<2> M_2_12_p38_lanes = c6 * M_0_12_p23_lanes - s6 * M_0_12_p26_lanes;
+  const Lanes<2> M_5_12_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_0_12_p26_lanes -
+      0.226 * M_0_12_p23_lanes;
+
+  // link 21 (neck), mass matrix
+  const Real M_0_20_p2 = c5 * M_2_2_p277 - s5 * M_0_20_p1;
+  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p270 + 0.072 * M_2_2_p277;
+  M[116] = -M_4_20;
+  M[484] = -M_4_20;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p42_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_12_p31_lanes -
+      (detail::make_pack<Real>(c7, c14) * M_2_12_p32_lanes - detail::make_pack<Real>(s7, s14) *
+      M_7_12_lanes);
   const Lanes<2> M_5_12_lanes = detail::make_pack<Real>(c7, c14) * M_7_12_lanes +
-      detail::make_pack<Real>(s7, s14) * M_4_12_p34_lanes + M_5_12_p6_lanes;
+      detail::make_pack<Real>(s7, s14) * M_2_12_p32_lanes + M_5_12_p5_lanes;
   M[132] = M_5_12_lanes[0];
   M[293] = M_5_12_lanes[0];
 
@@ -1540,110 +1498,62 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[139] = M_5_12_lanes[1];
   M[461] = M_5_12_lanes[1];
 
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p22_lanes = c6 * M_2_12_p8_lanes - s6 * M_2_12_p4_lanes;
-  const Lanes<2> M_2_12_p24_lanes = M_5_12_lanes - 0.072 * M_2_12_p22_lanes;
-  const Lanes<2> M_2_12_p29_lanes = s4 * (s5 * M_2_12_p18_lanes - c5 * M_2_12_p24_lanes +
-      0.21799999999999997 * M_2_12_p22_lanes);
-  const Lanes<2> M_2_12_lanes = c4 * (M_4_12_lanes + 0.21799999999999997 * M_2_12_p12_lanes) -
-      M_2_12_p29_lanes;
-  M[60] = M_2_12_lanes[0];
-  M[290] = M_2_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[67] = M_2_12_lanes[1];
-  M[458] = M_2_12_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p3_lanes = c4 * M_2_12_p12_lanes - s4 * M_2_12_p22_lanes;
-  const Lanes<2> M_1_12_p7_lanes = c5 * M_2_12_p10_lanes - s5 * M_4_12_p52_lanes;
-  const Lanes<2> M_1_12_p9_lanes = c3 * M_1_12_p3_lanes + s3 * M_1_12_p7_lanes;
-  const Lanes<2> M_1_12_lanes = M_2_12_lanes + 0.422 * M_1_12_p9_lanes;
-  M[36] = M_1_12_lanes[0];
-  M[289] = M_1_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[43] = M_1_12_lanes[1];
-  M[457] = M_1_12_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p6_lanes = c2 * M_1_12_p9_lanes - s2 *
-      (s3 * M_1_12_p3_lanes - c3 * M_1_12_p7_lanes);
-  const Lanes<2> M_0_12_lanes = M_1_12_lanes + 0.434 * M_0_12_p6_lanes;
-  M[12] = M_0_12_lanes[0];
-  M[288] = M_0_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[19] = M_0_12_lanes[1];
-  M[456] = M_0_12_lanes[1];
-
-  // link 22 (head), composite inertia
-  const Real M_20_20 = 0.006216750000000001 + M_2_2_p300;
-  M[500] = M_20_20;
+  // link 22 (head), mass matrix
+  const Real M_0_21_p3 = c6 * M_5_20_p3 - s6 * M_0_21_p1;
+  const Real M_2_21_p1 = s6 * M_5_20_p3 + c6 * M_0_21_p1;
 
   // link 21 (neck), mass matrix
-  const Real M_2_20_p1 = s6 * M_2_2_p387 - c6 * M_20_20;
-  const Real M_2_20_p2 = c6 * M_2_2_p412;
-  const Real M_2_20_p3 = 0.072 * M_2_20_p2 + M_5_20;
-  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p387 + 0.072 * M_2_2_p395;
-  M[116] = -M_4_20;
-  M[484] = -M_4_20;
-  const Real M_2_20_p4 = s6 * M_2_2_p412;
-  const Real M_2_20_p5 = c5 * M_2_2_p395 - s5 * M_2_20_p4;
-  const Real M_2_20 = s4 * (0.21799999999999997 * M_2_20_p2 + (s5 * M_2_20_p1 + c5 * M_2_20_p3)) +
-      c4 * (M_4_20 + 0.21799999999999997 * M_2_20_p5);
-  M[68] = -M_2_20;
-  M[482] = -M_2_20;
-  const Real M_1_20_p1 = s5 * M_2_2_p395 + c5 * M_2_20_p4;
-  const Real M_1_20_p2 = s4 * M_2_20_p2 + c4 * M_2_20_p5;
-  const Real M_1_20_p3 = s3 * M_1_20_p1 - c3 * M_1_20_p2;
-  const Real M_1_20 = 0.422 * M_1_20_p3 - M_2_20;
-  M[44] = M_1_20;
-  M[481] = M_1_20;
-  const Real M_0_20 = M_1_20 + 0.434 * (c2 * M_1_20_p3 + s2 * (s3 * M_1_20_p2 + c3 * M_1_20_p1));
-  M[20] = M_0_20;
-  M[480] = M_0_20;
+  const Real M_0_20_p3 = s5 * M_2_2_p277 + c5 * M_0_20_p1;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_0_12_p34_lanes = c5 * M_2_12_p31_lanes + s5 * M_0_12_p30_lanes;
+  const Lanes<2> M_2_12_p45_lanes = M_5_12_lanes - 0.072 * M_2_12_p38_lanes;
 
   // link 22 (head), mass matrix
-  const Real M_0_21_p1 = s21 * M_2_2_p325;
-  const Real M_0_21_p2 = c6 * M_2_2_p381 - s6 * M_0_21_p1;
-  const Real M_0_21_p3 = c21 * M_2_2_p325;
-  const Real M_0_21_p4 = s5 * M_0_21_p2 - c5 * M_0_21_p3;
-  const Real M_0_21_p5 = s6 * M_2_2_p381 + c6 * M_0_21_p1;
-  const Real M_0_21_p6 = c4 * M_0_21_p4 + s4 * M_0_21_p5;
-  const Real M_0_21_p7 = s5 * M_0_21_p3 + c5 * M_0_21_p2;
-  const Real M_0_21_p8 = s3 * M_0_21_p7 + c3 * M_0_21_p6;
-  const Real M_5_21_p1 = M_21_21 + 0.394 * M_2_2_p325;
-  const Real M_5_21 = c21 * M_2_2_p335 + s21 * M_5_21_p1;
-  M[141] = -M_5_21;
-  M[509] = -M_5_21;
-  const Real M_2_21_p1 = M_5_21 + 0.072 * M_0_21_p5;
-  const Real M_2_21_p2 = M_2_2_p336 - c21 * M_5_21_p1;
-  const Real M_2_21_p3 = s6 * M_2_21_p2 - c6 * M_20_21;
-  const Real M_4_21 = s6 * M_20_21 + c6 * M_2_21_p2 - 0.072 * M_0_21_p3;
-  M[117] = -M_4_21;
-  M[508] = -M_4_21;
-  const Real M_2_21 = s4 * (c5 * M_2_21_p1 + s5 * M_2_21_p3 + 0.21799999999999997 * M_0_21_p5) +
-      c4 * (M_4_21 + 0.21799999999999997 * M_0_21_p4);
-  M[69] = -M_2_21;
-  M[506] = -M_2_21;
-  const Real M_1_21 = 0.422 * M_0_21_p8 + M_2_21;
-  M[45] = -M_1_21;
-  M[505] = -M_1_21;
-  const Real M_0_21 = 0.434 * (s2 * (s3 * M_0_21_p6 - c3 * M_0_21_p7) - c2 * M_0_21_p8) - M_1_21;
-  M[21] = M_0_21;
-  M[504] = M_0_21;
+  const Real M_2_21_p2 = M_21_21 + 0.394 * M_2_2_p191;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_0_12_p36_lanes = c5 * M_0_12_p30_lanes - s5 * M_2_12_p31_lanes;
+
+  // link 21 (neck), mass matrix
+  const Real M_0_20_p4 = s4 * M_2_20_p1 + c4 * M_0_20_p2;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p47_lanes = c6 * M_2_12_p42_lanes - s6 * M_2_12_p37_lanes;
+
+  // link 20 (right_hand), mass matrix
   M[550] = 9.25e-06;
   M[575] = 9.25e-06;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p1_lanes = 9.25e-06 + M_2_2_p286_lanes;
-  const Lanes<2> M_2_22_p6_lanes = c22 * M_2_2_p295_lanes - s22 * M_2_22_p1_lanes +
-      9.850000000000001e-05 * detail::make_pack<Real>(c23, c24);
-  const Lanes<2> M_2_22_p8_lanes = c22 * M_2_2_p383_lanes;
-  const Lanes<2> M_2_22_p10_lanes = M_21_22_lanes + 0.394 * M_2_22_p8_lanes;
-  const Lanes<2> M_2_22_p12_lanes = s21 * M_2_22_p6_lanes + c21 * M_2_22_p10_lanes;
-  const Lanes<2> M_20_22_lanes = s22 * M_2_2_p295_lanes + c22 * M_2_22_p1_lanes;
+  const Lanes<2> M_2_22_p1_lanes = 9.25e-06 + M_2_2_p73_lanes;
+
+  // link 22 (head), mass matrix
+  const Real M_0_21_p4 = s5 * M_0_21_p3 - c5 * M_0_21_p2;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_0_12_p37_lanes = c4 * M_0_12_p34_lanes - s4 * M_2_12_p38_lanes;
+
+  // link 22 (head), mass matrix
+  const Real M_0_21_p5 = s5 * M_0_21_p2 + c5 * M_0_21_p3;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_p4_lanes = c22 * M_5_20_p1_lanes;
+
+  // link 22 (head), mass matrix
+  const Real M_2_21_p3 = M_2_2_p236 - c21 * M_2_21_p2;
+  const Real M_5_21 = c21 * M_2_2_p226 + s21 * M_2_21_p2;
+  M[141] = -M_5_21;
+  M[509] = -M_5_21;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_p8_lanes = s22 * M_5_20_p1_lanes;
+
+  // link 22 (head), mass matrix
+  const Real M_2_21_p4 = M_5_21 + 0.072 * M_2_21_p1;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_20_22_lanes = s22 * M_2_2_p89_lanes + c22 * M_2_22_p1_lanes;
   M[502] = M_20_22_lanes[0];
   M[548] = M_20_22_lanes[0];
 
@@ -1651,9 +1561,44 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[503] = M_20_22_lanes[1];
   M[572] = M_20_22_lanes[1];
 
+  // link 22 (head), mass matrix
+  const Real M_0_21_p6 = c4 * M_0_21_p4 + s4 * M_2_21_p1;
+
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p15_lanes = s6 * M_2_22_p12_lanes - c6 * M_20_22_lanes;
-  const Lanes<2> M_5_22_lanes = s21 * M_2_22_p10_lanes - c21 * M_2_22_p6_lanes;
+  const Lanes<2> M_0_22_p3_lanes = s21 * M_2_22_p4_lanes - c21 * M_2_2_p139_lanes;
+  const Lanes<2> M_2_22_p9_lanes = c22 * M_2_2_p89_lanes - s22 * M_2_22_p1_lanes +
+      9.850000000000001e-05 * detail::make_pack<Real>(c23, c24);
+  const Lanes<2> M_2_22_p10_lanes = M_21_22_lanes + 0.394 * M_2_22_p4_lanes;
+
+  // link 22 (head), mass matrix
+  const Real M_2_21_p5 = s6 * M_2_21_p3 - c6 * M_20_21;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_0_22_p8_lanes = c21 * M_2_22_p4_lanes + s21 * M_2_2_p139_lanes;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_4_12_lanes = s6 * M_2_12_p42_lanes + c6 * M_2_12_p37_lanes + 0.072 *
+      M_2_12_p31_lanes;
+  M[108] = M_4_12_lanes[0];
+  M[292] = M_4_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[115] = M_4_12_lanes[1];
+  M[460] = M_4_12_lanes[1];
+
+  // link 22 (head), mass matrix
+  const Real M_4_21 = s6 * M_20_21 + c6 * M_2_21_p3 - 0.072 * M_0_21_p2;
+  M[117] = -M_4_21;
+  M[508] = -M_4_21;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_0_12_p42_lanes = c3 * M_0_12_p37_lanes + s3 * M_0_12_p36_lanes;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_0_22_p9_lanes = s6 * M_0_22_p3_lanes - c6 * M_2_22_p8_lanes;
+  const Lanes<2> M_2_22_p16_lanes = s6 * M_2_22_p8_lanes + c6 * M_0_22_p3_lanes;
+  const Lanes<2> M_2_22_p17_lanes = s21 * M_2_22_p9_lanes + c21 * M_2_22_p10_lanes;
+  const Lanes<2> M_5_22_lanes = s21 * M_2_22_p10_lanes - c21 * M_2_22_p9_lanes;
   M[142] = M_5_22_lanes[0];
   M[533] = M_5_22_lanes[0];
 
@@ -1661,16 +1606,25 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[143] = M_5_22_lanes[1];
   M[557] = M_5_22_lanes[1];
 
+  // link 21 (neck), mass matrix
+  const Real M_0_20_p5 = s3 * M_0_20_p3 - c3 * M_0_20_p4;
+
+  // link 22 (head), mass matrix
+  const Real M_0_21_p7 = s3 * M_0_21_p5 + c3 * M_0_21_p6;
+
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p19_lanes = s21 * M_2_22_p8_lanes - c21 * M_2_2_p322_lanes;
-  const Lanes<2> M_2_22_p21_lanes = s22 * M_2_2_p383_lanes;
-  const Lanes<2> M_2_22_p23_lanes = s6 * M_2_22_p21_lanes + c6 * M_2_22_p19_lanes;
-  const Lanes<2> M_2_22_p25_lanes = M_5_22_lanes + 0.072 * M_2_22_p23_lanes;
-  const Lanes<2> M_2_22_p30_lanes = s4 * (0.21799999999999997 * M_2_22_p23_lanes -
-      (s5 * M_2_22_p15_lanes - c5 * M_2_22_p25_lanes));
-  const Lanes<2> M_4_22_p6_lanes = c21 * M_2_22_p8_lanes + s21 * M_2_2_p322_lanes;
-  const Lanes<2> M_4_22_lanes = s6 * M_20_22_lanes + c6 * M_2_22_p12_lanes + 0.072 *
-      M_4_22_p6_lanes;
+  const Lanes<2> M_0_22_p15_lanes = c5 * M_0_22_p8_lanes + s5 * M_0_22_p9_lanes;
+  const Lanes<2> M_2_22_p21_lanes = M_5_22_lanes + 0.072 * M_2_22_p16_lanes;
+  const Lanes<2> M_0_22_p16_lanes = s5 * M_0_22_p8_lanes - c5 * M_0_22_p9_lanes;
+  const Lanes<2> M_2_22_p22_lanes = s6 * M_2_22_p17_lanes - c6 * M_20_22_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p45_lanes = s4 * (s5 * M_2_11_p40_lanes - c5 * M_2_11_p37_lanes +
+      0.21799999999999997 * M_2_11_p30_lanes);
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_4_22_lanes = s6 * M_20_22_lanes + c6 * M_2_22_p17_lanes + 0.072 *
+      M_0_22_p8_lanes;
   M[118] = -M_4_22_lanes[0];
   M[532] = -M_4_22_lanes[0];
 
@@ -1678,11 +1632,134 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[119] = -M_4_22_lanes[1];
   M[556] = -M_4_22_lanes[1];
 
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_p54_lanes = s4 * (s5 * M_2_12_p47_lanes - c5 * M_2_12_p45_lanes +
+      0.21799999999999997 * M_2_12_p38_lanes);
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_p37_lanes = c2 * M_0_10_p33_lanes - s2 *
+      (s3 * M_0_10_p29_lanes - c3 * M_0_10_p26_lanes);
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_0_11_p43_lanes = c2 * M_0_11_p39_lanes + s2 *
+      (c3 * M_0_11_p33_lanes - s3 * M_0_11_p34_lanes);
+
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p34_lanes = s6 * M_2_22_p19_lanes - c6 * M_2_22_p21_lanes;
-  const Lanes<2> M_2_22_p36_lanes = c5 * M_4_22_p6_lanes + s5 * M_2_22_p34_lanes;
+  const Lanes<2> M_0_22_p20_lanes = s4 * M_2_22_p16_lanes - c4 * M_0_22_p15_lanes;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_0_12_p46_lanes = c2 * M_0_12_p42_lanes - s2 *
+      (s3 * M_0_12_p37_lanes - c3 * M_0_12_p36_lanes);
+
+  // link 3 (hip), composite inertia
+  const Real M_1_1 = 9.885744550888212 + (M_2_2 - 0.844 * M_0_0_p5);
+  M[25] = M_1_1;
+
+  // link 4 (chest1), composite inertia
+  const Real M_2_3 = s4 * (0.005880002159562879 + (0.21799999999999997 * M_0_0_p1 -
+      (c5 * M_2_2_p388 - M_2_2_p383))) - c4 * (M_3_4 + 0.21799999999999997 * M_2_2_p306);
+  M[51] = M_2_3;
+  M[74] = M_2_3;
+
+  // link 5 (chest2), mass matrix
+  const Real M_2_4 = c4 * (M_4_4 - 0.21799999999999997 * M_2_2_p331) - s4 * M_2_2_p386;
+  M[52] = M_2_4;
+  M[98] = M_2_4;
+
+  // link 6 (chest3), mass matrix
+  const Real M_2_5 = c4 * (M_4_5 + 0.21799999999999997 * M_0_5_p1) - s4 *
+      (s5 * M_2_2_p380 - c5 * M_2_5_p1 + 0.21799999999999997 * M_2_2_p304);
+  M[53] = M_2_5;
+  M[122] = M_2_5;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_lanes = c4 * (M_4_6_lanes - 0.21799999999999997 * M_0_6_p7_lanes) -
+      M_2_6_p42_lanes;
+  M[54] = M_2_6_lanes[0];
+  M[146] = M_2_6_lanes[0];
+
+  // link 14 (right_shoulder1), mass matrix
+  M[61] = M_2_6_lanes[1];
+  M[314] = M_2_6_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_2_7_lanes = c4 * (M_4_7_lanes + 0.21799999999999997 * M_0_7_p10_lanes) -
+      M_2_7_p25_lanes;
+  M[55] = M_2_7_lanes[0];
+  M[170] = M_2_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[62] = M_2_7_lanes[1];
+  M[338] = M_2_7_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_lanes = c4 * (M_4_8_lanes - 0.21799999999999997 * M_0_8_p13_lanes) -
+      M_2_8_p30_lanes;
+  M[56] = M_2_8_lanes[0];
+  M[194] = M_2_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[63] = M_2_8_lanes[1];
+  M[362] = M_2_8_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_lanes = M_2_9_p35_lanes + c4 *
+      (M_4_9_lanes - 0.21799999999999997 * M_0_9_p19_lanes);
+  M[57] = M_2_9_lanes[0];
+  M[218] = M_2_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[64] = M_2_9_lanes[1];
+  M[386] = M_2_9_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_lanes = M_2_10_p40_lanes + c4 *
+      (M_4_10_lanes - 0.21799999999999997 * M_0_10_p25_lanes);
+  M[58] = M_2_10_lanes[0];
+  M[242] = M_2_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[65] = M_2_10_lanes[1];
+  M[410] = M_2_10_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_lanes = c4 * (M_4_11_lanes - 0.21799999999999997 * M_0_11_p31_lanes) -
+      M_2_11_p45_lanes;
+  M[59] = M_2_11_lanes[0];
+  M[266] = M_2_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[66] = M_2_11_lanes[1];
+  M[434] = M_2_11_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_2_12_lanes = c4 * (M_4_12_lanes + 0.21799999999999997 * M_0_12_p34_lanes) -
+      M_2_12_p54_lanes;
+  M[60] = M_2_12_lanes[0];
+  M[290] = M_2_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[67] = M_2_12_lanes[1];
+  M[458] = M_2_12_lanes[1];
+
+  // link 21 (neck), mass matrix
+  const Real M_2_20 = s4 * (0.21799999999999997 * M_2_20_p1 + (s5 * M_2_20_p2 + c5 * M_2_20_p3)) +
+      c4 * (M_4_20 + 0.21799999999999997 * M_0_20_p2);
+  M[68] = -M_2_20;
+  M[482] = -M_2_20;
+
+  // link 22 (head), mass matrix
+  const Real M_2_21 = s4 * (c5 * M_2_21_p4 + s5 * M_2_21_p5 + 0.21799999999999997 * M_2_21_p1) +
+      c4 * (M_4_21 + 0.21799999999999997 * M_0_21_p4);
+  M[69] = -M_2_21;
+  M[506] = -M_2_21;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_0_22_p23_lanes = c3 * M_0_22_p20_lanes + s3 * M_0_22_p16_lanes;
+  const Lanes<2> M_2_22_p30_lanes = s4 * (0.21799999999999997 * M_2_22_p16_lanes -
+      (s5 * M_2_22_p22_lanes - c5 * M_2_22_p21_lanes));
   const Lanes<2> M_2_22_lanes = M_2_22_p30_lanes - c4 *
-      (M_4_22_lanes + 0.21799999999999997 * M_2_22_p36_lanes);
+      (M_4_22_lanes + 0.21799999999999997 * M_0_22_p15_lanes);
   M[70] = M_2_22_lanes[0];
   M[530] = M_2_22_lanes[0];
 
@@ -1691,10 +1768,104 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[554] = M_2_22_lanes[1];
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p3_lanes = s4 * M_2_22_p23_lanes - c4 * M_2_22_p36_lanes;
-  const Lanes<2> M_1_22_p7_lanes = s5 * M_4_22_p6_lanes - c5 * M_2_22_p34_lanes;
-  const Lanes<2> M_1_22_p9_lanes = c3 * M_1_22_p3_lanes + s3 * M_1_22_p7_lanes;
-  const Lanes<2> M_1_22_lanes = M_2_22_lanes + 0.422 * M_1_22_p9_lanes;
+  const Lanes<2> M_0_22_p27_lanes = c2 * M_0_22_p23_lanes - s2 *
+      (s3 * M_0_22_p20_lanes - c3 * M_0_22_p16_lanes);
+
+  // link 3 (hip), mass matrix
+  const Real M_1_2 = M_2_2 - 0.422 * M_0_0_p5;
+  M[26] = M_1_2;
+  M[49] = M_1_2;
+
+  // link 4 (chest1), mass matrix
+  const Real M_1_3 = M_2_3 + 0.422 * M_0_3_p2;
+  M[27] = M_1_3;
+  M[73] = M_1_3;
+
+  // link 5 (chest2), mass matrix
+  const Real M_1_4 = M_2_4 + 0.422 * M_0_4_p2;
+  M[28] = M_1_4;
+  M[97] = M_1_4;
+
+  // link 6 (chest3), mass matrix
+  const Real M_1_5 = M_2_5 + 0.422 * M_0_5_p4;
+  M[29] = M_1_5;
+  M[121] = M_1_5;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_1_6_lanes = M_2_6_lanes + 0.422 * M_0_6_p15_lanes;
+  M[30] = M_1_6_lanes[0];
+  M[145] = M_1_6_lanes[0];
+
+  // link 14 (right_shoulder1), mass matrix
+  M[37] = M_1_6_lanes[1];
+  M[313] = M_1_6_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_1_7_lanes = M_2_7_lanes + 0.422 * M_0_7_p18_lanes;
+  M[31] = M_1_7_lanes[0];
+  M[169] = M_1_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[38] = M_1_7_lanes[1];
+  M[337] = M_1_7_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_1_8_lanes = M_2_8_lanes - 0.422 * M_0_8_p21_lanes;
+  M[32] = M_1_8_lanes[0];
+  M[193] = M_1_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[39] = M_1_8_lanes[1];
+  M[361] = M_1_8_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_1_9_lanes = M_2_9_lanes + 0.422 * M_0_9_p27_lanes;
+  M[33] = M_1_9_lanes[0];
+  M[217] = M_1_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[40] = M_1_9_lanes[1];
+  M[385] = M_1_9_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_1_10_lanes = M_2_10_lanes + 0.422 * M_0_10_p33_lanes;
+  M[34] = M_1_10_lanes[0];
+  M[241] = M_1_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[41] = M_1_10_lanes[1];
+  M[409] = M_1_10_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_1_11_lanes = M_2_11_lanes - 0.422 * M_0_11_p39_lanes;
+  M[35] = M_1_11_lanes[0];
+  M[265] = M_1_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[42] = M_1_11_lanes[1];
+  M[433] = M_1_11_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_1_12_lanes = M_2_12_lanes + 0.422 * M_0_12_p42_lanes;
+  M[36] = M_1_12_lanes[0];
+  M[289] = M_1_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[43] = M_1_12_lanes[1];
+  M[457] = M_1_12_lanes[1];
+
+  // link 21 (neck), mass matrix
+  const Real M_1_20 = 0.422 * M_0_20_p5 - M_2_20;
+  M[44] = M_1_20;
+  M[481] = M_1_20;
+
+  // link 22 (head), mass matrix
+  const Real M_1_21 = 0.422 * M_0_21_p7 + M_2_21;
+  M[45] = -M_1_21;
+  M[505] = -M_1_21;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_1_22_lanes = M_2_22_lanes + 0.422 * M_0_22_p23_lanes;
   M[46] = M_1_22_lanes[0];
   M[529] = M_1_22_lanes[0];
 
@@ -1702,10 +1873,109 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[47] = M_1_22_lanes[1];
   M[553] = M_1_22_lanes[1];
 
+  // link 2 (thigh), composite inertia
+  M[0] = 13.049859506913753 + (M_1_1 - 0.868 * M_0_0_p7);
+
+  // link 2 (thigh), mass matrix
+  const Real M_0_1 = M_1_1 - 0.434 * M_0_0_p7;
+  M[1] = M_0_1;
+  M[24] = M_0_1;
+
+  // link 3 (hip), mass matrix
+  const Real M_0_2 = M_1_2 + 0.434 * (s2 * M_0_0_p6 - c2 * M_0_0_p5);
+  M[2] = M_0_2;
+  M[48] = M_0_2;
+
+  // link 4 (chest1), mass matrix
+  const Real M_0_3 = M_1_3 + 0.434 * (c2 * M_0_3_p2 - s2 * (s3 * M_0_3_p1));
+  M[3] = M_0_3;
+  M[72] = M_0_3;
+
+  // link 5 (chest2), mass matrix
+  const Real M_0_4 = M_1_4 + 0.434 * (c2 * M_0_4_p2 + s2 * (s3 * M_0_4_p1 + c3 * M_0_0_p1));
+  M[4] = M_0_4;
+  M[96] = M_0_4;
+
+  // link 6 (chest3), mass matrix
+  const Real M_0_5 = M_1_5 + 0.434 * (c2 * M_0_5_p4 - s2 * (s3 * M_0_5_p3 - c3 * M_0_5_p2));
+  M[5] = M_0_5;
+  M[120] = M_0_5;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_0_6_lanes = M_1_6_lanes + 0.434 * M_0_6_p19_lanes;
+  M[6] = M_0_6_lanes[0];
+  M[144] = M_0_6_lanes[0];
+
+  // link 14 (right_shoulder1), mass matrix
+  M[13] = M_0_6_lanes[1];
+  M[312] = M_0_6_lanes[1];
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_0_7_lanes = M_1_7_lanes + 0.434 * M_0_7_p22_lanes;
+  M[7] = M_0_7_lanes[0];
+  M[168] = M_0_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[14] = M_0_7_lanes[1];
+  M[336] = M_0_7_lanes[1];
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_0_8_lanes = M_1_8_lanes - 0.434 * M_0_8_p25_lanes;
+  M[8] = M_0_8_lanes[0];
+  M[192] = M_0_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[15] = M_0_8_lanes[1];
+  M[360] = M_0_8_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_0_9_lanes = M_1_9_lanes + 0.434 * M_0_9_p31_lanes;
+  M[9] = M_0_9_lanes[0];
+  M[216] = M_0_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[16] = M_0_9_lanes[1];
+  M[384] = M_0_9_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_lanes = M_1_10_lanes + 0.434 * M_0_10_p37_lanes;
+  M[10] = M_0_10_lanes[0];
+  M[240] = M_0_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[17] = M_0_10_lanes[1];
+  M[408] = M_0_10_lanes[1];
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_0_11_lanes = M_1_11_lanes - 0.434 * M_0_11_p43_lanes;
+  M[11] = M_0_11_lanes[0];
+  M[264] = M_0_11_lanes[0];
+
+  // link 19 (right_wrist2), mass matrix
+  M[18] = M_0_11_lanes[1];
+  M[432] = M_0_11_lanes[1];
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_0_12_lanes = M_1_12_lanes + 0.434 * M_0_12_p46_lanes;
+  M[12] = M_0_12_lanes[0];
+  M[288] = M_0_12_lanes[0];
+
+  // link 20 (right_hand), mass matrix
+  M[19] = M_0_12_lanes[1];
+  M[456] = M_0_12_lanes[1];
+
+  // link 21 (neck), mass matrix
+  const Real M_0_20 = M_1_20 + 0.434 * (c2 * M_0_20_p5 + s2 * (s3 * M_0_20_p4 + c3 * M_0_20_p3));
+  M[20] = M_0_20;
+  M[480] = M_0_20;
+
+  // link 22 (head), mass matrix
+  const Real M_0_21 = 0.434 * (s2 * (s3 * M_0_21_p6 - c3 * M_0_21_p5) - c2 * M_0_21_p7) - M_1_21;
+  M[21] = M_0_21;
+  M[504] = M_0_21;
+
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p6_lanes = c2 * M_1_22_p9_lanes - s2 *
-      (s3 * M_1_22_p3_lanes - c3 * M_1_22_p7_lanes);
-  const Lanes<2> M_0_22_lanes = M_1_22_lanes + 0.434 * M_0_22_p6_lanes;
+  const Lanes<2> M_0_22_lanes = M_1_22_lanes + 0.434 * M_0_22_p27_lanes;
   M[22] = M_0_22_lanes[0];
   M[528] = M_0_22_lanes[0];
 
@@ -1714,15 +1984,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[552] = M_0_22_lanes[1];
 
   // link 5 (chest2), composite inertia
-  M[75] = 0.060169103246295166 + (M_2_2_p392 + M_2_2_p416);
+  M[75] = 0.060169103246295166 + (M_2_2_p384 + M_2_2_p389);
 
   // link 6 (chest3), mass matrix
-  const Real M_3_5 = s5 * M_2_5_p2 + c5 * M_2_2_p411;
+  const Real M_3_5 = s5 * M_2_5_p1 + c5 * M_2_2_p380;
   M[77] = -M_3_5;
   M[123] = -M_3_5;
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_3_6_lanes = s5 * M_2_6_p8_lanes + c5 * M_2_6_p4_lanes;
+  const Lanes<2> M_3_6_lanes = s5 * M_2_6_p35_lanes + c5 * M_2_6_p34_lanes;
   M[78] = -M_3_6_lanes[0];
   M[147] = -M_3_6_lanes[0];
 
@@ -1731,7 +2001,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[315] = -M_3_6_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_3_7_lanes = s5 * M_2_7_p19_lanes + c5 * M_2_7_p13_lanes;
+  const Lanes<2> M_3_7_lanes = s5 * M_2_7_p16_lanes + c5 * M_2_7_p15_lanes;
   M[79] = -M_3_7_lanes[0];
   M[171] = -M_3_7_lanes[0];
 
@@ -1740,7 +2010,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[339] = -M_3_7_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_3_8_lanes = s5 * M_2_8_p23_lanes + c5 * M_2_8_p17_lanes;
+  const Lanes<2> M_3_8_lanes = s5 * M_2_8_p22_lanes + c5 * M_2_8_p21_lanes;
   M[80] = -M_3_8_lanes[0];
   M[195] = -M_3_8_lanes[0];
 
@@ -1749,7 +2019,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[363] = -M_3_8_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_3_9_lanes = c5 * M_2_9_p26_lanes - s5 * M_2_9_p32_lanes;
+  const Lanes<2> M_3_9_lanes = c5 * M_2_9_p27_lanes - s5 * M_2_9_p26_lanes;
   M[81] = M_3_9_lanes[0];
   M[219] = M_3_9_lanes[0];
 
@@ -1758,7 +2028,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[387] = M_3_9_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_3_10_lanes = c5 * M_2_10_p37_lanes - s5 * M_2_10_p43_lanes;
+  const Lanes<2> M_3_10_lanes = c5 * M_2_10_p32_lanes - s5 * M_2_10_p33_lanes;
   M[82] = M_3_10_lanes[0];
   M[243] = M_3_10_lanes[0];
 
@@ -1767,7 +2037,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[411] = M_3_10_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_3_11_lanes = s5 * M_2_11_p37_lanes + c5 * M_2_11_p31_lanes;
+  const Lanes<2> M_3_11_lanes = s5 * M_2_11_p37_lanes + c5 * M_2_11_p40_lanes;
   M[83] = -M_3_11_lanes[0];
   M[267] = -M_3_11_lanes[0];
 
@@ -1776,7 +2046,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[435] = -M_3_11_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_3_12_lanes = s5 * M_2_12_p24_lanes + c5 * M_2_12_p18_lanes;
+  const Lanes<2> M_3_12_lanes = s5 * M_2_12_p45_lanes + c5 * M_2_12_p47_lanes;
   M[84] = -M_3_12_lanes[0];
   M[291] = -M_3_12_lanes[0];
 
@@ -1785,17 +2055,17 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[459] = -M_3_12_lanes[1];
 
   // link 21 (neck), mass matrix
-  const Real M_3_20 = c5 * M_2_20_p1 - s5 * M_2_20_p3;
+  const Real M_3_20 = c5 * M_2_20_p2 - s5 * M_2_20_p3;
   M[92] = -M_3_20;
   M[483] = -M_3_20;
 
   // link 22 (head), mass matrix
-  const Real M_3_21 = s5 * M_2_21_p1 - c5 * M_2_21_p3;
+  const Real M_3_21 = s5 * M_2_21_p4 - c5 * M_2_21_p5;
   M[93] = M_3_21;
   M[507] = M_3_21;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_3_22_lanes = s5 * M_2_22_p25_lanes + c5 * M_2_22_p15_lanes;
+  const Lanes<2> M_3_22_lanes = s5 * M_2_22_p21_lanes + c5 * M_2_22_p22_lanes;
   M[94] = -M_3_22_lanes[0];
   M[531] = -M_3_22_lanes[0];
 

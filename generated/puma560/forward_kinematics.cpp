@@ -33,90 +33,68 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RE
   const Real s6 = sines[5];
 
   // link 2 (link2), pose
-  const Real p4_x_p1 = c2 * c1;
-  const Real p4_x_p2 = s2 * c1;
+  const Real rotation_2_p1 = c2 * c1;
+  const Real rotation_2_p2 = s2 * c1;
+  const Real rotation_5_p1 = c2 * s1;
+  const Real rotation_5_p2 = s2 * s1;
 
   // link 3 (link3), pose
-  const Real p4_x_p3 = s3 * p4_x_p1 + c3 * p4_x_p2;
-  const Real p4_x_p4 = c3 * p4_x_p1 - s3 * p4_x_p2;
-  const Real p3_x = 0.4318 * p4_x_p1 - 0.1501 * s1;
-
-  // link 4 (link4), pose
-  const Real p4_x = p3_x + (0.4331 * p4_x_p3 - 0.0203 * p4_x_p4);
-  const Real rotation_2_p1 = c4 * p4_x_p4 - s4 * s1;
-
-  // link 5 (link5), pose
-  const Real rotation_2 = s5 * rotation_2_p1 + c5 * p4_x_p3;
-  rotation[2] = rotation_2;
-
-  // link 6 (link6), pose
-  position[0] = p4_x + 0.05625 * rotation_2;
-
-  // link 2 (link2), pose
-  const Real p4_y_p1 = c2 * s1;
-  const Real p4_y_p2 = s2 * s1;
-
-  // link 3 (link3), pose
-  const Real p4_y_p3 = s3 * p4_y_p1 + c3 * p4_y_p2;
-  const Real p4_y_p4 = c3 * p4_y_p1 - s3 * p4_y_p2;
-  const Real p3_y = 0.4318 * p4_y_p1 + 0.1501 * c1;
-
-  // link 4 (link4), pose
-  const Real p4_y = p3_y + (0.4331 * p4_y_p3 - 0.0203 * p4_y_p4);
-  const Real rotation_5_p1 = c4 * p4_y_p4 + s4 * c1;
-
-  // link 5 (link5), pose
-  const Real rotation_5 = s5 * rotation_5_p1 + c5 * p4_y_p3;
-  rotation[5] = rotation_5;
-
-  // link 6 (link6), pose
-  position[1] = p4_y + 0.05625 * rotation_5;
-
-  // link 3 (link3), pose
-  const Real p4_z_p1 = c3 * s2 + s3 * c2;
-  const Real p4_z_p2 = s3 * s2 - c3 * c2;
+  const Real rotation_8_p1 = c3 * s2 + s3 * c2;
+  const Real rotation_8_p2 = s3 * s2 - c3 * c2;
   const Real p3_z = 0.6718 - 0.4318 * s2;
+  const Real rotation_2_p3 = c3 * rotation_2_p1 - s3 * rotation_2_p2;
+  const Real rotation_5_p3 = c3 * rotation_5_p1 - s3 * rotation_5_p2;
 
   // link 4 (link4), pose
-  const Real p4_z = p3_z + (0.0203 * p4_z_p1 - 0.4331 * p4_z_p2);
-  const Real rotation_8_p1 = c4 * p4_z_p1;
+  const Real rotation_8_p3 = c4 * rotation_8_p1;
+
+  // link 3 (link3), pose
+  const Real rotation_2_p4 = s3 * rotation_2_p1 + c3 * rotation_2_p2;
+  const Real rotation_5_p4 = s3 * rotation_5_p1 + c3 * rotation_5_p2;
+
+  // link 4 (link4), pose
+  const Real rotation_6_p1 = s4 * rotation_8_p1;
+
+  // link 3 (link3), pose
+  const Real p3_x = 0.4318 * rotation_2_p1 - 0.1501 * s1;
+  const Real p3_y = 0.4318 * rotation_5_p1 + 0.1501 * c1;
+
+  // link 4 (link4), pose
+  const Real rotation_2_p5 = c4 * rotation_2_p3 - s4 * s1;
+  const Real rotation_5_p5 = c4 * rotation_5_p3 + s4 * c1;
+  const Real rotation_0_p1 = s4 * rotation_2_p3 + c4 * s1;
+  const Real rotation_3_p1 = c4 * c1 - s4 * rotation_5_p3;
 
   // link 5 (link5), pose
-  const Real rotation_8 = s5 * rotation_8_p1 + c5 * p4_z_p2;
+  const Real rotation_8 = s5 * rotation_8_p3 + c5 * rotation_8_p2;
   rotation[8] = -rotation_8;
+  const Real rotation_6_p2 = s5 * rotation_8_p2 - c5 * rotation_8_p3;
+
+  // link 4 (link4), pose
+  const Real p4_x = p3_x + (0.4331 * rotation_2_p4 - 0.0203 * rotation_2_p3);
+  const Real p4_z = p3_z + (0.0203 * rotation_8_p1 - 0.4331 * rotation_8_p2);
+
+  // link 5 (link5), pose
+  const Real rotation_2 = s5 * rotation_2_p5 + c5 * rotation_2_p4;
+  rotation[2] = rotation_2;
+  const Real rotation_5 = s5 * rotation_5_p5 + c5 * rotation_5_p4;
+  rotation[5] = rotation_5;
+  const Real rotation_0_p2 = c5 * rotation_2_p5 - s5 * rotation_2_p4;
+  const Real rotation_3_p2 = c5 * rotation_5_p5 - s5 * rotation_5_p4;
+
+  // link 4 (link4), pose
+  const Real p4_y = p3_y + (0.4331 * rotation_5_p4 - 0.0203 * rotation_5_p3);
 
   // link 6 (link6), pose
   position[2] = p4_z - 0.05625 * rotation_8;
-
-  // link 5 (link5), pose
-  const Real rotation_0_p1 = c5 * rotation_2_p1 - s5 * p4_x_p3;
-
-  // link 4 (link4), pose
-  const Real rotation_0_p2 = s4 * p4_x_p4 + c4 * s1;
-
-  // link 6 (link6), pose
-  rotation[0] = c6 * rotation_0_p1 - s6 * rotation_0_p2;
-  rotation[1] = -(s6 * rotation_0_p1 + c6 * rotation_0_p2);
-
-  // link 5 (link5), pose
-  const Real rotation_3_p1 = c5 * rotation_5_p1 - s5 * p4_y_p3;
-
-  // link 4 (link4), pose
-  const Real rotation_3_p2 = c4 * c1 - s4 * p4_y_p4;
-
-  // link 6 (link6), pose
-  rotation[3] = c6 * rotation_3_p1 + s6 * rotation_3_p2;
-  rotation[4] = c6 * rotation_3_p2 - s6 * rotation_3_p1;
-
-  // link 5 (link5), pose
-  const Real rotation_6_p1 = s5 * p4_z_p2 - c5 * rotation_8_p1;
-
-  // link 4 (link4), pose
-  const Real rotation_6_p2 = s4 * p4_z_p1;
-
-  // link 6 (link6), pose
-  rotation[6] = c6 * rotation_6_p1 + s6 * rotation_6_p2;
-  rotation[7] = c6 * rotation_6_p2 - s6 * rotation_6_p1;
+  rotation[6] = c6 * rotation_6_p2 + s6 * rotation_6_p1;
+  rotation[7] = c6 * rotation_6_p1 - s6 * rotation_6_p2;
+  position[0] = p4_x + 0.05625 * rotation_2;
+  position[1] = p4_y + 0.05625 * rotation_5;
+  rotation[0] = c6 * rotation_0_p2 - s6 * rotation_0_p1;
+  rotation[1] = -(s6 * rotation_0_p2 + c6 * rotation_0_p1);
+  rotation[3] = c6 * rotation_3_p2 + s6 * rotation_3_p1;
+  rotation[4] = c6 * rotation_3_p1 - s6 * rotation_3_p2;
 }
 
 }  // namespace puma560

@@ -35,98 +35,68 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RE
   const Real s9 = sines[6];
 
   // link 4 (link1), pose
-  const Real p7_x_p1 = c4 * c3 - s4 * s3;
-
-  // link 5 (link2), pose
-  const Real p7_x_p2 = c5 * p7_x_p1;
-  const Real p7_x_p3 = s5 * p7_x_p1;
+  const Real rotation_2_p1 = c4 * c3 - s4 * s3;
+  const Real rotation_5_p1 = s4 * c3 + c4 * s3;
 
   // link 6 (link3), pose
-  const Real p7_x_p4 = s6 * p7_x_p2 + c6 * p7_x_p3;
-  const Real p7_x_p5 = c6 * p7_x_p2 - s6 * p7_x_p3;
-
-  // link 4 (link1), pose
-  const Real p6_x_p1 = s4 * c3 + c4 * s3;
-
-  // link 6 (link3), pose
-  const Real p6_x = q[0] + (0.4318 * p7_x_p2 - 0.1501 * p6_x_p1);
-
-  // link 7 (link4), pose
-  const Real p7_x = p6_x + (0.4331 * p7_x_p4 - 0.0203 * p7_x_p5);
-  const Real rotation_2_p1 = c7 * p7_x_p5 - s7 * p6_x_p1;
-
-  // link 8 (link5), pose
-  const Real rotation_2 = s8 * rotation_2_p1 + c8 * p7_x_p4;
-  rotation[2] = rotation_2;
-
-  // link 9 (link6), pose
-  position[0] = p7_x + 0.05625 * rotation_2;
-
-  // link 5 (link2), pose
-  const Real p7_y_p1 = c5 * p6_x_p1;
-  const Real p7_y_p2 = s5 * p6_x_p1;
-
-  // link 6 (link3), pose
-  const Real p7_y_p3 = s6 * p7_y_p1 + c6 * p7_y_p2;
-  const Real p7_y_p4 = c6 * p7_y_p1 - s6 * p7_y_p2;
-  const Real p6_y = q[1] + (0.4318 * p7_y_p1 + 0.1501 * p7_x_p1);
-
-  // link 7 (link4), pose
-  const Real p7_y = p6_y + (0.4331 * p7_y_p3 - 0.0203 * p7_y_p4);
-  const Real rotation_5_p1 = c7 * p7_y_p4 + s7 * p7_x_p1;
-
-  // link 8 (link5), pose
-  const Real rotation_5 = s8 * rotation_5_p1 + c8 * p7_y_p3;
-  rotation[5] = rotation_5;
-
-  // link 9 (link6), pose
-  position[1] = p7_y + 0.05625 * rotation_5;
-
-  // link 6 (link3), pose
-  const Real p7_z_p1 = c6 * s5 + s6 * c5;
-  const Real p7_z_p2 = s6 * s5 - c6 * c5;
+  const Real rotation_8_p1 = c6 * s5 + s6 * c5;
+  const Real rotation_8_p2 = s6 * s5 - c6 * c5;
   const Real p6_z = 1.15 - 0.4318 * s5;
 
+  // link 5 (link2), pose
+  const Real rotation_2_p2 = c5 * rotation_2_p1;
+  const Real rotation_2_p3 = s5 * rotation_2_p1;
+  const Real rotation_5_p2 = c5 * rotation_5_p1;
+  const Real rotation_5_p3 = s5 * rotation_5_p1;
+
   // link 7 (link4), pose
-  const Real p7_z = p6_z + (0.0203 * p7_z_p1 - 0.4331 * p7_z_p2);
-  const Real rotation_8_p1 = c7 * p7_z_p1;
+  const Real rotation_8_p3 = c7 * rotation_8_p1;
+  const Real rotation_6_p1 = s7 * rotation_8_p1;
+
+  // link 6 (link3), pose
+  const Real rotation_2_p4 = c6 * rotation_2_p2 - s6 * rotation_2_p3;
+  const Real rotation_5_p4 = c6 * rotation_5_p2 - s6 * rotation_5_p3;
+  const Real rotation_2_p5 = s6 * rotation_2_p2 + c6 * rotation_2_p3;
+  const Real rotation_5_p5 = s6 * rotation_5_p2 + c6 * rotation_5_p3;
 
   // link 8 (link5), pose
-  const Real rotation_8 = s8 * rotation_8_p1 + c8 * p7_z_p2;
+  const Real rotation_8 = s8 * rotation_8_p3 + c8 * rotation_8_p2;
   rotation[8] = -rotation_8;
+  const Real rotation_6_p2 = s8 * rotation_8_p2 - c8 * rotation_8_p3;
+
+  // link 6 (link3), pose
+  const Real p6_x = q[0] + (0.4318 * rotation_2_p2 - 0.1501 * rotation_5_p1);
+  const Real p6_y = q[1] + (0.4318 * rotation_5_p2 + 0.1501 * rotation_2_p1);
+
+  // link 7 (link4), pose
+  const Real rotation_2_p6 = c7 * rotation_2_p4 - s7 * rotation_5_p1;
+  const Real rotation_5_p6 = c7 * rotation_5_p4 + s7 * rotation_2_p1;
+  const Real rotation_0_p1 = s7 * rotation_2_p4 + c7 * rotation_5_p1;
+  const Real rotation_3_p1 = c7 * rotation_2_p1 - s7 * rotation_5_p4;
+  const Real p7_z = p6_z + (0.0203 * rotation_8_p1 - 0.4331 * rotation_8_p2);
+  const Real p7_x = p6_x + (0.4331 * rotation_2_p5 - 0.0203 * rotation_2_p4);
+  const Real p7_y = p6_y + (0.4331 * rotation_5_p5 - 0.0203 * rotation_5_p4);
 
   // link 9 (link6), pose
   position[2] = p7_z - 0.05625 * rotation_8;
+  rotation[6] = c9 * rotation_6_p2 + s9 * rotation_6_p1;
+  rotation[7] = c9 * rotation_6_p1 - s9 * rotation_6_p2;
 
   // link 8 (link5), pose
-  const Real rotation_0_p1 = c8 * rotation_2_p1 - s8 * p7_x_p4;
-
-  // link 7 (link4), pose
-  const Real rotation_0_p2 = s7 * p7_x_p5 + c7 * p6_x_p1;
-
-  // link 9 (link6), pose
-  rotation[0] = c9 * rotation_0_p1 - s9 * rotation_0_p2;
-  rotation[1] = -(s9 * rotation_0_p1 + c9 * rotation_0_p2);
-
-  // link 8 (link5), pose
-  const Real rotation_3_p1 = c8 * rotation_5_p1 - s8 * p7_y_p3;
-
-  // link 7 (link4), pose
-  const Real rotation_3_p2 = c7 * p7_x_p1 - s7 * p7_y_p4;
+  const Real rotation_2 = s8 * rotation_2_p6 + c8 * rotation_2_p5;
+  rotation[2] = rotation_2;
+  const Real rotation_5 = s8 * rotation_5_p6 + c8 * rotation_5_p5;
+  rotation[5] = rotation_5;
+  const Real rotation_0_p2 = c8 * rotation_2_p6 - s8 * rotation_2_p5;
+  const Real rotation_3_p2 = c8 * rotation_5_p6 - s8 * rotation_5_p5;
 
   // link 9 (link6), pose
-  rotation[3] = c9 * rotation_3_p1 + s9 * rotation_3_p2;
-  rotation[4] = c9 * rotation_3_p2 - s9 * rotation_3_p1;
-
-  // link 8 (link5), pose
-  const Real rotation_6_p1 = s8 * p7_z_p2 - c8 * rotation_8_p1;
-
-  // link 7 (link4), pose
-  const Real rotation_6_p2 = s7 * p7_z_p1;
-
-  // link 9 (link6), pose
-  rotation[6] = c9 * rotation_6_p1 + s9 * rotation_6_p2;
-  rotation[7] = c9 * rotation_6_p2 - s9 * rotation_6_p1;
+  position[0] = p7_x + 0.05625 * rotation_2;
+  position[1] = p7_y + 0.05625 * rotation_5;
+  rotation[0] = c9 * rotation_0_p2 - s9 * rotation_0_p1;
+  rotation[1] = -(s9 * rotation_0_p2 + c9 * rotation_0_p1);
+  rotation[3] = c9 * rotation_3_p2 + s9 * rotation_3_p1;
+  rotation[4] = c9 * rotation_3_p1 - s9 * rotation_3_p2;
 }
 
 }  // namespace samm

@@ -48,6 +48,8 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT J)[
   const Real s5 = sines[3];
   const Real s7 = sines[1];
   const Real c8 = cosines[0];
+
+  // link 6 (link3), pose
   J[0] = 1.0;
   J[10] = 1.0;
   J[47] = 1.0;
@@ -57,125 +59,97 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT J)[
   const Real J_3_4 = c4 * s3 + s4 * c3;
   J[31] = -J_3_4;
   J[32] = -J_3_4;
-
-  // link 5 (link2), pose
-  const Real J_4_8_p1 = c5 * J_3_4;
-  const Real J_4_8_p2 = s5 * J_3_4;
-
-  // link 6 (link3), pose
-  const Real J_4_8_p3 = c6 * J_4_8_p1 - s6 * J_4_8_p2;
-
-  // link 4 (link1), pose
   const Real J_4_4 = c4 * c3 - s4 * s3;
   J[40] = J_4_4;
   J[41] = J_4_4;
 
   // link 6 (link3), pose
+  const Real J_5_8_p1 = c6 * s5 + s6 * c5;
+  const Real J_5_6 = s6 * s5 - c6 * c5;
+  J[51] = -J_5_6;
+
+  // link 5 (link2), pose
+  const Real J_4_8_p1 = c5 * J_3_4;
+  const Real J_4_8_p2 = s5 * J_3_4;
+  const Real J_3_8_p1 = c5 * J_4_4;
+  const Real J_3_8_p2 = s5 * J_4_4;
+
+  // link 7 (link4), pose
+  const Real J_5_7 = s7 * J_5_8_p1;
+  J[52] = J_5_7;
+
+  // link 6 (link3), pose
+  const Real J_4_8_p3 = c6 * J_4_8_p1 - s6 * J_4_8_p2;
+  const Real J_3_8_p3 = c6 * J_3_8_p1 - s6 * J_3_8_p2;
   const Real J_4_6 = s6 * J_4_8_p1 + c6 * J_4_8_p2;
   J[42] = J_4_6;
+  const Real J_3_6 = s6 * J_3_8_p1 + c6 * J_3_8_p2;
+  J[33] = J_3_6;
+
+  // link 8 (link5), pose
+  const Real J_5_8 = s8 * (c7 * J_5_8_p1) + c8 * J_5_6;
+  J[53] = -J_5_8;
+
+  // link 9 (link6), pose
+  const Real J_0_4_p1 = 0.05625 * J_5_8;
+
+  // link 7 (link4), Jacobian
+  const Real J_0_4_p2 = 0.0203 * J_5_8_p1 - 0.4331 * J_5_6 - J_0_4_p1;
+
+  // link 7 (link4), pose
+  const Real J_4_7 = c7 * J_4_4 - s7 * J_4_8_p3;
+  J[43] = J_4_7;
+  const Real J_3_7 = s7 * J_3_8_p3 + c7 * J_3_4;
+  J[34] = -J_3_7;
+
+  // link 6 (link3), Jacobian
+  const Real J_0_4_p3 = J_0_4_p2 - 0.4318 * s5;
+  J[5] = J_4_4 * J_0_4_p2;
+  J[14] = J_3_4 * J_0_4_p2;
 
   // link 8 (link5), pose
   const Real J_4_8 = s8 * (c7 * J_4_8_p3 + s7 * J_4_4) + c8 * J_4_6;
   J[44] = J_4_8;
+  const Real J_3_8 = s8 * (c7 * J_3_8_p3 - s7 * J_3_4) + c8 * J_3_6;
+  J[35] = J_3_8;
+
+  // link 5 (link2), Jacobian
+  J[4] = J_4_4 * J_0_4_p3;
+  J[13] = J_3_4 * J_0_4_p3;
 
   // link 9 (link6), pose
   const Real J_0_2_p1 = 0.05625 * J_4_8;
+  const Real J_1_2_p1 = 0.05625 * J_3_8;
 
   // link 7 (link4), Jacobian
   const Real J_0_2_p2 = J_0_2_p1 + (0.4331 * J_4_6 - 0.0203 * J_4_8_p3);
+  const Real J_1_2_p2 = J_1_2_p1 + (0.4331 * J_3_6 - 0.0203 * J_3_8_p3);
 
   // link 6 (link3), Jacobian
   const Real J_0_2 = J_0_2_p2 + (0.4318 * J_4_8_p1 + 0.1501 * J_4_4);
   J[2] = -J_0_2;
   J[3] = -J_0_2;
-
-  // link 6 (link3), pose
-  const Real J_0_4_p1 = c6 * s5 + s6 * c5;
-  const Real J_5_6 = s6 * s5 - c6 * c5;
-  J[51] = -J_5_6;
-
-  // link 8 (link5), pose
-  const Real J_5_8 = s8 * (c7 * J_0_4_p1) + c8 * J_5_6;
-  J[53] = -J_5_8;
-
-  // link 9 (link6), pose
-  const Real J_0_4_p2 = 0.05625 * J_5_8;
-
-  // link 7 (link4), Jacobian
-  const Real J_0_4_p3 = 0.0203 * J_0_4_p1 - 0.4331 * J_5_6 - J_0_4_p2;
-
-  // link 6 (link3), Jacobian
-  const Real J_0_4_p4 = J_0_4_p3 - 0.4318 * s5;
-
-  // link 5 (link2), Jacobian
-  J[4] = J_4_4 * J_0_4_p4;
-
-  // link 6 (link3), Jacobian
-  J[5] = J_4_4 * J_0_4_p3;
-
-  // link 7 (link4), Jacobian
-  J[6] = J_5_6 * J_0_2_p1 - J_4_6 * J_0_4_p2;
-
-  // link 7 (link4), pose
-  const Real J_4_7 = c7 * J_4_4 - s7 * J_4_8_p3;
-  J[43] = J_4_7;
-  const Real J_5_7 = s7 * J_0_4_p1;
-  J[52] = J_5_7;
-
-  // link 8 (link5), Jacobian
-  J[7] = -(J_4_7 * J_0_4_p2 + J_5_7 * J_0_2_p1);
-
-  // link 9 (link6), Jacobian
-  J[8] = J_5_8 * J_0_2_p1 - J_4_8 * J_0_4_p2;
-
-  // link 5 (link2), pose
-  const Real J_3_8_p1 = c5 * J_4_4;
-  const Real J_3_8_p2 = s5 * J_4_4;
-
-  // link 6 (link3), pose
-  const Real J_3_8_p3 = c6 * J_3_8_p1 - s6 * J_3_8_p2;
-  const Real J_3_6 = s6 * J_3_8_p1 + c6 * J_3_8_p2;
-  J[33] = J_3_6;
-
-  // link 8 (link5), pose
-  const Real J_3_8 = s8 * (c7 * J_3_8_p3 - s7 * J_3_4) + c8 * J_3_6;
-  J[35] = J_3_8;
-
-  // link 9 (link6), pose
-  const Real J_1_2_p1 = 0.05625 * J_3_8;
-
-  // link 7 (link4), Jacobian
-  const Real J_1_2_p2 = J_1_2_p1 + (0.4331 * J_3_6 - 0.0203 * J_3_8_p3);
-
-  // link 6 (link3), Jacobian
   const Real J_1_2 = J_1_2_p2 + (0.4318 * J_3_8_p1 - 0.1501 * J_3_4);
   J[11] = J_1_2;
   J[12] = J_1_2;
 
-  // link 5 (link2), Jacobian
-  J[13] = J_3_4 * J_0_4_p4;
-
-  // link 6 (link3), Jacobian
-  J[14] = J_3_4 * J_0_4_p3;
-
   // link 7 (link4), Jacobian
-  J[15] = J_3_6 * J_0_4_p2 - J_5_6 * J_1_2_p1;
-
-  // link 7 (link4), pose
-  const Real J_3_7 = s7 * J_3_8_p3 + c7 * J_3_4;
-  J[34] = -J_3_7;
+  J[6] = J_5_6 * J_0_2_p1 - J_4_6 * J_0_4_p1;
 
   // link 8 (link5), Jacobian
-  J[16] = J_5_7 * J_1_2_p1 - J_3_7 * J_0_4_p2;
+  J[7] = -(J_4_7 * J_0_4_p1 + J_5_7 * J_0_2_p1);
 
   // link 9 (link6), Jacobian
-  J[17] = J_3_8 * J_0_4_p2 - J_5_8 * J_1_2_p1;
+  J[8] = J_5_8 * J_0_2_p1 - J_4_8 * J_0_4_p1;
 
-  // link 5 (link2), Jacobian
-  J[22] = -(J_3_4 * J_0_2 + J_4_4 * J_1_2);
+  // link 7 (link4), Jacobian
+  J[15] = J_3_6 * J_0_4_p1 - J_5_6 * J_1_2_p1;
 
-  // link 6 (link3), Jacobian
-  J[23] = -(J_3_4 * J_0_2_p2 + J_4_4 * J_1_2_p2);
+  // link 8 (link5), Jacobian
+  J[16] = J_5_7 * J_1_2_p1 - J_3_7 * J_0_4_p1;
+
+  // link 9 (link6), Jacobian
+  J[17] = J_3_8 * J_0_4_p1 - J_5_8 * J_1_2_p1;
 
   // link 7 (link4), Jacobian
   J[24] = J_3_6 * J_0_2_p1 - J_4_6 * J_1_2_p1;
@@ -183,8 +157,14 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT J)[
   // link 8 (link5), Jacobian
   J[25] = -(J_3_7 * J_0_2_p1 + J_4_7 * J_1_2_p1);
 
+  // link 6 (link3), Jacobian
+  J[23] = -(J_3_4 * J_0_2_p2 + J_4_4 * J_1_2_p2);
+
   // link 9 (link6), Jacobian
   J[26] = J_3_8 * J_0_2_p1 - J_4_8 * J_1_2_p1;
+
+  // link 5 (link2), Jacobian
+  J[22] = -(J_3_4 * J_0_2 + J_4_4 * J_1_2);
 }
 
 }  // namespace samm

@@ -39,7 +39,7 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// out position (3): positions in the world, m, one point after the other
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 106 flops (add 38, mul 68, div 0), sine and cosine of 7 angles.
-/// Stack: at most 22 values live at once, 176 bytes.
+/// Stack: at most 31 values live at once, 248 bytes.
 void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
@@ -47,7 +47,7 @@ void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation
 /// in  q (9): joint coordinates
 /// out J (6x9): Jacobian
 /// Cost: 113 flops (add 37, mul 76, div 0), sine and cosine of 6 angles.
-/// Stack: at most 26 values live at once, 208 bytes.
+/// Stack: at most 31 values live at once, 248 bytes.
 void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -56,7 +56,7 @@ void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 /// in  qd (9): joint velocities
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 247 flops (add 90, mul 157, div 0), sine and cosine of 7 angles.
-/// Stack: at most 34 values live at once, 272 bytes.
+/// Stack: at most 44 values live at once, 352 bytes.
 void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -66,7 +66,7 @@ void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6])
 /// in  qdd (9): joint accelerations
 /// out tau (9): joint forces
 /// Cost: 386 flops (add 173, mul 213, div 0), sine and cosine of 7 angles.
-/// Stack: at most 67 values live at once, 536 bytes.
+/// Stack: at most 79 values live at once, 632 bytes.
 void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)[9],
     Real (&tau)[9]) noexcept;
 
@@ -84,7 +84,7 @@ void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
 /// in  qd (9): joint velocities
 /// out h (9): joint forces
 /// Cost: 322 flops (add 137, mul 185, div 0), sine and cosine of 7 angles.
-/// Stack: at most 54 values live at once, 432 bytes.
+/// Stack: at most 67 values live at once, 536 bytes.
 void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -92,7 +92,7 @@ void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) no
 /// in  q (9): joint coordinates
 /// out M (9x9): joint-space inertia
 /// Cost: 239 flops (add 98, mul 141, div 0), sine and cosine of 6 angles.
-/// Stack: at most 34 values live at once, 272 bytes.
+/// Stack: at most 64 values live at once, 512 bytes.
 void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -102,7 +102,7 @@ void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 /// in  tau (9): joint forces
 /// out qdd (9): joint accelerations
 /// Cost: 813 flops (add 347, mul 460, div 6), sine and cosine of 7 angles.
-/// Stack: at most 90 values live at once, 720 bytes.
+/// Stack: at most 103 values live at once, 824 bytes.
 void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)[9],
     Real (&qdd)[9]) noexcept;
 
@@ -111,7 +111,7 @@ void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)
 /// in  q (9): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 982 flops (add 407, mul 569, div 6), sine and cosine of 6 angles.
-/// Stack: at most 86 values live at once, 688 bytes.
+/// Stack: at most 88 values live at once, 704 bytes.
 void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -119,7 +119,7 @@ void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 /// in  q (9): joint coordinates
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 1198 flops (add 497, mul 689, div 12), sine and cosine of 6 angles.
-/// Stack: at most 87 values live at once, 696 bytes.
+/// Stack: at most 80 values live at once, 640 bytes.
 void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -130,7 +130,7 @@ void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (9): joint forces
 /// Cost: 1327 flops (add 605, mul 711, div 11), sine and cosine of 7 angles.
-/// Stack: at most 99 values live at once, 792 bytes.
+/// Stack: at most 107 values live at once, 856 bytes.
 void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
 

@@ -38,46 +38,36 @@ void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6
 
   // link 4 (wrist_1), outward
   const Real a4_x = c4 * a3_x + s4 * a3_y;
+  const Real a4_y = c4 * a3_y - s4 * a3_x;
 
   // link 5 (wrist_2), outward
   const Real a5_x = c5 * a4_x;
 
   // link 5 (wrist_2), inertial wrench
+  const Real minus_n5_x = 0.09132825 * a4_y;
   const Real minus_n5_z = 0.09132825 * a5_x;
   g[4] = -minus_n5_z;
 
-  // link 4 (wrist_1), outward
-  const Real a4_y = c4 * a3_y - s4 * a3_x;
-
-  // link 5 (wrist_2), inertial wrench
-  const Real minus_n5_x = 0.09132825 * a4_y;
-
   // link 5 (wrist_2), inward
   const Real minus_n4_x = c5 * minus_n5_x;
-
-  // link 4 (wrist_1), inward
-  const Real n3_y = c4 * minus_n5_z - s4 * minus_n4_x;
-  const Real minus_n3_x = c4 * minus_n4_x + s4 * minus_n5_z;
-
-  // link 3 (forearm), inward
-  const Real n2_y = c3 * n3_y - s3 * minus_n3_x;
-  const Real minus_n2_x = c3 * minus_n3_x + s3 * n3_y;
-
-  // link 2 (upper_arm), inward
-  const Real n1_z = c2 * n2_y - s2 * minus_n2_x;
-  g[0] = n1_z;
-
-  // link 5 (wrist_2), inward
   const Real n4_z = 0.33495075 * a4_x - s5 * minus_n5_x;
   g[3] = n4_z;
 
   // link 4 (wrist_1), inward
+  const Real n3_y = c4 * minus_n5_z - s4 * minus_n4_x;
+  const Real minus_n3_x = c4 * minus_n4_x + s4 * minus_n5_z;
   const Real n3_z = n4_z - 4.0059802 * a3_y;
   g[2] = n3_z;
 
   // link 3 (forearm), inward
   const Real n2_z = n3_z - 81.98859064500002 * c2;
   g[1] = n2_z;
+  const Real n2_y = c3 * n3_y - s3 * minus_n3_x;
+  const Real minus_n2_x = c3 * minus_n3_x + s3 * n3_y;
+
+  // link 2 (upper_arm), inward
+  const Real n1_z = c2 * n2_y - s2 * minus_n2_x;
+  g[0] = n1_z;
 }
 
 }  // namespace ur10e

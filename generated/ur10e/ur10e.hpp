@@ -36,7 +36,7 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// out position (3): positions in the world, m, one point after the other
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 98 flops (add 34, mul 64, div 0), sine and cosine of 6 angles.
-/// Stack: at most 21 values live at once, 168 bytes.
+/// Stack: at most 30 values live at once, 240 bytes.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
@@ -44,7 +44,7 @@ void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation
 /// in  q (6): joint coordinates
 /// out J (6x6): Jacobian
 /// Cost: 105 flops (add 34, mul 71, div 0), sine and cosine of 5 angles.
-/// Stack: at most 26 values live at once, 208 bytes.
+/// Stack: at most 27 values live at once, 216 bytes.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -53,7 +53,7 @@ void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 /// in  qd (6): joint velocities
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 252 flops (add 92, mul 160, div 0), sine and cosine of 6 angles.
-/// Stack: at most 32 values live at once, 256 bytes.
+/// Stack: at most 44 values live at once, 352 bytes.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -63,7 +63,7 @@ void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6])
 /// in  qdd (6): joint accelerations
 /// out tau (6): joint forces
 /// Cost: 306 flops (add 135, mul 171, div 0), sine and cosine of 5 angles.
-/// Stack: at most 56 values live at once, 448 bytes.
+/// Stack: at most 65 values live at once, 520 bytes.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
@@ -81,7 +81,7 @@ void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 /// in  qd (6): joint velocities
 /// out h (6): joint forces
 /// Cost: 279 flops (add 117, mul 162, div 0), sine and cosine of 5 angles.
-/// Stack: at most 49 values live at once, 392 bytes.
+/// Stack: at most 56 values live at once, 448 bytes.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -89,7 +89,7 @@ void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) no
 /// in  q (6): joint coordinates
 /// out M (6x6): joint-space inertia
 /// Cost: 154 flops (add 69, mul 85, div 0), sine and cosine of 4 angles.
-/// Stack: at most 23 values live at once, 184 bytes.
+/// Stack: at most 39 values live at once, 312 bytes.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -99,7 +99,7 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// in  tau (6): joint forces
 /// out qdd (6): joint accelerations
 /// Cost: 560 flops (add 245, mul 311, div 4), sine and cosine of 5 angles.
-/// Stack: at most 50 values live at once, 400 bytes.
+/// Stack: at most 63 values live at once, 504 bytes.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
 
@@ -108,7 +108,7 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
 /// in  q (6): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 622 flops (add 267, mul 351, div 4), sine and cosine of 5 angles.
-/// Stack: at most 58 values live at once, 464 bytes.
+/// Stack: at most 70 values live at once, 560 bytes.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -116,7 +116,7 @@ void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 /// in  q (6): joint coordinates
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 838 flops (add 357, mul 471, div 10), sine and cosine of 5 angles.
-/// Stack: at most 65 values live at once, 520 bytes.
+/// Stack: at most 70 values live at once, 560 bytes.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -127,7 +127,7 @@ void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (6): joint forces
 /// Cost: 1059 flops (add 447, mul 601, div 11), sine and cosine of 6 angles.
-/// Stack: at most 116 values live at once, 928 bytes.
+/// Stack: at most 128 values live at once, 1024 bytes.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 

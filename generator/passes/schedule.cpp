@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "passes/interleave.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {
@@ -122,6 +123,7 @@ Program schedule(const Program& program) {
   for (const std::uint32_t node : trigonometry) {
     scheduler.place(node);
   }
+  const std::size_t head = scheduler.order().size();
   for (const ResultPlace& place : program.order) {
     scheduler.place(program.results[place.result].values[place.entry].node());
   }
@@ -130,7 +132,7 @@ Program schedule(const Program& program) {
       scheduler.place(value.node());
     }
   }
-  return rebuild(program, scheduler.order());
+  return rebuild(program, interleave(program, scheduler.order(), head));
 }
 
 }  // namespace treeline
