@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "measure.hpp"
+#include "servo/plot.hpp"
+#include "servo/table.hpp"
+
+namespace treeline::stress {
+
+/// A curve over the finding's x, in the panel of that title.
+struct Curve {
+  std::string panel, name;
+  std::vector<double> y;
+  bool dashed = false;
+};
+
+/// What came of an experiment.
+struct Finding {
+  std::string name;  ///< of its files
+  std::string title;
+  std::string x_label;
+  std::string y_label = "decimal digits left";
+  std::vector<double> x;
+  std::vector<Curve> curves;
+  std::vector<std::string> said;    ///< figures for the record
+  std::vector<std::string> broken;  ///< claims that do not hold
+};
+
+/// One value of x with what was lost there.
+struct Sample {
+  double x = 0;
+  std::vector<Loss> losses;
+};
+
+/// Digits left by each algorithm over x, dashed what the condition alone would leave; and the claim
+/// that no algorithm loses more than `allowed` ulp times the condition anywhere.
+Finding make_finding(std::string name, std::string title, std::string x_label,
+                     const std::vector<Sample>& samples, double allowed);
+
+/// Notes `claim` as broken unless it `holds`.
+void claim(bool holds, const std::string& claim, Finding& finding);
+
+servo::Table table_of(const Finding& finding);
+servo::Plot plot_of(const Finding& finding);
+
+}  // namespace treeline::stress
