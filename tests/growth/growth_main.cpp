@@ -1,0 +1,59 @@
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+#include "count_growth.hpp"
+#include "servo/plot.hpp"
+#include "servo/table.hpp"
+
+// Writes, for each series, a table and a figure into a folder: growth_report FOLDER.
+
+namespace {
+
+using namespace treeline;  // NOLINT: a program of one file
+
+servo::PlotPanel panel_of(const growth::Series& series, std::size_t first_way, std::size_t ways,
+                          const char* title) {
+  servo::PlotPanel panel{title, "flops", {}};
+  for (std::size_t k = first_way; k < first_way + ways; ++k) {
+    servo::PlotLine line{series.ways[k], {}};
+    for (const int flops : series.flops[k]) {
+      line.values.push_back(flops > 0 ? flops : std::numeric_limits<double>::quiet_NaN());
+    }
+    panel.lines.push_back(line);
+  }
+  return panel;
+}
+
+/// All ways, and those without the last, which dwarfs them.
+servo::Plot figure_of(const growth::Series& series) {
+  servo::Plot plot{"Operations: " + series.name, series.size, {}, {}};
+  for (const int size : series.sizes) plot.x.push_back(size);
+  plot.panels = {panel_of(series, 0, series.ways.size(), "all ways"),
+                 panel_of(series, 0, series.ways.size() - 1, "the recursive and sparse ones")};
+  return plot;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: growth_report FOLDER\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  for (const growth::Series& series : growth::count_all()) {
+    std::printf("%s (%s)\n%s\n", series.name.c_str(), series.size.c_str(),
+                growth::csv_text(series).c_str());
+    const std::string stem = (folder / series.name).string();
+    const std::string fault = servo::write_text(stem + ".csv", growth::csv_text(series)) +
+                              servo::write_text(stem + ".svg", servo::svg_text(figure_of(series)));
+    if (!fault.empty()) {
+      std::fprintf(stderr, "%s\n", fault.c_str());
+      return 1;
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include "count_growth.hpp"
+
+// How counts grow, to the last operation: on robots of alike links they are polynomials of the
+// number of links and of hands, whose differences of the right order vanish. Would catch work that
+// is done again for every link, for every pair of links or for branches that carry no hand, and a
+// recursion that lost its order.
+
+namespace treeline::growth {
+namespace {
+
+using Counts = std::vector<int>;
+
+/// The differences of consecutive counts, taken `order` times.
+Counts differences(Counts counts, int order) {
+  for (; order > 0; --order) {
+    for (std::size_t i = 0; i + 1 < counts.size(); ++i) counts[i] = counts[i + 1] - counts[i];
+    counts.pop_back();
+  }
+  return counts;
+}
+
+/// That the counts are those of a polynomial of just this degree.
+void expect_degree(int degree, const Counts& counts, const std::string& what) {
+  for (const int top : differences(counts, degree)) EXPECT_GT(top, 0) << what;
+  for (const int beyond : differences(counts, degree + 1)) EXPECT_EQ(beyond, 0) << what;
+}
+
+constexpr Way kRecursions[] = {Way::unit_forces, Way::extended_propagators, Way::branching};
+
+Counts count_over(const std::vector<Shape>& shapes, Way way, int (*flops)(const Mechanism&, Way)) {
+  Counts counts;
+  for (const Shape& shape : shapes) counts.push_back(flops(make_robot(shape), way));
+  return counts;
+}
+
+const std::vector<Shape> kChains{{6, 0, 0, 1}, {12, 0, 0, 1}, {18, 0, 0, 1}, {24, 0, 0, 1}};
+
+TEST(Growth, OfChainsIsLinearInLinks) {
+  for (const Way way : kRecursions) {
+    expect_degree(1, count_over(kChains, way, lambda_inverse_flops), name_of(way));
+    expect_degree(1, count_over(kChains, way, control_torque_flops), name_of(way));
+  }
+}
+
+TEST(Growth, OfTheDenseWayIsCubicInLinks) {
+  expect_degree(
+      3,
+      count_over({{8, 0, 0, 1}, {12, 0, 0, 1}, {16, 0, 0, 1}, {20, 0, 0, 1}, {24, 0, 0, 1}},
+                 Way::dense, lambda_inverse_flops),
+      "dense");
+  const Mechanism chain = make_robot(kChains.back());
+  EXPECT_GT(control_torque_flops(chain, Way::dense),
+            2 * control_torque_flops(chain, Way::extended_propagators));
+}
+
+// A branch without a hand costs what its own links weigh, wherever the hands are.
+TEST(Growth, OfTreesIsLinearInBranches) {
+  const std::vector<Shape> trees{{4, 2, 3, 2}, {4, 3, 3, 2}, {4, 4, 3, 2}, {4, 5, 3, 2}};
+  for (const Way way : kRecursions) {
+    expect_degree(1, count_over(trees, way, lambda_inverse_flops), name_of(way));
+    expect_degree(1, count_over(trees, way, control_torque_flops), name_of(way));
+  }
+}
+
+// O(n m + m^3): hands meet in pairs in Lambda^-1, in threes where it is factored.
+TEST(Growth, OfHandsIsQuadraticForLambdaAndCubicForTheTorque) {
+  std::vector<Shape> hands;
+  for (int m = 2; m <= 6; ++m) hands.push_back({2, 6, 2, m});
+  for (const Way way : {Way::unit_forces, Way::extended_propagators}) {
+    expect_degree(2, count_over(hands, way, lambda_inverse_flops), name_of(way));
+  }
+  expect_degree(3, count_over(hands, Way::unit_forces, control_torque_flops), "table 6.1");
+}
+
+TEST(Growth, OfAllLinksInertiasIsLinear) {
+  const auto count_links = [](const std::vector<Shape>& shapes) {
+    Counts counts;
+    for (const Shape& shape : shapes) {
+      counts.push_back(link_inertias_flops(make_robot(shape), true));
+    }
+    return counts;
+  };
+  expect_degree(1, count_links({{4, 0, 0, 0}, {24, 0, 0, 0}, {44, 0, 0, 0}, {64, 0, 0, 0}}),
+                "chains");
+  expect_degree(1, count_links({{4, 3, 4, 0}, {4, 7, 4, 0}, {4, 11, 4, 0}, {4, 15, 4, 0}}),
+                "trees");
+  // From M, link by link, doubling the links costs more than six times as much.
+  EXPECT_GT(link_inertias_flops(make_robot({16, 0, 0, 0}), false),
+            5 * link_inertias_flops(make_robot({8, 0, 0, 0}), false));
+}
+
+TEST(Growth, TablesHaveALineForEachSize) {
+  const Series series{"name", "links", {4, 8}, {"a", "b"}, {{10, 20}, {30, 0}}};
+  EXPECT_EQ(csv_text(series), "size,a,b\n4,10,30\n8,20,\n");
+}
+
+}  // namespace
+}  // namespace treeline::growth
