@@ -1,0 +1,335 @@
+#include "press_surface.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/command_laws.hpp"
+#include "core/task_selection.hpp"
+#include "puma560.hpp"
+#include "servo/simulated_robot.hpp"
+
+namespace treeline::experiments {
+namespace {
+
+struct Puma {
+  static constexpr int kCoordinates = puma560::kCoordinates;
+  static constexpr int kVelocities = puma560::kVelocities;
+  static constexpr auto& forward_dynamics = puma560::forward_dynamics;
+};
+using State = servo::StateOf<Puma>;
+
+constexpr double kPeriod = 1e-3;       ///< s
+constexpr double kDuration = 8.0;      ///< s
+constexpr double kRest = 1.0;          ///< s until the plate moves
+constexpr double kStiffness = 1e4;     ///< N/m, of the plate
+constexpr double kSpringDamping = 50;  ///< N s/m
+constexpr double kRadius = 0.05;       ///< m, of the circle
+constexpr int kSubsteps = 10;
+constexpr core::Gains<double> kMotion{400.0, 40.0};
+constexpr core::ForceGains<double> kForce{1.0, 20.0, 60.0};
+constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};  ///< N m, of the URDF
+constexpr std::size_t kColumns = 19;
+
+/// The plate and the flange's wanted place on it; world axes.
+struct Plate {
+  double position[3] = {};
+  double rotation[9] = {};  ///< its z axis is the normal
+  double velocity[6] = {};  ///< of `position`, and angular
+  double turn_rate = 0.0;   ///< rad/s^2, about y
+  double place[3] = {};     ///< of the flange
+};
+
+/// Rocks about y, heaves along z; the flange's place goes round on it.
+Plate plate_at(double time, const double (&origin)[3]) {
+  const double t = std::max(time - kRest, 0.0);
+  const double turn[3] = {0.0, 0.175 * (1.0 - std::cos(1.5 * t)), 0.0};
+  Plate plate;
+  std::copy(std::begin(origin), std::end(origin), plate.position);
+  plate.position[2] += 0.02 * (1.0 - std::cos(2.0 * t));
+  plate.velocity[2] = 0.04 * std::sin(2.0 * t);
+  plate.velocity[4] = 0.175 * 1.5 * std::sin(1.5 * t);
+  plate.turn_rate = t > 0.0 ? 0.175 * 1.5 * 1.5 * std::cos(1.5 * t) : 0.0;
+  core::rotation_from_vector(turn, plate.rotation);
+  const double phase = t - std::sin(t);
+  const double in_plate[2] = {kRadius * (std::cos(phase) - 1.0), kRadius * std::sin(phase)};
+  for (int i = 0; i < 3; ++i) {
+    plate.place[i] = plate.position[i] + plate.rotation[3 * i] * in_plate[0] +
+                     plate.rotation[3 * i + 1] * in_plate[1];
+  }
+  return plate;
+}
+
+/// The flange.
+struct Tool {
+  double position[3] = {};
+  double rotation[9] = {};
+  double velocity[6] = {};
+  double J[36] = {};
+};
+
+Tool tool_of(const State& state) {
+  Tool tool;
+  puma560::forward_kinematics(state.q, tool.position, tool.rotation);
+  puma560::jacobian(state.q, tool.J);
+  for (int i = 0; i < 36; ++i) {
+    tool.velocity[i / 6] += tool.J[i] * state.qd[i % 6];
+  }
+  return tool;
+}
+
+/// Force on the flange along the plate's normal: a spring with a damper that does not pull.
+double plate_force(const Plate& plate, const Tool& tool) {
+  const double* w = plate.velocity + 3;
+  double r[3];
+  for (int i = 0; i < 3; ++i) {
+    r[i] = tool.position[i] - plate.position[i];
+  }
+  const double carried[3] = {w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2],
+                             w[0] * r[1] - w[1] * r[0]};
+  double height = 0.0;
+  double rate = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double n = plate.rotation[3 * i + 2];
+    height += n * r[i];
+    rate += n * (tool.velocity[i] - plate.velocity[i] - carried[i]);
+  }
+  return height < 0.0 ? std::max(-kStiffness * height - kSpringDamping * rate, 0.0) : 0.0;
+}
+
+double wanted_force(double time) {
+  const auto from_to = [time](double begin, double end) {
+    return core::smooth_step((time - begin) / (end - begin));
+  };
+  return 10.0 * from_to(0.0, 0.5) + 10.0 * from_to(4.0, 5.0);
+}
+
+/// One cycle's figures.
+struct Cycle {
+  double felt = 0.0;
+  double slide[3] = {};  ///< m, from the wanted place, within the plate
+  double tilt[3] = {};
+  double tau[6] = {};
+};
+
+/// Control with what it keeps from cycle to cycle.
+class Controller {
+ public:
+  Controller(Frame frame, const Tool& start) : frame_(frame) {
+    std::copy(std::begin(start.position), std::end(start.position), origin_);
+    std::copy(std::begin(start.rotation), std::end(start.rotation), flat_);
+  }
+
+  Plate plate(double time) const { return plate_at(time, origin_); }
+
+  Cycle control(double time, const State& state) {
+    const Tool tool = tool_of(state);
+    const Plate here = plate(time);
+    Cycle cycle;
+    cycle.felt = plate_force(here, tool);
+    double motion[6];
+    double relative[6];
+    motion_command(time, here, tool, motion, relative, cycle);
+    core::TaskSelection<double> selection;
+    selection.motion[2] = false;
+    if (frame_ == Frame::moving) {
+      std::copy(std::begin(here.rotation), std::end(here.rotation), selection.R_force);
+    }
+    double wanted[6] = {};
+    double sensed[6] = {};
+    for (int i = 0; i < 3; ++i) {
+      wanted[i] = -wanted_force(time) * selection.R_force[3 * i + 2];
+      sensed[i] = -cycle.felt * here.rotation[3 * i + 2];
+    }
+    double force[6];
+    core::force_law(kForce, wanted, sensed, kPeriod, 10.0, integral_, force);
+    double Lambda_inv[36];
+    puma560::lambda_inverse(state.q, Lambda_inv);
+    double xdd_cmd[6];
+    core::motion_force_command(selection, Lambda_inv, motion, relative, force, kForce.kv, xdd_cmd);
+    const double qdd_0[6] = {};
+    puma560::control_torque(state.q, state.qd, qdd_0, xdd_cmd, cycle.tau);
+    return cycle;
+  }
+
+ private:
+  /// The acceleration that keeps the flange at its place and flat on the plate, and its velocity
+  /// against the place as far as the controller knows that.
+  void motion_command(double time, const Plate& here, const Tool& tool, double (&motion)[6],
+                      double (&relative)[6], Cycle& cycle) const {
+    // The place's rates by differences: 1e-7 of them.
+    constexpr double kStep = 1e-3;
+    const Plate ahead = plate(time + kStep);
+    const Plate behind = plate(time - kStep);
+    double velocity[6] = {};
+    double acceleration[6] = {};
+    for (int i = 0; i < 3; ++i) {
+      velocity[i] = (ahead.place[i] - behind.place[i]) / (2.0 * kStep);
+      velocity[3 + i] = here.velocity[3 + i];
+      acceleration[i] = (ahead.place[i] - 2.0 * here.place[i] + behind.place[i]) / (kStep * kStep);
+    }
+    acceleration[4] = here.turn_rate;
+    double flat[9] = {};
+    for (int i = 0; i < 9; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        flat[i] += here.rotation[i / 3 * 3 + k] * flat_[3 * k + i % 3];
+      }
+    }
+    double error[6];
+    core::pose_error(tool.position, tool.rotation, here.place, flat, error);
+    core::tracking_law(kMotion, error, tool.velocity, velocity, acceleration, motion);
+    double along = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      along += here.rotation[3 * i + 2] * error[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+      cycle.slide[i] = error[i] - along * here.rotation[3 * i + 2];
+      cycle.tilt[i] = error[3 + i];
+    }
+    for (int i = 0; i < 6; ++i) {
+      relative[i] = tool.velocity[i] - (frame_ == Frame::moving ? velocity[i] : 0.0);
+    }
+  }
+
+  Frame frame_;
+  double origin_[3] = {};
+  double flat_[9] = {};  ///< the flange's rotation on the level plate
+  double integral_[6] = {};
+};
+
+/// A cycle of the robot against the plate, whose force is brought up to date in every substep.
+void pass_time(const Controller& controller, double time, const double (&tau)[6], State& state) {
+  constexpr double kStep = kPeriod / kSubsteps;
+  for (int step = 0; step < kSubsteps; ++step) {
+    const Plate plate = controller.plate(time + step * kStep);
+    const Tool tool = tool_of(state);
+    const double force = plate_force(plate, tool);
+    double driven[6];
+    for (int i = 0; i < 6; ++i) {
+      driven[i] = tau[i];
+      for (int row = 0; row < 3; ++row) {
+        driven[i] += tool.J[6 * row + i] * force * plate.rotation[3 * row + 2];
+      }
+    }
+    servo::integrate_runge_kutta<Puma>({}, driven, kStep, state);
+  }
+}
+
+double norm(const double (&v)[3]) {
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+void record(double time, const Plate& plate, const Cycle& cycle, const State& state,
+            PressRun& run) {
+  const double slide = norm(cycle.slide);
+  const double tilt = norm(cycle.tilt);
+  const double rocked =
+      2.0 * std::asin(0.5 * std::hypot(plate.rotation[2], 1.0 - plate.rotation[8]));
+  double row[kColumns] = {time,   wanted_force(time), cycle.felt, slide, tilt,
+                          rocked, plate.place[2]};
+  PressFigures& figures = run.figures;
+  for (std::size_t i = 0; i < 6; ++i) {
+    row[7 + i] = state.q[i];
+    row[13 + i] = cycle.tau[i];
+    figures.torque = std::max(figures.torque, std::fabs(cycle.tau[i]) / kEffort[i]);
+  }
+  const double first = run.table.rows() == 0 ? row[6] : run.table.at(0, 6);
+  run.table.append(row);
+  if (time < kRest) {
+    return;
+  }
+  figures.force_error = std::max(figures.force_error, std::fabs(row[1] - row[2]));
+  figures.slide_error = std::max(figures.slide_error, slide);
+  figures.tilt_error = std::max(figures.tilt_error, tilt);
+  figures.tilt = std::max(figures.tilt, rocked);
+  figures.heave = std::max(figures.heave, std::fabs(row[6] - first));
+  figures.lost_contact = figures.lost_contact || !(cycle.felt > 0.0);
+}
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names{"time",       "force_wanted", "force",       "slide_error",
+                                 "tilt_error", "plate_angle",  "plate_height"};
+  for (const char* quantity : {"q", "tau"}) {
+    for (int i = 1; i <= 6; ++i) {
+      names.push_back(quantity + std::to_string(i));
+    }
+  }
+  return names;
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) {
+    value *= factor;
+  }
+  return values;
+}
+
+}  // namespace
+
+PressRun run_press(Frame frame) {
+  State state;
+  const double kDown = std::acos(-1.0);  // joints 2, 3 and 5 together: the flange faces the floor
+  const double start[6] = {0.0, -0.9, 2.9, 0.0, kDown - 2.0, 0.0};
+  std::copy(std::begin(start), std::end(start), std::begin(state.q));
+  Controller controller(frame, tool_of(state));
+  const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
+  PressRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
+  for (int i = 0; i <= cycles; ++i) {
+    const double time = i * kPeriod;
+    const Cycle cycle = controller.control(time, state);
+    record(time, controller.plate(time), cycle, state, run);
+    pass_time(controller, time, cycle.tau, state);
+  }
+  return run;
+}
+
+std::string press_summary(const PressRun& moving, const PressRun& fixed) {
+  std::string text = fmt::format(
+      "PUMA presses on a plate that rocks by {:.1f} degrees and carries it {:.3f} m up\n"
+      "{:<24}{:>14}{:>14}{:>14}{:>14}\n",
+      moving.figures.tilt * 180.0 / std::acos(-1.0), moving.figures.heave, "selection frame",
+      "force off N", "circle off m", "tilt off rad", "torque/limit");
+  for (const PressRun* run : {&moving, &fixed}) {
+    const PressFigures& f = run->figures;
+    text += fmt::format("{:<24}{:>14.3g}{:>14.2e}{:>14.2e}{:>14.3g}{}\n",
+                        run == &moving ? "moves with the plate" : "stays as at the start",
+                        f.force_error, f.slide_error, f.tilt_error, f.torque,
+                        f.lost_contact ? "  contact lost" : "");
+  }
+  return text;
+}
+
+servo::Plot press_figure(const PressRun& moving, const PressRun& fixed) {
+  servo::Plot plot;
+  plot.title = "PUMA 560 presses on a rocking plate: force control in a moving direction";
+  plot.x_label = "time (s)";
+  plot.x = moving.table.column(0);
+  const auto compared = [&](const char* title, const char* label, std::size_t column,
+                            double factor) {
+    return servo::PlotPanel{title,
+                            label,
+                            {{"frame moves", scaled(moving.table.column(column), factor), false},
+                             {"frame fixed", scaled(fixed.table.column(column), factor), false}},
+                            0.0};
+  };
+  plot.panels.push_back(compared("Force along the plate's normal", "force (N)", 2, 1.0));
+  plot.panels.back().lines.push_back({"wanted", moving.table.column(1), true});
+  plot.panels.push_back(compared("Distance from the circle on the plate", "distance (mm)", 3, 1e3));
+  plot.panels.push_back({"Plate", "angle (rad)", {{"", moving.table.column(5), false}}, 0.1});
+  plot.panels.push_back(
+      {"Wanted height of the flange", "height (m)", {{"", moving.table.column(6), false}}, 0.01});
+  return plot;
+}
+
+bool press_claim_holds(const PressRun& moving, const PressRun& fixed) {
+  const PressFigures& ours = moving.figures;
+  const bool kept = !ours.lost_contact && ours.force_error < 1.0 && ours.slide_error < 1e-4 &&
+                    ours.tilt_error < 1e-3 && ours.torque < 1.0;
+  const bool hard = ours.tilt > 0.26 && ours.heave > 0.03;
+  return kept && hard && fixed.figures.force_error > 10.0 * ours.force_error &&
+         fixed.figures.slide_error > 10.0 * ours.slide_error;
+}
+
+}  // namespace treeline::experiments
