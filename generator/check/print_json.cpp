@@ -104,6 +104,16 @@ Json list(const std::vector<T>& items) {
   return json;
 }
 
+Json list_functions(const CheckReport& report) {
+  Json json = Json::array();
+  for (const FunctionReport& f : report.functions) {
+    json.push_back(to_json(f));
+    json.back()["digits_left"] =
+        f.has_errors() ? Json(digits_left(report, f.worst.error)) : Json(nullptr);
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string print_json(const CheckReport& report) {
@@ -122,7 +132,7 @@ std::string print_json(const CheckReport& report) {
                   {"reference_seconds", report.reference_seconds},
                   {"folder", report.folder.empty() ? Json(nullptr) : Json(report.folder)},
                   {"stale", list(report.stale)},
-                  {"functions", list(report.functions)},
+                  {"functions", list_functions(report)},
                   {"named_states", list(report.named_states)}};
   return json.dump(2) + "\n";
 }

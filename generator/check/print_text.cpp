@@ -29,9 +29,9 @@ std::string state_name(int index) {
 const char* condition_name(Solve solve) {
   switch (solve) {
     case Solve::mass_matrix:
-      return " x condition of M";
+      return "M";
     case Solve::lambda_inverse:
-      return " x condition of Lambda^-1";
+      return "Lambda^-1";
     case Solve::none:
       break;
   }
@@ -39,9 +39,11 @@ const char* condition_name(Solve solve) {
 }
 
 std::string print_bound(const Bound& bound) {
+  const std::string factor = bound.solve == Solve::none
+                                 ? std::string()
+                                 : fmt::format(" x condition of {}", condition_name(bound.solve));
   return fmt::format("{:.0f} + {}{}", Bound::kFloorUlp,
-                     number(Bound::kInterpreterFactor * bound.interpreter),
-                     condition_name(bound.solve));
+                     number(Bound::kInterpreterFactor * bound.interpreter), factor);
 }
 
 std::string print_bits(const FunctionReport& function) {
@@ -55,6 +57,7 @@ std::string print_table(const CheckReport& report) {
     const auto error = [any](double x) { return any ? number(x) : std::string("-"); };
     rows.push_back(
         {f.name, error(f.median), error(f.percent_99), error(f.worst.error),
+         any ? fmt::format("{:.1f}", digits_left(report, f.worst.error)) : "-",
          error(f.interpreter_worst), any ? state_name(f.worst.state) : "-",
          f.has_truth ? print_bound(f.bound) : "-",
          any ? fmt::format("{} %", number(100 * f.nearest.error / f.nearest.bound)) : "-",
@@ -66,6 +69,7 @@ std::string print_table(const CheckReport& report) {
                         {"median", true},
                         {"99 %", true},
                         {"worst", true},
+                        {"digits", true},
                         {"interp", true},
                         {"worst state"},
                         {"bound"},
@@ -90,6 +94,19 @@ std::string print_head(const CheckReport& report) {
     text += fmt::format("  bits compared as compiled by {}\n", report.exact_command);
   }
   return text + "  errors against 50 digits, in ulp of the scale\n\n";
+}
+
+/// Where less than half of the digits are left, although within the bound.
+std::string print_warning(const CheckReport& report, const FunctionReport& f) {
+  const double digits = digits_left(report, f.worst.error);
+  if (!f.has_errors() || digits >= 0.5 * digits_left(report, 0)) return {};
+  const std::string condition =
+      f.bound.solve == Solve::none
+          ? std::string()
+          : fmt::format(", where the condition of {} is {}", condition_name(f.bound.solve),
+                        number(f.worst.condition));
+  return fmt::format("{}: few digits: {:.1f} left at {}{}\n", f.name, digits,
+                     state_name(f.worst.state), condition);
 }
 
 std::string print_faults(const FunctionReport& f) {
@@ -136,6 +153,12 @@ const char* difference_name(Difference difference) {
 
 }  // namespace
 
+double digits_left(const CheckReport& report, double error_in_ulp) {
+  const double unit = unit_of(report.single_precision ? Real::float32 : Real::float64);
+  if (!(error_in_ulp * unit < 1)) return 0;
+  return -std::log10(std::max(error_in_ulp, 0.25) * unit);
+}
+
 std::string print_text(const CheckReport& report) {
   std::string text = print_head(report) + print_table(report) + "\n";
   for (const FileDifference& file : report.stale) {
@@ -143,6 +166,7 @@ std::string print_text(const CheckReport& report) {
   }
   int failed = 0;
   for (const FunctionReport& function : report.functions) {
+    text += print_warning(report, function);
     text += print_faults(function);
     failed += function.passed() ? 0 : 1;
   }

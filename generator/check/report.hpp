@@ -79,7 +79,12 @@ struct CheckReport {
   [[nodiscard]] bool passed() const;
 };
 
-/// A table, then a line for each thing that is wrong, then the verdict.
+/// Decimal digits that an error of so many ulp leaves of the scale of the report's results: 0 to
+/// 16.3, in float to 7.5.
+double digits_left(const CheckReport& report, double error_in_ulp);
+
+/// A table, then a line for each function that leaves less than half of the digits of Real, one for
+/// each thing that is wrong, then the verdict.
 std::string print_text(const CheckReport& report);
 std::string print_json(const CheckReport& report);
 
