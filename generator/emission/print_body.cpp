@@ -126,7 +126,8 @@ class BodyPrinter {
         fmt::format("const {} angles{}[{}] = {{{}}};", number_, suffix, angles.size(), list), 2);
     text_ += fmt::format("  {2} sines{0}[{1}];\n  {2} cosines{0}[{1}];\n", suffix, angles.size(),
                          number_);
-    text_ += fmt::format("  detail::sin_cos(angles{0}, sines{0}, cosines{0});\n", suffix);
+    text_ += fmt::format("  detail::{1}(angles{0}, sines{0}, cosines{0});\n", suffix,
+                         number_ == "Real" ? "sin_cos" : "sin_cos_states<Real, kStates>");
   }
 
   std::string_view number_;

@@ -41,24 +41,42 @@ TREELINE_STATES_INLINE void store_lanes(const Lanes<Real, count>& lanes, Real* r
 #endif
 }
 
+/// The same for packs: by way of lanes, which compilers see through.
+template <class Real, int count>
+TREELINE_STATES_INLINE Pack<Real, count> load_pack(const Real* row) noexcept {
+  Lanes<Real, count> lanes;
+  load_lanes(row, lanes);
+  if constexpr (count * int{sizeof(Real)} <= kVectorBytes) {
+    return lanes.vector;
+  } else {
+    return lanes;
+  }
+}
+template <class Real, int count>
+TREELINE_STATES_INLINE void store_pack(const Pack<Real, count>& pack, Real* row) noexcept {
+  if constexpr (count * int{sizeof(Real)} <= kVectorBytes) {
+    store_lanes(Lanes<Real, count>{pack}, row);
+  } else {
+    store_lanes(pack, row);
+  }
+}
+
 /// An input argument: `argument[i]` is element i of all states.
 template <class Real, int count>
 struct StatesIn {
   const Real (*rows)[count];
-  TREELINE_STATES_INLINE Lanes<Real, count> operator[](int i) const noexcept {
-    Lanes<Real, count> lanes;
-    load_lanes(rows[i], lanes);
-    return lanes;
+  TREELINE_STATES_INLINE Pack<Real, count> operator[](int i) const noexcept {
+    return load_pack<Real, count>(rows[i]);
   }
 };
 
-/// An output argument: `argument[i] = lanes`, or one number for all states.
+/// An output argument: `argument[i] = pack`, or one number for all states.
 template <class Real, int count>
 struct StatesOut {
   struct Row {
     Real* row;
-    TREELINE_STATES_INLINE void operator=(const Lanes<Real, count>& lanes) const noexcept {
-      store_lanes(lanes, row);
+    TREELINE_STATES_INLINE void operator=(const Pack<Real, count>& pack) const noexcept {
+      store_pack<Real, count>(pack, row);
     }
     TREELINE_STATES_INLINE void operator=(Real all) const noexcept {
       store_lanes(Lanes<Real, count>::spread(all), row);
@@ -115,17 +133,26 @@ TREELINE_STATES_INLINE void sin_cos(const Lanes<Real, count, fits>& x,
 
 /// Sines and cosines of `size` angles of each state. A loop: the steps of one angle of all states
 /// are enough to keep the machine busy, and inlining them all would fill its instruction cache.
-template <class Real, int count, bool fits, int size>
-inline void sin_cos(const Lanes<Real, count, fits> (&x)[size],
-                    Lanes<Real, count, fits> (&sine)[size],
-                    Lanes<Real, count, fits> (&cosine)[size]) noexcept {
+template <class Real, int count, int size>
+inline void sin_cos_states(const Pack<Real, count> (&x)[size], Pack<Real, count> (&sine)[size],
+                           Pack<Real, count> (&cosine)[size]) noexcept {
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #elif defined(__GNUC__)
 #pragma GCC unroll 1
 #endif
   for (int i = 0; i < size; ++i) {
-    sin_cos(x[i], sine[i], cosine[i]);
+    Lanes<Real, count> s;
+    Lanes<Real, count> c;
+    if constexpr (count * int{sizeof(Real)} <= kVectorBytes) {
+      sin_cos(Lanes<Real, count>{x[i]}, s, c);
+      sine[i] = s.vector;
+      cosine[i] = c.vector;
+    } else {
+      sin_cos(x[i], s, c);
+      sine[i] = s;
+      cosine[i] = c;
+    }
   }
 }
 
