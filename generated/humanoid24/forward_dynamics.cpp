@@ -1,6 +1,6 @@
 // forward_dynamics: qdd = M^-1 (tau - b - g + J_ext^T f_ext)
 // By articulated bodies, Chang table 4.2, alike limbs in lanes.
-// 4826 flops (add 2289, mul 2505, div 32), sine and cosine of 24 angles
+// 4762 flops (add 2257, mul 2473, div 32), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
 #include "lanes.hpp"
@@ -18,8 +18,10 @@ template <int count>
 using Lanes = detail::Pack<Real, count>;
 void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE_RESTRICT qd)[24],
     const Real (&TREELINE_RESTRICT tau)[24], Real (&TREELINE_RESTRICT qdd)[24]) noexcept {
-  const Real angles[24] = {q[23], q[22], q[21], q[20], q[13], q[19], q[18], q[17], q[16], q[15],
-      q[14], q[6], q[12], q[11], q[10], q[9], q[8], q[7], q[5], q[4], q[3], q[2], q[1], q[0]};
+  const Real s20_p1 = 0.17435661841416683 + q[19];
+  const Real s13_p1 = (-0.17435661841416683) + q[12];
+  const Real angles[24] = {q[23], q[22], q[21], q[20], q[18], s20_p1, q[17], q[16], q[15], q[14],
+      q[13], q[11], s13_p1, q[10], q[9], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1], q[0]};
   Real sines[24];
   Real cosines[24];
   detail::sin_cos(angles, sines, cosines);
@@ -31,34 +33,34 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real s22 = sines[2];
   const Real c21 = cosines[3];
   const Real s21 = sines[3];
-  const Real c14 = cosines[4];
+  const Real s19 = sines[4];
   const Real s20 = sines[5];
   const Real c20 = cosines[5];
-  const Real s19 = sines[6];
-  const Real c19 = cosines[6];
-  const Real s18 = sines[7];
-  const Real c18 = cosines[7];
-  const Real c17 = cosines[8];
-  const Real s17 = sines[8];
-  const Real c16 = cosines[9];
-  const Real s16 = sines[9];
-  const Real s15 = sines[10];
-  const Real c15 = cosines[10];
-  const Real s14 = sines[4];
-  const Real c7 = cosines[11];
+  const Real c19 = cosines[4];
+  const Real s18 = sines[6];
+  const Real c18 = cosines[6];
+  const Real s17 = sines[7];
+  const Real c17 = cosines[7];
+  const Real c16 = cosines[8];
+  const Real s16 = sines[8];
+  const Real s15 = sines[9];
+  const Real c15 = cosines[9];
+  const Real c14 = cosines[10];
+  const Real s14 = sines[10];
+  const Real s12 = sines[11];
   const Real s13 = sines[12];
   const Real c13 = cosines[12];
-  const Real s12 = sines[13];
-  const Real c12 = cosines[13];
-  const Real s11 = sines[14];
-  const Real c11 = cosines[14];
-  const Real c10 = cosines[15];
-  const Real s10 = sines[15];
-  const Real c9 = cosines[16];
-  const Real s9 = sines[16];
-  const Real s8 = sines[17];
-  const Real c8 = cosines[17];
-  const Real s7 = sines[11];
+  const Real c12 = cosines[11];
+  const Real s11 = sines[13];
+  const Real c11 = cosines[13];
+  const Real s10 = sines[14];
+  const Real c10 = cosines[14];
+  const Real c9 = cosines[15];
+  const Real s9 = sines[15];
+  const Real s8 = sines[16];
+  const Real c8 = cosines[16];
+  const Real c7 = cosines[17];
+  const Real s7 = sines[17];
   const Real s6 = sines[18];
   const Real c6 = cosines[18];
   const Real s5 = sines[19];
@@ -72,178 +74,173 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real c1 = cosines[23];
   const Real s1 = sines[23];
 
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> inverse_D10_p4_lanes = 0.2905915537703874 * detail::make_pack<Real>(s13, s20);
+
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p11_lanes = 2.0 * detail::make_pack<Real>(c11, c18);
+  const Lanes<2> inverse_D10_p8_lanes = 2.0 * detail::make_pack<Real>(c11, c18);
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D12_p3_lanes = detail::make_pack<Real>((-0.0007660844555829042),
-      (-0.0007660844555829042)) * detail::make_pack<Real>(s13, s20) +
-      detail::make_pack<Real>(0.0002628975791811551, (-0.0002628975791811551)) *
+  const Lanes<2> inverse_D12_p3_lanes = detail::make_pack<Real>((-0.000809805407001734),
+      (-0.000809805407001734)) * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>((-1.4687852662056243e-05), 1.4687852662056243e-05) *
       detail::make_pack<Real>(c13, c20);
-  const Lanes<2> inverse_D10_p12_lanes = detail::make_pack<Real>(0.001090468517736955,
-      (-0.001090468517736955)) * detail::make_pack<Real>(s13, s20) +
-      detail::make_pack<Real>(0.001742099791326752, 0.001742099791326752) *
+  const Lanes<2> inverse_D10_p9_lanes = detail::make_pack<Real>(0.00042958072578187914,
+      (-0.00042958072578187914)) * detail::make_pack<Real>(s13, s20) + 0.002009849166269165 *
       detail::make_pack<Real>(c13, c20);
-  const Lanes<2> inverse_D10_p14_lanes = detail::make_pack<Real>((-0.09929187165525127),
-      0.09929187165525127) * detail::make_pack<Real>(c13, c20) -
-      detail::make_pack<Real>((-0.27310176737964387), (-0.27310176737964387)) *
-      detail::make_pack<Real>(s13, s20);
+  const Lanes<2> inverse_D10_p10_lanes = 0.0006000000000000001 + 0.0165153994048813 *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> inverse_D10_p11_lanes = detail::make_pack<Real>(s13, s20) * inverse_D10_p4_lanes;
   const Lanes<2> inverse_D12_p4_lanes = detail::make_pack<Real>(s13, s20) * inverse_D12_p3_lanes;
-  const Lanes<2> inverse_D10_p16_lanes = detail::make_pack<Real>(c13, c20) * inverse_D10_p12_lanes;
-  const Lanes<2> inverse_D10_p17_lanes = detail::make_pack<Real>(s13, s20) * inverse_D10_p12_lanes;
-  const Lanes<2> inverse_D10_p18_lanes = detail::make_pack<Real>((-0.002865001425),
-      0.002865001425) * detail::make_pack<Real>(s13, s20) - 0.01626499875 *
-      detail::make_pack<Real>(c13, c20) - 0.0006000000000000001;
-  const Lanes<2> inverse_D10_p19_lanes = detail::make_pack<Real>(s13, s20) * inverse_D10_p14_lanes;
-  const Lanes<2> inverse_D11_p2_lanes = detail::make_pack<Real>((-0.00013384878959057754),
-      0.00013384878959057754) + detail::make_pack<Real>(c13, c20) * inverse_D12_p3_lanes;
-  const Lanes<2> inverse_D10_p21_lanes = 0.0006340258712020409 + inverse_D10_p16_lanes;
-  const Lanes<2> inverse_D10_p22_lanes = inverse_D10_p17_lanes -
-      detail::make_pack<Real>(0.000760024621759417, (-0.000760024621759417));
+  const Lanes<2> inverse_D10_p13_lanes = detail::make_pack<Real>(c13, c20) * inverse_D10_p9_lanes;
+  const Lanes<2> inverse_D10_p14_lanes = detail::make_pack<Real>(s13, s20) * inverse_D10_p9_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> inverse_D9_p1_lanes = 2.0 * detail::make_pack<Real>(c10, c17);
 
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> inverse_D11_p2_lanes = detail::make_pack<Real>(4.943926331028121e-06,
+      (-4.943926331028121e-06)) + detail::make_pack<Real>(c13, c20) * inverse_D12_p3_lanes;
+  const Lanes<2> inverse_D10_p16_lanes = 0.0005001511837308347 + inverse_D10_p13_lanes;
+  const Lanes<2> inverse_D10_p17_lanes = inverse_D10_p14_lanes -
+      detail::make_pack<Real>(0.00042958072578187914, (-0.00042958072578187914));
+
   // link 12 (left_wrist2), articulated inertia
   const Lanes<2> inverse_D12_lanes = 1.0 / (inverse_D12_p4_lanes -
-      detail::make_pack<Real>((-0.0010519177038056625), (-0.0010519177038056625)));
+      detail::make_pack<Real>((-0.0010737781795150776), (-0.0010737781795150776)));
   const Lanes<2> inverse_D11_p4_lanes = inverse_D11_p2_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D10_p28_lanes = inverse_D10_p21_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D10_p29_lanes = inverse_D10_p18_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D10_p30_lanes = inverse_D10_p22_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D10_p35_lanes = inverse_D10_p18_lanes * inverse_D10_p28_lanes;
-  const Lanes<2> inverse_D10_p36_lanes = inverse_D10_p18_lanes * inverse_D10_p29_lanes;
-  const Lanes<2> inverse_D10_p39_lanes = inverse_D10_p18_lanes * inverse_D10_p30_lanes;
-  const Lanes<2> inverse_D11_p6_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes -
+  const Lanes<2> inverse_D10_p19_lanes = inverse_D10_p16_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D10_p20_lanes = inverse_D10_p10_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D10_p21_lanes = inverse_D10_p17_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D10_p26_lanes = inverse_D10_p10_lanes * inverse_D10_p19_lanes;
+  const Lanes<2> inverse_D10_p27_lanes = inverse_D10_p10_lanes * inverse_D10_p20_lanes;
+  const Lanes<2> inverse_D10_p30_lanes = inverse_D10_p10_lanes * inverse_D10_p21_lanes;
+  const Lanes<2> inverse_D11_p6_lanes = 0.0002523727725133435 - inverse_D12_p4_lanes -
       inverse_D11_p2_lanes * inverse_D11_p4_lanes;
-  const Lanes<2> inverse_D10_p40_lanes = detail::make_pack<Real>((-0.00033044389597753786),
-      0.00033044389597753786) + inverse_D10_p17_lanes + inverse_D11_p2_lanes *
-      inverse_D10_p28_lanes;
-  const Lanes<2> inverse_D10_p41_lanes = detail::make_pack<Real>((-0.002865001425),
-      0.002865001425) * detail::make_pack<Real>(c13, c20) + 0.01626499875 *
-      detail::make_pack<Real>(s13, s20) - inverse_D11_p2_lanes * inverse_D10_p29_lanes;
-  const Lanes<2> inverse_D10_p42_lanes = inverse_D10_p16_lanes -
-      detail::make_pack<Real>(0.002376125662528793, 0.002376125662528793) - inverse_D11_p2_lanes *
-      inverse_D10_p30_lanes;
-  const Lanes<2> inverse_D10_p43_lanes = detail::make_pack<Real>(0.008744893195371809,
-      0.008744893195371809) + inverse_D10_p19_lanes + inverse_D10_p21_lanes * inverse_D10_p28_lanes;
-  const Lanes<2> inverse_D10_p45_lanes = detail::make_pack<Real>(c13, c20) * inverse_D10_p14_lanes -
-      detail::make_pack<Real>((-0.04964593582762564), 0.04964593582762564) - inverse_D10_p21_lanes *
-      inverse_D10_p30_lanes;
-  const Lanes<2> inverse_D10_p46_lanes = inverse_D10_p19_lanes - 0.2818466605750157 -
-      inverse_D10_p22_lanes * inverse_D10_p30_lanes;
+  const Lanes<2> inverse_D10_p31_lanes = inverse_D10_p14_lanes + inverse_D11_p2_lanes *
+      inverse_D10_p19_lanes;
+  const Lanes<2> inverse_D10_p32_lanes = 0.0165153994048813 * detail::make_pack<Real>(s13, s20) +
+      inverse_D11_p2_lanes * inverse_D10_p20_lanes;
+  const Lanes<2> inverse_D10_p33_lanes = inverse_D10_p13_lanes - 0.0025100003499999995 -
+      inverse_D11_p2_lanes * inverse_D10_p21_lanes;
+  const Lanes<2> inverse_D10_p34_lanes = inverse_D10_p11_lanes + inverse_D10_p16_lanes *
+      inverse_D10_p19_lanes;
+  const Lanes<2> inverse_D10_p36_lanes = detail::make_pack<Real>(c13, c20) * inverse_D10_p4_lanes -
+      inverse_D10_p16_lanes * inverse_D10_p21_lanes;
+  const Lanes<2> inverse_D10_p37_lanes = inverse_D10_p11_lanes - 0.2905915537703874 -
+      inverse_D10_p17_lanes * inverse_D10_p21_lanes;
   const Lanes<2> inverse_D11_p8_lanes = detail::make_pack<Real>(s12, s19) *
       (1.16e-05 - inverse_D11_p6_lanes);
-  const Lanes<2> inverse_D10_p56_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p40_lanes +
-      detail::make_pack<Real>(c12, c19) * inverse_D10_p41_lanes;
-  const Lanes<2> inverse_D10_p57_lanes = 0.0006000000000000001 * detail::make_pack<Real>(s12, s19) +
-      detail::make_pack<Real>(c12, c19) * inverse_D10_p42_lanes;
-  const Lanes<2> inverse_D10_p59_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p42_lanes -
+  const Lanes<2> inverse_D10_p47_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p31_lanes +
+      detail::make_pack<Real>(c12, c19) * inverse_D10_p32_lanes;
+  const Lanes<2> inverse_D10_p48_lanes = 0.0006000000000000001 * detail::make_pack<Real>(s12, s19) +
+      detail::make_pack<Real>(c12, c19) * inverse_D10_p33_lanes;
+  const Lanes<2> inverse_D10_p50_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p33_lanes -
       0.0006000000000000001 * detail::make_pack<Real>(c12, c19);
-  const Lanes<2> inverse_D10_p60_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p39_lanes +
-      detail::make_pack<Real>(s12, s19) * inverse_D10_p45_lanes;
+  const Lanes<2> inverse_D10_p51_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p36_lanes -
+      detail::make_pack<Real>(c12, c19) * inverse_D10_p30_lanes;
   const Lanes<2> inverse_D11_p9_lanes = detail::make_pack<Real>(s12, s19) * inverse_D11_p8_lanes;
-  const Lanes<2> inverse_D10_p61_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p56_lanes;
-  const Lanes<2> inverse_D10_p64_lanes = detail::make_pack<Real>(c12, c19) *
-      (2.0 * inverse_D10_p35_lanes) - detail::make_pack<Real>(s12, s19) *
-      (inverse_D10_p43_lanes - inverse_D10_p36_lanes);
-  const Lanes<2> inverse_D10_p65_lanes = 0.269 * inverse_D10_p46_lanes - inverse_D10_p59_lanes;
-  const Lanes<2> inverse_D10_p66_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p56_lanes;
-  const Lanes<2> inverse_D10_p67_lanes = 0.269 * inverse_D10_p60_lanes;
-  const Lanes<2> inverse_D8_p1_lanes = 6e-04 - inverse_D10_p57_lanes;
-  const Lanes<2> inverse_D10_p70_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p64_lanes;
-  const Lanes<2> inverse_D10_p72_lanes = inverse_D10_p66_lanes + inverse_D10_p67_lanes;
+  const Lanes<2> inverse_D10_p52_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p47_lanes;
+  const Lanes<2> inverse_D10_p55_lanes = detail::make_pack<Real>(s12, s19) *
+      (inverse_D10_p34_lanes - inverse_D10_p27_lanes) + detail::make_pack<Real>(c12, c19) *
+      (2.0 * inverse_D10_p26_lanes);
+  const Lanes<2> inverse_D10_p56_lanes = 0.269 * inverse_D10_p37_lanes - inverse_D10_p50_lanes;
+  const Lanes<2> inverse_D10_p57_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p47_lanes;
+  const Lanes<2> inverse_D10_p58_lanes = 0.269 * inverse_D10_p51_lanes;
+  const Lanes<2> inverse_D8_p1_lanes = 6e-04 - inverse_D10_p48_lanes;
+  const Lanes<2> inverse_D10_p61_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p55_lanes;
+  const Lanes<2> inverse_D10_p63_lanes = inverse_D10_p57_lanes + inverse_D10_p58_lanes;
   const Lanes<2> inverse_D8_p4_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
-      inverse_D10_p61_lanes;
-  const Lanes<2> inverse_D8_p6_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p39_lanes -
-      detail::make_pack<Real>(c12, c19) * inverse_D10_p45_lanes;
-  const Lanes<2> inverse_D8_p7_lanes = inverse_D10_p66_lanes - inverse_D10_p40_lanes;
-  const Lanes<2> inverse_D10_p74_lanes = 0.000144 -
-      (detail::make_pack<Real>(c12, c19) * inverse_D11_p8_lanes + 0.269 * inverse_D10_p57_lanes);
-  const Lanes<2> inverse_D10_p75_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) + 0.269 *
-      inverse_D10_p61_lanes;
-  const Lanes<2> inverse_D10_p76_lanes = inverse_D10_p70_lanes - inverse_D10_p36_lanes;
+      inverse_D10_p52_lanes;
+  const Lanes<2> inverse_D8_p6_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p30_lanes +
+      detail::make_pack<Real>(c12, c19) * inverse_D10_p36_lanes;
+  const Lanes<2> inverse_D8_p7_lanes = inverse_D10_p57_lanes - inverse_D10_p31_lanes;
+  const Lanes<2> inverse_D10_p65_lanes = 0.000144 -
+      (detail::make_pack<Real>(c12, c19) * inverse_D11_p8_lanes + 0.269 * inverse_D10_p48_lanes);
+  const Lanes<2> inverse_D10_p66_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) + 0.269 *
+      inverse_D10_p52_lanes;
+  const Lanes<2> inverse_D10_p67_lanes = inverse_D10_p27_lanes + inverse_D10_p61_lanes;
 
   // link 11 (left_wrist1), articulated inertia
   const Lanes<2> inverse_D11_lanes = 1.0 / (0.00022920000000000001 +
       (inverse_D11_p6_lanes + inverse_D11_p9_lanes));
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D8_p10_lanes = inverse_D10_p35_lanes - detail::make_pack<Real>(c12, c19) *
-      inverse_D10_p64_lanes;
+  const Lanes<2> inverse_D8_p10_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p55_lanes -
+      inverse_D10_p26_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p83_lanes = inverse_D10_p74_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p84_lanes = inverse_D10_p75_lanes * inverse_D11_lanes;
+  const Lanes<2> inverse_D10_p74_lanes = inverse_D10_p65_lanes * inverse_D11_lanes;
+  const Lanes<2> inverse_D10_p75_lanes = inverse_D10_p66_lanes * inverse_D11_lanes;
   const Lanes<2> inverse_D8_p16_lanes = inverse_D8_p4_lanes * inverse_D11_lanes;
   const Lanes<2> inverse_D8_p17_lanes = inverse_D8_p1_lanes * inverse_D11_lanes;
   const Lanes<2> inverse_D8_p18_lanes = inverse_D8_p7_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p88_lanes = 0.000131 - inverse_D11_p9_lanes + 0.269 *
-      (inverse_D10_p65_lanes - inverse_D10_p59_lanes) - inverse_D10_p74_lanes *
-      inverse_D10_p83_lanes;
-  const Lanes<2> inverse_D10_p89_lanes = 0.0001098 + 0.07236100000000001 * inverse_D10_p76_lanes -
-      inverse_D10_p75_lanes * inverse_D10_p84_lanes;
-  const Lanes<2> inverse_D10_p90_lanes = detail::make_pack<Real>((-6e-06), 6e-06) + 0.269 *
-      inverse_D10_p72_lanes - inverse_D10_p74_lanes * inverse_D10_p84_lanes;
-  const Lanes<2> inverse_D8_p32_lanes = inverse_D10_p74_lanes * inverse_D8_p16_lanes -
-      inverse_D10_p72_lanes;
-  const Lanes<2> inverse_D8_p33_lanes = inverse_D10_p67_lanes - inverse_D10_p75_lanes *
+  const Lanes<2> inverse_D10_p79_lanes = 0.000131 - inverse_D11_p9_lanes + 0.269 *
+      (inverse_D10_p56_lanes - inverse_D10_p50_lanes) - inverse_D10_p65_lanes *
+      inverse_D10_p74_lanes;
+  const Lanes<2> inverse_D10_p80_lanes = 0.0001098 - 0.07236100000000001 * inverse_D10_p67_lanes -
+      inverse_D10_p66_lanes * inverse_D10_p75_lanes;
+  const Lanes<2> inverse_D10_p81_lanes = detail::make_pack<Real>((-6e-06), 6e-06) + 0.269 *
+      inverse_D10_p63_lanes - inverse_D10_p65_lanes * inverse_D10_p75_lanes;
+  const Lanes<2> inverse_D8_p32_lanes = inverse_D10_p65_lanes * inverse_D8_p16_lanes -
+      inverse_D10_p63_lanes;
+  const Lanes<2> inverse_D8_p33_lanes = inverse_D10_p58_lanes - inverse_D10_p66_lanes *
       inverse_D8_p17_lanes;
-  const Lanes<2> inverse_D8_p34_lanes = inverse_D10_p75_lanes * inverse_D8_p16_lanes - 0.269 *
-      inverse_D10_p76_lanes;
-  const Lanes<2> inverse_D8_p35_lanes = inverse_D10_p65_lanes - inverse_D10_p74_lanes *
-      inverse_D8_p17_lanes;
-  const Lanes<2> inverse_D8_p36_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
-      (0.269 * inverse_D8_p6_lanes - (inverse_D10_p61_lanes - inverse_D10_p41_lanes)) -
-      inverse_D10_p74_lanes * inverse_D8_p18_lanes;
-  const Lanes<2> inverse_D8_p37_lanes = 0.269 * inverse_D8_p10_lanes - 6e-04 -
-      inverse_D10_p75_lanes * inverse_D8_p18_lanes;
-  const Lanes<2> inverse_D8_p38_lanes = inverse_D10_p76_lanes - inverse_D8_p4_lanes *
+  const Lanes<2> inverse_D8_p34_lanes = 0.269 * inverse_D10_p67_lanes + inverse_D10_p66_lanes *
       inverse_D8_p16_lanes;
-  const Lanes<2> inverse_D8_p39_lanes = inverse_D10_p46_lanes - inverse_D8_p1_lanes *
+  const Lanes<2> inverse_D8_p35_lanes = inverse_D10_p56_lanes - inverse_D10_p65_lanes *
+      inverse_D8_p17_lanes;
+  const Lanes<2> inverse_D8_p36_lanes = detail::make_pack<Real>(0.001, (-0.001)) -
+      (inverse_D10_p52_lanes - inverse_D10_p32_lanes + 0.269 * inverse_D8_p6_lanes) -
+      inverse_D10_p65_lanes * inverse_D8_p18_lanes;
+  const Lanes<2> inverse_D8_p37_lanes = 0.269 * inverse_D8_p10_lanes - 6e-04 -
+      inverse_D10_p66_lanes * inverse_D8_p18_lanes;
+  const Lanes<2> inverse_D8_p38_lanes = inverse_D10_p67_lanes + inverse_D8_p4_lanes *
+      inverse_D8_p16_lanes;
+  const Lanes<2> inverse_D8_p39_lanes = inverse_D10_p37_lanes - inverse_D8_p1_lanes *
       inverse_D8_p17_lanes;
   const Lanes<2> inverse_D8_p40_lanes = inverse_D8_p4_lanes * inverse_D8_p17_lanes -
-      inverse_D10_p60_lanes;
+      inverse_D10_p51_lanes;
   const Lanes<2> inverse_D8_p41_lanes = inverse_D8_p4_lanes * inverse_D8_p18_lanes -
       inverse_D8_p10_lanes;
-  const Lanes<2> inverse_D8_p42_lanes = inverse_D8_p6_lanes - inverse_D8_p1_lanes *
+  const Lanes<2> inverse_D8_p42_lanes = inverse_D8_p6_lanes + inverse_D8_p1_lanes *
       inverse_D8_p18_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D8_p59_lanes = 2.0 * detail::make_pack<Real>(s9, s16);
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p94_lanes = detail::make_pack<Real>(s11, s18) *
-      (inverse_D10_p88_lanes - inverse_D10_p89_lanes) + inverse_D10_p11_lanes *
-      inverse_D10_p90_lanes;
+  const Lanes<2> inverse_D10_p85_lanes = detail::make_pack<Real>(s11, s18) *
+      (inverse_D10_p79_lanes - inverse_D10_p80_lanes) + inverse_D10_p8_lanes *
+      inverse_D10_p81_lanes;
   const Lanes<2> inverse_D8_p63_lanes = detail::make_pack<Real>(s11, s18) *
       (inverse_D8_p32_lanes - inverse_D8_p33_lanes) + detail::make_pack<Real>(c11, c18) *
       (inverse_D8_p34_lanes + inverse_D8_p35_lanes);
   const Lanes<2> inverse_D8_p65_lanes = 0.0014999985000000002 -
       (detail::make_pack<Real>(s11, s18) * inverse_D8_p36_lanes +
       detail::make_pack<Real>(c11, c18) * inverse_D8_p37_lanes);
-  const Lanes<2> inverse_D8_p66_lanes = detail::make_pack<Real>(s11, s18) *
-      (inverse_D8_p38_lanes - inverse_D8_p39_lanes) + inverse_D10_p11_lanes * inverse_D8_p40_lanes;
-  const Lanes<2> inverse_D10_p95_lanes = detail::make_pack<Real>(s11, s18) * inverse_D10_p94_lanes;
+  const Lanes<2> inverse_D8_p66_lanes = inverse_D10_p8_lanes * inverse_D8_p40_lanes -
+      detail::make_pack<Real>(s11, s18) * (inverse_D8_p38_lanes + inverse_D8_p39_lanes);
+  const Lanes<2> inverse_D10_p86_lanes = detail::make_pack<Real>(s11, s18) * inverse_D10_p85_lanes;
   const Lanes<2> inverse_D8_p67_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p63_lanes;
   const Lanes<2> inverse_D8_p68_lanes = detail::make_pack<Real>(s11, s18) * inverse_D8_p63_lanes;
   const Lanes<2> inverse_D8_p69_lanes = detail::make_pack<Real>(s11, s18) * inverse_D8_p66_lanes;
   const Lanes<2> inverse_D8_p72_lanes = inverse_D8_p33_lanes + inverse_D8_p68_lanes;
-  const Lanes<2> inverse_D10_p97_lanes = 0.060888541114265754 +
-      (inverse_D10_p89_lanes + inverse_D10_p95_lanes);
+  const Lanes<2> inverse_D10_p88_lanes = 0.060888541114265754 +
+      (inverse_D10_p80_lanes + inverse_D10_p86_lanes);
   const Lanes<2> inverse_D9_p5_lanes = detail::make_pack<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * inverse_D10_p94_lanes -
-      inverse_D10_p90_lanes);
+      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * inverse_D10_p85_lanes -
+      inverse_D10_p81_lanes);
   const Lanes<2> inverse_D8_p78_lanes = inverse_D8_p67_lanes - inverse_D8_p35_lanes -
       0.28049749700000004;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p97_lanes;
+  const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p88_lanes;
   const Lanes<2> inverse_D9_p7_lanes = detail::make_pack<Real>((-0.0001499998887063),
-      0.0001499998887063) / inverse_D10_p97_lanes;
+      0.0001499998887063) / inverse_D10_p88_lanes;
   const Lanes<2> inverse_D9_p9_lanes = inverse_D9_p5_lanes * inverse_D10_lanes;
   const Lanes<2> inverse_D9_p11_lanes = 0.00028099984685315 -
-      detail::make_pack<Real>(2.249996661190239e-08, 2.249996661190239e-08) / inverse_D10_p97_lanes;
+      detail::make_pack<Real>(2.249996661190239e-08, 2.249996661190239e-08) / inverse_D10_p88_lanes;
   const Lanes<2> inverse_D8_p80_lanes = inverse_D8_p78_lanes * inverse_D10_lanes;
   const Lanes<2> inverse_D8_p81_lanes = inverse_D8_p65_lanes * inverse_D10_lanes;
   const Lanes<2> inverse_D8_p82_lanes = inverse_D8_p72_lanes * inverse_D10_lanes;
@@ -254,7 +251,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> inverse_D8_p86_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) * inverse_D8_p81_lanes;
   const Lanes<2> inverse_D9_p15_lanes = 0.06060754126741261 +
-      (inverse_D10_p88_lanes - inverse_D10_p95_lanes) - inverse_D9_p5_lanes * inverse_D9_p9_lanes;
+      (inverse_D10_p79_lanes - inverse_D10_p86_lanes) - inverse_D9_p5_lanes * inverse_D9_p9_lanes;
   const Lanes<2> inverse_D8_p95_lanes = inverse_D8_p32_lanes - inverse_D8_p68_lanes -
       inverse_D9_p5_lanes * inverse_D8_p80_lanes;
   const Lanes<2> inverse_D8_p96_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p36_lanes -
@@ -264,18 +261,18 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       detail::make_pack<Real>((-0.0001499998887063), 0.0001499998887063) * inverse_D8_p82_lanes;
   const Lanes<2> inverse_D8_p98_lanes = 0.28049749700000004 +
       (inverse_D8_p67_lanes - inverse_D8_p34_lanes) - inverse_D9_p5_lanes * inverse_D8_p82_lanes;
-  const Lanes<2> inverse_D8_p99_lanes = inverse_D8_p38_lanes - inverse_D8_p69_lanes -
+  const Lanes<2> inverse_D8_p99_lanes = inverse_D8_p38_lanes + inverse_D8_p69_lanes +
       inverse_D8_p78_lanes * inverse_D8_p80_lanes;
-  const Lanes<2> inverse_D8_p100_lanes = inverse_D10_p43_lanes + inverse_D10_p70_lanes +
-      inverse_D8_p7_lanes * inverse_D8_p18_lanes + inverse_D8_p65_lanes * inverse_D8_p81_lanes;
-  const Lanes<2> inverse_D8_p101_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p41_lanes -
+  const Lanes<2> inverse_D8_p100_lanes = inverse_D10_p61_lanes - inverse_D10_p34_lanes -
+      inverse_D8_p7_lanes * inverse_D8_p18_lanes - inverse_D8_p65_lanes * inverse_D8_p81_lanes;
+  const Lanes<2> inverse_D8_p101_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p41_lanes +
       detail::make_pack<Real>(s11, s18) * inverse_D8_p42_lanes + inverse_D8_p78_lanes *
       inverse_D8_p81_lanes;
   const Lanes<2> inverse_D8_p102_lanes = inverse_D8_p39_lanes + inverse_D8_p69_lanes -
       inverse_D8_p72_lanes * inverse_D8_p82_lanes;
   const Lanes<2> inverse_D8_p104_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p66_lanes -
       inverse_D8_p40_lanes - inverse_D8_p78_lanes * inverse_D8_p82_lanes;
-  const Lanes<2> inverse_D8_p105_lanes = detail::make_pack<Real>(s11, s18) * inverse_D8_p41_lanes +
+  const Lanes<2> inverse_D8_p105_lanes = detail::make_pack<Real>(s11, s18) * inverse_D8_p41_lanes -
       detail::make_pack<Real>(c11, c18) * inverse_D8_p42_lanes + inverse_D8_p65_lanes *
       inverse_D8_p82_lanes;
 
@@ -297,8 +294,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> inverse_D6_p5_lanes = inverse_D8_p118_lanes - 0.0022500062;
   const Lanes<2> inverse_D6_p7_lanes = detail::make_pack<Real>(c10, c17) * inverse_D8_p105_lanes -
       detail::make_pack<Real>(s10, s17) * inverse_D8_p104_lanes;
-  const Lanes<2> inverse_D8_p124_lanes = inverse_D9_p1_lanes * inverse_D8_p101_lanes -
-      detail::make_pack<Real>(s10, s17) * (inverse_D8_p99_lanes + inverse_D8_p100_lanes);
+  const Lanes<2> inverse_D8_p124_lanes = detail::make_pack<Real>(s10, s17) *
+      (inverse_D8_p99_lanes + inverse_D8_p100_lanes) + inverse_D9_p1_lanes * inverse_D8_p101_lanes;
   const Lanes<2> inverse_D8_p125_lanes = inverse_D8_p120_lanes + 0.282 * inverse_D8_p102_lanes;
   const Lanes<2> inverse_D9_p19_lanes = detail::make_pack<Real>(s10, s17) * inverse_D9_p18_lanes;
   const Lanes<2> inverse_D8_p127_lanes = 0.282 * inverse_D8_p121_lanes;
@@ -307,7 +304,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> inverse_D8_p130_lanes = detail::make_pack<Real>(s10, s17) * inverse_D8_p124_lanes;
   const Lanes<2> inverse_D8_p134_lanes = inverse_D8_p96_lanes - inverse_D8_p128_lanes;
   const Lanes<2> inverse_D6_p13_lanes = inverse_D8_p86_lanes + inverse_D8_p129_lanes;
-  const Lanes<2> inverse_D8_p137_lanes = inverse_D8_p99_lanes + inverse_D8_p130_lanes;
+  const Lanes<2> inverse_D8_p137_lanes = inverse_D8_p130_lanes - inverse_D8_p99_lanes;
   const Lanes<2> inverse_D6_p15_lanes = inverse_D8_p101_lanes - detail::make_pack<Real>(c10, c17) *
       inverse_D8_p124_lanes;
   const Lanes<2> inverse_D8_p140_lanes = inverse_D8_p95_lanes + inverse_D8_p129_lanes +
@@ -341,55 +338,55 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> inverse_D8_p156_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
       (-4.4999986458742003e-05)) - 0.282 * inverse_D8_p140_lanes - inverse_D8_p143_lanes *
       inverse_D8_p150_lanes;
-  const Lanes<2> inverse_D6_p59_lanes = inverse_D8_p140_lanes + inverse_D8_p143_lanes *
+  const Lanes<2> inverse_D6_p61_lanes = inverse_D8_p140_lanes + inverse_D8_p143_lanes *
       inverse_D6_p31_lanes;
-  const Lanes<2> inverse_D6_p61_lanes = inverse_D8_p127_lanes + inverse_D8_p145_lanes *
+  const Lanes<2> inverse_D6_p63_lanes = inverse_D8_p127_lanes + inverse_D8_p145_lanes *
       inverse_D6_p33_lanes;
-  const Lanes<2> inverse_D6_p63_lanes = inverse_D8_p125_lanes - inverse_D8_p143_lanes *
+  const Lanes<2> inverse_D6_p65_lanes = inverse_D8_p125_lanes - inverse_D8_p143_lanes *
       inverse_D6_p33_lanes;
-  const Lanes<2> inverse_D6_p65_lanes = inverse_D8_p145_lanes * inverse_D6_p31_lanes - 0.282 *
+  const Lanes<2> inverse_D6_p67_lanes = inverse_D8_p145_lanes * inverse_D6_p31_lanes - 0.282 *
       inverse_D8_p137_lanes;
-  const Lanes<2> inverse_D6_p67_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
+  const Lanes<2> inverse_D6_p69_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
       (0.282 * inverse_D6_p7_lanes - (inverse_D8_p84_lanes - inverse_D8_p128_lanes)) +
       inverse_D8_p143_lanes * inverse_D6_p35_lanes;
-  const Lanes<2> inverse_D6_p69_lanes = 0.0022500062 + 0.282 * inverse_D6_p15_lanes +
+  const Lanes<2> inverse_D6_p71_lanes = 0.0022500062 + 0.282 * inverse_D6_p15_lanes +
       inverse_D8_p145_lanes * inverse_D6_p35_lanes;
-  const Lanes<2> inverse_D6_p71_lanes = inverse_D8_p137_lanes - inverse_D6_p19_lanes *
+  const Lanes<2> inverse_D6_p73_lanes = inverse_D8_p137_lanes - inverse_D6_p19_lanes *
       inverse_D6_p31_lanes;
-  const Lanes<2> inverse_D6_p73_lanes = inverse_D8_p102_lanes - inverse_D6_p5_lanes *
+  const Lanes<2> inverse_D6_p75_lanes = inverse_D8_p102_lanes - inverse_D6_p5_lanes *
       inverse_D6_p33_lanes;
-  const Lanes<2> inverse_D6_p75_lanes = inverse_D8_p121_lanes + inverse_D6_p19_lanes *
+  const Lanes<2> inverse_D6_p77_lanes = inverse_D8_p121_lanes + inverse_D6_p19_lanes *
       inverse_D6_p33_lanes;
-  const Lanes<2> inverse_D6_p77_lanes = inverse_D6_p15_lanes + inverse_D6_p19_lanes *
+  const Lanes<2> inverse_D6_p81_lanes = inverse_D6_p15_lanes + inverse_D6_p19_lanes *
       inverse_D6_p35_lanes;
-  const Lanes<2> inverse_D6_p79_lanes = inverse_D6_p7_lanes + inverse_D6_p5_lanes *
+  const Lanes<2> inverse_D6_p109_lanes = inverse_D6_p7_lanes + inverse_D6_p5_lanes *
       inverse_D6_p35_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p115_lanes = 2.0 * detail::make_pack<Real>(s7, s14);
+  const Lanes<2> inverse_D6_p111_lanes = 2.0 * detail::make_pack<Real>(s7, s14);
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D8_p160_lanes = detail::make_pack<Real>(c9, c16) *
       (inverse_D8_p154_lanes - inverse_D8_p155_lanes) - inverse_D8_p59_lanes *
       inverse_D8_p156_lanes;
   const Lanes<2> inverse_D6_p123_lanes = detail::make_pack<Real>(c9, c16) *
-      (inverse_D6_p59_lanes + inverse_D6_p61_lanes) - detail::make_pack<Real>(s9, s16) *
-      (inverse_D6_p65_lanes + inverse_D6_p63_lanes);
-  const Lanes<2> inverse_D6_p127_lanes = detail::make_pack<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) + (detail::make_pack<Real>(c9, c16) * inverse_D6_p67_lanes -
-      detail::make_pack<Real>(s9, s16) * inverse_D6_p69_lanes);
-  const Lanes<2> inverse_D6_p129_lanes = detail::make_pack<Real>(c9, c16) *
-      (inverse_D6_p71_lanes - inverse_D6_p73_lanes) - inverse_D8_p59_lanes * inverse_D6_p75_lanes;
+      (inverse_D6_p61_lanes + inverse_D6_p63_lanes) - detail::make_pack<Real>(s9, s16) *
+      (inverse_D6_p67_lanes + inverse_D6_p65_lanes);
+  const Lanes<2> inverse_D6_p125_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + (detail::make_pack<Real>(c9, c16) * inverse_D6_p69_lanes -
+      detail::make_pack<Real>(s9, s16) * inverse_D6_p71_lanes);
+  const Lanes<2> inverse_D6_p127_lanes = detail::make_pack<Real>(c9, c16) *
+      (inverse_D6_p73_lanes - inverse_D6_p75_lanes) - inverse_D8_p59_lanes * inverse_D6_p77_lanes;
   const Lanes<2> inverse_D8_p161_lanes = detail::make_pack<Real>(c9, c16) * inverse_D8_p160_lanes;
-  const Lanes<2> inverse_D6_p133_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p123_lanes;
-  const Lanes<2> inverse_D6_p135_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p123_lanes;
-  const Lanes<2> inverse_D6_p137_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p129_lanes;
+  const Lanes<2> inverse_D6_p129_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p123_lanes;
+  const Lanes<2> inverse_D6_p131_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p123_lanes;
+  const Lanes<2> inverse_D6_p137_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p127_lanes;
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> inverse_D21_p1_lanes = 0.0007770270270270272 * detail::make_pack<Real>(c23, c24);
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D6_p145_lanes = inverse_D6_p135_lanes - inverse_D6_p61_lanes;
+  const Lanes<2> inverse_D6_p145_lanes = inverse_D6_p131_lanes - inverse_D6_p63_lanes;
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_pack<Real>(s23, s24);
@@ -406,7 +403,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D6_p155_lanes = 0.7139200499999999 +
-      (inverse_D6_p133_lanes + inverse_D6_p63_lanes);
+      (inverse_D6_p129_lanes + inverse_D6_p65_lanes);
 
   // link 23 (left_eye), articulated inertia
   const Real inverse_D21_p5 = s24 + s23;
@@ -443,7 +440,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D7_p8_lanes = inverse_D7_p5_lanes * inverse_D8_lanes;
   const Lanes<2> inverse_D7_p9_lanes = 0.00012075 - 1.1024999999999998e-08 / inverse_D8_p163_lanes;
-  const Lanes<2> inverse_D6_p161_lanes = inverse_D6_p127_lanes * inverse_D8_lanes;
+  const Lanes<2> inverse_D6_p161_lanes = inverse_D6_p125_lanes * inverse_D8_lanes;
   const Lanes<2> inverse_D6_p163_lanes = inverse_D6_p155_lanes * inverse_D8_lanes;
   const Lanes<2> inverse_D6_p165_lanes = inverse_D6_p145_lanes * inverse_D8_lanes;
 
@@ -460,9 +457,9 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> inverse_D7_p13_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
       5.2499999999999995e-05) + 0.00010499999999999999 * inverse_D7_p8_lanes;
   const Lanes<2> inverse_D6_p185_lanes = inverse_D7_p5_lanes * inverse_D6_p161_lanes -
-      (detail::make_pack<Real>(s9, s16) * inverse_D6_p67_lanes + detail::make_pack<Real>(c9, c16) *
-      inverse_D6_p69_lanes);
-  const Lanes<2> inverse_D6_p187_lanes = inverse_D6_p59_lanes - inverse_D6_p135_lanes -
+      (detail::make_pack<Real>(s9, s16) * inverse_D6_p69_lanes + detail::make_pack<Real>(c9, c16) *
+      inverse_D6_p71_lanes);
+  const Lanes<2> inverse_D6_p187_lanes = inverse_D6_p61_lanes - inverse_D6_p131_lanes -
       inverse_D7_p5_lanes * inverse_D6_p163_lanes;
   const Lanes<2> inverse_D6_p189_lanes = detail::make_pack<Real>(0.0017499999999999998,
       (-0.0017499999999999998)) + 0.00010499999999999999 * inverse_D6_p165_lanes;
@@ -471,7 +468,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D21_p37 = inverse_D21_p3_lanes[1] + inverse_D21_p3_lanes[0];
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p191_lanes = inverse_D6_p133_lanes + inverse_D6_p65_lanes -
+  const Lanes<2> inverse_D6_p191_lanes = inverse_D6_p129_lanes + inverse_D6_p67_lanes -
       0.7139200499999999 - inverse_D7_p5_lanes * inverse_D6_p165_lanes;
 
   // link 22 (head), articulated inertia
@@ -497,10 +494,10 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D6_p204 = inverse_D21_p24 * inverse_D6_p194;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p205_lanes = inverse_D6_p71_lanes - inverse_D6_p137_lanes -
+  const Lanes<2> inverse_D6_p205_lanes = inverse_D6_p73_lanes - inverse_D6_p137_lanes -
       inverse_D6_p155_lanes * inverse_D6_p163_lanes;
-  const Lanes<2> inverse_D6_p207_lanes = inverse_D8_p100_lanes + inverse_D8_p130_lanes +
-      inverse_D6_p13_lanes * inverse_D6_p35_lanes + inverse_D6_p127_lanes * inverse_D6_p161_lanes;
+  const Lanes<2> inverse_D6_p207_lanes = inverse_D8_p100_lanes - inverse_D8_p130_lanes -
+      inverse_D6_p13_lanes * inverse_D6_p35_lanes - inverse_D6_p125_lanes * inverse_D6_p161_lanes;
   const Lanes<2> inverse_D7_p18_lanes = detail::make_pack<Real>(s8, s15) * inverse_D7_p17_lanes;
 
   // link 22 (head), articulated inertia
@@ -524,8 +521,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D6_p218_lanes = detail::make_pack<Real>(c8, c15) * inverse_D6_p212_lanes;
-  const Lanes<2> inverse_D6_p220_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p77_lanes -
-      detail::make_pack<Real>(c9, c16) * inverse_D6_p79_lanes + inverse_D6_p127_lanes *
+  const Lanes<2> inverse_D6_p222_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p81_lanes -
+      detail::make_pack<Real>(c9, c16) * inverse_D6_p109_lanes + inverse_D6_p125_lanes *
       inverse_D6_p163_lanes;
 
   // link 22 (head), articulated inertia
@@ -557,8 +554,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D6_p244_lanes = 0.0017499999999999998 +
       (inverse_D6_p218_lanes - inverse_D6_p171_lanes);
-  const Lanes<2> inverse_D6_p246_lanes = inverse_D7_p1_lanes * inverse_D6_p220_lanes -
-      detail::make_pack<Real>(s8, s15) * (inverse_D6_p207_lanes + inverse_D6_p205_lanes);
+  const Lanes<2> inverse_D6_p246_lanes = detail::make_pack<Real>(s8, s15) *
+      (inverse_D6_p207_lanes - inverse_D6_p205_lanes) + inverse_D7_p1_lanes * inverse_D6_p222_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D6_p248 = inverse_D6_p160 * inverse_D6_p199;
@@ -574,11 +571,11 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D21_p48 = s22 * inverse_D21_p47;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p257_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p77_lanes +
-      detail::make_pack<Real>(s9, s16) * inverse_D6_p79_lanes + inverse_D6_p127_lanes *
+  const Lanes<2> inverse_D6_p257_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p81_lanes +
+      detail::make_pack<Real>(s9, s16) * inverse_D6_p109_lanes + inverse_D6_p125_lanes *
       inverse_D6_p165_lanes;
-  const Lanes<2> inverse_D6_p259_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p129_lanes +
-      inverse_D6_p75_lanes - inverse_D6_p155_lanes * inverse_D6_p165_lanes;
+  const Lanes<2> inverse_D6_p259_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p127_lanes +
+      inverse_D6_p77_lanes - inverse_D6_p155_lanes * inverse_D6_p165_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D6_p261 = inverse_D21_p31_lanes[1] + inverse_D21_p31_lanes[0] -
@@ -638,9 +635,9 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> inverse_D6_p326_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) * inverse_D6_p293_lanes;
   const Lanes<2> inverse_D6_p332_lanes = inverse_D6_p286_lanes * inverse_D7_lanes;
-  const Lanes<2> inverse_D6_p340_lanes = inverse_D6_p73_lanes + inverse_D6_p137_lanes -
+  const Lanes<2> inverse_D6_p340_lanes = inverse_D6_p75_lanes + inverse_D6_p137_lanes -
       inverse_D6_p145_lanes * inverse_D6_p165_lanes - inverse_D6_p241_lanes * inverse_D6_p295_lanes;
-  const Lanes<2> inverse_D6_p342_lanes = inverse_D6_p207_lanes + inverse_D6_p255_lanes +
+  const Lanes<2> inverse_D6_p342_lanes = inverse_D6_p207_lanes - inverse_D6_p255_lanes -
       inverse_D6_p244_lanes * inverse_D6_p293_lanes;
   const Lanes<2> inverse_D6_p344_lanes = detail::make_pack<Real>(c8, c15) * inverse_D6_p257_lanes -
       detail::make_pack<Real>(s8, s15) * inverse_D6_p259_lanes - inverse_D6_p241_lanes *
@@ -662,7 +659,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       detail::make_pack<Real>(c8, c15) * inverse_D6_p259_lanes - inverse_D6_p241_lanes *
       inverse_D6_p300_lanes;
   const Lanes<2> inverse_D6_p354_lanes = detail::make_pack<Real>(c8, c15) * inverse_D6_p246_lanes -
-      inverse_D6_p220_lanes - inverse_D6_p244_lanes * inverse_D6_p300_lanes;
+      inverse_D6_p222_lanes - inverse_D6_p244_lanes * inverse_D6_p300_lanes;
   const Lanes<2> inverse_D6_p370_lanes = 0.0001505 - inverse_D6_p291_lanes;
 
   // link 21 (neck), articulated inertia
@@ -683,7 +680,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D6_p402_lanes = detail::make_pack<Real>(c7, c14) *
-      (inverse_D6_p340_lanes + inverse_D6_p342_lanes) - inverse_D6_p115_lanes *
+      (inverse_D6_p340_lanes - inverse_D6_p342_lanes) - inverse_D6_p111_lanes *
       inverse_D6_p344_lanes;
   const Lanes<2> inverse_D6_p406_lanes = 0.0017499999999999998 +
       detail::make_pack<Real>((-2.6249999999999998e-05), 2.6249999999999998e-05) *
@@ -717,7 +714,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D6_p435_lanes = inverse_D6_p340_lanes - inverse_D6_p418_lanes;
   const Lanes<2> inverse_D6_p437_lanes = detail::make_pack<Real>(c7, c14) *
-      (inverse_D6_p370_lanes - inverse_D6_p390_lanes) + inverse_D6_p115_lanes *
+      (inverse_D6_p370_lanes - inverse_D6_p390_lanes) + inverse_D6_p111_lanes *
       inverse_D6_p394_lanes;
   const Lanes<2> inverse_D5_p14_lanes = detail::make_pack<Real>(s7, s14) * inverse_D6_p402_lanes +
       inverse_D6_p344_lanes;
@@ -756,7 +753,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 7 (left_shoulder1), articulated inertia
   const Real inverse_D6_p455 = inverse_D6_p449_lanes[1] + inverse_D6_p449_lanes[0];
-  const Lanes<2> inverse_D5_p36_lanes = inverse_D6_p418_lanes - inverse_D6_p342_lanes;
+  const Lanes<2> inverse_D5_p36_lanes = inverse_D6_p342_lanes + inverse_D6_p418_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D4_p2 = c22 * inverse_D6_p248 - s22 * inverse_D6_p263;
@@ -981,29 +978,20 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real inverse_D3_p30 = 0.21799999999999997 * inverse_D3_p26;
   const Real inverse_D3_p31 = inverse_D3_p27 - inverse_D3_p12;
 
-  // link 1 (calf), outward
-  const Real minus_a1_y = 9.81 * c1;
-
-  // link 5 (chest2), articulated inertia
-  const Real inverse_D3_p32 = inverse_D3_p16 - inverse_D3_p29;
-  const Real inverse_D2_p3 = inverse_D3_p10 + inverse_D3_p28;
-
-  // link 1 (calf), outward
-  const Real minus_a1_x = 9.81 * s1;
-
   // link 2 (thigh), outward
   const Real w2_z = qd[0] + qd[1];
 
   // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p32 = inverse_D3_p16 - inverse_D3_p29;
+  const Real inverse_D2_p3 = inverse_D3_p10 + inverse_D3_p28;
   const Real inverse_D2_p4 = c5 * inverse_D3_p24 - inverse_D3_p17;
-  const Real inverse_D3_p33 = 0.21799999999999997 * inverse_D3_p31;
-  const Real inverse_D3_p34 = inverse_D3_p9 - inverse_D3_p28 + inverse_D3_p30;
 
   // link 3 (hip), outward
   const Real w3_z = w2_z + qd[2];
 
-  // link 2 (thigh), outward
-  const Real a3_x_p1 = w2_z * w2_z;
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p33 = 0.21799999999999997 * inverse_D3_p31;
+  const Real inverse_D3_p34 = inverse_D3_p9 - inverse_D3_p28 + inverse_D3_p30;
 
   // link 4 (chest1), articulated inertia
   const Real inverse_D4 = 1.0 / (0.060169103246295166 + (inverse_D4_p42 + inverse_D4_p45));
@@ -1016,155 +1004,60 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real w4_x = s4 * w3_z;
   const Real w4_y = c4 * w3_z;
 
-  // link 2 (thigh), outward
-  const Real a2_y_p1 = 0.434 * (qd[0] * qd[0]) - minus_a1_y;
-
   // link 5 (chest2), outward
   const Real w5_z = w4_y + qd[4];
-
-  // link 4 (chest1), outward
-  const Real a5_y_p1 = w4_x * w4_x;
-  const Real a5_y_p2 = w4_y * w4_y;
-
-  // link 2 (thigh), outward
-  const Real a2_y = s2 * minus_a1_x + c2 * a2_y_p1;
-  const Real a2_x = s2 * a2_y_p1 - c2 * minus_a1_x;
-
-  // link 5 (chest2), outward
-  const Real a6_x_p1 = w5_z * w5_z;
   const Real w5_x = c5 * w4_x - s5 * qd[3];
-
-  // link 4 (chest1), outward
-  const Real wd4_x = w4_y * qd[3];
-
-  // link 3 (hip), outward
-  const Real a3_x_p2 = a2_y + 0.422 * a3_x_p1;
-
-  // link 5 (chest2), outward
-  const Real a6_x_p2 = w5_x * w5_x;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D3_p36 = inverse_D3_p35 * inverse_D4;
-  const Real inverse_D3_p37 = inverse_D3_p33 * inverse_D4;
-
-  // link 5 (chest2), outward
   const Real minus_w5_y = s5 * w4_x + c5 * qd[3];
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p5 = inverse_D3_p31 * inverse_D4;
 
   // link 6 (chest3), outward
   const Real w6_z = w5_x + qd[5];
 
   // link 4 (chest1), articulated inertia
+  const Real inverse_D3_p36 = inverse_D3_p35 * inverse_D4;
+  const Real inverse_D3_p37 = inverse_D3_p33 * inverse_D4;
+  const Real inverse_D2_p5 = inverse_D3_p31 * inverse_D4;
   const Real inverse_D2_p6 = inverse_D2_p1 * inverse_D4;
   const Real inverse_D2_p7 = inverse_D2_p3 * inverse_D4;
-
-  // link 6 (chest3), outward
-  const Real a6_x_p3 = a6_x_p2 + a6_x_p1;
-  const Real a7_y_p1 = w6_z * w6_z;
-
-  // link 3 (hip), outward
-  const Real a3_x = c3 * a2_x + s3 * a3_x_p2;
-  const Real a3_y = c3 * a3_x_p2 - s3 * a2_x;
-
-  // link 5 (chest2), outward
-  const Real a6_z_p1 = w5_x * minus_w5_y;
-
-  // link 4 (chest1), outward
-  const Real minus_wd4_y = w4_x * qd[3];
 
   // link 6 (chest3), outward
   const Real w6_y = s6 * minus_w5_y + c6 * w5_z;
   const Real w6_x = s6 * w5_z - c6 * minus_w5_y;
 
-  // link 4 (chest1), outward
-  const Real a4_x = c4 * a3_x;
-
-  // link 5 (chest2), outward
-  const Real wd5_x = c5 * wd4_x - minus_w5_y * qd[4];
-  const Real a5_y_p3 = a3_y + 0.21799999999999997 * (a5_y_p1 + a5_y_p2);
-
-  // link 4 (chest1), outward
-  const Real minus_a4_y = s4 * a3_x;
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> w7_z_lanes = w6_y + detail::make_pack<Real>(qd[6], qd[13]);
 
   // link 4 (chest1), articulated inertia
   const Real inverse_D3_p38 = 0.01227760324629517 + 0.04752399999999999 * inverse_D3_p32 -
       inverse_D3_p33 * inverse_D3_p37;
 
-  // link 5 (chest2), outward
-  const Real minus_wd5_y = s5 * wd4_x + w5_x * qd[4];
-  const Real a6_x_p4 = wd5_x - minus_w5_y * w5_z;
-  const Real a6_z_p2 = minus_wd4_y - a6_z_p1;
-
-  // link 6 (chest3), outward
-  const Real a7_y_p2 = w6_x * w6_y;
-  const Real a7_y_p3 = w6_y * w6_z;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D3_p39 = 0.0478915 + (inverse_D4_p41 - inverse_D4_p45 + 0.21799999999999997 *
-      (inverse_D3_p22 + inverse_D3_p25)) - inverse_D3_p35 * inverse_D3_p36 - inverse_D3_p38;
+  // link 4 (chest1), outward
+  const Real wd4_x = w4_y * qd[3];
 
   // link 7 (left_shoulder1), outward
-  const Real a7_y_p4 = w6_y * w6_y + a7_y_p1;
-
-  // link 6 (chest3), outward
-  const Real minus_a7_z_p1 = w6_x * w6_x;
-
-  // link 5 (chest2), outward
-  const Real a5_y = c5 * a5_y_p3 - s5 * a4_x;
-  const Real a5_x = c5 * a4_x + s5 * a5_y_p3;
-
-  // link 6 (chest3), outward
-  const Real a7_y_p5 = a7_y_p2 - wd5_x;
-  const Real minus_a7_z_p2 = a7_y_p2 + wd5_x;
-  const Real a6_x_p5 = a5_y + 0.072 * a6_x_p3;
-  const Real a6_x_p6 = minus_a4_y + 0.072 * a6_x_p4;
-
-  // link 7 (left_shoulder1), outward
-  const Real minus_a7_z_p3 = minus_a7_z_p1 + a7_y_p1;
-
-  // link 6 (chest3), outward
-  const Real a6_z = a5_x - 0.072 * a6_z_p2;
-  const Real wd6_x = w6_y * qd[5] - (c6 * minus_wd5_y + s6 * minus_wd4_y);
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_z_lanes = w6_y + detail::make_pack<Real>(qd[6], qd[13]);
   const Lanes<2> w7_x_lanes = detail::make_pack<Real>(s7, s14) * w6_x +
       detail::make_pack<Real>(c7, c14) * w6_z;
 
-  // link 6 (chest3), outward
-  const Real wd6_y = s6 * minus_wd5_y - c6 * minus_wd4_y - w6_x * qd[5];
+  // link 4 (chest1), outward
+  const Real minus_wd4_y = w4_x * qd[3];
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> w7_y_lanes = detail::make_pack<Real>(c7, c14) * w6_x -
       detail::make_pack<Real>(s7, s14) * w6_z;
 
-  // link 6 (chest3), outward
-  const Real a7_y_p7 = w6_x * w6_z - wd6_y;
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D3_p39 = 0.0478915 + (inverse_D4_p41 - inverse_D4_p45 + 0.21799999999999997 *
+      (inverse_D3_p22 + inverse_D3_p25)) - inverse_D3_p35 * inverse_D3_p36 - inverse_D3_p38;
+  const Real inverse_D2_p8 = inverse_D3_p35 * inverse_D2_p6 - inverse_D3_p25;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_pack<Real>(qd[7], qd[14]);
 
-  // link 6 (chest3), outward
-  const Real a7_y_p8 = a7_y_p3 + wd6_x;
-  const Real a6_x = c6 * a6_x_p5 - s6 * a6_x_p6;
-  const Real minus_a6_y = s6 * a6_x_p5 + c6 * a6_x_p6;
-
-  // link 14 (right_shoulder1), outward
-  const Real a7_y_p10 = a6_x + 0.226 * a7_y_p4;
-  const Real minus_a7_z_p5 = minus_a6_y + 0.226 * minus_a7_z_p2;
-
   // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p8 = inverse_D3_p35 * inverse_D2_p6 - inverse_D3_p25;
-  const Real inverse_D3_p40 = inverse_D3_p38 + s4 *
-      (s4 * inverse_D3_p39 + inverse_D3_p4 * (0.21799999999999997 * inverse_D3_p34 +
-      inverse_D3_p35 * inverse_D3_p37));
+  const Real inverse_D2_p9 = inverse_D3_p32 - inverse_D3_p31 * inverse_D2_p5;
 
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_y_lanes = detail::make_pack<Real>(c7, c14) * wd6_x -
-      detail::make_pack<Real>(s7, s14) * wd5_x - w7_x_lanes *
-      detail::make_pack<Real>(qd[6], qd[13]);
+  // link 5 (chest2), outward
+  const Real minus_wd5_y = s5 * wd4_x + w5_x * qd[4];
+  const Real wd5_x = c5 * wd4_x - minus_w5_y * qd[4];
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> w8_x_lanes = detail::make_pack<Real>(c8, c15) * w7_y_lanes +
@@ -1172,171 +1065,243 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> w8_y_lanes = detail::make_pack<Real>(c8, c15) * w7_z_lanes -
       detail::make_pack<Real>(s8, s15) * w7_y_lanes;
 
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> wd7_x_lanes = detail::make_pack<Real>(s7, s14) * wd6_x +
-      detail::make_pack<Real>(c7, c14) * wd5_x + w7_y_lanes *
-      detail::make_pack<Real>(qd[6], qd[13]);
-
-  // link 14 (right_shoulder1), outward
-  const Real a7_y_p11 = a6_z - 0.226 * a7_y_p7;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_y_p12_lanes = a7_y_p10 + detail::make_pack<Real>(0.18, (-0.18)) * a7_y_p5;
-  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p5 + detail::make_pack<Real>(0.18, (-0.18)) *
-      minus_a7_z_p3;
-  const Lanes<2> a7_y_p13_lanes = a7_y_p11 + detail::make_pack<Real>(0.18, (-0.18)) * a7_y_p8;
-
   // link 9 (left_upperarm), outward
   const Lanes<2> w9_z_lanes = detail::make_pack<Real>(qd[8], qd[15]) - w8_x_lanes;
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p10 = s4 * (0.21799999999999997 * inverse_D2_p2 -
+      (inverse_D3_p27 - inverse_D3_p11) - inverse_D3_p35 * inverse_D2_p7) + c4 *
+      (0.0300000063 - 0.21799999999999997 * inverse_D2_p4 + inverse_D3_p33 * inverse_D2_p7);
+  const Real inverse_D2_p11 = s4 * (inverse_D3_p34 + inverse_D3_p35 * inverse_D2_p5 +
+      (inverse_D3_p30 + inverse_D3_p33 * inverse_D2_p6)) + c4 *
+      (0.21799999999999997 * inverse_D3_p32 - inverse_D3_p33 * inverse_D2_p5 + inverse_D2_p8);
+
+  // link 9 (left_upperarm), outward
   const Lanes<2> w9_y_lanes = detail::make_pack<Real>(c9, c16) * w8_y_lanes -
       detail::make_pack<Real>(s9, s16) * w8_z_lanes;
   const Lanes<2> w9_x_lanes = detail::make_pack<Real>(s9, s16) * w8_y_lanes +
       detail::make_pack<Real>(c9, c16) * w8_z_lanes;
 
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p12 = 0.02999999505 + inverse_D2_p10;
+  const Real inverse_D3_p40 = inverse_D3_p38 + s4 *
+      (s4 * inverse_D3_p39 + inverse_D3_p4 * (0.21799999999999997 * inverse_D3_p34 +
+      inverse_D3_p35 * inverse_D3_p37));
+
+  // link 6 (chest3), outward
+  const Real wd6_x = w6_y * qd[5] - (c6 * minus_wd5_y + s6 * minus_wd4_y);
+  const Real wd6_y = s6 * minus_wd5_y - c6 * minus_wd4_y - w6_x * qd[5];
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p13 = s4 * (inverse_D2_p9 -
+      (inverse_D3_p18 - inverse_D2_p1 * inverse_D2_p6)) - inverse_D3_p4 *
+      (inverse_D3_p26 + inverse_D3_p31 * inverse_D2_p6);
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_pack<Real>(qd[9], qd[16]);
+  const Lanes<2> minus_w10_y_lanes = detail::make_pack<Real>(s10, s17) * w9_x_lanes +
+      detail::make_pack<Real>(c10, c17) * w9_z_lanes;
+  const Lanes<2> w10_x_lanes = detail::make_pack<Real>(c10, c17) * w9_x_lanes -
+      detail::make_pack<Real>(s10, s17) * w9_z_lanes;
+
   // link 3 (hip), articulated inertia
   const Real inverse_D3 = 1.0 / (1.7824817919087104 + inverse_D3_p40);
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p14 = 8.419374554 + (c4 * inverse_D2_p11 - inverse_D2_p8);
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_pack<Real>(qd[10], qd[17]);
+
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> wd7_y_lanes = detail::make_pack<Real>(c7, c14) * wd6_x -
+      detail::make_pack<Real>(s7, s14) * wd5_x - w7_x_lanes *
+      detail::make_pack<Real>(qd[6], qd[13]);
+  const Lanes<2> wd7_x_lanes = detail::make_pack<Real>(s7, s14) * wd6_x +
+      detail::make_pack<Real>(c7, c14) * wd5_x + w7_y_lanes *
+      detail::make_pack<Real>(qd[6], qd[13]);
+
+  // link 1 (calf), outward
+  const Real minus_a1_y = 9.81 * c1;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> w11_y_lanes = detail::make_pack<Real>(c11, c18) * w10_z_lanes -
+      detail::make_pack<Real>(s11, s18) * w10_x_lanes;
+
+  // link 1 (calf), outward
+  const Real minus_a1_x = 9.81 * s1;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> w11_x_lanes = detail::make_pack<Real>(c11, c18) * w10_x_lanes +
+      detail::make_pack<Real>(s11, s18) * w10_z_lanes;
+
+  // link 2 (thigh), outward
+  const Real a3_x_p1 = w2_z * w2_z;
+
+  // link 4 (chest1), outward
+  const Real a5_y_p1 = w4_x * w4_x;
+  const Real a5_y_p2 = w4_y * w4_y;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_pack<Real>(qd[11], qd[18]);
+
+  // link 2 (thigh), outward
+  const Real a2_y_p1 = 0.434 * (qd[0] * qd[0]) - minus_a1_y;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p15 = inverse_D2_p12 * inverse_D3;
+  const Real inverse_D2_p16 = inverse_D2_p14 * inverse_D3;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> w12_x_lanes = detail::make_pack<Real>(c12, c19) * w11_x_lanes -
+      detail::make_pack<Real>(s12, s19) * w11_z_lanes;
+
+  // link 5 (chest2), outward
+  const Real a6_x_p1 = w5_x * w5_x;
+  const Real a6_x_p2 = w5_z * w5_z;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> minus_w12_y_lanes = detail::make_pack<Real>(s12, s19) * w11_x_lanes +
+      detail::make_pack<Real>(c12, c19) * w11_z_lanes;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> wd8_y_lanes = detail::make_pack<Real>(c8, c15) * wd6_y -
       detail::make_pack<Real>(s8, s15) * wd7_y_lanes - w8_x_lanes *
       detail::make_pack<Real>(qd[7], qd[14]);
+  const Lanes<2> wd8_x_lanes = detail::make_pack<Real>(c8, c15) * wd7_y_lanes +
+      detail::make_pack<Real>(s8, s15) * wd6_y + w8_y_lanes *
+      detail::make_pack<Real>(qd[7], qd[14]);
+
+  // link 6 (chest3), outward
+  const Real a7_y_p1 = w6_z * w6_z;
+  const Real a6_x_p3 = a6_x_p1 + a6_x_p2;
+  const Real a7_y_p2 = w6_x * w6_y;
+
+  // link 2 (thigh), outward
+  const Real a2_y = s2 * minus_a1_x + c2 * a2_y_p1;
+  const Real a2_x = s2 * a2_y_p1 - c2 * minus_a1_x;
+
+  // link 5 (chest2), outward
+  const Real a6_x_p4 = wd5_x - minus_w5_y * w5_z;
+  const Real a6_z_p1 = w5_x * minus_w5_y;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_y_lanes = detail::make_pack<Real>(c7, c14) * a7_y_p12_lanes -
-      detail::make_pack<Real>(s7, s14) * a7_y_p13_lanes;
+  const Real a7_y_p3 = w6_y * w6_y + a7_y_p1;
 
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> w10_z_lanes = w9_y_lanes + detail::make_pack<Real>(qd[9], qd[16]);
+  // link 13 (left_hand), outward
+  const Lanes<2> w13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_w12_y_lanes +
+      detail::make_pack<Real>(c13, c20) * w12_z_lanes;
+
+  // link 6 (chest3), outward
+  const Real a7_y_p4 = a7_y_p2 - wd5_x;
+  const Real a7_y_p5 = w6_y * w6_z;
+
+  // link 3 (hip), outward
+  const Real a3_x_p2 = a2_y + 0.422 * a3_x_p1;
+
+  // link 5 (chest2), outward
+  const Real a6_z_p2 = minus_wd4_y - a6_z_p1;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> w13_x_lanes = detail::make_pack<Real>(s13, s20) * w12_z_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_w12_y_lanes;
+
+  // link 6 (chest3), outward
+  const Real a7_y_p6 = w6_x * w6_z - wd6_y;
+
+  // link 9 (left_upperarm), outward
+  const Lanes<2> wd9_x_lanes = detail::make_pack<Real>(s9, s16) * wd8_y_lanes +
+      detail::make_pack<Real>(c9, c16) * wd7_x_lanes + w9_y_lanes *
+      detail::make_pack<Real>(qd[8], qd[15]);
+
+  // link 6 (chest3), outward
+  const Real a7_y_p8 = a7_y_p5 + wd6_x;
+  const Real minus_a7_z_p1 = a7_y_p2 + wd5_x;
+  const Real minus_a7_z_p2 = w6_x * w6_x;
+
+  // link 9 (left_upperarm), outward
+  const Lanes<2> wd9_y_lanes = detail::make_pack<Real>(c9, c16) * wd8_y_lanes -
+      detail::make_pack<Real>(s9, s16) * wd7_x_lanes - w9_x_lanes *
+      detail::make_pack<Real>(qd[8], qd[15]);
+
+  // link 13 (left_hand), outward
+  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 9 (left_upperarm), outward
   const Lanes<2> a10_x_p1_lanes = w9_x_lanes * w9_z_lanes;
 
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> wd8_x_lanes = detail::make_pack<Real>(c8, c15) * wd7_y_lanes +
-      detail::make_pack<Real>(s8, s15) * wd6_y + w8_y_lanes *
-      detail::make_pack<Real>(qd[7], qd[14]);
+  // link 13 (left_hand), outward
+  const Lanes<2> n13_z_p1_lanes = w13_x_lanes * w13_y_lanes;
+
+  // link 3 (hip), outward
+  const Real a3_x = c3 * a2_x + s3 * a3_x_p2;
+  const Real a3_y = c3 * a3_x_p2 - s3 * a2_x;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> a10_x_p2_lanes = w9_x_lanes * w9_x_lanes;
   const Lanes<2> a10_x_p3_lanes = w9_y_lanes * w9_y_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_lanes = detail::make_pack<Real>(s7, s14) * a7_y_p12_lanes +
-      detail::make_pack<Real>(c7, c14) * a7_y_p13_lanes;
+  const Real minus_a7_z_p3 = minus_a7_z_p2 + a7_y_p1;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> n13_z_p2_lanes = w13_y_lanes * w13_z_lanes;
+  const Lanes<2> n13_y_p1_lanes = w13_x_lanes * w13_z_lanes;
+  const Lanes<2> n13_z_p3_lanes = w13_y_lanes * w13_y_lanes;
+
+  // link 4 (chest1), outward
+  const Real a4_x = c4 * a3_x;
+
+  // link 5 (chest2), outward
+  const Real a5_y_p3 = a3_y + 0.21799999999999997 * (a5_y_p1 + a5_y_p2);
+
+  // link 4 (chest1), outward
+  const Real minus_a4_y = s4 * a3_x;
 
   // link 9 (left_upperarm), outward
+  const Lanes<2> a10_x_p4_lanes = a10_x_p1_lanes + wd9_y_lanes;
   const Lanes<2> minus_a10_z_p1_lanes = w9_y_lanes * w9_z_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_w10_y_lanes = detail::make_pack<Real>(s10, s17) * w9_x_lanes +
-      detail::make_pack<Real>(c10, c17) * w9_z_lanes;
-  const Lanes<2> w10_x_lanes = detail::make_pack<Real>(c10, c17) * w9_x_lanes -
-      detail::make_pack<Real>(s10, s17) * w9_z_lanes;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p9 = s4 * (inverse_D3_p34 + inverse_D3_p35 * inverse_D2_p5 +
-      (inverse_D3_p30 + inverse_D3_p33 * inverse_D2_p6)) + c4 *
-      (0.21799999999999997 * inverse_D3_p32 - inverse_D3_p33 * inverse_D2_p5 + inverse_D2_p8);
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> minus_a8_y_lanes = detail::make_pack<Real>(s8, s15) * a7_y_lanes +
-      detail::make_pack<Real>(c8, c15) * minus_a7_z_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> w11_z_lanes = minus_w10_y_lanes + detail::make_pack<Real>(qd[10], qd[17]);
-
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> a8_x_lanes = detail::make_pack<Real>(c8, c15) * a7_y_lanes -
-      detail::make_pack<Real>(s8, s15) * minus_a7_z_lanes;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p10 = inverse_D3_p32 - inverse_D3_p31 * inverse_D2_p5;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> wd9_x_lanes = detail::make_pack<Real>(s9, s16) * wd8_y_lanes +
-      detail::make_pack<Real>(c9, c16) * wd7_x_lanes + w9_y_lanes *
-      detail::make_pack<Real>(qd[8], qd[15]);
-  const Lanes<2> wd9_y_lanes = detail::make_pack<Real>(c9, c16) * wd8_y_lanes -
-      detail::make_pack<Real>(s9, s16) * wd7_x_lanes - w9_x_lanes *
-      detail::make_pack<Real>(qd[8], qd[15]);
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> w11_y_lanes = detail::make_pack<Real>(c11, c18) * w10_z_lanes -
-      detail::make_pack<Real>(s11, s18) * w10_x_lanes;
-  const Lanes<2> w11_x_lanes = detail::make_pack<Real>(c11, c18) * w10_x_lanes +
-      detail::make_pack<Real>(s11, s18) * w10_z_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> a10_x_p6_lanes = a10_x_p1_lanes + wd9_y_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_p7_lanes = 0.282 * (a10_x_p2_lanes + a10_x_p3_lanes) - a8_x_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> minus_a10_z_p2_lanes = minus_a10_z_p1_lanes - wd9_x_lanes;
-  const Lanes<2> a9_x_lanes = detail::make_pack<Real>(c9, c16) * a7_x_lanes -
-      detail::make_pack<Real>(s9, s16) * minus_a8_y_lanes;
-  const Lanes<2> minus_a9_y_lanes = detail::make_pack<Real>(c9, c16) * minus_a8_y_lanes +
-      detail::make_pack<Real>(s9, s16) * a7_x_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a12_y_p1_lanes = w11_x_lanes * w11_z_lanes;
-  const Lanes<2> minus_a12_y_p2_lanes = w11_x_lanes * w11_x_lanes;
-  const Lanes<2> minus_a12_y_p3_lanes = w11_y_lanes * w11_y_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> w12_z_lanes = w11_y_lanes + detail::make_pack<Real>(qd[11], qd[18]);
-  const Lanes<2> w12_x_lanes = detail::make_pack<Real>(c12, c19) * w11_x_lanes -
-      detail::make_pack<Real>(s12, s19) * w11_z_lanes;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p11 = s4 * (0.21799999999999997 * inverse_D2_p2 -
-      (inverse_D3_p27 - inverse_D3_p11) - inverse_D3_p35 * inverse_D2_p7) + c4 *
-      (0.0300000063 - 0.21799999999999997 * inverse_D2_p4 + inverse_D3_p33 * inverse_D2_p7);
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> wd10_x_lanes = detail::make_pack<Real>(c10, c17) * wd9_x_lanes +
       detail::make_pack<Real>(s10, s17) * wd8_x_lanes - minus_w10_y_lanes *
       detail::make_pack<Real>(qd[9], qd[16]);
-  const Lanes<2> a10_x_p10_lanes = a9_x_lanes - 0.282 * a10_x_p6_lanes;
   const Lanes<2> wd10_y_lanes = detail::make_pack<Real>(c10, c17) * wd8_x_lanes -
       detail::make_pack<Real>(s10, s17) * wd9_x_lanes - w10_x_lanes *
       detail::make_pack<Real>(qd[9], qd[16]);
 
-  // link 12 (left_wrist2), outward
-  const Lanes<2> minus_w12_y_lanes = detail::make_pack<Real>(s12, s19) * w11_x_lanes +
-      detail::make_pack<Real>(c12, c19) * w11_z_lanes;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + 0.282 * minus_a10_z_p2_lanes;
+  // link 11 (left_wrist1), outward
+  const Lanes<2> minus_a12_y_p1_lanes = w11_x_lanes * w11_z_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_pack<Real>(qd[12], qd[19]);
+  const Lanes<2> n13_z_p5_lanes = w13_x_lanes * w13_x_lanes;
 
-  // link 12 (left_wrist2), outward
-  const Lanes<2> n12_z_p1_lanes = w12_x_lanes * w12_z_lanes;
+  // link 6 (chest3), outward
+  const Real a6_x_p5 = minus_a4_y + 0.072 * a6_x_p4;
 
-  // link 13 (left_hand), outward
-  const Lanes<2> n13_x_p1_lanes = w13_z_lanes * w13_z_lanes;
+  // link 9 (left_upperarm), outward
+  const Lanes<2> minus_a10_z_p2_lanes = minus_a10_z_p1_lanes - wd9_x_lanes;
 
-  // link 12 (left_wrist2), outward
-  const Lanes<2> n12_z_p2_lanes = w12_x_lanes * minus_w12_y_lanes;
+  // link 11 (left_wrist1), outward
+  const Lanes<2> minus_a12_y_p2_lanes = w11_x_lanes * w11_x_lanes;
+  const Lanes<2> minus_a12_y_p3_lanes = w11_y_lanes * w11_y_lanes;
+  const Lanes<2> minus_a12_z_p1_lanes = w11_y_lanes * w11_z_lanes;
 
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> a10_x_lanes = detail::make_pack<Real>(c10, c17) * a10_x_p10_lanes -
-      detail::make_pack<Real>(s10, s17) * a10_x_p7_lanes;
-  const Lanes<2> minus_a10_y_lanes = detail::make_pack<Real>(s10, s17) * a10_x_p10_lanes +
-      detail::make_pack<Real>(c10, c17) * a10_x_p7_lanes;
+  // link 5 (chest2), outward
+  const Real a5_y = c5 * a5_y_p3 - s5 * a4_x;
+  const Real a5_x = c5 * a4_x + s5 * a5_y_p3;
 
-  // link 13 (left_hand), outward
-  const Lanes<2> w13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_w12_y_lanes +
-      detail::make_pack<Real>(c13, c20) * w12_z_lanes;
-  const Lanes<2> w13_x_lanes = detail::make_pack<Real>(s13, s20) * w12_z_lanes -
-      detail::make_pack<Real>(c13, c20) * minus_w12_y_lanes;
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p17 = inverse_D2_p14 * inverse_D2_p15 -
+      (c4 * (inverse_D3_p31 * inverse_D2_p7 - inverse_D2_p4) - s4 *
+      (inverse_D2_p1 * inverse_D2_p7 - inverse_D2_p2));
 
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p12 = 0.02999999505 + inverse_D2_p11;
-  const Real inverse_D2_p13 = 8.419374554 + (c4 * inverse_D2_p9 - inverse_D2_p8);
+  // link 6 (chest3), outward
+  const Real a6_x_p6 = a5_y + 0.072 * a6_x_p3;
+  const Real a6_z = a5_x - 0.072 * a6_z_p2;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p18 = inverse_D2_p9 - s4 * inverse_D2_p13 - inverse_D2_p14 * inverse_D2_p16;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> wd11_x_lanes = detail::make_pack<Real>(c11, c18) * wd10_x_lanes +
@@ -1345,74 +1310,73 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> wd11_y_lanes = detail::make_pack<Real>(c11, c18) * wd9_y_lanes -
       detail::make_pack<Real>(s11, s18) * wd10_x_lanes - w11_x_lanes *
       detail::make_pack<Real>(qd[10], qd[17]);
-  const Lanes<2> minus_a12_z_p1_lanes = w11_y_lanes * w11_z_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_p6_lanes = minus_a10_y_lanes + 0.269 *
-      (minus_a12_y_p2_lanes + minus_a12_y_p3_lanes);
-
-  // link 13 (left_hand), outward
-  const Lanes<2> n13_z_p1_lanes = w13_y_lanes * w13_z_lanes;
-  const Lanes<2> n13_z_p2_lanes = w13_x_lanes * w13_y_lanes;
-  const Lanes<2> n13_x_p2_lanes = w13_x_lanes * w13_z_lanes;
-  const Lanes<2> n13_x_p3_lanes = w13_y_lanes * w13_y_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a12_y_p7_lanes = minus_a12_y_p1_lanes + wd11_y_lanes;
-  const Lanes<2> a11_x_lanes = detail::make_pack<Real>(c11, c18) * a10_x_lanes -
-      detail::make_pack<Real>(s11, s18) * minus_a10_z_lanes;
-  const Lanes<2> minus_a12_z_p2_lanes = minus_a12_z_p1_lanes - wd11_x_lanes;
-  const Lanes<2> minus_a11_y_lanes = detail::make_pack<Real>(s11, s18) * a10_x_lanes +
-      detail::make_pack<Real>(c11, c18) * minus_a10_z_lanes;
-
-  // link 13 (left_hand), outward
-  const Lanes<2> n13_z_p3_lanes = w13_x_lanes * w13_x_lanes;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p14 = s4 * (inverse_D2_p10 -
-      (inverse_D3_p18 - inverse_D2_p1 * inverse_D2_p6)) - inverse_D3_p4 *
-      (inverse_D3_p26 + inverse_D3_p31 * inverse_D2_p6);
 
   // link 3 (hip), articulated inertia
-  const Real inverse_D2_p15 = inverse_D2_p12 * inverse_D3;
-  const Real inverse_D2_p16 = inverse_D2_p13 * inverse_D3;
+  const Real inverse_D2_p19 = inverse_D3_p15 + inverse_D3_p29 - inverse_D2_p3 * inverse_D2_p7 -
+      inverse_D2_p12 * inverse_D2_p15;
 
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p5_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * (n13_x_p1_lanes - n13_x_p3_lanes);
+  // link 12 (left_wrist2), outward
+  const Lanes<2> n12_z_p1_lanes = w12_x_lanes * minus_w12_y_lanes;
+
+  // link 14 (right_shoulder1), outward
+  const Real a7_y_p10 = a6_z - 0.226 * a7_y_p6;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> n12_z_p2_lanes = w12_x_lanes * w12_z_lanes;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> minus_a12_y_p6_lanes = minus_a12_y_p1_lanes + wd11_y_lanes;
+  const Lanes<2> minus_a12_z_p2_lanes = minus_a12_z_p1_lanes - wd11_x_lanes;
+
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> a7_y_p11_lanes = a7_y_p10 + detail::make_pack<Real>(0.18, (-0.18)) * a7_y_p8;
+
+  // link 6 (chest3), outward
+  const Real a6_x = c6 * a6_x_p6 - s6 * a6_x_p5;
+  const Real minus_a6_y = s6 * a6_x_p6 + c6 * a6_x_p5;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> n13_y_p2_lanes = w13_z_lanes * w13_z_lanes;
+
+  // link 14 (right_shoulder1), outward
+  const Real a7_y_p13 = a6_x + 0.226 * a7_y_p3;
+  const Real minus_a7_z_p5 = minus_a6_y + 0.226 * minus_a7_z_p1;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> wd12_y_lanes = detail::make_pack<Real>(c12, c19) * wd10_y_lanes -
       detail::make_pack<Real>(s12, s19) * wd11_x_lanes - w12_x_lanes *
       detail::make_pack<Real>(qd[11], qd[18]);
-  const Lanes<2> minus_a12_y_p10_lanes = a11_x_lanes - 0.269 * minus_a12_y_p7_lanes;
   const Lanes<2> wd12_x_lanes = detail::make_pack<Real>(c12, c19) * wd11_x_lanes +
       detail::make_pack<Real>(s12, s19) * wd10_y_lanes - minus_w12_y_lanes *
       detail::make_pack<Real>(qd[11], qd[18]);
-  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + 0.269 * minus_a12_z_p2_lanes;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p20 = s3 * (inverse_D2_p18 - inverse_D2_p19) + c3 * (2.0 * inverse_D2_p17);
+
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> a7_y_p14_lanes = a7_y_p13 + detail::make_pack<Real>(0.18, (-0.18)) * a7_y_p4;
+  const Lanes<2> minus_a7_z_lanes = minus_a7_z_p5 + detail::make_pack<Real>(0.18, (-0.18)) *
+      minus_a7_z_p3;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> n13_x_p2_lanes = n13_z_p1_lanes + wd12_x_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_y_p2_lanes = 0.000108260010923775 * (n13_z_p3_lanes - n13_x_p1_lanes);
+  const Lanes<2> n13_x_p3_lanes = detail::make_pack<Real>((-2.4414671283021662e-05),
+      2.4414671283021662e-05) * (n13_y_p2_lanes - n13_z_p3_lanes);
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p21 = s3 * inverse_D2_p20;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> n12_x_p2_lanes = w12_z_lanes * w12_z_lanes;
   const Lanes<2> n12_x_p3_lanes = minus_w12_y_lanes * minus_w12_y_lanes;
 
-  // link 13 (left_hand), outward
-  const Lanes<2> n13_y_p3_lanes = n13_z_p2_lanes - wd12_x_lanes;
-  const Lanes<2> n13_x_p6_lanes = n13_z_p2_lanes + wd12_x_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> n12_x_p4_lanes = wd12_x_lanes - minus_w12_y_lanes * w12_z_lanes;
-  const Lanes<2> n12_y_p1_lanes = n12_z_p1_lanes - wd12_y_lanes;
-  const Lanes<2> n12_y_p2_lanes = n12_z_p2_lanes + wd11_y_lanes;
-  const Lanes<2> minus_a12_y_lanes = detail::make_pack<Real>(s12, s19) * minus_a12_y_p10_lanes +
-      detail::make_pack<Real>(c12, c19) * minus_a12_y_p6_lanes;
-  const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * minus_a12_y_p10_lanes -
-      detail::make_pack<Real>(s12, s19) * minus_a12_y_p6_lanes;
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> n11_z_p1_lanes = w11_x_lanes * w11_y_lanes;
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> a7_y_lanes = detail::make_pack<Real>(c7, c14) * a7_y_p14_lanes -
+      detail::make_pack<Real>(s7, s14) * a7_y_p11_lanes;
+  const Lanes<2> a7_x_lanes = detail::make_pack<Real>(s7, s14) * a7_y_p14_lanes +
+      detail::make_pack<Real>(c7, c14) * a7_y_p11_lanes;
 
   // link 13 (left_hand), outward
   const Lanes<2> wd13_x_lanes = detail::make_pack<Real>(c13, c20) * wd12_y_lanes +
@@ -1422,362 +1386,395 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       detail::make_pack<Real>(s13, s20) * wd12_y_lanes - w13_x_lanes *
       detail::make_pack<Real>(qd[12], qd[19]);
 
-  // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p10_lanes = 0.00020682766225734302 * wd11_y_lanes - 0.000183627662257343 *
-      n12_z_p2_lanes - detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
-      (n12_z_p1_lanes + wd12_y_lanes);
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p22 = inverse_D2_p18 - inverse_D2_p21;
+  const Real inverse_D1_p1 = c3 * inverse_D2_p20 - inverse_D2_p17;
 
   // link 13 (left_hand), outward
-  const Lanes<2> n13_x_p9_lanes = n13_z_p1_lanes + wd13_x_lanes;
-  const Lanes<2> n13_x_p10_lanes = n13_x_p2_lanes - wd13_y_lanes;
-  const Lanes<2> a13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_a12_y_lanes -
-      detail::make_pack<Real>(c13, c20) * minus_a12_z_lanes;
-  const Lanes<2> minus_a13_x_lanes = detail::make_pack<Real>(c13, c20) * minus_a12_y_lanes +
-      detail::make_pack<Real>(s13, s20) * minus_a12_z_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_z_p6_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
-      minus_a12_y_p7_lanes;
+  const Lanes<2> n13_y_p7_lanes = n13_y_p1_lanes - wd13_y_lanes;
+  const Lanes<2> n13_y_p8_lanes = n13_z_p2_lanes + wd13_x_lanes;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_x_p10_lanes = 1.16e-05 * n12_x_p4_lanes +
-      detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
-      (n12_x_p2_lanes - n12_x_p3_lanes) - 0.0006000000000000001 * minus_a12_z_lanes;
+  const Lanes<2> n12_z_p8_lanes = 0.00020682766225734302 * wd11_y_lanes - 0.000183627662257343 *
+      n12_z_p1_lanes - detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
+      (n12_z_p2_lanes + wd12_y_lanes);
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> n12_x_p4_lanes = wd12_x_lanes - minus_w12_y_lanes * w12_z_lanes;
+  const Lanes<2> n12_y_p1_lanes = n12_z_p2_lanes - wd12_y_lanes;
+  const Lanes<2> n12_y_p2_lanes = n12_z_p1_lanes + wd11_y_lanes;
+
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> minus_a8_y_lanes = detail::make_pack<Real>(s8, s15) * a7_y_lanes +
+      detail::make_pack<Real>(c8, c15) * minus_a7_z_lanes;
+  const Lanes<2> a8_x_lanes = detail::make_pack<Real>(c8, c15) * a7_y_lanes -
+      detail::make_pack<Real>(s8, s15) * minus_a7_z_lanes;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> n11_z_p1_lanes = w11_x_lanes * w11_y_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> a10_x_p8_lanes = 0.282 * (a10_x_p2_lanes + a10_x_p3_lanes) - a8_x_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p15_lanes = 0.0007556474228594393 * n13_z_p2_lanes + 0.0009386316083993107 *
-      wd12_x_lanes + 0.000108260010923775 * (n13_z_p1_lanes - wd13_x_lanes);
+  const Lanes<2> n13_z_p14_lanes = 0.0007965395222188762 * n13_z_p1_lanes + 0.0009386316083993108 *
+      wd12_x_lanes + 0.00011422720754895356 * (n13_z_p2_lanes - wd13_x_lanes);
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_z_p12_lanes = 9.600000000000003e-06 * n11_z_p1_lanes + 0.0002292 *
-      wd10_y_lanes + 0.000144 * minus_a12_z_p2_lanes + n11_z_p6_lanes;
-  const Lanes<2> n11_z_p13_lanes = 6e-04 * minus_a11_y_lanes +
-      detail::make_pack<Real>(0.001, (-0.001)) * a11_x_lanes;
+  const Lanes<2> n11_z_p5_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      minus_a12_y_p6_lanes;
+
+  // link 9 (left_upperarm), outward
+  const Lanes<2> a9_x_lanes = detail::make_pack<Real>(c9, c16) * a7_x_lanes -
+      detail::make_pack<Real>(s9, s16) * minus_a8_y_lanes;
+  const Lanes<2> minus_a9_y_lanes = detail::make_pack<Real>(c9, c16) * minus_a8_y_lanes +
+      detail::make_pack<Real>(s9, s16) * a7_x_lanes;
+
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_y_p12_lanes = detail::make_pack<Real>((-2.4414671283021662e-05),
+      2.4414671283021662e-05) * (n13_z_p1_lanes - wd12_x_lanes) - 0.0008675855653090935 *
+      n13_y_p7_lanes - detail::make_pack<Real>(1.0315081040638942e-05, (-1.0315081040638942e-05)) *
+      n13_y_p8_lanes;
+
+  // link 2 (thigh), articulated inertia
+  const Real inverse_D2 = 1.0 / (9.885744550888212 + 0.178084 * inverse_D2_p22);
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D1_p2 = 0.031999971599999996 + 0.422 * inverse_D1_p1;
+  const Real inverse_D1_p3 = 24.5839218 + 0.422 * inverse_D2_p22;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> a10_x_p10_lanes = a9_x_lanes - 0.282 * a10_x_p4_lanes;
+  const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + 0.282 * minus_a10_z_p2_lanes;
+
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_z_p16_lanes = n13_z_p14_lanes -
+      detail::make_pack<Real>((-2.4414671283021662e-05), 2.4414671283021662e-05) *
+      (n13_y_p1_lanes + wd13_y_lanes) + detail::make_pack<Real>(1.0315081040638942e-05,
+      (-1.0315081040638942e-05)) * (n13_z_p3_lanes - n13_z_p5_lanes);
+  const Lanes<2> n13_x_lanes = 7.104604309021728e-05 * n13_y_p8_lanes +
+      detail::make_pack<Real>(1.0315081040638942e-05, (-1.0315081040638942e-05)) * n13_y_p7_lanes -
+      0.00011422720754895356 * n13_x_p2_lanes + n13_x_p3_lanes;
+  const Lanes<2> f13_y_lanes = 0.0165153994048813 * n13_x_p2_lanes;
+  const Lanes<2> minus_f13_x_lanes = 0.0165153994048813 * (n13_z_p3_lanes + n13_y_p2_lanes);
 
   // link 11 (left_wrist1), outward
   const Lanes<2> n11_x_p1_lanes = minus_a12_z_p1_lanes + wd11_x_lanes;
-  const Lanes<2> n11_x_p3_lanes = minus_a12_y_p1_lanes - wd11_y_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p18_lanes = n13_z_p15_lanes -
-      detail::make_pack<Real>((-4.38600177048965e-05), 4.38600177048965e-05) *
-      (n13_x_p2_lanes + wd13_y_lanes) + detail::make_pack<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * (n13_x_p3_lanes - n13_z_p3_lanes);
-  const Lanes<2> n13_x_p15_lanes = 9.149209276993575e-05 * n13_x_p9_lanes +
-      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * n13_x_p10_lanes -
-      0.000108260010923775 * n13_x_p6_lanes + n13_x_p5_lanes;
-  const Lanes<2> n13_y_p10_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * n13_y_p3_lanes - 0.000847139515629375 * n13_x_p10_lanes -
-      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * n13_x_p9_lanes +
-      n13_y_p2_lanes;
-
-  // link 11 (left_wrist1), outward
+  const Lanes<2> n11_x_p2_lanes = minus_a12_y_p1_lanes - wd11_y_lanes;
+  const Lanes<2> n11_x_p3_lanes = w11_z_lanes * w11_z_lanes;
   const Lanes<2> n11_x_p4_lanes = n11_z_p1_lanes - wd10_y_lanes;
-  const Lanes<2> n11_x_p5_lanes = w11_z_lanes * w11_z_lanes;
 
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p17 = inverse_D2_p13 * inverse_D2_p15 -
-      (c4 * (inverse_D3_p31 * inverse_D2_p7 - inverse_D2_p4) - s4 *
-      (inverse_D2_p1 * inverse_D2_p7 - inverse_D2_p2));
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> a10_x_lanes = detail::make_pack<Real>(c10, c17) * a10_x_p10_lanes -
+      detail::make_pack<Real>(s10, s17) * a10_x_p8_lanes;
+  const Lanes<2> minus_a10_y_lanes = detail::make_pack<Real>(s10, s17) * a10_x_p10_lanes +
+      detail::make_pack<Real>(c10, c17) * a10_x_p8_lanes;
+
+  // link 11 (left_wrist1), inertial wrench
+  const Lanes<2> n11_z_p10_lanes = 9.600000000000003e-06 * n11_z_p1_lanes + 0.0002292 *
+      wd10_y_lanes + 0.000144 * minus_a12_z_p2_lanes + n11_z_p5_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> minus_a12_y_p8_lanes = minus_a10_y_lanes + 0.269 *
+      (minus_a12_y_p2_lanes + minus_a12_y_p3_lanes);
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_x_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      n13_y_p3_lanes - 0.01626499875 * (n13_x_p3_lanes + n13_x_p1_lanes);
-  const Lanes<2> n13_z_lanes = n13_z_p18_lanes + (0.01626499875 * a13_y_lanes +
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * minus_a13_x_lanes);
-  const Lanes<2> n13_x_lanes = n13_x_p15_lanes + detail::make_pack<Real>((-0.002865001425),
-      0.002865001425) * a12_x_lanes;
-  const Lanes<2> n13_y_lanes = n13_y_p10_lanes - 0.01626499875 * a12_x_lanes;
-  const Lanes<2> f13_y_lanes = 0.01626499875 * n13_x_p6_lanes -
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      (n13_z_p3_lanes + n13_x_p1_lanes);
-
-  // link 1 (calf), inward
-  const Lanes<2> qdd_0_p1_lanes = detail::make_pack<Real>(tau[12], tau[19]) - n13_z_lanes;
+  const Lanes<2> f13_z_lanes = 0.0165153994048813 * n13_y_p7_lanes;
 
   // link 13 (left_hand), inward
-  const Lanes<2> n12_x_lanes = n12_x_p10_lanes + n13_z_lanes;
+  const Lanes<2> f12_z_p6_lanes = detail::make_pack<Real>(c13, c20) * f13_y_lanes -
+      detail::make_pack<Real>(s13, s20) * minus_f13_x_lanes;
 
-  // link 13 (left_hand), bias force
-  const Lanes<2> qdd_0_p3_lanes = detail::make_pack<Real>(0.04672761636452121,
-      (-0.04672761636452121)) * qdd_0_p1_lanes;
-  const Lanes<2> qdd_0_p5_lanes = 0.11533812622014242 * qdd_0_p1_lanes;
-  const Lanes<2> qdd_0_p7_lanes = 17.32841575379867 * qdd_0_p1_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_z_p15_lanes = detail::make_pack<Real>(s13, s20) * n13_x_lanes +
-      detail::make_pack<Real>(c13, c20) * n13_y_lanes;
-
-  // link 13 (left_hand), bias force
-  const Lanes<2> qdd_0_p9_lanes = detail::make_pack<Real>((-3.0523172236718206),
-      3.0523172236718206) * qdd_0_p1_lanes;
+  // link 11 (left_wrist1), inertial wrench
+  const Lanes<2> n11_x_p10_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      (n11_x_p3_lanes - minus_a12_y_p3_lanes);
 
   // link 11 (left_wrist1), outward
+  const Lanes<2> a11_x_lanes = detail::make_pack<Real>(c11, c18) * a10_x_lanes -
+      detail::make_pack<Real>(s11, s18) * minus_a10_z_lanes;
+  const Lanes<2> minus_a11_y_lanes = detail::make_pack<Real>(s11, s18) * a10_x_lanes +
+      detail::make_pack<Real>(c11, c18) * minus_a10_z_lanes;
   const Lanes<2> n11_y_p1_lanes = n11_z_p1_lanes + wd10_y_lanes;
 
   // link 13 (left_hand), inward
-  const Lanes<2> n12_y_p10_lanes = detail::make_pack<Real>(c13, c20) * n13_x_lanes -
-      detail::make_pack<Real>(s13, s20) * n13_y_lanes;
+  const Lanes<2> f12_z_lanes = 0.0025100003499999995 * n12_y_p1_lanes + 0.0006000000000000001 *
+      n12_x_p4_lanes + f12_z_p6_lanes;
 
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_z_lanes = 0.01626499875 * n13_x_p10_lanes +
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * n13_x_p9_lanes;
+  // link 12 (left_wrist2), outward
+  const Lanes<2> minus_a12_y_p10_lanes = a11_x_lanes - 0.269 * minus_a12_y_p6_lanes;
+  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + 0.269 * minus_a12_z_p2_lanes;
 
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_z_lanes = n12_z_p10_lanes - (0.0025100003499999995 * minus_a12_y_lanes +
-      0.0006000000000000001 * a12_x_lanes) + n12_z_p15_lanes;
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> n10_z_p2_lanes = w10_x_lanes * minus_w10_y_lanes;
+  const Lanes<2> n10_z_p3_lanes = minus_w10_y_lanes * w10_z_lanes;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_y_p9_lanes = 0.0025100003499999995 * (wd11_y_lanes - n12_z_p2_lanes) -
+  const Lanes<2> f12_y_p9_lanes = 0.0025100003499999995 * (wd11_y_lanes - n12_z_p1_lanes) -
       0.0006000000000000001 * (w12_x_lanes * w12_x_lanes + n12_x_p2_lanes);
 
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_y_lanes = 0.0025100003499999995 * minus_a12_z_lanes -
-      (0.000195227662257343 * n12_y_p1_lanes + detail::make_pack<Real>(2.4000000000000003e-06,
-      (-2.4000000000000003e-06)) * n12_y_p2_lanes) + n12_y_p10_lanes;
-  const Lanes<2> f12_z_p6_lanes = detail::make_pack<Real>(s13, s20) * f13_x_lanes +
-      detail::make_pack<Real>(c13, c20) * f13_y_lanes;
+  // link 11 (left_wrist1), inertial wrench
+  const Lanes<2> n11_y_p7_lanes = 0.000144 * (minus_a12_y_p2_lanes - n11_x_p3_lanes);
 
-  // link 1 (calf), inward
-  const Lanes<2> qdd_0_p23_lanes = detail::make_pack<Real>(tau[11], tau[18]) - n12_z_lanes;
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> n10_z_p5_lanes = w10_x_lanes * w10_z_lanes;
 
   // link 13 (left_hand), inward
   const Lanes<2> f12_x_lanes = f13_z_lanes - (0.0025100003499999995 *
       (n12_x_p3_lanes + n12_x_p2_lanes) + 0.0006000000000000001 * n12_y_p2_lanes);
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_z_p1_lanes = w10_x_lanes * minus_w10_y_lanes;
-  const Lanes<2> n10_z_p2_lanes = minus_w10_y_lanes * w10_z_lanes;
+  const Lanes<2> n10_z_p6_lanes = minus_w10_y_lanes * minus_w10_y_lanes;
 
   // link 13 (left_hand), inward
-  const Lanes<2> f12_y_lanes = f12_y_p9_lanes + (detail::make_pack<Real>(c13, c20) * f13_x_lanes -
-      detail::make_pack<Real>(s13, s20) * f13_y_lanes);
-
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p35_lanes = qdd_0_p23_lanes -
-      (detail::make_pack<Real>(c13, c20) * qdd_0_p3_lanes - detail::make_pack<Real>(s13, s20) *
-      qdd_0_p5_lanes);
-
-  // link 13 (left_hand), inward
-  const Lanes<2> f12_z_lanes = 0.0025100003499999995 * n12_y_p1_lanes + 0.0006000000000000001 *
-      n12_x_p4_lanes + f12_z_p6_lanes;
+  const Lanes<2> f12_y_lanes = f12_y_p9_lanes - (detail::make_pack<Real>(c13, c20) *
+      minus_f13_x_lanes + detail::make_pack<Real>(s13, s20) * f13_y_lanes);
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p13_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
-      (n11_x_p5_lanes - minus_a12_y_p3_lanes);
-  const Lanes<2> n11_y_p8_lanes = 0.000144 * (minus_a12_y_p2_lanes - n11_x_p5_lanes);
+  const Lanes<2> n11_z_p14_lanes = 6e-04 * minus_a11_y_lanes +
+      detail::make_pack<Real>(0.001, (-0.001)) * a11_x_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_z_p3_lanes = w10_x_lanes * w10_z_lanes;
+  const Lanes<2> n10_z_p9_lanes = w10_x_lanes * w10_x_lanes;
+
+  // link 11 (left_wrist1), inertial wrench
+  const Lanes<2> n11_x_p14_lanes = 0.0001194 * n11_x_p1_lanes +
+      detail::make_pack<Real>(6e-06, (-6e-06)) * n11_x_p2_lanes + 0.000144 * n11_x_p4_lanes +
+      n11_x_p10_lanes;
+
+  // link 12 (left_wrist2), outward
+  const Lanes<2> minus_a12_y_lanes = detail::make_pack<Real>(s12, s19) * minus_a12_y_p10_lanes +
+      detail::make_pack<Real>(c12, c19) * minus_a12_y_p8_lanes;
+  const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * minus_a12_y_p10_lanes -
+      detail::make_pack<Real>(s12, s19) * minus_a12_y_p8_lanes;
+
+  // link 12 (left_wrist2), inertial wrench
+  const Lanes<2> n12_x_p10_lanes = 1.16e-05 * n12_x_p4_lanes +
+      detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
+      (n12_x_p2_lanes - n12_x_p3_lanes) - 0.0006000000000000001 * minus_a12_z_lanes;
+
+  // link 11 (left_wrist1), inertial wrench
+  const Lanes<2> n11_y_p12_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      n11_y_p1_lanes - 0.0001098 * n11_x_p2_lanes - detail::make_pack<Real>(6e-06, (-6e-06)) *
+      n11_x_p1_lanes - n11_y_p7_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> n10_x_p1_lanes = wd10_x_lanes - n10_z_p3_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_z_p18_lanes = detail::make_pack<Real>(s12, s19) * n12_x_lanes +
-      detail::make_pack<Real>(c12, c19) * n12_y_lanes;
-
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p41_lanes = inverse_D10_p29_lanes * qdd_0_p35_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> n11_y_p12_lanes = detail::make_pack<Real>(s12, s19) * f12_y_lanes -
+  const Lanes<2> n11_y_p13_lanes = detail::make_pack<Real>(s12, s19) * f12_y_lanes -
       detail::make_pack<Real>(c12, c19) * f12_x_lanes;
-  const Lanes<2> n11_z_lanes = detail::make_pack<Real>(6e-06, (-6e-06)) *
-      (minus_a12_y_p3_lanes - minus_a12_y_p2_lanes) - n11_z_p12_lanes - n11_z_p13_lanes -
-      n11_z_p18_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_z_p7_lanes = minus_w10_y_lanes * minus_w10_y_lanes;
-  const Lanes<2> n10_z_p8_lanes = w10_x_lanes * w10_x_lanes;
+  const Lanes<2> n10_x_p2_lanes = n10_z_p5_lanes - wd10_y_lanes;
 
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p17_lanes = 0.0001194 * n11_x_p1_lanes +
-      detail::make_pack<Real>(6e-06, (-6e-06)) * n11_x_p3_lanes + 0.000144 * n11_x_p4_lanes +
-      n11_x_p13_lanes;
-  const Lanes<2> n11_y_p13_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
-      n11_y_p1_lanes - 0.0001098 * n11_x_p3_lanes - detail::make_pack<Real>(6e-06, (-6e-06)) *
-      n11_x_p1_lanes - n11_y_p8_lanes;
+  // link 2 (thigh), articulated inertia
+  const Real inverse_D1_p4 = inverse_D1_p2 * inverse_D2;
 
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p49_lanes = inverse_D11_p4_lanes * qdd_0_p35_lanes -
-      (detail::make_pack<Real>(c13, c20) * qdd_0_p5_lanes + detail::make_pack<Real>(s13, s20) *
-      qdd_0_p3_lanes);
-  const Lanes<2> qdd_0_p51_lanes = inverse_D10_p28_lanes * qdd_0_p35_lanes -
-      (detail::make_pack<Real>(c13, c20) * qdd_0_p9_lanes + detail::make_pack<Real>(s13, s20) *
-      qdd_0_p7_lanes);
-  const Lanes<2> qdd_0_p55_lanes = detail::make_pack<Real>(c13, c20) * qdd_0_p7_lanes -
-      detail::make_pack<Real>(s13, s20) * qdd_0_p9_lanes + inverse_D10_p30_lanes * qdd_0_p35_lanes;
-
-  // link 1 (calf), inward
-  const Lanes<2> qdd_0_p57_lanes = detail::make_pack<Real>(tau[10], tau[17]) - n11_z_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> n11_x_p18_lanes = 0.269 * f12_z_lanes -
-      (detail::make_pack<Real>(s12, s19) * n12_y_lanes - detail::make_pack<Real>(c12, c19) *
-      n12_x_lanes);
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> n10_x_p3_lanes = wd9_y_lanes - n10_z_p2_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p14_lanes = 0.06032654142055946 * n10_z_p1_lanes + 0.060888541114265754 *
+  const Lanes<2> n10_z_p16_lanes = 0.06032654142055946 * n10_z_p2_lanes + 0.060888541114265754 *
       wd9_y_lanes - detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
-      (n10_z_p2_lanes + wd10_x_lanes);
+      (n10_z_p3_lanes + wd10_x_lanes);
+
+  // link 2 (thigh), articulated inertia
+  const Real inverse_D1_p5 = inverse_D1_p3 * inverse_D2;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_x_p1_lanes = wd10_x_lanes - n10_z_p2_lanes;
-  const Lanes<2> n10_x_p2_lanes = n10_z_p3_lanes - wd10_y_lanes;
-  const Lanes<2> n10_y_p1_lanes = n10_z_p1_lanes + wd9_y_lanes;
+  const Lanes<2> n10_x_p4_lanes = w10_z_lanes * w10_z_lanes;
 
-  // link 12 (left_wrist2), inward
-  const Lanes<2> n11_x_lanes = n11_x_p17_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
-      minus_a10_y_lanes + n11_x_p18_lanes;
+  // link 13 (left_hand), outward
+  const Lanes<2> a13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_a12_y_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_a12_z_lanes;
+
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_y_lanes = n13_y_p12_lanes + 0.00011422720754895356 *
+      (n13_z_p5_lanes - n13_y_p2_lanes) - 0.0165153994048813 * a12_x_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_x_p3_lanes = w10_z_lanes * w10_z_lanes;
-  const Lanes<2> n10_x_p4_lanes = wd9_y_lanes - n10_z_p1_lanes;
-
-  // link 12 (left_wrist2), bias force
-  const Lanes<2> qdd_0_p71_lanes = detail::make_pack<Real>(s12, s19) * qdd_0_p51_lanes -
-      detail::make_pack<Real>(c12, c19) * qdd_0_p41_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> n11_y_lanes = n11_y_p13_lanes - 6e-04 * minus_a10_y_lanes +
-      (n12_z_lanes + 0.269 * n11_y_p12_lanes);
-
-  // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p75_lanes = qdd_0_p57_lanes +
-      (detail::make_pack<Real>(s12, s19) * qdd_0_p1_lanes + detail::make_pack<Real>(c12, c19) *
-      qdd_0_p49_lanes);
+  const Lanes<2> n10_y_p1_lanes = n10_z_p2_lanes + wd9_y_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_z_p22_lanes = n10_z_p14_lanes -
+  const Lanes<2> n10_z_p20_lanes = n10_z_p16_lanes -
       detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) *
-      (n10_z_p3_lanes + wd10_y_lanes) + 0.0001499998887063 * (n10_z_p7_lanes - n10_z_p8_lanes);
+      (n10_z_p5_lanes + wd10_y_lanes) + 0.0001499998887063 * (n10_z_p6_lanes - n10_z_p9_lanes);
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_z_p1_lanes = w9_x_lanes * w9_y_lanes;
 
-  // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p81_lanes = inverse_D10_p83_lanes * qdd_0_p75_lanes;
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_z_lanes = n13_z_p16_lanes + 0.0165153994048813 * a13_y_lanes;
+
+  // link 13 (left_hand), inward
+  const Lanes<2> n12_z_p15_lanes = detail::make_pack<Real>(s13, s20) * n13_x_lanes +
+      detail::make_pack<Real>(c13, c20) * n13_y_lanes;
+  const Lanes<2> n12_y_p10_lanes = detail::make_pack<Real>(c13, c20) * n13_x_lanes -
+      detail::make_pack<Real>(s13, s20) * n13_y_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p10_lanes = detail::make_pack<Real>(0.0001499998887063,
-      (-0.0001499998887063)) * (n10_x_p3_lanes - n10_z_p7_lanes);
+  const Lanes<2> n10_x_p11_lanes = detail::make_pack<Real>(0.0001499998887063,
+      (-0.0001499998887063)) * (n10_x_p4_lanes - n10_z_p6_lanes);
 
-  // link 11 (left_wrist1), inward
-  const Lanes<2> n10_z_p24_lanes = detail::make_pack<Real>(s11, s18) * n11_x_lanes +
-      detail::make_pack<Real>(c11, c18) * n11_y_lanes;
+  // link 9 (left_upperarm), inertial wrench
+  const Lanes<2> n9_z_p4_lanes = detail::make_pack<Real>((-0.0012089992423205001),
+      0.0012089992423205001) * a10_x_p4_lanes;
+
+  // link 1 (calf), inward
+  const Lanes<2> qdd_0_p1_lanes = detail::make_pack<Real>(tau[12], tau[19]) - n13_z_lanes;
+
+  // link 13 (left_hand), inward
+  const Lanes<2> n12_z_lanes = n12_z_p8_lanes - (0.0025100003499999995 * minus_a12_y_lanes +
+      0.0006000000000000001 * a12_x_lanes) + n12_z_p15_lanes;
+  const Lanes<2> n12_x_lanes = n12_x_p10_lanes + n13_z_lanes;
+  const Lanes<2> n12_y_lanes = 0.0025100003499999995 * minus_a12_z_lanes -
+      (0.000195227662257343 * n12_y_p1_lanes + detail::make_pack<Real>(2.4000000000000003e-06,
+      (-2.4000000000000003e-06)) * n12_y_p2_lanes) + n12_y_p10_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_y_p8_lanes = 0.00028099984685315 * n10_x_p2_lanes +
+  const Lanes<2> n10_x_p13_lanes = 0.06060754126741261 * n10_x_p1_lanes + 0.0001499998887063 *
+      n10_x_p2_lanes - detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
+      n10_x_p3_lanes + n10_x_p11_lanes;
+  const Lanes<2> n10_y_p9_lanes = 0.00028099984685315 * n10_x_p2_lanes +
       detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) * n10_y_p1_lanes +
       0.0001499998887063 * n10_x_p1_lanes;
 
-  // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p91_lanes = 0.269 * qdd_0_p55_lanes -
-      (detail::make_pack<Real>(s12, s19) * qdd_0_p49_lanes - detail::make_pack<Real>(c12, c19) *
-      qdd_0_p1_lanes) + qdd_0_p81_lanes;
-  const Lanes<2> qdd_0_p93_lanes = qdd_0_p23_lanes + 0.269 * qdd_0_p71_lanes +
-      inverse_D10_p84_lanes * qdd_0_p75_lanes;
-
-  // link 11 (left_wrist1), inward
-  const Lanes<2> n10_z_lanes = n10_z_p22_lanes - (0.0014999985000000002 * minus_a10_y_lanes +
-      0.28049749700000004 * a10_x_lanes) + n10_z_p24_lanes;
-
-  // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p15_lanes = 0.06060754126741261 * n10_x_p1_lanes + 0.0001499998887063 *
-      n10_x_p2_lanes - detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
-      n10_x_p4_lanes + n10_x_p10_lanes;
-
-  // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p95_lanes = qdd_0_p55_lanes + inverse_D8_p17_lanes * qdd_0_p75_lanes;
-  const Lanes<2> qdd_0_p101_lanes = qdd_0_p71_lanes + inverse_D8_p16_lanes * qdd_0_p75_lanes;
+  // link 13 (left_hand), bias force
+  const Lanes<2> qdd_0_p3_lanes = detail::make_pack<Real>(0.02601091958181236,
+      (-0.02601091958181236)) * qdd_0_p1_lanes;
+  const Lanes<2> qdd_0_p5_lanes = 0.1216954623377218 * qdd_0_p1_lanes;
 
   // link 1 (calf), inward
-  const Lanes<2> qdd_0_p103_lanes = detail::make_pack<Real>(tau[9], tau[16]) - n10_z_lanes;
+  const Lanes<2> qdd_0_p7_lanes = detail::make_pack<Real>(tau[11], tau[18]) - n12_z_lanes;
+
+  // link 13 (left_hand), bias force
+  const Lanes<2> qdd_0_p9_lanes = 17.595187778776943 * qdd_0_p1_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p6_lanes = detail::make_pack<Real>((-0.0012089992423205001),
-      0.0012089992423205001) * a10_x_p6_lanes;
+  const Lanes<2> n9_z_p11_lanes = 0.0022500062 * minus_a9_y_lanes -
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * a9_x_lanes;
+
+  // link 12 (left_wrist2), inward
+  const Lanes<2> n11_z_p18_lanes = detail::make_pack<Real>(s12, s19) * n12_x_lanes +
+      detail::make_pack<Real>(c12, c19) * n12_y_lanes;
+  const Lanes<2> n11_y_lanes = n11_y_p12_lanes - 6e-04 * minus_a10_y_lanes +
+      (n12_z_lanes + 0.269 * n11_y_p13_lanes);
+  const Lanes<2> n11_z_lanes = detail::make_pack<Real>(6e-06, (-6e-06)) *
+      (minus_a12_y_p3_lanes - minus_a12_y_p2_lanes) - n11_z_p10_lanes - n11_z_p14_lanes -
+      n11_z_p18_lanes;
+  const Lanes<2> n11_x_p19_lanes = 0.269 * f12_z_lanes -
+      (detail::make_pack<Real>(s12, s19) * n12_y_lanes - detail::make_pack<Real>(c12, c19) *
+      n12_x_lanes);
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p1_lanes = minus_a10_z_p1_lanes + wd9_x_lanes;
   const Lanes<2> n9_x_p2_lanes = a10_x_p1_lanes - wd9_y_lanes;
 
-  // link 12 (left_wrist2), inward
-  const Lanes<2> f11_x_lanes = detail::make_pack<Real>(0.001, (-0.001)) * n11_y_p1_lanes - 6e-04 *
-      (minus_a12_y_p3_lanes + n11_x_p5_lanes) - n11_y_p12_lanes;
+  // link 9 (left_upperarm), inertial wrench
+  const Lanes<2> n9_z_p13_lanes = 0.0005895000784280001 * minus_a10_z_p2_lanes -
+      (0.001140794814995722 * n9_z_p1_lanes + 0.0027762933559338653 * wd8_x_lanes) - n9_z_p4_lanes;
 
-  // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p115_lanes = qdd_0_p103_lanes -
-      (detail::make_pack<Real>(s11, s18) * qdd_0_p91_lanes + detail::make_pack<Real>(c11, c18) *
-      qdd_0_p93_lanes);
+  // link 12 (left_wrist2), bias force
+  const Lanes<2> qdd_0_p31_lanes = qdd_0_p7_lanes -
+      (detail::make_pack<Real>(c13, c20) * qdd_0_p3_lanes - detail::make_pack<Real>(s13, s20) *
+      qdd_0_p5_lanes);
+
+  // link 1 (calf), inward
+  const Lanes<2> qdd_0_p33_lanes = detail::make_pack<Real>(tau[10], tau[17]) - n11_z_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> f11_y_lanes = 6e-04 * n11_x_p4_lanes - detail::make_pack<Real>(0.001, (-0.001)) *
-      (minus_a12_y_p2_lanes + n11_x_p5_lanes) + f12_z_lanes;
+  const Lanes<2> n11_x_lanes = n11_x_p14_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
+      minus_a10_y_lanes + n11_x_p19_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p3_lanes = w9_z_lanes * w9_z_lanes;
+
+  // link 11 (left_wrist1), inward
+  const Lanes<2> n10_y_lanes = detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
+      (n10_z_p9_lanes - n10_x_p4_lanes) - n10_y_p9_lanes + 0.0014999985000000002 *
+      minus_a10_z_lanes - n11_z_lanes;
+
+  // link 9 (left_upperarm), outward
+  const Lanes<2> n9_x_p4_lanes = n9_z_p1_lanes - wd8_x_lanes;
+
+  // link 2 (thigh), articulated inertia
+  const Real inverse_D1_p6 = inverse_D2_p22 - inverse_D1_p3 * inverse_D1_p5;
+
+  // link 12 (left_wrist2), bias force
+  const Lanes<2> qdd_0_p39_lanes = inverse_D10_p20_lanes * qdd_0_p31_lanes;
+
+  // link 12 (left_wrist2), inward
+  const Lanes<2> f11_x_lanes = detail::make_pack<Real>(0.001, (-0.001)) * n11_y_p1_lanes - 6e-04 *
+      (minus_a12_y_p3_lanes + n11_x_p3_lanes) - n11_y_p13_lanes;
+  const Lanes<2> f11_y_lanes = 6e-04 * n11_x_p4_lanes - detail::make_pack<Real>(0.001, (-0.001)) *
+      (minus_a12_y_p2_lanes + n11_x_p3_lanes) + f12_z_lanes;
+
+  // link 12 (left_wrist2), bias force
+  const Lanes<2> qdd_0_p43_lanes = inverse_D11_p4_lanes * qdd_0_p31_lanes -
+      (detail::make_pack<Real>(c13, c20) * qdd_0_p5_lanes + detail::make_pack<Real>(s13, s20) *
+      qdd_0_p3_lanes);
+  const Lanes<2> qdd_0_p45_lanes = inverse_D10_p19_lanes * qdd_0_p31_lanes -
+      detail::make_pack<Real>(s13, s20) * qdd_0_p9_lanes;
+  const Lanes<2> qdd_0_p49_lanes = detail::make_pack<Real>(c13, c20) * qdd_0_p9_lanes +
+      inverse_D10_p21_lanes * qdd_0_p31_lanes;
+
+  // link 11 (left_wrist1), inward
+  const Lanes<2> n10_z_p24_lanes = detail::make_pack<Real>(s11, s18) * n11_x_lanes +
+      detail::make_pack<Real>(c11, c18) * n11_y_lanes;
 
   // link 12 (left_wrist2), inward
   const Lanes<2> f11_z_p5_lanes = detail::make_pack<Real>(s12, s19) * f12_x_lanes +
       detail::make_pack<Real>(c12, c19) * f12_y_lanes;
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> n10_x_lanes = n10_x_p15_lanes - 0.28049749700000004 * minus_a10_z_lanes +
-      (detail::make_pack<Real>(c11, c18) * n11_x_lanes - detail::make_pack<Real>(s11, s18) *
-      n11_y_lanes);
-  const Lanes<2> n10_y_lanes = detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
-      (n10_z_p8_lanes - n10_x_p3_lanes) - n10_y_p8_lanes + 0.0014999985000000002 *
-      minus_a10_z_lanes - n11_z_lanes;
+  const Lanes<2> n10_z_lanes = n10_z_p20_lanes - (0.0014999985000000002 * minus_a10_y_lanes +
+      0.28049749700000004 * a10_x_lanes) + n10_z_p24_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_y_p1_lanes = n9_z_p1_lanes + wd8_x_lanes;
 
-  // link 12 (left_wrist2), inward
-  const Lanes<2> f11_z_lanes = 6e-04 * n11_x_p3_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
-      n11_x_p1_lanes - f11_z_p5_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p12_lanes = 0.0005895000784280001 * minus_a10_z_p2_lanes -
-      (0.001140794814995722 * n9_z_p1_lanes + 0.0027762933559338653 * wd8_x_lanes) - n9_z_p6_lanes;
-
-  // link 9 (left_upperarm), outward
-  const Lanes<2> n9_x_p6_lanes = n9_z_p1_lanes - wd8_x_lanes;
-
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_x_p7_lanes = 0.0014999985000000002 * (n10_z_p7_lanes + n10_x_p3_lanes) +
+  const Lanes<2> f10_x_p7_lanes = 0.0014999985000000002 * (n10_z_p6_lanes + n10_x_p4_lanes) +
       0.28049749700000004 * n10_y_p1_lanes;
 
+  // link 12 (left_wrist2), inward
+  const Lanes<2> f11_z_lanes = 6e-04 * n11_x_p2_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
+      n11_x_p1_lanes - f11_z_p5_lanes;
+
+  // link 12 (left_wrist2), bias force
+  const Lanes<2> qdd_0_p65_lanes = detail::make_pack<Real>(c12, c19) * qdd_0_p39_lanes +
+      detail::make_pack<Real>(s12, s19) * qdd_0_p45_lanes;
+
+  // link 1 (calf), inward
+  const Lanes<2> qdd_0_p69_lanes = detail::make_pack<Real>(tau[9], tau[16]) - n10_z_lanes;
+
   // link 11 (left_wrist1), inward
-  const Lanes<2> f10_y_lanes = 0.0014999985000000002 * n10_x_p4_lanes - 0.28049749700000004 *
-      (n10_z_p8_lanes + n10_x_p3_lanes) - f11_z_lanes;
+  const Lanes<2> n10_x_lanes = n10_x_p13_lanes - 0.28049749700000004 * minus_a10_z_lanes +
+      (detail::make_pack<Real>(c11, c18) * n11_x_lanes - detail::make_pack<Real>(s11, s18) *
+      n11_y_lanes);
   const Lanes<2> f10_x_lanes = detail::make_pack<Real>(c11, c18) * f11_x_lanes -
       detail::make_pack<Real>(s11, s18) * f11_y_lanes - f10_x_p7_lanes;
+  const Lanes<2> f10_y_lanes = 0.0014999985000000002 * n10_x_p3_lanes - 0.28049749700000004 *
+      (n10_z_p9_lanes + n10_x_p4_lanes) - f11_z_lanes;
 
   // link 11 (left_wrist1), bias force
-  const Lanes<2> qdd_0_p137_lanes = inverse_D8_p18_lanes * qdd_0_p75_lanes -
-      (detail::make_pack<Real>(s12, s19) * qdd_0_p41_lanes + detail::make_pack<Real>(c12, c19) *
-      qdd_0_p51_lanes);
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p15_lanes = 0.0022500062 * minus_a9_y_lanes -
-      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * a9_x_lanes;
+  const Lanes<2> qdd_0_p73_lanes = qdd_0_p33_lanes +
+      (detail::make_pack<Real>(s12, s19) * qdd_0_p1_lanes + detail::make_pack<Real>(c12, c19) *
+      qdd_0_p43_lanes);
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> f10_z_p5_lanes = detail::make_pack<Real>(s11, s18) * f11_x_lanes +
+  const Lanes<2> f10_z_p6_lanes = detail::make_pack<Real>(s11, s18) * f11_x_lanes +
       detail::make_pack<Real>(c11, c18) * f11_y_lanes;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> n8_z_p1_lanes = w8_x_lanes * w8_y_lanes;
   const Lanes<2> n8_z_p2_lanes = w8_y_lanes * w8_z_lanes;
-  const Lanes<2> n8_y_p1_lanes = w8_x_lanes * w8_z_lanes;
 
-  // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p143_lanes = detail::make_pack<Real>(c11, c18) * qdd_0_p91_lanes -
-      detail::make_pack<Real>(s11, s18) * qdd_0_p93_lanes + inverse_D9_p9_lanes * qdd_0_p115_lanes;
-  const Lanes<2> qdd_0_p145_lanes = inverse_D9_p7_lanes * qdd_0_p115_lanes - qdd_0_p57_lanes;
-  const Lanes<2> qdd_0_p147_lanes = inverse_D8_p80_lanes * qdd_0_p115_lanes -
-      (detail::make_pack<Real>(c11, c18) * qdd_0_p101_lanes + detail::make_pack<Real>(s11, s18) *
-      qdd_0_p95_lanes);
-  const Lanes<2> qdd_0_p149_lanes = inverse_D8_p81_lanes * qdd_0_p115_lanes - qdd_0_p137_lanes;
+  // link 11 (left_wrist1), bias force
+  const Lanes<2> qdd_0_p79_lanes = inverse_D10_p74_lanes * qdd_0_p73_lanes;
+
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> n8_x_p1_lanes = w8_x_lanes * w8_z_lanes;
 
   // link 10 (left_lowerarm), inward
   const Lanes<2> n9_z_p17_lanes = detail::make_pack<Real>(s10, s17) * n10_x_lanes +
@@ -1785,60 +1782,69 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // link 11 (left_wrist1), inward
   const Lanes<2> f10_z_lanes = 0.0014999985000000002 * n10_x_p2_lanes + 0.28049749700000004 *
-      n10_x_p1_lanes + f10_z_p5_lanes;
+      n10_x_p1_lanes + f10_z_p6_lanes;
 
   // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_x_p12_lanes = detail::make_pack<Real>((-0.0012089992423205001),
+  const Lanes<2> n9_x_p13_lanes = detail::make_pack<Real>((-0.0012089992423205001),
       0.0012089992423205001) * (n9_x_p3_lanes - a10_x_p3_lanes);
 
   // link 10 (left_lowerarm), inward
   const Lanes<2> n9_y_p9_lanes = detail::make_pack<Real>(s10, s17) * f10_y_lanes -
       detail::make_pack<Real>(c10, c17) * f10_x_lanes;
 
+  // link 11 (left_wrist1), bias force
+  const Lanes<2> qdd_0_p91_lanes = 0.269 * qdd_0_p49_lanes -
+      (detail::make_pack<Real>(s12, s19) * qdd_0_p43_lanes - detail::make_pack<Real>(c12, c19) *
+      qdd_0_p1_lanes) + qdd_0_p79_lanes;
+  const Lanes<2> qdd_0_p93_lanes = qdd_0_p7_lanes + 0.269 * qdd_0_p65_lanes +
+      inverse_D10_p75_lanes * qdd_0_p73_lanes;
+  const Lanes<2> qdd_0_p95_lanes = qdd_0_p65_lanes + inverse_D8_p16_lanes * qdd_0_p73_lanes;
+  const Lanes<2> qdd_0_p97_lanes = qdd_0_p49_lanes + inverse_D8_p17_lanes * qdd_0_p73_lanes;
+  const Lanes<2> qdd_0_p99_lanes = detail::make_pack<Real>(s12, s19) * qdd_0_p39_lanes -
+      detail::make_pack<Real>(c12, c19) * qdd_0_p45_lanes + inverse_D8_p18_lanes * qdd_0_p73_lanes;
+
   // link 9 (left_upperarm), inertial wrench
   const Lanes<2> n9_y_p10_lanes = 0.0005895000784280001 * (a10_x_p2_lanes - n9_x_p3_lanes);
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> n8_y_p2_lanes = n8_z_p1_lanes - wd7_x_lanes;
-  const Lanes<2> n8_y_p3_lanes = n8_y_p1_lanes - wd8_y_lanes;
-  const Lanes<2> n8_x_p1_lanes = n8_z_p2_lanes + wd8_x_lanes;
+  const Lanes<2> n8_x_p2_lanes = n8_z_p2_lanes + wd8_x_lanes;
+  const Lanes<2> n8_x_p3_lanes = n8_x_p1_lanes - wd8_y_lanes;
   const Lanes<2> n8_z_p6_lanes = w8_y_lanes * w8_y_lanes;
   const Lanes<2> n8_z_p7_lanes = w8_x_lanes * w8_x_lanes;
-  const Lanes<2> n8_y_p4_lanes = w8_z_lanes * w8_z_lanes;
+  const Lanes<2> n8_x_p4_lanes = w8_z_lanes * w8_z_lanes;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_z_lanes = n9_z_p12_lanes + detail::make_pack<Real>((-4.4999986458742003e-05),
-      4.4999986458742003e-05) * (a10_x_p3_lanes - a10_x_p2_lanes) + n9_z_p15_lanes - n9_z_p17_lanes;
+  const Lanes<2> n9_z_lanes = n9_z_p13_lanes + detail::make_pack<Real>((-4.4999986458742003e-05),
+      4.4999986458742003e-05) * (a10_x_p3_lanes - a10_x_p2_lanes) + n9_z_p11_lanes - n9_z_p17_lanes;
 
   // link 9 (left_upperarm), inertial wrench
   const Lanes<2> n9_x_p17_lanes = 0.0019585440854647937 * n9_x_p1_lanes +
       detail::make_pack<Real>((-4.4999986458742003e-05), 4.4999986458742003e-05) * n9_x_p2_lanes -
-      0.0005895000784280001 * n9_x_p6_lanes + n9_x_p12_lanes;
+      0.0005895000784280001 * n9_x_p4_lanes + n9_x_p13_lanes;
+
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> n8_y_p1_lanes = n8_z_p1_lanes - wd7_x_lanes;
+
+  // link 9 (left_upperarm), inertial wrench
   const Lanes<2> n9_y_p14_lanes = detail::make_pack<Real>((-0.0012089992423205001),
       0.0012089992423205001) * n9_y_p1_lanes - 0.0008177492704690715 * n9_x_p2_lanes -
       detail::make_pack<Real>((-4.4999986458742003e-05), 4.4999986458742003e-05) * n9_x_p1_lanes +
       n9_y_p10_lanes;
 
-  // link 8 (left_shoulder2), outward
-  const Lanes<2> n8_x_p4_lanes = n8_z_p1_lanes + wd7_x_lanes;
-
   // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p163_lanes = detail::make_pack<Real>(c11, c18) * qdd_0_p95_lanes -
-      detail::make_pack<Real>(s11, s18) * qdd_0_p101_lanes + inverse_D8_p82_lanes *
-      qdd_0_p115_lanes;
+  const Lanes<2> qdd_0_p125_lanes = qdd_0_p69_lanes -
+      (detail::make_pack<Real>(s11, s18) * qdd_0_p91_lanes + detail::make_pack<Real>(c11, c18) *
+      qdd_0_p93_lanes);
+
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> n8_x_p7_lanes = n8_z_p1_lanes + wd7_x_lanes;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_z_p1_lanes = w7_y_lanes * w7_z_lanes;
+  const Lanes<2> n7_z_p2_lanes = w7_x_lanes * w7_z_lanes;
 
   // link 1 (calf), inward
-  const Lanes<2> qdd_0_p171_lanes = detail::make_pack<Real>(tau[8], tau[15]) - n9_z_lanes;
-
-  // link 10 (left_lowerarm), bias force
-  const Lanes<2> qdd_0_p173_lanes = detail::make_pack<Real>(s10, s17) * qdd_0_p149_lanes -
-      detail::make_pack<Real>(c10, c17) * qdd_0_p147_lanes;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_z_p2_lanes = w7_x_lanes * w7_z_lanes;
+  const Lanes<2> qdd_0_p127_lanes = detail::make_pack<Real>(tau[8], tau[15]) - n9_z_lanes;
 
   // link 10 (left_lowerarm), inward
   const Lanes<2> n9_x_p18_lanes = 0.282 * f10_z_lanes -
@@ -1852,109 +1858,107 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> n8_z_p13_lanes = 0.18101044219699997 * n8_z_p1_lanes + 0.18125194219699997 *
       wd7_x_lanes + 0.00010499999999999999 * (n8_z_p2_lanes - wd8_x_lanes);
 
-  // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p177_lanes = qdd_0_p171_lanes +
-      (detail::make_pack<Real>(s10, s17) * qdd_0_p143_lanes + detail::make_pack<Real>(c10, c17) *
-      qdd_0_p145_lanes);
-
   // link 10 (left_lowerarm), inward
   const Lanes<2> n9_x_lanes = n9_x_p17_lanes - detail::make_pack<Real>(0.004500002325,
       (-0.004500002325)) * a8_x_lanes + n9_x_p18_lanes;
+
+  // link 10 (left_lowerarm), bias force
+  const Lanes<2> qdd_0_p139_lanes = detail::make_pack<Real>(c11, c18) * qdd_0_p91_lanes -
+      detail::make_pack<Real>(s11, s18) * qdd_0_p93_lanes + inverse_D9_p9_lanes * qdd_0_p125_lanes;
+  const Lanes<2> qdd_0_p141_lanes = inverse_D9_p7_lanes * qdd_0_p125_lanes - qdd_0_p33_lanes;
+  const Lanes<2> qdd_0_p143_lanes = inverse_D8_p81_lanes * qdd_0_p125_lanes - qdd_0_p99_lanes;
+  const Lanes<2> qdd_0_p145_lanes = inverse_D8_p80_lanes * qdd_0_p125_lanes -
+      (detail::make_pack<Real>(c11, c18) * qdd_0_p95_lanes + detail::make_pack<Real>(s11, s18) *
+      qdd_0_p97_lanes);
+  const Lanes<2> qdd_0_p147_lanes = detail::make_pack<Real>(c11, c18) * qdd_0_p97_lanes -
+      detail::make_pack<Real>(s11, s18) * qdd_0_p95_lanes + inverse_D8_p82_lanes * qdd_0_p125_lanes;
+
+  // link 10 (left_lowerarm), inward
   const Lanes<2> n9_y_lanes = n9_y_p14_lanes - 0.0022500062 * a8_x_lanes +
       (n10_z_lanes + 0.282 * n9_y_p9_lanes);
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p10_lanes = 0.00010499999999999999 * (n8_z_p7_lanes - n8_y_p4_lanes);
-  const Lanes<2> n8_x_p8_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
-      (n8_y_p4_lanes - n8_z_p6_lanes);
+  const Lanes<2> n8_x_p11_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
+      (n8_x_p4_lanes - n8_z_p6_lanes);
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_z_p4_lanes = w7_y_lanes * w7_y_lanes;
 
-  // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p183_lanes = inverse_D8_p149_lanes * qdd_0_p177_lanes;
+  // link 8 (left_shoulder2), inertial wrench
+  const Lanes<2> n8_y_p7_lanes = 0.00010499999999999999 * (n8_z_p7_lanes - n8_x_p4_lanes);
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> n7_z_p5_lanes = w7_x_lanes * w7_x_lanes;
 
+  // link 10 (left_lowerarm), bias force
+  const Lanes<2> qdd_0_p165_lanes = detail::make_pack<Real>(s10, s17) * qdd_0_p143_lanes -
+      detail::make_pack<Real>(c10, c17) * qdd_0_p145_lanes;
+
+  // link 21 (neck), outward
+  const Real w21_z = qd[20] - w6_x;
+
   // link 8 (left_shoulder2), inertial wrench
   const Lanes<2> n8_z_p21_lanes = n8_z_p13_lanes - detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
-      (n8_y_p1_lanes + wd8_y_lanes) + detail::make_pack<Real>(5.2499999999999995e-05,
+      (n8_x_p1_lanes + wd8_y_lanes) + detail::make_pack<Real>(5.2499999999999995e-05,
       (-5.2499999999999995e-05)) * (n8_z_p6_lanes - n8_z_p7_lanes);
-  const Lanes<2> n8_y_p15_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) * n8_y_p2_lanes -
-      0.18113119219699997 * n8_y_p3_lanes - detail::make_pack<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * n8_x_p1_lanes + n8_y_p10_lanes;
-  const Lanes<2> n8_x_p11_lanes = 0.00012075 * n8_x_p1_lanes +
-      detail::make_pack<Real>(5.2499999999999995e-05, (-5.2499999999999995e-05)) * n8_y_p3_lanes -
-      0.00010499999999999999 * n8_x_p4_lanes + n8_x_p8_lanes;
+  const Lanes<2> n8_x_p14_lanes = 0.00012075 * n8_x_p2_lanes +
+      detail::make_pack<Real>(5.2499999999999995e-05, (-5.2499999999999995e-05)) * n8_x_p3_lanes -
+      0.00010499999999999999 * n8_x_p7_lanes + n8_x_p11_lanes;
+
+  // link 9 (left_upperarm), bias force
+  const Lanes<2> qdd_0_p169_lanes = qdd_0_p127_lanes +
+      (detail::make_pack<Real>(s10, s17) * qdd_0_p139_lanes + detail::make_pack<Real>(c10, c17) *
+      qdd_0_p141_lanes);
+
+  // link 21 (neck), outward
+  const Real w21_x = s21 * w6_y + c21 * w6_z;
+
+  // link 8 (left_shoulder2), inertial wrench
+  const Lanes<2> n8_y_p12_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) * n8_y_p1_lanes -
+      0.18113119219699997 * n8_x_p3_lanes - detail::make_pack<Real>(5.2499999999999995e-05,
+      (-5.2499999999999995e-05)) * n8_x_p2_lanes + n8_y_p7_lanes;
+
+  // link 21 (neck), outward
+  const Real w21_y = c21 * w6_y - s21 * w6_z;
+
+  // link 9 (left_upperarm), bias force
+  const Lanes<2> qdd_0_p175_lanes = inverse_D8_p149_lanes * qdd_0_p169_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
   const Real n7_z_p7 = 0.00044800000000000005 * wd6_y;
 
-  // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p191_lanes = 0.282 * qdd_0_p163_lanes -
-      (detail::make_pack<Real>(s10, s17) * qdd_0_p145_lanes - detail::make_pack<Real>(c10, c17) *
-      qdd_0_p143_lanes) + qdd_0_p183_lanes;
-  const Lanes<2> qdd_0_p193_lanes = qdd_0_p103_lanes + 0.282 * qdd_0_p173_lanes +
-      inverse_D8_p150_lanes * qdd_0_p177_lanes;
-
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> qdd_0_p195_lanes = 0.00010499999999999999 / inverse_D8_p163_lanes;
+  const Lanes<2> qdd_0_p181_lanes = 0.00010499999999999999 / inverse_D8_p163_lanes;
+
+  // link 22 (head), outward
+  const Real w22_z = w21_y + qd[21];
+
+  // link 21 (neck), outward
+  const Real a22_y_p1 = w21_x * w21_x;
+  const Real a22_y_p2 = w21_y * w21_y;
+
+  // link 9 (left_upperarm), bias force
+  const Lanes<2> qdd_0_p183_lanes = 0.282 * qdd_0_p147_lanes -
+      (detail::make_pack<Real>(s10, s17) * qdd_0_p141_lanes - detail::make_pack<Real>(c10, c17) *
+      qdd_0_p139_lanes) + qdd_0_p175_lanes;
+  const Lanes<2> qdd_0_p185_lanes = qdd_0_p69_lanes + 0.282 * qdd_0_p165_lanes +
+      inverse_D8_p150_lanes * qdd_0_p169_lanes;
 
   // link 9 (left_upperarm), inward
   const Lanes<2> n8_z_p22_lanes = detail::make_pack<Real>(c9, c16) * n9_x_lanes -
       detail::make_pack<Real>(s9, s16) * n9_y_lanes;
 
   // link 21 (neck), outward
-  const Real w21_z = qd[20] - w6_x;
-  const Real w21_x = s21 * w6_y + c21 * w6_z;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> n8_z_lanes = n8_z_p21_lanes - (0.7139200499999999 * minus_a8_y_lanes +
-      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * a8_x_lanes) +
-      n8_z_p22_lanes;
-  const Lanes<2> n8_y_lanes = n8_y_p15_lanes - 0.7139200499999999 * a7_x_lanes +
-      (detail::make_pack<Real>(s9, s16) * n9_x_lanes + detail::make_pack<Real>(c9, c16) *
-      n9_y_lanes);
-
-  // link 21 (neck), outward
-  const Real w21_y = c21 * w6_y - s21 * w6_z;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> n8_x_lanes = n8_x_p11_lanes + detail::make_pack<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * a7_x_lanes - n9_z_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p13_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * (n7_z_p2_lanes + wd7_y_lanes);
-
-  // link 22 (head), outward
-  const Real w22_z = w21_y + qd[21];
-
-  // link 1 (calf), inward
-  const Lanes<2> qdd_0_p203_lanes = detail::make_pack<Real>(tau[7], tau[14]) - n8_z_lanes;
-
-  // link 21 (neck), outward
-  const Real a22_y_p1 = w21_x * w21_x;
-  const Real a22_y_p2 = w21_y * w21_y;
+  const Real wd21_y = c21 * wd6_y - s21 * wd5_x - w21_x * qd[20];
 
   // link 22 (head), outward
   const Real w22_x = c22 * w21_x - s22 * w21_z;
-  const Real minus_w22_y = s22 * w21_x + c22 * w21_z;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p16_lanes = 0.00014700000000000002 * n7_z_p3_lanes + n7_z_p7 +
-      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) *
-      (n7_z_p1_lanes - wd7_x_lanes) - n7_z_p13_lanes;
 
   // link 21 (neck), outward
-  const Real wd21_y = c21 * wd6_y - s21 * wd5_x - w21_x * qd[20];
   const Real a22_y_p3 = w21_x * w21_z;
 
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p209_lanes = qdd_0_p203_lanes -
-      (detail::make_pack<Real>(c9, c16) * qdd_0_p191_lanes - detail::make_pack<Real>(s9, s16) *
-      qdd_0_p193_lanes);
+  // link 22 (head), outward
+  const Real minus_w22_y = s22 * w21_x + c22 * w21_z;
 
   // link 21 (neck), outward
   const Real wd21_x = s21 * wd6_y + c21 * wd5_x + w21_y * qd[20];
@@ -1965,39 +1969,35 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 23 (left_eye), outward
   const Lanes<2> w23_z_lanes = minus_w22_y + detail::make_pack<Real>(qd[22], qd[23]);
 
-  // link 22 (head), outward
-  const Real minus_a23_z_p2 = minus_w22_y * w22_z;
-
   // link 21 (neck), outward
   const Real a21_x = c21 * a6_z - s21 * minus_a6_y;
+
+  // link 22 (head), outward
+  const Real minus_a23_z_p2 = minus_w22_y * w22_z;
 
   // link 23 (left_eye), outward
   const Lanes<2> w23_x_lanes = detail::make_pack<Real>(c23, c24) * w22_x +
       detail::make_pack<Real>(s23, s24) * w22_z;
+  const Lanes<2> n23_y_p3_lanes = w23_z_lanes * w23_z_lanes;
 
   // link 22 (head), outward
   const Real minus_a23_z_p3 = wd21_y - minus_a23_z_p1;
-
-  // link 23 (left_eye), outward
-  const Lanes<2> n23_y_p3_lanes = w23_z_lanes * w23_z_lanes;
-
-  // link 9 (left_upperarm), bias force
-  const Lanes<2> qdd_0_p219_lanes = qdd_0_p173_lanes + inverse_D6_p31_lanes * qdd_0_p177_lanes;
-  const Lanes<2> qdd_0_p221_lanes = qdd_0_p163_lanes + inverse_D6_p33_lanes * qdd_0_p177_lanes;
-
-  // link 22 (head), outward
   const Real a22_y_p4 = a6_x + 0.394 * (a22_y_p1 + a22_y_p2);
 
   // link 23 (left_eye), outward
   const Lanes<2> w23_y_lanes = detail::make_pack<Real>(c23, c24) * w22_z -
       detail::make_pack<Real>(s23, s24) * w22_x;
 
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_p19_lanes = detail::make_pack<Real>(c8, c15) * n8_y_lanes;
-
   // link 22 (head), outward
   const Real a22_y_p5 = a21_x + 0.394 * (a22_y_p3 + wd21_y);
   const Real a23_y_p1 = w22_x * w22_z;
+
+  // link 9 (left_upperarm), inward
+  const Lanes<2> n8_z_lanes = n8_z_p21_lanes - (0.7139200499999999 * minus_a8_y_lanes +
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * a8_x_lanes) +
+      n8_z_p22_lanes;
+
+  // link 22 (head), outward
   const Real wd22_x = c22 * wd21_x + s22 * wd6_x - minus_w22_y * qd[21];
 
   // link 21 (neck), outward
@@ -2007,61 +2007,70 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> n23_x_p1_lanes = w23_x_lanes * w23_y_lanes;
   const Lanes<2> n23_z_p1_lanes = w23_y_lanes * w23_z_lanes;
 
+  // link 9 (left_upperarm), inward
+  const Lanes<2> n8_x_lanes = n8_x_p14_lanes + detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) * a7_x_lanes - n9_z_lanes;
+
   // link 22 (head), outward
-  const Real minus_a23_z_p4 = minus_a23_z_p2 + wd22_x;
   const Real wd22_y = c22 * wd6_x - s22 * wd21_x - w22_x * qd[21];
-  const Real n22_y_p1 = wd22_x - minus_a23_z_p2;
+  const Real minus_a23_z_p4 = minus_a23_z_p2 + wd22_x;
   const Real a23_y_p2 = w22_x * w22_x;
   const Real a23_y_p3 = minus_w22_y * minus_w22_y;
 
   // link 21 (neck), outward
   const Real minus_a21_y = c21 * minus_a6_y + s21 * a6_z;
+
+  // link 22 (head), outward
+  const Real n22_x_p1 = wd22_x - minus_a23_z_p2;
+
+  // link 21 (neck), outward
   const Real a22_z_p2 = a22_z_p1 - wd21_x;
 
   // link 22 (head), outward
-  const Real a23_y_p4 = w22_z * w22_z;
-  const Real a23_y_p5 = a23_y_p1 - wd22_y;
-  const Real a23_y_p6 = a23_y_p1 + wd22_y;
+  const Real a23_y_p4 = a23_y_p1 - wd22_y;
+  const Real a23_y_p5 = w22_z * w22_z;
   const Real a22_y = c22 * a22_y_p4 - s22 * a22_y_p5;
+  const Real a23_y_p6 = a23_y_p1 + wd22_y;
 
   // link 23 (left_eye), outward
   const Lanes<2> n23_x_p2_lanes = n23_x_p1_lanes - wd22_y;
   const Real a23_y_p7 = a23_y_p2 + a23_y_p3;
 
-  // link 23 (left_eye), inertial wrench
-  const Real n23_z_p3 = 9.25e-06 * wd22_y;
-
   // link 22 (head), outward
   const Real a22_x = c22 * a22_y_p5 + s22 * a22_y_p4;
 
+  // link 24 (right_eye), outward
+  const Real minus_a23_z_p6 = a22_y + 0.095 * minus_a23_z_p3;
+
+  // link 23 (left_eye), inertial wrench
+  const Real n23_z_p3 = 9.25e-06 * wd22_y;
+
   // link 23 (left_eye), outward
+  const Real a23_y_p8 = a23_y_p3 + a23_y_p5;
   const Lanes<2> wd23_x_lanes = detail::make_pack<Real>(c23, c24) * wd22_x +
       detail::make_pack<Real>(s23, s24) * wd21_y + w23_y_lanes *
       detail::make_pack<Real>(qd[22], qd[23]);
   const Lanes<2> n23_y_p10_lanes = (w23_z_lanes + detail::make_pack<Real>(qd[22], qd[23])) *
       w23_x_lanes - (detail::make_pack<Real>(c23, c24) * wd21_y -
       detail::make_pack<Real>(s23, s24) * wd22_x);
-  const Real a23_y_p8 = a23_y_p3 + a23_y_p4;
-
-  // link 24 (right_eye), outward
-  const Real minus_a23_z_p6 = a22_y + 0.095 * minus_a23_z_p3;
 
   // link 22 (head), outward
   const Real a22_z = 0.394 * a22_z_p2 - minus_a21_y;
-
-  // link 23 (left_eye), inertial wrench
-  const Lanes<2> f23_y_lanes = 0.00025 * n23_x_p2_lanes;
 
   // link 23 (left_eye), outward
   const Lanes<2> minus_a23_z_lanes = minus_a23_z_p6 - detail::make_pack<Real>(0.032, (-0.032)) *
       minus_a23_z_p4;
 
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p229_lanes = detail::make_pack<Real>(s9, s16) * qdd_0_p191_lanes +
-      detail::make_pack<Real>(c9, c16) * qdd_0_p193_lanes + inverse_D7_p8_lanes * qdd_0_p209_lanes;
+  // link 23 (left_eye), inertial wrench
+  const Lanes<2> f23_y_lanes = 0.00025 * n23_x_p2_lanes;
+
+  // link 9 (left_upperarm), inward
+  const Lanes<2> n8_y_lanes = n8_y_p12_lanes - 0.7139200499999999 * a7_x_lanes +
+      (detail::make_pack<Real>(s9, s16) * n9_x_lanes + detail::make_pack<Real>(c9, c16) *
+      n9_y_lanes);
 
   // link 24 (right_eye), outward
-  const Real a23_y_p11 = a22_z + 0.095 * a23_y_p5;
+  const Real a23_y_p11 = a22_z + 0.095 * a23_y_p4;
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_y_p12_lanes = 0.00025 * minus_a23_z_lanes;
@@ -2069,94 +2078,102 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 24 (right_eye), outward
   const Real a23_y_p12 = a22_x - 0.095 * a23_y_p8;
 
+  // link 21 (neck), outward
+  const Real n21_x_p1 = w21_x * w21_y;
+
+  // link 7 (left_shoulder1), inertial wrench
+  const Lanes<2> n7_z_p12_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_z_p2_lanes + wd7_y_lanes);
+
   // link 23 (left_eye), inertial wrench
   const Lanes<2> minus_f23_x_lanes = 0.00025 * (w23_y_lanes * w23_y_lanes + n23_y_p3_lanes);
-
-  // link 21 (neck), outward
-  const Real n21_z_p1 = w21_x * w21_y;
-
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p231_lanes = qdd_0_p171_lanes + qdd_0_p195_lanes * qdd_0_p209_lanes;
-
-  // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_y_lanes = 2.8750000000000004e-05 *
       (w23_x_lanes * w23_x_lanes - n23_y_p3_lanes) - 5.25e-06 * n23_y_p10_lanes + n23_y_p12_lanes;
   const Lanes<2> n23_x_lanes = 4e-06 * (n23_z_p1_lanes + wd23_x_lanes) - 2.8750000000000004e-05 *
       n23_x_p2_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_x_p1_lanes = n7_z_p1_lanes + wd7_x_lanes;
-  const Lanes<2> n7_x_p2_lanes = n7_z_p2_lanes - wd7_y_lanes;
+  const Lanes<2> n7_y_p1_lanes = n7_z_p3_lanes - wd6_y;
+  const Lanes<2> n7_y_p2_lanes = n7_z_p2_lanes - wd7_y_lanes;
+
+  // link 1 (calf), inward
+  const Lanes<2> qdd_0_p193_lanes = detail::make_pack<Real>(tau[7], tau[14]) - n8_z_lanes;
+
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> n7_y_p4_lanes = n7_z_p1_lanes + wd7_x_lanes;
 
   // link 23 (left_eye), outward
   const Lanes<2> a23_y_p16_lanes = detail::make_pack<Real>(s23, s24) *
       (a23_y_p12 + detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p6);
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_x_p3_lanes = n7_z_p3_lanes + wd6_y;
-  const Lanes<2> n7_x_p4_lanes = w7_z_lanes * w7_z_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_p23_lanes = n7_z_p16_lanes + 8.75e-06 * (n7_z_p4_lanes - n7_z_p5_lanes) +
-      detail::make_pack<Real>(s8, s15) * n8_x_lanes + n7_z_p19_lanes;
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> qdd_0_p241_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) / inverse_D7_p20_lanes;
+  const Lanes<2> n7_x_p1_lanes = w7_z_lanes * w7_z_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p7_lanes = 0.0017499999999999998 * minus_a7_z_lanes;
+  const Lanes<2> n7_x_p2_lanes = 0.0017499999999999998 * minus_a7_z_lanes;
 
-  // link 23 (left_eye), inward
-  const Lanes<2> n22_y_p10_lanes = detail::make_pack<Real>(c23, c24) * minus_f23_x_lanes +
-      detail::make_pack<Real>(s23, s24) * f23_y_lanes;
-  const Lanes<2> n22_y_p12_lanes = detail::make_pack<Real>(c23, c24) * f23_y_lanes -
-      detail::make_pack<Real>(s23, s24) * minus_f23_x_lanes;
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> n7_x_p5_lanes = n7_z_p3_lanes + wd6_y;
+
+  // link 7 (left_shoulder1), inertial wrench
+  const Lanes<2> n7_z_p16_lanes = 0.00014700000000000002 * n7_z_p3_lanes + n7_z_p7 +
+      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) *
+      (n7_z_p1_lanes - wd7_x_lanes) - n7_z_p12_lanes;
 
   // link 23 (left_eye), outward
   const Lanes<2> a23_y_lanes = detail::make_pack<Real>(c23, c24) *
       (a23_y_p11 - detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p7) - a23_y_p16_lanes;
 
-  // link 21 (neck), outward
-  const Real n21_x_p1 = n21_z_p1 - wd6_x;
-
   // link 23 (left_eye), inward
-  const Real n22_y_p14 = n22_y_p12_lanes[1] + n22_y_p12_lanes[0];
+  const Lanes<2> n22_y_p9_lanes = detail::make_pack<Real>(c23, c24) * minus_f23_x_lanes +
+      detail::make_pack<Real>(s23, s24) * f23_y_lanes;
+  const Lanes<2> n22_y_p11_lanes = detail::make_pack<Real>(c23, c24) * f23_y_lanes -
+      detail::make_pack<Real>(s23, s24) * minus_f23_x_lanes;
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_z_p8_lanes = 0.00025 * a23_y_lanes;
 
   // link 23 (left_eye), inward
-  const Lanes<2> n22_x_p9_lanes = detail::make_pack<Real>(c23, c24) * n23_x_lanes -
+  const Real n22_y_p13 = n22_y_p11_lanes[1] + n22_y_p11_lanes[0];
+  const Lanes<2> n22_x_p10_lanes = detail::make_pack<Real>(c23, c24) * n23_x_lanes -
       detail::make_pack<Real>(s23, s24) * n23_y_lanes + detail::make_pack<Real>(8e-06, (-8e-06)) *
       n23_y_p10_lanes;
-  const Real f22_z = 0.072575 * a23_y_p5 - 0.43200000000000005 * n22_y_p1 + n22_y_p14;
+
+  // link 21 (neck), outward
+  const Real n21_x_p2 = n21_x_p1 - wd6_x;
+
+  // link 7 (left_shoulder1), inertial wrench
+  const Lanes<2> n7_x_p9_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_x_p1_lanes - n7_z_p4_lanes);
+  const Lanes<2> n7_y_p11_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (n7_z_p5_lanes - n7_x_p1_lanes);
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_z_lanes = 1.2499999999999999e-06 * n23_x_p1_lanes - n23_z_p3 +
       2.8750000000000004e-05 * (n23_z_p1_lanes - wd23_x_lanes) + n23_z_p8_lanes;
 
   // link 23 (left_eye), inward
+  const Real f22_z = 0.072575 * a23_y_p4 - 0.43200000000000005 * n22_x_p1 + n22_y_p13;
   const Lanes<2> n22_z_p1_lanes = detail::make_pack<Real>(s23, s24) * n23_x_lanes;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p11_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * (n7_x_p4_lanes - n7_z_p4_lanes);
-
-  // link 23 (left_eye), inward
+  const Real n22_x = 0.05450270000000001 * n22_x_p1 - 0.0074 * a23_y_p4 - 0.43200000000000005 *
+      a22_z + n22_x_p10_lanes[1] + n22_x_p10_lanes[0];
   const Lanes<2> n22_z_p3_lanes = detail::make_pack<Real>(c23, c24) * n23_y_lanes;
   const Real f22_y_p1 = n23_y_p10_lanes[1] + n23_y_p10_lanes[0];
-  const Real n22_x = 0.05450270000000001 * n22_y_p1 - 0.0074 * a23_y_p5 - 0.43200000000000005 *
-      a22_z + n22_x_p9_lanes[1] + n22_x_p9_lanes[0];
+  const Real n22_y_p14 = 0.0074 * n22_x_p1 - 0.009438624999999999 * a23_y_p4 - 0.072575 * a22_z -
+      n23_z_lanes[1] - (-0.032) * n22_y_p9_lanes[1];
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p13_lanes = 0.0001505 * n7_x_p1_lanes + 8.75e-06 * n7_x_p2_lanes -
-      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * n7_x_p3_lanes +
-      n7_x_p11_lanes;
+  const Lanes<2> n7_x_p11_lanes = 0.0001505 * n7_y_p4_lanes + 8.75e-06 * n7_y_p2_lanes -
+      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * n7_x_p5_lanes +
+      n7_x_p9_lanes;
+  const Lanes<2> n7_y_p13_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * n7_y_p1_lanes - 0.0002975 * n7_y_p2_lanes - 8.75e-06 *
+      n7_y_p4_lanes + n7_y_p11_lanes;
 
-  // link 23 (left_eye), inward
-  const Real n22_y_p15 = 0.0074 * n22_y_p1 - 0.009438624999999999 * a23_y_p5 - 0.072575 * a22_z -
-      n23_z_lanes[1] - (-0.032) * n22_y_p10_lanes[1];
+  // link 8 (left_shoulder2), bias force
+  const Lanes<2> qdd_0_p199_lanes = qdd_0_p193_lanes -
+      (detail::make_pack<Real>(c9, c16) * qdd_0_p183_lanes - detail::make_pack<Real>(s9, s16) *
+      qdd_0_p185_lanes);
 
   // link 21 (neck), outward
   const Real n21_y_p1 = w21_z * w21_z;
@@ -2166,241 +2183,269 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real n22_z_p5 = 0.04506407500000001 * minus_a23_z_p1 + 0.06394132500000001 * wd21_y -
       0.0074 * (a23_y_p3 - a23_y_p2) + 0.072575 * a22_y;
 
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p249_lanes = inverse_D6_p161_lanes * qdd_0_p209_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_lanes = n7_z_p23_lanes + 0.0017499999999999998 * (a7_y_lanes + a7_x_lanes);
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_y_p2_lanes = n7_z_p3_lanes - wd6_y;
-
-  // link 23 (left_eye), inward
-  const Real f22_y = 0.072575 * minus_a23_z_p3 + 0.43200000000000005 * (a23_y_p2 + a23_y_p4) -
-      0.00025 * f22_y_p1;
-
   // link 6 (chest3), inertial wrench
   const Real n6_z_p1 = 1.26882463592404 * a7_y_p2 + 2.06965463592404 * wd5_x - 0.0187369177636143 *
-      (a7_y_p3 - wd6_x) + 6.1665928899999995 * minus_a6_y;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_x_lanes = n7_x_p13_lanes + n7_x_p7_lanes + n8_z_lanes;
+      (a7_y_p5 - wd6_x) + 6.1665928899999995 * minus_a6_y;
 
   // link 23 (left_eye), inward
-  const Real n22_y = n22_y_p15 - n23_z_lanes[0] - 0.032 * n22_y_p10_lanes[0] - 0.095 * n22_y_p14;
+  const Real f22_y = 0.072575 * minus_a23_z_p3 + 0.43200000000000005 * (a23_y_p2 + a23_y_p5) -
+      0.00025 * f22_y_p1;
+  const Real n22_y = n22_y_p14 - n23_z_lanes[0] - 0.032 * n22_y_p9_lanes[0] - 0.095 * n22_y_p13;
 
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_y_p8_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * (n7_z_p5_lanes - n7_x_p4_lanes);
-
-  // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_z_p2_lanes = detail::make_pack<Real>(c7, c14) * n7_x_lanes;
+  // link 8 (left_shoulder2), inward
+  const Lanes<2> n7_x_lanes = n7_x_p11_lanes + n7_x_p2_lanes + n8_z_lanes;
 
   // link 23 (left_eye), inward
   const Real f22_x = 0.43200000000000005 * (minus_a23_z_p1 + wd21_y) - 0.072575 * a23_y_p8 -
-      n22_y_p10_lanes[1] - n22_y_p10_lanes[0];
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> f9_z_p5_lanes = detail::make_pack<Real>(s10, s17) * f10_x_lanes +
-      detail::make_pack<Real>(c10, c17) * f10_y_lanes;
-  const Lanes<2> f9_z_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
-      n9_x_p1_lanes - 0.0022500062 * n9_x_p2_lanes - f9_z_p5_lanes;
-
-  // link 22 (head), inward
-  const Real n21_y_p3 = s22 * f22_y - c22 * f22_x;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> f8_x_lanes = detail::make_pack<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * n8_y_p2_lanes - 0.7139200499999999 *
-      (n8_z_p6_lanes + n8_y_p4_lanes) - f9_z_lanes;
+      n22_y_p9_lanes[1] - n22_y_p9_lanes[0];
 
   // link 10 (left_lowerarm), inward
   const Lanes<2> f9_x_lanes = 0.0022500062 * (a10_x_p3_lanes + n9_x_p3_lanes) +
       detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * n9_y_p1_lanes - n9_y_p9_lanes;
-  const Lanes<2> f9_y_lanes = f10_z_lanes - (0.0022500062 * n9_x_p6_lanes +
+
+  // link 8 (left_shoulder2), inward
+  const Lanes<2> n7_z_p19_lanes = detail::make_pack<Real>(c8, c15) * n8_y_lanes;
+
+  // link 10 (left_lowerarm), inward
+  const Lanes<2> f9_y_lanes = f10_z_lanes - (0.0022500062 * n9_x_p4_lanes +
       detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
       (a10_x_p2_lanes + n9_x_p3_lanes));
+  const Lanes<2> f9_z_p5_lanes = detail::make_pack<Real>(s10, s17) * f10_x_lanes +
+      detail::make_pack<Real>(c10, c17) * f10_y_lanes;
+
+  // link 22 (head), inward
+  const Real n21_y_p3 = s22 * f22_y - c22 * f22_x;
+
+  // link 10 (left_lowerarm), inward
+  const Lanes<2> f9_z_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
+      n9_x_p1_lanes - 0.0022500062 * n9_x_p2_lanes - f9_z_p5_lanes;
+
+  // link 9 (left_upperarm), inward
+  const Lanes<2> f7_x_p8_lanes = detail::make_pack<Real>(s9, s16) * f9_y_lanes;
 
   // link 23 (left_eye), inward
   const Real n22_z = n22_z_p5 + 0.43200000000000005 * a22_x + n22_z_p1_lanes[1] +
       n22_z_p3_lanes[1] + n22_z_p1_lanes[0] + n22_z_p3_lanes[0] - 2.375e-05 * f22_y_p1;
 
   // link 22 (head), inward
-  const Real n21_x = 0.005513625 * (a22_z_p1 + wd21_x) - 0.0016155 * n21_x_p1 -
+  const Real n21_x = 0.005513625 * (a22_z_p1 + wd21_x) - 0.0016155 * n21_x_p2 -
       (s22 * n22_y - c22 * n22_x + 0.394 * f22_z);
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_y_p4_lanes = 0.0017499999999999998 *
-      (n7_x_p3_lanes + (n7_z_p5_lanes + n7_x_p4_lanes));
+  const Lanes<2> f7_y_p3_lanes = 0.0017499999999999998 *
+      (n7_x_p5_lanes + (n7_z_p5_lanes + n7_x_p1_lanes));
 
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_y_p12_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_y_p2_lanes - 0.0002975 * n7_x_p2_lanes - 8.75e-06 *
-      n7_x_p1_lanes + n7_y_p8_lanes;
+  // link 9 (left_upperarm), bias force
+  const Lanes<2> qdd_0_p215_lanes = qdd_0_p165_lanes + inverse_D6_p31_lanes * qdd_0_p169_lanes;
+  const Lanes<2> qdd_0_p217_lanes = qdd_0_p147_lanes + inverse_D6_p33_lanes * qdd_0_p169_lanes;
 
-  // link 9 (left_upperarm), inward
-  const Lanes<2> f7_x_p7_lanes = detail::make_pack<Real>(s9, s16) * f9_y_lanes;
+  // link 8 (left_shoulder2), inward
+  const Lanes<2> n7_y_lanes = n7_y_p13_lanes + n7_x_p2_lanes +
+      (detail::make_pack<Real>(c8, c15) * n8_x_lanes - detail::make_pack<Real>(s8, s15) *
+      n8_y_lanes);
 
-  // link 1 (calf), inward
-  const Real qdd_0_p259 = tau[23] - n23_z_lanes[1];
-  const Real qdd_0_p260 = tau[22] - n23_z_lanes[0];
-  const Real qdd_0_p261 = tau[21] - n22_z;
-  const Real qdd_0_p264 = tau[13] - n7_z_lanes[1];
-
-  // link 22 (head), inward
-  const Real n21_y = 0.0016155 * (a22_y_p1 - n21_y_p1) - 0.000703125 * n21_y_p2 +
-      0.0045000000000000005 * a6_x + (n22_z - 0.394 * n21_y_p3);
+  // link 7 (left_shoulder1), inward
+  const Lanes<2> n6_z_p2_lanes = detail::make_pack<Real>(c7, c14) * n7_x_lanes;
 
   // link 1 (calf), inward
-  const Real qdd_0_p265 = tau[6] - n7_z_lanes[0];
-
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p266_lanes = inverse_D6_p163_lanes * qdd_0_p209_lanes -
-      (detail::make_pack<Real>(s9, s16) * qdd_0_p219_lanes - detail::make_pack<Real>(c9, c16) *
-      qdd_0_p221_lanes);
+  const Real qdd_0_p219 = tau[23] - n23_z_lanes[1];
 
   // link 9 (left_upperarm), inward
   const Lanes<2> f8_y_p7_lanes = detail::make_pack<Real>(s9, s16) * f9_x_lanes +
       detail::make_pack<Real>(c9, c16) * f9_y_lanes;
 
-  // link 23 (left_eye), bias force
-  const Lanes<2> qdd_0_p268_lanes = 3.1081081081081083 *
-      detail::make_pack<Real>(qdd_0_p260, qdd_0_p259);
-  const Lanes<2> qdd_0_p270_lanes = 27.027027027027028 *
-      detail::make_pack<Real>(qdd_0_p260, qdd_0_p259);
-
-  // link 8 (left_shoulder2), bias force
-  const Lanes<2> qdd_0_p272_lanes = detail::make_pack<Real>(s10, s17) * qdd_0_p147_lanes +
-      detail::make_pack<Real>(c10, c17) * qdd_0_p149_lanes + inverse_D6_p35_lanes *
-      qdd_0_p177_lanes - qdd_0_p249_lanes;
-
-  // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_y_lanes = n7_y_p12_lanes + n7_x_p7_lanes +
-      (detail::make_pack<Real>(c8, c15) * n8_x_lanes - detail::make_pack<Real>(s8, s15) *
-      n8_y_lanes);
-  const Lanes<2> f7_x_p10_lanes = 0.7139200499999999 * n8_y_p3_lanes +
-      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * n8_x_p1_lanes +
-      detail::make_pack<Real>(c9, c16) * f9_x_lanes - f7_x_p7_lanes;
+  // link 1 (calf), inward
+  const Real qdd_0_p220 = tau[22] - n23_z_lanes[0];
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> f8_y_lanes = 0.7139200499999999 * n8_x_p4_lanes -
-      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) *
-      (n8_z_p7_lanes + n8_y_p4_lanes) + f8_y_p7_lanes;
+  const Lanes<2> f8_x_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) * n8_y_p1_lanes - 0.7139200499999999 *
+      (n8_z_p6_lanes + n8_x_p4_lanes) - f9_z_lanes;
 
-  // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p276_lanes = detail::make_pack<Real>(qdd_0_p265, qdd_0_p264) -
-      (detail::make_pack<Real>(c8, c15) * qdd_0_p229_lanes - detail::make_pack<Real>(s8, s15) *
-      qdd_0_p231_lanes);
+  // link 1 (calf), inward
+  const Real qdd_0_p221 = tau[21] - n22_z;
+
+  // link 8 (left_shoulder2), inward
+  const Lanes<2> f7_x_p10_lanes = 0.7139200499999999 * n8_x_p3_lanes +
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * n8_x_p2_lanes +
+      detail::make_pack<Real>(c9, c16) * f9_x_lanes - f7_x_p8_lanes;
+
+  // link 8 (left_shoulder2), bias force
+  const Lanes<2> qdd_0_p222_lanes = detail::make_pack<Real>(s9, s16) * qdd_0_p183_lanes +
+      detail::make_pack<Real>(c9, c16) * qdd_0_p185_lanes + inverse_D7_p8_lanes * qdd_0_p199_lanes;
+  const Lanes<2> qdd_0_p224_lanes = qdd_0_p127_lanes + qdd_0_p181_lanes * qdd_0_p199_lanes;
 
   // link 23 (left_eye), bias force
-  const Lanes<2> qdd_0_p280_lanes = detail::make_pack<Real>(s23, s24) * qdd_0_p268_lanes;
-  const Lanes<2> qdd_0_p282_lanes = detail::make_pack<Real>(s23, s24) * qdd_0_p270_lanes;
-  const Lanes<2> qdd_0_p284_lanes = detail::make_pack<Real>(c23, c24) * qdd_0_p270_lanes;
+  const Lanes<2> qdd_0_p226_lanes = 3.1081081081081083 *
+      detail::make_pack<Real>(qdd_0_p220, qdd_0_p219);
+
+  // link 9 (left_upperarm), inward
+  const Lanes<2> f8_y_lanes = 0.7139200499999999 * n8_x_p7_lanes -
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) *
+      (n8_z_p7_lanes + n8_x_p4_lanes) + f8_y_p7_lanes;
+
+  // link 23 (left_eye), bias force
+  const Lanes<2> qdd_0_p228_lanes = 27.027027027027028 *
+      detail::make_pack<Real>(qdd_0_p220, qdd_0_p219);
+
+  // link 8 (left_shoulder2), inward
+  const Lanes<2> f7_x_lanes = f7_x_p10_lanes - 0.0017499999999999998 *
+      (n7_z_p4_lanes + n7_x_p1_lanes + n7_y_p1_lanes);
+
+  // link 22 (head), inward
+  const Real n21_y = 0.0016155 * (a22_y_p1 - n21_y_p1) - 0.000703125 * n21_y_p2 +
+      0.0045000000000000005 * a6_x + (n22_z - 0.394 * n21_y_p3);
 
   // link 7 (left_shoulder1), inward
   const Lanes<2> n6_z_p4_lanes = detail::make_pack<Real>(s7, s14) * n7_y_lanes;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_x_lanes = f7_x_p10_lanes - 0.0017499999999999998 *
-      (n7_z_p4_lanes + n7_x_p4_lanes + n7_y_p2_lanes);
+  const Lanes<2> n7_z_p23_lanes = n7_z_p16_lanes + 8.75e-06 * (n7_z_p4_lanes - n7_z_p5_lanes) +
+      detail::make_pack<Real>(s8, s15) * n8_x_lanes + n7_z_p19_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> qdd_0_p236_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) / inverse_D7_p20_lanes;
 
   // link 23 (left_eye), bias force
-  const Lanes<2> qdd_0_p286_lanes = detail::make_pack<Real>(c23, c24) * qdd_0_p268_lanes;
+  const Lanes<2> qdd_0_p240_lanes = detail::make_pack<Real>(s23, s24) * qdd_0_p226_lanes;
+  const Lanes<2> qdd_0_p242_lanes = detail::make_pack<Real>(s23, s24) * qdd_0_p228_lanes;
+  const Lanes<2> qdd_0_p244_lanes = detail::make_pack<Real>(c23, c24) * qdd_0_p228_lanes;
 
-  // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p292_lanes = inverse_D6_p295_lanes * qdd_0_p276_lanes;
+  // link 8 (left_shoulder2), bias force
+  const Lanes<2> qdd_0_p250_lanes = inverse_D6_p161_lanes * qdd_0_p199_lanes;
+
+  // link 23 (left_eye), bias force
+  const Lanes<2> qdd_0_p254_lanes = detail::make_pack<Real>(c23, c24) * qdd_0_p226_lanes;
+
+  // link 8 (left_shoulder2), inward
+  const Lanes<2> n7_z_lanes = n7_z_p23_lanes + 0.0017499999999999998 * (a7_y_lanes + a7_x_lanes);
 
   // link 22 (head), bias force
-  const Real qdd_0_p298 = qdd_0_p284_lanes[1] + qdd_0_p284_lanes[0];
-  const Real qdd_0_p303 = qdd_0_p261 + (qdd_0_p280_lanes[1] + qdd_0_p280_lanes[0]);
-
-  // link 22 (head), inward
-  const Real n21_z = 0.0016155 * a22_z_p2 - (0.0048105000000000005 * n21_z_p1 + 0.00621675 *
-      wd6_x) - 0.0045000000000000005 * minus_a21_y - (s22 * n22_x + c22 * n22_y);
+  const Real qdd_0_p256 = qdd_0_p244_lanes[1] + qdd_0_p244_lanes[0];
 
   // link 8 (left_shoulder2), inward
   const Lanes<2> f7_y_lanes = detail::make_pack<Real>(c8, c15) * f8_x_lanes -
-      detail::make_pack<Real>(s8, s15) * f8_y_lanes + f7_y_p4_lanes;
-  const Lanes<2> f7_z_lanes = detail::make_pack<Real>(s8, s15) * f8_x_lanes +
-      detail::make_pack<Real>(c8, c15) * f8_y_lanes + 0.0017499999999999998 *
-      (n7_x_p2_lanes - n7_x_p1_lanes);
-
-  // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p312_lanes = inverse_D6_p165_lanes * qdd_0_p209_lanes -
-      (detail::make_pack<Real>(c9, c16) * qdd_0_p219_lanes + detail::make_pack<Real>(s9, s16) *
-      qdd_0_p221_lanes) + qdd_0_p292_lanes;
-  const Lanes<2> qdd_0_p314_lanes = detail::make_pack<Real>(c8, c15) * qdd_0_p272_lanes -
-      detail::make_pack<Real>(s8, s15) * qdd_0_p266_lanes + inverse_D6_p293_lanes *
-      qdd_0_p276_lanes;
+      detail::make_pack<Real>(s8, s15) * f8_y_lanes + f7_y_p3_lanes;
 
   // link 22 (head), bias force
-  const Real qdd_0_p316 = inverse_D6_p194 * qdd_0_p303;
+  const Real qdd_0_p261 = qdd_0_p221 + (qdd_0_p240_lanes[1] + qdd_0_p240_lanes[0]);
 
   // link 1 (calf), inward
-  const Real qdd_0_p317 = tau[20] - n21_z;
+  const Real qdd_0_p264 = tau[13] - n7_z_lanes[1];
+  const Real qdd_0_p265 = tau[6] - n7_z_lanes[0];
+
+  // link 8 (left_shoulder2), bias force
+  const Lanes<2> qdd_0_p266_lanes = detail::make_pack<Real>(s10, s17) * qdd_0_p145_lanes +
+      detail::make_pack<Real>(c10, c17) * qdd_0_p143_lanes + inverse_D6_p35_lanes *
+      qdd_0_p169_lanes - qdd_0_p250_lanes;
+  const Lanes<2> qdd_0_p268_lanes = inverse_D6_p163_lanes * qdd_0_p199_lanes -
+      (detail::make_pack<Real>(s9, s16) * qdd_0_p215_lanes - detail::make_pack<Real>(c9, c16) *
+      qdd_0_p217_lanes);
+
+  // link 8 (left_shoulder2), inward
+  const Lanes<2> f7_z_lanes = detail::make_pack<Real>(s8, s15) * f8_x_lanes +
+      detail::make_pack<Real>(c8, c15) * f8_y_lanes + 0.0017499999999999998 *
+      (n7_y_p2_lanes - n7_y_p4_lanes);
 
   // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p320_lanes = qdd_0_p203_lanes + qdd_0_p241_lanes * qdd_0_p276_lanes;
+  const Lanes<2> qdd_0_p274_lanes = detail::make_pack<Real>(qdd_0_p265, qdd_0_p264) -
+      (detail::make_pack<Real>(c8, c15) * qdd_0_p222_lanes - detail::make_pack<Real>(s8, s15) *
+      qdd_0_p224_lanes);
 
   // link 7 (left_shoulder1), inward
-  const Real n6_z_p10 = f7_z_lanes[1] + f7_z_lanes[0];
-
-  // link 22 (head), bias force
-  const Real qdd_0_p334 = qdd_0_p286_lanes[1] + qdd_0_p286_lanes[0] + inverse_D21_p39 * qdd_0_p303;
-  const Real qdd_0_p335 = inverse_D6_p193 * qdd_0_p303 -
-      (qdd_0_p282_lanes[1] + qdd_0_p282_lanes[0]);
-  const Real qdd_0_p336 = qdd_0_p298 + inverse_D6_p199 * qdd_0_p303;
-
-  // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p337_lanes = inverse_D6_p332_lanes * qdd_0_p276_lanes -
-      (detail::make_pack<Real>(c8, c15) * qdd_0_p231_lanes + detail::make_pack<Real>(s8, s15) *
-      qdd_0_p229_lanes);
-  const Lanes<2> qdd_0_p339_lanes = detail::make_pack<Real>(c7, c14) * qdd_0_p320_lanes;
-
-  // link 7 (left_shoulder1), inward
-  const Lanes<2> n6_z_p11_lanes = detail::make_pack<Real>(s7, s14) * f7_x_lanes +
+  const Lanes<2> n6_z_p10_lanes = detail::make_pack<Real>(s7, s14) * f7_x_lanes +
       detail::make_pack<Real>(c7, c14) * f7_y_lanes;
 
-  // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p341_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p312_lanes +
-      detail::make_pack<Real>(c7, c14) * qdd_0_p314_lanes;
-  const Lanes<2> qdd_0_p343_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p337_lanes;
+  // link 22 (head), bias force
+  const Real qdd_0_p284 = qdd_0_p254_lanes[1] + qdd_0_p254_lanes[0] + inverse_D21_p39 * qdd_0_p261;
+
+  // link 7 (left_shoulder1), inward
+  const Real n6_z_p12 = f7_z_lanes[1] + f7_z_lanes[0];
 
   // link 22 (head), bias force
-  const Real qdd_0_p347 = s22 * qdd_0_p316 - c22 * qdd_0_p335;
+  const Real qdd_0_p285 = inverse_D6_p194 * qdd_0_p261;
+
+  // link 7 (left_shoulder1), bias force
+  const Lanes<2> qdd_0_p288_lanes = inverse_D6_p295_lanes * qdd_0_p274_lanes;
+
+  // link 22 (head), bias force
+  const Real qdd_0_p290 = inverse_D6_p193 * qdd_0_p261 -
+      (qdd_0_p242_lanes[1] + qdd_0_p242_lanes[0]);
+
+  // link 22 (head), inward
+  const Real n21_z = 0.0016155 * a22_z_p2 - (0.0048105000000000005 * n21_x_p1 + 0.00621675 *
+      wd6_x) - 0.0045000000000000005 * minus_a21_y - (s22 * n22_x + c22 * n22_y);
+
+  // link 7 (left_shoulder1), inward
+  const Real n6_z_p13 = n6_z_p1 + c21 * n21_x - s21 * n21_y + n6_z_p2_lanes[1] - n6_z_p4_lanes[1] -
+      (-0.18) * n6_z_p10_lanes[1];
+
+  // link 22 (head), bias force
+  const Real qdd_0_p303 = qdd_0_p256 + inverse_D6_p199 * qdd_0_p261;
+
+  // link 7 (left_shoulder1), bias force
+  const Lanes<2> qdd_0_p304_lanes = detail::make_pack<Real>(c8, c15) * qdd_0_p266_lanes -
+      detail::make_pack<Real>(s8, s15) * qdd_0_p268_lanes + inverse_D6_p293_lanes *
+      qdd_0_p274_lanes;
+  const Lanes<2> qdd_0_p306_lanes = inverse_D6_p165_lanes * qdd_0_p199_lanes -
+      (detail::make_pack<Real>(c9, c16) * qdd_0_p215_lanes + detail::make_pack<Real>(s9, s16) *
+      qdd_0_p217_lanes) + qdd_0_p288_lanes;
+
+  // link 1 (calf), inward
+  const Real qdd_0_p308 = tau[20] - n21_z;
+
+  // link 7 (left_shoulder1), bias force
+  const Lanes<2> qdd_0_p311_lanes = qdd_0_p193_lanes + qdd_0_p236_lanes * qdd_0_p274_lanes;
+
+  // link 22 (head), bias force
+  const Real qdd_0_p313 = s22 * qdd_0_p285 - c22 * qdd_0_p290;
+
+  // link 7 (left_shoulder1), bias force
+  const Lanes<2> qdd_0_p318_lanes = inverse_D6_p332_lanes * qdd_0_p274_lanes -
+      (detail::make_pack<Real>(c8, c15) * qdd_0_p224_lanes + detail::make_pack<Real>(s8, s15) *
+      qdd_0_p222_lanes);
+  const Lanes<2> qdd_0_p322_lanes = detail::make_pack<Real>(c7, c14) * qdd_0_p311_lanes;
+
+  // link 22 (head), bias force
+  const Real qdd_0_p328 = inverse_D21_p38 * qdd_0_p261 - qdd_0_p219 - (-0.032) *
+      qdd_0_p242_lanes[1] - qdd_0_p220 - 0.032 * qdd_0_p242_lanes[0] - 0.095 * qdd_0_p256;
+
+  // link 7 (left_shoulder1), bias force
+  const Lanes<2> qdd_0_p329_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p318_lanes;
+  const Lanes<2> qdd_0_p331_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p306_lanes +
+      detail::make_pack<Real>(c7, c14) * qdd_0_p304_lanes;
 
   // link 7 (left_shoulder1), inward
   const Lanes<2> n6_x_p9_lanes = detail::make_pack<Real>(c7, c14) * f7_x_lanes -
       detail::make_pack<Real>(s7, s14) * f7_y_lanes;
-  const Real n6_z_p13 = n6_z_p1 + c21 * n21_x - s21 * n21_y + n6_z_p2_lanes[1] - n6_z_p4_lanes[1] -
-      (-0.18) * n6_z_p11_lanes[1];
+  const Real n6_z = n6_z_p13 + n6_z_p2_lanes[0] - n6_z_p4_lanes[0] - 0.18 * n6_z_p10_lanes[0] -
+      0.226 * n6_z_p12;
 
   // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p348_lanes = detail::make_pack<Real>(s8, s15) * qdd_0_p272_lanes +
-      detail::make_pack<Real>(c8, c15) * qdd_0_p266_lanes + inverse_D6_p300_lanes *
-      qdd_0_p276_lanes;
-  const Lanes<2> qdd_0_p350_lanes = detail::make_pack<Real>(c7, c14) * qdd_0_p312_lanes -
-      detail::make_pack<Real>(s7, s14) * qdd_0_p314_lanes;
-
-  // link 22 (head), bias force
-  const Real qdd_0_p356 = inverse_D21_p38 * qdd_0_p303 - qdd_0_p259 - (-0.032) *
-      qdd_0_p282_lanes[1] - qdd_0_p260 - 0.032 * qdd_0_p282_lanes[0] - 0.095 * qdd_0_p298;
-
-  // link 6 (chest3), bias force
-  const Real qdd_0_p357 = qdd_0_p348_lanes[1] + qdd_0_p348_lanes[0];
+  const Lanes<2> qdd_0_p339_lanes = detail::make_pack<Real>(s8, s15) * qdd_0_p266_lanes +
+      detail::make_pack<Real>(c8, c15) * qdd_0_p268_lanes + inverse_D6_p300_lanes *
+      qdd_0_p274_lanes;
 
   // link 7 (left_shoulder1), inward
-  const Real n6_y_p1 = n6_x_p9_lanes[1] + n6_x_p9_lanes[0];
+  const Real n6_y_p1 = 6.1665928899999995 * a6_z - 1.66923963592404 * a7_y_p6 - 0.0187369177636143 *
+      (minus_a7_z_p2 - a7_y_p1) + s21 * n21_x;
 
-  // link 5 (chest2), outward
-  const Real n5_z_p1 = minus_w5_y * minus_w5_y;
+  // link 7 (left_shoulder1), bias force
+  const Lanes<2> qdd_0_p345_lanes = detail::make_pack<Real>(c7, c14) * qdd_0_p306_lanes -
+      detail::make_pack<Real>(s7, s14) * qdd_0_p304_lanes;
+
+  // link 1 (calf), inward
+  const Real qdd_0_p347 = tau[5] - n6_z;
 
   // link 6 (chest3), bias force
-  const Real qdd_0_p360 = qdd_0_p350_lanes[1] + qdd_0_p350_lanes[0];
+  const Real qdd_0_p348 = qdd_0_p339_lanes[1] + qdd_0_p339_lanes[0];
+
+  // link 21 (neck), bias force
+  const Real qdd_0_p349 = qdd_0_p308 - (s22 * qdd_0_p284 - c22 * qdd_0_p328);
 
   // link 7 (left_shoulder1), inward
-  const Real n6_y_p2 = 6.1665928899999995 * a6_z - 1.66923963592404 * a7_y_p7 - 0.0187369177636143 *
-      (minus_a7_z_p1 - a7_y_p1) + s21 * n21_x;
+  const Real n6_y_p2 = n6_x_p9_lanes[1] + n6_x_p9_lanes[0];
 
   // link 22 (head), inward
   const Real minus_f21_x = 0.0045000000000000005 * (a22_y_p2 + n21_y_p1) + n21_y_p3;
@@ -2411,120 +2456,102 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       n6_x_p9_lanes;
 
   // link 22 (head), inward
-  const Real f21_y = 0.0045000000000000005 * n21_x_p1 + f22_z;
+  const Real f21_y = 0.0045000000000000005 * n21_x_p2 + f22_z;
+
+  // link 5 (chest2), outward
+  const Real n5_z_p1 = minus_w5_y * minus_w5_y;
 
   // link 7 (left_shoulder1), bias force
-  const Lanes<2> qdd_0_p363_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p320_lanes +
-      detail::make_pack<Real>(c7, c14) * qdd_0_p337_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      qdd_0_p350_lanes;
-
-  // link 7 (left_shoulder1), inward
-  const Real n6_z = n6_z_p13 + n6_z_p2_lanes[0] - n6_z_p4_lanes[0] - 0.18 * n6_z_p11_lanes[0] -
-      0.226 * n6_z_p10;
+  const Lanes<2> qdd_0_p354_lanes = detail::make_pack<Real>(s7, s14) * qdd_0_p311_lanes +
+      detail::make_pack<Real>(c7, c14) * qdd_0_p318_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      qdd_0_p345_lanes;
 
   // link 21 (neck), bias force
-  const Real qdd_0_p365 = qdd_0_p317 - (s22 * qdd_0_p334 - c22 * qdd_0_p356);
+  const Real qdd_0_p356 = c22 * qdd_0_p284 + s22 * qdd_0_p328 + 0.394 * qdd_0_p303 +
+      inverse_D6_p386 * qdd_0_p349;
+  const Real qdd_0_p357 = qdd_0_p221 - 0.394 * qdd_0_p313 - inverse_D6_p387 * qdd_0_p349;
+  const Real qdd_0_p358 = qdd_0_p313 + inverse_D5_p6 * qdd_0_p349;
+
+  // link 6 (chest3), bias force
+  const Real qdd_0_p359 = qdd_0_p345_lanes[1] + qdd_0_p345_lanes[0];
+
+  // link 21 (neck), bias force
+  const Real qdd_0_p360 = qdd_0_p303 + inverse_D5_p13 * qdd_0_p349;
 
   // link 7 (left_shoulder1), inward
-  const Real n6_x = 0.40041499999999997 * a7_y_p8 + 0.0187369177636143 * minus_a7_z_p2 - n21_z +
+  const Real n6_x = 0.40041499999999997 * a7_y_p8 + 0.0187369177636143 * minus_a7_z_p1 - n21_z +
       n6_x_p15_lanes[1] + n6_x_p15_lanes[0];
-
-  // link 1 (calf), inward
-  const Real qdd_0_p366 = tau[5] - n6_z;
-
-  // link 7 (left_shoulder1), inward
-  const Real n6_y = n6_y_p2 + c21 * n21_y + n7_z_lanes[1] + n7_z_lanes[0] + 0.226 * n6_y_p1;
-  const Real f6_z = n6_y_p1 - 6.1665928899999995 * a7_y_p7 - c21 * minus_f21_x - s21 * f21_y;
-
-  // link 21 (neck), bias force
-  const Real qdd_0_p367 = c22 * qdd_0_p334 + s22 * qdd_0_p356 + 0.394 * qdd_0_p336 +
-      inverse_D6_p386 * qdd_0_p365;
-  const Real qdd_0_p368 = qdd_0_p261 - 0.394 * qdd_0_p347 - inverse_D6_p387 * qdd_0_p365;
-  const Real qdd_0_p369 = qdd_0_p347 + inverse_D5_p6 * qdd_0_p365;
-  const Real qdd_0_p370 = qdd_0_p336 + inverse_D5_p13 * qdd_0_p365;
+  const Real n6_y = n6_y_p1 + c21 * n21_y + n7_z_lanes[1] + n7_z_lanes[0] + 0.226 * n6_y_p2;
 
   // link 22 (head), inward
   const Real f21_z = 0.0045000000000000005 * n21_y_p2 - (s22 * f22_x + c22 * f22_y);
 
-  // link 5 (chest2), outward
-  const Real n5_y_p1 = w5_x * w5_z + minus_wd5_y;
+  // link 7 (left_shoulder1), inward
+  const Real f6_z = n6_y_p2 - 6.1665928899999995 * a7_y_p6 - c21 * minus_f21_x - s21 * f21_y;
 
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p18 = inverse_D2_p10 - s4 * inverse_D2_p14 - inverse_D2_p13 *
-      inverse_D2_p16;
+  // link 6 (chest3), bias force
+  const Real qdd_0_p361 = qdd_0_p347 - qdd_0_p322_lanes[1] + qdd_0_p329_lanes[1] + (-0.18) *
+      qdd_0_p331_lanes[1] + c21 * qdd_0_p356 + s21 * qdd_0_p357;
 
   // link 5 (chest2), inertial wrench
   const Real n5_z_p2 = 0.10961925816937637 * a6_z_p1 - 0.203126912024134 * minus_wd4_y -
-      0.005678398088837119 * (n5_z_p1 - a6_x_p2) + (0.069699984375 * a5_y + 2.2194301519999997 *
+      0.005678398088837119 * (n5_z_p1 - a6_x_p1) + (0.069699984375 * a5_y + 2.2194301519999997 *
       a5_x);
 
-  // link 6 (chest3), bias force
-  const Real qdd_0_p371 = qdd_0_p366 - qdd_0_p339_lanes[1] + qdd_0_p343_lanes[1] + (-0.18) *
-      qdd_0_p341_lanes[1] + c21 * qdd_0_p367 + s21 * qdd_0_p368;
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p19 = inverse_D3_p15 + inverse_D3_p29 - inverse_D2_p3 * inverse_D2_p7 -
-      inverse_D2_p12 * inverse_D2_p15;
-
   // link 7 (left_shoulder1), inward
-  const Real f6_y = n6_z_p10 - 6.1665928899999995 * minus_a7_z_p2 - s21 * minus_f21_x + c21 * f21_y;
+  const Real f6_x = 6.1665928899999995 * a7_y_p3 - f21_z + n6_z_p10_lanes[1] + n6_z_p10_lanes[0];
+  const Real f6_y = n6_z_p12 - 6.1665928899999995 * minus_a7_z_p1 - s21 * minus_f21_x + c21 * f21_y;
+
+  // link 5 (chest2), outward
+  const Real n5_y_p1 = w5_x * w5_z + minus_wd5_y;
 
   // link 6 (chest3), inward
   const Real n5_z = n5_z_p2 + (s6 * n6_x + c6 * n6_y + 0.072 * f6_z);
 
-  // link 7 (left_shoulder1), inward
-  const Real f6_x = 6.1665928899999995 * a7_y_p4 - f21_z + n6_z_p11_lanes[1] + n6_z_p11_lanes[0];
+  // link 6 (chest3), bias force
+  const Real qdd_0_p362 = qdd_0_p361 - qdd_0_p322_lanes[0] + qdd_0_p329_lanes[0] + 0.18 *
+      qdd_0_p331_lanes[0] + 0.226 * qdd_0_p348;
 
   // link 1 (calf), inward
-  const Real qdd_0_p372 = tau[4] - n5_z;
+  const Real qdd_0_p363 = tau[4] - n5_z;
 
   // link 4 (chest1), outward
-  const Real qdd_0_p373 = w4_x * w4_y;
   const Real n4_y_p1 = qd[3] * qd[3];
+  const Real qdd_0_p364 = w4_x * w4_y;
 
   // link 6 (chest3), inward
-  const Real n5_y = 0.005678398088837119 * a6_x_p4 - 0.04675382692737882 * n5_y_p1 +
-      0.069699984375 * minus_a4_y + (c6 * n6_x - s6 * n6_y);
   const Real n5_x_p1 = s6 * f6_x + c6 * f6_y;
+  const Real f5_x = f6_z - (0.069699984375 * (n5_z_p1 + a6_x_p2) + 2.2194301519999997 * a6_z_p2);
 
   // link 6 (chest3), bias force
-  const Real qdd_0_p374 = qdd_0_p371 - qdd_0_p339_lanes[0] + qdd_0_p343_lanes[0] + 0.18 *
-      qdd_0_p341_lanes[0] + 0.226 * qdd_0_p357;
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p20 = s3 * (inverse_D2_p18 - inverse_D2_p19) + c3 * (2.0 * inverse_D2_p17);
+  const Real qdd_0_p365 = qdd_0_p354_lanes[1] - qdd_0_p308 + qdd_0_p354_lanes[0] + inverse_D5_p73 *
+      qdd_0_p362;
+  const Real qdd_0_p366 = qdd_0_p359 - c21 * qdd_0_p358 - s21 * qdd_0_p360 + inverse_D5_p71 *
+      qdd_0_p362;
+  const Real qdd_0_p367 = qdd_0_p331_lanes[1] - (inverse_D4_p4 * qdd_0_p349 -
+      (s22 * qdd_0_p290 + c22 * qdd_0_p285)) + qdd_0_p331_lanes[0] - inverse_D4_p15 * qdd_0_p362;
+  const Real qdd_0_p368 = qdd_0_p348 - s21 * qdd_0_p358 + c21 * qdd_0_p360 + inverse_D4_p16 *
+      qdd_0_p362;
 
   // link 6 (chest3), inward
   const Real f5_y = 2.2194301519999997 * a6_x_p3 - 0.069699984375 * (a6_z_p1 + minus_wd4_y) +
       (c6 * f6_x - s6 * f6_y);
   const Real f5_z = 0.069699984375 * n5_y_p1 - 2.2194301519999997 * a6_x_p4 + n5_x_p1;
 
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p21 = s3 * inverse_D2_p20;
+  // link 6 (chest3), bias force
+  const Real qdd_0_p369 = qdd_0_p264 - s21 * qdd_0_p356 + c21 * qdd_0_p357 + qdd_0_p265 +
+      inverse_D5_p72 * qdd_0_p362 + 0.226 * qdd_0_p359;
 
   // link 6 (chest3), inward
-  const Real f5_x = f6_z - (0.069699984375 * (n5_z_p1 + a6_x_p1) + 2.2194301519999997 * a6_z_p2);
+  const Real n5_y = 0.005678398088837119 * a6_x_p4 - 0.04675382692737882 * n5_y_p1 +
+      0.069699984375 * minus_a4_y + (c6 * n6_x - s6 * n6_y);
 
   // link 6 (chest3), bias force
-  const Real qdd_0_p375 = qdd_0_p363_lanes[1] - qdd_0_p317 + qdd_0_p363_lanes[0] + inverse_D5_p73 *
-      qdd_0_p374;
-  const Real qdd_0_p376 = qdd_0_p360 - c21 * qdd_0_p369 - s21 * qdd_0_p370 + inverse_D5_p71 *
-      qdd_0_p374;
-  const Real qdd_0_p377 = qdd_0_p341_lanes[1] - (inverse_D4_p4 * qdd_0_p365 -
-      (s22 * qdd_0_p335 + c22 * qdd_0_p316)) + qdd_0_p341_lanes[0] - inverse_D4_p15 * qdd_0_p374;
-  const Real qdd_0_p378 = qdd_0_p357 - s21 * qdd_0_p369 + c21 * qdd_0_p370 + inverse_D4_p16 *
-      qdd_0_p374;
+  const Real qdd_0_p370 = s6 * qdd_0_p367 + c6 * qdd_0_p368;
 
   // link 6 (chest3), inward
   const Real n5_x = 0.15637308509675518 * a6_x_p4 - 0.005678398088837119 * n5_y_p1 +
       2.2194301519999997 * minus_a4_y + (n6_z - 0.072 * n5_x_p1);
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p22 = inverse_D2_p18 - inverse_D2_p21;
-
-  // link 6 (chest3), bias force
-  const Real qdd_0_p379 = qdd_0_p264 - s21 * qdd_0_p367 + c21 * qdd_0_p368 + qdd_0_p265 +
-      inverse_D5_p72 * qdd_0_p374 + 0.226 * qdd_0_p360;
 
   // link 5 (chest2), inward
   const Real n4_y_p2 = s5 * f5_y - c5 * f5_x;
@@ -2532,125 +2559,103 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 3 (hip), outward
   const Real f3_x_p1 = w3_z * w3_z;
 
-  // link 6 (chest3), bias force
-  const Real qdd_0_p380 = s6 * qdd_0_p377 + c6 * qdd_0_p378;
-
   // link 5 (chest2), inward
+  const Real f4_y = f5_z - 0.0300000063 * qdd_0_p364;
   const Real f4_x = 0.0300000063 * (a5_y_p2 + n4_y_p1) - n4_y_p2;
-  const Real f4_y = f5_z - 0.0300000063 * qdd_0_p373;
 
-  // link 3 (hip), articulated inertia
-  const Real inverse_D1_p1 = c3 * inverse_D2_p20 - inverse_D2_p17;
-
-  // link 2 (thigh), articulated inertia
-  const Real inverse_D2 = 1.0 / (9.885744550888212 + 0.178084 * inverse_D2_p22);
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D1_p2 = 24.5839218 + 0.422 * inverse_D2_p22;
+  // link 5 (chest2), bias force
+  const Real qdd_0_p371 = qdd_0_p363 - (s6 * qdd_0_p365 + c6 * qdd_0_p369 + 0.072 * qdd_0_p366);
 
   // link 5 (chest2), inward
   const Real minus_f4_z = 0.0600000126 * minus_wd4_y + (s5 * f5_x + c5 * f5_y);
-  const Real n4_x = 0.095783 * wd4_x + 0.005880002159562879 * qdd_0_p373 -
-      (s5 * n5_y - c5 * n5_x + 0.21799999999999997 * f5_z);
   const Real n4_y = n5_z - 0.21799999999999997 * n4_y_p2 -
       (0.02455520649259034 * minus_wd4_y + 0.005880002159562879 * (a5_y_p1 - n4_y_p1) +
       0.0300000063 * a3_y);
-
-  // link 5 (chest2), bias force
-  const Real qdd_0_p381 = qdd_0_p372 - (s6 * qdd_0_p375 + c6 * qdd_0_p379 + 0.072 * qdd_0_p376);
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D1_p3 = 0.031999971599999996 + 0.422 * inverse_D1_p1;
+  const Real n4_x = 0.095783 * wd4_x + 0.005880002159562879 * qdd_0_p364 -
+      (s5 * n5_y - c5 * n5_x + 0.21799999999999997 * f5_z);
 
   // link 4 (chest1), inward
   const Real f3_y = 8.419374554 * f3_x_p1 + minus_f4_z;
-  const Real f3_x = 0.02999999505 * f3_x_p1 + (c4 * f4_x - s4 * f4_y);
 
   // link 5 (chest2), bias force
-  const Real qdd_0_p382 = c6 * qdd_0_p375 - s6 * qdd_0_p379 + inverse_D4_p40 * qdd_0_p381;
-  const Real qdd_0_p383 = qdd_0_p366 - 0.072 * qdd_0_p380 - inverse_D4_p39 * qdd_0_p381;
-  const Real qdd_0_p384 = c6 * qdd_0_p377 - s6 * qdd_0_p378 + inverse_D3_p7 * qdd_0_p381;
-  const Real qdd_0_p385 = qdd_0_p376 + inverse_D3_p6 * qdd_0_p381;
-  const Real qdd_0_p386 = qdd_0_p380 + inverse_D3_p8 * qdd_0_p381;
+  const Real qdd_0_p372 = c6 * qdd_0_p365 - s6 * qdd_0_p369 + inverse_D4_p40 * qdd_0_p371;
+  const Real qdd_0_p373 = qdd_0_p347 - 0.072 * qdd_0_p370 - inverse_D4_p39 * qdd_0_p371;
+  const Real qdd_0_p374 = c6 * qdd_0_p367 - s6 * qdd_0_p368 + inverse_D3_p7 * qdd_0_p371;
+  const Real qdd_0_p375 = qdd_0_p366 + inverse_D3_p6 * qdd_0_p371;
+  const Real qdd_0_p376 = qdd_0_p370 + inverse_D3_p8 * qdd_0_p371;
+
+  // link 4 (chest1), inward
+  const Real f3_x = 0.02999999505 * f3_x_p1 + (c4 * f4_x - s4 * f4_y);
+
+  // link 2 (thigh), articulated inertia
+  const Real inverse_D1_p7 = s2 * (inverse_D1_p6 - (inverse_D2_p19 + inverse_D2_p21 -
+      inverse_D1_p2 * inverse_D1_p4)) + c2 * (2.0 * (inverse_D1_p1 - inverse_D1_p3 *
+      inverse_D1_p4));
+
+  // link 5 (chest2), bias force
+  const Real qdd_0_p377 = s5 * qdd_0_p374 - c5 * qdd_0_p375;
 
   // link 4 (chest1), inward
   const Real n3_z = 8.419374554 * a3_x - 0.02999999505 * a3_y + (s4 * n4_x + c4 * n4_y);
 
-  // link 2 (thigh), articulated inertia
-  const Real inverse_D1_p4 = inverse_D1_p3 * inverse_D2;
-  const Real inverse_D1_p5 = inverse_D1_p2 * inverse_D2;
-
-  // link 1 (calf), inward
-  const Real qdd_0_p387 = tau[2] - n3_z;
-
   // link 3 (hip), inward
   const Real n2_z_p1 = c3 * f3_x - s3 * f3_y;
 
-  // link 5 (chest2), bias force
-  const Real qdd_0_p388 = s5 * qdd_0_p384 - c5 * qdd_0_p385;
+  // link 1 (calf), inward
+  const Real qdd_0_p378 = tau[2] - n3_z;
 
   // link 3 (hip), inward
   const Real f2_x = n2_z_p1 - 0.031999971599999996 * a3_x_p1;
-  const Real f2_y = 24.5839218 * a3_x_p1 + (s3 * f3_x + c3 * f3_y);
-
-  // link 2 (thigh), articulated inertia
-  const Real inverse_D1_p6 = inverse_D2_p22 - inverse_D1_p2 * inverse_D1_p5;
 
   // link 4 (chest1), bias force
-  const Real qdd_0_p389 = tau[3] - 0.0300000063 * minus_a4_y + 0.03561389675370483 * qdd_0_p373 +
-      (n5_y + qdd_0_p382) * c5 + (n5_x + qdd_0_p383) * s5;
+  const Real qdd_0_p379 = tau[3] - 0.0300000063 * minus_a4_y + 0.03561389675370483 * qdd_0_p364 +
+      (n5_y + qdd_0_p372) * c5 + (n5_x + qdd_0_p373) * s5;
 
   // link 3 (hip), inward
+  const Real f2_y = 24.5839218 * a3_x_p1 + (s3 * f3_x + c3 * f3_y);
   const Real n2_z = 0.031999971599999996 * a2_y + 24.5839218 * a2_x + (n3_z + 0.422 * n2_z_p1);
-
-  // link 2 (thigh), articulated inertia
-  const Real inverse_D1_p7 = s2 * (inverse_D1_p6 - (inverse_D2_p19 + inverse_D2_p21 -
-      inverse_D1_p3 * inverse_D1_p4)) + c2 * (2.0 * (inverse_D1_p1 - inverse_D1_p2 *
-      inverse_D1_p4));
-
-  // link 4 (chest1), bias force
-  const Real qdd_0_p390 = s4 * (inverse_D3_p36 * qdd_0_p389 -
-      (s5 * qdd_0_p382 - c5 * qdd_0_p383 + 0.21799999999999997 * qdd_0_p386));
-
-  // link 3 (hip), bias force
-  const Real qdd_0_p391 = qdd_0_p387 - (qdd_0_p390 + c4 *
-      (qdd_0_p372 - 0.21799999999999997 * qdd_0_p388 - inverse_D3_p37 * qdd_0_p389));
-  const Real qdd_0_p392 = inverse_D2_p16 * qdd_0_p391 -
-      (c4 * (qdd_0_p388 + inverse_D2_p5 * qdd_0_p389) + s4 *
-      (qdd_0_p386 - inverse_D2_p6 * qdd_0_p389));
-  const Real qdd_0_p393 = inverse_D2_p7 * qdd_0_p389 - (s5 * qdd_0_p385 + c5 * qdd_0_p384) +
-      inverse_D2_p15 * qdd_0_p391;
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
       (inverse_D1_p6 - s2 * inverse_D1_p7));
 
+  // link 4 (chest1), bias force
+  const Real qdd_0_p380 = s4 * (inverse_D3_p36 * qdd_0_p379 -
+      (s5 * qdd_0_p372 - c5 * qdd_0_p373 + 0.21799999999999997 * qdd_0_p376));
+
   // link 3 (hip), bias force
-  const Real qdd_0_p394 = c3 * qdd_0_p392 + s3 * qdd_0_p393;
+  const Real qdd_0_p381 = qdd_0_p378 - (qdd_0_p380 + c4 *
+      (qdd_0_p363 - 0.21799999999999997 * qdd_0_p377 - inverse_D3_p37 * qdd_0_p379));
+  const Real qdd_0_p382 = inverse_D2_p16 * qdd_0_p381 -
+      (c4 * (qdd_0_p377 + inverse_D2_p5 * qdd_0_p379) + s4 *
+      (qdd_0_p376 - inverse_D2_p6 * qdd_0_p379));
+  const Real qdd_0_p383 = inverse_D2_p7 * qdd_0_p379 - (s5 * qdd_0_p375 + c5 * qdd_0_p374) +
+      inverse_D2_p15 * qdd_0_p381;
+  const Real qdd_0_p384 = c3 * qdd_0_p382 + s3 * qdd_0_p383;
 
   // link 2 (thigh), bias force
-  const Real qdd_0_p395 = tau[1] - n2_z - (qdd_0_p387 + 0.422 * qdd_0_p394);
+  const Real qdd_0_p385 = tau[1] - n2_z - (qdd_0_p378 + 0.422 * qdd_0_p384);
 
   // link 7 (left_shoulder1), acceleration
-  const Lanes<2> qdd_6_p1_lanes = inverse_D7_lanes * qdd_0_p276_lanes;
+  const Lanes<2> qdd_6_p1_lanes = inverse_D7_lanes * qdd_0_p274_lanes;
 
   // link 2 (thigh), bias force
-  const Real qdd_0_p396 = c2 * (qdd_0_p394 + inverse_D1_p5 * qdd_0_p395) - s2 *
-      (s3 * qdd_0_p392 - c3 * qdd_0_p393 + inverse_D1_p4 * qdd_0_p395);
+  const Real qdd_0_p386 = c2 * (qdd_0_p384 + inverse_D1_p5 * qdd_0_p385) - s2 *
+      (s3 * qdd_0_p382 - c3 * qdd_0_p383 + inverse_D1_p4 * qdd_0_p385);
 
   // link 1 (calf), bias force
-  const Real qdd_0_p397 = tau[0] - 0.1569597827085 * c1 + 299.6743959432 * s1 - tau[1] - 0.434 *
-      (c2 * f2_x - s2 * f2_y + qdd_0_p396);
+  const Real qdd_0_p387 = tau[0] - 0.1569597827085 * c1 + 299.6743959432 * s1 - tau[1] - 0.434 *
+      (c2 * f2_x - s2 * f2_y + qdd_0_p386);
 
   // link 1 (calf), acceleration
-  const Real qdd_0 = inverse_D1 * qdd_0_p397;
+  const Real qdd_0 = inverse_D1 * qdd_0_p387;
   qdd[0] = qdd_0;
 
   // link 2 (thigh), acceleration
   const Real qdd_1_p1 = 0.434 * qdd_0;
   const Real qdd_1_p2 = c2 * qdd_1_p1;
   const Real qdd_1_p3 = s2 * qdd_1_p1;
-  const Real qdd_1 = inverse_D2 * qdd_0_p395 - (inverse_D1_p5 * qdd_1_p2 - inverse_D1_p4 *
+  const Real qdd_1 = inverse_D2 * qdd_0_p385 - (inverse_D1_p5 * qdd_1_p2 - inverse_D1_p4 *
       qdd_1_p3 + qdd_0);
   qdd[1] = qdd_1;
   const Real qdd_2_p1 = qdd_0 + qdd_1;
@@ -2665,10 +2670,10 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_3_p2 = c4 * qdd_2_p3;
 
   // link 8 (left_shoulder2), acceleration
-  const Lanes<2> qdd_7_p1_lanes = inverse_D8_lanes * qdd_0_p209_lanes;
+  const Lanes<2> qdd_7_p1_lanes = inverse_D8_lanes * qdd_0_p199_lanes;
 
   // link 3 (hip), acceleration
-  const Real qdd_2 = inverse_D3 * qdd_0_p391 - (inverse_D2_p16 * qdd_2_p3 + inverse_D2_p15 *
+  const Real qdd_2 = inverse_D3 * qdd_0_p381 - (inverse_D2_p16 * qdd_2_p3 + inverse_D2_p15 *
       qdd_2_p4 + qdd_2_p1);
   qdd[2] = qdd_2;
   const Real qdd_3_p3 = qdd_2_p1 + qdd_2;
@@ -2682,12 +2687,12 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_4_p2 = qdd_3_p1 + 0.21799999999999997 * qdd_3_p4;
 
   // link 9 (left_upperarm), acceleration
-  const Lanes<2> qdd_8_p1_lanes = inverse_D9_lanes * qdd_0_p177_lanes;
+  const Lanes<2> qdd_8_p1_lanes = inverse_D9_lanes * qdd_0_p169_lanes;
 
   // link 4 (chest1), acceleration
   const Real qdd_3_p6 = inverse_D2_p6 * qdd_3_p1 - inverse_D2_p5 * qdd_3_p2 + inverse_D2_p7 *
       qdd_2_p4 + (inverse_D3_p36 * qdd_3_p4 - inverse_D3_p37 * qdd_3_p5);
-  const Real qdd_3 = inverse_D4 * qdd_0_p389 - qdd_3_p6;
+  const Real qdd_3 = inverse_D4 * qdd_0_p379 - qdd_3_p6;
   qdd[3] = qdd_3;
 
   // link 5 (chest2), acceleration
@@ -2704,14 +2709,14 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       qdd_4_p2 + (qdd_3_p5 - (inverse_D4_p39 * qdd_4_p5 + inverse_D4_p40 * qdd_4_p6));
 
   // link 10 (left_lowerarm), acceleration
-  const Lanes<2> qdd_9_p1_lanes = inverse_D10_lanes * qdd_0_p115_lanes;
+  const Lanes<2> qdd_9_p1_lanes = inverse_D10_lanes * qdd_0_p125_lanes;
 
   // link 6 (chest3), acceleration
   const Real qdd_5_p2 = c6 * qdd_4_p4 + s6 * qdd_5_p1;
   const Real qdd_5_p3 = s6 * qdd_4_p4 - c6 * qdd_5_p1;
 
   // link 5 (chest2), acceleration
-  const Real qdd_4 = inverse_D5 * qdd_0_p381 - qdd_4_p7;
+  const Real qdd_4 = inverse_D5 * qdd_0_p371 - qdd_4_p7;
   qdd[4] = qdd_4;
   const Real qdd_5_p4 = qdd_3_p5 + qdd_4;
 
@@ -2725,12 +2730,12 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_6_p3 = qdd_6_p2 + 0.18 * qdd_5_p5;
 
   // link 11 (left_wrist1), acceleration
-  const Lanes<2> qdd_10_p1_lanes = inverse_D11_lanes * qdd_0_p75_lanes;
+  const Lanes<2> qdd_10_p1_lanes = inverse_D11_lanes * qdd_0_p73_lanes;
 
   // link 6 (chest3), acceleration
   const Real qdd_5_p8 = inverse_D4_p15 * qdd_5_p2 + inverse_D4_p16 * qdd_5_p3 + inverse_D5_p71 *
       qdd_5_p7 + (inverse_D5_p73 * qdd_5_p5 + inverse_D5_p72 * qdd_5_p6 + qdd_4_p5);
-  const Real qdd_5 = inverse_D6 * qdd_0_p374 - qdd_5_p8;
+  const Real qdd_5 = inverse_D6 * qdd_0_p362 - qdd_5_p8;
   qdd[5] = qdd_5;
   const Real qdd_6_p4 = qdd_4_p5 + qdd_5;
 
@@ -2741,7 +2746,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_6_p8 = qdd_5_p3 - 0.226 * qdd_6_p4;
 
   // link 12 (left_wrist2), acceleration
-  const Lanes<2> qdd_11_p1_lanes = inverse_D12_lanes * qdd_0_p35_lanes;
+  const Lanes<2> qdd_11_p1_lanes = inverse_D12_lanes * qdd_0_p31_lanes;
 
   // link 7 (left_shoulder1), acceleration
   const Real qdd_6_p9 = c7 * qdd_6_p3 - s7 * qdd_6_p5;
@@ -2751,88 +2756,95 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_7_p2 = s8 * qdd_6_p10 + c8 * qdd_6_p8;
   const Real qdd_7_p3 = s8 * qdd_6_p8 - c8 * qdd_6_p10;
 
+  // link 13 (left_hand), acceleration
+  const Lanes<2> qdd_12_p1_lanes = 1065.380700001509 * qdd_0_p1_lanes;
+
   // link 7 (left_shoulder1), acceleration
   const Real qdd_6_p11 = inverse_D6_p295_lanes[0] * qdd_6_p9 - inverse_D6_p293_lanes[0] *
       qdd_6_p10 + inverse_D6_p300_lanes[0] * qdd_6_p8 +
-      (qdd_0_p241_lanes[0] * qdd_6_p6 + inverse_D6_p332_lanes[0] * qdd_6_p7 + qdd_5_p6);
+      (qdd_0_p236_lanes[0] * qdd_6_p6 + inverse_D6_p332_lanes[0] * qdd_6_p7 + qdd_5_p6);
 
   // link 9 (left_upperarm), acceleration
   const Real qdd_8_p2 = c9 * qdd_7_p2 - s9 * qdd_6_p9;
   const Real qdd_8_p3 = s9 * qdd_7_p2 + c9 * qdd_6_p9;
 
-  // link 13 (left_hand), acceleration
-  const Lanes<2> qdd_12_p1_lanes = 1065.380700001509 * qdd_0_p1_lanes;
+  // link 14 (right_shoulder1), acceleration
+  const Real qdd_13_p2 = qdd_5_p2 + (-0.18) * qdd_6_p4;
 
   // link 7 (left_shoulder1), acceleration
   const Real qdd_6 = qdd_6_p1_lanes[0] - qdd_6_p11;
   qdd[6] = qdd_6;
 
   // link 14 (right_shoulder1), acceleration
-  const Real qdd_13_p2 = qdd_5_p2 + (-0.18) * qdd_6_p4;
+  const Real qdd_13_p3 = qdd_6_p2 + (-0.18) * qdd_5_p5;
 
   // link 7 (left_shoulder1), acceleration
   const Real qdd_7_p4 = qdd_5_p6 + qdd_6;
 
   // link 14 (right_shoulder1), acceleration
-  const Real qdd_13_p3 = qdd_6_p2 + (-0.18) * qdd_5_p5;
-
-  // link 8 (left_shoulder2), acceleration
-  const Real qdd_7_p5 = c8 * qdd_7_p4 - s8 * qdd_6_p7;
-
-  // link 14 (right_shoulder1), acceleration
   const Real qdd_13_p4 = s14 * qdd_5_p5 + c14 * qdd_6_p4;
-
-  // link 8 (left_shoulder2), acceleration
-  const Real qdd_7_p6 = c8 * qdd_6_p7 + s8 * qdd_7_p4;
-
-  // link 14 (right_shoulder1), acceleration
   const Real qdd_13_p5 = c14 * qdd_13_p3 - s14 * qdd_13_p2;
   const Real qdd_13_p6 = c14 * qdd_13_p2 + s14 * qdd_13_p3;
   const Real qdd_13_p7 = c14 * qdd_5_p5 - s14 * qdd_6_p4;
+
+  // link 8 (left_shoulder2), acceleration
+  const Real qdd_7_p5 = c8 * qdd_7_p4 - s8 * qdd_6_p7;
+  const Real qdd_7_p6 = c8 * qdd_6_p7 + s8 * qdd_7_p4;
 
   // link 15 (right_shoulder2), acceleration
   const Real qdd_14_p2 = s15 * qdd_13_p6 + c15 * qdd_6_p8;
   const Real qdd_14_p3 = s15 * qdd_6_p8 - c15 * qdd_13_p6;
 
-  // link 8 (left_shoulder2), acceleration
-  const Real qdd_7_p7 = inverse_D6_p163_lanes[0] * qdd_7_p2 - inverse_D6_p161_lanes[0] * qdd_7_p3 +
-      inverse_D6_p165_lanes[0] * qdd_6_p9 + (inverse_D7_p8_lanes[0] * qdd_7_p5 -
-      qdd_0_p195_lanes[0] * qdd_7_p6 + qdd_6_p6);
-
   // link 14 (right_shoulder1), acceleration
   const Real qdd_13_p8 = inverse_D6_p295_lanes[1] * qdd_13_p5 - inverse_D6_p293_lanes[1] *
       qdd_13_p6 + inverse_D6_p300_lanes[1] * qdd_6_p8 +
-      (qdd_0_p241_lanes[1] * qdd_13_p4 + inverse_D6_p332_lanes[1] * qdd_13_p7 + qdd_5_p6);
+      (qdd_0_p236_lanes[1] * qdd_13_p4 + inverse_D6_p332_lanes[1] * qdd_13_p7 + qdd_5_p6);
+  const Real qdd_13 = qdd_6_p1_lanes[1] - qdd_13_p8;
+  qdd[13] = qdd_13;
+
+  // link 8 (left_shoulder2), acceleration
+  const Real qdd_7_p7 = inverse_D6_p163_lanes[0] * qdd_7_p2 - inverse_D6_p161_lanes[0] * qdd_7_p3 +
+      inverse_D6_p165_lanes[0] * qdd_6_p9 + (inverse_D7_p8_lanes[0] * qdd_7_p5 -
+      qdd_0_p181_lanes[0] * qdd_7_p6 + qdd_6_p6);
+
+  // link 14 (right_shoulder1), acceleration
+  const Real qdd_14_p4 = qdd_5_p6 + qdd_13;
 
   // link 8 (left_shoulder2), acceleration
   const Real qdd_7 = qdd_7_p1_lanes[0] - qdd_7_p7;
   qdd[7] = qdd_7;
 
-  // link 14 (right_shoulder1), acceleration
-  const Real qdd_13 = qdd_6_p1_lanes[1] - qdd_13_p8;
-  qdd[13] = qdd_13;
+  // link 16 (right_upperarm), acceleration
+  const Real qdd_15_p2 = c16 * qdd_14_p2 - s16 * qdd_13_p5;
 
   // link 8 (left_shoulder2), acceleration
   const Real qdd_8_p4 = qdd_6_p6 + qdd_7;
 
-  // link 14 (right_shoulder1), acceleration
-  const Real qdd_14_p4 = qdd_5_p6 + qdd_13;
-
-  // link 9 (left_upperarm), acceleration
-  const Real qdd_8_p5 = s9 * qdd_7_p5 + c9 * qdd_8_p4;
-  const Real qdd_8_p6 = c9 * qdd_7_p5 - s9 * qdd_8_p4;
+  // link 16 (right_upperarm), acceleration
+  const Real qdd_15_p3 = s16 * qdd_14_p2 + c16 * qdd_13_p5;
 
   // link 15 (right_shoulder2), acceleration
   const Real qdd_14_p5 = c15 * qdd_14_p4 - s15 * qdd_13_p7;
   const Real qdd_14_p6 = c15 * qdd_13_p7 + s15 * qdd_14_p4;
 
-  // link 16 (right_upperarm), acceleration
-  const Real qdd_15_p2 = c16 * qdd_14_p2 - s16 * qdd_13_p5;
-  const Real qdd_15_p3 = s16 * qdd_14_p2 + c16 * qdd_13_p5;
+  // link 9 (left_upperarm), acceleration
+  const Real qdd_8_p5 = s9 * qdd_7_p5 + c9 * qdd_8_p4;
+  const Real qdd_8_p6 = c9 * qdd_7_p5 - s9 * qdd_8_p4;
 
   // link 10 (left_lowerarm), acceleration
   const Real qdd_9_p2 = qdd_8_p3 - 0.282 * qdd_8_p6;
+
+  // link 15 (right_shoulder2), acceleration
+  const Real qdd_14_p7 = inverse_D6_p163_lanes[1] * qdd_14_p2 - inverse_D6_p161_lanes[1] *
+      qdd_14_p3 + inverse_D6_p165_lanes[1] * qdd_13_p5 +
+      (inverse_D7_p8_lanes[1] * qdd_14_p5 - qdd_0_p181_lanes[1] * qdd_14_p6 + qdd_13_p4);
+
+  // link 10 (left_lowerarm), acceleration
   const Real qdd_9_p3 = qdd_8_p2 + 0.282 * qdd_8_p5;
+
+  // link 15 (right_shoulder2), acceleration
+  const Real qdd_14 = qdd_7_p1_lanes[1] - qdd_14_p7;
+  qdd[14] = qdd_14;
 
   // link 9 (left_upperarm), acceleration
   const Real qdd_8_p7 = inverse_D6_p33_lanes[0] * qdd_8_p2 - inverse_D6_p31_lanes[0] * qdd_8_p3 +
@@ -2840,9 +2852,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       inverse_D8_p150_lanes[0] * qdd_8_p6 - qdd_7_p6);
 
   // link 15 (right_shoulder2), acceleration
-  const Real qdd_14_p7 = inverse_D6_p163_lanes[1] * qdd_14_p2 - inverse_D6_p161_lanes[1] *
-      qdd_14_p3 + inverse_D6_p165_lanes[1] * qdd_13_p5 +
-      (inverse_D7_p8_lanes[1] * qdd_14_p5 - qdd_0_p195_lanes[1] * qdd_14_p6 + qdd_13_p4);
+  const Real qdd_15_p4 = qdd_13_p4 + qdd_14;
 
   // link 10 (left_lowerarm), acceleration
   const Real qdd_9_p4 = c10 * qdd_9_p2 + s10 * qdd_7_p3;
@@ -2851,16 +2861,11 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // link 9 (left_upperarm), acceleration
   const Real qdd_8 = qdd_8_p1_lanes[0] - qdd_8_p7;
   qdd[8] = qdd_8;
-
-  // link 15 (right_shoulder2), acceleration
-  const Real qdd_14 = qdd_7_p1_lanes[1] - qdd_14_p7;
-  qdd[14] = qdd_14;
-
-  // link 9 (left_upperarm), acceleration
   const Real qdd_9_p6 = qdd_8 - qdd_7_p6;
 
-  // link 15 (right_shoulder2), acceleration
-  const Real qdd_15_p4 = qdd_13_p4 + qdd_14;
+  // link 16 (right_upperarm), acceleration
+  const Real qdd_15_p5 = s16 * qdd_14_p5 + c16 * qdd_15_p4;
+  const Real qdd_15_p6 = c16 * qdd_14_p5 - s16 * qdd_15_p4;
 
   // link 11 (left_wrist1), acceleration
   const Real qdd_10_p2 = c11 * qdd_9_p3 - s11 * qdd_9_p4;
@@ -2870,18 +2875,9 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_9_p7 = c10 * qdd_8_p5 - s10 * qdd_9_p6;
   const Real qdd_9_p8 = s10 * qdd_8_p5 + c10 * qdd_9_p6;
 
-  // link 16 (right_upperarm), acceleration
-  const Real qdd_15_p5 = s16 * qdd_14_p5 + c16 * qdd_15_p4;
-  const Real qdd_15_p6 = c16 * qdd_14_p5 - s16 * qdd_15_p4;
-
   // link 17 (right_lowerarm), acceleration
   const Real qdd_16_p2 = qdd_15_p3 - 0.282 * qdd_15_p6;
   const Real qdd_16_p3 = qdd_15_p2 + 0.282 * qdd_15_p5;
-
-  // link 10 (left_lowerarm), acceleration
-  const Real qdd_9_p9 = inverse_D8_p80_lanes[0] * qdd_9_p4 + inverse_D8_p81_lanes[0] * qdd_9_p5 +
-      inverse_D8_p82_lanes[0] * qdd_9_p3 + (inverse_D9_p9_lanes[0] * qdd_9_p7 -
-      inverse_D9_p7_lanes[0] * qdd_9_p8 + qdd_8_p6);
 
   // link 16 (right_upperarm), acceleration
   const Real qdd_15_p7 = inverse_D6_p33_lanes[1] * qdd_15_p2 - inverse_D6_p31_lanes[1] * qdd_15_p3 +
@@ -2892,54 +2888,51 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_16_p4 = c17 * qdd_16_p2 + s17 * qdd_14_p3;
   const Real qdd_16_p5 = c17 * qdd_14_p3 - s17 * qdd_16_p2;
 
-  // link 10 (left_lowerarm), acceleration
-  const Real qdd_9 = qdd_9_p1_lanes[0] - qdd_9_p9;
-  qdd[9] = qdd_9;
-
   // link 16 (right_upperarm), acceleration
   const Real qdd_15 = qdd_8_p1_lanes[1] - qdd_15_p7;
   qdd[15] = qdd_15;
 
   // link 10 (left_lowerarm), acceleration
-  const Real qdd_10_p4 = qdd_8_p6 + qdd_9;
+  const Real qdd_9_p9 = inverse_D8_p80_lanes[0] * qdd_9_p4 + inverse_D8_p81_lanes[0] * qdd_9_p5 +
+      inverse_D8_p82_lanes[0] * qdd_9_p3 + (inverse_D9_p9_lanes[0] * qdd_9_p7 -
+      inverse_D9_p7_lanes[0] * qdd_9_p8 + qdd_8_p6);
 
   // link 16 (right_upperarm), acceleration
   const Real qdd_16_p6 = qdd_15 - qdd_14_p6;
+
+  // link 10 (left_lowerarm), acceleration
+  const Real qdd_9 = qdd_9_p1_lanes[0] - qdd_9_p9;
+  qdd[9] = qdd_9;
 
   // link 18 (right_wrist1), acceleration
   const Real qdd_17_p2 = c18 * qdd_16_p3 - s18 * qdd_16_p4;
   const Real qdd_17_p3 = c18 * qdd_16_p4 + s18 * qdd_16_p3;
 
-  // link 11 (left_wrist1), acceleration
-  const Real qdd_10_p5 = c11 * qdd_9_p7 + s11 * qdd_10_p4;
-  const Real qdd_10_p6 = c11 * qdd_10_p4 - s11 * qdd_9_p7;
+  // link 21 (neck), acceleration
+  const Real qdd_20_p1 = s21 * qdd_5_p6 + c21 * qdd_6_p4;
+  const Real qdd_20_p2 = c21 * qdd_5_p6 - s21 * qdd_6_p4;
+
+  // link 10 (left_lowerarm), acceleration
+  const Real qdd_10_p4 = qdd_8_p6 + qdd_9;
 
   // link 17 (right_lowerarm), acceleration
   const Real qdd_16_p7 = c17 * qdd_15_p5 - s17 * qdd_16_p6;
   const Real qdd_16_p8 = s17 * qdd_15_p5 + c17 * qdd_16_p6;
 
   // link 21 (neck), acceleration
-  const Real qdd_20_p1 = s21 * qdd_5_p6 + c21 * qdd_6_p4;
-  const Real qdd_20_p2 = c21 * qdd_5_p6 - s21 * qdd_6_p4;
   const Real qdd_20_p3 = c21 * qdd_5_p3 - s21 * qdd_5_p7;
   const Real qdd_20_p4 = s21 * qdd_5_p3 + c21 * qdd_5_p7;
 
-  // link 12 (left_wrist2), acceleration
-  const Real qdd_11_p2 = qdd_10_p3 - 0.269 * qdd_10_p6;
+  // link 11 (left_wrist1), acceleration
+  const Real qdd_10_p5 = c11 * qdd_9_p7 + s11 * qdd_10_p4;
+  const Real qdd_10_p6 = c11 * qdd_10_p4 - s11 * qdd_9_p7;
 
   // link 22 (head), acceleration
   const Real qdd_21_p1 = qdd_20_p4 + 0.394 * qdd_20_p2;
+  const Real qdd_21_p2 = qdd_20_p3 - 0.394 * qdd_20_p1;
 
   // link 12 (left_wrist2), acceleration
-  const Real qdd_11_p3 = qdd_10_p2 + 0.269 * qdd_10_p5;
-
-  // link 11 (left_wrist1), acceleration
-  const Real qdd_10_p7 = inverse_D8_p17_lanes[0] * qdd_10_p2 - inverse_D8_p16_lanes[0] * qdd_10_p3 -
-      inverse_D8_p18_lanes[0] * qdd_9_p5 + (inverse_D10_p83_lanes[0] * qdd_10_p5 +
-      inverse_D10_p84_lanes[0] * qdd_10_p6 + qdd_9_p8);
-
-  // link 22 (head), acceleration
-  const Real qdd_21_p2 = qdd_20_p3 - 0.394 * qdd_20_p1;
+  const Real qdd_11_p2 = qdd_10_p3 - 0.269 * qdd_10_p6;
 
   // link 17 (right_lowerarm), acceleration
   const Real qdd_16_p9 = inverse_D8_p80_lanes[1] * qdd_16_p4 + inverse_D8_p81_lanes[1] * qdd_16_p5 +
@@ -2947,15 +2940,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       inverse_D9_p7_lanes[1] * qdd_16_p8 + qdd_15_p6);
 
   // link 12 (left_wrist2), acceleration
-  const Real qdd_11_p4 = c12 * qdd_9_p5 - s12 * qdd_11_p2;
-
-  // link 11 (left_wrist1), acceleration
-  const Real qdd_10 = qdd_10_p1_lanes[0] - qdd_10_p7;
-  qdd[10] = qdd_10;
-
-  // link 17 (right_lowerarm), acceleration
-  const Real qdd_16 = qdd_9_p1_lanes[1] - qdd_16_p9;
-  qdd[16] = qdd_16;
+  const Real qdd_11_p3 = qdd_10_p2 + 0.269 * qdd_10_p5;
 
   // link 22 (head), acceleration
   const Real qdd_21_p3 = c22 * qdd_21_p1 - s22 * qdd_5_p2;
@@ -2964,94 +2949,96 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real qdd_20_p5 = inverse_D5_p13 * qdd_20_p3 - inverse_D5_p6 * qdd_20_p4 + inverse_D4_p4 *
       qdd_5_p2 - (inverse_D6_p386 * qdd_20_p1 + inverse_D6_p387 * qdd_20_p2 + qdd_5_p5);
 
+  // link 17 (right_lowerarm), acceleration
+  const Real qdd_16 = qdd_9_p1_lanes[1] - qdd_16_p9;
+  qdd[16] = qdd_16;
+
+  // link 21 (neck), acceleration
+  const Real qdd_20 = inverse_D21 * qdd_0_p349 - qdd_20_p5;
+  qdd[20] = qdd_20;
+
   // link 11 (left_wrist1), acceleration
-  const Real qdd_11_p5 = qdd_9_p8 + qdd_10;
+  const Real qdd_10_p7 = inverse_D8_p17_lanes[0] * qdd_10_p2 - inverse_D8_p16_lanes[0] * qdd_10_p3 -
+      inverse_D8_p18_lanes[0] * qdd_9_p5 + (inverse_D10_p74_lanes[0] * qdd_10_p5 +
+      inverse_D10_p75_lanes[0] * qdd_10_p6 + qdd_9_p8);
 
   // link 17 (right_lowerarm), acceleration
   const Real qdd_17_p4 = qdd_15_p6 + qdd_16;
 
+  // link 12 (left_wrist2), acceleration
+  const Real qdd_11_p4 = c12 * qdd_9_p5 - s12 * qdd_11_p2;
+
   // link 21 (neck), acceleration
-  const Real qdd_20 = inverse_D21 * qdd_0_p365 - qdd_20_p5;
-  qdd[20] = qdd_20;
   const Real qdd_21_p4 = qdd_20 - qdd_5_p5;
 
-  // link 12 (left_wrist2), acceleration
-  const Real qdd_11_p6 = inverse_D10_p29_lanes[0] * (c12 * qdd_11_p2 + s12 * qdd_9_p5) +
-      inverse_D10_p28_lanes[0] * qdd_11_p4 + inverse_D10_p30_lanes[0] * qdd_11_p3;
-  const Real qdd_11_p7 = s12 * qdd_10_p5 + c12 * qdd_11_p5;
+  // link 11 (left_wrist1), acceleration
+  const Real qdd_10 = qdd_10_p1_lanes[0] - qdd_10_p7;
+  qdd[10] = qdd_10;
+  const Real qdd_11_p5 = qdd_9_p8 + qdd_10;
+
+  // link 22 (head), acceleration
+  const Real qdd_21_p5 = inverse_D6_p193 * qdd_21_p3 - inverse_D6_p194 *
+      (s22 * qdd_21_p1 + c22 * qdd_5_p2) + inverse_D6_p199 * qdd_21_p2;
 
   // link 18 (right_wrist1), acceleration
   const Real qdd_17_p5 = c18 * qdd_16_p7 + s18 * qdd_17_p4;
   const Real qdd_17_p6 = c18 * qdd_17_p4 - s18 * qdd_16_p7;
 
   // link 22 (head), acceleration
-  const Real qdd_21_p5 = inverse_D6_p193 * qdd_21_p3 - inverse_D6_p194 *
-      (s22 * qdd_21_p1 + c22 * qdd_5_p2) + inverse_D6_p199 * qdd_21_p2;
-
-  // link 13 (left_hand), acceleration
-  const Real qdd_12_p2 = 17.32841575379867 * (c13 * qdd_11_p3 - s13 * qdd_11_p4) -
-      (-3.0523172236718206) * (c13 * qdd_11_p4 + s13 * qdd_11_p3);
-
-  // link 22 (head), acceleration
   const Real qdd_21_p6 = c22 * qdd_20_p1 - s22 * qdd_21_p4;
   const Real qdd_21_p7 = s22 * qdd_20_p1 + c22 * qdd_21_p4;
+
+  // link 12 (left_wrist2), acceleration
+  const Real qdd_11_p6 = inverse_D10_p19_lanes[0] * qdd_11_p4 - inverse_D10_p20_lanes[0] *
+      (c12 * qdd_11_p2 + s12 * qdd_9_p5) + inverse_D10_p21_lanes[0] * qdd_11_p3;
+  const Real qdd_11_p7 = s12 * qdd_10_p5 + c12 * qdd_11_p5;
 
   // link 19 (right_wrist2), acceleration
   const Real qdd_18_p2 = qdd_17_p3 - 0.269 * qdd_17_p6;
   const Real qdd_18_p3 = qdd_17_p2 + 0.269 * qdd_17_p5;
-
-  // link 12 (left_wrist2), acceleration
-  const Real qdd_11 = qdd_11_p1_lanes[0] - (qdd_11_p6 +
-      (qdd_10_p6 - inverse_D11_p4_lanes[0] * qdd_11_p7));
-  qdd[11] = qdd_11;
 
   // link 23 (left_eye), acceleration
   const Real qdd_22_p1 = qdd_21_p2 + 0.095 * qdd_21_p7;
 
   // link 18 (right_wrist1), acceleration
   const Real qdd_17_p7 = inverse_D8_p17_lanes[1] * qdd_17_p2 - inverse_D8_p16_lanes[1] * qdd_17_p3 -
-      inverse_D8_p18_lanes[1] * qdd_16_p5 + (inverse_D10_p83_lanes[1] * qdd_17_p5 +
-      inverse_D10_p84_lanes[1] * qdd_17_p6 + qdd_16_p8);
+      inverse_D8_p18_lanes[1] * qdd_16_p5 + (inverse_D10_p74_lanes[1] * qdd_17_p5 +
+      inverse_D10_p75_lanes[1] * qdd_17_p6 + qdd_16_p8);
 
   // link 19 (right_wrist2), acceleration
   const Real qdd_18_p4 = c19 * qdd_16_p5 - s19 * qdd_18_p2;
 
-  // link 12 (left_wrist2), acceleration
-  const Real qdd_12_p3 = qdd_10_p6 + qdd_11;
-
   // link 18 (right_wrist1), acceleration
   const Real qdd_17 = qdd_10_p1_lanes[1] - qdd_17_p7;
   qdd[17] = qdd_17;
-  const Real qdd_18_p5 = qdd_16_p8 + qdd_17;
 
   // link 22 (head), acceleration
-  const Real qdd_21 = inverse_D22 * qdd_0_p303 - (qdd_21_p5 +
+  const Real qdd_21 = inverse_D22 * qdd_0_p261 - (qdd_21_p5 +
       (qdd_20_p2 - (inverse_D21_p39 * qdd_21_p6 + inverse_D21_p38 * qdd_21_p7)));
   qdd[21] = qdd_21;
 
-  // link 19 (right_wrist2), acceleration
-  const Real qdd_18_p6 = inverse_D10_p29_lanes[1] * (c19 * qdd_18_p2 + s19 * qdd_16_p5) +
-      inverse_D10_p28_lanes[1] * qdd_18_p4 + inverse_D10_p30_lanes[1] * qdd_18_p3;
+  // link 12 (left_wrist2), acceleration
+  const Real qdd_11 = qdd_11_p1_lanes[0] - (qdd_11_p6 +
+      (qdd_10_p6 - inverse_D11_p4_lanes[0] * qdd_11_p7));
+  qdd[11] = qdd_11;
+
+  // link 18 (right_wrist1), acceleration
+  const Real qdd_18_p5 = qdd_16_p8 + qdd_17;
 
   // link 22 (head), acceleration
   const Real qdd_22_p2 = qdd_20_p2 + qdd_21;
 
+  // link 12 (left_wrist2), acceleration
+  const Real qdd_12_p2 = qdd_10_p6 + qdd_11;
+
   // link 19 (right_wrist2), acceleration
+  const Real qdd_18_p6 = inverse_D10_p19_lanes[1] * qdd_18_p4 - inverse_D10_p20_lanes[1] *
+      (c19 * qdd_18_p2 + s19 * qdd_16_p5) + inverse_D10_p21_lanes[1] * qdd_18_p3;
   const Real qdd_18_p7 = s19 * qdd_17_p5 + c19 * qdd_18_p5;
 
-  // link 20 (right_hand), acceleration
-  const Real qdd_19_p2 = 17.32841575379867 * (c20 * qdd_18_p3 - s20 * qdd_18_p4) -
-      3.0523172236718206 * (c20 * qdd_18_p4 + s20 * qdd_18_p3);
-
   // link 13 (left_hand), acceleration
-  const Real qdd_12_p4 = 0.04672761636452121 * (s13 * qdd_11_p7 + c13 * qdd_12_p3) -
-      0.11533812622014242 * (s13 * qdd_12_p3 - c13 * qdd_11_p7);
-  qdd[12] = qdd_12_p1_lanes[0] - (qdd_12_p2 + (qdd_12_p4 + (c12 * qdd_10_p5 - s12 * qdd_11_p5)));
-
-  // link 19 (right_wrist2), acceleration
-  const Real qdd_18 = qdd_11_p1_lanes[1] - (qdd_18_p6 +
-      (qdd_17_p6 - inverse_D11_p4_lanes[1] * qdd_18_p7));
-  qdd[18] = qdd_18;
+  const Real qdd_12_p3 = 0.02601091958181236 * (s13 * qdd_11_p7 + c13 * qdd_12_p2) -
+      0.1216954623377218 * (s13 * qdd_12_p2 - c13 * qdd_11_p7);
 
   // link 23 (left_eye), acceleration
   const Real qdd_22_p3 = 27.027027027027028 * (c23 * qdd_22_p1 - s23 *
@@ -3064,18 +3051,32 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       (c24 * qdd_21_p6 + s24 * qdd_22_p2));
 
   // link 19 (right_wrist2), acceleration
-  const Real qdd_19_p3 = qdd_17_p6 + qdd_18;
+  const Real qdd_18 = qdd_11_p1_lanes[1] - (qdd_18_p6 +
+      (qdd_17_p6 - inverse_D11_p4_lanes[1] * qdd_18_p7));
+  qdd[18] = qdd_18;
 
   // link 23 (left_eye), acceleration
-  qdd[22] = 108108.1081081081 * qdd_0_p260 - qdd_22_p3;
+  qdd[22] = 108108.1081081081 * qdd_0_p220 - qdd_22_p3;
 
   // link 24 (right_eye), acceleration
-  qdd[23] = 108108.1081081081 * qdd_0_p259 - qdd_23_p1;
+  qdd[23] = 108108.1081081081 * qdd_0_p219 - qdd_23_p1;
+
+  // link 13 (left_hand), acceleration
+  const Real qdd_12_p4 = 17.595187778776943 * (c13 * qdd_11_p3 - s13 * qdd_11_p4) +
+      (qdd_12_p3 + (c12 * qdd_10_p5 - s12 * qdd_11_p5));
+
+  // link 19 (right_wrist2), acceleration
+  const Real qdd_19_p2 = qdd_17_p6 + qdd_18;
+
+  // link 13 (left_hand), acceleration
+  qdd[12] = qdd_12_p1_lanes[0] - qdd_12_p4;
 
   // link 20 (right_hand), acceleration
-  const Real qdd_19_p4 = (-0.04672761636452121) * (s20 * qdd_18_p7 + c20 * qdd_19_p3) -
-      0.11533812622014242 * (s20 * qdd_19_p3 - c20 * qdd_18_p7);
-  qdd[19] = qdd_12_p1_lanes[1] - (qdd_19_p2 + (qdd_19_p4 + (c19 * qdd_17_p5 - s19 * qdd_18_p5)));
+  const Real qdd_19_p3 = (-0.02601091958181236) * (s20 * qdd_18_p7 + c20 * qdd_19_p2) -
+      0.1216954623377218 * (s20 * qdd_19_p2 - c20 * qdd_18_p7);
+  const Real qdd_19_p4 = 17.595187778776943 * (c20 * qdd_18_p3 - s20 * qdd_18_p4) +
+      (qdd_19_p3 + (c19 * qdd_17_p5 - s19 * qdd_18_p5));
+  qdd[19] = qdd_12_p1_lanes[1] - qdd_19_p4;
 }
 
 }  // namespace humanoid24

@@ -1,6 +1,6 @@
 // gravity: g: the joint forces that hold the robot at rest
 // By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
-// 396 flops (add 158, mul 238, div 0), sine and cosine of 24 angles
+// 378 flops (add 152, mul 226, div 0), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
 #include "lanes.hpp"
@@ -17,8 +17,10 @@ namespace humanoid24 {
 template <int count>
 using Lanes = detail::Pack<Real, count>;
 void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[24]) noexcept {
+  const Real s20_p1 = 0.17435661841416683 + q[19];
+  const Real s13_p1 = (-0.17435661841416683) + q[12];
   const Real angles[24] = {q[0], q[1], q[2], q[3], q[4], q[5], q[20], q[21], q[23], q[22], q[13],
-      q[14], q[15], q[16], q[17], q[18], q[19], q[6], q[7], q[8], q[9], q[10], q[11], q[12]};
+      q[14], q[15], q[16], q[17], q[18], s20_p1, q[6], q[7], q[8], q[9], q[10], q[11], s13_p1};
   Real sines[24];
   Real cosines[24];
   detail::sin_cos(angles, sines, cosines);
@@ -179,23 +181,14 @@ void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[
   g[20] = -minus_n21_z;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      a12_x_lanes;
-  const Lanes<2> minus_n13_y_lanes = 0.01626499875 * a12_x_lanes;
+  const Lanes<2> minus_n13_y_lanes = 0.0165153994048813 * a12_x_lanes;
 
   // link 13 (left_hand), outward
   const Lanes<2> minus_a13_y_lanes = detail::make_pack<Real>(s13, s20) * a12_y_lanes +
       detail::make_pack<Real>(c13, c20) * minus_a11_y_lanes;
-  const Lanes<2> a13_x_lanes = detail::make_pack<Real>(c13, c20) * a12_y_lanes -
-      detail::make_pack<Real>(s13, s20) * minus_a11_y_lanes;
-
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_z_p6_lanes = detail::make_pack<Real>(s13, s20) * n13_x_lanes -
-      detail::make_pack<Real>(c13, c20) * minus_n13_y_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> minus_n13_z_lanes = 0.01626499875 * minus_a13_y_lanes +
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * a13_x_lanes;
+  const Lanes<2> minus_n13_z_lanes = 0.0165153994048813 * minus_a13_y_lanes;
   g[12] = -minus_n13_z_lanes[0];
 
   // link 20 (right_hand), inertial wrench
@@ -203,10 +196,9 @@ void gravity(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT g)[
 
   // link 13 (left_hand), inward
   const Lanes<2> n12_y_lanes = 0.0025100003499999995 * minus_a11_y_lanes +
-      (detail::make_pack<Real>(c13, c20) * n13_x_lanes + detail::make_pack<Real>(s13, s20) *
-      minus_n13_y_lanes);
+      detail::make_pack<Real>(s13, s20) * minus_n13_y_lanes;
   const Lanes<2> n12_z_lanes = 0.0025100003499999995 * a12_y_lanes - 0.0006000000000000001 *
-      a12_x_lanes + n12_z_p6_lanes;
+      a12_x_lanes - detail::make_pack<Real>(c13, c20) * minus_n13_y_lanes;
   g[11] = n12_z_lanes[0];
 
   // link 20 (right_hand), inward

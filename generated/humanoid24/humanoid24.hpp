@@ -81,8 +81,8 @@ void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[1
 /// in  qd (24): joint velocities
 /// in  qdd (24): joint accelerations
 /// out tau (24): joint forces
-/// Cost: 2052 flops (add 982, mul 1070, div 0), sine and cosine of 24 angles.
-/// Stack: at most 280 values live at once, 2240 bytes.
+/// Cost: 2026 flops (add 970, mul 1056, div 0), sine and cosine of 24 angles.
+/// Stack: at most 278 values live at once, 2224 bytes.
 void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd)[24],
     Real (&tau)[24]) noexcept;
 
@@ -90,8 +90,8 @@ void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qd
 /// By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out g (24): joint forces
-/// Cost: 396 flops (add 158, mul 238, div 0), sine and cosine of 24 angles.
-/// Stack: at most 102 values live at once, 816 bytes.
+/// Cost: 378 flops (add 152, mul 226, div 0), sine and cosine of 24 angles.
+/// Stack: at most 97 values live at once, 776 bytes.
 void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -99,16 +99,16 @@ void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// out h (24): joint forces
-/// Cost: 1991 flops (add 940, mul 1051, div 0), sine and cosine of 24 angles.
-/// Stack: at most 265 values live at once, 2120 bytes.
+/// Cost: 1965 flops (add 928, mul 1037, div 0), sine and cosine of 24 angles.
+/// Stack: at most 257 values live at once, 2056 bytes.
 void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out M (24x24): joint-space inertia
-/// Cost: 2294 flops (add 956, mul 1338, div 0), sine and cosine of 23 angles.
-/// Stack: at most 221 values live at once, 1768 bytes.
+/// Cost: 2288 flops (add 954, mul 1334, div 0), sine and cosine of 23 angles.
+/// Stack: at most 223 values live at once, 1784 bytes.
 void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -117,8 +117,8 @@ void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 /// in  qd (24): joint velocities
 /// in  tau (24): joint forces
 /// out qdd (24): joint accelerations
-/// Cost: 4826 flops (add 2289, mul 2505, div 32), sine and cosine of 24 angles.
-/// Stack: at most 377 values live at once, 3016 bytes.
+/// Cost: 4762 flops (add 2257, mul 2473, div 32), sine and cosine of 24 angles.
+/// Stack: at most 360 values live at once, 2880 bytes.
 void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&tau)[24],
     Real (&qdd)[24]) noexcept;
 

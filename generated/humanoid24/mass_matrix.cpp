@@ -1,6 +1,6 @@
 // mass_matrix: tau = M qdd + b + g: the matrix M
 // By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
-// 2294 flops (add 956, mul 1338, div 0), sine and cosine of 23 angles
+// 2288 flops (add 954, mul 1334, div 0), sine and cosine of 23 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
 #include "lanes.hpp"
@@ -229,8 +229,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[570] = 0.0;
   M[571] = 0.0;
   M[574] = 0.0;
-  const Real angles[23] = {q[23], q[22], q[21], q[20], q[18], q[19], q[17], q[16], q[15], q[14],
-      q[13], q[11], q[12], q[10], q[9], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1]};
+  const Real c20_p1 = 0.17435661841416683 + q[19];
+  const Real c13_p1 = (-0.17435661841416683) + q[12];
+  const Real angles[23] = {q[23], q[22], q[21], q[20], q[18], c20_p1, q[17], q[16], q[15], q[14],
+      q[13], q[11], c13_p1, q[10], q[9], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1]};
   Real sines[23];
   Real cosines[23];
   detail::sin_cos(angles, sines, cosines);
@@ -282,17 +284,17 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real c2 = cosines[22];
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p21_lanes = detail::make_pack<Real>(0.000252780114665025,
-      (-0.000252780114665025)) * detail::make_pack<Real>(c13, c20) - 0.0007556474228594393 *
+  const Lanes<2> M_2_2_p9_lanes = 0.0165153994048813 * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> M_2_2_p17_lanes = 0.0165153994048813 * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> M_2_2_p19_lanes = detail::make_pack<Real>((-2.0630162081277884e-05),
+      2.0630162081277884e-05) * detail::make_pack<Real>(c13, c20) - 0.0007965395222188762 *
       detail::make_pack<Real>(s13, s20);
-  const Lanes<2> M_2_2_p23_lanes = 0.000108260010923775 * detail::make_pack<Real>(c13, c20) +
-      detail::make_pack<Real>(4.38600177048965e-05, (-4.38600177048965e-05)) *
+  const Lanes<2> M_2_2_p21_lanes = 0.00011422720754895356 * detail::make_pack<Real>(c13, c20) +
+      detail::make_pack<Real>(2.4414671283021662e-05, (-2.4414671283021662e-05)) *
       detail::make_pack<Real>(s13, s20);
-  const Lanes<2> M_2_2_p25_lanes = 0.01626499875 * detail::make_pack<Real>(c13, c20) -
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      detail::make_pack<Real>(s13, s20);
-  const Lanes<2> M_11_12_lanes = detail::make_pack<Real>(4.38600177048965e-05,
-      (-4.38600177048965e-05)) * detail::make_pack<Real>(c13, c20) - 0.000108260010923775 *
+  const Lanes<2> M_2_2_p23_lanes = 0.0006000000000000001 + M_2_2_p9_lanes;
+  const Lanes<2> M_11_12_lanes = detail::make_pack<Real>(2.4414671283021662e-05,
+      (-2.4414671283021662e-05)) * detail::make_pack<Real>(c13, c20) - 0.00011422720754895356 *
       detail::make_pack<Real>(s13, s20);
   M[276] = M_11_12_lanes[0];
   M[299] = M_11_12_lanes[0];
@@ -301,51 +303,52 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[451] = M_11_12_lanes[1];
   M[474] = M_11_12_lanes[1];
 
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p25_lanes = detail::make_pack<Real>(0.001, (-0.001)) + M_2_2_p17_lanes;
+
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p27_lanes = 0.01626499875 * detail::make_pack<Real>(s13, s20) +
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      detail::make_pack<Real>(c13, c20);
-  const Lanes<2> M_2_2_p29_lanes = detail::make_pack<Real>(s13, s20) * M_2_2_p21_lanes;
+  const Lanes<2> M_2_2_p27_lanes = detail::make_pack<Real>(s13, s20) * M_2_2_p19_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p31_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p23_lanes;
+  const Lanes<2> M_2_2_p29_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p21_lanes;
 
   // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p35_lanes = 0.0006000000000000001 + M_2_2_p25_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p41_lanes = detail::make_pack<Real>(0.001, (-0.001)) + M_2_2_p27_lanes;
-
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p49_lanes = detail::make_pack<Real>((-0.0001287900573325125),
-      0.0001287900573325125) + detail::make_pack<Real>(c13, c20) * M_2_2_p21_lanes;
-  const Lanes<2> M_11_11_lanes = 0.001053967177886718 + M_2_2_p29_lanes;
+  const Lanes<2> M_2_2_p47_lanes = detail::make_pack<Real>(7.915081040638941e-06,
+      (-7.915081040638941e-06)) + detail::make_pack<Real>(c13, c20) * M_2_2_p19_lanes;
+  const Lanes<2> M_11_11_lanes = 0.0010744132275664366 + M_2_2_p27_lanes;
   M[275] = M_11_11_lanes[0];
 
   // link 20 (right_hand), composite inertia
   M[450] = M_11_11_lanes[1];
 
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p49_lanes = 0.0025100003499999995 * detail::make_pack<Real>(s12, s19) +
+      detail::make_pack<Real>(c12, c19) * M_2_2_p23_lanes;
+  const Lanes<2> M_2_2_p51_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p23_lanes -
+      0.0025100003499999995 * detail::make_pack<Real>(c12, c19);
+
   // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p67_lanes = 1.2499999999999999e-06 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> M_2_2_p63_lanes = 1.2499999999999999e-06 * detail::make_pack<Real>(s23, s24);
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p69_lanes = 0.0025100003499999995 * detail::make_pack<Real>(s12, s19) +
-      detail::make_pack<Real>(c12, c19) * M_2_2_p35_lanes;
-  const Lanes<2> M_2_2_p71_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p35_lanes -
-      0.0025100003499999995 * detail::make_pack<Real>(c12, c19);
+  const Lanes<2> M_2_2_p65_lanes = 0.538 * M_2_2_p49_lanes;
+  const Lanes<2> M_2_2_p69_lanes = 6e-04 - M_2_2_p51_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p71_lanes = 0.28049749700000004 + M_2_2_p49_lanes;
 
   // link 23 (left_eye), composite inertia
   const Lanes<2> M_2_2_p73_lanes = 2.375e-05 * detail::make_pack<Real>(c23, c24) +
       detail::make_pack<Real>(8e-06, (-8e-06)) * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> M_2_2_p75_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(c23, c24);
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p75_lanes = 2.0 * M_2_2_p31_lanes - detail::make_pack<Real>(s12, s19) *
-      (0.000663511853372032 + M_2_2_p29_lanes);
-  const Lanes<2> M_2_2_p77_lanes = 0.538 * M_2_2_p69_lanes;
-  const Lanes<2> M_2_2_p79_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p49_lanes -
+  const Lanes<2> M_2_2_p77_lanes = 2.0 * M_2_2_p29_lanes - detail::make_pack<Real>(s12, s19) *
+      (0.0006839579030517506 + M_2_2_p27_lanes);
+  const Lanes<2> M_2_2_p79_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p47_lanes -
       detail::make_pack<Real>(c12, c19) * M_11_12_lanes;
   const Lanes<2> M_10_11_lanes = detail::make_pack<Real>(s12, s19) * M_11_12_lanes +
-      detail::make_pack<Real>(c12, c19) * M_2_2_p49_lanes;
+      detail::make_pack<Real>(c12, c19) * M_2_2_p47_lanes;
   M[251] = -M_10_11_lanes[0];
   M[274] = -M_10_11_lanes[0];
 
@@ -353,59 +356,65 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[426] = -M_10_11_lanes[1];
   M[449] = -M_10_11_lanes[1];
 
+  // link 23 (left_eye), composite inertia
+  const Lanes<2> M_2_2_p91_lanes = detail::make_pack<Real>(s23, s24) * M_2_2_p63_lanes;
+
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p83_lanes = 6e-04 - M_2_2_p71_lanes;
+  const Lanes<2> M_2_2_p93_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p77_lanes;
+  const Lanes<2> M_2_2_p97_lanes = detail::make_pack<Real>((-6e-06), 6e-06) - M_2_2_p79_lanes;
+  const Lanes<2> M_2_2_p101_lanes = 0.0001098 + (M_11_11_lanes + M_2_2_p65_lanes);
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p85_lanes = 0.28049749700000004 + M_2_2_p69_lanes;
-
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p87_lanes = detail::make_pack<Real>(s23, s24) * M_2_2_p67_lanes;
-  const Lanes<2> M_2_2_p89_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(c23, c24);
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p91_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p75_lanes;
-  const Lanes<2> M_2_2_p95_lanes = detail::make_pack<Real>((-6e-06), 6e-06) - M_2_2_p79_lanes;
-
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p109 = M_2_2_p87_lanes[1] + M_2_2_p87_lanes[0];
+  const Lanes<2> M_2_2_p103_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p69_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p25_lanes;
+  const Lanes<2> M_2_2_p105_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p69_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_2_p25_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p112_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
-      (0.269 * M_2_2_p27_lanes - M_10_11_lanes);
-  const Lanes<2> M_2_2_p116_lanes = 0.0001098 + (M_11_11_lanes + M_2_2_p77_lanes);
-  const Lanes<2> M_2_2_p120_lanes = 0.0002867197550272787 - M_2_2_p29_lanes - M_2_2_p91_lanes;
+  const Lanes<2> M_2_2_p109_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
+      (0.00444264243991307 * detail::make_pack<Real>(s13, s20) - M_10_11_lanes);
+
+  // link 23 (left_eye), composite inertia
+  const Real M_2_2_p111 = M_2_2_p91_lanes[1] + M_2_2_p91_lanes[0];
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p116_lanes = 0.00026627370534756023 - M_2_2_p27_lanes - M_2_2_p93_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p122_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p83_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p41_lanes;
-  const Lanes<2> M_2_2_p126_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p83_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p41_lanes;
+  const Lanes<2> M_2_2_p118_lanes = 0.0014999985000000002 + M_2_2_p103_lanes;
 
   // link 23 (left_eye), composite inertia
-  const Real M_2_2_p128 = 0.0074 + M_2_2_p89_lanes[1] + M_2_2_p89_lanes[0];
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p129_lanes = 0.0010696316083993107 + M_2_2_p91_lanes + M_2_2_p77_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p135_lanes = 0.00051019984685315 + M_2_2_p120_lanes;
-  const Lanes<2> M_2_2_p137_lanes = 0.0014999985000000002 + M_2_2_p122_lanes;
-
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p139_lanes = 0.00025 * detail::make_pack<Real>(c23, c24);
-  const Real M_2_2_p141 = 0.009457125 + 2.0 * (M_2_2_p73_lanes[1] + M_2_2_p73_lanes[0]);
+  const Real M_2_2_p122 = 0.0074 + M_2_2_p75_lanes[1] + M_2_2_p75_lanes[0];
 
   // link 10 (left_lowerarm), composite inertia
   const Lanes<2> M_2_6_p1_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
-      M_2_2_p126_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p147_lanes = 0.000144 - (M_2_2_p23_lanes -
-      detail::make_pack<Real>(c12, c19) * M_2_2_p75_lanes + 0.269 * M_2_2_p71_lanes);
+      M_2_2_p105_lanes;
 
   // link 23 (left_eye), composite inertia
-  const Real M_2_2_p153 = 0.05451070000000001 + M_2_2_p109 + (-1.6e-05) * s24 + 1.6e-05 * s23;
+  const Lanes<2> M_2_2_p124_lanes = 0.00025 * detail::make_pack<Real>(c23, c24);
+  const Real M_2_2_p128 = 0.009457125 + 2.0 * (M_2_2_p73_lanes[1] + M_2_2_p73_lanes[0]);
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p129_lanes = 0.0010696316083993109 + M_2_2_p93_lanes + M_2_2_p65_lanes;
+
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p135_lanes = 0.00051019984685315 + M_2_2_p116_lanes;
+
+  // link 12 (left_wrist2), composite inertia
+  const Lanes<2> M_2_2_p144_lanes = 0.000144 - (M_2_2_p21_lanes -
+      detail::make_pack<Real>(c12, c19) * M_2_2_p77_lanes + 0.269 * M_2_2_p51_lanes);
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p148_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p118_lanes +
+      detail::make_pack<Real>(c10, c17) * M_2_2_p71_lanes;
+  const Lanes<2> M_2_2_p150_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p71_lanes -
+      detail::make_pack<Real>(c10, c17) * M_2_2_p118_lanes;
+
+  // link 23 (left_eye), composite inertia
+  const Real M_2_2_p152 = 0.05451070000000001 + M_2_2_p111 + (-1.6e-05) * s24 + 1.6e-05 * s23;
+  const Real M_2_2_p157 = 0.072575 + M_2_2_p124_lanes[1] + M_2_2_p124_lanes[0];
+  const Lanes<2> M_2_2_p158_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + M_2_2_p63_lanes) *
+      detail::make_pack<Real>(c23, c24);
   const Lanes<2> M_21_22_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(s23, s24);
   M[526] = -M_21_22_lanes[0];
   M[549] = -M_21_22_lanes[0];
@@ -414,28 +423,21 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[527] = -M_21_22_lanes[1];
   M[573] = -M_21_22_lanes[1];
 
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p161_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + M_2_2_p67_lanes) *
-      detail::make_pack<Real>(c23, c24);
-
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p163_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p137_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p85_lanes;
-  const Lanes<2> M_2_2_p165_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p85_lanes -
-      detail::make_pack<Real>(c10, c17) * M_2_2_p137_lanes;
+  const Lanes<2> M_2_2_p160_lanes = 0.564 * M_2_2_p148_lanes;
+  const Lanes<2> M_2_6_p3_lanes = 0.0022500062 + M_2_2_p150_lanes;
 
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p167 = 0.072575 + M_2_2_p139_lanes[1] + M_2_2_p139_lanes[0];
-  const Real M_2_2_p168 = M_21_22_lanes[1] + M_21_22_lanes[0];
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_6_p4_lanes = 0.7139200499999999 + M_2_2_p148_lanes;
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p170_lanes = detail::make_pack<Real>(s11, s18) *
-      (M_2_2_p129_lanes - M_2_2_p116_lanes) + detail::make_pack<Real>(c11, c18) *
-      (2.0 * M_2_2_p95_lanes);
-  const Lanes<2> M_2_2_p172_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p147_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p112_lanes;
-  const Lanes<2> M_9_10_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p147_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p112_lanes;
+  const Lanes<2> M_2_2_p166_lanes = detail::make_pack<Real>(s11, s18) *
+      (M_2_2_p129_lanes - M_2_2_p101_lanes) + detail::make_pack<Real>(c11, c18) *
+      (2.0 * M_2_2_p97_lanes);
+  const Lanes<2> M_2_2_p168_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p144_lanes -
+      detail::make_pack<Real>(s11, s18) * M_2_2_p109_lanes;
+  const Lanes<2> M_9_10_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p144_lanes +
+      detail::make_pack<Real>(c11, c18) * M_2_2_p109_lanes;
   M[226] = M_9_10_lanes[0];
   M[249] = M_9_10_lanes[0];
 
@@ -443,54 +445,35 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[401] = M_9_10_lanes[1];
   M[424] = M_9_10_lanes[1];
 
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p174_lanes = 0.564 * M_2_2_p163_lanes;
-  const Lanes<2> M_2_6_p4_lanes = 0.0022500062 + M_2_2_p165_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_6_p5_lanes = 0.7139200499999999 + M_2_2_p163_lanes;
-
   // link 23 (left_eye), composite inertia
-  const Real M_21_21 = 0.063951825 - M_2_2_p109 + 4.75e-05 * (c24 + c23);
+  const Real M_2_2_p172 = M_21_22_lanes[1] + M_21_22_lanes[0];
+  const Real M_21_21 = 0.063951825 - M_2_2_p111 + 4.75e-05 * (c24 + c23);
   M[525] = M_21_21;
 
   // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p180_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p170_lanes;
-  const Lanes<2> M_2_2_p182_lanes = 0.0001499998887063 + M_2_2_p172_lanes;
-  const Lanes<2> M_2_2_p186_lanes = detail::make_pack<Real>((-0.0001499998887063),
+  const Lanes<2> M_2_2_p177_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p166_lanes;
+  const Lanes<2> M_2_2_p179_lanes = 0.0001499998887063 + M_2_2_p168_lanes;
+  const Lanes<2> M_2_2_p183_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) - M_9_10_lanes;
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p189 = s22 * (M_2_2_p153 - M_2_2_p141) + c22 * (2.0 * M_2_2_p128);
-  const Real M_2_2_p191 = 0.43200000000000005 * c22 - s22 * M_2_2_p167;
+  const Real M_2_2_p185 = 0.43200000000000005 * c22 - s22 * M_2_2_p157;
 
   // link 23 (left_eye), composite inertia
-  const Real M_2_2_p192 = M_2_2_p161_lanes[0] + 2.375e-05 * (s24 + s23) + M_2_2_p161_lanes[1];
+  const Real M_2_2_p186 = M_2_2_p158_lanes[0] + 2.375e-05 * (s24 + s23) + M_2_2_p158_lanes[1];
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p204 = s22 * M_2_2_p189;
+  const Real M_2_2_p187 = s22 * (M_2_2_p152 - M_2_2_p128) + c22 * (2.0 * M_2_2_p122);
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_6_p9_lanes = detail::make_pack<Real>(s9, s16) * M_2_6_p4_lanes -
+  const Lanes<2> M_2_6_p9_lanes = detail::make_pack<Real>(s9, s16) * M_2_6_p3_lanes -
       detail::make_pack<Real>(c9, c16) * M_2_6_p1_lanes;
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p206 = 0.788 * M_2_2_p191;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_6_p10_lanes = detail::make_pack<Real>(c9, c16) * M_2_6_p4_lanes +
+  const Lanes<2> M_2_6_p10_lanes = detail::make_pack<Real>(c9, c16) * M_2_6_p3_lanes +
       detail::make_pack<Real>(s9, s16) * M_2_6_p1_lanes;
 
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p208_lanes = 0.06060754126741261 + (M_2_2_p129_lanes - M_2_2_p180_lanes);
-  const Lanes<2> M_2_2_p212_lanes = detail::make_pack<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * M_2_2_p170_lanes -
-      M_2_2_p95_lanes);
-  const Lanes<2> M_9_9_lanes = 0.060888541114265754 + (M_2_2_p116_lanes + M_2_2_p180_lanes);
-  M[225] = M_9_9_lanes[0];
-
-  // link 18 (right_wrist1), composite inertia
-  M[400] = M_9_9_lanes[1];
+  // link 22 (head), composite inertia
+  const Real M_2_2_p198 = 0.788 * M_2_2_p185;
+  const Real M_2_2_p199 = s22 * M_2_2_p187;
 
   // link 9 (left_upperarm), composite inertia
   const Lanes<2> M_2_6_p11_lanes = detail::make_pack<Real>(0.0017499999999999998,
@@ -499,32 +482,49 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   // link 23 (left_eye), composite inertia
   const Lanes<2> M_5_20_p1_lanes = 0.00025 * detail::make_pack<Real>(s23, s24);
 
+  // link 11 (left_wrist1), composite inertia
+  const Lanes<2> M_2_2_p201_lanes = 0.06060754126741261 + (M_2_2_p129_lanes - M_2_2_p177_lanes);
+  const Lanes<2> M_2_2_p205_lanes = detail::make_pack<Real>((-2.249994685315e-05),
+      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * M_2_2_p166_lanes -
+      M_2_2_p97_lanes);
+  const Lanes<2> M_9_9_lanes = 0.060888541114265754 + (M_2_2_p101_lanes + M_2_2_p177_lanes);
+  M[225] = M_9_9_lanes[0];
+
+  // link 18 (right_wrist1), composite inertia
+  M[400] = M_9_9_lanes[1];
+
   // link 22 (head), composite inertia
-  const Real M_2_2_p215 = M_21_21 + M_2_2_p206;
-  const Real M_5_20_p3 = c22 * M_2_2_p167 + 0.43200000000000005 * s22;
+  const Real M_2_2_p208 = M_21_21 + M_2_2_p198;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_6_p12_lanes = 0.0017499999999999998 - M_2_6_p10_lanes;
+  const Lanes<2> M_2_6_p13_lanes = 0.0017499999999999998 - M_2_6_p10_lanes;
 
   // link 22 (head), composite inertia
-  const Real M_2_2_p217 = M_2_2_p141 + M_2_2_p204;
-  const Real M_2_2_p225 = M_2_2_p153 - M_2_2_p204 + M_2_2_p206;
-  const Real M_2_2_p226 = c22 * M_2_2_p192 + s22 * M_2_2_p168;
+  const Real M_5_20_p3 = c22 * M_2_2_p157 + 0.43200000000000005 * s22;
+  const Real M_2_2_p210 = M_2_2_p128 + M_2_2_p199;
+  const Real M_2_2_p219 = c22 * M_2_2_p186 + s22 * M_2_2_p172;
 
   // link 23 (left_eye), composite inertia
   const Real M_5_20_p4 = M_5_20_p1_lanes[1] + M_5_20_p1_lanes[0];
 
   // link 22 (head), composite inertia
-  const Real M_20_21 = s22 * M_2_2_p192 - c22 * M_2_2_p168;
+  const Real M_2_2_p220 = M_2_2_p152 - M_2_2_p199 + M_2_2_p198;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_6_p14_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p4_lanes -
+      detail::make_pack<Real>(s8, s15) * M_2_6_p11_lanes;
+
+  // link 22 (head), composite inertia
+  const Real M_20_21 = s22 * M_2_2_p186 - c22 * M_2_2_p172;
   M[501] = M_20_21;
   M[524] = M_20_21;
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p229_lanes = 0.0008177492704690715 + (M_9_9_lanes + M_2_2_p174_lanes);
-  const Lanes<2> M_2_2_p234_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p186_lanes -
-      detail::make_pack<Real>(c10, c17) * M_2_2_p212_lanes;
-  const Lanes<2> M_8_9_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p212_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p186_lanes;
+  const Lanes<2> M_2_2_p224_lanes = 0.0008177492704690715 + (M_9_9_lanes + M_2_2_p160_lanes);
+  const Lanes<2> M_2_2_p227_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p183_lanes -
+      detail::make_pack<Real>(c10, c17) * M_2_2_p205_lanes;
+  const Lanes<2> M_8_9_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p205_lanes +
+      detail::make_pack<Real>(c10, c17) * M_2_2_p183_lanes;
   M[201] = -M_8_9_lanes[0];
   M[224] = -M_8_9_lanes[0];
 
@@ -533,92 +533,90 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[399] = -M_8_9_lanes[1];
 
   // link 21 (neck), composite inertia
-  const Real M_2_2_p236 = s21 * M_2_2_p226;
+  const Real M_2_2_p229 = s21 * M_2_2_p219;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_6_p15_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p5_lanes -
-      detail::make_pack<Real>(s8, s15) * M_2_6_p11_lanes;
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p238 = 0.0045000000000000005 + M_5_20_p3;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p239_lanes = detail::make_pack<Real>(c10, c17) * (2.0 * M_2_2_p182_lanes) -
-      detail::make_pack<Real>(s10, s17) * (M_2_2_p208_lanes - M_2_2_p135_lanes);
-  const Lanes<2> M_2_2_p241_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
-      (-4.4999986458742003e-05)) - M_2_2_p234_lanes;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_6_p16_lanes = M_2_6_p15_lanes - 0.0017499999999999998;
-  const Lanes<2> M_2_2_p246_lanes = detail::make_pack<Real>(s8, s15) * M_2_6_p5_lanes +
+  const Lanes<2> M_2_6_p16_lanes = M_2_6_p14_lanes - 0.0017499999999999998;
+  const Lanes<2> M_2_2_p231_lanes = detail::make_pack<Real>(s8, s15) * M_2_6_p4_lanes +
       detail::make_pack<Real>(c8, c15) * M_2_6_p11_lanes;
 
   // link 22 (head), composite inertia
-  const Real M_5_20_p5 = 0.0016155 + (c22 * M_2_2_p189 - M_2_2_p128 + 0.394 * M_5_20_p3);
-  const Real M_5_20_p6 = M_20_21 - 0.394 * M_5_20_p4;
+  const Real M_2_2_p233 = 0.0045000000000000005 + M_5_20_p3;
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p248_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p239_lanes;
-  const Lanes<2> M_2_2_p254_lanes = detail::make_pack<Real>(0.0012089992423205001,
-      (-0.0012089992423205001)) + (0.282 * M_2_2_p126_lanes - M_8_9_lanes);
+  const Lanes<2> M_2_2_p234_lanes = detail::make_pack<Real>(c10, c17) * (2.0 * M_2_2_p179_lanes) -
+      detail::make_pack<Real>(s10, s17) * (M_2_2_p201_lanes - M_2_2_p135_lanes);
+  const Lanes<2> M_2_2_p236_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - M_2_2_p227_lanes;
+
+  // link 22 (head), composite inertia
+  const Real M_5_20_p5 = M_20_21 - 0.394 * M_5_20_p4;
+  const Real M_5_20_p6 = 0.0016155 + (c22 * M_2_2_p187 - M_2_2_p122 + 0.394 * M_5_20_p3);
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p259 = M_2_2_p246_lanes[1] + M_2_2_p246_lanes[0];
+  const Real M_2_2_p241 = M_2_2_p231_lanes[1] + M_2_2_p231_lanes[0];
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p266_lanes = M_2_2_p135_lanes - M_2_2_p248_lanes;
+  const Lanes<2> M_2_2_p242_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p234_lanes;
+  const Lanes<2> M_2_2_p248_lanes = detail::make_pack<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + (0.282 * M_2_2_p105_lanes - M_8_9_lanes);
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_6_p18_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p12_lanes +
+  const Lanes<2> M_2_6_p18_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p13_lanes +
       detail::make_pack<Real>(c7, c14) * M_2_6_p16_lanes;
 
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p259_lanes = M_2_2_p135_lanes - M_2_2_p242_lanes;
+
   // link 21 (neck), composite inertia
-  const Real M_2_2_p269 = c21 * (0.005513625 + M_2_2_p225 - (0.000703125 + M_2_2_p215)) + 2.0 *
-      M_2_2_p236;
+  const Real M_2_2_p261 = c21 * (0.005513625 + M_2_2_p220 - (0.000703125 + M_2_2_p208)) + 2.0 *
+      M_2_2_p229;
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_5_6_p3_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p12_lanes -
+  const Real M_2_2_p263 = M_2_6_p18_lanes[1] + M_2_6_p18_lanes[0];
+  const Lanes<2> M_5_6_p3_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p13_lanes -
       detail::make_pack<Real>(s7, s14) * M_2_6_p16_lanes;
 
   // link 21 (neck), composite inertia
-  const Real M_5_20 = c21 * M_5_20_p5 + s21 * M_5_20_p6;
+  const Real M_5_20 = c21 * M_5_20_p6 + s21 * M_5_20_p5;
   M[140] = -M_5_20;
   M[485] = -M_5_20;
-  const Real M_2_2_p270 = s21 * M_5_20_p5 - c21 * M_5_20_p6;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p275_lanes = 0.0028970433559338655 + M_2_2_p266_lanes;
-
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p277 = s21 * M_2_2_p238 + c21 * M_5_20_p4;
-  const Real M_2_2_p279 = c21 * M_2_2_p269;
+  const Real M_2_2_p264 = s21 * M_5_20_p6 - c21 * M_5_20_p5;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p280 = M_2_6_p18_lanes[1] + M_2_6_p18_lanes[0];
-  const Real M_2_2_p281 = M_5_6_p3_lanes[1] + M_5_6_p3_lanes[0];
   const Lanes<2> M_5_5_p3_lanes = 0.226 * M_2_6_p18_lanes;
 
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p282_lanes = 0.0019585440854647937 +
-      (M_2_2_p208_lanes + M_2_2_p248_lanes + M_2_2_p174_lanes);
-  const Lanes<2> M_2_2_p284_lanes = 0.0005895000784280001 +
-      (M_2_2_p182_lanes - detail::make_pack<Real>(c10, c17) * M_2_2_p239_lanes + 0.282 *
-      M_2_2_p165_lanes);
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p286 = M_2_2_p277 + M_2_2_p259;
-  const Real M_2_2_p291 = M_2_2_p280 - 6.1665928899999995 - M_2_2_p191;
-  const Lanes<2> M_5_5_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_2_p246_lanes -
-      M_5_5_p3_lanes;
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p269_lanes = 0.0028970433559338655 + M_2_2_p259_lanes;
 
   // link 21 (neck), composite inertia
-  const Real M_2_2_p292 = c21 * M_2_2_p238 - s21 * M_5_20_p4;
+  const Real M_2_2_p271 = s21 * M_2_2_p233 + c21 * M_5_20_p4;
+  const Real M_2_2_p272 = c21 * M_2_2_p261;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p273 = M_5_6_p3_lanes[1] + M_5_6_p3_lanes[0];
+
+  // link 10 (left_lowerarm), composite inertia
+  const Lanes<2> M_2_2_p274_lanes = 0.0019585440854647937 +
+      (M_2_2_p201_lanes + M_2_2_p242_lanes + M_2_2_p160_lanes);
+  const Lanes<2> M_2_2_p276_lanes = 0.0005895000784280001 +
+      (M_2_2_p179_lanes - detail::make_pack<Real>(c10, c17) * M_2_2_p234_lanes + 0.282 *
+      M_2_2_p150_lanes);
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p278 = M_2_2_p271 + M_2_2_p241;
+  const Lanes<2> M_5_5_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_2_p231_lanes -
+      M_5_5_p3_lanes;
+  const Real M_2_2_p283 = M_2_2_p263 - 6.1665928899999995 - M_2_2_p185;
+
+  // link 21 (neck), composite inertia
+  const Real M_2_2_p284 = c21 * M_2_2_p233 - s21 * M_5_20_p4;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p295_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p284_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_2_p254_lanes;
-  const Lanes<2> M_7_8_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p284_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_2_p254_lanes;
+  const Lanes<2> M_2_2_p287_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p276_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_2_p248_lanes;
+  const Lanes<2> M_7_8_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p276_lanes +
+      detail::make_pack<Real>(s9, s16) * M_2_2_p248_lanes;
   M[176] = -M_7_8_lanes[0];
   M[199] = -M_7_8_lanes[0];
 
@@ -627,51 +625,51 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[374] = -M_7_8_lanes[1];
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p297 = M_2_2_p292 + M_2_2_p281;
+  const Real M_2_2_p289 = M_2_2_p284 + M_2_2_p273;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p298_lanes = detail::make_pack<Real>(c9, c16) *
-      (M_2_2_p282_lanes - M_2_2_p229_lanes) - detail::make_pack<Real>(s9, s16) *
-      (2.0 * M_2_2_p241_lanes);
-  const Lanes<2> M_2_2_p300_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
-      5.2499999999999995e-05) + M_2_2_p295_lanes;
-  const Lanes<2> M_2_2_p302_lanes = M_7_8_lanes - 0.00010499999999999999;
+  const Lanes<2> M_2_2_p290_lanes = detail::make_pack<Real>(c9, c16) *
+      (M_2_2_p274_lanes - M_2_2_p224_lanes) - detail::make_pack<Real>(s9, s16) *
+      (2.0 * M_2_2_p236_lanes);
+  const Lanes<2> M_2_2_p292_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + M_2_2_p287_lanes;
+  const Lanes<2> M_2_2_p294_lanes = M_7_8_lanes - 0.00010499999999999999;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p304 = c6 * M_2_2_p291 - s6 * M_2_2_p286;
-  const Real M_2_2_p305 = 0.069699984375 + M_2_2_p297;
-  const Real M_2_2_p306 = s6 * M_2_2_p291 + c6 * M_2_2_p286;
+  const Real M_2_2_p296 = c6 * M_2_2_p283 - s6 * M_2_2_p278;
+  const Real M_2_2_p297 = 0.069699984375 + M_2_2_p289;
+  const Real M_2_2_p298 = s6 * M_2_2_p283 + c6 * M_2_2_p278;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p307_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p298_lanes;
+  const Lanes<2> M_2_2_p299_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p290_lanes;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p315 = 0.144 * M_2_2_p304;
-  const Real M_2_2_p316 = M_2_2_p304 - 2.2194301519999997;
+  const Real M_2_2_p307 = 0.144 * M_2_2_p296;
+  const Real M_2_2_p308 = M_2_2_p296 - 2.2194301519999997;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p323_lanes = M_2_2_p229_lanes + M_2_2_p307_lanes;
-  const Lanes<2> M_2_2_p325_lanes = 0.18113119219699997 + (M_2_2_p282_lanes - M_2_2_p307_lanes);
-  const Lanes<2> M_2_2_p327_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
-      (detail::make_pack<Real>(s9, s16) * M_2_2_p298_lanes + M_2_2_p241_lanes);
+  const Lanes<2> M_2_2_p315_lanes = M_2_2_p224_lanes + M_2_2_p299_lanes;
+  const Lanes<2> M_2_2_p317_lanes = 0.18113119219699997 + (M_2_2_p274_lanes - M_2_2_p299_lanes);
+  const Lanes<2> M_2_2_p319_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
+      (detail::make_pack<Real>(s9, s16) * M_2_2_p290_lanes + M_2_2_p236_lanes);
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p329_lanes = 0.18140244219699997 + M_2_2_p323_lanes;
+  const Lanes<2> M_2_2_p321_lanes = 0.18140244219699997 + M_2_2_p315_lanes;
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p331 = s5 * M_2_2_p305 + c5 * M_2_2_p316;
-  const Real M_0_0_p1 = s5 * M_2_2_p316 - c5 * M_2_2_p305;
-  const Real M_2_2_p336 = 0.43599999999999994 * M_2_2_p331;
+  const Real M_2_2_p323 = s5 * M_2_2_p297 + c5 * M_2_2_p308;
+  const Real M_0_0_p1 = s5 * M_2_2_p308 - c5 * M_2_2_p297;
+  const Real M_2_2_p328 = 0.43599999999999994 * M_2_2_p323;
   const Real M_0_0_p2 = 0.0300000063 + M_0_0_p1;
 
   // link 4 (chest1), composite inertia
-  const Real M_0_0_p3 = M_2_2_p331 - 8.419374554;
+  const Real M_0_0_p3 = M_2_2_p323 - 8.419374554;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p339_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p302_lanes -
-      detail::make_pack<Real>(s8, s15) * M_2_2_p327_lanes;
-  const Lanes<2> M_6_7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p302_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_2_p327_lanes;
+  const Lanes<2> M_2_2_p331_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p294_lanes -
+      detail::make_pack<Real>(s8, s15) * M_2_2_p319_lanes;
+  const Lanes<2> M_6_7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p294_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_2_p319_lanes;
   M[151] = M_6_7_lanes[0];
   M[174] = M_6_7_lanes[0];
 
@@ -680,32 +678,32 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[349] = M_6_7_lanes[1];
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p341_lanes = detail::make_pack<Real>(s8, s15) *
-      (M_2_2_p275_lanes - M_2_2_p325_lanes) + detail::make_pack<Real>(c8, c15) *
-      (2.0 * M_2_2_p300_lanes);
-  const Lanes<2> M_2_2_p343_lanes = M_2_2_p339_lanes - 8.75e-06;
+  const Lanes<2> M_2_2_p333_lanes = detail::make_pack<Real>(s8, s15) *
+      (M_2_2_p269_lanes - M_2_2_p317_lanes) + detail::make_pack<Real>(c8, c15) *
+      (2.0 * M_2_2_p292_lanes);
+  const Lanes<2> M_2_2_p335_lanes = M_2_2_p331_lanes - 8.75e-06;
   const Lanes<2> M_2_6_p20_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) + M_6_7_lanes;
-  const Lanes<2> M_2_2_p346_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p341_lanes;
+  const Lanes<2> M_2_2_p338_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p333_lanes;
 
   // link 4 (chest1), composite inertia
-  const Real M_0_0_p4 = 0.02999999505 + (c4 * M_0_0_p2 + s4 * M_2_2_p306);
+  const Real M_0_0_p4 = 0.02999999505 + (c4 * M_0_0_p2 + s4 * M_2_2_p298);
 
   // link 4 (chest1), mass matrix
-  const Real M_0_3_p1 = s4 * M_0_0_p2 - c4 * M_2_2_p306;
+  const Real M_0_3_p1 = s4 * M_0_0_p2 - c4 * M_2_2_p298;
 
   // link 5 (chest2), mass matrix
-  const Real M_0_4_p1 = c4 * M_2_2_p331;
+  const Real M_0_4_p1 = c4 * M_2_2_p323;
 
   // link 4 (chest1), mass matrix
   const Real M_0_3_p2 = c3 * M_0_3_p1;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p357_lanes = 0.0002975 + (M_2_2_p275_lanes - M_2_2_p346_lanes);
+  const Lanes<2> M_2_2_p349_lanes = 0.0002975 + (M_2_2_p269_lanes - M_2_2_p338_lanes);
   const Lanes<2> M_2_6_p24_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * M_2_2_p341_lanes -
-      M_2_2_p300_lanes);
-  const Lanes<2> M_6_6_lanes = 0.000448 + (M_2_2_p325_lanes + M_2_2_p346_lanes);
+      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * M_2_2_p333_lanes -
+      M_2_2_p292_lanes);
+  const Lanes<2> M_6_6_lanes = 0.000448 + (M_2_2_p317_lanes + M_2_2_p338_lanes);
   M[150] = M_6_6_lanes[0];
 
   // link 15 (right_shoulder2), composite inertia
@@ -716,20 +714,20 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_0_0_p6 = c3 * M_0_0_p4 + s3 * M_0_0_p3;
 
   // link 6 (chest3), mass matrix
-  const Real M_0_5_p1 = s5 * M_2_2_p306;
-  const Real M_0_5_p2 = c5 * M_2_2_p306;
+  const Real M_0_5_p1 = s5 * M_2_2_p298;
+  const Real M_0_5_p2 = c5 * M_2_2_p298;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p366 = 1.67475326092404 + M_2_2_p225 - M_2_2_p279 + M_6_6_lanes[1] +
-      M_6_6_lanes[0] - 0.452 * M_2_2_p280;
+  const Real M_2_2_p358 = 1.67475326092404 + M_2_2_p220 - M_2_2_p272 + M_6_6_lanes[1] +
+      M_6_6_lanes[0] - 0.452 * M_2_2_p263;
 
   // link 5 (chest2), mass matrix
   const Real M_0_4_p2 = s3 * M_0_0_p1 - c3 * M_0_4_p1;
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p367_lanes = detail::make_pack<Real>(c7, c14) *
-      (M_2_2_p329_lanes - M_2_2_p357_lanes) - detail::make_pack<Real>(s7, s14) *
-      (2.0 * M_2_2_p343_lanes);
+  const Lanes<2> M_2_2_p359_lanes = detail::make_pack<Real>(c7, c14) *
+      (M_2_2_p321_lanes - M_2_2_p349_lanes) - detail::make_pack<Real>(s7, s14) *
+      (2.0 * M_2_2_p335_lanes);
   const Lanes<2> M_2_6_p27_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p20_lanes +
       detail::make_pack<Real>(c7, c14) * M_2_6_p24_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
       M_2_6_p18_lanes;
@@ -747,21 +745,21 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_2_6_p28_lanes = M_6_6_lanes - M_5_5_p3_lanes;
 
   // link 6 (chest3), mass matrix
-  const Real M_0_5_p3 = c4 * M_0_5_p1 - s4 * M_2_2_p304;
+  const Real M_0_5_p3 = c4 * M_0_5_p1 - s4 * M_2_2_p296;
 
   // link 7 (left_shoulder1), mass matrix
   const Lanes<2> M_2_6_p29_lanes = s6 * M_5_6_p3_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p370_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p367_lanes;
-  const Lanes<2> M_2_2_p372_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p367_lanes;
-  const Real M_2_2_p374 = M_5_6_lanes[1] - (M_2_2_p226 - s21 * M_2_2_p269) + M_5_6_lanes[0];
+  const Lanes<2> M_2_2_p362_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p359_lanes;
+  const Lanes<2> M_2_2_p364_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p359_lanes;
+  const Real M_2_2_p366 = M_5_6_lanes[1] - (M_2_2_p219 - s21 * M_2_2_p261) + M_5_6_lanes[0];
 
   // link 7 (left_shoulder1), mass matrix
   const Lanes<2> M_0_6_p1_lanes = c6 * M_5_6_p3_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p375 = M_2_2_p370_lanes[1] + M_2_2_p370_lanes[0];
+  const Real M_2_2_p367 = M_2_2_p362_lanes[1] + M_2_2_p362_lanes[0];
 
   // link 7 (left_shoulder1), mass matrix
   const Lanes<2> M_2_6_p34_lanes = c6 * M_2_6_p27_lanes - s6 * M_2_6_p28_lanes;
@@ -770,7 +768,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_0_0_p7 = s2 * (0.031999971599999996 - M_0_0_p6) + c2 * (M_0_0_p5 - 24.5839218);
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p376 = M_2_2_p270 + M_2_6_p27_lanes[1] + M_2_6_p27_lanes[0] + 0.226 * M_2_2_p259;
+  const Real M_2_2_p368 = M_2_2_p264 + M_2_6_p27_lanes[1] + M_2_6_p27_lanes[0] + 0.226 * M_2_2_p241;
 
   // link 7 (left_shoulder1), mass matrix
   const Lanes<2> M_2_6_p35_lanes = M_5_6_lanes - 0.072 * M_2_6_p29_lanes;
@@ -779,14 +777,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_0_5_p4 = c3 * M_0_5_p3 + s3 * M_0_5_p2;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p323_lanes;
+  const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p315_lanes;
   M[175] = M_7_7_lanes[0];
 
   // link 16 (right_upperarm), composite inertia
   M[350] = M_7_7_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p2_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p246_lanes;
+  const Lanes<2> M_2_7_p2_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p231_lanes;
 
   // link 7 (left_shoulder1), mass matrix
   const Lanes<2> M_0_6_p7_lanes = c5 * M_2_6_p18_lanes + s5 * M_0_6_p1_lanes;
@@ -803,24 +801,24 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_0_6_p8_lanes = s5 * M_2_6_p18_lanes - c5 * M_0_6_p1_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_5_5 = 2.07035776092404 + M_2_2_p215 + M_2_2_p279 + M_2_2_p357_lanes[1] + M_2_2_p375 +
-      M_2_2_p357_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
+  const Real M_5_5 = 2.07035776092404 + M_2_2_p208 + M_2_2_p272 + M_2_2_p349_lanes[1] + M_2_2_p367 +
+      M_2_2_p349_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
   M[125] = M_5_5;
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_p1_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p246_lanes;
+  const Lanes<2> M_0_7_p1_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p231_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p377 = 0.40663174999999996 + M_2_2_p217 + M_2_2_p329_lanes[1] - M_2_2_p375 +
-      (-0.36) * M_2_2_p246_lanes[1] + M_2_2_p329_lanes[0] + 0.36 * M_2_2_p246_lanes[0];
-  const Real M_2_2_p378 = 0.0187369177636143 + M_5_20 + M_2_2_p372_lanes[1] + M_2_2_p343_lanes[1] +
-      M_2_2_p372_lanes[0] + M_2_2_p343_lanes[0] + 0.226 * M_2_2_p281;
+  const Real M_2_2_p369 = 0.40663174999999996 + M_2_2_p210 + M_2_2_p321_lanes[1] - M_2_2_p367 +
+      (-0.36) * M_2_2_p231_lanes[1] + M_2_2_p321_lanes[0] + 0.36 * M_2_2_p231_lanes[0];
+  const Real M_2_2_p370 = 0.0187369177636143 + M_5_20 + M_2_2_p364_lanes[1] + M_2_2_p335_lanes[1] +
+      M_2_2_p364_lanes[0] + M_2_2_p335_lanes[0] + 0.226 * M_2_2_p273;
 
   // link 6 (chest3), mass matrix
-  const Real M_2_5_p1 = M_5_5 - 0.072 * M_2_2_p304;
+  const Real M_2_5_p1 = M_5_5 - 0.072 * M_2_2_p296;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p379 = 0.15637308509675518 + (M_5_5 - M_2_2_p315);
+  const Real M_2_2_p371 = 0.15637308509675518 + (M_5_5 - M_2_2_p307);
 
   // link 8 (left_shoulder2), mass matrix
   const Lanes<2> M_2_7_p9_lanes = M_6_7_lanes + 0.226 * M_2_7_p2_lanes;
@@ -830,26 +828,26 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 8 (left_shoulder2), mass matrix
   const Lanes<2> M_2_7_p10_lanes = detail::make_pack<Real>(s7, s14) * M_7_7_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_2_p339_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      detail::make_pack<Real>(c7, c14) * M_2_2_p331_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
       M_2_7_p2_lanes;
-  const Lanes<2> M_0_7_p5_lanes = c6 * M_0_7_p1_lanes + s6 * M_2_6_p15_lanes;
-  const Lanes<2> M_2_7_p11_lanes = c6 * M_2_6_p15_lanes - s6 * M_0_7_p1_lanes;
+  const Lanes<2> M_0_7_p5_lanes = c6 * M_0_7_p1_lanes + s6 * M_2_6_p14_lanes;
+  const Lanes<2> M_2_7_p11_lanes = c6 * M_2_6_p14_lanes - s6 * M_0_7_p1_lanes;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p380 = c6 * M_2_2_p378 - s6 * M_2_2_p374;
-  const Real M_4_5 = s6 * M_2_2_p378 + c6 * M_2_2_p374;
+  const Real M_2_2_p372 = c6 * M_2_2_p370 - s6 * M_2_2_p366;
+  const Real M_4_5 = s6 * M_2_2_p370 + c6 * M_2_2_p366;
   M[101] = M_4_5;
   M[124] = M_4_5;
 
   // link 8 (left_shoulder2), mass matrix
   const Lanes<2> M_5_7_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_0_7_p1_lanes - 0.226 *
-      M_2_6_p15_lanes;
+      M_2_6_p14_lanes;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p381 = s6 * (M_2_2_p377 - M_2_2_p366) + c6 * (2.0 * M_2_2_p376);
+  const Real M_2_2_p373 = s6 * (M_2_2_p369 - M_2_2_p358) + c6 * (2.0 * M_2_2_p368);
 
   // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_8_8_lanes = 0.0027762933559338653 + M_2_2_p266_lanes;
+  const Lanes<2> M_8_8_lanes = 0.0027762933559338653 + M_2_2_p259_lanes;
   M[200] = M_8_8_lanes[0];
 
   // link 17 (right_lowerarm), composite inertia
@@ -857,7 +855,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 8 (left_shoulder2), mass matrix
   const Lanes<2> M_5_7_lanes = detail::make_pack<Real>(c7, c14) * M_7_7_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_2_p339_lanes + M_5_7_p6_lanes;
+      detail::make_pack<Real>(s7, s14) * M_2_2_p331_lanes + M_5_7_p6_lanes;
   M[127] = M_5_7_lanes[0];
   M[173] = M_5_7_lanes[0];
 
@@ -872,8 +870,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_2_7_p15_lanes = c6 * M_2_7_p10_lanes - s6 * M_2_7_p9_lanes;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p382 = s6 * M_2_2_p381;
-  const Real M_2_2_p383 = 0.005678398088837119 + (M_2_2_p380 + 0.072 * M_2_2_p297);
+  const Real M_2_2_p374 = s6 * M_2_2_p373;
+  const Real M_2_2_p375 = 0.005678398088837119 + (M_2_2_p372 + 0.072 * M_2_2_p289);
 
   // link 8 (left_shoulder2), mass matrix
   const Lanes<2> M_0_7_p10_lanes = c5 * M_2_7_p2_lanes + s5 * M_0_7_p5_lanes;
@@ -882,10 +880,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 9 (left_upperarm), mass matrix
   const Lanes<2> M_2_8_p6_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p10_lanes;
-  const Lanes<2> M_2_8_p7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p295_lanes -
+  const Lanes<2> M_2_8_p7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p287_lanes -
       detail::make_pack<Real>(c8, c15) * M_8_8_lanes;
   const Lanes<2> M_6_8_lanes = detail::make_pack<Real>(s8, s15) * M_8_8_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_2_p295_lanes;
+      detail::make_pack<Real>(c8, c15) * M_2_2_p287_lanes;
   M[152] = -M_6_8_lanes[0];
   M[198] = -M_6_8_lanes[0];
 
@@ -894,14 +892,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[373] = -M_6_8_lanes[1];
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p384 = 0.04675382692737882 + (M_2_2_p377 - M_2_2_p382);
+  const Real M_2_2_p376 = 0.04675382692737882 + (M_2_2_p369 - M_2_2_p374);
 
   // link 9 (left_upperarm), mass matrix
   const Lanes<2> M_0_8_p4_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p9_lanes +
       detail::make_pack<Real>(c7, c14) * M_0_8_p1_lanes;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p385 = c6 * M_2_2_p381 - M_2_2_p376 + 0.072 * M_2_2_p306;
+  const Real M_2_2_p377 = c6 * M_2_2_p373 - M_2_2_p368 + 0.072 * M_2_2_p298;
 
   // link 9 (left_upperarm), mass matrix
   const Lanes<2> M_2_8_p9_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p9_lanes -
@@ -911,7 +909,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_0_7_p15_lanes = c4 * M_0_7_p10_lanes - s4 * M_2_7_p11_lanes;
 
   // link 6 (chest3), composite inertia
-  const Real M_4_4 = 0.203126912024134 + (M_2_2_p366 + M_2_2_p382 - M_2_2_p315);
+  const Real M_4_4 = 0.203126912024134 + (M_2_2_p358 + M_2_2_p374 - M_2_2_p307);
   M[100] = M_4_4;
 
   // link 9 (left_upperarm), mass matrix
@@ -921,7 +919,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_2_8_p15_lanes = s6 * M_0_8_p4_lanes - c6 * M_2_8_p6_lanes;
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p386 = s5 * M_2_2_p385 - c5 * M_4_5;
+  const Real M_2_2_p378 = s5 * M_2_2_p377 - c5 * M_4_5;
 
   // link 9 (left_upperarm), mass matrix
   const Lanes<2> M_2_8_p16_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_8_p9_lanes -
@@ -930,8 +928,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_2_8_p17_lanes = 0.226 * M_2_8_p9_lanes - M_6_8_lanes;
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p387 = 0.01227760324629517 + (M_4_4 - M_2_2_p336);
-  const Real M_2_2_p388 = s5 * (M_2_2_p379 - M_2_2_p384) + c5 * (2.0 * M_2_2_p383);
+  const Real M_2_2_p379 = 0.01227760324629517 + (M_4_4 - M_2_2_p328);
+  const Real M_2_2_p380 = s5 * (M_2_2_p371 - M_2_2_p376) + c5 * (2.0 * M_2_2_p375);
 
   // link 9 (left_upperarm), mass matrix
   const Lanes<2> M_5_8_lanes = 0.226 * M_2_8_p6_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
@@ -944,14 +942,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[365] = M_5_8_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p1_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p163_lanes;
-  const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + 0.282 * M_2_2_p163_lanes;
+  const Lanes<2> M_0_9_p1_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p148_lanes;
+  const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + 0.282 * M_2_2_p148_lanes;
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p389 = s5 * M_2_2_p388;
+  const Real M_2_2_p381 = s5 * M_2_2_p380;
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p5_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p163_lanes;
+  const Lanes<2> M_2_9_p5_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p148_lanes;
 
   // link 9 (left_upperarm), mass matrix
   const Lanes<2> M_0_8_p13_lanes = s5 * M_0_8_p9_lanes - c5 * M_2_8_p9_lanes;
@@ -961,10 +959,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_0_9_p7_lanes = detail::make_pack<Real>(s8, s15) * M_0_9_p1_lanes -
-      detail::make_pack<Real>(c8, c15) * M_2_2_p165_lanes;
-  const Lanes<2> M_2_9_p8_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p234_lanes -
+      detail::make_pack<Real>(c8, c15) * M_2_2_p150_lanes;
+  const Lanes<2> M_2_9_p8_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p227_lanes -
       detail::make_pack<Real>(c9, c16) * M_2_9_p4_lanes;
-  const Lanes<2> M_7_9_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p234_lanes +
+  const Lanes<2> M_7_9_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p227_lanes +
       detail::make_pack<Real>(s9, s16) * M_2_9_p4_lanes;
   M[177] = -M_7_9_lanes[0];
   M[223] = -M_7_9_lanes[0];
@@ -977,11 +975,11 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_0_8_p17_lanes = c4 * M_0_8_p13_lanes + s4 * M_2_8_p15_lanes;
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p8_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p165_lanes +
+  const Lanes<2> M_0_9_p8_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p150_lanes +
       detail::make_pack<Real>(c8, c15) * M_0_9_p1_lanes;
 
   // link 5 (chest2), composite inertia
-  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p385;
+  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p377;
   M[76] = -M_3_4;
   M[99] = -M_3_4;
 
@@ -1029,14 +1027,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_0_8_p21_lanes = c3 * M_0_8_p17_lanes + s3 * M_0_8_p14_lanes;
 
   // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_10_10_lanes = 0.00022920000000000001 + M_2_2_p120_lanes;
+  const Lanes<2> M_10_10_lanes = 0.00022920000000000001 + M_2_2_p116_lanes;
   M[250] = M_10_10_lanes[0];
 
   // link 19 (right_wrist2), composite inertia
   M[425] = M_10_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p3_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p126_lanes;
+  const Lanes<2> M_2_10_p3_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p105_lanes;
 
   // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_0_9_p15_lanes = s6 * M_0_9_p8_lanes - c6 * M_0_9_p11_lanes;
@@ -1046,28 +1044,13 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       detail::make_pack<Real>(s7, s14) * M_2_9_p13_lanes;
 
   // link 4 (chest1), composite inertia
-  const Real M_2_2_p390 = s4 * (0.0478915 + (M_2_2_p379 - M_2_2_p389 - M_2_2_p336) - M_2_2_p387) -
-      c4 * (2.0 * M_2_2_p386);
+  const Real M_2_2_p382 = s4 * (0.0478915 + (M_2_2_p371 - M_2_2_p381 - M_2_2_p328) - M_2_2_p379) -
+      c4 * (2.0 * M_2_2_p378);
 
   // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_2_9_p22_lanes = detail::make_pack<Real>(s7, s14) * M_7_9_lanes -
       detail::make_pack<Real>(c7, c14) * M_2_9_p13_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
       M_2_9_p14_lanes;
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_8_10_lanes = detail::make_pack<Real>(c10, c17) * M_10_10_lanes -
-      detail::make_pack<Real>(s10, s17) * M_2_2_p172_lanes;
-  M[202] = M_8_10_lanes[0];
-  M[248] = M_8_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[377] = M_8_10_lanes[1];
-  M[423] = M_8_10_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p5_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p126_lanes;
-
-  // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_5_9_lanes = 0.226 * M_0_9_p8_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
       M_0_9_p11_lanes - M_5_9_p5_lanes;
   M[129] = M_5_9_lanes[0];
@@ -1078,21 +1061,36 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[389] = M_5_9_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_p5_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p105_lanes;
+  const Lanes<2> M_8_10_lanes = detail::make_pack<Real>(c10, c17) * M_10_10_lanes -
+      detail::make_pack<Real>(s10, s17) * M_2_2_p168_lanes;
+  M[202] = M_8_10_lanes[0];
+  M[248] = M_8_10_lanes[0];
+
+  // link 18 (right_wrist1), mass matrix
+  M[377] = M_8_10_lanes[1];
+  M[423] = M_8_10_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
   const Lanes<2> M_2_10_p7_lanes = M_9_10_lanes + 0.282 * M_2_10_p3_lanes;
 
   // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_0_9_p19_lanes = c5 * M_2_9_p14_lanes + s5 * M_0_9_p15_lanes;
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p8_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p172_lanes +
-      detail::make_pack<Real>(s10, s17) * M_10_10_lanes + 0.282 * M_2_2_p122_lanes;
+  const Lanes<2> M_2_10_p8_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p168_lanes +
+      detail::make_pack<Real>(s10, s17) * M_10_10_lanes + 0.282 * M_2_2_p103_lanes;
   const Lanes<2> M_0_10_p6_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p3_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_2_p122_lanes;
-  const Lanes<2> M_0_10_p7_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p3_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_2_p122_lanes;
+      detail::make_pack<Real>(s9, s16) * M_2_2_p103_lanes;
 
   // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_2_9_p26_lanes = M_5_9_lanes + 0.072 * M_2_9_p21_lanes;
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_0_10_p7_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p3_lanes -
+      detail::make_pack<Real>(c9, c16) * M_2_2_p103_lanes;
+
+  // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_2_9_p27_lanes = c6 * M_2_9_p22_lanes + s6 * M_2_9_p20_lanes;
   const Lanes<2> M_0_9_p21_lanes = s5 * M_2_9_p14_lanes - c5 * M_0_9_p15_lanes;
   const Lanes<2> M_0_9_p22_lanes = s4 * M_2_9_p21_lanes - c4 * M_0_9_p19_lanes;
@@ -1141,7 +1139,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[421] = M_6_10_lanes[1];
 
   // link 4 (chest1), composite inertia
-  const Real M_2_2 = 1.7824817919087104 + (M_2_2_p387 + s4 * M_2_2_p390);
+  const Real M_2_2 = 1.7824817919087104 + (M_2_2_p379 + s4 * M_2_2_p382);
   M[50] = M_2_2;
 
   // link 11 (left_wrist1), mass matrix
@@ -1151,17 +1149,17 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       detail::make_pack<Real>(s7, s14) * M_0_10_p13_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p4_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p69_lanes;
-  const Lanes<2> M_0_11_p1_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p69_lanes;
-  const Lanes<2> M_2_11_p5_lanes = M_11_11_lanes + 0.269 * M_2_2_p69_lanes;
+  const Lanes<2> M_2_11_p4_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p49_lanes;
+  const Lanes<2> M_0_11_p1_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p49_lanes;
+  const Lanes<2> M_2_11_p5_lanes = M_11_11_lanes + 0.269 * M_2_2_p49_lanes;
 
   // link 11 (left_wrist1), mass matrix
   const Lanes<2> M_0_10_p21_lanes = s6 * M_0_10_p14_lanes - c6 * M_0_10_p17_lanes;
-  const Lanes<2> M_2_10_p25_lanes = M_6_10_lanes - 0.226 * M_2_10_p19_lanes;
+  const Lanes<2> M_2_10_p25_lanes = s6 * M_0_10_p17_lanes + c6 * M_0_10_p14_lanes;
   const Lanes<2> M_2_10_p26_lanes = detail::make_pack<Real>(c7, c14) * M_2_10_p18_lanes -
       detail::make_pack<Real>(s7, s14) * M_7_10_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
       M_2_10_p19_lanes;
-  const Lanes<2> M_2_10_p27_lanes = s6 * M_0_10_p17_lanes + c6 * M_0_10_p14_lanes;
+  const Lanes<2> M_2_10_p27_lanes = M_6_10_lanes - 0.226 * M_2_10_p19_lanes;
   const Lanes<2> M_5_10_p6_lanes = 0.226 * M_0_10_p14_lanes +
       detail::make_pack<Real>(0.18, (-0.18)) * M_0_10_p17_lanes;
 
@@ -1169,7 +1167,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_2_11_p8_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p79_lanes +
       detail::make_pack<Real>(s11, s18) * M_2_11_p5_lanes;
   const Lanes<2> M_0_11_p7_lanes = detail::make_pack<Real>(c10, c17) * M_0_11_p1_lanes -
-      detail::make_pack<Real>(s10, s17) * M_2_2_p71_lanes;
+      detail::make_pack<Real>(s10, s17) * M_2_2_p51_lanes;
   const Lanes<2> M_9_11_lanes = detail::make_pack<Real>(c11, c18) * M_2_11_p5_lanes -
       detail::make_pack<Real>(s11, s18) * M_2_2_p79_lanes;
   M[227] = M_9_11_lanes[0];
@@ -1194,12 +1192,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_0_11_p10_lanes = detail::make_pack<Real>(s10, s17) * M_0_11_p1_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p71_lanes;
+      detail::make_pack<Real>(c10, c17) * M_2_2_p51_lanes;
 
   // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_2_10_p32_lanes = M_5_10_lanes + 0.072 * M_2_10_p25_lanes;
   const Lanes<2> M_0_10_p26_lanes = s5 * M_2_10_p19_lanes - c5 * M_0_10_p21_lanes;
-  const Lanes<2> M_2_10_p32_lanes = c6 * M_2_10_p26_lanes + s6 * M_2_10_p25_lanes;
-  const Lanes<2> M_2_10_p33_lanes = M_5_10_lanes + 0.072 * M_2_10_p27_lanes;
+  const Lanes<2> M_2_10_p33_lanes = c6 * M_2_10_p26_lanes + s6 * M_2_10_p27_lanes;
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_0_11_p14_lanes = detail::make_pack<Real>(s9, s16) * M_0_11_p7_lanes +
@@ -1217,8 +1215,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[447] = M_8_11_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p29_lanes = s4 * M_2_10_p27_lanes - c4 * M_0_10_p25_lanes;
-  const Lanes<2> M_4_10_lanes = c6 * M_2_10_p25_lanes - s6 * M_2_10_p26_lanes - 0.072 *
+  const Lanes<2> M_0_10_p29_lanes = s4 * M_2_10_p25_lanes - c4 * M_0_10_p25_lanes;
+  const Lanes<2> M_4_10_lanes = c6 * M_2_10_p27_lanes - s6 * M_2_10_p26_lanes - 0.072 *
       M_2_10_p19_lanes;
   M[106] = M_4_10_lanes[0];
   M[244] = M_4_10_lanes[0];
@@ -1271,7 +1269,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[475] = 0.0009386316083993107;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p4_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p27_lanes;
+  const Lanes<2> M_2_12_p4_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p17_lanes;
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_0_11_p23_lanes = detail::make_pack<Real>(s7, s14) * M_0_11_p15_lanes +
@@ -1280,8 +1278,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       detail::make_pack<Real>(s7, s14) * M_0_11_p19_lanes;
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p40_lanes = s4 * (c5 * M_2_10_p33_lanes + s5 * M_2_10_p32_lanes +
-      0.21799999999999997 * M_2_10_p27_lanes);
+  const Lanes<2> M_2_10_p40_lanes = s4 * (c5 * M_2_10_p32_lanes + s5 * M_2_10_p33_lanes +
+      0.21799999999999997 * M_2_10_p25_lanes);
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_2_11_p24_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p18_lanes -
@@ -1289,8 +1287,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p9_lanes = 0.0009386316083993107 * detail::make_pack<Real>(c12, c19) +
-      detail::make_pack<Real>(s12, s19) * M_2_2_p23_lanes + 0.269 * M_2_2_p25_lanes;
-  const Lanes<2> M_10_12_lanes = M_2_2_p31_lanes - 0.0009386316083993107 *
+      detail::make_pack<Real>(s12, s19) * M_2_2_p21_lanes + 0.00444264243991307 *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> M_10_12_lanes = M_2_2_p29_lanes - 0.0009386316083993107 *
       detail::make_pack<Real>(s12, s19);
   M[252] = M_10_12_lanes[0];
   M[298] = M_10_12_lanes[0];
@@ -1300,7 +1299,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[473] = M_10_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p3_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p27_lanes;
+  const Lanes<2> M_0_12_p3_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p17_lanes;
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_6_11_lanes = detail::make_pack<Real>(s8, s15) * M_8_11_lanes +
@@ -1315,9 +1314,9 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p10_lanes = M_11_12_lanes - 0.269 * M_2_12_p4_lanes;
   const Lanes<2> M_2_12_p12_lanes = detail::make_pack<Real>(s11, s18) * M_2_12_p4_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p25_lanes;
+      detail::make_pack<Real>(c11, c18) * M_2_2_p9_lanes;
   const Lanes<2> M_0_12_p4_lanes = detail::make_pack<Real>(c11, c18) * M_2_12_p4_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p25_lanes;
+      detail::make_pack<Real>(s11, s18) * M_2_2_p9_lanes;
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_0_11_p25_lanes = c6 * M_0_11_p23_lanes + s6 * M_0_11_p20_lanes;
@@ -1420,7 +1419,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       (s3 * M_0_9_p22_lanes - c3 * M_0_9_p21_lanes);
 
   // link 22 (head), composite inertia
-  const Real M_20_20 = 0.006216750000000001 + M_2_2_p217;
+  const Real M_20_20 = 0.006216750000000001 + M_2_2_p210;
   M[500] = M_20_20;
 
   // link 12 (left_wrist2), mass matrix
@@ -1439,8 +1438,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[470] = M_7_12_lanes[1];
 
   // link 21 (neck), mass matrix
-  const Real M_2_20_p1 = c6 * M_2_2_p292;
-  const Real M_0_20_p1 = s6 * M_2_2_p292;
+  const Real M_2_20_p1 = c6 * M_2_2_p284;
+  const Real M_0_20_p1 = s6 * M_2_2_p284;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_0_12_p26_lanes = detail::make_pack<Real>(c7, c14) * M_0_12_p22_lanes -
@@ -1449,7 +1448,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       detail::make_pack<Real>(s7, s14) * M_0_12_p22_lanes;
 
   // link 21 (neck), mass matrix
-  const Real M_2_20_p2 = s6 * M_2_2_p270 - c6 * M_20_20;
+  const Real M_2_20_p2 = s6 * M_2_2_p264 - c6 * M_20_20;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p32_lanes = detail::make_pack<Real>(c8, c15) * M_8_12_lanes +
@@ -1464,13 +1463,13 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[469] = M_6_12_lanes[1];
 
   // link 22 (head), mass matrix
-  const Real M_0_21_p1 = s21 * M_2_2_p191;
+  const Real M_0_21_p1 = s21 * M_2_2_p185;
 
   // link 21 (neck), mass matrix
   const Real M_2_20_p3 = 0.072 * M_2_20_p1 + M_5_20;
 
   // link 22 (head), mass matrix
-  const Real M_0_21_p2 = c21 * M_2_2_p191;
+  const Real M_0_21_p2 = c21 * M_2_2_p185;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_0_12_p30_lanes = c6 * M_0_12_p26_lanes + s6 * M_0_12_p23_lanes;
@@ -1480,8 +1479,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       0.226 * M_0_12_p23_lanes;
 
   // link 21 (neck), mass matrix
-  const Real M_0_20_p2 = c5 * M_2_2_p277 - s5 * M_0_20_p1;
-  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p270 + 0.072 * M_2_2_p277;
+  const Real M_0_20_p2 = c5 * M_2_2_p271 - s5 * M_0_20_p1;
+  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p264 + 0.072 * M_2_2_p271;
   M[116] = -M_4_20;
   M[484] = -M_4_20;
 
@@ -1503,14 +1502,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_2_21_p1 = s6 * M_5_20_p3 + c6 * M_0_21_p1;
 
   // link 21 (neck), mass matrix
-  const Real M_0_20_p3 = s5 * M_2_2_p277 + c5 * M_0_20_p1;
+  const Real M_0_20_p3 = s5 * M_2_2_p271 + c5 * M_0_20_p1;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_0_12_p34_lanes = c5 * M_2_12_p31_lanes + s5 * M_0_12_p30_lanes;
   const Lanes<2> M_2_12_p45_lanes = M_5_12_lanes - 0.072 * M_2_12_p38_lanes;
 
   // link 22 (head), mass matrix
-  const Real M_2_21_p2 = M_21_21 + 0.394 * M_2_2_p191;
+  const Real M_2_21_p2 = M_21_21 + 0.394 * M_2_2_p185;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_0_12_p36_lanes = c5 * M_0_12_p30_lanes - s5 * M_2_12_p31_lanes;
@@ -1541,8 +1540,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_2_22_p4_lanes = c22 * M_5_20_p1_lanes;
 
   // link 22 (head), mass matrix
-  const Real M_2_21_p3 = M_2_2_p236 - c21 * M_2_21_p2;
-  const Real M_5_21 = c21 * M_2_2_p226 + s21 * M_2_21_p2;
+  const Real M_2_21_p3 = M_2_2_p229 - c21 * M_2_21_p2;
+  const Real M_5_21 = c21 * M_2_2_p219 + s21 * M_2_21_p2;
   M[141] = -M_5_21;
   M[509] = -M_5_21;
 
@@ -1553,7 +1552,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_2_21_p4 = M_5_21 + 0.072 * M_2_21_p1;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_20_22_lanes = s22 * M_2_2_p89_lanes + c22 * M_2_22_p1_lanes;
+  const Lanes<2> M_20_22_lanes = s22 * M_2_2_p75_lanes + c22 * M_2_22_p1_lanes;
   M[502] = M_20_22_lanes[0];
   M[548] = M_20_22_lanes[0];
 
@@ -1565,8 +1564,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_0_21_p6 = c4 * M_0_21_p4 + s4 * M_2_21_p1;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p3_lanes = s21 * M_2_22_p4_lanes - c21 * M_2_2_p139_lanes;
-  const Lanes<2> M_2_22_p9_lanes = c22 * M_2_2_p89_lanes - s22 * M_2_22_p1_lanes +
+  const Lanes<2> M_0_22_p3_lanes = s21 * M_2_22_p4_lanes - c21 * M_2_2_p124_lanes;
+  const Lanes<2> M_2_22_p9_lanes = c22 * M_2_2_p75_lanes - s22 * M_2_22_p1_lanes +
       9.850000000000001e-05 * detail::make_pack<Real>(c23, c24);
   const Lanes<2> M_2_22_p10_lanes = M_21_22_lanes + 0.394 * M_2_22_p4_lanes;
 
@@ -1574,7 +1573,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_2_21_p5 = s6 * M_2_21_p3 - c6 * M_20_21;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p8_lanes = c21 * M_2_22_p4_lanes + s21 * M_2_2_p139_lanes;
+  const Lanes<2> M_0_22_p8_lanes = c21 * M_2_22_p4_lanes + s21 * M_2_2_p124_lanes;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_4_12_lanes = s6 * M_2_12_p42_lanes + c6 * M_2_12_p37_lanes + 0.072 *
@@ -1657,18 +1656,18 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 4 (chest1), composite inertia
   const Real M_2_3 = s4 * (0.005880002159562879 + (0.21799999999999997 * M_0_0_p1 -
-      (c5 * M_2_2_p388 - M_2_2_p383))) - c4 * (M_3_4 + 0.21799999999999997 * M_2_2_p306);
+      (c5 * M_2_2_p380 - M_2_2_p375))) - c4 * (M_3_4 + 0.21799999999999997 * M_2_2_p298);
   M[51] = M_2_3;
   M[74] = M_2_3;
 
   // link 5 (chest2), mass matrix
-  const Real M_2_4 = c4 * (M_4_4 - 0.21799999999999997 * M_2_2_p331) - s4 * M_2_2_p386;
+  const Real M_2_4 = c4 * (M_4_4 - 0.21799999999999997 * M_2_2_p323) - s4 * M_2_2_p378;
   M[52] = M_2_4;
   M[98] = M_2_4;
 
   // link 6 (chest3), mass matrix
   const Real M_2_5 = c4 * (M_4_5 + 0.21799999999999997 * M_0_5_p1) - s4 *
-      (s5 * M_2_2_p380 - c5 * M_2_5_p1 + 0.21799999999999997 * M_2_2_p304);
+      (s5 * M_2_2_p372 - c5 * M_2_5_p1 + 0.21799999999999997 * M_2_2_p296);
   M[53] = M_2_5;
   M[122] = M_2_5;
 
@@ -1984,10 +1983,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[552] = M_0_22_lanes[1];
 
   // link 5 (chest2), composite inertia
-  M[75] = 0.060169103246295166 + (M_2_2_p384 + M_2_2_p389);
+  M[75] = 0.060169103246295166 + (M_2_2_p376 + M_2_2_p381);
 
   // link 6 (chest3), mass matrix
-  const Real M_3_5 = s5 * M_2_5_p1 + c5 * M_2_2_p380;
+  const Real M_3_5 = s5 * M_2_5_p1 + c5 * M_2_2_p372;
   M[77] = -M_3_5;
   M[123] = -M_3_5;
 
@@ -2028,7 +2027,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[387] = M_3_9_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_3_10_lanes = c5 * M_2_10_p32_lanes - s5 * M_2_10_p33_lanes;
+  const Lanes<2> M_3_10_lanes = c5 * M_2_10_p33_lanes - s5 * M_2_10_p32_lanes;
   M[82] = M_3_10_lanes[0];
   M[243] = M_3_10_lanes[0];
 

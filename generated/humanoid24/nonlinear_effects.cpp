@@ -1,6 +1,6 @@
 // nonlinear_effects: h = b + g: the joint forces at qdd = 0
 // By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
-// 1991 flops (add 940, mul 1051, div 0), sine and cosine of 24 angles
+// 1965 flops (add 928, mul 1037, div 0), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #include "humanoid24.hpp"
 #include "lanes.hpp"
@@ -18,8 +18,10 @@ template <int count>
 using Lanes = detail::Pack<Real, count>;
 void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
     const Real (&TREELINE_RESTRICT qd)[24], Real (&TREELINE_RESTRICT h)[24]) noexcept {
+  const Real c20_p1 = 0.17435661841416683 + q[19];
+  const Real c13_p1 = (-0.17435661841416683) + q[12];
   const Real angles[24] = {q[0], q[1], q[2], q[3], q[4], q[5], q[20], q[21], q[23], q[22], q[13],
-      q[14], q[15], q[16], q[17], q[18], q[19], q[6], q[7], q[8], q[9], q[10], q[11], q[12]};
+      q[14], q[15], q[16], q[17], q[18], c20_p1, q[6], q[7], q[8], q[9], q[10], q[11], c13_p1};
   Real sines[24];
   Real cosines[24];
   detail::sin_cos(angles, sines, cosines);
@@ -252,13 +254,11 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // link 10 (left_lowerarm), outward
   const Lanes<2> minus_w10_y_lanes = detail::make_pack<Real>(s10, s17) * w9_x_lanes +
       detail::make_pack<Real>(c10, c17) * w9_z_lanes;
+  const Lanes<2> w10_x_lanes = detail::make_pack<Real>(c10, c17) * w9_x_lanes -
+      detail::make_pack<Real>(s10, s17) * w9_z_lanes;
 
   // link 14 (right_shoulder1), outward
   const Real minus_a7_z_p5 = minus_a6_y + 0.226 * minus_a7_z_p2;
-
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> w10_x_lanes = detail::make_pack<Real>(c10, c17) * w9_x_lanes -
-      detail::make_pack<Real>(s10, s17) * w9_z_lanes;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> wd8_y_lanes = detail::make_pack<Real>(c8, c15) * wd6_y -
@@ -301,9 +301,9 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       detail::make_pack<Real>(qd[8], qd[15]);
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a12_y_p1_lanes = w11_x_lanes * w11_z_lanes;
-  const Lanes<2> minus_a12_y_p2_lanes = w11_x_lanes * w11_x_lanes;
-  const Lanes<2> minus_a12_y_p3_lanes = w11_y_lanes * w11_y_lanes;
+  const Lanes<2> a12_x_p1_lanes = w11_x_lanes * w11_z_lanes;
+  const Lanes<2> a12_x_p2_lanes = w11_x_lanes * w11_x_lanes;
+  const Lanes<2> a12_x_p3_lanes = w11_y_lanes * w11_y_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> a10_x_p6_lanes = a10_x_p1_lanes + wd9_y_lanes;
@@ -311,13 +311,11 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // link 12 (left_wrist2), outward
   const Lanes<2> w12_x_lanes = detail::make_pack<Real>(c12, c19) * w11_x_lanes -
       detail::make_pack<Real>(s12, s19) * w11_z_lanes;
+  const Lanes<2> minus_w12_y_lanes = detail::make_pack<Real>(s12, s19) * w11_x_lanes +
+      detail::make_pack<Real>(c12, c19) * w11_z_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> minus_a10_z_p2_lanes = minus_a10_z_p1_lanes - wd9_x_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> minus_w12_y_lanes = detail::make_pack<Real>(s12, s19) * w11_x_lanes +
-      detail::make_pack<Real>(c12, c19) * w11_z_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> minus_a12_z_p1_lanes = w11_y_lanes * w11_z_lanes;
@@ -341,21 +339,21 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       detail::make_pack<Real>(qd[9], qd[16]);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> n12_y_p1_lanes = w12_x_lanes * minus_w12_y_lanes;
+  const Lanes<2> n12_z_p1_lanes = w12_x_lanes * minus_w12_y_lanes;
   const Lanes<2> n12_x_p1_lanes = w12_z_lanes * w12_z_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_x_p1_lanes = w13_z_lanes * w13_z_lanes;
+  const Lanes<2> w13_x_lanes = detail::make_pack<Real>(s13, s20) * w12_z_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_w12_y_lanes;
+  const Lanes<2> n13_y_p1_lanes = w13_z_lanes * w13_z_lanes;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> n12_x_p2_lanes = minus_w12_y_lanes * minus_w12_y_lanes;
-  const Lanes<2> n12_y_p2_lanes = w12_x_lanes * w12_z_lanes;
+  const Lanes<2> n12_y_p1_lanes = w12_x_lanes * w12_z_lanes;
 
   // link 13 (left_hand), outward
   const Lanes<2> w13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_w12_y_lanes +
       detail::make_pack<Real>(c13, c20) * w12_z_lanes;
-  const Lanes<2> w13_x_lanes = detail::make_pack<Real>(s13, s20) * w12_z_lanes -
-      detail::make_pack<Real>(c13, c20) * minus_w12_y_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> a9_x_lanes = detail::make_pack<Real>(c9, c16) * a7_x_lanes -
@@ -364,36 +362,39 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       detail::make_pack<Real>(s9, s16) * a7_x_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> n13_x_p1_lanes = w13_y_lanes * w13_z_lanes;
-  const Lanes<2> n13_x_p2_lanes = w13_x_lanes * w13_z_lanes;
+  const Lanes<2> n13_y_p2_lanes = w13_x_lanes * w13_z_lanes;
+  const Lanes<2> n13_z_p1_lanes = w13_x_lanes * w13_y_lanes;
+  const Lanes<2> n13_y_p3_lanes = w13_y_lanes * w13_z_lanes;
+  const Lanes<2> n13_y_p4_lanes = w13_x_lanes * w13_x_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> a10_x_p10_lanes = a9_x_lanes - 0.282 * a10_x_p6_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> n13_z_p1_lanes = w13_x_lanes * w13_y_lanes;
-  const Lanes<2> f13_x_p2_lanes = w13_y_lanes * w13_y_lanes;
-  const Lanes<2> f13_y_p1_lanes = w13_x_lanes * w13_x_lanes;
+  const Lanes<2> minus_f13_x_p1_lanes = w13_y_lanes * w13_y_lanes;
+
+  // link 11 (left_wrist1), outward
+  const Lanes<2> n11_x_p1_lanes = w11_x_lanes * w11_y_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> minus_a10_z_lanes = minus_a9_y_lanes + 0.282 * minus_a10_z_p2_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> n11_y_p1_lanes = w11_x_lanes * w11_y_lanes;
+  const Lanes<2> n11_x_p2_lanes = w11_z_lanes * w11_z_lanes;
   const Lanes<2> wd11_x_lanes = detail::make_pack<Real>(c11, c18) * wd10_x_lanes +
       detail::make_pack<Real>(s11, s18) * wd9_y_lanes + w11_y_lanes *
       detail::make_pack<Real>(qd[10], qd[17]);
   const Lanes<2> wd11_y_lanes = detail::make_pack<Real>(c11, c18) * wd9_y_lanes -
       detail::make_pack<Real>(s11, s18) * wd10_x_lanes - w11_x_lanes *
       detail::make_pack<Real>(qd[10], qd[17]);
-  const Lanes<2> f11_x_p1_lanes = w11_z_lanes * w11_z_lanes;
+  const Lanes<2> n11_x_p3_lanes = n11_x_p1_lanes - wd10_y_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> a10_x_lanes = detail::make_pack<Real>(c10, c17) * a10_x_p10_lanes -
       detail::make_pack<Real>(s10, s17) * a10_x_p8_lanes;
 
   // link 11 (left_wrist1), outward
-  const Lanes<2> minus_a12_y_p6_lanes = minus_a12_y_p1_lanes + wd11_y_lanes;
+  const Lanes<2> a12_x_p6_lanes = a12_x_p1_lanes + wd11_y_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> minus_a10_y_lanes = detail::make_pack<Real>(s10, s17) * a10_x_p10_lanes +
@@ -403,22 +404,22 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> minus_a12_z_p2_lanes = minus_a12_z_p1_lanes - wd11_x_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p4_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * (f13_x_p1_lanes - f13_x_p2_lanes);
-  const Lanes<2> n13_y_p2_lanes = 0.000108260010923775 * (f13_y_p1_lanes - f13_x_p1_lanes);
+  const Lanes<2> minus_f13_x_lanes = 0.0165153994048813 * (minus_f13_x_p1_lanes + n13_y_p1_lanes);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> n12_y_p3_lanes = n12_y_p1_lanes + wd11_y_lanes;
-  const Lanes<2> minus_a12_y_p8_lanes = minus_a10_y_lanes + 0.269 *
-      (minus_a12_y_p2_lanes + minus_a12_y_p3_lanes);
+  const Lanes<2> f12_x_p1_lanes = n12_z_p1_lanes + wd11_y_lanes;
 
-  // link 11 (left_wrist1), outward
-  const Lanes<2> n11_x_p1_lanes = minus_a12_z_p1_lanes + wd11_x_lanes;
-  const Lanes<2> n11_x_p2_lanes = minus_a12_y_p1_lanes - wd11_y_lanes;
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_x_p2_lanes = detail::make_pack<Real>((-2.4414671283021662e-05),
+      2.4414671283021662e-05) * (n13_y_p1_lanes - minus_f13_x_p1_lanes);
 
   // link 12 (left_wrist2), outward
+  const Lanes<2> a12_x_p8_lanes = minus_a10_y_lanes + 0.269 * (a12_x_p2_lanes + a12_x_p3_lanes);
   const Lanes<2> wd12_y_lanes = detail::make_pack<Real>(c12, c19) * wd10_y_lanes -
       detail::make_pack<Real>(s12, s19) * wd11_x_lanes - w12_x_lanes *
+      detail::make_pack<Real>(qd[11], qd[18]);
+  const Lanes<2> wd12_x_lanes = detail::make_pack<Real>(c12, c19) * wd11_x_lanes +
+      detail::make_pack<Real>(s12, s19) * wd10_y_lanes - minus_w12_y_lanes *
       detail::make_pack<Real>(qd[11], qd[18]);
 
   // link 11 (left_wrist1), outward
@@ -426,62 +427,45 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       detail::make_pack<Real>(s11, s18) * minus_a10_z_lanes;
   const Lanes<2> minus_a11_y_lanes = detail::make_pack<Real>(s11, s18) * a10_x_lanes +
       detail::make_pack<Real>(c11, c18) * minus_a10_z_lanes;
+  const Lanes<2> n11_x_p4_lanes = minus_a12_z_p1_lanes + wd11_x_lanes;
+  const Lanes<2> n11_x_p5_lanes = a12_x_p1_lanes - wd11_y_lanes;
+  const Lanes<2> n11_y_p1_lanes = n11_x_p1_lanes + wd10_y_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> wd12_x_lanes = detail::make_pack<Real>(c12, c19) * wd11_x_lanes +
-      detail::make_pack<Real>(s12, s19) * wd10_y_lanes - minus_w12_y_lanes *
-      detail::make_pack<Real>(qd[11], qd[18]);
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> n11_y_p2_lanes = n11_y_p1_lanes + wd10_y_lanes;
-
-  // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_p10_lanes = a11_x_lanes - 0.269 * minus_a12_y_p6_lanes;
-  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + 0.269 * minus_a12_z_p2_lanes;
+  const Lanes<2> a12_x_p10_lanes = a11_x_lanes - 0.269 * a12_x_p6_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> n13_y_p3_lanes = n13_z_p1_lanes - wd12_x_lanes;
-  const Lanes<2> n13_x_p5_lanes = n13_z_p1_lanes + wd12_x_lanes;
+  const Lanes<2> n13_x_p3_lanes = n13_z_p1_lanes + wd12_x_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> n12_y_p5_lanes = n12_y_p2_lanes - wd12_y_lanes;
+  const Lanes<2> minus_a12_z_lanes = minus_a11_y_lanes + 0.269 * minus_a12_z_p2_lanes;
+  const Lanes<2> n12_y_p3_lanes = n12_y_p1_lanes - wd12_y_lanes;
   const Lanes<2> n12_x_p6_lanes = wd12_x_lanes - minus_w12_y_lanes * w12_z_lanes;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_y_p6_lanes = 0.0025100003499999995 * (wd11_y_lanes - n12_y_p1_lanes) -
+  const Lanes<2> f12_y_p7_lanes = 0.0025100003499999995 * (wd11_y_lanes - n12_z_p1_lanes) -
       0.0006000000000000001 * (w12_x_lanes * w12_x_lanes + n12_x_p1_lanes);
 
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> f13_y_lanes = 0.0165153994048813 * n13_x_p3_lanes;
+
   // link 13 (left_hand), outward
-  const Lanes<2> wd13_x_lanes = detail::make_pack<Real>(c13, c20) * wd12_y_lanes +
-      detail::make_pack<Real>(s13, s20) * wd11_y_lanes + w13_y_lanes *
-      detail::make_pack<Real>(qd[12], qd[19]);
   const Lanes<2> wd13_y_lanes = detail::make_pack<Real>(c13, c20) * wd11_y_lanes -
       detail::make_pack<Real>(s13, s20) * wd12_y_lanes - w13_x_lanes *
       detail::make_pack<Real>(qd[12], qd[19]);
+  const Lanes<2> wd13_x_lanes = detail::make_pack<Real>(c13, c20) * wd12_y_lanes +
+      detail::make_pack<Real>(s13, s20) * wd11_y_lanes + w13_y_lanes *
+      detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> minus_a12_y_lanes = detail::make_pack<Real>(s12, s19) * minus_a12_y_p10_lanes +
-      detail::make_pack<Real>(c12, c19) * minus_a12_y_p8_lanes;
-  const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * minus_a12_y_p10_lanes -
-      detail::make_pack<Real>(s12, s19) * minus_a12_y_p8_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_x_lanes = detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      n13_y_p3_lanes - 0.01626499875 * (f13_x_p2_lanes + f13_x_p1_lanes);
-  const Lanes<2> f13_y_lanes = 0.01626499875 * n13_x_p5_lanes -
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
-      (f13_y_p1_lanes + f13_x_p1_lanes);
-
-  // link 11 (left_wrist1), outward
-  const Lanes<2> n11_x_p5_lanes = n11_y_p1_lanes - wd10_y_lanes;
+  const Lanes<2> a12_x_lanes = detail::make_pack<Real>(c12, c19) * a12_x_p10_lanes -
+      detail::make_pack<Real>(s12, s19) * a12_x_p8_lanes;
+  const Lanes<2> minus_a12_y_lanes = detail::make_pack<Real>(s12, s19) * a12_x_p10_lanes +
+      detail::make_pack<Real>(c12, c19) * a12_x_p8_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> n13_x_p7_lanes = n13_x_p1_lanes + wd13_x_lanes;
-  const Lanes<2> n13_x_p8_lanes = n13_x_p2_lanes - wd13_y_lanes;
-  const Lanes<2> a13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_a12_y_lanes -
-      detail::make_pack<Real>(c13, c20) * minus_a12_z_lanes;
-  const Lanes<2> minus_a13_x_lanes = detail::make_pack<Real>(c13, c20) * minus_a12_y_lanes +
-      detail::make_pack<Real>(s13, s20) * minus_a12_z_lanes;
+  const Lanes<2> n13_y_p9_lanes = n13_y_p2_lanes - wd13_y_lanes;
+  const Lanes<2> n13_y_p10_lanes = n13_y_p3_lanes + wd13_x_lanes;
 
   // link 12 (left_wrist2), inertial wrench
   const Lanes<2> n12_x_p10_lanes = 1.16e-05 * n12_x_p6_lanes +
@@ -489,167 +473,171 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       (n12_x_p1_lanes - n12_x_p2_lanes) - 0.0006000000000000001 * minus_a12_z_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p12_lanes = 0.0007556474228594393 * n13_z_p1_lanes + 0.0009386316083993107 *
-      wd12_x_lanes + 0.000108260010923775 * (n13_x_p1_lanes - wd13_x_lanes);
-  const Lanes<2> f13_z_lanes = 0.01626499875 * n13_x_p8_lanes +
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * n13_x_p7_lanes;
+  const Lanes<2> f13_z_lanes = 0.0165153994048813 * n13_y_p9_lanes;
+
+  // link 13 (left_hand), outward
+  const Lanes<2> a13_y_lanes = detail::make_pack<Real>(s13, s20) * minus_a12_y_lanes -
+      detail::make_pack<Real>(c13, c20) * minus_a12_z_lanes;
 
   // link 13 (left_hand), inward
-  const Lanes<2> f12_y_lanes = f12_y_p6_lanes + (detail::make_pack<Real>(c13, c20) * f13_x_lanes -
-      detail::make_pack<Real>(s13, s20) * f13_y_lanes);
-  const Lanes<2> f12_z_p5_lanes = detail::make_pack<Real>(s13, s20) * f13_x_lanes +
-      detail::make_pack<Real>(c13, c20) * f13_y_lanes;
-  const Lanes<2> f12_x_lanes = f13_z_lanes - (0.0025100003499999995 *
-      (n12_x_p2_lanes + n12_x_p1_lanes) + 0.0006000000000000001 * n12_y_p3_lanes);
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p14_lanes = 9.149209276993575e-05 * n13_x_p7_lanes +
-      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * n13_x_p8_lanes -
-      0.000108260010923775 * n13_x_p5_lanes + n13_x_p4_lanes;
-  const Lanes<2> n13_y_p10_lanes = detail::make_pack<Real>((-4.38600177048965e-05),
-      4.38600177048965e-05) * n13_y_p3_lanes - 0.000847139515629375 * n13_x_p8_lanes -
-      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) * n13_x_p7_lanes +
-      n13_y_p2_lanes;
+  const Lanes<2> f12_y_lanes = f12_y_p7_lanes - (detail::make_pack<Real>(c13, c20) *
+      minus_f13_x_lanes + detail::make_pack<Real>(s13, s20) * f13_y_lanes);
+  const Lanes<2> f12_z_p6_lanes = detail::make_pack<Real>(c13, c20) * f13_y_lanes -
+      detail::make_pack<Real>(s13, s20) * minus_f13_x_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> n10_x_p1_lanes = minus_w10_y_lanes * w10_z_lanes;
-
-  // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_z_p16_lanes = n13_z_p12_lanes -
-      detail::make_pack<Real>((-4.38600177048965e-05), 4.38600177048965e-05) *
-      (n13_x_p2_lanes + wd13_y_lanes) + detail::make_pack<Real>((-0.0001263900573325125),
-      0.0001263900573325125) * (f13_x_p2_lanes - f13_y_p1_lanes);
-
-  // link 10 (left_lowerarm), outward
   const Lanes<2> n10_x_p2_lanes = w10_x_lanes * w10_z_lanes;
   const Lanes<2> n10_y_p1_lanes = w10_x_lanes * minus_w10_y_lanes;
 
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_z_p11_lanes = 0.0007965395222188762 * n13_z_p1_lanes + 0.0009386316083993108 *
+      wd12_x_lanes + 0.00011422720754895356 * (n13_y_p3_lanes - wd13_x_lanes);
+
+  // link 13 (left_hand), inward
+  const Lanes<2> f12_x_lanes = f13_z_lanes - (0.0025100003499999995 *
+      (n12_x_p2_lanes + n12_x_p1_lanes) + 0.0006000000000000001 * f12_x_p1_lanes);
+
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n12_z_p9_lanes = 0.00020682766225734302 * wd11_y_lanes - 0.000183627662257343 *
-      n12_y_p1_lanes - detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
-      (n12_y_p2_lanes + wd12_y_lanes);
+  const Lanes<2> n12_z_p10_lanes = 0.00020682766225734302 * wd11_y_lanes - 0.000183627662257343 *
+      n12_z_p1_lanes - detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) *
+      (n12_y_p1_lanes + wd12_y_lanes);
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_lanes = n13_x_p14_lanes + detail::make_pack<Real>((-0.002865001425),
-      0.002865001425) * a12_x_lanes;
-  const Lanes<2> n13_y_lanes = n13_y_p10_lanes - 0.01626499875 * a12_x_lanes;
-  const Lanes<2> n13_z_lanes = n13_z_p16_lanes + (0.01626499875 * a13_y_lanes +
-      detail::make_pack<Real>((-0.002865001425), 0.002865001425) * minus_a13_x_lanes);
-  h[12] = n13_z_lanes[0];
-
-  // link 20 (right_hand), inertial wrench
-  h[19] = n13_z_lanes[1];
+  const Lanes<2> n13_y_p15_lanes = detail::make_pack<Real>((-2.4414671283021662e-05),
+      2.4414671283021662e-05) * (n13_z_p1_lanes - wd12_x_lanes) - 0.0008675855653090935 *
+      n13_y_p9_lanes - detail::make_pack<Real>(1.0315081040638942e-05, (-1.0315081040638942e-05)) *
+      n13_y_p10_lanes;
 
   // link 13 (left_hand), inward
-  const Lanes<2> f12_z_lanes = 0.0025100003499999995 * n12_y_p5_lanes + 0.0006000000000000001 *
-      n12_x_p6_lanes + f12_z_p5_lanes;
+  const Lanes<2> f12_z_lanes = 0.0025100003499999995 * n12_y_p3_lanes + 0.0006000000000000001 *
+      n12_x_p6_lanes + f12_z_p6_lanes;
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p9_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
-      (f11_x_p1_lanes - minus_a12_y_p3_lanes);
-  const Lanes<2> n11_y_p10_lanes = 0.000144 * (minus_a12_y_p2_lanes - f11_x_p1_lanes);
+  const Lanes<2> n11_x_p11_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      (n11_x_p2_lanes - a12_x_p3_lanes);
+  const Lanes<2> n11_y_p9_lanes = 0.000144 * (a12_x_p2_lanes - n11_x_p2_lanes);
 
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_x_lanes = n12_x_p10_lanes + n13_z_lanes;
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> n10_x_p3_lanes = wd10_x_lanes - n10_x_p1_lanes;
+
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_x_lanes = 7.104604309021728e-05 * n13_y_p10_lanes +
+      detail::make_pack<Real>(1.0315081040638942e-05, (-1.0315081040638942e-05)) * n13_y_p9_lanes -
+      0.00011422720754895356 * n13_x_p3_lanes + n13_x_p2_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> n10_x_p4_lanes = n10_x_p2_lanes - wd10_y_lanes;
+
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_z_p14_lanes = n13_z_p11_lanes -
+      detail::make_pack<Real>((-2.4414671283021662e-05), 2.4414671283021662e-05) *
+      (n13_y_p2_lanes + wd13_y_lanes) + detail::make_pack<Real>(1.0315081040638942e-05,
+      (-1.0315081040638942e-05)) * (minus_f13_x_p1_lanes - n13_y_p4_lanes);
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> n10_y_p2_lanes = n10_y_p1_lanes + wd9_y_lanes;
+  const Lanes<2> n10_x_p5_lanes = w10_z_lanes * w10_z_lanes;
+  const Lanes<2> n10_x_p6_lanes = minus_w10_y_lanes * minus_w10_y_lanes;
 
   // link 12 (left_wrist2), inward
   const Lanes<2> n11_y_p11_lanes = detail::make_pack<Real>(s12, s19) * f12_y_lanes -
       detail::make_pack<Real>(c12, c19) * f12_x_lanes;
 
   // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_x_p3_lanes = wd10_x_lanes - n10_x_p1_lanes;
-  const Lanes<2> n10_x_p4_lanes = n10_x_p2_lanes - wd10_y_lanes;
-  const Lanes<2> n10_y_p2_lanes = n10_y_p1_lanes + wd9_y_lanes;
-  const Lanes<2> f10_y_p1_lanes = w10_z_lanes * w10_z_lanes;
-  const Lanes<2> f10_x_p1_lanes = minus_w10_y_lanes * minus_w10_y_lanes;
+  const Lanes<2> n10_y_p3_lanes = w10_x_lanes * w10_x_lanes;
 
-  // link 13 (left_hand), inward
-  const Lanes<2> n12_y_p12_lanes = detail::make_pack<Real>(c13, c20) * n13_x_lanes -
-      detail::make_pack<Real>(s13, s20) * n13_y_lanes;
-  const Lanes<2> n12_z_p13_lanes = detail::make_pack<Real>(s13, s20) * n13_x_lanes +
-      detail::make_pack<Real>(c13, c20) * n13_y_lanes;
+  // link 13 (left_hand), inertial wrench
+  const Lanes<2> n13_y_lanes = n13_y_p15_lanes + 0.00011422720754895356 *
+      (n13_y_p4_lanes - n13_y_p1_lanes) - 0.0165153994048813 * a12_x_lanes;
+  const Lanes<2> n13_z_lanes = n13_z_p14_lanes + 0.0165153994048813 * a13_y_lanes;
+  h[12] = n13_z_lanes[0];
 
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> f10_y_p2_lanes = w10_x_lanes * w10_x_lanes;
+  // link 20 (right_hand), inertial wrench
+  h[19] = n13_z_lanes[1];
 
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_x_p14_lanes = 0.0001194 * n11_x_p1_lanes +
-      detail::make_pack<Real>(6e-06, (-6e-06)) * n11_x_p2_lanes + 0.000144 * n11_x_p5_lanes +
-      n11_x_p9_lanes;
-  const Lanes<2> n11_y_p15_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
-      n11_y_p2_lanes - 0.0001098 * n11_x_p2_lanes - detail::make_pack<Real>(6e-06, (-6e-06)) *
-      n11_x_p1_lanes - n11_y_p10_lanes;
+  const Lanes<2> n11_x_p15_lanes = 0.0001194 * n11_x_p4_lanes +
+      detail::make_pack<Real>(6e-06, (-6e-06)) * n11_x_p5_lanes + 0.000144 * n11_x_p3_lanes +
+      n11_x_p11_lanes;
+  const Lanes<2> n11_y_p14_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
+      n11_y_p1_lanes - 0.0001098 * n11_x_p5_lanes - detail::make_pack<Real>(6e-06, (-6e-06)) *
+      n11_x_p4_lanes - n11_y_p9_lanes;
 
   // link 13 (left_hand), inward
+  const Lanes<2> n12_x_lanes = n12_x_p10_lanes + n13_z_lanes;
+
+  // link 10 (left_lowerarm), outward
+  const Lanes<2> n10_x_p9_lanes = wd9_y_lanes - n10_y_p1_lanes;
+
+  // link 11 (left_wrist1), inertial wrench
+  const Lanes<2> n11_z_p6_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) * a12_x_p6_lanes;
+
+  // link 13 (left_hand), inward
+  const Lanes<2> n12_y_p10_lanes = detail::make_pack<Real>(c13, c20) * n13_x_lanes -
+      detail::make_pack<Real>(s13, s20) * n13_y_lanes;
+  const Lanes<2> n12_z_p14_lanes = detail::make_pack<Real>(s13, s20) * n13_x_lanes +
+      detail::make_pack<Real>(c13, c20) * n13_y_lanes;
   const Lanes<2> n12_y_lanes = 0.0025100003499999995 * minus_a12_z_lanes -
-      (0.000195227662257343 * n12_y_p5_lanes + detail::make_pack<Real>(2.4000000000000003e-06,
-      (-2.4000000000000003e-06)) * n12_y_p3_lanes) + n12_y_p12_lanes;
-  const Lanes<2> n12_z_lanes = n12_z_p9_lanes - (0.0025100003499999995 * minus_a12_y_lanes +
-      0.0006000000000000001 * a12_x_lanes) + n12_z_p13_lanes;
+      (0.000195227662257343 * n12_y_p3_lanes + detail::make_pack<Real>(2.4000000000000003e-06,
+      (-2.4000000000000003e-06)) * f12_x_p1_lanes) + n12_y_p10_lanes;
+  const Lanes<2> n12_z_lanes = n12_z_p10_lanes - (0.0025100003499999995 * minus_a12_y_lanes +
+      0.0006000000000000001 * a12_x_lanes) + n12_z_p14_lanes;
   h[11] = n12_z_lanes[0];
 
   // link 20 (right_hand), inward
   h[18] = n12_z_lanes[1];
 
-  // link 10 (left_lowerarm), outward
-  const Lanes<2> n10_x_p7_lanes = wd9_y_lanes - n10_y_p1_lanes;
-
   // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_z_p6_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
-      minus_a12_y_p6_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> f11_x_lanes = detail::make_pack<Real>(0.001, (-0.001)) * n11_y_p2_lanes - 6e-04 *
-      (minus_a12_y_p3_lanes + f11_x_p1_lanes) - n11_y_p11_lanes;
-  const Lanes<2> f11_y_lanes = 6e-04 * n11_x_p5_lanes - detail::make_pack<Real>(0.001, (-0.001)) *
-      (minus_a12_y_p2_lanes + f11_x_p1_lanes) + f12_z_lanes;
-
-  // link 11 (left_wrist1), inertial wrench
-  const Lanes<2> n11_z_p11_lanes = 9.600000000000003e-06 * n11_y_p1_lanes + 0.0002292 *
+  const Lanes<2> n11_z_p11_lanes = 9.600000000000003e-06 * n11_x_p1_lanes + 0.0002292 *
       wd10_y_lanes + 0.000144 * minus_a12_z_p2_lanes + n11_z_p6_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> n11_x_p18_lanes = 0.269 * f12_z_lanes -
-      (detail::make_pack<Real>(s12, s19) * n12_y_lanes - detail::make_pack<Real>(c12, c19) *
-      n12_x_lanes);
-  const Lanes<2> n11_y_lanes = n11_y_p15_lanes - 6e-04 * minus_a10_y_lanes +
-      (n12_z_lanes + 0.269 * n11_y_p11_lanes);
+  const Lanes<2> f11_x_lanes = detail::make_pack<Real>(0.001, (-0.001)) * n11_y_p1_lanes - 6e-04 *
+      (a12_x_p3_lanes + n11_x_p2_lanes) - n11_y_p11_lanes;
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_x_p11_lanes = detail::make_pack<Real>(0.0001499998887063,
-      (-0.0001499998887063)) * (f10_y_p1_lanes - f10_x_p1_lanes);
+  const Lanes<2> n10_x_p13_lanes = detail::make_pack<Real>(0.0001499998887063,
+      (-0.0001499998887063)) * (n10_x_p5_lanes - n10_x_p6_lanes);
+
+  // link 12 (left_wrist2), inward
+  const Lanes<2> f11_y_lanes = 6e-04 * n11_x_p3_lanes - detail::make_pack<Real>(0.001, (-0.001)) *
+      (a12_x_p2_lanes + n11_x_p2_lanes) + f12_z_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_y_p1_lanes = w9_x_lanes * w9_y_lanes;
-
-  // link 12 (left_wrist2), inward
-  const Lanes<2> f11_z_p5_lanes = detail::make_pack<Real>(s12, s19) * f12_x_lanes +
-      detail::make_pack<Real>(c12, c19) * f12_y_lanes;
-  const Lanes<2> n11_x_lanes = n11_x_p14_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
-      minus_a10_y_lanes + n11_x_p18_lanes;
 
   // link 11 (left_wrist1), inertial wrench
   const Lanes<2> n11_z_p14_lanes = 6e-04 * minus_a11_y_lanes +
       detail::make_pack<Real>(0.001, (-0.001)) * a11_x_lanes;
 
+  // link 12 (left_wrist2), inward
+  const Lanes<2> n11_y_lanes = n11_y_p14_lanes - 6e-04 * minus_a10_y_lanes +
+      (n12_z_lanes + 0.269 * n11_y_p11_lanes);
+
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> n10_y_p9_lanes = 0.00028099984685315 * n10_x_p4_lanes +
+  const Lanes<2> n10_y_p10_lanes = 0.00028099984685315 * n10_x_p4_lanes +
       detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) * n10_y_p2_lanes +
       0.0001499998887063 * n10_x_p3_lanes;
+
+  // link 12 (left_wrist2), inward
+  const Lanes<2> f11_z_p5_lanes = detail::make_pack<Real>(s12, s19) * f12_x_lanes +
+      detail::make_pack<Real>(c12, c19) * f12_y_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p1_lanes = w9_z_lanes * w9_z_lanes;
 
   // link 12 (left_wrist2), inward
-  const Lanes<2> f11_z_lanes = 6e-04 * n11_x_p2_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
-      n11_x_p1_lanes - f11_z_p5_lanes;
+  const Lanes<2> n11_x_p20_lanes = 0.269 * f12_z_lanes -
+      (detail::make_pack<Real>(s12, s19) * n12_y_lanes - detail::make_pack<Real>(c12, c19) *
+      n12_x_lanes);
 
   // link 10 (left_lowerarm), inertial wrench
-  const Lanes<2> f10_x_p8_lanes = 0.0014999985000000002 * (f10_x_p1_lanes + f10_y_p1_lanes) +
+  const Lanes<2> f10_x_p7_lanes = 0.0014999985000000002 * (n10_x_p6_lanes + n10_x_p5_lanes) +
       0.28049749700000004 * n10_y_p2_lanes;
-  const Lanes<2> n10_x_p16_lanes = 0.06060754126741261 * n10_x_p3_lanes + 0.0001499998887063 *
+  const Lanes<2> n10_x_p17_lanes = 0.06060754126741261 * n10_x_p3_lanes + 0.0001499998887063 *
       n10_x_p4_lanes - detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
-      n10_x_p7_lanes + n10_x_p11_lanes;
+      n10_x_p9_lanes + n10_x_p13_lanes;
 
   // link 12 (left_wrist2), inward
   const Lanes<2> n11_z_p16_lanes = detail::make_pack<Real>(s12, s19) * n12_x_lanes +
@@ -657,6 +645,14 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p2_lanes = minus_a10_z_p1_lanes + wd9_x_lanes;
+
+  // link 12 (left_wrist2), inward
+  const Lanes<2> n11_x_lanes = n11_x_p15_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
+      minus_a10_y_lanes + n11_x_p20_lanes;
+  const Lanes<2> f11_z_lanes = 6e-04 * n11_x_p5_lanes + detail::make_pack<Real>(0.001, (-0.001)) *
+      n11_x_p4_lanes - f11_z_p5_lanes;
+
+  // link 9 (left_upperarm), outward
   const Lanes<2> n9_x_p3_lanes = a10_x_p1_lanes - wd9_y_lanes;
   const Lanes<2> n9_y_p2_lanes = n9_y_p1_lanes + wd8_x_lanes;
 
@@ -669,44 +665,45 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> n9_x_p4_lanes = n9_y_p1_lanes - wd8_x_lanes;
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> f10_y_lanes = 0.0014999985000000002 * n10_x_p7_lanes - 0.28049749700000004 *
-      (f10_y_p2_lanes + f10_y_p1_lanes) - f11_z_lanes;
   const Lanes<2> f10_x_lanes = detail::make_pack<Real>(c11, c18) * f11_x_lanes -
-      detail::make_pack<Real>(s11, s18) * f11_y_lanes - f10_x_p8_lanes;
+      detail::make_pack<Real>(s11, s18) * f11_y_lanes - f10_x_p7_lanes;
+  const Lanes<2> f10_y_lanes = 0.0014999985000000002 * n10_x_p9_lanes - 0.28049749700000004 *
+      (n10_y_p3_lanes + n10_x_p5_lanes) - f11_z_lanes;
 
   // link 12 (left_wrist2), inward
   const Lanes<2> n11_z_lanes = detail::make_pack<Real>(6e-06, (-6e-06)) *
-      (minus_a12_y_p3_lanes - minus_a12_y_p2_lanes) - n11_z_p11_lanes - n11_z_p14_lanes -
-      n11_z_p16_lanes;
+      (a12_x_p3_lanes - a12_x_p2_lanes) - n11_z_p11_lanes - n11_z_p14_lanes - n11_z_p16_lanes;
   h[10] = n11_z_lanes[0];
 
   // link 19 (right_wrist2), inward
   h[17] = n11_z_lanes[1];
 
   // link 11 (left_wrist1), inward
-  const Lanes<2> n10_x_lanes = n10_x_p16_lanes - 0.28049749700000004 * minus_a10_z_lanes +
-      (detail::make_pack<Real>(c11, c18) * n11_x_lanes - detail::make_pack<Real>(s11, s18) *
-      n11_y_lanes);
   const Lanes<2> n10_y_lanes = detail::make_pack<Real>(2.249994685315e-05, (-2.249994685315e-05)) *
-      (f10_y_p2_lanes - f10_y_p1_lanes) - n10_y_p9_lanes + 0.0014999985000000002 *
+      (n10_y_p3_lanes - n10_x_p5_lanes) - n10_y_p10_lanes + 0.0014999985000000002 *
       minus_a10_z_lanes - n11_z_lanes;
-  const Lanes<2> f10_z_p5_lanes = detail::make_pack<Real>(s11, s18) * f11_x_lanes +
-      detail::make_pack<Real>(c11, c18) * f11_y_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> n8_y_p1_lanes = w8_x_lanes * w8_y_lanes;
   const Lanes<2> n8_x_p1_lanes = w8_y_lanes * w8_z_lanes;
-  const Lanes<2> n8_y_p2_lanes = w8_x_lanes * w8_z_lanes;
+  const Lanes<2> n8_x_p2_lanes = w8_x_lanes * w8_z_lanes;
+  const Lanes<2> n8_y_p1_lanes = w8_x_lanes * w8_y_lanes;
+
+  // link 11 (left_wrist1), inward
+  const Lanes<2> f10_z_p5_lanes = detail::make_pack<Real>(s11, s18) * f11_x_lanes +
+      detail::make_pack<Real>(c11, c18) * f11_y_lanes;
+  const Lanes<2> n10_x_lanes = n10_x_p17_lanes - 0.28049749700000004 * minus_a10_z_lanes +
+      (detail::make_pack<Real>(c11, c18) * n11_x_lanes - detail::make_pack<Real>(s11, s18) *
+      n11_y_lanes);
 
   // link 10 (left_lowerarm), inertial wrench
   const Lanes<2> n10_z_p17_lanes = n10_z_p9_lanes -
       detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) *
-      (n10_x_p2_lanes + wd10_y_lanes) + 0.0001499998887063 * (f10_x_p1_lanes - f10_y_p2_lanes);
+      (n10_x_p2_lanes + wd10_y_lanes) + 0.0001499998887063 * (n10_x_p6_lanes - n10_y_p3_lanes);
 
   // link 8 (left_shoulder2), outward
+  const Lanes<2> f8_y_p1_lanes = w8_z_lanes * w8_z_lanes;
   const Lanes<2> f8_x_p1_lanes = w8_y_lanes * w8_y_lanes;
-  const Lanes<2> f8_y_p1_lanes = w8_x_lanes * w8_x_lanes;
-  const Lanes<2> f8_x_p2_lanes = w8_z_lanes * w8_z_lanes;
+  const Lanes<2> f8_y_p2_lanes = w8_x_lanes * w8_x_lanes;
 
   // link 11 (left_wrist1), inward
   const Lanes<2> f10_z_lanes = 0.0014999985000000002 * n10_x_p4_lanes + 0.28049749700000004 *
@@ -723,17 +720,21 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // link 9 (left_upperarm), inertial wrench
   const Lanes<2> n9_y_p11_lanes = 0.0005895000784280001 * (a10_x_p2_lanes - n9_x_p1_lanes);
 
+  // link 8 (left_shoulder2), outward
+  const Lanes<2> n8_x_p3_lanes = n8_x_p1_lanes + wd8_x_lanes;
+  const Lanes<2> n8_x_p4_lanes = n8_x_p2_lanes - wd8_y_lanes;
+
   // link 11 (left_wrist1), inward
   const Lanes<2> n10_z_p18_lanes = detail::make_pack<Real>(s11, s18) * n11_x_lanes +
       detail::make_pack<Real>(c11, c18) * n11_y_lanes;
 
   // link 8 (left_shoulder2), outward
-  const Lanes<2> n8_y_p3_lanes = n8_y_p1_lanes - wd7_x_lanes;
-  const Lanes<2> n8_y_p4_lanes = n8_y_p2_lanes - wd8_y_lanes;
-  const Lanes<2> n8_x_p2_lanes = n8_x_p1_lanes + wd8_x_lanes;
-  const Lanes<2> f8_y_p2_lanes = n8_y_p1_lanes + wd7_x_lanes;
+  const Lanes<2> n8_y_p2_lanes = n8_y_p1_lanes - wd7_x_lanes;
+  const Lanes<2> f8_y_p3_lanes = n8_y_p1_lanes + wd7_x_lanes;
 
   // link 9 (left_upperarm), inertial wrench
+  const Lanes<2> n9_z_p5_lanes = detail::make_pack<Real>((-0.0012089992423205001),
+      0.0012089992423205001) * a10_x_p6_lanes;
   const Lanes<2> n9_x_p17_lanes = 0.0019585440854647937 * n9_x_p2_lanes +
       detail::make_pack<Real>((-4.4999986458742003e-05), 4.4999986458742003e-05) * n9_x_p3_lanes -
       0.0005895000784280001 * n9_x_p4_lanes + n9_x_p12_lanes;
@@ -753,52 +754,52 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       n9_y_p11_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_x_p1_lanes = w7_y_lanes * w7_z_lanes;
-  const Lanes<2> n7_x_p2_lanes = w7_x_lanes * w7_z_lanes;
-
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p5_lanes = detail::make_pack<Real>((-0.0012089992423205001),
-      0.0012089992423205001) * a10_x_p6_lanes;
+  const Lanes<2> n7_x_p1_lanes = w7_x_lanes * w7_z_lanes;
+  const Lanes<2> n7_x_p2_lanes = w7_y_lanes * w7_z_lanes;
 
   // link 10 (left_lowerarm), inward
+  const Lanes<2> f9_x_lanes = 0.0022500062 * (a10_x_p3_lanes + n9_x_p1_lanes) +
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * n9_y_p2_lanes - n9_y_p10_lanes;
   const Lanes<2> n9_x_p18_lanes = 0.282 * f10_z_lanes -
       (detail::make_pack<Real>(s10, s17) * n10_y_lanes - detail::make_pack<Real>(c10, c17) *
       n10_x_lanes);
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_x_p3_lanes = w7_x_lanes * w7_y_lanes;
 
   // link 21 (neck), outward
   const Real w21_z = qd[20] - w6_x;
 
   // link 10 (left_lowerarm), inward
-  const Lanes<2> f9_x_lanes = 0.0022500062 * (a10_x_p3_lanes + n9_x_p1_lanes) +
-      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * n9_y_p2_lanes - n9_y_p10_lanes;
   const Lanes<2> f9_y_lanes = f10_z_lanes - (0.0022500062 * n9_x_p4_lanes +
       detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
       (a10_x_p2_lanes + n9_x_p1_lanes));
-  const Lanes<2> f9_z_p5_lanes = detail::make_pack<Real>(s10, s17) * f10_x_lanes +
-      detail::make_pack<Real>(c10, c17) * f10_y_lanes;
+
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> n7_y_p1_lanes = w7_x_lanes * w7_y_lanes;
 
   // link 21 (neck), outward
   const Real w21_x = s21 * w6_y + c21 * w6_z;
-  const Real w21_y = c21 * w6_y - s21 * w6_z;
 
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_x_p4_lanes = n7_x_p1_lanes + wd7_x_lanes;
-  const Lanes<2> n7_x_p5_lanes = n7_x_p2_lanes - wd7_y_lanes;
+  // link 10 (left_lowerarm), inward
+  const Lanes<2> f9_z_p5_lanes = detail::make_pack<Real>(s10, s17) * f10_x_lanes +
+      detail::make_pack<Real>(c10, c17) * f10_y_lanes;
 
   // link 9 (left_upperarm), inertial wrench
   const Lanes<2> n9_z_p11_lanes = 0.0005895000784280001 * minus_a10_z_p2_lanes -
       (0.001140794814995722 * n9_y_p1_lanes + 0.0027762933559338653 * wd8_x_lanes) - n9_z_p5_lanes;
 
+  // link 21 (neck), outward
+  const Real w21_y = c21 * w6_y - s21 * w6_z;
+
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> n7_x_p3_lanes = n7_x_p1_lanes - wd7_y_lanes;
+  const Lanes<2> n7_x_p4_lanes = n7_x_p2_lanes + wd7_x_lanes;
+
   // link 22 (head), outward
   const Real w22_z = w21_y + qd[21];
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> f7_x_p1_lanes = w7_y_lanes * w7_y_lanes;
-  const Lanes<2> f7_y_p1_lanes = w7_z_lanes * w7_z_lanes;
-  const Lanes<2> f7_y_p2_lanes = w7_x_lanes * w7_x_lanes;
+  const Lanes<2> f7_y_p1_lanes = w7_x_lanes * w7_x_lanes;
+  const Lanes<2> f7_x_p1_lanes = w7_z_lanes * w7_z_lanes;
+  const Lanes<2> f7_x_p2_lanes = w7_y_lanes * w7_y_lanes;
 
   // link 21 (neck), outward
   const Real a22_y_p1 = w21_x * w21_x;
@@ -813,22 +814,21 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // link 22 (head), outward
   const Real minus_w22_y = s22 * w21_x + c22 * w21_z;
 
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_x_lanes = n9_x_p17_lanes - detail::make_pack<Real>(0.004500002325,
-      (-0.004500002325)) * a8_x_lanes + n9_x_p18_lanes;
-
   // link 21 (neck), outward
   const Real a22_y_p3 = w21_x * w21_z;
 
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_y_lanes = n9_y_p15_lanes - 0.0022500062 * a8_x_lanes +
-      (n10_z_lanes + 0.282 * n9_y_p10_lanes);
+  // link 8 (left_shoulder2), inertial wrench
+  const Lanes<2> n8_x_p10_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
+      (f8_y_p1_lanes - f8_x_p1_lanes);
 
   // link 21 (neck), outward
   const Real wd21_x = s21 * wd6_y + c21 * wd5_x + w21_y * qd[20];
 
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p10_lanes = 0.00010499999999999999 * (f8_y_p1_lanes - f8_x_p2_lanes);
+  // link 10 (left_lowerarm), inward
+  const Lanes<2> n9_x_lanes = n9_x_p17_lanes - detail::make_pack<Real>(0.004500002325,
+      (-0.004500002325)) * a8_x_lanes + n9_x_p18_lanes;
+  const Lanes<2> n9_y_lanes = n9_y_p15_lanes - 0.0022500062 * a8_x_lanes +
+      (n10_z_lanes + 0.282 * n9_y_p10_lanes);
 
   // link 22 (head), outward
   const Real minus_a23_z_p1 = w22_x * minus_w22_y;
@@ -836,19 +836,14 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // link 23 (left_eye), outward
   const Lanes<2> w23_z_lanes = minus_w22_y + detail::make_pack<Real>(qd[22], qd[23]);
 
+  // link 21 (neck), outward
+  const Real a21_x = c21 * a6_z - s21 * minus_a6_y;
+
   // link 22 (head), outward
   const Real minus_a23_z_p2 = minus_w22_y * w22_z;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_x_p8_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
-      (f8_x_p2_lanes - f8_x_p1_lanes);
-
-  // link 21 (neck), outward
-  const Real a21_x = c21 * a6_z - s21 * minus_a6_y;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> f9_z_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
-      n9_x_p2_lanes - 0.0022500062 * n9_x_p3_lanes - f9_z_p5_lanes;
+  const Lanes<2> n8_y_p8_lanes = 0.00010499999999999999 * (f8_y_p2_lanes - f8_y_p1_lanes);
 
   // link 23 (left_eye), outward
   const Lanes<2> w23_x_lanes = detail::make_pack<Real>(c23, c24) * w22_x +
@@ -861,7 +856,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> n23_y_p3_lanes = w23_z_lanes * w23_z_lanes;
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> f8_y_p8_lanes = detail::make_pack<Real>(s9, s16) * f9_x_lanes +
+  const Lanes<2> f8_y_p9_lanes = detail::make_pack<Real>(s9, s16) * f9_x_lanes +
       detail::make_pack<Real>(c9, c16) * f9_y_lanes;
 
   // link 22 (head), outward
@@ -871,10 +866,18 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> w23_y_lanes = detail::make_pack<Real>(c23, c24) * w22_z -
       detail::make_pack<Real>(s23, s24) * w22_x;
 
+  // link 10 (left_lowerarm), inward
+  const Lanes<2> f9_z_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) *
+      n9_x_p2_lanes - 0.0022500062 * n9_x_p3_lanes - f9_z_p5_lanes;
+
+  // link 9 (left_upperarm), inertial wrench
+  const Lanes<2> n9_z_p14_lanes = 0.0022500062 * minus_a9_y_lanes -
+      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * a9_x_lanes;
+
   // link 22 (head), outward
+  const Real a23_y_p1 = w22_x * w22_z;
   const Real a22_y_p5 = a21_x + 0.394 * (a22_y_p3 + wd21_y);
   const Real wd22_x = c22 * wd21_x + s22 * wd6_x - minus_w22_y * qd[21];
-  const Real a23_y_p1 = w22_x * w22_z;
 
   // link 21 (neck), outward
   const Real a22_z_p1 = w21_y * w21_z;
@@ -884,9 +887,9 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> n23_z_p1_lanes = w23_y_lanes * w23_z_lanes;
 
   // link 22 (head), outward
-  const Real minus_a23_z_p4 = minus_a23_z_p2 + wd22_x;
   const Real wd22_y = c22 * wd6_x - s22 * wd21_x - w22_x * qd[21];
-  const Real n22_x_p1 = wd22_x - minus_a23_z_p2;
+  const Real minus_a23_z_p4 = minus_a23_z_p2 + wd22_x;
+  const Real n22_y_p1 = wd22_x - minus_a23_z_p2;
   const Real a23_y_p2 = w22_x * w22_x;
   const Real a23_y_p3 = minus_w22_y * minus_w22_y;
 
@@ -895,31 +898,33 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Real a22_z_p2 = a22_z_p1 - wd21_x;
 
   // link 22 (head), outward
-  const Real a23_y_p4 = w22_z * w22_z;
-  const Real a23_y_p5 = a23_y_p1 - wd22_y;
+  const Real a23_y_p4 = a23_y_p1 - wd22_y;
+  const Real a23_y_p5 = w22_z * w22_z;
   const Real a23_y_p6 = a23_y_p1 + wd22_y;
+
+  // link 23 (left_eye), outward
+  const Real a23_y_p7 = a23_y_p2 + a23_y_p3;
+
+  // link 22 (head), outward
   const Real a22_y = c22 * a22_y_p4 - s22 * a22_y_p5;
 
   // link 23 (left_eye), outward
   const Lanes<2> n23_x_p2_lanes = n23_x_p1_lanes - wd22_y;
-  const Real a23_y_p7 = a23_y_p2 + a23_y_p3;
 
   // link 23 (left_eye), inertial wrench
   const Real n23_z_p3 = 9.25e-06 * wd22_y;
 
   // link 23 (left_eye), outward
-  const Real a23_y_p8 = a23_y_p3 + a23_y_p4;
-
-  // link 22 (head), outward
-  const Real a22_x = c22 * a22_y_p5 + s22 * a22_y_p4;
-
-  // link 23 (left_eye), outward
+  const Real a23_y_p8 = a23_y_p3 + a23_y_p5;
   const Lanes<2> wd23_x_lanes = detail::make_pack<Real>(c23, c24) * wd22_x +
       detail::make_pack<Real>(s23, s24) * wd21_y + w23_y_lanes *
       detail::make_pack<Real>(qd[22], qd[23]);
   const Lanes<2> n23_y_p10_lanes = (w23_z_lanes + detail::make_pack<Real>(qd[22], qd[23])) *
       w23_x_lanes - (detail::make_pack<Real>(c23, c24) * wd21_y -
       detail::make_pack<Real>(s23, s24) * wd22_x);
+
+  // link 22 (head), outward
+  const Real a22_x = c22 * a22_y_p5 + s22 * a22_y_p4;
 
   // link 24 (right_eye), outward
   const Real minus_a23_z_p6 = a22_y + 0.095 * minus_a23_z_p3;
@@ -935,10 +940,10 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       minus_a23_z_p4;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_x_p8_lanes = n7_x_p3_lanes + wd6_y;
+  const Lanes<2> n7_y_p2_lanes = n7_y_p1_lanes - wd6_y;
 
   // link 24 (right_eye), outward
-  const Real a23_y_p11 = a22_z + 0.095 * a23_y_p5;
+  const Real a23_y_p11 = a22_z + 0.095 * a23_y_p4;
   const Real a23_y_p12 = a22_x - 0.095 * a23_y_p8;
 
   // link 23 (left_eye), inertial wrench
@@ -948,10 +953,6 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // link 21 (neck), outward
   const Real n21_x_p1 = w21_x * w21_y;
 
-  // link 9 (left_upperarm), inertial wrench
-  const Lanes<2> n9_z_p14_lanes = 0.0022500062 * minus_a9_y_lanes -
-      detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * a9_x_lanes;
-
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_y_lanes = 2.8750000000000004e-05 *
       (w23_x_lanes * w23_x_lanes - n23_y_p3_lanes) - 5.25e-06 * n23_y_p10_lanes + n23_y_p12_lanes;
@@ -959,59 +960,57 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       n23_x_p2_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_y_p1_lanes = n7_x_p3_lanes - wd6_y;
-
-  // link 23 (left_eye), outward
-  const Lanes<2> a23_y_p16_lanes = detail::make_pack<Real>(s23, s24) *
-      (a23_y_p12 + detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p6);
+  const Lanes<2> n7_x_p7_lanes = n7_y_p1_lanes + wd6_y;
 
   // link 8 (left_shoulder2), inertial wrench
   const Lanes<2> n8_z_p9_lanes = 0.18101044219699997 * n8_y_p1_lanes + 0.18125194219699997 *
       wd7_x_lanes + 0.00010499999999999999 * (n8_x_p1_lanes - wd8_x_lanes);
 
+  // link 23 (left_eye), outward
+  const Lanes<2> a23_y_p16_lanes = detail::make_pack<Real>(s23, s24) *
+      (a23_y_p12 + detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p6);
+
   // link 9 (left_upperarm), inward
-  const Lanes<2> f8_x_lanes = detail::make_pack<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * n8_y_p3_lanes - 0.7139200499999999 *
-      (f8_x_p1_lanes + f8_x_p2_lanes) - f9_z_lanes;
-  const Lanes<2> f8_y_lanes = 0.7139200499999999 * f8_y_p2_lanes -
+  const Lanes<2> f8_y_lanes = 0.7139200499999999 * f8_y_p3_lanes -
       detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) *
-      (f8_y_p1_lanes + f8_x_p2_lanes) + f8_y_p8_lanes;
+      (f8_y_p2_lanes + f8_y_p1_lanes) + f8_y_p9_lanes;
+  const Lanes<2> f8_x_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) * n8_y_p2_lanes - 0.7139200499999999 *
+      (f8_x_p1_lanes + f8_y_p1_lanes) - f9_z_lanes;
+
+  // link 10 (left_lowerarm), inward
+  const Lanes<2> n9_z_p16_lanes = detail::make_pack<Real>(s10, s17) * n10_x_lanes +
+      detail::make_pack<Real>(c10, c17) * n10_y_lanes;
 
   // link 23 (left_eye), outward
   const Lanes<2> a23_y_lanes = detail::make_pack<Real>(c23, c24) *
       (a23_y_p11 - detail::make_pack<Real>(0.032, (-0.032)) * a23_y_p7) - a23_y_p16_lanes;
 
   // link 23 (left_eye), inward
-  const Lanes<2> n22_y_p9_lanes = detail::make_pack<Real>(c23, c24) * minus_f23_x_lanes +
+  const Lanes<2> n22_y_p10_lanes = detail::make_pack<Real>(c23, c24) * minus_f23_x_lanes +
       detail::make_pack<Real>(s23, s24) * f23_y_lanes;
-  const Lanes<2> n22_y_p11_lanes = detail::make_pack<Real>(c23, c24) * f23_y_lanes -
+  const Lanes<2> n22_y_p12_lanes = detail::make_pack<Real>(c23, c24) * f23_y_lanes -
       detail::make_pack<Real>(s23, s24) * minus_f23_x_lanes;
 
   // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_y_p15_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) * n8_y_p3_lanes -
-      0.18113119219699997 * n8_y_p4_lanes - detail::make_pack<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * n8_x_p2_lanes + n8_y_p10_lanes;
+  const Lanes<2> n8_x_p13_lanes = 0.00012075 * n8_x_p3_lanes +
+      detail::make_pack<Real>(5.2499999999999995e-05, (-5.2499999999999995e-05)) * n8_x_p4_lanes -
+      0.00010499999999999999 * f8_y_p3_lanes + n8_x_p10_lanes;
+  const Lanes<2> n8_y_p13_lanes = detail::make_pack<Real>(1.75e-05, (-1.75e-05)) * n8_y_p2_lanes -
+      0.18113119219699997 * n8_x_p4_lanes - detail::make_pack<Real>(5.2499999999999995e-05,
+      (-5.2499999999999995e-05)) * n8_x_p3_lanes + n8_y_p8_lanes;
+
+  // link 21 (neck), outward
+  const Real n21_x_p2 = n21_x_p1 - wd6_x;
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_z_p8_lanes = 0.00025 * a23_y_lanes;
 
   // link 23 (left_eye), inward
-  const Real n22_y_p13 = n22_y_p11_lanes[1] + n22_y_p11_lanes[0];
-  const Lanes<2> n22_x_p10_lanes = detail::make_pack<Real>(c23, c24) * n23_x_lanes -
+  const Real n22_y_p14 = n22_y_p12_lanes[1] + n22_y_p12_lanes[0];
+  const Lanes<2> n22_x_p9_lanes = detail::make_pack<Real>(c23, c24) * n23_x_lanes -
       detail::make_pack<Real>(s23, s24) * n23_y_lanes + detail::make_pack<Real>(8e-06, (-8e-06)) *
       n23_y_p10_lanes;
-
-  // link 21 (neck), outward
-  const Real n21_x_p2 = n21_x_p1 - wd6_x;
-
-  // link 10 (left_lowerarm), inward
-  const Lanes<2> n9_z_p16_lanes = detail::make_pack<Real>(s10, s17) * n10_x_lanes +
-      detail::make_pack<Real>(c10, c17) * n10_y_lanes;
-
-  // link 8 (left_shoulder2), inertial wrench
-  const Lanes<2> n8_x_p11_lanes = 0.00012075 * n8_x_p2_lanes +
-      detail::make_pack<Real>(5.2499999999999995e-05, (-5.2499999999999995e-05)) * n8_y_p4_lanes -
-      0.00010499999999999999 * f8_y_p2_lanes + n8_x_p8_lanes;
 
   // link 23 (left_eye), inertial wrench
   const Lanes<2> n23_z_lanes = 1.2499999999999999e-06 * n23_x_p1_lanes - n23_z_p3 +
@@ -1022,31 +1021,23 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   h[23] = n23_z_lanes[1];
 
   // link 23 (left_eye), inward
-  const Real f22_z = 0.072575 * a23_y_p5 - 0.43200000000000005 * n22_x_p1 + n22_y_p13;
+  const Real f22_z = 0.072575 * a23_y_p4 - 0.43200000000000005 * n22_y_p1 + n22_y_p14;
   const Lanes<2> n22_z_p1_lanes = detail::make_pack<Real>(s23, s24) * n23_x_lanes;
   const Lanes<2> n22_z_p3_lanes = detail::make_pack<Real>(c23, c24) * n23_y_lanes;
   const Real f22_y_p1 = n23_y_p10_lanes[1] + n23_y_p10_lanes[0];
-  const Real n22_x = 0.05450270000000001 * n22_x_p1 - 0.0074 * a23_y_p5 - 0.43200000000000005 *
-      a22_z + n22_x_p10_lanes[1] + n22_x_p10_lanes[0];
-  const Real n22_y_p14 = 0.0074 * n22_x_p1 - 0.009438624999999999 * a23_y_p5 - 0.072575 * a22_z -
-      n23_z_lanes[1] - (-0.032) * n22_y_p9_lanes[1];
+  const Real n22_x = 0.05450270000000001 * n22_y_p1 - 0.0074 * a23_y_p4 - 0.43200000000000005 *
+      a22_z + n22_x_p9_lanes[1] + n22_x_p9_lanes[0];
+
+  // link 9 (left_upperarm), inward
+  const Lanes<2> f7_x_p8_lanes = detail::make_pack<Real>(s9, s16) * f9_y_lanes;
+
+  // link 23 (left_eye), inward
+  const Real n22_y_p15 = 0.0074 * n22_y_p1 - 0.009438624999999999 * a23_y_p4 - 0.072575 * a22_z -
+      n23_z_lanes[1] - (-0.032) * n22_y_p10_lanes[1];
 
   // link 21 (neck), outward
   const Real n21_y_p1 = w21_z * w21_z;
-
-  // link 9 (left_upperarm), inward
-  const Lanes<2> f7_x_p7_lanes = detail::make_pack<Real>(s9, s16) * f9_y_lanes;
-
-  // link 21 (neck), outward
   const Real n21_y_p2 = a22_y_p3 - wd21_y;
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p12_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * (f7_y_p1_lanes - f7_x_p1_lanes);
-
-  // link 23 (left_eye), inward
-  const Real n22_z_p5 = 0.04506407500000001 * minus_a23_z_p1 + 0.06394132500000001 * wd21_y -
-      0.0074 * (a23_y_p3 - a23_y_p2) + 0.072575 * a22_y;
 
   // link 10 (left_lowerarm), inward
   const Lanes<2> n9_z_lanes = n9_z_p11_lanes + detail::make_pack<Real>((-4.4999986458742003e-05),
@@ -1056,57 +1047,65 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // link 17 (right_lowerarm), inward
   h[15] = n9_z_lanes[1];
 
+  // link 23 (left_eye), inward
+  const Real n22_z_p5 = 0.04506407500000001 * minus_a23_z_p1 + 0.06394132500000001 * wd21_y -
+      0.0074 * (a23_y_p3 - a23_y_p2) + 0.072575 * a22_y;
+
+  // link 7 (left_shoulder1), inertial wrench
+  const Lanes<2> n7_x_p11_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (f7_x_p1_lanes - f7_x_p2_lanes);
+
+  // link 23 (left_eye), inward
+  const Real f22_y = 0.072575 * minus_a23_z_p3 + 0.43200000000000005 * (a23_y_p2 + a23_y_p5) -
+      0.00025 * f22_y_p1;
+
   // link 7 (left_shoulder1), inertial wrench
   const Real n7_z_p2 = 0.00044800000000000005 * wd6_y;
 
   // link 23 (left_eye), inward
-  const Real f22_y = 0.072575 * minus_a23_z_p3 + 0.43200000000000005 * (a23_y_p2 + a23_y_p4) -
-      0.00025 * f22_y_p1;
-  const Real n22_y = n22_y_p14 - n23_z_lanes[0] - 0.032 * n22_y_p9_lanes[0] - 0.095 * n22_y_p13;
+  const Real n22_y = n22_y_p15 - n23_z_lanes[0] - 0.032 * n22_y_p10_lanes[0] - 0.095 * n22_y_p14;
 
   // link 8 (left_shoulder2), inertial wrench
   const Lanes<2> n8_z_p17_lanes = n8_z_p9_lanes - detail::make_pack<Real>(1.75e-05, (-1.75e-05)) *
-      (n8_y_p2_lanes + wd8_y_lanes) + detail::make_pack<Real>(5.2499999999999995e-05,
-      (-5.2499999999999995e-05)) * (f8_x_p1_lanes - f8_y_p1_lanes);
+      (n8_x_p2_lanes + wd8_y_lanes) + detail::make_pack<Real>(5.2499999999999995e-05,
+      (-5.2499999999999995e-05)) * (f8_x_p1_lanes - f8_y_p2_lanes);
 
   // link 23 (left_eye), inward
   const Real f22_x = 0.43200000000000005 * (minus_a23_z_p1 + wd21_y) - 0.072575 * a23_y_p8 -
-      n22_y_p9_lanes[1] - n22_y_p9_lanes[0];
+      n22_y_p10_lanes[1] - n22_y_p10_lanes[0];
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_y_p7_lanes = 0.0017499999999999998 *
-      (n7_x_p8_lanes + (f7_y_p2_lanes + f7_y_p1_lanes));
-
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p14_lanes = 0.0017499999999999998 * minus_a7_z_lanes;
+  const Lanes<2> f7_y_p6_lanes = 0.0017499999999999998 *
+      (n7_x_p7_lanes + (f7_y_p1_lanes + f7_x_p1_lanes));
 
   // link 9 (left_upperarm), inward
-  const Lanes<2> n8_y_lanes = n8_y_p15_lanes - 0.7139200499999999 * a7_x_lanes +
+  const Lanes<2> n8_x_lanes = n8_x_p13_lanes + detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) * a7_x_lanes - n9_z_lanes;
+  const Lanes<2> n8_y_lanes = n8_y_p13_lanes - 0.7139200499999999 * a7_x_lanes +
       (detail::make_pack<Real>(s9, s16) * n9_x_lanes + detail::make_pack<Real>(c9, c16) *
       n9_y_lanes);
-  const Lanes<2> n8_x_lanes = n8_x_p11_lanes + detail::make_pack<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) * a7_x_lanes - n9_z_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_y_p7_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * (f7_y_p2_lanes - f7_y_p1_lanes);
+  const Lanes<2> n7_y_p8_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * (f7_y_p1_lanes - f7_x_p1_lanes);
+  const Lanes<2> n7_x_p13_lanes = 0.0017499999999999998 * minus_a7_z_lanes;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> f7_x_p11_lanes = 0.7139200499999999 * n8_y_p4_lanes +
-      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * n8_x_p2_lanes +
-      detail::make_pack<Real>(c9, c16) * f9_x_lanes - f7_x_p7_lanes;
+  const Lanes<2> f7_x_p12_lanes = 0.7139200499999999 * n8_x_p4_lanes +
+      detail::make_pack<Real>(0.0017499999999999998, (-0.0017499999999999998)) * n8_x_p3_lanes +
+      detail::make_pack<Real>(c9, c16) * f9_x_lanes - f7_x_p8_lanes;
 
   // link 9 (left_upperarm), inward
   const Lanes<2> n8_z_p18_lanes = detail::make_pack<Real>(c9, c16) * n9_x_lanes -
       detail::make_pack<Real>(s9, s16) * n9_y_lanes;
 
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_x_p15_lanes = 0.0001505 * n7_x_p4_lanes + 8.75e-06 * n7_x_p5_lanes -
-      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * n7_x_p8_lanes +
-      n7_x_p12_lanes;
-
   // link 22 (head), inward
   const Real n21_y_p3 = s22 * f22_y - c22 * f22_x;
+
+  // link 7 (left_shoulder1), inertial wrench
+  const Lanes<2> n7_x_p14_lanes = 0.0001505 * n7_x_p4_lanes + 8.75e-06 * n7_x_p3_lanes -
+      detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * n7_x_p7_lanes +
+      n7_x_p11_lanes;
 
   // link 23 (left_eye), inward
   const Real n22_z = n22_z_p5 + 0.43200000000000005 * a22_x + n22_z_p1_lanes[1] +
@@ -1118,14 +1117,17 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       (s22 * n22_y - c22 * n22_x + 0.394 * f22_z);
 
   // link 8 (left_shoulder2), inward
+  const Lanes<2> f7_x_lanes = f7_x_p12_lanes - 0.0017499999999999998 *
+      (f7_x_p2_lanes + f7_x_p1_lanes + n7_y_p2_lanes);
   const Lanes<2> f7_y_lanes = detail::make_pack<Real>(c8, c15) * f8_x_lanes -
-      detail::make_pack<Real>(s8, s15) * f8_y_lanes + f7_y_p7_lanes;
-  const Lanes<2> f7_x_lanes = f7_x_p11_lanes - 0.0017499999999999998 *
-      (f7_x_p1_lanes + f7_y_p1_lanes + n7_y_p1_lanes);
+      detail::make_pack<Real>(s8, s15) * f8_y_lanes + f7_y_p6_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
   const Lanes<2> n7_z_p7_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * (n7_x_p2_lanes + wd7_y_lanes);
+      (-2.6249999999999998e-05)) * (n7_x_p1_lanes + wd7_y_lanes);
+  const Lanes<2> n7_y_p12_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
+      (-2.6249999999999998e-05)) * n7_y_p2_lanes - 0.0002975 * n7_x_p3_lanes - 8.75e-06 *
+      n7_x_p4_lanes + n7_y_p8_lanes;
 
   // link 9 (left_upperarm), inward
   const Lanes<2> n8_z_lanes = n8_z_p17_lanes - (0.7139200499999999 * minus_a8_y_lanes +
@@ -1136,15 +1138,10 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // link 16 (right_upperarm), inward
   h[14] = n8_z_lanes[1];
 
-  // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_y_p11_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
-      (-2.6249999999999998e-05)) * n7_y_p1_lanes - 0.0002975 * n7_x_p5_lanes - 8.75e-06 *
-      n7_x_p4_lanes + n7_y_p7_lanes;
-
   // link 8 (left_shoulder2), inward
   const Lanes<2> f7_z_lanes = detail::make_pack<Real>(s8, s15) * f8_x_lanes +
       detail::make_pack<Real>(c8, c15) * f8_y_lanes + 0.0017499999999999998 *
-      (n7_x_p5_lanes - n7_x_p4_lanes);
+      (n7_x_p3_lanes - n7_x_p4_lanes);
 
   // link 6 (chest3), inertial wrench
   const Real n6_z_p1 = 1.26882463592404 * a7_y_p2 + 2.06965463592404 * wd5_x - 0.0187369177636143 *
@@ -1156,12 +1153,12 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Real minus_f21_x = 0.0045000000000000005 * (a22_y_p2 + n21_y_p1) + n21_y_p3;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_x_lanes = n7_x_p15_lanes + n7_x_p14_lanes + n8_z_lanes;
+  const Lanes<2> n7_x_lanes = n7_x_p14_lanes + n7_x_p13_lanes + n8_z_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p11_lanes = 0.00014700000000000002 * n7_x_p3_lanes + n7_z_p2 +
+  const Lanes<2> n7_z_p11_lanes = 0.00014700000000000002 * n7_y_p1_lanes + n7_z_p2 +
       detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) *
-      (n7_x_p1_lanes - wd7_x_lanes) - n7_z_p7_lanes;
+      (n7_x_p2_lanes - wd7_x_lanes) - n7_z_p7_lanes;
 
   // link 7 (left_shoulder1), inward
   const Real f6_y_p1 = f7_z_lanes[1] + f7_z_lanes[0];
@@ -1171,7 +1168,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Real f21_y = 0.0045000000000000005 * n21_x_p2 + f22_z;
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_y_lanes = n7_y_p11_lanes + n7_x_p14_lanes +
+  const Lanes<2> n7_y_lanes = n7_y_p12_lanes + n7_x_p13_lanes +
       (detail::make_pack<Real>(c8, c15) * n8_x_lanes - detail::make_pack<Real>(s8, s15) *
       n8_y_lanes);
 
@@ -1193,7 +1190,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Real f6_z_p7 = f6_z_p5_lanes[1] + f6_z_p5_lanes[0];
 
   // link 8 (left_shoulder2), inward
-  const Lanes<2> n7_z_p18_lanes = n7_z_p11_lanes + 8.75e-06 * (f7_x_p1_lanes - f7_y_p2_lanes) +
+  const Lanes<2> n7_z_p18_lanes = n7_z_p11_lanes + 8.75e-06 * (f7_x_p2_lanes - f7_y_p1_lanes) +
       detail::make_pack<Real>(s8, s15) * n8_x_lanes + n7_z_p14_lanes;
 
   // link 7 (left_shoulder1), inward
@@ -1231,9 +1228,9 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Real f6_z = f6_z_p7 - 6.1665928899999995 * a7_y_p6 - c21 * minus_f21_x - s21 * f21_y;
 
   // link 6 (chest3), inward
+  const Real n5_x_p1 = s6 * f6_x + c6 * f6_y;
   const Real f5_y = 2.2194301519999997 * a6_x_p3 - 0.069699984375 * (a6_z_p1 + minus_wd4_y) +
       (c6 * f6_x - s6 * f6_y);
-  const Real n5_x_p1 = s6 * f6_x + c6 * f6_y;
   const Real f5_x = f6_z - (0.069699984375 * (f5_x_p1 + a6_x_p1) + 2.2194301519999997 * a6_z_p2);
 
   // link 7 (left_shoulder1), inward
@@ -1254,8 +1251,8 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 5 (chest2), inward
   const Real f4_x_p2 = s5 * f5_y - c5 * f5_x;
-  const Real f4_y = f5_z - 0.0300000063 * f4_y_p1;
   const Real f4_x = 0.0300000063 * (a5_y_p2 + f4_x_p1) - f4_x_p2;
+  const Real f4_y = f5_z - 0.0300000063 * f4_y_p1;
 
   // link 6 (chest3), inward
   const Real n5_y = 0.005678398088837119 * a6_x_p4 - 0.04675382692737882 * f5_z_p1 +
@@ -1285,23 +1282,21 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Real f3_x = 0.02999999505 * f3_x_p1 + (c4 * f4_x - s4 * f4_y);
 
   // link 5 (chest2), inward
-  const Real n4_x = 0.095783 * wd4_x + 0.005880002159562879 * f4_y_p1 -
-      (s5 * n5_y - c5 * n5_x + 0.21799999999999997 * f5_z);
   const Real n4_y = n5_z - 0.21799999999999997 * f4_x_p2 -
       (0.02455520649259034 * minus_wd4_y + 0.005880002159562879 * (a5_y_p1 - f4_x_p1) +
       0.0300000063 * a3_y);
+  const Real n4_x = 0.095783 * wd4_x + 0.005880002159562879 * f4_y_p1 -
+      (s5 * n5_y - c5 * n5_x + 0.21799999999999997 * f5_z);
 
   // link 3 (hip), inward
   const Real f2_x_p1 = c3 * f3_x - s3 * f3_y;
+  const Real f2_x = f2_x_p1 - 0.031999971599999996 * a3_x_p1;
+  const Real f2_y = 24.5839218 * a3_x_p1 + (s3 * f3_x + c3 * f3_y);
 
   // link 5 (chest2), inward
   const Real n4_z = 0.0300000063 * minus_a4_y - 0.03561389675370483 * f4_y_p1 -
       (s5 * n5_x + c5 * n5_y);
   h[3] = n4_z;
-
-  // link 3 (hip), inward
-  const Real f2_x = f2_x_p1 - 0.031999971599999996 * a3_x_p1;
-  const Real f2_y = 24.5839218 * a3_x_p1 + (s3 * f3_x + c3 * f3_y);
 
   // link 4 (chest1), inward
   const Real n3_z = 8.419374554 * a3_x - 0.02999999505 * a3_y + (s4 * n4_x + c4 * n4_y);

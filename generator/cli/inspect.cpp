@@ -10,6 +10,7 @@
 #include "cli/read_inputs.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "generation/measure_savings.hpp"
 #include "inspect/inspect_robot.hpp"
 
 namespace treeline {
@@ -17,7 +18,7 @@ namespace {
 
 struct InspectOptions {
   std::string urdf, scene;
-  bool json = false, dot = false;
+  bool json = false, dot = false, savings = false;
 };
 
 std::optional<Report> inspect(const InspectOptions& options, Diagnostics& diagnostics) {
@@ -35,7 +36,25 @@ std::optional<Report> inspect(const InspectOptions& options, Diagnostics& diagno
   return inspect_robot(*robot, scene);
 }
 
+/// What the scene leaves out of all that could be emitted for it.
+int run_savings(const InspectOptions& options) {
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(options.urdf, diagnostics);
+  std::optional<Scene> scene;
+  if (robot) scene = read_scene(options.scene, *robot, diagnostics);
+  print_diagnostics(diagnostics);
+  if (!scene) {
+    return kBadInput;
+  }
+  const Savings savings = measure_savings(*robot, *scene);
+  fmt::print("{}\n{}", print_functions(savings), print_table({savings}));
+  return kOk;
+}
+
 int run(const InspectOptions& options) {
+  if (options.savings) {
+    return run_savings(options);
+  }
   Diagnostics diagnostics;
   const auto report = inspect(options, diagnostics);
   print_diagnostics(diagnostics);
@@ -55,13 +74,20 @@ void add_inspect(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "inspect", "Tell what a URDF holds: tree, joints, masses, reductions, conditioning");
   command->add_option("urdf", options->urdf, "Robot, URDF")->required();
-  command->add_option("scene", options->scene, "Base, locked joints, operational points; YAML");
+  auto* scene =
+      command->add_option("scene", options->scene, "Base, locked joints, operational points; YAML");
   auto* json = command->add_flag("--json", options->json, "The report as JSON");
   command->add_flag("--dot", options->dot, "The tree for Graphviz")->excludes(json);
+  command
+      ->add_flag("--savings", options->savings,
+                 "What the scene leaves out: functions, operations and bytes of code")
+      ->needs(scene)
+      ->excludes(json);
   command->footer(
       "Examples:\n"
       "  treeline inspect puma560.urdf\n"
       "  treeline inspect puma560.urdf scene.yaml --json\n"
+      "  treeline inspect puma560.urdf scene.yaml --savings\n"
       "  treeline inspect puma560.urdf --dot | dot -Tsvg > tree.svg");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

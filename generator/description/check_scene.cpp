@@ -76,22 +76,18 @@ void check_damped(const SceneElement& top, const Scene& scene) {
   }
   for (const Function function : kDampedFunctions) {
     if (std::count(scene.functions.begin(), scene.functions.end(), function) > 0) continue;
-    top.error(fmt::format("damped needs {}, which is not among the functions",
-                          function_name(function)),
-              needs_points(function) && scene.operational_points.empty()
-                  ? "add a list operational_points"
-                  : "add it to functions, or leave out functions for all");
+    top.error(
+        fmt::format("damped needs {}, which is not among the functions", function_name(function)),
+        needs_points(function) && scene.operational_points.empty()
+            ? "add a list operational_points"
+            : "add it to functions, or leave out functions for all");
     return;
   }
 }
 
 void check_forces_used(const SceneElement& top, const Scene& scene) {
   if (scene.external_forces.empty()) return;
-  const auto uses = [](Function function) {
-    return function == Function::inverse_dynamics || function == Function::forward_dynamics ||
-           function == Function::control_torque || is_derivative(function);
-  };
-  if (std::any_of(scene.functions.begin(), scene.functions.end(), uses)) return;
+  if (std::any_of(scene.functions.begin(), scene.functions.end(), takes_external_forces)) return;
   top.warn("external_forces are listed, but no function takes them",
            "add inverse_dynamics, forward_dynamics or control_torque to functions");
 }
@@ -172,6 +168,11 @@ bool needs_points(Function function) {
     default:
       return false;
   }
+}
+
+bool takes_external_forces(Function function) {
+  return function == Function::inverse_dynamics || function == Function::forward_dynamics ||
+         function == Function::control_torque || is_derivative(function);
 }
 
 bool inverts_mass_matrix(Function function) {

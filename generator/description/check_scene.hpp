@@ -9,6 +9,9 @@ namespace treeline {
 /// Whether a function is about operational points.
 bool needs_points(Function function);
 
+/// Whether a function has an input for the scene's external forces.
+bool takes_external_forces(Function function);
+
 /// Whether a function inverts the mass matrix.
 bool inverts_mass_matrix(Function function);
 

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "description/check_scene.hpp"
 #include "generation/describe_scene.hpp"
+#include "generation/function_mechanisms.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/settle.hpp"
@@ -18,11 +20,24 @@
 namespace treeline {
 namespace {
 
+/// A method's name without the coordinates that it is worked out in.
+std::string route_of(const std::string& method) {
+  std::size_t end = method.size();
+  for (const char* coordinates : {", in the axes", ", in link axes", ", J in the axes"}) {
+    end = std::min(end, method.find(coordinates));
+  }
+  return method.substr(0, end);
+}
+
+/// Of each route, in whatever coordinates and lanes it costs least. Those rejected are sorted by
+/// cost.
 EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
   EmissionContext::ChoiceRow row;
   row.function = function_name(generated.function);
   row.chosen = {generated.chosen.method, generated.chosen.count.flops()};
+  std::set<std::string> routes{route_of(generated.chosen.method)};
   for (const Cost& cost : generated.rejected) {
+    if (!routes.insert(route_of(cost.method)).second) continue;
     row.rejected.push_back({cost.method, cost.count.flops()});
   }
   return row;
@@ -30,7 +45,7 @@ EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
 
 /// What the scene's silence saves: each function that it could have asked for and did not,
 /// counted as plain code.
-std::vector<EmissionContext::SkippedRow> skipped_rows(const Mechanism& mechanism,
+std::vector<EmissionContext::SkippedRow> skipped_rows(FunctionMechanisms& mechanisms,
                                                       const Scene& scene) {
   std::vector<EmissionContext::SkippedRow> rows;
   std::vector<Function> functions(kAllFunctions.begin(), kAllFunctions.end());
@@ -44,13 +59,14 @@ std::vector<EmissionContext::SkippedRow> skipped_rows(const Mechanism& mechanism
       continue;
     }
     rows.push_back({fmt::format("function {}", function_name(function)),
-                    generate_function(mechanism, function, 1, scene.sin_cos).chosen.count.flops()});
+                    generate_function(mechanisms.of(function), function, 1, scene.sin_cos)
+                        .chosen.count.flops()});
   }
   return rows;
 }
 
 EmissionContext context_of(const Robot& robot, const Scene& scene, const Provenance& provenance,
-                           const Generation& generation) {
+                           const Generation& generation, FunctionMechanisms& mechanisms) {
   EmissionContext context = describe_scene(robot, scene, generation.mechanism);
   context.command = fmt::format("treeline generate {} {} --output {}{}", provenance.urdf_name,
                                 provenance.scene_name, scene.name, provenance.options);
@@ -59,7 +75,7 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
   for (const GeneratedFunction& generated : generation.functions) {
     context.choices.push_back(choice_row(generated));
   }
-  context.skipped = skipped_rows(generation.mechanism, scene);
+  context.skipped = skipped_rows(mechanisms, scene);
   return context;
 }
 
@@ -171,22 +187,23 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics) {
   Generation generation;
   generation.mechanism = reduced_mechanism(robot, scene);
+  FunctionMechanisms mechanisms(robot, scene);
   std::vector<Program> programs;
   for (const Function function : scene.functions) {
     generation.functions.push_back(
-        generate_function(generation.mechanism, function, scene.lanes, scene.sin_cos));
+        generate_function(mechanisms.of(function), function, scene.lanes, scene.sin_cos));
     programs.push_back(generation.functions.back().program);
   }
   std::vector<Program> batch;
   if (scene.batch > 0) {
     for (const GeneratedFunction& generated : generation.functions) {
-      generation.batch.push_back(
-          generate_function(generation.mechanism, generated.function, 1, scene.sin_cos));
+      generation.batch.push_back(generate_function(mechanisms.of(generated.function),
+                                                   generated.function, 1, scene.sin_cos));
       generation.batch.back().batch = scene.batch;
       batch.push_back(generation.batch.back().program);
     }
   }
-  const EmissionContext context = context_of(robot, scene, provenance, generation);
+  const EmissionContext context = context_of(robot, scene, provenance, generation, mechanisms);
   generation.files = emit(context, programs, diagnostics, batch);
   if (diagnostics.has_errors()) {
     return std::nullopt;

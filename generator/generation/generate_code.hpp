@@ -37,7 +37,7 @@ std::string source_stem(const GeneratedFunction& generated);
 
 /// Everything `treeline generate` makes, in memory.
 struct Generation {
-  Mechanism mechanism;
+  Mechanism mechanism;  ///< with everything in the scene; see `FunctionMechanisms`
   std::vector<GeneratedFunction> functions;
   std::vector<GeneratedFunction>
       batch;  ///< the same for `Scene::batch` states, if it asks for them

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace treeline {
+
+/// A robot in a scene, reduced for each function apart: link frames are seated around the points
+/// that the function is about, so that nothing else in the scene can change its code.
+class FunctionMechanisms {
+ public:
+  /// Both must outlive this.
+  FunctionMechanisms(const Robot& robot, const Scene& scene) : robot_(robot), scene_(scene) {}
+
+  const Mechanism& of(Function function);
+
+ private:
+  const Robot& robot_;
+  const Scene& scene_;
+  std::map<unsigned, Mechanism> by_needs_;
+};
+
+}  // namespace treeline
