@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "description/check_scene.hpp"
 #include "description/identifier.hpp"
@@ -25,13 +26,23 @@ void read_name(const SceneElement& element, Scene& scene) {
   scene.name = *name;
 }
 
+/// All that a scene may ask for.
+std::vector<Function> every_function() {
+  std::vector<Function> every;
+  const auto append = [&](std::span<const Function> functions) {
+    for (const Function function : functions) every.push_back(function);
+  };
+  append(kAllFunctions);
+  append(kContactFunctions);
+  append(kObjectFunctions);
+  append(kPostureFunctions);
+  append(kDerivativeFunctions);
+  return every;
+}
+
 void read_functions(const SceneElement& element, Scene& scene) {
   std::vector<std::string> names;
-  std::vector<Function> known(kAllFunctions.begin(), kAllFunctions.end());
-  known.insert(known.end(), kContactFunctions.begin(), kContactFunctions.end());
-  known.insert(known.end(), kObjectFunctions.begin(), kObjectFunctions.end());
-  known.insert(known.end(), kPostureFunctions.begin(), kPostureFunctions.end());
-  known.insert(known.end(), kDerivativeFunctions.begin(), kDerivativeFunctions.end());
+  const std::vector<Function> known = every_function();
   for (const Function function : known) names.emplace_back(function_name(function));
   const std::vector<SceneElement> items = element.items();
   if (items.empty())

@@ -1,5 +1,7 @@
 #include "mechanism/find_limbs.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <string>
 #include <utility>
@@ -28,7 +30,7 @@ Children find_children(const Mechanism& mechanism) {
 Subtree subtree_at(const Mechanism& mechanism, const Children& children, int root) {
   const auto index = static_cast<std::size_t>(root);
   const MovingLink& link = mechanism.links[index];
-  Subtree subtree{"(" + std::to_string(static_cast<int>(link.kind)) + (link.mimics ? "m" : ""),
+  Subtree subtree{fmt::format("({}{}", static_cast<int>(link.kind), link.mimics ? "m" : ""),
                   {root}};
   for (const int child : children[index]) {
     const Subtree inner = subtree_at(mechanism, children, child);

@@ -74,6 +74,8 @@ Results<double> golden_results(const GoldenState& s, Function function) {
     case Function::control_torque:
       return s.control_torque.size() == 0 ? Results<double>{}
                                           : Results<double>{values(s.control_torque)};
+    default:
+      break;
   }
   return {};
 }

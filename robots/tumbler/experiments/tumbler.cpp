@@ -13,7 +13,8 @@ std::optional<simulation::Model> load_floating(const std::string& urdf, std::str
   const auto robot = read_urdf(urdf, diagnostics);
   if (!robot) {
     for (const Diagnostic& diagnostic : diagnostics.list()) {
-      error += (error.empty() ? "" : "\n") + to_string(diagnostic);
+      if (!error.empty()) error += '\n';
+      error += to_string(diagnostic);
     }
     return std::nullopt;
   }
