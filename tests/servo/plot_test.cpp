@@ -106,4 +106,33 @@ TEST(Table, SaysWhyItCannotWrite) {
   EXPECT_NE(write_text("/nonexistent/file.csv", "x").find("No such file"), std::string::npos);
 }
 
+// A circle is drawn round: one scale for both directions, over its own abscissae.
+TEST(Plot, DrawsAPathWithOneScale) {
+  Plot plot = sample_plot();
+  PlotLine circle{"circle", {}, false, {}};
+  for (int i = 0; i <= 360; ++i) {
+    circle.x.push_back(7.0 + 0.2 * std::cos(i * 0.0174532925));
+    circle.values.push_back(-3.0 + 0.2 * std::sin(i * 0.0174532925));
+  }
+  plot.panels = {{"path", "z (m)", {circle}, 0.0, "y (m)"}};
+  const std::string text = svg_text(plot);
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(text.c_str()), tinyxml2::XML_SUCCESS);
+  EXPECT_NE(text.find(">y (m)<"), std::string::npos);
+  const std::size_t at = text.find("fill=\"none\" stroke-linejoin");
+  ASSERT_NE(at, std::string::npos);
+  std::istringstream path(text.substr(text.rfind("d=\"", at) + 3));
+  double least[2] = {1e9, 1e9};
+  double most[2] = {-1e9, -1e9};
+  char command = 0;
+  for (double point[2]; path >> command >> point[0] >> point[1];) {
+    for (int i = 0; i < 2; ++i) {
+      least[i] = std::fmin(least[i], point[i]);
+      most[i] = std::fmax(most[i], point[i]);
+    }
+  }
+  EXPECT_GT(most[0] - least[0], 200.0);  // pixels
+  EXPECT_NEAR(most[0] - least[0], most[1] - least[1], 1.0);
+}
+
 }  // namespace

@@ -6,7 +6,7 @@
 #include "servo/plot.hpp"
 #include "servo/table.hpp"
 
-/// Force control in a selected direction whose frame moves (Khatib 1987; Chang section 2.3): the
+/// Force control in a selected direction whose frame moves (Khatib 1987): the
 /// PUMA's flange presses on a springy plate that rocks and heaves, and slides on it in a circle.
 namespace treeline::experiments {
 

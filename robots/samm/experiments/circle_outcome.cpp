@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t kTool = 1;
 constexpr std::size_t kBase = 10;
 constexpr std::size_t kErrors = 19;
-constexpr std::size_t kSeen = 3;
 constexpr std::size_t kTrue = 6;
 
 /// What Chang says of figures 6.7, 6.10 and 6.11.
@@ -73,7 +72,7 @@ servo::PlotPanel errors(const CircleRun& run, const std::string& title, std::siz
 }
 
 std::string percent(double error, double radius) {
-  return radius > 0.0 ? fmt::format("{:.3g} %", 100.0 * error / radius) : "-";
+  return radius > 0.0 ? fmt::format("{:.2g} %", 100.0 * error / radius) : "-";
 }
 
 }  // namespace
@@ -85,13 +84,13 @@ std::string file_name(const CircleRun& run) {
 std::string circles_summary(const std::vector<CircleRun>& runs) {
   std::string text = fmt::format(
       "Largest errors in mm, in % of the circle's radius (100 and 50 mm); the thesis, on the real "
-      "robot: {:.0f} %\n{:<10}{:<8}{:>12}{:>10}{:>12}{:>10}{:>10}{:>12}{:>10}{:>12}{:>9}\n",
+      "robot: {:.0f} %\n{:<10}{:<8}{:>12}{:>12}{:>12}{:>10}{:>10}{:>12}{:>12}{:>12}{:>9}\n",
       100.0 * kThesisShare, "drives", "base", "tool", "", "(encoders)", "rms", "rad", "base", "",
       "(encoders)", "us");
   for (const CircleRun& run : runs) {
     const CircleErrors& e = run.errors;
     text += fmt::format(
-        "{:<10}{:<8}{:>12.3g}{:>10}{:>12.3g}{:>10.3g}{:>10.2g}{:>12.3g}{:>10}{:>12.3g}{:>9.2f}{}\n",
+        "{:<10}{:<8}{:>12.3g}{:>12}{:>12.3g}{:>10.3g}{:>10.2g}{:>12.3g}{:>12}{:>12.3g}{:>9.2f}{}\n",
         name_of(run.model), base_moves(run) ? "moves" : "rests", 1e3 * e.tool,
         percent(e.tool, run.plan.tool_radius), 1e3 * e.tool_seen, 1e3 * e.tool_rms, e.rotation,
         1e3 * e.base, percent(e.base, run.plan.base_radius), 1e3 * e.base_seen,

@@ -15,8 +15,7 @@ int main(int argc, char** argv) {
       "in the tool's null space; each with ideal drives, friction, backlash, and both (worn).\n"
       "Prints the errors beside the thesis's 4 %; exit status 3 if a claim is broken."};
   std::string folder;
-  app.add_option("--output", folder,
-                 "existing folder for samm_circles_RUN.csv and .svg, one pair for each run")
+  app.add_option("--output", folder, "existing folder for RUN.csv and RUN.svg of each run")
       ->check(CLI::ExistingDirectory);
   try {
     app.parse(argc, argv);
@@ -29,7 +28,7 @@ int main(int argc, char** argv) {
     if (folder.empty()) {
       break;
     }
-    const std::string name = folder + "/samm_circles_" + experiments::file_name(run);
+    const std::string name = folder + "/" + experiments::file_name(run);
     std::string error = servo::write_text(name + ".csv", servo::csv_text(run.table));
     if (error.empty()) {
       error = servo::write_text(name + ".svg", servo::svg_text(experiments::circles_figure(run)));

@@ -175,7 +175,7 @@ std::string balance_summary(const BalanceRun& balancing, const BalanceRun& witho
   std::string text = fmt::format(
       "the humanoid's left hand reaches {:.2f} m forward and {:.2f} m down\n"
       "{:<16}{:>20}{:>14}{:>14}{:>14}{:>18}\n",
-      kReach[0], -kReach[2], "centre of mass", "within the feet m", "hand off m", "off rad",
+      kReach[0], -kReach[2], "centre of mass", "within feet by m", "hand off m", "off rad",
       "torque/limit", "nearest limit rad");
   for (const BalanceRun* run : {&without, &balancing}) {
     const BalanceFigures& f = run->figures;
