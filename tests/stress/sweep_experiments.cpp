@@ -140,9 +140,8 @@ Finding speed(const Effort& effort) {
       sweep_states(bench, range(0, 4, effort.quick ? 2 : 0.5), states(effort), hurry), kAllowed);
 }
 
-/// Emitted code takes sines of q + offset, where a link's frame was turned to make constants
-/// vanish. The sum is rounded, which is as if q were: its share of an ulp grows with the angle, and
-/// the interpreter, which turns by q and then by the offset, does not share it.
+/// Beyond 2e8 rad the sine that emitted code takes is that of an angle within two ulp of q (see
+/// `core::sin_cos`), which the interpreter, with the library's sine, does not share.
 Finding angle(const Effort& effort) {
   const Case arm = make_arm({});
   const Bench bench(arm, kAll);
@@ -152,9 +151,10 @@ Finding angle(const Effort& effort) {
   std::vector<Sample> samples =
       sweep_states(bench, range(0, 9, effort.quick ? 4.5 : 1), states(effort), turn);
   for (Sample& sample : samples) {
-    const double angles = 3.15 * std::pow(10.0, sample.x) * ArmOptions{}.links;
+    const double largest = 3.15 * std::pow(10.0, sample.x);
+    if (largest < 2e8) continue;
     for (Loss& loss : sample.losses) {
-      if (loss.algorithm.starts_with("graph:")) loss.ratio /= 1 + angles;
+      if (loss.algorithm.starts_with("graph:")) loss.ratio /= 2 * largest * ArmOptions{}.links;
     }
   }
   return make_finding("angle", "Joint angles of many turns", "log10 of the joints' angles (rad)",
