@@ -83,7 +83,8 @@ int report(const Options& options, const experiments::BoxPlan& plan,
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Both hands put a box on the floor, squeezing it, posture advised, at a fixed rate."};
+      "Both hands put a box on the floor, squeezing it, posture advised, at a fixed rate. "
+      "Exit status 3 if a bound is broken."};
   Options options;
   declare(app, options);
   try {

@@ -106,7 +106,9 @@ int report(const Options& options, const experiments::Plan& plan,
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Left hand to the floor, right hand held, posture advised, at a fixed rate."};
+  CLI::App app{
+      "Left hand to the floor, right hand held, posture advised, at a fixed rate. Exit "
+      "status 3 if a bound is broken."};
   Options options;
   declare(app, options);
   try {

@@ -9,7 +9,9 @@
 
 int main(int argc, char** argv) {
   using namespace treeline;  // NOLINT: a program, not a header
-  CLI::App app{"3R planar arm: null-space motion with two generalised inverses."};
+  CLI::App app{
+      "3R planar arm: null-space motion with two generalised inverses. Exit "
+      "status 3 if the claim is broken."};
   std::string csv;
   std::string svg;
   app.add_option("--csv", csv,

@@ -20,7 +20,7 @@ static_assert(nv == 3 && kRows == 2);
 
 constexpr double kStart[nv] = {0.9, -1.3, 1.4};
 constexpr double kAttractor[nv] = {0.6, -0.4, 0.5};  ///< rad, where the potential is least
-constexpr double kStiffness = 8.0;                  ///< N m / rad
+constexpr double kStiffness = 8.0;                   ///< N m / rad
 constexpr core::Gains<double> kTask{100.0, 20.0};
 constexpr double kStep = 5e-4;  ///< s
 constexpr int kSteps = 8000;

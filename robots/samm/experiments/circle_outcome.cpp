@@ -40,12 +40,21 @@ servo::PlotPanel path(const servo::Table& table, const std::string& title, std::
 
 servo::PlotPanel over_time(const servo::Table& table, const std::string& title, std::size_t first,
                            std::array<std::size_t, 2> axes, std::array<const char*, 2> names) {
-  servo::PlotPanel panel{title, "position (m)", {}, 0.02};
+  servo::PlotPanel panel{title, "from the start (m)", {}, 0.02};
+  const auto from_start = [&table](std::size_t column, std::size_t wanted) {
+    std::vector<double> values = table.column(column);
+    for (double& value : values) {
+      value -= table.at(0, wanted);
+    }
+    return values;
+  };
   for (std::size_t i = 0; i < 2; ++i) {
-    panel.lines.push_back({names[i], table.column(first + kTrue + axes[i]), false});
+    const std::size_t wanted = first + axes[i];
+    panel.lines.push_back({names[i], from_start(wanted + kTrue, wanted), false});
   }
   for (std::size_t i = 0; i < 2; ++i) {
-    panel.lines.push_back({i == 0 ? "wanted" : "", table.column(first + axes[i]), true});
+    const std::size_t wanted = first + axes[i];
+    panel.lines.push_back({i == 0 ? "wanted" : "", from_start(wanted, wanted), true});
   }
   return panel;
 }

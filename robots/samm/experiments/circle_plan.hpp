@@ -5,7 +5,7 @@ namespace treeline::experiments {
 /// Circles of tool and base (Chang fig. 6.6 to 6.11): after a lead at rest both go round at a speed
 /// that is reached and left smoothly. SI units and radians.
 struct CirclePlan {
-  /// q at the start: the tool 1.65 m above the floor, reaching forward and down with a high elbow.
+  /// q at the start: the tool 1.63 m above the floor, reaching forward and down with a high elbow.
   double start[9] = {0, 0, 0, 0, -1.42, 2.82, 0, 0.95, 0};
   double tool_radius = 0.1;   ///< m, in the vertical plane across the robot
   double base_radius = 0.05;  ///< m, on the floor; 0: the base shall stand

@@ -10,7 +10,9 @@
 
 int main(int argc, char** argv) {
   using namespace treeline;  // NOLINT: a program, not a header
-  CLI::App app{"Two mobile manipulators carry one object, squeezing it as commanded."};
+  CLI::App app{
+      "Two mobile manipulators carry one object, squeezing it as commanded, at 1 kHz. Exit "
+      "status 3 if a bound is broken."};
   experiments::CarryPlan plan;
   std::string csv;
   std::string svg;

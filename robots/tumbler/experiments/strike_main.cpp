@@ -9,11 +9,13 @@
 
 int main(int argc, char** argv) {
   using namespace treeline;  // NOLINT: a program, not a header
-  CLI::App app{"A free tree of nine links is struck at each of them in turn."};
+  CLI::App app{
+      "A free tree of nine links is struck at each of them in turn. Exit status 3 if a "
+      "claim is broken."};
   std::string csv;
   std::string svg;
   double impulse = 1;
-  app.add_option("--impulse", impulse, "N s")->capture_default_str();
+  app.add_option("--impulse", impulse, "N s, of each blow")->capture_default_str();
   app.add_option("--csv", csv, "write a line for each link here");
   app.add_option("--svg", svg, "draw the flights into this file");
   try {

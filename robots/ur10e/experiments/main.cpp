@@ -30,7 +30,9 @@ std::string write_files(const std::string& folder, const char* name, ur10e_exper
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"UR10e: torque and speed on the way through singularities."};
+  CLI::App app{
+      "UR10e: torque and speed on the way through singularities. Exit status 3 if a "
+      "claim is broken."};
   std::string folder;
   app.add_option("--output", folder, "existing folder for CSV and SVG files");
   try {

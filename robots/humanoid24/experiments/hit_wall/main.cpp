@@ -9,17 +9,19 @@
 
 int main(int argc, char** argv) {
   using namespace treeline;  // NOLINT: a program, not a header
-  CLI::App app{"The humanoid's left fist hits a wall, rebounds and presses against it."};
+  CLI::App app{
+      "The humanoid's left fist hits a wall, rebounds and presses against it. Exit "
+      "status 3 if a claim is broken."};
   std::string plan_file = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
   std::string csv;
   std::string svg;
   experiments::WallSettings settings;
   app.add_option("--plan", plan_file, "where the start and the posture's stiffness are read")
       ->capture_default_str();
-  app.add_option("--restitution", settings.restitution)
+  app.add_option("--restitution", settings.restitution, "of the fist on the wall")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  app.add_option("--friction", settings.friction)
+  app.add_option("--friction", settings.friction, "coefficient between fist and wall")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
   app.add_option("--csv", csv, "write every cycle to this file");
