@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "check/entries.hpp"
 #include "check/interpret_contacts.hpp"
 #include "check/term_sizes.hpp"
 
@@ -10,13 +11,7 @@ namespace treeline {
 namespace {
 
 Eigen::VectorXd magnitudes(const std::vector<double>& entries) {
-  return Eigen::VectorXd::Map(entries.data(), static_cast<Eigen::Index>(entries.size())).cwiseAbs();
-}
-
-void append(const Eigen::MatrixXd& matrix, std::vector<double>& entries) {
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) entries.push_back(matrix(i, j));
-  }
+  return vector_of<double>(entries).cwiseAbs();
 }
 
 /// The subject with other points in place of the operational ones.

@@ -3,7 +3,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "check/entries.hpp"
 #include "check/interpret_contacts.hpp"
+#include "check/interpret_objects.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline {
@@ -12,34 +14,13 @@ namespace {
 using interpreter::Vector;
 
 template <class Scalar>
-Vector<Scalar> vector_of(const std::vector<double>& entries) {
-  Vector<Scalar> x(static_cast<Eigen::Index>(entries.size()));
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    x(i) = static_cast<Scalar>(entries[static_cast<std::size_t>(i)]);
-  }
-  return x;
-}
-
-/// Row by row.
-template <class Derived>
-std::vector<typename Derived::Scalar> entries_of(const Eigen::DenseBase<Derived>& matrix) {
-  std::vector<typename Derived::Scalar> entries;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) entries.push_back(matrix(i, j));
-  }
-  return entries;
-}
-
-template <class Scalar>
 std::vector<Scalar> poses(const Subject<Scalar>& subject, const Vector<Scalar>& q) {
   std::vector<Scalar> positions;
   std::vector<Scalar> rotations;
   for (const auto& pose :
        interpreter::forward_kinematics<Scalar>(subject.model, subject.points, q)) {
-    const auto position = entries_of(pose.position);
-    const auto rotation = entries_of(pose.rotation);
-    positions.insert(positions.end(), position.begin(), position.end());
-    rotations.insert(rotations.end(), rotation.begin(), rotation.end());
+    append(pose.position, positions);
+    append(pose.rotation, rotations);
   }
   positions.insert(positions.end(), rotations.begin(), rotations.end());
   return positions;
@@ -48,10 +29,9 @@ std::vector<Scalar> poses(const Subject<Scalar>& subject, const Vector<Scalar>& 
 template <class Scalar>
 std::vector<Scalar> derivatives(const interpreter::DynamicsDerivatives<Scalar>& of) {
   std::vector<Scalar> entries;
-  for (const auto* matrix : {&of.by_displacement, &of.by_velocity, &of.by_drive}) {
-    const auto own = entries_of(*matrix);
-    entries.insert(entries.end(), own.begin(), own.end());
-  }
+  append(of.by_displacement, entries);
+  append(of.by_velocity, entries);
+  append(of.by_drive, entries);
   return entries;
 }
 
@@ -60,7 +40,9 @@ std::vector<Scalar> derivatives(const interpreter::DynamicsDerivatives<Scalar>& 
 template <class Scalar>
 std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
                               const State& state) {
-  const auto& [model, points, external, contacts] = subject;
+  const auto& model = subject.model;
+  const auto& points = subject.points;
+  const auto& external = subject.external;
   const auto q = vector_of<Scalar>(state.q);
   const auto qd = vector_of<Scalar>(state.qd);
   const auto qdd = vector_of<Scalar>(state.qdd);
@@ -104,7 +86,7 @@ std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
-      break;  // see `has_truth`
+      return interpret_objects(function, subject, state);
     case Function::contact_motion:
     case Function::contact_inverse_inertia:
     case Function::effective_mass:

@@ -3,32 +3,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "check/entries.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline {
-namespace {
-
-using interpreter::Vector;
-
-template <class Scalar>
-Vector<Scalar> vector_of(const std::vector<double>& entries) {
-  Vector<Scalar> x(static_cast<Eigen::Index>(entries.size()));
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    x(i) = static_cast<Scalar>(entries[static_cast<std::size_t>(i)]);
-  }
-  return x;
-}
-
-template <class Derived>
-void append(const Eigen::DenseBase<Derived>& matrix,
-            std::vector<typename Derived::Scalar>& entries) {
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) entries.push_back(matrix(i, j));
-  }
-}
-
-}  // namespace
-
 template <class Scalar>
 std::vector<Scalar> interpret_contacts(Function function, const Subject<Scalar>& subject,
                                        const State& state) {

@@ -49,7 +49,6 @@ Json to_json(const Bound& bound) {
 Json to_json(const FunctionReport& f) {
   Json json{{"name", f.name},
             {"passed", f.passed()},
-            {"compared_with_50_digits", f.has_truth},
             {"method", f.method},
             {"states", f.states},
             {"singular", f.singular},

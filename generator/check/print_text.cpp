@@ -58,8 +58,7 @@ std::string print_table(const CheckReport& report) {
     rows.push_back(
         {f.name, error(f.median), error(f.percent_99), error(f.worst.error),
          any ? fmt::format("{:.1f}", digits_left(report, f.worst.error)) : "-",
-         error(f.interpreter_worst), any ? state_name(f.worst.state) : "-",
-         f.has_truth ? print_bound(f.bound) : "-",
+         error(f.interpreter_worst), any ? state_name(f.worst.state) : "-", print_bound(f.bound),
          any ? fmt::format("{} %", number(100 * f.nearest.error / f.nearest.bound)) : "-",
          f.singular == 0 ? "" : fmt::format("{}", f.singular), print_bits(f),
          fmt::format("{}", f.count.flops()), optional(f.code_bytes), optional(f.stack_bytes),
@@ -112,9 +111,7 @@ std::string print_warning(const CheckReport& report, const FunctionReport& f) {
 std::string print_faults(const FunctionReport& f) {
   std::string text;
   const auto add = [&](const std::string& fault) { text += f.name + ": " + fault + "\n"; };
-  if (!f.has_truth) {
-    add("only bits compared: the check does not know its figures in 50 digits");
-  } else if (!f.has_errors()) {
+  if (!f.has_errors()) {
     add("not checked: every state is singular, and nothing was compared with the truth");
   }
   if (f.beyond_bound > 0) {
@@ -132,11 +129,6 @@ std::string print_faults(const FunctionReport& f) {
                     f.bits_differ, f.states, state_name(*f.first_bits_differ)));
   }
   return text;
-}
-
-std::ptrdiff_t count_truths(const CheckReport& report) {
-  return std::count_if(report.functions.begin(), report.functions.end(),
-                       [](const FunctionReport& f) { return f.has_truth; });
 }
 
 const char* difference_name(Difference difference) {
@@ -171,10 +163,8 @@ std::string print_text(const CheckReport& report) {
     failed += function.passed() ? 0 : 1;
   }
   if (report.passed()) {
-    return text + fmt::format(
-                      "passed: {} functions equal to the bit, {} of them compared with "
-                      "50 digits and within their bounds\n",
-                      report.functions.size(), count_truths(report));
+    return text + fmt::format("passed: {} functions equal to the bit and within their bounds\n",
+                              report.functions.size());
   }
   return text + fmt::format("FAILED: {} of {} functions, {} files not up to date\n", failed,
                             report.functions.size(), report.stale.size());

@@ -131,7 +131,6 @@ class ReferenceMaker {
   FunctionReference find_truth(const GeneratedFunction& generated, const State& state,
                                const ResultSizes& sizes) const {
     FunctionReference reference;
-    if (!has_truth(generated.function)) return reference;
     reference.condition = sizes.condition(generated.function);
     reference.singular = !(reference.condition < kSingular / unit_of(real_));
     if (reference.singular) return reference;
@@ -170,41 +169,12 @@ Solve solve_of(Function function) {
       return Solve::mass_matrix;
     case Function::lambda:
     case Function::control_torque:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
       return Solve::lambda_inverse;
     default:
       return Solve::none;
   }
-}
-
-bool has_truth(Function function) {
-  switch (function) {
-    case Function::forward_kinematics:
-    case Function::jacobian:
-    case Function::bias_acceleration:
-    case Function::inverse_dynamics:
-    case Function::gravity:
-    case Function::nonlinear_effects:
-    case Function::mass_matrix:
-    case Function::forward_dynamics:
-    case Function::lambda_inverse:
-    case Function::lambda:
-    case Function::control_torque:
-    case Function::center_of_mass:
-    case Function::center_of_mass_jacobian:
-    case Function::contact_motion:
-    case Function::contact_inverse_inertia:
-    case Function::effective_mass:
-    case Function::impulse_response:
-    case Function::link_inverse_inertias:
-    case Function::inverse_dynamics_derivatives:
-    case Function::forward_dynamics_derivatives:
-      return true;
-    case Function::object_state:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
-      return false;
-  }
-  return false;
 }
 
 std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,

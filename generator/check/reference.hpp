@@ -13,10 +13,6 @@ namespace treeline {
 enum class Solve { none, mass_matrix, lambda_inverse };
 Solve solve_of(Function function);
 
-/// Whether the function's results can be compared with the interpreter's in 50 digits. Of the
-/// others the report says that only their bits were compared with the graph's.
-bool has_truth(Function function);
-
 /// What is known of one function at one state before any compiled code has run.
 struct FunctionReference {
   /// The interpreter's result in 50 digits, to 106 bits: high + low.
@@ -25,8 +21,7 @@ struct FunctionReference {
   std::vector<double> graph;  ///< of the expression graph evaluated in Real: what must come out
   /// Of the matrix solved with, scaled to a unit diagonal so that no unit matters; 1 without one.
   double condition = 1;
-  /// A solve with this condition leaves no digit in Real: the truth above is absent, as it is for
-  /// functions that have none.
+  /// A solve with this condition leaves no digit in Real: the truth above is absent.
   bool singular = false;
   double interpreter_error = 0;  ///< of the interpreter in Real, in ulp
   /// The magnitudes, added up, of the angles that the code does not read from q but computes, as

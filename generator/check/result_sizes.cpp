@@ -9,28 +9,16 @@
 
 #include "check/condition.hpp"
 #include "check/contact_sizes.hpp"
+#include "check/entries.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline {
 namespace {
 
-Eigen::VectorXd vector_of(const std::vector<double>& entries) {
-  return Eigen::VectorXd::Map(entries.data(), static_cast<Eigen::Index>(entries.size()));
-}
-
-std::vector<double> entries_of(const Eigen::MatrixXd& matrix) {
-  std::vector<double> entries;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) entries.push_back(matrix(i, j));
-  }
-  return entries;
-}
-
 std::vector<double> joined(std::initializer_list<Eigen::MatrixXd> matrices) {
   std::vector<double> entries;
   for (const Eigen::MatrixXd& matrix : matrices) {
-    const std::vector<double> own = entries_of(matrix);
-    entries.insert(entries.end(), own.begin(), own.end());
+    append(matrix, entries);
   }
   return entries;
 }
@@ -58,10 +46,11 @@ Eigen::MatrixXd with_yields(const interpreter::Points<double>& points, const Eig
 
 ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
     : subject_(subject), state_(state), terms_(subject, state.q) {
-  const Eigen::VectorXd q = vector_of(state.q);
+  const Eigen::VectorXd q = vector_of<double>(state.q);
   const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
   M_condition_ = scaled_condition(M, terms_.mass_matrix().diagonal());
   M_inverse_ = inverse(M).cwiseAbs();
+  if (!subject.chain.objects.empty()) objects_.emplace(subject_, state_, M_inverse_);
   if (subject.points.empty() || M_condition_ > std::numeric_limits<double>::max()) {
     Lambda_condition_ = std::numeric_limits<double>::infinity();
     control_condition_ = Lambda_condition_;
@@ -81,6 +70,8 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
 }
 
 double ResultSizes::condition(Function function) const {
+  const bool about_hands = needs_objects(function) && solve_of(function) != Solve::none;
+  if (about_hands) return std::max(objects_->condition(), M_condition_);
   switch (solve_of(function)) {
     case Solve::mass_matrix:
       return M_condition_;
@@ -128,7 +119,7 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
-      break;  // see `has_truth`
+      return objects_->sizes(function);
     case Function::contact_motion:
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
@@ -142,7 +133,7 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
 /// |M^-1| (|tau| + those of inverse dynamics at the resulting qdd)
 Eigen::VectorXd ResultSizes::forward_dynamics(const std::vector<double>& qdd) const {
   return M_inverse_ *
-         (vector_of(state_.tau).cwiseAbs() + terms_.forces(state_.qd, qdd, state_.f_ext));
+         (vector_of<double>(state_.tau).cwiseAbs() + terms_.forces(state_.qd, qdd, state_.f_ext));
 }
 
 /// |J| |M^-1| |J|^T
@@ -160,8 +151,9 @@ Eigen::MatrixXd ResultSizes::lambda() const {
 /// Those of inverse dynamics at qdd_0 and |J|^T |Lambda| (|xdd_cmd| + |Jd qd| + |J| |qdd_0|)
 Eigen::VectorXd ResultSizes::control_torque() const {
   const Eigen::MatrixXd J = terms_.jacobian();
-  const Eigen::VectorXd rows = vector_of(state_.xdd_cmd).cwiseAbs() + terms_.bias(state_.qd) +
-                               J * vector_of(state_.qdd).cwiseAbs();
+  const Eigen::VectorXd rows = vector_of<double>(state_.xdd_cmd).cwiseAbs() +
+                               terms_.bias(state_.qd) +
+                               J * vector_of<double>(state_.qdd).cwiseAbs();
   return terms_.forces(state_.qd, state_.qdd, state_.f_ext) +
          J.transpose() * (control_Lambda_ * rows);
 }
@@ -176,8 +168,8 @@ std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {
 /// terms.
 std::vector<double> ResultSizes::forward_dynamics_derivatives() const {
   const Eigen::VectorXd at = interpreter::forward_dynamics<double>(
-      subject_.model, vector_of(state_.q), vector_of(state_.qd), vector_of(state_.tau),
-      subject_.external, vector_of(state_.f_ext));
+      subject_.model, vector_of<double>(state_.q), vector_of<double>(state_.qd),
+      vector_of<double>(state_.tau), subject_.external, vector_of<double>(state_.f_ext));
   const std::vector<double> qdd = entries_of(forward_dynamics(entries_of(at)));
   const Eigen::VectorXd d = M_inverse_.diagonal().cwiseSqrt();
   const Eigen::MatrixXd W = d * d.transpose();

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "check/object_sizes.hpp"
 #include "check/reference.hpp"
 #include "check/term_sizes.hpp"
 
@@ -32,6 +34,7 @@ class ResultSizes {
   TermSizes terms_;
   /// Magnitudes of the entries; the last is Lambda as tasks in strict priority leave it.
   Eigen::MatrixXd M_inverse_, Lambda_, control_Lambda_;
+  std::optional<ObjectSizes> objects_;  ///< where the scene has any
   double M_condition_ = 1, Lambda_condition_ = 1, control_condition_ = 1;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "check/chain_from_scene.hpp"
 #include "check/model_from_robot.hpp"
 #include "interpreter/points.hpp"
 
@@ -12,6 +13,7 @@ struct Subject {
   interpreter::Points<Scalar> points;    ///< operational points
   interpreter::Points<Scalar> external;  ///< where external forces act
   interpreter::Points<Scalar> contacts;
+  interpreter::ClosedChain<Scalar> chain;  ///< with the objects that the robot holds, if any
 };
 
 template <class Scalar>
@@ -21,6 +23,7 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   subject.points = points_from_scene(subject.model, scene.operational_points);
   subject.external = points_from_scene(subject.model, scene.external_forces);
   subject.contacts = points_from_scene(subject.model, scene.contacts);
+  if (!scene.objects.empty()) subject.chain = chain_from_scene<Scalar>(robot, scene);
   return subject;
 }
 
@@ -28,7 +31,8 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
 template <class To, class From>
 Subject<To> cast(const Subject<From>& subject) {
   return {interpreter::cast<To>(subject.model), interpreter::cast<To>(subject.points),
-          interpreter::cast<To>(subject.external), interpreter::cast<To>(subject.contacts)};
+          interpreter::cast<To>(subject.external), interpreter::cast<To>(subject.contacts),
+          interpreter::cast<To>(subject.chain)};
 }
 
 }  // namespace treeline

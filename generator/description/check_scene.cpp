@@ -23,6 +23,11 @@ std::string find_singular(const Robot& robot, const Scene& scene) {
   return {};
 }
 
+bool has_mass(const Robot& robot) {
+  return std::any_of(robot.links.begin(), robot.links.end(),
+                     [](const Link& link) { return link.inertial && link.inertial->mass > 0; });
+}
+
 void choose_functions(const SceneElement& top, const std::string& singular, Scene& scene) {
   for (const Function function : kAllFunctions) {
     const bool possible = !needs_points(function) || !scene.operational_points.empty();
@@ -45,7 +50,8 @@ void choose_functions(const SceneElement& top, const std::string& singular, Scen
            "give it mass in the URDF, or lock the joint");
 }
 
-void check_functions(const SceneElement& top, const std::string& singular, const Scene& scene) {
+void check_functions(const SceneElement& top, const Robot& robot, const std::string& singular,
+                     const Scene& scene) {
   for (const Function function : scene.functions) {
     if (needs_points(function) && scene.operational_points.empty()) {
       top.error(
@@ -57,6 +63,9 @@ void check_functions(const SceneElement& top, const std::string& singular, const
     } else if (needs_objects(function) && scene.objects.empty()) {
       top.error(fmt::format("{} is listed, but there is no object", function_name(function)),
                 "add a list objects, or remove the function");
+    } else if (is_about_posture(function) && !has_mass(robot)) {
+      top.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
+                "give some link mass in the URDF, or remove the function");
     } else if (inverts_mass_matrix(function) && !singular.empty()) {
       top.error(
           fmt::format("{} is listed, but nothing beyond {} has mass: the mass matrix is singular",
@@ -210,7 +219,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   if (scene.functions.empty()) {
     choose_functions(top, singular, scene);
   } else {
-    check_functions(top, singular, scene);
+    check_functions(top, robot, singular, scene);
   }
   check_damped(top, scene);
   check_forces_used(top, scene);

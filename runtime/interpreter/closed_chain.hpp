@@ -35,6 +35,24 @@ struct ClosedChain {
   std::vector<GraspedObject<Scalar>> objects;
 };
 
+/// The same chain in another precision.
+template <class To, class From>
+ClosedChain<To> cast(const ClosedChain<From>& chain) {
+  const auto to = [](const From& x) { return static_cast<To>(x); };
+  ClosedChain<To> result;
+  for (const auto& robot : chain.robots) result.robots.push_back(cast<To>(robot));
+  for (const auto& from : chain.objects) {
+    GraspedObject<To> object{
+        from.name, to(from.mass), from.com.unaryExpr(to), from.inertia.unaryExpr(to), {}};
+    for (const auto& grasp : from.grasps) {
+      object.grasps.push_back({grasp.robot, cast<To>(Points<From>{grasp.point}).front(),
+                               grasp.R.unaryExpr(to), grasp.p.unaryExpr(to)});
+    }
+    result.objects.push_back(std::move(object));
+  }
+  return result;
+}
+
 /// One vector for each robot of a chain.
 template <class Scalar>
 using PerRobot = std::vector<Vector<Scalar>>;

@@ -133,7 +133,7 @@ std::vector<DigitsLeft> measure_digits(const DigitsSubject& subject) {
   Generation generation;
   generation.mechanism = reduced_mechanism(*robot, *scene);
   for (const Function function : scene->functions) {
-    if (has_truth(function)) {
+    if (!needs_objects(function)) {
       generation.functions.push_back(cheapest(generation.mechanism, function));
     }
   }

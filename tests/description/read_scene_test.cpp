@@ -345,5 +345,14 @@ TEST(BadSceneRobot, IsSingular) {
                    {kError, 1, "", "nothing beyond joint \"shoulder\" has mass", "lock"});
 }
 
+// Would catch a centre of mass that is 0/0.
+TEST(BadSceneRobot, HasNoMassToHaveACentre) {
+  Robot robot = make_robot("massless", "");
+  for (Link& link : robot.links) link.inertial.reset();
+  Diagnostics diagnostics;
+  EXPECT_FALSE(parse_scene("functions: [center_of_mass]", "s.yaml", robot, diagnostics));
+  expect_diagnosed(diagnostics, "s.yaml", {kError, 1, "", "no link has mass", "URDF"});
+}
+
 }  // namespace
 }  // namespace treeline
