@@ -6,7 +6,9 @@
 
 namespace treeline {
 
-/// What a way to Lambda^-1 is called in reports.
+/// What a route to Lambda^-1 is called in reports.
+const char* name_of(LambdaRoute route);
+/// The same with the coordinates that it is worked out in.
 std::string describe(const LambdaChoice& choice, const Tree<Expression>& tree);
 
 }  // namespace treeline

@@ -1,13 +1,12 @@
 #include "recursion/trace_contacts.hpp"
 
-#include <fmt/format.h>
-
 #include <functional>
 #include <utility>
 
 #include "recursion/contacts.hpp"
 #include "recursion/describe_choice.hpp"
 #include "recursion/link_inverse_inertias.hpp"
+#include "recursion/trace_parts.hpp"
 
 namespace treeline {
 namespace {
@@ -52,11 +51,6 @@ Contract contract_of(Function function, int nv, int contacts) {
     default:
       return {"Lambda_i^-1 = J_i M^-1 J_i^T, for every link that moves against its parent", {}};
   }
-}
-
-Result vector_result(const char* name, const char* meaning, Expressions values) {
-  const int size = static_cast<int>(values.size());
-  return {{name, size, 1, meaning}, std::move(values)};
 }
 
 /// The tree with its contacts as the points that rows of Lambda^-1 are about.
@@ -170,15 +164,6 @@ std::vector<ContactRoute> routes_of(Function function, const TracedTree& tree) {
   }
 }
 
-Expressions declare(Program& program, const Argument& argument) {
-  program.arguments.push_back(argument);
-  Expressions entries;
-  for (int i = 0; i < argument.rows; ++i) {
-    entries.push_back(program.graph.input(fmt::format("{}[{}]", argument.name, i)));
-  }
-  return entries;
-}
-
 Program trace(const Mechanism& mechanism, Function function, const ContactRoute& route, int lanes) {
   const Contract contract =
       contract_of(function, mechanism.nv(), static_cast<int>(mechanism.contacts.size()));
@@ -190,8 +175,9 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
   const Graph::Scope scope(program.graph);
   ContactTrace traced;
   traced.tree = tree_of<Expression>(mechanism);
-  traced.q = declare(program, {"q", mechanism.nq(), 1, "joint coordinates"});
-  if (!contract.other.name.empty()) traced.other = declare(program, contract.other);
+  traced.q = declare(program, "q", mechanism.nq(), "joint coordinates");
+  const Argument& other = contract.other;
+  traced.other = declare(program, other.name, other.rows, other.meaning);
   traced.X = joint_transforms<Expression>(traced.tree, traced.q);
   traced.poses = world_poses(traced.tree, traced.X);
   program.results = route.body(traced);

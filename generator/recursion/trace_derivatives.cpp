@@ -1,12 +1,11 @@
 #include "recursion/trace_derivatives.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "recursion/forward_dynamics_derivatives.hpp"
+#include "recursion/trace_parts.hpp"
 
 namespace treeline {
 namespace {
@@ -15,15 +14,6 @@ using Expressions = std::vector<Expression>;
 using Matrix = DenseMatrix<Expression>;
 
 constexpr int kMostLanes = 4;  // three values go together
-
-Expressions declare(Program& program, const char* name, int size, const char* meaning) {
-  program.arguments.push_back({name, size, 1, meaning});
-  Expressions entries;
-  for (int i = 0; i < size; ++i) {
-    entries.push_back(program.graph.input(fmt::format("{}[{}]", name, i)));
-  }
-  return entries;
-}
 
 /// The inputs of both functions; `driven` is qdd or tau.
 struct Inputs {
@@ -43,11 +33,6 @@ Inputs declare_inputs(const Mechanism& mechanism, Function function, Program& pr
                        "force and moment on the robot at each external force's point");
   }
   return in;
-}
-
-Result matrix_result(const char* name, const char* meaning, const Matrix& matrix) {
-  return {{name, static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), meaning},
-          matrix.values()};
 }
 
 /// A result by q; in which coordinates need be said only where a joint floats.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <utility>
 
 #include "recursion/control_torque.hpp"
@@ -14,6 +13,7 @@
 #include "recursion/trace_contacts.hpp"
 #include "recursion/trace_derivatives.hpp"
 #include "recursion/trace_object_function.hpp"
+#include "recursion/trace_parts.hpp"
 #include "recursion/trace_posture.hpp"
 
 namespace treeline {
@@ -107,19 +107,30 @@ std::string axes_name(int link, const TracedTree& tree) {
 
 }  // namespace
 
+const char* name_of(LambdaRoute route) {
+  switch (route) {
+    case LambdaRoute::unit_forces:
+      return "unit forces propagated inward (PV-OSIM)";
+    case LambdaRoute::factors_inward:
+      return "M = L^T D L, J carried inward";
+    case LambdaRoute::factors_world:
+      return "M = L^T D L, J from poses";
+    case LambdaRoute::branching:
+      return "force propagation with branching (Chang table 5.3)";
+    case LambdaRoute::extended_propagators:
+      return "extended force propagators (EFPA)";
+    case LambdaRoute::inertia_propagation:
+      return "inertia propagation (Chang table 5.1)";
+  }
+  return "";
+}
+
 std::string describe(const LambdaChoice& choice, const TracedTree& tree) {
-  static const std::map<LambdaRoute, const char*> kNames = {
-      {LambdaRoute::unit_forces, "unit forces propagated inward (PV-OSIM)"},
-      {LambdaRoute::factors_inward, "M = L^T D L, J carried inward"},
-      {LambdaRoute::factors_world, "M = L^T D L, J from poses"},
-      {LambdaRoute::branching, "force propagation with branching (Chang table 5.3)"},
-      {LambdaRoute::extended_propagators, "extended force propagators (EFPA)"},
-      {LambdaRoute::inertia_propagation, "inertia propagation (Chang table 5.1)"}};
   const TaskBasis& basis = choice.basis;
   const std::string axes = basis.axes_link >= 0 ? axes_name(basis.axes_link, tree)
                            : basis.in_link_axes ? "link axes"
                                                 : "the axes asked for";
-  return fmt::format("{}, in {} at {}", kNames.at(choice.route), axes,
+  return fmt::format("{}, in {} at {}", name_of(choice.route), axes,
                      basis.at_link_origin ? "link origins" : "the points");
 }
 
@@ -150,15 +161,6 @@ class Tracer {
   }
 
  private:
-  static Expressions declare(Program& program, const char* name, int size, const char* meaning) {
-    program.arguments.push_back({name, size, 1, meaning});
-    Expressions entries;
-    for (int i = 0; i < size; ++i) {
-      entries.push_back(program.graph.input(fmt::format("{}[{}]", name, i)));
-    }
-    return entries;
-  }
-
   void declare_inputs(unsigned inputs, Program& program, Trace& trace) const {
     const int nv = mechanism_.nv();
     trace.q = declare(program, "q", mechanism_.nq(), "joint coordinates");
@@ -190,13 +192,11 @@ class Tracer {
 };
 
 Outputs vector_output(const char* name, const char* meaning, Expressions values) {
-  const int size = static_cast<int>(values.size());
-  return {{{name, size, 1, meaning}, std::move(values)}};
+  return {vector_result(name, meaning, std::move(values))};
 }
 Outputs matrix_output(const char* name, const char* meaning,
                       const DenseMatrix<Expression>& matrix) {
-  return {{{name, static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), meaning},
-           matrix.values()}};
+  return {matrix_result(name, meaning, matrix)};
 }
 
 Outputs point_poses(const Trace& trace) {

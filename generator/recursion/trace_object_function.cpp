@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <map>
 #include <utility>
 
+#include "recursion/describe_choice.hpp"
 #include "recursion/object_forward_dynamics.hpp"
+#include "recursion/trace_parts.hpp"
 
 namespace treeline {
 namespace {
@@ -27,28 +28,13 @@ struct Route {
   std::function<std::vector<Result>(const Trace&)> body;
 };
 
-int size_of(const Expressions& values) {
-  return static_cast<int>(values.size());
-}
-
-Result result(const char* name, const char* meaning, const Expressions& values) {
-  return {{name, size_of(values), 1, meaning}, values};
-}
-
 std::string describe(const LambdaChoice& choice) {
-  static const std::map<LambdaRoute, const char*> kNames = {
-      {LambdaRoute::unit_forces, "unit forces propagated inward (PV-OSIM)"},
-      {LambdaRoute::factors_inward, "M = L^T D L, J carried inward"},
-      {LambdaRoute::factors_world, "M = L^T D L, J from poses"},
-      {LambdaRoute::branching, "force propagation with branching (Chang table 5.3)"},
-      {LambdaRoute::extended_propagators, "extended force propagators (EFPA)"},
-      {LambdaRoute::inertia_propagation, "inertia propagation (Chang table 5.1)"}};
   const TaskBasis& basis = choice.basis;
   const std::string axes = basis.axes_link >= 0
                                ? fmt::format("axes of link {}", basis.axes_link + 1)
                            : basis.in_link_axes ? "link axes"
                                                 : "world axes";
-  return fmt::format("{}, in {} at {}", kNames.at(choice.route), axes,
+  return fmt::format("{}, in {} at {}", name_of(choice.route), axes,
                      basis.at_link_origin ? "link origins" : "the objects");
 }
 
@@ -57,19 +43,21 @@ std::vector<Route> state_routes() {
       {"outward recursion", [](const Trace& trace) {
          const auto state = object_state<Expression>(trace.tree, trace.objects, trace.X, trace.qd);
          std::vector<Result> results{
-             result("position", "of the objects' origins in the world, m, 3 an object",
-                    state.position),
-             result("rotation", "object's axes to world, row-major, 9 an object", state.rotation),
-             result("velocity",
-                    "of the objects' origins over angular velocity, world axes, 6 an object",
-                    state.velocity)};
+             vector_result("position", "of the objects' origins in the world, m, 3 an object",
+                           state.position),
+             vector_result("rotation", "object's axes to world, row-major, 9 an object",
+                           state.rotation),
+             vector_result("velocity",
+                           "of the objects' origins over angular velocity, world axes, 6 an object",
+                           state.velocity)};
          if (!state.drift.empty()) {
+           results.push_back(vector_result(
+               "drift",
+               "pose in which each further grasp has its object less that of the first: "
+               "position, m, over turn, rad, world axes",
+               state.drift));
            results.push_back(
-               result("drift",
-                      "pose in which each further grasp has its object less that of the first: "
-                      "position, m, over turn, rad, world axes",
-                      state.drift));
-           results.push_back(result("drift_rate", "the same of velocities", state.drift_rate));
+               vector_result("drift_rate", "the same of velocities", state.drift_rate));
          }
          return results;
        }}};
@@ -80,7 +68,7 @@ std::vector<Route> control_routes(const Tree<Expression>& tree) {
   for (const LambdaChoice& choice : control_choices(tree)) {
     routes.push_back(
         {"Chang table 7.1, fused; Lambda^-1: " + describe(choice), [choice](const Trace& trace) {
-           return std::vector<Result>{result(
+           return std::vector<Result>{vector_result(
                "tau", "joint forces",
                object_control_torque<Expression>(trace.tree, trace.objects, trace.X,
                                                  {trace.qd, trace.qdd_0},
@@ -121,17 +109,18 @@ std::vector<Route> dynamics_routes(const Tree<Expression>& tree) {
            [choice, solution](const Trace& trace) {
              const auto motion = traced_motion(trace, choice, solution);
              std::vector<Result> results{
-                 result("qdd", "joint accelerations", motion.qdd),
-                 result("xdd_object",
-                        "accelerations of the objects' origins over angular ones, world axes",
-                        motion.xdd_object),
-                 result("f_grasp",
-                        "force and moment of each hand on its object at the hand's point, "
-                        "world axes",
-                        motion.f_grasp)};
+                 vector_result("qdd", "joint accelerations", motion.qdd),
+                 vector_result(
+                     "xdd_object",
+                     "accelerations of the objects' origins over angular ones, world axes",
+                     motion.xdd_object),
+                 vector_result("f_grasp",
+                               "force and moment of each hand on its object at the hand's point, "
+                               "world axes",
+                               motion.f_grasp)};
              if (!motion.internal.empty()) {
-               results.push_back(
-                   result("internal", "internal forces of the virtual linkages", motion.internal));
+               results.push_back(vector_result(
+                   "internal", "internal forces of the virtual linkages", motion.internal));
              }
              return results;
            }});
@@ -166,17 +155,6 @@ const char* equation_of(Function function) {
     default:
       return "";
   }
-}
-
-Expressions declare(Program& program, const char* name, int size, const char* meaning) {
-  Expressions entries;
-  if (size > 0) {
-    program.arguments.push_back({name, size, 1, meaning});
-  }
-  for (int i = 0; i < size; ++i) {
-    entries.push_back(program.graph.input(fmt::format("{}[{}]", name, i)));
-  }
-  return entries;
 }
 
 void declare_inputs(const Mechanism& mechanism, Function function, Program& program, Trace& trace) {

@@ -1,23 +1,9 @@
 #include "recursion/trace_posture.hpp"
 
-#include <fmt/format.h>
-
 #include "recursion/center_of_mass.hpp"
+#include "recursion/trace_parts.hpp"
 
 namespace treeline {
-namespace {
-
-std::vector<Expression> declare_coordinates(const Mechanism& mechanism, Program& program) {
-  program.arguments.push_back({"q", mechanism.nq(), 1, "joint coordinates"});
-  std::vector<Expression> q;
-  for (int i = 0; i < mechanism.nq(); ++i) {
-    q.push_back(program.graph.input(fmt::format("q[{}]", i)));
-  }
-  return q;
-}
-
-}  // namespace
-
 std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function function,
                                             int lanes) {
   std::vector<Program> programs(1);
@@ -26,7 +12,7 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   program.source = "first moments of the composite bodies";
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
-  const auto q = declare_coordinates(mechanism, program);
+  const auto q = declare(program, "q", mechanism.nq(), "joint coordinates");
   const auto tree = tree_of<Expression>(mechanism);
   const auto X = joint_transforms<Expression>(tree, q);
   if (function == Function::center_of_mass) {
