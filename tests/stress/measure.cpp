@@ -63,7 +63,8 @@ std::map<std::string, Entries> other_algorithms(Function function, const DoubleS
                                         {}, interpreter::Vector<double>()))}};
   }
   if (function != Function::lambda_inverse) return {};
-  const auto& [model, points, external, contacts] = subject;
+  const auto& model = subject.model;
+  const auto& points = subject.points;
   return {
       {"interpreter: PV-OSIM",
        entries_of(interpreter::lambda_inverse_by_unit_forces<double>(model, points, q))},
@@ -182,7 +183,8 @@ std::vector<Loss> Bench::measure(int states, const std::function<void(State&)>& 
 }
 
 bool Bench::damped_torque_is_bounded(const State& state) const {
-  const auto& [model, points, external, contacts] = impl_->space.subject;
+  const auto& model = impl_->space.subject.model;
+  const auto& points = impl_->space.subject.points;
   const auto q = vector_of(state.q);
   const auto none = interpreter::Vector<double>::Zero(model.nv).eval();
   const auto command = vector_of(state.xdd_cmd);

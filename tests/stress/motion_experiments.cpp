@@ -6,6 +6,7 @@
 #include "check/subject.hpp"
 #include "experiments.hpp"
 #include "interpreter/instances.hpp"
+#include "interpreter/object_forward_dynamics.hpp"
 #include "simulation/integrate.hpp"
 
 namespace treeline::stress {
@@ -135,10 +136,93 @@ Finding motion(const Effort& effort) {
   return finding;
 }
 
+/// Two arms of seven links, 1 m apart, that hold one ball and swing with it, joints damped.
+struct HeldBall {
+  HeldBall() {
+    ArmOptions arm;
+    arm.links = 7;
+    const Case made = make_arm(arm);
+    const auto model = model_from_robot<double>(made.robot, made.scene);
+    const auto point = points_from_scene(model, made.scene.operational_points).front();
+    chain.robots = {model, model};
+    chain.robots[1].bodies[0].p_parent_joint(1) = 1;
+    q = Vector::Zero(14);
+    for (int i = 0; i < 7; ++i) {
+      q(i) = 0.3 + 0.5 * std::cos(2.0 * i);
+      q(7 + i) = -0.2 + 0.6 * std::cos(2.0 * i + 0.5);
+    }
+    interpreter::GraspedObject<double> ball;
+    ball.mass = 1;
+    ball.inertia = 0.01 * interpreter::Matrix3<double>::Identity();
+    ball.grasps = {
+        {0, point, interpreter::Matrix3<double>::Identity(), interpreter::Vector3<double>::Zero()},
+        {1, point, interpreter::Matrix3<double>::Identity(), interpreter::Vector3<double>::Zero()}};
+    chain.objects = {ball};
+    // The second hand holds the ball where the first has brought it.
+    const auto held = poses(q, Vector::Zero(14));
+    auto& second = chain.objects[0].grasps[1];
+    second.R = held[1].R.transpose() * held[0].R;
+    second.p = held[1].R.transpose() * (held[0].p - held[1].p);
+  }
+  [[nodiscard]] std::vector<interpreter::HeldPose<double>> poses(const Vector& at,
+                                                                 const Vector& rates) const {
+    return interpreter::held_poses<double>(chain, {at.head<7>(), at.tail<7>()},
+                                           {rates.head<7>(), rates.tail<7>()})[0];
+  }
+  interpreter::ClosedChain<double> chain;
+  Vector q;
+};
+
+/// Distance and angle between where the two hands have the ball.
+Drift grasp_drift(const interpreter::Stabilisation<double>& gains, int steps) {
+  const HeldBall held;
+  const simulation::Coordinates coordinates{14, 14, {}};
+  State state{held.q, Vector::Zero(14)};
+  const simulation::Acceleration acceleration = [&](double, const State& at) {
+    const interpreter::PerRobot<double> rates{at.qd.head<7>(), at.qd.tail<7>()};
+    const interpreter::PerRobot<double> damping{-2.0 * rates[0], -2.0 * rates[1]};
+    const auto motion = interpreter::object_forward_dynamics<double>(
+        held.chain, {at.q.head<7>(), at.q.tail<7>()}, rates, damping, gains);
+    Vector qdd(14);
+    qdd << motion.qdd[0], motion.qdd[1];
+    return qdd;
+  };
+  return run(
+      steps,
+      [&](int i) {
+        simulation::step_runge_kutta(coordinates, acceleration, i * kStep, kStep, state);
+      },
+      [&] {
+        const auto poses = held.poses(state.q, state.qd);
+        return interpreter::grasp_drift(poses[0], poses[1]).pose.norm();
+      });
+}
+
+Finding grasp(const Effort& effort) {
+  const int steps = effort.quick ? 2000 : 10000;
+  const Drift plain = grasp_drift({0, 0}, steps);
+  const Drift stabilised = grasp_drift({20, 100}, steps);
+  Finding finding{
+      "grasp",
+      "Two arms swing one ball: steps of a millisecond, Runge-Kutta",
+      "log10 of the number of steps",
+      "log10 of m and rad",
+      plain.at,
+      {{"how far the grasps part", "table 7.2 as it stands", plain.y, false},
+       {"how far the grasps part", "stabilised, 20/s and 100/s^2", stabilised.y, false}},
+      {},
+      {}};
+  finding.said.push_back(fmt::format("log10 of drift after {} steps: {:.1f}, stabilised {:.1f}",
+                                     steps, plain.y.back(), stabilised.y.back()));
+  claim(plain.y.back() < -6, "the grasps part by less than a micrometre", finding);
+  claim(stabilised.y.back() < plain.y.back() + 0.1, "stabilisation does not add drift", finding);
+  return finding;
+}
+
 }  // namespace
 
 std::vector<Experiment> motion_experiments() {
-  return {{"motion", motion}};
+  return {{"motion", motion}, {"grasp", grasp}};
 }
 
 }  // namespace treeline::stress

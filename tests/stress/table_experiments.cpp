@@ -56,7 +56,8 @@ Finding big_base(const Effort& effort) {
   ArmOptions flying;
   flying.floating = true;
   const Pair floating(make_arm(flying));
-  const auto& [model, points, external, contacts] = fixed.rounded;
+  const auto& model = fixed.rounded.model;
+  const auto& points = fixed.rounded.points;
   const Exact truth = interpreter::lambda_inverse<Digits50>(fixed.exact.model, fixed.exact.points,
                                                             fixed.at<Digits50>());
   const Matrix by_5_3 = interpreter::lambda_inverse<double>(model, points, fixed.at<double>());
