@@ -2,6 +2,10 @@
 // By outward recursion, Chang eq. 6.11, alike limbs in lanes.
 // 871 flops (add 328, mul 543, div 0), sine and cosine of 20 angles
 // Generated; see humanoid24.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "humanoid24.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

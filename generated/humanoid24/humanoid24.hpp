@@ -135,7 +135,7 @@ void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 /// in  q (24): joint coordinates
 /// out Lambda (12x12): operational-space inertia
 /// Cost: 8261 flops (add 3548, mul 4669, div 44), sine and cosine of 24 angles.
-/// Stack: at most 379 values live at once, 3032 bytes.
+/// Stack: at most 374 values live at once, 2992 bytes.
 void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -146,7 +146,7 @@ void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 /// in  xdd_cmd (12): commanded accelerations of the task rows
 /// out tau (24): joint forces
 /// Cost: 8953 flops (add 3944, mul 4965, div 44), sine and cosine of 24 angles.
-/// Stack: at most 381 values live at once, 3048 bytes.
+/// Stack: at most 382 values live at once, 3056 bytes.
 void control_torque(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd_0)[24],
     const Real (&xdd_cmd)[12], Real (&tau)[24]) noexcept;
 

@@ -2,6 +2,10 @@
 // By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 // 2026 flops (add 970, mul 1056, div 0), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "humanoid24.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

@@ -2,6 +2,10 @@
 // By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
 // 6533 flops (add 2756, mul 3745, div 32), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "humanoid24.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

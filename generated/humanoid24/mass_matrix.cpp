@@ -2,6 +2,10 @@
 // By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
 // 2288 flops (add 954, mul 1334, div 0), sine and cosine of 23 angles
 // Generated; see humanoid24.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "humanoid24.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

@@ -2,6 +2,10 @@
 // By resolved acceleration, spherical wrist, J in the axes of link 1 (link1).
 // 577 flops (add 245, mul 330, div 2), sine and cosine of 6 angles
 // Generated; see puma560.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "puma560.hpp"
 #include "sin_cos.hpp"
 

@@ -2,6 +2,10 @@
 // By outward recursion.
 // 98 flops (add 34, mul 64, div 0), sine and cosine of 6 angles
 // Generated; see puma560.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "puma560.hpp"
 #include "sin_cos.hpp"
 

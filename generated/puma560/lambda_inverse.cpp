@@ -2,6 +2,10 @@
 // By M = L^T D L, J from poses, in the axes of link 1 (link1) at link origins.
 // 602 flops (add 255, mul 343, div 4), sine and cosine of 5 angles
 // Generated; see puma560.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "puma560.hpp"
 #include "sin_cos.hpp"
 

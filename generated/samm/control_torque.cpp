@@ -2,6 +2,10 @@
 // By Chang table 6.1, fused; Lambda^-1: force propagation with branching (Chang table 5.3), in link axes at link origins.
 // 1327 flops (add 605, mul 711, div 11), sine and cosine of 7 angles
 // Generated; see samm.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "samm.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

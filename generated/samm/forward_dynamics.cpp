@@ -2,6 +2,10 @@
 // By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
 // 813 flops (add 347, mul 460, div 6), sine and cosine of 7 angles
 // Generated; see samm.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "samm.hpp"
 #include "sin_cos.hpp"
 

@@ -2,6 +2,10 @@
 // By recursive Newton-Euler, Chang table 4.1.
 // 386 flops (add 173, mul 213, div 0), sine and cosine of 7 angles
 // Generated; see samm.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "samm.hpp"
 #include "sin_cos.hpp"
 

@@ -2,6 +2,10 @@
 // By M = L^T D L, J from poses, in the axes asked for at link origins.
 // 1198 flops (add 497, mul 689, div 12), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "samm.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

@@ -2,6 +2,10 @@
 // By M = L^T D L, J from poses, in the axes asked for at link origins.
 // 982 flops (add 407, mul 569, div 6), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "samm.hpp"
 #include "sin_cos.hpp"
 

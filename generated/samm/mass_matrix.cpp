@@ -2,6 +2,10 @@
 // By composite rigid bodies, RBDA table 6.2.
 // 239 flops (add 98, mul 141, div 0), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "samm.hpp"
 #include "sin_cos.hpp"
 

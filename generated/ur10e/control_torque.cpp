@@ -2,6 +2,10 @@
 // By Chang table 6.1, fused; Lambda^-1: M = L^T D L, J from poses, in the axes of link 4 (wrist_1) at link origins.
 // 1059 flops (add 447, mul 601, div 11), sine and cosine of 6 angles
 // Generated; see ur10e.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "ur10e.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

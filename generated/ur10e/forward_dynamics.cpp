@@ -2,6 +2,10 @@
 // By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
 // 560 flops (add 245, mul 311, div 4), sine and cosine of 5 angles
 // Generated; see ur10e.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "ur10e.hpp"
 #include "sin_cos.hpp"
 

@@ -2,6 +2,10 @@
 // By composite rigid bodies, RBDA table 6.2.
 // 154 flops (add 69, mul 85, div 0), sine and cosine of 4 angles
 // Generated; see ur10e.hpp for the contract.
+#if defined(__GNUC__) && !defined(__clang__)
+// Fewer spills and copies in long straight-line code; no arithmetic changes.
+#pragma GCC optimize("live-range-shrinkage", "rename-registers")
+#endif
 #include "ur10e.hpp"
 #include "sin_cos.hpp"
 

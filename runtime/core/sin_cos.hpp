@@ -304,16 +304,34 @@ TREELINE_INLINE_LANES void sin_cos_group(const Real* x, Real* sine, Real* cosine
   FourLanes::store<count>(c, cosine);
 }
 
-/// Sines and cosines of N angles, four to a vector, the last group padded; the same bits as the
-/// scalar function under -ffp-contract=off. The arrays must not overlap.
 template <int N, class Real>
-inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noexcept {
+TREELINE_INLINE_LANES void sin_cos_groups(const Real (&x)[N], Real (&sine)[N],
+                                          Real (&cosine)[N]) noexcept {
   constexpr int kWhole = N - N % FourLanes::kCount;
   for (int i = 0; i < kWhole; i += FourLanes::kCount) {
     sin_cos_group<FourLanes::kCount>(x + i, sine + i, cosine + i);
   }
   if constexpr (N != kWhole) {
     sin_cos_group<N - kWhole>(x + kWhole, sine + kWhole, cosine + kWhole);
+  }
+}
+
+template <int N, class Real>
+__attribute__((noinline)) void sin_cos_apart(const Real (&x)[N], Real (&sine)[N],
+                                             Real (&cosine)[N]) noexcept {
+  sin_cos_groups(x, sine, cosine);
+}
+
+/// Sines and cosines of N angles, four to a vector, the last group padded; the same bits as the
+/// scalar function under -ffp-contract=off. The arrays must not overlap. Of many angles the loop
+/// stays a loop, apart: a caller with that many joints is long, and bound by its bytes.
+template <int N, class Real>
+inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noexcept {
+  constexpr int kMany = 16;
+  if constexpr (N > kMany) {
+    sin_cos_apart(x, sine, cosine);
+  } else {
+    sin_cos_groups(x, sine, cosine);
   }
 }
 #else
