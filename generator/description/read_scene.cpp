@@ -97,6 +97,10 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
     scene.sin_cos =
         sin_cos->second.choice({"computed", "given"}) == 1 ? Sines::given : Sines::computed;
   }
+  if (const auto accuracy = find("accuracy"); accuracy != fields.end()) {
+    scene.accuracy =
+        static_cast<Accuracy>(accuracy->second.choice({"best", "balanced", "fastest"}).value_or(1));
+  }
   if (const auto lanes = find("lanes"); lanes != fields.end()) {
     scene.lanes = 1 << lanes->second.choice({"1", "2", "4", "8"}).value_or(3);
   }
@@ -114,9 +118,9 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
 Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = identifier_from(robot.name);
-  const auto fields = top.fields({"name", "base", "gravity", "real", "sin_cos", "lanes", "batch",
-                                  "damped", "operational_points", "external_forces", "contacts",
-                                  "functions", "locked", "objects"});
+  const auto fields = top.fields({"name", "base", "gravity", "real", "sin_cos", "accuracy", "lanes",
+                                  "batch", "damped", "operational_points", "external_forces",
+                                  "contacts", "functions", "locked", "objects"});
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);

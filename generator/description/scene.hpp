@@ -15,6 +15,8 @@ enum class Axes { world, local };
 enum class Real { float32, float64 };
 /// Whether functions compute the sines and cosines of q or take them as arguments.
 enum class Sines { computed, given };
+/// What to prefer where operations can be saved at the cost of digits.
+enum class Accuracy { best, balanced, fastest };
 
 /// The functions a scene may ask for; the names in YAML and in emitted code are those of
 /// `function_name`.
@@ -144,6 +146,7 @@ struct Scene {
   std::vector<Function> functions;  ///< sorted, unique
   Real real = Real::float64;
   Sines sin_cos = Sines::computed;
+  Accuracy accuracy = Accuracy::balanced;
   /// Numbers that the emitted code may compute together: 1, 2, 4 or 8. What a machine's registers
   /// cannot hold its compiler takes apart again.
   int lanes = 8;

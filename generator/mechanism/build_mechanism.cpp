@@ -352,6 +352,7 @@ Mechanism reduced_mechanism(const Robot& robot, const Scene& scene) {
   const std::vector<ReductionNote> notes = mechanism.notes;
   regroup_inertias(mechanism);
   mechanism.notes = notes;
+  keep_angles(mechanism, scene.accuracy);
   return mechanism;
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <boost/math/constants/constants.hpp>
 #include <vector>
 
@@ -288,13 +286,6 @@ void seat_frames(Mechanism& mechanism) {
     }
     if (!cheaper) {
       break;
-    }
-  }
-  for (const MovingLink& link : mechanism.links) {
-    if (link.offset != 0 && !link.mimics) {
-      mechanism.notes.push_back({"seat", link.name,
-                                 fmt::format("angle offset by {:.6g} rad inside the recursions",
-                                             static_cast<double>(link.offset))});
     }
   }
 }

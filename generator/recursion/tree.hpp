@@ -95,9 +95,10 @@ PlanarRotation<Scalar> planar_rotation(const Exact& c, const Exact& s) {
 template <class Scalar>
 Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
   const Exact sine = sqrt(Exact(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
-  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: one angle is enough
-    return {
-        planar_rotation<Scalar>(R(0, 0), R(1, 0)), planar_rotation<Scalar>(R(2, 2), Exact(0)), {}};
+  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: b, which may join the joint's angle
+    return {{},
+            planar_rotation<Scalar>(R(2, 2), Exact(0)),
+            planar_rotation<Scalar>(R(0, 0), Exact(-R(0, 1)))};
   }
   return {planar_rotation<Scalar>(Exact(-R(1, 2) / sine), Exact(R(0, 2) / sine)),
           planar_rotation<Scalar>(R(2, 2), sine),
@@ -106,8 +107,13 @@ Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
 
 template <class Scalar>
 TreePoint<Scalar> tree_point(const MechanismPoint& point) {
-  return {point.name, point.link, rounded<Scalar>(point.pose.R), rounded<Scalar>(point.pose.p),
-          point.axes, point.rows, point.priority};
+  return {point.name,
+          point.link,
+          rounded<Scalar>(point.pose.R),
+          rounded<Scalar>(point.pose.p),
+          point.axes,
+          point.rows,
+          point.priority};
 }
 
 template <class Scalar>

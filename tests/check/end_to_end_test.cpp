@@ -95,6 +95,27 @@ TEST(Check, SinesGiven) {
   }
 }
 
+// At a thousand rad a sum of angle and offset is off by 1e-13. Would catch an offset that stays in
+// an angle where digits are asked for.
+TEST(Check, AccuracyAtLargeAngles) {
+  constexpr double kFewUlp = 10;
+  for (const Accuracy accuracy : {Accuracy::best, Accuracy::fastest}) {
+    RandomOptions options;
+    options.joints = 4;
+    options.aligned = 0;
+    options.mix = {1, 1, 0, 0, 0, 0};
+    Subjects subjects = draw(61, options, Real::float64);
+    subjects.scene.accuracy = accuracy;
+    subjects.scene.functions = {Function::forward_kinematics, Function::mass_matrix};
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    const auto report = check_or_throw(subjects, quick_options(60));
+    for (const FunctionReport& function : report.functions) {
+      EXPECT_EQ(function.worst.error < kFewUlp, accuracy == Accuracy::best)
+          << function.name << " " << function.worst.error;
+    }
+  }
+}
+
 // Whatever the flags, bits are compared as compiled without contraction.
 TEST(Check, FlagsThatContract) {
   CheckOptions options = quick_options(60);

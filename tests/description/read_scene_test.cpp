@@ -71,6 +71,7 @@ real: float
 batch: 16
 damped: {mass: 200, inertia: 1.5}
 sin_cos: given
+accuracy: best
 operational_points:
   - name: tip
     link: tool
@@ -89,6 +90,7 @@ locked: {slide: 0.25}
   EXPECT_EQ(scene.real, Real::float32);
   EXPECT_EQ(scene.batch, 16);
   EXPECT_EQ(scene.sin_cos, Sines::given);
+  EXPECT_EQ(scene.accuracy, Accuracy::best);
   ASSERT_EQ(scene.operational_points.size(), 2U);
   const ScenePoint& tip = scene.operational_points[0];
   EXPECT_EQ(tip.name, "tip");

@@ -38,7 +38,12 @@ const std::vector<Stage>& stages() {
          return mechanism;
        }},
       {"regrouped and seated",
-       [](const RandomMechanism& m) { return reduced_mechanism(m.robot, m.scene); }}};
+       [](const RandomMechanism& m) { return reduced_mechanism(m.robot, m.scene); }},
+      {"as accurate as can be", [](const RandomMechanism& m) {
+         Scene scene = m.scene;
+         scene.accuracy = Accuracy::best;
+         return reduced_mechanism(m.robot, scene);
+       }}};
   return kStages;
 }
 

@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanism/build_mechanism.hpp"
+
+namespace treeline {
+namespace {
+
+// q + offset is rounded as a sum of its size: to here by at most two ulp of a sine's scale.
+constexpr double kFarthest = 8;  // rad
+
+/// The farthest that the joint's limits let the angle go, the offset included; rad.
+double farthest_angle(const Mechanism& mechanism, const MovingLink& link) {
+  const Coordinate& q = mechanism.coordinates[static_cast<std::size_t>(link.q_index)];
+  return std::max(std::abs(q.lower), std::abs(q.upper)) * std::abs(link.multiplier) +
+         std::abs(static_cast<double>(link.offset));
+}
+
+bool may_round(const Mechanism& mechanism, const MovingLink& link, Accuracy accuracy) {
+  return accuracy == Accuracy::fastest ||
+         (accuracy == Accuracy::balanced && farthest_angle(mechanism, link) <= kFarthest);
+}
+
+}  // namespace
+
+void keep_angles(Mechanism& mechanism, Accuracy accuracy) {
+  for (MovingLink& link : mechanism.links) {
+    if (link.kind != JointKind::revolute || link.offset == 0) continue;
+    const auto offset = static_cast<double>(link.offset);
+    if (may_round(mechanism, link, accuracy)) {
+      mechanism.notes.push_back(
+          {"seat", link.name,
+           fmt::format("angle offset by {:.6g} rad inside the recursions", offset)});
+      continue;
+    }
+    link.seat = snapped(link.seat * ExactPose{rotation_z(link.offset), ExactVector3::Zero()});
+    link.offset = 0;
+    mechanism.notes.push_back(
+        {"seat", link.name,
+         fmt::format("turned on by {:.6g} rad by the theorem of addition: q + offset would be "
+                     "rounded as a large angle is",
+                     offset)});
+  }
+}
+
+}  // namespace treeline
