@@ -93,6 +93,27 @@ class Expression {
   bool negative_ = false;
 };
 
+/// Where each node of a list is: a hash table of indices into it, nodes of equal bits are one.
+class NodeIndex {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  /// Makes room for so many nodes, of which `nodes` are there.
+  void reserve(const std::vector<Node>& nodes, std::size_t count);
+  /// The index of `node` in `nodes`, or kNone.
+  [[nodiscard]] std::uint32_t find(const std::vector<Node>& nodes, const Node& node) const {
+    return places_.empty() ? kNone : places_[slot_of(nodes, node)];
+  }
+  /// The same, after `node` was added to `nodes` where it was missing.
+  std::uint32_t find_or_add(std::vector<Node>& nodes, const Node& node);
+
+ private:
+  [[nodiscard]] std::size_t slot_of(const std::vector<Node>& nodes, const Node& node) const;
+  void grow(const std::vector<Node>& nodes, std::size_t slots);
+
+  std::vector<std::uint32_t> places_;  // a power of two of them, at most half of them taken
+};
+
 /// The interning arena: nodes in order of creation, each once. Node 0 is the constant 0.
 class Graph {
  public:
@@ -118,15 +139,17 @@ class Graph {
   /// Makes room for so many nodes.
   void reserve(std::size_t nodes) {
     nodes_.reserve(nodes);
-    index_.reserve(nodes);
+    index_.reserve(nodes_, nodes);
   }
   /// Interns; expects canonical operands.
   std::uint32_t intern(Node node);
-  [[nodiscard]] bool contains(const Node& node) const { return index_.contains(node); }
+  [[nodiscard]] bool contains(const Node& node) const {
+    return index_.find(nodes_, node) != NodeIndex::kNone;
+  }
   /// Where the node is, or 0.
   [[nodiscard]] std::uint32_t find(const Node& node) const {
-    const auto found = index_.find(node);
-    return found == index_.end() ? 0 : found->second;
+    const std::uint32_t found = index_.find(nodes_, node);
+    return found == NodeIndex::kNone ? 0 : found;
   }
   /// Whether x y and y x, x - y and y - x are one node; the first that is built stays. A trace
   /// turns this off: C++ leaves open which operand of an operator is evaluated first, so the order
@@ -181,15 +204,9 @@ class Graph {
   [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
 
  private:
-  struct NodeHash {
-    std::size_t operator()(const Node& node) const;
-  };
-  struct NodeEqual {
-    bool operator()(const Node& a, const Node& b) const;
-  };
   std::vector<Node> nodes_;
   std::vector<std::string> inputs_;
-  std::unordered_map<Node, std::uint32_t, NodeHash, NodeEqual> index_;
+  NodeIndex index_;
   std::unordered_map<std::uint32_t, std::string> names_;
   std::vector<Section> sections_;
   std::vector<LaneGroup> lane_groups_;

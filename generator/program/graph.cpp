@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +15,17 @@ std::uint64_t bits(double value) {
   std::uint64_t result = 0;
   std::memcpy(&result, &value, sizeof result);
   return result;
+}
+
+std::size_t hash_of(const Node& node) {
+  std::uint64_t hash = bits(node.value) ^ (static_cast<std::uint64_t>(node.a) << 32) ^ node.b ^
+                       (static_cast<std::uint64_t>(node.op) << 56);
+  hash = (hash ^ (hash >> 31)) * 0x9e3779b97f4a7c15U;
+  return static_cast<std::size_t>(hash ^ (hash >> 29));
+}
+
+bool are_equal(const Node& a, const Node& b) {
+  return a.op == b.op && a.a == b.a && a.b == b.b && bits(a.value) == bits(b.value);
 }
 
 }  // namespace
@@ -51,12 +63,7 @@ Expression Graph::input(std::string name) {
 }
 
 std::uint32_t Graph::intern(Node node) {
-  const auto [position, is_new] =
-      index_.try_emplace(node, static_cast<std::uint32_t>(nodes_.size()));
-  if (is_new) {
-    nodes_.push_back(node);
-  }
-  return position->second;
+  return index_.find_or_add(nodes_, node);
 }
 
 void Graph::name(Expression value, std::string_view identifier) {
@@ -101,15 +108,38 @@ void Graph::begin_section(std::string title) {
   sections_.push_back({static_cast<std::uint32_t>(nodes_.size()), std::move(title)});
 }
 
-std::size_t Graph::NodeHash::operator()(const Node& node) const {
-  std::uint64_t hash = bits(node.value) ^ (static_cast<std::uint64_t>(node.a) << 32) ^ node.b ^
-                       (static_cast<std::uint64_t>(node.op) << 56);
-  hash = (hash ^ (hash >> 31)) * 0x9e3779b97f4a7c15U;
-  return static_cast<std::size_t>(hash ^ (hash >> 29));
+void NodeIndex::reserve(const std::vector<Node>& nodes, std::size_t count) {
+  if (2 * count > places_.size()) {
+    grow(nodes, std::bit_ceil(2 * count));
+  }
 }
 
-bool Graph::NodeEqual::operator()(const Node& a, const Node& b) const {
-  return a.op == b.op && a.a == b.a && a.b == b.b && bits(a.value) == bits(b.value);
+std::uint32_t NodeIndex::find_or_add(std::vector<Node>& nodes, const Node& node) {
+  constexpr std::size_t kFirst = 256;
+  if (2 * (nodes.size() + 1) > places_.size()) {
+    grow(nodes, std::max(kFirst, 2 * places_.size()));
+  }
+  std::uint32_t& place = places_[slot_of(nodes, node)];
+  if (place == kNone) {
+    place = static_cast<std::uint32_t>(nodes.size());
+    nodes.push_back(node);
+  }
+  return place;
+}
+
+std::size_t NodeIndex::slot_of(const std::vector<Node>& nodes, const Node& node) const {
+  std::size_t slot = hash_of(node) & (places_.size() - 1);
+  while (places_[slot] != kNone && !are_equal(nodes[places_[slot]], node)) {
+    slot = (slot + 1) & (places_.size() - 1);
+  }
+  return slot;
+}
+
+void NodeIndex::grow(const std::vector<Node>& nodes, std::size_t slots) {
+  places_.assign(slots, kNone);
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    places_[slot_of(nodes, nodes[i])] = i;
+  }
 }
 
 }  // namespace treeline
