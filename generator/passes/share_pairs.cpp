@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <compare>
-#include <map>
+#include <iterator>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,31 +47,38 @@ struct Group {
   std::vector<Item> items;
 };
 
-/// All groups and how often each pair occurs among them.
+/// Where pairs stand: (pair, group), sorted.
+using Occurrences = std::vector<std::pair<Pair, std::size_t>>;
+
+/// All groups and the pairs that several of them have. No group gains a pair but by a substitution,
+/// which brings new items, so each pair is looked up once and then only ever loses groups.
 class PairTable {
  public:
   PairTable(std::vector<Group> groups, std::uint32_t first_pair)
       : groups_(std::move(groups)), first_pair_(first_pair) {
+    Occurrences found;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
-      add_pairs(i);
+      for_each_pair(i, [&](const Pair& pair) { found.emplace_back(pair, i); });
     }
+    queue_frequent(std::move(found));
   }
 
   /// Replaces the most frequent pair wherever it occurs. False when none occurs twice.
   bool share_one() {
-    if (by_count_.empty() || by_count_.begin()->first > -2) {
-      return false;
+    while (!queue_.empty()) {
+      const auto [minus_count, pair, index] = *queue_.begin();
+      queue_.erase(queue_.begin());
+      std::vector<std::size_t>& where = places_[index];
+      std::erase_if(where, [&](std::size_t group) { return !has_pair(group, pair); });
+      if (static_cast<int>(where.size()) == -minus_count) {
+        share(pair, where);
+        return true;
+      }
+      if (where.size() > 1) {
+        queue_.insert({-static_cast<int>(where.size()), pair, index});
+      }
     }
-    const Pair pair = by_count_.begin()->second;
-    const std::set<std::size_t> where = occurrences_[pair];
-    const Item shared{first_pair_ + static_cast<std::uint32_t>(pairs_.size()), false};
-    pairs_.push_back(pair);
-    for (const std::size_t group : where) {
-      remove_pairs(group);
-      substitute(groups_[group].items, pair, shared);
-      add_pairs(group);
-    }
-    return true;
+    return false;
   }
 
   [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
@@ -87,24 +95,42 @@ class PairTable {
     }
   }
 
-  void add_pairs(std::size_t group) {
-    for_each_pair(group, [&](const Pair& pair) {
-      std::set<std::size_t>& where = occurrences_[pair];
-      by_count_.erase({-static_cast<int>(where.size()), pair});
-      where.insert(group);
-      by_count_.insert({-static_cast<int>(where.size()), pair});
-    });
+  [[nodiscard]] bool has_pair(std::size_t group, const Pair& pair) const {
+    bool found = false;
+    for_each_pair(group, [&](const Pair& other) { found = found || other == pair; });
+    return found;
   }
 
-  void remove_pairs(std::size_t group) {
-    for_each_pair(group, [&](const Pair& pair) {
-      std::set<std::size_t>& where = occurrences_[pair];
-      by_count_.erase({-static_cast<int>(where.size()), pair});
-      where.erase(group);
-      if (!where.empty()) {
-        by_count_.insert({-static_cast<int>(where.size()), pair});
+  /// Of the pairs found, those of several groups.
+  void queue_frequent(Occurrences found) {
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    for (auto first = found.begin(); first != found.end();) {
+      const auto last =
+          std::find_if(first, found.end(), [&](const auto& o) { return o.first != first->first; });
+      if (last - first > 1) {
+        queue_.insert({-static_cast<int>(last - first), first->first, places_.size()});
+        std::vector<std::size_t>& where = places_.emplace_back();
+        std::transform(first, last, std::back_inserter(where),
+                       [](const auto& o) { return o.second; });
       }
-    });
+      first = last;
+    }
+  }
+
+  void share(const Pair& pair, std::vector<std::size_t> where) {
+    const Item shared{first_pair_ + static_cast<std::uint32_t>(pairs_.size()), false};
+    pairs_.push_back(pair);
+    Occurrences found;
+    for (const std::size_t group : where) {
+      substitute(groups_[group].items, pair, shared);
+      for_each_pair(group, [&](const Pair& other) {
+        if (other.b.id == shared.id || other == pair) {
+          found.emplace_back(other, group);
+        }
+      });
+    }
+    queue_frequent(std::move(found));
   }
 
   /// One occurrence of the pair becomes the item `shared`, with the sign that `a` had.
@@ -124,8 +150,8 @@ class PairTable {
   std::vector<Group> groups_;
   std::uint32_t first_pair_;
   std::vector<Pair> pairs_;
-  std::map<Pair, std::set<std::size_t>> occurrences_;
-  std::set<std::pair<int, Pair>> by_count_;  // most frequent first
+  std::vector<std::vector<std::size_t>> places_;        // groups, of each pair in the queue
+  std::set<std::tuple<int, Pair, std::size_t>> queue_;  // minus at most so many, pair, its places
 };
 
 /// Finds the groups of a program.
