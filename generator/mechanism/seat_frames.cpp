@@ -63,9 +63,13 @@ Exact folded_to_quarter(const Exact& angle) {
   return angle - kQuarterTurn * round(angle / kQuarterTurn);
 }
 
+bool is_parallel(const ExactMatrix3& R) {
+  return R(0, 2) == 0 && R(1, 2) == 0;
+}
+
 /// R = Rz(a) Rx(alpha) Rz(b): a where alpha is no multiple of pi, else false.
 bool left_turn(const ExactMatrix3& R, Exact& a) {
-  if (R(0, 2) == 0 && R(1, 2) == 0) {
+  if (is_parallel(R)) {
     return false;
   }
   a = atan2(R(0, 2), Exact(-R(1, 2)));
@@ -83,10 +87,13 @@ void absorb_turn(MovingLink& link) {
   if (link.kind != JointKind::revolute) {
     return;
   }
-  const Exact turn = folded_to_quarter(right_turn(link.seat.R));
-  if (snapped(turn, Exact(1)) == 0) {
+  const ExactMatrix3& R = link.seat.R;
+  const bool is_quarter =
+      is_parallel(R) ? R(0, 0) == 0 || R(1, 0) == 0 : R(2, 0) == 0 || R(2, 1) == 0;
+  if (is_quarter) {
     return;
   }
+  const Exact turn = folded_to_quarter(right_turn(R));
   MovingLink absorbed = link;
   absorbed.seat = snapped(link.seat * ExactPose{rotation_z(-turn), ExactVector3::Zero()});
   absorbed.offset = snapped(Exact(link.offset + turn), Exact(1));
@@ -163,10 +170,6 @@ Exact foot_of_common_normal(const ExactPose& child) {
   return (child.p(2) - c * along) / (1 - c * c);
 }
 
-bool is_parallel(const ExactMatrix3& R) {
-  return R(0, 2) == 0 && R(1, 2) == 0;
-}
-
 std::vector<ExactVector3> slide_candidates(const Neighbourhood& around) {
   std::vector<Exact> along{0, -(around.link.seat.R.transpose() * around.link.seat.p)(2)};
   if (!is_parallel(around.link.seat.R)) {
@@ -217,8 +220,9 @@ Neighbourhood best_seated(const Neighbourhood& around) {
                                                ? shift_candidates(around)
                                                : slide_candidates(around);
   for (const Exact& turn : turn_candidates(around)) {
+    const ExactMatrix3 R = rotation_z(turn);
     for (const ExactVector3& shift : shifts) {
-      const Neighbourhood seated = around.reseated({rotation_z(turn), shift});
+      const Neighbourhood seated = around.reseated({R, shift});
       const int cost = seated.cost();
       if (cost < best_cost) {
         best = seated;
