@@ -100,6 +100,8 @@ void add_check(CLI::App& app, int& exit_code) {
       ->add_option("--functions", options->inputs.functions,
                    "Functions, separated by commas, instead of the scene's")
       ->delimiter(',');
+  command->add_option("--choices", options->inputs.choices,
+                      "Algorithms and lanes as this manifest.json records them, not by cost");
   command->add_flag("--json", options->json, "Everything as JSON, with the states it names");
   command->footer(kHowToRead);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -82,6 +82,8 @@ void add_generate(CLI::App& app, int& exit_code) {
       ->add_option("--functions", options->inputs.functions,
                    "Functions, separated by commas, instead of the scene's")
       ->delimiter(',');
+  command->add_option("--choices", options->inputs.choices,
+                      "Algorithms and lanes as this manifest.json records them, not by cost");
   auto* compare = command->add_flag("--compare", options->compare,
                                     "Write nothing; list files that are not up to date, exit 3");
   command->add_flag("--json", options->json, "Summary as JSON");
@@ -94,6 +96,8 @@ void add_generate(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  treeline generate puma560.urdf scene.yaml --output generated/puma560\n"
       "  treeline generate puma560.urdf scene.yaml --output generated/puma560 --compare\n"
+      "  treeline generate puma560.urdf scene.yaml --output puma560 --choices "
+      "puma560/manifest.json\n"
       "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg");
   command->callback([options, output, dump, &exit_code] {
     if (output->empty() && dump->empty()) {

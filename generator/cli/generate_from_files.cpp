@@ -17,9 +17,11 @@ std::string file_name(const std::string& path) {
   return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
 }
 
-/// What the command line says instead of the scene, as it is typed.
-std::string describe_options(const InputOptions& options) {
+/// What the command line says instead of the scene, as it is typed. Choices are those that the
+/// folder's own manifest records, wherever they came from.
+std::string describe_options(const InputOptions& options, const Scene& scene, bool chosen) {
   std::string text;
+  text += chosen ? fmt::format(" --choices {}/manifest.json", scene.name) : "";
   text += options.name.empty() ? "" : " --name " + options.name;
   text += options.real.empty() ? "" : " --real " + options.real;
   if (!options.functions.empty()) {
@@ -36,19 +38,28 @@ std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
   if (!inputs) {
     return std::nullopt;
   }
+  auto choices = std::make_optional<Choices>();
+  if (!options.choices.empty()) choices = read_choices(options.choices, diagnostics);
+  if (!choices) return std::nullopt;
+  return generate_from_inputs(options, std::move(*inputs), *choices, diagnostics);
+}
+
+std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options, Inputs inputs,
+                                                    const Choices& choices,
+                                                    Diagnostics& diagnostics) {
   const auto urdf_text = read_text_file(options.urdf, diagnostics);
   const auto scene_text = read_text_file(options.scene, diagnostics);
   if (!urdf_text || !scene_text) {
     return std::nullopt;
   }
-  auto generation = generate_code(inputs->robot, inputs->scene,
-                                  {file_name(options.urdf), *urdf_text, file_name(options.scene),
-                                   *scene_text, describe_options(options)},
-                                  diagnostics);
+  const Provenance provenance{file_name(options.urdf), *urdf_text, file_name(options.scene),
+                              *scene_text,
+                              describe_options(options, inputs.scene, !choices.empty())};
+  auto generation = generate_code(inputs.robot, inputs.scene, provenance, diagnostics, choices);
   if (!generation) {
     return std::nullopt;
   }
-  return GeneratedInputs{std::move(*inputs), std::move(*generation)};
+  return GeneratedInputs{std::move(inputs), std::move(*generation)};
 }
 
 }  // namespace treeline

@@ -13,8 +13,14 @@ struct GeneratedInputs {
   Generation generation;
 };
 
-/// Reads the files of a command line and generates in memory. Faults are in `diagnostics`.
+/// Reads the files of a command line and generates in memory, by the choices in `options.choices`
+/// where that names a file. Faults are in `diagnostics`.
 std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
                                                    Diagnostics& diagnostics);
+
+/// The same for inputs that have been read, by these choices.
+std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options, Inputs inputs,
+                                                    const Choices& choices,
+                                                    Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -16,6 +16,7 @@ struct InputOptions {
   std::string name;                    ///< empty: the scene's
   std::string real;                    ///< `float`, `double`; empty: the scene's
   std::vector<std::string> functions;  ///< empty: the scene's
+  std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
 };
 
 struct Inputs {

@@ -53,6 +53,7 @@ struct EmissionContext {
   struct Method {
     std::string name;
     int flops = 0;
+    int lanes = 0;  ///< where they were chosen to be others than the scene's
   };
   struct ChoiceRow {
     std::string function;

@@ -51,7 +51,9 @@ std::string print_function(const Program& program) {
 }
 
 std::string print_method(const EmissionContext::Method& method) {
-  return fmt::format(R"({{"method": {}, "flops": {}}})", quote_json(method.name), method.flops);
+  const std::string lanes = method.lanes > 0 ? fmt::format(R"(, "lanes": {})", method.lanes) : "";
+  return fmt::format(R"({{"method": {}, "flops": {}{}}})", quote_json(method.name), method.flops,
+                     lanes);
 }
 
 std::string print_choice(const EmissionContext::ChoiceRow& choice) {

@@ -3,42 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "description/check_scene.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
+#include "generation/run_routes.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "mechanism/find_limbs.hpp"
-#include "passes/settle.hpp"
-#include "passes/take_sines.hpp"
-#include "recursion/trace_function.hpp"
 
 namespace treeline {
 namespace {
-
-/// A method's name without the coordinates that it is worked out in.
-std::string route_of(const std::string& method) {
-  std::size_t end = method.size();
-  for (const char* coordinates : {", in the axes", ", in link axes", ", J in the axes"}) {
-    end = std::min(end, method.find(coordinates));
-  }
-  return method.substr(0, end);
-}
 
 /// Of each route, in whatever coordinates and lanes it costs least. Those rejected are sorted by
 /// cost.
 EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
   EmissionContext::ChoiceRow row;
   row.function = function_name(generated.function);
-  row.chosen = {generated.chosen.method, generated.chosen.count.flops()};
+  row.chosen = {generated.chosen.method, generated.chosen.count.flops(), generated.other_lanes};
   std::set<std::string> routes{route_of(generated.chosen.method)};
   for (const Cost& cost : generated.rejected) {
     if (!routes.insert(route_of(cost.method)).second) continue;
-    row.rejected.push_back({cost.method, cost.count.flops()});
+    row.rejected.push_back({cost.method, cost.count.flops(), 0});
   }
   return row;
 }
@@ -79,98 +65,79 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
   return context;
 }
 
-using PassLogs = std::map<std::string, std::vector<PassReport>>;
-
-/// Traces the routes of a function and runs the passes on those that may win.
-class RouteRunner {
- public:
-  RouteRunner(Function function, int lanes, Sines sin_cos)
-      : function_(function), lanes_(lanes), sin_cos_(sin_cos) {}
-
-  /// Routes that the passes and lanes will not make the cheapest go to `hopeless`, as traced.
-  std::vector<Candidate> run(const Mechanism& mechanism, std::vector<Cost>& hopeless,
-                             PassLogs& logs) const {
-    constexpr double kHopeless = 1.3;  // the passes take away a few per cent, lanes up to a quarter
-    std::vector<Program> programs = trace_function(mechanism, function_, lanes_);
-    std::vector<Cost> costs;
-    for (const Program& program : programs) {
-      costs.push_back(cost_of(program));
-    }
-    const double least = std::min_element(costs.begin(), costs.end(), is_cheaper)->weighted;
-    std::vector<Candidate> candidates;
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-      if (costs[i].weighted <= kHopeless * least) {
-        candidates.push_back(finish(std::move(programs[i]), logs));
-      } else {
-        hopeless.push_back(costs[i]);
-      }
-    }
-    std::sort(hopeless.begin(), hopeless.end(), is_cheaper);
-    return candidates;
+/// Moves the candidate of that method out of `routes`; nothing when there is none.
+std::optional<Choice> take_chosen(const std::string& method, Routes& routes) {
+  const auto at = std::find_if(routes.candidates.begin(), routes.candidates.end(),
+                               [&](const Candidate& each) { return each.method == method; });
+  if (at == routes.candidates.end()) return std::nullopt;
+  std::vector<Candidate> one{std::move(*at)};
+  routes.candidates.erase(at);
+  Choice choice = *choose(std::move(one));
+  if (!routes.candidates.empty()) {
+    Choice others = *choose(std::move(routes.candidates));
+    choice.rejected = std::move(others.rejected);
+    choice.rejected.insert(choice.rejected.begin(), std::move(others.chosen));
   }
+  return choice;
+}
 
-  /// The same for the best of `candidates`, alike limbs in lanes.
-  void append_with_limbs(const Mechanism& with_limbs, std::vector<Candidate>& candidates,
-                         PassLogs& logs) const {
-    constexpr double kNear = 1.05;
-    std::map<std::string, double> costs;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Candidate& candidate : candidates) {
-      costs[candidate.method] = cost_of(candidate.program).weighted;
-      least = std::min(least, costs[candidate.method]);
-    }
-    for (Program& program : trace_function(with_limbs, function_, lanes_)) {
-      const auto plain = costs.find(program.source);
-      if (plain != costs.end() && plain->second <= kNear * least) {
-        program.source += ", alike limbs in lanes";
-        candidates.push_back(finish(std::move(program), logs));
-      }
-    }
+GeneratedFunction generated_from(Function function, Choice choice, Routes& routes) {
+  GeneratedFunction generated;
+  generated.function = function;
+  generated.chosen = std::move(choice.chosen);
+  generated.rejected = std::move(choice.rejected);
+  generated.rejected.insert(generated.rejected.end(), routes.hopeless.begin(),
+                            routes.hopeless.end());
+  generated.program = std::move(choice.program);
+  generated.passes = std::move(routes.logs[generated.chosen.method]);
+  return generated;
+}
+
+/// The function by the route that is chosen for it, else by the one of least cost.
+std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, Function function,
+                                                    const Scene& scene, const Choices& choices,
+                                                    Diagnostics& diagnostics) {
+  const auto choice = choices.find(function);
+  if (choice == choices.end()) {
+    return generate_function(mechanism, function, scene.lanes, scene.sin_cos);
   }
-
- private:
-  static bool is_cheaper(const Cost& a, const Cost& b) { return a.weighted < b.weighted; }
-
-  static Cost cost_of(const Program& program) {
-    const OperationCount count = count_operations(program);
-    return {program.source, count, cost(program, count)};
+  const int lanes = choice->second.lanes > 0 ? choice->second.lanes : scene.lanes;
+  auto generated =
+      generate_chosen(mechanism, function, choice->second.method, lanes, scene.sin_cos);
+  if (!generated) {
+    diagnostics.add({Severity::error, "", 0, function_name(function),
+                     fmt::format("the route that is chosen, `{}` in {} lanes, is none of this "
+                                 "robot's and scene's",
+                                 choice->second.method, lanes),
+                     "Choose again: `treeline generate --tune`."});
+    return std::nullopt;
   }
-
-  Candidate finish(Program program, PassLogs& logs) const {
-    const std::string method = program.source;
-    if (sin_cos_ == Sines::given) {
-      program = take_sines(settle(program));
-    }
-    return {method, run_passes(std::move(program), logs[method])};
-  }
-
-  Function function_;
-  int lanes_;
-  Sines sin_cos_;
-};
+  generated->other_lanes = lanes == scene.lanes ? 0 : lanes;
+  return generated;
+}
 
 }  // namespace
 
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
                                     Sines sin_cos) {
-  const RouteRunner runner(function, lanes, sin_cos);
-  std::map<std::string, std::vector<PassReport>> logs;  // by method
-  std::vector<Cost> hopeless;
-  std::vector<Candidate> candidates = runner.run(mechanism, hopeless, logs);
-  Mechanism with_limbs = mechanism;
-  with_limbs.limbs = find_limbs(mechanism, lanes);
-  if (!with_limbs.limbs.empty()) {
-    runner.append_with_limbs(with_limbs, candidates, logs);
+  Routes routes = run_routes(mechanism, function, {lanes, sin_cos});
+  Choice choice = *choose(std::move(routes.candidates));  // there is at least one route
+  return generated_from(function, std::move(choice), routes);
+}
+
+std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Function function,
+                                                 const std::string& method, int lanes,
+                                                 Sines sin_cos) {
+  RouteOptions options{lanes, sin_cos};
+  Routes routes = run_routes(mechanism, function, options);
+  auto choice = take_chosen(method, routes);
+  if (!choice) {
+    options.hopeless = kAllRoutes;
+    routes = run_routes(mechanism, function, options);
+    choice = take_chosen(method, routes);
   }
-  Choice choice = *choose(std::move(candidates));  // there is at least one route
-  GeneratedFunction generated;
-  generated.function = function;
-  generated.chosen = std::move(choice.chosen);
-  generated.rejected = std::move(choice.rejected);
-  generated.rejected.insert(generated.rejected.end(), hopeless.begin(), hopeless.end());
-  generated.program = std::move(choice.program);
-  generated.passes = std::move(logs[generated.chosen.method]);
-  return generated;
+  if (!choice) return std::nullopt;
+  return generated_from(function, std::move(*choice), routes);
 }
 
 std::string source_stem(const GeneratedFunction& generated) {
@@ -184,14 +151,16 @@ std::vector<GeneratedFunction> all_functions(const Generation& generation) {
 }
 
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
-                                        const Provenance& provenance, Diagnostics& diagnostics) {
+                                        const Provenance& provenance, Diagnostics& diagnostics,
+                                        const Choices& choices) {
   Generation generation;
   generation.mechanism = reduced_mechanism(robot, scene);
   FunctionMechanisms mechanisms(robot, scene);
   std::vector<Program> programs;
   for (const Function function : scene.functions) {
-    generation.functions.push_back(
-        generate_function(mechanisms.of(function), function, scene.lanes, scene.sin_cos));
+    auto made = generate_by_choice(mechanisms.of(function), function, scene, choices, diagnostics);
+    if (!made) return std::nullopt;
+    generation.functions.push_back(std::move(*made));
     programs.push_back(generation.functions.back().program);
   }
   std::vector<Program> batch;

@@ -8,6 +8,7 @@
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "emission/emit.hpp"
+#include "generation/choices.hpp"
 #include "mechanism/mechanism.hpp"
 #include "passes/choose.hpp"
 #include "passes/run_passes.hpp"
@@ -29,7 +30,8 @@ struct GeneratedFunction {
   Cost chosen;
   std::vector<Cost> rejected;
   std::vector<PassReport> passes;
-  int batch = 0;  ///< states a call; 0: the plain function of one state
+  int other_lanes = 0;  ///< lanes of the route, where they are chosen to be not the scene's
+  int batch = 0;        ///< states a call; 0: the plain function of one state
 };
 
 /// What the function's source file is called, without `.cpp`.
@@ -45,9 +47,11 @@ struct Generation {
 };
 
 /// Robot and scene to files: reduce the mechanism, trace every route of every function asked for,
-/// choose, run the passes, emit. Nothing is returned when `diagnostics` got an error.
+/// choose, run the passes, emit. `choices` overrule the choice by cost, except for batches. Nothing
+/// is returned when `diagnostics` got an error.
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
-                                        const Provenance& provenance, Diagnostics& diagnostics);
+                                        const Provenance& provenance, Diagnostics& diagnostics,
+                                        const Choices& choices = {});
 
 /// The plain functions, then those for batches in the same order.
 std::vector<GeneratedFunction> all_functions(const Generation& generation);
@@ -55,5 +59,11 @@ std::vector<GeneratedFunction> all_functions(const Generation& generation);
 /// The route to one function that is cheapest after the passes. `lanes`, `sin_cos`: see `Scene`.
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
                                     Sines sin_cos = Sines::computed);
+
+/// The route of that name, as a candidate of `run_routes` at so many lanes; nothing when there is
+/// none.
+std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Function function,
+                                                 const std::string& method, int lanes,
+                                                 Sines sin_cos = Sines::computed);
 
 }  // namespace treeline

@@ -130,6 +130,46 @@ TEST_F(GenerateTest, BadInputIsOne) {
   }
 }
 
+/// Puma's scene for a few functions, by the choices of a file.
+std::string generate_by(const std::string& choices, const std::string& output) {
+  return kUrdf + " " + kScene + " --functions gravity,forward_dynamics --choices " + choices +
+         " --output " + output;
+}
+
+// Would catch: a recorded choice that is read and not obeyed, or that the next manifest forgets.
+TEST_F(GenerateTest, ObeysRecordedChoices) {
+  std::ofstream(root_ / "mine.json")
+      << R"({"choices": [{"function": "forward_dynamics", "chosen": )"
+         R"({"method": "articulated bodies, Chang table 4.2", "lanes": 2}}]})";
+  ASSERT_EQ(run(generate_by("mine.json", "first")).exit_code, 0);
+  const YAML::Node manifest = YAML::LoadFile(root_ / "first" / "manifest.json");
+  EXPECT_EQ(manifest["choices"][1]["function"].as<std::string>(), "forward_dynamics");
+  const YAML::Node chosen = manifest["choices"][1]["chosen"];
+  EXPECT_EQ(chosen["method"].as<std::string>(), "articulated bodies, Chang table 4.2");
+  EXPECT_EQ(chosen["lanes"].as<int>(), 2);
+  // Its own manifest makes the folder again, and the code is not that of the choice by cost.
+  EXPECT_EQ(run(generate_by("first/manifest.json", "first") + " --compare").exit_code, 0);
+  ASSERT_EQ(generate().exit_code, 0);
+  EXPECT_NE(read_file(root_ / "first" / "forward_dynamics.cpp"),
+            read_file(root_ / "puma560" / "forward_dynamics.cpp"));
+}
+
+// Would catch: a choice that cannot be made and is dropped in silence.
+TEST_F(GenerateTest, ChoicesThatCannotBeMadeAreBadInput) {
+  for (const std::string text :
+       {R"({"choices": [{"function": "gravity", "chosen": {"method": "by magic"}}]})",
+        R"({"choices": [{"function": "gravty", "chosen": {"method": "by magic"}}]})",
+        R"({"choices": [{"function": "gravity", "chosen": {"method": "x", "lanes": 3}}]})",
+        R"({"choices": 3})", R"([])", "no JSON"}) {
+    std::ofstream(root_ / "mine.json") << text;
+    const Outcome outcome = run(generate_by("mine.json", "out"));
+    EXPECT_EQ(outcome.exit_code, 1) << text;
+    EXPECT_NE(outcome.err.find("error:"), std::string::npos) << text << outcome.err;
+    EXPECT_FALSE(fs::exists(root_ / "out")) << text;
+  }
+  EXPECT_EQ(run(generate_by("none.json", "out")).exit_code, 1);
+}
+
 TEST_F(GenerateTest, BadUsageIsTwo) {
   for (const std::string& arguments :
        {std::string(), kUrdf, kUrdf + " " + kScene, kUrdf + " " + kScene + " -o out --real half",

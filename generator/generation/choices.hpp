@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "description/diagnostic.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// The way to compute a function that somebody has chosen, by measuring it or otherwise.
+struct RouteChoice {
+  std::string method;  ///< as `Program::source` and the manifest name it
+  int lanes = 0;       ///< 1, 2, 4 or 8; 0: the scene's
+};
+
+/// What is chosen beforehand; every other function takes the route of least cost.
+using Choices = std::map<Function, RouteChoice>;
+
+/// The choices that a manifest.json records, or that are written by hand in the same form:
+/// {"choices": [{"function": "gravity", "chosen": {"method": "...", "lanes": 4}}, ...]}.
+/// Errors: a file that cannot be read or is no JSON of this form, a function that is none.
+std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagnostics);
+
+}  // namespace treeline

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "description/read_text_file.hpp"
+#include "generation/choices.hpp"
+
+namespace treeline {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array kLanes = {0, 1, 2, 4, 8};
+
+std::optional<Function> function_of(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(Function::forward_dynamics_derivatives); ++i) {
+    const auto function = static_cast<Function>(i);
+    if (name == function_name(function)) return function;
+  }
+  return std::nullopt;
+}
+
+/// What is wrong with one row; empty: nothing, and it is among the choices.
+std::string read_row(const Json& row, Choices& choices) {
+  const Json& chosen = row.value("chosen", Json());
+  if (!chosen.is_object()) return "a row of `choices` does not say what is chosen";
+  const std::string name = row.value("function", "");
+  const auto function = function_of(name);
+  if (!function) return fmt::format("`{}` is no function", name);
+  RouteChoice choice{chosen.value("method", ""), chosen.value("lanes", 0)};
+  if (std::find(kLanes.begin(), kLanes.end(), choice.lanes) == kLanes.end()) {
+    return fmt::format("{} lanes of `{}` are none of 1, 2, 4, 8", choice.lanes, name);
+  }
+  choices[*function] = std::move(choice);
+  return "";
+}
+
+}  // namespace
+
+std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagnostics) {
+  const auto text = read_text_file(path, diagnostics);
+  if (!text) return std::nullopt;
+  std::string fault;
+  Choices choices;
+  try {
+    const Json manifest = Json::parse(*text);
+    for (const Json& row : manifest.at("choices")) {
+      if (fault.empty()) fault = read_row(row, choices);
+    }
+  } catch (const Json::exception& error) {
+    fault = error.what();
+  }
+  if (fault.empty()) return choices;
+  diagnostics.add({Severity::error, path, 0, "choices", std::move(fault),
+                   "Name the manifest.json of a generated folder."});
+  return std::nullopt;
+}
+
+}  // namespace treeline

@@ -1,0 +1,100 @@
+#include "generation/run_routes.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "mechanism/find_limbs.hpp"
+#include "passes/settle.hpp"
+#include "passes/take_sines.hpp"
+#include "recursion/trace_function.hpp"
+
+namespace treeline {
+namespace {
+
+bool is_cheaper(const Cost& a, const Cost& b) {
+  return a.weighted < b.weighted;
+}
+
+Cost cost_of(const Program& program) {
+  const OperationCount count = count_operations(program);
+  return {program.source, count, cost(program, count)};
+}
+
+class RouteRunner {
+ public:
+  RouteRunner(Function function, const RouteOptions& options)
+      : function_(function), options_(options) {}
+
+  /// Routes that the passes and lanes will not make the cheapest go to `hopeless`, as traced.
+  void append_plain(const Mechanism& mechanism, Routes& routes) const {
+    std::vector<Program> programs = trace_function(mechanism, function_, options_.lanes);
+    std::vector<Cost> costs;
+    for (const Program& program : programs) {
+      costs.push_back(cost_of(program));
+    }
+    const double least = std::min_element(costs.begin(), costs.end(), is_cheaper)->weighted;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (costs[i].weighted <= options_.hopeless * least) {
+        routes.candidates.push_back(finish(std::move(programs[i]), routes));
+      } else {
+        routes.hopeless.push_back(costs[i]);
+      }
+    }
+    std::sort(routes.hopeless.begin(), routes.hopeless.end(), is_cheaper);
+  }
+
+  /// The same for the best of the candidates, alike limbs in lanes.
+  void append_with_limbs(const Mechanism& with_limbs, Routes& routes) const {
+    constexpr double kNear = 1.05;
+    std::map<std::string, double> costs;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : routes.candidates) {
+      costs[candidate.method] = cost_of(candidate.program).weighted;
+      least = std::min(least, costs[candidate.method]);
+    }
+    for (Program& program : trace_function(with_limbs, function_, options_.lanes)) {
+      const auto plain = costs.find(program.source);
+      if (plain != costs.end() && plain->second <= kNear * least) {
+        program.source += ", alike limbs in lanes";
+        routes.candidates.push_back(finish(std::move(program), routes));
+      }
+    }
+  }
+
+ private:
+  Candidate finish(Program program, Routes& routes) const {
+    const std::string method = program.source;
+    if (options_.sin_cos == Sines::given) {
+      program = take_sines(settle(program));
+    }
+    return {method, run_passes(std::move(program), routes.logs[method])};
+  }
+
+  Function function_;
+  RouteOptions options_;
+};
+
+}  // namespace
+
+Routes run_routes(const Mechanism& mechanism, Function function, const RouteOptions& options) {
+  const RouteRunner runner(function, options);
+  Routes routes;
+  runner.append_plain(mechanism, routes);
+  Mechanism with_limbs = mechanism;
+  with_limbs.limbs = find_limbs(mechanism, options.lanes);
+  if (!with_limbs.limbs.empty()) {
+    runner.append_with_limbs(with_limbs, routes);
+  }
+  return routes;
+}
+
+std::string route_of(const std::string& method) {
+  std::size_t end = method.size();
+  for (const char* coordinates : {", in the axes", ", in link axes", ", J in the axes"}) {
+    end = std::min(end, method.find(coordinates));
+  }
+  return method.substr(0, end);
+}
+
+}  // namespace treeline
