@@ -93,6 +93,15 @@ GeneratedFunction generated_from(Function function, Choice choice, Routes& route
   return generated;
 }
 
+std::string list_methods(const Mechanism& mechanism, Function function, int lanes, Sines sin_cos) {
+  std::string text;
+  for (const Candidate& candidate :
+       run_routes(mechanism, function, {lanes, sin_cos, kAllRoutes}).candidates) {
+    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", candidate.method);
+  }
+  return text;
+}
+
 /// The function by the route that is chosen for it, else by the one of least cost.
 std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, Function function,
                                                     const Scene& scene, const Choices& choices,
@@ -109,7 +118,8 @@ std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, 
                      fmt::format("the route that is chosen, `{}` in {} lanes, is none of this "
                                  "robot's and scene's",
                                  choice->second.method, lanes),
-                     "Choose again: `treeline generate --tune`."});
+                     fmt::format("Choose one of {}.",
+                                 list_methods(mechanism, function, lanes, scene.sin_cos))});
     return std::nullopt;
   }
   generated->other_lanes = lanes == scene.lanes ? 0 : lanes;

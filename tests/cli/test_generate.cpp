@@ -170,6 +170,16 @@ TEST_F(GenerateTest, ChoicesThatCannotBeMadeAreBadInput) {
   EXPECT_EQ(run(generate_by("none.json", "out")).exit_code, 1);
 }
 
+// Would catch: a message that leaves one to guess what could have been chosen.
+TEST_F(GenerateTest, UnknownRouteIsToldWithThoseThereAre) {
+  std::ofstream(root_ / "mine.json")
+      << R"({"choices": [{"function": "forward_dynamics", "chosen": {"method": "by magic"}}]})";
+  const Outcome outcome = run(generate_by("mine.json", "out"));
+  EXPECT_NE(outcome.err.find("`by magic` in 8 lanes"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("articulated bodies, Chang table 4.2"), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(GenerateTest, BadUsageIsTwo) {
   for (const std::string& arguments :
        {std::string(), kUrdf, kUrdf + " " + kScene, kUrdf + " " + kScene + " -o out --real half",
