@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "check/print_entry.hpp"
 #include "check/reference.hpp"
@@ -67,13 +68,16 @@ std::optional<GeneratedLibrary> GeneratedLibrary::load(
     return std::nullopt;
   }
   for (const GeneratedFunction& generated : functions) {
-    const std::string symbol = entry_symbol(source_stem(generated));
-    void* const entry = dlsym(library.handle_.get(), symbol.c_str());
-    if (entry == nullptr) {
+    LoadedFunction function{generated.program, nullptr, nullptr};
+    for (const auto& [symbol, entry] :
+         {std::pair{entry_symbol(source_stem(generated)), &function.entry},
+          std::pair{raw_entry_symbol(generated), &function.raw}}) {
+      *entry = reinterpret_cast<CompiledEntry>(dlsym(library.handle_.get(), symbol.c_str()));
+      if (*entry != nullptr) continue;
       report(path, "has no symbol " + symbol, diagnostics);
       return std::nullopt;
     }
-    library.functions_.push_back({generated.program, reinterpret_cast<Entry>(entry)});
+    library.functions_.push_back(std::move(function));
   }
   return library;
 }

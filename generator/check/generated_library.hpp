@@ -17,6 +17,9 @@ struct CallResult {
   bool wrote_out_of_bounds = false;
 };
 
+/// A compiled function behind pointers to its arguments and to its results, arrays of its Real.
+using CompiledEntry = void (*)(const void* const* in, void* const* out);
+
 /// Generated code, compiled and loaded into this process.
 class GeneratedLibrary {
  public:
@@ -29,11 +32,15 @@ class GeneratedLibrary {
   /// entry that is not written, or one that is computed from beyond an input, is NaN.
   [[nodiscard]] CallResult call(std::size_t i, const State& state) const;
 
+  /// Function `i` on arrays as it has them itself, [size][kStates] for a batch. Valid as long as
+  /// this.
+  [[nodiscard]] CompiledEntry raw_entry(std::size_t i) const { return functions_[i].raw; }
+
  private:
-  using Entry = void (*)(const void* const* in, void* const* out);
   struct LoadedFunction {
     Program program;
-    Entry entry;
+    CompiledEntry entry;  ///< on one state
+    CompiledEntry raw;    ///< the same for a plain function; of a batch on all states
   };
   struct Closer {
     void operator()(void* handle) const;

@@ -8,14 +8,13 @@
 namespace treeline {
 namespace {
 
-std::string print_arguments(const GeneratedFunction& generated) {
-  const Program& program = generated.program;
-  const bool batch = generated.batch > 0;
+/// Arguments as `prefix`input<size>(in[i]) and `prefix`output<size>(out[i]), each with `suffix`.
+std::string print_arguments(const Program& program, const char* prefix, const char* suffix) {
   std::string text;
   const auto append = [&](const char* direction, const Argument& argument, const char* array,
                           std::size_t i) {
-    text += fmt::format("{}{}{}<{}>({}[{}]){}", text.empty() ? "" : ", ", batch ? "batch_" : "",
-                        direction, argument.rows * argument.cols, array, i, batch ? ".all()" : "");
+    text += fmt::format("{}{}{}<{}>({}[{}]){}", text.empty() ? "" : ", ", prefix, direction,
+                        argument.rows * argument.cols, array, i, suffix);
   };
   for (std::size_t i = 0; i < program.arguments.size(); ++i) {
     append("input", program.arguments[i], "in", i);
@@ -26,6 +25,31 @@ std::string print_arguments(const GeneratedFunction& generated) {
   return text;
 }
 
+std::string print_plain(const std::string& name, const GeneratedFunction& generated) {
+  return fill_template(check_templates::kFunction,
+                       {{"name", name},
+                        {"entry", source_stem(generated)},
+                        {"function", generated.program.name},
+                        {"arguments", print_arguments(generated.program, "", "")},
+                        {"after", ""}});
+}
+
+/// An entry that takes one state, and one that takes all.
+std::string print_batch(const std::string& name, const GeneratedFunction& generated) {
+  const auto fill = [&](const std::string& entry, const char* prefix, const char* suffix,
+                        const char* after) {
+    return fill_template(check_templates::kFunction,
+                         {{"name", name + "::batch"},
+                          {"entry", entry},
+                          {"function", generated.program.name},
+                          {"arguments", print_arguments(generated.program, prefix, suffix)},
+                          {"after", after}});
+  };
+  const std::string stem = source_stem(generated);
+  return fill(stem, "batch_", ".all()", "\n  lane = (lane + 1) % kStates;") +
+         fill(stem + "_all", "all_", "", "");
+}
+
 }  // namespace
 
 std::string print_entry(const std::string& name, const std::vector<GeneratedFunction>& functions) {
@@ -33,13 +57,7 @@ std::string print_entry(const std::string& name, const std::vector<GeneratedFunc
   bool has_batch = false;
   for (const GeneratedFunction& generated : functions) {
     has_batch = has_batch || generated.batch > 0;
-    text +=
-        fill_template(check_templates::kFunction,
-                      {{"name", generated.batch > 0 ? name + "::batch" : name},
-                       {"entry", source_stem(generated)},
-                       {"function", generated.program.name},
-                       {"arguments", print_arguments(generated)},
-                       {"after", generated.batch > 0 ? "\n  lane = (lane + 1) % kStates;" : ""}});
+    text += generated.batch > 0 ? print_batch(name, generated) : print_plain(name, generated);
   }
   const std::string batch =
       has_batch ? fill_template(check_templates::kBatch, {{"name", name}}) : "";
@@ -49,6 +67,10 @@ std::string print_entry(const std::string& name, const std::vector<GeneratedFunc
 
 std::string entry_symbol(const std::string& function) {
   return "treeline_check_" + function;
+}
+
+std::string raw_entry_symbol(const GeneratedFunction& generated) {
+  return entry_symbol(source_stem(generated)) + (generated.batch > 0 ? "_all" : "");
 }
 
 }  // namespace treeline

@@ -15,4 +15,8 @@ std::string print_entry(const std::string& name, const std::vector<GeneratedFunc
 /// The C symbol of a function.
 std::string entry_symbol(const std::string& function);
 
+/// The C symbol that takes the function's own arrays: of a batch those of all states, where
+/// `entry_symbol` takes one state's and fills the others.
+std::string raw_entry_symbol(const GeneratedFunction& generated);
+
 }  // namespace treeline

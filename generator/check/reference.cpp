@@ -75,9 +75,9 @@ bool is_drawn(const std::string& argument) {
 
 /// Arguments of functions about contacts and objects; they are drawn without regard to their
 /// meaning.
-std::map<std::string, int> other_arguments(const Generation& generation) {
+std::map<std::string, int> other_arguments(const std::vector<GeneratedFunction>& functions) {
   std::map<std::string, int> sizes;
-  for (const GeneratedFunction& generated : generation.functions) {
+  for (const GeneratedFunction& generated : functions) {
     for (const Argument& argument : generated.program.arguments) {
       const int size = argument.rows * argument.cols;
       if (!is_drawn(argument.name)) sizes[argument.name] = std::max(sizes[argument.name], size);
@@ -102,7 +102,7 @@ class ReferenceMaker {
         exact_(make_subject<Digits50>(robot, scene)),
         single_(cast<float>(exact_)),
         space_{cast<double>(exact_), generation.mechanism.coordinates, seed,
-               scene.real == Real::float32, other_arguments(generation)} {
+               scene.real == Real::float32, other_arguments(functions_)} {
     for (const GeneratedFunction& generated : functions_) {
       angles_.push_back(angles_of(generated.program));
     }
@@ -175,6 +175,12 @@ Solve solve_of(Function function) {
     default:
       return Solve::none;
   }
+}
+
+StateSpace make_state_space(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
+                            const std::vector<GeneratedFunction>& functions, std::uint64_t seed) {
+  return {make_subject<double>(robot, scene), mechanism.coordinates, seed,
+          scene.real == Real::float32, other_arguments(functions)};
 }
 
 std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,

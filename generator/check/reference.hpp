@@ -47,6 +47,11 @@ struct ReferenceOptions {
   Progress progress = {};
 };
 
+/// Where the states of a robot in a scene are drawn from, with every argument that the functions
+/// take.
+StateSpace make_state_space(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
+                            const std::vector<GeneratedFunction>& functions, std::uint64_t seed);
+
 /// Draws the states and runs the interpreter in 50 digits and in Real, and the graph in Real.
 std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,
                                             const Generation& generation,

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "check/draw_state.hpp"
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// States of a robot to time functions at: anywhere within its limits, at ordinary speeds. The same
+/// for the same seed. `functions` say which arguments are needed; those of all the builds that are
+/// to be compared, or of one of them.
+std::vector<State> draw_timing_states(const Robot& robot, const Scene& scene,
+                                      const Mechanism& mechanism,
+                                      const std::vector<GeneratedFunction>& functions,
+                                      int count = 64, std::uint64_t seed = 1);
+
+/// What a compiled function is called with: its arguments at several states, in its Real, aligned
+/// to 64 bytes, and room for its results. A batch gets in each call as many states as it takes, in
+/// turn. Serves every build of the function; calls overwrite the results of earlier ones.
+class CallArguments {
+ public:
+  CallArguments(const GeneratedFunction& function, const std::vector<State>& states, Real real);
+  CallArguments(CallArguments&&) = default;
+  CallArguments& operator=(CallArguments&&) = default;
+  CallArguments(const CallArguments&) = delete;  // `in_` and `out_` point into `arrays_`
+  CallArguments& operator=(const CallArguments&) = delete;
+  ~CallArguments() = default;
+
+  /// How many different calls there are: one for each state.
+  [[nodiscard]] std::size_t calls() const { return in_.size(); }
+  [[nodiscard]] const void* const* in(std::size_t call) const { return in_[call].data(); }
+  [[nodiscard]] void* const* out() const { return out_.data(); }
+
+ private:
+  struct alignas(64) Line {
+    unsigned char bytes[64];
+  };
+  using Array = std::vector<Line>;
+
+  template <class T>
+  void lay_out(const GeneratedFunction& function, const std::vector<State>& states);
+
+  std::vector<Array> arrays_;  ///< of all calls, argument by argument, then the results
+  std::vector<std::vector<const void*>> in_;
+  std::vector<void*> out_;
+};
+
+}  // namespace treeline

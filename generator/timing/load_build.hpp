@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "check/compile_folder.hpp"
+#include "check/generated_library.hpp"
+
+namespace treeline {
+
+/// Flags that users are told to compile generated code with.
+inline constexpr const char* kTimedFlags = "-O3 -march=native";
+
+/// Generated functions, compiled with one compiler and one set of flags and loaded.
+struct TimedBuild {
+  Compilation compilation;
+  GeneratedLibrary library;
+};
+
+/// Compiles `functions` of the generated `folder` in `work`, which is made if it is not there, and
+/// loads them. Any number of builds, of the same names too, can be loaded side by side. The
+/// compiler is $CXX, else c++, else g++. Errors: see `compile_folder` and `GeneratedLibrary::load`.
+std::optional<TimedBuild> load_build(const std::filesystem::path& folder, const Scene& scene,
+                                     const std::vector<GeneratedFunction>& functions,
+                                     const CompileOptions& options,
+                                     const std::filesystem::path& work, Diagnostics& diagnostics);
+
+}  // namespace treeline
