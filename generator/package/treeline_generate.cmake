@@ -14,6 +14,7 @@ set(TREELINE_ALL_FUNCTIONS
   contact_motion contact_inverse_inertia effective_mass impulse_response link_inverse_inertias
   object_state object_control_torque object_forward_dynamics
   center_of_mass center_of_mass_jacobian
+  inverse_dynamics_derivatives forward_dynamics_derivatives
   CACHE INTERNAL "")
 
 function(treeline_generate target)

@@ -1,19 +1,15 @@
 #include "agreement.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
+
+#include "packs.hpp"
 
 namespace treeline::bench {
 namespace {
-
-std::vector<double> evaluate(const Routine& routine, Function function, const State& state,
-                             int size) {
-  std::vector<double> output(static_cast<std::size_t>(size));
-  std::vector<const double*> inputs;
-  for (const auto* input : inputs_of(function, state)) inputs.push_back(input->data());
-  routine(inputs.data(), output.data());
-  return output;
-}
 
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0, worst = 0;
@@ -32,14 +28,19 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 std::vector<Difference> differences(const Case& robot, const std::vector<Subject>& subjects,
                                     const std::vector<State>& states) {
   std::vector<Difference> result;
+  std::map<Function, std::vector<std::vector<double>>> first;
   for (const Subject& subject : subjects) {
     for (const auto& [function, routine] : subject.routines) {
+      std::vector<std::vector<double>> outputs;
+      const auto width = static_cast<std::size_t>(routine.states);
+      for (std::size_t i = 0; i + width <= states.size(); i += width) {
+        const std::span<const State> taken{states.data() + i, width};
+        std::ranges::move(evaluate(routine, function, robot, taken), std::back_inserter(outputs));
+      }
+      const auto& ours = first.try_emplace(function, outputs).first->second;
       Difference entry{subject.implementation, function, 0};
-      const int size = output_size(function, robot);
-      for (const State& state : states) {
-        const auto ours = evaluate(subjects[0].routines.at(function), function, state, size);
-        const auto theirs = evaluate(routine, function, state, size);
-        entry.worst = std::fmax(entry.worst, difference(ours, theirs));
+      for (std::size_t i = 0; i < outputs.size(); ++i) {
+        entry.worst = std::fmax(entry.worst, difference(ours[i], outputs[i]));
       }
       result.push_back(entry);
     }

@@ -7,11 +7,9 @@ function(bench_generate_batch name robot real states)
     set(urdf ${CMAKE_SOURCE_DIR}/robots/${robot}/${robot}.urdf)
     set(scene ${CMAKE_SOURCE_DIR}/robots/${robot}/scene.yaml)
   endif()
-  file(READ ${scene} text)
   set(batch_scene ${CMAKE_CURRENT_BINARY_DIR}/${name}.yaml)
-  file(CONFIGURE OUTPUT ${batch_scene} CONTENT "${text}\nbatch: ${states}\n" @ONLY)
-  treeline_generate(${name} URDF ${urdf} SCENE ${batch_scene} REAL ${real}
-    FUNCTIONS inverse_dynamics control_torque)
+  bench_write_scene(${scene} "inverse_dynamics;control_torque" ${states} ${batch_scene})
+  treeline_generate(${name} URDF ${urdf} SCENE ${batch_scene} REAL ${real})
   target_compile_options(${name} PRIVATE -O3 -march=native)
 endfunction()
 

@@ -82,12 +82,15 @@ std::vector<State> random_states(const Case& robot, int count, std::uint64_t see
 std::vector<const std::vector<double>*> inputs_of(Function function, const State& state) {
   switch (function) {
     case Function::inverse_dynamics:
+    case Function::inverse_dynamics_derivatives:
       return {&state.q, &state.qd, &state.qdd};
     case Function::forward_dynamics:
+    case Function::forward_dynamics_derivatives:
       return {&state.q, &state.qd, &state.tau};
     case Function::control_torque:
       return {&state.q, &state.qd, &state.qdd, &state.xdd};
     case Function::mass_matrix:
+    case Function::mass_matrix_inverse:
     case Function::lambda_inverse:
     case Function::lambda:
       break;
@@ -98,10 +101,14 @@ std::vector<const std::vector<double>*> inputs_of(Function function, const State
 int output_size(Function function, const Case& robot) {
   switch (function) {
     case Function::mass_matrix:
+    case Function::mass_matrix_inverse:
       return robot.model.nv * robot.model.nv;
     case Function::lambda_inverse:
     case Function::lambda:
       return robot.rows() * robot.rows();
+    case Function::inverse_dynamics_derivatives:
+    case Function::forward_dynamics_derivatives:
+      return 3 * robot.model.nv * robot.model.nv;
     case Function::inverse_dynamics:
     case Function::forward_dynamics:
     case Function::control_torque:
@@ -118,10 +125,16 @@ std::string name_of(Function function) {
       return "forward_dynamics";
     case Function::mass_matrix:
       return "mass_matrix";
+    case Function::mass_matrix_inverse:
+      return "mass_matrix_inverse";
     case Function::lambda_inverse:
       return "lambda_inverse";
     case Function::lambda:
       return "lambda";
+    case Function::inverse_dynamics_derivatives:
+      return "inverse_dynamics_derivatives";
+    case Function::forward_dynamics_derivatives:
+      return "forward_dynamics_derivatives";
     case Function::control_torque:
       break;
   }

@@ -44,8 +44,14 @@ int output_size(Function function, const Case& robot);
 
 std::string name_of(Function function);
 
-inline constexpr Function kFunctions[] = {Function::inverse_dynamics, Function::forward_dynamics,
-                                          Function::mass_matrix,      Function::lambda_inverse,
-                                          Function::lambda,           Function::control_torque};
+inline constexpr Function kFunctions[] = {Function::inverse_dynamics,
+                                          Function::forward_dynamics,
+                                          Function::mass_matrix,
+                                          Function::mass_matrix_inverse,
+                                          Function::lambda_inverse,
+                                          Function::lambda,
+                                          Function::control_torque,
+                                          Function::inverse_dynamics_derivatives,
+                                          Function::forward_dynamics_derivatives};
 
 }  // namespace treeline::bench

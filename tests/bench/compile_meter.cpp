@@ -1,13 +1,12 @@
 // Runs a compiler and writes what that took and what came out:
 //   compile_meter FACTS.json OBJECT COMMAND...
-// {"seconds", "peak_mib": of the compiler, "code_bytes": of OBJECT's functions, "stack_bytes":
-// their frames together, from the .su file of -fstack-usage}. The compiler's exit status is passed
-// on.
+// OBJECT is - for a command that makes none. {"seconds", "peak_mib": of the command, seconds of
+// processor time, "code_bytes": of OBJECT's functions, "stack_bytes": their frames together, from
+// the .su file of -fstack-usage}. The command's exit status is passed on.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -23,8 +22,11 @@ struct Cost {
   double seconds = 0, peak_mib = 0;
 };
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 Cost run(char** command) {
-  const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child == 0) {
     setenv("CCACHE_DISABLE", "1", 1);  // where g++ is ccache, a hit would be what is measured
@@ -34,15 +36,16 @@ Cost run(char** command) {
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) != child) return {};
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 1, taken.count(),
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 1,
+          seconds(usage.ru_utime) + seconds(usage.ru_stime),
           static_cast<double>(usage.ru_maxrss) / 1024};
 }
 
 /// Sizes of all functions in an object file, or 0 where nm cannot tell.
 long code_bytes(const std::string& object) {
+  if (object == "-") return 0;
   const std::unique_ptr<FILE, int (*)(FILE*)> nm(popen(("nm -S '" + object + "'").c_str(), "r"),
                                                  pclose);
   long bytes = 0;

@@ -7,7 +7,7 @@ program=$1
 shift
 counts=$(mktemp)
 trap 'rm -f "$counts"' EXIT
-printf '%-12s %-18s %12s\n' robot function instructions
+printf '%-12s %-28s %12s\n' robot function instructions
 for robot in "$@"; do
   valgrind --tool=callgrind --callgrind-out-file="$counts" -q "$program" "$robot" >/dev/null
   callgrind_annotate --threshold=100 "$counts" | tr -d , |
@@ -17,7 +17,7 @@ for robot in "$@"; do
         count[name[2]] += $1
       }
       END {
-        n = split("inverse_dynamics forward_dynamics mass_matrix lambda_inverse lambda control_torque", order, " ")
-        for (i = 1; i <= n; ++i) printf "%-12s %-18s %12.0f\n", robot, order[i], count[order[i]] / calls
+        n = split("inverse_dynamics forward_dynamics mass_matrix lambda_inverse lambda control_torque inverse_dynamics_derivatives forward_dynamics_derivatives", order, " ")
+        for (i = 1; i <= n; ++i) if (order[i] in count) printf "%-12s %-28s %12.0f\n", robot, order[i], count[order[i]] / calls
       }'
 done

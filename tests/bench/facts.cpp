@@ -4,6 +4,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "case.hpp"
+
 namespace treeline::bench {
 namespace {
 
@@ -13,10 +15,6 @@ Json read_json(const std::string& path) {
   std::ifstream file(path);
   Json json = Json::parse(file, nullptr, false);
   return json.is_object() ? json : Json::object();
-}
-
-Json read_functions(const Subject& subject) {
-  return read_json(subject.facts + "/manifest.json").value("functions", Json::array());
 }
 
 }  // namespace
@@ -32,7 +30,7 @@ Facts read_facts(const Subject& subject, const std::string& function) {
       facts.sin_cos = entry.value("sin_cos", 0L);
     }
   }
-  const Json compiled = read_json(subject.facts + "/" + function + ".json");
+  const Json compiled = read_json(subject.facts + "/" + subject.source_prefix + function + ".json");
   facts.code_bytes = compiled.value("code_bytes", 0L);
   facts.stack_bytes = compiled.value("stack_bytes", 0L);
   facts.compile_seconds = compiled.value("seconds", 0.0);
@@ -42,13 +40,16 @@ Facts read_facts(const Subject& subject, const std::string& function) {
 
 Compilation read_compilation(const Subject& subject) {
   Compilation all;
-  for (const Json& entry : read_functions(subject)) {
-    const Facts facts = read_facts(subject, entry.value("name", ""));
+  for (const auto& [function, routine] : subject.routines) {
+    const Facts facts = read_facts(subject, name_of(function));
     all.functions += 1;
     all.code_bytes += facts.code_bytes;
     all.seconds += facts.compile_seconds;
     all.peak_mib = std::max(all.peak_mib, facts.compile_mib);
   }
+  const Json generated = read_json(subject.facts + ".generation.json");
+  all.generation_seconds = generated.value("seconds", 0.0);
+  all.generation_mib = generated.value("peak_mib", 0.0);
   return all;
 }
 

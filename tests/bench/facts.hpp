@@ -15,11 +15,12 @@ struct Facts {
   double compile_seconds = 0, compile_mib = 0;
 };
 
-/// Of all functions that were generated: seconds added up, memory the largest.
+/// Of all of a subject's functions: seconds added up, memory the largest.
 struct Compilation {
   int functions = 0;
   long code_bytes = 0;
   double seconds = 0, peak_mib = 0;
+  double generation_seconds = 0, generation_mib = 0;  ///< of the code of this and its fellows
 };
 
 /// From the manifest and the compile meter's file.

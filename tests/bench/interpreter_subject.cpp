@@ -47,6 +47,39 @@ void mass_matrix(void* self, const double* const* in, double* out) {
   store(interpreter::mass_matrix<double>(s.model, s.inputs[0]), out);
 }
 
+void mass_matrix_inverse(void* self, const double* const* in, double* out) {
+  auto& s = solver(self);
+  s.load(in, 1);
+  const auto M = interpreter::mass_matrix<double>(s.model, s.inputs[0]);
+  store(interpreter::Matrix<double>(
+            M.ldlt().solve(interpreter::Matrix<double>::Identity(s.model.nv, s.model.nv))),
+        out);
+}
+
+/// Row-major, one after the other.
+void store(const interpreter::DynamicsDerivatives<double>& derivatives, double* out) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  for (const auto* each :
+       {&derivatives.by_displacement, &derivatives.by_velocity, &derivatives.by_drive}) {
+    Eigen::Map<Rows>(out, each->rows(), each->cols()) = *each;
+    out += each->size();
+  }
+}
+
+void inverse_dynamics_derivatives(void* self, const double* const* in, double* out) {
+  auto& s = solver(self);
+  s.load(in, 3);
+  const auto& [q, qd, qdd, unused] = s.inputs;
+  store(interpreter::inverse_dynamics_derivatives<double>(s.model, q, qd, qdd, {}, {}), out);
+}
+
+void forward_dynamics_derivatives(void* self, const double* const* in, double* out) {
+  auto& s = solver(self);
+  s.load(in, 3);
+  const auto& [q, qd, tau, unused] = s.inputs;
+  store(interpreter::forward_dynamics_derivatives<double>(s.model, q, qd, tau, {}, {}), out);
+}
+
 void lambda_inverse(void* self, const double* const* in, double* out) {
   auto& s = solver(self);
   s.load(in, 1);
@@ -81,8 +114,10 @@ Subject interpreter_subject(const Case& robot) {
            {Function::mass_matrix, {mass_matrix, s}},
            {Function::lambda_inverse, {lambda_inverse, s}},
            {Function::lambda, {lambda, s}},
-           {Function::control_torque, {control_torque, s}}},
-          ""};
+           {Function::mass_matrix_inverse, {mass_matrix_inverse, s}},
+           {Function::inverse_dynamics_derivatives, {inverse_dynamics_derivatives, s}},
+           {Function::forward_dynamics_derivatives, {forward_dynamics_derivatives, s}},
+           {Function::control_torque, {control_torque, s}}}};
 }
 
 }  // namespace treeline::bench

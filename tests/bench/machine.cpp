@@ -2,10 +2,7 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <cstdint>
 #include <fstream>
 
 namespace treeline::bench {
@@ -29,33 +26,10 @@ std::string cache_sizes() {
   return text + " KiB";
 }
 
-#if defined(__x86_64__)
-/// Seconds for a hundred thousand dependent multiplications, three cycles each on every x86-64 core
-/// since 2008.
-double seconds_of_chain() {
-  std::uint64_t x = 3;
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < 10000; ++i) {
-    asm volatile(".rept 10\n imul %0, %0\n .endr\n" : "+r"(x));
-  }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-#endif
-
-double measured_gigahertz() {
-#if defined(__x86_64__)
-  double best = 1;
-  for (int i = 0; i < 20; ++i) best = std::min(best, seconds_of_chain());
-  return 3e5 / best * 1e-9;
-#else
-  return 0;
-#endif
-}
-
 }  // namespace
 
 Machine describe_machine() {
-  return {processor_name(), cache_sizes(), measured_gigahertz()};
+  return {processor_name(), cache_sizes(), measure_limits()};
 }
 
 }  // namespace treeline::bench

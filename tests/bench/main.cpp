@@ -1,14 +1,17 @@
 // Times generated code beside the interpreter and the peers. Options: those of Google Benchmark
 // (`--benchmark_filter=humanoid24/control_torque`, `--benchmark_repetitions=`), and
-//   --json=FILE  one JSON object a line for each function of each implementation
-//   --least      tables of the least times instead of the medians
-// Tables go to stdout.
+//   --json=FILE    one JSON object a line for each function of each implementation
+//   --plot=FILE    an SVG
+//   --counts=FILE  instructions, as count_instructions.sh prints them, for the table
+//   --least        the least times instead of the medians
+// The table goes to stdout.
 #include <fmt/format.h>
 
 #include <fstream>
 #include <string_view>
 
 #include "agreement.hpp"
+#include "counts.hpp"
 #include "measure.hpp"
 #include "peers.hpp"
 #include "report.hpp"
@@ -19,7 +22,7 @@ namespace {
 /// Implementations whose numbers differ from the first's, announced on stderr.
 bool report_differences(const Measured& measured) {
   bool agree = true;
-  const auto states = random_states(measured.robot, 20, 7);
+  const auto states = random_states(measured.robot, 16, 7);
   for (const auto& each : differences(measured.robot, measured.subjects, states)) {
     if (each.worst <= kAgreement) continue;
     agree = false;
@@ -40,7 +43,12 @@ std::vector<Measured> read_robots() {
   return robots;
 }
 
-int run(const std::string& json_path, bool least) {
+struct Options {
+  std::string json, plot, counts;
+  bool least = false;
+};
+
+int run(const Options& options) {
   const auto robots = read_robots();
   bool agree = robots.size() == robot_names().size();
   for (const Measured& measured : robots) {
@@ -51,14 +59,31 @@ int run(const std::string& json_path, bool least) {
     fmt::print(stderr, "Nothing was timed: the implementations do not compute the same.\n");
     return 1;
   }
+  const Machine machine = describe_machine();
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
-  const Machine machine = describe_machine();
-  fmt::print("{}", print_tables(robots, collector.times, machine, least));
-  if (!json_path.empty()) {
-    std::ofstream(json_path) << print_json_lines(robots, collector.times, machine);
+  const auto rows =
+      collect_rows(robots, collector.times, read_counts(options.counts), machine.limits);
+  fmt::print("{}", print_table(rows, machine, options.least));
+  if (!options.json.empty()) std::ofstream(options.json) << print_json_lines(rows, machine);
+  if (!options.plot.empty()) {
+    std::ofstream(options.plot) << draw_plot(rows, machine, options.least);
   }
   return 0;
+}
+
+bool take_value(std::string_view argument, std::string_view key, std::string& value) {
+  if (!argument.starts_with(key)) return false;
+  value = argument.substr(key.size());
+  return true;
+}
+
+/// Whether the argument is ours; all others are Google Benchmark's.
+bool take(std::string_view argument, Options& options) {
+  if (argument == "--least") return options.least = true;
+  return take_value(argument, "--json=", options.json) ||
+         take_value(argument, "--plot=", options.plot) ||
+         take_value(argument, "--counts=", options.counts);
 }
 
 }  // namespace
@@ -70,21 +95,12 @@ int main(int count, char** given) {
   std::string repetitions = "--benchmark_repetitions=9";
   std::string time = "--benchmark_min_time=0.004";
   std::vector<char*> arguments{given[0], interleave.data(), repetitions.data(), time.data()};
-  std::string json_path;
-  bool least = false;
-  constexpr std::string_view kJson = "--json=";
+  treeline::bench::Options options;
   for (int i = 1; i < count; ++i) {
-    const std::string_view argument = given[i];
-    if (argument.starts_with(kJson)) {
-      json_path = argument.substr(kJson.size());
-    } else if (argument == "--least") {
-      least = true;
-    } else {
-      arguments.push_back(given[i]);
-    }
+    if (!treeline::bench::take(given[i], options)) arguments.push_back(given[i]);
   }
   int left = static_cast<int>(arguments.size());
   benchmark::Initialize(&left, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(left, arguments.data())) return 2;
-  return treeline::bench::run(json_path, least);
+  return treeline::bench::run(options);
 }

@@ -2,11 +2,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <chrono>
 #include <span>
 
 #include "evict.hpp"
+#include "packs.hpp"
 
 namespace treeline::bench {
 namespace {
@@ -14,18 +14,22 @@ namespace {
 constexpr int kStates = 64;
 constexpr int kColdCalls = 16;  ///< in a repetition
 
-/// The inputs of one function in 64 states, and room for its output.
+/// The inputs of one function in 64 states, as many to a call as it takes, and room for its output.
 struct Inputs {
-  std::vector<State> states;
-  std::array<std::array<const double*, 4>, kStates> pointers{};
-  std::vector<double> output;
+  std::vector<std::vector<Aligned>> packs;
+  std::vector<std::vector<const double*>> pointers;
+  Aligned output;
+  double states;  ///< a call
 
-  Inputs(const Case& robot, Function function)
-      : states(random_states(robot, kStates, 1)),
-        output(static_cast<std::size_t>(output_size(function, robot))) {
-    for (std::size_t i = 0; i < kStates; ++i) {
-      const auto inputs = inputs_of(function, states[i]);
-      for (std::size_t k = 0; k < inputs.size(); ++k) pointers[i][k] = inputs[k]->data();
+  Inputs(const Case& robot, Function function, const Routine& routine)
+      : output(static_cast<std::size_t>(output_size(function, robot) * routine.states)),
+        states(routine.states) {
+    const auto all = random_states(robot, kStates, 1);
+    const auto width = static_cast<std::size_t>(routine.states);
+    for (std::size_t i = 0; i < kStates; i += width) {
+      packs.push_back(pack_inputs(function, {all.data() + i, width}));
+      auto& in = pointers.emplace_back();
+      for (const Aligned& input : packs.back()) in.push_back(input.data());
     }
   }
 };
@@ -40,15 +44,16 @@ void warm(benchmark::State& run, const Routine& routine, Inputs inputs) {
 }
 
 void dependent(benchmark::State& run, const Routine& routine, Inputs inputs) {
-  const std::size_t size = inputs.states[0].q.size();
-  std::vector<double> q(size);
-  std::array<const double*, 4> in{};
+  const std::size_t size = inputs.packs[0][0].size();
+  const std::size_t last = inputs.output.size() - 1;
+  Aligned q(size);
   while (run.KeepRunningBatch(kStates)) {
-    for (std::size_t i = 0; i < kStates; ++i) {
+    for (std::size_t i = 0; i < inputs.packs.size(); ++i) {
       // Too small to change a digit; the processor cannot know.
-      const double nothing = 1e-300 * (inputs.output.front() + inputs.output.back());
-      for (std::size_t k = 0; k < size; ++k) q[k] = inputs.states[i].q[k] + nothing;
-      in = inputs.pointers[i];
+      const double nothing = 1e-300 * (inputs.output[0] + inputs.output[last]);
+      const double* from = inputs.packs[i][0].data();
+      for (std::size_t k = 0; k < size; ++k) q[k] = from[k] + nothing;
+      std::vector<const double*>& in = inputs.pointers[i];
       in[0] = q.data();
       routine(in.data(), inputs.output.data());
       benchmark::ClobberMemory();
@@ -68,18 +73,17 @@ double seconds_of_one_call(const Routine& routine, const double* const* in, doub
 void evicted(benchmark::State& run, const Routine& routine, Inputs inputs, Mode mode) {
   std::size_t i = 0;
   for (auto _ : run) {
-    const State& state = inputs.states[i % kStates];
-    const std::array<std::span<const double>, 6> data{state.q,   state.qd,  state.qdd,
-                                                      state.tau, state.xdd, inputs.output};
+    const std::size_t k = i++ % inputs.packs.size();
+    std::vector<std::span<const double>> data{{inputs.output.data(), inputs.output.size()}};
+    for (const Aligned& input : inputs.packs[k]) data.emplace_back(input.data(), input.size());
     if (mode == Mode::cold) {
       evict_from_core();
     } else if (!evict_from_caches(data)) {
       run.SkipWithError("no instruction to flush a cache line");
       break;
     }
-    const double* const* in = inputs.pointers[i % kStates].data();
-    run.SetIterationTime(seconds_of_one_call(routine, in, inputs.output.data()));
-    ++i;
+    const double* const* in = inputs.pointers[k].data();
+    run.SetIterationTime(seconds_of_one_call(routine, in, inputs.output.data()) / inputs.states);
   }
 }
 
@@ -87,7 +91,7 @@ void register_mode(const std::string& name, const Case& robot, Function function
                    const Routine& routine, Mode mode) {
   const bool cold = mode == Mode::cold || mode == Mode::flushed;
   const auto body = [&robot, &routine, function, mode, cold](benchmark::State& run) {
-    Inputs inputs(robot, function);
+    Inputs inputs(robot, function, routine);
     if (cold) {
       evicted(run, routine, std::move(inputs), mode);
     } else if (mode == Mode::warm) {

@@ -8,7 +8,7 @@
 
 namespace treeline::bench {
 
-/// How a function is called. All times are of one call.
+/// How a function is called. All times are of one state: of a call, divided by the states it takes.
 enum class Mode {
   warm,       ///< back to back over 64 states, independent of each other: throughput
   dependent,  ///< the same, but every q waits for the last call's first and last outputs: latency

@@ -1,49 +1,22 @@
 #pragma once
 
-#include <benchmark/benchmark.h>
-
-#include <map>
 #include <string>
 #include <vector>
 
-#include "case.hpp"
 #include "machine.hpp"
-#include "subject.hpp"
+#include "rows.hpp"
 
 namespace treeline::bench {
 
-/// Nanoseconds a call, of all repetitions of one benchmark.
-struct Times {
-  std::vector<double> repetitions;
+/// The table: for each robot and function what was measured of all implementations. The times are
+/// medians, or, for a machine that is not quiet, the least of all repetitions.
+std::string print_table(const std::vector<Row>& rows, const Machine& machine, bool least);
 
-  [[nodiscard]] double median() const;
-  [[nodiscard]] double least() const;
-};
+/// One JSON object a line for each row.
+std::string print_json_lines(const std::vector<Row>& rows, const Machine& machine);
 
-using AllTimes = std::map<std::string, Times>;  ///< by the benchmark's name
-
-/// Collects times and prints nothing but errors.
-class Collector : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override;
-
-  AllTimes times;
-};
-
-struct Measured {
-  Case robot;
-  std::vector<Subject> subjects;
-};
-
-/// The tables: for each robot and function the times of all implementations and their ratios to the
-/// first, then what the generated code is made of. The times are medians, or, for a machine that
-/// is not quiet, the least of all repetitions.
-std::string print_tables(const std::vector<Measured>& robots, const AllTimes& times,
-                         const Machine& machine, bool least);
-
-/// One JSON object a line for each robot, function and implementation.
-std::string print_json_lines(const std::vector<Measured>& robots, const AllTimes& times,
-                             const Machine& machine);
+/// An SVG: nanoseconds a state, warm, on a logarithmic axis, a line for each function of each robot
+/// with a dot for each family of implementations: the fastest of it.
+std::string draw_plot(const std::vector<Row>& rows, const Machine& machine, bool least);
 
 }  // namespace treeline::bench

@@ -14,19 +14,27 @@ enum class Function {
   inverse_dynamics,
   forward_dynamics,
   mass_matrix,
+  mass_matrix_inverse,
   lambda_inverse,
   lambda,
-  control_torque
+  control_torque,
+  inverse_dynamics_derivatives,
+  forward_dynamics_derivatives
 };
 
 /// The inputs in the order of the generated contract, each an array of its own:
-/// inverse_dynamics q qd qdd, forward_dynamics q qd tau, mass_matrix, lambda_inverse and lambda q,
-/// control_torque q qd qdd_0 xdd_cmd. One output; matrices are row-major.
+/// inverse_dynamics and its derivatives q qd qdd, forward_dynamics and its derivatives q qd tau,
+/// matrices q, control_torque q qd qdd_0 xdd_cmd. One output; matrices are row-major, derivatives
+/// are three of them one after the other. A call for n states has rows of n: element i of all.
 using Call = void (*)(void* solver, const double* const* inputs, double* output);
 
 struct Routine {
   Call call = nullptr;
-  std::shared_ptr<void> solver;  ///< the call's first argument; generated code has none
+  std::shared_ptr<void> solver = nullptr;  ///< the call's first argument; generated code has none
+  int states = 1;                          ///< that one call takes: 1, 2, 4, 8, 16
+  /// Brings an output into the order above where a library's own is another, as good to its user
+  /// (column-major, one triangle of a symmetric matrix): not timed.
+  void (*finish)(void* solver, double* output) = nullptr;
 
   void operator()(const double* const* inputs, double* output) const {
     call(solver.get(), inputs, output);
@@ -38,7 +46,8 @@ struct Subject {
   std::map<Function, Routine> routines;
   /// Of generated code: the folder with `manifest.json` and, for each function, what compiling it
   /// cost (`FUNCTION.json`, see compile_meter.cpp). Empty for the others.
-  std::string facts;
+  std::string facts = {};
+  std::string source_prefix = {};  ///< `batch_` where that is what FUNCTION.json begins with
 };
 
 /// A routine that keeps `solver` alive. `body` has no captures.

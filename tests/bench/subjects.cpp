@@ -5,6 +5,21 @@
 
 namespace treeline::bench {
 
+namespace {
+
+/// Functions that are generated, and M^-1, which is not but belongs beside derivatives.
+void keep_what_is_measured(std::vector<Subject>& subjects) {
+  auto wanted = subjects.front().routines;
+  if (wanted.contains(Function::forward_dynamics_derivatives)) {
+    wanted[Function::mass_matrix_inverse] = {};
+  }
+  for (Subject& subject : subjects) {
+    std::erase_if(subject.routines, [&](const auto& each) { return !wanted.contains(each.first); });
+  }
+}
+
+}  // namespace
+
 std::vector<Subject> all_subjects(const Case& robot) {
   std::vector<Subject> subjects = generated_subjects(robot.robot);
   subjects.push_back(interpreter_subject(robot));
@@ -17,6 +32,7 @@ std::vector<Subject> all_subjects(const Case& robot) {
 #ifdef TREELINE_BENCH_DART
   append(dart_subjects(robot));
 #endif
+  keep_what_is_measured(subjects);
   return subjects;
 }
 

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "report.hpp"
+
+namespace treeline::bench {
+namespace {
+
+struct Family {
+  std::string_view begins, contains, label, colour;
+};
+
+/// An implementation belongs to the first that fits its name.
+constexpr Family kFamilies[] = {
+    {"generated", "a call", "generated, eight states a call", "#1b9e77"},
+    {"generated", "", "generated", "#0b5394"},
+    {"CppADCodeGen", "", "CppADCodeGen", "#e69f00"},
+    {"Pinocchio", "", "Pinocchio", "#cc0000"},
+    {"KDL", "", "KDL", "#8e63b8"},
+    {"DART", "", "DART", "#7a5230"},
+    {"interpreter", "", "interpreter", "#9a9a9a"}};
+
+const Family* family_of(const Row& row) {
+  const std::string_view name = row.subject->implementation;
+  const auto fits = [&](const Family& each) {
+    return name.starts_with(each.begins) && name.find(each.contains) != std::string_view::npos;
+  };
+  const auto* found = std::find_if(std::begin(kFamilies), std::end(kFamilies), fits);
+  return found == std::end(kFamilies) ? nullptr : found;
+}
+
+constexpr double kLeft = 300, kWidth = 640, kTop = 78, kStep = 17;
+constexpr double kLeast = 1, kMost = 1e7;  // nanoseconds
+
+double x_of(double nanoseconds) {
+  const double share = std::log10(nanoseconds / kLeast) / std::log10(kMost / kLeast);
+  return kLeft + kWidth * std::clamp(share, 0.0, 1.0);
+}
+
+std::string text_at(double x, double y, std::string_view anchor, std::string_view text) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
+                     text);
+}
+
+std::string draw_axis(double bottom) {
+  std::string text;
+  constexpr std::string_view kNames[] = {"1 ns",  "10 ns",  "100 ns", "1 µs",
+                                         "10 µs", "100 µs", "1 ms",   "10 ms"};
+  double decade = kLeast;
+  for (const auto name : kNames) {
+    text += fmt::format(
+        "<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\" stroke=\"#dddddd\"/>\n",
+        x_of(decade), kTop - 12, bottom);
+    text += text_at(x_of(decade), kTop - 16, "middle", name);
+    decade *= 10;
+  }
+  return text;
+}
+
+std::string draw_legend() {
+  std::string text;
+  double x = 20;
+  for (const Family& each : kFamilies) {
+    text +=
+        fmt::format("<circle cx=\"{:.1f}\" cy=\"36\" r=\"4.5\" fill=\"{}\"/>\n", x, each.colour);
+    text += text_at(x + 9, 40, "start", each.label);
+    x += 30 + 6.4 * static_cast<double>(each.label.size());
+  }
+  return text;
+}
+
+/// The dots of rows [first, last), which are about one function of one robot.
+std::string draw_dots(const Row* first, const Row* last, double y, bool least) {
+  std::string text;
+  for (const Family& family : kFamilies) {
+    std::optional<double> fastest;
+    for (const Row* row = first; row != last; ++row) {
+      const auto warm = row->time(Mode::warm, least);
+      if (family_of(*row) == &family && warm) fastest = std::min(fastest.value_or(*warm), *warm);
+    }
+    if (!fastest) continue;
+    text += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\"><title>{}: {:.1f} ns</title>"
+        "</circle>\n",
+        x_of(*fastest), y, family.colour, family.label, *fastest);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string draw_plot(const std::vector<Row>& rows, const Machine& machine, bool least) {
+  std::string lines;
+  double y = kTop;
+  for (std::size_t i = 0, next = 0; i < rows.size(); i = next) {
+    const Row& row = rows[i];
+    const auto same = [&](const Row& other) {
+      return other.measured == row.measured && other.function == row.function;
+    };
+    while (next < rows.size() && same(rows[next])) ++next;
+    if (i > 0 && rows[i - 1].measured != row.measured) y += kStep / 2;
+    lines +=
+        text_at(kLeft - 10, y + 4, "end", row.measured->robot.robot + ' ' + name_of(row.function));
+    lines += draw_dots(rows.data() + i, rows.data() + next, y, least);
+    y += kStep;
+  }
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"970\" height=\"{:.0f}\" "
+             "font-family=\"sans-serif\" font-size=\"12\">\n"
+             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+             y + 10) +
+         text_at(
+             20, 18, "start",
+             fmt::format("Time a state, warm, {} of interleaved runs, the fastest of each family; "
+                         "{}, one core",
+                         least ? "least" : "median", machine.processor)) +
+         draw_legend() + draw_axis(y - kStep / 2) + lines + "</svg>\n";
+}
+
+}  // namespace treeline::bench

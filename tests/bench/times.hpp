@@ -1,0 +1,30 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace treeline::bench {
+
+/// Nanoseconds a state, of all repetitions of one benchmark.
+struct Times {
+  std::vector<double> repetitions;
+
+  [[nodiscard]] double median() const;
+  [[nodiscard]] double least() const;
+};
+
+using AllTimes = std::map<std::string, Times>;  ///< by the benchmark's name
+
+/// Collects times and prints nothing but errors.
+class Collector : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override;
+
+  AllTimes times;
+};
+
+}  // namespace treeline::bench
