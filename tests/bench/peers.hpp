@@ -17,6 +17,9 @@ std::vector<Subject> kdl_subjects(const Case& robot);
 /// DART: inverse and forward dynamics and the mass matrix.
 std::vector<Subject> dart_subjects(const Case& robot);
 
+/// Pinocchio: the same, M^-1, derivatives and of J M^-1 J^T every route.
+std::vector<Subject> pinocchio_subjects(const Case& robot);
+
 /// Everything that is measured on a robot: generated code of all compilers first, then the
 /// interpreter, then the peers that were found when the build was configured.
 std::vector<Subject> all_subjects(const Case& robot);

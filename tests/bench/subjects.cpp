@@ -29,6 +29,9 @@ std::vector<Subject> all_subjects(const Case& robot) {
 #ifdef TREELINE_BENCH_KDL
   append(kdl_subjects(robot));
 #endif
+#ifdef TREELINE_BENCH_PINOCCHIO
+  append(pinocchio_subjects(robot));
+#endif
 #ifdef TREELINE_BENCH_DART
   append(dart_subjects(robot));
 #endif

@@ -1,0 +1,19 @@
+#include "pinocchio/aba.hpp"
+
+#include "pinocchio/calls.hpp"
+
+namespace treeline::bench::pin {
+
+void call_aba(void* solver, const double* const* in, double* out) {
+  aba(*static_cast<Solver<double>*>(solver), in, out);
+}
+
+void call_aba_in_world_axes(void* solver, const double* const* in, double* out) {
+  aba_in_world_axes(*static_cast<Solver<double>*>(solver), in, out);
+}
+
+void call_minverse(void* solver, const double* const* in, double* out) {
+  minverse(*static_cast<Solver<double>*>(solver), in, out);
+}
+
+}  // namespace treeline::bench::pin
