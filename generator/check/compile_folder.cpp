@@ -31,11 +31,16 @@ int core_count(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// $CXX as a shell would split it, else the first compiler that starts.
-std::optional<Command> find_compiler(const fs::path& work, Diagnostics& diagnostics) {
+/// The one asked for, else $CXX as a shell would split it, else the first compiler that starts.
+std::optional<Command> find_compiler(const std::string& asked_for, const fs::path& work,
+                                     Diagnostics& diagnostics) {
   const char* const chosen = std::getenv("CXX");
   std::vector<Command> candidates = {{"c++"}, {"g++"}};
-  if (chosen != nullptr && !split_words(chosen).empty()) candidates = {split_words(chosen)};
+  if (!asked_for.empty()) {
+    candidates = {split_words(asked_for)};
+  } else if (chosen != nullptr && !split_words(chosen).empty()) {
+    candidates = {split_words(chosen)};
+  }
   for (const Command& candidate : candidates) {
     Command asked = candidate;
     asked.emplace_back("--version");
@@ -43,8 +48,9 @@ std::optional<Command> find_compiler(const fs::path& work, Diagnostics& diagnost
     if (outcome.started && outcome.exit_code == 0) return candidate;
   }
   diagnostics.add({Severity::error, "", 0, candidates.front().front(),
-                   chosen != nullptr ? "this compiler, which $CXX names, cannot be run"
-                                     : "no C++ compiler was found",
+                   !asked_for.empty()  ? "this compiler cannot be run"
+                   : chosen != nullptr ? "this compiler, which $CXX names, cannot be run"
+                                       : "no C++ compiler was found",
                    "Install one (Debian: g++), or name one in the environment variable CXX."});
   return std::nullopt;
 }
@@ -143,7 +149,7 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
                                           const std::vector<GeneratedFunction>& functions,
                                           const CompileOptions& options, const fs::path& work,
                                           Diagnostics& diagnostics) {
-  const auto compiler = find_compiler(work, diagnostics);
+  const auto compiler = find_compiler(options.compiler, work, diagnostics);
   if (!compiler) return std::nullopt;
   std::ofstream(work / (std::string(kEntryStem) + ".cpp")) << print_entry(name, functions);
   const auto start = Clock::now();

@@ -14,6 +14,7 @@ namespace treeline {
 struct CompileOptions {
   std::string flags = "-O2 -ffp-contract=off";  ///< beside -std=c++17 and what a library needs
   int jobs = 0;                                 ///< 0: as many as there are cores
+  std::string compiler = {};                    ///< empty: $CXX, else c++, else g++
 };
 
 /// What the compiler made of one function's source.
@@ -32,7 +33,7 @@ struct Compilation {
 };
 
 /// Compiles the sources of a generated folder with a C entry to each function and links a shared
-/// library, all in `work`, which exists and is empty. The compiler is $CXX, else c++, else g++.
+/// library, all in `work`, which exists and is empty.
 /// Errors: no compiler, a source that does not compile, with the compiler's first words.
 std::optional<Compilation> compile_folder(const std::filesystem::path& folder,
                                           const std::string& name,
