@@ -50,6 +50,12 @@ struct Bound<kFunction> {
   }
 };
 
+/// Recorded code has the plain call's arguments already.
+template <void (*kFunction)(const double* const*, double*) noexcept>
+struct Bound<kFunction> {
+  static void call(void*, const double* const* in, double* out) { kFunction(in, out); }
+};
+
 }  // namespace detail
 
 /// A generated function behind the plain call: its inputs as they come, its outputs one after the
