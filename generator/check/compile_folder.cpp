@@ -31,30 +31,6 @@ int core_count(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// The one asked for, else $CXX as a shell would split it, else the first compiler that starts.
-std::optional<Command> find_compiler(const std::string& asked_for, const fs::path& work,
-                                     Diagnostics& diagnostics) {
-  const char* const chosen = std::getenv("CXX");
-  std::vector<Command> candidates = {{"c++"}, {"g++"}};
-  if (!asked_for.empty()) {
-    candidates = {split_words(asked_for)};
-  } else if (chosen != nullptr && !split_words(chosen).empty()) {
-    candidates = {split_words(chosen)};
-  }
-  for (const Command& candidate : candidates) {
-    Command asked = candidate;
-    asked.emplace_back("--version");
-    const CommandOutcome outcome = run_commands({asked}, 1, work).front();
-    if (outcome.started && outcome.exit_code == 0) return candidate;
-  }
-  diagnostics.add({Severity::error, "", 0, candidates.front().front(),
-                   !asked_for.empty()  ? "this compiler cannot be run"
-                   : chosen != nullptr ? "this compiler, which $CXX names, cannot be run"
-                                       : "no C++ compiler was found",
-                   "Install one (Debian: g++), or name one in the environment variable CXX."});
-  return std::nullopt;
-}
-
 Command compile_command(const Command& compiler, const CompileOptions& options,
                         const fs::path& include, const fs::path& source, const fs::path& object) {
   Command command = compiler;
@@ -144,6 +120,29 @@ void measure_functions(const Objects& objects, const fs::path& work, Compilation
 }
 
 }  // namespace
+
+std::optional<Command> find_compiler(const std::string& asked_for, const fs::path& work,
+                                     Diagnostics& diagnostics) {
+  const char* const chosen = std::getenv("CXX");
+  std::vector<Command> candidates = {{"c++"}, {"g++"}};
+  if (!asked_for.empty()) {
+    candidates = {split_words(asked_for)};
+  } else if (chosen != nullptr && !split_words(chosen).empty()) {
+    candidates = {split_words(chosen)};
+  }
+  for (const Command& candidate : candidates) {
+    Command asked = candidate;
+    asked.emplace_back("--version");
+    const CommandOutcome outcome = run_commands({asked}, 1, work).front();
+    if (outcome.started && outcome.exit_code == 0) return candidate;
+  }
+  diagnostics.add({Severity::error, "", 0, candidates.front().front(),
+                   !asked_for.empty()  ? "this compiler cannot be run"
+                   : chosen != nullptr ? "this compiler, which $CXX names, cannot be run"
+                                       : "no C++ compiler was found",
+                   "Install one (Debian: g++), or name one in the environment variable CXX."});
+  return std::nullopt;
+}
 
 std::optional<Compilation> compile_folder(const fs::path& folder, const std::string& name,
                                           const std::vector<GeneratedFunction>& functions,

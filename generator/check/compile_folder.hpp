@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/run_commands.hpp"
 #include "description/diagnostic.hpp"
 #include "generation/generate_code.hpp"
 
@@ -31,6 +32,11 @@ struct Compilation {
   long peak_kib = 0;    ///< of the largest compiler process
   std::map<std::string, CompiledFunction> functions;
 };
+
+/// The compiler asked for, else $CXX, their words as a shell would split them, else c++ or g++,
+/// whichever starts. Errors: it does not.
+std::optional<Command> find_compiler(const std::string& asked_for,
+                                     const std::filesystem::path& work, Diagnostics& diagnostics);
 
 /// Compiles the sources of a generated folder with a C entry to each function and links a shared
 /// library, all in `work`, which exists and is empty.

@@ -46,8 +46,9 @@ std::string print_function_json(const GeneratedFunction& generated) {
 }  // namespace
 
 std::string print_text(const Summary& summary) {
-  std::string text = fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", "function", "flops",
-                                 "add", "mul", "div", "sin,cos", "method");
+  std::string text = summary.tuning != nullptr ? print_text(*summary.tuning) : "";
+  text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", "function", "flops", "add",
+                      "mul", "div", "sin,cos", "method");
   for (const GeneratedFunction& generated : summary.functions) {
     const OperationCount count = count_operations(generated.program);
     text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", generated.program.name,
@@ -71,10 +72,15 @@ std::string print_json(const Summary& summary) {
     files += fmt::format(R"({}{{"file": {}, "difference": "{}"}})", files.empty() ? "" : ",\n    ",
                          quote_json(difference.name), to_word(difference.difference));
   }
+  const std::string tuning =
+      summary.tuning == nullptr
+          ? ""
+          : fmt::format("  \"measured\": {},\n  \"tuning\": {},\n",
+                        quote_json(summary.tuning->measured), print_json(*summary.tuning));
   return fmt::format(
-      "{{\n  \"output\": {},\n  \"written\": {},\n  \"functions\": [\n    {}\n  ],\n"
+      "{{\n{}  \"output\": {},\n  \"written\": {},\n  \"functions\": [\n    {}\n  ],\n"
       "  \"differences\": [\n    {}\n  ]\n}}\n",
-      quote_json(summary.output), !summary.compared_only, functions, files);
+      tuning, quote_json(summary.output), !summary.compared_only, functions, files);
 }
 
 }  // namespace treeline

@@ -5,6 +5,7 @@
 
 #include "emission/compare_files.hpp"
 #include "generation/generate_code.hpp"
+#include "timing/tune.hpp"
 
 namespace treeline {
 
@@ -14,7 +15,8 @@ struct Summary {
   const std::vector<FileDifference>& differences;  ///< before anything was written
   const std::string& output;
   bool compared_only = false;
-  bool verbose = false;  ///< with the algorithms that were not chosen
+  bool verbose = false;            ///< with the algorithms that were not chosen
+  const Tuning* tuning = nullptr;  ///< what was measured, if anything was
 };
 
 /// A table of functions with their costs, the choices made, and the files that differ.

@@ -61,6 +61,7 @@ struct EmissionContext {
     std::vector<Method> rejected;
   };
   std::vector<ChoiceRow> choices;
+  std::string measured;  ///< what the choices were measured with; empty: they were counted
 
   /// Something that this robot and scene do not need, and the operations that saves.
   struct SkippedRow {

@@ -99,6 +99,9 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"task_rows", std::to_string(context.task_rows)},
        {"inputs", print_list(context.inputs, print_input)},
        {"functions", print_list(programs, print_function)},
+       {"measured", context.measured.empty()
+                        ? ""
+                        : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},
        {"choices", print_list(context.choices, print_choice)},
        {"skipped", print_list(context.skipped, print_skipped)},
        {"files", print_list(files, [](const std::string& f) { return quote_json(f); })}});

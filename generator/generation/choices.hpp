@@ -16,11 +16,18 @@ struct RouteChoice {
 };
 
 /// What is chosen beforehand; every other function takes the route of least cost.
-using Choices = std::map<Function, RouteChoice>;
+struct Choices {
+  std::map<Function, RouteChoice> plain;
+  std::map<Function, RouteChoice> batch;  ///< without lanes: those of a batch are its states
+  std::string measured;  ///< compiler, flags and processor that they were measured with; or empty
+
+  [[nodiscard]] bool empty() const { return plain.empty() && batch.empty(); }
+};
 
 /// The choices that a manifest.json records, or that are written by hand in the same form:
-/// {"choices": [{"function": "gravity", "chosen": {"method": "...", "lanes": 4}}, ...]}.
-/// Errors: a file that cannot be read or is no JSON of this form, a function that is none.
+/// {"choices": [{"function": "gravity", "chosen": {"method": "...", "lanes": 4}}, ...]}; a batch
+/// function is "batch_gravity". Errors: a file that cannot be read or is no JSON of this form, a
+/// function that is none.
 std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace treeline

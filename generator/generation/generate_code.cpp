@@ -19,7 +19,7 @@ namespace {
 /// cost.
 EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
   EmissionContext::ChoiceRow row;
-  row.function = function_name(generated.function);
+  row.function = source_stem(generated);
   row.chosen = {generated.chosen.method, generated.chosen.count.flops(), generated.other_lanes};
   std::set<std::string> routes{route_of(generated.chosen.method)};
   for (const Cost& cost : generated.rejected) {
@@ -58,7 +58,7 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
                                 provenance.scene_name, scene.name, provenance.options);
   context.inputs = {{provenance.urdf_name, provenance.urdf_text},
                     {provenance.scene_name, provenance.scene_text}};
-  for (const GeneratedFunction& generated : generation.functions) {
+  for (const GeneratedFunction& generated : all_functions(generation)) {
     context.choices.push_back(choice_row(generated));
   }
   context.skipped = skipped_rows(mechanisms, scene);
@@ -104,26 +104,51 @@ std::string list_methods(const Mechanism& mechanism, Function function, int lane
 
 /// The function by the route that is chosen for it, else by the one of least cost.
 std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, Function function,
-                                                    const Scene& scene, const Choices& choices,
+                                                    int scene_lanes, Sines sin_cos,
+                                                    const std::map<Function, RouteChoice>& choices,
                                                     Diagnostics& diagnostics) {
   const auto choice = choices.find(function);
   if (choice == choices.end()) {
-    return generate_function(mechanism, function, scene.lanes, scene.sin_cos);
+    return generate_function(mechanism, function, scene_lanes, sin_cos);
   }
-  const int lanes = choice->second.lanes > 0 ? choice->second.lanes : scene.lanes;
-  auto generated =
-      generate_chosen(mechanism, function, choice->second.method, lanes, scene.sin_cos);
+  const int lanes = choice->second.lanes > 0 ? choice->second.lanes : scene_lanes;
+  auto generated = generate_chosen(mechanism, function, choice->second.method, lanes, sin_cos);
   if (!generated) {
-    diagnostics.add({Severity::error, "", 0, function_name(function),
-                     fmt::format("the route that is chosen, `{}` in {} lanes, is none of this "
-                                 "robot's and scene's",
-                                 choice->second.method, lanes),
-                     fmt::format("Choose one of {}.",
-                                 list_methods(mechanism, function, lanes, scene.sin_cos))});
+    diagnostics.add(
+        {Severity::error, "", 0, function_name(function),
+         fmt::format("the route that is chosen, `{}` in {} lanes, is none of this "
+                     "robot's and scene's",
+                     choice->second.method, lanes),
+         fmt::format("Choose one of {}.", list_methods(mechanism, function, lanes, sin_cos))});
     return std::nullopt;
   }
-  generated->other_lanes = lanes == scene.lanes ? 0 : lanes;
+  generated->other_lanes = lanes == scene_lanes ? 0 : lanes;
   return generated;
+}
+
+/// Functions and batches of `generation`; false when a choice cannot be made.
+bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, const Choices& choices,
+                        Generation& generation, Diagnostics& diagnostics) {
+  for (const Function function : scene.functions) {
+    const Mechanism& mechanism = mechanisms.of(function);
+    auto plain = generate_by_choice(mechanism, function, scene.lanes, scene.sin_cos, choices.plain,
+                                    diagnostics);
+    if (!plain) return false;
+    generation.functions.push_back(std::move(*plain));
+    if (scene.batch == 0) continue;
+    auto batch =
+        generate_by_choice(mechanism, function, 1, scene.sin_cos, choices.batch, diagnostics);
+    if (!batch) return false;
+    batch->batch = scene.batch;
+    generation.batch.push_back(std::move(*batch));
+  }
+  return true;
+}
+
+std::vector<Program> programs_of(const std::vector<GeneratedFunction>& functions) {
+  std::vector<Program> programs;
+  for (const GeneratedFunction& generated : functions) programs.push_back(generated.program);
+  return programs;
 }
 
 }  // namespace
@@ -166,28 +191,30 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   Generation generation;
   generation.mechanism = reduced_mechanism(robot, scene);
   FunctionMechanisms mechanisms(robot, scene);
-  std::vector<Program> programs;
-  for (const Function function : scene.functions) {
-    auto made = generate_by_choice(mechanisms.of(function), function, scene, choices, diagnostics);
-    if (!made) return std::nullopt;
-    generation.functions.push_back(std::move(*made));
-    programs.push_back(generation.functions.back().program);
+  if (!generate_functions(mechanisms, scene, choices, generation, diagnostics)) {
+    return std::nullopt;
   }
-  std::vector<Program> batch;
-  if (scene.batch > 0) {
-    for (const GeneratedFunction& generated : generation.functions) {
-      generation.batch.push_back(generate_function(mechanisms.of(generated.function),
-                                                   generated.function, 1, scene.sin_cos));
-      generation.batch.back().batch = scene.batch;
-      batch.push_back(generation.batch.back().program);
-    }
-  }
-  const EmissionContext context = context_of(robot, scene, provenance, generation, mechanisms);
-  generation.files = emit(context, programs, diagnostics, batch);
+  EmissionContext context = context_of(robot, scene, provenance, generation, mechanisms);
+  context.measured = choices.measured;
+  generation.files =
+      emit(context, programs_of(generation.functions), diagnostics, programs_of(generation.batch));
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }
   return generation;
+}
+
+std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
+                                       const Mechanism& mechanism,
+                                       const GeneratedFunction& function,
+                                       Diagnostics& diagnostics) {
+  Scene alone = scene;
+  alone.functions = {function.function};
+  alone.damped.reset();
+  if (function.batch == 0) alone.batch = 0;
+  const std::vector<Program> programs{function.program};
+  return emit(describe_scene(robot, alone, mechanism), programs, diagnostics,
+              function.batch > 0 ? programs : std::vector<Program>{});
 }
 
 }  // namespace treeline

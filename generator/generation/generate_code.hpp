@@ -47,11 +47,17 @@ struct Generation {
 };
 
 /// Robot and scene to files: reduce the mechanism, trace every route of every function asked for,
-/// choose, run the passes, emit. `choices` overrule the choice by cost, except for batches. Nothing
-/// is returned when `diagnostics` got an error.
+/// choose, run the passes, emit. `choices` overrule the choice by cost. Nothing is returned when
+/// `diagnostics` got an error.
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics,
                                         const Choices& choices = {});
+
+/// The files of one function alone, to compile and try it; of a batch with the program as a plain
+/// function beside it. They say nothing of where they came from.
+std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
+                                       const Mechanism& mechanism,
+                                       const GeneratedFunction& function, Diagnostics& diagnostics);
 
 /// The plain functions, then those for batches in the same order.
 std::vector<GeneratedFunction> all_functions(const Generation& generation);

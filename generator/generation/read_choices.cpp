@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "description/read_text_file.hpp"
 #include "generation/choices.hpp"
@@ -21,18 +23,22 @@ std::optional<Function> function_of(const std::string& name) {
   return std::nullopt;
 }
 
+constexpr std::string_view kBatch = "batch_";
+
 /// What is wrong with one row; empty: nothing, and it is among the choices.
 std::string read_row(const Json& row, Choices& choices) {
   const Json& chosen = row.value("chosen", Json());
   if (!chosen.is_object()) return "a row of `choices` does not say what is chosen";
   const std::string name = row.value("function", "");
-  const auto function = function_of(name);
+  const bool batch = name.starts_with(kBatch);
+  const auto function = function_of(batch ? name.substr(kBatch.size()) : name);
   if (!function) return fmt::format("`{}` is no function", name);
   RouteChoice choice{chosen.value("method", ""), chosen.value("lanes", 0)};
   if (std::find(kLanes.begin(), kLanes.end(), choice.lanes) == kLanes.end()) {
     return fmt::format("{} lanes of `{}` are none of 1, 2, 4, 8", choice.lanes, name);
   }
-  choices[*function] = std::move(choice);
+  if (batch && choice.lanes != 0) return fmt::format("`{}` has its states for lanes", name);
+  (batch ? choices.batch : choices.plain)[*function] = std::move(choice);
   return "";
 }
 
@@ -45,6 +51,7 @@ std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagno
   Choices choices;
   try {
     const Json manifest = Json::parse(*text);
+    choices.measured = manifest.value("measured", "");
     for (const Json& row : manifest.at("choices")) {
       if (fault.empty()) fault = read_row(row, choices);
     }

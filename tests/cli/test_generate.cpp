@@ -160,6 +160,7 @@ TEST_F(GenerateTest, ChoicesThatCannotBeMadeAreBadInput) {
        {R"({"choices": [{"function": "gravity", "chosen": {"method": "by magic"}}]})",
         R"({"choices": [{"function": "gravty", "chosen": {"method": "by magic"}}]})",
         R"({"choices": [{"function": "gravity", "chosen": {"method": "x", "lanes": 3}}]})",
+        R"({"choices": [{"function": "batch_gravity", "chosen": {"method": "x", "lanes": 2}}]})",
         R"({"choices": 3})", R"([])", "no JSON"}) {
     std::ofstream(root_ / "mine.json") << text;
     const Outcome outcome = run(generate_by("mine.json", "out"));
@@ -168,6 +169,40 @@ TEST_F(GenerateTest, ChoicesThatCannotBeMadeAreBadInput) {
     EXPECT_FALSE(fs::exists(root_ / "out")) << text;
   }
   EXPECT_EQ(run(generate_by("none.json", "out")).exit_code, 1);
+}
+
+// Would catch: a choice for batches, or what choices were measured with, that the next manifest
+// forgets.
+TEST_F(GenerateTest, ObeysChoicesForBatches) {
+  std::ofstream scene(root_ / "scene.yaml");
+  scene << read_file(kScene) << "\nbatch: 8\n";
+  scene.close();
+  std::ofstream(root_ / "mine.json")
+      << R"({"measured": "by hand", "choices": [{"function": "batch_forward_dynamics", "chosen": )"
+         R"({"method": "articulated bodies, Chang table 4.2"}}]})";
+  const std::string command = kUrdf + " scene.yaml --functions forward_dynamics --output first";
+  ASSERT_EQ(run(command + " --choices mine.json").exit_code, 0);
+  const YAML::Node manifest = YAML::LoadFile(root_ / "first" / "manifest.json");
+  EXPECT_EQ(manifest["measured"].as<std::string>(), "by hand");
+  EXPECT_EQ(manifest["choices"][1]["function"].as<std::string>(), "batch_forward_dynamics");
+  EXPECT_EQ(manifest["choices"][1]["chosen"]["method"].as<std::string>(),
+            "articulated bodies, Chang table 4.2");
+  EXPECT_NE(manifest["choices"][0]["chosen"]["method"].as<std::string>(),
+            "articulated bodies, Chang table 4.2");
+  EXPECT_EQ(run(command + " --choices first/manifest.json --compare").exit_code, 0);
+}
+
+// Would catch: a tuned folder that its own manifest does not make again, a table that is no data.
+TEST_F(GenerateTest, TunedFolderIsReproducible) {
+  const std::string command = kUrdf + " " + kScene + " --functions gravity --output puma560 ";
+  const Outcome tuned = run(command + "--tune --flags=-O1 --json");
+  ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
+  const YAML::Node summary = YAML::Load(tuned.out);
+  EXPECT_EQ(summary["tuning"][0]["function"].as<std::string>(), "gravity");
+  EXPECT_NE(summary["measured"].as<std::string>().find("-O1"), std::string::npos);
+  EXPECT_EQ(run(command + "--choices puma560/manifest.json --compare").exit_code, 0);
+  EXPECT_EQ(run(command + "--tune --compare").exit_code, 2);
+  EXPECT_EQ(run(command + "--flags=-O1").exit_code, 2);
 }
 
 // Would catch: a message that leaves one to guess what could have been chosen.

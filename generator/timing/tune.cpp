@@ -1,0 +1,131 @@
+#include "timing/tune.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "generation/function_mechanisms.hpp"
+#include "generation/run_routes.hpp"
+
+namespace treeline {
+namespace {
+
+/// The lanes to try, the scene's first. Batches have their states for lanes.
+std::vector<int> lanes_to_try(const Scene& scene, bool batch) {
+  if (batch) return {1};
+  std::vector<int> lanes{scene.lanes};
+  for (const int more : {1, 2, 4, 8}) {
+    if (more != scene.lanes) lanes.push_back(more);
+  }
+  return lanes;
+}
+
+/// What tells the code of two programs apart: the order of their nodes and what is packed.
+std::string fingerprint(const Program& program) {
+  std::string text;
+  const auto append = [&text](const auto& number) {
+    text.append(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  for (const Node& node : program.graph.nodes()) {
+    append(node.op);
+    append(node.a);
+    append(node.b);
+    append(node.value);
+  }
+  for (const LanePack& pack : program.packs) {
+    append(pack.size());
+    for (const std::uint32_t lane : pack) append(lane);
+  }
+  return text;
+}
+
+GeneratedFunction candidate_of(Function function, Candidate candidate, int lanes,
+                               const Scene& scene, bool batch) {
+  GeneratedFunction made;
+  made.function = function;
+  const OperationCount count = count_operations(candidate.program);
+  made.chosen = {std::move(candidate.method), count, cost(candidate.program, count)};
+  made.program = std::move(candidate.program);
+  made.other_lanes = lanes;
+  made.batch = batch ? scene.batch : 0;
+  return made;
+}
+
+bool is_cheaper(const GeneratedFunction& a, const GeneratedFunction& b) {
+  return a.chosen.weighted < b.chosen.weighted;
+}
+
+std::optional<TunedFunction> tune_function(std::vector<GeneratedFunction> candidates,
+                                           const Measure& measure, const TuneOptions& options,
+                                           Diagnostics& diagnostics) {
+  if (options.progress) options.progress(source_stem(candidates.front()), candidates.size());
+  const auto timings = measure(candidates, diagnostics);
+  if (!timings) return std::nullopt;
+  TunedFunction tuned{candidates.front().function, candidates.front().batch, {}, 0};
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const GeneratedFunction& candidate = candidates[i];
+    tuned.trials.push_back({{candidate.chosen.method, tuned.batch > 0 ? 0 : candidate.other_lanes},
+                            candidate.chosen.count,
+                            (*timings)[i]});
+    const double least = tuned.trials[tuned.fastest].timing.ratio;
+    const Timing& timing = tuned.trials.back().timing;
+    const double gain = 1 - timing.ratio;
+    if (timing.ratio < least && gain > std::max(options.margin, 2 * timing.noise)) {
+      tuned.fastest = i;
+    }
+  }
+  return tuned;
+}
+
+}  // namespace
+
+std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Function function,
+                                               const Scene& scene, bool batch, double reach) {
+  std::vector<GeneratedFunction> all;
+  for (const int lanes : lanes_to_try(scene, batch)) {
+    Routes routes = run_routes(mechanism, function, {lanes, scene.sin_cos});
+    const std::size_t first = all.size();
+    for (Candidate& candidate : routes.candidates) {
+      all.push_back(candidate_of(function, std::move(candidate), lanes, scene, batch));
+    }
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+    std::stable_sort(begin, all.end(), is_cheaper);
+  }
+  const double least = std::min_element(all.begin(), all.end(), is_cheaper)->chosen.weighted;
+  std::set<std::string> seen;
+  std::erase_if(all, [&, first = true](const GeneratedFunction& each) mutable {
+    const bool keep = std::exchange(first, false) || each.chosen.weighted <= (1 + reach) * least;
+    return !keep || !seen.insert(fingerprint(each.program)).second;
+  });
+  return all;
+}
+
+std::optional<Tuning> tune(const Robot& robot, const Scene& scene, const Measure& measure,
+                           const TuneOptions& options, Diagnostics& diagnostics) {
+  FunctionMechanisms mechanisms(robot, scene);
+  Tuning tuning;
+  for (const Function function : scene.functions) {
+    for (const bool batch : {false, true}) {
+      if (batch && scene.batch == 0) continue;
+      auto tuned = tune_function(
+          list_candidates(mechanisms.of(function), function, scene, batch, options.reach), measure,
+          options, diagnostics);
+      if (!tuned) return std::nullopt;
+      tuning.functions.push_back(std::move(*tuned));
+    }
+  }
+  return tuning;
+}
+
+Choices choices_of(const Tuning& tuning) {
+  Choices choices;
+  choices.measured = tuning.measured;
+  for (const TunedFunction& tuned : tuning.functions) {
+    auto& kind = tuned.batch > 0 ? choices.batch : choices.plain;
+    kind[tuned.function] = tuned.trials[tuned.fastest].choice;
+  }
+  return choices;
+}
+
+}  // namespace treeline
