@@ -1,10 +1,11 @@
 # treeline_generate(TARGET URDF file SCENE file [NAME identifier] [REAL float|double]
-#                   [FUNCTIONS function...])
+#                   [FUNCTIONS function...] [CHOICES file])
 #
 # Makes the static library TARGET from a robot and a scene while building: link it and include
 # "NAME.hpp" (or "NAME_eigen.hpp", or "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the target's name unless
-# given; REAL and FUNCTIONS go before what the scene says. The code is generated again when the URDF,
-# the scene or the generator changes, compiled again only where its text did.
+# given; REAL and FUNCTIONS go before what the scene says; CHOICES is the manifest.json that
+# `treeline generate --tune` has written. The code is generated again when the URDF, the scene, the
+# choices or the generator change, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
 
 # Every function a scene may ask for; which of them it does is known only once it is read.
@@ -18,7 +19,7 @@ set(TREELINE_ALL_FUNCTIONS
   CACHE INTERNAL "")
 
 function(treeline_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL" "FUNCTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;CHOICES" "FUNCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "treeline_generate(${target}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -42,6 +43,11 @@ function(treeline_generate target)
     list(APPEND options --functions ${functions})
   endif()
 
+  if(arg_CHOICES)
+    get_filename_component(arg_CHOICES ${arg_CHOICES} ABSOLUTE)
+    list(APPEND options --choices ${arg_CHOICES})
+  endif()
+
   set(sources ${TREELINE_ALL_FUNCTIONS})
   # Only where the scene may ask for batches; an edit that adds the key configures anew.
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${arg_SCENE})
@@ -61,7 +67,7 @@ function(treeline_generate target)
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}"
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
-    DEPENDS ${arg_URDF} ${arg_SCENE} treeline::treeline
+    DEPENDS ${arg_URDF} ${arg_SCENE} ${arg_CHOICES} treeline::treeline
       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
     COMMENT "Generating ${arg_NAME} from ${arg_URDF}"
     VERBATIM)

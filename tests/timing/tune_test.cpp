@@ -74,7 +74,8 @@ TEST(Tune, KeepsTheDefaultWithinNoise) {
 }
 
 TEST(Tune, DefaultIsFirst) {
-  const Subjects subjects = load("samm");
+  Subjects subjects = load("samm");
+  subjects.scene.functions = {Function::inverse_dynamics, Function::lambda_inverse};
   const Generation& generation = subjects.generation;
   TuneOptions options;
   options.reach = 0.2;
@@ -113,7 +114,9 @@ TEST(Tune, ChoicesLeadToTheCodeMeasured) {
   ASSERT_TRUE(made);
   EXPECT_EQ(last.size(), 4U);
   for (const GeneratedFile& file : made->files) {
-    if (last.contains(file.name)) EXPECT_EQ(file.text, last[file.name]);
+    if (last.contains(file.name)) {
+      EXPECT_EQ(file.text, last[file.name]);
+    }
   }
 }
 
