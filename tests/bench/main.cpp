@@ -3,6 +3,7 @@
 //   --json=FILE    one JSON object a line for each function of each implementation
 //   --plot=FILE    an SVG
 //   --counts=FILE  instructions, as count_instructions.sh prints them, for the table
+//   --times=FILE   adds the times of earlier runs that are there, and these to the file
 //   --least        the least times instead of the medians
 // The table goes to stdout.
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ std::vector<Measured> read_robots() {
 }
 
 struct Options {
-  std::string json, plot, counts;
+  std::string json, plot, counts, times;
   bool least = false;
 };
 
@@ -62,6 +63,7 @@ int run(const Options& options) {
   const Machine machine = describe_machine();
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
+  if (!options.times.empty()) add_times(options.times, collector.times);
   const auto rows =
       collect_rows(robots, collector.times, read_counts(options.counts), machine.limits);
   fmt::print("{}", print_table(rows, machine, options.least));
@@ -83,6 +85,7 @@ bool take(std::string_view argument, Options& options) {
   if (argument == "--least") return options.least = true;
   return take_value(argument, "--json=", options.json) ||
          take_value(argument, "--plot=", options.plot) ||
+         take_value(argument, "--times=", options.times) ||
          take_value(argument, "--counts=", options.counts);
 }
 

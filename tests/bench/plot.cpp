@@ -67,7 +67,7 @@ std::string draw_legend() {
     text +=
         fmt::format("<circle cx=\"{:.1f}\" cy=\"36\" r=\"4.5\" fill=\"{}\"/>\n", x, each.colour);
     text += text_at(x + 9, 40, "start", each.label);
-    x += 30 + 6.4 * static_cast<double>(each.label.size());
+    x += 34 + 7.0 * static_cast<double>(each.label.size());
   }
   return text;
 }

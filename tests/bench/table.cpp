@@ -47,6 +47,7 @@ std::string print_row(const Row& row, const std::optional<double>& first, const 
   const auto warm = row.time(Mode::warm, least);
   std::string text = fmt::format("  {:<36}", row.subject->implementation);
   text += print_time(warm) + number(warm && first ? *warm / *first : 0, 7, 2);
+  text += ' ';
   for (const Mode mode : {Mode::dependent, Mode::cold, Mode::flushed}) {
     text += print_time(row.time(mode, least));
   }
@@ -62,7 +63,7 @@ std::string print_row(const Row& row, const std::optional<double>& first, const 
 
 std::string print_heading(const Row& row) {
   return fmt::format(
-      "{:<38}{:>9}{:>7}{:>9}{:>9}{:>9}{:>7}{:>7}{:>7}{:>7}{:>11}{:>8}{:>7}{:>8}{:>5}\n",
+      "{:<38}{:>9}{:>7}{:>10}{:>9}{:>9}{:>7}{:>7}{:>7}{:>7}{:>11}{:>8}{:>7}{:>8}{:>5}\n",
       name_of(row.function), "warm", "ratio", "dependent", "cold", "flushed", "instr", "flops",
       "fl/cyc", "B/cyc", "limit", "code", "stack", "compile", "MiB");
 }

@@ -1,6 +1,7 @@
 #include "times.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <ostream>
 
 namespace treeline::bench {
@@ -14,6 +15,20 @@ double Times::median() const {
 
 double Times::least() const {
   return *std::min_element(repetitions.begin(), repetitions.end());
+}
+
+void add_times(const std::string& path, AllTimes& times) {
+  std::ifstream earlier(path);
+  for (std::string line; std::getline(earlier, line);) {
+    const auto tab = line.find('\t');
+    if (tab == std::string::npos) continue;
+    times[line.substr(tab + 1)].repetitions.push_back(std::stod(line));
+  }
+  earlier.close();
+  std::ofstream all(path);
+  for (const auto& [name, each] : times) {
+    for (const double time : each.repetitions) all << time << '\t' << name << '\n';
+  }
 }
 
 void Collector::ReportRuns(const std::vector<Run>& runs) {

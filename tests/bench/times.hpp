@@ -18,6 +18,9 @@ struct Times {
 
 using AllTimes = std::map<std::string, Times>;  ///< by the benchmark's name
 
+/// Adds the times of earlier runs that were written to `path`, then writes all there.
+void add_times(const std::string& path, AllTimes& times);
+
 /// Collects times and prints nothing but errors.
 class Collector : public benchmark::BenchmarkReporter {
  public:
