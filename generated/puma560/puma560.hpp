@@ -22,6 +22,8 @@
 // Operational points, rows of task vectors:
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 2.79 3.93 3.93 2.97 1.75
+//   4.64, |qd| <= 8 10 10 10 10 10, |qdd| <= 100.
 
 namespace puma560 {
 
@@ -37,6 +39,9 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 98 flops (add 34, mul 64, div 0), sine and cosine of 6 angles.
 /// Stack: at most 33 values live at once, 264 bytes.
+/// Rounding: at most 1.5e-15 in position (at position[2]), 4 ulp of 2.2e+00, the most that
+///   position can be; at most 5.4e-15 in rotation (at rotation[0]), 9 ulp of 2.9e+00, the most that
+///   rotation can be.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
@@ -45,6 +50,7 @@ void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation
 /// out J (6x6): Jacobian
 /// Cost: 98 flops (add 30, mul 68, div 0), sine and cosine of 5 angles.
 /// Stack: at most 41 values live at once, 328 bytes.
+/// Rounding: at most 3.6e-15 in J (at J[23]), 6 ulp of 2.9e+00, the most that J can be.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -54,6 +60,7 @@ void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 240 flops (add 87, mul 153, div 0), sine and cosine of 6 angles.
 /// Stack: at most 44 values live at once, 352 bytes.
+/// Rounding: at most 3.4e-11 in bias (at bias[3]), 18 ulp of 8.8e+03, the most that bias can be.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -64,6 +71,7 @@ void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6])
 /// out tau (6): joint forces
 /// Cost: 322 flops (add 144, mul 178, div 0), sine and cosine of 5 angles.
 /// Stack: at most 64 values live at once, 512 bytes.
+/// Rounding: at most 2.3e-12 in tau (at tau[0]), 9 ulp of 1.3e+03, the most that tau can be.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
@@ -73,6 +81,7 @@ void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)
 /// out g (6): joint forces
 /// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
 /// Stack: at most 15 values live at once, 120 bytes.
+/// Rounding: at most 3.5e-14 in g (at g[1]), 3 ulp of 5.5e+01, the most that g can be.
 void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -82,6 +91,7 @@ void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 /// out h (6): joint forces
 /// Cost: 290 flops (add 123, mul 167, div 0), sine and cosine of 5 angles.
 /// Stack: at most 58 values live at once, 464 bytes.
+/// Rounding: at most 1.6e-12 in h (at h[0]), 9 ulp of 8.0e+02, the most that h can be.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -90,6 +100,7 @@ void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) no
 /// out M (6x6): joint-space inertia
 /// Cost: 166 flops (add 73, mul 93, div 0), sine and cosine of 4 angles.
 /// Stack: at most 47 values live at once, 376 bytes.
+/// Rounding: at most 5.0e-15 in M (at M[0]), 5 ulp of 5.0e+00, the most that M can be.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -100,6 +111,7 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// out qdd (6): joint accelerations
 /// Cost: 578 flops (add 250, mul 324, div 4), sine and cosine of 5 angles.
 /// Stack: at most 76 values live at once, 608 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
 
@@ -109,6 +121,7 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 602 flops (add 255, mul 343, div 4), sine and cosine of 5 angles.
 /// Stack: at most 56 values live at once, 448 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -117,6 +130,7 @@ void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 818 flops (add 345, mul 463, div 10), sine and cosine of 5 angles.
 /// Stack: at most 56 values live at once, 448 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -128,6 +142,7 @@ void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 /// out tau (6): joint forces
 /// Cost: 577 flops (add 245, mul 330, div 2), sine and cosine of 6 angles.
 /// Stack: at most 86 values live at once, 688 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 

@@ -25,6 +25,8 @@
 // Operational points, rows of task vectors:
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 10 10 3.142 2.79 3.93 3.93
+//   2.97 1.75 4.64, |qd| <= 1.5 1.5 2.5 8 10 10 10 10 10, |qdd| <= 100.
 
 namespace samm {
 
@@ -40,6 +42,9 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 106 flops (add 38, mul 68, div 0), sine and cosine of 7 angles.
 /// Stack: at most 31 values live at once, 248 bytes.
+/// Rounding: at most 6.8e-15 in position (at position[0]), 3 ulp of 1.3e+01, the most that
+///   position can be; at most 8.5e-15 in rotation (at rotation[0]), 14 ulp of 2.9e+00, the most that
+///   rotation can be.
 void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
@@ -48,6 +53,7 @@ void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation
 /// out J (6x9): Jacobian
 /// Cost: 113 flops (add 37, mul 76, div 0), sine and cosine of 6 angles.
 /// Stack: at most 31 values live at once, 248 bytes.
+/// Rounding: at most 1.9e-14 in J (at J[22]), 10 ulp of 9.0e+00, the most that J can be.
 void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -57,6 +63,7 @@ void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 247 flops (add 90, mul 157, div 0), sine and cosine of 7 angles.
 /// Stack: at most 44 values live at once, 352 bytes.
+/// Rounding: at most 5.1e-11 in bias (at bias[3]), 24 ulp of 9.9e+03, the most that bias can be.
 void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -67,6 +74,7 @@ void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6])
 /// out tau (9): joint forces
 /// Cost: 386 flops (add 173, mul 213, div 0), sine and cosine of 7 angles.
 /// Stack: at most 79 values live at once, 632 bytes.
+/// Rounding: at most 1.4e-11 in tau (at tau[0]), 3 ulp of 2.3e+04, the most that tau can be.
 void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)[9],
     Real (&tau)[9]) noexcept;
 
@@ -76,6 +84,7 @@ void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)
 /// out g (9): joint forces
 /// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
 /// Stack: at most 15 values live at once, 120 bytes.
+/// Rounding: at most 3.5e-14 in g (at g[4]), 3 ulp of 5.5e+01, the most that g can be.
 void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -85,6 +94,7 @@ void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
 /// out h (9): joint forces
 /// Cost: 322 flops (add 137, mul 185, div 0), sine and cosine of 7 angles.
 /// Stack: at most 67 values live at once, 536 bytes.
+/// Rounding: at most 6.0e-12 in h (at h[0]), 12 ulp of 2.3e+03, the most that h can be.
 void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -93,6 +103,7 @@ void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) no
 /// out M (9x9): joint-space inertia
 /// Cost: 239 flops (add 98, mul 141, div 0), sine and cosine of 6 angles.
 /// Stack: at most 64 values live at once, 512 bytes.
+/// Rounding: at most 1.2e-14 in M (at M[2]), 1 ulp of 1.9e+02, the most that M can be.
 void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -103,6 +114,7 @@ void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 /// out qdd (9): joint accelerations
 /// Cost: 813 flops (add 347, mul 460, div 6), sine and cosine of 7 angles.
 /// Stack: at most 103 values live at once, 824 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)[9],
     Real (&qdd)[9]) noexcept;
 
@@ -112,6 +124,7 @@ void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 982 flops (add 407, mul 569, div 6), sine and cosine of 6 angles.
 /// Stack: at most 88 values live at once, 704 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -120,6 +133,7 @@ void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 1198 flops (add 497, mul 689, div 12), sine and cosine of 6 angles.
 /// Stack: at most 80 values live at once, 640 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -131,6 +145,7 @@ void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 /// out tau (9): joint forces
 /// Cost: 1327 flops (add 605, mul 711, div 11), sine and cosine of 7 angles.
 /// Stack: at most 107 values live at once, 856 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
 

@@ -22,6 +22,8 @@
 // Operational points, rows of task vectors:
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 6.283 6.283 3.142 6.283
+//   6.283 6.283, |qd| <= 2.094 2.094 3.142 3.142 3.142 3.142, |qdd| <= 100.
 
 namespace ur10e {
 
@@ -37,6 +39,9 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 98 flops (add 34, mul 64, div 0), sine and cosine of 6 angles.
 /// Stack: at most 30 values live at once, 240 bytes.
+/// Rounding: at most 2.6e-15 in position (at position[0]), 5 ulp of 2.7e+00, the most that
+///   position can be; at most 5.5e-15 in rotation (at rotation[6]), 9 ulp of 2.9e+00, the most that
+///   rotation can be.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
@@ -45,6 +50,7 @@ void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation
 /// out J (6x6): Jacobian
 /// Cost: 105 flops (add 34, mul 71, div 0), sine and cosine of 5 angles.
 /// Stack: at most 27 values live at once, 216 bytes.
+/// Rounding: at most 6.5e-15 in J (at J[4]), 11 ulp of 2.9e+00, the most that J can be.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -54,6 +60,7 @@ void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 252 flops (add 92, mul 160, div 0), sine and cosine of 6 angles.
 /// Stack: at most 44 values live at once, 352 bytes.
+/// Rounding: at most 3.4e-12 in bias (at bias[2]), 21 ulp of 7.4e+02, the most that bias can be.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -64,6 +71,7 @@ void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6])
 /// out tau (6): joint forces
 /// Cost: 306 flops (add 135, mul 171, div 0), sine and cosine of 5 angles.
 /// Stack: at most 65 values live at once, 520 bytes.
+/// Rounding: at most 3.5e-12 in tau (at tau[0]), 7 ulp of 2.3e+03, the most that tau can be.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
@@ -73,6 +81,7 @@ void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)
 /// out g (6): joint forces
 /// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
 /// Stack: at most 15 values live at once, 120 bytes.
+/// Rounding: at most 1.2e-13 in g (at g[1]), 4 ulp of 1.8e+02, the most that g can be.
 void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -82,6 +91,7 @@ void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 /// out h (6): joint forces
 /// Cost: 279 flops (add 117, mul 162, div 0), sine and cosine of 5 angles.
 /// Stack: at most 56 values live at once, 448 bytes.
+/// Rounding: at most 6.2e-13 in h (at h[0]), 8 ulp of 3.5e+02, the most that h can be.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -90,6 +100,7 @@ void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) no
 /// out M (6x6): joint-space inertia
 /// Cost: 154 flops (add 69, mul 85, div 0), sine and cosine of 4 angles.
 /// Stack: at most 39 values live at once, 312 bytes.
+/// Rounding: at most 2.8e-14 in M (at M[0]), 8 ulp of 1.7e+01, the most that M can be.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -100,6 +111,7 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// out qdd (6): joint accelerations
 /// Cost: 560 flops (add 245, mul 311, div 4), sine and cosine of 5 angles.
 /// Stack: at most 63 values live at once, 504 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
 
@@ -109,6 +121,7 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 622 flops (add 267, mul 351, div 4), sine and cosine of 5 angles.
 /// Stack: at most 70 values live at once, 560 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -117,6 +130,7 @@ void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 838 flops (add 357, mul 471, div 10), sine and cosine of 5 angles.
 /// Stack: at most 70 values live at once, 560 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -128,6 +142,7 @@ void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 /// out tau (6): joint forces
 /// Cost: 1059 flops (add 447, mul 601, div 11), sine and cosine of 6 angles.
 /// Stack: at most 128 values live at once, 1024 bytes.
+/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 

@@ -154,7 +154,8 @@ CheckReport judge(const Scene& scene, const Generation& generation,
   const std::vector<GeneratedFunction> functions = all_functions(generation);
   for (std::size_t i = 0; i < functions.size(); ++i) {
     report.functions.push_back(judge_function(i, functions[i], references, scene.real,
-                                              *libraries.accurate, libraries.exact()));
+                                              generation.domain, *libraries.accurate,
+                                              libraries.exact()));
     add_compilation(libraries.compilation, report.functions.back());
   }
   report.named_states = collect_named_states(report.functions, references);

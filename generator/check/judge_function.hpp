@@ -10,10 +10,12 @@ namespace treeline {
 
 /// Calls function `i` of the library at all states and holds its results to the references: its
 /// errors to the bound, from `accurate`; its bits to the graph's, from `exact`, which was compiled
-/// without contraction of products and sums (the same library where no flag asks for any).
+/// without contraction of products and sums (the same library where no flag asks for any). In
+/// states of `domain` no error may exceed `generated.rounding`.
 FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
                               const std::vector<StateReference>& references, Real real,
-                              const GeneratedLibrary& accurate, const GeneratedLibrary& exact);
+                              const Domain& domain, const GeneratedLibrary& accurate,
+                              const GeneratedLibrary& exact);
 
 /// What the interpreter's errors at these states allow function `i`.
 Bound find_bound(std::size_t i, Function function, const std::vector<StateReference>& references);

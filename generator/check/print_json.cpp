@@ -46,6 +46,11 @@ Json to_json(const Bound& bound) {
           {"times_condition_of", of == nullptr ? Json(nullptr) : Json(of)}};
 }
 
+Json to_json(const std::optional<ProvenBound>& proven) {
+  if (!proven) return nullptr;
+  return {{"error", proven->error}, {"used", proven->used}, {"states", proven->states}};
+}
+
 Json to_json(const FunctionReport& f) {
   Json json{{"name", f.name},
             {"passed", f.passed()},
@@ -58,6 +63,7 @@ Json to_json(const FunctionReport& f) {
             {"nearest_to_bound", nullptr},
             {"interpreter_worst", finite(f.interpreter_worst)},
             {"bound", to_json(f.bound)},
+            {"proven_bound", to_json(f.proven)},
             {"beyond_bound", f.beyond_bound},
             {"out_of_bounds", f.out_of_bounds},
             {"bits_differ", f.bits_differ},

@@ -60,6 +60,8 @@ std::string print_table(const CheckReport& report) {
          any ? fmt::format("{:.1f}", digits_left(report, f.worst.error)) : "-",
          error(f.interpreter_worst), any ? state_name(f.worst.state) : "-", print_bound(f.bound),
          any ? fmt::format("{} %", number(100 * f.nearest.error / f.nearest.bound)) : "-",
+         f.proven ? fmt::format("{:.1e}", f.proven->error) : "none",
+         f.proven && f.proven->states > 0 ? fmt::format("{} %", number(100 * f.proven->used)) : "",
          f.singular == 0 ? "" : fmt::format("{}", f.singular), print_bits(f),
          fmt::format("{}", f.count.flops()), optional(f.code_bytes), optional(f.stack_bytes),
          fmt::format("{:.1f}", f.compile_seconds)});
@@ -72,6 +74,8 @@ std::string print_table(const CheckReport& report) {
                         {"interp", true},
                         {"worst state"},
                         {"bound"},
+                        {"used", true},
+                        {"proven", true},
                         {"used", true},
                         {"singular", true},
                         {"bits"},
@@ -118,6 +122,9 @@ std::string print_faults(const FunctionReport& f) {
     add(fmt::format("beyond its bound at {} of {} states; at {} the error is {} ulp, allowed {}",
                     f.beyond_bound, f.states - f.singular, state_name(f.nearest.state),
                     number(f.nearest.error), number(f.nearest.bound)));
+  }
+  if (f.proven && f.proven->used > 1) {
+    add(fmt::format("errs by {} times what its expression graph permits", number(f.proven->used)));
   }
   if (f.out_of_bounds > 0) {
     add(fmt::format("writes beyond its outputs at {} states", f.out_of_bounds));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,10 @@ struct EmissionContext {
     int saved_flops = 0;
   };
   std::vector<SkippedRow> skipped;
+
+  /// Of each function what is known of its rounding errors, and the inputs for which that holds.
+  std::map<std::string, std::string> rounding;
+  std::string domain;
 
   std::vector<std::string> notes;  ///< lines for the contract: locked joints, lumped links
 };

@@ -22,6 +22,19 @@ std::string comment(const std::string& mark, const std::string& text) {
   return commented;
 }
 
+/// Lines of so many columns, broken at blanks; those behind the first are indented.
+std::string wrap_text(const std::string& text, std::size_t columns) {
+  std::string wrapped;
+  std::size_t begin = 0;
+  while (text.size() - begin > columns) {
+    const std::size_t blank = text.rfind(' ', begin + columns);
+    if (blank == std::string::npos || blank <= begin) break;
+    wrapped += text.substr(begin, blank - begin) + "\n  ";
+    begin = blank + 1;
+  }
+  return wrapped + text.substr(begin);
+}
+
 std::string describe_origin(const EmissionContext& context) {
   std::string text = "From";
   for (std::size_t i = 0; i < context.inputs.size(); ++i) {
@@ -78,6 +91,12 @@ std::string describe_conventions(const EmissionContext& context) {
   for (const std::string& note : context.notes) {
     text += note + "\n";
   }
+  if (!context.domain.empty()) {
+    text += wrap_text("Bounds of rounding errors hold for inputs, taken as exact, of " +
+                          context.domain + ".",
+                      95) +
+            "\n";
+  }
   return text;
 }
 
@@ -99,6 +118,10 @@ std::string describe_function(const EmissionContext& context, const Program& pro
   const int live = count_live_values(program);
   text += fmt::format("Cost: {}.\nStack: at most {} values live at once, {} bytes.\n",
                       describe_cost(program), live, live * (context.single_precision ? 4 : 8));
+  const auto rounding = context.rounding.find(program.name);
+  if (rounding != context.rounding.end()) {
+    text += wrap_text("Rounding: " + rounding->second + ".", 95) + "\n";
+  }
   return text;
 }
 

@@ -41,13 +41,17 @@ std::string print_lanes(const Program& program) {
                      program.packs.size(), shared, program.lane_moves);
 }
 
-std::string print_function(const Program& program) {
+std::string print_function(const EmissionContext& context, const Program& program) {
+  const auto rounding = context.rounding.find(program.name);
+  const std::string bound = rounding == context.rounding.end()
+                                ? std::string()
+                                : fmt::format(R"(, "rounding": {})", quote_json(rounding->second));
   const OperationCount count = count_operations(program);
   return fmt::format(R"({{"name": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, )"
-                     R"("sin_cos": {}, "live_values": {}{}}})",
+                     R"("sin_cos": {}, "live_values": {}{}{}}})",
                      quote_json(program.name), quote_json(program.source), count.flops(), count.add,
                      count.mul, count.div, count.sin_cos, count_live_values(program),
-                     print_lanes(program));
+                     print_lanes(program), bound);
 }
 
 std::string print_method(const EmissionContext::Method& method) {
@@ -98,7 +102,8 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"velocities", std::to_string(context.velocities)},
        {"task_rows", std::to_string(context.task_rows)},
        {"inputs", print_list(context.inputs, print_input)},
-       {"functions", print_list(programs, print_function)},
+       {"functions",
+        print_list(programs, [&context](const Program& p) { return print_function(context, p); })},
        {"measured", context.measured.empty()
                         ? ""
                         : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},

@@ -51,6 +51,23 @@ std::vector<EmissionContext::SkippedRow> skipped_rows(FunctionMechanisms& mechan
   return rows;
 }
 
+/// Half an ulp of one.
+double rounding_unit(const Scene& scene) {
+  return scene.real == Real::float32 ? 0x1p-24 : 0x1p-53;
+}
+
+/// What the contract says about rounding errors, and the ranges of inputs that this is about.
+void add_rounding(const Scene& scene, const Generation& generation, EmissionContext& context) {
+  std::set<std::string> arguments;
+  for (const GeneratedFunction& generated : generation.functions) {
+    const Program& program = generated.program;
+    context.rounding[program.name] = describe(generated.rounding, program, rounding_unit(scene));
+    if (!generated.rounding.exists()) continue;
+    for (const Argument& argument : program.arguments) arguments.insert(argument.name);
+  }
+  context.domain = describe(generation.domain, {arguments.begin(), arguments.end()});
+}
+
 EmissionContext context_of(const Robot& robot, const Scene& scene, const Provenance& provenance,
                            const Generation& generation, FunctionMechanisms& mechanisms) {
   EmissionContext context = describe_scene(robot, scene, generation.mechanism);
@@ -62,6 +79,7 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
     context.choices.push_back(choice_row(generated));
   }
   context.skipped = skipped_rows(mechanisms, scene);
+  add_rounding(scene, generation, context);
   return context;
 }
 
@@ -134,6 +152,7 @@ bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, cons
     auto plain = generate_by_choice(mechanism, function, scene.lanes, scene.sin_cos, choices.plain,
                                     diagnostics);
     if (!plain) return false;
+    plain->rounding = bound_rounding(plain->program, generation.domain, rounding_unit(scene));
     generation.functions.push_back(std::move(*plain));
     if (scene.batch == 0) continue;
     auto batch =
@@ -191,6 +210,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   Generation generation;
   generation.mechanism = reduced_mechanism(robot, scene);
   FunctionMechanisms mechanisms(robot, scene);
+  generation.domain = make_domain(robot, scene, generation.mechanism);
   if (!generate_functions(mechanisms, scene, choices, generation, diagnostics)) {
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bounds/bound_rounding.hpp"
 #include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
@@ -30,8 +31,9 @@ struct GeneratedFunction {
   Cost chosen;
   std::vector<Cost> rejected;
   std::vector<PassReport> passes;
-  int other_lanes = 0;  ///< lanes of the route, where they are chosen to be not the scene's
-  int batch = 0;        ///< states a call; 0: the plain function of one state
+  int other_lanes = 0;     ///< lanes of the route, where they are chosen to be not the scene's
+  int batch = 0;           ///< states a call; 0: the plain function of one state
+  RoundingBound rounding;  ///< on `Generation::domain`; not computed for batches
 };
 
 /// What the function's source file is called, without `.cpp`.
@@ -39,6 +41,7 @@ std::string source_stem(const GeneratedFunction& generated);
 
 /// Everything `treeline generate` makes, in memory.
 struct Generation {
+  Domain domain;        ///< on which bounds of rounding errors hold
   Mechanism mechanism;  ///< with everything in the scene; see `FunctionMechanisms`
   std::vector<GeneratedFunction> functions;
   std::vector<GeneratedFunction>

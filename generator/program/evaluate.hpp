@@ -23,10 +23,13 @@ std::vector<InputPlace> locate_inputs(const Program& program);
 
 namespace detail {
 
+template <class Scalar>
+inline constexpr bool kIsEmitted = std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>;
+
 /// Sine and cosine as emitted code computes them for float and double, else by the type's own.
 template <class Scalar>
 Scalar sine(const Scalar& x) {
-  if constexpr (std::is_floating_point_v<Scalar>) {
+  if constexpr (kIsEmitted<Scalar>) {
     Scalar s = 0;
     Scalar c = 0;
     core::sin_cos(x, s, c);
@@ -39,7 +42,7 @@ Scalar sine(const Scalar& x) {
 
 template <class Scalar>
 Scalar cosine(const Scalar& x) {
-  if constexpr (std::is_floating_point_v<Scalar>) {
+  if constexpr (kIsEmitted<Scalar>) {
     Scalar s = 0;
     Scalar c = 0;
     core::sin_cos(x, s, c);

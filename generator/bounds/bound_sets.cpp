@@ -1,0 +1,239 @@
+#include "bounds/bound_sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bounds/operator_norm.hpp"
+
+namespace treeline::bounds {
+namespace {
+
+constexpr int kDeepest = 400;           // sets below sets
+constexpr std::size_t kLargestSet = 9;  // a 3x3 matrix
+constexpr double kSineError = 1;        // at most 1.0 ulp, of values below 1: core/sin_cos.hpp
+constexpr double kSlack = 1 + 0x1p-40;  // for rounding of the bounds themselves
+
+bool is_float(double value) {
+  return static_cast<double>(static_cast<float>(value)) == value;
+}
+
+/// A factor that rounds nothing.
+bool is_power_of_two(const Node& node) {
+  int exponent = 0;
+  return node.op == Op::constant && std::abs(std::frexp(node.value, &exponent)) == 0.5;
+}
+
+/// The error of a result that is rounded, from what its operands bring.
+Bounded rounded(double size, double brought, double unit) {
+  return {size * kSlack, (brought + size + unit * brought) * kSlack};
+}
+
+}  // namespace
+
+struct SetBounds::Turn {
+  std::vector<std::uint32_t> leaves;
+  TrigMatrix A;               ///< weighted rows
+  std::vector<Bounded> rest;  ///< of each row, weighted: what is added to the turned part
+};
+
+SetBounds::SetBounds(const Graph& graph, InputSizes inputs, double unit)
+    : graph_(graph),
+      inputs_(std::move(inputs)),
+      unit_(unit),
+      polynomials_(find_polynomials(graph)),
+      bounds_(graph.nodes().size()),
+      divisions_(graph.nodes().size()),
+      height_(graph.nodes().size()),
+      turns_(graph.nodes().size()) {
+  for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) bound_node(i);
+}
+
+std::optional<Bounded> SetBounds::of(std::uint32_t node) const {
+  return bounds_[node];
+}
+
+std::optional<std::uint32_t> SetBounds::division_below(std::uint32_t node) const {
+  if (bounds_[node]) return std::nullopt;
+  return divisions_[node];
+}
+
+void SetBounds::bound_node(std::uint32_t node) {
+  const Node& n = graph_.nodes()[node];
+  const int operands = operation(n.op).operands;
+  for (int i = 0; i < operands; ++i) {
+    const std::uint32_t operand = i == 0 ? n.a : n.b;
+    height_[node] = std::max(height_[node], height_[operand] + 1);
+    if (!bounds_[operand]) {
+      divisions_[node] = divisions_[operand];
+      return;
+    }
+  }
+  if (n.op == Op::div) {
+    divisions_[node] = node;
+    return;
+  }
+  bounds_[node] = bound_alone(node);
+  if (polynomials_[node]) {
+    bounds_[node]->size = std::min(bounds_[node]->size, polynomials_[node]->magnitude() * kSlack);
+    return;
+  }
+  turns_[node] = find_turn(graph_, polynomials_, node);
+  if (turns_[node] == 0) return;
+  const Bounded together = bound_set({{node, 1}}, 0);
+  bounds_[node] = {std::min(bounds_[node]->size, together.size),
+                   std::min(bounds_[node]->error, together.error)};
+}
+
+/// From the bounds of the operands alone.
+Bounded SetBounds::bound_alone(std::uint32_t node) const {
+  const Node& n = graph_.nodes()[node];
+  const auto operand = [this](std::uint32_t i) { return *bounds_[i]; };
+  switch (n.op) {
+    case Op::constant:  // printed as it is, but for float
+      return {std::abs(n.value), unit_ > 0x1p-53 && !is_float(n.value) ? std::abs(n.value) : 0};
+    case Op::input:
+      return {inputs_[n.a], 0};
+    case Op::neg:
+      return operand(n.a);
+    case Op::add:
+    case Op::sub:
+      return rounded(operand(n.a).size + operand(n.b).size, operand(n.a).error + operand(n.b).error,
+                     unit_);
+    case Op::mul: {
+      const Bounded a = operand(n.a), b = operand(n.b);
+      const double brought = a.size * b.error + b.size * a.error + unit_ * a.error * b.error;
+      if (is_power_of_two(graph_.nodes()[n.a]) || is_power_of_two(graph_.nodes()[n.b])) {
+        return {a.size * b.size, brought};
+      }
+      return rounded(a.size * b.size, brought, unit_);
+    }
+    case Op::sin:
+    case Op::cos:
+      return {1, operand(n.a).error + kSineError};
+    case Op::div:
+      break;
+  }
+  return {};
+}
+
+Bounded SetBounds::bound_members(const Set& set) const {
+  double size = 0, error = 0;
+  for (const Member& member : set) {
+    size = std::hypot(size, member.weight * bounds_[member.node]->size);
+    error = std::hypot(error, member.weight * bounds_[member.node]->error);
+  }
+  return {size * kSlack, error * kSlack};
+}
+
+/// Weights are scaled so that the largest is 1, and rounded, so that sets recur.
+Bounded SetBounds::bound_set(Set set, int depth) {
+  double largest = 0;
+  for (const Member& member : set) largest = std::max(largest, member.weight);
+  if (largest == 0) return {};
+  for (Member& member : set) {
+    member.weight = std::ceil(member.weight / largest * 0x1p30 - 0x1p-4) * 0x1p-30;
+  }
+  std::sort(set.begin(), set.end());
+  const auto found = known_.find(set);
+  Bounded bound;
+  if (found != known_.end()) {
+    bound = found->second;
+  } else {
+    bound = bound_members(set);
+    if (depth < kDeepest) {
+      if (const auto turned = turn_set(set, depth)) {
+        bound = {std::min(bound.size, turned->size), std::min(bound.error, turned->error)};
+      }
+    }
+    known_.emplace(std::move(set), bound);
+  }
+  constexpr double kRounded = 1 + 0x1p-30;
+  return {bound.size * largest * kRounded, bound.error * largest * kRounded};
+}
+
+/// The angle by which the latest of the values is turned.
+Angle SetBounds::nearest_turn(const Set& set) const {
+  int highest = -1;
+  Angle angle = 0;
+  for (const Member& member : set) {
+    if (turns_[member.node] != 0 && height_[member.node] > highest) {
+      highest = height_[member.node];
+      angle = turns_[member.node];
+    }
+  }
+  return angle;
+}
+
+/// What the rounding of an operation that was expanded adds.
+double SetBounds::local_error(const ExpandedOperation& expanded) const {
+  const Node& n = graph_.nodes()[expanded.node];
+  const Bounded value = *bounds_[expanded.node];
+  double error = value.size + unit_ * value.error;
+  if (n.op == Op::mul) {  // by a sine or cosine, that has an error itself
+    const bool first = polynomials_[n.a].has_value();
+    const Bounded factor = *bounds_[first ? n.a : n.b], other = *bounds_[first ? n.b : n.a];
+    error += factor.error * (other.size + unit_ * other.error);
+  }
+  return expanded.weight * error;
+}
+
+/// Values that the angle does not turn stand as they are, in one row and one column.
+std::vector<LinearForm> SetBounds::expand_rows(const Set& set, Angle angle) const {
+  std::vector<LinearForm> forms;
+  for (const Member& member : set) {
+    auto form = expand_linear(graph_, polynomials_, member.node, angle);
+    if (!form) form.emplace().turned.push_back({member.node, constant(1)});
+    forms.push_back(std::move(*form));
+  }
+  split_sums(graph_, forms);
+  gather_turned(forms);
+  return forms;
+}
+
+SetBounds::Turn SetBounds::expand_set(const Set& set, Angle angle) const {
+  Turn turn;
+  turn.A.rows = set.size();
+  const std::vector<LinearForm> forms = expand_rows(set, angle);
+  for (std::size_t row = 0; row < set.size(); ++row) {
+    const double weight = set[row].weight;
+    for (LinearTerm term : forms[row].turned) {
+      const auto found = std::find(turn.leaves.begin(), turn.leaves.end(), term.node);
+      const auto column = static_cast<std::size_t>(found - turn.leaves.begin());
+      if (found == turn.leaves.end()) turn.leaves.push_back(term.node);
+      for (double& x : term.factor.c) x *= weight;
+      turn.A.entries.push_back({row, column, term.factor});
+    }
+    Bounded rest;
+    for (const LinearTerm& term : forms[row].rest) {
+      rest.size += weight * term.factor.magnitude() * bounds_[term.node]->size;
+      rest.error += weight * term.factor.magnitude() * bounds_[term.node]->error;
+    }
+    for (const ExpandedOperation& expanded : forms[row].operations) {
+      rest.error += weight * local_error(expanded);
+    }
+    turn.rest.push_back(rest);
+  }
+  turn.A.columns = turn.leaves.size();
+  return turn;
+}
+
+std::optional<Bounded> SetBounds::turn_set(const Set& set, int depth) {
+  const Angle angle = nearest_turn(set);
+  if (angle == 0) return std::nullopt;
+  const Turn turn = expand_set(set, angle);
+  if (turn.leaves.empty() || turn.leaves.size() > kLargestSet) return std::nullopt;
+  const std::vector<double> scale = column_norms(turn.A);
+  const double norm = operator_norm(turn.A, scale);
+  Set leaves;
+  for (std::size_t i = 0; i < turn.leaves.size(); ++i) leaves.push_back({turn.leaves[i], scale[i]});
+  const Bounded below = bound_set(std::move(leaves), depth + 1);
+  double size = 0, error = 0;
+  for (const Bounded& rest : turn.rest) {
+    size = std::hypot(size, rest.size);
+    error = std::hypot(error, rest.error);
+  }
+  return Bounded{(norm * below.size + size) * kSlack, (norm * below.error + error) * kSlack};
+}
+
+}  // namespace treeline::bounds

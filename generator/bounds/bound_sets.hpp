@@ -1,0 +1,71 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "bounds/expand_linear.hpp"
+#include "program/program.hpp"
+
+namespace treeline::bounds {
+
+/// What a value, or the norm of several, and its error are at most. The error is in units of the
+/// rounding unit u (2^-53, 2^-24): |computed - exact| <= u error, all orders in u included.
+struct Bounded {
+  double size = 0;
+  double error = 0;
+};
+
+/// What is known of an input: it is exact, and this is the most that it can be.
+using InputSizes = std::vector<double>;
+
+/// Bounds every node of a graph and the rounding error of its computed value.
+///
+/// Each alone: |a + b| <= |a| + |b|, |a b| = |a| |b|, and as much for errors (Wilkinson's running
+/// error analysis with bounds for values). That alone would let vectors grow with every rotation:
+/// |c x + s y| <= |x| + |y|. So values are bounded by norms of sets as well: a set's values are
+/// written as sums of others times sines and cosines of one angle; as the matrix of these factors
+/// has a 2-norm (1 for rotations, of vectors and of symmetric matrices, whose entries off the
+/// diagonal weigh sqrt 2), the norm of the set is at most that times the norm of the set of the
+/// others. This goes on to the sources, so that rotations cost nothing, and errors are carried
+/// through them in the same way.
+class SetBounds {
+ public:
+  SetBounds(const Graph& graph, InputSizes inputs, double unit);
+
+  /// Nothing where there is a division whose divisor may be zero.
+  [[nodiscard]] std::optional<Bounded> of(std::uint32_t node) const;
+  /// A division that kept the node from having a bound.
+  [[nodiscard]] std::optional<std::uint32_t> division_below(std::uint32_t node) const;
+
+ private:
+  struct Member {
+    std::uint32_t node = 0;
+    double weight = 0;
+    auto operator<=>(const Member&) const = default;
+  };
+  using Set = std::vector<Member>;
+
+  void bound_node(std::uint32_t node);
+  [[nodiscard]] Bounded bound_alone(std::uint32_t node) const;
+  Bounded bound_set(Set set, int depth);
+  [[nodiscard]] Bounded bound_members(const Set& set) const;
+  std::optional<Bounded> turn_set(const Set& set, int depth);
+  [[nodiscard]] Angle nearest_turn(const Set& set) const;
+  struct Turn;
+  [[nodiscard]] std::vector<LinearForm> expand_rows(const Set& set, Angle angle) const;
+  [[nodiscard]] Turn expand_set(const Set& set, Angle angle) const;
+  [[nodiscard]] double local_error(const ExpandedOperation& operation) const;
+
+  const Graph& graph_;
+  InputSizes inputs_;
+  double unit_;
+  std::vector<std::optional<TrigPolynomial>> polynomials_;
+  std::vector<std::optional<Bounded>> bounds_;
+  std::vector<std::uint32_t> divisions_;  ///< of nodes without bound
+  std::vector<int> height_;               ///< operations on the longest way to an input
+  std::vector<Angle> turns_;              ///< see `find_turn`
+  std::map<Set, Bounded> known_;
+};
+
+}  // namespace treeline::bounds

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "bounds/domain.hpp"
+
+namespace treeline {
+namespace {
+
+const Joint* find_joint(const Robot& robot, const std::string& name) {
+  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&name](const Joint& joint) { return joint.name == name; });
+  return found == robot.joints.end() ? nullptr : &*found;
+}
+
+double finite_or(double value, double otherwise) {
+  return std::isfinite(value) && value > 0 ? value : otherwise;
+}
+
+/// q of one coordinate, by what the mechanism tells of it.
+double coordinate_size(const Coordinate& coordinate, const DomainDefaults& defaults) {
+  if (coordinate.meaning.find("quaternion") != std::string::npos) return 1;
+  const double size = std::max(std::abs(coordinate.lower), std::abs(coordinate.upper));
+  const bool angle = coordinate.meaning.find("angle") != std::string::npos;
+  return std::isfinite(size) ? size : angle ? defaults.angle : defaults.position;
+}
+
+void set_rates(const Robot& robot, const Mechanism& mechanism, const DomainDefaults& defaults,
+               Domain& domain) {
+  const auto nv = static_cast<std::size_t>(mechanism.nv());
+  std::vector<double> velocity(nv, defaults.velocity), effort(nv, defaults.effort);
+  for (const MovingLink& link : mechanism.links) {
+    const Joint* joint = find_joint(robot, link.joint);
+    if (link.mimics || link.kind == JointKind::floating || joint == nullptr || !joint->limits) {
+      continue;
+    }
+    const auto at = static_cast<std::size_t>(link.v_index);
+    velocity[at] = finite_or(joint->limits->velocity, defaults.velocity);
+    effort[at] = finite_or(joint->limits->effort, defaults.effort);
+  }
+  domain.sizes["qd"] = std::move(velocity);
+  domain.sizes["tau"] = std::move(effort);
+  domain.sizes["qdd"] = domain.sizes["qdd_0"] = std::vector<double>(nv, defaults.acceleration);
+}
+
+std::string number(double value) {
+  return fmt::format("{:.4g}", value);
+}
+
+}  // namespace
+
+std::optional<double> Domain::find(std::string_view input) const {
+  const std::size_t bracket = input.find('[');
+  const auto entries = sizes.find(input.substr(0, bracket));
+  if (bracket == std::string_view::npos || entries == sizes.end()) return std::nullopt;
+  std::size_t index = 0;
+  std::from_chars(input.data() + bracket + 1, input.data() + input.size(), index);
+  if (index >= entries->second.size()) return std::nullopt;
+  return entries->second[index];
+}
+
+bool Domain::contains(std::string_view argument, const std::vector<double>& values) const {
+  const auto entries = sizes.find(argument);
+  if (entries == sizes.end() || entries->second.size() < values.size()) return false;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(std::abs(values[i]) <= entries->second[i])) return false;
+  }
+  return true;
+}
+
+Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
+                   const DomainDefaults& defaults) {
+  Domain domain;
+  const std::size_t nq = mechanism.coordinates.size();
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    domain.sizes["q"].push_back(coordinate_size(coordinate, defaults));
+  }
+  domain.sizes["sin_q"] = domain.sizes["cos_q"] = std::vector<double>(nq, 1);
+  set_rates(robot, mechanism, defaults, domain);
+  domain.sizes["xdd_cmd"] =
+      std::vector<double>(static_cast<std::size_t>(mechanism.task_rows()), defaults.acceleration);
+  domain.sizes["f_ext"] = std::vector<double>(6 * scene.external_forces.size(), defaults.effort);
+  return domain;
+}
+
+std::string describe(const Domain& domain, const std::vector<std::string>& arguments) {
+  std::string text;
+  for (const std::string& argument : arguments) {
+    const auto found = domain.sizes.find(argument);
+    if (found == domain.sizes.end() || found->second.empty()) continue;
+    const std::vector<double>& sizes = found->second;
+    text += fmt::format("{}|{}| <=", text.empty() ? "" : ", ", argument);
+    const bool same = std::all_of(sizes.begin(), sizes.end(),
+                                  [&sizes](double size) { return size == sizes.front(); });
+    for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i) text += " " + number(sizes[i]);
+  }
+  return text;
+}
+
+}  // namespace treeline

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace treeline {
+
+/// The largest magnitude that a bound allows each input of the emitted functions, by argument.
+/// Sines and cosines of angles are not restricted further: only the magnitude of q counts.
+struct Domain {
+  std::map<std::string, std::vector<double>, std::less<>> sizes;
+
+  /// Of an input as the graph names it: `qd[3]`. Nothing where no range is stated.
+  [[nodiscard]] std::optional<double> find(std::string_view input) const;
+  /// Whether these values of an argument are in the domain; not where no range is stated.
+  [[nodiscard]] bool contains(std::string_view argument, const std::vector<double>& values) const;
+};
+
+/// Where the URDF is silent.
+struct DomainDefaults {
+  double angle = 3.141592653589793;  ///< rad, of continuous joints
+  double position = 10;              ///< m
+  double velocity = 10;              ///< rad/s, m/s
+  double acceleration = 100;         ///< rad/s^2, m/s^2; the URDF never tells it
+  double effort = 1000;              ///< N m, N; also of external forces
+};
+
+/// Joint limits, velocity and effort limits of the URDF, and defaults. Entries of quaternions are
+/// at most 1.
+Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
+                   const DomainDefaults& defaults = {});
+
+/// `|q| <= 2.8 3.1 ..., |qd| <= 10, |qdd| <= 100`: of these arguments; one number where all are
+/// the same.
+std::string describe(const Domain& domain, const std::vector<std::string>& arguments);
+
+}  // namespace treeline

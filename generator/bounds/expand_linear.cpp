@@ -1,0 +1,151 @@
+#include "bounds/expand_linear.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+namespace treeline::bounds {
+namespace {
+
+using Polynomials = std::vector<std::optional<TrigPolynomial>>;
+
+/// A product of something that turns and something that does not.
+struct Turned {
+  std::uint32_t turn = 0, other = 0;
+};
+std::optional<Turned> as_turned(const Node& node, const Polynomials& polynomials) {
+  if (node.op != Op::mul) return std::nullopt;
+  for (const auto& [turn, other] : {std::pair{node.a, node.b}, std::pair{node.b, node.a}}) {
+    if (polynomials[turn] && !polynomials[turn]->is_constant() && !polynomials[other]) {
+      return Turned{turn, other};
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_sum(const Node& node) {
+  return node.op == Op::add || node.op == Op::sub || node.op == Op::neg;
+}
+
+class Expansion {
+ public:
+  Expansion(const Graph& graph, const Polynomials& polynomials, Angle angle)
+      : nodes_(graph.nodes()), polynomials_(polynomials), angle_(angle) {}
+
+  /// Whether a term of the sum turns with the angle.
+  bool turns(std::uint32_t node) {
+    if (++visits_ > kMostVisits) return false;
+    const Node& n = nodes_[node];
+    if (const auto turned = as_turned(n, polynomials_)) {
+      return polynomials_[turned->turn]->angle == angle_;
+    }
+    return is_sum(n) && (turns(n.a) || (n.op != Op::neg && turns(n.b)));
+  }
+
+  void expand(std::uint32_t node, const TrigPolynomial& factor) {
+    const Node& n = nodes_[node];
+    if (is_sum(n) && !polynomials_[node] && turns(node)) {
+      if (n.op != Op::neg) form.operations.push_back({node, factor.magnitude()});
+      expand(n.a, n.op == Op::neg ? -factor : factor);
+      if (n.op != Op::neg) expand(n.b, n.op == Op::sub ? -factor : factor);
+      return;
+    }
+    const auto turned = as_turned(n, polynomials_);
+    if (turned && polynomials_[turned->turn]->angle == angle_) {
+      if (const auto product = multiply(factor, *polynomials_[turned->turn])) {
+        form.operations.push_back({node, factor.magnitude()});
+        expand(turned->other, *product);
+        return;
+      }
+    }
+    add(node, factor);
+  }
+
+  LinearForm form;
+
+ private:
+  static constexpr int kMostVisits = 20000;
+
+  void add(std::uint32_t node, TrigPolynomial factor) {
+    const Node& n = nodes_[node];
+    const bool doubled =
+        n.op == Op::mul && nodes_[n.a].op == Op::constant && nodes_[n.a].value == 2;
+    if (doubled && !factor.is_constant()) {  // exact: 2 b of a symmetric matrix
+      for (double& x : factor.c) x *= 2;
+      node = n.b;
+    }
+    (factor.is_constant() ? form.rest : form.turned).push_back({node, factor});
+  }
+
+  const std::vector<Node>& nodes_;
+  const Polynomials& polynomials_;
+  Angle angle_;
+  int visits_ = 0;
+};
+
+bool contains(const std::vector<LinearTerm>& terms, std::uint32_t node) {
+  return std::any_of(terms.begin(), terms.end(),
+                     [node](const LinearTerm& term) { return term.node == node; });
+}
+
+/// Whether a sum of the set has the value as a term.
+bool has_term(const std::vector<LinearForm>& forms, std::uint32_t node) {
+  return std::any_of(forms.begin(), forms.end(), [node](const LinearForm& form) {
+    return contains(form.turned, node) || contains(form.rest, node);
+  });
+}
+
+}  // namespace
+
+Angle find_turn(const Graph& graph, const Polynomials& polynomials, std::uint32_t node) {
+  constexpr std::size_t kMostNodes = 64;
+  std::deque<std::uint32_t> next{node};
+  for (std::size_t seen = 0; !next.empty() && seen < kMostNodes; ++seen) {
+    const Node& n = graph.nodes()[next.front()];
+    next.pop_front();
+    if (const auto turned = as_turned(n, polynomials)) return polynomials[turned->turn]->angle;
+    if (!is_sum(n)) continue;
+    next.push_back(n.a);
+    if (n.op != Op::neg) next.push_back(n.b);
+  }
+  return 0;
+}
+
+std::optional<LinearForm> expand_linear(const Graph& graph, const Polynomials& polynomials,
+                                        std::uint32_t node, Angle angle) {
+  Expansion expansion(graph, polynomials, angle);
+  if (!expansion.turns(node)) return std::nullopt;
+  expansion.expand(node, constant(1));
+  return std::move(expansion.form);
+}
+
+void split_sums(const Graph& graph, std::vector<LinearForm>& forms) {
+  for (LinearForm& form : forms) {
+    for (std::size_t i = 0; i < form.turned.size(); ++i) {
+      const LinearTerm term = form.turned[i];
+      const Node& n = graph.nodes()[term.node];
+      const bool is_split =
+          (n.op == Op::add || n.op == Op::sub) && (has_term(forms, n.a) || has_term(forms, n.b));
+      if (!is_split) continue;
+      form.operations.push_back({term.node, term.factor.magnitude()});
+      form.turned[i] = {n.a, term.factor};
+      form.turned.push_back({n.b, n.op == Op::sub ? -term.factor : term.factor});
+    }
+  }
+}
+
+void gather_turned(std::vector<LinearForm>& forms) {
+  const auto is_turned = [&forms](const LinearTerm& rest) {
+    return std::any_of(forms.begin(), forms.end(), [&rest](const LinearForm& form) {
+      return contains(form.turned, rest.node);
+    });
+  };
+  for (LinearForm& form : forms) {
+    const auto kept = std::stable_partition(form.rest.begin(), form.rest.end(),
+                                            [&](const LinearTerm& t) { return !is_turned(t); });
+    form.turned.insert(form.turned.end(), kept, form.rest.end());
+    form.rest.erase(kept, form.rest.end());
+  }
+}
+
+}  // namespace treeline::bounds

@@ -1,0 +1,127 @@
+#include "bounds/bound_rounding.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "climb.hpp"
+
+// Catches bounds that forget an operation's rounding, that grow with every rotation, or that are
+// stated where nothing is known.
+
+namespace treeline::tests {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+
+struct Sample {
+  Program program;
+  Domain domain;
+
+  std::vector<Expression> argument(const std::string& name, int size, double largest) {
+    program.arguments.push_back({name, size, 1, ""});
+    domain.sizes[name].assign(static_cast<std::size_t>(size), largest);
+    std::vector<Expression> entries;
+    for (int i = 0; i < size; ++i) {
+      entries.push_back(program.graph.input(fmt::format("{}[{}]", name, i)));
+    }
+    return entries;
+  }
+  void result(std::vector<Expression> values) {
+    const int size = static_cast<int>(values.size());
+    program.results.push_back({{"r", size, 1, ""}, std::move(values)});
+  }
+  RoundingBound bound() const { return bound_rounding(program, domain, kUnit); }
+};
+
+TEST(BoundRounding, CountsEveryRounding) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  const auto x = sample.argument("x", 2, 3);
+  sample.result({x[0] + x[1], x[0] * x[1], Expression(0.1) * x[0], Expression(0.5) * x[0]});
+  const RoundingBound bound = sample.bound();
+  ASSERT_TRUE(bound.exists());
+  // The sum's and the products' own; none for a power of two.
+  EXPECT_NEAR(bound.error[0], 6 * kUnit, 1e-9 * kUnit);
+  EXPECT_NEAR(bound.error[1], 9 * kUnit, 1e-9 * kUnit);
+  EXPECT_NEAR(bound.error[2], 0.3 * kUnit, 1e-9 * kUnit);
+  EXPECT_EQ(bound.error[3], 0);
+  EXPECT_NEAR(bound.size[1], 9, 1e-9);
+}
+
+/// A vector of length at most sqrt 3 turned forty times about x and z: by magnitudes alone its
+/// entries would be bounded by more than 1e4.
+TEST(BoundRounding, RotationsDoNotLengthenVectors) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  auto v = sample.argument("x", 3, 1);
+  const auto q = sample.argument("q", 40, 3);
+  for (const Expression& angle : q) {
+    const Expression c = cos(angle), s = sin(angle);
+    v = {c * v[0] - s * v[1], v[2], s * v[0] + c * v[1]};
+  }
+  sample.result(v);
+  const RoundingBound bound = sample.bound();
+  for (const double size : bound.size) EXPECT_LE(size, 1.7321);
+  // Each turn brings at most so much: two products and a sum, sine and cosine 2 units each, of
+  // two entries, of values below sqrt 3.
+  for (const double error : bound.error) EXPECT_LE(error, 40 * 2 * 5 * 1.7321 * 1.4143 * kUnit);
+}
+
+/// The same for symmetric matrices, rotated by the eleven operations that recursions use.
+TEST(BoundRounding, RotationsDoNotEnlargeMatrices) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  const auto x = sample.argument("x", 3, 1);
+  const auto q = sample.argument("q", 30, 3);
+  Expression a = x[0], b = x[1], d = x[2];
+  for (const Expression& angle : q) {
+    const Expression c = cos(angle), s = sin(angle);
+    const Expression t = s * (a - d) + c * (Expression(2.0) * b);
+    a = a - s * t;
+    d = d + s * t;
+    b = c * t - b;
+  }
+  sample.result({a, b, d});
+  const RoundingBound bound = sample.bound();
+  for (const double size : bound.size) EXPECT_LE(size, 4);  // by themselves above 1e5
+  for (const double error : bound.error) EXPECT_LE(error, 30 * 200 * kUnit);
+  Climber climber(sample.program, sample.domain, 3);
+  for (std::size_t i = 0; i < 3; ++i) climber.climb(i, 300);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LE(climber.worst[i], bound.error[i]);
+}
+
+TEST(BoundRounding, SaysWhyThereIsNone) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  const auto x = sample.argument("x", 2, 3);
+  const Expression divisor = x[0] + x[1];
+  sample.program.graph.name(divisor, "D4");
+  sample.result({x[0] / divisor});
+  EXPECT_EQ(sample.bound().missing, "it divides by D4 of which no least magnitude is known");
+  sample.domain.sizes.clear();
+  EXPECT_EQ(sample.bound().missing, "no range is stated for x[0]");
+  EXPECT_FALSE(RoundingBound{}.exists());
+}
+
+TEST(BoundRounding, SinesMayBeGiven) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  const auto x = sample.argument("x", 2, 1);
+  const auto s = sample.argument("sin_q", 1, 1);
+  const auto c = sample.argument("cos_q", 1, 1);
+  sample.result({c[0] * x[0] + s[0] * x[1]});
+  EXPECT_LE(sample.bound().size[0], 1.4143);
+}
+
+TEST(Describe, NeverSaysLessThanTheBound) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  const auto x = sample.argument("x", 1, 1.23456);
+  sample.result({Expression(3.0) * x[0]});
+  EXPECT_EQ(describe(sample.bound(), sample.program, kUnit),
+            "at most 4.2e-16 in r (at r[0]), 1 ulp of 3.8e+00, the most that r can be");
+  EXPECT_EQ(describe(sample.domain, {"x"}), "|x| <= 1.235");
+}
+
+}  // namespace
+}  // namespace treeline::tests

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bounds/bound_rounding.hpp"
+#include "program/evaluate.hpp"
+#include "random_mechanism.hpp"
+
+namespace treeline::tests {
+
+/// Searches the inputs at which a program's rounding errors are worst. Errors while climbing are
+/// those of double against long double, which has 11 bits more; constants count as they stand in
+/// the graph, so that what is found is a lower bound of the worst.
+class Climber {
+ public:
+  using Inputs = std::vector<std::vector<double>>;
+
+  Climber(const Program& program, const Domain& domain, std::uint64_t seed)
+      : program_(program), domain_(domain), dice_(seed) {
+    std::size_t entries = 0;
+    for (const Result& result : program.results) entries += result.values.size();
+    worst.assign(entries, 0);
+    at.resize(entries);
+  }
+
+  /// Raises the magnitude of entry `target` first, from its worst inputs so far or random ones:
+  /// errors grow with it, but on rough ground. Then the error itself.
+  void climb(std::size_t target, int steps) {
+    Inputs best = at[target].empty() ? draw() : at[target];
+    for (const bool by_size : {true, false}) {
+      double height = 0;
+      for (int i = 0; i < steps; ++i) {
+        Inputs next = i == 0                         ? best
+                      : by_size && i < steps / 8     ? draw()
+                      : by_size || dice_.chance(0.3) ? change(best)
+                                                     : shake(best);
+        const Trial trial = try_at(next);
+        const double value = by_size ? trial.sizes[target] : trial.errors[target];
+        if (value < height) continue;
+        height = value;
+        best = std::move(next);
+      }
+    }
+  }
+
+  std::vector<double> worst;  ///< of each entry, the largest error seen
+  std::vector<Inputs> at;     ///< where
+
+ private:
+  const std::vector<double>& sizes(std::size_t argument) const {
+    return domain_.sizes.find(program_.arguments[argument].name)->second;
+  }
+
+  /// Mostly in corners of the domain but for angles: there values are largest.
+  double draw_entry(const std::string& argument, double size) {
+    if (argument != "q" && dice_.chance(0.7)) return dice_.chance(0.5) ? size : -size;
+    return dice_.uniform(-size, size);
+  }
+
+  Inputs draw() {
+    Inputs inputs;
+    for (std::size_t i = 0; i < program_.arguments.size(); ++i) {
+      const Argument& argument = program_.arguments[i];
+      std::vector<double>& entries = inputs.emplace_back();
+      for (int k = 0; k < argument.rows; ++k) {
+        entries.push_back(draw_entry(argument.name, sizes(i)[static_cast<std::size_t>(k)]));
+      }
+    }
+    return inputs;
+  }
+
+  /// One or two entries anew, or a little off: the last bits decide about rounding.
+  Inputs change(Inputs inputs) {
+    const int count = 1 + dice_.below(3);
+    for (int i = 0; i < count; ++i) {
+      const auto argument = static_cast<std::size_t>(dice_.below(static_cast<int>(inputs.size())));
+      const auto k =
+          static_cast<std::size_t>(dice_.below(static_cast<int>(inputs[argument].size())));
+      const double size = sizes(argument)[k];
+      double& entry = inputs[argument][k];
+      entry = dice_.chance(0.4)
+                  ? draw_entry(program_.arguments[argument].name, size)
+                  : entry * (1 + dice_.uniform(-1, 1) * std::pow(10, -dice_.below(9)));
+      entry = std::clamp(entry, -size, size);
+    }
+    return inputs;
+  }
+
+  /// Every entry a little inward: other roundings at much the same size.
+  Inputs shake(Inputs inputs) {
+    const double most = std::pow(10, -1 - dice_.below(6));
+    for (std::vector<double>& entries : inputs) {
+      for (double& entry : entries) entry *= 1 - most * dice_.unit();
+    }
+    return inputs;
+  }
+
+  /// Of all entries.
+  struct Trial {
+    std::vector<double> errors, sizes;
+  };
+
+  Trial try_at(const Inputs& inputs) {
+    std::vector<std::vector<long double>> wide;
+    for (const auto& entries : inputs) wide.emplace_back(entries.begin(), entries.end());
+    const auto rough = evaluate<double>(program_, inputs);
+    const auto exact = evaluate<long double>(program_, wide);  // sines of the C library
+    Trial trial;
+    for (std::size_t i = 0; i < rough.size(); ++i) {
+      for (std::size_t k = 0; k < rough[i].size(); ++k) {
+        const std::size_t entry = trial.errors.size();
+        trial.sizes.push_back(std::abs(rough[i][k]));
+        trial.errors.push_back(static_cast<double>(std::abs(rough[i][k] - exact[i][k])));
+        if (trial.errors[entry] <= worst[entry]) continue;
+        worst[entry] = trial.errors[entry];
+        at[entry] = inputs;
+      }
+    }
+    return trial;
+  }
+
+  const Program& program_;
+  const Domain& domain_;
+  Dice dice_;
+};
+
+}  // namespace treeline::tests
