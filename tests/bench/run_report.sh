@@ -1,18 +1,25 @@
 #!/usr/bin/env bash
-# Times PROGRAM in three fresh copies of it and prints the table of all: where code comes to lie in
-# memory changes the time of a large function by up to a half, and a file keeps its place.
-# Usage: run_report.sh PROGRAM FOLDER OPTION... (PROGRAM: treeline_bench; FOLDER: for what it writes)
+# Times fresh copies of PROGRAMs, which are the same but for where code comes to lie in memory, and
+# prints the table of all: that place changes the time of a large function by up to a half, and a
+# file keeps its own.
+# Usage: run_report.sh FOLDER PROGRAM... -- OPTION... (FOLDER: for what is written)
 set -euo pipefail
-program=$1 folder=$2
-shift 2
+folder=$1
+shift
+programs=()
+while [[ $1 != -- ]]; do
+  programs+=("$1")
+  shift
+done
+shift
 times=$folder/times.txt
-copy=$folder/$(basename "$program").copy
+copy=$folder/treeline_bench.copy
 trap 'rm -f "$copy" "$times"' EXIT
 rm -f "$times"
-for run in 1 2 3; do
+for program in "${programs[@]}"; do
   rm -f "$copy"
   cp "$program" "$copy"
-  echo "run $run of 3" >&2
+  echo "$program" >&2
   "$copy" --times="$times" --json="$folder/bench.jsonl" --plot="$folder/bench.svg" \
     --benchmark_repetitions=3 "$@" >"$folder/bench.txt"
 done
