@@ -92,6 +92,14 @@ double add_magnitudes(const std::vector<double>& entries) {
   return sum;
 }
 
+std::vector<int> state_indices(const ReferenceOptions& options) {
+  std::vector<int> indices;
+  for (int i = options.first; static_cast<int>(indices.size()) < options.states; ++i) {
+    if (!options.only || class_of_state(i) == *options.only) indices.push_back(i);
+  }
+  return indices;
+}
+
 class ReferenceMaker {
  public:
   ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
@@ -188,12 +196,13 @@ std::vector<StateReference> make_references(const Robot& robot, const Scene& sce
                                             const ReferenceOptions& options) {
   const ReferenceMaker maker(robot, scene, generation, options.seed);
   std::vector<StateReference> made(static_cast<std::size_t>(options.states));
+  const std::vector<int> indices = state_indices(options);
   std::atomic<int> next = 0;
   int done = 0;
   std::mutex telling;
   const auto work = [&] {
     for (int i = next++; i < options.states; i = next++) {
-      made[static_cast<std::size_t>(i)] = maker.make(options.first + i);
+      made[static_cast<std::size_t>(i)] = maker.make(indices[static_cast<std::size_t>(i)]);
       const std::lock_guard lock(telling);
       ++done;
       if (options.progress) options.progress(done, options.states);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,8 @@ using Progress = std::function<void(int done, int total)>;
 /// How many states, which ones, on how many cores.
 struct ReferenceOptions {
   int states = 1000;
-  int first = 0;  ///< index of the first state
+  int first = 0;                        ///< index of the first state
+  std::optional<StateClass> only = {};  ///< the next states of this class, not all classes
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: as many as there are cores
   Progress progress = {};

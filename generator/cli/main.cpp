@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
+#include "cli/bench.hpp"
 #include "cli/check.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate.hpp"
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   int exit_code = treeline::kOk;
   treeline::add_generate(app, exit_code);
   treeline::add_check(app, exit_code);
+  treeline::add_bench(app, exit_code);
   treeline::add_inspect(app, exit_code);
   treeline::add_simulate(app, exit_code);
   try {

@@ -19,7 +19,7 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   }
   if (!forces) seen.external_forces.clear();
   if (!contacts) seen.contacts.clear();
-  return by_needs_.emplace(needs, reduced_mechanism(robot_, seen)).first->second;
+  return by_needs_.emplace(needs, reduced_mechanism(robot_, seen, inertias_)).first->second;
 }
 
 }  // namespace treeline

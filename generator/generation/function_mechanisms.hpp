@@ -4,6 +4,7 @@
 
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "mechanism/build_mechanism.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace treeline {
@@ -13,13 +14,16 @@ namespace treeline {
 class FunctionMechanisms {
  public:
   /// Both must outlive this.
-  FunctionMechanisms(const Robot& robot, const Scene& scene) : robot_(robot), scene_(scene) {}
+  FunctionMechanisms(const Robot& robot, const Scene& scene,
+                     Inertias inertias = Inertias::regrouped)
+      : robot_(robot), scene_(scene), inertias_(inertias) {}
 
   const Mechanism& of(Function function);
 
  private:
   const Robot& robot_;
   const Scene& scene_;
+  Inertias inertias_;
   std::map<unsigned, Mechanism> by_needs_;
 };
 

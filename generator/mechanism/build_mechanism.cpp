@@ -279,8 +279,8 @@ class Builder {
       for (std::size_t i = 0; i < robot_.links.size(); ++i) {
         if (robot_.links[i].name == point.link) {
           const ExactPose pose = places_[i].pose * exact_pose(point.origin);
-          result.push_back({point.name, places_[i].link, snapped(pose), point.axes, point.rows,
-                            point.priority});
+          result.push_back(
+              {point.name, places_[i].link, snapped(pose), point.axes, point.rows, point.priority});
         }
       }
     }
@@ -344,14 +344,17 @@ Mechanism build_mechanism(const Robot& robot, const Scene& scene) {
   return Builder(robot, scene).build();
 }
 
-Mechanism reduced_mechanism(const Robot& robot, const Scene& scene) {
+Mechanism reduced_mechanism(const Robot& robot, const Scene& scene, Inertias inertias) {
   Mechanism mechanism = build_mechanism(robot, scene);
-  regroup_inertias(mechanism);
+  const bool regroup = inertias == Inertias::regrouped;
+  if (regroup) regroup_inertias(mechanism);
   seat_frames(mechanism);
-  // A prismatic link whose frame was shifted has a second moment again.
-  const std::vector<ReductionNote> notes = mechanism.notes;
-  regroup_inertias(mechanism);
-  mechanism.notes = notes;
+  if (regroup) {
+    // A prismatic link whose frame was shifted has a second moment again.
+    const std::vector<ReductionNote> notes = mechanism.notes;
+    regroup_inertias(mechanism);
+    mechanism.notes = notes;
+  }
   keep_angles(mechanism, scene.accuracy);
   return mechanism;
 }

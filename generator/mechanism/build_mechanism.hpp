@@ -26,8 +26,12 @@ void seat_frames(Mechanism& mechanism);
 /// `fastest`: none; `balanced`: of joints that their limits let go far; `best`: all.
 void keep_angles(Mechanism& mechanism, Accuracy accuracy);
 
+/// Whether inertias are regrouped, as is best, or left in full, for comparison.
+enum class Inertias { regrouped, full };
+
 /// `build_mechanism`, `regroup_inertias`, `seat_frames`, what then can be regrouped again, and
 /// `keep_angles`.
-Mechanism reduced_mechanism(const Robot& robot, const Scene& scene);
+Mechanism reduced_mechanism(const Robot& robot, const Scene& scene,
+                            Inertias inertias = Inertias::regrouped);
 
 }  // namespace treeline

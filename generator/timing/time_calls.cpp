@@ -9,24 +9,30 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// So many times through all states; nanoseconds a call.
-double repeat(const TimedCall& call, int passes) {
-  const std::size_t states = call.arguments->calls();
+/// So many passes; nanoseconds a call.
+double repeat(const TimedPass& timed, int passes) {
   const auto start = Clock::now();
-  for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t i = 0; i < states; ++i) {
-      call.entry(call.arguments->in(i), call.arguments->out());
-    }
-  }
+  for (int pass = 0; pass < passes; ++pass) timed.pass();
   const std::chrono::duration<double, std::nano> taken = Clock::now() - start;
-  return taken.count() / (static_cast<double>(passes) * static_cast<double>(states));
+  return taken.count() / (static_cast<double>(passes) * static_cast<double>(timed.calls));
 }
 
 /// Enough passes for a repetition, once code and data are where they will be.
-int count_passes(const TimedCall& call, const TimingOptions& options) {
-  repeat(call, 1);
-  const double pass = std::max(1.0, repeat(call, 1) * static_cast<double>(call.arguments->calls()));
+int count_passes(const TimedPass& timed, const TimingOptions& options) {
+  repeat(timed, 1);
+  const double pass = std::max(1.0, repeat(timed, 1) * static_cast<double>(timed.calls));
   return std::max(1, static_cast<int>(std::ceil(1000 * options.repetition_us / pass)));
+}
+
+/// Once through all states.
+TimedPass pass_of(const TimedCall& call) {
+  const auto pass = [call] {
+    const std::size_t states = call.arguments->calls();
+    for (std::size_t i = 0; i < states; ++i) {
+      call.entry(call.arguments->in(i), call.arguments->out());
+    }
+  };
+  return {pass, call.arguments->calls()};
 }
 
 /// The value below which a share of `values` lies.
@@ -47,21 +53,28 @@ Timing summarise(const std::vector<double>& times, const std::vector<double>& fi
 
 }  // namespace
 
-std::vector<Timing> time_calls(const std::vector<TimedCall>& calls, const TimingOptions& options) {
-  if (calls.empty()) return {};
-  std::vector<int> passes;
-  for (const TimedCall& call : calls) passes.push_back(count_passes(call, options));
-  std::vector<std::vector<double>> times(calls.size());
+std::vector<Timing> time_passes(const std::vector<TimedPass>& passes,
+                                const TimingOptions& options) {
+  if (passes.empty()) return {};
+  std::vector<int> counts;
+  for (const TimedPass& timed : passes) counts.push_back(count_passes(timed, options));
+  std::vector<std::vector<double>> times(passes.size());
   for (int round = 0; round < options.rounds; ++round) {
-    for (std::size_t k = 0; k < calls.size(); ++k) {
-      const std::size_t i = (k + static_cast<std::size_t>(round)) % calls.size();
-      repeat(calls[i], 1);  // brings back what the others pushed out of the caches
-      times[i].push_back(repeat(calls[i], passes[i]));
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+      const std::size_t i = (k + static_cast<std::size_t>(round)) % passes.size();
+      repeat(passes[i], 1);  // brings back what the others pushed out of the caches
+      times[i].push_back(repeat(passes[i], counts[i]));
     }
   }
   std::vector<Timing> timings;
   for (const auto& each : times) timings.push_back(summarise(each, times.front()));
   return timings;
+}
+
+std::vector<Timing> time_calls(const std::vector<TimedCall>& calls, const TimingOptions& options) {
+  std::vector<TimedPass> passes;
+  for (const TimedCall& call : calls) passes.push_back(pass_of(call));
+  return time_passes(passes, options);
 }
 
 }  // namespace treeline

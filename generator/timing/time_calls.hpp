@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "check/generated_library.hpp"
@@ -11,6 +13,12 @@ namespace treeline {
 struct TimedCall {
   CompiledEntry entry = nullptr;  ///< `GeneratedLibrary::raw_entry`
   const CallArguments* arguments = nullptr;
+};
+
+/// Whatever else there is to time: makes so many calls, of different states, one after the other.
+struct TimedPass {
+  std::function<void()> pass;
+  std::size_t calls = 1;
 };
 
 struct TimingOptions {
@@ -30,5 +38,8 @@ struct Timing {
 /// them. In each round another one begins.
 std::vector<Timing> time_calls(const std::vector<TimedCall>& calls,
                                const TimingOptions& options = {});
+/// The same for anything that can be called.
+std::vector<Timing> time_passes(const std::vector<TimedPass>& passes,
+                                const TimingOptions& options = {});
 
 }  // namespace treeline

@@ -1,0 +1,167 @@
+#include "bench/bench.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bench/contender.hpp"
+#include "bench/plan_builds.hpp"
+#include "check/reference.hpp"
+#include "check/temporary_folder.hpp"
+#include "mechanism/build_mechanism.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr std::size_t kTimedStates = 64;
+
+/// States and truths; the first functions of the references are the scene's.
+struct Truths {
+  std::vector<StateReference> references;
+  std::vector<State> timed;
+};
+
+class Bench {
+ public:
+  Bench(const Robot& robot, const Scene& scene, const BenchOptions& options,
+        Diagnostics& diagnostics)
+      : robot_(robot), scene_(scene), options_(options), diagnostics_(diagnostics) {}
+
+  std::optional<BenchReport> run() {
+    tell("generating", 0, 1);
+    const auto builds = plan_builds(robot_, scene_, options_.flags, diagnostics_);
+    if (!builds) return std::nullopt;
+    tell("generating", 1, 1);
+    find_truths(builds->front().functions);
+    if (!compile(*builds)) return std::nullopt;
+    add(interpreter_contenders(robot_, scene_, timed_));
+    if (!add_factorisations(builds->front())) return std::nullopt;
+    return measure(builds->front().functions);
+  }
+
+ private:
+  void tell(const char* what, int done, int total) const {
+    if (options_.progress) options_.progress(what, done, total);
+  }
+
+  void add(std::vector<Contender> contenders) {
+    std::move(contenders.begin(), contenders.end(), std::back_inserter(contenders_));
+  }
+
+  void find_truths(const std::vector<GeneratedFunction>& functions) {
+    Scene scene = scene_;
+    scene.real = Real::float32;  // numbers that every variant has exactly
+    Generation generation;
+    generation.mechanism = reduced_mechanism(robot_, scene_);
+    generation.functions = functions;
+    ReferenceOptions options;
+    options.states = options_.states;
+    options.seed = options_.seed;
+    options.only = StateClass::random;
+    options.progress = [this](int done, int total) { tell("states", done, total); };
+    references_ = make_references(robot_, scene, generation, options);
+    for (const StateReference& reference : references_) {
+      if (timed_.size() < kTimedStates) timed_.push_back(reference.state);
+    }
+  }
+
+  bool compile(const std::vector<VariantBuild>& builds) {
+    const int total = static_cast<int>(builds.size());
+    for (int i = 0; i < total; ++i) {
+      tell("compiling", i, total);
+      const std::string folder = "build" + std::to_string(i);
+      auto made =
+          compile_contenders(builds[static_cast<std::size_t>(i)], timed_, work_.path() / folder,
+                             i == 0 ? &command_ : nullptr, diagnostics_);
+      if (!made) return false;
+      add(std::move(*made));
+    }
+    tell("compiling", total, total);
+    return true;
+  }
+
+  /// Where Lambda is asked for, from Lambda^-1 in double as the scene has it emitted.
+  bool add_factorisations(const VariantBuild& emitted) {
+    const auto& functions = scene_.functions;
+    if (std::find(functions.begin(), functions.end(), Function::lambda) == functions.end()) {
+      return true;
+    }
+    Scene scene = scene_;
+    scene.real = Real::float64;
+    scene.functions = {Function::lambda_inverse};
+    const auto build = plan_emitted(robot_, scene, emitted.flags, diagnostics_);
+    if (!build) return false;
+    auto made =
+        compile_contenders(*build, timed_, work_.path() / "lambda_inverse", nullptr, diagnostics_);
+    if (!made) return false;
+    const int rows = build->functions.front().program.results.front().argument.rows;
+    add(factorisation_contenders(made->front(), rows));
+    return true;
+  }
+
+  BenchReport measure(const std::vector<GeneratedFunction>& functions) {
+    BenchReport report{scene_.name,     robot_.name,   describe_machine(command_),
+                       options_.states, options_.seed, {}};
+    const int total = static_cast<int>(functions.size());
+    for (int i = 0; i < total; ++i) {
+      tell("measuring", i, total);
+      report.functions.push_back(
+          measure_function(functions[static_cast<std::size_t>(i)], static_cast<std::size_t>(i)));
+    }
+    tell("measuring", total, total);
+    return report;
+  }
+
+  BenchFunction measure_function(const GeneratedFunction& function, std::size_t i) const {
+    BenchFunction made{function.function, {}, 0, 0};
+    for (const StateReference& reference : references_) {
+      ++(reference.functions[i].singular ? made.singular : made.states);
+    }
+    std::vector<std::size_t> ends;
+    for (const Result& result : function.program.results) {
+      ends.push_back((ends.empty() ? 0 : ends.back()) + result.values.size());
+    }
+    std::vector<TimedPass> passes;
+    for (const Contender& contender : contenders_) {
+      if (contender.variant.function != function.function) continue;
+      made.rows.push_back(measure_errors(contender, i, ends));
+      passes.push_back(contender.pass);
+    }
+    const std::vector<Timing> timings = time_passes(passes, options_.timing);
+    for (std::size_t k = 0; k < timings.size(); ++k) made.rows[k].timing = timings[k];
+    mark_front(made.rows);
+    return made;
+  }
+
+  BenchRow measure_errors(const Contender& contender, std::size_t i,
+                          const std::vector<std::size_t>& ends) const {
+    std::vector<double> norms;
+    std::vector<double> components;
+    for (const StateReference& reference : references_) {
+      const FunctionReference& truth = reference.functions[i];
+      if (truth.singular) continue;
+      const AnswerError error = measure_error(contender.call(reference.state), truth, ends);
+      norms.push_back(error.norm);
+      components.push_back(error.component);
+    }
+    return {contender.variant, {}, summarise_errors(norms), summarise_errors(components), false};
+  }
+
+  const Robot& robot_;
+  const Scene& scene_;
+  const BenchOptions& options_;
+  Diagnostics& diagnostics_;
+  TemporaryFolder work_;
+  std::string command_;
+  std::vector<StateReference> references_;
+  std::vector<State> timed_;
+  std::vector<Contender> contenders_;
+};
+
+}  // namespace
+
+std::optional<BenchReport> run_bench(const Robot& robot, const Scene& scene,
+                                     const BenchOptions& options, Diagnostics& diagnostics) {
+  return Bench(robot, scene, options, diagnostics).run();
+}
+
+}  // namespace treeline

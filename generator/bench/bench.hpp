@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "bench/bench_report.hpp"
+#include "description/robot.hpp"
+
+namespace treeline {
+
+struct BenchOptions {
+  int states = 300;  ///< within the joints' limits, at ordinary speeds
+  std::uint64_t seed = 1;
+  std::string flags = "-O3 -march=native -ffp-contract=fast";  ///< for the compiler
+  TimingOptions timing = {};
+  /// Told what is being done, and how much of it: "states", 10, 300.
+  std::function<void(const std::string& what, int done, int total)> progress = {};
+};
+
+/// Runs every variant of every function of the scene: its time, and its error against the
+/// interpreter in 50 digits at numbers that float has exactly, so that float and double answer the
+/// same question. Nothing when something cannot be generated or compiled; `diagnostics` says why.
+std::optional<BenchReport> run_bench(const Robot& robot, const Scene& scene,
+                                     const BenchOptions& options, Diagnostics& diagnostics);
+
+}  // namespace treeline

@@ -1,0 +1,32 @@
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "bench/plan_builds.hpp"
+#include "generation/run_routes.hpp"
+
+namespace treeline {
+
+std::vector<GeneratedFunction> generate_routes(const Mechanism& mechanism, Function function,
+                                               int lanes, Sines sin_cos) {
+  Routes routes = run_routes(mechanism, function, {lanes, sin_cos, kAllRoutes});
+  std::vector<GeneratedFunction> all;
+  for (Candidate& candidate : routes.candidates) {
+    GeneratedFunction made;
+    made.function = function;
+    const OperationCount count = count_operations(candidate.program);
+    made.chosen = {candidate.method, count, cost(candidate.program, count)};
+    made.program = std::move(candidate.program);
+    all.push_back(std::move(made));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.chosen.weighted < b.chosen.weighted;
+  });
+  std::set<std::string> seen;
+  std::erase_if(all, [&](const GeneratedFunction& each) {
+    return !seen.insert(route_of(each.chosen.method)).second;
+  });
+  return all;
+}
+
+}  // namespace treeline

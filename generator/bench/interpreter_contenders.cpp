@@ -1,0 +1,45 @@
+#include <algorithm>
+
+#include "bench/contender.hpp"
+#include "check/interpret.hpp"
+
+namespace treeline {
+namespace {
+
+/// The interpreter is slow enough that so many states say how slow.
+constexpr std::size_t kTimed = 8;
+
+template <class Scalar>
+void append_contenders(const Subject<interpreter::Digits50>& exact, const Scene& scene,
+                       const std::vector<State>& timed, const char* name,
+                       std::vector<Contender>& contenders) {
+  const auto subject = std::make_shared<const Subject<Scalar>>(cast<Scalar>(exact));
+  const std::vector<State> few(
+      timed.begin(), timed.begin() + static_cast<std::ptrdiff_t>(std::min(kTimed, timed.size())));
+  const Real real = sizeof(Scalar) == sizeof(float) ? Real::float32 : Real::float64;
+  for (const Function function : scene.functions) {
+    Contender contender{{function, VariantGroup::interpreter, name, real}, {}, {}};
+    contender.call = [subject, function](const State& state) {
+      const std::vector<Scalar> entries = interpret<Scalar>(function, *subject, state);
+      return std::vector<double>(entries.begin(), entries.end());
+    };
+    contender.pass.calls = few.size();
+    contender.pass.pass = [subject, function, few] {
+      for (const State& state : few) interpret<Scalar>(function, *subject, state);
+    };
+    contenders.push_back(std::move(contender));
+  }
+}
+
+}  // namespace
+
+std::vector<Contender> interpreter_contenders(const Robot& robot, const Scene& scene,
+                                              const std::vector<State>& timed) {
+  const auto exact = make_subject<interpreter::Digits50>(robot, scene);
+  std::vector<Contender> contenders;
+  append_contenders<double>(exact, scene, timed, "interpreter, double", contenders);
+  append_contenders<float>(exact, scene, timed, "interpreter, float", contenders);
+  return contenders;
+}
+
+}  // namespace treeline

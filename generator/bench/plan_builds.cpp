@@ -1,0 +1,244 @@
+#include "bench/plan_builds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "bench/templates.hpp"
+#include "emission/fill_template.hpp"
+#include "generation/describe_scene.hpp"
+#include "generation/function_mechanisms.hpp"
+#include "generation/run_routes.hpp"
+#include "mechanism/build_mechanism.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr std::array kLanes = {8, 4, 1};
+
+const char* real_name(Real real) {
+  return real == Real::float32 ? "float" : "double";
+}
+
+const char* accuracy_name(Accuracy accuracy) {
+  constexpr std::array kNames = {"best", "balanced", "fastest"};
+  return kNames[static_cast<std::size_t>(accuracy)];
+}
+
+/// How one build differs from the scene's code.
+struct Difference {
+  VariantGroup group{};
+  std::string name;
+  Real real{};
+  bool library_sines = false;
+  bool contracted = true;
+};
+
+class Planner {
+ public:
+  Planner(const Robot& robot, const Scene& scene, std::string flags, Diagnostics& diagnostics)
+      : robot_(robot), scene_(scene), flags_(std::move(flags)), diagnostics_(diagnostics) {
+    scene_.batch = 0;
+    scene_.damped.reset();
+  }
+
+  VariantBuild plan_first() {
+    generate_emitted();
+    add_emitted();
+    return std::move(builds_.front());
+  }
+
+  std::vector<VariantBuild> plan() {
+    generate_emitted();
+    add_emitted();
+    add_lanes();
+    add_routes();
+    add_generated({VariantGroup::inertia, "full inertias", scene_.real}, scene_, Inertias::full);
+    add_accuracies();
+    add_sines();
+    add(emitted_, {VariantGroup::contraction, "not contracted", scene_.real, false, false});
+    std::erase_if(builds_, [](const VariantBuild& build) { return build.variants.empty(); });
+    return std::move(builds_);
+  }
+
+ private:
+  using Functions = std::vector<GeneratedFunction>;
+
+  [[nodiscard]] std::string lanes_name(Real real, int lanes) const {
+    return fmt::format("{}, {} lane{}", real_name(real), lanes, lanes == 1 ? "" : "s");
+  }
+
+  void generate_emitted() {
+    FunctionMechanisms mechanisms(robot_, scene_);
+    for (const Function function : scene_.functions) {
+      routes_.push_back(
+          generate_routes(mechanisms.of(function), function, scene_.lanes, scene_.sin_cos));
+      emitted_.push_back(routes_.back().front());
+    }
+  }
+
+  static Functions generate(const Robot& robot, const Scene& scene, Inertias inertias) {
+    Functions functions;
+    FunctionMechanisms mechanisms(robot, scene, inertias);
+    for (const Function function : scene.functions) {
+      functions.push_back(
+          generate_function(mechanisms.of(function), function, scene.lanes, scene.sin_cos));
+    }
+    return functions;
+  }
+
+  void add_emitted() {
+    add(emitted_, {VariantGroup::emitted, lanes_name(scene_.real, scene_.lanes), scene_.real});
+  }
+
+  void add_lanes() {
+    const Real other = scene_.real == Real::float64 ? Real::float32 : Real::float64;
+    add(emitted_, {VariantGroup::real, lanes_name(other, scene_.lanes), other});
+    for (const int lanes : kLanes) {
+      if (lanes == scene_.lanes) continue;
+      Scene scene = scene_;
+      scene.lanes = lanes;
+      const Functions functions = generate(robot_, scene, Inertias::regrouped);
+      add(functions, {VariantGroup::lanes, lanes_name(scene_.real, lanes), scene_.real});
+      add(functions, {VariantGroup::real, lanes_name(other, lanes), other});
+    }
+  }
+
+  /// The second routes of all functions in one build, the third ones in another.
+  void add_routes() {
+    std::size_t most = 0;
+    for (const Functions& each : routes_) most = std::max(most, each.size());
+    for (std::size_t k = 1; k < most; ++k) {
+      Functions functions;
+      for (const Functions& each : routes_) {
+        if (k < each.size()) functions.push_back(each[k]);
+      }
+      add(functions, {VariantGroup::route, "route: ", scene_.real});
+    }
+  }
+
+  void add_accuracies() {
+    for (const Accuracy accuracy : {Accuracy::best, Accuracy::balanced, Accuracy::fastest}) {
+      if (accuracy == scene_.accuracy) continue;
+      Scene scene = scene_;
+      scene.accuracy = accuracy;
+      add_generated({VariantGroup::accuracy, fmt::format("accuracy: {}", accuracy_name(accuracy)),
+                     scene_.real},
+                    scene, Inertias::regrouped);
+    }
+  }
+
+  void add_sines() {
+    Scene scene = scene_;
+    const bool given = scene_.sin_cos == Sines::given;
+    scene.sin_cos = given ? Sines::computed : Sines::given;
+    add_generated({VariantGroup::sines, given ? "sines computed" : "sines given", scene_.real},
+                  scene, Inertias::regrouped);
+    if (!given) {
+      add(emitted_, {VariantGroup::sines, "sines of the C library", scene_.real, true});
+    }
+  }
+
+  void add_generated(const Difference& difference, const Scene& scene, Inertias inertias) {
+    add(generate(robot_, scene, inertias), difference);
+  }
+
+  void add(const Functions& functions, const Difference& difference) {
+    if (functions.empty()) return;
+    VariantBuild build;
+    build.scene = scene_;
+    build.scene.real = difference.real;
+    build.flags = flags_ + (difference.contracted ? "" : " -ffp-contract=off");
+    std::vector<Program> programs;
+    for (const GeneratedFunction& each : functions) programs.push_back(each.program);
+    const EmissionContext context =
+        describe_scene(robot_, build.scene, reduced_mechanism(robot_, scene_));
+    build.files = emit(context, programs, diagnostics_);
+    if (difference.library_sines) take_library_sines(build.files);
+    for (const GeneratedFunction& each : functions) {
+      Variant variant = variant_of(each, difference);
+      variant.flags = build.flags;
+      if (is_repeat(variant, build)) continue;
+      build.variants.push_back(std::move(variant));
+      build.functions.push_back(each);
+    }
+    builds_.push_back(std::move(build));
+  }
+
+  static Variant variant_of(const GeneratedFunction& generated, const Difference& difference) {
+    Variant variant{generated.function, difference.group, difference.name, difference.real};
+    variant.method = generated.chosen.method;
+    variant.flops = generated.chosen.count.flops();
+    if (difference.group == VariantGroup::route) variant.name += route_of(variant.method);
+    return variant;
+  }
+
+  void take_library_sines(std::vector<GeneratedFile>& files) const {
+    for (GeneratedFile& file : files) {
+      if (file.name != "sin_cos.hpp") continue;
+      file.text = fill_template(bench_templates::kLibrarySines, {{"name", scene_.name}});
+    }
+  }
+
+  static std::string text_of(const VariantBuild& build, const std::string& name) {
+    for (const GeneratedFile& file : build.files) {
+      if (file.name == name) return file.text;
+    }
+    return {};
+  }
+
+  /// Whether an earlier variant is the same code, compiled in the same way; that one is told.
+  bool is_repeat(const Variant& variant, const VariantBuild& build) {
+    const std::string name = function_name(variant.function);
+    const std::string source = text_of(build, name + ".cpp");
+    const bool sines = source.find("sin_cos.hpp") != std::string::npos;
+    const Key key{variant.real, build.flags, source, sines ? text_of(build, "sin_cos.hpp") : ""};
+    const auto [at, is_new] = first_.emplace(key, std::pair{builds_.size(), build.variants.size()});
+    if (is_new) return false;
+    const auto [earlier, i] = at->second;
+    if (earlier < builds_.size()) {
+      builds_[earlier].variants[i].repeats.push_back(variant.name);
+    }
+    return true;
+  }
+
+  using Key = std::tuple<Real, std::string, std::string, std::string>;
+
+  const Robot& robot_;
+  Scene scene_;
+  std::string flags_;
+  Diagnostics& diagnostics_;
+  std::vector<Functions> routes_;  ///< of each function, as emitted first
+  Functions emitted_;
+  std::vector<VariantBuild> builds_;
+  std::map<Key, std::pair<std::size_t, std::size_t>> first_;  ///< build and variant
+};
+
+}  // namespace
+
+const char* group_name(VariantGroup group) {
+  constexpr std::array kNames = {"emitted",  "lanes",       "real",  "route", "inertia",
+                                 "accuracy", "contraction", "sines", "solve", "interpreter"};
+  return kNames[static_cast<std::size_t>(group)];
+}
+
+std::optional<std::vector<VariantBuild>> plan_builds(const Robot& robot, const Scene& scene,
+                                                     const std::string& flags,
+                                                     Diagnostics& diagnostics) {
+  auto builds = Planner(robot, scene, flags, diagnostics).plan();
+  if (diagnostics.has_errors()) return std::nullopt;
+  return builds;
+}
+
+std::optional<VariantBuild> plan_emitted(const Robot& robot, const Scene& scene,
+                                         const std::string& flags, Diagnostics& diagnostics) {
+  auto build = Planner(robot, scene, flags, diagnostics).plan_first();
+  if (diagnostics.has_errors()) return std::nullopt;
+  return build;
+}
+
+}  // namespace treeline

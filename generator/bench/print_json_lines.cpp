@@ -1,0 +1,60 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bench/bench_report.hpp"
+
+namespace treeline {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinity.
+Json number(double x) {
+  return std::isfinite(x) ? Json(x) : Json("inf");
+}
+
+Json errors(const ErrorSummary& summary) {
+  return {{"median", number(summary.median)},
+          {"percent_99", number(summary.percent_99)},
+          {"worst", number(summary.worst)}};
+}
+
+Json describe(const BenchReport& report, const BenchFunction& function, const BenchRow& row) {
+  const Variant& variant = row.variant;
+  return {{"scene", report.name},
+          {"function", function_name(function.function)},
+          {"group", group_name(variant.group)},
+          {"variant", variant.name},
+          {"repeats", variant.repeats},
+          {"real", variant.real == Real::float32 ? "float" : "double"},
+          {"method", variant.method},
+          {"flags", variant.flags},
+          {"flops", variant.flops},
+          {"nanoseconds", row.timing.nanoseconds},
+          {"ratio", row.timing.ratio},
+          {"noise", row.timing.noise},
+          {"norm_error", errors(row.norm)},
+          {"component_error", errors(row.component)},
+          {"states", function.states},
+          {"singular", function.singular},
+          {"on_front", row.on_front}};
+}
+
+}  // namespace
+
+std::string print_json_lines(const BenchReport& report) {
+  const BenchMachine& machine = report.machine;
+  const Json head = {{"scene", report.name},           {"robot", report.robot},
+                     {"processor", machine.processor}, {"compiler", machine.compiler},
+                     {"command", machine.command},     {"interpreter", machine.interpreter},
+                     {"states", report.states},        {"seed", report.seed}};
+  std::string text = head.dump() + "\n";
+  for (const BenchFunction& function : report.functions) {
+    for (const BenchRow& row : function.rows) {
+      text += describe(report, function, row).dump() + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace treeline

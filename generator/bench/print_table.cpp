@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include "bench/bench_report.hpp"
+#include "inspect/align_columns.hpp"
+
+namespace treeline {
+namespace {
+
+std::string error(double x) {
+  if (x == 0) return "0";
+  return fmt::format("{:.1e}", x);
+}
+
+std::string time(double nanoseconds) {
+  return fmt::format("{:.{}f}", nanoseconds, nanoseconds < 100 ? 1 : 0);
+}
+
+std::string name_of(const Variant& variant) {
+  std::string text = variant.name;
+  for (const std::string& repeat : variant.repeats) text += "; " + repeat;
+  return text;
+}
+
+std::string print_function(const BenchFunction& function) {
+  std::vector<std::vector<std::string>> rows;
+  for (const BenchRow& row : function.rows) {
+    rows.push_back({row.on_front ? "*" : "", time(row.timing.nanoseconds),
+                    fmt::format("{:.2f}", row.timing.ratio), error(row.norm.median),
+                    error(row.norm.percent_99), error(row.norm.worst), error(row.component.median),
+                    error(row.component.percent_99), error(row.component.worst),
+                    row.variant.flops > 0 ? fmt::format("{}", row.variant.flops) : "",
+                    name_of(row.variant)});
+  }
+  std::string title = function_name(function.function);
+  if (!function.rows.front().variant.method.empty()) {
+    title += fmt::format(", {}", function.rows.front().variant.method);
+  }
+  if (function.singular > 0) {
+    title += fmt::format("; {} of {} states left out, singular in float", function.singular,
+                         function.singular + function.states);
+  }
+  return title + "\n" +
+         align_columns({{""},
+                        {"ns", true},
+                        {"ratio", true},
+                        {"norm 50 %", true},
+                        {"99 %", true},
+                        {"worst", true},
+                        {"comp 50 %", true},
+                        {"99 %", true},
+                        {"worst", true},
+                        {"flops", true},
+                        {"variant"}},
+                       rows) +
+         "\n";
+}
+
+}  // namespace
+
+std::string print_table(const BenchReport& report) {
+  const BenchMachine& machine = report.machine;
+  std::string text = fmt::format(
+      "{}: time of a call and error against 50 digits, {} states, seed {}\n"
+      "on {}\ncompiled by {}\n       with {}\ninterpreter by {}\n\n",
+      report.name, report.states, report.seed, machine.processor, machine.compiler, machine.command,
+      machine.interpreter);
+  for (const BenchFunction& function : report.functions) text += print_function(function);
+  return text;
+}
+
+}  // namespace treeline

@@ -1,0 +1,99 @@
+#include "cli/bench.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "bench/bench.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/read_inputs.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr const char* kHowToRead =
+    "Each way to a function's numbers is timed, and compared with the interpreter in 50 digits:\n"
+    "  ns          of a call: median of interleaved rounds, warm, back to back over 64 states\n"
+    "  ratio       of that to the code that the scene asks for, the first line\n"
+    "  norm        largest error of any entry of a result over its largest entry\n"
+    "  comp        largest error of any entry over that entry\n"
+    "  50 %, 99 %, worst  of all states; they lie within the joints' limits, at ordinary speeds,\n"
+    "              and are drawn from numbers that float has, so that float answers the same\n"
+    "  *           nothing else is as fast and as accurate (worst, norm-wise)\n"
+    "Variants differ from the first line in what they are called by, and in nothing else: lanes,\n"
+    "float, the algorithm (route), inertias as in the URDF (full), accuracy, where sines and\n"
+    "cosines come from, whether products and sums may be fused. Behind a semicolon stand variants\n"
+    "whose code is the same. Lambda by Eigen's factorisations starts from the emitted Lambda^-1 "
+    "in\n"
+    "double. The interpreter's time has its allocations in it.\n"
+    "Measure on a machine that does nothing else. The compiler is $CXX, else c++, else g++.\n\n"
+    "Examples:\n"
+    "  treeline bench puma560.urdf scene.yaml\n"
+    "  treeline bench puma560.urdf scene.yaml --functions control_torque --json > bench.jsonl";
+
+constexpr int kQuickStates = 40;
+constexpr int kQuickRounds = 7;
+
+struct Options {
+  InputOptions inputs;
+  BenchOptions bench;
+  bool quick = false;
+  bool json = false;
+};
+
+/// A line that says what is being done, where somebody sees it.
+std::function<void(const std::string&, int, int)> show_progress() {
+  if (isatty(STDERR_FILENO) == 0) return {};
+  return [](const std::string& what, int done, int total) {
+    fmt::print(stderr, "\r\033[K  {} {}/{}{}", what, done, total, done == total ? "\r\033[K" : "");
+    std::fflush(stderr);
+  };
+}
+
+int run(Options options) {
+  Diagnostics diagnostics;
+  const auto inputs = read_inputs(options.inputs, diagnostics);
+  options.bench.progress = show_progress();
+  if (options.quick) {
+    options.bench.states = kQuickStates;
+    options.bench.timing.rounds = kQuickRounds;
+  }
+  const auto report =
+      inputs ? run_bench(inputs->robot, inputs->scene, options.bench, diagnostics) : std::nullopt;
+  print_diagnostics(diagnostics);
+  if (!report) return kBadInput;
+  fmt::print("{}", options.json ? print_json_lines(*report) : print_table(*report));
+  return kOk;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("bench", "Run time and error of every way to a function's numbers");
+  command->add_option("urdf", options->inputs.urdf, "Robot, URDF")->required();
+  command->add_option("scene", options->inputs.scene, "What to generate for it, YAML")->required();
+  CLI::Option* states = command->add_option("--states", options->bench.states, "How many states")
+                            ->capture_default_str()
+                            ->check(CLI::Range(1, 100000));
+  command->add_option("--seed", options->bench.seed, "Other states")->capture_default_str();
+  command->add_option("--flags", options->bench.flags, "For the compiler")->capture_default_str();
+  command->add_option("--real", options->inputs.real, "Number type, instead of the scene's")
+      ->check(CLI::IsMember({"float", "double"}));
+  command
+      ->add_option("--functions", options->inputs.functions,
+                   "Functions, separated by commas, instead of the scene's")
+      ->delimiter(',');
+  command
+      ->add_flag("--quick", options->quick,
+                 fmt::format("{} states, {} rounds", kQuickStates, kQuickRounds))
+      ->excludes(states);
+  command->add_flag("--json", options->json, "The machine and each variant as a line of JSON");
+  command->footer(kHowToRead);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace treeline
