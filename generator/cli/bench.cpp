@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <fstream>
 #include <memory>
 
 #include "bench/bench.hpp"
+#include "bench/draw_svg.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/read_inputs.hpp"
 
@@ -30,7 +32,7 @@ constexpr const char* kHowToRead =
     "double. The interpreter's time has its allocations in it.\n"
     "Measure on a machine that does nothing else. The compiler is $CXX, else c++, else g++.\n\n"
     "Examples:\n"
-    "  treeline bench puma560.urdf scene.yaml\n"
+    "  treeline bench puma560.urdf scene.yaml --svg puma560.svg\n"
     "  treeline bench puma560.urdf scene.yaml --functions control_torque --json > bench.jsonl";
 
 constexpr int kQuickStates = 40;
@@ -39,6 +41,7 @@ constexpr int kQuickRounds = 7;
 struct Options {
   InputOptions inputs;
   BenchOptions bench;
+  std::string svg;
   bool quick = false;
   bool json = false;
 };
@@ -52,6 +55,16 @@ std::function<void(const std::string&, int, int)> show_progress() {
   };
 }
 
+bool write_text(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.flush();
+  if (stream) return true;
+  diagnostics.add({Severity::error, path, 0, "", "cannot be written",
+                   "Name a file in a folder that exists and that you may write to."});
+  return false;
+}
+
 int run(Options options) {
   Diagnostics diagnostics;
   const auto inputs = read_inputs(options.inputs, diagnostics);
@@ -62,10 +75,12 @@ int run(Options options) {
   }
   const auto report =
       inputs ? run_bench(inputs->robot, inputs->scene, options.bench, diagnostics) : std::nullopt;
+  const bool written =
+      report && (options.svg.empty() || write_text(options.svg, draw_svg(*report), diagnostics));
   print_diagnostics(diagnostics);
   if (!report) return kBadInput;
   fmt::print("{}", options.json ? print_json_lines(*report) : print_table(*report));
-  return kOk;
+  return written ? kOk : kBadInput;
 }
 
 }  // namespace
@@ -92,6 +107,7 @@ void add_bench(CLI::App& app, int& exit_code) {
                  fmt::format("{} states, {} rounds", kQuickStates, kQuickRounds))
       ->excludes(states);
   command->add_flag("--json", options->json, "The machine and each variant as a line of JSON");
+  command->add_option("--svg", options->svg, "Writes time against error, a panel a function");
   command->footer(kHowToRead);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
+#include "bench/draw_svg.hpp"
 #include "check/fixture.hpp"
 
 // Every variant of a small robot's functions, compiled and run. Would catch a variant that gets
 // another's arguments, an answer compared with another function's truth, float called double,
-// output that is no JSON. Errors are asserted, times only to be there.
+// output that is no JSON, a mark that is
+// not drawn. Errors are asserted, times only to be there.
 
 namespace treeline::tests {
 namespace {
@@ -81,6 +84,25 @@ void expect_table(const BenchReport& report) {
   }
 }
 
+void expect_marks(const BenchReport& report) {
+  const std::string svg = draw_svg(report);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf\""), std::string::npos);
+  std::size_t marks = 0;
+  for (std::size_t at = svg.find("<title>"); at != std::string::npos;
+       at = svg.find("<title>", at + 1)) {
+    ++marks;
+  }
+  std::size_t rows = 0;
+  std::set<VariantGroup> legend;
+  for (const BenchFunction& made : report.functions) {
+    rows += made.rows.size();
+    for (const BenchRow& row : made.rows) legend.insert(row.variant.group);
+    EXPECT_NE(svg.find(function_name(made.function)), std::string::npos);
+  }
+  EXPECT_EQ(marks, rows + legend.size());
+}
+
 TEST(Bench, RunsEveryVariantOfASmallRobot) {
   const auto report = bench_planar3r();
   ASSERT_TRUE(report);
@@ -90,6 +112,7 @@ TEST(Bench, RunsEveryVariantOfASmallRobot) {
   expect_front(*report);
   expect_json_lines(*report);
   expect_table(*report);
+  expect_marks(*report);
 }
 
 }  // namespace

@@ -1,0 +1,269 @@
+#include "bench/draw_svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+namespace treeline {
+namespace {
+
+constexpr double kPanelWidth = 460, kPanelHeight = 330;
+constexpr double kLeft = 58, kRight = 16, kTop = 26, kBottom = 42;  ///< of the axes in a panel
+constexpr double kHead = 104;
+constexpr int kColumns = 3;
+/// What is exact lies at the bottom, what is no number at the top.
+constexpr double kLeastError = 1e-18, kGreatestError = 1e2;
+
+struct Style {
+  VariantGroup group;
+  const char* legend;
+  const char* color;
+  const char* path;  ///< of the mark, about the origin
+  bool filled;
+};
+constexpr const char* kCircle = "M-4,0a4,4 0 1,0 8,0a4,4 0 1,0 -8,0z";
+constexpr const char* kSquare = "M-3.5,-3.5h7v7h-7z";
+constexpr const char* kDiamond = "M0,-5l5,5l-5,5l-5,-5z";
+constexpr const char* kUp = "M0,-4.5l4.5,8h-9z";
+constexpr const char* kDown = "M0,4.5l4.5,-8h-9z";
+constexpr const char* kCross = "M-4,-4l8,8m0,-8l-8,8";
+constexpr const char* kPlus = "M-4.5,0h9m-4.5,-4.5v9";
+constexpr std::array kStyles = {
+    Style{VariantGroup::emitted, "as the scene asks", "#000000", kCircle, true},
+    Style{VariantGroup::lanes, "other lanes", "#1f77b4", kCircle, false},
+    Style{VariantGroup::real, "other Real", "#2ca02c", kUp, false},
+    Style{VariantGroup::route, "other route", "#ff7f0e", kSquare, false},
+    Style{VariantGroup::inertia, "full inertias", "#8c564b", kDiamond, false},
+    Style{VariantGroup::accuracy, "other accuracy", "#9467bd", kPlus, false},
+    Style{VariantGroup::contraction, "not contracted", "#555555", kCross, false},
+    Style{VariantGroup::sines, "other sines", "#17a2b8", kDown, false},
+    Style{VariantGroup::solve, "Eigen's factorisations", "#d62728", kSquare, true},
+    Style{VariantGroup::interpreter, "interpreter", "#e377c2", kDiamond, true}};
+
+const Style& style_of(VariantGroup group) {
+  return *std::find_if(kStyles.begin(), kStyles.end(),
+                       [group](const Style& style) { return style.group == group; });
+}
+
+std::string escape(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '<') {
+      escaped += "&lt;";
+    } else if (c == '&') {
+      escaped += "&amp;";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string mark(const Style& style, double x, double y, const std::string& title) {
+  return fmt::format(
+      "<path d=\"{}\" transform=\"translate({:.1f},{:.1f})\" fill=\"{}\" stroke=\"{}\" "
+      "stroke-width=\"1.5\"><title>{}</title></path>\n",
+      style.path, x, y, style.filled ? style.color : "none", style.color, escape(title));
+}
+
+std::string text_at(double x, double y, std::string_view text, std::string_view attributes) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes,
+                     escape(text));
+}
+
+std::string line(double x1, double y1, double x2, double y2, const char* color) {
+  return fmt::format(
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2,
+      y2, color);
+}
+
+double error_of(const BenchRow& row) {
+  return std::clamp(row.norm.worst, kLeastError, kGreatestError);
+}
+
+/// Exponents of ten that an axis reaches from and to.
+struct Decades {
+  int first = 0, last = 0;
+  /// Where on an axis from 0 to 1.
+  [[nodiscard]] double at(double value) const {
+    return (std::log10(value) - first) / static_cast<double>(last - first);
+  }
+};
+
+Decades decades_of(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const int first = static_cast<int>(std::floor(std::log10(*least) - 0.05));
+  const int last = static_cast<int>(std::ceil(std::log10(*most) + 0.05));
+  return {first, std::max(last, first + 1)};
+}
+
+std::string time_name(int decade) {
+  constexpr std::array kNames = {"1 ns", "10 ns", "100 ns", "1 µs", "10 µs", "100 µs", "1 ms"};
+  if (decade < 0 || decade >= static_cast<int>(kNames.size())) {
+    return fmt::format("1e{} ns", decade);
+  }
+  return kNames[static_cast<std::size_t>(decade)];
+}
+
+class Panel {
+ public:
+  Panel(const BenchFunction& function, double x, double y)
+      : function_(function), x0_(x + kLeft), y0_(y + kTop) {
+    std::vector<double> times;
+    std::vector<double> errors;
+    for (const BenchRow& row : function.rows) {
+      times.push_back(row.timing.nanoseconds);
+      errors.push_back(error_of(row));
+    }
+    times_ = decades_of(times);
+    errors_ = decades_of(errors);
+  }
+
+  [[nodiscard]] std::string draw() const {
+    std::string text = text_at(x0_, y0_ - 8, function_name(function_.function),
+                               "font-size=\"13\" font-weight=\"bold\"");
+    return text + draw_axes() + draw_front() + draw_marks() + draw_labels();
+  }
+
+ private:
+  static constexpr double kWidth = kPanelWidth - kLeft - kRight;
+  static constexpr double kHeight = kPanelHeight - kTop - kBottom;
+
+  [[nodiscard]] double x(double nanoseconds) const { return x0_ + kWidth * times_.at(nanoseconds); }
+  [[nodiscard]] double y(double error) const { return y0_ + kHeight * (1 - errors_.at(error)); }
+
+  [[nodiscard]] std::string draw_axes() const {
+    std::string text;
+    for (int decade = times_.first; decade <= times_.last; ++decade) {
+      for (const double minor : {2.0, 5.0}) {
+        const double at = minor * std::pow(10, decade);
+        if (decade < times_.last) text += line(x(at), y0_, x(at), y0_ + kHeight, "#f0f0f0");
+      }
+      const double at = x(std::pow(10, decade));
+      text += line(at, y0_, at, y0_ + kHeight, "#d0d0d0");
+      text += text_at(at, y0_ + kHeight + 14, time_name(decade), "text-anchor=\"middle\"");
+    }
+    const int step = errors_.last - errors_.first > 8 ? 2 : 1;
+    for (int decade = errors_.first; decade <= errors_.last; decade += step) {
+      const double at = y(std::pow(10, decade));
+      text += line(x0_, at, x0_ + kWidth, at, "#d0d0d0");
+      text += text_at(x0_ - 5, at + 3.5, fmt::format("1e{}", decade), "text-anchor=\"end\"");
+    }
+    return text + fmt::format(
+                      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+                      "fill=\"none\" stroke=\"#808080\"/>\n",
+                      x0_, y0_, kWidth, kHeight);
+  }
+
+  [[nodiscard]] std::vector<const BenchRow*> front() const {
+    std::vector<const BenchRow*> rows;
+    for (const BenchRow& row : function_.rows) {
+      if (row.on_front) rows.push_back(&row);
+    }
+    std::sort(rows.begin(), rows.end(), [](const BenchRow* a, const BenchRow* b) {
+      return a->timing.nanoseconds < b->timing.nanoseconds;
+    });
+    return rows;
+  }
+
+  /// What nothing lies below and to the left of.
+  [[nodiscard]] std::string draw_front() const {
+    std::string points;
+    double last_y = y0_;
+    for (const BenchRow* row : front()) {
+      const double at = x(row->timing.nanoseconds);
+      points += fmt::format("{:.1f},{:.1f} ", at, last_y);
+      last_y = y(error_of(*row));
+      points += fmt::format("{:.1f},{:.1f} ", at, last_y);
+    }
+    points += fmt::format("{:.1f},{:.1f}", x0_ + kWidth, last_y);
+    return fmt::format(
+        "<polyline points=\"{}\" fill=\"none\" stroke=\"#404040\" stroke-dasharray=\"4 3\"/>\n",
+        points);
+  }
+
+  [[nodiscard]] std::string draw_marks() const {
+    std::string text;
+    for (auto row = function_.rows.rbegin(); row != function_.rows.rend(); ++row) {
+      text += mark(style_of(row->variant.group), x(row->timing.nanoseconds), y(error_of(*row)),
+                   fmt::format("{}: {:.3g} ns, {:.1e}", row->variant.name, row->timing.nanoseconds,
+                               row->norm.worst));
+    }
+    return text;
+  }
+
+  /// Names of what is on the front, none on another.
+  [[nodiscard]] std::string draw_labels() const {
+    constexpr std::size_t kLongest = 40;
+    constexpr double kLine = 11;
+    constexpr double kLetter = 4.8;
+    std::string text;
+    double free_y = y0_ + kHeight;  // lines lie above this
+    const auto rows = front();
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+      std::string name = (*row)->variant.name.substr(0, kLongest);
+      if (name.size() < (*row)->variant.name.size()) name += "...";
+      const double at = x((*row)->timing.nanoseconds);
+      const double height = std::min(y(error_of(**row)) - 6, free_y);
+      free_y = height - kLine;
+      const double room = x0_ + kWidth - 4 - kLetter * static_cast<double>(name.size());
+      const double from = std::max(x0_ + 4, std::min(at + 6, room));
+      text += text_at(from, height, name, "fill=\"#303030\" font-size=\"9\"");
+    }
+    return text;
+  }
+
+  const BenchFunction& function_;
+  double x0_, y0_;
+  Decades times_, errors_;
+};
+
+std::string draw_legend(const BenchReport& report) {
+  std::set<VariantGroup> used;
+  for (const BenchFunction& function : report.functions) {
+    for (const BenchRow& row : function.rows) used.insert(row.variant.group);
+  }
+  std::string text;
+  double x = 20;
+  for (const Style& style : kStyles) {
+    if (!used.contains(style.group)) continue;
+    text += mark(style, x, kHead - 18, style.legend);
+    text += text_at(x + 10, kHead - 14, style.legend, "font-size=\"11\"");
+    x += 32 + 6.2 * static_cast<double>(std::string_view(style.legend).size());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string draw_svg(const BenchReport& report) {
+  const int count = static_cast<int>(report.functions.size());
+  const double width = kPanelWidth * kColumns;
+  const double height = kHead + kPanelHeight * ((count + kColumns - 1) / kColumns);
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"10\">\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+      width, height);
+  text += text_at(14, 26, report.name + ": time of a call across, worst norm-wise error up",
+                  "font-size=\"18\" font-weight=\"bold\"");
+  text += text_at(14, 46,
+                  fmt::format("{} states against 50 digits; {}; {}", report.states,
+                              report.machine.processor, report.machine.command),
+                  "font-size=\"12\"");
+  text += text_at(14, 64, "dashed: the front, which nothing beats in both; its variants are named",
+                  "font-size=\"12\"");
+  text += draw_legend(report);
+  for (int i = 0; i < count; ++i) {
+    const Panel panel(report.functions[static_cast<std::size_t>(i)], kPanelWidth * (i % kColumns),
+                      kHead + kPanelHeight * (i / kColumns));
+    text += panel.draw();
+  }
+  return text + "</svg>\n";
+}
+
+}  // namespace treeline
