@@ -1,24 +1,46 @@
 #include "generation/function_mechanisms.hpp"
 
+#include <optional>
+
 #include "description/check_scene.hpp"
+#include "generation/choose_axes.hpp"
 #include "mechanism/build_mechanism.hpp"
 
 namespace treeline {
+namespace {
+
+constexpr unsigned kPoints = 1;
+constexpr unsigned kForces = 2;
+constexpr unsigned kContacts = 4;
+
+}  // namespace
 
 const Mechanism& FunctionMechanisms::of(Function function) {
   const bool points = needs_points(function) || needs_objects(function);
   const bool forces = takes_external_forces(function);
   const bool contacts = needs_contacts(function);
-  const unsigned needs = (points ? 1U : 0U) | (forces ? 2U : 0U) | (contacts ? 4U : 0U);
+  const unsigned needs =
+      (points ? kPoints : 0) | (forces ? kForces : 0) | (contacts ? kContacts : 0);
+  const std::optional<Function> decider = axes_decider(function);
+  if (!decider) return reduced(needs);
+  const std::pair key{needs, *decider};
+  const auto chosen = by_decider_.find(key);
+  if (chosen != by_decider_.end()) return chosen->second;
+  Mechanism& mechanism = by_decider_.emplace(key, reduced(needs)).first->second;
+  choose_axes(mechanism, *decider);
+  return mechanism;
+}
+
+const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
   const auto found = by_needs_.find(needs);
   if (found != by_needs_.end()) return found->second;
   Scene seen = scene_;
-  if (!points) {
+  if ((needs & kPoints) == 0) {
     seen.operational_points.clear();
     seen.objects.clear();
   }
-  if (!forces) seen.external_forces.clear();
-  if (!contacts) seen.contacts.clear();
+  if ((needs & kForces) == 0) seen.external_forces.clear();
+  if ((needs & kContacts) == 0) seen.contacts.clear();
   return by_needs_.emplace(needs, reduced_mechanism(robot_, seen, inertias_)).first->second;
 }
 

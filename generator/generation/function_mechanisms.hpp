@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "description/robot.hpp"
 #include "description/scene.hpp"
@@ -10,7 +11,8 @@
 namespace treeline {
 
 /// A robot in a scene, reduced for each function apart: link frames are seated around the points
-/// that the function is about, so that nothing else in the scene can change its code.
+/// that the function is about, so that nothing else in the scene can change its code; axes are
+/// chosen for each function, see `choose_axes`.
 class FunctionMechanisms {
  public:
   /// Both must outlive this.
@@ -21,10 +23,13 @@ class FunctionMechanisms {
   const Mechanism& of(Function function);
 
  private:
+  const Mechanism& reduced(unsigned needs);
+
   const Robot& robot_;
   const Scene& scene_;
   Inertias inertias_;
   std::map<unsigned, Mechanism> by_needs_;
+  std::map<std::pair<unsigned, Function>, Mechanism> by_decider_;
 };
 
 }  // namespace treeline

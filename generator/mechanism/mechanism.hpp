@@ -46,6 +46,9 @@ struct MovingLink {
   Exact offset = 0;
   bool mimics = false;  ///< shares its coordinate with the joint it mimics
   Inertia inertia;
+  /// How recursions go about this link, see `turn_late` and `outward_motion`: results are the same,
+  /// costs are not. Both only for joints of one degree of freedom.
+  bool turns_late = false, carries_column = false;
 };
 
 /// An operational point or the place of an external force, on a moving link or the world (-1).

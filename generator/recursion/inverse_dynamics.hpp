@@ -33,17 +33,17 @@ Wrench<Scalar> to_parent(const JointTransform<Scalar>& X, const Wrench<Scalar>& 
   return {f, X.to_parent(wrench.n) + cross(X.p, f)};
 }
 
-/// u Sigma_a - v Sigma_b for the entries u = ww + wd, v = ww - wd of U. Both forms take three
-/// operations; with a zero moment the first takes one, with equal moments the second, which also
-/// leaves u and v unused.
+/// u Sigma_a - v Sigma_b for the entries u = ww + wd, v = ww - wd of U, with J the sum of both
+/// moments. Both forms take three operations; with a zero moment the first takes one, with equal
+/// moments the second, which also leaves u and v unused.
 template <class Scalar>
 Scalar moment_of_pair(const Scalar& u, const Scalar& v, const Scalar& ww, const Scalar& wd,
-                      const Scalar& Sigma_a, const Scalar& Sigma_b) {
+                      const Scalar& Sigma_a, const Scalar& Sigma_b, const Scalar& J) {
   const Scalar zero(0.0);
   if (Sigma_a == zero || Sigma_b == zero) {
     return u * Sigma_a - v * Sigma_b;
   }
-  return ww * (Sigma_a - Sigma_b) + wd * (Sigma_a + Sigma_b);
+  return ww * (Sigma_a - Sigma_b) + wd * J;
 }
 
 /// Rate of change of the link's momentum: f = m a + U h, n = vee(U Sigma) + h x a. With the second
@@ -54,11 +54,12 @@ Wrench<Scalar> inertial_wrench(const TreeInertia<Scalar>& inertia,
   const AngularMatrix<Scalar>& U = motion.U;
   const Vector3<Scalar>& wd = motion.wd;
   const Symmetric3<Scalar>& Sigma = inertia.Sigma;
-  const Vector3<Scalar> n{moment_of_pair(U.zy, U.yz, U.wywz, wd.x, Sigma.yy, Sigma.zz) +
+  const Symmetric3<Scalar>& J = inertia.J;
+  const Vector3<Scalar> n{moment_of_pair(U.zy, U.yz, U.wywz, wd.x, Sigma.yy, Sigma.zz, J.xx) +
                               U.zx * Sigma.xy - U.yx * Sigma.xz + (U.wz2 - U.wy2) * Sigma.yz,
-                          moment_of_pair(U.xz, U.zx, U.wxwz, wd.y, Sigma.zz, Sigma.xx) +
+                          moment_of_pair(U.xz, U.zx, U.wxwz, wd.y, Sigma.zz, Sigma.xx, J.yy) +
                               U.xy * Sigma.yz - U.zy * Sigma.xy + (U.wx2 - U.wz2) * Sigma.xz,
-                          moment_of_pair(U.yx, U.xy, U.wxwy, wd.z, Sigma.xx, Sigma.yy) +
+                          moment_of_pair(U.yx, U.xy, U.wxwy, wd.z, Sigma.xx, Sigma.yy, J.zz) +
                               U.yz * Sigma.xz - U.xz * Sigma.yz + (U.wy2 - U.wx2) * Sigma.xy};
   return {motion.a * inertia.mass + U.matrix() * inertia.h, n + cross(inertia.h, motion.a)};
 }

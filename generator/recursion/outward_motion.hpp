@@ -8,16 +8,16 @@
 namespace treeline {
 
 /// The matrix U = [wd]x + [w]x [w]x that gives accelerations of points of a link, a + U r
-/// (Luh, Walker & Paul; Khalil). Its diagonal is kept as the squares it is made of, because moments
-/// need their differences.
+/// (Luh, Walker & Paul; Khalil). Moments need differences of the squares that its diagonal is made
+/// of.
 template <class Scalar>
 struct AngularMatrix {
-  Scalar xy{}, xz{}, yx{}, yz{}, zx{}, zy{};
+  Scalar xx{}, xy{}, xz{}, yx{}, yy{}, yz{}, zx{}, zy{}, zz{};
   Scalar wx2{}, wy2{}, wz2{};
   Scalar wxwy{}, wxwz{}, wywz{};
 
   [[nodiscard]] Matrix3<Scalar> matrix() const {
-    return {{-(wy2 + wz2), xy, xz}, {yx, -(wx2 + wz2), yz}, {zx, zy, -(wx2 + wy2)}};
+    return {{xx, xy, xz}, {yx, yy, yz}, {zx, zy, zz}};
   }
 };
 
@@ -26,8 +26,11 @@ AngularMatrix<Scalar> angular_matrix(const Vector3<Scalar>& w, const Vector3<Sca
   const Scalar xy = w.x * w.y;
   const Scalar xz = w.x * w.z;
   const Scalar yz = w.y * w.z;
-  return {xy - wd.z, xz + wd.y, xy + wd.z, yz - wd.x, xz - wd.y, yz + wd.x,
-          w.x * w.x, w.y * w.y, w.z * w.z, xy,        xz,        yz};
+  const Scalar xx = w.x * w.x;
+  const Scalar yy = w.y * w.y;
+  const Scalar zz = w.z * w.z;
+  return {-(yy + zz), xy - wd.z, xz + wd.y, xy + wd.z, -(xx + zz), yz - wd.x, xz - wd.y, yz + wd.x,
+          -(xx + yy), xx,        yy,        zz,        xy,         xz,        yz};
 }
 
 /// Motion of a link's frame in its own axes. `a` is the conventional acceleration of the origin;
@@ -91,6 +94,23 @@ LinkMotion<Scalar> motion_behind_joint(const TreeLink<Scalar>& link,
   return motion;
 }
 
+/// The same where U z is carried over from the parent, for a revolute joint: a point of its axis
+/// has one acceleration, on whichever of the two links it is. What wd has across the axis follows.
+template <class Scalar>
+void carry_column(const JointTransform<Scalar>& X, const AngularMatrix<Scalar>& parent,
+                  LinkMotion<Scalar>& motion) {
+  const Vector3<Scalar> axis = X.to_parent({Scalar(0.0), Scalar(0.0), Scalar(1.0)});
+  const Vector3<Scalar> column = X.to_child(parent.matrix() * axis);
+  AngularMatrix<Scalar>& U = motion.U;
+  motion.wd.x = U.wywz - column.y;
+  motion.wd.y = column.x - U.wxwz;
+  U.xz = column.x;
+  U.yz = column.y;
+  U.zz = column.z;
+  U.zx = U.wxwz - motion.wd.y;
+  U.zy = U.wywz + motion.wd.x;
+}
+
 /// Outward pass of the recursive Newton-Euler method (Chang table 4.1), in link frames.
 /// `base_acceleration` is -g to include gravity, 0 for bias accelerations.
 template <class Scalar>
@@ -107,10 +127,13 @@ std::vector<LinkMotion<Scalar>> outward_motion(const Tree<Scalar>& tree,
     const LinkMotion<Scalar>& parent =
         link.parent < 0 ? base : motions[static_cast<std::size_t>(link.parent)];
     LinkMotion<Scalar> motion = motion_behind_joint(link, X[i], parent, rates);
+    motion.U = angular_matrix(motion.w, motion.wd);
+    if (link.carries_column && link.kind == JointKind::revolute) {
+      carry_column(X[i], parent.U, motion);
+    }
     label(motion.w, "w", i);
     label(motion.wd, "wd", i);
     label(motion.a, "a", i);
-    motion.U = angular_matrix(motion.w, motion.wd);
     motions.push_back(motion);
   }
   return motions;

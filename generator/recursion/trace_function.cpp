@@ -9,6 +9,7 @@
 #include "recursion/control_torque.hpp"
 #include "recursion/describe_choice.hpp"
 #include "recursion/forward_dynamics.hpp"
+#include "recursion/late_turns.hpp"
 #include "recursion/resolved_acceleration.hpp"
 #include "recursion/trace_contacts.hpp"
 #include "recursion/trace_derivatives.hpp"
@@ -156,6 +157,7 @@ class Tracer {
     trace.rows = static_cast<std::size_t>(mechanism_.task_rows());
     declare_inputs(common.inputs, program, trace);
     trace.X = joint_transforms<Expression>(trace.tree, trace.q);
+    turn_late(trace.tree, trace.X);
     program.results = route.body(trace);
     return program;
   }

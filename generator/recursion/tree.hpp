@@ -32,6 +32,7 @@ struct TreeLink {
   Rotation<Scalar> R;  ///< of the seat
   Vector3<Scalar> p;   ///< of the seat, in the parent's axes
   TreeInertia<Scalar> inertia;
+  bool turns_late = false, carries_column = false;  ///< see `MovingLink`
 
   [[nodiscard]] int dofs() const { return kind == JointKind::floating ? 6 : 1; }
 };
@@ -132,7 +133,9 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
          planar_factors<Scalar>(link.seat.R),
          rounded<Scalar>(link.seat.p),
          {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
-          rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)}});
+          rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
+         link.turns_late,
+         link.carries_column});
   }
   for (const MechanismPoint& point : mechanism.operational_points) {
     tree.operational_points.push_back(tree_point<Scalar>(point));

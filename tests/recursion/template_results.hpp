@@ -7,6 +7,7 @@
 #include "recursion/control_torque.hpp"
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/late_turns.hpp"
 #include "recursion/resolved_acceleration.hpp"
 
 /// The recursions run as they stand, without a graph, in any `Scalar`. In 50 digits the constants
@@ -26,7 +27,7 @@ class TemplateRun {
       : in_(in),
         tree_(tree_of<Scalar>(mechanism)),
         rows_(static_cast<std::size_t>(mechanism.task_rows())),
-        X_(joint_transforms<Scalar>(tree_, in_.q)),
+        X_(transforms_with_late_turns(tree_, in_.q)),
         poses_(world_poses(tree_, X_)) {
     if (!in_.f_ext.empty()) applied_ = applied_wrenches<Scalar>(tree_, X_, in_.f_ext);
   }
@@ -63,6 +64,13 @@ class TemplateRun {
   }
 
  private:
+  static std::vector<JointTransform<Scalar>> transforms_with_late_turns(
+      Tree<Scalar>& tree, const std::vector<Scalar>& q) {
+    auto X = joint_transforms<Scalar>(tree, q);
+    turn_late(tree, X);
+    return X;
+  }
+
   using Wrenches = std::vector<Wrench<Scalar>>;
 
   [[nodiscard]] std::vector<Scalar> newton_euler(const JointRates<Scalar>& rates,

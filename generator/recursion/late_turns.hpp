@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "recursion/joint_transform.hpp"
+
+namespace treeline {
+
+/// R1 R2, about the same axis.
+template <class Scalar>
+PlanarRotation<Scalar> operator*(const PlanarRotation<Scalar>& r1,
+                                 const PlanarRotation<Scalar>& r2) {
+  return {r1.c * r2.c - r1.s * r2.s, r1.s * r2.c + r1.c * r2.s};
+}
+
+/// The rotation of a joint whose axis is parallel to its parent's, as Rx(0 or pi) and then one turn
+/// about z: Rz(a) Rx(pi) = Rx(pi) Rz(-a).
+template <class Scalar>
+void join_turns(JointTransform<Scalar>& X) {
+  const bool flipped = !(X.R.alpha.c == Scalar(1.0));
+  X.turn = (flipped ? X.R.a.inverse() : X.R.a) * X.R.b * X.turn;
+  X.R.a = X.R.b = {};
+}
+
+template <class Scalar>
+bool is_parallel(const JointTransform<Scalar>& X) {
+  const PlanarRotation<Scalar>& alpha = X.R.alpha;
+  return !X.general && alpha.s == Scalar(0.0) &&
+         (alpha.c == Scalar(1.0) || alpha.c == Scalar(-1.0));
+}
+
+/// The same matter in axes that are turned back: Rz I Rz^T. J_zz stays the constant that it is.
+template <class Scalar>
+void turn_inertia(const PlanarRotation<Scalar>& turn, TreeInertia<Scalar>& inertia) {
+  Symmetric3<Scalar>& Sigma = inertia.Sigma;
+  inertia.h = rotate_z(turn, inertia.h);
+  Sigma = rotate_z(turn, Sigma);
+  inertia.J = {Sigma.yy + Sigma.zz, -Sigma.xy, -Sigma.xz,
+               Sigma.xx + Sigma.zz, -Sigma.yz, inertia.J.zz};
+}
+
+template <class Scalar>
+void turn_points(const PlanarRotation<Scalar>& turn, int link,
+                 std::vector<TreePoint<Scalar>>& points) {
+  for (TreePoint<Scalar>& point : points) {
+    if (point.link != link) continue;
+    point.p = rotate_z(turn, point.p);
+    const Matrix3<Scalar> columns = transposed(point.R);
+    point.R = transposed<Scalar>({rotate_z(turn, columns.row_x), rotate_z(turn, columns.row_y),
+                                  rotate_z(turn, columns.row_z)});
+  }
+}
+
+/// Works with the links that `turn_late` in axes that their joints have not turned yet, so that
+/// what is turned is their constants (inertia, places of children and points) instead of motions,
+/// forces and the inertia of all that hangs on them. Joints with parallel axes then turn together,
+/// once, by the sum of their angles; and near a fixed base motions keep the zeros that they have in
+/// the axes of the joint before. Sines of sums are taken by the theorem of addition: a sum of large
+/// angles would be rounded. Recursions are the same: at an instant any axes will do.
+template <class Scalar>
+void turn_late(Tree<Scalar>& tree, std::vector<JointTransform<Scalar>>& X) {
+  std::vector<PlanarRotation<Scalar>> owed(tree.links.size());
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    TreeLink<Scalar>& link = tree.links[i];
+    const bool behind_late =
+        link.parent >= 0 && tree.links[static_cast<std::size_t>(link.parent)].turns_late;
+    if (behind_late) {
+      const PlanarRotation<Scalar>& turn = owed[static_cast<std::size_t>(link.parent)];
+      X[i].p = rotate_z(turn, X[i].p);
+      X[i].R.a = turn * X[i].R.a;
+    }
+    if (is_parallel(X[i]) && (behind_late || link.turns_late)) {
+      join_turns(X[i]);
+    }
+    if (link.turns_late) {
+      owed[i] = X[i].R.b * X[i].turn;
+      X[i].R.b = X[i].turn = {};
+      turn_inertia(owed[i], link.inertia);
+      for (auto* points :
+           {&tree.operational_points, &tree.external_forces, &tree.contacts, &tree.link_frames}) {
+        turn_points(owed[i], static_cast<int>(i), *points);
+      }
+    }
+  }
+}
+
+}  // namespace treeline
