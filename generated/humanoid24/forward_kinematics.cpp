@@ -28,21 +28,21 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   Real cosines[20];
   detail::sin_cos(angles, sines, cosines);
   const Real s1 = sines[0];
-  const Real s2 = sines[1];
-  const Real c1 = cosines[0];
   const Real c2 = cosines[1];
+  const Real c1 = cosines[0];
+  const Real s2 = sines[1];
   const Real s3 = sines[2];
   const Real c3 = cosines[2];
   const Real s5 = sines[3];
   const Real c4 = cosines[4];
   const Real c5 = cosines[3];
   const Real c6 = cosines[5];
-  const Real s6 = sines[5];
   const Real s4 = sines[4];
-  const Real s8 = sines[6];
+  const Real s6 = sines[5];
   const Real c8 = cosines[6];
   const Real c7 = cosines[7];
   const Real s7 = sines[7];
+  const Real s8 = sines[6];
   const Real c10 = cosines[8];
   const Real s10 = sines[8];
   const Real s9 = sines[9];
@@ -53,10 +53,10 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   const Real c11 = cosines[12];
   const Real s11 = sines[12];
   const Real s13 = sines[10];
-  const Real s15 = sines[13];
   const Real c15 = cosines[13];
   const Real c14 = cosines[14];
   const Real s14 = sines[14];
+  const Real s15 = sines[13];
   const Real c17 = cosines[15];
   const Real s17 = sines[15];
   const Real s16 = sines[16];
@@ -71,20 +71,18 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   // link 5 (chest2), pose
   const Real rotation_5_p1 = s5 * s4;
   const Real rotation_5_p2 = c5 * s4;
-
-  // link 2 (thigh), pose
   const Real p2_x = 0.434 * s1;
-  const Real rotation_2_p1 = c2 * c1 - s2 * s1;
-  const Real rotation_2_p2 = s2 * c1 + c2 * s1;
+  const Real rotation_2_p1 = s1 * s2 - c1 * c2;
+  const Real rotation_2_p2 = s1 * c2 + c1 * s2;
 
   // link 6 (chest3), pose
   const Real p6_y = 0.072 * rotation_5_p1;
   const Real rotation_5_p5 = s6 * c4 - c6 * rotation_5_p1;
   const Real rotation_5_p6 = s6 * rotation_5_p1 + c6 * c4;
+  const Real rotation_2_p3 = rotation_2_p1 * c3 + rotation_2_p2 * s3;
+  const Real rotation_8_p1 = rotation_2_p1 * s3 - rotation_2_p2 * c3;
 
   // link 3 (hip), pose
-  const Real rotation_2_p3 = c3 * rotation_2_p1 - s3 * rotation_2_p2;
-  const Real rotation_8_p1 = s3 * rotation_2_p1 + c3 * rotation_2_p2;
   const Real p3_x = p2_x + 0.422 * rotation_2_p2;
 
   // link 4 (chest1), pose
@@ -103,10 +101,10 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   const Real position_1_p2 = p6_y - 0.226 * rotation_5_p5;
 
   // link 5 (chest2), pose
-  const Real p5_x = p3_x + 0.21799999999999997 * rotation_8_p1;
+  const Real p5_x = p3_x - 0.21799999999999997 * rotation_8_p1;
   const Real rotation_2_p6 = s5 * rotation_2_p4 + c5 * rotation_8_p1;
-  const Real rotation_8_p4 = s5 * rotation_8_p2 - c5 * rotation_2_p3;
-  const Real rotation_2_p7 = c5 * rotation_2_p4 - s5 * rotation_8_p1;
+  const Real rotation_8_p4 = c5 * rotation_2_p3 - s5 * rotation_8_p2;
+  const Real rotation_2_p7 = s5 * rotation_8_p1 - c5 * rotation_2_p4;
   const Real rotation_8_p5 = c5 * rotation_8_p2 + s5 * rotation_2_p3;
 
   // link 8 (left_shoulder2), pose
@@ -120,9 +118,9 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
 
   // link 6 (chest3), pose
   const Real rotation_2_p10 = c6 * rotation_2_p6 + s6 * rotation_2_p5;
-  const Real rotation_8_p8 = c6 * rotation_8_p4 + s6 * rotation_8_p3;
-  const Real rotation_2_p11 = s6 * rotation_2_p6 - c6 * rotation_2_p5;
-  const Real rotation_8_p9 = s6 * rotation_8_p4 - c6 * rotation_8_p3;
+  const Real rotation_8_p8 = c6 * rotation_8_p4 - s6 * rotation_8_p3;
+  const Real rotation_2_p11 = c6 * rotation_2_p5 - s6 * rotation_2_p6;
+  const Real rotation_8_p9 = s6 * rotation_8_p4 + c6 * rotation_8_p3;
 
   // link 9 (left_upperarm), pose
   const Lanes<2> rotation_5_p23_lanes = detail::make_pack<Real>(s9, s16) * rotation_5_p17_lanes +
@@ -131,22 +129,22 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
       detail::make_pack<Real>(s9, s16) * rotation_5_p12_lanes;
 
   // link 3 (hip), pose
-  const Real p3_z = p2_z + 0.422 * rotation_2_p1;
+  const Real p3_z = p2_z - 0.422 * rotation_2_p1;
 
   // link 5 (chest2), pose
-  const Real p5_z = p3_z + 0.21799999999999997 * rotation_2_p3;
+  const Real p5_z = p3_z - 0.21799999999999997 * rotation_2_p3;
 
   // link 6 (chest3), pose
-  const Real p6_x = p5_x + 0.072 * rotation_2_p6;
+  const Real p6_x = p5_x - 0.072 * rotation_2_p6;
 
   // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_2_p16_lanes = detail::make_pack<Real>(c7, c14) * rotation_2_p10 +
+  const Lanes<2> rotation_2_p16_lanes = detail::make_pack<Real>(c7, c14) * rotation_2_p10 -
       detail::make_pack<Real>(s7, s14) * rotation_2_p7;
-  const Lanes<2> rotation_8_p14_lanes = detail::make_pack<Real>(c7, c14) * rotation_8_p8 +
+  const Lanes<2> rotation_8_p14_lanes = detail::make_pack<Real>(c7, c14) * rotation_8_p8 -
       detail::make_pack<Real>(s7, s14) * rotation_8_p5;
-  const Lanes<2> rotation_2_p17_lanes = detail::make_pack<Real>(c7, c14) * rotation_2_p7 -
-      detail::make_pack<Real>(s7, s14) * rotation_2_p10;
-  const Lanes<2> rotation_8_p15_lanes = detail::make_pack<Real>(s7, s14) * rotation_8_p8 -
+  const Lanes<2> rotation_2_p17_lanes = detail::make_pack<Real>(s7, s14) * rotation_2_p10 +
+      detail::make_pack<Real>(c7, c14) * rotation_2_p7;
+  const Lanes<2> rotation_8_p15_lanes = detail::make_pack<Real>(s7, s14) * rotation_8_p8 +
       detail::make_pack<Real>(c7, c14) * rotation_8_p5;
 
   // link 10 (left_lowerarm), pose
@@ -159,16 +157,16 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   const Real p6_z = p5_z - 0.072 * rotation_8_p4;
 
   // link 24 (right_eye), pose
-  const Real position_0_p2 = p6_x + 0.226 * rotation_2_p10;
+  const Real position_0_p2 = p6_x - 0.226 * rotation_2_p10;
   const Real position_2_p2 = p6_z - 0.226 * rotation_8_p8;
 
   // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_2_p22_lanes = detail::make_pack<Real>(s8, s15) * rotation_2_p16_lanes +
-      detail::make_pack<Real>(c8, c15) * rotation_2_p11;
+  const Lanes<2> rotation_2_p22_lanes = detail::make_pack<Real>(c8, c15) * rotation_2_p11 -
+      detail::make_pack<Real>(s8, s15) * rotation_2_p16_lanes;
   const Lanes<2> rotation_8_p20_lanes = detail::make_pack<Real>(s8, s15) * rotation_8_p14_lanes +
       detail::make_pack<Real>(c8, c15) * rotation_8_p9;
-  const Lanes<2> rotation_2_p23_lanes = detail::make_pack<Real>(s8, s15) * rotation_2_p11 -
-      detail::make_pack<Real>(c8, c15) * rotation_2_p16_lanes;
+  const Lanes<2> rotation_2_p23_lanes = detail::make_pack<Real>(c8, c15) * rotation_2_p16_lanes +
+      detail::make_pack<Real>(s8, s15) * rotation_2_p11;
   const Lanes<2> rotation_8_p21_lanes = detail::make_pack<Real>(c8, c15) * rotation_8_p14_lanes -
       detail::make_pack<Real>(s8, s15) * rotation_8_p9;
 

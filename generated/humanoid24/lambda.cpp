@@ -1,6 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
 // By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
-// 8261 flops (add 3548, mul 4669, div 44), sine and cosine of 24 angles
+// 7979 flops (add 3436, mul 4499, div 44), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -21,8 +21,8 @@ namespace humanoid24 {
 template <int count>
 using Lanes = detail::Pack<Real, count>;
 void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lambda)[144]) noexcept {
-  const Real angles[24] = {q[12], q[10], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1], q[0], q[9],
-      q[11], q[21], q[23], q[22], q[20], q[18], q[19], q[17], q[16], q[15], q[14], q[13]};
+  const Real angles[24] = {q[12], q[10], q[8], q[7], q[6], q[5], q[4], q[3], q[1], q[2], q[0], q[9],
+      q[11], q[21], q[23], q[22], q[20], q[16], q[19], q[18], q[17], q[15], q[14], q[13]};
   Real sines[24];
   Real cosines[24];
   detail::sin_cos(angles, sines, cosines);
@@ -34,12 +34,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real c6 = cosines[5];
   const Real s5 = sines[6];
   const Real c4 = cosines[7];
-  const Real c3 = cosines[8];
-  const Real c2 = cosines[9];
+  const Real c2 = cosines[8];
+  const Real c3 = cosines[9];
+  const Real s2 = sines[8];
+  const Real s3 = sines[9];
   const Real c1 = cosines[10];
-  const Real s2 = sines[9];
   const Real s1 = sines[10];
-  const Real s3 = sines[8];
   const Real c5 = cosines[6];
   const Real s6 = sines[5];
   const Real s4 = sines[7];
@@ -60,14 +60,14 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real s23 = sines[15];
   const Real c21 = cosines[16];
   const Real s21 = sines[16];
-  const Real s19 = sines[17];
-  const Real c19 = cosines[17];
-  const Real s20 = sines[18];
+  const Real s17 = sines[17];
   const Real c20 = cosines[18];
-  const Real s18 = sines[19];
-  const Real c18 = cosines[19];
-  const Real s17 = sines[20];
-  const Real c17 = cosines[20];
+  const Real s20 = sines[18];
+  const Real s19 = sines[19];
+  const Real c19 = cosines[19];
+  const Real s18 = sines[20];
+  const Real c18 = cosines[20];
+  const Real c17 = cosines[17];
   const Real c16 = cosines[21];
   const Real s16 = sines[21];
   const Real s15 = sines[22];
@@ -76,177 +76,183 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real s14 = sines[23];
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p11_lanes = 2.0 * detail::make_pack<Real>(c11, c18);
+  const Lanes<2> inverse_D10_p7_lanes = 2.0 * detail::make_pack<Real>(c11, c18);
+  const Lanes<2> inverse_D12_p5_lanes = 0.000108260010923775 * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>((-4.38600177048965e-05), 4.38600177048965e-05) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> inverse_D12_p6_lanes = 0.0007556474228594393 * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>((-0.000252780114665025), 0.000252780114665025) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> inverse_D11_p3_lanes = 0.000108260010923775 * detail::make_pack<Real>(c13, c20) -
+      detail::make_pack<Real>((-4.38600177048965e-05), 4.38600177048965e-05) *
+      detail::make_pack<Real>(s13, s20);
+  const Lanes<2> inverse_D10_p8_lanes = 0.01626499875 * detail::make_pack<Real>(s13, s20) +
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> inverse_D10_p9_lanes = 0.01626499875 * detail::make_pack<Real>(c13, c20) -
+      detail::make_pack<Real>((-0.002865001425), 0.002865001425) *
+      detail::make_pack<Real>(s13, s20);
 
   // link 13 (left_hand), articulated inertia
-  const Lanes<2> inverse_D12_p3_lanes = detail::make_pack<Real>((-0.0007660844555829042),
-      (-0.0007660844555829042)) * detail::make_pack<Real>(s13, s20) +
-      detail::make_pack<Real>(0.0002628975791811551, (-0.0002628975791811551)) *
-      detail::make_pack<Real>(c13, c20);
-  const Lanes<2> inverse_D10_p12_lanes = detail::make_pack<Real>(0.001090468517736955,
-      (-0.001090468517736955)) * detail::make_pack<Real>(s13, s20) +
-      detail::make_pack<Real>(0.001742099791326752, 0.001742099791326752) *
-      detail::make_pack<Real>(c13, c20);
-  const Lanes<2> inverse_D10_p14_lanes = detail::make_pack<Real>((-0.09929187165525127),
-      0.09929187165525127) * detail::make_pack<Real>(c13, c20) -
-      detail::make_pack<Real>((-0.27310176737964387), (-0.27310176737964387)) *
-      detail::make_pack<Real>(s13, s20);
-  const Lanes<2> inverse_D12_p4_lanes = detail::make_pack<Real>(s13, s20) * inverse_D12_p3_lanes;
-  const Lanes<2> inverse_D10_p16_lanes = detail::make_pack<Real>(c13, c20) * inverse_D10_p12_lanes;
-  const Lanes<2> inverse_D10_p17_lanes = detail::make_pack<Real>(s13, s20) * inverse_D10_p12_lanes;
-  const Lanes<2> inverse_D10_p18_lanes = detail::make_pack<Real>((-0.002865001425),
-      0.002865001425) * detail::make_pack<Real>(s13, s20) - 0.01626499875 *
-      detail::make_pack<Real>(c13, c20) - 0.0006000000000000001;
-  const Lanes<2> inverse_D10_p19_lanes = detail::make_pack<Real>(s13, s20) * inverse_D10_p14_lanes;
-  const Lanes<2> inverse_D11_p2_lanes = detail::make_pack<Real>((-0.00013384878959057754),
-      0.00013384878959057754) + detail::make_pack<Real>(c13, c20) * inverse_D12_p3_lanes;
-  const Lanes<2> inverse_D10_p21_lanes = 0.0006340258712020409 + inverse_D10_p16_lanes;
-  const Lanes<2> inverse_D10_p22_lanes = inverse_D10_p17_lanes -
-      detail::make_pack<Real>(0.000760024621759417, (-0.000760024621759417));
+  const Lanes<2> inverse_D12_p7_lanes = 1065.380700001509 * inverse_D12_p5_lanes;
+  const Lanes<2> inverse_D12_p8_lanes = detail::make_pack<Real>(s13, s20) * inverse_D12_p6_lanes;
+  const Lanes<2> inverse_D11_p5_lanes = 1065.380700001509 * inverse_D11_p3_lanes;
+  const Lanes<2> inverse_D10_p10_lanes = 1065.380700001509 * inverse_D10_p8_lanes;
+  const Lanes<2> inverse_D10_p11_lanes = 1065.380700001509 * inverse_D10_p9_lanes;
+  const Lanes<2> inverse_D10_p12_lanes = 0.0006000000000000001 + inverse_D10_p9_lanes;
+  const Lanes<2> inverse_D10_p15_lanes = inverse_D12_p5_lanes * inverse_D10_p11_lanes;
 
   // link 10 (left_lowerarm), articulated inertia
   const Lanes<2> inverse_D9_p1_lanes = 2.0 * detail::make_pack<Real>(c10, c17);
 
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> inverse_D10_p20_lanes = 0.0025100003499999995 - inverse_D12_p5_lanes *
+      inverse_D10_p10_lanes;
+
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D12_lanes = 1.0 / (inverse_D12_p4_lanes -
-      detail::make_pack<Real>((-0.0010519177038056625), (-0.0010519177038056625)));
-  const Lanes<2> inverse_D11_p4_lanes = inverse_D11_p2_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D10_p28_lanes = inverse_D10_p21_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D10_p29_lanes = inverse_D10_p18_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D10_p30_lanes = inverse_D10_p22_lanes * inverse_D12_lanes;
-  const Lanes<2> inverse_D10_p35_lanes = inverse_D10_p18_lanes * inverse_D10_p28_lanes;
-  const Lanes<2> inverse_D10_p36_lanes = inverse_D10_p18_lanes * inverse_D10_p29_lanes;
-  const Lanes<2> inverse_D10_p39_lanes = inverse_D10_p18_lanes * inverse_D10_p30_lanes;
-  const Lanes<2> inverse_D11_p6_lanes = 0.0002742332482227584 - inverse_D12_p4_lanes -
-      inverse_D11_p2_lanes * inverse_D11_p4_lanes;
-  const Lanes<2> inverse_D10_p40_lanes = detail::make_pack<Real>((-0.00033044389597753786),
-      0.00033044389597753786) + inverse_D10_p17_lanes + inverse_D11_p2_lanes *
-      inverse_D10_p28_lanes;
-  const Lanes<2> inverse_D10_p41_lanes = detail::make_pack<Real>((-0.002865001425),
-      0.002865001425) * detail::make_pack<Real>(c13, c20) + 0.01626499875 *
-      detail::make_pack<Real>(s13, s20) - inverse_D11_p2_lanes * inverse_D10_p29_lanes;
-  const Lanes<2> inverse_D10_p42_lanes = inverse_D10_p16_lanes -
-      detail::make_pack<Real>(0.002376125662528793, 0.002376125662528793) - inverse_D11_p2_lanes *
-      inverse_D10_p30_lanes;
-  const Lanes<2> inverse_D10_p43_lanes = detail::make_pack<Real>(0.008744893195371809,
-      0.008744893195371809) + inverse_D10_p19_lanes + inverse_D10_p21_lanes * inverse_D10_p28_lanes;
-  const Lanes<2> inverse_D10_p45_lanes = detail::make_pack<Real>(c13, c20) * inverse_D10_p14_lanes -
-      detail::make_pack<Real>((-0.04964593582762564), 0.04964593582762564) - inverse_D10_p21_lanes *
-      inverse_D10_p30_lanes;
-  const Lanes<2> inverse_D10_p46_lanes = inverse_D10_p19_lanes - 0.2818466605750157 -
-      inverse_D10_p22_lanes * inverse_D10_p30_lanes;
-  const Lanes<2> inverse_D11_p8_lanes = detail::make_pack<Real>(s12, s19) *
-      (1.16e-05 - inverse_D11_p6_lanes);
-  const Lanes<2> inverse_D10_p56_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p40_lanes +
-      detail::make_pack<Real>(c12, c19) * inverse_D10_p41_lanes;
-  const Lanes<2> inverse_D10_p57_lanes = 0.0006000000000000001 * detail::make_pack<Real>(s12, s19) +
-      detail::make_pack<Real>(c12, c19) * inverse_D10_p42_lanes;
-  const Lanes<2> inverse_D10_p59_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p42_lanes -
+  const Lanes<2> inverse_D12_lanes = 1.0 / (0.001053967177886718 - inverse_D12_p8_lanes -
+      inverse_D12_p5_lanes * inverse_D12_p7_lanes);
+
+  // link 13 (left_hand), articulated inertia
+  const Lanes<2> inverse_D11_p12_lanes = detail::make_pack<Real>((-2.4000000000000003e-06),
+      2.4000000000000003e-06) - (detail::make_pack<Real>(c13, c20) * inverse_D12_p6_lanes -
+      detail::make_pack<Real>((-0.0001263900573325125), 0.0001263900573325125) +
+      inverse_D11_p3_lanes * inverse_D12_p7_lanes);
+
+  // link 12 (left_wrist2), articulated inertia
+  const Lanes<2> inverse_D11_p13_lanes = inverse_D11_p12_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D10_p22_lanes = inverse_D10_p20_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D10_p23_lanes = inverse_D10_p12_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D10_p24_lanes = inverse_D10_p15_lanes * inverse_D12_lanes;
+  const Lanes<2> inverse_D10_p29_lanes = inverse_D10_p12_lanes * inverse_D10_p22_lanes;
+  const Lanes<2> inverse_D10_p30_lanes = inverse_D10_p12_lanes * inverse_D10_p23_lanes;
+  const Lanes<2> inverse_D10_p33_lanes = inverse_D10_p12_lanes * inverse_D10_p24_lanes;
+  const Lanes<2> inverse_D11_p15_lanes = 0.00028671975502727877 + inverse_D12_p8_lanes -
+      inverse_D11_p3_lanes * inverse_D11_p5_lanes - inverse_D11_p12_lanes * inverse_D11_p13_lanes;
+  const Lanes<2> inverse_D10_p34_lanes = inverse_D11_p3_lanes * inverse_D10_p10_lanes +
+      inverse_D11_p12_lanes * inverse_D10_p22_lanes;
+  const Lanes<2> inverse_D10_p35_lanes = inverse_D10_p8_lanes + inverse_D11_p12_lanes *
+      inverse_D10_p23_lanes;
+  const Lanes<2> inverse_D10_p36_lanes = inverse_D11_p3_lanes * inverse_D10_p11_lanes -
+      0.0025100003499999995 - inverse_D11_p12_lanes * inverse_D10_p24_lanes;
+  const Lanes<2> inverse_D10_p37_lanes = inverse_D10_p8_lanes * inverse_D10_p10_lanes +
+      inverse_D10_p20_lanes * inverse_D10_p22_lanes;
+  const Lanes<2> inverse_D10_p39_lanes = inverse_D10_p8_lanes * inverse_D10_p11_lanes -
+      inverse_D10_p20_lanes * inverse_D10_p24_lanes;
+  const Lanes<2> inverse_D10_p40_lanes = inverse_D10_p9_lanes * inverse_D10_p11_lanes +
+      inverse_D10_p15_lanes * inverse_D10_p24_lanes;
+  const Lanes<2> inverse_D11_p17_lanes = detail::make_pack<Real>(s12, s19) *
+      (1.16e-05 - inverse_D11_p15_lanes);
+  const Lanes<2> inverse_D10_p50_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p34_lanes +
+      detail::make_pack<Real>(c12, c19) * inverse_D10_p35_lanes;
+  const Lanes<2> inverse_D10_p51_lanes = 0.0006000000000000001 * detail::make_pack<Real>(s12, s19) +
+      detail::make_pack<Real>(c12, c19) * inverse_D10_p36_lanes;
+  const Lanes<2> inverse_D10_p53_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p36_lanes -
       0.0006000000000000001 * detail::make_pack<Real>(c12, c19);
-  const Lanes<2> inverse_D10_p60_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p39_lanes +
-      detail::make_pack<Real>(s12, s19) * inverse_D10_p45_lanes;
-  const Lanes<2> inverse_D11_p9_lanes = detail::make_pack<Real>(s12, s19) * inverse_D11_p8_lanes;
-  const Lanes<2> inverse_D10_p61_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p56_lanes;
-  const Lanes<2> inverse_D10_p64_lanes = detail::make_pack<Real>(c12, c19) *
-      (2.0 * inverse_D10_p35_lanes) - detail::make_pack<Real>(s12, s19) *
-      (inverse_D10_p43_lanes - inverse_D10_p36_lanes);
-  const Lanes<2> inverse_D10_p65_lanes = 0.269 * inverse_D10_p46_lanes - inverse_D10_p59_lanes;
-  const Lanes<2> inverse_D10_p66_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p56_lanes;
-  const Lanes<2> inverse_D10_p67_lanes = 0.269 * inverse_D10_p60_lanes;
-  const Lanes<2> inverse_D8_p1_lanes = 6e-04 - inverse_D10_p57_lanes;
-  const Lanes<2> inverse_D10_p70_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p64_lanes;
-  const Lanes<2> inverse_D10_p72_lanes = inverse_D10_p66_lanes + inverse_D10_p67_lanes;
+  const Lanes<2> inverse_D10_p54_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p39_lanes -
+      detail::make_pack<Real>(c12, c19) * inverse_D10_p33_lanes;
+  const Lanes<2> inverse_D11_p18_lanes = detail::make_pack<Real>(s12, s19) * inverse_D11_p17_lanes;
+  const Lanes<2> inverse_D10_p55_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p50_lanes;
+  const Lanes<2> inverse_D10_p58_lanes = detail::make_pack<Real>(s12, s19) *
+      (inverse_D10_p37_lanes - inverse_D10_p30_lanes) + detail::make_pack<Real>(c12, c19) *
+      (2.0 * inverse_D10_p29_lanes);
+  const Lanes<2> inverse_D10_p59_lanes = inverse_D10_p53_lanes + 0.269 * inverse_D10_p40_lanes;
+  const Lanes<2> inverse_D10_p60_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p50_lanes;
+  const Lanes<2> inverse_D10_p61_lanes = 0.269 * inverse_D10_p54_lanes;
+  const Lanes<2> inverse_D8_p1_lanes = 6e-04 - inverse_D10_p51_lanes;
+  const Lanes<2> inverse_D10_p64_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p58_lanes;
+  const Lanes<2> inverse_D10_p66_lanes = inverse_D10_p60_lanes + inverse_D10_p61_lanes;
   const Lanes<2> inverse_D8_p4_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
-      inverse_D10_p61_lanes;
-  const Lanes<2> inverse_D8_p6_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p39_lanes -
-      detail::make_pack<Real>(c12, c19) * inverse_D10_p45_lanes;
-  const Lanes<2> inverse_D8_p7_lanes = inverse_D10_p66_lanes - inverse_D10_p40_lanes;
-  const Lanes<2> inverse_D10_p74_lanes = 0.000144 -
-      (detail::make_pack<Real>(c12, c19) * inverse_D11_p8_lanes + 0.269 * inverse_D10_p57_lanes);
-  const Lanes<2> inverse_D10_p75_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) + 0.269 *
-      inverse_D10_p61_lanes;
-  const Lanes<2> inverse_D10_p76_lanes = inverse_D10_p70_lanes - inverse_D10_p36_lanes;
+      inverse_D10_p55_lanes;
+  const Lanes<2> inverse_D8_p6_lanes = detail::make_pack<Real>(s12, s19) * inverse_D10_p33_lanes +
+      detail::make_pack<Real>(c12, c19) * inverse_D10_p39_lanes;
+  const Lanes<2> inverse_D8_p7_lanes = inverse_D10_p60_lanes - inverse_D10_p34_lanes;
+  const Lanes<2> inverse_D10_p68_lanes = 0.000144 -
+      (detail::make_pack<Real>(c12, c19) * inverse_D11_p17_lanes + 0.269 * inverse_D10_p51_lanes);
+  const Lanes<2> inverse_D10_p69_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) + 0.269 *
+      inverse_D10_p55_lanes;
+  const Lanes<2> inverse_D10_p70_lanes = inverse_D10_p30_lanes + inverse_D10_p64_lanes;
 
   // link 11 (left_wrist1), articulated inertia
   const Lanes<2> inverse_D11_lanes = 1.0 / (0.00022920000000000001 +
-      (inverse_D11_p6_lanes + inverse_D11_p9_lanes));
+      (inverse_D11_p15_lanes + inverse_D11_p18_lanes));
 
   // link 12 (left_wrist2), articulated inertia
-  const Lanes<2> inverse_D8_p10_lanes = inverse_D10_p35_lanes - detail::make_pack<Real>(c12, c19) *
-      inverse_D10_p64_lanes;
+  const Lanes<2> inverse_D8_p10_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p58_lanes -
+      inverse_D10_p29_lanes;
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p83_lanes = inverse_D10_p74_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p84_lanes = inverse_D10_p75_lanes * inverse_D11_lanes;
+  const Lanes<2> inverse_D10_p77_lanes = inverse_D10_p68_lanes * inverse_D11_lanes;
+  const Lanes<2> inverse_D10_p78_lanes = inverse_D10_p69_lanes * inverse_D11_lanes;
   const Lanes<2> inverse_D8_p16_lanes = inverse_D8_p4_lanes * inverse_D11_lanes;
   const Lanes<2> inverse_D8_p17_lanes = inverse_D8_p1_lanes * inverse_D11_lanes;
   const Lanes<2> inverse_D8_p18_lanes = inverse_D8_p7_lanes * inverse_D11_lanes;
-  const Lanes<2> inverse_D10_p88_lanes = 0.000131 - inverse_D11_p9_lanes + 0.269 *
-      (inverse_D10_p65_lanes - inverse_D10_p59_lanes) - inverse_D10_p74_lanes *
-      inverse_D10_p83_lanes;
-  const Lanes<2> inverse_D10_p89_lanes = 0.0001098 + 0.07236100000000001 * inverse_D10_p76_lanes -
-      inverse_D10_p75_lanes * inverse_D10_p84_lanes;
-  const Lanes<2> inverse_D10_p90_lanes = detail::make_pack<Real>((-6e-06), 6e-06) + 0.269 *
-      inverse_D10_p72_lanes - inverse_D10_p74_lanes * inverse_D10_p84_lanes;
-  const Lanes<2> inverse_D8_p32_lanes = inverse_D10_p74_lanes * inverse_D8_p16_lanes -
-      inverse_D10_p72_lanes;
-  const Lanes<2> inverse_D8_p33_lanes = inverse_D10_p67_lanes - inverse_D10_p75_lanes *
+  const Lanes<2> inverse_D10_p82_lanes = 0.000131 - inverse_D11_p18_lanes - 0.269 *
+      (inverse_D10_p53_lanes + inverse_D10_p59_lanes) - inverse_D10_p68_lanes *
+      inverse_D10_p77_lanes;
+  const Lanes<2> inverse_D10_p83_lanes = 0.0001098 - 0.07236100000000001 * inverse_D10_p70_lanes -
+      inverse_D10_p69_lanes * inverse_D10_p78_lanes;
+  const Lanes<2> inverse_D10_p84_lanes = detail::make_pack<Real>((-6e-06), 6e-06) + 0.269 *
+      inverse_D10_p66_lanes - inverse_D10_p68_lanes * inverse_D10_p78_lanes;
+  const Lanes<2> inverse_D8_p32_lanes = inverse_D10_p68_lanes * inverse_D8_p16_lanes -
+      inverse_D10_p66_lanes;
+  const Lanes<2> inverse_D8_p33_lanes = inverse_D10_p61_lanes - inverse_D10_p69_lanes *
       inverse_D8_p17_lanes;
-  const Lanes<2> inverse_D8_p34_lanes = inverse_D10_p75_lanes * inverse_D8_p16_lanes - 0.269 *
-      inverse_D10_p76_lanes;
-  const Lanes<2> inverse_D8_p35_lanes = inverse_D10_p65_lanes - inverse_D10_p74_lanes *
-      inverse_D8_p17_lanes;
-  const Lanes<2> inverse_D8_p36_lanes = detail::make_pack<Real>(0.001, (-0.001)) +
-      (0.269 * inverse_D8_p6_lanes - (inverse_D10_p61_lanes - inverse_D10_p41_lanes)) -
-      inverse_D10_p74_lanes * inverse_D8_p18_lanes;
-  const Lanes<2> inverse_D8_p37_lanes = 0.269 * inverse_D8_p10_lanes - 6e-04 -
-      inverse_D10_p75_lanes * inverse_D8_p18_lanes;
-  const Lanes<2> inverse_D8_p38_lanes = inverse_D10_p76_lanes - inverse_D8_p4_lanes *
+  const Lanes<2> inverse_D8_p34_lanes = 0.269 * inverse_D10_p70_lanes + inverse_D10_p69_lanes *
       inverse_D8_p16_lanes;
-  const Lanes<2> inverse_D8_p39_lanes = inverse_D10_p46_lanes - inverse_D8_p1_lanes *
+  const Lanes<2> inverse_D8_p35_lanes = inverse_D10_p59_lanes + inverse_D10_p68_lanes *
+      inverse_D8_p17_lanes;
+  const Lanes<2> inverse_D8_p36_lanes = detail::make_pack<Real>(0.001, (-0.001)) -
+      (inverse_D10_p55_lanes - inverse_D10_p35_lanes + 0.269 * inverse_D8_p6_lanes) -
+      inverse_D10_p68_lanes * inverse_D8_p18_lanes;
+  const Lanes<2> inverse_D8_p37_lanes = 0.269 * inverse_D8_p10_lanes - 6e-04 -
+      inverse_D10_p69_lanes * inverse_D8_p18_lanes;
+  const Lanes<2> inverse_D8_p38_lanes = inverse_D10_p70_lanes + inverse_D8_p4_lanes *
+      inverse_D8_p16_lanes;
+  const Lanes<2> inverse_D8_p39_lanes = inverse_D10_p40_lanes + inverse_D8_p1_lanes *
       inverse_D8_p17_lanes;
   const Lanes<2> inverse_D8_p40_lanes = inverse_D8_p4_lanes * inverse_D8_p17_lanes -
-      inverse_D10_p60_lanes;
+      inverse_D10_p54_lanes;
   const Lanes<2> inverse_D8_p41_lanes = inverse_D8_p4_lanes * inverse_D8_p18_lanes -
       inverse_D8_p10_lanes;
-  const Lanes<2> inverse_D8_p42_lanes = inverse_D8_p6_lanes - inverse_D8_p1_lanes *
+  const Lanes<2> inverse_D8_p42_lanes = inverse_D8_p6_lanes + inverse_D8_p1_lanes *
       inverse_D8_p18_lanes;
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D8_p59_lanes = 2.0 * detail::make_pack<Real>(s9, s16);
 
   // link 11 (left_wrist1), articulated inertia
-  const Lanes<2> inverse_D10_p94_lanes = detail::make_pack<Real>(s11, s18) *
-      (inverse_D10_p88_lanes - inverse_D10_p89_lanes) + inverse_D10_p11_lanes *
-      inverse_D10_p90_lanes;
+  const Lanes<2> inverse_D10_p88_lanes = detail::make_pack<Real>(s11, s18) *
+      (inverse_D10_p82_lanes - inverse_D10_p83_lanes) + inverse_D10_p7_lanes *
+      inverse_D10_p84_lanes;
   const Lanes<2> inverse_D8_p63_lanes = detail::make_pack<Real>(s11, s18) *
       (inverse_D8_p32_lanes - inverse_D8_p33_lanes) + detail::make_pack<Real>(c11, c18) *
-      (inverse_D8_p34_lanes + inverse_D8_p35_lanes);
+      (inverse_D8_p34_lanes - inverse_D8_p35_lanes);
   const Lanes<2> inverse_D8_p65_lanes = 0.0014999985000000002 -
       (detail::make_pack<Real>(s11, s18) * inverse_D8_p36_lanes +
       detail::make_pack<Real>(c11, c18) * inverse_D8_p37_lanes);
   const Lanes<2> inverse_D8_p66_lanes = detail::make_pack<Real>(s11, s18) *
-      (inverse_D8_p38_lanes - inverse_D8_p39_lanes) + inverse_D10_p11_lanes * inverse_D8_p40_lanes;
-  const Lanes<2> inverse_D10_p95_lanes = detail::make_pack<Real>(s11, s18) * inverse_D10_p94_lanes;
+      (inverse_D8_p39_lanes - inverse_D8_p38_lanes) + inverse_D10_p7_lanes * inverse_D8_p40_lanes;
+  const Lanes<2> inverse_D10_p89_lanes = detail::make_pack<Real>(s11, s18) * inverse_D10_p88_lanes;
   const Lanes<2> inverse_D8_p67_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p63_lanes;
   const Lanes<2> inverse_D8_p68_lanes = detail::make_pack<Real>(s11, s18) * inverse_D8_p63_lanes;
   const Lanes<2> inverse_D8_p69_lanes = detail::make_pack<Real>(s11, s18) * inverse_D8_p66_lanes;
   const Lanes<2> inverse_D8_p72_lanes = inverse_D8_p33_lanes + inverse_D8_p68_lanes;
-  const Lanes<2> inverse_D10_p97_lanes = 0.060888541114265754 +
-      (inverse_D10_p89_lanes + inverse_D10_p95_lanes);
+  const Lanes<2> inverse_D10_p91_lanes = 0.060888541114265754 +
+      (inverse_D10_p83_lanes + inverse_D10_p89_lanes);
   const Lanes<2> inverse_D9_p5_lanes = detail::make_pack<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * inverse_D10_p94_lanes -
-      inverse_D10_p90_lanes);
-  const Lanes<2> inverse_D8_p78_lanes = inverse_D8_p67_lanes - inverse_D8_p35_lanes -
+      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * inverse_D10_p88_lanes -
+      inverse_D10_p84_lanes);
+  const Lanes<2> inverse_D8_p78_lanes = inverse_D8_p67_lanes + inverse_D8_p35_lanes -
       0.28049749700000004;
 
   // link 10 (left_lowerarm), articulated inertia
-  const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p97_lanes;
+  const Lanes<2> inverse_D10_lanes = 1.0 / inverse_D10_p91_lanes;
   const Lanes<2> inverse_D9_p7_lanes = detail::make_pack<Real>((-0.0001499998887063),
-      0.0001499998887063) / inverse_D10_p97_lanes;
+      0.0001499998887063) / inverse_D10_p91_lanes;
   const Lanes<2> inverse_D9_p9_lanes = inverse_D9_p5_lanes * inverse_D10_lanes;
   const Lanes<2> inverse_D9_p11_lanes = 0.00028099984685315 -
-      detail::make_pack<Real>(2.249996661190239e-08, 2.249996661190239e-08) / inverse_D10_p97_lanes;
+      detail::make_pack<Real>(2.249996661190239e-08, 2.249996661190239e-08) / inverse_D10_p91_lanes;
   const Lanes<2> inverse_D8_p80_lanes = inverse_D8_p78_lanes * inverse_D10_lanes;
   const Lanes<2> inverse_D8_p81_lanes = inverse_D8_p65_lanes * inverse_D10_lanes;
   const Lanes<2> inverse_D8_p82_lanes = inverse_D8_p72_lanes * inverse_D10_lanes;
@@ -257,7 +263,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Lanes<2> inverse_D8_p86_lanes = detail::make_pack<Real>((-0.0001499998887063),
       0.0001499998887063) * inverse_D8_p81_lanes;
   const Lanes<2> inverse_D9_p15_lanes = 0.06060754126741261 +
-      (inverse_D10_p88_lanes - inverse_D10_p95_lanes) - inverse_D9_p5_lanes * inverse_D9_p9_lanes;
+      (inverse_D10_p82_lanes - inverse_D10_p89_lanes) - inverse_D9_p5_lanes * inverse_D9_p9_lanes;
   const Lanes<2> inverse_D8_p95_lanes = inverse_D8_p32_lanes - inverse_D8_p68_lanes -
       inverse_D9_p5_lanes * inverse_D8_p80_lanes;
   const Lanes<2> inverse_D8_p96_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p36_lanes -
@@ -267,18 +273,18 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       detail::make_pack<Real>((-0.0001499998887063), 0.0001499998887063) * inverse_D8_p82_lanes;
   const Lanes<2> inverse_D8_p98_lanes = 0.28049749700000004 +
       (inverse_D8_p67_lanes - inverse_D8_p34_lanes) - inverse_D9_p5_lanes * inverse_D8_p82_lanes;
-  const Lanes<2> inverse_D8_p99_lanes = inverse_D8_p38_lanes - inverse_D8_p69_lanes -
+  const Lanes<2> inverse_D8_p99_lanes = inverse_D8_p38_lanes + inverse_D8_p69_lanes +
       inverse_D8_p78_lanes * inverse_D8_p80_lanes;
-  const Lanes<2> inverse_D8_p100_lanes = inverse_D10_p43_lanes + inverse_D10_p70_lanes +
-      inverse_D8_p7_lanes * inverse_D8_p18_lanes + inverse_D8_p65_lanes * inverse_D8_p81_lanes;
-  const Lanes<2> inverse_D8_p101_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p41_lanes -
+  const Lanes<2> inverse_D8_p100_lanes = inverse_D10_p64_lanes - inverse_D10_p37_lanes -
+      inverse_D8_p7_lanes * inverse_D8_p18_lanes - inverse_D8_p65_lanes * inverse_D8_p81_lanes;
+  const Lanes<2> inverse_D8_p101_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p41_lanes +
       detail::make_pack<Real>(s11, s18) * inverse_D8_p42_lanes + inverse_D8_p78_lanes *
       inverse_D8_p81_lanes;
-  const Lanes<2> inverse_D8_p102_lanes = inverse_D8_p39_lanes + inverse_D8_p69_lanes -
+  const Lanes<2> inverse_D8_p102_lanes = inverse_D8_p69_lanes - inverse_D8_p39_lanes -
       inverse_D8_p72_lanes * inverse_D8_p82_lanes;
   const Lanes<2> inverse_D8_p104_lanes = detail::make_pack<Real>(c11, c18) * inverse_D8_p66_lanes -
       inverse_D8_p40_lanes - inverse_D8_p78_lanes * inverse_D8_p82_lanes;
-  const Lanes<2> inverse_D8_p105_lanes = detail::make_pack<Real>(s11, s18) * inverse_D8_p41_lanes +
+  const Lanes<2> inverse_D8_p105_lanes = detail::make_pack<Real>(s11, s18) * inverse_D8_p41_lanes -
       detail::make_pack<Real>(c11, c18) * inverse_D8_p42_lanes + inverse_D8_p65_lanes *
       inverse_D8_p82_lanes;
 
@@ -300,8 +306,8 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Lanes<2> inverse_D6_p5_lanes = inverse_D8_p118_lanes - 0.0022500062;
   const Lanes<2> inverse_D6_p7_lanes = detail::make_pack<Real>(c10, c17) * inverse_D8_p105_lanes -
       detail::make_pack<Real>(s10, s17) * inverse_D8_p104_lanes;
-  const Lanes<2> inverse_D8_p124_lanes = inverse_D9_p1_lanes * inverse_D8_p101_lanes -
-      detail::make_pack<Real>(s10, s17) * (inverse_D8_p99_lanes + inverse_D8_p100_lanes);
+  const Lanes<2> inverse_D8_p124_lanes = detail::make_pack<Real>(s10, s17) *
+      (inverse_D8_p99_lanes + inverse_D8_p100_lanes) + inverse_D9_p1_lanes * inverse_D8_p101_lanes;
   const Lanes<2> inverse_D8_p125_lanes = inverse_D8_p120_lanes + 0.282 * inverse_D8_p102_lanes;
   const Lanes<2> inverse_D9_p19_lanes = detail::make_pack<Real>(s10, s17) * inverse_D9_p18_lanes;
   const Lanes<2> inverse_D8_p127_lanes = 0.282 * inverse_D8_p121_lanes;
@@ -310,7 +316,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Lanes<2> inverse_D8_p130_lanes = detail::make_pack<Real>(s10, s17) * inverse_D8_p124_lanes;
   const Lanes<2> inverse_D8_p134_lanes = inverse_D8_p96_lanes - inverse_D8_p128_lanes;
   const Lanes<2> inverse_D6_p13_lanes = inverse_D8_p86_lanes + inverse_D8_p129_lanes;
-  const Lanes<2> inverse_D8_p137_lanes = inverse_D8_p99_lanes + inverse_D8_p130_lanes;
+  const Lanes<2> inverse_D8_p137_lanes = inverse_D8_p130_lanes - inverse_D8_p99_lanes;
   const Lanes<2> inverse_D6_p15_lanes = inverse_D8_p101_lanes - detail::make_pack<Real>(c10, c17) *
       inverse_D8_p124_lanes;
   const Lanes<2> inverse_D8_p140_lanes = inverse_D8_p95_lanes + inverse_D8_p129_lanes +
@@ -344,55 +350,55 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Lanes<2> inverse_D8_p156_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
       (-4.4999986458742003e-05)) - 0.282 * inverse_D8_p140_lanes - inverse_D8_p143_lanes *
       inverse_D8_p150_lanes;
-  const Lanes<2> inverse_D6_p59_lanes = inverse_D8_p140_lanes + inverse_D8_p143_lanes *
+  const Lanes<2> inverse_D6_p61_lanes = inverse_D8_p140_lanes + inverse_D8_p143_lanes *
       inverse_D6_p31_lanes;
-  const Lanes<2> inverse_D6_p61_lanes = inverse_D8_p127_lanes + inverse_D8_p145_lanes *
+  const Lanes<2> inverse_D6_p63_lanes = inverse_D8_p127_lanes + inverse_D8_p145_lanes *
       inverse_D6_p33_lanes;
-  const Lanes<2> inverse_D6_p63_lanes = inverse_D8_p125_lanes - inverse_D8_p143_lanes *
+  const Lanes<2> inverse_D6_p65_lanes = inverse_D8_p125_lanes - inverse_D8_p143_lanes *
       inverse_D6_p33_lanes;
-  const Lanes<2> inverse_D6_p65_lanes = inverse_D8_p145_lanes * inverse_D6_p31_lanes - 0.282 *
+  const Lanes<2> inverse_D6_p67_lanes = inverse_D8_p145_lanes * inverse_D6_p31_lanes - 0.282 *
       inverse_D8_p137_lanes;
-  const Lanes<2> inverse_D6_p67_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
+  const Lanes<2> inverse_D6_p69_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
       (0.282 * inverse_D6_p7_lanes - (inverse_D8_p84_lanes - inverse_D8_p128_lanes)) +
       inverse_D8_p143_lanes * inverse_D6_p35_lanes;
-  const Lanes<2> inverse_D6_p69_lanes = 0.0022500062 + 0.282 * inverse_D6_p15_lanes +
+  const Lanes<2> inverse_D6_p71_lanes = 0.0022500062 + 0.282 * inverse_D6_p15_lanes +
       inverse_D8_p145_lanes * inverse_D6_p35_lanes;
-  const Lanes<2> inverse_D6_p71_lanes = inverse_D8_p137_lanes - inverse_D6_p19_lanes *
+  const Lanes<2> inverse_D6_p73_lanes = inverse_D8_p137_lanes - inverse_D6_p19_lanes *
       inverse_D6_p31_lanes;
-  const Lanes<2> inverse_D6_p73_lanes = inverse_D8_p102_lanes - inverse_D6_p5_lanes *
+  const Lanes<2> inverse_D6_p75_lanes = inverse_D8_p102_lanes - inverse_D6_p5_lanes *
       inverse_D6_p33_lanes;
-  const Lanes<2> inverse_D6_p75_lanes = inverse_D8_p121_lanes + inverse_D6_p19_lanes *
+  const Lanes<2> inverse_D6_p77_lanes = inverse_D8_p121_lanes + inverse_D6_p19_lanes *
       inverse_D6_p33_lanes;
-  const Lanes<2> inverse_D6_p77_lanes = inverse_D6_p15_lanes + inverse_D6_p19_lanes *
+  const Lanes<2> inverse_D6_p81_lanes = inverse_D6_p15_lanes + inverse_D6_p19_lanes *
       inverse_D6_p35_lanes;
-  const Lanes<2> inverse_D6_p79_lanes = inverse_D6_p7_lanes + inverse_D6_p5_lanes *
+  const Lanes<2> inverse_D6_p109_lanes = inverse_D6_p7_lanes + inverse_D6_p5_lanes *
       inverse_D6_p35_lanes;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D6_p115_lanes = 2.0 * detail::make_pack<Real>(s7, s14);
+  const Lanes<2> inverse_D6_p111_lanes = 2.0 * detail::make_pack<Real>(s7, s14);
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D8_p160_lanes = detail::make_pack<Real>(c9, c16) *
       (inverse_D8_p154_lanes - inverse_D8_p155_lanes) - inverse_D8_p59_lanes *
       inverse_D8_p156_lanes;
   const Lanes<2> inverse_D6_p123_lanes = detail::make_pack<Real>(c9, c16) *
-      (inverse_D6_p59_lanes + inverse_D6_p61_lanes) - detail::make_pack<Real>(s9, s16) *
-      (inverse_D6_p65_lanes + inverse_D6_p63_lanes);
-  const Lanes<2> inverse_D6_p127_lanes = detail::make_pack<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) + (detail::make_pack<Real>(c9, c16) * inverse_D6_p67_lanes -
-      detail::make_pack<Real>(s9, s16) * inverse_D6_p69_lanes);
-  const Lanes<2> inverse_D6_p129_lanes = detail::make_pack<Real>(c9, c16) *
-      (inverse_D6_p71_lanes - inverse_D6_p73_lanes) - inverse_D8_p59_lanes * inverse_D6_p75_lanes;
+      (inverse_D6_p61_lanes + inverse_D6_p63_lanes) - detail::make_pack<Real>(s9, s16) *
+      (inverse_D6_p67_lanes + inverse_D6_p65_lanes);
+  const Lanes<2> inverse_D6_p125_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) + (detail::make_pack<Real>(c9, c16) * inverse_D6_p69_lanes -
+      detail::make_pack<Real>(s9, s16) * inverse_D6_p71_lanes);
+  const Lanes<2> inverse_D6_p127_lanes = detail::make_pack<Real>(c9, c16) *
+      (inverse_D6_p73_lanes - inverse_D6_p75_lanes) - inverse_D8_p59_lanes * inverse_D6_p77_lanes;
   const Lanes<2> inverse_D8_p161_lanes = detail::make_pack<Real>(c9, c16) * inverse_D8_p160_lanes;
-  const Lanes<2> inverse_D6_p133_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p123_lanes;
-  const Lanes<2> inverse_D6_p135_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p123_lanes;
-  const Lanes<2> inverse_D6_p137_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p129_lanes;
+  const Lanes<2> inverse_D6_p129_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p123_lanes;
+  const Lanes<2> inverse_D6_p131_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p123_lanes;
+  const Lanes<2> inverse_D6_p137_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p127_lanes;
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> inverse_D21_p1_lanes = 0.0007770270270270272 * detail::make_pack<Real>(c23, c24);
 
   // link 9 (left_upperarm), articulated inertia
-  const Lanes<2> inverse_D6_p145_lanes = inverse_D6_p135_lanes - inverse_D6_p61_lanes;
+  const Lanes<2> inverse_D6_p145_lanes = inverse_D6_p131_lanes - inverse_D6_p63_lanes;
 
   // link 23 (left_eye), articulated inertia
   const Lanes<2> inverse_D22_p1_lanes = 9.060810810810813e-05 * detail::make_pack<Real>(s23, s24);
@@ -409,7 +415,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
 
   // link 9 (left_upperarm), articulated inertia
   const Lanes<2> inverse_D6_p155_lanes = 0.7139200499999999 +
-      (inverse_D6_p133_lanes + inverse_D6_p63_lanes);
+      (inverse_D6_p129_lanes + inverse_D6_p65_lanes);
 
   // link 23 (left_eye), articulated inertia
   const Real inverse_D21_p5 = s24 + s23;
@@ -446,7 +452,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D7_p8_lanes = inverse_D7_p5_lanes * inverse_D8_lanes;
   const Lanes<2> inverse_D7_p9_lanes = 0.00012075 - 1.1024999999999998e-08 / inverse_D8_p163_lanes;
-  const Lanes<2> inverse_D6_p161_lanes = inverse_D6_p127_lanes * inverse_D8_lanes;
+  const Lanes<2> inverse_D6_p161_lanes = inverse_D6_p125_lanes * inverse_D8_lanes;
   const Lanes<2> inverse_D6_p163_lanes = inverse_D6_p155_lanes * inverse_D8_lanes;
   const Lanes<2> inverse_D6_p165_lanes = inverse_D6_p145_lanes * inverse_D8_lanes;
 
@@ -463,9 +469,9 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Lanes<2> inverse_D7_p13_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
       5.2499999999999995e-05) + 0.00010499999999999999 * inverse_D7_p8_lanes;
   const Lanes<2> inverse_D6_p183_lanes = inverse_D7_p5_lanes * inverse_D6_p161_lanes -
-      (detail::make_pack<Real>(s9, s16) * inverse_D6_p67_lanes + detail::make_pack<Real>(c9, c16) *
-      inverse_D6_p69_lanes);
-  const Lanes<2> inverse_D6_p185_lanes = inverse_D6_p59_lanes - inverse_D6_p135_lanes -
+      (detail::make_pack<Real>(s9, s16) * inverse_D6_p69_lanes + detail::make_pack<Real>(c9, c16) *
+      inverse_D6_p71_lanes);
+  const Lanes<2> inverse_D6_p185_lanes = inverse_D6_p61_lanes - inverse_D6_p131_lanes -
       inverse_D7_p5_lanes * inverse_D6_p163_lanes;
   const Lanes<2> inverse_D6_p187_lanes = detail::make_pack<Real>(0.0017499999999999998,
       (-0.0017499999999999998)) + 0.00010499999999999999 * inverse_D6_p165_lanes;
@@ -474,7 +480,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real inverse_D21_p37 = inverse_D21_p3_lanes[1] + inverse_D21_p3_lanes[0];
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p189_lanes = inverse_D6_p133_lanes + inverse_D6_p65_lanes -
+  const Lanes<2> inverse_D6_p189_lanes = inverse_D6_p129_lanes + inverse_D6_p67_lanes -
       0.7139200499999999 - inverse_D7_p5_lanes * inverse_D6_p165_lanes;
 
   // link 22 (head), articulated inertia
@@ -501,10 +507,10 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real inverse_D6_p204 = inverse_D21_p24 * inverse_D6_p192;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p205_lanes = inverse_D6_p71_lanes - inverse_D6_p137_lanes -
+  const Lanes<2> inverse_D6_p205_lanes = inverse_D6_p73_lanes - inverse_D6_p137_lanes -
       inverse_D6_p155_lanes * inverse_D6_p163_lanes;
-  const Lanes<2> inverse_D6_p207_lanes = inverse_D8_p100_lanes + inverse_D8_p130_lanes +
-      inverse_D6_p13_lanes * inverse_D6_p35_lanes + inverse_D6_p127_lanes * inverse_D6_p161_lanes;
+  const Lanes<2> inverse_D6_p207_lanes = inverse_D8_p100_lanes - inverse_D8_p130_lanes -
+      inverse_D6_p13_lanes * inverse_D6_p35_lanes - inverse_D6_p125_lanes * inverse_D6_p161_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D21_p44 = inverse_D21_p43 - 0.00017071621621621625;
@@ -530,10 +536,10 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real inverse_D6_p215 = inverse_D21_p19 * inverse_D6_p192 - 0.00025 * inverse_D21_p5;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p218_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p77_lanes -
-      detail::make_pack<Real>(c9, c16) * inverse_D6_p79_lanes + inverse_D6_p127_lanes *
-      inverse_D6_p163_lanes;
   const Lanes<2> inverse_D6_p220_lanes = detail::make_pack<Real>(c8, c15) * inverse_D6_p211_lanes;
+  const Lanes<2> inverse_D6_p222_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p81_lanes -
+      detail::make_pack<Real>(c9, c16) * inverse_D6_p109_lanes + inverse_D6_p125_lanes *
+      inverse_D6_p163_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D6_p224 = 0.072575 + inverse_D21_p42 + inverse_D21_p24 * inverse_D6_p197;
@@ -558,8 +564,8 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       inverse_D6_p189_lanes);
   const Lanes<2> inverse_D6_p243_lanes = 0.0017499999999999998 +
       (inverse_D6_p220_lanes - inverse_D6_p171_lanes);
-  const Lanes<2> inverse_D6_p245_lanes = inverse_D7_p1_lanes * inverse_D6_p218_lanes -
-      detail::make_pack<Real>(s8, s15) * (inverse_D6_p207_lanes + inverse_D6_p205_lanes);
+  const Lanes<2> inverse_D6_p245_lanes = detail::make_pack<Real>(s8, s15) *
+      (inverse_D6_p207_lanes - inverse_D6_p205_lanes) + inverse_D7_p1_lanes * inverse_D6_p222_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D6_p247 = inverse_D6_p160 * inverse_D6_p197;
@@ -571,16 +577,16 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
 
   // link 8 (left_shoulder2), articulated inertia
   const Lanes<2> inverse_D6_p254_lanes = detail::make_pack<Real>(s8, s15) * inverse_D6_p245_lanes;
-  const Lanes<2> inverse_D6_p256_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p77_lanes +
-      detail::make_pack<Real>(s9, s16) * inverse_D6_p79_lanes + inverse_D6_p127_lanes *
+  const Lanes<2> inverse_D6_p256_lanes = detail::make_pack<Real>(c9, c16) * inverse_D6_p81_lanes +
+      detail::make_pack<Real>(s9, s16) * inverse_D6_p109_lanes + inverse_D6_p125_lanes *
       inverse_D6_p165_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D21_p48 = s22 * inverse_D21_p47;
 
   // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> inverse_D6_p258_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p129_lanes +
-      inverse_D6_p75_lanes - inverse_D6_p155_lanes * inverse_D6_p165_lanes;
+  const Lanes<2> inverse_D6_p258_lanes = detail::make_pack<Real>(s9, s16) * inverse_D6_p127_lanes +
+      inverse_D6_p77_lanes - inverse_D6_p155_lanes * inverse_D6_p165_lanes;
 
   // link 22 (head), articulated inertia
   const Real inverse_D6_p260 = inverse_D21_p20_lanes[1] + inverse_D21_p20_lanes[0] -
@@ -641,9 +647,9 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Lanes<2> inverse_D6_p326_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) * inverse_D6_p292_lanes;
   const Lanes<2> inverse_D6_p332_lanes = inverse_D6_p280_lanes * inverse_D7_lanes;
-  const Lanes<2> inverse_D6_p340_lanes = inverse_D6_p73_lanes + inverse_D6_p137_lanes -
+  const Lanes<2> inverse_D6_p340_lanes = inverse_D6_p75_lanes + inverse_D6_p137_lanes -
       inverse_D6_p145_lanes * inverse_D6_p165_lanes - inverse_D6_p241_lanes * inverse_D6_p294_lanes;
-  const Lanes<2> inverse_D6_p342_lanes = inverse_D6_p207_lanes + inverse_D6_p254_lanes +
+  const Lanes<2> inverse_D6_p342_lanes = inverse_D6_p207_lanes - inverse_D6_p254_lanes -
       inverse_D6_p243_lanes * inverse_D6_p292_lanes;
   const Lanes<2> inverse_D6_p344_lanes = detail::make_pack<Real>(c8, c15) * inverse_D6_p256_lanes -
       detail::make_pack<Real>(s8, s15) * inverse_D6_p258_lanes - inverse_D6_p241_lanes *
@@ -665,7 +671,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       detail::make_pack<Real>(c8, c15) * inverse_D6_p258_lanes - inverse_D6_p241_lanes *
       inverse_D6_p299_lanes;
   const Lanes<2> inverse_D6_p354_lanes = detail::make_pack<Real>(c8, c15) * inverse_D6_p245_lanes -
-      inverse_D6_p218_lanes - inverse_D6_p243_lanes * inverse_D6_p299_lanes;
+      inverse_D6_p222_lanes - inverse_D6_p243_lanes * inverse_D6_p299_lanes;
   const Lanes<2> inverse_D6_p370_lanes = 0.0001505 - inverse_D6_p288_lanes;
 
   // link 21 (neck), articulated inertia
@@ -685,7 +691,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
 
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D6_p401_lanes = detail::make_pack<Real>(c7, c14) *
-      (inverse_D6_p340_lanes + inverse_D6_p342_lanes) - inverse_D6_p115_lanes *
+      (inverse_D6_p340_lanes - inverse_D6_p342_lanes) - inverse_D6_p111_lanes *
       inverse_D6_p344_lanes;
   const Lanes<2> inverse_D6_p405_lanes = 0.0017499999999999998 +
       detail::make_pack<Real>((-2.6249999999999998e-05), 2.6249999999999998e-05) *
@@ -719,7 +725,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D6_p434_lanes = inverse_D6_p340_lanes - inverse_D6_p417_lanes;
   const Lanes<2> inverse_D6_p436_lanes = detail::make_pack<Real>(c7, c14) *
-      (inverse_D6_p370_lanes - inverse_D6_p389_lanes) + inverse_D6_p115_lanes *
+      (inverse_D6_p370_lanes - inverse_D6_p389_lanes) + inverse_D6_p111_lanes *
       inverse_D6_p393_lanes;
   const Lanes<2> inverse_D5_p14_lanes = detail::make_pack<Real>(s7, s14) * inverse_D6_p401_lanes +
       inverse_D6_p344_lanes;
@@ -745,7 +751,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real inverse_D5_p27 = 0.394 * inverse_D6_p306 - inverse_D6_p297 * inverse_D5_p6;
 
   // link 22 (head), articulated inertia
-  const Real inverse_D4_p1 = inverse_D6_p287 - inverse_D6_p204;
+  const Real inverse_D3_p1 = inverse_D6_p287 - inverse_D6_p204;
 
   // link 7 (left_shoulder1), articulated inertia
   const Real inverse_D6_p452 = inverse_D6_p444_lanes[1] + inverse_D6_p444_lanes[0];
@@ -760,15 +766,11 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real inverse_D6_p454 = inverse_D6_p448_lanes[1] + inverse_D6_p448_lanes[0];
 
   // link 22 (head), articulated inertia
-  const Real inverse_D4_p2 = c22 * inverse_D6_p247 - s22 * inverse_D6_p260;
+  const Real inverse_D3_p2 = c22 * inverse_D6_p247 - s22 * inverse_D6_p260;
+  const Real inverse_D3_p3 = inverse_D6_p236 - c22 * inverse_D6_p272;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D5_p36_lanes = inverse_D6_p417_lanes - inverse_D6_p342_lanes;
-
-  // link 22 (head), articulated inertia
-  const Real inverse_D4_p3 = inverse_D6_p236 - c22 * inverse_D6_p272;
-
-  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> inverse_D5_p36_lanes = inverse_D6_p342_lanes + inverse_D6_p417_lanes;
   const Lanes<2> inverse_D6_p455_lanes = inverse_D6_p438_lanes +
       (detail::make_pack<Real>(0.18, (-0.18)) * inverse_D6_p434_lanes + 0.226 *
       inverse_D6_p399_lanes);
@@ -776,7 +778,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       (inverse_D5_p22_lanes + inverse_D5_p16_lanes);
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D4_p4 = inverse_D4_p1 * inverse_D21;
+  const Real inverse_D3_p4 = inverse_D3_p1 * inverse_D21;
   const Real inverse_D6_p457 = c21 * inverse_D6_p453;
 
   // link 7 (left_shoulder1), articulated inertia
@@ -800,22 +802,18 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   // link 7 (left_shoulder1), articulated inertia
   const Lanes<2> inverse_D5_p53_lanes = inverse_D5_p40_lanes +
       detail::make_pack<Real>(0.18, (-0.18)) * inverse_D5_p36_lanes;
+  const Real inverse_D5_p55 = inverse_D5_p46_lanes[1] + inverse_D5_p46_lanes[0];
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D5_p55 = c21 * (inverse_D5_p24 - inverse_D5_p34) - s21 *
+  const Real inverse_D5_p56 = c21 * (inverse_D5_p24 - inverse_D5_p34) - s21 *
       (inverse_D5_p27 + inverse_D5_p35);
-
-  // link 7 (left_shoulder1), articulated inertia
-  const Real inverse_D5_p56 = inverse_D5_p46_lanes[1] + inverse_D5_p46_lanes[0];
-
-  // link 21 (neck), articulated inertia
   const Real inverse_D5_p57 = inverse_D6_p298 + inverse_D6_p279 * inverse_D5_p13;
-  const Real inverse_D4_p5 = inverse_D6_p305 * inverse_D4_p4 -
-      (inverse_D6_p262 + inverse_D6_p210 + 0.394 * inverse_D4_p2);
-  const Real inverse_D5_p60 = c21 * inverse_D5_p55;
-  const Real inverse_D4_p6 = inverse_D6_p297 * inverse_D4_p4 -
-      (0.0045000000000000005 + 0.394 * inverse_D4_p3);
-  const Real inverse_D5_p61 = s21 * inverse_D5_p55;
+  const Real inverse_D5_p60 = c21 * inverse_D5_p56;
+  const Real inverse_D3_p5 = inverse_D6_p305 * inverse_D3_p4 -
+      (inverse_D6_p262 + inverse_D6_p210 + 0.394 * inverse_D3_p2);
+  const Real inverse_D5_p61 = s21 * inverse_D5_p56;
+  const Real inverse_D3_p6 = inverse_D6_p297 * inverse_D3_p4 -
+      (0.0045000000000000005 + 0.394 * inverse_D3_p3);
 
   // link 7 (left_shoulder1), articulated inertia
   const Real inverse_D5_p62 = s21 * inverse_D6_p453 + inverse_D6_p429 + 0.226 * inverse_D5_p48;
@@ -843,18 +841,18 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       inverse_D6_p389_lanes[1] + inverse_D6_p452 + inverse_D6_p460_lanes[1] +
       inverse_D6_p389_lanes[0] + inverse_D6_p460_lanes[0] + 0.226 *
       (inverse_D6_p440_lanes[1] + inverse_D6_p454 + inverse_D6_p440_lanes[0]);
-  const Real inverse_D4_p7 = inverse_D5_p61 + inverse_D5_p35 - 6.1665928899999995 - inverse_D6_p454;
-  const Real inverse_D4_p8 = c21 * inverse_D4_p5 - s21 * inverse_D4_p6 + inverse_D6_p455_lanes[1] +
-      inverse_D6_p455_lanes[0];
+  const Real inverse_D3_p7 = inverse_D5_p61 + inverse_D5_p35 - 6.1665928899999995 - inverse_D6_p454;
 
   // link 6 (chest3), articulated inertia
-  const Real inverse_D4_p9 = inverse_D5_p14_lanes[1] + inverse_D5_p14_lanes[0];
+  const Real inverse_D3_p8 = inverse_D5_p14_lanes[1] + inverse_D5_p14_lanes[0];
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D4_p10 = inverse_D6_p279 * inverse_D4_p4 - inverse_D4_p3;
+  const Real inverse_D3_p9 = inverse_D6_p279 * inverse_D3_p4 - inverse_D3_p3;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> inverse_D4_p11_lanes = inverse_D5_p22_lanes - inverse_D5_p20_lanes;
+  const Real inverse_D3_p10 = c21 * inverse_D3_p5 - s21 * inverse_D3_p6 + inverse_D6_p455_lanes[1] +
+      inverse_D6_p455_lanes[0];
+  const Lanes<2> inverse_D3_p11_lanes = inverse_D5_p22_lanes - inverse_D5_p20_lanes;
 
   // link 6 (chest3), articulated inertia
   const Real inverse_D6 = 1.0 / inverse_D6_p462;
@@ -862,20 +860,22 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   // link 7 (left_shoulder1), articulated inertia
   const Real inverse_D5_p70 = 0.0187369177636143 + inverse_D5_p50_lanes[1] -
       inverse_D6_p393_lanes[1] + inverse_D5_p25_lanes[1] + inverse_D5_p50_lanes[0] -
-      inverse_D6_p393_lanes[0] + inverse_D5_p25_lanes[0] + 0.226 * inverse_D5_p56;
+      inverse_D6_p393_lanes[0] + inverse_D5_p25_lanes[0] + 0.226 * inverse_D5_p55;
 
   // link 21 (neck), articulated inertia
-  const Real inverse_D4_p13 = inverse_D4_p2 - inverse_D5_p5 * inverse_D4_p4;
-
-  // link 5 (chest2), articulated inertia
-  const Real inverse_D4_p14 = 2.0 * c5;
+  const Real inverse_D3_p13 = inverse_D3_p2 - inverse_D5_p5 * inverse_D3_p4;
 
   // link 6 (chest3), articulated inertia
   const Real inverse_D5_p71 = inverse_D5_p67 * inverse_D6;
   const Real inverse_D5_p72 = inverse_D5_p62 * inverse_D6;
   const Real inverse_D5_p73 = inverse_D5_p70 * inverse_D6;
-  const Real inverse_D4_p15 = inverse_D4_p8 * inverse_D6;
-  const Real inverse_D4_p16 = inverse_D4_p7 * inverse_D6;
+  const Real inverse_D3_p14 = inverse_D3_p10 * inverse_D6;
+  const Real inverse_D3_p15 = inverse_D3_p7 * inverse_D6;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p16 = 2.0 * c5;
+
+  // link 6 (chest3), articulated inertia
   const Real inverse_D5_p74 = inverse_D5_p53_lanes[1] + inverse_D5_p53_lanes[0] - inverse_D5_p70 *
       inverse_D5_p71;
   const Real inverse_D5_p75 = 0.40056549999999996 - inverse_D6_p288_lanes[1] - inverse_D6_p452 +
@@ -883,2159 +883,1998 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       inverse_D5_p70 * inverse_D5_p73;
   const Real inverse_D5_p76 = inverse_D5_p52 + inverse_D5_p68 + inverse_D5_p65 - inverse_D5_p67 *
       inverse_D5_p71;
-  const Real inverse_D4_p17 = inverse_D4_p11_lanes[1] + inverse_D4_p11_lanes[0] + inverse_D5_p70 *
-      inverse_D4_p15;
-  const Real inverse_D4_p18 = inverse_D5_p24 - inverse_D5_p60 + inverse_D5_p16_lanes[1] +
-      inverse_D5_p16_lanes[0] - inverse_D5_p62 * inverse_D4_p16;
-  const Real inverse_D4_p19 = (-0.18) * inverse_D5_p9_lanes[1] - inverse_D5_p56 + 0.18 *
-      inverse_D5_p9_lanes[0] - inverse_D5_p70 * inverse_D4_p16;
-  const Real inverse_D4_p20 = inverse_D4_p9 - c21 * inverse_D4_p10 + s21 * inverse_D4_p13 +
-      inverse_D4_p8 * inverse_D5_p71;
-  const Real inverse_D4_p21 = s21 * inverse_D5_p66 + inverse_D5_p57 + inverse_D5_p9_lanes[1] +
-      inverse_D5_p9_lanes[0] - inverse_D4_p7 * inverse_D5_p71;
+  const Real inverse_D3_p17 = inverse_D3_p11_lanes[1] + inverse_D3_p11_lanes[0] + inverse_D5_p70 *
+      inverse_D3_p14;
+  const Real inverse_D3_p18 = inverse_D5_p24 - inverse_D5_p60 + inverse_D5_p16_lanes[1] +
+      inverse_D5_p16_lanes[0] - inverse_D5_p62 * inverse_D3_p15;
+  const Real inverse_D3_p19 = (-0.18) * inverse_D5_p9_lanes[1] - inverse_D5_p55 + 0.18 *
+      inverse_D5_p9_lanes[0] - inverse_D5_p70 * inverse_D3_p15;
+  const Real inverse_D3_p20 = inverse_D3_p8 - c21 * inverse_D3_p9 + s21 * inverse_D3_p13 +
+      inverse_D3_p10 * inverse_D5_p71;
+  const Real inverse_D3_p21 = s21 * inverse_D5_p66 + inverse_D5_p57 + inverse_D5_p9_lanes[1] +
+      inverse_D5_p9_lanes[0] - inverse_D3_p7 * inverse_D5_p71;
   const Real inverse_D5_p77 = 6.1665928899999995 + inverse_D5_p61 + inverse_D5_p27 -
       inverse_D5_p62 * inverse_D5_p71 + 0.226 * inverse_D5_p65;
   const Real inverse_D5_p78 = 1.66923963592404 + inverse_D6_p427 - inverse_D6_p457 -
       inverse_D5_p62 * inverse_D5_p72 + 0.051076 * inverse_D5_p65;
-  const Real inverse_D4_p22 = inverse_D6_p434_lanes[1] -
-      (inverse_D6_p226 + inverse_D6_p284 + inverse_D4_p1 * inverse_D4_p4) +
-      inverse_D6_p434_lanes[0] - inverse_D4_p8 * inverse_D4_p15;
+  const Real inverse_D3_p22 = inverse_D6_p434_lanes[1] -
+      (inverse_D6_p226 + inverse_D6_p284 + inverse_D3_p1 * inverse_D3_p4) +
+      inverse_D6_p434_lanes[0] - inverse_D3_p10 * inverse_D3_p14;
   const Real inverse_D5_p79 = (-0.04068) * inverse_D5_p36_lanes[1] + 0.04068 *
       inverse_D5_p36_lanes[0] - inverse_D5_p70 * inverse_D5_p72 + 0.226 *
       (inverse_D5_p40_lanes[1] + inverse_D5_p40_lanes[0]);
-  const Real inverse_D4_p23 = inverse_D5_p62 * inverse_D4_p15 -
-      (s21 * inverse_D4_p5 + c21 * inverse_D4_p6) + 0.226 * inverse_D4_p9;
-  const Real inverse_D4_p24 = inverse_D5_p49 - inverse_D5_p68 + inverse_D6_p415_lanes[1] +
-      inverse_D6_p415_lanes[0] - inverse_D4_p7 * inverse_D4_p16;
-  const Real inverse_D4_p25 = inverse_D6_p399_lanes[1] -
-      (s21 * inverse_D4_p10 + c21 * inverse_D4_p13) + inverse_D6_p399_lanes[0] + inverse_D4_p8 *
-      inverse_D4_p16;
-  const Real inverse_D4_p26 = s6 * inverse_D4_p20 + c6 * inverse_D4_p21;
+  const Real inverse_D3_p23 = inverse_D5_p62 * inverse_D3_p14 -
+      (s21 * inverse_D3_p5 + c21 * inverse_D3_p6) + 0.226 * inverse_D3_p8;
+  const Real inverse_D3_p24 = inverse_D5_p49 - inverse_D5_p68 + inverse_D6_p415_lanes[1] +
+      inverse_D6_p415_lanes[0] - inverse_D3_p7 * inverse_D3_p15;
+  const Real inverse_D3_p25 = inverse_D6_p399_lanes[1] -
+      (s21 * inverse_D3_p9 + c21 * inverse_D3_p13) + inverse_D6_p399_lanes[0] + inverse_D3_p10 *
+      inverse_D3_p15;
+  const Real inverse_D3_p26 = c6 * inverse_D3_p20 - s6 * inverse_D3_p21;
   const Real inverse_D5_p80 = s6 * inverse_D5_p74 + c6 * inverse_D5_p77;
-  const Real inverse_D4_p27 = c6 * inverse_D5_p74 - s6 * inverse_D5_p77;
-  const Real inverse_D4_p28 = 0.072 * inverse_D4_p26;
-  const Real inverse_D3_p1 = c6 * inverse_D4_p20 - s6 * inverse_D4_p21;
+  const Real inverse_D4_p1 = s6 * inverse_D3_p20 + c6 * inverse_D3_p21;
+  const Real inverse_D4_p2 = c6 * inverse_D5_p74 - s6 * inverse_D5_p77;
   const Real inverse_D5_p81 = inverse_D5_p80 + 0.072 * inverse_D5_p76;
   const Real inverse_D5_p82 = s6 * (inverse_D5_p75 - inverse_D5_p78) + inverse_D5_p69 *
       inverse_D5_p79;
-  const Real inverse_D4_p29 = s6 * (inverse_D4_p17 - inverse_D4_p18) + c6 *
-      (inverse_D4_p23 + inverse_D4_p19);
-  const Real inverse_D4_p30 = s6 * (inverse_D4_p22 - inverse_D4_p24) + inverse_D5_p69 *
-      inverse_D4_p25;
+  const Real inverse_D4_p3 = 0.072 * inverse_D4_p1;
+  const Real inverse_D3_p27 = s6 * (inverse_D3_p17 - inverse_D3_p18) + c6 *
+      (inverse_D3_p23 + inverse_D3_p19);
+  const Real inverse_D3_p28 = s6 * (inverse_D3_p22 - inverse_D3_p24) + inverse_D5_p69 *
+      inverse_D3_p25;
   const Real inverse_D5_p83 = s6 * inverse_D5_p82;
-  const Real inverse_D3_p2 = 2.2194301519999997 + inverse_D5_p81;
-  const Real inverse_D4_p31 = s6 * inverse_D4_p29;
-  const Real inverse_D4_p32 = s6 * inverse_D4_p30;
-  const Real inverse_D4_p33 = c6 * inverse_D4_p29;
-  const Real inverse_D4_p34 = inverse_D4_p24 + inverse_D4_p32;
-  const Real inverse_D4_p35 = inverse_D4_p33 - inverse_D4_p23;
-  const Real inverse_D3_p3 = c6 * inverse_D4_p30 - inverse_D4_p25;
-  const Real inverse_D4_p36 = c6 * inverse_D5_p82 - inverse_D5_p79 + 0.072 * inverse_D4_p27;
-  const Real inverse_D4_p37 = inverse_D4_p18 + inverse_D4_p31 + inverse_D4_p28;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D3_p4 = 2.0 * c4;
-
-  // link 6 (chest3), articulated inertia
-  const Real inverse_D4_p38 = 0.072 * inverse_D4_p37;
-  const Real inverse_D3_p5 = 0.069699984375 + (inverse_D4_p33 - inverse_D4_p19 + 0.072 *
-      inverse_D3_p1);
+  const Real inverse_D3_p29 = 2.2194301519999997 + inverse_D5_p81;
+  const Real inverse_D3_p30 = c6 * inverse_D3_p27;
+  const Real inverse_D4_p4 = s6 * inverse_D3_p27;
+  const Real inverse_D3_p31 = s6 * inverse_D3_p28;
+  const Real inverse_D3_p32 = c6 * inverse_D3_p28 - inverse_D3_p25;
+  const Real inverse_D4_p5 = inverse_D3_p24 + inverse_D3_p31;
+  const Real inverse_D4_p6 = inverse_D3_p30 - inverse_D3_p23;
+  const Real inverse_D4_p7 = c6 * inverse_D5_p82 - inverse_D5_p79 + 0.072 * inverse_D4_p2;
+  const Real inverse_D4_p8 = inverse_D3_p18 + inverse_D4_p4 + inverse_D4_p3;
+  const Real inverse_D3_p33 = 0.069699984375 + (inverse_D3_p30 - inverse_D3_p19 + 0.072 *
+      inverse_D3_p26);
+  const Real inverse_D4_p9 = 0.072 * inverse_D4_p8;
 
   // link 5 (chest2), articulated inertia
   const Real inverse_D5 = 1.0 / (0.203126912024134 +
       (inverse_D5_p78 + inverse_D5_p83 + 0.072 * (inverse_D5_p80 + inverse_D5_p81)));
-  const Real inverse_D4_p39 = inverse_D4_p38 * inverse_D5;
-  const Real inverse_D4_p40 = inverse_D4_p36 * inverse_D5;
-  const Real inverse_D3_p6 = inverse_D3_p2 * inverse_D5;
-  const Real inverse_D3_p7 = inverse_D3_p5 * inverse_D5;
-  const Real inverse_D3_p8 = inverse_D4_p37 * inverse_D5;
-  const Real inverse_D4_p41 = 0.15637308509675518 + 0.005183999999999999 * inverse_D4_p34 -
-      inverse_D4_p38 * inverse_D4_p39;
-  const Real inverse_D4_p42 = 0.04675382692737882 + (inverse_D5_p75 - inverse_D5_p83) -
-      inverse_D4_p36 * inverse_D4_p40;
-  const Real inverse_D4_p43 = 0.005678398088837119 - 0.072 * inverse_D4_p35 + inverse_D4_p38 *
-      inverse_D4_p40;
-  const Real inverse_D3_p9 = inverse_D4_p38 * inverse_D3_p6 - inverse_D4_p28;
-  const Real inverse_D3_p10 = inverse_D4_p17 - inverse_D4_p31 - inverse_D4_p36 * inverse_D3_p7;
-  const Real inverse_D3_p11 = inverse_D4_p27 - inverse_D4_p36 * inverse_D3_p6;
-  const Real inverse_D3_p12 = inverse_D4_p38 * inverse_D3_p7 - 0.072 * inverse_D3_p3;
-  const Real inverse_D3_p13 = inverse_D4_p38 * inverse_D3_p8 -
-      (2.2194301519999997 + 0.072 * inverse_D4_p34);
-  const Real inverse_D3_p14 = inverse_D4_p35 - 0.069699984375 - inverse_D4_p36 * inverse_D3_p8;
-  const Real inverse_D3_p15 = inverse_D4_p22 - inverse_D4_p32 - inverse_D3_p5 * inverse_D3_p7;
-  const Real inverse_D3_p16 = inverse_D5_p76 - inverse_D3_p2 * inverse_D3_p6;
-  const Real inverse_D3_p17 = inverse_D3_p1 - inverse_D3_p2 * inverse_D3_p7;
-  const Real inverse_D3_p18 = inverse_D4_p34 - inverse_D4_p37 * inverse_D3_p8;
-  const Real inverse_D3_p19 = inverse_D3_p3 - inverse_D3_p5 * inverse_D3_p8;
-  const Real inverse_D3_p20 = inverse_D4_p26 - inverse_D3_p2 * inverse_D3_p8;
-  const Real inverse_D3_p21 = s5 * inverse_D3_p13 + c5 * inverse_D3_p14;
-  const Real inverse_D3_p22 = s5 * inverse_D3_p14 - c5 * inverse_D3_p13;
-  const Real inverse_D4_p44 = s5 * (inverse_D4_p41 - inverse_D4_p42) + inverse_D4_p14 *
-      inverse_D4_p43;
-  const Real inverse_D3_p23 = s5 * (inverse_D3_p9 - inverse_D3_p10) + c5 *
-      (inverse_D3_p11 + inverse_D3_p12);
-  const Real inverse_D3_p24 = s5 * (inverse_D3_p16 - inverse_D3_p15) + inverse_D4_p14 *
-      inverse_D3_p17;
-  const Real inverse_D3_p25 = inverse_D3_p22 + 0.21799999999999997 * inverse_D3_p18;
-  const Real inverse_D2_p1 = 0.0300000063 + inverse_D3_p21;
-  const Real inverse_D4_p45 = s5 * inverse_D4_p44;
-  const Real inverse_D3_p26 = s5 * inverse_D3_p19 - c5 * inverse_D3_p20;
-  const Real inverse_D2_p2 = s5 * inverse_D3_p20 + c5 * inverse_D3_p19;
-
-  // link 2 (thigh), pose
-  const Real Lambda_11_11_p1 = c2 * c1 - s2 * s1;
-
-  // link 5 (chest2), articulated inertia
-  const Real inverse_D3_p27 = c5 * inverse_D3_p23;
-  const Real inverse_D3_p28 = s5 * inverse_D3_p23;
-
-  // link 2 (thigh), pose
-  const Real Lambda_11_11_p2 = s2 * c1 + c2 * s1;
-
-  // link 5 (chest2), articulated inertia
-  const Real inverse_D3_p29 = s5 * inverse_D3_p24;
-  const Real inverse_D3_p30 = 0.21799999999999997 * inverse_D3_p26;
-  const Real inverse_D3_p31 = inverse_D3_p27 - inverse_D3_p12;
-  const Real inverse_D3_p32 = inverse_D3_p16 - inverse_D3_p29;
-  const Real inverse_D2_p3 = inverse_D3_p10 + inverse_D3_p28;
-  const Real inverse_D2_p4 = c5 * inverse_D3_p24 - inverse_D3_p17;
-  const Real inverse_D3_p33 = 0.21799999999999997 * inverse_D3_p31;
-
-  // link 3 (hip), pose
-  const Real Lambda_11_11_p3 = s3 * Lambda_11_11_p1 + c3 * Lambda_11_11_p2;
-  const Real Lambda_11_11_p4 = c3 * Lambda_11_11_p1 - s3 * Lambda_11_11_p2;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D4 = 1.0 / (0.060169103246295166 + (inverse_D4_p42 + inverse_D4_p45));
-
-  // link 5 (chest2), articulated inertia
-  const Real inverse_D3_p34 = 0.005880002159562879 +
-      (0.21799999999999997 * inverse_D3_p21 - (c5 * inverse_D4_p44 - inverse_D4_p43));
-  const Real inverse_D3_p35 = inverse_D3_p9 - inverse_D3_p28 + inverse_D3_p30;
-
-  // link 4 (chest1), pose
-  const Real Lambda_11_11_p5 = c4 * Lambda_11_11_p3;
-  const Real Lambda_11_11_p6 = s4 * Lambda_11_11_p3;
-
-  // link 5 (chest2), pose
-  const Real Lambda_11_11_p7 = s5 * s4;
-  const Real Lambda_11_11_p8 = c5 * s4;
-  const Real Lambda_11_11_p9 = s5 * Lambda_11_11_p5 - c5 * Lambda_11_11_p4;
-  const Real Lambda_11_11_p10 = c5 * Lambda_11_11_p5 + s5 * Lambda_11_11_p4;
-
-  // link 6 (chest3), pose
-  const Real Lambda_11_11_p11 = s6 * c4 - c6 * Lambda_11_11_p7;
-  const Real Lambda_11_11_p14 = s6 * Lambda_11_11_p7 + c6 * c4;
-
-  // link 4 (chest1), pose
-  const Real Lambda_11_11_p15 = c4 * Lambda_11_11_p4;
-  const Real Lambda_11_11_p20 = s4 * Lambda_11_11_p4;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D3_p36 = inverse_D3_p34 * inverse_D4;
-  const Real inverse_D3_p37 = inverse_D3_p33 * inverse_D4;
-  const Real inverse_D2_p5 = inverse_D3_p31 * inverse_D4;
-  const Real inverse_D2_p6 = inverse_D2_p1 * inverse_D4;
-  const Real inverse_D2_p7 = inverse_D2_p3 * inverse_D4;
-
-  // link 6 (chest3), pose
-  const Real Lambda_11_11_p29 = c6 * Lambda_11_11_p9 + s6 * Lambda_11_11_p6;
-  const Real Lambda_11_11_p30 = s6 * Lambda_11_11_p9 - c6 * Lambda_11_11_p6;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_11_11_p31_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p11 -
-      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p8;
-
-  // link 5 (chest2), pose
-  const Real Lambda_11_11_p33 = s5 * Lambda_11_11_p15 + c5 * Lambda_11_11_p3;
-  const Real Lambda_11_11_p34 = c5 * Lambda_11_11_p15 - s5 * Lambda_11_11_p3;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_11_11_p35_lanes = detail::make_pack<Real>(s7, s14) * Lambda_11_11_p11 +
-      detail::make_pack<Real>(c7, c14) * Lambda_11_11_p8;
-  const Lanes<2> Lambda_11_11_p57_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p29 +
-      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p10;
-  const Lanes<2> Lambda_11_11_p59_lanes = detail::make_pack<Real>(s7, s14) * Lambda_11_11_p29 -
-      detail::make_pack<Real>(c7, c14) * Lambda_11_11_p10;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_11_11_p61_lanes = detail::make_pack<Real>(c8, c15) * Lambda_11_11_p14 -
-      detail::make_pack<Real>(s8, s15) * Lambda_11_11_p31_lanes;
-  const Lanes<2> Lambda_11_11_p63_lanes = detail::make_pack<Real>(c8, c15) *
-      Lambda_11_11_p31_lanes + detail::make_pack<Real>(s8, s15) * Lambda_11_11_p14;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D3_p38 = 0.01227760324629517 + 0.04752399999999999 * inverse_D3_p32 -
-      inverse_D3_p33 * inverse_D3_p37;
-
-  // link 6 (chest3), pose
-  const Real Lambda_11_11_p67 = c6 * Lambda_11_11_p33 + s6 * Lambda_11_11_p20;
-  const Real Lambda_11_11_p68 = s6 * Lambda_11_11_p33 - c6 * Lambda_11_11_p20;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D3_p39 = 0.0478915 + (inverse_D4_p41 - inverse_D4_p45 + 0.21799999999999997 *
-      (inverse_D3_p22 + inverse_D3_p25)) - inverse_D3_p34 * inverse_D3_p36 - inverse_D3_p38;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_11_11_p91_lanes = detail::make_pack<Real>(s8, s15) *
-      Lambda_11_11_p57_lanes + detail::make_pack<Real>(c8, c15) * Lambda_11_11_p30;
-  const Lanes<2> Lambda_11_11_p93_lanes = detail::make_pack<Real>(c8, c15) *
-      Lambda_11_11_p57_lanes - detail::make_pack<Real>(s8, s15) * Lambda_11_11_p30;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p8 = inverse_D3_p34 * inverse_D2_p6 - inverse_D3_p25;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_11_11_p95_lanes = detail::make_pack<Real>(s9, s16) *
-      Lambda_11_11_p61_lanes + detail::make_pack<Real>(c9, c16) * Lambda_11_11_p35_lanes;
-  const Lanes<2> Lambda_11_11_p97_lanes = detail::make_pack<Real>(c9, c16) *
-      Lambda_11_11_p61_lanes - detail::make_pack<Real>(s9, s16) * Lambda_11_11_p35_lanes;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_11_11_p99_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p67 +
-      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p34;
-  const Lanes<2> Lambda_11_11_p101_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p34 -
-      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p67;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_11_11_p123_lanes = detail::make_pack<Real>(c9, c16) *
-      Lambda_11_11_p59_lanes - detail::make_pack<Real>(s9, s16) * Lambda_11_11_p91_lanes;
-  const Lanes<2> Lambda_11_11_p125_lanes = detail::make_pack<Real>(c9, c16) *
-      Lambda_11_11_p91_lanes + detail::make_pack<Real>(s9, s16) * Lambda_11_11_p59_lanes;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> Lambda_11_11_p127_lanes = detail::make_pack<Real>(c10, c17) *
-      Lambda_11_11_p95_lanes + detail::make_pack<Real>(s10, s17) * Lambda_11_11_p63_lanes;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_11_11_p129 = c17 * Lambda_11_11_p63_lanes[1] - s17 * Lambda_11_11_p95_lanes[1];
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p9 = inverse_D3_p32 - inverse_D3_p31 * inverse_D2_p5;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_11_11_p130_lanes = detail::make_pack<Real>(s8, s15) *
-      Lambda_11_11_p99_lanes + detail::make_pack<Real>(c8, c15) * Lambda_11_11_p68;
-  const Lanes<2> Lambda_11_11_p132_lanes = detail::make_pack<Real>(s8, s15) * Lambda_11_11_p68 -
-      detail::make_pack<Real>(c8, c15) * Lambda_11_11_p99_lanes;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D3_p40 = inverse_D3_p38 + s4 *
-      (s4 * inverse_D3_p39 + inverse_D3_p4 * (0.21799999999999997 * inverse_D3_p35 +
-      inverse_D3_p34 * inverse_D3_p37));
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> Lambda_11_11_p153_lanes = detail::make_pack<Real>(c10, c17) *
-      Lambda_11_11_p123_lanes + detail::make_pack<Real>(s10, s17) * Lambda_11_11_p93_lanes;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_11_11_p155 = c17 * Lambda_11_11_p93_lanes[1] - s17 * Lambda_11_11_p123_lanes[1];
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_11_11_p156_lanes = detail::make_pack<Real>(c11, c18) *
-      Lambda_11_11_p127_lanes + detail::make_pack<Real>(s11, s18) * Lambda_11_11_p97_lanes;
-  const Lanes<2> Lambda_11_11_p158_lanes = detail::make_pack<Real>(c11, c18) *
-      Lambda_11_11_p97_lanes - detail::make_pack<Real>(s11, s18) * Lambda_11_11_p127_lanes;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p10 = s4 * (inverse_D3_p35 + inverse_D3_p34 * inverse_D2_p5 +
-      (inverse_D3_p30 + inverse_D3_p33 * inverse_D2_p6)) + c4 *
-      (0.21799999999999997 * inverse_D3_p32 - inverse_D3_p33 * inverse_D2_p5 + inverse_D2_p8);
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> Lambda_11_11_p160_lanes = detail::make_pack<Real>(s9, s16) *
-      Lambda_11_11_p130_lanes + detail::make_pack<Real>(c9, c16) * Lambda_11_11_p101_lanes;
-  const Lanes<2> Lambda_11_11_p162_lanes = detail::make_pack<Real>(c9, c16) *
-      Lambda_11_11_p130_lanes - detail::make_pack<Real>(s9, s16) * Lambda_11_11_p101_lanes;
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D3 = 1.0 / (1.7824817919087104 + inverse_D3_p40);
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p11 = s4 * (0.21799999999999997 * inverse_D2_p2 -
-      (inverse_D3_p27 - inverse_D3_p11) - inverse_D3_p34 * inverse_D2_p7) + c4 *
-      (0.0300000063 - 0.21799999999999997 * inverse_D2_p4 + inverse_D3_p33 * inverse_D2_p7);
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_11_11_p183_lanes = detail::make_pack<Real>(c11, c18) *
-      Lambda_11_11_p153_lanes - detail::make_pack<Real>(s11, s18) * Lambda_11_11_p125_lanes;
-  const Lanes<2> Lambda_11_11_p185_lanes = detail::make_pack<Real>(s11, s18) *
-      Lambda_11_11_p153_lanes + detail::make_pack<Real>(c11, c18) * Lambda_11_11_p125_lanes;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_11_11_p187 = c19 * Lambda_11_11_p156_lanes[1] + s19 * Lambda_11_11_p129;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> Lambda_11_11_p188_lanes = detail::make_pack<Real>(c10, c17) *
-      Lambda_11_11_p160_lanes + detail::make_pack<Real>(s10, s17) * Lambda_11_11_p132_lanes;
-  const Lanes<8> Lambda_11_11_p190_lanes = c10 * detail::make_pack<Real>(Lambda_11_11_p132_lanes[0],
-      Lambda_11_11_p63_lanes[0], Lambda_11_11_p93_lanes[0], Lambda_11_11_p132_lanes[0],
-      Lambda_11_11_p132_lanes[0], Lambda_11_11_p132_lanes[0], Lambda_11_11_p132_lanes[0],
-      Lambda_11_11_p132_lanes[0]) - s10 * detail::make_pack<Real>(Lambda_11_11_p160_lanes[0],
-      Lambda_11_11_p95_lanes[0], Lambda_11_11_p123_lanes[0], Lambda_11_11_p160_lanes[0],
-      Lambda_11_11_p160_lanes[0], Lambda_11_11_p160_lanes[0], Lambda_11_11_p160_lanes[0],
-      Lambda_11_11_p160_lanes[0]);
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_11_11_p193 = c17 * Lambda_11_11_p132_lanes[1] - s17 *
-      Lambda_11_11_p160_lanes[1];
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p12 = 0.02999999505 + inverse_D2_p11;
-  const Real inverse_D2_p13 = s4 * (inverse_D2_p9 -
-      (inverse_D3_p18 - inverse_D2_p1 * inverse_D2_p6)) - inverse_D3_p4 *
-      (inverse_D3_p26 + inverse_D3_p31 * inverse_D2_p6);
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_11_11_p210 = c19 * Lambda_11_11_p183_lanes[1] + s19 * Lambda_11_11_p155;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p14 = 8.419374554 + (c4 * inverse_D2_p10 - inverse_D2_p8);
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_11_11_p211_lanes = detail::make_pack<Real>(c11, c18) *
-      Lambda_11_11_p188_lanes + detail::make_pack<Real>(s11, s18) * Lambda_11_11_p162_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_11_11_p213_lanes = detail::make_pack<Real>(c12, c19) *
-      detail::make_pack<Real>(Lambda_11_11_p190_lanes[2], Lambda_11_11_p155) -
-      detail::make_pack<Real>(s12, s19) * Lambda_11_11_p183_lanes;
-  const Lanes<2> Lambda_11_11_p215_lanes = detail::make_pack<Real>(c12, c19) *
-      detail::make_pack<Real>(Lambda_11_11_p190_lanes[1], Lambda_11_11_p129) -
-      detail::make_pack<Real>(s12, s19) * Lambda_11_11_p156_lanes;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> Lambda_11_11_p217_lanes = detail::make_pack<Real>(c11, c18) *
-      Lambda_11_11_p162_lanes - detail::make_pack<Real>(s11, s18) * Lambda_11_11_p188_lanes;
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p15 = inverse_D2_p12 * inverse_D3;
-  const Real inverse_D2_p16 = inverse_D2_p14 * inverse_D3;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> Lambda_11_11_p239_lanes = detail::make_pack<Real>(c12, c19) *
-      detail::make_pack<Real>(Lambda_11_11_p190_lanes[0], Lambda_11_11_p193) -
-      detail::make_pack<Real>(s12, s19) * Lambda_11_11_p211_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_11_11_p241_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_11_11_p213_lanes + detail::make_pack<Real>(c13, c20) * Lambda_11_11_p185_lanes;
-
-  // link 19 (right_wrist2), pose
-  const Real Lambda_11_11_p243 = c19 * Lambda_11_11_p211_lanes[1] + s19 * Lambda_11_11_p193;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_11_11_p244_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_11_11_p158_lanes - detail::make_pack<Real>(s13, s20) * Lambda_11_11_p215_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<8> Lambda_11_11_p246_lanes = c12 * detail::make_pack<Real>(Lambda_11_11_p211_lanes[0],
-      Lambda_11_11_p156_lanes[0], Lambda_11_11_p183_lanes[0], Lambda_11_11_p211_lanes[0],
-      Lambda_11_11_p211_lanes[0], Lambda_11_11_p211_lanes[0], Lambda_11_11_p211_lanes[0],
-      Lambda_11_11_p211_lanes[0]) + s12 * Lambda_11_11_p190_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_11_11_p249_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_11_11_p213_lanes - detail::make_pack<Real>(s13, s20) * Lambda_11_11_p185_lanes;
-  const Lanes<2> Lambda_11_11_p251_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_11_11_p215_lanes + detail::make_pack<Real>(s13, s20) * Lambda_11_11_p158_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_11_11_p259_lanes = 0.009919078854932248 * Lambda_11_11_p244_lanes;
-
-  // link 1 (calf), articulated inertia
-  const Lanes<8> Lambda_11_11_p264_lanes = 0.086 * Lambda_11_11_p246_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_11_11_p267_lanes = -Lambda_11_11_p241_lanes;
-  const Lanes<8> Lambda_11_11_p271_lanes = (-3.0523172236718206) *
-      detail::make_pack<Real>(Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[0],
-      Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[1],
-      Lambda_11_11_p246_lanes[2], Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[0]);
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p277_lanes = 3.0523172236718206 *
-      detail::make_pack<Real>(Lambda_11_11_p243, Lambda_11_11_p243, Lambda_11_11_p187,
-      Lambda_11_11_p210, Lambda_11_11_p243, Lambda_11_11_p243, Lambda_11_11_p243,
-      Lambda_11_11_p243);
-  const Lanes<8> Lambda_11_11_p280_lanes = 17.32841575379867 *
-      detail::make_pack<Real>(Lambda_11_11_p243, Lambda_11_11_p243, Lambda_11_11_p187,
-      Lambda_11_11_p210, Lambda_11_11_p243, Lambda_11_11_p243, Lambda_11_11_p243,
-      Lambda_11_11_p243);
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p17 = inverse_D2_p14 * inverse_D2_p15 -
-      (c4 * (inverse_D3_p31 * inverse_D2_p7 - inverse_D2_p4) - s4 *
-      (inverse_D2_p1 * inverse_D2_p7 - inverse_D2_p2));
-  const Real inverse_D2_p18 = inverse_D2_p9 - s4 * inverse_D2_p13 - inverse_D2_p14 * inverse_D2_p16;
-  const Real inverse_D2_p19 = inverse_D3_p15 + inverse_D3_p29 - inverse_D2_p3 * inverse_D2_p7 -
-      inverse_D2_p12 * inverse_D2_p15;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_11_11_p283_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_11_11_p217_lanes - detail::make_pack<Real>(s13, s20) * Lambda_11_11_p239_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_11_11_p285_lanes = -(0.086 * Lambda_11_11_p241_lanes);
-
-  // link 13 (left_hand), pose
-  const Lanes<2> Lambda_11_11_p287_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_11_11_p239_lanes + detail::make_pack<Real>(s13, s20) * Lambda_11_11_p217_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_11_11_p289_lanes = 0.11533812622014242 * Lambda_11_11_p285_lanes;
-  const Lanes<2> Lambda_11_11_p295_lanes = Lambda_11_11_p251_lanes +
-      detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
-      Lambda_11_11_p244_lanes;
-  const Lanes<2> Lambda_11_11_p313_lanes = 0.009919078854932248 * Lambda_11_11_p283_lanes;
-  const Lanes<8> Lambda_11_11_p315_lanes = detail::make_pack<Real>(Lambda_11_11_p287_lanes[0],
-      Lambda_11_11_p287_lanes[0], Lambda_11_11_p287_lanes[0], Lambda_11_11_p287_lanes[0],
-      Lambda_11_11_p251_lanes[0], Lambda_11_11_p249_lanes[0], Lambda_11_11_p287_lanes[0],
-      Lambda_11_11_p287_lanes[0]) + 0.11533812622014242 *
-      detail::make_pack<Real>(Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[0],
-      Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[1],
-      Lambda_11_11_p246_lanes[2], Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[0]);
-  const Lanes<8> Lambda_11_11_p320_lanes = detail::make_pack<Real>(0.49024375482668536,
-      0.49024375482668536, 0.49024375482668536, 17.32841575379867, 17.32841575379867,
-      17.32841575379867, 0.49024375482668536, 0.49024375482668536) *
-      detail::make_pack<Real>(Lambda_11_11_p283_lanes[0], Lambda_11_11_p244_lanes[0],
-      Lambda_11_11_p283_lanes[0], Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[1],
-      Lambda_11_11_p246_lanes[2], Lambda_11_11_p283_lanes[0], Lambda_11_11_p283_lanes[0]);
-  const Lanes<2> Lambda_11_11_p325_lanes = Lambda_11_11_p249_lanes +
-      detail::make_pack<Real>((-3.0523172236718206), 3.0523172236718206) * Lambda_11_11_p285_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p327_lanes = detail::make_pack<Real>(Lambda_11_11_p287_lanes[1],
-      Lambda_11_11_p287_lanes[1], Lambda_11_11_p251_lanes[1], Lambda_11_11_p249_lanes[1],
-      Lambda_11_11_p287_lanes[1], Lambda_11_11_p287_lanes[1], Lambda_11_11_p287_lanes[1],
-      Lambda_11_11_p287_lanes[1]) + 0.11533812622014242 *
-      detail::make_pack<Real>(Lambda_11_11_p243, Lambda_11_11_p243, Lambda_11_11_p187,
-      Lambda_11_11_p210, Lambda_11_11_p243, Lambda_11_11_p243, Lambda_11_11_p243,
-      Lambda_11_11_p243);
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_11_11_p333_lanes = Lambda_11_11_p267_lanes - 17.32841575379867 *
-      Lambda_11_11_p285_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p335_lanes = detail::make_pack<Real>(-(0.086 * Lambda_11_11_p210),
-      Lambda_11_11_p283_lanes[1], Lambda_11_11_p244_lanes[1], Lambda_11_11_p267_lanes[1],
-      -(0.086 * Lambda_11_11_p210), -(0.086 * Lambda_11_11_p210), -(0.086 * Lambda_11_11_p210),
-      -(0.086 * Lambda_11_11_p210)) - (-0.04672761636452121) *
-      detail::make_pack<Real>(Lambda_11_11_p285_lanes[1], Lambda_11_11_p243, Lambda_11_11_p187,
-      Lambda_11_11_p210, Lambda_11_11_p285_lanes[1], Lambda_11_11_p285_lanes[1],
-      Lambda_11_11_p285_lanes[1], Lambda_11_11_p285_lanes[1]);
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_11_11_p345_lanes = detail::make_pack<Real>(-Lambda_11_11_p264_lanes[0],
-      -Lambda_11_11_p264_lanes[1], -Lambda_11_11_p264_lanes[2], Lambda_11_11_p283_lanes[0],
-      Lambda_11_11_p244_lanes[0], Lambda_11_11_p267_lanes[0], -Lambda_11_11_p264_lanes[0],
-      -Lambda_11_11_p264_lanes[0]) - detail::make_pack<Real>(0.004018575007348824,
-      0.004018575007348824, 0.04672761636452121, 0.04672761636452121, 0.04672761636452121,
-      0.04672761636452121, 0.004018575007348824, 0.004018575007348824) *
-      detail::make_pack<Real>(Lambda_11_11_p283_lanes[0], Lambda_11_11_p244_lanes[0],
-      Lambda_11_11_p285_lanes[0], Lambda_11_11_p246_lanes[0], Lambda_11_11_p246_lanes[1],
-      Lambda_11_11_p246_lanes[2], Lambda_11_11_p283_lanes[0], Lambda_11_11_p283_lanes[0]);
-  const Lanes<2> Lambda_11_11_p357_lanes = Lambda_11_11_p287_lanes +
-      detail::make_pack<Real>((-0.26249928123577654), 0.26249928123577654) *
-      Lambda_11_11_p283_lanes;
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p20 = s3 * (inverse_D2_p18 - inverse_D2_p19) + c3 * (2.0 * inverse_D2_p17);
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p399_lanes = s20 * Lambda_11_11_p277_lanes - c20 *
-      Lambda_11_11_p280_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_11_11_p402_lanes = 0.00010499999999999999 / inverse_D8_p163_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<2> Lambda_11_11_p404_lanes = detail::make_pack<Real>(c13, c20) *
-      Lambda_11_11_p325_lanes - detail::make_pack<Real>(s13, s20) * Lambda_11_11_p333_lanes;
-  const Lanes<2> Lambda_11_11_p406_lanes = detail::make_pack<Real>(s13, s20) *
-      Lambda_11_11_p325_lanes + detail::make_pack<Real>(c13, c20) * Lambda_11_11_p333_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p408_lanes = s20 * detail::make_pack<Real>(Lambda_11_11_p289_lanes[1],
-      Lambda_11_11_p327_lanes[1], Lambda_11_11_p327_lanes[2], Lambda_11_11_p327_lanes[3],
-      Lambda_11_11_p289_lanes[1], Lambda_11_11_p289_lanes[1], Lambda_11_11_p289_lanes[1],
-      Lambda_11_11_p289_lanes[1]) + c20 * Lambda_11_11_p335_lanes;
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p21 = s3 * inverse_D2_p20;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_11_11_p416_lanes = s13 * detail::make_pack<Real>(Lambda_11_11_p313_lanes[0],
-      Lambda_11_11_p259_lanes[0], Lambda_11_11_p289_lanes[0], Lambda_11_11_p315_lanes[3],
-      Lambda_11_11_p315_lanes[4], Lambda_11_11_p315_lanes[5], Lambda_11_11_p313_lanes[0],
-      Lambda_11_11_p313_lanes[0]) + c13 * Lambda_11_11_p345_lanes;
-  const Lanes<8> Lambda_11_11_p422_lanes = c13 * detail::make_pack<Real>(Lambda_11_11_p357_lanes[0],
-      Lambda_11_11_p295_lanes[0], Lambda_11_11_p357_lanes[0], Lambda_11_11_p271_lanes[3],
-      Lambda_11_11_p271_lanes[4], Lambda_11_11_p271_lanes[5], Lambda_11_11_p357_lanes[0],
-      Lambda_11_11_p357_lanes[0]) + s13 * Lambda_11_11_p320_lanes;
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D2_p22 = inverse_D2_p18 - inverse_D2_p21;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p440_lanes = inverse_D10_p29_lanes[1] * Lambda_11_11_p408_lanes;
-  const Real Lambda_11_11_p447 = Lambda_11_11_p404_lanes[1] - inverse_D10_p28_lanes[1] *
-      Lambda_11_11_p408_lanes[0];
-  const Real Lambda_11_11_p448 = Lambda_11_11_p210 - inverse_D10_p29_lanes[1] *
-      Lambda_11_11_p408_lanes[0];
-  const Lanes<8> Lambda_11_11_p449_lanes = c20 * Lambda_11_11_p277_lanes + s20 *
-      Lambda_11_11_p280_lanes - inverse_D10_p28_lanes[1] * Lambda_11_11_p408_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p452_lanes = detail::make_pack<Real>(Lambda_11_11_p422_lanes[0],
-      Lambda_11_11_p422_lanes[1], Lambda_11_11_p404_lanes[0], Lambda_11_11_p422_lanes[0],
-      Lambda_11_11_p422_lanes[0], Lambda_11_11_p422_lanes[0], Lambda_11_11_p422_lanes[0],
-      Lambda_11_11_p422_lanes[0]) - inverse_D10_p28_lanes[0] * Lambda_11_11_p416_lanes;
-  const Lanes<8> Lambda_11_11_p455_lanes = Lambda_11_11_p246_lanes - inverse_D10_p29_lanes[0] *
-      Lambda_11_11_p416_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p458_lanes = c20 * detail::make_pack<Real>(Lambda_11_11_p289_lanes[1],
-      Lambda_11_11_p327_lanes[1], Lambda_11_11_p327_lanes[2], Lambda_11_11_p327_lanes[3],
-      Lambda_11_11_p289_lanes[1], Lambda_11_11_p289_lanes[1], Lambda_11_11_p289_lanes[1],
-      Lambda_11_11_p289_lanes[1]) - s20 * Lambda_11_11_p335_lanes - inverse_D11_p4_lanes[1] *
-      Lambda_11_11_p408_lanes;
-  const Lanes<8> Lambda_11_11_p465_lanes = detail::make_pack<Real>(Lambda_11_11_p406_lanes[1],
-      Lambda_11_11_p399_lanes[1], Lambda_11_11_p399_lanes[2], Lambda_11_11_p399_lanes[3],
-      Lambda_11_11_p406_lanes[1], Lambda_11_11_p406_lanes[1], Lambda_11_11_p406_lanes[1],
-      Lambda_11_11_p406_lanes[1]) - inverse_D10_p30_lanes[1] * Lambda_11_11_p408_lanes;
+  const Real inverse_D3_p34 = inverse_D3_p29 * inverse_D5;
+  const Real inverse_D3_p35 = inverse_D3_p33 * inverse_D5;
+  const Real inverse_D3_p36 = inverse_D4_p8 * inverse_D5;
+  const Real inverse_D4_p10 = inverse_D4_p9 * inverse_D5;
+  const Real inverse_D4_p11 = inverse_D4_p7 * inverse_D5;
+  const Real inverse_D3_p37 = inverse_D3_p22 - inverse_D3_p31 - inverse_D3_p33 * inverse_D3_p35;
+  const Real inverse_D3_p38 = inverse_D5_p76 - inverse_D3_p29 * inverse_D3_p34;
+  const Real inverse_D3_p39 = inverse_D3_p26 - inverse_D3_p29 * inverse_D3_p35;
+  const Real inverse_D3_p40 = inverse_D4_p9 * inverse_D3_p34 - inverse_D4_p3;
+  const Real Lambda_11_11_p1 = s2 * c3 + c2 * s3;
+  const Real inverse_D3_p41 = inverse_D3_p17 - inverse_D4_p4 - inverse_D4_p7 * inverse_D3_p35;
+  const Real inverse_D3_p42 = inverse_D4_p2 - inverse_D4_p7 * inverse_D3_p34;
+  const Real inverse_D3_p43 = inverse_D4_p9 * inverse_D3_p35 - 0.072 * inverse_D3_p32;
+  const Real inverse_D3_p44 = inverse_D3_p32 - inverse_D3_p33 * inverse_D3_p36;
+  const Real inverse_D3_p45 = inverse_D4_p1 - inverse_D3_p29 * inverse_D3_p36;
+  const Real inverse_D4_p12 = 0.15637308509675518 + 0.005183999999999999 * inverse_D4_p5 -
+      inverse_D4_p9 * inverse_D4_p10;
+  const Real Lambda_11_11_p2 = c2 * c3 - s2 * s3;
+  const Real inverse_D4_p13 = 0.04675382692737882 + (inverse_D5_p75 - inverse_D5_p83) -
+      inverse_D4_p7 * inverse_D4_p11;
+  const Real inverse_D4_p14 = 0.005678398088837119 - 0.072 * inverse_D4_p6 + inverse_D4_p9 *
+      inverse_D4_p11;
+  const Real inverse_D3_p46 = inverse_D4_p6 - 0.069699984375 - inverse_D4_p7 * inverse_D3_p36;
+  const Real inverse_D3_p47 = inverse_D4_p9 * inverse_D3_p36 -
+      (2.2194301519999997 + 0.072 * inverse_D4_p5);
+  const Real inverse_D3_p48 = s5 * (inverse_D3_p38 - inverse_D3_p37) + inverse_D3_p16 *
+      inverse_D3_p39;
 
   // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_11_11_p475_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+  const Lanes<2> Lambda_11_11_p3_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) / inverse_D7_p20_lanes;
 
+  // link 3 (hip), pose
+  const Real Lambda_11_11_p5 = Lambda_11_11_p1 * c1 + Lambda_11_11_p2 * s1;
+  const Real inverse_D2_p1 = 0.422 * c2;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p49 = s5 * (inverse_D3_p40 - inverse_D3_p41) + c5 *
+      (inverse_D3_p42 + inverse_D3_p43);
+  const Real inverse_D2_p2 = 0.422 * s2;
+
+  // link 3 (hip), pose
+  const Real Lambda_11_11_p6 = Lambda_11_11_p2 * c1 - Lambda_11_11_p1 * s1;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p50 = s5 * inverse_D3_p48;
+  const Real inverse_D4_p15 = s5 * (inverse_D4_p12 - inverse_D4_p13) + inverse_D3_p16 *
+      inverse_D4_p14;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p7 = c4 * Lambda_11_11_p5;
+  const Real Lambda_11_11_p8 = s4 * Lambda_11_11_p5;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p51 = s5 * inverse_D3_p49;
+  const Real inverse_D3_p52 = s5 * inverse_D3_p46 - c5 * inverse_D3_p47;
+  const Real inverse_D3_p53 = c5 * inverse_D3_p49;
+  const Real inverse_D4_p16 = s5 * inverse_D4_p15;
+  const Real inverse_D3_p54 = inverse_D3_p38 - inverse_D3_p50;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p9 = s5 * s4;
+  const Real Lambda_11_11_p10 = s5 * Lambda_11_11_p7 - c5 * Lambda_11_11_p6;
+  const Real Lambda_11_11_p11 = c5 * s4;
+  const Real Lambda_11_11_p12 = s5 * Lambda_11_11_p6 + c5 * Lambda_11_11_p7;
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D4 = 1.0 / (0.060169103246295166 + (inverse_D4_p13 + inverse_D4_p16));
+
+  // link 6 (chest3), pose
+  const Real Lambda_11_11_p21 = s6 * c4 - c6 * Lambda_11_11_p9;
+  const Real Lambda_11_11_p22 = s6 * Lambda_11_11_p9 + c6 * c4;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p55 = c4 * (2.0 * (s5 * inverse_D3_p44 - c5 * inverse_D3_p45)) - s4 *
+      (inverse_D3_p54 - (inverse_D4_p5 - inverse_D4_p8 * inverse_D3_p36));
+  const Real inverse_D3_p56 = s4 * (s5 * inverse_D3_p47 + c5 * inverse_D3_p46) - c4 *
+      (inverse_D3_p53 - inverse_D3_p43);
+  const Real inverse_D2_p3 = s4 * (s5 * inverse_D3_p45 + c5 * inverse_D3_p44) - c4 *
+      (c5 * inverse_D3_p48 - inverse_D3_p39);
+  const Real inverse_D2_p4 = inverse_D3_p41 + inverse_D3_p51;
+
+  // link 6 (chest3), pose
+  const Real Lambda_11_11_p23 = c6 * Lambda_11_11_p10 + s6 * Lambda_11_11_p8;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p24 = c4 * Lambda_11_11_p6;
+
+  // link 6 (chest3), pose
+  const Real Lambda_11_11_p25 = c6 * Lambda_11_11_p8 - s6 * Lambda_11_11_p10;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p30 = s4 * Lambda_11_11_p6;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_11_11_p43_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p21 -
+      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p11;
+  const Lanes<2> Lambda_11_11_p45_lanes = detail::make_pack<Real>(s7, s14) * Lambda_11_11_p21 +
+      detail::make_pack<Real>(c7, c14) * Lambda_11_11_p11;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p57 = inverse_D3_p54 + s4 * inverse_D3_p55;
+  const Real inverse_D3_p58 = inverse_D3_p52 - c4 *
+      (c4 * inverse_D3_p52 - s4 * (inverse_D3_p40 - inverse_D3_p51));
+  const Real inverse_D2_p5 = 0.0300000063 * s4 + inverse_D3_p56;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_11_11_p47_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p23 +
+      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p12;
+  const Lanes<2> Lambda_11_11_p49_lanes = detail::make_pack<Real>(s7, s14) * Lambda_11_11_p23 -
+      detail::make_pack<Real>(c7, c14) * Lambda_11_11_p12;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p51 = s5 * Lambda_11_11_p24 + c5 * Lambda_11_11_p5;
+  const Real Lambda_11_11_p52 = c5 * Lambda_11_11_p24 - s5 * Lambda_11_11_p5;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p59 = 0.21799999999999997 * inverse_D3_p56 +
+      (0.005880002159562879 - (c5 * inverse_D4_p15 - inverse_D4_p14)) * s4;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_11_11_p65_lanes = detail::make_pack<Real>(c8, c15) * Lambda_11_11_p22 -
+      detail::make_pack<Real>(s8, s15) * Lambda_11_11_p43_lanes;
+  const Lanes<2> Lambda_11_11_p67_lanes = 0.086 * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> Lambda_11_11_p69_lanes = 0.086 * detail::make_pack<Real>(s13, s20);
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D3_p60 = inverse_D3_p59 * inverse_D4;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_11_11_p71_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_11_11_p43_lanes + detail::make_pack<Real>(s8, s15) * Lambda_11_11_p22;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p61 = inverse_D3_p58 + 0.21799999999999997 * inverse_D3_p57;
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p6 = inverse_D2_p4 * inverse_D4;
+  const Real inverse_D2_p7 = inverse_D2_p5 * inverse_D4;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_11_11_p73_lanes = detail::make_pack<Real>(c8, c15) * Lambda_11_11_p25 -
+      detail::make_pack<Real>(s8, s15) * Lambda_11_11_p47_lanes;
+  const Lanes<2> Lambda_11_11_p75_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_11_11_p47_lanes + detail::make_pack<Real>(s8, s15) * Lambda_11_11_p25;
+
+  // link 6 (chest3), pose
+  const Real Lambda_11_11_p77 = c6 * Lambda_11_11_p51 + s6 * Lambda_11_11_p30;
+  const Real Lambda_11_11_p78 = s6 * Lambda_11_11_p51 - c6 * Lambda_11_11_p30;
+
+  // link 16 (right_upperarm), pose
+  const Real Lambda_11_11_p87 = s16 * Lambda_11_11_p65_lanes[1] + c16 * Lambda_11_11_p45_lanes[1];
+  const Real Lambda_11_11_p88 = c16 * Lambda_11_11_p65_lanes[1] - s16 * Lambda_11_11_p45_lanes[1];
+  const Real Lambda_11_11_p89 = s16 * Lambda_11_11_p73_lanes[1] + c16 * Lambda_11_11_p49_lanes[1];
+  const Real Lambda_11_11_p90 = c16 * Lambda_11_11_p73_lanes[1] - s16 * Lambda_11_11_p49_lanes[1];
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_11_11_p91_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p77 +
+      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p52;
+  const Lanes<2> Lambda_11_11_p93_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p52 -
+      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p77;
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p8 = 0.0300000063 * c4 + (0.21799999999999997 * inverse_D2_p3 - s4 *
+      (inverse_D3_p53 - inverse_D3_p42)) - inverse_D3_p59 * inverse_D2_p6;
+
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_11_11_p99 = c17 * Lambda_11_11_p87 + s17 * Lambda_11_11_p71_lanes[1];
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p9 = 0.02999999505 + inverse_D2_p8;
+
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_11_11_p100 = c17 * Lambda_11_11_p71_lanes[1] - s17 * Lambda_11_11_p87;
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p10 = 8.419374554 + (inverse_D3_p61 - inverse_D3_p59 * inverse_D2_p7);
+
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_11_11_p101 = c17 * Lambda_11_11_p89 + s17 * Lambda_11_11_p75_lanes[1];
+  const Real Lambda_11_11_p102 = c17 * Lambda_11_11_p75_lanes[1] - s17 * Lambda_11_11_p89;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_11_11_p103_lanes = detail::make_pack<Real>(s8, s15) *
+      Lambda_11_11_p91_lanes + detail::make_pack<Real>(c8, c15) * Lambda_11_11_p78;
+  const Lanes<2> Lambda_11_11_p105_lanes = detail::make_pack<Real>(s8, s15) * Lambda_11_11_p78 -
+      detail::make_pack<Real>(c8, c15) * Lambda_11_11_p91_lanes;
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D3_p62 = 1.7947593951550056 + 0.21799999999999997 *
+      (inverse_D3_p58 + inverse_D3_p61) - inverse_D3_p59 * inverse_D3_p60 +
+      (0.03561389675370483 + (inverse_D4_p12 - inverse_D4_p16)) * s4 * s4;
+
+  // link 18 (right_wrist1), pose
+  const Real Lambda_11_11_p107 = c18 * Lambda_11_11_p99 + s18 * Lambda_11_11_p88;
+  const Real Lambda_11_11_p108 = c18 * Lambda_11_11_p88 - s18 * Lambda_11_11_p99;
+
   // link 3 (hip), articulated inertia
-  const Real inverse_D1_p1 = 24.5839218 + 0.422 * inverse_D2_p22;
+  const Real inverse_D3 = 1.0 / inverse_D3_p62;
+
+  // link 18 (right_wrist1), pose
+  const Real Lambda_11_11_p109 = c18 * Lambda_11_11_p101 + s18 * Lambda_11_11_p90;
+  const Real Lambda_11_11_p110 = c18 * Lambda_11_11_p90 - s18 * Lambda_11_11_p101;
+
+  // link 16 (right_upperarm), pose
+  const Real Lambda_11_11_p111 = s16 * Lambda_11_11_p103_lanes[1] + c16 * Lambda_11_11_p93_lanes[1];
+  const Real Lambda_11_11_p112 = c16 * Lambda_11_11_p103_lanes[1] - s16 * Lambda_11_11_p93_lanes[1];
+
+  // link 19 (right_wrist2), pose
+  const Real Lambda_11_11_p113 = c19 * Lambda_11_11_p100 - s19 * Lambda_11_11_p107;
+  const Real Lambda_11_11_p114 = c19 * Lambda_11_11_p107 + s19 * Lambda_11_11_p100;
+  const Real Lambda_11_11_p115 = c19 * Lambda_11_11_p102 - s19 * Lambda_11_11_p109;
+  const Real Lambda_11_11_p116 = c19 * Lambda_11_11_p109 + s19 * Lambda_11_11_p102;
+
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_11_11_p117 = c17 * Lambda_11_11_p111 + s17 * Lambda_11_11_p105_lanes[1];
+  const Real Lambda_11_11_p118 = c17 * Lambda_11_11_p105_lanes[1] - s17 * Lambda_11_11_p111;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p11 = inverse_D2_p9 * inverse_D3;
+  const Real inverse_D2_p12 = inverse_D2_p10 * inverse_D3;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_11_11_p119_lanes = 0.00010499999999999999 / inverse_D8_p163_lanes;
+
+  // link 1 (calf), articulated inertia
+  const Real Lambda_11_11_p121 = Lambda_11_11_p67_lanes[1] * Lambda_11_11_p110 -
+      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p115;
+
+  // link 18 (right_wrist1), pose
+  const Real Lambda_11_11_p122 = c18 * Lambda_11_11_p117 + s18 * Lambda_11_11_p112;
+  const Real Lambda_11_11_p123 = c18 * Lambda_11_11_p112 - s18 * Lambda_11_11_p117;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p13 = inverse_D2_p10 * inverse_D2_p11 -
+      (inverse_D2_p3 - inverse_D2_p5 * inverse_D2_p6);
+  const Real inverse_D2_p14 = inverse_D3_p57 - inverse_D2_p5 * inverse_D2_p7 - inverse_D2_p10 *
+      inverse_D2_p12;
+  const Real inverse_D2_p15 = inverse_D3_p37 + inverse_D3_p50 - inverse_D2_p4 * inverse_D2_p6 -
+      inverse_D2_p9 * inverse_D2_p11;
+
+  // link 19 (right_wrist2), pose
+  const Real Lambda_11_11_p124 = c19 * Lambda_11_11_p118 - s19 * Lambda_11_11_p122;
+  const Real Lambda_11_11_p125 = c19 * Lambda_11_11_p122 + s19 * Lambda_11_11_p118;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_11_11_p134_lanes = inverse_D10_p10_lanes[1] *
+      detail::make_pack<Real>(Lambda_11_11_p125, Lambda_11_11_p125, Lambda_11_11_p114,
+      Lambda_11_11_p116, Lambda_11_11_p125, Lambda_11_11_p125, Lambda_11_11_p125,
+      Lambda_11_11_p125);
+  const Lanes<8> Lambda_11_11_p140_lanes = detail::make_pack<Real>(-(Lambda_11_11_p67_lanes[1] *
+      Lambda_11_11_p116), Lambda_11_11_p123, Lambda_11_11_p108, Lambda_11_11_p110,
+      -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p116),
+      -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p116),
+      -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p116),
+      -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p116)) + inverse_D12_p7_lanes[1] *
+      detail::make_pack<Real>(Lambda_11_11_p121, Lambda_11_11_p125, Lambda_11_11_p114,
+      Lambda_11_11_p116, Lambda_11_11_p121, Lambda_11_11_p121, Lambda_11_11_p121,
+      Lambda_11_11_p121);
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p148_lanes = -(inverse_D10_p11_lanes[1] *
+      detail::make_pack<Real>(Lambda_11_11_p125, Lambda_11_11_p125, Lambda_11_11_p114,
+      Lambda_11_11_p116, Lambda_11_11_p125, Lambda_11_11_p125, Lambda_11_11_p125,
+      Lambda_11_11_p125));
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p16 = Lambda_11_11_p1 * (inverse_D2_p14 - inverse_D2_p15) +
+      Lambda_11_11_p2 * (2.0 * inverse_D2_p13);
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p159_lanes = inverse_D10_p23_lanes[1] * Lambda_11_11_p140_lanes;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p17 = Lambda_11_11_p1 * inverse_D2_p16;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p166_lanes = detail::make_pack<Real>(Lambda_11_11_p115 +
+      inverse_D10_p10_lanes[1] * Lambda_11_11_p121, Lambda_11_11_p134_lanes[1],
+      Lambda_11_11_p134_lanes[2], Lambda_11_11_p134_lanes[3], Lambda_11_11_p115 +
+      inverse_D10_p10_lanes[1] * Lambda_11_11_p121, Lambda_11_11_p115 + inverse_D10_p10_lanes[1] *
+      Lambda_11_11_p121, Lambda_11_11_p115 + inverse_D10_p10_lanes[1] * Lambda_11_11_p121,
+      Lambda_11_11_p115 + inverse_D10_p10_lanes[1] * Lambda_11_11_p121) - inverse_D10_p22_lanes[1] *
+      Lambda_11_11_p140_lanes;
+  const Real Lambda_11_11_p170 = Lambda_11_11_p116 + inverse_D10_p23_lanes[1] *
+      Lambda_11_11_p140_lanes[0];
+  const Lanes<8> Lambda_11_11_p171_lanes = detail::make_pack<Real>(Lambda_11_11_p69_lanes[1] *
+      Lambda_11_11_p116, Lambda_11_11_p124, Lambda_11_11_p113, Lambda_11_11_p115,
+      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p116, Lambda_11_11_p69_lanes[1] * Lambda_11_11_p116,
+      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p116, Lambda_11_11_p69_lanes[1] *
+      Lambda_11_11_p116) + inverse_D11_p5_lanes[1] * detail::make_pack<Real>(Lambda_11_11_p121,
+      Lambda_11_11_p125, Lambda_11_11_p114, Lambda_11_11_p116, Lambda_11_11_p121, Lambda_11_11_p121,
+      Lambda_11_11_p121, Lambda_11_11_p121) - inverse_D11_p13_lanes[1] * Lambda_11_11_p140_lanes;
+  const Lanes<8> Lambda_11_11_p175_lanes = detail::make_pack<Real>(Lambda_11_11_p110 -
+      inverse_D10_p11_lanes[1] * Lambda_11_11_p121, Lambda_11_11_p148_lanes[1],
+      Lambda_11_11_p148_lanes[2], Lambda_11_11_p148_lanes[3], Lambda_11_11_p110 -
+      inverse_D10_p11_lanes[1] * Lambda_11_11_p121, Lambda_11_11_p110 - inverse_D10_p11_lanes[1] *
+      Lambda_11_11_p121, Lambda_11_11_p110 - inverse_D10_p11_lanes[1] * Lambda_11_11_p121,
+      Lambda_11_11_p110 - inverse_D10_p11_lanes[1] * Lambda_11_11_p121) - inverse_D10_p24_lanes[1] *
+      Lambda_11_11_p140_lanes;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p18 = Lambda_11_11_p2 * inverse_D2_p16 - inverse_D2_p13;
+  const Real inverse_D2_p19 = inverse_D2_p14 - inverse_D2_p17;
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p207_lanes = s19 * Lambda_11_11_p166_lanes - c19 *
+      detail::make_pack<Real>(Lambda_11_11_p170, Lambda_11_11_p159_lanes[1],
+      Lambda_11_11_p159_lanes[2], Lambda_11_11_p159_lanes[3], Lambda_11_11_p170, Lambda_11_11_p170,
+      Lambda_11_11_p170, Lambda_11_11_p170);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p211_lanes = -(c19 * Lambda_11_11_p171_lanes);
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p20 = inverse_D2_p1 * inverse_D2_p19 + inverse_D2_p2 * inverse_D2_p18;
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p251_lanes = 0.269 * Lambda_11_11_p175_lanes - s19 *
+      Lambda_11_11_p171_lanes - inverse_D10_p77_lanes[1] * Lambda_11_11_p211_lanes;
+  const Lanes<8> Lambda_11_11_p255_lanes = -Lambda_11_11_p207_lanes + inverse_D8_p16_lanes[1] *
+      Lambda_11_11_p211_lanes;
+  const Lanes<8> Lambda_11_11_p263_lanes = Lambda_11_11_p175_lanes - inverse_D8_p17_lanes[1] *
+      Lambda_11_11_p211_lanes;
+  const Lanes<8> Lambda_11_11_p267_lanes = -(s19 * detail::make_pack<Real>(Lambda_11_11_p170,
+      Lambda_11_11_p159_lanes[1], Lambda_11_11_p159_lanes[2], Lambda_11_11_p159_lanes[3],
+      Lambda_11_11_p170, Lambda_11_11_p170, Lambda_11_11_p170, Lambda_11_11_p170) + c19 *
+      Lambda_11_11_p166_lanes) - inverse_D8_p18_lanes[1] * Lambda_11_11_p211_lanes;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D1_p1 = inverse_D2_p20 - (0.031999971599999996 * s2 - 24.5839218 * c2);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p271_lanes = 0.269 * Lambda_11_11_p207_lanes -
+      inverse_D10_p78_lanes[1] * Lambda_11_11_p211_lanes;
+
+  // link 3 (hip), articulated inertia
+  const Real inverse_D2_p21 = 9.885744550888212 + (inverse_D2_p2 *
+      (inverse_D2_p1 * inverse_D2_p18 + inverse_D2_p2 * (inverse_D2_p15 + inverse_D2_p17)) +
+      inverse_D2_p1 * inverse_D2_p20);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p319_lanes = s18 * Lambda_11_11_p251_lanes + c18 *
+      Lambda_11_11_p271_lanes;
 
   // link 2 (thigh), articulated inertia
-  const Real inverse_D2 = 1.0 / (9.885744550888212 + 0.178084 * inverse_D2_p22);
+  const Real inverse_D2 = 1.0 / inverse_D2_p21;
 
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p496_lanes = c19 * Lambda_11_11_p440_lanes + s19 *
-      Lambda_11_11_p449_lanes;
-  const Real Lambda_11_11_p499 = s19 * Lambda_11_11_p447 - c19 * Lambda_11_11_p448;
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p502_lanes = -(c19 * Lambda_11_11_p458_lanes);
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p530_lanes = s19 * Lambda_11_11_p440_lanes - c19 *
-      Lambda_11_11_p449_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_11_11_p541_lanes = -(detail::make_pack<Real>(s12, s19) *
-      detail::make_pack<Real>(Lambda_11_11_p455_lanes[2], Lambda_11_11_p448) +
-      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_11_11_p452_lanes[2],
-      Lambda_11_11_p447));
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p543_lanes = 0.269 * Lambda_11_11_p465_lanes - s19 *
-      Lambda_11_11_p458_lanes - inverse_D10_p83_lanes[1] * Lambda_11_11_p502_lanes;
-  const Lanes<8> Lambda_11_11_p547_lanes = -detail::make_pack<Real>(Lambda_11_11_p499,
-      Lambda_11_11_p496_lanes[1], Lambda_11_11_p496_lanes[2], Lambda_11_11_p496_lanes[3],
-      Lambda_11_11_p499, Lambda_11_11_p499, Lambda_11_11_p499, Lambda_11_11_p499) +
-      inverse_D8_p16_lanes[1] * Lambda_11_11_p502_lanes;
-  const Lanes<8> Lambda_11_11_p551_lanes = Lambda_11_11_p465_lanes - inverse_D8_p17_lanes[1] *
-      Lambda_11_11_p502_lanes;
-  const Lanes<8> Lambda_11_11_p559_lanes = 0.269 * detail::make_pack<Real>(Lambda_11_11_p499,
-      Lambda_11_11_p496_lanes[1], Lambda_11_11_p496_lanes[2], Lambda_11_11_p496_lanes[3],
-      Lambda_11_11_p499, Lambda_11_11_p499, Lambda_11_11_p499, Lambda_11_11_p499) -
-      inverse_D10_p84_lanes[1] * Lambda_11_11_p502_lanes;
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p339_lanes = inverse_D9_p7_lanes[1] * Lambda_11_11_p319_lanes;
+  const Lanes<8> Lambda_11_11_p347_lanes = c18 * Lambda_11_11_p251_lanes - s18 *
+      Lambda_11_11_p271_lanes - inverse_D9_p9_lanes[1] * Lambda_11_11_p319_lanes;
+  const Lanes<8> Lambda_11_11_p351_lanes = -Lambda_11_11_p267_lanes - inverse_D8_p81_lanes[1] *
+      Lambda_11_11_p319_lanes;
+  const Lanes<8> Lambda_11_11_p355_lanes = c18 * Lambda_11_11_p255_lanes - s18 *
+      Lambda_11_11_p263_lanes - inverse_D8_p80_lanes[1] * Lambda_11_11_p319_lanes;
+  const Lanes<8> Lambda_11_11_p367_lanes = s18 * Lambda_11_11_p255_lanes + c18 *
+      Lambda_11_11_p263_lanes - inverse_D8_p82_lanes[1] * Lambda_11_11_p319_lanes;
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D1_p2 = inverse_D1_p1 * inverse_D2;
 
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p607_lanes = s18 * Lambda_11_11_p543_lanes + c18 *
-      Lambda_11_11_p559_lanes;
-
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p627_lanes = inverse_D9_p7_lanes[1] * Lambda_11_11_p607_lanes;
-  const Lanes<8> Lambda_11_11_p635_lanes = c18 * Lambda_11_11_p543_lanes - s18 *
-      Lambda_11_11_p559_lanes - inverse_D9_p9_lanes[1] * Lambda_11_11_p607_lanes;
-  const Lanes<8> Lambda_11_11_p639_lanes = -(detail::make_pack<Real>(Lambda_11_11_p541_lanes[1],
-      Lambda_11_11_p530_lanes[1], Lambda_11_11_p530_lanes[2], Lambda_11_11_p530_lanes[3],
-      Lambda_11_11_p541_lanes[1], Lambda_11_11_p541_lanes[1], Lambda_11_11_p541_lanes[1],
-      Lambda_11_11_p541_lanes[1]) - inverse_D8_p18_lanes[1] * Lambda_11_11_p502_lanes) -
-      inverse_D8_p81_lanes[1] * Lambda_11_11_p607_lanes;
-  const Lanes<8> Lambda_11_11_p643_lanes = c18 * Lambda_11_11_p547_lanes - s18 *
-      Lambda_11_11_p551_lanes - inverse_D8_p80_lanes[1] * Lambda_11_11_p607_lanes;
-  const Lanes<8> Lambda_11_11_p655_lanes = s18 * Lambda_11_11_p547_lanes + c18 *
-      Lambda_11_11_p551_lanes - inverse_D8_p82_lanes[1] * Lambda_11_11_p607_lanes;
-  const Lanes<8> Lambda_11_11_p687_lanes = c17 * Lambda_11_11_p627_lanes - s17 *
-      Lambda_11_11_p635_lanes;
-  const Lanes<8> Lambda_11_11_p691_lanes = s17 * Lambda_11_11_p639_lanes - c17 *
-      Lambda_11_11_p643_lanes;
+  const Lanes<8> Lambda_11_11_p399_lanes = c17 * Lambda_11_11_p339_lanes - s17 *
+      Lambda_11_11_p347_lanes;
+  const Lanes<8> Lambda_11_11_p403_lanes = s17 * Lambda_11_11_p351_lanes - c17 *
+      Lambda_11_11_p355_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p703_lanes = inverse_D8_p149_lanes[1] * Lambda_11_11_p687_lanes;
-  const Lanes<8> Lambda_11_11_p739_lanes = c17 * Lambda_11_11_p635_lanes + s17 *
-      Lambda_11_11_p627_lanes + 0.282 * Lambda_11_11_p655_lanes - Lambda_11_11_p703_lanes;
-  const Lanes<8> Lambda_11_11_p743_lanes = 0.282 * Lambda_11_11_p691_lanes -
-      inverse_D8_p150_lanes[1] * Lambda_11_11_p687_lanes;
-  const Lanes<8> Lambda_11_11_p747_lanes = -Lambda_11_11_p691_lanes + inverse_D6_p31_lanes[1] *
-      Lambda_11_11_p687_lanes;
-  const Lanes<8> Lambda_11_11_p751_lanes = Lambda_11_11_p655_lanes - inverse_D6_p33_lanes[1] *
-      Lambda_11_11_p687_lanes;
-  const Lanes<8> Lambda_11_11_p755_lanes = -(s17 * Lambda_11_11_p643_lanes + c17 *
-      Lambda_11_11_p639_lanes) + inverse_D6_p35_lanes[1] * Lambda_11_11_p687_lanes;
-  const Lanes<8> Lambda_11_11_p795_lanes = c16 * Lambda_11_11_p739_lanes - s16 *
-      Lambda_11_11_p743_lanes;
+  const Lanes<8> Lambda_11_11_p415_lanes = inverse_D8_p149_lanes[1] * Lambda_11_11_p399_lanes;
+  const Lanes<8> Lambda_11_11_p451_lanes = c17 * Lambda_11_11_p347_lanes + s17 *
+      Lambda_11_11_p339_lanes + 0.282 * Lambda_11_11_p367_lanes - Lambda_11_11_p415_lanes;
+  const Lanes<8> Lambda_11_11_p455_lanes = 0.282 * Lambda_11_11_p403_lanes -
+      inverse_D8_p150_lanes[1] * Lambda_11_11_p399_lanes;
+  const Lanes<8> Lambda_11_11_p459_lanes = -Lambda_11_11_p403_lanes + inverse_D6_p31_lanes[1] *
+      Lambda_11_11_p399_lanes;
+  const Lanes<8> Lambda_11_11_p463_lanes = Lambda_11_11_p367_lanes - inverse_D6_p33_lanes[1] *
+      Lambda_11_11_p399_lanes;
+  const Lanes<8> Lambda_11_11_p467_lanes = -(s17 * Lambda_11_11_p355_lanes + c17 *
+      Lambda_11_11_p351_lanes) + inverse_D6_p35_lanes[1] * Lambda_11_11_p399_lanes;
+  const Lanes<8> Lambda_11_11_p507_lanes = c16 * Lambda_11_11_p451_lanes - s16 *
+      Lambda_11_11_p455_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p815_lanes = Lambda_11_11_p402_lanes[1] * Lambda_11_11_p795_lanes;
-  const Lanes<8> Lambda_11_11_p831_lanes = s16 * Lambda_11_11_p739_lanes + c16 *
-      Lambda_11_11_p743_lanes - inverse_D7_p8_lanes[1] * Lambda_11_11_p795_lanes;
-  const Lanes<8> Lambda_11_11_p839_lanes = -Lambda_11_11_p755_lanes + inverse_D6_p161_lanes[1] *
-      Lambda_11_11_p795_lanes;
-  const Lanes<8> Lambda_11_11_p843_lanes = s16 * Lambda_11_11_p747_lanes + c16 *
-      Lambda_11_11_p751_lanes - inverse_D6_p163_lanes[1] * Lambda_11_11_p795_lanes;
+  const Lanes<8> Lambda_11_11_p527_lanes = Lambda_11_11_p119_lanes[1] * Lambda_11_11_p507_lanes;
+  const Lanes<8> Lambda_11_11_p543_lanes = s16 * Lambda_11_11_p451_lanes + c16 *
+      Lambda_11_11_p455_lanes - inverse_D7_p8_lanes[1] * Lambda_11_11_p507_lanes;
+  const Lanes<8> Lambda_11_11_p551_lanes = s16 * Lambda_11_11_p459_lanes + c16 *
+      Lambda_11_11_p463_lanes - inverse_D6_p163_lanes[1] * Lambda_11_11_p507_lanes;
+  const Lanes<8> Lambda_11_11_p555_lanes = -Lambda_11_11_p467_lanes + inverse_D6_p161_lanes[1] *
+      Lambda_11_11_p507_lanes;
 
-  // link 3 (hip), articulated inertia
-  const Real inverse_D1_p3 = c3 * inverse_D2_p20 - inverse_D2_p17;
+  // link 1 (calf), articulated inertia
+  const Real Lambda_11_11_p591 = Lambda_11_11_p67_lanes[1] * Lambda_11_11_p108 -
+      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p113;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p879_lanes = s15 * Lambda_11_11_p815_lanes + c15 *
-      Lambda_11_11_p831_lanes;
-
-  // link 2 (thigh), articulated inertia
-  const Real inverse_D1_p4 = inverse_D2_p22 - inverse_D1_p1 * inverse_D1_p2;
+  const Lanes<8> Lambda_11_11_p592_lanes = s15 * Lambda_11_11_p527_lanes + c15 *
+      Lambda_11_11_p543_lanes;
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p899_lanes = inverse_D6_p294_lanes[1] * Lambda_11_11_p879_lanes;
-
-  // link 3 (hip), articulated inertia
-  const Real inverse_D1_p5 = 0.031999971599999996 + 0.422 * inverse_D1_p3;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p911_lanes = Lambda_11_11_p475_lanes[1] * Lambda_11_11_p879_lanes;
-
-  // link 2 (thigh), articulated inertia
-  const Real inverse_D1_p6 = inverse_D1_p5 * inverse_D2;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p915_lanes = c15 * Lambda_11_11_p839_lanes - s15 *
-      Lambda_11_11_p843_lanes - inverse_D6_p292_lanes[1] * Lambda_11_11_p879_lanes;
-  const Lanes<8> Lambda_11_11_p919_lanes = c16 * Lambda_11_11_p747_lanes - s16 *
-      Lambda_11_11_p751_lanes - inverse_D6_p165_lanes[1] * Lambda_11_11_p795_lanes -
-      Lambda_11_11_p899_lanes;
-  const Lanes<8> Lambda_11_11_p923_lanes = s15 * Lambda_11_11_p839_lanes + c15 *
-      Lambda_11_11_p843_lanes - inverse_D6_p299_lanes[1] * Lambda_11_11_p879_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p927 = 0.49024375482668536 * Lambda_11_11_p244_lanes[1];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p928_lanes = c15 * Lambda_11_11_p815_lanes - s15 *
-      Lambda_11_11_p831_lanes - inverse_D6_p332_lanes[1] * Lambda_11_11_p879_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p968 = -(0.086 * Lambda_11_11_p187) - (-0.004018575007348824) *
-      Lambda_11_11_p244_lanes[1];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p969_lanes = s14 * Lambda_11_11_p919_lanes + c14 *
-      Lambda_11_11_p915_lanes;
-  const Lanes<8> Lambda_11_11_p981_lanes = c14 * Lambda_11_11_p919_lanes - s14 *
-      Lambda_11_11_p915_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p989 = s20 * Lambda_11_11_p259_lanes[1] + c20 * Lambda_11_11_p968;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p994_lanes = 0.226 * Lambda_11_11_p923_lanes + (-0.18) *
-      Lambda_11_11_p969_lanes;
-
-  // link 2 (thigh), articulated inertia
-  const Real inverse_D1_p7 = s2 * (inverse_D1_p4 - (inverse_D2_p19 + inverse_D2_p21 -
-      inverse_D1_p5 * inverse_D1_p6)) + c2 * (2.0 * (inverse_D1_p3 - inverse_D1_p1 *
-      inverse_D1_p6));
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p1010 = c20 * Lambda_11_11_p295_lanes[1] + s20 * Lambda_11_11_p927 -
-      inverse_D10_p28_lanes[1] * Lambda_11_11_p989;
-  const Real Lambda_11_11_p1011 = Lambda_11_11_p187 - inverse_D10_p29_lanes[1] * Lambda_11_11_p989;
-  const Real Lambda_11_11_p1012 = c20 * Lambda_11_11_p259_lanes[1] - s20 * Lambda_11_11_p968 -
-      inverse_D11_p4_lanes[1] * Lambda_11_11_p989;
-  const Real Lambda_11_11_p1013 = s20 * Lambda_11_11_p295_lanes[1] - c20 * Lambda_11_11_p927 -
-      inverse_D10_p30_lanes[1] * Lambda_11_11_p989;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p1014_lanes = -(c14 * Lambda_11_11_p911_lanes + s14 *
-      Lambda_11_11_p928_lanes + Lambda_11_11_p994_lanes);
-  const Lanes<8> Lambda_11_11_p1018_lanes = inverse_D5_p73 * Lambda_11_11_p1014_lanes;
-  const Lanes<8> Lambda_11_11_p1038_lanes = (-0.18) * Lambda_11_11_p981_lanes -
-      (s14 * Lambda_11_11_p911_lanes - c14 * Lambda_11_11_p928_lanes) - Lambda_11_11_p1018_lanes;
-  const Lanes<8> Lambda_11_11_p1042_lanes = 0.226 * Lambda_11_11_p981_lanes - inverse_D5_p72 *
-      Lambda_11_11_p1014_lanes;
-  const Lanes<8> Lambda_11_11_p1046_lanes = Lambda_11_11_p981_lanes - inverse_D5_p71 *
-      Lambda_11_11_p1014_lanes;
-  const Lanes<8> Lambda_11_11_p1050_lanes = Lambda_11_11_p969_lanes + inverse_D4_p15 *
-      Lambda_11_11_p1014_lanes;
-  const Lanes<8> Lambda_11_11_p1054_lanes = Lambda_11_11_p923_lanes - inverse_D4_p16 *
-      Lambda_11_11_p1014_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p1058 = s19 * Lambda_11_11_p1010 - c19 * Lambda_11_11_p1011;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p1059 = -(c19 * Lambda_11_11_p1012);
-  const Real Lambda_11_11_p1084 = 0.269 * Lambda_11_11_p1013 - s19 * Lambda_11_11_p1012 -
-      inverse_D10_p83_lanes[1] * Lambda_11_11_p1059;
-  const Real Lambda_11_11_p1085 = -Lambda_11_11_p1058 + inverse_D8_p16_lanes[1] *
-      Lambda_11_11_p1059;
-  const Real Lambda_11_11_p1094 = Lambda_11_11_p1013 - inverse_D8_p17_lanes[1] * Lambda_11_11_p1059;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p1105 = 0.49024375482668536 * Lambda_11_11_p283_lanes[1];
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p1110 = 0.269 * Lambda_11_11_p1058 - inverse_D10_p84_lanes[1] *
-      Lambda_11_11_p1059;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_11_11_p1111_lanes = -(detail::make_pack<Real>(s12, s19) *
-      detail::make_pack<Real>(Lambda_11_11_p455_lanes[1], Lambda_11_11_p1011) +
-      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_11_11_p452_lanes[1],
-      Lambda_11_11_p1010));
+  const Lanes<8> Lambda_11_11_p608_lanes = inverse_D6_p294_lanes[1] * Lambda_11_11_p592_lanes;
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
-      (inverse_D1_p4 - s2 * inverse_D1_p7));
+      (inverse_D2_p19 - inverse_D1_p1 * inverse_D1_p2));
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p624_lanes = Lambda_11_11_p3_lanes[1] * Lambda_11_11_p592_lanes;
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p1113 = -(0.086 * Lambda_11_11_p243) - (-0.004018575007348824) *
-      Lambda_11_11_p283_lanes[1];
+  const Real Lambda_11_11_p628 = -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p114) +
+      inverse_D12_p7_lanes[1] * Lambda_11_11_p591;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p629_lanes = c16 * Lambda_11_11_p459_lanes - s16 *
+      Lambda_11_11_p463_lanes - inverse_D6_p165_lanes[1] * Lambda_11_11_p507_lanes -
+      Lambda_11_11_p608_lanes;
+  const Lanes<8> Lambda_11_11_p633_lanes = c15 * Lambda_11_11_p555_lanes - s15 *
+      Lambda_11_11_p551_lanes - inverse_D6_p292_lanes[1] * Lambda_11_11_p592_lanes;
+  const Lanes<8> Lambda_11_11_p637_lanes = c15 * Lambda_11_11_p527_lanes - s15 *
+      Lambda_11_11_p543_lanes - inverse_D6_p332_lanes[1] * Lambda_11_11_p592_lanes;
+  const Lanes<8> Lambda_11_11_p641_lanes = s15 * Lambda_11_11_p555_lanes + c15 *
+      Lambda_11_11_p551_lanes - inverse_D6_p299_lanes[1] * Lambda_11_11_p592_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_11_11_p681 = Lambda_11_11_p113 + inverse_D10_p10_lanes[1] * Lambda_11_11_p591 -
+      inverse_D10_p22_lanes[1] * Lambda_11_11_p628;
+  const Real Lambda_11_11_p682 = Lambda_11_11_p114 + inverse_D10_p23_lanes[1] * Lambda_11_11_p628;
+  const Real Lambda_11_11_p683 = Lambda_11_11_p69_lanes[1] * Lambda_11_11_p114 +
+      inverse_D11_p5_lanes[1] * Lambda_11_11_p591 - inverse_D11_p13_lanes[1] * Lambda_11_11_p628;
+  const Real Lambda_11_11_p684 = Lambda_11_11_p108 - inverse_D10_p11_lanes[1] * Lambda_11_11_p591 -
+      inverse_D10_p24_lanes[1] * Lambda_11_11_p628;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p685_lanes = s14 * Lambda_11_11_p629_lanes + c14 *
+      Lambda_11_11_p633_lanes;
+  const Lanes<8> Lambda_11_11_p693_lanes = c14 * Lambda_11_11_p629_lanes - s14 *
+      Lambda_11_11_p633_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_11_11_p705 = s19 * Lambda_11_11_p681 - c19 * Lambda_11_11_p682;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p706 = -(c19 * Lambda_11_11_p683);
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p707_lanes = 0.226 * Lambda_11_11_p641_lanes + (-0.18) *
+      Lambda_11_11_p685_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p719 = 0.269 * Lambda_11_11_p684 - s19 * Lambda_11_11_p683 -
+      inverse_D10_p77_lanes[1] * Lambda_11_11_p706;
+  const Real Lambda_11_11_p720 = -Lambda_11_11_p705 + inverse_D8_p16_lanes[1] * Lambda_11_11_p706;
+  const Real Lambda_11_11_p721 = Lambda_11_11_p684 - inverse_D8_p17_lanes[1] * Lambda_11_11_p706;
+  const Real Lambda_11_11_p730 = 0.269 * Lambda_11_11_p705 - inverse_D10_p78_lanes[1] *
+      Lambda_11_11_p706;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p1114_lanes = s6 * Lambda_11_11_p1038_lanes + c6 *
-      Lambda_11_11_p1042_lanes + 0.072 * Lambda_11_11_p1046_lanes;
-  const Lanes<8> Lambda_11_11_p1118_lanes = s6 * Lambda_11_11_p1050_lanes + c6 *
-      Lambda_11_11_p1054_lanes;
+  const Lanes<8> Lambda_11_11_p731_lanes = -(c14 * Lambda_11_11_p624_lanes + s14 *
+      Lambda_11_11_p637_lanes + Lambda_11_11_p707_lanes);
+  const Lanes<8> Lambda_11_11_p735_lanes = inverse_D5_p73 * Lambda_11_11_p731_lanes;
+
+  // link 1 (calf), articulated inertia
+  const Real Lambda_11_11_p755 = Lambda_11_11_p67_lanes[1] * Lambda_11_11_p123 -
+      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p124;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p756_lanes = (-0.18) * Lambda_11_11_p693_lanes -
+      (s14 * Lambda_11_11_p624_lanes - c14 * Lambda_11_11_p637_lanes) - Lambda_11_11_p735_lanes;
+  const Lanes<8> Lambda_11_11_p760_lanes = 0.226 * Lambda_11_11_p693_lanes - inverse_D5_p72 *
+      Lambda_11_11_p731_lanes;
 
   // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p1130 = s18 * Lambda_11_11_p1084 + c18 * Lambda_11_11_p1110;
+  const Real Lambda_11_11_p764 = s18 * Lambda_11_11_p719 + c18 * Lambda_11_11_p730;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p765_lanes = Lambda_11_11_p693_lanes - inverse_D5_p71 *
+      Lambda_11_11_p731_lanes;
+  const Lanes<8> Lambda_11_11_p769_lanes = Lambda_11_11_p685_lanes + inverse_D3_p14 *
+      Lambda_11_11_p731_lanes;
+  const Lanes<8> Lambda_11_11_p773_lanes = Lambda_11_11_p641_lanes - inverse_D3_p15 *
+      Lambda_11_11_p731_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1155 = inverse_D9_p7_lanes[1] * Lambda_11_11_p1130;
+  const Real Lambda_11_11_p777 = inverse_D9_p7_lanes[1] * Lambda_11_11_p764;
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p1156 = s20 * Lambda_11_11_p313_lanes[1] + c20 * Lambda_11_11_p1113;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p1161_lanes = -(0.072 * Lambda_11_11_p1118_lanes) + inverse_D4_p39 *
-      Lambda_11_11_p1114_lanes;
-  const Lanes<8> Lambda_11_11_p1165_lanes = c6 * Lambda_11_11_p1038_lanes - s6 *
-      Lambda_11_11_p1042_lanes - inverse_D4_p40 * Lambda_11_11_p1114_lanes;
-  const Lanes<8> Lambda_11_11_p1169_lanes = c6 * Lambda_11_11_p1050_lanes - s6 *
-      Lambda_11_11_p1054_lanes - inverse_D3_p7 * Lambda_11_11_p1114_lanes;
-  const Lanes<8> Lambda_11_11_p1173_lanes = Lambda_11_11_p1046_lanes - inverse_D3_p6 *
-      Lambda_11_11_p1114_lanes;
-  const Lanes<8> Lambda_11_11_p1177_lanes = Lambda_11_11_p1118_lanes - inverse_D3_p8 *
-      Lambda_11_11_p1114_lanes;
+  const Real Lambda_11_11_p806 = -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p125) +
+      inverse_D12_p7_lanes[1] * Lambda_11_11_p755;
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1181 = c18 * Lambda_11_11_p1084 - s18 * Lambda_11_11_p1110 -
-      inverse_D9_p9_lanes[1] * Lambda_11_11_p1130;
-  const Real Lambda_11_11_p1182 = c18 * Lambda_11_11_p1085 - s18 * Lambda_11_11_p1094 -
-      inverse_D8_p80_lanes[1] * Lambda_11_11_p1130;
-  const Real Lambda_11_11_p1183 = -(Lambda_11_11_p1111_lanes[1] - inverse_D8_p18_lanes[1] *
-      Lambda_11_11_p1059) - inverse_D8_p81_lanes[1] * Lambda_11_11_p1130;
-  const Real Lambda_11_11_p1184 = s18 * Lambda_11_11_p1085 + c18 * Lambda_11_11_p1094 -
-      inverse_D8_p82_lanes[1] * Lambda_11_11_p1130;
+  const Real Lambda_11_11_p807 = c18 * Lambda_11_11_p719 - s18 * Lambda_11_11_p730 -
+      inverse_D9_p9_lanes[1] * Lambda_11_11_p764;
+  const Real Lambda_11_11_p808 = c18 * Lambda_11_11_p720 - s18 * Lambda_11_11_p721 -
+      inverse_D8_p80_lanes[1] * Lambda_11_11_p764;
+  const Real Lambda_11_11_p809 = -(-(s19 * Lambda_11_11_p682 + c19 * Lambda_11_11_p681) -
+      inverse_D8_p18_lanes[1] * Lambda_11_11_p706) - inverse_D8_p81_lanes[1] * Lambda_11_11_p764;
+  const Real Lambda_11_11_p810 = s18 * Lambda_11_11_p720 + c18 * Lambda_11_11_p721 -
+      inverse_D8_p82_lanes[1] * Lambda_11_11_p764;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p819_lanes = s6 * Lambda_11_11_p756_lanes + c6 *
+      Lambda_11_11_p760_lanes + 0.072 * Lambda_11_11_p765_lanes;
+  const Lanes<8> Lambda_11_11_p831_lanes = s6 * Lambda_11_11_p769_lanes + c6 *
+      Lambda_11_11_p773_lanes;
 
   // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p1209 = c20 * Lambda_11_11_p357_lanes[1] + s20 * Lambda_11_11_p1105 -
-      inverse_D10_p28_lanes[1] * Lambda_11_11_p1156;
-  const Real Lambda_11_11_p1210 = Lambda_11_11_p243 - inverse_D10_p29_lanes[1] * Lambda_11_11_p1156;
-  const Real Lambda_11_11_p1211 = c20 * Lambda_11_11_p313_lanes[1] - s20 * Lambda_11_11_p1113 -
-      inverse_D11_p4_lanes[1] * Lambda_11_11_p1156;
-  const Real Lambda_11_11_p1212 = s20 * Lambda_11_11_p357_lanes[1] - c20 * Lambda_11_11_p1105 -
-      inverse_D10_p30_lanes[1] * Lambda_11_11_p1156;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p1229_lanes = s5 * Lambda_11_11_p1169_lanes - c5 *
-      Lambda_11_11_p1173_lanes;
+  const Real Lambda_11_11_p835 = Lambda_11_11_p124 + inverse_D10_p10_lanes[1] * Lambda_11_11_p755 -
+      inverse_D10_p22_lanes[1] * Lambda_11_11_p806;
+  const Real Lambda_11_11_p836 = Lambda_11_11_p125 + inverse_D10_p23_lanes[1] * Lambda_11_11_p806;
+  const Real Lambda_11_11_p837 = Lambda_11_11_p69_lanes[1] * Lambda_11_11_p125 +
+      inverse_D11_p5_lanes[1] * Lambda_11_11_p755 - inverse_D11_p13_lanes[1] * Lambda_11_11_p806;
+  const Real Lambda_11_11_p838 = Lambda_11_11_p123 - inverse_D10_p11_lanes[1] * Lambda_11_11_p755 -
+      inverse_D10_p24_lanes[1] * Lambda_11_11_p806;
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1233 = c17 * Lambda_11_11_p1155 - s17 * Lambda_11_11_p1181;
-  const Real Lambda_11_11_p1234 = s17 * Lambda_11_11_p1183 - c17 * Lambda_11_11_p1182;
+  const Real Lambda_11_11_p839 = c17 * Lambda_11_11_p777 - s17 * Lambda_11_11_p807;
+  const Real Lambda_11_11_p840 = s17 * Lambda_11_11_p809 - c17 * Lambda_11_11_p808;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p861_lanes = c6 * Lambda_11_11_p769_lanes - s6 *
+      Lambda_11_11_p773_lanes - inverse_D3_p35 * Lambda_11_11_p819_lanes;
+  const Lanes<8> Lambda_11_11_p865_lanes = Lambda_11_11_p765_lanes - inverse_D3_p34 *
+      Lambda_11_11_p819_lanes;
+  const Lanes<8> Lambda_11_11_p881_lanes = -(0.072 * Lambda_11_11_p831_lanes) + inverse_D4_p10 *
+      Lambda_11_11_p819_lanes;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_11_11_p885 = s19 * Lambda_11_11_p835 - c19 * Lambda_11_11_p836;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p892 = -(c19 * Lambda_11_11_p837);
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p905 = c17 * Lambda_11_11_p807 + s17 * Lambda_11_11_p777 + 0.282 *
+      Lambda_11_11_p810 - inverse_D8_p149_lanes[1] * Lambda_11_11_p839;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<8> Lambda_11_11_p906_lanes = s9 * detail::make_pack<Real>(Lambda_11_11_p103_lanes[0],
+      Lambda_11_11_p65_lanes[0], Lambda_11_11_p73_lanes[0], Lambda_11_11_p103_lanes[0],
+      Lambda_11_11_p103_lanes[0], Lambda_11_11_p103_lanes[0], Lambda_11_11_p103_lanes[0],
+      Lambda_11_11_p103_lanes[0]) + c9 * detail::make_pack<Real>(Lambda_11_11_p93_lanes[0],
+      Lambda_11_11_p45_lanes[0], Lambda_11_11_p49_lanes[0], Lambda_11_11_p93_lanes[0],
+      Lambda_11_11_p93_lanes[0], Lambda_11_11_p93_lanes[0], Lambda_11_11_p93_lanes[0],
+      Lambda_11_11_p93_lanes[0]);
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p909 = 0.269 * Lambda_11_11_p838 - s19 * Lambda_11_11_p837 -
+      inverse_D10_p77_lanes[1] * Lambda_11_11_p892;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p910 = 0.282 * Lambda_11_11_p840 - inverse_D8_p150_lanes[1] *
+      Lambda_11_11_p839;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p919_lanes = c6 * Lambda_11_11_p756_lanes - s6 *
+      Lambda_11_11_p760_lanes - inverse_D4_p11 * Lambda_11_11_p819_lanes;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<8> Lambda_11_11_p931_lanes = c9 * detail::make_pack<Real>(Lambda_11_11_p103_lanes[0],
+      Lambda_11_11_p65_lanes[0], Lambda_11_11_p73_lanes[0], Lambda_11_11_p103_lanes[0],
+      Lambda_11_11_p103_lanes[0], Lambda_11_11_p103_lanes[0], Lambda_11_11_p103_lanes[0],
+      Lambda_11_11_p103_lanes[0]) - s9 * detail::make_pack<Real>(Lambda_11_11_p93_lanes[0],
+      Lambda_11_11_p45_lanes[0], Lambda_11_11_p49_lanes[0], Lambda_11_11_p93_lanes[0],
+      Lambda_11_11_p93_lanes[0], Lambda_11_11_p93_lanes[0], Lambda_11_11_p93_lanes[0],
+      Lambda_11_11_p93_lanes[0]);
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p934 = -Lambda_11_11_p885 + inverse_D8_p16_lanes[1] * Lambda_11_11_p892;
+  const Real Lambda_11_11_p935 = Lambda_11_11_p838 - inverse_D8_p17_lanes[1] * Lambda_11_11_p892;
+  const Real Lambda_11_11_p942 = 0.269 * Lambda_11_11_p885 - inverse_D10_p78_lanes[1] *
+      Lambda_11_11_p892;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<8> Lambda_11_11_p949_lanes = c10 * Lambda_11_11_p906_lanes + s10 *
+      detail::make_pack<Real>(Lambda_11_11_p105_lanes[0], Lambda_11_11_p71_lanes[0],
+      Lambda_11_11_p75_lanes[0], Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0],
+      Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0]);
+  const Lanes<8> Lambda_11_11_p952_lanes = c10 * detail::make_pack<Real>(Lambda_11_11_p105_lanes[0],
+      Lambda_11_11_p71_lanes[0], Lambda_11_11_p75_lanes[0], Lambda_11_11_p105_lanes[0],
+      Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0],
+      Lambda_11_11_p105_lanes[0]) - s10 * Lambda_11_11_p906_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p959 = c16 * Lambda_11_11_p905 - s16 * Lambda_11_11_p910;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p964_lanes = s4 * (Lambda_11_11_p831_lanes - inverse_D3_p36 *
+      Lambda_11_11_p819_lanes);
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p996 = s18 * Lambda_11_11_p909 + c18 * Lambda_11_11_p942;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p997 = Lambda_11_11_p119_lanes[1] * Lambda_11_11_p959;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<8> Lambda_11_11_p1014_lanes = c11 * Lambda_11_11_p949_lanes + s11 *
+      Lambda_11_11_p931_lanes;
+  const Lanes<8> Lambda_11_11_p1017_lanes = c11 * Lambda_11_11_p931_lanes - s11 *
+      Lambda_11_11_p949_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p1020 = inverse_D9_p7_lanes[1] * Lambda_11_11_p996;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p1021 = s16 * Lambda_11_11_p905 + c16 * Lambda_11_11_p910 -
+      inverse_D7_p8_lanes[1] * Lambda_11_11_p959;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p1022_lanes = c4 * (s5 * Lambda_11_11_p861_lanes - c5 *
+      Lambda_11_11_p865_lanes) + Lambda_11_11_p964_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1239_lanes = -(s5 * Lambda_11_11_p1161_lanes + c5 *
-      Lambda_11_11_p1165_lanes);
+  const Lanes<8> Lambda_11_11_p1030_lanes = -(s5 * Lambda_11_11_p881_lanes + c5 *
+      Lambda_11_11_p919_lanes);
 
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p1263 = s19 * Lambda_11_11_p1209 - c19 * Lambda_11_11_p1210;
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p1051 = c18 * Lambda_11_11_p909 - s18 * Lambda_11_11_p942 -
+      inverse_D9_p9_lanes[1] * Lambda_11_11_p996;
+  const Real Lambda_11_11_p1052 = c18 * Lambda_11_11_p934 - s18 * Lambda_11_11_p935 -
+      inverse_D8_p80_lanes[1] * Lambda_11_11_p996;
+  const Real Lambda_11_11_p1057 = -(-(s19 * Lambda_11_11_p836 + c19 * Lambda_11_11_p835) -
+      inverse_D8_p18_lanes[1] * Lambda_11_11_p892) - inverse_D8_p81_lanes[1] * Lambda_11_11_p996;
+  const Real Lambda_11_11_p1058 = s18 * Lambda_11_11_p934 + c18 * Lambda_11_11_p935 -
+      inverse_D8_p82_lanes[1] * Lambda_11_11_p996;
 
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p1270 = -(c19 * Lambda_11_11_p1211);
+  // link 12 (left_wrist2), pose
+  const Lanes<8> Lambda_11_11_p1071_lanes = c12 * Lambda_11_11_p952_lanes - s12 *
+      Lambda_11_11_p1014_lanes;
+  const Lanes<8> Lambda_11_11_p1074_lanes = c12 * Lambda_11_11_p1014_lanes + s12 *
+      Lambda_11_11_p952_lanes;
 
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1295_lanes = inverse_D10_p29_lanes[0] * Lambda_11_11_p416_lanes;
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p1077 = s15 * Lambda_11_11_p997 + c15 * Lambda_11_11_p1021;
 
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p1301 = 0.269 * Lambda_11_11_p1212 - s19 * Lambda_11_11_p1211 -
-      inverse_D10_p83_lanes[1] * Lambda_11_11_p1270;
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p1082_lanes = -(s5 * Lambda_11_11_p865_lanes + c5 *
+      Lambda_11_11_p861_lanes) - inverse_D2_p6 * Lambda_11_11_p1030_lanes;
+
+  // link 1 (calf), articulated inertia
+  const Lanes<8> Lambda_11_11_p1092_lanes = Lambda_11_11_p69_lanes[0] * Lambda_11_11_p1074_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p1095 = c17 * Lambda_11_11_p1020 - s17 * Lambda_11_11_p1051;
+  const Real Lambda_11_11_p1096 = s17 * Lambda_11_11_p1057 - c17 * Lambda_11_11_p1052;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p1097_lanes = s4 * (s5 * Lambda_11_11_p919_lanes - c5 *
+      Lambda_11_11_p881_lanes) + 0.21799999999999997 * Lambda_11_11_p1022_lanes;
+
+  // link 1 (calf), articulated inertia
+  const Lanes<8> Lambda_11_11_p1105_lanes = Lambda_11_11_p67_lanes[0] * Lambda_11_11_p1017_lanes -
+      Lambda_11_11_p69_lanes[0] * Lambda_11_11_p1071_lanes;
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_11_11_p1302_lanes = s13 *
-      detail::make_pack<Real>(Lambda_11_11_p357_lanes[0], Lambda_11_11_p295_lanes[0],
-      Lambda_11_11_p357_lanes[0], Lambda_11_11_p271_lanes[3], Lambda_11_11_p271_lanes[4],
-      Lambda_11_11_p271_lanes[5], Lambda_11_11_p357_lanes[0], Lambda_11_11_p357_lanes[0]) - c13 *
-      Lambda_11_11_p320_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> Lambda_11_11_p1313_lanes = -(detail::make_pack<Real>(s12, s19) *
-      detail::make_pack<Real>(Lambda_11_11_p455_lanes[0], Lambda_11_11_p1210) +
-      detail::make_pack<Real>(c12, c19) * detail::make_pack<Real>(Lambda_11_11_p452_lanes[0],
-      Lambda_11_11_p1209));
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1315_lanes = c13 *
-      detail::make_pack<Real>(Lambda_11_11_p313_lanes[0], Lambda_11_11_p259_lanes[0],
-      Lambda_11_11_p289_lanes[0], Lambda_11_11_p315_lanes[3], Lambda_11_11_p315_lanes[4],
-      Lambda_11_11_p315_lanes[5], Lambda_11_11_p313_lanes[0], Lambda_11_11_p313_lanes[0]) - s13 *
-      Lambda_11_11_p345_lanes - inverse_D11_p4_lanes[0] * Lambda_11_11_p416_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p1321 = -Lambda_11_11_p1263 + inverse_D8_p16_lanes[1] *
-      Lambda_11_11_p1270;
-  const Real Lambda_11_11_p1322 = Lambda_11_11_p1212 - inverse_D8_p17_lanes[1] * Lambda_11_11_p1270;
-  const Real Lambda_11_11_p1326 = 0.269 * Lambda_11_11_p1263 - inverse_D10_p84_lanes[1] *
-      Lambda_11_11_p1270;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1327_lanes = Lambda_11_11_p422_lanes - inverse_D10_p28_lanes[0] *
-      Lambda_11_11_p416_lanes;
-  const Lanes<8> Lambda_11_11_p1330_lanes = detail::make_pack<Real>(Lambda_11_11_p1302_lanes[0],
-      Lambda_11_11_p1302_lanes[1], Lambda_11_11_p406_lanes[0], Lambda_11_11_p1302_lanes[3],
-      Lambda_11_11_p1302_lanes[4], Lambda_11_11_p1302_lanes[5], Lambda_11_11_p1302_lanes[0],
-      Lambda_11_11_p1302_lanes[0]) - inverse_D10_p30_lanes[0] * Lambda_11_11_p416_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1336 = c17 * Lambda_11_11_p1181 + s17 * Lambda_11_11_p1155 + 0.282 *
-      Lambda_11_11_p1184 - inverse_D8_p149_lanes[1] * Lambda_11_11_p1233;
-  const Real Lambda_11_11_p1337 = 0.282 * Lambda_11_11_p1234 - inverse_D8_p150_lanes[1] *
-      Lambda_11_11_p1233;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1350_lanes = s12 * Lambda_11_11_p452_lanes - c12 *
-      Lambda_11_11_p455_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p1366_lanes = -(c12 * Lambda_11_11_p1315_lanes);
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p1402 = s18 * Lambda_11_11_p1301 + c18 * Lambda_11_11_p1326;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1409_lanes = c12 * Lambda_11_11_p1295_lanes + s12 *
-      Lambda_11_11_p1327_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1418 = c16 * Lambda_11_11_p1336 - s16 * Lambda_11_11_p1337;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p1423_lanes = Lambda_11_11_p1330_lanes - inverse_D8_p17_lanes[0] *
-      Lambda_11_11_p1366_lanes;
-  const Lanes<8> Lambda_11_11_p1435_lanes = 0.269 * Lambda_11_11_p1330_lanes - s12 *
-      Lambda_11_11_p1315_lanes - inverse_D10_p83_lanes[0] * Lambda_11_11_p1366_lanes;
-  const Lanes<8> Lambda_11_11_p1447_lanes = -detail::make_pack<Real>(Lambda_11_11_p1350_lanes[0],
-      Lambda_11_11_p1350_lanes[1], Lambda_11_11_p1350_lanes[2], Lambda_11_11_p1409_lanes[3],
-      Lambda_11_11_p1409_lanes[4], Lambda_11_11_p1409_lanes[5], Lambda_11_11_p1350_lanes[0],
-      Lambda_11_11_p1350_lanes[0]) + inverse_D8_p16_lanes[0] * Lambda_11_11_p1366_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1453_lanes = s12 * Lambda_11_11_p1295_lanes - c12 *
-      Lambda_11_11_p1327_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1456 = inverse_D9_p7_lanes[1] * Lambda_11_11_p1402;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1457 = Lambda_11_11_p402_lanes[1] * Lambda_11_11_p1418;
+  const Lanes<8> Lambda_11_11_p1108_lanes = -(Lambda_11_11_p67_lanes[0] * Lambda_11_11_p1074_lanes);
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1470_lanes = -(s5 * Lambda_11_11_p1165_lanes - c5 *
-      Lambda_11_11_p1161_lanes + 0.21799999999999997 * Lambda_11_11_p1177_lanes);
+  const Lanes<8> Lambda_11_11_p1115_lanes = -Lambda_11_11_p1097_lanes - inverse_D3_p60 *
+      Lambda_11_11_p1030_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p1137 = c17 * Lambda_11_11_p1051 + s17 * Lambda_11_11_p1020 + 0.282 *
+      Lambda_11_11_p1058 - inverse_D8_p149_lanes[1] * Lambda_11_11_p1095;
+  const Real Lambda_11_11_p1138 = 0.282 * Lambda_11_11_p1096 - inverse_D8_p150_lanes[1] *
+      Lambda_11_11_p1095;
+  const Real Lambda_11_11_p1147 = -Lambda_11_11_p840 + inverse_D6_p31_lanes[1] * Lambda_11_11_p839;
+  const Real Lambda_11_11_p1148 = Lambda_11_11_p810 - inverse_D6_p33_lanes[1] * Lambda_11_11_p839;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_11_11_p1149_lanes = detail::make_pack<Real>(Lambda_11_11_p1108_lanes[0],
+      Lambda_11_11_p1108_lanes[1], Lambda_11_11_p1108_lanes[2], Lambda_11_11_p1017_lanes[0],
+      Lambda_11_11_p1017_lanes[1], Lambda_11_11_p1017_lanes[2], Lambda_11_11_p1108_lanes[0],
+      Lambda_11_11_p1108_lanes[0]) + inverse_D12_p7_lanes[0] *
+      detail::make_pack<Real>(Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[1],
+      Lambda_11_11_p1105_lanes[2], Lambda_11_11_p1074_lanes[0], Lambda_11_11_p1074_lanes[1],
+      Lambda_11_11_p1074_lanes[2], Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[0]);
+  const Lanes<8> Lambda_11_11_p1155_lanes = Lambda_11_11_p1071_lanes + inverse_D10_p10_lanes[0] *
+      Lambda_11_11_p1105_lanes;
+  const Lanes<8> Lambda_11_11_p1164_lanes = Lambda_11_11_p1017_lanes - inverse_D10_p11_lanes[0] *
+      Lambda_11_11_p1105_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p1167 = -Lambda_11_11_p1096 + inverse_D6_p31_lanes[1] *
+      Lambda_11_11_p1095;
+  const Real Lambda_11_11_p1168 = Lambda_11_11_p1058 - inverse_D6_p33_lanes[1] * Lambda_11_11_p1095;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p1184_lanes = inverse_D10_p23_lanes[0] * Lambda_11_11_p1149_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p1193 = c16 * Lambda_11_11_p1137 - s16 * Lambda_11_11_p1138;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p1194_lanes = detail::make_pack<Real>(Lambda_11_11_p1155_lanes[0],
+      Lambda_11_11_p1155_lanes[1], Lambda_11_11_p1155_lanes[2], inverse_D10_p10_lanes[0] *
+      Lambda_11_11_p1074_lanes[0], inverse_D10_p10_lanes[0] * Lambda_11_11_p1074_lanes[1],
+      inverse_D10_p10_lanes[0] * Lambda_11_11_p1074_lanes[2], Lambda_11_11_p1155_lanes[0],
+      Lambda_11_11_p1155_lanes[0]) - inverse_D10_p22_lanes[0] * Lambda_11_11_p1149_lanes;
+  const Lanes<8> Lambda_11_11_p1200_lanes = Lambda_11_11_p1074_lanes + inverse_D10_p23_lanes[0] *
+      Lambda_11_11_p1149_lanes;
+  const Lanes<8> Lambda_11_11_p1203_lanes = detail::make_pack<Real>(Lambda_11_11_p1092_lanes[0],
+      Lambda_11_11_p1092_lanes[1], Lambda_11_11_p1092_lanes[2], Lambda_11_11_p1071_lanes[0],
+      Lambda_11_11_p1071_lanes[1], Lambda_11_11_p1071_lanes[2], Lambda_11_11_p1092_lanes[0],
+      Lambda_11_11_p1092_lanes[0]) + inverse_D11_p5_lanes[0] *
+      detail::make_pack<Real>(Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[1],
+      Lambda_11_11_p1105_lanes[2], Lambda_11_11_p1074_lanes[0], Lambda_11_11_p1074_lanes[1],
+      Lambda_11_11_p1074_lanes[2], Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[0]) -
+      inverse_D11_p13_lanes[0] * Lambda_11_11_p1149_lanes;
+  const Lanes<8> Lambda_11_11_p1209_lanes = detail::make_pack<Real>(Lambda_11_11_p1164_lanes[0],
+      Lambda_11_11_p1164_lanes[1], Lambda_11_11_p1164_lanes[2],
+      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p1074_lanes[0]),
+      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p1074_lanes[1]),
+      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p1074_lanes[2]), Lambda_11_11_p1164_lanes[0],
+      Lambda_11_11_p1164_lanes[0]) - inverse_D10_p24_lanes[0] * Lambda_11_11_p1149_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p1215 = Lambda_11_11_p119_lanes[1] * Lambda_11_11_p1193;
+  const Real Lambda_11_11_p1258 = s16 * Lambda_11_11_p1137 + c16 * Lambda_11_11_p1138 -
+      inverse_D7_p8_lanes[1] * Lambda_11_11_p1193;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p1259_lanes = s12 * Lambda_11_11_p1194_lanes - c12 *
+      detail::make_pack<Real>(Lambda_11_11_p1200_lanes[0], Lambda_11_11_p1200_lanes[1],
+      Lambda_11_11_p1200_lanes[2], Lambda_11_11_p1184_lanes[3], Lambda_11_11_p1184_lanes[4],
+      Lambda_11_11_p1184_lanes[5], Lambda_11_11_p1200_lanes[0], Lambda_11_11_p1200_lanes[0]);
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p1510_lanes = 0.269 *
-      detail::make_pack<Real>(Lambda_11_11_p1350_lanes[0], Lambda_11_11_p1350_lanes[1],
-      Lambda_11_11_p1350_lanes[2], Lambda_11_11_p1409_lanes[3], Lambda_11_11_p1409_lanes[4],
-      Lambda_11_11_p1409_lanes[5], Lambda_11_11_p1350_lanes[0], Lambda_11_11_p1350_lanes[0]) -
-      inverse_D10_p84_lanes[0] * Lambda_11_11_p1366_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1522 = c18 * Lambda_11_11_p1301 - s18 * Lambda_11_11_p1326 -
-      inverse_D9_p9_lanes[1] * Lambda_11_11_p1402;
-  const Real Lambda_11_11_p1523 = c18 * Lambda_11_11_p1321 - s18 * Lambda_11_11_p1322 -
-      inverse_D8_p80_lanes[1] * Lambda_11_11_p1402;
-  const Real Lambda_11_11_p1524 = -(Lambda_11_11_p1313_lanes[1] - inverse_D8_p18_lanes[1] *
-      Lambda_11_11_p1270) - inverse_D8_p81_lanes[1] * Lambda_11_11_p1402;
-  const Real Lambda_11_11_p1525 = s18 * Lambda_11_11_p1321 + c18 * Lambda_11_11_p1322 -
-      inverse_D8_p82_lanes[1] * Lambda_11_11_p1402;
+  const Lanes<8> Lambda_11_11_p1265_lanes = -(c12 * Lambda_11_11_p1203_lanes);
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1526 = s16 * Lambda_11_11_p1336 + c16 * Lambda_11_11_p1337 -
-      inverse_D7_p8_lanes[1] * Lambda_11_11_p1418;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1557 = -Lambda_11_11_p1234 + inverse_D6_p31_lanes[1] *
-      Lambda_11_11_p1233;
-  const Real Lambda_11_11_p1558 = Lambda_11_11_p1184 - inverse_D6_p33_lanes[1] * Lambda_11_11_p1233;
+  const Real Lambda_11_11_p1313 = s16 * Lambda_11_11_p1147 + c16 * Lambda_11_11_p1148 -
+      inverse_D6_p163_lanes[1] * Lambda_11_11_p959;
+  const Real Lambda_11_11_p1314 = -(-(s17 * Lambda_11_11_p808 + c17 * Lambda_11_11_p809) +
+      inverse_D6_p35_lanes[1] * Lambda_11_11_p839) + inverse_D6_p161_lanes[1] * Lambda_11_11_p959;
+  const Real Lambda_11_11_p1327 = s16 * Lambda_11_11_p1167 + c16 * Lambda_11_11_p1168 -
+      inverse_D6_p163_lanes[1] * Lambda_11_11_p1193;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p1563_lanes = s11 * Lambda_11_11_p1435_lanes + c11 *
-      Lambda_11_11_p1510_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1583 = c17 * Lambda_11_11_p1456 - s17 * Lambda_11_11_p1522;
-  const Real Lambda_11_11_p1584 = s17 * Lambda_11_11_p1524 - c17 * Lambda_11_11_p1523;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1585_lanes = c4 * (-(0.21799999999999997 *
-      Lambda_11_11_p1229_lanes) + inverse_D3_p37 * Lambda_11_11_p1239_lanes);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p1607_lanes = inverse_D9_p7_lanes[0] * Lambda_11_11_p1563_lanes;
-  const Lanes<8> Lambda_11_11_p1619_lanes = c11 * Lambda_11_11_p1435_lanes - s11 *
-      Lambda_11_11_p1510_lanes - inverse_D9_p9_lanes[0] * Lambda_11_11_p1563_lanes;
-  const Lanes<8> Lambda_11_11_p1625_lanes = -(detail::make_pack<Real>(Lambda_11_11_p1313_lanes[0],
-      Lambda_11_11_p1111_lanes[0], Lambda_11_11_p541_lanes[0], Lambda_11_11_p1453_lanes[3],
-      Lambda_11_11_p1453_lanes[4], Lambda_11_11_p1453_lanes[5], Lambda_11_11_p1313_lanes[0],
-      Lambda_11_11_p1313_lanes[0]) - inverse_D8_p18_lanes[0] * Lambda_11_11_p1366_lanes) -
-      inverse_D8_p81_lanes[0] * Lambda_11_11_p1563_lanes;
-  const Lanes<8> Lambda_11_11_p1631_lanes = c11 * Lambda_11_11_p1447_lanes - s11 *
-      Lambda_11_11_p1423_lanes - inverse_D8_p80_lanes[0] * Lambda_11_11_p1563_lanes;
-  const Lanes<8> Lambda_11_11_p1649_lanes = s11 * Lambda_11_11_p1447_lanes + c11 *
-      Lambda_11_11_p1423_lanes - inverse_D8_p82_lanes[0] * Lambda_11_11_p1563_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1655 = c17 * Lambda_11_11_p1522 + s17 * Lambda_11_11_p1456 + 0.282 *
-      Lambda_11_11_p1525 - inverse_D8_p149_lanes[1] * Lambda_11_11_p1583;
-  const Real Lambda_11_11_p1656 = 0.282 * Lambda_11_11_p1584 - inverse_D8_p150_lanes[1] *
-      Lambda_11_11_p1583;
-  const Real Lambda_11_11_p1657 = -Lambda_11_11_p1584 + inverse_D6_p31_lanes[1] *
-      Lambda_11_11_p1583;
-  const Real Lambda_11_11_p1658 = Lambda_11_11_p1525 - inverse_D6_p33_lanes[1] * Lambda_11_11_p1583;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p1701_lanes = c10 * Lambda_11_11_p1607_lanes - s10 *
-      Lambda_11_11_p1619_lanes;
-  const Lanes<8> Lambda_11_11_p1707_lanes = s10 * Lambda_11_11_p1625_lanes - c10 *
-      Lambda_11_11_p1631_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1719 = c16 * Lambda_11_11_p1655 - s16 * Lambda_11_11_p1656;
+  const Lanes<8> Lambda_11_11_p1328_lanes = 0.269 * Lambda_11_11_p1209_lanes - s12 *
+      Lambda_11_11_p1203_lanes - inverse_D10_p77_lanes[0] * Lambda_11_11_p1265_lanes;
+  const Lanes<8> Lambda_11_11_p1334_lanes = -Lambda_11_11_p1259_lanes + inverse_D8_p16_lanes[0] *
+      Lambda_11_11_p1265_lanes;
+  const Lanes<8> Lambda_11_11_p1346_lanes = Lambda_11_11_p1209_lanes - inverse_D8_p17_lanes[0] *
+      Lambda_11_11_p1265_lanes;
+  const Lanes<8> Lambda_11_11_p1352_lanes = -(s12 *
+      detail::make_pack<Real>(Lambda_11_11_p1200_lanes[0], Lambda_11_11_p1200_lanes[1],
+      Lambda_11_11_p1200_lanes[2], Lambda_11_11_p1184_lanes[3], Lambda_11_11_p1184_lanes[4],
+      Lambda_11_11_p1184_lanes[5], Lambda_11_11_p1200_lanes[0], Lambda_11_11_p1200_lanes[0]) + c12 *
+      Lambda_11_11_p1194_lanes) - inverse_D8_p18_lanes[0] * Lambda_11_11_p1265_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1720 = s15 * Lambda_11_11_p1457 + c15 * Lambda_11_11_p1526;
+  const Real Lambda_11_11_p1358 = -(-(s17 * Lambda_11_11_p1052 + c17 * Lambda_11_11_p1057) +
+      inverse_D6_p35_lanes[1] * Lambda_11_11_p1095) + inverse_D6_p161_lanes[1] * Lambda_11_11_p1193;
+  const Real Lambda_11_11_p1359 = s15 * Lambda_11_11_p1215 + c15 * Lambda_11_11_p1258;
 
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p1727_lanes = inverse_D8_p149_lanes[0] * Lambda_11_11_p1701_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1775 = Lambda_11_11_p402_lanes[1] * Lambda_11_11_p1719;
-  const Real Lambda_11_11_p1782 = -(-(s17 * Lambda_11_11_p1182 + c17 * Lambda_11_11_p1183) +
-      inverse_D6_p35_lanes[1] * Lambda_11_11_p1233) + inverse_D6_p161_lanes[1] * Lambda_11_11_p1418;
-  const Real Lambda_11_11_p1783 = s16 * Lambda_11_11_p1557 + c16 * Lambda_11_11_p1558 -
-      inverse_D6_p163_lanes[1] * Lambda_11_11_p1418;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p1784_lanes = c10 * Lambda_11_11_p1619_lanes + s10 *
-      Lambda_11_11_p1607_lanes + 0.282 * Lambda_11_11_p1649_lanes - Lambda_11_11_p1727_lanes;
-  const Lanes<8> Lambda_11_11_p1790_lanes = 0.282 * Lambda_11_11_p1707_lanes -
-      inverse_D8_p150_lanes[0] * Lambda_11_11_p1701_lanes;
-  const Lanes<8> Lambda_11_11_p1796_lanes = -Lambda_11_11_p1707_lanes + inverse_D6_p31_lanes[0] *
-      Lambda_11_11_p1701_lanes;
-  const Lanes<8> Lambda_11_11_p1802_lanes = Lambda_11_11_p1649_lanes - inverse_D6_p33_lanes[0] *
-      Lambda_11_11_p1701_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1808 = s16 * Lambda_11_11_p1655 + c16 * Lambda_11_11_p1656 -
-      inverse_D7_p8_lanes[1] * Lambda_11_11_p1719;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p1809_lanes = -(s10 * Lambda_11_11_p1631_lanes + c10 *
-      Lambda_11_11_p1625_lanes) + inverse_D6_p35_lanes[0] * Lambda_11_11_p1701_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1815 = s16 * Lambda_11_11_p1657 + c16 * Lambda_11_11_p1658 -
-      inverse_D6_p163_lanes[1] * Lambda_11_11_p1719;
-  const Real Lambda_11_11_p1816 = -(-(s17 * Lambda_11_11_p1523 + c17 * Lambda_11_11_p1524) +
-      inverse_D6_p35_lanes[1] * Lambda_11_11_p1583) + inverse_D6_p161_lanes[1] * Lambda_11_11_p1719;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p1871_lanes = c9 * Lambda_11_11_p1784_lanes - s9 *
-      Lambda_11_11_p1790_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1889 = s15 * Lambda_11_11_p1775 + c15 * Lambda_11_11_p1808;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p1910_lanes = Lambda_11_11_p402_lanes[0] * Lambda_11_11_p1871_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1942_lanes = s4 * (Lambda_11_11_p1470_lanes - inverse_D3_p36 *
-      Lambda_11_11_p1239_lanes) + Lambda_11_11_p1585_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p1954_lanes = s9 * Lambda_11_11_p1784_lanes + c9 *
-      Lambda_11_11_p1790_lanes - inverse_D7_p8_lanes[0] * Lambda_11_11_p1871_lanes;
-  const Lanes<8> Lambda_11_11_p1966_lanes = -Lambda_11_11_p1809_lanes + inverse_D6_p161_lanes[0] *
-      Lambda_11_11_p1871_lanes;
-  const Lanes<8> Lambda_11_11_p1972_lanes = s9 * Lambda_11_11_p1796_lanes + c9 *
-      Lambda_11_11_p1802_lanes - inverse_D6_p163_lanes[0] * Lambda_11_11_p1871_lanes;
-  const Lanes<8> Lambda_11_11_p1978_lanes = c9 * Lambda_11_11_p1796_lanes - s9 *
-      Lambda_11_11_p1802_lanes - inverse_D6_p165_lanes[0] * Lambda_11_11_p1871_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1990_lanes = s4 * (Lambda_11_11_p1177_lanes + inverse_D2_p6 *
-      Lambda_11_11_p1239_lanes);
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p1360_lanes = 0.269 * Lambda_11_11_p1259_lanes -
+      inverse_D10_p78_lanes[0] * Lambda_11_11_p1265_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p1994_lanes = inverse_D2_p16 * Lambda_11_11_p1942_lanes;
+  const Lanes<8> Lambda_11_11_p1420_lanes = -Lambda_11_11_p1022_lanes - inverse_D2_p7 *
+      Lambda_11_11_p1030_lanes - inverse_D2_p12 * Lambda_11_11_p1115_lanes;
+  const Lanes<8> Lambda_11_11_p1436_lanes = -Lambda_11_11_p1082_lanes + inverse_D2_p11 *
+      Lambda_11_11_p1115_lanes;
 
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p2050_lanes = -(s5 * Lambda_11_11_p1173_lanes + c5 *
-      Lambda_11_11_p1169_lanes) - inverse_D2_p7 * Lambda_11_11_p1239_lanes;
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p1440_lanes = s11 * Lambda_11_11_p1328_lanes + c11 *
+      Lambda_11_11_p1360_lanes;
 
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p2054_lanes = s8 * Lambda_11_11_p1910_lanes + c8 *
-      Lambda_11_11_p1954_lanes;
-  const Lanes<8> Lambda_11_11_p2060_lanes = c8 * Lambda_11_11_p1966_lanes - s8 *
-      Lambda_11_11_p1972_lanes;
-  const Lanes<8> Lambda_11_11_p2066_lanes = c8 * Lambda_11_11_p1910_lanes - s8 *
-      Lambda_11_11_p1954_lanes;
-  const Lanes<8> Lambda_11_11_p2072_lanes = s8 * Lambda_11_11_p1966_lanes + c8 *
-      Lambda_11_11_p1972_lanes;
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p1486_lanes = inverse_D9_p7_lanes[0] * Lambda_11_11_p1440_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p2078_lanes = c4 * (-Lambda_11_11_p1229_lanes + inverse_D2_p5 *
-      Lambda_11_11_p1239_lanes) - Lambda_11_11_p1990_lanes - Lambda_11_11_p1994_lanes;
-  const Lanes<8> Lambda_11_11_p2086_lanes = -Lambda_11_11_p2050_lanes + inverse_D2_p15 *
-      Lambda_11_11_p1942_lanes;
+  const Lanes<8> Lambda_11_11_p1502_lanes = Lambda_11_11_p2 * Lambda_11_11_p1420_lanes -
+      Lambda_11_11_p1 * Lambda_11_11_p1436_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p1506_lanes = c11 * Lambda_11_11_p1328_lanes - s11 *
+      Lambda_11_11_p1360_lanes - inverse_D9_p9_lanes[0] * Lambda_11_11_p1440_lanes;
+  const Lanes<8> Lambda_11_11_p1512_lanes = -Lambda_11_11_p1352_lanes - inverse_D8_p81_lanes[0] *
+      Lambda_11_11_p1440_lanes;
+  const Lanes<8> Lambda_11_11_p1518_lanes = c11 * Lambda_11_11_p1334_lanes - s11 *
+      Lambda_11_11_p1346_lanes - inverse_D8_p80_lanes[0] * Lambda_11_11_p1440_lanes;
+  const Lanes<8> Lambda_11_11_p1536_lanes = s11 * Lambda_11_11_p1334_lanes + c11 *
+      Lambda_11_11_p1346_lanes - inverse_D8_p82_lanes[0] * Lambda_11_11_p1440_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p1592_lanes = inverse_D2_p2 *
+      (Lambda_11_11_p1 * Lambda_11_11_p1420_lanes + Lambda_11_11_p2 * Lambda_11_11_p1436_lanes) +
+      inverse_D2_p1 * Lambda_11_11_p1502_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p1596_lanes = c10 * Lambda_11_11_p1486_lanes - s10 *
+      Lambda_11_11_p1506_lanes;
+  const Lanes<8> Lambda_11_11_p1602_lanes = s10 * Lambda_11_11_p1512_lanes - c10 *
+      Lambda_11_11_p1518_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p1624_lanes = inverse_D8_p149_lanes[0] * Lambda_11_11_p1596_lanes;
+  const Lanes<8> Lambda_11_11_p1682_lanes = c10 * Lambda_11_11_p1506_lanes + s10 *
+      Lambda_11_11_p1486_lanes + 0.282 * Lambda_11_11_p1536_lanes - Lambda_11_11_p1624_lanes;
+  const Lanes<8> Lambda_11_11_p1688_lanes = 0.282 * Lambda_11_11_p1602_lanes -
+      inverse_D8_p150_lanes[0] * Lambda_11_11_p1596_lanes;
+  const Lanes<8> Lambda_11_11_p1694_lanes = -Lambda_11_11_p1602_lanes + inverse_D6_p31_lanes[0] *
+      Lambda_11_11_p1596_lanes;
+  const Lanes<8> Lambda_11_11_p1700_lanes = Lambda_11_11_p1536_lanes - inverse_D6_p33_lanes[0] *
+      Lambda_11_11_p1596_lanes;
+  const Lanes<8> Lambda_11_11_p1706_lanes = -(s10 * Lambda_11_11_p1518_lanes + c10 *
+      Lambda_11_11_p1512_lanes) + inverse_D6_p35_lanes[0] * Lambda_11_11_p1596_lanes;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_11_11_p1712_lanes = 0.434 *
+      (Lambda_11_11_p1502_lanes - inverse_D1_p2 * Lambda_11_11_p1592_lanes);
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p1770_lanes = Lambda_11_11_p1712_lanes * inverse_D1;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p1774_lanes = c9 * Lambda_11_11_p1682_lanes - s9 *
+      Lambda_11_11_p1688_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_11_11_p1804_lanes = Lambda_11_11_p119_lanes[0] * Lambda_11_11_p1774_lanes;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_11_11_p1828_lanes = Lambda_11_11_p1592_lanes * inverse_D2;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p1832_lanes = Lambda_11_11_p1115_lanes * inverse_D3;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_11_11_p1836_lanes = s9 * Lambda_11_11_p1682_lanes + c9 *
+      Lambda_11_11_p1688_lanes - inverse_D7_p8_lanes[0] * Lambda_11_11_p1774_lanes;
+  const Lanes<8> Lambda_11_11_p1848_lanes = s9 * Lambda_11_11_p1694_lanes + c9 *
+      Lambda_11_11_p1700_lanes - inverse_D6_p163_lanes[0] * Lambda_11_11_p1774_lanes;
+  const Lanes<8> Lambda_11_11_p1854_lanes = -Lambda_11_11_p1706_lanes + inverse_D6_p161_lanes[0] *
+      Lambda_11_11_p1774_lanes;
+  const Lanes<8> Lambda_11_11_p1860_lanes = c9 * Lambda_11_11_p1694_lanes - s9 *
+      Lambda_11_11_p1700_lanes - inverse_D6_p165_lanes[0] * Lambda_11_11_p1774_lanes;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p1872_lanes = Lambda_11_11_p819_lanes * inverse_D5;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p1876_lanes = Lambda_11_11_p731_lanes * inverse_D6;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p1880_lanes = Lambda_11_11_p1030_lanes * inverse_D4;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_11_11_p1920_lanes = s8 * Lambda_11_11_p1804_lanes + c8 *
+      Lambda_11_11_p1836_lanes;
+  const Lanes<8> Lambda_11_11_p1926_lanes = c8 * Lambda_11_11_p1854_lanes - s8 *
+      Lambda_11_11_p1848_lanes;
+  const Lanes<8> Lambda_11_11_p1932_lanes = s8 * Lambda_11_11_p1854_lanes + c8 *
+      Lambda_11_11_p1848_lanes;
+  const Lanes<8> Lambda_11_11_p1938_lanes = c8 * Lambda_11_11_p1804_lanes - s8 *
+      Lambda_11_11_p1836_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2122_lanes = detail::make_pack<Real>(Lambda_11_11_p475_lanes[0],
-      Lambda_11_11_p475_lanes[0], Lambda_11_11_p475_lanes[0], Lambda_11_11_p475_lanes[0],
-      Lambda_11_11_p475_lanes[0], Lambda_11_11_p475_lanes[0], Lambda_11_11_p475_lanes[1],
-      Lambda_11_11_p475_lanes[1]) * detail::make_pack<Real>(Lambda_11_11_p2054_lanes[0],
-      Lambda_11_11_p2054_lanes[1], Lambda_11_11_p2054_lanes[2], Lambda_11_11_p2054_lanes[3],
-      Lambda_11_11_p2054_lanes[4], Lambda_11_11_p2054_lanes[5], Lambda_11_11_p1889,
-      Lambda_11_11_p1720);
-  const Lanes<8> Lambda_11_11_p2146_lanes = detail::make_pack<Real>(Lambda_11_11_p1978_lanes[0],
-      Lambda_11_11_p1978_lanes[1], Lambda_11_11_p1978_lanes[2], Lambda_11_11_p1978_lanes[3],
-      Lambda_11_11_p1978_lanes[4], Lambda_11_11_p1978_lanes[5], c16 * Lambda_11_11_p1657 - s16 *
-      Lambda_11_11_p1658 - inverse_D6_p165_lanes[1] * Lambda_11_11_p1719, c16 * Lambda_11_11_p1557 -
-      s16 * Lambda_11_11_p1558 - inverse_D6_p165_lanes[1] * Lambda_11_11_p1418) -
+  const Lanes<8> Lambda_11_11_p1976_lanes = detail::make_pack<Real>(Lambda_11_11_p3_lanes[0],
+      Lambda_11_11_p3_lanes[0], Lambda_11_11_p3_lanes[0], Lambda_11_11_p3_lanes[0],
+      Lambda_11_11_p3_lanes[0], Lambda_11_11_p3_lanes[0], Lambda_11_11_p3_lanes[1],
+      Lambda_11_11_p3_lanes[1]) * detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0],
+      Lambda_11_11_p1920_lanes[1], Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3],
+      Lambda_11_11_p1920_lanes[4], Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359,
+      Lambda_11_11_p1077);
+  const Lanes<8> Lambda_11_11_p1984_lanes = detail::make_pack<Real>(Lambda_11_11_p1860_lanes[0],
+      Lambda_11_11_p1860_lanes[1], Lambda_11_11_p1860_lanes[2], Lambda_11_11_p1860_lanes[3],
+      Lambda_11_11_p1860_lanes[4], Lambda_11_11_p1860_lanes[5], c16 * Lambda_11_11_p1167 - s16 *
+      Lambda_11_11_p1168 - inverse_D6_p165_lanes[1] * Lambda_11_11_p1193, c16 * Lambda_11_11_p1147 -
+      s16 * Lambda_11_11_p1148 - inverse_D6_p165_lanes[1] * Lambda_11_11_p959) -
       detail::make_pack<Real>(inverse_D6_p294_lanes[0], inverse_D6_p294_lanes[0],
       inverse_D6_p294_lanes[0], inverse_D6_p294_lanes[0], inverse_D6_p294_lanes[0],
       inverse_D6_p294_lanes[0], inverse_D6_p294_lanes[1], inverse_D6_p294_lanes[1]) *
-      detail::make_pack<Real>(Lambda_11_11_p2054_lanes[0], Lambda_11_11_p2054_lanes[1],
-      Lambda_11_11_p2054_lanes[2], Lambda_11_11_p2054_lanes[3], Lambda_11_11_p2054_lanes[4],
-      Lambda_11_11_p2054_lanes[5], Lambda_11_11_p1889, Lambda_11_11_p1720);
-  const Lanes<8> Lambda_11_11_p2154_lanes = detail::make_pack<Real>(Lambda_11_11_p2060_lanes[0],
-      Lambda_11_11_p2060_lanes[1], Lambda_11_11_p2060_lanes[2], Lambda_11_11_p2060_lanes[3],
-      Lambda_11_11_p2060_lanes[4], Lambda_11_11_p2060_lanes[5], c15 * Lambda_11_11_p1816 - s15 *
-      Lambda_11_11_p1815, c15 * Lambda_11_11_p1782 - s15 * Lambda_11_11_p1783) -
+      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0], Lambda_11_11_p1920_lanes[1],
+      Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3], Lambda_11_11_p1920_lanes[4],
+      Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359, Lambda_11_11_p1077);
+  const Lanes<8> Lambda_11_11_p1992_lanes = detail::make_pack<Real>(Lambda_11_11_p1926_lanes[0],
+      Lambda_11_11_p1926_lanes[1], Lambda_11_11_p1926_lanes[2], Lambda_11_11_p1926_lanes[3],
+      Lambda_11_11_p1926_lanes[4], Lambda_11_11_p1926_lanes[5], c15 * Lambda_11_11_p1358 - s15 *
+      Lambda_11_11_p1327, c15 * Lambda_11_11_p1314 - s15 * Lambda_11_11_p1313) -
       detail::make_pack<Real>(inverse_D6_p292_lanes[0], inverse_D6_p292_lanes[0],
       inverse_D6_p292_lanes[0], inverse_D6_p292_lanes[0], inverse_D6_p292_lanes[0],
       inverse_D6_p292_lanes[0], inverse_D6_p292_lanes[1], inverse_D6_p292_lanes[1]) *
-      detail::make_pack<Real>(Lambda_11_11_p2054_lanes[0], Lambda_11_11_p2054_lanes[1],
-      Lambda_11_11_p2054_lanes[2], Lambda_11_11_p2054_lanes[3], Lambda_11_11_p2054_lanes[4],
-      Lambda_11_11_p2054_lanes[5], Lambda_11_11_p1889, Lambda_11_11_p1720);
-  const Lanes<8> Lambda_11_11_p2162_lanes = detail::make_pack<Real>(Lambda_11_11_p2066_lanes[0],
-      Lambda_11_11_p2066_lanes[1], Lambda_11_11_p2066_lanes[2], Lambda_11_11_p2066_lanes[3],
-      Lambda_11_11_p2066_lanes[4], Lambda_11_11_p2066_lanes[5], c15 * Lambda_11_11_p1775 - s15 *
-      Lambda_11_11_p1808, c15 * Lambda_11_11_p1457 - s15 * Lambda_11_11_p1526) -
-      detail::make_pack<Real>(inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0],
-      inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0],
-      inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[1], inverse_D6_p332_lanes[1]) *
-      detail::make_pack<Real>(Lambda_11_11_p2054_lanes[0], Lambda_11_11_p2054_lanes[1],
-      Lambda_11_11_p2054_lanes[2], Lambda_11_11_p2054_lanes[3], Lambda_11_11_p2054_lanes[4],
-      Lambda_11_11_p2054_lanes[5], Lambda_11_11_p1889, Lambda_11_11_p1720);
-  const Lanes<8> Lambda_11_11_p2170_lanes = detail::make_pack<Real>(Lambda_11_11_p2072_lanes[0],
-      Lambda_11_11_p2072_lanes[1], Lambda_11_11_p2072_lanes[2], Lambda_11_11_p2072_lanes[3],
-      Lambda_11_11_p2072_lanes[4], Lambda_11_11_p2072_lanes[5], s15 * Lambda_11_11_p1816 + c15 *
-      Lambda_11_11_p1815, s15 * Lambda_11_11_p1782 + c15 * Lambda_11_11_p1783) -
+      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0], Lambda_11_11_p1920_lanes[1],
+      Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3], Lambda_11_11_p1920_lanes[4],
+      Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359, Lambda_11_11_p1077);
+  const Lanes<8> Lambda_11_11_p2000_lanes = detail::make_pack<Real>(Lambda_11_11_p1932_lanes[0],
+      Lambda_11_11_p1932_lanes[1], Lambda_11_11_p1932_lanes[2], Lambda_11_11_p1932_lanes[3],
+      Lambda_11_11_p1932_lanes[4], Lambda_11_11_p1932_lanes[5], s15 * Lambda_11_11_p1358 + c15 *
+      Lambda_11_11_p1327, s15 * Lambda_11_11_p1314 + c15 * Lambda_11_11_p1313) -
       detail::make_pack<Real>(inverse_D6_p299_lanes[0], inverse_D6_p299_lanes[0],
       inverse_D6_p299_lanes[0], inverse_D6_p299_lanes[0], inverse_D6_p299_lanes[0],
       inverse_D6_p299_lanes[0], inverse_D6_p299_lanes[1], inverse_D6_p299_lanes[1]) *
-      detail::make_pack<Real>(Lambda_11_11_p2054_lanes[0], Lambda_11_11_p2054_lanes[1],
-      Lambda_11_11_p2054_lanes[2], Lambda_11_11_p2054_lanes[3], Lambda_11_11_p2054_lanes[4],
-      Lambda_11_11_p2054_lanes[5], Lambda_11_11_p1889, Lambda_11_11_p1720);
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p2194_lanes = c3 * Lambda_11_11_p2078_lanes - s3 *
-      Lambda_11_11_p2086_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p2198_lanes = Lambda_11_11_p1114_lanes * inverse_D5;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p2206_lanes = Lambda_11_11_p1014_lanes * inverse_D6;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p2210_lanes = Lambda_11_11_p1239_lanes * inverse_D4;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p2214_lanes = Lambda_11_11_p1942_lanes * inverse_D3;
-  const Lanes<8> Lambda_11_11_p2274_lanes = 0.422 * Lambda_11_11_p2194_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2278_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_11_11_p2146_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      Lambda_11_11_p2154_lanes;
-  const Lanes<8> Lambda_11_11_p2294_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_11_11_p2146_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      Lambda_11_11_p2154_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p2318_lanes = Lambda_11_11_p2274_lanes * inverse_D2;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2354_lanes = Lambda_11_11_p2054_lanes * inverse_D7_lanes[0];
-  const Lanes<8> Lambda_11_11_p2360_lanes = 0.226 * Lambda_11_11_p2170_lanes +
-      detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18, (-0.18), (-0.18)) *
-      Lambda_11_11_p2278_lanes;
+      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0], Lambda_11_11_p1920_lanes[1],
+      Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3], Lambda_11_11_p1920_lanes[4],
+      Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359, Lambda_11_11_p1077);
+  const Lanes<8> Lambda_11_11_p2008_lanes = detail::make_pack<Real>(Lambda_11_11_p1938_lanes[0],
+      Lambda_11_11_p1938_lanes[1], Lambda_11_11_p1938_lanes[2], Lambda_11_11_p1938_lanes[3],
+      Lambda_11_11_p1938_lanes[4], Lambda_11_11_p1938_lanes[5], c15 * Lambda_11_11_p1215 - s15 *
+      Lambda_11_11_p1258, c15 * Lambda_11_11_p997 - s15 * Lambda_11_11_p1021) -
+      detail::make_pack<Real>(inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0],
+      inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0],
+      inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[1], inverse_D6_p332_lanes[1]) *
+      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0], Lambda_11_11_p1920_lanes[1],
+      Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3], Lambda_11_11_p1920_lanes[4],
+      Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359, Lambda_11_11_p1077);
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p2368_lanes = Lambda_11_11_p1871_lanes * inverse_D8_lanes[0];
+  const Lanes<8> Lambda_11_11_p2032_lanes = Lambda_11_11_p1774_lanes * inverse_D8_lanes[0];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p2038_lanes = Lambda_11_11_p1920_lanes * inverse_D7_lanes[0];
 
   // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p2382_lanes = Lambda_11_11_p1701_lanes * inverse_D9_lanes[0];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2392_lanes = Lambda_11_11_p1563_lanes * inverse_D10_lanes[0];
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p2404_lanes = Lambda_11_11_p1366_lanes * inverse_D11_lanes[0];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p2410_lanes = s2 * (s3 * Lambda_11_11_p2078_lanes + c3 *
-      Lambda_11_11_p2086_lanes - inverse_D1_p6 * Lambda_11_11_p2274_lanes);
+  const Lanes<8> Lambda_11_11_p2044_lanes = Lambda_11_11_p1596_lanes * inverse_D9_lanes[0];
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p2414_lanes = Lambda_11_11_p416_lanes * inverse_D12_lanes[0];
-
-  // link 1 (calf), articulated inertia
-  const Lanes<2> Lambda_11_11_p2428_lanes = 0.086 * Lambda_11_11_p283_lanes;
+  const Lanes<8> Lambda_11_11_p2106_lanes = Lambda_11_11_p1149_lanes * inverse_D12_lanes[0];
 
   // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_11_11_p2430_lanes = detail::make_pack<Real>(91.62274020012977,
-      91.62274020012977, 1065.380700001509, 1065.380700001509, 1065.380700001509, 1065.380700001509,
-      91.62274020012977, 91.62274020012977) * detail::make_pack<Real>(Lambda_11_11_p283_lanes[0],
-      Lambda_11_11_p244_lanes[0], Lambda_11_11_p285_lanes[0], Lambda_11_11_p246_lanes[0],
-      Lambda_11_11_p246_lanes[1], Lambda_11_11_p246_lanes[2], Lambda_11_11_p283_lanes[0],
-      Lambda_11_11_p283_lanes[0]);
+  const Lanes<8> Lambda_11_11_p2112_lanes = 1065.380700001509 *
+      detail::make_pack<Real>(Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[1],
+      Lambda_11_11_p1105_lanes[2], Lambda_11_11_p1074_lanes[0], Lambda_11_11_p1074_lanes[1],
+      Lambda_11_11_p1074_lanes[2], Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[0]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p2118_lanes = Lambda_11_11_p1265_lanes * inverse_D11_lanes[0];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2442_lanes = Lambda_11_11_p2392_lanes * Lambda_11_11_p1563_lanes[0];
+  const Lanes<8> Lambda_11_11_p2124_lanes = Lambda_11_11_p1440_lanes * inverse_D10_lanes[0];
 
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p2454_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_11_11_p2122_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      Lambda_11_11_p2162_lanes + Lambda_11_11_p2360_lanes);
-  const Lanes<8> Lambda_11_11_p2462_lanes = inverse_D5_p73 * Lambda_11_11_p2454_lanes;
-  const Lanes<8> Lambda_11_11_p2520_lanes = Lambda_11_11_p2454_lanes * inverse_D6;
-  const Real Lambda_11_11_p2526 = Lambda_11_11_p2454_lanes[7] * inverse_D6;
-  const Real Lambda_11_11_p2527 = Lambda_11_11_p2454_lanes[6] * inverse_D6;
-  const Lanes<8> Lambda_11_11_p2536_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
-      0.18, (-0.18), (-0.18)) * Lambda_11_11_p2294_lanes -
-      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_11_11_p2122_lanes -
-      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_11_11_p2162_lanes) -
-      Lambda_11_11_p2462_lanes;
-  const Lanes<8> Lambda_11_11_p2544_lanes = 0.226 * Lambda_11_11_p2294_lanes - inverse_D5_p72 *
-      Lambda_11_11_p2454_lanes;
-  const Lanes<8> Lambda_11_11_p2552_lanes = Lambda_11_11_p2294_lanes - inverse_D5_p71 *
-      Lambda_11_11_p2454_lanes;
-  const Lanes<8> Lambda_11_11_p2560_lanes = Lambda_11_11_p2278_lanes + inverse_D4_p15 *
-      Lambda_11_11_p2454_lanes;
-  const Lanes<8> Lambda_11_11_p2568_lanes = Lambda_11_11_p2170_lanes - inverse_D4_p16 *
-      Lambda_11_11_p2454_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p2592_lanes = 0.434 *
-      (c2 * (Lambda_11_11_p2194_lanes - inverse_D1_p2 * Lambda_11_11_p2274_lanes) -
-      Lambda_11_11_p2410_lanes);
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p2148_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_11_11_p1984_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      Lambda_11_11_p1992_lanes;
+  const Lanes<8> Lambda_11_11_p2164_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_11_11_p1984_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      Lambda_11_11_p1992_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2689_lanes = Lambda_11_11_p2392_lanes * Lambda_11_11_p1563_lanes[1];
+  const Lanes<8> Lambda_11_11_p2198_lanes = Lambda_11_11_p2124_lanes * Lambda_11_11_p1440_lanes[0];
 
-  // link 1 (calf), articulated inertia
-  const Lanes<2> Lambda_11_11_p2712_lanes = 0.086 * Lambda_11_11_p244_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p2719_lanes = s6 * Lambda_11_11_p2560_lanes + c6 *
-      Lambda_11_11_p2568_lanes;
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p2234_lanes = 0.226 * Lambda_11_11_p2000_lanes +
+      detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18, (-0.18), (-0.18)) *
+      Lambda_11_11_p2148_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2735_lanes = Lambda_11_11_p2430_lanes * Lambda_11_11_p2428_lanes[0] +
-      Lambda_11_11_p2414_lanes * Lambda_11_11_p416_lanes[0] + Lambda_11_11_p2404_lanes *
-      Lambda_11_11_p1366_lanes[0] + Lambda_11_11_p2442_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p2749_lanes = Lambda_11_11_p2592_lanes * inverse_D1;
+  const Lanes<8> Lambda_11_11_p2264_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1105_lanes[0] +
+      Lambda_11_11_p2106_lanes * Lambda_11_11_p1149_lanes[0] + Lambda_11_11_p2118_lanes *
+      Lambda_11_11_p1265_lanes[0] + Lambda_11_11_p2198_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p2753_lanes = s6 * Lambda_11_11_p2536_lanes + c6 *
-      Lambda_11_11_p2544_lanes + 0.072 * Lambda_11_11_p2552_lanes;
+  const Lanes<8> Lambda_11_11_p2270_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_11_11_p1976_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      Lambda_11_11_p2008_lanes + Lambda_11_11_p2234_lanes);
+  const Lanes<8> Lambda_11_11_p2278_lanes = inverse_D5_p73 * Lambda_11_11_p2270_lanes;
+  const Lanes<8> Lambda_11_11_p2318_lanes = Lambda_11_11_p2270_lanes * inverse_D6;
+  const Real Lambda_11_11_p2324 = Lambda_11_11_p2270_lanes[7] * inverse_D6;
+  const Real Lambda_11_11_p2325 = Lambda_11_11_p2270_lanes[6] * inverse_D6;
+  const Lanes<8> Lambda_11_11_p2340_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
+      0.18, (-0.18), (-0.18)) * Lambda_11_11_p2164_lanes -
+      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_11_11_p1976_lanes -
+      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_11_11_p2008_lanes) -
+      Lambda_11_11_p2278_lanes;
+  const Lanes<8> Lambda_11_11_p2348_lanes = 0.226 * Lambda_11_11_p2164_lanes - inverse_D5_p72 *
+      Lambda_11_11_p2270_lanes;
+  const Lanes<8> Lambda_11_11_p2356_lanes = Lambda_11_11_p2164_lanes - inverse_D5_p71 *
+      Lambda_11_11_p2270_lanes;
+  const Lanes<8> Lambda_11_11_p2364_lanes = Lambda_11_11_p2148_lanes + inverse_D3_p14 *
+      Lambda_11_11_p2270_lanes;
+  const Lanes<8> Lambda_11_11_p2372_lanes = Lambda_11_11_p2000_lanes - inverse_D3_p15 *
+      Lambda_11_11_p2270_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p2479_lanes = Lambda_11_11_p2264_lanes + Lambda_11_11_p2044_lanes *
+      Lambda_11_11_p1596_lanes[0] + Lambda_11_11_p2032_lanes * Lambda_11_11_p1774_lanes[0] +
+      Lambda_11_11_p2038_lanes * Lambda_11_11_p1920_lanes[0];
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p2485_lanes = Lambda_11_11_p2124_lanes * Lambda_11_11_p1440_lanes[1];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p2531_lanes = s6 * Lambda_11_11_p2364_lanes + c6 *
+      Lambda_11_11_p2372_lanes;
+  const Lanes<8> Lambda_11_11_p2539_lanes = Lambda_11_11_p2479_lanes + Lambda_11_11_p2318_lanes *
+      Lambda_11_11_p2270_lanes[0];
+  const Lanes<8> Lambda_11_11_p2562_lanes = s6 * Lambda_11_11_p2340_lanes + c6 *
+      Lambda_11_11_p2348_lanes + 0.072 * Lambda_11_11_p2356_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p2578_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1105_lanes[1] +
+      Lambda_11_11_p2106_lanes * Lambda_11_11_p1149_lanes[1] + Lambda_11_11_p2118_lanes *
+      Lambda_11_11_p1265_lanes[1] + Lambda_11_11_p2485_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p2826_lanes = Lambda_11_11_p2753_lanes * inverse_D5;
-  const Lanes<8> Lambda_11_11_p2863_lanes = -(0.072 * Lambda_11_11_p2719_lanes) + inverse_D4_p39 *
-      Lambda_11_11_p2753_lanes;
-  const Lanes<8> Lambda_11_11_p2871_lanes = c6 * Lambda_11_11_p2536_lanes - s6 *
-      Lambda_11_11_p2544_lanes - inverse_D4_p40 * Lambda_11_11_p2753_lanes;
-  const Lanes<8> Lambda_11_11_p2879_lanes = c6 * Lambda_11_11_p2560_lanes - s6 *
-      Lambda_11_11_p2568_lanes - inverse_D3_p7 * Lambda_11_11_p2753_lanes;
-  const Lanes<8> Lambda_11_11_p2887_lanes = Lambda_11_11_p2552_lanes - inverse_D3_p6 *
-      Lambda_11_11_p2753_lanes;
-  const Lanes<8> Lambda_11_11_p2895_lanes = Lambda_11_11_p2719_lanes - inverse_D3_p8 *
-      Lambda_11_11_p2753_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2903_lanes = Lambda_11_11_p2735_lanes + Lambda_11_11_p2382_lanes *
-      Lambda_11_11_p1701_lanes[0] + Lambda_11_11_p2368_lanes * Lambda_11_11_p1871_lanes[0] +
-      Lambda_11_11_p2354_lanes * Lambda_11_11_p2054_lanes[0];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p3013_lanes = Lambda_11_11_p2903_lanes + Lambda_11_11_p2520_lanes *
-      Lambda_11_11_p2454_lanes[0];
+  const Lanes<8> Lambda_11_11_p2623_lanes = Lambda_11_11_p2562_lanes * inverse_D5;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p3019_lanes = Lambda_11_11_p2430_lanes * Lambda_11_11_p2712_lanes[0] +
-      Lambda_11_11_p2414_lanes * Lambda_11_11_p416_lanes[1] + Lambda_11_11_p2404_lanes *
-      Lambda_11_11_p1366_lanes[1] + Lambda_11_11_p2689_lanes;
-  const Lanes<8> Lambda_11_11_p3036_lanes = Lambda_11_11_p2392_lanes * Lambda_11_11_p1563_lanes[2];
+  const Lanes<8> Lambda_11_11_p2668_lanes = Lambda_11_11_p2124_lanes * Lambda_11_11_p1440_lanes[2];
 
   // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p3052_lanes = s5 * Lambda_11_11_p2879_lanes - c5 *
-      Lambda_11_11_p2887_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p3107_lanes = -(s5 * Lambda_11_11_p2863_lanes + c5 *
-      Lambda_11_11_p2871_lanes);
-  const Lanes<8> Lambda_11_11_p3179_lanes = Lambda_11_11_p3107_lanes * inverse_D4;
-  const Lanes<8> Lambda_11_11_p3228_lanes = -(s5 * Lambda_11_11_p2871_lanes - c5 *
-      Lambda_11_11_p2863_lanes + 0.21799999999999997 * Lambda_11_11_p2895_lanes);
-  const Lanes<8> Lambda_11_11_p3281_lanes = -(s5 * Lambda_11_11_p2887_lanes + c5 *
-      Lambda_11_11_p2879_lanes) - inverse_D2_p7 * Lambda_11_11_p3107_lanes;
+  const Lanes<8> Lambda_11_11_p2680_lanes = c6 * Lambda_11_11_p2364_lanes - s6 *
+      Lambda_11_11_p2372_lanes - inverse_D3_p35 * Lambda_11_11_p2562_lanes;
+  const Lanes<8> Lambda_11_11_p2688_lanes = Lambda_11_11_p2356_lanes - inverse_D3_p34 *
+      Lambda_11_11_p2562_lanes;
+  const Lanes<8> Lambda_11_11_p2696_lanes = c6 * Lambda_11_11_p2340_lanes - s6 *
+      Lambda_11_11_p2348_lanes - inverse_D4_p11 * Lambda_11_11_p2562_lanes;
+  const Lanes<8> Lambda_11_11_p2704_lanes = -(0.072 * Lambda_11_11_p2531_lanes) + inverse_D4_p10 *
+      Lambda_11_11_p2562_lanes;
+  const Lanes<8> Lambda_11_11_p2782_lanes = s4 * (Lambda_11_11_p2531_lanes - inverse_D3_p36 *
+      Lambda_11_11_p2562_lanes);
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p3297_lanes = Lambda_11_11_p3019_lanes + Lambda_11_11_p2382_lanes *
-      Lambda_11_11_p1701_lanes[1] + Lambda_11_11_p2368_lanes * Lambda_11_11_p1871_lanes[1] +
-      Lambda_11_11_p2354_lanes * Lambda_11_11_p2054_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p3330_lanes = c4 * (-(0.21799999999999997 *
-      Lambda_11_11_p3052_lanes) + inverse_D3_p37 * Lambda_11_11_p3107_lanes);
-  const Lanes<8> Lambda_11_11_p3349_lanes = s4 * (Lambda_11_11_p2895_lanes + inverse_D2_p6 *
-      Lambda_11_11_p3107_lanes);
+  const Lanes<8> Lambda_11_11_p2830_lanes = Lambda_11_11_p2578_lanes + Lambda_11_11_p2044_lanes *
+      Lambda_11_11_p1596_lanes[1] + Lambda_11_11_p2032_lanes * Lambda_11_11_p1774_lanes[1] +
+      Lambda_11_11_p2038_lanes * Lambda_11_11_p1920_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p3365_lanes = Lambda_11_11_p3297_lanes + Lambda_11_11_p2520_lanes *
-      Lambda_11_11_p2454_lanes[1];
+  const Lanes<8> Lambda_11_11_p2883_lanes = Lambda_11_11_p2830_lanes + Lambda_11_11_p2318_lanes *
+      Lambda_11_11_p2270_lanes[1];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p2920_lanes = -(s5 * Lambda_11_11_p2704_lanes + c5 *
+      Lambda_11_11_p2696_lanes);
+  const Lanes<8> Lambda_11_11_p2952_lanes = Lambda_11_11_p2920_lanes * inverse_D4;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p3373_lanes = Lambda_11_11_p2392_lanes * Lambda_11_11_p1563_lanes[3];
-  const Lanes<8> Lambda_11_11_p3384_lanes = Lambda_11_11_p2430_lanes * Lambda_11_11_p285_lanes[0] +
-      Lambda_11_11_p2414_lanes * Lambda_11_11_p416_lanes[2] + Lambda_11_11_p2404_lanes *
-      Lambda_11_11_p1366_lanes[2] + Lambda_11_11_p3036_lanes;
+  const Lanes<8> Lambda_11_11_p2975_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1105_lanes[2] +
+      Lambda_11_11_p2106_lanes * Lambda_11_11_p1149_lanes[2] + Lambda_11_11_p2118_lanes *
+      Lambda_11_11_p1265_lanes[2] + Lambda_11_11_p2668_lanes;
+  const Lanes<8> Lambda_11_11_p2988_lanes = Lambda_11_11_p2124_lanes * Lambda_11_11_p1440_lanes[3];
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p2997_lanes = c4 * (s5 * Lambda_11_11_p2680_lanes - c5 *
+      Lambda_11_11_p2688_lanes) + Lambda_11_11_p2782_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p3400_lanes = s4 * (Lambda_11_11_p3228_lanes - inverse_D3_p36 *
-      Lambda_11_11_p3107_lanes) + Lambda_11_11_p3330_lanes;
+  const Lanes<8> Lambda_11_11_p3016_lanes = -(s5 * Lambda_11_11_p2688_lanes + c5 *
+      Lambda_11_11_p2680_lanes) - inverse_D2_p6 * Lambda_11_11_p2920_lanes;
 
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3459_lanes = inverse_D2_p16 * Lambda_11_11_p3400_lanes;
-  const Lanes<8> Lambda_11_11_p3475_lanes = Lambda_11_11_p3400_lanes * inverse_D3;
-  const Lanes<8> Lambda_11_11_p3497_lanes = Lambda_11_11_p2214_lanes * Lambda_11_11_p3400_lanes[0];
-  const Lanes<8> Lambda_11_11_p3501_lanes = Lambda_11_11_p2214_lanes * Lambda_11_11_p3400_lanes[1];
-  const Lanes<8> Lambda_11_11_p3505_lanes = Lambda_11_11_p2214_lanes * Lambda_11_11_p3400_lanes[2];
-  const Lanes<8> Lambda_11_11_p3509_lanes = Lambda_11_11_p2214_lanes * Lambda_11_11_p3400_lanes[3];
-  const Lanes<8> Lambda_11_11_p3525_lanes = Lambda_11_11_p2214_lanes * Lambda_11_11_p3400_lanes[4];
-  const Lanes<8> Lambda_11_11_p3529_lanes = c4 * (-Lambda_11_11_p3052_lanes + inverse_D2_p5 *
-      Lambda_11_11_p3107_lanes) - Lambda_11_11_p3349_lanes - Lambda_11_11_p3459_lanes;
-  const Lanes<8> Lambda_11_11_p3537_lanes = -Lambda_11_11_p3281_lanes + inverse_D2_p15 *
-      Lambda_11_11_p3400_lanes;
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p3140_lanes = s4 * (s5 * Lambda_11_11_p2696_lanes - c5 *
+      Lambda_11_11_p2704_lanes) + 0.21799999999999997 * Lambda_11_11_p2997_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p3560_lanes = Lambda_11_11_p3384_lanes + Lambda_11_11_p2382_lanes *
-      Lambda_11_11_p1701_lanes[2] + Lambda_11_11_p2368_lanes * Lambda_11_11_p1871_lanes[2] +
-      Lambda_11_11_p2354_lanes * Lambda_11_11_p2054_lanes[2];
+  const Lanes<8> Lambda_11_11_p3148_lanes = Lambda_11_11_p2975_lanes + Lambda_11_11_p2044_lanes *
+      Lambda_11_11_p1596_lanes[2] + Lambda_11_11_p2032_lanes * Lambda_11_11_p1774_lanes[2] +
+      Lambda_11_11_p2038_lanes * Lambda_11_11_p1920_lanes[2];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p3179_lanes = -Lambda_11_11_p3140_lanes - inverse_D3_p60 *
+      Lambda_11_11_p2920_lanes;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p3187_lanes = Lambda_11_11_p3148_lanes + Lambda_11_11_p2318_lanes *
+      Lambda_11_11_p2270_lanes[2];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p3570_lanes = Lambda_11_11_p2430_lanes * Lambda_11_11_p246_lanes[0] +
-      Lambda_11_11_p2414_lanes * Lambda_11_11_p416_lanes[3] + Lambda_11_11_p2404_lanes *
-      Lambda_11_11_p1366_lanes[3] + Lambda_11_11_p3373_lanes;
+  const Lanes<8> Lambda_11_11_p3191_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1074_lanes[0] +
+      Lambda_11_11_p2106_lanes * Lambda_11_11_p1149_lanes[3] + Lambda_11_11_p2118_lanes *
+      Lambda_11_11_p1265_lanes[3] + Lambda_11_11_p2988_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3610_lanes = detail::make_pack<Real>(Lambda_11_11_p3013_lanes[0],
-      Lambda_11_11_p3013_lanes[1], Lambda_11_11_p3013_lanes[2], Lambda_11_11_p3013_lanes[3],
-      Lambda_11_11_p3013_lanes[4], Lambda_11_11_p3013_lanes[5], Lambda_11_11_p2527 *
-      Lambda_11_11_p2454_lanes[0], Lambda_11_11_p2526 * Lambda_11_11_p2454_lanes[0]) +
-      Lambda_11_11_p2826_lanes * Lambda_11_11_p2753_lanes[0] + Lambda_11_11_p3179_lanes *
-      Lambda_11_11_p3107_lanes[0] + Lambda_11_11_p3475_lanes * Lambda_11_11_p3400_lanes[0];
-  const Lanes<8> Lambda_11_11_p3618_lanes = detail::make_pack<Real>(Lambda_11_11_p3365_lanes[1],
-      Lambda_11_11_p3365_lanes[1], Lambda_11_11_p3365_lanes[2], Lambda_11_11_p3365_lanes[3],
-      Lambda_11_11_p3365_lanes[4], Lambda_11_11_p3365_lanes[5], Lambda_11_11_p2527 *
-      Lambda_11_11_p2454_lanes[1], Lambda_11_11_p2526 * Lambda_11_11_p2454_lanes[1]) +
-      Lambda_11_11_p2826_lanes * Lambda_11_11_p2753_lanes[1] + Lambda_11_11_p3179_lanes *
-      Lambda_11_11_p3107_lanes[1] + Lambda_11_11_p3475_lanes * Lambda_11_11_p3400_lanes[1];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p3625_lanes = Lambda_11_11_p3560_lanes + Lambda_11_11_p2520_lanes *
-      Lambda_11_11_p2454_lanes[2];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3634_lanes = c3 * Lambda_11_11_p3529_lanes - s3 *
-      Lambda_11_11_p3537_lanes;
-  const Lanes<8> Lambda_11_11_p3669_lanes = 0.422 * Lambda_11_11_p3634_lanes;
+  const Lanes<8> Lambda_11_11_p3214_lanes = Lambda_11_11_p3179_lanes * inverse_D3;
+  const Lanes<8> Lambda_11_11_p3245_lanes = -Lambda_11_11_p2997_lanes - inverse_D2_p7 *
+      Lambda_11_11_p2920_lanes - inverse_D2_p12 * Lambda_11_11_p3179_lanes;
+  const Lanes<8> Lambda_11_11_p3253_lanes = -Lambda_11_11_p3016_lanes + inverse_D2_p11 *
+      Lambda_11_11_p3179_lanes;
+  const Lanes<8> Lambda_11_11_p3324_lanes = detail::make_pack<Real>(Lambda_11_11_p2539_lanes[0],
+      Lambda_11_11_p2539_lanes[1], Lambda_11_11_p2539_lanes[2], Lambda_11_11_p2539_lanes[3],
+      Lambda_11_11_p2539_lanes[4], Lambda_11_11_p2539_lanes[5], Lambda_11_11_p2325 *
+      Lambda_11_11_p2270_lanes[0], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[0]) +
+      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[0] + Lambda_11_11_p2952_lanes *
+      Lambda_11_11_p2920_lanes[0] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[0];
+  const Lanes<8> Lambda_11_11_p3332_lanes = detail::make_pack<Real>(Lambda_11_11_p2883_lanes[1],
+      Lambda_11_11_p2883_lanes[1], Lambda_11_11_p2883_lanes[2], Lambda_11_11_p2883_lanes[3],
+      Lambda_11_11_p2883_lanes[4], Lambda_11_11_p2883_lanes[5], Lambda_11_11_p2325 *
+      Lambda_11_11_p2270_lanes[1], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[1]) +
+      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[1] + Lambda_11_11_p2952_lanes *
+      Lambda_11_11_p2920_lanes[1] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p3683_lanes = Lambda_11_11_p3570_lanes + Lambda_11_11_p2382_lanes *
-      Lambda_11_11_p1701_lanes[3] + Lambda_11_11_p2368_lanes * Lambda_11_11_p1871_lanes[3] +
-      Lambda_11_11_p2354_lanes * Lambda_11_11_p2054_lanes[3];
+  const Lanes<8> Lambda_11_11_p3339_lanes = Lambda_11_11_p3191_lanes + Lambda_11_11_p2044_lanes *
+      Lambda_11_11_p1596_lanes[3] + Lambda_11_11_p2032_lanes * Lambda_11_11_p1774_lanes[3] +
+      Lambda_11_11_p2038_lanes * Lambda_11_11_p1920_lanes[3];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3690_lanes = Lambda_11_11_p2206_lanes * Lambda_11_11_p2454_lanes[0] +
-      Lambda_11_11_p2198_lanes * Lambda_11_11_p2753_lanes[0] + Lambda_11_11_p2210_lanes *
-      Lambda_11_11_p3107_lanes[0] + Lambda_11_11_p3497_lanes;
-  const Lanes<8> Lambda_11_11_p3694_lanes = Lambda_11_11_p2206_lanes * Lambda_11_11_p2454_lanes[1] +
-      Lambda_11_11_p2198_lanes * Lambda_11_11_p2753_lanes[1] + Lambda_11_11_p2210_lanes *
-      Lambda_11_11_p3107_lanes[1] + Lambda_11_11_p3501_lanes;
-  const Lanes<8> Lambda_11_11_p3698_lanes = Lambda_11_11_p2206_lanes * Lambda_11_11_p2454_lanes[2] +
-      Lambda_11_11_p2198_lanes * Lambda_11_11_p2753_lanes[2] + Lambda_11_11_p2210_lanes *
-      Lambda_11_11_p3107_lanes[2] + Lambda_11_11_p3505_lanes;
-  const Lanes<8> Lambda_11_11_p3702_lanes = Lambda_11_11_p2206_lanes * Lambda_11_11_p2454_lanes[3] +
-      Lambda_11_11_p2198_lanes * Lambda_11_11_p2753_lanes[3] + Lambda_11_11_p2210_lanes *
-      Lambda_11_11_p3107_lanes[3] + Lambda_11_11_p3509_lanes;
-  const Lanes<8> Lambda_11_11_p3720_lanes = detail::make_pack<Real>(Lambda_11_11_p3625_lanes[2],
-      Lambda_11_11_p3625_lanes[2], Lambda_11_11_p3625_lanes[2], Lambda_11_11_p3625_lanes[3],
-      Lambda_11_11_p3625_lanes[4], Lambda_11_11_p3625_lanes[5], Lambda_11_11_p2527 *
-      Lambda_11_11_p2454_lanes[2], Lambda_11_11_p2526 * Lambda_11_11_p2454_lanes[2]) +
-      Lambda_11_11_p2826_lanes * Lambda_11_11_p2753_lanes[2] + Lambda_11_11_p3179_lanes *
-      Lambda_11_11_p3107_lanes[2] + Lambda_11_11_p3475_lanes * Lambda_11_11_p3400_lanes[2];
+  const Lanes<8> Lambda_11_11_p3342_lanes = detail::make_pack<Real>(Lambda_11_11_p3187_lanes[2],
+      Lambda_11_11_p3187_lanes[2], Lambda_11_11_p3187_lanes[2], Lambda_11_11_p3187_lanes[3],
+      Lambda_11_11_p3187_lanes[4], Lambda_11_11_p3187_lanes[5], Lambda_11_11_p2325 *
+      Lambda_11_11_p2270_lanes[2], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[2]) +
+      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[2] + Lambda_11_11_p2952_lanes *
+      Lambda_11_11_p2920_lanes[2] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[2];
+  const Lanes<8> Lambda_11_11_p3354_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[0];
+  const Lanes<8> Lambda_11_11_p3358_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[1];
+  const Lanes<8> Lambda_11_11_p3370_lanes = Lambda_11_11_p2 * Lambda_11_11_p3245_lanes -
+      Lambda_11_11_p1 * Lambda_11_11_p3253_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p3726_lanes = Lambda_11_11_p3683_lanes + Lambda_11_11_p2520_lanes *
-      Lambda_11_11_p2454_lanes[3];
+  const Lanes<8> Lambda_11_11_p3378_lanes = Lambda_11_11_p3339_lanes + Lambda_11_11_p2318_lanes *
+      Lambda_11_11_p2270_lanes[3];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3733_lanes = Lambda_11_11_p2214_lanes * Lambda_11_11_p3400_lanes[5];
+  const Lanes<8> Lambda_11_11_p3381_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[2];
+  const Lanes<8> Lambda_11_11_p3387_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[3];
+  const Lanes<8> Lambda_11_11_p3391_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[4];
+  const Lanes<8> Lambda_11_11_p3411_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[5];
+  const Lanes<8> Lambda_11_11_p3436_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[0] +
+      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[0] + Lambda_11_11_p1880_lanes *
+      Lambda_11_11_p2920_lanes[0] + Lambda_11_11_p3354_lanes;
+  const Lanes<8> Lambda_11_11_p3442_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[1] +
+      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[1] + Lambda_11_11_p1880_lanes *
+      Lambda_11_11_p2920_lanes[1] + Lambda_11_11_p3358_lanes;
+  const Lanes<8> Lambda_11_11_p3446_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[2] +
+      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[2] + Lambda_11_11_p1880_lanes *
+      Lambda_11_11_p2920_lanes[2] + Lambda_11_11_p3381_lanes;
+  const Lanes<8> Lambda_11_11_p3450_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[3] +
+      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[3] + Lambda_11_11_p1880_lanes *
+      Lambda_11_11_p2920_lanes[3] + Lambda_11_11_p3387_lanes;
+  const Lanes<8> Lambda_11_11_p3454_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[4] +
+      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[4] + Lambda_11_11_p1880_lanes *
+      Lambda_11_11_p2920_lanes[4] + Lambda_11_11_p3391_lanes;
+  const Lanes<8> Lambda_11_11_p3467_lanes = inverse_D2_p2 *
+      (Lambda_11_11_p1 * Lambda_11_11_p3245_lanes + Lambda_11_11_p2 * Lambda_11_11_p3253_lanes) +
+      inverse_D2_p1 * Lambda_11_11_p3370_lanes;
+  const Lanes<8> Lambda_11_11_p3477_lanes = detail::make_pack<Real>(Lambda_11_11_p3378_lanes[3],
+      Lambda_11_11_p3378_lanes[3], Lambda_11_11_p3378_lanes[3], Lambda_11_11_p3378_lanes[3],
+      Lambda_11_11_p3378_lanes[4], Lambda_11_11_p3378_lanes[5], Lambda_11_11_p2325 *
+      Lambda_11_11_p2270_lanes[3], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[3]) +
+      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[3] + Lambda_11_11_p2952_lanes *
+      Lambda_11_11_p2920_lanes[3] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[3];
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p3753_lanes = Lambda_11_11_p3669_lanes * inverse_D2;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3788_lanes = Lambda_11_11_p2206_lanes * Lambda_11_11_p2454_lanes[4] +
-      Lambda_11_11_p2198_lanes * Lambda_11_11_p2753_lanes[4] + Lambda_11_11_p2210_lanes *
-      Lambda_11_11_p3107_lanes[4] + Lambda_11_11_p3525_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p3858_lanes = Lambda_11_11_p687_lanes * inverse_D9_lanes[1];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p3862_lanes = Lambda_11_11_p607_lanes * inverse_D10_lanes[1];
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p3866_lanes = Lambda_11_11_p795_lanes * inverse_D8_lanes[1];
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p3870_lanes = Lambda_11_11_p502_lanes * inverse_D11_lanes[1];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p3882_lanes = s2 * (s3 * Lambda_11_11_p3529_lanes + c3 *
-      Lambda_11_11_p3537_lanes - inverse_D1_p6 * Lambda_11_11_p3669_lanes);
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p3890_lanes = Lambda_11_11_p408_lanes * inverse_D12_lanes[1];
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p3894_lanes = 1065.380700001509 *
-      detail::make_pack<Real>(Lambda_11_11_p285_lanes[1], Lambda_11_11_p243, Lambda_11_11_p187,
-      Lambda_11_11_p210, Lambda_11_11_p285_lanes[1], Lambda_11_11_p285_lanes[1],
-      Lambda_11_11_p285_lanes[1], Lambda_11_11_p285_lanes[1]);
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3913_lanes = detail::make_pack<Real>(Lambda_11_11_p3726_lanes[3],
-      Lambda_11_11_p3726_lanes[3], Lambda_11_11_p3726_lanes[3], Lambda_11_11_p3726_lanes[3],
-      Lambda_11_11_p3726_lanes[4], Lambda_11_11_p3726_lanes[5], Lambda_11_11_p2527 *
-      Lambda_11_11_p2454_lanes[3], Lambda_11_11_p2526 * Lambda_11_11_p2454_lanes[3]) +
-      Lambda_11_11_p2826_lanes * Lambda_11_11_p2753_lanes[3] + Lambda_11_11_p3179_lanes *
-      Lambda_11_11_p3107_lanes[3] + Lambda_11_11_p3475_lanes * Lambda_11_11_p3400_lanes[3];
+  const Lanes<8> Lambda_11_11_p3500_lanes = Lambda_11_11_p3467_lanes * inverse_D2;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p3918_lanes = Lambda_11_11_p2430_lanes * Lambda_11_11_p246_lanes[1] +
-      detail::make_pack<Real>(Lambda_11_11_p2414_lanes[4] * Lambda_11_11_p416_lanes[4],
-      Lambda_11_11_p2414_lanes[4] * Lambda_11_11_p416_lanes[4], Lambda_11_11_p2414_lanes[4] *
-      Lambda_11_11_p416_lanes[4], Lambda_11_11_p2414_lanes[4] * Lambda_11_11_p416_lanes[4],
-      Lambda_11_11_p2414_lanes[4] * Lambda_11_11_p416_lanes[4], Lambda_11_11_p2414_lanes[5] *
-      Lambda_11_11_p416_lanes[4], Lambda_11_11_p2414_lanes[4] * Lambda_11_11_p416_lanes[4],
-      Lambda_11_11_p2414_lanes[4] * Lambda_11_11_p416_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2404_lanes[4] * Lambda_11_11_p1366_lanes[4],
-      Lambda_11_11_p2404_lanes[4] * Lambda_11_11_p1366_lanes[4], Lambda_11_11_p2404_lanes[4] *
-      Lambda_11_11_p1366_lanes[4], Lambda_11_11_p2404_lanes[4] * Lambda_11_11_p1366_lanes[4],
-      Lambda_11_11_p2404_lanes[4] * Lambda_11_11_p1366_lanes[4], Lambda_11_11_p2404_lanes[5] *
-      Lambda_11_11_p1366_lanes[4], Lambda_11_11_p2404_lanes[4] * Lambda_11_11_p1366_lanes[4],
-      Lambda_11_11_p2404_lanes[4] * Lambda_11_11_p1366_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2392_lanes[4] * Lambda_11_11_p1563_lanes[4],
-      Lambda_11_11_p2392_lanes[4] * Lambda_11_11_p1563_lanes[4], Lambda_11_11_p2392_lanes[4] *
-      Lambda_11_11_p1563_lanes[4], Lambda_11_11_p2392_lanes[4] * Lambda_11_11_p1563_lanes[4],
-      Lambda_11_11_p2392_lanes[4] * Lambda_11_11_p1563_lanes[4], Lambda_11_11_p2392_lanes[5] *
-      Lambda_11_11_p1563_lanes[4], Lambda_11_11_p2392_lanes[4] * Lambda_11_11_p1563_lanes[4],
-      Lambda_11_11_p2392_lanes[4] * Lambda_11_11_p1563_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2382_lanes[4] * Lambda_11_11_p1701_lanes[4],
-      Lambda_11_11_p2382_lanes[4] * Lambda_11_11_p1701_lanes[4], Lambda_11_11_p2382_lanes[4] *
-      Lambda_11_11_p1701_lanes[4], Lambda_11_11_p2382_lanes[4] * Lambda_11_11_p1701_lanes[4],
-      Lambda_11_11_p2382_lanes[4] * Lambda_11_11_p1701_lanes[4], Lambda_11_11_p2382_lanes[5] *
-      Lambda_11_11_p1701_lanes[4], Lambda_11_11_p2382_lanes[4] * Lambda_11_11_p1701_lanes[4],
-      Lambda_11_11_p2382_lanes[4] * Lambda_11_11_p1701_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2368_lanes[4] * Lambda_11_11_p1871_lanes[4],
-      Lambda_11_11_p2368_lanes[4] * Lambda_11_11_p1871_lanes[4], Lambda_11_11_p2368_lanes[4] *
-      Lambda_11_11_p1871_lanes[4], Lambda_11_11_p2368_lanes[4] * Lambda_11_11_p1871_lanes[4],
-      Lambda_11_11_p2368_lanes[4] * Lambda_11_11_p1871_lanes[4], Lambda_11_11_p2368_lanes[5] *
-      Lambda_11_11_p1871_lanes[4], Lambda_11_11_p2368_lanes[4] * Lambda_11_11_p1871_lanes[4],
-      Lambda_11_11_p2368_lanes[4] * Lambda_11_11_p1871_lanes[4]);
+  const Lanes<8> Lambda_11_11_p3508_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1074_lanes[1] +
+      detail::make_pack<Real>(Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4],
+      Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4], Lambda_11_11_p2106_lanes[4] *
+      Lambda_11_11_p1149_lanes[4], Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4],
+      Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4], Lambda_11_11_p2106_lanes[5] *
+      Lambda_11_11_p1149_lanes[4], Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4],
+      Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4],
+      Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4], Lambda_11_11_p2118_lanes[4] *
+      Lambda_11_11_p1265_lanes[4], Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4],
+      Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4], Lambda_11_11_p2118_lanes[5] *
+      Lambda_11_11_p1265_lanes[4], Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4],
+      Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4],
+      Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4], Lambda_11_11_p2124_lanes[4] *
+      Lambda_11_11_p1440_lanes[4], Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4],
+      Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4], Lambda_11_11_p2124_lanes[5] *
+      Lambda_11_11_p1440_lanes[4], Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4],
+      Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4],
+      Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4], Lambda_11_11_p2044_lanes[4] *
+      Lambda_11_11_p1596_lanes[4], Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4],
+      Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4], Lambda_11_11_p2044_lanes[5] *
+      Lambda_11_11_p1596_lanes[4], Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4],
+      Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4],
+      Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4], Lambda_11_11_p2032_lanes[4] *
+      Lambda_11_11_p1774_lanes[4], Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4],
+      Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4], Lambda_11_11_p2032_lanes[5] *
+      Lambda_11_11_p1774_lanes[4], Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4],
+      Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4]);
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p3930_lanes = Lambda_11_11_p879_lanes * inverse_D7_lanes[1];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_11_11_p3936_lanes = detail::make_pack<Real>(Lambda_11_11_p2392_lanes[5],
-      Lambda_11_11_p3862_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1563_lanes[5],
-      Lambda_11_11_p607_lanes[3]);
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p3978_lanes = 0.434 *
-      (c2 * (Lambda_11_11_p3634_lanes - inverse_D1_p2 * Lambda_11_11_p3669_lanes) -
-      Lambda_11_11_p3882_lanes);
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p3986_lanes = Lambda_11_11_p3918_lanes +
-      detail::make_pack<Real>(Lambda_11_11_p2354_lanes[4] * Lambda_11_11_p2054_lanes[4],
-      Lambda_11_11_p2354_lanes[4] * Lambda_11_11_p2054_lanes[4], Lambda_11_11_p2354_lanes[4] *
-      Lambda_11_11_p2054_lanes[4], Lambda_11_11_p2354_lanes[4] * Lambda_11_11_p2054_lanes[4],
-      Lambda_11_11_p2354_lanes[4] * Lambda_11_11_p2054_lanes[4], Lambda_11_11_p2354_lanes[5] *
-      Lambda_11_11_p2054_lanes[4], Lambda_11_11_p2354_lanes[4] * Lambda_11_11_p2054_lanes[4],
-      Lambda_11_11_p2354_lanes[4] * Lambda_11_11_p2054_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2520_lanes[4] * Lambda_11_11_p2454_lanes[4],
-      Lambda_11_11_p2520_lanes[4] * Lambda_11_11_p2454_lanes[4], Lambda_11_11_p2520_lanes[4] *
-      Lambda_11_11_p2454_lanes[4], Lambda_11_11_p2520_lanes[4] * Lambda_11_11_p2454_lanes[4],
-      Lambda_11_11_p2520_lanes[4] * Lambda_11_11_p2454_lanes[4], Lambda_11_11_p2520_lanes[5] *
-      Lambda_11_11_p2454_lanes[4], Lambda_11_11_p2520_lanes[4] * Lambda_11_11_p2454_lanes[4],
-      Lambda_11_11_p2520_lanes[4] * Lambda_11_11_p2454_lanes[4]);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4022_lanes = Lambda_11_11_p3862_lanes * Lambda_11_11_p1402;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4042_lanes = Lambda_11_11_p3978_lanes * inverse_D1;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p4080_lanes = Lambda_11_11_p2206_lanes * Lambda_11_11_p2454_lanes[5] +
-      Lambda_11_11_p2198_lanes * Lambda_11_11_p2753_lanes[5] + Lambda_11_11_p2210_lanes *
-      Lambda_11_11_p3107_lanes[5] + Lambda_11_11_p3733_lanes;
-  const Lanes<8> Lambda_11_11_p4130_lanes = detail::make_pack<Real>(Lambda_11_11_p3986_lanes[4],
-      Lambda_11_11_p3986_lanes[4], Lambda_11_11_p3986_lanes[4], Lambda_11_11_p3986_lanes[4],
-      Lambda_11_11_p3986_lanes[4], Lambda_11_11_p3986_lanes[5], Lambda_11_11_p2527 *
-      Lambda_11_11_p2454_lanes[4], Lambda_11_11_p2526 * Lambda_11_11_p2454_lanes[4]) +
-      Lambda_11_11_p2826_lanes * Lambda_11_11_p2753_lanes[4] + Lambda_11_11_p3179_lanes *
-      Lambda_11_11_p3107_lanes[4] + Lambda_11_11_p3475_lanes * Lambda_11_11_p3400_lanes[4];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_11_11_p4134_lanes = detail::make_pack<Real>(Lambda_11_11_p2430_lanes[5],
-      Lambda_11_11_p3894_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p246_lanes[2],
-      Lambda_11_11_p210) + detail::make_pack<Real>(Lambda_11_11_p2414_lanes[5],
-      Lambda_11_11_p3890_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p416_lanes[5],
-      Lambda_11_11_p408_lanes[3]) + detail::make_pack<Real>(Lambda_11_11_p2404_lanes[5],
-      Lambda_11_11_p3870_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1366_lanes[5],
-      Lambda_11_11_p502_lanes[3]) + Lambda_11_11_p3936_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4143_lanes = Lambda_11_11_p3690_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p3669_lanes[0] + Lambda_11_11_p2749_lanes * Lambda_11_11_p3978_lanes[0];
-  const Lanes<8> Lambda_11_11_p4151_lanes = Lambda_11_11_p3610_lanes + Lambda_11_11_p3753_lanes *
-      Lambda_11_11_p3669_lanes[0] + Lambda_11_11_p4042_lanes * Lambda_11_11_p3978_lanes[0];
-  const Real Lambda_11_11_p4183 = 1.0 / Lambda_11_11_p4151_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_11_11_p4210_lanes = Lambda_11_11_p4134_lanes +
-      detail::make_pack<Real>(Lambda_11_11_p2382_lanes[5], Lambda_11_11_p3858_lanes[3]) *
-      detail::make_pack<Real>(Lambda_11_11_p1701_lanes[5], Lambda_11_11_p687_lanes[3]) +
-      detail::make_pack<Real>(Lambda_11_11_p2368_lanes[5], Lambda_11_11_p3866_lanes[3]) *
-      detail::make_pack<Real>(Lambda_11_11_p1871_lanes[5], Lambda_11_11_p795_lanes[3]) +
-      detail::make_pack<Real>(Lambda_11_11_p2354_lanes[5], Lambda_11_11_p3930_lanes[3]) *
-      detail::make_pack<Real>(Lambda_11_11_p2054_lanes[5], Lambda_11_11_p879_lanes[3]);
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4212_lanes = Lambda_11_11_p3894_lanes * Lambda_11_11_p2428_lanes[1] +
-      Lambda_11_11_p3890_lanes * Lambda_11_11_p1156 + Lambda_11_11_p3870_lanes *
-      Lambda_11_11_p1270 + Lambda_11_11_p4022_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p4227 = 91.62274020012977 * Lambda_11_11_p283_lanes[1] *
-      Lambda_11_11_p2428_lanes[1] + Lambda_11_11_p1156 * inverse_D12_lanes[1] * Lambda_11_11_p1156 +
-      Lambda_11_11_p1270 * inverse_D11_lanes[1] * Lambda_11_11_p1270;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4232_lanes = Lambda_11_11_p4151_lanes * Lambda_11_11_p4183;
-  const Lanes<8> Lambda_11_11_p4242_lanes = Lambda_11_11_p4143_lanes * Lambda_11_11_p4183;
-
-  // link 14 (right_shoulder1), force propagation
-  const Real Lambda_11_11_p4246 = Lambda_11_11_p1720 * inverse_D7_lanes[1];
-  const Lanes<8> Lambda_11_11_p4247_lanes = Lambda_11_11_p4212_lanes + Lambda_11_11_p3858_lanes *
-      Lambda_11_11_p1583 + Lambda_11_11_p3866_lanes * Lambda_11_11_p1719 +
-      Lambda_11_11_p3930_lanes * Lambda_11_11_p1889;
+  const Lanes<8> Lambda_11_11_p3510_lanes = Lambda_11_11_p592_lanes * inverse_D7_lanes[1];
 
   // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p4251 = Lambda_11_11_p1418 * inverse_D8_lanes[1];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p4252_lanes = detail::make_pack<Real>(Lambda_11_11_p4210_lanes[0] +
-      Lambda_11_11_p2520_lanes[5] * Lambda_11_11_p2454_lanes[5], Lambda_11_11_p4210_lanes[0] +
-      Lambda_11_11_p2520_lanes[5] * Lambda_11_11_p2454_lanes[5], Lambda_11_11_p4210_lanes[0] +
-      Lambda_11_11_p2520_lanes[5] * Lambda_11_11_p2454_lanes[5], Lambda_11_11_p4210_lanes[0] +
-      Lambda_11_11_p2520_lanes[5] * Lambda_11_11_p2454_lanes[5], Lambda_11_11_p4210_lanes[0] +
-      Lambda_11_11_p2520_lanes[5] * Lambda_11_11_p2454_lanes[5], Lambda_11_11_p4210_lanes[0] +
-      Lambda_11_11_p2520_lanes[5] * Lambda_11_11_p2454_lanes[5], Lambda_11_11_p2527 *
-      Lambda_11_11_p2454_lanes[5], Lambda_11_11_p2526 * Lambda_11_11_p2454_lanes[5]) +
-      Lambda_11_11_p2826_lanes * Lambda_11_11_p2753_lanes[5] + Lambda_11_11_p3179_lanes *
-      Lambda_11_11_p3107_lanes[5] + Lambda_11_11_p3475_lanes * Lambda_11_11_p3400_lanes[5];
+  const Lanes<8> Lambda_11_11_p3517_lanes = Lambda_11_11_p507_lanes * inverse_D8_lanes[1];
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4255 = Lambda_11_11_p1233 * inverse_D9_lanes[1];
+  const Lanes<8> Lambda_11_11_p3521_lanes = Lambda_11_11_p399_lanes * inverse_D9_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p4256 = Lambda_11_11_p1130 * inverse_D10_lanes[1];
+  const Lanes<8> Lambda_11_11_p3525_lanes = Lambda_11_11_p319_lanes * inverse_D10_lanes[1];
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p3535_lanes = Lambda_11_11_p211_lanes * inverse_D11_lanes[1];
 
   // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p4279 = Lambda_11_11_p989 * inverse_D12_lanes[1];
+  const Lanes<8> Lambda_11_11_p3539_lanes = Lambda_11_11_p140_lanes * inverse_D12_lanes[1];
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p4280 = 91.62274020012977 * Lambda_11_11_p244_lanes[1];
+  const Lanes<8> Lambda_11_11_p3581_lanes = 1065.380700001509 *
+      detail::make_pack<Real>(Lambda_11_11_p121, Lambda_11_11_p125, Lambda_11_11_p114,
+      Lambda_11_11_p116, Lambda_11_11_p121, Lambda_11_11_p121, Lambda_11_11_p121,
+      Lambda_11_11_p121);
 
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p4281 = Lambda_11_11_p1059 * inverse_D11_lanes[1];
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p3591_lanes = Lambda_11_11_p3508_lanes +
+      detail::make_pack<Real>(Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4],
+      Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4], Lambda_11_11_p2038_lanes[4] *
+      Lambda_11_11_p1920_lanes[4], Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4],
+      Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4], Lambda_11_11_p2038_lanes[5] *
+      Lambda_11_11_p1920_lanes[4], Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4],
+      Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4],
+      Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2318_lanes[4] *
+      Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4],
+      Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2318_lanes[5] *
+      Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4],
+      Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4]);
 
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p4288 = Lambda_11_11_p4227 + Lambda_11_11_p1402 * inverse_D10_lanes[1] *
-      Lambda_11_11_p1402 + Lambda_11_11_p1583 * inverse_D9_lanes[1] * Lambda_11_11_p1583 +
-      Lambda_11_11_p1719 * inverse_D8_lanes[1] * Lambda_11_11_p1719;
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_11_11_p3593_lanes = detail::make_pack<Real>(Lambda_11_11_p2124_lanes[5],
+      Lambda_11_11_p3525_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1440_lanes[5],
+      Lambda_11_11_p319_lanes[3]);
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_11_11_p3599_lanes = 0.434 *
+      (Lambda_11_11_p3370_lanes - inverse_D1_p2 * Lambda_11_11_p3467_lanes);
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4297_lanes = Lambda_11_11_p3618_lanes + Lambda_11_11_p3753_lanes *
-      Lambda_11_11_p3669_lanes[1] + Lambda_11_11_p4042_lanes * Lambda_11_11_p3978_lanes[1] -
-      Lambda_11_11_p4232_lanes * Lambda_11_11_p4151_lanes[1];
-  const Lanes<8> Lambda_11_11_p4304_lanes = Lambda_11_11_p3720_lanes + Lambda_11_11_p3753_lanes *
-      Lambda_11_11_p3669_lanes[2] + Lambda_11_11_p4042_lanes * Lambda_11_11_p3978_lanes[2] -
-      Lambda_11_11_p4232_lanes * Lambda_11_11_p4151_lanes[2];
-  const Lanes<8> Lambda_11_11_p4310_lanes = Lambda_11_11_p3913_lanes + Lambda_11_11_p3753_lanes *
-      Lambda_11_11_p3669_lanes[3] + Lambda_11_11_p4042_lanes * Lambda_11_11_p3978_lanes[3] -
-      Lambda_11_11_p4232_lanes * Lambda_11_11_p4151_lanes[3];
-  const Lanes<8> Lambda_11_11_p4315_lanes = Lambda_11_11_p4130_lanes + Lambda_11_11_p3753_lanes *
-      Lambda_11_11_p3669_lanes[4] + Lambda_11_11_p4042_lanes * Lambda_11_11_p3978_lanes[4] -
-      Lambda_11_11_p4232_lanes * Lambda_11_11_p4151_lanes[4];
-  const Lanes<8> Lambda_11_11_p4322_lanes = Lambda_11_11_p3694_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p3669_lanes[1] + Lambda_11_11_p2749_lanes * Lambda_11_11_p3978_lanes[1] -
-      Lambda_11_11_p4242_lanes * Lambda_11_11_p4151_lanes[1];
-  const Real Lambda_11_11_p4330 = 1.0 / Lambda_11_11_p4297_lanes[1];
-  const Lanes<8> Lambda_11_11_p4331_lanes = Lambda_11_11_p3698_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p3669_lanes[2] + Lambda_11_11_p2749_lanes * Lambda_11_11_p3978_lanes[2] -
-      Lambda_11_11_p4242_lanes * Lambda_11_11_p4151_lanes[2];
-  const Lanes<8> Lambda_11_11_p4339_lanes = Lambda_11_11_p4252_lanes + Lambda_11_11_p3753_lanes *
-      Lambda_11_11_p3669_lanes[5] + Lambda_11_11_p4042_lanes * Lambda_11_11_p3978_lanes[5] -
-      Lambda_11_11_p4232_lanes * Lambda_11_11_p4151_lanes[5];
-  const Lanes<8> Lambda_11_11_p4358_lanes = Lambda_11_11_p3702_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p3669_lanes[3] + Lambda_11_11_p2749_lanes * Lambda_11_11_p3978_lanes[3] -
-      Lambda_11_11_p4242_lanes * Lambda_11_11_p4151_lanes[3];
+  const Lanes<8> Lambda_11_11_p3670_lanes = Lambda_11_11_p3599_lanes * inverse_D1;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4362_lanes = Lambda_11_11_p3862_lanes * Lambda_11_11_p1130;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4382_lanes = Lambda_11_11_p3788_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p3669_lanes[4] + Lambda_11_11_p2749_lanes * Lambda_11_11_p3978_lanes[4] -
-      Lambda_11_11_p4242_lanes * Lambda_11_11_p4151_lanes[4];
-  const Lanes<8> Lambda_11_11_p4398_lanes = Lambda_11_11_p4080_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p3669_lanes[5] + Lambda_11_11_p2749_lanes * Lambda_11_11_p3978_lanes[5] -
-      Lambda_11_11_p4242_lanes * Lambda_11_11_p4151_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p4414_lanes = Lambda_11_11_p4247_lanes + Lambda_11_11_p2206_lanes *
-      Lambda_11_11_p2454_lanes[6] + Lambda_11_11_p2198_lanes * Lambda_11_11_p2753_lanes[6] +
-      Lambda_11_11_p2210_lanes * Lambda_11_11_p3107_lanes[6];
-  const Real Lambda_11_11_p4430 = Lambda_11_11_p4288 + Lambda_11_11_p1889 * inverse_D7_lanes[1] *
-      Lambda_11_11_p1889 + Lambda_11_11_p2527 * Lambda_11_11_p2454_lanes[6] +
-      Lambda_11_11_p2826_lanes[6] * Lambda_11_11_p2753_lanes[6] + Lambda_11_11_p3179_lanes[6] *
-      Lambda_11_11_p3107_lanes[6];
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4439 = Lambda_11_11_p4280 * Lambda_11_11_p2428_lanes[1] +
-      Lambda_11_11_p4279 * Lambda_11_11_p1156 + Lambda_11_11_p4281 * Lambda_11_11_p1270 +
-      Lambda_11_11_p4256 * Lambda_11_11_p1402 + Lambda_11_11_p4255 * Lambda_11_11_p1583;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4444_lanes = Lambda_11_11_p4297_lanes * Lambda_11_11_p4330;
-  const Lanes<8> Lambda_11_11_p4450_lanes = Lambda_11_11_p4322_lanes * Lambda_11_11_p4330;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4458_lanes = Lambda_11_11_p3894_lanes * Lambda_11_11_p2712_lanes[1] +
-      Lambda_11_11_p3890_lanes * Lambda_11_11_p989 + Lambda_11_11_p3870_lanes * Lambda_11_11_p1059 +
-      Lambda_11_11_p4362_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4496_lanes = Lambda_11_11_p4304_lanes - Lambda_11_11_p4444_lanes *
-      Lambda_11_11_p4297_lanes[2];
-  const Real Lambda_11_11_p4514 = Lambda_11_11_p4430 + Lambda_11_11_p3475_lanes[6] *
-      Lambda_11_11_p3400_lanes[6] + Lambda_11_11_p3753_lanes[6] * Lambda_11_11_p3669_lanes[6] +
-      Lambda_11_11_p4042_lanes[6] * Lambda_11_11_p3978_lanes[6] - Lambda_11_11_p4232_lanes[6] *
-      Lambda_11_11_p4151_lanes[6];
-  const Lanes<8> Lambda_11_11_p4519_lanes = Lambda_11_11_p4331_lanes - Lambda_11_11_p4450_lanes *
-      Lambda_11_11_p4297_lanes[2];
-  const Real Lambda_11_11_p4531 = 1.0 / Lambda_11_11_p4496_lanes[2];
-  const Lanes<8> Lambda_11_11_p4536_lanes = Lambda_11_11_p4414_lanes + Lambda_11_11_p2214_lanes *
-      Lambda_11_11_p3400_lanes[6] + Lambda_11_11_p2318_lanes * Lambda_11_11_p3669_lanes[6] +
-      Lambda_11_11_p2749_lanes * Lambda_11_11_p3978_lanes[6];
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p4540 = Lambda_11_11_p4439 + Lambda_11_11_p4251 * Lambda_11_11_p1719 +
-      Lambda_11_11_p4246 * Lambda_11_11_p1889 + Lambda_11_11_p2526 * Lambda_11_11_p2454_lanes[6] +
-      Lambda_11_11_p2826_lanes[7] * Lambda_11_11_p2753_lanes[6];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p4545_lanes = Lambda_11_11_p4458_lanes + Lambda_11_11_p3858_lanes *
-      Lambda_11_11_p1233 + Lambda_11_11_p3866_lanes * Lambda_11_11_p1418 +
-      Lambda_11_11_p3930_lanes * Lambda_11_11_p1720;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4565_lanes = Lambda_11_11_p3862_lanes * Lambda_11_11_p607_lanes[0];
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4617 = Lambda_11_11_p4280 * Lambda_11_11_p2712_lanes[1] +
-      Lambda_11_11_p4279 * Lambda_11_11_p989 + Lambda_11_11_p4281 * Lambda_11_11_p1059 +
-      Lambda_11_11_p4256 * Lambda_11_11_p1130 + Lambda_11_11_p4255 * Lambda_11_11_p1233;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p4642_lanes = Lambda_11_11_p4545_lanes + Lambda_11_11_p2206_lanes *
-      Lambda_11_11_p2454_lanes[7] + Lambda_11_11_p2198_lanes * Lambda_11_11_p2753_lanes[7] +
-      Lambda_11_11_p2210_lanes * Lambda_11_11_p3107_lanes[7];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4646_lanes = Lambda_11_11_p4496_lanes * Lambda_11_11_p4531;
-  const Lanes<8> Lambda_11_11_p4651_lanes = Lambda_11_11_p4519_lanes * Lambda_11_11_p4531;
-  const Real Lambda_11_11_p4655 = Lambda_11_11_p4540 + Lambda_11_11_p3179_lanes[7] *
-      Lambda_11_11_p3107_lanes[6] + Lambda_11_11_p3475_lanes[7] * Lambda_11_11_p3400_lanes[6] +
-      Lambda_11_11_p3753_lanes[7] * Lambda_11_11_p3669_lanes[6] + Lambda_11_11_p4042_lanes[7] *
-      Lambda_11_11_p3978_lanes[6];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4656_lanes = Lambda_11_11_p3894_lanes * Lambda_11_11_p285_lanes[1] +
-      Lambda_11_11_p3890_lanes * Lambda_11_11_p408_lanes[0] + Lambda_11_11_p3870_lanes *
-      Lambda_11_11_p502_lanes[0] + Lambda_11_11_p4565_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p4694 = Lambda_11_11_p4617 + Lambda_11_11_p4251 * Lambda_11_11_p1418 +
-      Lambda_11_11_p4246 * Lambda_11_11_p1720 + Lambda_11_11_p2526 * Lambda_11_11_p2454_lanes[7] +
-      Lambda_11_11_p2826_lanes[7] * Lambda_11_11_p2753_lanes[7];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4712_lanes = Lambda_11_11_p4310_lanes - Lambda_11_11_p4444_lanes *
-      Lambda_11_11_p4297_lanes[3] - Lambda_11_11_p4646_lanes * Lambda_11_11_p4496_lanes[3];
-  const Lanes<8> Lambda_11_11_p4724_lanes = Lambda_11_11_p4358_lanes - Lambda_11_11_p4450_lanes *
-      Lambda_11_11_p4297_lanes[3] - Lambda_11_11_p4651_lanes * Lambda_11_11_p4496_lanes[3];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4744_lanes = Lambda_11_11_p3862_lanes * Lambda_11_11_p607_lanes[1];
-
-  // link 1 (calf), force propagation
-  const Real Lambda_11_11_p4747 = 1.0 / Lambda_11_11_p4712_lanes[3];
-  const Lanes<8> Lambda_11_11_p4751_lanes = Lambda_11_11_p4536_lanes - Lambda_11_11_p4242_lanes *
-      Lambda_11_11_p4151_lanes[6] - Lambda_11_11_p4450_lanes * Lambda_11_11_p4297_lanes[6] -
-      Lambda_11_11_p4651_lanes * Lambda_11_11_p4496_lanes[6];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p4758_lanes = Lambda_11_11_p4656_lanes + Lambda_11_11_p3858_lanes *
-      Lambda_11_11_p687_lanes[0] + Lambda_11_11_p3866_lanes * Lambda_11_11_p795_lanes[0] +
-      Lambda_11_11_p3930_lanes * Lambda_11_11_p879_lanes[0];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4769_lanes = Lambda_11_11_p4642_lanes + Lambda_11_11_p2214_lanes *
-      Lambda_11_11_p3400_lanes[7] + Lambda_11_11_p2318_lanes * Lambda_11_11_p3669_lanes[7] +
-      Lambda_11_11_p2749_lanes * Lambda_11_11_p3978_lanes[7];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4812_lanes = Lambda_11_11_p3894_lanes * Lambda_11_11_p243 +
-      Lambda_11_11_p3890_lanes * Lambda_11_11_p408_lanes[1] + Lambda_11_11_p3870_lanes *
-      Lambda_11_11_p502_lanes[1] + Lambda_11_11_p4744_lanes;
-
-  // link 1 (calf), force propagation
-  const Real Lambda_11_11_p4815 = Lambda_11_11_p4694 + Lambda_11_11_p3179_lanes[7] *
-      Lambda_11_11_p3107_lanes[7] + Lambda_11_11_p3475_lanes[7] * Lambda_11_11_p3400_lanes[7] +
-      Lambda_11_11_p3753_lanes[7] * Lambda_11_11_p3669_lanes[7] + Lambda_11_11_p4042_lanes[7] *
-      Lambda_11_11_p3978_lanes[7];
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p4820_lanes = Lambda_11_11_p3894_lanes * Lambda_11_11_p187;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p4829_lanes = Lambda_11_11_p4758_lanes + Lambda_11_11_p2206_lanes *
-      Lambda_11_11_p1014_lanes[0] + Lambda_11_11_p2198_lanes * Lambda_11_11_p1114_lanes[0] +
-      Lambda_11_11_p2210_lanes * Lambda_11_11_p1239_lanes[0];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4833_lanes = Lambda_11_11_p4769_lanes - Lambda_11_11_p4242_lanes *
-      Lambda_11_11_p4151_lanes[7] - Lambda_11_11_p4450_lanes * Lambda_11_11_p4297_lanes[7] -
-      Lambda_11_11_p4651_lanes * Lambda_11_11_p4496_lanes[7];
-  const Lanes<8> Lambda_11_11_p4840_lanes = Lambda_11_11_p4712_lanes * Lambda_11_11_p4747;
-  const Lanes<8> Lambda_11_11_p4844_lanes = Lambda_11_11_p4724_lanes * Lambda_11_11_p4747;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p4852_lanes = Lambda_11_11_p4812_lanes + Lambda_11_11_p3858_lanes *
-      Lambda_11_11_p687_lanes[1] + Lambda_11_11_p3866_lanes * Lambda_11_11_p795_lanes[1] +
-      Lambda_11_11_p3930_lanes * Lambda_11_11_p879_lanes[1];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4882_lanes = Lambda_11_11_p4829_lanes + Lambda_11_11_p2214_lanes *
-      Lambda_11_11_p1942_lanes[0] + Lambda_11_11_p2318_lanes * Lambda_11_11_p2274_lanes[0] +
-      Lambda_11_11_p2749_lanes * Lambda_11_11_p2592_lanes[0];
-  const Lanes<8> Lambda_11_11_p4893_lanes = Lambda_11_11_p4315_lanes - Lambda_11_11_p4444_lanes *
-      Lambda_11_11_p4297_lanes[4] - Lambda_11_11_p4646_lanes * Lambda_11_11_p4496_lanes[4] -
-      Lambda_11_11_p4840_lanes * Lambda_11_11_p4712_lanes[4];
-  const Lanes<8> Lambda_11_11_p4897_lanes = Lambda_11_11_p4339_lanes - Lambda_11_11_p4444_lanes *
-      Lambda_11_11_p4297_lanes[5] - Lambda_11_11_p4646_lanes * Lambda_11_11_p4496_lanes[5] -
-      Lambda_11_11_p4840_lanes * Lambda_11_11_p4712_lanes[5];
-  const Lanes<8> Lambda_11_11_p4900_lanes = Lambda_11_11_p4382_lanes - Lambda_11_11_p4450_lanes *
-      Lambda_11_11_p4297_lanes[4] - Lambda_11_11_p4651_lanes * Lambda_11_11_p4496_lanes[4] -
-      Lambda_11_11_p4844_lanes * Lambda_11_11_p4712_lanes[4];
-  const Real Lambda_11_11_p4904 = Lambda_11_11_p4655 - Lambda_11_11_p4232_lanes[7] *
-      Lambda_11_11_p4151_lanes[6] - Lambda_11_11_p4444_lanes[7] * Lambda_11_11_p4297_lanes[6] -
-      Lambda_11_11_p4646_lanes[7] * Lambda_11_11_p4496_lanes[6] - Lambda_11_11_p4840_lanes[7] *
-      Lambda_11_11_p4712_lanes[6];
-  const Lanes<8> Lambda_11_11_p4905_lanes = Lambda_11_11_p4398_lanes - Lambda_11_11_p4450_lanes *
-      Lambda_11_11_p4297_lanes[5] - Lambda_11_11_p4651_lanes * Lambda_11_11_p4496_lanes[5] -
-      Lambda_11_11_p4844_lanes * Lambda_11_11_p4712_lanes[5];
-  const Real Lambda_11_11_p4909 = Lambda_11_11_p4815 - Lambda_11_11_p4232_lanes[7] *
-      Lambda_11_11_p4151_lanes[7] - Lambda_11_11_p4444_lanes[7] * Lambda_11_11_p4297_lanes[7] -
-      Lambda_11_11_p4646_lanes[7] * Lambda_11_11_p4496_lanes[7] - Lambda_11_11_p4840_lanes[7] *
-      Lambda_11_11_p4712_lanes[7];
-  const Real Lambda_11_11_p4922 = 1.0 / Lambda_11_11_p4893_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p4933_lanes = Lambda_11_11_p4852_lanes + Lambda_11_11_p2206_lanes *
-      Lambda_11_11_p1014_lanes[1] + Lambda_11_11_p2198_lanes * Lambda_11_11_p1114_lanes[1] +
-      Lambda_11_11_p2210_lanes * Lambda_11_11_p1239_lanes[1];
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4936 = Lambda_11_11_p4820_lanes[3] + Lambda_11_11_p3890_lanes[3] *
-      Lambda_11_11_p408_lanes[2] + Lambda_11_11_p3870_lanes[3] * Lambda_11_11_p502_lanes[2] +
-      Lambda_11_11_p3862_lanes[3] * Lambda_11_11_p607_lanes[2] + Lambda_11_11_p3858_lanes[3] *
-      Lambda_11_11_p687_lanes[2];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4937_lanes = Lambda_11_11_p4882_lanes - Lambda_11_11_p4242_lanes *
-      Lambda_11_11_p4143_lanes[0] - Lambda_11_11_p4450_lanes * Lambda_11_11_p4322_lanes[0] -
-      Lambda_11_11_p4651_lanes * Lambda_11_11_p4519_lanes[0];
-  const Real Lambda_0_0_p1 = Lambda_11_11_p4444_lanes[2] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4232_lanes[2];
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4951 = Lambda_11_11_p4820_lanes[2] + Lambda_11_11_p3890_lanes[2] *
-      Lambda_11_11_p408_lanes[2] + Lambda_11_11_p3870_lanes[2] * Lambda_11_11_p502_lanes[2] +
-      Lambda_11_11_p3862_lanes[2] * Lambda_11_11_p607_lanes[2] + Lambda_11_11_p3858_lanes[2] *
-      Lambda_11_11_p687_lanes[2];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4952_lanes = Lambda_11_11_p4933_lanes + Lambda_11_11_p2214_lanes *
-      Lambda_11_11_p1942_lanes[1] + Lambda_11_11_p2318_lanes * Lambda_11_11_p2274_lanes[1] +
-      Lambda_11_11_p2749_lanes * Lambda_11_11_p2592_lanes[1];
-  const Lanes<8> Lambda_11_11_p4955_lanes = Lambda_11_11_p4893_lanes * Lambda_11_11_p4922;
-  const Lanes<8> Lambda_11_11_p4958_lanes = Lambda_11_11_p4900_lanes * Lambda_11_11_p4922;
-  const Real Lambda_0_0_p2 = Lambda_11_11_p4444_lanes[3] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4232_lanes[3] - Lambda_11_11_p4646_lanes[3] * Lambda_0_0_p1;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p4965 = Lambda_11_11_p4936 + Lambda_11_11_p3866_lanes[3] *
-      Lambda_11_11_p795_lanes[2] + Lambda_11_11_p3930_lanes[3] * Lambda_11_11_p879_lanes[2] +
-      Lambda_11_11_p2206_lanes[3] * Lambda_11_11_p1014_lanes[2] + Lambda_11_11_p2198_lanes[3] *
-      Lambda_11_11_p1114_lanes[2];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4991_lanes = Lambda_11_11_p4897_lanes - Lambda_11_11_p4955_lanes *
-      Lambda_11_11_p4893_lanes[5];
-  const Real Lambda_11_11_p4994 = Lambda_11_11_p4514 - Lambda_11_11_p4444_lanes[6] *
-      Lambda_11_11_p4297_lanes[6] - Lambda_11_11_p4646_lanes[6] * Lambda_11_11_p4496_lanes[6] -
-      Lambda_11_11_p4840_lanes[6] * Lambda_11_11_p4712_lanes[6] - Lambda_11_11_p4955_lanes[6] *
-      Lambda_11_11_p4893_lanes[6];
-  const Lanes<8> Lambda_11_11_p4995_lanes = Lambda_11_11_p4905_lanes - Lambda_11_11_p4958_lanes *
-      Lambda_11_11_p4893_lanes[5];
-  const Lanes<8> Lambda_11_11_p5011_lanes = Lambda_11_11_p4952_lanes - Lambda_11_11_p4242_lanes *
-      Lambda_11_11_p4143_lanes[1] - Lambda_11_11_p4450_lanes * Lambda_11_11_p4322_lanes[1] -
-      Lambda_11_11_p4651_lanes * Lambda_11_11_p4519_lanes[1];
-  const Real Lambda_11_11_p5014 = 1.0 / Lambda_11_11_p4991_lanes[5];
-  const Real Lambda_0_0_p3 = Lambda_11_11_p4444_lanes[4] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4232_lanes[4] - Lambda_11_11_p4646_lanes[4] * Lambda_0_0_p1 -
-      Lambda_11_11_p4840_lanes[4] * Lambda_0_0_p2;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p5015 = Lambda_11_11_p4951 + Lambda_11_11_p3866_lanes[2] *
-      Lambda_11_11_p795_lanes[2] + Lambda_11_11_p3930_lanes[2] * Lambda_11_11_p879_lanes[2] +
-      Lambda_11_11_p2206_lanes[2] * Lambda_11_11_p1014_lanes[2] + Lambda_11_11_p2198_lanes[2] *
-      Lambda_11_11_p1114_lanes[2];
-
-  // link 1 (calf), force propagation
-  const Real Lambda_11_11_p5022 = Lambda_11_11_p4965 + Lambda_11_11_p2210_lanes[3] *
-      Lambda_11_11_p1239_lanes[2] + Lambda_11_11_p2214_lanes[3] * Lambda_11_11_p1942_lanes[2] +
-      Lambda_11_11_p2318_lanes[3] * Lambda_11_11_p2274_lanes[2] + Lambda_11_11_p2749_lanes[3] *
-      Lambda_11_11_p2592_lanes[2];
-  const Real Lambda_0_0_p4 = Lambda_11_11_p4444_lanes[5] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4232_lanes[5] - Lambda_11_11_p4646_lanes[5] * Lambda_0_0_p1 -
-      Lambda_11_11_p4840_lanes[5] * Lambda_0_0_p2 - Lambda_11_11_p4955_lanes[5] * Lambda_0_0_p3;
-  const Real Lambda_0_0_p5 = Lambda_11_11_p4444_lanes[6] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4232_lanes[6] - Lambda_11_11_p4646_lanes[6] * Lambda_0_0_p1 -
-      Lambda_11_11_p4840_lanes[6] * Lambda_0_0_p2 - Lambda_11_11_p4955_lanes[6] * Lambda_0_0_p3;
-  const Real Lambda_0_0_p6 = Lambda_11_11_p4444_lanes[7] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4232_lanes[7] - Lambda_11_11_p4646_lanes[7] * Lambda_0_0_p1 -
-      Lambda_11_11_p4840_lanes[7] * Lambda_0_0_p2 - Lambda_11_11_p4955_lanes[7] * Lambda_0_0_p3;
-  const Real Lambda_11_11_p5023 = Lambda_11_11_p4991_lanes[6] * Lambda_11_11_p5014;
-  const Real Lambda_11_11_p5024 = Lambda_11_11_p4991_lanes[7] * Lambda_11_11_p5014;
-  const Lanes<8> Lambda_11_11_p5025_lanes = Lambda_11_11_p4995_lanes * Lambda_11_11_p5014;
-  const Real Lambda_11_11_p5029 = Lambda_11_11_p5015 + Lambda_11_11_p2210_lanes[2] *
-      Lambda_11_11_p1239_lanes[2] + Lambda_11_11_p2214_lanes[2] * Lambda_11_11_p1942_lanes[2] +
-      Lambda_11_11_p2318_lanes[2] * Lambda_11_11_p2274_lanes[2] + Lambda_11_11_p2749_lanes[2] *
-      Lambda_11_11_p2592_lanes[2];
-  const Real Lambda_11_11_p5045 = Lambda_11_11_p5022 - Lambda_11_11_p4242_lanes[3] *
-      Lambda_11_11_p4143_lanes[2] - Lambda_11_11_p4450_lanes[3] * Lambda_11_11_p4322_lanes[2] -
-      Lambda_11_11_p4651_lanes[3] * Lambda_11_11_p4519_lanes[2] - Lambda_11_11_p4844_lanes[3] *
-      Lambda_11_11_p4724_lanes[2];
-  const Real Lambda_11_11_p5046 = Lambda_11_11_p4904 - Lambda_11_11_p4955_lanes[7] *
-      Lambda_11_11_p4893_lanes[6] - Lambda_11_11_p5024 * Lambda_11_11_p4991_lanes[6];
-  const Lanes<8> Lambda_11_11_p5047_lanes = Lambda_11_11_p4751_lanes - Lambda_11_11_p4844_lanes *
-      Lambda_11_11_p4712_lanes[6] - Lambda_11_11_p4958_lanes * Lambda_11_11_p4893_lanes[6] -
-      Lambda_11_11_p5025_lanes * Lambda_11_11_p4991_lanes[6];
-  const Lanes<8> Lambda_11_11_p5051_lanes = Lambda_11_11_p4833_lanes - Lambda_11_11_p4844_lanes *
-      Lambda_11_11_p4712_lanes[7] - Lambda_11_11_p4958_lanes * Lambda_11_11_p4893_lanes[7] -
-      Lambda_11_11_p5025_lanes * Lambda_11_11_p4991_lanes[7];
-  const Lanes<8> Lambda_11_11_p5055_lanes = Lambda_11_11_p4937_lanes - Lambda_11_11_p4844_lanes *
-      Lambda_11_11_p4724_lanes[0] - Lambda_11_11_p4958_lanes * Lambda_11_11_p4900_lanes[0] -
-      Lambda_11_11_p5025_lanes * Lambda_11_11_p4995_lanes[0];
-  const Lanes<8> Lambda_11_11_p5059_lanes = Lambda_11_11_p5011_lanes - Lambda_11_11_p4844_lanes *
-      Lambda_11_11_p4724_lanes[1] - Lambda_11_11_p4958_lanes * Lambda_11_11_p4900_lanes[1] -
-      Lambda_11_11_p5025_lanes * Lambda_11_11_p4995_lanes[1];
-  const Real Lambda_0_11_p1 = Lambda_11_11_p4450_lanes[0] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4242_lanes[0] - Lambda_11_11_p4651_lanes[0] * Lambda_0_0_p1 -
-      Lambda_11_11_p4844_lanes[0] * Lambda_0_0_p2 - Lambda_11_11_p4958_lanes[0] * Lambda_0_0_p3;
-  const Real Lambda_11_11_p5062 = 1.0 / (Lambda_11_11_p4994 - Lambda_11_11_p5023 *
-      Lambda_11_11_p4991_lanes[6]);
-  const Real Lambda_0_0_p7 = Lambda_0_0_p5 - Lambda_11_11_p5023 * Lambda_0_0_p4;
-  const Real Lambda_0_0_p8 = Lambda_11_11_p4232_lanes[1] * Lambda_11_11_p4330;
-  const Real Lambda_0_11_p2 = Lambda_11_11_p4450_lanes[1] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4242_lanes[1] - Lambda_11_11_p4651_lanes[1] * Lambda_0_0_p1 -
-      Lambda_11_11_p4844_lanes[1] * Lambda_0_0_p2 - Lambda_11_11_p4958_lanes[1] * Lambda_0_0_p3;
-  const Real Lambda_0_0_p9 = Lambda_0_0_p1 * Lambda_11_11_p4531;
-  const Real Lambda_0_0_p10 = Lambda_0_0_p2 * Lambda_11_11_p4747;
-  const Real Lambda_11_11_p5063 = Lambda_11_11_p5029 - Lambda_11_11_p4242_lanes[2] *
-      Lambda_11_11_p4143_lanes[2] - Lambda_11_11_p4450_lanes[2] * Lambda_11_11_p4322_lanes[2] -
-      Lambda_11_11_p4651_lanes[2] * Lambda_11_11_p4519_lanes[2] - Lambda_11_11_p4844_lanes[2] *
-      Lambda_11_11_p4724_lanes[2];
-  const Real Lambda_0_11_p3 = Lambda_11_11_p4450_lanes[2] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4242_lanes[2] - Lambda_11_11_p4651_lanes[2] * Lambda_0_0_p1 -
-      Lambda_11_11_p4844_lanes[2] * Lambda_0_0_p2 - Lambda_11_11_p4958_lanes[2] * Lambda_0_0_p3;
+  const Lanes<8> Lambda_11_11_p3724_lanes = Lambda_11_11_p3525_lanes * Lambda_11_11_p996;
 
   // link 3 (hip), force propagation
-  const Real Lambda_11_11_p5064 = Lambda_11_11_p4210_lanes[1] + Lambda_11_11_p2206_lanes[3] *
-      Lambda_11_11_p1014_lanes[3] + Lambda_11_11_p2198_lanes[3] * Lambda_11_11_p1114_lanes[3] +
-      Lambda_11_11_p2210_lanes[3] * Lambda_11_11_p1239_lanes[3] + Lambda_11_11_p2214_lanes[3] *
-      Lambda_11_11_p1942_lanes[3];
+  const Lanes<8> Lambda_11_11_p3764_lanes = detail::make_pack<Real>(Lambda_11_11_p3591_lanes[4],
+      Lambda_11_11_p3591_lanes[4], Lambda_11_11_p3591_lanes[4], Lambda_11_11_p3591_lanes[4],
+      Lambda_11_11_p3591_lanes[4], Lambda_11_11_p3591_lanes[5], Lambda_11_11_p2325 *
+      Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[4]) +
+      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[4] + Lambda_11_11_p2952_lanes *
+      Lambda_11_11_p2920_lanes[4] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[4];
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_0_p11 = Lambda_0_0_p3 * Lambda_11_11_p4922;
-  const Real Lambda_0_0_p12 = Lambda_0_0_p4 * Lambda_11_11_p5014;
-  const Real Lambda_1_11_p1 = Lambda_11_11_p4646_lanes[3] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4444_lanes[3];
-  const Real Lambda_0_11_p4 = Lambda_11_11_p4450_lanes[3] * Lambda_11_11_p4232_lanes[1] -
-      Lambda_11_11_p4242_lanes[3] - Lambda_11_11_p4651_lanes[3] * Lambda_0_0_p1 -
-      Lambda_11_11_p4844_lanes[3] * Lambda_0_0_p2 - Lambda_11_11_p4958_lanes[3] * Lambda_0_0_p3;
-  const Real Lambda_11_11_p5065 = Lambda_11_11_p5046 * Lambda_11_11_p5062;
-  const Lanes<8> Lambda_11_11_p5066_lanes = Lambda_11_11_p5047_lanes * Lambda_11_11_p5062;
-  const Real Lambda_0_0_p13 = Lambda_0_0_p7 * Lambda_11_11_p5062;
-  const Real Lambda_1_11_p2 = Lambda_11_11_p4646_lanes[4] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4444_lanes[4] - Lambda_11_11_p4840_lanes[4] * Lambda_1_11_p1;
-  const Real Lambda_11_11_p5081 = Lambda_11_11_p5064 + Lambda_11_11_p2318_lanes[3] *
-      Lambda_11_11_p2274_lanes[3] + Lambda_11_11_p2749_lanes[3] * Lambda_11_11_p2592_lanes[3] -
-      Lambda_11_11_p4242_lanes[3] * Lambda_11_11_p4143_lanes[3] - Lambda_11_11_p4450_lanes[3] *
-      Lambda_11_11_p4322_lanes[3];
-  const Lanes<8> Lambda_11_11_p5082_lanes = Lambda_11_11_p5051_lanes - Lambda_11_11_p5066_lanes *
-      Lambda_11_11_p5046;
-  const Real Lambda_1_11_p3 = Lambda_11_11_p4646_lanes[5] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4444_lanes[5] - Lambda_11_11_p4840_lanes[5] * Lambda_1_11_p1 -
-      Lambda_11_11_p4955_lanes[5] * Lambda_1_11_p2;
-  const Real Lambda_11_11_p5093 = 1.0 / (Lambda_11_11_p4909 - Lambda_11_11_p4955_lanes[7] *
-      Lambda_11_11_p4893_lanes[7] - Lambda_11_11_p5024 * Lambda_11_11_p4991_lanes[7] -
-      Lambda_11_11_p5065 * Lambda_11_11_p5046);
-  const Real Lambda_0_0_p14 = Lambda_0_0_p6 - Lambda_11_11_p5024 * Lambda_0_0_p4 -
-      Lambda_11_11_p5065 * Lambda_0_0_p7;
-  const Real Lambda_1_11_p4 = Lambda_11_11_p4646_lanes[6] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4444_lanes[6] - Lambda_11_11_p4840_lanes[6] * Lambda_1_11_p1 -
-      Lambda_11_11_p4955_lanes[6] * Lambda_1_11_p2 - Lambda_11_11_p5023 * Lambda_1_11_p3;
-  const Real Lambda_1_11_p5 = Lambda_11_11_p4646_lanes[7] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4444_lanes[7] - Lambda_11_11_p4840_lanes[7] * Lambda_1_11_p1 -
-      Lambda_11_11_p4955_lanes[7] * Lambda_1_11_p2 - Lambda_11_11_p5024 * Lambda_1_11_p3;
-  const Real Lambda_1_11_p6 = Lambda_11_11_p4651_lanes[0] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4450_lanes[0] - Lambda_11_11_p4844_lanes[0] * Lambda_1_11_p1 -
-      Lambda_11_11_p4958_lanes[0] * Lambda_1_11_p2 - Lambda_11_11_p5025_lanes[0] * Lambda_1_11_p3;
-  const Real Lambda_11_11_p5094 = Lambda_11_11_p5081 - Lambda_11_11_p4651_lanes[3] *
-      Lambda_11_11_p4519_lanes[3] - Lambda_11_11_p4844_lanes[3] * Lambda_11_11_p4724_lanes[3] -
-      Lambda_11_11_p4958_lanes[3] * Lambda_11_11_p4900_lanes[3] - Lambda_11_11_p5025_lanes[3] *
-      Lambda_11_11_p4995_lanes[3];
-  const Real Lambda_0_1_p1 = Lambda_1_11_p1 * Lambda_11_11_p4747;
-  const Real Lambda_1_11_p7 = Lambda_11_11_p4651_lanes[1] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4450_lanes[1] - Lambda_11_11_p4844_lanes[1] * Lambda_1_11_p1 -
-      Lambda_11_11_p4958_lanes[1] * Lambda_1_11_p2 - Lambda_11_11_p5025_lanes[1] * Lambda_1_11_p3;
-  const Real Lambda_0_1_p2 = Lambda_11_11_p4444_lanes[2] * Lambda_11_11_p4531;
-  const Real Lambda_0_1_p3 = Lambda_1_11_p2 * Lambda_11_11_p4922;
-  const Real Lambda_0_1_p4 = Lambda_1_11_p3 * Lambda_11_11_p5014;
-  const Real Lambda_1_11_p8 = Lambda_1_11_p5 - Lambda_11_11_p5065 * Lambda_1_11_p4;
-  const Lanes<8> Lambda_11_11_p5095_lanes = Lambda_11_11_p5082_lanes * Lambda_11_11_p5093;
-  const Real Lambda_1_11_p9 = Lambda_11_11_p4651_lanes[2] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4450_lanes[2] - Lambda_11_11_p4844_lanes[2] * Lambda_1_11_p1 -
-      Lambda_11_11_p4958_lanes[2] * Lambda_1_11_p2 - Lambda_11_11_p5025_lanes[2] * Lambda_1_11_p3;
-  const Real Lambda_0_1_p5 = Lambda_1_11_p4 * Lambda_11_11_p5062;
-  const Real Lambda_0_0_p15 = Lambda_11_11_p4183 + Lambda_0_0_p8 * Lambda_11_11_p4232_lanes[1] +
+  const Lanes<8> Lambda_11_11_p3775_lanes = Lambda_11_11_p3436_lanes + Lambda_11_11_p1828_lanes *
+      Lambda_11_11_p3467_lanes[0] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[0];
+  const Lanes<8> Lambda_11_11_p3807_lanes = Lambda_11_11_p3324_lanes + Lambda_11_11_p3500_lanes *
+      Lambda_11_11_p3467_lanes[0] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[0];
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_11_11_p3833_lanes = detail::make_pack<Real>(Lambda_11_11_p2112_lanes[5],
+      Lambda_11_11_p3581_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1074_lanes[2],
+      Lambda_11_11_p116) + detail::make_pack<Real>(Lambda_11_11_p2106_lanes[5],
+      Lambda_11_11_p3539_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1149_lanes[5],
+      Lambda_11_11_p140_lanes[3]) + detail::make_pack<Real>(Lambda_11_11_p2118_lanes[5],
+      Lambda_11_11_p3535_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1265_lanes[5],
+      Lambda_11_11_p211_lanes[3]) + Lambda_11_11_p3593_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3839 = 1.0 / Lambda_11_11_p3807_lanes[0];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p3858_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p755 +
+      Lambda_11_11_p3539_lanes * Lambda_11_11_p806 + Lambda_11_11_p3535_lanes * Lambda_11_11_p892 +
+      Lambda_11_11_p3724_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p3862_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[5] +
+      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[5] + Lambda_11_11_p1880_lanes *
+      Lambda_11_11_p2920_lanes[5] + Lambda_11_11_p3411_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_11_11_p3892_lanes = Lambda_11_11_p3833_lanes +
+      detail::make_pack<Real>(Lambda_11_11_p2044_lanes[5], Lambda_11_11_p3521_lanes[3]) *
+      detail::make_pack<Real>(Lambda_11_11_p1596_lanes[5], Lambda_11_11_p399_lanes[3]) +
+      detail::make_pack<Real>(Lambda_11_11_p2032_lanes[5], Lambda_11_11_p3517_lanes[3]) *
+      detail::make_pack<Real>(Lambda_11_11_p1774_lanes[5], Lambda_11_11_p507_lanes[3]) +
+      detail::make_pack<Real>(Lambda_11_11_p2038_lanes[5], Lambda_11_11_p3510_lanes[3]) *
+      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[5], Lambda_11_11_p592_lanes[3]);
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p3906_lanes = Lambda_11_11_p3858_lanes + Lambda_11_11_p3521_lanes *
+      Lambda_11_11_p1095 + Lambda_11_11_p3517_lanes * Lambda_11_11_p1193 +
+      Lambda_11_11_p3510_lanes * Lambda_11_11_p1359;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3910_lanes = Lambda_11_11_p3807_lanes * Lambda_11_11_p3839;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p3920 = 1065.380700001509 * Lambda_11_11_p755 * Lambda_11_11_p755 +
+      Lambda_11_11_p806 * inverse_D12_lanes[1] * Lambda_11_11_p806 + Lambda_11_11_p892 *
+      inverse_D11_lanes[1] * Lambda_11_11_p892;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3921_lanes = Lambda_11_11_p3775_lanes * Lambda_11_11_p3839;
+
+  // link 14 (right_shoulder1), force propagation
+  const Real Lambda_11_11_p3925 = Lambda_11_11_p1077 * inverse_D7_lanes[1];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p3933 = Lambda_11_11_p839 * inverse_D9_lanes[1];
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p3934 = Lambda_11_11_p959 * inverse_D8_lanes[1];
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_11_11_p3957 = 1065.380700001509 * Lambda_11_11_p591;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_11_11_p3958 = Lambda_11_11_p628 * inverse_D12_lanes[1];
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p3962 = Lambda_11_11_p706 * inverse_D11_lanes[1];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p3963_lanes = detail::make_pack<Real>(Lambda_11_11_p3892_lanes[0] +
+      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
+      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
+      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
+      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
+      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
+      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p2325 *
+      Lambda_11_11_p2270_lanes[5], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[5]) +
+      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[5] + Lambda_11_11_p2952_lanes *
+      Lambda_11_11_p2920_lanes[5] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[5];
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p3966 = Lambda_11_11_p764 * inverse_D10_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3975_lanes = Lambda_11_11_p3332_lanes + Lambda_11_11_p3500_lanes *
+      Lambda_11_11_p3467_lanes[1] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[1] -
+      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[1];
+  const Lanes<8> Lambda_11_11_p3982_lanes = Lambda_11_11_p3342_lanes + Lambda_11_11_p3500_lanes *
+      Lambda_11_11_p3467_lanes[2] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[2] -
+      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[2];
+  const Lanes<8> Lambda_11_11_p3988_lanes = Lambda_11_11_p3477_lanes + Lambda_11_11_p3500_lanes *
+      Lambda_11_11_p3467_lanes[3] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[3] -
+      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[3];
+  const Lanes<8> Lambda_11_11_p3993_lanes = Lambda_11_11_p3764_lanes + Lambda_11_11_p3500_lanes *
+      Lambda_11_11_p3467_lanes[4] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[4] -
+      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[4];
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p4000 = Lambda_11_11_p3920 + Lambda_11_11_p996 * inverse_D10_lanes[1] *
+      Lambda_11_11_p996 + Lambda_11_11_p1095 * inverse_D9_lanes[1] * Lambda_11_11_p1095 +
+      Lambda_11_11_p1193 * inverse_D8_lanes[1] * Lambda_11_11_p1193;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4001_lanes = Lambda_11_11_p3442_lanes + Lambda_11_11_p1828_lanes *
+      Lambda_11_11_p3467_lanes[1] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[1] -
+      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[1];
+  const Real Lambda_11_11_p4005 = 1.0 / Lambda_11_11_p3975_lanes[1];
+  const Lanes<8> Lambda_11_11_p4006_lanes = Lambda_11_11_p3446_lanes + Lambda_11_11_p1828_lanes *
+      Lambda_11_11_p3467_lanes[2] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[2] -
+      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[2];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4045_lanes = Lambda_11_11_p3525_lanes * Lambda_11_11_p764;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4053_lanes = Lambda_11_11_p3963_lanes + Lambda_11_11_p3500_lanes *
+      Lambda_11_11_p3467_lanes[5] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[5] -
+      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[5];
+  const Lanes<8> Lambda_11_11_p4064_lanes = Lambda_11_11_p3450_lanes + Lambda_11_11_p1828_lanes *
+      Lambda_11_11_p3467_lanes[3] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[3] -
+      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[3];
+  const Lanes<8> Lambda_11_11_p4068_lanes = Lambda_11_11_p3454_lanes + Lambda_11_11_p1828_lanes *
+      Lambda_11_11_p3467_lanes[4] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[4] -
+      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[4];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p4072_lanes = Lambda_11_11_p3906_lanes + Lambda_11_11_p1876_lanes *
+      Lambda_11_11_p2270_lanes[6] + Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[6] +
+      Lambda_11_11_p1880_lanes * Lambda_11_11_p2920_lanes[6];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4080_lanes = Lambda_11_11_p3862_lanes + Lambda_11_11_p1828_lanes *
+      Lambda_11_11_p3467_lanes[5] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[5] -
+      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[5];
+
+  // link 4 (chest1), force propagation
+  const Real Lambda_11_11_p4116 = Lambda_11_11_p4000 + Lambda_11_11_p1359 * inverse_D7_lanes[1] *
+      Lambda_11_11_p1359 + Lambda_11_11_p2325 * Lambda_11_11_p2270_lanes[6] +
+      Lambda_11_11_p2623_lanes[6] * Lambda_11_11_p2562_lanes[6] + Lambda_11_11_p2952_lanes[6] *
+      Lambda_11_11_p2920_lanes[6];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p4117 = Lambda_11_11_p3957 * Lambda_11_11_p755 + Lambda_11_11_p3958 *
+      Lambda_11_11_p806 + Lambda_11_11_p3962 * Lambda_11_11_p892 + Lambda_11_11_p3966 *
+      Lambda_11_11_p996 + Lambda_11_11_p3933 * Lambda_11_11_p1095;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4126_lanes = Lambda_11_11_p3975_lanes * Lambda_11_11_p4005;
+  const Lanes<8> Lambda_11_11_p4132_lanes = Lambda_11_11_p4001_lanes * Lambda_11_11_p4005;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4136_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p591 +
+      Lambda_11_11_p3539_lanes * Lambda_11_11_p628 + Lambda_11_11_p3535_lanes * Lambda_11_11_p706 +
+      Lambda_11_11_p4045_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4174_lanes = Lambda_11_11_p3982_lanes - Lambda_11_11_p4126_lanes *
+      Lambda_11_11_p3975_lanes[2];
+  const Real Lambda_11_11_p4192 = Lambda_11_11_p4116 + Lambda_11_11_p3214_lanes[6] *
+      Lambda_11_11_p3179_lanes[6] + Lambda_11_11_p3500_lanes[6] * Lambda_11_11_p3467_lanes[6] +
+      Lambda_11_11_p3670_lanes[6] * Lambda_11_11_p3599_lanes[6] - Lambda_11_11_p3910_lanes[6] *
+      Lambda_11_11_p3807_lanes[6];
+  const Lanes<8> Lambda_11_11_p4197_lanes = Lambda_11_11_p4006_lanes - Lambda_11_11_p4132_lanes *
+      Lambda_11_11_p3975_lanes[2];
+  const Real Lambda_11_11_p4205 = 1.0 / Lambda_11_11_p4174_lanes[2];
+  const Lanes<8> Lambda_11_11_p4214_lanes = Lambda_11_11_p4072_lanes + Lambda_11_11_p1832_lanes *
+      Lambda_11_11_p3179_lanes[6] + Lambda_11_11_p1828_lanes * Lambda_11_11_p3467_lanes[6] +
+      Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[6];
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_11_11_p4218 = Lambda_11_11_p4117 + Lambda_11_11_p3934 * Lambda_11_11_p1193 +
+      Lambda_11_11_p3925 * Lambda_11_11_p1359 + Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[6] +
+      Lambda_11_11_p2623_lanes[7] * Lambda_11_11_p2562_lanes[6];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p4223_lanes = Lambda_11_11_p4136_lanes + Lambda_11_11_p3521_lanes *
+      Lambda_11_11_p839 + Lambda_11_11_p3517_lanes * Lambda_11_11_p959 + Lambda_11_11_p3510_lanes *
+      Lambda_11_11_p1077;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4243_lanes = Lambda_11_11_p3525_lanes * Lambda_11_11_p319_lanes[0];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p4295 = Lambda_11_11_p3957 * Lambda_11_11_p591 + Lambda_11_11_p3958 *
+      Lambda_11_11_p628 + Lambda_11_11_p3962 * Lambda_11_11_p706 + Lambda_11_11_p3966 *
+      Lambda_11_11_p764 + Lambda_11_11_p3933 * Lambda_11_11_p839;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p4320_lanes = Lambda_11_11_p4223_lanes + Lambda_11_11_p1876_lanes *
+      Lambda_11_11_p2270_lanes[7] + Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[7] +
+      Lambda_11_11_p1880_lanes * Lambda_11_11_p2920_lanes[7];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4324_lanes = Lambda_11_11_p4174_lanes * Lambda_11_11_p4205;
+  const Lanes<8> Lambda_11_11_p4329_lanes = Lambda_11_11_p4197_lanes * Lambda_11_11_p4205;
+  const Real Lambda_11_11_p4333 = Lambda_11_11_p4218 + Lambda_11_11_p2952_lanes[7] *
+      Lambda_11_11_p2920_lanes[6] + Lambda_11_11_p3214_lanes[7] * Lambda_11_11_p3179_lanes[6] +
+      Lambda_11_11_p3500_lanes[7] * Lambda_11_11_p3467_lanes[6] + Lambda_11_11_p3670_lanes[7] *
+      Lambda_11_11_p3599_lanes[6];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4334_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p121 +
+      Lambda_11_11_p3539_lanes * Lambda_11_11_p140_lanes[0] + Lambda_11_11_p3535_lanes *
+      Lambda_11_11_p211_lanes[0] + Lambda_11_11_p4243_lanes;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_11_11_p4372 = Lambda_11_11_p4295 + Lambda_11_11_p3934 * Lambda_11_11_p959 +
+      Lambda_11_11_p3925 * Lambda_11_11_p1077 + Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[7] +
+      Lambda_11_11_p2623_lanes[7] * Lambda_11_11_p2562_lanes[7];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4390_lanes = Lambda_11_11_p3988_lanes - Lambda_11_11_p4126_lanes *
+      Lambda_11_11_p3975_lanes[3] - Lambda_11_11_p4324_lanes * Lambda_11_11_p4174_lanes[3];
+  const Lanes<8> Lambda_11_11_p4402_lanes = Lambda_11_11_p4064_lanes - Lambda_11_11_p4132_lanes *
+      Lambda_11_11_p3975_lanes[3] - Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[3];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4422_lanes = Lambda_11_11_p3525_lanes * Lambda_11_11_p319_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p4425 = 1.0 / Lambda_11_11_p4390_lanes[3];
+  const Lanes<8> Lambda_11_11_p4429_lanes = Lambda_11_11_p4214_lanes - Lambda_11_11_p3921_lanes *
+      Lambda_11_11_p3807_lanes[6] - Lambda_11_11_p4132_lanes * Lambda_11_11_p3975_lanes[6] -
+      Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[6];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p4436_lanes = Lambda_11_11_p4334_lanes + Lambda_11_11_p3521_lanes *
+      Lambda_11_11_p399_lanes[0] + Lambda_11_11_p3517_lanes * Lambda_11_11_p507_lanes[0] +
+      Lambda_11_11_p3510_lanes * Lambda_11_11_p592_lanes[0];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4447_lanes = Lambda_11_11_p4320_lanes + Lambda_11_11_p1832_lanes *
+      Lambda_11_11_p3179_lanes[7] + Lambda_11_11_p1828_lanes * Lambda_11_11_p3467_lanes[7] +
+      Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[7];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4490_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p125 +
+      Lambda_11_11_p3539_lanes * Lambda_11_11_p140_lanes[1] + Lambda_11_11_p3535_lanes *
+      Lambda_11_11_p211_lanes[1] + Lambda_11_11_p4422_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p4493 = Lambda_11_11_p4372 + Lambda_11_11_p2952_lanes[7] *
+      Lambda_11_11_p2920_lanes[7] + Lambda_11_11_p3214_lanes[7] * Lambda_11_11_p3179_lanes[7] +
+      Lambda_11_11_p3500_lanes[7] * Lambda_11_11_p3467_lanes[7] + Lambda_11_11_p3670_lanes[7] *
+      Lambda_11_11_p3599_lanes[7];
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_11_11_p4498_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p114;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p4507_lanes = Lambda_11_11_p4436_lanes + Lambda_11_11_p1876_lanes *
+      Lambda_11_11_p731_lanes[0] + Lambda_11_11_p1872_lanes * Lambda_11_11_p819_lanes[0] +
+      Lambda_11_11_p1880_lanes * Lambda_11_11_p1030_lanes[0];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4511_lanes = Lambda_11_11_p4447_lanes - Lambda_11_11_p3921_lanes *
+      Lambda_11_11_p3807_lanes[7] - Lambda_11_11_p4132_lanes * Lambda_11_11_p3975_lanes[7] -
+      Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[7];
+  const Lanes<8> Lambda_11_11_p4518_lanes = Lambda_11_11_p4390_lanes * Lambda_11_11_p4425;
+  const Lanes<8> Lambda_11_11_p4522_lanes = Lambda_11_11_p4402_lanes * Lambda_11_11_p4425;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p4530_lanes = Lambda_11_11_p4490_lanes + Lambda_11_11_p3521_lanes *
+      Lambda_11_11_p399_lanes[1] + Lambda_11_11_p3517_lanes * Lambda_11_11_p507_lanes[1] +
+      Lambda_11_11_p3510_lanes * Lambda_11_11_p592_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4560_lanes = Lambda_11_11_p4507_lanes + Lambda_11_11_p1832_lanes *
+      Lambda_11_11_p1115_lanes[0] + Lambda_11_11_p1828_lanes * Lambda_11_11_p1592_lanes[0] +
+      Lambda_11_11_p1770_lanes * Lambda_11_11_p1712_lanes[0];
+  const Lanes<8> Lambda_11_11_p4571_lanes = Lambda_11_11_p3993_lanes - Lambda_11_11_p4126_lanes *
+      Lambda_11_11_p3975_lanes[4] - Lambda_11_11_p4324_lanes * Lambda_11_11_p4174_lanes[4] -
+      Lambda_11_11_p4518_lanes * Lambda_11_11_p4390_lanes[4];
+  const Lanes<8> Lambda_11_11_p4575_lanes = Lambda_11_11_p4053_lanes - Lambda_11_11_p4126_lanes *
+      Lambda_11_11_p3975_lanes[5] - Lambda_11_11_p4324_lanes * Lambda_11_11_p4174_lanes[5] -
+      Lambda_11_11_p4518_lanes * Lambda_11_11_p4390_lanes[5];
+  const Lanes<8> Lambda_11_11_p4578_lanes = Lambda_11_11_p4068_lanes - Lambda_11_11_p4132_lanes *
+      Lambda_11_11_p3975_lanes[4] - Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[4] -
+      Lambda_11_11_p4522_lanes * Lambda_11_11_p4390_lanes[4];
+  const Real Lambda_11_11_p4582 = Lambda_11_11_p4333 - Lambda_11_11_p3910_lanes[7] *
+      Lambda_11_11_p3807_lanes[6] - Lambda_11_11_p4126_lanes[7] * Lambda_11_11_p3975_lanes[6] -
+      Lambda_11_11_p4324_lanes[7] * Lambda_11_11_p4174_lanes[6] - Lambda_11_11_p4518_lanes[7] *
+      Lambda_11_11_p4390_lanes[6];
+  const Lanes<8> Lambda_11_11_p4583_lanes = Lambda_11_11_p4080_lanes - Lambda_11_11_p4132_lanes *
+      Lambda_11_11_p3975_lanes[5] - Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[5] -
+      Lambda_11_11_p4522_lanes * Lambda_11_11_p4390_lanes[5];
+  const Real Lambda_11_11_p4587 = Lambda_11_11_p4493 - Lambda_11_11_p3910_lanes[7] *
+      Lambda_11_11_p3807_lanes[7] - Lambda_11_11_p4126_lanes[7] * Lambda_11_11_p3975_lanes[7] -
+      Lambda_11_11_p4324_lanes[7] * Lambda_11_11_p4174_lanes[7] - Lambda_11_11_p4518_lanes[7] *
+      Lambda_11_11_p4390_lanes[7];
+  const Real Lambda_11_11_p4600 = 1.0 / Lambda_11_11_p4571_lanes[4];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p4611_lanes = Lambda_11_11_p4530_lanes + Lambda_11_11_p1876_lanes *
+      Lambda_11_11_p731_lanes[1] + Lambda_11_11_p1872_lanes * Lambda_11_11_p819_lanes[1] +
+      Lambda_11_11_p1880_lanes * Lambda_11_11_p1030_lanes[1];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p4614 = Lambda_11_11_p4498_lanes[3] + Lambda_11_11_p3539_lanes[3] *
+      Lambda_11_11_p140_lanes[2] + Lambda_11_11_p3535_lanes[3] * Lambda_11_11_p211_lanes[2] +
+      Lambda_11_11_p3525_lanes[3] * Lambda_11_11_p319_lanes[2] + Lambda_11_11_p3521_lanes[3] *
+      Lambda_11_11_p399_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4615_lanes = Lambda_11_11_p4560_lanes - Lambda_11_11_p3921_lanes *
+      Lambda_11_11_p3775_lanes[0] - Lambda_11_11_p4132_lanes * Lambda_11_11_p4001_lanes[0] -
+      Lambda_11_11_p4329_lanes * Lambda_11_11_p4197_lanes[0];
+  const Real Lambda_0_0_p1 = Lambda_11_11_p4126_lanes[2] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3910_lanes[2];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p4629 = Lambda_11_11_p4498_lanes[2] + Lambda_11_11_p3539_lanes[2] *
+      Lambda_11_11_p140_lanes[2] + Lambda_11_11_p3535_lanes[2] * Lambda_11_11_p211_lanes[2] +
+      Lambda_11_11_p3525_lanes[2] * Lambda_11_11_p319_lanes[2] + Lambda_11_11_p3521_lanes[2] *
+      Lambda_11_11_p399_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4630_lanes = Lambda_11_11_p4611_lanes + Lambda_11_11_p1832_lanes *
+      Lambda_11_11_p1115_lanes[1] + Lambda_11_11_p1828_lanes * Lambda_11_11_p1592_lanes[1] +
+      Lambda_11_11_p1770_lanes * Lambda_11_11_p1712_lanes[1];
+  const Lanes<8> Lambda_11_11_p4633_lanes = Lambda_11_11_p4571_lanes * Lambda_11_11_p4600;
+  const Lanes<8> Lambda_11_11_p4636_lanes = Lambda_11_11_p4578_lanes * Lambda_11_11_p4600;
+  const Real Lambda_0_0_p2 = Lambda_11_11_p4126_lanes[3] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3910_lanes[3] - Lambda_11_11_p4324_lanes[3] * Lambda_0_0_p1;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_11_11_p4643 = Lambda_11_11_p4614 + Lambda_11_11_p3517_lanes[3] *
+      Lambda_11_11_p507_lanes[2] + Lambda_11_11_p3510_lanes[3] * Lambda_11_11_p592_lanes[2] +
+      Lambda_11_11_p1876_lanes[3] * Lambda_11_11_p731_lanes[2] + Lambda_11_11_p1872_lanes[3] *
+      Lambda_11_11_p819_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4669_lanes = Lambda_11_11_p4575_lanes - Lambda_11_11_p4633_lanes *
+      Lambda_11_11_p4571_lanes[5];
+  const Real Lambda_11_11_p4672 = Lambda_11_11_p4192 - Lambda_11_11_p4126_lanes[6] *
+      Lambda_11_11_p3975_lanes[6] - Lambda_11_11_p4324_lanes[6] * Lambda_11_11_p4174_lanes[6] -
+      Lambda_11_11_p4518_lanes[6] * Lambda_11_11_p4390_lanes[6] - Lambda_11_11_p4633_lanes[6] *
+      Lambda_11_11_p4571_lanes[6];
+  const Lanes<8> Lambda_11_11_p4673_lanes = Lambda_11_11_p4583_lanes - Lambda_11_11_p4636_lanes *
+      Lambda_11_11_p4571_lanes[5];
+  const Lanes<8> Lambda_11_11_p4689_lanes = Lambda_11_11_p4630_lanes - Lambda_11_11_p3921_lanes *
+      Lambda_11_11_p3775_lanes[1] - Lambda_11_11_p4132_lanes * Lambda_11_11_p4001_lanes[1] -
+      Lambda_11_11_p4329_lanes * Lambda_11_11_p4197_lanes[1];
+  const Real Lambda_11_11_p4692 = 1.0 / Lambda_11_11_p4669_lanes[5];
+  const Real Lambda_0_0_p3 = Lambda_11_11_p4126_lanes[4] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3910_lanes[4] - Lambda_11_11_p4324_lanes[4] * Lambda_0_0_p1 -
+      Lambda_11_11_p4518_lanes[4] * Lambda_0_0_p2;
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_11_11_p4693 = Lambda_11_11_p4629 + Lambda_11_11_p3517_lanes[2] *
+      Lambda_11_11_p507_lanes[2] + Lambda_11_11_p3510_lanes[2] * Lambda_11_11_p592_lanes[2] +
+      Lambda_11_11_p1876_lanes[2] * Lambda_11_11_p731_lanes[2] + Lambda_11_11_p1872_lanes[2] *
+      Lambda_11_11_p819_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p4700 = Lambda_11_11_p4643 + Lambda_11_11_p1880_lanes[3] *
+      Lambda_11_11_p1030_lanes[2] + Lambda_11_11_p1832_lanes[3] * Lambda_11_11_p1115_lanes[2] +
+      Lambda_11_11_p1828_lanes[3] * Lambda_11_11_p1592_lanes[2] + Lambda_11_11_p1770_lanes[3] *
+      Lambda_11_11_p1712_lanes[2];
+  const Real Lambda_0_0_p4 = Lambda_11_11_p4126_lanes[5] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3910_lanes[5] - Lambda_11_11_p4324_lanes[5] * Lambda_0_0_p1 -
+      Lambda_11_11_p4518_lanes[5] * Lambda_0_0_p2 - Lambda_11_11_p4633_lanes[5] * Lambda_0_0_p3;
+  const Real Lambda_0_0_p5 = Lambda_11_11_p4126_lanes[6] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3910_lanes[6] - Lambda_11_11_p4324_lanes[6] * Lambda_0_0_p1 -
+      Lambda_11_11_p4518_lanes[6] * Lambda_0_0_p2 - Lambda_11_11_p4633_lanes[6] * Lambda_0_0_p3;
+  const Real Lambda_0_0_p6 = Lambda_11_11_p4126_lanes[7] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3910_lanes[7] - Lambda_11_11_p4324_lanes[7] * Lambda_0_0_p1 -
+      Lambda_11_11_p4518_lanes[7] * Lambda_0_0_p2 - Lambda_11_11_p4633_lanes[7] * Lambda_0_0_p3;
+  const Real Lambda_11_11_p4701 = Lambda_11_11_p4669_lanes[6] * Lambda_11_11_p4692;
+  const Real Lambda_11_11_p4702 = Lambda_11_11_p4669_lanes[7] * Lambda_11_11_p4692;
+  const Lanes<8> Lambda_11_11_p4703_lanes = Lambda_11_11_p4673_lanes * Lambda_11_11_p4692;
+  const Real Lambda_11_11_p4707 = Lambda_11_11_p4693 + Lambda_11_11_p1880_lanes[2] *
+      Lambda_11_11_p1030_lanes[2] + Lambda_11_11_p1832_lanes[2] * Lambda_11_11_p1115_lanes[2] +
+      Lambda_11_11_p1828_lanes[2] * Lambda_11_11_p1592_lanes[2] + Lambda_11_11_p1770_lanes[2] *
+      Lambda_11_11_p1712_lanes[2];
+  const Real Lambda_11_11_p4723 = Lambda_11_11_p4700 - Lambda_11_11_p3921_lanes[3] *
+      Lambda_11_11_p3775_lanes[2] - Lambda_11_11_p4132_lanes[3] * Lambda_11_11_p4001_lanes[2] -
+      Lambda_11_11_p4329_lanes[3] * Lambda_11_11_p4197_lanes[2] - Lambda_11_11_p4522_lanes[3] *
+      Lambda_11_11_p4402_lanes[2];
+  const Real Lambda_11_11_p4724 = Lambda_11_11_p4582 - Lambda_11_11_p4633_lanes[7] *
+      Lambda_11_11_p4571_lanes[6] - Lambda_11_11_p4702 * Lambda_11_11_p4669_lanes[6];
+  const Lanes<8> Lambda_11_11_p4725_lanes = Lambda_11_11_p4429_lanes - Lambda_11_11_p4522_lanes *
+      Lambda_11_11_p4390_lanes[6] - Lambda_11_11_p4636_lanes * Lambda_11_11_p4571_lanes[6] -
+      Lambda_11_11_p4703_lanes * Lambda_11_11_p4669_lanes[6];
+  const Lanes<8> Lambda_11_11_p4729_lanes = Lambda_11_11_p4511_lanes - Lambda_11_11_p4522_lanes *
+      Lambda_11_11_p4390_lanes[7] - Lambda_11_11_p4636_lanes * Lambda_11_11_p4571_lanes[7] -
+      Lambda_11_11_p4703_lanes * Lambda_11_11_p4669_lanes[7];
+  const Lanes<8> Lambda_11_11_p4733_lanes = Lambda_11_11_p4615_lanes - Lambda_11_11_p4522_lanes *
+      Lambda_11_11_p4402_lanes[0] - Lambda_11_11_p4636_lanes * Lambda_11_11_p4578_lanes[0] -
+      Lambda_11_11_p4703_lanes * Lambda_11_11_p4673_lanes[0];
+  const Lanes<8> Lambda_11_11_p4737_lanes = Lambda_11_11_p4689_lanes - Lambda_11_11_p4522_lanes *
+      Lambda_11_11_p4402_lanes[1] - Lambda_11_11_p4636_lanes * Lambda_11_11_p4578_lanes[1] -
+      Lambda_11_11_p4703_lanes * Lambda_11_11_p4673_lanes[1];
+  const Real Lambda_0_11_p1 = Lambda_11_11_p4132_lanes[0] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3921_lanes[0] - Lambda_11_11_p4329_lanes[0] * Lambda_0_0_p1 -
+      Lambda_11_11_p4522_lanes[0] * Lambda_0_0_p2 - Lambda_11_11_p4636_lanes[0] * Lambda_0_0_p3;
+  const Real Lambda_11_11_p4740 = 1.0 / (Lambda_11_11_p4672 - Lambda_11_11_p4701 *
+      Lambda_11_11_p4669_lanes[6]);
+  const Real Lambda_0_0_p7 = Lambda_0_0_p5 - Lambda_11_11_p4701 * Lambda_0_0_p4;
+  const Real Lambda_0_0_p8 = Lambda_11_11_p3910_lanes[1] * Lambda_11_11_p4005;
+  const Real Lambda_0_11_p2 = Lambda_11_11_p4132_lanes[1] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3921_lanes[1] - Lambda_11_11_p4329_lanes[1] * Lambda_0_0_p1 -
+      Lambda_11_11_p4522_lanes[1] * Lambda_0_0_p2 - Lambda_11_11_p4636_lanes[1] * Lambda_0_0_p3;
+  const Real Lambda_0_0_p9 = Lambda_0_0_p1 * Lambda_11_11_p4205;
+  const Real Lambda_0_0_p10 = Lambda_0_0_p2 * Lambda_11_11_p4425;
+  const Real Lambda_11_11_p4741 = Lambda_11_11_p4707 - Lambda_11_11_p3921_lanes[2] *
+      Lambda_11_11_p3775_lanes[2] - Lambda_11_11_p4132_lanes[2] * Lambda_11_11_p4001_lanes[2] -
+      Lambda_11_11_p4329_lanes[2] * Lambda_11_11_p4197_lanes[2] - Lambda_11_11_p4522_lanes[2] *
+      Lambda_11_11_p4402_lanes[2];
+  const Real Lambda_0_11_p3 = Lambda_11_11_p4132_lanes[2] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3921_lanes[2] - Lambda_11_11_p4329_lanes[2] * Lambda_0_0_p1 -
+      Lambda_11_11_p4522_lanes[2] * Lambda_0_0_p2 - Lambda_11_11_p4636_lanes[2] * Lambda_0_0_p3;
+
+  // link 3 (hip), force propagation
+  const Real Lambda_11_11_p4742 = Lambda_11_11_p3892_lanes[1] + Lambda_11_11_p1876_lanes[3] *
+      Lambda_11_11_p731_lanes[3] + Lambda_11_11_p1872_lanes[3] * Lambda_11_11_p819_lanes[3] +
+      Lambda_11_11_p1880_lanes[3] * Lambda_11_11_p1030_lanes[3] + Lambda_11_11_p1832_lanes[3] *
+      Lambda_11_11_p1115_lanes[3];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_0_0_p11 = Lambda_0_0_p3 * Lambda_11_11_p4600;
+  const Real Lambda_0_0_p12 = Lambda_0_0_p4 * Lambda_11_11_p4692;
+  const Real Lambda_1_11_p1 = Lambda_11_11_p4324_lanes[3] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4126_lanes[3];
+  const Real Lambda_0_11_p4 = Lambda_11_11_p4132_lanes[3] * Lambda_11_11_p3910_lanes[1] -
+      Lambda_11_11_p3921_lanes[3] - Lambda_11_11_p4329_lanes[3] * Lambda_0_0_p1 -
+      Lambda_11_11_p4522_lanes[3] * Lambda_0_0_p2 - Lambda_11_11_p4636_lanes[3] * Lambda_0_0_p3;
+  const Real Lambda_11_11_p4743 = Lambda_11_11_p4724 * Lambda_11_11_p4740;
+  const Lanes<8> Lambda_11_11_p4744_lanes = Lambda_11_11_p4725_lanes * Lambda_11_11_p4740;
+  const Real Lambda_0_0_p13 = Lambda_0_0_p7 * Lambda_11_11_p4740;
+  const Real Lambda_1_11_p2 = Lambda_11_11_p4324_lanes[4] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4126_lanes[4] - Lambda_11_11_p4518_lanes[4] * Lambda_1_11_p1;
+  const Real Lambda_11_11_p4759 = Lambda_11_11_p4742 + Lambda_11_11_p1828_lanes[3] *
+      Lambda_11_11_p1592_lanes[3] + Lambda_11_11_p1770_lanes[3] * Lambda_11_11_p1712_lanes[3] -
+      Lambda_11_11_p3921_lanes[3] * Lambda_11_11_p3775_lanes[3] - Lambda_11_11_p4132_lanes[3] *
+      Lambda_11_11_p4001_lanes[3];
+  const Lanes<8> Lambda_11_11_p4760_lanes = Lambda_11_11_p4729_lanes - Lambda_11_11_p4744_lanes *
+      Lambda_11_11_p4724;
+  const Real Lambda_1_11_p3 = Lambda_11_11_p4324_lanes[5] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4126_lanes[5] - Lambda_11_11_p4518_lanes[5] * Lambda_1_11_p1 -
+      Lambda_11_11_p4633_lanes[5] * Lambda_1_11_p2;
+  const Real Lambda_11_11_p4771 = 1.0 / (Lambda_11_11_p4587 - Lambda_11_11_p4633_lanes[7] *
+      Lambda_11_11_p4571_lanes[7] - Lambda_11_11_p4702 * Lambda_11_11_p4669_lanes[7] -
+      Lambda_11_11_p4743 * Lambda_11_11_p4724);
+  const Real Lambda_0_0_p14 = Lambda_0_0_p6 - Lambda_11_11_p4702 * Lambda_0_0_p4 -
+      Lambda_11_11_p4743 * Lambda_0_0_p7;
+  const Real Lambda_1_11_p4 = Lambda_11_11_p4324_lanes[6] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4126_lanes[6] - Lambda_11_11_p4518_lanes[6] * Lambda_1_11_p1 -
+      Lambda_11_11_p4633_lanes[6] * Lambda_1_11_p2 - Lambda_11_11_p4701 * Lambda_1_11_p3;
+  const Real Lambda_1_11_p5 = Lambda_11_11_p4324_lanes[7] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4126_lanes[7] - Lambda_11_11_p4518_lanes[7] * Lambda_1_11_p1 -
+      Lambda_11_11_p4633_lanes[7] * Lambda_1_11_p2 - Lambda_11_11_p4702 * Lambda_1_11_p3;
+  const Real Lambda_1_11_p6 = Lambda_11_11_p4329_lanes[0] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4132_lanes[0] - Lambda_11_11_p4522_lanes[0] * Lambda_1_11_p1 -
+      Lambda_11_11_p4636_lanes[0] * Lambda_1_11_p2 - Lambda_11_11_p4703_lanes[0] * Lambda_1_11_p3;
+  const Real Lambda_11_11_p4772 = Lambda_11_11_p4759 - Lambda_11_11_p4329_lanes[3] *
+      Lambda_11_11_p4197_lanes[3] - Lambda_11_11_p4522_lanes[3] * Lambda_11_11_p4402_lanes[3] -
+      Lambda_11_11_p4636_lanes[3] * Lambda_11_11_p4578_lanes[3] - Lambda_11_11_p4703_lanes[3] *
+      Lambda_11_11_p4673_lanes[3];
+  const Real Lambda_0_1_p1 = Lambda_1_11_p1 * Lambda_11_11_p4425;
+  const Real Lambda_1_11_p7 = Lambda_11_11_p4329_lanes[1] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4132_lanes[1] - Lambda_11_11_p4522_lanes[1] * Lambda_1_11_p1 -
+      Lambda_11_11_p4636_lanes[1] * Lambda_1_11_p2 - Lambda_11_11_p4703_lanes[1] * Lambda_1_11_p3;
+  const Real Lambda_0_1_p2 = Lambda_11_11_p4126_lanes[2] * Lambda_11_11_p4205;
+  const Real Lambda_0_1_p3 = Lambda_1_11_p2 * Lambda_11_11_p4600;
+  const Real Lambda_0_1_p4 = Lambda_1_11_p3 * Lambda_11_11_p4692;
+  const Real Lambda_1_11_p8 = Lambda_1_11_p5 - Lambda_11_11_p4743 * Lambda_1_11_p4;
+  const Lanes<8> Lambda_11_11_p4773_lanes = Lambda_11_11_p4760_lanes * Lambda_11_11_p4771;
+  const Real Lambda_1_11_p9 = Lambda_11_11_p4329_lanes[2] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4132_lanes[2] - Lambda_11_11_p4522_lanes[2] * Lambda_1_11_p1 -
+      Lambda_11_11_p4636_lanes[2] * Lambda_1_11_p2 - Lambda_11_11_p4703_lanes[2] * Lambda_1_11_p3;
+  const Real Lambda_0_1_p5 = Lambda_1_11_p4 * Lambda_11_11_p4740;
+  const Real Lambda_0_0_p15 = Lambda_11_11_p3839 + Lambda_0_0_p8 * Lambda_11_11_p3910_lanes[1] +
       Lambda_0_0_p9 * Lambda_0_0_p1 + Lambda_0_0_p10 * Lambda_0_0_p2 + Lambda_0_0_p11 *
       Lambda_0_0_p3;
-  const Real Lambda_2_11_p1 = Lambda_11_11_p4840_lanes[4] * Lambda_11_11_p4646_lanes[3] -
-      Lambda_11_11_p4646_lanes[4];
-  const Real Lambda_0_0_p16 = Lambda_0_0_p14 * Lambda_11_11_p5093;
-  const Lanes<8> Lambda_11_11_p5106_lanes = Lambda_11_11_p5055_lanes - Lambda_11_11_p5066_lanes *
-      Lambda_11_11_p5047_lanes[0] - Lambda_11_11_p5095_lanes * Lambda_11_11_p5082_lanes[0];
-  const Real Lambda_11_11_p5113 = Lambda_11_11_p5063 - Lambda_11_11_p4958_lanes[2] *
-      Lambda_11_11_p4900_lanes[2] - Lambda_11_11_p5025_lanes[2] * Lambda_11_11_p4995_lanes[2] -
-      Lambda_11_11_p5066_lanes[2] * Lambda_11_11_p5047_lanes[2] - Lambda_11_11_p5095_lanes[2] *
-      Lambda_11_11_p5082_lanes[2];
-  const Real Lambda_11_11_p5114 = Lambda_11_11_p5045 - Lambda_11_11_p4958_lanes[3] *
-      Lambda_11_11_p4900_lanes[2] - Lambda_11_11_p5025_lanes[3] * Lambda_11_11_p4995_lanes[2] -
-      Lambda_11_11_p5066_lanes[3] * Lambda_11_11_p5047_lanes[2] - Lambda_11_11_p5095_lanes[3] *
-      Lambda_11_11_p5082_lanes[2];
-  const Real Lambda_2_11_p2 = Lambda_11_11_p4840_lanes[5] * Lambda_11_11_p4646_lanes[3] -
-      Lambda_11_11_p4646_lanes[5] - Lambda_11_11_p4955_lanes[5] * Lambda_2_11_p1;
-  const Real Lambda_11_11_p5115 = 1.0 / Lambda_11_11_p5106_lanes[0];
-  const Real Lambda_0_11_p5 = Lambda_0_11_p1 - Lambda_11_11_p5025_lanes[0] * Lambda_0_0_p4 -
-      Lambda_11_11_p5066_lanes[0] * Lambda_0_0_p7 - Lambda_11_11_p5095_lanes[0] * Lambda_0_0_p14;
-  const Real Lambda_1_11_p10 = Lambda_1_11_p6 - Lambda_11_11_p5066_lanes[0] * Lambda_1_11_p4 -
-      Lambda_11_11_p5095_lanes[0] * Lambda_1_11_p8;
-  const Real Lambda_1_11_p11 = Lambda_11_11_p4651_lanes[3] * Lambda_11_11_p4444_lanes[2] -
-      Lambda_11_11_p4450_lanes[3] - Lambda_11_11_p4844_lanes[3] * Lambda_1_11_p1 -
-      Lambda_11_11_p4958_lanes[3] * Lambda_1_11_p2 - Lambda_11_11_p5025_lanes[3] * Lambda_1_11_p3;
-  const Real Lambda_2_11_p3 = Lambda_11_11_p4840_lanes[6] * Lambda_11_11_p4646_lanes[3] -
-      Lambda_11_11_p4646_lanes[6] - Lambda_11_11_p4955_lanes[6] * Lambda_2_11_p1 -
-      Lambda_11_11_p5023 * Lambda_2_11_p2;
-  const Real Lambda_0_1_p6 = Lambda_1_11_p8 * Lambda_11_11_p5093;
-  const Real Lambda_0_2_p1 = Lambda_11_11_p4646_lanes[3] * Lambda_11_11_p4747;
-  const Real Lambda_0_2_p2 = Lambda_2_11_p1 * Lambda_11_11_p4922;
-  const Real Lambda_0_2_p3 = Lambda_2_11_p2 * Lambda_11_11_p5014;
-  const Real Lambda_0_2_p4 = Lambda_2_11_p3 * Lambda_11_11_p5062;
-  const Lanes<8> Lambda_11_11_p5116_lanes = Lambda_11_11_p5106_lanes * Lambda_11_11_p5115;
-  const Real Lambda_2_11_p4 = Lambda_11_11_p4840_lanes[7] * Lambda_11_11_p4646_lanes[3] -
-      Lambda_11_11_p4646_lanes[7] - Lambda_11_11_p4955_lanes[7] * Lambda_2_11_p1 -
-      Lambda_11_11_p5024 * Lambda_2_11_p2 - Lambda_11_11_p5065 * Lambda_2_11_p3;
-  const Real Lambda_2_11_p5 = Lambda_11_11_p4844_lanes[0] * Lambda_11_11_p4646_lanes[3] -
-      Lambda_11_11_p4651_lanes[0] - Lambda_11_11_p4958_lanes[0] * Lambda_2_11_p1 -
-      Lambda_11_11_p5025_lanes[0] * Lambda_2_11_p2 - Lambda_11_11_p5066_lanes[0] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p6 = Lambda_11_11_p4844_lanes[1] * Lambda_11_11_p4646_lanes[3] -
-      Lambda_11_11_p4651_lanes[1] - Lambda_11_11_p4958_lanes[1] * Lambda_2_11_p1 -
-      Lambda_11_11_p5025_lanes[1] * Lambda_2_11_p2 - Lambda_11_11_p5066_lanes[1] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p7 = Lambda_11_11_p4844_lanes[2] * Lambda_11_11_p4646_lanes[3] -
-      Lambda_11_11_p4651_lanes[2] - Lambda_11_11_p4958_lanes[2] * Lambda_2_11_p1 -
-      Lambda_11_11_p5025_lanes[2] * Lambda_2_11_p2 - Lambda_11_11_p5066_lanes[2] * Lambda_2_11_p3;
-  const Real Lambda_3_11_p1 = Lambda_11_11_p4955_lanes[5] * Lambda_11_11_p4840_lanes[4] -
-      Lambda_11_11_p4840_lanes[5];
-  const Lanes<8> Lambda_11_11_p5122_lanes = Lambda_11_11_p5059_lanes - Lambda_11_11_p5066_lanes *
-      Lambda_11_11_p5047_lanes[1] - Lambda_11_11_p5095_lanes * Lambda_11_11_p5082_lanes[1] -
-      Lambda_11_11_p5116_lanes * Lambda_11_11_p5106_lanes[1];
-  const Real Lambda_2_11_p8 = Lambda_2_11_p5 - Lambda_11_11_p5095_lanes[0] * Lambda_2_11_p4;
-  const Real Lambda_0_11_p6 = Lambda_0_11_p2 - Lambda_11_11_p5025_lanes[1] * Lambda_0_0_p4 -
-      Lambda_11_11_p5066_lanes[1] * Lambda_0_0_p7 - Lambda_11_11_p5095_lanes[1] * Lambda_0_0_p14 -
-      Lambda_11_11_p5116_lanes[1] * Lambda_0_11_p5;
-  const Real Lambda_1_11_p12 = Lambda_1_11_p7 - Lambda_11_11_p5066_lanes[1] * Lambda_1_11_p4 -
-      Lambda_11_11_p5095_lanes[1] * Lambda_1_11_p8 - Lambda_11_11_p5116_lanes[1] * Lambda_1_11_p10;
-  const Real Lambda_11_11_p5125 = 1.0 / Lambda_11_11_p5122_lanes[1];
-  const Real Lambda_3_11_p2 = Lambda_11_11_p4955_lanes[6] * Lambda_11_11_p4840_lanes[4] -
-      Lambda_11_11_p4840_lanes[6] - Lambda_11_11_p5023 * Lambda_3_11_p1;
-  const Real Lambda_2_11_p9 = Lambda_11_11_p4844_lanes[3] * Lambda_11_11_p4646_lanes[3] -
-      Lambda_11_11_p4651_lanes[3] - Lambda_11_11_p4958_lanes[3] * Lambda_2_11_p1 -
-      Lambda_11_11_p5025_lanes[3] * Lambda_2_11_p2 - Lambda_11_11_p5066_lanes[3] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p10 = Lambda_2_11_p6 - Lambda_11_11_p5095_lanes[1] * Lambda_2_11_p4 -
-      Lambda_11_11_p5116_lanes[1] * Lambda_2_11_p8;
-  const Real Lambda_0_3_p1 = Lambda_3_11_p2 * Lambda_11_11_p5062;
-  const Real Lambda_0_11_p7 = Lambda_0_11_p3 - Lambda_11_11_p5025_lanes[2] * Lambda_0_0_p4 -
-      Lambda_11_11_p5066_lanes[2] * Lambda_0_0_p7 - Lambda_11_11_p5095_lanes[2] * Lambda_0_0_p14 -
-      Lambda_11_11_p5116_lanes[2] * Lambda_0_11_p5;
-  const Real Lambda_0_3_p2 = Lambda_3_11_p1 * Lambda_11_11_p5014;
-  const Real Lambda_0_3_p3 = Lambda_11_11_p4840_lanes[4] * Lambda_11_11_p4922;
-  const Real Lambda_3_11_p3 = Lambda_11_11_p4955_lanes[7] * Lambda_11_11_p4840_lanes[4] -
-      Lambda_11_11_p4840_lanes[7] - Lambda_11_11_p5024 * Lambda_3_11_p1 - Lambda_11_11_p5065 *
+  const Real Lambda_2_11_p1 = Lambda_11_11_p4518_lanes[4] * Lambda_11_11_p4324_lanes[3] -
+      Lambda_11_11_p4324_lanes[4];
+  const Real Lambda_0_0_p16 = Lambda_0_0_p14 * Lambda_11_11_p4771;
+  const Lanes<8> Lambda_11_11_p4784_lanes = Lambda_11_11_p4733_lanes - Lambda_11_11_p4744_lanes *
+      Lambda_11_11_p4725_lanes[0] - Lambda_11_11_p4773_lanes * Lambda_11_11_p4760_lanes[0];
+  const Real Lambda_11_11_p4791 = Lambda_11_11_p4741 - Lambda_11_11_p4636_lanes[2] *
+      Lambda_11_11_p4578_lanes[2] - Lambda_11_11_p4703_lanes[2] * Lambda_11_11_p4673_lanes[2] -
+      Lambda_11_11_p4744_lanes[2] * Lambda_11_11_p4725_lanes[2] - Lambda_11_11_p4773_lanes[2] *
+      Lambda_11_11_p4760_lanes[2];
+  const Real Lambda_11_11_p4792 = Lambda_11_11_p4723 - Lambda_11_11_p4636_lanes[3] *
+      Lambda_11_11_p4578_lanes[2] - Lambda_11_11_p4703_lanes[3] * Lambda_11_11_p4673_lanes[2] -
+      Lambda_11_11_p4744_lanes[3] * Lambda_11_11_p4725_lanes[2] - Lambda_11_11_p4773_lanes[3] *
+      Lambda_11_11_p4760_lanes[2];
+  const Real Lambda_2_11_p2 = Lambda_11_11_p4518_lanes[5] * Lambda_11_11_p4324_lanes[3] -
+      Lambda_11_11_p4324_lanes[5] - Lambda_11_11_p4633_lanes[5] * Lambda_2_11_p1;
+  const Real Lambda_11_11_p4793 = 1.0 / Lambda_11_11_p4784_lanes[0];
+  const Real Lambda_0_11_p5 = Lambda_0_11_p1 - Lambda_11_11_p4703_lanes[0] * Lambda_0_0_p4 -
+      Lambda_11_11_p4744_lanes[0] * Lambda_0_0_p7 - Lambda_11_11_p4773_lanes[0] * Lambda_0_0_p14;
+  const Real Lambda_1_11_p10 = Lambda_1_11_p6 - Lambda_11_11_p4744_lanes[0] * Lambda_1_11_p4 -
+      Lambda_11_11_p4773_lanes[0] * Lambda_1_11_p8;
+  const Real Lambda_1_11_p11 = Lambda_11_11_p4329_lanes[3] * Lambda_11_11_p4126_lanes[2] -
+      Lambda_11_11_p4132_lanes[3] - Lambda_11_11_p4522_lanes[3] * Lambda_1_11_p1 -
+      Lambda_11_11_p4636_lanes[3] * Lambda_1_11_p2 - Lambda_11_11_p4703_lanes[3] * Lambda_1_11_p3;
+  const Real Lambda_2_11_p3 = Lambda_11_11_p4518_lanes[6] * Lambda_11_11_p4324_lanes[3] -
+      Lambda_11_11_p4324_lanes[6] - Lambda_11_11_p4633_lanes[6] * Lambda_2_11_p1 -
+      Lambda_11_11_p4701 * Lambda_2_11_p2;
+  const Real Lambda_0_1_p6 = Lambda_1_11_p8 * Lambda_11_11_p4771;
+  const Real Lambda_0_2_p1 = Lambda_11_11_p4324_lanes[3] * Lambda_11_11_p4425;
+  const Real Lambda_0_2_p2 = Lambda_2_11_p1 * Lambda_11_11_p4600;
+  const Real Lambda_0_2_p3 = Lambda_2_11_p2 * Lambda_11_11_p4692;
+  const Real Lambda_0_2_p4 = Lambda_2_11_p3 * Lambda_11_11_p4740;
+  const Lanes<8> Lambda_11_11_p4794_lanes = Lambda_11_11_p4784_lanes * Lambda_11_11_p4793;
+  const Real Lambda_2_11_p4 = Lambda_11_11_p4518_lanes[7] * Lambda_11_11_p4324_lanes[3] -
+      Lambda_11_11_p4324_lanes[7] - Lambda_11_11_p4633_lanes[7] * Lambda_2_11_p1 -
+      Lambda_11_11_p4702 * Lambda_2_11_p2 - Lambda_11_11_p4743 * Lambda_2_11_p3;
+  const Real Lambda_2_11_p5 = Lambda_11_11_p4522_lanes[0] * Lambda_11_11_p4324_lanes[3] -
+      Lambda_11_11_p4329_lanes[0] - Lambda_11_11_p4636_lanes[0] * Lambda_2_11_p1 -
+      Lambda_11_11_p4703_lanes[0] * Lambda_2_11_p2 - Lambda_11_11_p4744_lanes[0] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p6 = Lambda_11_11_p4522_lanes[1] * Lambda_11_11_p4324_lanes[3] -
+      Lambda_11_11_p4329_lanes[1] - Lambda_11_11_p4636_lanes[1] * Lambda_2_11_p1 -
+      Lambda_11_11_p4703_lanes[1] * Lambda_2_11_p2 - Lambda_11_11_p4744_lanes[1] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p7 = Lambda_11_11_p4522_lanes[2] * Lambda_11_11_p4324_lanes[3] -
+      Lambda_11_11_p4329_lanes[2] - Lambda_11_11_p4636_lanes[2] * Lambda_2_11_p1 -
+      Lambda_11_11_p4703_lanes[2] * Lambda_2_11_p2 - Lambda_11_11_p4744_lanes[2] * Lambda_2_11_p3;
+  const Real Lambda_3_11_p1 = Lambda_11_11_p4633_lanes[5] * Lambda_11_11_p4518_lanes[4] -
+      Lambda_11_11_p4518_lanes[5];
+  const Lanes<8> Lambda_11_11_p4800_lanes = Lambda_11_11_p4737_lanes - Lambda_11_11_p4744_lanes *
+      Lambda_11_11_p4725_lanes[1] - Lambda_11_11_p4773_lanes * Lambda_11_11_p4760_lanes[1] -
+      Lambda_11_11_p4794_lanes * Lambda_11_11_p4784_lanes[1];
+  const Real Lambda_2_11_p8 = Lambda_2_11_p5 - Lambda_11_11_p4773_lanes[0] * Lambda_2_11_p4;
+  const Real Lambda_0_11_p6 = Lambda_0_11_p2 - Lambda_11_11_p4703_lanes[1] * Lambda_0_0_p4 -
+      Lambda_11_11_p4744_lanes[1] * Lambda_0_0_p7 - Lambda_11_11_p4773_lanes[1] * Lambda_0_0_p14 -
+      Lambda_11_11_p4794_lanes[1] * Lambda_0_11_p5;
+  const Real Lambda_1_11_p12 = Lambda_1_11_p7 - Lambda_11_11_p4744_lanes[1] * Lambda_1_11_p4 -
+      Lambda_11_11_p4773_lanes[1] * Lambda_1_11_p8 - Lambda_11_11_p4794_lanes[1] * Lambda_1_11_p10;
+  const Real Lambda_11_11_p4803 = 1.0 / Lambda_11_11_p4800_lanes[1];
+  const Real Lambda_3_11_p2 = Lambda_11_11_p4633_lanes[6] * Lambda_11_11_p4518_lanes[4] -
+      Lambda_11_11_p4518_lanes[6] - Lambda_11_11_p4701 * Lambda_3_11_p1;
+  const Real Lambda_2_11_p9 = Lambda_11_11_p4522_lanes[3] * Lambda_11_11_p4324_lanes[3] -
+      Lambda_11_11_p4329_lanes[3] - Lambda_11_11_p4636_lanes[3] * Lambda_2_11_p1 -
+      Lambda_11_11_p4703_lanes[3] * Lambda_2_11_p2 - Lambda_11_11_p4744_lanes[3] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p10 = Lambda_2_11_p6 - Lambda_11_11_p4773_lanes[1] * Lambda_2_11_p4 -
+      Lambda_11_11_p4794_lanes[1] * Lambda_2_11_p8;
+  const Real Lambda_0_3_p1 = Lambda_3_11_p2 * Lambda_11_11_p4740;
+  const Real Lambda_0_11_p7 = Lambda_0_11_p3 - Lambda_11_11_p4703_lanes[2] * Lambda_0_0_p4 -
+      Lambda_11_11_p4744_lanes[2] * Lambda_0_0_p7 - Lambda_11_11_p4773_lanes[2] * Lambda_0_0_p14 -
+      Lambda_11_11_p4794_lanes[2] * Lambda_0_11_p5;
+  const Real Lambda_0_3_p2 = Lambda_3_11_p1 * Lambda_11_11_p4692;
+  const Real Lambda_0_3_p3 = Lambda_11_11_p4518_lanes[4] * Lambda_11_11_p4600;
+  const Real Lambda_3_11_p3 = Lambda_11_11_p4633_lanes[7] * Lambda_11_11_p4518_lanes[4] -
+      Lambda_11_11_p4518_lanes[7] - Lambda_11_11_p4702 * Lambda_3_11_p1 - Lambda_11_11_p4743 *
       Lambda_3_11_p2;
-  const Real Lambda_0_2_p5 = Lambda_2_11_p4 * Lambda_11_11_p5093;
-  const Real Lambda_0_3_p4 = Lambda_3_11_p3 * Lambda_11_11_p5093;
-  const Real Lambda_11_11_p5126 = Lambda_11_11_p5122_lanes[2] * Lambda_11_11_p5125;
-  const Real Lambda_4_11_p1 = Lambda_11_11_p5023 * Lambda_11_11_p4955_lanes[5] -
-      Lambda_11_11_p4955_lanes[6];
-  const Real Lambda_11_11_p5127 = Lambda_11_11_p5122_lanes[3] * Lambda_11_11_p5125;
-  const Real Lambda_3_11_p4 = Lambda_11_11_p4958_lanes[0] * Lambda_11_11_p4840_lanes[4] -
-      Lambda_11_11_p4844_lanes[0] - Lambda_11_11_p5025_lanes[0] * Lambda_3_11_p1 -
-      Lambda_11_11_p5066_lanes[0] * Lambda_3_11_p2 - Lambda_11_11_p5095_lanes[0] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p5 = Lambda_11_11_p4958_lanes[1] * Lambda_11_11_p4840_lanes[4] -
-      Lambda_11_11_p4844_lanes[1] - Lambda_11_11_p5025_lanes[1] * Lambda_3_11_p1 -
-      Lambda_11_11_p5066_lanes[1] * Lambda_3_11_p2 - Lambda_11_11_p5095_lanes[1] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p6 = Lambda_11_11_p4958_lanes[2] * Lambda_11_11_p4840_lanes[4] -
-      Lambda_11_11_p4844_lanes[2] - Lambda_11_11_p5025_lanes[2] * Lambda_3_11_p1 -
-      Lambda_11_11_p5066_lanes[2] * Lambda_3_11_p2 - Lambda_11_11_p5095_lanes[2] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p7 = Lambda_11_11_p4958_lanes[3] * Lambda_11_11_p4840_lanes[4] -
-      Lambda_11_11_p4844_lanes[3] - Lambda_11_11_p5025_lanes[3] * Lambda_3_11_p1 -
-      Lambda_11_11_p5066_lanes[3] * Lambda_3_11_p2 - Lambda_11_11_p5095_lanes[3] * Lambda_3_11_p3;
-  const Real Lambda_4_11_p2 = Lambda_11_11_p5024 * Lambda_11_11_p4955_lanes[5] -
-      Lambda_11_11_p4955_lanes[7] - Lambda_11_11_p5065 * Lambda_4_11_p1;
-  const Real Lambda_11_11_p5128 = Lambda_11_11_p5114 - Lambda_11_11_p5116_lanes[3] *
-      Lambda_11_11_p5106_lanes[2] - Lambda_11_11_p5127 * Lambda_11_11_p5122_lanes[2];
-  const Real Lambda_11_11_p5129 = Lambda_11_11_p5094 - Lambda_11_11_p5066_lanes[3] *
-      Lambda_11_11_p5047_lanes[3] - Lambda_11_11_p5095_lanes[3] * Lambda_11_11_p5082_lanes[3] -
-      Lambda_11_11_p5116_lanes[3] * Lambda_11_11_p5106_lanes[3] - Lambda_11_11_p5127 *
-      Lambda_11_11_p5122_lanes[3];
-  const Real Lambda_0_4_p1 = Lambda_11_11_p4955_lanes[5] * Lambda_11_11_p5014;
-  const Real Lambda_3_11_p8 = Lambda_3_11_p5 - Lambda_11_11_p5116_lanes[1] * Lambda_3_11_p4;
-  const Real Lambda_11_11_p5130 = 1.0 / (Lambda_11_11_p5113 - Lambda_11_11_p5116_lanes[2] *
-      Lambda_11_11_p5106_lanes[2] - Lambda_11_11_p5126 * Lambda_11_11_p5122_lanes[2]);
-  const Real Lambda_0_4_p2 = Lambda_4_11_p1 * Lambda_11_11_p5062;
-  const Real Lambda_0_4_p3 = Lambda_4_11_p2 * Lambda_11_11_p5093;
-  const Real Lambda_0_11_p8 = Lambda_0_11_p7 - Lambda_11_11_p5126 * Lambda_0_11_p6;
-  const Real Lambda_4_11_p3 = Lambda_11_11_p5025_lanes[0] * Lambda_11_11_p4955_lanes[5] -
-      Lambda_11_11_p4958_lanes[0] - Lambda_11_11_p5066_lanes[0] * Lambda_4_11_p1 -
-      Lambda_11_11_p5095_lanes[0] * Lambda_4_11_p2;
-  const Real Lambda_1_11_p13 = Lambda_1_11_p9 - Lambda_11_11_p5066_lanes[2] * Lambda_1_11_p4 -
-      Lambda_11_11_p5095_lanes[2] * Lambda_1_11_p8 - Lambda_11_11_p5116_lanes[2] * Lambda_1_11_p10 -
-      Lambda_11_11_p5126 * Lambda_1_11_p12;
-  const Real Lambda_5_11_p1 = Lambda_11_11_p5065 * Lambda_11_11_p5023 - Lambda_11_11_p5024;
+  const Real Lambda_0_2_p5 = Lambda_2_11_p4 * Lambda_11_11_p4771;
+  const Real Lambda_0_3_p4 = Lambda_3_11_p3 * Lambda_11_11_p4771;
+  const Real Lambda_11_11_p4804 = Lambda_11_11_p4800_lanes[2] * Lambda_11_11_p4803;
+  const Real Lambda_4_11_p1 = Lambda_11_11_p4701 * Lambda_11_11_p4633_lanes[5] -
+      Lambda_11_11_p4633_lanes[6];
+  const Real Lambda_11_11_p4805 = Lambda_11_11_p4800_lanes[3] * Lambda_11_11_p4803;
+  const Real Lambda_3_11_p4 = Lambda_11_11_p4636_lanes[0] * Lambda_11_11_p4518_lanes[4] -
+      Lambda_11_11_p4522_lanes[0] - Lambda_11_11_p4703_lanes[0] * Lambda_3_11_p1 -
+      Lambda_11_11_p4744_lanes[0] * Lambda_3_11_p2 - Lambda_11_11_p4773_lanes[0] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p5 = Lambda_11_11_p4636_lanes[1] * Lambda_11_11_p4518_lanes[4] -
+      Lambda_11_11_p4522_lanes[1] - Lambda_11_11_p4703_lanes[1] * Lambda_3_11_p1 -
+      Lambda_11_11_p4744_lanes[1] * Lambda_3_11_p2 - Lambda_11_11_p4773_lanes[1] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p6 = Lambda_11_11_p4636_lanes[2] * Lambda_11_11_p4518_lanes[4] -
+      Lambda_11_11_p4522_lanes[2] - Lambda_11_11_p4703_lanes[2] * Lambda_3_11_p1 -
+      Lambda_11_11_p4744_lanes[2] * Lambda_3_11_p2 - Lambda_11_11_p4773_lanes[2] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p7 = Lambda_11_11_p4636_lanes[3] * Lambda_11_11_p4518_lanes[4] -
+      Lambda_11_11_p4522_lanes[3] - Lambda_11_11_p4703_lanes[3] * Lambda_3_11_p1 -
+      Lambda_11_11_p4744_lanes[3] * Lambda_3_11_p2 - Lambda_11_11_p4773_lanes[3] * Lambda_3_11_p3;
+  const Real Lambda_4_11_p2 = Lambda_11_11_p4702 * Lambda_11_11_p4633_lanes[5] -
+      Lambda_11_11_p4633_lanes[7] - Lambda_11_11_p4743 * Lambda_4_11_p1;
+  const Real Lambda_11_11_p4806 = Lambda_11_11_p4792 - Lambda_11_11_p4794_lanes[3] *
+      Lambda_11_11_p4784_lanes[2] - Lambda_11_11_p4805 * Lambda_11_11_p4800_lanes[2];
+  const Real Lambda_11_11_p4807 = Lambda_11_11_p4772 - Lambda_11_11_p4744_lanes[3] *
+      Lambda_11_11_p4725_lanes[3] - Lambda_11_11_p4773_lanes[3] * Lambda_11_11_p4760_lanes[3] -
+      Lambda_11_11_p4794_lanes[3] * Lambda_11_11_p4784_lanes[3] - Lambda_11_11_p4805 *
+      Lambda_11_11_p4800_lanes[3];
+  const Real Lambda_0_4_p1 = Lambda_11_11_p4633_lanes[5] * Lambda_11_11_p4692;
+  const Real Lambda_3_11_p8 = Lambda_3_11_p5 - Lambda_11_11_p4794_lanes[1] * Lambda_3_11_p4;
+  const Real Lambda_11_11_p4808 = 1.0 / (Lambda_11_11_p4791 - Lambda_11_11_p4794_lanes[2] *
+      Lambda_11_11_p4784_lanes[2] - Lambda_11_11_p4804 * Lambda_11_11_p4800_lanes[2]);
+  const Real Lambda_0_4_p2 = Lambda_4_11_p1 * Lambda_11_11_p4740;
+  const Real Lambda_0_4_p3 = Lambda_4_11_p2 * Lambda_11_11_p4771;
+  const Real Lambda_0_11_p8 = Lambda_0_11_p7 - Lambda_11_11_p4804 * Lambda_0_11_p6;
+  const Real Lambda_4_11_p3 = Lambda_11_11_p4703_lanes[0] * Lambda_11_11_p4633_lanes[5] -
+      Lambda_11_11_p4636_lanes[0] - Lambda_11_11_p4744_lanes[0] * Lambda_4_11_p1 -
+      Lambda_11_11_p4773_lanes[0] * Lambda_4_11_p2;
+  const Real Lambda_1_11_p13 = Lambda_1_11_p9 - Lambda_11_11_p4744_lanes[2] * Lambda_1_11_p4 -
+      Lambda_11_11_p4773_lanes[2] * Lambda_1_11_p8 - Lambda_11_11_p4794_lanes[2] * Lambda_1_11_p10 -
+      Lambda_11_11_p4804 * Lambda_1_11_p12;
+  const Real Lambda_5_11_p1 = Lambda_11_11_p4743 * Lambda_11_11_p4701 - Lambda_11_11_p4702;
   const Real Lambda_0_1_p7 = Lambda_0_1_p1 * Lambda_0_0_p2 -
       (Lambda_0_0_p8 + Lambda_0_1_p2 * Lambda_0_0_p1) + Lambda_0_1_p3 * Lambda_0_0_p3 +
       Lambda_0_1_p4 * Lambda_0_0_p4;
-  const Real Lambda_2_11_p11 = Lambda_2_11_p7 - Lambda_11_11_p5095_lanes[2] * Lambda_2_11_p4 -
-      Lambda_11_11_p5116_lanes[2] * Lambda_2_11_p8 - Lambda_11_11_p5126 * Lambda_2_11_p10;
-  const Real Lambda_3_11_p9 = Lambda_3_11_p6 - Lambda_11_11_p5116_lanes[2] * Lambda_3_11_p4 -
-      Lambda_11_11_p5126 * Lambda_3_11_p8;
-  const Real Lambda_4_11_p4 = Lambda_11_11_p5025_lanes[1] * Lambda_11_11_p4955_lanes[5] -
-      Lambda_11_11_p4958_lanes[1] - Lambda_11_11_p5066_lanes[1] * Lambda_4_11_p1 -
-      Lambda_11_11_p5095_lanes[1] * Lambda_4_11_p2 - Lambda_11_11_p5116_lanes[1] * Lambda_4_11_p3;
-  const Real Lambda_4_11_p5 = Lambda_11_11_p5025_lanes[2] * Lambda_11_11_p4955_lanes[5] -
-      Lambda_11_11_p4958_lanes[2] - Lambda_11_11_p5066_lanes[2] * Lambda_4_11_p1 -
-      Lambda_11_11_p5095_lanes[2] * Lambda_4_11_p2 - Lambda_11_11_p5116_lanes[2] * Lambda_4_11_p3;
-  const Real Lambda_0_5_p1 = Lambda_11_11_p5023 * Lambda_11_11_p5062;
-  const Real Lambda_5_11_p2 = Lambda_11_11_p5066_lanes[0] * Lambda_11_11_p5023 -
-      Lambda_11_11_p5025_lanes[0] - Lambda_11_11_p5095_lanes[0] * Lambda_5_11_p1;
-  const Real Lambda_0_5_p2 = Lambda_5_11_p1 * Lambda_11_11_p5093;
-  const Real Lambda_0_11_p9 = Lambda_0_11_p4 - Lambda_11_11_p5025_lanes[3] * Lambda_0_0_p4 -
-      Lambda_11_11_p5066_lanes[3] * Lambda_0_0_p7 - Lambda_11_11_p5095_lanes[3] * Lambda_0_0_p14 -
-      Lambda_11_11_p5116_lanes[3] * Lambda_0_11_p5;
-  const Real Lambda_0_0_p17 = Lambda_0_11_p5 * Lambda_11_11_p5115;
-  const Real Lambda_11_11_p5131 = Lambda_11_11_p5128 * Lambda_11_11_p5130;
-  const Real Lambda_0_1_p8 = Lambda_1_11_p10 * Lambda_11_11_p5115;
-  const Real Lambda_6_11_p1 = Lambda_11_11_p5095_lanes[0] * Lambda_11_11_p5065 -
-      Lambda_11_11_p5066_lanes[0];
-  const Real Lambda_0_2_p6 = Lambda_2_11_p8 * Lambda_11_11_p5115;
-  const Real Lambda_4_11_p6 = Lambda_4_11_p5 - Lambda_11_11_p5126 * Lambda_4_11_p4;
-  const Real Lambda_0_3_p5 = Lambda_3_11_p4 * Lambda_11_11_p5115;
-  const Real Lambda_5_11_p3 = Lambda_11_11_p5066_lanes[1] * Lambda_11_11_p5023 -
-      Lambda_11_11_p5025_lanes[1] - Lambda_11_11_p5095_lanes[1] * Lambda_5_11_p1 -
-      Lambda_11_11_p5116_lanes[1] * Lambda_5_11_p2;
-  const Real Lambda_4_11_p7 = Lambda_11_11_p5025_lanes[3] * Lambda_11_11_p4955_lanes[5] -
-      Lambda_11_11_p4958_lanes[3] - Lambda_11_11_p5066_lanes[3] * Lambda_4_11_p1 -
-      Lambda_11_11_p5095_lanes[3] * Lambda_4_11_p2 - Lambda_11_11_p5116_lanes[3] * Lambda_4_11_p3;
-  const Real Lambda_0_6_p1 = Lambda_11_11_p5065 * Lambda_11_11_p5093;
-  const Real Lambda_0_4_p4 = Lambda_4_11_p3 * Lambda_11_11_p5115;
-  const Real Lambda_0_5_p3 = Lambda_5_11_p2 * Lambda_11_11_p5115;
-  const Real Lambda_0_6_p2 = Lambda_6_11_p1 * Lambda_11_11_p5115;
-  const Real Lambda_6_11_p2 = Lambda_11_11_p5095_lanes[1] * Lambda_11_11_p5065 -
-      Lambda_11_11_p5066_lanes[1] - Lambda_11_11_p5116_lanes[1] * Lambda_6_11_p1;
-  const Real Lambda_11_11 = 1.0 / (Lambda_11_11_p5129 - Lambda_11_11_p5131 * Lambda_11_11_p5128);
+  const Real Lambda_2_11_p11 = Lambda_2_11_p7 - Lambda_11_11_p4773_lanes[2] * Lambda_2_11_p4 -
+      Lambda_11_11_p4794_lanes[2] * Lambda_2_11_p8 - Lambda_11_11_p4804 * Lambda_2_11_p10;
+  const Real Lambda_3_11_p9 = Lambda_3_11_p6 - Lambda_11_11_p4794_lanes[2] * Lambda_3_11_p4 -
+      Lambda_11_11_p4804 * Lambda_3_11_p8;
+  const Real Lambda_4_11_p4 = Lambda_11_11_p4703_lanes[1] * Lambda_11_11_p4633_lanes[5] -
+      Lambda_11_11_p4636_lanes[1] - Lambda_11_11_p4744_lanes[1] * Lambda_4_11_p1 -
+      Lambda_11_11_p4773_lanes[1] * Lambda_4_11_p2 - Lambda_11_11_p4794_lanes[1] * Lambda_4_11_p3;
+  const Real Lambda_4_11_p5 = Lambda_11_11_p4703_lanes[2] * Lambda_11_11_p4633_lanes[5] -
+      Lambda_11_11_p4636_lanes[2] - Lambda_11_11_p4744_lanes[2] * Lambda_4_11_p1 -
+      Lambda_11_11_p4773_lanes[2] * Lambda_4_11_p2 - Lambda_11_11_p4794_lanes[2] * Lambda_4_11_p3;
+  const Real Lambda_0_5_p1 = Lambda_11_11_p4701 * Lambda_11_11_p4740;
+  const Real Lambda_5_11_p2 = Lambda_11_11_p4744_lanes[0] * Lambda_11_11_p4701 -
+      Lambda_11_11_p4703_lanes[0] - Lambda_11_11_p4773_lanes[0] * Lambda_5_11_p1;
+  const Real Lambda_0_5_p2 = Lambda_5_11_p1 * Lambda_11_11_p4771;
+  const Real Lambda_0_11_p9 = Lambda_0_11_p4 - Lambda_11_11_p4703_lanes[3] * Lambda_0_0_p4 -
+      Lambda_11_11_p4744_lanes[3] * Lambda_0_0_p7 - Lambda_11_11_p4773_lanes[3] * Lambda_0_0_p14 -
+      Lambda_11_11_p4794_lanes[3] * Lambda_0_11_p5;
+  const Real Lambda_0_0_p17 = Lambda_0_11_p5 * Lambda_11_11_p4793;
+  const Real Lambda_11_11_p4809 = Lambda_11_11_p4806 * Lambda_11_11_p4808;
+  const Real Lambda_0_1_p8 = Lambda_1_11_p10 * Lambda_11_11_p4793;
+  const Real Lambda_6_11_p1 = Lambda_11_11_p4773_lanes[0] * Lambda_11_11_p4743 -
+      Lambda_11_11_p4744_lanes[0];
+  const Real Lambda_0_2_p6 = Lambda_2_11_p8 * Lambda_11_11_p4793;
+  const Real Lambda_4_11_p6 = Lambda_4_11_p5 - Lambda_11_11_p4804 * Lambda_4_11_p4;
+  const Real Lambda_0_3_p5 = Lambda_3_11_p4 * Lambda_11_11_p4793;
+  const Real Lambda_5_11_p3 = Lambda_11_11_p4744_lanes[1] * Lambda_11_11_p4701 -
+      Lambda_11_11_p4703_lanes[1] - Lambda_11_11_p4773_lanes[1] * Lambda_5_11_p1 -
+      Lambda_11_11_p4794_lanes[1] * Lambda_5_11_p2;
+  const Real Lambda_4_11_p7 = Lambda_11_11_p4703_lanes[3] * Lambda_11_11_p4633_lanes[5] -
+      Lambda_11_11_p4636_lanes[3] - Lambda_11_11_p4744_lanes[3] * Lambda_4_11_p1 -
+      Lambda_11_11_p4773_lanes[3] * Lambda_4_11_p2 - Lambda_11_11_p4794_lanes[3] * Lambda_4_11_p3;
+  const Real Lambda_0_6_p1 = Lambda_11_11_p4743 * Lambda_11_11_p4771;
+  const Real Lambda_0_4_p4 = Lambda_4_11_p3 * Lambda_11_11_p4793;
+  const Real Lambda_0_5_p3 = Lambda_5_11_p2 * Lambda_11_11_p4793;
+  const Real Lambda_0_6_p2 = Lambda_6_11_p1 * Lambda_11_11_p4793;
+  const Real Lambda_6_11_p2 = Lambda_11_11_p4773_lanes[1] * Lambda_11_11_p4743 -
+      Lambda_11_11_p4744_lanes[1] - Lambda_11_11_p4794_lanes[1] * Lambda_6_11_p1;
+  const Real Lambda_11_11 = 1.0 / (Lambda_11_11_p4807 - Lambda_11_11_p4809 * Lambda_11_11_p4806);
   Lambda[143] = Lambda_11_11;
-  const Real Lambda_7_11_p1 = Lambda_11_11_p5116_lanes[1] * Lambda_11_11_p5095_lanes[0] -
-      Lambda_11_11_p5095_lanes[1];
-  const Real Lambda_5_11_p4 = Lambda_11_11_p5066_lanes[2] * Lambda_11_11_p5023 -
-      Lambda_11_11_p5025_lanes[2] - Lambda_11_11_p5095_lanes[2] * Lambda_5_11_p1 -
-      Lambda_11_11_p5116_lanes[2] * Lambda_5_11_p2 - Lambda_11_11_p5126 * Lambda_5_11_p3;
-  const Real Lambda_0_7_p1 = Lambda_11_11_p5095_lanes[0] * Lambda_11_11_p5115;
+  const Real Lambda_7_11_p1 = Lambda_11_11_p4794_lanes[1] * Lambda_11_11_p4773_lanes[0] -
+      Lambda_11_11_p4773_lanes[1];
+  const Real Lambda_5_11_p4 = Lambda_11_11_p4744_lanes[2] * Lambda_11_11_p4701 -
+      Lambda_11_11_p4703_lanes[2] - Lambda_11_11_p4773_lanes[2] * Lambda_5_11_p1 -
+      Lambda_11_11_p4794_lanes[2] * Lambda_5_11_p2 - Lambda_11_11_p4804 * Lambda_5_11_p3;
+  const Real Lambda_0_7_p1 = Lambda_11_11_p4773_lanes[0] * Lambda_11_11_p4793;
   const Real Lambda_0_2_p7 = Lambda_0_0_p9 - Lambda_0_2_p1 * Lambda_0_0_p2 + Lambda_0_2_p2 *
       Lambda_0_0_p3 + Lambda_0_2_p3 * Lambda_0_0_p4 + Lambda_0_2_p4 * Lambda_0_0_p7;
-  const Real Lambda_6_11_p3 = Lambda_11_11_p5095_lanes[2] * Lambda_11_11_p5065 -
-      Lambda_11_11_p5066_lanes[2] - Lambda_11_11_p5116_lanes[2] * Lambda_6_11_p1 -
-      Lambda_11_11_p5126 * Lambda_6_11_p2;
-  const Real Lambda_8_11_p1 = Lambda_11_11_p5126 * Lambda_11_11_p5116_lanes[1] -
-      Lambda_11_11_p5116_lanes[2];
-  const Real Lambda_7_11_p2 = Lambda_11_11_p5116_lanes[2] * Lambda_11_11_p5095_lanes[0] -
-      Lambda_11_11_p5095_lanes[2] - Lambda_11_11_p5126 * Lambda_7_11_p1;
-  const Real Lambda_0_0_p18 = Lambda_0_11_p6 * Lambda_11_11_p5125;
-  const Real Lambda_1_11_p14 = Lambda_1_11_p11 - Lambda_11_11_p5066_lanes[3] * Lambda_1_11_p4 -
-      Lambda_11_11_p5095_lanes[3] * Lambda_1_11_p8 - Lambda_11_11_p5116_lanes[3] * Lambda_1_11_p10 -
-      Lambda_11_11_p5127 * Lambda_1_11_p12;
-  const Real Lambda_0_1_p9 = Lambda_1_11_p12 * Lambda_11_11_p5125;
-  const Real Lambda_0_2_p8 = Lambda_2_11_p10 * Lambda_11_11_p5125;
-  const Real Lambda_0_3_p6 = Lambda_3_11_p8 * Lambda_11_11_p5125;
-  const Real Lambda_0_4_p5 = Lambda_4_11_p4 * Lambda_11_11_p5125;
-  const Real Lambda_5_11_p5 = Lambda_11_11_p5066_lanes[3] * Lambda_11_11_p5023 -
-      Lambda_11_11_p5025_lanes[3] - Lambda_11_11_p5095_lanes[3] * Lambda_5_11_p1 -
-      Lambda_11_11_p5116_lanes[3] * Lambda_5_11_p2 - Lambda_11_11_p5127 * Lambda_5_11_p3;
-  const Real Lambda_0_5_p4 = Lambda_5_11_p3 * Lambda_11_11_p5125;
-  const Real Lambda_0_6_p3 = Lambda_6_11_p2 * Lambda_11_11_p5125;
-  const Real Lambda_0_7_p2 = Lambda_7_11_p1 * Lambda_11_11_p5125;
-  const Real Lambda_0_8_p1 = Lambda_11_11_p5116_lanes[1] * Lambda_11_11_p5125;
+  const Real Lambda_6_11_p3 = Lambda_11_11_p4773_lanes[2] * Lambda_11_11_p4743 -
+      Lambda_11_11_p4744_lanes[2] - Lambda_11_11_p4794_lanes[2] * Lambda_6_11_p1 -
+      Lambda_11_11_p4804 * Lambda_6_11_p2;
+  const Real Lambda_8_11_p1 = Lambda_11_11_p4804 * Lambda_11_11_p4794_lanes[1] -
+      Lambda_11_11_p4794_lanes[2];
+  const Real Lambda_7_11_p2 = Lambda_11_11_p4794_lanes[2] * Lambda_11_11_p4773_lanes[0] -
+      Lambda_11_11_p4773_lanes[2] - Lambda_11_11_p4804 * Lambda_7_11_p1;
+  const Real Lambda_0_0_p18 = Lambda_0_11_p6 * Lambda_11_11_p4803;
+  const Real Lambda_1_11_p14 = Lambda_1_11_p11 - Lambda_11_11_p4744_lanes[3] * Lambda_1_11_p4 -
+      Lambda_11_11_p4773_lanes[3] * Lambda_1_11_p8 - Lambda_11_11_p4794_lanes[3] * Lambda_1_11_p10 -
+      Lambda_11_11_p4805 * Lambda_1_11_p12;
+  const Real Lambda_0_1_p9 = Lambda_1_11_p12 * Lambda_11_11_p4803;
+  const Real Lambda_0_2_p8 = Lambda_2_11_p10 * Lambda_11_11_p4803;
+  const Real Lambda_0_3_p6 = Lambda_3_11_p8 * Lambda_11_11_p4803;
+  const Real Lambda_0_4_p5 = Lambda_4_11_p4 * Lambda_11_11_p4803;
+  const Real Lambda_5_11_p5 = Lambda_11_11_p4744_lanes[3] * Lambda_11_11_p4701 -
+      Lambda_11_11_p4703_lanes[3] - Lambda_11_11_p4773_lanes[3] * Lambda_5_11_p1 -
+      Lambda_11_11_p4794_lanes[3] * Lambda_5_11_p2 - Lambda_11_11_p4805 * Lambda_5_11_p3;
+  const Real Lambda_0_5_p4 = Lambda_5_11_p3 * Lambda_11_11_p4803;
+  const Real Lambda_0_6_p3 = Lambda_6_11_p2 * Lambda_11_11_p4803;
+  const Real Lambda_0_7_p2 = Lambda_7_11_p1 * Lambda_11_11_p4803;
+  const Real Lambda_0_8_p1 = Lambda_11_11_p4794_lanes[1] * Lambda_11_11_p4803;
   const Real Lambda_0_3_p7 = Lambda_0_0_p10 - Lambda_0_3_p3 * Lambda_0_0_p3 + Lambda_0_3_p2 *
       Lambda_0_0_p4 + Lambda_0_3_p1 * Lambda_0_0_p7 + Lambda_0_3_p4 * Lambda_0_0_p14;
-  const Real Lambda_0_11_p10 = Lambda_0_11_p9 - Lambda_11_11_p5127 * Lambda_0_11_p6 -
-      Lambda_11_11_p5131 * Lambda_0_11_p8;
-  const Real Lambda_0_0_p19 = Lambda_0_11_p8 * Lambda_11_11_p5130;
-  const Real Lambda_1_11_p15 = Lambda_1_11_p14 - Lambda_11_11_p5131 * Lambda_1_11_p13;
-  const Real Lambda_0_1_p10 = Lambda_1_11_p13 * Lambda_11_11_p5130;
-  const Real Lambda_2_11_p12 = Lambda_2_11_p9 - Lambda_11_11_p5095_lanes[3] * Lambda_2_11_p4 -
-      Lambda_11_11_p5116_lanes[3] * Lambda_2_11_p8 - Lambda_11_11_p5127 * Lambda_2_11_p10 -
-      Lambda_11_11_p5131 * Lambda_2_11_p11;
-  const Real Lambda_1_1_p1 = Lambda_11_11_p4330 + Lambda_0_1_p2 * Lambda_11_11_p4444_lanes[2] +
+  const Real Lambda_0_11_p10 = Lambda_0_11_p9 - Lambda_11_11_p4805 * Lambda_0_11_p6 -
+      Lambda_11_11_p4809 * Lambda_0_11_p8;
+  const Real Lambda_0_0_p19 = Lambda_0_11_p8 * Lambda_11_11_p4808;
+  const Real Lambda_1_11_p15 = Lambda_1_11_p14 - Lambda_11_11_p4809 * Lambda_1_11_p13;
+  const Real Lambda_0_1_p10 = Lambda_1_11_p13 * Lambda_11_11_p4808;
+  const Real Lambda_2_11_p12 = Lambda_2_11_p9 - Lambda_11_11_p4773_lanes[3] * Lambda_2_11_p4 -
+      Lambda_11_11_p4794_lanes[3] * Lambda_2_11_p8 - Lambda_11_11_p4805 * Lambda_2_11_p10 -
+      Lambda_11_11_p4809 * Lambda_2_11_p11;
+  const Real Lambda_1_1_p1 = Lambda_11_11_p4005 + Lambda_0_1_p2 * Lambda_11_11_p4126_lanes[2] +
       Lambda_0_1_p1 * Lambda_1_11_p1 + Lambda_0_1_p3 * Lambda_1_11_p2 + Lambda_0_1_p4 *
       Lambda_1_11_p3;
-  const Real Lambda_0_2_p9 = Lambda_2_11_p11 * Lambda_11_11_p5130;
-  const Real Lambda_3_11_p10 = Lambda_3_11_p7 - Lambda_11_11_p5116_lanes[3] * Lambda_3_11_p4 -
-      Lambda_11_11_p5127 * Lambda_3_11_p8 - Lambda_11_11_p5131 * Lambda_3_11_p9;
-  const Real Lambda_0_3_p8 = Lambda_3_11_p9 * Lambda_11_11_p5130;
-  const Real Lambda_4_11_p8 = Lambda_4_11_p7 - Lambda_11_11_p5127 * Lambda_4_11_p4 -
-      Lambda_11_11_p5131 * Lambda_4_11_p6;
-  const Real Lambda_0_4_p6 = Lambda_4_11_p6 * Lambda_11_11_p5130;
-  const Real Lambda_5_11_p6 = Lambda_5_11_p5 - Lambda_11_11_p5131 * Lambda_5_11_p4;
-  const Real Lambda_0_5_p5 = Lambda_5_11_p4 * Lambda_11_11_p5130;
-  const Real Lambda_6_11_p4 = Lambda_11_11_p5095_lanes[3] * Lambda_11_11_p5065 -
-      Lambda_11_11_p5066_lanes[3] - Lambda_11_11_p5116_lanes[3] * Lambda_6_11_p1 -
-      Lambda_11_11_p5127 * Lambda_6_11_p2 - Lambda_11_11_p5131 * Lambda_6_11_p3;
-  const Real Lambda_0_6_p4 = Lambda_6_11_p3 * Lambda_11_11_p5130;
-  const Real Lambda_7_11_p3 = Lambda_11_11_p5116_lanes[3] * Lambda_11_11_p5095_lanes[0] -
-      Lambda_11_11_p5095_lanes[3] - Lambda_11_11_p5127 * Lambda_7_11_p1 - Lambda_11_11_p5131 *
+  const Real Lambda_0_2_p9 = Lambda_2_11_p11 * Lambda_11_11_p4808;
+  const Real Lambda_3_11_p10 = Lambda_3_11_p7 - Lambda_11_11_p4794_lanes[3] * Lambda_3_11_p4 -
+      Lambda_11_11_p4805 * Lambda_3_11_p8 - Lambda_11_11_p4809 * Lambda_3_11_p9;
+  const Real Lambda_0_3_p8 = Lambda_3_11_p9 * Lambda_11_11_p4808;
+  const Real Lambda_4_11_p8 = Lambda_4_11_p7 - Lambda_11_11_p4805 * Lambda_4_11_p4 -
+      Lambda_11_11_p4809 * Lambda_4_11_p6;
+  const Real Lambda_0_4_p6 = Lambda_4_11_p6 * Lambda_11_11_p4808;
+  const Real Lambda_5_11_p6 = Lambda_5_11_p5 - Lambda_11_11_p4809 * Lambda_5_11_p4;
+  const Real Lambda_0_5_p5 = Lambda_5_11_p4 * Lambda_11_11_p4808;
+  const Real Lambda_6_11_p4 = Lambda_11_11_p4773_lanes[3] * Lambda_11_11_p4743 -
+      Lambda_11_11_p4744_lanes[3] - Lambda_11_11_p4794_lanes[3] * Lambda_6_11_p1 -
+      Lambda_11_11_p4805 * Lambda_6_11_p2 - Lambda_11_11_p4809 * Lambda_6_11_p3;
+  const Real Lambda_0_6_p4 = Lambda_6_11_p3 * Lambda_11_11_p4808;
+  const Real Lambda_7_11_p3 = Lambda_11_11_p4794_lanes[3] * Lambda_11_11_p4773_lanes[0] -
+      Lambda_11_11_p4773_lanes[3] - Lambda_11_11_p4805 * Lambda_7_11_p1 - Lambda_11_11_p4809 *
       Lambda_7_11_p2;
   const Real Lambda_1_2_p1 = Lambda_0_2_p2 * Lambda_1_11_p2 -
       (Lambda_0_1_p2 + Lambda_0_2_p1 * Lambda_1_11_p1) + Lambda_0_2_p3 * Lambda_1_11_p3 +
       Lambda_0_2_p4 * Lambda_1_11_p4;
-  const Real Lambda_0_7_p3 = Lambda_7_11_p2 * Lambda_11_11_p5130;
-  const Real Lambda_8_11_p2 = Lambda_11_11_p5127 * Lambda_11_11_p5116_lanes[1] -
-      Lambda_11_11_p5116_lanes[3] - Lambda_11_11_p5131 * Lambda_8_11_p1;
-  const Real Lambda_0_8_p2 = Lambda_8_11_p1 * Lambda_11_11_p5130;
-  const Real Lambda_9_11_p1 = Lambda_11_11_p5131 * Lambda_11_11_p5126 - Lambda_11_11_p5127;
-  const Real Lambda_0_9_p1 = Lambda_11_11_p5126 * Lambda_11_11_p5130;
+  const Real Lambda_0_7_p3 = Lambda_7_11_p2 * Lambda_11_11_p4808;
+  const Real Lambda_8_11_p2 = Lambda_11_11_p4805 * Lambda_11_11_p4794_lanes[1] -
+      Lambda_11_11_p4794_lanes[3] - Lambda_11_11_p4809 * Lambda_8_11_p1;
+  const Real Lambda_0_8_p2 = Lambda_8_11_p1 * Lambda_11_11_p4808;
+  const Real Lambda_9_11_p1 = Lambda_11_11_p4809 * Lambda_11_11_p4804 - Lambda_11_11_p4805;
+  const Real Lambda_0_9_p1 = Lambda_11_11_p4804 * Lambda_11_11_p4808;
   const Real Lambda_1_3_p1 = Lambda_0_1_p1 - Lambda_0_3_p3 * Lambda_1_11_p2 + Lambda_0_3_p2 *
       Lambda_1_11_p3 + Lambda_0_3_p1 * Lambda_1_11_p4 + Lambda_0_3_p4 * Lambda_1_11_p8;
   const Real Lambda_0_0_p20 = Lambda_0_0_p15 + Lambda_0_0_p12 * Lambda_0_0_p4 + Lambda_0_0_p13 *
@@ -3074,10 +2913,10 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_9_11 = Lambda_9_11_p1 * Lambda_11_11;
   Lambda[119] = Lambda_9_11;
   Lambda[141] = Lambda_9_11;
-  const Real Lambda_2_2_p1 = Lambda_11_11_p4531 + Lambda_0_2_p1 * Lambda_11_11_p4646_lanes[3] +
+  const Real Lambda_2_2_p1 = Lambda_11_11_p4205 + Lambda_0_2_p1 * Lambda_11_11_p4324_lanes[3] +
       Lambda_0_2_p2 * Lambda_2_11_p1 + Lambda_0_2_p3 * Lambda_2_11_p2 + Lambda_0_2_p4 *
       Lambda_2_11_p3;
-  const Real Lambda_10_11 = Lambda_11_11_p5131 * Lambda_11_11;
+  const Real Lambda_10_11 = Lambda_11_11_p4809 * Lambda_11_11;
   Lambda[131] = -Lambda_10_11;
   Lambda[142] = -Lambda_10_11;
   const Real Lambda_2_3_p1 = Lambda_0_3_p2 * Lambda_2_11_p2 -
@@ -3089,7 +2928,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       Lambda_0_0_p14 + Lambda_0_1_p8 * Lambda_0_11_p5 + Lambda_0_1_p9 * Lambda_0_11_p6;
   const Real Lambda_0_5_p6 = Lambda_0_0_p12 - Lambda_0_5_p1 * Lambda_0_0_p7 + Lambda_0_5_p2 *
       Lambda_0_0_p14 + Lambda_0_5_p3 * Lambda_0_11_p5 + Lambda_0_5_p4 * Lambda_0_11_p6;
-  const Real Lambda_3_3_p1 = Lambda_11_11_p4747 + Lambda_0_3_p3 * Lambda_11_11_p4840_lanes[4] +
+  const Real Lambda_3_3_p1 = Lambda_11_11_p4425 + Lambda_0_3_p3 * Lambda_11_11_p4518_lanes[4] +
       Lambda_0_3_p2 * Lambda_3_11_p1 + Lambda_0_3_p1 * Lambda_3_11_p2 + Lambda_0_3_p4 *
       Lambda_3_11_p3;
   const Real Lambda_1_1_p2 = Lambda_1_1_p1 + Lambda_0_1_p5 * Lambda_1_11_p4 + Lambda_0_1_p6 *
@@ -3103,13 +2942,13 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
       Lambda_2_11_p4 + Lambda_0_5_p3 * Lambda_2_11_p8 + Lambda_0_5_p4 * Lambda_2_11_p10;
   const Real Lambda_3_5_p1 = Lambda_0_3_p2 - Lambda_0_5_p1 * Lambda_3_11_p2 + Lambda_0_5_p2 *
       Lambda_3_11_p3 + Lambda_0_5_p3 * Lambda_3_11_p4 + Lambda_0_5_p4 * Lambda_3_11_p8;
-  const Real Lambda_4_4_p1 = Lambda_11_11_p4922 + Lambda_0_4_p1 * Lambda_11_11_p4955_lanes[5] +
+  const Real Lambda_4_4_p1 = Lambda_11_11_p4600 + Lambda_0_4_p1 * Lambda_11_11_p4633_lanes[5] +
       Lambda_0_4_p2 * Lambda_4_11_p1 + Lambda_0_4_p3 * Lambda_4_11_p2 + Lambda_0_4_p4 *
       Lambda_4_11_p3;
   const Real Lambda_4_5_p1 = Lambda_0_5_p2 * Lambda_4_11_p2 -
       (Lambda_0_4_p1 + Lambda_0_5_p1 * Lambda_4_11_p1) + Lambda_0_5_p3 * Lambda_4_11_p3 +
       Lambda_0_5_p4 * Lambda_4_11_p4;
-  const Real Lambda_5_5_p1 = Lambda_11_11_p5014 + Lambda_0_5_p1 * Lambda_11_11_p5023 +
+  const Real Lambda_5_5_p1 = Lambda_11_11_p4692 + Lambda_0_5_p1 * Lambda_11_11_p4701 +
       Lambda_0_5_p2 * Lambda_5_11_p1 + Lambda_0_5_p3 * Lambda_5_11_p2 + Lambda_0_5_p4 *
       Lambda_5_11_p3;
   const Real Lambda_0_2_p10 = Lambda_0_2_p7 + Lambda_0_2_p5 * Lambda_0_0_p14 + Lambda_0_2_p6 *
@@ -3131,7 +2970,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_5_6_p1 = Lambda_0_6_p2 * Lambda_5_11_p2 -
       (Lambda_0_5_p1 + Lambda_0_6_p1 * Lambda_5_11_p1) + Lambda_0_6_p3 * Lambda_5_11_p3 +
       Lambda_0_6_p4 * Lambda_5_11_p4;
-  const Real Lambda_6_6_p1 = Lambda_11_11_p5062 + Lambda_0_6_p1 * Lambda_11_11_p5065 +
+  const Real Lambda_6_6_p1 = Lambda_11_11_p4740 + Lambda_0_6_p1 * Lambda_11_11_p4743 +
       Lambda_0_6_p2 * Lambda_6_11_p1 + Lambda_0_6_p3 * Lambda_6_11_p2 + Lambda_0_6_p4 *
       Lambda_6_11_p3;
   Lambda[0] = Lambda_0_0_p20 + Lambda_0_0_p18 * Lambda_0_11_p6 + Lambda_0_0_p19 * Lambda_0_11_p8 +
@@ -3326,7 +3165,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_6_10 = Lambda_0_6_p4 - Lambda_10_11 * Lambda_6_11_p4;
   Lambda[82] = Lambda_6_10;
   Lambda[126] = Lambda_6_10;
-  Lambda[91] = Lambda_11_11_p5093 + Lambda_0_7_p1 * Lambda_11_11_p5095_lanes[0] + Lambda_0_7_p2 *
+  Lambda[91] = Lambda_11_11_p4771 + Lambda_0_7_p1 * Lambda_11_11_p4773_lanes[0] + Lambda_0_7_p2 *
       Lambda_7_11_p1 + Lambda_0_7_p3 * Lambda_7_11_p2 + Lambda_7_11 * Lambda_7_11_p3;
   const Real Lambda_7_8 = Lambda_0_8_p2 * Lambda_7_11_p2 -
       (Lambda_0_7_p1 + Lambda_0_8_p1 * Lambda_7_11_p1) + Lambda_8_11 * Lambda_7_11_p3;
@@ -3339,7 +3178,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_7_10 = Lambda_0_7_p3 - Lambda_10_11 * Lambda_7_11_p3;
   Lambda[94] = Lambda_7_10;
   Lambda[127] = Lambda_7_10;
-  Lambda[104] = Lambda_11_11_p5115 + Lambda_0_8_p1 * Lambda_11_11_p5116_lanes[1] + Lambda_0_8_p2 *
+  Lambda[104] = Lambda_11_11_p4793 + Lambda_0_8_p1 * Lambda_11_11_p4794_lanes[1] + Lambda_0_8_p2 *
       Lambda_8_11_p1 + Lambda_8_11 * Lambda_8_11_p2;
   const Real Lambda_8_9 = Lambda_9_11 * Lambda_8_11_p2 -
       (Lambda_0_8_p1 + Lambda_0_9_p1 * Lambda_8_11_p1);
@@ -3348,12 +3187,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_8_10 = Lambda_0_8_p2 - Lambda_10_11 * Lambda_8_11_p2;
   Lambda[106] = Lambda_8_10;
   Lambda[128] = Lambda_8_10;
-  Lambda[117] = Lambda_11_11_p5125 + Lambda_0_9_p1 * Lambda_11_11_p5126 + Lambda_9_11 *
+  Lambda[117] = Lambda_11_11_p4803 + Lambda_0_9_p1 * Lambda_11_11_p4804 + Lambda_9_11 *
       Lambda_9_11_p1;
   const Real Lambda_9_10 = Lambda_0_9_p1 + Lambda_10_11 * Lambda_9_11_p1;
   Lambda[118] = -Lambda_9_10;
   Lambda[129] = -Lambda_9_10;
-  Lambda[130] = Lambda_11_11_p5130 + Lambda_10_11 * Lambda_11_11_p5131;
+  Lambda[130] = Lambda_11_11_p4808 + Lambda_10_11 * Lambda_11_11_p4809;
 }
 
 }  // namespace humanoid24

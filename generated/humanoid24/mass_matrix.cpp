@@ -1,6 +1,6 @@
 // mass_matrix: tau = M qdd + b + g: the matrix M
 // By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
-// 2288 flops (add 954, mul 1334, div 0), sine and cosine of 23 angles
+// 2233 flops (add 934, mul 1299, div 0), sine and cosine of 23 angles
 // Generated; see humanoid24.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -235,57 +235,57 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[574] = 0.0;
   const Real c20_p1 = 0.17435661841416683 + q[19];
   const Real c13_p1 = (-0.17435661841416683) + q[12];
-  const Real angles[23] = {q[23], q[22], q[21], q[20], q[18], c20_p1, q[17], q[16], q[15], q[14],
-      q[13], q[11], c13_p1, q[10], q[9], q[8], q[7], q[6], q[5], q[4], q[3], q[2], q[1]};
+  const Real angles[23] = {q[3], q[23], q[22], q[21], q[20], q[18], c20_p1, q[17], q[16], q[15],
+      q[14], q[13], q[11], c13_p1, q[10], q[9], q[8], q[7], q[6], q[5], q[4], q[1], q[2]};
   Real sines[23];
   Real cosines[23];
   detail::sin_cos(angles, sines, cosines);
-  const Real s24 = sines[0];
-  const Real s23 = sines[1];
-  const Real s22 = sines[2];
-  const Real c24 = cosines[0];
-  const Real c23 = cosines[1];
-  const Real c22 = cosines[2];
-  const Real c21 = cosines[3];
-  const Real s21 = sines[3];
-  const Real s19 = sines[4];
-  const Real c19 = cosines[4];
-  const Real c20 = cosines[5];
-  const Real s20 = sines[5];
-  const Real s18 = sines[6];
-  const Real c18 = cosines[6];
-  const Real s17 = sines[7];
-  const Real c17 = cosines[7];
-  const Real c16 = cosines[8];
-  const Real s16 = sines[8];
-  const Real s15 = sines[9];
-  const Real c15 = cosines[9];
-  const Real s14 = sines[10];
-  const Real c14 = cosines[10];
-  const Real s12 = sines[11];
-  const Real c12 = cosines[11];
-  const Real c13 = cosines[12];
-  const Real s13 = sines[12];
-  const Real s11 = sines[13];
-  const Real c11 = cosines[13];
-  const Real s10 = sines[14];
-  const Real c10 = cosines[14];
-  const Real c9 = cosines[15];
-  const Real s9 = sines[15];
-  const Real s8 = sines[16];
-  const Real c8 = cosines[16];
-  const Real s7 = sines[17];
-  const Real c7 = cosines[17];
-  const Real s6 = sines[18];
-  const Real c6 = cosines[18];
-  const Real s5 = sines[19];
-  const Real c5 = cosines[19];
-  const Real s4 = sines[20];
-  const Real c4 = cosines[20];
-  const Real c3 = cosines[21];
-  const Real s3 = sines[21];
-  const Real s2 = sines[22];
-  const Real c2 = cosines[22];
+  const Real s4 = sines[0];
+  const Real s24 = sines[1];
+  const Real s23 = sines[2];
+  const Real s22 = sines[3];
+  const Real c24 = cosines[1];
+  const Real c23 = cosines[2];
+  const Real c22 = cosines[3];
+  const Real c21 = cosines[4];
+  const Real s21 = sines[4];
+  const Real s19 = sines[5];
+  const Real c19 = cosines[5];
+  const Real c20 = cosines[6];
+  const Real s20 = sines[6];
+  const Real s18 = sines[7];
+  const Real c18 = cosines[7];
+  const Real s17 = sines[8];
+  const Real c17 = cosines[8];
+  const Real c16 = cosines[9];
+  const Real s16 = sines[9];
+  const Real s15 = sines[10];
+  const Real c15 = cosines[10];
+  const Real s14 = sines[11];
+  const Real c14 = cosines[11];
+  const Real s12 = sines[12];
+  const Real c12 = cosines[12];
+  const Real c13 = cosines[13];
+  const Real s13 = sines[13];
+  const Real s11 = sines[14];
+  const Real c11 = cosines[14];
+  const Real s10 = sines[15];
+  const Real c10 = cosines[15];
+  const Real c9 = cosines[16];
+  const Real s9 = sines[16];
+  const Real s8 = sines[17];
+  const Real c8 = cosines[17];
+  const Real s7 = sines[18];
+  const Real c7 = cosines[18];
+  const Real s6 = sines[19];
+  const Real c6 = cosines[19];
+  const Real c4 = cosines[0];
+  const Real s5 = sines[20];
+  const Real c5 = cosines[20];
+  const Real s2 = sines[21];
+  const Real c2 = cosines[21];
+  const Real c3 = cosines[22];
+  const Real s3 = sines[22];
 
   // link 13 (left_hand), composite inertia
   const Lanes<2> M_2_2_p9_lanes = 0.0165153994048813 * detail::make_pack<Real>(c13, c20);
@@ -568,6 +568,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   // link 7 (left_shoulder1), composite inertia
   const Lanes<2> M_2_6_p18_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p13_lanes +
       detail::make_pack<Real>(c7, c14) * M_2_6_p16_lanes;
+  const Lanes<2> M_5_6_p3_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p13_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_6_p16_lanes;
 
   // link 10 (left_lowerarm), composite inertia
   const Lanes<2> M_2_2_p259_lanes = M_2_2_p135_lanes - M_2_2_p242_lanes;
@@ -578,8 +580,6 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 7 (left_shoulder1), composite inertia
   const Real M_2_2_p263 = M_2_6_p18_lanes[1] + M_2_6_p18_lanes[0];
-  const Lanes<2> M_5_6_p3_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p13_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_6_p16_lanes;
 
   // link 21 (neck), composite inertia
   const Real M_5_20 = c21 * M_5_20_p6 + s21 * M_5_20_p5;
@@ -588,17 +588,17 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real M_2_2_p264 = s21 * M_5_20_p6 - c21 * M_5_20_p5;
 
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_5_5_p3_lanes = 0.226 * M_2_6_p18_lanes;
+  const Real M_2_2_p265 = M_5_6_p3_lanes[1] + M_5_6_p3_lanes[0];
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p269_lanes = 0.0028970433559338655 + M_2_2_p259_lanes;
+  const Lanes<2> M_2_2_p270_lanes = 0.0028970433559338655 + M_2_2_p259_lanes;
 
   // link 21 (neck), composite inertia
-  const Real M_2_2_p271 = s21 * M_2_2_p233 + c21 * M_5_20_p4;
-  const Real M_2_2_p272 = c21 * M_2_2_p261;
+  const Real M_2_2_p272 = s21 * M_2_2_p233 + c21 * M_5_20_p4;
+  const Real M_2_2_p273 = c21 * M_2_2_p261;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p273 = M_5_6_p3_lanes[1] + M_5_6_p3_lanes[0];
+  const Lanes<2> M_5_5_p3_lanes = 0.226 * M_2_6_p18_lanes;
 
   // link 10 (left_lowerarm), composite inertia
   const Lanes<2> M_2_2_p274_lanes = 0.0019585440854647937 +
@@ -608,10 +608,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       M_2_2_p150_lanes);
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p278 = M_2_2_p271 + M_2_2_p241;
+  const Real M_2_2_p278 = M_2_2_p263 - 6.1665928899999995 - M_2_2_p185;
+  const Real M_2_2_p279 = M_2_2_p272 + M_2_2_p241;
   const Lanes<2> M_5_5_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_2_p231_lanes -
       M_5_5_p3_lanes;
-  const Real M_2_2_p283 = M_2_2_p263 - 6.1665928899999995 - M_2_2_p185;
 
   // link 21 (neck), composite inertia
   const Real M_2_2_p284 = c21 * M_2_2_p233 - s21 * M_5_20_p4;
@@ -629,51 +629,56 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[374] = -M_7_8_lanes[1];
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p289 = M_2_2_p284 + M_2_2_p273;
+  const Real M_2_2_p289 = M_2_2_p284 + M_2_2_p265;
+
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p290 = c6 * M_2_2_p278 - s6 * M_2_2_p279;
+  const Real M_2_2_p291 = s6 * M_2_2_p278 + c6 * M_2_2_p279;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p290_lanes = detail::make_pack<Real>(c9, c16) *
+  const Lanes<2> M_2_2_p292_lanes = detail::make_pack<Real>(c9, c16) *
       (M_2_2_p274_lanes - M_2_2_p224_lanes) - detail::make_pack<Real>(s9, s16) *
       (2.0 * M_2_2_p236_lanes);
-  const Lanes<2> M_2_2_p292_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
+  const Lanes<2> M_2_2_p294_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
       5.2499999999999995e-05) + M_2_2_p287_lanes;
-  const Lanes<2> M_2_2_p294_lanes = M_7_8_lanes - 0.00010499999999999999;
+  const Lanes<2> M_2_2_p296_lanes = M_7_8_lanes - 0.00010499999999999999;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p296 = c6 * M_2_2_p283 - s6 * M_2_2_p278;
-  const Real M_2_2_p297 = 0.069699984375 + M_2_2_p289;
-  const Real M_2_2_p298 = s6 * M_2_2_p283 + c6 * M_2_2_p278;
+  const Real M_2_2_p298 = 0.144 * M_2_2_p290;
+  const Real M_1_1_p1 = M_2_2_p290 - 2.2194301519999997;
+  const Real M_1_1_p2 = 0.069699984375 + M_2_2_p289;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p299_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p290_lanes;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p307 = 0.144 * M_2_2_p296;
-  const Real M_2_2_p308 = M_2_2_p296 - 2.2194301519999997;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p315_lanes = M_2_2_p224_lanes + M_2_2_p299_lanes;
-  const Lanes<2> M_2_2_p317_lanes = 0.18113119219699997 + (M_2_2_p274_lanes - M_2_2_p299_lanes);
-  const Lanes<2> M_2_2_p319_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
-      (detail::make_pack<Real>(s9, s16) * M_2_2_p290_lanes + M_2_2_p236_lanes);
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p321_lanes = 0.18140244219699997 + M_2_2_p315_lanes;
+  const Lanes<2> M_2_2_p299_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p292_lanes;
+  const Real M_1_1_p3 = 0.422 * s2;
+  const Real M_1_1_p4 = 0.422 * c2;
+  const Real M_1_1_p5 = c2 * c3 - s2 * s3;
+  const Lanes<2> M_2_2_p313_lanes = M_2_2_p224_lanes + M_2_2_p299_lanes;
 
   // link 5 (chest2), composite inertia
-  const Real M_2_2_p323 = s5 * M_2_2_p297 + c5 * M_2_2_p308;
-  const Real M_0_0_p1 = s5 * M_2_2_p308 - c5 * M_2_2_p297;
-  const Real M_2_2_p328 = 0.43599999999999994 * M_2_2_p323;
-  const Real M_0_0_p2 = 0.0300000063 + M_0_0_p1;
+  const Real M_1_1_p6 = s5 * M_1_1_p1 - c5 * M_1_1_p2;
+  const Real M_1_1_p7 = s5 * M_1_1_p2 + c5 * M_1_1_p1;
+  const Real M_1_1_p8 = s2 * c3 + c2 * s3;
 
-  // link 4 (chest1), composite inertia
-  const Real M_0_0_p3 = M_2_2_p323 - 8.419374554;
+  // link 9 (left_upperarm), composite inertia
+  const Lanes<2> M_2_2_p315_lanes = 0.18113119219699997 + (M_2_2_p274_lanes - M_2_2_p299_lanes);
+  const Lanes<2> M_2_2_p317_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
+      (detail::make_pack<Real>(s9, s16) * M_2_2_p292_lanes + M_2_2_p236_lanes);
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p331_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p294_lanes -
-      detail::make_pack<Real>(s8, s15) * M_2_2_p319_lanes;
-  const Lanes<2> M_6_7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p294_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_2_p319_lanes;
+  const Lanes<2> M_2_2_p319_lanes = 0.18140244219699997 + M_2_2_p313_lanes;
+
+  // link 4 (chest1), composite inertia
+  const Real M_1_1_p9 = M_1_1_p7 - 8.419374554;
+
+  // link 5 (chest2), composite inertia
+  const Real M_1_3_p1 = c4 * M_2_2_p291;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p327_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p296_lanes -
+      detail::make_pack<Real>(s8, s15) * M_2_2_p317_lanes;
+  const Lanes<2> M_6_7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p296_lanes +
+      detail::make_pack<Real>(c8, c15) * M_2_2_p317_lanes;
   M[151] = M_6_7_lanes[0];
   M[174] = M_6_7_lanes[0];
 
@@ -681,58 +686,76 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[326] = M_6_7_lanes[1];
   M[349] = M_6_7_lanes[1];
 
+  // link 4 (chest1), composite inertia
+  const Real M_1_1_p10 = 0.02999999505 + s4 * M_2_2_p291 + (0.0300000063 + M_1_1_p6) * c4;
+
+  // link 5 (chest2), composite inertia
+  const Real M_1_3_p2 = M_1_3_p1 - s4 * M_1_1_p6;
+
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p333_lanes = detail::make_pack<Real>(s8, s15) *
-      (M_2_2_p269_lanes - M_2_2_p317_lanes) + detail::make_pack<Real>(c8, c15) *
-      (2.0 * M_2_2_p292_lanes);
-  const Lanes<2> M_2_2_p335_lanes = M_2_2_p331_lanes - 8.75e-06;
+  const Lanes<2> M_2_2_p329_lanes = detail::make_pack<Real>(s8, s15) *
+      (M_2_2_p270_lanes - M_2_2_p315_lanes) + detail::make_pack<Real>(c8, c15) *
+      (2.0 * M_2_2_p294_lanes);
+  const Lanes<2> M_2_2_p331_lanes = M_2_2_p327_lanes - 8.75e-06;
   const Lanes<2> M_2_6_p20_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
       2.6249999999999998e-05) + M_6_7_lanes;
-  const Lanes<2> M_2_2_p338_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p333_lanes;
 
-  // link 4 (chest1), composite inertia
-  const Real M_0_0_p4 = 0.02999999505 + (c4 * M_0_0_p2 + s4 * M_2_2_p298);
-
-  // link 4 (chest1), mass matrix
-  const Real M_0_3_p1 = s4 * M_0_0_p2 - c4 * M_2_2_p298;
+  // link 5 (chest2), composite inertia
+  const Real M_1_3_p3 = M_1_3_p2 - 0.0300000063 * s4;
 
   // link 5 (chest2), mass matrix
-  const Real M_0_4_p1 = c4 * M_2_2_p323;
-
-  // link 4 (chest1), mass matrix
-  const Real M_0_3_p2 = c3 * M_0_3_p1;
+  const Real M_1_4_p1 = c4 * M_1_1_p7;
 
   // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p349_lanes = 0.0002975 + (M_2_2_p269_lanes - M_2_2_p338_lanes);
+  const Lanes<2> M_2_2_p334_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p329_lanes;
+
+  // link 3 (hip), composite inertia
+  const Real M_1_1_p11 = M_1_1_p5 * M_1_1_p9 - M_1_1_p8 * M_1_1_p10;
+
+  // link 4 (chest1), mass matrix
+  const Real M_1_3_p4 = M_1_1_p5 * M_1_3_p3;
+
+  // link 5 (chest2), mass matrix
+  const Real M_1_4_p2 = M_1_1_p8 * M_1_1_p6 - M_1_1_p5 * M_1_4_p1;
+
+  // link 3 (hip), composite inertia
+  const Real M_0_0_p1 = 0.031999971599999996 * s2 - 24.5839218 * c2 + M_1_1_p11;
+
+  // link 8 (left_shoulder2), composite inertia
+  const Lanes<2> M_2_2_p345_lanes = 0.0002975 + (M_2_2_p270_lanes - M_2_2_p334_lanes);
   const Lanes<2> M_2_6_p24_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * M_2_2_p333_lanes -
-      M_2_2_p292_lanes);
-  const Lanes<2> M_6_6_lanes = 0.000448 + (M_2_2_p317_lanes + M_2_2_p338_lanes);
+      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * M_2_2_p329_lanes -
+      M_2_2_p294_lanes);
+  const Lanes<2> M_6_6_lanes = 0.000448 + (M_2_2_p315_lanes + M_2_2_p334_lanes);
   M[150] = M_6_6_lanes[0];
 
   // link 15 (right_shoulder2), composite inertia
   M[325] = M_6_6_lanes[1];
 
+  // link 6 (chest3), mass matrix
+  const Real M_1_5_p1 = c5 * M_2_2_p291;
+
   // link 3 (hip), composite inertia
-  const Real M_0_0_p5 = c3 * M_0_0_p3 - s3 * M_0_0_p4;
-  const Real M_0_0_p6 = c3 * M_0_0_p4 + s3 * M_0_0_p3;
+  const Real M_1_1_p12 = M_1_1_p3 * (M_1_1_p5 * M_1_1_p10 + M_1_1_p8 * M_1_1_p9) + M_1_1_p4 *
+      M_1_1_p11;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_p26_lanes = M_6_6_lanes - M_5_5_p3_lanes;
+  const Lanes<2> M_2_6_p27_lanes = s6 * M_5_6_p3_lanes;
 
   // link 6 (chest3), mass matrix
-  const Real M_0_5_p1 = s5 * M_2_2_p298;
-  const Real M_0_5_p2 = c5 * M_2_2_p298;
+  const Real M_1_5_p2 = M_1_3_p1 * s5 - s4 * M_2_2_p290;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_1_6_p2_lanes = c6 * M_5_6_p3_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p358 = 1.67475326092404 + M_2_2_p220 - M_2_2_p272 + M_6_6_lanes[1] +
+  const Real M_2_2_p354 = 1.67475326092404 + M_2_2_p220 - M_2_2_p273 + M_6_6_lanes[1] +
       M_6_6_lanes[0] - 0.452 * M_2_2_p263;
-
-  // link 5 (chest2), mass matrix
-  const Real M_0_4_p2 = s3 * M_0_0_p1 - c3 * M_0_4_p1;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p359_lanes = detail::make_pack<Real>(c7, c14) *
-      (M_2_2_p321_lanes - M_2_2_p349_lanes) - detail::make_pack<Real>(s7, s14) *
-      (2.0 * M_2_2_p335_lanes);
-  const Lanes<2> M_2_6_p27_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p20_lanes +
+  const Lanes<2> M_2_2_p355_lanes = detail::make_pack<Real>(c7, c14) *
+      (M_2_2_p319_lanes - M_2_2_p345_lanes) - detail::make_pack<Real>(s7, s14) *
+      (2.0 * M_2_2_p331_lanes);
+  const Lanes<2> M_2_6_p31_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p20_lanes +
       detail::make_pack<Real>(c7, c14) * M_2_6_p24_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
       M_2_6_p18_lanes;
   const Lanes<2> M_5_6_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p20_lanes -
@@ -745,110 +768,71 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[133] = M_5_6_lanes[1];
   M[317] = M_5_6_lanes[1];
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p28_lanes = M_6_6_lanes - M_5_5_p3_lanes;
-
-  // link 6 (chest3), mass matrix
-  const Real M_0_5_p3 = c4 * M_0_5_p1 - s4 * M_2_2_p296;
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p29_lanes = s6 * M_5_6_p3_lanes;
-
   // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p362_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p359_lanes;
-  const Lanes<2> M_2_2_p364_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p359_lanes;
-  const Real M_2_2_p366 = M_5_6_lanes[1] - (M_2_2_p219 - s21 * M_2_2_p261) + M_5_6_lanes[0];
+  const Lanes<2> M_2_2_p358_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p355_lanes;
+  const Lanes<2> M_2_2_p360_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p355_lanes;
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_p1_lanes = c6 * M_5_6_p3_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p367 = M_2_2_p362_lanes[1] + M_2_2_p362_lanes[0];
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p34_lanes = c6 * M_2_6_p27_lanes - s6 * M_2_6_p28_lanes;
-
-  // link 2 (thigh), composite inertia
-  const Real M_0_0_p7 = s2 * (0.031999971599999996 - M_0_0_p6) + c2 * (M_0_0_p5 - 24.5839218);
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p368 = M_2_2_p264 + M_2_6_p27_lanes[1] + M_2_6_p27_lanes[0] + 0.226 * M_2_2_p241;
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p35_lanes = M_5_6_lanes - 0.072 * M_2_6_p29_lanes;
-
-  // link 6 (chest3), mass matrix
-  const Real M_0_5_p4 = c3 * M_0_5_p3 + s3 * M_0_5_p2;
+  const Lanes<2> M_2_6_p33_lanes = M_5_6_lanes - 0.072 * M_2_6_p27_lanes;
 
   // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p315_lanes;
+  const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p313_lanes;
   M[175] = M_7_7_lanes[0];
 
   // link 16 (right_upperarm), composite inertia
   M[350] = M_7_7_lanes[1];
 
+  // link 6 (chest3), mass matrix
+  const Real M_1_5_p3 = M_1_1_p5 * M_1_5_p2 + M_1_1_p8 * M_1_5_p1;
+
   // link 8 (left_shoulder2), mass matrix
   const Lanes<2> M_2_7_p2_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p231_lanes;
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_p7_lanes = c5 * M_2_6_p18_lanes + s5 * M_0_6_p1_lanes;
-  const Lanes<2> M_4_6_lanes = s6 * M_2_6_p27_lanes + c6 * M_2_6_p28_lanes - 0.072 *
-      M_2_6_p18_lanes;
-  M[102] = M_4_6_lanes[0];
-  M[148] = M_4_6_lanes[0];
-
-  // link 14 (right_shoulder1), mass matrix
-  M[109] = M_4_6_lanes[1];
-  M[316] = M_4_6_lanes[1];
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p362 = M_5_6_lanes[1] - (M_2_2_p219 - s21 * M_2_2_p261) + M_5_6_lanes[0];
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_p8_lanes = s5 * M_2_6_p18_lanes - c5 * M_0_6_p1_lanes;
+  const Lanes<2> M_1_6_p8_lanes = s5 * M_2_6_p18_lanes - c5 * M_1_6_p2_lanes;
 
   // link 7 (left_shoulder1), composite inertia
-  const Real M_5_5 = 2.07035776092404 + M_2_2_p208 + M_2_2_p272 + M_2_2_p349_lanes[1] + M_2_2_p367 +
-      M_2_2_p349_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
+  const Real M_2_2_p363 = M_2_2_p358_lanes[1] + M_2_2_p358_lanes[0];
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_p35_lanes = c6 * M_2_6_p31_lanes - s6 * M_2_6_p26_lanes;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p364 = M_2_2_p264 + M_2_6_p31_lanes[1] + M_2_6_p31_lanes[0] + 0.226 * M_2_2_p241;
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_1_7_p1_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p231_lanes;
+  const Lanes<2> M_2_7_p9_lanes = detail::make_pack<Real>(s7, s14) * M_7_7_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_2_p327_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_2_7_p2_lanes;
+  const Lanes<2> M_2_7_p10_lanes = M_6_7_lanes + 0.226 * M_2_7_p2_lanes;
+
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_5_5 = 2.07035776092404 + M_2_2_p208 + M_2_2_p273 + M_2_2_p345_lanes[1] + M_2_2_p363 +
+      M_2_2_p345_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
   M[125] = M_5_5;
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_p1_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p231_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p369 = 0.40663174999999996 + M_2_2_p210 + M_2_2_p321_lanes[1] - M_2_2_p367 +
-      (-0.36) * M_2_2_p231_lanes[1] + M_2_2_p321_lanes[0] + 0.36 * M_2_2_p231_lanes[0];
-  const Real M_2_2_p370 = 0.0187369177636143 + M_5_20 + M_2_2_p364_lanes[1] + M_2_2_p335_lanes[1] +
-      M_2_2_p364_lanes[0] + M_2_2_p335_lanes[0] + 0.226 * M_2_2_p273;
-
-  // link 6 (chest3), mass matrix
-  const Real M_2_5_p1 = M_5_5 - 0.072 * M_2_2_p296;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p371 = 0.15637308509675518 + (M_5_5 - M_2_2_p307);
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p9_lanes = M_6_7_lanes + 0.226 * M_2_7_p2_lanes;
-
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_p11_lanes = s4 * M_2_6_p29_lanes + c4 * M_0_6_p7_lanes;
+  const Lanes<2> M_1_6_p10_lanes = s4 * M_2_6_p27_lanes + c4 *
+      (c5 * M_2_6_p18_lanes + s5 * M_1_6_p2_lanes);
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p10_lanes = detail::make_pack<Real>(s7, s14) * M_7_7_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_2_p331_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_7_p2_lanes;
-  const Lanes<2> M_0_7_p5_lanes = c6 * M_0_7_p1_lanes + s6 * M_2_6_p14_lanes;
-  const Lanes<2> M_2_7_p11_lanes = c6 * M_2_6_p14_lanes - s6 * M_0_7_p1_lanes;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p372 = c6 * M_2_2_p370 - s6 * M_2_2_p366;
-  const Real M_4_5 = s6 * M_2_2_p370 + c6 * M_2_2_p366;
-  M[101] = M_4_5;
-  M[124] = M_4_5;
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_5_7_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_0_7_p1_lanes - 0.226 *
+  const Lanes<2> M_1_7_p6_lanes = c6 * M_1_7_p1_lanes + s6 * M_2_6_p14_lanes;
+  const Lanes<2> M_2_7_p11_lanes = c6 * M_2_6_p14_lanes - s6 * M_1_7_p1_lanes;
+  const Lanes<2> M_5_7_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_1_7_p1_lanes - 0.226 *
       M_2_6_p14_lanes;
 
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p373 = s6 * (M_2_2_p369 - M_2_2_p358) + c6 * (2.0 * M_2_2_p368);
+  // link 7 (left_shoulder1), composite inertia
+  const Real M_2_2_p365 = 0.40663174999999996 + M_2_2_p210 + M_2_2_p319_lanes[1] - M_2_2_p363 +
+      (-0.36) * M_2_2_p231_lanes[1] + M_2_2_p319_lanes[0] + 0.36 * M_2_2_p231_lanes[0];
+  const Real M_2_2_p366 = 0.0187369177636143 + M_5_20 + M_2_2_p360_lanes[1] + M_2_2_p331_lanes[1] +
+      M_2_2_p360_lanes[0] + M_2_2_p331_lanes[0] + 0.226 * M_2_2_p265;
+
+  // link 6 (chest3), mass matrix
+  const Real M_2_5_p1 = M_5_5 - 0.072 * M_2_2_p290;
 
   // link 10 (left_lowerarm), composite inertia
   const Lanes<2> M_8_8_lanes = 0.0027762933559338653 + M_2_2_p259_lanes;
@@ -859,7 +843,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 8 (left_shoulder2), mass matrix
   const Lanes<2> M_5_7_lanes = detail::make_pack<Real>(c7, c14) * M_7_7_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_2_p331_lanes + M_5_7_p6_lanes;
+      detail::make_pack<Real>(s7, s14) * M_2_2_p327_lanes + M_5_7_p6_lanes;
   M[127] = M_5_7_lanes[0];
   M[173] = M_5_7_lanes[0];
 
@@ -867,25 +851,30 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[134] = M_5_7_lanes[1];
   M[341] = M_5_7_lanes[1];
 
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p367 = 0.15637308509675518 + (M_5_5 - M_2_2_p298);
+
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_p1_lanes = detail::make_pack<Real>(s8, s15) * M_2_6_p10_lanes;
+  const Lanes<2> M_2_8_p3_lanes = detail::make_pack<Real>(s8, s15) * M_2_6_p10_lanes;
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p15_lanes = c6 * M_2_7_p10_lanes - s6 * M_2_7_p9_lanes;
+  const Lanes<2> M_2_7_p15_lanes = c6 * M_2_7_p9_lanes - s6 * M_2_7_p10_lanes;
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p374 = s6 * M_2_2_p373;
-  const Real M_2_2_p375 = 0.005678398088837119 + (M_2_2_p372 + 0.072 * M_2_2_p289);
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_p10_lanes = c5 * M_2_7_p2_lanes + s5 * M_0_7_p5_lanes;
-  const Lanes<2> M_2_7_p16_lanes = M_5_7_lanes - 0.072 * M_2_7_p11_lanes;
-  const Lanes<2> M_0_7_p11_lanes = c5 * M_0_7_p5_lanes - s5 * M_2_7_p2_lanes;
+  const Real M_2_2_p368 = c6 * M_2_2_p366 - s6 * M_2_2_p362;
+  const Real M_4_5 = s6 * M_2_2_p366 + c6 * M_2_2_p362;
+  M[101] = M_4_5;
+  M[124] = M_4_5;
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p6_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p10_lanes;
   const Lanes<2> M_2_8_p7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p287_lanes -
       detail::make_pack<Real>(c8, c15) * M_8_8_lanes;
+  const Lanes<2> M_2_8_p8_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p10_lanes;
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_2_7_p16_lanes = M_5_7_lanes - 0.072 * M_2_7_p11_lanes;
+
+  // link 9 (left_upperarm), mass matrix
   const Lanes<2> M_6_8_lanes = detail::make_pack<Real>(s8, s15) * M_8_8_lanes +
       detail::make_pack<Real>(c8, c15) * M_2_2_p287_lanes;
   M[152] = -M_6_8_lanes[0];
@@ -896,48 +885,45 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[373] = -M_6_8_lanes[1];
 
   // link 6 (chest3), composite inertia
-  const Real M_2_2_p376 = 0.04675382692737882 + (M_2_2_p369 - M_2_2_p374);
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_p4_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p9_lanes +
-      detail::make_pack<Real>(c7, c14) * M_0_8_p1_lanes;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p377 = c6 * M_2_2_p373 - M_2_2_p368 + 0.072 * M_2_2_p298;
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p9_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p9_lanes -
-      detail::make_pack<Real>(s7, s14) * M_0_8_p1_lanes;
+  const Real M_2_2_p369 = s6 * (M_2_2_p365 - M_2_2_p354) + c6 * (2.0 * M_2_2_p364);
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_p15_lanes = c4 * M_0_7_p10_lanes - s4 * M_2_7_p11_lanes;
+  const Lanes<2> M_1_7_p12_lanes = c5 * M_1_7_p6_lanes - s5 * M_2_7_p2_lanes;
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_1_8_p3_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p9_lanes +
+      detail::make_pack<Real>(c7, c14) * M_2_8_p3_lanes;
+  const Lanes<2> M_2_8_p10_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p9_lanes -
+      detail::make_pack<Real>(s7, s14) * M_2_8_p3_lanes;
 
   // link 6 (chest3), composite inertia
-  const Real M_4_4 = 0.203126912024134 + (M_2_2_p358 + M_2_2_p374 - M_2_2_p307);
-  M[100] = M_4_4;
+  const Real M_2_2_p370 = s6 * M_2_2_p369;
+  const Real M_2_2_p371 = 0.005678398088837119 + (M_2_2_p368 + 0.072 * M_2_2_p289);
 
   // link 9 (left_upperarm), mass matrix
   const Lanes<2> M_5_8_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_8_lanes +
       detail::make_pack<Real>(s7, s14) * M_2_8_p7_lanes;
-  const Lanes<2> M_0_8_p9_lanes = c6 * M_0_8_p4_lanes + s6 * M_2_8_p6_lanes;
-  const Lanes<2> M_2_8_p15_lanes = s6 * M_0_8_p4_lanes - c6 * M_2_8_p6_lanes;
 
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p378 = s5 * M_2_2_p377 - c5 * M_4_5;
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_1_7_p13_lanes = c4 * (c5 * M_2_7_p2_lanes + s5 * M_1_7_p6_lanes) - s4 *
+      M_2_7_p11_lanes;
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p16_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_8_p9_lanes -
+  const Lanes<2> M_1_8_p8_lanes = c6 * M_1_8_p3_lanes + s6 * M_2_8_p8_lanes;
+  const Lanes<2> M_2_8_p16_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_8_p10_lanes -
       (detail::make_pack<Real>(s7, s14) * M_7_8_lanes - detail::make_pack<Real>(c7, c14) *
       M_2_8_p7_lanes);
-  const Lanes<2> M_2_8_p17_lanes = 0.226 * M_2_8_p9_lanes - M_6_8_lanes;
+  const Lanes<2> M_2_8_p17_lanes = 0.226 * M_2_8_p10_lanes - M_6_8_lanes;
+  const Lanes<2> M_2_8_p18_lanes = s6 * M_1_8_p3_lanes - c6 * M_2_8_p8_lanes;
 
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p379 = 0.01227760324629517 + (M_4_4 - M_2_2_p328);
-  const Real M_2_2_p380 = s5 * (M_2_2_p371 - M_2_2_p376) + c5 * (2.0 * M_2_2_p375);
+  // link 6 (chest3), composite inertia
+  const Real M_2_2_p372 = 0.04675382692737882 + (M_2_2_p365 - M_2_2_p370);
+  const Real M_2_2_p373 = c6 * M_2_2_p369 - M_2_2_p364 + 0.072 * M_2_2_p291;
+  const Real M_4_4_p1 = M_2_2_p354 + M_2_2_p370 - M_2_2_p298;
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_5_8_lanes = 0.226 * M_2_8_p6_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_0_8_p4_lanes - M_5_8_p5_lanes;
+  const Lanes<2> M_5_8_lanes = 0.226 * M_2_8_p8_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_1_8_p3_lanes - M_5_8_p5_lanes;
   M[128] = M_5_8_lanes[0];
   M[197] = M_5_8_lanes[0];
 
@@ -946,23 +932,29 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[365] = M_5_8_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p1_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p148_lanes;
+  const Lanes<2> M_1_9_p1_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p148_lanes;
   const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + 0.282 * M_2_2_p148_lanes;
-
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p381 = s5 * M_2_2_p380;
-
-  // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_2_9_p5_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p148_lanes;
 
+  // link 6 (chest3), composite inertia
+  const Real M_4_4 = 0.203126912024134 + M_4_4_p1;
+  M[100] = M_4_4;
+
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_p13_lanes = s5 * M_0_8_p9_lanes - c5 * M_2_8_p9_lanes;
-  const Lanes<2> M_2_8_p21_lanes = c6 * M_2_8_p16_lanes - s6 * M_2_8_p17_lanes;
-  const Lanes<2> M_2_8_p22_lanes = M_5_8_lanes - 0.072 * M_2_8_p15_lanes;
-  const Lanes<2> M_0_8_p14_lanes = s5 * M_2_8_p9_lanes + c5 * M_0_8_p9_lanes;
+  const Lanes<2> M_2_8_p22_lanes = c6 * M_2_8_p16_lanes - s6 * M_2_8_p17_lanes;
+  const Lanes<2> M_2_8_p23_lanes = M_5_8_lanes - 0.072 * M_2_8_p18_lanes;
+
+  // link 5 (chest2), composite inertia
+  const Real M_2_2_p374 = s5 * M_2_2_p373 - c5 * M_4_5;
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_1_8_p14_lanes = s5 * M_2_8_p10_lanes + c5 * M_1_8_p8_lanes;
+
+  // link 5 (chest2), composite inertia
+  const Real M_2_2_p375 = s5 * (M_2_2_p367 - M_2_2_p372) + c5 * (2.0 * M_2_2_p371);
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p7_lanes = detail::make_pack<Real>(s8, s15) * M_0_9_p1_lanes -
+  const Lanes<2> M_1_9_p7_lanes = detail::make_pack<Real>(s8, s15) * M_1_9_p1_lanes -
       detail::make_pack<Real>(c8, c15) * M_2_2_p150_lanes;
   const Lanes<2> M_2_9_p8_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p227_lanes -
       detail::make_pack<Real>(c9, c16) * M_2_9_p4_lanes;
@@ -976,42 +968,23 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[398] = -M_7_9_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_p17_lanes = c4 * M_0_8_p13_lanes + s4 * M_2_8_p15_lanes;
+  const Lanes<2> M_1_8_p15_lanes = c4 * (s5 * M_1_8_p8_lanes - c5 * M_2_8_p10_lanes) + s4 *
+      M_2_8_p18_lanes;
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p8_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p150_lanes +
-      detail::make_pack<Real>(c8, c15) * M_0_9_p1_lanes;
+  const Lanes<2> M_1_9_p8_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p150_lanes +
+      detail::make_pack<Real>(c8, c15) * M_1_9_p1_lanes;
 
   // link 5 (chest2), composite inertia
-  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p377;
-  M[76] = -M_3_4;
-  M[99] = -M_3_4;
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_4_7_lanes = s6 * M_2_7_p10_lanes + c6 * M_2_7_p9_lanes + 0.072 * M_2_7_p2_lanes;
-  M[103] = M_4_7_lanes[0];
-  M[172] = M_4_7_lanes[0];
-
-  // link 15 (right_shoulder2), mass matrix
-  M[110] = M_4_7_lanes[1];
-  M[340] = M_4_7_lanes[1];
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_4_8_lanes = s6 * M_2_8_p16_lanes + c6 * M_2_8_p17_lanes + 0.072 * M_2_8_p9_lanes;
-  M[104] = M_4_8_lanes[0];
-  M[196] = M_4_8_lanes[0];
-
-  // link 16 (right_upperarm), mass matrix
-  M[111] = M_4_8_lanes[1];
-  M[364] = M_4_8_lanes[1];
+  const Real M_2_2_p376 = s5 * M_2_2_p375;
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p11_lanes = detail::make_pack<Real>(s7, s14) * M_2_9_p5_lanes -
-      detail::make_pack<Real>(c7, c14) * M_0_9_p7_lanes;
+  const Lanes<2> M_1_9_p11_lanes = detail::make_pack<Real>(s7, s14) * M_2_9_p5_lanes -
+      detail::make_pack<Real>(c7, c14) * M_1_9_p7_lanes;
   const Lanes<2> M_2_9_p13_lanes = detail::make_pack<Real>(c8, c15) * M_8_9_lanes +
       detail::make_pack<Real>(s8, s15) * M_2_9_p8_lanes;
   const Lanes<2> M_2_9_p14_lanes = detail::make_pack<Real>(c7, c14) * M_2_9_p5_lanes +
-      detail::make_pack<Real>(s7, s14) * M_0_9_p7_lanes;
+      detail::make_pack<Real>(s7, s14) * M_1_9_p7_lanes;
   const Lanes<2> M_6_9_lanes = detail::make_pack<Real>(s8, s15) * M_8_9_lanes -
       detail::make_pack<Real>(c8, c15) * M_2_9_p8_lanes;
   M[153] = M_6_9_lanes[0];
@@ -1021,14 +994,20 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[328] = M_6_9_lanes[1];
   M[397] = M_6_9_lanes[1];
 
+  // link 5 (chest2), composite inertia
+  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p373;
+  M[76] = -M_3_4;
+  M[99] = -M_3_4;
+
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_p15_lanes = s3 * M_0_6_p8_lanes - c3 * M_0_6_p11_lanes;
+  const Lanes<2> M_4_6_lanes = s6 * M_2_6_p31_lanes + c6 * M_2_6_p26_lanes - 0.072 *
+      M_2_6_p18_lanes;
+  M[102] = M_4_6_lanes[0];
+  M[148] = M_4_6_lanes[0];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_p18_lanes = c3 * M_0_7_p15_lanes + s3 * M_0_7_p11_lanes;
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_p21_lanes = c3 * M_0_8_p17_lanes + s3 * M_0_8_p14_lanes;
+  // link 14 (right_shoulder1), mass matrix
+  M[109] = M_4_6_lanes[1];
+  M[316] = M_4_6_lanes[1];
 
   // link 12 (left_wrist2), composite inertia
   const Lanes<2> M_10_10_lanes = 0.00022920000000000001 + M_2_2_p116_lanes;
@@ -1041,31 +1020,28 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> M_2_10_p3_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p105_lanes;
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p15_lanes = s6 * M_0_9_p8_lanes - c6 * M_0_9_p11_lanes;
-  const Lanes<2> M_2_9_p20_lanes = M_6_9_lanes - 0.226 * M_2_9_p14_lanes;
-  const Lanes<2> M_2_9_p21_lanes = s6 * M_0_9_p11_lanes + c6 * M_0_9_p8_lanes;
-  const Lanes<2> M_5_9_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_9_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_9_p13_lanes;
+  const Lanes<2> M_1_9_p15_lanes = s6 * M_1_9_p8_lanes - c6 * M_1_9_p11_lanes;
 
-  // link 4 (chest1), composite inertia
-  const Real M_2_2_p382 = s4 * (0.0478915 + (M_2_2_p371 - M_2_2_p381 - M_2_2_p328) - M_2_2_p379) -
-      c4 * (2.0 * M_2_2_p378);
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_4_7_lanes = s6 * M_2_7_p9_lanes + c6 * M_2_7_p10_lanes + 0.072 * M_2_7_p2_lanes;
+  M[103] = M_4_7_lanes[0];
+  M[172] = M_4_7_lanes[0];
+
+  // link 15 (right_shoulder2), mass matrix
+  M[110] = M_4_7_lanes[1];
+  M[340] = M_4_7_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p20_lanes = M_6_9_lanes - 0.226 * M_2_9_p14_lanes;
+  const Lanes<2> M_2_9_p21_lanes = s6 * M_1_9_p11_lanes + c6 * M_1_9_p8_lanes;
+  const Lanes<2> M_5_9_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_9_lanes +
+      detail::make_pack<Real>(s7, s14) * M_2_9_p13_lanes;
   const Lanes<2> M_2_9_p22_lanes = detail::make_pack<Real>(s7, s14) * M_7_9_lanes -
       detail::make_pack<Real>(c7, c14) * M_2_9_p13_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
       M_2_9_p14_lanes;
-  const Lanes<2> M_5_9_lanes = 0.226 * M_0_9_p8_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_0_9_p11_lanes - M_5_9_p5_lanes;
-  M[129] = M_5_9_lanes[0];
-  M[221] = M_5_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[136] = M_5_9_lanes[1];
-  M[389] = M_5_9_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p5_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p105_lanes;
+  const Lanes<2> M_1_10_p5_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p105_lanes;
   const Lanes<2> M_8_10_lanes = detail::make_pack<Real>(c10, c17) * M_10_10_lanes -
       detail::make_pack<Real>(s10, s17) * M_2_2_p168_lanes;
   M[202] = M_8_10_lanes[0];
@@ -1076,34 +1052,50 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[423] = M_8_10_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p7_lanes = M_9_10_lanes + 0.282 * M_2_10_p3_lanes;
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p19_lanes = c5 * M_2_9_p14_lanes + s5 * M_0_9_p15_lanes;
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p8_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p168_lanes +
+  const Lanes<2> M_2_10_p7_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p168_lanes +
       detail::make_pack<Real>(s10, s17) * M_10_10_lanes + 0.282 * M_2_2_p103_lanes;
-  const Lanes<2> M_0_10_p6_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p3_lanes +
+  const Lanes<2> M_2_10_p8_lanes = M_9_10_lanes + 0.282 * M_2_10_p3_lanes;
+  const Lanes<2> M_1_10_p6_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p3_lanes +
       detail::make_pack<Real>(s9, s16) * M_2_2_p103_lanes;
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p26_lanes = M_5_9_lanes + 0.072 * M_2_9_p21_lanes;
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p7_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p3_lanes -
+  const Lanes<2> M_1_10_p7_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p3_lanes -
       detail::make_pack<Real>(c9, c16) * M_2_2_p103_lanes;
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p27_lanes = c6 * M_2_9_p22_lanes + s6 * M_2_9_p20_lanes;
-  const Lanes<2> M_0_9_p21_lanes = s5 * M_2_9_p14_lanes - c5 * M_0_9_p15_lanes;
-  const Lanes<2> M_0_9_p22_lanes = s4 * M_2_9_p21_lanes - c4 * M_0_9_p19_lanes;
+  const Lanes<2> M_5_9_lanes = 0.226 * M_1_9_p8_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      M_1_9_p11_lanes - M_5_9_p5_lanes;
+  M[129] = M_5_9_lanes[0];
+  M[221] = M_5_9_lanes[0];
+
+  // link 17 (right_lowerarm), mass matrix
+  M[136] = M_5_9_lanes[1];
+  M[389] = M_5_9_lanes[1];
+
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p26_lanes = c6 * M_2_9_p22_lanes + s6 * M_2_9_p20_lanes;
+  const Lanes<2> M_2_9_p27_lanes = M_5_9_lanes + 0.072 * M_2_9_p21_lanes;
+  const Lanes<2> M_1_9_p21_lanes = s5 * M_2_9_p14_lanes - c5 * M_1_9_p15_lanes;
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p13_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p8_lanes +
-      detail::make_pack<Real>(c9, c16) * M_2_10_p7_lanes;
-  const Lanes<2> M_7_10_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p8_lanes -
-      detail::make_pack<Real>(s9, s16) * M_2_10_p7_lanes;
+  const Lanes<2> M_2_10_p13_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p7_lanes +
+      detail::make_pack<Real>(c9, c16) * M_2_10_p8_lanes;
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_4_8_lanes = s6 * M_2_8_p16_lanes + c6 * M_2_8_p17_lanes + 0.072 *
+      M_2_8_p10_lanes;
+  M[104] = M_4_8_lanes[0];
+  M[196] = M_4_8_lanes[0];
+
+  // link 16 (right_upperarm), mass matrix
+  M[111] = M_4_8_lanes[1];
+  M[364] = M_4_8_lanes[1];
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_1_10_p13_lanes = detail::make_pack<Real>(s8, s15) * M_1_10_p7_lanes -
+      detail::make_pack<Real>(c8, c15) * M_1_10_p5_lanes;
+  const Lanes<2> M_1_10_p14_lanes = detail::make_pack<Real>(s8, s15) * M_1_10_p5_lanes +
+      detail::make_pack<Real>(c8, c15) * M_1_10_p7_lanes;
+  const Lanes<2> M_7_10_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p7_lanes -
+      detail::make_pack<Real>(s9, s16) * M_2_10_p8_lanes;
   M[178] = M_7_10_lanes[0];
   M[247] = M_7_10_lanes[0];
 
@@ -1111,11 +1103,13 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[353] = M_7_10_lanes[1];
   M[422] = M_7_10_lanes[1];
 
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p13_lanes = detail::make_pack<Real>(s8, s15) * M_0_10_p7_lanes -
-      detail::make_pack<Real>(c8, c15) * M_0_10_p5_lanes;
-  const Lanes<2> M_0_10_p14_lanes = detail::make_pack<Real>(s8, s15) * M_0_10_p5_lanes +
-      detail::make_pack<Real>(c8, c15) * M_0_10_p7_lanes;
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_1_9_p22_lanes = s4 * M_2_9_p21_lanes - c4 *
+      (c5 * M_2_9_p14_lanes + s5 * M_1_9_p15_lanes);
+
+  // link 4 (chest1), composite inertia
+  const Real M_2_2_p377 = 0.03561389675370483 * s4 -
+      (c4 * (2.0 * M_2_2_p374) - s4 * (M_2_2_p367 - M_2_2_p376 - M_4_4));
 
   // link 10 (left_lowerarm), mass matrix
   const Lanes<2> M_4_9_lanes = c6 * M_2_9_p20_lanes - s6 * M_2_9_p22_lanes - 0.072 *
@@ -1126,9 +1120,6 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   // link 17 (right_lowerarm), mass matrix
   M[112] = M_4_9_lanes[1];
   M[388] = M_4_9_lanes[1];
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p27_lanes = c3 * M_0_9_p22_lanes + s3 * M_0_9_p21_lanes;
 
   // link 11 (left_wrist1), mass matrix
   const Lanes<2> M_2_10_p18_lanes = detail::make_pack<Real>(c8, c15) * M_8_10_lanes +
@@ -1142,35 +1133,34 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[329] = M_6_10_lanes[1];
   M[421] = M_6_10_lanes[1];
 
-  // link 4 (chest1), composite inertia
-  const Real M_2_2 = 1.7824817919087104 + (M_2_2_p379 + s4 * M_2_2_p382);
-  M[50] = M_2_2;
-
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p17_lanes = detail::make_pack<Real>(s7, s14) * M_0_10_p6_lanes -
-      detail::make_pack<Real>(c7, c14) * M_0_10_p13_lanes;
-  const Lanes<2> M_2_10_p19_lanes = detail::make_pack<Real>(c7, c14) * M_0_10_p6_lanes +
-      detail::make_pack<Real>(s7, s14) * M_0_10_p13_lanes;
+  const Lanes<2> M_1_10_p17_lanes = detail::make_pack<Real>(s7, s14) * M_1_10_p6_lanes -
+      detail::make_pack<Real>(c7, c14) * M_1_10_p13_lanes;
+  const Lanes<2> M_2_10_p19_lanes = detail::make_pack<Real>(c7, c14) * M_1_10_p6_lanes +
+      detail::make_pack<Real>(s7, s14) * M_1_10_p13_lanes;
+
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_1_6_p15_lanes = M_1_1_p8 * M_1_6_p8_lanes - M_1_1_p5 * M_1_6_p10_lanes;
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_2_11_p4_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p49_lanes;
-  const Lanes<2> M_0_11_p1_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p49_lanes;
+  const Lanes<2> M_1_11_p1_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p49_lanes;
   const Lanes<2> M_2_11_p5_lanes = M_11_11_lanes + 0.269 * M_2_2_p49_lanes;
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p21_lanes = s6 * M_0_10_p14_lanes - c6 * M_0_10_p17_lanes;
-  const Lanes<2> M_2_10_p25_lanes = s6 * M_0_10_p17_lanes + c6 * M_0_10_p14_lanes;
+  const Lanes<2> M_1_10_p21_lanes = s6 * M_1_10_p14_lanes - c6 * M_1_10_p17_lanes;
+  const Lanes<2> M_2_10_p25_lanes = s6 * M_1_10_p17_lanes + c6 * M_1_10_p14_lanes;
   const Lanes<2> M_2_10_p26_lanes = detail::make_pack<Real>(c7, c14) * M_2_10_p18_lanes -
       detail::make_pack<Real>(s7, s14) * M_7_10_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
       M_2_10_p19_lanes;
   const Lanes<2> M_2_10_p27_lanes = M_6_10_lanes - 0.226 * M_2_10_p19_lanes;
-  const Lanes<2> M_5_10_p6_lanes = 0.226 * M_0_10_p14_lanes +
-      detail::make_pack<Real>(0.18, (-0.18)) * M_0_10_p17_lanes;
+  const Lanes<2> M_5_10_p6_lanes = 0.226 * M_1_10_p14_lanes +
+      detail::make_pack<Real>(0.18, (-0.18)) * M_1_10_p17_lanes;
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_2_11_p8_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p79_lanes +
       detail::make_pack<Real>(s11, s18) * M_2_11_p5_lanes;
-  const Lanes<2> M_0_11_p7_lanes = detail::make_pack<Real>(c10, c17) * M_0_11_p1_lanes -
+  const Lanes<2> M_1_11_p7_lanes = detail::make_pack<Real>(c10, c17) * M_1_11_p1_lanes -
       detail::make_pack<Real>(s10, s17) * M_2_2_p51_lanes;
   const Lanes<2> M_9_11_lanes = detail::make_pack<Real>(c11, c18) * M_2_11_p5_lanes -
       detail::make_pack<Real>(s11, s18) * M_2_2_p79_lanes;
@@ -1191,24 +1181,27 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[137] = M_5_10_lanes[1];
   M[413] = M_5_10_lanes[1];
 
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p25_lanes = c5 * M_2_10_p19_lanes + s5 * M_0_10_p21_lanes;
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_1_7_p19_lanes = M_1_1_p5 * M_1_7_p13_lanes + M_1_1_p8 * M_1_7_p12_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p10_lanes = detail::make_pack<Real>(s10, s17) * M_0_11_p1_lanes +
+  const Lanes<2> M_1_11_p10_lanes = detail::make_pack<Real>(s10, s17) * M_1_11_p1_lanes +
       detail::make_pack<Real>(c10, c17) * M_2_2_p51_lanes;
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p32_lanes = M_5_10_lanes + 0.072 * M_2_10_p25_lanes;
-  const Lanes<2> M_0_10_p26_lanes = s5 * M_2_10_p19_lanes - c5 * M_0_10_p21_lanes;
-  const Lanes<2> M_2_10_p33_lanes = c6 * M_2_10_p26_lanes + s6 * M_2_10_p27_lanes;
+  const Lanes<2> M_2_10_p31_lanes = M_5_10_lanes + 0.072 * M_2_10_p25_lanes;
+  const Lanes<2> M_1_10_p26_lanes = s5 * M_2_10_p19_lanes - c5 * M_1_10_p21_lanes;
+  const Lanes<2> M_2_10_p32_lanes = c6 * M_2_10_p26_lanes + s6 * M_2_10_p27_lanes;
+
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_1_8_p21_lanes = M_1_1_p5 * M_1_8_p15_lanes + M_1_1_p8 * M_1_8_p14_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p14_lanes = detail::make_pack<Real>(s9, s16) * M_0_11_p7_lanes +
+  const Lanes<2> M_1_11_p14_lanes = detail::make_pack<Real>(s9, s16) * M_1_11_p7_lanes +
       detail::make_pack<Real>(c9, c16) * M_2_11_p4_lanes;
-  const Lanes<2> M_2_11_p12_lanes = M_9_11_lanes + 0.282 * M_0_11_p7_lanes;
-  const Lanes<2> M_0_11_p15_lanes = detail::make_pack<Real>(s9, s16) * M_2_11_p4_lanes -
-      detail::make_pack<Real>(c9, c16) * M_0_11_p7_lanes;
+  const Lanes<2> M_2_11_p12_lanes = M_9_11_lanes + 0.282 * M_1_11_p7_lanes;
+  const Lanes<2> M_1_11_p15_lanes = detail::make_pack<Real>(s9, s16) * M_2_11_p4_lanes -
+      detail::make_pack<Real>(c9, c16) * M_1_11_p7_lanes;
   const Lanes<2> M_8_11_lanes = detail::make_pack<Real>(s10, s17) * M_2_11_p8_lanes -
       detail::make_pack<Real>(c10, c17) * M_10_11_lanes;
   M[203] = M_8_11_lanes[0];
@@ -1219,7 +1212,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[447] = M_8_11_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p29_lanes = s4 * M_2_10_p25_lanes - c4 * M_0_10_p25_lanes;
+  const Lanes<2> M_1_10_p29_lanes = s4 * M_2_10_p25_lanes - c4 *
+      (c5 * M_2_10_p19_lanes + s5 * M_1_10_p21_lanes);
   const Lanes<2> M_4_10_lanes = c6 * M_2_10_p27_lanes - s6 * M_2_10_p26_lanes - 0.072 *
       M_2_10_p19_lanes;
   M[106] = M_4_10_lanes[0];
@@ -1232,33 +1226,31 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_2_11_p13_lanes = detail::make_pack<Real>(c10, c17) * M_2_11_p8_lanes +
       detail::make_pack<Real>(s10, s17) * M_10_11_lanes + 0.282 * M_2_11_p4_lanes;
-  const Lanes<2> M_0_11_p19_lanes = detail::make_pack<Real>(s8, s15) * M_0_11_p14_lanes -
-      detail::make_pack<Real>(c8, c15) * M_0_11_p10_lanes;
-  const Lanes<2> M_0_11_p20_lanes = detail::make_pack<Real>(s8, s15) * M_0_11_p10_lanes +
-      detail::make_pack<Real>(c8, c15) * M_0_11_p14_lanes;
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p42_lanes = s4 * (0.21799999999999997 * M_2_6_p29_lanes +
-      (s5 * M_2_6_p34_lanes - c5 * M_2_6_p35_lanes));
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p25_lanes = s4 * (s5 * M_2_7_p15_lanes - c5 * M_2_7_p16_lanes +
-      0.21799999999999997 * M_2_7_p11_lanes);
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p30_lanes = s4 * (s5 * M_2_8_p21_lanes - c5 * M_2_8_p22_lanes +
-      0.21799999999999997 * M_2_8_p15_lanes);
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p33_lanes = c3 * M_0_10_p29_lanes + s3 * M_0_10_p26_lanes;
+  const Lanes<2> M_1_11_p19_lanes = detail::make_pack<Real>(s8, s15) * M_1_11_p14_lanes -
+      detail::make_pack<Real>(c8, c15) * M_1_11_p10_lanes;
+  const Lanes<2> M_1_11_p20_lanes = detail::make_pack<Real>(s8, s15) * M_1_11_p10_lanes +
+      detail::make_pack<Real>(c8, c15) * M_1_11_p14_lanes;
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p35_lanes = s4 * (c5 * M_2_9_p26_lanes + s5 * M_2_9_p27_lanes +
-      0.21799999999999997 * M_2_9_p21_lanes);
+  const Lanes<2> M_1_9_p28_lanes = M_1_1_p5 * M_1_9_p22_lanes + M_1_1_p8 * M_1_9_p21_lanes;
+
+  // link 4 (chest1), composite inertia
+  const Real M_2_2 = 1.9978863071791395 + M_4_4_p1 - 0.43599999999999994 * M_1_1_p7 + M_2_2_p377 *
+      s4;
+  M[50] = M_2_2;
+
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_1_10_p34_lanes = M_1_1_p5 * M_1_10_p29_lanes + M_1_1_p8 * M_1_10_p26_lanes;
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_2_11_p18_lanes = detail::make_pack<Real>(s9, s16) * M_2_11_p13_lanes -
       detail::make_pack<Real>(c9, c16) * M_2_11_p12_lanes;
+
+  // link 20 (right_hand), mass matrix
+  M[300] = 0.0009386316083993107;
+  M[475] = 0.0009386316083993107;
+
+  // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_7_11_lanes = detail::make_pack<Real>(c9, c16) * M_2_11_p13_lanes +
       detail::make_pack<Real>(s9, s16) * M_2_11_p12_lanes;
   M[179] = -M_7_11_lanes[0];
@@ -1268,31 +1260,16 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[354] = -M_7_11_lanes[1];
   M[446] = -M_7_11_lanes[1];
 
-  // link 20 (right_hand), mass matrix
-  M[300] = 0.0009386316083993107;
-  M[475] = 0.0009386316083993107;
-
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p4_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p17_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p23_lanes = detail::make_pack<Real>(s7, s14) * M_0_11_p15_lanes +
-      detail::make_pack<Real>(c7, c14) * M_0_11_p19_lanes;
-  const Lanes<2> M_2_11_p23_lanes = detail::make_pack<Real>(c7, c14) * M_0_11_p15_lanes -
-      detail::make_pack<Real>(s7, s14) * M_0_11_p19_lanes;
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p40_lanes = s4 * (c5 * M_2_10_p32_lanes + s5 * M_2_10_p33_lanes +
-      0.21799999999999997 * M_2_10_p25_lanes);
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p24_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p18_lanes -
-      detail::make_pack<Real>(c8, c15) * M_8_11_lanes;
+  const Lanes<2> M_1_11_p23_lanes = detail::make_pack<Real>(s7, s14) * M_1_11_p15_lanes +
+      detail::make_pack<Real>(c7, c14) * M_1_11_p19_lanes;
+  const Lanes<2> M_2_11_p23_lanes = detail::make_pack<Real>(c7, c14) * M_1_11_p15_lanes -
+      detail::make_pack<Real>(s7, s14) * M_1_11_p19_lanes;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p9_lanes = 0.0009386316083993107 * detail::make_pack<Real>(c12, c19) +
-      detail::make_pack<Real>(s12, s19) * M_2_2_p21_lanes + 0.00444264243991307 *
-      detail::make_pack<Real>(c13, c20);
   const Lanes<2> M_10_12_lanes = M_2_2_p29_lanes - 0.0009386316083993107 *
       detail::make_pack<Real>(s12, s19);
   M[252] = M_10_12_lanes[0];
@@ -1302,8 +1279,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[427] = M_10_12_lanes[1];
   M[473] = M_10_12_lanes[1];
 
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_2_11_p24_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p18_lanes -
+      detail::make_pack<Real>(c8, c15) * M_8_11_lanes;
+
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p3_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p17_lanes;
+  const Lanes<2> M_2_12_p9_lanes = 0.0009386316083993107 * detail::make_pack<Real>(c12, c19) +
+      detail::make_pack<Real>(s12, s19) * M_2_2_p21_lanes + 0.00444264243991307 *
+      detail::make_pack<Real>(c13, c20);
+  const Lanes<2> M_1_12_p3_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p17_lanes;
 
   // link 12 (left_wrist2), mass matrix
   const Lanes<2> M_6_11_lanes = detail::make_pack<Real>(s8, s15) * M_8_11_lanes +
@@ -1317,15 +1301,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p10_lanes = M_11_12_lanes - 0.269 * M_2_12_p4_lanes;
-  const Lanes<2> M_2_12_p12_lanes = detail::make_pack<Real>(s11, s18) * M_2_12_p4_lanes +
+  const Lanes<2> M_2_12_p11_lanes = detail::make_pack<Real>(s11, s18) * M_2_12_p4_lanes +
       detail::make_pack<Real>(c11, c18) * M_2_2_p9_lanes;
-  const Lanes<2> M_0_12_p4_lanes = detail::make_pack<Real>(c11, c18) * M_2_12_p4_lanes -
+  const Lanes<2> M_1_12_p4_lanes = detail::make_pack<Real>(c11, c18) * M_2_12_p4_lanes -
       detail::make_pack<Real>(s11, s18) * M_2_2_p9_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p25_lanes = c6 * M_0_11_p23_lanes + s6 * M_0_11_p20_lanes;
+  const Lanes<2> M_1_11_p25_lanes = c6 * M_1_11_p23_lanes + s6 * M_1_11_p20_lanes;
   const Lanes<2> M_2_11_p29_lanes = 0.226 * M_2_11_p23_lanes - M_6_11_lanes;
-  const Lanes<2> M_2_11_p30_lanes = s6 * M_0_11_p23_lanes - c6 * M_0_11_p20_lanes;
+  const Lanes<2> M_2_11_p31_lanes = s6 * M_1_11_p23_lanes - c6 * M_1_11_p20_lanes;
   const Lanes<2> M_5_11_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_11_lanes +
       detail::make_pack<Real>(s7, s14) * M_2_11_p24_lanes;
 
@@ -1342,17 +1326,21 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[472] = M_9_12_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p11_lanes = detail::make_pack<Real>(c10, c17) * M_0_12_p4_lanes +
-      detail::make_pack<Real>(s10, s17) * M_0_12_p3_lanes;
-  const Lanes<2> M_0_12_p12_lanes = detail::make_pack<Real>(c10, c17) * M_0_12_p3_lanes -
-      detail::make_pack<Real>(s10, s17) * M_0_12_p4_lanes;
+  const Lanes<2> M_1_12_p11_lanes = detail::make_pack<Real>(c10, c17) * M_1_12_p4_lanes +
+      detail::make_pack<Real>(s10, s17) * M_1_12_p3_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p34_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_11_p23_lanes -
+  const Lanes<2> M_2_11_p33_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_11_p23_lanes -
       (detail::make_pack<Real>(s7, s14) * M_7_11_lanes - detail::make_pack<Real>(c7, c14) *
       M_2_11_p24_lanes);
-  const Lanes<2> M_5_11_lanes = 0.226 * M_0_11_p20_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_0_11_p23_lanes - M_5_11_p5_lanes;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_1_12_p12_lanes = detail::make_pack<Real>(c10, c17) * M_1_12_p3_lanes -
+      detail::make_pack<Real>(s10, s17) * M_1_12_p4_lanes;
+
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_5_11_lanes = 0.226 * M_1_11_p20_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      M_1_11_p23_lanes - M_5_11_p5_lanes;
   M[131] = M_5_11_lanes[0];
   M[269] = M_5_11_lanes[0];
 
@@ -1361,9 +1349,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[437] = M_5_11_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p31_lanes = s5 * M_0_11_p25_lanes - c5 * M_2_11_p23_lanes;
-  const Lanes<2> M_2_11_p37_lanes = M_5_11_lanes - 0.072 * M_2_11_p30_lanes;
-  const Lanes<2> M_0_11_p33_lanes = s5 * M_2_11_p23_lanes + c5 * M_0_11_p25_lanes;
+  const Lanes<2> M_1_11_p32_lanes = s5 * M_2_11_p23_lanes + c5 * M_1_11_p25_lanes;
+  const Lanes<2> M_2_11_p36_lanes = M_5_11_lanes - 0.072 * M_2_11_p31_lanes;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_8_12_lanes = detail::make_pack<Real>(c10, c17) * M_10_12_lanes -
@@ -1375,27 +1362,24 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[379] = M_8_12_lanes[1];
   M[471] = M_8_12_lanes[1];
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_p19_lanes = c2 * M_0_6_p15_lanes + s2 *
-      (s3 * M_0_6_p11_lanes + c3 * M_0_6_p8_lanes);
-
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p17_lanes = detail::make_pack<Real>(s9, s16) * M_0_12_p11_lanes +
-      detail::make_pack<Real>(c9, c16) * M_2_12_p12_lanes;
-  const Lanes<2> M_2_12_p20_lanes = M_9_12_lanes - 0.282 * M_0_12_p11_lanes;
-  const Lanes<2> M_0_12_p18_lanes = detail::make_pack<Real>(c9, c16) * M_0_12_p11_lanes -
-      detail::make_pack<Real>(s9, s16) * M_2_12_p12_lanes;
+  const Lanes<2> M_1_12_p17_lanes = detail::make_pack<Real>(s9, s16) * M_1_12_p11_lanes +
+      detail::make_pack<Real>(c9, c16) * M_2_12_p11_lanes;
+  const Lanes<2> M_2_12_p20_lanes = M_9_12_lanes - 0.282 * M_1_12_p11_lanes;
+  const Lanes<2> M_1_12_p18_lanes = detail::make_pack<Real>(c9, c16) * M_1_12_p11_lanes -
+      detail::make_pack<Real>(s9, s16) * M_2_12_p11_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p40_lanes = c6 * M_2_11_p34_lanes - s6 * M_2_11_p29_lanes;
-  const Lanes<2> M_0_11_p34_lanes = c4 * M_0_11_p31_lanes + s4 * M_2_11_p30_lanes;
+  const Lanes<2> M_2_11_p37_lanes = c6 * M_2_11_p33_lanes - s6 * M_2_11_p29_lanes;
+  const Lanes<2> M_1_11_p36_lanes = c4 * (s5 * M_1_11_p25_lanes - c5 * M_2_11_p23_lanes) + s4 *
+      M_2_11_p31_lanes;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p21_lanes = detail::make_pack<Real>(c10, c17) * M_2_12_p16_lanes +
-      detail::make_pack<Real>(s10, s17) * M_10_12_lanes + 0.282 * M_2_12_p12_lanes;
+      detail::make_pack<Real>(s10, s17) * M_10_12_lanes + 0.282 * M_2_12_p11_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_4_11_lanes = s6 * M_2_11_p34_lanes + c6 * M_2_11_p29_lanes + 0.072 *
+  const Lanes<2> M_4_11_lanes = s6 * M_2_11_p33_lanes + c6 * M_2_11_p29_lanes + 0.072 *
       M_2_11_p23_lanes;
   M[107] = M_4_11_lanes[0];
   M[268] = M_4_11_lanes[0];
@@ -1404,30 +1388,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[114] = M_4_11_lanes[1];
   M[436] = M_4_11_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_p22_lanes = c2 * M_0_7_p18_lanes - s2 *
-      (s3 * M_0_7_p15_lanes - c3 * M_0_7_p11_lanes);
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_p25_lanes = c2 * M_0_8_p21_lanes + s2 *
-      (c3 * M_0_8_p14_lanes - s3 * M_0_8_p17_lanes);
-
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p22_lanes = detail::make_pack<Real>(c8, c15) * M_0_12_p12_lanes +
-      detail::make_pack<Real>(s8, s15) * M_0_12_p17_lanes;
-  const Lanes<2> M_0_12_p23_lanes = detail::make_pack<Real>(c8, c15) * M_0_12_p17_lanes -
-      detail::make_pack<Real>(s8, s15) * M_0_12_p12_lanes;
+  const Lanes<2> M_1_12_p22_lanes = detail::make_pack<Real>(c8, c15) * M_1_12_p12_lanes +
+      detail::make_pack<Real>(s8, s15) * M_1_12_p17_lanes;
+  const Lanes<2> M_1_12_p23_lanes = detail::make_pack<Real>(c8, c15) * M_1_12_p17_lanes -
+      detail::make_pack<Real>(s8, s15) * M_1_12_p12_lanes;
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_p31_lanes = c2 * M_0_9_p27_lanes - s2 *
-      (s3 * M_0_9_p22_lanes - c3 * M_0_9_p21_lanes);
-
-  // link 22 (head), composite inertia
-  const Real M_20_20 = 0.006216750000000001 + M_2_2_p210;
-  M[500] = M_20_20;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p39_lanes = c3 * M_0_11_p34_lanes + s3 * M_0_11_p33_lanes;
+  // link 21 (neck), mass matrix
+  const Real M_1_20_p1 = s6 * M_2_2_p284;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p26_lanes = detail::make_pack<Real>(s9, s16) * M_2_12_p21_lanes +
@@ -1441,18 +1409,29 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[355] = M_7_12_lanes[1];
   M[470] = M_7_12_lanes[1];
 
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_1_11_p40_lanes = M_1_1_p5 * M_1_11_p36_lanes + M_1_1_p8 * M_1_11_p32_lanes;
+
   // link 21 (neck), mass matrix
   const Real M_2_20_p1 = c6 * M_2_2_p284;
-  const Real M_0_20_p1 = s6 * M_2_2_p284;
+
+  // link 22 (head), composite inertia
+  const Real M_20_20 = 0.006216750000000001 + M_2_2_p210;
+  M[500] = M_20_20;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p26_lanes = detail::make_pack<Real>(c7, c14) * M_0_12_p22_lanes -
-      detail::make_pack<Real>(s7, s14) * M_0_12_p18_lanes;
-  const Lanes<2> M_2_12_p31_lanes = detail::make_pack<Real>(c7, c14) * M_0_12_p18_lanes +
-      detail::make_pack<Real>(s7, s14) * M_0_12_p22_lanes;
+  const Lanes<2> M_1_12_p26_lanes = detail::make_pack<Real>(c7, c14) * M_1_12_p22_lanes -
+      detail::make_pack<Real>(s7, s14) * M_1_12_p18_lanes;
+  const Lanes<2> M_2_12_p31_lanes = detail::make_pack<Real>(c7, c14) * M_1_12_p18_lanes +
+      detail::make_pack<Real>(s7, s14) * M_1_12_p22_lanes;
 
-  // link 21 (neck), mass matrix
-  const Real M_2_20_p2 = s6 * M_2_2_p264 - c6 * M_20_20;
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_2_6_p41_lanes = c4 * M_4_6_lanes - s4 *
+      (s5 * M_2_6_p35_lanes - c5 * M_2_6_p33_lanes);
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_2_7_p23_lanes = c4 * M_4_7_lanes - s4 *
+      (s5 * M_2_7_p15_lanes - c5 * M_2_7_p16_lanes);
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p32_lanes = detail::make_pack<Real>(c8, c15) * M_8_12_lanes +
@@ -1467,31 +1446,32 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[469] = M_6_12_lanes[1];
 
   // link 22 (head), mass matrix
-  const Real M_0_21_p1 = s21 * M_2_2_p185;
+  const Real M_1_21_p1 = s21 * M_2_2_p185;
+  const Real M_1_21_p2 = c21 * M_2_2_p185;
 
   // link 21 (neck), mass matrix
+  const Real M_2_20_p2 = s6 * M_2_2_p264 - c6 * M_20_20;
   const Real M_2_20_p3 = 0.072 * M_2_20_p1 + M_5_20;
 
-  // link 22 (head), mass matrix
-  const Real M_0_21_p2 = c21 * M_2_2_p185;
-
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p30_lanes = c6 * M_0_12_p26_lanes + s6 * M_0_12_p23_lanes;
+  const Lanes<2> M_1_12_p30_lanes = c6 * M_1_12_p26_lanes + s6 * M_1_12_p23_lanes;
   const Lanes<2> M_2_12_p37_lanes = M_6_12_lanes + 0.226 * M_2_12_p31_lanes;
-  const Lanes<2> M_2_12_p38_lanes = c6 * M_0_12_p23_lanes - s6 * M_0_12_p26_lanes;
-  const Lanes<2> M_5_12_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_0_12_p26_lanes -
-      0.226 * M_0_12_p23_lanes;
+  const Lanes<2> M_2_12_p38_lanes = c6 * M_1_12_p23_lanes - s6 * M_1_12_p26_lanes;
+  const Lanes<2> M_5_12_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_1_12_p26_lanes -
+      0.226 * M_1_12_p23_lanes;
 
-  // link 21 (neck), mass matrix
-  const Real M_0_20_p2 = c5 * M_2_2_p271 - s5 * M_0_20_p1;
-  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p264 + 0.072 * M_2_2_p271;
-  M[116] = -M_4_20;
-  M[484] = -M_4_20;
+  // link 22 (head), mass matrix
+  const Real M_1_21_p3 = c6 * M_5_20_p3 - s6 * M_1_21_p1;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_2_12_p42_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_12_p31_lanes -
       (detail::make_pack<Real>(c7, c14) * M_2_12_p32_lanes - detail::make_pack<Real>(s7, s14) *
       M_7_12_lanes);
+
+  // link 22 (head), mass matrix
+  const Real M_2_21_p1 = s6 * M_5_20_p3 + c6 * M_1_21_p1;
+
+  // link 13 (left_hand), mass matrix
   const Lanes<2> M_5_12_lanes = detail::make_pack<Real>(c7, c14) * M_7_12_lanes +
       detail::make_pack<Real>(s7, s14) * M_2_12_p32_lanes + M_5_12_p5_lanes;
   M[132] = M_5_12_lanes[0];
@@ -1501,47 +1481,32 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[139] = M_5_12_lanes[1];
   M[461] = M_5_12_lanes[1];
 
-  // link 22 (head), mass matrix
-  const Real M_0_21_p3 = c6 * M_5_20_p3 - s6 * M_0_21_p1;
-  const Real M_2_21_p1 = s6 * M_5_20_p3 + c6 * M_0_21_p1;
-
   // link 21 (neck), mass matrix
-  const Real M_0_20_p3 = s5 * M_2_2_p271 + c5 * M_0_20_p1;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p34_lanes = c5 * M_2_12_p31_lanes + s5 * M_0_12_p30_lanes;
-  const Lanes<2> M_2_12_p45_lanes = M_5_12_lanes - 0.072 * M_2_12_p38_lanes;
+  const Real M_1_20_p2 = s5 * M_2_2_p272 + c5 * M_1_20_p1;
+  const Real M_1_20_p3 = s4 * M_2_20_p1 + c4 * (c5 * M_2_2_p272 - s5 * M_1_20_p1);
 
   // link 22 (head), mass matrix
   const Real M_2_21_p2 = M_21_21 + 0.394 * M_2_2_p185;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p36_lanes = c5 * M_0_12_p30_lanes - s5 * M_2_12_p31_lanes;
-
-  // link 21 (neck), mass matrix
-  const Real M_0_20_p4 = s4 * M_2_20_p1 + c4 * M_0_20_p2;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p47_lanes = c6 * M_2_12_p42_lanes - s6 * M_2_12_p37_lanes;
-
-  // link 20 (right_hand), mass matrix
-  M[550] = 9.25e-06;
-  M[575] = 9.25e-06;
+  const Lanes<2> M_2_12_p44_lanes = M_5_12_lanes - 0.072 * M_2_12_p38_lanes;
+  const Lanes<2> M_1_12_p36_lanes = c5 * M_1_12_p30_lanes - s5 * M_2_12_p31_lanes;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p1_lanes = 9.25e-06 + M_2_2_p73_lanes;
-
-  // link 22 (head), mass matrix
-  const Real M_0_21_p4 = s5 * M_0_21_p3 - c5 * M_0_21_p2;
+  const Lanes<2> M_1_22_p1_lanes = c22 * M_5_20_p1_lanes;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p37_lanes = c4 * M_0_12_p34_lanes - s4 * M_2_12_p38_lanes;
-
-  // link 22 (head), mass matrix
-  const Real M_0_21_p5 = s5 * M_0_21_p2 + c5 * M_0_21_p3;
+  const Lanes<2> M_2_12_p45_lanes = c6 * M_2_12_p42_lanes - s6 * M_2_12_p37_lanes;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p4_lanes = c22 * M_5_20_p1_lanes;
+  const Lanes<2> M_1_22_p4_lanes = s22 * M_5_20_p1_lanes;
+
+  // link 22 (head), mass matrix
+  const Real M_1_21_p4 = s5 * M_1_21_p2 + c5 * M_1_21_p3;
+
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_1_12_p38_lanes = c4 * (c5 * M_2_12_p31_lanes + s5 * M_1_12_p30_lanes) - s4 *
+      M_2_12_p38_lanes;
 
   // link 22 (head), mass matrix
   const Real M_2_21_p3 = M_2_2_p229 - c21 * M_2_21_p2;
@@ -1550,34 +1515,23 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[509] = -M_5_21;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p8_lanes = s22 * M_5_20_p1_lanes;
+  const Lanes<2> M_1_22_p8_lanes = s21 * M_1_22_p1_lanes - c21 * M_2_2_p124_lanes;
+  const Lanes<2> M_1_22_p9_lanes = c21 * M_1_22_p1_lanes + s21 * M_2_2_p124_lanes;
+
+  // link 22 (head), mass matrix
+  M[550] = 9.25e-06;
+  M[575] = 9.25e-06;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_p2_lanes = 9.25e-06 + M_2_2_p73_lanes;
 
   // link 22 (head), mass matrix
   const Real M_2_21_p4 = M_5_21 + 0.072 * M_2_21_p1;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_20_22_lanes = s22 * M_2_2_p75_lanes + c22 * M_2_22_p1_lanes;
-  M[502] = M_20_22_lanes[0];
-  M[548] = M_20_22_lanes[0];
-
-  // link 24 (right_eye), mass matrix
-  M[503] = M_20_22_lanes[1];
-  M[572] = M_20_22_lanes[1];
-
-  // link 22 (head), mass matrix
-  const Real M_0_21_p6 = c4 * M_0_21_p4 + s4 * M_2_21_p1;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p3_lanes = s21 * M_2_22_p4_lanes - c21 * M_2_2_p124_lanes;
-  const Lanes<2> M_2_22_p9_lanes = c22 * M_2_2_p75_lanes - s22 * M_2_22_p1_lanes +
-      9.850000000000001e-05 * detail::make_pack<Real>(c23, c24);
-  const Lanes<2> M_2_22_p10_lanes = M_21_22_lanes + 0.394 * M_2_22_p4_lanes;
-
-  // link 22 (head), mass matrix
+  const Real M_1_21_p5 = c4 * (s5 * M_1_21_p3 - c5 * M_1_21_p2) + s4 * M_2_21_p1;
   const Real M_2_21_p5 = s6 * M_2_21_p3 - c6 * M_20_21;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p8_lanes = c21 * M_2_22_p4_lanes + s21 * M_2_2_p124_lanes;
+  const Lanes<2> M_2_22_p8_lanes = M_21_22_lanes + 0.394 * M_1_22_p1_lanes;
 
   // link 13 (left_hand), mass matrix
   const Lanes<2> M_4_12_lanes = s6 * M_2_12_p42_lanes + c6 * M_2_12_p37_lanes + 0.072 *
@@ -1589,19 +1543,44 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[115] = M_4_12_lanes[1];
   M[460] = M_4_12_lanes[1];
 
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_1_22_p13_lanes = s6 * M_1_22_p8_lanes - c6 * M_1_22_p4_lanes;
+  const Lanes<2> M_2_22_p10_lanes = s6 * M_1_22_p4_lanes + c6 * M_1_22_p8_lanes;
+  const Lanes<2> M_20_22_lanes = s22 * M_2_2_p75_lanes + c22 * M_2_22_p2_lanes;
+  M[502] = M_20_22_lanes[0];
+  M[548] = M_20_22_lanes[0];
+
+  // link 24 (right_eye), mass matrix
+  M[503] = M_20_22_lanes[1];
+  M[572] = M_20_22_lanes[1];
+
+  // link 21 (neck), mass matrix
+  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p264 + 0.072 * M_2_2_p272;
+  M[116] = -M_4_20;
+  M[484] = -M_4_20;
+
   // link 22 (head), mass matrix
-  const Real M_4_21 = s6 * M_20_21 + c6 * M_2_21_p3 - 0.072 * M_0_21_p2;
+  const Real M_4_21 = s6 * M_20_21 + c6 * M_2_21_p3 - 0.072 * M_1_21_p2;
   M[117] = -M_4_21;
   M[508] = -M_4_21;
 
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_p12_lanes = c22 * M_2_2_p75_lanes - s22 * M_2_22_p2_lanes +
+      9.850000000000001e-05 * detail::make_pack<Real>(c23, c24);
+
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p42_lanes = c3 * M_0_12_p37_lanes + s3 * M_0_12_p36_lanes;
+  const Lanes<2> M_1_12_p43_lanes = M_1_1_p5 * M_1_12_p38_lanes + M_1_1_p8 * M_1_12_p36_lanes;
+
+  // link 21 (neck), mass matrix
+  const Real M_1_20_p4 = M_1_1_p8 * M_1_20_p2 - M_1_1_p5 * M_1_20_p3;
+
+  // link 22 (head), mass matrix
+  const Real M_1_21_p6 = M_1_1_p8 * M_1_21_p4 + M_1_1_p5 * M_1_21_p5;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p9_lanes = s6 * M_0_22_p3_lanes - c6 * M_2_22_p8_lanes;
-  const Lanes<2> M_2_22_p16_lanes = s6 * M_2_22_p8_lanes + c6 * M_0_22_p3_lanes;
-  const Lanes<2> M_2_22_p17_lanes = s21 * M_2_22_p9_lanes + c21 * M_2_22_p10_lanes;
-  const Lanes<2> M_5_22_lanes = s21 * M_2_22_p10_lanes - c21 * M_2_22_p9_lanes;
+  const Lanes<2> M_1_22_p18_lanes = s5 * M_1_22_p9_lanes - c5 * M_1_22_p13_lanes;
+  const Lanes<2> M_2_22_p16_lanes = s21 * M_2_22_p12_lanes + c21 * M_2_22_p8_lanes;
+  const Lanes<2> M_5_22_lanes = s21 * M_2_22_p8_lanes - c21 * M_2_22_p12_lanes;
   M[142] = M_5_22_lanes[0];
   M[533] = M_5_22_lanes[0];
 
@@ -1609,75 +1588,56 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[143] = M_5_22_lanes[1];
   M[557] = M_5_22_lanes[1];
 
-  // link 21 (neck), mass matrix
-  const Real M_0_20_p5 = s3 * M_0_20_p3 - c3 * M_0_20_p4;
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_2_8_p30_lanes = c4 * M_4_8_lanes - s4 *
+      (s5 * M_2_8_p22_lanes - c5 * M_2_8_p23_lanes);
 
-  // link 22 (head), mass matrix
-  const Real M_0_21_p7 = s3 * M_0_21_p5 + c3 * M_0_21_p6;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p15_lanes = c5 * M_0_22_p8_lanes + s5 * M_0_22_p9_lanes;
-  const Lanes<2> M_2_22_p21_lanes = M_5_22_lanes + 0.072 * M_2_22_p16_lanes;
-  const Lanes<2> M_0_22_p16_lanes = s5 * M_0_22_p8_lanes - c5 * M_0_22_p9_lanes;
-  const Lanes<2> M_2_22_p22_lanes = s6 * M_2_22_p17_lanes - c6 * M_20_22_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p45_lanes = s4 * (s5 * M_2_11_p40_lanes - c5 * M_2_11_p37_lanes +
-      0.21799999999999997 * M_2_11_p30_lanes);
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_4_22_lanes = s6 * M_20_22_lanes + c6 * M_2_22_p17_lanes + 0.072 *
-      M_0_22_p8_lanes;
-  M[118] = -M_4_22_lanes[0];
-  M[532] = -M_4_22_lanes[0];
-
-  // link 24 (right_eye), mass matrix
-  M[119] = -M_4_22_lanes[1];
-  M[556] = -M_4_22_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p54_lanes = s4 * (s5 * M_2_12_p47_lanes - c5 * M_2_12_p45_lanes +
-      0.21799999999999997 * M_2_12_p38_lanes);
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_2_9_p34_lanes = s4 * (c5 * M_2_9_p27_lanes + s5 * M_2_9_p26_lanes) + c4 *
+      M_4_9_lanes;
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_p37_lanes = c2 * M_0_10_p33_lanes - s2 *
-      (s3 * M_0_10_p29_lanes - c3 * M_0_10_p26_lanes);
+  const Lanes<2> M_2_10_p39_lanes = s4 * (c5 * M_2_10_p31_lanes + s5 * M_2_10_p32_lanes) + c4 *
+      M_4_10_lanes;
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_p43_lanes = c2 * M_0_11_p39_lanes + s2 *
-      (c3 * M_0_11_p33_lanes - s3 * M_0_11_p34_lanes);
+  const Lanes<2> M_2_11_p44_lanes = c4 * M_4_11_lanes - s4 *
+      (s5 * M_2_11_p37_lanes - c5 * M_2_11_p36_lanes);
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p20_lanes = s4 * M_2_22_p16_lanes - c4 * M_0_22_p15_lanes;
+  const Lanes<2> M_2_22_p18_lanes = M_5_22_lanes + 0.072 * M_2_22_p10_lanes;
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_p46_lanes = c2 * M_0_12_p42_lanes - s2 *
-      (s3 * M_0_12_p37_lanes - c3 * M_0_12_p36_lanes);
+  const Lanes<2> M_2_12_p52_lanes = c4 * M_4_12_lanes - s4 *
+      (s5 * M_2_12_p45_lanes - c5 * M_2_12_p44_lanes);
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_1_22_p22_lanes = s4 * M_2_22_p10_lanes - c4 *
+      (c5 * M_1_22_p9_lanes + s5 * M_1_22_p13_lanes);
 
   // link 3 (hip), composite inertia
-  const Real M_1_1 = 9.885744550888212 + (M_2_2 - 0.844 * M_0_0_p5);
+  const Real M_1_1 = 9.885744550888212 + (M_2_2 - 2.0 * M_1_1_p12);
   M[25] = M_1_1;
 
-  // link 4 (chest1), composite inertia
-  const Real M_2_3 = s4 * (0.005880002159562879 + (0.21799999999999997 * M_0_0_p1 -
-      (c5 * M_2_2_p380 - M_2_2_p375))) - c4 * (M_3_4 + 0.21799999999999997 * M_2_2_p298);
+  // link 5 (chest2), composite inertia
+  const Real M_2_3 = (0.005880002159562879 - (c5 * M_2_2_p375 - M_2_2_p371)) * s4 -
+      (c4 * M_3_4 + 0.21799999999999997 * M_1_3_p2);
   M[51] = M_2_3;
   M[74] = M_2_3;
 
   // link 5 (chest2), mass matrix
-  const Real M_2_4 = c4 * (M_4_4 - 0.21799999999999997 * M_2_2_p323) - s4 * M_2_2_p378;
+  const Real M_2_4 = c4 * M_4_4 - s4 * M_2_2_p374 - 0.21799999999999997 * M_1_4_p1;
   M[52] = M_2_4;
   M[98] = M_2_4;
 
   // link 6 (chest3), mass matrix
-  const Real M_2_5 = c4 * (M_4_5 + 0.21799999999999997 * M_0_5_p1) - s4 *
-      (s5 * M_2_2_p372 - c5 * M_2_5_p1 + 0.21799999999999997 * M_2_2_p296);
+  const Real M_2_5 = c4 * M_4_5 - s4 * (s5 * M_2_2_p368 - c5 * M_2_5_p1) + 0.21799999999999997 *
+      M_1_5_p2;
   M[53] = M_2_5;
   M[122] = M_2_5;
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_lanes = c4 * (M_4_6_lanes - 0.21799999999999997 * M_0_6_p7_lanes) -
-      M_2_6_p42_lanes;
+  const Lanes<2> M_2_6_lanes = M_2_6_p41_lanes - 0.21799999999999997 * M_1_6_p10_lanes;
   M[54] = M_2_6_lanes[0];
   M[146] = M_2_6_lanes[0];
 
@@ -1685,9 +1645,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[61] = M_2_6_lanes[1];
   M[314] = M_2_6_lanes[1];
 
+  // link 7 (left_shoulder1), mass matrix
+  const Lanes<2> M_1_6_p19_lanes = M_1_1_p4 * M_1_6_p15_lanes - M_1_1_p3 *
+      (M_1_1_p8 * M_1_6_p10_lanes + M_1_1_p5 * M_1_6_p8_lanes);
+
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_lanes = c4 * (M_4_7_lanes + 0.21799999999999997 * M_0_7_p10_lanes) -
-      M_2_7_p25_lanes;
+  const Lanes<2> M_2_7_lanes = M_2_7_p23_lanes + 0.21799999999999997 * M_1_7_p13_lanes;
   M[55] = M_2_7_lanes[0];
   M[170] = M_2_7_lanes[0];
 
@@ -1695,9 +1658,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[62] = M_2_7_lanes[1];
   M[338] = M_2_7_lanes[1];
 
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_p20_lanes = s6 * M_2_22_p16_lanes - c6 * M_20_22_lanes;
+
+  // link 8 (left_shoulder2), mass matrix
+  const Lanes<2> M_1_7_p22_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_7_p13_lanes - M_1_1_p5 *
+      M_1_7_p12_lanes) + M_1_1_p4 * M_1_7_p19_lanes;
+
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_lanes = c4 * (M_4_8_lanes - 0.21799999999999997 * M_0_8_p13_lanes) -
-      M_2_8_p30_lanes;
+  const Lanes<2> M_2_8_lanes = M_2_8_p30_lanes - 0.21799999999999997 * M_1_8_p15_lanes;
   M[56] = M_2_8_lanes[0];
   M[194] = M_2_8_lanes[0];
 
@@ -1705,9 +1674,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[63] = M_2_8_lanes[1];
   M[362] = M_2_8_lanes[1];
 
+  // link 9 (left_upperarm), mass matrix
+  const Lanes<2> M_1_8_p24_lanes = M_1_1_p3 * (M_1_1_p5 * M_1_8_p14_lanes - M_1_1_p8 *
+      M_1_8_p15_lanes) - M_1_1_p4 * M_1_8_p21_lanes;
+
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_lanes = M_2_9_p35_lanes + c4 *
-      (M_4_9_lanes - 0.21799999999999997 * M_0_9_p19_lanes);
+  const Lanes<2> M_2_9_lanes = M_2_9_p34_lanes + 0.21799999999999997 * M_1_9_p22_lanes;
   M[57] = M_2_9_lanes[0];
   M[218] = M_2_9_lanes[0];
 
@@ -1715,9 +1687,12 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[64] = M_2_9_lanes[1];
   M[386] = M_2_9_lanes[1];
 
+  // link 10 (left_lowerarm), mass matrix
+  const Lanes<2> M_1_9_p31_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_9_p22_lanes - M_1_1_p5 *
+      M_1_9_p21_lanes) + M_1_1_p4 * M_1_9_p28_lanes;
+
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_lanes = M_2_10_p40_lanes + c4 *
-      (M_4_10_lanes - 0.21799999999999997 * M_0_10_p25_lanes);
+  const Lanes<2> M_2_10_lanes = M_2_10_p39_lanes + 0.21799999999999997 * M_1_10_p29_lanes;
   M[58] = M_2_10_lanes[0];
   M[242] = M_2_10_lanes[0];
 
@@ -1725,9 +1700,22 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[65] = M_2_10_lanes[1];
   M[410] = M_2_10_lanes[1];
 
+  // link 11 (left_wrist1), mass matrix
+  const Lanes<2> M_1_10_p37_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_10_p29_lanes - M_1_1_p5 *
+      M_1_10_p26_lanes) + M_1_1_p4 * M_1_10_p34_lanes;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_4_22_lanes = s6 * M_20_22_lanes + c6 * M_2_22_p16_lanes + 0.072 *
+      M_1_22_p9_lanes;
+  M[118] = -M_4_22_lanes[0];
+  M[532] = -M_4_22_lanes[0];
+
+  // link 24 (right_eye), mass matrix
+  M[119] = -M_4_22_lanes[1];
+  M[556] = -M_4_22_lanes[1];
+
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_lanes = c4 * (M_4_11_lanes - 0.21799999999999997 * M_0_11_p31_lanes) -
-      M_2_11_p45_lanes;
+  const Lanes<2> M_2_11_lanes = M_2_11_p44_lanes - 0.21799999999999997 * M_1_11_p36_lanes;
   M[59] = M_2_11_lanes[0];
   M[266] = M_2_11_lanes[0];
 
@@ -1735,9 +1723,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[66] = M_2_11_lanes[1];
   M[434] = M_2_11_lanes[1];
 
+  // link 12 (left_wrist2), mass matrix
+  const Lanes<2> M_1_11_p43_lanes = M_1_1_p3 * (M_1_1_p5 * M_1_11_p32_lanes - M_1_1_p8 *
+      M_1_11_p36_lanes) - M_1_1_p4 * M_1_11_p40_lanes;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_1_22_p26_lanes = M_1_1_p5 * M_1_22_p22_lanes + M_1_1_p8 * M_1_22_p18_lanes;
+
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_lanes = c4 * (M_4_12_lanes + 0.21799999999999997 * M_0_12_p34_lanes) -
-      M_2_12_p54_lanes;
+  const Lanes<2> M_2_12_lanes = M_2_12_p52_lanes + 0.21799999999999997 * M_1_12_p38_lanes;
   M[60] = M_2_12_lanes[0];
   M[290] = M_2_12_lanes[0];
 
@@ -1745,24 +1739,52 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[67] = M_2_12_lanes[1];
   M[458] = M_2_12_lanes[1];
 
+  // link 13 (left_hand), mass matrix
+  const Lanes<2> M_1_12_p46_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_12_p38_lanes - M_1_1_p5 *
+      M_1_12_p36_lanes) + M_1_1_p4 * M_1_12_p43_lanes;
+
   // link 21 (neck), mass matrix
-  const Real M_2_20 = s4 * (0.21799999999999997 * M_2_20_p1 + (s5 * M_2_20_p2 + c5 * M_2_20_p3)) +
-      c4 * (M_4_20 + 0.21799999999999997 * M_0_20_p2);
+  const Real M_2_20 = 0.21799999999999997 * M_1_20_p3 +
+      (s4 * (s5 * M_2_20_p2 + c5 * M_2_20_p3) + c4 * M_4_20);
   M[68] = -M_2_20;
   M[482] = -M_2_20;
 
   // link 22 (head), mass matrix
-  const Real M_2_21 = s4 * (c5 * M_2_21_p4 + s5 * M_2_21_p5 + 0.21799999999999997 * M_2_21_p1) +
-      c4 * (M_4_21 + 0.21799999999999997 * M_0_21_p4);
+  const Real M_2_21 = s4 * (c5 * M_2_21_p4 + s5 * M_2_21_p5) + c4 * M_4_21 + 0.21799999999999997 *
+      M_1_21_p5;
   M[69] = -M_2_21;
   M[506] = -M_2_21;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p23_lanes = c3 * M_0_22_p20_lanes + s3 * M_0_22_p16_lanes;
-  const Lanes<2> M_2_22_p30_lanes = s4 * (0.21799999999999997 * M_2_22_p16_lanes -
-      (s5 * M_2_22_p22_lanes - c5 * M_2_22_p21_lanes));
-  const Lanes<2> M_2_22_lanes = M_2_22_p30_lanes - c4 *
-      (M_4_22_lanes + 0.21799999999999997 * M_0_22_p15_lanes);
+  const Lanes<2> M_1_22_p29_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_22_p22_lanes - M_1_1_p5 *
+      M_1_22_p18_lanes) + M_1_1_p4 * M_1_22_p26_lanes;
+  const Lanes<2> M_2_22_p26_lanes = s4 * (s5 * M_2_22_p20_lanes - c5 * M_2_22_p18_lanes) + c4 *
+      M_4_22_lanes;
+
+  // link 3 (hip), mass matrix
+  const Real M_1_2 = M_2_2 - M_1_1_p12;
+  M[26] = M_1_2;
+  M[49] = M_1_2;
+
+  // link 4 (chest1), mass matrix
+  const Real M_1_3 = M_2_3 - (M_1_1_p3 * (M_1_1_p8 * M_1_3_p3) + M_1_1_p4 * M_1_3_p4);
+  M[27] = M_1_3;
+  M[73] = M_1_3;
+
+  // link 5 (chest2), mass matrix
+  const Real M_1_4 = M_2_4 + (M_1_1_p4 * M_1_4_p2 - M_1_1_p3 *
+      (M_1_1_p8 * M_1_4_p1 + M_1_1_p5 * M_1_1_p6));
+  M[28] = M_1_4;
+  M[97] = M_1_4;
+
+  // link 6 (chest3), mass matrix
+  const Real M_1_5 = M_2_5 + (M_1_1_p3 * (M_1_1_p8 * M_1_5_p2 - M_1_1_p5 * M_1_5_p1) + M_1_1_p4 *
+      M_1_5_p3);
+  M[29] = M_1_5;
+  M[121] = M_1_5;
+
+  // link 23 (left_eye), mass matrix
+  const Lanes<2> M_2_22_lanes = 0.21799999999999997 * M_1_22_p22_lanes - M_2_22_p26_lanes;
   M[70] = M_2_22_lanes[0];
   M[530] = M_2_22_lanes[0];
 
@@ -1770,32 +1792,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[71] = M_2_22_lanes[1];
   M[554] = M_2_22_lanes[1];
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_p27_lanes = c2 * M_0_22_p23_lanes - s2 *
-      (s3 * M_0_22_p20_lanes - c3 * M_0_22_p16_lanes);
-
-  // link 3 (hip), mass matrix
-  const Real M_1_2 = M_2_2 - 0.422 * M_0_0_p5;
-  M[26] = M_1_2;
-  M[49] = M_1_2;
-
-  // link 4 (chest1), mass matrix
-  const Real M_1_3 = M_2_3 + 0.422 * M_0_3_p2;
-  M[27] = M_1_3;
-  M[73] = M_1_3;
-
-  // link 5 (chest2), mass matrix
-  const Real M_1_4 = M_2_4 + 0.422 * M_0_4_p2;
-  M[28] = M_1_4;
-  M[97] = M_1_4;
-
-  // link 6 (chest3), mass matrix
-  const Real M_1_5 = M_2_5 + 0.422 * M_0_5_p4;
-  M[29] = M_1_5;
-  M[121] = M_1_5;
-
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_lanes = M_2_6_lanes + 0.422 * M_0_6_p15_lanes;
+  const Lanes<2> M_1_6_lanes = M_2_6_lanes + M_1_6_p19_lanes;
   M[30] = M_1_6_lanes[0];
   M[145] = M_1_6_lanes[0];
 
@@ -1804,7 +1802,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[313] = M_1_6_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_lanes = M_2_7_lanes + 0.422 * M_0_7_p18_lanes;
+  const Lanes<2> M_1_7_lanes = M_2_7_lanes + M_1_7_p22_lanes;
   M[31] = M_1_7_lanes[0];
   M[169] = M_1_7_lanes[0];
 
@@ -1813,7 +1811,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[337] = M_1_7_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_lanes = M_2_8_lanes - 0.422 * M_0_8_p21_lanes;
+  const Lanes<2> M_1_8_lanes = M_2_8_lanes + M_1_8_p24_lanes;
   M[32] = M_1_8_lanes[0];
   M[193] = M_1_8_lanes[0];
 
@@ -1822,7 +1820,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[361] = M_1_8_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_lanes = M_2_9_lanes + 0.422 * M_0_9_p27_lanes;
+  const Lanes<2> M_1_9_lanes = M_2_9_lanes + M_1_9_p31_lanes;
   M[33] = M_1_9_lanes[0];
   M[217] = M_1_9_lanes[0];
 
@@ -1831,7 +1829,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[385] = M_1_9_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_lanes = M_2_10_lanes + 0.422 * M_0_10_p33_lanes;
+  const Lanes<2> M_1_10_lanes = M_2_10_lanes + M_1_10_p37_lanes;
   M[34] = M_1_10_lanes[0];
   M[241] = M_1_10_lanes[0];
 
@@ -1840,7 +1838,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[409] = M_1_10_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_lanes = M_2_11_lanes - 0.422 * M_0_11_p39_lanes;
+  const Lanes<2> M_1_11_lanes = M_2_11_lanes + M_1_11_p43_lanes;
   M[35] = M_1_11_lanes[0];
   M[265] = M_1_11_lanes[0];
 
@@ -1849,7 +1847,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[433] = M_1_11_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_lanes = M_2_12_lanes + 0.422 * M_0_12_p42_lanes;
+  const Lanes<2> M_1_12_lanes = M_2_12_lanes + M_1_12_p46_lanes;
   M[36] = M_1_12_lanes[0];
   M[289] = M_1_12_lanes[0];
 
@@ -1858,17 +1856,22 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[457] = M_1_12_lanes[1];
 
   // link 21 (neck), mass matrix
-  const Real M_1_20 = 0.422 * M_0_20_p5 - M_2_20;
+  const Real M_1_20 = M_1_1_p4 * M_1_20_p4 - M_1_1_p3 *
+      (M_1_1_p8 * M_1_20_p3 + M_1_1_p5 * M_1_20_p2) - M_2_20;
   M[44] = M_1_20;
   M[481] = M_1_20;
 
   // link 22 (head), mass matrix
-  const Real M_1_21 = 0.422 * M_0_21_p7 + M_2_21;
+  const Real M_1_21 = M_1_1_p4 * M_1_21_p6 + M_1_1_p3 *
+      (M_1_1_p8 * M_1_21_p5 - M_1_1_p5 * M_1_21_p4) + M_2_21;
   M[45] = -M_1_21;
   M[505] = -M_1_21;
 
+  // link 2 (thigh), composite inertia
+  M[0] = 13.049859506913753 + (M_1_1 - 0.868 * M_0_0_p1);
+
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_lanes = M_2_22_lanes + 0.422 * M_0_22_p23_lanes;
+  const Lanes<2> M_1_22_lanes = M_2_22_lanes + M_1_22_p29_lanes;
   M[46] = M_1_22_lanes[0];
   M[529] = M_1_22_lanes[0];
 
@@ -1876,36 +1879,33 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[47] = M_1_22_lanes[1];
   M[553] = M_1_22_lanes[1];
 
-  // link 2 (thigh), composite inertia
-  M[0] = 13.049859506913753 + (M_1_1 - 0.868 * M_0_0_p7);
-
   // link 2 (thigh), mass matrix
-  const Real M_0_1 = M_1_1 - 0.434 * M_0_0_p7;
+  const Real M_0_1 = M_1_1 - 0.434 * M_0_0_p1;
   M[1] = M_0_1;
   M[24] = M_0_1;
 
   // link 3 (hip), mass matrix
-  const Real M_0_2 = M_1_2 + 0.434 * (s2 * M_0_0_p6 - c2 * M_0_0_p5);
+  const Real M_0_2 = M_1_2 - 0.434 * M_1_1_p11;
   M[2] = M_0_2;
   M[48] = M_0_2;
 
   // link 4 (chest1), mass matrix
-  const Real M_0_3 = M_1_3 + 0.434 * (c2 * M_0_3_p2 - s2 * (s3 * M_0_3_p1));
+  const Real M_0_3 = M_1_3 - 0.434 * M_1_3_p4;
   M[3] = M_0_3;
   M[72] = M_0_3;
 
   // link 5 (chest2), mass matrix
-  const Real M_0_4 = M_1_4 + 0.434 * (c2 * M_0_4_p2 + s2 * (s3 * M_0_4_p1 + c3 * M_0_0_p1));
+  const Real M_0_4 = M_1_4 + 0.434 * M_1_4_p2;
   M[4] = M_0_4;
   M[96] = M_0_4;
 
   // link 6 (chest3), mass matrix
-  const Real M_0_5 = M_1_5 + 0.434 * (c2 * M_0_5_p4 - s2 * (s3 * M_0_5_p3 - c3 * M_0_5_p2));
+  const Real M_0_5 = M_1_5 + 0.434 * M_1_5_p3;
   M[5] = M_0_5;
   M[120] = M_0_5;
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_lanes = M_1_6_lanes + 0.434 * M_0_6_p19_lanes;
+  const Lanes<2> M_0_6_lanes = M_1_6_lanes + 0.434 * M_1_6_p15_lanes;
   M[6] = M_0_6_lanes[0];
   M[144] = M_0_6_lanes[0];
 
@@ -1914,7 +1914,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[312] = M_0_6_lanes[1];
 
   // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_lanes = M_1_7_lanes + 0.434 * M_0_7_p22_lanes;
+  const Lanes<2> M_0_7_lanes = M_1_7_lanes + 0.434 * M_1_7_p19_lanes;
   M[7] = M_0_7_lanes[0];
   M[168] = M_0_7_lanes[0];
 
@@ -1923,7 +1923,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[336] = M_0_7_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_lanes = M_1_8_lanes - 0.434 * M_0_8_p25_lanes;
+  const Lanes<2> M_0_8_lanes = M_1_8_lanes - 0.434 * M_1_8_p21_lanes;
   M[8] = M_0_8_lanes[0];
   M[192] = M_0_8_lanes[0];
 
@@ -1932,7 +1932,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[360] = M_0_8_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_lanes = M_1_9_lanes + 0.434 * M_0_9_p31_lanes;
+  const Lanes<2> M_0_9_lanes = M_1_9_lanes + 0.434 * M_1_9_p28_lanes;
   M[9] = M_0_9_lanes[0];
   M[216] = M_0_9_lanes[0];
 
@@ -1941,7 +1941,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[384] = M_0_9_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_lanes = M_1_10_lanes + 0.434 * M_0_10_p37_lanes;
+  const Lanes<2> M_0_10_lanes = M_1_10_lanes + 0.434 * M_1_10_p34_lanes;
   M[10] = M_0_10_lanes[0];
   M[240] = M_0_10_lanes[0];
 
@@ -1950,7 +1950,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[408] = M_0_10_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_lanes = M_1_11_lanes - 0.434 * M_0_11_p43_lanes;
+  const Lanes<2> M_0_11_lanes = M_1_11_lanes - 0.434 * M_1_11_p40_lanes;
   M[11] = M_0_11_lanes[0];
   M[264] = M_0_11_lanes[0];
 
@@ -1959,7 +1959,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[432] = M_0_11_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_lanes = M_1_12_lanes + 0.434 * M_0_12_p46_lanes;
+  const Lanes<2> M_0_12_lanes = M_1_12_lanes + 0.434 * M_1_12_p43_lanes;
   M[12] = M_0_12_lanes[0];
   M[288] = M_0_12_lanes[0];
 
@@ -1968,17 +1968,17 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[456] = M_0_12_lanes[1];
 
   // link 21 (neck), mass matrix
-  const Real M_0_20 = M_1_20 + 0.434 * (c2 * M_0_20_p5 + s2 * (s3 * M_0_20_p4 + c3 * M_0_20_p3));
+  const Real M_0_20 = M_1_20 + 0.434 * M_1_20_p4;
   M[20] = M_0_20;
   M[480] = M_0_20;
 
   // link 22 (head), mass matrix
-  const Real M_0_21 = 0.434 * (s2 * (s3 * M_0_21_p6 - c3 * M_0_21_p5) - c2 * M_0_21_p7) - M_1_21;
-  M[21] = M_0_21;
-  M[504] = M_0_21;
+  const Real M_0_21 = M_1_21 + 0.434 * M_1_21_p6;
+  M[21] = -M_0_21;
+  M[504] = -M_0_21;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_lanes = M_1_22_lanes + 0.434 * M_0_22_p27_lanes;
+  const Lanes<2> M_0_22_lanes = M_1_22_lanes + 0.434 * M_1_22_p26_lanes;
   M[22] = M_0_22_lanes[0];
   M[528] = M_0_22_lanes[0];
 
@@ -1987,15 +1987,15 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[552] = M_0_22_lanes[1];
 
   // link 5 (chest2), composite inertia
-  M[75] = 0.060169103246295166 + (M_2_2_p376 + M_2_2_p381);
+  M[75] = 0.060169103246295166 + (M_2_2_p372 + M_2_2_p376);
 
   // link 6 (chest3), mass matrix
-  const Real M_3_5 = s5 * M_2_5_p1 + c5 * M_2_2_p372;
+  const Real M_3_5 = s5 * M_2_5_p1 + c5 * M_2_2_p368;
   M[77] = -M_3_5;
   M[123] = -M_3_5;
 
   // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_3_6_lanes = s5 * M_2_6_p35_lanes + c5 * M_2_6_p34_lanes;
+  const Lanes<2> M_3_6_lanes = s5 * M_2_6_p33_lanes + c5 * M_2_6_p35_lanes;
   M[78] = -M_3_6_lanes[0];
   M[147] = -M_3_6_lanes[0];
 
@@ -2013,7 +2013,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[339] = -M_3_7_lanes[1];
 
   // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_3_8_lanes = s5 * M_2_8_p22_lanes + c5 * M_2_8_p21_lanes;
+  const Lanes<2> M_3_8_lanes = s5 * M_2_8_p23_lanes + c5 * M_2_8_p22_lanes;
   M[80] = -M_3_8_lanes[0];
   M[195] = -M_3_8_lanes[0];
 
@@ -2022,7 +2022,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[363] = -M_3_8_lanes[1];
 
   // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_3_9_lanes = c5 * M_2_9_p27_lanes - s5 * M_2_9_p26_lanes;
+  const Lanes<2> M_3_9_lanes = c5 * M_2_9_p26_lanes - s5 * M_2_9_p27_lanes;
   M[81] = M_3_9_lanes[0];
   M[219] = M_3_9_lanes[0];
 
@@ -2031,7 +2031,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[387] = M_3_9_lanes[1];
 
   // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_3_10_lanes = c5 * M_2_10_p33_lanes - s5 * M_2_10_p32_lanes;
+  const Lanes<2> M_3_10_lanes = c5 * M_2_10_p32_lanes - s5 * M_2_10_p31_lanes;
   M[82] = M_3_10_lanes[0];
   M[243] = M_3_10_lanes[0];
 
@@ -2040,7 +2040,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[411] = M_3_10_lanes[1];
 
   // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_3_11_lanes = s5 * M_2_11_p37_lanes + c5 * M_2_11_p40_lanes;
+  const Lanes<2> M_3_11_lanes = s5 * M_2_11_p36_lanes + c5 * M_2_11_p37_lanes;
   M[83] = -M_3_11_lanes[0];
   M[267] = -M_3_11_lanes[0];
 
@@ -2049,7 +2049,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[435] = -M_3_11_lanes[1];
 
   // link 13 (left_hand), mass matrix
-  const Lanes<2> M_3_12_lanes = s5 * M_2_12_p45_lanes + c5 * M_2_12_p47_lanes;
+  const Lanes<2> M_3_12_lanes = s5 * M_2_12_p44_lanes + c5 * M_2_12_p45_lanes;
   M[84] = -M_3_12_lanes[0];
   M[291] = -M_3_12_lanes[0];
 
@@ -2068,7 +2068,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[507] = M_3_21;
 
   // link 23 (left_eye), mass matrix
-  const Lanes<2> M_3_22_lanes = s5 * M_2_22_p21_lanes + c5 * M_2_22_p22_lanes;
+  const Lanes<2> M_3_22_lanes = s5 * M_2_22_p18_lanes + c5 * M_2_22_p20_lanes;
   M[94] = -M_3_22_lanes[0];
   M[531] = -M_3_22_lanes[0];
 

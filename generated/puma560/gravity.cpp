@@ -1,6 +1,6 @@
 // gravity: g: the joint forces that hold the robot at rest
 // By recursive Newton-Euler, Chang table 4.1.
-// 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles
+// 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles
 // Generated; see puma560.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -23,22 +23,20 @@ void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6
   Real sines[4];
   Real cosines[4];
   detail::sin_cos(angles, sines, cosines);
+  const Real s2 = sines[0];
+  const Real c3 = cosines[1];
   const Real c2 = cosines[0];
   const Real s3 = sines[1];
   const Real c4 = cosines[2];
   const Real c5 = cosines[3];
   const Real s4 = sines[2];
-  const Real c3 = cosines[1];
-  const Real s2 = sines[0];
   const Real s5 = sines[3];
-
-  // link 2 (link2), outward
-  const Real minus_a2_x = 9.81 * s2;
-  const Real minus_a2_y = 9.81 * c2;
+  const Real minus_a3_x_p1 = s2 * c3 + c2 * s3;
+  const Real a3_y_p1 = s2 * s3 - c2 * c3;
 
   // link 3 (link3), outward
-  const Real minus_a3_x = c3 * minus_a2_x + s3 * minus_a2_y;
-  const Real a3_y = s3 * minus_a2_x - c3 * minus_a2_y;
+  const Real minus_a3_x = 9.81 * minus_a3_x_p1;
+  const Real a3_y = 9.81 * a3_y_p1;
 
   // link 4 (link4), outward
   const Real minus_a4_x = c4 * minus_a3_x;
@@ -61,19 +59,15 @@ void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6
 
   // link 4 (link4), inward
   const Real minus_n3_x = c4 * minus_n4_x + s4 * n5_z;
-  const Real n3_z = c4 * n5_z - s4 * minus_n4_x - (0.025374999999999998 * a3_y + 0.861795 *
-      minus_a3_x);
+  const Real n3_z = c4 * n5_z - s4 * minus_n4_x - (0.24892875 * a3_y_p1 + 8.45420895 *
+      minus_a3_x_p1);
   g[2] = n3_z;
 
   // link 3 (link3), inward
-  const Real n2_z = 1.024164 * s2 - 37.2347379 * c2 + n3_z;
+  const Real n2_z = 9.81 * (0.10439999999999999 * s2 - 3.79559 * c2) + n3_z;
   g[1] = n2_z;
-  const Real minus_n2_y = s3 * minus_n3_x + c3 * n4_z;
-  const Real n2_x = s3 * n4_z - c3 * minus_n3_x;
-
-  // link 2 (link2), inward
-  const Real n1_z = c2 * minus_n2_y - s2 * n2_x;
-  g[0] = n1_z;
+  const Real n2_y = minus_a3_x_p1 * minus_n3_x - a3_y_p1 * n4_z;
+  g[0] = n2_y;
 }
 
 }  // namespace puma560

@@ -1,6 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
-// By M = L^T D L, J from poses, in the axes of link 1 (link1) at link origins.
-// 818 flops (add 345, mul 463, div 10), sine and cosine of 5 angles
+// By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
+// 776 flops (add 323, mul 443, div 10), sine and cosine of 5 angles
 // Generated; see puma560.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -21,519 +21,430 @@ namespace puma560 {
 template <int count>
 using Lanes = detail::Pack<Real, count>;
 void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambda)[36]) noexcept {
-  const Real angles[5] = {q[2], q[1], q[3], q[4], q[0]};
+  const Real angles[5] = {q[1], q[2], q[3], q[4], q[0]};
   Real sines[5];
   Real cosines[5];
   detail::sin_cos(angles, sines, cosines);
-  const Real c3 = cosines[0];
-  const Real s2 = sines[1];
-  const Real s3 = sines[0];
-  const Real c2 = cosines[1];
+  const Real s2 = sines[0];
+  const Real c3 = cosines[1];
+  const Real c2 = cosines[0];
+  const Real s3 = sines[1];
   const Real s4 = sines[2];
   const Real s5 = sines[3];
-  const Real c5 = cosines[3];
   const Real c4 = cosines[2];
+  const Real c5 = cosines[3];
   const Real s1 = sines[4];
   const Real c1 = cosines[4];
 
   // link 5 (link5), composite inertia
-  const Real Lambda_5_5_p1 = 0.00020215999999999998 * s5;
-
-  // link 6 (link6), mass matrix
-  const Real Lambda_5_5_p2 = 4e-05 * c5;
-
-  // link 5 (link5), composite inertia
-  const Real Lambda_5_5_p3 = 0.0028799999999999997 * s5;
-  const Real Lambda_5_5_p4 = 0.0028799999999999997 * c5;
-
-  // link 6 (link6), mass matrix
-  const Real Lambda_5_5_p5 = 4e-05 * s5;
+  const Real Lambda_5_5_p1 = 0.0028799999999999997 * s5;
+  const Real Lambda_5_5_p2 = 0.0028799999999999997 * c5;
+  const Real Lambda_5_5_p3 = 0.00020215999999999998 * s5;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p6 = 0.9999999999999999 * c5;
-
-  // link 5 (link5), composite inertia
-  const Real Lambda_5_5_p7 = s5 * Lambda_5_5_p1;
-
-  // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p8 = c4 * Lambda_5_5_p3;
-
-  // link 5 (link5), composite inertia
-  const Real Lambda_5_5_p9 = c5 * Lambda_5_5_p1;
-
-  // link 5 (link5), mass matrix
-  const Real Lambda_5_5_p10 = c4 * Lambda_5_5_p4;
-
-  // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p11 = s4 * Lambda_5_5_p3;
-  const Real Lambda_5_5_p12 = 0.861795 + Lambda_5_5_p4;
-
-  // link 5 (link5), mass matrix
-  const Real Lambda_5_5_p13 = s4 * Lambda_5_5_p4;
+  const Real Lambda_5_5_p4 = 0.9999999999999999 * c5;
 
   // link 6 (link6), mass matrix
-  const Real Lambda_5_5_p14 = c4 * Lambda_5_5_p5;
+  const Real Lambda_5_5_p5 = 4e-05 * c5;
+  const Real Lambda_5_5_p6 = 4e-05 * s5;
+  const Real Lambda_5_5_p7 = 0.4318 * c2;
+  const Real Lambda_5_5_p8 = 0.4318 * s2;
+
+  // link 4 (link4), composite inertia
+  const Real Lambda_5_5_p9 = c4 * Lambda_5_5_p1;
+  const Real Lambda_5_5_p10 = s2 * s3 - c2 * c3;
+  const Real Lambda_5_5_p11 = s4 * Lambda_5_5_p1;
+  const Real Lambda_5_5_p12 = s2 * c3 + c2 * s3;
+
+  // link 5 (link5), mass matrix
+  const Real Lambda_5_5_p13 = c4 * Lambda_5_5_p2;
 
   // link 5 (link5), composite inertia
-  const Real Lambda_5_5_p15 = 0.00164 + Lambda_5_5_p7;
-
-  // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p16 = 0.0203 * Lambda_5_5_p8;
+  const Real Lambda_5_5_p14 = s5 * Lambda_5_5_p3;
+  const Real Lambda_5_5_p15 = c5 * Lambda_5_5_p3;
 
   // link 6 (link6), mass matrix
-  const Real Lambda_5_5_p17 = s4 * Lambda_5_5_p5;
+  const Real Lambda_5_5_p16 = s4 * Lambda_5_5_p6;
 
-  // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p18 = s4 * (0.00010000000000000026 + Lambda_5_5_p7);
-  const Real Lambda_5_5_p19 = Lambda_5_5_p8 - 0.025374999999999998;
+  // link 5 (link5), composite inertia
+  const Real Lambda_5_5_p17 = 0.00164 + Lambda_5_5_p14;
 
   // link 4 (link4), mass matrix
-  const Real Lambda_5_5_p20 = s3 * Lambda_5_5_p11;
-  const Real Lambda_5_5_p21 = c4 * Lambda_5_5_p9 + 0.4331 * Lambda_5_5_p8;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p22 = 1.0 / (Lambda_5_5_p15 - Lambda_5_5_p6 * Lambda_5_5_p2);
+  const Real Lambda_5_5_p18 = Lambda_5_5_p10 * Lambda_5_5_p11;
+  const Real Lambda_5_5_p19 = Lambda_5_5_p12 * Lambda_5_5_p11;
 
   // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p23 = s4 * Lambda_5_5_p9 + 0.4331 * Lambda_5_5_p11;
+  const Real Lambda_5_5_p20 = s4 * Lambda_5_5_p15;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p24 = 24999.999999999996 * Lambda_5_5_p17;
+  const Real Lambda_5_5_p21 = 24999.999999999996 * Lambda_5_5_p16;
+  const Real Lambda_5_5_p22 = 0.0203 * Lambda_5_5_p10 + 0.4331 * Lambda_5_5_p12;
 
   // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p25 = s4 * Lambda_5_5_p18;
-  const Real Lambda_5_5_p26 = 0.0067651125 + (Lambda_5_5_p15 - 0.0406 * Lambda_5_5_p8);
+  const Real Lambda_5_5_p23 = Lambda_5_5_p10 * Lambda_5_5_p9 - Lambda_5_5_p12 * Lambda_5_5_p2;
+  const Real Lambda_5_5_p24 = 0.0203 * Lambda_5_5_p12 - 0.4331 * Lambda_5_5_p10;
+  const Real Lambda_5_5_p25 = Lambda_5_5_p12 * Lambda_5_5_p9 + Lambda_5_5_p10 * Lambda_5_5_p2;
 
   // link 5 (link5), mass matrix
-  const Real Lambda_5_5_p27 = s3 * Lambda_5_5_p10 + c3 * Lambda_5_5_p3;
-  const Real Lambda_5_5_p28 = 0.00064216 * c4 + (0.4331 * Lambda_5_5_p10 - 5.846399999999999e-05 *
-      s5);
+  const Real Lambda_5_5_p26 = Lambda_5_5_p10 * Lambda_5_5_p1 - Lambda_5_5_p12 * Lambda_5_5_p13;
+  const Real Lambda_5_5_p27 = Lambda_5_5_p10 * Lambda_5_5_p13 + Lambda_5_5_p12 * Lambda_5_5_p1;
+
+  // link 4 (link4), composite inertia
+  const Real Lambda_5_5_p28 = s4 * (0.00010000000000000026 + Lambda_5_5_p14);
+  const Real Lambda_5_5_p29 = Lambda_5_5_p22 * Lambda_5_5_p23;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p29 = Lambda_5_5_p23 + Lambda_5_5_p6 * Lambda_5_5_p17;
+  const Real Lambda_5_5_p30 = 1.0 / (Lambda_5_5_p17 - Lambda_5_5_p4 * Lambda_5_5_p5);
 
-  // link 4 (link4), mass matrix
-  const Real Lambda_5_5_p30 = 0.1501 * Lambda_5_5_p11;
+  // link 4 (link4), composite inertia
+  const Real Lambda_5_5_p31 = s4 * Lambda_5_5_p28;
+  const Real Lambda_5_5_p32 = Lambda_5_5_p12 * c4;
+  const Real Lambda_5_5_p33 = c4 * Lambda_5_5_p15;
 
   // link 5 (link5), mass matrix
-  const Real Lambda_5_5_p31 = 0.0203 * Lambda_5_5_p13;
+  const Real Lambda_5_5_p34 = Lambda_5_5_p12 * s4;
 
   // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p32 = Lambda_5_5_p21 - 5.846399999999999e-05 * c5 - 0.010673638499999999;
-
-  // link 3 (link3), mass matrix
-  const Real Lambda_5_5_p33 = s3 * Lambda_5_5_p12 + c3 * Lambda_5_5_p19;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p34 = 1557.24430048586 * Lambda_5_5_p28;
-
-  // link 3 (link3), mass matrix
-  const Real Lambda_5_5_p35 = c3 * Lambda_5_5_p12 - s3 * Lambda_5_5_p19;
-
-  // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p36 = 0.0203 * Lambda_5_5_p11 - c4 * Lambda_5_5_p18;
-  const Real Lambda_5_5_p37 = 0.004704000000000001 + Lambda_5_5_p23;
-
-  // link 4 (link4), mass matrix
-  const Real Lambda_5_5_p38 = Lambda_5_5_p16 - Lambda_5_5_p15;
-
-  // link 3 (link3), mass matrix
-  const Real Lambda_5_5_p39 = 0.4318 * Lambda_5_5_p33;
+  const Real Lambda_5_5_p35 = 0.025374999999999998 * Lambda_5_5_p12 - 0.861795 * Lambda_5_5_p10 -
+      Lambda_5_5_p25;
 
   // link 5 (link5), mass matrix
-  const Real Lambda_5_5_p40 = 0.00064216 * s4 + 0.4331 * Lambda_5_5_p13;
-  const Real Lambda_5_5_p41 = Lambda_5_5_p28 + 0.4318 * Lambda_5_5_p27;
-
-  // link 4 (link4), composite inertia
-  const Real Lambda_5_5_p42 = 0.3056901365 + (0.0011921599999999998 - Lambda_5_5_p7 +
-      Lambda_5_5_p25 + 0.0024946559999999996 * c5);
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p43 = Lambda_5_5_p29 * Lambda_5_5_p22;
-  const Real Lambda_5_5_p44 = 0.312455249 + (0.00129216 - Lambda_5_5_p25 + 2.0 *
-      (0.0012473279999999998 * c5 - Lambda_5_5_p16)) - Lambda_5_5_p24 * Lambda_5_5_p17;
-  const Real Lambda_5_5_p45 = Lambda_5_5_p29 + 0.4318 * Lambda_5_5_p20;
+  const Real Lambda_5_5_p36 = 0.00064216 * c4 - (Lambda_5_5_p22 * Lambda_5_5_p26 + Lambda_5_5_p24 *
+      Lambda_5_5_p27);
 
   // link 3 (link3), composite inertia
-  const Real Lambda_5_5_p46 = s3 * (Lambda_5_5_p42 - Lambda_5_5_p26) + c3 * (2.0 * Lambda_5_5_p32);
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p47 = 1557.24430048586 * Lambda_5_5_p41;
-
-  // link 3 (link3), composite inertia
-  const Real Lambda_5_5_p48 = s3 * Lambda_5_5_p46;
-
-  // link 3 (link3), mass matrix
-  const Real Lambda_5_5_p49 = c3 * Lambda_5_5_p36 - s3 * Lambda_5_5_p37 - 0.1501 * Lambda_5_5_p33;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p50 = 1.0 / (Lambda_5_5_p44 - Lambda_5_5_p34 * Lambda_5_5_p28 -
-      Lambda_5_5_p43 * Lambda_5_5_p29);
+  const Real Lambda_5_5_p37 = Lambda_5_5_p7 * (Lambda_5_5_p23 -
+      (0.025374999999999998 * Lambda_5_5_p10 + 0.861795 * Lambda_5_5_p12));
 
   // link 5 (link5), mass matrix
-  const Real Lambda_5_5_p51 = c3 * Lambda_5_5_p31 - s3 * Lambda_5_5_p40 +
-      (0.1501 * (c3 * Lambda_5_5_p10 - s3 * Lambda_5_5_p3) - 0.4318 * Lambda_5_5_p13);
+  const Real Lambda_5_5_p38 = Lambda_5_5_p22 + Lambda_5_5_p7;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p52 = Lambda_5_5_p44 + Lambda_5_5_p39 - Lambda_5_5_p34 * Lambda_5_5_p41 -
-      Lambda_5_5_p43 * Lambda_5_5_p45;
-  const Real Lambda_5_5_p53 = Lambda_5_5_p45 * Lambda_5_5_p22;
+  const Real Lambda_5_5_p39 = Lambda_5_5_p24 * Lambda_5_5_p18 - Lambda_5_5_p22 * Lambda_5_5_p19 -
+      Lambda_5_5_p20 - Lambda_5_5_p4 * Lambda_5_5_p16;
+  const Real Lambda_5_5_p40 = 1557.24430048586 * Lambda_5_5_p36;
 
-  // link 3 (link3), mass matrix
-  const Real Lambda_5_5_p54 = s3 * Lambda_5_5_p36 + c3 * Lambda_5_5_p37 + 0.1501 * Lambda_5_5_p35;
+  // link 5 (link5), mass matrix
+  const Real Lambda_5_5_p41 = Lambda_5_5_p36 + (Lambda_5_5_p8 * Lambda_5_5_p27 - Lambda_5_5_p7 *
+      Lambda_5_5_p26);
 
   // link 6 (link6), mass matrix
-  const Real Lambda_5_5_p55 = s2 * (c3 * Lambda_5_5_p14 + s3 * Lambda_5_5_p2) + c2 *
-      (s3 * Lambda_5_5_p14 - c3 * Lambda_5_5_p2);
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p56 = Lambda_5_5_p24 * Lambda_5_5_p55;
-
-  // link 5 (link5), mass matrix
-  const Real Lambda_5_5_p57 = s2 * (c3 * Lambda_5_5_p40 + s3 * Lambda_5_5_p31 + 0.1501 *
-      Lambda_5_5_p27) - c2 * Lambda_5_5_p51;
-
-  // link 4 (link4), mass matrix
-  const Real Lambda_5_5_p58 = s2 * (0.1501 * Lambda_5_5_p20 -
-      (c3 * Lambda_5_5_p21 + s3 * Lambda_5_5_p38)) + c2 *
-      ((Lambda_5_5_p38 - Lambda_5_5_p30) * c3 - (s3 * Lambda_5_5_p21 + 0.4318 * Lambda_5_5_p8));
+  const Real Lambda_5_5_p42 = Lambda_5_5_p32 * Lambda_5_5_p6 + Lambda_5_5_p10 * Lambda_5_5_p5;
 
   // link 3 (link3), composite inertia
-  const Real Lambda_5_5_p59 = 1.674987602 + (Lambda_5_5_p26 + Lambda_5_5_p48 + 2.0 *
-      (Lambda_5_5_p39 + Lambda_5_5_p30));
+  const Real Lambda_5_5_p43 = Lambda_5_5_p37 + Lambda_5_5_p8 * Lambda_5_5_p35;
+
+  // link 1 (link1), mass matrix
+  const Real Lambda_5_5_p44 = Lambda_5_5_p39 * Lambda_5_5_p30;
+  const Real Lambda_5_5_p45 = 1557.24430048586 * Lambda_5_5_p41;
+  const Real Lambda_5_5_p46 = Lambda_5_5_p39 - Lambda_5_5_p7 * Lambda_5_5_p19 - Lambda_5_5_p8 *
+      Lambda_5_5_p18;
+
+  // link 3 (link3), mass matrix
+  const Real Lambda_5_5_p47 = Lambda_5_5_p32 * Lambda_5_5_p28 - Lambda_5_5_p24 * Lambda_5_5_p11 +
+      (0.004704000000000001 + Lambda_5_5_p20) * Lambda_5_5_p10 - 0.1501 * Lambda_5_5_p35;
+
+  // link 5 (link5), mass matrix
+  const Real Lambda_5_5_p48 = 0.00064216 * Lambda_5_5_p34 + 0.1501 * Lambda_5_5_p27 +
+      Lambda_5_5_p38 * (s4 * Lambda_5_5_p2);
+
+  // link 1 (link1), mass matrix
+  const Real Lambda_5_5_p49 = 0.312455249 + (0.00129216 - Lambda_5_5_p31 - 2.0 *
+      (Lambda_5_5_p29 + Lambda_5_5_p24 * Lambda_5_5_p25)) - Lambda_5_5_p21 * Lambda_5_5_p16;
+  const Real Lambda_5_5_p50 = Lambda_5_5_p46 * Lambda_5_5_p30;
+  const Real Lambda_5_5_p51 = 24999.999999999996 * Lambda_5_5_p42;
+  const Real Lambda_5_5_p52 = Lambda_5_5_p47 + Lambda_5_5_p21 * Lambda_5_5_p42;
+  const Real Lambda_5_5_p53 = Lambda_5_5_p12 * Lambda_5_5_p33 - Lambda_5_5_p10 * Lambda_5_5_p17 -
+      0.1501 * Lambda_5_5_p18 + Lambda_5_5_p4 * Lambda_5_5_p42 + Lambda_5_5_p38 * Lambda_5_5_p9;
+  const Real Lambda_5_5_p54 = 1557.24430048586 * Lambda_5_5_p48;
+  const Real Lambda_5_5_p55 = Lambda_5_5_p53 * Lambda_5_5_p30;
+  const Real Lambda_5_5_p56 = 1.0 / (Lambda_5_5_p49 - Lambda_5_5_p40 * Lambda_5_5_p36 -
+      Lambda_5_5_p44 * Lambda_5_5_p39);
+  const Real Lambda_5_5_p57 = Lambda_5_5_p49 - Lambda_5_5_p43 - Lambda_5_5_p40 * Lambda_5_5_p41 -
+      Lambda_5_5_p44 * Lambda_5_5_p46;
+  const Real Lambda_5_5_p58 = Lambda_5_5_p52 - Lambda_5_5_p40 * Lambda_5_5_p48 - Lambda_5_5_p44 *
+      Lambda_5_5_p53;
 
   // link 5 (link5), pose
-  const Real Lambda_5_5_p60 = s5 * c4;
+  const Real Lambda_5_5_p59 = s5 * s4;
+  const Real Lambda_5_5_p60 = s5 * Lambda_5_5_p32 + c5 * Lambda_5_5_p10;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p61 = Lambda_5_5_p6 * Lambda_5_5_p55 - Lambda_5_5_p58;
-
-  // link 3 (link3), pose
-  const Real Lambda_5_5_p62 = c3 * s2 + s3 * c2;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p63 = Lambda_5_5_p52 * Lambda_5_5_p50;
-  const Real Lambda_5_5_p64 = 24999.999999999996 * Lambda_5_5_p55;
-  const Real Lambda_5_5_p65 = 1557.24430048586 * Lambda_5_5_p57;
-
-  // link 5 (link5), pose
-  const Real Lambda_5_5_p66 = s5 * s4;
-
-  // link 3 (link3), pose
-  const Real Lambda_5_5_p67 = s3 * s2 - c3 * c2;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p68 = Lambda_5_5_p56 - (s2 *
-      (Lambda_5_5_p49 - 0.4318 * Lambda_5_5_p11 - 0.690314699) + c2 *
-      (Lambda_5_5_p54 - 0.023750999999999998));
-  const Real Lambda_5_5_p69 = Lambda_5_5_p61 * Lambda_5_5_p22;
+  const Real Lambda_5_5_p61 = 0.690314699 * s2 + 0.023750999999999998 * c2 + Lambda_5_5_p52 +
+      Lambda_5_5_p8 * Lambda_5_5_p11 - Lambda_5_5_p45 * Lambda_5_5_p48;
+  const Real Lambda_5_5_p62 = Lambda_5_5_p21 * Lambda_5_5_p60;
+  const Real Lambda_5_5_p63 = Lambda_5_5_p4 * Lambda_5_5_p59;
+  const Real Lambda_5_5_p64 = 3.153482265 - s2 * (1.601861202 * s2 + 0.0141984 * c2) +
+      Lambda_5_5_p17 - Lambda_5_5_p51 * Lambda_5_5_p42;
+  const Real Lambda_5_5_p65 = Lambda_5_5_p4 * Lambda_5_5_p60 - Lambda_5_5_p10;
+  const Real Lambda_5_5_p66 = 24999.999999999996 * Lambda_5_5_p59;
+  const Real Lambda_5_5_p67 = 1.0 - Lambda_5_5_p21 * Lambda_5_5_p59;
+  const Real Lambda_5_5_p68 = 0.298925024 * Lambda_5_5_p12 + 0.021347276999999998 * Lambda_5_5_p10 -
+      (Lambda_5_5_p10 * (2.0 * Lambda_5_5_p33) - Lambda_5_5_p12 *
+      (0.0011921599999999998 - Lambda_5_5_p14 + Lambda_5_5_p31 - Lambda_5_5_p17));
 
   // link 4 (link4), pose
-  const Real Lambda_5_5_p70 = s4 * Lambda_5_5_p62;
+  const Real Lambda_5_5_p69 = s4 * Lambda_5_5_p10;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p71 = Lambda_5_5_p56 - (s2 * Lambda_5_5_p49 + c2 * Lambda_5_5_p54) -
-      Lambda_5_5_p34 * Lambda_5_5_p57 + Lambda_5_5_p43 * Lambda_5_5_p61;
-  const Real Lambda_5_5_p72 = Lambda_5_5_p6 * Lambda_5_5_p66;
-  const Real Lambda_5_5_p73 = 24999.999999999996 * Lambda_5_5_p66;
-
-  // link 2 (link2), composite inertia
-  const Real Lambda_5_5_p74 = s2 * (0.07312640000000001 +
-      (Lambda_5_5_p42 - Lambda_5_5_p48 + 0.3002 * Lambda_5_5_p11) - Lambda_5_5_p59) + c2 *
-      (2.0 * (c3 * Lambda_5_5_p46 - Lambda_5_5_p32 + 0.4318 * Lambda_5_5_p35 - 0.0070992));
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p75 = 1.7481140020000001 + Lambda_5_5_p44 + 0.8636 * Lambda_5_5_p33 -
-      Lambda_5_5_p47 * Lambda_5_5_p41 - Lambda_5_5_p53 * Lambda_5_5_p45 - Lambda_5_5_p63 *
-      Lambda_5_5_p52;
+  const Real Lambda_5_5_p70 = Lambda_5_5_p57 * Lambda_5_5_p56;
+  const Real Lambda_5_5_p71 = Lambda_5_5_p58 * Lambda_5_5_p56;
+  const Real Lambda_5_5_p72 = 1557.24430048586 * c4;
+  const Real Lambda_5_5_p73 = 24999.999999999996 * Lambda_5_5_p60;
+  const Real Lambda_5_5_p74 = Lambda_5_5_p67 - Lambda_5_5_p40 * c4 + Lambda_5_5_p44 *
+      Lambda_5_5_p63;
+  const Real Lambda_5_5_p75 = Lambda_5_5_p62 - Lambda_5_5_p40 * Lambda_5_5_p34 - Lambda_5_5_p44 *
+      Lambda_5_5_p65;
+  const Real Lambda_5_5_p76 = 1557.24430048586 * Lambda_5_5_p34;
+  const Real Lambda_5_5_p77 = Lambda_5_5_p63 * Lambda_5_5_p30;
+  const Real Lambda_5_5_p78 = Lambda_5_5_p65 * Lambda_5_5_p30;
 
   // link 5 (link5), pose
-  const Real Lambda_5_5_p76 = Lambda_5_5_p60 * Lambda_5_5_p62 + c5 * Lambda_5_5_p67;
+  const Real Lambda_5_5_p79 = c5 * Lambda_5_5_p12 - s5 * (c4 * Lambda_5_5_p10);
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p77 = Lambda_5_5_p71 * Lambda_5_5_p50;
-  const Real Lambda_5_5_p78 = 1.0 - Lambda_5_5_p24 * Lambda_5_5_p66;
-  const Real Lambda_5_5_p79 = 1557.24430048586 * Lambda_5_5_p70;
-  const Real Lambda_5_5_p80 = 1.0 / Lambda_5_5_p75;
-  const Real Lambda_5_5_p81 = Lambda_5_5_p24 * Lambda_5_5_p76;
-  const Real Lambda_5_5_p82 = Lambda_5_5_p68 - Lambda_5_5_p47 * Lambda_5_5_p57 + Lambda_5_5_p53 *
-      Lambda_5_5_p61 - Lambda_5_5_p63 * Lambda_5_5_p71;
-  const Real Lambda_5_5_p83 = 24999.999999999996 * Lambda_5_5_p76;
+  const Real Lambda_5_5_p80 = 1.7481140020000001 + Lambda_5_5_p49 - 2.0 * Lambda_5_5_p43 -
+      Lambda_5_5_p45 * Lambda_5_5_p41 - Lambda_5_5_p50 * Lambda_5_5_p46 - Lambda_5_5_p70 *
+      Lambda_5_5_p57;
+  const Real Lambda_5_5_p81 = Lambda_5_5_p61 - Lambda_5_5_p50 * Lambda_5_5_p53 - Lambda_5_5_p70 *
+      Lambda_5_5_p58;
+  const Real Lambda_5_5_p82 = Lambda_5_5_p67 - Lambda_5_5_p45 * c4 + Lambda_5_5_p50 *
+      Lambda_5_5_p63 - Lambda_5_5_p70 * Lambda_5_5_p74;
+  const Real Lambda_5_5_p83 = Lambda_5_5_p62 - Lambda_5_5_p45 * Lambda_5_5_p34 - Lambda_5_5_p50 *
+      Lambda_5_5_p65 - Lambda_5_5_p70 * Lambda_5_5_p75;
+  const Real Lambda_5_5_p84 = Lambda_5_5_p21 * Lambda_5_5_p79;
+  const Real Lambda_5_5_p85 = 1.0 / Lambda_5_5_p80;
+  const Real Lambda_5_5_p86 = Lambda_5_5_p74 * Lambda_5_5_p56;
+  const Real Lambda_5_5_p87 = 1.0 - Lambda_5_5_p51 * Lambda_5_5_p60 - Lambda_5_5_p54 *
+      Lambda_5_5_p34 - Lambda_5_5_p55 * Lambda_5_5_p65 - Lambda_5_5_p71 * Lambda_5_5_p75;
+  const Real Lambda_5_5_p88 = Lambda_5_5_p75 * Lambda_5_5_p56;
+  const Real Lambda_5_5_p89 = Lambda_5_5_p4 * Lambda_5_5_p79 - Lambda_5_5_p12;
+  const Real Lambda_5_5_p90 = Lambda_5_5_p8 + (Lambda_5_5_p70 - 1.0) * Lambda_5_5_p24;
+  const Real Lambda_5_5_p91 = Lambda_5_5_p84 + Lambda_5_5_p40 * Lambda_5_5_p69 - Lambda_5_5_p44 *
+      Lambda_5_5_p89;
+  const Real Lambda_5_5_p92 = 0.05625 * Lambda_5_5_p60;
+  const Real Lambda_5_5_p93 = 0.05625 * Lambda_5_5_p59;
+  const Real Lambda_5_5_p94 = Lambda_5_5_p81 * Lambda_5_5_p85;
+  const Real Lambda_5_5_p95 = Lambda_5_5_p91 * Lambda_5_5_p56;
+  const Real Lambda_5_5_p96 = Lambda_5_5_p82 * Lambda_5_5_p85;
+  const Real Lambda_5_5_p97 = Lambda_5_5_p83 * Lambda_5_5_p85;
+  const Real Lambda_5_5_p98 = 24999.999999999996 * Lambda_5_5_p79 * Lambda_5_5_p79 +
+      1557.24430048586 * Lambda_5_5_p69 * Lambda_5_5_p69 + Lambda_5_5_p89 * Lambda_5_5_p30 *
+      Lambda_5_5_p89;
+  const Real Lambda_5_5_p99 = 0.05625 * Lambda_5_5_p79;
+  const Real Lambda_5_5_p100 = Lambda_5_5_p84 + Lambda_5_5_p45 * Lambda_5_5_p69 - Lambda_5_5_p50 *
+      Lambda_5_5_p89 - Lambda_5_5_p70 * Lambda_5_5_p91;
+  const Real Lambda_5_5_p101 = Lambda_5_5_p100 * Lambda_5_5_p85;
+  const Real Lambda_5_5_p102 = Lambda_5_5_p64 - Lambda_5_5_p54 * Lambda_5_5_p48 - Lambda_5_5_p55 *
+      Lambda_5_5_p53 - Lambda_5_5_p71 * Lambda_5_5_p58 - Lambda_5_5_p94 * Lambda_5_5_p81;
+  const Real Lambda_5_5_p103 = Lambda_5_5_p51 * Lambda_5_5_p59 - Lambda_5_5_p54 * c4 +
+      Lambda_5_5_p55 * Lambda_5_5_p63 - Lambda_5_5_p71 * Lambda_5_5_p74 - Lambda_5_5_p94 *
+      Lambda_5_5_p82;
+  const Real Lambda_5_5_p104 = Lambda_5_5_p87 - Lambda_5_5_p94 * Lambda_5_5_p83;
+  const Real Lambda_5_5_p105 = Lambda_5_5_p66 * Lambda_5_5_p59 + Lambda_5_5_p72 * c4 +
+      Lambda_5_5_p77 * Lambda_5_5_p63 + Lambda_5_5_p86 * Lambda_5_5_p74 + Lambda_5_5_p96 *
+      Lambda_5_5_p82;
+  const Real Lambda_5_5_p106 = Lambda_5_5_p72 * Lambda_5_5_p34 - Lambda_5_5_p66 * Lambda_5_5_p60 -
+      Lambda_5_5_p77 * Lambda_5_5_p65 + Lambda_5_5_p86 * Lambda_5_5_p75 + Lambda_5_5_p96 *
+      Lambda_5_5_p83;
+  const Real Lambda_5_5_p107 = Lambda_5_5_p73 * Lambda_5_5_p60 + Lambda_5_5_p76 * Lambda_5_5_p34 +
+      Lambda_5_5_p78 * Lambda_5_5_p65 + Lambda_5_5_p88 * Lambda_5_5_p75 + Lambda_5_5_p97 *
+      Lambda_5_5_p83;
+  const Real Lambda_5_5_p108 = 0.1501 + Lambda_5_5_p71 * Lambda_5_5_p24 - Lambda_5_5_p94 *
+      Lambda_5_5_p90;
+  const Real Lambda_5_5_p109 = Lambda_5_5_p54 * Lambda_5_5_p69 - Lambda_5_5_p51 * Lambda_5_5_p79 -
+      Lambda_5_5_p55 * Lambda_5_5_p89 - Lambda_5_5_p71 * Lambda_5_5_p91 - Lambda_5_5_p94 *
+      Lambda_5_5_p100;
+  const Real Lambda_5_5_p110 = Lambda_5_5_p73 * Lambda_5_5_p79 - Lambda_5_5_p76 * Lambda_5_5_p69 +
+      Lambda_5_5_p78 * Lambda_5_5_p89 + Lambda_5_5_p88 * Lambda_5_5_p91 + Lambda_5_5_p97 *
+      Lambda_5_5_p100;
+  const Real Lambda_5_5_p111 = Lambda_5_5_p86 * Lambda_5_5_p91 -
+      (Lambda_5_5_p66 * Lambda_5_5_p79 + Lambda_5_5_p72 * Lambda_5_5_p69 + Lambda_5_5_p77 *
+      Lambda_5_5_p89) + Lambda_5_5_p96 * Lambda_5_5_p100;
 
-  // link 4 (link4), pose
-  const Real Lambda_5_5_p84 = s4 * Lambda_5_5_p67;
+  // link 1 (link1), turn
+  const Real Lambda_5_5_p112 = 2.0 * c1;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p85 = 1557.24430048586 * c4;
-  const Real Lambda_5_5_p86 = Lambda_5_5_p6 * Lambda_5_5_p76 - Lambda_5_5_p67;
-  const Real Lambda_5_5_p87 = Lambda_5_5_p78 - Lambda_5_5_p34 * c4 - Lambda_5_5_p43 *
-      Lambda_5_5_p72;
+  const Real Lambda_5_5_p113 = Lambda_5_5_p22 * Lambda_5_5_p56;
+  const Real Lambda_5_5_p114 = 1.0 / (Lambda_5_5_p102 + 2.0 *
+      (0.1501 * Lambda_5_5_p11 - Lambda_5_5_p37 - Lambda_5_5_p29) + Lambda_5_5_p68 *
+      Lambda_5_5_p12);
+  const Real Lambda_5_5_p115 = Lambda_5_5_p70 * Lambda_5_5_p22 - Lambda_5_5_p38;
+  const Real Lambda_5_5_p116 = Lambda_5_5_p115 * Lambda_5_5_p85;
+  const Real Lambda_5_5_p117 = Lambda_5_5_p71 * Lambda_5_5_p22 - Lambda_5_5_p94 * Lambda_5_5_p115;
+  const Real Lambda_5_5_p118 = Lambda_5_5_p103 * Lambda_5_5_p114;
+  const Real Lambda_5_5_p119 = Lambda_5_5_p104 * Lambda_5_5_p114;
+  const Real Lambda_5_5_p120 = Lambda_5_5_p109 * Lambda_5_5_p114;
+  const Real Lambda_5_5_p121 = Lambda_5_5_p38 * Lambda_5_5_p114;
+  const Real Lambda_5_5_p122 = Lambda_5_5_p117 * Lambda_5_5_p114;
+  const Real Lambda_5_5_p123 = Lambda_5_5_p120 * Lambda_5_5_p38;
+  const Real Lambda_5_5_p124 = Lambda_5_5_p119 * Lambda_5_5_p38;
+  const Real Lambda_5_5_p125 = Lambda_5_5_p118 * Lambda_5_5_p38;
+  const Real Lambda_5_5_p126 = Lambda_5_5_p105 + Lambda_5_5_p118 * Lambda_5_5_p103;
+  const Real Lambda_5_5_p127 = Lambda_5_5_p106 + Lambda_5_5_p118 * Lambda_5_5_p104;
+  const Real Lambda_5_5_p128 = Lambda_5_5_p107 + Lambda_5_5_p119 * Lambda_5_5_p104;
+  const Real Lambda_5_5_p129 = Lambda_5_5_p98 + Lambda_5_5_p95 * Lambda_5_5_p91 + Lambda_5_5_p101 *
+      Lambda_5_5_p100 + Lambda_5_5_p120 * Lambda_5_5_p109;
+  const Real Lambda_5_5_p130 = Lambda_5_5_p110 + Lambda_5_5_p119 * Lambda_5_5_p109;
+  const Real Lambda_5_5_p131 = Lambda_5_5_p111 + Lambda_5_5_p118 * Lambda_5_5_p109;
+  const Real Lambda_5_5_p132 = Lambda_5_5_p96 * Lambda_5_5_p90 - Lambda_5_5_p86 * Lambda_5_5_p24 +
+      Lambda_5_5_p118 * Lambda_5_5_p108;
+  const Real Lambda_5_5_p133 = Lambda_5_5_p97 * Lambda_5_5_p90 - Lambda_5_5_p88 * Lambda_5_5_p24 +
+      Lambda_5_5_p119 * Lambda_5_5_p108;
+  const Real Lambda_5_5_p134 = Lambda_5_5_p131 * Lambda_5_5_p92;
+  const Real Lambda_5_5_p135 = Lambda_5_5_p130 * Lambda_5_5_p93;
+  const Real Lambda_5_5_p136 = Lambda_5_5_p24 * Lambda_5_5_p56 * Lambda_5_5_p24 + Lambda_5_5_p90 *
+      Lambda_5_5_p85 * Lambda_5_5_p90 + Lambda_5_5_p108 * Lambda_5_5_p114 * Lambda_5_5_p108;
+  const Real Lambda_5_5_p137 = Lambda_5_5_p127 * Lambda_5_5_p99;
+  const Real Lambda_5_5_p138 = Lambda_5_5_p97 * Lambda_5_5_p115 - Lambda_5_5_p88 * Lambda_5_5_p22 +
+      Lambda_5_5_p119 * Lambda_5_5_p117;
+  const Real Lambda_5_5_p139 = Lambda_5_5_p101 * Lambda_5_5_p115 - Lambda_5_5_p95 * Lambda_5_5_p22 +
+      Lambda_5_5_p120 * Lambda_5_5_p117;
+  const Real Lambda_5_5_p140 = Lambda_5_5_p96 * Lambda_5_5_p115 - Lambda_5_5_p86 * Lambda_5_5_p22 +
+      Lambda_5_5_p118 * Lambda_5_5_p117;
+  const Real Lambda_5_5_p141 = Lambda_5_5_p132 + (Lambda_5_5_p126 * Lambda_5_5_p92 +
+      Lambda_5_5_p127 * Lambda_5_5_p93);
+  const Real Lambda_5_5_p142 = Lambda_5_5_p133 + (Lambda_5_5_p127 * Lambda_5_5_p92 +
+      Lambda_5_5_p128 * Lambda_5_5_p93);
+  const Real Lambda_5_5_p143 = Lambda_5_5_p123 - (Lambda_5_5_p129 * Lambda_5_5_p92 -
+      Lambda_5_5_p130 * Lambda_5_5_p99);
+  const Real Lambda_5_5_p144 = Lambda_5_5_p124 - (Lambda_5_5_p130 * Lambda_5_5_p92 -
+      Lambda_5_5_p128 * Lambda_5_5_p99);
+  const Real Lambda_5_5_p145 = Lambda_5_5_p101 * Lambda_5_5_p90 - Lambda_5_5_p95 * Lambda_5_5_p24 +
+      Lambda_5_5_p120 * Lambda_5_5_p108 + (Lambda_5_5_p134 + Lambda_5_5_p135);
+  const Real Lambda_5_5_p146 = Lambda_5_5_p125 - (Lambda_5_5_p134 - Lambda_5_5_p137);
+  const Real Lambda_5_5_p147 = Lambda_5_5_p138 - (Lambda_5_5_p135 + Lambda_5_5_p137);
+  const Real Lambda_5_5_p148 = Lambda_5_5_p139 - (Lambda_5_5_p129 * Lambda_5_5_p93 +
+      Lambda_5_5_p131 * Lambda_5_5_p99);
+  const Real Lambda_5_5_p149 = Lambda_5_5_p113 * Lambda_5_5_p24 + Lambda_5_5_p116 * Lambda_5_5_p90 +
+      Lambda_5_5_p122 * Lambda_5_5_p108 - Lambda_5_5_p99 * Lambda_5_5_p141 + Lambda_5_5_p92 *
+      Lambda_5_5_p140;
 
-  // link 5 (link5), pose
-  const Real Lambda_5_5_p88 = c5 * Lambda_5_5_p62 - Lambda_5_5_p60 * Lambda_5_5_p67;
+  // link 1 (link1), turn
+  const Real Lambda_5_5_p150 = s1 * (Lambda_5_5_p145 - Lambda_5_5_p146) - c1 *
+      (Lambda_5_5_p143 + Lambda_5_5_p141);
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p89 = Lambda_5_5_p24 * Lambda_5_5_p88;
-  const Real Lambda_5_5_p90 = Lambda_5_5_p86 * Lambda_5_5_p22;
-  const Real Lambda_5_5_p91 = Lambda_5_5_p72 * Lambda_5_5_p22;
-  const Real Lambda_5_5_p92 = Lambda_5_5_p81 - Lambda_5_5_p34 * Lambda_5_5_p70 + Lambda_5_5_p43 *
-      Lambda_5_5_p86;
-  const Real Lambda_5_5_p93 = Lambda_5_5_p78 - Lambda_5_5_p47 * c4 - Lambda_5_5_p53 *
-      Lambda_5_5_p72 - Lambda_5_5_p63 * Lambda_5_5_p87;
-  const Real Lambda_5_5_p94 = Lambda_5_5_p62 - Lambda_5_5_p6 * Lambda_5_5_p88;
-  const Real Lambda_5_5_p95 = Lambda_5_5_p82 * Lambda_5_5_p80;
-  const Real Lambda_5_5_p96 = 1.4717295504999999 + (Lambda_5_5_p59 + s2 * Lambda_5_5_p74) -
-      Lambda_5_5_p64 * Lambda_5_5_p55 - Lambda_5_5_p65 * Lambda_5_5_p57 - Lambda_5_5_p69 *
-      Lambda_5_5_p61;
-  const Real Lambda_5_5_p97 = Lambda_5_5_p92 * Lambda_5_5_p50;
-  const Real Lambda_5_5_p98 = Lambda_5_5_p81 - Lambda_5_5_p47 * Lambda_5_5_p70 + Lambda_5_5_p53 *
-      Lambda_5_5_p86 - Lambda_5_5_p63 * Lambda_5_5_p92;
-  const Real Lambda_5_5_p99 = 1.0 - Lambda_5_5_p64 * Lambda_5_5_p76 - Lambda_5_5_p65 *
-      Lambda_5_5_p70 - Lambda_5_5_p69 * Lambda_5_5_p86 - Lambda_5_5_p77 * Lambda_5_5_p92;
-  const Real Lambda_5_5_p100 = Lambda_5_5_p43 * Lambda_5_5_p94 -
-      (Lambda_5_5_p34 * Lambda_5_5_p84 + Lambda_5_5_p89);
+  const Real Lambda_5_5_p151 = Lambda_5_5_p136 + (Lambda_5_5_p92 *
+      (Lambda_5_5_p132 + Lambda_5_5_p141) + Lambda_5_5_p93 * (Lambda_5_5_p133 + Lambda_5_5_p142));
+  const Real Lambda_5_5_p152 = Lambda_5_5_p121 * Lambda_5_5_p108 + Lambda_5_5_p99 *
+      Lambda_5_5_p142 + Lambda_5_5_p93 * Lambda_5_5_p124 + (Lambda_5_5_p125 - Lambda_5_5_p145) *
+      Lambda_5_5_p92;
 
-  // link 4 (link4), pose
-  const Real Lambda_5_5_p101 = 0.0203 * Lambda_5_5_p62 - 0.4331 * Lambda_5_5_p67;
+  // link 1 (link1), turn
+  const Real Lambda_5_5_p153 = -(c1 * Lambda_5_5_p142 + s1 * Lambda_5_5_p144);
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p102 = Lambda_5_5_p87 * Lambda_5_5_p50;
-  const Real Lambda_5_5_p103 = Lambda_5_5_p100 * Lambda_5_5_p50;
-  const Real Lambda_5_5_p104 = 1.0 / (Lambda_5_5_p96 - Lambda_5_5_p77 * Lambda_5_5_p71 -
-      Lambda_5_5_p95 * Lambda_5_5_p82);
-  const Real Lambda_5_5_p105 = Lambda_5_5_p98 * Lambda_5_5_p80;
-  const Real Lambda_5_5_p106 = Lambda_5_5_p64 * Lambda_5_5_p66 - Lambda_5_5_p65 * c4 +
-      Lambda_5_5_p69 * Lambda_5_5_p72 - Lambda_5_5_p77 * Lambda_5_5_p87 - Lambda_5_5_p95 *
+  const Real Lambda_5_5_p154 = Lambda_5_5_p140 - (Lambda_5_5_p131 * Lambda_5_5_p93 +
+      Lambda_5_5_p126 * Lambda_5_5_p99);
+  const Real Lambda_5_5_p155 = Lambda_5_5_p121 * Lambda_5_5_p38 -
+      (Lambda_5_5_p92 * (Lambda_5_5_p123 + Lambda_5_5_p143) - Lambda_5_5_p99 *
+      (Lambda_5_5_p124 + Lambda_5_5_p144));
+  const Real Lambda_5_5_p156 = Lambda_5_5_p149 + (Lambda_5_5_p138 - Lambda_5_5_p145) *
       Lambda_5_5_p93;
-  const Real Lambda_5_5_p107 = Lambda_5_5_p99 - Lambda_5_5_p95 * Lambda_5_5_p98;
-  const Real Lambda_5_5_p108 = Lambda_5_5_p93 * Lambda_5_5_p80;
-  const Real Lambda_5_5_p109 = Lambda_5_5_p53 * Lambda_5_5_p94 -
-      (Lambda_5_5_p47 * Lambda_5_5_p84 + Lambda_5_5_p89) - Lambda_5_5_p63 * Lambda_5_5_p100;
-  const Real Lambda_5_5_p110 = Lambda_5_5_p109 * Lambda_5_5_p80;
-  const Real Lambda_5_5_p111 = 24999.999999999996 * Lambda_5_5_p88 * Lambda_5_5_p88 +
-      1557.24430048586 * Lambda_5_5_p84 * Lambda_5_5_p84 + Lambda_5_5_p94 * Lambda_5_5_p22 *
-      Lambda_5_5_p94;
-  const Real Lambda_5_5_p112 = (1.0 - Lambda_5_5_p63) * Lambda_5_5_p101 - 0.4318 * s2;
-  const Real Lambda_5_5_p113 = Lambda_5_5_p64 * Lambda_5_5_p88 - Lambda_5_5_p65 * Lambda_5_5_p84 -
-      Lambda_5_5_p69 * Lambda_5_5_p94 - Lambda_5_5_p77 * Lambda_5_5_p100 - Lambda_5_5_p95 *
-      Lambda_5_5_p109;
-  const Real Lambda_5_5_p114 = Lambda_5_5_p83 * Lambda_5_5_p76 + Lambda_5_5_p79 * Lambda_5_5_p70 +
-      Lambda_5_5_p90 * Lambda_5_5_p86 + Lambda_5_5_p97 * Lambda_5_5_p92 + Lambda_5_5_p105 *
-      Lambda_5_5_p98;
-  const Real Lambda_5_5_p115 = Lambda_5_5_p79 * c4 - Lambda_5_5_p83 * Lambda_5_5_p66 -
-      Lambda_5_5_p90 * Lambda_5_5_p72 + Lambda_5_5_p97 * Lambda_5_5_p87 + Lambda_5_5_p105 *
-      Lambda_5_5_p93;
-  const Real Lambda_5_5_p116 = Lambda_5_5_p73 * Lambda_5_5_p66 + Lambda_5_5_p85 * c4 +
-      Lambda_5_5_p91 * Lambda_5_5_p72 + Lambda_5_5_p102 * Lambda_5_5_p87 + Lambda_5_5_p108 *
-      Lambda_5_5_p93;
-  const Real Lambda_5_5_p117 = Lambda_5_5_p90 * Lambda_5_5_p94 -
-      (Lambda_5_5_p83 * Lambda_5_5_p88 - Lambda_5_5_p79 * Lambda_5_5_p84) + Lambda_5_5_p97 *
-      Lambda_5_5_p100 + Lambda_5_5_p105 * Lambda_5_5_p109;
-  const Real Lambda_5_5_p118 = 0.05625 * Lambda_5_5_p66;
-  const Real Lambda_5_5_p119 = 0.05625 * Lambda_5_5_p76;
-  const Real Lambda_5_5_p120 = 0.05625 * Lambda_5_5_p88;
-  const Real Lambda_5_5_p121 = Lambda_5_5_p107 * Lambda_5_5_p104;
-  const Real Lambda_5_5_p122 = Lambda_5_5_p106 * Lambda_5_5_p104;
-  const Real Lambda_5_5_p123 = Lambda_5_5_p113 * Lambda_5_5_p104;
-  const Real Lambda_5_5_p124 = 0.1501 + Lambda_5_5_p77 * Lambda_5_5_p101 + Lambda_5_5_p95 *
-      Lambda_5_5_p112;
-
-  // link 4 (link4), pose
-  const Real Lambda_5_5_p125 = 0.4331 * Lambda_5_5_p62 + 0.0203 * Lambda_5_5_p67;
-
-  // link 3 (link3), Jacobian
-  const Real Lambda_5_5_p126 = Lambda_5_5_p125 + 0.4318 * c2;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p127 = Lambda_5_5_p73 * Lambda_5_5_p88 + Lambda_5_5_p85 * Lambda_5_5_p84 -
-      Lambda_5_5_p91 * Lambda_5_5_p94 + Lambda_5_5_p102 * Lambda_5_5_p100 + Lambda_5_5_p108 *
-      Lambda_5_5_p109;
-  const Real Lambda_5_5_p128 = Lambda_5_5_p114 + Lambda_5_5_p121 * Lambda_5_5_p107;
-  const Real Lambda_5_5_p129 = Lambda_5_5_p115 + Lambda_5_5_p121 * Lambda_5_5_p106;
-  const Real Lambda_5_5_p130 = Lambda_5_5_p116 + Lambda_5_5_p122 * Lambda_5_5_p106;
-  const Real Lambda_5_5_p131 = Lambda_5_5_p111 + Lambda_5_5_p103 * Lambda_5_5_p100 +
-      Lambda_5_5_p110 * Lambda_5_5_p109 + Lambda_5_5_p123 * Lambda_5_5_p113;
-  const Real Lambda_5_5_p132 = Lambda_5_5_p117 + Lambda_5_5_p121 * Lambda_5_5_p113;
-  const Real Lambda_5_5_p133 = Lambda_5_5_p123 * Lambda_5_5_p126;
-  const Real Lambda_5_5_p134 = Lambda_5_5_p121 * Lambda_5_5_p126;
-  const Real Lambda_5_5_p135 = Lambda_5_5_p127 + Lambda_5_5_p122 * Lambda_5_5_p113;
-  const Real Lambda_5_5_p136 = Lambda_5_5_p97 * Lambda_5_5_p101 + Lambda_5_5_p105 *
-      Lambda_5_5_p112 - Lambda_5_5_p121 * Lambda_5_5_p124;
-  const Real Lambda_5_5_p137 = Lambda_5_5_p102 * Lambda_5_5_p101 + Lambda_5_5_p108 *
-      Lambda_5_5_p112 - Lambda_5_5_p122 * Lambda_5_5_p124;
-  const Real Lambda_5_5_p138 = Lambda_5_5_p126 * Lambda_5_5_p104;
-  const Real Lambda_5_5_p139 = Lambda_5_5_p132 * Lambda_5_5_p118;
-  const Real Lambda_5_5_p140 = Lambda_5_5_p135 * Lambda_5_5_p119;
-  const Real Lambda_5_5_p141 = Lambda_5_5_p122 * Lambda_5_5_p126;
+  const Real Lambda_5_5_p157 = Lambda_5_5_p121 * Lambda_5_5_p117 - Lambda_5_5_p93 *
+      Lambda_5_5_p123 - Lambda_5_5_p92 * Lambda_5_5_p148 + (Lambda_5_5_p147 - Lambda_5_5_p125) *
+      Lambda_5_5_p99;
 
   // link 1 (link1), turn
-  const Real Lambda_5_5_p142 = 2.0 * c1;
+  const Real Lambda_5_5_p158 = c1 * Lambda_5_5_p150;
+  const Real Lambda_5_5_p159 = s1 * Lambda_5_5_p150;
+  const Real Lambda_5_5_p160 = Lambda_5_5_p158 + Lambda_5_5_p143;
+  const Real Lambda_5_5_p161 = Lambda_5_5_p145 - Lambda_5_5_p159;
+  const Real Lambda_5_5_p162 = s1 * (Lambda_5_5_p151 - Lambda_5_5_p155) - Lambda_5_5_p112 *
+      Lambda_5_5_p152;
+  const Real Lambda_5_5_p163 = -(c1 * Lambda_5_5_p156 + s1 * Lambda_5_5_p157);
+  const Real Lambda_5_5_p164 = s1 * (Lambda_5_5_p129 - Lambda_5_5_p126) - Lambda_5_5_p112 *
+      Lambda_5_5_p131;
+  const Real Lambda_5_5_p165 = s1 * Lambda_5_5_p162;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p143 = Lambda_5_5_p125 * Lambda_5_5_p50;
-  const Real Lambda_5_5_p144 = Lambda_5_5_p136 - (Lambda_5_5_p128 * Lambda_5_5_p118 +
-      Lambda_5_5_p129 * Lambda_5_5_p119);
-  const Real Lambda_5_5_p145 = Lambda_5_5_p137 - (Lambda_5_5_p129 * Lambda_5_5_p118 +
-      Lambda_5_5_p130 * Lambda_5_5_p119);
-  const Real Lambda_5_5_p146 = Lambda_5_5_p63 * Lambda_5_5_p125 - Lambda_5_5_p126;
-  const Real Lambda_5_5_p147 = Lambda_5_5_p129 * Lambda_5_5_p120;
-  const Real Lambda_5_5_p148 = Lambda_5_5_p133 + (Lambda_5_5_p131 * Lambda_5_5_p119 +
-      Lambda_5_5_p132 * Lambda_5_5_p120);
-  const Real Lambda_5_5_p149 = Lambda_5_5_p134 + (Lambda_5_5_p132 * Lambda_5_5_p119 +
-      Lambda_5_5_p128 * Lambda_5_5_p120);
-  const Real Lambda_5_5_p150 = Lambda_5_5_p103 * Lambda_5_5_p101 + Lambda_5_5_p110 *
-      Lambda_5_5_p112 - Lambda_5_5_p123 * Lambda_5_5_p124 - (Lambda_5_5_p139 + Lambda_5_5_p140);
-  const Real Lambda_5_5_p151 = Lambda_5_5_p101 * Lambda_5_5_p50 * Lambda_5_5_p101 +
-      Lambda_5_5_p112 * Lambda_5_5_p80 * Lambda_5_5_p112 + Lambda_5_5_p124 * Lambda_5_5_p104 *
-      Lambda_5_5_p124;
-  const Real Lambda_5_5_p152 = Lambda_5_5_p146 * Lambda_5_5_p80;
-  const Real Lambda_5_5_p153 = Lambda_5_5_p77 * Lambda_5_5_p125 - Lambda_5_5_p95 * Lambda_5_5_p146;
-  const Real Lambda_5_5_p154 = Lambda_5_5_p141 + (Lambda_5_5_p140 + Lambda_5_5_p147);
-  const Real Lambda_5_5_p155 = Lambda_5_5_p153 * Lambda_5_5_p104;
-  const Real Lambda_5_5_p156 = Lambda_5_5_p138 * Lambda_5_5_p124 + Lambda_5_5_p118 *
-      Lambda_5_5_p134 - Lambda_5_5_p120 * Lambda_5_5_p144 + (Lambda_5_5_p141 - Lambda_5_5_p150) *
-      Lambda_5_5_p119;
-  const Real Lambda_5_5_p157 = Lambda_5_5_p151 - (Lambda_5_5_p118 *
-      (Lambda_5_5_p136 + Lambda_5_5_p144) + Lambda_5_5_p119 * (Lambda_5_5_p137 + Lambda_5_5_p145));
-  const Real Lambda_5_5_p158 = Lambda_5_5_p138 * Lambda_5_5_p126 +
-      (Lambda_5_5_p119 * (Lambda_5_5_p133 + Lambda_5_5_p148) + Lambda_5_5_p120 *
-      (Lambda_5_5_p134 + Lambda_5_5_p149));
-  const Real Lambda_5_5_p159 = Lambda_5_5_p108 * Lambda_5_5_p146 - Lambda_5_5_p102 *
-      Lambda_5_5_p125 + Lambda_5_5_p122 * Lambda_5_5_p153;
-  const Real Lambda_5_5_p160 = Lambda_5_5_p105 * Lambda_5_5_p146 - Lambda_5_5_p97 *
-      Lambda_5_5_p125 + Lambda_5_5_p121 * Lambda_5_5_p153;
-  const Real Lambda_5_5_p161 = Lambda_5_5_p110 * Lambda_5_5_p146 - Lambda_5_5_p103 *
-      Lambda_5_5_p125 + Lambda_5_5_p123 * Lambda_5_5_p153;
+  const Real Lambda_5_5_p166 = Lambda_5_5_p113 * Lambda_5_5_p22 + Lambda_5_5_p116 *
+      Lambda_5_5_p115 + Lambda_5_5_p122 * Lambda_5_5_p117 -
+      (Lambda_5_5_p93 * (Lambda_5_5_p139 + Lambda_5_5_p148) + Lambda_5_5_p99 *
+      (Lambda_5_5_p140 + Lambda_5_5_p154));
 
   // link 1 (link1), turn
-  const Real Lambda_5_5_p162 = c1 * Lambda_5_5_p144 - s1 * Lambda_5_5_p149;
-  const Real Lambda_5_5_p163 = s1 * (Lambda_5_5_p150 - Lambda_5_5_p154) + c1 *
-      (Lambda_5_5_p148 + Lambda_5_5_p145);
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p164 = Lambda_5_5_p161 - (Lambda_5_5_p135 * Lambda_5_5_p120 -
-      Lambda_5_5_p131 * Lambda_5_5_p118);
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p165 = c1 * Lambda_5_5_p163;
-  const Real Lambda_5_5_p166 = s1 * Lambda_5_5_p163;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p167 = Lambda_5_5_p159 - (Lambda_5_5_p130 * Lambda_5_5_p120 -
-      Lambda_5_5_p135 * Lambda_5_5_p118);
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p168 = s1 * (Lambda_5_5_p157 - Lambda_5_5_p158) - Lambda_5_5_p142 *
-      Lambda_5_5_p156;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p169 = Lambda_5_5_p152 * Lambda_5_5_p112 - Lambda_5_5_p143 *
-      Lambda_5_5_p101 - Lambda_5_5_p155 * Lambda_5_5_p124 - Lambda_5_5_p119 * Lambda_5_5_p159 -
-      Lambda_5_5_p120 * Lambda_5_5_p145;
-  const Real Lambda_5_5_p170 = Lambda_5_5_p155 * Lambda_5_5_p126 + Lambda_5_5_p118 *
-      Lambda_5_5_p148 + Lambda_5_5_p119 * Lambda_5_5_p161 + (Lambda_5_5_p160 - Lambda_5_5_p154) *
-      Lambda_5_5_p120;
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p171 = Lambda_5_5_p165 - Lambda_5_5_p148;
-  const Real Lambda_5_5_p172 = Lambda_5_5_p150 - Lambda_5_5_p166;
-  const Real Lambda_5_5_p173 = s1 * Lambda_5_5_p168;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p174 = Lambda_5_5_p169 + (Lambda_5_5_p150 - Lambda_5_5_p160) *
-      Lambda_5_5_p118;
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p175 = s1 * (Lambda_5_5_p131 - Lambda_5_5_p130) + Lambda_5_5_p142 *
-      Lambda_5_5_p135;
-  const Real Lambda_5_5_p176 = c1 * Lambda_5_5_p168 + Lambda_5_5_p156;
-  const Real Lambda_5_5_p177 = s1 * Lambda_5_5_p175;
-  const Real Lambda_5_5_p178 = 1.0 / (Lambda_5_5_p157 - Lambda_5_5_p173);
-  const Real Lambda_5_5_p179 = c1 * Lambda_5_5_p174 - s1 * Lambda_5_5_p170;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p180 = Lambda_5_5_p143 * Lambda_5_5_p125 + Lambda_5_5_p152 *
-      Lambda_5_5_p146 + Lambda_5_5_p155 * Lambda_5_5_p153 -
-      (Lambda_5_5_p120 * (Lambda_5_5_p159 + Lambda_5_5_p167) - Lambda_5_5_p118 *
-      (Lambda_5_5_p161 + Lambda_5_5_p164));
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p181 = Lambda_5_5_p162 * Lambda_5_5_p178;
-  const Real Lambda_5_5_p182 = Lambda_5_5_p171 * Lambda_5_5_p178;
-  const Real Lambda_5_5_p183 = Lambda_5_5_p172 * Lambda_5_5_p178;
-  const Real Lambda_5_5_p184 = Lambda_5_5_p179 * Lambda_5_5_p178;
-  const Real Lambda_5_5_p185 = Lambda_5_5_p176 * Lambda_5_5_p178;
-  const Lanes<8> Lambda_5_5_p205_lanes = detail::make_pack<Real>(Lambda_5_5_p158 + Lambda_5_5_p173,
-      Lambda_5_5_p158 + Lambda_5_5_p173, s1 * Lambda_5_5_p174 + c1 * Lambda_5_5_p170,
-      Lambda_5_5_p165 - Lambda_5_5_p145, Lambda_5_5_p154 + Lambda_5_5_p166, s1 * Lambda_5_5_p144 +
-      c1 * Lambda_5_5_p149, Lambda_5_5_p158 + Lambda_5_5_p173, Lambda_5_5_p158 + Lambda_5_5_p173) -
-      detail::make_pack<Real>(Lambda_5_5_p185, Lambda_5_5_p185, Lambda_5_5_p184, Lambda_5_5_p183,
-      Lambda_5_5_p182, Lambda_5_5_p181, Lambda_5_5_p185, Lambda_5_5_p185) * Lambda_5_5_p176;
-  const Real Lambda_5_5_p210 = 1.0 / Lambda_5_5_p205_lanes[1];
-  const Lanes<8> Lambda_5_5_p211_lanes = Lambda_5_5_p205_lanes * Lambda_5_5_p210;
-  const Real Lambda_0_0_p1 = Lambda_5_5_p185 * Lambda_5_5_p210;
-  const Lanes<8> Lambda_5_5_p222_lanes = detail::make_pack<Real>(Lambda_5_5_p180, Lambda_5_5_p180,
-      Lambda_5_5_p180, c1 * Lambda_5_5_p164 - s1 * Lambda_5_5_p167, s1 * Lambda_5_5_p164 + c1 *
-      Lambda_5_5_p167, Lambda_5_5_p160 - (Lambda_5_5_p147 - Lambda_5_5_p139), Lambda_5_5_p180,
-      Lambda_5_5_p180) - detail::make_pack<Real>(Lambda_5_5_p184, Lambda_5_5_p184, Lambda_5_5_p184,
-      Lambda_5_5_p183, Lambda_5_5_p182, Lambda_5_5_p181, Lambda_5_5_p184, Lambda_5_5_p184) *
-      Lambda_5_5_p179 - Lambda_5_5_p211_lanes * Lambda_5_5_p205_lanes[2];
-  const Real Lambda_0_0_p2 = Lambda_5_5_p211_lanes[2] * Lambda_5_5_p185 - Lambda_5_5_p184;
-  const Real Lambda_5_5_p229 = 1.0 / Lambda_5_5_p222_lanes[2];
-  const Lanes<8> Lambda_5_5_p230_lanes = Lambda_5_5_p222_lanes * Lambda_5_5_p229;
-  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p229;
-  const Real Lambda_0_1_p1 = Lambda_5_5_p211_lanes[2] * Lambda_5_5_p229;
-  const Lanes<8> Lambda_5_5_p236_lanes = detail::make_pack<Real>(Lambda_5_5_p131 - Lambda_5_5_p177,
-      Lambda_5_5_p131 - Lambda_5_5_p177, Lambda_5_5_p131 - Lambda_5_5_p177, Lambda_5_5_p131 -
-      Lambda_5_5_p177, c1 * Lambda_5_5_p175 - Lambda_5_5_p135, c1 * Lambda_5_5_p132 - s1 *
-      Lambda_5_5_p129, Lambda_5_5_p131 - Lambda_5_5_p177, Lambda_5_5_p131 - Lambda_5_5_p177) -
-      detail::make_pack<Real>(Lambda_5_5_p183, Lambda_5_5_p183, Lambda_5_5_p183, Lambda_5_5_p183,
-      Lambda_5_5_p182, Lambda_5_5_p181, Lambda_5_5_p183, Lambda_5_5_p183) * Lambda_5_5_p172 -
-      Lambda_5_5_p211_lanes * Lambda_5_5_p205_lanes[3] - Lambda_5_5_p230_lanes *
-      Lambda_5_5_p222_lanes[3];
-  const Real Lambda_5_5_p239 = s1 * Lambda_5_5_p132 + c1 * Lambda_5_5_p129 - Lambda_5_5_p181 *
-      Lambda_5_5_p171 - Lambda_5_5_p211_lanes[5] * Lambda_5_5_p205_lanes[4] -
-      Lambda_5_5_p230_lanes[5] * Lambda_5_5_p222_lanes[4];
-  const Real Lambda_0_0_p4 = Lambda_5_5_p211_lanes[3] * Lambda_5_5_p185 - Lambda_5_5_p183 -
-      Lambda_5_5_p230_lanes[3] * Lambda_0_0_p2;
-  const Real Lambda_0_1_p2 = Lambda_5_5_p230_lanes[3] * Lambda_5_5_p211_lanes[2] -
-      Lambda_5_5_p211_lanes[3];
-  const Real Lambda_5_5_p240 = 1.0 / Lambda_5_5_p236_lanes[3];
-  const Real Lambda_5_5_p241 = Lambda_5_5_p236_lanes[4] * Lambda_5_5_p240;
-  const Real Lambda_5_5_p242 = Lambda_5_5_p236_lanes[5] * Lambda_5_5_p240;
-  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p240;
-  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p240;
-  const Real Lambda_0_2_p1 = Lambda_5_5_p230_lanes[3] * Lambda_5_5_p240;
-  const Real Lambda_5_5_p243 = Lambda_5_5_p130 + Lambda_5_5_p177 - Lambda_5_5_p182 *
-      Lambda_5_5_p171 - Lambda_5_5_p211_lanes[4] * Lambda_5_5_p205_lanes[4] -
-      Lambda_5_5_p230_lanes[4] * Lambda_5_5_p222_lanes[4] - Lambda_5_5_p241 *
-      Lambda_5_5_p236_lanes[4];
-  const Real Lambda_5_5_p244 = Lambda_5_5_p239 - Lambda_5_5_p242 * Lambda_5_5_p236_lanes[4];
-  const Real Lambda_5_5_p245 = Lambda_5_5_p128 - Lambda_5_5_p181 * Lambda_5_5_p162 -
-      Lambda_5_5_p211_lanes[5] * Lambda_5_5_p205_lanes[5] - Lambda_5_5_p230_lanes[5] *
-      Lambda_5_5_p222_lanes[5] - Lambda_5_5_p242 * Lambda_5_5_p236_lanes[5];
-  const Real Lambda_0_0_p6 = Lambda_5_5_p211_lanes[4] * Lambda_5_5_p185 - Lambda_5_5_p182 -
-      Lambda_5_5_p230_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p241 * Lambda_0_0_p4;
-  const Real Lambda_0_1_p4 = Lambda_5_5_p230_lanes[4] * Lambda_5_5_p211_lanes[2] -
-      Lambda_5_5_p211_lanes[4] - Lambda_5_5_p241 * Lambda_0_1_p2;
-  const Real Lambda_0_2_p2 = Lambda_5_5_p241 * Lambda_5_5_p230_lanes[3] - Lambda_5_5_p230_lanes[4];
-  const Real Lambda_5_5_p246 = 1.0 / Lambda_5_5_p243;
-  const Real Lambda_5_5_p247 = Lambda_5_5_p244 * Lambda_5_5_p246;
-  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p246;
-  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p246;
-  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p246;
-  const Real Lambda_0_3_p1 = Lambda_5_5_p241 * Lambda_5_5_p246;
-  const Real Lambda_0_5_p1 = Lambda_5_5_p211_lanes[5] * Lambda_5_5_p185 - Lambda_5_5_p181 -
-      Lambda_5_5_p230_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p242 * Lambda_0_0_p4 - Lambda_5_5_p247 *
+  const Real Lambda_5_5_p167 = s1 * Lambda_5_5_p164;
+  const Real Lambda_5_5_p168 = c1 * Lambda_5_5_p162 + Lambda_5_5_p152;
+  const Real Lambda_5_5_p169 = 1.0 / (Lambda_5_5_p151 - Lambda_5_5_p165);
+  const Real Lambda_5_5_p170 = Lambda_5_5_p153 * Lambda_5_5_p169;
+  const Real Lambda_5_5_p171 = Lambda_5_5_p160 * Lambda_5_5_p169;
+  const Real Lambda_5_5_p172 = Lambda_5_5_p161 * Lambda_5_5_p169;
+  const Real Lambda_5_5_p173 = Lambda_5_5_p163 * Lambda_5_5_p169;
+  const Real Lambda_5_5_p174 = Lambda_5_5_p168 * Lambda_5_5_p169;
+  const Lanes<8> Lambda_5_5_p194_lanes = detail::make_pack<Real>(Lambda_5_5_p155 + Lambda_5_5_p165,
+      Lambda_5_5_p155 + Lambda_5_5_p165, c1 * Lambda_5_5_p157 - s1 * Lambda_5_5_p156,
+      Lambda_5_5_p158 + Lambda_5_5_p141, Lambda_5_5_p146 + Lambda_5_5_p159, c1 * Lambda_5_5_p144 -
+      s1 * Lambda_5_5_p142, Lambda_5_5_p155 + Lambda_5_5_p165, Lambda_5_5_p155 + Lambda_5_5_p165) -
+      detail::make_pack<Real>(Lambda_5_5_p174, Lambda_5_5_p174, Lambda_5_5_p173, Lambda_5_5_p172,
+      Lambda_5_5_p171, Lambda_5_5_p170, Lambda_5_5_p174, Lambda_5_5_p174) * Lambda_5_5_p168;
+  const Real Lambda_5_5_p199 = 1.0 / Lambda_5_5_p194_lanes[1];
+  const Lanes<8> Lambda_5_5_p200_lanes = Lambda_5_5_p194_lanes * Lambda_5_5_p199;
+  const Real Lambda_0_0_p1 = Lambda_5_5_p174 * Lambda_5_5_p199;
+  const Lanes<8> Lambda_5_5_p211_lanes = detail::make_pack<Real>(Lambda_5_5_p166, Lambda_5_5_p166,
+      Lambda_5_5_p166, -(c1 * Lambda_5_5_p148 + s1 * Lambda_5_5_p154), c1 * Lambda_5_5_p154 - s1 *
+      Lambda_5_5_p148, Lambda_5_5_p147, Lambda_5_5_p166, Lambda_5_5_p166) -
+      detail::make_pack<Real>(Lambda_5_5_p173, Lambda_5_5_p173, Lambda_5_5_p173, Lambda_5_5_p172,
+      Lambda_5_5_p171, Lambda_5_5_p170, Lambda_5_5_p173, Lambda_5_5_p173) * Lambda_5_5_p163 -
+      Lambda_5_5_p200_lanes * Lambda_5_5_p194_lanes[2];
+  const Real Lambda_0_0_p2 = Lambda_5_5_p200_lanes[2] * Lambda_5_5_p174 - Lambda_5_5_p173;
+  const Real Lambda_5_5_p218 = 1.0 / Lambda_5_5_p211_lanes[2];
+  const Lanes<8> Lambda_5_5_p219_lanes = Lambda_5_5_p211_lanes * Lambda_5_5_p218;
+  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p218;
+  const Real Lambda_0_1_p1 = Lambda_5_5_p200_lanes[2] * Lambda_5_5_p218;
+  const Lanes<8> Lambda_5_5_p225_lanes = detail::make_pack<Real>(Lambda_5_5_p129 - Lambda_5_5_p167,
+      Lambda_5_5_p129 - Lambda_5_5_p167, Lambda_5_5_p129 - Lambda_5_5_p167, Lambda_5_5_p129 -
+      Lambda_5_5_p167, c1 * Lambda_5_5_p164 + Lambda_5_5_p131,
+      -(c1 * Lambda_5_5_p130 + s1 * Lambda_5_5_p127), Lambda_5_5_p129 - Lambda_5_5_p167,
+      Lambda_5_5_p129 - Lambda_5_5_p167) - detail::make_pack<Real>(Lambda_5_5_p172, Lambda_5_5_p172,
+      Lambda_5_5_p172, Lambda_5_5_p172, Lambda_5_5_p171, Lambda_5_5_p170, Lambda_5_5_p172,
+      Lambda_5_5_p172) * Lambda_5_5_p161 - Lambda_5_5_p200_lanes * Lambda_5_5_p194_lanes[3] -
+      Lambda_5_5_p219_lanes * Lambda_5_5_p211_lanes[3];
+  const Real Lambda_5_5_p228 = c1 * Lambda_5_5_p127 - s1 * Lambda_5_5_p130 - Lambda_5_5_p170 *
+      Lambda_5_5_p160 - Lambda_5_5_p200_lanes[5] * Lambda_5_5_p194_lanes[4] -
+      Lambda_5_5_p219_lanes[5] * Lambda_5_5_p211_lanes[4];
+  const Real Lambda_0_0_p4 = Lambda_5_5_p200_lanes[3] * Lambda_5_5_p174 - Lambda_5_5_p172 -
+      Lambda_5_5_p219_lanes[3] * Lambda_0_0_p2;
+  const Real Lambda_0_1_p2 = Lambda_5_5_p219_lanes[3] * Lambda_5_5_p200_lanes[2] -
+      Lambda_5_5_p200_lanes[3];
+  const Real Lambda_5_5_p229 = 1.0 / Lambda_5_5_p225_lanes[3];
+  const Real Lambda_5_5_p230 = Lambda_5_5_p225_lanes[4] * Lambda_5_5_p229;
+  const Real Lambda_5_5_p231 = Lambda_5_5_p225_lanes[5] * Lambda_5_5_p229;
+  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p229;
+  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p229;
+  const Real Lambda_0_2_p1 = Lambda_5_5_p219_lanes[3] * Lambda_5_5_p229;
+  const Real Lambda_5_5_p232 = Lambda_5_5_p126 + Lambda_5_5_p167 - Lambda_5_5_p171 *
+      Lambda_5_5_p160 - Lambda_5_5_p200_lanes[4] * Lambda_5_5_p194_lanes[4] -
+      Lambda_5_5_p219_lanes[4] * Lambda_5_5_p211_lanes[4] - Lambda_5_5_p230 *
+      Lambda_5_5_p225_lanes[4];
+  const Real Lambda_5_5_p233 = Lambda_5_5_p228 - Lambda_5_5_p231 * Lambda_5_5_p225_lanes[4];
+  const Real Lambda_5_5_p234 = Lambda_5_5_p128 - Lambda_5_5_p170 * Lambda_5_5_p153 -
+      Lambda_5_5_p200_lanes[5] * Lambda_5_5_p194_lanes[5] - Lambda_5_5_p219_lanes[5] *
+      Lambda_5_5_p211_lanes[5] - Lambda_5_5_p231 * Lambda_5_5_p225_lanes[5];
+  const Real Lambda_0_0_p6 = Lambda_5_5_p200_lanes[4] * Lambda_5_5_p174 - Lambda_5_5_p171 -
+      Lambda_5_5_p219_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p230 * Lambda_0_0_p4;
+  const Real Lambda_0_1_p4 = Lambda_5_5_p219_lanes[4] * Lambda_5_5_p200_lanes[2] -
+      Lambda_5_5_p200_lanes[4] - Lambda_5_5_p230 * Lambda_0_1_p2;
+  const Real Lambda_0_2_p2 = Lambda_5_5_p230 * Lambda_5_5_p219_lanes[3] - Lambda_5_5_p219_lanes[4];
+  const Real Lambda_5_5_p235 = 1.0 / Lambda_5_5_p232;
+  const Real Lambda_5_5_p236 = Lambda_5_5_p233 * Lambda_5_5_p235;
+  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p235;
+  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p235;
+  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p235;
+  const Real Lambda_0_3_p1 = Lambda_5_5_p230 * Lambda_5_5_p235;
+  const Real Lambda_0_5_p1 = Lambda_5_5_p200_lanes[5] * Lambda_5_5_p174 - Lambda_5_5_p170 -
+      Lambda_5_5_p219_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p231 * Lambda_0_0_p4 - Lambda_5_5_p236 *
       Lambda_0_0_p6;
-  const Real Lambda_1_5_p1 = Lambda_5_5_p230_lanes[5] * Lambda_5_5_p211_lanes[2] -
-      Lambda_5_5_p211_lanes[5] - Lambda_5_5_p242 * Lambda_0_1_p2 - Lambda_5_5_p247 * Lambda_0_1_p4;
-  const Real Lambda_2_5_p1 = Lambda_5_5_p242 * Lambda_5_5_p230_lanes[3] - Lambda_5_5_p230_lanes[5] -
-      Lambda_5_5_p247 * Lambda_0_2_p2;
-  const Real Lambda_3_5_p1 = Lambda_5_5_p247 * Lambda_5_5_p241 - Lambda_5_5_p242;
-  const Real Lambda_0_0_p8 = Lambda_5_5_p178 + Lambda_0_0_p1 * Lambda_5_5_p185 + Lambda_0_0_p3 *
+  const Real Lambda_1_5_p1 = Lambda_5_5_p219_lanes[5] * Lambda_5_5_p200_lanes[2] -
+      Lambda_5_5_p200_lanes[5] - Lambda_5_5_p231 * Lambda_0_1_p2 - Lambda_5_5_p236 * Lambda_0_1_p4;
+  const Real Lambda_2_5_p1 = Lambda_5_5_p231 * Lambda_5_5_p219_lanes[3] - Lambda_5_5_p219_lanes[5] -
+      Lambda_5_5_p236 * Lambda_0_2_p2;
+  const Real Lambda_3_5_p1 = Lambda_5_5_p236 * Lambda_5_5_p230 - Lambda_5_5_p231;
+  const Real Lambda_0_0_p8 = Lambda_5_5_p169 + Lambda_0_0_p1 * Lambda_5_5_p174 + Lambda_0_0_p3 *
       Lambda_0_0_p2 + Lambda_0_0_p5 * Lambda_0_0_p4 + Lambda_0_0_p7 * Lambda_0_0_p6;
-  const Real Lambda_5_5 = 1.0 / (Lambda_5_5_p245 - Lambda_5_5_p247 * Lambda_5_5_p244);
+  const Real Lambda_5_5 = 1.0 / (Lambda_5_5_p234 - Lambda_5_5_p236 * Lambda_5_5_p233);
   Lambda[35] = Lambda_5_5;
   const Real Lambda_0_5 = Lambda_0_5_p1 * Lambda_5_5;
   Lambda[5] = Lambda_0_5;
@@ -547,7 +458,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_3_5 = Lambda_3_5_p1 * Lambda_5_5;
   Lambda[23] = Lambda_3_5;
   Lambda[33] = Lambda_3_5;
-  const Real Lambda_4_5 = Lambda_5_5_p247 * Lambda_5_5;
+  const Real Lambda_4_5 = Lambda_5_5_p236 * Lambda_5_5;
   Lambda[29] = -Lambda_4_5;
   Lambda[34] = -Lambda_4_5;
   Lambda[0] = Lambda_0_0_p8 + Lambda_0_5 * Lambda_0_5_p1;
@@ -567,7 +478,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_4 = Lambda_0_0_p7 - Lambda_4_5 * Lambda_0_5_p1;
   Lambda[4] = Lambda_0_4;
   Lambda[24] = Lambda_0_4;
-  Lambda[7] = Lambda_5_5_p210 + Lambda_0_1_p1 * Lambda_5_5_p211_lanes[2] + Lambda_0_1_p3 *
+  Lambda[7] = Lambda_5_5_p199 + Lambda_0_1_p1 * Lambda_5_5_p200_lanes[2] + Lambda_0_1_p3 *
       Lambda_0_1_p2 + Lambda_0_1_p5 * Lambda_0_1_p4 + Lambda_1_5 * Lambda_1_5_p1;
   const Real Lambda_1_2 = Lambda_0_2_p3 * Lambda_0_1_p4 -
       (Lambda_0_1_p1 + Lambda_0_2_p1 * Lambda_0_1_p2) + Lambda_2_5 * Lambda_1_5_p1;
@@ -580,7 +491,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_1_4 = Lambda_0_1_p5 - Lambda_4_5 * Lambda_1_5_p1;
   Lambda[10] = Lambda_1_4;
   Lambda[25] = Lambda_1_4;
-  Lambda[14] = Lambda_5_5_p229 + Lambda_0_2_p1 * Lambda_5_5_p230_lanes[3] + Lambda_0_2_p3 *
+  Lambda[14] = Lambda_5_5_p218 + Lambda_0_2_p1 * Lambda_5_5_p219_lanes[3] + Lambda_0_2_p3 *
       Lambda_0_2_p2 + Lambda_2_5 * Lambda_2_5_p1;
   const Real Lambda_2_3 = Lambda_3_5 * Lambda_2_5_p1 -
       (Lambda_0_2_p1 + Lambda_0_3_p1 * Lambda_0_2_p2);
@@ -589,11 +500,11 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_2_4 = Lambda_0_2_p3 - Lambda_4_5 * Lambda_2_5_p1;
   Lambda[16] = Lambda_2_4;
   Lambda[26] = Lambda_2_4;
-  Lambda[21] = Lambda_5_5_p240 + Lambda_0_3_p1 * Lambda_5_5_p241 + Lambda_3_5 * Lambda_3_5_p1;
+  Lambda[21] = Lambda_5_5_p229 + Lambda_0_3_p1 * Lambda_5_5_p230 + Lambda_3_5 * Lambda_3_5_p1;
   const Real Lambda_3_4 = Lambda_0_3_p1 + Lambda_4_5 * Lambda_3_5_p1;
   Lambda[22] = -Lambda_3_4;
   Lambda[27] = -Lambda_3_4;
-  Lambda[28] = Lambda_5_5_p246 + Lambda_4_5 * Lambda_5_5_p247;
+  Lambda[28] = Lambda_5_5_p235 + Lambda_4_5 * Lambda_5_5_p236;
 }
 
 }  // namespace puma560

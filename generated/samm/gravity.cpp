@@ -1,6 +1,6 @@
 // gravity: g: the joint forces that hold the robot at rest
 // By recursive Newton-Euler, Chang table 4.1.
-// 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles
+// 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles
 // Generated; see samm.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -25,22 +25,20 @@ void gravity(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT g)[9
   Real sines[4];
   Real cosines[4];
   detail::sin_cos(angles, sines, cosines);
+  const Real s5 = sines[0];
+  const Real c6 = cosines[1];
   const Real c5 = cosines[0];
   const Real s6 = sines[1];
   const Real c7 = cosines[2];
   const Real c8 = cosines[3];
   const Real s7 = sines[2];
-  const Real c6 = cosines[1];
-  const Real s5 = sines[0];
   const Real s8 = sines[3];
-
-  // link 5 (link2), outward
-  const Real minus_a5_x = 9.81 * s5;
-  const Real minus_a5_y = 9.81 * c5;
+  const Real minus_a6_x_p1 = s5 * c6 + c5 * s6;
+  const Real a6_y_p1 = s5 * s6 - c5 * c6;
 
   // link 6 (link3), outward
-  const Real minus_a6_x = c6 * minus_a5_x + s6 * minus_a5_y;
-  const Real a6_y = s6 * minus_a5_x - c6 * minus_a5_y;
+  const Real minus_a6_x = 9.81 * minus_a6_x_p1;
+  const Real a6_y = 9.81 * a6_y_p1;
 
   // link 7 (link4), outward
   const Real minus_a7_x = c7 * minus_a6_x;
@@ -63,20 +61,16 @@ void gravity(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT g)[9
 
   // link 7 (link4), inward
   const Real minus_n6_x = c7 * minus_n7_x + s7 * n8_z;
-  const Real n6_z = c7 * n8_z - s7 * minus_n7_x - (0.025374999999999998 * a6_y + 0.861795 *
-      minus_a6_x);
+  const Real n6_z = c7 * n8_z - s7 * minus_n7_x - (0.24892875 * a6_y_p1 + 8.45420895 *
+      minus_a6_x_p1);
   g[5] = n6_z;
 
   // link 6 (link3), inward
-  const Real n5_z = 1.024164 * s5 - 37.2347379 * c5 + n6_z;
+  const Real n5_z = 9.81 * (0.10439999999999999 * s5 - 3.79559 * c5) + n6_z;
   g[4] = n5_z;
-  const Real minus_n5_y = s6 * minus_n6_x + c6 * n7_z;
-  const Real n5_x = s6 * n7_z - c6 * minus_n6_x;
-
-  // link 5 (link2), inward
-  const Real n4_z = c5 * minus_n5_y - s5 * n5_x;
-  g[2] = n4_z;
-  g[3] = n4_z;
+  const Real n5_y = minus_a6_x_p1 * minus_n6_x - a6_y_p1 * n7_z;
+  g[2] = n5_y;
+  g[3] = n5_y;
 }
 
 }  // namespace samm

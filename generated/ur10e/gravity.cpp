@@ -1,6 +1,6 @@
 // gravity: g: the joint forces that hold the robot at rest
 // By recursive Newton-Euler, Chang table 4.1.
-// 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles
+// 25 flops (add 8, mul 17, div 0), sine and cosine of 4 angles
 // Generated; see ur10e.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -25,53 +25,36 @@ void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6
   detail::sin_cos(angles, sines, cosines);
   const Real c2 = cosines[0];
   const Real c3 = cosines[1];
-  const Real c4 = cosines[2];
-  const Real c5 = cosines[3];
   const Real s2 = sines[0];
   const Real s3 = sines[1];
+  const Real c4 = cosines[2];
   const Real s4 = sines[2];
+  const Real c5 = cosines[3];
   const Real s5 = sines[3];
-
-  // link 2 (upper_arm), outward
-  const Real a2_x = 9.81 * s2;
-  const Real a2_y = 9.81 * c2;
-
-  // link 3 (forearm), outward
-  const Real a3_x = c3 * a2_x + s3 * a2_y;
-  const Real a3_y = c3 * a2_y - s3 * a2_x;
-
-  // link 4 (wrist_1), outward
-  const Real a4_x = c4 * a3_x + s4 * a3_y;
-  const Real a4_y = c4 * a3_y - s4 * a3_x;
-
-  // link 5 (wrist_2), outward
-  const Real a5_x = c5 * a4_x;
+  const Real minus_n5_x_p1 = c2 * c3 - s2 * s3;
+  const Real minus_n5_x_p2 = s2 * c3 + c2 * s3;
+  const Real minus_n5_x_p3 = minus_n5_x_p1 * c4 - minus_n5_x_p2 * s4;
+  const Real minus_n5_z_p1 = minus_n5_x_p2 * c4 + minus_n5_x_p1 * s4;
 
   // link 5 (wrist_2), inertial wrench
-  const Real minus_n5_x = 0.09132825 * a4_y;
-  const Real minus_n5_z = 0.09132825 * a5_x;
+  const Real minus_n5_x = 0.8959301325000001 * minus_n5_x_p3;
+  const Real minus_n5_z_p2 = c5 * minus_n5_z_p1;
+  const Real minus_n5_z = 0.8959301325000001 * minus_n5_z_p2;
   g[4] = -minus_n5_z;
 
   // link 5 (wrist_2), inward
-  const Real minus_n4_x = c5 * minus_n5_x;
-  const Real n4_z = 0.33495075 * a4_x - s5 * minus_n5_x;
+  const Real n4_z = 3.2858668575000003 * minus_n5_z_p1 - s5 * minus_n5_x;
   g[3] = n4_z;
 
   // link 4 (wrist_1), inward
-  const Real n3_y = c4 * minus_n5_z - s4 * minus_n4_x;
-  const Real minus_n3_x = c4 * minus_n4_x + s4 * minus_n5_z;
-  const Real n3_z = n4_z - 4.0059802 * a3_y;
+  const Real n3_z = n4_z - 39.298665762 * minus_n5_x_p1;
   g[2] = n3_z;
+  const Real n3_y = minus_n5_x_p3 * minus_n5_z - minus_n5_z_p2 * minus_n5_x;
+  g[0] = n3_y;
 
   // link 3 (forearm), inward
   const Real n2_z = n3_z - 81.98859064500002 * c2;
   g[1] = n2_z;
-  const Real n2_y = c3 * n3_y - s3 * minus_n3_x;
-  const Real minus_n2_x = c3 * minus_n3_x + s3 * n3_y;
-
-  // link 2 (upper_arm), inward
-  const Real n1_z = c2 * n2_y - s2 * minus_n2_x;
-  g[0] = n1_z;
 }
 
 }  // namespace ur10e
