@@ -68,8 +68,8 @@ void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotatio
 /// By from the poses of all links, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out J (12x24): Jacobian
-/// Cost: 532 flops (add 190, mul 342, div 0), sine and cosine of 20 angles.
-/// Stack: at most 114 values live at once, 912 bytes.
+/// Cost: 530 flops (add 190, mul 340, div 0), sine and cosine of 20 angles.
+/// Stack: at most 115 values live at once, 920 bytes.
 /// Rounding: at most 1.2e-13 in J (at J[29]), 25 ulp of 2.2e+01, the most that J can be.
 void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 
@@ -78,9 +78,9 @@ void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// out bias (12): accelerations of the task rows at qdd = 0
-/// Cost: 871 flops (add 328, mul 543, div 0), sine and cosine of 20 angles.
-/// Stack: at most 98 values live at once, 784 bytes.
-/// Rounding: at most 2.1e-09 in bias (at bias[0]), 66 ulp of 1.5e+05, the most that bias can be.
+/// Cost: 824 flops (add 315, mul 509, div 0), sine and cosine of 20 angles.
+/// Stack: at most 105 values live at once, 840 bytes.
+/// Rounding: at most 1.8e-09 in bias (at bias[0]), 61 ulp of 1.4e+05, the most that bias can be.
 void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[12]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -89,9 +89,9 @@ void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[1
 /// in  qd (24): joint velocities
 /// in  qdd (24): joint accelerations
 /// out tau (24): joint forces
-/// Cost: 2026 flops (add 970, mul 1056, div 0), sine and cosine of 24 angles.
-/// Stack: at most 278 values live at once, 2224 bytes.
-/// Rounding: at most 1.5e-09 in tau (at tau[0]), 35 ulp of 2.0e+05, the most that tau can be.
+/// Cost: 1939 flops (add 915, mul 1024, div 0), sine and cosine of 24 angles.
+/// Stack: at most 312 values live at once, 2496 bytes.
+/// Rounding: at most 3.4e-09 in tau (at tau[0]), 39 ulp of 4.0e+05, the most that tau can be.
 void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd)[24],
     Real (&tau)[24]) noexcept;
 
@@ -109,18 +109,18 @@ void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 /// in  q (24): joint coordinates
 /// in  qd (24): joint velocities
 /// out h (24): joint forces
-/// Cost: 1965 flops (add 928, mul 1037, div 0), sine and cosine of 24 angles.
-/// Stack: at most 257 values live at once, 2056 bytes.
-/// Rounding: at most 1.4e-09 in h (at h[0]), 36 ulp of 1.7e+05, the most that h can be.
+/// Cost: 1863 flops (add 863, mul 1000, div 0), sine and cosine of 24 angles.
+/// Stack: at most 292 values live at once, 2336 bytes.
+/// Rounding: at most 3.6e-09 in h (at h[0]), 39 ulp of 4.2e+05, the most that h can be.
 void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out M (24x24): joint-space inertia
-/// Cost: 2288 flops (add 954, mul 1334, div 0), sine and cosine of 23 angles.
-/// Stack: at most 223 values live at once, 1784 bytes.
-/// Rounding: at most 3.1e-13 in M (at M[0]), 12 ulp of 1.2e+02, the most that M can be.
+/// Cost: 2233 flops (add 934, mul 1299, div 0), sine and cosine of 23 angles.
+/// Stack: at most 226 values live at once, 1808 bytes.
+/// Rounding: at most 6.3e-13 in M (at M[0]), 13 ulp of 2.3e+02, the most that M can be.
 void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -129,8 +129,8 @@ void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 /// in  qd (24): joint velocities
 /// in  tau (24): joint forces
 /// out qdd (24): joint accelerations
-/// Cost: 4762 flops (add 2257, mul 2473, div 32), sine and cosine of 24 angles.
-/// Stack: at most 360 values live at once, 2880 bytes.
+/// Cost: 4579 flops (add 2154, mul 2393, div 32), sine and cosine of 24 angles.
+/// Stack: at most 402 values live at once, 3216 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&tau)[24],
     Real (&qdd)[24]) noexcept;
@@ -139,8 +139,8 @@ void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&ta
 /// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out Lambda_inv (12x12): inverse operational-space inertia
-/// Cost: 6533 flops (add 2756, mul 3745, div 32), sine and cosine of 24 angles.
-/// Stack: at most 414 values live at once, 3312 bytes.
+/// Cost: 6251 flops (add 2644, mul 3575, div 32), sine and cosine of 24 angles.
+/// Stack: at most 424 values live at once, 3392 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 
@@ -148,8 +148,8 @@ void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 /// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
 /// in  q (24): joint coordinates
 /// out Lambda (12x12): operational-space inertia
-/// Cost: 8261 flops (add 3548, mul 4669, div 44), sine and cosine of 24 angles.
-/// Stack: at most 374 values live at once, 2992 bytes.
+/// Cost: 7979 flops (add 3436, mul 4499, div 44), sine and cosine of 24 angles.
+/// Stack: at most 350 values live at once, 2800 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 
@@ -160,8 +160,8 @@ void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 /// in  qdd_0 (24): joint accelerations that the posture asks for
 /// in  xdd_cmd (12): commanded accelerations of the task rows
 /// out tau (24): joint forces
-/// Cost: 8953 flops (add 3944, mul 4965, div 44), sine and cosine of 24 angles.
-/// Stack: at most 382 values live at once, 3056 bytes.
+/// Cost: 8497 flops (add 3741, mul 4712, div 44), sine and cosine of 24 angles.
+/// Stack: at most 419 values live at once, 3352 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void control_torque(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd_0)[24],
     const Real (&xdd_cmd)[12], Real (&tau)[24]) noexcept;

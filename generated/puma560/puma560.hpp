@@ -37,10 +37,10 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// in  q (6): joint coordinates
 /// out position (3): positions in the world, m, one point after the other
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
-/// Cost: 98 flops (add 34, mul 64, div 0), sine and cosine of 6 angles.
+/// Cost: 83 flops (add 28, mul 55, div 0), sine and cosine of 6 angles.
 /// Stack: at most 33 values live at once, 264 bytes.
-/// Rounding: at most 1.5e-15 in position (at position[2]), 4 ulp of 2.2e+00, the most that
-///   position can be; at most 5.4e-15 in rotation (at rotation[0]), 9 ulp of 2.9e+00, the most that
+/// Rounding: at most 1.7e-15 in position (at position[0]), 4 ulp of 2.2e+00, the most that
+///   position can be; at most 7.2e-15 in rotation (at rotation[0]), 8 ulp of 4.3e+00, the most that
 ///   rotation can be.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
@@ -48,9 +48,9 @@ void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation
 /// By rows carried inward from each point.
 /// in  q (6): joint coordinates
 /// out J (6x6): Jacobian
-/// Cost: 98 flops (add 30, mul 68, div 0), sine and cosine of 5 angles.
-/// Stack: at most 41 values live at once, 328 bytes.
-/// Rounding: at most 3.6e-15 in J (at J[23]), 6 ulp of 2.9e+00, the most that J can be.
+/// Cost: 72 flops (add 21, mul 51, div 0), sine and cosine of 5 angles.
+/// Stack: at most 32 values live at once, 256 bytes.
+/// Rounding: at most 4.5e-15 in J (at J[23]), 6 ulp of 3.7e+00, the most that J can be.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -58,9 +58,9 @@ void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 /// in  q (6): joint coordinates
 /// in  qd (6): joint velocities
 /// out bias (6): accelerations of the task rows at qdd = 0
-/// Cost: 240 flops (add 87, mul 153, div 0), sine and cosine of 6 angles.
-/// Stack: at most 44 values live at once, 352 bytes.
-/// Rounding: at most 3.4e-11 in bias (at bias[3]), 18 ulp of 8.8e+03, the most that bias can be.
+/// Cost: 170 flops (add 60, mul 110, div 0), sine and cosine of 5 angles.
+/// Stack: at most 40 values live at once, 320 bytes.
+/// Rounding: at most 1.1e-10 in bias (at bias[0]), 18 ulp of 2.6e+04, the most that bias can be.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -69,9 +69,9 @@ void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6])
 /// in  qd (6): joint velocities
 /// in  qdd (6): joint accelerations
 /// out tau (6): joint forces
-/// Cost: 322 flops (add 144, mul 178, div 0), sine and cosine of 5 angles.
-/// Stack: at most 64 values live at once, 512 bytes.
-/// Rounding: at most 2.3e-12 in tau (at tau[0]), 9 ulp of 1.3e+03, the most that tau can be.
+/// Cost: 277 flops (add 119, mul 158, div 0), sine and cosine of 4 angles.
+/// Stack: at most 59 values live at once, 472 bytes.
+/// Rounding: at most 4.5e-12 in tau (at tau[1]), 10 ulp of 2.1e+03, the most that tau can be.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
@@ -79,9 +79,9 @@ void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)
 /// By recursive Newton-Euler, Chang table 4.1.
 /// in  q (6): joint coordinates
 /// out g (6): joint forces
-/// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
-/// Stack: at most 15 values live at once, 120 bytes.
-/// Rounding: at most 3.5e-14 in g (at g[1]), 3 ulp of 5.5e+01, the most that g can be.
+/// Cost: 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles.
+/// Stack: at most 13 values live at once, 104 bytes.
+/// Rounding: at most 3.7e-14 in g (at g[1]), 4 ulp of 5.5e+01, the most that g can be.
 void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -89,18 +89,18 @@ void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 /// in  q (6): joint coordinates
 /// in  qd (6): joint velocities
 /// out h (6): joint forces
-/// Cost: 290 flops (add 123, mul 167, div 0), sine and cosine of 5 angles.
-/// Stack: at most 58 values live at once, 464 bytes.
-/// Rounding: at most 1.6e-12 in h (at h[0]), 9 ulp of 8.0e+02, the most that h can be.
+/// Cost: 224 flops (add 87, mul 137, div 0), sine and cosine of 4 angles.
+/// Stack: at most 52 values live at once, 416 bytes.
+/// Rounding: at most 2.7e-12 in h (at h[0]), 11 ulp of 1.2e+03, the most that h can be.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2.
 /// in  q (6): joint coordinates
 /// out M (6x6): joint-space inertia
-/// Cost: 166 flops (add 73, mul 93, div 0), sine and cosine of 4 angles.
-/// Stack: at most 47 values live at once, 376 bytes.
-/// Rounding: at most 5.0e-15 in M (at M[0]), 5 ulp of 5.0e+00, the most that M can be.
+/// Cost: 139 flops (add 59, mul 80, div 0), sine and cosine of 4 angles.
+/// Stack: at most 46 values live at once, 368 bytes.
+/// Rounding: at most 6.8e-15 in M (at M[0]), 6 ulp of 6.1e+00, the most that M can be.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -109,39 +109,39 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// in  qd (6): joint velocities
 /// in  tau (6): joint forces
 /// out qdd (6): joint accelerations
-/// Cost: 578 flops (add 250, mul 324, div 4), sine and cosine of 5 angles.
-/// Stack: at most 76 values live at once, 608 bytes.
+/// Cost: 460 flops (add 189, mul 267, div 4), sine and cosine of 4 angles.
+/// Stack: at most 83 values live at once, 664 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J from poses, in the axes of link 1 (link1) at link origins.
+/// By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
 /// in  q (6): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 602 flops (add 255, mul 343, div 4), sine and cosine of 5 angles.
-/// Stack: at most 56 values live at once, 448 bytes.
+/// Cost: 560 flops (add 233, mul 323, div 4), sine and cosine of 5 angles.
+/// Stack: at most 55 values live at once, 440 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By M = L^T D L, J from poses, in the axes of link 1 (link1) at link origins.
+/// By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
 /// in  q (6): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 818 flops (add 345, mul 463, div 10), sine and cosine of 5 angles.
-/// Stack: at most 56 values live at once, 448 bytes.
+/// Cost: 776 flops (add 323, mul 443, div 10), sine and cosine of 5 angles.
+/// Stack: at most 55 values live at once, 440 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By resolved acceleration, spherical wrist, J in the axes of link 1 (link1).
+/// By resolved acceleration, spherical wrist, J in the axes of link 2 (link2).
 /// in  q (6): joint coordinates
 /// in  qd (6): joint velocities
 /// in  qdd_0 (6): joint accelerations that the posture asks for
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (6): joint forces
-/// Cost: 577 flops (add 245, mul 330, div 2), sine and cosine of 6 angles.
-/// Stack: at most 86 values live at once, 688 bytes.
+/// Cost: 465 flops (add 190, mul 273, div 2), sine and cosine of 5 angles.
+/// Stack: at most 78 values live at once, 624 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;

@@ -40,20 +40,20 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// in  q (9): joint coordinates
 /// out position (3): positions in the world, m, one point after the other
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
-/// Cost: 106 flops (add 38, mul 68, div 0), sine and cosine of 7 angles.
-/// Stack: at most 31 values live at once, 248 bytes.
-/// Rounding: at most 6.8e-15 in position (at position[0]), 3 ulp of 1.3e+01, the most that
-///   position can be; at most 8.5e-15 in rotation (at rotation[0]), 14 ulp of 2.9e+00, the most that
+/// Cost: 91 flops (add 32, mul 59, div 0), sine and cosine of 7 angles.
+/// Stack: at most 33 values live at once, 264 bytes.
+/// Rounding: at most 7.8e-15 in position (at position[0]), 3 ulp of 1.4e+01, the most that
+///   position can be; at most 1.5e-14 in rotation (at rotation[0]), 11 ulp of 6.1e+00, the most that
 ///   rotation can be.
 void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
-/// By from the poses of all links.
+/// By rows carried inward from each point.
 /// in  q (9): joint coordinates
 /// out J (6x9): Jacobian
-/// Cost: 113 flops (add 37, mul 76, div 0), sine and cosine of 6 angles.
+/// Cost: 78 flops (add 23, mul 55, div 0), sine and cosine of 6 angles.
 /// Stack: at most 31 values live at once, 248 bytes.
-/// Rounding: at most 1.9e-14 in J (at J[22]), 10 ulp of 9.0e+00, the most that J can be.
+/// Rounding: at most 1.1e-14 in J (at J[35]), 8 ulp of 6.1e+00, the most that J can be.
 void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -61,9 +61,9 @@ void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 /// in  q (9): joint coordinates
 /// in  qd (9): joint velocities
 /// out bias (6): accelerations of the task rows at qdd = 0
-/// Cost: 247 flops (add 90, mul 157, div 0), sine and cosine of 7 angles.
-/// Stack: at most 44 values live at once, 352 bytes.
-/// Rounding: at most 5.1e-11 in bias (at bias[3]), 24 ulp of 9.9e+03, the most that bias can be.
+/// Cost: 177 flops (add 63, mul 114, div 0), sine and cosine of 6 angles.
+/// Stack: at most 39 values live at once, 312 bytes.
+/// Rounding: at most 2.1e-10 in bias (at bias[0]), 20 ulp of 4.6e+04, the most that bias can be.
 void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -72,9 +72,9 @@ void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6])
 /// in  qd (9): joint velocities
 /// in  qdd (9): joint accelerations
 /// out tau (9): joint forces
-/// Cost: 386 flops (add 173, mul 213, div 0), sine and cosine of 7 angles.
-/// Stack: at most 79 values live at once, 632 bytes.
-/// Rounding: at most 1.4e-11 in tau (at tau[0]), 3 ulp of 2.3e+04, the most that tau can be.
+/// Cost: 326 flops (add 142, mul 184, div 0), sine and cosine of 6 angles.
+/// Stack: at most 66 values live at once, 528 bytes.
+/// Rounding: at most 3.8e-11 in tau (at tau[0]), 6 ulp of 3.4e+04, the most that tau can be.
 void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)[9],
     Real (&tau)[9]) noexcept;
 
@@ -82,9 +82,9 @@ void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)
 /// By recursive Newton-Euler, Chang table 4.1.
 /// in  q (9): joint coordinates
 /// out g (9): joint forces
-/// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
-/// Stack: at most 15 values live at once, 120 bytes.
-/// Rounding: at most 3.5e-14 in g (at g[4]), 3 ulp of 5.5e+01, the most that g can be.
+/// Cost: 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles.
+/// Stack: at most 13 values live at once, 104 bytes.
+/// Rounding: at most 3.7e-14 in g (at g[4]), 4 ulp of 5.5e+01, the most that g can be.
 void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -92,47 +92,47 @@ void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
 /// in  q (9): joint coordinates
 /// in  qd (9): joint velocities
 /// out h (9): joint forces
-/// Cost: 322 flops (add 137, mul 185, div 0), sine and cosine of 7 angles.
-/// Stack: at most 67 values live at once, 536 bytes.
-/// Rounding: at most 6.0e-12 in h (at h[0]), 12 ulp of 2.3e+03, the most that h can be.
+/// Cost: 246 flops (add 96, mul 150, div 0), sine and cosine of 6 angles.
+/// Stack: at most 58 values live at once, 464 bytes.
+/// Rounding: at most 6.7e-12 in h (at h[0]), 11 ulp of 2.8e+03, the most that h can be.
 void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2.
 /// in  q (9): joint coordinates
 /// out M (9x9): joint-space inertia
-/// Cost: 239 flops (add 98, mul 141, div 0), sine and cosine of 6 angles.
-/// Stack: at most 64 values live at once, 512 bytes.
-/// Rounding: at most 1.2e-14 in M (at M[2]), 1 ulp of 1.9e+02, the most that M can be.
+/// Cost: 177 flops (add 73, mul 104, div 0), sine and cosine of 6 angles.
+/// Stack: at most 50 values live at once, 400 bytes.
+/// Rounding: at most 2.2e-14 in M (at M[2]), 1 ulp of 1.9e+02, the most that M can be.
 void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
-/// By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
+/// By articulated bodies, Chang table 4.2.
 /// in  q (9): joint coordinates
 /// in  qd (9): joint velocities
 /// in  tau (9): joint forces
 /// out qdd (9): joint accelerations
-/// Cost: 813 flops (add 347, mul 460, div 6), sine and cosine of 7 angles.
-/// Stack: at most 103 values live at once, 824 bytes.
+/// Cost: 610 flops (add 261, mul 343, div 6), sine and cosine of 6 angles.
+/// Stack: at most 80 values live at once, 640 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)[9],
     Real (&qdd)[9]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J from poses, in the axes asked for at link origins.
+/// By force propagation with branching (Chang table 5.3), in the axes of link 9 (link6) at the points.
 /// in  q (9): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 982 flops (add 407, mul 569, div 6), sine and cosine of 6 angles.
-/// Stack: at most 88 values live at once, 704 bytes.
+/// Cost: 732 flops (add 323, mul 403, div 6), sine and cosine of 6 angles.
+/// Stack: at most 53 values live at once, 424 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By M = L^T D L, J from poses, in the axes asked for at link origins.
+/// By force propagation with branching (Chang table 5.3), in the axes of link 9 (link6) at the points.
 /// in  q (9): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 1198 flops (add 497, mul 689, div 12), sine and cosine of 6 angles.
-/// Stack: at most 80 values live at once, 640 bytes.
+/// Cost: 948 flops (add 413, mul 523, div 12), sine and cosine of 6 angles.
+/// Stack: at most 53 values live at once, 424 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 
@@ -143,8 +143,8 @@ void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 /// in  qdd_0 (9): joint accelerations that the posture asks for
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (9): joint forces
-/// Cost: 1327 flops (add 605, mul 711, div 11), sine and cosine of 7 angles.
-/// Stack: at most 107 values live at once, 856 bytes.
+/// Cost: 964 flops (add 422, mul 531, div 11), sine and cosine of 6 angles.
+/// Stack: at most 103 values live at once, 824 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;

@@ -37,20 +37,20 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// in  q (6): joint coordinates
 /// out position (3): positions in the world, m, one point after the other
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
-/// Cost: 98 flops (add 34, mul 64, div 0), sine and cosine of 6 angles.
-/// Stack: at most 30 values live at once, 240 bytes.
-/// Rounding: at most 2.6e-15 in position (at position[0]), 5 ulp of 2.7e+00, the most that
-///   position can be; at most 5.5e-15 in rotation (at rotation[6]), 9 ulp of 2.9e+00, the most that
+/// Cost: 73 flops (add 25, mul 48, div 0), sine and cosine of 6 angles.
+/// Stack: at most 28 values live at once, 224 bytes.
+/// Rounding: at most 2.9e-15 in position (at position[0]), 5 ulp of 2.8e+00, the most that
+///   position can be; at most 7.6e-15 in rotation (at rotation[0]), 9 ulp of 3.9e+00, the most that
 ///   rotation can be.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
-/// By from the poses of all links.
+/// By rows carried inward from each point.
 /// in  q (6): joint coordinates
 /// out J (6x6): Jacobian
-/// Cost: 105 flops (add 34, mul 71, div 0), sine and cosine of 5 angles.
-/// Stack: at most 27 values live at once, 216 bytes.
-/// Rounding: at most 6.5e-15 in J (at J[4]), 11 ulp of 2.9e+00, the most that J can be.
+/// Cost: 59 flops (add 17, mul 42, div 0), sine and cosine of 5 angles.
+/// Stack: at most 22 values live at once, 176 bytes.
+/// Rounding: at most 4.7e-15 in J (at J[23]), 6 ulp of 3.9e+00, the most that J can be.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -58,9 +58,9 @@ void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 /// in  q (6): joint coordinates
 /// in  qd (6): joint velocities
 /// out bias (6): accelerations of the task rows at qdd = 0
-/// Cost: 252 flops (add 92, mul 160, div 0), sine and cosine of 6 angles.
-/// Stack: at most 44 values live at once, 352 bytes.
-/// Rounding: at most 3.4e-12 in bias (at bias[2]), 21 ulp of 7.4e+02, the most that bias can be.
+/// Cost: 142 flops (add 52, mul 90, div 0), sine and cosine of 5 angles.
+/// Stack: at most 33 values live at once, 264 bytes.
+/// Rounding: at most 1.2e-11 in bias (at bias[0]), 19 ulp of 2.8e+03, the most that bias can be.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -69,9 +69,9 @@ void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6])
 /// in  qd (6): joint velocities
 /// in  qdd (6): joint accelerations
 /// out tau (6): joint forces
-/// Cost: 306 flops (add 135, mul 171, div 0), sine and cosine of 5 angles.
-/// Stack: at most 65 values live at once, 520 bytes.
-/// Rounding: at most 3.5e-12 in tau (at tau[0]), 7 ulp of 2.3e+03, the most that tau can be.
+/// Cost: 262 flops (add 110, mul 152, div 0), sine and cosine of 4 angles.
+/// Stack: at most 63 values live at once, 504 bytes.
+/// Rounding: at most 1.7e-11 in tau (at tau[1]), 11 ulp of 7.1e+03, the most that tau can be.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
@@ -79,9 +79,9 @@ void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)
 /// By recursive Newton-Euler, Chang table 4.1.
 /// in  q (6): joint coordinates
 /// out g (6): joint forces
-/// Cost: 40 flops (add 12, mul 28, div 0), sine and cosine of 4 angles.
-/// Stack: at most 15 values live at once, 120 bytes.
-/// Rounding: at most 1.2e-13 in g (at g[1]), 4 ulp of 1.8e+02, the most that g can be.
+/// Cost: 25 flops (add 8, mul 17, div 0), sine and cosine of 4 angles.
+/// Stack: at most 11 values live at once, 88 bytes.
+/// Rounding: at most 1.1e-13 in g (at g[1]), 3 ulp of 1.8e+02, the most that g can be.
 void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -89,18 +89,18 @@ void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 /// in  q (6): joint coordinates
 /// in  qd (6): joint velocities
 /// out h (6): joint forces
-/// Cost: 279 flops (add 117, mul 162, div 0), sine and cosine of 5 angles.
-/// Stack: at most 56 values live at once, 448 bytes.
-/// Rounding: at most 6.2e-13 in h (at h[0]), 8 ulp of 3.5e+02, the most that h can be.
+/// Cost: 200 flops (add 76, mul 124, div 0), sine and cosine of 4 angles.
+/// Stack: at most 49 values live at once, 392 bytes.
+/// Rounding: at most 3.4e-12 in h (at h[1]), 14 ulp of 1.2e+03, the most that h can be.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2.
 /// in  q (6): joint coordinates
 /// out M (6x6): joint-space inertia
-/// Cost: 154 flops (add 69, mul 85, div 0), sine and cosine of 4 angles.
-/// Stack: at most 39 values live at once, 312 bytes.
-/// Rounding: at most 2.8e-14 in M (at M[0]), 8 ulp of 1.7e+01, the most that M can be.
+/// Cost: 107 flops (add 44, mul 63, div 0), sine and cosine of 4 angles.
+/// Stack: at most 33 values live at once, 264 bytes.
+/// Rounding: at most 4.5e-14 in M (at M[0]), 7 ulp of 3.0e+01, the most that M can be.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
@@ -109,39 +109,39 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// in  qd (6): joint velocities
 /// in  tau (6): joint forces
 /// out qdd (6): joint accelerations
-/// Cost: 560 flops (add 245, mul 311, div 4), sine and cosine of 5 angles.
-/// Stack: at most 63 values live at once, 504 bytes.
+/// Cost: 410 flops (add 175, mul 231, div 4), sine and cosine of 4 angles.
+/// Stack: at most 82 values live at once, 656 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J carried inward, in the axes of link 1 (shoulder) at link origins.
+/// By M = L^T D L, J carried inward, in the axes of link 4 (wrist_1) at link origins.
 /// in  q (6): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 622 flops (add 267, mul 351, div 4), sine and cosine of 5 angles.
-/// Stack: at most 70 values live at once, 560 bytes.
+/// Cost: 541 flops (add 234, mul 303, div 4), sine and cosine of 5 angles.
+/// Stack: at most 65 values live at once, 520 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By M = L^T D L, J carried inward, in the axes of link 1 (shoulder) at link origins.
+/// By M = L^T D L, J carried inward, in the axes of link 4 (wrist_1) at link origins.
 /// in  q (6): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 838 flops (add 357, mul 471, div 10), sine and cosine of 5 angles.
-/// Stack: at most 70 values live at once, 560 bytes.
+/// Cost: 757 flops (add 324, mul 423, div 10), sine and cosine of 5 angles.
+/// Stack: at most 65 values live at once, 520 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By Chang table 6.1, fused; Lambda^-1: M = L^T D L, J from poses, in the axes of link 4 (wrist_1) at link origins.
+/// By Chang table 6.1, fused; Lambda^-1: M = L^T D L, J carried inward, in the axes of link 5 (wrist_2) at link origins.
 /// in  q (6): joint coordinates
 /// in  qd (6): joint velocities
 /// in  qdd_0 (6): joint accelerations that the posture asks for
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (6): joint forces
-/// Cost: 1059 flops (add 447, mul 601, div 11), sine and cosine of 6 angles.
-/// Stack: at most 128 values live at once, 1024 bytes.
+/// Cost: 810 flops (add 347, mul 454, div 9), sine and cosine of 5 angles.
+/// Stack: at most 105 values live at once, 840 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
