@@ -172,7 +172,7 @@ std::string print_csv(const std::vector<Difference>& rows) {
 }
 
 std::string print_table(const std::vector<Difference>& rows) {
-  constexpr const char* kLine = "{:<10} {:<7} {:<48} {:>9} {:>7} {:>6} {:>10} {:>8}\n";
+  constexpr const char* kLine = "{:<10} {:<7} {:<68} {:>9} {:>7} {:>6} {:>10} {:>8}\n";
   struct Sum {
     Build build;
     std::string robot;
