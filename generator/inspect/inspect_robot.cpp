@@ -8,6 +8,7 @@
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
 #include "inspect/inspect_masses.hpp"
+#include "inspect/inspect_risks.hpp"
 #include "mechanism/build_mechanism.hpp"
 
 namespace treeline {
@@ -230,6 +231,7 @@ Report inspect_robot(const Robot& robot, const std::optional<Scene>& given) {
     report.external_forces.back().rows.clear();
   }
   inspect_masses(robot, scene, report);
+  inspect_risks(robot, scene, report);
   if (report.nv > 0) inspect_reductions(robot, scene, report);
   return report;
 }

@@ -62,6 +62,14 @@ Json to_json(const NoteReport& note) {
   return {{"step", note.step}, {"link", note.link}, {"text", note.text}};
 }
 
+Json to_json(const RiskReport& risk) {
+  return {{"joint", risk.joint.empty() ? Json(nullptr) : Json(risk.joint)},
+          {"kind", risk.kind},
+          {"digits_lost", risk.digits_lost},
+          {"finding", risk.finding},
+          {"advice", risk.advice}};
+}
+
 Json to_json(const std::optional<MassMatrixReport>& M) {
   if (!M) return nullptr;
   return {{"diagonal", M->diagonal},
@@ -97,7 +105,8 @@ std::string print_json(const Report& report) {
                   {"external_forces", list(report.external_forces)},
                   {"reductions", list(report.reductions)},
                   {"notes", list(report.notes)},
-                  {"mass_matrix", to_json(report.mass_matrix)}};
+                  {"mass_matrix", to_json(report.mass_matrix)},
+                  {"risks", list(report.risks)}};
   return json.dump(2) + "\n";
 }
 

@@ -145,6 +145,20 @@ std::string print_mass_matrix(const Report& report) {
   return text;
 }
 
+std::string print_risks(const Report& report) {
+  Rows rows;
+  std::string advice;
+  for (const RiskReport& risk : report.risks) {
+    rows.push_back({risk.joint.empty() ? "all" : risk.joint, risk.kind,
+                    fmt::format("{:.1f}", risk.digits_lost), risk.finding});
+    const std::string line = fmt::format("  {}: {}\n", risk.kind, risk.advice);
+    if (advice.find(line) == std::string::npos) advice += line;
+  }
+  return section("risky joints: digits that may get lost, of 15.7",
+                 {{"joint"}, {"by"}, {"digits", true}, {""}}, rows) +
+         advice;
+}
+
 }  // namespace
 
 std::string print_text(const Report& report) {
@@ -156,6 +170,7 @@ std::string print_text(const Report& report) {
   text += print_unphysical(report);
   text += print_reductions(report);
   text += print_mass_matrix(report);
+  text += print_risks(report);
   return text;
 }
 

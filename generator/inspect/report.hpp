@@ -65,6 +65,14 @@ struct MassMatrixReport {
   std::vector<double> diagonal;
 };
 
+/// Where digits get lost, see `inspect_risks`.
+struct RiskReport {
+  std::string joint;       ///< or joints; empty where the task as a whole is meant
+  std::string kind;        ///< "inertia", "singularity", "task", "angle"
+  double digits_lost = 0;  ///< of double's 15.7: log10 of a condition number
+  std::string finding, advice;
+};
+
 /// Everything `treeline inspect` prints.
 struct Report {
   std::string robot, urdf, scene;  ///< name and files; `scene` is empty when there is none
@@ -80,6 +88,7 @@ struct Report {
   std::vector<ReductionReport> reductions;
   std::vector<NoteReport> notes;
   std::optional<MassMatrixReport> mass_matrix;  ///< nothing when nothing moves
+  std::vector<RiskReport> risks;
 };
 
 }  // namespace treeline

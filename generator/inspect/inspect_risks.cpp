@@ -1,0 +1,215 @@
+#include "inspect/inspect_risks.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "check/model_from_robot.hpp"
+#include "interpreter/instances.hpp"
+
+namespace treeline {
+namespace {
+
+using interpreter::Model;
+using interpreter::Points;
+using interpreter::Vector;
+
+constexpr std::uint64_t kSeed = 1;
+constexpr int kInertiaStates = 32;
+constexpr int kSweptStates = 4;
+constexpr int kSteps = 48;  ///< along a joint's range
+constexpr double kInertiaDigits = 3, kSingularDigits = 5;
+constexpr double kFarAngle = 2e8;  ///< rad
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kMostDigits = 15.7;
+
+/// Digits that a condition costs: all of double's where it is infinite.
+double digits_lost(double condition) {
+  return condition > 0 ? std::min(kMostDigits, std::max(0.0, std::log10(condition))) : kMostDigits;
+}
+
+/// A state within the limits; what has none turns once and slides a metre.
+class States {
+ public:
+  States(const Model<double>& model, const Report& report)
+      : neutral_(Vector<double>::Zero(model.nq)) {
+    for (const auto& body : model.bodies) {
+      if (body.kind == interpreter::JointKind::floating) neutral_[body.q + 6] = 1;
+    }
+    for (const JointReport& joint : report.joints) {
+      if (joint.nq == 1 && joint.follows.empty()) joints_.push_back(&joint);
+    }
+  }
+
+  [[nodiscard]] const std::vector<const JointReport*>& joints() const { return joints_; }
+
+  static double lower(const JointReport& joint) { return std::max(joint.lower, -reach(joint)); }
+  static double upper(const JointReport& joint) { return std::min(joint.upper, reach(joint)); }
+
+  /// Arithmetic of its own: every standard library draws the same.
+  Vector<double> draw() {
+    Vector<double> q = neutral_;
+    for (const JointReport* joint : joints_) {
+      const double share = static_cast<double>(engine_() >> 11) * 0x1p-53;
+      q[joint->q] = lower(*joint) + (upper(*joint) - lower(*joint)) * share;
+    }
+    return q;
+  }
+
+ private:
+  static double reach(const JointReport& joint) { return joint.unit == "rad" ? kPi : 1; }
+
+  Vector<double> neutral_;
+  std::vector<const JointReport*> joints_;
+  std::mt19937_64 engine_{kSeed};
+};
+
+/// 1 / smallest eigenvalue after scaling to a unit diagonal; infinite for what is not positive.
+double condition(const Eigen::MatrixXd& A) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!A.allFinite() || A.diagonal().minCoeff() <= 0) return kInfinity;
+  const Eigen::VectorXd s = A.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(s.asDiagonal() * A * s.asDiagonal(),
+                                                              Eigen::EigenvaluesOnly);
+  const double least = solver.eigenvalues()(0);
+  return least > 0 ? 1 / least : kInfinity;
+}
+
+void inspect_inertia(const Model<double>& model, States& states, Report& report) {
+  std::vector<double> worst(states.joints().size(), 1);
+  for (int k = 0; k < kInertiaStates; ++k) {
+    const Eigen::MatrixXd M = interpreter::mass_matrix<double>(model, states.draw());
+    const Eigen::VectorXd d = M.diagonal();
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      if (!(d[states.joints()[i]->v] > 0)) worst[i] = std::numeric_limits<double>::infinity();
+    }
+    if (d.minCoeff() <= 0) continue;
+    const Eigen::VectorXd s = d.cwiseSqrt().cwiseInverse();
+    const Eigen::LDLT<Eigen::MatrixXd> solver(s.asDiagonal() * M * s.asDiagonal());
+    const Eigen::MatrixXd inverse = solver.solve(Eigen::MatrixXd::Identity(M.rows(), M.cols()));
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      const int v = states.joints()[i]->v;
+      const double felt = inverse(v, v);
+      worst[i] = felt > 0 ? std::max(worst[i], felt) : std::numeric_limits<double>::infinity();
+    }
+  }
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    const double digits = digits_lost(worst[i]);
+    if (digits < kInertiaDigits) continue;
+    const std::string finding =
+        std::isinf(worst[i])
+            ? "next to nothing moves with it: M is singular"
+            : fmt::format("feels 1e{:.1f} times lighter when the other joints are free", digits);
+    report.risks.push_back({states.joints()[i]->name, "inertia", digits, finding,
+                            "Give the links behind it their masses, or lock it in the scene."});
+  }
+}
+
+/// The largest condition of Lambda^-1 along one joint, and where.
+struct Peak {
+  double condition = 0, usual = 0, at = 0;
+};
+
+Peak climb(const Model<double>& model, const Points<double>& points, Vector<double> q,
+           const JointReport& joint) {
+  const double low = States::lower(joint), high = States::upper(joint);
+  const auto at = [&](double value) {
+    q[joint.q] = value;
+    return condition(interpreter::lambda_inverse<double>(model, points, q));
+  };
+  std::vector<double> all;
+  Peak peak;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double value = low + (high - low) * i / kSteps;
+    all.push_back(at(value));
+    if (all.back() > peak.condition) peak = {all.back(), 0, value};
+  }
+  std::nth_element(all.begin(), all.begin() + kSteps / 2, all.end());
+  peak.usual = all[kSteps / 2];
+  for (double step = (high - low) / kSteps / 2; step > 1e-9; step /= 2) {
+    for (const double value : {peak.at - step, peak.at + step}) {
+      if (value < low || value > high) continue;
+      const double found = at(value);
+      if (found > peak.condition) peak = {found, peak.usual, value};
+    }
+  }
+  return peak;
+}
+
+constexpr const char* kSingularAdvice =
+    "Ask for `damped` in the scene, control fewer `rows`, or keep the joint away from there.";
+
+/// Whether Lambda^-1 is singular in all states: then no joint is to blame.
+bool is_always_singular(const Model<double>& model, const Points<double>& points,
+                        const std::vector<Vector<double>>& states) {
+  return std::all_of(states.begin(), states.end(), [&](const Vector<double>& q) {
+    return digits_lost(condition(interpreter::lambda_inverse<double>(model, points, q))) > 12;
+  });
+}
+
+void inspect_singularities(const Model<double>& model, const Points<double>& points, States& states,
+                           Report& report) {
+  std::vector<Vector<double>> drawn;
+  for (int k = 0; k < kSweptStates; ++k) drawn.push_back(states.draw());
+  if (is_always_singular(model, points, drawn)) {
+    report.risks.push_back({"", "task", kMostDigits,
+                            "Lambda^-1 is singular everywhere: the rows of all points together "
+                            "ask for more than the joints can do",
+                            "Control fewer `rows`, or give the points a `priority` each."});
+    return;
+  }
+  for (const JointReport* joint : states.joints()) {
+    Peak worst;
+    int closed = 0;
+    for (const Vector<double>& q : drawn) {
+      const Peak peak = climb(model, points, q, *joint);
+      const bool closes =
+          digits_lost(peak.condition) >= kSingularDigits && peak.condition > 100 * peak.usual;
+      closed += closes ? 1 : 0;
+      if (closes && peak.condition > worst.condition) worst = peak;
+    }
+    if (closed == 0) continue;
+    report.risks.push_back(
+        {joint->name, "singularity", digits_lost(worst.condition),
+         fmt::format("makes Lambda^-1 singular, as at {:.4g} {}, from {} of {} poses of the others",
+                     std::abs(worst.at) < 1e-6 ? 0 : worst.at, joint->unit, closed, kSweptStates),
+         kSingularAdvice});
+  }
+}
+
+void inspect_angles(const States& states, Report& report) {
+  std::string unlimited;
+  for (const JointReport* joint : states.joints()) {
+    if (joint->unit != "rad" || std::max(-joint->lower, joint->upper) <= kFarAngle) continue;
+    unlimited += (unlimited.empty() ? "" : ", ") + joint->name;
+  }
+  if (unlimited.empty()) return;
+  report.risks.push_back({unlimited, "angle", 0,
+                          "may turn without limit: beyond 2e8 rad sines lose digits",
+                          "Take whole turns off before that."});
+}
+
+}  // namespace
+
+void inspect_risks(const Robot& robot, const Scene& scene, Report& report) {
+  const auto model = model_from_robot<double>(robot, scene);
+  if (model.nv == 0) return;
+  States states(model, report);
+  inspect_inertia(model, states, report);
+  const bool inertia_serves =
+      std::none_of(report.risks.begin(), report.risks.end(),
+                   [](const RiskReport& risk) { return risk.digits_lost >= kMostDigits; });
+  if (inertia_serves && !scene.operational_points.empty()) {
+    inspect_singularities(model, points_from_scene(model, scene.operational_points), states,
+                          report);
+  }
+  inspect_angles(states, report);
+}
+
+}  // namespace treeline

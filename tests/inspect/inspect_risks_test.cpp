@@ -1,0 +1,137 @@
+// Would catch: a joint that loses digits and is not named, one named for nothing, findings that
+// differ from run to run. Robots whose singularities are known in closed form.
+#include "inspect/inspect_risks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sample.hpp"
+
+namespace treeline {
+namespace {
+
+/// Two links of a metre in the plane, each 1 kg but for the second's `tip` (kg, and kg m^2).
+std::string planar_arm(const std::string& tip, const std::string& elbow_limits) {
+  return R"(<robot name="planar"><link name="base"/>
+  <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>
+    <axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+  <link name="upper"><inertial><origin xyz="0.5 0 0"/><mass value="1"/>
+    <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial></link>
+  <joint name="elbow" type="revolute"><origin xyz="1 0 0"/><parent link="upper"/>
+    <child link="fore"/><axis xyz="0 0 1"/><limit )" +
+         elbow_limits + R"( effort="1" velocity="1"/></joint>
+  <link name="fore"><inertial><mass value=")" +
+         tip + R"("/><inertia ixx="TIP" ixy="0" ixz="0" iyy="TIP" iyz="0" izz="TIP"/></inertial>
+  </link></robot>)";
+}
+
+Report inspect(std::string urdf, const std::string& tip, const std::string& scene_text) {
+  for (auto at = urdf.find("TIP"); at != std::string::npos; at = urdf.find("TIP")) {
+    urdf.replace(at, 3, tip);
+  }
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(urdf, "planar.urdf", diagnostics);
+  const auto scene = parse_scene(scene_text, "scene.yaml", robot.value(), diagnostics);
+  return inspect_robot(robot.value(), scene.value());
+}
+
+Report inspect_own(const std::string& name) {
+  const std::string folder = std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/";
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(folder + name + ".urdf", diagnostics);
+  return inspect_robot(robot.value(),
+                       read_scene(folder + "scene.yaml", robot.value(), diagnostics).value());
+}
+
+const RiskReport* find(const Report& report, const std::string& joint, const std::string& kind) {
+  const auto found = std::find_if(
+      report.risks.begin(), report.risks.end(),
+      [&](const RiskReport& risk) { return risk.joint == joint && risk.kind == kind; });
+  return found == report.risks.end() ? nullptr : &*found;
+}
+
+constexpr const char* kTip =
+    "operational_points: [{name: tip, link: fore, origin: {xyz: [1, 0, 0]}, rows: [x, y]}]\n";
+
+TEST(InspectRisks, NamesTheElbowThatStretches) {
+  const Report report = inspect(planar_arm("1", "lower=\"-2\" upper=\"2\""), "0.1", kTip);
+  const RiskReport* elbow = find(report, "elbow", "singularity");
+  ASSERT_NE(elbow, nullptr);
+  EXPECT_GT(elbow->digits_lost, 10);
+  EXPECT_NE(elbow->finding.find("as at 0 rad, from 4 of 4 poses"), std::string::npos)
+      << elbow->finding;
+  EXPECT_NE(elbow->advice.find("damped"), std::string::npos);
+  EXPECT_EQ(find(report, "shoulder", "singularity"), nullptr);
+  EXPECT_EQ(report.risks.size(), 1U);
+}
+
+TEST(InspectRisks, IsSilentWhereLimitsKeepTheElbowBent) {
+  EXPECT_TRUE(inspect(planar_arm("1", "lower=\"0.5\" upper=\"2\""), "0.1", kTip).risks.empty());
+}
+
+TEST(InspectRisks, SaysWhenTheTaskAsksForMoreThanTheJointsCanDo) {
+  const Report report = inspect(
+      planar_arm("1", "lower=\"0.5\" upper=\"2\""), "0.1",
+      "functions: [lambda_inverse]\n"
+      "operational_points: [{name: tip, link: fore, origin: {xyz: [1, 0, 0]}, rows: [x, y]}, "
+      "{name: twin, link: fore, origin: {xyz: [1, 0, 0]}, rows: [x, y]}]\n");
+  EXPECT_NE(find(report, "", "task"), nullptr);
+  EXPECT_EQ(report.risks.size(), 1U);
+}
+
+TEST(InspectRisks, NamesJointsThatNothingMovesWith) {
+  const Report none = inspect(planar_arm("0", "lower=\"0.5\" upper=\"2\""), "0", "name: arm\n");
+  const RiskReport* elbow = find(none, "elbow", "inertia");
+  ASSERT_NE(elbow, nullptr);
+  EXPECT_NE(elbow->finding.find("singular"), std::string::npos);
+  // Heavy enough, M_22 / D_2 is small again: what is light loses nothing by that alone.
+  EXPECT_TRUE(inspect(planar_arm("1e-9", "lower=\"0.5\" upper=\"2\""), "1e-10", "name: arm\n")
+                  .risks.empty());
+}
+
+// M_11 / D_1 is (1e-7 + 0.25e-7 + 1e-1) / 1.25e-7 where the axes are one.
+TEST(InspectRisks, NamesTwinsWithNextToNothingBetweenThem) {
+  std::string urdf = planar_arm("1", "lower=\"0.5\" upper=\"2\"");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    for (auto at = urdf.find(from); at != std::string::npos; at = urdf.find(from)) {
+      urdf.replace(at, from.size(), to);
+    }
+  };
+  replace("xyz=\"1 0 0\"", "xyz=\"0 0 0\"");
+  replace("<origin xyz=\"0.5 0 0\"/><mass value=\"1\"/>",
+          "<origin xyz=\"0.50 0 0\"/><mass value=\"1e-7\"/>");
+  replace("\"0.1\"", "\"1e-7\"");
+  const Report report = inspect(urdf, "0.1", "name: arm\n");
+  for (const char* joint : {"shoulder", "elbow"}) {
+    const RiskReport* risk = find(report, joint, "inertia");
+    ASSERT_NE(risk, nullptr) << joint;
+    EXPECT_NEAR(risk->digits_lost, std::log10(0.1 / 1.25e-7), 0.01);
+  }
+}
+
+TEST(InspectRisks, WarnsOfJointsThatTurnForever) {
+  std::string urdf = planar_arm("1", "lower=\"0.5\" upper=\"2\"");
+  urdf.replace(urdf.find("revolute"), 8, "continuous");
+  const Report report = inspect(urdf, "0.1", "name: arm\n");
+  EXPECT_NE(find(report, "shoulder", "angle"), nullptr);
+}
+
+TEST(InspectRisks, KnowsWhatLocksIndustrialArms) {
+  for (const char* robot : {"puma560", "ur10e"}) {
+    const Report report = inspect_own(robot);
+    int singular = 0;
+    for (const RiskReport& risk : report.risks) singular += risk.kind == "singularity" ? 1 : 0;
+    EXPECT_GE(singular, 2) << robot << ": elbow and wrist at least";
+    const Report again = inspect_own(robot);
+    ASSERT_EQ(again.risks.size(), report.risks.size());
+    for (std::size_t i = 0; i < again.risks.size(); ++i) {
+      EXPECT_EQ(again.risks[i].digits_lost, report.risks[i].digits_lost);
+      EXPECT_EQ(again.risks[i].finding, report.risks[i].finding);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace treeline
