@@ -6,6 +6,7 @@
 #include "description/robot.hpp"
 #include "description/rotation.hpp"
 #include "description/scene.hpp"
+#include "description/snap_angles.hpp"
 #include "interpreter/model.hpp"
 
 namespace treeline {
@@ -16,7 +17,8 @@ namespace detail {
 template <class Scalar>
 class ModelBuilder {
  public:
-  ModelBuilder(const Robot& robot, const Scene& scene) : robot_(robot), scene_(scene) {
+  ModelBuilder(const Robot& robot, const Scene& scene)
+      : robot_(with_snapped_angles(robot, scene.snap_angles)), scene_(scene) {
     using Vector3 = interpreter::Vector3<Scalar>;
     model_.gravity =
         Vector3(Scalar(scene.gravity[0]), Scalar(scene.gravity[1]), Scalar(scene.gravity[2]));
@@ -147,7 +149,7 @@ class ModelBuilder {
     }
   }
 
-  const Robot& robot_;
+  const Robot robot_;
   const Scene& scene_;
   interpreter::Model<Scalar> model_;
   std::map<int, int> body_of_joint_;

@@ -12,6 +12,7 @@
 #include "description/read_scene_point.hpp"
 #include "description/read_text_file.hpp"
 #include "description/scene_element.hpp"
+#include "description/snap_angles.hpp"
 
 namespace treeline {
 namespace {
@@ -81,6 +82,17 @@ void read_damped(const SceneElement& element, Scene& scene) {
   if (mass && inertia) scene.damped = HeaviestMotion{*mass, *inertia};
 }
 
+void read_snap(const SceneElement& element, Scene& scene) {
+  const auto tolerance = element.number();
+  if (!tolerance) return;
+  if (*tolerance < 0 || *tolerance > kWidestSnap) {
+    element.error(fmt::format("{} is not between 0 and {} rad", *tolerance, kWidestSnap),
+                  "angles that are farther off are no rounded quarter turns; correct the file");
+    return;
+  }
+  scene.snap_angles = *tolerance;
+}
+
 void read_settings(const std::map<std::string, SceneElement>& fields, Scene& scene) {
   const auto find = [&](const char* key) { return fields.find(key); };
   if (const auto name = find("name"); name != fields.end()) read_name(name->second, scene);
@@ -101,6 +113,7 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
     scene.accuracy =
         static_cast<Accuracy>(accuracy->second.choice({"best", "balanced", "fastest"}).value_or(1));
   }
+  if (const auto snap = find("snap_angles"); snap != fields.end()) read_snap(snap->second, scene);
   if (const auto lanes = find("lanes"); lanes != fields.end()) {
     scene.lanes = 1 << lanes->second.choice({"1", "2", "4", "8"}).value_or(3);
   }
@@ -120,7 +133,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   scene.name = identifier_from(robot.name);
   const auto fields = top.fields({"name", "base", "gravity", "real", "sin_cos", "accuracy", "lanes",
                                   "batch", "damped", "operational_points", "external_forces",
-                                  "contacts", "functions", "locked", "objects"});
+                                  "contacts", "functions", "locked", "objects", "snap_angles"});
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);
@@ -152,6 +165,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   scene.file = file_name;
   if (!reading.failed) complete_scene(top, robot, scene);
   if (reading.failed) return std::nullopt;
+  snap_angles(robot, scene, diagnostics);
   return scene;
 }
 

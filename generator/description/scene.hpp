@@ -147,6 +147,10 @@ struct Scene {
   Real real = Real::float64;
   Sines sin_cos = Sines::computed;
   Accuracy accuracy = Accuracy::balanced;
+  /// Angles of the files that are quarter turns rounded to a few digits are taken as exact
+  /// where they are at most so far off, rad; 0: every angle is as written. See
+  /// `rounded_quarter_turns`.
+  double snap_angles = 0;
   /// Numbers that the emitted code may compute together: 1, 2, 4 or 8. What a machine's registers
   /// cannot hold its compiler takes apart again.
   int lanes = 8;

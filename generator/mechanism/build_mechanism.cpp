@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "description/rotation.hpp"
+#include "description/snap_angles.hpp"
 
 namespace treeline {
 namespace {
@@ -69,7 +70,8 @@ ExactMatrix3 z_to_y() {
 /// Walks the tree depth-first. A `Place` says where a URDF frame is: on which moving link, and how.
 class Builder {
  public:
-  Builder(const Robot& robot, const Scene& scene) : robot_(robot), scene_(scene) {
+  Builder(const Robot& robot, const Scene& scene)
+      : robot_(with_snapped_angles(robot, scene.snap_angles)), scene_(scene) {
     children_.resize(robot.links.size());
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
       children_[static_cast<std::size_t>(robot.joints[i].parent)].push_back(static_cast<int>(i));
@@ -329,7 +331,7 @@ class Builder {
   }
   [[nodiscard]] int last_link() const { return static_cast<int>(mechanism_.links.size()) - 1; }
 
-  const Robot& robot_;
+  const Robot robot_;
   const Scene& scene_;
   Mechanism mechanism_;
   std::vector<std::vector<int>> children_;
