@@ -81,7 +81,7 @@ std::optional<Function> axes_decider(Function function) {
 }
 
 void choose_axes(Mechanism& mechanism, Function decider) {
-  constexpr int kMostSweeps = 3;
+  constexpr int kMostSweeps = 2;  // a third found nothing on any robot at hand
   std::vector<bool MovingLink::*> choices{&MovingLink::turns_late};
   if (takes_rates(decider)) choices.push_back(&MovingLink::carries_column);
   const std::vector<Links> together = corresponding_links(mechanism);
