@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "program/evaluate.hpp"
 
@@ -50,7 +51,8 @@ void note_rounding(const CallResult& result, const StateReference& reference,
     for (const long double exact : entries) {
       const auto error = static_cast<double>(std::abs(exact - result.entries[i]));
       const double share = error == 0 ? 0 : error / generated.rounding.error[i];
-      report.proven->used = std::max(report.proven->used, share);
+      report.proven->used = std::max(
+          report.proven->used, std::isnan(share) ? std::numeric_limits<double>::infinity() : share);
       ++i;
     }
   }
