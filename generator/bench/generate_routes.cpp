@@ -26,6 +26,7 @@ std::vector<GeneratedFunction> generate_routes(const Mechanism& mechanism, Funct
   std::erase_if(all, [&](const GeneratedFunction& each) {
     return !seen.insert(route_of(each.chosen.method)).second;
   });
+  for (GeneratedFunction& each : all) each.program = put_in_order(each.program, each.passes);
   return all;
 }
 

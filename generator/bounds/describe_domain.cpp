@@ -45,10 +45,6 @@ void set_rates(const Robot& robot, const Mechanism& mechanism, const DomainDefau
   domain.sizes["qdd"] = domain.sizes["qdd_0"] = std::vector<double>(nv, defaults.acceleration);
 }
 
-std::string number(double value) {
-  return fmt::format("{:.4g}", value);
-}
-
 }  // namespace
 
 std::optional<double> Domain::find(std::string_view input) const {
@@ -94,7 +90,8 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     text += fmt::format("{}|{}| <=", text.empty() ? "" : ", ", argument);
     const bool same = std::all_of(sizes.begin(), sizes.end(),
                                   [&sizes](double size) { return size == sizes.front(); });
-    for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i) text += " " + number(sizes[i]);
+    for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i)
+      text += fmt::format(" {:.4g}", sizes[i]);
   }
   return text;
 }

@@ -106,8 +106,8 @@ GeneratedFunction generated_from(Function function, Choice choice, Routes& route
   generated.rejected = std::move(choice.rejected);
   generated.rejected.insert(generated.rejected.end(), routes.hopeless.begin(),
                             routes.hopeless.end());
-  generated.program = std::move(choice.program);
   generated.passes = std::move(routes.logs[generated.chosen.method]);
+  generated.program = put_in_order(choice.program, generated.passes);
   return generated;
 }
 

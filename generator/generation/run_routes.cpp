@@ -68,7 +68,7 @@ class RouteRunner {
     if (options_.sin_cos == Sines::given) {
       program = take_sines(settle(program));
     }
-    return {method, run_passes(std::move(program), routes.logs[method])};
+    return {method, reduce_operations(std::move(program), routes.logs[method])};
   }
 
   Function function_;

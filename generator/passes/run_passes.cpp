@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "passes/count_operations.hpp"
 #include "passes/eliminate_dead.hpp"
@@ -20,23 +21,34 @@ struct Pass {
   Program (*run)(const Program&);
 };
 
-constexpr std::array kPasses = {
+constexpr std::array kReducing = {
     Pass{"settle", settle},           Pass{"factor_sums", factor_sums},
     Pass{"share_pairs", share_pairs}, Pass{"eliminate_dead", eliminate_dead},
-    Pass{"pack_lanes", pack_lanes},   Pass{"schedule", schedule},
+    Pass{"pack_lanes", pack_lanes},
 };
+
+Program run(const Pass& pass, const Program& program, std::vector<PassReport>& log) {
+  Program after = pass.run(program);
+  log.push_back({pass.name, count_operations(program), count_operations(after),
+                 program.graph.nodes().size(), after.graph.nodes().size()});
+  return after;
+}
 
 }  // namespace
 
-Program run_passes(Program program, std::vector<PassReport>& log) {
-  for (const Pass& pass : kPasses) {
-    const OperationCount before = count_operations(program);
-    const std::size_t nodes = program.graph.nodes().size();
-    program = pass.run(program);
-    log.push_back(
-        {pass.name, before, count_operations(program), nodes, program.graph.nodes().size()});
+Program reduce_operations(Program program, std::vector<PassReport>& log) {
+  for (const Pass& pass : kReducing) {
+    program = run(pass, program, log);
   }
   return program;
+}
+
+Program put_in_order(const Program& program, std::vector<PassReport>& log) {
+  return run({"schedule", schedule}, program, log);
+}
+
+Program run_passes(Program program, std::vector<PassReport>& log) {
+  return put_in_order(reduce_operations(std::move(program), log), log);
 }
 
 std::string to_string(const std::string& function, const PassReport& report) {

@@ -16,8 +16,14 @@ struct PassReport {
   std::size_t nodes_before = 0, nodes_after = 0;
 };
 
-/// Traced program to program in the order of emission: dead code out, cheaper forms, schedule. Each
-/// pass appends a line to `log`.
+/// Traced program to one of the operations that are emitted: dead code out, cheaper forms, lanes.
+/// What it costs is settled then. Each pass appends a line to `log`.
+Program reduce_operations(Program program, std::vector<PassReport>& log);
+
+/// The same operations in the order of emission; for the route that is chosen.
+Program put_in_order(const Program& program, std::vector<PassReport>& log);
+
+/// Both.
 Program run_passes(Program program, std::vector<PassReport>& log);
 
 /// `inverse_dynamics: eliminate_dead 2600 -> 2219 flops, 3500 -> 2800 nodes`

@@ -98,6 +98,7 @@ std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Funct
     const bool keep = std::exchange(first, false) || each.chosen.weighted <= (1 + reach) * least;
     return !keep || !seen.insert(fingerprint(each.program)).second;
   });
+  for (GeneratedFunction& each : all) each.program = put_in_order(each.program, each.passes);
   return all;
 }
 
