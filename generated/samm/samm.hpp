@@ -25,7 +25,7 @@
 // Operational points, rows of task vectors:
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
-// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 10 10 3.142 2.79 3.93 3.93
+// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 10 10 3.141 2.79 3.93 3.93
 //   2.97 1.75 4.64, |qd| <= 1.5 1.5 2.5 8 10 10 10 10 10, |qdd| <= 100.
 
 namespace samm {

@@ -22,8 +22,8 @@
 // Operational points, rows of task vectors:
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
-// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 6.283 6.283 3.142 6.283
-//   6.283 6.283, |qd| <= 2.094 2.094 3.142 3.142 3.142 3.142, |qdd| <= 100.
+// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 6.283 6.283 3.141 6.283
+//   6.283 6.283, |qd| <= 2.094 2.094 3.141 3.141 3.141 3.141, |qdd| <= 100.
 
 namespace ur10e {
 

@@ -45,6 +45,13 @@ void set_rates(const Robot& robot, const Mechanism& mechanism, const DomainDefau
   domain.sizes["qdd"] = domain.sizes["qdd_0"] = std::vector<double>(nv, defaults.acceleration);
 }
 
+/// Four digits, never more than the value: the bound is not known to hold beyond.
+double rounded_down(double value) {
+  if (value == 0) return 0;
+  const double last = std::pow(10, std::floor(std::log10(value)) - 3);
+  return std::floor(value / last * (1 + 1e-12)) * last;
+}
+
 }  // namespace
 
 std::optional<double> Domain::find(std::string_view input) const {
@@ -91,7 +98,7 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     const bool same = std::all_of(sizes.begin(), sizes.end(),
                                   [&sizes](double size) { return size == sizes.front(); });
     for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i)
-      text += fmt::format(" {:.4g}", sizes[i]);
+      text += fmt::format(" {:.4g}", rounded_down(sizes[i]));
   }
   return text;
 }

@@ -120,7 +120,7 @@ TEST(Describe, NeverSaysLessThanTheBound) {
   sample.result({Expression(3.0) * x[0]});
   EXPECT_EQ(describe(sample.bound(), sample.program, kUnit),
             "at most 4.2e-16 in r (at r[0]), 1 ulp of 3.8e+00, the most that r can be");
-  EXPECT_EQ(describe(sample.domain, {"x"}), "|x| <= 1.235");
+  EXPECT_EQ(describe(sample.domain, {"x"}), "|x| <= 1.234");
 }
 
 }  // namespace
