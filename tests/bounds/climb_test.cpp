@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "generation/generate_code.hpp"
@@ -55,7 +57,7 @@ std::vector<double> true_errors(const Program& program, const Climber::Inputs& i
 
 /// How far below its bound the worst error found is, on the whole: the largest of both.
 double climb_and_compare(const GeneratedFunction& generated, const Made& made, std::uint64_t seed,
-                         int targets, int steps) {
+                         std::size_t targets, int steps) {
   EXPECT_TRUE(generated.rounding.exists()) << generated.rounding.missing;
   const std::vector<double>& bound = generated.rounding.error;
   Climber climber(generated.program, made.generation.domain, seed);
@@ -63,9 +65,8 @@ double climb_and_compare(const GeneratedFunction& generated, const Made& made, s
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return bound[a] > bound[b]; });
-  order.resize(std::min(order.size(), static_cast<std::size_t>(targets)));
   double worst = 0;
-  for (const std::size_t target : order) {
+  for (const std::size_t target : std::span(order).first(std::min(order.size(), targets))) {
     climber.climb(target, steps);
     if (climber.at[target].empty()) continue;
     const auto errors = true_errors(generated.program, climber.at[target]);
