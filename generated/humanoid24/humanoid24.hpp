@@ -59,8 +59,8 @@ inline constexpr int kTaskRows = 12;  // stacked over the operational points
 /// out rotation (18): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 370 flops (add 132, mul 238, div 0), sine and cosine of 20 angles.
 /// Stack: at most 74 values live at once, 592 bytes.
-/// Rounding: at most 1.8e-14 in position (at position[2]), 16 ulp of 5.2e+00, the most that
-///   position can be; at most 2.3e-14 in rotation (at rotation[1]), 37 ulp of 2.9e+00, the most that
+/// Rounding: at most 7.9e-15 in position (at position[2]), 16 ulp of 2.3e+00, the most that
+///   position can be; at most 8.8e-15 in rotation (at rotation[1]), 40 ulp of 1.1e+00, the most that
 ///   rotation can be.
 void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotation)[18]) noexcept;
 
@@ -70,7 +70,7 @@ void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotatio
 /// out J (12x24): Jacobian
 /// Cost: 530 flops (add 190, mul 340, div 0), sine and cosine of 20 angles.
 /// Stack: at most 115 values live at once, 920 bytes.
-/// Rounding: at most 1.2e-13 in J (at J[29]), 25 ulp of 2.2e+01, the most that J can be.
+/// Rounding: at most 1.8e-14 in J (at J[27]), 30 ulp of 2.7e+00, the most that J can be.
 void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -80,7 +80,7 @@ void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 /// out bias (12): accelerations of the task rows at qdd = 0
 /// Cost: 824 flops (add 315, mul 509, div 0), sine and cosine of 20 angles.
 /// Stack: at most 105 values live at once, 840 bytes.
-/// Rounding: at most 1.8e-09 in bias (at bias[0]), 61 ulp of 1.4e+05, the most that bias can be.
+/// Rounding: at most 6.4e-10 in bias (at bias[0]), 63 ulp of 4.6e+04, the most that bias can be.
 void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[12]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -101,7 +101,7 @@ void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qd
 /// out g (24): joint forces
 /// Cost: 378 flops (add 152, mul 226, div 0), sine and cosine of 24 angles.
 /// Stack: at most 97 values live at once, 776 bytes.
-/// Rounding: at most 3.7e-12 in g (at g[0]), 11 ulp of 1.6e+03, the most that g can be.
+/// Rounding: at most 1.8e-12 in g (at g[0]), 10 ulp of 8.1e+02, the most that g can be.
 void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -120,7 +120,7 @@ void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24])
 /// out M (24x24): joint-space inertia
 /// Cost: 2233 flops (add 934, mul 1299, div 0), sine and cosine of 23 angles.
 /// Stack: at most 226 values live at once, 1808 bytes.
-/// Rounding: at most 6.3e-13 in M (at M[0]), 13 ulp of 2.3e+02, the most that M can be.
+/// Rounding: at most 4.7e-13 in M (at M[0]), 13 ulp of 1.7e+02, the most that M can be.
 void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bounds/operator_norm.hpp"
@@ -123,7 +124,24 @@ Bounded SetBounds::bound_members(const Set& set) const {
     size = std::hypot(size, member.weight * bounds_[member.node]->size);
     error = std::hypot(error, member.weight * bounds_[member.node]->error);
   }
-  return {size * kSlack, error * kSlack};
+  return {std::min(size, bound_polynomials(set)) * kSlack, error * kSlack};
+}
+
+/// Of sines and cosines of one angle: no angle makes their norm larger.
+double SetBounds::bound_polynomials(const Set& set) const {
+  TrigMatrix A{set.size(), 1, {}};
+  Angle angle = 0;
+  for (std::size_t row = 0; row < set.size(); ++row) {
+    const auto& polynomial = polynomials_[set[row].node];
+    const bool fits =
+        polynomial && (polynomial->is_constant() || angle == 0 || polynomial->angle == angle);
+    if (!fits) return std::numeric_limits<double>::infinity();
+    if (!polynomial->is_constant()) angle = polynomial->angle;
+    MatrixEntry entry{row, 0, *polynomial};
+    for (double& x : entry.value.c) x *= set[row].weight;
+    A.entries.push_back(entry);
+  }
+  return operator_norm(A, {1});
 }
 
 /// Weights are scaled so that the largest is 1, and rounded, so that sets recur.

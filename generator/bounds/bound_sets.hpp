@@ -50,6 +50,7 @@ class SetBounds {
   [[nodiscard]] Bounded bound_alone(std::uint32_t node) const;
   Bounded bound_set(Set set, int depth);
   [[nodiscard]] Bounded bound_members(const Set& set) const;
+  [[nodiscard]] double bound_polynomials(const Set& set) const;
   std::optional<Bounded> turn_set(const Set& set, int depth);
   [[nodiscard]] Angle nearest_turn(const Set& set) const;
   struct Turn;

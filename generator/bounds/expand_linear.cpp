@@ -9,14 +9,16 @@ namespace {
 
 using Polynomials = std::vector<std::optional<TrigPolynomial>>;
 
-/// A product of something that turns and something that does not.
+/// A product of something that turns, with that angle or (0) any, and something that does not.
 struct Turned {
   std::uint32_t turn = 0, other = 0;
 };
-std::optional<Turned> as_turned(const Node& node, const Polynomials& polynomials) {
+std::optional<Turned> as_turned(const Node& node, const Polynomials& polynomials, Angle angle) {
   if (node.op != Op::mul) return std::nullopt;
   for (const auto& [turn, other] : {std::pair{node.a, node.b}, std::pair{node.b, node.a}}) {
-    if (polynomials[turn] && !polynomials[turn]->is_constant() && !polynomials[other]) {
+    const auto &by = polynomials[turn], &of = polynomials[other];
+    const bool turns = by && !by->is_constant() && (angle == 0 || by->angle == angle);
+    if (turns && (!of || (!of->is_constant() && of->angle != by->angle))) {
       return Turned{turn, other};
     }
   }
@@ -36,9 +38,7 @@ class Expansion {
   bool turns(std::uint32_t node) {
     if (++visits_ > kMostVisits) return false;
     const Node& n = nodes_[node];
-    if (const auto turned = as_turned(n, polynomials_)) {
-      return polynomials_[turned->turn]->angle == angle_;
-    }
+    if (as_turned(n, polynomials_, angle_)) return true;
     return is_sum(n) && (turns(n.a) || (n.op != Op::neg && turns(n.b)));
   }
 
@@ -50,8 +50,7 @@ class Expansion {
       if (n.op != Op::neg) expand(n.b, n.op == Op::sub ? -factor : factor);
       return;
     }
-    const auto turned = as_turned(n, polynomials_);
-    if (turned && polynomials_[turned->turn]->angle == angle_) {
+    if (const auto turned = as_turned(n, polynomials_, angle_)) {
       if (const auto product = multiply(factor, *polynomials_[turned->turn])) {
         form.operations.push_back({node, factor.magnitude()});
         expand(turned->other, *product);
@@ -103,7 +102,7 @@ Angle find_turn(const Graph& graph, const Polynomials& polynomials, std::uint32_
   for (std::size_t seen = 0; !next.empty() && seen < kMostNodes; ++seen) {
     const Node& n = graph.nodes()[next.front()];
     next.pop_front();
-    if (const auto turned = as_turned(n, polynomials)) return polynomials[turned->turn]->angle;
+    if (const auto turned = as_turned(n, polynomials, 0)) return polynomials[turned->turn]->angle;
     if (!is_sum(n)) continue;
     next.push_back(n.a);
     if (n.op != Op::neg) next.push_back(n.b);
