@@ -24,7 +24,9 @@ struct BenchRow {
   Variant variant;
   Timing timing;  ///< its ratio is to the first row's
   ErrorSummary norm, component;
-  bool on_front = false;  ///< no other row is as fast and as accurate, by the worst norm-wise error
+  /// No other row is as fast and as accurate, by the worst norm-wise error. Never where work is
+  /// left to the caller.
+  bool on_front = false;
 };
 
 struct BenchFunction {

@@ -94,9 +94,11 @@ struct Decades {
   }
 };
 
-Decades decades_of(const std::vector<double>& values) {
+/// With some room of so many decades below the least.
+Decades decades_of(const std::vector<double>& values, double room) {
+  if (values.empty()) return {0, 1};
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const int first = static_cast<int>(std::floor(std::log10(*least) - 0.05));
+  const int first = static_cast<int>(std::floor(std::log10(*least) - room - 0.05));
   const int last = static_cast<int>(std::ceil(std::log10(*most) + 0.05));
   return {first, std::max(last, first + 1)};
 }
@@ -109,18 +111,28 @@ std::string time_name(int decade) {
   return kNames[static_cast<std::size_t>(decade)];
 }
 
+/// The part of a panel's error axis that is about one Real: errors of both lie far apart, and
+/// nothing between them.
+struct Band {
+  Decades decades;
+  double top = 0, height = 1;
+  [[nodiscard]] double y(double error) const { return top + height * (1 - decades.at(error)); }
+};
+
 class Panel {
  public:
   Panel(const BenchFunction& function, double x, double y)
       : function_(function), x0_(x + kLeft), y0_(y + kTop) {
     std::vector<double> times;
     std::vector<double> errors;
+    std::vector<double> single_errors;
     for (const BenchRow& row : function.rows) {
       times.push_back(row.timing.nanoseconds);
-      errors.push_back(error_of(row));
+      (row.variant.real == Real::float32 ? single_errors : errors).push_back(error_of(row));
     }
-    times_ = decades_of(times);
-    errors_ = decades_of(errors);
+    times_ = decades_of(times, 0);
+    single_ = {decades_of(single_errors, 0), y0_, kSingleHeight};
+    double_ = {decades_of(errors, 0.3), y0_ + kSingleHeight + kGap, kHeight - kSingleHeight - kGap};
   }
 
   [[nodiscard]] std::string draw() const {
@@ -132,31 +144,42 @@ class Panel {
  private:
   static constexpr double kWidth = kPanelWidth - kLeft - kRight;
   static constexpr double kHeight = kPanelHeight - kTop - kBottom;
+  static constexpr double kSingleHeight = 72;
+  static constexpr double kGap = 8;
 
   [[nodiscard]] double x(double nanoseconds) const { return x0_ + kWidth * times_.at(nanoseconds); }
-  [[nodiscard]] double y(double error) const { return y0_ + kHeight * (1 - errors_.at(error)); }
+  [[nodiscard]] double y(const BenchRow& row) const {
+    return (row.variant.real == Real::float32 ? single_ : double_).y(error_of(row));
+  }
 
   [[nodiscard]] std::string draw_axes() const {
     std::string text;
     for (int decade = times_.first; decade <= times_.last; ++decade) {
-      for (const double minor : {2.0, 5.0}) {
-        const double at = minor * std::pow(10, decade);
-        if (decade < times_.last) text += line(x(at), y0_, x(at), y0_ + kHeight, "#f0f0f0");
-      }
-      const double at = x(std::pow(10, decade));
-      text += line(at, y0_, at, y0_ + kHeight, "#d0d0d0");
-      text += text_at(at, y0_ + kHeight + 14, time_name(decade), "text-anchor=\"middle\"");
+      text += text_at(x(std::pow(10, decade)), y0_ + kHeight + 14, time_name(decade),
+                      "text-anchor=\"middle\"");
     }
-    const int step = errors_.last - errors_.first > 8 ? 2 : 1;
-    for (int decade = errors_.first; decade <= errors_.last; decade += step) {
-      const double at = y(std::pow(10, decade));
+    return text + draw_band(single_) + draw_band(double_);
+  }
+
+  [[nodiscard]] std::string draw_band(const Band& band) const {
+    std::string text;
+    for (int decade = times_.first; decade < times_.last; ++decade) {
+      for (const double part : {2.0, 5.0, 10.0}) {
+        const double at = x(part * std::pow(10, decade));
+        text += line(at, band.top, at, band.top + band.height, part < 10 ? "#f0f0f0" : "#d0d0d0");
+      }
+    }
+    const Decades& decades = band.decades;
+    const int step = 1 + static_cast<int>(14 * (decades.last - decades.first) / band.height);
+    for (int decade = decades.first; decade <= decades.last; decade += step) {
+      const double at = band.y(std::pow(10, decade));
       text += line(x0_, at, x0_ + kWidth, at, "#d0d0d0");
       text += text_at(x0_ - 5, at + 3.5, fmt::format("1e{}", decade), "text-anchor=\"end\"");
     }
     return text + fmt::format(
                       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
                       "fill=\"none\" stroke=\"#808080\"/>\n",
-                      x0_, y0_, kWidth, kHeight);
+                      x0_, band.top, kWidth, band.height);
   }
 
   [[nodiscard]] std::vector<const BenchRow*> front() const {
@@ -177,7 +200,7 @@ class Panel {
     for (const BenchRow* row : front()) {
       const double at = x(row->timing.nanoseconds);
       points += fmt::format("{:.1f},{:.1f} ", at, last_y);
-      last_y = y(error_of(*row));
+      last_y = y(*row);
       points += fmt::format("{:.1f},{:.1f} ", at, last_y);
     }
     points += fmt::format("{:.1f},{:.1f}", x0_ + kWidth, last_y);
@@ -189,37 +212,38 @@ class Panel {
   [[nodiscard]] std::string draw_marks() const {
     std::string text;
     for (auto row = function_.rows.rbegin(); row != function_.rows.rend(); ++row) {
-      text += mark(style_of(row->variant.group), x(row->timing.nanoseconds), y(error_of(*row)),
+      text += mark(style_of(row->variant.group), x(row->timing.nanoseconds), y(*row),
                    fmt::format("{}: {:.3g} ns, {:.1e}", row->variant.name, row->timing.nanoseconds,
                                row->norm.worst));
     }
     return text;
   }
 
-  /// Names of what is on the front, none on another.
+  /// Names of what is on the front, below it, where nothing else is; none on another.
   [[nodiscard]] std::string draw_labels() const {
-    constexpr std::size_t kLongest = 40;
+    constexpr std::size_t kLongest = 44;
     constexpr double kLine = 11;
     constexpr double kLetter = 4.8;
     std::string text;
-    double free_y = y0_ + kHeight;  // lines lie above this
-    const auto rows = front();
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-      std::string name = (*row)->variant.name.substr(0, kLongest);
-      if (name.size() < (*row)->variant.name.size()) name += "...";
-      const double at = x((*row)->timing.nanoseconds);
-      const double height = std::min(y(error_of(**row)) - 6, free_y);
-      free_y = height - kLine;
+    double last_y = 0;
+    for (const BenchRow* row : front()) {
+      std::string name = row->variant.name.substr(0, kLongest);
+      if (name.size() < row->variant.name.size()) name += "...";
       const double room = x0_ + kWidth - 4 - kLetter * static_cast<double>(name.size());
-      const double from = std::max(x0_ + 4, std::min(at + 6, room));
-      text += text_at(from, height, name, "fill=\"#303030\" font-size=\"9\"");
+      const double from = std::max(x0_ + 4, std::min(x(row->timing.nanoseconds) - 4, room));
+      const double height = std::max(y(*row) + 16, last_y + kLine);
+      last_y = height;
+      text += text_at(from, height, name,
+                      "fill=\"#303030\" font-size=\"9\" stroke=\"white\" stroke-width=\"3\" "
+                      "paint-order=\"stroke\"");
     }
     return text;
   }
 
   const BenchFunction& function_;
   double x0_, y0_;
-  Decades times_, errors_;
+  Decades times_;
+  Band single_, double_;
 };
 
 std::string draw_legend(const BenchReport& report) {
@@ -255,7 +279,9 @@ std::string draw_svg(const BenchReport& report) {
                   fmt::format("{} states against 50 digits; {}; {}", report.states,
                               report.machine.processor, report.machine.command),
                   "font-size=\"12\"");
-  text += text_at(14, 64, "dashed: the front, which nothing beats in both; its variants are named",
+  text += text_at(14, 64,
+                  "errors of float in the upper band, of double in the lower; dashed: the front, "
+                  "which nothing beats in both (sines given left out); its variants are named",
                   "font-size=\"12\"");
   text += draw_legend(report);
   for (int i = 0; i < count; ++i) {

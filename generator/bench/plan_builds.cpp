@@ -169,10 +169,19 @@ class Planner {
     builds_.push_back(std::move(build));
   }
 
-  static Variant variant_of(const GeneratedFunction& generated, const Difference& difference) {
+  /// Whether the function takes sines where the scene's code computes them.
+  [[nodiscard]] bool spares_sines(const Program& program) const {
+    return scene_.sin_cos == Sines::computed &&
+           std::any_of(program.arguments.begin(), program.arguments.end(),
+                       [](const Argument& argument) { return argument.name == "sin_q"; });
+  }
+
+  [[nodiscard]] Variant variant_of(const GeneratedFunction& generated,
+                                   const Difference& difference) const {
     Variant variant{generated.function, difference.group, difference.name, difference.real};
     variant.method = generated.chosen.method;
     variant.flops = generated.chosen.count.flops();
+    variant.whole = !spares_sines(generated.program);
     if (difference.group == VariantGroup::route) variant.name += route_of(variant.method);
     return variant;
   }

@@ -29,9 +29,10 @@ struct Variant {
   VariantGroup group{};
   std::string name;  ///< "double, 8 lanes", "route: articulated bodies, Chang table 4.2"
   Real real = Real::float64;
-  std::string method = {};                ///< of generated code: the route's full name
-  std::string flags = {};                 ///< of generated code: for the compiler
-  int flops = 0;                          ///< of generated code
+  std::string method = {};  ///< of generated code: the route's full name
+  std::string flags = {};   ///< of generated code: for the compiler
+  int flops = 0;            ///< of generated code
+  bool whole = true;  ///< false: what the caller must do first, take sines, is not in its time
   std::vector<std::string> repeats = {};  ///< variants whose code is the same to the byte
 };
 

@@ -66,5 +66,13 @@ TEST(MarkFront, LeavesOutWhatIsBeaten) {
   EXPECT_TRUE(rows[4].on_front);
 }
 
+TEST(MarkFront, HasNoRowThatLeavesWorkToTheCaller) {
+  std::vector<BenchRow> rows = {row(10, 1e-15), row(5, 1e-15)};
+  rows[1].variant.whole = false;
+  mark_front(rows);
+  EXPECT_TRUE(rows[0].on_front);
+  EXPECT_FALSE(rows[1].on_front);
+}
+
 }  // namespace
 }  // namespace treeline::tests

@@ -49,6 +49,11 @@ TEST(PlanBuilds, HaveEveryVariantOnce) {
   ASSERT_TRUE(builds);
   EXPECT_EQ(builds->front().variants.size(), 2U);
   const Names names = names_of(*builds);
+  for (const VariantBuild& build : *builds) {
+    for (const Variant& variant : build.variants) {
+      EXPECT_EQ(variant.whole, variant.name != "sines given");
+    }
+  }
   for (const auto& [function, found] : names) {
     for (const char* name :
          {"double, 8 lanes", "double, 4 lanes", "double, 1 lane", "float, 8 lanes",
