@@ -1,6 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
-// By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
-// 776 flops (add 323, mul 443, div 10), sine and cosine of 5 angles
+// By M = L^T D L, J carried inward, in the axes asked for at link origins.
+// 782 flops (add 322, mul 450, div 10), sine and cosine of 5 angles
 // Generated; see puma560.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -21,7 +21,7 @@ namespace puma560 {
 template <int count>
 using Lanes = detail::Pack<Real, count>;
 void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambda)[36]) noexcept {
-  const Real angles[5] = {q[1], q[2], q[3], q[4], q[0]};
+  const Real angles[5] = {q[1], q[2], q[0], q[3], q[4]};
   Real sines[5];
   Real cosines[5];
   detail::sin_cos(angles, sines, cosines);
@@ -29,12 +29,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real c3 = cosines[1];
   const Real c2 = cosines[0];
   const Real s3 = sines[1];
-  const Real s4 = sines[2];
-  const Real s5 = sines[3];
-  const Real c4 = cosines[2];
-  const Real c5 = cosines[3];
-  const Real s1 = sines[4];
-  const Real c1 = cosines[4];
+  const Real c1 = cosines[2];
+  const Real s4 = sines[3];
+  const Real s5 = sines[4];
+  const Real c4 = cosines[3];
+  const Real c5 = cosines[4];
+  const Real s1 = sines[2];
 
   // link 5 (link5), composite inertia
   const Real Lambda_5_5_p1 = 0.0028799999999999997 * s5;
@@ -116,7 +116,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_5_5_p37 = Lambda_5_5_p7 * (Lambda_5_5_p23 -
       (0.025374999999999998 * Lambda_5_5_p10 + 0.861795 * Lambda_5_5_p12));
 
-  // link 5 (link5), mass matrix
+  // link 3 (link3), Jacobian
   const Real Lambda_5_5_p38 = Lambda_5_5_p22 + Lambda_5_5_p7;
 
   // link 1 (link1), mass matrix
@@ -152,299 +152,307 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_5_5_p49 = 0.312455249 + (0.00129216 - Lambda_5_5_p31 - 2.0 *
       (Lambda_5_5_p29 + Lambda_5_5_p24 * Lambda_5_5_p25)) - Lambda_5_5_p21 * Lambda_5_5_p16;
   const Real Lambda_5_5_p50 = Lambda_5_5_p46 * Lambda_5_5_p30;
-  const Real Lambda_5_5_p51 = 24999.999999999996 * Lambda_5_5_p42;
+
+  // link 4 (link4), pose
+  const Real Lambda_5_5_p51 = Lambda_5_5_p10 * s1;
+
+  // link 1 (link1), mass matrix
   const Real Lambda_5_5_p52 = Lambda_5_5_p47 + Lambda_5_5_p21 * Lambda_5_5_p42;
   const Real Lambda_5_5_p53 = Lambda_5_5_p12 * Lambda_5_5_p33 - Lambda_5_5_p10 * Lambda_5_5_p17 -
       0.1501 * Lambda_5_5_p18 + Lambda_5_5_p4 * Lambda_5_5_p42 + Lambda_5_5_p38 * Lambda_5_5_p9;
-  const Real Lambda_5_5_p54 = 1557.24430048586 * Lambda_5_5_p48;
-  const Real Lambda_5_5_p55 = Lambda_5_5_p53 * Lambda_5_5_p30;
-  const Real Lambda_5_5_p56 = 1.0 / (Lambda_5_5_p49 - Lambda_5_5_p40 * Lambda_5_5_p36 -
-      Lambda_5_5_p44 * Lambda_5_5_p39);
-  const Real Lambda_5_5_p57 = Lambda_5_5_p49 - Lambda_5_5_p43 - Lambda_5_5_p40 * Lambda_5_5_p41 -
-      Lambda_5_5_p44 * Lambda_5_5_p46;
-  const Real Lambda_5_5_p58 = Lambda_5_5_p52 - Lambda_5_5_p40 * Lambda_5_5_p48 - Lambda_5_5_p44 *
-      Lambda_5_5_p53;
-
-  // link 5 (link5), pose
-  const Real Lambda_5_5_p59 = s5 * s4;
-  const Real Lambda_5_5_p60 = s5 * Lambda_5_5_p32 + c5 * Lambda_5_5_p10;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p61 = 0.690314699 * s2 + 0.023750999999999998 * c2 + Lambda_5_5_p52 +
-      Lambda_5_5_p8 * Lambda_5_5_p11 - Lambda_5_5_p45 * Lambda_5_5_p48;
-  const Real Lambda_5_5_p62 = Lambda_5_5_p21 * Lambda_5_5_p60;
-  const Real Lambda_5_5_p63 = Lambda_5_5_p4 * Lambda_5_5_p59;
-  const Real Lambda_5_5_p64 = 3.153482265 - s2 * (1.601861202 * s2 + 0.0141984 * c2) +
-      Lambda_5_5_p17 - Lambda_5_5_p51 * Lambda_5_5_p42;
-  const Real Lambda_5_5_p65 = Lambda_5_5_p4 * Lambda_5_5_p60 - Lambda_5_5_p10;
-  const Real Lambda_5_5_p66 = 24999.999999999996 * Lambda_5_5_p59;
-  const Real Lambda_5_5_p67 = 1.0 - Lambda_5_5_p21 * Lambda_5_5_p59;
-  const Real Lambda_5_5_p68 = 0.298925024 * Lambda_5_5_p12 + 0.021347276999999998 * Lambda_5_5_p10 -
-      (Lambda_5_5_p10 * (2.0 * Lambda_5_5_p33) - Lambda_5_5_p12 *
-      (0.0011921599999999998 - Lambda_5_5_p14 + Lambda_5_5_p31 - Lambda_5_5_p17));
+  const Real Lambda_5_5_p54 = 24999.999999999996 * Lambda_5_5_p42;
 
   // link 4 (link4), pose
-  const Real Lambda_5_5_p69 = s4 * Lambda_5_5_p10;
+  const Real Lambda_5_5_p55 = Lambda_5_5_p12 * s1;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p70 = Lambda_5_5_p57 * Lambda_5_5_p56;
-  const Real Lambda_5_5_p71 = Lambda_5_5_p58 * Lambda_5_5_p56;
-  const Real Lambda_5_5_p72 = 1557.24430048586 * c4;
-  const Real Lambda_5_5_p73 = 24999.999999999996 * Lambda_5_5_p60;
-  const Real Lambda_5_5_p74 = Lambda_5_5_p67 - Lambda_5_5_p40 * c4 + Lambda_5_5_p44 *
-      Lambda_5_5_p63;
-  const Real Lambda_5_5_p75 = Lambda_5_5_p62 - Lambda_5_5_p40 * Lambda_5_5_p34 - Lambda_5_5_p44 *
-      Lambda_5_5_p65;
-  const Real Lambda_5_5_p76 = 1557.24430048586 * Lambda_5_5_p34;
-  const Real Lambda_5_5_p77 = Lambda_5_5_p63 * Lambda_5_5_p30;
-  const Real Lambda_5_5_p78 = Lambda_5_5_p65 * Lambda_5_5_p30;
+  const Real Lambda_5_5_p56 = 1557.24430048586 * Lambda_5_5_p48;
+  const Real Lambda_5_5_p57 = Lambda_5_5_p53 * Lambda_5_5_p30;
+  const Real Lambda_5_5_p58 = 1.0 / (Lambda_5_5_p49 - Lambda_5_5_p40 * Lambda_5_5_p36 -
+      Lambda_5_5_p44 * Lambda_5_5_p39);
+  const Real Lambda_5_5_p59 = Lambda_5_5_p49 - Lambda_5_5_p43 - Lambda_5_5_p40 * Lambda_5_5_p41 -
+      Lambda_5_5_p44 * Lambda_5_5_p46;
+  const Real Lambda_5_5_p60 = Lambda_5_5_p52 - Lambda_5_5_p40 * Lambda_5_5_p48 - Lambda_5_5_p44 *
+      Lambda_5_5_p53;
+  const Real Lambda_5_5_p61 = 0.690314699 * s2 + 0.023750999999999998 * c2 + Lambda_5_5_p52 +
+      Lambda_5_5_p8 * Lambda_5_5_p11 - Lambda_5_5_p45 * Lambda_5_5_p48;
 
   // link 5 (link5), pose
-  const Real Lambda_5_5_p79 = c5 * Lambda_5_5_p12 - s5 * (c4 * Lambda_5_5_p10);
+  const Real Lambda_5_5_p62 = s5 * Lambda_5_5_p32 + c5 * Lambda_5_5_p10;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p80 = 1.7481140020000001 + Lambda_5_5_p49 - 2.0 * Lambda_5_5_p43 -
-      Lambda_5_5_p45 * Lambda_5_5_p41 - Lambda_5_5_p50 * Lambda_5_5_p46 - Lambda_5_5_p70 *
-      Lambda_5_5_p57;
-  const Real Lambda_5_5_p81 = Lambda_5_5_p61 - Lambda_5_5_p50 * Lambda_5_5_p53 - Lambda_5_5_p70 *
-      Lambda_5_5_p58;
-  const Real Lambda_5_5_p82 = Lambda_5_5_p67 - Lambda_5_5_p45 * c4 + Lambda_5_5_p50 *
-      Lambda_5_5_p63 - Lambda_5_5_p70 * Lambda_5_5_p74;
-  const Real Lambda_5_5_p83 = Lambda_5_5_p62 - Lambda_5_5_p45 * Lambda_5_5_p34 - Lambda_5_5_p50 *
-      Lambda_5_5_p65 - Lambda_5_5_p70 * Lambda_5_5_p75;
-  const Real Lambda_5_5_p84 = Lambda_5_5_p21 * Lambda_5_5_p79;
-  const Real Lambda_5_5_p85 = 1.0 / Lambda_5_5_p80;
-  const Real Lambda_5_5_p86 = Lambda_5_5_p74 * Lambda_5_5_p56;
-  const Real Lambda_5_5_p87 = 1.0 - Lambda_5_5_p51 * Lambda_5_5_p60 - Lambda_5_5_p54 *
-      Lambda_5_5_p34 - Lambda_5_5_p55 * Lambda_5_5_p65 - Lambda_5_5_p71 * Lambda_5_5_p75;
-  const Real Lambda_5_5_p88 = Lambda_5_5_p75 * Lambda_5_5_p56;
-  const Real Lambda_5_5_p89 = Lambda_5_5_p4 * Lambda_5_5_p79 - Lambda_5_5_p12;
-  const Real Lambda_5_5_p90 = Lambda_5_5_p8 + (Lambda_5_5_p70 - 1.0) * Lambda_5_5_p24;
-  const Real Lambda_5_5_p91 = Lambda_5_5_p84 + Lambda_5_5_p40 * Lambda_5_5_p69 - Lambda_5_5_p44 *
-      Lambda_5_5_p89;
-  const Real Lambda_5_5_p92 = 0.05625 * Lambda_5_5_p60;
-  const Real Lambda_5_5_p93 = 0.05625 * Lambda_5_5_p59;
-  const Real Lambda_5_5_p94 = Lambda_5_5_p81 * Lambda_5_5_p85;
-  const Real Lambda_5_5_p95 = Lambda_5_5_p91 * Lambda_5_5_p56;
-  const Real Lambda_5_5_p96 = Lambda_5_5_p82 * Lambda_5_5_p85;
-  const Real Lambda_5_5_p97 = Lambda_5_5_p83 * Lambda_5_5_p85;
-  const Real Lambda_5_5_p98 = 24999.999999999996 * Lambda_5_5_p79 * Lambda_5_5_p79 +
-      1557.24430048586 * Lambda_5_5_p69 * Lambda_5_5_p69 + Lambda_5_5_p89 * Lambda_5_5_p30 *
-      Lambda_5_5_p89;
-  const Real Lambda_5_5_p99 = 0.05625 * Lambda_5_5_p79;
-  const Real Lambda_5_5_p100 = Lambda_5_5_p84 + Lambda_5_5_p45 * Lambda_5_5_p69 - Lambda_5_5_p50 *
-      Lambda_5_5_p89 - Lambda_5_5_p70 * Lambda_5_5_p91;
-  const Real Lambda_5_5_p101 = Lambda_5_5_p100 * Lambda_5_5_p85;
-  const Real Lambda_5_5_p102 = Lambda_5_5_p64 - Lambda_5_5_p54 * Lambda_5_5_p48 - Lambda_5_5_p55 *
-      Lambda_5_5_p53 - Lambda_5_5_p71 * Lambda_5_5_p58 - Lambda_5_5_p94 * Lambda_5_5_p81;
-  const Real Lambda_5_5_p103 = Lambda_5_5_p51 * Lambda_5_5_p59 - Lambda_5_5_p54 * c4 +
-      Lambda_5_5_p55 * Lambda_5_5_p63 - Lambda_5_5_p71 * Lambda_5_5_p74 - Lambda_5_5_p94 *
-      Lambda_5_5_p82;
-  const Real Lambda_5_5_p104 = Lambda_5_5_p87 - Lambda_5_5_p94 * Lambda_5_5_p83;
-  const Real Lambda_5_5_p105 = Lambda_5_5_p66 * Lambda_5_5_p59 + Lambda_5_5_p72 * c4 +
-      Lambda_5_5_p77 * Lambda_5_5_p63 + Lambda_5_5_p86 * Lambda_5_5_p74 + Lambda_5_5_p96 *
-      Lambda_5_5_p82;
-  const Real Lambda_5_5_p106 = Lambda_5_5_p72 * Lambda_5_5_p34 - Lambda_5_5_p66 * Lambda_5_5_p60 -
-      Lambda_5_5_p77 * Lambda_5_5_p65 + Lambda_5_5_p86 * Lambda_5_5_p75 + Lambda_5_5_p96 *
-      Lambda_5_5_p83;
-  const Real Lambda_5_5_p107 = Lambda_5_5_p73 * Lambda_5_5_p60 + Lambda_5_5_p76 * Lambda_5_5_p34 +
-      Lambda_5_5_p78 * Lambda_5_5_p65 + Lambda_5_5_p88 * Lambda_5_5_p75 + Lambda_5_5_p97 *
-      Lambda_5_5_p83;
-  const Real Lambda_5_5_p108 = 0.1501 + Lambda_5_5_p71 * Lambda_5_5_p24 - Lambda_5_5_p94 *
-      Lambda_5_5_p90;
-  const Real Lambda_5_5_p109 = Lambda_5_5_p54 * Lambda_5_5_p69 - Lambda_5_5_p51 * Lambda_5_5_p79 -
-      Lambda_5_5_p55 * Lambda_5_5_p89 - Lambda_5_5_p71 * Lambda_5_5_p91 - Lambda_5_5_p94 *
-      Lambda_5_5_p100;
-  const Real Lambda_5_5_p110 = Lambda_5_5_p73 * Lambda_5_5_p79 - Lambda_5_5_p76 * Lambda_5_5_p69 +
-      Lambda_5_5_p78 * Lambda_5_5_p89 + Lambda_5_5_p88 * Lambda_5_5_p91 + Lambda_5_5_p97 *
-      Lambda_5_5_p100;
-  const Real Lambda_5_5_p111 = Lambda_5_5_p86 * Lambda_5_5_p91 -
-      (Lambda_5_5_p66 * Lambda_5_5_p79 + Lambda_5_5_p72 * Lambda_5_5_p69 + Lambda_5_5_p77 *
-      Lambda_5_5_p89) + Lambda_5_5_p96 * Lambda_5_5_p100;
+  const Real Lambda_5_5_p63 = 3.153482265 - s2 * (1.601861202 * s2 + 0.0141984 * c2) +
+      Lambda_5_5_p17 - Lambda_5_5_p54 * Lambda_5_5_p42;
+  const Real Lambda_5_5_p64 = Lambda_5_5_p21 * Lambda_5_5_p62;
 
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p112 = 2.0 * c1;
+  // link 3 (link3), Jacobian
+  const Real Lambda_5_5_p65 = Lambda_5_5_p24 * s1;
+
+  // link 5 (link5), pose
+  const Real Lambda_5_5_p66 = s5 * (s4 * c1 - c4 * Lambda_5_5_p51) + c5 * Lambda_5_5_p55;
+
+  // link 4 (link4), pose
+  const Real Lambda_5_5_p67 = s4 * Lambda_5_5_p51 + c4 * c1;
+
+  // link 3 (link3), Jacobian
+  const Real Lambda_5_5_p68 = Lambda_5_5_p24 - Lambda_5_5_p8;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p113 = Lambda_5_5_p22 * Lambda_5_5_p56;
-  const Real Lambda_5_5_p114 = 1.0 / (Lambda_5_5_p102 + 2.0 *
-      (0.1501 * Lambda_5_5_p11 - Lambda_5_5_p37 - Lambda_5_5_p29) + Lambda_5_5_p68 *
+  const Real Lambda_5_5_p69 = Lambda_5_5_p4 * Lambda_5_5_p62 - Lambda_5_5_p10;
+  const Real Lambda_5_5_p70 = 24999.999999999996 * Lambda_5_5_p62;
+  const Real Lambda_5_5_p71 = 1557.24430048586 * Lambda_5_5_p34;
+  const Real Lambda_5_5_p72 = Lambda_5_5_p59 * Lambda_5_5_p58;
+  const Real Lambda_5_5_p73 = Lambda_5_5_p60 * Lambda_5_5_p58;
+  const Real Lambda_5_5_p74 = 0.298925024 * Lambda_5_5_p12 + 0.021347276999999998 * Lambda_5_5_p10 -
+      (Lambda_5_5_p10 * (2.0 * Lambda_5_5_p33) - Lambda_5_5_p12 *
+      (0.0011921599999999998 - Lambda_5_5_p14 + Lambda_5_5_p31 - Lambda_5_5_p17));
+  const Real Lambda_5_5_p75 = Lambda_5_5_p55 - Lambda_5_5_p4 * Lambda_5_5_p66;
+  const Real Lambda_5_5_p76 = c1 - Lambda_5_5_p21 * Lambda_5_5_p66;
+  const Real Lambda_5_5_p77 = 24999.999999999996 * Lambda_5_5_p66;
+  const Real Lambda_5_5_p78 = 1557.24430048586 * Lambda_5_5_p67;
+  const Real Lambda_5_5_p79 = Lambda_5_5_p69 * Lambda_5_5_p30;
+
+  // link 4 (link4), pose
+  const Real Lambda_5_5_p80 = Lambda_5_5_p10 * c1;
+  const Real Lambda_5_5_p81 = Lambda_5_5_p12 * c1;
+
+  // link 1 (link1), mass matrix
+  const Real Lambda_5_5_p82 = Lambda_5_5_p64 - Lambda_5_5_p40 * Lambda_5_5_p34 - Lambda_5_5_p44 *
+      Lambda_5_5_p69;
+  const Real Lambda_5_5_p86 = 1.7481140020000001 + Lambda_5_5_p49 - 2.0 * Lambda_5_5_p43 -
+      Lambda_5_5_p45 * Lambda_5_5_p41 - Lambda_5_5_p50 * Lambda_5_5_p46 - Lambda_5_5_p72 *
+      Lambda_5_5_p59;
+  const Real Lambda_5_5_p87 = Lambda_5_5_p61 - Lambda_5_5_p50 * Lambda_5_5_p53 - Lambda_5_5_p72 *
+      Lambda_5_5_p60;
+  const Real Lambda_5_5_p88 = Lambda_5_5_p76 - Lambda_5_5_p40 * Lambda_5_5_p67 - Lambda_5_5_p44 *
+      Lambda_5_5_p75;
+  const Real Lambda_5_5_p89 = Lambda_5_5_p75 * Lambda_5_5_p30;
+  const Real Lambda_5_5_p93 = 1.0 / Lambda_5_5_p86;
+
+  // link 3 (link3), Jacobian
+  const Real Lambda_5_5_p100 = Lambda_5_5_p24 * c1;
+
+  // link 4 (link4), pose
+  const Real Lambda_5_5_p101 = s4 * Lambda_5_5_p80 - c4 * s1;
+
+  // link 1 (link1), mass matrix
+  const Lanes<8> Lambda_5_5_p102_lanes = detail::make_pack<Real>(Lambda_5_5_p65, Lambda_5_5_p65,
+      Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p82, Lambda_5_5_p65,
+      Lambda_5_5_p65) * Lambda_5_5_p58;
+  const Real Lambda_5_5_p105 = 0.05625 * Lambda_5_5_p66;
+  const Lanes<8> Lambda_5_5_p106_lanes = detail::make_pack<Real>(Lambda_5_5_p68 * s1,
+      Lambda_5_5_p68 * s1, Lambda_5_5_p68 * s1, Lambda_5_5_p68 * s1, Lambda_5_5_p76 -
+      Lambda_5_5_p45 * Lambda_5_5_p67 - Lambda_5_5_p50 * Lambda_5_5_p75, Lambda_5_5_p64 -
+      Lambda_5_5_p45 * Lambda_5_5_p34 - Lambda_5_5_p50 * Lambda_5_5_p69, Lambda_5_5_p68 * s1,
+      Lambda_5_5_p68 * s1) - Lambda_5_5_p72 * detail::make_pack<Real>(Lambda_5_5_p65,
+      Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p82,
+      Lambda_5_5_p65, Lambda_5_5_p65);
+
+  // link 5 (link5), pose
+  const Real Lambda_5_5_p112 = s5 * (c4 * Lambda_5_5_p80 + s4 * s1) - c5 * Lambda_5_5_p81;
+
+  // link 1 (link1), mass matrix
+  const Real Lambda_5_5_p113 = 0.05625 * Lambda_5_5_p62;
+  const Real Lambda_5_5_p114 = Lambda_5_5_p68 * c1 - Lambda_5_5_p72 * Lambda_5_5_p100;
+  const Real Lambda_5_5_p115 = Lambda_5_5_p87 * Lambda_5_5_p93;
+  const Lanes<8> Lambda_5_5_p116_lanes = Lambda_5_5_p106_lanes * Lambda_5_5_p93;
+  const Real Lambda_5_5_p122 = Lambda_5_5_p81 + Lambda_5_5_p4 * Lambda_5_5_p112;
+  const Real Lambda_5_5_p123 = Lambda_5_5_p21 * Lambda_5_5_p112 - s1;
+  const Real Lambda_5_5_p124 = 0.05625 * Lambda_5_5_p112;
+  const Real Lambda_5_5_p128 = Lambda_5_5_p63 - Lambda_5_5_p56 * Lambda_5_5_p48 - Lambda_5_5_p57 *
+      Lambda_5_5_p53 - Lambda_5_5_p73 * Lambda_5_5_p60 - Lambda_5_5_p115 * Lambda_5_5_p87;
+  const Lanes<8> Lambda_5_5_p129_lanes = detail::make_pack<Real>(Lambda_5_5_p38 * c1,
+      Lambda_5_5_p38 * c1, Lambda_5_5_p38 * c1, Lambda_5_5_p38 * c1, Lambda_5_5_p54 *
+      Lambda_5_5_p66 - Lambda_5_5_p56 * Lambda_5_5_p67, 1.0 - Lambda_5_5_p54 * Lambda_5_5_p62 -
+      Lambda_5_5_p56 * Lambda_5_5_p34, Lambda_5_5_p38 * c1, Lambda_5_5_p38 * c1) -
+      detail::make_pack<Real>(0.1501, 0.1501, 0.1501, 0.1501, Lambda_5_5_p57, Lambda_5_5_p57,
+      0.1501, 0.1501) * detail::make_pack<Real>(s1, s1, s1, s1, Lambda_5_5_p75, Lambda_5_5_p69, s1,
+      s1) - Lambda_5_5_p73 * detail::make_pack<Real>(Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p65,
+      Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p82, Lambda_5_5_p65, Lambda_5_5_p65) -
+      Lambda_5_5_p115 * Lambda_5_5_p106_lanes;
+  const Real Lambda_5_5_p132 = Lambda_5_5_p123 - Lambda_5_5_p40 * Lambda_5_5_p101 - Lambda_5_5_p44 *
+      Lambda_5_5_p122;
+  const Real Lambda_5_5_p133 = Lambda_5_5_p70 * Lambda_5_5_p62 + Lambda_5_5_p71 * Lambda_5_5_p34 +
+      Lambda_5_5_p79 * Lambda_5_5_p69 + Lambda_5_5_p102_lanes[5] * Lambda_5_5_p82 +
+      Lambda_5_5_p116_lanes[5] * Lambda_5_5_p106_lanes[5];
+  const Real Lambda_5_5_p134 = Lambda_5_5_p71 * Lambda_5_5_p67 - Lambda_5_5_p70 * Lambda_5_5_p66 +
+      Lambda_5_5_p79 * Lambda_5_5_p75 + Lambda_5_5_p102_lanes[5] * Lambda_5_5_p88 +
+      Lambda_5_5_p116_lanes[5] * Lambda_5_5_p106_lanes[4];
+  const Real Lambda_5_5_p135 = Lambda_5_5_p77 * Lambda_5_5_p66 + Lambda_5_5_p78 * Lambda_5_5_p67 +
+      Lambda_5_5_p89 * Lambda_5_5_p75 + Lambda_5_5_p102_lanes[4] * Lambda_5_5_p88 +
+      Lambda_5_5_p116_lanes[4] * Lambda_5_5_p106_lanes[4];
+  const Real Lambda_5_5_p136 = Lambda_5_5_p38 * s1 + 0.1501 * c1 + Lambda_5_5_p73 *
+      Lambda_5_5_p100 + Lambda_5_5_p115 * Lambda_5_5_p114;
+  const Real Lambda_5_5_p137 = Lambda_5_5_p132 * Lambda_5_5_p58;
+  const Real Lambda_5_5_p141 = Lambda_5_5_p123 - Lambda_5_5_p45 * Lambda_5_5_p101 - Lambda_5_5_p50 *
+      Lambda_5_5_p122 - Lambda_5_5_p72 * Lambda_5_5_p132;
+  const Real Lambda_5_5_p142 = Lambda_5_5_p22 * Lambda_5_5_p58;
+  const Real Lambda_5_5_p143 = 1.0 / (Lambda_5_5_p128 + 2.0 *
+      (0.1501 * Lambda_5_5_p11 - Lambda_5_5_p37 - Lambda_5_5_p29) + Lambda_5_5_p74 *
       Lambda_5_5_p12);
-  const Real Lambda_5_5_p115 = Lambda_5_5_p70 * Lambda_5_5_p22 - Lambda_5_5_p38;
-  const Real Lambda_5_5_p116 = Lambda_5_5_p115 * Lambda_5_5_p85;
-  const Real Lambda_5_5_p117 = Lambda_5_5_p71 * Lambda_5_5_p22 - Lambda_5_5_p94 * Lambda_5_5_p115;
-  const Real Lambda_5_5_p118 = Lambda_5_5_p103 * Lambda_5_5_p114;
-  const Real Lambda_5_5_p119 = Lambda_5_5_p104 * Lambda_5_5_p114;
-  const Real Lambda_5_5_p120 = Lambda_5_5_p109 * Lambda_5_5_p114;
-  const Real Lambda_5_5_p121 = Lambda_5_5_p38 * Lambda_5_5_p114;
-  const Real Lambda_5_5_p122 = Lambda_5_5_p117 * Lambda_5_5_p114;
-  const Real Lambda_5_5_p123 = Lambda_5_5_p120 * Lambda_5_5_p38;
-  const Real Lambda_5_5_p124 = Lambda_5_5_p119 * Lambda_5_5_p38;
-  const Real Lambda_5_5_p125 = Lambda_5_5_p118 * Lambda_5_5_p38;
-  const Real Lambda_5_5_p126 = Lambda_5_5_p105 + Lambda_5_5_p118 * Lambda_5_5_p103;
-  const Real Lambda_5_5_p127 = Lambda_5_5_p106 + Lambda_5_5_p118 * Lambda_5_5_p104;
-  const Real Lambda_5_5_p128 = Lambda_5_5_p107 + Lambda_5_5_p119 * Lambda_5_5_p104;
-  const Real Lambda_5_5_p129 = Lambda_5_5_p98 + Lambda_5_5_p95 * Lambda_5_5_p91 + Lambda_5_5_p101 *
-      Lambda_5_5_p100 + Lambda_5_5_p120 * Lambda_5_5_p109;
-  const Real Lambda_5_5_p130 = Lambda_5_5_p110 + Lambda_5_5_p119 * Lambda_5_5_p109;
-  const Real Lambda_5_5_p131 = Lambda_5_5_p111 + Lambda_5_5_p118 * Lambda_5_5_p109;
-  const Real Lambda_5_5_p132 = Lambda_5_5_p96 * Lambda_5_5_p90 - Lambda_5_5_p86 * Lambda_5_5_p24 +
-      Lambda_5_5_p118 * Lambda_5_5_p108;
-  const Real Lambda_5_5_p133 = Lambda_5_5_p97 * Lambda_5_5_p90 - Lambda_5_5_p88 * Lambda_5_5_p24 +
-      Lambda_5_5_p119 * Lambda_5_5_p108;
-  const Real Lambda_5_5_p134 = Lambda_5_5_p131 * Lambda_5_5_p92;
-  const Real Lambda_5_5_p135 = Lambda_5_5_p130 * Lambda_5_5_p93;
-  const Real Lambda_5_5_p136 = Lambda_5_5_p24 * Lambda_5_5_p56 * Lambda_5_5_p24 + Lambda_5_5_p90 *
-      Lambda_5_5_p85 * Lambda_5_5_p90 + Lambda_5_5_p108 * Lambda_5_5_p114 * Lambda_5_5_p108;
-  const Real Lambda_5_5_p137 = Lambda_5_5_p127 * Lambda_5_5_p99;
-  const Real Lambda_5_5_p138 = Lambda_5_5_p97 * Lambda_5_5_p115 - Lambda_5_5_p88 * Lambda_5_5_p22 +
-      Lambda_5_5_p119 * Lambda_5_5_p117;
-  const Real Lambda_5_5_p139 = Lambda_5_5_p101 * Lambda_5_5_p115 - Lambda_5_5_p95 * Lambda_5_5_p22 +
-      Lambda_5_5_p120 * Lambda_5_5_p117;
-  const Real Lambda_5_5_p140 = Lambda_5_5_p96 * Lambda_5_5_p115 - Lambda_5_5_p86 * Lambda_5_5_p22 +
-      Lambda_5_5_p118 * Lambda_5_5_p117;
-  const Real Lambda_5_5_p141 = Lambda_5_5_p132 + (Lambda_5_5_p126 * Lambda_5_5_p92 +
-      Lambda_5_5_p127 * Lambda_5_5_p93);
-  const Real Lambda_5_5_p142 = Lambda_5_5_p133 + (Lambda_5_5_p127 * Lambda_5_5_p92 +
-      Lambda_5_5_p128 * Lambda_5_5_p93);
-  const Real Lambda_5_5_p143 = Lambda_5_5_p123 - (Lambda_5_5_p129 * Lambda_5_5_p92 -
-      Lambda_5_5_p130 * Lambda_5_5_p99);
-  const Real Lambda_5_5_p144 = Lambda_5_5_p124 - (Lambda_5_5_p130 * Lambda_5_5_p92 -
-      Lambda_5_5_p128 * Lambda_5_5_p99);
-  const Real Lambda_5_5_p145 = Lambda_5_5_p101 * Lambda_5_5_p90 - Lambda_5_5_p95 * Lambda_5_5_p24 +
-      Lambda_5_5_p120 * Lambda_5_5_p108 + (Lambda_5_5_p134 + Lambda_5_5_p135);
-  const Real Lambda_5_5_p146 = Lambda_5_5_p125 - (Lambda_5_5_p134 - Lambda_5_5_p137);
-  const Real Lambda_5_5_p147 = Lambda_5_5_p138 - (Lambda_5_5_p135 + Lambda_5_5_p137);
-  const Real Lambda_5_5_p148 = Lambda_5_5_p139 - (Lambda_5_5_p129 * Lambda_5_5_p93 +
-      Lambda_5_5_p131 * Lambda_5_5_p99);
-  const Real Lambda_5_5_p149 = Lambda_5_5_p113 * Lambda_5_5_p24 + Lambda_5_5_p116 * Lambda_5_5_p90 +
-      Lambda_5_5_p122 * Lambda_5_5_p108 - Lambda_5_5_p99 * Lambda_5_5_p141 + Lambda_5_5_p92 *
-      Lambda_5_5_p140;
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p150 = s1 * (Lambda_5_5_p145 - Lambda_5_5_p146) - c1 *
-      (Lambda_5_5_p143 + Lambda_5_5_p141);
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p151 = Lambda_5_5_p136 + (Lambda_5_5_p92 *
-      (Lambda_5_5_p132 + Lambda_5_5_p141) + Lambda_5_5_p93 * (Lambda_5_5_p133 + Lambda_5_5_p142));
-  const Real Lambda_5_5_p152 = Lambda_5_5_p121 * Lambda_5_5_p108 + Lambda_5_5_p99 *
-      Lambda_5_5_p142 + Lambda_5_5_p93 * Lambda_5_5_p124 + (Lambda_5_5_p125 - Lambda_5_5_p145) *
-      Lambda_5_5_p92;
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p153 = -(c1 * Lambda_5_5_p142 + s1 * Lambda_5_5_p144);
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p154 = Lambda_5_5_p140 - (Lambda_5_5_p131 * Lambda_5_5_p93 +
-      Lambda_5_5_p126 * Lambda_5_5_p99);
-  const Real Lambda_5_5_p155 = Lambda_5_5_p121 * Lambda_5_5_p38 -
-      (Lambda_5_5_p92 * (Lambda_5_5_p123 + Lambda_5_5_p143) - Lambda_5_5_p99 *
-      (Lambda_5_5_p124 + Lambda_5_5_p144));
-  const Real Lambda_5_5_p156 = Lambda_5_5_p149 + (Lambda_5_5_p138 - Lambda_5_5_p145) *
-      Lambda_5_5_p93;
-  const Real Lambda_5_5_p157 = Lambda_5_5_p121 * Lambda_5_5_p117 - Lambda_5_5_p93 *
-      Lambda_5_5_p123 - Lambda_5_5_p92 * Lambda_5_5_p148 + (Lambda_5_5_p147 - Lambda_5_5_p125) *
-      Lambda_5_5_p99;
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p158 = c1 * Lambda_5_5_p150;
-  const Real Lambda_5_5_p159 = s1 * Lambda_5_5_p150;
-  const Real Lambda_5_5_p160 = Lambda_5_5_p158 + Lambda_5_5_p143;
-  const Real Lambda_5_5_p161 = Lambda_5_5_p145 - Lambda_5_5_p159;
-  const Real Lambda_5_5_p162 = s1 * (Lambda_5_5_p151 - Lambda_5_5_p155) - Lambda_5_5_p112 *
-      Lambda_5_5_p152;
-  const Real Lambda_5_5_p163 = -(c1 * Lambda_5_5_p156 + s1 * Lambda_5_5_p157);
-  const Real Lambda_5_5_p164 = s1 * (Lambda_5_5_p129 - Lambda_5_5_p126) - Lambda_5_5_p112 *
-      Lambda_5_5_p131;
-  const Real Lambda_5_5_p165 = s1 * Lambda_5_5_p162;
-
-  // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p166 = Lambda_5_5_p113 * Lambda_5_5_p22 + Lambda_5_5_p116 *
-      Lambda_5_5_p115 + Lambda_5_5_p122 * Lambda_5_5_p117 -
-      (Lambda_5_5_p93 * (Lambda_5_5_p139 + Lambda_5_5_p148) + Lambda_5_5_p99 *
-      (Lambda_5_5_p140 + Lambda_5_5_p154));
-
-  // link 1 (link1), turn
-  const Real Lambda_5_5_p167 = s1 * Lambda_5_5_p164;
-  const Real Lambda_5_5_p168 = c1 * Lambda_5_5_p162 + Lambda_5_5_p152;
-  const Real Lambda_5_5_p169 = 1.0 / (Lambda_5_5_p151 - Lambda_5_5_p165);
-  const Real Lambda_5_5_p170 = Lambda_5_5_p153 * Lambda_5_5_p169;
-  const Real Lambda_5_5_p171 = Lambda_5_5_p160 * Lambda_5_5_p169;
-  const Real Lambda_5_5_p172 = Lambda_5_5_p161 * Lambda_5_5_p169;
-  const Real Lambda_5_5_p173 = Lambda_5_5_p163 * Lambda_5_5_p169;
-  const Real Lambda_5_5_p174 = Lambda_5_5_p168 * Lambda_5_5_p169;
-  const Lanes<8> Lambda_5_5_p194_lanes = detail::make_pack<Real>(Lambda_5_5_p155 + Lambda_5_5_p165,
-      Lambda_5_5_p155 + Lambda_5_5_p165, c1 * Lambda_5_5_p157 - s1 * Lambda_5_5_p156,
-      Lambda_5_5_p158 + Lambda_5_5_p141, Lambda_5_5_p146 + Lambda_5_5_p159, c1 * Lambda_5_5_p144 -
-      s1 * Lambda_5_5_p142, Lambda_5_5_p155 + Lambda_5_5_p165, Lambda_5_5_p155 + Lambda_5_5_p165) -
-      detail::make_pack<Real>(Lambda_5_5_p174, Lambda_5_5_p174, Lambda_5_5_p173, Lambda_5_5_p172,
-      Lambda_5_5_p171, Lambda_5_5_p170, Lambda_5_5_p174, Lambda_5_5_p174) * Lambda_5_5_p168;
-  const Real Lambda_5_5_p199 = 1.0 / Lambda_5_5_p194_lanes[1];
-  const Lanes<8> Lambda_5_5_p200_lanes = Lambda_5_5_p194_lanes * Lambda_5_5_p199;
-  const Real Lambda_0_0_p1 = Lambda_5_5_p174 * Lambda_5_5_p199;
-  const Lanes<8> Lambda_5_5_p211_lanes = detail::make_pack<Real>(Lambda_5_5_p166, Lambda_5_5_p166,
-      Lambda_5_5_p166, -(c1 * Lambda_5_5_p148 + s1 * Lambda_5_5_p154), c1 * Lambda_5_5_p154 - s1 *
-      Lambda_5_5_p148, Lambda_5_5_p147, Lambda_5_5_p166, Lambda_5_5_p166) -
-      detail::make_pack<Real>(Lambda_5_5_p173, Lambda_5_5_p173, Lambda_5_5_p173, Lambda_5_5_p172,
-      Lambda_5_5_p171, Lambda_5_5_p170, Lambda_5_5_p173, Lambda_5_5_p173) * Lambda_5_5_p163 -
-      Lambda_5_5_p200_lanes * Lambda_5_5_p194_lanes[2];
-  const Real Lambda_0_0_p2 = Lambda_5_5_p200_lanes[2] * Lambda_5_5_p174 - Lambda_5_5_p173;
-  const Real Lambda_5_5_p218 = 1.0 / Lambda_5_5_p211_lanes[2];
-  const Lanes<8> Lambda_5_5_p219_lanes = Lambda_5_5_p211_lanes * Lambda_5_5_p218;
-  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p218;
-  const Real Lambda_0_1_p1 = Lambda_5_5_p200_lanes[2] * Lambda_5_5_p218;
-  const Lanes<8> Lambda_5_5_p225_lanes = detail::make_pack<Real>(Lambda_5_5_p129 - Lambda_5_5_p167,
-      Lambda_5_5_p129 - Lambda_5_5_p167, Lambda_5_5_p129 - Lambda_5_5_p167, Lambda_5_5_p129 -
-      Lambda_5_5_p167, c1 * Lambda_5_5_p164 + Lambda_5_5_p131,
-      -(c1 * Lambda_5_5_p130 + s1 * Lambda_5_5_p127), Lambda_5_5_p129 - Lambda_5_5_p167,
-      Lambda_5_5_p129 - Lambda_5_5_p167) - detail::make_pack<Real>(Lambda_5_5_p172, Lambda_5_5_p172,
-      Lambda_5_5_p172, Lambda_5_5_p172, Lambda_5_5_p171, Lambda_5_5_p170, Lambda_5_5_p172,
-      Lambda_5_5_p172) * Lambda_5_5_p161 - Lambda_5_5_p200_lanes * Lambda_5_5_p194_lanes[3] -
-      Lambda_5_5_p219_lanes * Lambda_5_5_p211_lanes[3];
-  const Real Lambda_5_5_p228 = c1 * Lambda_5_5_p127 - s1 * Lambda_5_5_p130 - Lambda_5_5_p170 *
-      Lambda_5_5_p160 - Lambda_5_5_p200_lanes[5] * Lambda_5_5_p194_lanes[4] -
-      Lambda_5_5_p219_lanes[5] * Lambda_5_5_p211_lanes[4];
-  const Real Lambda_0_0_p4 = Lambda_5_5_p200_lanes[3] * Lambda_5_5_p174 - Lambda_5_5_p172 -
-      Lambda_5_5_p219_lanes[3] * Lambda_0_0_p2;
-  const Real Lambda_0_1_p2 = Lambda_5_5_p219_lanes[3] * Lambda_5_5_p200_lanes[2] -
-      Lambda_5_5_p200_lanes[3];
-  const Real Lambda_5_5_p229 = 1.0 / Lambda_5_5_p225_lanes[3];
-  const Real Lambda_5_5_p230 = Lambda_5_5_p225_lanes[4] * Lambda_5_5_p229;
-  const Real Lambda_5_5_p231 = Lambda_5_5_p225_lanes[5] * Lambda_5_5_p229;
-  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p229;
-  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p229;
-  const Real Lambda_0_2_p1 = Lambda_5_5_p219_lanes[3] * Lambda_5_5_p229;
-  const Real Lambda_5_5_p232 = Lambda_5_5_p126 + Lambda_5_5_p167 - Lambda_5_5_p171 *
-      Lambda_5_5_p160 - Lambda_5_5_p200_lanes[4] * Lambda_5_5_p194_lanes[4] -
-      Lambda_5_5_p219_lanes[4] * Lambda_5_5_p211_lanes[4] - Lambda_5_5_p230 *
-      Lambda_5_5_p225_lanes[4];
-  const Real Lambda_5_5_p233 = Lambda_5_5_p228 - Lambda_5_5_p231 * Lambda_5_5_p225_lanes[4];
-  const Real Lambda_5_5_p234 = Lambda_5_5_p128 - Lambda_5_5_p170 * Lambda_5_5_p153 -
-      Lambda_5_5_p200_lanes[5] * Lambda_5_5_p194_lanes[5] - Lambda_5_5_p219_lanes[5] *
-      Lambda_5_5_p211_lanes[5] - Lambda_5_5_p231 * Lambda_5_5_p225_lanes[5];
-  const Real Lambda_0_0_p6 = Lambda_5_5_p200_lanes[4] * Lambda_5_5_p174 - Lambda_5_5_p171 -
-      Lambda_5_5_p219_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p230 * Lambda_0_0_p4;
-  const Real Lambda_0_1_p4 = Lambda_5_5_p219_lanes[4] * Lambda_5_5_p200_lanes[2] -
-      Lambda_5_5_p200_lanes[4] - Lambda_5_5_p230 * Lambda_0_1_p2;
-  const Real Lambda_0_2_p2 = Lambda_5_5_p230 * Lambda_5_5_p219_lanes[3] - Lambda_5_5_p219_lanes[4];
-  const Real Lambda_5_5_p235 = 1.0 / Lambda_5_5_p232;
-  const Real Lambda_5_5_p236 = Lambda_5_5_p233 * Lambda_5_5_p235;
-  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p235;
-  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p235;
-  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p235;
-  const Real Lambda_0_3_p1 = Lambda_5_5_p230 * Lambda_5_5_p235;
-  const Real Lambda_0_5_p1 = Lambda_5_5_p200_lanes[5] * Lambda_5_5_p174 - Lambda_5_5_p170 -
-      Lambda_5_5_p219_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p231 * Lambda_0_0_p4 - Lambda_5_5_p236 *
+  const Real Lambda_5_5_p144 = 24999.999999999996 * Lambda_5_5_p112 * Lambda_5_5_p112 +
+      1557.24430048586 * Lambda_5_5_p101 * Lambda_5_5_p101 + Lambda_5_5_p122 * Lambda_5_5_p30 *
+      Lambda_5_5_p122;
+  const Real Lambda_5_5_p145 = Lambda_5_5_p141 * Lambda_5_5_p93;
+  const Real Lambda_5_5_p146 = Lambda_5_5_p72 * Lambda_5_5_p22 - Lambda_5_5_p38;
+  const Real Lambda_5_5_p150 = Lambda_5_5_p54 * Lambda_5_5_p112 + Lambda_5_5_p56 * Lambda_5_5_p101 +
+      Lambda_5_5_p57 * Lambda_5_5_p122 + Lambda_5_5_p73 * Lambda_5_5_p132 + Lambda_5_5_p115 *
+      Lambda_5_5_p141;
+  const Real Lambda_5_5_p151 = Lambda_5_5_p70 * Lambda_5_5_p112 + Lambda_5_5_p71 * Lambda_5_5_p101 +
+      Lambda_5_5_p79 * Lambda_5_5_p122 + Lambda_5_5_p102_lanes[5] * Lambda_5_5_p132 +
+      Lambda_5_5_p116_lanes[5] * Lambda_5_5_p141;
+  const Real Lambda_5_5_p152 = Lambda_5_5_p78 * Lambda_5_5_p101 - Lambda_5_5_p77 * Lambda_5_5_p112 +
+      Lambda_5_5_p89 * Lambda_5_5_p122 + Lambda_5_5_p102_lanes[4] * Lambda_5_5_p132 +
+      Lambda_5_5_p116_lanes[4] * Lambda_5_5_p141;
+  const Real Lambda_5_5_p153 = Lambda_5_5_p146 * Lambda_5_5_p93;
+  const Real Lambda_5_5_p154 = Lambda_5_5_p73 * Lambda_5_5_p22 - Lambda_5_5_p115 * Lambda_5_5_p146;
+  const Lanes<8> Lambda_5_5_p155_lanes = Lambda_5_5_p129_lanes * Lambda_5_5_p143;
+  const Real Lambda_5_5_p158 = Lambda_5_5_p150 * Lambda_5_5_p143;
+  const Real Lambda_5_5_p159 = Lambda_5_5_p154 * Lambda_5_5_p143;
+  const Real Lambda_5_5_p163 = Lambda_5_5_p133 + Lambda_5_5_p155_lanes[5] *
+      Lambda_5_5_p129_lanes[5];
+  const Real Lambda_5_5_p164 = Lambda_5_5_p134 + Lambda_5_5_p155_lanes[5] *
+      Lambda_5_5_p129_lanes[4];
+  const Real Lambda_5_5_p165 = Lambda_5_5_p135 + Lambda_5_5_p155_lanes[4] *
+      Lambda_5_5_p129_lanes[4];
+  const Real Lambda_5_5_p166 = Lambda_5_5_p102_lanes[5] * Lambda_5_5_p100 +
+      Lambda_5_5_p116_lanes[5] * Lambda_5_5_p114 - Lambda_5_5_p155_lanes[5] * Lambda_5_5_p136;
+  const Real Lambda_5_5_p167 = Lambda_5_5_p102_lanes[4] * Lambda_5_5_p100 +
+      Lambda_5_5_p116_lanes[4] * Lambda_5_5_p114 - Lambda_5_5_p155_lanes[4] * Lambda_5_5_p136;
+  const Real Lambda_5_5_p168 = Lambda_5_5_p151 - Lambda_5_5_p155_lanes[5] * Lambda_5_5_p150;
+  const Real Lambda_5_5_p169 = Lambda_5_5_p152 - Lambda_5_5_p155_lanes[4] * Lambda_5_5_p150;
+  const Real Lambda_5_5_p170 = Lambda_5_5_p100 * Lambda_5_5_p58 * Lambda_5_5_p100 +
+      Lambda_5_5_p114 * Lambda_5_5_p93 * Lambda_5_5_p114 + Lambda_5_5_p136 * Lambda_5_5_p143 *
+      Lambda_5_5_p136;
+  const Real Lambda_5_5_p171 = Lambda_5_5_p144 + Lambda_5_5_p137 * Lambda_5_5_p132 +
+      Lambda_5_5_p145 * Lambda_5_5_p141 + Lambda_5_5_p158 * Lambda_5_5_p150;
+  const Lanes<8> Lambda_5_5_p172_lanes = Lambda_5_5_p102_lanes * Lambda_5_5_p65 +
+      Lambda_5_5_p116_lanes * Lambda_5_5_p106_lanes[1] + Lambda_5_5_p155_lanes *
+      Lambda_5_5_p129_lanes[1];
+  const Real Lambda_5_5_p175 = Lambda_5_5_p168 * Lambda_5_5_p105;
+  const Real Lambda_5_5_p176 = Lambda_5_5_p169 * Lambda_5_5_p113;
+  const Real Lambda_5_5_p177 = Lambda_5_5_p137 * Lambda_5_5_p65 + Lambda_5_5_p145 *
+      Lambda_5_5_p106_lanes[1] - Lambda_5_5_p158 * Lambda_5_5_p129_lanes[1];
+  const Real Lambda_5_5_p178 = Lambda_5_5_p116_lanes[4] * Lambda_5_5_p146 -
+      Lambda_5_5_p102_lanes[4] * Lambda_5_5_p22 + Lambda_5_5_p155_lanes[4] * Lambda_5_5_p154;
+  const Real Lambda_5_5_p179 = Lambda_5_5_p116_lanes[5] * Lambda_5_5_p146 -
+      Lambda_5_5_p102_lanes[5] * Lambda_5_5_p22 + Lambda_5_5_p155_lanes[5] * Lambda_5_5_p154;
+  const Real Lambda_5_5_p180 = Lambda_5_5_p164 * Lambda_5_5_p124;
+  const Real Lambda_5_5_p181 = Lambda_5_5_p166 - (Lambda_5_5_p163 * Lambda_5_5_p105 +
+      Lambda_5_5_p164 * Lambda_5_5_p113);
+  const Real Lambda_5_5_p182 = Lambda_5_5_p167 - (Lambda_5_5_p164 * Lambda_5_5_p105 +
+      Lambda_5_5_p165 * Lambda_5_5_p113);
+  const Real Lambda_5_5_p183 = Lambda_5_5_p145 * Lambda_5_5_p146 - Lambda_5_5_p137 *
+      Lambda_5_5_p22 - Lambda_5_5_p158 * Lambda_5_5_p154;
+  const Real Lambda_5_5_p184 = Lambda_5_5_p137 * Lambda_5_5_p100 + Lambda_5_5_p145 *
+      Lambda_5_5_p114 + Lambda_5_5_p158 * Lambda_5_5_p136 - (Lambda_5_5_p175 + Lambda_5_5_p176);
+  const Real Lambda_5_5_p185 = Lambda_5_5_p172_lanes[5] -
+      (Lambda_5_5_p163 * Lambda_5_5_p124 - Lambda_5_5_p168 * Lambda_5_5_p113);
+  const Real Lambda_5_5_p186 = Lambda_5_5_p177 - (Lambda_5_5_p168 * Lambda_5_5_p124 -
+      Lambda_5_5_p171 * Lambda_5_5_p113);
+  const Real Lambda_5_5_p187 = Lambda_5_5_p172_lanes[4] - (Lambda_5_5_p180 - Lambda_5_5_p176);
+  const Real Lambda_5_5_p188 = Lambda_5_5_p178 + (Lambda_5_5_p165 * Lambda_5_5_p124 +
+      Lambda_5_5_p169 * Lambda_5_5_p105);
+  const Real Lambda_5_5_p189 = Lambda_5_5_p102_lanes[1] * Lambda_5_5_p100 +
+      Lambda_5_5_p116_lanes[1] * Lambda_5_5_p114 - Lambda_5_5_p155_lanes[1] * Lambda_5_5_p136 -
+      Lambda_5_5_p105 * Lambda_5_5_p172_lanes[5] - Lambda_5_5_p124 * Lambda_5_5_p181;
+  const Real Lambda_5_5_p190 = Lambda_5_5_p153 * Lambda_5_5_p114 - Lambda_5_5_p142 *
+      Lambda_5_5_p100 - Lambda_5_5_p159 * Lambda_5_5_p136 - Lambda_5_5_p113 * Lambda_5_5_p178 +
+      Lambda_5_5_p124 * Lambda_5_5_p182;
+  const Real Lambda_5_5_p191 = Lambda_5_5_p183 + (Lambda_5_5_p169 * Lambda_5_5_p124 +
+      Lambda_5_5_p171 * Lambda_5_5_p105);
+  const Real Lambda_5_5_p192 = Lambda_5_5_p189 + (Lambda_5_5_p184 - Lambda_5_5_p172_lanes[4]) *
+      Lambda_5_5_p113;
+  const Real Lambda_5_5_p193 = Lambda_5_5_p190 + (Lambda_5_5_p184 - Lambda_5_5_p179) *
+      Lambda_5_5_p105;
+  const Real Lambda_5_5_p194 = Lambda_5_5_p153 * Lambda_5_5_p106_lanes[1] - Lambda_5_5_p142 *
+      Lambda_5_5_p65 + Lambda_5_5_p159 * Lambda_5_5_p129_lanes[1] + Lambda_5_5_p113 *
+      Lambda_5_5_p183 + Lambda_5_5_p105 * Lambda_5_5_p186;
+  const Real Lambda_5_5_p195 = 1.0 / (Lambda_5_5_p170 -
+      (Lambda_5_5_p105 * (Lambda_5_5_p166 + Lambda_5_5_p181) + Lambda_5_5_p113 *
+      (Lambda_5_5_p167 + Lambda_5_5_p182)));
+  const Real Lambda_5_5_p196 = Lambda_5_5_p142 * Lambda_5_5_p22 + Lambda_5_5_p153 *
+      Lambda_5_5_p146 + Lambda_5_5_p159 * Lambda_5_5_p154 +
+      (Lambda_5_5_p124 * (Lambda_5_5_p178 + Lambda_5_5_p188) + Lambda_5_5_p105 *
+      (Lambda_5_5_p183 + Lambda_5_5_p191));
+  const Real Lambda_5_5_p197 = Lambda_5_5_p192 * Lambda_5_5_p195;
+  const Real Lambda_5_5_p198 = Lambda_5_5_p193 * Lambda_5_5_p195;
+  const Real Lambda_5_5_p199 = Lambda_5_5_p181 * Lambda_5_5_p195;
+  const Real Lambda_5_5_p200 = Lambda_5_5_p182 * Lambda_5_5_p195;
+  const Real Lambda_5_5_p201 = Lambda_5_5_p184 * Lambda_5_5_p195;
+  const Real Lambda_5_5_p209 = Lambda_5_5_p172_lanes[1] -
+      (Lambda_5_5_p124 * (Lambda_5_5_p172_lanes[5] + Lambda_5_5_p185) - Lambda_5_5_p113 *
+      (Lambda_5_5_p177 + Lambda_5_5_p186)) - Lambda_5_5_p197 * Lambda_5_5_p192;
+  const Real Lambda_5_5_p210 = Lambda_5_5_p185 - Lambda_5_5_p199 * Lambda_5_5_p192;
+  const Real Lambda_5_5_p211 = Lambda_5_5_p187 - Lambda_5_5_p200 * Lambda_5_5_p192;
+  const Real Lambda_5_5_p212 = Lambda_5_5_p186 - Lambda_5_5_p201 * Lambda_5_5_p192;
+  const Real Lambda_5_5_p220 = 1.0 / Lambda_5_5_p209;
+  const Real Lambda_5_5_p221 = Lambda_5_5_p194 - Lambda_5_5_p198 * Lambda_5_5_p192 +
+      (Lambda_5_5_p187 - Lambda_5_5_p179) * Lambda_5_5_p124;
+  const Real Lambda_5_5_p222 = Lambda_5_5_p210 * Lambda_5_5_p220;
+  const Real Lambda_5_5_p223 = Lambda_5_5_p211 * Lambda_5_5_p220;
+  const Real Lambda_5_5_p224 = Lambda_5_5_p212 * Lambda_5_5_p220;
+  const Real Lambda_5_5_p225 = Lambda_5_5_p221 * Lambda_5_5_p220;
+  const Real Lambda_0_0_p1 = Lambda_5_5_p197 * Lambda_5_5_p220;
+  const Lanes<8> Lambda_5_5_p233_lanes = detail::make_pack<Real>(Lambda_5_5_p196, Lambda_5_5_p196,
+      Lambda_5_5_p196, Lambda_5_5_p191, Lambda_5_5_p188, Lambda_5_5_p179 +
+      (Lambda_5_5_p180 + Lambda_5_5_p175), Lambda_5_5_p196, Lambda_5_5_p196) -
+      detail::make_pack<Real>(Lambda_5_5_p198, Lambda_5_5_p198, Lambda_5_5_p198, Lambda_5_5_p201,
+      Lambda_5_5_p200, Lambda_5_5_p199, Lambda_5_5_p198, Lambda_5_5_p198) * Lambda_5_5_p193 -
+      detail::make_pack<Real>(Lambda_5_5_p225, Lambda_5_5_p225, Lambda_5_5_p225, Lambda_5_5_p224,
+      Lambda_5_5_p223, Lambda_5_5_p222, Lambda_5_5_p225, Lambda_5_5_p225) * Lambda_5_5_p221;
+  const Real Lambda_0_0_p2 = Lambda_5_5_p225 * Lambda_5_5_p197 - Lambda_5_5_p198;
+  const Real Lambda_5_5_p240 = 1.0 / Lambda_5_5_p233_lanes[2];
+  const Lanes<8> Lambda_5_5_p241_lanes = Lambda_5_5_p233_lanes * Lambda_5_5_p240;
+  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p240;
+  const Real Lambda_0_1_p1 = Lambda_5_5_p225 * Lambda_5_5_p240;
+  const Lanes<8> Lambda_5_5_p247_lanes = detail::make_pack<Real>(Lambda_5_5_p171, Lambda_5_5_p171,
+      Lambda_5_5_p171, Lambda_5_5_p171, Lambda_5_5_p169, Lambda_5_5_p168, Lambda_5_5_p171,
+      Lambda_5_5_p171) - detail::make_pack<Real>(Lambda_5_5_p201, Lambda_5_5_p201, Lambda_5_5_p201,
+      Lambda_5_5_p201, Lambda_5_5_p200, Lambda_5_5_p199, Lambda_5_5_p201, Lambda_5_5_p201) *
+      Lambda_5_5_p184 - detail::make_pack<Real>(Lambda_5_5_p224, Lambda_5_5_p224, Lambda_5_5_p224,
+      Lambda_5_5_p224, Lambda_5_5_p223, Lambda_5_5_p222, Lambda_5_5_p224, Lambda_5_5_p224) *
+      Lambda_5_5_p212 - Lambda_5_5_p241_lanes * Lambda_5_5_p233_lanes[3];
+  const Real Lambda_0_0_p4 = Lambda_5_5_p224 * Lambda_5_5_p197 - Lambda_5_5_p201 -
+      Lambda_5_5_p241_lanes[3] * Lambda_0_0_p2;
+  const Real Lambda_0_1_p2 = Lambda_5_5_p241_lanes[3] * Lambda_5_5_p225 - Lambda_5_5_p224;
+  const Real Lambda_5_5_p250 = 1.0 / Lambda_5_5_p247_lanes[3];
+  const Real Lambda_5_5_p251 = Lambda_5_5_p247_lanes[4] * Lambda_5_5_p250;
+  const Real Lambda_5_5_p252 = Lambda_5_5_p247_lanes[5] * Lambda_5_5_p250;
+  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p250;
+  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p250;
+  const Real Lambda_0_2_p1 = Lambda_5_5_p241_lanes[3] * Lambda_5_5_p250;
+  const Real Lambda_5_5_p253 = Lambda_5_5_p165 - Lambda_5_5_p200 * Lambda_5_5_p182 -
+      Lambda_5_5_p223 * Lambda_5_5_p211 - Lambda_5_5_p241_lanes[4] * Lambda_5_5_p233_lanes[4] -
+      Lambda_5_5_p251 * Lambda_5_5_p247_lanes[4];
+  const Real Lambda_5_5_p254 = Lambda_5_5_p164 - Lambda_5_5_p199 * Lambda_5_5_p182 -
+      Lambda_5_5_p222 * Lambda_5_5_p211 - Lambda_5_5_p241_lanes[5] * Lambda_5_5_p233_lanes[4] -
+      Lambda_5_5_p252 * Lambda_5_5_p247_lanes[4];
+  const Real Lambda_5_5_p255 = Lambda_5_5_p163 - Lambda_5_5_p199 * Lambda_5_5_p181 -
+      Lambda_5_5_p222 * Lambda_5_5_p210 - Lambda_5_5_p241_lanes[5] * Lambda_5_5_p233_lanes[5] -
+      Lambda_5_5_p252 * Lambda_5_5_p247_lanes[5];
+  const Real Lambda_0_0_p6 = Lambda_5_5_p223 * Lambda_5_5_p197 - Lambda_5_5_p200 -
+      Lambda_5_5_p241_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p251 * Lambda_0_0_p4;
+  const Real Lambda_0_1_p4 = Lambda_5_5_p241_lanes[4] * Lambda_5_5_p225 - Lambda_5_5_p223 -
+      Lambda_5_5_p251 * Lambda_0_1_p2;
+  const Real Lambda_0_2_p2 = Lambda_5_5_p251 * Lambda_5_5_p241_lanes[3] - Lambda_5_5_p241_lanes[4];
+  const Real Lambda_5_5_p256 = 1.0 / Lambda_5_5_p253;
+  const Real Lambda_5_5_p257 = Lambda_5_5_p254 * Lambda_5_5_p256;
+  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p256;
+  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p256;
+  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p256;
+  const Real Lambda_0_3_p1 = Lambda_5_5_p251 * Lambda_5_5_p256;
+  const Real Lambda_0_5_p1 = Lambda_5_5_p222 * Lambda_5_5_p197 - Lambda_5_5_p199 -
+      Lambda_5_5_p241_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p252 * Lambda_0_0_p4 - Lambda_5_5_p257 *
       Lambda_0_0_p6;
-  const Real Lambda_1_5_p1 = Lambda_5_5_p219_lanes[5] * Lambda_5_5_p200_lanes[2] -
-      Lambda_5_5_p200_lanes[5] - Lambda_5_5_p231 * Lambda_0_1_p2 - Lambda_5_5_p236 * Lambda_0_1_p4;
-  const Real Lambda_2_5_p1 = Lambda_5_5_p231 * Lambda_5_5_p219_lanes[3] - Lambda_5_5_p219_lanes[5] -
-      Lambda_5_5_p236 * Lambda_0_2_p2;
-  const Real Lambda_3_5_p1 = Lambda_5_5_p236 * Lambda_5_5_p230 - Lambda_5_5_p231;
-  const Real Lambda_0_0_p8 = Lambda_5_5_p169 + Lambda_0_0_p1 * Lambda_5_5_p174 + Lambda_0_0_p3 *
+  const Real Lambda_1_5_p1 = Lambda_5_5_p241_lanes[5] * Lambda_5_5_p225 - Lambda_5_5_p222 -
+      Lambda_5_5_p252 * Lambda_0_1_p2 - Lambda_5_5_p257 * Lambda_0_1_p4;
+  const Real Lambda_2_5_p1 = Lambda_5_5_p252 * Lambda_5_5_p241_lanes[3] - Lambda_5_5_p241_lanes[5] -
+      Lambda_5_5_p257 * Lambda_0_2_p2;
+  const Real Lambda_3_5_p1 = Lambda_5_5_p257 * Lambda_5_5_p251 - Lambda_5_5_p252;
+  const Real Lambda_0_0_p8 = Lambda_5_5_p195 + Lambda_0_0_p1 * Lambda_5_5_p197 + Lambda_0_0_p3 *
       Lambda_0_0_p2 + Lambda_0_0_p5 * Lambda_0_0_p4 + Lambda_0_0_p7 * Lambda_0_0_p6;
-  const Real Lambda_5_5 = 1.0 / (Lambda_5_5_p234 - Lambda_5_5_p236 * Lambda_5_5_p233);
+  const Real Lambda_5_5 = 1.0 / (Lambda_5_5_p255 - Lambda_5_5_p257 * Lambda_5_5_p254);
   Lambda[35] = Lambda_5_5;
   const Real Lambda_0_5 = Lambda_0_5_p1 * Lambda_5_5;
   Lambda[5] = Lambda_0_5;
@@ -458,7 +466,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_3_5 = Lambda_3_5_p1 * Lambda_5_5;
   Lambda[23] = Lambda_3_5;
   Lambda[33] = Lambda_3_5;
-  const Real Lambda_4_5 = Lambda_5_5_p236 * Lambda_5_5;
+  const Real Lambda_4_5 = Lambda_5_5_p257 * Lambda_5_5;
   Lambda[29] = -Lambda_4_5;
   Lambda[34] = -Lambda_4_5;
   Lambda[0] = Lambda_0_0_p8 + Lambda_0_5 * Lambda_0_5_p1;
@@ -478,8 +486,8 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_4 = Lambda_0_0_p7 - Lambda_4_5 * Lambda_0_5_p1;
   Lambda[4] = Lambda_0_4;
   Lambda[24] = Lambda_0_4;
-  Lambda[7] = Lambda_5_5_p199 + Lambda_0_1_p1 * Lambda_5_5_p200_lanes[2] + Lambda_0_1_p3 *
-      Lambda_0_1_p2 + Lambda_0_1_p5 * Lambda_0_1_p4 + Lambda_1_5 * Lambda_1_5_p1;
+  Lambda[7] = Lambda_5_5_p220 + Lambda_0_1_p1 * Lambda_5_5_p225 + Lambda_0_1_p3 * Lambda_0_1_p2 +
+      Lambda_0_1_p5 * Lambda_0_1_p4 + Lambda_1_5 * Lambda_1_5_p1;
   const Real Lambda_1_2 = Lambda_0_2_p3 * Lambda_0_1_p4 -
       (Lambda_0_1_p1 + Lambda_0_2_p1 * Lambda_0_1_p2) + Lambda_2_5 * Lambda_1_5_p1;
   Lambda[8] = Lambda_1_2;
@@ -491,7 +499,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_1_4 = Lambda_0_1_p5 - Lambda_4_5 * Lambda_1_5_p1;
   Lambda[10] = Lambda_1_4;
   Lambda[25] = Lambda_1_4;
-  Lambda[14] = Lambda_5_5_p218 + Lambda_0_2_p1 * Lambda_5_5_p219_lanes[3] + Lambda_0_2_p3 *
+  Lambda[14] = Lambda_5_5_p240 + Lambda_0_2_p1 * Lambda_5_5_p241_lanes[3] + Lambda_0_2_p3 *
       Lambda_0_2_p2 + Lambda_2_5 * Lambda_2_5_p1;
   const Real Lambda_2_3 = Lambda_3_5 * Lambda_2_5_p1 -
       (Lambda_0_2_p1 + Lambda_0_3_p1 * Lambda_0_2_p2);
@@ -500,11 +508,11 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_2_4 = Lambda_0_2_p3 - Lambda_4_5 * Lambda_2_5_p1;
   Lambda[16] = Lambda_2_4;
   Lambda[26] = Lambda_2_4;
-  Lambda[21] = Lambda_5_5_p229 + Lambda_0_3_p1 * Lambda_5_5_p230 + Lambda_3_5 * Lambda_3_5_p1;
+  Lambda[21] = Lambda_5_5_p250 + Lambda_0_3_p1 * Lambda_5_5_p251 + Lambda_3_5 * Lambda_3_5_p1;
   const Real Lambda_3_4 = Lambda_0_3_p1 + Lambda_4_5 * Lambda_3_5_p1;
   Lambda[22] = -Lambda_3_4;
   Lambda[27] = -Lambda_3_4;
-  Lambda[28] = Lambda_5_5_p235 + Lambda_4_5 * Lambda_5_5_p236;
+  Lambda[28] = Lambda_5_5_p256 + Lambda_4_5 * Lambda_5_5_p257;
 }
 
 }  // namespace puma560

@@ -116,20 +116,20 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
     Real (&qdd)[6]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
+/// By M = L^T D L, J carried inward, in the axes asked for at link origins.
 /// in  q (6): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 560 flops (add 233, mul 323, div 4), sine and cosine of 5 angles.
-/// Stack: at most 55 values live at once, 440 bytes.
+/// Cost: 566 flops (add 232, mul 330, div 4), sine and cosine of 5 angles.
+/// Stack: at most 61 values live at once, 488 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
+/// By M = L^T D L, J carried inward, in the axes asked for at link origins.
 /// in  q (6): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 776 flops (add 323, mul 443, div 10), sine and cosine of 5 angles.
-/// Stack: at most 55 values live at once, 440 bytes.
+/// Cost: 782 flops (add 322, mul 450, div 10), sine and cosine of 5 angles.
+/// Stack: at most 65 values live at once, 520 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 

@@ -1,6 +1,6 @@
 // control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-// By Chang table 6.1, fused; Lambda^-1: force propagation with branching (Chang table 5.3), in link axes at link origins.
-// 964 flops (add 422, mul 531, div 11), sine and cosine of 6 angles
+// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
+// 1087 flops (add 454, mul 622, div 11), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -50,116 +50,191 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real inverse_D6_p3 = s8 * inverse_D6_p2;
   const Real inverse_D6_p4 = c8 * inverse_D6_p2;
   const Real inverse_D6_p5 = c8 * inverse_D7_p1;
-  const Real inverse_D6_p6 = s5 * s6 - c5 * c6;
   const Real inverse_D4_p1 = s5 * c6 + c5 * s6;
-  const Real inverse_D4_p2 = 0.690314699 * s5 + 0.023750999999999998 * c5;
-  const Real inverse_D6_p7 = inverse_D6_p3 - 0.012916407125949915;
+  const Real inverse_D4_p2 = s5 * s6 - c5 * c6;
+  const Real inverse_D4_p3 = 0.690314699 * s5 + 0.023750999999999998 * c5;
+  const Real inverse_D6_p6 = inverse_D6_p3 - 0.012916407125949915;
 
   // link 7 (link4), articulated inertia
-  const Real inverse_D6_p8 = 2.0 * inverse_D6_p6;
-  const Real inverse_D6_p9 = c7 * inverse_D6_p4;
-  const Real inverse_D4_p3 = s7 * inverse_D6_p4;
+  const Real inverse_D6_p7 = c7 * inverse_D6_p4;
+  const Real inverse_D4_p4 = s7 * inverse_D6_p4;
   const Real inverse_D7 = 1.0 / (0.0016 + inverse_D7_p2);
-  const Real inverse_D4_p4 = inverse_D4_p1 * c7;
-  const Real inverse_D4_p5 = 0.004704000000000001 * inverse_D6_p6;
-  const Real inverse_D4_p6 = 0.0203 * inverse_D4_p1 - 0.4331 * inverse_D6_p6;
-  const Real inverse_D4_p7 = 0.0203 * inverse_D6_p6 + 0.4331 * inverse_D4_p1;
-  const Real inverse_D4_p8 = inverse_D4_p1 * inverse_D4_p1;
-  const Real inverse_D4_p9 = 0.025374999999999998 * inverse_D6_p6 + 0.861795 * inverse_D4_p1;
-  const Real inverse_D5_p3 = 0.025374999999999998 * inverse_D4_p1 - 0.861795 * inverse_D6_p6;
+  const Real inverse_D4_p5 = inverse_D4_p1 * c7;
+  const Real inverse_D4_p6 = 0.004704000000000001 * inverse_D4_p2;
+  const Real inverse_D4_p7 = 0.0203 * inverse_D4_p1 - 0.4331 * inverse_D4_p2;
+  const Real inverse_D4_p8 = 0.0203 * inverse_D4_p2 + 0.4331 * inverse_D4_p1;
+  const Real inverse_D4_p9 = 0.025374999999999998 * inverse_D4_p2 + 0.861795 * inverse_D4_p1;
+  const Real inverse_D5_p3 = 0.025374999999999998 * inverse_D4_p1 - 0.861795 * inverse_D4_p2;
   const Real inverse_D2_p1 = 3.79559 * s5 + 0.10439999999999999 * c5;
-  const Real inverse_D4_p10 = 0.298925024 * inverse_D4_p1 + 0.021347276999999998 * inverse_D6_p6;
+  const Real inverse_D4_p10 = 0.298925024 * inverse_D4_p1 + 0.021347276999999998 * inverse_D4_p2;
   const Real inverse_D4_p11 = 1.601861202 * s5 + 0.0141984 * c5;
-  const Real inverse_D6_p10 = inverse_D6_p1 * inverse_D7;
-  const Real inverse_D6_p11 = inverse_D6_p5 * inverse_D7;
-  const Real inverse_D6_p12 = inverse_D6_p1 * inverse_D6_p10;
-  const Real inverse_D6_p13 = inverse_D6_p5 * inverse_D6_p10 - 0.0028799999999999997 * c8;
-  const Real inverse_D6_p14 = 0.0011921599999999998 - inverse_D7_p2 - inverse_D6_p5 *
-      inverse_D6_p11;
+  const Real inverse_D6_p8 = inverse_D6_p1 * inverse_D7;
+  const Real inverse_D6_p9 = inverse_D6_p5 * inverse_D7;
+  const Real inverse_D6_p10 = inverse_D6_p1 * inverse_D6_p8;
 
   // link 5 (link2), articulated inertia
   const Real inverse_D4_p12 = 3.1467171525 - (s5 * inverse_D4_p11 -
       (0.0067651125 + inverse_D4_p1 * inverse_D4_p10));
 
   // link 7 (link4), articulated inertia
-  const Real inverse_D6_p15 = s7 * (inverse_D6_p7 + inverse_D6_p12);
-  const Real inverse_D6_p16 = c7 * inverse_D6_p13;
-  const Real inverse_D6_p17 = s7 * (inverse_D6_p14 - 0.00065);
+  const Real inverse_D6_p11 = inverse_D6_p5 * inverse_D6_p8 - 0.0028799999999999997 * c8;
+  const Real inverse_D6_p12 = 0.0011921599999999998 - inverse_D7_p2 - inverse_D6_p5 * inverse_D6_p9;
+  const Real inverse_D6_p13 = s7 * (inverse_D6_p6 + inverse_D6_p10);
+  const Real inverse_D6_p14 = c7 * inverse_D6_p11;
+  const Real inverse_D6_p15 = s7 * (inverse_D6_p12 - 0.00065);
+  const Real inverse_D6_p16 = s7 * inverse_D6_p13;
+  const Real inverse_D6_p17 = c7 * inverse_D6_p14;
+  const Real inverse_D4_p13 = c7 * inverse_D6_p13;
+  const Real inverse_D4_p14 = s7 * inverse_D6_p14;
   const Real inverse_D6_p18 = s7 * inverse_D6_p15;
-  const Real inverse_D6_p19 = c7 * inverse_D6_p16;
-  const Real inverse_D4_p13 = c7 * inverse_D6_p15;
-  const Real inverse_D4_p14 = s7 * inverse_D6_p16;
-  const Real inverse_D6_p20 = s7 * inverse_D6_p17;
-  const Real inverse_D6_p21 = inverse_D6_p7 - inverse_D6_p18;
-  const Real inverse_D6_p22 = inverse_D6_p19 - inverse_D6_p13;
+  const Real inverse_D6_p19 = inverse_D6_p6 - inverse_D6_p16;
+  const Real inverse_D6_p20 = inverse_D6_p17 - inverse_D6_p11;
   const Real inverse_D4_p15 = inverse_D4_p1 * inverse_D4_p14;
-  const Real inverse_D4_p16 = inverse_D6_p18 - inverse_D6_p12;
-  const Real inverse_D4_p17 = inverse_D4_p1 * inverse_D6_p19;
-  const Real inverse_D6_p23 = inverse_D4_p1 * inverse_D6_p22;
-  const Real inverse_D6_p24 = inverse_D6_p6 * inverse_D6_p22;
-  const Real inverse_D4_p18 = inverse_D6_p6 * inverse_D4_p13 - inverse_D4_p1 * inverse_D4_p3;
-  const Real inverse_D4_p19 = inverse_D4_p1 * inverse_D4_p13 + inverse_D6_p6 * inverse_D4_p3;
+  const Real inverse_D4_p16 = inverse_D6_p16 - inverse_D6_p10;
+  const Real inverse_D4_p17 = inverse_D4_p1 * inverse_D6_p17;
+  const Real inverse_D6_p21 = inverse_D4_p1 * inverse_D6_p20;
+  const Real inverse_D6_p22 = inverse_D4_p2 * inverse_D6_p20;
+  const Real inverse_D4_p18 = inverse_D4_p2 * inverse_D4_p13 - inverse_D4_p1 * inverse_D4_p4;
+  const Real inverse_D4_p19 = inverse_D4_p1 * inverse_D4_p13 + inverse_D4_p2 * inverse_D4_p4;
   const Real inverse_D4_p20 = inverse_D4_p1 * inverse_D4_p15;
-  const Real inverse_D4_p21 = inverse_D6_p6 * inverse_D4_p15;
-  const Real inverse_D4_p22 = inverse_D4_p7 * inverse_D4_p19;
-  const Real inverse_D4_p23 = inverse_D4_p7 * inverse_D4_p16 - inverse_D4_p17;
+  const Real inverse_D4_p21 = inverse_D4_p2 * inverse_D4_p15;
+  const Real inverse_D4_p22 = inverse_D4_p8 * inverse_D4_p19;
+  const Real inverse_D4_p23 = inverse_D4_p8 * inverse_D4_p16 - inverse_D4_p17;
   const Real inverse_D2_p2 = 0.10439999999999999 * s5 - 3.79559 * c5;
-  const Real inverse_D6_p25 = inverse_D4_p1 * (inverse_D6_p21 + inverse_D6_p3) + inverse_D6_p8 *
-      inverse_D6_p9;
-  const Real inverse_D2_p3 = s3 * c4 + c3 * s4;
-  const Real inverse_D6_p26 = inverse_D4_p1 * inverse_D6_p25;
-  const Real inverse_D2_p4 = c3 * c4 - s3 * s4;
-  const Real inverse_D4_p24 = inverse_D4_p14 - (inverse_D4_p6 * inverse_D4_p18 - inverse_D4_p22);
+  const Real inverse_D6_p23 = inverse_D4_p1 * (inverse_D6_p19 + inverse_D6_p3) + inverse_D4_p2 *
+      (2.0 * inverse_D6_p7);
+  const Real a4_x_p1 = s3 * c4 + c3 * s4;
+  const Real inverse_D6_p24 = inverse_D4_p1 * inverse_D6_p23;
+  const Real inverse_D4_p24 = inverse_D4_p14 - (inverse_D4_p7 * inverse_D4_p18 - inverse_D4_p22);
+  const Real a4_x_p2 = c3 * c4 - s3 * s4;
 
-  // link 4 (link1), articulated inertia
-  const Real inverse_D2_p5 = 2.0 * inverse_D2_p4;
+  // link 8 (link5), force propagation
+  const Real f9_z_p1 = 4.484863585399276 * s8;
+
+  // link 7 (link4), force propagation
+  const Real neg_s8 = -s8;
 
   // link 7 (link4), articulated inertia
-  const Real inverse_D6_p27 = inverse_D6_p9 - inverse_D6_p6 * inverse_D6_p25;
-  const Real inverse_D6_p28 = inverse_D6_p26 - inverse_D6_p3;
-  const Real inverse_D6_p29 = inverse_D6_p21 - inverse_D6_p26;
-  const Real inverse_D6_p30 = inverse_D6_p23 + (inverse_D4_p6 * inverse_D6_p27 + inverse_D4_p7 *
-      inverse_D6_p28);
-  const Real inverse_D6_p31 = inverse_D6_p24 - (inverse_D4_p6 * inverse_D6_p29 + inverse_D4_p7 *
-      inverse_D6_p27);
-  const Real inverse_D5_p4 = inverse_D4_p9 + inverse_D6_p30;
-  const Real inverse_D5_p5 = inverse_D6_p31 - inverse_D5_p3;
-  const Real inverse_D4_p25 = inverse_D4_p5 + (inverse_D4_p7 * (inverse_D4_p20 + inverse_D4_p24) -
-      inverse_D4_p6 * inverse_D4_p21 - inverse_D4_p4 * inverse_D6_p17);
-  const Real inverse_D6_p32 = 0.312455249 + (0.00065 + inverse_D6_p20 +
-      (inverse_D4_p7 * (inverse_D6_p23 + inverse_D6_p30) - inverse_D4_p6 *
-      (inverse_D6_p24 + inverse_D6_p31)));
+  const Real inverse_D6_p25 = inverse_D6_p7 - inverse_D4_p2 * inverse_D6_p23;
+  const Real inverse_D6_p26 = inverse_D6_p24 - inverse_D6_p3;
+  const Real inverse_D6_p27 = inverse_D6_p19 - inverse_D6_p24;
+
+  // link 7 (link4), force propagation
+  const Real f9_z_p2 = -(4.484863585399276 * c8);
+  const Lanes<8> f9_z_p3_lanes = c7 * detail::make_pack<Real>(c8, c8, s8, c8, f9_z_p2, c8, c8, c8);
+  const Real f9_z_p6 = inverse_D4_p2 * s7;
+  const Real f9_z_p7 = inverse_D4_p1 * s7;
+  const Real f9_z_p11 = inverse_D6_p8 * neg_s8;
+  const Real f9_z_p21 = s7 * f9_z_p11;
+  const Real f9_z_p22 = c8 + inverse_D6_p9 * neg_s8;
+  const Lanes<8> f9_z_p23_lanes = inverse_D4_p1 * f9_z_p3_lanes + inverse_D4_p2 *
+      detail::make_pack<Real>(neg_s8, neg_s8, c8, neg_s8, f9_z_p1, neg_s8, neg_s8, neg_s8);
+  const Lanes<8> f9_z_p26_lanes = inverse_D4_p2 * f9_z_p3_lanes - inverse_D4_p1 *
+      detail::make_pack<Real>(neg_s8, neg_s8, c8, neg_s8, f9_z_p1, neg_s8, neg_s8, neg_s8);
+
+  // link 7 (link4), articulated inertia
+  const Real inverse_D6_p28 = inverse_D6_p21 + (inverse_D4_p7 * inverse_D6_p25 + inverse_D4_p8 *
+      inverse_D6_p26);
+  const Real inverse_D6_p29 = inverse_D6_p22 - (inverse_D4_p7 * inverse_D6_p27 + inverse_D4_p8 *
+      inverse_D6_p25);
+
+  // link 7 (link4), force propagation
+  const Real f9_z_p29 = inverse_D4_p1 * f9_z_p21;
+  const Real f9_z_p30 = inverse_D4_p2 * f9_z_p21;
+  const Real f9_z_p39 = s7 * f9_z_p2;
+  const Real f9_z_p40 = c7 * f9_z_p11;
+
+  // link 7 (link4), articulated inertia
+  const Real inverse_D5_p4 = inverse_D4_p9 + inverse_D6_p28;
+  const Real inverse_D5_p5 = inverse_D6_p29 - inverse_D5_p3;
+  const Real inverse_D4_p25 = inverse_D4_p6 + (inverse_D4_p8 * (inverse_D4_p20 + inverse_D4_p24) -
+      inverse_D4_p7 * inverse_D4_p21 - inverse_D4_p5 * inverse_D6_p15);
+
+  // link 7 (link4), force propagation
+  const Real f9_z_p41 = s7 * s8;
+  const Real f9_z_p42 = s7 * c8;
+  const Lanes<8> f9_z_p43_lanes = detail::make_pack<Real>(inverse_D4_p8, inverse_D4_p7,
+      inverse_D4_p8, inverse_D4_p8, inverse_D4_p8, inverse_D4_p8, inverse_D4_p8, inverse_D4_p8) *
+      detail::make_pack<Real>(f9_z_p23_lanes[0], f9_z_p6, f9_z_p23_lanes[2], f9_z_p23_lanes[0],
+      f9_z_p23_lanes[4], f9_z_p23_lanes[0], f9_z_p23_lanes[0], f9_z_p23_lanes[0]) -
+      detail::make_pack<Real>(inverse_D4_p7, inverse_D4_p8, inverse_D4_p7, inverse_D4_p7,
+      inverse_D4_p7, inverse_D4_p7, inverse_D4_p7, inverse_D4_p7) *
+      detail::make_pack<Real>(f9_z_p26_lanes[0], f9_z_p7, f9_z_p26_lanes[2], f9_z_p26_lanes[0],
+      f9_z_p26_lanes[4], f9_z_p26_lanes[0], f9_z_p26_lanes[0], f9_z_p26_lanes[0]);
+  const Real f9_z_p47 = s7 * f9_z_p22 + (inverse_D4_p8 * f9_z_p29 - inverse_D4_p7 * f9_z_p30);
+
+  // link 7 (link4), articulated inertia
+  const Real inverse_D6_p30 = 0.312455249 + (0.00065 + inverse_D6_p18 +
+      (inverse_D4_p8 * (inverse_D6_p21 + inverse_D6_p28) - inverse_D4_p7 *
+      (inverse_D6_p22 + inverse_D6_p29)));
 
   // link 6 (link3), articulated inertia
-  const Real inverse_D6 = 1.0 / inverse_D6_p32;
+  const Real inverse_D6 = 1.0 / inverse_D6_p30;
   const Real inverse_D5_p6 = inverse_D5_p4 * inverse_D6;
   const Real inverse_D5_p7 = inverse_D5_p5 * inverse_D6;
   const Real inverse_D4_p26 = inverse_D4_p24 * inverse_D6;
   const Real inverse_D4_p27 = inverse_D4_p25 * inverse_D6;
-  const Real inverse_D5_p8 = inverse_D6_p27 + inverse_D5_p5 * inverse_D5_p6;
-  const Real inverse_D5_p9 = inverse_D6_p29 - inverse_D5_p5 * inverse_D5_p7;
+
+  // link 6 (link3), force propagation
+  const Lanes<8> f9_z_p68_lanes = detail::make_pack<Real>(f9_z_p43_lanes[0], f9_z_p43_lanes[1],
+      f9_z_p43_lanes[2], f9_z_p47, f9_z_p43_lanes[4], f9_z_p43_lanes[0], f9_z_p43_lanes[0],
+      f9_z_p43_lanes[0]) * inverse_D6;
+
+  // link 6 (link3), articulated inertia
+  const Real inverse_D5_p8 = inverse_D6_p25 + inverse_D5_p5 * inverse_D5_p6;
+  const Real inverse_D5_p9 = inverse_D6_p27 - inverse_D5_p5 * inverse_D5_p7;
   const Real inverse_D4_p28 = inverse_D4_p18 - inverse_D5_p5 * inverse_D4_p26;
-  const Real inverse_D4_p29 = inverse_D4_p21 + inverse_D4_p7 * inverse_D4_p18 - inverse_D4_p25 *
+  const Real inverse_D4_p29 = inverse_D4_p21 + inverse_D4_p8 * inverse_D4_p18 - inverse_D4_p25 *
       inverse_D5_p7;
   const Real inverse_D4_p30 = inverse_D4_p16 - inverse_D4_p24 * inverse_D4_p26;
   const Real inverse_D4_p31 = inverse_D4_p9 + inverse_D4_p23 - inverse_D4_p25 * inverse_D4_p26;
 
   // link 5 (link2), articulated inertia
-  const Real inverse_D4_p32 = inverse_D4_p12 + inverse_D4_p8 * (inverse_D6_p14 - inverse_D6_p20) +
-      inverse_D4_p7 * (inverse_D4_p23 - inverse_D4_p17) - inverse_D4_p25 * inverse_D4_p27;
+  const Real inverse_D4_p32 = inverse_D4_p12 + inverse_D4_p1 *
+      (inverse_D4_p1 * (inverse_D6_p12 - inverse_D6_p18)) + inverse_D4_p8 *
+      (inverse_D4_p23 - inverse_D4_p17) - inverse_D4_p25 * inverse_D4_p27;
+
+  // link 6 (link3), force propagation
+  const Lanes<8> f9_z_p73_lanes = detail::make_pack<Real>(f9_z_p26_lanes[0], -f9_z_p6,
+      f9_z_p26_lanes[2], f9_z_p30, f9_z_p26_lanes[4], f9_z_p26_lanes[0], f9_z_p26_lanes[0],
+      f9_z_p26_lanes[0]) - inverse_D5_p7 * detail::make_pack<Real>(f9_z_p43_lanes[0],
+      f9_z_p43_lanes[1], f9_z_p43_lanes[2], f9_z_p47, f9_z_p43_lanes[4], f9_z_p43_lanes[0],
+      f9_z_p43_lanes[0], f9_z_p43_lanes[0]);
+  const Lanes<8> f9_z_p83_lanes = detail::make_pack<Real>(f9_z_p42, c7, f9_z_p41, -f9_z_p40,
+      f9_z_p39, f9_z_p42, f9_z_p42, f9_z_p42) - inverse_D4_p26 *
+      detail::make_pack<Real>(f9_z_p43_lanes[0], f9_z_p43_lanes[1], f9_z_p43_lanes[2], f9_z_p47,
+      f9_z_p43_lanes[4], f9_z_p43_lanes[0], f9_z_p43_lanes[0], f9_z_p43_lanes[0]);
 
   // link 6 (link3), articulated inertia
   const Real inverse_D5_p10 = inverse_D5_p1 * inverse_D5_p8 - inverse_D5_p2 * inverse_D5_p9;
   const Real inverse_D4_p33 = inverse_D5_p1 * (inverse_D5_p4 * inverse_D4_p26 - inverse_D4_p19) -
       inverse_D5_p2 * inverse_D4_p28;
-  const Real inverse_D2_p6 = inverse_D2_p1 - inverse_D5_p10;
+  const Real inverse_D2_p3 = inverse_D2_p1 - inverse_D5_p10;
   const Real inverse_D4_p34 = inverse_D4_p29 + (inverse_D5_p1 * inverse_D4_p28 + 0.1501 *
       inverse_D5_p9);
+
+  // link 6 (link3), force propagation
+  const Lanes<8> f9_z_p125_lanes = inverse_D5_p2 * f9_z_p73_lanes - inverse_D5_p1 *
+      (detail::make_pack<Real>(-f9_z_p23_lanes[0], f9_z_p7, -f9_z_p23_lanes[2], -f9_z_p29,
+      -f9_z_p23_lanes[4], -f9_z_p23_lanes[0], -f9_z_p23_lanes[0], -f9_z_p23_lanes[0]) +
+      inverse_D5_p6 * detail::make_pack<Real>(f9_z_p43_lanes[0], f9_z_p43_lanes[1],
+      f9_z_p43_lanes[2], f9_z_p47, f9_z_p43_lanes[4], f9_z_p43_lanes[0], f9_z_p43_lanes[0],
+      f9_z_p43_lanes[0]));
+
+  // link 6 (link3), articulated inertia
   const Real inverse_D4_p35 = inverse_D4_p31 + (inverse_D5_p1 * inverse_D4_p30 + 0.1501 *
       inverse_D4_p28);
   const Real inverse_D5_p11 = inverse_D5_p1 * (inverse_D5_p1 *
-      (inverse_D6_p28 - inverse_D5_p4 * inverse_D5_p6) - inverse_D5_p2 * inverse_D5_p8) -
+      (inverse_D6_p26 - inverse_D5_p4 * inverse_D5_p6) - inverse_D5_p2 * inverse_D5_p8) -
       inverse_D5_p2 * inverse_D5_p10;
+
+  // link 6 (link3), force propagation
+  const Lanes<8> f9_z_p135_lanes = detail::make_pack<Real>(inverse_D4_p8 * f9_z_p42, inverse_D4_p8 *
+      c7, inverse_D4_p8 * f9_z_p41, -(inverse_D4_p5 * f9_z_p22 + inverse_D4_p8 * f9_z_p40),
+      inverse_D4_p8 * f9_z_p39, inverse_D4_p8 * f9_z_p42, inverse_D4_p8 * f9_z_p42, inverse_D4_p8 *
+      f9_z_p42) - inverse_D4_p27 * detail::make_pack<Real>(f9_z_p43_lanes[0], f9_z_p43_lanes[1],
+      f9_z_p43_lanes[2], f9_z_p47, f9_z_p43_lanes[4], f9_z_p43_lanes[0], f9_z_p43_lanes[0],
+      f9_z_p43_lanes[0]) + (0.1501 * f9_z_p73_lanes + inverse_D5_p1 * f9_z_p83_lanes);
 
   // link 5 (link2), articulated inertia
   const Real inverse_D5 = 1.0 / (1.7481140020000001 + inverse_D5_p11);
@@ -168,322 +243,171 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real inverse_D4_p36 = inverse_D5_p2 * inverse_D4_p29 - inverse_D5_p1 *
       (inverse_D4_p25 * inverse_D5_p6 - (inverse_D4_p20 + inverse_D4_p22) + inverse_D4_p33) -
       0.1501 * inverse_D5_p10;
-  const Real inverse_D4_p37 = inverse_D4_p2 + inverse_D4_p36;
+  const Real inverse_D4_p37 = inverse_D4_p3 + inverse_D4_p36;
 
   // link 5 (link2), articulated inertia
   const Real inverse_D4_p38 = inverse_D4_p37 * inverse_D5;
-  const Real inverse_D2_p7 = inverse_D2_p6 * inverse_D5;
-  const Real inverse_D2_p8 = inverse_D4_p33 * inverse_D5;
+  const Real inverse_D2_p4 = inverse_D2_p3 * inverse_D5;
+  const Real inverse_D2_p5 = inverse_D4_p33 * inverse_D5;
+
+  // link 5 (link2), force propagation
+  const Lanes<8> f9_z_p140_lanes = f9_z_p125_lanes * inverse_D5;
+
+  // link 4 (link1), outward
+  const Real w4_z = qd[2] + qd[3];
+  const Real a6_x_p1 = w4_z * w4_z;
+
+  // link 6 (link3), outward
+  const Real w6_z = qd[4] + qd[5];
+
+  // link 5 (link2), outward
+  const Real a6_x_p2 = qd[4] * qd[4];
+
+  // link 6 (link3), outward
+  const Real wd6_z = qdd_0[4] + qdd_0[5];
+
+  // link 5 (link2), articulated inertia
   const Real inverse_D4_p39 = inverse_D4_p32 + 0.1501 * (inverse_D4_p29 + inverse_D4_p34) +
       inverse_D5_p1 * (inverse_D4_p31 + inverse_D4_p35) - inverse_D4_p37 * inverse_D4_p38;
-  const Real inverse_D2_p9 = inverse_D4_p35 - inverse_D2_p2 + inverse_D4_p37 * inverse_D2_p8;
+  const Real inverse_D2_p6 = inverse_D4_p35 - inverse_D2_p2 + inverse_D4_p37 * inverse_D2_p5;
+
+  // link 5 (link2), force propagation
+  const Lanes<8> f9_z_p172_lanes = f9_z_p135_lanes - inverse_D4_p38 * f9_z_p125_lanes;
+
+  // link 6 (link3), outward
+  const Real a7_x_p1 = w6_z * w6_z;
 
   // link 4 (link1), articulated inertia
   const Real inverse_D4 = 1.0 / inverse_D4_p39;
 
   // link 5 (link2), articulated inertia
-  const Real inverse_D2_p10 = 4.9338049999999996 + (inverse_D4_p34 - inverse_D4_p37 *
-      inverse_D2_p7);
-
-  // link 4 (link1), articulated inertia
-  const Real inverse_D2_p11 = inverse_D2_p10 * inverse_D4;
-  const Real inverse_D2_p12 = inverse_D2_p9 * inverse_D4;
-  const Real inverse_D2_p13 = inverse_D5_p9 - inverse_D2_p6 * inverse_D2_p7 - inverse_D2_p10 *
-      inverse_D2_p11;
-  const Real inverse_D2_p14 = inverse_D4_p30 - inverse_D4_p33 * inverse_D2_p8 - inverse_D2_p9 *
-      inverse_D2_p12;
-  const Real inverse_D2_p15 = inverse_D2_p10 * inverse_D2_p12 -
-      (inverse_D4_p28 + inverse_D2_p6 * inverse_D2_p8);
-  const Real inverse_D2_p16 = inverse_D2_p3 * (inverse_D2_p13 - inverse_D2_p14) + inverse_D2_p5 *
-      inverse_D2_p15;
-  const Real inverse_D2_p17 = inverse_D2_p3 * inverse_D2_p16;
-  const Real inverse_D1_p1 = inverse_D2_p4 * inverse_D2_p16 - inverse_D2_p15;
-
-  // link 2 (base_y), articulated inertia
-  const Real inverse_D2 = 1.0 / (186.45 + (inverse_D2_p14 + inverse_D2_p17));
-  const Real inverse_D1_p2 = inverse_D1_p1 * inverse_D2;
-
-  // link 1 (base_x), articulated inertia
-  const Real inverse_D1 = 1.0 / (186.45 + (inverse_D2_p13 - inverse_D2_p17) - inverse_D1_p1 *
-      inverse_D1_p2);
-
-  // link 2 (base_y), mobility
-  const Real f9_z_p1 = inverse_D1 * inverse_D1_p2;
-  const Real f9_z_p2 = inverse_D2 + inverse_D1_p2 * f9_z_p1;
-
-  // link 4 (link1), mobility
-  const Real f9_z_p3 = inverse_D2_p3 * (inverse_D1 - f9_z_p2) + inverse_D2_p5 * f9_z_p1;
-  const Real f9_z_p4 = inverse_D2_p3 * f9_z_p3;
-  const Real f9_z_p5 = inverse_D1 - f9_z_p4;
-  const Real f9_z_p6 = f9_z_p1 - inverse_D2_p4 * f9_z_p3;
-  const Real f9_z_p7 = f9_z_p2 + f9_z_p4;
-  const Real f9_z_p8 = f9_z_p6 * inverse_D2_p12 - f9_z_p5 * inverse_D2_p11;
-  const Real f9_z_p9 = f9_z_p7 * inverse_D2_p12 - f9_z_p6 * inverse_D2_p11;
-
-  // link 5 (link2), mobility
-  const Real f9_z_p10 = f9_z_p5 * inverse_D2_p7 + f9_z_p6 * inverse_D2_p8 + f9_z_p8 *
-      inverse_D4_p38;
-  const Real f9_z_p11 = f9_z_p6 * inverse_D2_p7 + f9_z_p7 * inverse_D2_p8 + f9_z_p9 *
-      inverse_D4_p38;
-
-  // link 4 (link1), mobility
-  const Real f9_z_p12 = inverse_D4 + (inverse_D2_p12 * f9_z_p9 - inverse_D2_p11 * f9_z_p8);
-
-  // link 8 (link5), mobility
-  const Real f9_z_p13 = 2.0 * c8;
-
-  // link 5 (link2), mobility
-  const Real f9_z_p14 = f9_z_p8 * inverse_D2_p7 + f9_z_p9 * inverse_D2_p8 + f9_z_p12 *
-      inverse_D4_p38;
-
-  // link 6 (link3), mobility
-  const Real f9_z_p15 = inverse_D5_p1 * f9_z_p12 - f9_z_p9;
-  const Real f9_z_p16 = inverse_D5_p1 * f9_z_p14;
-
-  // link 7 (link4), mobility
-  const Real f9_z_p17 = f9_z_p15 + inverse_D4_p7 * f9_z_p12;
-
-  // link 6 (link3), mobility
-  const Real f9_z_p18 = f9_z_p11 - f9_z_p16;
-
-  // link 5 (link2), mobility
-  const Real f9_z_p19 = inverse_D5 + (inverse_D2_p7 * f9_z_p10 + inverse_D2_p8 * f9_z_p11 +
-      inverse_D4_p38 * f9_z_p14);
-
-  // link 6 (link3), mobility
-  const Real f9_z_p20 = f9_z_p8 - (inverse_D5_p2 * f9_z_p14 - 0.1501 * f9_z_p12);
-  const Real f9_z_p21 = inverse_D5_p1 * f9_z_p18;
-  const Real f9_z_p22 = f9_z_p7 + inverse_D5_p1 * (f9_z_p15 - f9_z_p9);
-  const Real f9_z_p23 = inverse_D5_p1 * f9_z_p19;
-
-  // link 7 (link4), mobility
-  const Real f9_z_p24 = f9_z_p22 + inverse_D4_p7 * (f9_z_p15 + f9_z_p17);
-
-  // link 6 (link3), mobility
-  const Real f9_z_p25 = inverse_D5_p1 * f9_z_p23;
-  const Real f9_z_p26 = inverse_D5_p2 * f9_z_p18 + inverse_D5_p1 * f9_z_p8 + 0.1501 * f9_z_p15 -
-      f9_z_p6;
-  const Real f9_z_p27 = 0.1501 * f9_z_p16 + inverse_D5_p1 * f9_z_p10 - inverse_D5_p2 * f9_z_p23;
-  const Real f9_z_p28 = f9_z_p20 * inverse_D5_p7 - f9_z_p16 * inverse_D5_p6 + f9_z_p15 *
-      inverse_D4_p26 + f9_z_p12 * inverse_D4_p27;
-  const Real f9_z_p29 = 0.1501 * (f9_z_p8 + f9_z_p20) - inverse_D5_p2 *
-      (0.1501 * f9_z_p14 - inverse_D5_p2 * f9_z_p19 + 2.0 * f9_z_p10);
-
-  // link 7 (link4), mobility
-  const Real f9_z_p30 = inverse_D4_p7 * f9_z_p28;
-
-  // link 6 (link3), mobility
-  const Real f9_z_p31 = f9_z_p5 + f9_z_p29;
-
-  // link 7 (link4), mobility
-  const Real f9_z_p32 = f9_z_p20 + inverse_D4_p6 * f9_z_p28;
-
-  // link 6 (link3), mobility
-  const Real f9_z_p33 = f9_z_p26 * inverse_D5_p7 + f9_z_p21 * inverse_D5_p6 + f9_z_p22 *
-      inverse_D4_p26 + f9_z_p15 * inverse_D4_p27;
-  const Real f9_z_p34 = f9_z_p27 * inverse_D5_p7 - f9_z_p25 * inverse_D5_p6 - f9_z_p21 *
-      inverse_D4_p26 + f9_z_p16 * inverse_D4_p27;
-
-  // link 7 (link4), mobility
-  const Real f9_z_p35 = f9_z_p33 + f9_z_p30;
-  const Real f9_z_p36 = inverse_D6_p6 * f9_z_p32 - inverse_D4_p1 * (f9_z_p16 + f9_z_p30);
-  const Real f9_z_p37 = inverse_D4_p1 * f9_z_p36;
-
-  // link 6 (link3), mobility
-  const Real f9_z_p38 = f9_z_p31 * inverse_D5_p7 - f9_z_p27 * inverse_D5_p6 + f9_z_p26 *
-      inverse_D4_p26 + f9_z_p20 * inverse_D4_p27;
-
-  // link 7 (link4), mobility
-  const Real f9_z_p39 = f9_z_p26 + (inverse_D4_p6 * f9_z_p35 + inverse_D4_p7 * f9_z_p20);
-  const Real f9_z_p40 = inverse_D4_p7 * (f9_z_p16 + f9_z_p35) - f9_z_p21;
-  const Real f9_z_p41 = inverse_D6_p6 * f9_z_p39 - inverse_D4_p1 * f9_z_p40;
-  const Real f9_z_p42 = inverse_D4_p1 * f9_z_p39 + inverse_D6_p6 * f9_z_p40;
-  const Real f9_z_p43 = inverse_D4_p8 * f9_z_p12;
-
-  // link 6 (link3), mobility
-  const Real f9_z_p44 = inverse_D6 + (inverse_D5_p7 * f9_z_p38 - inverse_D5_p6 * f9_z_p34 +
-      inverse_D4_p26 * f9_z_p33 + inverse_D4_p27 * f9_z_p28);
-
-  // link 7 (link4), mobility
-  const Real f9_z_p45 = f9_z_p38 + inverse_D4_p6 * f9_z_p44;
-  const Real f9_z_p46 = f9_z_p34 + inverse_D4_p7 * f9_z_p44;
-
-  // link 4 (link1), outward
-  const Real w4_z = qd[2] + qd[3];
-
-  // link 6 (link3), outward
-  const Real w6_z = qd[4] + qd[5];
-  const Real wd6_z = qdd_0[4] + qdd_0[5];
-
-  // link 7 (link4), mobility
-  const Real f9_z_p47 = inverse_D4_p1 * f9_z_p46 - inverse_D6_p6 * f9_z_p45;
-
-  // link 4 (link1), outward
-  const Real a7_x_p1 = w4_z * w4_z;
-
-  // link 6 (link3), outward
-  const Real a7_x_p2 = w6_z * w6_z;
+  const Real inverse_D2_p7 = 4.9338049999999996 + (inverse_D4_p34 - inverse_D4_p37 * inverse_D2_p4);
 
   // link 5 (link2), outward
-  const Real a6_x_p1 = qd[4] * qd[4];
-
-  // link 7 (link4), mobility
-  const Real f9_z_p48 = f9_z_p31 + inverse_D4_p6 * (f9_z_p38 + f9_z_p45);
-  const Real f9_z_p49 = f9_z_p25 + inverse_D4_p7 * (f9_z_p34 + f9_z_p46);
-  const Real f9_z_p50 = f9_z_p27 + (inverse_D4_p7 * f9_z_p38 + inverse_D4_p6 * f9_z_p46);
+  const Real a6_x_p3 = a6_x_p1 + a6_x_p2;
 
   // link 4 (link1), outward
   const Real wd4_z = qdd_0[2] + qdd_0[3];
-
-  // link 7 (link4), mobility
-  const Real f9_z_p51 = f9_z_p43 + s7 * (2.0 * inverse_D4_p4 * f9_z_p28 - s7 *
-      (f9_z_p43 - f9_z_p44));
-
-  // link 6 (link3), outward
-  const Real a7_x_p3 = a7_x_p1 + a7_x_p2;
-
-  // link 5 (link2), outward
-  const Real a6_x_p2 = a7_x_p1 + a6_x_p1;
-
-  // link 4 (link1), outward
-  const Real a4_x = inverse_D2_p4 * qdd_0[0] + inverse_D2_p3 * qdd_0[1];
-
-  // link 7 (link4), mobility
-  const Real f9_z_p52 = s7 * (inverse_D4_p1 * f9_z_p45 + inverse_D6_p6 * f9_z_p46) - c7 *
-      (inverse_D6_p6 * f9_z_p36 - f9_z_p32);
 
   // link 5 (link2), outward
   const Real wd5_x = w4_z * qd[4];
 
   // link 6 (link3), outward
+  const Real a7_x_p2 = a6_x_p1 + a7_x_p1;
   const Real wd6_x = w4_z * w6_z;
 
-  // link 7 (link4), mobility
-  const Real f9_z_p53 = c7 * (f9_z_p47 - inverse_D4_p1 * f9_z_p17) - s7 * (f9_z_p35 - f9_z_p37);
+  // link 4 (link1), outward
+  const Real a4_x = a4_x_p2 * qdd_0[0] + a4_x_p1 * qdd_0[1];
 
   // link 5 (link2), outward
   const Real a6_z_p1 = 2.0 * wd5_x;
 
-  // link 7 (link4), mobility
-  const Real f9_z_p54 = inverse_D4_p1 * (f9_z_p48 - f9_z_p49) + inverse_D6_p8 * f9_z_p50;
-
   // link 6 (link3), outward
-  const Real a7_x_p4 = 2.0 * wd6_x;
-  const Real a6_y = 9.81 + (a6_x_p1 * inverse_D5_p2 - qdd_0[4] * inverse_D5_p1);
-
-  // link 4 (link1), outward
-  const Real a4_y = inverse_D2_p4 * qdd_0[1] - inverse_D2_p3 * qdd_0[0];
-
-  // link 7 (link4), mobility
-  const Real f9_z_p55 = inverse_D4_p1 * f9_z_p54;
-
-  // link 7 (link4), outward
-  const Real a7_x_p5 = a6_y - (wd6_z * inverse_D4_p7 + a7_x_p2 * inverse_D4_p6);
+  const Real a7_x_p3 = 2.0 * wd6_x;
+  const Real a6_y = 9.81 + (a6_x_p2 * inverse_D5_p2 - qdd_0[4] * inverse_D5_p1);
 
   // link 9 (link6), outward
   const Real f9_x_p1 = 9.81 + xdd_cmd[2];
 
-  // link 7 (link4), mobility
-  const Real f9_z_p56 = s7 * f9_z_p53 - f9_z_p37;
-  const Real f9_z_p57 = c7 * f9_z_p53 - f9_z_p47;
-
-  // link 6 (link3), outward
-  const Real a6_x = a6_x_p2 * inverse_D5_p1 + qdd_0[4] * inverse_D5_p2 + 0.1501 * wd4_z - a4_x;
+  // link 4 (link1), outward
+  const Real a4_y = a4_x_p2 * qdd_0[1] - a4_x_p1 * qdd_0[0];
 
   // link 9 (link6), outward
-  const Real f9_x_p2 = inverse_D2_p4 * xdd_cmd[1] - inverse_D2_p3 * xdd_cmd[0];
+  const Real f9_x_p2 = a4_x_p2 * xdd_cmd[1] - a4_x_p1 * xdd_cmd[0];
 
-  // link 7 (link4), mobility
-  const Real f9_z_p58 = f9_z_p48 - f9_z_p55;
-  const Real f9_z_p59 = inverse_D6_p6 * f9_z_p54 - f9_z_p50;
-  const Real f9_z_p60 = f9_z_p49 + f9_z_p55;
+  // link 7 (link4), outward
+  const Real a7_x_p4 = a6_y - (wd6_z * inverse_D4_p8 + a7_x_p1 * inverse_D4_p7);
+
+  // link 9 (link6), outward
+  const Real f9_x_p3 = a4_x_p2 * xdd_cmd[0] + a4_x_p1 * xdd_cmd[1];
+
+  // link 4 (link1), articulated inertia
+  const Real inverse_D2_p8 = inverse_D2_p6 * inverse_D4;
+  const Real inverse_D2_p9 = inverse_D2_p7 * inverse_D4;
+
+  // link 4 (link1), force propagation
+  const Lanes<8> f9_z_p204_lanes = f9_z_p172_lanes * inverse_D4;
 
   // link 7 (link4), outward
   const Real w7_x_p1 = inverse_D4_p1 * w4_z;
-  const Real a7_x_p6 = a6_x + (a7_x_p3 * inverse_D4_p7 - wd6_z * inverse_D4_p6);
-
-  // link 9 (link6), outward
-  const Real f9_x_p3 = inverse_D2_p4 * xdd_cmd[0] + inverse_D2_p3 * xdd_cmd[1];
-
-  // link 7 (link4), mobility
-  const Real f9_z_p61 = f9_z_p57 * inverse_D6_p10 - f9_z_p51 * inverse_D6_p11;
-
-  // link 7 (link4), outward
-  const Real w7_z = qd[6] - inverse_D6_p6 * w4_z;
-
-  // link 7 (link4), mobility
-  const Real f9_z_p62 = c7 * f9_z_p59 + s7 * f9_z_p42;
-  const Real f9_z_p63 = s7 * f9_z_p59 - c7 * f9_z_p42;
 
   // link 6 (link3), outward
-  const Real a6_z = a4_y + (wd4_z * inverse_D5_p1 - a6_z_p1 * inverse_D5_p2 - 0.1501 * a7_x_p1);
+  const Real a6_x = a6_x_p3 * inverse_D5_p1 + qdd_0[4] * inverse_D5_p2 + 0.1501 * wd4_z - a4_x;
 
   // link 7 (link4), outward
-  const Real wd7_y_p1 = inverse_D6_p6 * wd6_x - inverse_D4_p1 * wd4_z;
+  const Real w7_z = qd[6] - inverse_D4_p2 * w4_z;
+  const Real a7_x_p5 = a6_x + (a7_x_p2 * inverse_D4_p8 - wd6_z * inverse_D4_p7);
+  const Real wd7_y_p1 = inverse_D4_p2 * wd6_x - inverse_D4_p1 * wd4_z;
 
-  // link 7 (link4), mobility
-  const Real f9_z_p64 = c7 * (2.0 * f9_z_p41) - s7 * (f9_z_p58 - f9_z_p24);
+  // link 4 (link1), articulated inertia
+  const Real inverse_D2_p10 = inverse_D2_p7 * inverse_D2_p8 -
+      (inverse_D4_p28 + inverse_D2_p3 * inverse_D2_p5);
+  const Real inverse_D2_p11 = inverse_D5_p9 - inverse_D2_p3 * inverse_D2_p4 - inverse_D2_p7 *
+      inverse_D2_p9;
+  const Real inverse_D2_p12 = inverse_D4_p30 - inverse_D4_p33 * inverse_D2_p5 - inverse_D2_p6 *
+      inverse_D2_p8;
+
+  // link 4 (link1), force propagation
+  const Lanes<8> f9_z_p231_lanes = -(f9_z_p73_lanes - inverse_D2_p4 * f9_z_p125_lanes) +
+      inverse_D2_p9 * f9_z_p172_lanes;
+  const Lanes<8> f9_z_p236_lanes = f9_z_p83_lanes + inverse_D2_p5 * f9_z_p125_lanes -
+      inverse_D2_p8 * f9_z_p172_lanes;
 
   // link 7 (link4), outward
   const Real w7_x = s7 * w6_z - c7 * w7_x_p1;
 
   // link 9 (link6), outward
-  const Real f9_x_p4 = inverse_D2_p4 * xdd_cmd[3] + inverse_D2_p3 * xdd_cmd[4];
+  const Real f9_x_p4 = a4_x_p2 * xdd_cmd[3] + a4_x_p1 * xdd_cmd[4];
 
-  // link 7 (link4), mobility
-  const Real f9_z_p65 = s7 * f9_z_p64;
+  // link 4 (link1), force propagation
+  const Lanes<8> f9_z_p273_lanes = a4_x_p1 * f9_z_p231_lanes + a4_x_p2 * f9_z_p236_lanes;
 
-  // link 7 (link4), outward
-  const Real w7_y = s7 * w7_x_p1 + c7 * w6_z;
-  const Real a7_x_p7 = inverse_D6_p6 * a7_x_p6 - inverse_D4_p1 * a7_x_p5;
-  const Real a7_x_p8 = a6_z + (wd4_z * inverse_D4_p7 + a7_x_p4 * inverse_D4_p6);
-
-  // link 7 (link4), mobility
-  const Real f9_z_p66 = f9_z_p58 + f9_z_p65;
-  const Real f9_z_p67 = c7 * f9_z_p64 - f9_z_p41;
-  const Real f9_z_p68 = f9_z_p24 - f9_z_p65;
+  // link 6 (link3), outward
+  const Real a6_z = a4_y + (wd4_z * inverse_D5_p1 - a6_z_p1 * inverse_D5_p2 - 0.1501 * a6_x_p1);
 
   // link 8 (link5), outward
   const Real w8_x = c8 * w7_x - s8 * w7_z;
   const Real minus_w8_y = s8 * w7_x + c8 * w7_z;
 
   // link 7 (link4), outward
+  const Real w7_y = s7 * w7_x_p1 + c7 * w6_z;
   const Real wd7_y = c7 * wd6_z - s7 * wd7_y_p1 - w7_x * qd[6];
 
-  // link 9 (link6), outward
-  const Real f9_x_p5 = inverse_D6_p6 * f9_x_p3 + inverse_D4_p1 * f9_x_p1;
-  const Real f9_x_p6 = inverse_D6_p6 * f9_x_p4 + inverse_D4_p1 * xdd_cmd[5];
-  const Real f9_x_p7 = inverse_D2_p4 * xdd_cmd[4] - inverse_D2_p3 * xdd_cmd[3];
+  // link 4 (link1), articulated inertia
+  const Real inverse_D2_p13 = a4_x_p1 * (inverse_D2_p11 - inverse_D2_p12) + a4_x_p2 *
+      (2.0 * inverse_D2_p10);
 
   // link 7 (link4), outward
-  const Real wd9_x_p1 = w7_x * w7_y;
+  const Real a7_x_p6 = inverse_D4_p2 * a7_x_p5 - inverse_D4_p1 * a7_x_p4;
+
+  // link 9 (link6), outward
+  const Real f9_x_p5 = inverse_D4_p2 * f9_x_p3 + inverse_D4_p1 * f9_x_p1;
+
+  // link 7 (link4), outward
+  const Real a7_x_p7 = a6_z + (wd4_z * inverse_D4_p8 + a7_x_p3 * inverse_D4_p7);
 
   // link 8 (link5), outward
   const Real wd9_y_p1 = w8_x * minus_w8_y;
 
   // link 9 (link6), outward
   const Real w9_z = minus_w8_y + qd[8];
+  const Real f9_x_p6 = inverse_D4_p2 * f9_x_p4 + inverse_D4_p1 * xdd_cmd[5];
+  const Real f9_x_p7 = a4_x_p2 * xdd_cmd[4] - a4_x_p1 * xdd_cmd[3];
+
+  // link 7 (link4), outward
+  const Real wd9_x_p1 = w7_x * w7_y;
+
+  // link 4 (link1), articulated inertia
+  const Real inverse_D2_p14 = a4_x_p1 * inverse_D2_p13;
 
   // link 8 (link5), outward
   const Real wd8_z = wd7_y + qdd_0[7];
 
   // link 7 (link4), outward
-  const Real wd7_z = qdd_0[6] - (inverse_D4_p1 * wd6_x + inverse_D6_p6 * wd4_z);
-
-  // link 7 (link4), mobility
-  const Real f9_z_p69 = f9_z_p67 * inverse_D6_p10 - f9_z_p56 * inverse_D6_p11;
-
-  // link 8 (link5), mobility
-  const Real f9_z_p70 = c8 * f9_z_p67 - s8 * f9_z_p63;
-
-  // link 7 (link4), mobility
-  const Real f9_z_p71 = f9_z_p68 * inverse_D6_p10 - f9_z_p57 * inverse_D6_p11;
+  const Real wd7_z = qdd_0[6] - (inverse_D4_p1 * wd6_x + inverse_D4_p2 * wd4_z);
 
   // link 9 (link6), outward
   const Real wd9_y_p2 = w8_x * w9_z;
-
-  // link 8 (link5), mobility
-  const Real f9_z_p72 = s8 * (f9_z_p66 - f9_z_p60) - f9_z_p13 * f9_z_p62;
 
   // link 8 (link5), outward
   const Real w8_z = w7_y + qd[7];
@@ -491,150 +415,159 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
 
   // link 7 (link4), outward
   const Real wd9_x_p2 = wd9_x_p1 - wd7_z;
-  const Real wd9_x_p3 = c7 * wd7_y_p1 + s7 * wd6_z + (w7_z + qd[6]) * w7_y;
 
-  // link 8 (link5), mobility
-  const Real f9_z_p73 = s8 * f9_z_p72;
+  // link 4 (link1), articulated inertia
+  const Real inverse_D1_p1 = a4_x_p2 * inverse_D2_p13 - inverse_D2_p10;
 
   // link 7 (link4), outward
-  const Real a7_x = c7 * a7_x_p7 + s7 * a7_x_p8;
-  const Real minus_a7_z = inverse_D4_p1 * a7_x_p6 + inverse_D6_p6 * a7_x_p5;
+  const Real wd9_x_p3 = c7 * wd7_y_p1 + s7 * wd6_z + (w7_z + qd[6]) * w7_y;
+
+  // link 4 (link1), force propagation
+  const Real f9_z_p283 = neg_s8 * inverse_D7 * neg_s8 + f9_z_p68_lanes[3] * f9_z_p47 +
+      f9_z_p140_lanes[3] * f9_z_p125_lanes[3] + f9_z_p204_lanes[3] * f9_z_p172_lanes[3];
+
+  // link 7 (link4), outward
+  const Real a7_x = c7 * a7_x_p6 + s7 * a7_x_p7;
+  const Real minus_a7_z = inverse_D4_p1 * a7_x_p5 + inverse_D4_p2 * a7_x_p4;
 
   // link 9 (link6), outward
   const Real f9_x_p8 = s7 * f9_x_p2 - c7 * f9_x_p5;
-  const Real f9_x_p9 = inverse_D6_p6 * f9_x_p1 - inverse_D4_p1 * f9_x_p3;
+  const Real f9_x_p9 = inverse_D4_p2 * f9_x_p1 - inverse_D4_p1 * f9_x_p3;
   const Real wd9_y = wd9_y_p3 - wd9_y_p2;
   const Real f9_y_p1 = s7 * f9_x_p7 - c7 * f9_x_p6;
+  const Real wd9_x_p4 = w8_z * w9_z;
 
-  // link 8 (link5), mobility
-  const Real f9_z_p74 = f9_z_p66 - f9_z_p73;
-  const Real f9_z_p75 = s8 * (f9_z_p56 + (f9_z_p63 * inverse_D6_p10 - f9_z_p52 * inverse_D6_p11)) -
-      c8 * (f9_z_p69 - f9_z_p52);
-  const Real f9_z_p76 = c8 * f9_z_p72 + f9_z_p62;
+  // link 2 (base_y), articulated inertia
+  const Real inverse_D2 = 1.0 / (186.45 + (inverse_D2_p12 + inverse_D2_p14));
 
   // link 9 (link6), outward
   const Real f9_x_p10 = s7 * f9_x_p6 + c7 * f9_x_p7 - wd9_y;
-  const Real f9_y_p2 = inverse_D6_p6 * xdd_cmd[5] - inverse_D4_p1 * f9_x_p4;
-
-  // link 9 (link6), mobility
-  const Real f9_z_p77 = 1.0 / f9_z_p74;
-
-  // link 9 (link6), outward
-  const Real wd9_x_p4 = w8_z * w9_z;
+  const Real f9_y_p2 = inverse_D4_p2 * xdd_cmd[5] - inverse_D4_p1 * f9_x_p4;
 
   // link 8 (link5), outward
   const Real a8_x = c8 * a7_x + s8 * minus_a7_z;
-
-  // link 8 (link5), mobility
-  const Real f9_z_p78 = f9_z_p56 - s8 * f9_z_p75;
-
-  // link 9 (link6), mobility
-  const Real f9_z_p79 = -(4.484863585399276 * f9_z_p74);
-
-  // link 8 (link5), outward
   const Real wd9_x_p5 = s8 * wd9_x_p2 + c8 * wd9_x_p3 - 2.0 * (minus_w8_y * w8_z);
+
+  // link 7 (link4), outward
+  const Real a7_y = c7 * a7_x_p7 - s7 * a7_x_p6;
 
   // link 9 (link6), outward
   const Real wd9_x = wd9_x_p4 + wd9_x_p5;
 
-  // link 7 (link4), outward
-  const Real a7_y = c7 * a7_x_p8 - s7 * a7_x_p7;
-
-  // link 8 (link5), mobility
-  const Real f9_z_p80 = s8 * (f9_z_p51 - (inverse_D7 +
-      (inverse_D6_p10 * f9_z_p71 - inverse_D6_p11 * f9_z_p61))) - f9_z_p13 * f9_z_p61;
+  // link 8 (link5), outward
+  const Real f9_z_p284 = w8_x * w8_x + w8_z * w8_z;
 
   // link 9 (link6), outward
   const Real f9_x_p11 = c8 * f9_x_p8 + s8 * f9_x_p9 - a8_x - 0.05625 * (wd9_y_p3 + f9_x_p10);
-
-  // link 8 (link5), outward
-  const Real f9_z_p81 = w8_x * w8_x + w8_z * w8_z;
-
-  // link 9 (link6), outward
   const Real f9_y_p3 = c8 * f9_y_p1 + s8 * f9_y_p2 - wd9_x;
 
-  // link 9 (link6), mobility
-  const Real f9_z_p82 = f9_z_p79 * f9_z_p77;
-  const Real f9_z_p83 = f9_z_p78 * f9_z_p77;
-  const Real f9_z_p84 = f9_z_p76 * f9_z_p77;
-  const Real f9_z_p85 = f9_z_p70 * f9_z_p77;
+  // link 2 (base_y), articulated inertia
+  const Real inverse_D1_p2 = inverse_D1_p1 * inverse_D2;
+
+  // link 2 (base_y), force propagation
+  const Lanes<8> f9_z_p285_lanes = f9_z_p273_lanes * inverse_D2;
+  const Lanes<8> f9_z_p295_lanes = f9_z_p285_lanes * f9_z_p273_lanes[0];
+  const Lanes<8> f9_z_p300_lanes = f9_z_p285_lanes * f9_z_p273_lanes[1];
+  const Lanes<8> f9_z_p304_lanes = f9_z_p285_lanes * f9_z_p273_lanes[2];
+  const Lanes<8> f9_z_p307_lanes = a4_x_p2 * f9_z_p231_lanes - a4_x_p1 * f9_z_p236_lanes -
+      inverse_D1_p2 * f9_z_p273_lanes;
+  const Lanes<8> f9_z_p312_lanes = f9_z_p68_lanes * f9_z_p43_lanes[0] + f9_z_p140_lanes *
+      f9_z_p125_lanes[0] + f9_z_p204_lanes * f9_z_p172_lanes[0] + f9_z_p295_lanes;
+  const Lanes<8> f9_z_p317_lanes = f9_z_p68_lanes * f9_z_p43_lanes[1] + f9_z_p140_lanes *
+      f9_z_p125_lanes[1] + f9_z_p204_lanes * f9_z_p172_lanes[1] + f9_z_p300_lanes;
+  const Lanes<8> f9_z_p321_lanes = f9_z_p68_lanes * f9_z_p43_lanes[2] + f9_z_p140_lanes *
+      f9_z_p125_lanes[2] + f9_z_p204_lanes * f9_z_p172_lanes[2] + f9_z_p304_lanes;
+  const Real f9_z_p324 = 1557.24430048586 + f9_z_p68_lanes[4] * f9_z_p43_lanes[4] +
+      f9_z_p140_lanes[4] * f9_z_p125_lanes[4] + f9_z_p204_lanes[4] * f9_z_p172_lanes[4] +
+      f9_z_p285_lanes[4] * f9_z_p273_lanes[4];
+
+  // link 1 (base_x), articulated inertia
+  const Real inverse_D1 = 1.0 / (186.45 + (inverse_D2_p11 - inverse_D2_p14) - inverse_D1_p1 *
+      inverse_D1_p2);
+
+  // link 1 (base_x), force propagation
+  const Lanes<8> f9_z_p325_lanes = f9_z_p307_lanes * inverse_D1;
+  const Lanes<8> f9_z_p342_lanes = f9_z_p312_lanes + f9_z_p325_lanes * f9_z_p307_lanes[0];
+  const Real f9_z_p354 = f9_z_p68_lanes[4] * f9_z_p47 + f9_z_p140_lanes[4] * f9_z_p125_lanes[3] +
+      f9_z_p204_lanes[4] * f9_z_p172_lanes[3] + f9_z_p285_lanes[4] * f9_z_p273_lanes[3] +
+      f9_z_p325_lanes[4] * f9_z_p307_lanes[3];
   const Real n4_z_p1 = c5 * inverse_D4_p11 - 0.0070992;
-  const Lanes<8> f9_z_p93_lanes = detail::make_pack<Real>(f9_z_p68, f9_z_p68, s8 * f9_z_p67 + c8 *
-      f9_z_p63, c8 * f9_z_p57 + s8 * f9_z_p71, -(4.484863585399276 * f9_z_p70), f9_z_p68, f9_z_p68,
-      f9_z_p68) - detail::make_pack<Real>(f9_z_p85, f9_z_p85, f9_z_p84, f9_z_p83, f9_z_p82,
-      f9_z_p85, f9_z_p85, f9_z_p85) * f9_z_p70;
+  const Real f9_z_p355 = 1.0 / f9_z_p342_lanes[0];
+  const Real n4_z_p2 = inverse_D4_p2 * inverse_D4_p10 - 0.010673638499999999;
 
   // link 8 (link5), outward
   const Real wd8_y_p1 = w8_x * w8_z;
 
-  // link 9 (link6), mobility
-  const Real f9_z_p100 = 1.0 / f9_z_p93_lanes[1];
-  const Real f9_y_p4 = s7 * f9_x_p5 + c7 * f9_x_p2 - a7_y - f9_z_p85 * f9_x_p11 + 0.05625 *
-      (wd9_x_p5 + f9_y_p3);
-  const Real n4_z_p2 = inverse_D6_p6 * inverse_D4_p10 - 0.010673638499999999;
+  // link 5 (link2), inward
+  const Real n4_z_p3 = qdd_0[4] * inverse_D4_p3 - 4.9338049999999996 * a4_x - a6_z_p1 * n4_z_p1 -
+      a6_x_p2 * (0.023750999999999998 * s5 - 0.690314699 * c5);
 
   // link 8 (link5), outward
   const Real wd8_y = c8 * wd9_x_p2 - s8 * wd9_x_p3 - wd8_y_p1;
+
+  // link 1 (base_x), force propagation
+  const Lanes<8> f9_z_p356_lanes = f9_z_p342_lanes * f9_z_p355;
 
   // link 9 (link6), inertial wrench
   const Real minus_n9_z = 4e-05 * (c8 * f9_y_p2 - s8 * f9_y_p1);
   tau[8] = -minus_n9_z;
 
-  // link 5 (link2), inward
-  const Real n4_z_p3 = qdd_0[4] * inverse_D4_p2 - 4.9338049999999996 * a4_x - a6_z_p1 * n4_z_p1 -
-      a6_x_p1 * (0.023750999999999998 * s5 - 0.690314699 * c5);
-
-  // link 9 (link6), mobility
-  const Lanes<8> f9_z_p101_lanes = f9_z_p93_lanes * f9_z_p100;
+  // link 1 (base_x), force propagation
+  const Lanes<8> f9_z_p367_lanes = f9_z_p317_lanes + f9_z_p325_lanes * f9_z_p307_lanes[1] -
+      f9_z_p356_lanes * f9_z_p342_lanes[1];
 
   // link 9 (link6), inward
   const Real minus_n8_y = 2e-04 * (wd8_y_p1 - wd8_y) - minus_n9_z;
 
+  // link 1 (base_x), force propagation
+  const Real f9_z_p374 = 1.0 / f9_z_p367_lanes[1];
+  const Real f9_y_p4 = s7 * f9_x_p5 + c7 * f9_x_p2 - a7_y - f9_z_p356_lanes[1] * f9_x_p11 +
+      0.05625 * (wd9_x_p5 + f9_y_p3);
+
   // link 5 (link2), inward
-  const Real n4_z_p4 = n4_z_p3 - inverse_D2_p2 * a4_y + wd6_z * inverse_D4_p5 - a7_x_p4 * n4_z_p2 +
+  const Real n4_z_p4 = n4_z_p3 - inverse_D2_p2 * a4_y + wd6_z * inverse_D4_p6 - a7_x_p3 * n4_z_p2 +
       inverse_D4_p9 * a6_z;
 
-  // link 9 (link6), mobility
-  const Lanes<8> f9_z_p107_lanes = detail::make_pack<Real>(f9_z_p60 + f9_z_p73, f9_z_p60 + f9_z_p73,
-      f9_z_p60 + f9_z_p73, c8 * f9_z_p75 + f9_z_p69, -(4.484863585399276 * f9_z_p76), f9_z_p60 +
-      f9_z_p73, f9_z_p60 + f9_z_p73, f9_z_p60 + f9_z_p73) -
-      detail::make_pack<Real>(f9_z_p84, f9_z_p84, f9_z_p84, f9_z_p83, f9_z_p82, f9_z_p84, f9_z_p84,
-      f9_z_p84) * f9_z_p76 - f9_z_p101_lanes * f9_z_p93_lanes[2];
-  const Real f9_z_p110 = 1.0 / f9_z_p107_lanes[2];
-  const Real f9_z_p111 = 0.05625 * f9_z_p81 - f9_z_p84 * f9_x_p11 - f9_z_p101_lanes[2] * f9_y_p4 +
-      (f9_x_p8 - a7_x) * s8;
-  const Real f9_z_p112 = f9_z_p111 + (minus_a7_z - f9_x_p9) * c8;
+  // link 1 (base_x), force propagation
+  const Lanes<8> f9_z_p375_lanes = f9_z_p367_lanes * f9_z_p374;
+  const Lanes<8> f9_z_p381_lanes = f9_z_p321_lanes + f9_z_p325_lanes * f9_z_p307_lanes[2] -
+      f9_z_p356_lanes * f9_z_p342_lanes[2] - f9_z_p375_lanes * f9_z_p367_lanes[2];
+  const Real f9_z_p384 = f9_z_p283 + f9_z_p285_lanes[3] * f9_z_p273_lanes[3] + f9_z_p325_lanes[3] *
+      f9_z_p307_lanes[3] - f9_z_p356_lanes[3] * f9_z_p342_lanes[3] - f9_z_p375_lanes[3] *
+      f9_z_p367_lanes[3];
+  const Real f9_z_p385 = 1.0 / f9_z_p381_lanes[2];
+  const Real f9_z_p386 = 0.05625 * f9_z_p284 - f9_z_p356_lanes[2] * f9_x_p11 - f9_z_p375_lanes[2] *
+      f9_y_p4 + (f9_x_p8 - a7_x) * s8;
+  const Real f9_z_p387 = f9_z_p386 + (minus_a7_z - f9_x_p9) * c8;
 
   // link 6 (link3), inertial wrench
-  const Real n6_z_p1 = 0.312455249 * wd6_z + wd4_z * inverse_D4_p5 + a7_x_p1 * n4_z_p2 -
+  const Real n6_z_p1 = 0.312455249 * wd6_z + wd4_z * inverse_D4_p6 + a6_x_p1 * n4_z_p2 -
       (inverse_D4_p9 * a6_y + inverse_D5_p3 * a6_x);
 
   // link 5 (link2), inertial wrench
-  const Real n5_z_p1 = 1.7481140020000001 * qdd_0[4] + wd4_z * inverse_D4_p2 + a7_x_p1 * n4_z_p1 +
+  const Real n5_z_p1 = 1.7481140020000001 * qdd_0[4] + wd4_z * inverse_D4_p3 + a6_x_p1 * n4_z_p1 +
       (9.81 * inverse_D2_p2 - inverse_D2_p1 * a4_x);
 
-  // link 9 (link6), mobility
-  const Real f9_z_p113 = f9_z_p107_lanes[3] * f9_z_p110;
-  const Real f9_z_p114 = f9_z_p107_lanes[4] * f9_z_p110;
-  const Real f9_z_p115 = f9_z_p51 - s8 * f9_z_p80 - f9_z_p83 * f9_z_p78 - f9_z_p101_lanes[3] *
-      f9_z_p93_lanes[3] - f9_z_p113 * f9_z_p107_lanes[3];
-  const Real f9_z_p116 = -(4.484863585399276 * f9_z_p78) - f9_z_p82 * f9_z_p78 -
-      f9_z_p101_lanes[4] * f9_z_p93_lanes[3] - f9_z_p114 * f9_z_p107_lanes[3];
-  const Real f9_z_p117 = 1557.24430048586 + 20.114001379640452 * f9_z_p74 - f9_z_p82 * f9_z_p79 -
-      f9_z_p101_lanes[4] * f9_z_p93_lanes[4] - f9_z_p114 * f9_z_p107_lanes[4];
-  const Real f9_z_p118 = f9_y_p3 - f9_z_p83 * f9_x_p11 - f9_z_p101_lanes[3] * f9_y_p4 - f9_z_p113 *
-      f9_z_p112;
-  const Real f9_z_p119 = 1.0 / f9_z_p115;
-  const Real f9_z_p120 = f9_z_p116 * f9_z_p119;
-  const Real f9_z_p121 = f9_x_p10 - f9_z_p82 * f9_x_p11 - f9_z_p101_lanes[4] * f9_y_p4 - f9_z_p114 *
-      f9_z_p112 - f9_z_p120 * f9_z_p118;
-  const Real f9_z_p122 = f9_z_p121 * (1.0 / (f9_z_p117 - f9_z_p120 * f9_z_p116));
+  // link 1 (base_x), force propagation
+  const Real f9_z_p388 = f9_z_p381_lanes[3] * f9_z_p385;
+  const Real f9_z_p389 = f9_z_p381_lanes[4] * f9_z_p385;
+  const Real f9_z_p390 = f9_z_p354 - f9_z_p356_lanes[4] * f9_z_p342_lanes[3] - f9_z_p375_lanes[4] *
+      f9_z_p367_lanes[3] - f9_z_p389 * f9_z_p381_lanes[3];
+  const Real f9_z_p391 = f9_z_p324 + f9_z_p325_lanes[4] * f9_z_p307_lanes[4] - f9_z_p356_lanes[4] *
+      f9_z_p342_lanes[4] - f9_z_p375_lanes[4] * f9_z_p367_lanes[4] - f9_z_p389 * f9_z_p381_lanes[4];
+  const Real f9_z_p392 = f9_y_p3 - f9_z_p356_lanes[3] * f9_x_p11 - f9_z_p375_lanes[3] * f9_y_p4 -
+      f9_z_p388 * f9_z_p387;
+  const Real f9_z_p393 = 1.0 / (f9_z_p384 - f9_z_p388 * f9_z_p381_lanes[3]);
+  const Real f9_z_p394 = f9_z_p390 * f9_z_p393;
+  const Real f9_z_p395 = f9_x_p10 - f9_z_p356_lanes[4] * f9_x_p11 - f9_z_p375_lanes[4] * f9_y_p4 -
+      f9_z_p389 * f9_z_p387 - f9_z_p394 * f9_z_p392;
+  const Real f9_z_p396 = f9_z_p395 * (1.0 / (f9_z_p391 - f9_z_p394 * f9_z_p390));
 
   // link 9 (link6), inertial wrench
-  const Real n9_y = f9_z_p122 - 2e-05 * (wd9_y_p2 - wd9_y);
+  const Real n9_y = f9_z_p396 - 2e-05 * (wd9_y_p2 - wd9_y);
 
-  // link 9 (link6), mobility
-  const Real f9_z_p123 = f9_z_p118 * f9_z_p119 - f9_z_p120 * f9_z_p122;
+  // link 1 (base_x), force propagation
+  const Real f9_z_p397 = f9_z_p392 * f9_z_p393 - f9_z_p394 * f9_z_p396;
 
   // link 9 (link6), inward
   const Real n8_z = 0.00022215999999999997 * wd9_y_p1 + 0.00062216 * wd8_z + 0.0028799999999999997 *
@@ -642,7 +575,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   tau[7] = n8_z;
 
   // link 9 (link6), inertial wrench
-  const Real n9_x = 2e-05 * (wd9_x_p4 + wd9_x) + f9_z_p123;
+  const Real n9_x = 2e-05 * (wd9_x_p4 + wd9_x) + f9_z_p397;
 
   // link 8 (link5), inward
   const Real n7_y = n8_z - 0.00065 * (w7_x * w7_z - wd7_y);
@@ -650,11 +583,11 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   // link 9 (link6), inward
   const Real n8_x = 0.00042216 * wd9_x_p5 - 0.0028799999999999997 * a7_y + n9_x;
 
-  // link 9 (link6), mobility
-  const Real f9_z = f9_z_p112 * f9_z_p110 - f9_z_p113 * f9_z_p123 - f9_z_p114 * f9_z_p122;
+  // link 1 (base_x), force propagation
+  const Real f9_z = f9_z_p387 * f9_z_p385 - f9_z_p388 * f9_z_p397 - f9_z_p389 * f9_z_p396;
 
   // link 9 (link6), inward
-  const Real f8_y = 0.0028799999999999997 * f9_z_p81 - f9_z;
+  const Real f8_y = 0.0028799999999999997 * f9_z_p284 - f9_z;
 
   // link 8 (link5), inward
   const Real n7_x = 0.0007499999999999999 * wd9_x_p3 + (c8 * n8_x + s8 * minus_n8_y);
@@ -662,16 +595,16 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
       (c8 * minus_n8_y - s8 * n8_x);
   tau[6] = n7_z;
 
-  // link 9 (link6), mobility
-  const Real f9_y = f9_y_p4 * f9_z_p100 - f9_z_p101_lanes[2] * f9_z - f9_z_p101_lanes[3] *
-      f9_z_p123 - f9_z_p101_lanes[4] * f9_z_p122;
+  // link 1 (base_x), force propagation
+  const Real f9_y = f9_y_p4 * f9_z_p374 - f9_z_p375_lanes[2] * f9_z - f9_z_p375_lanes[3] *
+      f9_z_p397 - f9_z_p375_lanes[4] * f9_z_p396;
 
   // link 9 (link6), inward
   const Real f8_z = f9_y - 0.0028799999999999997 * wd9_x_p5;
 
-  // link 9 (link6), mobility
-  const Real f9_x = f9_x_p11 * f9_z_p77 - f9_z_p85 * f9_y - f9_z_p84 * f9_z - f9_z_p83 * f9_z_p123 -
-      f9_z_p82 * f9_z_p122;
+  // link 1 (base_x), force propagation
+  const Real f9_x = f9_x_p11 * f9_z_p355 - f9_z_p356_lanes[1] * f9_y - f9_z_p356_lanes[2] * f9_z -
+      f9_z_p356_lanes[3] * f9_z_p397 - f9_z_p356_lanes[4] * f9_z_p396;
 
   // link 9 (link6), inward
   const Real f8_x = 0.0028799999999999997 * wd9_y_p3 + f9_x;
@@ -683,41 +616,41 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   // link 7 (link4), inward
   const Real f6_x_p1 = c7 * minus_f7_x + s7 * f8_z;
   const Real n4_z_p5 = c7 * f8_z - s7 * minus_f7_x;
-  const Real f6_z = wd4_z * inverse_D4_p9 + a7_x_p4 * inverse_D5_p3 + n4_z_p5;
+  const Real f6_z = wd4_z * inverse_D4_p9 + a7_x_p3 * inverse_D5_p3 + n4_z_p5;
 
   // link 6 (link3), inward
   const Real f5_z = f6_z - (wd4_z * inverse_D2_p2 + a6_z_p1 * inverse_D2_p1);
 
   // link 7 (link4), inward
-  const Real f6_x_p2 = inverse_D4_p1 * minus_f7_z - inverse_D6_p6 * f6_x_p1;
-  const Real n6_z_p2 = inverse_D4_p1 * f6_x_p1 + inverse_D6_p6 * minus_f7_z;
+  const Real f6_x_p2 = inverse_D4_p1 * minus_f7_z - inverse_D4_p2 * f6_x_p1;
+  const Real n6_z_p2 = inverse_D4_p1 * f6_x_p1 + inverse_D4_p2 * minus_f7_z;
 
   // link 5 (link2), inward
-  const Real f4_y = f5_z - 4.9338049999999996 * a7_x_p1;
+  const Real f4_y = f5_z - 4.9338049999999996 * a6_x_p1;
 
   // link 7 (link4), inward
-  const Real f6_x = a7_x_p3 * inverse_D4_p9 - wd6_z * inverse_D5_p3 + f6_x_p2;
-  const Real f6_y = n6_z_p2 - (wd6_z * inverse_D4_p9 + a7_x_p2 * inverse_D5_p3);
+  const Real f6_x = a7_x_p2 * inverse_D4_p9 - wd6_z * inverse_D5_p3 + f6_x_p2;
+  const Real f6_y = n6_z_p2 - (wd6_z * inverse_D4_p9 + a7_x_p1 * inverse_D5_p3);
 
   // link 6 (link3), inward
-  const Real f5_x = qdd_0[4] * inverse_D2_p1 - a6_x_p2 * inverse_D2_p2 + f6_x;
+  const Real f5_x = qdd_0[4] * inverse_D2_p1 - a6_x_p3 * inverse_D2_p2 + f6_x;
 
   // link 5 (link2), inward
   const Real minus_f4_x = 4.9338049999999996 * wd4_z + f5_x;
-  const Real n4_z_p6 = n4_z_p4 + inverse_D4_p7 * n4_z_p5 - inverse_D6_p6 * n7_z + 0.1501 * f6_x +
+  const Real n4_z_p6 = n4_z_p4 + inverse_D4_p8 * n4_z_p5 - inverse_D4_p2 * n7_z + 0.1501 * f6_x +
       inverse_D5_p1 * f6_z;
 
   // link 7 (link4), inward
   const Real n6_z = n6_z_p1 + (s7 * n7_x + c7 * n7_y -
-      (inverse_D4_p7 * n6_z_p2 + inverse_D4_p6 * f6_x_p2));
+      (inverse_D4_p8 * n6_z_p2 + inverse_D4_p7 * f6_x_p2));
   tau[5] = n6_z;
 
   // link 4 (link1), inward
-  const Real minus_f3_x = inverse_D2_p4 * minus_f4_x + inverse_D2_p3 * f4_y;
-  const Real f3_y = inverse_D2_p4 * f4_y - inverse_D2_p3 * minus_f4_x;
+  const Real minus_f3_x = a4_x_p2 * minus_f4_x + a4_x_p1 * f4_y;
+  const Real f3_y = a4_x_p2 * f4_y - a4_x_p1 * minus_f4_x;
 
   // link 5 (link2), inward
-  const Real n4_z = n4_z_p6 + (0.004704000000000001 * a7_x_p2 - (c7 * n7_x - s7 * n7_y)) *
+  const Real n4_z = n4_z_p6 + (0.004704000000000001 * a7_x_p1 - (c7 * n7_x - s7 * n7_y)) *
       inverse_D4_p1 + inverse_D4_p12 * wd4_z;
   tau[3] = n4_z;
 

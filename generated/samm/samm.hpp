@@ -107,44 +107,44 @@ void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) no
 void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
-/// By articulated bodies, Chang table 4.2.
+/// By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
 /// in  q (9): joint coordinates
 /// in  qd (9): joint velocities
 /// in  tau (9): joint forces
 /// out qdd (9): joint accelerations
-/// Cost: 610 flops (add 261, mul 343, div 6), sine and cosine of 6 angles.
-/// Stack: at most 80 values live at once, 640 bytes.
+/// Cost: 638 flops (add 266, mul 366, div 6), sine and cosine of 6 angles.
+/// Stack: at most 86 values live at once, 688 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)[9],
     Real (&qdd)[9]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By force propagation with branching (Chang table 5.3), in the axes of link 9 (link6) at the points.
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
 /// in  q (9): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 732 flops (add 323, mul 403, div 6), sine and cosine of 6 angles.
-/// Stack: at most 53 values live at once, 424 bytes.
+/// Cost: 1001 flops (add 395, mul 600, div 6), sine and cosine of 6 angles.
+/// Stack: at most 124 values live at once, 992 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By force propagation with branching (Chang table 5.3), in the axes of link 9 (link6) at the points.
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
 /// in  q (9): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 948 flops (add 413, mul 523, div 12), sine and cosine of 6 angles.
-/// Stack: at most 53 values live at once, 424 bytes.
+/// Cost: 1217 flops (add 485, mul 720, div 12), sine and cosine of 6 angles.
+/// Stack: at most 114 values live at once, 912 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By Chang table 6.1, fused; Lambda^-1: force propagation with branching (Chang table 5.3), in link axes at link origins.
+/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
 /// in  q (9): joint coordinates
 /// in  qd (9): joint velocities
 /// in  qdd_0 (9): joint accelerations that the posture asks for
 /// in  xdd_cmd (6): commanded accelerations of the task rows
 /// out tau (9): joint forces
-/// Cost: 964 flops (add 422, mul 531, div 11), sine and cosine of 6 angles.
-/// Stack: at most 103 values live at once, 824 bytes.
+/// Cost: 1087 flops (add 454, mul 622, div 11), sine and cosine of 6 angles.
+/// Stack: at most 120 values live at once, 960 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;

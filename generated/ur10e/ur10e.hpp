@@ -116,20 +116,20 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
     Real (&qdd)[6]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J carried inward, in the axes of link 4 (wrist_1) at link origins.
+/// By M = L^T D L, J carried inward, in the axes asked for at the points.
 /// in  q (6): joint coordinates
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 541 flops (add 234, mul 303, div 4), sine and cosine of 5 angles.
-/// Stack: at most 65 values live at once, 520 bytes.
+/// Cost: 576 flops (add 235, mul 337, div 4), sine and cosine of 5 angles.
+/// Stack: at most 91 values live at once, 728 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By M = L^T D L, J carried inward, in the axes of link 4 (wrist_1) at link origins.
+/// By M = L^T D L, J carried inward, in the axes asked for at the points.
 /// in  q (6): joint coordinates
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 757 flops (add 324, mul 423, div 10), sine and cosine of 5 angles.
-/// Stack: at most 65 values live at once, 520 bytes.
+/// Cost: 792 flops (add 325, mul 457, div 10), sine and cosine of 5 angles.
+/// Stack: at most 87 values live at once, 696 bytes.
 /// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
