@@ -43,7 +43,8 @@
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
 // Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 0.9 2.4 2.2 0.8 1.2 0.6 3
 //   2.8 1.8 2.5 2 1.4 0.9 3 2.8 1.8 2.5 2 1.4 0.9 1.4 0.8 0.7 0.7, |qd| <= 8 8 8 8 8 8 10 10 10 12
-//   15 15 15 10 10 10 12 15 15 15 8 8 20 20, |qdd| <= 100.
+//   15 15 15 10 10 10 12 15 15 15 8 8 20 20, |qdd| <= 100, |qdd_0| <= 100, |tau| <= 250 400 400 200
+//   250 200 120 120 100 80 30 30 30 120 120 100 80 30 30 30 20 20 2 2, |xdd_cmd| <= 100.
 
 namespace humanoid24 {
 
@@ -131,7 +132,8 @@ void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 /// out qdd (24): joint accelerations
 /// Cost: 4579 flops (add 2154, mul 2393, div 32), sine and cosine of 24 angles.
 /// Stack: at most 402 values live at once, 3216 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: at most 4e-07 in qdd (at qdd[6]), 3704 ulp of 5e+05, to first order, 4 times what a
+///   search met.
 void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&tau)[24],
     Real (&qdd)[24]) noexcept;
 
@@ -141,7 +143,8 @@ void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&ta
 /// out Lambda_inv (12x12): inverse operational-space inertia
 /// Cost: 6251 flops (add 2644, mul 3575, div 32), sine and cosine of 24 angles.
 /// Stack: at most 424 values live at once, 3392 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: at most 2e-10 in Lambda_inv (at Lambda_inv[143]), 210 ulp of 4e+03, to first order, 4
+///   times what a search met.
 void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -150,7 +153,8 @@ void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 /// out Lambda (12x12): operational-space inertia
 /// Cost: 7979 flops (add 3436, mul 4499, div 44), sine and cosine of 24 angles.
 /// Stack: at most 350 values live at once, 2800 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 7e-13 (2000 ulp of 3e+00), 8e-12
+///   (4000 ulp of 1e+01), 6e-11 (7000 ulp of 4e+01) in Lambda; more towards singularities.
 void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -162,7 +166,8 @@ void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 /// out tau (24): joint forces
 /// Cost: 8497 flops (add 3741, mul 4712, div 44), sine and cosine of 24 angles.
 /// Stack: at most 419 values live at once, 3352 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 5e-11 (30 ulp of 1e+04), 2e-10
+///   (200 ulp of 5e+03), 3e-10 (200 ulp of 9e+03) in tau; more towards singularities.
 void control_torque(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd_0)[24],
     const Real (&xdd_cmd)[12], Real (&tau)[24]) noexcept;
 

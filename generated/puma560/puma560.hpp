@@ -23,7 +23,8 @@
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
 // Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 2.79 3.93 3.93 2.97 1.75
-//   4.64, |qd| <= 8 10 10 10 10 10, |qdd| <= 100.
+//   4.64, |qd| <= 8 10 10 10 10 10, |qdd| <= 100, |qdd_0| <= 100, |tau| <= 97.6 186.4 89.4 24.2
+//   20.1 21.3, |xdd_cmd| <= 100.
 
 namespace puma560 {
 
@@ -111,7 +112,8 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// out qdd (6): joint accelerations
 /// Cost: 460 flops (add 189, mul 267, div 4), sine and cosine of 4 angles.
 /// Stack: at most 83 values live at once, 664 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: at most 2e-09 in qdd (at qdd[5]), 12 ulp of 6e+05, to first order, 4 times what a
+///   search met.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
 
@@ -121,7 +123,8 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 566 flops (add 232, mul 330, div 4), sine and cosine of 5 angles.
 /// Stack: at most 61 values live at once, 488 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: at most 4e-10 in Lambda_inv (at Lambda_inv[28]), 66 ulp of 3e+04, to first order, 4
+///   times what a search met.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -130,7 +133,8 @@ void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 782 flops (add 322, mul 450, div 10), sine and cosine of 5 angles.
 /// Stack: at most 65 values live at once, 520 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 2e-11 (2000 ulp of 5e+01), 7e-07
+///   (800000 ulp of 4e+03), 4e+00 (1e+09 ulp of 2e+07) in Lambda; more towards singularities.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -142,7 +146,8 @@ void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 /// out tau (6): joint forces
 /// Cost: 465 flops (add 190, mul 273, div 2), sine and cosine of 5 angles.
 /// Stack: at most 78 values live at once, 624 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 8e-12 (50 ulp of 8e+02), 7e-11
+///   (80 ulp of 5e+03), 7e-08 (2000 ulp of 2e+05) in tau; more towards singularities.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 

@@ -26,7 +26,8 @@
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
 // Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 10 10 3.141 2.79 3.93 3.93
-//   2.97 1.75 4.64, |qd| <= 1.5 1.5 2.5 8 10 10 10 10 10, |qdd| <= 100.
+//   2.97 1.75 4.64, |qd| <= 1.5 1.5 2.5 8 10 10 10 10 10, |qdd| <= 100, |qdd_0| <= 100, |tau| <=
+//   1000 1000 300 97.6 186.4 89.4 24.2 20.1 21.3, |xdd_cmd| <= 100.
 
 namespace samm {
 
@@ -114,7 +115,8 @@ void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 /// out qdd (9): joint accelerations
 /// Cost: 638 flops (add 266, mul 366, div 6), sine and cosine of 6 angles.
 /// Stack: at most 86 values live at once, 688 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: at most 2e-09 in qdd (at qdd[8]), 12 ulp of 6e+05, to first order, 4 times what a
+///   search met.
 void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)[9],
     Real (&qdd)[9]) noexcept;
 
@@ -124,7 +126,8 @@ void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 1001 flops (add 395, mul 600, div 6), sine and cosine of 6 angles.
 /// Stack: at most 124 values live at once, 992 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: at most 5e-10 in Lambda_inv (at Lambda_inv[28]), 85 ulp of 3e+04, to first order, 4
+///   times what a search met.
 void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -133,7 +136,8 @@ void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 1217 flops (add 485, mul 720, div 12), sine and cosine of 6 angles.
 /// Stack: at most 114 values live at once, 912 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 3e-11 (8000 ulp of 2e+01), 2e-09
+///   (70000 ulp of 1e+02), 1e-07 (200000 ulp of 3e+03) in Lambda; more towards singularities.
 void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -145,7 +149,8 @@ void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 /// out tau (9): joint forces
 /// Cost: 1087 flops (add 454, mul 622, div 11), sine and cosine of 6 angles.
 /// Stack: at most 120 values live at once, 960 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 7e-11 (20 ulp of 2e+04), 1e-09
+///   (200 ulp of 3e+04), 4e-09 (500 ulp of 4e+04) in tau; more towards singularities.
 void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
 

@@ -23,7 +23,8 @@
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
 // Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 6.283 6.283 3.141 6.283
-//   6.283 6.283, |qd| <= 2.094 2.094 3.141 3.141 3.141 3.141, |qdd| <= 100.
+//   6.283 6.283, |qd| <= 2.094 2.094 3.141 3.141 3.141 3.141, |qdd| <= 100, |qdd_0| <= 100, |tau|
+//   <= 330 330 150 56 56 56, |xdd_cmd| <= 100.
 
 namespace ur10e {
 
@@ -111,7 +112,8 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// out qdd (6): joint accelerations
 /// Cost: 410 flops (add 175, mul 231, div 4), sine and cosine of 4 angles.
 /// Stack: at most 82 values live at once, 656 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: at most 1e-09 in qdd (at qdd[5]), 44 ulp of 2e+05, to first order, 4 times what a
+///   search met.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
 
@@ -121,7 +123,8 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 576 flops (add 235, mul 337, div 4), sine and cosine of 5 angles.
 /// Stack: at most 91 values live at once, 728 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: at most 3e-11 in Lambda_inv (at Lambda_inv[21]), 67 ulp of 2e+03, to first order, 4
+///   times what a search met.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
@@ -130,7 +133,8 @@ void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 792 flops (add 325, mul 457, div 10), sine and cosine of 5 angles.
 /// Stack: at most 87 values live at once, 696 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 2e-11 (4000 ulp of 3e+01), 5e-08
+///   (60000 ulp of 4e+03), 3e-03 (8e+07 ulp of 2e+05) in Lambda; more towards singularities.
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
@@ -142,7 +146,8 @@ void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 /// out tau (6): joint forces
 /// Cost: 810 flops (add 347, mul 454, div 9), sine and cosine of 5 angles.
 /// Stack: at most 105 values live at once, 840 bytes.
-/// Rounding: no bound is known: it divides by a value of which no least magnitude is known.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 3e-11 (200 ulp of 2e+03), 2e-09
+///   (3000 ulp of 3e+03), 2e-06 (200000 ulp of 6e+04) in tau; more towards singularities.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 

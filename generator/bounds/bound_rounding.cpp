@@ -4,46 +4,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "bounds/bound_sets.hpp"
 
 namespace treeline {
 namespace {
 
-/// Which divisor it is, by the name that emitted code gives it.
-std::string describe_division(const Graph& graph, std::uint32_t division) {
-  const auto name = graph.names().find(graph.nodes()[division].b);
-  return fmt::format("it divides by {} of which no least magnitude is known",
-                     name == graph.names().end() ? "a value" : name->second);
+double round_up(double value, int digits) {
+  if (value == 0) return 0;
+  const double last = std::pow(10, std::floor(std::log10(value)) - (digits - 1));
+  return std::ceil(value / last * (1 - 1e-12)) * last;
 }
 
-/// Two digits, never less than the value.
-std::string rounded_up(double value) {
-  if (value == 0) return "0";
-  const double last = std::pow(10, std::floor(std::log10(value)) - 1);
-  return fmt::format("{:.1e}", std::ceil(value / last * (1 - 1e-12)) * last);
+/// So many digits, never less than the value.
+std::string rounded_up(double value, int digits = 2) {
+  return fmt::format("{:.{}e}", round_up(value, digits), digits - 1);
 }
 
-}  // namespace
+double ulps(double error, double unit, double size) {
+  return std::ceil(error / (2 * unit * size));
+}
 
-RoundingBound bound_rounding(const Program& program, const Domain& domain, double unit) {
-  RoundingBound bound;
-  bound.missing.clear();
-  bounds::InputSizes sizes;
+std::optional<std::string> missing_range(const Program& program, const Domain& domain) {
   for (const std::string& input : program.graph.inputs()) {
-    const auto size = domain.find(input);
-    if (!size) {
-      bound.missing = fmt::format("no range is stated for {}", input);
-      return bound;
-    }
-    sizes.push_back(*size);
+    if (!domain.find(input)) return input;
   }
+  return std::nullopt;
+}
+
+bool divides(const Graph& graph) {
+  return std::any_of(graph.nodes().begin(), graph.nodes().end(),
+                     [](const Node& node) { return node.op == Op::div; });
+}
+
+RoundingBound no_bound(std::string why) {
+  RoundingBound none;
+  none.missing = std::move(why);
+  return none;
+}
+
+RoundingBound prove(const Program& program, const Domain& domain, double unit) {
+  bounds::InputSizes sizes;
+  for (const std::string& input : program.graph.inputs()) sizes.push_back(*domain.find(input));
   const bounds::SetBounds sets(program.graph, std::move(sizes), unit);
+  RoundingBound bound;
+  bound.kind = RoundingBound::Kind::proven;
   for (const Result& result : program.results) {
     for (const Expression& value : result.values) {
-      if (const auto division = sets.division_below(value.node())) {
-        return {describe_division(program.graph, *division), {}, {}};
-      }
       const bounds::Bounded entry = *sets.of(value.node());
       bound.size.push_back(entry.size);
       bound.error.push_back(entry.error * unit);
@@ -52,8 +61,29 @@ RoundingBound bound_rounding(const Program& program, const Domain& domain, doubl
   return bound;
 }
 
-std::string describe(const RoundingBound& bound, const Program& program, double unit) {
-  if (!bound.exists()) return "no bound is known: " + bound.missing;
+RoundingBound search(const Program& program, const Domain& domain, double unit) {
+  RoundingBound bound;
+  bound.kind = RoundingBound::Kind::searched;
+  bound.worst = bounds::search_worst(program, domain, unit, bounds::default_effort(program.graph));
+  for (bounds::FoundError& found : bound.worst) {
+    found.error *= kSearchMargin * unit;
+    if (found.error > found.size) return no_bound("no digit may be left");
+  }
+  return bound;
+}
+
+RoundingBound look_at_states(const Program& program, const Domain& domain, double unit) {
+  RoundingBound bound;
+  bound.kind = RoundingBound::Kind::typical;
+  bound.at_states =
+      bounds::find_typical(program, domain, unit, bounds::default_effort(program.graph));
+  for (bounds::TypicalErrors& errors : bound.at_states) {
+    for (bounds::FoundError& found : errors) found.error *= unit;
+  }
+  return bound;
+}
+
+std::string describe_proven(const RoundingBound& bound, const Program& program, double unit) {
   std::string text;
   auto error = bound.error.begin();
   auto size = bound.size.begin();
@@ -63,17 +93,74 @@ std::string describe(const RoundingBound& bound, const Program& program, double 
     const double largest = *std::max_element(size, size + count);
     const std::string& name = result.argument.name;
     text += text.empty() ? "" : "; ";
-    text += largest == 0
-                ? fmt::format("none in {}", name)
-                : fmt::format(
-                      "at most {} in {} (at {}[{}]), {:.0f} ulp of {}, the most that {} "
-                      "can be",
-                      rounded_up(error[worst]), name, name, worst,
-                      std::ceil(error[worst] / (2 * unit * largest)), rounded_up(largest), name);
+    text += largest == 0 ? fmt::format("none in {}", name)
+                         : fmt::format(
+                               "at most {} in {} (at {}[{}]), {:.0f} ulp of {}, the most "
+                               "that {} can be",
+                               rounded_up(error[worst]), name, name, worst,
+                               ulps(error[worst], unit, largest), rounded_up(largest), name);
     error += count;
     size += count;
   }
   return text;
+}
+
+std::string describe_searched(const RoundingBound& bound, const Program& program, double unit) {
+  std::string text;
+  for (std::size_t r = 0; r < program.results.size(); ++r) {
+    const std::string& name = program.results[r].argument.name;
+    const bounds::FoundError& worst = bound.worst[r];
+    text += text.empty() ? "" : "; ";
+    text += worst.error == 0
+                ? fmt::format("none in {}", name)
+                : fmt::format("at most {} in {} (at {}[{}]), {:.0f} ulp of {}",
+                              rounded_up(worst.error, 1), name, name, worst.entry,
+                              ulps(worst.error, unit, worst.size), rounded_up(worst.size, 1));
+  }
+  return text + fmt::format(", to first order, {} times what a search met", kSearchMargin);
+}
+
+std::string describe_typical(const RoundingBound& bound, const Program& program, double unit) {
+  std::string text = "in 50, 90, 99 of 100 states, to first order, at most ";
+  for (std::size_t r = 0; r < program.results.size(); ++r) {
+    std::string at_states;
+    for (const bounds::FoundError& found : bound.at_states[r]) {
+      at_states += at_states.empty() ? "" : ", ";
+      at_states += found.error == 0 ? "nothing"
+                                    : fmt::format("{} ({:g} ulp of {})", rounded_up(found.error, 1),
+                                                  round_up(ulps(found.error, unit, found.size), 1),
+                                                  rounded_up(found.size, 1));
+    }
+    text +=
+        fmt::format("{}{} in {}", r == 0 ? "" : "; ", at_states, program.results[r].argument.name);
+  }
+  return text + "; more towards singularities";
+}
+
+}  // namespace
+
+RoundingBound bound_rounding(const Program& program, const Domain& domain, double unit,
+                             Solve solve) {
+  if (const auto input = missing_range(program, domain)) {
+    return no_bound(fmt::format("no range is stated for {}", *input));
+  }
+  if (!divides(program.graph)) return prove(program, domain, unit);
+  return solve == Solve::lambda_inverse ? look_at_states(program, domain, unit)
+                                        : search(program, domain, unit);
+}
+
+std::string describe(const RoundingBound& bound, const Program& program, double unit) {
+  switch (bound.kind) {
+    case RoundingBound::Kind::proven:
+      return describe_proven(bound, program, unit);
+    case RoundingBound::Kind::searched:
+      return describe_searched(bound, program, unit);
+    case RoundingBound::Kind::typical:
+      return describe_typical(bound, program, unit);
+    case RoundingBound::Kind::none:
+      break;
+  }
+  return "no bound is known: " + bound.missing;
 }
 
 }  // namespace treeline

@@ -56,8 +56,12 @@ double rounded_down(double value) {
 
 std::optional<double> Domain::find(std::string_view input) const {
   const std::size_t bracket = input.find('[');
+  if (bracket == std::string_view::npos) return std::nullopt;
+  if (const auto size = each.find(input.substr(0, bracket)); size != each.end()) {
+    return size->second;
+  }
   const auto entries = sizes.find(input.substr(0, bracket));
-  if (bracket == std::string_view::npos || entries == sizes.end()) return std::nullopt;
+  if (entries == sizes.end()) return std::nullopt;
   std::size_t index = 0;
   std::from_chars(input.data() + bracket + 1, input.data() + input.size(), index);
   if (index >= entries->second.size()) return std::nullopt;
@@ -65,10 +69,9 @@ std::optional<double> Domain::find(std::string_view input) const {
 }
 
 bool Domain::contains(std::string_view argument, const std::vector<double>& values) const {
-  const auto entries = sizes.find(argument);
-  if (entries == sizes.end() || entries->second.size() < values.size()) return false;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!(std::abs(values[i]) <= entries->second[i])) return false;
+    const auto size = find(fmt::format("{}[{}]", argument, i));
+    if (!size || !(std::abs(values[i]) <= *size)) return false;
   }
   return true;
 }
@@ -78,22 +81,33 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
   Domain domain;
   const std::size_t nq = mechanism.coordinates.size();
   for (const Coordinate& coordinate : mechanism.coordinates) {
-    domain.sizes["q"].push_back(coordinate_size(coordinate, defaults));
+    std::vector<double>& sizes = domain.sizes["q"];
+    if (coordinate.meaning == "quaternion x") domain.quaternions.push_back(sizes.size());
+    sizes.push_back(coordinate_size(coordinate, defaults));
   }
   domain.sizes["sin_q"] = domain.sizes["cos_q"] = std::vector<double>(nq, 1);
   set_rates(robot, mechanism, defaults, domain);
   domain.sizes["xdd_cmd"] =
       std::vector<double>(static_cast<std::size_t>(mechanism.task_rows()), defaults.acceleration);
   domain.sizes["f_ext"] = std::vector<double>(6 * scene.external_forces.size(), defaults.effort);
+  domain.each = {{"impulse", defaults.impulse},
+                 {"internal", defaults.effort},
+                 {"normals", 1},
+                 {"stabilisation", defaults.gain},
+                 {"xdd_object", defaults.acceleration}};
   return domain;
 }
 
 std::string describe(const Domain& domain, const std::vector<std::string>& arguments) {
   std::string text;
   for (const std::string& argument : arguments) {
-    const auto found = domain.sizes.find(argument);
-    if (found == domain.sizes.end() || found->second.empty()) continue;
-    const std::vector<double>& sizes = found->second;
+    std::vector<double> sizes;
+    if (const auto found = domain.sizes.find(argument); found != domain.sizes.end()) {
+      sizes = found->second;
+    } else if (const auto each = domain.each.find(argument); each != domain.each.end()) {
+      sizes = {each->second};
+    }
+    if (sizes.empty()) continue;
     text += fmt::format("{}|{}| <=", text.empty() ? "" : ", ", argument);
     const bool same = std::all_of(sizes.begin(), sizes.end(),
                                   [&sizes](double size) { return size == sizes.front(); });

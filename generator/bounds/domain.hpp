@@ -16,6 +16,10 @@ namespace treeline {
 /// Sines and cosines of angles are not restricted further: only the magnitude of q counts.
 struct Domain {
   std::map<std::string, std::vector<double>, std::less<>> sizes;
+  /// The same for every entry of arguments whose length is the function's own matter.
+  std::map<std::string, double, std::less<>> each;
+  /// Where in q the four entries of a quaternion, which has length 1, begin.
+  std::vector<std::size_t> quaternions;
 
   /// Of an input as the graph names it: `qd[3]`. Nothing where no range is stated.
   [[nodiscard]] std::optional<double> find(std::string_view input) const;
@@ -29,7 +33,9 @@ struct DomainDefaults {
   double position = 10;              ///< m
   double velocity = 10;              ///< rad/s, m/s
   double acceleration = 100;         ///< rad/s^2, m/s^2; the URDF never tells it
-  double effort = 1000;              ///< N m, N; also of external forces
+  double effort = 1000;              ///< N m, N; also of external and internal forces
+  double impulse = 100;              ///< N s
+  double gain = 1000;                ///< of a grasp's damping and stiffness, 1/s and 1/s^2
 };
 
 /// Joint limits, velocity and effort limits of the URDF, and defaults. Entries of quaternions are

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
-#include "program/evaluate.hpp"
+#include "check/judge_rounding.hpp"
 
 namespace treeline {
 namespace {
@@ -34,40 +34,11 @@ void note_error(const ErrorAt& found, FunctionReport& report, std::vector<double
   }
 }
 
-/// Holds the errors in a state of the domain to what was proven of them: against the graph in long
-/// double, whose own errors are of no account.
-void note_rounding(const CallResult& result, const StateReference& reference,
-                   const GeneratedFunction& generated, const Domain& domain,
-                   FunctionReport& report) {
-  if (!report.proven) return;
-  const Program& program = generated.program;
-  std::vector<std::vector<long double>> arguments;
-  for (const auto* argument : arguments_of(program, reference.state)) {
-    if (!domain.contains(program.arguments[arguments.size()].name, *argument)) return;
-    arguments.emplace_back(argument->begin(), argument->end());
-  }
-  std::size_t i = 0;
-  for (const auto& entries : evaluate<long double>(program, arguments)) {
-    for (const long double exact : entries) {
-      const auto error = static_cast<double>(std::abs(exact - result.entries[i]));
-      const double share = error == 0 ? 0 : error / generated.rounding.error[i];
-      report.proven->used = std::max(
-          report.proven->used, std::isnan(share) ? std::numeric_limits<double>::infinity() : share);
-      ++i;
-    }
-  }
-  ++report.proven->states;
-}
-
 FunctionReport begin_report(const GeneratedFunction& generated) {
   FunctionReport report;
   report.name = source_stem(generated);
   report.method = generated.chosen.method;
   report.count = count_operations(generated.program);
-  if (generated.rounding.exists() && !generated.rounding.error.empty()) {
-    const std::vector<double>& errors = generated.rounding.error;
-    report.proven.emplace().error = *std::max_element(errors.begin(), errors.end());
-  }
   return report;
 }
 
@@ -80,22 +51,24 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
   FunctionReport report = begin_report(generated);
   report.bound = find_bound(i, generated.function, references);
   std::vector<double> errors;
+  std::vector<Call> calls;
   for (const StateReference& reference : references) {
     const FunctionReference& function = reference.functions[i];
     ++report.states;
-    const CallResult result = accurate.call(i, reference.state);
+    CallResult result = accurate.call(i, reference.state);
     note_bits(&accurate == &exact ? result : exact.call(i, reference.state), reference, function,
               report);
     if (function.singular) {
       ++report.singular;
       continue;
     }
-    note_rounding(result, reference, generated, domain, report);
     report.interpreter_worst = std::max(report.interpreter_worst, function.interpreter_error);
     note_error({reference.state.index, error_in_ulp(result.entries, function, unit_of(real)),
                 report.bound.at(function), function.condition},
                report, errors);
+    calls.push_back({&reference.state, function.condition, std::move(result)});
   }
+  report.rounding = judge_rounding(generated, domain, unit_of(real) / 2, calls);
   report.median = quantile(errors, 0.5);
   report.percent_99 = quantile(errors, 0.99);
   return report;

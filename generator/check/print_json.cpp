@@ -46,9 +46,26 @@ Json to_json(const Bound& bound) {
           {"times_condition_of", of == nullptr ? Json(nullptr) : Json(of)}};
 }
 
-Json to_json(const std::optional<ProvenBound>& proven) {
-  if (!proven) return nullptr;
-  return {{"error", proven->error}, {"used", proven->used}, {"states", proven->states}};
+const char* name_of(RoundingBound::Kind kind) {
+  switch (kind) {
+    case RoundingBound::Kind::proven:
+      return "proven";
+    case RoundingBound::Kind::searched:
+      return "first order, searched";
+    case RoundingBound::Kind::typical:
+      return "first order, at 99 of 100 states";
+    case RoundingBound::Kind::none:
+      break;
+  }
+  return "none";
+}
+
+Json to_json(const std::optional<RoundingReport>& rounding) {
+  if (!rounding) return nullptr;
+  return {{"kind", name_of(rounding->kind)},
+          {"error", rounding->error},
+          {"used", rounding->used},
+          {"states", rounding->states}};
 }
 
 Json to_json(const FunctionReport& f) {
@@ -63,7 +80,7 @@ Json to_json(const FunctionReport& f) {
             {"nearest_to_bound", nullptr},
             {"interpreter_worst", finite(f.interpreter_worst)},
             {"bound", to_json(f.bound)},
-            {"proven_bound", to_json(f.proven)},
+            {"rounding", to_json(f.rounding)},
             {"beyond_bound", f.beyond_bound},
             {"out_of_bounds", f.out_of_bounds},
             {"bits_differ", f.bits_differ},

@@ -46,6 +46,13 @@ std::string print_bound(const Bound& bound) {
                      number(Bound::kInterpreterFactor * bound.interpreter), factor);
 }
 
+/// What is proven, or, with a tilde, found to first order.
+std::string print_rounding(const std::optional<RoundingReport>& rounding) {
+  if (!rounding) return "none";
+  return rounding->kind == RoundingBound::Kind::proven ? fmt::format("{:.1e}", rounding->error)
+                                                       : fmt::format("~{:.0e}", rounding->error);
+}
+
 std::string print_bits(const FunctionReport& function) {
   return function.bits_differ == 0 ? "equal" : fmt::format("{} differ", function.bits_differ);
 }
@@ -60,8 +67,9 @@ std::string print_table(const CheckReport& report) {
          any ? fmt::format("{:.1f}", digits_left(report, f.worst.error)) : "-",
          error(f.interpreter_worst), any ? state_name(f.worst.state) : "-", print_bound(f.bound),
          any ? fmt::format("{} %", number(100 * f.nearest.error / f.nearest.bound)) : "-",
-         f.proven ? fmt::format("{:.1e}", f.proven->error) : "none",
-         f.proven && f.proven->states > 0 ? fmt::format("{} %", number(100 * f.proven->used)) : "",
+         print_rounding(f.rounding),
+         f.rounding && f.rounding->states > 0 ? fmt::format("{} %", number(100 * f.rounding->used))
+                                              : "",
          f.singular == 0 ? "" : fmt::format("{}", f.singular), print_bits(f),
          fmt::format("{}", f.count.flops()), optional(f.code_bytes), optional(f.stack_bytes),
          fmt::format("{:.1f}", f.compile_seconds)});
@@ -75,7 +83,7 @@ std::string print_table(const CheckReport& report) {
                         {"worst state"},
                         {"bound"},
                         {"used", true},
-                        {"proven", true},
+                        {"rounding", true},
                         {"used", true},
                         {"singular", true},
                         {"bits"},
@@ -123,8 +131,9 @@ std::string print_faults(const FunctionReport& f) {
                     f.beyond_bound, f.states - f.singular, state_name(f.nearest.state),
                     number(f.nearest.error), number(f.nearest.bound)));
   }
-  if (f.proven && f.proven->used > 1) {
-    add(fmt::format("errs by {} times what its expression graph permits", number(f.proven->used)));
+  if (f.rounding && f.rounding->used > 1) {
+    add(fmt::format("errs by {} times what its expression graph permits",
+                    number(f.rounding->used)));
   }
   if (f.out_of_bounds > 0) {
     add(fmt::format("writes beyond its outputs at {} states", f.out_of_bounds));

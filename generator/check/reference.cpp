@@ -165,26 +165,6 @@ class ReferenceMaker {
 
 }  // namespace
 
-Solve solve_of(Function function) {
-  switch (function) {
-    case Function::forward_dynamics:
-    case Function::forward_dynamics_derivatives:
-    case Function::lambda_inverse:
-    case Function::contact_inverse_inertia:
-    case Function::effective_mass:
-    case Function::impulse_response:
-    case Function::link_inverse_inertias:
-      return Solve::mass_matrix;
-    case Function::lambda:
-    case Function::control_torque:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
-      return Solve::lambda_inverse;
-    default:
-      return Solve::none;
-  }
-}
-
 StateSpace make_state_space(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
                             const std::vector<GeneratedFunction>& functions, std::uint64_t seed) {
   return {make_subject<double>(robot, scene), mechanism.coordinates, seed,

@@ -6,13 +6,10 @@
 #include <vector>
 
 #include "check/draw_state.hpp"
+#include "description/solve.hpp"
 #include "generation/generate_code.hpp"
 
 namespace treeline {
-
-/// Which matrix a function solves with: its errors grow with the condition of that matrix.
-enum class Solve { none, mass_matrix, lambda_inverse };
-Solve solve_of(Function function);
 
 /// What is known of one function at one state before any compiled code has run.
 struct FunctionReference {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bounds/bound_rounding.hpp"
 #include "check/draw_state.hpp"
 #include "check/reference.hpp"
 #include "emission/compare_files.hpp"
@@ -35,12 +36,12 @@ struct Bound {
   }
 };
 
-/// The bound of rounding errors that the expression graph has on the domain of inputs, beside what
-/// was found there.
-struct ProvenBound {
-  double error = 0;  ///< the largest of any entry, SI units
+/// What is known of a function's rounding errors, beside what was found.
+struct RoundingReport {
+  RoundingBound::Kind kind = RoundingBound::Kind::none;
+  double error = 0;  ///< the largest of any result that is stated, SI units
   double used = 0;   ///< the largest share of an entry's bound that an error was
-  int states = 0;    ///< that lie in the domain
+  int states = 0;    ///< for which it holds
 };
 
 /// The verdict on one function and what it rests on.
@@ -57,15 +58,15 @@ struct FunctionReport {
   ErrorAt nearest;                    ///< the error that is most of its bound
   double interpreter_worst = 0;       ///< what the interpreter errs by in Real
   Bound bound;
-  std::optional<ProvenBound> proven;     ///< nothing where no bound is known
-  int beyond_bound = 0;                  ///< states whose error exceeds the bound
-  int out_of_bounds = 0;                 ///< states at which it wrote beyond its outputs
-  int bits_differ = 0;                   ///< states whose result is not the graph's, to the bit
-  std::optional<int> first_bits_differ;  ///< state
+  std::optional<RoundingReport> rounding;  ///< nothing where no bound is known
+  int beyond_bound = 0;                    ///< states whose error exceeds the bound
+  int out_of_bounds = 0;                   ///< states at which it wrote beyond its outputs
+  int bits_differ = 0;                     ///< states whose result is not the graph's, to the bit
+  std::optional<int> first_bits_differ;    ///< state
 
   [[nodiscard]] bool has_errors() const { return states > singular; }
   [[nodiscard]] bool passed() const {
-    return beyond_bound == 0 && (!proven || proven->used <= 1) && out_of_bounds == 0 &&
+    return beyond_bound == 0 && (!rounding || rounding->used <= 1) && out_of_bounds == 0 &&
            bits_differ == 0 && has_errors();
   }
 };

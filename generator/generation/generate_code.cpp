@@ -62,7 +62,7 @@ void add_rounding(const Scene& scene, const Generation& generation, EmissionCont
   for (const GeneratedFunction& generated : generation.functions) {
     const Program& program = generated.program;
     context.rounding[program.name] = describe(generated.rounding, program, rounding_unit(scene));
-    if (!generated.rounding.exists()) continue;
+    if (generated.rounding.kind == RoundingBound::Kind::none) continue;
     for (const Argument& argument : program.arguments) arguments.insert(argument.name);
   }
   context.domain = describe(generation.domain, {arguments.begin(), arguments.end()});
@@ -152,7 +152,8 @@ bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, cons
     auto plain = generate_by_choice(mechanism, function, scene.lanes, scene.sin_cos, choices.plain,
                                     diagnostics);
     if (!plain) return false;
-    plain->rounding = bound_rounding(plain->program, generation.domain, rounding_unit(scene));
+    plain->rounding = bound_rounding(plain->program, generation.domain, rounding_unit(scene),
+                                     solve_of(function));
     generation.functions.push_back(std::move(*plain));
     if (scene.batch == 0) continue;
     auto batch =

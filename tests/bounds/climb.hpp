@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bounds/bound_rounding.hpp"
@@ -69,6 +70,19 @@ class Climber {
         entries.push_back(draw_entry(argument.name, sizes(i)[static_cast<std::size_t>(k)]));
       }
     }
+    return normalised(std::move(inputs));
+  }
+
+  /// Quaternions have length 1.
+  Inputs normalised(Inputs inputs) const {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      if (program_.arguments[i].name != "q") continue;
+      for (const std::size_t first : domain_.quaternions) {
+        double norm = 0;
+        for (std::size_t k = first; k < first + 4; ++k) norm = std::hypot(norm, inputs[i][k]);
+        for (std::size_t k = first; k < first + 4; ++k) inputs[i][k] /= norm;
+      }
+    }
     return inputs;
   }
 
@@ -86,7 +100,7 @@ class Climber {
                   : entry * (1 + dice_.uniform(-1, 1) * std::pow(10, -dice_.below(9)));
       entry = std::clamp(entry, -size, size);
     }
-    return inputs;
+    return normalised(std::move(inputs));
   }
 
   /// Every entry a little inward: other roundings at much the same size.
@@ -95,7 +109,7 @@ class Climber {
     for (std::vector<double>& entries : inputs) {
       for (double& entry : entries) entry *= 1 - most * dice_.unit();
     }
-    return inputs;
+    return normalised(std::move(inputs));
   }
 
   /// Of all entries.

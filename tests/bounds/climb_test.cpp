@@ -4,9 +4,7 @@
 
 #include <span>
 
-#include "description/read_scene.hpp"
-#include "description/read_urdf.hpp"
-#include "generation/generate_code.hpp"
+#include "generate.hpp"
 #include "interpreter/digits50.hpp"
 
 // Catches bounds that do not hold, by states in which errors are as bad as a search can make them,
@@ -16,29 +14,6 @@ namespace treeline::tests {
 namespace {
 
 using interpreter::Digits50;
-
-struct Made {
-  Robot robot;
-  Scene scene;
-  Generation generation;
-};
-
-Made make(Robot robot, Scene scene) {
-  Diagnostics diagnostics;
-  auto generation = generate_code(robot, scene, {"r.urdf", "", "s.yaml", ""}, diagnostics);
-  if (!generation) throw std::runtime_error("nothing generated");
-  return {std::move(robot), std::move(scene), std::move(*generation)};
-}
-
-Made load(const std::string& name) {
-  const std::string folder = std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/";
-  Diagnostics diagnostics;
-  const auto robot = read_urdf(folder + name + ".urdf", diagnostics);
-  auto scene = read_scene(folder + "scene.yaml", robot.value(), diagnostics);
-  scene->damped.reset();
-  scene->functions = {Function::inverse_dynamics, Function::mass_matrix};
-  return make(robot.value(), scene.value());
-}
 
 /// Of double against 50 digits, on the same inputs and constants.
 std::vector<double> true_errors(const Program& program, const Climber::Inputs& inputs) {
@@ -56,9 +31,9 @@ std::vector<double> true_errors(const Program& program, const Climber::Inputs& i
 }
 
 /// How far below its bound the worst error found is, on the whole: the largest of both.
-double climb_and_compare(const GeneratedFunction& generated, const Made& made, std::uint64_t seed,
-                         std::size_t targets, int steps) {
-  EXPECT_TRUE(generated.rounding.exists()) << generated.rounding.missing;
+double climb_and_compare(const GeneratedFunction& generated, const Subjects& made,
+                         std::uint64_t seed, std::size_t targets, int steps) {
+  EXPECT_TRUE(generated.rounding.is_proven()) << generated.rounding.missing;
   const std::vector<double>& bound = generated.rounding.error;
   Climber climber(generated.program, made.generation.domain, seed);
   std::vector<std::size_t> order(bound.size());
@@ -88,7 +63,7 @@ TEST(Climb, BoundsHoldAndAreTightForOurRobots) {
   constexpr double kTight = 100, kTightOfLongTrees = 250;
   constexpr int kSteps = 4000;
   for (const char* name : {"puma560", "samm", "ur10e", "humanoid24"}) {
-    const Made made = load(name);
+    const Subjects made = load_functions(name, {Function::inverse_dynamics, Function::mass_matrix});
     for (const GeneratedFunction& generated : made.generation.functions) {
       const double ratio = climb_and_compare(generated, made, 1, 2, kSteps);
       const bool is_long =
@@ -107,12 +82,11 @@ TEST(Climb, BoundsHoldForRandomMechanisms) {
     options.joints = 6;
     options.mimic = seed % 2 == 0 ? 0.3 : 0;
     options.aligned = seed % 3 == 0 ? 0 : 0.5;
-    options.mix.floating = 0;  // a quaternion has length 1, which a climb does not know
+    options.floating_base = seed % 2 == 1;
     options.external_forces = seed % 4 == 0 ? 1 : 0;
-    RandomMechanism drawn = random_mechanism(seed, options);
-    drawn.scene.functions = {Function::inverse_dynamics, Function::mass_matrix, Function::jacobian,
-                             Function::bias_acceleration};
-    const Made made = make(drawn.robot, drawn.scene);
+    const Subjects made = draw_functions(seed, options,
+                                         {Function::inverse_dynamics, Function::mass_matrix,
+                                          Function::jacobian, Function::bias_acceleration});
     for (const GeneratedFunction& generated : made.generation.functions) {
       climb_and_compare(generated, made, seed, 2, 150);
     }

@@ -121,9 +121,9 @@ TEST(Check, BrokenProofIsNoted) {
   Subjects subjects = load("planar3r");
   for (double& error : subjects.generation.functions.front().rounding.error) error *= 1e-3;
   const auto report = check_or_throw(subjects, quick_options(60));
-  ASSERT_TRUE(report.functions.front().proven.has_value());
-  EXPECT_GT(report.functions.front().proven->states, 0);
-  EXPECT_GT(report.functions.front().proven->used, 1);
+  ASSERT_TRUE(report.functions.front().rounding.has_value());
+  EXPECT_GT(report.functions.front().rounding->states, 0);
+  EXPECT_GT(report.functions.front().rounding->used, 1);
   EXPECT_FALSE(report.passed());
   EXPECT_NE(print_text(report).find("what its expression graph permits"), std::string::npos);
 }

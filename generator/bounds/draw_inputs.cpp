@@ -1,0 +1,86 @@
+#include "bounds/draw_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace treeline::bounds {
+
+InputSpace::InputSpace(const Graph& graph, const Domain& domain) {
+  for (const std::string& name : graph.inputs()) {
+    if (!domain.find(name)) missing_ = name;
+    if (missing_) return;
+    const bool sine = name.starts_with("sin_q["), cosine = name.starts_with("cos_q[");
+    inputs_.push_back(
+        {entry_of(sine || cosine ? name.substr(4) : name, domain), sine     ? Reading::sine
+                                                                   : cosine ? Reading::cosine
+                                                                            : Reading::plain});
+  }
+  for (const std::size_t first : domain.quaternions) {
+    std::vector<std::size_t>& quaternion = quaternions_.emplace_back();
+    for (std::size_t i = first; i < first + 4; ++i) {
+      quaternion.push_back(entry_of(fmt::format("q[{}]", i), domain));
+    }
+  }
+}
+
+std::size_t InputSpace::entry_of(const std::string& name, const Domain& domain) {
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [&name](const Entry& entry) { return entry.name == name; });
+  const auto at = static_cast<std::size_t>(found - entries_.begin());
+  if (found == entries_.end()) {
+    entries_.push_back({name, domain.find(name).value_or(0), name.starts_with("q[")});
+  }
+  return at;
+}
+
+double InputSpace::draw_entry(const Entry& entry, Dice& dice) const {
+  if (entry.coordinate) return dice.within(entry.size);
+  return dice.chance(0.5) ? entry.size : -entry.size;
+}
+
+InputSpace::Point InputSpace::draw(Dice& dice) const {
+  Point point;
+  for (const Entry& entry : entries_) point.push_back(draw_entry(entry, dice));
+  return point;
+}
+
+InputSpace::Point InputSpace::change(Point point, Dice& dice) const {
+  if (point.empty()) return point;
+  const std::size_t count = 1 + dice.below(3);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = dice.below(point.size());
+    const double size = entries_[i].size;
+    const double step = dice.within(size) * std::pow(10, -static_cast<double>(dice.below(6)));
+    point[i] =
+        dice.chance(0.4) ? draw_entry(entries_[i], dice) : std::clamp(point[i] + step, -size, size);
+  }
+  return point;
+}
+
+void InputSpace::put(const Point& point, std::size_t s, std::vector<States>& inputs) const {
+  Point values = point;
+  for (const std::vector<std::size_t>& quaternion : quaternions_) {
+    double norm = 0;
+    for (const std::size_t i : quaternion) norm = std::hypot(norm, values[i]);
+    for (const std::size_t i : quaternion) values[i] /= norm;
+  }
+  inputs.resize(inputs_.size());
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    const double value = values[inputs_[i].entry];
+    switch (inputs_[i].reading) {
+      case Reading::plain:
+        inputs[i][s] = value;
+        break;
+      case Reading::sine:
+        inputs[i][s] = std::sin(value);
+        break;
+      case Reading::cosine:
+        inputs[i][s] = std::cos(value);
+        break;
+    }
+  }
+}
+
+}  // namespace treeline::bounds

@@ -1,0 +1,25 @@
+#include "description/solve.hpp"
+
+namespace treeline {
+
+Solve solve_of(Function function) {
+  switch (function) {
+    case Function::forward_dynamics:
+    case Function::forward_dynamics_derivatives:
+    case Function::lambda_inverse:
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
+      return Solve::mass_matrix;
+    case Function::lambda:
+    case Function::control_torque:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+      return Solve::lambda_inverse;
+    default:
+      return Solve::none;
+  }
+}
+
+}  // namespace treeline

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// Which matrix a function solves with: its errors grow with the condition of that matrix. M is
+/// positive definite everywhere, Lambda^-1 singular in some configurations.
+enum class Solve { none, mass_matrix, lambda_inverse };
+Solve solve_of(Function function);
+
+}  // namespace treeline

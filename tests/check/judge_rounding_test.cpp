@@ -1,0 +1,65 @@
+#include "check/judge_rounding.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fixture.hpp"
+
+// Catches errors beyond what the graph permits that pass, and sound ones that do not.
+
+namespace treeline::tests {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+
+struct Judged {
+  Subjects subjects = load("planar3r");
+  std::vector<StateReference> references = make_references(
+      subjects.robot, subjects.scene, subjects.generation, ReferenceOptions{.states = 21});
+
+  /// With every result of the graph off by `factor`.
+  std::optional<RoundingReport> judge(Function function, double factor) const {
+    const auto& functions = subjects.generation.functions;
+    std::size_t i = 0;
+    while (functions[i].function != function) ++i;
+    std::vector<Call> calls;
+    for (const StateReference& reference : references) {
+      const FunctionReference& at = reference.functions[i];
+      if (at.singular) continue;
+      std::vector<double> entries = at.graph;
+      for (double& entry : entries) entry *= factor;
+      calls.push_back({&reference.state, at.condition, {entries, false}});
+    }
+    return judge_rounding(functions[i], subjects.generation.domain, kUnit, calls);
+  }
+};
+
+TEST(JudgeRounding, WhatTheGraphGivesIsSound) {
+  const Judged judged;
+  for (const Function function :
+       {Function::mass_matrix, Function::forward_dynamics, Function::control_torque}) {
+    const auto report = judged.judge(function, 1);
+    ASSERT_TRUE(report.has_value());
+    EXPECT_GT(report->states, 5) << function_name(function);
+    EXPECT_GT(report->used, 0.01) << function_name(function);
+    EXPECT_LE(report->used, 1) << function_name(function);
+  }
+}
+
+/// A thousand ulp more than there may be, at 21 states: not a whole number of batches.
+TEST(JudgeRounding, WhatTheGraphDoesNotGiveIsNot) {
+  const Judged judged;
+  for (const Function function :
+       {Function::mass_matrix, Function::forward_dynamics, Function::control_torque}) {
+    EXPECT_GT(judged.judge(function, 1 + 0x1p-42)->used, 1) << function_name(function);
+  }
+}
+
+TEST(JudgeRounding, SaysWhichKindItIs) {
+  const Judged judged;
+  EXPECT_EQ(judged.judge(Function::mass_matrix, 1)->kind, RoundingBound::Kind::proven);
+  EXPECT_EQ(judged.judge(Function::forward_dynamics, 1)->kind, RoundingBound::Kind::searched);
+  EXPECT_EQ(judged.judge(Function::control_torque, 1)->kind, RoundingBound::Kind::typical);
+}
+
+}  // namespace
+}  // namespace treeline::tests
