@@ -20,7 +20,8 @@ namespace treeline::ur10e_experiments {
 namespace {
 
 class Lines : public testing::TestWithParam<Line> {};
-INSTANTIATE_TEST_SUITE_P(Both, Lines, testing::Values(Line::reach, Line::wrist));
+INSTANTIATE_TEST_SUITE_P(All, Lines, testing::ValuesIn(kLines),
+                         [](const auto& tested) { return file_name_of(tested.param); });
 
 TEST_P(Lines, ArePassedWithinTheLimits) {
   std::vector<SingularRun> runs;

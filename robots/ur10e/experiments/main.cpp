@@ -12,9 +12,10 @@ namespace {
 
 using namespace treeline;  // NOLINT: a program, not a header
 
-std::string write_files(const std::string& folder, const char* name, ur10e_experiments::Line line,
+std::string write_files(const std::string& folder, ur10e_experiments::Line line,
                         const std::vector<ur10e_experiments::SingularRun>& runs) {
   const char* suffixes[] = {"exact", "least_squares", "damped"};
+  const std::string name = ur10e_experiments::file_name_of(line);
   std::string error;
   for (std::size_t i = 0; i < runs.size() && error.empty(); ++i) {
     error = servo::write_text(fmt::format("{}/{}_{}.csv", folder, name, suffixes[i]),
@@ -41,15 +42,14 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   bool holds = true;
-  for (const auto line : {ur10e_experiments::Line::reach, ur10e_experiments::Line::wrist}) {
+  for (const auto line : ur10e_experiments::kLines) {
     std::vector<ur10e_experiments::SingularRun> runs;
     for (const auto law : ur10e_experiments::kLaws) {
       runs.push_back(ur10e_experiments::run_line(line, law));
     }
     fmt::print("{}", ur10e_experiments::summary(line, runs));
     holds = ur10e_experiments::claim_holds(line, runs) && holds;
-    const char* name = line == ur10e_experiments::Line::reach ? "reach" : "wrist";
-    const std::string error = folder.empty() ? "" : write_files(folder, name, line, runs);
+    const std::string error = folder.empty() ? "" : write_files(folder, line, runs);
     if (!error.empty()) {
       fmt::print(stderr, "ur10e_singularity: {}\n", error);
       return 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,13 @@ namespace treeline::ur10e_experiments {
 enum class Line {
   reach,  ///< outward to 2 cm beyond reach: elbow straight at the workspace's border
   wrist,  ///< sideways past joint 5 = 0, 0.01 rad beside the singular orientation
+  // To a pose at rest, from joint 5 = 0: goals and stiffness of Isaac Lab's tutorial run_osc.py.
+  goal_1,
+  goal_2,
+  goal_3,
 };
+inline constexpr std::array kLines{Line::reach, Line::wrist, Line::goal_1, Line::goal_2,
+                                   Line::goal_3};
 
 /// Largest values over a run, and where it ended.
 struct Figures {
@@ -32,6 +39,9 @@ struct SingularRun {
   Figures figures;
 };
 
+const char* title_of(Line line);
+std::string file_name_of(Line line);
+
 SingularRun run_line(Line line, Law law);
 
 /// A line of text for each run, in the order of kLaws.
@@ -39,8 +49,9 @@ std::string summary(Line line, const std::vector<SingularRun>& runs);
 servo::Plot figure(Line line, const std::vector<SingularRun>& runs);
 
 /// Damped by directions, torques and speeds stay within the maker's limits, torque has no step, the
-/// arm passes and comes back to where it began. Without damping limits are broken manifold. Damped
-/// least squares is bounded too, but leaves the line farther: it lets all directions yield.
+/// arm passes and comes back to where it began, or to its goal. Without damping limits are broken
+/// manifold. Damped least squares is bounded too, but leaves the line farther: it lets all
+/// directions yield.
 bool claim_holds(Line line, const std::vector<SingularRun>& runs);
 
 }  // namespace treeline::ur10e_experiments
