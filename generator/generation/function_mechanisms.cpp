@@ -15,12 +15,19 @@ constexpr unsigned kContacts = 4;
 
 }  // namespace
 
+FunctionMechanisms::FunctionMechanisms(const Robot& robot, const Scene& scene, Inertias inertias)
+    : robot_(robot), scene_(scene), inertias_(inertias) {
+  if (!scene.operational_points.empty()) in_scene_ |= kPoints;
+  if (!scene.external_forces.empty()) in_scene_ |= kForces;
+  if (!scene.contacts.empty()) in_scene_ |= kContacts;
+}
+
 const Mechanism& FunctionMechanisms::of(Function function) {
-  const bool points = needs_points(function) || needs_objects(function);
-  const bool forces = takes_external_forces(function);
-  const bool contacts = needs_contacts(function);
-  const unsigned needs =
-      (points ? kPoints : 0) | (forces ? kForces : 0) | (contacts ? kContacts : 0);
+  unsigned needs = 0;
+  if (needs_points(function) || needs_objects(function)) needs |= kPoints;
+  if (takes_external_forces(function)) needs |= kForces;
+  if (needs_contacts(function)) needs |= kContacts;
+  needs &= in_scene_;
   const std::optional<Function> decider = axes_decider(function);
   if (!decider) return reduced(needs);
   const std::pair key{needs, *decider};
@@ -29,6 +36,10 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   Mechanism& mechanism = by_decider_.emplace(key, reduced(needs)).first->second;
   choose_axes(mechanism, *decider);
   return mechanism;
+}
+
+const Mechanism& FunctionMechanisms::whole() {
+  return reduced(in_scene_);
 }
 
 const Mechanism& FunctionMechanisms::reduced(unsigned needs) {

@@ -17,10 +17,11 @@ class FunctionMechanisms {
  public:
   /// Both must outlive this.
   FunctionMechanisms(const Robot& robot, const Scene& scene,
-                     Inertias inertias = Inertias::regrouped)
-      : robot_(robot), scene_(scene), inertias_(inertias) {}
+                     Inertias inertias = Inertias::regrouped);
 
   const Mechanism& of(Function function);
+  /// With everything that is in the scene, no axes chosen.
+  const Mechanism& whole();
 
  private:
   const Mechanism& reduced(unsigned needs);
@@ -28,6 +29,7 @@ class FunctionMechanisms {
   const Robot& robot_;
   const Scene& scene_;
   Inertias inertias_;
+  unsigned in_scene_ = 0;
   std::map<unsigned, Mechanism> by_needs_;
   std::map<std::pair<unsigned, Function>, Mechanism> by_decider_;
 };

@@ -10,7 +10,6 @@
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/run_routes.hpp"
-#include "mechanism/build_mechanism.hpp"
 
 namespace treeline {
 namespace {
@@ -152,8 +151,8 @@ bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, cons
     auto plain = generate_by_choice(mechanism, function, scene.lanes, scene.sin_cos, choices.plain,
                                     diagnostics);
     if (!plain) return false;
-    plain->rounding = bound_rounding(plain->program, generation.domain, rounding_unit(scene),
-                                     solve_of(function));
+    plain->rounding =
+        bound_rounding(plain->program, generation.domain, rounding_unit(scene), solve_of(function));
     generation.functions.push_back(std::move(*plain));
     if (scene.batch == 0) continue;
     auto batch =
@@ -209,8 +208,8 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics,
                                         const Choices& choices) {
   Generation generation;
-  generation.mechanism = reduced_mechanism(robot, scene);
   FunctionMechanisms mechanisms(robot, scene);
+  generation.mechanism = mechanisms.whole();
   generation.domain = make_domain(robot, scene, generation.mechanism);
   if (!generate_functions(mechanisms, scene, choices, generation, diagnostics)) {
     return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 #include "recursion/control_torque.hpp"
@@ -392,6 +393,16 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
     programs.push_back(tracer.trace(function, route));
   }
   return programs;
+}
+
+Program trace_route(const Mechanism& mechanism, Function function, const std::string& source) {
+  Graph graph;
+  const TracedTree tree = structure_of(mechanism, graph);
+  const std::vector<Route> routes = routes_of(function, tree);
+  const auto route = std::find_if(routes.begin(), routes.end(),
+                                  [&source](const Route& each) { return each.source == source; });
+  if (route == routes.end()) throw std::logic_error("no such route: " + source);
+  return Tracer(mechanism, 1).trace(function, *route);
 }
 
 }  // namespace treeline

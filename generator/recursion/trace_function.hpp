@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "description/scene.hpp"
@@ -13,5 +14,8 @@ namespace treeline {
 /// the function (operational points, objects where it needs them).
 /// `lanes`: how many values of Real the emitted code may compute together.
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes = 1);
+
+/// One of these functions of joint space or operational space, by the algorithm of this `source`.
+Program trace_route(const Mechanism& mechanism, Function function, const std::string& source);
 
 }  // namespace treeline
