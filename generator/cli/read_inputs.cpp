@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "description/check_scene.hpp"
+#include "description/find_function.hpp"
 #include "description/identifier.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
@@ -20,37 +20,23 @@ void reject(const std::string& element, std::string fault, std::string remedy,
   diagnostics.add({Severity::error, "", 0, element, std::move(fault), std::move(remedy)});
 }
 
-/// The function of that name among those that the scene permits.
-void keep_functions(const std::vector<std::string>& names, Scene& scene, Diagnostics& diagnostics) {
-  std::vector<Function> functions(kAllFunctions.begin(), kAllFunctions.end());
-  functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
-  functions.insert(functions.end(), kPostureFunctions.begin(), kPostureFunctions.end());
-  functions.insert(functions.end(), kDerivativeFunctions.begin(), kDerivativeFunctions.end());
+/// The functions of these names, sorted and unique.
+std::vector<Function> find_functions(const std::vector<std::string>& names,
+                                     Diagnostics& diagnostics) {
   std::vector<std::string> known;
-  for (const Function function : functions) {
-    known.emplace_back(function_name(function));
-  }
-  std::vector<Function> kept;
+  for (const Function function : every_function()) known.emplace_back(function_name(function));
+  std::vector<Function> functions;
   for (const std::string& name : names) {
-    const auto at = std::find(known.begin(), known.end(), name);
-    if (at == known.end()) {
+    if (const auto function = find_function(name)) {
+      functions.push_back(*function);
+    } else {
       reject("--functions", fmt::format("`{}` is no function", name), suggest_name(name, known),
              diagnostics);
-      continue;
-    }
-    kept.push_back(functions[static_cast<std::size_t>(at - known.begin())]);
-    if (needs_objects(kept.back()) && scene.objects.empty()) {
-      reject("--functions", fmt::format("`{}` needs an object", name),
-             "Give the scene one, or leave the function out.", diagnostics);
-    }
-    if (needs_points(kept.back()) && scene.operational_points.empty()) {
-      reject("--functions", fmt::format("`{}` needs an operational point", name),
-             "Give the scene one, or leave the function out.", diagnostics);
     }
   }
-  std::sort(kept.begin(), kept.end());
-  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-  scene.functions = std::move(kept);
+  std::sort(functions.begin(), functions.end());
+  functions.erase(std::unique(functions.begin(), functions.end()), functions.end());
+  return functions;
 }
 
 void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) {
@@ -64,9 +50,6 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
   if (!options.real.empty()) {
     scene.real = options.real == "float" ? Real::float32 : Real::float64;
   }
-  if (!options.functions.empty()) {
-    keep_functions(options.functions, scene, diagnostics);
-  }
 }
 
 }  // namespace
@@ -76,7 +59,8 @@ std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diag
   if (!robot) {
     return std::nullopt;
   }
-  auto scene = read_scene(options.scene, *robot, diagnostics);
+  const std::vector<Function> functions = find_functions(options.functions, diagnostics);
+  auto scene = read_scene(options.scene, *robot, diagnostics, functions);
   if (!scene) {
     return std::nullopt;
   }

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
 #include "description/check_scene.hpp"
+#include "description/find_function.hpp"
 #include "description/identifier.hpp"
 #include "description/parse_yaml.hpp"
 #include "description/read_scene_object.hpp"
@@ -25,20 +25,6 @@ void read_name(const SceneElement& element, Scene& scene) {
                   fmt::format("write {}", identifier_from(*name)));
   }
   scene.name = *name;
-}
-
-/// All that a scene may ask for.
-std::vector<Function> every_function() {
-  std::vector<Function> every;
-  const auto append = [&](std::span<const Function> functions) {
-    for (const Function function : functions) every.push_back(function);
-  };
-  append(kAllFunctions);
-  append(kContactFunctions);
-  append(kObjectFunctions);
-  append(kPostureFunctions);
-  append(kDerivativeFunctions);
-  return every;
 }
 
 void read_functions(const SceneElement& element, Scene& scene) {
@@ -156,13 +142,15 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
 }  // namespace
 
 std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
-                                 const Robot& robot, Diagnostics& diagnostics) {
+                                 const Robot& robot, Diagnostics& diagnostics,
+                                 const std::vector<Function>& functions) {
   const auto document = parse_yaml(text, file_name, diagnostics);
   if (!document) return std::nullopt;
   SceneReading reading{file_name, diagnostics};
   const SceneElement top(*document, "", reading);
   Scene scene = read_fields(top, robot);
   scene.file = file_name;
+  if (!functions.empty()) scene.functions = functions;
   if (!reading.failed) complete_scene(top, robot, scene);
   if (reading.failed) return std::nullopt;
   snap_angles(robot, scene, diagnostics);
@@ -170,10 +158,10 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
 }
 
 std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
-                                Diagnostics& diagnostics) {
+                                Diagnostics& diagnostics, const std::vector<Function>& functions) {
   const auto text = read_text_file(path, diagnostics);
   if (!text) return std::nullopt;
-  return parse_scene(*text, path, robot, diagnostics);
+  return parse_scene(*text, path, robot, diagnostics, functions);
 }
 
 }  // namespace treeline

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "description/diagnostic.hpp"
 #include "description/robot.hpp"
@@ -15,12 +16,15 @@ namespace treeline {
 ///
 /// Defaults: see `Scene`; `name` is the robot's name made an identifier; `functions` are all that
 /// the scene permits: those of operational points if it has any, those that invert the mass matrix
-/// if it can be inverted.
+/// if it can be inverted. `functions`, sorted and unique, go before what the file lists, if there
+/// are any.
 std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
-                                Diagnostics& diagnostics);
+                                Diagnostics& diagnostics,
+                                const std::vector<Function>& functions = {});
 
 /// The same from text; `file_name` is for the diagnostics only. Empty text is the default scene.
 std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
-                                 const Robot& robot, Diagnostics& diagnostics);
+                                 const Robot& robot, Diagnostics& diagnostics,
+                                 const std::vector<Function>& functions = {});
 
 }  // namespace treeline

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "description/find_function.hpp"
 #include "description/read_text_file.hpp"
 #include "generation/choices.hpp"
 
@@ -14,24 +15,15 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::array kLanes = {0, 1, 2, 4, 8};
-
-std::optional<Function> function_of(const std::string& name) {
-  for (int i = 0; i <= static_cast<int>(Function::forward_dynamics_derivatives); ++i) {
-    const auto function = static_cast<Function>(i);
-    if (name == function_name(function)) return function;
-  }
-  return std::nullopt;
-}
-
 constexpr std::string_view kBatch = "batch_";
 
 /// What is wrong with one row; empty: nothing, and it is among the choices.
 std::string read_row(const Json& row, Choices& choices) {
-  const Json& chosen = row.value("chosen", Json());
+  const Json chosen = row.value("chosen", Json());
   if (!chosen.is_object()) return "a row of `choices` does not say what is chosen";
   const std::string name = row.value("function", "");
   const bool batch = name.starts_with(kBatch);
-  const auto function = function_of(batch ? name.substr(kBatch.size()) : name);
+  const auto function = find_function(batch ? name.substr(kBatch.size()) : name);
   if (!function) return fmt::format("`{}` is no function", name);
   RouteChoice choice{chosen.value("method", ""), chosen.value("lanes", 0)};
   if (std::find(kLanes.begin(), kLanes.end(), choice.lanes) == kLanes.end()) {

@@ -13,8 +13,12 @@ namespace fs = std::filesystem;
 using test::Outcome;
 using test::read_file;
 
-const std::string kUrdf = std::string(TREELINE_ROBOTS) + "/puma560/puma560.urdf";
-const std::string kScene = std::string(TREELINE_ROBOTS) + "/puma560/scene.yaml";
+std::string robot_file(const std::string& name) {
+  return TREELINE_ROBOTS "/" + name;
+}
+
+const std::string kUrdf = robot_file("puma560/puma560.urdf");
+const std::string kScene = robot_file("puma560/scene.yaml");
 
 class GenerateTest : public testing::Test {
  protected:
@@ -128,6 +132,26 @@ TEST_F(GenerateTest, BadInputIsOne) {
     EXPECT_EQ(outcome.out, "") << arguments;
     EXPECT_FALSE(fs::exists(root_ / "out")) << arguments;
   }
+}
+
+// Would catch: functions that a scene may list and the command line may not.
+TEST_F(GenerateTest, EveryFunctionCanBeNamed) {
+  const Outcome outcome =
+      run(robot_file("tumbler/tumbler.urdf") + " " + robot_file("tumbler/scene.yaml") +
+          " --output out --functions contact_motion,link_inverse_inertias");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(root_ / "out" / "contact_motion.cpp"));
+  EXPECT_TRUE(fs::exists(root_ / "out" / "link_inverse_inertias.cpp"));
+}
+
+// Would catch: functions of the command line that are not checked as those of a scene are: here
+// damped_control_torque would call what is not there.
+TEST_F(GenerateTest, FunctionsNamedAreCheckedWithTheScene) {
+  const Outcome outcome = run(robot_file("ur10e/ur10e.urdf") + " " +
+                              robot_file("ur10e/scene.yaml") + " -o out --functions gravity");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("damped needs jacobian"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(root_ / "out"));
 }
 
 /// Puma's scene for a few functions, by the choices of a file.

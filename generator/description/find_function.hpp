@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// All that a scene may ask for.
+std::vector<Function> every_function();
+
+/// The function of that name, see `function_name`; nothing when there is none.
+std::optional<Function> find_function(std::string_view name);
+
+}  // namespace treeline
