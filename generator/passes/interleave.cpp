@@ -17,7 +17,7 @@ namespace {
 constexpr int kWindow = 128;
 constexpr int kWindowOfLongCode = 40;
 constexpr int kLongCode = 44 * 1024;  // bytes
-constexpr int kIssue = 4;                     ///< operations begun in a cycle
+constexpr int kIssue = 4;             ///< operations begun in a cycle
 
 int latency(Op op) {
   switch (op) {

@@ -41,8 +41,8 @@ PerBody<Matrix6<Scalar>> link_inverse_inertias(const Model<Scalar>& model, Vecto
 /// Lambda_i of every body at its frame, in its axes, in O(n) by Chang table 8.1: articulated
 /// inertias inward, then outward the inertia of all but the body's subtree,
 /// N = Lambda_h - X (IA - U D^-1 U^T) X^T carried to the body's frame, and
-/// Lambda_i = IA_i + N - N S (S^T N S)^-1 S^T N. What the subtraction loses grows with the square of
-/// the way between bodies over their size. A floating joint lets nothing of the rest be felt, so
+/// Lambda_i = IA_i + N - N S (S^T N S)^-1 S^T N. What the subtraction loses grows with the square
+/// of the way between bodies over their size. A floating joint lets nothing of the rest be felt, so
 /// that Lambda = IA there as the table begins; a base that does not move is a "big base" of
 /// `base_size` (kg, kg m^2) times the unit matrix: an error of about 1 / base_size, and digits lost
 /// to its size. Precondition: no mimic joints.
