@@ -8,13 +8,13 @@
 
 #include "passes/find_orbits.hpp"
 #include "passes/lane_operands.hpp"
+#include "passes/pack_cycles.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {
 namespace {
 
 constexpr std::uint32_t kNone = 0;
-constexpr int kNoPack = -1;
 
 bool is_arithmetic(Op op) {
   return op == Op::add || op == Op::sub || op == Op::mul || op == Op::div || op == Op::neg;
@@ -34,16 +34,6 @@ std::vector<std::uint32_t> distinct(const LanePack& lanes) {
     }
   }
   return nodes;
-}
-
-void push_operands(const Node& node, std::vector<std::pair<std::uint32_t, bool>>& stack) {
-  const int operands = operation(node.op).operands;
-  if (operands >= 1) {
-    stack.emplace_back(node.a, false);
-  }
-  if (operands == 2) {
-    stack.emplace_back(node.b, false);
-  }
 }
 
 class Packer {
@@ -214,9 +204,6 @@ class Packer {
     return static_cast<int>(values.size());
   }
 
-  /// The nodes that are computed together with `node`, itself included.
-  [[nodiscard]] std::vector<std::uint32_t> unit_of(std::uint32_t node) const;
-  [[nodiscard]] int find_pack_on_cycle() const;
   /// Packs that make each other wait, by way of scalars or directly, are taken apart.
   void dissolve_cycles();
   /// Takes apart the packs that cost more than they save; whether there was one.
@@ -332,55 +319,9 @@ bool Packer::dissolve_losses() {
   return found;
 }
 
-std::vector<std::uint32_t> Packer::unit_of(std::uint32_t node) const {
-  if (pack_of_[node] == kNoPack) {
-    return {node};
-  }
-  std::vector<std::uint32_t> unit = packs_[static_cast<std::size_t>(pack_of_[node])];
-  std::erase(unit, kNone);
-  return unit;
-}
-
-/// Depth-first over units, packs and single nodes; meeting an open one again closes a cycle. The
-/// graph itself has none, so the pack opened last is on it.
-int Packer::find_pack_on_cycle() const {
-  enum class State : char { unseen, open, done };
-  std::vector<State> state(nodes_.size(), State::unseen);
-  std::vector<int> open_packs;
-  std::vector<std::pair<std::uint32_t, bool>> stack;
-  for (std::uint32_t root = 0; root < nodes_.size(); ++root) {
-    stack.emplace_back(root, false);
-    while (!stack.empty()) {
-      const auto [node, finished] = stack.back();
-      stack.pop_back();
-      if (!finished && state[node] == State::open) {
-        return open_packs.back();
-      }
-      if (!finished && state[node] == State::done) {
-        continue;
-      }
-      for (const std::uint32_t member : unit_of(node)) {
-        state[member] = finished ? State::done : State::open;
-      }
-      if (finished) {
-        open_packs.resize(open_packs.size() - (pack_of_[node] == kNoPack ? 0 : 1));
-        continue;
-      }
-      if (pack_of_[node] != kNoPack) {
-        open_packs.push_back(pack_of_[node]);
-      }
-      stack.emplace_back(node, true);
-      for (const std::uint32_t member : unit_of(node)) {
-        push_operands(nodes_[member], stack);
-      }
-    }
-  }
-  return kNoPack;
-}
-
 void Packer::dissolve_cycles() {
-  for (int p = find_pack_on_cycle(); p != kNoPack; p = find_pack_on_cycle()) {
-    dissolve(static_cast<std::size_t>(p));
+  while (const auto pack = find_pack_on_cycle(nodes_, packs_, pack_of_)) {
+    dissolve(*pack);
   }
 }
 
