@@ -10,6 +10,11 @@
 #include "lock_run.hpp"
 
 namespace treeline::experiments {
+
+void PrintTo(Lock lock, std::ostream* out) {
+  *out << name_of(lock);
+}
+
 namespace {
 
 void expect_type(const double (&q)[6], core::SingularityType type) {

@@ -17,6 +17,11 @@
 #include "ur10e_damped.hpp"
 
 namespace treeline::ur10e_experiments {
+
+void PrintTo(Line line, std::ostream* out) {
+  *out << (line == Line::reach ? "reach" : "wrist");
+}
+
 namespace {
 
 class Lines : public testing::TestWithParam<Line> {};

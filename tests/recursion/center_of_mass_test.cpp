@@ -14,10 +14,19 @@
 namespace treeline::tests {
 namespace {
 
-std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
-  std::vector<std::pair<std::uint64_t, RandomOptions>> all;
+struct Seeded {
+  std::uint64_t seed;
+  RandomOptions options;
+};
+
+std::ostream& operator<<(std::ostream& out, const Seeded& robot) {
+  return out << "seed " << robot.seed;
+}
+
+std::vector<Seeded> robots() {
+  std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
-    for (int i = 0; i < seeds; ++i) all.emplace_back(300 + all.size(), options);
+    for (int i = 0; i < seeds; ++i) all.push_back({300 + all.size(), options});
   };
   add({.joints = 1}, 4);
   add({.joints = 7, .branching = 0}, 4);
@@ -41,13 +50,13 @@ double error_of(const std::vector<A>& actual, const std::vector<Digits50>& expec
   return static_cast<double>(Digits50(worst / largest));
 }
 
-class CenterOfMass : public testing::TestWithParam<std::pair<std::uint64_t, RandomOptions>> {
+class CenterOfMass : public testing::TestWithParam<Seeded> {
  protected:
   CenterOfMass()
-      : made_(random_mechanism(GetParam().first, GetParam().second)),
+      : made_(random_mechanism(GetParam().seed, GetParam().options)),
         mechanism_(reduced_mechanism(made_.robot, made_.scene)),
         model_(model_from_robot<Digits50>(made_.robot, made_.scene)) {
-    Dice dice(GetParam().first + 7);
+    Dice dice(GetParam().seed + 7);
     q_ = random_position(dice, model_);
   }
 

@@ -33,6 +33,10 @@ struct Bounds {
   int inverse_dynamics, lambda_inverse, control_torque;
 };
 
+std::ostream& operator<<(std::ostream& out, const Bounds& bounds) {
+  return out << bounds.robot;
+}
+
 class Counts : public testing::TestWithParam<Bounds> {};
 
 INSTANTIATE_TEST_SUITE_P(Robots, Counts,
