@@ -47,10 +47,6 @@ Program put_in_order(const Program& program, std::vector<PassReport>& log) {
   return run({"schedule", schedule}, program, log);
 }
 
-Program run_passes(Program program, std::vector<PassReport>& log) {
-  return put_in_order(reduce_operations(std::move(program), log), log);
-}
-
 std::string to_string(const std::string& function, const PassReport& report) {
   return fmt::format("{}: {} {} -> {} flops, {} -> {} nodes", function, report.pass,
                      report.before.flops(), report.after.flops(), report.nodes_before,

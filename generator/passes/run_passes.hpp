@@ -23,9 +23,6 @@ Program reduce_operations(Program program, std::vector<PassReport>& log);
 /// The same operations in the order of emission; for the route that is chosen.
 Program put_in_order(const Program& program, std::vector<PassReport>& log);
 
-/// Both.
-Program run_passes(Program program, std::vector<PassReport>& log);
-
 /// `inverse_dynamics: eliminate_dead 2600 -> 2219 flops, 3500 -> 2800 nodes`
 std::string to_string(const std::string& function, const PassReport& report);
 

@@ -48,7 +48,8 @@ inline constexpr int kSampleBatch = 4;  ///< states a call of the batch function
 /// What the sample folders hold.
 inline std::vector<Program> sample_programs() {
   std::vector<PassReport> log;
-  return {run_passes(trace_two_link_arm(), log), run_passes(trace_corner_cases(), log)};
+  return {put_in_order(reduce_operations(trace_two_link_arm(), log), log),
+          put_in_order(reduce_operations(trace_corner_cases(), log), log)};
 }
 
 inline EmissionContext sample_context(const std::string& name, bool single_precision) {

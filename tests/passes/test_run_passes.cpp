@@ -9,6 +9,10 @@
 namespace treeline {
 namespace {
 
+Program run_passes(Program program, std::vector<PassReport>& log) {
+  return put_in_order(reduce_operations(std::move(program), log), log);
+}
+
 TEST(RunPasses, LogsEveryPassAndNeverAddsOperations) {
   std::vector<PassReport> log;
   const Program program = run_passes(test::trace_two_link_arm(), log);

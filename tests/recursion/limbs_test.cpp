@@ -31,7 +31,7 @@ double share_in_lanes(Function function) {
   Mechanism mechanism = reduced_mechanism(humanoid().robot, humanoid().scene);
   mechanism.limbs = find_limbs(mechanism, 2);
   std::vector<PassReport> log;
-  const Program program = run_passes(trace_function(mechanism, function, 2)[0], log);
+  const Program program = reduce_operations(trace_function(mechanism, function, 2)[0], log);
   return 2.0 * static_cast<double>(program.packs.size()) / count_operations(program).flops();
 }
 
