@@ -43,9 +43,9 @@ std::vector<EmissionContext::SkippedRow> skipped_rows(FunctionMechanisms& mechan
     if (asked || (needs_points(function) && scene.operational_points.empty())) {
       continue;
     }
+    Routes routes = run_routes(mechanisms.of(function), function, {1, scene.sin_cos});
     rows.push_back({fmt::format("function {}", function_name(function)),
-                    generate_function(mechanisms.of(function), function, 1, scene.sin_cos)
-                        .chosen.count.flops()});
+                    choose(std::move(routes.candidates))->chosen.count.flops()});
   }
   return rows;
 }
@@ -194,8 +194,20 @@ std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Fun
   return generated_from(function, std::move(*choice), routes);
 }
 
+GeneratedFunction generated_from(Function function, Candidate candidate) {
+  GeneratedFunction generated;
+  generated.function = function;
+  generated.chosen = cost_of(candidate.method, candidate.program);
+  generated.program = std::move(candidate.program);
+  return generated;
+}
+
+std::string source_stem(Function function, int batch) {
+  return fmt::format("{}{}", batch > 0 ? "batch_" : "", function_name(function));
+}
+
 std::string source_stem(const GeneratedFunction& generated) {
-  return fmt::format("{}{}", generated.batch > 0 ? "batch_" : "", generated.program.name);
+  return source_stem(generated.function, generated.batch);
 }
 
 std::vector<GeneratedFunction> all_functions(const Generation& generation) {

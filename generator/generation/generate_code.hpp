@@ -36,7 +36,11 @@ struct GeneratedFunction {
   RoundingBound rounding;  ///< on `Generation::domain`; not computed for batches
 };
 
-/// What the function's source file is called, without `.cpp`.
+/// A candidate of `run_routes` as what would be emitted, but for its order.
+GeneratedFunction generated_from(Function function, Candidate candidate);
+
+/// What the function's source file is called, without `.cpp`; of a batch where `batch` is not 0.
+std::string source_stem(Function function, int batch);
 std::string source_stem(const GeneratedFunction& generated);
 
 /// Everything `treeline generate` makes, in memory.

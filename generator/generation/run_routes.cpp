@@ -16,11 +16,6 @@ bool is_cheaper(const Cost& a, const Cost& b) {
   return a.weighted < b.weighted;
 }
 
-Cost cost_of(const Program& program) {
-  const OperationCount count = count_operations(program);
-  return {program.source, count, cost(program, count)};
-}
-
 class RouteRunner {
  public:
   RouteRunner(Function function, const RouteOptions& options)
@@ -31,7 +26,7 @@ class RouteRunner {
     std::vector<Program> programs = trace_function(mechanism, function_, options_.lanes);
     std::vector<Cost> costs;
     for (const Program& program : programs) {
-      costs.push_back(cost_of(program));
+      costs.push_back(cost_of(program.source, program));
     }
     const double least = std::min_element(costs.begin(), costs.end(), is_cheaper)->weighted;
     for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -50,8 +45,9 @@ class RouteRunner {
     std::map<std::string, double> costs;
     double least = std::numeric_limits<double>::infinity();
     for (const Candidate& candidate : routes.candidates) {
-      costs[candidate.method] = cost_of(candidate.program).weighted;
-      least = std::min(least, costs[candidate.method]);
+      const Cost cost = cost_of(candidate.method, candidate.program);
+      costs[cost.method] = cost.weighted;
+      least = std::min(least, cost.weighted);
     }
     for (Program& program : trace_function(with_limbs, function_, options_.lanes)) {
       const auto plain = costs.find(program.source);

@@ -30,14 +30,18 @@ double cost(const Program& program, const OperationCount& count) {
          kWaiting * critical_path(program);
 }
 
+Cost cost_of(const std::string& method, const Program& program) {
+  const OperationCount count = count_operations(program);
+  return {method, count, cost(program, count)};
+}
+
 std::optional<Choice> choose(std::vector<Candidate> candidates) {
   if (candidates.empty()) {
     return std::nullopt;
   }
   std::vector<std::pair<Cost, std::size_t>> costs;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const OperationCount count = count_operations(candidates[i].program);
-    costs.push_back({{candidates[i].method, count, cost(candidates[i].program, count)}, i});
+    costs.emplace_back(cost_of(candidates[i].method, candidates[i].program), i);
   }
   std::stable_sort(costs.begin(), costs.end(), [](const auto& a, const auto& b) {
     return a.first.weighted < b.first.weighted;

@@ -39,6 +39,9 @@ struct Choice {
 /// with half in place of two thirds, it took 10 %, and up to 57 %.
 double cost(const Program& program, const OperationCount& count);
 
+/// The same with what it is a cost of.
+Cost cost_of(const std::string& method, const Program& program);
+
 /// Picks the candidate of least cost; the earlier of two that are equal. Nothing when there is
 /// none.
 std::optional<Choice> choose(std::vector<Candidate> candidates);

@@ -9,10 +9,6 @@
 namespace treeline {
 namespace {
 
-std::string name_of(const TunedFunction& tuned) {
-  return fmt::format("{}{}", tuned.batch > 0 ? "batch_" : "", function_name(tuned.function));
-}
-
 /// Indices of the trials, fastest first.
 std::vector<std::size_t> rank(const TunedFunction& tuned) {
   std::vector<std::size_t> order(tuned.trials.size());
@@ -29,13 +25,13 @@ std::string print_lanes(const Trial& trial) {
 
 std::string print_trial(const TunedFunction& tuned, std::size_t i) {
   const Trial& trial = tuned.trials[i];
-  return fmt::format(R"({{"function": {}, "method": {}, "lanes": {}, "flops": {}, )"
-                     R"("nanoseconds": {:.4g}, "ratio": {:.4f}, "noise": {:.4f}, )"
-                     R"("least_cost": {}, "chosen": {}}})",
-                     quote_json(name_of(tuned)), quote_json(trial.choice.method),
-                     trial.choice.lanes > 0 ? std::to_string(trial.choice.lanes) : "null",
-                     trial.count.flops(), trial.timing.nanoseconds, trial.timing.ratio,
-                     trial.timing.noise, i == 0, i == tuned.fastest);
+  return fmt::format(
+      R"({{"function": {}, "method": {}, "lanes": {}, "flops": {}, )"
+      R"("nanoseconds": {:.4g}, "ratio": {:.4f}, "noise": {:.4f}, )"
+      R"("least_cost": {}, "chosen": {}}})",
+      quote_json(source_stem(tuned.function, tuned.batch)), quote_json(trial.choice.method),
+      trial.choice.lanes > 0 ? std::to_string(trial.choice.lanes) : "null", trial.count.flops(),
+      trial.timing.nanoseconds, trial.timing.ratio, trial.timing.noise, i == 0, i == tuned.fastest);
 }
 
 }  // namespace
@@ -44,7 +40,7 @@ std::string print_text(const Tuning& tuning) {
   std::string text = fmt::format("{}\n{:<28} {:>9} {:>6} {:>6} {:>6} {:>5}  {}\n", tuning.measured,
                                  "function", "ns", "ratio", "noise", "flops", "lanes", "method");
   for (const TunedFunction& tuned : tuning.functions) {
-    std::string name = name_of(tuned);
+    std::string name = source_stem(tuned.function, tuned.batch);
     for (const std::size_t i : rank(tuned)) {
       const Trial& trial = tuned.trials[i];
       const char* note = i == tuned.fastest ? " <- chosen" : i == 0 ? " <- least cost" : "";

@@ -40,18 +40,6 @@ std::string fingerprint(const Program& program) {
   return text;
 }
 
-GeneratedFunction candidate_of(Function function, Candidate candidate, int lanes,
-                               const Scene& scene, bool batch) {
-  GeneratedFunction made;
-  made.function = function;
-  const OperationCount count = count_operations(candidate.program);
-  made.chosen = {std::move(candidate.method), count, cost(candidate.program, count)};
-  made.program = std::move(candidate.program);
-  made.other_lanes = lanes;
-  made.batch = batch ? scene.batch : 0;
-  return made;
-}
-
 bool is_cheaper(const GeneratedFunction& a, const GeneratedFunction& b) {
   return a.chosen.weighted < b.chosen.weighted;
 }
@@ -87,7 +75,9 @@ std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Funct
     Routes routes = run_routes(mechanism, function, {lanes, scene.sin_cos});
     const std::size_t first = all.size();
     for (Candidate& candidate : routes.candidates) {
-      all.push_back(candidate_of(function, std::move(candidate), lanes, scene, batch));
+      GeneratedFunction& made = all.emplace_back(generated_from(function, std::move(candidate)));
+      made.other_lanes = lanes;
+      made.batch = batch ? scene.batch : 0;
     }
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
     std::stable_sort(begin, all.end(), is_cheaper);
