@@ -38,11 +38,15 @@ class CycleSearch {
   enum class State : char { unseen, open, done };
 
   /// The nodes that are computed together with `node`, itself included.
-  [[nodiscard]] std::vector<std::uint32_t> unit_of(std::uint32_t node) const {
-    if (pack_of_[node] == kNoPack) return {node};
-    std::vector<std::uint32_t> unit = packs_[static_cast<std::size_t>(pack_of_[node])];
-    std::erase(unit, 0U);  // empty lanes
-    return unit;
+  template <class Visit>
+  void for_each_in_unit(std::uint32_t node, Visit visit) const {
+    if (pack_of_[node] == kNoPack) {
+      visit(node);
+      return;
+    }
+    for (const std::uint32_t member : packs_[static_cast<std::size_t>(pack_of_[node])]) {
+      if (member != 0) visit(member);  // else an empty lane
+    }
   }
 
   void open(std::uint32_t node, Stack& stack) {
@@ -50,16 +54,16 @@ class CycleSearch {
       open_packs_.push_back(static_cast<std::size_t>(pack_of_[node]));
     }
     stack.emplace_back(node, true);
-    for (const std::uint32_t member : unit_of(node)) {
+    for_each_in_unit(node, [&](std::uint32_t member) {
       state_[member] = State::open;
       const int operands = operation(nodes_[member].op).operands;
       if (operands >= 1) stack.emplace_back(nodes_[member].a, false);
       if (operands == 2) stack.emplace_back(nodes_[member].b, false);
-    }
+    });
   }
 
   void close(std::uint32_t node) {
-    for (const std::uint32_t member : unit_of(node)) state_[member] = State::done;
+    for_each_in_unit(node, [&](std::uint32_t member) { state_[member] = State::done; });
     if (pack_of_[node] != kNoPack) open_packs_.pop_back();
   }
 
