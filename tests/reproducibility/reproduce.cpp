@@ -76,9 +76,8 @@ Original load_original(const std::string& robots, const std::string& name, int s
   Diagnostics diagnostics;
   const auto robot = read_urdf(folder + name + ".urdf", diagnostics);
   if (!robot) fail(diagnostics, name);
-  auto scene = read_scene(folder + "scene.yaml", *robot, diagnostics);
+  auto scene = read_scene(folder + "scene.yaml", *robot, diagnostics, functions);
   if (!scene) fail(diagnostics, name);
-  if (!functions.empty()) scene->functions = functions;
   scene->real = real;
   scene->lanes = lanes;
   scene->batch = batch;

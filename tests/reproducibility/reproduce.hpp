@@ -40,8 +40,9 @@ struct Difference {
   [[nodiscard]] bool bounded() const { return share <= 1; }
 };
 
-/// robots/NAME with its scene.yaml, cut to `functions` unless they are empty, or as `change` makes
-/// it. Throws std::runtime_error for what cannot be read or generated.
+/// robots/NAME with its scene.yaml, but for what the other arguments say; with the scene's
+/// functions where `functions` is empty. Throws std::runtime_error for what cannot be read or
+/// generated.
 Original load_original(const std::string& robots, const std::string& name, int states,
                        const std::vector<Function>& functions, Real real = Real::float64,
                        int lanes = 8, int batch = 0);
