@@ -1,15 +1,15 @@
 #include "cli/bench.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <fstream>
+#include <functional>
 #include <memory>
 
 #include "bench/bench.hpp"
 #include "bench/draw_svg.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
 
 namespace treeline {
@@ -48,12 +48,11 @@ struct Options {
   bool json = false;
 };
 
-/// A line that says what is being done, where somebody sees it.
-std::function<void(const std::string&, int, int)> show_progress() {
-  if (isatty(STDERR_FILENO) == 0) return {};
+/// Says what is being done, where somebody sees it.
+std::function<void(const std::string&, int, int)> tell_progress() {
+  if (!is_watched()) return {};
   return [](const std::string& what, int done, int total) {
-    fmt::print(stderr, "\r\033[K  {} {}/{}{}", what, done, total, done == total ? "\r\033[K" : "");
-    std::fflush(stderr);
+    show_progress(done == total ? "" : fmt::format("  {} {}/{}", what, done, total));
   };
 }
 
@@ -70,7 +69,7 @@ bool write_text(const std::string& path, const std::string& text, Diagnostics& d
 int run(Options options) {
   Diagnostics diagnostics;
   const auto inputs = read_inputs(options.inputs, diagnostics);
-  options.bench.progress = show_progress();
+  options.bench.progress = tell_progress();
   if (options.quick) {
     options.bench.states = kQuickStates;
     options.bench.timing.rounds = kQuickRounds;

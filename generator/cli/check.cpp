@@ -1,15 +1,14 @@
 #include "cli/check.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "check/check.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
+#include "cli/progress_line.hpp"
 
 namespace treeline {
 namespace {
@@ -46,12 +45,11 @@ struct Options {
   bool json = false;
 };
 
-/// A line that counts states where somebody sees it.
-Progress show_progress() {
-  if (isatty(STDERR_FILENO) == 0) return {};
+/// Counts states where somebody sees it.
+Progress count_states() {
+  if (!is_watched()) return {};
   return [](int done, int total) {
-    fmt::print(stderr, "\r  states {}/{}{}", done, total, done == total ? "\r\033[K" : "");
-    std::fflush(stderr);
+    show_progress(done == total ? "" : fmt::format("  states {}/{}", done, total));
   };
 }
 
@@ -65,7 +63,7 @@ std::optional<CheckReport> make_report(const Options& options, Diagnostics& diag
 int run(Options options) {
   Diagnostics diagnostics;
   options.check.folder = options.folder;
-  options.check.references.progress = show_progress();
+  options.check.references.progress = count_states();
   const auto report = make_report(options, diagnostics);
   print_diagnostics(diagnostics);
   if (!report) return kBadInput;

@@ -1,14 +1,15 @@
 #include "cli/generate.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
 #include "cli/print_summary.hpp"
+#include "cli/progress_line.hpp"
 #include "emission/compare_files.hpp"
 #include "emission/write_files.hpp"
 #include "program/print.hpp"
@@ -40,12 +41,11 @@ void print_log(const Generation& generation) {
   }
 }
 
-/// A line that names the function at work where somebody sees it.
-void show_progress(TuneOptions& options) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  options.progress = [](const std::string& function, std::size_t candidates) {
-    fmt::print(stderr, "\r\033[K  {}: {} to compile and time", function, candidates);
-    std::fflush(stderr);
+/// Names the function at work where somebody sees it.
+std::function<void(const std::string&, std::size_t)> tell_function() {
+  if (!is_watched()) return {};
+  return [](const std::string& function, std::size_t candidates) {
+    show_progress(fmt::format("  {}: {} to compile and time", function, candidates));
   };
 }
 
@@ -56,10 +56,10 @@ std::optional<GeneratedInputs> generate_tuned(const GenerateOptions& options,
   auto inputs = read_inputs(options.inputs, diagnostics);
   if (!inputs) return std::nullopt;
   TuneOptions how;
-  show_progress(how);
+  how.progress = tell_function();
   tuning = tune(inputs->robot, inputs->scene,
                 measure_here(inputs->robot, inputs->scene, options.compile), how, diagnostics);
-  if (how.progress) fmt::print(stderr, "\r\033[K");
+  if (how.progress) show_progress("");
   if (!tuning) return std::nullopt;
   tuning->measured = describe_here(options.compile, diagnostics);
   return generate_from_inputs(options.inputs, std::move(*inputs), choices_of(*tuning), diagnostics);
