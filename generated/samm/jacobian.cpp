@@ -1,6 +1,6 @@
 // jacobian: xd = J qd, rows stacked over operational points
 // By rows carried inward from each point.
-// 81 flops (add 23, mul 58, div 0), sine and cosine of 6 angles
+// 78 flops (add 23, mul 55, div 0), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -56,8 +56,9 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT J)[
   const Real c7 = cosines[2];
   const Real c8 = cosines[3];
 
-  // link 8 (link5), Jacobian
+  // link 9 (link6), Jacobian
   const Real J_2_5_p1 = 0.05625 * s8;
+  const Real J_2_5_p2 = 0.05625 * c8;
   J[0] = 1.0;
   J[10] = 1.0;
   J[47] = 1.0;
@@ -70,84 +71,74 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT J)[
   const Real J_4_4 = c3 * c4 - s3 * s4;
   J[40] = J_4_4;
   J[41] = J_4_4;
-  const Real J_2_5_p2 = s5 * c6 + c5 * s6;
+  const Real J_2_5_p3 = s5 * c6 + c5 * s6;
 
   // link 7 (link4), Jacobian
-  const Real J_2_5_p3 = 0.4331 + 0.05625 * c8;
+  const Real J_2_5_p4 = 0.4331 + J_2_5_p2;
+  const Real J_2_5_p5 = c7 * J_2_5_p1 - 0.0203;
 
   // link 7 (link4), pose
-  const Real J_1_7_p1 = J_5_6 * J_3_4;
   const Real J_0_7_p1 = J_5_6 * J_4_4;
-
-  // link 7 (link4), Jacobian
-  const Real J_2_5_p4 = c7 * J_2_5_p1 - 0.0203;
-
-  // link 7 (link4), pose
-  const Real J_3_6 = J_2_5_p2 * J_4_4;
+  const Real J_1_7_p1 = J_5_6 * J_3_4;
+  const Real J_3_6 = J_2_5_p3 * J_4_4;
   J[33] = J_3_6;
-  const Real J_4_6 = J_2_5_p2 * J_3_4;
+  const Real J_4_6 = J_2_5_p3 * J_3_4;
   J[42] = J_4_6;
-  const Real J_2_7_p1 = c7 * J_2_5_p2;
+  const Real J_2_7_p1 = c7 * J_2_5_p3;
 
   // link 6 (link3), Jacobian
   const Real J_0_2_p1 = 0.1501 + s7 * J_2_5_p1;
 
   // link 7 (link4), pose
-  const Real J_5_7 = s7 * J_2_5_p2;
+  const Real J_5_7 = s7 * J_2_5_p3;
   J[52] = J_5_7;
+
+  // link 7 (link4), Jacobian
+  const Real J_2_5 = J_2_5_p5 * J_5_6 - J_2_5_p4 * J_2_5_p3;
+  J[23] = J_2_5;
+  const Real J_0_4_p1 = J_2_5_p4 * J_5_6 + J_2_5_p5 * J_2_5_p3;
+
+  // link 7 (link4), pose
+  const Real J_0_7_p2 = c7 * J_0_7_p1 + s7 * J_3_4;
   const Real J_1_7_p2 = s7 * J_4_4 - c7 * J_1_7_p1;
+  const Real J_3_7 = s7 * J_0_7_p1 - c7 * J_3_4;
+  J[34] = J_3_7;
   const Real J_4_7 = s7 * J_1_7_p1 + c7 * J_4_4;
   J[43] = J_4_7;
 
   // link 7 (link4), Jacobian
   J[24] = J_2_5_p1 * J_5_7;
 
-  // link 7 (link4), pose
-  const Real J_0_7_p2 = c7 * J_0_7_p1 + s7 * J_3_4;
-
-  // link 7 (link4), Jacobian
-  const Real J_2_5 = J_2_5_p4 * J_5_6 - J_2_5_p3 * J_2_5_p2;
-  J[23] = J_2_5;
-  const Real J_0_4_p1 = J_2_5_p3 * J_5_6 + J_2_5_p4 * J_2_5_p2;
-
-  // link 7 (link4), pose
-  const Real J_3_7 = s7 * J_0_7_p1 - c7 * J_3_4;
-  J[34] = J_3_7;
-
-  // link 7 (link4), Jacobian
-  J[15] = J_2_5_p1 * J_4_7;
-
   // link 6 (link3), Jacobian
   const Real J_2_4 = J_2_5 - 0.4318 * c5;
   J[22] = J_2_4;
   const Real J_0_4_p2 = J_0_4_p1 + 0.4318 * s5;
   J[5] = -(J_0_4_p1 * J_4_4);
+  J[14] = -(J_0_4_p1 * J_3_4);
 
   // link 7 (link4), Jacobian
   J[6] = J_2_5_p1 * J_3_7;
-
-  // link 6 (link3), Jacobian
-  J[14] = -(J_0_4_p1 * J_3_4);
-
-  // link 8 (link5), pose
-  J[53] = -(s8 * J_2_7_p1 + c8 * J_5_6);
+  J[15] = J_2_5_p1 * J_4_7;
 
   // link 8 (link5), Jacobian
-  J[25] = 0.05625 * (s8 * J_5_6 - c8 * J_2_7_p1);
+  J[25] = J_2_5_p1 * J_5_6 - J_2_5_p2 * J_2_7_p1;
 
   // link 5 (link2), Jacobian
   J[4] = -(J_0_4_p2 * J_4_4);
   J[13] = -(J_0_4_p2 * J_3_4);
 
-  // link 8 (link5), pose
+  // link 9 (link6), pose
+  J[53] = -(s8 * J_2_7_p1 + c8 * J_5_6);
+
+  // link 8 (link5), Jacobian
+  J[7] = -(J_2_5_p1 * J_3_6 + J_2_5_p2 * J_0_7_p2);
+  J[16] = J_2_5_p2 * J_1_7_p2 - J_2_5_p1 * J_4_6;
+
+  // link 9 (link6), pose
   J[35] = -(s8 * J_0_7_p2 - c8 * J_3_6);
   J[44] = s8 * J_1_7_p2 + c8 * J_4_6;
 
-  // link 8 (link5), Jacobian
-  J[16] = 0.05625 * (c8 * J_1_7_p2 - s8 * J_4_6);
-  J[7] = -(0.05625 * (c8 * J_0_7_p2 + s8 * J_3_6));
-
-  // link 4 (link1), Jacobian
+  // link 5 (link2), Jacobian
   const Real J_0_2 = J_4_4 * J_0_2_p1 - J_3_4 * J_2_4;
   J[2] = -J_0_2;
   J[3] = -J_0_2;

@@ -1,6 +1,6 @@
 // jacobian: xd = J qd, rows stacked over operational points
 // By rows carried inward from each point.
-// 65 flops (add 19, mul 46, div 0), sine and cosine of 5 angles
+// 59 flops (add 17, mul 42, div 0), sine and cosine of 5 angles
 // Generated; see ur10e.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -48,64 +48,65 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT J)[
   J[20] = s1;
   J[21] = s1;
 
-  // link 5 (wrist_2), Jacobian
-  const Real J_2_3_p1 = 0.11655 * s5;
+  // link 6 (wrist_3), Jacobian
+  const Real J_0_4_p1 = 0.11655 * s5;
   const Real J_0_0_p1 = 0.11655 * c5;
 
-  // link 5 (wrist_2), pose
+  // link 6 (wrist_3), pose
   J[30] = 1.0;
-  const Real J_2_3_p2 = s2 * c3 + c2 * s3;
-  const Real J_2_3_p3 = c2 * c3 - s2 * s3;
+  const Real J_2_3_p1 = s2 * c3 + c2 * s3;
+  const Real J_2_3_p2 = c2 * c3 - s2 * s3;
 
   // link 5 (wrist_2), Jacobian
   const Real J_0_0_p2 = 0.17415 + J_0_0_p1;
-  const Real J_2_3_p4 = J_2_3_p2 * c4 + J_2_3_p3 * s4;
-  const Real J_5_4 = J_2_3_p3 * c4 - J_2_3_p2 * s4;
+  const Real J_2_3_p3 = J_2_3_p1 * c4 + J_2_3_p2 * s4;
+  const Real J_5_4 = J_2_3_p2 * c4 - J_2_3_p1 * s4;
   J[34] = -J_5_4;
 
-  // link 4 (wrist_1), pose
-  const Real J_0_4_p1 = J_5_4 * c1;
+  // link 5 (wrist_2), pose
+  const Real J_0_4_p2 = J_5_4 * c1;
   const Real J_1_4_p1 = J_5_4 * s1;
-  const Real J_3_4 = J_2_3_p4 * c1;
-  J[22] = J_3_4;
-  const Real J_4_4 = J_2_3_p4 * s1;
-  J[28] = J_4_4;
 
   // link 5 (wrist_2), Jacobian
-  J[16] = -(J_0_0_p1 * J_2_3_p4);
+  J[16] = -(J_0_0_p1 * J_2_3_p3);
 
   // link 5 (wrist_2), pose
-  J[35] = -(s5 * J_2_3_p4);
+  J[22] = J_2_3_p3 * c1;
+  J[28] = J_2_3_p3 * s1;
+
+  // link 6 (wrist_3), pose
+  J[35] = -(s5 * J_2_3_p3);
+
+  // link 5 (wrist_2), Jacobian
+  const Real J_2_3 = 0.11985 * J_2_3_p3 - J_5_4 * J_0_4_p1;
+  J[15] = J_2_3;
+  const Real J_0_1_p1 = J_2_3_p3 * J_0_4_p1 + 0.11985 * J_5_4;
 
   // link 4 (wrist_1), Jacobian
-  const Real J_2_3 = 0.11985 * J_2_3_p4 - J_5_4 * J_2_3_p1;
-  J[15] = J_2_3;
-  const Real J_2_2 = J_2_3 - 0.57155 * J_2_3_p3;
+  const Real J_2_2 = J_2_3 - 0.57155 * J_2_3_p2;
   J[14] = J_2_2;
-  const Real J_0_1_p1 = J_2_3_p4 * J_2_3_p1 + 0.11985 * J_5_4 + 0.57155 * J_2_3_p2;
-  J[3] = J_2_3_p1 * J_3_4 + 0.11985 * J_0_4_p1;
+  const Real J_0_1_p2 = J_0_1_p1 + 0.57155 * J_2_3_p1;
+  J[3] = J_0_1_p1 * c1;
+  J[9] = J_0_1_p1 * s1;
+
+  // link 5 (wrist_2), Jacobian
+  J[4] = -(J_0_4_p1 * s1 + J_0_0_p1 * J_0_4_p2);
+  J[10] = J_0_4_p1 * c1 - J_0_0_p1 * J_1_4_p1;
+
+  // link 6 (wrist_3), pose
+  J[23] = -(s5 * J_0_4_p2 - c5 * s1);
+  J[29] = -(s5 * J_1_4_p1 + c5 * c1);
 
   // link 3 (forearm), Jacobian
   const Real J_2_1 = J_2_2 - 0.6127 * c2;
   J[13] = J_2_1;
-  const Real J_0_1_p2 = J_0_1_p1 + 0.6127 * s2;
-  J[2] = J_0_1_p1 * c1;
-  J[8] = J_0_1_p1 * s1;
-
-  // link 4 (wrist_1), Jacobian
-  J[9] = J_2_3_p1 * J_4_4 + 0.11985 * J_1_4_p1;
-
-  // link 5 (wrist_2), pose
-  J[23] = c5 * s1 - s5 * J_0_4_p1;
-  J[29] = -(s5 * J_1_4_p1 + c5 * c1);
-
-  // link 5 (wrist_2), Jacobian
-  J[4] = -(0.11655 * (c5 * J_0_4_p1 + s5 * s1));
-  J[10] = -(0.11655 * (c5 * J_1_4_p1 - s5 * c1));
+  const Real J_0_1_p3 = J_0_1_p2 + 0.6127 * s2;
+  J[2] = J_0_1_p2 * c1;
+  J[8] = J_0_1_p2 * s1;
 
   // link 2 (upper_arm), Jacobian
-  J[1] = J_0_1_p2 * c1;
-  J[7] = J_0_1_p2 * s1;
+  J[1] = J_0_1_p3 * c1;
+  J[7] = J_0_1_p3 * s1;
 
   // link 1 (shoulder), Jacobian
   J[0] = J_0_0_p2 * c1 - J_2_1 * s1;

@@ -37,18 +37,36 @@ std::vector<Links> corresponding_links(const Mechanism& mechanism) {
   return together;
 }
 
-/// The cheapest route of a function, as traced.
-std::string cheapest_route(const Mechanism& mechanism, Function function) {
-  std::string cheapest;
-  int least = std::numeric_limits<int>::max();
-  for (const Program& program : trace_function(mechanism, function)) {
-    const int flops = count_operations(program).flops();
-    if (flops >= least) continue;
-    least = flops;
-    cheapest = program.source;
+/// Counts operations of a function's routes as traced, but for those far from the cheapest.
+class Counter {
+ public:
+  Counter(const Mechanism& mechanism, Function function)
+      : mechanism_(mechanism), function_(function) {
+    constexpr double kFar = 1.5;
+    const std::vector<Program> programs = trace_function(mechanism, function);
+    std::vector<double> counts;
+    for (const Program& program : programs) counts.push_back(count_operations(program).flops());
+    const double least = *std::min_element(counts.begin(), counts.end());
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (counts[i] <= kFar * least) routes_.push_back(programs[i].source);
+    }
   }
-  return cheapest;
-}
+
+  /// Of the cheapest, as the mechanism is now.
+  [[nodiscard]] int flops() const {
+    int least = std::numeric_limits<int>::max();
+    for (const std::string& route : routes_) {
+      const Program program = trace_route(mechanism_, function_, route);
+      least = std::min(least, count_operations(program).flops());
+    }
+    return least;
+  }
+
+ private:
+  const Mechanism& mechanism_;
+  Function function_;
+  std::vector<std::string> routes_;
+};
 
 /// Changes one choice of all `links` at once.
 void flip(Mechanism& mechanism, const Links& links, bool MovingLink::*choice) {
@@ -90,12 +108,8 @@ void choose_axes(Mechanism& mechanism, Function decider) {
   std::vector<bool MovingLink::*> choices{&MovingLink::turns_late};
   if (takes_rates(decider)) choices.push_back(&MovingLink::carries_column);
   const std::vector<Links> together = corresponding_links(mechanism);
-  // Axes hardly matter to which route is the cheapest.
-  const std::string route = cheapest_route(mechanism, decider);
-  const auto count_flops = [&] {
-    return count_operations(trace_route(mechanism, decider, route)).flops();
-  };
-  int flops = count_flops();
+  const Counter counter(mechanism, decider);
+  int flops = counter.flops();
   bool cheaper = true;
   for (int sweep = 0; cheaper && sweep < kMostSweeps; ++sweep) {
     cheaper = false;
@@ -103,7 +117,7 @@ void choose_axes(Mechanism& mechanism, Function decider) {
       if (link_at(mechanism, links.front()).kind == JointKind::floating) continue;
       for (bool MovingLink::*choice : choices) {
         flip(mechanism, links, choice);
-        const int changed = count_flops();
+        const int changed = counter.flops();
         if (changed < flops) {
           flops = changed;
           cheaper = true;
