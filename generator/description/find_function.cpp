@@ -7,7 +7,7 @@ namespace treeline {
 std::vector<Function> every_function() {
   std::vector<Function> every;
   const auto append = [&](std::span<const Function> functions) {
-    every.insert(every.end(), functions.begin(), functions.end());
+    for (const Function function : functions) every.push_back(function);
   };
   append(kAllFunctions);
   append(kContactFunctions);

@@ -152,9 +152,16 @@ class Packer {
   int number_of(const LanePack& lanes) {
     const auto [found, is_new] = numbers_.try_emplace(lanes, static_cast<int>(readable_.size()));
     if (is_new) {
-      readable_.push_back(lanes);
+      std::vector<std::uint32_t> values = distinct(lanes);
+      const bool constant = std::all_of(values.begin(), values.end(), [&](std::uint32_t node) {
+        return nodes_[node].op == Op::constant;
+      });
+      readable_.push_back({lanes, std::move(values), constant});
     }
     return found->second;
+  }
+  [[nodiscard]] const auto& readable(int number) const {
+    return readable_[static_cast<std::size_t>(number)];
   }
 
   void pack(LanePack lanes, int fewest) {
@@ -163,45 +170,42 @@ class Packer {
     }
     const Reading reading = readings_.back();
     for (const int number : {reading.a, reading.b}) {
-      LanePack operands = readable_[static_cast<std::size_t>(number)];
+      LanePack operands = readable(number).lanes;
       const bool in_groups = std::any_of(operands.begin(), operands.end(), [&](std::uint32_t n) {
         return program_.graph.lane_group_of(n) >= 0;
       });
-      if (distinct(operands).size() > 1 && !in_groups) {
+      if (readable(number).values.size() > 1 && !in_groups) {
         pack(std::move(operands), 3);
       }
     }
   }
 
-  /// Instructions to bring `operands` into lanes: none for one scalar in all lanes, for constants
-  /// and for another pack's lanes in place; one to permute a pack; else one for each value.
-  [[nodiscard]] int gather_cost(const LanePack& operands) const {
-    const std::vector<std::uint32_t> values = distinct(operands);
+  /// Instructions to bring these operands into lanes: none for one scalar in all lanes, for
+  /// constants and for another pack's lanes in place; one to permute a pack; else one for each
+  /// value.
+  [[nodiscard]] int gather_cost(int number) const {
+    const auto& [operands, values, constant] = readable(number);
     if (values.size() == 1) {
       return pack_of_[values.front()] == kNoPack ? 0 : 1;
     }
-    if (std::all_of(values.begin(), values.end(),
-                    [&](std::uint32_t n) { return nodes_[n].op == Op::constant; })) {
+    if (constant) {
       return 0;
     }
+    const auto each = static_cast<int>(values.size());
     bool in_place = true;
-    bool scalars = false;
-    std::vector<int> packs;
+    std::array<int, 2> packs{kNoPack, kNoPack};
     for (std::size_t lane = 0; lane < operands.size(); ++lane) {
       const std::uint32_t node = operands[lane];
-      if (node != kNone) {
-        const int pack = pack_of_[node];
-        scalars = scalars || pack == kNoPack;
-        in_place = in_place && lane_of_[node] == lane;
-        if (std::find(packs.begin(), packs.end(), pack) == packs.end()) {
-          packs.push_back(pack);
-        }
-      }
+      if (node == kNone) continue;
+      const int pack = pack_of_[node];
+      if (pack == kNoPack) return each;
+      in_place = in_place && lane_of_[node] == lane;
+      if (packs[0] == kNoPack) packs[0] = pack;
+      if (pack == packs[0]) continue;
+      if (packs[1] != kNoPack && pack != packs[1]) return each;
+      packs[1] = pack;
     }
-    if (packs.size() <= 2 && !scalars) {
-      return packs.size() == 1 && in_place ? 0 : 1;
-    }
-    return static_cast<int>(values.size());
+    return packs[1] == kNoPack && in_place ? 0 : 1;
   }
 
   /// Packs that make each other wait, by way of scalars or directly, are taken apart.
@@ -242,7 +246,12 @@ class Packer {
   };
   std::vector<Reading> readings_;  // of packs
   std::map<LanePack, int> numbers_;
-  std::vector<LanePack> readable_;  // by number
+  struct Readable {
+    LanePack lanes;
+    std::vector<std::uint32_t> values;  ///< each once
+    bool constant = false;              ///< all of them
+  };
+  std::vector<Readable> readable_;  // by number
 };
 
 std::vector<bool> Packer::find_scalar_reads() const {
@@ -278,11 +287,10 @@ int Packer::cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
   const LanePack& pack = packs_[p];
   int cost = count_lanes(pack) - 1 - count_extractions(pack, read);
   for (const int number : {readings_[p].a, readings_[p].b}) {
-    const LanePack& operands = readable_[static_cast<std::size_t>(number)];
-    const int gather = gather_cost(operands);
+    const int gather = gather_cost(number);
     // What one pack has gathered others find ready.
     cost -= readers[static_cast<std::size_t>(number)] == 1 ? gather : 0;
-    const std::vector<std::uint32_t> values = distinct(operands);
+    const std::vector<std::uint32_t>& values = readable(number).values;
     if (gather == 0 && values.size() > 1) {  // scalar code reads it now
       for (const std::uint32_t node : values) {
         cost += pack_of_[node] != kNoPack && !read[node] ? 1 : 0;
@@ -301,7 +309,7 @@ int Packer::count_moves() const {
   }
   const Readers readers = find_readers();
   for (std::size_t number = 0; number < readers.size(); ++number) {
-    moves += readers[number] > 0 ? gather_cost(readable_[number]) : 0;
+    moves += readers[number] > 0 ? gather_cost(static_cast<int>(number)) : 0;
   }
   return moves;
 }
@@ -320,7 +328,8 @@ bool Packer::dissolve_losses() {
 }
 
 void Packer::dissolve_cycles() {
-  while (const auto pack = find_pack_on_cycle(nodes_, packs_, pack_of_)) {
+  PackCycles cycles(nodes_, packs_, pack_of_);
+  while (const auto pack = cycles.next()) {
     dissolve(*pack);
   }
 }
