@@ -71,7 +71,8 @@ struct EmissionContext {
   };
   std::vector<SkippedRow> skipped;
 
-  /// Of each function what is known of its rounding errors, and the inputs for which that holds.
+  /// Of each source, by name without `.cpp`, what is known of its rounding errors, and the inputs
+  /// for which that holds.
   std::map<std::string, std::string> rounding;
   std::string domain;
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "emission/comment.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
 #include "emission/print_source.hpp"
@@ -71,7 +72,9 @@ std::string print_batch_header(const EmissionContext& context, std::span<const P
         print_signature(program, [](const Argument& argument, const char* qualifier) {
           return parameter(argument, qualifier, argument.name);
         });
-    declarations += wrap_line(declaration + ";", 0);
+    declarations += comment("///", (program.source.empty() ? "" : "By " + program.source + ".\n") +
+                                       describe_rounding(context, "batch_" + program.name)) +
+                    wrap_line(declaration + ";", 0);
   }
   declarations.pop_back();
   return fill_template(templates::kBatch, {{"robot", context.robot},

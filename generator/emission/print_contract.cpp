@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "emission/comment.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_source.hpp"
 #include "emission/templates.hpp"
@@ -9,31 +10,6 @@
 
 namespace treeline {
 namespace {
-
-/// `// ` before every line; no blank at the end of an empty one.
-std::string comment(const std::string& mark, const std::string& text) {
-  std::string commented;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    commented += mark + (end == begin ? "" : " ") + text.substr(begin, end - begin) + "\n";
-    begin = end + 1;
-  }
-  return commented;
-}
-
-/// Lines of so many columns, broken at blanks; those behind the first are indented.
-std::string wrap_text(const std::string& text, std::size_t columns) {
-  std::string wrapped;
-  std::size_t begin = 0;
-  while (text.size() - begin > columns) {
-    const std::size_t blank = text.rfind(' ', begin + columns);
-    if (blank == std::string::npos || blank <= begin) break;
-    wrapped += text.substr(begin, blank - begin) + "\n  ";
-    begin = blank + 1;
-  }
-  return wrapped + text.substr(begin);
-}
 
 std::string describe_origin(const EmissionContext& context) {
   std::string text = "From";
@@ -118,11 +94,7 @@ std::string describe_function(const EmissionContext& context, const Program& pro
   const int live = count_live_values(program);
   text += fmt::format("Cost: {}.\nStack: at most {} values live at once, {} bytes.\n",
                       describe_cost(program), live, live * (context.single_precision ? 4 : 8));
-  const auto rounding = context.rounding.find(program.name);
-  if (rounding != context.rounding.end()) {
-    text += wrap_text("Rounding: " + rounding->second + ".", 95) + "\n";
-  }
-  return text;
+  return text + describe_rounding(context, program.name);
 }
 
 }  // namespace

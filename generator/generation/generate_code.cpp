@@ -58,11 +58,14 @@ double rounding_unit(const Scene& scene) {
 /// What the contract says about rounding errors, and the ranges of inputs that this is about.
 void add_rounding(const Scene& scene, const Generation& generation, EmissionContext& context) {
   std::set<std::string> arguments;
-  for (const GeneratedFunction& generated : generation.functions) {
-    const Program& program = generated.program;
-    context.rounding[program.name] = describe(generated.rounding, program, rounding_unit(scene));
-    if (generated.rounding.kind == RoundingBound::Kind::none) continue;
-    for (const Argument& argument : program.arguments) arguments.insert(argument.name);
+  for (const auto* functions : {&generation.functions, &generation.batch}) {
+    for (const GeneratedFunction& generated : *functions) {
+      const Program& program = generated.program;
+      context.rounding[source_stem(generated)] =
+          describe(generated.rounding, program, rounding_unit(scene));
+      if (generated.rounding.kind == RoundingBound::Kind::none) continue;
+      for (const Argument& argument : program.arguments) arguments.insert(argument.name);
+    }
   }
   context.domain = describe(generation.domain, {arguments.begin(), arguments.end()});
 }
@@ -74,8 +77,8 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
                                 provenance.scene_name, scene.name, provenance.options);
   context.inputs = {{provenance.urdf_name, provenance.urdf_text},
                     {provenance.scene_name, provenance.scene_text}};
-  for (const GeneratedFunction& generated : all_functions(generation)) {
-    context.choices.push_back(choice_row(generated));
+  for (const auto* functions : {&generation.functions, &generation.batch}) {
+    for (const auto& generated : *functions) context.choices.push_back(choice_row(generated));
   }
   context.skipped = skipped_rows(mechanisms, scene);
   add_rounding(scene, generation, context);
@@ -146,19 +149,23 @@ std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, 
 /// Functions and batches of `generation`; false when a choice cannot be made.
 bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, const Choices& choices,
                         Generation& generation, Diagnostics& diagnostics) {
+  const auto bound = [&](GeneratedFunction& generated) {
+    generated.rounding = bound_rounding(generated.program, generation.domain, rounding_unit(scene),
+                                        solve_of(generated.function));
+  };
   for (const Function function : scene.functions) {
     const Mechanism& mechanism = mechanisms.of(function);
     auto plain = generate_by_choice(mechanism, function, scene.lanes, scene.sin_cos, choices.plain,
                                     diagnostics);
     if (!plain) return false;
-    plain->rounding =
-        bound_rounding(plain->program, generation.domain, rounding_unit(scene), solve_of(function));
+    bound(*plain);
     generation.functions.push_back(std::move(*plain));
     if (scene.batch == 0) continue;
     auto batch =
         generate_by_choice(mechanism, function, 1, scene.sin_cos, choices.batch, diagnostics);
     if (!batch) return false;
     batch->batch = scene.batch;
+    bound(*batch);
     generation.batch.push_back(std::move(*batch));
   }
   return true;

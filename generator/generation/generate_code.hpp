@@ -33,7 +33,7 @@ struct GeneratedFunction {
   std::vector<PassReport> passes;
   int other_lanes = 0;     ///< lanes of the route, where they are chosen to be not the scene's
   int batch = 0;           ///< states a call; 0: the plain function of one state
-  RoundingBound rounding;  ///< on `Generation::domain`; not computed for batches
+  RoundingBound rounding;  ///< on `Generation::domain`
 };
 
 /// A candidate of `run_routes` as what would be emitted, but for its order.

@@ -1,0 +1,36 @@
+#include "emission/comment.hpp"
+
+#include <algorithm>
+
+namespace treeline {
+
+std::string comment(const std::string& mark, const std::string& text) {
+  std::string commented;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    commented += mark + (end == begin ? "" : " ") + text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return commented;
+}
+
+std::string wrap_text(const std::string& text, std::size_t columns) {
+  std::string wrapped;
+  std::size_t begin = 0;
+  while (text.size() - begin > columns) {
+    const std::size_t blank = text.rfind(' ', begin + columns);
+    if (blank == std::string::npos || blank <= begin) break;
+    wrapped += text.substr(begin, blank - begin) + "\n  ";
+    begin = blank + 1;
+  }
+  return wrapped + text.substr(begin);
+}
+
+std::string describe_rounding(const EmissionContext& context, const std::string& source) {
+  const auto rounding = context.rounding.find(source);
+  if (rounding == context.rounding.end()) return {};
+  return wrap_text("Rounding: " + rounding->second + ".", 95) + "\n";
+}
+
+}  // namespace treeline
