@@ -90,19 +90,12 @@ void add_bench(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("bench", "Run time and error of every way to a function's numbers");
-  command->add_option("urdf", options->inputs.urdf, "Robot, URDF")->required();
-  command->add_option("scene", options->inputs.scene, "What to generate for it, YAML")->required();
+  add_input_options(*command, options->inputs);
   CLI::Option* states = command->add_option("--states", options->bench.states, "How many states")
                             ->capture_default_str()
                             ->check(CLI::Range(1, 100000));
   command->add_option("--seed", options->bench.seed, "Other states")->capture_default_str();
   command->add_option("--flags", options->bench.flags, "For the compiler")->capture_default_str();
-  command->add_option("--real", options->inputs.real, "Number type, instead of the scene's")
-      ->check(CLI::IsMember({"float", "double"}));
-  command
-      ->add_option("--functions", options->inputs.functions,
-                   "Functions, separated by commas, instead of the scene's")
-      ->delimiter(',');
   command
       ->add_flag("--quick", options->quick,
                  fmt::format("{} states, {} rounds", kQuickStates, kQuickRounds))

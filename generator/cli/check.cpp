@@ -77,8 +77,7 @@ void add_check(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("check", "Compile generated code and compare it with 50 digits");
-  command->add_option("urdf", options->inputs.urdf, "Robot, URDF")->required();
-  command->add_option("scene", options->inputs.scene, "What to generate for it, YAML")->required();
+  add_input_options(*command, options->inputs);
   command->add_option("--generated", options->folder,
                       "Compile this folder instead of what is generated now, and name stale files");
   ReferenceOptions& references = options->check.references;
@@ -91,13 +90,8 @@ void add_check(CLI::App& app, int& exit_code) {
   command->add_option("--seed", references.seed, "Other states")->capture_default_str();
   command->add_option("--flags", options->check.compile.flags, "For the compiler")
       ->capture_default_str();
-  command->add_option("--name", options->inputs.name, "Namespace and header, not the scene's");
-  command->add_option("--real", options->inputs.real, "Number type, instead of the scene's")
-      ->check(CLI::IsMember({"float", "double"}));
-  command
-      ->add_option("--functions", options->inputs.functions,
-                   "Functions, separated by commas, instead of the scene's")
-      ->delimiter(',');
+  command->add_option("--name", options->inputs.name,
+                      "Namespace and header, instead of the scene's");
   command->add_option("--choices", options->inputs.choices,
                       "Algorithms and lanes as this manifest.json records them, not by cost");
   command->add_flag("--json", options->json, "Everything as JSON, with the states it names");

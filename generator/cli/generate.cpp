@@ -18,6 +18,15 @@
 namespace treeline {
 namespace {
 
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  treeline generate puma560.urdf scene.yaml --output generated/puma560\n"
+    "  treeline generate puma560.urdf scene.yaml --output generated/puma560 --compare\n"
+    "  treeline generate puma560.urdf scene.yaml --output puma560 --tune\n"
+    "  treeline generate puma560.urdf scene.yaml --output puma560 --choices "
+    "puma560/manifest.json\n"
+    "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
+
 struct GenerateOptions {
   InputOptions inputs;
   std::string output;
@@ -102,17 +111,10 @@ int run(const GenerateOptions& options) {
 void add_generate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand("generate", "Write a robot's dynamics as C++");
-  command->add_option("urdf", options->inputs.urdf, "Robot, URDF")->required();
-  command->add_option("scene", options->inputs.scene, "What to generate for it, YAML")->required();
+  add_input_options(*command, options->inputs);
   auto* output = command->add_option("-o,--output", options->output, "Folder to write");
   command->add_option("--name", options->inputs.name,
                       "Namespace and header, instead of the scene's");
-  command->add_option("--real", options->inputs.real, "Number type, instead of the scene's")
-      ->check(CLI::IsMember({"float", "double"}));
-  command
-      ->add_option("--functions", options->inputs.functions,
-                   "Functions, separated by commas, instead of the scene's")
-      ->delimiter(',');
   auto* choices =
       command->add_option("--choices", options->inputs.choices,
                           "Algorithms and lanes as this manifest.json records them, not by cost");
@@ -132,14 +134,7 @@ void add_generate(CLI::App& app, int& exit_code) {
           ->check(CLI::IsMember({"text", "dot"}));
   compare->excludes(dump);
   tune->excludes(compare)->excludes(dump);
-  command->footer(
-      "Examples:\n"
-      "  treeline generate puma560.urdf scene.yaml --output generated/puma560\n"
-      "  treeline generate puma560.urdf scene.yaml --output generated/puma560 --compare\n"
-      "  treeline generate puma560.urdf scene.yaml --output puma560 --tune\n"
-      "  treeline generate puma560.urdf scene.yaml --output puma560 --choices "
-      "puma560/manifest.json\n"
-      "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg");
+  command->footer(kExamples);
   command->callback([options, output, dump, &exit_code] {
     if (output->empty() && dump->empty()) {
       throw CLI::RequiredError("--output");

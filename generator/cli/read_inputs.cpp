@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <utility>
@@ -53,6 +54,17 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
 }
 
 }  // namespace
+
+void add_input_options(CLI::App& command, InputOptions& options) {
+  command.add_option("urdf", options.urdf, "Robot, URDF")->required();
+  command.add_option("scene", options.scene, "What to generate for it, YAML")->required();
+  command.add_option("--real", options.real, "Number type, instead of the scene's")
+      ->check(CLI::IsMember({"float", "double"}));
+  command
+      .add_option("--functions", options.functions,
+                  "Functions, separated by commas, instead of the scene's")
+      ->delimiter(',');
+}
 
 std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {
   auto robot = read_urdf(options.urdf, diagnostics);

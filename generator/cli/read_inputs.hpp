@@ -8,6 +8,10 @@
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace treeline {
 
 /// The files of a command line, and what it says instead of the scene.
@@ -23,6 +27,9 @@ struct Inputs {
   Robot robot;
   Scene scene;
 };
+
+/// URDF, scene, --real and --functions of a subcommand; `options` must outlive it.
+void add_input_options(CLI::App& command, InputOptions& options);
 
 /// Reads both files and applies the options. Faults of either are in `diagnostics`.
 std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diagnostics);

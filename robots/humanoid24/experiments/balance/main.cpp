@@ -7,6 +7,28 @@
 
 #include "balance.hpp"
 
+namespace treeline::experiments {
+namespace {
+
+/// What could not be written; empty: nothing.
+std::string write_files(const std::string& csv, const std::string& svg, const BalanceRun& balancing,
+                        const BalanceRun& without, const Plan& plan) {
+  std::string error;
+  if (!csv.empty()) {
+    error = servo::write_text(csv, servo::csv_text(balancing.table));
+    if (error.empty()) {
+      error = servo::write_text(csv + ".without", servo::csv_text(without.table));
+    }
+  }
+  if (error.empty() && !svg.empty()) {
+    error = servo::write_text(svg, servo::svg_text(balance_figure(balancing, without, plan)));
+  }
+  return error;
+}
+
+}  // namespace
+}  // namespace treeline::experiments
+
 int main(int argc, char** argv) {
   using namespace treeline;  // NOLINT: a program, not a header
   CLI::App app{
@@ -45,16 +67,7 @@ int main(int argc, char** argv) {
   const auto balancing = experiments::run_balance(plan, limits, true);
   const auto without = experiments::run_balance(plan, limits, false);
   fmt::print("{}", experiments::balance_summary(balancing, without));
-  if (!csv.empty()) {
-    error = servo::write_text(csv, servo::csv_text(balancing.table));
-    if (error.empty()) {
-      error = servo::write_text(csv + ".without", servo::csv_text(without.table));
-    }
-  }
-  if (error.empty() && !svg.empty()) {
-    error = servo::write_text(
-        svg, servo::svg_text(experiments::balance_figure(balancing, without, plan)));
-  }
+  error = experiments::write_files(csv, svg, balancing, without, plan);
   if (!error.empty()) {
     fmt::print(stderr, "balance: {}\n", error);
     return 1;
