@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "bench/contender.hpp"
+#include "bench/peer_contenders.hpp"
 #include "bench/plan_builds.hpp"
 #include "check/reference.hpp"
 #include "check/temporary_folder.hpp"
+#include "emission/write_files.hpp"
 #include "mechanism/build_mechanism.hpp"
 
 namespace treeline {
@@ -35,6 +37,7 @@ class Bench {
     if (!compile(*builds)) return std::nullopt;
     add(interpreter_contenders(robot_, scene_, timed_));
     if (!add_factorisations(builds->front())) return std::nullopt;
+    if (!add_peers(builds->front().functions)) return std::nullopt;
     return measure(builds->front().functions);
   }
 
@@ -98,9 +101,30 @@ class Bench {
     return true;
   }
 
+  bool add_peers(const std::vector<GeneratedFunction>& functions) {
+    if (options_.peers.peers.empty()) return true;
+    const auto description = describe_to_peers(robot_, scene_, no_peers_);
+    if (!description) return true;
+    const GeneratedFile urdf{"peers.urdf", print_plain_urdf(robot_, scene_)};
+    const auto folder = work_.path() / "peers";
+    if (!write_files(folder, {urdf}, diagnostics_)) return false;
+    for (const LoadedPeer& peer : options_.peers.peers) {
+      tell("opening", static_cast<int>(peers_.size()),
+           static_cast<int>(options_.peers.peers.size()));
+      auto made =
+          peer_contenders(peer, *description, folder / urdf.name, scene_, functions, timed_);
+      peers_.push_back(std::move(made.peer));
+      add(std::move(made.contenders));
+    }
+    return true;
+  }
+
   BenchReport measure(const std::vector<GeneratedFunction>& functions) {
     BenchReport report{scene_.name,     robot_.name,   describe_machine(command_),
                        options_.states, options_.seed, {}};
+    report.peers = peers_;
+    report.absent_peers = options_.peers.absent;
+    report.no_peers = no_peers_;
     const int total = static_cast<int>(functions.size());
     for (int i = 0; i < total; ++i) {
       tell("measuring", i, total);
@@ -123,7 +147,12 @@ class Bench {
     std::vector<TimedPass> passes;
     for (const Contender& contender : contenders_) {
       if (contender.variant.function != function.function) continue;
-      made.rows.push_back(measure_errors(contender, i, ends));
+      BenchRow row = measure_errors(contender, i, ends);
+      if (contender.variant.group == VariantGroup::peer && !(row.norm.median <= kAgreement)) {
+        made.disagreeing.push_back(std::move(row));
+        continue;
+      }
+      made.rows.push_back(std::move(row));
       passes.push_back(contender.pass);
     }
     const std::vector<Timing> timings = time_passes(passes, options_.timing);
@@ -155,6 +184,8 @@ class Bench {
   std::vector<StateReference> references_;
   std::vector<State> timed_;
   std::vector<Contender> contenders_;
+  std::vector<BenchPeer> peers_;
+  std::string no_peers_;
 };
 
 }  // namespace

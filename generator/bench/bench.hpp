@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bench/bench_report.hpp"
+#include "bench/find_peers.hpp"
 #include "description/robot.hpp"
 
 namespace treeline {
@@ -14,6 +15,7 @@ struct BenchOptions {
   std::uint64_t seed = 1;
   std::string flags = "-O3 -march=native -ffp-contract=fast";  ///< for the compiler
   TimingOptions timing = {};
+  FoundPeers peers = {};  ///< to measure beside it
   /// Told what is being done, and how much of it: "states", 10, 300.
   std::function<void(const std::string& what, int done, int total)> progress = {};
 };

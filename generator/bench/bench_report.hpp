@@ -29,11 +29,20 @@ struct BenchRow {
   bool on_front = false;
 };
 
+/// Another library that was measured.
+struct BenchPeer {
+  std::string name;                  ///< what its variants' names begin with
+  std::string release;               ///< "1.5.1"
+  std::vector<std::string> remarks;  ///< what it cannot do here, and why: "has no floating base"
+};
+
 struct BenchFunction {
   Function function{};
   std::vector<BenchRow> rows;  ///< the code that the scene asks for comes first
   int states = 0;              ///< that errors are of
   int singular = 0;            ///< states left out: the matrix solved with is singular in float
+  /// Peers that compute something else, see `kAgreement`. They are not timed.
+  std::vector<BenchRow> disagreeing = {};
 };
 
 struct BenchReport {
@@ -42,7 +51,13 @@ struct BenchReport {
   int states = 0;
   std::uint64_t seed = 1;
   std::vector<BenchFunction> functions;
+  std::vector<BenchPeer> peers = {};
+  std::vector<std::string> absent_peers = {};  ///< that could be measured, if they were there
+  std::string no_peers = {};                   ///< why none can be asked for this robot
 };
+
+/// A peer whose median norm-wise error is larger computes another robot or another function.
+inline constexpr double kAgreement = 1e-6;
 
 /// Sets `on_front` of each row.
 void mark_front(std::vector<BenchRow>& rows);

@@ -20,7 +20,7 @@ constexpr double kLeastError = 1e-18, kGreatestError = 1e2;
 
 struct Style {
   VariantGroup group;
-  const char* legend;
+  std::string_view legend;
   const char* color;
   const char* path;  ///< of the mark, about the origin
   bool filled;
@@ -32,6 +32,8 @@ constexpr const char* kUp = "M0,-4.5l4.5,8h-9z";
 constexpr const char* kDown = "M0,4.5l4.5,-8h-9z";
 constexpr const char* kCross = "M-4,-4l8,8m0,-8l-8,8";
 constexpr const char* kPlus = "M-4.5,0h9m-4.5,-4.5v9";
+constexpr const char* kStar =
+    "M0,-6l1.6,3.8l4.1,0.3l-3.1,2.7l1,4l-3.6,-2.2l-3.6,2.2l1,-4l-3.1,-2.7l4.1,-0.3z";
 constexpr std::array kStyles = {
     Style{VariantGroup::emitted, "as the scene asks", "#000000", kCircle, true},
     Style{VariantGroup::lanes, "other lanes", "#1f77b4", kCircle, false},
@@ -44,10 +46,40 @@ constexpr std::array kStyles = {
     Style{VariantGroup::solve, "Eigen's factorisations", "#d62728", kSquare, true},
     Style{VariantGroup::interpreter, "interpreter", "#e377c2", kDiamond, true}};
 
-const Style& style_of(VariantGroup group) {
-  return *std::find_if(kStyles.begin(), kStyles.end(),
-                       [group](const Style& style) { return style.group == group; });
-}
+/// Of peers, in turn.
+constexpr std::array kPeerColors = {"#0b7a75", "#b8860b", "#c2185b", "#5d3fd3"};
+
+/// Of the report's variants, in the legend's order: of peers one each.
+class Styles {
+ public:
+  explicit Styles(const BenchReport& report) : used_(kStyles.begin(), kStyles.end()) {
+    std::set<VariantGroup> groups;
+    for (const BenchFunction& function : report.functions) {
+      for (const BenchRow& row : function.rows) groups.insert(row.variant.group);
+    }
+    std::erase_if(used_, [&](const Style& style) { return !groups.contains(style.group); });
+    for (const BenchPeer& peer : report.peers) {
+      const char* const color = kPeerColors[peers_++ % kPeerColors.size()];
+      used_.push_back({VariantGroup::peer, peer.name, color, kStar, true});
+    }
+  }
+
+  [[nodiscard]] const std::vector<Style>& used() const { return used_; }
+  [[nodiscard]] const Style& of(const Variant& variant) const {
+    return *std::find_if(used_.begin(), used_.end(), [&](const Style& style) {
+      return style.group == variant.group &&
+             (variant.group != VariantGroup::peer || is_of(style.legend, variant.name));
+    });
+  }
+
+ private:
+  static bool is_of(std::string_view peer, std::string_view variant) {
+    return variant == peer || (variant.starts_with(peer) && variant[peer.size()] == ',');
+  }
+
+  std::vector<Style> used_;
+  std::size_t peers_ = 0;
+};
 
 std::string escape(std::string_view text) {
   std::string escaped;
@@ -121,8 +153,8 @@ struct Band {
 
 class Panel {
  public:
-  Panel(const BenchFunction& function, double x, double y)
-      : function_(function), x0_(x + kLeft), y0_(y + kTop) {
+  Panel(const BenchFunction& function, const Styles& styles, double x, double y)
+      : function_(function), styles_(styles), x0_(x + kLeft), y0_(y + kTop) {
     std::vector<double> times;
     std::vector<double> errors;
     std::vector<double> single_errors;
@@ -138,14 +170,14 @@ class Panel {
   [[nodiscard]] std::string draw() const {
     std::string text = text_at(x0_, y0_ - 8, function_name(function_.function),
                                "font-size=\"13\" font-weight=\"bold\"");
-    return text + draw_axes() + draw_front() + draw_marks() + draw_labels();
+    return text + draw_axes() + draw_front() + draw_labels() + draw_marks();
   }
 
  private:
   static constexpr double kWidth = kPanelWidth - kLeft - kRight;
   static constexpr double kHeight = kPanelHeight - kTop - kBottom;
   static constexpr double kSingleHeight = 72;
-  static constexpr double kGap = 8;
+  static constexpr double kGap = 14;
 
   [[nodiscard]] double x(double nanoseconds) const { return x0_ + kWidth * times_.at(nanoseconds); }
   [[nodiscard]] double y(const BenchRow& row) const {
@@ -212,7 +244,7 @@ class Panel {
   [[nodiscard]] std::string draw_marks() const {
     std::string text;
     for (auto row = function_.rows.rbegin(); row != function_.rows.rend(); ++row) {
-      text += mark(style_of(row->variant.group), x(row->timing.nanoseconds), y(*row),
+      text += mark(styles_.of(row->variant), x(row->timing.nanoseconds), y(*row),
                    fmt::format("{}: {:.3g} ns, {:.1e}", row->variant.name, row->timing.nanoseconds,
                                row->norm.worst));
     }
@@ -241,23 +273,27 @@ class Panel {
   }
 
   const BenchFunction& function_;
+  const Styles& styles_;
   double x0_, y0_;
   Decades times_;
   Band single_, double_;
 };
 
-std::string draw_legend(const BenchReport& report) {
-  std::set<VariantGroup> used;
-  for (const BenchFunction& function : report.functions) {
-    for (const BenchRow& row : function.rows) used.insert(row.variant.group);
+std::string name_peers(const BenchReport& report) {
+  std::string text;
+  for (const BenchPeer& peer : report.peers) {
+    text += fmt::format("{} {} {}", text.empty() ? "; beside" : ",", peer.name, peer.release);
   }
+  return text;
+}
+
+std::string draw_legend(const Styles& styles) {
   std::string text;
   double x = 20;
-  for (const Style& style : kStyles) {
-    if (!used.contains(style.group)) continue;
-    text += mark(style, x, kHead - 18, style.legend);
+  for (const Style& style : styles.used()) {
+    text += mark(style, x, kHead - 18, std::string(style.legend));
     text += text_at(x + 10, kHead - 14, style.legend, "font-size=\"11\"");
-    x += 32 + 6.2 * static_cast<double>(std::string_view(style.legend).size());
+    x += 32 + 6.2 * static_cast<double>(style.legend.size());
   }
   return text;
 }
@@ -276,17 +312,18 @@ std::string draw_svg(const BenchReport& report) {
   text += text_at(14, 26, report.name + ": time of a call across, worst norm-wise error up",
                   "font-size=\"18\" font-weight=\"bold\"");
   text += text_at(14, 46,
-                  fmt::format("{} states against 50 digits; {}; {}", report.states,
-                              report.machine.processor, report.machine.command),
+                  fmt::format("{} states against 50 digits; {}; {}{}", report.states,
+                              report.machine.processor, report.machine.command, name_peers(report)),
                   "font-size=\"12\"");
   text += text_at(14, 64,
                   "errors of float in the upper band, of double in the lower; dashed: the front, "
                   "which nothing beats in both (sines given left out); its variants are named",
                   "font-size=\"12\"");
-  text += draw_legend(report);
+  const Styles styles(report);
+  text += draw_legend(styles);
   for (int i = 0; i < count; ++i) {
-    const Panel panel(report.functions[static_cast<std::size_t>(i)], kPanelWidth * (i % kColumns),
-                      kHead + kPanelHeight * (i / kColumns));
+    const Panel panel(report.functions[static_cast<std::size_t>(i)], styles,
+                      kPanelWidth * (i % kColumns), kHead + kPanelHeight * (i / kColumns));
     text += panel.draw();
   }
   return text + "</svg>\n";

@@ -230,8 +230,9 @@ class Planner {
 }  // namespace
 
 const char* group_name(VariantGroup group) {
-  constexpr std::array kNames = {"emitted",  "lanes",       "real",  "route", "inertia",
-                                 "accuracy", "contraction", "sines", "solve", "interpreter"};
+  constexpr std::array kNames = {"emitted", "lanes",       "real",        "route",
+                                 "inertia", "accuracy",    "contraction", "sines",
+                                 "solve",   "interpreter", "peer"};
   return kNames[static_cast<std::size_t>(group)];
 }
 

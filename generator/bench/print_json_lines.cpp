@@ -40,18 +40,48 @@ Json describe(const BenchReport& report, const BenchFunction& function, const Be
           {"on_front", row.on_front}};
 }
 
+/// A peer that was not timed, because it computes something else.
+Json describe_disagreement(const BenchReport& report, const BenchFunction& function,
+                           const BenchRow& row) {
+  return {{"scene", report.name},
+          {"function", function_name(function.function)},
+          {"group", group_name(row.variant.group)},
+          {"disagrees", row.variant.name},
+          {"norm_error", errors(row.norm)},
+          {"component_error", errors(row.component)},
+          {"states", function.states}};
+}
+
+Json describe_peers(const BenchReport& report) {
+  Json peers = Json::array();
+  for (const BenchPeer& peer : report.peers) {
+    peers.push_back({{"name", peer.name}, {"release", peer.release}, {"remarks", peer.remarks}});
+  }
+  return peers;
+}
+
 }  // namespace
 
 std::string print_json_lines(const BenchReport& report) {
   const BenchMachine& machine = report.machine;
-  const Json head = {{"scene", report.name},           {"robot", report.robot},
-                     {"processor", machine.processor}, {"compiler", machine.compiler},
-                     {"command", machine.command},     {"interpreter", machine.interpreter},
-                     {"states", report.states},        {"seed", report.seed}};
+  const Json head = {{"scene", report.name},
+                     {"robot", report.robot},
+                     {"processor", machine.processor},
+                     {"compiler", machine.compiler},
+                     {"command", machine.command},
+                     {"interpreter", machine.interpreter},
+                     {"states", report.states},
+                     {"seed", report.seed},
+                     {"peers", describe_peers(report)},
+                     {"absent_peers", report.absent_peers},
+                     {"no_peers", report.no_peers}};
   std::string text = head.dump() + "\n";
   for (const BenchFunction& function : report.functions) {
     for (const BenchRow& row : function.rows) {
       text += describe(report, function, row).dump() + "\n";
+    }
+    for (const BenchRow& row : function.disagreeing) {
+      text += describe_disagreement(report, function, row).dump() + "\n";
     }
   }
   return text;

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "bench/bench_report.hpp"
+#include "bench/find_peers.hpp"
 #include "inspect/align_columns.hpp"
 
 namespace treeline {
@@ -18,6 +20,15 @@ std::string time(double nanoseconds) {
 std::string name_of(const Variant& variant) {
   std::string text = variant.name;
   for (const std::string& repeat : variant.repeats) text += "; " + repeat;
+  return text;
+}
+
+std::string print_disagreeing(const BenchFunction& function) {
+  std::string text;
+  for (const BenchRow& row : function.disagreeing) {
+    text += fmt::format("left out: {} disagrees, by {} at the median, {} at worst\n",
+                        row.variant.name, error(row.norm.median), error(row.norm.worst));
+  }
   return text;
 }
 
@@ -52,7 +63,22 @@ std::string print_function(const BenchFunction& function) {
                         {"flops", true},
                         {"variant"}},
                        rows) +
-         "\n";
+         print_disagreeing(function) + "\n";
+}
+
+/// `beside KDL 1.5.1, which has no lambda; has no floating base`, a line each, and those absent.
+std::string print_peers(const BenchReport& report) {
+  std::string text;
+  for (const BenchPeer& peer : report.peers) {
+    text += fmt::format("beside {} {}", peer.name, peer.release);
+    if (!peer.remarks.empty()) text += fmt::format(", which {}", fmt::join(peer.remarks, "; "));
+    text += "\n";
+  }
+  if (!report.no_peers.empty()) text += fmt::format("without peers: {}\n", report.no_peers);
+  if (!report.absent_peers.empty()) {
+    text += fmt::format("without {}: {}\n", fmt::join(report.absent_peers, ", "), kBringPeers);
+  }
+  return text;
 }
 
 }  // namespace
@@ -61,9 +87,9 @@ std::string print_table(const BenchReport& report) {
   const BenchMachine& machine = report.machine;
   std::string text = fmt::format(
       "{}: time of a call and error against 50 digits, {} states, seed {}\n"
-      "on {}\ncompiled by {}\n       with {}\ninterpreter by {}\n\n",
+      "on {}\ncompiled by {}\n       with {}\ninterpreter by {}\n{}\n",
       report.name, report.states, report.seed, machine.processor, machine.compiler, machine.command,
-      machine.interpreter);
+      machine.interpreter, print_peers(report));
   for (const BenchFunction& function : report.functions) text += print_function(function);
   return text;
 }

@@ -20,6 +20,7 @@ enum class VariantGroup {
   sines,        ///< sines and cosines given, or the C library's
   solve,        ///< Lambda by a factorisation of Eigen out of the emitted Lambda^-1
   interpreter,  ///< generic, in float or double
+  peer,         ///< another library, in double
 };
 const char* group_name(VariantGroup group);
 
@@ -29,7 +30,7 @@ struct Variant {
   VariantGroup group{};
   std::string name;  ///< "double, 8 lanes", "route: articulated bodies, Chang table 4.2"
   Real real = Real::float64;
-  std::string method = {};  ///< of generated code: the route's full name
+  std::string method = {};  ///< of generated code: the route's full name; of a peer: its own
   std::string flags = {};   ///< of generated code: for the compiler
   int flops = 0;            ///< of generated code
   bool whole = true;  ///< false: what the caller must do first, take sines, is not in its time

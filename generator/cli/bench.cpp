@@ -1,6 +1,7 @@
 #include "cli/bench.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <fstream>
 #include <functional>
@@ -32,6 +33,11 @@ constexpr const char* kHowToRead =
     "whose code is the same. Lambda by Eigen's factorisations starts from the emitted Lambda^-1 "
     "in\n"
     "double. The interpreter's time has its allocations in it.\n"
+    "Peers are other libraries, in double: KDL, DART, Pinocchio, where their modules lie beside "
+    "this\n"
+    "program (built with -DTREELINE_PEERS=ON). Their time has what brings joints into their order "
+    "in\n"
+    "it, not what brings matrices back. A peer that computes something else is told, not timed.\n"
     "Measure on a machine that does nothing else. The compiler is $CXX, else c++, else g++.\n\n"
     "Examples:\n"
     "  treeline bench puma560.urdf scene.yaml --svg puma560.svg\n"
@@ -44,6 +50,7 @@ struct Options {
   InputOptions inputs;
   BenchOptions bench;
   std::string svg;
+  std::vector<std::string> peers;
   bool quick = false;
   bool json = false;
 };
@@ -66,16 +73,38 @@ bool write_text(const std::string& path, const std::string& text, Diagnostics& d
   return false;
 }
 
+/// What of the peers somebody may miss who sees no table.
+void tell_of_peers(const BenchReport& report, Diagnostics& diagnostics) {
+  const auto tell = [&](Severity severity, const std::string& fault) {
+    diagnostics.add({severity, "", 0, "", fault, ""});
+  };
+  if (!report.no_peers.empty()) tell(Severity::note, "no peers measured: " + report.no_peers);
+  if (!report.absent_peers.empty()) {
+    tell(Severity::note,
+         fmt::format("not measured: {}; {}", fmt::join(report.absent_peers, ", "), kBringPeers));
+  }
+  for (const BenchFunction& function : report.functions) {
+    for (const BenchRow& row : function.disagreeing) {
+      tell(Severity::warning,
+           fmt::format("{} of {} disagrees, by {:.1e} at the median, and is left out",
+                       function_name(function.function), row.variant.name, row.norm.median));
+    }
+  }
+}
+
 int run(Options options) {
   Diagnostics diagnostics;
   const auto inputs = read_inputs(options.inputs, diagnostics);
+  options.bench.peers = find_peers(options.peers, diagnostics);
   options.bench.progress = tell_progress();
   if (options.quick) {
     options.bench.states = kQuickStates;
     options.bench.timing.rounds = kQuickRounds;
   }
-  const auto report =
-      inputs ? run_bench(inputs->robot, inputs->scene, options.bench, diagnostics) : std::nullopt;
+  const auto report = inputs && !diagnostics.has_errors()
+                          ? run_bench(inputs->robot, inputs->scene, options.bench, diagnostics)
+                          : std::nullopt;
+  if (report) tell_of_peers(*report, diagnostics);
   const bool written =
       report && (options.svg.empty() || write_text(options.svg, draw_svg(*report), diagnostics));
   print_diagnostics(diagnostics);
@@ -102,6 +131,7 @@ void add_bench(CLI::App& app, int& exit_code) {
       ->excludes(states);
   command->add_flag("--json", options->json, "The machine and each variant as a line of JSON");
   command->add_option("--svg", options->svg, "Writes time against error, a panel a function");
+  command->add_option("--peer", options->peers, "Module of another peer, any number");
   command->footer(kHowToRead);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

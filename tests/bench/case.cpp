@@ -17,15 +17,6 @@ std::vector<double> entries(const interpreter::Vector<double>& x) {
   return {x.data(), x.data() + x.size()};
 }
 
-std::vector<std::string> links_of_velocities(const interpreter::Model<double>& model) {
-  std::vector<std::string> links;
-  for (const auto& body : model.bodies) {
-    const int count = interpreter::velocity_count(body.kind);
-    links.insert(links.end(), static_cast<std::size_t>(count), body.name);
-  }
-  return links;
-}
-
 }  // namespace
 
 int Case::rows() const {
@@ -52,13 +43,18 @@ std::optional<Case> read_case(const std::string& robot) {
     for (const auto& diagnostic : diagnostics.list()) std::cerr << to_string(diagnostic) << '\n';
     return std::nullopt;
   }
+  std::string why_not;
+  const auto description = describe_to_peers(*read, *scene, why_not);
+  if (!description) {
+    std::cerr << files->urdf << ": " << why_not << '\n';
+    return std::nullopt;
+  }
   Case result;
   result.robot = robot;
+  result.description = *description;
   result.urdf = files->urdf;
-  result.floating = scene->base == Base::floating;
   result.model = model_from_robot<double>(*read, *scene);
   result.points = points_from_scene<double>(result.model, scene->operational_points);
-  result.joints = links_of_velocities(result.model);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/peers/describe_to_peers.hpp"
 #include "interpreter/model.hpp"
 #include "subject.hpp"
 
@@ -18,9 +19,8 @@ struct State {
 /// A robot as every subject sees it.
 struct Case {
   std::string robot;
-  std::string urdf;                 ///< path, without shapes and mimic tags
-  std::vector<std::string> joints;  ///< child link of the joint behind each entry of qd
-  bool floating = false;            ///< then the first six of qd are the base's
+  std::string urdf;  ///< path, without shapes and mimic tags
+  PeerDescription description;
   interpreter::Model<double> model;
   interpreter::Points<double> points;
 

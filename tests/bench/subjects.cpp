@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iterator>
 
 #include "generated_subjects.hpp"
@@ -23,18 +24,7 @@ void keep_what_is_measured(std::vector<Subject>& subjects) {
 std::vector<Subject> all_subjects(const Case& robot) {
   std::vector<Subject> subjects = generated_subjects(robot.robot);
   subjects.push_back(interpreter_subject(robot));
-  const auto append = [&](std::vector<Subject> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(subjects));
-  };
-#ifdef TREELINE_BENCH_KDL
-  append(kdl_subjects(robot));
-#endif
-#ifdef TREELINE_BENCH_PINOCCHIO
-  append(pinocchio_subjects(robot));
-#endif
-#ifdef TREELINE_BENCH_DART
-  append(dart_subjects(robot));
-#endif
+  std::ranges::move(peer_subjects(robot), std::back_inserter(subjects));
   keep_what_is_measured(subjects);
   return subjects;
 }

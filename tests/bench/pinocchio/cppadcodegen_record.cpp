@@ -10,9 +10,9 @@
 
 #include "pinocchio/record.hpp"
 // The scalar comes first.
-#include "pinocchio/read_solver.hpp"
+#include "bench/peers/pinocchio/read_solver.hpp"
 
-namespace treeline::bench::pin {
+namespace treeline::peer::pin {
 namespace {
 
 std::string attribute(const tinyxml2::XMLElement& joint, const char* child, const char* name) {
@@ -118,10 +118,10 @@ void write_functions(const Solver<double>& solver, const std::string& space,
 }
 
 }  // namespace
-}  // namespace treeline::bench::pin
+}  // namespace treeline::peer::pin
 
 int main(int count, char** arguments) {
-  using namespace treeline::bench::pin;
+  using namespace treeline::peer::pin;
   if (count < 6) {
     std::cerr << "usage: cppadcodegen_record URDF fixed|floating NAMESPACE FOLDER LINK...\n";
     return 2;

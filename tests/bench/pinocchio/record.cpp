@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-namespace treeline::bench::pin {
+namespace treeline::peer::pin {
 namespace {
 
 std::vector<std::string> names_of_inputs(const Shape& shape) {
@@ -53,4 +53,4 @@ std::string record(const Solver<double>& solver, const Shape& shape, Route route
   return "  double v[" + std::to_string(temporaries) + "];\n" + statements.str();
 }
 
-}  // namespace treeline::bench::pin
+}  // namespace treeline::peer::pin

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "pinocchio/solver.hpp"
+#include "bench/peers/pinocchio/solver.hpp"
 
-namespace treeline::bench::pin {
+namespace treeline::peer::pin {
 
 using Code = CppAD::cg::CG<double>;
 using Recorded = CppAD::AD<Code>;
@@ -32,4 +32,4 @@ std::string record_lambda_inverse(const Solver<double>& solver);
 std::string record_lambda(const Solver<double>& solver);
 std::string record_control_torque(const Solver<double>& solver);
 
-}  // namespace treeline::bench::pin
+}  // namespace treeline::peer::pin

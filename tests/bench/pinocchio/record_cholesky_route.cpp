@@ -1,8 +1,8 @@
 #include "pinocchio/record.hpp"
 // The scalar comes first.
-#include "pinocchio/cholesky_route.hpp"
+#include "bench/peers/pinocchio/cholesky_route.hpp"
 
-namespace treeline::bench::pin {
+namespace treeline::peer::pin {
 namespace {
 
 void whole_mass_matrix(Solver<Recorded>& s, const Recorded* const* in, Recorded* out) {
@@ -29,4 +29,4 @@ std::string record_lambda(const Solver<double>& s) {
   return record(s, {{s.position_count()}, rows * rows}, lambda_by_cholesky<Recorded>);
 }
 
-}  // namespace treeline::bench::pin
+}  // namespace treeline::peer::pin

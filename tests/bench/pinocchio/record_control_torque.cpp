@@ -1,8 +1,8 @@
 #include "pinocchio/record.hpp"
 // The scalar comes first.
-#include "pinocchio/control_torque.hpp"
+#include "bench/peers/pinocchio/control_torque.hpp"
 
-namespace treeline::bench::pin {
+namespace treeline::peer::pin {
 
 std::string record_control_torque(const Solver<double>& s) {
   const auto nv = s.place.size();
@@ -10,4 +10,4 @@ std::string record_control_torque(const Solver<double>& s) {
   return record(s, {{s.position_count(), nv, nv, rows}, nv}, control_torque<Recorded>);
 }
 
-}  // namespace treeline::bench::pin
+}  // namespace treeline::peer::pin

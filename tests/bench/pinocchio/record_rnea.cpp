@@ -1,12 +1,12 @@
 #include "pinocchio/record.hpp"
 // The scalar comes first.
-#include "pinocchio/rnea.hpp"
+#include "bench/peers/pinocchio/rnea.hpp"
 
-namespace treeline::bench::pin {
+namespace treeline::peer::pin {
 
 std::string record_rnea(const Solver<double>& s) {
   const auto nv = s.place.size();
   return record(s, {{s.position_count(), nv, nv}, nv}, rnea<Recorded>);
 }
 
-}  // namespace treeline::bench::pin
+}  // namespace treeline::peer::pin

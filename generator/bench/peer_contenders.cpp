@@ -1,0 +1,122 @@
+#include "bench/peer_contenders.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace treeline {
+namespace {
+
+constexpr std::size_t kMostInputs = 4;
+using Inputs = std::array<const double*, kMostInputs>;
+
+/// In the order of the generated contract, those that are there; the others are null.
+Inputs inputs_of(Function function, const State& state) {
+  const double* const q = state.q.data();
+  const double* const qd = state.qd.data();
+  const double* const qdd = state.qdd.data();
+  switch (function) {
+    case Function::bias_acceleration:
+    case Function::nonlinear_effects:
+      return {q, qd};
+    case Function::inverse_dynamics:
+    case Function::inverse_dynamics_derivatives:
+      return {q, qd, qdd};
+    case Function::forward_dynamics:
+    case Function::forward_dynamics_derivatives:
+      return {q, qd, state.tau.data()};
+    case Function::control_torque:
+      return {q, qd, qdd, state.xdd_cmd.data()};
+    default:
+      return {q};
+  }
+}
+
+/// What the scene asks of a function that no peer is given; empty where there is nothing.
+std::string beyond_peers(const Scene& scene, const GeneratedFunction& function) {
+  const auto& arguments = function.program.arguments;
+  if (std::any_of(arguments.begin(), arguments.end(),
+                  [](const Argument& argument) { return argument.name == "f_ext"; })) {
+    return "external forces";
+  }
+  if (function.function == Function::control_torque && has_priorities(scene.operational_points)) {
+    return "priorities";
+  }
+  return {};
+}
+
+std::size_t size_of(const GeneratedFunction& function) {
+  std::size_t size = 0;
+  for (const Result& result : function.program.results) size += result.values.size();
+  return size;
+}
+
+/// A routine with what it is timed with.
+struct Prepared {
+  PeerRoutine routine;
+  Function function{};
+  std::vector<State> states;
+  std::vector<double> output;
+
+  void pass() {
+    for (const State& state : states) {
+      const Inputs inputs = inputs_of(function, state);
+      routine.call(routine.solver.get(), inputs.data(), output.data());
+    }
+  }
+  [[nodiscard]] std::vector<double> call(const State& state) const {
+    // Entries that are zero for every robot need not be written.
+    std::vector<double> entries(output.size(), 0);
+    const Inputs inputs = inputs_of(function, state);
+    routine.call(routine.solver.get(), inputs.data(), entries.data());
+    if (routine.finish != nullptr) routine.finish(routine.solver.get(), entries.data());
+    return entries;
+  }
+};
+
+Contender contender_of(const LoadedPeer& peer, const PeerRoutine& routine,
+                       const GeneratedFunction& function, const std::vector<State>& timed) {
+  const auto prepared = std::make_shared<Prepared>(
+      Prepared{routine, function.function, timed, std::vector<double>(size_of(function))});
+  Variant variant{function.function, VariantGroup::peer, peer.name, Real::float64};
+  if (!routine.route.empty()) variant.name += ", " + routine.route;
+  variant.method = routine.route;
+  Contender contender{std::move(variant), {}, {}};
+  contender.call = [prepared](const State& state) { return prepared->call(state); };
+  contender.pass = {[prepared] { prepared->pass(); }, timed.size()};
+  return contender;
+}
+
+}  // namespace
+
+PeerContenders peer_contenders(const LoadedPeer& peer, const PeerDescription& description,
+                               const std::filesystem::path& urdf, const Scene& scene,
+                               const std::vector<GeneratedFunction>& functions,
+                               const std::vector<State>& timed) {
+  const OpenedPeer opened = open_peer(peer, urdf, description);
+  PeerContenders made{{peer.name, peer.release, opened.sentences}, {}};
+  std::vector<std::string> lacking;
+  for (const GeneratedFunction& function : functions) {
+    const std::string name = function_name(function.function);
+    if (const std::string beyond = beyond_peers(scene, function); !beyond.empty()) {
+      made.peer.remarks.push_back(fmt::format("is not asked for {} with {}", name, beyond));
+      continue;
+    }
+    bool found = false;
+    for (const PeerRoutine& routine : opened.routines) {
+      if (routine.function != name) continue;
+      made.contenders.push_back(contender_of(peer, routine, function, timed));
+      found = true;
+    }
+    if (!found) lacking.push_back(name);
+  }
+  if (!lacking.empty()) {
+    made.peer.remarks.push_back(fmt::format("has no {}", fmt::join(lacking, ", ")));
+  }
+  return made;
+}
+
+}  // namespace treeline

@@ -1,0 +1,144 @@
+// DART: inverse and forward dynamics and the mass matrix.
+// Compiled without -march=native: Eigen's alignment would differ from that of Debian's library.
+#include <tinyxml2.h>
+
+#include <dart/config.hpp>
+#include <dart/dynamics/BodyNode.hpp>
+#include <dart/dynamics/FreeJoint.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+#include <dart/dynamics/WeldJoint.hpp>
+#include <dart/utils/urdf/DartLoader.hpp>
+#include <iostream>
+
+#include "bench/peers/make_peer.hpp"
+
+namespace treeline::peer {
+namespace {
+
+namespace dynamics = dart::dynamics;
+
+struct Solver {
+  dynamics::SkeletonPtr skeleton;
+  std::vector<Eigen::Index> place;  ///< of each of our qd in DART's
+  bool floating = false;
+  Eigen::VectorXd q, x;
+
+  /// DART's free joint has the rotation's logarithm over the position, ours position and
+  /// quaternion.
+  void load_position(const double* from) {
+    std::size_t at = 0;
+    if (floating) {
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      pose.linear() = Eigen::Quaterniond(from[6], from[3], from[4], from[5]).toRotationMatrix();
+      pose.translation() << from[0], from[1], from[2];
+      q.head<6>() = dynamics::FreeJoint::convertToPositions(pose);
+      at = 6;
+    }
+    const std::size_t extra = floating ? 1 : 0;
+    for (; at < place.size(); ++at) q(place[at]) = from[at + extra];
+    skeleton->setPositions(q);
+  }
+  const Eigen::VectorXd& ordered(const double* from) {
+    for (std::size_t i = 0; i < place.size(); ++i) x(place[i]) = from[i];
+    return x;
+  }
+  void store(const Eigen::VectorXd& from, double* to) const {
+    for (std::size_t i = 0; i < place.size(); ++i) to[i] = from(place[i]);
+  }
+};
+
+void inverse_dynamics(void* self, const double* const* in, double* out) {
+  auto& s = *static_cast<Solver*>(self);
+  s.load_position(in[0]);
+  s.skeleton->setVelocities(s.ordered(in[1]));
+  s.skeleton->setAccelerations(s.ordered(in[2]));
+  s.skeleton->computeInverseDynamics();
+  s.store(s.skeleton->getForces(), out);
+}
+
+void forward_dynamics(void* self, const double* const* in, double* out) {
+  auto& s = *static_cast<Solver*>(self);
+  s.load_position(in[0]);
+  s.skeleton->setVelocities(s.ordered(in[1]));
+  s.skeleton->setForces(s.ordered(in[2]));
+  s.skeleton->computeForwardDynamics();
+  s.store(s.skeleton->getAccelerations(), out);
+}
+
+void mass_matrix(void* self, const double* const* in, double* out) {
+  auto& s = *static_cast<Solver*>(self);
+  s.load_position(in[0]);
+  const Eigen::MatrixXd& M = s.skeleton->getMassMatrix();
+  const std::size_t n = s.place.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) out[i * n + k] = M(s.place[i], s.place[k]);
+  }
+}
+
+/// DART gives a link without an inertia 1 kg. Its warnings that no mass is little are not shown.
+void remove_invented_inertias(const char* urdf, dynamics::Skeleton& skeleton) {
+  tinyxml2::XMLDocument file;
+  file.LoadFile(urdf);
+  auto* const shown = std::cerr.rdbuf(nullptr);
+  for (auto* link = file.RootElement()->FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link")) {
+    auto* body = skeleton.getBodyNode(link->Attribute("name"));
+    if (body != nullptr && link->FirstChildElement("inertial") == nullptr) {
+      body->setInertia(dynamics::Inertia(0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()));
+    }
+  }
+  std::cerr.rdbuf(shown);
+}
+
+void remove_losses(dynamics::Skeleton& skeleton) {
+  for (std::size_t i = 0; i < skeleton.getNumDofs(); ++i) {
+    skeleton.getDof(i)->setDampingCoefficient(0);
+    skeleton.getDof(i)->setCoulombFriction(0);
+    skeleton.getDof(i)->setSpringStiffness(0);
+  }
+}
+
+/// A floating base first: ours is linear over angular, DART's the other way.
+std::vector<Eigen::Index> find_places(const Robot& robot, const dynamics::Skeleton& skeleton) {
+  std::vector<Eigen::Index> places;
+  if (robot.floating) places = {3, 4, 5, 0, 1, 2};
+  for (int i = static_cast<int>(places.size()); i < robot.velocities; ++i) {
+    const auto* joint = skeleton.getBodyNode(robot.links[i])->getParentJoint();
+    places.push_back(static_cast<Eigen::Index>(joint->getIndexInSkeleton(0)));
+  }
+  return places;
+}
+
+Opened open(const Robot& robot, const Tell& tell) {
+  using Loader = dart::utils::DartLoader;
+  const auto root = robot.floating ? Loader::RootJointType::FLOATING : Loader::RootJointType::FIXED;
+  Loader loader(Loader::Options(nullptr, root));
+  const auto skeleton = loader.parseSkeleton(dart::common::Uri::createFromPath(robot.urdf));
+  if (!skeleton || skeleton->getNumDofs() != static_cast<std::size_t>(robot.velocities)) {
+    tell("cannot read the robot");
+    return {};
+  }
+  remove_invented_inertias(robot.urdf, *skeleton);
+  remove_losses(*skeleton);
+  skeleton->setGravity(Eigen::Map<const Eigen::Vector3d>(robot.gravity));
+
+  Opened opened;
+  auto& s = opened.keep<Solver>();
+  s.skeleton = skeleton;
+  s.place = find_places(robot, *skeleton);
+  s.floating = robot.floating;
+  s.q = s.x = Eigen::VectorXd::Zero(robot.velocities);
+  opened.routines = {{"inverse_dynamics", "", &s, inverse_dynamics, nullptr},
+                     {"forward_dynamics", "", &s, forward_dynamics, nullptr},
+                     {"mass_matrix", "", &s, mass_matrix, nullptr}};
+  return opened;
+}
+
+constexpr Peer kPeer = make_peer<open>("DART", DART_VERSION);
+
+}  // namespace
+}  // namespace treeline::peer
+
+const treeline::peer::Peer* treeline_peer() {
+  return &treeline::peer::kPeer;
+}

@@ -1,0 +1,49 @@
+#include "bench/peers/describe_to_peers.hpp"
+
+#include <algorithm>
+
+#include "check/model_from_robot.hpp"
+
+namespace treeline {
+namespace {
+
+PeerPoint point_of(const ScenePoint& from) {
+  PeerPoint point{from.link, {}, from.origin.xyz, from.rows, from.axes == Axes::world};
+  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  Eigen::Map<Rows>(point.R.data()) = rotation_from_rpy<double>(from.origin.rpy);
+  return point;
+}
+
+/// In bodies other than the base.
+bool has_joints_of(const interpreter::Model<double>& model, interpreter::JointKind kind) {
+  return std::any_of(model.bodies.begin() + 1, model.bodies.end(),
+                     [kind](const auto& body) { return body.kind == kind; });
+}
+
+}  // namespace
+
+std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene& scene,
+                                                 std::string& why_not) {
+  const auto model = model_from_robot<double>(robot, scene);
+  if (model.has_mimics()) {
+    why_not = "the robot has joints that mimic others";
+    return std::nullopt;
+  }
+  if (has_joints_of(model, interpreter::JointKind::planar) ||
+      has_joints_of(model, interpreter::JointKind::floating)) {
+    why_not = "the robot has planar or floating joints";
+    return std::nullopt;
+  }
+  PeerDescription description{scene.base == Base::floating, scene.gravity, {}, {}};
+  for (const auto& body : model.bodies) {
+    description.links.insert(description.links.end(),
+                             static_cast<std::size_t>(interpreter::velocity_count(body.kind)),
+                             body.name);
+  }
+  for (const ScenePoint& point : scene.operational_points) {
+    description.points.push_back(point_of(point));
+  }
+  return description;
+}
+
+}  // namespace treeline

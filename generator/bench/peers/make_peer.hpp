@@ -1,0 +1,54 @@
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/peers/peer.hpp"
+
+namespace treeline::peer {
+
+/// What an adapter makes of a robot: routines, and what their solvers point to.
+struct Opened {
+  std::vector<Routine> routines;
+  std::vector<std::shared_ptr<void>> solvers;
+
+  /// A new solver, kept; `routines` may point to it.
+  template <class Solver, class... Arguments>
+  Solver& keep(Arguments&&... arguments) {
+    auto made = std::make_shared<Solver>(std::forward<Arguments>(arguments)...);
+    Solver& solver = *made;
+    solvers.push_back(std::move(made));
+    return solver;
+  }
+};
+
+using Tell = std::function<void(const std::string& sentence)>;
+
+/// A peer out of what reads a robot; no routines: it cannot. Exceptions of the library are told.
+template <Opened (*read)(const Robot&, const Tell&)>
+constexpr Peer make_peer(const char* name, const char* release) {
+  Peer made{kVersion, name, release, nullptr, nullptr, nullptr};
+  made.open = [](const Robot* robot, Say say, void* listener) -> void* {
+    const Tell tell = [say, listener](const std::string& text) { say(listener, text.c_str()); };
+    try {
+      auto opened = std::make_unique<Opened>(read(*robot, tell));
+      return opened->routines.empty() ? nullptr : opened.release();
+    } catch (const std::exception& error) {
+      tell(error.what());
+      return nullptr;
+    }
+  };
+  made.list = [](void* opened, const Routine** routines) {
+    const auto& all = static_cast<const Opened*>(opened)->routines;
+    *routines = all.data();
+    return static_cast<int>(all.size());
+  };
+  made.close = [](void* opened) { delete static_cast<Opened*>(opened); };
+  return made;
+}
+
+}  // namespace treeline::peer

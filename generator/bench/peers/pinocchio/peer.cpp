@@ -1,0 +1,126 @@
+// Pinocchio: recursive Newton-Euler, articulated bodies, M, M^-1, derivatives, and of J M^-1 J^T
+// every route.
+#include <pinocchio/config.hpp>
+
+#include "bench/peers/make_peer.hpp"
+#include "bench/peers/pinocchio/calls.hpp"
+#include "bench/peers/pinocchio/read_solver.hpp"
+
+namespace treeline::peer::pin {
+namespace {
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Column-major in Pinocchio's order of joints to row-major in ours.
+void reorder(const Solver<double>& s, const Eigen::MatrixXd& from, double* to) {
+  const Eigen::Index n = s.model.nv;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      to[i * n + k] =
+          from(s.place[static_cast<std::size_t>(i)], s.place[static_cast<std::size_t>(k)]);
+    }
+  }
+}
+
+Eigen::MatrixXd whole(const double* upper, Eigen::Index n) {
+  return Eigen::Map<const Eigen::MatrixXd>(upper, n, n).selfadjointView<Eigen::Upper>();
+}
+
+void finish_symmetric(void* solver, double* out) {
+  const auto& s = *static_cast<const Solver<double>*>(solver);
+  reorder(s, whole(out, s.model.nv), out);
+}
+
+void finish_lambda(void* solver, double* out) {
+  const auto& s = *static_cast<const Solver<double>*>(solver);
+  const Eigen::MatrixXd all = whole(out, s.rows());
+  Eigen::Map<Rows>(out, s.rows(), s.rows()) = all;
+}
+
+void finish_derivatives(void* solver, double* out) {
+  const auto& s = *static_cast<const Solver<double>*>(solver);
+  const Eigen::Index n = s.model.nv;
+  for (const Eigen::Index matrix : {0, 1}) {
+    double* at = out + matrix * n * n;
+    reorder(s, Eigen::MatrixXd(Eigen::Map<const Eigen::MatrixXd>(at, n, n)), at);
+  }
+  finish_symmetric(solver, out + 2 * n * n);
+}
+
+/// Nothing for a point with other rows or axes than the routes are written for.
+bool describe(const peer::Point& point, std::vector<Point>& points) {
+  if (!point.world_axes) return false;
+  if (std::find(std::begin(point.rows), std::end(point.rows), false) != std::end(point.rows)) {
+    return false;
+  }
+  Point described{point.link, {}, {}};
+  std::copy_n(point.R, 9, described.R.begin());
+  std::copy_n(point.p, 3, described.p.begin());
+  points.push_back(described);
+  return true;
+}
+
+Description describe(const Robot& robot, const Tell& tell) {
+  const auto& g = robot.gravity;
+  Description description{robot.urdf,
+                          robot.floating,
+                          {robot.links, robot.links + robot.velocities},
+                          {g[0], g[1], g[2]},
+                          {}};
+  for (int i = 0; i < robot.point_count; ++i) {
+    if (describe(robot.points[i], description.points)) continue;
+    tell("is asked for points whose rows are all controlled, in the world's axes, only");
+    description.points.clear();
+    break;
+  }
+  return description;
+}
+
+void add_dynamics(Solver<double>& s, std::vector<Routine>& routines) {
+  const Routine all[] = {
+      {"inverse_dynamics", "", &s, call_rnea, nullptr},
+      {"forward_dynamics", "", &s, call_aba, nullptr},
+      {"forward_dynamics", "in world axes", &s, call_aba_in_world_axes, nullptr},
+      {"mass_matrix", "", &s, call_crba, finish_symmetric},
+      {"mass_matrix", "in world axes", &s, call_crba_in_world_axes, finish_symmetric},
+      {"mass_matrix_inverse", "", &s, call_minverse, finish_symmetric},
+      {"inverse_dynamics_derivatives", "", &s, call_rnea_derivatives, finish_derivatives},
+      {"forward_dynamics_derivatives", "", &s, call_aba_derivatives, finish_derivatives}};
+  routines.insert(routines.end(), std::begin(all), std::end(all));
+}
+
+void add_operational_space(Solver<double>& s, void* contacts, std::vector<Routine>& routines) {
+  constexpr const char* kCholesky = "Cholesky of M";
+  const Routine all[] = {
+      {"lambda_inverse", kCholesky, &s, call_lambda_inverse_by_cholesky, finish_lambda},
+      {"lambda_inverse", "computeMinverse", &s, call_lambda_inverse_by_minverse, finish_lambda},
+      {"lambda_inverse", "EFPA", contacts, call_lambda_inverse_by_efpa, finish_lambda},
+      {"lambda_inverse", "PV-OSIM", contacts, call_lambda_inverse_by_pv, finish_lambda},
+      {"lambda", kCholesky, &s, call_lambda_by_cholesky, finish_lambda},
+      {"control_torque", kCholesky, &s, call_control_torque, nullptr}};
+  routines.insert(routines.end(), std::begin(all), std::end(all));
+}
+
+Opened open(const Robot& robot, const Tell& tell) {
+  auto read = read_solver(describe(robot, tell));
+  if (!read) {
+    tell("does not read the robot as it is described");
+    return {};
+  }
+  Opened opened;
+  auto& s = opened.keep<Solver<double>>(*std::move(read));
+  add_dynamics(s, opened.routines);
+  if (s.points.empty()) return opened;
+  opened.solvers.push_back(make_contact_solver(s));
+  add_operational_space(s, opened.solvers.back().get(), opened.routines);
+  return opened;
+}
+
+constexpr Peer kPeer = make_peer<open>("Pinocchio", PINOCCHIO_VERSION);
+
+}  // namespace
+}  // namespace treeline::peer::pin
+
+const treeline::peer::Peer* treeline_peer() {
+  return &treeline::peer::pin::kPeer;
+}

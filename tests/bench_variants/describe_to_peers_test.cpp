@@ -1,0 +1,98 @@
+#include "bench/peers/describe_to_peers.hpp"
+
+#include <gtest/gtest.h>
+
+#include "check/model_from_robot.hpp"
+#include "description/read_scene.hpp"
+#include "description/read_urdf.hpp"
+#include "interpreter/inverse_dynamics.hpp"
+#include "random_mechanism.hpp"
+#include "random_state.hpp"
+
+// What peers are given is the robot that we compute. Would catch a joint, an inertia or a gravity
+// lost on the way, a locked joint that is held elsewhere, coordinates in another order.
+
+namespace treeline::tests {
+namespace {
+
+RandomOptions open_to_peers() {
+  RandomOptions options;
+  options.mix.floating = 0;
+  options.mix.planar = 0;
+  options.locked = 0.3;
+  return options;
+}
+
+TEST(DescribeToPeers, WritesTheSameRobot) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomOptions options = open_to_peers();
+    options.floating_base = seed % 3 == 0;
+    const RandomMechanism drawn = random_mechanism(seed, options);
+    Diagnostics diagnostics;
+    const auto plain =
+        parse_urdf(print_plain_urdf(drawn.robot, drawn.scene), "plain.urdf", diagnostics);
+    ASSERT_TRUE(plain) << to_string(diagnostics.list().back());
+    Scene scene = drawn.scene;
+    scene.locked.clear();
+    const auto own = model_from_robot<double>(drawn.robot, drawn.scene);
+    const auto theirs = model_from_robot<double>(*plain, scene);
+    ASSERT_EQ(own.nv, theirs.nv);
+    Dice dice(seed);
+    const auto q = random_position<double>(dice, own);
+    const auto qd = random_entries<double>(dice, own.nv, 2);
+    const auto qdd = random_entries<double>(dice, own.nv, 5);
+    const auto tau = interpreter::inverse_dynamics<double>(own, q, qd, qdd);
+    const auto same = interpreter::inverse_dynamics<double>(theirs, q, qd, qdd);
+    // Rounding of a few bodies' recursion, and of the angles that locked joints become.
+    EXPECT_LE((tau - same).norm(), 1e-12 * tau.norm());
+  }
+}
+
+TEST(DescribeToPeers, NamesTheLinkOfEachVelocity) {
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(R"(<robot name="two">
+      <link name="a"/><link name="b"/><link name="c &amp; d"/>
+      <joint name="first" type="prismatic">
+        <parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+        <limit lower="0" upper="1" effort="1" velocity="1"/>
+      </joint>
+      <joint name="second" type="continuous">
+        <parent link="b"/><child link="c &amp; d"/><axis xyz="0 0 1"/>
+      </joint></robot>)",
+                                "two.urdf", diagnostics);
+  ASSERT_TRUE(robot);
+  Scene scene;
+  scene.base = Base::floating;
+  scene.operational_points = {{"tip", "b", {{1, 2, 3}, {0, 0, 1.5707963267948966}}, Axes::local}};
+  std::string why_not;
+  const auto description = describe_to_peers(*robot, scene, why_not);
+  ASSERT_TRUE(description);
+  EXPECT_EQ(description->links,
+            (std::vector<std::string>{"a", "a", "a", "a", "a", "a", "b", "c & d"}));
+  ASSERT_EQ(description->points.size(), 1U);
+  EXPECT_EQ(description->points[0].R, (std::array<double, 9>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(description->points[0].p, (std::array<double, 3>{1, 2, 3}));
+  EXPECT_FALSE(description->points[0].world_axes);
+  EXPECT_TRUE(parse_urdf(print_plain_urdf(*robot, scene), "plain.urdf", diagnostics));
+}
+
+std::string refusal(RandomOptions options) {
+  const RandomMechanism drawn = random_mechanism(1, options);
+  std::string why_not;
+  EXPECT_FALSE(describe_to_peers(drawn.robot, drawn.scene, why_not));
+  return why_not;
+}
+
+TEST(DescribeToPeers, RefusesWhatPeersCannotDo) {
+  RandomOptions mimics = open_to_peers();
+  mimics.locked = 0;
+  mimics.mimic = 1;
+  EXPECT_EQ(refusal(mimics), "the robot has joints that mimic others");
+  RandomOptions planar;
+  planar.mix = {0, 0, 0, 0, 0, 1};
+  EXPECT_EQ(refusal(planar), "the robot has planar or floating joints");
+}
+
+}  // namespace
+}  // namespace treeline::tests
