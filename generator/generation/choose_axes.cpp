@@ -98,6 +98,9 @@ std::optional<Function> axes_decider(Function function) {
     case Function::nonlinear_effects:
     case Function::mass_matrix:
       return function;
+    case Function::inverse_dynamics_derivatives:
+    case Function::forward_dynamics_derivatives:
+      return Function::forward_dynamics;
     default:
       return std::nullopt;
   }

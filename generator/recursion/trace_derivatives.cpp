@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "recursion/forward_dynamics_derivatives.hpp"
+#include "recursion/late_turns.hpp"
 #include "recursion/trace_parts.hpp"
 
 namespace treeline {
@@ -65,8 +66,9 @@ Program trace_inverse(const Mechanism& mechanism, Program program) {
   program.equation = "derivatives of tau = M qdd + b + g - J_ext^T f_ext, f_ext held";
   program.source = "unit changes of motion and of wrenches carried inward, in link axes";
   const Inputs in = declare_inputs(mechanism, Function::inverse_dynamics_derivatives, program);
-  const auto tree = tree_of<Expression>(mechanism);
-  const auto X = joint_transforms<Expression>(tree, in.q);
+  auto tree = tree_of<Expression>(mechanism);
+  auto X = joint_transforms<Expression>(tree, in.q);
+  turn_late(tree, X);
   const auto d = inverse_dynamics_derivatives<Expression>(tree, X, {in.qd, in.driven}, in.f_ext);
   program.results = {by_displacements("dtau_dq", mechanism, d.dq),
                      matrix_result("dtau_dqd", "by qd", d.dqd),
@@ -82,8 +84,9 @@ Program trace_forward(const Mechanism& mechanism, Program program, DerivativeRou
                        ? "-M^-1 times those of inverse dynamics, M = L^T D L, sparse solves"
                        : "-M^-1 times those of inverse dynamics, M^-1 by L^T D L";
   const Inputs in = declare_inputs(mechanism, Function::forward_dynamics_derivatives, program);
-  const auto tree = tree_of<Expression>(mechanism);
-  const auto X = joint_transforms<Expression>(tree, in.q);
+  auto tree = tree_of<Expression>(mechanism);
+  auto X = joint_transforms<Expression>(tree, in.q);
+  turn_late(tree, X);
   const auto d =
       forward_dynamics_derivatives<Expression>(tree, X, in.qd, in.driven, in.f_ext, route);
   program.results = {by_displacements("dqdd_dq", mechanism, d.dq),
