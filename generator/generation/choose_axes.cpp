@@ -78,7 +78,8 @@ void flip(Mechanism& mechanism, const Links& links, bool MovingLink::*choice) {
 
 bool takes_rates(Function function) {
   return function == Function::inverse_dynamics || function == Function::nonlinear_effects ||
-         function == Function::bias_acceleration || function == Function::forward_dynamics;
+         function == Function::bias_acceleration || function == Function::forward_dynamics ||
+         function == Function::contact_motion || function == Function::object_state;
 }
 
 }  // namespace
@@ -97,7 +98,16 @@ std::optional<Function> axes_decider(Function function) {
     case Function::gravity:
     case Function::nonlinear_effects:
     case Function::mass_matrix:
+    case Function::contact_motion:
+    case Function::object_state:
+    case Function::center_of_mass:
+    case Function::center_of_mass_jacobian:
       return function;
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
     case Function::inverse_dynamics_derivatives:
     case Function::forward_dynamics_derivatives:
       return Function::forward_dynamics;

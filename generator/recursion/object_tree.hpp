@@ -111,4 +111,17 @@ Tree<Scalar> holding_tree(Tree<Scalar> tree, const std::vector<TreeObject<Scalar
   return tree;
 }
 
+/// Takes over the places of a `holding_tree`'s points, which `turn_late` may have turned.
+template <class Scalar>
+void follow_points(const Tree<Scalar>& tree, std::vector<TreeObject<Scalar>>& objects) {
+  auto point = tree.operational_points.begin();
+  for (TreeObject<Scalar>& object : objects) {
+    for (TreeGrasp<Scalar>& grasp : object.grasps) {
+      grasp.R = point->R;
+      grasp.p = point->p;
+      ++point;
+    }
+  }
+}
+
 }  // namespace treeline

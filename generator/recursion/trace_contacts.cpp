@@ -5,6 +5,7 @@
 
 #include "recursion/contacts.hpp"
 #include "recursion/describe_choice.hpp"
+#include "recursion/late_turns.hpp"
 #include "recursion/link_inverse_inertias.hpp"
 #include "recursion/trace_parts.hpp"
 
@@ -179,6 +180,7 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
   const Argument& other = contract.other;
   traced.other = declare(program, other.name, other.rows, other.meaning);
   traced.X = joint_transforms<Expression>(traced.tree, traced.q);
+  turn_late(traced.tree, traced.X);
   traced.poses = world_poses(traced.tree, traced.X);
   program.results = route.body(traced);
   return program;

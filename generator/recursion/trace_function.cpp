@@ -398,11 +398,13 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
 Program trace_route(const Mechanism& mechanism, Function function, const std::string& source) {
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);
-  const std::vector<Route> routes = routes_of(function, tree);
-  const auto route = std::find_if(routes.begin(), routes.end(),
-                                  [&source](const Route& each) { return each.source == source; });
-  if (route == routes.end()) throw std::logic_error("no such route: " + source);
-  return Tracer(mechanism, 1).trace(function, *route);
+  for (const Route& route : routes_of(function, tree)) {
+    if (route.source == source) return Tracer(mechanism, 1).trace(function, route);
+  }
+  for (Program& program : trace_function(mechanism, function)) {  // of another kind
+    if (program.source == source) return std::move(program);
+  }
+  throw std::logic_error("no such route: " + source);
 }
 
 }  // namespace treeline

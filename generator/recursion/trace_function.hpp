@@ -15,7 +15,7 @@ namespace treeline {
 /// `lanes`: how many values of Real the emitted code may compute together.
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes = 1);
 
-/// One of these functions of joint space or operational space, by the algorithm of this `source`.
+/// The same by the algorithm of this `source` alone.
 Program trace_route(const Mechanism& mechanism, Function function, const std::string& source);
 
 }  // namespace treeline

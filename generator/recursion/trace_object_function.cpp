@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "recursion/describe_choice.hpp"
+#include "recursion/late_turns.hpp"
 #include "recursion/object_forward_dynamics.hpp"
 #include "recursion/trace_parts.hpp"
 
@@ -193,6 +194,8 @@ Program trace_route(const Mechanism& mechanism, Function function, const Route& 
   trace.tree = holding_tree(tree_of<Expression>(mechanism), trace.objects);
   declare_inputs(mechanism, function, program, trace);
   trace.X = joint_transforms<Expression>(trace.tree, trace.q);
+  turn_late(trace.tree, trace.X);
+  follow_points(trace.tree, trace.objects);
   program.results = route.body(trace);
   return program;
 }

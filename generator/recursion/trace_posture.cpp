@@ -1,6 +1,7 @@
 #include "recursion/trace_posture.hpp"
 
 #include "recursion/center_of_mass.hpp"
+#include "recursion/late_turns.hpp"
 #include "recursion/trace_parts.hpp"
 
 namespace treeline {
@@ -13,8 +14,9 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   const auto q = declare(program, "q", mechanism.nq(), "joint coordinates");
-  const auto tree = tree_of<Expression>(mechanism);
-  const auto X = joint_transforms<Expression>(tree, q);
+  auto tree = tree_of<Expression>(mechanism);
+  auto X = joint_transforms<Expression>(tree, q);
+  turn_late(tree, X);
   if (function == Function::center_of_mass) {
     program.equation = "centre of mass: sum of m_i c_i over the mass of all links";
     const Vector3<Expression> center = center_of_mass(tree, X);
