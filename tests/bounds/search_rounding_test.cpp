@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bounds/draw_inputs.hpp"
+#include "bounds/propagate_errors.hpp"
 #include "climb.hpp"
 #include "generate.hpp"
 #include "sample.hpp"
@@ -137,6 +138,54 @@ TEST(SearchWorst, StatedBoundsOfRandomMechanismsHold) {
     for (const GeneratedFunction& generated : made.generation.functions) {
       if (generated.rounding.kind != RoundingBound::Kind::searched) continue;  // no division left
       search_longer(generated, made.generation.domain, {32, 4, 300, seed}, 200);
+    }
+  }
+}
+
+/// The first-order bound of each entry at one state.
+std::vector<double> bounds_at(const Program& program, const Climber::Inputs& arguments) {
+  bounds::ErrorPropagation errors(program.graph, kUnit);
+  std::vector<bounds::States> inputs;
+  for (const InputPlace& place : locate_inputs(program)) {
+    inputs.emplace_back().fill(arguments[place.argument][place.element]);
+  }
+  errors.evaluate(inputs);
+  std::vector<double> bounds;
+  for (const Result& result : program.results) {
+    for (const Expression& value : result.values) {
+      bounds.push_back(errors.bound(value.node())[0] * kUnit);
+    }
+  }
+  return bounds;
+}
+
+/// Towards singularities errors grow without bound, and what is stated of a state with them: errors
+/// are climbed for, and where they are worst compared with the bound there, as long as what is of
+/// second order is a thousandth of it.
+TEST(FindTypical, BoundsHoldAtTheStatesClimbedTo) {
+  constexpr double kSecondOrder = 1e-3;
+  for (const char* name : {"puma560", "samm", "ur10e"}) {
+    const Subjects made = load_functions(name, {Function::lambda, Function::control_torque});
+    for (const GeneratedFunction& generated : made.generation.functions) {
+      ASSERT_EQ(generated.rounding.kind, RoundingBound::Kind::typical);
+      const Program& program = generated.program;
+      Climber climber(program, made.generation.domain, 3);
+      double nearest = 0;
+      for (std::size_t i = 0; i < climber.worst.size(); i += 5) {
+        for (const int steps : {10, 100, 1000}) {
+          climber.climb(i, steps);
+          if (climber.at[i].empty()) continue;
+          const std::vector<double> bounds = bounds_at(program, climber.at[i]);
+          double size = 0;
+          const auto results = evaluate<double>(program, climber.at[i]);
+          for (const double x : results[0]) size = std::max(size, std::abs(x));
+          if (!std::isfinite(size) || !(bounds[i] < kSecondOrder * size)) continue;
+          EXPECT_LE(climber.worst[i], bounds[i] * (1 + kSecondOrder))
+              << name << " " << program.name << " entry " << i;
+          nearest = std::max(nearest, climber.worst[i] / bounds[i]);
+        }
+      }
+      EXPECT_GT(nearest, 0.1) << name << " " << program.name;
     }
   }
 }
