@@ -64,7 +64,7 @@ void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 177 flops (add 63, mul 114, div 0), sine and cosine of 6 angles.
 /// Stack: at most 39 values live at once, 312 bytes.
-/// Rounding: at most 2.4e-11 in bias (at bias[0]), 25 ulp of 4.4e+03, the most that bias can be.
+/// Rounding: at most 2.4e-11 in bias (at bias[0]), 24 ulp of 4.4e+03, the most that bias can be.
 void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext

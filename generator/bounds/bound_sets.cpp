@@ -11,7 +11,6 @@ namespace treeline::bounds {
 namespace {
 
 constexpr int kDeepest = 400;           // sets below sets
-constexpr std::size_t kLargestSet = 9;  // a 3x3 matrix
 constexpr double kSineError = 1;        // at most 1.0 ulp, of values below 1: core/sin_cos.hpp
 constexpr double kSlack = 1 + 0x1p-40;  // for rounding of the bounds themselves
 
@@ -43,7 +42,9 @@ SetBounds::SetBounds(const Graph& graph, InputSizes inputs, double unit)
       inputs_(std::move(inputs)),
       unit_(unit),
       polynomials_(find_polynomials(graph)),
-      bounds_(graph.nodes().size()),
+      known_of_{graph, polynomials_, unit,
+                std::vector<std::optional<Bounded>>(graph.nodes().size())},
+      forms_(known_of_, [this](const Set& set) { return bound_set(set, 0); }),
       divisions_(graph.nodes().size()),
       height_(graph.nodes().size()),
       turns_(graph.nodes().size()) {
@@ -77,17 +78,20 @@ void SetBounds::bound_node(std::uint32_t node) {
   bounds_[node] = bound_alone(node);
   if (polynomials_[node]) {
     bounds_[node]->size = std::min(bounds_[node]->size, polynomials_[node]->magnitude() * kSlack);
-    return;
+  } else {
+    turns_[node] = find_turn(graph_, polynomials_, node);
+    if (turns_[node] != 0) improve(node, bound_set({{node, 1}}, 0));
   }
-  turns_[node] = find_turn(graph_, polynomials_, node);
-  if (turns_[node] == 0) return;
-  const Bounded together = bound_set({{node, 1}}, 0);
-  bounds_[node] = {std::min(bounds_[node]->size, together.size),
-                   std::min(bounds_[node]->error, together.error)};
+  if (const auto better = forms_.add(node)) improve(node, *better);
+}
+
+void SetBounds::improve(std::uint32_t node, const Bounded& bound) {
+  bounds_[node] = {std::min(bounds_[node]->size, bound.size),
+                   std::min(bounds_[node]->error, bound.error)};
 }
 
 /// From the bounds of the operands alone.
-Bounded SetBounds::bound_alone(std::uint32_t node) const {
+Bounded SetBounds::bound_alone(std::uint32_t node) {
   const Node& n = graph_.nodes()[node];
   const auto operand = [this](std::uint32_t i) { return *bounds_[i]; };
   switch (n.op) {
@@ -104,6 +108,13 @@ Bounded SetBounds::bound_alone(std::uint32_t node) const {
     case Op::mul: {
       const Bounded a = operand(n.a), b = operand(n.b);
       const double brought = a.size * b.error + b.size * a.error + unit_ * a.error * b.error;
+      // |a b| <= (a^2 + b^2) / 2, and |a e_b + b e_a| is at most the product of both norms.
+      if (turns_[n.a] != 0 && turns_[n.b] != 0 && n.a != n.b) {
+        const Bounded pair = bound_set({{n.a, 1}, {n.b, 1}}, 0);
+        return rounded(std::min(a.size * b.size, pair.size * pair.size / 2),
+                       std::min(brought, pair.size * pair.error + unit_ * a.error * b.error),
+                       unit_);
+      }
       if (is_power_of_two(graph_.nodes()[n.a]) || is_power_of_two(graph_.nodes()[n.b])) {
         return {a.size * b.size, brought};
       }
@@ -183,19 +194,6 @@ Angle SetBounds::nearest_turn(const Set& set) const {
   return angle;
 }
 
-/// What the rounding of an operation that was expanded adds.
-double SetBounds::local_error(const ExpandedOperation& expanded) const {
-  const Node& n = graph_.nodes()[expanded.node];
-  const Bounded value = *bounds_[expanded.node];
-  double error = value.size + unit_ * value.error;
-  if (n.op == Op::mul) {  // by a sine or cosine, that has an error itself
-    const bool first = polynomials_[n.a].has_value();
-    const Bounded factor = *bounds_[first ? n.a : n.b], other = *bounds_[first ? n.b : n.a];
-    error += factor.error * (other.size + unit_ * other.error);
-  }
-  return expanded.weight * error;
-}
-
 /// Values that the angle does not turn stand as they are, in one row and one column.
 std::vector<LinearForm> SetBounds::expand_rows(const Set& set, Angle angle) const {
   std::vector<LinearForm> forms;
@@ -228,7 +226,7 @@ SetBounds::Turn SetBounds::expand_set(const Set& set, Angle angle) const {
       rest.error += weight * term.factor.magnitude() * bounds_[term.node]->error;
     }
     for (const ExpandedOperation& expanded : forms[row].operations) {
-      rest.error += weight * local_error(expanded);
+      rest.error += weight * known_of_.local_error(expanded);
     }
     turn.rest.push_back(rest);
   }
@@ -240,7 +238,7 @@ std::optional<Bounded> SetBounds::turn_set(const Set& set, int depth) {
   const Angle angle = nearest_turn(set);
   if (angle == 0) return std::nullopt;
   const Turn turn = expand_set(set, angle);
-  if (turn.leaves.empty() || turn.leaves.size() > kLargestSet) return std::nullopt;
+  if (turn.leaves.empty() || turn.leaves.size() > kMostRows) return std::nullopt;
   const std::vector<double> scale = column_norms(turn.A);
   const double norm = operator_norm(turn.A, scale);
   Set leaves;

@@ -4,17 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "bounds/expand_linear.hpp"
+#include "bounds/bound_forms.hpp"
+#include "bounds/node_bounds.hpp"
 #include "program/program.hpp"
 
 namespace treeline::bounds {
-
-/// What a value, or the norm of several, and its error are at most. The error is in units of the
-/// rounding unit u (2^-53, 2^-24): |computed - exact| <= u error, all orders in u included.
-struct Bounded {
-  double size = 0;
-  double error = 0;
-};
 
 /// What is known of an input: it is exact, and this is the most that it can be.
 using InputSizes = std::vector<double>;
@@ -32,6 +26,8 @@ using InputSizes = std::vector<double>;
 class SetBounds {
  public:
   SetBounds(const Graph& graph, InputSizes inputs, double unit);
+  SetBounds(const SetBounds&) = delete;  // its parts know each other
+  SetBounds& operator=(const SetBounds&) = delete;
 
   /// Nothing where there is a division whose divisor may be zero.
   [[nodiscard]] std::optional<Bounded> of(std::uint32_t node) const;
@@ -39,15 +35,8 @@ class SetBounds {
   [[nodiscard]] std::optional<std::uint32_t> division_below(std::uint32_t node) const;
 
  private:
-  struct Member {
-    std::uint32_t node = 0;
-    double weight = 0;
-    auto operator<=>(const Member&) const = default;
-  };
-  using Set = std::vector<Member>;
-
   void bound_node(std::uint32_t node);
-  [[nodiscard]] Bounded bound_alone(std::uint32_t node) const;
+  [[nodiscard]] Bounded bound_alone(std::uint32_t node);
   Bounded bound_set(Set set, int depth);
   [[nodiscard]] Bounded bound_members(const Set& set) const;
   [[nodiscard]] double bound_polynomials(const Set& set) const;
@@ -56,13 +45,15 @@ class SetBounds {
   struct Turn;
   [[nodiscard]] std::vector<LinearForm> expand_rows(const Set& set, Angle angle) const;
   [[nodiscard]] Turn expand_set(const Set& set, Angle angle) const;
-  [[nodiscard]] double local_error(const ExpandedOperation& operation) const;
+  void improve(std::uint32_t node, const Bounded& bound);
 
   const Graph& graph_;
   InputSizes inputs_;
   double unit_;
   std::vector<std::optional<TrigPolynomial>> polynomials_;
-  std::vector<std::optional<Bounded>> bounds_;
+  NodeBounds known_of_;
+  std::vector<std::optional<Bounded>>& bounds_ = known_of_.bounds;
+  FormBounds forms_;
   std::vector<std::uint32_t> divisions_;  ///< of nodes without bound
   std::vector<int> height_;               ///< operations on the longest way to an input
   std::vector<Angle> turns_;              ///< see `find_turn`

@@ -6,6 +6,9 @@
 
 namespace treeline::bounds {
 
+/// The most rows and columns that a matrix may have: those of a set of a 3x3 matrix's entries.
+constexpr std::size_t kMostRows = 9;
+
 /// One entry of a matrix whose entries are polynomials of one angle.
 struct MatrixEntry {
   std::size_t row = 0, column = 0;

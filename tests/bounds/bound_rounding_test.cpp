@@ -98,6 +98,26 @@ TEST(BoundRounding, QuotientsAreBoundedToFirstOrder) {
   EXPECT_NE(describe(typical, sample.program, kUnit).find("99 of 100 states"), std::string::npos);
 }
 
+/// Carries y e from one side of a turn to the other, as recursions do that take accelerations from
+/// a parent: all that is left of products as large as 4 is one input.
+TEST(BoundRounding, ProductsCancelThroughTurns) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  const auto x = sample.argument("x", 5, 1);
+  const auto q = sample.argument("q", 2, 3);
+  const Expression c0 = cos(q[0]), s0 = sin(q[0]), c1 = cos(q[1]), s1 = sin(q[1]);
+  const Expression a = c0 * x[0] + s0 * x[1], b = c0 * x[1] - s0 * x[0], e = c0 * x[2] + s0 * x[3];
+  const Expression y = c1 * a + s1 * b;
+  sample.result({x[4] + (y * e - (c1 * (a * e) + s1 * (b * e)))});
+  const RoundingBound bound = bound_of(sample);
+  EXPECT_NEAR(bound.size[0], 1, 1e-9);
+  EXPECT_LE(bound.error[0], 40 * kUnit);
+  Climber climber(sample.program, sample.domain, 4);
+  climber.climb(0, 3000);
+  EXPECT_LE(climber.worst[0], bound.error[0]);
+  EXPECT_LE(bound.error[0], 20 * climber.worst[0]);
+}
+
 TEST(BoundRounding, SinesMayBeGiven) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
