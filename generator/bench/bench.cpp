@@ -51,8 +51,17 @@ class Bench {
   }
 
   void find_truths(const std::vector<GeneratedFunction>& functions) {
+    references_ = find_truths(functions, Real::float32);  // numbers that every variant has exactly
+    for (const StateReference& reference : references_) {
+      if (timed_.size() < kTimedStates) timed_.push_back(reference.state);
+    }
+  }
+
+  /// At states whose numbers `real` has exactly.
+  std::vector<StateReference> find_truths(const std::vector<GeneratedFunction>& functions,
+                                          Real real) const {
     Scene scene = scene_;
-    scene.real = Real::float32;  // numbers that every variant has exactly
+    scene.real = real;
     Generation generation;
     generation.mechanism = reduced_mechanism(robot_, scene_);
     generation.functions = functions;
@@ -61,10 +70,7 @@ class Bench {
     options.seed = options_.seed;
     options.only = StateClass::random;
     options.progress = [this](int done, int total) { tell("states", done, total); };
-    references_ = make_references(robot_, scene, generation, options);
-    for (const StateReference& reference : references_) {
-      if (timed_.size() < kTimedStates) timed_.push_back(reference.state);
-    }
+    return make_references(robot_, scene, generation, options);
   }
 
   bool compile(const std::vector<VariantBuild>& builds) {
@@ -113,9 +119,15 @@ class Bench {
            static_cast<int>(options_.peers.peers.size()));
       auto made =
           peer_contenders(peer, *description, folder / urdf.name, scene_, functions, timed_);
+      if (description->floating && !made.contenders.empty()) {
+        made.peer.remarks.emplace_back("is compared at states rounded to double, not to float");
+      }
       peers_.push_back(std::move(made.peer));
       add(std::move(made.contenders));
     }
+    // Peers take the quaternion for one of unit length, which one rounded to float is not: what it
+    // turns by is then not defined to more digits than float has.
+    if (description->floating) peer_references_ = find_truths(functions, Real::float64);
     return true;
   }
 
@@ -163,11 +175,14 @@ class Bench {
 
   BenchRow measure_errors(const Contender& contender, std::size_t i,
                           const std::vector<std::size_t>& ends) const {
+    const bool own = contender.variant.group == VariantGroup::peer && !peer_references_.empty();
+    const std::vector<StateReference>& references = own ? peer_references_ : references_;
     std::vector<double> norms;
     std::vector<double> components;
-    for (const StateReference& reference : references_) {
+    for (std::size_t k = 0; k < references.size(); ++k) {
+      const StateReference& reference = references[k];
       const FunctionReference& truth = reference.functions[i];
-      if (truth.singular) continue;
+      if (truth.singular || references_[k].functions[i].singular) continue;
       const AnswerError error = measure_error(contender.call(reference.state), truth, ends);
       norms.push_back(error.norm);
       components.push_back(error.component);
@@ -182,6 +197,7 @@ class Bench {
   TemporaryFolder work_;
   std::string command_;
   std::vector<StateReference> references_;
+  std::vector<StateReference> peer_references_;  ///< empty: the same
   std::vector<State> timed_;
   std::vector<Contender> contenders_;
   std::vector<BenchPeer> peers_;

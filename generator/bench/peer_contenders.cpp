@@ -114,7 +114,7 @@ PeerContenders peer_contenders(const LoadedPeer& peer, const PeerDescription& de
     if (!found) lacking.push_back(name);
   }
   if (!lacking.empty()) {
-    made.peer.remarks.push_back(fmt::format("has no {}", fmt::join(lacking, ", ")));
+    made.peer.remarks.push_back(fmt::format("is not adapted for {}", fmt::join(lacking, ", ")));
   }
   return made;
 }

@@ -96,10 +96,11 @@ void expect_remarks(const BenchReport& report) {
   ASSERT_EQ(report.peers.size(), 1U);
   EXPECT_EQ(report.peers[0].name, "Fake");
   EXPECT_EQ(report.peers[0].remarks,
-            (std::vector<std::string>{"moves arm alone", "has no nonlinear_effects"}));
+            (std::vector<std::string>{"moves arm alone", "is not adapted for nonlinear_effects"}));
   const std::string table = print_table(report);
-  EXPECT_NE(table.find("beside Fake 1.2, which moves arm alone; has no nonlinear_effects\n"),
-            std::string::npos);
+  EXPECT_NE(
+      table.find("beside Fake 1.2, which moves arm alone; is not adapted for nonlinear_effects\n"),
+      std::string::npos);
   EXPECT_NE(table.find("without Absent: "), std::string::npos);
 }
 
@@ -147,7 +148,7 @@ TEST(Peers, SayWhatTheyCannotDo) {
   const auto report = bench_pendulum("base: floating\nfunctions: [gravity]\n");
   ASSERT_TRUE(report);
   EXPECT_EQ(report->peers.at(0).remarks,
-            (std::vector<std::string>{"has no floating base", "has no gravity"}));
+            (std::vector<std::string>{"has no floating base", "is not adapted for gravity"}));
 }
 
 TEST(Peers, AreToldThatTheRobotIsNotThere) {
