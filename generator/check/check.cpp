@@ -59,7 +59,7 @@ std::optional<GeneratedLibrary> compile_and_load(const fs::path& sources, const 
                                                  const fs::path& work, Compilation& compilation,
                                                  Diagnostics& diagnostics) {
   fs::create_directory(work);
-  const std::vector<GeneratedFunction> functions = all_functions(generation);
+  const std::vector<GeneratedFunction> functions = all_callable(generation);
   auto made = compile_folder(sources, scene.name, functions, options, work, diagnostics);
   if (!made) return std::nullopt;
   compilation = std::move(*made);
@@ -151,7 +151,7 @@ CheckReport judge(const Scene& scene, const Generation& generation,
                   const Libraries& libraries) {
   CheckReport report = begin_report(scene, options, libraries);
   if (!options.folder.empty()) report.stale = compare_files(options.folder, generation.files);
-  const std::vector<GeneratedFunction> functions = all_functions(generation);
+  const std::vector<GeneratedFunction> functions = all_callable(generation);
   for (std::size_t i = 0; i < functions.size(); ++i) {
     report.functions.push_back(judge_function(i, functions[i], references, scene.real,
                                               generation.domain, *libraries.accurate,

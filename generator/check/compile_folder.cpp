@@ -80,7 +80,8 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
         compile_command(compiler, options, fs::absolute(folder), source, work / (stem + ".o")));
   };
   for (const GeneratedFunction& generated : functions) {
-    add(source_stem(generated), fs::absolute(folder / (source_stem(generated) + ".cpp")));
+    const fs::path& place = is_composed(generated) ? work : folder;
+    add(source_stem(generated), fs::absolute(place / (source_stem(generated) + ".cpp")));
   }
   add(kEntryStem, work / (std::string(kEntryStem) + ".cpp"));
   objects.outcomes = run_commands(commands, core_count(options.jobs), work);
@@ -92,11 +93,28 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
   return objects;
 }
 
+/// What calls the functions; an entry to a composed function is the only source that it is in.
+void write_entries(const std::string& name, const std::vector<GeneratedFunction>& functions,
+                   const fs::path& work) {
+  std::ofstream(work / (std::string(kEntryStem) + ".cpp")) << print_entry(name, functions);
+  for (const GeneratedFunction& generated : functions) {
+    if (!is_composed(generated)) continue;
+    std::ofstream(work / (source_stem(generated) + ".cpp"))
+        << print_composed_entry(name, generated);
+  }
+}
+
 bool link_library(const Command& compiler, const Objects& objects, const fs::path& work,
                   const CompileOptions& options, Compilation& made, Diagnostics& diagnostics) {
   Command command = compiler;
   for (const std::string& flag : split_words(options.flags)) command.push_back(flag);
-  command.insert(command.end(), {"-shared", "-o", made.library});
+  // What a header defines inline may be one for the whole process, and this is not the only
+  // library.
+  const fs::path exported = work / "exported.map";
+  std::ofstream(exported) << "{ global: "
+                          << "treeline_check_*; local: *; };\n";
+  command.insert(command.end(),
+                 {"-shared", "-Wl,--version-script=" + exported.string(), "-o", made.library});
   for (const std::string& stem : objects.stems) command.push_back(work / (stem + ".o"));
   return succeeded(run_commands({command}, 1, work).front(), made.library, "does not link",
                    diagnostics);
@@ -150,7 +168,7 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
                                           Diagnostics& diagnostics) {
   const auto compiler = find_compiler(options.compiler, work, diagnostics);
   if (!compiler) return std::nullopt;
-  std::ofstream(work / (std::string(kEntryStem) + ".cpp")) << print_entry(name, functions);
+  write_entries(name, functions, work);
   const auto start = Clock::now();
   const auto objects = compile_objects(*compiler, folder, functions, options, work, diagnostics);
   if (!objects) return std::nullopt;

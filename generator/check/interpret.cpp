@@ -83,6 +83,13 @@ std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
     case Function::forward_dynamics_derivatives:
       return derivatives(
           interpreter::forward_dynamics_derivatives<Scalar>(model, q, qd, tau, external, f_ext));
+    case Function::damped_control_torque: {
+      const auto damped = interpreter::damped_control_torque<Scalar>(
+          model, points, q, qd, qdd, xdd_cmd, subject.damping, external, f_ext);
+      std::vector<Scalar> entries = entries_of(damped.tau);
+      entries.push_back(damped.ease);
+      return entries;
+    }
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:

@@ -17,10 +17,11 @@ bool same_bits(double a, double b) {
 
 void note_bits(const CallResult& result, const StateReference& reference,
                const FunctionReference& function, FunctionReport& report) {
+  report.bits_known = report.bits_known && !function.graph.empty();
   const bool same = std::equal(result.entries.begin(), result.entries.end(), function.graph.begin(),
                                function.graph.end(), same_bits);
   report.out_of_bounds += result.wrote_out_of_bounds ? 1 : 0;
-  if (same) return;
+  if (same || !report.bits_known) return;
   if (report.bits_differ++ == 0) report.first_bits_differ = reference.state.index;
 }
 
@@ -38,7 +39,7 @@ FunctionReport begin_report(const GeneratedFunction& generated) {
   FunctionReport report;
   report.name = source_stem(generated);
   report.method = generated.chosen.method;
-  report.count = count_operations(generated.program);
+  if (!is_composed(generated)) report.count = count_operations(generated.program);
   return report;
 }
 

@@ -8,8 +8,10 @@
 namespace treeline {
 namespace {
 
-/// Arguments as `prefix`input<size>(in[i]) and `prefix`output<size>(out[i]), each with `suffix`.
-std::string print_arguments(const Program& program, const char* prefix, const char* suffix) {
+/// Arguments as `prefix`input<size>(in[i]) and `prefix`output<size>(out[i]) for the first so many
+/// results, each with `suffix`.
+std::string print_arguments(const Program& program, std::size_t outputs, const char* prefix,
+                            const char* suffix) {
   std::string text;
   const auto append = [&](const char* direction, const Argument& argument, const char* array,
                           std::size_t i) {
@@ -19,31 +21,40 @@ std::string print_arguments(const Program& program, const char* prefix, const ch
   for (std::size_t i = 0; i < program.arguments.size(); ++i) {
     append("input", program.arguments[i], "in", i);
   }
-  for (std::size_t i = 0; i < program.results.size(); ++i) {
+  for (std::size_t i = 0; i < outputs; ++i) {
     append("output", program.results[i].argument, "out", i);
   }
   return text;
 }
 
+/// The entry of a plain function, or of one that also returns a number: its last result.
 std::string print_plain(const std::string& name, const GeneratedFunction& generated) {
+  const Program& program = generated.program;
+  const std::size_t outputs = program.results.size() - (is_composed(generated) ? 1 : 0);
+  std::string before;
+  if (is_composed(generated)) before = fmt::format("output<1>(out[{}])[0] = ", outputs);
   return fill_template(check_templates::kFunction,
                        {{"name", name},
                         {"entry", source_stem(generated)},
-                        {"function", generated.program.name},
-                        {"arguments", print_arguments(generated.program, "", "")},
+                        {"function", program.name},
+                        {"arguments", print_arguments(program, outputs, "", "")},
+                        {"before", before},
                         {"after", ""}});
 }
 
 /// An entry that takes one state, and one that takes all.
 std::string print_batch(const std::string& name, const GeneratedFunction& generated) {
+  const Program& program = generated.program;
   const auto fill = [&](const std::string& entry, const char* prefix, const char* suffix,
                         const char* after) {
-    return fill_template(check_templates::kFunction,
-                         {{"name", name + "::batch"},
-                          {"entry", entry},
-                          {"function", generated.program.name},
-                          {"arguments", print_arguments(generated.program, prefix, suffix)},
-                          {"after", after}});
+    return fill_template(
+        check_templates::kFunction,
+        {{"name", name + "::batch"},
+         {"entry", entry},
+         {"function", generated.program.name},
+         {"arguments", print_arguments(program, program.results.size(), prefix, suffix)},
+         {"before", ""},
+         {"after", after}});
   };
   const std::string stem = source_stem(generated);
   return fill(stem, "batch_", ".all()", "\n  lane = (lane + 1) % kStates;") +
@@ -56,13 +67,21 @@ std::string print_entry(const std::string& name, const std::vector<GeneratedFunc
   std::string text;
   bool has_batch = false;
   for (const GeneratedFunction& generated : functions) {
+    if (is_composed(generated)) continue;
     has_batch = has_batch || generated.batch > 0;
     text += generated.batch > 0 ? print_batch(name, generated) : print_plain(name, generated);
   }
-  const std::string batch =
-      has_batch ? fill_template(check_templates::kBatch, {{"name", name}}) : "";
+  std::string more(check_templates::kBytesOfReal);
+  if (has_batch) more += fill_template(check_templates::kBatch, {{"name", name}});
   return fill_template(check_templates::kEntry,
-                       {{"name", name}, {"batch", batch}, {"functions", text}});
+                       {{"name", name}, {"header", name}, {"more", more}, {"functions", text}});
+}
+
+std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated) {
+  return fill_template(check_templates::kEntry, {{"name", name},
+                                                 {"header", name + "_damped"},
+                                                 {"more", ""},
+                                                 {"functions", print_plain(name, generated)}});
 }
 
 std::string entry_symbol(const std::string& function) {

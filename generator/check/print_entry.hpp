@@ -10,7 +10,11 @@ namespace treeline {
 /// A source file that is compiled with a generated folder and gives each function the C symbol
 /// `entry_symbol`, which takes pointers to its inputs and to its outputs. It compiles only when the
 /// folder's header declares the functions with the programs' shapes.
+/// Functions that are composed of others, and have no source of their own, are left out.
 std::string print_entry(const std::string& name, const std::vector<GeneratedFunction>& functions);
+
+/// The same for one that is composed, from NAME_damped.hpp.
+std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated);
 
 /// The C symbol of a function.
 std::string entry_symbol(const std::string& function);

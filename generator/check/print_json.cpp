@@ -32,6 +32,8 @@ const char* condition_name(Solve solve) {
       return "M";
     case Solve::lambda_inverse:
       return "Lambda^-1";
+    case Solve::damped:
+      return "Lambda^-1 + Delta";
     case Solve::none:
       break;
   }
@@ -83,16 +85,24 @@ Json to_json(const FunctionReport& f) {
             {"rounding", to_json(f.rounding)},
             {"beyond_bound", f.beyond_bound},
             {"out_of_bounds", f.out_of_bounds},
+            {"bits_known", f.bits_known},
             {"bits_differ", f.bits_differ},
             {"first_bits_differ", optional(f.first_bits_differ)},
-            {"flops", f.count.flops()},
-            {"add", f.count.add},
-            {"mul", f.count.mul},
-            {"div", f.count.div},
-            {"sin_cos", f.count.sin_cos},
+            {"flops", nullptr},
+            {"add", nullptr},
+            {"mul", nullptr},
+            {"div", nullptr},
+            {"sin_cos", nullptr},
             {"code_bytes", optional(f.code_bytes)},
             {"stack_bytes", optional(f.stack_bytes)},
             {"compile_seconds", f.compile_seconds}};
+  if (f.count) {
+    json["flops"] = f.count->flops();
+    json["add"] = f.count->add;
+    json["mul"] = f.count->mul;
+    json["div"] = f.count->div;
+    json["sin_cos"] = f.count->sin_cos;
+  }
   if (f.has_errors()) {
     json["median"] = finite(f.median);
     json["percent_99"] = finite(f.percent_99);

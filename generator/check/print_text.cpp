@@ -32,6 +32,8 @@ const char* condition_name(Solve solve) {
       return "M";
     case Solve::lambda_inverse:
       return "Lambda^-1";
+    case Solve::damped:
+      return "Lambda^-1 + Delta";
     case Solve::none:
       break;
   }
@@ -54,6 +56,7 @@ std::string print_rounding(const std::optional<RoundingReport>& rounding) {
 }
 
 std::string print_bits(const FunctionReport& function) {
+  if (!function.bits_known) return "unknown";
   return function.bits_differ == 0 ? "equal" : fmt::format("{} differ", function.bits_differ);
 }
 
@@ -71,8 +74,8 @@ std::string print_table(const CheckReport& report) {
          f.rounding && f.rounding->states > 0 ? fmt::format("{} %", number(100 * f.rounding->used))
                                               : "",
          f.singular == 0 ? "" : fmt::format("{}", f.singular), print_bits(f),
-         fmt::format("{}", f.count.flops()), optional(f.code_bytes), optional(f.stack_bytes),
-         fmt::format("{:.1f}", f.compile_seconds)});
+         f.count ? fmt::format("{}", f.count->flops()) : "", optional(f.code_bytes),
+         optional(f.stack_bytes), fmt::format("{:.1f}", f.compile_seconds)});
   }
   return align_columns({{"function"},
                         {"median", true},

@@ -12,6 +12,8 @@
 #include <thread>
 
 #include "check/condition.hpp"
+#include "check/entries.hpp"
+#include "check/evaluate_damped.hpp"
 #include "check/interpret.hpp"
 #include "check/result_sizes.hpp"
 #include "program/evaluate.hpp"
@@ -104,7 +106,7 @@ class ReferenceMaker {
  public:
   ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
                  std::uint64_t seed)
-      : functions_(all_functions(generation)),
+      : functions_(all_callable(generation)),
         plain_(generation.functions.size()),
         real_(scene.real),
         exact_(make_subject<Digits50>(robot, scene)),
@@ -121,8 +123,13 @@ class ReferenceMaker {
     const ResultSizes sizes(space_.subject, made.state);
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       // A function of several states differs from the plain one in its graph, not in its truth.
-      made.functions.push_back(i < plain_ ? find_truth(functions_[i], made.state, sizes)
-                                          : made.functions[i - plain_]);
+      made.functions.push_back(functions_[i].batch > 0
+                                   ? made.functions[i - plain_]
+                                   : find_truth(functions_[i], made.state, sizes));
+      if (is_composed(functions_[i])) {
+        compose_graph(made);
+        continue;
+      }
       made.functions.back().graph = evaluate_in_real(functions_[i].program, made.state);
       made.functions.back().computed_angles =
           add_magnitudes(evaluate_graph<double>(angles_[i], made.state));
@@ -131,6 +138,27 @@ class ReferenceMaker {
   }
 
  private:
+  /// What must come out of the last function, which is composed of others of the state's; an angle
+  /// that one of these rounds is amplified as their errors are.
+  void compose_graph(StateReference& made) const {
+    FunctionReference& composed = made.functions.back();
+    const auto graph_of = [&](Function function) {
+      std::size_t i = 0;
+      while (functions_[i].function != function) ++i;
+      composed.computed_angles += composed.condition * made.functions[i].computed_angles;
+      return made.functions[i].graph;
+    };
+    DampedInputs inputs;
+    inputs.Lambda_inverse = graph_of(Function::lambda_inverse);
+    inputs.J = graph_of(Function::jacobian);
+    inputs.bias = graph_of(Function::bias_acceleration);
+    inputs.tau = graph_of(Function::inverse_dynamics);
+    inputs.qdd_0 = made.state.qdd;
+    inputs.xdd_cmd = made.state.xdd_cmd;
+    inputs.heaviest = entries_of(space_.subject.damping.heaviest);
+    composed.graph = evaluate_damped(real_, inputs);
+  }
+
   std::vector<double> evaluate_in_real(const Program& program, const State& state) const {
     return real_ == Real::float32 ? evaluate_graph<float>(program, state)
                                   : evaluate_graph<double>(program, state);

@@ -15,8 +15,9 @@ namespace treeline {
 struct FunctionReference {
   /// The interpreter's result in 50 digits, to 106 bits: high + low.
   std::vector<double> high, low;
-  std::vector<double> size;   ///< of each entry's terms, see `TermSizes`
-  std::vector<double> graph;  ///< of the expression graph evaluated in Real: what must come out
+  std::vector<double> size;  ///< of each entry's terms, see `TermSizes`
+  /// Of the expression graph evaluated in Real: what must come out. Empty: not known.
+  std::vector<double> graph;
   /// Of the matrix solved with, scaled to a unit diagonal so that no unit matters; 1 without one.
   double condition = 1;
   /// A solve with this condition leaves no digit in Real: the truth above is absent.
@@ -27,7 +28,7 @@ struct FunctionReference {
   double computed_angles = 0;
 };
 
-/// One state and, in the order of `Generation::functions`, its references.
+/// One state and, in the order of `all_callable`, its references.
 struct StateReference {
   State state;
   std::vector<FunctionReference> functions;

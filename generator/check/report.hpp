@@ -47,7 +47,7 @@ struct RoundingReport {
 /// The verdict on one function and what it rests on.
 struct FunctionReport {
   std::string name, method;
-  OperationCount count;
+  std::optional<OperationCount> count;  ///< absent for what is composed of other functions
   std::optional<int> code_bytes, stack_bytes;
   double compile_seconds = 0;
 
@@ -61,6 +61,7 @@ struct FunctionReport {
   std::optional<RoundingReport> rounding;  ///< nothing where no bound is known
   int beyond_bound = 0;                    ///< states whose error exceeds the bound
   int out_of_bounds = 0;                   ///< states at which it wrote beyond its outputs
+  bool bits_known = true;                  ///< whether it is known which bits must come out
   int bits_differ = 0;                     ///< states whose result is not the graph's, to the bit
   std::optional<int> first_bits_differ;    ///< state
 

@@ -60,6 +60,9 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
       interpreter::lambda_inverse<double>(subject.model, subject.points, q);
   Lambda_condition_ = scaled_condition(Lambda_inverse, lambda_inverse().diagonal());
   Lambda_ = inverse(Lambda_inverse).cwiseAbs();
+  if (subject.damping.heaviest.size() > 0) {
+    damped_ = find_damped_sizes(Lambda_inverse, lambda_inverse(), subject.damping);
+  }
   control_condition_ = Lambda_condition_;
   control_Lambda_ = Lambda_;
   if (!interpreter::has_priorities(subject.points)) return;
@@ -77,6 +80,8 @@ double ResultSizes::condition(Function function) const {
       return M_condition_;
     case Solve::lambda_inverse:
       return function == Function::control_torque ? control_condition_ : Lambda_condition_;
+    case Solve::damped:
+      return damped_ ? std::max(damped_->condition, M_condition_) : M_condition_;
     case Solve::none:
       break;
   }
@@ -107,7 +112,7 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::lambda:
       return entries_of(lambda());
     case Function::control_torque:
-      return entries_of(control_torque());
+      return entries_of(control_torque(control_Lambda_));
     case Function::center_of_mass:
       return entries_of(terms_.center_of_mass());
     case Function::center_of_mass_jacobian:
@@ -116,6 +121,8 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
       return inverse_dynamics_derivatives();
     case Function::forward_dynamics_derivatives:
       return forward_dynamics_derivatives();
+    case Function::damped_control_torque:
+      return damped_control_torque();
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
@@ -149,13 +156,18 @@ Eigen::MatrixXd ResultSizes::lambda() const {
 }
 
 /// Those of inverse dynamics at qdd_0 and |J|^T |Lambda| (|xdd_cmd| + |Jd qd| + |J| |qdd_0|)
-Eigen::VectorXd ResultSizes::control_torque() const {
+Eigen::VectorXd ResultSizes::control_torque(const Eigen::MatrixXd& Lambda) const {
   const Eigen::MatrixXd J = terms_.jacobian();
   const Eigen::VectorXd rows = vector_of<double>(state_.xdd_cmd).cwiseAbs() +
                                terms_.bias(state_.qd) +
                                J * vector_of<double>(state_.qdd).cwiseAbs();
-  return terms_.forces(state_.qd, state_.qdd, state_.f_ext) +
-         J.transpose() * (control_Lambda_ * rows);
+  return terms_.forces(state_.qd, state_.qdd, state_.f_ext) + J.transpose() * (Lambda * rows);
+}
+
+std::vector<double> ResultSizes::damped_control_torque() const {
+  std::vector<double> entries = entries_of(control_torque(damped_->Lambda));
+  entries.push_back(damped_->ease);
+  return entries;
 }
 
 std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "check/damped_sizes.hpp"
 #include "check/object_sizes.hpp"
 #include "check/reference.hpp"
 #include "check/term_sizes.hpp"
@@ -25,7 +26,9 @@ class ResultSizes {
   [[nodiscard]] Eigen::VectorXd forward_dynamics(const std::vector<double>& qdd) const;
   [[nodiscard]] Eigen::MatrixXd lambda_inverse() const;
   [[nodiscard]] Eigen::MatrixXd lambda() const;
-  [[nodiscard]] Eigen::VectorXd control_torque() const;
+  /// With the magnitudes of the matrix that makes forces of the task's accelerations.
+  [[nodiscard]] Eigen::VectorXd control_torque(const Eigen::MatrixXd& Lambda) const;
+  [[nodiscard]] std::vector<double> damped_control_torque() const;
   [[nodiscard]] std::vector<double> inverse_dynamics_derivatives() const;
   [[nodiscard]] std::vector<double> forward_dynamics_derivatives() const;
 
@@ -35,6 +38,7 @@ class ResultSizes {
   /// Magnitudes of the entries; the last is Lambda as tasks in strict priority leave it.
   Eigen::MatrixXd M_inverse_, Lambda_, control_Lambda_;
   std::optional<ObjectSizes> objects_;  ///< where the scene has any
+  std::optional<DampedSizes> damped_;   ///< where the scene asks for it
   double M_condition_ = 1, Lambda_condition_ = 1, control_condition_ = 1;
 };
 

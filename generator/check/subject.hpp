@@ -1,7 +1,10 @@
 #pragma once
 
 #include "check/chain_from_scene.hpp"
+#include "check/entries.hpp"
 #include "check/model_from_robot.hpp"
+#include "description/heaviest_rows.hpp"
+#include "interpreter/damped_torque.hpp"
 #include "interpreter/points.hpp"
 
 namespace treeline {
@@ -14,6 +17,7 @@ struct Subject {
   interpreter::Points<Scalar> external;  ///< where external forces act
   interpreter::Points<Scalar> contacts;
   interpreter::ClosedChain<Scalar> chain;  ///< with the objects that the robot holds, if any
+  interpreter::Damping<Scalar> damping;    ///< of no row where the scene asks for none
 };
 
 template <class Scalar>
@@ -24,15 +28,18 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   subject.external = points_from_scene(subject.model, scene.external_forces);
   subject.contacts = points_from_scene(subject.model, scene.contacts);
   if (!scene.objects.empty()) subject.chain = chain_from_scene<Scalar>(robot, scene);
+  subject.damping.heaviest = vector_of<Scalar>(heaviest_rows(scene));
+  // As `core::add_damping_by_directions` has it.
+  subject.damping.resolution = Scalar(scene.real == Real::float32 ? 0x1p-17 : 0x1p-46);
   return subject;
 }
 
 /// The same with each number rounded once.
 template <class To, class From>
 Subject<To> cast(const Subject<From>& subject) {
-  return {interpreter::cast<To>(subject.model), interpreter::cast<To>(subject.points),
+  return {interpreter::cast<To>(subject.model),    interpreter::cast<To>(subject.points),
           interpreter::cast<To>(subject.external), interpreter::cast<To>(subject.contacts),
-          interpreter::cast<To>(subject.chain)};
+          interpreter::cast<To>(subject.chain),    interpreter::cast<To>(subject.damping)};
 }
 
 }  // namespace treeline

@@ -50,6 +50,8 @@ const char* function_name(Function function) {
       return "inverse_dynamics_derivatives";
     case Function::forward_dynamics_derivatives:
       return "forward_dynamics_derivatives";
+    case Function::damped_control_torque:
+      return "damped_control_torque";
   }
   return "";
 }

@@ -44,6 +44,7 @@ enum class Function {
   center_of_mass_jacobian,  ///< J_com, 3 x nv
   inverse_dynamics_derivatives,  ///< dtau/dq, dtau/dqd, dtau/dqdd
   forward_dynamics_derivatives,  ///< dqdd/dq, dqdd/dqd, dqdd/dtau
+  damped_control_torque,         ///< composed of others where a scene says `damped`; never listed
 };
 inline constexpr std::array kAllFunctions = {Function::forward_kinematics,
                                              Function::jacobian,

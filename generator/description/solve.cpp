@@ -17,6 +17,8 @@ Solve solve_of(Function function) {
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
       return Solve::lambda_inverse;
+    case Function::damped_control_torque:
+      return Solve::damped;
     default:
       return Solve::none;
   }

@@ -5,8 +5,9 @@
 namespace treeline {
 
 /// Which matrix a function solves with: its errors grow with the condition of that matrix. M is
-/// positive definite everywhere, Lambda^-1 singular in some configurations.
-enum class Solve { none, mass_matrix, lambda_inverse };
+/// positive definite everywhere, Lambda^-1 singular in some configurations, Lambda^-1 + Delta in
+/// none.
+enum class Solve { none, mass_matrix, lambda_inverse, damped };
 Solve solve_of(Function function);
 
 }  // namespace treeline

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "description/heaviest_rows.hpp"
+
 namespace treeline {
 namespace {
 
@@ -152,22 +154,6 @@ std::string object_text(const SceneObject& object) {
   return text;
 }
 
-/// Of each row of the task; empty where the scene does not ask for damping.
-std::vector<double> heaviest_of(const Scene& scene) {
-  std::vector<double> heaviest;
-  if (!scene.damped) {
-    return heaviest;
-  }
-  for (const ScenePoint& point : scene.operational_points) {
-    for (std::size_t row = 0; row < point.rows.size(); ++row) {
-      if (point.rows[row]) {
-        heaviest.push_back(row < 3 ? scene.damped->mass : scene.damped->inertia);
-      }
-    }
-  }
-  return heaviest;
-}
-
 }  // namespace
 
 EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mechanism& mechanism) {
@@ -176,7 +162,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.robot = robot.name;
   context.single_precision = scene.real == Real::float32;
   context.batch = scene.batch;
-  context.heaviest = heaviest_of(scene);
+  context.heaviest = heaviest_rows(scene);
   context.coordinates = mechanism.nq();
   context.velocities = mechanism.nv();
   context.task_rows = mechanism.task_rows();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "description/check_scene.hpp"
+#include "generation/compose_damped.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/run_routes.hpp"
@@ -217,9 +218,19 @@ std::string source_stem(const GeneratedFunction& generated) {
   return source_stem(generated.function, generated.batch);
 }
 
+bool is_composed(const GeneratedFunction& generated) {
+  return generated.function == Function::damped_control_torque;
+}
+
 std::vector<GeneratedFunction> all_functions(const Generation& generation) {
   std::vector<GeneratedFunction> all = generation.functions;
   all.insert(all.end(), generation.batch.begin(), generation.batch.end());
+  return all;
+}
+
+std::vector<GeneratedFunction> all_callable(const Generation& generation) {
+  std::vector<GeneratedFunction> all = all_functions(generation);
+  if (generation.damped) all.push_back(*generation.damped);
   return all;
 }
 
@@ -233,6 +244,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   if (!generate_functions(mechanisms, scene, choices, generation, diagnostics)) {
     return std::nullopt;
   }
+  if (scene.damped) generation.damped = compose_damped(generation.functions);
   EmissionContext context = context_of(robot, scene, provenance, generation, mechanisms);
   context.measured = choices.measured;
   generation.files =

@@ -43,6 +43,9 @@ GeneratedFunction generated_from(Function function, Candidate candidate);
 std::string source_stem(Function function, int batch);
 std::string source_stem(const GeneratedFunction& generated);
 
+/// Whether the function is `damped_control_torque`: a header without a source, calling others.
+bool is_composed(const GeneratedFunction& generated);
+
 /// Everything `treeline generate` makes, in memory.
 struct Generation {
   Domain domain;        ///< on which bounds of rounding errors hold
@@ -50,6 +53,7 @@ struct Generation {
   std::vector<GeneratedFunction> functions;
   std::vector<GeneratedFunction>
       batch;  ///< the same for `Scene::batch` states, if it asks for them
+  std::optional<GeneratedFunction> damped;  ///< see `compose_damped`; if the scene asks for it
   std::vector<GeneratedFile> files;
 };
 
@@ -68,6 +72,9 @@ std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
 
 /// The plain functions, then those for batches in the same order.
 std::vector<GeneratedFunction> all_functions(const Generation& generation);
+
+/// These and what is composed of them: all that can be called.
+std::vector<GeneratedFunction> all_callable(const Generation& generation);
 
 /// The route to one function that is cheapest after the passes. `lanes`, `sin_cos`: see `Scene`.
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,

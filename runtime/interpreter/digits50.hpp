@@ -11,3 +11,15 @@ using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_fl
                                                boost::multiprecision::et_off>;
 
 }  // namespace treeline::interpreter
+
+namespace Eigen::internal {
+
+/// Eigenvalues take this; Eigen's own asks Boost's traits for an infinity that they do not have. No
+/// exponent of these numbers overflows.
+template <>
+inline treeline::interpreter::Digits50 positive_real_hypot(
+    const treeline::interpreter::Digits50& x, const treeline::interpreter::Digits50& y) {
+  return sqrt(x * x + y * y);
+}
+
+}  // namespace Eigen::internal

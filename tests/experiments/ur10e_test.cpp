@@ -69,9 +69,11 @@ TEST(DampedControlTorque, IsTheInterpreters) {
     const Draw d = draw(engine, round);
     double tau[6];
     ur10e::damped_control_torque(d.q, d.qd, d.qdd_0, d.xdd_cmd, tau);
-    const Vector6 expected = interpreter::damped_control_torque<double>(
-        model, points, Vector6::Map(d.q), Vector6::Map(d.qd), Vector6::Map(d.qdd_0),
-        Vector6::Map(d.xdd_cmd), Vector6::Map(ur10e::kHeaviest));
+    const Vector6 expected =
+        interpreter::damped_control_torque<double>(
+            model, points, Vector6::Map(d.q), Vector6::Map(d.qd), Vector6::Map(d.qdd_0),
+            Vector6::Map(d.xdd_cmd), {Vector6::Map(ur10e::kHeaviest)})
+            .tau;
     // Eases reach 1e5; what that loses of the digits of eases near one is 1e-11.
     EXPECT_LT((Vector6::Map(tau) - expected).norm(), 1e-10 * (100 + expected.norm())) << round;
   }

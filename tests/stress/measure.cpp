@@ -191,7 +191,8 @@ bool Bench::damped_torque_is_bounded(const State& state) const {
   const auto heaviest = interpreter::Vector<double>::Constant(command.size(), 100.0).eval();
   const auto M = interpreter::mass_matrix<double>(model, q).ldlt();
   const interpreter::Vector<double> tau =
-      interpreter::damped_control_torque<double>(model, points, q, none, none, command, heaviest) -
+      interpreter::damped_control_torque<double>(model, points, q, none, none, command, {heaviest})
+          .tau -
       interpreter::gravity<double>(model, q);
   return tau.allFinite() && tau.dot(M.solve(tau)) <= 1.362 * 100 * command.squaredNorm() + 1e-6;
 }
