@@ -13,6 +13,7 @@
 #include "check/reference.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "generation/compose_damped.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "passes/choose.hpp"
 #include "passes/settle.hpp"
@@ -133,19 +134,18 @@ std::vector<DigitsLeft> measure_digits(const DigitsSubject& subject) {
   Generation generation;
   generation.mechanism = reduced_mechanism(*robot, *scene);
   for (const Function function : scene->functions) {
-    if (!needs_objects(function)) {
-      generation.functions.push_back(cheapest(generation.mechanism, function));
-    }
+    generation.functions.push_back(cheapest(generation.mechanism, function));
   }
+  if (scene->damped) generation.damped = compose_damped(generation.functions);
   ReferenceOptions options;
   options.states = kStates;
   options.first = 1;
   options.threads = 1;
   const auto references = make_references(*robot, *scene, generation, options);
   std::vector<DigitsLeft> rows;
-  for (std::size_t i = 0; i < generation.functions.size(); ++i) {
-    rows.push_back(
-        worst_digits(subject.name, i, generation.functions[i].function, scene->real, references));
+  const auto functions = all_callable(generation);
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    rows.push_back(worst_digits(subject.name, i, functions[i].function, scene->real, references));
   }
   return rows;
 }

@@ -30,7 +30,7 @@ struct DigitsLeft {
   std::optional<double> digits;
 };
 
-/// Of each function of the subject, from the cheapest route's expression graph evaluated in the
+/// Of each function of the subject, objects' and damped ones as well, from the cheapest route's expression graph evaluated in the
 /// scene's Real against 50 digits: what emitted code gives but for the passes' reassociations. In
 /// states where the condition leaves no digit nothing is measured. Throws std::runtime_error for
 /// files that cannot be read.
