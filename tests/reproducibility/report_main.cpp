@@ -1,4 +1,4 @@
-// reproducibility_report ROBOTS FILE.csv: compiles three robots in every way that shall give the
+// reproducibility_report ROBOTS FILE.csv: compiles four robots in every way that shall give the
 // same bits, and in ways that may not, compares the results, prints a table and writes a CSV. Exit
 // status: 0 as claimed, 1 something fails, 2 usage, 3 a claim is broken.
 #include <fmt/core.h>
@@ -74,7 +74,7 @@ void compare_bounded(const Variants& variants, const std::string& compiler, Rows
 
 int report(const char* robots, const char* path) {
   Rows exact, bounded;
-  for (const char* name : {"puma560", "samm", "humanoid24"}) {
+  for (const char* name : {"puma560", "ur10e", "samm", "humanoid24"}) {
     const Variants variants = load_variants(robots, name);
     for (const char* compiler : {"g++", "clang++"}) {
       if (!has_compiler(compiler)) {

@@ -112,7 +112,7 @@ GeneratedLibrary build_library(const Original& original, const Build& build) {
   CompileOptions options;
   options.compiler = build.compiler;
   options.flags = build.flags;
-  const auto functions = all_functions(original.generation);
+  const auto functions = all_callable(original.generation);
   if (write_files(sources, original.generation.files, diagnostics)) {
     const auto made =
         compile_folder(sources, original.scene.name, functions, options, objects, diagnostics);
@@ -128,7 +128,7 @@ GeneratedLibrary build_library(const Original& original, const Build& build) {
 std::vector<Difference> compare_with_graph(const Original& original, const Build& build,
                                            const Original* other) {
   const GeneratedLibrary library = build_library(other != nullptr ? *other : original, build);
-  const auto functions = all_functions(original.generation);
+  const auto functions = all_callable(original.generation);
   const double unit = unit_of(original.scene.real);
   std::vector<Difference> rows;
   for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -146,7 +146,7 @@ std::vector<Difference> compare_with_double(const Original& in_float, const Orig
                                             const Build& build) {
   const GeneratedLibrary single = build_library(in_float, build);
   const GeneratedLibrary twice = build_library(in_double, build);
-  const auto functions = all_functions(in_float.generation);
+  const auto functions = all_callable(in_float.generation);
   std::vector<Difference> rows;
   for (std::size_t i = 0; i < functions.size(); ++i) {
     const Bound bound = find_bound(i, functions[i].function, in_float.references);

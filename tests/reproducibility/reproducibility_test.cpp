@@ -1,7 +1,7 @@
 // Would catch: arithmetic in emitted code, its lanes or its sines that a compiler may order or
 // round otherwise; a pragma or attribute that changes bits; contraction that costs more than it
-// may. A few functions of one robot; `cmake --build BUILD -t report_reproducibility` tries all of
-// three.
+// may. A few functions of the PUMA, the UR10e's damped law with its loops, large ones of the
+// humanoid; `cmake --build BUILD -t report_reproducibility` tries all functions of four robots.
 #include <gtest/gtest.h>
 
 #include "reproducibility/reproduce.hpp"
@@ -11,6 +11,10 @@ namespace {
 
 const std::vector<Function> kFunctions = {Function::inverse_dynamics, Function::bias_acceleration,
                                           Function::lambda_inverse, Function::control_torque};
+/// Of the humanoid: what packs lanes over arms and legs, and the longest code.
+const std::vector<Function> kLargeFunctions = {Function::inverse_dynamics, Function::mass_matrix,
+                                               Function::forward_dynamics,
+                                               Function::control_torque};
 constexpr int kStates = 40;
 
 Original load(Real real) {
@@ -35,6 +39,33 @@ TEST_P(Reproducibility, SameBitsWithoutContraction) {
       EXPECT_EQ(row.bits_differ, 0) << row.function << ' ' << flags;
       EXPECT_EQ(row.states, kStates);
     }
+  }
+}
+
+void expect_same_bits(const Original& original, const Build& build) {
+  for (const Difference& row : compare_with_graph(original, build)) {
+    EXPECT_EQ(row.bits_differ, 0) << row.function << ' ' << build.flags;
+  }
+}
+
+// Loops over eigenvalues and square roots, which are no graph: the bits are those of the headers
+// compiled into this test.
+TEST_P(Reproducibility, DampedLawHasTheSameBits) {
+  const Original original =
+      load_original(TREELINE_ROBOTS_DIR, "ur10e", kStates,
+                    {kDampedFunctions.begin(), kDampedFunctions.end()}, Real::float64);
+  ASSERT_EQ(original.references.front().functions.size(), kDampedFunctions.size() + 1);
+  for (const char* level : {"-O0", "-O1", "-O2", "-O3"}) {
+    expect_same_bits(original, {GetParam(), std::string(level) + " -ffp-contract=off"});
+  }
+  expect_same_bits(original, {GetParam(), "-O3 " + separate_for_machine(GetParam())});
+}
+
+TEST_P(Reproducibility, LargeCodeHasTheSameBits) {
+  const Original original =
+      load_original(TREELINE_ROBOTS_DIR, "humanoid24", 4, kLargeFunctions, Real::float64);
+  for (const char* level : {"-O0", "-O2"}) {
+    expect_same_bits(original, {GetParam(), std::string(level) + " -ffp-contract=off"});
   }
 }
 
