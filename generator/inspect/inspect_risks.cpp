@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,8 @@
 #include <vector>
 
 #include "check/model_from_robot.hpp"
+#include "inspect/condition.hpp"
+#include "inspect/find_mass_ratio.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline {
@@ -70,17 +71,6 @@ class States {
   std::mt19937_64 engine_{kSeed};
 };
 
-/// 1 / smallest eigenvalue after scaling to a unit diagonal; infinite for what is not positive.
-double condition(const Eigen::MatrixXd& A) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!A.allFinite() || A.diagonal().minCoeff() <= 0) return kInfinity;
-  const Eigen::VectorXd s = A.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(s.asDiagonal() * A * s.asDiagonal(),
-                                                              Eigen::EigenvaluesOnly);
-  const double least = solver.eigenvalues()(0);
-  return least > 0 ? 1 / least : kInfinity;
-}
-
 void inspect_inertia(const Model<double>& model, States& states, Report& report) {
   std::vector<double> worst(states.joints().size(), 1);
   for (int k = 0; k < kInertiaStates; ++k) {
@@ -121,7 +111,7 @@ Peak climb(const Model<double>& model, const Points<double>& points, Vector<doub
   const double low = States::lower(joint), high = States::upper(joint);
   const auto at = [&](double value) {
     q[joint.q] = value;
-    return condition(interpreter::lambda_inverse<double>(model, points, q));
+    return unit_condition(interpreter::lambda_inverse<double>(model, points, q));
   };
   std::vector<double> all;
   Peak peak;
@@ -149,14 +139,38 @@ constexpr const char* kSingularAdvice =
 bool is_always_singular(const Model<double>& model, const Points<double>& points,
                         const std::vector<Vector<double>>& states) {
   return std::all_of(states.begin(), states.end(), [&](const Vector<double>& q) {
-    return digits_lost(condition(interpreter::lambda_inverse<double>(model, points, q))) > 12;
+    return digits_lost(unit_condition(interpreter::lambda_inverse<double>(model, points, q))) > 12;
   });
+}
+
+std::string joint_of(int v, const Report& report) {
+  for (const JointReport& joint : report.joints) {
+    if (joint.follows.empty() && v >= joint.v && v < joint.v + joint.nv) return joint.name;
+  }
+  return "the base";
+}
+
+/// Whether joints of too different inertias cost the digits of Lambda^-1 in all states; that would
+/// pass for a task that cannot be done.
+bool inspect_mass_ratio(const Model<double>& model, const Points<double>& points,
+                        const std::vector<Vector<double>>& states, Report& report) {
+  const auto ratio = find_mass_ratio(model, points, states);
+  if (!ratio || digits_lost(ratio->condition) < kSingularDigits) return false;
+  report.risks.push_back(
+      {joint_of(ratio->light, report), "mass", digits_lost(ratio->condition),
+       fmt::format(
+           "moves the points 1e{:.1f} times more easily than {} does: Lambda^-1 hardly knows "
+           "what that adds",
+           std::log10(ratio->share), joint_of(ratio->heavy, report)),
+       "Ask for `damped` in the scene, control fewer `rows`, or check the masses."});
+  return true;
 }
 
 void inspect_singularities(const Model<double>& model, const Points<double>& points, States& states,
                            Report& report) {
   std::vector<Vector<double>> drawn;
   for (int k = 0; k < kSweptStates; ++k) drawn.push_back(states.draw());
+  if (inspect_mass_ratio(model, points, drawn, report)) return;
   if (is_always_singular(model, points, drawn)) {
     report.risks.push_back({"", "task", kMostDigits,
                             "Lambda^-1 is singular everywhere: the rows of all points together "

@@ -68,7 +68,7 @@ struct MassMatrixReport {
 /// Where digits get lost, see `inspect_risks`.
 struct RiskReport {
   std::string joint;       ///< or joints; empty where the task as a whole is meant
-  std::string kind;        ///< "inertia", "singularity", "task", "angle"
+  std::string kind;        ///< "inertia", "mass", "singularity", "task", "angle"
   double digits_lost = 0;  ///< of double's 15.7: log10 of a condition number
   std::string finding, advice;
 };

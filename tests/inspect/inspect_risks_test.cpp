@@ -111,6 +111,37 @@ TEST(InspectRisks, NamesTwinsWithNextToNothingBetweenThem) {
   }
 }
 
+// A forearm of 1e-10 kg m^2 before an arm of 1 kg: what the shoulder adds to Lambda^-1 drowns, in
+// all poses, though the task can be done. Would catch a task that is blamed for it.
+TEST(InspectRisks, NamesTheLightJointThatDrownsAHeavyOne) {
+  const std::string arm = planar_arm("1e-10", "lower=\"0.5\" upper=\"2\"");
+  const Report report = inspect(arm, "1e-11", kTip);
+  const RiskReport* elbow = find(report, "elbow", "mass");
+  ASSERT_NE(elbow, nullptr);
+  EXPECT_GT(elbow->digits_lost, 8);
+  EXPECT_NE(elbow->finding.find("more easily than shoulder does"), std::string::npos);
+  EXPECT_EQ(report.risks.size(), 1U);
+}
+
+// Heavy behind light, a light link between heavy ones: nothing is lost (`heavy_tip` and
+// `light_link` of tests/stress), nothing is said.
+TEST(InspectRisks, IsSilentAboutMassesThatCostNothing) {
+  std::string urdf = planar_arm("1e4", "lower=\"0.5\" upper=\"2\"");
+  EXPECT_TRUE(inspect(urdf, "1e3", kTip).risks.empty());
+  urdf = planar_arm("1", "lower=\"0.5\" upper=\"2\"");
+  for (const auto& [heavy, light] :
+       {std::pair{"<mass value=\"1\"/>\n    <", "<mass value=\"1e-9\"/><"},
+        std::pair{"ixx=\"0.1\"", "ixx=\"1e-10\""}, std::pair{"iyy=\"0.1\"", "iyy=\"1e-10\""},
+        std::pair{"izz=\"0.1\"", "izz=\"1e-10\""}}) {
+    const auto at = urdf.find(heavy);
+    ASSERT_NE(at, std::string::npos) << heavy;
+    urdf.replace(at, std::string(heavy).size(), light);
+  }
+  for (const RiskReport& risk : inspect(urdf, "0.1", kTip).risks) {
+    EXPECT_NE(risk.kind, "mass") << risk.finding;
+  }
+}
+
 TEST(InspectRisks, WarnsOfJointsThatTurnForever) {
   std::string urdf = planar_arm("1", "lower=\"0.5\" upper=\"2\"");
   urdf.replace(urdf.find("revolute"), 8, "continuous");

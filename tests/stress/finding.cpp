@@ -31,7 +31,7 @@ void append_condition(const std::vector<Sample>& samples, const Loss& like, Find
 Finding make_finding(std::string name, std::string title, std::string x_label,
                      const std::vector<Sample>& samples, double allowed) {
   Finding finding{
-      std::move(name), std::move(title), std::move(x_label), "decimal digits left", {}, {}, {}, {}};
+      std::move(name), std::move(title), std::move(x_label), kDigitsLeft, {}, {}, {}, {}};
   for (const Sample& sample : samples) finding.x.push_back(sample.x);
   Function before{};
   for (const Loss& like : samples.front().losses) {
@@ -86,6 +86,10 @@ servo::Plot plot_of(const Finding& finding) {
       servo::PlotPanel panel;
       panel.title = curve.panel;
       panel.y_label = finding.y_label;
+      // No digit left: with this in sight, roundings at the sixteenth are not blown up.
+      if (finding.y_label == kDigitsLeft) {
+        panel.lines.push_back({"", std::vector<double>(finding.x.size(), 0.0), true});
+      }
       plot.panels.push_back(std::move(panel));
     }
     servo::PlotLine line;

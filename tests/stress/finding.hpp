@@ -16,12 +16,14 @@ struct Curve {
   bool dashed = false;
 };
 
+inline constexpr const char* kDigitsLeft = "decimal digits left";
+
 /// What came of an experiment.
 struct Finding {
   std::string name;  ///< of its files
   std::string title;
   std::string x_label;
-  std::string y_label = "decimal digits left";
+  std::string y_label = kDigitsLeft;
   std::vector<double> x;
   std::vector<Curve> curves;
   std::vector<std::string> said;    ///< figures for the record

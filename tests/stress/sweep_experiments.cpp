@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments.hpp"
+#include "inspect/inspect_robot.hpp"
 
 namespace treeline::stress {
 namespace {
@@ -49,6 +51,39 @@ std::vector<Sample> sweep_robots(const std::vector<double>& exponents, int count
   return samples;
 }
 
+/// The digits that a function keeps by every algorithm, whatever x is.
+void claim_digits(Function function, double least, Finding& finding) {
+  double worst = 16;
+  for (const Curve& curve : finding.curves) {
+    if (curve.panel != function_name(function) || curve.dashed) continue;
+    for (const double digits : curve.y) worst = std::min(worst, std::isnan(digits) ? 16 : digits);
+  }
+  claim(worst >= least,
+        fmt::format("{} keeps {} digits (is {:.1f})", function_name(function), least, worst),
+        finding);
+}
+
+/// What a ratio of masses does not cost, at any.
+void claim_masses_cost_nothing(Finding& finding) {
+  for (const Function function : kJointSpace) claim_digits(function, 15, finding);
+}
+
+/// `inspect` names joints whose inertias cost Lambda^-1 its digits: exactly where they do.
+template <class Make>
+void claim_inspection(const std::vector<double>& exponents, double from, Make make,
+                      Finding& finding) {
+  for (const double e : exponents) {
+    const Case arm = make_arm(make(e));
+    const auto risks = inspect_robot(arm.robot, arm.scene).risks;
+    const bool warned = std::any_of(risks.begin(), risks.end(),
+                                    [](const RiskReport& risk) { return risk.kind == "mass"; });
+    claim(warned == (e >= from),
+          fmt::format("inspect {} of masses at 1e{}", e >= from ? "warns" : "is silent", e),
+          finding);
+  }
+}
+constexpr double kNever = 99;
+
 /// The UR10e's elbow and wrist close on their locks together.
 Finding singularity(const Effort& effort) {
   const Bench bench(read_robot(effort.robots + "/ur10e/ur10e.urdf", "tool"),
@@ -75,10 +110,14 @@ Finding heavy_tip(const Effort& effort) {
     arm.mass_growth = std::pow(10.0, e / (arm.links - 1));
     return arm;
   };
-  return make_finding("heavy_tip", "Six links, each heavier than the one before",
-                      "log10 of the last mass over the first",
-                      sweep_robots(range(0, 12, effort.quick ? 4 : 1), states(effort), kAll, make),
-                      kAllowed);
+  const auto exponents = range(0, 12, effort.quick ? 4 : 1);
+  Finding finding = make_finding("heavy_tip", "Six links, each heavier than the one before",
+                                 "log10 of the last mass over the first",
+                                 sweep_robots(exponents, states(effort), kAll, make), kAllowed);
+  claim_masses_cost_nothing(finding);
+  claim_digits(Function::lambda_inverse, 12, finding);
+  claim_inspection(exponents, kNever, make, finding);
+  return finding;
 }
 
 Finding light_tip(const Effort& effort) {
@@ -87,10 +126,13 @@ Finding light_tip(const Effort& effort) {
     arm.mass_growth = std::pow(10.0, -e / (arm.links - 1));
     return arm;
   };
-  return make_finding("light_tip", "Six links, each lighter than the one before",
-                      "log10 of the first mass over the last",
-                      sweep_robots(range(0, 12, effort.quick ? 4 : 1), states(effort), kAll, make),
-                      kAllowed);
+  const auto exponents = range(0, 12, effort.quick ? 4 : 1);
+  Finding finding = make_finding("light_tip", "Six links, each lighter than the one before",
+                                 "log10 of the first mass over the last",
+                                 sweep_robots(exponents, states(effort), kAll, make), kAllowed);
+  claim_masses_cost_nothing(finding);
+  claim_inspection(exponents, 7, make, finding);
+  return finding;
 }
 
 Finding light_link(const Effort& effort) {
@@ -100,10 +142,14 @@ Finding light_link(const Effort& effort) {
     arm.light = e > 17 ? 0 : std::pow(10.0, -e);
     return arm;
   };
-  return make_finding("light_link", "The third of six links nearly massless, at 18 massless",
-                      "-log10 of its mass over the others'",
-                      sweep_robots(range(0, 18, effort.quick ? 6 : 2), states(effort), kAll, make),
-                      kAllowed);
+  const auto exponents = range(0, 18, effort.quick ? 6 : 2);
+  Finding finding =
+      make_finding("light_link", "The third of six links nearly massless, at 18 massless",
+                   "-log10 of its mass over the others'",
+                   sweep_robots(exponents, states(effort), kAll, make), kAllowed);
+  claim_masses_cost_nothing(finding);
+  claim_inspection(exponents, kNever, make, finding);
+  return finding;
 }
 
 Finding thin_rods(const Effort& effort) {
