@@ -60,8 +60,8 @@ inline constexpr int kTaskRows = 12;  // stacked over the operational points
 /// out rotation (18): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 370 flops (add 132, mul 238, div 0), sine and cosine of 20 angles.
 /// Stack: at most 74 values live at once, 592 bytes.
-/// Rounding: at most 7.9e-15 in position (at position[2]), 16 ulp of 2.3e+00, the most that
-///   position can be; at most 8.8e-15 in rotation (at rotation[1]), 40 ulp of 1.1e+00, the most that
+/// Rounding: at most 5.7e-15 in position (at position[2]), 12 ulp of 2.3e+00, the most that
+///   position can be; at most 5.6e-15 in rotation (at rotation[1]), 26 ulp of 1.1e+00, the most that
 ///   rotation can be.
 void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotation)[18]) noexcept;
 
@@ -71,7 +71,7 @@ void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotatio
 /// out J (12x24): Jacobian
 /// Cost: 560 flops (add 192, mul 368, div 0), sine and cosine of 20 angles.
 /// Stack: at most 161 values live at once, 1288 bytes.
-/// Rounding: at most 1.3e-14 in J (at J[0]), 17 ulp of 3.4e+00, the most that J can be.
+/// Rounding: at most 9.6e-15 in J (at J[0]), 14 ulp of 3.4e+00, the most that J can be.
 void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -81,7 +81,7 @@ void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 /// out bias (12): accelerations of the task rows at qdd = 0
 /// Cost: 824 flops (add 315, mul 509, div 0), sine and cosine of 20 angles.
 /// Stack: at most 105 values live at once, 840 bytes.
-/// Rounding: at most 5.7e-10 in bias (at bias[0]), 64 ulp of 4.1e+04, the most that bias can be.
+/// Rounding: at most 4.4e-10 in bias (at bias[0]), 48 ulp of 4.1e+04, the most that bias can be.
 void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[12]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -92,7 +92,7 @@ void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[1
 /// out tau (24): joint forces
 /// Cost: 1939 flops (add 915, mul 1024, div 0), sine and cosine of 24 angles.
 /// Stack: at most 312 values live at once, 2496 bytes.
-/// Rounding: at most 1.6e-09 in tau (at tau[0]), 38 ulp of 1.9e+05, the most that tau can be.
+/// Rounding: at most 1.4e-09 in tau (at tau[0]), 35 ulp of 1.9e+05, the most that tau can be.
 void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd)[24],
     Real (&tau)[24]) noexcept;
 
@@ -102,7 +102,7 @@ void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qd
 /// out g (24): joint forces
 /// Cost: 378 flops (add 152, mul 226, div 0), sine and cosine of 24 angles.
 /// Stack: at most 97 values live at once, 776 bytes.
-/// Rounding: at most 1.8e-12 in g (at g[0]), 10 ulp of 8.1e+02, the most that g can be.
+/// Rounding: at most 1.4e-12 in g (at g[0]), 8 ulp of 8.1e+02, the most that g can be.
 void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -112,7 +112,7 @@ void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 /// out h (24): joint forces
 /// Cost: 1863 flops (add 863, mul 1000, div 0), sine and cosine of 24 angles.
 /// Stack: at most 292 values live at once, 2336 bytes.
-/// Rounding: at most 1.7e-09 in h (at h[0]), 40 ulp of 1.9e+05, the most that h can be.
+/// Rounding: at most 1.5e-09 in h (at h[0]), 36 ulp of 1.9e+05, the most that h can be.
 void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -121,7 +121,7 @@ void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24])
 /// out M (24x24): joint-space inertia
 /// Cost: 2233 flops (add 934, mul 1299, div 0), sine and cosine of 23 angles.
 /// Stack: at most 226 values live at once, 1808 bytes.
-/// Rounding: at most 4.7e-13 in M (at M[0]), 13 ulp of 1.7e+02, the most that M can be.
+/// Rounding: at most 4.4e-13 in M (at M[0]), 12 ulp of 1.7e+02, the most that M can be.
 void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)

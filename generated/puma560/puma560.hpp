@@ -40,8 +40,8 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 83 flops (add 28, mul 55, div 0), sine and cosine of 6 angles.
 /// Stack: at most 33 values live at once, 264 bytes.
-/// Rounding: at most 1.3e-15 in position (at position[0]), 4 ulp of 1.7e+00, the most that
-///   position can be; at most 4.0e-15 in rotation (at rotation[0]), 11 ulp of 1.8e+00, the most that
+/// Rounding: at most 1.1e-15 in position (at position[0]), 3 ulp of 1.7e+00, the most that
+///   position can be; at most 3.2e-15 in rotation (at rotation[0]), 9 ulp of 1.8e+00, the most that
 ///   rotation can be.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
@@ -51,7 +51,7 @@ void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation
 /// out J (6x6): Jacobian
 /// Cost: 72 flops (add 21, mul 51, div 0), sine and cosine of 5 angles.
 /// Stack: at most 32 values live at once, 256 bytes.
-/// Rounding: at most 2.8e-15 in J (at J[23]), 8 ulp of 1.8e+00, the most that J can be.
+/// Rounding: at most 2.2e-15 in J (at J[23]), 6 ulp of 1.8e+00, the most that J can be.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -61,7 +61,7 @@ void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 170 flops (add 60, mul 110, div 0), sine and cosine of 5 angles.
 /// Stack: at most 40 values live at once, 320 bytes.
-/// Rounding: at most 1.8e-11 in bias (at bias[0]), 21 ulp of 3.9e+03, the most that bias can be.
+/// Rounding: at most 1.5e-11 in bias (at bias[0]), 18 ulp of 3.9e+03, the most that bias can be.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -72,7 +72,7 @@ void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6])
 /// out tau (6): joint forces
 /// Cost: 277 flops (add 119, mul 158, div 0), sine and cosine of 4 angles.
 /// Stack: at most 59 values live at once, 472 bytes.
-/// Rounding: at most 2.0e-12 in tau (at tau[1]), 9 ulp of 1.1e+03, the most that tau can be.
+/// Rounding: at most 1.8e-12 in tau (at tau[0]), 8 ulp of 1.1e+03, the most that tau can be.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
@@ -82,7 +82,7 @@ void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)
 /// out g (6): joint forces
 /// Cost: 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles.
 /// Stack: at most 13 values live at once, 104 bytes.
-/// Rounding: at most 3.3e-14 in g (at g[1]), 4 ulp of 4.7e+01, the most that g can be.
+/// Rounding: at most 3.0e-14 in g (at g[1]), 3 ulp of 4.7e+01, the most that g can be.
 void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -92,7 +92,7 @@ void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 /// out h (6): joint forces
 /// Cost: 224 flops (add 87, mul 137, div 0), sine and cosine of 4 angles.
 /// Stack: at most 52 values live at once, 416 bytes.
-/// Rounding: at most 1.4e-12 in h (at h[0]), 11 ulp of 5.5e+02, the most that h can be.
+/// Rounding: at most 1.2e-12 in h (at h[0]), 10 ulp of 5.5e+02, the most that h can be.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -101,7 +101,7 @@ void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) no
 /// out M (6x6): joint-space inertia
 /// Cost: 139 flops (add 59, mul 80, div 0), sine and cosine of 4 angles.
 /// Stack: at most 46 values live at once, 368 bytes.
-/// Rounding: at most 4.2e-15 in M (at M[0]), 5 ulp of 4.3e+00, the most that M can be.
+/// Rounding: at most 3.8e-15 in M (at M[0]), 4 ulp of 4.3e+00, the most that M can be.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)

@@ -43,8 +43,8 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 91 flops (add 32, mul 59, div 0), sine and cosine of 7 angles.
 /// Stack: at most 33 values live at once, 264 bytes.
-/// Rounding: at most 5.4e-15 in position (at position[0]), 3 ulp of 1.2e+01, the most that
-///   position can be; at most 5.3e-15 in rotation (at rotation[0]), 14 ulp of 1.8e+00, the most that
+/// Rounding: at most 4.9e-15 in position (at position[0]), 2 ulp of 1.2e+01, the most that
+///   position can be; at most 4.0e-15 in rotation (at rotation[0]), 11 ulp of 1.8e+00, the most that
 ///   rotation can be.
 void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
@@ -54,7 +54,7 @@ void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation
 /// out J (6x9): Jacobian
 /// Cost: 78 flops (add 23, mul 55, div 0), sine and cosine of 6 angles.
 /// Stack: at most 31 values live at once, 248 bytes.
-/// Rounding: at most 4.0e-15 in J (at J[35]), 11 ulp of 1.8e+00, the most that J can be.
+/// Rounding: at most 2.9e-15 in J (at J[35]), 8 ulp of 1.8e+00, the most that J can be.
 void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -64,7 +64,7 @@ void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 177 flops (add 63, mul 114, div 0), sine and cosine of 6 angles.
 /// Stack: at most 39 values live at once, 312 bytes.
-/// Rounding: at most 2.4e-11 in bias (at bias[0]), 24 ulp of 4.4e+03, the most that bias can be.
+/// Rounding: at most 1.9e-11 in bias (at bias[0]), 19 ulp of 4.4e+03, the most that bias can be.
 void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -75,7 +75,7 @@ void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6])
 /// out tau (9): joint forces
 /// Cost: 326 flops (add 142, mul 184, div 0), sine and cosine of 6 angles.
 /// Stack: at most 66 values live at once, 528 bytes.
-/// Rounding: at most 1.6e-11 in tau (at tau[0]), 4 ulp of 2.4e+04, the most that tau can be.
+/// Rounding: at most 1.4e-11 in tau (at tau[0]), 3 ulp of 2.4e+04, the most that tau can be.
 void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)[9],
     Real (&tau)[9]) noexcept;
 
@@ -85,7 +85,7 @@ void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)
 /// out g (9): joint forces
 /// Cost: 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles.
 /// Stack: at most 13 values live at once, 104 bytes.
-/// Rounding: at most 3.3e-14 in g (at g[4]), 4 ulp of 4.7e+01, the most that g can be.
+/// Rounding: at most 3.0e-14 in g (at g[4]), 3 ulp of 4.7e+01, the most that g can be.
 void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -95,7 +95,7 @@ void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
 /// out h (9): joint forces
 /// Cost: 246 flops (add 96, mul 150, div 0), sine and cosine of 6 angles.
 /// Stack: at most 58 values live at once, 464 bytes.
-/// Rounding: at most 5.1e-12 in h (at h[0]), 11 ulp of 2.2e+03, the most that h can be.
+/// Rounding: at most 4.1e-12 in h (at h[0]), 9 ulp of 2.2e+03, the most that h can be.
 void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -104,7 +104,7 @@ void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) no
 /// out M (9x9): joint-space inertia
 /// Cost: 177 flops (add 73, mul 104, div 0), sine and cosine of 6 angles.
 /// Stack: at most 50 values live at once, 400 bytes.
-/// Rounding: at most 1.4e-14 in M (at M[2]), 1 ulp of 1.9e+02, the most that M can be.
+/// Rounding: at most 1.1e-14 in M (at M[2]), 1 ulp of 1.9e+02, the most that M can be.
 void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)

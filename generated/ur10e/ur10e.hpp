@@ -40,8 +40,8 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 /// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
 /// Cost: 73 flops (add 25, mul 48, div 0), sine and cosine of 6 angles.
 /// Stack: at most 28 values live at once, 224 bytes.
-/// Rounding: at most 2.0e-15 in position (at position[0]), 6 ulp of 1.7e+00, the most that
-///   position can be; at most 3.5e-15 in rotation (at rotation[0]), 10 ulp of 1.8e+00, the most that
+/// Rounding: at most 1.6e-15 in position (at position[0]), 5 ulp of 1.7e+00, the most that
+///   position can be; at most 2.9e-15 in rotation (at rotation[0]), 8 ulp of 1.8e+00, the most that
 ///   rotation can be.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
@@ -51,7 +51,7 @@ void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation
 /// out J (6x6): Jacobian
 /// Cost: 59 flops (add 17, mul 42, div 0), sine and cosine of 5 angles.
 /// Stack: at most 22 values live at once, 176 bytes.
-/// Rounding: at most 2.5e-15 in J (at J[23]), 7 ulp of 1.8e+00, the most that J can be.
+/// Rounding: at most 1.8e-15 in J (at J[23]), 5 ulp of 1.8e+00, the most that J can be.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
@@ -61,7 +61,7 @@ void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 /// out bias (6): accelerations of the task rows at qdd = 0
 /// Cost: 142 flops (add 52, mul 90, div 0), sine and cosine of 5 angles.
 /// Stack: at most 33 values live at once, 264 bytes.
-/// Rounding: at most 1.6e-12 in bias (at bias[3]), 18 ulp of 4.1e+02, the most that bias can be.
+/// Rounding: at most 1.3e-12 in bias (at bias[3]), 14 ulp of 4.1e+02, the most that bias can be.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
@@ -72,7 +72,7 @@ void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6])
 /// out tau (6): joint forces
 /// Cost: 262 flops (add 110, mul 152, div 0), sine and cosine of 4 angles.
 /// Stack: at most 63 values live at once, 504 bytes.
-/// Rounding: at most 6.1e-12 in tau (at tau[1]), 10 ulp of 3.1e+03, the most that tau can be.
+/// Rounding: at most 5.2e-12 in tau (at tau[1]), 8 ulp of 3.1e+03, the most that tau can be.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
@@ -82,7 +82,7 @@ void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)
 /// out g (6): joint forces
 /// Cost: 25 flops (add 8, mul 17, div 0), sine and cosine of 4 angles.
 /// Stack: at most 11 values live at once, 88 bytes.
-/// Rounding: at most 8.2e-14 in g (at g[1]), 3 ulp of 1.3e+02, the most that g can be.
+/// Rounding: at most 6.8e-14 in g (at g[1]), 3 ulp of 1.3e+02, the most that g can be.
 void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
@@ -92,7 +92,7 @@ void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 /// out h (6): joint forces
 /// Cost: 200 flops (add 76, mul 124, div 0), sine and cosine of 4 angles.
 /// Stack: at most 49 values live at once, 392 bytes.
-/// Rounding: at most 9.4e-13 in h (at h[1]), 11 ulp of 3.9e+02, the most that h can be.
+/// Rounding: at most 7.8e-13 in h (at h[1]), 10 ulp of 3.9e+02, the most that h can be.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
@@ -101,7 +101,7 @@ void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) no
 /// out M (6x6): joint-space inertia
 /// Cost: 107 flops (add 44, mul 63, div 0), sine and cosine of 4 angles.
 /// Stack: at most 33 values live at once, 264 bytes.
-/// Rounding: at most 2.4e-14 in M (at M[0]), 8 ulp of 1.6e+01, the most that M can be.
+/// Rounding: at most 2.1e-14 in M (at M[0]), 7 ulp of 1.6e+01, the most that M can be.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)

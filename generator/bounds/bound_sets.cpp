@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bounds/operator_norm.hpp"
+#include "bounds/turn_rounding.hpp"
 
 namespace treeline::bounds {
 namespace {
@@ -32,9 +33,14 @@ Bounded rounded(double size, double brought, double unit) {
 }  // namespace
 
 struct SetBounds::Turn {
+  std::vector<LinearForm> forms;  ///< of each row
   std::vector<std::uint32_t> leaves;
   TrigMatrix A;               ///< weighted rows
   std::vector<Bounded> rest;  ///< of each row, weighted: what is added to the turned part
+
+  [[nodiscard]] std::size_t column(std::uint32_t leaf) const {
+    return static_cast<std::size_t>(std::find(leaves.begin(), leaves.end(), leaf) - leaves.begin());
+  }
 };
 
 SetBounds::SetBounds(const Graph& graph, InputSizes inputs, double unit)
@@ -210,13 +216,13 @@ std::vector<LinearForm> SetBounds::expand_rows(const Set& set, Angle angle) cons
 SetBounds::Turn SetBounds::expand_set(const Set& set, Angle angle) const {
   Turn turn;
   turn.A.rows = set.size();
-  const std::vector<LinearForm> forms = expand_rows(set, angle);
+  turn.forms = expand_rows(set, angle);
+  const std::vector<LinearForm>& forms = turn.forms;
   for (std::size_t row = 0; row < set.size(); ++row) {
     const double weight = set[row].weight;
     for (LinearTerm term : forms[row].turned) {
-      const auto found = std::find(turn.leaves.begin(), turn.leaves.end(), term.node);
-      const auto column = static_cast<std::size_t>(found - turn.leaves.begin());
-      if (found == turn.leaves.end()) turn.leaves.push_back(term.node);
+      const std::size_t column = turn.column(term.node);
+      if (column == turn.leaves.size()) turn.leaves.push_back(term.node);
       for (double& x : term.factor.c) x *= weight;
       turn.A.entries.push_back({row, column, term.factor});
     }
@@ -225,13 +231,46 @@ SetBounds::Turn SetBounds::expand_set(const Set& set, Angle angle) const {
       rest.size += weight * term.factor.magnitude() * bounds_[term.node]->size;
       rest.error += weight * term.factor.magnitude() * bounds_[term.node]->error;
     }
-    for (const ExpandedOperation& expanded : forms[row].operations) {
-      rest.error += weight * known_of_.local_error(expanded);
-    }
     turn.rest.push_back(rest);
   }
   turn.A.columns = turn.leaves.size();
   return turn;
+}
+
+/// What the roundings of the operations that were expanded add, with what the rest brings: each by
+/// itself, or those of a rotation together.
+double SetBounds::bound_roundings(const Set& set, const Turn& turn,
+                                  const std::vector<double>& scale, const Bounded& below,
+                                  const Bounded& turned) const {
+  TurnRounding products(set.size(), turn.leaves.size());
+  double each = 0, others = 0, sums = 0;
+  for (std::size_t row = 0; row < set.size(); ++row) {
+    double of_each = turn.rest[row].error, of_others = turn.rest[row].error, of_sums = 0;
+    for (const ExpandedOperation& expanded : turn.forms[row].operations) {
+      const double error = set[row].weight * known_of_.local_error(expanded);
+      of_each += error;
+      const Node& n = graph_.nodes()[expanded.node];
+      if (n.op != Op::mul) {
+        (expanded.node == set[row].node ? of_sums : of_others) += error;
+        continue;
+      }
+      const bool first = polynomials_[n.a].has_value();
+      const std::uint32_t by = first ? n.a : n.b;
+      const std::size_t column = turn.column(first ? n.b : n.a);
+      const bool is_added = column < turn.leaves.size() &&
+                            products.add(row, column, *polynomials_[by],
+                                         set[row].weight * expanded.weight, bounds_[by]->error);
+      if (!is_added) of_others += error;
+    }
+    each = std::hypot(each, of_each);
+    others = std::hypot(others, of_others);
+    sums = std::hypot(sums, of_sums);
+  }
+  // A sum is rounded by at most u times its computed value: all sums of the set by u times its
+  // norm.
+  sums = std::min(sums, turned.size + unit_ * (turned.error + each));
+  const double of_products = products.bound(scale, below.size + unit_ * below.error, unit_);
+  return std::min(each, of_products + others + sums);
 }
 
 std::optional<Bounded> SetBounds::turn_set(const Set& set, int depth) {
@@ -244,12 +283,12 @@ std::optional<Bounded> SetBounds::turn_set(const Set& set, int depth) {
   Set leaves;
   for (std::size_t i = 0; i < turn.leaves.size(); ++i) leaves.push_back({turn.leaves[i], scale[i]});
   const Bounded below = bound_set(std::move(leaves), depth + 1);
-  double size = 0, error = 0;
-  for (const Bounded& rest : turn.rest) {
-    size = std::hypot(size, rest.size);
-    error = std::hypot(error, rest.error);
-  }
-  return Bounded{(norm * below.size + size) * kSlack, (norm * below.error + error) * kSlack};
+  double size = 0;
+  for (const Bounded& rest : turn.rest) size = std::hypot(size, rest.size);
+  size = (norm * below.size + size) * kSlack;
+  const double brought = norm * below.error;
+  const double added = bound_roundings(set, turn, scale, below, {size, brought});
+  return Bounded{size, (brought + added) * kSlack};
 }
 
 }  // namespace treeline::bounds

@@ -45,6 +45,9 @@ class SetBounds {
   struct Turn;
   [[nodiscard]] std::vector<LinearForm> expand_rows(const Set& set, Angle angle) const;
   [[nodiscard]] Turn expand_set(const Set& set, Angle angle) const;
+  [[nodiscard]] double bound_roundings(const Set& set, const Turn& turn,
+                                       const std::vector<double>& scale, const Bounded& below,
+                                       const Bounded& turned) const;
   void improve(std::uint32_t node, const Bounded& bound);
 
   const Graph& graph_;

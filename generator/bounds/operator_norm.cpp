@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 constexpr int kFew = 16, kMany = 64;
+constexpr double kRounding = 1 + 1e-10;
 
 /// On the stack: rows and columns are those of a 3x3 matrix at most.
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostRows, kMostRows>;
@@ -82,12 +84,27 @@ double operator_norm(const TrigMatrix& A, const std::vector<double>& scale) {
   for (int i = 1; same && i < kFew; ++i) {
     same = (gram_at(i, kFew) - first).cwiseAbs().maxCoeff() <= 1e-12 * first.cwiseAbs().maxCoeff();
   }
-  constexpr double kRounding = 1 + 1e-10;
   if (same) return std::sqrt(largest_eigenvalue(first)) * kRounding;
   double largest = 0;
   for (int i = 0; i < kMany; ++i)
     largest = std::max(largest, largest_eigenvalue(gram_at(i, kMany)));
   return std::sqrt(largest / std::cos(kTurn / 2 * 4 / kMany)) * kRounding;
+}
+
+double frobenius_norm(const TrigMatrix& A, const std::vector<double>& scale) {
+  double least = 0, largest = 0;
+  for (int i = 0; i < kFew; ++i) {
+    const Direction at = directions()[static_cast<std::size_t>(i * (kMany / kFew))];
+    double sum = 0;
+    for (const MatrixEntry& entry : A.entries) {
+      const double value = entry.value.at(at.cosine, at.sine) / scale[entry.column];
+      sum += value * value;
+    }
+    least = i == 0 ? sum : std::min(least, sum);
+    largest = std::max(largest, sum);
+  }
+  if (largest - least <= 1e-12 * largest) return std::sqrt(largest) * kRounding;
+  return std::sqrt(largest / std::cos(kTurn / 2 * 4 / kFew)) * kRounding;
 }
 
 }  // namespace treeline::bounds

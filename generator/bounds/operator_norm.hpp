@@ -29,4 +29,8 @@ std::vector<double> column_norms(const TrigMatrix& A);
 /// the same at all of them, it is so everywhere.
 double operator_norm(const TrigMatrix& A, const std::vector<double>& scale);
 
+/// No angle makes the root of the sum of the squares of all entries, each divided by the scale of
+/// its column, larger.
+double frobenius_norm(const TrigMatrix& A, const std::vector<double>& scale);
+
 }  // namespace treeline::bounds

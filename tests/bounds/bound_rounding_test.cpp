@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "climb.hpp"
 #include "sample.hpp"
 
@@ -96,6 +98,24 @@ TEST(BoundRounding, QuotientsAreBoundedToFirstOrder) {
   const RoundingBound typical = bound_of(sample, Solve::lambda_inverse);
   EXPECT_EQ(typical.kind, RoundingBound::Kind::typical);
   EXPECT_NE(describe(typical, sample.program, kUnit).find("99 of 100 states"), std::string::npos);
+}
+
+/// One turn of a vector of length at most sqrt 2 (each entry 1): products and sine errors count by
+/// the vector's length, not each by itself, which would make 5 of each entry.
+TEST(BoundRounding, RoundingsOfATurnCountTogether) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  const auto x = sample.argument("x", 2, 1);
+  const auto q = sample.argument("q", 1, 3);
+  const Expression c = cos(q[0]), s = sin(q[0]);
+  sample.result({c * x[0] + s * x[1]});
+  const double sqrt2 = std::sqrt(2.0);
+  const RoundingBound bound = bound_of(sample);
+  // Products 1, sines sqrt 2, the sum 1, times the length.
+  EXPECT_LE(bound.error[0], (2 + sqrt2) * sqrt2 * kUnit * (1 + 1e-6));
+  Climber climber(sample.program, sample.domain, 5);
+  climber.climb(0, 3000);
+  EXPECT_LE(climber.worst[0], bound.error[0]);
 }
 
 /// Carries y e from one side of a turn to the other, as recursions do that take accelerations from

@@ -54,17 +54,18 @@ double climb_and_compare(const GeneratedFunction& generated, const Subjects& mad
   return *std::max_element(bound.begin(), bound.end()) / worst;
 }
 
-/// bound / worst found, the largest of all entries. RNEA: puma560 8.6, samm 3.5, ur10e 9.1,
-/// humanoid24 91; M: 4.5, 4.8, 4.9, 13. What is left are roundings that do not all fall on one
+/// bound / worst found, the largest of all entries. RNEA: puma560 6.6, samm 3.1, ur10e 7.7,
+/// humanoid24 84; M: 4.0, 3.7, 4.2, 12. What is left are roundings that do not all fall on one
 /// side, and motions and forces that are not at their largest together.
 TEST(Climb, BoundsHoldAndAreTightForOurRobots) {
-  constexpr double kTight = 100;
+  constexpr double kTight = 20, kTightOfLongTrees = 100;
   constexpr int kSteps = 4000;
   for (const char* name : {"puma560", "samm", "ur10e", "humanoid24"}) {
     const Subjects made = load_functions(name, {Function::inverse_dynamics, Function::mass_matrix});
     for (const GeneratedFunction& generated : made.generation.functions) {
       const double ratio = climb_and_compare(generated, made, 1, 2, kSteps);
-      EXPECT_LE(ratio, kTight) << name << " " << generated.program.name;
+      EXPECT_LE(ratio, made.robot.joints.size() > 20 ? kTightOfLongTrees : kTight)
+          << name << " " << generated.program.name;
       std::printf("%s %s: bound / worst found %.1f\n", name, generated.program.name.c_str(), ratio);
     }
   }
