@@ -1,9 +1,9 @@
 #include "check/draw_state.hpp"
 
 #include <cmath>
-#include <random>
 #include <string_view>
 
+#include "bounds/dice.hpp"
 #include "check/term_sizes.hpp"
 
 namespace treeline {
@@ -11,25 +11,11 @@ namespace {
 
 constexpr double kQuarterTurn = 1.5707963267948966;
 
-/// Draws with arithmetic of its own: every standard library gives the same numbers.
-class Dice {
- public:
-  Dice(std::uint64_t seed, int index)
-      : engine_(seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index)) {}
-
-  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double within(double low, double high) { return low + (high - low) * unit(); }
-  double within(double size) { return within(-size, size); }
-  bool chance(double probability) { return unit() < probability; }
-  /// Of either sign, its magnitude's logarithm evenly spread.
-  double logarithmic(double least, double greatest) {
-    const double magnitude = least * std::pow(greatest / least, unit());
-    return chance(0.5) ? magnitude : -magnitude;
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
+/// Of either sign, its magnitude's logarithm evenly spread.
+double draw_logarithmic(Dice& dice, double least, double greatest) {
+  const double magnitude = least * std::pow(greatest / least, dice.unit());
+  return dice.chance(0.5) ? magnitude : -magnitude;
+}
 
 bool is_angle(const Coordinate& coordinate) {
   return coordinate.meaning.find("angle") != std::string::npos;
@@ -44,7 +30,7 @@ double draw_aligned(Dice& dice, const Coordinate& coordinate) {
   if (dice.chance(0.3)) return draw_within_limits(dice, coordinate);
   const double step = is_angle(coordinate) ? kQuarterTurn : 0.5;
   const double at = step * std::floor(dice.within(-2, 3));
-  return dice.chance(0.4) ? at : at + dice.logarithmic(1e-12, 1e-2);
+  return dice.chance(0.4) ? at : at + draw_logarithmic(dice, 1e-12, 1e-2);
 }
 
 double draw_coordinate(Dice& dice, StateClass kind, const Coordinate& coordinate) {
@@ -54,7 +40,7 @@ double draw_coordinate(Dice& dice, StateClass kind, const Coordinate& coordinate
     case StateClass::large:
       return dice.within(is_angle(coordinate) ? 1000 : 10);
     case StateClass::tiny:
-      return dice.logarithmic(1e-12, 1e-2);
+      return draw_logarithmic(dice, 1e-12, 1e-2);
     case StateClass::aligned:
       return draw_aligned(dice, coordinate);
     case StateClass::random:
@@ -70,9 +56,9 @@ std::array<double, 4> draw_quaternion(Dice& dice, StateClass kind) {
   if (kind == StateClass::neutral) return x;
   if (kind == StateClass::aligned) {
     x[static_cast<std::size_t>(dice.within(0, 3))] = dice.chance(0.5) ? 1 : 0;
-    for (double& entry : x) entry += dice.logarithmic(1e-12, 1e-3);
+    for (double& entry : x) entry += draw_logarithmic(dice, 1e-12, 1e-3);
   } else if (kind == StateClass::tiny) {
-    for (std::size_t i = 0; i < 3; ++i) x[i] = dice.logarithmic(1e-12, 1e-2);
+    for (std::size_t i = 0; i < 3; ++i) x[i] = draw_logarithmic(dice, 1e-12, 1e-2);
   } else {
     for (double& entry : x) entry = dice.within(1);
   }
@@ -93,7 +79,7 @@ Speed speed(StateClass kind) {
 std::vector<double> draw_rates(Dice& dice, StateClass kind, std::size_t count, double size) {
   std::vector<double> rates(count);
   for (double& rate : rates) {
-    rate = kind == StateClass::tiny ? dice.logarithmic(1e-12, 1e-2) : dice.within(size);
+    rate = kind == StateClass::tiny ? draw_logarithmic(dice, 1e-12, 1e-2) : dice.within(size);
   }
   return rates;
 }
@@ -137,7 +123,8 @@ StateClass class_of_state(int index) {
 }
 
 State draw_state(const StateSpace& space, int index) {
-  Dice dice(space.seed, index);
+  // Each state from a seed of its own.
+  Dice dice(space.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index));
   const auto nv = static_cast<std::size_t>(space.subject.model.nv);
   State state;
   state.index = index;

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
+#include "bounds/dice.hpp"
 #include "check/model_from_robot.hpp"
 #include "inspect/condition.hpp"
 #include "inspect/find_mass_ratio.hpp"
@@ -53,12 +53,10 @@ class States {
   static double lower(const JointReport& joint) { return std::max(joint.lower, -reach(joint)); }
   static double upper(const JointReport& joint) { return std::min(joint.upper, reach(joint)); }
 
-  /// Arithmetic of its own: every standard library draws the same.
   Vector<double> draw() {
     Vector<double> q = neutral_;
     for (const JointReport* joint : joints_) {
-      const double share = static_cast<double>(engine_() >> 11) * 0x1p-53;
-      q[joint->q] = lower(*joint) + (upper(*joint) - lower(*joint)) * share;
+      q[joint->q] = dice_.within(lower(*joint), upper(*joint));
     }
     return q;
   }
@@ -68,7 +66,7 @@ class States {
 
   Vector<double> neutral_;
   std::vector<const JointReport*> joints_;
-  std::mt19937_64 engine_{kSeed};
+  Dice dice_{kSeed};
 };
 
 void inspect_inertia(const Model<double>& model, States& states, Report& report) {
