@@ -12,12 +12,7 @@ std::vector<GeneratedFunction> generate_routes(const Mechanism& mechanism, Funct
   Routes routes = run_routes(mechanism, function, {lanes, sin_cos, kAllRoutes});
   std::vector<GeneratedFunction> all;
   for (Candidate& candidate : routes.candidates) {
-    GeneratedFunction made;
-    made.function = function;
-    const OperationCount count = count_operations(candidate.program);
-    made.chosen = {candidate.method, count, cost(candidate.program, count)};
-    made.program = std::move(candidate.program);
-    all.push_back(std::move(made));
+    all.push_back(generated_from(function, std::move(candidate)));
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return a.chosen.weighted < b.chosen.weighted;
