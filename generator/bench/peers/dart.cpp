@@ -1,4 +1,4 @@
-// DART: inverse and forward dynamics and the mass matrix.
+// DART: inverse and forward dynamics, what is nonlinear in them, and the mass matrix.
 // Compiled without -march=native: Eigen's alignment would differ from that of Debian's library.
 #include <tinyxml2.h>
 
@@ -54,6 +54,19 @@ void inverse_dynamics(void* self, const double* const* in, double* out) {
   s.skeleton->setAccelerations(s.ordered(in[2]));
   s.skeleton->computeInverseDynamics();
   s.store(s.skeleton->getForces(), out);
+}
+
+void gravity(void* self, const double* const* in, double* out) {
+  auto& s = *static_cast<Solver*>(self);
+  s.load_position(in[0]);
+  s.store(s.skeleton->getGravityForces(), out);
+}
+
+void nonlinear_effects(void* self, const double* const* in, double* out) {
+  auto& s = *static_cast<Solver*>(self);
+  s.load_position(in[0]);
+  s.skeleton->setVelocities(s.ordered(in[1]));
+  s.store(s.skeleton->getCoriolisAndGravityForces(), out);
 }
 
 void forward_dynamics(void* self, const double* const* in, double* out) {
@@ -129,6 +142,8 @@ Opened open(const Robot& robot, const Tell& tell) {
   s.floating = robot.floating;
   s.q = s.x = Eigen::VectorXd::Zero(robot.velocities);
   opened.routines = {{"inverse_dynamics", "", &s, inverse_dynamics, nullptr},
+                     {"gravity", "", &s, gravity, nullptr},
+                     {"nonlinear_effects", "", &s, nonlinear_effects, nullptr},
                      {"forward_dynamics", "", &s, forward_dynamics, nullptr},
                      {"mass_matrix", "", &s, mass_matrix, nullptr}};
   return opened;

@@ -1,5 +1,5 @@
 // Orocos KDL: recursive Newton-Euler over the tree, and for a serial robot over the chain, with the
-// chain's mass matrix and forward dynamics.
+// chain's gravity, mass matrix and forward dynamics.
 // Compiled without -march=native: Eigen's alignment would differ from that of Debian's library.
 #include <kdl/config.h>
 
@@ -73,6 +73,31 @@ void inverse_by_tree(void* self, const double* const* in, double* out) {
   j.store(out);
 }
 
+void nonlinear_by_tree(void* self, const double* const* in, double* out) {
+  auto& [tree, j, inverse, no_forces] = *static_cast<TreeSolver*>(self);
+  j.load(in[0], j.q);
+  j.load(in[1], j.qd);
+  KDL::SetToZero(j.x);
+  inverse.CartToJnt(j.q, j.qd, j.x, no_forces, j.result);
+  j.store(out);
+}
+
+void nonlinear_by_chain(void* self, const double* const* in, double* out) {
+  auto& s = *static_cast<ChainSolver*>(self);
+  s.joints.load(in[0], s.joints.q);
+  s.joints.load(in[1], s.joints.qd);
+  KDL::SetToZero(s.joints.x);
+  s.inverse.CartToJnt(s.joints.q, s.joints.qd, s.joints.x, s.no_forces, s.joints.result);
+  s.joints.store(out);
+}
+
+void gravity_of_chain(void* self, const double* const* in, double* out) {
+  auto& s = *static_cast<ChainSolver*>(self);
+  s.joints.load(in[0], s.joints.q);
+  s.parameters.JntToGravity(s.joints.q, s.joints.result);
+  s.joints.store(out);
+}
+
 void inverse_by_chain(void* self, const double* const* in, double* out) {
   auto& s = *static_cast<ChainSolver*>(self);
   s.joints.load(in[0], s.joints.q);
@@ -137,14 +162,17 @@ Opened open(const Robot& robot, const Tell& tell) {
   const KDL::Vector gravity(g[0], g[1], g[2]);
   const auto places = find_places(robot, tree);
   auto& by_tree = opened.keep<TreeSolver>(tree, gravity, places);
-  opened.routines = {{"inverse_dynamics", "tree", &by_tree, inverse_by_tree, nullptr}};
+  opened.routines = {{"inverse_dynamics", "tree", &by_tree, inverse_by_tree, nullptr},
+                     {"nonlinear_effects", "tree", &by_tree, nonlinear_by_tree, nullptr}};
   KDL::Chain chain;
   if (!take_chain(tree, chain)) {
-    tell("has all but inverse dynamics for serial robots only");
+    tell("has all but recursive Newton-Euler for serial robots only");
     return opened;
   }
   auto& by_chain = opened.keep<ChainSolver>(chain, gravity, places);
   const Routine more[] = {{"inverse_dynamics", "chain", &by_chain, inverse_by_chain, nullptr},
+                          {"gravity", "chain", &by_chain, gravity_of_chain, nullptr},
+                          {"nonlinear_effects", "chain", &by_chain, nonlinear_by_chain, nullptr},
                           {"forward_dynamics", "chain", &by_chain, forward_by_chain, nullptr},
                           {"mass_matrix", "chain", &by_chain, mass_matrix_of_chain, nullptr}};
   opened.routines.insert(opened.routines.end(), std::begin(more), std::end(more));
