@@ -69,7 +69,9 @@ class PairTable {
       const auto [minus_count, pair, index] = *queue_.begin();
       queue_.erase(queue_.begin());
       std::vector<std::size_t>& where = places_[index];
-      std::erase_if(where, [&](std::size_t group) { return !has_pair(group, pair); });
+      // clang++ 14 captures a structured binding only under another name.
+      std::erase_if(where,
+                    [&, &wanted = pair](std::size_t group) { return !has_pair(group, wanted); });
       if (static_cast<int>(where.size()) == -minus_count) {
         share(pair, where);
         return true;
