@@ -199,7 +199,7 @@ Drift grasp_drift(const interpreter::Stabilisation<double>& gains, int steps) {
 }
 
 Finding grasp(const Effort& effort) {
-  const int steps = effort.quick ? 2000 : 10000;
+  const int steps = effort.quick ? 2000 : 100000;
   const Drift plain = grasp_drift({0, 0}, steps);
   const Drift stabilised = grasp_drift({20, 100}, steps);
   Finding finding{
