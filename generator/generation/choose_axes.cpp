@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mechanism/find_limbs.hpp"
@@ -84,13 +85,13 @@ bool takes_rates(Function function) {
 
 }  // namespace
 
-std::optional<Function> axes_decider(Function function) {
+std::vector<Function> axes_deciders(Function function) {
   switch (function) {
     case Function::forward_dynamics:
     case Function::lambda_inverse:
     case Function::lambda:
     case Function::control_torque:
-      return Function::forward_dynamics;
+      return {Function::forward_dynamics};
     case Function::forward_kinematics:
     case Function::jacobian:
     case Function::bias_acceleration:
@@ -102,42 +103,52 @@ std::optional<Function> axes_decider(Function function) {
     case Function::object_state:
     case Function::center_of_mass:
     case Function::center_of_mass_jacobian:
-      return function;
+      return {function};
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
     case Function::impulse_response:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
+      return {Function::forward_dynamics};
     case Function::inverse_dynamics_derivatives:
-    case Function::forward_dynamics_derivatives:
-      return Function::forward_dynamics;
+    case Function::forward_dynamics_derivatives:  // deep trees gain more by the second
+      return {Function::forward_dynamics, Function::mass_matrix};
     default:
-      return std::nullopt;
+      return {};
   }
 }
 
+int count_cheapest(const Mechanism& mechanism, Function function) {
+  int least = std::numeric_limits<int>::max();
+  for (const Program& program : trace_function(mechanism, function)) {
+    least = std::min(least, count_operations(program).flops());
+  }
+  return least;
+}
+
 void choose_axes(Mechanism& mechanism, Function decider) {
-  constexpr int kMostSweeps = 2;  // a third found nothing on any robot at hand
+  constexpr std::size_t kMostSweeps = 2;  // a third found nothing on any robot at hand
   std::vector<bool MovingLink::*> choices{&MovingLink::turns_late};
   if (takes_rates(decider)) choices.push_back(&MovingLink::carries_column);
   const std::vector<Links> together = corresponding_links(mechanism);
   const Counter counter(mechanism, decider);
+  std::vector<std::pair<const Links*, bool MovingLink::*>> flips;
+  for (const Links& links : together) {
+    if (link_at(mechanism, links.front()).kind == JointKind::floating) continue;
+    for (bool MovingLink::*choice : choices) flips.emplace_back(&links, choice);
+  }
   int flops = counter.flops();
-  bool cheaper = true;
-  for (int sweep = 0; cheaper && sweep < kMostSweeps; ++sweep) {
-    cheaper = false;
-    for (const Links& links : together) {
-      if (link_at(mechanism, links.front()).kind == JointKind::floating) continue;
-      for (bool MovingLink::*choice : choices) {
-        flip(mechanism, links, choice);
-        const int changed = counter.flops();
-        if (changed < flops) {
-          flops = changed;
-          cheaper = true;
-        } else {
-          flip(mechanism, links, choice);
-        }
-      }
+  std::size_t in_vain = 0;  // flips since the last that paid, each another
+  for (std::size_t n = 0; n < kMostSweeps * flips.size() && in_vain < flips.size(); ++n) {
+    const auto& [links, choice] = flips[n % flips.size()];
+    flip(mechanism, *links, choice);
+    const int changed = counter.flops();
+    if (changed < flops) {
+      flops = changed;
+      in_vain = 1;  // flipping it back is known not to pay
+    } else {
+      flip(mechanism, *links, choice);
+      ++in_vain;
     }
   }
 }

@@ -1,6 +1,8 @@
 #include "generation/function_mechanisms.hpp"
 
-#include <optional>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "description/check_scene.hpp"
 #include "generation/choose_axes.hpp"
@@ -28,13 +30,35 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (takes_external_forces(function)) needs |= kForces;
   if (needs_contacts(function)) needs |= kContacts;
   needs &= in_scene_;
-  const std::optional<Function> decider = axes_decider(function);
-  if (!decider) return reduced(needs);
-  const std::pair key{needs, *decider};
+  const std::vector<Function> deciders = axes_deciders(function);
+  if (deciders.empty()) return reduced(needs);
+  if (deciders.size() == 1) return decided(needs, deciders.front());
+  // What forward dynamics derives is for the most part what inverse dynamics does.
+  const Function counted =
+      is_derivative(function) ? Function::inverse_dynamics_derivatives : function;
+  const std::pair key{needs, counted};
+  const auto cheapest = cheapest_.find(key);
+  if (cheapest != cheapest_.end()) return *cheapest->second;
+  const Mechanism* best = nullptr;
+  int least = std::numeric_limits<int>::max();
+  for (const Function decider : deciders) {
+    const Mechanism& mechanism = decided(needs, decider);
+    const int flops = count_cheapest(mechanism, counted);
+    if (flops < least) {
+      least = flops;
+      best = &mechanism;
+    }
+  }
+  cheapest_.emplace(key, best);
+  return *best;
+}
+
+const Mechanism& FunctionMechanisms::decided(unsigned needs, Function decider) {
+  const std::pair key{needs, decider};
   const auto chosen = by_decider_.find(key);
   if (chosen != by_decider_.end()) return chosen->second;
   Mechanism& mechanism = by_decider_.emplace(key, reduced(needs)).first->second;
-  choose_axes(mechanism, *decider);
+  choose_axes(mechanism, decider);
   return mechanism;
 }
 

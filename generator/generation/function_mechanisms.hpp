@@ -25,6 +25,8 @@ class FunctionMechanisms {
 
  private:
   const Mechanism& reduced(unsigned needs);
+  /// The same with axes chosen by `decider`.
+  const Mechanism& decided(unsigned needs, Function decider);
 
   const Robot& robot_;
   const Scene& scene_;
@@ -32,6 +34,7 @@ class FunctionMechanisms {
   unsigned in_scene_ = 0;
   std::map<unsigned, Mechanism> by_needs_;
   std::map<std::pair<unsigned, Function>, Mechanism> by_decider_;
+  std::map<std::pair<unsigned, Function>, const Mechanism*> cheapest_;  // of several deciders
 };
 
 }  // namespace treeline

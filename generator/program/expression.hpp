@@ -157,6 +157,9 @@ class Graph {
   [[nodiscard]] bool merges_commuted() const { return merges_commuted_; }
   /// An empty graph to trace into, for code with so many lanes.
   static Graph for_trace(int lanes);
+  /// From here on names and sections are not wanted: for who only counts.
+  void forget_names() { keeps_names_ = false; }
+  [[nodiscard]] bool keeps_names() const { return keeps_names_; }
   /// Suggests a readable identifier for the node's value (`w4_x`); the first one wins. Of a value
   /// that is the negative of its node the node is called `minus_w4_x`. Constants stay unnamed.
   void name(Expression value, std::string_view identifier);
@@ -214,6 +217,7 @@ class Graph {
   std::vector<LimbInputs> limb_inputs_;
   int lane_width_ = 1;
   bool merges_commuted_ = true;
+  bool keeps_names_ = true;
 };
 
 }  // namespace treeline

@@ -104,7 +104,10 @@ std::string priorities_of(const TracedTree& tree) {
 
 class Tracer {
  public:
-  Tracer(const Mechanism& mechanism, int lanes) : mechanism_(mechanism), lanes_(lanes) {}
+  enum class Names { kept, forgotten };
+
+  Tracer(const Mechanism& mechanism, int lanes, Names names = Names::kept)
+      : mechanism_(mechanism), lanes_(lanes), names_(names) {}
 
   Program trace(Function function, const Route& route) const {
     const Signature common = signature(function);
@@ -113,6 +116,7 @@ class Tracer {
     program.equation = common.equation;
     program.source = route.source;
     program.graph = Graph::for_trace(lanes_);
+    if (names_ == Names::forgotten) program.graph.forget_names();
     const Graph::Scope scope(program.graph);
     Trace trace;
     trace.tree = tree_of<Expression>(mechanism_);
@@ -156,6 +160,7 @@ class Tracer {
 
   const Mechanism& mechanism_;
   int lanes_;
+  Names names_;
 };
 
 Outputs vector_output(const char* name, const char* meaning, Expressions values) {
@@ -363,7 +368,9 @@ Program trace_route(const Mechanism& mechanism, Function function, const std::st
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);
   for (const Route& route : routes_of(function, tree)) {
-    if (route.source == source) return Tracer(mechanism, 1).trace(function, route);
+    if (route.source == source) {
+      return Tracer(mechanism, 1, Tracer::Names::forgotten).trace(function, route);
+    }
   }
   for (Program& program : trace_function(mechanism, function)) {  // of another kind
     if (program.source == source) return std::move(program);

@@ -15,7 +15,7 @@ namespace treeline {
 /// `lanes`: how many values of Real the emitted code may compute together.
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes = 1);
 
-/// The same by the algorithm of this `source` alone.
+/// The same by the algorithm of this `source` alone, to be counted: names may be missing.
 Program trace_route(const Mechanism& mechanism, Function function, const std::string& source);
 
 }  // namespace treeline

@@ -169,7 +169,9 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
 template <class Scalar>
 void label(const Scalar& value, const char* symbol, std::size_t link, const char* suffix = "") {
   if constexpr (std::is_same_v<Scalar, Expression>) {
-    Graph::current().name(value, symbol + std::to_string(link + 1) + suffix);
+    if (Graph::current().keeps_names()) {
+      Graph::current().name(value, symbol + std::to_string(link + 1) + suffix);
+    }
   }
 }
 template <class Scalar>
@@ -189,8 +191,10 @@ void align_lanes(std::vector<Scalar>& values) {
 template <class Scalar>
 void section(const TreeLink<Scalar>& link, std::size_t index, const char* pass) {
   if constexpr (std::is_same_v<Scalar, Expression>) {
-    Graph::current().begin_section("link " + std::to_string(index + 1) + " (" + link.name + "), " +
-                                   pass);
+    if (Graph::current().keeps_names()) {
+      Graph::current().begin_section("link " + std::to_string(index + 1) + " (" + link.name +
+                                     "), " + pass);
+    }
   }
 }
 
