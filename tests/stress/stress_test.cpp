@@ -3,9 +3,17 @@
 // not draw. The long form is `stress`.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "experiments.hpp"
 
 namespace treeline::stress {
+
+/// Names the test in what prints its parameter, as ctest does.
+void PrintTo(const Experiment& experiment, std::ostream* out) {
+  *out << experiment.name;
+}
+
 namespace {
 
 std::vector<Experiment> all_experiments() {
