@@ -1,6 +1,6 @@
 // control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
 // By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins, alike limbs in lanes.
-// 8497 flops (add 3741, mul 4712, div 44), sine and cosine of 24 angles
+// 8557 flops (add 3753, mul 4760, div 44), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -1053,66 +1053,52 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       (s4 * (s4 * (inverse_D4_p3 - inverse_D4_p7)) + 0.21799999999999997 *
       (inverse_D3_p89 + inverse_D3_p92));
 
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p1_lanes = 0.269 * detail::make_pack<Real>(s11, s18);
+  const Lanes<2> f13_x_p3_lanes = 0.269 * detail::make_pack<Real>(c11, c18);
+
   // link 4 (chest1), articulated inertia
   const Real inverse_D2_p13 = inverse_D2_p5 + 0.21799999999999997 * inverse_D2_p6 - s4 *
       (inverse_D3_p83 - inverse_D3_p71) - inverse_D3_p91 * inverse_D2_p12;
   const Real inverse_D1_p1 = 0.031999971599999996 * s2 - 24.5839218 * c2;
   const Real inverse_D2_p14 = 8.419374554 + (inverse_D3_p92 - inverse_D3_p91 * inverse_D2_p11);
 
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p7_lanes = inverse_D11_p5_lanes - inverse_D11_p14_lanes *
-      inverse_D12_p7_lanes;
-  const Lanes<2> f13_x_p9_lanes = -inverse_D10_p8_lanes - inverse_D10_p20_lanes *
-      inverse_D12_p7_lanes;
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p5 = inverse_D9_p7_lanes[1] * f13_x_p1_lanes[1];
 
   // link 3 (hip), articulated inertia
   const Real inverse_D3 = 1.0 / (1.7824817919087104 +
       (inverse_D3_p94 - inverse_D3_p91 * inverse_D3_p93));
 
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p17_lanes = inverse_D10_p19_lanes * inverse_D12_p7_lanes;
-  const Lanes<2> f13_x_p21_lanes = inverse_D10_p7_lanes - inverse_D10_p18_lanes *
-      inverse_D12_p7_lanes;
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p6 = f13_x_p3_lanes[1] - inverse_D9_p9_lanes[1] * f13_x_p1_lanes[1];
+  const Real f13_x_p7 = c18 - inverse_D8_p34_lanes[1] * f13_x_p1_lanes[1];
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p25_lanes = -(detail::make_pack<Real>(c12, c19) * f13_x_p7_lanes);
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> f13_x_p10_lanes = inverse_D8_p105_lanes * f13_x_p1_lanes;
+  const Lanes<2> f13_x_p12_lanes = -detail::make_pack<Real>(s11, s18) - inverse_D8_p46_lanes *
+      f13_x_p1_lanes;
 
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p31_lanes = detail::make_pack<Real>(c12, c19) * inverse_D11_p14_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p43_lanes = 0.269 * f13_x_p9_lanes - detail::make_pack<Real>(s12, s19) *
-      f13_x_p7_lanes - inverse_D10_p77_lanes * f13_x_p25_lanes;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p53_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p21_lanes -
-      detail::make_pack<Real>(c12, c19) * f13_x_p17_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p57_lanes = detail::make_pack<Real>(s12, s19) * inverse_D11_p14_lanes -
-      0.269 * inverse_D10_p20_lanes - inverse_D10_p77_lanes * f13_x_p31_lanes;
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p14 = c17 * f13_x_p5 - s17 * f13_x_p6;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p15 = inverse_D2_p13 * inverse_D3;
   const Real inverse_D2_p16 = inverse_D2_p14 * inverse_D3;
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> neg_c12_lanes = -detail::make_pack<Real>(c12, c19);
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> f13_x_p19_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p12_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p10_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p21 = c17 * f13_x_p6 + s17 * f13_x_p5 + 0.282 * f13_x_p7 -
+      inverse_D8_p125_lanes[1] * f13_x_p14;
+
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> f13_x_p22_lanes = 0.00010499999999999999 / inverse_D8_p163_lanes;
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p61_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p19_lanes +
-      detail::make_pack<Real>(s12, s19) * inverse_D10_p18_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> neg_s12_lanes = -detail::make_pack<Real>(s12, s19);
-  const Lanes<2> f13_x_p65_lanes = inverse_D10_p78_lanes * neg_c12_lanes;
-  const Lanes<2> f13_x_p71_lanes = neg_s12_lanes - inverse_D10_p77_lanes * neg_c12_lanes;
-  const Lanes<2> f13_x_p75_lanes = 0.269 * f13_x_p53_lanes - inverse_D10_p78_lanes *
-      f13_x_p25_lanes;
-  const Lanes<2> f13_x_p91_lanes = -(0.269 * f13_x_p61_lanes) - inverse_D10_p78_lanes *
-      f13_x_p31_lanes;
-  const Lanes<2> f13_x_p95_lanes = -(0.269 * detail::make_pack<Real>(c12, c19));
-  const Lanes<2> f13_x_p97_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p95_lanes;
+  const Lanes<2> f13_x_p26_lanes = 0.269 * detail::make_pack<Real>(s12, s19);
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p17 = inverse_D2_p14 * inverse_D2_p15 -
@@ -1123,1370 +1109,1463 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       inverse_D2_p13 * inverse_D2_p15;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p105_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p71_lanes -
-      detail::make_pack<Real>(c11, c18) * f13_x_p65_lanes;
-  const Lanes<2> f13_x_p113_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p43_lanes +
-      detail::make_pack<Real>(c11, c18) * f13_x_p75_lanes;
-  const Lanes<2> f13_x_p115_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p43_lanes -
-      detail::make_pack<Real>(s11, s18) * f13_x_p75_lanes;
-  const Lanes<2> f13_x_p119_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p71_lanes +
-      detail::make_pack<Real>(s11, s18) * f13_x_p65_lanes;
+  const Lanes<2> f13_x_p28_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p26_lanes;
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p121_lanes = -(detail::make_pack<Real>(s11, s18) * f13_x_p95_lanes);
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> f13_x_p32_lanes = -(0.282 * f13_x_p19_lanes);
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p34 = f13_x_p32_lanes[1] - inverse_D8_p151_lanes[1] * f13_x_p14;
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p125_lanes = -f13_x_p53_lanes + inverse_D8_p4_lanes * f13_x_p25_lanes;
-  const Lanes<2> f13_x_p131_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p57_lanes +
-      detail::make_pack<Real>(c11, c18) * f13_x_p91_lanes;
-  const Lanes<2> f13_x_p133_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p57_lanes -
-      detail::make_pack<Real>(s11, s18) * f13_x_p91_lanes;
-  const Lanes<2> f13_x_p135_lanes = f13_x_p9_lanes - inverse_D8_p5_lanes * f13_x_p25_lanes;
-  const Lanes<2> f13_x_p137_lanes = inverse_D8_p4_lanes * neg_c12_lanes;
-  const Lanes<2> f13_x_p139_lanes = inverse_D8_p5_lanes * neg_c12_lanes;
-  const Lanes<2> f13_x_p141_lanes = f13_x_p61_lanes + inverse_D8_p4_lanes * f13_x_p31_lanes;
-  const Lanes<2> f13_x_p143_lanes = detail::make_pack<Real>(s11, s18) *
-      detail::make_pack<Real>(c12, c19);
+  const Lanes<2> neg_s12_lanes = -detail::make_pack<Real>(s12, s19);
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p151_lanes = inverse_D9_p7_lanes[1] *
-      detail::make_pack<Real>(f13_x_p97_lanes[1], f13_x_p105_lanes[1], f13_x_p131_lanes[1],
-      f13_x_p113_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1],
-      f13_x_p97_lanes[1]);
+  const Real f13_x_p35 = inverse_D9_p7_lanes[1] * f13_x_p28_lanes[1];
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> f13_x_p36_lanes = -(detail::make_pack<Real>(s11, s18) * f13_x_p26_lanes);
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p159_lanes = -inverse_D10_p20_lanes - inverse_D8_p5_lanes * f13_x_p31_lanes;
+  const Lanes<2> f13_x_p38_lanes = detail::make_pack<Real>(s11, s18) * neg_s12_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p40 = c16 * f13_x_p21 - s16 * f13_x_p34;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p41_lanes = detail::make_pack<Real>(c11, c18) * neg_s12_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p43 = f13_x_p36_lanes[1] - inverse_D9_p9_lanes[1] * f13_x_p28_lanes[1];
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> neg_c12_lanes = -detail::make_pack<Real>(c12, c19);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> neg_neg_c12_lanes = -neg_c12_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p44 = f13_x_p38_lanes[1] - inverse_D8_p34_lanes[1] * f13_x_p28_lanes[1];
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p20 = inverse_D2_p7 * (inverse_D2_p18 - inverse_D2_p19) + inverse_D2_p9 *
       (2.0 * inverse_D2_p17);
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p185_lanes = detail::make_pack<Real>(c11, c18) *
-      detail::make_pack<Real>(c12, c19);
-  const Lanes<2> f13_x_p199_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p125_lanes +
-      detail::make_pack<Real>(c11, c18) * f13_x_p135_lanes;
-  const Lanes<2> f13_x_p201_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p125_lanes -
-      detail::make_pack<Real>(s11, s18) * f13_x_p135_lanes;
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p45 = f13_x_p22_lanes[1] * f13_x_p40;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real f13_x_p46 = f13_x_p41_lanes[1] - inverse_D8_p46_lanes[1] * f13_x_p28_lanes[1];
+  const Real f13_x_p47 = neg_neg_c12_lanes[1] - inverse_D8_p105_lanes[1] * f13_x_p28_lanes[1];
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p21 = inverse_D2_p7 * inverse_D2_p20;
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p209_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p137_lanes +
-      detail::make_pack<Real>(s11, s18) * f13_x_p139_lanes;
-  const Lanes<2> f13_x_p211_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p137_lanes -
-      detail::make_pack<Real>(c11, c18) * f13_x_p139_lanes;
-  const Lanes<2> f13_x_p213_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p141_lanes -
-      detail::make_pack<Real>(s11, s18) * f13_x_p159_lanes;
-  const Lanes<2> f13_x_p215_lanes = inverse_D8_p49_lanes * neg_c12_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> neg_neg_s12_lanes = -neg_s12_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p217_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p141_lanes +
-      detail::make_pack<Real>(c11, c18) * f13_x_p159_lanes;
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p48 = s16 * f13_x_p21 + c16 * f13_x_p34 - inverse_D7_p8_lanes[1] * f13_x_p40;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p219_lanes = detail::make_pack<Real>(f13_x_p121_lanes[1],
-      f13_x_p119_lanes[1], f13_x_p133_lanes[1], f13_x_p115_lanes[1], f13_x_p121_lanes[1],
-      f13_x_p121_lanes[1], f13_x_p121_lanes[1], f13_x_p121_lanes[1]) - inverse_D9_p9_lanes[1] *
-      detail::make_pack<Real>(f13_x_p97_lanes[1], f13_x_p105_lanes[1], f13_x_p131_lanes[1],
-      f13_x_p113_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1],
-      f13_x_p97_lanes[1]);
+  const Real f13_x_p51 = c17 * f13_x_p35 - s17 * f13_x_p43;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p22 = inverse_D2_p9 * inverse_D2_p20 - inverse_D2_p17;
   const Real inverse_D2_p23 = inverse_D2_p18 - inverse_D2_p21;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p235_lanes = detail::make_pack<Real>(f13_x_p185_lanes[1],
-      f13_x_p209_lanes[1], f13_x_p213_lanes[1], f13_x_p201_lanes[1], f13_x_p185_lanes[1],
-      f13_x_p185_lanes[1], f13_x_p185_lanes[1], f13_x_p185_lanes[1]) - inverse_D8_p46_lanes[1] *
-      detail::make_pack<Real>(f13_x_p97_lanes[1], f13_x_p105_lanes[1], f13_x_p131_lanes[1],
-      f13_x_p113_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1],
-      f13_x_p97_lanes[1]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p249_lanes = -(detail::make_pack<Real>(s12, s19) * f13_x_p17_lanes +
-      detail::make_pack<Real>(c12, c19) * f13_x_p21_lanes) - inverse_D8_p49_lanes * f13_x_p25_lanes;
-
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> f13_x_p251_lanes = 0.00010499999999999999 / inverse_D8_p163_lanes;
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> f13_x_p56_lanes = inverse_D11_p5_lanes - inverse_D11_p14_lanes *
+      inverse_D12_p7_lanes;
 
   // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p253_lanes = detail::make_pack<Real>(f13_x_p143_lanes[1],
-      f13_x_p211_lanes[1], f13_x_p217_lanes[1], f13_x_p199_lanes[1], f13_x_p143_lanes[1],
-      f13_x_p143_lanes[1], f13_x_p143_lanes[1], f13_x_p143_lanes[1]) - inverse_D8_p34_lanes[1] *
-      detail::make_pack<Real>(f13_x_p97_lanes[1], f13_x_p105_lanes[1], f13_x_p131_lanes[1],
-      f13_x_p113_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1],
-      f13_x_p97_lanes[1]);
+  const Real f13_x_p60 = s17 * f13_x_p47 - c17 * f13_x_p46;
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p263_lanes = -f13_x_p249_lanes;
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> f13_x_p61_lanes = inverse_D10_p19_lanes * inverse_D12_p7_lanes;
+  const Lanes<2> f13_x_p63_lanes = -inverse_D10_p8_lanes - inverse_D10_p20_lanes *
+      inverse_D12_p7_lanes;
+  const Lanes<2> f13_x_p69_lanes = detail::make_pack<Real>(c12, c19) * inverse_D11_p14_lanes;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p265_lanes = c17 * f13_x_p151_lanes - s17 * f13_x_p219_lanes;
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p71 = s15 * f13_x_p45 + c15 * f13_x_p48;
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p277_lanes = -(detail::make_pack<Real>(c12, c19) * inverse_D10_p18_lanes -
-      detail::make_pack<Real>(s12, s19) * inverse_D10_p19_lanes - inverse_D8_p49_lanes *
-      f13_x_p31_lanes);
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p76 = c17 * f13_x_p43 + s17 * f13_x_p35 + 0.282 * f13_x_p44 -
+      inverse_D8_p125_lanes[1] * f13_x_p51;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> f13_x_p77_lanes = inverse_D10_p7_lanes - inverse_D10_p18_lanes *
+      inverse_D12_p7_lanes;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p24 = inverse_D2_p8 * inverse_D2_p23 + inverse_D2_p10 * inverse_D2_p22;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p279_lanes = detail::make_pack<Real>(neg_neg_s12_lanes[1],
-      f13_x_p215_lanes[1], f13_x_p277_lanes[1], f13_x_p263_lanes[1], neg_neg_s12_lanes[1],
-      neg_neg_s12_lanes[1], neg_neg_s12_lanes[1], neg_neg_s12_lanes[1]) - inverse_D8_p105_lanes[1] *
-      detail::make_pack<Real>(f13_x_p97_lanes[1], f13_x_p105_lanes[1], f13_x_p131_lanes[1],
-      f13_x_p113_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1],
-      f13_x_p97_lanes[1]);
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p87_lanes = -(detail::make_pack<Real>(c12, c19) * f13_x_p56_lanes);
+  const Lanes<2> f13_x_p103_lanes = inverse_D10_p78_lanes * neg_c12_lanes;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> f13_x_p105_lanes = detail::make_pack<Real>(c12, c19) * inverse_D10_p19_lanes +
+      detail::make_pack<Real>(s12, s19) * inverse_D10_p18_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p283_lanes = inverse_D8_p125_lanes[1] * f13_x_p265_lanes;
+  const Real f13_x_p109 = 0.282 * f13_x_p60 - inverse_D8_p151_lanes[1] * f13_x_p51;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p112_lanes = detail::make_pack<Real>(s12, s19) * inverse_D11_p14_lanes -
+      0.269 * inverse_D10_p20_lanes - inverse_D10_p77_lanes * f13_x_p69_lanes;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D1_p2 = inverse_D2_p24 - inverse_D1_p1;
 
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p319_lanes = c17 * f13_x_p219_lanes + s17 * f13_x_p151_lanes + 0.282 *
-      f13_x_p253_lanes - f13_x_p283_lanes;
-  const Lanes<8> f13_x_p323_lanes = f13_x_p253_lanes - inverse_D6_p29_lanes[1] * f13_x_p265_lanes;
+  // link 12 (left_wrist2), force propagation
+  const Lanes<2> f13_x_p114_lanes = detail::make_pack<Real>(s12, s19) * f13_x_p77_lanes -
+      detail::make_pack<Real>(c12, c19) * f13_x_p61_lanes;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p327_lanes = s17 * f13_x_p279_lanes - c17 * f13_x_p235_lanes;
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p118_lanes = neg_s12_lanes - inverse_D10_p77_lanes * neg_c12_lanes;
+  const Lanes<2> f13_x_p122_lanes = 0.269 * f13_x_p63_lanes - detail::make_pack<Real>(s12, s19) *
+      f13_x_p56_lanes - inverse_D10_p77_lanes * f13_x_p87_lanes;
+  const Lanes<2> f13_x_p124_lanes = -(0.269 * detail::make_pack<Real>(c12, c19));
+  const Lanes<2> f13_x_p126_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p124_lanes;
+  const Lanes<2> f13_x_p148_lanes = -(0.269 * f13_x_p105_lanes) - inverse_D10_p78_lanes *
+      f13_x_p69_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> f13_x_p158_lanes = -(detail::make_pack<Real>(s11, s18) * f13_x_p124_lanes);
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p164 = c16 * f13_x_p76 - s16 * f13_x_p109;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p165_lanes = 0.269 * f13_x_p114_lanes - inverse_D10_p78_lanes *
+      f13_x_p87_lanes;
+  const Lanes<2> f13_x_p169_lanes = inverse_D8_p4_lanes * neg_c12_lanes;
+  const Lanes<2> f13_x_p171_lanes = inverse_D8_p5_lanes * neg_c12_lanes;
+  const Lanes<2> f13_x_p173_lanes = -f13_x_p114_lanes + inverse_D8_p4_lanes * f13_x_p87_lanes;
+  const Lanes<2> f13_x_p175_lanes = f13_x_p63_lanes - inverse_D8_p5_lanes * f13_x_p87_lanes;
+  const Lanes<2> f13_x_p177_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p118_lanes -
+      detail::make_pack<Real>(c11, c18) * f13_x_p103_lanes;
+  const Lanes<2> f13_x_p181_lanes = f13_x_p105_lanes + inverse_D8_p4_lanes * f13_x_p69_lanes;
+  const Lanes<2> f13_x_p183_lanes = -inverse_D10_p20_lanes - inverse_D8_p5_lanes * f13_x_p69_lanes;
+  const Lanes<2> f13_x_p185_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p118_lanes +
+      detail::make_pack<Real>(s11, s18) * f13_x_p103_lanes;
+  const Lanes<2> f13_x_p187_lanes = detail::make_pack<Real>(s11, s18) *
+      detail::make_pack<Real>(c12, c19);
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p193 = f13_x_p22_lanes[1] * f13_x_p164;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p194_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p112_lanes +
+      detail::make_pack<Real>(c11, c18) * f13_x_p148_lanes;
+  const Lanes<2> f13_x_p210_lanes = detail::make_pack<Real>(c11, c18) *
+      detail::make_pack<Real>(c12, c19);
+  const Lanes<2> f13_x_p212_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p112_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p148_lanes;
+  const Lanes<2> f13_x_p222_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p122_lanes +
+      detail::make_pack<Real>(c11, c18) * f13_x_p165_lanes;
+  const Lanes<2> f13_x_p224_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p122_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p165_lanes;
+  const Lanes<2> f13_x_p240_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p173_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p175_lanes;
+  const Lanes<2> f13_x_p258_lanes = inverse_D8_p49_lanes * neg_c12_lanes;
+  const Lanes<2> f13_x_p262_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p181_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p183_lanes;
+  const Lanes<2> f13_x_p264_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p169_lanes +
+      detail::make_pack<Real>(s11, s18) * f13_x_p171_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p266_lanes = inverse_D9_p7_lanes[0] *
+      detail::make_pack<Real>(f13_x_p28_lanes[0], f13_x_p1_lanes[0], f13_x_p126_lanes[0],
+      f13_x_p177_lanes[0], f13_x_p194_lanes[0], f13_x_p222_lanes[0], f13_x_p28_lanes[0],
+      f13_x_p28_lanes[0]);
+  const Lanes<2> neg_neg_s12_lanes = -neg_s12_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p278_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p173_lanes +
+      detail::make_pack<Real>(c11, c18) * f13_x_p175_lanes;
+  const Lanes<2> f13_x_p280_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p181_lanes +
+      detail::make_pack<Real>(c11, c18) * f13_x_p183_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p282 = s16 * f13_x_p76 + c16 * f13_x_p109 - inverse_D7_p8_lanes[1] * f13_x_p164;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p285_lanes = detail::make_pack<Real>(s11, s18) * f13_x_p169_lanes -
+      detail::make_pack<Real>(c11, c18) * f13_x_p171_lanes;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p25 = 9.885744550888212 + (inverse_D2_p10 *
       (inverse_D2_p8 * inverse_D2_p22 + inverse_D2_p10 * (inverse_D2_p19 + inverse_D2_p21)) +
       inverse_D2_p8 * inverse_D2_p24);
 
+  // link 11 (left_wrist1), force propagation
+  const Lanes<2> f13_x_p289_lanes = -(detail::make_pack<Real>(s12, s19) * f13_x_p61_lanes +
+      detail::make_pack<Real>(c12, c19) * f13_x_p77_lanes) - inverse_D8_p49_lanes * f13_x_p87_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p291_lanes = detail::make_pack<Real>(f13_x_p36_lanes[0], f13_x_p3_lanes[0],
+      f13_x_p158_lanes[0], f13_x_p185_lanes[0], f13_x_p212_lanes[0], f13_x_p224_lanes[0],
+      f13_x_p36_lanes[0], f13_x_p36_lanes[0]) - inverse_D9_p9_lanes[0] *
+      detail::make_pack<Real>(f13_x_p28_lanes[0], f13_x_p1_lanes[0], f13_x_p126_lanes[0],
+      f13_x_p177_lanes[0], f13_x_p194_lanes[0], f13_x_p222_lanes[0], f13_x_p28_lanes[0],
+      f13_x_p28_lanes[0]);
+  const Lanes<8> f13_x_p297_lanes = detail::make_pack<Real>(f13_x_p41_lanes[0], f13_x_p41_lanes[0],
+      f13_x_p210_lanes[0], f13_x_p264_lanes[0], f13_x_p262_lanes[0], f13_x_p240_lanes[0],
+      f13_x_p41_lanes[0], f13_x_p41_lanes[0]) - inverse_D8_p46_lanes[0] *
+      detail::make_pack<Real>(f13_x_p28_lanes[0], f13_x_p28_lanes[0], f13_x_p126_lanes[0],
+      f13_x_p177_lanes[0], f13_x_p194_lanes[0], f13_x_p222_lanes[0], f13_x_p28_lanes[0],
+      f13_x_p28_lanes[0]);
+  const Lanes<8> f13_x_p316_lanes = detail::make_pack<Real>(f13_x_p38_lanes[0], c11,
+      f13_x_p187_lanes[0], f13_x_p285_lanes[0], f13_x_p280_lanes[0], f13_x_p278_lanes[0],
+      f13_x_p38_lanes[0], f13_x_p38_lanes[0]) - inverse_D8_p34_lanes[0] *
+      detail::make_pack<Real>(f13_x_p28_lanes[0], f13_x_p1_lanes[0], f13_x_p126_lanes[0],
+      f13_x_p177_lanes[0], f13_x_p194_lanes[0], f13_x_p222_lanes[0], f13_x_p28_lanes[0],
+      f13_x_p28_lanes[0]);
+  const Lanes<2> f13_x_p322_lanes = -f13_x_p289_lanes;
+
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p359_lanes = -f13_x_p327_lanes + inverse_D6_p27_lanes[1] * f13_x_p265_lanes;
-  const Lanes<8> f13_x_p367_lanes = -(s17 * f13_x_p235_lanes + c17 * f13_x_p279_lanes) +
-      inverse_D6_p19_lanes[1] * f13_x_p265_lanes;
+  const Real f13_x_p341 = f13_x_p19_lanes[1] + inverse_D6_p27_lanes[1] * f13_x_p14;
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D2 = 1.0 / inverse_D2_p25;
 
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p379_lanes = 0.282 * f13_x_p327_lanes - inverse_D8_p151_lanes[1] *
-      f13_x_p265_lanes;
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> f13_x_p342_lanes = -(detail::make_pack<Real>(c12, c19) * inverse_D10_p18_lanes -
+      detail::make_pack<Real>(s12, s19) * inverse_D10_p19_lanes - inverse_D8_p49_lanes *
+      f13_x_p69_lanes);
+  const Lanes<8> f13_x_p344_lanes = detail::make_pack<Real>(neg_neg_c12_lanes[0],
+      neg_neg_c12_lanes[0], neg_neg_s12_lanes[0], f13_x_p258_lanes[0], f13_x_p342_lanes[0],
+      f13_x_p322_lanes[0], neg_neg_c12_lanes[0], neg_neg_c12_lanes[0]) - inverse_D8_p105_lanes[0] *
+      detail::make_pack<Real>(f13_x_p28_lanes[0], f13_x_p28_lanes[0], f13_x_p126_lanes[0],
+      f13_x_p177_lanes[0], f13_x_p194_lanes[0], f13_x_p222_lanes[0], f13_x_p28_lanes[0],
+      f13_x_p28_lanes[0]);
 
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> f13_x_p399_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) / inverse_D7_p20_lanes;
-
   // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p405_lanes = c16 * f13_x_p319_lanes - s16 * f13_x_p379_lanes;
+  const Real f13_x_p355 = f13_x_p7 - inverse_D6_p29_lanes[1] * f13_x_p14;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p417_lanes = f13_x_p251_lanes[1] * f13_x_p405_lanes;
+  const Real f13_x_p356 = s15 * f13_x_p193 + c15 * f13_x_p282;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p357 = -f13_x_p60 + inverse_D6_p27_lanes[1] * f13_x_p51;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p358_lanes = c10 * f13_x_p266_lanes - s10 * f13_x_p291_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p370 = f13_x_p44 - inverse_D6_p29_lanes[1] * f13_x_p51;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p376_lanes = inverse_D8_p125_lanes[0] * f13_x_p358_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p410_lanes = s10 * f13_x_p344_lanes - c10 * f13_x_p297_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p415_lanes = c10 * f13_x_p291_lanes + s10 * f13_x_p266_lanes + 0.282 *
+      f13_x_p316_lanes - f13_x_p376_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> f13_x_p421_lanes = 0.282 * f13_x_p410_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p426_lanes = -f13_x_p410_lanes;
+  const Lanes<8> f13_x_p431_lanes = detail::make_pack<Real>(f13_x_p426_lanes[0], f13_x_p19_lanes[0],
+      f13_x_p426_lanes[2], f13_x_p426_lanes[3], f13_x_p426_lanes[4], f13_x_p426_lanes[5],
+      f13_x_p426_lanes[0], f13_x_p426_lanes[0]) + inverse_D6_p27_lanes[0] * f13_x_p358_lanes;
+  const Lanes<8> f13_x_p437_lanes = f13_x_p316_lanes - inverse_D6_p29_lanes[0] * f13_x_p358_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> f13_x_p443_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p10_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p12_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p457 = s16 * f13_x_p341 + c16 * f13_x_p355 - inverse_D6_p99_lanes[1] * f13_x_p40;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p482_lanes = detail::make_pack<Real>(f13_x_p421_lanes[0], f13_x_p32_lanes[0],
+      f13_x_p421_lanes[2], f13_x_p421_lanes[3], f13_x_p421_lanes[4], f13_x_p421_lanes[5],
+      f13_x_p421_lanes[0], f13_x_p421_lanes[0]) - inverse_D8_p151_lanes[0] * f13_x_p358_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p504 = s16 * f13_x_p357 + c16 * f13_x_p370 - inverse_D6_p99_lanes[1] *
+      f13_x_p164;
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D1_p3 = inverse_D1_p2 * inverse_D2;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p433_lanes = s16 * f13_x_p319_lanes + c16 * f13_x_p379_lanes -
-      inverse_D7_p8_lanes[1] * f13_x_p405_lanes;
-  const Lanes<8> f13_x_p441_lanes = s16 * f13_x_p359_lanes + c16 * f13_x_p323_lanes -
-      inverse_D6_p99_lanes[1] * f13_x_p405_lanes;
-  const Lanes<8> f13_x_p445_lanes = -f13_x_p367_lanes + inverse_D6_p97_lanes[1] * f13_x_p405_lanes;
-  const Lanes<8> f13_x_p481_lanes = s15 * f13_x_p417_lanes + c15 * f13_x_p433_lanes;
+  const Real f13_x_p523 = -(f13_x_p443_lanes[1] + inverse_D6_p19_lanes[1] * f13_x_p14) +
+      inverse_D6_p97_lanes[1] * f13_x_p40;
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p497_lanes = inverse_D6_p267_lanes[1] * f13_x_p481_lanes;
-  const Lanes<8> f13_x_p513_lanes = f13_x_p399_lanes[1] * f13_x_p481_lanes;
-  const Lanes<8> f13_x_p517_lanes = c16 * f13_x_p359_lanes - s16 * f13_x_p323_lanes -
-      inverse_D6_p101_lanes[1] * f13_x_p405_lanes - f13_x_p497_lanes;
-  const Lanes<8> f13_x_p521_lanes = c15 * f13_x_p445_lanes - s15 * f13_x_p441_lanes -
-      inverse_D6_p265_lanes[1] * f13_x_p481_lanes;
-  const Lanes<8> f13_x_p525_lanes = s15 * f13_x_p445_lanes + c15 * f13_x_p441_lanes -
-      inverse_D6_p271_lanes[1] * f13_x_p481_lanes;
-  const Lanes<8> f13_x_p529_lanes = c15 * f13_x_p417_lanes - s15 * f13_x_p433_lanes -
-      inverse_D6_p370_lanes[1] * f13_x_p481_lanes;
-  const Lanes<8> f13_x_p569_lanes = s14 * f13_x_p517_lanes + c14 * f13_x_p521_lanes;
-  const Lanes<8> f13_x_p577_lanes = c14 * f13_x_p517_lanes - s14 * f13_x_p521_lanes;
-  const Lanes<8> f13_x_p597_lanes = 0.226 * f13_x_p525_lanes + (-0.18) * f13_x_p569_lanes;
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p535_lanes = c9 * f13_x_p415_lanes - s9 * f13_x_p482_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p547 = -(-(s17 * f13_x_p46 + c17 * f13_x_p47) + inverse_D6_p19_lanes[1] *
+      f13_x_p51) + inverse_D6_p97_lanes[1] * f13_x_p164;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p548_lanes = -(s10 * f13_x_p297_lanes + c10 * f13_x_p344_lanes);
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p565_lanes = f13_x_p22_lanes[0] * f13_x_p535_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> f13_x_p595_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) / inverse_D7_p20_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p597_lanes = s9 * f13_x_p415_lanes + c9 * f13_x_p482_lanes -
+      inverse_D7_p8_lanes[0] * f13_x_p535_lanes;
+  const Lanes<8> f13_x_p609_lanes = s9 * f13_x_p431_lanes + c9 * f13_x_p437_lanes -
+      inverse_D6_p99_lanes[0] * f13_x_p535_lanes;
+  const Lanes<8> f13_x_p615_lanes = -(detail::make_pack<Real>(f13_x_p548_lanes[0],
+      f13_x_p443_lanes[0], f13_x_p548_lanes[2], f13_x_p548_lanes[3], f13_x_p548_lanes[4],
+      f13_x_p548_lanes[5], f13_x_p548_lanes[0], f13_x_p548_lanes[0]) + inverse_D6_p19_lanes[0] *
+      f13_x_p358_lanes) + inverse_D6_p97_lanes[0] * f13_x_p535_lanes;
+  const Lanes<8> f13_x_p621_lanes = c9 * f13_x_p431_lanes - s9 * f13_x_p437_lanes -
+      inverse_D6_p101_lanes[0] * f13_x_p535_lanes;
+  const Lanes<8> f13_x_p669_lanes = s8 * f13_x_p565_lanes + c8 * f13_x_p597_lanes;
+  const Lanes<8> f13_x_p675_lanes = c8 * f13_x_p615_lanes - s8 * f13_x_p609_lanes;
+  const Lanes<8> f13_x_p681_lanes = s8 * f13_x_p615_lanes + c8 * f13_x_p609_lanes;
+  const Lanes<8> f13_x_p687_lanes = c8 * f13_x_p565_lanes - s8 * f13_x_p597_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p725_lanes = detail::make_pack<Real>(f13_x_p595_lanes[0],
+      f13_x_p595_lanes[0], f13_x_p595_lanes[0], f13_x_p595_lanes[0], f13_x_p595_lanes[0],
+      f13_x_p595_lanes[0], f13_x_p595_lanes[1], f13_x_p595_lanes[1]) *
+      detail::make_pack<Real>(f13_x_p669_lanes[0], f13_x_p669_lanes[1], f13_x_p669_lanes[2],
+      f13_x_p669_lanes[3], f13_x_p669_lanes[4], f13_x_p669_lanes[5], f13_x_p356, f13_x_p71);
+  const Lanes<8> f13_x_p733_lanes = detail::make_pack<Real>(f13_x_p621_lanes[0],
+      f13_x_p621_lanes[1], f13_x_p621_lanes[2], f13_x_p621_lanes[3], f13_x_p621_lanes[4],
+      f13_x_p621_lanes[5], c16 * f13_x_p357 - s16 * f13_x_p370 - inverse_D6_p101_lanes[1] *
+      f13_x_p164, c16 * f13_x_p341 - s16 * f13_x_p355 - inverse_D6_p101_lanes[1] * f13_x_p40) -
+      detail::make_pack<Real>(inverse_D6_p267_lanes[0], inverse_D6_p267_lanes[0],
+      inverse_D6_p267_lanes[0], inverse_D6_p267_lanes[0], inverse_D6_p267_lanes[0],
+      inverse_D6_p267_lanes[0], inverse_D6_p267_lanes[1], inverse_D6_p267_lanes[1]) *
+      detail::make_pack<Real>(f13_x_p669_lanes[0], f13_x_p669_lanes[1], f13_x_p669_lanes[2],
+      f13_x_p669_lanes[3], f13_x_p669_lanes[4], f13_x_p669_lanes[5], f13_x_p356, f13_x_p71);
+  const Lanes<8> f13_x_p741_lanes = detail::make_pack<Real>(f13_x_p675_lanes[0],
+      f13_x_p675_lanes[1], f13_x_p675_lanes[2], f13_x_p675_lanes[3], f13_x_p675_lanes[4],
+      f13_x_p675_lanes[5], c15 * f13_x_p547 - s15 * f13_x_p504, c15 * f13_x_p523 - s15 *
+      f13_x_p457) - detail::make_pack<Real>(inverse_D6_p265_lanes[0], inverse_D6_p265_lanes[0],
+      inverse_D6_p265_lanes[0], inverse_D6_p265_lanes[0], inverse_D6_p265_lanes[0],
+      inverse_D6_p265_lanes[0], inverse_D6_p265_lanes[1], inverse_D6_p265_lanes[1]) *
+      detail::make_pack<Real>(f13_x_p669_lanes[0], f13_x_p669_lanes[1], f13_x_p669_lanes[2],
+      f13_x_p669_lanes[3], f13_x_p669_lanes[4], f13_x_p669_lanes[5], f13_x_p356, f13_x_p71);
+  const Lanes<8> f13_x_p749_lanes = detail::make_pack<Real>(f13_x_p681_lanes[0],
+      f13_x_p681_lanes[1], f13_x_p681_lanes[2], f13_x_p681_lanes[3], f13_x_p681_lanes[4],
+      f13_x_p681_lanes[5], s15 * f13_x_p547 + c15 * f13_x_p504, s15 * f13_x_p523 + c15 *
+      f13_x_p457) - detail::make_pack<Real>(inverse_D6_p271_lanes[0], inverse_D6_p271_lanes[0],
+      inverse_D6_p271_lanes[0], inverse_D6_p271_lanes[0], inverse_D6_p271_lanes[0],
+      inverse_D6_p271_lanes[0], inverse_D6_p271_lanes[1], inverse_D6_p271_lanes[1]) *
+      detail::make_pack<Real>(f13_x_p669_lanes[0], f13_x_p669_lanes[1], f13_x_p669_lanes[2],
+      f13_x_p669_lanes[3], f13_x_p669_lanes[4], f13_x_p669_lanes[5], f13_x_p356, f13_x_p71);
+  const Lanes<8> f13_x_p757_lanes = detail::make_pack<Real>(f13_x_p687_lanes[0],
+      f13_x_p687_lanes[1], f13_x_p687_lanes[2], f13_x_p687_lanes[3], f13_x_p687_lanes[4],
+      f13_x_p687_lanes[5], c15 * f13_x_p193 - s15 * f13_x_p282, c15 * f13_x_p45 - s15 * f13_x_p48) -
+      detail::make_pack<Real>(inverse_D6_p370_lanes[0], inverse_D6_p370_lanes[0],
+      inverse_D6_p370_lanes[0], inverse_D6_p370_lanes[0], inverse_D6_p370_lanes[0],
+      inverse_D6_p370_lanes[0], inverse_D6_p370_lanes[1], inverse_D6_p370_lanes[1]) *
+      detail::make_pack<Real>(f13_x_p669_lanes[0], f13_x_p669_lanes[1], f13_x_p669_lanes[2],
+      f13_x_p669_lanes[3], f13_x_p669_lanes[4], f13_x_p669_lanes[5], f13_x_p356, f13_x_p71);
+  const Lanes<8> f13_x_p837_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      f13_x_p733_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p741_lanes;
+  const Lanes<8> f13_x_p853_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p733_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      f13_x_p741_lanes;
+  const Lanes<8> f13_x_p893_lanes = 0.226 * f13_x_p749_lanes +
+      detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18, (-0.18), (-0.18)) *
+      f13_x_p837_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p609_lanes = -(c14 * f13_x_p513_lanes + s14 * f13_x_p529_lanes +
-      f13_x_p597_lanes);
-  const Lanes<8> f13_x_p613_lanes = inverse_D5_p54 * f13_x_p609_lanes;
-  const Lanes<8> f13_x_p633_lanes = (-0.18) * f13_x_p577_lanes -
-      (s14 * f13_x_p513_lanes - c14 * f13_x_p529_lanes) - f13_x_p613_lanes;
-  const Lanes<8> f13_x_p637_lanes = 0.226 * f13_x_p577_lanes - inverse_D5_p57 * f13_x_p609_lanes;
-  const Lanes<8> f13_x_p641_lanes = f13_x_p577_lanes - inverse_D5_p52 * f13_x_p609_lanes;
-  const Lanes<8> f13_x_p645_lanes = f13_x_p569_lanes + inverse_D3_p34 * f13_x_p609_lanes;
-  const Lanes<8> f13_x_p649_lanes = f13_x_p525_lanes - inverse_D3_p35 * f13_x_p609_lanes;
-  const Lanes<8> f13_x_p697_lanes = s6 * f13_x_p645_lanes + c6 * f13_x_p649_lanes;
-  const Lanes<8> f13_x_p705_lanes = s6 * f13_x_p633_lanes + c6 * f13_x_p637_lanes + 0.072 *
-      f13_x_p641_lanes;
+  const Lanes<8> f13_x_p917_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p725_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      f13_x_p757_lanes + f13_x_p893_lanes);
+  const Lanes<8> f13_x_p925_lanes = inverse_D5_p54 * f13_x_p917_lanes;
+  const Lanes<8> f13_x_p965_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18,
+      (-0.18), (-0.18)) * f13_x_p853_lanes - (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * f13_x_p725_lanes - detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      f13_x_p757_lanes) - f13_x_p925_lanes;
+  const Lanes<8> f13_x_p973_lanes = 0.226 * f13_x_p853_lanes - inverse_D5_p57 * f13_x_p917_lanes;
+  const Lanes<8> f13_x_p981_lanes = f13_x_p853_lanes - inverse_D5_p52 * f13_x_p917_lanes;
+  const Lanes<8> f13_x_p989_lanes = f13_x_p837_lanes + inverse_D3_p34 * f13_x_p917_lanes;
+  const Lanes<8> f13_x_p997_lanes = f13_x_p749_lanes - inverse_D3_p35 * f13_x_p917_lanes;
+  const Lanes<8> f13_x_p1093_lanes = s6 * f13_x_p989_lanes + c6 * f13_x_p997_lanes;
+  const Lanes<8> f13_x_p1109_lanes = s6 * f13_x_p965_lanes + c6 * f13_x_p973_lanes + 0.072 *
+      f13_x_p981_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p737_lanes = c6 * f13_x_p645_lanes - s6 * f13_x_p649_lanes - inverse_D3_p63 *
-      f13_x_p705_lanes;
-  const Lanes<8> f13_x_p741_lanes = f13_x_p641_lanes - inverse_D3_p62 * f13_x_p705_lanes;
-  const Lanes<8> f13_x_p745_lanes = c6 * f13_x_p633_lanes - s6 * f13_x_p637_lanes - inverse_D4_p2 *
-      f13_x_p705_lanes;
-  const Lanes<8> f13_x_p749_lanes = -(0.072 * f13_x_p697_lanes) + inverse_D4_p1 * f13_x_p705_lanes;
-  const Lanes<8> f13_x_p773_lanes = s4 * (f13_x_p697_lanes - inverse_D3_p64 * f13_x_p705_lanes);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p797_lanes = 0.269 * detail::make_pack<Real>(s11, s18);
-  const Lanes<2> f13_x_p803_lanes = 0.269 * detail::make_pack<Real>(c11, c18);
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p821 = inverse_D9_p7_lanes[1] * f13_x_p797_lanes[1];
+  const Lanes<8> f13_x_p1173_lanes = c6 * f13_x_p989_lanes - s6 * f13_x_p997_lanes -
+      inverse_D3_p63 * f13_x_p1109_lanes;
+  const Lanes<8> f13_x_p1181_lanes = f13_x_p981_lanes - inverse_D3_p62 * f13_x_p1109_lanes;
+  const Lanes<8> f13_x_p1189_lanes = c6 * f13_x_p965_lanes - s6 * f13_x_p973_lanes - inverse_D4_p2 *
+      f13_x_p1109_lanes;
+  const Lanes<8> f13_x_p1197_lanes = -(0.072 * f13_x_p1093_lanes) + inverse_D4_p1 *
+      f13_x_p1109_lanes;
+  const Lanes<8> f13_x_p1245_lanes = s4 * (f13_x_p1093_lanes - inverse_D3_p64 * f13_x_p1109_lanes);
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p822_lanes = -(s5 * f13_x_p749_lanes + c5 * f13_x_p745_lanes);
+  const Lanes<8> f13_x_p1333_lanes = -(s5 * f13_x_p1197_lanes + c5 * f13_x_p1189_lanes);
 
   // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p842_lanes = c4 * (s5 * f13_x_p737_lanes - c5 * f13_x_p741_lanes) +
-      f13_x_p773_lanes;
+  const Lanes<8> f13_x_p1365_lanes = f13_x_p1109_lanes * inverse_D5;
 
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p846 = f13_x_p803_lanes[1] - inverse_D9_p9_lanes[1] * f13_x_p797_lanes[1];
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p1381_lanes = f13_x_p917_lanes * inverse_D6;
+  const Real f13_x_p1387 = f13_x_p917_lanes[7] * inverse_D6;
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p849_lanes = inverse_D8_p105_lanes * f13_x_p797_lanes;
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p1388_lanes = f13_x_p669_lanes * inverse_D7_lanes[0];
 
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p851 = c18 - inverse_D8_p34_lanes[1] * f13_x_p797_lanes[1];
+  // link 6 (chest3), force propagation
+  const Real f13_x_p1394 = f13_x_p917_lanes[6] * inverse_D6;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> f13_x_p1395_lanes = f13_x_p535_lanes * inverse_D8_lanes[0];
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p852_lanes = -(s5 * f13_x_p741_lanes + c5 * f13_x_p737_lanes) -
-      inverse_D2_p12 * f13_x_p822_lanes;
+  const Lanes<8> f13_x_p1401_lanes = f13_x_p1333_lanes * inverse_D4;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> f13_x_p1409_lanes = f13_x_p358_lanes * inverse_D9_lanes[0];
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p1415_lanes = c4 * (s5 * f13_x_p1173_lanes - c5 * f13_x_p1181_lanes) +
+      f13_x_p1245_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p868_lanes = -detail::make_pack<Real>(s11, s18) - inverse_D8_p46_lanes *
-      f13_x_p797_lanes;
+  const Lanes<8> f13_x_p1423_lanes = detail::make_pack<Real>(f13_x_p28_lanes[0], f13_x_p1_lanes[0],
+      f13_x_p126_lanes[0], f13_x_p177_lanes[0], f13_x_p194_lanes[0], f13_x_p222_lanes[0],
+      f13_x_p28_lanes[0], f13_x_p28_lanes[0]) * inverse_D10_lanes[0];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p1429_lanes = -(s5 * f13_x_p1181_lanes + c5 * f13_x_p1173_lanes) -
+      inverse_D2_p12 * f13_x_p1333_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p1445_lanes = f13_x_p1388_lanes * f13_x_p669_lanes[0];
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
       (inverse_D2_p23 - inverse_D1_p2 * inverse_D1_p3));
 
   // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p876_lanes = s4 * (s5 * f13_x_p745_lanes - c5 * f13_x_p749_lanes) +
-      0.21799999999999997 * f13_x_p842_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p882 = c17 * f13_x_p821 - s17 * f13_x_p846;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p883_lanes = 0.269 * detail::make_pack<Real>(s12, s19);
+  const Lanes<8> f13_x_p1515_lanes = s4 * (s5 * f13_x_p1189_lanes - c5 * f13_x_p1197_lanes) +
+      0.21799999999999997 * f13_x_p1415_lanes;
 
   // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p889_lanes = -f13_x_p876_lanes - inverse_D3_p93 * f13_x_p822_lanes;
+  const Lanes<8> f13_x_p1537_lanes = -f13_x_p1515_lanes - inverse_D3_p93 * f13_x_p1333_lanes;
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p893_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p883_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p897_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p868_lanes +
-      detail::make_pack<Real>(s10, s17) * f13_x_p849_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p909 = c17 * f13_x_p846 + s17 * f13_x_p821 + 0.282 * f13_x_p851 -
-      inverse_D8_p125_lanes[1] * f13_x_p882;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p910 = inverse_D9_p7_lanes[1] * f13_x_p893_lanes[1];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p911_lanes = -(detail::make_pack<Real>(s11, s18) * f13_x_p883_lanes);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p913_lanes = detail::make_pack<Real>(s11, s18) * neg_s12_lanes;
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p1570_lanes = f13_x_p1388_lanes * f13_x_p669_lanes[1];
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p915_lanes = -f13_x_p842_lanes - inverse_D2_p11 * f13_x_p822_lanes -
-      inverse_D2_p16 * f13_x_p889_lanes;
-  const Lanes<8> f13_x_p919_lanes = -f13_x_p852_lanes + inverse_D2_p15 * f13_x_p889_lanes;
+  const Lanes<8> f13_x_p1596_lanes = f13_x_p1537_lanes * inverse_D3;
 
-  // link 11 (left_wrist1), force propagation
-  const Lanes<2> f13_x_p923_lanes = detail::make_pack<Real>(c11, c18) * neg_s12_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> f13_x_p925_lanes = -(0.282 * f13_x_p897_lanes);
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> neg_neg_c12_lanes = -neg_c12_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p927 = f13_x_p925_lanes[1] - inverse_D8_p151_lanes[1] * f13_x_p882;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p928 = f13_x_p911_lanes[1] - inverse_D9_p9_lanes[1] * f13_x_p893_lanes[1];
-  const Real f13_x_p929 = f13_x_p913_lanes[1] - inverse_D8_p34_lanes[1] * f13_x_p893_lanes[1];
-  const Real f13_x_p946 = f13_x_p923_lanes[1] - inverse_D8_p46_lanes[1] * f13_x_p893_lanes[1];
-  const Real f13_x_p947 = neg_neg_c12_lanes[1] - inverse_D8_p105_lanes[1] * f13_x_p893_lanes[1];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p958_lanes = inverse_D9_p7_lanes[0] *
-      detail::make_pack<Real>(f13_x_p893_lanes[0], f13_x_p797_lanes[0], f13_x_p97_lanes[0],
-      f13_x_p105_lanes[0], f13_x_p131_lanes[0], f13_x_p113_lanes[0], f13_x_p893_lanes[0],
-      f13_x_p893_lanes[0]);
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p1609_lanes = f13_x_p1423_lanes * f13_x_p28_lanes[0] + f13_x_p1409_lanes *
+      f13_x_p358_lanes[0] + f13_x_p1395_lanes * f13_x_p535_lanes[0] + f13_x_p1445_lanes;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p964_lanes = inverse_D2_p9 * f13_x_p915_lanes - inverse_D2_p7 *
-      f13_x_p919_lanes;
+  const Lanes<8> f13_x_p1620_lanes = -f13_x_p1415_lanes - inverse_D2_p11 * f13_x_p1333_lanes -
+      inverse_D2_p16 * f13_x_p1537_lanes;
+  const Lanes<8> f13_x_p1628_lanes = -f13_x_p1429_lanes + inverse_D2_p15 * f13_x_p1537_lanes;
 
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p968 = c16 * f13_x_p909 - s16 * f13_x_p927;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p969 = c17 * f13_x_p910 - s17 * f13_x_p928;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p976_lanes = detail::make_pack<Real>(f13_x_p911_lanes[0],
-      f13_x_p803_lanes[0], f13_x_p121_lanes[0], f13_x_p119_lanes[0], f13_x_p133_lanes[0],
-      f13_x_p115_lanes[0], f13_x_p911_lanes[0], f13_x_p911_lanes[0]) - inverse_D9_p9_lanes[0] *
-      detail::make_pack<Real>(f13_x_p893_lanes[0], f13_x_p797_lanes[0], f13_x_p97_lanes[0],
-      f13_x_p105_lanes[0], f13_x_p131_lanes[0], f13_x_p113_lanes[0], f13_x_p893_lanes[0],
-      f13_x_p893_lanes[0]);
-
-  // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p1007 = s17 * f13_x_p947 - c17 * f13_x_p946;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1025_lanes = detail::make_pack<Real>(f13_x_p913_lanes[0], c11,
-      f13_x_p143_lanes[0], f13_x_p211_lanes[0], f13_x_p217_lanes[0], f13_x_p199_lanes[0],
-      f13_x_p913_lanes[0], f13_x_p913_lanes[0]) - inverse_D8_p34_lanes[0] *
-      detail::make_pack<Real>(f13_x_p893_lanes[0], f13_x_p797_lanes[0], f13_x_p97_lanes[0],
-      f13_x_p105_lanes[0], f13_x_p131_lanes[0], f13_x_p113_lanes[0], f13_x_p893_lanes[0],
-      f13_x_p893_lanes[0]);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1031 = f13_x_p251_lanes[1] * f13_x_p968;
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p1636_lanes = f13_x_p1609_lanes + f13_x_p1381_lanes * f13_x_p917_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p1032_lanes = inverse_D2_p10 *
-      (inverse_D2_p7 * f13_x_p915_lanes + inverse_D2_p9 * f13_x_p919_lanes) + inverse_D2_p8 *
-      f13_x_p964_lanes;
+  const Lanes<8> f13_x_p1715_lanes = inverse_D2_p9 * f13_x_p1620_lanes - inverse_D2_p7 *
+      f13_x_p1628_lanes;
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1036_lanes = detail::make_pack<Real>(f13_x_p923_lanes[0],
-      f13_x_p923_lanes[0], f13_x_p185_lanes[0], f13_x_p209_lanes[0], f13_x_p213_lanes[0],
-      f13_x_p201_lanes[0], f13_x_p923_lanes[0], f13_x_p923_lanes[0]) - inverse_D8_p46_lanes[0] *
-      detail::make_pack<Real>(f13_x_p893_lanes[0], f13_x_p893_lanes[0], f13_x_p97_lanes[0],
-      f13_x_p105_lanes[0], f13_x_p131_lanes[0], f13_x_p113_lanes[0], f13_x_p893_lanes[0],
-      f13_x_p893_lanes[0]);
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p1731_lanes = f13_x_p1423_lanes * f13_x_p1_lanes[0] + f13_x_p1409_lanes *
+      f13_x_p358_lanes[1] + f13_x_p1395_lanes * f13_x_p535_lanes[1] + f13_x_p1570_lanes;
 
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1041 = s16 * f13_x_p909 + c16 * f13_x_p927 - inverse_D7_p8_lanes[1] *
-      f13_x_p968;
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p1752_lanes = detail::make_pack<Real>(f13_x_p1636_lanes[0],
+      f13_x_p1636_lanes[1], f13_x_p1636_lanes[2], f13_x_p1636_lanes[3], f13_x_p1636_lanes[4],
+      f13_x_p1636_lanes[5], f13_x_p1394 * f13_x_p917_lanes[0], f13_x_p1387 * f13_x_p917_lanes[0]) +
+      f13_x_p1365_lanes * f13_x_p1109_lanes[0] + f13_x_p1401_lanes * f13_x_p1333_lanes[0] +
+      f13_x_p1596_lanes * f13_x_p1537_lanes[0];
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1042_lanes = detail::make_pack<Real>(neg_neg_c12_lanes[0],
-      neg_neg_c12_lanes[0], neg_neg_s12_lanes[0], f13_x_p215_lanes[0], f13_x_p277_lanes[0],
-      f13_x_p263_lanes[0], neg_neg_c12_lanes[0], neg_neg_c12_lanes[0]) - inverse_D8_p105_lanes[0] *
-      detail::make_pack<Real>(f13_x_p893_lanes[0], f13_x_p893_lanes[0], f13_x_p97_lanes[0],
-      f13_x_p105_lanes[0], f13_x_p131_lanes[0], f13_x_p113_lanes[0], f13_x_p893_lanes[0],
-      f13_x_p893_lanes[0]);
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p1760_lanes = f13_x_p1731_lanes + f13_x_p1381_lanes * f13_x_p917_lanes[1];
 
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1053 = c17 * f13_x_p928 + s17 * f13_x_p910 + 0.282 * f13_x_p929 -
-      inverse_D8_p125_lanes[1] * f13_x_p969;
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p1775_lanes = f13_x_p1388_lanes * f13_x_p669_lanes[2];
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1054_lanes = c10 * f13_x_p958_lanes - s10 * f13_x_p976_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1080 = 0.282 * f13_x_p1007 - inverse_D8_p151_lanes[1] * f13_x_p969;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1081_lanes = inverse_D8_p125_lanes[0] * f13_x_p1054_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1103 = f13_x_p897_lanes[1] + inverse_D6_p27_lanes[1] * f13_x_p882;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1104 = s15 * f13_x_p1031 + c15 * f13_x_p1041;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1105_lanes = s10 * f13_x_p1042_lanes - c10 * f13_x_p1036_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1116 = f13_x_p851 - inverse_D6_p29_lanes[1] * f13_x_p882;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1117_lanes = c10 * f13_x_p976_lanes + s10 * f13_x_p958_lanes + 0.282 *
-      f13_x_p1025_lanes - f13_x_p1081_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1129 = -f13_x_p1007 + inverse_D6_p27_lanes[1] * f13_x_p969;
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p1810_lanes = inverse_D2_p10 *
+      (inverse_D2_p7 * f13_x_p1620_lanes + inverse_D2_p9 * f13_x_p1628_lanes) + inverse_D2_p8 *
+      f13_x_p1715_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p1130_lanes = 0.434 * (f13_x_p964_lanes - inverse_D1_p3 * f13_x_p1032_lanes);
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1134 = f13_x_p929 - inverse_D6_p29_lanes[1] * f13_x_p969;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p1135_lanes = 0.282 * f13_x_p1105_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real f13_x_p1140 = c16 * f13_x_p1053 - s16 * f13_x_p1080;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1141_lanes = -f13_x_p1105_lanes;
-  const Lanes<8> f13_x_p1158_lanes = detail::make_pack<Real>(f13_x_p1141_lanes[0],
-      f13_x_p897_lanes[0], f13_x_p1141_lanes[2], f13_x_p1141_lanes[3], f13_x_p1141_lanes[4],
-      f13_x_p1141_lanes[5], f13_x_p1141_lanes[0], f13_x_p1141_lanes[0]) + inverse_D6_p27_lanes[0] *
-      f13_x_p1054_lanes;
-  const Lanes<8> f13_x_p1164_lanes = f13_x_p1025_lanes - inverse_D6_p29_lanes[0] *
-      f13_x_p1054_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1174 = f13_x_p251_lanes[1] * f13_x_p1140;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1175_lanes = detail::make_pack<Real>(f13_x_p1135_lanes[0],
-      f13_x_p925_lanes[0], f13_x_p1135_lanes[2], f13_x_p1135_lanes[3], f13_x_p1135_lanes[4],
-      f13_x_p1135_lanes[5], f13_x_p1135_lanes[0], f13_x_p1135_lanes[0]) - inverse_D8_p151_lanes[0] *
-      f13_x_p1054_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p1181_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p849_lanes -
-      detail::make_pack<Real>(s10, s17) * f13_x_p868_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1195 = s16 * f13_x_p1053 + c16 * f13_x_p1080 - inverse_D7_p8_lanes[1] *
-      f13_x_p1140;
-  const Real f13_x_p1208 = s16 * f13_x_p1103 + c16 * f13_x_p1116 - inverse_D6_p99_lanes[1] *
-      f13_x_p968;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1232_lanes = c9 * f13_x_p1117_lanes - s9 * f13_x_p1175_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1249 = -(f13_x_p1181_lanes[1] + inverse_D6_p19_lanes[1] * f13_x_p882) +
-      inverse_D6_p97_lanes[1] * f13_x_p968;
-  const Real f13_x_p1250 = s16 * f13_x_p1129 + c16 * f13_x_p1134 - inverse_D6_p99_lanes[1] *
-      f13_x_p1140;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1269_lanes = f13_x_p251_lanes[0] * f13_x_p1232_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p1292 = s15 * f13_x_p1174 + c15 * f13_x_p1195;
-  const Real f13_x_p1299 = -(-(s17 * f13_x_p946 + c17 * f13_x_p947) + inverse_D6_p19_lanes[1] *
-      f13_x_p969) + inverse_D6_p97_lanes[1] * f13_x_p1140;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1300_lanes = s9 * f13_x_p1117_lanes + c9 * f13_x_p1175_lanes -
-      inverse_D7_p8_lanes[0] * f13_x_p1232_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p1306_lanes = -(s10 * f13_x_p1036_lanes + c10 * f13_x_p1042_lanes);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1323_lanes = s9 * f13_x_p1158_lanes + c9 * f13_x_p1164_lanes -
-      inverse_D6_p99_lanes[0] * f13_x_p1232_lanes;
-  const Lanes<8> f13_x_p1329_lanes = c9 * f13_x_p1158_lanes - s9 * f13_x_p1164_lanes -
-      inverse_D6_p101_lanes[0] * f13_x_p1232_lanes;
-  const Lanes<8> f13_x_p1353_lanes = -(detail::make_pack<Real>(f13_x_p1306_lanes[0],
-      f13_x_p1181_lanes[0], f13_x_p1306_lanes[2], f13_x_p1306_lanes[3], f13_x_p1306_lanes[4],
-      f13_x_p1306_lanes[5], f13_x_p1306_lanes[0], f13_x_p1306_lanes[0]) + inverse_D6_p19_lanes[0] *
-      f13_x_p1054_lanes) + inverse_D6_p97_lanes[0] * f13_x_p1232_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p1377_lanes = f13_x_p1130_lanes * inverse_D1;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p1393_lanes = s8 * f13_x_p1269_lanes + c8 * f13_x_p1300_lanes;
-  const Lanes<8> f13_x_p1399_lanes = c8 * f13_x_p1269_lanes - s8 * f13_x_p1300_lanes;
-  const Lanes<8> f13_x_p1421_lanes = c8 * f13_x_p1353_lanes - s8 * f13_x_p1323_lanes;
-  const Lanes<8> f13_x_p1443_lanes = s8 * f13_x_p1353_lanes + c8 * f13_x_p1323_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p1449_lanes = detail::make_pack<Real>(f13_x_p399_lanes[0],
-      f13_x_p399_lanes[0], f13_x_p399_lanes[0], f13_x_p399_lanes[0], f13_x_p399_lanes[0],
-      f13_x_p399_lanes[0], f13_x_p399_lanes[1], f13_x_p399_lanes[1]) *
-      detail::make_pack<Real>(f13_x_p1393_lanes[0], f13_x_p1393_lanes[1], f13_x_p1393_lanes[2],
-      f13_x_p1393_lanes[3], f13_x_p1393_lanes[4], f13_x_p1393_lanes[5], f13_x_p1292, f13_x_p1104);
-  const Lanes<8> f13_x_p1457_lanes = detail::make_pack<Real>(f13_x_p1329_lanes[0],
-      f13_x_p1329_lanes[1], f13_x_p1329_lanes[2], f13_x_p1329_lanes[3], f13_x_p1329_lanes[4],
-      f13_x_p1329_lanes[5], c16 * f13_x_p1129 - s16 * f13_x_p1134 - inverse_D6_p101_lanes[1] *
-      f13_x_p1140, c16 * f13_x_p1103 - s16 * f13_x_p1116 - inverse_D6_p101_lanes[1] * f13_x_p968) -
-      detail::make_pack<Real>(inverse_D6_p267_lanes[0], inverse_D6_p267_lanes[0],
-      inverse_D6_p267_lanes[0], inverse_D6_p267_lanes[0], inverse_D6_p267_lanes[0],
-      inverse_D6_p267_lanes[0], inverse_D6_p267_lanes[1], inverse_D6_p267_lanes[1]) *
-      detail::make_pack<Real>(f13_x_p1393_lanes[0], f13_x_p1393_lanes[1], f13_x_p1393_lanes[2],
-      f13_x_p1393_lanes[3], f13_x_p1393_lanes[4], f13_x_p1393_lanes[5], f13_x_p1292, f13_x_p1104);
-  const Lanes<8> f13_x_p1465_lanes = detail::make_pack<Real>(f13_x_p1421_lanes[0],
-      f13_x_p1421_lanes[1], f13_x_p1421_lanes[2], f13_x_p1421_lanes[3], f13_x_p1421_lanes[4],
-      f13_x_p1421_lanes[5], c15 * f13_x_p1299 - s15 * f13_x_p1250, c15 * f13_x_p1249 - s15 *
-      f13_x_p1208) - detail::make_pack<Real>(inverse_D6_p265_lanes[0], inverse_D6_p265_lanes[0],
-      inverse_D6_p265_lanes[0], inverse_D6_p265_lanes[0], inverse_D6_p265_lanes[0],
-      inverse_D6_p265_lanes[0], inverse_D6_p265_lanes[1], inverse_D6_p265_lanes[1]) *
-      detail::make_pack<Real>(f13_x_p1393_lanes[0], f13_x_p1393_lanes[1], f13_x_p1393_lanes[2],
-      f13_x_p1393_lanes[3], f13_x_p1393_lanes[4], f13_x_p1393_lanes[5], f13_x_p1292, f13_x_p1104);
-  const Lanes<8> f13_x_p1473_lanes = detail::make_pack<Real>(f13_x_p1443_lanes[0],
-      f13_x_p1443_lanes[1], f13_x_p1443_lanes[2], f13_x_p1443_lanes[3], f13_x_p1443_lanes[4],
-      f13_x_p1443_lanes[5], s15 * f13_x_p1299 + c15 * f13_x_p1250, s15 * f13_x_p1249 + c15 *
-      f13_x_p1208) - detail::make_pack<Real>(inverse_D6_p271_lanes[0], inverse_D6_p271_lanes[0],
-      inverse_D6_p271_lanes[0], inverse_D6_p271_lanes[0], inverse_D6_p271_lanes[0],
-      inverse_D6_p271_lanes[0], inverse_D6_p271_lanes[1], inverse_D6_p271_lanes[1]) *
-      detail::make_pack<Real>(f13_x_p1393_lanes[0], f13_x_p1393_lanes[1], f13_x_p1393_lanes[2],
-      f13_x_p1393_lanes[3], f13_x_p1393_lanes[4], f13_x_p1393_lanes[5], f13_x_p1292, f13_x_p1104);
-  const Lanes<8> f13_x_p1481_lanes = detail::make_pack<Real>(f13_x_p1399_lanes[0],
-      f13_x_p1399_lanes[1], f13_x_p1399_lanes[2], f13_x_p1399_lanes[3], f13_x_p1399_lanes[4],
-      f13_x_p1399_lanes[5], c15 * f13_x_p1174 - s15 * f13_x_p1195, c15 * f13_x_p1031 - s15 *
-      f13_x_p1041) - detail::make_pack<Real>(inverse_D6_p370_lanes[0], inverse_D6_p370_lanes[0],
-      inverse_D6_p370_lanes[0], inverse_D6_p370_lanes[0], inverse_D6_p370_lanes[0],
-      inverse_D6_p370_lanes[0], inverse_D6_p370_lanes[1], inverse_D6_p370_lanes[1]) *
-      detail::make_pack<Real>(f13_x_p1393_lanes[0], f13_x_p1393_lanes[1], f13_x_p1393_lanes[2],
-      f13_x_p1393_lanes[3], f13_x_p1393_lanes[4], f13_x_p1393_lanes[5], f13_x_p1292, f13_x_p1104);
-  const Lanes<8> f13_x_p1561_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      f13_x_p1457_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p1465_lanes;
-  const Lanes<8> f13_x_p1577_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p1457_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      f13_x_p1465_lanes;
-  const Lanes<8> f13_x_p1617_lanes = 0.226 * f13_x_p1473_lanes +
-      detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18, (-0.18), (-0.18)) *
-      f13_x_p1561_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p1641_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p1449_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      f13_x_p1481_lanes + f13_x_p1617_lanes);
-  const Lanes<8> f13_x_p1649_lanes = inverse_D5_p54 * f13_x_p1641_lanes;
-  const Lanes<8> f13_x_p1689_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18,
-      (-0.18), (-0.18)) * f13_x_p1577_lanes - (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * f13_x_p1449_lanes - detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      f13_x_p1481_lanes) - f13_x_p1649_lanes;
-  const Lanes<8> f13_x_p1697_lanes = 0.226 * f13_x_p1577_lanes - inverse_D5_p57 * f13_x_p1641_lanes;
-  const Lanes<8> f13_x_p1705_lanes = f13_x_p1577_lanes - inverse_D5_p52 * f13_x_p1641_lanes;
-  const Lanes<8> f13_x_p1713_lanes = f13_x_p1561_lanes + inverse_D3_p34 * f13_x_p1641_lanes;
-  const Lanes<8> f13_x_p1721_lanes = f13_x_p1473_lanes - inverse_D3_p35 * f13_x_p1641_lanes;
-  const Lanes<8> f13_x_p1817_lanes = s6 * f13_x_p1713_lanes + c6 * f13_x_p1721_lanes;
-  const Lanes<8> f13_x_p1833_lanes = s6 * f13_x_p1689_lanes + c6 * f13_x_p1697_lanes + 0.072 *
-      f13_x_p1705_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p1897_lanes = c6 * f13_x_p1713_lanes - s6 * f13_x_p1721_lanes -
-      inverse_D3_p63 * f13_x_p1833_lanes;
-  const Lanes<8> f13_x_p1905_lanes = f13_x_p1705_lanes - inverse_D3_p62 * f13_x_p1833_lanes;
-  const Lanes<8> f13_x_p1913_lanes = c6 * f13_x_p1689_lanes - s6 * f13_x_p1697_lanes -
-      inverse_D4_p2 * f13_x_p1833_lanes;
-  const Lanes<8> f13_x_p1921_lanes = -(0.072 * f13_x_p1817_lanes) + inverse_D4_p1 *
-      f13_x_p1833_lanes;
-  const Lanes<8> f13_x_p1969_lanes = s4 * (f13_x_p1817_lanes - inverse_D3_p64 * f13_x_p1833_lanes);
+  const Lanes<8> f13_x_p1837_lanes = f13_x_p1810_lanes * inverse_D2;
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2009_lanes = f13_x_p889_lanes * inverse_D3;
+  const Lanes<8> f13_x_p1845_lanes = detail::make_pack<Real>(f13_x_p1760_lanes[1],
+      f13_x_p1760_lanes[1], f13_x_p1760_lanes[2], f13_x_p1760_lanes[3], f13_x_p1760_lanes[4],
+      f13_x_p1760_lanes[5], f13_x_p1394 * f13_x_p917_lanes[1], f13_x_p1387 * f13_x_p917_lanes[1]) +
+      f13_x_p1365_lanes * f13_x_p1109_lanes[1] + f13_x_p1401_lanes * f13_x_p1333_lanes[1] +
+      f13_x_p1596_lanes * f13_x_p1537_lanes[1];
 
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2013_lanes = f13_x_p822_lanes * inverse_D4;
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> f13_x_p1885_lanes = f13_x_p1423_lanes * f13_x_p126_lanes[0] + f13_x_p1409_lanes *
+      f13_x_p358_lanes[2] + f13_x_p1395_lanes * f13_x_p535_lanes[2] + f13_x_p1775_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p2017_lanes = f13_x_p1032_lanes * inverse_D2;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p2021_lanes = f13_x_p705_lanes * inverse_D5;
+  const Lanes<8> f13_x_p1889_lanes = 0.434 * (f13_x_p1715_lanes - inverse_D1_p3 *
+      f13_x_p1810_lanes);
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2041_lanes = f13_x_p609_lanes * inverse_D6;
+  const Lanes<8> f13_x_p1912_lanes = f13_x_p1885_lanes + f13_x_p1381_lanes * f13_x_p917_lanes[2];
 
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2081_lanes = -(s5 * f13_x_p1921_lanes + c5 * f13_x_p1913_lanes);
-  const Lanes<8> f13_x_p2125_lanes = f13_x_p2081_lanes * inverse_D4;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p2137_lanes = f13_x_p1833_lanes * inverse_D5;
-  const Lanes<8> f13_x_p2145_lanes = c4 * (s5 * f13_x_p1897_lanes - c5 * f13_x_p1905_lanes) +
-      f13_x_p1969_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real f13_x_p2153 = f13_x_p1641_lanes[7] * inverse_D6;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2154_lanes = -(s5 * f13_x_p1905_lanes + c5 * f13_x_p1897_lanes) -
-      inverse_D2_p12 * f13_x_p2081_lanes;
-
-  // link 6 (chest3), force propagation
-  const Real f13_x_p2162 = f13_x_p1641_lanes[6] * inverse_D6;
-  const Lanes<8> f13_x_p2167_lanes = f13_x_p1641_lanes * inverse_D6;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2181_lanes = f13_x_p1393_lanes * inverse_D7_lanes[0];
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p1916_lanes = f13_x_p1889_lanes * inverse_D1;
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2195_lanes = f13_x_p1232_lanes * inverse_D8_lanes[0];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> f13_x_p2225_lanes = f13_x_p1054_lanes * inverse_D9_lanes[0];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> f13_x_p2231_lanes = detail::make_pack<Real>(f13_x_p893_lanes[0],
-      f13_x_p797_lanes[0], f13_x_p97_lanes[0], f13_x_p105_lanes[0], f13_x_p131_lanes[0],
-      f13_x_p113_lanes[0], f13_x_p893_lanes[0], f13_x_p893_lanes[0]) * inverse_D10_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2261_lanes = f13_x_p2181_lanes * f13_x_p1393_lanes[0];
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p2267_lanes = s4 * (s5 * f13_x_p1913_lanes - c5 * f13_x_p1921_lanes) +
-      0.21799999999999997 * f13_x_p2145_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p2295_lanes = -f13_x_p2267_lanes - inverse_D3_p93 * f13_x_p2081_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2325_lanes = f13_x_p2295_lanes * inverse_D3;
-  const Lanes<8> f13_x_p2333_lanes = f13_x_p2009_lanes * f13_x_p2295_lanes[0];
-  const Lanes<8> f13_x_p2355_lanes = f13_x_p2009_lanes * f13_x_p2295_lanes[1];
-  const Lanes<8> f13_x_p2359_lanes = -f13_x_p2145_lanes - inverse_D2_p11 * f13_x_p2081_lanes -
-      inverse_D2_p16 * f13_x_p2295_lanes;
-  const Lanes<8> f13_x_p2367_lanes = -f13_x_p2154_lanes + inverse_D2_p15 * f13_x_p2295_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2375_lanes = f13_x_p2231_lanes * f13_x_p893_lanes[0] + f13_x_p2225_lanes *
-      f13_x_p1054_lanes[0] + f13_x_p2195_lanes * f13_x_p1232_lanes[0] + f13_x_p2261_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2389_lanes = f13_x_p2041_lanes * f13_x_p1641_lanes[0] + f13_x_p2021_lanes *
-      f13_x_p1833_lanes[0] + f13_x_p2013_lanes * f13_x_p2081_lanes[0] + f13_x_p2333_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2455_lanes = f13_x_p2375_lanes + f13_x_p2167_lanes * f13_x_p1641_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2476_lanes = f13_x_p2181_lanes * f13_x_p1393_lanes[1];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2493_lanes = inverse_D2_p9 * f13_x_p2359_lanes - inverse_D2_p7 *
-      f13_x_p2367_lanes;
-  const Lanes<8> f13_x_p2514_lanes = f13_x_p2041_lanes * f13_x_p1641_lanes[1] + f13_x_p2021_lanes *
-      f13_x_p1833_lanes[1] + f13_x_p2013_lanes * f13_x_p2081_lanes[1] + f13_x_p2355_lanes;
-  const Lanes<8> f13_x_p2547_lanes = detail::make_pack<Real>(f13_x_p2455_lanes[0],
-      f13_x_p2455_lanes[1], f13_x_p2455_lanes[2], f13_x_p2455_lanes[3], f13_x_p2455_lanes[4],
-      f13_x_p2455_lanes[5], f13_x_p2162 * f13_x_p1641_lanes[0], f13_x_p2153 *
-      f13_x_p1641_lanes[0]) + f13_x_p2137_lanes * f13_x_p1833_lanes[0] + f13_x_p2125_lanes *
-      f13_x_p2081_lanes[0] + f13_x_p2325_lanes * f13_x_p2295_lanes[0];
-  const Lanes<8> f13_x_p2555_lanes = f13_x_p2009_lanes * f13_x_p2295_lanes[2];
-  const Lanes<8> f13_x_p2567_lanes = inverse_D2_p10 *
-      (inverse_D2_p7 * f13_x_p2359_lanes + inverse_D2_p9 * f13_x_p2367_lanes) + inverse_D2_p8 *
-      f13_x_p2493_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2575_lanes = f13_x_p2231_lanes * f13_x_p797_lanes[0] + f13_x_p2225_lanes *
-      f13_x_p1054_lanes[1] + f13_x_p2195_lanes * f13_x_p1232_lanes[1] + f13_x_p2476_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p2592_lanes = f13_x_p2567_lanes * inverse_D2;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2600_lanes = f13_x_p2575_lanes + f13_x_p2167_lanes * f13_x_p1641_lanes[1];
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p2686_lanes = 0.434 * (f13_x_p2493_lanes - inverse_D1_p3 *
-      f13_x_p2567_lanes);
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2694_lanes = f13_x_p2181_lanes * f13_x_p1393_lanes[2];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2730_lanes = detail::make_pack<Real>(f13_x_p2600_lanes[1],
-      f13_x_p2600_lanes[1], f13_x_p2600_lanes[2], f13_x_p2600_lanes[3], f13_x_p2600_lanes[4],
-      f13_x_p2600_lanes[5], f13_x_p2162 * f13_x_p1641_lanes[1], f13_x_p2153 *
-      f13_x_p1641_lanes[1]) + f13_x_p2137_lanes * f13_x_p1833_lanes[1] + f13_x_p2125_lanes *
-      f13_x_p2081_lanes[1] + f13_x_p2325_lanes * f13_x_p2295_lanes[1];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p2741_lanes = f13_x_p2686_lanes * inverse_D1;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2757_lanes = f13_x_p2041_lanes * f13_x_p1641_lanes[2] + f13_x_p2021_lanes *
-      f13_x_p1833_lanes[2] + f13_x_p2013_lanes * f13_x_p2081_lanes[2] + f13_x_p2555_lanes;
-  const Lanes<8> f13_x_p2800_lanes = f13_x_p2009_lanes * f13_x_p2295_lanes[3];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p2825_lanes = f13_x_p2389_lanes + f13_x_p2017_lanes * f13_x_p2567_lanes[0] +
-      f13_x_p1377_lanes * f13_x_p2686_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> f13_x_p2829_lanes = f13_x_p2231_lanes * f13_x_p97_lanes[0] + f13_x_p2225_lanes *
-      f13_x_p1054_lanes[2] + f13_x_p2195_lanes * f13_x_p1232_lanes[2] + f13_x_p2694_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p2845_lanes = f13_x_p2547_lanes + f13_x_p2592_lanes * f13_x_p2567_lanes[0] +
-      f13_x_p2741_lanes * f13_x_p2686_lanes[0];
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p2860_lanes = f13_x_p2829_lanes + f13_x_p2167_lanes * f13_x_p1641_lanes[2];
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2890_lanes = f13_x_p2195_lanes * f13_x_p1232_lanes[3];
-
-  // link 1 (calf), force propagation
-  const Real f13_x_p2893 = 1.0 / f13_x_p2845_lanes[0];
+  const Lanes<8> f13_x_p1956_lanes = f13_x_p1395_lanes * f13_x_p535_lanes[3];
 
   // link 11 (left_wrist1), force propagation
-  const Lanes<8> f13_x_p2900_lanes = detail::make_pack<Real>(neg_c12_lanes[0], neg_c12_lanes[0],
-      neg_c12_lanes[0], neg_c12_lanes[0], f13_x_p31_lanes[0], f13_x_p25_lanes[0], neg_c12_lanes[0],
+  const Lanes<8> f13_x_p1968_lanes = detail::make_pack<Real>(neg_c12_lanes[0], neg_c12_lanes[0],
+      neg_c12_lanes[0], neg_c12_lanes[0], f13_x_p69_lanes[0], f13_x_p87_lanes[0], neg_c12_lanes[0],
       neg_c12_lanes[0]) * inverse_D11_lanes[0];
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p2927_lanes = f13_x_p2041_lanes * f13_x_p1641_lanes[3] + f13_x_p2021_lanes *
-      f13_x_p1833_lanes[3] + f13_x_p2013_lanes * f13_x_p2081_lanes[3] + f13_x_p2800_lanes;
-  const Lanes<8> f13_x_p2931_lanes = detail::make_pack<Real>(f13_x_p2860_lanes[2],
-      f13_x_p2860_lanes[2], f13_x_p2860_lanes[2], f13_x_p2860_lanes[3], f13_x_p2860_lanes[4],
-      f13_x_p2860_lanes[5], f13_x_p2162 * f13_x_p1641_lanes[2], f13_x_p2153 *
-      f13_x_p1641_lanes[2]) + f13_x_p2137_lanes * f13_x_p1833_lanes[2] + f13_x_p2125_lanes *
-      f13_x_p2081_lanes[2] + f13_x_p2325_lanes * f13_x_p2295_lanes[2];
+  const Lanes<8> f13_x_p2000_lanes = detail::make_pack<Real>(f13_x_p1912_lanes[2],
+      f13_x_p1912_lanes[2], f13_x_p1912_lanes[2], f13_x_p1912_lanes[3], f13_x_p1912_lanes[4],
+      f13_x_p1912_lanes[5], f13_x_p1394 * f13_x_p917_lanes[2], f13_x_p1387 * f13_x_p917_lanes[2]) +
+      f13_x_p1365_lanes * f13_x_p1109_lanes[2] + f13_x_p1401_lanes * f13_x_p1333_lanes[2] +
+      f13_x_p1596_lanes * f13_x_p1537_lanes[2];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p2963_lanes = f13_x_p2845_lanes * f13_x_p2893;
-  const Lanes<8> f13_x_p2970_lanes = f13_x_p2825_lanes * f13_x_p2893;
+  const Lanes<8> f13_x_p2009_lanes = f13_x_p1752_lanes + f13_x_p1837_lanes * f13_x_p1810_lanes[0] +
+      f13_x_p1916_lanes * f13_x_p1889_lanes[0];
+  const Real f13_x_p2030 = f13_x_p2009_lanes[0] * f13_x_p2009_lanes[0];
+  const Real f13_x_p2043 = f13_x_p2030 * f13_x_p2009_lanes[0];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> f13_x_p2974_lanes = f13_x_p2900_lanes * neg_c12_lanes[0] + f13_x_p2231_lanes *
-      f13_x_p105_lanes[0] + f13_x_p2225_lanes * f13_x_p1054_lanes[3] + f13_x_p2890_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3018_lanes = f13_x_p2009_lanes * f13_x_p2295_lanes[4];
+  const Lanes<8> f13_x_p2044_lanes = f13_x_p1968_lanes * neg_c12_lanes[0] + f13_x_p1423_lanes *
+      f13_x_p177_lanes[0] + f13_x_p1409_lanes * f13_x_p358_lanes[3] + f13_x_p1956_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> f13_x_p3030_lanes = f13_x_p2974_lanes + f13_x_p2181_lanes * f13_x_p1393_lanes[3] +
-      f13_x_p2167_lanes * f13_x_p1641_lanes[3];
+  const Lanes<8> f13_x_p2050_lanes = f13_x_p2044_lanes + f13_x_p1388_lanes * f13_x_p669_lanes[3] +
+      f13_x_p1381_lanes * f13_x_p917_lanes[3];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3041_lanes = f13_x_p2730_lanes + f13_x_p2592_lanes * f13_x_p2567_lanes[1] +
-      f13_x_p2741_lanes * f13_x_p2686_lanes[1] - f13_x_p2963_lanes * f13_x_p2845_lanes[1];
-  const Lanes<8> f13_x_p3048_lanes = f13_x_p2931_lanes + f13_x_p2592_lanes * f13_x_p2567_lanes[2] +
-      f13_x_p2741_lanes * f13_x_p2686_lanes[2] - f13_x_p2963_lanes * f13_x_p2845_lanes[2];
-  const Lanes<8> f13_x_p3054_lanes = f13_x_p2514_lanes + f13_x_p2017_lanes * f13_x_p2567_lanes[1] +
-      f13_x_p1377_lanes * f13_x_p2686_lanes[1] - f13_x_p2970_lanes * f13_x_p2845_lanes[1];
-  const Lanes<8> f13_x_p3058_lanes = f13_x_p2757_lanes + f13_x_p2017_lanes * f13_x_p2567_lanes[2] +
-      f13_x_p1377_lanes * f13_x_p2686_lanes[2] - f13_x_p2970_lanes * f13_x_p2845_lanes[2];
-  const Lanes<8> f13_x_p3071_lanes = f13_x_p2927_lanes + f13_x_p2017_lanes * f13_x_p2567_lanes[3] +
-      f13_x_p1377_lanes * f13_x_p2686_lanes[3] - f13_x_p2970_lanes * f13_x_p2845_lanes[3];
-  const Real f13_x_p3079 = 1.0 / f13_x_p3041_lanes[1];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p3101_lanes = f13_x_p481_lanes * inverse_D7_lanes[1];
-
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p3105_lanes = f13_x_p405_lanes * inverse_D8_lanes[1];
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> f13_x_p3113_lanes = f13_x_p265_lanes * inverse_D9_lanes[1];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> f13_x_p3121_lanes = detail::make_pack<Real>(f13_x_p97_lanes[1],
-      f13_x_p105_lanes[1], f13_x_p131_lanes[1], f13_x_p113_lanes[1], f13_x_p97_lanes[1],
-      f13_x_p97_lanes[1], f13_x_p97_lanes[1], f13_x_p97_lanes[1]) * inverse_D10_lanes[1];
+  const Real f13_x_p2053 = f13_x_p2043 * f13_x_p2030 /
+      (1.9721522630525295e-31 + f13_x_p2043 * f13_x_p2043);
 
   // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3125_lanes = detail::make_pack<Real>(f13_x_p3030_lanes[3],
-      f13_x_p3030_lanes[3], f13_x_p3030_lanes[3], f13_x_p3030_lanes[3], f13_x_p3030_lanes[4],
-      f13_x_p3030_lanes[5], f13_x_p2162 * f13_x_p1641_lanes[3], f13_x_p2153 *
-      f13_x_p1641_lanes[3]) + f13_x_p2137_lanes * f13_x_p1833_lanes[3] + f13_x_p2125_lanes *
-      f13_x_p2081_lanes[3] + f13_x_p2325_lanes * f13_x_p2295_lanes[3];
+  const Lanes<8> f13_x_p2064_lanes = detail::make_pack<Real>(f13_x_p2050_lanes[3],
+      f13_x_p2050_lanes[3], f13_x_p2050_lanes[3], f13_x_p2050_lanes[3], f13_x_p2050_lanes[4],
+      f13_x_p2050_lanes[5], f13_x_p1394 * f13_x_p917_lanes[3], f13_x_p1387 * f13_x_p917_lanes[3]) +
+      f13_x_p1365_lanes * f13_x_p1109_lanes[3] + f13_x_p1401_lanes * f13_x_p1333_lanes[3] +
+      f13_x_p1596_lanes * f13_x_p1537_lanes[3];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> f13_x_p2098_lanes = detail::make_pack<Real>(f13_x_p158_lanes[1],
+      f13_x_p185_lanes[1], f13_x_p212_lanes[1], f13_x_p224_lanes[1], f13_x_p158_lanes[1],
+      f13_x_p158_lanes[1], f13_x_p158_lanes[1], f13_x_p158_lanes[1]) - inverse_D9_p9_lanes[1] *
+      detail::make_pack<Real>(f13_x_p126_lanes[1], f13_x_p177_lanes[1], f13_x_p194_lanes[1],
+      f13_x_p222_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1],
+      f13_x_p126_lanes[1]);
+  const Lanes<8> f13_x_p2102_lanes = inverse_D9_p7_lanes[1] *
+      detail::make_pack<Real>(f13_x_p126_lanes[1], f13_x_p177_lanes[1], f13_x_p194_lanes[1],
+      f13_x_p222_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1],
+      f13_x_p126_lanes[1]);
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p2111_lanes = f13_x_p2009_lanes * f13_x_p2053;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> f13_x_p2160_lanes = detail::make_pack<Real>(f13_x_p187_lanes[1],
+      f13_x_p285_lanes[1], f13_x_p280_lanes[1], f13_x_p278_lanes[1], f13_x_p187_lanes[1],
+      f13_x_p187_lanes[1], f13_x_p187_lanes[1], f13_x_p187_lanes[1]) - inverse_D8_p34_lanes[1] *
+      detail::make_pack<Real>(f13_x_p126_lanes[1], f13_x_p177_lanes[1], f13_x_p194_lanes[1],
+      f13_x_p222_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1],
+      f13_x_p126_lanes[1]);
+  const Lanes<8> f13_x_p2164_lanes = c17 * f13_x_p2102_lanes - s17 * f13_x_p2098_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p2176_lanes = f13_x_p1845_lanes + f13_x_p1837_lanes * f13_x_p1810_lanes[1] +
+      f13_x_p1916_lanes * f13_x_p1889_lanes[1] - f13_x_p2111_lanes * f13_x_p2009_lanes[1];
+  const Lanes<8> f13_x_p2187_lanes = f13_x_p2000_lanes + f13_x_p1837_lanes * f13_x_p1810_lanes[2] +
+      f13_x_p1916_lanes * f13_x_p1889_lanes[2] - f13_x_p2111_lanes * f13_x_p2009_lanes[2];
+  const Lanes<8> f13_x_p2193_lanes = f13_x_p2064_lanes + f13_x_p1837_lanes * f13_x_p1810_lanes[3] +
+      f13_x_p1916_lanes * f13_x_p1889_lanes[3] - f13_x_p2111_lanes * f13_x_p2009_lanes[3];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p2202_lanes = inverse_D8_p125_lanes[1] * f13_x_p2164_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2210 = f13_x_p2176_lanes[1] * f13_x_p2176_lanes[1];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> f13_x_p2211_lanes = detail::make_pack<Real>(f13_x_p210_lanes[1],
+      f13_x_p264_lanes[1], f13_x_p262_lanes[1], f13_x_p240_lanes[1], f13_x_p210_lanes[1],
+      f13_x_p210_lanes[1], f13_x_p210_lanes[1], f13_x_p210_lanes[1]) - inverse_D8_p46_lanes[1] *
+      detail::make_pack<Real>(f13_x_p126_lanes[1], f13_x_p177_lanes[1], f13_x_p194_lanes[1],
+      f13_x_p222_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1],
+      f13_x_p126_lanes[1]);
+  const Lanes<8> f13_x_p2215_lanes = detail::make_pack<Real>(neg_neg_s12_lanes[1],
+      f13_x_p258_lanes[1], f13_x_p342_lanes[1], f13_x_p322_lanes[1], neg_neg_s12_lanes[1],
+      neg_neg_s12_lanes[1], neg_neg_s12_lanes[1], neg_neg_s12_lanes[1]) - inverse_D8_p105_lanes[1] *
+      detail::make_pack<Real>(f13_x_p126_lanes[1], f13_x_p177_lanes[1], f13_x_p194_lanes[1],
+      f13_x_p222_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1],
+      f13_x_p126_lanes[1]);
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2227 = f13_x_p2210 * f13_x_p2176_lanes[1];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p2232_lanes = c17 * f13_x_p2098_lanes + s17 * f13_x_p2102_lanes + 0.282 *
+      f13_x_p2160_lanes - f13_x_p2202_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> f13_x_p2236_lanes = s17 * f13_x_p2215_lanes - c17 * f13_x_p2211_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p2252_lanes = f13_x_p2164_lanes * inverse_D9_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2256 = f13_x_p2227 * f13_x_p2210 /
+      (1.262177448353619e-29 + f13_x_p2227 * f13_x_p2227);
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p2257_lanes = 0.282 * f13_x_p2236_lanes - inverse_D8_p151_lanes[1] *
+      f13_x_p2164_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> f13_x_p2261_lanes = detail::make_pack<Real>(f13_x_p126_lanes[1],
+      f13_x_p177_lanes[1], f13_x_p194_lanes[1], f13_x_p222_lanes[1], f13_x_p126_lanes[1],
+      f13_x_p126_lanes[1], f13_x_p126_lanes[1], f13_x_p126_lanes[1]) * inverse_D10_lanes[1];
 
   // link 18 (right_wrist1), force propagation
-  const Lanes<8> f13_x_p3130_lanes = detail::make_pack<Real>(neg_c12_lanes[1], neg_c12_lanes[1],
-      f13_x_p31_lanes[1], f13_x_p25_lanes[1], neg_c12_lanes[1], neg_c12_lanes[1], neg_c12_lanes[1],
+  const Lanes<8> f13_x_p2265_lanes = detail::make_pack<Real>(neg_c12_lanes[1], neg_c12_lanes[1],
+      f13_x_p69_lanes[1], f13_x_p87_lanes[1], neg_c12_lanes[1], neg_c12_lanes[1], neg_c12_lanes[1],
       neg_c12_lanes[1]) * inverse_D11_lanes[1];
 
   // link 12 (left_wrist2), force propagation
-  const Lanes<2> f13_x_p3135_lanes = inverse_D12_p7_lanes * inverse_D12_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3139_lanes = f13_x_p2041_lanes * f13_x_p1641_lanes[4] + f13_x_p2021_lanes *
-      f13_x_p1833_lanes[4] + f13_x_p2013_lanes * f13_x_p2081_lanes[4] + f13_x_p3018_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3173_lanes = f13_x_p3041_lanes * f13_x_p3079;
-  const Lanes<8> f13_x_p3181_lanes = f13_x_p3054_lanes * f13_x_p3079;
-  const Lanes<8> f13_x_p3191_lanes = f13_x_p3125_lanes + f13_x_p2592_lanes * f13_x_p2567_lanes[3] +
-      f13_x_p2741_lanes * f13_x_p2686_lanes[3] - f13_x_p2963_lanes * f13_x_p2845_lanes[3];
-  const Lanes<8> f13_x_p3198_lanes = f13_x_p3139_lanes + f13_x_p2017_lanes * f13_x_p2567_lanes[4] +
-      f13_x_p1377_lanes * f13_x_p2686_lanes[4] - f13_x_p2970_lanes * f13_x_p2845_lanes[4];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<2> f13_x_p3231_lanes = f13_x_p3135_lanes +
-      detail::make_pack<Real>(f13_x_p2900_lanes[5], f13_x_p3130_lanes[3]) * f13_x_p31_lanes +
-      detail::make_pack<Real>(f13_x_p2231_lanes[5], f13_x_p3121_lanes[3]) * f13_x_p131_lanes +
-      detail::make_pack<Real>(f13_x_p2225_lanes[5], f13_x_p3113_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1054_lanes[4], f13_x_p265_lanes[2]);
-  const Lanes<2> f13_x_p3233_lanes = inverse_D12_lanes +
-      detail::make_pack<Real>(f13_x_p2900_lanes[4], f13_x_p3130_lanes[2]) * f13_x_p31_lanes +
-      detail::make_pack<Real>(f13_x_p2231_lanes[4], f13_x_p3121_lanes[2]) * f13_x_p131_lanes +
-      detail::make_pack<Real>(f13_x_p2225_lanes[4], f13_x_p3113_lanes[2]) *
-      detail::make_pack<Real>(f13_x_p1054_lanes[4], f13_x_p265_lanes[2]);
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3235_lanes = f13_x_p3048_lanes - f13_x_p3173_lanes * f13_x_p3041_lanes[2];
-  const Lanes<8> f13_x_p3256_lanes = f13_x_p3058_lanes - f13_x_p3181_lanes * f13_x_p3041_lanes[2];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3278_lanes = f13_x_p2009_lanes * f13_x_p2295_lanes[5];
-
-  // link 1 (calf), force propagation
-  const Real f13_x_p3282 = 1.0 / f13_x_p3235_lanes[2];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p3295_lanes = f13_x_p3231_lanes +
-      detail::make_pack<Real>(f13_x_p2195_lanes[5], f13_x_p3105_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1232_lanes[4], f13_x_p405_lanes[2]) +
-      detail::make_pack<Real>(f13_x_p2181_lanes[5], f13_x_p3101_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1393_lanes[4], f13_x_p481_lanes[2]);
-  const Lanes<2> f13_x_p3297_lanes = f13_x_p3233_lanes +
-      detail::make_pack<Real>(f13_x_p2195_lanes[4], f13_x_p3105_lanes[2]) *
-      detail::make_pack<Real>(f13_x_p1232_lanes[4], f13_x_p405_lanes[2]) +
-      detail::make_pack<Real>(f13_x_p2181_lanes[4], f13_x_p3101_lanes[2]) *
-      detail::make_pack<Real>(f13_x_p1393_lanes[4], f13_x_p481_lanes[2]);
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3348_lanes = f13_x_p2041_lanes * f13_x_p1641_lanes[5] + f13_x_p2021_lanes *
-      f13_x_p1833_lanes[5] + f13_x_p2013_lanes * f13_x_p2081_lanes[5] + f13_x_p3278_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3352_lanes = f13_x_p3235_lanes * f13_x_p3282;
-  const Lanes<8> f13_x_p3357_lanes = f13_x_p3256_lanes * f13_x_p3282;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3361_lanes = detail::make_pack<Real>(f13_x_p3297_lanes[0] +
-      f13_x_p2167_lanes[4] * f13_x_p1641_lanes[4], f13_x_p3297_lanes[0] + f13_x_p2167_lanes[4] *
-      f13_x_p1641_lanes[4], f13_x_p3297_lanes[0] + f13_x_p2167_lanes[4] * f13_x_p1641_lanes[4],
-      f13_x_p3297_lanes[0] + f13_x_p2167_lanes[4] * f13_x_p1641_lanes[4], f13_x_p3297_lanes[0] +
-      f13_x_p2167_lanes[4] * f13_x_p1641_lanes[4], f13_x_p3295_lanes[0] + f13_x_p2167_lanes[5] *
-      f13_x_p1641_lanes[4], f13_x_p2162 * f13_x_p1641_lanes[4], f13_x_p2153 *
-      f13_x_p1641_lanes[4]) + f13_x_p2137_lanes * f13_x_p1833_lanes[4] + f13_x_p2125_lanes *
-      f13_x_p2081_lanes[4] + f13_x_p2325_lanes * f13_x_p2295_lanes[4];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3409_lanes = f13_x_p3191_lanes - f13_x_p3173_lanes * f13_x_p3041_lanes[3] -
-      f13_x_p3352_lanes * f13_x_p3235_lanes[3];
-  const Lanes<8> f13_x_p3414_lanes = f13_x_p3348_lanes + f13_x_p2017_lanes * f13_x_p2567_lanes[5] +
-      f13_x_p1377_lanes * f13_x_p2686_lanes[5] - f13_x_p2970_lanes * f13_x_p2845_lanes[5];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> f13_x_p3418_lanes = 1065.380700001509 + f13_x_p3135_lanes * inverse_D12_p7_lanes +
-      detail::make_pack<Real>(f13_x_p2900_lanes[5], f13_x_p3130_lanes[3]) * f13_x_p25_lanes +
-      detail::make_pack<Real>(f13_x_p2231_lanes[5], f13_x_p3121_lanes[3]) * f13_x_p113_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3420_lanes = f13_x_p3071_lanes - f13_x_p3181_lanes * f13_x_p3041_lanes[3] -
-      f13_x_p3357_lanes * f13_x_p3235_lanes[3];
-  const Lanes<8> f13_x_p3432_lanes = f13_x_p3361_lanes + f13_x_p2592_lanes * f13_x_p2567_lanes[4] +
-      f13_x_p2741_lanes * f13_x_p2686_lanes[4] - f13_x_p2963_lanes * f13_x_p2845_lanes[4];
-  const Real f13_x_p3448 = 1.0 / f13_x_p3409_lanes[3];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p3479_lanes = f13_x_p3101_lanes * f13_x_p1292;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> f13_x_p3509_lanes = f13_x_p3418_lanes +
-      detail::make_pack<Real>(f13_x_p2225_lanes[5], f13_x_p3113_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1054_lanes[5], f13_x_p265_lanes[3]) +
-      detail::make_pack<Real>(f13_x_p2195_lanes[5], f13_x_p3105_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1232_lanes[5], f13_x_p405_lanes[3]) +
-      detail::make_pack<Real>(f13_x_p2181_lanes[5], f13_x_p3101_lanes[3]) *
-      detail::make_pack<Real>(f13_x_p1393_lanes[5], f13_x_p481_lanes[3]);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p3515_lanes = f13_x_p3121_lanes * f13_x_p893_lanes[1] + f13_x_p3113_lanes *
-      f13_x_p969 + f13_x_p3105_lanes * f13_x_p1140 + f13_x_p3479_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3519_lanes = f13_x_p3409_lanes * f13_x_p3448;
-  const Lanes<8> f13_x_p3526_lanes = f13_x_p3420_lanes * f13_x_p3448;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> f13_x_p3544_lanes = detail::make_pack<Real>(f13_x_p3509_lanes[0] +
-      f13_x_p2167_lanes[5] * f13_x_p1641_lanes[5], f13_x_p3509_lanes[0] + f13_x_p2167_lanes[5] *
-      f13_x_p1641_lanes[5], f13_x_p3509_lanes[0] + f13_x_p2167_lanes[5] * f13_x_p1641_lanes[5],
-      f13_x_p3509_lanes[0] + f13_x_p2167_lanes[5] * f13_x_p1641_lanes[5], f13_x_p3509_lanes[0] +
-      f13_x_p2167_lanes[5] * f13_x_p1641_lanes[5], f13_x_p3509_lanes[0] + f13_x_p2167_lanes[5] *
-      f13_x_p1641_lanes[5], f13_x_p2162 * f13_x_p1641_lanes[5], f13_x_p2153 *
-      f13_x_p1641_lanes[5]) + f13_x_p2137_lanes * f13_x_p1833_lanes[5] + f13_x_p2125_lanes *
-      f13_x_p2081_lanes[5] + f13_x_p2325_lanes * f13_x_p2295_lanes[5];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3547_lanes = f13_x_p3432_lanes - f13_x_p3173_lanes * f13_x_p3041_lanes[4] -
-      f13_x_p3352_lanes * f13_x_p3235_lanes[4] - f13_x_p3519_lanes * f13_x_p3409_lanes[4];
-  const Real f13_x_p3570 = 1.0 / f13_x_p3547_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3571_lanes = f13_x_p3515_lanes + f13_x_p2041_lanes * f13_x_p1641_lanes[6] +
-      f13_x_p2021_lanes * f13_x_p1833_lanes[6] + f13_x_p2013_lanes * f13_x_p2081_lanes[6];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3578_lanes = f13_x_p3198_lanes - f13_x_p3181_lanes * f13_x_p3041_lanes[4] -
-      f13_x_p3357_lanes * f13_x_p3235_lanes[4] - f13_x_p3526_lanes * f13_x_p3409_lanes[4];
-  const Lanes<8> f13_x_p3582_lanes = f13_x_p3414_lanes - f13_x_p3181_lanes * f13_x_p3041_lanes[5] -
-      f13_x_p3357_lanes * f13_x_p3235_lanes[5] - f13_x_p3526_lanes * f13_x_p3409_lanes[5];
-  const Lanes<8> f13_x_p3590_lanes = f13_x_p3544_lanes + f13_x_p2592_lanes * f13_x_p2567_lanes[5] +
-      f13_x_p2741_lanes * f13_x_p2686_lanes[5] - f13_x_p2963_lanes * f13_x_p2845_lanes[5];
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p3600 = f13_x_p893_lanes[1] * inverse_D10_lanes[1] * f13_x_p893_lanes[1] +
-      f13_x_p969 * inverse_D9_lanes[1] * f13_x_p969 + f13_x_p1140 * inverse_D8_lanes[1] *
-      f13_x_p1140;
-
-  // link 14 (right_shoulder1), force propagation
-  const Real f13_x_p3604 = f13_x_p1104 * inverse_D7_lanes[1];
-
-  // link 15 (right_shoulder2), force propagation
-  const Real f13_x_p3605 = f13_x_p968 * inverse_D8_lanes[1];
+  const Lanes<2> f13_x_p2270_lanes = inverse_D12_p7_lanes * inverse_D12_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Real f13_x_p3606 = f13_x_p882 * inverse_D9_lanes[1];
+  const Lanes<8> f13_x_p2284_lanes = c16 * f13_x_p2232_lanes - s16 * f13_x_p2257_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> f13_x_p2298_lanes = f13_x_p22_lanes[1] * f13_x_p2284_lanes;
+  const Lanes<8> f13_x_p2306_lanes = f13_x_p2284_lanes * inverse_D8_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3607_lanes = f13_x_p3571_lanes + f13_x_p2009_lanes * f13_x_p2295_lanes[6] +
-      f13_x_p2017_lanes * f13_x_p2567_lanes[6] + f13_x_p1377_lanes * f13_x_p2686_lanes[6];
+  const Lanes<8> f13_x_p2314_lanes = f13_x_p2176_lanes * f13_x_p2256;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> f13_x_p2320_lanes = s16 * f13_x_p2232_lanes + c16 * f13_x_p2257_lanes -
+      inverse_D7_p8_lanes[1] * f13_x_p2284_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<2> f13_x_p2330_lanes = f13_x_p2270_lanes +
+      detail::make_pack<Real>(f13_x_p1968_lanes[5], f13_x_p2265_lanes[3]) * f13_x_p69_lanes +
+      detail::make_pack<Real>(f13_x_p1423_lanes[5], f13_x_p2261_lanes[3]) * f13_x_p194_lanes +
+      detail::make_pack<Real>(f13_x_p1409_lanes[5], f13_x_p2252_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p358_lanes[4], f13_x_p2164_lanes[2]);
+  const Lanes<2> f13_x_p2359_lanes = inverse_D12_lanes +
+      detail::make_pack<Real>(f13_x_p1968_lanes[4], f13_x_p2265_lanes[2]) * f13_x_p69_lanes +
+      detail::make_pack<Real>(f13_x_p1423_lanes[4], f13_x_p2261_lanes[2]) * f13_x_p194_lanes +
+      detail::make_pack<Real>(f13_x_p1409_lanes[4], f13_x_p2252_lanes[2]) *
+      detail::make_pack<Real>(f13_x_p358_lanes[4], f13_x_p2164_lanes[2]);
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p2361_lanes = f13_x_p2187_lanes - f13_x_p2314_lanes * f13_x_p2176_lanes[2];
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> f13_x_p2367_lanes = s15 * f13_x_p2298_lanes + c15 * f13_x_p2320_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2378 = f13_x_p2361_lanes[2] * f13_x_p2361_lanes[2];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p2379_lanes = f13_x_p2367_lanes * inverse_D7_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2383 = f13_x_p2378 * f13_x_p2361_lanes[2];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> f13_x_p2414_lanes = f13_x_p2330_lanes +
+      detail::make_pack<Real>(f13_x_p1395_lanes[5], f13_x_p2306_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p535_lanes[4], f13_x_p2284_lanes[2]) +
+      detail::make_pack<Real>(f13_x_p1388_lanes[5], f13_x_p2379_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p669_lanes[4], f13_x_p2367_lanes[2]);
+  const Lanes<2> f13_x_p2416_lanes = f13_x_p2359_lanes +
+      detail::make_pack<Real>(f13_x_p1395_lanes[4], f13_x_p2306_lanes[2]) *
+      detail::make_pack<Real>(f13_x_p535_lanes[4], f13_x_p2284_lanes[2]) +
+      detail::make_pack<Real>(f13_x_p1388_lanes[4], f13_x_p2379_lanes[2]) *
+      detail::make_pack<Real>(f13_x_p669_lanes[4], f13_x_p2367_lanes[2]);
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2431 = f13_x_p2383 * f13_x_p2378 /
+      (3.0814879110195774e-33 + f13_x_p2383 * f13_x_p2383);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> f13_x_p2438_lanes = 1065.380700001509 + f13_x_p2270_lanes * inverse_D12_p7_lanes +
+      detail::make_pack<Real>(f13_x_p1968_lanes[5], f13_x_p2265_lanes[3]) * f13_x_p87_lanes +
+      detail::make_pack<Real>(f13_x_p1423_lanes[5], f13_x_p2261_lanes[3]) * f13_x_p222_lanes;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p2440_lanes = detail::make_pack<Real>(f13_x_p2416_lanes[0] +
+      f13_x_p1381_lanes[4] * f13_x_p917_lanes[4], f13_x_p2416_lanes[0] + f13_x_p1381_lanes[4] *
+      f13_x_p917_lanes[4], f13_x_p2416_lanes[0] + f13_x_p1381_lanes[4] * f13_x_p917_lanes[4],
+      f13_x_p2416_lanes[0] + f13_x_p1381_lanes[4] * f13_x_p917_lanes[4], f13_x_p2416_lanes[0] +
+      f13_x_p1381_lanes[4] * f13_x_p917_lanes[4], f13_x_p2414_lanes[0] + f13_x_p1381_lanes[5] *
+      f13_x_p917_lanes[4], f13_x_p1394 * f13_x_p917_lanes[4], f13_x_p1387 * f13_x_p917_lanes[4]) +
+      f13_x_p1365_lanes * f13_x_p1109_lanes[4] + f13_x_p1401_lanes * f13_x_p1333_lanes[4] +
+      f13_x_p1596_lanes * f13_x_p1537_lanes[4];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p2456_lanes = f13_x_p2361_lanes * f13_x_p2431;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> f13_x_p2461_lanes = f13_x_p2438_lanes +
+      detail::make_pack<Real>(f13_x_p1409_lanes[5], f13_x_p2252_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p358_lanes[5], f13_x_p2164_lanes[3]) +
+      detail::make_pack<Real>(f13_x_p1395_lanes[5], f13_x_p2306_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p535_lanes[5], f13_x_p2284_lanes[3]) +
+      detail::make_pack<Real>(f13_x_p1388_lanes[5], f13_x_p2379_lanes[3]) *
+      detail::make_pack<Real>(f13_x_p669_lanes[5], f13_x_p2367_lanes[3]);
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p2463_lanes = f13_x_p2440_lanes + f13_x_p1837_lanes * f13_x_p1810_lanes[4] +
+      f13_x_p1916_lanes * f13_x_p1889_lanes[4] - f13_x_p2111_lanes * f13_x_p2009_lanes[4];
+  const Lanes<8> f13_x_p2486_lanes = f13_x_p2193_lanes - f13_x_p2314_lanes * f13_x_p2176_lanes[3] -
+      f13_x_p2456_lanes * f13_x_p2361_lanes[3];
+  const Real f13_x_p2498 = f13_x_p2486_lanes[3] * f13_x_p2486_lanes[3];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p2499_lanes = detail::make_pack<Real>(f13_x_p2461_lanes[0] +
+      f13_x_p1381_lanes[5] * f13_x_p917_lanes[5], f13_x_p2461_lanes[0] + f13_x_p1381_lanes[5] *
+      f13_x_p917_lanes[5], f13_x_p2461_lanes[0] + f13_x_p1381_lanes[5] * f13_x_p917_lanes[5],
+      f13_x_p2461_lanes[0] + f13_x_p1381_lanes[5] * f13_x_p917_lanes[5], f13_x_p2461_lanes[0] +
+      f13_x_p1381_lanes[5] * f13_x_p917_lanes[5], f13_x_p2461_lanes[0] + f13_x_p1381_lanes[5] *
+      f13_x_p917_lanes[5], f13_x_p1394 * f13_x_p917_lanes[5], f13_x_p1387 * f13_x_p917_lanes[5]) +
+      f13_x_p1365_lanes * f13_x_p1109_lanes[5] + f13_x_p1401_lanes * f13_x_p1333_lanes[5] +
+      f13_x_p1596_lanes * f13_x_p1537_lanes[5];
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2502 = f13_x_p2498 * f13_x_p2486_lanes[3];
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p2509 = f13_x_p28_lanes[1] * inverse_D10_lanes[1] * f13_x_p28_lanes[1] +
+      f13_x_p51 * inverse_D9_lanes[1] * f13_x_p51 + f13_x_p164 * inverse_D8_lanes[1] * f13_x_p164;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p2510_lanes = f13_x_p2499_lanes + f13_x_p1837_lanes * f13_x_p1810_lanes[5] +
+      f13_x_p1916_lanes * f13_x_p1889_lanes[5] - f13_x_p2111_lanes * f13_x_p2009_lanes[5];
+  const Real f13_x_p2516 = f13_x_p2502 * f13_x_p2498 /
+      (2.2737367544323206e-13 + f13_x_p2502 * f13_x_p2502);
+
+  // link 4 (chest1), force propagation
+  const Real f13_x_p2520 = f13_x_p2509 + f13_x_p356 * inverse_D7_lanes[1] * f13_x_p356 +
+      f13_x_p1394 * f13_x_p917_lanes[6] + f13_x_p1365_lanes[6] * f13_x_p1109_lanes[6] +
+      f13_x_p1401_lanes[6] * f13_x_p1333_lanes[6];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p2521_lanes = f13_x_p2486_lanes * f13_x_p2516;
+
+  // link 14 (right_shoulder1), force propagation
+  const Real f13_x_p2525 = f13_x_p71 * inverse_D7_lanes[1];
+
+  // link 15 (right_shoulder2), force propagation
+  const Real f13_x_p2526 = f13_x_p40 * inverse_D8_lanes[1];
+
+  // link 16 (right_upperarm), force propagation
+  const Real f13_x_p2534 = f13_x_p14 * inverse_D9_lanes[1];
 
   // link 17 (right_lowerarm), force propagation
-  const Real f13_x_p3611 = f13_x_p797_lanes[1] * inverse_D10_lanes[1];
+  const Real f13_x_p2535 = f13_x_p1_lanes[1] * inverse_D10_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3612_lanes = f13_x_p3547_lanes * f13_x_p3570;
-  const Lanes<8> f13_x_p3615_lanes = f13_x_p3590_lanes - f13_x_p3173_lanes * f13_x_p3041_lanes[5] -
-      f13_x_p3352_lanes * f13_x_p3235_lanes[5] - f13_x_p3519_lanes * f13_x_p3409_lanes[5];
-  const Lanes<8> f13_x_p3618_lanes = f13_x_p3578_lanes * f13_x_p3570;
-
-  // link 4 (chest1), force propagation
-  const Real f13_x_p3641 = f13_x_p3600 + f13_x_p1292 * inverse_D7_lanes[1] * f13_x_p1292 +
-      f13_x_p2162 * f13_x_p1641_lanes[6] + f13_x_p2137_lanes[6] * f13_x_p1833_lanes[6] +
-      f13_x_p2125_lanes[6] * f13_x_p2081_lanes[6];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3650_lanes = f13_x_p3615_lanes - f13_x_p3612_lanes * f13_x_p3547_lanes[5];
-  const Lanes<8> f13_x_p3653_lanes = f13_x_p3607_lanes - f13_x_p2970_lanes * f13_x_p2845_lanes[6] -
-      f13_x_p3181_lanes * f13_x_p3041_lanes[6] - f13_x_p3357_lanes * f13_x_p3235_lanes[6];
-  const Real f13_x_p3689 = 1.0 / f13_x_p3650_lanes[5];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p3694_lanes = f13_x_p3101_lanes * f13_x_p1104;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3702_lanes = f13_x_p3582_lanes - f13_x_p3618_lanes * f13_x_p3547_lanes[5];
+  const Real f13_x_p2536 = f13_x_p2520 + f13_x_p1596_lanes[6] * f13_x_p1537_lanes[6] +
+      f13_x_p1837_lanes[6] * f13_x_p1810_lanes[6] + f13_x_p1916_lanes[6] * f13_x_p1889_lanes[6] -
+      f13_x_p2111_lanes[6] * f13_x_p2009_lanes[6];
+  const Lanes<8> f13_x_p2537_lanes = f13_x_p2463_lanes - f13_x_p2314_lanes * f13_x_p2176_lanes[4] -
+      f13_x_p2456_lanes * f13_x_p2361_lanes[4] - f13_x_p2521_lanes * f13_x_p2486_lanes[4];
+  const Lanes<8> f13_x_p2541_lanes = f13_x_p2510_lanes - f13_x_p2314_lanes * f13_x_p2176_lanes[5] -
+      f13_x_p2456_lanes * f13_x_p2361_lanes[5] - f13_x_p2521_lanes * f13_x_p2486_lanes[5];
+  const Real f13_x_p2544 = f13_x_p2537_lanes[4] * f13_x_p2537_lanes[4];
+  const Real f13_x_p2545 = f13_x_p2544 * f13_x_p2537_lanes[4];
 
   // link 6 (chest3), force propagation
-  const Real f13_x_p3726 = f13_x_p3611 * f13_x_p893_lanes[1] + f13_x_p3606 * f13_x_p969 +
-      f13_x_p3605 * f13_x_p1140 + f13_x_p3604 * f13_x_p1292 + f13_x_p2153 * f13_x_p1641_lanes[6];
+  const Real f13_x_p2546 = f13_x_p2535 * f13_x_p28_lanes[1] + f13_x_p2534 * f13_x_p51 +
+      f13_x_p2526 * f13_x_p164 + f13_x_p2525 * f13_x_p356 + f13_x_p1387 * f13_x_p917_lanes[6];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p3731 = f13_x_p3641 + f13_x_p2325_lanes[6] * f13_x_p2295_lanes[6] +
-      f13_x_p2592_lanes[6] * f13_x_p2567_lanes[6] + f13_x_p2741_lanes[6] * f13_x_p2686_lanes[6] -
-      f13_x_p2963_lanes[6] * f13_x_p2845_lanes[6];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p3732_lanes = f13_x_p3121_lanes * f13_x_p797_lanes[1] + f13_x_p3113_lanes *
-      f13_x_p882 + f13_x_p3105_lanes * f13_x_p968 + f13_x_p3694_lanes;
-
-  // link 1 (calf), force propagation
-  const Real f13_x_p3736 = f13_x_p3650_lanes[6] * f13_x_p3689;
-  const Real f13_x_p3741 = f13_x_p3650_lanes[7] * f13_x_p3689;
-  const Lanes<8> f13_x_p3742_lanes = f13_x_p3702_lanes * f13_x_p3689;
+  const Real f13_x_p2547 = f13_x_p2545 * f13_x_p2544 /
+      (2.2737367544323206e-13 + f13_x_p2545 * f13_x_p2545);
 
   // link 2 (thigh), force propagation
-  const Real f13_x_p3746 = f13_x_p3726 + f13_x_p2137_lanes[7] * f13_x_p1833_lanes[6] +
-      f13_x_p2125_lanes[7] * f13_x_p2081_lanes[6] + f13_x_p2325_lanes[7] * f13_x_p2295_lanes[6] +
-      f13_x_p2592_lanes[7] * f13_x_p2567_lanes[6];
-
-  // link 1 (calf), force propagation
-  const Real f13_x_p3759 = f13_x_p3731 - f13_x_p3173_lanes[6] * f13_x_p3041_lanes[6] -
-      f13_x_p3352_lanes[6] * f13_x_p3235_lanes[6] - f13_x_p3519_lanes[6] * f13_x_p3409_lanes[6] -
-      f13_x_p3612_lanes[6] * f13_x_p3547_lanes[6];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3760_lanes = f13_x_p3732_lanes + f13_x_p2041_lanes * f13_x_p1641_lanes[7] +
-      f13_x_p2021_lanes * f13_x_p1833_lanes[7] + f13_x_p2013_lanes * f13_x_p2081_lanes[7];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3764_lanes = f13_x_p3653_lanes - f13_x_p3526_lanes * f13_x_p3409_lanes[6] -
-      f13_x_p3618_lanes * f13_x_p3547_lanes[6] - f13_x_p3742_lanes * f13_x_p3650_lanes[6];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p3800_lanes = f13_x_p3101_lanes * f13_x_p481_lanes[0];
+  const Real f13_x_p2548 = f13_x_p2546 + f13_x_p1365_lanes[7] * f13_x_p1109_lanes[6] +
+      f13_x_p1401_lanes[7] * f13_x_p1333_lanes[6] + f13_x_p1596_lanes[7] * f13_x_p1537_lanes[6] +
+      f13_x_p1837_lanes[7] * f13_x_p1810_lanes[6];
 
   // link 6 (chest3), force propagation
-  const Real f13_x_p3812 = f13_x_p3611 * f13_x_p797_lanes[1] + f13_x_p3606 * f13_x_p882 +
-      f13_x_p3605 * f13_x_p968 + f13_x_p3604 * f13_x_p1104 + f13_x_p2153 * f13_x_p1641_lanes[7];
+  const Real f13_x_p2549 = f13_x_p2535 * f13_x_p1_lanes[1] + f13_x_p2534 * f13_x_p14 + f13_x_p2526 *
+      f13_x_p40 + f13_x_p2525 * f13_x_p71 + f13_x_p1387 * f13_x_p917_lanes[7];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p3817 = 1.0 / (f13_x_p3759 - f13_x_p3736 * f13_x_p3650_lanes[6]);
-  const Real f13_x_p3838 = f13_x_p3746 + f13_x_p2741_lanes[7] * f13_x_p2686_lanes[6] -
-      f13_x_p2963_lanes[7] * f13_x_p2845_lanes[6] - f13_x_p3173_lanes[7] * f13_x_p3041_lanes[6] -
-      f13_x_p3352_lanes[7] * f13_x_p3235_lanes[6];
-  const Lanes<8> f13_x_p3847_lanes = f13_x_p3760_lanes + f13_x_p2009_lanes * f13_x_p2295_lanes[7] +
-      f13_x_p2017_lanes * f13_x_p2567_lanes[7] + f13_x_p1377_lanes * f13_x_p2686_lanes[7];
+  const Lanes<8> f13_x_p2550_lanes = f13_x_p2537_lanes * f13_x_p2547;
+  const Real f13_x_p2556 = f13_x_p2548 + f13_x_p1916_lanes[7] * f13_x_p1889_lanes[6] -
+      f13_x_p2111_lanes[7] * f13_x_p2009_lanes[6] - f13_x_p2314_lanes[7] * f13_x_p2176_lanes[6] -
+      f13_x_p2456_lanes[7] * f13_x_p2361_lanes[6];
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> f13_x_p3859_lanes = f13_x_p3121_lanes * f13_x_p97_lanes[1] + f13_x_p3113_lanes *
-      f13_x_p265_lanes[0] + f13_x_p3105_lanes * f13_x_p405_lanes[0] + f13_x_p3800_lanes;
+  const Lanes<8> f13_x_p2557_lanes = inverse_D6_p267_lanes[1] * f13_x_p2367_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p3867 = f13_x_p3838 - f13_x_p3519_lanes[7] * f13_x_p3409_lanes[6] -
-      f13_x_p3612_lanes[7] * f13_x_p3547_lanes[6] - f13_x_p3741 * f13_x_p3650_lanes[6];
+  const Lanes<8> f13_x_p2573_lanes = f13_x_p2541_lanes - f13_x_p2550_lanes * f13_x_p2537_lanes[5];
+  const Real f13_x_p2576 = f13_x_p2536 - f13_x_p2314_lanes[6] * f13_x_p2176_lanes[6] -
+      f13_x_p2456_lanes[6] * f13_x_p2361_lanes[6] - f13_x_p2521_lanes[6] * f13_x_p2486_lanes[6] -
+      f13_x_p2550_lanes[6] * f13_x_p2537_lanes[6];
 
   // link 2 (thigh), force propagation
-  const Real f13_x_p3868 = f13_x_p3812 + f13_x_p2137_lanes[7] * f13_x_p1833_lanes[7] +
-      f13_x_p2125_lanes[7] * f13_x_p2081_lanes[7] + f13_x_p2325_lanes[7] * f13_x_p2295_lanes[7] +
-      f13_x_p2592_lanes[7] * f13_x_p2567_lanes[7];
+  const Real f13_x_p2581 = f13_x_p2549 + f13_x_p1365_lanes[7] * f13_x_p1109_lanes[7] +
+      f13_x_p1401_lanes[7] * f13_x_p1333_lanes[7] + f13_x_p1596_lanes[7] * f13_x_p1537_lanes[7] +
+      f13_x_p1837_lanes[7] * f13_x_p1810_lanes[7];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p2582_lanes = -f13_x_p2236_lanes + inverse_D6_p27_lanes[1] *
+      f13_x_p2164_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3882_lanes = f13_x_p3847_lanes - f13_x_p2970_lanes * f13_x_p2845_lanes[7] -
-      f13_x_p3181_lanes * f13_x_p3041_lanes[7] - f13_x_p3357_lanes * f13_x_p3235_lanes[7];
-  const Lanes<8> f13_x_p3886_lanes = f13_x_p3764_lanes * f13_x_p3817;
-  const Real f13_x_p3893 = f13_x_p3867 * f13_x_p3817;
+  const Real f13_x_p2586 = f13_x_p2573_lanes[5] * f13_x_p2573_lanes[5];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p2587_lanes = f13_x_p2160_lanes - inverse_D6_p29_lanes[1] *
+      f13_x_p2164_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2631 = f13_x_p2586 * f13_x_p2573_lanes[5];
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p3906_lanes = f13_x_p3105_lanes * f13_x_p405_lanes[1];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> f13_x_p3946_lanes = f13_x_p3859_lanes + f13_x_p2041_lanes * f13_x_p609_lanes[0] +
-      f13_x_p2021_lanes * f13_x_p705_lanes[0] + f13_x_p2013_lanes * f13_x_p822_lanes[0];
+  const Lanes<8> f13_x_p2644_lanes = s16 * f13_x_p2582_lanes + c16 * f13_x_p2587_lanes -
+      inverse_D6_p99_lanes[1] * f13_x_p2284_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3970_lanes = f13_x_p3882_lanes - f13_x_p3526_lanes * f13_x_p3409_lanes[7] -
-      f13_x_p3618_lanes * f13_x_p3547_lanes[7] - f13_x_p3742_lanes * f13_x_p3650_lanes[7];
-  const Real f13_x_p3974 = f13_x_p3868 + f13_x_p2741_lanes[7] * f13_x_p2686_lanes[7] -
-      f13_x_p2963_lanes[7] * f13_x_p2845_lanes[7] - f13_x_p3173_lanes[7] * f13_x_p3041_lanes[7] -
-      f13_x_p3352_lanes[7] * f13_x_p3235_lanes[7];
+  const Real f13_x_p2652 = f13_x_p2581 + f13_x_p1916_lanes[7] * f13_x_p1889_lanes[7] -
+      f13_x_p2111_lanes[7] * f13_x_p2009_lanes[7] - f13_x_p2314_lanes[7] * f13_x_p2176_lanes[7] -
+      f13_x_p2456_lanes[7] * f13_x_p2361_lanes[7];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> f13_x_p2661_lanes = -(s17 * f13_x_p2211_lanes + c17 * f13_x_p2215_lanes) +
+      inverse_D6_p19_lanes[1] * f13_x_p2164_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p2669_lanes = c16 * f13_x_p2582_lanes - s16 * f13_x_p2587_lanes -
+      inverse_D6_p101_lanes[1] * f13_x_p2284_lanes - f13_x_p2557_lanes;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> f13_x_p3979_lanes = f13_x_p3130_lanes * neg_c12_lanes[1] + f13_x_p3121_lanes *
-      f13_x_p105_lanes[1] + f13_x_p3113_lanes * f13_x_p265_lanes[1] + f13_x_p3906_lanes;
+  const Lanes<8> f13_x_p2685_lanes = -f13_x_p2661_lanes + inverse_D6_p97_lanes[1] *
+      f13_x_p2284_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p2697_lanes = f13_x_p595_lanes[1] * f13_x_p2367_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p3982_lanes = f13_x_p3970_lanes - f13_x_p3886_lanes * f13_x_p3867;
-  const Lanes<8> f13_x_p3986_lanes = f13_x_p3946_lanes + f13_x_p2009_lanes * f13_x_p889_lanes[0] +
-      f13_x_p2017_lanes * f13_x_p1032_lanes[0] + f13_x_p1377_lanes * f13_x_p1130_lanes[0];
+  const Real f13_x_p2701 = f13_x_p2631 * f13_x_p2586 /
+      (2.2737367544323206e-13 + f13_x_p2631 * f13_x_p2631);
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p2734_lanes = c15 * f13_x_p2298_lanes - s15 * f13_x_p2320_lanes -
+      inverse_D6_p370_lanes[1] * f13_x_p2367_lanes;
+  const Lanes<8> f13_x_p2742_lanes = c15 * f13_x_p2685_lanes - s15 * f13_x_p2644_lanes -
+      inverse_D6_p265_lanes[1] * f13_x_p2367_lanes;
+  const Lanes<8> f13_x_p2746_lanes = s15 * f13_x_p2685_lanes + c15 * f13_x_p2644_lanes -
+      inverse_D6_p271_lanes[1] * f13_x_p2367_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2778 = f13_x_p2573_lanes[6] * f13_x_p2701;
+  const Real f13_x_p2779 = f13_x_p2573_lanes[7] * f13_x_p2701;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p2780_lanes = s14 * f13_x_p2669_lanes + c14 * f13_x_p2742_lanes;
+  const Lanes<8> f13_x_p2784_lanes = c14 * f13_x_p2669_lanes - s14 * f13_x_p2742_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2800 = f13_x_p2576 - f13_x_p2778 * f13_x_p2573_lanes[6];
+  const Real f13_x_p2801 = f13_x_p2556 - f13_x_p2521_lanes[7] * f13_x_p2486_lanes[6] -
+      f13_x_p2550_lanes[7] * f13_x_p2537_lanes[6] - f13_x_p2779 * f13_x_p2573_lanes[6];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p2802_lanes = 0.226 * f13_x_p2746_lanes + (-0.18) * f13_x_p2780_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2810 = f13_x_p2800 * f13_x_p2800;
+  const Real f13_x_p2815 = f13_x_p2810 * f13_x_p2800;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p2816_lanes = -(c14 * f13_x_p2697_lanes + s14 * f13_x_p2734_lanes +
+      f13_x_p2802_lanes);
+  const Lanes<8> f13_x_p2820_lanes = inverse_D5_p54 * f13_x_p2816_lanes;
+  const Lanes<8> f13_x_p2840_lanes = (-0.18) * f13_x_p2784_lanes -
+      (s14 * f13_x_p2697_lanes - c14 * f13_x_p2734_lanes) - f13_x_p2820_lanes;
+  const Lanes<8> f13_x_p2844_lanes = 0.226 * f13_x_p2784_lanes - inverse_D5_p57 * f13_x_p2816_lanes;
+  const Lanes<8> f13_x_p2848_lanes = f13_x_p2784_lanes - inverse_D5_p52 * f13_x_p2816_lanes;
+  const Lanes<8> f13_x_p2852_lanes = f13_x_p2780_lanes + inverse_D3_p34 * f13_x_p2816_lanes;
+  const Lanes<8> f13_x_p2856_lanes = f13_x_p2746_lanes - inverse_D3_p35 * f13_x_p2816_lanes;
+  const Lanes<8> f13_x_p2904_lanes = s6 * f13_x_p2852_lanes + c6 * f13_x_p2856_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p2908 = f13_x_p2815 * f13_x_p2810 /
+      (3.0814879110195774e-33 + f13_x_p2815 * f13_x_p2815);
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p2913_lanes = s6 * f13_x_p2840_lanes + c6 * f13_x_p2844_lanes + 0.072 *
+      f13_x_p2848_lanes;
 
   // link 5 (chest2), force propagation
-  const Lanes<8> f13_x_p4004_lanes = f13_x_p3979_lanes + f13_x_p3101_lanes * f13_x_p481_lanes[1] +
-      f13_x_p2041_lanes * f13_x_p609_lanes[1] + f13_x_p2021_lanes * f13_x_p705_lanes[1];
+  const Lanes<8> f13_x_p2945_lanes = c6 * f13_x_p2852_lanes - s6 * f13_x_p2856_lanes -
+      inverse_D3_p63 * f13_x_p2913_lanes;
+  const Lanes<8> f13_x_p2949_lanes = f13_x_p2848_lanes - inverse_D3_p62 * f13_x_p2913_lanes;
+  const Lanes<8> f13_x_p2953_lanes = c6 * f13_x_p2840_lanes - s6 * f13_x_p2844_lanes -
+      inverse_D4_p2 * f13_x_p2913_lanes;
+  const Lanes<8> f13_x_p2957_lanes = -(0.072 * f13_x_p2904_lanes) + inverse_D4_p1 *
+      f13_x_p2913_lanes;
+  const Lanes<8> f13_x_p2981_lanes = s4 * (f13_x_p2904_lanes - inverse_D3_p64 * f13_x_p2913_lanes);
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4007 = f13_x_p3974 - f13_x_p3519_lanes[7] * f13_x_p3409_lanes[7] -
-      f13_x_p3612_lanes[7] * f13_x_p3547_lanes[7] - f13_x_p3741 * f13_x_p3650_lanes[7] -
-      f13_x_p3893 * f13_x_p3867;
-  const Lanes<8> f13_x_p4008_lanes = f13_x_p3986_lanes - f13_x_p2970_lanes * f13_x_p2825_lanes[0] -
-      f13_x_p3181_lanes * f13_x_p3054_lanes[0] - f13_x_p3357_lanes * f13_x_p3256_lanes[0];
-  const Real f13_x_p4015 = 1.0 / f13_x_p4007;
+  const Real f13_x_p3001 = f13_x_p2801 * f13_x_p2908;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3026_lanes = -(s5 * f13_x_p2957_lanes + c5 * f13_x_p2953_lanes);
+  const Lanes<8> f13_x_p3042_lanes = f13_x_p3026_lanes * inverse_D4;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p3050_lanes = f13_x_p2913_lanes * inverse_D5;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> f13_x_p3054_lanes = f13_x_p2816_lanes * inverse_D6;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p3058 = f13_x_p2652 - f13_x_p2521_lanes[7] * f13_x_p2486_lanes[7] -
+      f13_x_p2550_lanes[7] * f13_x_p2537_lanes[7] - f13_x_p2779 * f13_x_p2573_lanes[7] -
+      f13_x_p3001 * f13_x_p2801;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p3059_lanes = c4 * (s5 * f13_x_p2945_lanes - c5 * f13_x_p2949_lanes) +
+      f13_x_p2981_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3063_lanes = -(s5 * f13_x_p2949_lanes + c5 * f13_x_p2945_lanes) -
+      inverse_D2_p12 * f13_x_p3026_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p3079 = f13_x_p3058 * f13_x_p3058;
+  const Real f13_x_p3112 = f13_x_p3079 * f13_x_p3058;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p3113_lanes = s4 * (s5 * f13_x_p2953_lanes - c5 * f13_x_p2957_lanes) +
+      0.21799999999999997 * f13_x_p3059_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3129_lanes = -f13_x_p3113_lanes - inverse_D3_p93 * f13_x_p3026_lanes;
 
   // link 3 (hip), force propagation
-  const Real f13_x_p4027 = f13_x_p3295_lanes[1] + f13_x_p2041_lanes[3] * f13_x_p609_lanes[2] +
-      f13_x_p2021_lanes[3] * f13_x_p705_lanes[2] + f13_x_p2013_lanes[3] * f13_x_p822_lanes[2] +
-      f13_x_p2009_lanes[3] * f13_x_p889_lanes[2];
+  const Lanes<8> f13_x_p3145_lanes = f13_x_p3129_lanes * inverse_D3;
+  const Lanes<8> f13_x_p3161_lanes = -f13_x_p3059_lanes - inverse_D2_p11 * f13_x_p3026_lanes -
+      inverse_D2_p16 * f13_x_p3129_lanes;
+  const Lanes<8> f13_x_p3165_lanes = -f13_x_p3063_lanes + inverse_D2_p15 * f13_x_p3129_lanes;
+  const Lanes<8> f13_x_p3169_lanes = f13_x_p3145_lanes * f13_x_p1537_lanes[0];
+  const Lanes<8> f13_x_p3173_lanes = f13_x_p3145_lanes * f13_x_p1537_lanes[1];
+  const Lanes<8> f13_x_p3181_lanes = f13_x_p3145_lanes * f13_x_p1537_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p3185 = f13_x_p3112 * f13_x_p3079 /
+      (1.262177448353619e-29 + f13_x_p3112 * f13_x_p3112);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3202_lanes = f13_x_p3054_lanes * f13_x_p917_lanes[0] + f13_x_p3050_lanes *
+      f13_x_p1109_lanes[0] + f13_x_p3042_lanes * f13_x_p1333_lanes[0] + f13_x_p3169_lanes;
+  const Lanes<8> f13_x_p3206_lanes = f13_x_p3054_lanes * f13_x_p917_lanes[1] + f13_x_p3050_lanes *
+      f13_x_p1109_lanes[1] + f13_x_p3042_lanes * f13_x_p1333_lanes[1] + f13_x_p3173_lanes;
+  const Lanes<8> f13_x_p3226_lanes = f13_x_p3145_lanes * f13_x_p1537_lanes[3];
+  const Lanes<8> f13_x_p3234_lanes = inverse_D2_p9 * f13_x_p3161_lanes - inverse_D2_p7 *
+      f13_x_p3165_lanes;
+  const Lanes<8> f13_x_p3238_lanes = f13_x_p3054_lanes * f13_x_p917_lanes[2] + f13_x_p3050_lanes *
+      f13_x_p1109_lanes[2] + f13_x_p3042_lanes * f13_x_p1333_lanes[2] + f13_x_p3181_lanes;
+  const Lanes<8> f13_x_p3258_lanes = inverse_D2_p10 *
+      (inverse_D2_p7 * f13_x_p3161_lanes + inverse_D2_p9 * f13_x_p3165_lanes) + inverse_D2_p8 *
+      f13_x_p3234_lanes;
+  const Lanes<8> f13_x_p3262_lanes = f13_x_p3054_lanes * f13_x_p917_lanes[3] + f13_x_p3050_lanes *
+      f13_x_p1109_lanes[3] + f13_x_p3042_lanes * f13_x_p1333_lanes[3] + f13_x_p3226_lanes;
 
   // link 2 (thigh), force propagation
-  const Lanes<8> f13_x_p4028_lanes = f13_x_p4004_lanes + f13_x_p2013_lanes * f13_x_p822_lanes[1] +
-      f13_x_p2009_lanes * f13_x_p889_lanes[1] + f13_x_p2017_lanes * f13_x_p1032_lanes[1];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4031_lanes = f13_x_p4008_lanes - f13_x_p3526_lanes * f13_x_p3420_lanes[0] -
-      f13_x_p3618_lanes * f13_x_p3578_lanes[0] - f13_x_p3742_lanes * f13_x_p3702_lanes[0];
-  const Lanes<8> f13_x_p4045_lanes = f13_x_p3982_lanes * f13_x_p4015;
-  const Lanes<8> f13_x_p4049_lanes = f13_x_p4028_lanes + f13_x_p1377_lanes * f13_x_p1130_lanes[1] -
-      f13_x_p2970_lanes * f13_x_p2825_lanes[1] - f13_x_p3181_lanes * f13_x_p3054_lanes[1];
-  const Real f13_x_p4062 = f13_x_p4027 + f13_x_p2017_lanes[3] * f13_x_p1032_lanes[2] +
-      f13_x_p1377_lanes[3] * f13_x_p1130_lanes[2] - f13_x_p2970_lanes[3] * f13_x_p2825_lanes[2] -
-      f13_x_p3181_lanes[3] * f13_x_p3054_lanes[2];
-
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4065_lanes = 9.81 + detail::make_pack<Real>(xdd_cmd[2], xdd_cmd[8]);
-
-  // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4070_lanes = f13_x_p4031_lanes - f13_x_p3886_lanes * f13_x_p3764_lanes[0] -
-      f13_x_p4045_lanes * f13_x_p3982_lanes[0];
+  const Lanes<8> f13_x_p3270_lanes = f13_x_p3258_lanes * inverse_D2;
 
   // link 3 (hip), force propagation
-  const Real f13_x_p4074 = f13_x_p3297_lanes[1] + f13_x_p2041_lanes[2] * f13_x_p609_lanes[2] +
-      f13_x_p2021_lanes[2] * f13_x_p705_lanes[2] + f13_x_p2013_lanes[2] * f13_x_p822_lanes[2] +
-      f13_x_p2009_lanes[2] * f13_x_p889_lanes[2];
+  const Lanes<8> f13_x_p3306_lanes = f13_x_p3145_lanes * f13_x_p1537_lanes[4];
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> f13_x_p3314_lanes = 0.434 * (f13_x_p3234_lanes - inverse_D1_p3 *
+      f13_x_p3258_lanes);
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4081_lanes = f13_x_p4049_lanes - f13_x_p3357_lanes * f13_x_p3256_lanes[1] -
-      f13_x_p3526_lanes * f13_x_p3420_lanes[1] - f13_x_p3618_lanes * f13_x_p3578_lanes[1];
-  const Real f13_x_p4084 = 1.0 / f13_x_p4070_lanes[0];
+  const Lanes<8> f13_x_p3338_lanes = f13_x_p3314_lanes * inverse_D1;
 
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4087_lanes = c1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) - s1 *
-      f13_x_p4065_lanes;
-  const Lanes<2> f13_x_p4089_lanes = s1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) + c1 *
-      f13_x_p4065_lanes;
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3362_lanes = f13_x_p3054_lanes * f13_x_p917_lanes[4] + f13_x_p3050_lanes *
+      f13_x_p1109_lanes[4] + f13_x_p3042_lanes * f13_x_p1333_lanes[4] + f13_x_p3306_lanes;
+  const Lanes<8> f13_x_p3382_lanes = f13_x_p3145_lanes * f13_x_p1537_lanes[5];
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4107 = f13_x_p4062 - f13_x_p3357_lanes[3] * f13_x_p3256_lanes[2] -
-      f13_x_p3526_lanes[3] * f13_x_p3420_lanes[2] - f13_x_p3618_lanes[3] * f13_x_p3578_lanes[2] -
-      f13_x_p3742_lanes[3] * f13_x_p3702_lanes[2];
+  const Lanes<8> f13_x_p3394_lanes = f13_x_p3202_lanes + f13_x_p3270_lanes * f13_x_p1810_lanes[0] +
+      f13_x_p3338_lanes * f13_x_p1889_lanes[0];
+  const Lanes<8> f13_x_p3418_lanes = f13_x_p3394_lanes * f13_x_p2053;
 
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4108_lanes = inverse_D2_p9 * f13_x_p4087_lanes - inverse_D2_p7 *
-      f13_x_p4089_lanes;
-  const Lanes<2> f13_x_p4110_lanes = inverse_D2_p7 * f13_x_p4087_lanes + inverse_D2_p9 *
-      f13_x_p4089_lanes;
+  // link 3 (hip), force propagation
+  const Lanes<8> f13_x_p3446_lanes = f13_x_p3054_lanes * f13_x_p917_lanes[5] + f13_x_p3050_lanes *
+      f13_x_p1109_lanes[5] + f13_x_p3042_lanes * f13_x_p1333_lanes[5] + f13_x_p3382_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p3470_lanes = f13_x_p2379_lanes * f13_x_p356;
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4112_lanes = f13_x_p4081_lanes - f13_x_p3742_lanes * f13_x_p3702_lanes[1] -
-      f13_x_p3886_lanes * f13_x_p3764_lanes[1] - f13_x_p4045_lanes * f13_x_p3982_lanes[1];
-  const Real f13_x_p4115 = f13_x_p4074 + f13_x_p2017_lanes[2] * f13_x_p1032_lanes[2] +
-      f13_x_p1377_lanes[2] * f13_x_p1130_lanes[2] - f13_x_p2970_lanes[2] * f13_x_p2825_lanes[2] -
-      f13_x_p3181_lanes[2] * f13_x_p3054_lanes[2];
-  const Lanes<8> f13_x_p4124_lanes = f13_x_p4070_lanes * f13_x_p4084;
+  const Lanes<8> f13_x_p3494_lanes = f13_x_p3206_lanes + f13_x_p3270_lanes * f13_x_p1810_lanes[1] +
+      f13_x_p3338_lanes * f13_x_p1889_lanes[1] - f13_x_p3418_lanes * f13_x_p2009_lanes[1];
+  const Lanes<8> f13_x_p3498_lanes = f13_x_p3238_lanes + f13_x_p3270_lanes * f13_x_p1810_lanes[2] +
+      f13_x_p3338_lanes * f13_x_p1889_lanes[2] - f13_x_p3418_lanes * f13_x_p2009_lanes[2];
+  const Lanes<8> f13_x_p3502_lanes = f13_x_p3262_lanes + f13_x_p3270_lanes * f13_x_p1810_lanes[3] +
+      f13_x_p3338_lanes * f13_x_p1889_lanes[3] - f13_x_p3418_lanes * f13_x_p2009_lanes[3];
+  const Lanes<8> f13_x_p3506_lanes = f13_x_p3362_lanes + f13_x_p3270_lanes * f13_x_p1810_lanes[4] +
+      f13_x_p3338_lanes * f13_x_p1889_lanes[4] - f13_x_p3418_lanes * f13_x_p2009_lanes[4];
+  const Lanes<8> f13_x_p3518_lanes = f13_x_p3494_lanes * f13_x_p2256;
+  const Lanes<8> f13_x_p3550_lanes = f13_x_p3446_lanes + f13_x_p3270_lanes * f13_x_p1810_lanes[5] +
+      f13_x_p3338_lanes * f13_x_p1889_lanes[5] - f13_x_p3418_lanes * f13_x_p2009_lanes[5];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p3558_lanes = f13_x_p2261_lanes * f13_x_p28_lanes[1] + f13_x_p2252_lanes *
+      f13_x_p51 + f13_x_p2306_lanes * f13_x_p164 + f13_x_p3470_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3562_lanes = f13_x_p3498_lanes - f13_x_p3518_lanes * f13_x_p2176_lanes[2];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p3602_lanes = f13_x_p2379_lanes * f13_x_p71;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3610_lanes = f13_x_p3562_lanes * f13_x_p2431;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3650_lanes = f13_x_p3558_lanes + f13_x_p3054_lanes * f13_x_p917_lanes[6] +
+      f13_x_p3050_lanes * f13_x_p1109_lanes[6] + f13_x_p3042_lanes * f13_x_p1333_lanes[6];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3674_lanes = f13_x_p3502_lanes - f13_x_p3518_lanes * f13_x_p2176_lanes[3] -
+      f13_x_p3610_lanes * f13_x_p2361_lanes[3];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p3686_lanes = f13_x_p2261_lanes * f13_x_p1_lanes[1] + f13_x_p2252_lanes *
+      f13_x_p14 + f13_x_p2306_lanes * f13_x_p40 + f13_x_p3602_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3694_lanes = f13_x_p3674_lanes * f13_x_p2516;
+  const Lanes<8> f13_x_p3702_lanes = f13_x_p3650_lanes + f13_x_p3145_lanes * f13_x_p1537_lanes[6] +
+      f13_x_p3270_lanes * f13_x_p1810_lanes[6] + f13_x_p3338_lanes * f13_x_p1889_lanes[6];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p3742_lanes = f13_x_p2379_lanes * f13_x_p2367_lanes[0];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3786_lanes = f13_x_p3506_lanes - f13_x_p3518_lanes * f13_x_p2176_lanes[4] -
+      f13_x_p3610_lanes * f13_x_p2361_lanes[4] - f13_x_p3694_lanes * f13_x_p2486_lanes[4];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3790_lanes = f13_x_p3686_lanes + f13_x_p3054_lanes * f13_x_p917_lanes[7] +
+      f13_x_p3050_lanes * f13_x_p1109_lanes[7] + f13_x_p3042_lanes * f13_x_p1333_lanes[7];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3794_lanes = f13_x_p3550_lanes - f13_x_p3518_lanes * f13_x_p2176_lanes[5] -
+      f13_x_p3610_lanes * f13_x_p2361_lanes[5] - f13_x_p3694_lanes * f13_x_p2486_lanes[5];
+  const Lanes<8> f13_x_p3806_lanes = f13_x_p3786_lanes * f13_x_p2547;
+  const Lanes<8> f13_x_p3818_lanes = f13_x_p3702_lanes - f13_x_p3418_lanes * f13_x_p2009_lanes[6] -
+      f13_x_p3518_lanes * f13_x_p2176_lanes[6] - f13_x_p3610_lanes * f13_x_p2361_lanes[6];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> f13_x_p3826_lanes = f13_x_p2261_lanes * f13_x_p126_lanes[1] + f13_x_p2252_lanes *
+      f13_x_p2164_lanes[0] + f13_x_p2306_lanes * f13_x_p2284_lanes[0] + f13_x_p3742_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3850_lanes = f13_x_p3790_lanes + f13_x_p3145_lanes * f13_x_p1537_lanes[7] +
+      f13_x_p3270_lanes * f13_x_p1810_lanes[7] + f13_x_p3338_lanes * f13_x_p1889_lanes[7];
+  const Lanes<8> f13_x_p3858_lanes = f13_x_p3794_lanes - f13_x_p3806_lanes * f13_x_p2537_lanes[5];
+  const Lanes<8> f13_x_p3892_lanes = f13_x_p3858_lanes * f13_x_p2701;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> f13_x_p3909_lanes = f13_x_p2306_lanes * f13_x_p2284_lanes[1];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> f13_x_p3918_lanes = f13_x_p3826_lanes + f13_x_p3054_lanes * f13_x_p2816_lanes[0] +
+      f13_x_p3050_lanes * f13_x_p2913_lanes[0] + f13_x_p3042_lanes * f13_x_p3026_lanes[0];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3938_lanes = f13_x_p3850_lanes - f13_x_p3418_lanes * f13_x_p2009_lanes[7] -
+      f13_x_p3518_lanes * f13_x_p2176_lanes[7] - f13_x_p3610_lanes * f13_x_p2361_lanes[7];
+  const Lanes<8> f13_x_p3968_lanes = f13_x_p3818_lanes - f13_x_p3694_lanes * f13_x_p2486_lanes[6] -
+      f13_x_p3806_lanes * f13_x_p2537_lanes[6] - f13_x_p3892_lanes * f13_x_p2573_lanes[6];
+  const Lanes<8> f13_x_p3979_lanes = f13_x_p3918_lanes + f13_x_p3145_lanes * f13_x_p3129_lanes[0] +
+      f13_x_p3270_lanes * f13_x_p3258_lanes[0] + f13_x_p3338_lanes * f13_x_p3314_lanes[0];
+  const Lanes<8> f13_x_p3983_lanes = f13_x_p3968_lanes * f13_x_p2908;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> f13_x_p3987_lanes = f13_x_p2265_lanes * neg_c12_lanes[1] + f13_x_p2261_lanes *
+      f13_x_p177_lanes[1] + f13_x_p2252_lanes * f13_x_p2164_lanes[1] + f13_x_p3909_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p3990_lanes = f13_x_p3938_lanes - f13_x_p3694_lanes * f13_x_p2486_lanes[7] -
+      f13_x_p3806_lanes * f13_x_p2537_lanes[7] - f13_x_p3892_lanes * f13_x_p2573_lanes[7];
+  const Lanes<8> f13_x_p4019_lanes = f13_x_p3990_lanes - f13_x_p3983_lanes * f13_x_p2801;
+  const Lanes<8> f13_x_p4023_lanes = f13_x_p3979_lanes - f13_x_p3418_lanes * f13_x_p3394_lanes[0] -
+      f13_x_p3518_lanes * f13_x_p3494_lanes[0] - f13_x_p3610_lanes * f13_x_p3562_lanes[0];
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> f13_x_p4027_lanes = f13_x_p3987_lanes + f13_x_p2379_lanes * f13_x_p2367_lanes[1] +
+      f13_x_p3054_lanes * f13_x_p2816_lanes[1] + f13_x_p3050_lanes * f13_x_p2913_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p4030_lanes = f13_x_p4019_lanes * f13_x_p3185;
+  const Lanes<8> f13_x_p4055_lanes = f13_x_p4023_lanes - f13_x_p3694_lanes * f13_x_p3674_lanes[0] -
+      f13_x_p3806_lanes * f13_x_p3786_lanes[0] - f13_x_p3892_lanes * f13_x_p3858_lanes[0];
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> f13_x_p4059_lanes = f13_x_p4027_lanes + f13_x_p3042_lanes * f13_x_p3026_lanes[1] +
+      f13_x_p3145_lanes * f13_x_p3129_lanes[1] + f13_x_p3270_lanes * f13_x_p3258_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> f13_x_p4069_lanes = f13_x_p4055_lanes - f13_x_p3983_lanes * f13_x_p3968_lanes[0] -
+      f13_x_p4030_lanes * f13_x_p4019_lanes[0];
+
+  // link 3 (hip), force propagation
+  const Real f13_x_p4076 = f13_x_p2416_lanes[1] + f13_x_p3054_lanes[2] * f13_x_p2816_lanes[2] +
+      f13_x_p3050_lanes[2] * f13_x_p2913_lanes[2] + f13_x_p3042_lanes[2] * f13_x_p3026_lanes[2] +
+      f13_x_p3145_lanes[2] * f13_x_p3129_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p4077 = f13_x_p4069_lanes[0] * f13_x_p4069_lanes[0];
+  const Lanes<8> f13_x_p4078_lanes = f13_x_p4059_lanes + f13_x_p3338_lanes * f13_x_p3314_lanes[1] -
+      f13_x_p3418_lanes * f13_x_p3394_lanes[1] - f13_x_p3518_lanes * f13_x_p3494_lanes[1];
+  const Real f13_x_p4081 = f13_x_p4077 * f13_x_p4069_lanes[0];
+  const Lanes<8> f13_x_p4088_lanes = f13_x_p4078_lanes - f13_x_p3610_lanes * f13_x_p3562_lanes[1] -
+      f13_x_p3694_lanes * f13_x_p3674_lanes[1] - f13_x_p3806_lanes * f13_x_p3786_lanes[1];
+  const Real f13_x_p4091 = f13_x_p4076 + f13_x_p3270_lanes[2] * f13_x_p3258_lanes[2] +
+      f13_x_p3338_lanes[2] * f13_x_p3314_lanes[2] - f13_x_p3418_lanes[2] * f13_x_p3394_lanes[2] -
+      f13_x_p3518_lanes[2] * f13_x_p3494_lanes[2];
+  const Real f13_x_p4095 = f13_x_p4081 * f13_x_p4077 /
+      (3.0814879110195774e-33 + f13_x_p4081 * f13_x_p4081);
+  const Lanes<8> f13_x_p4099_lanes = f13_x_p4088_lanes - f13_x_p3892_lanes * f13_x_p3858_lanes[1] -
+      f13_x_p3983_lanes * f13_x_p3968_lanes[1] - f13_x_p4030_lanes * f13_x_p4019_lanes[1];
+
+  // link 3 (hip), force propagation
+  const Real f13_x_p4102 = f13_x_p2414_lanes[1] + f13_x_p3054_lanes[3] * f13_x_p2816_lanes[2] +
+      f13_x_p3050_lanes[3] * f13_x_p2913_lanes[2] + f13_x_p3042_lanes[3] * f13_x_p3026_lanes[2] +
+      f13_x_p3145_lanes[3] * f13_x_p3129_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p4103 = f13_x_p4091 - f13_x_p3610_lanes[2] * f13_x_p3562_lanes[2] -
+      f13_x_p3694_lanes[2] * f13_x_p3674_lanes[2] - f13_x_p3806_lanes[2] * f13_x_p3786_lanes[2] -
+      f13_x_p3892_lanes[2] * f13_x_p3858_lanes[2];
+  const Lanes<8> f13_x_p4104_lanes = f13_x_p4069_lanes * f13_x_p4095;
+  const Real f13_x_p4110 = f13_x_p4102 + f13_x_p3270_lanes[3] * f13_x_p3258_lanes[2] +
+      f13_x_p3338_lanes[3] * f13_x_p3314_lanes[2] - f13_x_p3418_lanes[3] * f13_x_p3394_lanes[2] -
+      f13_x_p3518_lanes[3] * f13_x_p3494_lanes[2];
+  const Lanes<8> f13_x_p4111_lanes = f13_x_p4099_lanes - f13_x_p4104_lanes * f13_x_p4069_lanes[1];
+  const Real f13_x_p4114 = f13_x_p4111_lanes[1] * f13_x_p4111_lanes[1];
+
+  // link 3 (hip), force propagation
+  const Real f13_x_p4115 = f13_x_p2461_lanes[1] + f13_x_p3054_lanes[3] * f13_x_p2816_lanes[3] +
+      f13_x_p3050_lanes[3] * f13_x_p2913_lanes[3] + f13_x_p3042_lanes[3] * f13_x_p3026_lanes[3] +
+      f13_x_p3145_lanes[3] * f13_x_p3129_lanes[3];
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p4116 = f13_x_p4114 * f13_x_p4111_lanes[1];
+  const Real f13_x_p4117 = f13_x_p4110 - f13_x_p3610_lanes[3] * f13_x_p3562_lanes[2] -
+      f13_x_p3694_lanes[3] * f13_x_p3674_lanes[2] - f13_x_p3806_lanes[3] * f13_x_p3786_lanes[2] -
+      f13_x_p3892_lanes[3] * f13_x_p3858_lanes[2];
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4127_lanes = c4 * f13_x_p4108_lanes + s4 *
+  const Lanes<2> f13_x_p4120_lanes = 9.81 + detail::make_pack<Real>(xdd_cmd[2], xdd_cmd[8]);
+  const Lanes<2> f13_x_p4130_lanes = c1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) - s1 *
+      f13_x_p4120_lanes;
+  const Lanes<2> f13_x_p4132_lanes = s1 * detail::make_pack<Real>(xdd_cmd[0], xdd_cmd[6]) + c1 *
+      f13_x_p4120_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p4134 = f13_x_p4115 + f13_x_p3270_lanes[3] * f13_x_p3258_lanes[3] +
+      f13_x_p3338_lanes[3] * f13_x_p3314_lanes[3] - f13_x_p3418_lanes[3] * f13_x_p3394_lanes[3] -
+      f13_x_p3518_lanes[3] * f13_x_p3494_lanes[3];
+  const Real f13_x_p4135 = f13_x_p4116 * f13_x_p4114 /
+      (1.4551915228366852e-11 + f13_x_p4116 * f13_x_p4116);
+
+  // link 24 (right_eye), outward
+  const Lanes<2> f13_x_p4146_lanes = inverse_D2_p9 * f13_x_p4130_lanes - inverse_D2_p7 *
+      f13_x_p4132_lanes;
+  const Lanes<2> f13_x_p4148_lanes = inverse_D2_p7 * f13_x_p4130_lanes + inverse_D2_p9 *
+      f13_x_p4132_lanes;
+  const Lanes<2> f13_x_p4158_lanes = c4 * f13_x_p4146_lanes + s4 *
       detail::make_pack<Real>(xdd_cmd[1], xdd_cmd[7]);
-  const Lanes<2> f13_x_p4129_lanes = s4 * f13_x_p4108_lanes - c4 *
+  const Lanes<2> f13_x_p4160_lanes = s4 * f13_x_p4146_lanes - c4 *
       detail::make_pack<Real>(xdd_cmd[1], xdd_cmd[7]);
 
   // link 1 (calf), force propagation
-  const Lanes<8> f13_x_p4142_lanes = f13_x_p4112_lanes - f13_x_p4124_lanes * f13_x_p4070_lanes[1];
+  const Real f13_x_p4162 = f13_x_p4134 - f13_x_p3610_lanes[3] * f13_x_p3562_lanes[3] -
+      f13_x_p3694_lanes[3] * f13_x_p3674_lanes[3] - f13_x_p3806_lanes[3] * f13_x_p3786_lanes[3] -
+      f13_x_p3892_lanes[3] * f13_x_p3858_lanes[3];
+  const Real f13_x_p4163 = f13_x_p4111_lanes[2] * f13_x_p4135;
+  const Real f13_x_p4164 = f13_x_p4111_lanes[3] * f13_x_p4135;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4145_lanes = s5 * f13_x_p4127_lanes + c5 * f13_x_p4110_lanes;
-  const Lanes<2> f13_x_p4147_lanes = c5 * f13_x_p4127_lanes - s5 * f13_x_p4110_lanes;
+  const Lanes<2> f13_x_p4173_lanes = s5 * f13_x_p4158_lanes + c5 * f13_x_p4148_lanes;
+  const Lanes<2> f13_x_p4175_lanes = c5 * f13_x_p4158_lanes - s5 * f13_x_p4148_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4149 = f13_x_p4115 - f13_x_p3357_lanes[2] * f13_x_p3256_lanes[2] -
-      f13_x_p3526_lanes[2] * f13_x_p3420_lanes[2] - f13_x_p3618_lanes[2] * f13_x_p3578_lanes[2] -
-      f13_x_p3742_lanes[2] * f13_x_p3702_lanes[2];
-  const Real f13_x_p4150 = 1.0 / f13_x_p4142_lanes[1];
+  const Real f13_x_p4177 = f13_x_p4103 - f13_x_p3983_lanes[2] * f13_x_p3968_lanes[2] -
+      f13_x_p4030_lanes[2] * f13_x_p4019_lanes[2] - f13_x_p4104_lanes[2] * f13_x_p4069_lanes[2] -
+      f13_x_p4163 * f13_x_p4111_lanes[2];
+  const Real f13_x_p4178 = f13_x_p4117 - f13_x_p3983_lanes[3] * f13_x_p3968_lanes[2] -
+      f13_x_p4030_lanes[3] * f13_x_p4019_lanes[2] - f13_x_p4104_lanes[3] * f13_x_p4069_lanes[2] -
+      f13_x_p4164 * f13_x_p4111_lanes[2];
+  const Real f13_x_p4187 = f13_x_p4177 * f13_x_p4177;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> f13_x_p4188_lanes = c6 * f13_x_p4173_lanes + s6 * f13_x_p4160_lanes;
+  const Lanes<2> f13_x_p4190_lanes = s6 * f13_x_p4173_lanes - c6 * f13_x_p4160_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p4192 = f13_x_p4162 - f13_x_p3983_lanes[3] * f13_x_p3968_lanes[3] -
+      f13_x_p4030_lanes[3] * f13_x_p4019_lanes[3] - f13_x_p4104_lanes[3] * f13_x_p4069_lanes[3] -
+      f13_x_p4164 * f13_x_p4111_lanes[3];
+  const Real f13_x_p4193 = f13_x_p4187 * f13_x_p4177;
 
   // link 2 (thigh), outward
   const Real wd2_z = qdd_0[0] + qdd_0[1];
   const Real w2_z = qd[0] + qd[1];
-
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4159_lanes = c6 * f13_x_p4145_lanes + s6 * f13_x_p4129_lanes;
-  const Lanes<2> f13_x_p4161_lanes = s6 * f13_x_p4145_lanes - c6 * f13_x_p4129_lanes;
-
-  // link 2 (thigh), outward
   const Real a3_x_p1 = w2_z * w2_z;
 
   // link 1 (calf), outward
   const Real minus_a1_y = 9.81 * c1;
-  const Real minus_a1_x = 9.81 * s1;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4171_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p4159_lanes +
-      detail::make_pack<Real>(s7, s14) * f13_x_p4147_lanes;
+  const Lanes<2> f13_x_p4202_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p4188_lanes +
+      detail::make_pack<Real>(s7, s14) * f13_x_p4175_lanes;
+  const Lanes<2> f13_x_p4204_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p4175_lanes -
+      detail::make_pack<Real>(s7, s14) * f13_x_p4188_lanes;
+
+  // link 1 (calf), outward
+  const Real minus_a1_x = 9.81 * s1;
 
   // link 3 (hip), outward
   const Real w3_z = w2_z + qd[2];
 
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4173_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p4147_lanes -
-      detail::make_pack<Real>(s7, s14) * f13_x_p4159_lanes;
-
-  // link 1 (calf), force propagation
-  const Real f13_x_p4175 = f13_x_p4142_lanes[2] * f13_x_p4150;
-  const Real f13_x_p4176 = f13_x_p4142_lanes[3] * f13_x_p4150;
-
   // link 2 (thigh), outward
   const Real a2_y = 0.434 * (qd[0] * qd[0]) - minus_a1_y;
-  const Real a2_x = 0.434 * qdd_0[0] - minus_a1_x;
 
   // link 3 (hip), outward
   const Real a5_y_p1 = w3_z * w3_z;
   const Real wd3_z = wd2_z + qdd_0[2];
 
+  // link 2 (thigh), outward
+  const Real a2_x = 0.434 * qdd_0[0] - minus_a1_x;
+
+  // link 24 (right_eye), outward
+  const Lanes<2> f13_x_p4214_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p4202_lanes +
+      detail::make_pack<Real>(c8, c15) * f13_x_p4190_lanes;
+
+  // link 1 (calf), force propagation
+  const Real f13_x_p4216 = f13_x_p4193 * f13_x_p4187 /
+      (2.2737367544323206e-13 + f13_x_p4193 * f13_x_p4193);
+
+  // link 24 (right_eye), outward
+  const Lanes<2> f13_x_p4217_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p4190_lanes -
+      detail::make_pack<Real>(c8, c15) * f13_x_p4202_lanes;
+
+  // link 3 (hip), outward
+  const Real a3_x_p2 = a2_y + (wd2_z * inverse_D2_p10 + a3_x_p1 * inverse_D2_p8);
+
   // link 5 (chest2), outward
   const Real w5_x_p1 = s4 * w3_z;
 
   // link 3 (hip), outward
-  const Real a3_x_p2 = a2_y + (wd2_z * inverse_D2_p10 + a3_x_p1 * inverse_D2_p8);
   const Real a3_x_p3 = a2_x + (wd2_z * inverse_D2_p8 - a3_x_p1 * inverse_D2_p10);
-
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4185_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p4171_lanes +
-      detail::make_pack<Real>(c8, c15) * f13_x_p4161_lanes;
-  const Lanes<2> f13_x_p4187_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p4161_lanes -
-      detail::make_pack<Real>(c8, c15) * f13_x_p4171_lanes;
-
-  // link 1 (calf), force propagation
-  const Real f13_x_p4189 = f13_x_p4149 - f13_x_p3886_lanes[2] * f13_x_p3764_lanes[2] -
-      f13_x_p4045_lanes[2] * f13_x_p3982_lanes[2] - f13_x_p4124_lanes[2] * f13_x_p4070_lanes[2] -
-      f13_x_p4175 * f13_x_p4142_lanes[2];
 
   // link 4 (chest1), outward
   const Real wd4_x = w3_z * qd[3];
 
-  // link 1 (calf), force propagation
-  const Real f13_x_p4190 = f13_x_p4107 - f13_x_p3886_lanes[3] * f13_x_p3764_lanes[2] -
-      f13_x_p4045_lanes[3] * f13_x_p3982_lanes[2] - f13_x_p4124_lanes[3] * f13_x_p4070_lanes[2] -
-      f13_x_p4176 * f13_x_p4142_lanes[2];
-
   // link 5 (chest2), outward
   const Real w5_z = c4 * w3_z + qd[4];
+
+  // link 24 (right_eye), outward
+  const Lanes<2> f13_x_p4227_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p4214_lanes +
+      detail::make_pack<Real>(c9, c16) * f13_x_p4204_lanes;
+  const Lanes<2> f13_x_p4229_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p4214_lanes -
+      detail::make_pack<Real>(s9, s16) * f13_x_p4204_lanes;
+
+  // link 5 (chest2), outward
   const Real w5_x = c5 * w5_x_p1 - s5 * qd[3];
-  const Real a6_x_p1 = w5_z * w5_z;
 
   // link 3 (hip), outward
   const Real a3_x = inverse_D2_p9 * a3_x_p3 + inverse_D2_p7 * a3_x_p2;
-
-  // link 1 (calf), force propagation
-  const Real f13_x_p4199 = 1.0 / f13_x_p4189;
-
-  // link 5 (chest2), outward
-  const Real minus_w5_y = s5 * w5_x_p1 + c5 * qd[3];
-
-  // link 3 (hip), outward
   const Real a3_y = inverse_D2_p9 * a3_x_p2 - inverse_D2_p7 * a3_x_p3;
 
   // link 5 (chest2), outward
+  const Real a6_x_p1 = w5_z * w5_z;
+  const Real minus_w5_y = s5 * w5_x_p1 + c5 * qd[3];
+  const Real a5_y_p2 = a3_x + 0.21799999999999997 * wd3_z;
   const Real a6_x_p2 = w5_x * w5_x;
+  const Real wd5_x_p1 = c4 * wd4_x + s4 * wd3_z;
+  const Real a5_y_p3 = a3_y + 0.21799999999999997 * a5_y_p1;
 
   // link 6 (chest3), outward
   const Real w6_z = w5_x + qd[5];
 
+  // link 1 (calf), force propagation
+  const Real f13_x_p4237 = f13_x_p4178 * f13_x_p4216;
+
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4200_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p4185_lanes +
-      detail::make_pack<Real>(c9, c16) * f13_x_p4173_lanes;
-  const Lanes<2> f13_x_p4202_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p4185_lanes -
-      detail::make_pack<Real>(s9, s16) * f13_x_p4173_lanes;
+  const Lanes<2> f13_x_p4238_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p4227_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p4217_lanes;
+  const Lanes<2> f13_x_p4240_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p4217_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p4227_lanes;
 
   // link 5 (chest2), outward
-  const Real wd5_x_p1 = c4 * wd4_x + s4 * wd3_z;
-  const Real a5_y_p2 = a3_x + 0.21799999999999997 * wd3_z;
-  const Real a5_y_p3 = a3_y + 0.21799999999999997 * a5_y_p1;
+  const Real a5_y_p4 = c4 * a5_y_p2;
+  const Real a6_x_p3 = a6_x_p2 + a6_x_p1;
+  const Real minus_a5_z = s4 * a5_y_p2;
 
   // link 6 (chest3), outward
   const Real a7_y_p1 = w6_z * w6_z;
 
   // link 5 (chest2), outward
   const Real wd6_x_p1 = w5_x * minus_w5_y;
-  const Real a5_y_p4 = c4 * a5_y_p2;
-  const Real a6_x_p3 = a6_x_p2 + a6_x_p1;
-  const Real minus_a5_z = s4 * a5_y_p2;
 
   // link 6 (chest3), outward
   const Real w6_y = s6 * minus_w5_y + c6 * w5_z;
   const Real w6_x = s6 * w5_z - c6 * minus_w5_y;
-
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4210_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p4200_lanes +
-      detail::make_pack<Real>(s10, s17) * f13_x_p4187_lanes;
-
-  // link 6 (chest3), outward
   const Real a7_y_p2 = w6_x * w6_y;
   const Real wd6_y_p1 = w6_x * w6_z;
 
+  // link 5 (chest2), outward
+  const Real wd5_x = c5 * wd5_x_p1 - s5 * qdd_0[3] - minus_w5_y * qd[4];
+  const Real a5_y = c5 * a5_y_p3 - s5 * a5_y_p4;
+
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4214_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p4187_lanes -
-      detail::make_pack<Real>(s10, s17) * f13_x_p4200_lanes;
+  const Lanes<2> f13_x_p4246_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p4238_lanes +
+      detail::make_pack<Real>(s11, s18) * f13_x_p4229_lanes;
 
   // link 5 (chest2), outward
   const Real wd5_z = qdd_0[4] - (s4 * wd4_x - c4 * wd3_z);
-  const Real wd5_x = c5 * wd5_x_p1 - s5 * qdd_0[3] - minus_w5_y * qd[4];
 
   // link 6 (chest3), outward
   const Real wd6_x_p2 = w6_y * w6_z;
 
+  // link 5 (chest2), outward
+  const Real a5_x = c5 * a5_y_p4 + s5 * a5_y_p3;
+
   // link 1 (calf), force propagation
-  const Real f13_x_p4216 = f13_x_p4190 * f13_x_p4199;
+  const Real f13_x_p4248 = f13_x_p4192 - f13_x_p4237 * f13_x_p4178;
 
   // link 5 (chest2), outward
-  const Real a5_y = c5 * a5_y_p3 - s5 * a5_y_p4;
-
-  // link 6 (chest3), outward
-  const Real a7_y_p3 = w6_y * w6_y + a7_y_p1;
-
-  // link 5 (chest2), outward
-  const Real wd6_x_p3 = wd5_z - wd6_x_p1;
-  const Real wd6_x_p4 = s5 * wd5_x_p1 + c5 * qdd_0[3] + (w5_z + qd[4]) * w5_x;
   const Real a6_x_p4 = wd5_x - minus_w5_y * w5_z;
 
   // link 6 (chest3), outward
   const Real wd6_z = wd5_x + qdd_0[5];
+  const Real a6_x_p5 = a5_y + 0.072 * a6_x_p3;
+  const Real a7_y_p3 = w6_y * w6_y + a7_y_p1;
 
   // link 5 (chest2), outward
+  const Real wd6_x_p3 = s5 * wd5_x_p1 + c5 * qdd_0[3] + (w5_z + qd[4]) * w5_x;
+  const Real wd6_x_p4 = wd5_z - wd6_x_p1;
   const Real a6_z_p1 = wd6_x_p1 + wd5_z;
-  const Real a5_x = c5 * a5_y_p4 + s5 * a5_y_p3;
 
-  // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4219_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p4210_lanes +
-      detail::make_pack<Real>(s11, s18) * f13_x_p4202_lanes;
+  // link 1 (calf), force propagation
+  const Real f13_x_p4251 = f13_x_p4248 * f13_x_p4248;
 
   // link 6 (chest3), outward
-  const Real a6_x_p5 = a5_y + 0.072 * a6_x_p3;
   const Real a7_y_p4 = a7_y_p2 - wd6_z;
   const Real minus_a7_z_p1 = w6_x * w6_x;
   const Real minus_a7_z_p2 = a7_y_p2 + wd6_z;
-  const Real wd6_x_p5 = c6 * wd6_x_p4 - s6 * wd6_x_p3;
   const Real a6_x_p6 = minus_a5_z + 0.072 * a6_x_p4;
-  const Real a6_z = a5_x + 0.072 * a6_z_p1;
 
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_z_lanes = w6_y + detail::make_pack<Real>(qd[6], qd[13]);
+  // link 1 (calf), force propagation
+  const Real f13_x_p4254 = f13_x_p4251 * f13_x_p4248;
 
   // link 6 (chest3), outward
   const Real minus_a7_z_p3 = minus_a7_z_p1 + a7_y_p1;
+  const Real wd6_x_p5 = c6 * wd6_x_p3 - s6 * wd6_x_p4;
+  const Real a6_z = a5_x + 0.072 * a6_z_p1;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> w7_x_lanes = detail::make_pack<Real>(s7, s14) * w6_x +
       detail::make_pack<Real>(c7, c14) * w6_z;
+  const Lanes<2> w7_z_lanes = w6_y + detail::make_pack<Real>(qd[6], qd[13]);
+  const Lanes<2> w7_y_lanes = detail::make_pack<Real>(c7, c14) * w6_x -
+      detail::make_pack<Real>(s7, s14) * w6_z;
 
   // link 6 (chest3), outward
   const Real wd6_x = wd6_x_p2 - wd6_x_p5;
-  const Real wd6_y = c6 * wd6_x_p3 + s6 * wd6_x_p4 - wd6_y_p1;
-
-  // link 7 (left_shoulder1), outward
-  const Lanes<2> w7_y_lanes = detail::make_pack<Real>(c7, c14) * w6_x -
-      detail::make_pack<Real>(s7, s14) * w6_z;
+  const Real wd6_y = c6 * wd6_x_p4 + s6 * wd6_x_p3 - wd6_y_p1;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> w8_z_lanes = w7_x_lanes + detail::make_pack<Real>(qd[7], qd[14]);
 
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> minus_a12_y_p3_lanes = w7_x_lanes * w7_y_lanes;
+
   // link 6 (chest3), outward
-  const Real minus_a12_y_p3 = wd6_x_p2 + wd6_x;
+  const Real a6_x = c6 * a6_x_p5 - s6 * a6_x_p6;
+  const Real minus_a12_y_p4 = wd6_x_p2 + wd6_x;
   const Real a7_y_p6 = wd6_y_p1 - wd6_y;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> minus_a12_y_p4_lanes = w7_x_lanes * w7_y_lanes;
   const Lanes<2> wd7_z_lanes = wd6_y + detail::make_pack<Real>(qdd_0[6], qdd_0[13]);
   const Lanes<2> wd7_x_p2_lanes = w7_y_lanes * w7_z_lanes;
 
   // link 6 (chest3), outward
-  const Real a6_x = c6 * a6_x_p5 - s6 * a6_x_p6;
   const Real minus_a6_y = s6 * a6_x_p5 + c6 * a6_x_p6;
+
+  // link 14 (right_shoulder1), outward
+  const Real a7_y_p7 = a6_x + 0.226 * a7_y_p3;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> w8_x_lanes = detail::make_pack<Real>(c8, c15) * w7_y_lanes +
       detail::make_pack<Real>(s8, s15) * w7_z_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> minus_a12_y_p7_lanes = minus_a12_y_p4_lanes + wd7_z_lanes;
+  const Lanes<2> minus_a12_y_p7_lanes = minus_a12_y_p3_lanes + wd7_z_lanes;
 
   // link 14 (right_shoulder1), outward
-  const Real a7_y_p8 = a6_x + 0.226 * a7_y_p3;
+  const Real minus_a7_z_p5 = minus_a6_y + 0.226 * minus_a7_z_p2;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> w8_y_lanes = detail::make_pack<Real>(c8, c15) * w7_z_lanes -
       detail::make_pack<Real>(s8, s15) * w7_y_lanes;
 
-  // link 14 (right_shoulder1), outward
-  const Real minus_a7_z_p5 = minus_a6_y + 0.226 * minus_a7_z_p2;
+  // link 7 (left_shoulder1), outward
+  const Lanes<2> a7_y_p9_lanes = a7_y_p7 + detail::make_pack<Real>(0.18, (-0.18)) * a7_y_p4;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> a10_x_p1_lanes = w8_z_lanes * w8_z_lanes;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> minus_a12_y_p8_lanes = detail::make_pack<Real>(s7, s14) * a7_y_p4 +
-      detail::make_pack<Real>(c7, c14) * minus_a12_y_p3;
+      detail::make_pack<Real>(c7, c14) * minus_a12_y_p4;
 
   // link 14 (right_shoulder1), outward
-  const Real a7_y_p9 = a6_z - 0.226 * a7_y_p6;
+  const Real a7_y_p10 = a6_z - 0.226 * a7_y_p6;
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> wd7_x_p4_lanes = detail::make_pack<Real>(c7, c14) * a7_y_p4 -
-      detail::make_pack<Real>(s7, s14) * minus_a12_y_p3;
-  const Lanes<2> a7_y_p10_lanes = a7_y_p8 + detail::make_pack<Real>(0.18, (-0.18)) * a7_y_p4;
+      detail::make_pack<Real>(s7, s14) * minus_a12_y_p4;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> minus_a12_y_p11_lanes = w8_x_lanes * w8_y_lanes;
@@ -2500,7 +2579,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
 
   // link 7 (left_shoulder1), outward
   const Lanes<2> minus_a12_y_p12_lanes = 2.0 * (w7_x_lanes * w7_z_lanes) - minus_a12_y_p8_lanes;
-  const Lanes<2> a7_y_p11_lanes = a7_y_p9 + detail::make_pack<Real>(0.18, (-0.18)) * minus_a12_y_p3;
+  const Lanes<2> a7_y_p12_lanes = a7_y_p10 + detail::make_pack<Real>(0.18, (-0.18)) *
+      minus_a12_y_p4;
   const Lanes<2> wd7_x_lanes = wd7_x_p2_lanes - wd7_x_p4_lanes;
 
   // link 8 (left_shoulder2), outward
@@ -2517,8 +2597,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>(s8, s15) * minus_a12_y_p12_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_y_lanes = detail::make_pack<Real>(c7, c14) * a7_y_p10_lanes -
-      detail::make_pack<Real>(s7, s14) * a7_y_p11_lanes;
+  const Lanes<2> a7_y_lanes = detail::make_pack<Real>(c7, c14) * a7_y_p9_lanes -
+      detail::make_pack<Real>(s7, s14) * a7_y_p12_lanes;
 
   // link 8 (left_shoulder2), outward
   const Lanes<2> wd8_x_p4_lanes = detail::make_pack<Real>(c8, c15) * minus_a12_y_p12_lanes -
@@ -2529,8 +2609,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>(c9, c16) * w8_z_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> a7_x_lanes = detail::make_pack<Real>(s7, s14) * a7_y_p10_lanes +
-      detail::make_pack<Real>(c7, c14) * a7_y_p11_lanes;
+  const Lanes<2> a7_x_lanes = detail::make_pack<Real>(s7, s14) * a7_y_p9_lanes +
+      detail::make_pack<Real>(c7, c14) * a7_y_p12_lanes;
 
   // link 9 (left_upperarm), outward
   const Lanes<2> w9_y_lanes = detail::make_pack<Real>(c9, c16) * w8_y_lanes -
@@ -2603,7 +2683,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 11 (left_wrist1), outward
   const Lanes<2> w11_x_lanes = detail::make_pack<Real>(c11, c18) * w10_x_lanes +
       detail::make_pack<Real>(s11, s18) * w10_z_lanes;
-  const Lanes<2> f13_x_p4233_lanes = 0.086 * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> f13_x_p4263_lanes = 0.086 * detail::make_pack<Real>(c13, c20);
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> minus_a12_y_p33_lanes = minus_a12_y_p29_lanes + wd10_z_lanes;
@@ -2613,7 +2693,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> minus_a12_y_p35_lanes = minus_a12_y_p31_lanes + minus_a12_y_p24_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4237_lanes = c1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) - s1 *
+  const Lanes<2> f13_x_p4267_lanes = c1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) - s1 *
       detail::make_pack<Real>(xdd_cmd[5], xdd_cmd[11]);
 
   // link 11 (left_wrist1), outward
@@ -2621,7 +2701,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>(s11, s18) * w10_x_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4241_lanes = s1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) + c1 *
+  const Lanes<2> f13_x_p4271_lanes = s1 * detail::make_pack<Real>(xdd_cmd[3], xdd_cmd[9]) + c1 *
       detail::make_pack<Real>(xdd_cmd[5], xdd_cmd[11]);
 
   // link 10 (left_lowerarm), outward
@@ -2642,13 +2722,13 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> w13_z_lanes = w12_x_lanes + detail::make_pack<Real>(qd[12], qd[19]);
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> f13_x_p4251_lanes = w12_z_lanes * w12_z_lanes;
+  const Lanes<2> f13_x_p4281_lanes = w12_z_lanes * w12_z_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4253_lanes = inverse_D2_p9 * f13_x_p4237_lanes - inverse_D2_p7 *
-      f13_x_p4241_lanes;
-  const Lanes<2> f13_x_p4255_lanes = inverse_D2_p7 * f13_x_p4237_lanes + inverse_D2_p9 *
-      f13_x_p4241_lanes;
+  const Lanes<2> f13_x_p4283_lanes = inverse_D2_p9 * f13_x_p4267_lanes - inverse_D2_p7 *
+      f13_x_p4271_lanes;
+  const Lanes<2> f13_x_p4285_lanes = inverse_D2_p7 * f13_x_p4267_lanes + inverse_D2_p9 *
+      f13_x_p4271_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> minus_a12_y_p41_lanes = detail::make_pack<Real>(c11, c18) * minus_a12_y_p33_lanes -
@@ -2657,58 +2737,58 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>(s11, s18) * minus_a10_z_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_x_p4257_lanes = w13_z_lanes * w13_z_lanes;
-  const Lanes<2> f13_x_p4267_lanes = f13_x_p4251_lanes + f13_x_p4257_lanes;
+  const Lanes<2> f13_x_p4287_lanes = w13_z_lanes * w13_z_lanes;
+  const Lanes<2> f13_x_p4297_lanes = f13_x_p4281_lanes + f13_x_p4287_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4269_lanes = c4 * f13_x_p4253_lanes + s4 *
+  const Lanes<2> f13_x_p4299_lanes = c4 * f13_x_p4283_lanes + s4 *
       detail::make_pack<Real>(xdd_cmd[4], xdd_cmd[10]);
-  const Lanes<2> f13_x_p4271_lanes = s4 * f13_x_p4253_lanes - c4 *
+  const Lanes<2> f13_x_p4301_lanes = s4 * f13_x_p4283_lanes - c4 *
       detail::make_pack<Real>(xdd_cmd[4], xdd_cmd[10]);
 
   // link 12 (left_wrist2), outward
   const Lanes<2> minus_a12_y_p44_lanes = a11_x_lanes - 0.269 * minus_a12_y_p41_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4283_lanes = s5 * f13_x_p4269_lanes + c5 * f13_x_p4255_lanes;
-  const Lanes<2> f13_x_p4285_lanes = c5 * f13_x_p4269_lanes - s5 * f13_x_p4255_lanes;
-  const Lanes<2> f13_x_p4287_lanes = 0.086 * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> f13_x_p4313_lanes = s5 * f13_x_p4299_lanes + c5 * f13_x_p4285_lanes;
+  const Lanes<2> f13_x_p4315_lanes = c5 * f13_x_p4299_lanes - s5 * f13_x_p4285_lanes;
+  const Lanes<2> f13_x_p4317_lanes = 0.086 * detail::make_pack<Real>(s13, s20);
 
   // link 12 (left_wrist2), outward
   const Lanes<2> minus_w12_y_lanes = detail::make_pack<Real>(s12, s19) * w11_x_lanes +
       detail::make_pack<Real>(c12, c19) * w11_z_lanes;
   const Lanes<2> minus_a12_y_lanes = detail::make_pack<Real>(s12, s19) * minus_a12_y_p44_lanes +
       detail::make_pack<Real>(c12, c19) * minus_a12_y_p40_lanes;
-  const Lanes<2> f13_x_p4297_lanes = minus_w12_y_lanes * w12_z_lanes;
+  const Lanes<2> f13_x_p4327_lanes = minus_w12_y_lanes * w12_z_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4305_lanes = c6 * f13_x_p4283_lanes + s6 * f13_x_p4271_lanes;
-  const Lanes<2> f13_x_p4307_lanes = s6 * f13_x_p4283_lanes - c6 * f13_x_p4271_lanes;
+  const Lanes<2> f13_x_p4335_lanes = c6 * f13_x_p4313_lanes + s6 * f13_x_p4301_lanes;
+  const Lanes<2> f13_x_p4337_lanes = s6 * f13_x_p4313_lanes - c6 * f13_x_p4301_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> f13_x_p4309_lanes = minus_w12_y_lanes * minus_w12_y_lanes;
+  const Lanes<2> f13_x_p4339_lanes = minus_w12_y_lanes * minus_w12_y_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> minus_a11_y_lanes = detail::make_pack<Real>(s11, s18) * a10_x_lanes +
       detail::make_pack<Real>(c11, c18) * minus_a10_z_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4311_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p4214_lanes -
-      detail::make_pack<Real>(s12, s19) * f13_x_p4219_lanes + minus_a12_y_lanes +
-      f13_x_p4267_lanes * f13_x_p4233_lanes;
+  const Lanes<2> f13_x_p4341_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p4240_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p4246_lanes + minus_a12_y_lanes +
+      f13_x_p4297_lanes * f13_x_p4263_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> a12_z_p3_lanes = detail::make_pack<Real>(s11, s18) * minus_a12_y_p33_lanes +
       detail::make_pack<Real>(c11, c18) * minus_a12_y_p37_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_x_p4323_lanes = f13_x_p4309_lanes + f13_x_p4257_lanes;
+  const Lanes<2> f13_x_p4353_lanes = f13_x_p4339_lanes + f13_x_p4287_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4329_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p4305_lanes +
-      detail::make_pack<Real>(s7, s14) * f13_x_p4285_lanes;
-  const Lanes<2> f13_x_p4331_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p4285_lanes -
-      detail::make_pack<Real>(s7, s14) * f13_x_p4305_lanes;
+  const Lanes<2> f13_x_p4359_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p4335_lanes +
+      detail::make_pack<Real>(s7, s14) * f13_x_p4315_lanes;
+  const Lanes<2> f13_x_p4361_lanes = detail::make_pack<Real>(c7, c14) * f13_x_p4315_lanes -
+      detail::make_pack<Real>(s7, s14) * f13_x_p4335_lanes;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> a12_z_lanes = 0.269 * a12_z_p3_lanes - minus_a11_y_lanes;
@@ -2716,34 +2796,34 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>(s12, s19) * minus_a12_y_p40_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_x_p4337_lanes = minus_w12_y_lanes * w13_z_lanes;
+  const Lanes<2> f13_x_p4367_lanes = minus_w12_y_lanes * w13_z_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p4349_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p4219_lanes +
-      detail::make_pack<Real>(s12, s19) * f13_x_p4214_lanes - a12_x_lanes;
+  const Lanes<2> f13_x_p4379_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p4246_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p4240_lanes - a12_x_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_x_p4351_lanes = w12_z_lanes * w13_z_lanes;
+  const Lanes<2> f13_x_p4381_lanes = w12_z_lanes * w13_z_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4353_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p4329_lanes +
-      detail::make_pack<Real>(c8, c15) * f13_x_p4307_lanes;
-  const Lanes<2> f13_x_p4355_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p4307_lanes -
-      detail::make_pack<Real>(c8, c15) * f13_x_p4329_lanes;
+  const Lanes<2> f13_x_p4383_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p4359_lanes +
+      detail::make_pack<Real>(c8, c15) * f13_x_p4337_lanes;
+  const Lanes<2> f13_x_p4385_lanes = detail::make_pack<Real>(s8, s15) * f13_x_p4337_lanes -
+      detail::make_pack<Real>(c8, c15) * f13_x_p4359_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p4357_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p4202_lanes -
-      detail::make_pack<Real>(s11, s18) * f13_x_p4210_lanes - a12_z_lanes + f13_x_p4323_lanes *
-      f13_x_p4287_lanes;
+  const Lanes<2> f13_x_p4387_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p4229_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p4238_lanes - a12_z_lanes + f13_x_p4353_lanes *
+      f13_x_p4317_lanes;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> wd10_y_p3_lanes = w10_x_lanes * w10_z_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4367_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p4353_lanes +
-      detail::make_pack<Real>(c9, c16) * f13_x_p4331_lanes;
-  const Lanes<2> f13_x_p4369_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p4353_lanes -
-      detail::make_pack<Real>(s9, s16) * f13_x_p4331_lanes;
+  const Lanes<2> f13_x_p4397_lanes = detail::make_pack<Real>(s9, s16) * f13_x_p4383_lanes +
+      detail::make_pack<Real>(c9, c16) * f13_x_p4361_lanes;
+  const Lanes<2> f13_x_p4399_lanes = detail::make_pack<Real>(c9, c16) * f13_x_p4383_lanes -
+      detail::make_pack<Real>(s9, s16) * f13_x_p4361_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> wd13_x_p1_lanes = w11_x_lanes * w11_y_lanes;
@@ -2754,10 +2834,10 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> wd10_y_lanes = wd10_y_p4_lanes - wd10_y_p3_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4379_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p4367_lanes +
-      detail::make_pack<Real>(s10, s17) * f13_x_p4355_lanes;
-  const Lanes<2> f13_x_p4381_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p4355_lanes -
-      detail::make_pack<Real>(s10, s17) * f13_x_p4367_lanes;
+  const Lanes<2> f13_x_p4409_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p4397_lanes +
+      detail::make_pack<Real>(s10, s17) * f13_x_p4385_lanes;
+  const Lanes<2> f13_x_p4411_lanes = detail::make_pack<Real>(c10, c17) * f13_x_p4385_lanes -
+      detail::make_pack<Real>(s10, s17) * f13_x_p4397_lanes;
 
   // link 11 (left_wrist1), outward
   const Lanes<2> wd11_z_lanes = detail::make_pack<Real>(qdd_0[10], qdd_0[17]) - wd10_y_lanes;
@@ -2766,10 +2846,10 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> wd11_y_p1_lanes = w11_x_lanes * w11_z_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4391_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p4379_lanes +
-      detail::make_pack<Real>(s11, s18) * f13_x_p4369_lanes;
-  const Lanes<2> f13_x_p4393_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p4369_lanes -
-      detail::make_pack<Real>(s11, s18) * f13_x_p4379_lanes;
+  const Lanes<2> f13_x_p4421_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p4409_lanes +
+      detail::make_pack<Real>(s11, s18) * f13_x_p4399_lanes;
+  const Lanes<2> f13_x_p4423_lanes = detail::make_pack<Real>(c11, c18) * f13_x_p4399_lanes -
+      detail::make_pack<Real>(s11, s18) * f13_x_p4409_lanes;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> wd13_y_p1_lanes = w12_x_lanes * minus_w12_y_lanes;
@@ -2783,155 +2863,140 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> wd12_z_lanes = wd11_y_lanes + detail::make_pack<Real>(qdd_0[11], qdd_0[18]);
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p4401_lanes = (f13_x_p4337_lanes + f13_x_p4393_lanes) * f13_x_p4233_lanes;
+  const Lanes<2> f13_x_p4431_lanes = (f13_x_p4367_lanes + f13_x_p4423_lanes) * f13_x_p4263_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4403_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p4391_lanes +
-      detail::make_pack<Real>(s12, s19) * f13_x_p4381_lanes;
-  const Lanes<2> f13_x_p4405_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p4381_lanes -
-      detail::make_pack<Real>(s12, s19) * f13_x_p4391_lanes;
+  const Lanes<2> f13_x_p4433_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p4421_lanes +
+      detail::make_pack<Real>(s12, s19) * f13_x_p4411_lanes;
+  const Lanes<2> f13_x_p4435_lanes = detail::make_pack<Real>(c12, c19) * f13_x_p4411_lanes -
+      detail::make_pack<Real>(s12, s19) * f13_x_p4421_lanes;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> wd13_x_p11_lanes = 2.0 * (w12_x_lanes * w12_z_lanes) - wd13_x_p10_lanes;
   const Lanes<2> wd13_y_p2_lanes = wd12_z_lanes - wd13_y_p1_lanes;
 
   // link 13 (left_hand), outward
-  const Lanes<2> wd13_x_lanes = f13_x_p4351_lanes - wd13_x_p11_lanes;
-  const Lanes<2> wd13_y_lanes = wd13_y_p2_lanes + f13_x_p4337_lanes;
+  const Lanes<2> wd13_x_lanes = f13_x_p4381_lanes - wd13_x_p11_lanes;
+  const Lanes<2> wd13_y_lanes = wd13_y_p2_lanes + f13_x_p4367_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4413_lanes = (f13_x_p4297_lanes + f13_x_p4403_lanes) * f13_x_p4287_lanes;
+  const Lanes<2> f13_x_p4443_lanes = (f13_x_p4327_lanes + f13_x_p4433_lanes) * f13_x_p4317_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<2> f13_x_p4415_lanes = (f13_x_p4297_lanes - f13_x_p4403_lanes) * f13_x_p4233_lanes;
-  const Lanes<2> f13_x_p4417_lanes = (f13_x_p4351_lanes + f13_x_p4405_lanes) * f13_x_p4287_lanes;
+  const Lanes<2> f13_x_p4445_lanes = (f13_x_p4327_lanes - f13_x_p4433_lanes) * f13_x_p4263_lanes;
+  const Lanes<2> f13_x_p4447_lanes = (f13_x_p4381_lanes + f13_x_p4435_lanes) * f13_x_p4317_lanes;
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4419_lanes = f13_x_p4405_lanes - wd13_x_lanes;
-  const Lanes<2> f13_x_p4421_lanes = f13_x_p4393_lanes - wd13_y_lanes;
+  const Lanes<2> f13_x_p4449_lanes = f13_x_p4435_lanes - wd13_x_lanes;
+  const Lanes<2> f13_x_p4451_lanes = f13_x_p4423_lanes - wd13_y_lanes;
 
   // link 12 (left_wrist2), outward
   const Lanes<2> wd12_x_lanes = detail::make_pack<Real>(s12, s19) * wd13_x_p6_lanes +
-      detail::make_pack<Real>(c12, c19) * wd13_x_p7_lanes - f13_x_p4297_lanes;
+      detail::make_pack<Real>(c12, c19) * wd13_x_p7_lanes - f13_x_p4327_lanes;
 
   // link 24 (right_eye), outward
-  const Real f13_x_p4423 = f13_x_p4311_lanes[0] + f13_x_p4413_lanes[0];
+  const Real f13_x_p4453 = f13_x_p4341_lanes[0] + f13_x_p4443_lanes[0];
 
   // link 13 (left_hand), outward
   const Lanes<2> wd13_z_lanes = wd12_x_lanes + detail::make_pack<Real>(qdd_0[12], qdd_0[19]);
 
   // link 24 (right_eye), outward
-  const Lanes<2> f13_x_p4424_lanes = f13_x_p4403_lanes - wd13_z_lanes;
+  const Lanes<2> f13_x_p4454_lanes = f13_x_p4433_lanes - wd13_z_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4426 = f13_x_p4357_lanes[0] - f13_x_p2963_lanes[1] * f13_x_p4423 +
-      f13_x_p4415_lanes[0];
-  const Real f13_x_p4427 = f13_x_p4349_lanes[0] - f13_x_p2963_lanes[2] * f13_x_p4423 -
-      f13_x_p3173_lanes[2] * f13_x_p4426 + f13_x_p4401_lanes[0] - f13_x_p4417_lanes[0];
-  const Real f13_x_p4428 = f13_x_p4419_lanes[0] - f13_x_p2963_lanes[3] * f13_x_p4423 -
-      f13_x_p3173_lanes[3] * f13_x_p4426 - f13_x_p3352_lanes[3] * f13_x_p4427;
-  const Real f13_x_p4429 = f13_x_p4421_lanes[0] - f13_x_p2963_lanes[4] * f13_x_p4423 -
-      f13_x_p3173_lanes[4] * f13_x_p4426 - f13_x_p3352_lanes[4] * f13_x_p4427 -
-      f13_x_p3519_lanes[4] * f13_x_p4428;
-  const Real f13_x_p4430 = f13_x_p4424_lanes[0] - f13_x_p2963_lanes[5] * f13_x_p4423 -
-      f13_x_p3173_lanes[5] * f13_x_p4426 - f13_x_p3352_lanes[5] * f13_x_p4427 -
-      f13_x_p3519_lanes[5] * f13_x_p4428;
-  const Real f13_x_p4431 = f13_x_p4311_lanes[1] - f13_x_p2963_lanes[6] * f13_x_p4423 -
-      f13_x_p3173_lanes[6] * f13_x_p4426 - f13_x_p3352_lanes[6] * f13_x_p4427 -
-      f13_x_p3519_lanes[6] * f13_x_p4428;
-  const Real f13_x_p4432 = f13_x_p4357_lanes[1] - f13_x_p2963_lanes[7] * f13_x_p4423 -
-      f13_x_p3173_lanes[7] * f13_x_p4426 - f13_x_p3352_lanes[7] * f13_x_p4427 -
-      f13_x_p3519_lanes[7] * f13_x_p4428;
-  const Real f13_x_p4433 = f13_x_p4349_lanes[1] - f13_x_p2970_lanes[0] * f13_x_p4423 -
-      f13_x_p3181_lanes[0] * f13_x_p4426 - f13_x_p3357_lanes[0] * f13_x_p4427 -
-      f13_x_p3526_lanes[0] * f13_x_p4428;
-  const Real f13_x_p4434 = f13_x_p4430 - f13_x_p3612_lanes[5] * f13_x_p4429;
-  const Real f13_x_p4435 = f13_x_p4419_lanes[1] - f13_x_p2970_lanes[1] * f13_x_p4423 -
-      f13_x_p3181_lanes[1] * f13_x_p4426 - f13_x_p3357_lanes[1] * f13_x_p4427 -
-      f13_x_p3526_lanes[1] * f13_x_p4428;
-  const Real f13_x_p4436 = f13_x_p4431 - f13_x_p3612_lanes[6] * f13_x_p4429 - f13_x_p3736 *
-      f13_x_p4434 + f13_x_p4413_lanes[1];
-  const Real f13_x_p4437 = f13_x_p4421_lanes[1] - f13_x_p2970_lanes[2] * f13_x_p4423 -
-      f13_x_p3181_lanes[2] * f13_x_p4426 - f13_x_p3357_lanes[2] * f13_x_p4427 -
-      f13_x_p3526_lanes[2] * f13_x_p4428;
-  const Real f13_x_p4438 = f13_x_p4432 - f13_x_p3612_lanes[7] * f13_x_p4429 - f13_x_p3741 *
-      f13_x_p4434 - f13_x_p3893 * f13_x_p4436 + f13_x_p4415_lanes[1];
-  const Real f13_x_p4439 = f13_x_p4424_lanes[1] - f13_x_p2970_lanes[3] * f13_x_p4423 -
-      f13_x_p3181_lanes[3] * f13_x_p4426 - f13_x_p3357_lanes[3] * f13_x_p4427 -
-      f13_x_p3526_lanes[3] * f13_x_p4428;
-
-  // link 3 (hip), force propagation
-  const Real f13_x_p4440 = f13_x_p3509_lanes[1] + f13_x_p2041_lanes[3] * f13_x_p609_lanes[3] +
-      f13_x_p2021_lanes[3] * f13_x_p705_lanes[3] + f13_x_p2013_lanes[3] * f13_x_p822_lanes[3] +
-      f13_x_p2009_lanes[3] * f13_x_p889_lanes[3];
-
-  // link 1 (calf), force propagation
-  const Real f13_x_p4441 = f13_x_p4433 - f13_x_p3618_lanes[0] * f13_x_p4429 - f13_x_p3742_lanes[0] *
-      f13_x_p4434 - f13_x_p3886_lanes[0] * f13_x_p4436 - f13_x_p4045_lanes[0] * f13_x_p4438;
-  const Real f13_x_p4442 = f13_x_p4435 - f13_x_p3618_lanes[1] * f13_x_p4429 - f13_x_p3742_lanes[1] *
-      f13_x_p4434 - f13_x_p3886_lanes[1] * f13_x_p4436 - f13_x_p4045_lanes[1] * f13_x_p4438;
-  const Real f13_x_p4443 = f13_x_p4437 - f13_x_p3618_lanes[2] * f13_x_p4429 - f13_x_p3742_lanes[2] *
-      f13_x_p4434 - f13_x_p3886_lanes[2] * f13_x_p4436 - f13_x_p4045_lanes[2] * f13_x_p4438;
-  const Real f13_x_p4444 = f13_x_p4439 - f13_x_p3618_lanes[3] * f13_x_p4429 - f13_x_p3742_lanes[3] *
-      f13_x_p4434 - f13_x_p3886_lanes[3] * f13_x_p4436 - f13_x_p4045_lanes[3] * f13_x_p4438;
-  const Real f13_x_p4445 = f13_x_p4441 + f13_x_p4401_lanes[1] - f13_x_p4417_lanes[1];
-  const Real f13_x_p4446 = f13_x_p4440 + f13_x_p2017_lanes[3] * f13_x_p1032_lanes[3] +
-      f13_x_p1377_lanes[3] * f13_x_p1130_lanes[3] - f13_x_p2970_lanes[3] * f13_x_p2825_lanes[3] -
-      f13_x_p3181_lanes[3] * f13_x_p3054_lanes[3];
-  const Real f13_x_p4447 = f13_x_p4442 - f13_x_p4124_lanes[1] * f13_x_p4445;
-  const Real f13_x_p4448 = f13_x_p4443 - f13_x_p4124_lanes[2] * f13_x_p4445 - f13_x_p4175 *
-      f13_x_p4447;
-  const Real f13_x_p4449 = f13_x_p4446 - f13_x_p3357_lanes[3] * f13_x_p3256_lanes[3] -
-      f13_x_p3526_lanes[3] * f13_x_p3420_lanes[3] - f13_x_p3618_lanes[3] * f13_x_p3578_lanes[3] -
-      f13_x_p3742_lanes[3] * f13_x_p3702_lanes[3];
-  const Real f13_x_p4450 = f13_x_p4449 - f13_x_p3886_lanes[3] * f13_x_p3764_lanes[3] -
-      f13_x_p4045_lanes[3] * f13_x_p3982_lanes[3] - f13_x_p4124_lanes[3] * f13_x_p4070_lanes[3] -
-      f13_x_p4176 * f13_x_p4142_lanes[3];
-  const Real f13_x_p4451 = (f13_x_p4444 - f13_x_p4124_lanes[3] * f13_x_p4445 - f13_x_p4176 *
-      f13_x_p4447 - f13_x_p4216 * f13_x_p4448) * (1.0 / (f13_x_p4450 - f13_x_p4216 * f13_x_p4190));
-  const Real f13_x_p4452 = f13_x_p4448 * f13_x_p4199 - f13_x_p4216 * f13_x_p4451;
-  const Real f13_x_p4453 = f13_x_p4447 * f13_x_p4150 - f13_x_p4175 * f13_x_p4452 - f13_x_p4176 *
-      f13_x_p4451;
-  const Real f13_x_p4454 = f13_x_p4445 * f13_x_p4084 - f13_x_p4124_lanes[1] * f13_x_p4453 -
-      f13_x_p4124_lanes[2] * f13_x_p4452 - f13_x_p4124_lanes[3] * f13_x_p4451;
-  const Real f13_x_p4455 = f13_x_p4438 * f13_x_p4015 - f13_x_p4045_lanes[0] * f13_x_p4454 -
-      f13_x_p4045_lanes[1] * f13_x_p4453 - f13_x_p4045_lanes[2] * f13_x_p4452 -
-      f13_x_p4045_lanes[3] * f13_x_p4451;
-  const Real f13_x_p4456 = f13_x_p4436 * f13_x_p3817 - f13_x_p3893 * f13_x_p4455 -
-      f13_x_p3886_lanes[0] * f13_x_p4454 - f13_x_p3886_lanes[1] * f13_x_p4453 -
-      f13_x_p3886_lanes[2] * f13_x_p4452;
-  const Real f13_x_p4457 = f13_x_p4456 - f13_x_p3886_lanes[3] * f13_x_p4451;
-  const Real f13_x_p4458 = f13_x_p4434 * f13_x_p3689 - f13_x_p3736 * f13_x_p4457 - f13_x_p3741 *
-      f13_x_p4455 - f13_x_p3742_lanes[0] * f13_x_p4454 - f13_x_p3742_lanes[1] * f13_x_p4453;
-  const Real f13_x_p4459 = f13_x_p4458 - f13_x_p3742_lanes[2] * f13_x_p4452 - f13_x_p3742_lanes[3] *
-      f13_x_p4451;
-  const Real f13_x_p4460 = f13_x_p4429 * f13_x_p3570 - f13_x_p3612_lanes[5] * f13_x_p4459 -
-      f13_x_p3612_lanes[6] * f13_x_p4457 - f13_x_p3612_lanes[7] * f13_x_p4455 -
-      f13_x_p3618_lanes[0] * f13_x_p4454;
-  const Real f13_x_p4461 = f13_x_p4460 - f13_x_p3618_lanes[1] * f13_x_p4453 - f13_x_p3618_lanes[2] *
-      f13_x_p4452 - f13_x_p3618_lanes[3] * f13_x_p4451;
-  const Real f13_x_p4462 = f13_x_p4428 * f13_x_p3448 - f13_x_p3519_lanes[4] * f13_x_p4461 -
-      f13_x_p3519_lanes[5] * f13_x_p4459 - f13_x_p3519_lanes[6] * f13_x_p4457 -
-      f13_x_p3519_lanes[7] * f13_x_p4455;
+  const Real f13_x_p4456 = f13_x_p4387_lanes[0] - f13_x_p2111_lanes[1] * f13_x_p4453 +
+      f13_x_p4445_lanes[0];
+  const Real f13_x_p4457 = f13_x_p4379_lanes[0] - f13_x_p2111_lanes[2] * f13_x_p4453 -
+      f13_x_p2314_lanes[2] * f13_x_p4456 + f13_x_p4431_lanes[0] - f13_x_p4447_lanes[0];
+  const Real f13_x_p4458 = f13_x_p4449_lanes[0] - f13_x_p2111_lanes[3] * f13_x_p4453 -
+      f13_x_p2314_lanes[3] * f13_x_p4456 - f13_x_p2456_lanes[3] * f13_x_p4457;
+  const Real f13_x_p4459 = f13_x_p4451_lanes[0] - f13_x_p2111_lanes[4] * f13_x_p4453 -
+      f13_x_p2314_lanes[4] * f13_x_p4456 - f13_x_p2456_lanes[4] * f13_x_p4457 -
+      f13_x_p2521_lanes[4] * f13_x_p4458;
+  const Real f13_x_p4460 = f13_x_p4454_lanes[0] - f13_x_p2111_lanes[5] * f13_x_p4453 -
+      f13_x_p2314_lanes[5] * f13_x_p4456 - f13_x_p2456_lanes[5] * f13_x_p4457 -
+      f13_x_p2521_lanes[5] * f13_x_p4458;
+  const Real f13_x_p4461 = f13_x_p4341_lanes[1] - f13_x_p2111_lanes[6] * f13_x_p4453 -
+      f13_x_p2314_lanes[6] * f13_x_p4456 - f13_x_p2456_lanes[6] * f13_x_p4457 -
+      f13_x_p2521_lanes[6] * f13_x_p4458;
+  const Real f13_x_p4462 = f13_x_p4387_lanes[1] - f13_x_p2111_lanes[7] * f13_x_p4453 -
+      f13_x_p2314_lanes[7] * f13_x_p4456 - f13_x_p2456_lanes[7] * f13_x_p4457 -
+      f13_x_p2521_lanes[7] * f13_x_p4458;
+  const Real f13_x_p4463 = f13_x_p4379_lanes[1] - f13_x_p3418_lanes[0] * f13_x_p4453 -
+      f13_x_p3518_lanes[0] * f13_x_p4456 - f13_x_p3610_lanes[0] * f13_x_p4457 -
+      f13_x_p3694_lanes[0] * f13_x_p4458;
+  const Real f13_x_p4464 = f13_x_p4460 - f13_x_p2550_lanes[5] * f13_x_p4459;
+  const Real f13_x_p4465 = f13_x_p4449_lanes[1] - f13_x_p3418_lanes[1] * f13_x_p4453 -
+      f13_x_p3518_lanes[1] * f13_x_p4456 - f13_x_p3610_lanes[1] * f13_x_p4457 -
+      f13_x_p3694_lanes[1] * f13_x_p4458;
+  const Real f13_x_p4466 = f13_x_p4461 - f13_x_p2550_lanes[6] * f13_x_p4459 - f13_x_p2778 *
+      f13_x_p4464 + f13_x_p4443_lanes[1];
+  const Real f13_x_p4467 = f13_x_p4451_lanes[1] - f13_x_p3418_lanes[2] * f13_x_p4453 -
+      f13_x_p3518_lanes[2] * f13_x_p4456 - f13_x_p3610_lanes[2] * f13_x_p4457 -
+      f13_x_p3694_lanes[2] * f13_x_p4458;
+  const Real f13_x_p4468 = f13_x_p4454_lanes[1] - f13_x_p3418_lanes[3] * f13_x_p4453 -
+      f13_x_p3518_lanes[3] * f13_x_p4456 - f13_x_p3610_lanes[3] * f13_x_p4457 -
+      f13_x_p3694_lanes[3] * f13_x_p4458;
+  const Real f13_x_p4469 = f13_x_p4462 - f13_x_p2550_lanes[7] * f13_x_p4459 - f13_x_p2779 *
+      f13_x_p4464 - f13_x_p3001 * f13_x_p4466 + f13_x_p4445_lanes[1];
+  const Real f13_x_p4470 = f13_x_p4463 - f13_x_p3806_lanes[0] * f13_x_p4459 - f13_x_p3892_lanes[0] *
+      f13_x_p4464 - f13_x_p3983_lanes[0] * f13_x_p4466 - f13_x_p4030_lanes[0] * f13_x_p4469;
+  const Real f13_x_p4471 = f13_x_p4465 - f13_x_p3806_lanes[1] * f13_x_p4459 - f13_x_p3892_lanes[1] *
+      f13_x_p4464 - f13_x_p3983_lanes[1] * f13_x_p4466 - f13_x_p4030_lanes[1] * f13_x_p4469;
+  const Real f13_x_p4472 = f13_x_p4467 - f13_x_p3806_lanes[2] * f13_x_p4459 - f13_x_p3892_lanes[2] *
+      f13_x_p4464 - f13_x_p3983_lanes[2] * f13_x_p4466 - f13_x_p4030_lanes[2] * f13_x_p4469;
+  const Real f13_x_p4473 = f13_x_p4468 - f13_x_p3806_lanes[3] * f13_x_p4459 - f13_x_p3892_lanes[3] *
+      f13_x_p4464 - f13_x_p3983_lanes[3] * f13_x_p4466 - f13_x_p4030_lanes[3] * f13_x_p4469;
+  const Real f13_x_p4474 = f13_x_p4470 + f13_x_p4431_lanes[1] - f13_x_p4447_lanes[1];
+  const Real f13_x_p4475 = f13_x_p4471 - f13_x_p4104_lanes[1] * f13_x_p4474;
+  const Real f13_x_p4476 = f13_x_p4472 - f13_x_p4104_lanes[2] * f13_x_p4474 - f13_x_p4163 *
+      f13_x_p4475;
+  const Real f13_x_p4477 = (f13_x_p4473 - f13_x_p4104_lanes[3] * f13_x_p4474 - f13_x_p4164 *
+      f13_x_p4475 - f13_x_p4237 * f13_x_p4476) * (f13_x_p4254 * f13_x_p4251 /
+      (2.2737367544323206e-13 + f13_x_p4254 * f13_x_p4254));
+  const Real f13_x_p4478 = f13_x_p4476 * f13_x_p4216 - f13_x_p4237 * f13_x_p4477;
+  const Real f13_x_p4479 = f13_x_p4475 * f13_x_p4135 - f13_x_p4163 * f13_x_p4478 - f13_x_p4164 *
+      f13_x_p4477;
+  const Real f13_x_p4480 = f13_x_p4474 * f13_x_p4095 - f13_x_p4104_lanes[1] * f13_x_p4479 -
+      f13_x_p4104_lanes[2] * f13_x_p4478 - f13_x_p4104_lanes[3] * f13_x_p4477;
+  const Real f13_x_p4481 = f13_x_p4469 * f13_x_p3185 - f13_x_p4030_lanes[0] * f13_x_p4480 -
+      f13_x_p4030_lanes[1] * f13_x_p4479 - f13_x_p4030_lanes[2] * f13_x_p4478 -
+      f13_x_p4030_lanes[3] * f13_x_p4477;
+  const Real f13_x_p4482 = f13_x_p4466 * f13_x_p2908 - f13_x_p3001 * f13_x_p4481 -
+      f13_x_p3983_lanes[0] * f13_x_p4480 - f13_x_p3983_lanes[1] * f13_x_p4479 -
+      f13_x_p3983_lanes[2] * f13_x_p4478;
+  const Real f13_x_p4483 = f13_x_p4482 - f13_x_p3983_lanes[3] * f13_x_p4477;
+  const Real f13_x_p4484 = f13_x_p4464 * f13_x_p2701 - f13_x_p2778 * f13_x_p4483 - f13_x_p2779 *
+      f13_x_p4481 - f13_x_p3892_lanes[0] * f13_x_p4480 - f13_x_p3892_lanes[1] * f13_x_p4479;
+  const Real f13_x_p4485 = f13_x_p4484 - f13_x_p3892_lanes[2] * f13_x_p4478 - f13_x_p3892_lanes[3] *
+      f13_x_p4477;
+  const Real f13_x_p4486 = f13_x_p4459 * f13_x_p2547 - f13_x_p2550_lanes[5] * f13_x_p4485 -
+      f13_x_p2550_lanes[6] * f13_x_p4483 - f13_x_p2550_lanes[7] * f13_x_p4481 -
+      f13_x_p3806_lanes[0] * f13_x_p4480;
+  const Real f13_x_p4487 = f13_x_p4486 - f13_x_p3806_lanes[1] * f13_x_p4479 - f13_x_p3806_lanes[2] *
+      f13_x_p4478 - f13_x_p3806_lanes[3] * f13_x_p4477;
+  const Real f13_x_p4488 = f13_x_p4458 * f13_x_p2516 - f13_x_p2521_lanes[4] * f13_x_p4487 -
+      f13_x_p2521_lanes[5] * f13_x_p4485 - f13_x_p2521_lanes[6] * f13_x_p4483 -
+      f13_x_p2521_lanes[7] * f13_x_p4481;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_x_p4463_lanes = f13_x_p4297_lanes + wd13_z_lanes;
+  const Lanes<2> f13_x_p4489_lanes = f13_x_p4327_lanes + wd13_z_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_x_p4466_lanes = f13_x_p4267_lanes * inverse_D10_p6_lanes + f13_x_p4463_lanes *
+  const Lanes<2> f13_x_p4492_lanes = f13_x_p4297_lanes * inverse_D10_p6_lanes + f13_x_p4489_lanes *
       inverse_D10_p5_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4467 = f13_x_p4462 - f13_x_p3526_lanes[0] * f13_x_p4454 - f13_x_p3526_lanes[1] *
-      f13_x_p4453 - f13_x_p3526_lanes[2] * f13_x_p4452 - f13_x_p3526_lanes[3] * f13_x_p4451;
+  const Real f13_x_p4493 = f13_x_p4488 - f13_x_p3694_lanes[0] * f13_x_p4480 - f13_x_p3694_lanes[1] *
+      f13_x_p4479 - f13_x_p3694_lanes[2] * f13_x_p4478 - f13_x_p3694_lanes[3] * f13_x_p4477;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_z_p1_lanes = f13_x_p4351_lanes + wd13_x_lanes;
-  const Lanes<2> f13_z_p2_lanes = f13_x_p4337_lanes + wd13_y_lanes;
+  const Lanes<2> f13_z_p1_lanes = f13_x_p4381_lanes + wd13_x_lanes;
+  const Lanes<2> f13_z_p2_lanes = f13_x_p4367_lanes + wd13_y_lanes;
 
   // link 12 (left_wrist2), inertial wrench
   const Lanes<2> f12_y_p5_lanes = 0.0025100003499999995 * wd13_y_p2_lanes - 0.0006000000000000001 *
-      (w12_x_lanes * w12_x_lanes + f13_x_p4251_lanes);
+      (w12_x_lanes * w12_x_lanes + f13_x_p4281_lanes);
 
   // link 12 (left_wrist2), outward
   const Lanes<2> f12_x_p2_lanes = wd13_y_p1_lanes + wd12_z_lanes;
@@ -2945,19 +3010,19 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> f11_x_p2_lanes = w11_z_lanes * w11_z_lanes;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> f12_x_p5_lanes = 0.0025100003499999995 * (f13_x_p4309_lanes + f13_x_p4251_lanes) +
+  const Lanes<2> f12_x_p5_lanes = 0.0025100003499999995 * (f13_x_p4339_lanes + f13_x_p4281_lanes) +
       0.0006000000000000001 * f12_x_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4468 = f13_x_p4427 * f13_x_p3282 - f13_x_p3352_lanes[3] * f13_x_p4467 -
-      f13_x_p3352_lanes[4] * f13_x_p4461 - f13_x_p3352_lanes[5] * f13_x_p4459 -
-      f13_x_p3352_lanes[6] * f13_x_p4457;
+  const Real f13_x_p4494 = f13_x_p4457 * f13_x_p2431 - f13_x_p2456_lanes[3] * f13_x_p4493 -
+      f13_x_p2456_lanes[4] * f13_x_p4487 - f13_x_p2456_lanes[5] * f13_x_p4485 -
+      f13_x_p2456_lanes[6] * f13_x_p4483;
 
   // link 13 (left_hand), outward
-  const Lanes<2> f13_y_p1_lanes = wd13_z_lanes - f13_x_p4297_lanes;
+  const Lanes<2> f13_y_p1_lanes = wd13_z_lanes - f13_x_p4327_lanes;
 
   // link 12 (left_wrist2), outward
-  const Lanes<2> f12_z_p2_lanes = wd12_x_lanes - f13_x_p4297_lanes;
+  const Lanes<2> f12_z_p2_lanes = wd12_x_lanes - f13_x_p4327_lanes;
 
   // link 11 (left_wrist1), inertial wrench
   const Lanes<2> f11_x_p6_lanes = detail::make_pack<Real>(0.001, (-0.001)) * wd13_x_p6_lanes -
@@ -2967,7 +3032,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> f11_y_p1_lanes = wd13_x_p1_lanes + wd11_z_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> f13_y_p4_lanes = f13_y_p1_lanes * inverse_D10_p6_lanes - f13_x_p4323_lanes *
+  const Lanes<2> f13_y_p4_lanes = f13_y_p1_lanes * inverse_D10_p6_lanes - f13_x_p4353_lanes *
       inverse_D10_p5_lanes;
 
   // link 11 (left_wrist1), outward
@@ -2978,17 +3043,17 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       f12_z_p2_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4469 = f13_x_p4468 - f13_x_p3352_lanes[7] * f13_x_p4455 - f13_x_p3357_lanes[0] *
-      f13_x_p4454 - f13_x_p3357_lanes[1] * f13_x_p4453 - f13_x_p3357_lanes[2] * f13_x_p4452;
+  const Real f13_x_p4495 = f13_x_p4494 - f13_x_p2456_lanes[7] * f13_x_p4481 - f13_x_p3610_lanes[0] *
+      f13_x_p4480 - f13_x_p3610_lanes[1] * f13_x_p4479 - f13_x_p3610_lanes[2] * f13_x_p4478;
 
   // link 10 (left_lowerarm), outward
   const Lanes<2> f10_z_p1_lanes = wd10_y_p3_lanes - wd10_y_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4470 = f13_x_p4469 - f13_x_p3357_lanes[3] * f13_x_p4451;
+  const Real f13_x_p4496 = f13_x_p4495 - f13_x_p3610_lanes[3] * f13_x_p4477;
 
   // link 24 (right_eye), inertial wrench
-  const Real f13_z = f13_z_p5_lanes[0] + f13_x_p4470;
+  const Real f13_z = f13_z_p5_lanes[0] + f13_x_p4496;
 
   // link 11 (left_wrist1), inertial wrench
   const Lanes<2> f11_y_p6_lanes = 6e-04 * f11_y_p1_lanes -
@@ -3002,17 +3067,17 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       minus_a12_y_p37_lanes;
 
   // link 13 (left_hand), inertial wrench
-  const Lanes<2> n13_x_p7_lanes = (f13_x_p4257_lanes - f13_x_p4251_lanes) * inverse_D12_p5_lanes;
+  const Lanes<2> n13_x_p7_lanes = (f13_x_p4287_lanes - f13_x_p4281_lanes) * inverse_D12_p5_lanes;
   const Lanes<2> n13_x_p9_lanes = f13_z_p1_lanes * inverse_D11_p9_lanes - f13_z_p2_lanes *
       inverse_D11_p7_lanes - f13_y_p1_lanes * inverse_D11_p3_lanes + n13_x_p7_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4471 = f13_x_p4426 * f13_x_p3079 - f13_x_p3173_lanes[2] * f13_x_p4470 -
-      f13_x_p3173_lanes[3] * f13_x_p4467 - f13_x_p3173_lanes[4] * f13_x_p4461 -
-      f13_x_p3173_lanes[5] * f13_x_p4459;
+  const Real f13_x_p4497 = f13_x_p4456 * f13_x_p2256 - f13_x_p2314_lanes[2] * f13_x_p4496 -
+      f13_x_p2314_lanes[3] * f13_x_p4493 - f13_x_p2314_lanes[4] * f13_x_p4487 -
+      f13_x_p2314_lanes[5] * f13_x_p4485;
 
   // link 12 (left_wrist2), inertial wrench
-  const Lanes<2> n13_z_p6_lanes = f13_x_p4251_lanes - f13_x_p4309_lanes;
+  const Lanes<2> n13_z_p6_lanes = f13_x_p4281_lanes - f13_x_p4339_lanes;
 
   // link 13 (left_hand), inertial wrench
   const Lanes<2> n13_x_p10_lanes = n13_x_p9_lanes + inverse_D10_p5_lanes * a12_x_lanes;
@@ -3023,12 +3088,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       0.0025100003499999995 * a12_z_lanes;
 
   // link 24 (right_eye), inertial wrench
-  const Real n13_x = n13_x_p10_lanes[0] + f13_x_p4467;
+  const Real n13_x = n13_x_p10_lanes[0] + f13_x_p4493;
 
   // link 13 (left_hand), inertial wrench
   const Lanes<2> n13_z_p11_lanes = inverse_D10_p6_lanes * a12_z_lanes + inverse_D10_p5_lanes *
       minus_a12_y_lanes;
-  const Lanes<2> n13_z_p12_lanes = 0.0009386316083993107 * wd13_z_lanes - f13_x_p4297_lanes *
+  const Lanes<2> n13_z_p12_lanes = 0.0009386316083993107 * wd13_z_lanes - f13_x_p4327_lanes *
       (inverse_D12_p10_lanes - inverse_D11_p9_lanes) + wd13_x_p11_lanes * inverse_D11_p3_lanes;
 
   // link 13 (left_hand), inward
@@ -3043,8 +3108,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       0.0006000000000000001 * a12_z_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4472 = f13_x_p4471 - f13_x_p3173_lanes[6] * f13_x_p4457 - f13_x_p3173_lanes[7] *
-      f13_x_p4455 - f13_x_p3181_lanes[0] * f13_x_p4454 - f13_x_p3181_lanes[1] * f13_x_p4453;
+  const Real f13_x_p4498 = f13_x_p4497 - f13_x_p2314_lanes[6] * f13_x_p4483 - f13_x_p2314_lanes[7] *
+      f13_x_p4481 - f13_x_p3518_lanes[0] * f13_x_p4480 - f13_x_p3518_lanes[1] * f13_x_p4479;
 
   // link 11 (left_wrist1), inertial wrench
   const Lanes<2> n11_x_p7_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
@@ -3058,13 +3123,13 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> n12_z_p4_lanes = 0.0025100003499999995 * minus_a12_y_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4473 = f13_x_p4472 - f13_x_p3181_lanes[2] * f13_x_p4452 - f13_x_p3181_lanes[3] *
-      f13_x_p4451;
+  const Real f13_x_p4499 = f13_x_p4498 - f13_x_p3518_lanes[2] * f13_x_p4478 - f13_x_p3518_lanes[3] *
+      f13_x_p4477;
 
   // link 24 (right_eye), inertial wrench
-  const Real n13_z = n13_z_p15_lanes[0] + f13_x_p4459;
+  const Real n13_z = n13_z_p15_lanes[0] + f13_x_p4485;
   tau[12] = n13_z;
-  const Real f13_y = f13_y_p4_lanes[0] + f13_x_p4473;
+  const Real f13_y = f13_y_p4_lanes[0] + f13_x_p4499;
 
   // link 13 (left_hand), inward
   const Lanes<2> n12_z_p11_lanes = inverse_D10_p9_lanes * a12_x_lanes;
@@ -3099,13 +3164,13 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       wd13_x_p7_lanes - n11_y_p7_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4474 = f13_x_p4423 * f13_x_p2893 - f13_x_p2963_lanes[1] * f13_x_p4473 -
-      f13_x_p2963_lanes[2] * f13_x_p4470 - f13_x_p2963_lanes[3] * f13_x_p4467 -
-      f13_x_p2963_lanes[4] * f13_x_p4461;
+  const Real f13_x_p4500 = f13_x_p4453 * f13_x_p2053 - f13_x_p2111_lanes[1] * f13_x_p4499 -
+      f13_x_p2111_lanes[2] * f13_x_p4496 - f13_x_p2111_lanes[3] * f13_x_p4493 -
+      f13_x_p2111_lanes[4] * f13_x_p4487;
 
   // link 13 (left_hand), inward
   const Lanes<2> n12_z_p16_lanes = n12_z_p13_lanes + f13_z_p2_lanes * inverse_D12_p10_lanes -
-      f13_x_p4463_lanes * inverse_D12_p5_lanes - f13_z_p1_lanes * inverse_D11_p7_lanes;
+      f13_x_p4489_lanes * inverse_D12_p5_lanes - f13_z_p1_lanes * inverse_D11_p7_lanes;
 
   // link 11 (left_wrist1), inertial wrench
   const Lanes<2> n11_z_p6_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) *
@@ -3122,7 +3187,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       (-0.0001499998887063)) * (minus_a12_y_p24_lanes - n10_x_p4_lanes);
 
   // link 13 (left_hand), inward
-  const Lanes<2> n12_z_p17_lanes = n12_z_p16_lanes + (f13_x_p4309_lanes - f13_x_p4257_lanes) *
+  const Lanes<2> n12_z_p17_lanes = n12_z_p16_lanes + (f13_x_p4339_lanes - f13_x_p4287_lanes) *
       inverse_D11_p3_lanes;
 
   // link 11 (left_wrist1), inertial wrench
@@ -3145,7 +3210,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       wd13_x_p1_lanes + 0.000144 * a12_z_p3_lanes - n11_z_p6_lanes;
 
   // link 13 (left_hand), inward
-  const Real n12_z = n12_z_p17_lanes[0] + f13_x_p4461 - n12_z_p11_lanes[0];
+  const Real n12_z = n12_z_p17_lanes[0] + f13_x_p4487 - n12_z_p11_lanes[0];
   tau[11] = n12_z;
 
   // link 10 (left_lowerarm), inertial wrench
@@ -3155,8 +3220,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> n10_x_p12_lanes = n10_x_p11_lanes - 0.28049749700000004 * minus_a10_z_lanes;
 
   // link 1 (calf), force propagation
-  const Real f13_x_p4475 = f13_x_p4474 - f13_x_p2963_lanes[5] * f13_x_p4459 - f13_x_p2963_lanes[6] *
-      f13_x_p4457 - f13_x_p2963_lanes[7] * f13_x_p4455 - f13_x_p2970_lanes[0] * f13_x_p4454;
+  const Real f13_x_p4501 = f13_x_p4500 - f13_x_p2111_lanes[5] * f13_x_p4485 - f13_x_p2111_lanes[6] *
+      f13_x_p4483 - f13_x_p2111_lanes[7] * f13_x_p4481 - f13_x_p3418_lanes[0] * f13_x_p4480;
 
   // link 10 (left_lowerarm), inertial wrench
   const Lanes<2> n10_z_p4_lanes = detail::make_pack<Real>(0.0001499998887063,
@@ -3203,8 +3268,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       0.28049749700000004 * minus_a12_y_p33_lanes;
 
   // link 24 (right_eye), inertial wrench
-  const Real f13_x = f13_x_p4475 - f13_x_p2970_lanes[1] * f13_x_p4453 - f13_x_p2970_lanes[2] *
-      f13_x_p4452 - f13_x_p2970_lanes[3] * f13_x_p4451 - f13_x_p4466_lanes[0];
+  const Real f13_x = f13_x_p4501 - f13_x_p3418_lanes[1] * f13_x_p4479 - f13_x_p3418_lanes[2] *
+      f13_x_p4478 - f13_x_p3418_lanes[3] * f13_x_p4477 - f13_x_p4492_lanes[0];
 
   // link 10 (left_lowerarm), inertial wrench
   const Lanes<2> f10_y_p3_lanes = 0.0014999985000000002 * n10_x_p3_lanes - 0.28049749700000004 *
@@ -3304,7 +3369,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       detail::make_pack<Real>(0.004500002325, (-0.004500002325)) * a9_x_lanes;
 
   // link 7 (left_shoulder1), outward
-  const Lanes<2> n7_y_p1_lanes = minus_a12_y_p4_lanes - wd7_z_lanes;
+  const Lanes<2> n7_y_p1_lanes = minus_a12_y_p3_lanes - wd7_z_lanes;
 
   // link 7 (left_shoulder1), inertial wrench
   const Lanes<2> n7_x_p12_lanes = 0.0001505 * n7_x_p1_lanes + 8.75e-06 * minus_a12_y_p12_lanes -
@@ -3389,7 +3454,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       minus_a12_y_p28_lanes - 0.0022500062 * n9_x_p2_lanes;
 
   // link 24 (right_eye), inertial wrench
-  const Real f20_x = f13_x_p4457 - f13_x_p4466_lanes[1];
+  const Real f20_x = f13_x_p4483 - f13_x_p4492_lanes[1];
 
   // link 8 (left_shoulder2), inertial wrench
   const Lanes<2> f8_y_p4_lanes = 0.7139200499999999 * minus_a12_y_p15_lanes -
@@ -3399,13 +3464,13 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       (-0.0017499999999999998)) * n8_y_p2_lanes - 0.7139200499999999 * a10_x_p3_lanes;
 
   // link 24 (right_eye), inertial wrench
-  const Real f20_z = f13_z_p5_lanes[1] + f13_x_p4454;
+  const Real f20_z = f13_z_p5_lanes[1] + f13_x_p4480;
 
   // link 10 (left_lowerarm), inward
   const Real f9_z = f9_z_p3_lanes[0] - (s10 * f10_x + c10 * f10_y);
 
   // link 24 (right_eye), inertial wrench
-  const Real f20_y = f13_y_p4_lanes[1] + f13_x_p4455;
+  const Real f20_y = f13_y_p4_lanes[1] + f13_x_p4481;
 
   // link 20 (right_hand), inward
   const Real f19_y = f12_y_p5_lanes[1] + f20_x;
@@ -3425,7 +3490,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
       (minus_a12_y_p7_lanes + (n7_y_p3_lanes + n7_x_p4_lanes));
 
   // link 24 (right_eye), inertial wrench
-  const Real n20_x = n13_x_p10_lanes[1] + f13_x_p4453;
+  const Real n20_x = n13_x_p10_lanes[1] + f13_x_p4479;
 
   // link 7 (left_shoulder1), inertial wrench
   const Lanes<2> n7_y_p11_lanes = n7_y_p10_lanes + n7_x_p7_lanes;
@@ -3434,7 +3499,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f19_z = f12_z_p4_lanes[1] + f20_y;
 
   // link 24 (right_eye), inertial wrench
-  const Real n20_z = n13_z_p15_lanes[1] + f13_x_p4451;
+  const Real n20_z = n13_z_p15_lanes[1] + f13_x_p4477;
   tau[19] = n20_z;
 
   // link 9 (left_upperarm), inward
@@ -3452,7 +3517,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real n8_y = n8_y_p12_lanes[0] + (s9 * n9_x + c9 * n9_y);
 
   // link 20 (right_hand), inward
-  const Real n19_z = n12_z_p17_lanes[1] + f13_x_p4452 - n12_z_p11_lanes[1];
+  const Real n19_z = n12_z_p17_lanes[1] + f13_x_p4478 - n12_z_p11_lanes[1];
   tau[18] = n19_z;
 
   // link 9 (left_upperarm), inward
@@ -3711,7 +3776,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real n22_z_p1 = w22_x * w22_x;
 
   // link 7 (left_shoulder1), inertial wrench
-  const Lanes<2> n7_z_p11_lanes = 0.00014700000000000002 * minus_a12_y_p4_lanes + 0.000448 *
+  const Lanes<2> n7_z_p11_lanes = 0.00014700000000000002 * minus_a12_y_p3_lanes + 0.000448 *
       wd7_z_lanes + detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) *
       wd7_x_p4_lanes - n7_z_p4_lanes;
 
@@ -3803,7 +3868,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real f21_z = 0.0045000000000000005 * n21_y_p1 - (s22 * f22_x + c22 * f22_y);
 
   // link 14 (right_shoulder1), inward
-  const Real n6_x_p3 = 0.40041499999999997 * minus_a12_y_p3 + 0.0187369177636143 * minus_a7_z_p2 -
+  const Real n6_x_p3 = 0.40041499999999997 * minus_a12_y_p4 + 0.0187369177636143 * minus_a7_z_p2 -
       n21_z + (s14 * n14_x + c14 * n14_y + (-0.18) * n6_x_p2);
 
   // link 7 (left_shoulder1), inward
@@ -3848,10 +3913,10 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 6 (chest3), inward
   const Real n5_x_p1 = s6 * f6_x + c6 * f6_y;
   const Real f5_x = 2.2194301519999997 * a6_z_p1 - 0.069699984375 * (f5_x_p1 + a6_x_p1) + f6_z;
-  const Real f5_y = 0.069699984375 * wd6_x_p3 + 2.2194301519999997 * a6_x_p3 +
+  const Real f5_y = 0.069699984375 * wd6_x_p4 + 2.2194301519999997 * a6_x_p3 +
       (c6 * f6_x - s6 * f6_y);
-  const Real f5_z = 0.069699984375 * wd6_x_p4 - 2.2194301519999997 * a6_x_p4 + n5_x_p1;
-  const Real n5_y = 0.005678398088837119 * a6_x_p4 - 0.04675382692737882 * wd6_x_p4 +
+  const Real f5_z = 0.069699984375 * wd6_x_p3 - 2.2194301519999997 * a6_x_p4 + n5_x_p1;
+  const Real n5_y = 0.005678398088837119 * a6_x_p4 - 0.04675382692737882 * wd6_x_p3 +
       0.069699984375 * minus_a5_z + (c6 * n6_x - s6 * n6_y);
 
   // link 5 (chest2), inertial wrench
@@ -3866,7 +3931,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   // link 6 (chest3), inward
   const Real n5_z = n5_z_p1 + (s6 * n6_x + c6 * n6_y + 0.072 * f6_z);
   tau[4] = n5_z;
-  const Real n5_x = 0.15637308509675518 * a6_x_p4 - 0.005678398088837119 * wd6_x_p4 +
+  const Real n5_x = 0.15637308509675518 * a6_x_p4 - 0.005678398088837119 * wd6_x_p3 +
       2.2194301519999997 * minus_a5_z + (n6_z - 0.072 * n5_x_p1);
   const Real f2_x_p1 = 0.031999971599999996 * c2 + 24.5839218 * s2;
 

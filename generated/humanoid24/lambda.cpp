@@ -1,6 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
 // By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
-// 7979 flops (add 3436, mul 4499, div 44), sine and cosine of 24 angles
+// 8039 flops (add 3448, mul 4547, div 44), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -962,1931 +962,1989 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real inverse_D4_p14 = 0.005678398088837119 - 0.072 * inverse_D4_p6 + inverse_D4_p9 *
       inverse_D4_p11;
   const Real inverse_D3_p46 = inverse_D4_p6 - 0.069699984375 - inverse_D4_p7 * inverse_D3_p36;
-  const Real inverse_D3_p47 = inverse_D4_p9 * inverse_D3_p36 -
-      (2.2194301519999997 + 0.072 * inverse_D4_p5);
-  const Real inverse_D3_p48 = s5 * (inverse_D3_p38 - inverse_D3_p37) + inverse_D3_p16 *
-      inverse_D3_p39;
 
-  // link 7 (left_shoulder1), articulated inertia
-  const Lanes<2> Lambda_11_11_p3_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) / inverse_D7_p20_lanes;
-
-  // link 3 (hip), pose
-  const Real Lambda_11_11_p5 = Lambda_11_11_p1 * c1 + Lambda_11_11_p2 * s1;
-  const Real inverse_D2_p1 = 0.422 * c2;
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p3 = s5 * s4;
 
   // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p47 = inverse_D4_p9 * inverse_D3_p36 -
+      (2.2194301519999997 + 0.072 * inverse_D4_p5);
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p4 = c5 * s4;
+
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p48 = s5 * (inverse_D3_p38 - inverse_D3_p37) + inverse_D3_p16 *
+      inverse_D3_p39;
+  const Real inverse_D2_p1 = 0.422 * c2;
   const Real inverse_D3_p49 = s5 * (inverse_D3_p40 - inverse_D3_p41) + c5 *
       (inverse_D3_p42 + inverse_D3_p43);
   const Real inverse_D2_p2 = 0.422 * s2;
-
-  // link 3 (hip), pose
-  const Real Lambda_11_11_p6 = Lambda_11_11_p2 * c1 - Lambda_11_11_p1 * s1;
-
-  // link 5 (chest2), articulated inertia
   const Real inverse_D3_p50 = s5 * inverse_D3_p48;
   const Real inverse_D4_p15 = s5 * (inverse_D4_p12 - inverse_D4_p13) + inverse_D3_p16 *
       inverse_D4_p14;
 
-  // link 5 (chest2), pose
-  const Real Lambda_11_11_p7 = c4 * Lambda_11_11_p5;
-  const Real Lambda_11_11_p8 = s4 * Lambda_11_11_p5;
+  // link 6 (chest3), pose
+  const Real Lambda_11_11_p9 = s6 * c4 - c6 * Lambda_11_11_p3;
+  const Real Lambda_11_11_p10 = s6 * Lambda_11_11_p3 + c6 * c4;
 
   // link 5 (chest2), articulated inertia
   const Real inverse_D3_p51 = s5 * inverse_D3_p49;
   const Real inverse_D3_p52 = s5 * inverse_D3_p46 - c5 * inverse_D3_p47;
-  const Real inverse_D3_p53 = c5 * inverse_D3_p49;
+  const Lanes<2> Lambda_11_11_p11_lanes = 0.086 * detail::make_pack<Real>(s13, s20);
   const Real inverse_D4_p16 = s5 * inverse_D4_p15;
+  const Real inverse_D3_p53 = c5 * inverse_D3_p49;
   const Real inverse_D3_p54 = inverse_D3_p38 - inverse_D3_p50;
+  const Lanes<2> Lambda_11_11_p21_lanes = 0.086 * detail::make_pack<Real>(c13, c20);
+  const Real inverse_D2_p3 = inverse_D3_p41 + inverse_D3_p51;
 
-  // link 5 (chest2), pose
-  const Real Lambda_11_11_p9 = s5 * s4;
-  const Real Lambda_11_11_p10 = s5 * Lambda_11_11_p7 - c5 * Lambda_11_11_p6;
-  const Real Lambda_11_11_p11 = c5 * s4;
-  const Real Lambda_11_11_p12 = s5 * Lambda_11_11_p6 + c5 * Lambda_11_11_p7;
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_11_11_p23_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p9 -
+      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p4;
+  const Lanes<2> Lambda_11_11_p25_lanes = detail::make_pack<Real>(s7, s14) * Lambda_11_11_p9 +
+      detail::make_pack<Real>(c7, c14) * Lambda_11_11_p4;
 
   // link 4 (chest1), articulated inertia
   const Real inverse_D4 = 1.0 / (0.060169103246295166 + (inverse_D4_p13 + inverse_D4_p16));
 
-  // link 6 (chest3), pose
-  const Real Lambda_11_11_p21 = s6 * c4 - c6 * Lambda_11_11_p9;
-  const Real Lambda_11_11_p22 = s6 * Lambda_11_11_p9 + c6 * c4;
-
   // link 5 (chest2), articulated inertia
+  const Real inverse_D2_p4 = s4 * (s5 * inverse_D3_p45 + c5 * inverse_D3_p44) - c4 *
+      (c5 * inverse_D3_p48 - inverse_D3_p39);
   const Real inverse_D3_p55 = c4 * (2.0 * (s5 * inverse_D3_p44 - c5 * inverse_D3_p45)) - s4 *
       (inverse_D3_p54 - (inverse_D4_p5 - inverse_D4_p8 * inverse_D3_p36));
   const Real inverse_D3_p56 = s4 * (s5 * inverse_D3_p47 + c5 * inverse_D3_p46) - c4 *
       (inverse_D3_p53 - inverse_D3_p43);
-  const Real inverse_D2_p3 = s4 * (s5 * inverse_D3_p45 + c5 * inverse_D3_p44) - c4 *
-      (c5 * inverse_D3_p48 - inverse_D3_p39);
-  const Real inverse_D2_p4 = inverse_D3_p41 + inverse_D3_p51;
 
-  // link 6 (chest3), pose
-  const Real Lambda_11_11_p23 = c6 * Lambda_11_11_p10 + s6 * Lambda_11_11_p8;
-
-  // link 5 (chest2), pose
-  const Real Lambda_11_11_p24 = c4 * Lambda_11_11_p6;
-
-  // link 6 (chest3), pose
-  const Real Lambda_11_11_p25 = c6 * Lambda_11_11_p8 - s6 * Lambda_11_11_p10;
-
-  // link 5 (chest2), pose
-  const Real Lambda_11_11_p30 = s4 * Lambda_11_11_p6;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_11_11_p43_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p21 -
-      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p11;
-  const Lanes<2> Lambda_11_11_p45_lanes = detail::make_pack<Real>(s7, s14) * Lambda_11_11_p21 +
-      detail::make_pack<Real>(c7, c14) * Lambda_11_11_p11;
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_11_11_p31_lanes = detail::make_pack<Real>(c8, c15) * Lambda_11_11_p10 -
+      detail::make_pack<Real>(s8, s15) * Lambda_11_11_p23_lanes;
+  const Lanes<2> Lambda_11_11_p33_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_11_11_p23_lanes + detail::make_pack<Real>(s8, s15) * Lambda_11_11_p10;
 
   // link 5 (chest2), articulated inertia
-  const Real inverse_D3_p57 = inverse_D3_p54 + s4 * inverse_D3_p55;
-  const Real inverse_D3_p58 = inverse_D3_p52 - c4 *
-      (c4 * inverse_D3_p52 - s4 * (inverse_D3_p40 - inverse_D3_p51));
   const Real inverse_D2_p5 = 0.0300000063 * s4 + inverse_D3_p56;
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_11_11_p47_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p23 +
-      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p12;
-  const Lanes<2> Lambda_11_11_p49_lanes = detail::make_pack<Real>(s7, s14) * Lambda_11_11_p23 -
-      detail::make_pack<Real>(c7, c14) * Lambda_11_11_p12;
-
-  // link 5 (chest2), pose
-  const Real Lambda_11_11_p51 = s5 * Lambda_11_11_p24 + c5 * Lambda_11_11_p5;
-  const Real Lambda_11_11_p52 = c5 * Lambda_11_11_p24 - s5 * Lambda_11_11_p5;
-
-  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p57 = inverse_D3_p52 - c4 *
+      (c4 * inverse_D3_p52 - s4 * (inverse_D3_p40 - inverse_D3_p51));
+  const Real inverse_D3_p58 = inverse_D3_p54 + s4 * inverse_D3_p55;
   const Real inverse_D3_p59 = 0.21799999999999997 * inverse_D3_p56 +
       (0.005880002159562879 - (c5 * inverse_D4_p15 - inverse_D4_p14)) * s4;
 
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_11_11_p65_lanes = detail::make_pack<Real>(c8, c15) * Lambda_11_11_p22 -
-      detail::make_pack<Real>(s8, s15) * Lambda_11_11_p43_lanes;
-  const Lanes<2> Lambda_11_11_p67_lanes = 0.086 * detail::make_pack<Real>(c13, c20);
-  const Lanes<2> Lambda_11_11_p69_lanes = 0.086 * detail::make_pack<Real>(s13, s20);
+  // link 16 (right_upperarm), pose
+  const Real Lambda_11_11_p35 = s16 * Lambda_11_11_p31_lanes[1] + c16 * Lambda_11_11_p25_lanes[1];
+  const Real Lambda_11_11_p36 = c16 * Lambda_11_11_p31_lanes[1] - s16 * Lambda_11_11_p25_lanes[1];
 
   // link 4 (chest1), articulated inertia
   const Real inverse_D3_p60 = inverse_D3_p59 * inverse_D4;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_11_11_p71_lanes = detail::make_pack<Real>(c8, c15) *
-      Lambda_11_11_p43_lanes + detail::make_pack<Real>(s8, s15) * Lambda_11_11_p22;
-
-  // link 5 (chest2), articulated inertia
-  const Real inverse_D3_p61 = inverse_D3_p58 + 0.21799999999999997 * inverse_D3_p57;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p6 = inverse_D2_p4 * inverse_D4;
+  const Real inverse_D2_p6 = inverse_D2_p3 * inverse_D4;
   const Real inverse_D2_p7 = inverse_D2_p5 * inverse_D4;
 
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_11_11_p73_lanes = detail::make_pack<Real>(c8, c15) * Lambda_11_11_p25 -
-      detail::make_pack<Real>(s8, s15) * Lambda_11_11_p47_lanes;
-  const Lanes<2> Lambda_11_11_p75_lanes = detail::make_pack<Real>(c8, c15) *
-      Lambda_11_11_p47_lanes + detail::make_pack<Real>(s8, s15) * Lambda_11_11_p25;
-
-  // link 6 (chest3), pose
-  const Real Lambda_11_11_p77 = c6 * Lambda_11_11_p51 + s6 * Lambda_11_11_p30;
-  const Real Lambda_11_11_p78 = s6 * Lambda_11_11_p51 - c6 * Lambda_11_11_p30;
-
-  // link 16 (right_upperarm), pose
-  const Real Lambda_11_11_p87 = s16 * Lambda_11_11_p65_lanes[1] + c16 * Lambda_11_11_p45_lanes[1];
-  const Real Lambda_11_11_p88 = c16 * Lambda_11_11_p65_lanes[1] - s16 * Lambda_11_11_p45_lanes[1];
-  const Real Lambda_11_11_p89 = s16 * Lambda_11_11_p73_lanes[1] + c16 * Lambda_11_11_p49_lanes[1];
-  const Real Lambda_11_11_p90 = c16 * Lambda_11_11_p73_lanes[1] - s16 * Lambda_11_11_p49_lanes[1];
-
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> Lambda_11_11_p91_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p77 +
-      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p52;
-  const Lanes<2> Lambda_11_11_p93_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p52 -
-      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p77;
-
-  // link 4 (chest1), articulated inertia
-  const Real inverse_D2_p8 = 0.0300000063 * c4 + (0.21799999999999997 * inverse_D2_p3 - s4 *
-      (inverse_D3_p53 - inverse_D3_p42)) - inverse_D3_p59 * inverse_D2_p6;
+  // link 5 (chest2), articulated inertia
+  const Real inverse_D3_p61 = inverse_D3_p57 + 0.21799999999999997 * inverse_D3_p58;
 
   // link 17 (right_lowerarm), pose
-  const Real Lambda_11_11_p99 = c17 * Lambda_11_11_p87 + s17 * Lambda_11_11_p71_lanes[1];
+  const Real Lambda_11_11_p37 = c17 * Lambda_11_11_p35 + s17 * Lambda_11_11_p33_lanes[1];
+  const Real Lambda_11_11_p38 = c17 * Lambda_11_11_p33_lanes[1] - s17 * Lambda_11_11_p35;
+
+  // link 4 (chest1), articulated inertia
+  const Real inverse_D2_p8 = 0.0300000063 * c4 + (0.21799999999999997 * inverse_D2_p4 - s4 *
+      (inverse_D3_p53 - inverse_D3_p42)) - inverse_D3_p59 * inverse_D2_p6;
+
+  // link 18 (right_wrist1), pose
+  const Real Lambda_11_11_p39 = c18 * Lambda_11_11_p37 + s18 * Lambda_11_11_p36;
+  const Real Lambda_11_11_p40 = c18 * Lambda_11_11_p36 - s18 * Lambda_11_11_p37;
 
   // link 4 (chest1), articulated inertia
   const Real inverse_D2_p9 = 0.02999999505 + inverse_D2_p8;
-
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_11_11_p100 = c17 * Lambda_11_11_p71_lanes[1] - s17 * Lambda_11_11_p87;
-
-  // link 4 (chest1), articulated inertia
   const Real inverse_D2_p10 = 8.419374554 + (inverse_D3_p61 - inverse_D3_p59 * inverse_D2_p7);
 
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_11_11_p101 = c17 * Lambda_11_11_p89 + s17 * Lambda_11_11_p75_lanes[1];
-  const Real Lambda_11_11_p102 = c17 * Lambda_11_11_p75_lanes[1] - s17 * Lambda_11_11_p89;
+  // link 8 (left_shoulder2), articulated inertia
+  const Lanes<2> Lambda_11_11_p41_lanes = 0.00010499999999999999 / inverse_D8_p163_lanes;
 
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> Lambda_11_11_p103_lanes = detail::make_pack<Real>(s8, s15) *
-      Lambda_11_11_p91_lanes + detail::make_pack<Real>(c8, c15) * Lambda_11_11_p78;
-  const Lanes<2> Lambda_11_11_p105_lanes = detail::make_pack<Real>(s8, s15) * Lambda_11_11_p78 -
-      detail::make_pack<Real>(c8, c15) * Lambda_11_11_p91_lanes;
+  // link 19 (right_wrist2), pose
+  const Real Lambda_11_11_p43 = c19 * Lambda_11_11_p38 - s19 * Lambda_11_11_p39;
+  const Real Lambda_11_11_p44 = c19 * Lambda_11_11_p39 + s19 * Lambda_11_11_p38;
 
   // link 4 (chest1), articulated inertia
   const Real inverse_D3_p62 = 1.7947593951550056 + 0.21799999999999997 *
-      (inverse_D3_p58 + inverse_D3_p61) - inverse_D3_p59 * inverse_D3_p60 +
+      (inverse_D3_p57 + inverse_D3_p61) - inverse_D3_p59 * inverse_D3_p60 +
       (0.03561389675370483 + (inverse_D4_p12 - inverse_D4_p16)) * s4 * s4;
 
-  // link 18 (right_wrist1), pose
-  const Real Lambda_11_11_p107 = c18 * Lambda_11_11_p99 + s18 * Lambda_11_11_p88;
-  const Real Lambda_11_11_p108 = c18 * Lambda_11_11_p88 - s18 * Lambda_11_11_p99;
+  // link 3 (hip), pose
+  const Real Lambda_11_11_p45 = Lambda_11_11_p2 * c1 - Lambda_11_11_p1 * s1;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D3 = 1.0 / inverse_D3_p62;
 
-  // link 18 (right_wrist1), pose
-  const Real Lambda_11_11_p109 = c18 * Lambda_11_11_p101 + s18 * Lambda_11_11_p90;
-  const Real Lambda_11_11_p110 = c18 * Lambda_11_11_p90 - s18 * Lambda_11_11_p101;
+  // link 3 (hip), pose
+  const Real Lambda_11_11_p46 = Lambda_11_11_p1 * c1 + Lambda_11_11_p2 * s1;
 
-  // link 16 (right_upperarm), pose
-  const Real Lambda_11_11_p111 = s16 * Lambda_11_11_p103_lanes[1] + c16 * Lambda_11_11_p93_lanes[1];
-  const Real Lambda_11_11_p112 = c16 * Lambda_11_11_p103_lanes[1] - s16 * Lambda_11_11_p93_lanes[1];
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p47 = c4 * Lambda_11_11_p45;
+  const Real Lambda_11_11_p48 = s4 * Lambda_11_11_p45;
 
-  // link 19 (right_wrist2), pose
-  const Real Lambda_11_11_p113 = c19 * Lambda_11_11_p100 - s19 * Lambda_11_11_p107;
-  const Real Lambda_11_11_p114 = c19 * Lambda_11_11_p107 + s19 * Lambda_11_11_p100;
-  const Real Lambda_11_11_p115 = c19 * Lambda_11_11_p102 - s19 * Lambda_11_11_p109;
-  const Real Lambda_11_11_p116 = c19 * Lambda_11_11_p109 + s19 * Lambda_11_11_p102;
+  // link 1 (calf), articulated inertia
+  const Real Lambda_11_11_p49 = Lambda_11_11_p21_lanes[1] * Lambda_11_11_p40 -
+      Lambda_11_11_p11_lanes[1] * Lambda_11_11_p43;
 
-  // link 17 (right_lowerarm), pose
-  const Real Lambda_11_11_p117 = c17 * Lambda_11_11_p111 + s17 * Lambda_11_11_p105_lanes[1];
-  const Real Lambda_11_11_p118 = c17 * Lambda_11_11_p105_lanes[1] - s17 * Lambda_11_11_p111;
+  // link 20 (right_hand), force propagation
+  const Real Lambda_11_11_p50 = -(Lambda_11_11_p21_lanes[1] * Lambda_11_11_p44) +
+      inverse_D12_p7_lanes[1] * Lambda_11_11_p49;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p51 = s5 * Lambda_11_11_p47 + c5 * Lambda_11_11_p46;
+  const Real Lambda_11_11_p52 = c5 * Lambda_11_11_p47 - s5 * Lambda_11_11_p46;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p11 = inverse_D2_p9 * inverse_D3;
   const Real inverse_D2_p12 = inverse_D2_p10 * inverse_D3;
 
-  // link 8 (left_shoulder2), articulated inertia
-  const Lanes<2> Lambda_11_11_p119_lanes = 0.00010499999999999999 / inverse_D8_p163_lanes;
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_11_11_p57 = Lambda_11_11_p43 + inverse_D10_p10_lanes[1] * Lambda_11_11_p49 -
+      inverse_D10_p22_lanes[1] * Lambda_11_11_p50;
+  const Real Lambda_11_11_p58 = Lambda_11_11_p44 + inverse_D10_p23_lanes[1] * Lambda_11_11_p50;
+  const Real Lambda_11_11_p59 = Lambda_11_11_p11_lanes[1] * Lambda_11_11_p44 +
+      inverse_D11_p5_lanes[1] * Lambda_11_11_p49 - inverse_D11_p13_lanes[1] * Lambda_11_11_p50;
+  const Real Lambda_11_11_p60 = Lambda_11_11_p40 - inverse_D10_p11_lanes[1] * Lambda_11_11_p49 -
+      inverse_D10_p24_lanes[1] * Lambda_11_11_p50;
 
-  // link 1 (calf), articulated inertia
-  const Real Lambda_11_11_p121 = Lambda_11_11_p67_lanes[1] * Lambda_11_11_p110 -
-      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p115;
-
-  // link 18 (right_wrist1), pose
-  const Real Lambda_11_11_p122 = c18 * Lambda_11_11_p117 + s18 * Lambda_11_11_p112;
-  const Real Lambda_11_11_p123 = c18 * Lambda_11_11_p112 - s18 * Lambda_11_11_p117;
+  // link 6 (chest3), pose
+  const Real Lambda_11_11_p61 = c6 * Lambda_11_11_p51 + s6 * Lambda_11_11_p48;
+  const Real Lambda_11_11_p62 = s6 * Lambda_11_11_p51 - c6 * Lambda_11_11_p48;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p13 = inverse_D2_p10 * inverse_D2_p11 -
-      (inverse_D2_p3 - inverse_D2_p5 * inverse_D2_p6);
-  const Real inverse_D2_p14 = inverse_D3_p57 - inverse_D2_p5 * inverse_D2_p7 - inverse_D2_p10 *
+      (inverse_D2_p4 - inverse_D2_p5 * inverse_D2_p6);
+  const Real inverse_D2_p14 = inverse_D3_p58 - inverse_D2_p5 * inverse_D2_p7 - inverse_D2_p10 *
       inverse_D2_p12;
-  const Real inverse_D2_p15 = inverse_D3_p37 + inverse_D3_p50 - inverse_D2_p4 * inverse_D2_p6 -
+  const Real inverse_D2_p15 = inverse_D3_p37 + inverse_D3_p50 - inverse_D2_p3 * inverse_D2_p6 -
       inverse_D2_p9 * inverse_D2_p11;
 
-  // link 19 (right_wrist2), pose
-  const Real Lambda_11_11_p124 = c19 * Lambda_11_11_p118 - s19 * Lambda_11_11_p122;
-  const Real Lambda_11_11_p125 = c19 * Lambda_11_11_p122 + s19 * Lambda_11_11_p118;
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p134_lanes = inverse_D10_p10_lanes[1] *
-      detail::make_pack<Real>(Lambda_11_11_p125, Lambda_11_11_p125, Lambda_11_11_p114,
-      Lambda_11_11_p116, Lambda_11_11_p125, Lambda_11_11_p125, Lambda_11_11_p125,
-      Lambda_11_11_p125);
-  const Lanes<8> Lambda_11_11_p140_lanes = detail::make_pack<Real>(-(Lambda_11_11_p67_lanes[1] *
-      Lambda_11_11_p116), Lambda_11_11_p123, Lambda_11_11_p108, Lambda_11_11_p110,
-      -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p116),
-      -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p116),
-      -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p116),
-      -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p116)) + inverse_D12_p7_lanes[1] *
-      detail::make_pack<Real>(Lambda_11_11_p121, Lambda_11_11_p125, Lambda_11_11_p114,
-      Lambda_11_11_p116, Lambda_11_11_p121, Lambda_11_11_p121, Lambda_11_11_p121,
-      Lambda_11_11_p121);
-
   // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p148_lanes = -(inverse_D10_p11_lanes[1] *
-      detail::make_pack<Real>(Lambda_11_11_p125, Lambda_11_11_p125, Lambda_11_11_p114,
-      Lambda_11_11_p116, Lambda_11_11_p125, Lambda_11_11_p125, Lambda_11_11_p125,
-      Lambda_11_11_p125));
+  const Real Lambda_11_11_p71 = s19 * Lambda_11_11_p57 - c19 * Lambda_11_11_p58;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p72 = -(c19 * Lambda_11_11_p59);
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_11_11_p73_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p61 +
+      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p52;
+  const Lanes<2> Lambda_11_11_p75_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p52 -
+      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p61;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p81 = 0.269 * Lambda_11_11_p60 - s19 * Lambda_11_11_p59 -
+      inverse_D10_p77_lanes[1] * Lambda_11_11_p72;
+  const Real Lambda_11_11_p82 = -Lambda_11_11_p71 + inverse_D8_p16_lanes[1] * Lambda_11_11_p72;
+  const Real Lambda_11_11_p83 = Lambda_11_11_p60 - inverse_D8_p17_lanes[1] * Lambda_11_11_p72;
+  const Real Lambda_11_11_p84 = 0.269 * Lambda_11_11_p71 - inverse_D10_p78_lanes[1] *
+      Lambda_11_11_p72;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_11_11_p85_lanes = detail::make_pack<Real>(s8, s15) *
+      Lambda_11_11_p73_lanes + detail::make_pack<Real>(c8, c15) * Lambda_11_11_p62;
+  const Lanes<2> Lambda_11_11_p87_lanes = detail::make_pack<Real>(s8, s15) * Lambda_11_11_p62 -
+      detail::make_pack<Real>(c8, c15) * Lambda_11_11_p73_lanes;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p16 = Lambda_11_11_p1 * (inverse_D2_p14 - inverse_D2_p15) +
       Lambda_11_11_p2 * (2.0 * inverse_D2_p13);
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p159_lanes = inverse_D10_p23_lanes[1] * Lambda_11_11_p140_lanes;
-
-  // link 3 (hip), articulated inertia
   const Real inverse_D2_p17 = Lambda_11_11_p1 * inverse_D2_p16;
 
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p166_lanes = detail::make_pack<Real>(Lambda_11_11_p115 +
-      inverse_D10_p10_lanes[1] * Lambda_11_11_p121, Lambda_11_11_p134_lanes[1],
-      Lambda_11_11_p134_lanes[2], Lambda_11_11_p134_lanes[3], Lambda_11_11_p115 +
-      inverse_D10_p10_lanes[1] * Lambda_11_11_p121, Lambda_11_11_p115 + inverse_D10_p10_lanes[1] *
-      Lambda_11_11_p121, Lambda_11_11_p115 + inverse_D10_p10_lanes[1] * Lambda_11_11_p121,
-      Lambda_11_11_p115 + inverse_D10_p10_lanes[1] * Lambda_11_11_p121) - inverse_D10_p22_lanes[1] *
-      Lambda_11_11_p140_lanes;
-  const Real Lambda_11_11_p170 = Lambda_11_11_p116 + inverse_D10_p23_lanes[1] *
-      Lambda_11_11_p140_lanes[0];
-  const Lanes<8> Lambda_11_11_p171_lanes = detail::make_pack<Real>(Lambda_11_11_p69_lanes[1] *
-      Lambda_11_11_p116, Lambda_11_11_p124, Lambda_11_11_p113, Lambda_11_11_p115,
-      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p116, Lambda_11_11_p69_lanes[1] * Lambda_11_11_p116,
-      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p116, Lambda_11_11_p69_lanes[1] *
-      Lambda_11_11_p116) + inverse_D11_p5_lanes[1] * detail::make_pack<Real>(Lambda_11_11_p121,
-      Lambda_11_11_p125, Lambda_11_11_p114, Lambda_11_11_p116, Lambda_11_11_p121, Lambda_11_11_p121,
-      Lambda_11_11_p121, Lambda_11_11_p121) - inverse_D11_p13_lanes[1] * Lambda_11_11_p140_lanes;
-  const Lanes<8> Lambda_11_11_p175_lanes = detail::make_pack<Real>(Lambda_11_11_p110 -
-      inverse_D10_p11_lanes[1] * Lambda_11_11_p121, Lambda_11_11_p148_lanes[1],
-      Lambda_11_11_p148_lanes[2], Lambda_11_11_p148_lanes[3], Lambda_11_11_p110 -
-      inverse_D10_p11_lanes[1] * Lambda_11_11_p121, Lambda_11_11_p110 - inverse_D10_p11_lanes[1] *
-      Lambda_11_11_p121, Lambda_11_11_p110 - inverse_D10_p11_lanes[1] * Lambda_11_11_p121,
-      Lambda_11_11_p110 - inverse_D10_p11_lanes[1] * Lambda_11_11_p121) - inverse_D10_p24_lanes[1] *
-      Lambda_11_11_p140_lanes;
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p89 = s18 * Lambda_11_11_p81 + c18 * Lambda_11_11_p84;
+
+  // link 16 (right_upperarm), pose
+  const Real Lambda_11_11_p90 = s16 * Lambda_11_11_p85_lanes[1] + c16 * Lambda_11_11_p75_lanes[1];
+  const Real Lambda_11_11_p91 = c16 * Lambda_11_11_p85_lanes[1] - s16 * Lambda_11_11_p75_lanes[1];
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p92 = inverse_D9_p7_lanes[1] * Lambda_11_11_p89;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p18 = Lambda_11_11_p2 * inverse_D2_p16 - inverse_D2_p13;
   const Real inverse_D2_p19 = inverse_D2_p14 - inverse_D2_p17;
 
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p207_lanes = s19 * Lambda_11_11_p166_lanes - c19 *
-      detail::make_pack<Real>(Lambda_11_11_p170, Lambda_11_11_p159_lanes[1],
-      Lambda_11_11_p159_lanes[2], Lambda_11_11_p159_lanes[3], Lambda_11_11_p170, Lambda_11_11_p170,
-      Lambda_11_11_p170, Lambda_11_11_p170);
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p93 = c18 * Lambda_11_11_p81 - s18 * Lambda_11_11_p84 -
+      inverse_D9_p9_lanes[1] * Lambda_11_11_p89;
+  const Real Lambda_11_11_p94 = c18 * Lambda_11_11_p82 - s18 * Lambda_11_11_p83 -
+      inverse_D8_p80_lanes[1] * Lambda_11_11_p89;
+  const Real Lambda_11_11_p95 = -(-(s19 * Lambda_11_11_p58 + c19 * Lambda_11_11_p57) -
+      inverse_D8_p18_lanes[1] * Lambda_11_11_p72) - inverse_D8_p81_lanes[1] * Lambda_11_11_p89;
 
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p211_lanes = -(c19 * Lambda_11_11_p171_lanes);
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_11_11_p96 = c17 * Lambda_11_11_p90 + s17 * Lambda_11_11_p87_lanes[1];
+  const Real Lambda_11_11_p97 = c17 * Lambda_11_11_p87_lanes[1] - s17 * Lambda_11_11_p90;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p98 = s18 * Lambda_11_11_p82 + c18 * Lambda_11_11_p83 -
+      inverse_D8_p82_lanes[1] * Lambda_11_11_p89;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p20 = inverse_D2_p1 * inverse_D2_p19 + inverse_D2_p2 * inverse_D2_p18;
 
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p251_lanes = 0.269 * Lambda_11_11_p175_lanes - s19 *
-      Lambda_11_11_p171_lanes - inverse_D10_p77_lanes[1] * Lambda_11_11_p211_lanes;
-  const Lanes<8> Lambda_11_11_p255_lanes = -Lambda_11_11_p207_lanes + inverse_D8_p16_lanes[1] *
-      Lambda_11_11_p211_lanes;
-  const Lanes<8> Lambda_11_11_p263_lanes = Lambda_11_11_p175_lanes - inverse_D8_p17_lanes[1] *
-      Lambda_11_11_p211_lanes;
-  const Lanes<8> Lambda_11_11_p267_lanes = -(s19 * detail::make_pack<Real>(Lambda_11_11_p170,
-      Lambda_11_11_p159_lanes[1], Lambda_11_11_p159_lanes[2], Lambda_11_11_p159_lanes[3],
-      Lambda_11_11_p170, Lambda_11_11_p170, Lambda_11_11_p170, Lambda_11_11_p170) + c19 *
-      Lambda_11_11_p166_lanes) - inverse_D8_p18_lanes[1] * Lambda_11_11_p211_lanes;
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p99 = c17 * Lambda_11_11_p92 - s17 * Lambda_11_11_p93;
+  const Real Lambda_11_11_p100 = s17 * Lambda_11_11_p95 - c17 * Lambda_11_11_p94;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p101 = c4 * Lambda_11_11_p46;
+
+  // link 18 (right_wrist1), pose
+  const Real Lambda_11_11_p102 = c18 * Lambda_11_11_p96 + s18 * Lambda_11_11_p91;
+  const Real Lambda_11_11_p103 = c18 * Lambda_11_11_p91 - s18 * Lambda_11_11_p96;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p104 = s4 * Lambda_11_11_p46;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D1_p1 = inverse_D2_p20 - (0.031999971599999996 * s2 - 24.5839218 * c2);
 
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p271_lanes = 0.269 * Lambda_11_11_p207_lanes -
-      inverse_D10_p78_lanes[1] * Lambda_11_11_p211_lanes;
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p105 = c17 * Lambda_11_11_p93 + s17 * Lambda_11_11_p92 + 0.282 *
+      Lambda_11_11_p98 - inverse_D8_p149_lanes[1] * Lambda_11_11_p99;
+  const Real Lambda_11_11_p106 = 0.282 * Lambda_11_11_p100 - inverse_D8_p150_lanes[1] *
+      Lambda_11_11_p99;
+
+  // link 5 (chest2), pose
+  const Real Lambda_11_11_p107 = s5 * Lambda_11_11_p101 - c5 * Lambda_11_11_p45;
+  const Real Lambda_11_11_p108 = s5 * Lambda_11_11_p45 + c5 * Lambda_11_11_p101;
+
+  // link 19 (right_wrist2), pose
+  const Real Lambda_11_11_p109 = c19 * Lambda_11_11_p97 - s19 * Lambda_11_11_p102;
+  const Real Lambda_11_11_p110 = c19 * Lambda_11_11_p102 + s19 * Lambda_11_11_p97;
 
   // link 3 (hip), articulated inertia
   const Real inverse_D2_p21 = 9.885744550888212 + (inverse_D2_p2 *
       (inverse_D2_p1 * inverse_D2_p18 + inverse_D2_p2 * (inverse_D2_p15 + inverse_D2_p17)) +
       inverse_D2_p1 * inverse_D2_p20);
 
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p319_lanes = s18 * Lambda_11_11_p251_lanes + c18 *
-      Lambda_11_11_p271_lanes;
-
   // link 2 (thigh), articulated inertia
   const Real inverse_D2 = 1.0 / inverse_D2_p21;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p339_lanes = inverse_D9_p7_lanes[1] * Lambda_11_11_p319_lanes;
-  const Lanes<8> Lambda_11_11_p347_lanes = c18 * Lambda_11_11_p251_lanes - s18 *
-      Lambda_11_11_p271_lanes - inverse_D9_p9_lanes[1] * Lambda_11_11_p319_lanes;
-  const Lanes<8> Lambda_11_11_p351_lanes = -Lambda_11_11_p267_lanes - inverse_D8_p81_lanes[1] *
-      Lambda_11_11_p319_lanes;
-  const Lanes<8> Lambda_11_11_p355_lanes = c18 * Lambda_11_11_p255_lanes - s18 *
-      Lambda_11_11_p263_lanes - inverse_D8_p80_lanes[1] * Lambda_11_11_p319_lanes;
-  const Lanes<8> Lambda_11_11_p367_lanes = s18 * Lambda_11_11_p255_lanes + c18 *
-      Lambda_11_11_p263_lanes - inverse_D8_p82_lanes[1] * Lambda_11_11_p319_lanes;
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p115 = c16 * Lambda_11_11_p105 - s16 * Lambda_11_11_p106;
+
+  // link 6 (chest3), pose
+  const Real Lambda_11_11_p116 = c6 * Lambda_11_11_p107 + s6 * Lambda_11_11_p104;
+  const Real Lambda_11_11_p117 = c6 * Lambda_11_11_p104 - s6 * Lambda_11_11_p107;
+
+  // link 1 (calf), articulated inertia
+  const Real Lambda_11_11_p118 = Lambda_11_11_p21_lanes[1] * Lambda_11_11_p103 -
+      Lambda_11_11_p11_lanes[1] * Lambda_11_11_p109;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p119 = Lambda_11_11_p41_lanes[1] * Lambda_11_11_p115;
+  const Real Lambda_11_11_p128 = s16 * Lambda_11_11_p105 + c16 * Lambda_11_11_p106 -
+      inverse_D7_p8_lanes[1] * Lambda_11_11_p115;
+
+  // link 7 (left_shoulder1), pose
+  const Lanes<2> Lambda_11_11_p129_lanes = detail::make_pack<Real>(c7, c14) * Lambda_11_11_p116 +
+      detail::make_pack<Real>(s7, s14) * Lambda_11_11_p108;
+  const Lanes<2> Lambda_11_11_p131_lanes = detail::make_pack<Real>(s7, s14) * Lambda_11_11_p116 -
+      detail::make_pack<Real>(c7, c14) * Lambda_11_11_p108;
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_11_11_p133 = -(Lambda_11_11_p21_lanes[1] * Lambda_11_11_p110) +
+      inverse_D12_p7_lanes[1] * Lambda_11_11_p118;
 
   // link 2 (thigh), articulated inertia
   const Real inverse_D1_p2 = inverse_D1_p1 * inverse_D2;
 
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p399_lanes = c17 * Lambda_11_11_p339_lanes - s17 *
-      Lambda_11_11_p347_lanes;
-  const Lanes<8> Lambda_11_11_p403_lanes = s17 * Lambda_11_11_p351_lanes - c17 *
-      Lambda_11_11_p355_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p415_lanes = inverse_D8_p149_lanes[1] * Lambda_11_11_p399_lanes;
-  const Lanes<8> Lambda_11_11_p451_lanes = c17 * Lambda_11_11_p347_lanes + s17 *
-      Lambda_11_11_p339_lanes + 0.282 * Lambda_11_11_p367_lanes - Lambda_11_11_p415_lanes;
-  const Lanes<8> Lambda_11_11_p455_lanes = 0.282 * Lambda_11_11_p403_lanes -
-      inverse_D8_p150_lanes[1] * Lambda_11_11_p399_lanes;
-  const Lanes<8> Lambda_11_11_p459_lanes = -Lambda_11_11_p403_lanes + inverse_D6_p31_lanes[1] *
-      Lambda_11_11_p399_lanes;
-  const Lanes<8> Lambda_11_11_p463_lanes = Lambda_11_11_p367_lanes - inverse_D6_p33_lanes[1] *
-      Lambda_11_11_p399_lanes;
-  const Lanes<8> Lambda_11_11_p467_lanes = -(s17 * Lambda_11_11_p355_lanes + c17 *
-      Lambda_11_11_p351_lanes) + inverse_D6_p35_lanes[1] * Lambda_11_11_p399_lanes;
-  const Lanes<8> Lambda_11_11_p507_lanes = c16 * Lambda_11_11_p451_lanes - s16 *
-      Lambda_11_11_p455_lanes;
-
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p527_lanes = Lambda_11_11_p119_lanes[1] * Lambda_11_11_p507_lanes;
-  const Lanes<8> Lambda_11_11_p543_lanes = s16 * Lambda_11_11_p451_lanes + c16 *
-      Lambda_11_11_p455_lanes - inverse_D7_p8_lanes[1] * Lambda_11_11_p507_lanes;
-  const Lanes<8> Lambda_11_11_p551_lanes = s16 * Lambda_11_11_p459_lanes + c16 *
-      Lambda_11_11_p463_lanes - inverse_D6_p163_lanes[1] * Lambda_11_11_p507_lanes;
-  const Lanes<8> Lambda_11_11_p555_lanes = -Lambda_11_11_p467_lanes + inverse_D6_p161_lanes[1] *
-      Lambda_11_11_p507_lanes;
+  const Real Lambda_11_11_p144 = s15 * Lambda_11_11_p119 + c15 * Lambda_11_11_p128;
+
+  // link 8 (left_shoulder2), pose
+  const Lanes<2> Lambda_11_11_p145_lanes = detail::make_pack<Real>(c8, c15) * Lambda_11_11_p117 -
+      detail::make_pack<Real>(s8, s15) * Lambda_11_11_p129_lanes;
+  const Lanes<2> Lambda_11_11_p147_lanes = detail::make_pack<Real>(c8, c15) *
+      Lambda_11_11_p129_lanes + detail::make_pack<Real>(s8, s15) * Lambda_11_11_p117;
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_11_11_p149 = Lambda_11_11_p109 + inverse_D10_p10_lanes[1] * Lambda_11_11_p118 -
+      inverse_D10_p22_lanes[1] * Lambda_11_11_p133;
+  const Real Lambda_11_11_p150 = Lambda_11_11_p110 + inverse_D10_p23_lanes[1] * Lambda_11_11_p133;
+  const Real Lambda_11_11_p151 = Lambda_11_11_p11_lanes[1] * Lambda_11_11_p110 +
+      inverse_D11_p5_lanes[1] * Lambda_11_11_p118 - inverse_D11_p13_lanes[1] * Lambda_11_11_p133;
+  const Real Lambda_11_11_p152 = Lambda_11_11_p103 - inverse_D10_p11_lanes[1] * Lambda_11_11_p118 -
+      inverse_D10_p24_lanes[1] * Lambda_11_11_p133;
+
+  // link 9 (left_upperarm), pose
+  const Lanes<8> Lambda_11_11_p165_lanes = s9 * detail::make_pack<Real>(Lambda_11_11_p85_lanes[0],
+      Lambda_11_11_p31_lanes[0], Lambda_11_11_p145_lanes[0], Lambda_11_11_p85_lanes[0],
+      Lambda_11_11_p85_lanes[0], Lambda_11_11_p85_lanes[0], Lambda_11_11_p85_lanes[0],
+      Lambda_11_11_p85_lanes[0]) + c9 * detail::make_pack<Real>(Lambda_11_11_p75_lanes[0],
+      Lambda_11_11_p25_lanes[0], Lambda_11_11_p131_lanes[0], Lambda_11_11_p75_lanes[0],
+      Lambda_11_11_p75_lanes[0], Lambda_11_11_p75_lanes[0], Lambda_11_11_p75_lanes[0],
+      Lambda_11_11_p75_lanes[0]);
+  const Lanes<8> Lambda_11_11_p168_lanes = c9 * detail::make_pack<Real>(Lambda_11_11_p85_lanes[0],
+      Lambda_11_11_p31_lanes[0], Lambda_11_11_p145_lanes[0], Lambda_11_11_p85_lanes[0],
+      Lambda_11_11_p85_lanes[0], Lambda_11_11_p85_lanes[0], Lambda_11_11_p85_lanes[0],
+      Lambda_11_11_p85_lanes[0]) - s9 * detail::make_pack<Real>(Lambda_11_11_p75_lanes[0],
+      Lambda_11_11_p25_lanes[0], Lambda_11_11_p131_lanes[0], Lambda_11_11_p75_lanes[0],
+      Lambda_11_11_p75_lanes[0], Lambda_11_11_p75_lanes[0], Lambda_11_11_p75_lanes[0],
+      Lambda_11_11_p75_lanes[0]);
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_11_11_p171 = s19 * Lambda_11_11_p149 - c19 * Lambda_11_11_p150;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p172 = -(c19 * Lambda_11_11_p151);
+  const Real Lambda_11_11_p185 = 0.269 * Lambda_11_11_p152 - s19 * Lambda_11_11_p151 -
+      inverse_D10_p77_lanes[1] * Lambda_11_11_p172;
+  const Real Lambda_11_11_p186 = -Lambda_11_11_p171 + inverse_D8_p16_lanes[1] * Lambda_11_11_p172;
+  const Real Lambda_11_11_p187 = Lambda_11_11_p152 - inverse_D8_p17_lanes[1] * Lambda_11_11_p172;
+
+  // link 10 (left_lowerarm), pose
+  const Lanes<8> Lambda_11_11_p188_lanes = c10 * Lambda_11_11_p165_lanes + s10 *
+      detail::make_pack<Real>(Lambda_11_11_p87_lanes[0], Lambda_11_11_p33_lanes[0],
+      Lambda_11_11_p147_lanes[0], Lambda_11_11_p87_lanes[0], Lambda_11_11_p87_lanes[0],
+      Lambda_11_11_p87_lanes[0], Lambda_11_11_p87_lanes[0], Lambda_11_11_p87_lanes[0]);
+  const Lanes<8> Lambda_11_11_p191_lanes = c10 * detail::make_pack<Real>(Lambda_11_11_p87_lanes[0],
+      Lambda_11_11_p33_lanes[0], Lambda_11_11_p147_lanes[0], Lambda_11_11_p87_lanes[0],
+      Lambda_11_11_p87_lanes[0], Lambda_11_11_p87_lanes[0], Lambda_11_11_p87_lanes[0],
+      Lambda_11_11_p87_lanes[0]) - s10 * Lambda_11_11_p165_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p194 = 0.269 * Lambda_11_11_p171 - inverse_D10_p78_lanes[1] *
+      Lambda_11_11_p172;
+
+  // link 11 (left_wrist1), pose
+  const Lanes<8> Lambda_11_11_p207_lanes = c11 * Lambda_11_11_p188_lanes + s11 *
+      Lambda_11_11_p168_lanes;
+  const Lanes<8> Lambda_11_11_p210_lanes = c11 * Lambda_11_11_p168_lanes - s11 *
+      Lambda_11_11_p188_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p213 = s18 * Lambda_11_11_p185 + c18 * Lambda_11_11_p194;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p223 = inverse_D9_p7_lanes[1] * Lambda_11_11_p213;
+
+  // link 12 (left_wrist2), pose
+  const Lanes<8> Lambda_11_11_p224_lanes = c12 * Lambda_11_11_p191_lanes - s12 *
+      Lambda_11_11_p207_lanes;
+  const Lanes<8> Lambda_11_11_p227_lanes = c12 * Lambda_11_11_p207_lanes + s12 *
+      Lambda_11_11_p191_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p230 = c18 * Lambda_11_11_p185 - s18 * Lambda_11_11_p194 -
+      inverse_D9_p9_lanes[1] * Lambda_11_11_p213;
+  const Real Lambda_11_11_p231 = c18 * Lambda_11_11_p186 - s18 * Lambda_11_11_p187 -
+      inverse_D8_p80_lanes[1] * Lambda_11_11_p213;
+  const Real Lambda_11_11_p232 = -(-(s19 * Lambda_11_11_p150 + c19 * Lambda_11_11_p149) -
+      inverse_D8_p18_lanes[1] * Lambda_11_11_p172) - inverse_D8_p81_lanes[1] * Lambda_11_11_p213;
+  const Real Lambda_11_11_p233 = s18 * Lambda_11_11_p186 + c18 * Lambda_11_11_p187 -
+      inverse_D8_p82_lanes[1] * Lambda_11_11_p213;
 
   // link 1 (calf), articulated inertia
-  const Real Lambda_11_11_p591 = Lambda_11_11_p67_lanes[1] * Lambda_11_11_p108 -
-      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p113;
+  const Lanes<8> Lambda_11_11_p240_lanes = Lambda_11_11_p11_lanes[0] * Lambda_11_11_p227_lanes;
+  const Lanes<8> Lambda_11_11_p243_lanes = Lambda_11_11_p21_lanes[0] * Lambda_11_11_p210_lanes -
+      Lambda_11_11_p11_lanes[0] * Lambda_11_11_p224_lanes;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_11_11_p246_lanes = -(Lambda_11_11_p21_lanes[0] * Lambda_11_11_p227_lanes);
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p249 = c17 * Lambda_11_11_p223 - s17 * Lambda_11_11_p230;
+  const Real Lambda_11_11_p250 = s17 * Lambda_11_11_p232 - c17 * Lambda_11_11_p231;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p269 = -Lambda_11_11_p100 + inverse_D6_p31_lanes[1] * Lambda_11_11_p99;
+  const Real Lambda_11_11_p270 = Lambda_11_11_p98 - inverse_D6_p33_lanes[1] * Lambda_11_11_p99;
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_11_11_p271_lanes = detail::make_pack<Real>(Lambda_11_11_p246_lanes[0],
+      Lambda_11_11_p246_lanes[1], Lambda_11_11_p246_lanes[2], Lambda_11_11_p210_lanes[0],
+      Lambda_11_11_p210_lanes[1], Lambda_11_11_p210_lanes[2], Lambda_11_11_p246_lanes[0],
+      Lambda_11_11_p246_lanes[0]) + inverse_D12_p7_lanes[0] *
+      detail::make_pack<Real>(Lambda_11_11_p243_lanes[0], Lambda_11_11_p243_lanes[1],
+      Lambda_11_11_p243_lanes[2], Lambda_11_11_p227_lanes[0], Lambda_11_11_p227_lanes[1],
+      Lambda_11_11_p227_lanes[2], Lambda_11_11_p243_lanes[0], Lambda_11_11_p243_lanes[0]);
+  const Lanes<8> Lambda_11_11_p277_lanes = Lambda_11_11_p224_lanes + inverse_D10_p10_lanes[0] *
+      Lambda_11_11_p243_lanes;
+  const Lanes<8> Lambda_11_11_p286_lanes = Lambda_11_11_p210_lanes - inverse_D10_p11_lanes[0] *
+      Lambda_11_11_p243_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p289 = 0.282 * Lambda_11_11_p250 - inverse_D8_p150_lanes[1] *
+      Lambda_11_11_p249;
+  const Real Lambda_11_11_p290 = -Lambda_11_11_p250 + inverse_D6_p31_lanes[1] * Lambda_11_11_p249;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p306_lanes = inverse_D10_p23_lanes[0] * Lambda_11_11_p271_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p315 = c17 * Lambda_11_11_p230 + s17 * Lambda_11_11_p223 + 0.282 *
+      Lambda_11_11_p233 - inverse_D8_p149_lanes[1] * Lambda_11_11_p249;
+  const Real Lambda_11_11_p316 = Lambda_11_11_p233 - inverse_D6_p33_lanes[1] * Lambda_11_11_p249;
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p317_lanes = detail::make_pack<Real>(Lambda_11_11_p277_lanes[0],
+      Lambda_11_11_p277_lanes[1], Lambda_11_11_p277_lanes[2], inverse_D10_p10_lanes[0] *
+      Lambda_11_11_p227_lanes[0], inverse_D10_p10_lanes[0] * Lambda_11_11_p227_lanes[1],
+      inverse_D10_p10_lanes[0] * Lambda_11_11_p227_lanes[2], Lambda_11_11_p277_lanes[0],
+      Lambda_11_11_p277_lanes[0]) - inverse_D10_p22_lanes[0] * Lambda_11_11_p271_lanes;
+  const Lanes<8> Lambda_11_11_p323_lanes = Lambda_11_11_p227_lanes + inverse_D10_p23_lanes[0] *
+      Lambda_11_11_p271_lanes;
+  const Lanes<8> Lambda_11_11_p326_lanes = detail::make_pack<Real>(Lambda_11_11_p240_lanes[0],
+      Lambda_11_11_p240_lanes[1], Lambda_11_11_p240_lanes[2], Lambda_11_11_p224_lanes[0],
+      Lambda_11_11_p224_lanes[1], Lambda_11_11_p224_lanes[2], Lambda_11_11_p240_lanes[0],
+      Lambda_11_11_p240_lanes[0]) + inverse_D11_p5_lanes[0] *
+      detail::make_pack<Real>(Lambda_11_11_p243_lanes[0], Lambda_11_11_p243_lanes[1],
+      Lambda_11_11_p243_lanes[2], Lambda_11_11_p227_lanes[0], Lambda_11_11_p227_lanes[1],
+      Lambda_11_11_p227_lanes[2], Lambda_11_11_p243_lanes[0], Lambda_11_11_p243_lanes[0]) -
+      inverse_D11_p13_lanes[0] * Lambda_11_11_p271_lanes;
+  const Lanes<8> Lambda_11_11_p332_lanes = detail::make_pack<Real>(Lambda_11_11_p286_lanes[0],
+      Lambda_11_11_p286_lanes[1], Lambda_11_11_p286_lanes[2],
+      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p227_lanes[0]),
+      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p227_lanes[1]),
+      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p227_lanes[2]), Lambda_11_11_p286_lanes[0],
+      Lambda_11_11_p286_lanes[0]) - inverse_D10_p24_lanes[0] * Lambda_11_11_p271_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p380 = c16 * Lambda_11_11_p315 - s16 * Lambda_11_11_p289;
 
   // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p592_lanes = s15 * Lambda_11_11_p527_lanes + c15 *
-      Lambda_11_11_p543_lanes;
+  const Real Lambda_11_11_p381 = s16 * Lambda_11_11_p269 + c16 * Lambda_11_11_p270 -
+      inverse_D6_p163_lanes[1] * Lambda_11_11_p115;
+  const Real Lambda_11_11_p382 = -(-(s17 * Lambda_11_11_p94 + c17 * Lambda_11_11_p95) +
+      inverse_D6_p35_lanes[1] * Lambda_11_11_p99) + inverse_D6_p161_lanes[1] * Lambda_11_11_p115;
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p608_lanes = inverse_D6_p294_lanes[1] * Lambda_11_11_p592_lanes;
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p383_lanes = s12 * Lambda_11_11_p317_lanes - c12 *
+      detail::make_pack<Real>(Lambda_11_11_p323_lanes[0], Lambda_11_11_p323_lanes[1],
+      Lambda_11_11_p323_lanes[2], Lambda_11_11_p306_lanes[3], Lambda_11_11_p306_lanes[4],
+      Lambda_11_11_p306_lanes[5], Lambda_11_11_p323_lanes[0], Lambda_11_11_p323_lanes[0]);
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p389_lanes = -(c12 * Lambda_11_11_p326_lanes);
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p437 = Lambda_11_11_p41_lanes[1] * Lambda_11_11_p380;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p450_lanes = 0.269 * Lambda_11_11_p332_lanes - s12 *
+      Lambda_11_11_p326_lanes - inverse_D10_p77_lanes[0] * Lambda_11_11_p389_lanes;
+  const Lanes<8> Lambda_11_11_p456_lanes = -Lambda_11_11_p383_lanes + inverse_D8_p16_lanes[0] *
+      Lambda_11_11_p389_lanes;
+
+  // link 7 (left_shoulder1), articulated inertia
+  const Lanes<2> Lambda_11_11_p468_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) / inverse_D7_p20_lanes;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p470_lanes = Lambda_11_11_p332_lanes - inverse_D8_p17_lanes[0] *
+      Lambda_11_11_p389_lanes;
+  const Lanes<8> Lambda_11_11_p476_lanes = -(s12 *
+      detail::make_pack<Real>(Lambda_11_11_p323_lanes[0], Lambda_11_11_p323_lanes[1],
+      Lambda_11_11_p323_lanes[2], Lambda_11_11_p306_lanes[3], Lambda_11_11_p306_lanes[4],
+      Lambda_11_11_p306_lanes[5], Lambda_11_11_p323_lanes[0], Lambda_11_11_p323_lanes[0]) + c12 *
+      Lambda_11_11_p317_lanes) - inverse_D8_p18_lanes[0] * Lambda_11_11_p389_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p482 = s16 * Lambda_11_11_p315 + c16 * Lambda_11_11_p289 -
+      inverse_D7_p8_lanes[1] * Lambda_11_11_p380;
+  const Real Lambda_11_11_p483 = s16 * Lambda_11_11_p290 + c16 * Lambda_11_11_p316 -
+      inverse_D6_p163_lanes[1] * Lambda_11_11_p380;
+  const Real Lambda_11_11_p484 = -(-(s17 * Lambda_11_11_p231 + c17 * Lambda_11_11_p232) +
+      inverse_D6_p35_lanes[1] * Lambda_11_11_p249) + inverse_D6_p161_lanes[1] * Lambda_11_11_p380;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p485_lanes = 0.269 * Lambda_11_11_p383_lanes -
+      inverse_D10_p78_lanes[0] * Lambda_11_11_p389_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p557 = s15 * Lambda_11_11_p437 + c15 * Lambda_11_11_p482;
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p558_lanes = s11 * Lambda_11_11_p450_lanes + c11 *
+      Lambda_11_11_p485_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p588_lanes = inverse_D9_p7_lanes[0] * Lambda_11_11_p558_lanes;
+  const Lanes<8> Lambda_11_11_p600_lanes = c11 * Lambda_11_11_p450_lanes - s11 *
+      Lambda_11_11_p485_lanes - inverse_D9_p9_lanes[0] * Lambda_11_11_p558_lanes;
+  const Lanes<8> Lambda_11_11_p606_lanes = -Lambda_11_11_p476_lanes - inverse_D8_p81_lanes[0] *
+      Lambda_11_11_p558_lanes;
+  const Lanes<8> Lambda_11_11_p612_lanes = c11 * Lambda_11_11_p456_lanes - s11 *
+      Lambda_11_11_p470_lanes - inverse_D8_p80_lanes[0] * Lambda_11_11_p558_lanes;
+  const Lanes<8> Lambda_11_11_p630_lanes = s11 * Lambda_11_11_p456_lanes + c11 *
+      Lambda_11_11_p470_lanes - inverse_D8_p82_lanes[0] * Lambda_11_11_p558_lanes;
+  const Lanes<8> Lambda_11_11_p678_lanes = c10 * Lambda_11_11_p588_lanes - s10 *
+      Lambda_11_11_p600_lanes;
+  const Lanes<8> Lambda_11_11_p684_lanes = s10 * Lambda_11_11_p606_lanes - c10 *
+      Lambda_11_11_p612_lanes;
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p702_lanes = inverse_D8_p149_lanes[0] * Lambda_11_11_p678_lanes;
+  const Lanes<8> Lambda_11_11_p756_lanes = c10 * Lambda_11_11_p600_lanes + s10 *
+      Lambda_11_11_p588_lanes + 0.282 * Lambda_11_11_p630_lanes - Lambda_11_11_p702_lanes;
+  const Lanes<8> Lambda_11_11_p762_lanes = 0.282 * Lambda_11_11_p684_lanes -
+      inverse_D8_p150_lanes[0] * Lambda_11_11_p678_lanes;
+  const Lanes<8> Lambda_11_11_p768_lanes = -Lambda_11_11_p684_lanes + inverse_D6_p31_lanes[0] *
+      Lambda_11_11_p678_lanes;
+  const Lanes<8> Lambda_11_11_p774_lanes = Lambda_11_11_p630_lanes - inverse_D6_p33_lanes[0] *
+      Lambda_11_11_p678_lanes;
+  const Lanes<8> Lambda_11_11_p780_lanes = -(s10 * Lambda_11_11_p612_lanes + c10 *
+      Lambda_11_11_p606_lanes) + inverse_D6_p35_lanes[0] * Lambda_11_11_p678_lanes;
+  const Lanes<8> Lambda_11_11_p840_lanes = c9 * Lambda_11_11_p756_lanes - s9 *
+      Lambda_11_11_p762_lanes;
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_11_11_p870_lanes = Lambda_11_11_p41_lanes[0] * Lambda_11_11_p840_lanes;
+  const Lanes<8> Lambda_11_11_p894_lanes = s9 * Lambda_11_11_p756_lanes + c9 *
+      Lambda_11_11_p762_lanes - inverse_D7_p8_lanes[0] * Lambda_11_11_p840_lanes;
+  const Lanes<8> Lambda_11_11_p906_lanes = s9 * Lambda_11_11_p768_lanes + c9 *
+      Lambda_11_11_p774_lanes - inverse_D6_p163_lanes[0] * Lambda_11_11_p840_lanes;
+  const Lanes<8> Lambda_11_11_p912_lanes = -Lambda_11_11_p780_lanes + inverse_D6_p161_lanes[0] *
+      Lambda_11_11_p840_lanes;
+  const Lanes<8> Lambda_11_11_p918_lanes = c9 * Lambda_11_11_p768_lanes - s9 *
+      Lambda_11_11_p774_lanes - inverse_D6_p165_lanes[0] * Lambda_11_11_p840_lanes;
+  const Lanes<8> Lambda_11_11_p966_lanes = s8 * Lambda_11_11_p870_lanes + c8 *
+      Lambda_11_11_p894_lanes;
+  const Lanes<8> Lambda_11_11_p972_lanes = c8 * Lambda_11_11_p912_lanes - s8 *
+      Lambda_11_11_p906_lanes;
+  const Lanes<8> Lambda_11_11_p978_lanes = s8 * Lambda_11_11_p912_lanes + c8 *
+      Lambda_11_11_p906_lanes;
+  const Lanes<8> Lambda_11_11_p984_lanes = c8 * Lambda_11_11_p870_lanes - s8 *
+      Lambda_11_11_p894_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p1022_lanes = detail::make_pack<Real>(Lambda_11_11_p468_lanes[0],
+      Lambda_11_11_p468_lanes[0], Lambda_11_11_p468_lanes[0], Lambda_11_11_p468_lanes[0],
+      Lambda_11_11_p468_lanes[0], Lambda_11_11_p468_lanes[0], Lambda_11_11_p468_lanes[1],
+      Lambda_11_11_p468_lanes[1]) * detail::make_pack<Real>(Lambda_11_11_p966_lanes[0],
+      Lambda_11_11_p966_lanes[1], Lambda_11_11_p966_lanes[2], Lambda_11_11_p966_lanes[3],
+      Lambda_11_11_p966_lanes[4], Lambda_11_11_p966_lanes[5], Lambda_11_11_p557, Lambda_11_11_p144);
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p1030_lanes = Lambda_11_11_p558_lanes * inverse_D10_lanes[0];
+
+  // link 9 (left_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p1036_lanes = Lambda_11_11_p678_lanes * inverse_D9_lanes[0];
+
+  // link 11 (left_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p1042_lanes = Lambda_11_11_p389_lanes * inverse_D11_lanes[0];
+
+  // link 8 (left_shoulder2), force propagation
+  const Lanes<8> Lambda_11_11_p1048_lanes = Lambda_11_11_p840_lanes * inverse_D8_lanes[0];
+
+  // link 12 (left_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p1054_lanes = Lambda_11_11_p271_lanes * inverse_D12_lanes[0];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p1060_lanes = Lambda_11_11_p966_lanes * inverse_D7_lanes[0];
+
+  // link 13 (left_hand), force propagation
+  const Lanes<8> Lambda_11_11_p1066_lanes = 1065.380700001509 *
+      detail::make_pack<Real>(Lambda_11_11_p243_lanes[0], Lambda_11_11_p243_lanes[1],
+      Lambda_11_11_p243_lanes[2], Lambda_11_11_p227_lanes[0], Lambda_11_11_p227_lanes[1],
+      Lambda_11_11_p227_lanes[2], Lambda_11_11_p243_lanes[0], Lambda_11_11_p243_lanes[0]);
 
   // link 1 (calf), articulated inertia
   const Real inverse_D1 = 1.0 / (13.049859506913753 + 0.188356 *
       (inverse_D2_p19 - inverse_D1_p1 * inverse_D1_p2));
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p624_lanes = Lambda_11_11_p3_lanes[1] * Lambda_11_11_p592_lanes;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p628 = -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p114) +
-      inverse_D12_p7_lanes[1] * Lambda_11_11_p591;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p629_lanes = c16 * Lambda_11_11_p459_lanes - s16 *
-      Lambda_11_11_p463_lanes - inverse_D6_p165_lanes[1] * Lambda_11_11_p507_lanes -
-      Lambda_11_11_p608_lanes;
-  const Lanes<8> Lambda_11_11_p633_lanes = c15 * Lambda_11_11_p555_lanes - s15 *
-      Lambda_11_11_p551_lanes - inverse_D6_p292_lanes[1] * Lambda_11_11_p592_lanes;
-  const Lanes<8> Lambda_11_11_p637_lanes = c15 * Lambda_11_11_p527_lanes - s15 *
-      Lambda_11_11_p543_lanes - inverse_D6_p332_lanes[1] * Lambda_11_11_p592_lanes;
-  const Lanes<8> Lambda_11_11_p641_lanes = s15 * Lambda_11_11_p555_lanes + c15 *
-      Lambda_11_11_p551_lanes - inverse_D6_p299_lanes[1] * Lambda_11_11_p592_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p681 = Lambda_11_11_p113 + inverse_D10_p10_lanes[1] * Lambda_11_11_p591 -
-      inverse_D10_p22_lanes[1] * Lambda_11_11_p628;
-  const Real Lambda_11_11_p682 = Lambda_11_11_p114 + inverse_D10_p23_lanes[1] * Lambda_11_11_p628;
-  const Real Lambda_11_11_p683 = Lambda_11_11_p69_lanes[1] * Lambda_11_11_p114 +
-      inverse_D11_p5_lanes[1] * Lambda_11_11_p591 - inverse_D11_p13_lanes[1] * Lambda_11_11_p628;
-  const Real Lambda_11_11_p684 = Lambda_11_11_p108 - inverse_D10_p11_lanes[1] * Lambda_11_11_p591 -
-      inverse_D10_p24_lanes[1] * Lambda_11_11_p628;
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p685_lanes = s14 * Lambda_11_11_p629_lanes + c14 *
-      Lambda_11_11_p633_lanes;
-  const Lanes<8> Lambda_11_11_p693_lanes = c14 * Lambda_11_11_p629_lanes - s14 *
-      Lambda_11_11_p633_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p705 = s19 * Lambda_11_11_p681 - c19 * Lambda_11_11_p682;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p706 = -(c19 * Lambda_11_11_p683);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p707_lanes = 0.226 * Lambda_11_11_p641_lanes + (-0.18) *
-      Lambda_11_11_p685_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p719 = 0.269 * Lambda_11_11_p684 - s19 * Lambda_11_11_p683 -
-      inverse_D10_p77_lanes[1] * Lambda_11_11_p706;
-  const Real Lambda_11_11_p720 = -Lambda_11_11_p705 + inverse_D8_p16_lanes[1] * Lambda_11_11_p706;
-  const Real Lambda_11_11_p721 = Lambda_11_11_p684 - inverse_D8_p17_lanes[1] * Lambda_11_11_p706;
-  const Real Lambda_11_11_p730 = 0.269 * Lambda_11_11_p705 - inverse_D10_p78_lanes[1] *
-      Lambda_11_11_p706;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p731_lanes = -(c14 * Lambda_11_11_p624_lanes + s14 *
-      Lambda_11_11_p637_lanes + Lambda_11_11_p707_lanes);
-  const Lanes<8> Lambda_11_11_p735_lanes = inverse_D5_p73 * Lambda_11_11_p731_lanes;
-
-  // link 1 (calf), articulated inertia
-  const Real Lambda_11_11_p755 = Lambda_11_11_p67_lanes[1] * Lambda_11_11_p123 -
-      Lambda_11_11_p69_lanes[1] * Lambda_11_11_p124;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p756_lanes = (-0.18) * Lambda_11_11_p693_lanes -
-      (s14 * Lambda_11_11_p624_lanes - c14 * Lambda_11_11_p637_lanes) - Lambda_11_11_p735_lanes;
-  const Lanes<8> Lambda_11_11_p760_lanes = 0.226 * Lambda_11_11_p693_lanes - inverse_D5_p72 *
-      Lambda_11_11_p731_lanes;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p764 = s18 * Lambda_11_11_p719 + c18 * Lambda_11_11_p730;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p765_lanes = Lambda_11_11_p693_lanes - inverse_D5_p71 *
-      Lambda_11_11_p731_lanes;
-  const Lanes<8> Lambda_11_11_p769_lanes = Lambda_11_11_p685_lanes + inverse_D3_p14 *
-      Lambda_11_11_p731_lanes;
-  const Lanes<8> Lambda_11_11_p773_lanes = Lambda_11_11_p641_lanes - inverse_D3_p15 *
-      Lambda_11_11_p731_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p777 = inverse_D9_p7_lanes[1] * Lambda_11_11_p764;
-
-  // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p806 = -(Lambda_11_11_p67_lanes[1] * Lambda_11_11_p125) +
-      inverse_D12_p7_lanes[1] * Lambda_11_11_p755;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p807 = c18 * Lambda_11_11_p719 - s18 * Lambda_11_11_p730 -
-      inverse_D9_p9_lanes[1] * Lambda_11_11_p764;
-  const Real Lambda_11_11_p808 = c18 * Lambda_11_11_p720 - s18 * Lambda_11_11_p721 -
-      inverse_D8_p80_lanes[1] * Lambda_11_11_p764;
-  const Real Lambda_11_11_p809 = -(-(s19 * Lambda_11_11_p682 + c19 * Lambda_11_11_p681) -
-      inverse_D8_p18_lanes[1] * Lambda_11_11_p706) - inverse_D8_p81_lanes[1] * Lambda_11_11_p764;
-  const Real Lambda_11_11_p810 = s18 * Lambda_11_11_p720 + c18 * Lambda_11_11_p721 -
-      inverse_D8_p82_lanes[1] * Lambda_11_11_p764;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p819_lanes = s6 * Lambda_11_11_p756_lanes + c6 *
-      Lambda_11_11_p760_lanes + 0.072 * Lambda_11_11_p765_lanes;
-  const Lanes<8> Lambda_11_11_p831_lanes = s6 * Lambda_11_11_p769_lanes + c6 *
-      Lambda_11_11_p773_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p835 = Lambda_11_11_p124 + inverse_D10_p10_lanes[1] * Lambda_11_11_p755 -
-      inverse_D10_p22_lanes[1] * Lambda_11_11_p806;
-  const Real Lambda_11_11_p836 = Lambda_11_11_p125 + inverse_D10_p23_lanes[1] * Lambda_11_11_p806;
-  const Real Lambda_11_11_p837 = Lambda_11_11_p69_lanes[1] * Lambda_11_11_p125 +
-      inverse_D11_p5_lanes[1] * Lambda_11_11_p755 - inverse_D11_p13_lanes[1] * Lambda_11_11_p806;
-  const Real Lambda_11_11_p838 = Lambda_11_11_p123 - inverse_D10_p11_lanes[1] * Lambda_11_11_p755 -
-      inverse_D10_p24_lanes[1] * Lambda_11_11_p806;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p839 = c17 * Lambda_11_11_p777 - s17 * Lambda_11_11_p807;
-  const Real Lambda_11_11_p840 = s17 * Lambda_11_11_p809 - c17 * Lambda_11_11_p808;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p861_lanes = c6 * Lambda_11_11_p769_lanes - s6 *
-      Lambda_11_11_p773_lanes - inverse_D3_p35 * Lambda_11_11_p819_lanes;
-  const Lanes<8> Lambda_11_11_p865_lanes = Lambda_11_11_p765_lanes - inverse_D3_p34 *
-      Lambda_11_11_p819_lanes;
-  const Lanes<8> Lambda_11_11_p881_lanes = -(0.072 * Lambda_11_11_p831_lanes) + inverse_D4_p10 *
-      Lambda_11_11_p819_lanes;
-
-  // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p885 = s19 * Lambda_11_11_p835 - c19 * Lambda_11_11_p836;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p892 = -(c19 * Lambda_11_11_p837);
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p905 = c17 * Lambda_11_11_p807 + s17 * Lambda_11_11_p777 + 0.282 *
-      Lambda_11_11_p810 - inverse_D8_p149_lanes[1] * Lambda_11_11_p839;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<8> Lambda_11_11_p906_lanes = s9 * detail::make_pack<Real>(Lambda_11_11_p103_lanes[0],
-      Lambda_11_11_p65_lanes[0], Lambda_11_11_p73_lanes[0], Lambda_11_11_p103_lanes[0],
-      Lambda_11_11_p103_lanes[0], Lambda_11_11_p103_lanes[0], Lambda_11_11_p103_lanes[0],
-      Lambda_11_11_p103_lanes[0]) + c9 * detail::make_pack<Real>(Lambda_11_11_p93_lanes[0],
-      Lambda_11_11_p45_lanes[0], Lambda_11_11_p49_lanes[0], Lambda_11_11_p93_lanes[0],
-      Lambda_11_11_p93_lanes[0], Lambda_11_11_p93_lanes[0], Lambda_11_11_p93_lanes[0],
-      Lambda_11_11_p93_lanes[0]);
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p909 = 0.269 * Lambda_11_11_p838 - s19 * Lambda_11_11_p837 -
-      inverse_D10_p77_lanes[1] * Lambda_11_11_p892;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p910 = 0.282 * Lambda_11_11_p840 - inverse_D8_p150_lanes[1] *
-      Lambda_11_11_p839;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p919_lanes = c6 * Lambda_11_11_p756_lanes - s6 *
-      Lambda_11_11_p760_lanes - inverse_D4_p11 * Lambda_11_11_p819_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<8> Lambda_11_11_p931_lanes = c9 * detail::make_pack<Real>(Lambda_11_11_p103_lanes[0],
-      Lambda_11_11_p65_lanes[0], Lambda_11_11_p73_lanes[0], Lambda_11_11_p103_lanes[0],
-      Lambda_11_11_p103_lanes[0], Lambda_11_11_p103_lanes[0], Lambda_11_11_p103_lanes[0],
-      Lambda_11_11_p103_lanes[0]) - s9 * detail::make_pack<Real>(Lambda_11_11_p93_lanes[0],
-      Lambda_11_11_p45_lanes[0], Lambda_11_11_p49_lanes[0], Lambda_11_11_p93_lanes[0],
-      Lambda_11_11_p93_lanes[0], Lambda_11_11_p93_lanes[0], Lambda_11_11_p93_lanes[0],
-      Lambda_11_11_p93_lanes[0]);
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p934 = -Lambda_11_11_p885 + inverse_D8_p16_lanes[1] * Lambda_11_11_p892;
-  const Real Lambda_11_11_p935 = Lambda_11_11_p838 - inverse_D8_p17_lanes[1] * Lambda_11_11_p892;
-  const Real Lambda_11_11_p942 = 0.269 * Lambda_11_11_p885 - inverse_D10_p78_lanes[1] *
-      Lambda_11_11_p892;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<8> Lambda_11_11_p949_lanes = c10 * Lambda_11_11_p906_lanes + s10 *
-      detail::make_pack<Real>(Lambda_11_11_p105_lanes[0], Lambda_11_11_p71_lanes[0],
-      Lambda_11_11_p75_lanes[0], Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0],
-      Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0]);
-  const Lanes<8> Lambda_11_11_p952_lanes = c10 * detail::make_pack<Real>(Lambda_11_11_p105_lanes[0],
-      Lambda_11_11_p71_lanes[0], Lambda_11_11_p75_lanes[0], Lambda_11_11_p105_lanes[0],
-      Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0], Lambda_11_11_p105_lanes[0],
-      Lambda_11_11_p105_lanes[0]) - s10 * Lambda_11_11_p906_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p959 = c16 * Lambda_11_11_p905 - s16 * Lambda_11_11_p910;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p964_lanes = s4 * (Lambda_11_11_p831_lanes - inverse_D3_p36 *
-      Lambda_11_11_p819_lanes);
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p996 = s18 * Lambda_11_11_p909 + c18 * Lambda_11_11_p942;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p997 = Lambda_11_11_p119_lanes[1] * Lambda_11_11_p959;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<8> Lambda_11_11_p1014_lanes = c11 * Lambda_11_11_p949_lanes + s11 *
-      Lambda_11_11_p931_lanes;
-  const Lanes<8> Lambda_11_11_p1017_lanes = c11 * Lambda_11_11_p931_lanes - s11 *
-      Lambda_11_11_p949_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1020 = inverse_D9_p7_lanes[1] * Lambda_11_11_p996;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1021 = s16 * Lambda_11_11_p905 + c16 * Lambda_11_11_p910 -
-      inverse_D7_p8_lanes[1] * Lambda_11_11_p959;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p1022_lanes = c4 * (s5 * Lambda_11_11_p861_lanes - c5 *
-      Lambda_11_11_p865_lanes) + Lambda_11_11_p964_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1030_lanes = -(s5 * Lambda_11_11_p881_lanes + c5 *
-      Lambda_11_11_p919_lanes);
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1051 = c18 * Lambda_11_11_p909 - s18 * Lambda_11_11_p942 -
-      inverse_D9_p9_lanes[1] * Lambda_11_11_p996;
-  const Real Lambda_11_11_p1052 = c18 * Lambda_11_11_p934 - s18 * Lambda_11_11_p935 -
-      inverse_D8_p80_lanes[1] * Lambda_11_11_p996;
-  const Real Lambda_11_11_p1057 = -(-(s19 * Lambda_11_11_p836 + c19 * Lambda_11_11_p835) -
-      inverse_D8_p18_lanes[1] * Lambda_11_11_p892) - inverse_D8_p81_lanes[1] * Lambda_11_11_p996;
-  const Real Lambda_11_11_p1058 = s18 * Lambda_11_11_p934 + c18 * Lambda_11_11_p935 -
-      inverse_D8_p82_lanes[1] * Lambda_11_11_p996;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<8> Lambda_11_11_p1071_lanes = c12 * Lambda_11_11_p952_lanes - s12 *
-      Lambda_11_11_p1014_lanes;
-  const Lanes<8> Lambda_11_11_p1074_lanes = c12 * Lambda_11_11_p1014_lanes + s12 *
-      Lambda_11_11_p952_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1077 = s15 * Lambda_11_11_p997 + c15 * Lambda_11_11_p1021;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1082_lanes = -(s5 * Lambda_11_11_p865_lanes + c5 *
-      Lambda_11_11_p861_lanes) - inverse_D2_p6 * Lambda_11_11_p1030_lanes;
-
-  // link 1 (calf), articulated inertia
-  const Lanes<8> Lambda_11_11_p1092_lanes = Lambda_11_11_p69_lanes[0] * Lambda_11_11_p1074_lanes;
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p1095 = c17 * Lambda_11_11_p1020 - s17 * Lambda_11_11_p1051;
-  const Real Lambda_11_11_p1096 = s17 * Lambda_11_11_p1057 - c17 * Lambda_11_11_p1052;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p1097_lanes = s4 * (s5 * Lambda_11_11_p919_lanes - c5 *
-      Lambda_11_11_p881_lanes) + 0.21799999999999997 * Lambda_11_11_p1022_lanes;
-
-  // link 1 (calf), articulated inertia
-  const Lanes<8> Lambda_11_11_p1105_lanes = Lambda_11_11_p67_lanes[0] * Lambda_11_11_p1017_lanes -
-      Lambda_11_11_p69_lanes[0] * Lambda_11_11_p1071_lanes;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_11_11_p1108_lanes = -(Lambda_11_11_p67_lanes[0] * Lambda_11_11_p1074_lanes);
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1115_lanes = -Lambda_11_11_p1097_lanes - inverse_D3_p60 *
-      Lambda_11_11_p1030_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1137 = c17 * Lambda_11_11_p1051 + s17 * Lambda_11_11_p1020 + 0.282 *
-      Lambda_11_11_p1058 - inverse_D8_p149_lanes[1] * Lambda_11_11_p1095;
-  const Real Lambda_11_11_p1138 = 0.282 * Lambda_11_11_p1096 - inverse_D8_p150_lanes[1] *
-      Lambda_11_11_p1095;
-  const Real Lambda_11_11_p1147 = -Lambda_11_11_p840 + inverse_D6_p31_lanes[1] * Lambda_11_11_p839;
-  const Real Lambda_11_11_p1148 = Lambda_11_11_p810 - inverse_D6_p33_lanes[1] * Lambda_11_11_p839;
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_11_11_p1149_lanes = detail::make_pack<Real>(Lambda_11_11_p1108_lanes[0],
-      Lambda_11_11_p1108_lanes[1], Lambda_11_11_p1108_lanes[2], Lambda_11_11_p1017_lanes[0],
-      Lambda_11_11_p1017_lanes[1], Lambda_11_11_p1017_lanes[2], Lambda_11_11_p1108_lanes[0],
-      Lambda_11_11_p1108_lanes[0]) + inverse_D12_p7_lanes[0] *
-      detail::make_pack<Real>(Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[1],
-      Lambda_11_11_p1105_lanes[2], Lambda_11_11_p1074_lanes[0], Lambda_11_11_p1074_lanes[1],
-      Lambda_11_11_p1074_lanes[2], Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[0]);
-  const Lanes<8> Lambda_11_11_p1155_lanes = Lambda_11_11_p1071_lanes + inverse_D10_p10_lanes[0] *
-      Lambda_11_11_p1105_lanes;
-  const Lanes<8> Lambda_11_11_p1164_lanes = Lambda_11_11_p1017_lanes - inverse_D10_p11_lanes[0] *
-      Lambda_11_11_p1105_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1167 = -Lambda_11_11_p1096 + inverse_D6_p31_lanes[1] *
-      Lambda_11_11_p1095;
-  const Real Lambda_11_11_p1168 = Lambda_11_11_p1058 - inverse_D6_p33_lanes[1] * Lambda_11_11_p1095;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1184_lanes = inverse_D10_p23_lanes[0] * Lambda_11_11_p1149_lanes;
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p1193 = c16 * Lambda_11_11_p1137 - s16 * Lambda_11_11_p1138;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1194_lanes = detail::make_pack<Real>(Lambda_11_11_p1155_lanes[0],
-      Lambda_11_11_p1155_lanes[1], Lambda_11_11_p1155_lanes[2], inverse_D10_p10_lanes[0] *
-      Lambda_11_11_p1074_lanes[0], inverse_D10_p10_lanes[0] * Lambda_11_11_p1074_lanes[1],
-      inverse_D10_p10_lanes[0] * Lambda_11_11_p1074_lanes[2], Lambda_11_11_p1155_lanes[0],
-      Lambda_11_11_p1155_lanes[0]) - inverse_D10_p22_lanes[0] * Lambda_11_11_p1149_lanes;
-  const Lanes<8> Lambda_11_11_p1200_lanes = Lambda_11_11_p1074_lanes + inverse_D10_p23_lanes[0] *
-      Lambda_11_11_p1149_lanes;
-  const Lanes<8> Lambda_11_11_p1203_lanes = detail::make_pack<Real>(Lambda_11_11_p1092_lanes[0],
-      Lambda_11_11_p1092_lanes[1], Lambda_11_11_p1092_lanes[2], Lambda_11_11_p1071_lanes[0],
-      Lambda_11_11_p1071_lanes[1], Lambda_11_11_p1071_lanes[2], Lambda_11_11_p1092_lanes[0],
-      Lambda_11_11_p1092_lanes[0]) + inverse_D11_p5_lanes[0] *
-      detail::make_pack<Real>(Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[1],
-      Lambda_11_11_p1105_lanes[2], Lambda_11_11_p1074_lanes[0], Lambda_11_11_p1074_lanes[1],
-      Lambda_11_11_p1074_lanes[2], Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[0]) -
-      inverse_D11_p13_lanes[0] * Lambda_11_11_p1149_lanes;
-  const Lanes<8> Lambda_11_11_p1209_lanes = detail::make_pack<Real>(Lambda_11_11_p1164_lanes[0],
-      Lambda_11_11_p1164_lanes[1], Lambda_11_11_p1164_lanes[2],
-      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p1074_lanes[0]),
-      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p1074_lanes[1]),
-      -(inverse_D10_p11_lanes[0] * Lambda_11_11_p1074_lanes[2]), Lambda_11_11_p1164_lanes[0],
-      Lambda_11_11_p1164_lanes[0]) - inverse_D10_p24_lanes[0] * Lambda_11_11_p1149_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1215 = Lambda_11_11_p119_lanes[1] * Lambda_11_11_p1193;
-  const Real Lambda_11_11_p1258 = s16 * Lambda_11_11_p1137 + c16 * Lambda_11_11_p1138 -
-      inverse_D7_p8_lanes[1] * Lambda_11_11_p1193;
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p1259_lanes = s12 * Lambda_11_11_p1194_lanes - c12 *
-      detail::make_pack<Real>(Lambda_11_11_p1200_lanes[0], Lambda_11_11_p1200_lanes[1],
-      Lambda_11_11_p1200_lanes[2], Lambda_11_11_p1184_lanes[3], Lambda_11_11_p1184_lanes[4],
-      Lambda_11_11_p1184_lanes[5], Lambda_11_11_p1200_lanes[0], Lambda_11_11_p1200_lanes[0]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p1265_lanes = -(c12 * Lambda_11_11_p1203_lanes);
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1313 = s16 * Lambda_11_11_p1147 + c16 * Lambda_11_11_p1148 -
-      inverse_D6_p163_lanes[1] * Lambda_11_11_p959;
-  const Real Lambda_11_11_p1314 = -(-(s17 * Lambda_11_11_p808 + c17 * Lambda_11_11_p809) +
-      inverse_D6_p35_lanes[1] * Lambda_11_11_p839) + inverse_D6_p161_lanes[1] * Lambda_11_11_p959;
-  const Real Lambda_11_11_p1327 = s16 * Lambda_11_11_p1167 + c16 * Lambda_11_11_p1168 -
-      inverse_D6_p163_lanes[1] * Lambda_11_11_p1193;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p1328_lanes = 0.269 * Lambda_11_11_p1209_lanes - s12 *
-      Lambda_11_11_p1203_lanes - inverse_D10_p77_lanes[0] * Lambda_11_11_p1265_lanes;
-  const Lanes<8> Lambda_11_11_p1334_lanes = -Lambda_11_11_p1259_lanes + inverse_D8_p16_lanes[0] *
-      Lambda_11_11_p1265_lanes;
-  const Lanes<8> Lambda_11_11_p1346_lanes = Lambda_11_11_p1209_lanes - inverse_D8_p17_lanes[0] *
-      Lambda_11_11_p1265_lanes;
-  const Lanes<8> Lambda_11_11_p1352_lanes = -(s12 *
-      detail::make_pack<Real>(Lambda_11_11_p1200_lanes[0], Lambda_11_11_p1200_lanes[1],
-      Lambda_11_11_p1200_lanes[2], Lambda_11_11_p1184_lanes[3], Lambda_11_11_p1184_lanes[4],
-      Lambda_11_11_p1184_lanes[5], Lambda_11_11_p1200_lanes[0], Lambda_11_11_p1200_lanes[0]) + c12 *
-      Lambda_11_11_p1194_lanes) - inverse_D8_p18_lanes[0] * Lambda_11_11_p1265_lanes;
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p1358 = -(-(s17 * Lambda_11_11_p1052 + c17 * Lambda_11_11_p1057) +
-      inverse_D6_p35_lanes[1] * Lambda_11_11_p1095) + inverse_D6_p161_lanes[1] * Lambda_11_11_p1193;
-  const Real Lambda_11_11_p1359 = s15 * Lambda_11_11_p1215 + c15 * Lambda_11_11_p1258;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p1360_lanes = 0.269 * Lambda_11_11_p1259_lanes -
-      inverse_D10_p78_lanes[0] * Lambda_11_11_p1265_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p1420_lanes = -Lambda_11_11_p1022_lanes - inverse_D2_p7 *
-      Lambda_11_11_p1030_lanes - inverse_D2_p12 * Lambda_11_11_p1115_lanes;
-  const Lanes<8> Lambda_11_11_p1436_lanes = -Lambda_11_11_p1082_lanes + inverse_D2_p11 *
-      Lambda_11_11_p1115_lanes;
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p1440_lanes = s11 * Lambda_11_11_p1328_lanes + c11 *
-      Lambda_11_11_p1360_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p1486_lanes = inverse_D9_p7_lanes[0] * Lambda_11_11_p1440_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p1502_lanes = Lambda_11_11_p2 * Lambda_11_11_p1420_lanes -
-      Lambda_11_11_p1 * Lambda_11_11_p1436_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p1506_lanes = c11 * Lambda_11_11_p1328_lanes - s11 *
-      Lambda_11_11_p1360_lanes - inverse_D9_p9_lanes[0] * Lambda_11_11_p1440_lanes;
-  const Lanes<8> Lambda_11_11_p1512_lanes = -Lambda_11_11_p1352_lanes - inverse_D8_p81_lanes[0] *
-      Lambda_11_11_p1440_lanes;
-  const Lanes<8> Lambda_11_11_p1518_lanes = c11 * Lambda_11_11_p1334_lanes - s11 *
-      Lambda_11_11_p1346_lanes - inverse_D8_p80_lanes[0] * Lambda_11_11_p1440_lanes;
-  const Lanes<8> Lambda_11_11_p1536_lanes = s11 * Lambda_11_11_p1334_lanes + c11 *
-      Lambda_11_11_p1346_lanes - inverse_D8_p82_lanes[0] * Lambda_11_11_p1440_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p1592_lanes = inverse_D2_p2 *
-      (Lambda_11_11_p1 * Lambda_11_11_p1420_lanes + Lambda_11_11_p2 * Lambda_11_11_p1436_lanes) +
-      inverse_D2_p1 * Lambda_11_11_p1502_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p1596_lanes = c10 * Lambda_11_11_p1486_lanes - s10 *
-      Lambda_11_11_p1506_lanes;
-  const Lanes<8> Lambda_11_11_p1602_lanes = s10 * Lambda_11_11_p1512_lanes - c10 *
-      Lambda_11_11_p1518_lanes;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p1624_lanes = inverse_D8_p149_lanes[0] * Lambda_11_11_p1596_lanes;
-  const Lanes<8> Lambda_11_11_p1682_lanes = c10 * Lambda_11_11_p1506_lanes + s10 *
-      Lambda_11_11_p1486_lanes + 0.282 * Lambda_11_11_p1536_lanes - Lambda_11_11_p1624_lanes;
-  const Lanes<8> Lambda_11_11_p1688_lanes = 0.282 * Lambda_11_11_p1602_lanes -
-      inverse_D8_p150_lanes[0] * Lambda_11_11_p1596_lanes;
-  const Lanes<8> Lambda_11_11_p1694_lanes = -Lambda_11_11_p1602_lanes + inverse_D6_p31_lanes[0] *
-      Lambda_11_11_p1596_lanes;
-  const Lanes<8> Lambda_11_11_p1700_lanes = Lambda_11_11_p1536_lanes - inverse_D6_p33_lanes[0] *
-      Lambda_11_11_p1596_lanes;
-  const Lanes<8> Lambda_11_11_p1706_lanes = -(s10 * Lambda_11_11_p1518_lanes + c10 *
-      Lambda_11_11_p1512_lanes) + inverse_D6_p35_lanes[0] * Lambda_11_11_p1596_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p1712_lanes = 0.434 *
-      (Lambda_11_11_p1502_lanes - inverse_D1_p2 * Lambda_11_11_p1592_lanes);
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p1770_lanes = Lambda_11_11_p1712_lanes * inverse_D1;
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p1774_lanes = c9 * Lambda_11_11_p1682_lanes - s9 *
-      Lambda_11_11_p1688_lanes;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p1804_lanes = Lambda_11_11_p119_lanes[0] * Lambda_11_11_p1774_lanes;
-
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p1828_lanes = Lambda_11_11_p1592_lanes * inverse_D2;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p1832_lanes = Lambda_11_11_p1115_lanes * inverse_D3;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p1836_lanes = s9 * Lambda_11_11_p1682_lanes + c9 *
-      Lambda_11_11_p1688_lanes - inverse_D7_p8_lanes[0] * Lambda_11_11_p1774_lanes;
-  const Lanes<8> Lambda_11_11_p1848_lanes = s9 * Lambda_11_11_p1694_lanes + c9 *
-      Lambda_11_11_p1700_lanes - inverse_D6_p163_lanes[0] * Lambda_11_11_p1774_lanes;
-  const Lanes<8> Lambda_11_11_p1854_lanes = -Lambda_11_11_p1706_lanes + inverse_D6_p161_lanes[0] *
-      Lambda_11_11_p1774_lanes;
-  const Lanes<8> Lambda_11_11_p1860_lanes = c9 * Lambda_11_11_p1694_lanes - s9 *
-      Lambda_11_11_p1700_lanes - inverse_D6_p165_lanes[0] * Lambda_11_11_p1774_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p1872_lanes = Lambda_11_11_p819_lanes * inverse_D5;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p1876_lanes = Lambda_11_11_p731_lanes * inverse_D6;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p1880_lanes = Lambda_11_11_p1030_lanes * inverse_D4;
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p1920_lanes = s8 * Lambda_11_11_p1804_lanes + c8 *
-      Lambda_11_11_p1836_lanes;
-  const Lanes<8> Lambda_11_11_p1926_lanes = c8 * Lambda_11_11_p1854_lanes - s8 *
-      Lambda_11_11_p1848_lanes;
-  const Lanes<8> Lambda_11_11_p1932_lanes = s8 * Lambda_11_11_p1854_lanes + c8 *
-      Lambda_11_11_p1848_lanes;
-  const Lanes<8> Lambda_11_11_p1938_lanes = c8 * Lambda_11_11_p1804_lanes - s8 *
-      Lambda_11_11_p1836_lanes;
-
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p1976_lanes = detail::make_pack<Real>(Lambda_11_11_p3_lanes[0],
-      Lambda_11_11_p3_lanes[0], Lambda_11_11_p3_lanes[0], Lambda_11_11_p3_lanes[0],
-      Lambda_11_11_p3_lanes[0], Lambda_11_11_p3_lanes[0], Lambda_11_11_p3_lanes[1],
-      Lambda_11_11_p3_lanes[1]) * detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0],
-      Lambda_11_11_p1920_lanes[1], Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3],
-      Lambda_11_11_p1920_lanes[4], Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359,
-      Lambda_11_11_p1077);
-  const Lanes<8> Lambda_11_11_p1984_lanes = detail::make_pack<Real>(Lambda_11_11_p1860_lanes[0],
-      Lambda_11_11_p1860_lanes[1], Lambda_11_11_p1860_lanes[2], Lambda_11_11_p1860_lanes[3],
-      Lambda_11_11_p1860_lanes[4], Lambda_11_11_p1860_lanes[5], c16 * Lambda_11_11_p1167 - s16 *
-      Lambda_11_11_p1168 - inverse_D6_p165_lanes[1] * Lambda_11_11_p1193, c16 * Lambda_11_11_p1147 -
-      s16 * Lambda_11_11_p1148 - inverse_D6_p165_lanes[1] * Lambda_11_11_p959) -
+  const Lanes<8> Lambda_11_11_p1072_lanes = detail::make_pack<Real>(Lambda_11_11_p918_lanes[0],
+      Lambda_11_11_p918_lanes[1], Lambda_11_11_p918_lanes[2], Lambda_11_11_p918_lanes[3],
+      Lambda_11_11_p918_lanes[4], Lambda_11_11_p918_lanes[5], c16 * Lambda_11_11_p290 - s16 *
+      Lambda_11_11_p316 - inverse_D6_p165_lanes[1] * Lambda_11_11_p380, c16 * Lambda_11_11_p269 -
+      s16 * Lambda_11_11_p270 - inverse_D6_p165_lanes[1] * Lambda_11_11_p115) -
       detail::make_pack<Real>(inverse_D6_p294_lanes[0], inverse_D6_p294_lanes[0],
       inverse_D6_p294_lanes[0], inverse_D6_p294_lanes[0], inverse_D6_p294_lanes[0],
       inverse_D6_p294_lanes[0], inverse_D6_p294_lanes[1], inverse_D6_p294_lanes[1]) *
-      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0], Lambda_11_11_p1920_lanes[1],
-      Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3], Lambda_11_11_p1920_lanes[4],
-      Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359, Lambda_11_11_p1077);
-  const Lanes<8> Lambda_11_11_p1992_lanes = detail::make_pack<Real>(Lambda_11_11_p1926_lanes[0],
-      Lambda_11_11_p1926_lanes[1], Lambda_11_11_p1926_lanes[2], Lambda_11_11_p1926_lanes[3],
-      Lambda_11_11_p1926_lanes[4], Lambda_11_11_p1926_lanes[5], c15 * Lambda_11_11_p1358 - s15 *
-      Lambda_11_11_p1327, c15 * Lambda_11_11_p1314 - s15 * Lambda_11_11_p1313) -
+      detail::make_pack<Real>(Lambda_11_11_p966_lanes[0], Lambda_11_11_p966_lanes[1],
+      Lambda_11_11_p966_lanes[2], Lambda_11_11_p966_lanes[3], Lambda_11_11_p966_lanes[4],
+      Lambda_11_11_p966_lanes[5], Lambda_11_11_p557, Lambda_11_11_p144);
+  const Lanes<8> Lambda_11_11_p1080_lanes = detail::make_pack<Real>(Lambda_11_11_p972_lanes[0],
+      Lambda_11_11_p972_lanes[1], Lambda_11_11_p972_lanes[2], Lambda_11_11_p972_lanes[3],
+      Lambda_11_11_p972_lanes[4], Lambda_11_11_p972_lanes[5], c15 * Lambda_11_11_p484 - s15 *
+      Lambda_11_11_p483, c15 * Lambda_11_11_p382 - s15 * Lambda_11_11_p381) -
       detail::make_pack<Real>(inverse_D6_p292_lanes[0], inverse_D6_p292_lanes[0],
       inverse_D6_p292_lanes[0], inverse_D6_p292_lanes[0], inverse_D6_p292_lanes[0],
       inverse_D6_p292_lanes[0], inverse_D6_p292_lanes[1], inverse_D6_p292_lanes[1]) *
-      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0], Lambda_11_11_p1920_lanes[1],
-      Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3], Lambda_11_11_p1920_lanes[4],
-      Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359, Lambda_11_11_p1077);
-  const Lanes<8> Lambda_11_11_p2000_lanes = detail::make_pack<Real>(Lambda_11_11_p1932_lanes[0],
-      Lambda_11_11_p1932_lanes[1], Lambda_11_11_p1932_lanes[2], Lambda_11_11_p1932_lanes[3],
-      Lambda_11_11_p1932_lanes[4], Lambda_11_11_p1932_lanes[5], s15 * Lambda_11_11_p1358 + c15 *
-      Lambda_11_11_p1327, s15 * Lambda_11_11_p1314 + c15 * Lambda_11_11_p1313) -
+      detail::make_pack<Real>(Lambda_11_11_p966_lanes[0], Lambda_11_11_p966_lanes[1],
+      Lambda_11_11_p966_lanes[2], Lambda_11_11_p966_lanes[3], Lambda_11_11_p966_lanes[4],
+      Lambda_11_11_p966_lanes[5], Lambda_11_11_p557, Lambda_11_11_p144);
+  const Lanes<8> Lambda_11_11_p1088_lanes = detail::make_pack<Real>(Lambda_11_11_p978_lanes[0],
+      Lambda_11_11_p978_lanes[1], Lambda_11_11_p978_lanes[2], Lambda_11_11_p978_lanes[3],
+      Lambda_11_11_p978_lanes[4], Lambda_11_11_p978_lanes[5], s15 * Lambda_11_11_p484 + c15 *
+      Lambda_11_11_p483, s15 * Lambda_11_11_p382 + c15 * Lambda_11_11_p381) -
       detail::make_pack<Real>(inverse_D6_p299_lanes[0], inverse_D6_p299_lanes[0],
       inverse_D6_p299_lanes[0], inverse_D6_p299_lanes[0], inverse_D6_p299_lanes[0],
       inverse_D6_p299_lanes[0], inverse_D6_p299_lanes[1], inverse_D6_p299_lanes[1]) *
-      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0], Lambda_11_11_p1920_lanes[1],
-      Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3], Lambda_11_11_p1920_lanes[4],
-      Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359, Lambda_11_11_p1077);
-  const Lanes<8> Lambda_11_11_p2008_lanes = detail::make_pack<Real>(Lambda_11_11_p1938_lanes[0],
-      Lambda_11_11_p1938_lanes[1], Lambda_11_11_p1938_lanes[2], Lambda_11_11_p1938_lanes[3],
-      Lambda_11_11_p1938_lanes[4], Lambda_11_11_p1938_lanes[5], c15 * Lambda_11_11_p1215 - s15 *
-      Lambda_11_11_p1258, c15 * Lambda_11_11_p997 - s15 * Lambda_11_11_p1021) -
+      detail::make_pack<Real>(Lambda_11_11_p966_lanes[0], Lambda_11_11_p966_lanes[1],
+      Lambda_11_11_p966_lanes[2], Lambda_11_11_p966_lanes[3], Lambda_11_11_p966_lanes[4],
+      Lambda_11_11_p966_lanes[5], Lambda_11_11_p557, Lambda_11_11_p144);
+  const Lanes<8> Lambda_11_11_p1096_lanes = detail::make_pack<Real>(Lambda_11_11_p984_lanes[0],
+      Lambda_11_11_p984_lanes[1], Lambda_11_11_p984_lanes[2], Lambda_11_11_p984_lanes[3],
+      Lambda_11_11_p984_lanes[4], Lambda_11_11_p984_lanes[5], c15 * Lambda_11_11_p437 - s15 *
+      Lambda_11_11_p482, c15 * Lambda_11_11_p119 - s15 * Lambda_11_11_p128) -
       detail::make_pack<Real>(inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0],
       inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[0],
       inverse_D6_p332_lanes[0], inverse_D6_p332_lanes[1], inverse_D6_p332_lanes[1]) *
-      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[0], Lambda_11_11_p1920_lanes[1],
-      Lambda_11_11_p1920_lanes[2], Lambda_11_11_p1920_lanes[3], Lambda_11_11_p1920_lanes[4],
-      Lambda_11_11_p1920_lanes[5], Lambda_11_11_p1359, Lambda_11_11_p1077);
-
-  // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p2032_lanes = Lambda_11_11_p1774_lanes * inverse_D8_lanes[0];
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2038_lanes = Lambda_11_11_p1920_lanes * inverse_D7_lanes[0];
-
-  // link 9 (left_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p2044_lanes = Lambda_11_11_p1596_lanes * inverse_D9_lanes[0];
-
-  // link 12 (left_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p2106_lanes = Lambda_11_11_p1149_lanes * inverse_D12_lanes[0];
-
-  // link 13 (left_hand), force propagation
-  const Lanes<8> Lambda_11_11_p2112_lanes = 1065.380700001509 *
-      detail::make_pack<Real>(Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[1],
-      Lambda_11_11_p1105_lanes[2], Lambda_11_11_p1074_lanes[0], Lambda_11_11_p1074_lanes[1],
-      Lambda_11_11_p1074_lanes[2], Lambda_11_11_p1105_lanes[0], Lambda_11_11_p1105_lanes[0]);
-
-  // link 11 (left_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p2118_lanes = Lambda_11_11_p1265_lanes * inverse_D11_lanes[0];
+      detail::make_pack<Real>(Lambda_11_11_p966_lanes[0], Lambda_11_11_p966_lanes[1],
+      Lambda_11_11_p966_lanes[2], Lambda_11_11_p966_lanes[3], Lambda_11_11_p966_lanes[4],
+      Lambda_11_11_p966_lanes[5], Lambda_11_11_p557, Lambda_11_11_p144);
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2124_lanes = Lambda_11_11_p1440_lanes * inverse_D10_lanes[0];
+  const Lanes<8> Lambda_11_11_p1126_lanes = Lambda_11_11_p1030_lanes * Lambda_11_11_p558_lanes[0];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2148_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
-      s14) * Lambda_11_11_p1984_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
-      Lambda_11_11_p1992_lanes;
-  const Lanes<8> Lambda_11_11_p2164_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_11_11_p1984_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      Lambda_11_11_p1992_lanes;
+  const Lanes<8> Lambda_11_11_p1224_lanes = detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14,
+      s14) * Lambda_11_11_p1072_lanes + detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) *
+      Lambda_11_11_p1080_lanes;
+  const Lanes<8> Lambda_11_11_p1240_lanes = detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_11_11_p1072_lanes - detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      Lambda_11_11_p1080_lanes;
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2198_lanes = Lambda_11_11_p2124_lanes * Lambda_11_11_p1440_lanes[0];
+  const Lanes<8> Lambda_11_11_p1296_lanes = Lambda_11_11_p1066_lanes * Lambda_11_11_p243_lanes[0] +
+      Lambda_11_11_p1054_lanes * Lambda_11_11_p271_lanes[0] + Lambda_11_11_p1042_lanes *
+      Lambda_11_11_p389_lanes[0] + Lambda_11_11_p1126_lanes;
+  const Lanes<8> Lambda_11_11_p1317_lanes = Lambda_11_11_p1030_lanes * Lambda_11_11_p558_lanes[1];
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2234_lanes = 0.226 * Lambda_11_11_p2000_lanes +
+  const Lanes<8> Lambda_11_11_p1327_lanes = 0.226 * Lambda_11_11_p1088_lanes +
       detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18, 0.18, (-0.18), (-0.18)) *
-      Lambda_11_11_p2148_lanes;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2264_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1105_lanes[0] +
-      Lambda_11_11_p2106_lanes * Lambda_11_11_p1149_lanes[0] + Lambda_11_11_p2118_lanes *
-      Lambda_11_11_p1265_lanes[0] + Lambda_11_11_p2198_lanes;
+      Lambda_11_11_p1224_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p2270_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
-      c14) * Lambda_11_11_p1976_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
-      Lambda_11_11_p2008_lanes + Lambda_11_11_p2234_lanes);
-  const Lanes<8> Lambda_11_11_p2278_lanes = inverse_D5_p73 * Lambda_11_11_p2270_lanes;
-  const Lanes<8> Lambda_11_11_p2318_lanes = Lambda_11_11_p2270_lanes * inverse_D6;
-  const Real Lambda_11_11_p2324 = Lambda_11_11_p2270_lanes[7] * inverse_D6;
-  const Real Lambda_11_11_p2325 = Lambda_11_11_p2270_lanes[6] * inverse_D6;
-  const Lanes<8> Lambda_11_11_p2340_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
-      0.18, (-0.18), (-0.18)) * Lambda_11_11_p2164_lanes -
-      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_11_11_p1976_lanes -
-      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_11_11_p2008_lanes) -
-      Lambda_11_11_p2278_lanes;
-  const Lanes<8> Lambda_11_11_p2348_lanes = 0.226 * Lambda_11_11_p2164_lanes - inverse_D5_p72 *
-      Lambda_11_11_p2270_lanes;
-  const Lanes<8> Lambda_11_11_p2356_lanes = Lambda_11_11_p2164_lanes - inverse_D5_p71 *
-      Lambda_11_11_p2270_lanes;
-  const Lanes<8> Lambda_11_11_p2364_lanes = Lambda_11_11_p2148_lanes + inverse_D3_p14 *
-      Lambda_11_11_p2270_lanes;
-  const Lanes<8> Lambda_11_11_p2372_lanes = Lambda_11_11_p2000_lanes - inverse_D3_p15 *
-      Lambda_11_11_p2270_lanes;
+  const Lanes<8> Lambda_11_11_p1373_lanes = -(detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14,
+      c14) * Lambda_11_11_p1022_lanes + detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) *
+      Lambda_11_11_p1096_lanes + Lambda_11_11_p1327_lanes);
+  const Lanes<8> Lambda_11_11_p1381_lanes = inverse_D5_p73 * Lambda_11_11_p1373_lanes;
+  const Lanes<8> Lambda_11_11_p1421_lanes = Lambda_11_11_p1373_lanes * inverse_D6;
+  const Real Lambda_11_11_p1427 = Lambda_11_11_p1373_lanes[7] * inverse_D6;
+  const Real Lambda_11_11_p1428 = Lambda_11_11_p1373_lanes[6] * inverse_D6;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2479_lanes = Lambda_11_11_p2264_lanes + Lambda_11_11_p2044_lanes *
-      Lambda_11_11_p1596_lanes[0] + Lambda_11_11_p2032_lanes * Lambda_11_11_p1774_lanes[0] +
-      Lambda_11_11_p2038_lanes * Lambda_11_11_p1920_lanes[0];
+  const Lanes<8> Lambda_11_11_p1429_lanes = Lambda_11_11_p1296_lanes + Lambda_11_11_p1036_lanes *
+      Lambda_11_11_p678_lanes[0] + Lambda_11_11_p1048_lanes * Lambda_11_11_p840_lanes[0] +
+      Lambda_11_11_p1060_lanes * Lambda_11_11_p966_lanes[0];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2485_lanes = Lambda_11_11_p2124_lanes * Lambda_11_11_p1440_lanes[1];
+  const Lanes<8> Lambda_11_11_p1435_lanes = Lambda_11_11_p1066_lanes * Lambda_11_11_p243_lanes[1] +
+      Lambda_11_11_p1054_lanes * Lambda_11_11_p271_lanes[1] + Lambda_11_11_p1042_lanes *
+      Lambda_11_11_p389_lanes[1] + Lambda_11_11_p1317_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p2531_lanes = s6 * Lambda_11_11_p2364_lanes + c6 *
-      Lambda_11_11_p2372_lanes;
-  const Lanes<8> Lambda_11_11_p2539_lanes = Lambda_11_11_p2479_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p2270_lanes[0];
-  const Lanes<8> Lambda_11_11_p2562_lanes = s6 * Lambda_11_11_p2340_lanes + c6 *
-      Lambda_11_11_p2348_lanes + 0.072 * Lambda_11_11_p2356_lanes;
+  const Lanes<8> Lambda_11_11_p1440_lanes = detail::make_pack<Real>(0.18, 0.18, 0.18, 0.18, 0.18,
+      0.18, (-0.18), (-0.18)) * Lambda_11_11_p1240_lanes -
+      (detail::make_pack<Real>(s7, s7, s7, s7, s7, s7, s14, s14) * Lambda_11_11_p1022_lanes -
+      detail::make_pack<Real>(c7, c7, c7, c7, c7, c7, c14, c14) * Lambda_11_11_p1096_lanes) -
+      Lambda_11_11_p1381_lanes;
+  const Lanes<8> Lambda_11_11_p1448_lanes = 0.226 * Lambda_11_11_p1240_lanes - inverse_D5_p72 *
+      Lambda_11_11_p1373_lanes;
+  const Lanes<8> Lambda_11_11_p1456_lanes = Lambda_11_11_p1240_lanes - inverse_D5_p71 *
+      Lambda_11_11_p1373_lanes;
+  const Lanes<8> Lambda_11_11_p1464_lanes = Lambda_11_11_p1224_lanes + inverse_D3_p14 *
+      Lambda_11_11_p1373_lanes;
+  const Lanes<8> Lambda_11_11_p1472_lanes = Lambda_11_11_p1088_lanes - inverse_D3_p15 *
+      Lambda_11_11_p1373_lanes;
+  const Lanes<8> Lambda_11_11_p1568_lanes = Lambda_11_11_p1429_lanes + Lambda_11_11_p1421_lanes *
+      Lambda_11_11_p1373_lanes[0];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2578_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1105_lanes[1] +
-      Lambda_11_11_p2106_lanes * Lambda_11_11_p1149_lanes[1] + Lambda_11_11_p2118_lanes *
-      Lambda_11_11_p1265_lanes[1] + Lambda_11_11_p2485_lanes;
+  const Lanes<8> Lambda_11_11_p1591_lanes = Lambda_11_11_p1030_lanes * Lambda_11_11_p558_lanes[2];
 
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p2623_lanes = Lambda_11_11_p2562_lanes * inverse_D5;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2668_lanes = Lambda_11_11_p2124_lanes * Lambda_11_11_p1440_lanes[2];
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p2680_lanes = c6 * Lambda_11_11_p2364_lanes - s6 *
-      Lambda_11_11_p2372_lanes - inverse_D3_p35 * Lambda_11_11_p2562_lanes;
-  const Lanes<8> Lambda_11_11_p2688_lanes = Lambda_11_11_p2356_lanes - inverse_D3_p34 *
-      Lambda_11_11_p2562_lanes;
-  const Lanes<8> Lambda_11_11_p2696_lanes = c6 * Lambda_11_11_p2340_lanes - s6 *
-      Lambda_11_11_p2348_lanes - inverse_D4_p11 * Lambda_11_11_p2562_lanes;
-  const Lanes<8> Lambda_11_11_p2704_lanes = -(0.072 * Lambda_11_11_p2531_lanes) + inverse_D4_p10 *
-      Lambda_11_11_p2562_lanes;
-  const Lanes<8> Lambda_11_11_p2782_lanes = s4 * (Lambda_11_11_p2531_lanes - inverse_D3_p36 *
-      Lambda_11_11_p2562_lanes);
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p1627_lanes = s6 * Lambda_11_11_p1464_lanes + c6 *
+      Lambda_11_11_p1472_lanes;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p2830_lanes = Lambda_11_11_p2578_lanes + Lambda_11_11_p2044_lanes *
-      Lambda_11_11_p1596_lanes[1] + Lambda_11_11_p2032_lanes * Lambda_11_11_p1774_lanes[1] +
-      Lambda_11_11_p2038_lanes * Lambda_11_11_p1920_lanes[1];
+  const Lanes<8> Lambda_11_11_p1635_lanes = Lambda_11_11_p1435_lanes + Lambda_11_11_p1036_lanes *
+      Lambda_11_11_p678_lanes[1] + Lambda_11_11_p1048_lanes * Lambda_11_11_p840_lanes[1] +
+      Lambda_11_11_p1060_lanes * Lambda_11_11_p966_lanes[1];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p2883_lanes = Lambda_11_11_p2830_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p2270_lanes[1];
+  const Lanes<8> Lambda_11_11_p1648_lanes = s6 * Lambda_11_11_p1440_lanes + c6 *
+      Lambda_11_11_p1448_lanes + 0.072 * Lambda_11_11_p1456_lanes;
+  const Lanes<8> Lambda_11_11_p1668_lanes = Lambda_11_11_p1635_lanes + Lambda_11_11_p1421_lanes *
+      Lambda_11_11_p1373_lanes[1];
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p1713_lanes = Lambda_11_11_p1648_lanes * inverse_D5;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p1739_lanes = Lambda_11_11_p1030_lanes * Lambda_11_11_p558_lanes[3];
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p1757_lanes = c6 * Lambda_11_11_p1464_lanes - s6 *
+      Lambda_11_11_p1472_lanes - inverse_D3_p35 * Lambda_11_11_p1648_lanes;
+  const Lanes<8> Lambda_11_11_p1765_lanes = Lambda_11_11_p1456_lanes - inverse_D3_p34 *
+      Lambda_11_11_p1648_lanes;
+  const Lanes<8> Lambda_11_11_p1773_lanes = c6 * Lambda_11_11_p1440_lanes - s6 *
+      Lambda_11_11_p1448_lanes - inverse_D4_p11 * Lambda_11_11_p1648_lanes;
+  const Lanes<8> Lambda_11_11_p1781_lanes = -(0.072 * Lambda_11_11_p1627_lanes) + inverse_D4_p10 *
+      Lambda_11_11_p1648_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p1812_lanes = Lambda_11_11_p1066_lanes * Lambda_11_11_p243_lanes[2] +
+      Lambda_11_11_p1054_lanes * Lambda_11_11_p271_lanes[2] + Lambda_11_11_p1042_lanes *
+      Lambda_11_11_p389_lanes[2] + Lambda_11_11_p1591_lanes;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p1859_lanes = s4 * (Lambda_11_11_p1627_lanes - inverse_D3_p36 *
+      Lambda_11_11_p1648_lanes);
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p2920_lanes = -(s5 * Lambda_11_11_p2704_lanes + c5 *
-      Lambda_11_11_p2696_lanes);
-  const Lanes<8> Lambda_11_11_p2952_lanes = Lambda_11_11_p2920_lanes * inverse_D4;
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p2975_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1105_lanes[2] +
-      Lambda_11_11_p2106_lanes * Lambda_11_11_p1149_lanes[2] + Lambda_11_11_p2118_lanes *
-      Lambda_11_11_p1265_lanes[2] + Lambda_11_11_p2668_lanes;
-  const Lanes<8> Lambda_11_11_p2988_lanes = Lambda_11_11_p2124_lanes * Lambda_11_11_p1440_lanes[3];
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p2997_lanes = c4 * (s5 * Lambda_11_11_p2680_lanes - c5 *
-      Lambda_11_11_p2688_lanes) + Lambda_11_11_p2782_lanes;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p3016_lanes = -(s5 * Lambda_11_11_p2688_lanes + c5 *
-      Lambda_11_11_p2680_lanes) - inverse_D2_p6 * Lambda_11_11_p2920_lanes;
-
-  // link 5 (chest2), force propagation
-  const Lanes<8> Lambda_11_11_p3140_lanes = s4 * (s5 * Lambda_11_11_p2696_lanes - c5 *
-      Lambda_11_11_p2704_lanes) + 0.21799999999999997 * Lambda_11_11_p2997_lanes;
+  const Lanes<8> Lambda_11_11_p1982_lanes = -(s5 * Lambda_11_11_p1781_lanes + c5 *
+      Lambda_11_11_p1773_lanes);
+  const Lanes<8> Lambda_11_11_p2014_lanes = Lambda_11_11_p1982_lanes * inverse_D4;
 
   // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p3148_lanes = Lambda_11_11_p2975_lanes + Lambda_11_11_p2044_lanes *
-      Lambda_11_11_p1596_lanes[2] + Lambda_11_11_p2032_lanes * Lambda_11_11_p1774_lanes[2] +
-      Lambda_11_11_p2038_lanes * Lambda_11_11_p1920_lanes[2];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p3179_lanes = -Lambda_11_11_p3140_lanes - inverse_D3_p60 *
-      Lambda_11_11_p2920_lanes;
-
-  // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p3187_lanes = Lambda_11_11_p3148_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p2270_lanes[2];
+  const Lanes<8> Lambda_11_11_p2030_lanes = Lambda_11_11_p1812_lanes + Lambda_11_11_p1036_lanes *
+      Lambda_11_11_p678_lanes[2] + Lambda_11_11_p1048_lanes * Lambda_11_11_p840_lanes[2] +
+      Lambda_11_11_p1060_lanes * Lambda_11_11_p966_lanes[2];
 
   // link 10 (left_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p3191_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1074_lanes[0] +
-      Lambda_11_11_p2106_lanes * Lambda_11_11_p1149_lanes[3] + Lambda_11_11_p2118_lanes *
-      Lambda_11_11_p1265_lanes[3] + Lambda_11_11_p2988_lanes;
+  const Lanes<8> Lambda_11_11_p2034_lanes = Lambda_11_11_p1066_lanes * Lambda_11_11_p227_lanes[0] +
+      Lambda_11_11_p1054_lanes * Lambda_11_11_p271_lanes[3] + Lambda_11_11_p1042_lanes *
+      Lambda_11_11_p389_lanes[3] + Lambda_11_11_p1739_lanes;
 
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3214_lanes = Lambda_11_11_p3179_lanes * inverse_D3;
-  const Lanes<8> Lambda_11_11_p3245_lanes = -Lambda_11_11_p2997_lanes - inverse_D2_p7 *
-      Lambda_11_11_p2920_lanes - inverse_D2_p12 * Lambda_11_11_p3179_lanes;
-  const Lanes<8> Lambda_11_11_p3253_lanes = -Lambda_11_11_p3016_lanes + inverse_D2_p11 *
-      Lambda_11_11_p3179_lanes;
-  const Lanes<8> Lambda_11_11_p3324_lanes = detail::make_pack<Real>(Lambda_11_11_p2539_lanes[0],
-      Lambda_11_11_p2539_lanes[1], Lambda_11_11_p2539_lanes[2], Lambda_11_11_p2539_lanes[3],
-      Lambda_11_11_p2539_lanes[4], Lambda_11_11_p2539_lanes[5], Lambda_11_11_p2325 *
-      Lambda_11_11_p2270_lanes[0], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[0]) +
-      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[0] + Lambda_11_11_p2952_lanes *
-      Lambda_11_11_p2920_lanes[0] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[0];
-  const Lanes<8> Lambda_11_11_p3332_lanes = detail::make_pack<Real>(Lambda_11_11_p2883_lanes[1],
-      Lambda_11_11_p2883_lanes[1], Lambda_11_11_p2883_lanes[2], Lambda_11_11_p2883_lanes[3],
-      Lambda_11_11_p2883_lanes[4], Lambda_11_11_p2883_lanes[5], Lambda_11_11_p2325 *
-      Lambda_11_11_p2270_lanes[1], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[1]) +
-      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[1] + Lambda_11_11_p2952_lanes *
-      Lambda_11_11_p2920_lanes[1] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[1];
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p2037_lanes = c4 * (s5 * Lambda_11_11_p1757_lanes - c5 *
+      Lambda_11_11_p1765_lanes) + Lambda_11_11_p1859_lanes;
 
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p3339_lanes = Lambda_11_11_p3191_lanes + Lambda_11_11_p2044_lanes *
-      Lambda_11_11_p1596_lanes[3] + Lambda_11_11_p2032_lanes * Lambda_11_11_p1774_lanes[3] +
-      Lambda_11_11_p2038_lanes * Lambda_11_11_p1920_lanes[3];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3342_lanes = detail::make_pack<Real>(Lambda_11_11_p3187_lanes[2],
-      Lambda_11_11_p3187_lanes[2], Lambda_11_11_p3187_lanes[2], Lambda_11_11_p3187_lanes[3],
-      Lambda_11_11_p3187_lanes[4], Lambda_11_11_p3187_lanes[5], Lambda_11_11_p2325 *
-      Lambda_11_11_p2270_lanes[2], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[2]) +
-      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[2] + Lambda_11_11_p2952_lanes *
-      Lambda_11_11_p2920_lanes[2] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[2];
-  const Lanes<8> Lambda_11_11_p3354_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[0];
-  const Lanes<8> Lambda_11_11_p3358_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[1];
-  const Lanes<8> Lambda_11_11_p3370_lanes = Lambda_11_11_p2 * Lambda_11_11_p3245_lanes -
-      Lambda_11_11_p1 * Lambda_11_11_p3253_lanes;
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p2045_lanes = -(s5 * Lambda_11_11_p1765_lanes + c5 *
+      Lambda_11_11_p1757_lanes) - inverse_D2_p6 * Lambda_11_11_p1982_lanes;
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p3378_lanes = Lambda_11_11_p3339_lanes + Lambda_11_11_p2318_lanes *
-      Lambda_11_11_p2270_lanes[3];
+  const Lanes<8> Lambda_11_11_p2068_lanes = Lambda_11_11_p2030_lanes + Lambda_11_11_p1421_lanes *
+      Lambda_11_11_p1373_lanes[2];
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p2153_lanes = s4 * (s5 * Lambda_11_11_p1773_lanes - c5 *
+      Lambda_11_11_p1781_lanes) + 0.21799999999999997 * Lambda_11_11_p2037_lanes;
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p2167_lanes = Lambda_11_11_p2034_lanes + Lambda_11_11_p1036_lanes *
+      Lambda_11_11_p678_lanes[3] + Lambda_11_11_p1048_lanes * Lambda_11_11_p840_lanes[3] +
+      Lambda_11_11_p1060_lanes * Lambda_11_11_p966_lanes[3];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p2183_lanes = -Lambda_11_11_p2153_lanes - inverse_D3_p60 *
+      Lambda_11_11_p1982_lanes;
+
+  // link 16 (right_upperarm), pose
+  const Real Lambda_11_11_p2191 = s16 * Lambda_11_11_p145_lanes[1] + c16 *
+      Lambda_11_11_p131_lanes[1];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p2192_lanes = Lambda_11_11_p2167_lanes + Lambda_11_11_p1421_lanes *
+      Lambda_11_11_p1373_lanes[3];
 
   // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3381_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[2];
-  const Lanes<8> Lambda_11_11_p3387_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[3];
-  const Lanes<8> Lambda_11_11_p3391_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[4];
-  const Lanes<8> Lambda_11_11_p3411_lanes = Lambda_11_11_p1832_lanes * Lambda_11_11_p3179_lanes[5];
-  const Lanes<8> Lambda_11_11_p3436_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[0] +
-      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[0] + Lambda_11_11_p1880_lanes *
-      Lambda_11_11_p2920_lanes[0] + Lambda_11_11_p3354_lanes;
-  const Lanes<8> Lambda_11_11_p3442_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[1] +
-      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[1] + Lambda_11_11_p1880_lanes *
-      Lambda_11_11_p2920_lanes[1] + Lambda_11_11_p3358_lanes;
-  const Lanes<8> Lambda_11_11_p3446_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[2] +
-      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[2] + Lambda_11_11_p1880_lanes *
-      Lambda_11_11_p2920_lanes[2] + Lambda_11_11_p3381_lanes;
-  const Lanes<8> Lambda_11_11_p3450_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[3] +
-      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[3] + Lambda_11_11_p1880_lanes *
-      Lambda_11_11_p2920_lanes[3] + Lambda_11_11_p3387_lanes;
-  const Lanes<8> Lambda_11_11_p3454_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[4] +
-      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[4] + Lambda_11_11_p1880_lanes *
-      Lambda_11_11_p2920_lanes[4] + Lambda_11_11_p3391_lanes;
-  const Lanes<8> Lambda_11_11_p3467_lanes = inverse_D2_p2 *
-      (Lambda_11_11_p1 * Lambda_11_11_p3245_lanes + Lambda_11_11_p2 * Lambda_11_11_p3253_lanes) +
-      inverse_D2_p1 * Lambda_11_11_p3370_lanes;
-  const Lanes<8> Lambda_11_11_p3477_lanes = detail::make_pack<Real>(Lambda_11_11_p3378_lanes[3],
-      Lambda_11_11_p3378_lanes[3], Lambda_11_11_p3378_lanes[3], Lambda_11_11_p3378_lanes[3],
-      Lambda_11_11_p3378_lanes[4], Lambda_11_11_p3378_lanes[5], Lambda_11_11_p2325 *
-      Lambda_11_11_p2270_lanes[3], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[3]) +
-      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[3] + Lambda_11_11_p2952_lanes *
-      Lambda_11_11_p2920_lanes[3] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[3];
+  const Lanes<8> Lambda_11_11_p2213_lanes = Lambda_11_11_p2183_lanes * inverse_D3;
 
-  // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p3500_lanes = Lambda_11_11_p3467_lanes * inverse_D2;
+  // link 16 (right_upperarm), pose
+  const Real Lambda_11_11_p2221 = c16 * Lambda_11_11_p145_lanes[1] - s16 *
+      Lambda_11_11_p131_lanes[1];
 
   // link 8 (left_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p3508_lanes = Lambda_11_11_p2112_lanes * Lambda_11_11_p1074_lanes[1] +
-      detail::make_pack<Real>(Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4],
-      Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4], Lambda_11_11_p2106_lanes[4] *
-      Lambda_11_11_p1149_lanes[4], Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4],
-      Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4], Lambda_11_11_p2106_lanes[5] *
-      Lambda_11_11_p1149_lanes[4], Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4],
-      Lambda_11_11_p2106_lanes[4] * Lambda_11_11_p1149_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4],
-      Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4], Lambda_11_11_p2118_lanes[4] *
-      Lambda_11_11_p1265_lanes[4], Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4],
-      Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4], Lambda_11_11_p2118_lanes[5] *
-      Lambda_11_11_p1265_lanes[4], Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4],
-      Lambda_11_11_p2118_lanes[4] * Lambda_11_11_p1265_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4],
-      Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4], Lambda_11_11_p2124_lanes[4] *
-      Lambda_11_11_p1440_lanes[4], Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4],
-      Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4], Lambda_11_11_p2124_lanes[5] *
-      Lambda_11_11_p1440_lanes[4], Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4],
-      Lambda_11_11_p2124_lanes[4] * Lambda_11_11_p1440_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4],
-      Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4], Lambda_11_11_p2044_lanes[4] *
-      Lambda_11_11_p1596_lanes[4], Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4],
-      Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4], Lambda_11_11_p2044_lanes[5] *
-      Lambda_11_11_p1596_lanes[4], Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4],
-      Lambda_11_11_p2044_lanes[4] * Lambda_11_11_p1596_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4],
-      Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4], Lambda_11_11_p2032_lanes[4] *
-      Lambda_11_11_p1774_lanes[4], Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4],
-      Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4], Lambda_11_11_p2032_lanes[5] *
-      Lambda_11_11_p1774_lanes[4], Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4],
-      Lambda_11_11_p2032_lanes[4] * Lambda_11_11_p1774_lanes[4]);
+  const Lanes<8> Lambda_11_11_p2227_lanes = Lambda_11_11_p1066_lanes * Lambda_11_11_p227_lanes[1] +
+      detail::make_pack<Real>(Lambda_11_11_p1054_lanes[4] * Lambda_11_11_p271_lanes[4],
+      Lambda_11_11_p1054_lanes[4] * Lambda_11_11_p271_lanes[4], Lambda_11_11_p1054_lanes[4] *
+      Lambda_11_11_p271_lanes[4], Lambda_11_11_p1054_lanes[4] * Lambda_11_11_p271_lanes[4],
+      Lambda_11_11_p1054_lanes[4] * Lambda_11_11_p271_lanes[4], Lambda_11_11_p1054_lanes[5] *
+      Lambda_11_11_p271_lanes[4], Lambda_11_11_p1054_lanes[4] * Lambda_11_11_p271_lanes[4],
+      Lambda_11_11_p1054_lanes[4] * Lambda_11_11_p271_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p1042_lanes[4] * Lambda_11_11_p389_lanes[4],
+      Lambda_11_11_p1042_lanes[4] * Lambda_11_11_p389_lanes[4], Lambda_11_11_p1042_lanes[4] *
+      Lambda_11_11_p389_lanes[4], Lambda_11_11_p1042_lanes[4] * Lambda_11_11_p389_lanes[4],
+      Lambda_11_11_p1042_lanes[4] * Lambda_11_11_p389_lanes[4], Lambda_11_11_p1042_lanes[5] *
+      Lambda_11_11_p389_lanes[4], Lambda_11_11_p1042_lanes[4] * Lambda_11_11_p389_lanes[4],
+      Lambda_11_11_p1042_lanes[4] * Lambda_11_11_p389_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p1030_lanes[4] * Lambda_11_11_p558_lanes[4],
+      Lambda_11_11_p1030_lanes[4] * Lambda_11_11_p558_lanes[4], Lambda_11_11_p1030_lanes[4] *
+      Lambda_11_11_p558_lanes[4], Lambda_11_11_p1030_lanes[4] * Lambda_11_11_p558_lanes[4],
+      Lambda_11_11_p1030_lanes[4] * Lambda_11_11_p558_lanes[4], Lambda_11_11_p1030_lanes[5] *
+      Lambda_11_11_p558_lanes[4], Lambda_11_11_p1030_lanes[4] * Lambda_11_11_p558_lanes[4],
+      Lambda_11_11_p1030_lanes[4] * Lambda_11_11_p558_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p1036_lanes[4] * Lambda_11_11_p678_lanes[4],
+      Lambda_11_11_p1036_lanes[4] * Lambda_11_11_p678_lanes[4], Lambda_11_11_p1036_lanes[4] *
+      Lambda_11_11_p678_lanes[4], Lambda_11_11_p1036_lanes[4] * Lambda_11_11_p678_lanes[4],
+      Lambda_11_11_p1036_lanes[4] * Lambda_11_11_p678_lanes[4], Lambda_11_11_p1036_lanes[5] *
+      Lambda_11_11_p678_lanes[4], Lambda_11_11_p1036_lanes[4] * Lambda_11_11_p678_lanes[4],
+      Lambda_11_11_p1036_lanes[4] * Lambda_11_11_p678_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p1048_lanes[4] * Lambda_11_11_p840_lanes[4],
+      Lambda_11_11_p1048_lanes[4] * Lambda_11_11_p840_lanes[4], Lambda_11_11_p1048_lanes[4] *
+      Lambda_11_11_p840_lanes[4], Lambda_11_11_p1048_lanes[4] * Lambda_11_11_p840_lanes[4],
+      Lambda_11_11_p1048_lanes[4] * Lambda_11_11_p840_lanes[4], Lambda_11_11_p1048_lanes[5] *
+      Lambda_11_11_p840_lanes[4], Lambda_11_11_p1048_lanes[4] * Lambda_11_11_p840_lanes[4],
+      Lambda_11_11_p1048_lanes[4] * Lambda_11_11_p840_lanes[4]);
 
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p3510_lanes = Lambda_11_11_p592_lanes * inverse_D7_lanes[1];
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p2229_lanes = -Lambda_11_11_p2037_lanes - inverse_D2_p7 *
+      Lambda_11_11_p1982_lanes - inverse_D2_p12 * Lambda_11_11_p2183_lanes;
+  const Lanes<8> Lambda_11_11_p2237_lanes = -Lambda_11_11_p2045_lanes + inverse_D2_p11 *
+      Lambda_11_11_p2183_lanes;
 
-  // link 15 (right_shoulder2), force propagation
-  const Lanes<8> Lambda_11_11_p3517_lanes = Lambda_11_11_p507_lanes * inverse_D8_lanes[1];
+  // link 17 (right_lowerarm), pose
+  const Real Lambda_11_11_p2260 = c17 * Lambda_11_11_p2191 + s17 * Lambda_11_11_p147_lanes[1];
+  const Real Lambda_11_11_p2261 = c17 * Lambda_11_11_p147_lanes[1] - s17 * Lambda_11_11_p2191;
 
-  // link 16 (right_upperarm), force propagation
-  const Lanes<8> Lambda_11_11_p3521_lanes = Lambda_11_11_p399_lanes * inverse_D9_lanes[1];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p3525_lanes = Lambda_11_11_p319_lanes * inverse_D10_lanes[1];
-
-  // link 18 (right_wrist1), force propagation
-  const Lanes<8> Lambda_11_11_p3535_lanes = Lambda_11_11_p211_lanes * inverse_D11_lanes[1];
-
-  // link 19 (right_wrist2), force propagation
-  const Lanes<8> Lambda_11_11_p3539_lanes = Lambda_11_11_p140_lanes * inverse_D12_lanes[1];
-
-  // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p3581_lanes = 1065.380700001509 *
-      detail::make_pack<Real>(Lambda_11_11_p121, Lambda_11_11_p125, Lambda_11_11_p114,
-      Lambda_11_11_p116, Lambda_11_11_p121, Lambda_11_11_p121, Lambda_11_11_p121,
-      Lambda_11_11_p121);
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p2319_lanes = detail::make_pack<Real>(Lambda_11_11_p1568_lanes[0],
+      Lambda_11_11_p1568_lanes[1], Lambda_11_11_p1568_lanes[2], Lambda_11_11_p1568_lanes[3],
+      Lambda_11_11_p1568_lanes[4], Lambda_11_11_p1568_lanes[5], Lambda_11_11_p1428 *
+      Lambda_11_11_p1373_lanes[0], Lambda_11_11_p1427 * Lambda_11_11_p1373_lanes[0]) +
+      Lambda_11_11_p1713_lanes * Lambda_11_11_p1648_lanes[0] + Lambda_11_11_p2014_lanes *
+      Lambda_11_11_p1982_lanes[0] + Lambda_11_11_p2213_lanes * Lambda_11_11_p2183_lanes[0];
+  const Lanes<8> Lambda_11_11_p2327_lanes = detail::make_pack<Real>(Lambda_11_11_p1668_lanes[1],
+      Lambda_11_11_p1668_lanes[1], Lambda_11_11_p1668_lanes[2], Lambda_11_11_p1668_lanes[3],
+      Lambda_11_11_p1668_lanes[4], Lambda_11_11_p1668_lanes[5], Lambda_11_11_p1428 *
+      Lambda_11_11_p1373_lanes[1], Lambda_11_11_p1427 * Lambda_11_11_p1373_lanes[1]) +
+      Lambda_11_11_p1713_lanes * Lambda_11_11_p1648_lanes[1] + Lambda_11_11_p2014_lanes *
+      Lambda_11_11_p1982_lanes[1] + Lambda_11_11_p2213_lanes * Lambda_11_11_p2183_lanes[1];
+  const Lanes<8> Lambda_11_11_p2334_lanes = detail::make_pack<Real>(Lambda_11_11_p2068_lanes[2],
+      Lambda_11_11_p2068_lanes[2], Lambda_11_11_p2068_lanes[2], Lambda_11_11_p2068_lanes[3],
+      Lambda_11_11_p2068_lanes[4], Lambda_11_11_p2068_lanes[5], Lambda_11_11_p1428 *
+      Lambda_11_11_p1373_lanes[2], Lambda_11_11_p1427 * Lambda_11_11_p1373_lanes[2]) +
+      Lambda_11_11_p1713_lanes * Lambda_11_11_p1648_lanes[2] + Lambda_11_11_p2014_lanes *
+      Lambda_11_11_p1982_lanes[2] + Lambda_11_11_p2213_lanes * Lambda_11_11_p2183_lanes[2];
+  const Lanes<8> Lambda_11_11_p2340_lanes = detail::make_pack<Real>(Lambda_11_11_p2192_lanes[3],
+      Lambda_11_11_p2192_lanes[3], Lambda_11_11_p2192_lanes[3], Lambda_11_11_p2192_lanes[3],
+      Lambda_11_11_p2192_lanes[4], Lambda_11_11_p2192_lanes[5], Lambda_11_11_p1428 *
+      Lambda_11_11_p1373_lanes[3], Lambda_11_11_p1427 * Lambda_11_11_p1373_lanes[3]) +
+      Lambda_11_11_p1713_lanes * Lambda_11_11_p1648_lanes[3] + Lambda_11_11_p2014_lanes *
+      Lambda_11_11_p1982_lanes[3] + Lambda_11_11_p2213_lanes * Lambda_11_11_p2183_lanes[3];
 
   // link 6 (chest3), force propagation
-  const Lanes<8> Lambda_11_11_p3591_lanes = Lambda_11_11_p3508_lanes +
-      detail::make_pack<Real>(Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4],
-      Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4], Lambda_11_11_p2038_lanes[4] *
-      Lambda_11_11_p1920_lanes[4], Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4],
-      Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4], Lambda_11_11_p2038_lanes[5] *
-      Lambda_11_11_p1920_lanes[4], Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4],
-      Lambda_11_11_p2038_lanes[4] * Lambda_11_11_p1920_lanes[4]) +
-      detail::make_pack<Real>(Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4],
-      Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2318_lanes[4] *
-      Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4],
-      Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2318_lanes[5] *
-      Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4],
-      Lambda_11_11_p2318_lanes[4] * Lambda_11_11_p2270_lanes[4]);
+  const Lanes<8> Lambda_11_11_p2345_lanes = Lambda_11_11_p2227_lanes +
+      detail::make_pack<Real>(Lambda_11_11_p1060_lanes[4] * Lambda_11_11_p966_lanes[4],
+      Lambda_11_11_p1060_lanes[4] * Lambda_11_11_p966_lanes[4], Lambda_11_11_p1060_lanes[4] *
+      Lambda_11_11_p966_lanes[4], Lambda_11_11_p1060_lanes[4] * Lambda_11_11_p966_lanes[4],
+      Lambda_11_11_p1060_lanes[4] * Lambda_11_11_p966_lanes[4], Lambda_11_11_p1060_lanes[5] *
+      Lambda_11_11_p966_lanes[4], Lambda_11_11_p1060_lanes[4] * Lambda_11_11_p966_lanes[4],
+      Lambda_11_11_p1060_lanes[4] * Lambda_11_11_p966_lanes[4]) +
+      detail::make_pack<Real>(Lambda_11_11_p1421_lanes[4] * Lambda_11_11_p1373_lanes[4],
+      Lambda_11_11_p1421_lanes[4] * Lambda_11_11_p1373_lanes[4], Lambda_11_11_p1421_lanes[4] *
+      Lambda_11_11_p1373_lanes[4], Lambda_11_11_p1421_lanes[4] * Lambda_11_11_p1373_lanes[4],
+      Lambda_11_11_p1421_lanes[4] * Lambda_11_11_p1373_lanes[4], Lambda_11_11_p1421_lanes[5] *
+      Lambda_11_11_p1373_lanes[4], Lambda_11_11_p1421_lanes[4] * Lambda_11_11_p1373_lanes[4],
+      Lambda_11_11_p1421_lanes[4] * Lambda_11_11_p1373_lanes[4]);
 
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_11_11_p3593_lanes = detail::make_pack<Real>(Lambda_11_11_p2124_lanes[5],
-      Lambda_11_11_p3525_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1440_lanes[5],
-      Lambda_11_11_p319_lanes[3]);
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p2355_lanes = Lambda_11_11_p2 * Lambda_11_11_p2229_lanes -
+      Lambda_11_11_p1 * Lambda_11_11_p2237_lanes;
+
+  // link 18 (right_wrist1), pose
+  const Real Lambda_11_11_p2363 = c18 * Lambda_11_11_p2260 + s18 * Lambda_11_11_p2221;
+  const Real Lambda_11_11_p2364 = c18 * Lambda_11_11_p2221 - s18 * Lambda_11_11_p2260;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p2389_lanes = inverse_D2_p2 *
+      (Lambda_11_11_p1 * Lambda_11_11_p2229_lanes + Lambda_11_11_p2 * Lambda_11_11_p2237_lanes) +
+      inverse_D2_p1 * Lambda_11_11_p2355_lanes;
+
+  // link 19 (right_wrist2), pose
+  const Real Lambda_11_11_p2397 = c19 * Lambda_11_11_p2261 - s19 * Lambda_11_11_p2363;
+  const Real Lambda_11_11_p2398 = c19 * Lambda_11_11_p2363 + s19 * Lambda_11_11_p2261;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p2399_lanes = detail::make_pack<Real>(Lambda_11_11_p2345_lanes[4],
+      Lambda_11_11_p2345_lanes[4], Lambda_11_11_p2345_lanes[4], Lambda_11_11_p2345_lanes[4],
+      Lambda_11_11_p2345_lanes[4], Lambda_11_11_p2345_lanes[5], Lambda_11_11_p1428 *
+      Lambda_11_11_p1373_lanes[4], Lambda_11_11_p1427 * Lambda_11_11_p1373_lanes[4]) +
+      Lambda_11_11_p1713_lanes * Lambda_11_11_p1648_lanes[4] + Lambda_11_11_p2014_lanes *
+      Lambda_11_11_p1982_lanes[4] + Lambda_11_11_p2213_lanes * Lambda_11_11_p2183_lanes[4];
 
   // link 2 (thigh), force propagation
-  const Lanes<8> Lambda_11_11_p3599_lanes = 0.434 *
-      (Lambda_11_11_p3370_lanes - inverse_D1_p2 * Lambda_11_11_p3467_lanes);
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p3670_lanes = Lambda_11_11_p3599_lanes * inverse_D1;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p3724_lanes = Lambda_11_11_p3525_lanes * Lambda_11_11_p996;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3764_lanes = detail::make_pack<Real>(Lambda_11_11_p3591_lanes[4],
-      Lambda_11_11_p3591_lanes[4], Lambda_11_11_p3591_lanes[4], Lambda_11_11_p3591_lanes[4],
-      Lambda_11_11_p3591_lanes[4], Lambda_11_11_p3591_lanes[5], Lambda_11_11_p2325 *
-      Lambda_11_11_p2270_lanes[4], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[4]) +
-      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[4] + Lambda_11_11_p2952_lanes *
-      Lambda_11_11_p2920_lanes[4] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[4];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p3775_lanes = Lambda_11_11_p3436_lanes + Lambda_11_11_p1828_lanes *
-      Lambda_11_11_p3467_lanes[0] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[0];
-  const Lanes<8> Lambda_11_11_p3807_lanes = Lambda_11_11_p3324_lanes + Lambda_11_11_p3500_lanes *
-      Lambda_11_11_p3467_lanes[0] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[0];
-
-  // link 10 (left_lowerarm), force propagation
-  const Lanes<2> Lambda_11_11_p3833_lanes = detail::make_pack<Real>(Lambda_11_11_p2112_lanes[5],
-      Lambda_11_11_p3581_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1074_lanes[2],
-      Lambda_11_11_p116) + detail::make_pack<Real>(Lambda_11_11_p2106_lanes[5],
-      Lambda_11_11_p3539_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1149_lanes[5],
-      Lambda_11_11_p140_lanes[3]) + detail::make_pack<Real>(Lambda_11_11_p2118_lanes[5],
-      Lambda_11_11_p3535_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p1265_lanes[5],
-      Lambda_11_11_p211_lanes[3]) + Lambda_11_11_p3593_lanes;
-
-  // link 1 (calf), force propagation
-  const Real Lambda_11_11_p3839 = 1.0 / Lambda_11_11_p3807_lanes[0];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p3858_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p755 +
-      Lambda_11_11_p3539_lanes * Lambda_11_11_p806 + Lambda_11_11_p3535_lanes * Lambda_11_11_p892 +
-      Lambda_11_11_p3724_lanes;
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3862_lanes = Lambda_11_11_p1876_lanes * Lambda_11_11_p2270_lanes[5] +
-      Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[5] + Lambda_11_11_p1880_lanes *
-      Lambda_11_11_p2920_lanes[5] + Lambda_11_11_p3411_lanes;
-
-  // link 7 (left_shoulder1), force propagation
-  const Lanes<2> Lambda_11_11_p3892_lanes = Lambda_11_11_p3833_lanes +
-      detail::make_pack<Real>(Lambda_11_11_p2044_lanes[5], Lambda_11_11_p3521_lanes[3]) *
-      detail::make_pack<Real>(Lambda_11_11_p1596_lanes[5], Lambda_11_11_p399_lanes[3]) +
-      detail::make_pack<Real>(Lambda_11_11_p2032_lanes[5], Lambda_11_11_p3517_lanes[3]) *
-      detail::make_pack<Real>(Lambda_11_11_p1774_lanes[5], Lambda_11_11_p507_lanes[3]) +
-      detail::make_pack<Real>(Lambda_11_11_p2038_lanes[5], Lambda_11_11_p3510_lanes[3]) *
-      detail::make_pack<Real>(Lambda_11_11_p1920_lanes[5], Lambda_11_11_p592_lanes[3]);
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p3906_lanes = Lambda_11_11_p3858_lanes + Lambda_11_11_p3521_lanes *
-      Lambda_11_11_p1095 + Lambda_11_11_p3517_lanes * Lambda_11_11_p1193 +
-      Lambda_11_11_p3510_lanes * Lambda_11_11_p1359;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p3910_lanes = Lambda_11_11_p3807_lanes * Lambda_11_11_p3839;
-
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p3920 = 1065.380700001509 * Lambda_11_11_p755 * Lambda_11_11_p755 +
-      Lambda_11_11_p806 * inverse_D12_lanes[1] * Lambda_11_11_p806 + Lambda_11_11_p892 *
-      inverse_D11_lanes[1] * Lambda_11_11_p892;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p3921_lanes = Lambda_11_11_p3775_lanes * Lambda_11_11_p3839;
-
-  // link 14 (right_shoulder1), force propagation
-  const Real Lambda_11_11_p3925 = Lambda_11_11_p1077 * inverse_D7_lanes[1];
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p3933 = Lambda_11_11_p839 * inverse_D9_lanes[1];
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p3934 = Lambda_11_11_p959 * inverse_D8_lanes[1];
+  const Lanes<8> Lambda_11_11_p2411_lanes = Lambda_11_11_p2389_lanes * inverse_D2;
 
   // link 20 (right_hand), force propagation
-  const Real Lambda_11_11_p3957 = 1065.380700001509 * Lambda_11_11_p591;
+  const Lanes<8> Lambda_11_11_p2419_lanes = inverse_D10_p10_lanes[1] *
+      detail::make_pack<Real>(Lambda_11_11_p110, Lambda_11_11_p110, Lambda_11_11_p44,
+      Lambda_11_11_p2398, Lambda_11_11_p110, Lambda_11_11_p110, Lambda_11_11_p110,
+      Lambda_11_11_p110);
+
+  // link 1 (calf), articulated inertia
+  const Real Lambda_11_11_p2454 = Lambda_11_11_p21_lanes[1] * Lambda_11_11_p2364 -
+      Lambda_11_11_p11_lanes[1] * Lambda_11_11_p2397;
 
   // link 19 (right_wrist2), force propagation
-  const Real Lambda_11_11_p3958 = Lambda_11_11_p628 * inverse_D12_lanes[1];
+  const Lanes<8> Lambda_11_11_p2467_lanes = -(inverse_D10_p11_lanes[1] *
+      detail::make_pack<Real>(Lambda_11_11_p110, Lambda_11_11_p110, Lambda_11_11_p44,
+      Lambda_11_11_p2398, Lambda_11_11_p110, Lambda_11_11_p110, Lambda_11_11_p110,
+      Lambda_11_11_p110));
 
-  // link 18 (right_wrist1), force propagation
-  const Real Lambda_11_11_p3962 = Lambda_11_11_p706 * inverse_D11_lanes[1];
-
-  // link 3 (hip), force propagation
-  const Lanes<8> Lambda_11_11_p3963_lanes = detail::make_pack<Real>(Lambda_11_11_p3892_lanes[0] +
-      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
-      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
-      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
-      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
-      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p3892_lanes[0] +
-      Lambda_11_11_p2318_lanes[5] * Lambda_11_11_p2270_lanes[5], Lambda_11_11_p2325 *
-      Lambda_11_11_p2270_lanes[5], Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[5]) +
-      Lambda_11_11_p2623_lanes * Lambda_11_11_p2562_lanes[5] + Lambda_11_11_p2952_lanes *
-      Lambda_11_11_p2920_lanes[5] + Lambda_11_11_p3214_lanes * Lambda_11_11_p3179_lanes[5];
-
-  // link 17 (right_lowerarm), force propagation
-  const Real Lambda_11_11_p3966 = Lambda_11_11_p764 * inverse_D10_lanes[1];
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_11_11_p2470_lanes = 0.434 *
+      (Lambda_11_11_p2355_lanes - inverse_D1_p2 * Lambda_11_11_p2389_lanes);
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p3975_lanes = Lambda_11_11_p3332_lanes + Lambda_11_11_p3500_lanes *
-      Lambda_11_11_p3467_lanes[1] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[1] -
-      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[1];
-  const Lanes<8> Lambda_11_11_p3982_lanes = Lambda_11_11_p3342_lanes + Lambda_11_11_p3500_lanes *
-      Lambda_11_11_p3467_lanes[2] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[2] -
-      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[2];
-  const Lanes<8> Lambda_11_11_p3988_lanes = Lambda_11_11_p3477_lanes + Lambda_11_11_p3500_lanes *
-      Lambda_11_11_p3467_lanes[3] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[3] -
-      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[3];
-  const Lanes<8> Lambda_11_11_p3993_lanes = Lambda_11_11_p3764_lanes + Lambda_11_11_p3500_lanes *
-      Lambda_11_11_p3467_lanes[4] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[4] -
-      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[4];
-
-  // link 15 (right_shoulder2), force propagation
-  const Real Lambda_11_11_p4000 = Lambda_11_11_p3920 + Lambda_11_11_p996 * inverse_D10_lanes[1] *
-      Lambda_11_11_p996 + Lambda_11_11_p1095 * inverse_D9_lanes[1] * Lambda_11_11_p1095 +
-      Lambda_11_11_p1193 * inverse_D8_lanes[1] * Lambda_11_11_p1193;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4001_lanes = Lambda_11_11_p3442_lanes + Lambda_11_11_p1828_lanes *
-      Lambda_11_11_p3467_lanes[1] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[1] -
-      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[1];
-  const Real Lambda_11_11_p4005 = 1.0 / Lambda_11_11_p3975_lanes[1];
-  const Lanes<8> Lambda_11_11_p4006_lanes = Lambda_11_11_p3446_lanes + Lambda_11_11_p1828_lanes *
-      Lambda_11_11_p3467_lanes[2] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[2] -
-      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[2];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4045_lanes = Lambda_11_11_p3525_lanes * Lambda_11_11_p764;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4053_lanes = Lambda_11_11_p3963_lanes + Lambda_11_11_p3500_lanes *
-      Lambda_11_11_p3467_lanes[5] + Lambda_11_11_p3670_lanes * Lambda_11_11_p3599_lanes[5] -
-      Lambda_11_11_p3910_lanes * Lambda_11_11_p3807_lanes[5];
-  const Lanes<8> Lambda_11_11_p4064_lanes = Lambda_11_11_p3450_lanes + Lambda_11_11_p1828_lanes *
-      Lambda_11_11_p3467_lanes[3] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[3] -
-      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[3];
-  const Lanes<8> Lambda_11_11_p4068_lanes = Lambda_11_11_p3454_lanes + Lambda_11_11_p1828_lanes *
-      Lambda_11_11_p3467_lanes[4] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[4] -
-      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[4];
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p4072_lanes = Lambda_11_11_p3906_lanes + Lambda_11_11_p1876_lanes *
-      Lambda_11_11_p2270_lanes[6] + Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[6] +
-      Lambda_11_11_p1880_lanes * Lambda_11_11_p2920_lanes[6];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4080_lanes = Lambda_11_11_p3862_lanes + Lambda_11_11_p1828_lanes *
-      Lambda_11_11_p3467_lanes[5] + Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[5] -
-      Lambda_11_11_p3921_lanes * Lambda_11_11_p3807_lanes[5];
-
-  // link 4 (chest1), force propagation
-  const Real Lambda_11_11_p4116 = Lambda_11_11_p4000 + Lambda_11_11_p1359 * inverse_D7_lanes[1] *
-      Lambda_11_11_p1359 + Lambda_11_11_p2325 * Lambda_11_11_p2270_lanes[6] +
-      Lambda_11_11_p2623_lanes[6] * Lambda_11_11_p2562_lanes[6] + Lambda_11_11_p2952_lanes[6] *
-      Lambda_11_11_p2920_lanes[6];
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4117 = Lambda_11_11_p3957 * Lambda_11_11_p755 + Lambda_11_11_p3958 *
-      Lambda_11_11_p806 + Lambda_11_11_p3962 * Lambda_11_11_p892 + Lambda_11_11_p3966 *
-      Lambda_11_11_p996 + Lambda_11_11_p3933 * Lambda_11_11_p1095;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4126_lanes = Lambda_11_11_p3975_lanes * Lambda_11_11_p4005;
-  const Lanes<8> Lambda_11_11_p4132_lanes = Lambda_11_11_p4001_lanes * Lambda_11_11_p4005;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4136_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p591 +
-      Lambda_11_11_p3539_lanes * Lambda_11_11_p628 + Lambda_11_11_p3535_lanes * Lambda_11_11_p706 +
-      Lambda_11_11_p4045_lanes;
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4174_lanes = Lambda_11_11_p3982_lanes - Lambda_11_11_p4126_lanes *
-      Lambda_11_11_p3975_lanes[2];
-  const Real Lambda_11_11_p4192 = Lambda_11_11_p4116 + Lambda_11_11_p3214_lanes[6] *
-      Lambda_11_11_p3179_lanes[6] + Lambda_11_11_p3500_lanes[6] * Lambda_11_11_p3467_lanes[6] +
-      Lambda_11_11_p3670_lanes[6] * Lambda_11_11_p3599_lanes[6] - Lambda_11_11_p3910_lanes[6] *
-      Lambda_11_11_p3807_lanes[6];
-  const Lanes<8> Lambda_11_11_p4197_lanes = Lambda_11_11_p4006_lanes - Lambda_11_11_p4132_lanes *
-      Lambda_11_11_p3975_lanes[2];
-  const Real Lambda_11_11_p4205 = 1.0 / Lambda_11_11_p4174_lanes[2];
-  const Lanes<8> Lambda_11_11_p4214_lanes = Lambda_11_11_p4072_lanes + Lambda_11_11_p1832_lanes *
-      Lambda_11_11_p3179_lanes[6] + Lambda_11_11_p1828_lanes * Lambda_11_11_p3467_lanes[6] +
-      Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[6];
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p4218 = Lambda_11_11_p4117 + Lambda_11_11_p3934 * Lambda_11_11_p1193 +
-      Lambda_11_11_p3925 * Lambda_11_11_p1359 + Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[6] +
-      Lambda_11_11_p2623_lanes[7] * Lambda_11_11_p2562_lanes[6];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p4223_lanes = Lambda_11_11_p4136_lanes + Lambda_11_11_p3521_lanes *
-      Lambda_11_11_p839 + Lambda_11_11_p3517_lanes * Lambda_11_11_p959 + Lambda_11_11_p3510_lanes *
-      Lambda_11_11_p1077;
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4243_lanes = Lambda_11_11_p3525_lanes * Lambda_11_11_p319_lanes[0];
-
-  // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4295 = Lambda_11_11_p3957 * Lambda_11_11_p591 + Lambda_11_11_p3958 *
-      Lambda_11_11_p628 + Lambda_11_11_p3962 * Lambda_11_11_p706 + Lambda_11_11_p3966 *
-      Lambda_11_11_p764 + Lambda_11_11_p3933 * Lambda_11_11_p839;
-
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p4320_lanes = Lambda_11_11_p4223_lanes + Lambda_11_11_p1876_lanes *
-      Lambda_11_11_p2270_lanes[7] + Lambda_11_11_p1872_lanes * Lambda_11_11_p2562_lanes[7] +
-      Lambda_11_11_p1880_lanes * Lambda_11_11_p2920_lanes[7];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4324_lanes = Lambda_11_11_p4174_lanes * Lambda_11_11_p4205;
-  const Lanes<8> Lambda_11_11_p4329_lanes = Lambda_11_11_p4197_lanes * Lambda_11_11_p4205;
-  const Real Lambda_11_11_p4333 = Lambda_11_11_p4218 + Lambda_11_11_p2952_lanes[7] *
-      Lambda_11_11_p2920_lanes[6] + Lambda_11_11_p3214_lanes[7] * Lambda_11_11_p3179_lanes[6] +
-      Lambda_11_11_p3500_lanes[7] * Lambda_11_11_p3467_lanes[6] + Lambda_11_11_p3670_lanes[7] *
-      Lambda_11_11_p3599_lanes[6];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4334_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p121 +
-      Lambda_11_11_p3539_lanes * Lambda_11_11_p140_lanes[0] + Lambda_11_11_p3535_lanes *
-      Lambda_11_11_p211_lanes[0] + Lambda_11_11_p4243_lanes;
-
-  // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p4372 = Lambda_11_11_p4295 + Lambda_11_11_p3934 * Lambda_11_11_p959 +
-      Lambda_11_11_p3925 * Lambda_11_11_p1077 + Lambda_11_11_p2324 * Lambda_11_11_p2270_lanes[7] +
-      Lambda_11_11_p2623_lanes[7] * Lambda_11_11_p2562_lanes[7];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4390_lanes = Lambda_11_11_p3988_lanes - Lambda_11_11_p4126_lanes *
-      Lambda_11_11_p3975_lanes[3] - Lambda_11_11_p4324_lanes * Lambda_11_11_p4174_lanes[3];
-  const Lanes<8> Lambda_11_11_p4402_lanes = Lambda_11_11_p4064_lanes - Lambda_11_11_p4132_lanes *
-      Lambda_11_11_p3975_lanes[3] - Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[3];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4422_lanes = Lambda_11_11_p3525_lanes * Lambda_11_11_p319_lanes[1];
-
-  // link 1 (calf), force propagation
-  const Real Lambda_11_11_p4425 = 1.0 / Lambda_11_11_p4390_lanes[3];
-  const Lanes<8> Lambda_11_11_p4429_lanes = Lambda_11_11_p4214_lanes - Lambda_11_11_p3921_lanes *
-      Lambda_11_11_p3807_lanes[6] - Lambda_11_11_p4132_lanes * Lambda_11_11_p3975_lanes[6] -
-      Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[6];
-
-  // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p4436_lanes = Lambda_11_11_p4334_lanes + Lambda_11_11_p3521_lanes *
-      Lambda_11_11_p399_lanes[0] + Lambda_11_11_p3517_lanes * Lambda_11_11_p507_lanes[0] +
-      Lambda_11_11_p3510_lanes * Lambda_11_11_p592_lanes[0];
-
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4447_lanes = Lambda_11_11_p4320_lanes + Lambda_11_11_p1832_lanes *
-      Lambda_11_11_p3179_lanes[7] + Lambda_11_11_p1828_lanes * Lambda_11_11_p3467_lanes[7] +
-      Lambda_11_11_p1770_lanes * Lambda_11_11_p3599_lanes[7];
-
-  // link 17 (right_lowerarm), force propagation
-  const Lanes<8> Lambda_11_11_p4490_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p125 +
-      Lambda_11_11_p3539_lanes * Lambda_11_11_p140_lanes[1] + Lambda_11_11_p3535_lanes *
-      Lambda_11_11_p211_lanes[1] + Lambda_11_11_p4422_lanes;
-
-  // link 1 (calf), force propagation
-  const Real Lambda_11_11_p4493 = Lambda_11_11_p4372 + Lambda_11_11_p2952_lanes[7] *
-      Lambda_11_11_p2920_lanes[7] + Lambda_11_11_p3214_lanes[7] * Lambda_11_11_p3179_lanes[7] +
-      Lambda_11_11_p3500_lanes[7] * Lambda_11_11_p3467_lanes[7] + Lambda_11_11_p3670_lanes[7] *
-      Lambda_11_11_p3599_lanes[7];
+  const Lanes<8> Lambda_11_11_p2516_lanes = Lambda_11_11_p2470_lanes * inverse_D1;
 
   // link 20 (right_hand), force propagation
-  const Lanes<8> Lambda_11_11_p4498_lanes = Lambda_11_11_p3581_lanes * Lambda_11_11_p114;
+  const Lanes<8> Lambda_11_11_p2524_lanes = detail::make_pack<Real>(-(Lambda_11_11_p21_lanes[1] *
+      Lambda_11_11_p2398), Lambda_11_11_p103, Lambda_11_11_p40, Lambda_11_11_p2364,
+      -(Lambda_11_11_p21_lanes[1] * Lambda_11_11_p2398),
+      -(Lambda_11_11_p21_lanes[1] * Lambda_11_11_p2398),
+      -(Lambda_11_11_p21_lanes[1] * Lambda_11_11_p2398),
+      -(Lambda_11_11_p21_lanes[1] * Lambda_11_11_p2398)) + inverse_D12_p7_lanes[1] *
+      detail::make_pack<Real>(Lambda_11_11_p2454, Lambda_11_11_p110, Lambda_11_11_p44,
+      Lambda_11_11_p2398, Lambda_11_11_p2454, Lambda_11_11_p2454, Lambda_11_11_p2454,
+      Lambda_11_11_p2454);
 
-  // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p4507_lanes = Lambda_11_11_p4436_lanes + Lambda_11_11_p1876_lanes *
-      Lambda_11_11_p731_lanes[0] + Lambda_11_11_p1872_lanes * Lambda_11_11_p819_lanes[0] +
-      Lambda_11_11_p1880_lanes * Lambda_11_11_p1030_lanes[0];
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p2555_lanes = inverse_D10_p23_lanes[1] * Lambda_11_11_p2524_lanes;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4511_lanes = Lambda_11_11_p4447_lanes - Lambda_11_11_p3921_lanes *
-      Lambda_11_11_p3807_lanes[7] - Lambda_11_11_p4132_lanes * Lambda_11_11_p3975_lanes[7] -
-      Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[7];
-  const Lanes<8> Lambda_11_11_p4518_lanes = Lambda_11_11_p4390_lanes * Lambda_11_11_p4425;
-  const Lanes<8> Lambda_11_11_p4522_lanes = Lambda_11_11_p4402_lanes * Lambda_11_11_p4425;
+  const Lanes<8> Lambda_11_11_p2580_lanes = Lambda_11_11_p2319_lanes + Lambda_11_11_p2411_lanes *
+      Lambda_11_11_p2389_lanes[0] + Lambda_11_11_p2516_lanes * Lambda_11_11_p2470_lanes[0];
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p2595_lanes = detail::make_pack<Real>(Lambda_11_11_p2397 +
+      inverse_D10_p10_lanes[1] * Lambda_11_11_p2454, Lambda_11_11_p2419_lanes[1],
+      Lambda_11_11_p2419_lanes[2], Lambda_11_11_p2419_lanes[3], Lambda_11_11_p2397 +
+      inverse_D10_p10_lanes[1] * Lambda_11_11_p2454, Lambda_11_11_p2397 + inverse_D10_p10_lanes[1] *
+      Lambda_11_11_p2454, Lambda_11_11_p2397 + inverse_D10_p10_lanes[1] * Lambda_11_11_p2454,
+      Lambda_11_11_p2397 + inverse_D10_p10_lanes[1] * Lambda_11_11_p2454) -
+      inverse_D10_p22_lanes[1] * Lambda_11_11_p2524_lanes;
+  const Real Lambda_11_11_p2599 = Lambda_11_11_p2398 + inverse_D10_p23_lanes[1] *
+      Lambda_11_11_p2524_lanes[0];
+  const Lanes<8> Lambda_11_11_p2600_lanes = detail::make_pack<Real>(Lambda_11_11_p11_lanes[1] *
+      Lambda_11_11_p2398, Lambda_11_11_p109, Lambda_11_11_p43, Lambda_11_11_p2397,
+      Lambda_11_11_p11_lanes[1] * Lambda_11_11_p2398, Lambda_11_11_p11_lanes[1] *
+      Lambda_11_11_p2398, Lambda_11_11_p11_lanes[1] * Lambda_11_11_p2398,
+      Lambda_11_11_p11_lanes[1] * Lambda_11_11_p2398) + inverse_D11_p5_lanes[1] *
+      detail::make_pack<Real>(Lambda_11_11_p2454, Lambda_11_11_p110, Lambda_11_11_p44,
+      Lambda_11_11_p2398, Lambda_11_11_p2454, Lambda_11_11_p2454, Lambda_11_11_p2454,
+      Lambda_11_11_p2454) - inverse_D11_p13_lanes[1] * Lambda_11_11_p2524_lanes;
+  const Lanes<8> Lambda_11_11_p2604_lanes = detail::make_pack<Real>(Lambda_11_11_p2364 -
+      inverse_D10_p11_lanes[1] * Lambda_11_11_p2454, Lambda_11_11_p2467_lanes[1],
+      Lambda_11_11_p2467_lanes[2], Lambda_11_11_p2467_lanes[3], Lambda_11_11_p2364 -
+      inverse_D10_p11_lanes[1] * Lambda_11_11_p2454, Lambda_11_11_p2364 - inverse_D10_p11_lanes[1] *
+      Lambda_11_11_p2454, Lambda_11_11_p2364 - inverse_D10_p11_lanes[1] * Lambda_11_11_p2454,
+      Lambda_11_11_p2364 - inverse_D10_p11_lanes[1] * Lambda_11_11_p2454) -
+      inverse_D10_p24_lanes[1] * Lambda_11_11_p2524_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p2623 = Lambda_11_11_p2580_lanes[0] * Lambda_11_11_p2580_lanes[0];
+  const Real Lambda_11_11_p2652 = Lambda_11_11_p2623 * Lambda_11_11_p2580_lanes[0];
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p2653_lanes = s19 * Lambda_11_11_p2595_lanes - c19 *
+      detail::make_pack<Real>(Lambda_11_11_p2599, Lambda_11_11_p2555_lanes[1],
+      Lambda_11_11_p2555_lanes[2], Lambda_11_11_p2555_lanes[3], Lambda_11_11_p2599,
+      Lambda_11_11_p2599, Lambda_11_11_p2599, Lambda_11_11_p2599);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p2657_lanes = -(c19 * Lambda_11_11_p2600_lanes);
+
+  // link 19 (right_wrist2), force propagation
+  const Lanes<8> Lambda_11_11_p2689_lanes = Lambda_11_11_p2524_lanes * inverse_D12_lanes[1];
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_11_11_p2701_lanes = 1065.380700001509 *
+      detail::make_pack<Real>(Lambda_11_11_p2454, Lambda_11_11_p110, Lambda_11_11_p44,
+      Lambda_11_11_p2398, Lambda_11_11_p2454, Lambda_11_11_p2454, Lambda_11_11_p2454,
+      Lambda_11_11_p2454);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p2705_lanes = Lambda_11_11_p2657_lanes * inverse_D11_lanes[1];
+  const Lanes<8> Lambda_11_11_p2709_lanes = 0.269 * Lambda_11_11_p2604_lanes - s19 *
+      Lambda_11_11_p2600_lanes - inverse_D10_p77_lanes[1] * Lambda_11_11_p2657_lanes;
+  const Lanes<8> Lambda_11_11_p2713_lanes = -Lambda_11_11_p2653_lanes + inverse_D8_p16_lanes[1] *
+      Lambda_11_11_p2657_lanes;
+  const Lanes<8> Lambda_11_11_p2721_lanes = Lambda_11_11_p2604_lanes - inverse_D8_p17_lanes[1] *
+      Lambda_11_11_p2657_lanes;
+  const Lanes<8> Lambda_11_11_p2725_lanes = -(s19 *
+      detail::make_pack<Real>(Lambda_11_11_p2599, Lambda_11_11_p2555_lanes[1],
+      Lambda_11_11_p2555_lanes[2], Lambda_11_11_p2555_lanes[3], Lambda_11_11_p2599,
+      Lambda_11_11_p2599, Lambda_11_11_p2599, Lambda_11_11_p2599) + c19 *
+      Lambda_11_11_p2595_lanes) - inverse_D8_p18_lanes[1] * Lambda_11_11_p2657_lanes;
+  const Lanes<8> Lambda_11_11_p2731_lanes = 0.269 * Lambda_11_11_p2653_lanes -
+      inverse_D10_p78_lanes[1] * Lambda_11_11_p2657_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p2775 = Lambda_11_11_p2652 * Lambda_11_11_p2623 /
+      (8.077935669463161e-28 + Lambda_11_11_p2652 * Lambda_11_11_p2652);
+
+  // link 18 (right_wrist1), force propagation
+  const Lanes<8> Lambda_11_11_p2786_lanes = s18 * Lambda_11_11_p2709_lanes + c18 *
+      Lambda_11_11_p2731_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p2808_lanes = inverse_D9_p7_lanes[1] * Lambda_11_11_p2786_lanes;
+  const Lanes<8> Lambda_11_11_p2816_lanes = Lambda_11_11_p2786_lanes * inverse_D10_lanes[1];
+  const Lanes<8> Lambda_11_11_p2820_lanes = c18 * Lambda_11_11_p2709_lanes - s18 *
+      Lambda_11_11_p2731_lanes - inverse_D9_p9_lanes[1] * Lambda_11_11_p2786_lanes;
+  const Lanes<8> Lambda_11_11_p2824_lanes = -Lambda_11_11_p2725_lanes - inverse_D8_p81_lanes[1] *
+      Lambda_11_11_p2786_lanes;
+  const Lanes<8> Lambda_11_11_p2828_lanes = c18 * Lambda_11_11_p2713_lanes - s18 *
+      Lambda_11_11_p2721_lanes - inverse_D8_p80_lanes[1] * Lambda_11_11_p2786_lanes;
+  const Lanes<8> Lambda_11_11_p2840_lanes = s18 * Lambda_11_11_p2713_lanes + c18 *
+      Lambda_11_11_p2721_lanes - inverse_D8_p82_lanes[1] * Lambda_11_11_p2786_lanes;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_11_11_p2844_lanes = detail::make_pack<Real>(Lambda_11_11_p1030_lanes[5],
+      Lambda_11_11_p2816_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p558_lanes[5],
+      Lambda_11_11_p2786_lanes[3]);
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p2846_lanes = Lambda_11_11_p2580_lanes * Lambda_11_11_p2775;
+
+  // link 10 (left_lowerarm), force propagation
+  const Lanes<2> Lambda_11_11_p2873_lanes = detail::make_pack<Real>(Lambda_11_11_p1066_lanes[5],
+      Lambda_11_11_p2701_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p227_lanes[2],
+      Lambda_11_11_p2398) + detail::make_pack<Real>(Lambda_11_11_p1054_lanes[5],
+      Lambda_11_11_p2689_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p271_lanes[5],
+      Lambda_11_11_p2524_lanes[3]) + detail::make_pack<Real>(Lambda_11_11_p1042_lanes[5],
+      Lambda_11_11_p2705_lanes[3]) * detail::make_pack<Real>(Lambda_11_11_p389_lanes[5],
+      Lambda_11_11_p2657_lanes[3]) + Lambda_11_11_p2844_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p2888_lanes = c17 * Lambda_11_11_p2808_lanes - s17 *
+      Lambda_11_11_p2820_lanes;
+  const Lanes<8> Lambda_11_11_p2892_lanes = s17 * Lambda_11_11_p2824_lanes - c17 *
+      Lambda_11_11_p2828_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p2912 = 1065.380700001509 * Lambda_11_11_p118 * Lambda_11_11_p118 +
+      Lambda_11_11_p133 * inverse_D12_lanes[1] * Lambda_11_11_p133 + Lambda_11_11_p172 *
+      inverse_D11_lanes[1] * Lambda_11_11_p172;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p2913_lanes = inverse_D8_p149_lanes[1] * Lambda_11_11_p2888_lanes;
+  const Lanes<8> Lambda_11_11_p2925_lanes = Lambda_11_11_p2888_lanes * inverse_D9_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p2929_lanes = Lambda_11_11_p2327_lanes + Lambda_11_11_p2411_lanes *
+      Lambda_11_11_p2389_lanes[1] + Lambda_11_11_p2516_lanes * Lambda_11_11_p2470_lanes[1] -
+      Lambda_11_11_p2846_lanes * Lambda_11_11_p2580_lanes[1];
+  const Lanes<8> Lambda_11_11_p2936_lanes = Lambda_11_11_p2334_lanes + Lambda_11_11_p2411_lanes *
+      Lambda_11_11_p2389_lanes[2] + Lambda_11_11_p2516_lanes * Lambda_11_11_p2470_lanes[2] -
+      Lambda_11_11_p2846_lanes * Lambda_11_11_p2580_lanes[2];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p2946 = Lambda_11_11_p99 * inverse_D9_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p2947_lanes = Lambda_11_11_p2340_lanes + Lambda_11_11_p2411_lanes *
+      Lambda_11_11_p2389_lanes[3] + Lambda_11_11_p2516_lanes * Lambda_11_11_p2470_lanes[3] -
+      Lambda_11_11_p2846_lanes * Lambda_11_11_p2580_lanes[3];
+  const Lanes<8> Lambda_11_11_p2952_lanes = Lambda_11_11_p2399_lanes + Lambda_11_11_p2411_lanes *
+      Lambda_11_11_p2389_lanes[4] + Lambda_11_11_p2516_lanes * Lambda_11_11_p2470_lanes[4] -
+      Lambda_11_11_p2846_lanes * Lambda_11_11_p2580_lanes[4];
+
+  // link 20 (right_hand), force propagation
+  const Real Lambda_11_11_p2956 = 1065.380700001509 * Lambda_11_11_p49;
+
+  // link 17 (right_lowerarm), force propagation
+  const Real Lambda_11_11_p2957 = Lambda_11_11_p89 * inverse_D10_lanes[1];
+
+  // link 19 (right_wrist2), force propagation
+  const Real Lambda_11_11_p2958 = Lambda_11_11_p50 * inverse_D12_lanes[1];
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p2959 = Lambda_11_11_p115 * inverse_D8_lanes[1];
 
   // link 14 (right_shoulder1), force propagation
-  const Lanes<8> Lambda_11_11_p4530_lanes = Lambda_11_11_p4490_lanes + Lambda_11_11_p3521_lanes *
-      Lambda_11_11_p399_lanes[1] + Lambda_11_11_p3517_lanes * Lambda_11_11_p507_lanes[1] +
-      Lambda_11_11_p3510_lanes * Lambda_11_11_p592_lanes[1];
+  const Real Lambda_11_11_p2960 = Lambda_11_11_p144 * inverse_D7_lanes[1];
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4560_lanes = Lambda_11_11_p4507_lanes + Lambda_11_11_p1832_lanes *
-      Lambda_11_11_p1115_lanes[0] + Lambda_11_11_p1828_lanes * Lambda_11_11_p1592_lanes[0] +
-      Lambda_11_11_p1770_lanes * Lambda_11_11_p1712_lanes[0];
-  const Lanes<8> Lambda_11_11_p4571_lanes = Lambda_11_11_p3993_lanes - Lambda_11_11_p4126_lanes *
-      Lambda_11_11_p3975_lanes[4] - Lambda_11_11_p4324_lanes * Lambda_11_11_p4174_lanes[4] -
-      Lambda_11_11_p4518_lanes * Lambda_11_11_p4390_lanes[4];
-  const Lanes<8> Lambda_11_11_p4575_lanes = Lambda_11_11_p4053_lanes - Lambda_11_11_p4126_lanes *
-      Lambda_11_11_p3975_lanes[5] - Lambda_11_11_p4324_lanes * Lambda_11_11_p4174_lanes[5] -
-      Lambda_11_11_p4518_lanes * Lambda_11_11_p4390_lanes[5];
-  const Lanes<8> Lambda_11_11_p4578_lanes = Lambda_11_11_p4068_lanes - Lambda_11_11_p4132_lanes *
-      Lambda_11_11_p3975_lanes[4] - Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[4] -
-      Lambda_11_11_p4522_lanes * Lambda_11_11_p4390_lanes[4];
-  const Real Lambda_11_11_p4582 = Lambda_11_11_p4333 - Lambda_11_11_p3910_lanes[7] *
-      Lambda_11_11_p3807_lanes[6] - Lambda_11_11_p4126_lanes[7] * Lambda_11_11_p3975_lanes[6] -
-      Lambda_11_11_p4324_lanes[7] * Lambda_11_11_p4174_lanes[6] - Lambda_11_11_p4518_lanes[7] *
-      Lambda_11_11_p4390_lanes[6];
-  const Lanes<8> Lambda_11_11_p4583_lanes = Lambda_11_11_p4080_lanes - Lambda_11_11_p4132_lanes *
-      Lambda_11_11_p3975_lanes[5] - Lambda_11_11_p4329_lanes * Lambda_11_11_p4174_lanes[5] -
-      Lambda_11_11_p4522_lanes * Lambda_11_11_p4390_lanes[5];
-  const Real Lambda_11_11_p4587 = Lambda_11_11_p4493 - Lambda_11_11_p3910_lanes[7] *
-      Lambda_11_11_p3807_lanes[7] - Lambda_11_11_p4126_lanes[7] * Lambda_11_11_p3975_lanes[7] -
-      Lambda_11_11_p4324_lanes[7] * Lambda_11_11_p4174_lanes[7] - Lambda_11_11_p4518_lanes[7] *
-      Lambda_11_11_p4390_lanes[7];
-  const Real Lambda_11_11_p4600 = 1.0 / Lambda_11_11_p4571_lanes[4];
+  const Real Lambda_11_11_p2961 = Lambda_11_11_p2929_lanes[1] * Lambda_11_11_p2929_lanes[1];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p2962_lanes = c17 * Lambda_11_11_p2820_lanes + s17 *
+      Lambda_11_11_p2808_lanes + 0.282 * Lambda_11_11_p2840_lanes - Lambda_11_11_p2913_lanes;
+  const Lanes<8> Lambda_11_11_p2966_lanes = 0.282 * Lambda_11_11_p2892_lanes -
+      inverse_D8_p150_lanes[1] * Lambda_11_11_p2888_lanes;
+
+  // link 18 (right_wrist1), force propagation
+  const Real Lambda_11_11_p2972 = Lambda_11_11_p72 * inverse_D11_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p2989 = Lambda_11_11_p2961 * Lambda_11_11_p2929_lanes[1];
+
+  // link 15 (right_shoulder2), force propagation
+  const Real Lambda_11_11_p2992 = Lambda_11_11_p2912 + Lambda_11_11_p213 * inverse_D10_lanes[1] *
+      Lambda_11_11_p213 + Lambda_11_11_p249 * inverse_D9_lanes[1] * Lambda_11_11_p249 +
+      Lambda_11_11_p380 * inverse_D8_lanes[1] * Lambda_11_11_p380;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p2993_lanes = c16 * Lambda_11_11_p2962_lanes - s16 *
+      Lambda_11_11_p2966_lanes;
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_11_11_p3005_lanes = Lambda_11_11_p41_lanes[1] * Lambda_11_11_p2993_lanes;
+  const Lanes<8> Lambda_11_11_p3009_lanes = Lambda_11_11_p2993_lanes * inverse_D8_lanes[1];
+  const Lanes<8> Lambda_11_11_p3013_lanes = s16 * Lambda_11_11_p2962_lanes + c16 *
+      Lambda_11_11_p2966_lanes - inverse_D7_p8_lanes[1] * Lambda_11_11_p2993_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3023 = Lambda_11_11_p2989 * Lambda_11_11_p2961 /
+      (8.077935669463161e-28 + Lambda_11_11_p2989 * Lambda_11_11_p2989);
 
   // link 4 (chest1), force propagation
-  const Lanes<8> Lambda_11_11_p4611_lanes = Lambda_11_11_p4530_lanes + Lambda_11_11_p1876_lanes *
-      Lambda_11_11_p731_lanes[1] + Lambda_11_11_p1872_lanes * Lambda_11_11_p819_lanes[1] +
-      Lambda_11_11_p1880_lanes * Lambda_11_11_p1030_lanes[1];
+  const Real Lambda_11_11_p3024 = Lambda_11_11_p2992 + Lambda_11_11_p557 * inverse_D7_lanes[1] *
+      Lambda_11_11_p557 + Lambda_11_11_p1428 * Lambda_11_11_p1373_lanes[6] +
+      Lambda_11_11_p1713_lanes[6] * Lambda_11_11_p1648_lanes[6] + Lambda_11_11_p2014_lanes[6] *
+      Lambda_11_11_p1982_lanes[6];
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4614 = Lambda_11_11_p4498_lanes[3] + Lambda_11_11_p3539_lanes[3] *
-      Lambda_11_11_p140_lanes[2] + Lambda_11_11_p3535_lanes[3] * Lambda_11_11_p211_lanes[2] +
-      Lambda_11_11_p3525_lanes[3] * Lambda_11_11_p319_lanes[2] + Lambda_11_11_p3521_lanes[3] *
-      Lambda_11_11_p399_lanes[2];
+  const Real Lambda_11_11_p3029 = Lambda_11_11_p2956 * Lambda_11_11_p118 + Lambda_11_11_p2958 *
+      Lambda_11_11_p133 + Lambda_11_11_p2972 * Lambda_11_11_p172 + Lambda_11_11_p2957 *
+      Lambda_11_11_p213 + Lambda_11_11_p2946 * Lambda_11_11_p249;
 
-  // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4615_lanes = Lambda_11_11_p4560_lanes - Lambda_11_11_p3921_lanes *
-      Lambda_11_11_p3775_lanes[0] - Lambda_11_11_p4132_lanes * Lambda_11_11_p4001_lanes[0] -
-      Lambda_11_11_p4329_lanes * Lambda_11_11_p4197_lanes[0];
-  const Real Lambda_0_0_p1 = Lambda_11_11_p4126_lanes[2] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3910_lanes[2];
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_11_11_p3032_lanes = s15 * Lambda_11_11_p3005_lanes + c15 *
+      Lambda_11_11_p3013_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p3048_lanes = Lambda_11_11_p468_lanes[1] * Lambda_11_11_p3032_lanes;
+  const Lanes<8> Lambda_11_11_p3052_lanes = Lambda_11_11_p3032_lanes * inverse_D7_lanes[1];
+  const Lanes<8> Lambda_11_11_p3056_lanes = inverse_D6_p294_lanes[1] * Lambda_11_11_p3032_lanes;
 
   // link 16 (right_upperarm), force propagation
-  const Real Lambda_11_11_p4629 = Lambda_11_11_p4498_lanes[2] + Lambda_11_11_p3539_lanes[2] *
-      Lambda_11_11_p140_lanes[2] + Lambda_11_11_p3535_lanes[2] * Lambda_11_11_p211_lanes[2] +
-      Lambda_11_11_p3525_lanes[2] * Lambda_11_11_p319_lanes[2] + Lambda_11_11_p3521_lanes[2] *
-      Lambda_11_11_p399_lanes[2];
+  const Real Lambda_11_11_p3072 = Lambda_11_11_p2956 * Lambda_11_11_p49 + Lambda_11_11_p2958 *
+      Lambda_11_11_p50 + Lambda_11_11_p2972 * Lambda_11_11_p72 + Lambda_11_11_p2957 *
+      Lambda_11_11_p89 + Lambda_11_11_p2946 * Lambda_11_11_p99;
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4630_lanes = Lambda_11_11_p4611_lanes + Lambda_11_11_p1832_lanes *
-      Lambda_11_11_p1115_lanes[1] + Lambda_11_11_p1828_lanes * Lambda_11_11_p1592_lanes[1] +
-      Lambda_11_11_p1770_lanes * Lambda_11_11_p1712_lanes[1];
-  const Lanes<8> Lambda_11_11_p4633_lanes = Lambda_11_11_p4571_lanes * Lambda_11_11_p4600;
-  const Lanes<8> Lambda_11_11_p4636_lanes = Lambda_11_11_p4578_lanes * Lambda_11_11_p4600;
-  const Real Lambda_0_0_p2 = Lambda_11_11_p4126_lanes[3] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3910_lanes[3] - Lambda_11_11_p4324_lanes[3] * Lambda_0_0_p1;
+  const Lanes<8> Lambda_11_11_p3081_lanes = Lambda_11_11_p2929_lanes * Lambda_11_11_p3023;
+  const Real Lambda_11_11_p3093 = Lambda_11_11_p3024 + Lambda_11_11_p2213_lanes[6] *
+      Lambda_11_11_p2183_lanes[6] + Lambda_11_11_p2411_lanes[6] * Lambda_11_11_p2389_lanes[6] +
+      Lambda_11_11_p2516_lanes[6] * Lambda_11_11_p2470_lanes[6] - Lambda_11_11_p2846_lanes[6] *
+      Lambda_11_11_p2580_lanes[6];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p3094_lanes = -Lambda_11_11_p2892_lanes + inverse_D6_p31_lanes[1] *
+      Lambda_11_11_p2888_lanes;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p3106_lanes = c15 * Lambda_11_11_p3005_lanes - s15 *
+      Lambda_11_11_p3013_lanes - inverse_D6_p332_lanes[1] * Lambda_11_11_p3032_lanes;
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p3110_lanes = Lambda_11_11_p2840_lanes - inverse_D6_p33_lanes[1] *
+      Lambda_11_11_p2888_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p4643 = Lambda_11_11_p4614 + Lambda_11_11_p3517_lanes[3] *
-      Lambda_11_11_p507_lanes[2] + Lambda_11_11_p3510_lanes[3] * Lambda_11_11_p592_lanes[2] +
-      Lambda_11_11_p1876_lanes[3] * Lambda_11_11_p731_lanes[2] + Lambda_11_11_p1872_lanes[3] *
-      Lambda_11_11_p819_lanes[2];
+  const Real Lambda_11_11_p3114 = Lambda_11_11_p3029 + Lambda_11_11_p2959 * Lambda_11_11_p380 +
+      Lambda_11_11_p2960 * Lambda_11_11_p557 + Lambda_11_11_p1427 * Lambda_11_11_p1373_lanes[6] +
+      Lambda_11_11_p1713_lanes[7] * Lambda_11_11_p1648_lanes[6];
+
+  // link 7 (left_shoulder1), force propagation
+  const Lanes<2> Lambda_11_11_p3166_lanes = Lambda_11_11_p2873_lanes +
+      detail::make_pack<Real>(Lambda_11_11_p1036_lanes[5], Lambda_11_11_p2925_lanes[3]) *
+      detail::make_pack<Real>(Lambda_11_11_p678_lanes[5], Lambda_11_11_p2888_lanes[3]) +
+      detail::make_pack<Real>(Lambda_11_11_p1048_lanes[5], Lambda_11_11_p3009_lanes[3]) *
+      detail::make_pack<Real>(Lambda_11_11_p840_lanes[5], Lambda_11_11_p2993_lanes[3]) +
+      detail::make_pack<Real>(Lambda_11_11_p1060_lanes[5], Lambda_11_11_p3052_lanes[3]) *
+      detail::make_pack<Real>(Lambda_11_11_p966_lanes[5], Lambda_11_11_p3032_lanes[3]);
 
   // link 1 (calf), force propagation
-  const Lanes<8> Lambda_11_11_p4669_lanes = Lambda_11_11_p4575_lanes - Lambda_11_11_p4633_lanes *
-      Lambda_11_11_p4571_lanes[5];
-  const Real Lambda_11_11_p4672 = Lambda_11_11_p4192 - Lambda_11_11_p4126_lanes[6] *
-      Lambda_11_11_p3975_lanes[6] - Lambda_11_11_p4324_lanes[6] * Lambda_11_11_p4174_lanes[6] -
-      Lambda_11_11_p4518_lanes[6] * Lambda_11_11_p4390_lanes[6] - Lambda_11_11_p4633_lanes[6] *
-      Lambda_11_11_p4571_lanes[6];
-  const Lanes<8> Lambda_11_11_p4673_lanes = Lambda_11_11_p4583_lanes - Lambda_11_11_p4636_lanes *
-      Lambda_11_11_p4571_lanes[5];
-  const Lanes<8> Lambda_11_11_p4689_lanes = Lambda_11_11_p4630_lanes - Lambda_11_11_p3921_lanes *
-      Lambda_11_11_p3775_lanes[1] - Lambda_11_11_p4132_lanes * Lambda_11_11_p4001_lanes[1] -
-      Lambda_11_11_p4329_lanes * Lambda_11_11_p4197_lanes[1];
-  const Real Lambda_11_11_p4692 = 1.0 / Lambda_11_11_p4669_lanes[5];
-  const Real Lambda_0_0_p3 = Lambda_11_11_p4126_lanes[4] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3910_lanes[4] - Lambda_11_11_p4324_lanes[4] * Lambda_0_0_p1 -
-      Lambda_11_11_p4518_lanes[4] * Lambda_0_0_p2;
+  const Lanes<8> Lambda_11_11_p3179_lanes = Lambda_11_11_p2936_lanes - Lambda_11_11_p3081_lanes *
+      Lambda_11_11_p2929_lanes[2];
+
+  // link 16 (right_upperarm), force propagation
+  const Lanes<8> Lambda_11_11_p3206_lanes = -(s17 * Lambda_11_11_p2828_lanes + c17 *
+      Lambda_11_11_p2824_lanes) + inverse_D6_p35_lanes[1] * Lambda_11_11_p2888_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3222 = Lambda_11_11_p3179_lanes[2] * Lambda_11_11_p3179_lanes[2];
+
+  // link 15 (right_shoulder2), force propagation
+  const Lanes<8> Lambda_11_11_p3223_lanes = s16 * Lambda_11_11_p3094_lanes + c16 *
+      Lambda_11_11_p3110_lanes - inverse_D6_p163_lanes[1] * Lambda_11_11_p2993_lanes;
+  const Lanes<8> Lambda_11_11_p3235_lanes = -Lambda_11_11_p3206_lanes + inverse_D6_p161_lanes[1] *
+      Lambda_11_11_p2993_lanes;
 
   // link 5 (chest2), force propagation
-  const Real Lambda_11_11_p4693 = Lambda_11_11_p4629 + Lambda_11_11_p3517_lanes[2] *
-      Lambda_11_11_p507_lanes[2] + Lambda_11_11_p3510_lanes[2] * Lambda_11_11_p592_lanes[2] +
-      Lambda_11_11_p1876_lanes[2] * Lambda_11_11_p731_lanes[2] + Lambda_11_11_p1872_lanes[2] *
-      Lambda_11_11_p819_lanes[2];
+  const Real Lambda_11_11_p3246 = Lambda_11_11_p3072 + Lambda_11_11_p2959 * Lambda_11_11_p115 +
+      Lambda_11_11_p2960 * Lambda_11_11_p144 + Lambda_11_11_p1427 * Lambda_11_11_p1373_lanes[7] +
+      Lambda_11_11_p1713_lanes[7] * Lambda_11_11_p1648_lanes[7];
 
   // link 1 (calf), force propagation
-  const Real Lambda_11_11_p4700 = Lambda_11_11_p4643 + Lambda_11_11_p1880_lanes[3] *
-      Lambda_11_11_p1030_lanes[2] + Lambda_11_11_p1832_lanes[3] * Lambda_11_11_p1115_lanes[2] +
-      Lambda_11_11_p1828_lanes[3] * Lambda_11_11_p1592_lanes[2] + Lambda_11_11_p1770_lanes[3] *
-      Lambda_11_11_p1712_lanes[2];
-  const Real Lambda_0_0_p4 = Lambda_11_11_p4126_lanes[5] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3910_lanes[5] - Lambda_11_11_p4324_lanes[5] * Lambda_0_0_p1 -
-      Lambda_11_11_p4518_lanes[5] * Lambda_0_0_p2 - Lambda_11_11_p4633_lanes[5] * Lambda_0_0_p3;
-  const Real Lambda_0_0_p5 = Lambda_11_11_p4126_lanes[6] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3910_lanes[6] - Lambda_11_11_p4324_lanes[6] * Lambda_0_0_p1 -
-      Lambda_11_11_p4518_lanes[6] * Lambda_0_0_p2 - Lambda_11_11_p4633_lanes[6] * Lambda_0_0_p3;
-  const Real Lambda_0_0_p6 = Lambda_11_11_p4126_lanes[7] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3910_lanes[7] - Lambda_11_11_p4324_lanes[7] * Lambda_0_0_p1 -
-      Lambda_11_11_p4518_lanes[7] * Lambda_0_0_p2 - Lambda_11_11_p4633_lanes[7] * Lambda_0_0_p3;
-  const Real Lambda_11_11_p4701 = Lambda_11_11_p4669_lanes[6] * Lambda_11_11_p4692;
-  const Real Lambda_11_11_p4702 = Lambda_11_11_p4669_lanes[7] * Lambda_11_11_p4692;
-  const Lanes<8> Lambda_11_11_p4703_lanes = Lambda_11_11_p4673_lanes * Lambda_11_11_p4692;
-  const Real Lambda_11_11_p4707 = Lambda_11_11_p4693 + Lambda_11_11_p1880_lanes[2] *
-      Lambda_11_11_p1030_lanes[2] + Lambda_11_11_p1832_lanes[2] * Lambda_11_11_p1115_lanes[2] +
-      Lambda_11_11_p1828_lanes[2] * Lambda_11_11_p1592_lanes[2] + Lambda_11_11_p1770_lanes[2] *
-      Lambda_11_11_p1712_lanes[2];
-  const Real Lambda_11_11_p4723 = Lambda_11_11_p4700 - Lambda_11_11_p3921_lanes[3] *
-      Lambda_11_11_p3775_lanes[2] - Lambda_11_11_p4132_lanes[3] * Lambda_11_11_p4001_lanes[2] -
-      Lambda_11_11_p4329_lanes[3] * Lambda_11_11_p4197_lanes[2] - Lambda_11_11_p4522_lanes[3] *
-      Lambda_11_11_p4402_lanes[2];
-  const Real Lambda_11_11_p4724 = Lambda_11_11_p4582 - Lambda_11_11_p4633_lanes[7] *
-      Lambda_11_11_p4571_lanes[6] - Lambda_11_11_p4702 * Lambda_11_11_p4669_lanes[6];
-  const Lanes<8> Lambda_11_11_p4725_lanes = Lambda_11_11_p4429_lanes - Lambda_11_11_p4522_lanes *
-      Lambda_11_11_p4390_lanes[6] - Lambda_11_11_p4636_lanes * Lambda_11_11_p4571_lanes[6] -
-      Lambda_11_11_p4703_lanes * Lambda_11_11_p4669_lanes[6];
-  const Lanes<8> Lambda_11_11_p4729_lanes = Lambda_11_11_p4511_lanes - Lambda_11_11_p4522_lanes *
-      Lambda_11_11_p4390_lanes[7] - Lambda_11_11_p4636_lanes * Lambda_11_11_p4571_lanes[7] -
-      Lambda_11_11_p4703_lanes * Lambda_11_11_p4669_lanes[7];
-  const Lanes<8> Lambda_11_11_p4733_lanes = Lambda_11_11_p4615_lanes - Lambda_11_11_p4522_lanes *
-      Lambda_11_11_p4402_lanes[0] - Lambda_11_11_p4636_lanes * Lambda_11_11_p4578_lanes[0] -
-      Lambda_11_11_p4703_lanes * Lambda_11_11_p4673_lanes[0];
-  const Lanes<8> Lambda_11_11_p4737_lanes = Lambda_11_11_p4689_lanes - Lambda_11_11_p4522_lanes *
-      Lambda_11_11_p4402_lanes[1] - Lambda_11_11_p4636_lanes * Lambda_11_11_p4578_lanes[1] -
-      Lambda_11_11_p4703_lanes * Lambda_11_11_p4673_lanes[1];
-  const Real Lambda_0_11_p1 = Lambda_11_11_p4132_lanes[0] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3921_lanes[0] - Lambda_11_11_p4329_lanes[0] * Lambda_0_0_p1 -
-      Lambda_11_11_p4522_lanes[0] * Lambda_0_0_p2 - Lambda_11_11_p4636_lanes[0] * Lambda_0_0_p3;
-  const Real Lambda_11_11_p4740 = 1.0 / (Lambda_11_11_p4672 - Lambda_11_11_p4701 *
-      Lambda_11_11_p4669_lanes[6]);
-  const Real Lambda_0_0_p7 = Lambda_0_0_p5 - Lambda_11_11_p4701 * Lambda_0_0_p4;
-  const Real Lambda_0_0_p8 = Lambda_11_11_p3910_lanes[1] * Lambda_11_11_p4005;
-  const Real Lambda_0_11_p2 = Lambda_11_11_p4132_lanes[1] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3921_lanes[1] - Lambda_11_11_p4329_lanes[1] * Lambda_0_0_p1 -
-      Lambda_11_11_p4522_lanes[1] * Lambda_0_0_p2 - Lambda_11_11_p4636_lanes[1] * Lambda_0_0_p3;
-  const Real Lambda_0_0_p9 = Lambda_0_0_p1 * Lambda_11_11_p4205;
-  const Real Lambda_0_0_p10 = Lambda_0_0_p2 * Lambda_11_11_p4425;
-  const Real Lambda_11_11_p4741 = Lambda_11_11_p4707 - Lambda_11_11_p3921_lanes[2] *
-      Lambda_11_11_p3775_lanes[2] - Lambda_11_11_p4132_lanes[2] * Lambda_11_11_p4001_lanes[2] -
-      Lambda_11_11_p4329_lanes[2] * Lambda_11_11_p4197_lanes[2] - Lambda_11_11_p4522_lanes[2] *
-      Lambda_11_11_p4402_lanes[2];
-  const Real Lambda_0_11_p3 = Lambda_11_11_p4132_lanes[2] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3921_lanes[2] - Lambda_11_11_p4329_lanes[2] * Lambda_0_0_p1 -
-      Lambda_11_11_p4522_lanes[2] * Lambda_0_0_p2 - Lambda_11_11_p4636_lanes[2] * Lambda_0_0_p3;
+  const Real Lambda_11_11_p3247 = Lambda_11_11_p3222 * Lambda_11_11_p3179_lanes[2];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p3252_lanes = c16 * Lambda_11_11_p3094_lanes - s16 *
+      Lambda_11_11_p3110_lanes - inverse_D6_p165_lanes[1] * Lambda_11_11_p2993_lanes -
+      Lambda_11_11_p3056_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3279 = Lambda_11_11_p3114 + Lambda_11_11_p2014_lanes[7] *
+      Lambda_11_11_p1982_lanes[6] + Lambda_11_11_p2213_lanes[7] * Lambda_11_11_p2183_lanes[6] +
+      Lambda_11_11_p2411_lanes[7] * Lambda_11_11_p2389_lanes[6] + Lambda_11_11_p2516_lanes[7] *
+      Lambda_11_11_p2470_lanes[6];
 
   // link 3 (hip), force propagation
-  const Real Lambda_11_11_p4742 = Lambda_11_11_p3892_lanes[1] + Lambda_11_11_p1876_lanes[3] *
-      Lambda_11_11_p731_lanes[3] + Lambda_11_11_p1872_lanes[3] * Lambda_11_11_p819_lanes[3] +
-      Lambda_11_11_p1880_lanes[3] * Lambda_11_11_p1030_lanes[3] + Lambda_11_11_p1832_lanes[3] *
-      Lambda_11_11_p1115_lanes[3];
+  const Lanes<8> Lambda_11_11_p3288_lanes = detail::make_pack<Real>(Lambda_11_11_p3166_lanes[0] +
+      Lambda_11_11_p1421_lanes[5] * Lambda_11_11_p1373_lanes[5], Lambda_11_11_p3166_lanes[0] +
+      Lambda_11_11_p1421_lanes[5] * Lambda_11_11_p1373_lanes[5], Lambda_11_11_p3166_lanes[0] +
+      Lambda_11_11_p1421_lanes[5] * Lambda_11_11_p1373_lanes[5], Lambda_11_11_p3166_lanes[0] +
+      Lambda_11_11_p1421_lanes[5] * Lambda_11_11_p1373_lanes[5], Lambda_11_11_p3166_lanes[0] +
+      Lambda_11_11_p1421_lanes[5] * Lambda_11_11_p1373_lanes[5], Lambda_11_11_p3166_lanes[0] +
+      Lambda_11_11_p1421_lanes[5] * Lambda_11_11_p1373_lanes[5], Lambda_11_11_p1428 *
+      Lambda_11_11_p1373_lanes[5], Lambda_11_11_p1427 * Lambda_11_11_p1373_lanes[5]) +
+      Lambda_11_11_p1713_lanes * Lambda_11_11_p1648_lanes[5] + Lambda_11_11_p2014_lanes *
+      Lambda_11_11_p1982_lanes[5] + Lambda_11_11_p2213_lanes * Lambda_11_11_p2183_lanes[5];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p3291_lanes = c15 * Lambda_11_11_p3235_lanes - s15 *
+      Lambda_11_11_p3223_lanes - inverse_D6_p292_lanes[1] * Lambda_11_11_p3032_lanes;
+  const Lanes<8> Lambda_11_11_p3295_lanes = s15 * Lambda_11_11_p3235_lanes + c15 *
+      Lambda_11_11_p3223_lanes - inverse_D6_p299_lanes[1] * Lambda_11_11_p3032_lanes;
 
   // link 1 (calf), force propagation
-  const Real Lambda_0_0_p11 = Lambda_0_0_p3 * Lambda_11_11_p4600;
-  const Real Lambda_0_0_p12 = Lambda_0_0_p4 * Lambda_11_11_p4692;
-  const Real Lambda_1_11_p1 = Lambda_11_11_p4324_lanes[3] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4126_lanes[3];
-  const Real Lambda_0_11_p4 = Lambda_11_11_p4132_lanes[3] * Lambda_11_11_p3910_lanes[1] -
-      Lambda_11_11_p3921_lanes[3] - Lambda_11_11_p4329_lanes[3] * Lambda_0_0_p1 -
-      Lambda_11_11_p4522_lanes[3] * Lambda_0_0_p2 - Lambda_11_11_p4636_lanes[3] * Lambda_0_0_p3;
-  const Real Lambda_11_11_p4743 = Lambda_11_11_p4724 * Lambda_11_11_p4740;
-  const Lanes<8> Lambda_11_11_p4744_lanes = Lambda_11_11_p4725_lanes * Lambda_11_11_p4740;
-  const Real Lambda_0_0_p13 = Lambda_0_0_p7 * Lambda_11_11_p4740;
-  const Real Lambda_1_11_p2 = Lambda_11_11_p4324_lanes[4] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4126_lanes[4] - Lambda_11_11_p4518_lanes[4] * Lambda_1_11_p1;
-  const Real Lambda_11_11_p4759 = Lambda_11_11_p4742 + Lambda_11_11_p1828_lanes[3] *
-      Lambda_11_11_p1592_lanes[3] + Lambda_11_11_p1770_lanes[3] * Lambda_11_11_p1712_lanes[3] -
-      Lambda_11_11_p3921_lanes[3] * Lambda_11_11_p3775_lanes[3] - Lambda_11_11_p4132_lanes[3] *
-      Lambda_11_11_p4001_lanes[3];
-  const Lanes<8> Lambda_11_11_p4760_lanes = Lambda_11_11_p4729_lanes - Lambda_11_11_p4744_lanes *
-      Lambda_11_11_p4724;
-  const Real Lambda_1_11_p3 = Lambda_11_11_p4324_lanes[5] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4126_lanes[5] - Lambda_11_11_p4518_lanes[5] * Lambda_1_11_p1 -
-      Lambda_11_11_p4633_lanes[5] * Lambda_1_11_p2;
-  const Real Lambda_11_11_p4771 = 1.0 / (Lambda_11_11_p4587 - Lambda_11_11_p4633_lanes[7] *
-      Lambda_11_11_p4571_lanes[7] - Lambda_11_11_p4702 * Lambda_11_11_p4669_lanes[7] -
-      Lambda_11_11_p4743 * Lambda_11_11_p4724);
-  const Real Lambda_0_0_p14 = Lambda_0_0_p6 - Lambda_11_11_p4702 * Lambda_0_0_p4 -
-      Lambda_11_11_p4743 * Lambda_0_0_p7;
-  const Real Lambda_1_11_p4 = Lambda_11_11_p4324_lanes[6] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4126_lanes[6] - Lambda_11_11_p4518_lanes[6] * Lambda_1_11_p1 -
-      Lambda_11_11_p4633_lanes[6] * Lambda_1_11_p2 - Lambda_11_11_p4701 * Lambda_1_11_p3;
-  const Real Lambda_1_11_p5 = Lambda_11_11_p4324_lanes[7] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4126_lanes[7] - Lambda_11_11_p4518_lanes[7] * Lambda_1_11_p1 -
-      Lambda_11_11_p4633_lanes[7] * Lambda_1_11_p2 - Lambda_11_11_p4702 * Lambda_1_11_p3;
-  const Real Lambda_1_11_p6 = Lambda_11_11_p4329_lanes[0] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4132_lanes[0] - Lambda_11_11_p4522_lanes[0] * Lambda_1_11_p1 -
-      Lambda_11_11_p4636_lanes[0] * Lambda_1_11_p2 - Lambda_11_11_p4703_lanes[0] * Lambda_1_11_p3;
-  const Real Lambda_11_11_p4772 = Lambda_11_11_p4759 - Lambda_11_11_p4329_lanes[3] *
-      Lambda_11_11_p4197_lanes[3] - Lambda_11_11_p4522_lanes[3] * Lambda_11_11_p4402_lanes[3] -
-      Lambda_11_11_p4636_lanes[3] * Lambda_11_11_p4578_lanes[3] - Lambda_11_11_p4703_lanes[3] *
-      Lambda_11_11_p4673_lanes[3];
-  const Real Lambda_0_1_p1 = Lambda_1_11_p1 * Lambda_11_11_p4425;
-  const Real Lambda_1_11_p7 = Lambda_11_11_p4329_lanes[1] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4132_lanes[1] - Lambda_11_11_p4522_lanes[1] * Lambda_1_11_p1 -
-      Lambda_11_11_p4636_lanes[1] * Lambda_1_11_p2 - Lambda_11_11_p4703_lanes[1] * Lambda_1_11_p3;
-  const Real Lambda_0_1_p2 = Lambda_11_11_p4126_lanes[2] * Lambda_11_11_p4205;
-  const Real Lambda_0_1_p3 = Lambda_1_11_p2 * Lambda_11_11_p4600;
-  const Real Lambda_0_1_p4 = Lambda_1_11_p3 * Lambda_11_11_p4692;
-  const Real Lambda_1_11_p8 = Lambda_1_11_p5 - Lambda_11_11_p4743 * Lambda_1_11_p4;
-  const Lanes<8> Lambda_11_11_p4773_lanes = Lambda_11_11_p4760_lanes * Lambda_11_11_p4771;
-  const Real Lambda_1_11_p9 = Lambda_11_11_p4329_lanes[2] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4132_lanes[2] - Lambda_11_11_p4522_lanes[2] * Lambda_1_11_p1 -
-      Lambda_11_11_p4636_lanes[2] * Lambda_1_11_p2 - Lambda_11_11_p4703_lanes[2] * Lambda_1_11_p3;
-  const Real Lambda_0_1_p5 = Lambda_1_11_p4 * Lambda_11_11_p4740;
-  const Real Lambda_0_0_p15 = Lambda_11_11_p3839 + Lambda_0_0_p8 * Lambda_11_11_p3910_lanes[1] +
-      Lambda_0_0_p9 * Lambda_0_0_p1 + Lambda_0_0_p10 * Lambda_0_0_p2 + Lambda_0_0_p11 *
+  const Real Lambda_11_11_p3302 = Lambda_11_11_p3247 * Lambda_11_11_p3222 /
+      (8.077935669463161e-28 + Lambda_11_11_p3247 * Lambda_11_11_p3247);
+  const Real Lambda_11_11_p3318 = Lambda_11_11_p3246 + Lambda_11_11_p2014_lanes[7] *
+      Lambda_11_11_p1982_lanes[7] + Lambda_11_11_p2213_lanes[7] * Lambda_11_11_p2183_lanes[7] +
+      Lambda_11_11_p2411_lanes[7] * Lambda_11_11_p2389_lanes[7] + Lambda_11_11_p2516_lanes[7] *
+      Lambda_11_11_p2470_lanes[7];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p3319_lanes = s14 * Lambda_11_11_p3252_lanes + c14 *
+      Lambda_11_11_p3291_lanes;
+  const Lanes<8> Lambda_11_11_p3323_lanes = c14 * Lambda_11_11_p3252_lanes - s14 *
+      Lambda_11_11_p3291_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3327_lanes = Lambda_11_11_p3288_lanes + Lambda_11_11_p2411_lanes *
+      Lambda_11_11_p2389_lanes[5] + Lambda_11_11_p2516_lanes * Lambda_11_11_p2470_lanes[5] -
+      Lambda_11_11_p2846_lanes * Lambda_11_11_p2580_lanes[5];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p3345_lanes = 0.226 * Lambda_11_11_p3295_lanes + (-0.18) *
+      Lambda_11_11_p3319_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3353_lanes = Lambda_11_11_p3179_lanes * Lambda_11_11_p3302;
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p3367_lanes = -(c14 * Lambda_11_11_p3048_lanes + s14 *
+      Lambda_11_11_p3106_lanes + Lambda_11_11_p3345_lanes);
+  const Lanes<8> Lambda_11_11_p3371_lanes = inverse_D5_p73 * Lambda_11_11_p3367_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3398_lanes = Lambda_11_11_p2947_lanes - Lambda_11_11_p3081_lanes *
+      Lambda_11_11_p2929_lanes[3] - Lambda_11_11_p3353_lanes * Lambda_11_11_p3179_lanes[3];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p3403_lanes = (-0.18) * Lambda_11_11_p3323_lanes -
+      (s14 * Lambda_11_11_p3048_lanes - c14 * Lambda_11_11_p3106_lanes) - Lambda_11_11_p3371_lanes;
+  const Lanes<8> Lambda_11_11_p3407_lanes = 0.226 * Lambda_11_11_p3323_lanes - inverse_D5_p72 *
+      Lambda_11_11_p3367_lanes;
+  const Lanes<8> Lambda_11_11_p3411_lanes = Lambda_11_11_p3323_lanes - inverse_D5_p71 *
+      Lambda_11_11_p3367_lanes;
+  const Lanes<8> Lambda_11_11_p3415_lanes = Lambda_11_11_p3319_lanes + inverse_D3_p14 *
+      Lambda_11_11_p3367_lanes;
+  const Lanes<8> Lambda_11_11_p3419_lanes = Lambda_11_11_p3295_lanes - inverse_D3_p15 *
+      Lambda_11_11_p3367_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3430 = Lambda_11_11_p3398_lanes[3] * Lambda_11_11_p3398_lanes[3];
+  const Real Lambda_11_11_p3467 = Lambda_11_11_p3430 * Lambda_11_11_p3398_lanes[3];
+
+  // link 6 (chest3), force propagation
+  const Lanes<8> Lambda_11_11_p3476_lanes = s6 * Lambda_11_11_p3415_lanes + c6 *
+      Lambda_11_11_p3419_lanes;
+  const Lanes<8> Lambda_11_11_p3480_lanes = Lambda_11_11_p3367_lanes * inverse_D6;
+  const Lanes<8> Lambda_11_11_p3488_lanes = s6 * Lambda_11_11_p3403_lanes + c6 *
+      Lambda_11_11_p3407_lanes + 0.072 * Lambda_11_11_p3411_lanes;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p3520_lanes = Lambda_11_11_p3488_lanes * inverse_D5;
+  const Lanes<8> Lambda_11_11_p3532_lanes = c6 * Lambda_11_11_p3415_lanes - s6 *
+      Lambda_11_11_p3419_lanes - inverse_D3_p35 * Lambda_11_11_p3488_lanes;
+  const Lanes<8> Lambda_11_11_p3536_lanes = Lambda_11_11_p3411_lanes - inverse_D3_p34 *
+      Lambda_11_11_p3488_lanes;
+  const Lanes<8> Lambda_11_11_p3540_lanes = c6 * Lambda_11_11_p3403_lanes - s6 *
+      Lambda_11_11_p3407_lanes - inverse_D4_p11 * Lambda_11_11_p3488_lanes;
+  const Lanes<8> Lambda_11_11_p3544_lanes = -(0.072 * Lambda_11_11_p3476_lanes) + inverse_D4_p10 *
+      Lambda_11_11_p3488_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3548 = Lambda_11_11_p3467 * Lambda_11_11_p3430 /
+      (3.552713678800501e-15 + Lambda_11_11_p3467 * Lambda_11_11_p3467);
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p3577_lanes = s4 * (Lambda_11_11_p3476_lanes - inverse_D3_p36 *
+      Lambda_11_11_p3488_lanes);
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p3641_lanes = -(s5 * Lambda_11_11_p3544_lanes + c5 *
+      Lambda_11_11_p3540_lanes);
+  const Lanes<8> Lambda_11_11_p3657_lanes = Lambda_11_11_p3641_lanes * inverse_D4;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3673_lanes = Lambda_11_11_p3398_lanes * Lambda_11_11_p3548;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p3677_lanes = c4 * (s5 * Lambda_11_11_p3532_lanes - c5 *
+      Lambda_11_11_p3536_lanes) + Lambda_11_11_p3577_lanes;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p3681_lanes = -(s5 * Lambda_11_11_p3536_lanes + c5 *
+      Lambda_11_11_p3532_lanes) - inverse_D2_p6 * Lambda_11_11_p3641_lanes;
+
+  // link 5 (chest2), force propagation
+  const Lanes<8> Lambda_11_11_p3756_lanes = s4 * (s5 * Lambda_11_11_p3540_lanes - c5 *
+      Lambda_11_11_p3544_lanes) + 0.21799999999999997 * Lambda_11_11_p3677_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3760_lanes = Lambda_11_11_p2952_lanes - Lambda_11_11_p3081_lanes *
+      Lambda_11_11_p2929_lanes[4] - Lambda_11_11_p3353_lanes * Lambda_11_11_p3179_lanes[4] -
+      Lambda_11_11_p3673_lanes * Lambda_11_11_p3398_lanes[4];
+  const Lanes<8> Lambda_11_11_p3764_lanes = Lambda_11_11_p3327_lanes - Lambda_11_11_p3081_lanes *
+      Lambda_11_11_p2929_lanes[5] - Lambda_11_11_p3353_lanes * Lambda_11_11_p3179_lanes[5] -
+      Lambda_11_11_p3673_lanes * Lambda_11_11_p3398_lanes[5];
+  const Real Lambda_11_11_p3771 = Lambda_11_11_p3279 - Lambda_11_11_p2846_lanes[7] *
+      Lambda_11_11_p2580_lanes[6] - Lambda_11_11_p3081_lanes[7] * Lambda_11_11_p2929_lanes[6] -
+      Lambda_11_11_p3353_lanes[7] * Lambda_11_11_p3179_lanes[6] - Lambda_11_11_p3673_lanes[7] *
+      Lambda_11_11_p3398_lanes[6];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p3776_lanes = -Lambda_11_11_p3756_lanes - inverse_D3_p60 *
+      Lambda_11_11_p3641_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3792 = Lambda_11_11_p3760_lanes[4] * Lambda_11_11_p3760_lanes[4];
+  const Real Lambda_11_11_p3797 = Lambda_11_11_p3318 - Lambda_11_11_p2846_lanes[7] *
+      Lambda_11_11_p2580_lanes[7] - Lambda_11_11_p3081_lanes[7] * Lambda_11_11_p2929_lanes[7] -
+      Lambda_11_11_p3353_lanes[7] * Lambda_11_11_p3179_lanes[7] - Lambda_11_11_p3673_lanes[7] *
+      Lambda_11_11_p3398_lanes[7];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p3806_lanes = Lambda_11_11_p3776_lanes * inverse_D3;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3814 = Lambda_11_11_p3792 * Lambda_11_11_p3760_lanes[4];
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p3815_lanes = -Lambda_11_11_p3677_lanes - inverse_D2_p7 *
+      Lambda_11_11_p3641_lanes - inverse_D2_p12 * Lambda_11_11_p3776_lanes;
+  const Lanes<8> Lambda_11_11_p3819_lanes = -Lambda_11_11_p3681_lanes + inverse_D2_p11 *
+      Lambda_11_11_p3776_lanes;
+  const Lanes<8> Lambda_11_11_p3823_lanes = Lambda_11_11_p3806_lanes * Lambda_11_11_p2183_lanes[0];
+  const Lanes<8> Lambda_11_11_p3827_lanes = Lambda_11_11_p3806_lanes * Lambda_11_11_p2183_lanes[1];
+  const Lanes<8> Lambda_11_11_p3831_lanes = Lambda_11_11_p3806_lanes * Lambda_11_11_p2183_lanes[2];
+  const Lanes<8> Lambda_11_11_p3835_lanes = Lambda_11_11_p3806_lanes * Lambda_11_11_p2183_lanes[3];
+  const Lanes<8> Lambda_11_11_p3839_lanes = Lambda_11_11_p3806_lanes * Lambda_11_11_p2183_lanes[4];
+  const Lanes<8> Lambda_11_11_p3843_lanes = Lambda_11_11_p3806_lanes * Lambda_11_11_p2183_lanes[5];
+  const Lanes<8> Lambda_11_11_p3871_lanes = Lambda_11_11_p3480_lanes * Lambda_11_11_p1373_lanes[0] +
+      Lambda_11_11_p3520_lanes * Lambda_11_11_p1648_lanes[0] + Lambda_11_11_p3657_lanes *
+      Lambda_11_11_p1982_lanes[0] + Lambda_11_11_p3823_lanes;
+  const Lanes<8> Lambda_11_11_p3875_lanes = Lambda_11_11_p3480_lanes * Lambda_11_11_p1373_lanes[1] +
+      Lambda_11_11_p3520_lanes * Lambda_11_11_p1648_lanes[1] + Lambda_11_11_p3657_lanes *
+      Lambda_11_11_p1982_lanes[1] + Lambda_11_11_p3827_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p3879_lanes = Lambda_11_11_p2816_lanes * Lambda_11_11_p213;
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p3887_lanes = Lambda_11_11_p3480_lanes * Lambda_11_11_p1373_lanes[2] +
+      Lambda_11_11_p3520_lanes * Lambda_11_11_p1648_lanes[2] + Lambda_11_11_p3657_lanes *
+      Lambda_11_11_p1982_lanes[2] + Lambda_11_11_p3831_lanes;
+  const Lanes<8> Lambda_11_11_p3899_lanes = Lambda_11_11_p3480_lanes * Lambda_11_11_p1373_lanes[3] +
+      Lambda_11_11_p3520_lanes * Lambda_11_11_p1648_lanes[3] + Lambda_11_11_p3657_lanes *
+      Lambda_11_11_p1982_lanes[3] + Lambda_11_11_p3835_lanes;
+  const Lanes<8> Lambda_11_11_p3911_lanes = Lambda_11_11_p3480_lanes * Lambda_11_11_p1373_lanes[4] +
+      Lambda_11_11_p3520_lanes * Lambda_11_11_p1648_lanes[4] + Lambda_11_11_p3657_lanes *
+      Lambda_11_11_p1982_lanes[4] + Lambda_11_11_p3839_lanes;
+  const Lanes<8> Lambda_11_11_p3919_lanes = Lambda_11_11_p2 * Lambda_11_11_p3815_lanes -
+      Lambda_11_11_p1 * Lambda_11_11_p3819_lanes;
+  const Lanes<8> Lambda_11_11_p3935_lanes = Lambda_11_11_p3480_lanes * Lambda_11_11_p1373_lanes[5] +
+      Lambda_11_11_p3520_lanes * Lambda_11_11_p1648_lanes[5] + Lambda_11_11_p3657_lanes *
+      Lambda_11_11_p1982_lanes[5] + Lambda_11_11_p3843_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p3943 = Lambda_11_11_p3814 * Lambda_11_11_p3792 /
+      (5.551115123125783e-17 + Lambda_11_11_p3814 * Lambda_11_11_p3814);
+
+  // link 3 (hip), force propagation
+  const Lanes<8> Lambda_11_11_p3960_lanes = inverse_D2_p2 *
+      (Lambda_11_11_p1 * Lambda_11_11_p3815_lanes + Lambda_11_11_p2 * Lambda_11_11_p3819_lanes) +
+      inverse_D2_p1 * Lambda_11_11_p3919_lanes;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p3964_lanes = Lambda_11_11_p2701_lanes * Lambda_11_11_p118 +
+      Lambda_11_11_p2689_lanes * Lambda_11_11_p133 + Lambda_11_11_p2705_lanes * Lambda_11_11_p172 +
+      Lambda_11_11_p3879_lanes;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_11_11_p3972_lanes = Lambda_11_11_p3960_lanes * inverse_D2;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p3996_lanes = Lambda_11_11_p3760_lanes * Lambda_11_11_p3943;
+
+  // link 2 (thigh), force propagation
+  const Lanes<8> Lambda_11_11_p4027_lanes = 0.434 *
+      (Lambda_11_11_p3919_lanes - inverse_D1_p2 * Lambda_11_11_p3960_lanes);
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4055_lanes = Lambda_11_11_p2816_lanes * Lambda_11_11_p89;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p4070_lanes = Lambda_11_11_p3964_lanes + Lambda_11_11_p2925_lanes *
+      Lambda_11_11_p249 + Lambda_11_11_p3009_lanes * Lambda_11_11_p380 + Lambda_11_11_p3052_lanes *
+      Lambda_11_11_p557;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4082_lanes = Lambda_11_11_p4027_lanes * inverse_D1;
+  const Lanes<8> Lambda_11_11_p4110_lanes = Lambda_11_11_p3764_lanes - Lambda_11_11_p3996_lanes *
+      Lambda_11_11_p3760_lanes[5];
+  const Real Lambda_11_11_p4113 = Lambda_11_11_p3093 - Lambda_11_11_p3081_lanes[6] *
+      Lambda_11_11_p2929_lanes[6] - Lambda_11_11_p3353_lanes[6] * Lambda_11_11_p3179_lanes[6] -
+      Lambda_11_11_p3673_lanes[6] * Lambda_11_11_p3398_lanes[6] - Lambda_11_11_p3996_lanes[6] *
+      Lambda_11_11_p3760_lanes[6];
+  const Real Lambda_11_11_p4138 = Lambda_11_11_p4110_lanes[5] * Lambda_11_11_p4110_lanes[5];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4151_lanes = Lambda_11_11_p2701_lanes * Lambda_11_11_p49 +
+      Lambda_11_11_p2689_lanes * Lambda_11_11_p50 + Lambda_11_11_p2705_lanes * Lambda_11_11_p72 +
+      Lambda_11_11_p4055_lanes;
+  const Lanes<8> Lambda_11_11_p4167_lanes = Lambda_11_11_p2816_lanes * Lambda_11_11_p2786_lanes[0];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4183_lanes = Lambda_11_11_p3871_lanes + Lambda_11_11_p3972_lanes *
+      Lambda_11_11_p2389_lanes[0] + Lambda_11_11_p4082_lanes * Lambda_11_11_p2470_lanes[0];
+  const Real Lambda_11_11_p4199 = Lambda_11_11_p4138 * Lambda_11_11_p4110_lanes[5];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p4208_lanes = Lambda_11_11_p4070_lanes + Lambda_11_11_p3480_lanes *
+      Lambda_11_11_p1373_lanes[6] + Lambda_11_11_p3520_lanes * Lambda_11_11_p1648_lanes[6] +
+      Lambda_11_11_p3657_lanes * Lambda_11_11_p1982_lanes[6];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4224_lanes = Lambda_11_11_p4183_lanes * Lambda_11_11_p2775;
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p4284_lanes = Lambda_11_11_p4151_lanes + Lambda_11_11_p2925_lanes *
+      Lambda_11_11_p99 + Lambda_11_11_p3009_lanes * Lambda_11_11_p115 + Lambda_11_11_p3052_lanes *
+      Lambda_11_11_p144;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4300_lanes = Lambda_11_11_p2701_lanes * Lambda_11_11_p2454 +
+      Lambda_11_11_p2689_lanes * Lambda_11_11_p2524_lanes[0] + Lambda_11_11_p2705_lanes *
+      Lambda_11_11_p2657_lanes[0] + Lambda_11_11_p4167_lanes;
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4324_lanes = Lambda_11_11_p3875_lanes + Lambda_11_11_p3972_lanes *
+      Lambda_11_11_p2389_lanes[1] + Lambda_11_11_p4082_lanes * Lambda_11_11_p2470_lanes[1] -
+      Lambda_11_11_p4224_lanes * Lambda_11_11_p2580_lanes[1];
+  const Lanes<8> Lambda_11_11_p4328_lanes = Lambda_11_11_p3887_lanes + Lambda_11_11_p3972_lanes *
+      Lambda_11_11_p2389_lanes[2] + Lambda_11_11_p4082_lanes * Lambda_11_11_p2470_lanes[2] -
+      Lambda_11_11_p4224_lanes * Lambda_11_11_p2580_lanes[2];
+  const Lanes<8> Lambda_11_11_p4332_lanes = Lambda_11_11_p3899_lanes + Lambda_11_11_p3972_lanes *
+      Lambda_11_11_p2389_lanes[3] + Lambda_11_11_p4082_lanes * Lambda_11_11_p2470_lanes[3] -
+      Lambda_11_11_p4224_lanes * Lambda_11_11_p2580_lanes[3];
+  const Lanes<8> Lambda_11_11_p4336_lanes = Lambda_11_11_p3911_lanes + Lambda_11_11_p3972_lanes *
+      Lambda_11_11_p2389_lanes[4] + Lambda_11_11_p4082_lanes * Lambda_11_11_p2470_lanes[4] -
+      Lambda_11_11_p4224_lanes * Lambda_11_11_p2580_lanes[4];
+  const Real Lambda_11_11_p4340 = Lambda_11_11_p4199 * Lambda_11_11_p4138 /
+      (8.673617379884035e-19 + Lambda_11_11_p4199 * Lambda_11_11_p4199);
+  const Lanes<8> Lambda_11_11_p4349_lanes = Lambda_11_11_p3935_lanes + Lambda_11_11_p3972_lanes *
+      Lambda_11_11_p2389_lanes[5] + Lambda_11_11_p4082_lanes * Lambda_11_11_p2470_lanes[5] -
+      Lambda_11_11_p4224_lanes * Lambda_11_11_p2580_lanes[5];
+  const Lanes<8> Lambda_11_11_p4353_lanes = Lambda_11_11_p4208_lanes + Lambda_11_11_p3806_lanes *
+      Lambda_11_11_p2183_lanes[6] + Lambda_11_11_p3972_lanes * Lambda_11_11_p2389_lanes[6] +
+      Lambda_11_11_p4082_lanes * Lambda_11_11_p2470_lanes[6];
+  const Lanes<8> Lambda_11_11_p4366_lanes = Lambda_11_11_p4324_lanes * Lambda_11_11_p3023;
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4370_lanes = Lambda_11_11_p2816_lanes * Lambda_11_11_p2786_lanes[1];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p4422_lanes = Lambda_11_11_p4300_lanes + Lambda_11_11_p2925_lanes *
+      Lambda_11_11_p2888_lanes[0] + Lambda_11_11_p3009_lanes * Lambda_11_11_p2993_lanes[0] +
+      Lambda_11_11_p3052_lanes * Lambda_11_11_p3032_lanes[0];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p4426_lanes = Lambda_11_11_p4284_lanes + Lambda_11_11_p3480_lanes *
+      Lambda_11_11_p1373_lanes[7] + Lambda_11_11_p3520_lanes * Lambda_11_11_p1648_lanes[7] +
+      Lambda_11_11_p3657_lanes * Lambda_11_11_p1982_lanes[7];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4448_lanes = Lambda_11_11_p4328_lanes - Lambda_11_11_p4366_lanes *
+      Lambda_11_11_p2929_lanes[2];
+
+  // link 17 (right_lowerarm), force propagation
+  const Lanes<8> Lambda_11_11_p4476_lanes = Lambda_11_11_p2701_lanes * Lambda_11_11_p110 +
+      Lambda_11_11_p2689_lanes * Lambda_11_11_p2524_lanes[1] + Lambda_11_11_p2705_lanes *
+      Lambda_11_11_p2657_lanes[1] + Lambda_11_11_p4370_lanes;
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p4479 = Lambda_11_11_p4110_lanes[6] * Lambda_11_11_p4340;
+  const Lanes<8> Lambda_11_11_p4480_lanes = Lambda_11_11_p4448_lanes * Lambda_11_11_p3302;
+  const Real Lambda_11_11_p4484 = Lambda_11_11_p4110_lanes[7] * Lambda_11_11_p4340;
+
+  // link 20 (right_hand), force propagation
+  const Lanes<8> Lambda_11_11_p4496_lanes = Lambda_11_11_p2701_lanes * Lambda_11_11_p44;
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p4514_lanes = Lambda_11_11_p4422_lanes + Lambda_11_11_p3480_lanes *
+      Lambda_11_11_p3367_lanes[0] + Lambda_11_11_p3520_lanes * Lambda_11_11_p3488_lanes[0] +
+      Lambda_11_11_p3657_lanes * Lambda_11_11_p3641_lanes[0];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4518_lanes = Lambda_11_11_p4426_lanes + Lambda_11_11_p3806_lanes *
+      Lambda_11_11_p2183_lanes[7] + Lambda_11_11_p3972_lanes * Lambda_11_11_p2389_lanes[7] +
+      Lambda_11_11_p4082_lanes * Lambda_11_11_p2470_lanes[7];
+  const Real Lambda_11_11_p4536 = Lambda_11_11_p4113 - Lambda_11_11_p4479 *
+      Lambda_11_11_p4110_lanes[6];
+  const Lanes<8> Lambda_11_11_p4537_lanes = Lambda_11_11_p4332_lanes - Lambda_11_11_p4366_lanes *
+      Lambda_11_11_p2929_lanes[3] - Lambda_11_11_p4480_lanes * Lambda_11_11_p3179_lanes[3];
+  const Real Lambda_11_11_p4541 = Lambda_11_11_p3771 - Lambda_11_11_p3996_lanes[7] *
+      Lambda_11_11_p3760_lanes[6] - Lambda_11_11_p4484 * Lambda_11_11_p4110_lanes[6];
+  const Lanes<8> Lambda_11_11_p4550_lanes = Lambda_11_11_p4353_lanes - Lambda_11_11_p4224_lanes *
+      Lambda_11_11_p2580_lanes[6] - Lambda_11_11_p4366_lanes * Lambda_11_11_p2929_lanes[6] -
+      Lambda_11_11_p4480_lanes * Lambda_11_11_p3179_lanes[6];
+
+  // link 14 (right_shoulder1), force propagation
+  const Lanes<8> Lambda_11_11_p4562_lanes = Lambda_11_11_p4476_lanes + Lambda_11_11_p2925_lanes *
+      Lambda_11_11_p2888_lanes[1] + Lambda_11_11_p3009_lanes * Lambda_11_11_p2993_lanes[1] +
+      Lambda_11_11_p3052_lanes * Lambda_11_11_p3032_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_11_11_p4565 = Lambda_11_11_p4536 * Lambda_11_11_p4536;
+  const Lanes<8> Lambda_11_11_p4566_lanes = Lambda_11_11_p4537_lanes * Lambda_11_11_p3548;
+  const Real Lambda_11_11_p4581 = Lambda_11_11_p4565 * Lambda_11_11_p4536;
+  const Lanes<8> Lambda_11_11_p4598_lanes = Lambda_11_11_p4514_lanes + Lambda_11_11_p3806_lanes *
+      Lambda_11_11_p3776_lanes[0] + Lambda_11_11_p3972_lanes * Lambda_11_11_p3960_lanes[0] +
+      Lambda_11_11_p4082_lanes * Lambda_11_11_p4027_lanes[0];
+  const Lanes<8> Lambda_11_11_p4602_lanes = Lambda_11_11_p4518_lanes - Lambda_11_11_p4224_lanes *
+      Lambda_11_11_p2580_lanes[7] - Lambda_11_11_p4366_lanes * Lambda_11_11_p2929_lanes[7] -
+      Lambda_11_11_p4480_lanes * Lambda_11_11_p3179_lanes[7];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p4616 = Lambda_11_11_p4496_lanes[2] + Lambda_11_11_p2689_lanes[2] *
+      Lambda_11_11_p2524_lanes[2] + Lambda_11_11_p2705_lanes[2] * Lambda_11_11_p2657_lanes[2] +
+      Lambda_11_11_p2816_lanes[2] * Lambda_11_11_p2786_lanes[2] + Lambda_11_11_p2925_lanes[2] *
+      Lambda_11_11_p2888_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4617_lanes = Lambda_11_11_p4336_lanes - Lambda_11_11_p4366_lanes *
+      Lambda_11_11_p2929_lanes[4] - Lambda_11_11_p4480_lanes * Lambda_11_11_p3179_lanes[4] -
+      Lambda_11_11_p4566_lanes * Lambda_11_11_p3398_lanes[4];
+  const Lanes<8> Lambda_11_11_p4621_lanes = Lambda_11_11_p4349_lanes - Lambda_11_11_p4366_lanes *
+      Lambda_11_11_p2929_lanes[5] - Lambda_11_11_p4480_lanes * Lambda_11_11_p3179_lanes[5] -
+      Lambda_11_11_p4566_lanes * Lambda_11_11_p3398_lanes[5];
+
+  // link 4 (chest1), force propagation
+  const Lanes<8> Lambda_11_11_p4637_lanes = Lambda_11_11_p4562_lanes + Lambda_11_11_p3480_lanes *
+      Lambda_11_11_p3367_lanes[1] + Lambda_11_11_p3520_lanes * Lambda_11_11_p3488_lanes[1] +
+      Lambda_11_11_p3657_lanes * Lambda_11_11_p3641_lanes[1];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4640_lanes = Lambda_11_11_p4617_lanes * Lambda_11_11_p3943;
+  const Real Lambda_11_11_p4651 = Lambda_11_11_p4581 * Lambda_11_11_p4565 /
+      (8.077935669463161e-28 + Lambda_11_11_p4581 * Lambda_11_11_p4581);
+  const Lanes<8> Lambda_11_11_p4664_lanes = Lambda_11_11_p4598_lanes - Lambda_11_11_p4224_lanes *
+      Lambda_11_11_p4183_lanes[0] - Lambda_11_11_p4366_lanes * Lambda_11_11_p4324_lanes[0] -
+      Lambda_11_11_p4480_lanes * Lambda_11_11_p4448_lanes[0];
+  const Lanes<8> Lambda_11_11_p4678_lanes = Lambda_11_11_p4621_lanes - Lambda_11_11_p4640_lanes *
+      Lambda_11_11_p3760_lanes[5];
+  const Lanes<8> Lambda_11_11_p4694_lanes = Lambda_11_11_p4637_lanes + Lambda_11_11_p3806_lanes *
+      Lambda_11_11_p3776_lanes[1] + Lambda_11_11_p3972_lanes * Lambda_11_11_p3960_lanes[1] +
+      Lambda_11_11_p4082_lanes * Lambda_11_11_p4027_lanes[1];
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_11_11_p4697 = Lambda_11_11_p4616 + Lambda_11_11_p3009_lanes[2] *
+      Lambda_11_11_p2993_lanes[2] + Lambda_11_11_p3052_lanes[2] * Lambda_11_11_p3032_lanes[2] +
+      Lambda_11_11_p3480_lanes[2] * Lambda_11_11_p3367_lanes[2] + Lambda_11_11_p3520_lanes[2] *
+      Lambda_11_11_p3488_lanes[2];
+
+  // link 16 (right_upperarm), force propagation
+  const Real Lambda_11_11_p4698 = Lambda_11_11_p4496_lanes[3] + Lambda_11_11_p2689_lanes[3] *
+      Lambda_11_11_p2524_lanes[2] + Lambda_11_11_p2705_lanes[3] * Lambda_11_11_p2657_lanes[2] +
+      Lambda_11_11_p2816_lanes[3] * Lambda_11_11_p2786_lanes[2] + Lambda_11_11_p2925_lanes[3] *
+      Lambda_11_11_p2888_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4699_lanes = Lambda_11_11_p4678_lanes * Lambda_11_11_p4340;
+  const Real Lambda_11_11_p4728 = Lambda_11_11_p4541 * Lambda_11_11_p4651;
+  const Real Lambda_0_0_p1 = Lambda_11_11_p3081_lanes[2] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p2846_lanes[2];
+  const Lanes<8> Lambda_11_11_p4729_lanes = Lambda_11_11_p4694_lanes - Lambda_11_11_p4224_lanes *
+      Lambda_11_11_p4183_lanes[1] - Lambda_11_11_p4366_lanes * Lambda_11_11_p4324_lanes[1] -
+      Lambda_11_11_p4480_lanes * Lambda_11_11_p4448_lanes[1];
+  const Lanes<8> Lambda_11_11_p4732_lanes = Lambda_11_11_p4550_lanes - Lambda_11_11_p4566_lanes *
+      Lambda_11_11_p3398_lanes[6] - Lambda_11_11_p4640_lanes * Lambda_11_11_p3760_lanes[6] -
+      Lambda_11_11_p4699_lanes * Lambda_11_11_p4110_lanes[6];
+  const Lanes<8> Lambda_11_11_p4736_lanes = Lambda_11_11_p4602_lanes - Lambda_11_11_p4566_lanes *
+      Lambda_11_11_p3398_lanes[7] - Lambda_11_11_p4640_lanes * Lambda_11_11_p3760_lanes[7] -
+      Lambda_11_11_p4699_lanes * Lambda_11_11_p4110_lanes[7];
+  const Lanes<8> Lambda_11_11_p4740_lanes = Lambda_11_11_p4664_lanes - Lambda_11_11_p4566_lanes *
+      Lambda_11_11_p4537_lanes[0] - Lambda_11_11_p4640_lanes * Lambda_11_11_p4617_lanes[0] -
+      Lambda_11_11_p4699_lanes * Lambda_11_11_p4678_lanes[0];
+
+  // link 3 (hip), force propagation
+  const Real Lambda_11_11_p4744 = Lambda_11_11_p3166_lanes[1] + Lambda_11_11_p3480_lanes[3] *
+      Lambda_11_11_p3367_lanes[3] + Lambda_11_11_p3520_lanes[3] * Lambda_11_11_p3488_lanes[3] +
+      Lambda_11_11_p3657_lanes[3] * Lambda_11_11_p3641_lanes[3] + Lambda_11_11_p3806_lanes[3] *
+      Lambda_11_11_p3776_lanes[3];
+
+  // link 1 (calf), force propagation
+  const Lanes<8> Lambda_11_11_p4748_lanes = Lambda_11_11_p4732_lanes * Lambda_11_11_p4651;
+  const Real Lambda_11_11_p4752 = Lambda_11_11_p4697 + Lambda_11_11_p3657_lanes[2] *
+      Lambda_11_11_p3641_lanes[2] + Lambda_11_11_p3806_lanes[2] * Lambda_11_11_p3776_lanes[2] +
+      Lambda_11_11_p3972_lanes[2] * Lambda_11_11_p3960_lanes[2] + Lambda_11_11_p4082_lanes[2] *
+      Lambda_11_11_p4027_lanes[2];
+
+  // link 5 (chest2), force propagation
+  const Real Lambda_11_11_p4753 = Lambda_11_11_p4698 + Lambda_11_11_p3009_lanes[3] *
+      Lambda_11_11_p2993_lanes[2] + Lambda_11_11_p3052_lanes[3] * Lambda_11_11_p3032_lanes[2] +
+      Lambda_11_11_p3480_lanes[3] * Lambda_11_11_p3367_lanes[2] + Lambda_11_11_p3520_lanes[3] *
+      Lambda_11_11_p3488_lanes[2];
+
+  // link 1 (calf), force propagation
+  const Real Lambda_0_0_p2 = Lambda_11_11_p3081_lanes[3] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p2846_lanes[3] - Lambda_11_11_p3353_lanes[3] * Lambda_0_0_p1;
+  const Real Lambda_11_11_p4757 = Lambda_11_11_p3797 - Lambda_11_11_p3996_lanes[7] *
+      Lambda_11_11_p3760_lanes[7] - Lambda_11_11_p4484 * Lambda_11_11_p4110_lanes[7] -
+      Lambda_11_11_p4728 * Lambda_11_11_p4541;
+  const Lanes<8> Lambda_11_11_p4769_lanes = Lambda_11_11_p4729_lanes - Lambda_11_11_p4566_lanes *
+      Lambda_11_11_p4537_lanes[1] - Lambda_11_11_p4640_lanes * Lambda_11_11_p4617_lanes[1] -
+      Lambda_11_11_p4699_lanes * Lambda_11_11_p4678_lanes[1];
+  const Real Lambda_11_11_p4772 = Lambda_11_11_p4757 * Lambda_11_11_p4757;
+  const Lanes<8> Lambda_11_11_p4773_lanes = Lambda_11_11_p4736_lanes - Lambda_11_11_p4748_lanes *
+      Lambda_11_11_p4541;
+  const Real Lambda_0_0_p3 = Lambda_11_11_p3081_lanes[4] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p2846_lanes[4] - Lambda_11_11_p3353_lanes[4] * Lambda_0_0_p1 -
+      Lambda_11_11_p3673_lanes[4] * Lambda_0_0_p2;
+  const Real Lambda_11_11_p4784 = Lambda_11_11_p4772 * Lambda_11_11_p4757;
+  const Real Lambda_11_11_p4785 = Lambda_11_11_p4752 - Lambda_11_11_p4224_lanes[2] *
+      Lambda_11_11_p4183_lanes[2] - Lambda_11_11_p4366_lanes[2] * Lambda_11_11_p4324_lanes[2] -
+      Lambda_11_11_p4480_lanes[2] * Lambda_11_11_p4448_lanes[2] - Lambda_11_11_p4566_lanes[2] *
+      Lambda_11_11_p4537_lanes[2];
+  const Real Lambda_11_11_p4786 = Lambda_11_11_p4744 + Lambda_11_11_p3972_lanes[3] *
+      Lambda_11_11_p3960_lanes[3] + Lambda_11_11_p4082_lanes[3] * Lambda_11_11_p4027_lanes[3] -
+      Lambda_11_11_p4224_lanes[3] * Lambda_11_11_p4183_lanes[3] - Lambda_11_11_p4366_lanes[3] *
+      Lambda_11_11_p4324_lanes[3];
+  const Real Lambda_11_11_p4787 = Lambda_11_11_p4753 + Lambda_11_11_p3657_lanes[3] *
+      Lambda_11_11_p3641_lanes[2] + Lambda_11_11_p3806_lanes[3] * Lambda_11_11_p3776_lanes[2] +
+      Lambda_11_11_p3972_lanes[3] * Lambda_11_11_p3960_lanes[2] + Lambda_11_11_p4082_lanes[3] *
+      Lambda_11_11_p4027_lanes[2];
+  const Real Lambda_0_0_p4 = Lambda_11_11_p3081_lanes[5] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p2846_lanes[5] - Lambda_11_11_p3353_lanes[5] * Lambda_0_0_p1 -
+      Lambda_11_11_p3673_lanes[5] * Lambda_0_0_p2 - Lambda_11_11_p3996_lanes[5] * Lambda_0_0_p3;
+  const Real Lambda_0_0_p5 = Lambda_11_11_p3081_lanes[6] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p2846_lanes[6] - Lambda_11_11_p3353_lanes[6] * Lambda_0_0_p1 -
+      Lambda_11_11_p3673_lanes[6] * Lambda_0_0_p2 - Lambda_11_11_p3996_lanes[6] * Lambda_0_0_p3;
+  const Real Lambda_0_0_p6 = Lambda_11_11_p3081_lanes[7] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p2846_lanes[7] - Lambda_11_11_p3353_lanes[7] * Lambda_0_0_p1 -
+      Lambda_11_11_p3673_lanes[7] * Lambda_0_0_p2 - Lambda_11_11_p3996_lanes[7] * Lambda_0_0_p3;
+  const Real Lambda_11_11_p4788 = Lambda_11_11_p4784 * Lambda_11_11_p4772 /
+      (8.077935669463161e-28 + Lambda_11_11_p4784 * Lambda_11_11_p4784);
+  const Real Lambda_0_0_p7 = Lambda_11_11_p4366_lanes[0] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p4224_lanes[0] - Lambda_11_11_p4480_lanes[0] * Lambda_0_0_p1 -
+      Lambda_11_11_p4566_lanes[0] * Lambda_0_0_p2 - Lambda_11_11_p4640_lanes[0] * Lambda_0_0_p3;
+  const Real Lambda_0_0_p8 = Lambda_0_0_p5 - Lambda_11_11_p4479 * Lambda_0_0_p4;
+  const Real Lambda_11_11_p4789 = Lambda_11_11_p4786 - Lambda_11_11_p4480_lanes[3] *
+      Lambda_11_11_p4448_lanes[3] - Lambda_11_11_p4566_lanes[3] * Lambda_11_11_p4537_lanes[3] -
+      Lambda_11_11_p4640_lanes[3] * Lambda_11_11_p4617_lanes[3] - Lambda_11_11_p4699_lanes[3] *
+      Lambda_11_11_p4678_lanes[3];
+  const Real Lambda_0_0_p9 = Lambda_11_11_p2846_lanes[1] * Lambda_11_11_p3023;
+  const Real Lambda_0_11_p1 = Lambda_11_11_p4366_lanes[1] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p4224_lanes[1] - Lambda_11_11_p4480_lanes[1] * Lambda_0_0_p1 -
+      Lambda_11_11_p4566_lanes[1] * Lambda_0_0_p2 - Lambda_11_11_p4640_lanes[1] * Lambda_0_0_p3;
+  const Real Lambda_11_11_p4790 = Lambda_11_11_p4787 - Lambda_11_11_p4224_lanes[3] *
+      Lambda_11_11_p4183_lanes[2] - Lambda_11_11_p4366_lanes[3] * Lambda_11_11_p4324_lanes[2] -
+      Lambda_11_11_p4480_lanes[3] * Lambda_11_11_p4448_lanes[2] - Lambda_11_11_p4566_lanes[3] *
+      Lambda_11_11_p4537_lanes[2];
+  const Real Lambda_0_0_p10 = Lambda_0_0_p1 * Lambda_11_11_p3302;
+  const Real Lambda_0_11_p2 = Lambda_11_11_p4366_lanes[2] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p4224_lanes[2] - Lambda_11_11_p4480_lanes[2] * Lambda_0_0_p1 -
+      Lambda_11_11_p4566_lanes[2] * Lambda_0_0_p2 - Lambda_11_11_p4640_lanes[2] * Lambda_0_0_p3;
+  const Real Lambda_0_0_p11 = Lambda_0_0_p6 - Lambda_11_11_p4484 * Lambda_0_0_p4 -
+      Lambda_11_11_p4728 * Lambda_0_0_p8;
+  const Real Lambda_0_1_p1 = Lambda_11_11_p3353_lanes[3] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p3081_lanes[3];
+  const Real Lambda_0_0_p12 = Lambda_0_0_p2 * Lambda_11_11_p3548;
+  const Lanes<8> Lambda_11_11_p4791_lanes = Lambda_11_11_p4773_lanes * Lambda_11_11_p4788;
+  const Real Lambda_0_11_p3 = Lambda_11_11_p4366_lanes[3] * Lambda_11_11_p2846_lanes[1] -
+      Lambda_11_11_p4224_lanes[3] - Lambda_11_11_p4480_lanes[3] * Lambda_0_0_p1 -
+      Lambda_11_11_p4566_lanes[3] * Lambda_0_0_p2 - Lambda_11_11_p4640_lanes[3] * Lambda_0_0_p3;
+  const Real Lambda_0_0_p13 = Lambda_0_0_p3 * Lambda_11_11_p3943;
+  const Real Lambda_0_1_p2 = Lambda_11_11_p3353_lanes[4] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p3081_lanes[4] - Lambda_11_11_p3673_lanes[4] * Lambda_0_1_p1;
+  const Lanes<8> Lambda_11_11_p4802_lanes = Lambda_11_11_p4740_lanes - Lambda_11_11_p4748_lanes *
+      Lambda_11_11_p4732_lanes[0] - Lambda_11_11_p4791_lanes * Lambda_11_11_p4773_lanes[0];
+  const Real Lambda_11_11_p4809 = Lambda_11_11_p4785 - Lambda_11_11_p4640_lanes[2] *
+      Lambda_11_11_p4617_lanes[2] - Lambda_11_11_p4699_lanes[2] * Lambda_11_11_p4678_lanes[2] -
+      Lambda_11_11_p4748_lanes[2] * Lambda_11_11_p4732_lanes[2] - Lambda_11_11_p4791_lanes[2] *
+      Lambda_11_11_p4773_lanes[2];
+  const Real Lambda_11_11_p4810 = Lambda_11_11_p4790 - Lambda_11_11_p4640_lanes[3] *
+      Lambda_11_11_p4617_lanes[2] - Lambda_11_11_p4699_lanes[3] * Lambda_11_11_p4678_lanes[2] -
+      Lambda_11_11_p4748_lanes[3] * Lambda_11_11_p4732_lanes[2] - Lambda_11_11_p4791_lanes[3] *
+      Lambda_11_11_p4773_lanes[2];
+  const Real Lambda_11_11_p4811 = Lambda_11_11_p4802_lanes[0] * Lambda_11_11_p4802_lanes[0];
+  const Real Lambda_0_1_p3 = Lambda_11_11_p3353_lanes[5] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p3081_lanes[5] - Lambda_11_11_p3673_lanes[5] * Lambda_0_1_p1 -
+      Lambda_11_11_p3996_lanes[5] * Lambda_0_1_p2;
+  const Real Lambda_0_0_p14 = Lambda_0_0_p7 - Lambda_11_11_p4699_lanes[0] * Lambda_0_0_p4 -
+      Lambda_11_11_p4748_lanes[0] * Lambda_0_0_p8 - Lambda_11_11_p4791_lanes[0] * Lambda_0_0_p11;
+  const Real Lambda_11_11_p4812 = Lambda_11_11_p4811 * Lambda_11_11_p4802_lanes[0];
+  const Real Lambda_0_0_p15 = Lambda_0_0_p4 * Lambda_11_11_p4340;
+  const Real Lambda_0_1_p4 = Lambda_0_1_p3 * Lambda_11_11_p4340;
+  const Real Lambda_0_1_p5 = Lambda_11_11_p3353_lanes[6] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p3081_lanes[6] - Lambda_11_11_p3673_lanes[6] * Lambda_0_1_p1 -
+      Lambda_11_11_p3996_lanes[6] * Lambda_0_1_p2 - Lambda_11_11_p4479 * Lambda_0_1_p3;
+  const Real Lambda_0_1_p6 = Lambda_11_11_p3353_lanes[7] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p3081_lanes[7] - Lambda_11_11_p3673_lanes[7] * Lambda_0_1_p1 -
+      Lambda_11_11_p3996_lanes[7] * Lambda_0_1_p2 - Lambda_11_11_p4484 * Lambda_0_1_p3;
+  const Real Lambda_0_1_p7 = Lambda_11_11_p4480_lanes[0] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p4366_lanes[0] - Lambda_11_11_p4566_lanes[0] * Lambda_0_1_p1 -
+      Lambda_11_11_p4640_lanes[0] * Lambda_0_1_p2 - Lambda_11_11_p4699_lanes[0] * Lambda_0_1_p3;
+  const Real Lambda_0_1_p8 = Lambda_11_11_p3081_lanes[2] * Lambda_11_11_p3302;
+  const Real Lambda_1_11_p1 = Lambda_11_11_p4480_lanes[1] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p4366_lanes[1] - Lambda_11_11_p4566_lanes[1] * Lambda_0_1_p1 -
+      Lambda_11_11_p4640_lanes[1] * Lambda_0_1_p2 - Lambda_11_11_p4699_lanes[1] * Lambda_0_1_p3;
+  const Real Lambda_0_1_p9 = Lambda_0_1_p1 * Lambda_11_11_p3548;
+  const Real Lambda_0_1_p10 = Lambda_0_1_p2 * Lambda_11_11_p3943;
+  const Real Lambda_1_11_p2 = Lambda_11_11_p4480_lanes[2] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p4366_lanes[2] - Lambda_11_11_p4566_lanes[2] * Lambda_0_1_p1 -
+      Lambda_11_11_p4640_lanes[2] * Lambda_0_1_p2 - Lambda_11_11_p4699_lanes[2] * Lambda_0_1_p3;
+  const Real Lambda_0_0_p16 = Lambda_0_0_p8 * Lambda_11_11_p4651;
+  const Real Lambda_0_1_p11 = Lambda_0_1_p5 * Lambda_11_11_p4651;
+  const Real Lambda_11_11_p4813 = Lambda_11_11_p4812 * Lambda_11_11_p4811 /
+      (8.077935669463161e-28 + Lambda_11_11_p4812 * Lambda_11_11_p4812);
+  const Real Lambda_0_1_p12 = Lambda_0_1_p6 - Lambda_11_11_p4728 * Lambda_0_1_p5;
+  const Real Lambda_2_11_p1 = Lambda_11_11_p3673_lanes[4] * Lambda_11_11_p3353_lanes[3] -
+      Lambda_11_11_p3353_lanes[4];
+  const Real Lambda_1_11_p3 = Lambda_11_11_p4480_lanes[3] * Lambda_11_11_p3081_lanes[2] -
+      Lambda_11_11_p4366_lanes[3] - Lambda_11_11_p4566_lanes[3] * Lambda_0_1_p1 -
+      Lambda_11_11_p4640_lanes[3] * Lambda_0_1_p2 - Lambda_11_11_p4699_lanes[3] * Lambda_0_1_p3;
+  const Real Lambda_0_0_p17 = Lambda_11_11_p2775 + Lambda_0_0_p9 * Lambda_11_11_p2846_lanes[1] +
+      Lambda_0_0_p10 * Lambda_0_0_p1 + Lambda_0_0_p12 * Lambda_0_0_p2 + Lambda_0_0_p13 *
       Lambda_0_0_p3;
-  const Real Lambda_2_11_p1 = Lambda_11_11_p4518_lanes[4] * Lambda_11_11_p4324_lanes[3] -
-      Lambda_11_11_p4324_lanes[4];
-  const Real Lambda_0_0_p16 = Lambda_0_0_p14 * Lambda_11_11_p4771;
-  const Lanes<8> Lambda_11_11_p4784_lanes = Lambda_11_11_p4733_lanes - Lambda_11_11_p4744_lanes *
-      Lambda_11_11_p4725_lanes[0] - Lambda_11_11_p4773_lanes * Lambda_11_11_p4760_lanes[0];
-  const Real Lambda_11_11_p4791 = Lambda_11_11_p4741 - Lambda_11_11_p4636_lanes[2] *
-      Lambda_11_11_p4578_lanes[2] - Lambda_11_11_p4703_lanes[2] * Lambda_11_11_p4673_lanes[2] -
-      Lambda_11_11_p4744_lanes[2] * Lambda_11_11_p4725_lanes[2] - Lambda_11_11_p4773_lanes[2] *
-      Lambda_11_11_p4760_lanes[2];
-  const Real Lambda_11_11_p4792 = Lambda_11_11_p4723 - Lambda_11_11_p4636_lanes[3] *
-      Lambda_11_11_p4578_lanes[2] - Lambda_11_11_p4703_lanes[3] * Lambda_11_11_p4673_lanes[2] -
-      Lambda_11_11_p4744_lanes[3] * Lambda_11_11_p4725_lanes[2] - Lambda_11_11_p4773_lanes[3] *
-      Lambda_11_11_p4760_lanes[2];
-  const Real Lambda_2_11_p2 = Lambda_11_11_p4518_lanes[5] * Lambda_11_11_p4324_lanes[3] -
-      Lambda_11_11_p4324_lanes[5] - Lambda_11_11_p4633_lanes[5] * Lambda_2_11_p1;
-  const Real Lambda_11_11_p4793 = 1.0 / Lambda_11_11_p4784_lanes[0];
-  const Real Lambda_0_11_p5 = Lambda_0_11_p1 - Lambda_11_11_p4703_lanes[0] * Lambda_0_0_p4 -
-      Lambda_11_11_p4744_lanes[0] * Lambda_0_0_p7 - Lambda_11_11_p4773_lanes[0] * Lambda_0_0_p14;
-  const Real Lambda_1_11_p10 = Lambda_1_11_p6 - Lambda_11_11_p4744_lanes[0] * Lambda_1_11_p4 -
-      Lambda_11_11_p4773_lanes[0] * Lambda_1_11_p8;
-  const Real Lambda_1_11_p11 = Lambda_11_11_p4329_lanes[3] * Lambda_11_11_p4126_lanes[2] -
-      Lambda_11_11_p4132_lanes[3] - Lambda_11_11_p4522_lanes[3] * Lambda_1_11_p1 -
-      Lambda_11_11_p4636_lanes[3] * Lambda_1_11_p2 - Lambda_11_11_p4703_lanes[3] * Lambda_1_11_p3;
-  const Real Lambda_2_11_p3 = Lambda_11_11_p4518_lanes[6] * Lambda_11_11_p4324_lanes[3] -
-      Lambda_11_11_p4324_lanes[6] - Lambda_11_11_p4633_lanes[6] * Lambda_2_11_p1 -
-      Lambda_11_11_p4701 * Lambda_2_11_p2;
-  const Real Lambda_0_1_p6 = Lambda_1_11_p8 * Lambda_11_11_p4771;
-  const Real Lambda_0_2_p1 = Lambda_11_11_p4324_lanes[3] * Lambda_11_11_p4425;
-  const Real Lambda_0_2_p2 = Lambda_2_11_p1 * Lambda_11_11_p4600;
-  const Real Lambda_0_2_p3 = Lambda_2_11_p2 * Lambda_11_11_p4692;
-  const Real Lambda_0_2_p4 = Lambda_2_11_p3 * Lambda_11_11_p4740;
-  const Lanes<8> Lambda_11_11_p4794_lanes = Lambda_11_11_p4784_lanes * Lambda_11_11_p4793;
-  const Real Lambda_2_11_p4 = Lambda_11_11_p4518_lanes[7] * Lambda_11_11_p4324_lanes[3] -
-      Lambda_11_11_p4324_lanes[7] - Lambda_11_11_p4633_lanes[7] * Lambda_2_11_p1 -
-      Lambda_11_11_p4702 * Lambda_2_11_p2 - Lambda_11_11_p4743 * Lambda_2_11_p3;
-  const Real Lambda_2_11_p5 = Lambda_11_11_p4522_lanes[0] * Lambda_11_11_p4324_lanes[3] -
-      Lambda_11_11_p4329_lanes[0] - Lambda_11_11_p4636_lanes[0] * Lambda_2_11_p1 -
-      Lambda_11_11_p4703_lanes[0] * Lambda_2_11_p2 - Lambda_11_11_p4744_lanes[0] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p6 = Lambda_11_11_p4522_lanes[1] * Lambda_11_11_p4324_lanes[3] -
-      Lambda_11_11_p4329_lanes[1] - Lambda_11_11_p4636_lanes[1] * Lambda_2_11_p1 -
-      Lambda_11_11_p4703_lanes[1] * Lambda_2_11_p2 - Lambda_11_11_p4744_lanes[1] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p7 = Lambda_11_11_p4522_lanes[2] * Lambda_11_11_p4324_lanes[3] -
-      Lambda_11_11_p4329_lanes[2] - Lambda_11_11_p4636_lanes[2] * Lambda_2_11_p1 -
-      Lambda_11_11_p4703_lanes[2] * Lambda_2_11_p2 - Lambda_11_11_p4744_lanes[2] * Lambda_2_11_p3;
-  const Real Lambda_3_11_p1 = Lambda_11_11_p4633_lanes[5] * Lambda_11_11_p4518_lanes[4] -
-      Lambda_11_11_p4518_lanes[5];
-  const Lanes<8> Lambda_11_11_p4800_lanes = Lambda_11_11_p4737_lanes - Lambda_11_11_p4744_lanes *
-      Lambda_11_11_p4725_lanes[1] - Lambda_11_11_p4773_lanes * Lambda_11_11_p4760_lanes[1] -
-      Lambda_11_11_p4794_lanes * Lambda_11_11_p4784_lanes[1];
-  const Real Lambda_2_11_p8 = Lambda_2_11_p5 - Lambda_11_11_p4773_lanes[0] * Lambda_2_11_p4;
-  const Real Lambda_0_11_p6 = Lambda_0_11_p2 - Lambda_11_11_p4703_lanes[1] * Lambda_0_0_p4 -
-      Lambda_11_11_p4744_lanes[1] * Lambda_0_0_p7 - Lambda_11_11_p4773_lanes[1] * Lambda_0_0_p14 -
-      Lambda_11_11_p4794_lanes[1] * Lambda_0_11_p5;
-  const Real Lambda_1_11_p12 = Lambda_1_11_p7 - Lambda_11_11_p4744_lanes[1] * Lambda_1_11_p4 -
-      Lambda_11_11_p4773_lanes[1] * Lambda_1_11_p8 - Lambda_11_11_p4794_lanes[1] * Lambda_1_11_p10;
-  const Real Lambda_11_11_p4803 = 1.0 / Lambda_11_11_p4800_lanes[1];
-  const Real Lambda_3_11_p2 = Lambda_11_11_p4633_lanes[6] * Lambda_11_11_p4518_lanes[4] -
-      Lambda_11_11_p4518_lanes[6] - Lambda_11_11_p4701 * Lambda_3_11_p1;
-  const Real Lambda_2_11_p9 = Lambda_11_11_p4522_lanes[3] * Lambda_11_11_p4324_lanes[3] -
-      Lambda_11_11_p4329_lanes[3] - Lambda_11_11_p4636_lanes[3] * Lambda_2_11_p1 -
-      Lambda_11_11_p4703_lanes[3] * Lambda_2_11_p2 - Lambda_11_11_p4744_lanes[3] * Lambda_2_11_p3;
-  const Real Lambda_2_11_p10 = Lambda_2_11_p6 - Lambda_11_11_p4773_lanes[1] * Lambda_2_11_p4 -
-      Lambda_11_11_p4794_lanes[1] * Lambda_2_11_p8;
-  const Real Lambda_0_3_p1 = Lambda_3_11_p2 * Lambda_11_11_p4740;
-  const Real Lambda_0_11_p7 = Lambda_0_11_p3 - Lambda_11_11_p4703_lanes[2] * Lambda_0_0_p4 -
-      Lambda_11_11_p4744_lanes[2] * Lambda_0_0_p7 - Lambda_11_11_p4773_lanes[2] * Lambda_0_0_p14 -
-      Lambda_11_11_p4794_lanes[2] * Lambda_0_11_p5;
-  const Real Lambda_0_3_p2 = Lambda_3_11_p1 * Lambda_11_11_p4692;
-  const Real Lambda_0_3_p3 = Lambda_11_11_p4518_lanes[4] * Lambda_11_11_p4600;
-  const Real Lambda_3_11_p3 = Lambda_11_11_p4633_lanes[7] * Lambda_11_11_p4518_lanes[4] -
-      Lambda_11_11_p4518_lanes[7] - Lambda_11_11_p4702 * Lambda_3_11_p1 - Lambda_11_11_p4743 *
-      Lambda_3_11_p2;
-  const Real Lambda_0_2_p5 = Lambda_2_11_p4 * Lambda_11_11_p4771;
-  const Real Lambda_0_3_p4 = Lambda_3_11_p3 * Lambda_11_11_p4771;
-  const Real Lambda_11_11_p4804 = Lambda_11_11_p4800_lanes[2] * Lambda_11_11_p4803;
-  const Real Lambda_4_11_p1 = Lambda_11_11_p4701 * Lambda_11_11_p4633_lanes[5] -
-      Lambda_11_11_p4633_lanes[6];
-  const Real Lambda_11_11_p4805 = Lambda_11_11_p4800_lanes[3] * Lambda_11_11_p4803;
-  const Real Lambda_3_11_p4 = Lambda_11_11_p4636_lanes[0] * Lambda_11_11_p4518_lanes[4] -
-      Lambda_11_11_p4522_lanes[0] - Lambda_11_11_p4703_lanes[0] * Lambda_3_11_p1 -
-      Lambda_11_11_p4744_lanes[0] * Lambda_3_11_p2 - Lambda_11_11_p4773_lanes[0] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p5 = Lambda_11_11_p4636_lanes[1] * Lambda_11_11_p4518_lanes[4] -
-      Lambda_11_11_p4522_lanes[1] - Lambda_11_11_p4703_lanes[1] * Lambda_3_11_p1 -
-      Lambda_11_11_p4744_lanes[1] * Lambda_3_11_p2 - Lambda_11_11_p4773_lanes[1] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p6 = Lambda_11_11_p4636_lanes[2] * Lambda_11_11_p4518_lanes[4] -
-      Lambda_11_11_p4522_lanes[2] - Lambda_11_11_p4703_lanes[2] * Lambda_3_11_p1 -
-      Lambda_11_11_p4744_lanes[2] * Lambda_3_11_p2 - Lambda_11_11_p4773_lanes[2] * Lambda_3_11_p3;
-  const Real Lambda_3_11_p7 = Lambda_11_11_p4636_lanes[3] * Lambda_11_11_p4518_lanes[4] -
-      Lambda_11_11_p4522_lanes[3] - Lambda_11_11_p4703_lanes[3] * Lambda_3_11_p1 -
-      Lambda_11_11_p4744_lanes[3] * Lambda_3_11_p2 - Lambda_11_11_p4773_lanes[3] * Lambda_3_11_p3;
-  const Real Lambda_4_11_p2 = Lambda_11_11_p4702 * Lambda_11_11_p4633_lanes[5] -
-      Lambda_11_11_p4633_lanes[7] - Lambda_11_11_p4743 * Lambda_4_11_p1;
-  const Real Lambda_11_11_p4806 = Lambda_11_11_p4792 - Lambda_11_11_p4794_lanes[3] *
-      Lambda_11_11_p4784_lanes[2] - Lambda_11_11_p4805 * Lambda_11_11_p4800_lanes[2];
-  const Real Lambda_11_11_p4807 = Lambda_11_11_p4772 - Lambda_11_11_p4744_lanes[3] *
-      Lambda_11_11_p4725_lanes[3] - Lambda_11_11_p4773_lanes[3] * Lambda_11_11_p4760_lanes[3] -
-      Lambda_11_11_p4794_lanes[3] * Lambda_11_11_p4784_lanes[3] - Lambda_11_11_p4805 *
-      Lambda_11_11_p4800_lanes[3];
-  const Real Lambda_0_4_p1 = Lambda_11_11_p4633_lanes[5] * Lambda_11_11_p4692;
-  const Real Lambda_3_11_p8 = Lambda_3_11_p5 - Lambda_11_11_p4794_lanes[1] * Lambda_3_11_p4;
-  const Real Lambda_11_11_p4808 = 1.0 / (Lambda_11_11_p4791 - Lambda_11_11_p4794_lanes[2] *
-      Lambda_11_11_p4784_lanes[2] - Lambda_11_11_p4804 * Lambda_11_11_p4800_lanes[2]);
-  const Real Lambda_0_4_p2 = Lambda_4_11_p1 * Lambda_11_11_p4740;
-  const Real Lambda_0_4_p3 = Lambda_4_11_p2 * Lambda_11_11_p4771;
-  const Real Lambda_0_11_p8 = Lambda_0_11_p7 - Lambda_11_11_p4804 * Lambda_0_11_p6;
-  const Real Lambda_4_11_p3 = Lambda_11_11_p4703_lanes[0] * Lambda_11_11_p4633_lanes[5] -
-      Lambda_11_11_p4636_lanes[0] - Lambda_11_11_p4744_lanes[0] * Lambda_4_11_p1 -
-      Lambda_11_11_p4773_lanes[0] * Lambda_4_11_p2;
-  const Real Lambda_1_11_p13 = Lambda_1_11_p9 - Lambda_11_11_p4744_lanes[2] * Lambda_1_11_p4 -
-      Lambda_11_11_p4773_lanes[2] * Lambda_1_11_p8 - Lambda_11_11_p4794_lanes[2] * Lambda_1_11_p10 -
-      Lambda_11_11_p4804 * Lambda_1_11_p12;
-  const Real Lambda_5_11_p1 = Lambda_11_11_p4743 * Lambda_11_11_p4701 - Lambda_11_11_p4702;
-  const Real Lambda_0_1_p7 = Lambda_0_1_p1 * Lambda_0_0_p2 -
-      (Lambda_0_0_p8 + Lambda_0_1_p2 * Lambda_0_0_p1) + Lambda_0_1_p3 * Lambda_0_0_p3 +
+  const Real Lambda_0_1_p13 = Lambda_0_1_p7 - Lambda_11_11_p4748_lanes[0] * Lambda_0_1_p5 -
+      Lambda_11_11_p4791_lanes[0] * Lambda_0_1_p12;
+  const Real Lambda_2_11_p2 = Lambda_11_11_p3673_lanes[5] * Lambda_11_11_p3353_lanes[3] -
+      Lambda_11_11_p3353_lanes[5] - Lambda_11_11_p3996_lanes[5] * Lambda_2_11_p1;
+  const Real Lambda_0_0_p18 = Lambda_0_0_p11 * Lambda_11_11_p4788;
+  const Real Lambda_0_1_p14 = Lambda_0_1_p12 * Lambda_11_11_p4788;
+  const Lanes<8> Lambda_11_11_p4814_lanes = Lambda_11_11_p4802_lanes * Lambda_11_11_p4813;
+  const Real Lambda_0_1_p15 = Lambda_0_1_p9 * Lambda_0_0_p2 -
+      (Lambda_0_0_p9 + Lambda_0_1_p8 * Lambda_0_0_p1) + Lambda_0_1_p10 * Lambda_0_0_p3 +
       Lambda_0_1_p4 * Lambda_0_0_p4;
-  const Real Lambda_2_11_p11 = Lambda_2_11_p7 - Lambda_11_11_p4773_lanes[2] * Lambda_2_11_p4 -
-      Lambda_11_11_p4794_lanes[2] * Lambda_2_11_p8 - Lambda_11_11_p4804 * Lambda_2_11_p10;
-  const Real Lambda_3_11_p9 = Lambda_3_11_p6 - Lambda_11_11_p4794_lanes[2] * Lambda_3_11_p4 -
-      Lambda_11_11_p4804 * Lambda_3_11_p8;
-  const Real Lambda_4_11_p4 = Lambda_11_11_p4703_lanes[1] * Lambda_11_11_p4633_lanes[5] -
-      Lambda_11_11_p4636_lanes[1] - Lambda_11_11_p4744_lanes[1] * Lambda_4_11_p1 -
-      Lambda_11_11_p4773_lanes[1] * Lambda_4_11_p2 - Lambda_11_11_p4794_lanes[1] * Lambda_4_11_p3;
-  const Real Lambda_4_11_p5 = Lambda_11_11_p4703_lanes[2] * Lambda_11_11_p4633_lanes[5] -
-      Lambda_11_11_p4636_lanes[2] - Lambda_11_11_p4744_lanes[2] * Lambda_4_11_p1 -
-      Lambda_11_11_p4773_lanes[2] * Lambda_4_11_p2 - Lambda_11_11_p4794_lanes[2] * Lambda_4_11_p3;
-  const Real Lambda_0_5_p1 = Lambda_11_11_p4701 * Lambda_11_11_p4740;
-  const Real Lambda_5_11_p2 = Lambda_11_11_p4744_lanes[0] * Lambda_11_11_p4701 -
-      Lambda_11_11_p4703_lanes[0] - Lambda_11_11_p4773_lanes[0] * Lambda_5_11_p1;
-  const Real Lambda_0_5_p2 = Lambda_5_11_p1 * Lambda_11_11_p4771;
-  const Real Lambda_0_11_p9 = Lambda_0_11_p4 - Lambda_11_11_p4703_lanes[3] * Lambda_0_0_p4 -
-      Lambda_11_11_p4744_lanes[3] * Lambda_0_0_p7 - Lambda_11_11_p4773_lanes[3] * Lambda_0_0_p14 -
-      Lambda_11_11_p4794_lanes[3] * Lambda_0_11_p5;
-  const Real Lambda_0_0_p17 = Lambda_0_11_p5 * Lambda_11_11_p4793;
-  const Real Lambda_11_11_p4809 = Lambda_11_11_p4806 * Lambda_11_11_p4808;
-  const Real Lambda_0_1_p8 = Lambda_1_11_p10 * Lambda_11_11_p4793;
-  const Real Lambda_6_11_p1 = Lambda_11_11_p4773_lanes[0] * Lambda_11_11_p4743 -
-      Lambda_11_11_p4744_lanes[0];
-  const Real Lambda_0_2_p6 = Lambda_2_11_p8 * Lambda_11_11_p4793;
-  const Real Lambda_4_11_p6 = Lambda_4_11_p5 - Lambda_11_11_p4804 * Lambda_4_11_p4;
-  const Real Lambda_0_3_p5 = Lambda_3_11_p4 * Lambda_11_11_p4793;
-  const Real Lambda_5_11_p3 = Lambda_11_11_p4744_lanes[1] * Lambda_11_11_p4701 -
-      Lambda_11_11_p4703_lanes[1] - Lambda_11_11_p4773_lanes[1] * Lambda_5_11_p1 -
-      Lambda_11_11_p4794_lanes[1] * Lambda_5_11_p2;
-  const Real Lambda_4_11_p7 = Lambda_11_11_p4703_lanes[3] * Lambda_11_11_p4633_lanes[5] -
-      Lambda_11_11_p4636_lanes[3] - Lambda_11_11_p4744_lanes[3] * Lambda_4_11_p1 -
-      Lambda_11_11_p4773_lanes[3] * Lambda_4_11_p2 - Lambda_11_11_p4794_lanes[3] * Lambda_4_11_p3;
-  const Real Lambda_0_6_p1 = Lambda_11_11_p4743 * Lambda_11_11_p4771;
-  const Real Lambda_0_4_p4 = Lambda_4_11_p3 * Lambda_11_11_p4793;
-  const Real Lambda_0_5_p3 = Lambda_5_11_p2 * Lambda_11_11_p4793;
-  const Real Lambda_0_6_p2 = Lambda_6_11_p1 * Lambda_11_11_p4793;
-  const Real Lambda_6_11_p2 = Lambda_11_11_p4773_lanes[1] * Lambda_11_11_p4743 -
-      Lambda_11_11_p4744_lanes[1] - Lambda_11_11_p4794_lanes[1] * Lambda_6_11_p1;
-  const Real Lambda_11_11 = 1.0 / (Lambda_11_11_p4807 - Lambda_11_11_p4809 * Lambda_11_11_p4806);
-  Lambda[143] = Lambda_11_11;
-  const Real Lambda_7_11_p1 = Lambda_11_11_p4794_lanes[1] * Lambda_11_11_p4773_lanes[0] -
-      Lambda_11_11_p4773_lanes[1];
-  const Real Lambda_5_11_p4 = Lambda_11_11_p4744_lanes[2] * Lambda_11_11_p4701 -
-      Lambda_11_11_p4703_lanes[2] - Lambda_11_11_p4773_lanes[2] * Lambda_5_11_p1 -
-      Lambda_11_11_p4794_lanes[2] * Lambda_5_11_p2 - Lambda_11_11_p4804 * Lambda_5_11_p3;
-  const Real Lambda_0_7_p1 = Lambda_11_11_p4773_lanes[0] * Lambda_11_11_p4793;
-  const Real Lambda_0_2_p7 = Lambda_0_0_p9 - Lambda_0_2_p1 * Lambda_0_0_p2 + Lambda_0_2_p2 *
-      Lambda_0_0_p3 + Lambda_0_2_p3 * Lambda_0_0_p4 + Lambda_0_2_p4 * Lambda_0_0_p7;
-  const Real Lambda_6_11_p3 = Lambda_11_11_p4773_lanes[2] * Lambda_11_11_p4743 -
-      Lambda_11_11_p4744_lanes[2] - Lambda_11_11_p4794_lanes[2] * Lambda_6_11_p1 -
-      Lambda_11_11_p4804 * Lambda_6_11_p2;
-  const Real Lambda_8_11_p1 = Lambda_11_11_p4804 * Lambda_11_11_p4794_lanes[1] -
-      Lambda_11_11_p4794_lanes[2];
-  const Real Lambda_7_11_p2 = Lambda_11_11_p4794_lanes[2] * Lambda_11_11_p4773_lanes[0] -
-      Lambda_11_11_p4773_lanes[2] - Lambda_11_11_p4804 * Lambda_7_11_p1;
-  const Real Lambda_0_0_p18 = Lambda_0_11_p6 * Lambda_11_11_p4803;
-  const Real Lambda_1_11_p14 = Lambda_1_11_p11 - Lambda_11_11_p4744_lanes[3] * Lambda_1_11_p4 -
-      Lambda_11_11_p4773_lanes[3] * Lambda_1_11_p8 - Lambda_11_11_p4794_lanes[3] * Lambda_1_11_p10 -
-      Lambda_11_11_p4805 * Lambda_1_11_p12;
-  const Real Lambda_0_1_p9 = Lambda_1_11_p12 * Lambda_11_11_p4803;
-  const Real Lambda_0_2_p8 = Lambda_2_11_p10 * Lambda_11_11_p4803;
-  const Real Lambda_0_3_p6 = Lambda_3_11_p8 * Lambda_11_11_p4803;
-  const Real Lambda_0_4_p5 = Lambda_4_11_p4 * Lambda_11_11_p4803;
-  const Real Lambda_5_11_p5 = Lambda_11_11_p4744_lanes[3] * Lambda_11_11_p4701 -
-      Lambda_11_11_p4703_lanes[3] - Lambda_11_11_p4773_lanes[3] * Lambda_5_11_p1 -
-      Lambda_11_11_p4794_lanes[3] * Lambda_5_11_p2 - Lambda_11_11_p4805 * Lambda_5_11_p3;
-  const Real Lambda_0_5_p4 = Lambda_5_11_p3 * Lambda_11_11_p4803;
-  const Real Lambda_0_6_p3 = Lambda_6_11_p2 * Lambda_11_11_p4803;
-  const Real Lambda_0_7_p2 = Lambda_7_11_p1 * Lambda_11_11_p4803;
-  const Real Lambda_0_8_p1 = Lambda_11_11_p4794_lanes[1] * Lambda_11_11_p4803;
-  const Real Lambda_0_3_p7 = Lambda_0_0_p10 - Lambda_0_3_p3 * Lambda_0_0_p3 + Lambda_0_3_p2 *
-      Lambda_0_0_p4 + Lambda_0_3_p1 * Lambda_0_0_p7 + Lambda_0_3_p4 * Lambda_0_0_p14;
-  const Real Lambda_0_11_p10 = Lambda_0_11_p9 - Lambda_11_11_p4805 * Lambda_0_11_p6 -
-      Lambda_11_11_p4809 * Lambda_0_11_p8;
-  const Real Lambda_0_0_p19 = Lambda_0_11_p8 * Lambda_11_11_p4808;
-  const Real Lambda_1_11_p15 = Lambda_1_11_p14 - Lambda_11_11_p4809 * Lambda_1_11_p13;
-  const Real Lambda_0_1_p10 = Lambda_1_11_p13 * Lambda_11_11_p4808;
-  const Real Lambda_2_11_p12 = Lambda_2_11_p9 - Lambda_11_11_p4773_lanes[3] * Lambda_2_11_p4 -
-      Lambda_11_11_p4794_lanes[3] * Lambda_2_11_p8 - Lambda_11_11_p4805 * Lambda_2_11_p10 -
-      Lambda_11_11_p4809 * Lambda_2_11_p11;
-  const Real Lambda_1_1_p1 = Lambda_11_11_p4005 + Lambda_0_1_p2 * Lambda_11_11_p4126_lanes[2] +
-      Lambda_0_1_p1 * Lambda_1_11_p1 + Lambda_0_1_p3 * Lambda_1_11_p2 + Lambda_0_1_p4 *
-      Lambda_1_11_p3;
-  const Real Lambda_0_2_p9 = Lambda_2_11_p11 * Lambda_11_11_p4808;
-  const Real Lambda_3_11_p10 = Lambda_3_11_p7 - Lambda_11_11_p4794_lanes[3] * Lambda_3_11_p4 -
-      Lambda_11_11_p4805 * Lambda_3_11_p8 - Lambda_11_11_p4809 * Lambda_3_11_p9;
-  const Real Lambda_0_3_p8 = Lambda_3_11_p9 * Lambda_11_11_p4808;
-  const Real Lambda_4_11_p8 = Lambda_4_11_p7 - Lambda_11_11_p4805 * Lambda_4_11_p4 -
-      Lambda_11_11_p4809 * Lambda_4_11_p6;
-  const Real Lambda_0_4_p6 = Lambda_4_11_p6 * Lambda_11_11_p4808;
-  const Real Lambda_5_11_p6 = Lambda_5_11_p5 - Lambda_11_11_p4809 * Lambda_5_11_p4;
-  const Real Lambda_0_5_p5 = Lambda_5_11_p4 * Lambda_11_11_p4808;
-  const Real Lambda_6_11_p4 = Lambda_11_11_p4773_lanes[3] * Lambda_11_11_p4743 -
-      Lambda_11_11_p4744_lanes[3] - Lambda_11_11_p4794_lanes[3] * Lambda_6_11_p1 -
-      Lambda_11_11_p4805 * Lambda_6_11_p2 - Lambda_11_11_p4809 * Lambda_6_11_p3;
-  const Real Lambda_0_6_p4 = Lambda_6_11_p3 * Lambda_11_11_p4808;
-  const Real Lambda_7_11_p3 = Lambda_11_11_p4794_lanes[3] * Lambda_11_11_p4773_lanes[0] -
-      Lambda_11_11_p4773_lanes[3] - Lambda_11_11_p4805 * Lambda_7_11_p1 - Lambda_11_11_p4809 *
+  const Real Lambda_0_0_p19 = Lambda_0_0_p14 * Lambda_11_11_p4813;
+  const Real Lambda_2_11_p3 = Lambda_11_11_p3673_lanes[6] * Lambda_11_11_p3353_lanes[3] -
+      Lambda_11_11_p3353_lanes[6] - Lambda_11_11_p3996_lanes[6] * Lambda_2_11_p1 -
+      Lambda_11_11_p4479 * Lambda_2_11_p2;
+  const Real Lambda_0_1_p16 = Lambda_0_1_p13 * Lambda_11_11_p4813;
+  const Real Lambda_0_2_p1 = Lambda_11_11_p3353_lanes[3] * Lambda_11_11_p3548;
+  const Real Lambda_0_2_p2 = Lambda_2_11_p1 * Lambda_11_11_p3943;
+  const Real Lambda_0_2_p3 = Lambda_2_11_p2 * Lambda_11_11_p4340;
+  const Lanes<8> Lambda_11_11_p4820_lanes = Lambda_11_11_p4769_lanes - Lambda_11_11_p4748_lanes *
+      Lambda_11_11_p4732_lanes[1] - Lambda_11_11_p4791_lanes * Lambda_11_11_p4773_lanes[1] -
+      Lambda_11_11_p4814_lanes * Lambda_11_11_p4802_lanes[1];
+  const Real Lambda_2_11_p4 = Lambda_11_11_p3673_lanes[7] * Lambda_11_11_p3353_lanes[3] -
+      Lambda_11_11_p3353_lanes[7] - Lambda_11_11_p3996_lanes[7] * Lambda_2_11_p1 -
+      Lambda_11_11_p4484 * Lambda_2_11_p2 - Lambda_11_11_p4728 * Lambda_2_11_p3;
+  const Real Lambda_2_11_p5 = Lambda_11_11_p4566_lanes[0] * Lambda_11_11_p3353_lanes[3] -
+      Lambda_11_11_p4480_lanes[0] - Lambda_11_11_p4640_lanes[0] * Lambda_2_11_p1 -
+      Lambda_11_11_p4699_lanes[0] * Lambda_2_11_p2 - Lambda_11_11_p4748_lanes[0] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p6 = Lambda_11_11_p4566_lanes[1] * Lambda_11_11_p3353_lanes[3] -
+      Lambda_11_11_p4480_lanes[1] - Lambda_11_11_p4640_lanes[1] * Lambda_2_11_p1 -
+      Lambda_11_11_p4699_lanes[1] * Lambda_2_11_p2 - Lambda_11_11_p4748_lanes[1] * Lambda_2_11_p3;
+  const Real Lambda_2_11_p7 = Lambda_11_11_p4566_lanes[2] * Lambda_11_11_p3353_lanes[3] -
+      Lambda_11_11_p4480_lanes[2] - Lambda_11_11_p4640_lanes[2] * Lambda_2_11_p1 -
+      Lambda_11_11_p4699_lanes[2] * Lambda_2_11_p2 - Lambda_11_11_p4748_lanes[2] * Lambda_2_11_p3;
+  const Real Lambda_11_11_p4823 = Lambda_11_11_p4820_lanes[1] * Lambda_11_11_p4820_lanes[1];
+  const Real Lambda_0_11_p4 = Lambda_0_11_p1 - Lambda_11_11_p4699_lanes[1] * Lambda_0_0_p4 -
+      Lambda_11_11_p4748_lanes[1] * Lambda_0_0_p8 - Lambda_11_11_p4791_lanes[1] * Lambda_0_0_p11 -
+      Lambda_11_11_p4814_lanes[1] * Lambda_0_0_p14;
+  const Real Lambda_3_11_p1 = Lambda_11_11_p3996_lanes[5] * Lambda_11_11_p3673_lanes[4] -
+      Lambda_11_11_p3673_lanes[5];
+  const Real Lambda_1_11_p4 = Lambda_1_11_p1 - Lambda_11_11_p4748_lanes[1] * Lambda_0_1_p5 -
+      Lambda_11_11_p4791_lanes[1] * Lambda_0_1_p12 - Lambda_11_11_p4814_lanes[1] * Lambda_0_1_p13;
+  const Real Lambda_11_11_p4824 = Lambda_11_11_p4823 * Lambda_11_11_p4820_lanes[1];
+  const Real Lambda_0_2_p4 = Lambda_2_11_p3 * Lambda_11_11_p4651;
+  const Real Lambda_2_11_p8 = Lambda_2_11_p5 - Lambda_11_11_p4791_lanes[0] * Lambda_2_11_p4;
+  const Real Lambda_2_11_p9 = Lambda_11_11_p4566_lanes[3] * Lambda_11_11_p3353_lanes[3] -
+      Lambda_11_11_p4480_lanes[3] - Lambda_11_11_p4640_lanes[3] * Lambda_2_11_p1 -
+      Lambda_11_11_p4699_lanes[3] * Lambda_2_11_p2 - Lambda_11_11_p4748_lanes[3] * Lambda_2_11_p3;
+  const Real Lambda_0_11_p5 = Lambda_0_11_p2 - Lambda_11_11_p4699_lanes[2] * Lambda_0_0_p4 -
+      Lambda_11_11_p4748_lanes[2] * Lambda_0_0_p8 - Lambda_11_11_p4791_lanes[2] * Lambda_0_0_p11 -
+      Lambda_11_11_p4814_lanes[2] * Lambda_0_0_p14;
+  const Real Lambda_3_11_p2 = Lambda_11_11_p3996_lanes[6] * Lambda_11_11_p3673_lanes[4] -
+      Lambda_11_11_p3673_lanes[6] - Lambda_11_11_p4479 * Lambda_3_11_p1;
+  const Real Lambda_2_11_p10 = Lambda_2_11_p6 - Lambda_11_11_p4791_lanes[1] * Lambda_2_11_p4 -
+      Lambda_11_11_p4814_lanes[1] * Lambda_2_11_p8;
+  const Real Lambda_0_3_p1 = Lambda_3_11_p2 * Lambda_11_11_p4651;
+  const Real Lambda_11_11_p4825 = Lambda_11_11_p4824 * Lambda_11_11_p4823 /
+      (5.551115123125783e-17 + Lambda_11_11_p4824 * Lambda_11_11_p4824);
+  const Real Lambda_0_3_p2 = Lambda_3_11_p1 * Lambda_11_11_p4340;
+  const Real Lambda_0_3_p3 = Lambda_11_11_p3673_lanes[4] * Lambda_11_11_p3943;
+  const Real Lambda_3_11_p3 = Lambda_11_11_p3996_lanes[7] * Lambda_11_11_p3673_lanes[4] -
+      Lambda_11_11_p3673_lanes[7] - Lambda_11_11_p4484 * Lambda_3_11_p1 - Lambda_11_11_p4728 *
+      Lambda_3_11_p2;
+  const Real Lambda_0_2_p5 = Lambda_2_11_p4 * Lambda_11_11_p4788;
+  const Real Lambda_0_3_p4 = Lambda_3_11_p3 * Lambda_11_11_p4788;
+  const Real Lambda_0_11_p6 = Lambda_0_11_p3 - Lambda_11_11_p4699_lanes[3] * Lambda_0_0_p4 -
+      Lambda_11_11_p4748_lanes[3] * Lambda_0_0_p8 - Lambda_11_11_p4791_lanes[3] * Lambda_0_0_p11 -
+      Lambda_11_11_p4814_lanes[3] * Lambda_0_0_p14;
+  const Real Lambda_4_11_p1 = Lambda_11_11_p4479 * Lambda_11_11_p3996_lanes[5] -
+      Lambda_11_11_p3996_lanes[6];
+  const Real Lambda_0_2_p6 = Lambda_2_11_p8 * Lambda_11_11_p4813;
+  const Real Lambda_3_11_p4 = Lambda_11_11_p4640_lanes[0] * Lambda_11_11_p3673_lanes[4] -
+      Lambda_11_11_p4566_lanes[0] - Lambda_11_11_p4699_lanes[0] * Lambda_3_11_p1 -
+      Lambda_11_11_p4748_lanes[0] * Lambda_3_11_p2 - Lambda_11_11_p4791_lanes[0] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p5 = Lambda_11_11_p4640_lanes[1] * Lambda_11_11_p3673_lanes[4] -
+      Lambda_11_11_p4566_lanes[1] - Lambda_11_11_p4699_lanes[1] * Lambda_3_11_p1 -
+      Lambda_11_11_p4748_lanes[1] * Lambda_3_11_p2 - Lambda_11_11_p4791_lanes[1] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p6 = Lambda_11_11_p4640_lanes[2] * Lambda_11_11_p3673_lanes[4] -
+      Lambda_11_11_p4566_lanes[2] - Lambda_11_11_p4699_lanes[2] * Lambda_3_11_p1 -
+      Lambda_11_11_p4748_lanes[2] * Lambda_3_11_p2 - Lambda_11_11_p4791_lanes[2] * Lambda_3_11_p3;
+  const Real Lambda_3_11_p7 = Lambda_11_11_p4640_lanes[3] * Lambda_11_11_p3673_lanes[4] -
+      Lambda_11_11_p4566_lanes[3] - Lambda_11_11_p4699_lanes[3] * Lambda_3_11_p1 -
+      Lambda_11_11_p4748_lanes[3] * Lambda_3_11_p2 - Lambda_11_11_p4791_lanes[3] * Lambda_3_11_p3;
+  const Real Lambda_0_3_p5 = Lambda_3_11_p4 * Lambda_11_11_p4813;
+  const Real Lambda_11_11_p4826 = Lambda_11_11_p4820_lanes[2] * Lambda_11_11_p4825;
+  const Real Lambda_11_11_p4827 = Lambda_11_11_p4820_lanes[3] * Lambda_11_11_p4825;
+  const Real Lambda_4_11_p2 = Lambda_11_11_p4484 * Lambda_11_11_p3996_lanes[5] -
+      Lambda_11_11_p3996_lanes[7] - Lambda_11_11_p4728 * Lambda_4_11_p1;
+  const Real Lambda_3_11_p8 = Lambda_3_11_p5 - Lambda_11_11_p4814_lanes[1] * Lambda_3_11_p4;
+  const Real Lambda_0_2_p7 = Lambda_0_0_p10 - Lambda_0_2_p1 * Lambda_0_0_p2 + Lambda_0_2_p2 *
+      Lambda_0_0_p3 + Lambda_0_2_p3 * Lambda_0_0_p4 + Lambda_0_2_p4 * Lambda_0_0_p8;
+  const Real Lambda_0_4_p1 = Lambda_4_11_p1 * Lambda_11_11_p4651;
+  const Real Lambda_0_4_p2 = Lambda_11_11_p3996_lanes[5] * Lambda_11_11_p4340;
+  const Real Lambda_11_11_p4828 = Lambda_11_11_p4809 - Lambda_11_11_p4814_lanes[2] *
+      Lambda_11_11_p4802_lanes[2] - Lambda_11_11_p4826 * Lambda_11_11_p4820_lanes[2];
+  const Real Lambda_11_11_p4829 = Lambda_11_11_p4810 - Lambda_11_11_p4814_lanes[3] *
+      Lambda_11_11_p4802_lanes[2] - Lambda_11_11_p4827 * Lambda_11_11_p4820_lanes[2];
+  const Real Lambda_11_11_p4830 = Lambda_11_11_p4789 - Lambda_11_11_p4748_lanes[3] *
+      Lambda_11_11_p4732_lanes[3] - Lambda_11_11_p4791_lanes[3] * Lambda_11_11_p4773_lanes[3] -
+      Lambda_11_11_p4814_lanes[3] * Lambda_11_11_p4802_lanes[3] - Lambda_11_11_p4827 *
+      Lambda_11_11_p4820_lanes[3];
+  const Real Lambda_4_11_p3 = Lambda_11_11_p4699_lanes[0] * Lambda_11_11_p3996_lanes[5] -
+      Lambda_11_11_p4640_lanes[0] - Lambda_11_11_p4748_lanes[0] * Lambda_4_11_p1 -
+      Lambda_11_11_p4791_lanes[0] * Lambda_4_11_p2;
+  const Real Lambda_5_11_p1 = Lambda_11_11_p4728 * Lambda_11_11_p4479 - Lambda_11_11_p4484;
+  const Real Lambda_0_4_p3 = Lambda_4_11_p2 * Lambda_11_11_p4788;
+  const Real Lambda_11_11_p4831 = Lambda_11_11_p4828 * Lambda_11_11_p4828;
+  const Real Lambda_0_11_p7 = Lambda_0_11_p5 - Lambda_11_11_p4826 * Lambda_0_11_p4;
+  const Real Lambda_1_11_p5 = Lambda_1_11_p2 - Lambda_11_11_p4748_lanes[2] * Lambda_0_1_p5 -
+      Lambda_11_11_p4791_lanes[2] * Lambda_0_1_p12 - Lambda_11_11_p4814_lanes[2] * Lambda_0_1_p13 -
+      Lambda_11_11_p4826 * Lambda_1_11_p4;
+  const Real Lambda_2_11_p11 = Lambda_2_11_p7 - Lambda_11_11_p4791_lanes[2] * Lambda_2_11_p4 -
+      Lambda_11_11_p4814_lanes[2] * Lambda_2_11_p8 - Lambda_11_11_p4826 * Lambda_2_11_p10;
+  const Real Lambda_11_11_p4832 = Lambda_11_11_p4831 * Lambda_11_11_p4828;
+  const Real Lambda_4_11_p4 = Lambda_11_11_p4699_lanes[1] * Lambda_11_11_p3996_lanes[5] -
+      Lambda_11_11_p4640_lanes[1] - Lambda_11_11_p4748_lanes[1] * Lambda_4_11_p1 -
+      Lambda_11_11_p4791_lanes[1] * Lambda_4_11_p2 - Lambda_11_11_p4814_lanes[1] * Lambda_4_11_p3;
+  const Real Lambda_0_5_p1 = Lambda_11_11_p4479 * Lambda_11_11_p4651;
+  const Real Lambda_5_11_p2 = Lambda_11_11_p4748_lanes[0] * Lambda_11_11_p4479 -
+      Lambda_11_11_p4699_lanes[0] - Lambda_11_11_p4791_lanes[0] * Lambda_5_11_p1;
+  const Real Lambda_4_11_p5 = Lambda_11_11_p4699_lanes[2] * Lambda_11_11_p3996_lanes[5] -
+      Lambda_11_11_p4640_lanes[2] - Lambda_11_11_p4748_lanes[2] * Lambda_4_11_p1 -
+      Lambda_11_11_p4791_lanes[2] * Lambda_4_11_p2 - Lambda_11_11_p4814_lanes[2] * Lambda_4_11_p3;
+  const Real Lambda_0_5_p2 = Lambda_5_11_p1 * Lambda_11_11_p4788;
+  const Real Lambda_3_11_p9 = Lambda_3_11_p6 - Lambda_11_11_p4814_lanes[2] * Lambda_3_11_p4 -
+      Lambda_11_11_p4826 * Lambda_3_11_p8;
+  const Real Lambda_6_11_p1 = Lambda_11_11_p4791_lanes[0] * Lambda_11_11_p4728 -
+      Lambda_11_11_p4748_lanes[0];
+  const Real Lambda_4_11_p6 = Lambda_4_11_p5 - Lambda_11_11_p4826 * Lambda_4_11_p4;
+  const Real Lambda_4_11_p7 = Lambda_11_11_p4699_lanes[3] * Lambda_11_11_p3996_lanes[5] -
+      Lambda_11_11_p4640_lanes[3] - Lambda_11_11_p4748_lanes[3] * Lambda_4_11_p1 -
+      Lambda_11_11_p4791_lanes[3] * Lambda_4_11_p2 - Lambda_11_11_p4814_lanes[3] * Lambda_4_11_p3;
+  const Real Lambda_0_4_p4 = Lambda_4_11_p3 * Lambda_11_11_p4813;
+  const Real Lambda_5_11_p3 = Lambda_11_11_p4748_lanes[1] * Lambda_11_11_p4479 -
+      Lambda_11_11_p4699_lanes[1] - Lambda_11_11_p4791_lanes[1] * Lambda_5_11_p1 -
+      Lambda_11_11_p4814_lanes[1] * Lambda_5_11_p2;
+  const Real Lambda_0_5_p3 = Lambda_5_11_p2 * Lambda_11_11_p4813;
+  const Real Lambda_0_6_p1 = Lambda_11_11_p4728 * Lambda_11_11_p4788;
+  const Real Lambda_0_6_p2 = Lambda_6_11_p1 * Lambda_11_11_p4813;
+  const Real Lambda_11_11_p4833 = Lambda_11_11_p4832 * Lambda_11_11_p4831 /
+      (5.551115123125783e-17 + Lambda_11_11_p4832 * Lambda_11_11_p4832);
+  const Real Lambda_6_11_p2 = Lambda_11_11_p4791_lanes[1] * Lambda_11_11_p4728 -
+      Lambda_11_11_p4748_lanes[1] - Lambda_11_11_p4814_lanes[1] * Lambda_6_11_p1;
+  const Real Lambda_7_11_p1 = Lambda_11_11_p4814_lanes[1] * Lambda_11_11_p4791_lanes[0] -
+      Lambda_11_11_p4791_lanes[1];
+  const Real Lambda_5_11_p4 = Lambda_11_11_p4748_lanes[2] * Lambda_11_11_p4479 -
+      Lambda_11_11_p4699_lanes[2] - Lambda_11_11_p4791_lanes[2] * Lambda_5_11_p1 -
+      Lambda_11_11_p4814_lanes[2] * Lambda_5_11_p2 - Lambda_11_11_p4826 * Lambda_5_11_p3;
+  const Real Lambda_0_0_p20 = Lambda_0_11_p4 * Lambda_11_11_p4825;
+  const Real Lambda_1_11_p6 = Lambda_1_11_p3 - Lambda_11_11_p4748_lanes[3] * Lambda_0_1_p5 -
+      Lambda_11_11_p4791_lanes[3] * Lambda_0_1_p12 - Lambda_11_11_p4814_lanes[3] * Lambda_0_1_p13 -
+      Lambda_11_11_p4827 * Lambda_1_11_p4;
+  const Real Lambda_0_7_p1 = Lambda_11_11_p4791_lanes[0] * Lambda_11_11_p4813;
+  const Real Lambda_0_1_p17 = Lambda_1_11_p4 * Lambda_11_11_p4825;
+  const Real Lambda_0_2_p8 = Lambda_2_11_p10 * Lambda_11_11_p4825;
+  const Real Lambda_0_3_p6 = Lambda_3_11_p8 * Lambda_11_11_p4825;
+  const Real Lambda_0_4_p5 = Lambda_4_11_p4 * Lambda_11_11_p4825;
+  const Real Lambda_6_11_p3 = Lambda_11_11_p4791_lanes[2] * Lambda_11_11_p4728 -
+      Lambda_11_11_p4748_lanes[2] - Lambda_11_11_p4814_lanes[2] * Lambda_6_11_p1 -
+      Lambda_11_11_p4826 * Lambda_6_11_p2;
+  const Real Lambda_5_11_p5 = Lambda_11_11_p4748_lanes[3] * Lambda_11_11_p4479 -
+      Lambda_11_11_p4699_lanes[3] - Lambda_11_11_p4791_lanes[3] * Lambda_5_11_p1 -
+      Lambda_11_11_p4814_lanes[3] * Lambda_5_11_p2 - Lambda_11_11_p4827 * Lambda_5_11_p3;
+  const Real Lambda_0_5_p4 = Lambda_5_11_p3 * Lambda_11_11_p4825;
+  const Real Lambda_8_11_p1 = Lambda_11_11_p4826 * Lambda_11_11_p4814_lanes[1] -
+      Lambda_11_11_p4814_lanes[2];
+  const Real Lambda_0_6_p3 = Lambda_6_11_p2 * Lambda_11_11_p4825;
+  const Real Lambda_0_7_p2 = Lambda_7_11_p1 * Lambda_11_11_p4825;
+  const Real Lambda_0_8_p1 = Lambda_11_11_p4814_lanes[1] * Lambda_11_11_p4825;
+  const Real Lambda_7_11_p2 = Lambda_11_11_p4814_lanes[2] * Lambda_11_11_p4791_lanes[0] -
+      Lambda_11_11_p4791_lanes[2] - Lambda_11_11_p4826 * Lambda_7_11_p1;
+  const Real Lambda_11_11_p4834 = Lambda_11_11_p4829 * Lambda_11_11_p4833;
+  const Real Lambda_0_3_p7 = Lambda_0_0_p12 - Lambda_0_3_p3 * Lambda_0_0_p3 + Lambda_0_3_p2 *
+      Lambda_0_0_p4 + Lambda_0_3_p1 * Lambda_0_0_p8 + Lambda_0_3_p4 * Lambda_0_0_p11;
+  const Real Lambda_11_11_p4835 = Lambda_11_11_p4830 - Lambda_11_11_p4834 * Lambda_11_11_p4829;
+  const Real Lambda_0_11_p8 = Lambda_0_11_p6 - Lambda_11_11_p4827 * Lambda_0_11_p4 -
+      Lambda_11_11_p4834 * Lambda_0_11_p7;
+  const Real Lambda_0_0_p21 = Lambda_0_11_p7 * Lambda_11_11_p4833;
+  const Real Lambda_1_11_p7 = Lambda_1_11_p6 - Lambda_11_11_p4834 * Lambda_1_11_p5;
+  const Real Lambda_11_11_p4836 = Lambda_11_11_p4835 * Lambda_11_11_p4835;
+  const Real Lambda_0_1_p18 = Lambda_1_11_p5 * Lambda_11_11_p4833;
+  const Real Lambda_2_11_p12 = Lambda_2_11_p9 - Lambda_11_11_p4791_lanes[3] * Lambda_2_11_p4 -
+      Lambda_11_11_p4814_lanes[3] * Lambda_2_11_p8 - Lambda_11_11_p4827 * Lambda_2_11_p10 -
+      Lambda_11_11_p4834 * Lambda_2_11_p11;
+  const Real Lambda_0_2_p9 = Lambda_2_11_p11 * Lambda_11_11_p4833;
+  const Real Lambda_3_11_p10 = Lambda_3_11_p7 - Lambda_11_11_p4814_lanes[3] * Lambda_3_11_p4 -
+      Lambda_11_11_p4827 * Lambda_3_11_p8 - Lambda_11_11_p4834 * Lambda_3_11_p9;
+  const Real Lambda_0_3_p8 = Lambda_3_11_p9 * Lambda_11_11_p4833;
+  const Real Lambda_4_11_p8 = Lambda_4_11_p7 - Lambda_11_11_p4827 * Lambda_4_11_p4 -
+      Lambda_11_11_p4834 * Lambda_4_11_p6;
+  const Real Lambda_0_4_p6 = Lambda_4_11_p6 * Lambda_11_11_p4833;
+  const Real Lambda_11_11_p4837 = Lambda_11_11_p4836 * Lambda_11_11_p4835;
+  const Real Lambda_1_1_p1 = Lambda_11_11_p3023 + Lambda_0_1_p8 * Lambda_11_11_p3081_lanes[2] +
+      Lambda_0_1_p9 * Lambda_0_1_p1 + Lambda_0_1_p10 * Lambda_0_1_p2 + Lambda_0_1_p4 *
+      Lambda_0_1_p3;
+  const Real Lambda_5_11_p6 = Lambda_5_11_p5 - Lambda_11_11_p4834 * Lambda_5_11_p4;
+  const Real Lambda_0_5_p5 = Lambda_5_11_p4 * Lambda_11_11_p4833;
+  const Real Lambda_6_11_p4 = Lambda_11_11_p4791_lanes[3] * Lambda_11_11_p4728 -
+      Lambda_11_11_p4748_lanes[3] - Lambda_11_11_p4814_lanes[3] * Lambda_6_11_p1 -
+      Lambda_11_11_p4827 * Lambda_6_11_p2 - Lambda_11_11_p4834 * Lambda_6_11_p3;
+  const Real Lambda_0_6_p4 = Lambda_6_11_p3 * Lambda_11_11_p4833;
+  const Real Lambda_7_11_p3 = Lambda_11_11_p4814_lanes[3] * Lambda_11_11_p4791_lanes[0] -
+      Lambda_11_11_p4791_lanes[3] - Lambda_11_11_p4827 * Lambda_7_11_p1 - Lambda_11_11_p4834 *
       Lambda_7_11_p2;
-  const Real Lambda_1_2_p1 = Lambda_0_2_p2 * Lambda_1_11_p2 -
-      (Lambda_0_1_p2 + Lambda_0_2_p1 * Lambda_1_11_p1) + Lambda_0_2_p3 * Lambda_1_11_p3 +
-      Lambda_0_2_p4 * Lambda_1_11_p4;
-  const Real Lambda_0_7_p3 = Lambda_7_11_p2 * Lambda_11_11_p4808;
-  const Real Lambda_8_11_p2 = Lambda_11_11_p4805 * Lambda_11_11_p4794_lanes[1] -
-      Lambda_11_11_p4794_lanes[3] - Lambda_11_11_p4809 * Lambda_8_11_p1;
-  const Real Lambda_0_8_p2 = Lambda_8_11_p1 * Lambda_11_11_p4808;
-  const Real Lambda_9_11_p1 = Lambda_11_11_p4809 * Lambda_11_11_p4804 - Lambda_11_11_p4805;
-  const Real Lambda_0_9_p1 = Lambda_11_11_p4804 * Lambda_11_11_p4808;
-  const Real Lambda_1_3_p1 = Lambda_0_1_p1 - Lambda_0_3_p3 * Lambda_1_11_p2 + Lambda_0_3_p2 *
-      Lambda_1_11_p3 + Lambda_0_3_p1 * Lambda_1_11_p4 + Lambda_0_3_p4 * Lambda_1_11_p8;
-  const Real Lambda_0_0_p20 = Lambda_0_0_p15 + Lambda_0_0_p12 * Lambda_0_0_p4 + Lambda_0_0_p13 *
-      Lambda_0_0_p7 + Lambda_0_0_p16 * Lambda_0_0_p14 + Lambda_0_0_p17 * Lambda_0_11_p5;
-  const Real Lambda_0_4_p7 = Lambda_0_0_p11 - Lambda_0_4_p1 * Lambda_0_0_p4 + Lambda_0_4_p2 *
-      Lambda_0_0_p7 + Lambda_0_4_p3 * Lambda_0_0_p14 + Lambda_0_4_p4 * Lambda_0_11_p5;
-  const Real Lambda_1_4_p1 = Lambda_0_1_p3 - Lambda_0_4_p1 * Lambda_1_11_p3 + Lambda_0_4_p2 *
-      Lambda_1_11_p4 + Lambda_0_4_p3 * Lambda_1_11_p8 + Lambda_0_4_p4 * Lambda_1_11_p10;
-  const Real Lambda_0_11 = Lambda_0_11_p10 * Lambda_11_11;
+  const Real Lambda_0_7_p3 = Lambda_7_11_p2 * Lambda_11_11_p4833;
+  const Real Lambda_8_11_p2 = Lambda_11_11_p4827 * Lambda_11_11_p4814_lanes[1] -
+      Lambda_11_11_p4814_lanes[3] - Lambda_11_11_p4834 * Lambda_8_11_p1;
+  const Real Lambda_1_2_p1 = Lambda_0_2_p2 * Lambda_0_1_p2 -
+      (Lambda_0_1_p8 + Lambda_0_2_p1 * Lambda_0_1_p1) + Lambda_0_2_p3 * Lambda_0_1_p3 +
+      Lambda_0_2_p4 * Lambda_0_1_p5;
+  const Real Lambda_0_8_p2 = Lambda_8_11_p1 * Lambda_11_11_p4833;
+  const Real Lambda_9_11_p1 = Lambda_11_11_p4834 * Lambda_11_11_p4826 - Lambda_11_11_p4827;
+  const Real Lambda_0_9_p1 = Lambda_11_11_p4826 * Lambda_11_11_p4833;
+  const Real Lambda_1_3_p1 = Lambda_0_1_p9 - Lambda_0_3_p3 * Lambda_0_1_p2 + Lambda_0_3_p2 *
+      Lambda_0_1_p3 + Lambda_0_3_p1 * Lambda_0_1_p5 + Lambda_0_3_p4 * Lambda_0_1_p12;
+  const Real Lambda_11_11 = Lambda_11_11_p4837 * Lambda_11_11_p4836 /
+      (8.673617379884035e-19 + Lambda_11_11_p4837 * Lambda_11_11_p4837);
+  Lambda[143] = Lambda_11_11;
+  const Real Lambda_0_0_p22 = Lambda_0_0_p17 + Lambda_0_0_p15 * Lambda_0_0_p4 + Lambda_0_0_p16 *
+      Lambda_0_0_p8 + Lambda_0_0_p18 * Lambda_0_0_p11 + Lambda_0_0_p19 * Lambda_0_0_p14;
+  const Real Lambda_0_4_p7 = Lambda_0_0_p13 - Lambda_0_4_p2 * Lambda_0_0_p4 + Lambda_0_4_p1 *
+      Lambda_0_0_p8 + Lambda_0_4_p3 * Lambda_0_0_p11 + Lambda_0_4_p4 * Lambda_0_0_p14;
+  const Real Lambda_1_4_p1 = Lambda_0_1_p10 - Lambda_0_4_p2 * Lambda_0_1_p3 + Lambda_0_4_p1 *
+      Lambda_0_1_p5 + Lambda_0_4_p3 * Lambda_0_1_p12 + Lambda_0_4_p4 * Lambda_0_1_p13;
+  const Real Lambda_0_11 = Lambda_0_11_p8 * Lambda_11_11;
   Lambda[11] = Lambda_0_11;
   Lambda[132] = Lambda_0_11;
-  const Real Lambda_1_11 = Lambda_1_11_p15 * Lambda_11_11;
+  const Real Lambda_1_11 = Lambda_1_11_p7 * Lambda_11_11;
   Lambda[23] = Lambda_1_11;
   Lambda[133] = Lambda_1_11;
   const Real Lambda_2_11 = Lambda_2_11_p12 * Lambda_11_11;
@@ -2898,6 +2956,9 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_4_11 = Lambda_4_11_p8 * Lambda_11_11;
   Lambda[59] = Lambda_4_11;
   Lambda[136] = Lambda_4_11;
+  const Real Lambda_2_2_p1 = Lambda_11_11_p3302 + Lambda_0_2_p1 * Lambda_11_11_p3353_lanes[3] +
+      Lambda_0_2_p2 * Lambda_2_11_p1 + Lambda_0_2_p3 * Lambda_2_11_p2 + Lambda_0_2_p4 *
+      Lambda_2_11_p3;
   const Real Lambda_5_11 = Lambda_5_11_p6 * Lambda_11_11;
   Lambda[71] = Lambda_5_11;
   Lambda[137] = Lambda_5_11;
@@ -2913,137 +2974,134 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_9_11 = Lambda_9_11_p1 * Lambda_11_11;
   Lambda[119] = Lambda_9_11;
   Lambda[141] = Lambda_9_11;
-  const Real Lambda_2_2_p1 = Lambda_11_11_p4205 + Lambda_0_2_p1 * Lambda_11_11_p4324_lanes[3] +
-      Lambda_0_2_p2 * Lambda_2_11_p1 + Lambda_0_2_p3 * Lambda_2_11_p2 + Lambda_0_2_p4 *
-      Lambda_2_11_p3;
-  const Real Lambda_10_11 = Lambda_11_11_p4809 * Lambda_11_11;
+  const Real Lambda_10_11 = Lambda_11_11_p4834 * Lambda_11_11;
   Lambda[131] = -Lambda_10_11;
   Lambda[142] = -Lambda_10_11;
   const Real Lambda_2_3_p1 = Lambda_0_3_p2 * Lambda_2_11_p2 -
       (Lambda_0_2_p1 + Lambda_0_3_p3 * Lambda_2_11_p1) + Lambda_0_3_p1 * Lambda_2_11_p3 +
       Lambda_0_3_p4 * Lambda_2_11_p4;
-  const Real Lambda_2_4_p1 = Lambda_0_2_p2 - Lambda_0_4_p1 * Lambda_2_11_p2 + Lambda_0_4_p2 *
+  const Real Lambda_2_4_p1 = Lambda_0_2_p2 - Lambda_0_4_p2 * Lambda_2_11_p2 + Lambda_0_4_p1 *
       Lambda_2_11_p3 + Lambda_0_4_p3 * Lambda_2_11_p4 + Lambda_0_4_p4 * Lambda_2_11_p8;
-  const Real Lambda_0_1_p11 = Lambda_0_1_p7 + Lambda_0_1_p5 * Lambda_0_0_p7 + Lambda_0_1_p6 *
-      Lambda_0_0_p14 + Lambda_0_1_p8 * Lambda_0_11_p5 + Lambda_0_1_p9 * Lambda_0_11_p6;
-  const Real Lambda_0_5_p6 = Lambda_0_0_p12 - Lambda_0_5_p1 * Lambda_0_0_p7 + Lambda_0_5_p2 *
-      Lambda_0_0_p14 + Lambda_0_5_p3 * Lambda_0_11_p5 + Lambda_0_5_p4 * Lambda_0_11_p6;
-  const Real Lambda_3_3_p1 = Lambda_11_11_p4425 + Lambda_0_3_p3 * Lambda_11_11_p4518_lanes[4] +
+  const Real Lambda_0_1_p19 = Lambda_0_1_p15 + Lambda_0_1_p11 * Lambda_0_0_p8 + Lambda_0_1_p14 *
+      Lambda_0_0_p11 + Lambda_0_1_p16 * Lambda_0_0_p14 + Lambda_0_1_p17 * Lambda_0_11_p4;
+  const Real Lambda_0_5_p6 = Lambda_0_0_p15 - Lambda_0_5_p1 * Lambda_0_0_p8 + Lambda_0_5_p2 *
+      Lambda_0_0_p11 + Lambda_0_5_p3 * Lambda_0_0_p14 + Lambda_0_5_p4 * Lambda_0_11_p4;
+  const Real Lambda_3_3_p1 = Lambda_11_11_p3548 + Lambda_0_3_p3 * Lambda_11_11_p3673_lanes[4] +
       Lambda_0_3_p2 * Lambda_3_11_p1 + Lambda_0_3_p1 * Lambda_3_11_p2 + Lambda_0_3_p4 *
       Lambda_3_11_p3;
-  const Real Lambda_1_1_p2 = Lambda_1_1_p1 + Lambda_0_1_p5 * Lambda_1_11_p4 + Lambda_0_1_p6 *
-      Lambda_1_11_p8 + Lambda_0_1_p8 * Lambda_1_11_p10 + Lambda_0_1_p9 * Lambda_1_11_p12;
-  const Real Lambda_1_5_p1 = Lambda_0_1_p4 - Lambda_0_5_p1 * Lambda_1_11_p4 + Lambda_0_5_p2 *
-      Lambda_1_11_p8 + Lambda_0_5_p3 * Lambda_1_11_p10 + Lambda_0_5_p4 * Lambda_1_11_p12;
-  const Real Lambda_3_4_p1 = Lambda_0_4_p2 * Lambda_3_11_p2 -
-      (Lambda_0_3_p3 + Lambda_0_4_p1 * Lambda_3_11_p1) + Lambda_0_4_p3 * Lambda_3_11_p3 +
+  const Real Lambda_1_1_p2 = Lambda_1_1_p1 + Lambda_0_1_p11 * Lambda_0_1_p5 + Lambda_0_1_p14 *
+      Lambda_0_1_p12 + Lambda_0_1_p16 * Lambda_0_1_p13 + Lambda_0_1_p17 * Lambda_1_11_p4;
+  const Real Lambda_1_5_p1 = Lambda_0_1_p4 - Lambda_0_5_p1 * Lambda_0_1_p5 + Lambda_0_5_p2 *
+      Lambda_0_1_p12 + Lambda_0_5_p3 * Lambda_0_1_p13 + Lambda_0_5_p4 * Lambda_1_11_p4;
+  const Real Lambda_3_4_p1 = Lambda_0_4_p1 * Lambda_3_11_p2 -
+      (Lambda_0_3_p3 + Lambda_0_4_p2 * Lambda_3_11_p1) + Lambda_0_4_p3 * Lambda_3_11_p3 +
       Lambda_0_4_p4 * Lambda_3_11_p4;
   const Real Lambda_2_5_p1 = Lambda_0_2_p3 - Lambda_0_5_p1 * Lambda_2_11_p3 + Lambda_0_5_p2 *
       Lambda_2_11_p4 + Lambda_0_5_p3 * Lambda_2_11_p8 + Lambda_0_5_p4 * Lambda_2_11_p10;
   const Real Lambda_3_5_p1 = Lambda_0_3_p2 - Lambda_0_5_p1 * Lambda_3_11_p2 + Lambda_0_5_p2 *
       Lambda_3_11_p3 + Lambda_0_5_p3 * Lambda_3_11_p4 + Lambda_0_5_p4 * Lambda_3_11_p8;
-  const Real Lambda_4_4_p1 = Lambda_11_11_p4600 + Lambda_0_4_p1 * Lambda_11_11_p4633_lanes[5] +
-      Lambda_0_4_p2 * Lambda_4_11_p1 + Lambda_0_4_p3 * Lambda_4_11_p2 + Lambda_0_4_p4 *
+  const Real Lambda_4_4_p1 = Lambda_11_11_p3943 + Lambda_0_4_p2 * Lambda_11_11_p3996_lanes[5] +
+      Lambda_0_4_p1 * Lambda_4_11_p1 + Lambda_0_4_p3 * Lambda_4_11_p2 + Lambda_0_4_p4 *
       Lambda_4_11_p3;
   const Real Lambda_4_5_p1 = Lambda_0_5_p2 * Lambda_4_11_p2 -
-      (Lambda_0_4_p1 + Lambda_0_5_p1 * Lambda_4_11_p1) + Lambda_0_5_p3 * Lambda_4_11_p3 +
+      (Lambda_0_4_p2 + Lambda_0_5_p1 * Lambda_4_11_p1) + Lambda_0_5_p3 * Lambda_4_11_p3 +
       Lambda_0_5_p4 * Lambda_4_11_p4;
-  const Real Lambda_5_5_p1 = Lambda_11_11_p4692 + Lambda_0_5_p1 * Lambda_11_11_p4701 +
+  const Real Lambda_5_5_p1 = Lambda_11_11_p4340 + Lambda_0_5_p1 * Lambda_11_11_p4479 +
       Lambda_0_5_p2 * Lambda_5_11_p1 + Lambda_0_5_p3 * Lambda_5_11_p2 + Lambda_0_5_p4 *
       Lambda_5_11_p3;
-  const Real Lambda_0_2_p10 = Lambda_0_2_p7 + Lambda_0_2_p5 * Lambda_0_0_p14 + Lambda_0_2_p6 *
-      Lambda_0_11_p5 + Lambda_0_2_p8 * Lambda_0_11_p6 + Lambda_0_2_p9 * Lambda_0_11_p8;
-  const Real Lambda_0_6_p5 = Lambda_0_0_p13 - Lambda_0_6_p1 * Lambda_0_0_p14 + Lambda_0_6_p2 *
-      Lambda_0_11_p5 + Lambda_0_6_p3 * Lambda_0_11_p6 + Lambda_0_6_p4 * Lambda_0_11_p8;
-  const Real Lambda_1_2_p2 = Lambda_1_2_p1 + Lambda_0_2_p5 * Lambda_1_11_p8 + Lambda_0_2_p6 *
-      Lambda_1_11_p10 + Lambda_0_2_p8 * Lambda_1_11_p12 + Lambda_0_2_p9 * Lambda_1_11_p13;
-  const Real Lambda_1_6_p1 = Lambda_0_1_p5 - Lambda_0_6_p1 * Lambda_1_11_p8 + Lambda_0_6_p2 *
-      Lambda_1_11_p10 + Lambda_0_6_p3 * Lambda_1_11_p12 + Lambda_0_6_p4 * Lambda_1_11_p13;
+  const Real Lambda_0_2_p10 = Lambda_0_2_p7 + Lambda_0_2_p5 * Lambda_0_0_p11 + Lambda_0_2_p6 *
+      Lambda_0_0_p14 + Lambda_0_2_p8 * Lambda_0_11_p4 + Lambda_0_2_p9 * Lambda_0_11_p7;
+  const Real Lambda_0_6_p5 = Lambda_0_0_p16 - Lambda_0_6_p1 * Lambda_0_0_p11 + Lambda_0_6_p2 *
+      Lambda_0_0_p14 + Lambda_0_6_p3 * Lambda_0_11_p4 + Lambda_0_6_p4 * Lambda_0_11_p7;
+  const Real Lambda_1_2_p2 = Lambda_1_2_p1 + Lambda_0_2_p5 * Lambda_0_1_p12 + Lambda_0_2_p6 *
+      Lambda_0_1_p13 + Lambda_0_2_p8 * Lambda_1_11_p4 + Lambda_0_2_p9 * Lambda_1_11_p5;
+  const Real Lambda_1_6_p1 = Lambda_0_1_p11 - Lambda_0_6_p1 * Lambda_0_1_p12 + Lambda_0_6_p2 *
+      Lambda_0_1_p13 + Lambda_0_6_p3 * Lambda_1_11_p4 + Lambda_0_6_p4 * Lambda_1_11_p5;
   const Real Lambda_2_2_p2 = Lambda_2_2_p1 + Lambda_0_2_p5 * Lambda_2_11_p4 + Lambda_0_2_p6 *
       Lambda_2_11_p8 + Lambda_0_2_p8 * Lambda_2_11_p10 + Lambda_0_2_p9 * Lambda_2_11_p11;
   const Real Lambda_2_6_p1 = Lambda_0_2_p4 - Lambda_0_6_p1 * Lambda_2_11_p4 + Lambda_0_6_p2 *
       Lambda_2_11_p8 + Lambda_0_6_p3 * Lambda_2_11_p10 + Lambda_0_6_p4 * Lambda_2_11_p11;
   const Real Lambda_3_6_p1 = Lambda_0_3_p1 - Lambda_0_6_p1 * Lambda_3_11_p3 + Lambda_0_6_p2 *
       Lambda_3_11_p4 + Lambda_0_6_p3 * Lambda_3_11_p8 + Lambda_0_6_p4 * Lambda_3_11_p9;
-  const Real Lambda_4_6_p1 = Lambda_0_4_p2 - Lambda_0_6_p1 * Lambda_4_11_p2 + Lambda_0_6_p2 *
+  const Real Lambda_4_6_p1 = Lambda_0_4_p1 - Lambda_0_6_p1 * Lambda_4_11_p2 + Lambda_0_6_p2 *
       Lambda_4_11_p3 + Lambda_0_6_p3 * Lambda_4_11_p4 + Lambda_0_6_p4 * Lambda_4_11_p6;
   const Real Lambda_5_6_p1 = Lambda_0_6_p2 * Lambda_5_11_p2 -
       (Lambda_0_5_p1 + Lambda_0_6_p1 * Lambda_5_11_p1) + Lambda_0_6_p3 * Lambda_5_11_p3 +
       Lambda_0_6_p4 * Lambda_5_11_p4;
-  const Real Lambda_6_6_p1 = Lambda_11_11_p4740 + Lambda_0_6_p1 * Lambda_11_11_p4743 +
+  const Real Lambda_6_6_p1 = Lambda_11_11_p4651 + Lambda_0_6_p1 * Lambda_11_11_p4728 +
       Lambda_0_6_p2 * Lambda_6_11_p1 + Lambda_0_6_p3 * Lambda_6_11_p2 + Lambda_0_6_p4 *
       Lambda_6_11_p3;
-  Lambda[0] = Lambda_0_0_p20 + Lambda_0_0_p18 * Lambda_0_11_p6 + Lambda_0_0_p19 * Lambda_0_11_p8 +
-      Lambda_0_11 * Lambda_0_11_p10;
-  const Real Lambda_0_1 = Lambda_0_1_p11 + Lambda_0_1_p10 * Lambda_0_11_p8 + Lambda_1_11 *
-      Lambda_0_11_p10;
+  Lambda[0] = Lambda_0_0_p22 + Lambda_0_0_p20 * Lambda_0_11_p4 + Lambda_0_0_p21 * Lambda_0_11_p7 +
+      Lambda_0_11 * Lambda_0_11_p8;
+  const Real Lambda_0_1 = Lambda_0_1_p19 + Lambda_0_1_p18 * Lambda_0_11_p7 + Lambda_1_11 *
+      Lambda_0_11_p8;
   Lambda[1] = Lambda_0_1;
   Lambda[12] = Lambda_0_1;
-  const Real Lambda_0_2 = Lambda_0_2_p10 + Lambda_2_11 * Lambda_0_11_p10;
+  const Real Lambda_0_2 = Lambda_0_2_p10 + Lambda_2_11 * Lambda_0_11_p8;
   Lambda[2] = Lambda_0_2;
   Lambda[24] = Lambda_0_2;
-  const Real Lambda_0_3 = Lambda_0_3_p7 + Lambda_0_3_p5 * Lambda_0_11_p5 + Lambda_0_3_p6 *
-      Lambda_0_11_p6 + Lambda_0_3_p8 * Lambda_0_11_p8 + Lambda_3_11 * Lambda_0_11_p10;
+  const Real Lambda_0_3 = Lambda_0_3_p7 + Lambda_0_3_p5 * Lambda_0_0_p14 + Lambda_0_3_p6 *
+      Lambda_0_11_p4 + Lambda_0_3_p8 * Lambda_0_11_p7 + Lambda_3_11 * Lambda_0_11_p8;
   Lambda[3] = Lambda_0_3;
   Lambda[36] = Lambda_0_3;
-  const Real Lambda_0_4 = Lambda_0_4_p7 + Lambda_0_4_p5 * Lambda_0_11_p6 + Lambda_0_4_p6 *
-      Lambda_0_11_p8 + Lambda_4_11 * Lambda_0_11_p10;
+  const Real Lambda_0_4 = Lambda_0_4_p7 + Lambda_0_4_p5 * Lambda_0_11_p4 + Lambda_0_4_p6 *
+      Lambda_0_11_p7 + Lambda_4_11 * Lambda_0_11_p8;
   Lambda[4] = Lambda_0_4;
   Lambda[48] = Lambda_0_4;
-  const Real Lambda_0_5 = Lambda_0_5_p6 + Lambda_0_5_p5 * Lambda_0_11_p8 + Lambda_5_11 *
-      Lambda_0_11_p10;
+  const Real Lambda_0_5 = Lambda_0_5_p6 + Lambda_0_5_p5 * Lambda_0_11_p7 + Lambda_5_11 *
+      Lambda_0_11_p8;
   Lambda[5] = Lambda_0_5;
   Lambda[60] = Lambda_0_5;
-  const Real Lambda_0_6 = Lambda_0_6_p5 + Lambda_6_11 * Lambda_0_11_p10;
+  const Real Lambda_0_6 = Lambda_0_6_p5 + Lambda_6_11 * Lambda_0_11_p8;
   Lambda[6] = Lambda_0_6;
   Lambda[72] = Lambda_0_6;
-  const Real Lambda_0_7 = Lambda_0_0_p16 - Lambda_0_7_p1 * Lambda_0_11_p5 + Lambda_0_7_p2 *
-      Lambda_0_11_p6 + Lambda_0_7_p3 * Lambda_0_11_p8 + Lambda_7_11 * Lambda_0_11_p10;
+  const Real Lambda_0_7 = Lambda_0_0_p18 - Lambda_0_7_p1 * Lambda_0_0_p14 + Lambda_0_7_p2 *
+      Lambda_0_11_p4 + Lambda_0_7_p3 * Lambda_0_11_p7 + Lambda_7_11 * Lambda_0_11_p8;
   Lambda[7] = Lambda_0_7;
   Lambda[84] = Lambda_0_7;
-  const Real Lambda_0_8 = Lambda_0_0_p17 - Lambda_0_8_p1 * Lambda_0_11_p6 + Lambda_0_8_p2 *
-      Lambda_0_11_p8 + Lambda_8_11 * Lambda_0_11_p10;
+  const Real Lambda_0_8 = Lambda_0_0_p19 - Lambda_0_8_p1 * Lambda_0_11_p4 + Lambda_0_8_p2 *
+      Lambda_0_11_p7 + Lambda_8_11 * Lambda_0_11_p8;
   Lambda[8] = Lambda_0_8;
   Lambda[96] = Lambda_0_8;
-  const Real Lambda_0_9 = Lambda_0_0_p18 - Lambda_0_9_p1 * Lambda_0_11_p8 + Lambda_9_11 *
-      Lambda_0_11_p10;
+  const Real Lambda_0_9 = Lambda_0_0_p20 - Lambda_0_9_p1 * Lambda_0_11_p7 + Lambda_9_11 *
+      Lambda_0_11_p8;
   Lambda[9] = Lambda_0_9;
   Lambda[108] = Lambda_0_9;
-  const Real Lambda_0_10 = Lambda_0_0_p19 - Lambda_10_11 * Lambda_0_11_p10;
+  const Real Lambda_0_10 = Lambda_0_0_p21 - Lambda_10_11 * Lambda_0_11_p8;
   Lambda[10] = Lambda_0_10;
   Lambda[120] = Lambda_0_10;
-  Lambda[13] = Lambda_1_1_p2 + Lambda_0_1_p10 * Lambda_1_11_p13 + Lambda_1_11 * Lambda_1_11_p15;
-  const Real Lambda_1_2 = Lambda_1_2_p2 + Lambda_2_11 * Lambda_1_11_p15;
+  Lambda[13] = Lambda_1_1_p2 + Lambda_0_1_p18 * Lambda_1_11_p5 + Lambda_1_11 * Lambda_1_11_p7;
+  const Real Lambda_1_2 = Lambda_1_2_p2 + Lambda_2_11 * Lambda_1_11_p7;
   Lambda[14] = Lambda_1_2;
   Lambda[25] = Lambda_1_2;
-  const Real Lambda_1_3 = Lambda_1_3_p1 + Lambda_0_3_p5 * Lambda_1_11_p10 + Lambda_0_3_p6 *
-      Lambda_1_11_p12 + Lambda_0_3_p8 * Lambda_1_11_p13 + Lambda_3_11 * Lambda_1_11_p15;
+  const Real Lambda_1_3 = Lambda_1_3_p1 + Lambda_0_3_p5 * Lambda_0_1_p13 + Lambda_0_3_p6 *
+      Lambda_1_11_p4 + Lambda_0_3_p8 * Lambda_1_11_p5 + Lambda_3_11 * Lambda_1_11_p7;
   Lambda[15] = Lambda_1_3;
   Lambda[37] = Lambda_1_3;
-  const Real Lambda_1_4 = Lambda_1_4_p1 + Lambda_0_4_p5 * Lambda_1_11_p12 + Lambda_0_4_p6 *
-      Lambda_1_11_p13 + Lambda_4_11 * Lambda_1_11_p15;
+  const Real Lambda_1_4 = Lambda_1_4_p1 + Lambda_0_4_p5 * Lambda_1_11_p4 + Lambda_0_4_p6 *
+      Lambda_1_11_p5 + Lambda_4_11 * Lambda_1_11_p7;
   Lambda[16] = Lambda_1_4;
   Lambda[49] = Lambda_1_4;
-  const Real Lambda_1_5 = Lambda_1_5_p1 + Lambda_0_5_p5 * Lambda_1_11_p13 + Lambda_5_11 *
-      Lambda_1_11_p15;
+  const Real Lambda_1_5 = Lambda_1_5_p1 + Lambda_0_5_p5 * Lambda_1_11_p5 + Lambda_5_11 *
+      Lambda_1_11_p7;
   Lambda[17] = Lambda_1_5;
   Lambda[61] = Lambda_1_5;
-  const Real Lambda_1_6 = Lambda_1_6_p1 + Lambda_6_11 * Lambda_1_11_p15;
+  const Real Lambda_1_6 = Lambda_1_6_p1 + Lambda_6_11 * Lambda_1_11_p7;
   Lambda[18] = Lambda_1_6;
   Lambda[73] = Lambda_1_6;
-  const Real Lambda_1_7 = Lambda_0_1_p6 - Lambda_0_7_p1 * Lambda_1_11_p10 + Lambda_0_7_p2 *
-      Lambda_1_11_p12 + Lambda_0_7_p3 * Lambda_1_11_p13 + Lambda_7_11 * Lambda_1_11_p15;
+  const Real Lambda_1_7 = Lambda_0_1_p14 - Lambda_0_7_p1 * Lambda_0_1_p13 + Lambda_0_7_p2 *
+      Lambda_1_11_p4 + Lambda_0_7_p3 * Lambda_1_11_p5 + Lambda_7_11 * Lambda_1_11_p7;
   Lambda[19] = Lambda_1_7;
   Lambda[85] = Lambda_1_7;
-  const Real Lambda_1_8 = Lambda_0_1_p8 - Lambda_0_8_p1 * Lambda_1_11_p12 + Lambda_0_8_p2 *
-      Lambda_1_11_p13 + Lambda_8_11 * Lambda_1_11_p15;
+  const Real Lambda_1_8 = Lambda_0_1_p16 - Lambda_0_8_p1 * Lambda_1_11_p4 + Lambda_0_8_p2 *
+      Lambda_1_11_p5 + Lambda_8_11 * Lambda_1_11_p7;
   Lambda[20] = Lambda_1_8;
   Lambda[97] = Lambda_1_8;
-  const Real Lambda_1_9 = Lambda_0_1_p9 - Lambda_0_9_p1 * Lambda_1_11_p13 + Lambda_9_11 *
-      Lambda_1_11_p15;
+  const Real Lambda_1_9 = Lambda_0_1_p17 - Lambda_0_9_p1 * Lambda_1_11_p5 + Lambda_9_11 *
+      Lambda_1_11_p7;
   Lambda[21] = Lambda_1_9;
   Lambda[109] = Lambda_1_9;
-  const Real Lambda_1_10 = Lambda_0_1_p10 - Lambda_10_11 * Lambda_1_11_p15;
+  const Real Lambda_1_10 = Lambda_0_1_p18 - Lambda_10_11 * Lambda_1_11_p7;
   Lambda[22] = Lambda_1_10;
   Lambda[121] = Lambda_1_10;
   Lambda[26] = Lambda_2_2_p2 + Lambda_2_11 * Lambda_2_11_p12;
@@ -3165,7 +3223,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_6_10 = Lambda_0_6_p4 - Lambda_10_11 * Lambda_6_11_p4;
   Lambda[82] = Lambda_6_10;
   Lambda[126] = Lambda_6_10;
-  Lambda[91] = Lambda_11_11_p4771 + Lambda_0_7_p1 * Lambda_11_11_p4773_lanes[0] + Lambda_0_7_p2 *
+  Lambda[91] = Lambda_11_11_p4788 + Lambda_0_7_p1 * Lambda_11_11_p4791_lanes[0] + Lambda_0_7_p2 *
       Lambda_7_11_p1 + Lambda_0_7_p3 * Lambda_7_11_p2 + Lambda_7_11 * Lambda_7_11_p3;
   const Real Lambda_7_8 = Lambda_0_8_p2 * Lambda_7_11_p2 -
       (Lambda_0_7_p1 + Lambda_0_8_p1 * Lambda_7_11_p1) + Lambda_8_11 * Lambda_7_11_p3;
@@ -3178,7 +3236,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_7_10 = Lambda_0_7_p3 - Lambda_10_11 * Lambda_7_11_p3;
   Lambda[94] = Lambda_7_10;
   Lambda[127] = Lambda_7_10;
-  Lambda[104] = Lambda_11_11_p4793 + Lambda_0_8_p1 * Lambda_11_11_p4794_lanes[1] + Lambda_0_8_p2 *
+  Lambda[104] = Lambda_11_11_p4813 + Lambda_0_8_p1 * Lambda_11_11_p4814_lanes[1] + Lambda_0_8_p2 *
       Lambda_8_11_p1 + Lambda_8_11 * Lambda_8_11_p2;
   const Real Lambda_8_9 = Lambda_9_11 * Lambda_8_11_p2 -
       (Lambda_0_8_p1 + Lambda_0_9_p1 * Lambda_8_11_p1);
@@ -3187,12 +3245,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT Lamb
   const Real Lambda_8_10 = Lambda_0_8_p2 - Lambda_10_11 * Lambda_8_11_p2;
   Lambda[106] = Lambda_8_10;
   Lambda[128] = Lambda_8_10;
-  Lambda[117] = Lambda_11_11_p4803 + Lambda_0_9_p1 * Lambda_11_11_p4804 + Lambda_9_11 *
+  Lambda[117] = Lambda_11_11_p4825 + Lambda_0_9_p1 * Lambda_11_11_p4826 + Lambda_9_11 *
       Lambda_9_11_p1;
   const Real Lambda_9_10 = Lambda_0_9_p1 + Lambda_10_11 * Lambda_9_11_p1;
   Lambda[118] = -Lambda_9_10;
   Lambda[129] = -Lambda_9_10;
-  Lambda[130] = Lambda_11_11_p4808 + Lambda_10_11 * Lambda_11_11_p4809;
+  Lambda[130] = Lambda_11_11_p4833 + Lambda_10_11 * Lambda_11_11_p4834;
 }
 
 }  // namespace humanoid24

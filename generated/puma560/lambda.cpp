@@ -1,6 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
 // By M = L^T D L, J carried inward, in the axes asked for at link origins.
-// 782 flops (add 322, mul 450, div 10), sine and cosine of 5 angles
+// 812 flops (add 328, mul 474, div 10), sine and cosine of 5 angles
 // Generated; see puma560.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -211,14 +211,14 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_5_5_p77 = 24999.999999999996 * Lambda_5_5_p66;
   const Real Lambda_5_5_p78 = 1557.24430048586 * Lambda_5_5_p67;
   const Real Lambda_5_5_p79 = Lambda_5_5_p69 * Lambda_5_5_p30;
+  const Real Lambda_5_5_p80 = Lambda_5_5_p64 - Lambda_5_5_p40 * Lambda_5_5_p34 - Lambda_5_5_p44 *
+      Lambda_5_5_p69;
 
   // link 4 (link4), pose
-  const Real Lambda_5_5_p80 = Lambda_5_5_p10 * c1;
-  const Real Lambda_5_5_p81 = Lambda_5_5_p12 * c1;
+  const Real Lambda_5_5_p84 = Lambda_5_5_p10 * c1;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p82 = Lambda_5_5_p64 - Lambda_5_5_p40 * Lambda_5_5_p34 - Lambda_5_5_p44 *
-      Lambda_5_5_p69;
+  const Real Lambda_5_5_p85 = Lambda_5_5_p75 * Lambda_5_5_p30;
   const Real Lambda_5_5_p86 = 1.7481140020000001 + Lambda_5_5_p49 - 2.0 * Lambda_5_5_p43 -
       Lambda_5_5_p45 * Lambda_5_5_p41 - Lambda_5_5_p50 * Lambda_5_5_p46 - Lambda_5_5_p72 *
       Lambda_5_5_p59;
@@ -226,41 +226,45 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
       Lambda_5_5_p60;
   const Real Lambda_5_5_p88 = Lambda_5_5_p76 - Lambda_5_5_p40 * Lambda_5_5_p67 - Lambda_5_5_p44 *
       Lambda_5_5_p75;
-  const Real Lambda_5_5_p89 = Lambda_5_5_p75 * Lambda_5_5_p30;
-  const Real Lambda_5_5_p93 = 1.0 / Lambda_5_5_p86;
 
   // link 3 (link3), Jacobian
-  const Real Lambda_5_5_p100 = Lambda_5_5_p24 * c1;
-
-  // link 4 (link4), pose
-  const Real Lambda_5_5_p101 = s4 * Lambda_5_5_p80 - c4 * s1;
+  const Real Lambda_5_5_p92 = Lambda_5_5_p24 * c1;
 
   // link 1 (link1), mass matrix
-  const Lanes<8> Lambda_5_5_p102_lanes = detail::make_pack<Real>(Lambda_5_5_p65, Lambda_5_5_p65,
-      Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p82, Lambda_5_5_p65,
+  const Real Lambda_5_5_p93 = 1.0 / Lambda_5_5_p86;
+  const Lanes<8> Lambda_5_5_p100_lanes = detail::make_pack<Real>(Lambda_5_5_p65, Lambda_5_5_p65,
+      Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p80, Lambda_5_5_p65,
       Lambda_5_5_p65) * Lambda_5_5_p58;
-  const Real Lambda_5_5_p105 = 0.05625 * Lambda_5_5_p66;
-  const Lanes<8> Lambda_5_5_p106_lanes = detail::make_pack<Real>(Lambda_5_5_p68 * s1,
+
+  // link 4 (link4), pose
+  const Real Lambda_5_5_p103 = Lambda_5_5_p12 * c1;
+
+  // link 1 (link1), mass matrix
+  const Lanes<8> Lambda_5_5_p104_lanes = detail::make_pack<Real>(Lambda_5_5_p68 * s1,
       Lambda_5_5_p68 * s1, Lambda_5_5_p68 * s1, Lambda_5_5_p68 * s1, Lambda_5_5_p76 -
       Lambda_5_5_p45 * Lambda_5_5_p67 - Lambda_5_5_p50 * Lambda_5_5_p75, Lambda_5_5_p64 -
       Lambda_5_5_p45 * Lambda_5_5_p34 - Lambda_5_5_p50 * Lambda_5_5_p69, Lambda_5_5_p68 * s1,
       Lambda_5_5_p68 * s1) - Lambda_5_5_p72 * detail::make_pack<Real>(Lambda_5_5_p65,
-      Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p82,
+      Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p80,
       Lambda_5_5_p65, Lambda_5_5_p65);
+  const Real Lambda_5_5_p110 = Lambda_5_5_p68 * c1 - Lambda_5_5_p72 * Lambda_5_5_p92;
+  const Real Lambda_5_5_p111 = 0.05625 * Lambda_5_5_p66;
+  const Real Lambda_5_5_p112 = 0.05625 * Lambda_5_5_p62;
+
+  // link 4 (link4), pose
+  const Real Lambda_5_5_p113 = s4 * Lambda_5_5_p84 - c4 * s1;
 
   // link 5 (link5), pose
-  const Real Lambda_5_5_p112 = s5 * (c4 * Lambda_5_5_p80 + s4 * s1) - c5 * Lambda_5_5_p81;
+  const Real Lambda_5_5_p117 = s5 * (c4 * Lambda_5_5_p84 + s4 * s1) - c5 * Lambda_5_5_p103;
 
   // link 1 (link1), mass matrix
-  const Real Lambda_5_5_p113 = 0.05625 * Lambda_5_5_p62;
-  const Real Lambda_5_5_p114 = Lambda_5_5_p68 * c1 - Lambda_5_5_p72 * Lambda_5_5_p100;
-  const Real Lambda_5_5_p115 = Lambda_5_5_p87 * Lambda_5_5_p93;
-  const Lanes<8> Lambda_5_5_p116_lanes = Lambda_5_5_p106_lanes * Lambda_5_5_p93;
-  const Real Lambda_5_5_p122 = Lambda_5_5_p81 + Lambda_5_5_p4 * Lambda_5_5_p112;
-  const Real Lambda_5_5_p123 = Lambda_5_5_p21 * Lambda_5_5_p112 - s1;
-  const Real Lambda_5_5_p124 = 0.05625 * Lambda_5_5_p112;
+  const Real Lambda_5_5_p118 = Lambda_5_5_p87 * Lambda_5_5_p93;
+  const Lanes<8> Lambda_5_5_p119_lanes = Lambda_5_5_p104_lanes * Lambda_5_5_p93;
+  const Real Lambda_5_5_p122 = 0.05625 * Lambda_5_5_p117;
+  const Real Lambda_5_5_p126 = Lambda_5_5_p103 + Lambda_5_5_p4 * Lambda_5_5_p117;
+  const Real Lambda_5_5_p127 = Lambda_5_5_p21 * Lambda_5_5_p117 - s1;
   const Real Lambda_5_5_p128 = Lambda_5_5_p63 - Lambda_5_5_p56 * Lambda_5_5_p48 - Lambda_5_5_p57 *
-      Lambda_5_5_p53 - Lambda_5_5_p73 * Lambda_5_5_p60 - Lambda_5_5_p115 * Lambda_5_5_p87;
+      Lambda_5_5_p53 - Lambda_5_5_p73 * Lambda_5_5_p60 - Lambda_5_5_p118 * Lambda_5_5_p87;
   const Lanes<8> Lambda_5_5_p129_lanes = detail::make_pack<Real>(Lambda_5_5_p38 * c1,
       Lambda_5_5_p38 * c1, Lambda_5_5_p38 * c1, Lambda_5_5_p38 * c1, Lambda_5_5_p54 *
       Lambda_5_5_p66 - Lambda_5_5_p56 * Lambda_5_5_p67, 1.0 - Lambda_5_5_p54 * Lambda_5_5_p62 -
@@ -268,191 +272,209 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
       detail::make_pack<Real>(0.1501, 0.1501, 0.1501, 0.1501, Lambda_5_5_p57, Lambda_5_5_p57,
       0.1501, 0.1501) * detail::make_pack<Real>(s1, s1, s1, s1, Lambda_5_5_p75, Lambda_5_5_p69, s1,
       s1) - Lambda_5_5_p73 * detail::make_pack<Real>(Lambda_5_5_p65, Lambda_5_5_p65, Lambda_5_5_p65,
-      Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p82, Lambda_5_5_p65, Lambda_5_5_p65) -
-      Lambda_5_5_p115 * Lambda_5_5_p106_lanes;
-  const Real Lambda_5_5_p132 = Lambda_5_5_p123 - Lambda_5_5_p40 * Lambda_5_5_p101 - Lambda_5_5_p44 *
-      Lambda_5_5_p122;
-  const Real Lambda_5_5_p133 = Lambda_5_5_p70 * Lambda_5_5_p62 + Lambda_5_5_p71 * Lambda_5_5_p34 +
-      Lambda_5_5_p79 * Lambda_5_5_p69 + Lambda_5_5_p102_lanes[5] * Lambda_5_5_p82 +
-      Lambda_5_5_p116_lanes[5] * Lambda_5_5_p106_lanes[5];
-  const Real Lambda_5_5_p134 = Lambda_5_5_p71 * Lambda_5_5_p67 - Lambda_5_5_p70 * Lambda_5_5_p66 +
-      Lambda_5_5_p79 * Lambda_5_5_p75 + Lambda_5_5_p102_lanes[5] * Lambda_5_5_p88 +
-      Lambda_5_5_p116_lanes[5] * Lambda_5_5_p106_lanes[4];
-  const Real Lambda_5_5_p135 = Lambda_5_5_p77 * Lambda_5_5_p66 + Lambda_5_5_p78 * Lambda_5_5_p67 +
-      Lambda_5_5_p89 * Lambda_5_5_p75 + Lambda_5_5_p102_lanes[4] * Lambda_5_5_p88 +
-      Lambda_5_5_p116_lanes[4] * Lambda_5_5_p106_lanes[4];
-  const Real Lambda_5_5_p136 = Lambda_5_5_p38 * s1 + 0.1501 * c1 + Lambda_5_5_p73 *
-      Lambda_5_5_p100 + Lambda_5_5_p115 * Lambda_5_5_p114;
-  const Real Lambda_5_5_p137 = Lambda_5_5_p132 * Lambda_5_5_p58;
-  const Real Lambda_5_5_p141 = Lambda_5_5_p123 - Lambda_5_5_p45 * Lambda_5_5_p101 - Lambda_5_5_p50 *
-      Lambda_5_5_p122 - Lambda_5_5_p72 * Lambda_5_5_p132;
-  const Real Lambda_5_5_p142 = Lambda_5_5_p22 * Lambda_5_5_p58;
-  const Real Lambda_5_5_p143 = 1.0 / (Lambda_5_5_p128 + 2.0 *
+      Lambda_5_5_p65, Lambda_5_5_p88, Lambda_5_5_p80, Lambda_5_5_p65, Lambda_5_5_p65) -
+      Lambda_5_5_p118 * Lambda_5_5_p104_lanes;
+  const Real Lambda_5_5_p132 = Lambda_5_5_p70 * Lambda_5_5_p62 + Lambda_5_5_p71 * Lambda_5_5_p34 +
+      Lambda_5_5_p79 * Lambda_5_5_p69 + Lambda_5_5_p100_lanes[5] * Lambda_5_5_p80 +
+      Lambda_5_5_p119_lanes[5] * Lambda_5_5_p104_lanes[5];
+  const Real Lambda_5_5_p133 = Lambda_5_5_p71 * Lambda_5_5_p67 - Lambda_5_5_p70 * Lambda_5_5_p66 +
+      Lambda_5_5_p79 * Lambda_5_5_p75 + Lambda_5_5_p100_lanes[5] * Lambda_5_5_p88 +
+      Lambda_5_5_p119_lanes[5] * Lambda_5_5_p104_lanes[4];
+  const Real Lambda_5_5_p134 = Lambda_5_5_p77 * Lambda_5_5_p66 + Lambda_5_5_p78 * Lambda_5_5_p67 +
+      Lambda_5_5_p85 * Lambda_5_5_p75 + Lambda_5_5_p100_lanes[4] * Lambda_5_5_p88 +
+      Lambda_5_5_p119_lanes[4] * Lambda_5_5_p104_lanes[4];
+  const Real Lambda_5_5_p135 = Lambda_5_5_p38 * s1 + 0.1501 * c1 + Lambda_5_5_p73 * Lambda_5_5_p92 +
+      Lambda_5_5_p118 * Lambda_5_5_p110;
+  const Real Lambda_5_5_p139 = Lambda_5_5_p127 - Lambda_5_5_p40 * Lambda_5_5_p113 - Lambda_5_5_p44 *
+      Lambda_5_5_p126;
+  const Real Lambda_5_5_p140 = Lambda_5_5_p22 * Lambda_5_5_p58;
+  const Real Lambda_5_5_p141 = 1.0 / (Lambda_5_5_p128 + 2.0 *
       (0.1501 * Lambda_5_5_p11 - Lambda_5_5_p37 - Lambda_5_5_p29) + Lambda_5_5_p74 *
       Lambda_5_5_p12);
-  const Real Lambda_5_5_p144 = 24999.999999999996 * Lambda_5_5_p112 * Lambda_5_5_p112 +
-      1557.24430048586 * Lambda_5_5_p101 * Lambda_5_5_p101 + Lambda_5_5_p122 * Lambda_5_5_p30 *
-      Lambda_5_5_p122;
-  const Real Lambda_5_5_p145 = Lambda_5_5_p141 * Lambda_5_5_p93;
+  const Real Lambda_5_5_p142 = Lambda_5_5_p139 * Lambda_5_5_p58;
   const Real Lambda_5_5_p146 = Lambda_5_5_p72 * Lambda_5_5_p22 - Lambda_5_5_p38;
-  const Real Lambda_5_5_p150 = Lambda_5_5_p54 * Lambda_5_5_p112 + Lambda_5_5_p56 * Lambda_5_5_p101 +
-      Lambda_5_5_p57 * Lambda_5_5_p122 + Lambda_5_5_p73 * Lambda_5_5_p132 + Lambda_5_5_p115 *
-      Lambda_5_5_p141;
-  const Real Lambda_5_5_p151 = Lambda_5_5_p70 * Lambda_5_5_p112 + Lambda_5_5_p71 * Lambda_5_5_p101 +
-      Lambda_5_5_p79 * Lambda_5_5_p122 + Lambda_5_5_p102_lanes[5] * Lambda_5_5_p132 +
-      Lambda_5_5_p116_lanes[5] * Lambda_5_5_p141;
-  const Real Lambda_5_5_p152 = Lambda_5_5_p78 * Lambda_5_5_p101 - Lambda_5_5_p77 * Lambda_5_5_p112 +
-      Lambda_5_5_p89 * Lambda_5_5_p122 + Lambda_5_5_p102_lanes[4] * Lambda_5_5_p132 +
-      Lambda_5_5_p116_lanes[4] * Lambda_5_5_p141;
-  const Real Lambda_5_5_p153 = Lambda_5_5_p146 * Lambda_5_5_p93;
-  const Real Lambda_5_5_p154 = Lambda_5_5_p73 * Lambda_5_5_p22 - Lambda_5_5_p115 * Lambda_5_5_p146;
-  const Lanes<8> Lambda_5_5_p155_lanes = Lambda_5_5_p129_lanes * Lambda_5_5_p143;
-  const Real Lambda_5_5_p158 = Lambda_5_5_p150 * Lambda_5_5_p143;
-  const Real Lambda_5_5_p159 = Lambda_5_5_p154 * Lambda_5_5_p143;
-  const Real Lambda_5_5_p163 = Lambda_5_5_p133 + Lambda_5_5_p155_lanes[5] *
+  const Real Lambda_5_5_p147 = 24999.999999999996 * Lambda_5_5_p117 * Lambda_5_5_p117 +
+      1557.24430048586 * Lambda_5_5_p113 * Lambda_5_5_p113 + Lambda_5_5_p126 * Lambda_5_5_p30 *
+      Lambda_5_5_p126;
+  const Real Lambda_5_5_p148 = Lambda_5_5_p127 - Lambda_5_5_p45 * Lambda_5_5_p113 - Lambda_5_5_p50 *
+      Lambda_5_5_p126 - Lambda_5_5_p72 * Lambda_5_5_p139;
+  const Real Lambda_5_5_p149 = Lambda_5_5_p146 * Lambda_5_5_p93;
+  const Real Lambda_5_5_p150 = Lambda_5_5_p148 * Lambda_5_5_p93;
+  const Real Lambda_5_5_p151 = Lambda_5_5_p73 * Lambda_5_5_p22 - Lambda_5_5_p118 * Lambda_5_5_p146;
+  const Real Lambda_5_5_p152 = Lambda_5_5_p54 * Lambda_5_5_p117 + Lambda_5_5_p56 * Lambda_5_5_p113 +
+      Lambda_5_5_p57 * Lambda_5_5_p126 + Lambda_5_5_p73 * Lambda_5_5_p139 + Lambda_5_5_p118 *
+      Lambda_5_5_p148;
+  const Real Lambda_5_5_p153 = Lambda_5_5_p70 * Lambda_5_5_p117 + Lambda_5_5_p71 * Lambda_5_5_p113 +
+      Lambda_5_5_p79 * Lambda_5_5_p126 + Lambda_5_5_p100_lanes[5] * Lambda_5_5_p139 +
+      Lambda_5_5_p119_lanes[5] * Lambda_5_5_p148;
+  const Real Lambda_5_5_p154 = Lambda_5_5_p78 * Lambda_5_5_p113 - Lambda_5_5_p77 * Lambda_5_5_p117 +
+      Lambda_5_5_p85 * Lambda_5_5_p126 + Lambda_5_5_p100_lanes[4] * Lambda_5_5_p139 +
+      Lambda_5_5_p119_lanes[4] * Lambda_5_5_p148;
+  const Lanes<8> Lambda_5_5_p155_lanes = Lambda_5_5_p129_lanes * Lambda_5_5_p141;
+  const Real Lambda_5_5_p158 = Lambda_5_5_p151 * Lambda_5_5_p141;
+  const Real Lambda_5_5_p159 = Lambda_5_5_p152 * Lambda_5_5_p141;
+  const Real Lambda_5_5_p163 = Lambda_5_5_p132 + Lambda_5_5_p155_lanes[5] *
       Lambda_5_5_p129_lanes[5];
-  const Real Lambda_5_5_p164 = Lambda_5_5_p134 + Lambda_5_5_p155_lanes[5] *
+  const Real Lambda_5_5_p164 = Lambda_5_5_p133 + Lambda_5_5_p155_lanes[5] *
       Lambda_5_5_p129_lanes[4];
-  const Real Lambda_5_5_p165 = Lambda_5_5_p135 + Lambda_5_5_p155_lanes[4] *
+  const Real Lambda_5_5_p165 = Lambda_5_5_p134 + Lambda_5_5_p155_lanes[4] *
       Lambda_5_5_p129_lanes[4];
-  const Real Lambda_5_5_p166 = Lambda_5_5_p102_lanes[5] * Lambda_5_5_p100 +
-      Lambda_5_5_p116_lanes[5] * Lambda_5_5_p114 - Lambda_5_5_p155_lanes[5] * Lambda_5_5_p136;
-  const Real Lambda_5_5_p167 = Lambda_5_5_p102_lanes[4] * Lambda_5_5_p100 +
-      Lambda_5_5_p116_lanes[4] * Lambda_5_5_p114 - Lambda_5_5_p155_lanes[4] * Lambda_5_5_p136;
-  const Real Lambda_5_5_p168 = Lambda_5_5_p151 - Lambda_5_5_p155_lanes[5] * Lambda_5_5_p150;
-  const Real Lambda_5_5_p169 = Lambda_5_5_p152 - Lambda_5_5_p155_lanes[4] * Lambda_5_5_p150;
-  const Real Lambda_5_5_p170 = Lambda_5_5_p100 * Lambda_5_5_p58 * Lambda_5_5_p100 +
-      Lambda_5_5_p114 * Lambda_5_5_p93 * Lambda_5_5_p114 + Lambda_5_5_p136 * Lambda_5_5_p143 *
-      Lambda_5_5_p136;
-  const Real Lambda_5_5_p171 = Lambda_5_5_p144 + Lambda_5_5_p137 * Lambda_5_5_p132 +
-      Lambda_5_5_p145 * Lambda_5_5_p141 + Lambda_5_5_p158 * Lambda_5_5_p150;
-  const Lanes<8> Lambda_5_5_p172_lanes = Lambda_5_5_p102_lanes * Lambda_5_5_p65 +
-      Lambda_5_5_p116_lanes * Lambda_5_5_p106_lanes[1] + Lambda_5_5_p155_lanes *
+  const Real Lambda_5_5_p166 = Lambda_5_5_p100_lanes[5] * Lambda_5_5_p92 +
+      Lambda_5_5_p119_lanes[5] * Lambda_5_5_p110 - Lambda_5_5_p155_lanes[5] * Lambda_5_5_p135;
+  const Real Lambda_5_5_p167 = Lambda_5_5_p100_lanes[4] * Lambda_5_5_p92 +
+      Lambda_5_5_p119_lanes[4] * Lambda_5_5_p110 - Lambda_5_5_p155_lanes[4] * Lambda_5_5_p135;
+  const Real Lambda_5_5_p168 = Lambda_5_5_p92 * Lambda_5_5_p58 * Lambda_5_5_p92 + Lambda_5_5_p110 *
+      Lambda_5_5_p93 * Lambda_5_5_p110 + Lambda_5_5_p135 * Lambda_5_5_p141 * Lambda_5_5_p135;
+  const Real Lambda_5_5_p169 = Lambda_5_5_p153 - Lambda_5_5_p155_lanes[5] * Lambda_5_5_p152;
+  const Real Lambda_5_5_p170 = Lambda_5_5_p154 - Lambda_5_5_p155_lanes[4] * Lambda_5_5_p152;
+  const Real Lambda_5_5_p171 = Lambda_5_5_p147 + Lambda_5_5_p142 * Lambda_5_5_p139 +
+      Lambda_5_5_p150 * Lambda_5_5_p148 + Lambda_5_5_p159 * Lambda_5_5_p152;
+  const Lanes<8> Lambda_5_5_p172_lanes = Lambda_5_5_p100_lanes * Lambda_5_5_p65 +
+      Lambda_5_5_p119_lanes * Lambda_5_5_p104_lanes[1] + Lambda_5_5_p155_lanes *
       Lambda_5_5_p129_lanes[1];
-  const Real Lambda_5_5_p175 = Lambda_5_5_p168 * Lambda_5_5_p105;
-  const Real Lambda_5_5_p176 = Lambda_5_5_p169 * Lambda_5_5_p113;
-  const Real Lambda_5_5_p177 = Lambda_5_5_p137 * Lambda_5_5_p65 + Lambda_5_5_p145 *
-      Lambda_5_5_p106_lanes[1] - Lambda_5_5_p158 * Lambda_5_5_p129_lanes[1];
-  const Real Lambda_5_5_p178 = Lambda_5_5_p116_lanes[4] * Lambda_5_5_p146 -
-      Lambda_5_5_p102_lanes[4] * Lambda_5_5_p22 + Lambda_5_5_p155_lanes[4] * Lambda_5_5_p154;
-  const Real Lambda_5_5_p179 = Lambda_5_5_p116_lanes[5] * Lambda_5_5_p146 -
-      Lambda_5_5_p102_lanes[5] * Lambda_5_5_p22 + Lambda_5_5_p155_lanes[5] * Lambda_5_5_p154;
-  const Real Lambda_5_5_p180 = Lambda_5_5_p164 * Lambda_5_5_p124;
-  const Real Lambda_5_5_p181 = Lambda_5_5_p166 - (Lambda_5_5_p163 * Lambda_5_5_p105 +
-      Lambda_5_5_p164 * Lambda_5_5_p113);
-  const Real Lambda_5_5_p182 = Lambda_5_5_p167 - (Lambda_5_5_p164 * Lambda_5_5_p105 +
-      Lambda_5_5_p165 * Lambda_5_5_p113);
-  const Real Lambda_5_5_p183 = Lambda_5_5_p145 * Lambda_5_5_p146 - Lambda_5_5_p137 *
-      Lambda_5_5_p22 - Lambda_5_5_p158 * Lambda_5_5_p154;
-  const Real Lambda_5_5_p184 = Lambda_5_5_p137 * Lambda_5_5_p100 + Lambda_5_5_p145 *
-      Lambda_5_5_p114 + Lambda_5_5_p158 * Lambda_5_5_p136 - (Lambda_5_5_p175 + Lambda_5_5_p176);
+  const Real Lambda_5_5_p175 = Lambda_5_5_p169 * Lambda_5_5_p111;
+  const Real Lambda_5_5_p176 = Lambda_5_5_p170 * Lambda_5_5_p112;
+  const Real Lambda_5_5_p177 = Lambda_5_5_p142 * Lambda_5_5_p65 + Lambda_5_5_p150 *
+      Lambda_5_5_p104_lanes[1] - Lambda_5_5_p159 * Lambda_5_5_p129_lanes[1];
+  const Real Lambda_5_5_p178 = Lambda_5_5_p119_lanes[4] * Lambda_5_5_p146 -
+      Lambda_5_5_p100_lanes[4] * Lambda_5_5_p22 + Lambda_5_5_p155_lanes[4] * Lambda_5_5_p151;
+  const Real Lambda_5_5_p179 = Lambda_5_5_p119_lanes[5] * Lambda_5_5_p146 -
+      Lambda_5_5_p100_lanes[5] * Lambda_5_5_p22 + Lambda_5_5_p155_lanes[5] * Lambda_5_5_p151;
+  const Real Lambda_5_5_p180 = Lambda_5_5_p164 * Lambda_5_5_p122;
+  const Real Lambda_5_5_p181 = Lambda_5_5_p166 - (Lambda_5_5_p163 * Lambda_5_5_p111 +
+      Lambda_5_5_p164 * Lambda_5_5_p112);
+  const Real Lambda_5_5_p182 = Lambda_5_5_p167 - (Lambda_5_5_p164 * Lambda_5_5_p111 +
+      Lambda_5_5_p165 * Lambda_5_5_p112);
+  const Real Lambda_5_5_p183 = Lambda_5_5_p150 * Lambda_5_5_p146 - Lambda_5_5_p142 *
+      Lambda_5_5_p22 - Lambda_5_5_p159 * Lambda_5_5_p151;
+  const Real Lambda_5_5_p184 = Lambda_5_5_p142 * Lambda_5_5_p92 + Lambda_5_5_p150 *
+      Lambda_5_5_p110 + Lambda_5_5_p159 * Lambda_5_5_p135 - (Lambda_5_5_p175 + Lambda_5_5_p176);
   const Real Lambda_5_5_p185 = Lambda_5_5_p172_lanes[5] -
-      (Lambda_5_5_p163 * Lambda_5_5_p124 - Lambda_5_5_p168 * Lambda_5_5_p113);
-  const Real Lambda_5_5_p186 = Lambda_5_5_p177 - (Lambda_5_5_p168 * Lambda_5_5_p124 -
-      Lambda_5_5_p171 * Lambda_5_5_p113);
+      (Lambda_5_5_p163 * Lambda_5_5_p122 - Lambda_5_5_p169 * Lambda_5_5_p112);
+  const Real Lambda_5_5_p186 = Lambda_5_5_p177 - (Lambda_5_5_p169 * Lambda_5_5_p122 -
+      Lambda_5_5_p171 * Lambda_5_5_p112);
   const Real Lambda_5_5_p187 = Lambda_5_5_p172_lanes[4] - (Lambda_5_5_p180 - Lambda_5_5_p176);
-  const Real Lambda_5_5_p188 = Lambda_5_5_p178 + (Lambda_5_5_p165 * Lambda_5_5_p124 +
-      Lambda_5_5_p169 * Lambda_5_5_p105);
-  const Real Lambda_5_5_p189 = Lambda_5_5_p102_lanes[1] * Lambda_5_5_p100 +
-      Lambda_5_5_p116_lanes[1] * Lambda_5_5_p114 - Lambda_5_5_p155_lanes[1] * Lambda_5_5_p136 -
-      Lambda_5_5_p105 * Lambda_5_5_p172_lanes[5] - Lambda_5_5_p124 * Lambda_5_5_p181;
-  const Real Lambda_5_5_p190 = Lambda_5_5_p153 * Lambda_5_5_p114 - Lambda_5_5_p142 *
-      Lambda_5_5_p100 - Lambda_5_5_p159 * Lambda_5_5_p136 - Lambda_5_5_p113 * Lambda_5_5_p178 +
-      Lambda_5_5_p124 * Lambda_5_5_p182;
-  const Real Lambda_5_5_p191 = Lambda_5_5_p183 + (Lambda_5_5_p169 * Lambda_5_5_p124 +
-      Lambda_5_5_p171 * Lambda_5_5_p105);
+  const Real Lambda_5_5_p188 = Lambda_5_5_p178 + (Lambda_5_5_p165 * Lambda_5_5_p122 +
+      Lambda_5_5_p170 * Lambda_5_5_p111);
+  const Real Lambda_5_5_p189 = Lambda_5_5_p100_lanes[1] * Lambda_5_5_p92 +
+      Lambda_5_5_p119_lanes[1] * Lambda_5_5_p110 - Lambda_5_5_p155_lanes[1] * Lambda_5_5_p135 -
+      Lambda_5_5_p111 * Lambda_5_5_p172_lanes[5] - Lambda_5_5_p122 * Lambda_5_5_p181;
+  const Real Lambda_5_5_p190 = Lambda_5_5_p149 * Lambda_5_5_p110 - Lambda_5_5_p140 *
+      Lambda_5_5_p92 - Lambda_5_5_p158 * Lambda_5_5_p135 - Lambda_5_5_p112 * Lambda_5_5_p178 +
+      Lambda_5_5_p122 * Lambda_5_5_p182;
+  const Real Lambda_5_5_p191 = Lambda_5_5_p183 + (Lambda_5_5_p170 * Lambda_5_5_p122 +
+      Lambda_5_5_p171 * Lambda_5_5_p111);
   const Real Lambda_5_5_p192 = Lambda_5_5_p189 + (Lambda_5_5_p184 - Lambda_5_5_p172_lanes[4]) *
-      Lambda_5_5_p113;
+      Lambda_5_5_p112;
   const Real Lambda_5_5_p193 = Lambda_5_5_p190 + (Lambda_5_5_p184 - Lambda_5_5_p179) *
-      Lambda_5_5_p105;
-  const Real Lambda_5_5_p194 = Lambda_5_5_p153 * Lambda_5_5_p106_lanes[1] - Lambda_5_5_p142 *
-      Lambda_5_5_p65 + Lambda_5_5_p159 * Lambda_5_5_p129_lanes[1] + Lambda_5_5_p113 *
-      Lambda_5_5_p183 + Lambda_5_5_p105 * Lambda_5_5_p186;
-  const Real Lambda_5_5_p195 = 1.0 / (Lambda_5_5_p170 -
-      (Lambda_5_5_p105 * (Lambda_5_5_p166 + Lambda_5_5_p181) + Lambda_5_5_p113 *
-      (Lambda_5_5_p167 + Lambda_5_5_p182)));
-  const Real Lambda_5_5_p196 = Lambda_5_5_p142 * Lambda_5_5_p22 + Lambda_5_5_p153 *
-      Lambda_5_5_p146 + Lambda_5_5_p159 * Lambda_5_5_p154 +
-      (Lambda_5_5_p124 * (Lambda_5_5_p178 + Lambda_5_5_p188) + Lambda_5_5_p105 *
+      Lambda_5_5_p111;
+  const Real Lambda_5_5_p194 = Lambda_5_5_p149 * Lambda_5_5_p104_lanes[1] - Lambda_5_5_p140 *
+      Lambda_5_5_p65 + Lambda_5_5_p158 * Lambda_5_5_p129_lanes[1] + Lambda_5_5_p112 *
+      Lambda_5_5_p183 + Lambda_5_5_p111 * Lambda_5_5_p186;
+  const Real Lambda_5_5_p195 = Lambda_5_5_p168 - (Lambda_5_5_p111 *
+      (Lambda_5_5_p166 + Lambda_5_5_p181) + Lambda_5_5_p112 * (Lambda_5_5_p167 + Lambda_5_5_p182));
+  const Real Lambda_5_5_p196 = Lambda_5_5_p195 * Lambda_5_5_p195;
+  const Real Lambda_5_5_p197 = Lambda_5_5_p196 * Lambda_5_5_p195;
+  const Real Lambda_5_5_p198 = Lambda_5_5_p140 * Lambda_5_5_p22 + Lambda_5_5_p149 *
+      Lambda_5_5_p146 + Lambda_5_5_p158 * Lambda_5_5_p151 +
+      (Lambda_5_5_p122 * (Lambda_5_5_p178 + Lambda_5_5_p188) + Lambda_5_5_p111 *
       (Lambda_5_5_p183 + Lambda_5_5_p191));
-  const Real Lambda_5_5_p197 = Lambda_5_5_p192 * Lambda_5_5_p195;
-  const Real Lambda_5_5_p198 = Lambda_5_5_p193 * Lambda_5_5_p195;
-  const Real Lambda_5_5_p199 = Lambda_5_5_p181 * Lambda_5_5_p195;
-  const Real Lambda_5_5_p200 = Lambda_5_5_p182 * Lambda_5_5_p195;
-  const Real Lambda_5_5_p201 = Lambda_5_5_p184 * Lambda_5_5_p195;
-  const Real Lambda_5_5_p209 = Lambda_5_5_p172_lanes[1] -
-      (Lambda_5_5_p124 * (Lambda_5_5_p172_lanes[5] + Lambda_5_5_p185) - Lambda_5_5_p113 *
-      (Lambda_5_5_p177 + Lambda_5_5_p186)) - Lambda_5_5_p197 * Lambda_5_5_p192;
-  const Real Lambda_5_5_p210 = Lambda_5_5_p185 - Lambda_5_5_p199 * Lambda_5_5_p192;
-  const Real Lambda_5_5_p211 = Lambda_5_5_p187 - Lambda_5_5_p200 * Lambda_5_5_p192;
-  const Real Lambda_5_5_p212 = Lambda_5_5_p186 - Lambda_5_5_p201 * Lambda_5_5_p192;
-  const Real Lambda_5_5_p220 = 1.0 / Lambda_5_5_p209;
-  const Real Lambda_5_5_p221 = Lambda_5_5_p194 - Lambda_5_5_p198 * Lambda_5_5_p192 +
-      (Lambda_5_5_p187 - Lambda_5_5_p179) * Lambda_5_5_p124;
-  const Real Lambda_5_5_p222 = Lambda_5_5_p210 * Lambda_5_5_p220;
-  const Real Lambda_5_5_p223 = Lambda_5_5_p211 * Lambda_5_5_p220;
-  const Real Lambda_5_5_p224 = Lambda_5_5_p212 * Lambda_5_5_p220;
-  const Real Lambda_5_5_p225 = Lambda_5_5_p221 * Lambda_5_5_p220;
-  const Real Lambda_0_0_p1 = Lambda_5_5_p197 * Lambda_5_5_p220;
-  const Lanes<8> Lambda_5_5_p233_lanes = detail::make_pack<Real>(Lambda_5_5_p196, Lambda_5_5_p196,
-      Lambda_5_5_p196, Lambda_5_5_p191, Lambda_5_5_p188, Lambda_5_5_p179 +
-      (Lambda_5_5_p180 + Lambda_5_5_p175), Lambda_5_5_p196, Lambda_5_5_p196) -
-      detail::make_pack<Real>(Lambda_5_5_p198, Lambda_5_5_p198, Lambda_5_5_p198, Lambda_5_5_p201,
-      Lambda_5_5_p200, Lambda_5_5_p199, Lambda_5_5_p198, Lambda_5_5_p198) * Lambda_5_5_p193 -
-      detail::make_pack<Real>(Lambda_5_5_p225, Lambda_5_5_p225, Lambda_5_5_p225, Lambda_5_5_p224,
-      Lambda_5_5_p223, Lambda_5_5_p222, Lambda_5_5_p225, Lambda_5_5_p225) * Lambda_5_5_p221;
-  const Real Lambda_0_0_p2 = Lambda_5_5_p225 * Lambda_5_5_p197 - Lambda_5_5_p198;
-  const Real Lambda_5_5_p240 = 1.0 / Lambda_5_5_p233_lanes[2];
-  const Lanes<8> Lambda_5_5_p241_lanes = Lambda_5_5_p233_lanes * Lambda_5_5_p240;
-  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p240;
-  const Real Lambda_0_1_p1 = Lambda_5_5_p225 * Lambda_5_5_p240;
-  const Lanes<8> Lambda_5_5_p247_lanes = detail::make_pack<Real>(Lambda_5_5_p171, Lambda_5_5_p171,
-      Lambda_5_5_p171, Lambda_5_5_p171, Lambda_5_5_p169, Lambda_5_5_p168, Lambda_5_5_p171,
-      Lambda_5_5_p171) - detail::make_pack<Real>(Lambda_5_5_p201, Lambda_5_5_p201, Lambda_5_5_p201,
-      Lambda_5_5_p201, Lambda_5_5_p200, Lambda_5_5_p199, Lambda_5_5_p201, Lambda_5_5_p201) *
-      Lambda_5_5_p184 - detail::make_pack<Real>(Lambda_5_5_p224, Lambda_5_5_p224, Lambda_5_5_p224,
-      Lambda_5_5_p224, Lambda_5_5_p223, Lambda_5_5_p222, Lambda_5_5_p224, Lambda_5_5_p224) *
-      Lambda_5_5_p212 - Lambda_5_5_p241_lanes * Lambda_5_5_p233_lanes[3];
-  const Real Lambda_0_0_p4 = Lambda_5_5_p224 * Lambda_5_5_p197 - Lambda_5_5_p201 -
-      Lambda_5_5_p241_lanes[3] * Lambda_0_0_p2;
-  const Real Lambda_0_1_p2 = Lambda_5_5_p241_lanes[3] * Lambda_5_5_p225 - Lambda_5_5_p224;
-  const Real Lambda_5_5_p250 = 1.0 / Lambda_5_5_p247_lanes[3];
-  const Real Lambda_5_5_p251 = Lambda_5_5_p247_lanes[4] * Lambda_5_5_p250;
-  const Real Lambda_5_5_p252 = Lambda_5_5_p247_lanes[5] * Lambda_5_5_p250;
-  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p250;
-  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p250;
-  const Real Lambda_0_2_p1 = Lambda_5_5_p241_lanes[3] * Lambda_5_5_p250;
-  const Real Lambda_5_5_p253 = Lambda_5_5_p165 - Lambda_5_5_p200 * Lambda_5_5_p182 -
-      Lambda_5_5_p223 * Lambda_5_5_p211 - Lambda_5_5_p241_lanes[4] * Lambda_5_5_p233_lanes[4] -
-      Lambda_5_5_p251 * Lambda_5_5_p247_lanes[4];
-  const Real Lambda_5_5_p254 = Lambda_5_5_p164 - Lambda_5_5_p199 * Lambda_5_5_p182 -
-      Lambda_5_5_p222 * Lambda_5_5_p211 - Lambda_5_5_p241_lanes[5] * Lambda_5_5_p233_lanes[4] -
-      Lambda_5_5_p252 * Lambda_5_5_p247_lanes[4];
-  const Real Lambda_5_5_p255 = Lambda_5_5_p163 - Lambda_5_5_p199 * Lambda_5_5_p181 -
-      Lambda_5_5_p222 * Lambda_5_5_p210 - Lambda_5_5_p241_lanes[5] * Lambda_5_5_p233_lanes[5] -
-      Lambda_5_5_p252 * Lambda_5_5_p247_lanes[5];
-  const Real Lambda_0_0_p6 = Lambda_5_5_p223 * Lambda_5_5_p197 - Lambda_5_5_p200 -
-      Lambda_5_5_p241_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p251 * Lambda_0_0_p4;
-  const Real Lambda_0_1_p4 = Lambda_5_5_p241_lanes[4] * Lambda_5_5_p225 - Lambda_5_5_p223 -
-      Lambda_5_5_p251 * Lambda_0_1_p2;
-  const Real Lambda_0_2_p2 = Lambda_5_5_p251 * Lambda_5_5_p241_lanes[3] - Lambda_5_5_p241_lanes[4];
-  const Real Lambda_5_5_p256 = 1.0 / Lambda_5_5_p253;
-  const Real Lambda_5_5_p257 = Lambda_5_5_p254 * Lambda_5_5_p256;
-  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p256;
-  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p256;
-  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p256;
-  const Real Lambda_0_3_p1 = Lambda_5_5_p251 * Lambda_5_5_p256;
-  const Real Lambda_0_5_p1 = Lambda_5_5_p222 * Lambda_5_5_p197 - Lambda_5_5_p199 -
-      Lambda_5_5_p241_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p252 * Lambda_0_0_p4 - Lambda_5_5_p257 *
+  const Real Lambda_5_5_p199 = Lambda_5_5_p197 * Lambda_5_5_p196 /
+      (1.262177448353619e-29 + Lambda_5_5_p197 * Lambda_5_5_p197);
+  const Real Lambda_5_5_p200 = Lambda_5_5_p192 * Lambda_5_5_p199;
+  const Real Lambda_5_5_p201 = Lambda_5_5_p193 * Lambda_5_5_p199;
+  const Real Lambda_5_5_p202 = Lambda_5_5_p181 * Lambda_5_5_p199;
+  const Real Lambda_5_5_p203 = Lambda_5_5_p182 * Lambda_5_5_p199;
+  const Real Lambda_5_5_p204 = Lambda_5_5_p184 * Lambda_5_5_p199;
+  const Real Lambda_5_5_p212 = Lambda_5_5_p172_lanes[1] -
+      (Lambda_5_5_p122 * (Lambda_5_5_p172_lanes[5] + Lambda_5_5_p185) - Lambda_5_5_p112 *
+      (Lambda_5_5_p177 + Lambda_5_5_p186)) - Lambda_5_5_p200 * Lambda_5_5_p192;
+  const Real Lambda_5_5_p213 = Lambda_5_5_p185 - Lambda_5_5_p202 * Lambda_5_5_p192;
+  const Real Lambda_5_5_p214 = Lambda_5_5_p187 - Lambda_5_5_p203 * Lambda_5_5_p192;
+  const Real Lambda_5_5_p215 = Lambda_5_5_p186 - Lambda_5_5_p204 * Lambda_5_5_p192;
+  const Real Lambda_5_5_p223 = Lambda_5_5_p212 * Lambda_5_5_p212;
+  const Real Lambda_5_5_p224 = Lambda_5_5_p194 - Lambda_5_5_p201 * Lambda_5_5_p192 +
+      (Lambda_5_5_p187 - Lambda_5_5_p179) * Lambda_5_5_p122;
+  const Real Lambda_5_5_p225 = Lambda_5_5_p223 * Lambda_5_5_p212;
+  const Real Lambda_5_5_p226 = Lambda_5_5_p225 * Lambda_5_5_p223 /
+      (1.9721522630525295e-31 + Lambda_5_5_p225 * Lambda_5_5_p225);
+  const Real Lambda_5_5_p227 = Lambda_5_5_p213 * Lambda_5_5_p226;
+  const Real Lambda_5_5_p228 = Lambda_5_5_p214 * Lambda_5_5_p226;
+  const Real Lambda_5_5_p229 = Lambda_5_5_p215 * Lambda_5_5_p226;
+  const Real Lambda_5_5_p230 = Lambda_5_5_p224 * Lambda_5_5_p226;
+  const Real Lambda_0_0_p1 = Lambda_5_5_p200 * Lambda_5_5_p226;
+  const Lanes<8> Lambda_5_5_p238_lanes = detail::make_pack<Real>(Lambda_5_5_p198, Lambda_5_5_p198,
+      Lambda_5_5_p198, Lambda_5_5_p191, Lambda_5_5_p188, Lambda_5_5_p179 +
+      (Lambda_5_5_p180 + Lambda_5_5_p175), Lambda_5_5_p198, Lambda_5_5_p198) -
+      detail::make_pack<Real>(Lambda_5_5_p201, Lambda_5_5_p201, Lambda_5_5_p201, Lambda_5_5_p204,
+      Lambda_5_5_p203, Lambda_5_5_p202, Lambda_5_5_p201, Lambda_5_5_p201) * Lambda_5_5_p193 -
+      detail::make_pack<Real>(Lambda_5_5_p230, Lambda_5_5_p230, Lambda_5_5_p230, Lambda_5_5_p229,
+      Lambda_5_5_p228, Lambda_5_5_p227, Lambda_5_5_p230, Lambda_5_5_p230) * Lambda_5_5_p224;
+  const Real Lambda_0_0_p2 = Lambda_5_5_p230 * Lambda_5_5_p200 - Lambda_5_5_p201;
+  const Real Lambda_5_5_p245 = Lambda_5_5_p238_lanes[2] * Lambda_5_5_p238_lanes[2];
+  const Real Lambda_5_5_p246 = Lambda_5_5_p245 * Lambda_5_5_p238_lanes[2];
+  const Real Lambda_5_5_p247 = Lambda_5_5_p246 * Lambda_5_5_p245 /
+      (1.262177448353619e-29 + Lambda_5_5_p246 * Lambda_5_5_p246);
+  const Lanes<8> Lambda_5_5_p248_lanes = Lambda_5_5_p238_lanes * Lambda_5_5_p247;
+  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p247;
+  const Real Lambda_0_1_p1 = Lambda_5_5_p230 * Lambda_5_5_p247;
+  const Lanes<8> Lambda_5_5_p254_lanes = detail::make_pack<Real>(Lambda_5_5_p171, Lambda_5_5_p171,
+      Lambda_5_5_p171, Lambda_5_5_p171, Lambda_5_5_p170, Lambda_5_5_p169, Lambda_5_5_p171,
+      Lambda_5_5_p171) - detail::make_pack<Real>(Lambda_5_5_p204, Lambda_5_5_p204, Lambda_5_5_p204,
+      Lambda_5_5_p204, Lambda_5_5_p203, Lambda_5_5_p202, Lambda_5_5_p204, Lambda_5_5_p204) *
+      Lambda_5_5_p184 - detail::make_pack<Real>(Lambda_5_5_p229, Lambda_5_5_p229, Lambda_5_5_p229,
+      Lambda_5_5_p229, Lambda_5_5_p228, Lambda_5_5_p227, Lambda_5_5_p229, Lambda_5_5_p229) *
+      Lambda_5_5_p215 - Lambda_5_5_p248_lanes * Lambda_5_5_p238_lanes[3];
+  const Real Lambda_0_0_p4 = Lambda_5_5_p229 * Lambda_5_5_p200 - Lambda_5_5_p204 -
+      Lambda_5_5_p248_lanes[3] * Lambda_0_0_p2;
+  const Real Lambda_0_1_p2 = Lambda_5_5_p248_lanes[3] * Lambda_5_5_p230 - Lambda_5_5_p229;
+  const Real Lambda_5_5_p257 = Lambda_5_5_p254_lanes[3] * Lambda_5_5_p254_lanes[3];
+  const Real Lambda_5_5_p258 = Lambda_5_5_p257 * Lambda_5_5_p254_lanes[3];
+  const Real Lambda_5_5_p259 = Lambda_5_5_p258 * Lambda_5_5_p257 /
+      (9.313225746154785e-10 + Lambda_5_5_p258 * Lambda_5_5_p258);
+  const Real Lambda_5_5_p260 = Lambda_5_5_p254_lanes[4] * Lambda_5_5_p259;
+  const Real Lambda_5_5_p261 = Lambda_5_5_p254_lanes[5] * Lambda_5_5_p259;
+  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p259;
+  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p259;
+  const Real Lambda_0_2_p1 = Lambda_5_5_p248_lanes[3] * Lambda_5_5_p259;
+  const Real Lambda_5_5_p262 = Lambda_5_5_p165 - Lambda_5_5_p203 * Lambda_5_5_p182 -
+      Lambda_5_5_p228 * Lambda_5_5_p214 - Lambda_5_5_p248_lanes[4] * Lambda_5_5_p238_lanes[4] -
+      Lambda_5_5_p260 * Lambda_5_5_p254_lanes[4];
+  const Real Lambda_5_5_p263 = Lambda_5_5_p164 - Lambda_5_5_p202 * Lambda_5_5_p182 -
+      Lambda_5_5_p227 * Lambda_5_5_p214 - Lambda_5_5_p248_lanes[5] * Lambda_5_5_p238_lanes[4] -
+      Lambda_5_5_p261 * Lambda_5_5_p254_lanes[4];
+  const Real Lambda_5_5_p264 = Lambda_5_5_p163 - Lambda_5_5_p202 * Lambda_5_5_p181 -
+      Lambda_5_5_p227 * Lambda_5_5_p213 - Lambda_5_5_p248_lanes[5] * Lambda_5_5_p238_lanes[5] -
+      Lambda_5_5_p261 * Lambda_5_5_p254_lanes[5];
+  const Real Lambda_0_0_p6 = Lambda_5_5_p228 * Lambda_5_5_p200 - Lambda_5_5_p203 -
+      Lambda_5_5_p248_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p260 * Lambda_0_0_p4;
+  const Real Lambda_0_1_p4 = Lambda_5_5_p248_lanes[4] * Lambda_5_5_p230 - Lambda_5_5_p228 -
+      Lambda_5_5_p260 * Lambda_0_1_p2;
+  const Real Lambda_0_2_p2 = Lambda_5_5_p260 * Lambda_5_5_p248_lanes[3] - Lambda_5_5_p248_lanes[4];
+  const Real Lambda_5_5_p265 = Lambda_5_5_p262 * Lambda_5_5_p262;
+  const Real Lambda_5_5_p266 = Lambda_5_5_p265 * Lambda_5_5_p262;
+  const Real Lambda_5_5_p267 = Lambda_5_5_p266 * Lambda_5_5_p265 /
+      (8.673617379884035e-19 + Lambda_5_5_p266 * Lambda_5_5_p266);
+  const Real Lambda_5_5_p268 = Lambda_5_5_p263 * Lambda_5_5_p267;
+  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p267;
+  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p267;
+  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p267;
+  const Real Lambda_0_3_p1 = Lambda_5_5_p260 * Lambda_5_5_p267;
+  const Real Lambda_5_5_p269 = Lambda_5_5_p264 - Lambda_5_5_p268 * Lambda_5_5_p263;
+  const Real Lambda_0_5_p1 = Lambda_5_5_p227 * Lambda_5_5_p200 - Lambda_5_5_p202 -
+      Lambda_5_5_p248_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p261 * Lambda_0_0_p4 - Lambda_5_5_p268 *
       Lambda_0_0_p6;
-  const Real Lambda_1_5_p1 = Lambda_5_5_p241_lanes[5] * Lambda_5_5_p225 - Lambda_5_5_p222 -
-      Lambda_5_5_p252 * Lambda_0_1_p2 - Lambda_5_5_p257 * Lambda_0_1_p4;
-  const Real Lambda_2_5_p1 = Lambda_5_5_p252 * Lambda_5_5_p241_lanes[3] - Lambda_5_5_p241_lanes[5] -
-      Lambda_5_5_p257 * Lambda_0_2_p2;
-  const Real Lambda_3_5_p1 = Lambda_5_5_p257 * Lambda_5_5_p251 - Lambda_5_5_p252;
-  const Real Lambda_0_0_p8 = Lambda_5_5_p195 + Lambda_0_0_p1 * Lambda_5_5_p197 + Lambda_0_0_p3 *
+  const Real Lambda_1_5_p1 = Lambda_5_5_p248_lanes[5] * Lambda_5_5_p230 - Lambda_5_5_p227 -
+      Lambda_5_5_p261 * Lambda_0_1_p2 - Lambda_5_5_p268 * Lambda_0_1_p4;
+  const Real Lambda_2_5_p1 = Lambda_5_5_p261 * Lambda_5_5_p248_lanes[3] - Lambda_5_5_p248_lanes[5] -
+      Lambda_5_5_p268 * Lambda_0_2_p2;
+  const Real Lambda_3_5_p1 = Lambda_5_5_p268 * Lambda_5_5_p260 - Lambda_5_5_p261;
+  const Real Lambda_0_0_p8 = Lambda_5_5_p199 + Lambda_0_0_p1 * Lambda_5_5_p200 + Lambda_0_0_p3 *
       Lambda_0_0_p2 + Lambda_0_0_p5 * Lambda_0_0_p4 + Lambda_0_0_p7 * Lambda_0_0_p6;
-  const Real Lambda_5_5 = 1.0 / (Lambda_5_5_p255 - Lambda_5_5_p257 * Lambda_5_5_p254);
+  const Real Lambda_5_5_p270 = Lambda_5_5_p269 * Lambda_5_5_p269;
+  const Real Lambda_5_5_p271 = Lambda_5_5_p270 * Lambda_5_5_p269;
+  const Real Lambda_5_5 = Lambda_5_5_p271 * Lambda_5_5_p270 /
+      (2.117582368135751e-22 + Lambda_5_5_p271 * Lambda_5_5_p271);
   Lambda[35] = Lambda_5_5;
   const Real Lambda_0_5 = Lambda_0_5_p1 * Lambda_5_5;
   Lambda[5] = Lambda_0_5;
@@ -466,7 +488,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_3_5 = Lambda_3_5_p1 * Lambda_5_5;
   Lambda[23] = Lambda_3_5;
   Lambda[33] = Lambda_3_5;
-  const Real Lambda_4_5 = Lambda_5_5_p257 * Lambda_5_5;
+  const Real Lambda_4_5 = Lambda_5_5_p268 * Lambda_5_5;
   Lambda[29] = -Lambda_4_5;
   Lambda[34] = -Lambda_4_5;
   Lambda[0] = Lambda_0_0_p8 + Lambda_0_5 * Lambda_0_5_p1;
@@ -486,7 +508,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_4 = Lambda_0_0_p7 - Lambda_4_5 * Lambda_0_5_p1;
   Lambda[4] = Lambda_0_4;
   Lambda[24] = Lambda_0_4;
-  Lambda[7] = Lambda_5_5_p220 + Lambda_0_1_p1 * Lambda_5_5_p225 + Lambda_0_1_p3 * Lambda_0_1_p2 +
+  Lambda[7] = Lambda_5_5_p226 + Lambda_0_1_p1 * Lambda_5_5_p230 + Lambda_0_1_p3 * Lambda_0_1_p2 +
       Lambda_0_1_p5 * Lambda_0_1_p4 + Lambda_1_5 * Lambda_1_5_p1;
   const Real Lambda_1_2 = Lambda_0_2_p3 * Lambda_0_1_p4 -
       (Lambda_0_1_p1 + Lambda_0_2_p1 * Lambda_0_1_p2) + Lambda_2_5 * Lambda_1_5_p1;
@@ -499,7 +521,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_1_4 = Lambda_0_1_p5 - Lambda_4_5 * Lambda_1_5_p1;
   Lambda[10] = Lambda_1_4;
   Lambda[25] = Lambda_1_4;
-  Lambda[14] = Lambda_5_5_p240 + Lambda_0_2_p1 * Lambda_5_5_p241_lanes[3] + Lambda_0_2_p3 *
+  Lambda[14] = Lambda_5_5_p247 + Lambda_0_2_p1 * Lambda_5_5_p248_lanes[3] + Lambda_0_2_p3 *
       Lambda_0_2_p2 + Lambda_2_5 * Lambda_2_5_p1;
   const Real Lambda_2_3 = Lambda_3_5 * Lambda_2_5_p1 -
       (Lambda_0_2_p1 + Lambda_0_3_p1 * Lambda_0_2_p2);
@@ -508,11 +530,11 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_2_4 = Lambda_0_2_p3 - Lambda_4_5 * Lambda_2_5_p1;
   Lambda[16] = Lambda_2_4;
   Lambda[26] = Lambda_2_4;
-  Lambda[21] = Lambda_5_5_p250 + Lambda_0_3_p1 * Lambda_5_5_p251 + Lambda_3_5 * Lambda_3_5_p1;
+  Lambda[21] = Lambda_5_5_p259 + Lambda_0_3_p1 * Lambda_5_5_p260 + Lambda_3_5 * Lambda_3_5_p1;
   const Real Lambda_3_4 = Lambda_0_3_p1 + Lambda_4_5 * Lambda_3_5_p1;
   Lambda[22] = -Lambda_3_4;
   Lambda[27] = -Lambda_3_4;
-  Lambda[28] = Lambda_5_5_p256 + Lambda_4_5 * Lambda_5_5_p257;
+  Lambda[28] = Lambda_5_5_p267 + Lambda_4_5 * Lambda_5_5_p268;
 }
 
 }  // namespace puma560

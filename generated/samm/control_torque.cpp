@@ -1,6 +1,6 @@
 // control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
 // By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
-// 1087 flops (add 454, mul 622, div 11), sine and cosine of 6 angles
+// 1116 flops (add 462, mul 643, div 11), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -103,13 +103,13 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real inverse_D2_p2 = 0.10439999999999999 * s5 - 3.79559 * c5;
   const Real inverse_D6_p23 = inverse_D4_p1 * (inverse_D6_p19 + inverse_D6_p3) + inverse_D4_p2 *
       (2.0 * inverse_D6_p7);
-  const Real a4_x_p1 = s3 * c4 + c3 * s4;
+  const Real f9_z_p1 = s3 * c4 + c3 * s4;
   const Real inverse_D6_p24 = inverse_D4_p1 * inverse_D6_p23;
   const Real inverse_D4_p24 = inverse_D4_p14 - (inverse_D4_p7 * inverse_D4_p18 - inverse_D4_p22);
-  const Real a4_x_p2 = c3 * c4 - s3 * s4;
+  const Real f9_z_p2 = c3 * c4 - s3 * s4;
 
   // link 8 (link5), force propagation
-  const Real f9_z_p1 = 4.484863585399276 * s8;
+  const Real f9_z_p3 = 4.484863585399276 * s8;
 
   // link 7 (link4), force propagation
   const Real neg_s8 = -s8;
@@ -120,17 +120,17 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real inverse_D6_p27 = inverse_D6_p19 - inverse_D6_p24;
 
   // link 7 (link4), force propagation
-  const Real f9_z_p2 = -(4.484863585399276 * c8);
-  const Lanes<8> f9_z_p3_lanes = c7 * detail::make_pack<Real>(c8, c8, s8, c8, f9_z_p2, c8, c8, c8);
-  const Real f9_z_p6 = inverse_D4_p2 * s7;
-  const Real f9_z_p7 = inverse_D4_p1 * s7;
-  const Real f9_z_p11 = inverse_D6_p8 * neg_s8;
-  const Real f9_z_p21 = s7 * f9_z_p11;
-  const Real f9_z_p22 = c8 + inverse_D6_p9 * neg_s8;
-  const Lanes<8> f9_z_p23_lanes = inverse_D4_p1 * f9_z_p3_lanes + inverse_D4_p2 *
-      detail::make_pack<Real>(neg_s8, neg_s8, c8, neg_s8, f9_z_p1, neg_s8, neg_s8, neg_s8);
-  const Lanes<8> f9_z_p26_lanes = inverse_D4_p2 * f9_z_p3_lanes - inverse_D4_p1 *
-      detail::make_pack<Real>(neg_s8, neg_s8, c8, neg_s8, f9_z_p1, neg_s8, neg_s8, neg_s8);
+  const Real f9_z_p4 = -(4.484863585399276 * c8);
+  const Lanes<8> f9_z_p5_lanes = c7 * detail::make_pack<Real>(c8, c8, s8, c8, f9_z_p4, c8, c8, c8);
+  const Real f9_z_p8 = inverse_D4_p2 * s7;
+  const Real f9_z_p9 = inverse_D4_p1 * s7;
+  const Real f9_z_p13 = inverse_D6_p8 * neg_s8;
+  const Real f9_z_p23 = s7 * f9_z_p13;
+  const Real f9_z_p24 = c8 + inverse_D6_p9 * neg_s8;
+  const Lanes<8> f9_z_p25_lanes = inverse_D4_p1 * f9_z_p5_lanes + inverse_D4_p2 *
+      detail::make_pack<Real>(neg_s8, neg_s8, c8, neg_s8, f9_z_p3, neg_s8, neg_s8, neg_s8);
+  const Lanes<8> f9_z_p28_lanes = inverse_D4_p2 * f9_z_p5_lanes - inverse_D4_p1 *
+      detail::make_pack<Real>(neg_s8, neg_s8, c8, neg_s8, f9_z_p3, neg_s8, neg_s8, neg_s8);
 
   // link 7 (link4), articulated inertia
   const Real inverse_D6_p28 = inverse_D6_p21 + (inverse_D4_p7 * inverse_D6_p25 + inverse_D4_p8 *
@@ -139,10 +139,10 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
       inverse_D6_p25);
 
   // link 7 (link4), force propagation
-  const Real f9_z_p29 = inverse_D4_p1 * f9_z_p21;
-  const Real f9_z_p30 = inverse_D4_p2 * f9_z_p21;
-  const Real f9_z_p39 = s7 * f9_z_p2;
-  const Real f9_z_p40 = c7 * f9_z_p11;
+  const Real f9_z_p31 = inverse_D4_p1 * f9_z_p23;
+  const Real f9_z_p32 = inverse_D4_p2 * f9_z_p23;
+  const Real f9_z_p41 = s7 * f9_z_p4;
+  const Real f9_z_p42 = c7 * f9_z_p13;
 
   // link 7 (link4), articulated inertia
   const Real inverse_D5_p4 = inverse_D4_p9 + inverse_D6_p28;
@@ -151,17 +151,17 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
       inverse_D4_p7 * inverse_D4_p21 - inverse_D4_p5 * inverse_D6_p15);
 
   // link 7 (link4), force propagation
-  const Real f9_z_p41 = s7 * s8;
-  const Real f9_z_p42 = s7 * c8;
-  const Lanes<8> f9_z_p43_lanes = detail::make_pack<Real>(inverse_D4_p8, inverse_D4_p7,
+  const Real f9_z_p43 = s7 * s8;
+  const Real f9_z_p44 = s7 * c8;
+  const Lanes<8> f9_z_p45_lanes = detail::make_pack<Real>(inverse_D4_p8, inverse_D4_p7,
       inverse_D4_p8, inverse_D4_p8, inverse_D4_p8, inverse_D4_p8, inverse_D4_p8, inverse_D4_p8) *
-      detail::make_pack<Real>(f9_z_p23_lanes[0], f9_z_p6, f9_z_p23_lanes[2], f9_z_p23_lanes[0],
-      f9_z_p23_lanes[4], f9_z_p23_lanes[0], f9_z_p23_lanes[0], f9_z_p23_lanes[0]) -
+      detail::make_pack<Real>(f9_z_p25_lanes[0], f9_z_p8, f9_z_p25_lanes[2], f9_z_p25_lanes[0],
+      f9_z_p25_lanes[4], f9_z_p25_lanes[0], f9_z_p25_lanes[0], f9_z_p25_lanes[0]) -
       detail::make_pack<Real>(inverse_D4_p7, inverse_D4_p8, inverse_D4_p7, inverse_D4_p7,
       inverse_D4_p7, inverse_D4_p7, inverse_D4_p7, inverse_D4_p7) *
-      detail::make_pack<Real>(f9_z_p26_lanes[0], f9_z_p7, f9_z_p26_lanes[2], f9_z_p26_lanes[0],
-      f9_z_p26_lanes[4], f9_z_p26_lanes[0], f9_z_p26_lanes[0], f9_z_p26_lanes[0]);
-  const Real f9_z_p47 = s7 * f9_z_p22 + (inverse_D4_p8 * f9_z_p29 - inverse_D4_p7 * f9_z_p30);
+      detail::make_pack<Real>(f9_z_p28_lanes[0], f9_z_p9, f9_z_p28_lanes[2], f9_z_p28_lanes[0],
+      f9_z_p28_lanes[4], f9_z_p28_lanes[0], f9_z_p28_lanes[0], f9_z_p28_lanes[0]);
+  const Real f9_z_p49 = s7 * f9_z_p24 + (inverse_D4_p8 * f9_z_p31 - inverse_D4_p7 * f9_z_p32);
 
   // link 7 (link4), articulated inertia
   const Real inverse_D6_p30 = 0.312455249 + (0.00065 + inverse_D6_p18 +
@@ -176,9 +176,9 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real inverse_D4_p27 = inverse_D4_p25 * inverse_D6;
 
   // link 6 (link3), force propagation
-  const Lanes<8> f9_z_p68_lanes = detail::make_pack<Real>(f9_z_p43_lanes[0], f9_z_p43_lanes[1],
-      f9_z_p43_lanes[2], f9_z_p47, f9_z_p43_lanes[4], f9_z_p43_lanes[0], f9_z_p43_lanes[0],
-      f9_z_p43_lanes[0]) * inverse_D6;
+  const Lanes<8> f9_z_p70_lanes = detail::make_pack<Real>(f9_z_p45_lanes[0], f9_z_p45_lanes[1],
+      f9_z_p45_lanes[2], f9_z_p49, f9_z_p45_lanes[4], f9_z_p45_lanes[0], f9_z_p45_lanes[0],
+      f9_z_p45_lanes[0]) * inverse_D6;
 
   // link 6 (link3), articulated inertia
   const Real inverse_D5_p8 = inverse_D6_p25 + inverse_D5_p5 * inverse_D5_p6;
@@ -195,15 +195,15 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
       (inverse_D4_p23 - inverse_D4_p17) - inverse_D4_p25 * inverse_D4_p27;
 
   // link 6 (link3), force propagation
-  const Lanes<8> f9_z_p73_lanes = detail::make_pack<Real>(f9_z_p26_lanes[0], -f9_z_p6,
-      f9_z_p26_lanes[2], f9_z_p30, f9_z_p26_lanes[4], f9_z_p26_lanes[0], f9_z_p26_lanes[0],
-      f9_z_p26_lanes[0]) - inverse_D5_p7 * detail::make_pack<Real>(f9_z_p43_lanes[0],
-      f9_z_p43_lanes[1], f9_z_p43_lanes[2], f9_z_p47, f9_z_p43_lanes[4], f9_z_p43_lanes[0],
-      f9_z_p43_lanes[0], f9_z_p43_lanes[0]);
-  const Lanes<8> f9_z_p83_lanes = detail::make_pack<Real>(f9_z_p42, c7, f9_z_p41, -f9_z_p40,
-      f9_z_p39, f9_z_p42, f9_z_p42, f9_z_p42) - inverse_D4_p26 *
-      detail::make_pack<Real>(f9_z_p43_lanes[0], f9_z_p43_lanes[1], f9_z_p43_lanes[2], f9_z_p47,
-      f9_z_p43_lanes[4], f9_z_p43_lanes[0], f9_z_p43_lanes[0], f9_z_p43_lanes[0]);
+  const Lanes<8> f9_z_p75_lanes = detail::make_pack<Real>(f9_z_p28_lanes[0], -f9_z_p8,
+      f9_z_p28_lanes[2], f9_z_p32, f9_z_p28_lanes[4], f9_z_p28_lanes[0], f9_z_p28_lanes[0],
+      f9_z_p28_lanes[0]) - inverse_D5_p7 * detail::make_pack<Real>(f9_z_p45_lanes[0],
+      f9_z_p45_lanes[1], f9_z_p45_lanes[2], f9_z_p49, f9_z_p45_lanes[4], f9_z_p45_lanes[0],
+      f9_z_p45_lanes[0], f9_z_p45_lanes[0]);
+  const Lanes<8> f9_z_p85_lanes = detail::make_pack<Real>(f9_z_p44, c7, f9_z_p43, -f9_z_p42,
+      f9_z_p41, f9_z_p44, f9_z_p44, f9_z_p44) - inverse_D4_p26 *
+      detail::make_pack<Real>(f9_z_p45_lanes[0], f9_z_p45_lanes[1], f9_z_p45_lanes[2], f9_z_p49,
+      f9_z_p45_lanes[4], f9_z_p45_lanes[0], f9_z_p45_lanes[0], f9_z_p45_lanes[0]);
 
   // link 6 (link3), articulated inertia
   const Real inverse_D5_p10 = inverse_D5_p1 * inverse_D5_p8 - inverse_D5_p2 * inverse_D5_p9;
@@ -214,12 +214,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
       inverse_D5_p9);
 
   // link 6 (link3), force propagation
-  const Lanes<8> f9_z_p125_lanes = inverse_D5_p2 * f9_z_p73_lanes - inverse_D5_p1 *
-      (detail::make_pack<Real>(-f9_z_p23_lanes[0], f9_z_p7, -f9_z_p23_lanes[2], -f9_z_p29,
-      -f9_z_p23_lanes[4], -f9_z_p23_lanes[0], -f9_z_p23_lanes[0], -f9_z_p23_lanes[0]) +
-      inverse_D5_p6 * detail::make_pack<Real>(f9_z_p43_lanes[0], f9_z_p43_lanes[1],
-      f9_z_p43_lanes[2], f9_z_p47, f9_z_p43_lanes[4], f9_z_p43_lanes[0], f9_z_p43_lanes[0],
-      f9_z_p43_lanes[0]));
+  const Lanes<8> f9_z_p127_lanes = inverse_D5_p2 * f9_z_p75_lanes - inverse_D5_p1 *
+      (detail::make_pack<Real>(-f9_z_p25_lanes[0], f9_z_p9, -f9_z_p25_lanes[2], -f9_z_p31,
+      -f9_z_p25_lanes[4], -f9_z_p25_lanes[0], -f9_z_p25_lanes[0], -f9_z_p25_lanes[0]) +
+      inverse_D5_p6 * detail::make_pack<Real>(f9_z_p45_lanes[0], f9_z_p45_lanes[1],
+      f9_z_p45_lanes[2], f9_z_p49, f9_z_p45_lanes[4], f9_z_p45_lanes[0], f9_z_p45_lanes[0],
+      f9_z_p45_lanes[0]));
 
   // link 6 (link3), articulated inertia
   const Real inverse_D4_p35 = inverse_D4_p31 + (inverse_D5_p1 * inverse_D4_p30 + 0.1501 *
@@ -229,12 +229,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
       inverse_D5_p2 * inverse_D5_p10;
 
   // link 6 (link3), force propagation
-  const Lanes<8> f9_z_p135_lanes = detail::make_pack<Real>(inverse_D4_p8 * f9_z_p42, inverse_D4_p8 *
-      c7, inverse_D4_p8 * f9_z_p41, -(inverse_D4_p5 * f9_z_p22 + inverse_D4_p8 * f9_z_p40),
-      inverse_D4_p8 * f9_z_p39, inverse_D4_p8 * f9_z_p42, inverse_D4_p8 * f9_z_p42, inverse_D4_p8 *
-      f9_z_p42) - inverse_D4_p27 * detail::make_pack<Real>(f9_z_p43_lanes[0], f9_z_p43_lanes[1],
-      f9_z_p43_lanes[2], f9_z_p47, f9_z_p43_lanes[4], f9_z_p43_lanes[0], f9_z_p43_lanes[0],
-      f9_z_p43_lanes[0]) + (0.1501 * f9_z_p73_lanes + inverse_D5_p1 * f9_z_p83_lanes);
+  const Lanes<8> f9_z_p137_lanes = detail::make_pack<Real>(inverse_D4_p8 * f9_z_p44, inverse_D4_p8 *
+      c7, inverse_D4_p8 * f9_z_p43, -(inverse_D4_p5 * f9_z_p24 + inverse_D4_p8 * f9_z_p42),
+      inverse_D4_p8 * f9_z_p41, inverse_D4_p8 * f9_z_p44, inverse_D4_p8 * f9_z_p44, inverse_D4_p8 *
+      f9_z_p44) - inverse_D4_p27 * detail::make_pack<Real>(f9_z_p45_lanes[0], f9_z_p45_lanes[1],
+      f9_z_p45_lanes[2], f9_z_p49, f9_z_p45_lanes[4], f9_z_p45_lanes[0], f9_z_p45_lanes[0],
+      f9_z_p45_lanes[0]) + (0.1501 * f9_z_p75_lanes + inverse_D5_p1 * f9_z_p85_lanes);
 
   // link 5 (link2), articulated inertia
   const Real inverse_D5 = 1.0 / (1.7481140020000001 + inverse_D5_p11);
@@ -251,20 +251,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real inverse_D2_p5 = inverse_D4_p33 * inverse_D5;
 
   // link 5 (link2), force propagation
-  const Lanes<8> f9_z_p140_lanes = f9_z_p125_lanes * inverse_D5;
-
-  // link 4 (link1), outward
-  const Real w4_z = qd[2] + qd[3];
-  const Real a6_x_p1 = w4_z * w4_z;
-
-  // link 6 (link3), outward
-  const Real w6_z = qd[4] + qd[5];
-
-  // link 5 (link2), outward
-  const Real a6_x_p2 = qd[4] * qd[4];
-
-  // link 6 (link3), outward
-  const Real wd6_z = qdd_0[4] + qdd_0[5];
+  const Lanes<8> f9_z_p142_lanes = f9_z_p127_lanes * inverse_D5;
 
   // link 5 (link2), articulated inertia
   const Real inverse_D4_p39 = inverse_D4_p32 + 0.1501 * (inverse_D4_p29 + inverse_D4_p34) +
@@ -272,10 +259,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real inverse_D2_p6 = inverse_D4_p35 - inverse_D2_p2 + inverse_D4_p37 * inverse_D2_p5;
 
   // link 5 (link2), force propagation
-  const Lanes<8> f9_z_p172_lanes = f9_z_p135_lanes - inverse_D4_p38 * f9_z_p125_lanes;
-
-  // link 6 (link3), outward
-  const Real a7_x_p1 = w6_z * w6_z;
+  const Lanes<8> f9_z_p174_lanes = f9_z_p137_lanes - inverse_D4_p38 * f9_z_p127_lanes;
 
   // link 4 (link1), articulated inertia
   const Real inverse_D4 = 1.0 / inverse_D4_p39;
@@ -283,61 +267,19 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   // link 5 (link2), articulated inertia
   const Real inverse_D2_p7 = 4.9338049999999996 + (inverse_D4_p34 - inverse_D4_p37 * inverse_D2_p4);
 
-  // link 5 (link2), outward
-  const Real a6_x_p3 = a6_x_p1 + a6_x_p2;
-
-  // link 4 (link1), outward
-  const Real wd4_z = qdd_0[2] + qdd_0[3];
-
-  // link 5 (link2), outward
-  const Real wd5_x = w4_z * qd[4];
-
-  // link 6 (link3), outward
-  const Real a7_x_p2 = a6_x_p1 + a7_x_p1;
-  const Real wd6_x = w4_z * w6_z;
-
-  // link 4 (link1), outward
-  const Real a4_x = a4_x_p2 * qdd_0[0] + a4_x_p1 * qdd_0[1];
-
-  // link 5 (link2), outward
-  const Real a6_z_p1 = 2.0 * wd5_x;
-
-  // link 6 (link3), outward
-  const Real a7_x_p3 = 2.0 * wd6_x;
-  const Real a6_y = 9.81 + (a6_x_p2 * inverse_D5_p2 - qdd_0[4] * inverse_D5_p1);
-
-  // link 9 (link6), outward
-  const Real f9_x_p1 = 9.81 + xdd_cmd[2];
-
-  // link 4 (link1), outward
-  const Real a4_y = a4_x_p2 * qdd_0[1] - a4_x_p1 * qdd_0[0];
-
-  // link 9 (link6), outward
-  const Real f9_x_p2 = a4_x_p2 * xdd_cmd[1] - a4_x_p1 * xdd_cmd[0];
-
-  // link 7 (link4), outward
-  const Real a7_x_p4 = a6_y - (wd6_z * inverse_D4_p8 + a7_x_p1 * inverse_D4_p7);
-
-  // link 9 (link6), outward
-  const Real f9_x_p3 = a4_x_p2 * xdd_cmd[0] + a4_x_p1 * xdd_cmd[1];
-
   // link 4 (link1), articulated inertia
   const Real inverse_D2_p8 = inverse_D2_p6 * inverse_D4;
   const Real inverse_D2_p9 = inverse_D2_p7 * inverse_D4;
 
   // link 4 (link1), force propagation
-  const Lanes<8> f9_z_p204_lanes = f9_z_p172_lanes * inverse_D4;
+  const Lanes<8> f9_z_p206_lanes = f9_z_p174_lanes * inverse_D4;
 
-  // link 7 (link4), outward
-  const Real w7_x_p1 = inverse_D4_p1 * w4_z;
+  // link 4 (link1), outward
+  const Real w4_z = qd[2] + qd[3];
 
   // link 6 (link3), outward
-  const Real a6_x = a6_x_p3 * inverse_D5_p1 + qdd_0[4] * inverse_D5_p2 + 0.1501 * wd4_z - a4_x;
-
-  // link 7 (link4), outward
-  const Real w7_z = qd[6] - inverse_D4_p2 * w4_z;
-  const Real a7_x_p5 = a6_x + (a7_x_p2 * inverse_D4_p8 - wd6_z * inverse_D4_p7);
-  const Real wd7_y_p1 = inverse_D4_p2 * wd6_x - inverse_D4_p1 * wd4_z;
+  const Real w6_z = qd[4] + qd[5];
+  const Real wd6_z = qdd_0[4] + qdd_0[5];
 
   // link 4 (link1), articulated inertia
   const Real inverse_D2_p10 = inverse_D2_p7 * inverse_D2_p8 -
@@ -348,57 +290,145 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
       inverse_D2_p8;
 
   // link 4 (link1), force propagation
-  const Lanes<8> f9_z_p231_lanes = -(f9_z_p73_lanes - inverse_D2_p4 * f9_z_p125_lanes) +
-      inverse_D2_p9 * f9_z_p172_lanes;
-  const Lanes<8> f9_z_p236_lanes = f9_z_p83_lanes + inverse_D2_p5 * f9_z_p125_lanes -
-      inverse_D2_p8 * f9_z_p172_lanes;
+  const Lanes<8> f9_z_p233_lanes = -(f9_z_p75_lanes - inverse_D2_p4 * f9_z_p127_lanes) +
+      inverse_D2_p9 * f9_z_p174_lanes;
+  const Lanes<8> f9_z_p238_lanes = f9_z_p85_lanes + inverse_D2_p5 * f9_z_p127_lanes -
+      inverse_D2_p8 * f9_z_p174_lanes;
 
-  // link 7 (link4), outward
-  const Real w7_x = s7 * w6_z - c7 * w7_x_p1;
+  // link 4 (link1), outward
+  const Real a6_x_p1 = w4_z * w4_z;
 
-  // link 9 (link6), outward
-  const Real f9_x_p4 = a4_x_p2 * xdd_cmd[3] + a4_x_p1 * xdd_cmd[4];
+  // link 5 (link2), outward
+  const Real a6_x_p2 = qd[4] * qd[4];
 
   // link 4 (link1), force propagation
-  const Lanes<8> f9_z_p273_lanes = a4_x_p1 * f9_z_p231_lanes + a4_x_p2 * f9_z_p236_lanes;
+  const Real f9_z_p255 = neg_s8 * inverse_D7 * neg_s8 + f9_z_p70_lanes[3] * f9_z_p49 +
+      f9_z_p142_lanes[3] * f9_z_p127_lanes[3] + f9_z_p206_lanes[3] * f9_z_p174_lanes[3];
+
+  // link 6 (link3), outward
+  const Real a7_x_p1 = w6_z * w6_z;
+
+  // link 4 (link1), outward
+  const Real wd4_z = qdd_0[2] + qdd_0[3];
+
+  // link 5 (link2), outward
+  const Real a6_x_p3 = a6_x_p1 + a6_x_p2;
+
+  // link 6 (link3), outward
+  const Real a7_x_p2 = a6_x_p1 + a7_x_p1;
+
+  // link 5 (link2), outward
+  const Real wd5_x = w4_z * qd[4];
+
+  // link 4 (link1), force propagation
+  const Lanes<8> f9_z_p276_lanes = f9_z_p1 * f9_z_p233_lanes + f9_z_p2 * f9_z_p238_lanes;
+
+  // link 4 (link1), outward
+  const Real a4_x = f9_z_p2 * qdd_0[0] + f9_z_p1 * qdd_0[1];
+
+  // link 6 (link3), outward
+  const Real wd6_x = w4_z * w6_z;
+
+  // link 4 (link1), articulated inertia
+  const Real inverse_D2_p13 = f9_z_p1 * (inverse_D2_p11 - inverse_D2_p12) + f9_z_p2 *
+      (2.0 * inverse_D2_p10);
+
+  // link 5 (link2), outward
+  const Real a6_z_p1 = 2.0 * wd5_x;
+
+  // link 6 (link3), outward
+  const Real a7_x_p3 = 2.0 * wd6_x;
+  const Real a6_y = 9.81 + (a6_x_p2 * inverse_D5_p2 - qdd_0[4] * inverse_D5_p1);
+
+  // link 4 (link1), articulated inertia
+  const Real inverse_D2_p14 = f9_z_p1 * inverse_D2_p13;
+
+  // link 9 (link6), outward
+  const Real f9_x_p1 = 9.81 + xdd_cmd[2];
+
+  // link 4 (link1), outward
+  const Real a4_y = f9_z_p2 * qdd_0[1] - f9_z_p1 * qdd_0[0];
+
+  // link 7 (link4), outward
+  const Real a7_x_p4 = a6_y - (wd6_z * inverse_D4_p8 + a7_x_p1 * inverse_D4_p7);
+
+  // link 4 (link1), articulated inertia
+  const Real inverse_D1_p1 = f9_z_p2 * inverse_D2_p13 - inverse_D2_p10;
+
+  // link 9 (link6), outward
+  const Real f9_x_p2 = f9_z_p2 * xdd_cmd[0] + f9_z_p1 * xdd_cmd[1];
+
+  // link 6 (link3), outward
+  const Real a6_x = a6_x_p3 * inverse_D5_p1 + qdd_0[4] * inverse_D5_p2 + 0.1501 * wd4_z - a4_x;
+
+  // link 7 (link4), outward
+  const Real w7_x_p1 = inverse_D4_p1 * w4_z;
+
+  // link 9 (link6), outward
+  const Real f9_x_p3 = f9_z_p2 * xdd_cmd[1] - f9_z_p1 * xdd_cmd[0];
+
+  // link 7 (link4), outward
+  const Real a7_x_p5 = a6_x + (a7_x_p2 * inverse_D4_p8 - wd6_z * inverse_D4_p7);
+
+  // link 2 (base_y), articulated inertia
+  const Real inverse_D2 = 1.0 / (186.45 + (inverse_D2_p12 + inverse_D2_p14));
+
+  // link 7 (link4), outward
+  const Real w7_z = qd[6] - inverse_D4_p2 * w4_z;
 
   // link 6 (link3), outward
   const Real a6_z = a4_y + (wd4_z * inverse_D5_p1 - a6_z_p1 * inverse_D5_p2 - 0.1501 * a6_x_p1);
+
+  // link 9 (link6), outward
+  const Real f9_x_p4 = inverse_D4_p2 * f9_x_p2 + inverse_D4_p1 * f9_x_p1;
+
+  // link 7 (link4), outward
+  const Real wd7_y_p1 = inverse_D4_p2 * wd6_x - inverse_D4_p1 * wd4_z;
+  const Real w7_x = s7 * w6_z - c7 * w7_x_p1;
+  const Real a7_x_p6 = a6_z + (wd4_z * inverse_D4_p8 + a7_x_p3 * inverse_D4_p7);
+
+  // link 9 (link6), outward
+  const Real f9_x_p5 = inverse_D4_p2 * f9_x_p1 - inverse_D4_p1 * f9_x_p2;
+
+  // link 7 (link4), outward
+  const Real a7_x_p7 = inverse_D4_p2 * a7_x_p5 - inverse_D4_p1 * a7_x_p4;
+
+  // link 9 (link6), outward
+  const Real f9_x_p6 = f9_z_p2 * xdd_cmd[3] + f9_z_p1 * xdd_cmd[4];
+
+  // link 7 (link4), outward
+  const Real minus_a7_z = inverse_D4_p1 * a7_x_p5 + inverse_D4_p2 * a7_x_p4;
+
+  // link 9 (link6), outward
+  const Real f9_x_p7 = f9_z_p2 * xdd_cmd[4] - f9_z_p1 * xdd_cmd[3];
 
   // link 8 (link5), outward
   const Real w8_x = c8 * w7_x - s8 * w7_z;
   const Real minus_w8_y = s8 * w7_x + c8 * w7_z;
 
+  // link 9 (link6), outward
+  const Real f9_x_p8 = s7 * f9_x_p3 - c7 * f9_x_p4;
+
   // link 7 (link4), outward
   const Real w7_y = s7 * w7_x_p1 + c7 * w6_z;
   const Real wd7_y = c7 * wd6_z - s7 * wd7_y_p1 - w7_x * qd[6];
+  const Real a7_x = c7 * a7_x_p7 + s7 * a7_x_p6;
 
-  // link 4 (link1), articulated inertia
-  const Real inverse_D2_p13 = a4_x_p1 * (inverse_D2_p11 - inverse_D2_p12) + a4_x_p2 *
-      (2.0 * inverse_D2_p10);
+  // link 2 (base_y), articulated inertia
+  const Real inverse_D1_p2 = inverse_D1_p1 * inverse_D2;
 
-  // link 7 (link4), outward
-  const Real a7_x_p6 = inverse_D4_p2 * a7_x_p5 - inverse_D4_p1 * a7_x_p4;
-
-  // link 9 (link6), outward
-  const Real f9_x_p5 = inverse_D4_p2 * f9_x_p3 + inverse_D4_p1 * f9_x_p1;
-
-  // link 7 (link4), outward
-  const Real a7_x_p7 = a6_z + (wd4_z * inverse_D4_p8 + a7_x_p3 * inverse_D4_p7);
+  // link 2 (base_y), force propagation
+  const Lanes<8> f9_z_p286_lanes = f9_z_p276_lanes * inverse_D2;
 
   // link 8 (link5), outward
   const Real wd9_y_p1 = w8_x * minus_w8_y;
 
   // link 9 (link6), outward
   const Real w9_z = minus_w8_y + qd[8];
-  const Real f9_x_p6 = inverse_D4_p2 * f9_x_p4 + inverse_D4_p1 * xdd_cmd[5];
-  const Real f9_x_p7 = a4_x_p2 * xdd_cmd[4] - a4_x_p1 * xdd_cmd[3];
+  const Real f9_x_p9 = inverse_D4_p2 * f9_x_p6 + inverse_D4_p1 * xdd_cmd[5];
 
   // link 7 (link4), outward
   const Real wd9_x_p1 = w7_x * w7_y;
-
-  // link 4 (link1), articulated inertia
-  const Real inverse_D2_p14 = a4_x_p1 * inverse_D2_p13;
 
   // link 8 (link5), outward
   const Real wd8_z = wd7_y + qdd_0[7];
@@ -406,93 +436,86 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   // link 7 (link4), outward
   const Real wd7_z = qdd_0[6] - (inverse_D4_p1 * wd6_x + inverse_D4_p2 * wd4_z);
 
+  // link 8 (link5), outward
+  const Real w8_z = w7_y + qd[7];
+
+  // link 2 (base_y), force propagation
+  const Lanes<8> f9_z_p296_lanes = f9_z_p286_lanes * f9_z_p276_lanes[0];
+  const Lanes<8> f9_z_p301_lanes = f9_z_p286_lanes * f9_z_p276_lanes[1];
+  const Lanes<8> f9_z_p305_lanes = f9_z_p286_lanes * f9_z_p276_lanes[2];
+
   // link 9 (link6), outward
   const Real wd9_y_p2 = w8_x * w9_z;
 
   // link 8 (link5), outward
-  const Real w8_z = w7_y + qd[7];
   const Real wd9_y_p3 = wd9_y_p1 + wd8_z;
 
   // link 7 (link4), outward
   const Real wd9_x_p2 = wd9_x_p1 - wd7_z;
-
-  // link 4 (link1), articulated inertia
-  const Real inverse_D1_p1 = a4_x_p2 * inverse_D2_p13 - inverse_D2_p10;
-
-  // link 7 (link4), outward
   const Real wd9_x_p3 = c7 * wd7_y_p1 + s7 * wd6_z + (w7_z + qd[6]) * w7_y;
 
-  // link 4 (link1), force propagation
-  const Real f9_z_p283 = neg_s8 * inverse_D7 * neg_s8 + f9_z_p68_lanes[3] * f9_z_p47 +
-      f9_z_p140_lanes[3] * f9_z_p125_lanes[3] + f9_z_p204_lanes[3] * f9_z_p172_lanes[3];
-
-  // link 7 (link4), outward
-  const Real a7_x = c7 * a7_x_p6 + s7 * a7_x_p7;
-  const Real minus_a7_z = inverse_D4_p1 * a7_x_p5 + inverse_D4_p2 * a7_x_p4;
-
-  // link 9 (link6), outward
-  const Real f9_x_p8 = s7 * f9_x_p2 - c7 * f9_x_p5;
-  const Real f9_x_p9 = inverse_D4_p2 * f9_x_p1 - inverse_D4_p1 * f9_x_p3;
-  const Real wd9_y = wd9_y_p3 - wd9_y_p2;
-  const Real f9_y_p1 = s7 * f9_x_p7 - c7 * f9_x_p6;
-  const Real wd9_x_p4 = w8_z * w9_z;
-
-  // link 2 (base_y), articulated inertia
-  const Real inverse_D2 = 1.0 / (186.45 + (inverse_D2_p12 + inverse_D2_p14));
-
-  // link 9 (link6), outward
-  const Real f9_x_p10 = s7 * f9_x_p6 + c7 * f9_x_p7 - wd9_y;
-  const Real f9_y_p2 = inverse_D4_p2 * xdd_cmd[5] - inverse_D4_p1 * f9_x_p4;
-
-  // link 8 (link5), outward
-  const Real a8_x = c8 * a7_x + s8 * minus_a7_z;
-  const Real wd9_x_p5 = s8 * wd9_x_p2 + c8 * wd9_x_p3 - 2.0 * (minus_w8_y * w8_z);
-
-  // link 7 (link4), outward
-  const Real a7_y = c7 * a7_x_p7 - s7 * a7_x_p6;
-
-  // link 9 (link6), outward
-  const Real wd9_x = wd9_x_p4 + wd9_x_p5;
-
-  // link 8 (link5), outward
-  const Real f9_z_p284 = w8_x * w8_x + w8_z * w8_z;
-
-  // link 9 (link6), outward
-  const Real f9_x_p11 = c8 * f9_x_p8 + s8 * f9_x_p9 - a8_x - 0.05625 * (wd9_y_p3 + f9_x_p10);
-  const Real f9_y_p3 = c8 * f9_y_p1 + s8 * f9_y_p2 - wd9_x;
-
-  // link 2 (base_y), articulated inertia
-  const Real inverse_D1_p2 = inverse_D1_p1 * inverse_D2;
-
   // link 2 (base_y), force propagation
-  const Lanes<8> f9_z_p285_lanes = f9_z_p273_lanes * inverse_D2;
-  const Lanes<8> f9_z_p295_lanes = f9_z_p285_lanes * f9_z_p273_lanes[0];
-  const Lanes<8> f9_z_p300_lanes = f9_z_p285_lanes * f9_z_p273_lanes[1];
-  const Lanes<8> f9_z_p304_lanes = f9_z_p285_lanes * f9_z_p273_lanes[2];
-  const Lanes<8> f9_z_p307_lanes = a4_x_p2 * f9_z_p231_lanes - a4_x_p1 * f9_z_p236_lanes -
-      inverse_D1_p2 * f9_z_p273_lanes;
-  const Lanes<8> f9_z_p312_lanes = f9_z_p68_lanes * f9_z_p43_lanes[0] + f9_z_p140_lanes *
-      f9_z_p125_lanes[0] + f9_z_p204_lanes * f9_z_p172_lanes[0] + f9_z_p295_lanes;
-  const Lanes<8> f9_z_p317_lanes = f9_z_p68_lanes * f9_z_p43_lanes[1] + f9_z_p140_lanes *
-      f9_z_p125_lanes[1] + f9_z_p204_lanes * f9_z_p172_lanes[1] + f9_z_p300_lanes;
-  const Lanes<8> f9_z_p321_lanes = f9_z_p68_lanes * f9_z_p43_lanes[2] + f9_z_p140_lanes *
-      f9_z_p125_lanes[2] + f9_z_p204_lanes * f9_z_p172_lanes[2] + f9_z_p304_lanes;
-  const Real f9_z_p324 = 1557.24430048586 + f9_z_p68_lanes[4] * f9_z_p43_lanes[4] +
-      f9_z_p140_lanes[4] * f9_z_p125_lanes[4] + f9_z_p204_lanes[4] * f9_z_p172_lanes[4] +
-      f9_z_p285_lanes[4] * f9_z_p273_lanes[4];
+  const Lanes<8> f9_z_p308_lanes = f9_z_p2 * f9_z_p233_lanes - f9_z_p1 * f9_z_p238_lanes -
+      inverse_D1_p2 * f9_z_p276_lanes;
+  const Lanes<8> f9_z_p313_lanes = f9_z_p70_lanes * f9_z_p45_lanes[0] + f9_z_p142_lanes *
+      f9_z_p127_lanes[0] + f9_z_p206_lanes * f9_z_p174_lanes[0] + f9_z_p296_lanes;
+  const Lanes<8> f9_z_p318_lanes = f9_z_p70_lanes * f9_z_p45_lanes[1] + f9_z_p142_lanes *
+      f9_z_p127_lanes[1] + f9_z_p206_lanes * f9_z_p174_lanes[1] + f9_z_p301_lanes;
+  const Lanes<8> f9_z_p322_lanes = f9_z_p70_lanes * f9_z_p45_lanes[2] + f9_z_p142_lanes *
+      f9_z_p127_lanes[2] + f9_z_p206_lanes * f9_z_p174_lanes[2] + f9_z_p305_lanes;
+
+  // link 9 (link6), outward
+  const Real wd9_y = wd9_y_p3 - wd9_y_p2;
+  const Real f9_y_p1 = inverse_D4_p2 * xdd_cmd[5] - inverse_D4_p1 * f9_x_p6;
 
   // link 1 (base_x), articulated inertia
   const Real inverse_D1 = 1.0 / (186.45 + (inverse_D2_p11 - inverse_D2_p14) - inverse_D1_p1 *
       inverse_D1_p2);
 
+  // link 9 (link6), outward
+  const Real f9_y_p2 = s7 * f9_x_p7 - c7 * f9_x_p9;
+  const Real wd9_x_p4 = w8_z * w9_z;
+
+  // link 2 (base_y), force propagation
+  const Real f9_z_p325 = 1557.24430048586 + f9_z_p70_lanes[4] * f9_z_p45_lanes[4] +
+      f9_z_p142_lanes[4] * f9_z_p127_lanes[4] + f9_z_p206_lanes[4] * f9_z_p174_lanes[4] +
+      f9_z_p286_lanes[4] * f9_z_p276_lanes[4];
+
+  // link 8 (link5), outward
+  const Real a8_x = c8 * a7_x + s8 * minus_a7_z;
+
+  // link 9 (link6), outward
+  const Real f9_x_p10 = s7 * f9_x_p9 + c7 * f9_x_p7 - wd9_y;
+
+  // link 7 (link4), outward
+  const Real a7_y = c7 * a7_x_p6 - s7 * a7_x_p7;
+
+  // link 8 (link5), outward
+  const Real wd9_x_p5 = s8 * wd9_x_p2 + c8 * wd9_x_p3 - 2.0 * (minus_w8_y * w8_z);
+  const Real f9_z_p326 = w8_x * w8_x + w8_z * w8_z;
+
+  // link 9 (link6), outward
+  const Real wd9_x = wd9_x_p4 + wd9_x_p5;
+  const Real f9_x_p11 = c8 * f9_x_p8 + s8 * f9_x_p5 - a8_x - 0.05625 * (wd9_y_p3 + f9_x_p10);
+  const Real f9_y_p3 = c8 * f9_y_p2 + s8 * f9_y_p1 - wd9_x;
+
   // link 1 (base_x), force propagation
-  const Lanes<8> f9_z_p325_lanes = f9_z_p307_lanes * inverse_D1;
-  const Lanes<8> f9_z_p342_lanes = f9_z_p312_lanes + f9_z_p325_lanes * f9_z_p307_lanes[0];
-  const Real f9_z_p354 = f9_z_p68_lanes[4] * f9_z_p47 + f9_z_p140_lanes[4] * f9_z_p125_lanes[3] +
-      f9_z_p204_lanes[4] * f9_z_p172_lanes[3] + f9_z_p285_lanes[4] * f9_z_p273_lanes[3] +
-      f9_z_p325_lanes[4] * f9_z_p307_lanes[3];
+  const Lanes<8> f9_z_p327_lanes = f9_z_p308_lanes * inverse_D1;
+  const Lanes<8> f9_z_p344_lanes = f9_z_p313_lanes + f9_z_p327_lanes * f9_z_p308_lanes[0];
+  const Real f9_z_p356 = f9_z_p70_lanes[4] * f9_z_p49 + f9_z_p142_lanes[4] * f9_z_p127_lanes[3] +
+      f9_z_p206_lanes[4] * f9_z_p174_lanes[3] + f9_z_p286_lanes[4] * f9_z_p276_lanes[3] +
+      f9_z_p327_lanes[4] * f9_z_p308_lanes[3];
+  const Real f9_z_p357 = f9_z_p344_lanes[0] * f9_z_p344_lanes[0];
+  const Real f9_z_p358 = f9_z_p357 * f9_z_p344_lanes[0];
+  const Real f9_z_p359 = f9_z_p358 * f9_z_p357 / (7.52316384526264e-37 + f9_z_p358 * f9_z_p358);
+  const Lanes<8> f9_z_p360_lanes = f9_z_p344_lanes * f9_z_p359;
+  const Lanes<8> f9_z_p371_lanes = f9_z_p318_lanes + f9_z_p327_lanes * f9_z_p308_lanes[1] -
+      f9_z_p360_lanes * f9_z_p344_lanes[1];
   const Real n4_z_p1 = c5 * inverse_D4_p11 - 0.0070992;
-  const Real f9_z_p355 = 1.0 / f9_z_p342_lanes[0];
+  const Real f9_z_p378 = f9_z_p371_lanes[1] * f9_z_p371_lanes[1];
+  const Real f9_y_p4 = s7 * f9_x_p4 + c7 * f9_x_p3 - a7_y - f9_z_p360_lanes[1] * f9_x_p11 +
+      0.05625 * (wd9_x_p5 + f9_y_p3);
+  const Real f9_z_p379 = f9_z_p378 * f9_z_p371_lanes[1];
   const Real n4_z_p2 = inverse_D4_p2 * inverse_D4_p10 - 0.010673638499999999;
 
   // link 8 (link5), outward
@@ -505,69 +528,74 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   // link 8 (link5), outward
   const Real wd8_y = c8 * wd9_x_p2 - s8 * wd9_x_p3 - wd8_y_p1;
 
-  // link 1 (base_x), force propagation
-  const Lanes<8> f9_z_p356_lanes = f9_z_p342_lanes * f9_z_p355;
-
-  // link 9 (link6), inertial wrench
-  const Real minus_n9_z = 4e-05 * (c8 * f9_y_p2 - s8 * f9_y_p1);
-  tau[8] = -minus_n9_z;
+  // link 9 (link6), outward
+  const Real wd9_z = qdd_0[8] - wd8_y;
 
   // link 1 (base_x), force propagation
-  const Lanes<8> f9_z_p367_lanes = f9_z_p317_lanes + f9_z_p325_lanes * f9_z_p307_lanes[1] -
-      f9_z_p356_lanes * f9_z_p342_lanes[1];
-
-  // link 9 (link6), inward
-  const Real minus_n8_y = 2e-04 * (wd8_y_p1 - wd8_y) - minus_n9_z;
-
-  // link 1 (base_x), force propagation
-  const Real f9_z_p374 = 1.0 / f9_z_p367_lanes[1];
-  const Real f9_y_p4 = s7 * f9_x_p5 + c7 * f9_x_p2 - a7_y - f9_z_p356_lanes[1] * f9_x_p11 +
-      0.05625 * (wd9_x_p5 + f9_y_p3);
+  const Real f9_z_p380 = f9_z_p379 * f9_z_p378 / (4.81482486096809e-35 + f9_z_p379 * f9_z_p379);
 
   // link 5 (link2), inward
   const Real n4_z_p4 = n4_z_p3 - inverse_D2_p2 * a4_y + wd6_z * inverse_D4_p6 - a7_x_p3 * n4_z_p2 +
       inverse_D4_p9 * a6_z;
 
+  // link 9 (link6), inertial wrench
+  const Real n9_z = 4e-05 * wd9_z - 3.9999999999999996e-05 * (c8 * f9_y_p1 - s8 * f9_y_p2 + wd9_z);
+  tau[8] = n9_z;
+
+  // link 9 (link6), inward
+  const Real minus_n8_y = 2e-04 * (wd8_y_p1 - wd8_y) + n9_z;
+
   // link 1 (base_x), force propagation
-  const Lanes<8> f9_z_p375_lanes = f9_z_p367_lanes * f9_z_p374;
-  const Lanes<8> f9_z_p381_lanes = f9_z_p321_lanes + f9_z_p325_lanes * f9_z_p307_lanes[2] -
-      f9_z_p356_lanes * f9_z_p342_lanes[2] - f9_z_p375_lanes * f9_z_p367_lanes[2];
-  const Real f9_z_p384 = f9_z_p283 + f9_z_p285_lanes[3] * f9_z_p273_lanes[3] + f9_z_p325_lanes[3] *
-      f9_z_p307_lanes[3] - f9_z_p356_lanes[3] * f9_z_p342_lanes[3] - f9_z_p375_lanes[3] *
-      f9_z_p367_lanes[3];
-  const Real f9_z_p385 = 1.0 / f9_z_p381_lanes[2];
-  const Real f9_z_p386 = 0.05625 * f9_z_p284 - f9_z_p356_lanes[2] * f9_x_p11 - f9_z_p375_lanes[2] *
+  const Lanes<8> f9_z_p381_lanes = f9_z_p371_lanes * f9_z_p380;
+  const Lanes<8> f9_z_p387_lanes = f9_z_p322_lanes + f9_z_p327_lanes * f9_z_p308_lanes[2] -
+      f9_z_p360_lanes * f9_z_p344_lanes[2] - f9_z_p381_lanes * f9_z_p371_lanes[2];
+  const Real f9_z_p390 = f9_z_p255 + f9_z_p286_lanes[3] * f9_z_p276_lanes[3] + f9_z_p327_lanes[3] *
+      f9_z_p308_lanes[3] - f9_z_p360_lanes[3] * f9_z_p344_lanes[3] - f9_z_p381_lanes[3] *
+      f9_z_p371_lanes[3];
+  const Real f9_z_p391 = f9_z_p387_lanes[2] * f9_z_p387_lanes[2];
+  const Real f9_z_p392 = 0.05625 * f9_z_p326 - f9_z_p360_lanes[2] * f9_x_p11 - f9_z_p381_lanes[2] *
       f9_y_p4 + (f9_x_p8 - a7_x) * s8;
-  const Real f9_z_p387 = f9_z_p386 + (minus_a7_z - f9_x_p9) * c8;
+  const Real f9_z_p393 = f9_z_p391 * f9_z_p387_lanes[2];
+  const Real f9_z_p394 = f9_z_p392 + (minus_a7_z - f9_x_p5) * c8;
 
   // link 6 (link3), inertial wrench
   const Real n6_z_p1 = 0.312455249 * wd6_z + wd4_z * inverse_D4_p6 + a6_x_p1 * n4_z_p2 -
       (inverse_D4_p9 * a6_y + inverse_D5_p3 * a6_x);
+
+  // link 1 (base_x), force propagation
+  const Real f9_z_p395 = f9_z_p393 * f9_z_p391 / (1.1754943508222875e-38 + f9_z_p393 * f9_z_p393);
 
   // link 5 (link2), inertial wrench
   const Real n5_z_p1 = 1.7481140020000001 * qdd_0[4] + wd4_z * inverse_D4_p3 + a6_x_p1 * n4_z_p1 +
       (9.81 * inverse_D2_p2 - inverse_D2_p1 * a4_x);
 
   // link 1 (base_x), force propagation
-  const Real f9_z_p388 = f9_z_p381_lanes[3] * f9_z_p385;
-  const Real f9_z_p389 = f9_z_p381_lanes[4] * f9_z_p385;
-  const Real f9_z_p390 = f9_z_p354 - f9_z_p356_lanes[4] * f9_z_p342_lanes[3] - f9_z_p375_lanes[4] *
-      f9_z_p367_lanes[3] - f9_z_p389 * f9_z_p381_lanes[3];
-  const Real f9_z_p391 = f9_z_p324 + f9_z_p325_lanes[4] * f9_z_p307_lanes[4] - f9_z_p356_lanes[4] *
-      f9_z_p342_lanes[4] - f9_z_p375_lanes[4] * f9_z_p367_lanes[4] - f9_z_p389 * f9_z_p381_lanes[4];
-  const Real f9_z_p392 = f9_y_p3 - f9_z_p356_lanes[3] * f9_x_p11 - f9_z_p375_lanes[3] * f9_y_p4 -
-      f9_z_p388 * f9_z_p387;
-  const Real f9_z_p393 = 1.0 / (f9_z_p384 - f9_z_p388 * f9_z_p381_lanes[3]);
-  const Real f9_z_p394 = f9_z_p390 * f9_z_p393;
-  const Real f9_z_p395 = f9_x_p10 - f9_z_p356_lanes[4] * f9_x_p11 - f9_z_p375_lanes[4] * f9_y_p4 -
-      f9_z_p389 * f9_z_p387 - f9_z_p394 * f9_z_p392;
-  const Real f9_z_p396 = f9_z_p395 * (1.0 / (f9_z_p391 - f9_z_p394 * f9_z_p390));
+  const Real f9_z_p396 = f9_z_p387_lanes[3] * f9_z_p395;
+  const Real f9_z_p397 = f9_z_p387_lanes[4] * f9_z_p395;
+  const Real f9_z_p398 = f9_z_p390 - f9_z_p396 * f9_z_p387_lanes[3];
+  const Real f9_z_p399 = f9_z_p356 - f9_z_p360_lanes[4] * f9_z_p344_lanes[3] - f9_z_p381_lanes[4] *
+      f9_z_p371_lanes[3] - f9_z_p397 * f9_z_p387_lanes[3];
+  const Real f9_z_p400 = f9_z_p325 + f9_z_p327_lanes[4] * f9_z_p308_lanes[4] - f9_z_p360_lanes[4] *
+      f9_z_p344_lanes[4] - f9_z_p381_lanes[4] * f9_z_p371_lanes[4] - f9_z_p397 * f9_z_p387_lanes[4];
+  const Real f9_z_p401 = f9_y_p3 - f9_z_p360_lanes[3] * f9_x_p11 - f9_z_p381_lanes[3] * f9_y_p4 -
+      f9_z_p396 * f9_z_p394;
+  const Real f9_z_p402 = f9_z_p398 * f9_z_p398;
+  const Real f9_z_p403 = f9_z_p402 * f9_z_p398;
+  const Real f9_z_p404 = f9_z_p403 * f9_z_p402 / (3.552713678800501e-15 + f9_z_p403 * f9_z_p403);
+  const Real f9_z_p405 = f9_z_p399 * f9_z_p404;
+  const Real f9_z_p406 = f9_z_p400 - f9_z_p405 * f9_z_p399;
+  const Real f9_z_p407 = f9_x_p10 - f9_z_p360_lanes[4] * f9_x_p11 - f9_z_p381_lanes[4] * f9_y_p4 -
+      f9_z_p397 * f9_z_p394 - f9_z_p405 * f9_z_p401;
+  const Real f9_z_p408 = f9_z_p406 * f9_z_p406;
+  const Real f9_z_p409 = f9_z_p408 * f9_z_p406;
+  const Real f9_z_p410 = f9_z_p407 * (f9_z_p409 * f9_z_p408 /
+      (1.4551915228366852e-11 + f9_z_p409 * f9_z_p409));
 
   // link 9 (link6), inertial wrench
-  const Real n9_y = f9_z_p396 - 2e-05 * (wd9_y_p2 - wd9_y);
+  const Real n9_y = f9_z_p410 - 2e-05 * (wd9_y_p2 - wd9_y);
 
   // link 1 (base_x), force propagation
-  const Real f9_z_p397 = f9_z_p392 * f9_z_p393 - f9_z_p394 * f9_z_p396;
+  const Real f9_z_p411 = f9_z_p401 * f9_z_p404 - f9_z_p405 * f9_z_p410;
 
   // link 9 (link6), inward
   const Real n8_z = 0.00022215999999999997 * wd9_y_p1 + 0.00062216 * wd8_z + 0.0028799999999999997 *
@@ -575,7 +603,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   tau[7] = n8_z;
 
   // link 9 (link6), inertial wrench
-  const Real n9_x = 2e-05 * (wd9_x_p4 + wd9_x) + f9_z_p397;
+  const Real n9_x = 2e-05 * (wd9_x_p4 + wd9_x) + f9_z_p411;
 
   // link 8 (link5), inward
   const Real n7_y = n8_z - 0.00065 * (w7_x * w7_z - wd7_y);
@@ -584,10 +612,10 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real n8_x = 0.00042216 * wd9_x_p5 - 0.0028799999999999997 * a7_y + n9_x;
 
   // link 1 (base_x), force propagation
-  const Real f9_z = f9_z_p387 * f9_z_p385 - f9_z_p388 * f9_z_p397 - f9_z_p389 * f9_z_p396;
+  const Real f9_z = f9_z_p394 * f9_z_p395 - f9_z_p396 * f9_z_p411 - f9_z_p397 * f9_z_p410;
 
   // link 9 (link6), inward
-  const Real f8_y = 0.0028799999999999997 * f9_z_p284 - f9_z;
+  const Real f8_y = 0.0028799999999999997 * f9_z_p326 - f9_z;
 
   // link 8 (link5), inward
   const Real n7_x = 0.0007499999999999999 * wd9_x_p3 + (c8 * n8_x + s8 * minus_n8_y);
@@ -596,15 +624,15 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   tau[6] = n7_z;
 
   // link 1 (base_x), force propagation
-  const Real f9_y = f9_y_p4 * f9_z_p374 - f9_z_p375_lanes[2] * f9_z - f9_z_p375_lanes[3] *
-      f9_z_p397 - f9_z_p375_lanes[4] * f9_z_p396;
+  const Real f9_y = f9_y_p4 * f9_z_p380 - f9_z_p381_lanes[2] * f9_z - f9_z_p381_lanes[3] *
+      f9_z_p411 - f9_z_p381_lanes[4] * f9_z_p410;
 
   // link 9 (link6), inward
   const Real f8_z = f9_y - 0.0028799999999999997 * wd9_x_p5;
 
   // link 1 (base_x), force propagation
-  const Real f9_x = f9_x_p11 * f9_z_p355 - f9_z_p356_lanes[1] * f9_y - f9_z_p356_lanes[2] * f9_z -
-      f9_z_p356_lanes[3] * f9_z_p397 - f9_z_p356_lanes[4] * f9_z_p396;
+  const Real f9_x = f9_x_p11 * f9_z_p359 - f9_z_p360_lanes[1] * f9_y - f9_z_p360_lanes[2] * f9_z -
+      f9_z_p360_lanes[3] * f9_z_p411 - f9_z_p360_lanes[4] * f9_z_p410;
 
   // link 9 (link6), inward
   const Real f8_x = 0.0028799999999999997 * wd9_y_p3 + f9_x;
@@ -646,8 +674,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   tau[5] = n6_z;
 
   // link 4 (link1), inward
-  const Real minus_f3_x = a4_x_p2 * minus_f4_x + a4_x_p1 * f4_y;
-  const Real f3_y = a4_x_p2 * f4_y - a4_x_p1 * minus_f4_x;
+  const Real minus_f3_x = f9_z_p2 * minus_f4_x + f9_z_p1 * f4_y;
+  const Real f3_y = f9_z_p2 * f4_y - f9_z_p1 * minus_f4_x;
 
   // link 5 (link2), inward
   const Real n4_z = n4_z_p6 + (0.004704000000000001 * a7_x_p1 - (c7 * n7_x - s7 * n7_y)) *

@@ -1,6 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
 // By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
-// 1217 flops (add 485, mul 720, div 12), sine and cosine of 6 angles
+// 1247 flops (add 491, mul 744, div 12), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -300,29 +300,29 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real inverse_D5_p9 = inverse_D5_p1 * inverse_D5_p7 - inverse_D5_p2 * inverse_D5_p8;
   const Real inverse_D4_p28 = inverse_D5_p1 * (inverse_D5_p3 * inverse_D4_p22 - inverse_D4_p14) -
       inverse_D5_p2 * inverse_D4_p24;
-
-  // link 1 (base_x), articulated inertia
-  const Real Lambda_5_5_p212 = 0.05625 * Lambda_5_5_p16;
-
-  // link 6 (link3), articulated inertia
   const Real inverse_D2_p1 = 3.79559 * s5 + 0.10439999999999999 * c5 - inverse_D5_p9;
   const Real inverse_D4_p29 = inverse_D4_p25 + (inverse_D5_p1 * inverse_D4_p24 + 0.1501 *
       inverse_D5_p8);
   const Real inverse_D4_p30 = inverse_D4_p27 + (inverse_D5_p1 * inverse_D4_p26 + 0.1501 *
       inverse_D4_p24);
+
+  // link 1 (base_x), articulated inertia
+  const Real Lambda_5_5_p230 = 0.05625 * Lambda_5_5_p16;
+
+  // link 6 (link3), articulated inertia
   const Real inverse_D5_p10 = inverse_D5_p1 * (inverse_D5_p1 *
       (inverse_D6_p26 - inverse_D5_p3 * inverse_D5_p5) - inverse_D5_p2 * inverse_D5_p7) -
       inverse_D5_p2 * inverse_D5_p9;
 
   // link 7 (link4), force propagation
-  const Lanes<8> Lambda_5_5_p241_lanes = s7 * Lambda_5_5_p82_lanes +
+  const Lanes<8> Lambda_5_5_p236_lanes = s7 * Lambda_5_5_p82_lanes +
       (inverse_D4_p6 * Lambda_5_5_p164_lanes - inverse_D4_p5 * Lambda_5_5_p170_lanes);
 
-  // link 1 (base_x), articulated inertia
-  const Real Lambda_5_5_p247 = 0.05625 * Lambda_5_5_p8;
-
   // link 6 (link3), force propagation
-  const Lanes<8> Lambda_5_5_p287_lanes = Lambda_5_5_p241_lanes * inverse_D6;
+  const Lanes<8> Lambda_5_5_p277_lanes = Lambda_5_5_p236_lanes * inverse_D6;
+
+  // link 1 (base_x), articulated inertia
+  const Real Lambda_5_5_p283 = 0.05625 * Lambda_5_5_p8;
 
   // link 5 (link2), articulated inertia
   const Real inverse_D5 = 1.0 / (1.7481140020000001 + inverse_D5_p10);
@@ -333,17 +333,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
       0.1501 * inverse_D5_p9;
 
   // link 6 (link3), force propagation
-  const Lanes<8> Lambda_5_5_p297_lanes = Lambda_5_5_p170_lanes - inverse_D5_p6 *
-      Lambda_5_5_p241_lanes;
-  const Lanes<8> Lambda_5_5_p309_lanes = detail::make_pack<Real>(Lambda_5_5_p143_lanes[0],
+  const Lanes<8> Lambda_5_5_p293_lanes = Lambda_5_5_p170_lanes - inverse_D5_p6 *
+      Lambda_5_5_p236_lanes;
+  const Lanes<8> Lambda_5_5_p305_lanes = detail::make_pack<Real>(Lambda_5_5_p143_lanes[0],
       Lambda_5_5_p143_lanes[1], Lambda_5_5_p143_lanes[2], Lambda_5_5_p139, Lambda_5_5_p132,
       Lambda_5_5_p106, Lambda_5_5_p143_lanes[0], Lambda_5_5_p143_lanes[0]) - inverse_D4_p22 *
-      Lambda_5_5_p241_lanes;
-
-  // link 9 (link6), force propagation
-  const Lanes<8> Lambda_5_5_p321_lanes = 24999.999999999996 *
-      detail::make_pack<Real>(Lambda_5_5_p38, Lambda_5_5_p38, Lambda_5_5_p38, Lambda_5_5_p38,
-      Lambda_5_5_p23, Lambda_5_5_p34, Lambda_5_5_p38, Lambda_5_5_p38);
+      Lambda_5_5_p236_lanes;
 
   // link 6 (link3), articulated inertia
   const Real inverse_D4_p32 = 0.690314699 * s5 + 0.023750999999999998 * c5 + inverse_D4_p31;
@@ -353,19 +348,23 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
       (inverse_D4_p25 + inverse_D4_p29) + inverse_D5_p1 * (inverse_D4_p27 + inverse_D4_p30);
 
   // link 6 (link3), force propagation
-  const Lanes<8> Lambda_5_5_p373_lanes = Lambda_5_5_p287_lanes * Lambda_5_5_p241_lanes[3];
-  const Lanes<8> Lambda_5_5_p394_lanes = inverse_D5_p2 * Lambda_5_5_p297_lanes - inverse_D5_p1 *
-      (-Lambda_5_5_p164_lanes + inverse_D5_p5 * Lambda_5_5_p241_lanes);
-  const Lanes<8> Lambda_5_5_p400_lanes = 0.1501 * Lambda_5_5_p297_lanes + inverse_D5_p1 *
-      Lambda_5_5_p309_lanes;
-  const Lanes<8> Lambda_5_5_p409_lanes = inverse_D4_p6 *
+  const Lanes<8> Lambda_5_5_p375_lanes = Lambda_5_5_p277_lanes * Lambda_5_5_p236_lanes[3];
+  const Lanes<8> Lambda_5_5_p378_lanes = inverse_D5_p2 * Lambda_5_5_p293_lanes - inverse_D5_p1 *
+      (-Lambda_5_5_p164_lanes + inverse_D5_p5 * Lambda_5_5_p236_lanes);
+
+  // link 9 (link6), force propagation
+  const Lanes<8> Lambda_5_5_p384_lanes = 24999.999999999996 *
+      detail::make_pack<Real>(Lambda_5_5_p38, Lambda_5_5_p38, Lambda_5_5_p38, Lambda_5_5_p38,
+      Lambda_5_5_p23, Lambda_5_5_p34, Lambda_5_5_p38, Lambda_5_5_p38);
+
+  // link 6 (link3), force propagation
+  const Lanes<8> Lambda_5_5_p390_lanes = 0.1501 * Lambda_5_5_p293_lanes + inverse_D5_p1 *
+      Lambda_5_5_p305_lanes;
+  const Lanes<8> Lambda_5_5_p403_lanes = inverse_D4_p6 *
       detail::make_pack<Real>(Lambda_5_5_p143_lanes[0], Lambda_5_5_p143_lanes[1],
       Lambda_5_5_p143_lanes[2], Lambda_5_5_p139, Lambda_5_5_p132, Lambda_5_5_p106,
       Lambda_5_5_p143_lanes[0], Lambda_5_5_p143_lanes[0]) - inverse_D4_p4 * Lambda_5_5_p82_lanes -
-      inverse_D4_p23 * Lambda_5_5_p241_lanes + Lambda_5_5_p400_lanes;
-
-  // link 9 (link6), force propagation
-  const Lanes<8> Lambda_5_5_p415_lanes = Lambda_5_5_p321_lanes * Lambda_5_5_p23;
+      inverse_D4_p23 * Lambda_5_5_p236_lanes + Lambda_5_5_p390_lanes;
 
   // link 5 (link2), articulated inertia
   const Real inverse_D4_p34 = inverse_D4_p32 * inverse_D5;
@@ -373,32 +372,27 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real inverse_D2_p3 = inverse_D4_p28 * inverse_D5;
 
   // link 5 (link2), force propagation
-  const Lanes<8> Lambda_5_5_p417_lanes = Lambda_5_5_p394_lanes * inverse_D5;
-  const Lanes<8> Lambda_5_5_p444_lanes = Lambda_5_5_p417_lanes * Lambda_5_5_p394_lanes[0];
-  const Lanes<8> Lambda_5_5_p450_lanes = Lambda_5_5_p417_lanes * Lambda_5_5_p394_lanes[1];
-  const Lanes<8> Lambda_5_5_p455_lanes = Lambda_5_5_p417_lanes * Lambda_5_5_p394_lanes[2];
-
-  // link 6 (link3), force propagation
-  const Lanes<8> Lambda_5_5_p462_lanes = Lambda_5_5_p321_lanes * Lambda_5_5_p38 +
-      Lambda_5_5_p200_lanes * Lambda_5_5_p13 + Lambda_5_5_p206_lanes * Lambda_5_5_p45_lanes[3] +
-      Lambda_5_5_p373_lanes;
+  const Lanes<8> Lambda_5_5_p412_lanes = Lambda_5_5_p378_lanes * inverse_D5;
+  const Lanes<8> Lambda_5_5_p439_lanes = Lambda_5_5_p412_lanes * Lambda_5_5_p378_lanes[0];
+  const Lanes<8> Lambda_5_5_p445_lanes = Lambda_5_5_p412_lanes * Lambda_5_5_p378_lanes[1];
+  const Lanes<8> Lambda_5_5_p450_lanes = Lambda_5_5_p412_lanes * Lambda_5_5_p378_lanes[2];
 
   // link 5 (link2), articulated inertia
   const Real inverse_D2_p4 = inverse_D4_p30 - (0.10439999999999999 * s5 - 3.79559 * c5) +
       inverse_D4_p32 * inverse_D2_p3;
 
   // link 5 (link2), force propagation
-  const Lanes<8> Lambda_5_5_p465_lanes = Lambda_5_5_p409_lanes - inverse_D4_p34 *
-      Lambda_5_5_p394_lanes;
-  const Lanes<8> Lambda_5_5_p483_lanes = Lambda_5_5_p200_lanes * Lambda_5_5_p44 +
-      Lambda_5_5_p206_lanes * Lambda_5_5_p45_lanes[0] + Lambda_5_5_p287_lanes *
-      Lambda_5_5_p241_lanes[0] + Lambda_5_5_p444_lanes;
-  const Lanes<8> Lambda_5_5_p489_lanes = Lambda_5_5_p200_lanes * Lambda_5_5_p212 +
-      Lambda_5_5_p206_lanes * Lambda_5_5_p45_lanes[1] + Lambda_5_5_p287_lanes *
-      Lambda_5_5_p241_lanes[1] + Lambda_5_5_p450_lanes;
-  const Lanes<8> Lambda_5_5_p494_lanes = Lambda_5_5_p200_lanes * Lambda_5_5_p247 +
-      Lambda_5_5_p206_lanes * Lambda_5_5_p45_lanes[2] + Lambda_5_5_p287_lanes *
-      Lambda_5_5_p241_lanes[2] + Lambda_5_5_p455_lanes;
+  const Lanes<8> Lambda_5_5_p460_lanes = Lambda_5_5_p403_lanes - inverse_D4_p34 *
+      Lambda_5_5_p378_lanes;
+  const Lanes<8> Lambda_5_5_p478_lanes = Lambda_5_5_p200_lanes * Lambda_5_5_p44 +
+      Lambda_5_5_p206_lanes * Lambda_5_5_p45_lanes[0] + Lambda_5_5_p277_lanes *
+      Lambda_5_5_p236_lanes[0] + Lambda_5_5_p439_lanes;
+  const Lanes<8> Lambda_5_5_p484_lanes = Lambda_5_5_p200_lanes * Lambda_5_5_p230 +
+      Lambda_5_5_p206_lanes * Lambda_5_5_p45_lanes[1] + Lambda_5_5_p277_lanes *
+      Lambda_5_5_p236_lanes[1] + Lambda_5_5_p445_lanes;
+  const Lanes<8> Lambda_5_5_p489_lanes = Lambda_5_5_p200_lanes * Lambda_5_5_p283 +
+      Lambda_5_5_p206_lanes * Lambda_5_5_p45_lanes[2] + Lambda_5_5_p277_lanes *
+      Lambda_5_5_p236_lanes[2] + Lambda_5_5_p450_lanes;
 
   // link 5 (link2), articulated inertia
   const Real inverse_D4_p35 = inverse_D4_p33 - inverse_D4_p32 * inverse_D4_p34 +
@@ -406,25 +400,29 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
       (inverse_D6_p12 - inverse_D6_p18)) * inverse_D4_p1;
   const Real inverse_D2_p5 = 4.9338049999999996 + (inverse_D4_p29 - inverse_D4_p32 * inverse_D2_p2);
 
+  // link 6 (link3), force propagation
+  const Lanes<8> Lambda_5_5_p493_lanes = Lambda_5_5_p384_lanes * Lambda_5_5_p38 +
+      Lambda_5_5_p200_lanes * Lambda_5_5_p13 + Lambda_5_5_p206_lanes * Lambda_5_5_p45_lanes[3] +
+      Lambda_5_5_p375_lanes;
+
+  // link 9 (link6), force propagation
+  const Lanes<8> Lambda_5_5_p496_lanes = Lambda_5_5_p384_lanes * Lambda_5_5_p23;
+
   // link 4 (link1), articulated inertia
   const Real inverse_D4 = 1.0 / inverse_D4_p35;
 
   // link 5 (link2), force propagation
-  const Real Lambda_5_5_p507 = Lambda_5_5_p415_lanes[5] + Lambda_5_5_p200_lanes[5] *
-      Lambda_5_5_p10 + Lambda_5_5_p206_lanes[5] * Lambda_5_5_p45_lanes[4] +
-      Lambda_5_5_p287_lanes[5] * Lambda_5_5_p241_lanes[4] + Lambda_5_5_p417_lanes[5] *
-      Lambda_5_5_p394_lanes[4];
-  const Real Lambda_5_5_p508 = Lambda_5_5_p415_lanes[4] + Lambda_5_5_p200_lanes[4] *
+  const Real Lambda_5_5_p507 = Lambda_5_5_p496_lanes[4] + Lambda_5_5_p200_lanes[4] *
       Lambda_5_5_p10 + Lambda_5_5_p206_lanes[4] * Lambda_5_5_p45_lanes[4] +
-      Lambda_5_5_p287_lanes[4] * Lambda_5_5_p241_lanes[4] + Lambda_5_5_p417_lanes[4] *
-      Lambda_5_5_p394_lanes[4];
+      Lambda_5_5_p277_lanes[4] * Lambda_5_5_p236_lanes[4] + Lambda_5_5_p412_lanes[4] *
+      Lambda_5_5_p378_lanes[4];
 
   // link 4 (link1), articulated inertia
   const Real inverse_D2_p6 = inverse_D2_p4 * inverse_D4;
   const Real inverse_D2_p7 = inverse_D2_p5 * inverse_D4;
 
   // link 4 (link1), force propagation
-  const Lanes<8> Lambda_5_5_p509_lanes = Lambda_5_5_p465_lanes * inverse_D4;
+  const Lanes<8> Lambda_5_5_p508_lanes = Lambda_5_5_p460_lanes * inverse_D4;
 
   // link 4 (link1), articulated inertia
   const Real inverse_D2_p8 = inverse_D2_p5 * inverse_D2_p6 -
@@ -435,25 +433,33 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
       inverse_D2_p6;
 
   // link 4 (link1), force propagation
-  const Lanes<8> Lambda_5_5_p545_lanes = -(Lambda_5_5_p297_lanes - inverse_D2_p2 *
-      Lambda_5_5_p394_lanes) + inverse_D2_p7 * Lambda_5_5_p465_lanes;
-  const Lanes<8> Lambda_5_5_p551_lanes = Lambda_5_5_p309_lanes + inverse_D2_p3 *
-      Lambda_5_5_p394_lanes - inverse_D2_p6 * Lambda_5_5_p465_lanes;
-  const Lanes<8> Lambda_5_5_p599_lanes = Lambda_5_5_p1 * Lambda_5_5_p545_lanes + Lambda_5_5_p2 *
-      Lambda_5_5_p551_lanes;
+  const Lanes<8> Lambda_5_5_p544_lanes = -(Lambda_5_5_p293_lanes - inverse_D2_p2 *
+      Lambda_5_5_p378_lanes) + inverse_D2_p7 * Lambda_5_5_p460_lanes;
+  const Lanes<8> Lambda_5_5_p550_lanes = Lambda_5_5_p305_lanes + inverse_D2_p3 *
+      Lambda_5_5_p378_lanes - inverse_D2_p6 * Lambda_5_5_p460_lanes;
+  const Lanes<8> Lambda_5_5_p598_lanes = Lambda_5_5_p1 * Lambda_5_5_p544_lanes + Lambda_5_5_p2 *
+      Lambda_5_5_p550_lanes;
 
   // link 4 (link1), articulated inertia
   const Real inverse_D2_p11 = Lambda_5_5_p1 * (inverse_D2_p9 - inverse_D2_p10) + Lambda_5_5_p2 *
       (2.0 * inverse_D2_p8);
 
   // link 5 (link2), force propagation
-  const Real Lambda_5_5_p611 = Lambda_5_5_p321_lanes[5] * Lambda_5_5_p34 +
-      Lambda_5_5_p200_lanes[5] * Lambda_5_5_p7 + Lambda_5_5_p206_lanes[5] *
-      Lambda_5_5_p45_lanes[5] + Lambda_5_5_p287_lanes[5] * Lambda_5_5_p241_lanes[5] +
-      Lambda_5_5_p417_lanes[5] * Lambda_5_5_p394_lanes[5];
+  const Real Lambda_5_5_p610 = Lambda_5_5_p496_lanes[5] + Lambda_5_5_p200_lanes[5] *
+      Lambda_5_5_p10 + Lambda_5_5_p206_lanes[5] * Lambda_5_5_p45_lanes[4] +
+      Lambda_5_5_p277_lanes[5] * Lambda_5_5_p236_lanes[4] + Lambda_5_5_p412_lanes[5] *
+      Lambda_5_5_p378_lanes[4];
 
   // link 4 (link1), articulated inertia
   const Real inverse_D2_p12 = Lambda_5_5_p1 * inverse_D2_p11;
+
+  // link 5 (link2), force propagation
+  const Real Lambda_5_5_p611 = Lambda_5_5_p384_lanes[5] * Lambda_5_5_p34 +
+      Lambda_5_5_p200_lanes[5] * Lambda_5_5_p7 + Lambda_5_5_p206_lanes[5] *
+      Lambda_5_5_p45_lanes[5] + Lambda_5_5_p277_lanes[5] * Lambda_5_5_p236_lanes[5] +
+      Lambda_5_5_p412_lanes[5] * Lambda_5_5_p378_lanes[5];
+
+  // link 4 (link1), articulated inertia
   const Real inverse_D1_p1 = Lambda_5_5_p2 * inverse_D2_p11 - inverse_D2_p8;
 
   // link 2 (base_y), articulated inertia
@@ -461,12 +467,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real inverse_D1_p2 = inverse_D1_p1 * inverse_D2;
 
   // link 2 (base_y), force propagation
-  const Lanes<8> Lambda_5_5_p612_lanes = Lambda_5_5_p599_lanes * inverse_D2;
-  const Lanes<8> Lambda_5_5_p642_lanes = Lambda_5_5_p2 * Lambda_5_5_p545_lanes - Lambda_5_5_p1 *
-      Lambda_5_5_p551_lanes - inverse_D1_p2 * Lambda_5_5_p599_lanes;
-  const Lanes<8> Lambda_5_5_p663_lanes = Lambda_5_5_p462_lanes + Lambda_5_5_p417_lanes *
-      Lambda_5_5_p394_lanes[3] + Lambda_5_5_p509_lanes * Lambda_5_5_p465_lanes[3] +
-      Lambda_5_5_p612_lanes * Lambda_5_5_p599_lanes[3];
+  const Lanes<8> Lambda_5_5_p612_lanes = Lambda_5_5_p598_lanes * inverse_D2;
+  const Lanes<8> Lambda_5_5_p642_lanes = Lambda_5_5_p2 * Lambda_5_5_p544_lanes - Lambda_5_5_p1 *
+      Lambda_5_5_p550_lanes - inverse_D1_p2 * Lambda_5_5_p598_lanes;
+  const Lanes<8> Lambda_5_5_p663_lanes = Lambda_5_5_p493_lanes + Lambda_5_5_p412_lanes *
+      Lambda_5_5_p378_lanes[3] + Lambda_5_5_p508_lanes * Lambda_5_5_p460_lanes[3] +
+      Lambda_5_5_p612_lanes * Lambda_5_5_p598_lanes[3];
 
   // link 1 (base_x), articulated inertia
   const Real inverse_D1 = 1.0 / (186.45 + (inverse_D2_p9 - inverse_D2_p12) - inverse_D1_p1 *
@@ -474,88 +480,107 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
 
   // link 1 (base_x), force propagation
   const Lanes<8> Lambda_5_5_p666_lanes = Lambda_5_5_p642_lanes * inverse_D1;
-  const Lanes<8> Lambda_5_5_p690_lanes = Lambda_5_5_p483_lanes + Lambda_5_5_p509_lanes *
-      Lambda_5_5_p465_lanes[0] + Lambda_5_5_p612_lanes * Lambda_5_5_p599_lanes[0] +
+  const Lanes<8> Lambda_5_5_p690_lanes = Lambda_5_5_p478_lanes + Lambda_5_5_p508_lanes *
+      Lambda_5_5_p460_lanes[0] + Lambda_5_5_p612_lanes * Lambda_5_5_p598_lanes[0] +
       Lambda_5_5_p666_lanes * Lambda_5_5_p642_lanes[0];
-  const Lanes<8> Lambda_5_5_p696_lanes = Lambda_5_5_p489_lanes + Lambda_5_5_p509_lanes *
-      Lambda_5_5_p465_lanes[1] + Lambda_5_5_p612_lanes * Lambda_5_5_p599_lanes[1] +
+  const Lanes<8> Lambda_5_5_p696_lanes = Lambda_5_5_p484_lanes + Lambda_5_5_p508_lanes *
+      Lambda_5_5_p460_lanes[1] + Lambda_5_5_p612_lanes * Lambda_5_5_p598_lanes[1] +
       Lambda_5_5_p666_lanes * Lambda_5_5_p642_lanes[1];
-  const Lanes<8> Lambda_5_5_p701_lanes = Lambda_5_5_p494_lanes + Lambda_5_5_p509_lanes *
-      Lambda_5_5_p465_lanes[2] + Lambda_5_5_p612_lanes * Lambda_5_5_p599_lanes[2] +
+  const Lanes<8> Lambda_5_5_p701_lanes = Lambda_5_5_p489_lanes + Lambda_5_5_p508_lanes *
+      Lambda_5_5_p460_lanes[2] + Lambda_5_5_p612_lanes * Lambda_5_5_p598_lanes[2] +
       Lambda_5_5_p666_lanes * Lambda_5_5_p642_lanes[2];
-  const Real Lambda_5_5_p708 = 1.0 / Lambda_5_5_p690_lanes[0];
-  const Lanes<8> Lambda_5_5_p709_lanes = Lambda_5_5_p690_lanes * Lambda_5_5_p708;
-  const Lanes<8> Lambda_5_5_p726_lanes = Lambda_5_5_p696_lanes - Lambda_5_5_p709_lanes *
+  const Real Lambda_5_5_p708 = Lambda_5_5_p690_lanes[0] * Lambda_5_5_p690_lanes[0];
+  const Real Lambda_5_5_p709 = Lambda_5_5_p708 * Lambda_5_5_p690_lanes[0];
+  const Real Lambda_5_5_p710 = Lambda_5_5_p709 * Lambda_5_5_p708 /
+      (1.262177448353619e-29 + Lambda_5_5_p709 * Lambda_5_5_p709);
+  const Lanes<8> Lambda_5_5_p711_lanes = Lambda_5_5_p690_lanes * Lambda_5_5_p710;
+  const Lanes<8> Lambda_5_5_p728_lanes = Lambda_5_5_p696_lanes - Lambda_5_5_p711_lanes *
       Lambda_5_5_p690_lanes[1];
-  const Real Lambda_5_5_p738 = Lambda_5_5_p508 + Lambda_5_5_p509_lanes[4] *
-      Lambda_5_5_p465_lanes[4] + Lambda_5_5_p612_lanes[4] * Lambda_5_5_p599_lanes[4] +
-      Lambda_5_5_p666_lanes[4] * Lambda_5_5_p642_lanes[4] - Lambda_5_5_p709_lanes[4] *
+  const Real Lambda_5_5_p740 = Lambda_5_5_p507 + Lambda_5_5_p508_lanes[4] *
+      Lambda_5_5_p460_lanes[4] + Lambda_5_5_p612_lanes[4] * Lambda_5_5_p598_lanes[4] +
+      Lambda_5_5_p666_lanes[4] * Lambda_5_5_p642_lanes[4] - Lambda_5_5_p711_lanes[4] *
       Lambda_5_5_p690_lanes[4];
-  const Real Lambda_5_5_p739 = Lambda_5_5_p507 + Lambda_5_5_p509_lanes[5] *
-      Lambda_5_5_p465_lanes[4] + Lambda_5_5_p612_lanes[5] * Lambda_5_5_p599_lanes[4] +
-      Lambda_5_5_p666_lanes[5] * Lambda_5_5_p642_lanes[4] - Lambda_5_5_p709_lanes[5] *
+  const Real Lambda_5_5_p741 = Lambda_5_5_p610 + Lambda_5_5_p508_lanes[5] *
+      Lambda_5_5_p460_lanes[4] + Lambda_5_5_p612_lanes[5] * Lambda_5_5_p598_lanes[4] +
+      Lambda_5_5_p666_lanes[5] * Lambda_5_5_p642_lanes[4] - Lambda_5_5_p711_lanes[5] *
       Lambda_5_5_p690_lanes[4];
-  const Real Lambda_5_5_p740 = Lambda_5_5_p611 + Lambda_5_5_p509_lanes[5] *
-      Lambda_5_5_p465_lanes[5] + Lambda_5_5_p612_lanes[5] * Lambda_5_5_p599_lanes[5] +
-      Lambda_5_5_p666_lanes[5] * Lambda_5_5_p642_lanes[5] - Lambda_5_5_p709_lanes[5] *
+  const Real Lambda_5_5_p742 = Lambda_5_5_p611 + Lambda_5_5_p508_lanes[5] *
+      Lambda_5_5_p460_lanes[5] + Lambda_5_5_p612_lanes[5] * Lambda_5_5_p598_lanes[5] +
+      Lambda_5_5_p666_lanes[5] * Lambda_5_5_p642_lanes[5] - Lambda_5_5_p711_lanes[5] *
       Lambda_5_5_p690_lanes[5];
-  const Real Lambda_5_5_p741 = 1.0 / Lambda_5_5_p726_lanes[1];
-  const Lanes<8> Lambda_5_5_p742_lanes = Lambda_5_5_p726_lanes * Lambda_5_5_p741;
-  const Real Lambda_0_0_p1 = Lambda_5_5_p709_lanes[1] * Lambda_5_5_p741;
-  const Lanes<8> Lambda_5_5_p753_lanes = Lambda_5_5_p701_lanes - Lambda_5_5_p709_lanes *
-      Lambda_5_5_p690_lanes[2] - Lambda_5_5_p742_lanes * Lambda_5_5_p726_lanes[2];
-  const Lanes<8> Lambda_5_5_p757_lanes = Lambda_5_5_p663_lanes + Lambda_5_5_p666_lanes *
-      Lambda_5_5_p642_lanes[3] - Lambda_5_5_p709_lanes * Lambda_5_5_p690_lanes[3] -
-      Lambda_5_5_p742_lanes * Lambda_5_5_p726_lanes[3];
-  const Real Lambda_0_0_p2 = Lambda_5_5_p742_lanes[2] * Lambda_5_5_p709_lanes[1] -
-      Lambda_5_5_p709_lanes[2];
-  const Real Lambda_5_5_p760 = 1.0 / Lambda_5_5_p753_lanes[2];
-  const Lanes<8> Lambda_5_5_p761_lanes = Lambda_5_5_p753_lanes * Lambda_5_5_p760;
-  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p760;
-  const Real Lambda_0_1_p1 = Lambda_5_5_p742_lanes[2] * Lambda_5_5_p760;
-  const Lanes<8> Lambda_5_5_p767_lanes = Lambda_5_5_p757_lanes - Lambda_5_5_p761_lanes *
-      Lambda_5_5_p753_lanes[3];
-  const Real Lambda_0_0_p4 = Lambda_5_5_p742_lanes[3] * Lambda_5_5_p709_lanes[1] -
-      Lambda_5_5_p709_lanes[3] - Lambda_5_5_p761_lanes[3] * Lambda_0_0_p2;
-  const Real Lambda_0_1_p2 = Lambda_5_5_p761_lanes[3] * Lambda_5_5_p742_lanes[2] -
-      Lambda_5_5_p742_lanes[3];
-  const Real Lambda_5_5_p770 = 1.0 / Lambda_5_5_p767_lanes[3];
-  const Real Lambda_5_5_p771 = Lambda_5_5_p767_lanes[4] * Lambda_5_5_p770;
-  const Real Lambda_5_5_p772 = Lambda_5_5_p767_lanes[5] * Lambda_5_5_p770;
-  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p770;
-  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p770;
-  const Real Lambda_0_2_p1 = Lambda_5_5_p761_lanes[3] * Lambda_5_5_p770;
-  const Real Lambda_5_5_p773 = Lambda_5_5_p739 - Lambda_5_5_p742_lanes[5] *
-      Lambda_5_5_p726_lanes[4] - Lambda_5_5_p761_lanes[5] * Lambda_5_5_p753_lanes[4] -
-      Lambda_5_5_p772 * Lambda_5_5_p767_lanes[4];
-  const Real Lambda_0_0_p6 = Lambda_5_5_p742_lanes[4] * Lambda_5_5_p709_lanes[1] -
-      Lambda_5_5_p709_lanes[4] - Lambda_5_5_p761_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p771 *
+  const Real Lambda_5_5_p743 = Lambda_5_5_p728_lanes[1] * Lambda_5_5_p728_lanes[1];
+  const Real Lambda_5_5_p744 = Lambda_5_5_p743 * Lambda_5_5_p728_lanes[1];
+  const Real Lambda_5_5_p745 = Lambda_5_5_p744 * Lambda_5_5_p743 /
+      (1.9721522630525295e-31 + Lambda_5_5_p744 * Lambda_5_5_p744);
+  const Lanes<8> Lambda_5_5_p746_lanes = Lambda_5_5_p728_lanes * Lambda_5_5_p745;
+  const Real Lambda_0_0_p1 = Lambda_5_5_p711_lanes[1] * Lambda_5_5_p745;
+  const Lanes<8> Lambda_5_5_p757_lanes = Lambda_5_5_p701_lanes - Lambda_5_5_p711_lanes *
+      Lambda_5_5_p690_lanes[2] - Lambda_5_5_p746_lanes * Lambda_5_5_p728_lanes[2];
+  const Lanes<8> Lambda_5_5_p761_lanes = Lambda_5_5_p663_lanes + Lambda_5_5_p666_lanes *
+      Lambda_5_5_p642_lanes[3] - Lambda_5_5_p711_lanes * Lambda_5_5_p690_lanes[3] -
+      Lambda_5_5_p746_lanes * Lambda_5_5_p728_lanes[3];
+  const Real Lambda_0_0_p2 = Lambda_5_5_p746_lanes[2] * Lambda_5_5_p711_lanes[1] -
+      Lambda_5_5_p711_lanes[2];
+  const Real Lambda_5_5_p764 = Lambda_5_5_p757_lanes[2] * Lambda_5_5_p757_lanes[2];
+  const Real Lambda_5_5_p765 = Lambda_5_5_p764 * Lambda_5_5_p757_lanes[2];
+  const Real Lambda_5_5_p766 = Lambda_5_5_p765 * Lambda_5_5_p764 /
+      (3.0814879110195774e-33 + Lambda_5_5_p765 * Lambda_5_5_p765);
+  const Lanes<8> Lambda_5_5_p767_lanes = Lambda_5_5_p757_lanes * Lambda_5_5_p766;
+  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p766;
+  const Real Lambda_0_1_p1 = Lambda_5_5_p746_lanes[2] * Lambda_5_5_p766;
+  const Lanes<8> Lambda_5_5_p773_lanes = Lambda_5_5_p761_lanes - Lambda_5_5_p767_lanes *
+      Lambda_5_5_p757_lanes[3];
+  const Real Lambda_0_0_p4 = Lambda_5_5_p746_lanes[3] * Lambda_5_5_p711_lanes[1] -
+      Lambda_5_5_p711_lanes[3] - Lambda_5_5_p767_lanes[3] * Lambda_0_0_p2;
+  const Real Lambda_0_1_p2 = Lambda_5_5_p767_lanes[3] * Lambda_5_5_p746_lanes[2] -
+      Lambda_5_5_p746_lanes[3];
+  const Real Lambda_5_5_p776 = Lambda_5_5_p773_lanes[3] * Lambda_5_5_p773_lanes[3];
+  const Real Lambda_5_5_p777 = Lambda_5_5_p776 * Lambda_5_5_p773_lanes[3];
+  const Real Lambda_5_5_p778 = Lambda_5_5_p777 * Lambda_5_5_p776 /
+      (5.960464477539063e-08 + Lambda_5_5_p777 * Lambda_5_5_p777);
+  const Real Lambda_5_5_p779 = Lambda_5_5_p773_lanes[4] * Lambda_5_5_p778;
+  const Real Lambda_5_5_p780 = Lambda_5_5_p773_lanes[5] * Lambda_5_5_p778;
+  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p778;
+  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p778;
+  const Real Lambda_0_2_p1 = Lambda_5_5_p767_lanes[3] * Lambda_5_5_p778;
+  const Real Lambda_5_5_p781 = Lambda_5_5_p740 - Lambda_5_5_p746_lanes[4] *
+      Lambda_5_5_p728_lanes[4] - Lambda_5_5_p767_lanes[4] * Lambda_5_5_p757_lanes[4] -
+      Lambda_5_5_p779 * Lambda_5_5_p773_lanes[4];
+  const Real Lambda_5_5_p782 = Lambda_5_5_p741 - Lambda_5_5_p746_lanes[5] *
+      Lambda_5_5_p728_lanes[4] - Lambda_5_5_p767_lanes[5] * Lambda_5_5_p757_lanes[4] -
+      Lambda_5_5_p780 * Lambda_5_5_p773_lanes[4];
+  const Real Lambda_0_0_p6 = Lambda_5_5_p746_lanes[4] * Lambda_5_5_p711_lanes[1] -
+      Lambda_5_5_p711_lanes[4] - Lambda_5_5_p767_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p779 *
       Lambda_0_0_p4;
-  const Real Lambda_0_1_p4 = Lambda_5_5_p761_lanes[4] * Lambda_5_5_p742_lanes[2] -
-      Lambda_5_5_p742_lanes[4] - Lambda_5_5_p771 * Lambda_0_1_p2;
-  const Real Lambda_0_2_p2 = Lambda_5_5_p771 * Lambda_5_5_p761_lanes[3] - Lambda_5_5_p761_lanes[4];
-  const Real Lambda_5_5_p774 = 1.0 / (Lambda_5_5_p738 - Lambda_5_5_p742_lanes[4] *
-      Lambda_5_5_p726_lanes[4] - Lambda_5_5_p761_lanes[4] * Lambda_5_5_p753_lanes[4] -
-      Lambda_5_5_p771 * Lambda_5_5_p767_lanes[4]);
-  const Real Lambda_5_5_p775 = Lambda_5_5_p773 * Lambda_5_5_p774;
-  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p774;
-  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p774;
-  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p774;
-  const Real Lambda_0_3_p1 = Lambda_5_5_p771 * Lambda_5_5_p774;
-  const Real Lambda_5_5_p776 = Lambda_5_5_p740 - Lambda_5_5_p742_lanes[5] *
-      Lambda_5_5_p726_lanes[5] - Lambda_5_5_p761_lanes[5] * Lambda_5_5_p753_lanes[5] -
-      Lambda_5_5_p772 * Lambda_5_5_p767_lanes[5] - Lambda_5_5_p775 * Lambda_5_5_p773;
-  const Real Lambda_0_5_p1 = Lambda_5_5_p742_lanes[5] * Lambda_5_5_p709_lanes[1] -
-      Lambda_5_5_p709_lanes[5] - Lambda_5_5_p761_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p772 *
-      Lambda_0_0_p4 - Lambda_5_5_p775 * Lambda_0_0_p6;
-  const Real Lambda_1_5_p1 = Lambda_5_5_p761_lanes[5] * Lambda_5_5_p742_lanes[2] -
-      Lambda_5_5_p742_lanes[5] - Lambda_5_5_p772 * Lambda_0_1_p2 - Lambda_5_5_p775 * Lambda_0_1_p4;
-  const Real Lambda_2_5_p1 = Lambda_5_5_p772 * Lambda_5_5_p761_lanes[3] - Lambda_5_5_p761_lanes[5] -
-      Lambda_5_5_p775 * Lambda_0_2_p2;
-  const Real Lambda_3_5_p1 = Lambda_5_5_p775 * Lambda_5_5_p771 - Lambda_5_5_p772;
-  const Real Lambda_0_0_p8 = Lambda_5_5_p708 + Lambda_0_0_p1 * Lambda_5_5_p709_lanes[1] +
+  const Real Lambda_0_1_p4 = Lambda_5_5_p767_lanes[4] * Lambda_5_5_p746_lanes[2] -
+      Lambda_5_5_p746_lanes[4] - Lambda_5_5_p779 * Lambda_0_1_p2;
+  const Real Lambda_0_2_p2 = Lambda_5_5_p779 * Lambda_5_5_p767_lanes[3] - Lambda_5_5_p767_lanes[4];
+  const Real Lambda_5_5_p783 = Lambda_5_5_p781 * Lambda_5_5_p781;
+  const Real Lambda_5_5_p784 = Lambda_5_5_p783 * Lambda_5_5_p781;
+  const Real Lambda_5_5_p785 = Lambda_5_5_p784 * Lambda_5_5_p783 /
+      (1.3552527156068805e-20 + Lambda_5_5_p784 * Lambda_5_5_p784);
+  const Real Lambda_5_5_p786 = Lambda_5_5_p782 * Lambda_5_5_p785;
+  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p785;
+  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p785;
+  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p785;
+  const Real Lambda_0_3_p1 = Lambda_5_5_p779 * Lambda_5_5_p785;
+  const Real Lambda_5_5_p787 = Lambda_5_5_p742 - Lambda_5_5_p746_lanes[5] *
+      Lambda_5_5_p728_lanes[5] - Lambda_5_5_p767_lanes[5] * Lambda_5_5_p757_lanes[5] -
+      Lambda_5_5_p780 * Lambda_5_5_p773_lanes[5] - Lambda_5_5_p786 * Lambda_5_5_p782;
+  const Real Lambda_0_5_p1 = Lambda_5_5_p746_lanes[5] * Lambda_5_5_p711_lanes[1] -
+      Lambda_5_5_p711_lanes[5] - Lambda_5_5_p767_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p780 *
+      Lambda_0_0_p4 - Lambda_5_5_p786 * Lambda_0_0_p6;
+  const Real Lambda_1_5_p1 = Lambda_5_5_p767_lanes[5] * Lambda_5_5_p746_lanes[2] -
+      Lambda_5_5_p746_lanes[5] - Lambda_5_5_p780 * Lambda_0_1_p2 - Lambda_5_5_p786 * Lambda_0_1_p4;
+  const Real Lambda_2_5_p1 = Lambda_5_5_p780 * Lambda_5_5_p767_lanes[3] - Lambda_5_5_p767_lanes[5] -
+      Lambda_5_5_p786 * Lambda_0_2_p2;
+  const Real Lambda_3_5_p1 = Lambda_5_5_p786 * Lambda_5_5_p779 - Lambda_5_5_p780;
+  const Real Lambda_0_0_p8 = Lambda_5_5_p710 + Lambda_0_0_p1 * Lambda_5_5_p711_lanes[1] +
       Lambda_0_0_p3 * Lambda_0_0_p2 + Lambda_0_0_p5 * Lambda_0_0_p4 + Lambda_0_0_p7 * Lambda_0_0_p6;
-  const Real Lambda_5_5 = 1.0 / Lambda_5_5_p776;
+  const Real Lambda_5_5_p788 = Lambda_5_5_p787 * Lambda_5_5_p787;
+  const Real Lambda_5_5_p789 = Lambda_5_5_p788 * Lambda_5_5_p787;
+  const Real Lambda_5_5 = Lambda_5_5_p789 * Lambda_5_5_p788 /
+      (2.117582368135751e-22 + Lambda_5_5_p789 * Lambda_5_5_p789);
   Lambda[35] = Lambda_5_5;
   const Real Lambda_0_5 = Lambda_0_5_p1 * Lambda_5_5;
   Lambda[5] = Lambda_0_5;
@@ -569,7 +594,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_3_5 = Lambda_3_5_p1 * Lambda_5_5;
   Lambda[23] = Lambda_3_5;
   Lambda[33] = Lambda_3_5;
-  const Real Lambda_4_5 = Lambda_5_5_p775 * Lambda_5_5;
+  const Real Lambda_4_5 = Lambda_5_5_p786 * Lambda_5_5;
   Lambda[29] = -Lambda_4_5;
   Lambda[34] = -Lambda_4_5;
   Lambda[0] = Lambda_0_0_p8 + Lambda_0_5 * Lambda_0_5_p1;
@@ -589,7 +614,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_4 = Lambda_0_0_p7 - Lambda_4_5 * Lambda_0_5_p1;
   Lambda[4] = Lambda_0_4;
   Lambda[24] = Lambda_0_4;
-  Lambda[7] = Lambda_5_5_p741 + Lambda_0_1_p1 * Lambda_5_5_p742_lanes[2] + Lambda_0_1_p3 *
+  Lambda[7] = Lambda_5_5_p745 + Lambda_0_1_p1 * Lambda_5_5_p746_lanes[2] + Lambda_0_1_p3 *
       Lambda_0_1_p2 + Lambda_0_1_p5 * Lambda_0_1_p4 + Lambda_1_5 * Lambda_1_5_p1;
   const Real Lambda_1_2 = Lambda_0_2_p3 * Lambda_0_1_p4 -
       (Lambda_0_1_p1 + Lambda_0_2_p1 * Lambda_0_1_p2) + Lambda_2_5 * Lambda_1_5_p1;
@@ -602,7 +627,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_1_4 = Lambda_0_1_p5 - Lambda_4_5 * Lambda_1_5_p1;
   Lambda[10] = Lambda_1_4;
   Lambda[25] = Lambda_1_4;
-  Lambda[14] = Lambda_5_5_p760 + Lambda_0_2_p1 * Lambda_5_5_p761_lanes[3] + Lambda_0_2_p3 *
+  Lambda[14] = Lambda_5_5_p766 + Lambda_0_2_p1 * Lambda_5_5_p767_lanes[3] + Lambda_0_2_p3 *
       Lambda_0_2_p2 + Lambda_2_5 * Lambda_2_5_p1;
   const Real Lambda_2_3 = Lambda_3_5 * Lambda_2_5_p1 -
       (Lambda_0_2_p1 + Lambda_0_3_p1 * Lambda_0_2_p2);
@@ -611,11 +636,11 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_2_4 = Lambda_0_2_p3 - Lambda_4_5 * Lambda_2_5_p1;
   Lambda[16] = Lambda_2_4;
   Lambda[26] = Lambda_2_4;
-  Lambda[21] = Lambda_5_5_p770 + Lambda_0_3_p1 * Lambda_5_5_p771 + Lambda_3_5 * Lambda_3_5_p1;
+  Lambda[21] = Lambda_5_5_p778 + Lambda_0_3_p1 * Lambda_5_5_p779 + Lambda_3_5 * Lambda_3_5_p1;
   const Real Lambda_3_4 = Lambda_0_3_p1 + Lambda_4_5 * Lambda_3_5_p1;
   Lambda[22] = -Lambda_3_4;
   Lambda[27] = -Lambda_3_4;
-  Lambda[28] = Lambda_5_5_p774 + Lambda_4_5 * Lambda_5_5_p775;
+  Lambda[28] = Lambda_5_5_p785 + Lambda_4_5 * Lambda_5_5_p786;
 }
 
 }  // namespace samm

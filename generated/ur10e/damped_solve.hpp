@@ -19,9 +19,8 @@
 //
 // at every configuration, singular ones included.
 
-#include <limits>
-
 #include "ldlt.hpp"
+#include "sin_cos.hpp"
 #include "symmetric_eigen.hpp"
 
 namespace ur10e::detail {
@@ -33,7 +32,8 @@ inline constexpr double kLargestDampedEnergy = 1.3617;
 /// delta(s) for directions that yield where s < border; border >= 1 is 1 but for rounding.
 template <class Real>
 constexpr Real damping_of(Real ease, Real border) noexcept {
-  const Real lack = ease < border ? Real(1) - ease / border : Real(0);
+  const Real difference = Real(1) - ease / border;
+  const Real lack = difference > Real(0) ? difference : Real(0);
   return border * lack * lack * lack;
 }
 
@@ -56,7 +56,7 @@ inline Real add_damping_by_directions(const Real (&heaviest)[N], Real (&A)[NN]) 
     }
   }
   const auto eigen = symmetric_eigen<N>(scaled);
-  const Real resolved = Real(64) * std::numeric_limits<Real>::epsilon() * eigen.values[0];
+  const Real resolved = Real(64) * Format<Real>::kEpsilon * eigen.values[0];
   const Real border = resolved > Real(1) ? resolved : Real(1);
   for (int k = 0; k < N; ++k) {
     const Real delta = damping_of(eigen.values[k], border);

@@ -1,6 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
 // By M = L^T D L, J carried inward, in the axes asked for at the points.
-// 792 flops (add 325, mul 457, div 10), sine and cosine of 5 angles
+// 822 flops (add 331, mul 481, div 10), sine and cosine of 5 angles
 // Generated; see ur10e.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)
 // Fewer spills and copies in long straight-line code; no arithmetic changes.
@@ -198,249 +198,275 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
       detail::make_pack<Real>(Lambda_5_5_p48, Lambda_5_5_p47, Lambda_5_5_p30, Lambda_5_5_p48,
       Lambda_5_5_p48, Lambda_5_5_p16, Lambda_5_5_p48, Lambda_5_5_p48);
   const Real Lambda_5_5_p75 = Lambda_5_5_p65 + Lambda_5_5_p5 * Lambda_5_5_p50;
-  const Real Lambda_5_5_p80 = 1.156008191975 * s2 + Lambda_5_5_p49 + Lambda_5_5_p6 * Lambda_5_5_p3 -
+
+  // link 3 (forearm), Jacobian
+  const Real Lambda_5_5_p80 = Lambda_5_5_p67 + Lambda_5_5_p6;
+
+  // link 1 (shoulder), mass matrix
+  const Real Lambda_5_5_p81 = 1.156008191975 * s2 + Lambda_5_5_p49 + Lambda_5_5_p6 * Lambda_5_5_p3 -
       Lambda_5_5_p44 * Lambda_5_5_p42 - Lambda_5_5_p63 * Lambda_5_5_p52;
 
   // link 3 (forearm), Jacobian
-  const Real Lambda_5_5_p81 = Lambda_5_5_p67 + Lambda_5_5_p6;
   const Real Lambda_5_5_p82 = Lambda_5_5_p70 - Lambda_5_5_p7;
 
   // link 5 (wrist_2), Jacobian
   const Real Lambda_5_5_p83 = 0.17415 + 0.11655 * c5;
 
-  // link 5 (wrist_2), pose
-  const Real Lambda_5_5_p89 = s5 * Lambda_5_5_p23 + c5 * c1;
-
   // link 1 (shoulder), mass matrix
-  const Lanes<8> Lambda_5_5_p94_lanes = detail::make_pack<Real>(Lambda_5_5_p67 * c1,
+  const Lanes<8> Lambda_5_5_p93_lanes = detail::make_pack<Real>(Lambda_5_5_p67 * c1,
       Lambda_5_5_p67 * s1, Lambda_5_5_p70, Lambda_5_5_p67 * c1, Lambda_5_5_p67 * c1, Lambda_5_5_p57,
       Lambda_5_5_p67 * c1, Lambda_5_5_p67 * c1) + Lambda_5_5_p39 *
       detail::make_pack<Real>(Lambda_5_5_p48, Lambda_5_5_p47, Lambda_5_5_p30, Lambda_5_5_p48,
       Lambda_5_5_p48, Lambda_5_5_p16, Lambda_5_5_p48, Lambda_5_5_p48);
-  const Real Lambda_5_5_p98 = (0.037099816387500005 * Lambda_5_5_p17 -
+  const Real Lambda_5_5_p97 = (0.037099816387500005 * Lambda_5_5_p17 -
       (Lambda_5_5_p17 * (0.0012399999999999998 + Lambda_5_5_p10) + Lambda_5_5_p16 *
       (0.021392421525 * s5))) * Lambda_5_5_p17;
-
-  // link 5 (wrist_2), pose
-  const Real Lambda_5_5_p99 = Lambda_5_5_p17 * s1;
-
-  // link 1 (shoulder), mass matrix
-  const Lanes<8> Lambda_5_5_p108_lanes = detail::make_pack<Real>(Lambda_5_5_p94_lanes[0],
-      Lambda_5_5_p94_lanes[1], Lambda_5_5_p94_lanes[2], Lambda_5_5_p65 - Lambda_5_5_p39 *
-      Lambda_5_5_p50, Lambda_5_5_p94_lanes[0], Lambda_5_5_p94_lanes[5], Lambda_5_5_p94_lanes[0],
-      Lambda_5_5_p94_lanes[0]) - Lambda_5_5_p51 * detail::make_pack<Real>(Lambda_5_5_p71_lanes[0],
+  const Lanes<8> Lambda_5_5_p106_lanes = detail::make_pack<Real>(Lambda_5_5_p93_lanes[0],
+      Lambda_5_5_p93_lanes[1], Lambda_5_5_p93_lanes[2], Lambda_5_5_p65 - Lambda_5_5_p39 *
+      Lambda_5_5_p50, Lambda_5_5_p93_lanes[0], Lambda_5_5_p93_lanes[5], Lambda_5_5_p93_lanes[0],
+      Lambda_5_5_p93_lanes[0]) - Lambda_5_5_p51 * detail::make_pack<Real>(Lambda_5_5_p71_lanes[0],
       Lambda_5_5_p71_lanes[1], Lambda_5_5_p71_lanes[2], Lambda_5_5_p75, Lambda_5_5_p71_lanes[0],
       Lambda_5_5_p71_lanes[5], Lambda_5_5_p71_lanes[0], Lambda_5_5_p71_lanes[0]);
-  const Lanes<8> Lambda_5_5_p113_lanes = detail::make_pack<Real>(Lambda_5_5_p81 * c1,
-      Lambda_5_5_p81 * s1, Lambda_5_5_p82, Lambda_5_5_p81 * c1, Lambda_5_5_p81 * c1, Lambda_5_5_p57,
-      Lambda_5_5_p81 * c1, Lambda_5_5_p81 * c1) + Lambda_5_5_p44 *
+  const Lanes<8> Lambda_5_5_p111_lanes = detail::make_pack<Real>(Lambda_5_5_p80 * c1,
+      Lambda_5_5_p80 * s1, Lambda_5_5_p82, Lambda_5_5_p80 * c1, Lambda_5_5_p80 * c1, Lambda_5_5_p57,
+      Lambda_5_5_p80 * c1, Lambda_5_5_p80 * c1) + Lambda_5_5_p44 *
       detail::make_pack<Real>(Lambda_5_5_p48, Lambda_5_5_p47, Lambda_5_5_p30, Lambda_5_5_p48,
       Lambda_5_5_p48, Lambda_5_5_p16, Lambda_5_5_p48, Lambda_5_5_p48);
-  const Lanes<8> Lambda_5_5_p122_lanes = Lambda_5_5_p71_lanes * Lambda_5_5_p27;
-  const Lanes<8> Lambda_5_5_p126_lanes = detail::make_pack<Real>(13.676220951776003,
+  const Lanes<8> Lambda_5_5_p120_lanes = Lambda_5_5_p71_lanes * Lambda_5_5_p27;
+  const Lanes<8> Lambda_5_5_p124_lanes = detail::make_pack<Real>(13.676220951776003,
       13.676220951776003, 13.676220951776003, 13.676220951776003, 13.676220951776003,
       117.34209310833121, 13.676220951776003, 13.676220951776003) *
       detail::make_pack<Real>(Lambda_5_5_p37, Lambda_5_5_p35, Lambda_5_5_p21, Lambda_5_5_p37,
       Lambda_5_5_p37, Lambda_5_5_p16, Lambda_5_5_p37, Lambda_5_5_p37);
-  const Real Lambda_5_5_p130 = Lambda_5_5_p68 * Lambda_5_5_p69;
-  const Real Lambda_5_5_p131 = Lambda_5_5_p66 * Lambda_5_5_p69;
-  const Real Lambda_5_5_p132 = c5 * Lambda_5_5_p89 - c1;
-  const Real Lambda_5_5_p138 = Lambda_5_5_p75 * Lambda_5_5_p27;
-  const Lanes<8> Lambda_5_5_p139_lanes = detail::make_pack<Real>(Lambda_5_5_p83 * c1 -
+  const Real Lambda_5_5_p133 = Lambda_5_5_p75 * Lambda_5_5_p27;
+  const Real Lambda_5_5_p134 = 117.34209310833121 * Lambda_5_5_p50;
+  const Real Lambda_5_5_p135 = Lambda_5_5_p68 * Lambda_5_5_p69;
+  const Real Lambda_5_5_p136 = Lambda_5_5_p66 * Lambda_5_5_p69;
+  const Lanes<8> Lambda_5_5_p137_lanes = Lambda_5_5_p106_lanes * Lambda_5_5_p69;
+
+  // link 5 (wrist_2), pose
+  const Real Lambda_5_5_p142 = Lambda_5_5_p17 * s1;
+
+  // link 1 (shoulder), mass matrix
+  const Lanes<8> Lambda_5_5_p143_lanes = detail::make_pack<Real>(Lambda_5_5_p83 * c1 -
       Lambda_5_5_p82 * s1, Lambda_5_5_p82 * c1 + Lambda_5_5_p83 * s1, Lambda_5_5_p83 * c1 -
       Lambda_5_5_p82 * s1, Lambda_5_5_p83 * c1 - Lambda_5_5_p82 * s1, Lambda_5_5_p83 * c1 -
       Lambda_5_5_p82 * s1, 1.0 - Lambda_5_5_p22 * Lambda_5_5_p22, Lambda_5_5_p83 * c1 -
       Lambda_5_5_p82 * s1, Lambda_5_5_p83 * c1 - Lambda_5_5_p82 * s1) + Lambda_5_5_p46 *
       detail::make_pack<Real>(Lambda_5_5_p48, Lambda_5_5_p47, Lambda_5_5_p48, Lambda_5_5_p48,
       Lambda_5_5_p48, Lambda_5_5_p16, Lambda_5_5_p48, Lambda_5_5_p48);
-  const Real Lambda_5_5_p142 = 117.34209310833121 * Lambda_5_5_p50;
-  const Lanes<8> Lambda_5_5_p143_lanes = Lambda_5_5_p108_lanes * Lambda_5_5_p69;
-  const Real Lambda_5_5_p161 = Lambda_5_5_p132 + Lambda_5_5_p5 * Lambda_5_5_p99;
-  const Lanes<8> Lambda_5_5_p177_lanes = Lambda_5_5_p126_lanes * Lambda_5_5_p48 +
-      Lambda_5_5_p122_lanes * Lambda_5_5_p71_lanes[0];
-  const Real Lambda_5_5_p181 = 117.34209310833121 * Lambda_5_5_p99;
-  const Real Lambda_5_5_p185 = 4.3866871861500005 + Lambda_5_5_p54 + 2.0 * Lambda_5_5_p41 -
-      Lambda_5_5_p44 * Lambda_5_5_p40 - Lambda_5_5_p63 * Lambda_5_5_p55 - Lambda_5_5_p130 *
+
+  // link 5 (wrist_2), pose
+  const Real Lambda_5_5_p146 = s5 * Lambda_5_5_p23 + c5 * c1;
+
+  // link 1 (shoulder), mass matrix
+  const Lanes<8> Lambda_5_5_p181_lanes = Lambda_5_5_p124_lanes * Lambda_5_5_p48 +
+      Lambda_5_5_p120_lanes * Lambda_5_5_p71_lanes[0];
+  const Real Lambda_5_5_p185 = 117.34209310833121 * Lambda_5_5_p142;
+  const Real Lambda_5_5_p186 = 4.3866871861500005 + Lambda_5_5_p54 + 2.0 * Lambda_5_5_p41 -
+      Lambda_5_5_p44 * Lambda_5_5_p40 - Lambda_5_5_p63 * Lambda_5_5_p55 - Lambda_5_5_p135 *
       Lambda_5_5_p68;
-  const Real Lambda_5_5_p186 = Lambda_5_5_p80 - Lambda_5_5_p130 * Lambda_5_5_p66;
-  const Real Lambda_5_5_p187 = Lambda_5_5_p64 - Lambda_5_5_p22 * Lambda_5_5_p28 - Lambda_5_5_p46 *
-      Lambda_5_5_p42 - Lambda_5_5_p56 * Lambda_5_5_p52 - Lambda_5_5_p131 * Lambda_5_5_p66;
-  const Lanes<8> Lambda_5_5_p188_lanes = detail::make_pack<Real>(Lambda_5_5_p113_lanes[0],
-      Lambda_5_5_p113_lanes[1], Lambda_5_5_p113_lanes[2], Lambda_5_5_p65 - Lambda_5_5_p44 *
-      Lambda_5_5_p50, Lambda_5_5_p113_lanes[0], Lambda_5_5_p113_lanes[5], Lambda_5_5_p113_lanes[0],
-      Lambda_5_5_p113_lanes[0]) - Lambda_5_5_p63 * detail::make_pack<Real>(Lambda_5_5_p71_lanes[0],
+  const Real Lambda_5_5_p187 = Lambda_5_5_p81 - Lambda_5_5_p135 * Lambda_5_5_p66;
+  const Real Lambda_5_5_p188 = Lambda_5_5_p64 - Lambda_5_5_p22 * Lambda_5_5_p28 - Lambda_5_5_p46 *
+      Lambda_5_5_p42 - Lambda_5_5_p56 * Lambda_5_5_p52 - Lambda_5_5_p136 * Lambda_5_5_p66;
+  const Lanes<8> Lambda_5_5_p189_lanes = detail::make_pack<Real>(Lambda_5_5_p111_lanes[0],
+      Lambda_5_5_p111_lanes[1], Lambda_5_5_p111_lanes[2], Lambda_5_5_p65 - Lambda_5_5_p44 *
+      Lambda_5_5_p50, Lambda_5_5_p111_lanes[0], Lambda_5_5_p111_lanes[5], Lambda_5_5_p111_lanes[0],
+      Lambda_5_5_p111_lanes[0]) - Lambda_5_5_p63 * detail::make_pack<Real>(Lambda_5_5_p71_lanes[0],
       Lambda_5_5_p71_lanes[1], Lambda_5_5_p71_lanes[2], Lambda_5_5_p75, Lambda_5_5_p71_lanes[0],
-      Lambda_5_5_p71_lanes[5], Lambda_5_5_p71_lanes[0], Lambda_5_5_p71_lanes[0]) - Lambda_5_5_p130 *
-      Lambda_5_5_p108_lanes;
-  const Real Lambda_5_5_p198 = Lambda_5_5_p161 * Lambda_5_5_p27;
-  const Real Lambda_5_5_p202 = 1.0 / Lambda_5_5_p185;
-  const Real Lambda_5_5_p207 = Lambda_5_5_p132 - Lambda_5_5_p39 * Lambda_5_5_p99 - Lambda_5_5_p51 *
-      Lambda_5_5_p161;
-  const Lanes<8> Lambda_5_5_p213_lanes = Lambda_5_5_p126_lanes * Lambda_5_5_p47 +
-      Lambda_5_5_p122_lanes * Lambda_5_5_p71_lanes[1];
-  const Real Lambda_5_5_p216 = Lambda_5_5_p207 * Lambda_5_5_p69;
-  const Real Lambda_5_5_p220 = 1605.1364365971108 * Lambda_5_5_p22;
-  const Real Lambda_5_5_p221 = 1605.1364365971108 * Lambda_5_5_p89;
-  const Real Lambda_5_5_p226 = Lambda_5_5_p132 - Lambda_5_5_p44 * Lambda_5_5_p99 - Lambda_5_5_p63 *
-      Lambda_5_5_p161 - Lambda_5_5_p130 * Lambda_5_5_p207;
-  const Real Lambda_5_5_p230 = Lambda_5_5_p186 * Lambda_5_5_p202;
-  const Lanes<8> Lambda_5_5_p231_lanes = Lambda_5_5_p188_lanes * Lambda_5_5_p202;
-  const Real Lambda_5_5_p236 = Lambda_5_5_p226 * Lambda_5_5_p202;
-  const Lanes<8> Lambda_5_5_p254_lanes = detail::make_pack<Real>(Lambda_5_5_p139_lanes[0],
-      Lambda_5_5_p139_lanes[1], Lambda_5_5_p46 * Lambda_5_5_p30, Lambda_5_5_p22 * Lambda_5_5_p38 -
-      Lambda_5_5_p46 * Lambda_5_5_p50, Lambda_5_5_p139_lanes[0], Lambda_5_5_p139_lanes[5],
-      Lambda_5_5_p139_lanes[0], Lambda_5_5_p139_lanes[0]) - Lambda_5_5_p56 *
+      Lambda_5_5_p71_lanes[5], Lambda_5_5_p71_lanes[0], Lambda_5_5_p71_lanes[0]) - Lambda_5_5_p135 *
+      Lambda_5_5_p106_lanes;
+  const Real Lambda_5_5_p199 = c5 * Lambda_5_5_p146 - c1;
+  const Lanes<8> Lambda_5_5_p209_lanes = Lambda_5_5_p124_lanes * Lambda_5_5_p47 +
+      Lambda_5_5_p120_lanes * Lambda_5_5_p71_lanes[1];
+  const Real Lambda_5_5_p212 = 1.0 / Lambda_5_5_p186;
+  const Real Lambda_5_5_p213 = Lambda_5_5_p199 + Lambda_5_5_p5 * Lambda_5_5_p142;
+  const Real Lambda_5_5_p217 = 1605.1364365971108 * Lambda_5_5_p22;
+  const Real Lambda_5_5_p218 = Lambda_5_5_p213 * Lambda_5_5_p27;
+  const Real Lambda_5_5_p223 = 1605.1364365971108 * Lambda_5_5_p146;
+  const Real Lambda_5_5_p224 = Lambda_5_5_p199 - Lambda_5_5_p39 * Lambda_5_5_p142 - Lambda_5_5_p51 *
+      Lambda_5_5_p213;
+  const Real Lambda_5_5_p228 = Lambda_5_5_p224 * Lambda_5_5_p69;
+  const Real Lambda_5_5_p229 = Lambda_5_5_p187 * Lambda_5_5_p212;
+  const Lanes<8> Lambda_5_5_p230_lanes = Lambda_5_5_p189_lanes * Lambda_5_5_p212;
+  const Real Lambda_5_5_p235 = Lambda_5_5_p199 - Lambda_5_5_p44 * Lambda_5_5_p142 - Lambda_5_5_p63 *
+      Lambda_5_5_p213 - Lambda_5_5_p135 * Lambda_5_5_p224;
+  const Real Lambda_5_5_p250 = Lambda_5_5_p235 * Lambda_5_5_p212;
+  const Lanes<8> Lambda_5_5_p254_lanes = detail::make_pack<Real>(Lambda_5_5_p143_lanes[0],
+      Lambda_5_5_p143_lanes[1], Lambda_5_5_p46 * Lambda_5_5_p30, Lambda_5_5_p22 * Lambda_5_5_p38 -
+      Lambda_5_5_p46 * Lambda_5_5_p50, Lambda_5_5_p143_lanes[0], Lambda_5_5_p143_lanes[5],
+      Lambda_5_5_p143_lanes[0], Lambda_5_5_p143_lanes[0]) - Lambda_5_5_p56 *
       detail::make_pack<Real>(Lambda_5_5_p71_lanes[0], Lambda_5_5_p71_lanes[1],
       Lambda_5_5_p71_lanes[2], Lambda_5_5_p75, Lambda_5_5_p71_lanes[0], Lambda_5_5_p71_lanes[5],
-      Lambda_5_5_p71_lanes[0], Lambda_5_5_p71_lanes[0]) - Lambda_5_5_p131 * Lambda_5_5_p108_lanes -
-      Lambda_5_5_p230 * Lambda_5_5_p188_lanes;
-  const Real Lambda_5_5_p264 = Lambda_5_5_p22 * Lambda_5_5_p89 + Lambda_5_5_p46 * Lambda_5_5_p99 +
-      Lambda_5_5_p56 * Lambda_5_5_p161 + Lambda_5_5_p131 * Lambda_5_5_p207 + Lambda_5_5_p230 *
-      Lambda_5_5_p226;
+      Lambda_5_5_p71_lanes[0], Lambda_5_5_p71_lanes[0]) - Lambda_5_5_p136 * Lambda_5_5_p106_lanes -
+      Lambda_5_5_p229 * Lambda_5_5_p189_lanes;
+  const Real Lambda_5_5_p268 = Lambda_5_5_p22 * Lambda_5_5_p146 + Lambda_5_5_p46 * Lambda_5_5_p142 +
+      Lambda_5_5_p56 * Lambda_5_5_p213 + Lambda_5_5_p136 * Lambda_5_5_p224 + Lambda_5_5_p229 *
+      Lambda_5_5_p235;
   const Real Lambda_5_5_p272 = 1605.1364365971108 * Lambda_5_5_p38 * Lambda_5_5_p38 +
-      Lambda_5_5_p142 * Lambda_5_5_p50 + Lambda_5_5_p138 * Lambda_5_5_p75 +
-      Lambda_5_5_p143_lanes[3] * Lambda_5_5_p108_lanes[3];
-  const Real Lambda_5_5_p273 = Lambda_5_5_p122_lanes[5] * Lambda_5_5_p75 -
-      (Lambda_5_5_p220 * Lambda_5_5_p38 + Lambda_5_5_p126_lanes[5] * Lambda_5_5_p50) +
-      Lambda_5_5_p143_lanes[5] * Lambda_5_5_p108_lanes[3] + Lambda_5_5_p231_lanes[5] *
-      Lambda_5_5_p188_lanes[3];
-  const Real Lambda_5_5_p274 = Lambda_5_5_p181 * Lambda_5_5_p50 - Lambda_5_5_p221 * Lambda_5_5_p38 +
-      Lambda_5_5_p198 * Lambda_5_5_p75 + Lambda_5_5_p216 * Lambda_5_5_p108_lanes[3] +
-      Lambda_5_5_p236 * Lambda_5_5_p188_lanes[3];
-  const Real Lambda_5_5_p275 = 1.0 / (Lambda_5_5_p187 - Lambda_5_5_p230 * Lambda_5_5_p186 - 2.0 *
-      (Lambda_5_5_p29 + Lambda_5_5_p33) + Lambda_5_5_p98);
-  const Real Lambda_5_5_p276 = Lambda_5_5_p221 * Lambda_5_5_p89 + Lambda_5_5_p181 * Lambda_5_5_p99 +
-      Lambda_5_5_p198 * Lambda_5_5_p161 + Lambda_5_5_p216 * Lambda_5_5_p207 + Lambda_5_5_p236 *
-      Lambda_5_5_p226;
-  const Real Lambda_5_5_p277 = Lambda_5_5_p220 * Lambda_5_5_p89 - Lambda_5_5_p126_lanes[5] *
-      Lambda_5_5_p99 + Lambda_5_5_p122_lanes[5] * Lambda_5_5_p161 + Lambda_5_5_p143_lanes[5] *
-      Lambda_5_5_p207 + Lambda_5_5_p231_lanes[5] * Lambda_5_5_p226;
-  const Real Lambda_5_5_p278 = Lambda_5_5_p220 * Lambda_5_5_p22 + Lambda_5_5_p126_lanes[5] *
-      Lambda_5_5_p16 + Lambda_5_5_p122_lanes[5] * Lambda_5_5_p71_lanes[5] +
-      Lambda_5_5_p143_lanes[5] * Lambda_5_5_p108_lanes[5] + Lambda_5_5_p231_lanes[5] *
-      Lambda_5_5_p188_lanes[5];
-  const Lanes<8> Lambda_5_5_p279_lanes = Lambda_5_5_p254_lanes * Lambda_5_5_p275;
-  const Real Lambda_5_5_p284 = Lambda_5_5_p264 * Lambda_5_5_p275;
-  const Lanes<8> Lambda_5_5_p297_lanes = detail::make_pack<Real>(Lambda_5_5_p177_lanes[0],
-      Lambda_5_5_p177_lanes[1], Lambda_5_5_p177_lanes[2], Lambda_5_5_p138 *
-      Lambda_5_5_p71_lanes[0] - Lambda_5_5_p142 * Lambda_5_5_p48, Lambda_5_5_p177_lanes[0],
-      Lambda_5_5_p177_lanes[5], Lambda_5_5_p177_lanes[0], Lambda_5_5_p177_lanes[0]) +
-      Lambda_5_5_p143_lanes * Lambda_5_5_p108_lanes[0] + Lambda_5_5_p231_lanes *
-      Lambda_5_5_p188_lanes[0] + Lambda_5_5_p279_lanes * Lambda_5_5_p254_lanes[0];
-  const Real Lambda_5_5_p302 = Lambda_5_5_p198 * Lambda_5_5_p71_lanes[0] - Lambda_5_5_p181 *
-      Lambda_5_5_p48 + Lambda_5_5_p216 * Lambda_5_5_p108_lanes[0] + Lambda_5_5_p236 *
-      Lambda_5_5_p188_lanes[0] - Lambda_5_5_p284 * Lambda_5_5_p254_lanes[0];
-  const Lanes<8> Lambda_5_5_p303_lanes = detail::make_pack<Real>(Lambda_5_5_p213_lanes[1],
-      Lambda_5_5_p213_lanes[1], Lambda_5_5_p213_lanes[2], Lambda_5_5_p138 *
-      Lambda_5_5_p71_lanes[1] - Lambda_5_5_p142 * Lambda_5_5_p47, Lambda_5_5_p213_lanes[1],
-      Lambda_5_5_p213_lanes[5], Lambda_5_5_p213_lanes[1], Lambda_5_5_p213_lanes[1]) +
-      Lambda_5_5_p143_lanes * Lambda_5_5_p108_lanes[1] + Lambda_5_5_p231_lanes *
-      Lambda_5_5_p188_lanes[1] + Lambda_5_5_p279_lanes * Lambda_5_5_p254_lanes[1];
-  const Real Lambda_5_5_p307 = Lambda_5_5_p198 * Lambda_5_5_p71_lanes[1] - Lambda_5_5_p181 *
-      Lambda_5_5_p47 + Lambda_5_5_p216 * Lambda_5_5_p108_lanes[1] + Lambda_5_5_p236 *
-      Lambda_5_5_p188_lanes[1] - Lambda_5_5_p284 * Lambda_5_5_p254_lanes[1];
-  const Lanes<8> Lambda_5_5_p308_lanes = detail::make_pack<Real>(Lambda_5_5_p126_lanes[2] *
-      Lambda_5_5_p30 + Lambda_5_5_p122_lanes[2] * Lambda_5_5_p71_lanes[2],
-      Lambda_5_5_p126_lanes[2] * Lambda_5_5_p30 + Lambda_5_5_p122_lanes[2] *
-      Lambda_5_5_p71_lanes[2], Lambda_5_5_p126_lanes[2] * Lambda_5_5_p30 +
-      Lambda_5_5_p122_lanes[2] * Lambda_5_5_p71_lanes[2], Lambda_5_5_p138 *
-      Lambda_5_5_p71_lanes[2] - Lambda_5_5_p142 * Lambda_5_5_p30, Lambda_5_5_p126_lanes[2] *
-      Lambda_5_5_p30 + Lambda_5_5_p122_lanes[2] * Lambda_5_5_p71_lanes[2],
-      Lambda_5_5_p126_lanes[5] * Lambda_5_5_p30 + Lambda_5_5_p122_lanes[5] *
-      Lambda_5_5_p71_lanes[2], Lambda_5_5_p126_lanes[2] * Lambda_5_5_p30 +
-      Lambda_5_5_p122_lanes[2] * Lambda_5_5_p71_lanes[2], Lambda_5_5_p126_lanes[2] *
-      Lambda_5_5_p30 + Lambda_5_5_p122_lanes[2] * Lambda_5_5_p71_lanes[2]) + Lambda_5_5_p143_lanes *
-      Lambda_5_5_p108_lanes[2] + Lambda_5_5_p231_lanes * Lambda_5_5_p188_lanes[2] +
+      Lambda_5_5_p134 * Lambda_5_5_p50 + Lambda_5_5_p133 * Lambda_5_5_p75 +
+      Lambda_5_5_p137_lanes[3] * Lambda_5_5_p106_lanes[3];
+  const Real Lambda_5_5_p273 = Lambda_5_5_p120_lanes[5] * Lambda_5_5_p75 -
+      (Lambda_5_5_p217 * Lambda_5_5_p38 + Lambda_5_5_p124_lanes[5] * Lambda_5_5_p50) +
+      Lambda_5_5_p137_lanes[5] * Lambda_5_5_p106_lanes[3] + Lambda_5_5_p230_lanes[5] *
+      Lambda_5_5_p189_lanes[3];
+  const Real Lambda_5_5_p274 = Lambda_5_5_p185 * Lambda_5_5_p50 - Lambda_5_5_p223 * Lambda_5_5_p38 +
+      Lambda_5_5_p218 * Lambda_5_5_p75 + Lambda_5_5_p228 * Lambda_5_5_p106_lanes[3] +
+      Lambda_5_5_p250 * Lambda_5_5_p189_lanes[3];
+  const Real Lambda_5_5_p275 = Lambda_5_5_p223 * Lambda_5_5_p146 + Lambda_5_5_p185 *
+      Lambda_5_5_p142 + Lambda_5_5_p218 * Lambda_5_5_p213 + Lambda_5_5_p228 * Lambda_5_5_p224 +
+      Lambda_5_5_p250 * Lambda_5_5_p235;
+  const Real Lambda_5_5_p276 = 1.0 / (Lambda_5_5_p188 - Lambda_5_5_p229 * Lambda_5_5_p187 - 2.0 *
+      (Lambda_5_5_p29 + Lambda_5_5_p33) + Lambda_5_5_p97);
+  const Real Lambda_5_5_p277 = Lambda_5_5_p217 * Lambda_5_5_p146 - Lambda_5_5_p124_lanes[5] *
+      Lambda_5_5_p142 + Lambda_5_5_p120_lanes[5] * Lambda_5_5_p213 + Lambda_5_5_p137_lanes[5] *
+      Lambda_5_5_p224 + Lambda_5_5_p230_lanes[5] * Lambda_5_5_p235;
+  const Real Lambda_5_5_p278 = Lambda_5_5_p217 * Lambda_5_5_p22 + Lambda_5_5_p124_lanes[5] *
+      Lambda_5_5_p16 + Lambda_5_5_p120_lanes[5] * Lambda_5_5_p71_lanes[5] +
+      Lambda_5_5_p137_lanes[5] * Lambda_5_5_p106_lanes[5] + Lambda_5_5_p230_lanes[5] *
+      Lambda_5_5_p189_lanes[5];
+  const Lanes<8> Lambda_5_5_p279_lanes = Lambda_5_5_p254_lanes * Lambda_5_5_p276;
+  const Real Lambda_5_5_p284 = Lambda_5_5_p268 * Lambda_5_5_p276;
+  const Lanes<8> Lambda_5_5_p297_lanes = detail::make_pack<Real>(Lambda_5_5_p181_lanes[0],
+      Lambda_5_5_p181_lanes[1], Lambda_5_5_p181_lanes[2], Lambda_5_5_p133 *
+      Lambda_5_5_p71_lanes[0] - Lambda_5_5_p134 * Lambda_5_5_p48, Lambda_5_5_p181_lanes[0],
+      Lambda_5_5_p181_lanes[5], Lambda_5_5_p181_lanes[0], Lambda_5_5_p181_lanes[0]) +
+      Lambda_5_5_p137_lanes * Lambda_5_5_p106_lanes[0] + Lambda_5_5_p230_lanes *
+      Lambda_5_5_p189_lanes[0] + Lambda_5_5_p279_lanes * Lambda_5_5_p254_lanes[0];
+  const Real Lambda_5_5_p302 = Lambda_5_5_p218 * Lambda_5_5_p71_lanes[0] - Lambda_5_5_p185 *
+      Lambda_5_5_p48 + Lambda_5_5_p228 * Lambda_5_5_p106_lanes[0] + Lambda_5_5_p250 *
+      Lambda_5_5_p189_lanes[0] - Lambda_5_5_p284 * Lambda_5_5_p254_lanes[0];
+  const Lanes<8> Lambda_5_5_p303_lanes = detail::make_pack<Real>(Lambda_5_5_p209_lanes[1],
+      Lambda_5_5_p209_lanes[1], Lambda_5_5_p209_lanes[2], Lambda_5_5_p133 *
+      Lambda_5_5_p71_lanes[1] - Lambda_5_5_p134 * Lambda_5_5_p47, Lambda_5_5_p209_lanes[1],
+      Lambda_5_5_p209_lanes[5], Lambda_5_5_p209_lanes[1], Lambda_5_5_p209_lanes[1]) +
+      Lambda_5_5_p137_lanes * Lambda_5_5_p106_lanes[1] + Lambda_5_5_p230_lanes *
+      Lambda_5_5_p189_lanes[1] + Lambda_5_5_p279_lanes * Lambda_5_5_p254_lanes[1];
+  const Real Lambda_5_5_p307 = Lambda_5_5_p218 * Lambda_5_5_p71_lanes[1] - Lambda_5_5_p185 *
+      Lambda_5_5_p47 + Lambda_5_5_p228 * Lambda_5_5_p106_lanes[1] + Lambda_5_5_p250 *
+      Lambda_5_5_p189_lanes[1] - Lambda_5_5_p284 * Lambda_5_5_p254_lanes[1];
+  const Lanes<8> Lambda_5_5_p308_lanes = detail::make_pack<Real>(Lambda_5_5_p124_lanes[2] *
+      Lambda_5_5_p30 + Lambda_5_5_p120_lanes[2] * Lambda_5_5_p71_lanes[2],
+      Lambda_5_5_p124_lanes[2] * Lambda_5_5_p30 + Lambda_5_5_p120_lanes[2] *
+      Lambda_5_5_p71_lanes[2], Lambda_5_5_p124_lanes[2] * Lambda_5_5_p30 +
+      Lambda_5_5_p120_lanes[2] * Lambda_5_5_p71_lanes[2], Lambda_5_5_p133 *
+      Lambda_5_5_p71_lanes[2] - Lambda_5_5_p134 * Lambda_5_5_p30, Lambda_5_5_p124_lanes[2] *
+      Lambda_5_5_p30 + Lambda_5_5_p120_lanes[2] * Lambda_5_5_p71_lanes[2],
+      Lambda_5_5_p124_lanes[5] * Lambda_5_5_p30 + Lambda_5_5_p120_lanes[5] *
+      Lambda_5_5_p71_lanes[2], Lambda_5_5_p124_lanes[2] * Lambda_5_5_p30 +
+      Lambda_5_5_p120_lanes[2] * Lambda_5_5_p71_lanes[2], Lambda_5_5_p124_lanes[2] *
+      Lambda_5_5_p30 + Lambda_5_5_p120_lanes[2] * Lambda_5_5_p71_lanes[2]) + Lambda_5_5_p137_lanes *
+      Lambda_5_5_p106_lanes[2] + Lambda_5_5_p230_lanes * Lambda_5_5_p189_lanes[2] +
       Lambda_5_5_p279_lanes * Lambda_5_5_p254_lanes[2];
-  const Real Lambda_5_5_p311 = Lambda_5_5_p198 * Lambda_5_5_p71_lanes[2] - Lambda_5_5_p181 *
-      Lambda_5_5_p30 + Lambda_5_5_p216 * Lambda_5_5_p108_lanes[2] + Lambda_5_5_p236 *
-      Lambda_5_5_p188_lanes[2] - Lambda_5_5_p284 * Lambda_5_5_p254_lanes[2];
-  const Real Lambda_5_5_p312 = 1.0 / Lambda_5_5_p297_lanes[0];
-  const Real Lambda_5_5_p313 = Lambda_5_5_p297_lanes[5] * Lambda_5_5_p312;
-  const Real Lambda_5_5_p314 = Lambda_5_5_p302 * Lambda_5_5_p312;
-  const Real Lambda_5_5_p315 = Lambda_5_5_p297_lanes[3] * Lambda_5_5_p312;
-  const Real Lambda_5_5_p316 = Lambda_5_5_p297_lanes[2] * Lambda_5_5_p312;
-  const Real Lambda_5_5_p317 = Lambda_5_5_p297_lanes[1] * Lambda_5_5_p312;
-  const Lanes<8> Lambda_5_5_p337_lanes = detail::make_pack<Real>(Lambda_5_5_p303_lanes[1],
+  const Real Lambda_5_5_p311 = Lambda_5_5_p218 * Lambda_5_5_p71_lanes[2] - Lambda_5_5_p185 *
+      Lambda_5_5_p30 + Lambda_5_5_p228 * Lambda_5_5_p106_lanes[2] + Lambda_5_5_p250 *
+      Lambda_5_5_p189_lanes[2] - Lambda_5_5_p284 * Lambda_5_5_p254_lanes[2];
+  const Real Lambda_5_5_p312 = Lambda_5_5_p297_lanes[0] * Lambda_5_5_p297_lanes[0];
+  const Real Lambda_5_5_p313 = Lambda_5_5_p312 * Lambda_5_5_p297_lanes[0];
+  const Real Lambda_5_5_p314 = Lambda_5_5_p313 * Lambda_5_5_p312 /
+      (3.0814879110195774e-33 + Lambda_5_5_p313 * Lambda_5_5_p313);
+  const Real Lambda_5_5_p315 = Lambda_5_5_p297_lanes[5] * Lambda_5_5_p314;
+  const Real Lambda_5_5_p316 = Lambda_5_5_p302 * Lambda_5_5_p314;
+  const Real Lambda_5_5_p317 = Lambda_5_5_p297_lanes[3] * Lambda_5_5_p314;
+  const Real Lambda_5_5_p318 = Lambda_5_5_p297_lanes[2] * Lambda_5_5_p314;
+  const Real Lambda_5_5_p319 = Lambda_5_5_p297_lanes[1] * Lambda_5_5_p314;
+  const Lanes<8> Lambda_5_5_p339_lanes = detail::make_pack<Real>(Lambda_5_5_p303_lanes[1],
       Lambda_5_5_p303_lanes[1], Lambda_5_5_p303_lanes[2], Lambda_5_5_p303_lanes[3], Lambda_5_5_p307,
       Lambda_5_5_p303_lanes[5], Lambda_5_5_p303_lanes[1], Lambda_5_5_p303_lanes[1]) -
-      detail::make_pack<Real>(Lambda_5_5_p317, Lambda_5_5_p317, Lambda_5_5_p316, Lambda_5_5_p315,
-      Lambda_5_5_p314, Lambda_5_5_p313, Lambda_5_5_p317, Lambda_5_5_p317) *
+      detail::make_pack<Real>(Lambda_5_5_p319, Lambda_5_5_p319, Lambda_5_5_p318, Lambda_5_5_p317,
+      Lambda_5_5_p316, Lambda_5_5_p315, Lambda_5_5_p319, Lambda_5_5_p319) *
       Lambda_5_5_p297_lanes[1];
-  const Real Lambda_5_5_p342 = 1.0 / Lambda_5_5_p337_lanes[1];
-  const Lanes<8> Lambda_5_5_p343_lanes = Lambda_5_5_p337_lanes * Lambda_5_5_p342;
-  const Real Lambda_0_0_p1 = Lambda_5_5_p317 * Lambda_5_5_p342;
-  const Lanes<8> Lambda_5_5_p354_lanes = detail::make_pack<Real>(Lambda_5_5_p308_lanes[2],
+  const Real Lambda_5_5_p344 = Lambda_5_5_p339_lanes[1] * Lambda_5_5_p339_lanes[1];
+  const Real Lambda_5_5_p345 = Lambda_5_5_p344 * Lambda_5_5_p339_lanes[1];
+  const Real Lambda_5_5_p346 = Lambda_5_5_p345 * Lambda_5_5_p344 /
+      (3.0814879110195774e-33 + Lambda_5_5_p345 * Lambda_5_5_p345);
+  const Lanes<8> Lambda_5_5_p347_lanes = Lambda_5_5_p339_lanes * Lambda_5_5_p346;
+  const Real Lambda_0_0_p1 = Lambda_5_5_p319 * Lambda_5_5_p346;
+  const Lanes<8> Lambda_5_5_p358_lanes = detail::make_pack<Real>(Lambda_5_5_p308_lanes[2],
       Lambda_5_5_p308_lanes[2], Lambda_5_5_p308_lanes[2], Lambda_5_5_p308_lanes[3], Lambda_5_5_p311,
       Lambda_5_5_p308_lanes[5], Lambda_5_5_p308_lanes[2], Lambda_5_5_p308_lanes[2]) -
-      detail::make_pack<Real>(Lambda_5_5_p316, Lambda_5_5_p316, Lambda_5_5_p316, Lambda_5_5_p315,
-      Lambda_5_5_p314, Lambda_5_5_p313, Lambda_5_5_p316, Lambda_5_5_p316) *
-      Lambda_5_5_p297_lanes[2] - Lambda_5_5_p343_lanes * Lambda_5_5_p337_lanes[2];
-  const Real Lambda_0_0_p2 = Lambda_5_5_p343_lanes[2] * Lambda_5_5_p317 - Lambda_5_5_p316;
-  const Real Lambda_5_5_p361 = 1.0 / Lambda_5_5_p354_lanes[2];
-  const Lanes<8> Lambda_5_5_p362_lanes = Lambda_5_5_p354_lanes * Lambda_5_5_p361;
-  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p361;
-  const Real Lambda_0_1_p1 = Lambda_5_5_p343_lanes[2] * Lambda_5_5_p361;
-  const Lanes<8> Lambda_5_5_p368_lanes = detail::make_pack<Real>(Lambda_5_5_p272 +
-      Lambda_5_5_p231_lanes[3] * Lambda_5_5_p188_lanes[3] + Lambda_5_5_p279_lanes[3] *
-      Lambda_5_5_p254_lanes[3], Lambda_5_5_p272 + Lambda_5_5_p231_lanes[3] *
-      Lambda_5_5_p188_lanes[3] + Lambda_5_5_p279_lanes[3] * Lambda_5_5_p254_lanes[3],
-      Lambda_5_5_p272 + Lambda_5_5_p231_lanes[3] * Lambda_5_5_p188_lanes[3] +
+      detail::make_pack<Real>(Lambda_5_5_p318, Lambda_5_5_p318, Lambda_5_5_p318, Lambda_5_5_p317,
+      Lambda_5_5_p316, Lambda_5_5_p315, Lambda_5_5_p318, Lambda_5_5_p318) *
+      Lambda_5_5_p297_lanes[2] - Lambda_5_5_p347_lanes * Lambda_5_5_p339_lanes[2];
+  const Real Lambda_0_0_p2 = Lambda_5_5_p347_lanes[2] * Lambda_5_5_p319 - Lambda_5_5_p318;
+  const Real Lambda_5_5_p365 = Lambda_5_5_p358_lanes[2] * Lambda_5_5_p358_lanes[2];
+  const Real Lambda_5_5_p366 = Lambda_5_5_p365 * Lambda_5_5_p358_lanes[2];
+  const Real Lambda_5_5_p367 = Lambda_5_5_p366 * Lambda_5_5_p365 /
+      (4.81482486096809e-35 + Lambda_5_5_p366 * Lambda_5_5_p366);
+  const Lanes<8> Lambda_5_5_p368_lanes = Lambda_5_5_p358_lanes * Lambda_5_5_p367;
+  const Real Lambda_0_0_p3 = Lambda_0_0_p2 * Lambda_5_5_p367;
+  const Real Lambda_0_1_p1 = Lambda_5_5_p347_lanes[2] * Lambda_5_5_p367;
+  const Lanes<8> Lambda_5_5_p374_lanes = detail::make_pack<Real>(Lambda_5_5_p272 +
+      Lambda_5_5_p230_lanes[3] * Lambda_5_5_p189_lanes[3] + Lambda_5_5_p279_lanes[3] *
+      Lambda_5_5_p254_lanes[3], Lambda_5_5_p272 + Lambda_5_5_p230_lanes[3] *
+      Lambda_5_5_p189_lanes[3] + Lambda_5_5_p279_lanes[3] * Lambda_5_5_p254_lanes[3],
+      Lambda_5_5_p272 + Lambda_5_5_p230_lanes[3] * Lambda_5_5_p189_lanes[3] +
       Lambda_5_5_p279_lanes[3] * Lambda_5_5_p254_lanes[3], Lambda_5_5_p272 +
-      Lambda_5_5_p231_lanes[3] * Lambda_5_5_p188_lanes[3] + Lambda_5_5_p279_lanes[3] *
+      Lambda_5_5_p230_lanes[3] * Lambda_5_5_p189_lanes[3] + Lambda_5_5_p279_lanes[3] *
       Lambda_5_5_p254_lanes[3], Lambda_5_5_p274 - Lambda_5_5_p284 * Lambda_5_5_p254_lanes[3],
       Lambda_5_5_p273 + Lambda_5_5_p279_lanes[5] * Lambda_5_5_p254_lanes[3], Lambda_5_5_p272 +
-      Lambda_5_5_p231_lanes[3] * Lambda_5_5_p188_lanes[3] + Lambda_5_5_p279_lanes[3] *
-      Lambda_5_5_p254_lanes[3], Lambda_5_5_p272 + Lambda_5_5_p231_lanes[3] *
-      Lambda_5_5_p188_lanes[3] + Lambda_5_5_p279_lanes[3] * Lambda_5_5_p254_lanes[3]) -
-      detail::make_pack<Real>(Lambda_5_5_p315, Lambda_5_5_p315, Lambda_5_5_p315, Lambda_5_5_p315,
-      Lambda_5_5_p314, Lambda_5_5_p313, Lambda_5_5_p315, Lambda_5_5_p315) *
-      Lambda_5_5_p297_lanes[3] - Lambda_5_5_p343_lanes * Lambda_5_5_p337_lanes[3] -
-      Lambda_5_5_p362_lanes * Lambda_5_5_p354_lanes[3];
-  const Real Lambda_5_5_p371 = Lambda_5_5_p276 + Lambda_5_5_p284 * Lambda_5_5_p264 -
-      Lambda_5_5_p314 * Lambda_5_5_p302 - Lambda_5_5_p343_lanes[4] * Lambda_5_5_p337_lanes[4] -
-      Lambda_5_5_p362_lanes[4] * Lambda_5_5_p354_lanes[4];
-  const Real Lambda_5_5_p372 = Lambda_5_5_p277 - Lambda_5_5_p279_lanes[5] * Lambda_5_5_p264 -
-      Lambda_5_5_p313 * Lambda_5_5_p302 - Lambda_5_5_p343_lanes[5] * Lambda_5_5_p337_lanes[4] -
-      Lambda_5_5_p362_lanes[5] * Lambda_5_5_p354_lanes[4];
-  const Real Lambda_5_5_p373 = Lambda_5_5_p278 + Lambda_5_5_p279_lanes[5] *
-      Lambda_5_5_p254_lanes[5] - Lambda_5_5_p313 * Lambda_5_5_p297_lanes[5] -
-      Lambda_5_5_p343_lanes[5] * Lambda_5_5_p337_lanes[5] - Lambda_5_5_p362_lanes[5] *
-      Lambda_5_5_p354_lanes[5];
-  const Real Lambda_0_0_p4 = Lambda_5_5_p343_lanes[3] * Lambda_5_5_p317 - Lambda_5_5_p315 -
-      Lambda_5_5_p362_lanes[3] * Lambda_0_0_p2;
-  const Real Lambda_0_1_p2 = Lambda_5_5_p362_lanes[3] * Lambda_5_5_p343_lanes[2] -
-      Lambda_5_5_p343_lanes[3];
-  const Real Lambda_5_5_p374 = 1.0 / Lambda_5_5_p368_lanes[3];
-  const Real Lambda_5_5_p375 = Lambda_5_5_p368_lanes[4] * Lambda_5_5_p374;
-  const Real Lambda_5_5_p376 = Lambda_5_5_p368_lanes[5] * Lambda_5_5_p374;
-  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p374;
-  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p374;
-  const Real Lambda_0_2_p1 = Lambda_5_5_p362_lanes[3] * Lambda_5_5_p374;
-  const Real Lambda_5_5_p377 = Lambda_5_5_p372 - Lambda_5_5_p376 * Lambda_5_5_p368_lanes[4];
-  const Real Lambda_0_0_p6 = Lambda_5_5_p343_lanes[4] * Lambda_5_5_p317 - Lambda_5_5_p314 -
-      Lambda_5_5_p362_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p375 * Lambda_0_0_p4;
-  const Real Lambda_0_1_p4 = Lambda_5_5_p362_lanes[4] * Lambda_5_5_p343_lanes[2] -
-      Lambda_5_5_p343_lanes[4] - Lambda_5_5_p375 * Lambda_0_1_p2;
-  const Real Lambda_0_2_p2 = Lambda_5_5_p375 * Lambda_5_5_p362_lanes[3] - Lambda_5_5_p362_lanes[4];
-  const Real Lambda_5_5_p378 = 1.0 / (Lambda_5_5_p371 - Lambda_5_5_p375 * Lambda_5_5_p368_lanes[4]);
-  const Real Lambda_5_5_p379 = Lambda_5_5_p377 * Lambda_5_5_p378;
-  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p378;
-  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p378;
-  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p378;
-  const Real Lambda_0_3_p1 = Lambda_5_5_p375 * Lambda_5_5_p378;
-  const Real Lambda_0_5_p1 = Lambda_5_5_p343_lanes[5] * Lambda_5_5_p317 - Lambda_5_5_p313 -
-      Lambda_5_5_p362_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p376 * Lambda_0_0_p4 - Lambda_5_5_p379 *
+      Lambda_5_5_p230_lanes[3] * Lambda_5_5_p189_lanes[3] + Lambda_5_5_p279_lanes[3] *
+      Lambda_5_5_p254_lanes[3], Lambda_5_5_p272 + Lambda_5_5_p230_lanes[3] *
+      Lambda_5_5_p189_lanes[3] + Lambda_5_5_p279_lanes[3] * Lambda_5_5_p254_lanes[3]) -
+      detail::make_pack<Real>(Lambda_5_5_p317, Lambda_5_5_p317, Lambda_5_5_p317, Lambda_5_5_p317,
+      Lambda_5_5_p316, Lambda_5_5_p315, Lambda_5_5_p317, Lambda_5_5_p317) *
+      Lambda_5_5_p297_lanes[3] - Lambda_5_5_p347_lanes * Lambda_5_5_p339_lanes[3] -
+      Lambda_5_5_p368_lanes * Lambda_5_5_p358_lanes[3];
+  const Real Lambda_5_5_p377 = Lambda_5_5_p275 + Lambda_5_5_p284 * Lambda_5_5_p268 -
+      Lambda_5_5_p316 * Lambda_5_5_p302 - Lambda_5_5_p347_lanes[4] * Lambda_5_5_p339_lanes[4] -
+      Lambda_5_5_p368_lanes[4] * Lambda_5_5_p358_lanes[4];
+  const Real Lambda_5_5_p378 = Lambda_5_5_p277 - Lambda_5_5_p279_lanes[5] * Lambda_5_5_p268 -
+      Lambda_5_5_p315 * Lambda_5_5_p302 - Lambda_5_5_p347_lanes[5] * Lambda_5_5_p339_lanes[4] -
+      Lambda_5_5_p368_lanes[5] * Lambda_5_5_p358_lanes[4];
+  const Real Lambda_5_5_p379 = Lambda_5_5_p278 + Lambda_5_5_p279_lanes[5] *
+      Lambda_5_5_p254_lanes[5] - Lambda_5_5_p315 * Lambda_5_5_p297_lanes[5] -
+      Lambda_5_5_p347_lanes[5] * Lambda_5_5_p339_lanes[5] - Lambda_5_5_p368_lanes[5] *
+      Lambda_5_5_p358_lanes[5];
+  const Real Lambda_0_0_p4 = Lambda_5_5_p347_lanes[3] * Lambda_5_5_p319 - Lambda_5_5_p317 -
+      Lambda_5_5_p368_lanes[3] * Lambda_0_0_p2;
+  const Real Lambda_0_1_p2 = Lambda_5_5_p368_lanes[3] * Lambda_5_5_p347_lanes[2] -
+      Lambda_5_5_p347_lanes[3];
+  const Real Lambda_5_5_p380 = Lambda_5_5_p374_lanes[3] * Lambda_5_5_p374_lanes[3];
+  const Real Lambda_5_5_p381 = Lambda_5_5_p380 * Lambda_5_5_p374_lanes[3];
+  const Real Lambda_5_5_p382 = Lambda_5_5_p381 * Lambda_5_5_p380 /
+      (3.552713678800501e-15 + Lambda_5_5_p381 * Lambda_5_5_p381);
+  const Real Lambda_5_5_p383 = Lambda_5_5_p374_lanes[4] * Lambda_5_5_p382;
+  const Real Lambda_5_5_p384 = Lambda_5_5_p374_lanes[5] * Lambda_5_5_p382;
+  const Real Lambda_0_0_p5 = Lambda_0_0_p4 * Lambda_5_5_p382;
+  const Real Lambda_0_1_p3 = Lambda_0_1_p2 * Lambda_5_5_p382;
+  const Real Lambda_0_2_p1 = Lambda_5_5_p368_lanes[3] * Lambda_5_5_p382;
+  const Real Lambda_5_5_p385 = Lambda_5_5_p377 - Lambda_5_5_p383 * Lambda_5_5_p374_lanes[4];
+  const Real Lambda_5_5_p386 = Lambda_5_5_p378 - Lambda_5_5_p384 * Lambda_5_5_p374_lanes[4];
+  const Real Lambda_0_0_p6 = Lambda_5_5_p347_lanes[4] * Lambda_5_5_p319 - Lambda_5_5_p316 -
+      Lambda_5_5_p368_lanes[4] * Lambda_0_0_p2 - Lambda_5_5_p383 * Lambda_0_0_p4;
+  const Real Lambda_0_1_p4 = Lambda_5_5_p368_lanes[4] * Lambda_5_5_p347_lanes[2] -
+      Lambda_5_5_p347_lanes[4] - Lambda_5_5_p383 * Lambda_0_1_p2;
+  const Real Lambda_0_2_p2 = Lambda_5_5_p383 * Lambda_5_5_p368_lanes[3] - Lambda_5_5_p368_lanes[4];
+  const Real Lambda_5_5_p387 = Lambda_5_5_p385 * Lambda_5_5_p385;
+  const Real Lambda_5_5_p388 = Lambda_5_5_p387 * Lambda_5_5_p385;
+  const Real Lambda_5_5_p389 = Lambda_5_5_p388 * Lambda_5_5_p387 /
+      (5.169878828456423e-26 + Lambda_5_5_p388 * Lambda_5_5_p388);
+  const Real Lambda_5_5_p390 = Lambda_5_5_p386 * Lambda_5_5_p389;
+  const Real Lambda_0_0_p7 = Lambda_0_0_p6 * Lambda_5_5_p389;
+  const Real Lambda_0_1_p5 = Lambda_0_1_p4 * Lambda_5_5_p389;
+  const Real Lambda_0_2_p3 = Lambda_0_2_p2 * Lambda_5_5_p389;
+  const Real Lambda_0_3_p1 = Lambda_5_5_p383 * Lambda_5_5_p389;
+  const Real Lambda_5_5_p391 = Lambda_5_5_p379 - Lambda_5_5_p384 * Lambda_5_5_p374_lanes[5] -
+      Lambda_5_5_p390 * Lambda_5_5_p386;
+  const Real Lambda_0_5_p1 = Lambda_5_5_p347_lanes[5] * Lambda_5_5_p319 - Lambda_5_5_p315 -
+      Lambda_5_5_p368_lanes[5] * Lambda_0_0_p2 - Lambda_5_5_p384 * Lambda_0_0_p4 - Lambda_5_5_p390 *
       Lambda_0_0_p6;
-  const Real Lambda_1_5_p1 = Lambda_5_5_p362_lanes[5] * Lambda_5_5_p343_lanes[2] -
-      Lambda_5_5_p343_lanes[5] - Lambda_5_5_p376 * Lambda_0_1_p2 - Lambda_5_5_p379 * Lambda_0_1_p4;
-  const Real Lambda_2_5_p1 = Lambda_5_5_p376 * Lambda_5_5_p362_lanes[3] - Lambda_5_5_p362_lanes[5] -
-      Lambda_5_5_p379 * Lambda_0_2_p2;
-  const Real Lambda_3_5_p1 = Lambda_5_5_p379 * Lambda_5_5_p375 - Lambda_5_5_p376;
-  const Real Lambda_0_0_p8 = Lambda_5_5_p312 + Lambda_0_0_p1 * Lambda_5_5_p317 + Lambda_0_0_p3 *
+  const Real Lambda_1_5_p1 = Lambda_5_5_p368_lanes[5] * Lambda_5_5_p347_lanes[2] -
+      Lambda_5_5_p347_lanes[5] - Lambda_5_5_p384 * Lambda_0_1_p2 - Lambda_5_5_p390 * Lambda_0_1_p4;
+  const Real Lambda_2_5_p1 = Lambda_5_5_p384 * Lambda_5_5_p368_lanes[3] - Lambda_5_5_p368_lanes[5] -
+      Lambda_5_5_p390 * Lambda_0_2_p2;
+  const Real Lambda_3_5_p1 = Lambda_5_5_p390 * Lambda_5_5_p383 - Lambda_5_5_p384;
+  const Real Lambda_0_0_p8 = Lambda_5_5_p314 + Lambda_0_0_p1 * Lambda_5_5_p319 + Lambda_0_0_p3 *
       Lambda_0_0_p2 + Lambda_0_0_p5 * Lambda_0_0_p4 + Lambda_0_0_p7 * Lambda_0_0_p6;
-  const Real Lambda_5_5 = 1.0 / (Lambda_5_5_p373 - Lambda_5_5_p376 * Lambda_5_5_p368_lanes[5] -
-      Lambda_5_5_p379 * Lambda_5_5_p377);
+  const Real Lambda_5_5_p392 = Lambda_5_5_p391 * Lambda_5_5_p391;
+  const Real Lambda_5_5_p393 = Lambda_5_5_p392 * Lambda_5_5_p391;
+  const Real Lambda_5_5 = Lambda_5_5_p393 * Lambda_5_5_p392 /
+      (8.077935669463161e-28 + Lambda_5_5_p393 * Lambda_5_5_p393);
   Lambda[35] = Lambda_5_5;
   const Real Lambda_0_5 = Lambda_0_5_p1 * Lambda_5_5;
   Lambda[5] = Lambda_0_5;
@@ -454,7 +480,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_3_5 = Lambda_3_5_p1 * Lambda_5_5;
   Lambda[23] = Lambda_3_5;
   Lambda[33] = Lambda_3_5;
-  const Real Lambda_4_5 = Lambda_5_5_p379 * Lambda_5_5;
+  const Real Lambda_4_5 = Lambda_5_5_p390 * Lambda_5_5;
   Lambda[29] = -Lambda_4_5;
   Lambda[34] = -Lambda_4_5;
   Lambda[0] = Lambda_0_0_p8 + Lambda_0_5 * Lambda_0_5_p1;
@@ -474,7 +500,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_0_4 = Lambda_0_0_p7 - Lambda_4_5 * Lambda_0_5_p1;
   Lambda[4] = Lambda_0_4;
   Lambda[24] = Lambda_0_4;
-  Lambda[7] = Lambda_5_5_p342 + Lambda_0_1_p1 * Lambda_5_5_p343_lanes[2] + Lambda_0_1_p3 *
+  Lambda[7] = Lambda_5_5_p346 + Lambda_0_1_p1 * Lambda_5_5_p347_lanes[2] + Lambda_0_1_p3 *
       Lambda_0_1_p2 + Lambda_0_1_p5 * Lambda_0_1_p4 + Lambda_1_5 * Lambda_1_5_p1;
   const Real Lambda_1_2 = Lambda_0_2_p3 * Lambda_0_1_p4 -
       (Lambda_0_1_p1 + Lambda_0_2_p1 * Lambda_0_1_p2) + Lambda_2_5 * Lambda_1_5_p1;
@@ -487,7 +513,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_1_4 = Lambda_0_1_p5 - Lambda_4_5 * Lambda_1_5_p1;
   Lambda[10] = Lambda_1_4;
   Lambda[25] = Lambda_1_4;
-  Lambda[14] = Lambda_5_5_p361 + Lambda_0_2_p1 * Lambda_5_5_p362_lanes[3] + Lambda_0_2_p3 *
+  Lambda[14] = Lambda_5_5_p367 + Lambda_0_2_p1 * Lambda_5_5_p368_lanes[3] + Lambda_0_2_p3 *
       Lambda_0_2_p2 + Lambda_2_5 * Lambda_2_5_p1;
   const Real Lambda_2_3 = Lambda_3_5 * Lambda_2_5_p1 -
       (Lambda_0_2_p1 + Lambda_0_3_p1 * Lambda_0_2_p2);
@@ -496,11 +522,11 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real Lambda_2_4 = Lambda_0_2_p3 - Lambda_4_5 * Lambda_2_5_p1;
   Lambda[16] = Lambda_2_4;
   Lambda[26] = Lambda_2_4;
-  Lambda[21] = Lambda_5_5_p374 + Lambda_0_3_p1 * Lambda_5_5_p375 + Lambda_3_5 * Lambda_3_5_p1;
+  Lambda[21] = Lambda_5_5_p382 + Lambda_0_3_p1 * Lambda_5_5_p383 + Lambda_3_5 * Lambda_3_5_p1;
   const Real Lambda_3_4 = Lambda_0_3_p1 + Lambda_4_5 * Lambda_3_5_p1;
   Lambda[22] = -Lambda_3_4;
   Lambda[27] = -Lambda_3_4;
-  Lambda[28] = Lambda_5_5_p378 + Lambda_4_5 * Lambda_5_5_p379;
+  Lambda[28] = Lambda_5_5_p389 + Lambda_4_5 * Lambda_5_5_p390;
 }
 
 }  // namespace ur10e

@@ -3,27 +3,55 @@
 // Every generated folder carries its own copy, in a namespace of its own, so that robots generated
 // at different times live in one program.
 //
-// Every operation is one IEEE operation in round-to-nearest, and the order of operations matters:
-// compile without -ffast-math and its parts (-fassociative-math, -ffinite-math-only, ...), which
-// would cancel the rounding trick away. -ffp-contract may be on or off: no step relies on a fused
-// multiply-add and none is spoilt by one. With it off, all lanes and the scalar function give the
-// same bits.
+// Doubles are computed in double, floats in float: a target with a single-precision unit executes
+// no double operation for them. Every operation is one IEEE operation in round-to-nearest, and the
+// order of operations matters: compile without -ffast-math and its parts (-fassociative-math,
+// -ffinite-math-only, ...), which would cancel the rounding trick away. -ffp-contract may be on or
+// off: no step relies on a fused multiply-add and none is spoilt by one. With it off, all lanes and
+// the scalar function give the same bits.
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace ur10e::detail {
 
-// Lanes: one number or several, under one set of names.
+/// What is known of a number's format: the integer of its size and the constants below.
+template <class Real>
+struct Format;
+template <>
+struct Format<double> {
+  using Bits = uint64_t;
+  static constexpr int kFractionBits = 52;
+  static constexpr int kSignAt = 63;
+  static constexpr double kEpsilon = 0x1p-52;  // from 1 to the next number
+  static constexpr Bits kOne = Bits{1023} << 52;
+  /// 1.5 * 2^52: a double next to it is an integer, so adding it rounds to the nearest integer,
+  /// whose low bits can be read off, and subtracting it gives the integer back.
+  static constexpr double kRoundingShift = 6755399441055744.0;
+  static constexpr double kTwoOverPi = 0.6366197723675814;
+  /// The bits of 2^32 rad. Angles beyond count as 0.
+  static constexpr Bits kLargestAngle = Bits{1023 + 32} << 52;
+};
+template <>
+struct Format<float> {
+  using Bits = uint32_t;
+  static constexpr int kFractionBits = 23;
+  static constexpr int kSignAt = 31;
+  static constexpr float kEpsilon = 0x1p-23F;
+  static constexpr Bits kOne = Bits{127} << 23;
+  static constexpr float kRoundingShift = 12582912.0F;  // 1.5 * 2^23
+  static constexpr float kTwoOverPi = 0x1.45f306p-1F;
+  /// The bits of 2^20 rad.
+  static constexpr Bits kLargestAngle = Bits{127 + 20} << 23;
+};
 
-/// One double with the 64 bits it is made of.
+/// One number with the bits it is made of.
+template <class Number>
 struct OneLane {
-  using Value = double;
-  using Bits = std::uint64_t;
+  using Real = Number;
+  using Value = Real;
+  using Bits = typename Format<Real>::Bits;
   static void to_bits(const Value& value, Bits& bits) noexcept { copy(value, bits); }
   static void from_bits(const Bits& bits, Value& value) noexcept { copy(bits, value); }
-  static void less_equal(const Value& a, double b, Bits& mask) noexcept {
-    mask = std::uint64_t{0} - static_cast<std::uint64_t>(a <= b);
-  }
 
  private:
   template <class From, class To>
@@ -46,71 +74,65 @@ struct OneLane {
     !defined(TREELINE_NO_VECTOR_EXTENSIONS)
 #define TREELINE_HAS_LANES
 #define TREELINE_INLINE_LANES inline __attribute__((always_inline))
-/// Doubles side by side. What is wider than the target's registers becomes several operations.
+/// Numbers side by side. What is wider than the target's registers becomes several operations.
 /// Passed by reference only: the calling convention of such a value depends on the target's flags.
-template <int count>
+template <class Number, int count>
 struct VectorLanes {
-  typedef double Value __attribute__((vector_size(count * sizeof(double))));
-  typedef std::uint64_t Bits __attribute__((vector_size(count * sizeof(double))));
+  using Real = Number;
+  typedef Real Value __attribute__((vector_size(count * sizeof(Real))));
+  typedef typename Format<Real>::Bits Bits __attribute__((vector_size(count * sizeof(Real))));
 
   static TREELINE_INLINE_LANES void to_bits(const Value& value, Bits& bits) noexcept {
-    bits = (Bits)value;
+    bits = reinterpret_cast<Bits>(value);
   }
   static TREELINE_INLINE_LANES void from_bits(const Bits& bits, Value& value) noexcept {
-    value = (Value)bits;
-  }
-  static TREELINE_INLINE_LANES void less_equal(const Value& a, double b, Bits& mask) noexcept {
-    mask = (Bits)(a <= (Value{} + b));
+    value = reinterpret_cast<Value>(bits);
   }
 };
 
-/// Four doubles: of one state, four are faster than eight even where eight fit a register.
-struct FourLanes : VectorLanes<4> {
-  typedef float Single __attribute__((vector_size(16)));
-  static constexpr int kCount = 4;
+#if defined(__AVX__)
+inline constexpr int kFloatsAtOnce = 8;
+#else
+inline constexpr int kFloatsAtOnce = 4;
+#endif
 
-  /// Reads `count` of four angles; the lanes left over repeat the first.
-  template <int count>
-  static TREELINE_INLINE_LANES void load(const double* from, Value& value) noexcept {
-    if constexpr (count == kCount) {
-      __builtin_memcpy(&value, from, sizeof(value));
-    } else {
-      value = Value{from[0], from[count > 1 ? 1 : 0], from[count > 2 ? 2 : 0], from[0]};
-    }
+/// As many angles of one state as are computed at once. Four doubles are faster than eight even
+/// where eight fit a register.
+template <class Real>
+inline constexpr int kAnglesAtOnce = sizeof(Real) == sizeof(double) ? 4 : kFloatsAtOnce;
+
+/// The first `count` of `width` numbers; the lanes left over repeat the first.
+template <int count, int width, class Real>
+TREELINE_INLINE_LANES void load_angles(const Real* from,
+                                       typename VectorLanes<Real, width>::Value& value) noexcept {
+  static_assert(count == width || (count < width && width == 4));
+  if constexpr (count == width) {
+    __builtin_memcpy(&value, from, sizeof(value));
+  } else {
+    using Value = typename VectorLanes<Real, width>::Value;
+    value = Value{from[0], from[count > 1 ? 1 : 0], from[count > 2 ? 2 : 0], from[0]};
   }
-  template <int count>
-  static TREELINE_INLINE_LANES void load(const float* from, Value& value) noexcept {
-    Single narrow;
-    if constexpr (count == kCount) {
-      __builtin_memcpy(&narrow, from, sizeof(narrow));
-    } else {
-      narrow = Single{from[0], from[count > 1 ? 1 : 0], from[count > 2 ? 2 : 0], from[0]};
-    }
-    value = __builtin_convertvector(narrow, Value);
-  }
-  template <int count>
-  static TREELINE_INLINE_LANES void store(const Value& value, double* to) noexcept {
-    __builtin_memcpy(to, &value, count * sizeof(double));
-  }
-  template <int count>
-  static TREELINE_INLINE_LANES void store(const Value& value, float* to) noexcept {
-    const Single narrow = __builtin_convertvector(value, Single);
-    __builtin_memcpy(to, &narrow, count * sizeof(float));
-  }
-};
+}
 #else
 #define TREELINE_INLINE_LANES inline
 #endif
 
 // Steps.
 
-/// 1.5 * 2^52: a double next to it is an integer, so adding it rounds to the nearest integer, whose
-/// low bits can be read off, and subtracting it gives the integer back.
-inline constexpr double kRoundingShift = 6755399441055744.0;
-inline constexpr double kTwoOverPi = 0.6366197723675814;
-/// Angles beyond this (2^32 rad) count as 0.
-inline constexpr double kLargestAngle = 4294967296.0;
-inline constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
+/// 1 where |x| <= kLargestAngle, else 0. As a factor it makes infinities and NaN into NaN and keeps
+/// everything finite within the polynomials' range. Integers compare as the magnitudes do.
+template <class Lanes>
+TREELINE_INLINE_LANES void within_range(const typename Lanes::Value& x,
+                                        typename Lanes::Value& one_or_zero) noexcept {
+  using F = Format<typename Lanes::Real>;
+  using Bit = typename F::Bits;
+  typename Lanes::Bits bits;
+  Lanes::to_bits(x, bits);
+  bits &= ~(Bit{1} << F::kSignAt);
+  bits -= F::kLargestAngle + Bit{1};  // negative, if it could be, within the range
+  bits = (Bit{0} - (bits >> F::kSignAt)) & F::kOne;
+  Lanes::from_bits(bits, one_or_zero);
+}
 
 /// The nearest multiple of pi/2 to `x`: `turns` quarter turns, the low bits of `quarter` in two's
 /// complement.
@@ -118,26 +140,10 @@ template <class Lanes>
 TREELINE_INLINE_LANES void nearest_quarter(const typename Lanes::Value& x,
                                            typename Lanes::Value& turns,
                                            typename Lanes::Bits& quarter) noexcept {
-  const typename Lanes::Value shifted = x * kTwoOverPi + kRoundingShift;
-  turns = shifted - kRoundingShift;
+  using F = Format<typename Lanes::Real>;
+  const typename Lanes::Value shifted = x * F::kTwoOverPi + F::kRoundingShift;
+  turns = shifted - F::kRoundingShift;
   Lanes::to_bits(shifted, quarter);
-}
-
-/// 1 where |x| <= kLargestAngle, else 0. As a factor it makes infinities and NaN into NaN and keeps
-/// everything finite within the polynomials' range.
-template <class Lanes>
-TREELINE_INLINE_LANES void within_range(const typename Lanes::Value& x,
-                                        typename Lanes::Value& one_or_zero) noexcept {
-  typename Lanes::Bits bits;
-  typename Lanes::Bits mask;
-  typename Lanes::Value magnitude;
-  Lanes::to_bits(x, bits);
-  bits &= ~kSignBit;
-  Lanes::from_bits(bits, magnitude);
-  Lanes::less_equal(magnitude, kLargestAngle, mask);
-  constexpr std::uint64_t kOne = std::uint64_t{1023} << 52;
-  mask &= kOne;
-  Lanes::from_bits(mask, one_or_zero);
 }
 
 /// Turns sine and cosine of the remainder into those of the angle: swaps them after an odd number
@@ -146,14 +152,17 @@ template <class Lanes>
 TREELINE_INLINE_LANES void rotate_by_quarters(const typename Lanes::Bits& quarter,
                                               typename Lanes::Value& sine,
                                               typename Lanes::Value& cosine) noexcept {
+  using F = Format<typename Lanes::Real>;
+  using Bit = typename F::Bits;
+  constexpr Bit kSign = Bit{1} << F::kSignAt;
   typename Lanes::Bits s;
   typename Lanes::Bits c;
   Lanes::to_bits(sine, s);
   Lanes::to_bits(cosine, c);
-  const typename Lanes::Bits odd = std::uint64_t{0} - (quarter & std::uint64_t{1});
+  const typename Lanes::Bits odd = Bit{0} - (quarter & Bit{1});
   const typename Lanes::Bits difference = (s ^ c) & odd;
-  s ^= difference ^ ((quarter << 62) & kSignBit);
-  c ^= difference ^ (((quarter + std::uint64_t{1}) << 62) & kSignBit);
+  s ^= difference ^ ((quarter << (F::kSignAt - 1)) & kSign);
+  c ^= difference ^ (((quarter + Bit{1}) << (F::kSignAt - 1)) & kSign);
   Lanes::from_bits(s, sine);
   Lanes::from_bits(c, cosine);
 }
@@ -210,51 +219,72 @@ TREELINE_INLINE_LANES void sin_cos_remainder(const typename Lanes::Value& r,
   cosine = leading + (((1.0 - leading) - half) + (z * c - r * tail));
 }
 
-/// The double function on one lane or several.
+/// x - turns pi/2 as `r - excess` in float. pi/2 is split in parts of 12, 13, 11 and 24 bits: for
+/// |turns| <= 2^11 the products with the first three are exact, and so is the first difference. The
+/// first parts happen to miss pi/2 by 2^-17.8, 2^-33.9 and 2^-47.4 only. Left over: turns * 2^-72,
+/// and the rounding of `excess`, which next to a multiple of pi/2 is 2^-58.
 template <class Lanes>
-TREELINE_INLINE_LANES void sin_cos_double(const typename Lanes::Value& x,
-                                          typename Lanes::Value& sine,
-                                          typename Lanes::Value& cosine) noexcept {
-  typename Lanes::Value turns;
-  typename Lanes::Value r;
-  typename Lanes::Value tail;
-  typename Lanes::Value one_or_zero;
-  typename Lanes::Bits quarter;
-  nearest_quarter<Lanes>(x, turns, quarter);
-  within_range<Lanes>(x, one_or_zero);
-  subtract_quarters<Lanes>(x, turns, r, tail);
-  sin_cos_remainder<Lanes>(r * one_or_zero, tail * one_or_zero, sine, cosine);
-  rotate_by_quarters<Lanes>(quarter, sine, cosine);
+TREELINE_INLINE_LANES void subtract_quarters_float(const typename Lanes::Value& x,
+                                                   const typename Lanes::Value& turns,
+                                                   typename Lanes::Value& r,
+                                                   typename Lanes::Value& excess) noexcept {
+  constexpr float kPart1 = 0x1.922p+0F;
+  constexpr float kPart2 = -0x1.2afp-18F;
+  constexpr float kPart3 = 0x1.0b4p-34F;
+  constexpr float kPart4 = 0x1.84698ap-48F;
+  const typename Lanes::Value rough = x - turns * kPart1;
+  const typename Lanes::Value second = turns * kPart2;
+  const typename Lanes::Value third = turns * kPart3;
+  const typename Lanes::Value rest = second + third;
+  r = rough - rest;
+  excess = ((third - (rest - second)) + turns * kPart4) - ((rough - r) - rest);
 }
 
-/// The float function, on floats widened to double: the remainder in one double needs no tail
-/// (turns * part exact for |turns| < 2^26), and shorter polynomials do: relative error of the sine
-/// 2^-37.5, absolute of the cosine 2^-34.1.
+/// Sine and cosine of `r - excess` in float, |r| <= pi/4: relative error of the sine's polynomial
+/// 2^-27.8, absolute of the cosine's 2^-33.1; leading terms added last, as for doubles.
 template <class Lanes>
-TREELINE_INLINE_LANES void sin_cos_float(const typename Lanes::Value& x,
+TREELINE_INLINE_LANES void sin_cos_remainder_float(const typename Lanes::Value& r,
+                                                   const typename Lanes::Value& excess,
+                                                   typename Lanes::Value& sine,
+                                                   typename Lanes::Value& cosine) noexcept {
+  using Value = typename Lanes::Value;
+  constexpr float kS1 = 0x1.555544p-3F;
+  constexpr float kS2 = -0x1.1106d6p-7F;
+  constexpr float kS3 = 0x1.992462p-13F;
+  constexpr float kC1 = 0x1.55554ap-5F;
+  constexpr float kC2 = -0x1.6c0c24p-10F;
+  constexpr float kC3 = 0x1.99e5cap-16F;
+  const Value z = r * r;
+  const Value half = z * 0.5F;
+  const Value leading = 1.0F - half;
+  const Value s = (z * kS3 + kS2) * z + kS1;
+  sine = r - (excess * leading + (z * r) * s);
+  const Value c = (z * kC3 + kC2) * z + kC1;
+  cosine = leading + (((1.0F - leading) - half) + ((z * z) * c + r * excess));
+}
+
+/// Sine and cosine in double or float on one lane or several.
+template <class Lanes>
+TREELINE_INLINE_LANES void sin_cos_steps(const typename Lanes::Value& x,
                                          typename Lanes::Value& sine,
                                          typename Lanes::Value& cosine) noexcept {
   using Value = typename Lanes::Value;
-  constexpr double kPart1 = 0x1.921fb54p+0;
-  constexpr double kPart2 = 0x1.10b4611a62633p-30;
-  constexpr double kS1 = -0x1.5555554c71ca0p-3;
-  constexpr double kS2 = 0x1.1111086a5c686p-7;
-  constexpr double kS3 = -0x1.a00f7f2506254p-13;
-  constexpr double kS4 = 0x1.6cd1f1d67a4f2p-19;
-  constexpr double kC1 = -0x1.ffffffd0c6103p-2;
-  constexpr double kC2 = 0x1.55553e1062132p-5;
-  constexpr double kC3 = -0x1.6c087e86a162ap-10;
-  constexpr double kC4 = 0x1.99342f645461bp-16;
   Value turns;
+  Value r;
+  Value tail;
   Value one_or_zero;
   typename Lanes::Bits quarter;
-  nearest_quarter<Lanes>(x, turns, quarter);
   within_range<Lanes>(x, one_or_zero);
-  const Value r = ((x - turns * kPart1) - turns * kPart2) * one_or_zero;
-  const Value z = r * r;
-  const Value w = z * z;
-  sine = r * (((z * kS2 + kS1) + w * (z * kS4 + kS3)) * z + 1.0);
-  cosine = ((z * kC2 + kC1) + w * (z * kC4 + kC3)) * z + 1.0;
+  if constexpr (sizeof(typename Lanes::Real) == sizeof(double)) {
+    nearest_quarter<Lanes>(x, turns, quarter);
+    subtract_quarters<Lanes>(x, turns, r, tail);
+    sin_cos_remainder<Lanes>(r * one_or_zero, tail * one_or_zero, sine, cosine);
+  } else {
+    const Value angle = x * one_or_zero;
+    nearest_quarter<Lanes>(angle, turns, quarter);
+    subtract_quarters_float<Lanes>(angle, turns, r, tail);
+    sin_cos_remainder_float<Lanes>(r, tail, sine, cosine);
+  }
   rotate_by_quarters<Lanes>(quarter, sine, cosine);
 }
 
@@ -268,61 +298,56 @@ TREELINE_INLINE_LANES void sin_cos_float(const typename Lanes::Value& x,
 /// 0 and cosine 1, up to quarter turns. Always within [-1, 1]. sin(-0) = -0. NaN and infinities
 /// give NaN. Constant time: no branch and no table.
 inline void sin_cos(double x, double& sine, double& cosine) noexcept {
-  sin_cos_double<OneLane>(x, sine, cosine);
+  sin_cos_steps<OneLane<double>>(x, sine, cosine);
 }
 
-/// The same for float, evaluated in double: at most 0.51 ulp for |x| <= 1e8; beyond as above.
+/// The same in float, without one double operation: at most 0.8 ulp for |x| <= 4000 (every such
+/// float was tried). Beyond, up to 2^20, the result is that of an angle within one unit in the last
+/// place of `x`; beyond 2^20 it is sine 0 and cosine 1.
 inline void sin_cos(float x, float& sine, float& cosine) noexcept {
-  double s;
-  double c;
-  sin_cos_float<OneLane>(static_cast<double>(x), s, c);
-  sine = static_cast<float>(s);
-  cosine = static_cast<float>(c);
+  sin_cos_steps<OneLane<float>>(x, sine, cosine);
 }
 
 #if defined(TREELINE_HAS_LANES)
-TREELINE_INLINE_LANES void sin_cos_lanes(const double*, const FourLanes::Value& x,
-                                         FourLanes::Value& sine,
-                                         FourLanes::Value& cosine) noexcept {
-  sin_cos_double<FourLanes>(x, sine, cosine);
-}
-TREELINE_INLINE_LANES void sin_cos_lanes(const float*, const FourLanes::Value& x,
-                                         FourLanes::Value& sine,
-                                         FourLanes::Value& cosine) noexcept {
-  sin_cos_float<FourLanes>(x, sine, cosine);
-}
-
-/// `count` <= 4 angles from `x` on.
-template <int count, class Real>
+/// `count` angles from `x` on in `width` lanes.
+template <int count, int width, class Real>
 TREELINE_INLINE_LANES void sin_cos_group(const Real* x, Real* sine, Real* cosine) noexcept {
-  FourLanes::Value angle;
-  FourLanes::Value s;
-  FourLanes::Value c;
-  FourLanes::load<count>(x, angle);
-  sin_cos_lanes(x, angle, s, c);
-  FourLanes::store<count>(s, sine);
-  FourLanes::store<count>(c, cosine);
+  using Group = VectorLanes<Real, width>;
+  typename Group::Value angle;
+  typename Group::Value s;
+  typename Group::Value c;
+  load_angles<count, width>(x, angle);
+  sin_cos_steps<Group>(angle, s, c);
+  __builtin_memcpy(sine, &s, count * sizeof(Real));
+  __builtin_memcpy(cosine, &c, count * sizeof(Real));
 }
 
-template <int N, class Real>
-TREELINE_INLINE_LANES void sin_cos_groups(const Real (&x)[N], Real (&sine)[N],
-                                          Real (&cosine)[N]) noexcept {
-  constexpr int kWhole = N - N % FourLanes::kCount;
-  for (int i = 0; i < kWhole; i += FourLanes::kCount) {
-    sin_cos_group<FourLanes::kCount>(x + i, sine + i, cosine + i);
+/// `count` angles from `x` on, as many at once as may be, what is left over in four lanes.
+template <int count, class Real>
+TREELINE_INLINE_LANES void sin_cos_groups(const Real* x, Real* sine, Real* cosine) noexcept {
+  constexpr int kAtOnce = kAnglesAtOnce<Real>;
+  constexpr int kWhole = count - count % kAtOnce;
+  for (int i = 0; i < kWhole; i += kAtOnce) {
+    sin_cos_group<kAtOnce, kAtOnce>(x + i, sine + i, cosine + i);
   }
-  if constexpr (N != kWhole) {
-    sin_cos_group<N - kWhole>(x + kWhole, sine + kWhole, cosine + kWhole);
+  constexpr int kLeft = count - kWhole;
+  constexpr int kFour = kLeft > 4 ? 4 : kLeft;
+  if constexpr (kFour > 0) {
+    sin_cos_group<kFour, 4>(x + kWhole, sine + kWhole, cosine + kWhole);
+  }
+  if constexpr (kLeft > kFour) {
+    constexpr int kLast = kWhole + kFour;
+    sin_cos_group<kLeft - kFour, 4>(x + kLast, sine + kLast, cosine + kLast);
   }
 }
 
 template <int N, class Real>
 __attribute__((noinline)) void sin_cos_apart(const Real (&x)[N], Real (&sine)[N],
                                              Real (&cosine)[N]) noexcept {
-  sin_cos_groups(x, sine, cosine);
+  sin_cos_groups<N>(&x[0], &sine[0], &cosine[0]);
 }
 
-/// Sines and cosines of N angles, four to a vector, the last group padded; the same bits as the
+/// Sines and cosines of N angles, a group to a vector, the last one padded; the same bits as the
 /// scalar function under -ffp-contract=off. The arrays must not overlap. Of many angles the loop
 /// stays a loop, apart: a caller with that many joints is long, and bound by its bytes.
 template <int N, class Real>
@@ -331,7 +356,7 @@ inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noex
   if constexpr (N > kMany) {
     sin_cos_apart(x, sine, cosine);
   } else {
-    sin_cos_groups(x, sine, cosine);
+    sin_cos_groups<N>(&x[0], &sine[0], &cosine[0]);
   }
 }
 #else

@@ -15,17 +15,18 @@ struct SymmetricEigen {
 
 namespace steps {
 
-/// Square root in any `Real`; 0 for what rounding has made negative.
+/// Square root; 0 for what rounding has made negative.
 template <class Real>
 inline Real root(Real x) noexcept {
-  return x > Real(0) ? static_cast<Real>(square_root(static_cast<double>(x))) : Real(0);
+  return square_root(x > Real(0) ? x : Real(0));
 }
 
+/// Exchanges `a` and `b` or leaves them, in the same time.
 template <class Real>
-constexpr void exchange(Real& a, Real& b) noexcept {
+constexpr void exchange_if(bool condition, Real& a, Real& b) noexcept {
   const Real kept = a;
-  a = b;
-  b = kept;
+  a = condition ? b : a;
+  b = condition ? kept : b;
 }
 
 template <class Real>
@@ -45,7 +46,7 @@ inline void rotate_pair(int p, int q, Real (&A)[N * N], Real (&V)[N * N]) noexce
   const Real size = difference < Real(0) ? -difference : difference;
   const Real sum = size + root(difference * difference + twice * twice);
   const Real signed_twice = difference < Real(0) ? -twice : twice;
-  const Real t = sum > Real(0) ? signed_twice / sum : Real(0);
+  const Real t = signed_twice / (sum > Real(0) ? sum : Real(1));
   const Real c = Real(1) / root(Real(1) + t * t);
   const Real s = t * c;
   for (int k = 0; k < N; ++k) {
@@ -62,11 +63,10 @@ template <int N, class Real>
 constexpr void sort_descending(SymmetricEigen<N, Real>& eigen) noexcept {
   for (int end = N - 1; end > 0; --end) {
     for (int i = 0; i < end; ++i) {
-      if (eigen.values[i] < eigen.values[i + 1]) {
-        exchange(eigen.values[i], eigen.values[i + 1]);
-        for (int k = 0; k < N; ++k) {
-          exchange(eigen.vectors[i * N + k], eigen.vectors[(i + 1) * N + k]);
-        }
+      const bool ascends = eigen.values[i] < eigen.values[i + 1];
+      exchange_if(ascends, eigen.values[i], eigen.values[i + 1]);
+      for (int k = 0; k < N; ++k) {
+        exchange_if(ascends, eigen.vectors[i * N + k], eigen.vectors[(i + 1) * N + k]);
       }
     }
   }
@@ -74,12 +74,19 @@ constexpr void sort_descending(SymmetricEigen<N, Real>& eigen) noexcept {
 
 }  // namespace steps
 
+/// How many sweeps bring N x N matrices to rounding: convergence is quadratic, so float needs
+/// fewer.
+template <class Real>
+constexpr int jacobi_sweeps(int n) noexcept {
+  return sizeof(Real) >= sizeof(double) ? 10 : n <= 2 ? 2 : n <= 4 ? 5 : n <= 6 ? 6 : 8;
+}
+
 /// The eigenvalues and vectors of the row-major symmetric `A`, both triangles of which are read.
-/// Absolute errors of the values: a few roundings of the largest. Convergence is quadratic; ten
-/// sweeps suffice for N up to about 30. A vector's sign, and the basis of equal values, mean
-/// nothing.
+/// Absolute errors of the values: a few roundings of the largest, for N up to about 30. A vector's
+/// sign, and the basis of equal values, mean nothing.
 template <int N, int NN, class Real>
-inline SymmetricEigen<N, Real> symmetric_eigen(const Real (&A)[NN], int sweeps = 10) noexcept {
+inline SymmetricEigen<N, Real> symmetric_eigen(const Real (&A)[NN],
+                                               int sweeps = jacobi_sweeps<Real>(N)) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
   SymmetricEigen<N, Real> eigen;
   Real work[N * N];

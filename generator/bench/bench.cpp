@@ -3,37 +3,34 @@
 #include <algorithm>
 #include <utility>
 
+#include "bench/bench_truths.hpp"
 #include "bench/contender.hpp"
 #include "bench/peer_contenders.hpp"
 #include "bench/plan_builds.hpp"
-#include "check/reference.hpp"
 #include "check/temporary_folder.hpp"
 #include "emission/write_files.hpp"
-#include "mechanism/build_mechanism.hpp"
 
 namespace treeline {
 namespace {
 
 constexpr std::size_t kTimedStates = 64;
 
-/// States and truths; the first functions of the references are the scene's.
-struct Truths {
-  std::vector<StateReference> references;
-  std::vector<State> timed;
-};
-
 class Bench {
  public:
+  /// `work` is an empty folder for what is compiled.
   Bench(const Robot& robot, const Scene& scene, const BenchOptions& options,
-        Diagnostics& diagnostics)
-      : robot_(robot), scene_(scene), options_(options), diagnostics_(diagnostics) {}
+        const std::filesystem::path& work, Diagnostics& diagnostics)
+      : robot_(robot), scene_(scene), options_(options), diagnostics_(diagnostics), work_(work) {}
 
   std::optional<BenchReport> run() {
     tell("generating", 0, 1);
     const auto builds = plan_builds(robot_, scene_, options_.flags, diagnostics_);
     if (!builds) return std::nullopt;
     tell("generating", 1, 1);
-    find_truths(builds->front().functions);
+    truths_.emplace(robot_, scene_, builds->front().functions, options_);
+    for (const StateReference& reference : truths_->in_float()) {
+      if (timed_.size() < kTimedStates) timed_.push_back(reference.state);
+    }
     if (!compile(*builds)) return std::nullopt;
     add(interpreter_contenders(robot_, scene_, timed_));
     if (!add_factorisations(builds->front())) return std::nullopt;
@@ -50,37 +47,13 @@ class Bench {
     std::move(contenders.begin(), contenders.end(), std::back_inserter(contenders_));
   }
 
-  void find_truths(const std::vector<GeneratedFunction>& functions) {
-    references_ = find_truths(functions, Real::float32);  // numbers that every variant has exactly
-    for (const StateReference& reference : references_) {
-      if (timed_.size() < kTimedStates) timed_.push_back(reference.state);
-    }
-  }
-
-  /// At states whose numbers `real` has exactly.
-  std::vector<StateReference> find_truths(const std::vector<GeneratedFunction>& functions,
-                                          Real real) const {
-    Scene scene = scene_;
-    scene.real = real;
-    Generation generation;
-    generation.mechanism = reduced_mechanism(robot_, scene_);
-    generation.functions = functions;
-    ReferenceOptions options;
-    options.states = options_.states;
-    options.seed = options_.seed;
-    options.only = StateClass::random;
-    options.progress = [this](int done, int total) { tell("states", done, total); };
-    return make_references(robot_, scene, generation, options);
-  }
-
   bool compile(const std::vector<VariantBuild>& builds) {
     const int total = static_cast<int>(builds.size());
     for (int i = 0; i < total; ++i) {
       tell("compiling", i, total);
       const std::string folder = "build" + std::to_string(i);
-      auto made =
-          compile_contenders(builds[static_cast<std::size_t>(i)], timed_, work_.path() / folder,
-                             i == 0 ? &command_ : nullptr, diagnostics_);
+      auto made = compile_contenders(builds[static_cast<std::size_t>(i)], timed_, work_ / folder,
+                                     i == 0 ? &command_ : nullptr, diagnostics_);
       if (!made) return false;
       add(std::move(*made));
     }
@@ -99,8 +72,7 @@ class Bench {
     scene.functions = {Function::lambda_inverse};
     const auto build = plan_emitted(robot_, scene, emitted.flags, diagnostics_);
     if (!build) return false;
-    auto made =
-        compile_contenders(*build, timed_, work_.path() / "lambda_inverse", nullptr, diagnostics_);
+    auto made = compile_contenders(*build, timed_, work_ / "lambda_inverse", nullptr, diagnostics_);
     if (!made) return false;
     const int rows = build->functions.front().program.results.front().argument.rows;
     add(factorisation_contenders(made->front(), rows));
@@ -112,22 +84,19 @@ class Bench {
     const auto description = describe_to_peers(robot_, scene_, no_peers_);
     if (!description) return true;
     const GeneratedFile urdf{"peers.urdf", print_plain_urdf(robot_, scene_)};
-    const auto folder = work_.path() / "peers";
+    const auto folder = work_ / "peers";
     if (!write_files(folder, {urdf}, diagnostics_)) return false;
     for (const LoadedPeer& peer : options_.peers.peers) {
       tell("opening", static_cast<int>(peers_.size()),
            static_cast<int>(options_.peers.peers.size()));
       auto made =
           peer_contenders(peer, *description, folder / urdf.name, scene_, functions, timed_);
-      if (description->floating && !made.contenders.empty()) {
-        made.peer.remarks.emplace_back("is compared at states rounded to double, not to float");
+      if (truths_->has_quaternions() && !made.contenders.empty()) {
+        made.peer.remarks.emplace_back("is compared where quaternions have unit length in double");
       }
       peers_.push_back(std::move(made.peer));
       add(std::move(made.contenders));
     }
-    // Peers take the quaternion for one of unit length, which one rounded to float is not: what it
-    // turns by is then not defined to more digits than float has.
-    if (description->floating) peer_references_ = find_truths(functions, Real::float64);
     return true;
   }
 
@@ -149,8 +118,8 @@ class Bench {
 
   BenchFunction measure_function(const GeneratedFunction& function, std::size_t i) const {
     BenchFunction made{function.function, {}, 0, 0};
-    for (const StateReference& reference : references_) {
-      ++(reference.functions[i].singular ? made.singular : made.states);
+    for (const StateReference& reference : truths_->in_float()) {
+      ++(is_comparable(reference.functions[i]) ? made.states : made.singular);
     }
     std::vector<std::size_t> ends;
     for (const Result& result : function.program.results) {
@@ -175,14 +144,11 @@ class Bench {
 
   BenchRow measure_errors(const Contender& contender, std::size_t i,
                           const std::vector<std::size_t>& ends) const {
-    const bool own = contender.variant.group == VariantGroup::peer && !peer_references_.empty();
-    const std::vector<StateReference>& references = own ? peer_references_ : references_;
     std::vector<double> norms;
     std::vector<double> components;
-    for (std::size_t k = 0; k < references.size(); ++k) {
-      const StateReference& reference = references[k];
+    for (const StateReference& reference : truths_->of(contender.variant)) {
       const FunctionReference& truth = reference.functions[i];
-      if (truth.singular || references_[k].functions[i].singular) continue;
+      if (!is_comparable(truth)) continue;
       const AnswerError error = measure_error(contender.call(reference.state), truth, ends);
       norms.push_back(error.norm);
       components.push_back(error.component);
@@ -194,10 +160,9 @@ class Bench {
   const Scene& scene_;
   const BenchOptions& options_;
   Diagnostics& diagnostics_;
-  TemporaryFolder work_;
+  const std::filesystem::path& work_;
   std::string command_;
-  std::vector<StateReference> references_;
-  std::vector<StateReference> peer_references_;  ///< empty: the same
+  std::optional<BenchTruths> truths_;
   std::vector<State> timed_;
   std::vector<Contender> contenders_;
   std::vector<BenchPeer> peers_;
@@ -208,7 +173,9 @@ class Bench {
 
 std::optional<BenchReport> run_bench(const Robot& robot, const Scene& scene,
                                      const BenchOptions& options, Diagnostics& diagnostics) {
-  return Bench(robot, scene, options, diagnostics).run();
+  const auto work = make_temporary_folder(diagnostics);
+  if (!work) return std::nullopt;
+  return Bench(robot, scene, options, work->path(), diagnostics).run();
 }
 
 }  // namespace treeline

@@ -21,8 +21,8 @@ struct BenchOptions {
 };
 
 /// Runs every variant of every function of the scene: its time, and its error against the
-/// interpreter in 50 digits at numbers that float has exactly, so that float and double answer the
-/// same question. Nothing when something cannot be generated or compiled; `diagnostics` says why.
+/// interpreter in 50 digits, see `BenchTruths` for the states. Nothing when something cannot be
+/// generated or compiled; `diagnostics` says why.
 std::optional<BenchReport> run_bench(const Robot& robot, const Scene& scene,
                                      const BenchOptions& options, Diagnostics& diagnostics);
 

@@ -7,9 +7,9 @@
 
 #include "bench/variant.hpp"
 #include "check/compile_folder.hpp"
-#include "check/draw_state.hpp"
 #include "check/generated_library.hpp"
 #include "description/robot.hpp"
+#include "oracle/draw_state.hpp"
 #include "timing/time_calls.hpp"
 
 namespace treeline {

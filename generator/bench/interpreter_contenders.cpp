@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "bench/contender.hpp"
-#include "check/interpret.hpp"
+#include "oracle/interpret.hpp"
 
 namespace treeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "check/reference.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline {
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "bounds/operator_norm.hpp"
-
 namespace treeline::bounds {
 namespace {
 
@@ -17,8 +15,9 @@ constexpr double kNothing = kFactorSlack / 16;
 
 }  // namespace
 
-FormBounds::FormBounds(const NodeBounds& known, NormOf norm_of)
+FormBounds::FormBounds(const NodeBounds& known, NormMemo& norms, NormOf norm_of)
     : known_(known),
+      norms_(norms),
       norm_of_(std::move(norm_of)),
       forms_(known),
       height_(known.graph.nodes().size()) {}
@@ -258,8 +257,7 @@ std::optional<Bounded> FormBounds::bound_rest(const Turn& turn) const {
   Bounded rest = turn.rest;
   for (const auto& [factor, closed] : turn.closed) {
     if (closed.others.size() > kMostRows) return std::nullopt;
-    const std::vector<double> scale = column_norms(closed.A);
-    const double norm = operator_norm(closed.A, scale);
+    const auto& [scale, norm] = norms_.of(closed.A);
     Set others;
     for (std::size_t i = 0; i < scale.size(); ++i) others.push_back({closed.others[i], scale[i]});
     const Bounded by = factor == 0 ? Bounded{1, 0} : *known_.bounds[factor];
@@ -297,8 +295,7 @@ std::optional<Bounded> FormBounds::turn_rows(const Rows& rows, int depth) {
   if (turn.columns.size() > kMostRows) return std::nullopt;
   const auto rest = bound_rest(turn);
   if (!rest || turn.columns.empty()) return rest;
-  const std::vector<double> scale = column_norms(turn.A);
-  const double norm = operator_norm(turn.A, scale);
+  const auto& [scale, norm] = norms_.of(turn.A);
   for (std::size_t i = 0; i < turn.columns.size(); ++i) {
     for (Coefficient& term : turn.columns[i]) term.factor *= scale[i];
   }

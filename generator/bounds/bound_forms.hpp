@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "bounds/norm_memo.hpp"
 #include "bounds/quadratic_form.hpp"
 
 namespace treeline::bounds {
@@ -20,7 +21,7 @@ class FormBounds {
  public:
   using NormOf = std::function<Bounded(const Set&)>;
 
-  FormBounds(const NodeBounds& known, NormOf norm_of);
+  FormBounds(const NodeBounds& known, NormMemo& norms, NormOf norm_of);
 
   /// To be called for each node in order, once it has a bound: a better one, if there is one.
   std::optional<Bounded> add(std::uint32_t node);
@@ -51,6 +52,7 @@ class FormBounds {
   bool substitute_product(const Coefficient& term, Angle angle, QuadraticForm& form);
 
   const NodeBounds& known_;
+  NormMemo& norms_;
   NormOf norm_of_;
   QuadraticForms forms_;
   std::vector<int> height_;  ///< operations on the longest way to an input

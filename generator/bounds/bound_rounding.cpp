@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bounds/bound_sets.hpp"
+#include "bounds/quaternion_scale.hpp"
 
 namespace treeline {
 namespace {
@@ -34,9 +35,12 @@ std::optional<std::string> missing_range(const Program& program, const Domain& d
   return std::nullopt;
 }
 
+/// By something that may be zero.
 bool divides(const Graph& graph) {
-  return std::any_of(graph.nodes().begin(), graph.nodes().end(),
-                     [](const Node& node) { return node.op == Op::div; });
+  for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
+    if (graph.nodes()[i].op == Op::div && !bounds::is_quaternion_scale(graph, i)) return true;
+  }
+  return false;
 }
 
 RoundingBound no_bound(std::string why) {

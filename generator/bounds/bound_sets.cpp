@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bounds/operator_norm.hpp"
+#include "bounds/quaternion_scale.hpp"
 #include "bounds/turn_rounding.hpp"
 
 namespace treeline::bounds {
@@ -50,7 +51,7 @@ SetBounds::SetBounds(const Graph& graph, InputSizes inputs, double unit)
       polynomials_(find_polynomials(graph)),
       known_of_{graph, polynomials_, unit,
                 std::vector<std::optional<Bounded>>(graph.nodes().size())},
-      forms_(known_of_, [this](const Set& set) { return bound_set(set, 0); }),
+      forms_(known_of_, norms_, [this](const Set& set) { return bound_set(set, 0); }),
       divisions_(graph.nodes().size()),
       height_(graph.nodes().size()),
       turns_(graph.nodes().size()) {
@@ -78,7 +79,11 @@ void SetBounds::bound_node(std::uint32_t node) {
     }
   }
   if (n.op == Op::div) {
-    divisions_[node] = node;
+    if (is_quaternion_scale(graph_, node)) {
+      bounds_[node] = Bounded{2 * kSlack, kQuaternionScaleError * kSlack};
+    } else {
+      divisions_[node] = node;
+    }
     return;
   }
   bounds_[node] = bound_alone(node);
@@ -278,8 +283,7 @@ std::optional<Bounded> SetBounds::turn_set(const Set& set, int depth) {
   if (angle == 0) return std::nullopt;
   const Turn turn = expand_set(set, angle);
   if (turn.leaves.empty() || turn.leaves.size() > kMostRows) return std::nullopt;
-  const std::vector<double> scale = column_norms(turn.A);
-  const double norm = operator_norm(turn.A, scale);
+  const auto& [scale, norm] = norms_.of(turn.A);
   Set leaves;
   for (std::size_t i = 0; i < turn.leaves.size(); ++i) leaves.push_back({turn.leaves[i], scale[i]});
   const Bounded below = bound_set(std::move(leaves), depth + 1);

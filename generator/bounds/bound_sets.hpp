@@ -6,6 +6,7 @@
 
 #include "bounds/bound_forms.hpp"
 #include "bounds/node_bounds.hpp"
+#include "bounds/norm_memo.hpp"
 #include "program/program.hpp"
 
 namespace treeline::bounds {
@@ -56,6 +57,7 @@ class SetBounds {
   std::vector<std::optional<TrigPolynomial>> polynomials_;
   NodeBounds known_of_;
   std::vector<std::optional<Bounded>>& bounds_ = known_of_.bounds;
+  NormMemo norms_;
   FormBounds forms_;
   std::vector<std::uint32_t> divisions_;  ///< of nodes without bound
   std::vector<int> height_;               ///< operations on the longest way to an input

@@ -114,7 +114,8 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i)
       text += fmt::format(" {:.4g}", rounded_down(sizes[i]));
   }
-  return text;
+  const bool given = std::count(arguments.begin(), arguments.end(), "sin_q") > 0;
+  return text + (given ? ", sin_q^2 + cos_q^2 = 1 of each angle but for rounding" : "");
 }
 
 }  // namespace treeline

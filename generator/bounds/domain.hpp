@@ -13,7 +13,7 @@
 namespace treeline {
 
 /// The largest magnitude that a bound allows each input of the emitted functions, by argument.
-/// Sines and cosines of angles are not restricted further: only the magnitude of q counts.
+/// Sines and cosines that are inputs themselves lie on the unit circle, see `lie_on_circle`.
 struct Domain {
   std::map<std::string, std::vector<double>, std::less<>> sizes;
   /// The same for every entry of arguments whose length is the function's own matter.
@@ -43,8 +43,8 @@ struct DomainDefaults {
 Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
                    const DomainDefaults& defaults = {});
 
-/// `|q| <= 2.8 3.1 ..., |qd| <= 10, |qdd| <= 100`: of these arguments; one number where all are
-/// the same.
+/// `|q| <= 2.8 3.1 ..., |qd| <= 10`: of these arguments; one number where all are the same; and
+/// that sines and cosines, where they are arguments, lie on the unit circle.
 std::string describe(const Domain& domain, const std::vector<std::string>& arguments);
 
 }  // namespace treeline

@@ -1,7 +1,11 @@
 #include "bounds/expand_linear.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <deque>
+#include <memory_resource>
+#include <unordered_map>
 #include <utility>
 
 namespace treeline::bounds {
@@ -34,12 +38,11 @@ class Expansion {
   Expansion(const Graph& graph, const Polynomials& polynomials, Angle angle)
       : nodes_(graph.nodes()), polynomials_(polynomials), angle_(angle) {}
 
-  /// Whether a term of the sum turns with the angle.
+  /// Whether a term of the sum turns with the angle. Large sums are not searched through.
   bool turns(std::uint32_t node) {
-    if (++visits_ > kMostVisits) return false;
-    const Node& n = nodes_[node];
-    if (as_turned(n, polynomials_, angle_)) return true;
-    return is_sum(n) && (turns(n.a) || (n.op != Op::neg && turns(n.b)));
+    const Found found = search(node);
+    visits_ = std::min(visits_ + found.visits, kMostVisits + 1);
+    return found.turns && visits_ <= kMostVisits;
   }
 
   void expand(std::uint32_t node, const TrigPolynomial& factor) {
@@ -65,6 +68,27 @@ class Expansion {
  private:
   static constexpr int kMostVisits = 20000;
 
+  /// A search through a sum, up to the first term that turns, and the values that it comes by.
+  struct Found {
+    bool turns = false;
+    int visits = 1;
+  };
+  /// Sums share terms: each is searched once.
+  Found search(std::uint32_t node) {
+    const Node& n = nodes_[node];
+    if (as_turned(n, polynomials_, angle_)) return {true, 1};
+    if (!is_sum(n)) return {};
+    if (const auto known = found_.find(node); known != found_.end()) return known->second;
+    Found found = search(n.a);
+    if (n.op != Op::neg && !found.turns) {
+      const Found second = search(n.b);
+      found = {second.turns, found.visits + second.visits};
+    }
+    found.visits = std::min(found.visits + 1, kMostVisits + 1);
+    found_.emplace(node, found);
+    return found;
+  }
+
   void add(std::uint32_t node, TrigPolynomial factor) {
     const Node& n = nodes_[node];
     const bool doubled =
@@ -80,6 +104,9 @@ class Expansion {
   const Polynomials& polynomials_;
   Angle angle_;
   int visits_ = 0;
+  std::array<std::byte, 8192> first_memory_;
+  std::pmr::monotonic_buffer_resource memory_{first_memory_.data(), first_memory_.size()};
+  std::pmr::unordered_map<std::uint32_t, Found> found_{&memory_};
 };
 
 bool contains(const std::vector<LinearTerm>& terms, std::uint32_t node) {

@@ -23,7 +23,8 @@ struct TrigMatrix {
 /// The largest that the norm of each column becomes, at sampled angles.
 std::vector<double> column_norms(const TrigMatrix& A);
 
-/// No angle gives A diag(1/scale) a larger 2-norm. A trigonometric polynomial of degree n that is
+/// No angle gives A diag(1/scale) a larger 2-norm; columns that are zero, and their scale, add
+/// nothing. A trigonometric polynomial of degree n that is
 /// at most 1 at N > 2n evenly spread angles is at most 1/cos(pi n/N) everywhere (Ehlich & Zeller
 /// 1964); here n = 4, of the squared norm. Where the matrix of products of rows (or of columns) is
 /// the same at all of them, it is so everywhere.

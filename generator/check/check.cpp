@@ -78,6 +78,7 @@ std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& s
   if (!contracts(options.flags)) return libraries;
   CompileOptions exact = options;
   exact.flags += kExactFlags;
+  if (!exact.long_flags.empty()) exact.long_flags += kExactFlags;
   Compilation compilation;
   libraries.separate =
       compile_and_load(sources, scene, generation, exact, work / "exact", compilation, diagnostics);
@@ -100,6 +101,7 @@ void add_compilation(const Compilation& compilation, FunctionReport& report) {
   report.code_bytes = compiled.code_bytes;
   report.stack_bytes = compiled.stack_bytes;
   report.compile_seconds = compiled.seconds;
+  report.is_long = compiled.is_long;
 }
 
 std::vector<State> collect_named_states(const std::vector<FunctionReport>& functions,
@@ -126,6 +128,7 @@ CheckReport begin_report(const Scene& scene, const CheckOptions& options,
   report.seed = options.references.seed;
   report.compile_command = libraries.compilation.command;
   report.exact_command = libraries.exact_command;
+  report.long_command = libraries.compilation.long_command;
   report.compile_seconds = libraries.compilation.seconds;
   report.compile_peak_kib = libraries.compilation.peak_kib;
   report.folder = options.folder.string();
@@ -151,6 +154,7 @@ CheckReport judge(const Scene& scene, const Generation& generation,
                   const Libraries& libraries) {
   CheckReport report = begin_report(scene, options, libraries);
   if (!options.folder.empty()) report.stale = compare_files(options.folder, generation.files);
+  report.domain = describe_domain(generation);
   const std::vector<GeneratedFunction> functions = all_callable(generation);
   for (std::size_t i = 0; i < functions.size(); ++i) {
     report.functions.push_back(judge_function(i, functions[i], references, scene.real,
@@ -173,11 +177,12 @@ bool CheckReport::passed() const {
 std::optional<CheckReport> check(const Scene& scene, const Generation& generation,
                                  const std::vector<StateReference>& references,
                                  const CheckOptions& options, Diagnostics& diagnostics) {
-  const TemporaryFolder work;
-  const auto sources = find_sources(scene, generation, options, work.path(), diagnostics);
+  const auto work = make_temporary_folder(diagnostics);
+  if (!work) return std::nullopt;
+  const auto sources = find_sources(scene, generation, options, work->path(), diagnostics);
   if (!sources) return std::nullopt;
   const auto libraries =
-      build_libraries(*sources, scene, generation, options.compile, work.path(), diagnostics);
+      build_libraries(*sources, scene, generation, options.compile, work->path(), diagnostics);
   if (!libraries) return std::nullopt;
   return judge(scene, generation, references, options, *libraries);
 }
@@ -185,11 +190,12 @@ std::optional<CheckReport> check(const Scene& scene, const Generation& generatio
 std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
                                  const Generation& generation, const CheckOptions& options,
                                  Diagnostics& diagnostics) {
-  const TemporaryFolder work;
-  const auto sources = find_sources(scene, generation, options, work.path(), diagnostics);
+  const auto work = make_temporary_folder(diagnostics);
+  if (!work) return std::nullopt;
+  const auto sources = find_sources(scene, generation, options, work->path(), diagnostics);
   if (!sources) return std::nullopt;
   const auto libraries =
-      build_libraries(*sources, scene, generation, options.compile, work.path(), diagnostics);
+      build_libraries(*sources, scene, generation, options.compile, work->path(), diagnostics);
   if (!libraries) return std::nullopt;
   const auto start = std::chrono::steady_clock::now();
   const auto references = make_references(robot, scene, generation, options.references);

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "check/compile_folder.hpp"
-#include "check/reference.hpp"
 #include "check/report.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline {
 

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <sstream>
 #include <string_view>
 #include <thread>
@@ -13,6 +15,7 @@
 
 #include "check/print_entry.hpp"
 #include "check/run_commands.hpp"
+#include "emission/print_source.hpp"
 
 namespace treeline {
 namespace {
@@ -20,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+constexpr const char* kNoSpace = "No space left on device";  // as every compiler passes it on
 constexpr const char* kEntryStem = "treeline_check_entry";
 
 std::string read_file(const fs::path& path) {
@@ -31,14 +35,14 @@ int core_count(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-Command compile_command(const Command& compiler, const CompileOptions& options,
-                        const fs::path& include, const fs::path& source, const fs::path& object) {
+Command compile_command(const Command& compiler, const std::string& flags, const fs::path& include,
+                        const fs::path& source, const fs::path& object) {
   Command command = compiler;
   const auto append = [&](std::initializer_list<std::string> words) {
     command.insert(command.end(), words);
   };
   append({"-std=c++17"});
-  for (const std::string& flag : split_words(options.flags)) command.push_back(flag);
+  for (const std::string& flag : split_words(flags)) command.push_back(flag);
   append({"-fPIC", "-fstack-usage", "-I", include, "-c", source, "-o", object});
   return command;
 }
@@ -56,8 +60,41 @@ bool succeeded(const CommandOutcome& outcome, const fs::path& file, const std::s
                Diagnostics& diagnostics) {
   if (outcome.started && outcome.exit_code == 0) return true;
   diagnostics.add({Severity::error, file, 0, "", fault + first_lines(outcome.output),
-                   "Look at the flags; when the folder is an old one, generate it again."});
+                   outcome.output.find(kNoSpace) != std::string::npos
+                       ? "Free some space there, or set TMPDIR to a folder with more."
+                       : "Look at the flags; when the folder is an old one, generate it again."});
   return false;
+}
+
+bool has_long_flags(const GeneratedFunction& generated, const CompileOptions& options) {
+  return !options.long_flags.empty() && is_long(generated.program);
+}
+
+const std::string& flags_of(const GeneratedFunction& generated, const CompileOptions& options) {
+  return has_long_flags(generated, options) ? options.long_flags : options.flags;
+}
+
+/// Outcomes in the order of the commands. The largest sources are begun with, lest one of them be
+/// left over for a single core.
+std::vector<CommandOutcome> run_largest_first(const std::vector<Command>& commands,
+                                              const std::vector<fs::path>& sources,
+                                              const CompileOptions& options, const fs::path& work) {
+  const auto size_of = [&](std::size_t i) {
+    std::error_code none;
+    const auto size = fs::file_size(sources[i], none);
+    return none ? 0 : size;
+  };
+  std::vector<std::size_t> order(commands.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return size_of(a) > size_of(b); });
+  std::vector<Command> sorted;
+  for (const std::size_t i : order) sorted.push_back(commands[i]);
+  std::vector<CommandOutcome> ran =
+      run_commands(sorted, core_count(options.jobs), work, options.progress);
+  std::vector<CommandOutcome> outcomes(commands.size());
+  for (std::size_t i = 0; i < order.size(); ++i) outcomes[order[i]] = std::move(ran[i]);
+  return outcomes;
 }
 
 /// The objects of all functions and of the entry.
@@ -73,18 +110,19 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
   Objects objects;
   std::vector<Command> commands;
   std::vector<fs::path> sources;
-  const auto add = [&](const std::string& stem, const fs::path& source) {
+  const auto add = [&](const std::string& stem, const fs::path& source, const std::string& flags) {
     objects.stems.push_back(stem);
     sources.push_back(source);
     commands.push_back(
-        compile_command(compiler, options, fs::absolute(folder), source, work / (stem + ".o")));
+        compile_command(compiler, flags, fs::absolute(folder), source, work / (stem + ".o")));
   };
   for (const GeneratedFunction& generated : functions) {
     const fs::path& place = is_composed(generated) ? work : folder;
-    add(source_stem(generated), fs::absolute(place / (source_stem(generated) + ".cpp")));
+    add(source_stem(generated), fs::absolute(place / (source_stem(generated) + ".cpp")),
+        flags_of(generated, options));
   }
-  add(kEntryStem, work / (std::string(kEntryStem) + ".cpp"));
-  objects.outcomes = run_commands(commands, core_count(options.jobs), work);
+  add(kEntryStem, work / (std::string(kEntryStem) + ".cpp"), options.flags);
+  objects.outcomes = run_largest_first(commands, sources, options, work);
   bool all = true;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     all = succeeded(objects.outcomes[i], sources[i], "does not compile", diagnostics) && all;
@@ -93,15 +131,28 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
   return objects;
 }
 
+bool write_source(const fs::path& path, const std::string& text, Diagnostics& diagnostics) {
+  std::ofstream stream(path);
+  stream << text;
+  stream.close();
+  if (stream) return true;
+  diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end",
+                   "free some space there, or set TMPDIR to a folder with more"});
+  return false;
+}
+
 /// What calls the functions; an entry to a composed function is the only source that it is in.
-void write_entries(const std::string& name, const std::vector<GeneratedFunction>& functions,
-                   const fs::path& work) {
-  std::ofstream(work / (std::string(kEntryStem) + ".cpp")) << print_entry(name, functions);
+bool write_entries(const std::string& name, const std::vector<GeneratedFunction>& functions,
+                   const fs::path& work, Diagnostics& diagnostics) {
+  bool written = write_source(work / (std::string(kEntryStem) + ".cpp"),
+                              print_entry(name, functions), diagnostics);
   for (const GeneratedFunction& generated : functions) {
     if (!is_composed(generated)) continue;
-    std::ofstream(work / (source_stem(generated) + ".cpp"))
-        << print_composed_entry(name, generated);
+    written = write_source(work / (source_stem(generated) + ".cpp"),
+                           print_composed_entry(name, generated), diagnostics) &&
+              written;
   }
+  return written;
 }
 
 bool link_library(const Command& compiler, const Objects& objects, const fs::path& work,
@@ -148,15 +199,19 @@ std::optional<Command> find_compiler(const std::string& asked_for, const fs::pat
   } else if (chosen != nullptr && !split_words(chosen).empty()) {
     candidates = {split_words(chosen)};
   }
+  CommandOutcome outcome;
   for (const Command& candidate : candidates) {
     Command asked = candidate;
     asked.emplace_back("--version");
-    const CommandOutcome outcome = run_commands({asked}, 1, work).front();
+    outcome = run_commands({asked}, 1, work).front();
     if (outcome.started && outcome.exit_code == 0) return candidate;
   }
-  diagnostics.add({Severity::error, "", 0, candidates.front().front(),
-                   !asked_for.empty()  ? "this compiler cannot be run"
-                   : chosen != nullptr ? "this compiler, which $CXX names, cannot be run"
+  const std::string why = outcome.started
+                              ? "it fails when asked for its version" + first_lines(outcome.output)
+                              : fmt::format("there is no program {}", candidates.back().front());
+  diagnostics.add({Severity::error, "", 0, fmt::format("{}", fmt::join(candidates.front(), " ")),
+                   !asked_for.empty()  ? "this compiler cannot be run: " + why
+                   : chosen != nullptr ? "this compiler, which $CXX names, cannot be run: " + why
                                        : "no C++ compiler was found",
                    "Install one (Debian: g++), or name one in the environment variable CXX."});
   return std::nullopt;
@@ -168,7 +223,7 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
                                           Diagnostics& diagnostics) {
   const auto compiler = find_compiler(options.compiler, work, diagnostics);
   if (!compiler) return std::nullopt;
-  write_entries(name, functions, work);
+  if (!write_entries(name, functions, work, diagnostics)) return std::nullopt;
   const auto start = Clock::now();
   const auto objects = compile_objects(*compiler, folder, functions, options, work, diagnostics);
   if (!objects) return std::nullopt;
@@ -178,6 +233,12 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
   if (!link_library(*compiler, *objects, work, options, made, diagnostics)) return std::nullopt;
   made.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   measure_functions(*objects, work, made);
+  for (const GeneratedFunction& generated : functions) {
+    if (!has_long_flags(generated, options)) continue;
+    made.functions[source_stem(generated)].is_long = true;
+    made.long_command =
+        fmt::format("{} -std=c++17 {}", fmt::join(*compiler, " "), options.long_flags);
+  }
   return made;
 }
 

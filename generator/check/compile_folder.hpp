@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,22 +15,26 @@ namespace treeline {
 
 struct CompileOptions {
   std::string flags = "-O2 -ffp-contract=off";  ///< beside -std=c++17 and what a library needs
-  int jobs = 0;                                 ///< 0: as many as there are cores
+  std::string long_flags = {};  ///< of functions that are long (`is_long`); empty: the same
+  int jobs = 0;                 ///< 0: as many as there are cores
+  std::function<void(int, int)> progress = {};  ///< how many sources are compiled, of how many
   std::string compiler = {};                    ///< empty: $CXX, else c++, else g++
 };
 
 /// What the compiler made of one function's source.
 struct CompiledFunction {
   double seconds = 0;
+  bool is_long = false;            ///< compiled with `CompileOptions::long_flags`
   std::optional<int> code_bytes;   ///< of the function and what it calls; absent without `nm`
   std::optional<int> stack_bytes;  ///< likewise; absent when the compiler does not tell
 };
 
 struct Compilation {
   std::filesystem::path library;
-  std::string command;  ///< compiler and flags
-  double seconds = 0;   ///< from start to linked, as many files at a time as jobs
-  long peak_kib = 0;    ///< of the largest compiler process
+  std::string command;            ///< compiler and flags
+  std::string long_command = {};  ///< of long functions; empty: there is none or it is the same
+  double seconds = 0;             ///< from start to linked, as many files at a time as jobs
+  long peak_kib = 0;              ///< of the largest compiler process
   std::map<std::string, CompiledFunction> functions;
 };
 

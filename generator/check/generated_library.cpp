@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "check/print_entry.hpp"
-#include "check/reference.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline {
 namespace {

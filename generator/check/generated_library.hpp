@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "check/draw_state.hpp"
 #include "description/diagnostic.hpp"
 #include "generation/generate_code.hpp"
+#include "oracle/draw_state.hpp"
 
 namespace treeline {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "check/judge_rounding.hpp"
@@ -59,6 +60,12 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
     CallResult result = accurate.call(i, reference.state);
     note_bits(&accurate == &exact ? result : exact.call(i, reference.state), reference, function,
               report);
+    if (function.singular && function.stays_finite && !are_finite(result.entries)) {
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      note_error({reference.state.index, kInfinity, Bound::kFloorUlp, function.condition}, report,
+                 errors);
+      continue;
+    }
     if (function.singular) {
       ++report.singular;
       continue;
@@ -67,26 +74,12 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
     note_error({reference.state.index, error_in_ulp(result.entries, function, unit_of(real)),
                 report.bound.at(function), function.condition},
                report, errors);
-    calls.push_back({&reference.state, function.condition, std::move(result)});
+    calls.push_back({&reference.state, function.condition, function.size, std::move(result)});
   }
   report.rounding = judge_rounding(generated, domain, unit_of(real) / 2, calls);
   report.median = quantile(errors, 0.5);
   report.percent_99 = quantile(errors, 0.99);
   return report;
-}
-
-Bound find_bound(std::size_t i, Function function, const std::vector<StateReference>& references) {
-  Bound bound;
-  bound.solve = solve_of(function);
-  for (const StateReference& reference : references) {
-    const FunctionReference& at = reference.functions[i];
-    const double error = at.interpreter_error / at.condition;
-    // An interpreter that fails says nothing about what to allow.
-    if (!at.singular && std::isfinite(error)) {
-      bound.interpreter = std::max(bound.interpreter, error);
-    }
-  }
-  return bound;
 }
 
 double quantile(std::vector<double>& values, double share) {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "check/generated_library.hpp"
-#include "check/reference.hpp"
 #include "check/report.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline {
 
@@ -16,9 +16,6 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
                               const std::vector<StateReference>& references, Real real,
                               const Domain& domain, const GeneratedLibrary& accurate,
                               const GeneratedLibrary& exact);
-
-/// What the interpreter's errors at these states allow function `i`.
-Bound find_bound(std::size_t i, Function function, const std::vector<StateReference>& references);
 
 /// The value below which the given share of the values lies; the values' order is changed.
 double quantile(std::vector<double>& values, double share);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "bounds/lie_on_circle.hpp"
 #include "bounds/propagate_errors.hpp"
 #include "program/evaluate.hpp"
 
@@ -41,17 +42,21 @@ std::vector<double> errors_of(const Program& program, const Call& call) {
   return errors;
 }
 
-bool lies_in(const Domain& domain, const Program& program, const State& state) {
+bool lies_in(const Domain& domain, const Program& program, const State& state, double unit) {
+  const std::vector<double>* sines = nullptr;
   std::size_t i = 0;
   for (const auto* argument : arguments_of(program, state)) {
-    if (!domain.contains(program.arguments[i++].name, *argument)) return false;
+    const std::string& name = program.arguments[i++].name;
+    if (!domain.contains(name, *argument)) return false;
+    if (name == "sin_q") sines = argument;
+    if (name == "cos_q" && !lie_on_circle(*sines, *argument, unit)) return false;
   }
   return true;
 }
 
-void hold_to_proven(const GeneratedFunction& generated, const Domain& domain, const Call& call,
-                    RoundingReport& report) {
-  if (!lies_in(domain, generated.program, *call.state)) return;
+void hold_to_proven(const GeneratedFunction& generated, const Domain& domain, double unit,
+                    const Call& call, RoundingReport& report) {
+  if (!lies_in(domain, generated.program, *call.state, unit)) return;
   const std::vector<double> errors = errors_of(generated.program, call);
   for (std::size_t i = 0; i < errors.size(); ++i) {
     report.used = std::max(report.used, share_of(errors[i], generated.rounding.error[i]));
@@ -76,7 +81,7 @@ class FirstOrder {
       for (const std::size_t i : largest(errors, first, result.values.size())) {
         const States& bound = propagation_.bound(result.values[i - first].node());
         for (std::size_t s = 0; s < calls.size(); ++s) {
-          share = std::max(share, share_of(errors[s][i], unit * bound[s]));
+          share = std::max(share, share_of(errors[s][i], unit * (bound[s] + calls[s].sizes[i])));
         }
       }
       first += result.values.size();
@@ -150,7 +155,7 @@ std::optional<RoundingReport> judge_rounding(const GeneratedFunction& generated,
   if (generated.rounding.is_first_order()) {
     hold_to_first_order(generated.program, unit, calls, report);
   } else {
-    for (const Call& call : calls) hold_to_proven(generated, domain, call, report);
+    for (const Call& call : calls) hold_to_proven(generated, domain, unit, call, report);
   }
   return report;
 }

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bounds/domain.hpp"
 #include "check/generated_library.hpp"
-#include "check/reference.hpp"
 #include "check/report.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline {
 
@@ -14,6 +15,9 @@ namespace treeline {
 struct Call {
   const State* state = nullptr;
   double condition = 1;  ///< of what it solves with there
+  /// Of each entry's terms. An error below a rounding of these says nothing of the code: a bound of
+  /// first order vanishes with what it is the bound of.
+  std::span<const double> sizes;
   CallResult result;
 };
 

@@ -76,6 +76,7 @@ Json to_json(const FunctionReport& f) {
             {"method", f.method},
             {"states", f.states},
             {"singular", f.singular},
+            {"has_value", !f.has_no_value()},
             {"median", nullptr},
             {"percent_99", nullptr},
             {"worst", nullptr},
@@ -95,7 +96,8 @@ Json to_json(const FunctionReport& f) {
             {"sin_cos", nullptr},
             {"code_bytes", optional(f.code_bytes)},
             {"stack_bytes", optional(f.stack_bytes)},
-            {"compile_seconds", f.compile_seconds}};
+            {"compile_seconds", f.compile_seconds},
+            {"long", f.is_long}};
   if (f.count) {
     json["flops"] = f.count->flops();
     json["add"] = f.count->add;
@@ -149,24 +151,27 @@ Json list_functions(const CheckReport& report) {
 }  // namespace
 
 std::string print_json(const CheckReport& report) {
-  const Json json{{"name", report.name},
-                  {"robot", report.robot},
-                  {"passed", report.passed()},
-                  {"real", report.single_precision ? "float" : "double"},
-                  {"states", report.states},
-                  {"first_state", report.first_state},
-                  {"seed", report.seed},
-                  {"compile",
-                   {{"command", report.compile_command},
-                    {"exact_command", report.exact_command},
-                    {"seconds", report.compile_seconds},
-                    {"peak_kib", report.compile_peak_kib}}},
-                  {"reference_seconds", report.reference_seconds},
-                  {"folder", report.folder.empty() ? Json(nullptr) : Json(report.folder)},
-                  {"stale", list(report.stale)},
-                  {"functions", list_functions(report)},
-                  {"named_states", list(report.named_states)}};
-  return json.dump(2) + "\n";
+  const Json json{
+      {"name", report.name},
+      {"robot", report.robot},
+      {"passed", report.passed()},
+      {"real", report.single_precision ? "float" : "double"},
+      {"states", report.states},
+      {"first_state", report.first_state},
+      {"seed", report.seed},
+      {"compile",
+       {{"command", report.compile_command},
+        {"exact_command", report.exact_command},
+        {"long_command", report.long_command.empty() ? Json(nullptr) : Json(report.long_command)},
+        {"seconds", report.compile_seconds},
+        {"peak_kib", report.compile_peak_kib}}},
+      {"reference_seconds", report.reference_seconds},
+      {"folder", report.folder.empty() ? Json(nullptr) : Json(report.folder)},
+      {"stale", list(report.stale)},
+      {"domain", report.domain},
+      {"functions", list_functions(report)},
+      {"named_states", list(report.named_states)}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace treeline

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "check/report.hpp"
+#include "emission/comment.hpp"
 #include "inspect/align_columns.hpp"
 
 namespace treeline {
@@ -85,9 +86,9 @@ std::string print_table(const CheckReport& report) {
                         {"interp", true},
                         {"worst state"},
                         {"bound"},
-                        {"used", true},
+                        {"of bound", true},
                         {"rounding", true},
-                        {"used", true},
+                        {"of rounding", true},
                         {"singular", true},
                         {"bits"},
                         {"flops", true},
@@ -104,6 +105,16 @@ std::string print_head(const CheckReport& report) {
   if (!report.folder.empty()) text += fmt::format("  code: {}\n", report.folder);
   text += fmt::format("  compiled by {} in {:.1f} s, {} MB\n", report.compile_command,
                       report.compile_seconds, report.compile_peak_kib / 1024);
+  if (!report.long_command.empty()) {
+    std::string names;
+    for (const FunctionReport& f : report.functions) {
+      if (f.is_long) names += (names.empty() ? "" : ", ") + f.name;
+    }
+    text += fmt::format(
+        "  by {}: {}, of more than 12000 operations, lest it take minutes;\n"
+        "  --flags compiles all alike\n",
+        report.long_command, names);
+  }
   if (report.exact_command != report.compile_command) {
     text += fmt::format("  bits compared as compiled by {}\n", report.exact_command);
   }
@@ -126,7 +137,12 @@ std::string print_warning(const CheckReport& report, const FunctionReport& f) {
 std::string print_faults(const FunctionReport& f) {
   std::string text;
   const auto add = [&](const std::string& fault) { text += f.name + ": " + fault + "\n"; };
-  if (!f.has_errors()) {
+  if (f.has_no_value()) {
+    add(
+        fmt::format("no value to check: {} is singular at all {} states, of every class; its bits "
+                    "were compared",
+                    condition_name(f.bound.solve), f.states));
+  } else if (!f.has_errors()) {
     add("not checked: every state is singular, and nothing was compared with the truth");
   }
   if (f.beyond_bound > 0) {
@@ -172,18 +188,25 @@ double digits_left(const CheckReport& report, double error_in_ulp) {
 
 std::string print_text(const CheckReport& report) {
   std::string text = print_head(report) + print_table(report) + "\n";
+  if (!report.domain.empty()) {
+    text += wrap_text("rounding: for inputs of " + report.domain, 99) + "\n\n";
+  }
   for (const FileDifference& file : report.stale) {
     text += fmt::format("{}/{}: {}\n", report.folder, file.name, difference_name(file.difference));
   }
-  int failed = 0;
+  int failed = 0, without_value = 0;
   for (const FunctionReport& function : report.functions) {
     text += print_warning(report, function);
     text += print_faults(function);
     failed += function.passed() ? 0 : 1;
+    without_value += function.has_no_value() ? 1 : 0;
   }
   if (report.passed()) {
-    return text + fmt::format("passed: {} functions equal to the bit and within their bounds\n",
-                              report.functions.size());
+    return text + fmt::format("passed: {} functions equal to the bit and within their bounds{}\n",
+                              report.functions.size(),
+                              without_value == 0
+                                  ? ""
+                                  : fmt::format(", {} of them without a value", without_value));
   }
   return text + fmt::format("FAILED: {} of {} functions, {} files not up to date\n", failed,
                             report.functions.size(), report.stale.size());

@@ -5,36 +5,13 @@
 #include <vector>
 
 #include "bounds/bound_rounding.hpp"
-#include "check/draw_state.hpp"
-#include "check/reference.hpp"
 #include "emission/compare_files.hpp"
+#include "oracle/bound.hpp"
+#include "oracle/draw_state.hpp"
+#include "oracle/reference.hpp"
 #include "passes/count_operations.hpp"
 
 namespace treeline {
-
-/// The error of one function at one state, in ulp of the scale, beside what is allowed.
-struct ErrorAt {
-  int state = 0;
-  double error = 0;
-  double bound = 0;
-  double condition = 1;
-};
-
-/// What a function's outputs are allowed to differ by, in ulp of their scale:
-/// kFloorUlp + angles + condition * kInterpreterFactor * interpreter, where `angles` is
-/// FunctionReference::computed_angles and `interpreter` the largest error over condition that the
-/// interpreter made in Real at any of the states.
-struct Bound {
-  static constexpr double kFloorUlp = 8;
-  static constexpr double kInterpreterFactor = 16;
-  Solve solve = Solve::none;
-  double interpreter = 0;
-
-  [[nodiscard]] double at(const FunctionReference& reference) const {
-    return kFloorUlp + reference.computed_angles +
-           reference.condition * kInterpreterFactor * interpreter;
-  }
-};
 
 /// What is known of a function's rounding errors, beside what was found.
 struct RoundingReport {
@@ -50,6 +27,7 @@ struct FunctionReport {
   std::optional<OperationCount> count;  ///< absent for what is composed of other functions
   std::optional<int> code_bytes, stack_bytes;
   double compile_seconds = 0;
+  bool is_long = false;  ///< compiled with fewer passes, see CheckReport::long_command
 
   int states = 0;                     ///< at which the function was called
   int singular = 0;                   ///< of these, where no truth can be compared with
@@ -66,9 +44,14 @@ struct FunctionReport {
   std::optional<int> first_bits_differ;    ///< state
 
   [[nodiscard]] bool has_errors() const { return states > singular; }
+  /// Singular at states of every class: the robot or its task gives the function no value, whose
+  /// bits are all there is to compare.
+  [[nodiscard]] bool has_no_value() const {
+    return singular == states && states >= kStatesOfEveryClass && bits_known;
+  }
   [[nodiscard]] bool passed() const {
     return beyond_bound == 0 && (!rounding || rounding->used <= 1) && out_of_bounds == 0 &&
-           bits_differ == 0 && has_errors();
+           bits_differ == 0 && (has_errors() || has_no_value());
   }
 };
 
@@ -79,10 +62,12 @@ struct CheckReport {
   int states = 0, first_state = 0;
   std::uint64_t seed = 1;
   std::string compile_command, exact_command;
+  std::string long_command;  ///< for long functions, with fewer passes; empty: for none
   double compile_seconds = 0, reference_seconds = 0;
   long compile_peak_kib = 0;
   std::string folder;                 ///< that was compiled; empty: what is generated now
   std::vector<FileDifference> stale;  ///< how that folder differs from what is generated now
+  std::string domain;                 ///< of inputs, where what is known of rounding errors holds
   std::vector<FunctionReport> functions;
   std::vector<State> named_states;  ///< each state that a function's report names, once
 

@@ -1,6 +1,7 @@
 #include "check/run_commands.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -13,7 +14,11 @@
 #include <fstream>
 #include <future>
 #include <iterator>
+#include <mutex>
 #include <sstream>
+#include <string_view>
+
+#include "interruption/clean_up.hpp"
 
 namespace treeline {
 namespace {
@@ -23,35 +28,92 @@ std::string read_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Starts the command with its output going to `log`. Returns 0 or an error number.
-int spawn(const Command& command, const std::filesystem::path& log, pid_t& child) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  std::vector<char*> arguments;
-  for (const std::string& argument : command) {
-    arguments.push_back(const_cast<char*>(argument.c_str()));  // POSIX: not modified
+std::vector<char*> pointers_to(const std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (const std::string& word : words) {
+    pointers.push_back(const_cast<char*>(word.c_str()));  // POSIX: not modified
   }
-  arguments.push_back(nullptr);
-  const int error =
-      posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return error;
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// This process's environment, where temporary files go to `folder` and vanish with it.
+std::vector<std::string> environment_in(const std::filesystem::path& folder) {
+  std::vector<std::string> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    if (!std::string_view(*variable).starts_with("TMPDIR=")) variables.emplace_back(*variable);
+  }
+  variables.push_back("TMPDIR=" + std::filesystem::absolute(folder).string());
+  return variables;
+}
+
+/// How a child starts: in a group of its own, so that it can be ended with all that it starts, with
+/// the signals that this program waits for open to it, without input, its output going to `log`.
+class Start {
+ public:
+  explicit Start(const std::filesystem::path& log) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, log.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
+    sigset_t none;
+    sigemptyset(&none);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+  }
+  ~Start() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  Start(const Start&) = delete;
+  Start& operator=(const Start&) = delete;
+
+  /// Returns 0 or an error number.
+  int spawn(const Command& command, const std::filesystem::path& folder, pid_t& child) const {
+    const std::vector<std::string> variables = environment_in(folder);
+    const std::vector<char*> arguments = pointers_to(command);
+    return posix_spawnp(&child, arguments[0], &actions_, &attributes_, arguments.data(),
+                        pointers_to(variables).data());
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
+};
+
+/// Starts the command; a signal from here on ends it.
+bool spawn(const Command& command, const std::filesystem::path& log, pid_t& child) {
+  const Start start(log);
+  const Uninterrupted now;
+  if (start.spawn(command, log.parent_path(), child) != 0) return false;
+  end_on_signal(child);
+  return true;
+}
+
+/// Waits for the end of a process. Its number is forgotten before the system may give it away.
+int wait_for(pid_t child, rusage& usage) {
+  siginfo_t ended{};
+  while (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+  }
+  const Uninterrupted now;
+  forget_process(child);
+  int status = 0;
+  while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 CommandOutcome run(const Command& command, const std::filesystem::path& log) {
   CommandOutcome outcome;
   const auto start = std::chrono::steady_clock::now();
   pid_t child = 0;
-  if (spawn(command, log, child) != 0) return outcome;
+  if (!spawn(command, log, child)) return outcome;
   outcome.started = true;
-  int status = 0;
   rusage usage{};
-  while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
-  }
-  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.exit_code = wait_for(child, usage);
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   outcome.peak_kib = usage.ru_maxrss;
   outcome.output = read_file(log);
@@ -61,12 +123,22 @@ CommandOutcome run(const Command& command, const std::filesystem::path& log) {
 }  // namespace
 
 std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, int parallel,
-                                         const std::filesystem::path& folder) {
+                                         const std::filesystem::path& folder,
+                                         const std::function<void(int, int)>& progress) {
   std::vector<CommandOutcome> outcomes(commands.size());
   std::atomic<std::size_t> next = 0;
+  std::mutex telling;
+  int done = 0;
+  const auto tell = [&](int more) {
+    const std::lock_guard lock(telling);
+    done += more;
+    if (progress) progress(done, static_cast<int>(commands.size()));
+  };
+  tell(0);
   const auto work = [&] {
     for (std::size_t i = next++; i < commands.size(); i = next++) {
       outcomes[i] = run(commands[i], folder / ("command" + std::to_string(i) + ".log"));
+      tell(1);
     }
   };
   std::vector<std::future<void>> workers;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,12 @@ struct CommandOutcome {
   long peak_kib = 0;  ///< of the largest process among it and its children
 };
 
-/// Runs the commands, at most `parallel` at the same time, and waits for all. Their outputs pass
-/// through files in `folder`.
+/// Runs the commands, at most `parallel` at a time, and waits for all. Outputs and temporary files
+/// lie in `folder`. They read no input and end on signals to this program: `clean_up_on_signals`.
+/// `progress` is told how many have ended, of how many, by one thread at a time.
 std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, int parallel,
-                                         const std::filesystem::path& folder);
+                                         const std::filesystem::path& folder,
+                                         const std::function<void(int, int)>& progress = {});
 
 /// The words of a text, between white space.
 std::vector<std::string> split_words(const std::string& text);

@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "bench/bench.hpp"
 #include "bench/draw_svg.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
+#include "cli/write_output.hpp"
 
 namespace treeline {
 namespace {
@@ -63,16 +66,6 @@ std::function<void(const std::string&, int, int)> tell_progress() {
   };
 }
 
-bool write_text(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.flush();
-  if (stream) return true;
-  diagnostics.add({Severity::error, path, 0, "", "cannot be written",
-                   "Name a file in a folder that exists and that you may write to."});
-  return false;
-}
-
 /// What of the peers somebody may miss who sees no table.
 void tell_of_peers(const BenchReport& report, Diagnostics& diagnostics) {
   const auto tell = [&](Severity severity, const std::string& fault) {
@@ -105,12 +98,13 @@ int run(Options options) {
                           ? run_bench(inputs->robot, inputs->scene, options.bench, diagnostics)
                           : std::nullopt;
   if (report) tell_of_peers(*report, diagnostics);
-  const bool written =
-      report && (options.svg.empty() || write_text(options.svg, draw_svg(*report), diagnostics));
-  print_diagnostics(diagnostics);
+  const bool written = report && (options.svg.empty() ||
+                                  write_output_file(options.svg, draw_svg(*report), diagnostics));
+  print_diagnostics(diagnostics, options.inputs.warnings);
   if (!report) return kBadInput;
-  fmt::print("{}", options.json ? print_json_lines(*report) : print_table(*report));
-  return written ? kOk : kBadInput;
+  const ExitCode exit_code = written ? kOk : kBadInput;
+  return options.json ? write_output(print_json_lines(*report), OutputForm::json, exit_code)
+                      : write_output(print_table(*report), OutputForm::text, exit_code);
 }
 
 }  // namespace
@@ -122,8 +116,10 @@ void add_bench(CLI::App& app, int& exit_code) {
   add_input_options(*command, options->inputs);
   CLI::Option* states = command->add_option("--states", options->bench.states, "How many states")
                             ->capture_default_str()
-                            ->check(CLI::Range(1, 100000));
-  command->add_option("--seed", options->bench.seed, "Other states")->capture_default_str();
+                            ->check(whole_between(1, 100000));
+  command->add_option("--seed", options->bench.seed, "Other states")
+      ->capture_default_str()
+      ->check(whole_between(0, std::numeric_limits<std::int64_t>::max()));
   command->add_option("--flags", options->bench.flags, "For the compiler")->capture_default_str();
   command
       ->add_flag("--quick", options->quick,

@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
 #include "check/check.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
+#include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/write_output.hpp"
 
 namespace treeline {
 namespace {
@@ -23,20 +27,26 @@ constexpr const char* kHowToRead =
     "              and for each angle that is computed as q + offset its magnitude in rad.\n"
     "              damped_control_torque solves with Lambda^-1 + Delta: what is large beside the\n"
     "              heaviest motions counts, a singularity does not\n"
-    "  used        the largest share of its bound that any state's error takes\n"
+    "  of bound    the largest share of its bound that any state's error takes\n"
+    "  rounding    what the header states of rounding errors, in the result's unit; with a tilde\n"
+    "              to first order; of rounding: the largest share of it, or of the first-order\n"
+    "              bound of the very state, that was seen\n"
     "  singular    states where that matrix is singular in Real; only bits are compared there\n"
     "  bits        equal: without contraction of products and sums, all results are those of the\n"
     "              expression graph to the bit\n"
     "  code, stack bytes of the function with its sines and cosines, of damped_control_torque\n"
-    "              without the functions that it calls; cc: seconds to compile it\n"
+    "              without the functions that it calls; cc: seconds to compile it; of more than\n"
+    "              12000 operations with -O1, unless --flags says how\n"
     "State classes: neutral, random (within limits), large (angles of many turns), fast, tiny,\n"
-    "aligned (joints at or next to quarter turns, where arms are singular). A state is a matter "
-    "of\n"
-    "its index, the seed and the robot; --first INDEX --states 1 --json prints it.\n"
+    "aligned (joints at or next to quarter turns, where arms are singular), limits (joints at "
+    "their\n"
+    "limits). A state is a matter of its index, the seed and the robot; --first INDEX --states 1 "
+    "--json prints it.\n"
     "The compiler is $CXX, else c++, else g++. Exit: 0 passed, 1 bad input, 3 a function is "
     "beyond\n"
     "its bound, differs in a bit or could not be checked, or a file of --generated is stale.\n\n"
     "Examples:\n"
+    "  treeline check puma560.urdf\n"
     "  treeline check puma560.urdf scene.yaml\n"
     "  treeline check puma560.urdf scene.yaml --flags '-O3 -march=native'\n"
     "  treeline check puma560.urdf scene.yaml --generated generated/puma560";
@@ -48,11 +58,11 @@ struct Options {
   bool json = false;
 };
 
-/// Counts states where somebody sees it.
-Progress count_states() {
+/// Counts where somebody sees it.
+Progress count(const char* what) {
   if (!is_watched()) return {};
-  return [](int done, int total) {
-    show_progress(done == total ? "" : fmt::format("  states {}/{}", done, total));
+  return [what](int done, int total) {
+    show_progress(done == total ? "" : fmt::format("  {} {}/{}", what, done, total));
   };
 }
 
@@ -66,12 +76,14 @@ std::optional<CheckReport> make_report(const Options& options, Diagnostics& diag
 int run(Options options) {
   Diagnostics diagnostics;
   options.check.folder = options.folder;
-  options.check.references.progress = count_states();
+  options.check.compile.progress = count("compiled");
+  options.check.references.progress = count("states");
   const auto report = make_report(options, diagnostics);
-  print_diagnostics(diagnostics);
+  print_diagnostics(diagnostics, options.inputs.warnings);
   if (!report) return kBadInput;
-  fmt::print("{}", options.json ? print_json(*report) : print_text(*report));
-  return report->passed() ? kOk : kMismatch;
+  const ExitCode exit_code = report->passed() ? kOk : kMismatch;
+  return options.json ? write_output(print_json(*report), OutputForm::json, exit_code)
+                      : write_output(print_text(*report), OutputForm::text, exit_code);
 }
 
 }  // namespace
@@ -86,20 +98,25 @@ void add_check(CLI::App& app, int& exit_code) {
   ReferenceOptions& references = options->check.references;
   command->add_option("--states", references.states, "How many states")
       ->capture_default_str()
-      ->check(CLI::Range(1, 1000000));
+      ->check(whole_between(1, 1000000));
   command->add_option("--first", references.first, "Index of the first state")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1000000000));
-  command->add_option("--seed", references.seed, "Other states")->capture_default_str();
-  command->add_option("--flags", options->check.compile.flags, "For the compiler")
-      ->capture_default_str();
+      ->check(whole_between(0, 1000000000));
+  command->add_option("--seed", references.seed, "Other states")
+      ->capture_default_str()
+      ->check(whole_between(0, std::numeric_limits<std::int64_t>::max()));
+  auto* flags = command->add_option("--flags", options->check.compile.flags, "For the compiler")
+                    ->capture_default_str();
   command->add_option("--name", options->inputs.name,
                       "Namespace and header, instead of the scene's");
   command->add_option("--choices", options->inputs.choices,
                       "Algorithms and lanes as this manifest.json records them, not by cost");
   command->add_flag("--json", options->json, "Everything as JSON, with the states it names");
   command->footer(kHowToRead);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, flags, &exit_code] {
+    if (flags->empty()) options->check.compile.long_flags = "-O1 -ffp-contract=off";
+    exit_code = run(*options);
+  });
 }
 
 }  // namespace treeline

@@ -3,14 +3,21 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <system_error>
 
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
+#include "cli/keep_tried.hpp"
+#include "cli/option_values.hpp"
 #include "cli/print_summary.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/write_output.hpp"
 #include "emission/compare_files.hpp"
+#include "emission/print_manifest.hpp"
 #include "emission/write_files.hpp"
 #include "program/print.hpp"
 #include "timing/tune.hpp"
@@ -18,8 +25,11 @@
 namespace treeline {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* kExamples =
     "Examples:\n"
+    "  treeline generate puma560.urdf\n"
     "  treeline generate puma560.urdf scene.yaml --output generated/puma560\n"
     "  treeline generate puma560.urdf scene.yaml --output generated/puma560 --compare\n"
     "  treeline generate puma560.urdf scene.yaml --output puma560 --tune\n"
@@ -30,16 +40,18 @@ constexpr const char* kExamples =
 struct GenerateOptions {
   InputOptions inputs;
   std::string output;
-  std::string dump;  ///< `text`, `dot` or empty
+  bool has_output = false;  ///< else it is the scene's name
+  std::string dump;         ///< `text`, `dot` or empty
   bool compare = false, json = false, verbose = false, tune = false;
   CompileOptions compile{kTimedFlags};  ///< with which code is tuned
 };
 
-void dump_programs(const Generation& generation, const std::string& format) {
+std::string print_programs(const Generation& generation, const std::string& format) {
+  std::string text;
   for (const GeneratedFunction& generated : generation.functions) {
-    fmt::print("{}",
-               format == "dot" ? print_dot(generated.program) : print_text(generated.program));
+    text += format == "dot" ? print_dot(generated.program) : print_text(generated.program);
   }
+  return text;
 }
 
 void print_log(const Generation& generation) {
@@ -74,35 +86,61 @@ std::optional<GeneratedInputs> generate_tuned(const GenerateOptions& options,
   return generate_from_inputs(options.inputs, std::move(*inputs), choices_of(*tuning), diagnostics);
 }
 
-int deliver(const GenerateOptions& options, const Generation& generation,
-            const std::optional<Tuning>& tuning, Diagnostics& diagnostics) {
-  if (!options.dump.empty()) {
-    dump_programs(generation, options.dump);
-    return kOk;
+/// A folder that nobody named is written to only where nobody else's files are.
+bool may_write_to_default(const std::string& output, Diagnostics& diagnostics) {
+  std::error_code ignored;
+  const fs::path folder = output;
+  if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
+      fs::exists(folder / kManifestName, ignored)) {
+    return true;
   }
-  const auto differences = compare_files(options.output, generation.files);
-  if (!options.compare && !write_files(options.output, generation.files, diagnostics)) {
+  diagnostics.add({Severity::error, output, 0, "",
+                   "the folder is there and was not made by this program",
+                   "Name the folder to write to with --output, this one if you mean it."});
+  return false;
+}
+
+ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
+                 const std::optional<Tuning>& tuning, Diagnostics& diagnostics) {
+  const Generation& generation = made.generation;
+  if (!options.dump.empty()) {
+    return write_output(print_programs(generation, options.dump), OutputForm::text, kOk);
+  }
+  const std::string output = options.has_output ? options.output : made.inputs.scene.name;
+  const auto differences = compare_files(output, generation.files);
+  if (!options.compare && !((options.has_output || may_write_to_default(output, diagnostics)) &&
+                            write_files(output, generation.files, diagnostics))) {
     return kBadInput;
   }
-  const Summary summary{generation.functions, differences,     options.output,
-                        options.compare,      options.verbose, tuning ? &*tuning : nullptr};
-  fmt::print("{}", options.json ? print_json(summary) : print_text(summary));
-  return options.compare && !differences.empty() ? kMismatch : kOk;
+  const Summary summary{generation.functions,       differences,     output,
+                        generation.files.size(),    options.compare, options.verbose,
+                        tuning ? &*tuning : nullptr};
+  const ExitCode exit_code = options.compare && !differences.empty() ? kMismatch : kOk;
+  return options.json ? write_output(print_json(summary), OutputForm::json, exit_code)
+                      : write_output(print_text(summary), OutputForm::text, exit_code);
+}
+
+/// Whether this command leaves files behind.
+bool writes(const GenerateOptions& options) {
+  return options.dump.empty() && !options.compare;
 }
 
 int run(const GenerateOptions& options) {
   Diagnostics diagnostics;
   std::optional<Tuning> tuning;
-  const auto made = options.tune ? generate_tuned(options, tuning, diagnostics)
-                                 : generate_from_files(options.inputs, diagnostics);
-  int exit_code = kBadInput;
-  if (made) {
-    if (options.verbose) {
-      print_log(made->generation);
-    }
-    exit_code = deliver(options, made->generation, tuning, diagnostics);
+  auto made = options.tune ? generate_tuned(options, tuning, diagnostics)
+                           : generate_from_files(options.inputs, diagnostics);
+  bool failed = false;
+  if (made && writes(options)) {
+    made = keep_tried(options.inputs, std::move(*made), failed, diagnostics);
   }
-  print_diagnostics(diagnostics);
+  ExitCode exit_code = failed ? kMismatch : kBadInput;
+  if (made) {
+    if (options.verbose) print_log(made->generation);
+    const ExitCode delivered = deliver(options, *made, tuning, diagnostics);
+    exit_code = failed && delivered == kOk ? kMismatch : delivered;
+  }
+  print_diagnostics(diagnostics, options.inputs.warnings);
   return exit_code;
 }
 
@@ -112,7 +150,8 @@ void add_generate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand("generate", "Write a robot's dynamics as C++");
   add_input_options(*command, options->inputs);
-  auto* output = command->add_option("-o,--output", options->output, "Folder to write");
+  auto* output = command->add_option("-o,--output", options->output,
+                                     "Folder to write; else the scene's name, in this folder");
   command->add_option("--name", options->inputs.name,
                       "Namespace and header, instead of the scene's");
   auto* choices =
@@ -131,14 +170,12 @@ void add_generate(CLI::App& app, int& exit_code) {
   command->add_flag("-v,--verbose", options->verbose, "What each pass did, which algorithms lost");
   auto* dump =
       command->add_option("--dump", options->dump, "Print the expression graphs and write nothing")
-          ->check(CLI::IsMember({"text", "dot"}));
+          ->check(one_of({"text", "dot"}));
   compare->excludes(dump);
   tune->excludes(compare)->excludes(dump);
   command->footer(kExamples);
-  command->callback([options, output, dump, &exit_code] {
-    if (output->empty() && dump->empty()) {
-      throw CLI::RequiredError("--output");
-    }
+  command->callback([options, output, &exit_code] {
+    options->has_output = !output->empty();
     exit_code = run(*options);
   });
 }

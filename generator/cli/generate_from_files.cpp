@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "description/read_text_file.hpp"
+#include "cli/progress_line.hpp"
 
 namespace treeline {
 namespace {
@@ -47,19 +47,18 @@ std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
 std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options, Inputs inputs,
                                                     const Choices& choices,
                                                     Diagnostics& diagnostics) {
-  const auto urdf_text = read_text_file(options.urdf, diagnostics);
-  const auto scene_text = read_text_file(options.scene, diagnostics);
-  if (!urdf_text || !scene_text) {
-    return std::nullopt;
-  }
-  const Provenance provenance{file_name(options.urdf), *urdf_text, file_name(options.scene),
-                              *scene_text,
+  const Provenance provenance{file_name(options.urdf), inputs.urdf_text,
+                              options.scene.empty() ? "" : file_name(options.scene),
+                              inputs.scene_text,
                               describe_options(options, inputs.scene, !choices.empty())};
-  auto generation = generate_code(inputs.robot, inputs.scene, provenance, diagnostics, choices);
+  LateProgress progress;
+  auto generation = generate_code(
+      inputs.robot, inputs.scene, provenance, diagnostics, choices,
+      [&](const std::string& function) { progress.show("  generating " + function); });
   if (!generation) {
     return std::nullopt;
   }
-  return GeneratedInputs{std::move(inputs), std::move(*generation)};
+  return GeneratedInputs{std::move(inputs), std::move(*generation), choices};
 }
 
 }  // namespace treeline

@@ -7,10 +7,11 @@
 
 namespace treeline {
 
-/// Robot, scene and what was generated from them.
+/// Robot, scene and what was generated from them, by which choices.
 struct GeneratedInputs {
   Inputs inputs;
   Generation generation;
+  Choices choices;
 };
 
 /// Reads the files of a command line and generates in memory, by the choices in `options.choices`

@@ -2,69 +2,166 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/exit_code.hpp"
-#include "cli/read_inputs.hpp"
+#include "cli/print_diagnostics.hpp"
+#include "cli/write_output.hpp"
+#include "description/lists_functions.hpp"
+#include "description/noise.hpp"
 #include "description/read_scene.hpp"
+#include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
 #include "generation/measure_savings.hpp"
+#include "inspect/inspect_inertias.hpp"
 #include "inspect/inspect_robot.hpp"
+#include "inspect/print_noise.hpp"
+#include "mechanism/build_mechanism.hpp"
+#include "oracle/leave_out_singular.hpp"
 
 namespace treeline {
 namespace {
 
 struct InspectOptions {
   std::string urdf, scene;
-  bool json = false, dot = false, savings = false;
+  std::string repair;  ///< file to write the repaired URDF to; empty: none
+  bool json = false, dot = false, savings = false, summary = false, noise = false;
+  Warnings warnings = Warnings::summary;
 };
 
-std::optional<Report> inspect(const InspectOptions& options, Diagnostics& diagnostics) {
-  const auto robot = read_urdf(options.urdf, diagnostics);
+struct Inspection {
+  std::string text;  ///< of the URDF
+  Robot robot;
+  Report report;
+};
+
+/// The scene that is named, or the default one, without what the robot's masses do not permit: what
+/// `generate` refuses is no more than a warning here.
+std::optional<Scene> read_scene_of(const InspectOptions& options, const Robot& robot,
+                                   Diagnostics& diagnostics) {
+  const bool has_scene = !options.scene.empty();
+  const auto text = has_scene ? read_text_file(options.scene, diagnostics) : std::string();
+  if (!text) return std::nullopt;
+  auto scene = has_scene ? parse_scene(*text, shown_path(options.scene), robot, diagnostics)
+                         : read_scene("", robot, diagnostics);
+  if (!scene) return std::nullopt;
+  Diagnostics left_out;
+  leave_out_singular(robot, *scene, lists_functions(*text), left_out);
+  for (Diagnostic each : left_out.list()) {
+    each.severity = Severity::warning;
+    diagnostics.add(std::move(each));
+  }
+  return scene;
+}
+
+std::optional<Inspection> inspect(const InspectOptions& options, Diagnostics& diagnostics) {
+  if (!can_read_both(options.urdf, options.scene, diagnostics)) {
+    return std::nullopt;
+  }
+  auto text = read_text_file(options.urdf, diagnostics);
+  if (!text) {
+    return std::nullopt;
+  }
+  auto robot = parse_urdf(*text, shown_path(options.urdf), diagnostics);
   if (!robot) {
     return std::nullopt;
   }
   std::optional<Scene> scene;
   if (!options.scene.empty()) {
-    scene = read_scene(options.scene, *robot, diagnostics);
+    scene = read_scene_of(options, *robot, diagnostics);
     if (!scene) {
       return std::nullopt;
     }
   }
-  return inspect_robot(*robot, scene);
+  const Scene seen = scene.value_or(Scene{});
+  note_noise(build_mechanism(*robot, seen).noise, seen, diagnostics);
+  Report report = inspect_robot(*robot, scene);
+  return Inspection{std::move(*text), std::move(*robot), std::move(report)};
 }
 
 /// What the scene leaves out of all that could be emitted for it.
 int run_savings(const InspectOptions& options) {
   Diagnostics diagnostics;
   const auto robot = read_urdf(options.urdf, diagnostics);
-  std::optional<Scene> scene;
-  if (robot) scene = read_scene(options.scene, *robot, diagnostics);
-  print_diagnostics(diagnostics);
+  const auto scene = robot ? read_scene_of(options, *robot, diagnostics) : std::nullopt;
+  print_diagnostics(diagnostics, options.warnings);
   if (!scene) {
     return kBadInput;
   }
   const Savings savings = measure_savings(*robot, *scene);
-  fmt::print("{}\n{}", print_functions(savings), print_table({savings}));
-  return kOk;
+  return write_output(fmt::format("{}\n{}", print_functions(savings), print_table({savings})),
+                      OutputForm::text, kOk);
+}
+
+/// Whether all is written; else with an error.
+bool write_repaired(const InspectOptions& options, const std::string& text, std::size_t repairs,
+                    Diagnostics& diagnostics) {
+  std::ofstream file(options.repair, std::ios::binary);
+  file << text << std::flush;
+  if (!file) {
+    diagnostics.add({Severity::error, options.repair, 0, "", "the file cannot be written",
+                     "check the folder, the permissions and the disk"});
+    return false;
+  }
+  diagnostics.add({Severity::note, options.repair, 0, "",
+                   repairs == 0 ? "nothing needed repair: this is the URDF as it was"
+                                : fmt::format("the URDF is written with the inertias of {} "
+                                              "link{} repaired",
+                                              repairs, repairs == 1 ? "" : "s"),
+                   ""});
+  return true;
+}
+
+/// The patch that repairs the inertias, written to the file as well where one is asked for.
+std::optional<std::string> repair(const InspectOptions& options, const Inspection& inspection,
+                                  Diagnostics& diagnostics) {
+  const auto repairs = list_repairs(inspection.robot, inspection.report);
+  const auto edits = edit_inertias(inspection.robot, inspection.text, repairs);
+  if (!options.repair.empty() &&
+      !write_repaired(options, apply_edits(inspection.text, edits), repairs.size(), diagnostics)) {
+    return std::nullopt;
+  }
+  return print_patch(options.urdf, inspection.text, edits);
+}
+
+/// Which numbers are taken as exact.
+int run_noise(const InspectOptions& options) {
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(options.urdf, diagnostics);
+  std::optional<Scene> scene = Scene{};
+  if (robot && !options.scene.empty()) scene = read_scene_of(options, *robot, diagnostics);
+  print_diagnostics(diagnostics, options.warnings);
+  if (!robot || !scene) {
+    return kBadInput;
+  }
+  return write_output(print_noise(*robot, *scene), OutputForm::text, kOk);
 }
 
 int run(const InspectOptions& options) {
   if (options.savings) {
     return run_savings(options);
   }
+  if (options.noise) {
+    return run_noise(options);
+  }
   Diagnostics diagnostics;
-  const auto report = inspect(options, diagnostics);
-  print_diagnostics(diagnostics);
-  if (!report) {
+  const auto inspection = inspect(options, diagnostics);
+  const auto patch =
+      inspection ? repair(options, *inspection, diagnostics) : std::optional<std::string>();
+  print_diagnostics(diagnostics, options.warnings);
+  if (!patch) {
     return kBadInput;
   }
-  fmt::print("{}", options.json  ? print_json(*report)
-                   : options.dot ? print_dot(*report)
-                                 : print_text(*report));
-  return kOk;
+  const Report& report = inspection->report;
+  if (options.json) return write_output(print_json(report), OutputForm::json, kOk);
+  if (options.dot) return write_output(print_dot(report), OutputForm::text, kOk);
+  if (options.summary) return write_output(print_summary(report), OutputForm::text, kOk);
+  const std::string text = print_text(report);
+  return write_output(patch->empty() ? text : text + "\n" + *patch, OutputForm::text, kOk);
 }
 
 }  // namespace
@@ -74,20 +171,28 @@ void add_inspect(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "inspect", "Tell what a URDF holds: tree, joints, masses, reductions, conditioning");
   command->add_option("urdf", options->urdf, "Robot, URDF")->required();
-  auto* scene =
-      command->add_option("scene", options->scene, "Base, locked joints, operational points; YAML");
+  command->add_option("scene", options->scene, "Base, locked joints, operational points; YAML");
   auto* json = command->add_flag("--json", options->json, "The report as JSON");
   command->add_flag("--dot", options->dot, "The tree for Graphviz")->excludes(json);
+  command->add_flag("--summary", options->summary, "The first lines alone")->excludes(json);
   command
       ->add_flag("--savings", options->savings,
                  "What the scene leaves out: functions, operations and bytes of code")
-      ->needs(scene)
       ->excludes(json);
+  add_warnings_option(*command, options->warnings);
+  command
+      ->add_flag("--noise", options->noise,
+                 "Each number that is taken as exact because it differs by less than rounding")
+      ->excludes(json);
+  command->add_option("--repair", options->repair,
+                      "Write the URDF to this file with inertias that no body has, and that the "
+                      "motion feels, replaced by the nearest possible ones");
   command->footer(
       "Examples:\n"
       "  treeline inspect puma560.urdf\n"
       "  treeline inspect puma560.urdf scene.yaml --json\n"
       "  treeline inspect puma560.urdf scene.yaml --savings\n"
+      "  treeline inspect robot.urdf --repair repaired.urdf\n"
       "  treeline inspect puma560.urdf --dot | dot -Tsvg > tree.svg");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -1,33 +1,93 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "cli/bench.hpp"
 #include "cli/check.hpp"
+#include "cli/describe_usage_error.hpp"
+#include "cli/diff.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate.hpp"
+#include "cli/init_scene.hpp"
 #include "cli/inspect.hpp"
+#include "cli/print_diagnostics.hpp"
 #include "cli/simulate.hpp"
+#include "cli/write_output.hpp"
+#include "description/printable.hpp"
+#include "emission/generator_version.hpp"
+#include "interruption/clean_up.hpp"
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Straight-line, fixed-size C++ for a robot's dynamics and operational-space control"};
+namespace {
+
+/// `help` and `help COMMAND` are `--help` and `COMMAND --help`.
+std::vector<std::string> read_arguments(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (arguments.empty() || arguments.front() != "help") return arguments;
+  arguments.erase(arguments.begin());
+  arguments.emplace_back("--help");
+  return arguments;
+}
+
+void add_commands(CLI::App& app, int& exit_code) {
+  app.name("treeline");
+  app.set_version_flag("--version", fmt::format("treeline {}", treeline::generator_version()));
   app.require_subcommand(1);
-  app.footer("Exit: 0 done, 1 bad input, 2 usage, 3 stale or out of bounds, 70 internal fault.");
-  int exit_code = treeline::kOk;
+  app.footer(
+      "treeline help COMMAND says more of one. - is standard input, as URDF or as scene.\n"
+      "Exit: 0 done, 1 bad input, 2 usage, 3 stale or out of bounds, 70 internal fault.");
   treeline::add_generate(app, exit_code);
   treeline::add_check(app, exit_code);
   treeline::add_bench(app, exit_code);
   treeline::add_inspect(app, exit_code);
+  treeline::add_init_scene(app, exit_code);
+  treeline::add_diff(app, exit_code);
   treeline::add_simulate(app, exit_code);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{
+      "Straight-line, fixed-size C++ for a robot's dynamics and operational-space control"};
+  int exit_code = treeline::kOk;
+  add_commands(app, exit_code);
+  std::vector<std::string> arguments = read_arguments(argc, argv);
+  treeline::Diagnostics diagnostics;
+  treeline::reject_unknown_command(app, arguments, diagnostics);
+  if (diagnostics.has_errors()) {
+    treeline::print_diagnostics(diagnostics);
+    return treeline::kUsage;
+  }
+  std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(arguments));
+  } catch (const CLI::Success& asked) {  // help or version
+    std::ostringstream text;
+    (void)app.exit(asked, text, text);
+    return treeline::write_output(text.str(), treeline::OutputForm::text, treeline::kOk);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? treeline::kOk : treeline::kUsage;
+    diagnostics.add(treeline::describe_usage_error(app, error));
+    treeline::print_diagnostics(diagnostics);
+    return treeline::kUsage;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  treeline::clean_up_on_signals();
+  try {
+    return run(argc, argv);
+  } catch (const std::system_error& error) {  // of the disk, the memory or the processes
+    fmt::print(stderr, "treeline: error: {}\n", treeline::printable(error.what()));
+    return treeline::kBadInput;
   } catch (const std::exception& error) {
     fmt::print(stderr, "treeline: internal fault: {}\n", error.what());
     return treeline::kInternal;
   }
-  return exit_code;
 }

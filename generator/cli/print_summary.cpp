@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "emission/print_manifest.hpp"
 #include "passes/count_operations.hpp"
 
@@ -20,11 +22,25 @@ const char* to_word(Difference difference) {
   return "";
 }
 
+std::string count_files(std::size_t count) {
+  return fmt::format("{} file{}", count, count == 1 ? "" : "s");
+}
+
+std::string print_written(const Summary& summary) {
+  const auto removed = static_cast<std::size_t>(std::count_if(
+      summary.differences.begin(), summary.differences.end(),
+      [](const FileDifference& each) { return each.difference == Difference::left_over; }));
+  const std::size_t written = summary.differences.size() - removed;
+  const std::string changed = written == 0               ? ", none changed"
+                              : written == summary.files ? " written"
+                                                         : fmt::format(", {} written", written);
+  const std::string gone =
+      removed == 0 ? "" : fmt::format(", {} of an earlier run removed", removed);
+  return fmt::format("{}: {}{}{}\n", summary.output, count_files(summary.files), changed, gone);
+}
+
 std::string print_files(const Summary& summary) {
-  if (!summary.compared_only) {
-    return fmt::format("{}: {} file{} written\n", summary.output, summary.differences.size(),
-                       summary.differences.size() == 1 ? "" : "s");
-  }
+  if (!summary.compared_only) return print_written(summary);
   if (summary.differences.empty()) {
     return fmt::format("{}: up to date\n", summary.output);
   }

@@ -14,6 +14,7 @@ struct Summary {
   const std::vector<GeneratedFunction>& functions;
   const std::vector<FileDifference>& differences;  ///< before anything was written
   const std::string& output;
+  std::size_t files = 0;  ///< that the folder has when all is up to date
   bool compared_only = false;
   bool verbose = false;            ///< with the algorithms that were not chosen
   const Tuning* tuning = nullptr;  ///< what was measured, if anything was

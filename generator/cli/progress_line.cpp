@@ -16,4 +16,15 @@ void show_progress(const std::string& line) {
   std::fflush(stderr);
 }
 
+LateProgress::~LateProgress() {
+  if (shown_) show_progress("");
+}
+
+void LateProgress::show(const std::string& line) {
+  constexpr std::chrono::seconds kPatience{2};
+  if (!is_watched() || std::chrono::steady_clock::now() - start_ < kPatience) return;
+  show_progress(line);
+  shown_ = true;
+}
+
 }  // namespace treeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 namespace treeline {
@@ -9,5 +10,21 @@ bool is_watched();
 
 /// Writes a line over the last one; an empty one clears it.
 void show_progress(const std::string& line);
+
+/// A line for what may be over at once: nothing is shown in the first two seconds, nor where nobody
+/// sees it, and nothing is left in the end.
+class LateProgress {
+ public:
+  LateProgress() = default;
+  ~LateProgress();
+  LateProgress(const LateProgress&) = delete;
+  LateProgress& operator=(const LateProgress&) = delete;
+
+  void show(const std::string& line);
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  bool shown_ = false;
+};
 
 }  // namespace treeline

@@ -4,14 +4,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
+#include "cli/option_values.hpp"
 #include "description/find_function.hpp"
 #include "description/identifier.hpp"
+#include "description/lists_functions.hpp"
+#include "description/noise.hpp"
 #include "description/read_scene.hpp"
+#include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
-#include "description/suggest_name.hpp"
+#include "mechanism/build_mechanism.hpp"
+#include "oracle/leave_out_singular.hpp"
 
 namespace treeline {
 namespace {
@@ -24,15 +28,13 @@ void reject(const std::string& element, std::string fault, std::string remedy,
 /// The functions of these names, sorted and unique.
 std::vector<Function> find_functions(const std::vector<std::string>& names,
                                      Diagnostics& diagnostics) {
-  std::vector<std::string> known;
-  for (const Function function : every_function()) known.emplace_back(function_name(function));
   std::vector<Function> functions;
   for (const std::string& name : names) {
     if (const auto function = find_function(name)) {
       functions.push_back(*function);
     } else {
-      reject("--functions", fmt::format("`{}` is no function", name), suggest_name(name, known),
-             diagnostics);
+      reject("--functions", fmt::format("there is no function \"{}\"", name),
+             suggest_function(name), diagnostics);
     }
   }
   std::sort(functions.begin(), functions.end());
@@ -43,9 +45,9 @@ std::vector<Function> find_functions(const std::vector<std::string>& names,
 void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) {
   if (!options.name.empty()) {
     scene.name = options.name;
-    if (!is_identifier(scene.name)) {
-      reject("--name", fmt::format("`{}` cannot be a name in C++", scene.name),
-             fmt::format("`{}` can.", identifier_from(scene.name)), diagnostics);
+    if (!is_package_name(scene.name)) {
+      reject("--name", fmt::format("`{}` cannot be a name in C++ and CMake", scene.name),
+             fmt::format("`{}` can.", package_name_from(scene.name)), diagnostics);
     }
   }
   if (!options.real.empty()) {
@@ -57,36 +59,48 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
 
 void add_input_options(CLI::App& command, InputOptions& options) {
   command.add_option("urdf", options.urdf, "Robot, URDF")->required();
-  command.add_option("scene", options.scene, "What to generate for it, YAML")->required();
+  command.add_option("scene", options.scene,
+                     "What to generate for it, YAML; without: functions of the joints alone");
   command.add_option("--real", options.real, "Number type, instead of the scene's")
-      ->check(CLI::IsMember({"float", "double"}));
+      ->check(one_of({"float", "double"}));
   command
       .add_option("--functions", options.functions,
                   "Functions, separated by commas, instead of the scene's")
       ->delimiter(',');
+  add_warnings_option(command, options.warnings);
 }
 
 std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {
-  auto robot = read_urdf(options.urdf, diagnostics);
+  if (!can_read_both(options.urdf, options.scene, diagnostics)) {
+    return std::nullopt;
+  }
+  auto urdf_text = read_text_file(options.urdf, diagnostics);
+  auto robot =
+      urdf_text ? parse_urdf(*urdf_text, shown_path(options.urdf), diagnostics) : std::nullopt;
   if (!robot) {
     return std::nullopt;
   }
   const std::vector<Function> functions = find_functions(options.functions, diagnostics);
-  auto scene = read_scene(options.scene, *robot, diagnostics, functions);
+  const bool has_scene = !options.scene.empty();
+  auto scene_text = has_scene ? read_text_file(options.scene, diagnostics) : std::string();
+  if (!scene_text) {
+    return std::nullopt;
+  }
+  auto scene = has_scene ? parse_scene(*scene_text, shown_path(options.scene), *robot, diagnostics,
+                                       functions)
+                         : read_scene("", *robot, diagnostics, functions);
   if (!scene) {
     return std::nullopt;
   }
   apply(options, *scene, diagnostics);
+  const bool listed = !options.functions.empty() || lists_functions(*scene_text);
+  leave_out_singular(*robot, *scene, listed, diagnostics);
+  note_noise(build_mechanism(*robot, *scene).noise, *scene, diagnostics);
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }
-  return Inputs{std::move(*robot), std::move(*scene)};
-}
-
-void print_diagnostics(const Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics.list()) {
-    fmt::print(stderr, "{}\n", to_string(diagnostic));
-  }
+  return Inputs{std::move(*robot), std::move(*scene), std::move(*urdf_text),
+                std::move(*scene_text)};
 }
 
 }  // namespace treeline

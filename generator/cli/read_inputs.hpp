@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/print_diagnostics.hpp"
 #include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
@@ -21,20 +22,19 @@ struct InputOptions {
   std::string real;                    ///< `float`, `double`; empty: the scene's
   std::vector<std::string> functions;  ///< empty: the scene's
   std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
+  Warnings warnings = Warnings::summary;
 };
 
 struct Inputs {
   Robot robot;
   Scene scene;
+  std::string urdf_text, scene_text;  ///< what the files hold
 };
 
-/// URDF, scene, --real and --functions of a subcommand; `options` must outlive it.
+/// URDF, scene, --real, --functions and --warnings of a subcommand; `options` must outlive it.
 void add_input_options(CLI::App& command, InputOptions& options);
 
 /// Reads both files and applies the options. Faults of either are in `diagnostics`.
 std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diagnostics);
-
-/// Every diagnostic on standard error.
-void print_diagnostics(const Diagnostics& diagnostics);
 
 }  // namespace treeline

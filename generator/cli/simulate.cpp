@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/exit_code.hpp"
-#include "cli/read_inputs.hpp"
+#include "cli/option_values.hpp"
+#include "cli/print_diagnostics.hpp"
 #include "cli/simulate_motion.hpp"
+#include "cli/write_output.hpp"
+#include "description/printable.hpp"
 #include "description/read_scene.hpp"
+#include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
 
 namespace treeline {
@@ -20,11 +24,13 @@ struct SimulateOptions {
   MotionSettings motion;
   std::string csv, svg;
   bool json = false;
+  Warnings warnings = Warnings::summary;
 };
 
-const std::map<std::string, Integrator> kIntegrators = {{"euler", Integrator::semi_implicit_euler},
-                                                        {"rk4", Integrator::runge_kutta},
-                                                        {"adaptive", Integrator::adaptive}};
+const std::vector<std::pair<std::string, Integrator>> kIntegrators = {
+    {"euler", Integrator::semi_implicit_euler},
+    {"rk4", Integrator::runge_kutta},
+    {"adaptive", Integrator::adaptive}};
 
 bool gave_up(const Motion& motion) {
   return static_cast<int>(motion.table.rows()) < motion.rows_planned;
@@ -70,66 +76,65 @@ std::string print_json(const std::string& robot, const Motion& motion) {
                                        {"quaternion_error", motion.quaternion_error},
                                        {"adaptive_steps", motion.adaptive_steps},
                                        {"rejected_steps", motion.rejected_steps}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::optional<Scene> scene_of(const SimulateOptions& options, const Robot& robot,
-                              Diagnostics& diagnostics) {
-  return options.scene.empty() ? parse_scene("", "", robot, diagnostics)
-                               : read_scene(options.scene, robot, diagnostics);
-}
-
-bool write(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
-  const std::string error = servo::write_text(path, text);
-  if (error.empty()) return true;
-  diagnostics.add({Severity::error, path, 0, "", error, "Name a file in a folder that exists."});
-  return false;
-}
-
-/// With `--csv -` the table is the data and what is said about it a message.
-bool deliver(const SimulateOptions& options, const std::string& robot, const Motion& motion,
-             Diagnostics& diagnostics) {
-  const bool table_out = options.csv == "-";
-  fmt::print(table_out ? stderr : stdout, "{}",
-             options.json ? print_json(robot, motion) : print_text(robot, options.motion, motion));
-  if (table_out) {
-    fmt::print("{}", servo::csv_text(motion.table));
-  } else if (!options.csv.empty() &&
-             !write(options.csv, servo::csv_text(motion.table), diagnostics)) {
+bool write_files(const SimulateOptions& options, const std::string& robot, const Motion& motion,
+                 Diagnostics& diagnostics) {
+  const bool to_file = !options.csv.empty() && options.csv != "-";
+  if (to_file && !write_output_file(options.csv, servo::csv_text(motion.table), diagnostics)) {
     return false;
   }
   return options.svg.empty() ||
-         write(options.svg, servo::svg_text(plot_motion(robot, motion)), diagnostics);
+         write_output_file(options.svg, servo::svg_text(plot_motion(robot, motion)), diagnostics);
+}
+
+/// With `--csv -` the table is the data and what is said about it a message.
+ExitCode write_data(const SimulateOptions& options, const std::string& robot, const Motion& motion,
+                    ExitCode exit_code) {
+  const std::string summary =
+      options.json ? print_json(robot, motion) : print_text(robot, options.motion, motion);
+  const OutputForm form = options.json ? OutputForm::json : OutputForm::text;
+  if (options.csv != "-") return write_output(summary, form, exit_code);
+  fmt::print(stderr, "{}", printable_lines(summary));
+  return write_output(servo::csv_text(motion.table), OutputForm::text, exit_code);
 }
 
 int simulate(const SimulateOptions& options, Diagnostics& diagnostics) {
+  if (!can_read_both(options.urdf, options.scene, diagnostics)) return kBadInput;
   const auto robot = read_urdf(options.urdf, diagnostics);
   if (!robot) return kBadInput;
-  const auto scene = scene_of(options, *robot, diagnostics);
+  const auto scene = read_scene(options.scene, *robot, diagnostics);
   if (!scene) return kBadInput;
   const auto motion = simulate_motion(*robot, *scene, options.motion, diagnostics);
-  if (!motion || !deliver(options, robot->name, *motion, diagnostics)) return kBadInput;
-  return gave_up(*motion) ? kMismatch : kOk;
+  if (!motion) return kBadInput;
+  const ExitCode exit_code = !write_files(options, robot->name, *motion, diagnostics) ? kBadInput
+                             : gave_up(*motion)                                       ? kMismatch
+                                                                                      : kOk;
+  return write_data(options, robot->name, *motion, exit_code);
 }
 
 void add_motion_options(CLI::App& command, MotionSettings& motion) {
   command.add_option("--seconds", motion.seconds, "How long")
-      ->check(CLI::Range(1e-6, 1e6))
+      ->check(between(1e-6, 1e6))
       ->capture_default_str();
   command.add_option("--step", motion.step, "s; adaptive steps are only recorded so often")
-      ->check(CLI::Range(1e-9, 10.0))
+      ->check(between(1e-9, 10))
       ->capture_default_str();
   command.add_option("--integrator", motion.integrator, "euler (semi-implicit), rk4 or adaptive")
-      ->transform(CLI::CheckedTransformer(kIntegrators).description(""));
+      ->transform(one_of(kIntegrators));
   command.add_option("--tolerance", motion.tolerance, "Error allowed to an adaptive step")
-      ->check(CLI::Range(1e-15, 1.0))
+      ->check(between(1e-15, 1))
       ->capture_default_str();
   command.add_option("--q", motion.q, "Where it starts, separated by commas; else mid-range")
-      ->delimiter(',');
-  command.add_option("--qd", motion.qd, "How fast it starts; else at rest")->delimiter(',');
+      ->delimiter(',')
+      ->check(any_number());
+  command.add_option("--qd", motion.qd, "How fast it starts; else at rest")
+      ->delimiter(',')
+      ->check(any_number());
   command.add_flag("--hold", motion.holds_weight, "Joint forces cancel gravity");
   command.add_option("--damping", motion.damping, "Joint force per joint velocity")
-      ->check(CLI::NonNegativeNumber);
+      ->check(between(0, 1e12));
 }
 
 }  // namespace
@@ -144,6 +149,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("--csv", options->csv, "Table of time, q, qd, energy; - is standard output");
   command->add_option("--svg", options->svg, "The same drawn");
   command->add_flag("--json", options->json, "Summary as JSON");
+  add_warnings_option(*command, options->warnings);
   command->footer(
       "Exit: 3 when the motion had to be given up.\n"
       "Examples:\n"
@@ -153,7 +159,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] {
     Diagnostics diagnostics;
     exit_code = simulate(*options, diagnostics);
-    print_diagnostics(diagnostics);
+    print_diagnostics(diagnostics, options->warnings);
   });
 }
 

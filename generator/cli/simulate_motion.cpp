@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/model_from_robot.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "simulation/integrate.hpp"
 
 namespace treeline {

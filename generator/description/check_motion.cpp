@@ -1,13 +1,9 @@
 #include "description/check_motion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace treeline {
 namespace {
-
-constexpr std::size_t kMostNames = 8;
 
 bool has_inertia(const Link& link) {
   if (!link.inertial) return false;
@@ -75,21 +71,6 @@ void check_motion(const Robot& robot, const std::vector<UrdfElement>& elements,
                       elements[i].path(), "the link has a shape but no <inertial>; it is massless",
                       "add <inertial> if the link has mass");
   }
-  const std::vector<int> massless = find_massless_joints(robot);
-  if (massless.empty()) return;
-  std::vector<std::string> names;
-  for (const int j : massless) names.push_back(robot.joints[static_cast<std::size_t>(j)].name);
-  const std::size_t shown = std::min(names.size(), kMostNames);
-  std::string list =
-      fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<long>(shown), ", "));
-  if (shown < names.size()) list += fmt::format(" and {} more", names.size() - shown);
-  const Joint& first = robot.joints[static_cast<std::size_t>(massless.front())];
-  reading.report(Severity::warning, first.line, fmt::format("robot/joint[{}]", first.name),
-                 fmt::format("no link beyond {} has mass: the mass matrix is singular, and forward "
-                             "dynamics, lambda and control torque are not defined",
-                             list),
-                 "give a link beyond each joint an <inertial>, make the joint fixed, or lock it in "
-                 "the scene");
 }
 
 }  // namespace treeline

@@ -14,7 +14,7 @@ std::vector<int> find_massless_joints(const Robot& robot);
 /// Whether any link of the robot has mass or a moment of inertia.
 bool moves_inertia(const Robot& robot);
 
-/// Warns of joints that move no mass, and of links that have a shape but no inertial.
+/// Warns of a world with inertia, and of links that have a shape but no inertial.
 void check_motion(const Robot& robot, const std::vector<UrdfElement>& elements,
                   UrdfReading& reading);
 

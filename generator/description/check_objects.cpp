@@ -21,26 +21,40 @@ std::string link_of(const Scene& scene, const std::string& point) {
   return {};
 }
 
+/// Rows that nothing moves: an error where a bare solve is asked for or nothing moves at all, else
+/// they yield.
+void complain(const SceneElement& top, bool must_end, const std::string& what,
+              const std::string& remedy) {
+  if (must_end) {
+    top.error(what, remedy);
+  } else {
+    top.warn(what, remedy + ", or take what hands cannot do as rows that yield");
+  }
+}
+
 /// Table 7.1 inverts Lambda^-1 over six rows of every grasp.
 void check_freedoms(const SceneElement& top, const Robot& robot, const Scene& scene) {
+  const bool exact = scene.singular == SingularTasks::exact;
   Freedoms all;
   int rows = 0;
   for (const SceneObject& object : scene.objects) {
     for (const SceneGrasp& grasp : object.grasps) {
       const Freedoms own = find_freedoms_of_link(robot, scene, link_of(scene, grasp.point));
       if (count(own) < 6) {
-        top.error(fmt::format("object \"{}\" needs six coordinates at point \"{}\", which has {}",
-                              object.name, grasp.point, count(own)),
-                  "let points hold it that can move it in every direction");
+        complain(top, exact || count(own) == 0,
+                 fmt::format("object \"{}\" needs six coordinates at point \"{}\", which has {}",
+                             object.name, grasp.point, count(own)),
+                 "let points hold it that can move it in every direction");
       }
       all.insert(own.begin(), own.end());
       rows += 6;
     }
   }
   if (rows > count(all)) {
-    top.error(fmt::format("the grasps have {} rows together, but {} coordinates move them", rows,
-                          count(all)),
-              "let fewer points hold objects");
+    complain(top, exact,
+             fmt::format("the grasps have {} rows together, but {} coordinates move them", rows,
+                         count(all)),
+             "let fewer points hold objects");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "description/check_motion.hpp"
@@ -13,14 +14,18 @@
 namespace treeline {
 namespace {
 
-/// Names what keeps the mass matrix from an inverse whatever the pose; empty when nothing does.
+/// Names what has no mass beyond it, so that the mass matrix has no inverse in any pose; empty
+/// where everything moves mass. What else makes it singular takes figures, see
+/// `leave_out_singular`.
 std::string find_singular(const Robot& robot, const Scene& scene) {
   if (scene.base == Base::floating && !moves_inertia(robot)) return "the floating base";
+  std::vector<std::string> names;
   for (const int j : find_massless_joints(robot)) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
-    if (!scene.locked.contains(joint.name)) return fmt::format("joint \"{}\"", joint.name);
+    if (!scene.locked.contains(joint.name)) names.push_back(fmt::format("\"{}\"", joint.name));
   }
-  return {};
+  if (names.empty()) return {};
+  return fmt::format("joint{} {}", names.size() > 1 ? "s" : "", fmt::join(names, ", "));
 }
 
 bool has_mass(const Robot& robot) {
@@ -28,26 +33,10 @@ bool has_mass(const Robot& robot) {
                      [](const Link& link) { return link.inertial && link.inertial->mass > 0; });
 }
 
-void choose_functions(const SceneElement& top, const std::string& singular, Scene& scene) {
-  for (const Function function : kAllFunctions) {
-    const bool possible = !needs_points(function) || !scene.operational_points.empty();
-    const bool defined = !inverts_mass_matrix(function) || singular.empty();
-    if (possible && defined) scene.functions.push_back(function);
-  }
-  if (!scene.contacts.empty() && singular.empty()) {
-    std::copy_if(kContactFunctions.begin(), kContactFunctions.end(),
-                 std::back_inserter(scene.functions), needs_contacts);
-    std::sort(scene.functions.begin(), scene.functions.end());
-  }
-  if (!scene.objects.empty() && singular.empty()) {
-    scene.functions.insert(scene.functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
-    std::sort(scene.functions.begin(), scene.functions.end());
-  }
-  if (singular.empty()) return;
-  top.warn(fmt::format("nothing beyond {} has mass: the functions that invert the mass matrix are "
-                       "left out",
-                       singular),
-           "give it mass in the URDF, or lock the joint");
+/// All functions that the scene can have; where M is known to have no inverse, those without it.
+void choose_functions(const std::string& singular, Scene& scene) {
+  scene.functions = default_functions(scene);
+  if (!singular.empty()) std::erase_if(scene.functions, inverts_mass_matrix);
 }
 
 void check_functions(const SceneElement& top, const Robot& robot, const std::string& singular,
@@ -76,7 +65,7 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
 }
 
 /// What `damped_control_torque` calls.
-void check_damped(const SceneElement& top, const Scene& scene) {
+void check_damped(const SceneElement& top, const std::string& singular, const Scene& scene) {
   if (!scene.damped) return;
   if (has_priorities(scene.operational_points)) {
     top.error("damped knows no priorities, but the operational points differ in theirs",
@@ -85,6 +74,13 @@ void check_damped(const SceneElement& top, const Scene& scene) {
   }
   for (const Function function : kDampedFunctions) {
     if (std::count(scene.functions.begin(), scene.functions.end(), function) > 0) continue;
+    if (inverts_mass_matrix(function) && !singular.empty()) {
+      top.error(fmt::format("nothing beyond {} has mass: the mass matrix is singular, and damped "
+                            "needs its inverse",
+                            singular),
+                "give it mass in the URDF, lock the joint, or remove damped");
+      return;
+    }
     top.error(
         fmt::format("damped needs {}, which is not among the functions", function_name(function)),
         needs_points(function) && scene.operational_points.empty()
@@ -116,6 +112,30 @@ void check_contacts(const SceneElement& top, const Robot& robot, const Scene& sc
   }
 }
 
+/// `x y rz`.
+std::string list_rows(const ScenePoint& point) {
+  constexpr std::array kNames{"x", "y", "z", "rx", "ry", "rz"};
+  std::string text;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (point.rows[i]) text += fmt::format("{}{}", text.empty() ? "" : " ", kNames[i]);
+  }
+  return text;
+}
+
+/// More rows than coordinates that move them: an error where a bare solve is asked for, else said.
+void complain_of_rows(const SceneElement& top, const Scene& scene, const std::string& what) {
+  if (scene.singular == SingularTasks::exact) {
+    top.error(what,
+              "control fewer rows, or list under functions those that need no lambda, or leave out "
+              "singular: exact, so that rows yield");
+  } else {
+    top.warn(
+        what,
+        "rows that those before them leave nothing to move yield; control fewer rows to choose "
+        "them");
+  }
+}
+
 /// Lambda exists only if the rows can be moved independently of each other. Rows in strict priority
 /// need not be.
 void check_rows(const SceneElement& top, const Robot& robot, const Scene& scene) {
@@ -124,28 +144,31 @@ void check_rows(const SceneElement& top, const Robot& robot, const Scene& scene)
     return f == Function::lambda || (f == Function::control_torque && !yield);
   };
   if (std::none_of(scene.functions.begin(), scene.functions.end(), needs_lambda)) return;
-  const std::string remedy =
-      "control fewer rows, or list under functions those that need no lambda";
   Freedoms all;
   long rows = 0;
+  std::string names;
+  bool complained = false;
   for (const ScenePoint& point : scene.operational_points) {
     const Freedoms own = find_freedoms_of_link(robot, scene, point.link);
     const long own_rows = std::count(point.rows.begin(), point.rows.end(), true);
     if (own_rows > count(own)) {
-      top.error(fmt::format(
-                    "point \"{}\" has {} rows, but its link \"{}\" moves with {} coordinates only",
-                    point.name, own_rows, point.link, count(own)),
-                remedy);
-      return;
+      complain_of_rows(
+          top, scene,
+          fmt::format(
+              "point \"{}\" has {} rows, but its link \"{}\" moves with {} coordinates only: "
+              "{}",
+              point.name, own_rows, point.link, count(own), list_rows(point)));
+      complained = true;
     }
     all.insert(own.begin(), own.end());
     rows += own_rows;
+    names += fmt::format("{}{}: {}", names.empty() ? "" : ", ", point.name, list_rows(point));
   }
-  if (rows > count(all)) {
-    top.error(
-        fmt::format("the operational points have {} rows together, but {} coordinates move them",
-                    rows, count(all)),
-        remedy);
+  if (rows > count(all) && !complained) {
+    complain_of_rows(top, scene,
+                     fmt::format("the operational points have {} rows together, but {} coordinates "
+                                 "move them: {}",
+                                 rows, count(all), names));
   }
 }
 
@@ -177,6 +200,22 @@ bool needs_points(Function function) {
     default:
       return false;
   }
+}
+
+std::vector<Function> default_functions(const Scene& scene) {
+  std::vector<Function> functions;
+  for (const Function function : kAllFunctions) {
+    if (!needs_points(function) || !scene.operational_points.empty()) functions.push_back(function);
+  }
+  if (!scene.contacts.empty()) {
+    std::copy_if(kContactFunctions.begin(), kContactFunctions.end(), std::back_inserter(functions),
+                 needs_contacts);
+  }
+  if (!scene.objects.empty()) {
+    functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
+  }
+  std::sort(functions.begin(), functions.end());
+  return functions;
 }
 
 bool takes_external_forces(Function function) {
@@ -217,11 +256,11 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   }
   const std::string singular = find_singular(robot, scene);
   if (scene.functions.empty()) {
-    choose_functions(top, singular, scene);
+    choose_functions(singular, scene);
   } else {
     check_functions(top, robot, singular, scene);
   }
-  check_damped(top, scene);
+  check_damped(top, singular, scene);
   check_forces_used(top, scene);
   check_contacts(top, robot, scene);
   check_rows(top, robot, scene);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "description/scene_element.hpp"
@@ -15,10 +17,15 @@ bool takes_external_forces(Function function);
 /// Whether a function inverts the mass matrix.
 bool inverts_mass_matrix(Function function);
 
-/// Chooses the functions where the scene lists none, and reports what the robot cannot do: nothing
-/// moves, functions of points without points or that `damped` lacks, functions that invert a mass
-/// matrix which is singular by its structure, more controlled rows than coordinates that move them,
-/// names of joints that meet in one identifier.
+/// All functions that a scene has which lists none: those of joints, of its points, contacts and
+/// objects.
+std::vector<Function> default_functions(const Scene& scene);
+
+/// Chooses the functions where the scene lists none, without those that invert a mass matrix which
+/// cannot be inverted for want of any mass (`leave_out_singular` says so, and finds other reasons);
+/// and reports what the robot cannot do: nothing moves, functions of points without points or that
+/// `damped` lacks, functions listed that invert such a matrix, more controlled rows than
+/// coordinates that move them, names of joints that meet in one identifier.
 void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene);
 
 }  // namespace treeline

@@ -4,62 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
+
+#include "description/code_point.hpp"
+#include "description/taken_names.hpp"
 
 namespace treeline {
 namespace {
-
-// Sorted: looked up by bisection.
-constexpr std::array kTaken =
-    std::to_array<std::string_view>({"Real",         "abs",          "acos",
-                                     "alignas",      "alignof",      "and",
-                                     "and_eq",       "asin",         "asm",
-                                     "atan",         "auto",         "bitand",
-                                     "bitor",        "bool",         "break",
-                                     "case",         "catch",        "cbrt",
-                                     "ceil",         "char",         "char16_t",
-                                     "char32_t",     "char8_t",      "class",
-                                     "co_await",     "co_return",    "co_yield",
-                                     "compl",        "concept",      "const",
-                                     "const_cast",   "consteval",    "constexpr",
-                                     "constinit",    "continue",     "cos",
-                                     "decltype",     "default",      "delete",
-                                     "div",          "do",           "double",
-                                     "dynamic_cast", "else",         "enum",
-                                     "exit",         "exp",          "explicit",
-                                     "export",       "extern",       "false",
-                                     "float",        "floor",        "for",
-                                     "friend",       "gamma",        "goto",
-                                     "if",           "index",        "inline",
-                                     "int",          "j0",           "j1",
-                                     "jn",           "link",         "linux",
-                                     "log",          "long",         "main",
-                                     "mutable",      "namespace",    "new",
-                                     "noexcept",     "not",          "not_eq",
-                                     "nullptr",      "operator",     "or",
-                                     "or_eq",        "posix",        "pow",
-                                     "private",      "protected",    "public",
-                                     "read",         "register",     "reinterpret_cast",
-                                     "remove",       "requires",     "return",
-                                     "round",        "short",        "signal",
-                                     "signed",       "sin",          "sizeof",
-                                     "sqrt",         "static",       "static_assert",
-                                     "static_cast",  "std",          "struct",
-                                     "switch",       "tan",          "template",
-                                     "this",         "thread_local", "throw",
-                                     "time",         "true",         "try",
-                                     "typedef",      "typeid",       "typename",
-                                     "union",        "unix",         "unsigned",
-                                     "using",        "virtual",      "void",
-                                     "volatile",     "wchar_t",      "while",
-                                     "write",        "xor",          "xor_eq",
-                                     "y0",           "y1",           "yn"});
-static_assert(std::is_sorted(kTaken.begin(), kTaken.end()));
-
-bool is_taken(std::string_view name) {
-  return std::binary_search(kTaken.begin(), kTaken.end(), name);
-}
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -68,26 +18,19 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-struct CodePoint {
-  std::uint32_t value = 0;
-  std::size_t length = 0;  ///< bytes taken; 0 when the text is not UTF-8 here
-};
+/// Targets that CMake makes or keeps for itself.
+constexpr std::array<std::string_view, 17> kTargets = {
+    "ALL_BUILD", "INSTALL",    "PACKAGE",        "RUN_TESTS",  "ZERO_CHECK",   "all",
+    "clean",     "codegen",    "depend",         "edit_cache", "help",         "install",
+    "package",   "preinstall", "package_source", "test",       "rebuild_cache"};
 
-CodePoint decode(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return {};
-  std::uint32_t value = lead & (0x7FU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return {};
-    value = value << 6U | (byte(i) & 0x3FU);
-  }
-  constexpr std::array<std::uint32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
-  if (value < kSmallest[length] || value > 0x10FFFF || surrogate) return {};
-  return {value, length};
+/// Headers of the runtime that are emitted, without `.hpp`.
+constexpr std::array<std::string_view, 7> kHeaders = {
+    "damped_solve", "lanes", "ldlt", "sin_cos", "square_root", "states", "symmetric_eigen"};
+
+template <class Names>
+bool holds(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void append_underscore(std::string& identifier) {
@@ -102,13 +45,13 @@ bool is_identifier(std::string_view name) {
     if (!is_letter(name[i]) && !is_digit(name[i]) && name[i] != '_') return false;
     if (name[i] == '_' && i + 1 < name.size() && name[i + 1] == '_') return false;
   }
-  return !is_taken(name);
+  return !is_taken_name(name);
 }
 
 std::string identifier_from(std::string_view name) {
   std::string identifier;
   while (!name.empty()) {
-    const CodePoint point = decode(name);
+    const CodePoint point = decode_utf8(name);
     const char first = name.front();
     if (point.length > 1) {
       identifier += fmt::format("u{:x}", point.value);
@@ -122,17 +65,18 @@ std::string identifier_from(std::string_view name) {
   }
   const bool trailing = !identifier.empty() && identifier.back() == '_';
   if (identifier.empty()) return "unnamed";
-  if (is_taken(identifier) && !trailing) identifier += '_';
+  if (is_taken_name(identifier) && !trailing) identifier += '_';
   return identifier;
 }
 
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const CodePoint point = decode(text);
-    if (point.length == 0) return false;
-    text.remove_prefix(point.length);
-  }
-  return true;
+bool is_package_name(std::string_view name) {
+  return is_identifier(name) && !holds(kTargets, name) && !holds(kHeaders, name);
+}
+
+std::string package_name_from(std::string_view name) {
+  std::string identifier = identifier_from(name);
+  if (!is_package_name(identifier) && is_identifier(identifier)) identifier += '_';
+  return identifier;
 }
 
 }  // namespace treeline

@@ -6,8 +6,7 @@
 namespace treeline {
 
 /// Whether `name` can be a name in emitted C++: ASCII letters, digits and underscores, no leading
-/// digit or underscore, no double underscore (reserved), no C++ keyword and no name that every
-/// program already has at global scope (`std`, `main`, functions of <math.h> and <unistd.h>).
+/// digit or underscore, no double underscore (reserved), and none that `is_taken_name`.
 bool is_identifier(std::string_view name);
 
 /// The identifier nearest to a name from a file: other ASCII characters become an underscore,
@@ -16,7 +15,10 @@ bool is_identifier(std::string_view name);
 /// keyword is followed by an underscore. Never empty. Different names may meet in one identifier.
 std::string identifier_from(std::string_view name);
 
-/// Whether the bytes are well-formed UTF-8 (no overlong forms, no surrogates).
-bool is_utf8(std::string_view text);
+/// The same for what emitted code is called as a whole: its namespace, its header NAME.hpp and its
+/// target in CMake. Neither a target that every build has (`all`, `test`) nor a header that may lie
+/// beside NAME.hpp (`lanes`).
+bool is_package_name(std::string_view name);
+std::string package_name_from(std::string_view name);
 
 }  // namespace treeline

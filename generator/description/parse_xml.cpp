@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "description/identifier.hpp"
+#include "description/bound_xml.hpp"
+#include "description/find_open_element.hpp"
 
 namespace treeline {
 namespace {
@@ -38,7 +39,7 @@ std::string without_late_declaration(std::string text, const std::string& file,
   const auto end = std::min(text.find("?>", at), text.size() - 2) + 2;
   diagnostics.add({Severity::warning, file, line_at(text, at), "",
                    "the XML declaration is not at the start of the file",
-                   "move it there: strict readers of XML refuse the file"});
+                   "move it there: strict readers of XML refuse the file", Minor::form});
   std::replace_if(
       text.begin() + static_cast<long>(at), text.begin() + static_cast<long>(end),
       [](char c) { return c != '\n'; }, ' ');
@@ -59,13 +60,8 @@ std::string describe(const tinyxml2::XMLDocument& document) {
   switch (document.ErrorID()) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
       return "the file holds no XML";
-    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: {
-      // The library's text ends in `XMLElement name=NAME`.
-      const std::string_view text = document.ErrorStr();
-      const auto at = text.rfind("name=");
-      if (at == std::string_view::npos) return "an element is not closed";
-      return fmt::format("the element <{}> is not closed by its own end tag", text.substr(at + 5));
-    }
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "an end tag closes nothing that is open";
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
       return "an attribute is not of the form name=\"value\", or is given twice";
     case tinyxml2::XML_ERROR_PARSING_DECLARATION:
@@ -81,10 +77,42 @@ std::string describe(const tinyxml2::XMLDocument& document) {
   }
 }
 
+/// Which tags do not fit together, with the lines of both; or where in the file the fault is.
+void complain_of_xml(const tinyxml2::XMLDocument& document, const std::string& text,
+                     const Complaint& complain) {
+  const char* const remedy = "mend the XML, or check that this is a URDF";
+  const auto id = document.ErrorID();
+  const bool tags = id == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT ||
+                    id == tinyxml2::XML_ERROR_PARSING || id == tinyxml2::XML_ERROR_PARSING_ELEMENT;
+  if (const auto unclosed = tags ? find_unclosed_element(text) : std::nullopt) {
+    const std::string instead =
+        unclosed->instead.empty()
+            ? fmt::format("the file ends in line {}", unclosed->line)
+            : fmt::format("line {} has {}", unclosed->line, unclosed->instead);
+    complain(unclosed->open.line, "",
+             fmt::format("<{}> is not closed: {} is open since line {}, and {}",
+                         unclosed->open.name, unclosed->open.tag, unclosed->open.line, instead),
+             remedy);
+    return;
+  }
+  std::string fault = describe(document);
+  if (id != tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED && id != tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
+    if (const auto open = find_open_element(text, document.ErrorLineNum())) {
+      fault += fmt::format(", inside {} of line {}", open->tag, open->line);
+    }
+  }
+  complain(document.ErrorLineNum(), "", fault, remedy);
+}
+
 bool check_bytes(const std::string& text, const Complaint& complain) {
   if (const auto at = text.find('\0'); at != std::string::npos) {
     complain(line_at(text, at), "", "the file holds a zero byte: it is binary or UTF-16",
              "save it as UTF-8 text");
+    return false;
+  }
+  if (const auto excess = find_excess(text)) {
+    complain(line_at(text, excess->at), "", excess->fault,
+             "name the robot's own file: no robot of the size that can be generated needs as many");
     return false;
   }
   return true;
@@ -120,62 +148,6 @@ std::string other_format(std::string_view name) {
   return "the root element of a URDF is <robot>";
 }
 
-bool starts_with_xacro(std::string_view name) {
-  return name.substr(0, 6) == "xacro:";
-}
-
-bool holds_macro(std::string_view text) {
-  return text.find("${") != std::string_view::npos || text.find("$(") != std::string_view::npos;
-}
-
-std::string expansion_command(const std::string& file) {
-  std::string output = file;
-  for (const std::string_view ending : {".xacro", ".urdf"}) {
-    if (output.size() > ending.size() && output.ends_with(ending)) {
-      output.resize(output.size() - ending.size());
-    }
-  }
-  if (output.empty() || output + ".urdf" == file) output += "_expanded";
-  return fmt::format("expand it first: xacro {0} > {1}.urdf", file.empty() ? "FILE" : file, output);
-}
-
-/// Looks for macros outside the elements that do not matter.
-class MacroCheck : public tinyxml2::XMLVisitor {
- public:
-  explicit MacroCheck(const Complaint& complain) : complain_(complain) {}
-
-  bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* first) override {
-    const std::string_view name = element.Name();
-    if (starts_with_xacro(name)) return refuse_macro(element, fmt::format("<{}>", name));
-    const bool irrelevant = name == "visual" || name == "collision" || name == "gazebo" ||
-                            name == "transmission" || name == "ros2_control";
-    if (irrelevant) return false;
-    for (const auto* attribute = first; attribute != nullptr; attribute = attribute->Next()) {
-      if (holds_macro(attribute->Value())) {
-        return refuse_macro(element,
-                            fmt::format("{}=\"{}\"", attribute->Name(), attribute->Value()));
-      }
-    }
-    return !found_macro_;
-  }
-
-  [[nodiscard]] bool ok() const { return !found_macro_; }
-
- private:
-  bool refuse_macro(const XMLElement& element, const std::string& what) {
-    if (!found_macro_) {
-      complain_(element.GetLineNum(), element.Name(),
-                fmt::format("this is xacro text, not yet a URDF: {}", what),
-                expansion_command(complain_.file));
-    }
-    found_macro_ = true;
-    return false;
-  }
-
-  const Complaint& complain_;
-  bool found_macro_ = false;
-};
-
 }  // namespace
 
 const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::string& file,
@@ -185,15 +157,11 @@ const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::s
   if (!check_bytes(text, complain)) return nullptr;
   const std::string mended = without_late_declaration(text, file, diagnostics);
   if (document.Parse(mended.data(), mended.size()) != tinyxml2::XML_SUCCESS) {
-    complain(document.ErrorLineNum(), "", describe(document),
-             "mend the XML, or check that this is a URDF");
+    complain_of_xml(document, mended, complain);
     return nullptr;
   }
   const XMLElement* root = only_root(document, complain);
   if (root == nullptr) return nullptr;
-  MacroCheck check(complain);
-  root->Accept(&check);
-  if (!check.ok()) return nullptr;
   if (std::string_view(root->Name()) != "robot") {
     complain(root->GetLineNum(), root->Name(),
              fmt::format("the root element is <{}>, not <robot>", root->Name()),

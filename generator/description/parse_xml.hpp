@@ -10,8 +10,7 @@ namespace treeline {
 
 /// Fills `document` with the XML in `text` and returns its root element, `<robot>`. Nothing, and an
 /// error, when the text is not well-formed, is no UTF-8, has no or several roots, gives an
-/// attribute twice, is another format (SDF, MJCF) or still holds xacro: each with the line and the
-/// remedy.
+/// attribute twice, or is another format (SDF, MJCF): each with the line and the remedy.
 const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::string& file,
                                            tinyxml2::XMLDocument& document,
                                            Diagnostics& diagnostics);

@@ -4,10 +4,13 @@
 
 #include <sstream>
 
-#include "description/identifier.hpp"
+#include "description/code_point.hpp"
 
 namespace treeline {
 namespace {
+
+// Scenes have some kilobytes; the library takes hundreds of bytes for each one of a list's.
+constexpr std::size_t kLargestScene = std::size_t{1} << 20U;
 
 /// Notes where documents start and passes over everything inside them.
 class DocumentStarts : public YAML::EventHandler {
@@ -47,6 +50,12 @@ std::optional<YAML::Node> parse_yaml(const std::string& text, const std::string&
     diagnostics.add({Severity::error, file, line, "", std::move(fault), "mend the YAML"});
     return std::nullopt;
   };
+  if (text.size() > kLargestScene) {
+    diagnostics.add({Severity::error, file, 0, "",
+                     "the scene has " + std::to_string(text.size()) + " bytes, more than 1 MiB",
+                     "name the scene's own file"});
+    return std::nullopt;
+  }
   if (!is_utf8(text)) return report(0, "the file is not UTF-8 text");
   try {
     const std::vector<int> starts = find_documents(text);

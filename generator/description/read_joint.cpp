@@ -95,13 +95,13 @@ void read_range(const UrdfElement& element, JointType type, Limits& limits) {
   if (!bounded) return;
   if (!element.has("lower") && !element.has("upper")) {
     element.warn("there is neither \"lower\" nor \"upper\"; the joint counts as unlimited",
-                 "give the range, or type=\"continuous\" if there is none");
+                 "give the range, or type=\"continuous\" if there is none", Minor::limit);
     return;
   }
   if (lower.value_or(0) > upper.value_or(0)) {
     element.warn(fmt::format("lower={} is above upper={}; the joint counts as unlimited",
                              lower.value_or(0), upper.value_or(0)),
-                 "exchange the two");
+                 "exchange the two", Minor::limit);
     return;
   }
   limits.lower = lower.value_or(0);
@@ -112,12 +112,12 @@ double read_bound(const UrdfElement& element, const char* name) {
   const auto bound = element.number(name, true);
   if (!element.has(name)) {
     element.warn(fmt::format("the attribute \"{}\" is missing; it counts as unlimited", name),
-                 "add it: other readers of URDF refuse the joint without it");
+                 "add it: other readers of URDF refuse the joint without it", Minor::limit);
     return kInfinity;
   }
   if (bound.value_or(0) < 0) {
     element.warn(fmt::format("{}={} is negative; it counts as unlimited", name, *bound),
-                 "give its magnitude");
+                 "give its magnitude", Minor::limit);
     return kInfinity;
   }
   return bound.value_or(kInfinity);
@@ -127,9 +127,9 @@ std::optional<Limits> read_limits(const UrdfElement& joint, JointType type) {
   const auto element = joint.child("limit");
   if (!element) {
     if (type == JointType::revolute || type == JointType::prismatic) {
-      joint.warn(
-          "the joint has no <limit>; it counts as unlimited",
-          "add <limit lower=... upper=... effort=... velocity=.../>, or type=\"continuous\"");
+      joint.warn("the joint has no <limit>; it counts as unlimited",
+                 "add <limit lower=... upper=... effort=... velocity=.../>, or type=\"continuous\"",
+                 Minor::limit);
     }
     return std::nullopt;
   }
@@ -149,14 +149,16 @@ void read_dynamics(const UrdfElement& joint, Joint& result) {
   if (!element) return;
   element->only_attributes({"damping", "friction"});
   if (!element->has("damping") && !element->has("friction")) {
-    element->warn("there is neither \"damping\" nor \"friction\"", "remove <dynamics>");
+    element->warn("there is neither \"damping\" nor \"friction\"", "remove <dynamics>",
+                  Minor::form);
   }
   result.damping = element->number("damping").value_or(0);
   result.friction = element->number("friction").value_or(0);
   for (const auto& [name, value] :
        {std::pair{"damping", result.damping}, {"friction", result.friction}}) {
     if (value < 0)
-      element->warn(fmt::format("{}={} is negative", name, value), "give a positive one");
+      element->warn(fmt::format("{}={} is negative", name, value), "give a positive one",
+                    Minor::form);
   }
   if (result.damping == 0 && result.friction == 0) return;
   element->reading().pass_over(
@@ -167,12 +169,14 @@ void read_dynamics(const UrdfElement& joint, Joint& result) {
 void read_mimic(const UrdfElement& joint, NamedJoint& result) {
   const auto element = joint.child("mimic");
   if (!element) return;
-  if (result.joint.type == JointType::fixed) {
-    element->warn("a fixed joint cannot mimic; <mimic> is ignored", "remove it");
+  if (!has_axis(result.joint.type)) {
+    element->warn(fmt::format("a {} joint cannot mimic; <mimic> is ignored",
+                              joint_type_name(result.joint.type)),
+                  "remove it");
     return;
   }
   element->only_attributes({"joint", "multiplier", "offset"});
-  if (!has_axis(result.joint.type) || result.joint.type == JointType::planar) {
+  if (result.joint.type == JointType::planar) {
     element->error("only a joint of one degree of freedom can mimic", "remove <mimic>");
   }
   Mimic mimic;

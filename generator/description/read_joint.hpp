@@ -18,7 +18,7 @@ struct NamedJoint {
 
 /// Reads `<joint>`. Axes are normalised; bounds that the file does not set are infinite, except
 /// that a lone `lower` or `upper` has the other at 0, as the URDF specification says. A mimic on a
-/// fixed joint is dropped with a warning.
+/// fixed or floating joint is dropped with a warning.
 NamedJoint read_joint(const UrdfElement& element);
 
 }  // namespace treeline

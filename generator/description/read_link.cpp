@@ -34,6 +34,9 @@ void read_moments(const UrdfElement& inertia, Inertial& inertial) {
   }
 }
 
+/// The reciprocal of a smaller one may leave the range of double.
+constexpr double kSmallestMass = 1e-100;
+
 Inertial read_inertial(const UrdfElement& element) {
   element.only_attributes({});
   element.only_children({"origin", "mass", "inertia"});
@@ -43,6 +46,12 @@ Inertial read_inertial(const UrdfElement& element) {
     mass->only_attributes({"value"});
     if (!mass->has("value")) (void)mass->required_text("value", "give the mass in kg");
     inertial.mass = mass->number("value").value_or(0);
+    if (inertial.mass > 0 && inertial.mass < kSmallestMass) {
+      mass->warn(fmt::format("the mass {} kg is too small to compute with and counts as 0",
+                             inertial.mass),
+                 fmt::format("give at least {} kg, or 0", kSmallestMass));
+      inertial.mass = 0;
+    }
     if (inertial.mass < 0) {
       mass->error(fmt::format("the mass {} kg is negative", inertial.mass),
                   "give the link's mass, or remove <inertial> if the link has none");

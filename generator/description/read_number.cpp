@@ -29,6 +29,10 @@ std::optional<double> read_number(std::string_view text) {
   return value;
 }
 
+bool is_too_large(double value, bool angle) {
+  return std::abs(value) > (angle ? kLargestAngle : kLargestNumber);
+}
+
 std::vector<std::string_view> split_words(std::string_view text) {
   std::vector<std::string_view> words;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {

@@ -12,6 +12,12 @@ namespace treeline {
 /// and numbers too large for a double are not.
 std::optional<double> read_number(std::string_view text);
 
+/// Beyond these a number describes no robot, and products of a few of them leave the range of
+/// double; of a larger angle, 50 digits say too little.
+inline constexpr double kLargestNumber = 1e30;  ///< SI units
+inline constexpr double kLargestAngle = 1e9;    ///< rad
+bool is_too_large(double value, bool angle);
+
 /// Numbers separated by white space, each as `read_number` has it; nothing when one is not a
 /// finite number.
 std::optional<std::vector<double>> read_numbers(std::string_view text);

@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "description/check_scene.hpp"
+#include "description/default_base.hpp"
 #include "description/find_function.hpp"
 #include "description/identifier.hpp"
+#include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
@@ -20,27 +22,40 @@ namespace {
 void read_name(const SceneElement& element, Scene& scene) {
   const auto name = element.text();
   if (!name) return;
-  if (!is_identifier(*name)) {
-    element.error(fmt::format("\"{}\" cannot be the name of a namespace in C++", *name),
-                  fmt::format("write {}", identifier_from(*name)));
+  if (!is_package_name(*name)) {
+    element.error(
+        fmt::format("\"{}\" cannot be the name of a namespace in C++ and of a target in CMake",
+                    *name),
+        fmt::format("write {}", package_name_from(*name)));
   }
   scene.name = *name;
 }
 
 void read_functions(const SceneElement& element, Scene& scene) {
-  std::vector<std::string> names;
-  const std::vector<Function> known = every_function();
-  for (const Function function : known) names.emplace_back(function_name(function));
+  if (element.is("all")) {
+    element.error("a list is expected here, not \"all\"", suggest_function("all"));
+    return;
+  }
   const std::vector<SceneElement> items = element.items();
   if (items.empty())
     element.error("no function is listed", "list some, or leave out the key for all");
+  const std::size_t known = every_function().size();
+  if (items.size() > 2 * known) {
+    element.error(fmt::format("{} functions are listed, but there are {}", items.size(), known),
+                  "list each once");
+    return;
+  }
   for (const SceneElement& item : items) {
-    const auto index = item.choice(names);
-    if (!index) continue;
-    const Function function = known[*index];
-    const bool repeated = std::count(scene.functions.begin(), scene.functions.end(), function) > 0;
-    if (repeated) item.error(fmt::format("{} is listed twice", names[*index]), "list it once");
-    scene.functions.push_back(function);
+    const auto name = item.text();
+    if (!name) continue;
+    const auto function = find_function(*name);
+    if (!function) {
+      item.error(fmt::format("there is no function \"{}\"", *name), suggest_function(*name));
+      continue;
+    }
+    const bool repeated = std::count(scene.functions.begin(), scene.functions.end(), *function) > 0;
+    if (repeated) item.error(fmt::format("{} is listed twice", *name), "list it once");
+    scene.functions.push_back(*function);
   }
   std::sort(scene.functions.begin(), scene.functions.end());
 }
@@ -79,6 +94,21 @@ void read_snap(const SceneElement& element, Scene& scene) {
   scene.snap_angles = *tolerance;
 }
 
+void read_noise(const SceneElement& element, Scene& scene) {
+  if (element.is("keep")) {
+    scene.noise = 0;
+    return;
+  }
+  const auto limit = element.number();
+  if (!limit) return;
+  if (*limit < kResolution || *limit > kMostNoise) {
+    element.error(fmt::format("{} is not between {:.1e} and {}", *limit, kResolution, kMostNoise),
+                  "write `keep` for every number as it is in the files");
+    return;
+  }
+  scene.noise = *limit;
+}
+
 void read_settings(const std::map<std::string, SceneElement>& fields, Scene& scene) {
   const auto find = [&](const char* key) { return fields.find(key); };
   if (const auto name = find("name"); name != fields.end()) read_name(name->second, scene);
@@ -100,11 +130,16 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
         static_cast<Accuracy>(accuracy->second.choice({"best", "balanced", "fastest"}).value_or(1));
   }
   if (const auto snap = find("snap_angles"); snap != fields.end()) read_snap(snap->second, scene);
+  if (const auto noise = find("noise"); noise != fields.end()) read_noise(noise->second, scene);
   if (const auto lanes = find("lanes"); lanes != fields.end()) {
     scene.lanes = 1 << lanes->second.choice({"1", "2", "4", "8"}).value_or(3);
   }
   if (const auto batch = find("batch"); batch != fields.end()) {
     scene.batch = 2 << batch->second.choice({"2", "4", "8", "16"}).value_or(2);
+  }
+  if (const auto singular = find("singular"); singular != fields.end()) {
+    scene.singular = singular->second.choice({"smooth", "exact"}) == 1 ? SingularTasks::exact
+                                                                       : SingularTasks::smooth;
   }
   if (const auto damped = find("damped"); damped != fields.end()) {
     read_damped(damped->second, scene);
@@ -116,10 +151,12 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
 
 Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
-  scene.name = identifier_from(robot.name);
-  const auto fields = top.fields({"name", "base", "gravity", "real", "sin_cos", "accuracy", "lanes",
-                                  "batch", "damped", "operational_points", "external_forces",
-                                  "contacts", "functions", "locked", "objects", "snap_angles"});
+  scene.name = package_name_from(robot.name);
+  const auto fields =
+      top.fields({"name", "base", "gravity", "real", "sin_cos", "accuracy", "lanes", "batch",
+                  "damped", "operational_points", "external_forces", "contacts", "functions",
+                  "locked", "objects", "singular", "snap_angles", "noise"});
+  if (!fields.contains("base")) scene.base = default_base(robot);
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);
@@ -139,6 +176,14 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   return scene;
 }
 
+void note_missing_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
+  const char* const base =
+      scene.base == Base::floating ? "the base floats, for no joint moves" : "the base is fixed";
+  diagnostics.add({Severity::note, robot.file, 0, "",
+                   fmt::format("there is no scene: functions of the joints alone, and {}", base),
+                   "`treeline init-scene` writes a scene to start from"});
+}
+
 }  // namespace
 
 std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
@@ -153,15 +198,25 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   if (!functions.empty()) scene.functions = functions;
   if (!reading.failed) complete_scene(top, robot, scene);
   if (reading.failed) return std::nullopt;
+  if (!file_name.empty() && scene.base == Base::floating && !(*document)["base"]) {
+    top.note("the scene says nothing of the base, which floats, for no joint moves",
+             "write base: floating or base: fixed to choose");
+  }
   snap_angles(robot, scene, diagnostics);
+  if (scene.noise <= kResolution) return scene;
+  NoiseDecisions decisions;
+  scene = without_noise(std::move(scene), noise_limits(robot, scene), &decisions);
+  scene.taken_exact = std::move(decisions);
   return scene;
 }
 
 std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
                                 Diagnostics& diagnostics, const std::vector<Function>& functions) {
-  const auto text = read_text_file(path, diagnostics);
+  const auto text = path.empty() ? std::string() : read_text_file(path, diagnostics);
   if (!text) return std::nullopt;
-  return parse_scene(*text, path, robot, diagnostics, functions);
+  auto scene = parse_scene(*text, shown_path(path), robot, diagnostics, functions);
+  if (scene && path.empty()) note_missing_scene(robot, *scene, diagnostics);
+  return scene;
 }
 
 }  // namespace treeline

@@ -14,10 +14,12 @@ namespace treeline {
 /// value of the wrong kind or length, and a name that the robot does not have are errors, with the
 /// line and the nearest name. Nothing is returned when there is an error.
 ///
-/// Defaults: see `Scene`; `name` is the robot's name made an identifier; `functions` are all that
-/// the scene permits: those of operational points if it has any, those that invert the mass matrix
-/// if it can be inverted. `functions`, sorted and unique, go before what the file lists, if there
-/// are any.
+/// Defaults: see `Scene`; `name` is the robot's name made an identifier; `base` is `default_base`,
+/// with a note where it floats; `functions` are all that the scene permits: those of operational
+/// points if it has any, those that invert the mass matrix if it can be inverted. `functions`,
+/// sorted and unique, go before what the file lists, if there are any.
+///
+/// An empty `path` is the default scene, with a note that says so.
 std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
                                 Diagnostics& diagnostics,
                                 const std::vector<Function>& functions = {});

@@ -7,7 +7,7 @@
 
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
-#include "description/suggest_name.hpp"
+#include "description/list_links.hpp"
 
 namespace treeline {
 namespace {
@@ -38,11 +38,11 @@ std::string read_link_name(const SceneElement& point, const Fields& fields, cons
   }
   const auto name = found->second.text();
   if (!name) return {};
-  std::vector<std::string> links;
-  for (const Link& link : robot.links) links.push_back(link.name);
-  if (std::find(links.begin(), links.end(), *name) == links.end()) {
+  const bool known = std::any_of(robot.links.begin(), robot.links.end(),
+                                 [&](const Link& link) { return link.name == *name; });
+  if (!known) {
     found->second.error(fmt::format("the robot has no link \"{}\"", *name),
-                        suggest_name(*name, links, "its links are"));
+                        suggest_link(*name, robot));
   }
   return *name;
 }
@@ -52,6 +52,11 @@ std::array<bool, 6> read_rows(const SceneElement& element) {
   const std::vector<SceneElement> items = element.items();
   if (items.empty())
     element.error("no row is listed", "list some of x y z rx ry rz, or leave out the key for all");
+  if (items.size() > kRows.size()) {
+    element.error(fmt::format("{} rows are listed", items.size()),
+                  "list each of x y z rx ry rz once at most");
+    return rows;
+  }
   std::size_t next = 0;
   for (const SceneElement& item : items) {
     const auto row = item.choice(kRows);
@@ -114,13 +119,10 @@ std::vector<ScenePoint> read_points(const SceneElement& element, const Robot& ro
 }
 
 const Joint* find_joint(const SceneElement& element, const std::string& name, const Robot& robot) {
-  std::vector<std::string> names;
   for (const Joint& joint : robot.joints) {
     if (joint.name == name) return &joint;
-    names.push_back(joint.name);
   }
-  element.error(fmt::format("the robot has no joint \"{}\"", name),
-                suggest_name(name, names, "its joints are"));
+  element.error(fmt::format("the robot has no joint \"{}\"", name), suggest_joint(name, robot));
   return nullptr;
 }
 
@@ -128,12 +130,17 @@ const Joint* find_joint(const SceneElement& element, const std::string& name, co
 
 Pose read_origin(const SceneElement& element) {
   Pose pose;
+  if (element.is_list()) {
+    element.error("a map is expected here, not a list",
+                  "write {xyz: [x, y, z], rpy: [roll, pitch, yaw]}; either may be left out");
+    return pose;
+  }
   const Fields fields = element.fields({"xyz", "rpy"});
   if (const auto xyz = fields.find("xyz"); xyz != fields.end()) {
     pose.xyz = xyz->second.three_numbers().value_or(pose.xyz);
   }
   if (const auto rpy = fields.find("rpy"); rpy != fields.end()) {
-    pose.rpy = rpy->second.three_numbers().value_or(pose.rpy);
+    pose.rpy = rpy->second.three_numbers(true).value_or(pose.rpy);
   }
   return pose;
 }
@@ -155,9 +162,10 @@ std::vector<ScenePoint> read_contacts(const SceneElement& element, const Robot& 
 }
 
 void read_locked(const SceneElement& element, const Robot& robot, Scene& scene) {
-  for (const auto& [name, value] : element.entries()) {
+  for (const auto& [name, value] : element.entries("write lines of the form joint: value")) {
     const Joint* joint = find_joint(value, name, robot);
-    const auto held = value.number();
+    const bool angle = joint != nullptr && joint->type != JointType::prismatic;
+    const auto held = value.number(angle);
     if (joint == nullptr || !held) continue;
     if (joint->mimic) {
       const Joint& followed = robot.joints[static_cast<std::size_t>(joint->mimic->joint)];

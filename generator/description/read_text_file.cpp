@@ -10,6 +10,7 @@
 namespace treeline {
 namespace {
 
+constexpr const char* kStandardInput = "-";
 constexpr std::size_t kLargestFile = std::size_t{64} << 20U;
 
 struct CloseFile {
@@ -21,9 +22,39 @@ void report(const std::string& path, std::string fault, std::string remedy,
   diagnostics.add({Severity::error, path, 0, "", std::move(fault), std::move(remedy)});
 }
 
+std::optional<std::string> read_to_end(std::FILE* file, const std::string& path,
+                                       Diagnostics& diagnostics) {
+  std::string text;
+  std::array<char, 65536> block;
+  while (const std::size_t size = std::fread(block.data(), 1, block.size(), file)) {
+    text.append(block.data(), size);
+    if (text.size() > kLargestFile) {
+      report(path, "the file has more than 64 MiB", "name the robot's own file", diagnostics);
+      return std::nullopt;
+    }
+  }
+  if (std::ferror(file) != 0) {
+    report(path, "the file cannot be read to its end", "check the disk", diagnostics);
+    return std::nullopt;
+  }
+  return text;
+}
+
 }  // namespace
 
+std::string shown_path(const std::string& path) {
+  return path == kStandardInput ? "standard input" : path;
+}
+
+bool can_read_both(const std::string& urdf, const std::string& scene, Diagnostics& diagnostics) {
+  if (urdf != kStandardInput || scene != kStandardInput) return true;
+  report("standard input", "the robot and the scene are both to come from it",
+         "write one of the two into a file", diagnostics);
+  return false;
+}
+
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics) {
+  if (path == kStandardInput) return read_to_end(stdin, shown_path(path), diagnostics);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     report(path, "this is a folder, not a file", "name the file inside it", diagnostics);
@@ -36,20 +67,7 @@ std::optional<std::string> read_text_file(const std::string& path, Diagnostics& 
            "check the path and the permissions", diagnostics);
     return std::nullopt;
   }
-  std::string text;
-  std::array<char, 65536> block;
-  while (const std::size_t size = std::fread(block.data(), 1, block.size(), file.get())) {
-    text.append(block.data(), size);
-    if (text.size() > kLargestFile) {
-      report(path, "the file has more than 64 MiB", "name the robot's own file", diagnostics);
-      return std::nullopt;
-    }
-  }
-  if (std::ferror(file.get()) != 0) {
-    report(path, "the file cannot be read to its end", "check the disk", diagnostics);
-    return std::nullopt;
-  }
-  return text;
+  return read_to_end(file.get(), path, diagnostics);
 }
 
 }  // namespace treeline

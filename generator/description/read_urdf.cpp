@@ -9,6 +9,7 @@
 #include "description/check_motion.hpp"
 #include "description/confirm_with_urdfdom.hpp"
 #include "description/connect_tree.hpp"
+#include "description/leftover_xacro.hpp"
 #include "description/parse_xml.hpp"
 #include "description/read_joint.hpp"
 #include "description/read_link.hpp"
@@ -43,7 +44,7 @@ void check_version(const UrdfElement& robot) {
                 "write version=\"1.0\" or leave it out");
   } else if (major != 1 || minor != 0 || !has_minor) {
     robot.warn(fmt::format("version=\"{}\" is read as version 1.0", text),
-               "write version=\"1.0\" or leave it out");
+               "write version=\"1.0\" or leave it out", Minor::form);
   }
 }
 
@@ -61,6 +62,7 @@ void read_other(const UrdfElement& element) {
   constexpr std::array<std::string_view, 8> kSilent = {
       "material", "transmission", "sensor", "frame", "group", "ros2_control", "mujoco", "gazebo"};
   const std::string_view name = element.name();
+  if (name.starts_with("xacro:")) return;  // see find_leftover_xacro
   if (changes_mechanism(name)) {
     element.error(fmt::format("<{}> is not part of URDF and changes the mechanism", name),
                   "write it with links and joints of URDF; loops cannot be expressed");
@@ -71,10 +73,10 @@ void read_other(const UrdfElement& element) {
                  "be sure that the open tree is the robot you mean");
   }
   if (std::find(kSilent.begin(), kSilent.end(), name) != kSilent.end()) return;
-  element.reading().pass_over(Severity::warning, fmt::format("robot/{}", name), element.line(),
-                              element.path(),
-                              fmt::format("<{}> is not part of URDF and is ignored", name),
-                              "remove it if it was meant to change the robot's motion");
+  element.reading().pass_over(
+      Severity::warning, fmt::format("robot/{}", name), element.line(), element.path(),
+      fmt::format("<{}> is not part of URDF and is ignored", name),
+      "remove it if it was meant to change the robot's motion", Minor::element);
 }
 
 Elements list_elements(const UrdfElement& robot) {
@@ -108,7 +110,7 @@ void check_unique(const std::vector<Named>& items, const std::vector<UrdfElement
 void read_head(const UrdfElement& robot, Robot& result) {
   const char* const remedy = "write <robot name=\"...\">";
   if (robot.has("name") && *robot.xml().Attribute("name") == '\0') {
-    robot.warn("the robot's name is empty", remedy);
+    robot.warn("the robot's name is empty", remedy, Minor::form);
   } else {
     result.name = robot.required_name(remedy);
   }
@@ -128,6 +130,11 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
         fmt::format("the robot has {} links, more than {}", elements.links.size(), kMostLinks),
         "describe a smaller robot");
   }
+  if (elements.joints.size() > kMostLinks) {
+    element.error(
+        fmt::format("the robot has {} joints, more than {}", elements.joints.size(), kMostLinks),
+        "describe a smaller robot");
+  }
   if (reading.failed()) return std::nullopt;
   for (const UrdfElement& link : elements.links) robot.links.push_back(read_link(link));
   std::vector<NamedJoint> joints;
@@ -143,6 +150,19 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   return robot;
 }
 
+/// What was passed over is a robot's loss only where the rest is none.
+void report_leftover(const LeftoverXacro& leftover, const std::string& file, bool is_robot,
+                     Diagnostics& diagnostics) {
+  if (is_robot) {
+    diagnostics.add({Severity::warning, file, leftover.line, leftover.element,
+                     "left over from xacro and passed over: " + leftover.fault,
+                     "if that was meant to add links, joints or masses, " + leftover.remedy});
+  } else {
+    diagnostics.add({Severity::error, file, leftover.line, leftover.element,
+                     "this is xacro text, not yet a URDF: " + leftover.fault, leftover.remedy});
+  }
+}
+
 }  // namespace
 
 std::optional<Robot> parse_urdf(const std::string& text, const std::string& file_name,
@@ -150,16 +170,21 @@ std::optional<Robot> parse_urdf(const std::string& text, const std::string& file
   tinyxml2::XMLDocument document;
   const auto* root = parse_urdf_xml(text, file_name, document, diagnostics);
   if (root == nullptr) return std::nullopt;
+  Diagnostics xacro;
+  const LeftoverXacro leftover = find_leftover_xacro(*root, file_name, xacro);
+  for (const Diagnostic& diagnostic : xacro.list()) diagnostics.add(diagnostic);
+  if (xacro.has_errors()) return std::nullopt;
   UrdfReading reading(file_name, diagnostics);
   auto robot = read_robot({*root, "robot", reading}, reading);
   reading.report_passed_over();
+  if (leftover.line > 0) report_leftover(leftover, file_name, robot.has_value(), diagnostics);
   return robot;
 }
 
 std::optional<Robot> read_urdf(const std::string& path, Diagnostics& diagnostics) {
   const auto text = read_text_file(path, diagnostics);
   if (!text) return std::nullopt;
-  return parse_urdf(*text, path, diagnostics);
+  return parse_urdf(*text, shown_path(path), diagnostics);
 }
 
 }  // namespace treeline

@@ -12,19 +12,32 @@ struct SinCos {
   Scalar sin, cos;
 };
 
+/// The number of quarter turns nearest to an angle.
+struct QuarterTurns {
+  double turns = 0;      ///< whole
+  double as_double = 0;  ///< the double nearest to turns * pi/2
+  double off = 0;        ///< angle - turns * pi/2, rad
+};
+
+inline QuarterTurns nearest_quarter_turns(double angle) {
+  constexpr long double kHalfPi = 1.570796326794896619231321691639751442L;
+  const double turns = std::nearbyint(angle / static_cast<double>(kHalfPi));
+  const long double exact = static_cast<long double>(turns) * kHalfPi;
+  return {turns, static_cast<double>(exact), static_cast<double>(angle - exact)};
+}
+
 /// Sine and cosine, in the precision of `Scalar`, of an angle in radians that a file gave as a
-/// double. An angle within 1e-14 of a multiple of pi/2, relative to itself, is taken as exactly
-/// that many quarter turns: nobody who writes 1.5707963267948966 means a frame that is 6e-17 rad
-/// off, and the exact 0 and +-1 are the structure that the generator lives on.
+/// double. The double that is nearest to a multiple of pi/2 is exactly that many quarter turns:
+/// nobody who writes 1.5707963267948966 means a frame that is 6e-17 rad off.
 template <class Scalar>
 SinCos<Scalar> sin_cos_of_file_angle(double angle) {
   using std::cos;
   using std::sin;
-  constexpr double kHalfPi = 1.57079632679489661923;
-  const double turns = std::nearbyint(angle / kHalfPi);
-  if (std::abs(angle - turns * kHalfPi) <= 1e-14 * std::abs(angle)) {
+  const QuarterTurns nearest = nearest_quarter_turns(angle);
+  if (angle == nearest.as_double) {
     constexpr std::array<int, 4> kSine{0, 1, 0, -1};
-    const auto quarter = static_cast<std::size_t>(std::fmod(std::fmod(turns, 4.0) + 4.0, 4.0));
+    const auto quarter =
+        static_cast<std::size_t>(std::fmod(std::fmod(nearest.turns, 4.0) + 4.0, 4.0));
     return {Scalar(kSine[quarter]), Scalar(kSine[(quarter + 1) % 4])};
   }
   return {Scalar(sin(Scalar(angle))), Scalar(cos(Scalar(angle)))};
@@ -50,23 +63,16 @@ Eigen::Matrix<Scalar, 3, 3> rotation_from_rpy(const std::array<double, 3>& rpy) 
   return R;
 }
 
-/// The unit vector along a nonzero axis from a file, normalised in the precision of `Scalar`.
-/// Components below 1e-14 of the largest are rounding and become exactly 0.
+/// The unit vector along a nonzero axis from a file, normalised in the precision of `Scalar`; one
+/// along a coordinate axis is exact.
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 1> unit_axis(const std::array<double, 3>& axis) {
+  using std::abs;
   using std::sqrt;
-  double largest = 0;
-  for (const double component : axis) largest = std::max(largest, std::abs(component));
-  Eigen::Matrix<Scalar, 3, 1> unit;
-  int components = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double component = axis[static_cast<std::size_t>(i)];
-    const bool counts = std::abs(component) > 1e-14 * largest;
-    components += counts ? 1 : 0;
-    unit(i) = counts ? Scalar(component) : Scalar(0);
-  }
-  if (components == 1) return unit / Scalar(largest);
-  return unit / Scalar(sqrt(unit.squaredNorm()));
+  const Eigen::Matrix<Scalar, 3, 1> given{Scalar(axis[0]), Scalar(axis[1]), Scalar(axis[2])};
+  const auto components = std::count_if(axis.begin(), axis.end(), [](double x) { return x != 0; });
+  if (components == 1) return given / Scalar(given.cwiseAbs().maxCoeff());
+  return given / Scalar(sqrt(given.squaredNorm()));
 }
 
 }  // namespace treeline

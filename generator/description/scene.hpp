@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "description/noise_decision.hpp"
 #include "description/robot.hpp"
 
 namespace treeline {
@@ -17,6 +18,10 @@ enum class Real { float32, float64 };
 enum class Sines { computed, given };
 /// What to prefer where operations can be saved at the cost of digits.
 enum class Accuracy { best, balanced, fastest };
+
+/// What functions answer where rows of a task cannot be moved: a row yields, smoothly (see
+/// `TaskLaw`), or what a bare solve gives, which is not finite there.
+enum class SingularTasks { smooth, exact };
 
 /// The functions a scene may ask for; the names in YAML and in emitted code are those of
 /// `function_name`.
@@ -152,10 +157,16 @@ struct Scene {
   /// where they are at most so far off, rad; 0: every angle is as written. See
   /// `rounded_quarter_turns`.
   double snap_angles = 0;
+  /// Numbers of the files that are so close to an exact one, and relations between them, are taken
+  /// as exact: angles in rad, offsets as a share of the robot's longest; 0: every number is as
+  /// written. See `noise_limits`.
+  double noise = 0x1p-51;
+  NoiseDecisions taken_exact;  ///< numbers of this file that reading has made so, as `noise` asks
   /// Numbers that the emitted code may compute together: 1, 2, 4 or 8. What a machine's registers
   /// cannot hold its compiler takes apart again.
   int lanes = 8;
   int batch = 0;  ///< states that the functions of NAME_batch.hpp take in one call; 0: none emitted
+  SingularTasks singular = SingularTasks::smooth;
   std::optional<HeaviestMotion> damped;  ///< asks for NAME_damped.hpp: damped_control_torque
   std::map<std::string, double> locked;  ///< joint name -> value it is held at
 };

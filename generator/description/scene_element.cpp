@@ -9,9 +9,23 @@
 #include "description/suggest_name.hpp"
 
 namespace treeline {
+namespace {
+
+constexpr int kMostReports = 1000;
+// As many as a robot may have links.
+constexpr std::size_t kMostItems = 4096;
+
+}  // namespace
 
 void SceneElement::report(Severity severity, std::string fault, std::string remedy) const {
+  const bool first_error = severity == Severity::error && !reading_->failed;
   reading_->failed = reading_->failed || severity == Severity::error;
+  ++reading_->reports;
+  if (reading_->reports > kMostReports + 1 && !first_error) return;
+  if (reading_->reports > kMostReports && !first_error) {
+    fault = "there are more faults, which are not listed";
+    remedy = "mend those above first";
+  }
   reading_->diagnostics.add(
       {severity, reading_->file, line_, path_, std::move(fault), std::move(remedy)});
 }
@@ -24,6 +38,10 @@ void SceneElement::warn(std::string fault, std::string remedy) const {
   report(Severity::warning, std::move(fault), std::move(remedy));
 }
 
+void SceneElement::note(std::string fact, std::string remedy) const {
+  report(Severity::note, std::move(fact), std::move(remedy));
+}
+
 std::string SceneElement::kind() const {
   if (node_.IsMap()) return "a map";
   if (node_.IsSequence()) return "a list";
@@ -31,17 +49,30 @@ std::string SceneElement::kind() const {
   return "empty";
 }
 
+bool SceneElement::has_few() const {
+  // Aliases let a short text list the same faults millions of times.
+  if (reading_->reports > kMostReports) return false;
+  if (node_.size() <= kMostItems) return true;
+  error(fmt::format("there are {} entries, more than {}", node_.size(), kMostItems),
+        "list fewer: no robot that can be generated has as many links");
+  return false;
+}
+
 SceneElement SceneElement::inside(const YAML::Node& node, const std::string& step) const {
   return {node, path_.empty() ? step : path_ + "/" + step, *reading_};
 }
 
-std::vector<SceneElement::Entry> SceneElement::entries() const {
+bool SceneElement::is(std::string_view word) const {
+  return node_.IsScalar() && node_.Scalar() == word;
+}
+
+std::vector<SceneElement::Entry> SceneElement::entries(const std::string& remedy) const {
   std::vector<Entry> entries;
   if (!node_.IsMap()) {
-    error(fmt::format("a map is expected here, not {}", kind()),
-          "write lines of the form key: value");
+    error(fmt::format("a map is expected here, not {}", kind()), remedy);
     return entries;
   }
+  if (!has_few()) return entries;
   std::set<std::string> seen;
   for (const auto& pair : node_) {
     if (!pair.first.IsScalar()) {
@@ -63,7 +94,9 @@ std::vector<SceneElement::Entry> SceneElement::entries() const {
 std::map<std::string, SceneElement> SceneElement::fields(
     const std::vector<std::string>& known) const {
   std::map<std::string, SceneElement> fields;
-  for (const auto& [key, value] : entries()) {
+  const std::string remedy =
+      fmt::format("write key: value for some of the keys {}", list_names(known));
+  for (const auto& [key, value] : entries(remedy)) {
     if (std::find(known.begin(), known.end(), key) != known.end()) {
       fields.emplace(key, value);
     } else {
@@ -81,6 +114,7 @@ std::vector<SceneElement> SceneElement::items() const {
           "write [a, b], or a line \"- item\" for each");
     return items;
   }
+  if (!has_few()) return items;
   for (std::size_t i = 0; i < node_.size(); ++i) {
     items.push_back({node_[i], fmt::format("{}[{}]", path_, i), *reading_});
   }
@@ -99,21 +133,29 @@ std::optional<std::size_t> SceneElement::choice(const std::vector<std::string>& 
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (*given == choices[i]) return i;
   }
+  // No number is a slip for another.
+  const std::string near = read_number(*given) ? "" : find_near_name(*given, choices);
   error(fmt::format("\"{}\" is not known here", *given),
-        suggest_name(*given, choices, "the choices are"));
+        fmt::format("{}{}the choices are {}", near, near.empty() ? "" : " ", list_names(choices)));
   return std::nullopt;
 }
 
-std::optional<double> SceneElement::number() const {
+std::optional<double> SceneElement::number(bool angle) const {
   const bool quoted = node_.Tag() == "!";
   const auto value = node_.IsScalar() && !quoted ? read_number(node_.Scalar()) : std::nullopt;
-  if (value && std::isfinite(*value)) return value;
+  if (value && std::isfinite(*value)) {
+    if (!is_too_large(*value, angle)) return value;
+    error(fmt::format("{} is too large to compute with", *value),
+          angle ? fmt::format("give an angle of at most {} rad", kLargestAngle)
+                : fmt::format("give a number of at most {} in SI units", kLargestNumber));
+    return std::nullopt;
+  }
   error(fmt::format("a finite number is expected here, not {}", kind()),
         "write one decimal number with a point and without quotes, such as 0.25");
   return std::nullopt;
 }
 
-std::optional<std::array<double, 3>> SceneElement::three_numbers() const {
+std::optional<std::array<double, 3>> SceneElement::three_numbers(bool angles) const {
   if (!node_.IsSequence() || node_.size() != 3) {
     const std::string found = node_.IsSequence() ? fmt::format("{}", node_.size()) : kind();
     error(fmt::format("a list of three numbers is expected here, not {}", found),
@@ -122,7 +164,8 @@ std::optional<std::array<double, 3>> SceneElement::three_numbers() const {
   }
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto value = SceneElement(node_[i], fmt::format("{}[{}]", path_, i), *reading_).number();
+    const auto value =
+        SceneElement(node_[i], fmt::format("{}[{}]", path_, i), *reading_).number(angles);
     if (!value) return std::nullopt;
     values[i] = *value;
   }

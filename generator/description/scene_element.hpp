@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct SceneReading {
   std::string file;
   Diagnostics& diagnostics;
   bool failed = false;
+  int reports = 0;  ///< beyond a thousand, the next one says so and the rest are not listed
 };
 
 /// A value in the scene's YAML. Readers report what is malformed as an error, with line and path,
@@ -34,26 +36,33 @@ class SceneElement {
 
   void error(std::string fault, std::string remedy) const;
   void warn(std::string fault, std::string remedy) const;
+  void note(std::string fact, std::string remedy) const;
 
-  /// Entries of a map in the file's order; an error for no map and for a key given twice.
-  [[nodiscard]] std::vector<Entry> entries() const;
+  /// Whether this is that plain word.
+  [[nodiscard]] bool is(std::string_view word) const;
+  [[nodiscard]] bool is_list() const { return node_.IsSequence(); }
+  /// Entries of a map in the file's order; an error for no map, with `remedy`, and for a key given
+  /// twice.
+  [[nodiscard]] std::vector<Entry> entries(
+      const std::string& remedy = "write lines of the form key: value") const;
   /// The same for a map whose keys are known; an error, with a suggestion, for any other.
   [[nodiscard]] std::map<std::string, SceneElement> fields(
       const std::vector<std::string>& known) const;
-  /// Items of a list; an error for anything else.
+  /// Items of a list of at most 4096; an error for anything else.
   [[nodiscard]] std::vector<SceneElement> items() const;
   /// A text that is not empty.
   [[nodiscard]] std::optional<std::string> text() const;
   /// Index into `choices`; an error with a suggestion for any other text.
   [[nodiscard]] std::optional<std::size_t> choice(const std::vector<std::string>& choices) const;
-  /// A finite number, not in quotes.
-  [[nodiscard]] std::optional<double> number() const;
-  [[nodiscard]] std::optional<std::array<double, 3>> three_numbers() const;
+  /// A finite number, not in quotes, not too large to compute with (see `is_too_large`).
+  [[nodiscard]] std::optional<double> number(bool angle = false) const;
+  [[nodiscard]] std::optional<std::array<double, 3>> three_numbers(bool angles = false) const;
 
  private:
   [[nodiscard]] SceneElement inside(const YAML::Node& node, const std::string& step) const;
   void report(Severity severity, std::string fault, std::string remedy) const;
   [[nodiscard]] std::string kind() const;
+  [[nodiscard]] bool has_few() const;
 
   YAML::Node node_;
   std::string path_;

@@ -10,10 +10,13 @@
 #include <string_view>
 #include <utility>
 
+#include "description/for_each_pose.hpp"
+#include "description/noise.hpp"
+#include "description/rotation.hpp"
+
 namespace treeline {
 namespace {
 
-constexpr double kHalfPi = 1.57079632679489661923;
 constexpr double kDust = 1e-12;
 constexpr int kFewestDecimals = 4;
 
@@ -45,37 +48,6 @@ void add_snap(const Snap& snap, std::vector<Snap>& snaps) {
     snaps.push_back(snap);
   } else {
     ++same->times;
-  }
-}
-
-/// Calls `visit(pose, line, element)` for every pose that the file gives.
-template <class AnyRobot, class Visit>
-void for_each_pose(AnyRobot& robot, Visit visit) {
-  for (auto& link : robot.links) {
-    if (!link.inertial) continue;
-    visit(link.inertial->origin, link.line,
-          fmt::format("robot/link[{}]/inertial/origin", link.name));
-  }
-  for (auto& joint : robot.joints) {
-    visit(joint.origin, joint.line, fmt::format("robot/joint[{}]/origin", joint.name));
-  }
-}
-
-template <class Visit>
-void for_each_point_pose(Scene& scene, Visit visit) {
-  for (auto& [key, points] : {std::pair{"operational_points", &scene.operational_points},
-                              {"external_forces", &scene.external_forces},
-                              {"contacts", &scene.contacts}}) {
-    for (ScenePoint& point : *points) {
-      visit(point.origin, 0, fmt::format("{}[{}]/origin", key, point.name));
-    }
-  }
-  for (SceneObject& object : scene.objects) {
-    visit(object.inertial.origin, 0, fmt::format("objects[{}]/inertial/origin", object.name));
-    for (SceneGrasp& grasp : object.grasps) {
-      visit(grasp.origin, 0,
-            fmt::format("objects[{}]/grasps[{}]/origin", object.name, grasp.point));
-    }
   }
 }
 
@@ -117,13 +89,14 @@ void suggest_snapping(const std::vector<Snap>& snaps, Diagnostics& diagnostics) 
 }  // namespace
 
 std::optional<double> rounded_quarter_turns(double angle, double tolerance) {
-  const double turns = std::nearbyint(angle / kHalfPi);
-  const double multiple = turns * kHalfPi;
-  const double off = std::abs(angle - multiple);
-  if (off <= 1e-14 * std::abs(angle) || off > tolerance) return std::nullopt;
-  if (turns == 0) return off <= kDust ? std::optional(0.0) : std::nullopt;
+  const QuarterTurns nearest = nearest_quarter_turns(angle);
+  const double multiple = nearest.as_double;
+  const double off = std::abs(nearest.off);
+  const bool exact = angle == multiple || (nearest.turns != 0 && off <= kResolution);
+  if (exact || off > tolerance) return std::nullopt;
+  if (off <= kDust) return multiple;
   const int decimals = count_decimals(angle);
-  if (decimals < kFewestDecimals) return std::nullopt;
+  if (nearest.turns == 0 || decimals < kFewestDecimals) return std::nullopt;
   const double unit = std::pow(10, -decimals);
   const double rounding = 4e-16 * std::abs(angle);
   const bool cut_off = std::abs(angle) < std::abs(multiple);
@@ -132,7 +105,7 @@ std::optional<double> rounded_quarter_turns(double angle, double tolerance) {
 }
 
 std::string name_quarter_turns(double angle) {
-  const int turns = static_cast<int>(std::nearbyint(angle / kHalfPi));
+  const int turns = static_cast<int>(nearest_quarter_turns(angle).turns);
   if (turns == 0) return "0";
   const bool whole = turns % 2 == 0;
   const int over = std::abs(whole ? turns / 2 : turns);
@@ -154,7 +127,9 @@ void snap_angles(const Robot& robot, Scene& scene, Diagnostics& diagnostics) {
   const auto note = [&](const std::string& file, int line, const std::string& element,
                         double angle) {
     const auto multiple = rounded_quarter_turns(angle, tolerance);
-    if (multiple) add_snap({file, line, element, angle, *multiple}, snaps);
+    const bool is_noise = multiple && std::abs(angle - *multiple) <= scene.noise;
+    if (multiple && (asked_for || !is_noise))
+      add_snap({file, line, element, angle, *multiple}, snaps);
     return multiple.value_or(angle);
   };
   for_each_pose(robot, [&](const Pose& pose, int line, const std::string& element) {

@@ -16,9 +16,9 @@ inline constexpr double kWidestSnap = 1e-5;
 /// Angles at the origins of joints, masses and points are written as decimals. One counts as a
 /// rounded number of quarter turns if it has four decimals or more and is that number, rounded or
 /// cut off at its last decimal: 1.5708 and 1.570796 are pi/2, 1.57 and 1.570795 are angles of their
-/// own. What is within 1e-12 of zero counts as zero. The multiple of pi/2 that `angle` (rad) stands
-/// for, as a double, if it is at most `tolerance` (rad) away; nothing where `angle` is that double
-/// but for its own rounding. Other fractions of pi would save no operation.
+/// own. What is within 1e-12 of a quarter turn counts as that. The multiple of pi/2 that `angle`
+/// (rad) stands for, as a double, if it is at most `tolerance` (rad) away; nothing where `angle` is
+/// that double or within `kResolution` of it. Other fractions of pi would save no operation.
 std::optional<double> rounded_quarter_turns(double angle, double tolerance);
 
 /// `-3 pi/2` for a multiple of pi/2.

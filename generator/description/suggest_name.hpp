@@ -10,8 +10,16 @@ namespace treeline {
 /// (optimal string alignment).
 std::size_t edit_distance(std::string_view left, std::string_view right);
 
-/// `did you mean "..."?` with the known name nearest to `name`, or, when none is near, the known
-/// names themselves if they are few, after `otherwise`; empty when there is nothing to say.
+/// `did you mean "..."?` with the known name that differs from `name` by a slip or two, capitals
+/// aside, or else with those of which one contains the other, as `elbow` and `elbow_joint`; empty
+/// when none is near.
+std::string find_near_name(std::string_view name, const std::vector<std::string>& known);
+
+/// The names between commas, broken into lines; of many, the first and how many more there are.
+std::string list_names(const std::vector<std::string>& names);
+
+/// The near name, or, when none is near, all that are known, after `otherwise`; empty when nothing
+/// is known.
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known,
                          std::string_view otherwise = "known are");
 

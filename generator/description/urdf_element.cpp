@@ -5,44 +5,73 @@
 #include <algorithm>
 #include <cmath>
 
-#include "description/identifier.hpp"
+#include "description/code_point.hpp"
 #include "description/read_number.hpp"
 
 namespace treeline {
+namespace {
+
+constexpr std::size_t kMostReports = 1000;
+constexpr std::size_t kLongestName = 1000;   ///< bytes
+constexpr std::size_t kLongestInPath = 100;  ///< bytes of a name in an element's path
+
+/// The first bytes of a long name, whole characters of UTF-8.
+std::string shortened(std::string_view name) {
+  if (name.size() <= kLongestInPath) return std::string(name);
+  std::size_t end = kLongestInPath;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
+  return std::string(name.substr(0, end)) + "...";
+}
+
+}  // namespace
 
 void UrdfReading::report(Severity severity, int line, std::string element, std::string fault,
-                         std::string remedy) {
+                         std::string remedy, Minor minor) {
   failed_ = failed_ || severity == Severity::error;
+  if (++reports_ > kMostReports) {
+    ++unlisted_;
+    return;
+  }
   diagnostics_.add(
-      {severity, file_, line, std::move(element), std::move(fault), std::move(remedy)});
+      {severity, file_, line, std::move(element), std::move(fault), std::move(remedy), minor});
 }
 
 void UrdfReading::pass_over(Severity severity, const std::string& kind, int line,
-                            std::string element, std::string fault, std::string remedy) {
+                            std::string element, std::string fault, std::string remedy,
+                            Minor minor) {
+  if (kinds_.size() >= kMostReports && !kinds_.contains(kind)) {
+    ++unlisted_;
+    return;
+  }
   const auto [place, is_new] = kinds_.try_emplace(kind, passed_over_.size());
   if (is_new) {
     passed_over_.push_back(
-        {{severity, file_, line, std::move(element), std::move(fault), std::move(remedy)}});
+        {severity, file_, line, std::move(element), std::move(fault), std::move(remedy), minor});
+  } else {
+    ++passed_over_[place->second].times;
   }
-  ++passed_over_[place->second].times;
 }
 
 void UrdfReading::report_passed_over() {
-  for (PassedOver& entry : passed_over_) {
-    if (entry.times > 1)
-      entry.first.fault += fmt::format(" (and {} more like it)", entry.times - 1);
-    diagnostics_.add(std::move(entry.first));
+  for (Diagnostic& first : passed_over_) {
+    if (first.times > 1) first.fault += fmt::format(" (and {} more like it)", first.times - 1);
+    diagnostics_.add(std::move(first));
   }
   passed_over_.clear();
   kinds_.clear();
+  if (unlisted_ == 0) return;
+  diagnostics_.add({failed_ ? Severity::error : Severity::warning, file_, 0, "robot",
+                    fmt::format("{} more faults are not listed", unlisted_),
+                    "mend those above first"});
+  unlisted_ = 0;
 }
 
 void UrdfElement::error(std::string fault, std::string remedy) const {
   reading_->report(Severity::error, line(), path_, std::move(fault), std::move(remedy));
 }
 
-void UrdfElement::warn(std::string fault, std::string remedy) const {
-  reading_->report(Severity::warning, line(), path_, std::move(fault), std::move(remedy));
+void UrdfElement::warn(std::string fault, std::string remedy, Minor minor) const {
+  reading_->report(Severity::warning, line(), path_, std::move(fault), std::move(remedy), minor);
 }
 
 std::optional<std::string> UrdfElement::required_text(const char* attribute,
@@ -62,6 +91,9 @@ std::string UrdfElement::required_name(const std::string& remedy) const {
     error("the name is not UTF-8 text", "save the file as UTF-8");
   } else if (std::any_of(text->begin(), text->end(), is_control)) {
     error("the name holds a line break or another control character", "write it as one word");
+  } else if (text->size() > kLongestName) {
+    error(fmt::format("the name has {} bytes, more than {}", text->size(), kLongestName),
+          "shorten it");
   }
   return *text;
 }
@@ -70,7 +102,10 @@ std::optional<double> UrdfElement::number(const char* attribute, bool may_be_inf
   const char* text = xml_->Attribute(attribute);
   if (text == nullptr) return std::nullopt;
   const auto value = read_number(text);
-  if (value && (may_be_infinite || std::isfinite(*value))) return value;
+  if (value && (may_be_infinite || std::isfinite(*value))) {
+    if (!may_be_infinite) refuse_large(attribute, *value);
+    return value;
+  }
   error(
       fmt::format("{}=\"{}\" is not a {}number", attribute, text, may_be_infinite ? "" : "finite "),
       "write one decimal number with a point, such as 0.25 or 2.5e-1");
@@ -81,16 +116,31 @@ std::optional<std::array<double, 3>> UrdfElement::three_numbers(const char* attr
   const char* text = xml_->Attribute(attribute);
   if (text == nullptr) return std::nullopt;
   const auto values = read_numbers(text);
-  if (values && values->size() == 3) return std::array{(*values)[0], (*values)[1], (*values)[2]};
+  if (values && values->size() == 3) {
+    // Of an axis the direction counts alone.
+    const bool has_size = name() != "axis";
+    for (const double value : *values) {
+      if (has_size) refuse_large(attribute, value);
+    }
+    return std::array{(*values)[0], (*values)[1], (*values)[2]};
+  }
   const std::string count = values ? fmt::format(" but {}", values->size()) : "";
   error(fmt::format("{}=\"{}\" is not three finite numbers{}", attribute, text, count),
         "write three decimal numbers with spaces between them, such as \"0 0.5 1\"");
   return std::nullopt;
 }
 
+void UrdfElement::refuse_large(const char* attribute, double value) const {
+  const bool angle = std::string_view(attribute) == "rpy";
+  if (!is_too_large(value, angle)) return;
+  error(fmt::format("{} in \"{}\" is too large to compute with", value, attribute),
+        angle ? fmt::format("give angles of at most {} rad", kLargestAngle)
+              : fmt::format("give numbers of at most {} in SI units", kLargestNumber));
+}
+
 UrdfElement UrdfElement::as_child(const tinyxml2::XMLElement& xml) const {
-  std::string path = path_ + "/" + xml.Name();
-  if (const char* name = xml.Attribute("name")) path += fmt::format("[{}]", name);
+  std::string path = path_ + "/" + shortened(xml.Name());
+  if (const char* name = xml.Attribute("name")) path += fmt::format("[{}]", shortened(name));
   return {xml, std::move(path), *reading_};
 }
 
@@ -124,7 +174,7 @@ void UrdfElement::only_attributes(std::initializer_list<std::string_view> known)
     reading_->pass_over(
         Severity::warning, fmt::format("{}@{}", kind(), name), attribute->GetLineNum(), path_,
         fmt::format("the attribute \"{}\" is not part of URDF and is ignored", name),
-        "remove it if it was meant to change the robot's motion");
+        "remove it if it was meant to change the robot's motion", Minor::attribute);
   }
 }
 
@@ -137,7 +187,7 @@ void UrdfElement::only_children(std::initializer_list<std::string_view> known) c
     reading_->pass_over(Severity::warning, fmt::format("{}/{}", kind(), name),
                         element->GetLineNum(), path_,
                         fmt::format("<{}> is not part of URDF and is ignored", name),
-                        "remove it if it was meant to change the robot's motion");
+                        "remove it if it was meant to change the robot's motion", Minor::element);
   }
 }
 
@@ -146,7 +196,8 @@ void UrdfElement::no_text() const {
     const auto* text = node->ToText();
     if (text == nullptr || trimmed(text->Value()).empty()) continue;
     reading_->pass_over(Severity::warning, kind() + "#text", node->GetLineNum(), path_,
-                        "text stands between the elements and is ignored", "remove it");
+                        "text stands between the elements and is ignored", "remove it",
+                        Minor::text);
   }
 }
 

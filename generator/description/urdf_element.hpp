@@ -17,35 +17,33 @@ namespace treeline {
 
 /// One reading of a URDF: where faults go, and what was passed over. The same unknown attribute
 /// stands on a hundred joints of an exported robot, so each kind is reported once, with a count.
+/// Beyond a thousand reports and a thousand kinds, faults are counted and not listed.
 class UrdfReading {
  public:
   UrdfReading(std::string file, Diagnostics& diagnostics)
       : file_(std::move(file)), diagnostics_(diagnostics) {}
 
   void report(Severity severity, int line, std::string element, std::string fault,
-              std::string remedy);
+              std::string remedy, Minor minor = Minor::none);
 
   /// Something in the file that changes nothing; `kind` says what is to be counted as the same.
   void pass_over(Severity severity, const std::string& kind, int line, std::string element,
-                 std::string fault, std::string remedy);
+                 std::string fault, std::string remedy, Minor minor = Minor::none);
 
-  /// Reports what was passed over, in the order of its first place in the file.
+  /// Reports what was passed over, in the order of its first place in the file, and how many faults
+  /// are not listed.
   void report_passed_over();
 
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] bool failed() const { return failed_; }
 
  private:
-  struct PassedOver {
-    Diagnostic first;
-    int times = 0;
-  };
-
   std::string file_;
   Diagnostics& diagnostics_;
   bool failed_ = false;
+  std::size_t reports_ = 0, unlisted_ = 0;
   std::map<std::string, std::size_t> kinds_;
-  std::vector<PassedOver> passed_over_;
+  std::vector<Diagnostic> passed_over_;  ///< the first of each kind
 };
 
 /// An element of the file: its attributes as numbers, and complaints that name its place. Every
@@ -63,7 +61,7 @@ class UrdfElement {
   [[nodiscard]] const tinyxml2::XMLElement& xml() const { return *xml_; }
 
   void error(std::string fault, std::string remedy) const;
-  void warn(std::string fault, std::string remedy) const;
+  void warn(std::string fault, std::string remedy, Minor minor = Minor::none) const;
 
   [[nodiscard]] bool has(const char* attribute) const {
     return xml_->Attribute(attribute) != nullptr;
@@ -71,9 +69,11 @@ class UrdfElement {
   /// The attribute's text; an error when it is absent or empty, with `remedy`.
   [[nodiscard]] std::optional<std::string> required_text(const char* attribute,
                                                          const std::string& remedy) const;
-  /// The attribute "name"; an error when it is absent, empty, not UTF-8 or not one printable line.
+  /// The attribute "name"; an error when it is absent, empty, not UTF-8, not one printable line or
+  /// longer than `kLongestName`.
   [[nodiscard]] std::string required_name(const std::string& remedy) const;
-  /// Nothing when absent; an error when it is no finite number (or, if allowed, an infinite one).
+  /// Nothing when absent; an error when it is no finite number (or, if allowed, an infinite one),
+  /// or one too large to compute with, see `is_too_large`.
   [[nodiscard]] std::optional<double> number(const char* attribute,
                                              bool may_be_infinite = false) const;
   /// Nothing when absent; an error when it is not three finite numbers.
@@ -93,6 +93,7 @@ class UrdfElement {
 
  private:
   [[nodiscard]] std::string kind() const;
+  void refuse_large(const char* attribute, double value) const;
 
   const tinyxml2::XMLElement* xml_;
   std::string path_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "description/printable.hpp"
+
 namespace treeline {
 
 std::string comment(const std::string& mark, const std::string& text) {
@@ -13,6 +15,19 @@ std::string comment(const std::string& mark, const std::string& text) {
     begin = end + 1;
   }
   return commented;
+}
+
+std::string harmless(const std::string& source) {
+  std::string text = printable_lines(source);
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', end)) {
+    const std::size_t last = text.find_last_not_of(" \t", end == 0 ? 0 : end - 1);
+    if (end > 0 && last != std::string::npos && text[last] == '\\') {
+      text.insert(last + 1, "x5c");
+      end += 3;
+    }
+    ++end;
+  }
+  return text;
 }
 
 std::string wrap_text(const std::string& text, std::size_t columns) {

@@ -9,6 +9,11 @@ namespace treeline {
 /// `mark ` before every line; no blank at the end of an empty one.
 std::string comment(const std::string& mark, const std::string& text);
 
+/// A source file's text without what names from elsewhere could do to a compiler: characters that
+/// nobody sees are written as `\x0d` (see `printable`), and a backslash that would join a comment
+/// to the next line as `\x5c`.
+std::string harmless(const std::string& source);
+
 /// Lines of so many columns, broken at blanks; those behind the first are indented.
 std::string wrap_text(const std::string& text, std::size_t columns);
 

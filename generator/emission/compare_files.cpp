@@ -35,7 +35,8 @@ std::vector<FileDifference> compare_files(const std::filesystem::path& directory
        read_manifest_files(read_file(directory / kManifestName).value_or(""))) {
     const bool is_made = std::any_of(files.begin(), files.end(),
                                      [&](const GeneratedFile& file) { return file.name == name; });
-    const bool is_plain = std::filesystem::path(name).filename() == name;
+    const bool is_plain =
+        std::filesystem::path(name).filename() == name && name != "." && name != "..";
     if (!is_made && is_plain && std::filesystem::exists(directory / name)) {
       differences.push_back({name, Difference::left_over});
     }

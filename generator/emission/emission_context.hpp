@@ -8,8 +8,8 @@
 namespace treeline {
 
 /// What the contract and the manifest say beside the functions. Plain facts, already in words where
-/// they are for the reader: emission knows nothing of mechanisms. No paths, dates or versions, so
-/// that the same input gives the same bytes everywhere.
+/// they are for the reader: emission knows nothing of mechanisms. No paths and no dates, so that
+/// the same input gives the same bytes everywhere.
 struct EmissionContext {
   std::string name;     ///< identifier: namespace, target and stem of the header
   std::string robot;    ///< the robot's name as the URDF has it
@@ -24,7 +24,7 @@ struct EmissionContext {
   std::array<double, 3> gravity{};  ///< m/s^2, world axes
 
   struct Input {
-    std::string file;  ///< without directory
+    std::string file;  ///< without directory; empty where no scene was given
     std::string text;  ///< its content, for the digest
   };
   std::vector<Input> inputs;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "emission/check_emission.hpp"
+#include "emission/comment.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_batch.hpp"
 #include "emission/print_contract.hpp"
@@ -91,6 +92,7 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
   if (!context.heaviest.empty()) {
     files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
   }
+  for (GeneratedFile& file : files) file.text = harmless(file.text);
   add_runtime(context, programs, !batch.empty(), files);
   std::vector<std::string> names = {kManifestName};
   for (const GeneratedFile& file : files) {

@@ -91,6 +91,7 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
        {"cost", describe_cost(program)},
        {"states", std::to_string(context.batch)},
        {"name", context.name},
+       {"optimize", print_optimize(program)},
        {"signature", wrap_line(print_head(program) + " {", 0)},
        {"rows", print_rows(program)},
        {"body",

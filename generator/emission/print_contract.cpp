@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "description/printable.hpp"
 #include "emission/comment.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/generator_version.hpp"
 #include "emission/print_source.hpp"
 #include "emission/templates.hpp"
 #include "program/format_literal.hpp"
@@ -14,7 +16,8 @@ namespace {
 std::string describe_origin(const EmissionContext& context) {
   std::string text = "From";
   for (std::size_t i = 0; i < context.inputs.size(); ++i) {
-    text += (i == 0 ? " " : " and ") + context.inputs[i].file;
+    const std::string& file = context.inputs[i].file;
+    text += file.empty() ? ", without a scene," : (i == 0 ? " " : " and ") + printable(file);
   }
   return text + " by\n  " + context.command + "\n";
 }
@@ -51,8 +54,9 @@ std::string describe_conventions(const EmissionContext& context) {
   for (const EmissionContext::JointRow& joint : context.joints) {
     if (joint.coordinates != joint.velocities) {
       text +=
-          "Of a floating joint q is position and quaternion (x y z w, of unit length) in the "
-          "parent's frame,\nqd its linear and angular velocity in the moving link's axes, tau "
+          "Of a floating joint q is position and quaternion (x y z w, of any length but 0, which "
+          "turns by nothing)\nin the parent's frame, qd its linear and angular velocity in the "
+          "moving link's axes, tau "
           "force and moment in those axes;\nqdd is the derivative of qd, component by "
           "component.\n";
       break;
@@ -94,6 +98,9 @@ std::string describe_function(const EmissionContext& context, const Program& pro
   const int live = count_live_values(program);
   text += fmt::format("Cost: {}.\nStack: at most {} values live at once, {} bytes.\n",
                       describe_cost(program), live, live * (context.single_precision ? 4 : 8));
+  if (!program.singular.empty()) {
+    text += wrap_text("Singularities: " + program.singular, 95) + "\n";
+  }
   return text + describe_rounding(context, program.name);
 }
 
@@ -109,6 +116,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   }
   return fill_template(templates::kContract,
                        {{"robot", context.robot},
+                        {"version", generator_version()},
                         {"origin", comment("//", describe_origin(context))},
                         {"conventions", comment("//", describe_conventions(context))},
                         {"name", context.name},

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "emission/comment.hpp"
+#include "emission/damped_cost.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/templates.hpp"
 #include "emission/wrap_line.hpp"
@@ -60,6 +62,24 @@ std::string print_signature(std::span<const Program> programs) {
       list);
 }
 
+/// Cost, stack and rounding, as every function of the contract states them.
+std::string describe_cost(const EmissionContext& context, std::span<const Program> programs) {
+  const DampedCost cost = cost_of_damped(context, programs);
+  std::string text = fmt::format(
+      "Cost: {} flops (add {}, mul {}, div {}), {} square roots, sine and cosine of {} angles; {} "
+      "of "
+      "the flops in the solve.",
+      cost.count.flops(), cost.count.add, cost.count.mul, cost.count.div, cost.square_roots,
+      cost.count.sin_cos,
+      cost_of_damped_solve(context.task_rows, context.velocities, context.single_precision)
+          .count.flops());
+  text = wrap_text(text, 95) + "\n";
+  text += fmt::format("Stack: at most {} values live at once, {} bytes.\n", cost.values,
+                      cost.values * (context.single_precision ? 4 : 8));
+  text += describe_rounding(context, "damped_control_torque");
+  return comment("///", text);
+}
+
 }  // namespace
 
 std::string print_damped(const EmissionContext& context, std::span<const Program> programs) {
@@ -74,6 +94,7 @@ std::string print_damped(const EmissionContext& context, std::span<const Program
   return fill_template(templates::kDamped, {{"robot", context.robot},
                                             {"name", context.name},
                                             {"heaviest", wrap_line(heaviest, 0)},
+                                            {"cost", describe_cost(context, programs)},
                                             {"signature", wrap_line(print_signature(programs), 0)},
                                             {"calls", print_calls(programs)}});
 }

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 
+#include "description/printable.hpp"
+#include "emission/damped_cost.hpp"
 #include "emission/digest.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/generator_version.hpp"
 #include "emission/print_source.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
@@ -28,6 +31,15 @@ std::string print_input(const EmissionContext::Input& input) {
                      digest(input.text));
 }
 
+/// The inputs that are files; a scene may be none.
+std::vector<EmissionContext::Input> files_of(const EmissionContext& context) {
+  std::vector<EmissionContext::Input> files;
+  for (const EmissionContext::Input& input : context.inputs) {
+    if (!input.file.empty()) files.push_back(input);
+  }
+  return files;
+}
+
 /// How many operations share how many instructions, and what that costs.
 std::string print_lanes(const Program& program) {
   if (program.packs.empty()) {
@@ -46,12 +58,31 @@ std::string print_function(const EmissionContext& context, const Program& progra
   const std::string bound = rounding == context.rounding.end()
                                 ? std::string()
                                 : fmt::format(R"(, "rounding": {})", quote_json(rounding->second));
+  const std::string singular =
+      program.singular.empty() ? std::string()
+                               : fmt::format(R"(, "singular": {})", quote_json(program.singular));
   const OperationCount count = count_operations(program);
   return fmt::format(R"({{"name": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, )"
-                     R"("sin_cos": {}, "live_values": {}{}{}}})",
+                     R"("sin_cos": {}, "live_values": {}{}{}{}}})",
                      quote_json(program.name), quote_json(program.source), count.flops(), count.add,
                      count.mul, count.div, count.sin_cos, count_live_values(program),
-                     print_lanes(program), bound);
+                     print_lanes(program), singular, bound);
+}
+
+/// Of the function of NAME_damped.hpp, which is composed of others.
+std::string print_damped_function(const EmissionContext& context,
+                                  std::span<const Program> programs) {
+  const DampedCost cost = cost_of_damped(context, programs);
+  const auto rounding = context.rounding.find("damped_control_torque");
+  const std::string bound = rounding == context.rounding.end()
+                                ? std::string()
+                                : fmt::format(R"(, "rounding": {})", quote_json(rounding->second));
+  return fmt::format(
+      ",\n"
+      R"({{"name": "damped_control_torque", "flops": {}, "add": {}, "mul": {}, )"
+      R"("div": {}, "square_roots": {}, "sin_cos": {}, "live_values": {}{}}})",
+      cost.count.flops(), cost.count.add, cost.count.mul, cost.count.div, cost.square_roots,
+      cost.count.sin_cos, cost.values, bound);
 }
 
 std::string print_method(const EmissionContext::Method& method) {
@@ -87,23 +118,27 @@ std::string quote_json(std::string_view text) {
       quoted += c;
     }
   }
-  return quoted + "\"";
+  return printable_json(quoted) + "\"";
 }
 
 std::string print_manifest(const EmissionContext& context, std::span<const Program> programs,
                            const std::vector<std::string>& files) {
   return fill_template(
       templates::kManifest,
-      {{"name", quote_json(context.name)},
+      {{"generator", quote_json(fmt::format("treeline {}", generator_version()))},
+       {"name", quote_json(context.name)},
        {"robot", quote_json(context.robot)},
        {"command", quote_json(context.command)},
        {"real", context.single_precision ? "\"float\"" : "\"double\""},
        {"coordinates", std::to_string(context.coordinates)},
        {"velocities", std::to_string(context.velocities)},
        {"task_rows", std::to_string(context.task_rows)},
-       {"inputs", print_list(context.inputs, print_input)},
+       {"scene", files_of(context).size() < context.inputs.size() ? "  \"scene\": null,\n" : ""},
+       {"inputs", print_list(files_of(context), print_input)},
+       {"domain", quote_json(context.domain)},
        {"functions",
-        print_list(programs, [&context](const Program& p) { return print_function(context, p); })},
+        print_list(programs, [&context](const Program& p) { return print_function(context, p); }) +
+            (context.heaviest.empty() ? "" : print_damped_function(context, programs))},
        {"measured", context.measured.empty()
                         ? ""
                         : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},

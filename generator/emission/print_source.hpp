@@ -20,6 +20,14 @@ bool reads(const Program& program, const Argument& argument);
 /// Names that no local may have: arguments, what the header and the file declare.
 std::set<std::string> find_taken_names(const EmissionContext& context, const Program& program);
 
+/// Whether the function has so many operations (12000) that some passes of compilers may take
+/// minutes.
+bool is_long(const Program& program);
+
+/// What a source file asks of the compiler: GCC's passes that save spills; of long functions
+/// nothing.
+std::string print_optimize(const Program& program);
+
 /// Whether some numbers of the emitted function share registers.
 bool uses_lanes(const Program& program);
 

@@ -18,6 +18,7 @@ extern const std::string_view kFunction;
 extern const std::string_view kLanes;
 extern const std::string_view kLdlt;
 extern const std::string_view kManifest;
+extern const std::string_view kOptimize;
 extern const std::string_view kSinCos;
 extern const std::string_view kSquareRoot;
 extern const std::string_view kStates;

@@ -1,11 +1,13 @@
 #include "generation/choose_axes.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
-#include <string>
+#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "generation/count_by_link.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/count_operations.hpp"
 #include "recursion/trace_function.hpp"
@@ -38,42 +40,173 @@ std::vector<Links> corresponding_links(const Mechanism& mechanism) {
   return together;
 }
 
+int sum_of(const std::vector<int>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), 0);
+}
+
 /// Counts operations of a function's routes as traced, but for those far from the cheapest.
 class Counter {
  public:
-  Counter(const Mechanism& mechanism, Function function)
-      : mechanism_(mechanism), function_(function) {
+  Counter(const Mechanism& mechanism, Function function) : links_(mechanism.links.size()) {
     constexpr double kFar = 1.5;
     const std::vector<Program> programs = trace_function(mechanism, function);
     std::vector<double> counts;
     for (const Program& program : programs) counts.push_back(count_operations(program).flops());
     const double least = *std::min_element(counts.begin(), counts.end());
     for (std::size_t i = 0; i < programs.size(); ++i) {
-      if (counts[i] <= kFar * least) routes_.push_back(programs[i].source);
+      if (counts[i] <= kFar * least) {
+        routes_.push_back(prepare_route(mechanism, function, programs[i].source));
+      }
     }
   }
 
   /// Of the cheapest, as the mechanism is now.
   [[nodiscard]] int flops() const {
     int least = std::numeric_limits<int>::max();
-    for (const std::string& route : routes_) {
-      const Program program = trace_route(mechanism_, function_, route);
-      least = std::min(least, count_operations(program).flops());
+    for (const auto& trace : routes_) {
+      least = std::min(least, count_operations(trace(Names::forgotten)).flops());
     }
     return least;
   }
 
+  /// The same by link, see `count_by_link`.
+  [[nodiscard]] std::vector<int> flops_by_link() const {
+    std::vector<int> best;
+    for (const auto& trace : routes_) {
+      std::vector<int> counts = count_by_link(trace(Names::kept), links_);
+      if (best.empty() || sum_of(counts) < sum_of(best)) best = std::move(counts);
+    }
+    return best;
+  }
+
  private:
-  const Mechanism& mechanism_;
-  Function function_;
-  std::vector<std::string> routes_;
+  std::size_t links_;
+  std::vector<std::function<Program(Names)>> routes_;
 };
 
-/// Changes one choice of all `links` at once.
-void flip(Mechanism& mechanism, const Links& links, bool MovingLink::*choice) {
-  for (const int i : links) {
-    bool& chosen = link_at(mechanism, i).*choice;
+/// One choice of links that decide together.
+struct Flip {
+  const Links* links;
+  bool MovingLink::*choice;
+};
+
+void apply(Mechanism& mechanism, const Flip& flip) {
+  for (const int i : *flip.links) {
+    bool& chosen = link_at(mechanism, i).*flip.choice;
     chosen = !chosen;
+  }
+}
+
+/// One flip after the other: each is kept that pays.
+void flip_each(Mechanism& mechanism, const Counter& counter, const std::vector<Flip>& flips) {
+  constexpr std::size_t kMostSweeps = 2;  // a third found nothing on any robot at hand
+  int flops = counter.flops();
+  std::size_t in_vain = 0;  // flips since the last that paid, each another
+  for (std::size_t n = 0; n < kMostSweeps * flips.size() && in_vain < flips.size(); ++n) {
+    const Flip& flip = flips[n % flips.size()];
+    apply(mechanism, flip);
+    const int changed = counter.flops();
+    if (changed < flops) {
+      flops = changed;
+      in_vain = 1;  // flipping it back is known not to pay
+    } else {
+      apply(mechanism, flip);
+      ++in_vain;
+    }
+  }
+}
+
+int depth_of(const Mechanism& mechanism, int link) {
+  int depth = 0;
+  for (; link >= 0; link = mechanism.links[static_cast<std::size_t>(link)].parent) ++depth;
+  return depth;
+}
+
+/// Of each link the nearest one that is flipped, in ways along the tree: of itself and those before
+/// it, or of those behind it; as an index into `flips`, -1 where there is none.
+std::vector<int> nearest_flips(const Mechanism& mechanism, const std::vector<Flip>& flips) {
+  struct Near {
+    int flip = -1, ways = std::numeric_limits<int>::max() / 2;
+  };
+  const std::size_t count = mechanism.links.size();
+  std::vector<Near> before(count), behind(count);
+  for (std::size_t f = 0; f < flips.size(); ++f) {
+    for (const int link : *flips[f].links) {
+      before[static_cast<std::size_t>(link)] =
+          behind[static_cast<std::size_t>(link)] = {static_cast<int>(f), 0};
+    }
+  }
+  const auto carry = [](const Near& from, Near& to) {
+    if (from.ways + 1 < to.ways) to = {from.flip, from.ways + 1};
+  };
+  std::vector<int> nearest(count, -1);
+  for (std::size_t i = count; i-- > 0;) {
+    const int parent = mechanism.links[i].parent;
+    if (parent >= 0) carry(behind[i], behind[static_cast<std::size_t>(parent)]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const int parent = mechanism.links[i].parent;
+    if (parent >= 0) carry(before[static_cast<std::size_t>(parent)], before[i]);
+    nearest[i] = before[i].ways <= behind[i].ways ? before[i].flip : behind[i].flip;
+  }
+  return nearest;
+}
+
+/// What each of the flips, all of them made, changed: operations of the links nearest to it.
+std::vector<int> share_changes(const Mechanism& mechanism, const std::vector<Flip>& flips,
+                               const std::vector<int>& flops, const std::vector<int>& changed) {
+  std::vector<int> shares(flips.size(), 0);
+  const std::vector<int> nearest = nearest_flips(mechanism, flips);
+  for (std::size_t link = 0; link < nearest.size(); ++link) {
+    if (nearest[link] < 0) continue;
+    shares[static_cast<std::size_t>(nearest[link])] += changed[link] - flops[link];
+  }
+  return shares;
+}
+
+/// Makes those of the flips that pay, told by what all of them together change at each link; none
+/// where that misleads. `flops`, by link, is kept up to date.
+void keep_what_pays(Mechanism& mechanism, const Counter& counter, const std::vector<Flip>& flips,
+                    std::vector<int>& flops) {
+  for (const Flip& flip : flips) apply(mechanism, flip);
+  std::vector<int> changed = counter.flops_by_link();
+  const std::vector<int> shares = share_changes(mechanism, flips, flops, changed);
+  std::vector<Flip> kept;
+  for (std::size_t f = 0; f < flips.size(); ++f) {
+    if (shares[f] < 0) {
+      kept.push_back(flips[f]);
+    } else {
+      apply(mechanism, flips[f]);
+    }
+  }
+  if (kept.empty()) return;
+  if (kept.size() < flips.size()) changed = counter.flops_by_link();
+  if (sum_of(changed) < sum_of(flops)) {
+    flops = std::move(changed);
+  } else {
+    for (const Flip& flip : kept) apply(mechanism, flip);
+  }
+}
+
+/// Flips of links that are some way apart at once: they hardly touch each other's operations. For
+/// mechanisms of so many links that tracing them anew for each flip would take most of the time,
+/// which grows with the square of the output.
+void flip_apart(Mechanism& mechanism, const Counter& counter, const std::vector<Flip>& flips) {
+  constexpr int kApart = 4, kSweeps = 2;
+  std::vector<int> flops = counter.flops_by_link();
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    const int before = sum_of(flops);
+    for (int depth = 0; depth < kApart; ++depth) {
+      for (bool MovingLink::*choice : {&MovingLink::turns_late, &MovingLink::carries_column}) {
+        std::vector<Flip> apart;
+        for (const Flip& flip : flips) {
+          const bool fits = depth_of(mechanism, flip.links->front()) % kApart == depth;
+          if (fits && flip.choice == choice) apart.push_back(flip);
+        }
+        if (!apart.empty()) keep_what_pays(mechanism, counter, apart, flops);
+      }
+    }
+    if (sum_of(flops) == before) break;
   }
 }
 
@@ -127,29 +260,20 @@ int count_cheapest(const Mechanism& mechanism, Function function) {
 }
 
 void choose_axes(Mechanism& mechanism, Function decider) {
-  constexpr std::size_t kMostSweeps = 2;  // a third found nothing on any robot at hand
+  constexpr std::size_t kFew = 64;  // as humanoids have
   std::vector<bool MovingLink::*> choices{&MovingLink::turns_late};
   if (takes_rates(decider)) choices.push_back(&MovingLink::carries_column);
   const std::vector<Links> together = corresponding_links(mechanism);
   const Counter counter(mechanism, decider);
-  std::vector<std::pair<const Links*, bool MovingLink::*>> flips;
+  std::vector<Flip> flips;
   for (const Links& links : together) {
     if (link_at(mechanism, links.front()).kind == JointKind::floating) continue;
-    for (bool MovingLink::*choice : choices) flips.emplace_back(&links, choice);
+    for (bool MovingLink::*choice : choices) flips.push_back({&links, choice});
   }
-  int flops = counter.flops();
-  std::size_t in_vain = 0;  // flips since the last that paid, each another
-  for (std::size_t n = 0; n < kMostSweeps * flips.size() && in_vain < flips.size(); ++n) {
-    const auto& [links, choice] = flips[n % flips.size()];
-    flip(mechanism, *links, choice);
-    const int changed = counter.flops();
-    if (changed < flops) {
-      flops = changed;
-      in_vain = 1;  // flipping it back is known not to pay
-    } else {
-      flip(mechanism, *links, choice);
-      ++in_vain;
-    }
+  if (flips.size() <= kFew) {
+    flip_each(mechanism, counter, flips);
+  } else {
+    flip_apart(mechanism, counter, flips);
   }
 }
 

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "description/check_scene.hpp"
+#include "generation/bound_damped.hpp"
 #include "generation/compose_damped.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
+#include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
 
 namespace treeline {
@@ -58,24 +60,34 @@ double rounding_unit(const Scene& scene) {
 
 /// What the contract says about rounding errors, and the ranges of inputs that this is about.
 void add_rounding(const Scene& scene, const Generation& generation, EmissionContext& context) {
-  std::set<std::string> arguments;
   for (const auto* functions : {&generation.functions, &generation.batch}) {
     for (const GeneratedFunction& generated : *functions) {
       const Program& program = generated.program;
       context.rounding[source_stem(generated)] =
           describe(generated.rounding, program, rounding_unit(scene));
-      if (generated.rounding.kind == RoundingBound::Kind::none) continue;
-      for (const Argument& argument : program.arguments) arguments.insert(argument.name);
     }
   }
-  context.domain = describe(generation.domain, {arguments.begin(), arguments.end()});
+  if (generation.damped) {
+    context.rounding[function_name(Function::damped_control_torque)] =
+        describe_damped_rounding(generation.functions, scene, generation.domain);
+  }
+  context.domain = describe_domain(generation);
+}
+
+/// What regenerates the folder, where the files and the folder lie side by side.
+std::string command_of(const Scene& scene, const Provenance& provenance) {
+  std::string scene_file;
+  if (!provenance.scene_name.empty()) {
+    scene_file = fmt::format(" {}", quote_for_shell(provenance.scene_name));
+  }
+  return fmt::format("treeline generate {}{} --output {}{}", quote_for_shell(provenance.urdf_name),
+                     scene_file, scene.name, provenance.options);
 }
 
 EmissionContext context_of(const Robot& robot, const Scene& scene, const Provenance& provenance,
                            const Generation& generation, FunctionMechanisms& mechanisms) {
   EmissionContext context = describe_scene(robot, scene, generation.mechanism);
-  context.command = fmt::format("treeline generate {} {} --output {}{}", provenance.urdf_name,
-                                provenance.scene_name, scene.name, provenance.options);
+  context.command = command_of(scene, provenance);
   context.inputs = {{provenance.urdf_name, provenance.urdf_text},
                     {provenance.scene_name, provenance.scene_text}};
   for (const auto* functions : {&generation.functions, &generation.batch}) {
@@ -149,12 +161,17 @@ std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, 
 
 /// Functions and batches of `generation`; false when a choice cannot be made.
 bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, const Choices& choices,
-                        Generation& generation, Diagnostics& diagnostics) {
+                        const TellFunction& tell, Generation& generation,
+                        Diagnostics& diagnostics) {
   const auto bound = [&](GeneratedFunction& generated) {
     generated.rounding = bound_rounding(generated.program, generation.domain, rounding_unit(scene),
                                         solve_of(generated.function));
   };
   for (const Function function : scene.functions) {
+    if (tell) {
+      tell(fmt::format("{} ({} of {})", function_name(function), generation.functions.size() + 1,
+                       scene.functions.size()));
+    }
     const Mechanism& mechanism = mechanisms.of(function);
     auto plain = generate_by_choice(mechanism, function, scene.lanes, scene.sin_cos, choices.plain,
                                     diagnostics);
@@ -234,14 +251,23 @@ std::vector<GeneratedFunction> all_callable(const Generation& generation) {
   return all;
 }
 
+std::string describe_domain(const Generation& generation) {
+  std::set<std::string> arguments;
+  for (const GeneratedFunction& generated : all_functions(generation)) {
+    if (generated.rounding.kind == RoundingBound::Kind::none) continue;
+    for (const Argument& argument : generated.program.arguments) arguments.insert(argument.name);
+  }
+  return describe(generation.domain, {arguments.begin(), arguments.end()});
+}
+
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics,
-                                        const Choices& choices) {
+                                        const Choices& choices, const TellFunction& tell) {
   Generation generation;
   FunctionMechanisms mechanisms(robot, scene);
   generation.mechanism = mechanisms.whole();
   generation.domain = make_domain(robot, scene, generation.mechanism);
-  if (!generate_functions(mechanisms, scene, choices, generation, diagnostics)) {
+  if (!generate_functions(mechanisms, scene, choices, tell, generation, diagnostics)) {
     return std::nullopt;
   }
   if (scene.damped) generation.damped = compose_damped(generation.functions);

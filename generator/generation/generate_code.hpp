@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@
 
 namespace treeline {
 
-/// Where the inputs came from, for the contract and the digests. File names without directories.
+/// Where the inputs came from, for contract and digests. Names without directories; no scene:
+/// empty.
 struct Provenance {
   std::string urdf_name, urdf_text;
   std::string scene_name, scene_text;
@@ -57,18 +59,25 @@ struct Generation {
   std::vector<GeneratedFile> files;
 };
 
+/// Is told which function is being generated: `lambda (10 of 11)`.
+using TellFunction = std::function<void(const std::string& function)>;
+
 /// Robot and scene to files: reduce the mechanism, trace every route of every function asked for,
 /// choose, run the passes, emit. `choices` overrule the choice by cost. Nothing is returned when
 /// `diagnostics` got an error.
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics,
-                                        const Choices& choices = {});
+                                        const Choices& choices = {}, const TellFunction& tell = {});
 
 /// The files of one function alone, to compile and try it; of a batch with the program as a plain
 /// function beside it. They say nothing of where they came from.
 std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
                                        const Mechanism& mechanism,
                                        const GeneratedFunction& function, Diagnostics& diagnostics);
+
+/// The ranges of inputs, in words, in which what is known of rounding errors holds; empty where
+/// nothing is.
+std::string describe_domain(const Generation& generation);
 
 /// The plain functions, then those for batches in the same order.
 std::vector<GeneratedFunction> all_functions(const Generation& generation);

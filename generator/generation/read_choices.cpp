@@ -24,7 +24,7 @@ std::string read_row(const Json& row, Choices& choices) {
   const std::string name = row.value("function", "");
   const bool batch = name.starts_with(kBatch);
   const auto function = find_function(batch ? name.substr(kBatch.size()) : name);
-  if (!function) return fmt::format("`{}` is no function", name);
+  if (!function) return fmt::format("`{}` is no function: {}", name, suggest_function(name));
   RouteChoice choice{chosen.value("method", ""), chosen.value("lanes", 0)};
   if (std::find(kLanes.begin(), kLanes.end(), choice.lanes) == kLanes.end()) {
     return fmt::format("{} lanes of `{}` are none of 1, 2, 4, 8", choice.lanes, name);

@@ -12,8 +12,10 @@ struct Column {
 };
 
 /// The head and the rows as lines of text, indented by two, two spaces between columns. A column
-/// whose cells are all empty is left out. Width counts code points of UTF-8.
+/// whose cells are all empty is left out. Width counts code points of UTF-8. Where lines would be
+/// longer than `most` columns (0: never), the widest cells that line up on the left are broken into
+/// several lines.
 std::string align_columns(const std::vector<Column>& columns,
-                          const std::vector<std::vector<std::string>>& rows);
+                          const std::vector<std::vector<std::string>>& rows, std::size_t most = 0);
 
 }  // namespace treeline

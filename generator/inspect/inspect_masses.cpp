@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "check/model_from_robot.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/model_from_robot.hpp"
 
 namespace treeline {
 namespace {

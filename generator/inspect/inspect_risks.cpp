@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "bounds/dice.hpp"
-#include "check/model_from_robot.hpp"
 #include "inspect/condition.hpp"
 #include "inspect/find_mass_ratio.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/find_massless_directions.hpp"
+#include "oracle/model_from_robot.hpp"
 
 namespace treeline {
 namespace {
@@ -68,6 +69,18 @@ class States {
   std::vector<const JointReport*> joints_;
   Dice dice_{kSeed};
 };
+
+/// Names what makes M singular in every pose; false where nothing does.
+bool inspect_massless(const Robot& robot, const Scene& scene, Report& report) {
+  for (const MasslessDirections& each : find_massless_directions(robot, scene)) {
+    const std::string lock = each.one_degree ? ", or lock it in the scene" : "";
+    report.risks.push_back(
+        {each.joint.empty() ? "base" : each.joint, "inertia", kMostDigits,
+         fmt::format("no inertia resists {}: M is singular", each.what),
+         fmt::format("Give link \"{}\" mass and inertia{}.", each.links.front(), lock)});
+  }
+  return !report.risks.empty();
+}
 
 void inspect_inertia(const Model<double>& model, States& states, Report& report) {
   std::vector<double> worst(states.joints().size(), 1);
@@ -213,7 +226,7 @@ void inspect_risks(const Robot& robot, const Scene& scene, Report& report) {
   const auto model = model_from_robot<double>(robot, scene);
   if (model.nv == 0) return;
   States states(model, report);
-  inspect_inertia(model, states, report);
+  if (!inspect_massless(robot, scene, report)) inspect_inertia(model, states, report);
   const bool inertia_serves =
       std::none_of(report.risks.begin(), report.risks.end(),
                    [](const RiskReport& risk) { return risk.digits_lost >= kMostDigits; });

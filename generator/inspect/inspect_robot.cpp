@@ -6,7 +6,10 @@
 
 #include "description/check_inertias.hpp"
 #include "description/count_freedoms.hpp"
+#include "description/default_base.hpp"
 #include "description/identifier.hpp"
+#include "description/joints_depth_first.hpp"
+#include "inspect/inspect_inertias.hpp"
 #include "inspect/inspect_masses.hpp"
 #include "inspect/inspect_risks.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -32,10 +35,7 @@ std::string describe(const Mimic& mimic, const Robot& robot) {
 class Walk {
  public:
   Walk(const Robot& robot, const Scene& scene, Report& report)
-      : robot_(robot), scene_(scene), report_(report), children_(robot.links.size()) {
-    for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-      children_[static_cast<std::size_t>(robot.joints[j].parent)].push_back(j);
-    }
+      : robot_(robot), scene_(scene), report_(report) {
     if (scene.base == Base::floating) add_floating_base();
     add_links();
     number_mimics();
@@ -49,16 +49,13 @@ class Walk {
   };
 
   void add_links() {
-    std::vector<Visit> stack{{static_cast<std::size_t>(robot_.root), -1}};
-    while (!stack.empty()) {
-      const Visit visit = stack.back();
-      stack.pop_back();
-      const int added = add_link(visit);
-      const auto& joints = children_[visit.link];
-      for (auto j = joints.rbegin(); j != joints.rend(); ++j) {
-        stack.push_back(
-            {static_cast<std::size_t>(robot_.joints[*j].child), added, static_cast<int>(*j)});
-      }
+    std::vector<int> added(robot_.links.size());  // of each link its index into Report::links
+    const auto root = static_cast<std::size_t>(robot_.root);
+    added[root] = add_link({root, -1});
+    for (const int j : joints_depth_first(robot_)) {
+      const Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
+      const auto child = static_cast<std::size_t>(joint.child);
+      added[child] = add_link({child, added[static_cast<std::size_t>(joint.parent)], j});
     }
   }
 
@@ -171,7 +168,6 @@ class Walk {
   const Robot& robot_;
   const Scene& scene_;
   Report& report_;
-  std::vector<std::vector<std::size_t>> children_;
   std::vector<bool> moves_in_world_;
   std::map<int, std::size_t> place_;  ///< of a joint of the robot in Report::joints
   std::vector<std::pair<std::size_t, int>> followers_;
@@ -216,6 +212,7 @@ void inspect_reductions(const Robot& robot, const Scene& scene, Report& report) 
 
 Report inspect_robot(const Robot& robot, const std::optional<Scene>& given) {
   Scene scene = given.value_or(Scene{});
+  if (!given) scene.base = default_base(robot);
   Report report;
   report.robot = robot.name;
   report.urdf = robot.file;
@@ -230,6 +227,7 @@ Report inspect_robot(const Robot& robot, const std::optional<Scene>& given) {
     report.external_forces.push_back(inspect_point(point));
     report.external_forces.back().rows.clear();
   }
+  inspect_inertias(robot, scene, report);
   inspect_masses(robot, scene, report);
   inspect_risks(robot, scene, report);
   if (report.nv > 0) inspect_reductions(robot, scene, report);

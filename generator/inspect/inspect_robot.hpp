@@ -12,7 +12,10 @@ namespace treeline {
 /// What there is to say of a robot in a scene; without one, with a fixed base and nothing locked.
 Report inspect_robot(const Robot& robot, const std::optional<Scene>& scene);
 
-/// For people: aligned columns with units.
+/// For people: what the robot is, in ten lines.
+std::string print_summary(const Report& report);
+
+/// The summary, then all there is as aligned columns with units, within 100 columns.
 std::string print_text(const Report& report);
 
 /// For programs: every field of the report by its name, infinite bounds as null.

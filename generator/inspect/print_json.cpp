@@ -12,6 +12,12 @@ Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json to_json(const std::optional<Inertial>& nearest) {
+  if (!nearest) return nullptr;
+  return {{"ixx", nearest->ixx}, {"ixy", nearest->ixy}, {"ixz", nearest->ixz},
+          {"iyy", nearest->iyy}, {"iyz", nearest->iyz}, {"izz", nearest->izz}};
+}
+
 Json to_json(const LinkReport& link) {
   Json json{{"name", link.name},
             {"parent", link.parent},
@@ -25,7 +31,10 @@ Json to_json(const LinkReport& link) {
   json["inertial"] = {{"mass", link.mass},
                       {"com", link.com},
                       {"principal_moments", link.moments},
-                      {"unphysical", link.unphysical ? Json(*link.unphysical) : Json(nullptr)}};
+                      {"unphysical", link.unphysical ? Json(*link.unphysical) : Json(nullptr)},
+                      {"felt", link.felt},
+                      {"nearest", to_json(link.nearest)},
+                      {"flat", link.flat ? Json(*link.flat) : Json(nullptr)}};
   return json;
 }
 
@@ -107,7 +116,7 @@ std::string print_json(const Report& report) {
                   {"notes", list(report.notes)},
                   {"mass_matrix", to_json(report.mass_matrix)},
                   {"risks", list(report.risks)}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace treeline

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "description/robot.hpp"
+
 namespace treeline {
 
 /// A link with the joint that carries it. SI units.
@@ -23,6 +25,9 @@ struct LinkReport {
   std::array<double, 3> com{};            ///< centre of mass in the link's frame, m
   std::array<double, 3> moments{};        ///< principal moments about it, ascending, kg m^2
   std::optional<std::string> unphysical;  ///< why no body has this inertia
+  std::optional<Inertial> nearest;        ///< that a body can have; of those that none has
+  bool felt = false;                      ///< the motion is that of no possible bodies
+  std::optional<std::string> flat;        ///< "a point", "a rod", "a plate"
 };
 
 /// A moving joint, in the order of q. Bounds are infinite where the file sets none.

@@ -5,57 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "description/joints_depth_first.hpp"
+#include "description/noise.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
+#include "mechanism/exact_from_file.hpp"
 
 namespace treeline {
 namespace {
-
-ExactPose exact_pose(const Pose& pose) {
-  ExactPose result;
-  result.R = rotation_from_rpy<Exact>(pose.rpy);
-  for (int i = 0; i < 3; ++i) {
-    result.p(i) = pose.xyz[static_cast<std::size_t>(i)];
-  }
-  return result;
-}
-
-/// Second moment of a body with inertia J about its centre of mass: Sigma = tr(J)/2 1 - J, carried
-/// to the link's frame.
-Inertia exact_inertia(const Inertial& body) {
-  ExactMatrix3 J;
-  J << body.ixx, body.ixy, body.ixz, body.ixy, body.iyy, body.iyz, body.ixz, body.iyz, body.izz;
-  Inertia about_center;
-  about_center.mass = body.mass;
-  about_center.Sigma = J.trace() / 2 * ExactMatrix3::Identity() - J;
-  return transformed(about_center, exact_pose(body.origin));
-}
-
-/// The shortest rotation that takes z to `axis`; half a turn about x where that is ambiguous.
-ExactMatrix3 rotation_from_z_to(const ExactVector3& axis) {
-  const Exact c = axis(2);
-  if (snapped(Exact(c + 1), Exact(1)) == 0) {
-    ExactMatrix3 half_turn = ExactMatrix3::Identity();
-    half_turn(1, 1) = half_turn(2, 2) = -1;
-    return half_turn;
-  }
-  // Rodrigues' formula about z x axis = (-axis_y, axis_x, 0).
-  ExactMatrix3 K = ExactMatrix3::Zero();
-  K(0, 2) = axis(0);
-  K(1, 2) = axis(1);
-  K(2, 0) = -axis(0);
-  K(2, 1) = -axis(1);
-  return ExactMatrix3::Identity() + K + K * K / (1 + c);
-}
-
-/// Rotation about z by an angle from a file, or one made of such; quarter turns are exact.
-ExactMatrix3 rotation_z_by(const Exact& angle) {
-  const double from_file = static_cast<double>(angle);
-  if (Exact(from_file) != angle) {
-    return rotation_z(angle);
-  }
-  return rotation_from_rpy<Exact>({0, 0, from_file});
-}
 
 /// Columns are z's cyclic companions: takes z to x, or z to y.
 ExactMatrix3 z_to_x() {
@@ -67,32 +24,41 @@ ExactMatrix3 z_to_y() {
   return z_to_x().transpose();
 }
 
-/// Walks the tree depth-first. A `Place` says where a URDF frame is: on which moving link, and how.
+/// Adds links depth-first. A `Place` says where a URDF frame is: on which moving link, and how.
 class Builder {
  public:
-  Builder(const Robot& robot, const Scene& scene)
-      : robot_(with_snapped_angles(robot, scene.snap_angles)), scene_(scene) {
-    children_.resize(robot.links.size());
-    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-      children_[static_cast<std::size_t>(robot.joints[i].parent)].push_back(static_cast<int>(i));
-    }
+  Builder(const Robot& robot, const Scene& scene) {
+    const NoiseLimits limits = noise_limits(robot, scene);
+    mechanism_.file = robot.file;
+    mechanism_.resolution = resolution_of(limits);
+    robot_ =
+        without_noise(with_snapped_angles(robot, scene.snap_angles), limits, &mechanism_.noise);
+    scene_ = without_noise(scene, limits, &mechanism_.noise);
+    mechanism_.noise.insert(mechanism_.noise.end(), scene.taken_exact.begin(),
+                            scene.taken_exact.end());
     first_coordinate_.assign(robot.joints.size(), {-1, -1});
     places_.resize(robot.links.size());
   }
 
   Mechanism build() {
     mechanism_.gravity = scene_.gravity;
+    mechanism_.singular = scene_.singular;
+    mechanism_.real = scene_.real;
     Place base;
     if (scene_.base == Base::floating) {
       base = add_floating(robot_.links[static_cast<std::size_t>(robot_.root)].name, "base", base);
     }
-    visit_link(robot_.root, base);
+    add_links(base);
     share_mimicked_coordinates();
     mechanism_.operational_points = points(scene_.operational_points);
     mechanism_.external_forces = points(scene_.external_forces);
     mechanism_.objects = objects();
     mechanism_.contacts = points(scene_.contacts);
     mechanism_.link_frames = link_frames();
+    for (MovingLink& link : mechanism_.links) {
+      link.radius = radius_of_gyration(link.inertia);
+      resolve_inertia(mechanism_, link);
+    }
     return std::move(mechanism_);
   }
 
@@ -101,9 +67,38 @@ class Builder {
     int link = -1;
     ExactPose pose;
   };
+  /// A wider limit that the scene sets is for single numbers of the files.
+  static Resolution resolution_of(const NoiseLimits& limits) {
+    if (limits.angle == 0) return {Exact("1e-40"), 0};  // squares of 1e-17 count too
+    return {kResolution, Exact(limits.length) * kResolution / limits.angle};
+  }
+
+  /// Writes down what changes, for `element`.
+  ExactPose resolve(const ExactPose& pose, const std::string& element) {
+    Change change;
+    const ExactPose result = resolved(pose, mechanism_.resolution, &change);
+    add_decisions(change, element, mechanism_.file, mechanism_.noise);
+    return result;
+  }
+
+  /// Takes z to the joint's axis.
+  ExactMatrix3 axis_rotation(const Joint& joint, const std::string& element) {
+    return resolve({rotation_from_z_to(unit_axis<Exact>(joint.axis)), ExactVector3::Zero()},
+                   element + "/axis")
+        .R;
+  }
+
   struct FirstCoordinate {
     int q, v;
   };
+
+  void add_links(const Place& base) {
+    visit_link(robot_.root, base);
+    for (const int j : joints_depth_first(robot_)) {
+      const Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
+      visit_link(joint.child, place_behind(joint, places_[static_cast<std::size_t>(joint.parent)]));
+    }
+  }
 
   void visit_link(int index, const Place& place) {
     const Link& link = robot_.links[static_cast<std::size_t>(index)];
@@ -118,9 +113,6 @@ class Builder {
           {"lump", link.name,
            fmt::format("{} kg lumped with {}", link.inertial->mass, carrier_name(place))});
     }
-    for (const int joint : children_[static_cast<std::size_t>(index)]) {
-      visit_joint(joint, place);
-    }
   }
 
   [[nodiscard]] std::string carrier_name(const Place& place) const {
@@ -128,15 +120,15 @@ class Builder {
                           : mechanism_.links[static_cast<std::size_t>(place.link)].name;
   }
 
-  void visit_joint(int index, const Place& parent) {
-    const Joint& joint = robot_.joints[static_cast<std::size_t>(index)];
+  Place place_behind(const Joint& joint, const Place& parent) {
     const std::string& link = robot_.links[static_cast<std::size_t>(joint.child)].name;
-    Place before{parent.link, parent.pose * exact_pose(joint.origin)};
-    const ExactMatrix3 to_axis = rotation_from_z_to(unit_axis<Exact>(joint.axis));
+    const std::string element = fmt::format("robot/joint[{}]", joint.name);
+    Place before{parent.link, resolve(parent.pose * exact_pose(joint.origin), element + "/origin")};
+    const ExactMatrix3 to_axis = axis_rotation(joint, element);
     const std::optional<Exact> held = held_value(joint);
     Place behind = before;
     if (held) {
-      behind.pose = before.pose * displaced(joint.type, to_axis, *held);
+      behind.pose = resolve(before.pose * displaced(joint.type, to_axis, *held), element);
       mechanism_.notes.push_back(
           {"lump", link,
            fmt::format("joint {} held at {}", joint.name, static_cast<double>(*held))});
@@ -149,7 +141,7 @@ class Builder {
     } else if (joint.type != JointType::fixed) {
       behind = add_axis(joint, link, JointKind::revolute, before, to_axis);
     }
-    visit_link(joint.child, behind);
+    return behind;
   }
 
   static ExactPose displaced(JointType type, const ExactMatrix3& to_axis, const Exact& value) {
@@ -175,7 +167,8 @@ class Builder {
     }
     MovingLink moving = new_link(link, joint.name, before);
     moving.kind = kind;
-    moving.seat = snapped(before.pose * ExactPose{to_axis, ExactVector3::Zero()});
+    moving.seat = resolve(before.pose * ExactPose{to_axis, ExactVector3::Zero()},
+                          fmt::format("robot/joint[{}]", joint.name));
     moving.q_index = mechanism_.nq() - 1;
     moving.v_index = mechanism_.nv() - 1;
     moving.mimics = joint.mimic.has_value();
@@ -198,7 +191,8 @@ class Builder {
       const bool angle = i == 2;
       MovingLink moving = new_link(angle ? link : link + "_" + names[i], joint.name, place);
       moving.kind = angle ? JointKind::revolute : JointKind::prismatic;
-      moving.seat = snapped(place.pose * ExactPose{axes[i], ExactVector3::Zero()});
+      moving.seat = resolve(place.pose * ExactPose{axes[i], ExactVector3::Zero()},
+                            fmt::format("robot/joint[{}]", joint.name));
       moving.q_index = mechanism_.nq();
       moving.v_index = mechanism_.nv();
       mechanism_.coordinates.push_back(
@@ -214,7 +208,7 @@ class Builder {
   Place add_floating(const std::string& link, const std::string& joint, const Place& before) {
     MovingLink moving = new_link(link, joint, before);
     moving.kind = JointKind::floating;
-    moving.seat = snapped(before.pose);
+    moving.seat = before.pose;
     moving.q_index = mechanism_.nq();
     moving.v_index = mechanism_.nv();
     for (const char* part : {"position x, m", "position y, m", "position z, m", "quaternion x",
@@ -251,6 +245,8 @@ class Builder {
       }
       const FirstCoordinate shared = first_coordinate_[index_of(*joint)];
       link.multiplier = static_cast<double>(multiplier);
+      if (link.kind == JointKind::revolute)
+        link.offset = resolved(link.offset, mechanism_.resolution);
       link.q_index = shared.q;
       link.v_index = shared.v;
     }
@@ -275,14 +271,14 @@ class Builder {
     return robot_.joints[static_cast<std::size_t>(joint.mimic->joint)];
   }
 
-  [[nodiscard]] std::vector<MechanismPoint> points(const std::vector<ScenePoint>& wanted) const {
+  std::vector<MechanismPoint> points(const std::vector<ScenePoint>& wanted) {
     std::vector<MechanismPoint> result;
     for (const ScenePoint& point : wanted) {
       for (std::size_t i = 0; i < robot_.links.size(); ++i) {
         if (robot_.links[i].name == point.link) {
-          const ExactPose pose = places_[i].pose * exact_pose(point.origin);
+          const ExactPose pose = resolve(places_[i].pose * exact_pose(point.origin), point.name);
           result.push_back(
-              {point.name, places_[i].link, snapped(pose), point.axes, point.rows, point.priority});
+              {point.name, places_[i].link, pose, point.axes, point.rows, point.priority});
         }
       }
     }
@@ -298,7 +294,7 @@ class Builder {
         if (own && robot_.links[k].name == mechanism_.links[i].name) {
           frames.push_back({robot_.links[k].name,
                             places_[k].link,
-                            snapped(places_[k].pose),
+                            places_[k].pose,
                             Axes::local,
                             {true, true, true, true, true, true}});
         }
@@ -310,13 +306,15 @@ class Builder {
   [[nodiscard]] std::vector<MechanismObject> objects() const {
     std::vector<MechanismObject> result;
     for (const SceneObject& object : scene_.objects) {
-      result.push_back({object.name, snapped(exact_inertia(object.inertial)), {}});
+      result.push_back(
+          {object.name, resolved(exact_inertia(object.inertial), mechanism_.resolution), {}});
       for (const SceneGrasp& grasp : object.grasps) {
         std::size_t point = 0;
         while (scene_.operational_points[point].name != grasp.point) {
           ++point;
         }
-        result.back().grasps.push_back({point, snapped(exact_pose(grasp.origin))});
+        result.back().grasps.push_back(
+            {point, resolved(exact_pose(grasp.origin), mechanism_.resolution)});
       }
     }
     return result;
@@ -331,10 +329,9 @@ class Builder {
   }
   [[nodiscard]] int last_link() const { return static_cast<int>(mechanism_.links.size()) - 1; }
 
-  const Robot robot_;
-  const Scene& scene_;
   Mechanism mechanism_;
-  std::vector<std::vector<int>> children_;
+  Robot robot_;
+  Scene scene_;
   std::vector<FirstCoordinate> first_coordinate_;
   std::vector<std::pair<int, const Joint*>> mimics_;
   std::vector<Place> places_;

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
+
+#include "digits/digits50.hpp"
 
 namespace treeline {
 
 /// The constants of a mechanism are computed in 50 decimal digits and rounded once, on entry into
 /// an expression graph: reductions then add no rounding error, leave no dust (cancellations end
-/// below 1e-40 and are snapped to zero) and give the same bytes on every host.
-using Exact = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                            boost::multiprecision::et_off>;
+/// below 1e-40 and become zero, see `resolved`) and give the same bytes on every host.
+using Exact = Digits50;
 using ExactVector3 = Eigen::Matrix<Exact, 3, 1>;
 using ExactMatrix3 = Eigen::Matrix<Exact, 3, 3>;
 
@@ -33,10 +32,6 @@ inline Exact snapped(const Exact& value, const Exact& scale) {
   static const Exact kResidue("1e-30");
   return abs(value) <= kResidue * scale ? Exact(0) : value;
 }
-
-/// Snaps the entries of a rotation to 0 and +-1, and those of a position to 0, where only residue
-/// separates them.
-ExactPose snapped(const ExactPose& pose);
 
 /// Rotation about z.
 ExactMatrix3 rotation_z(const Exact& angle);

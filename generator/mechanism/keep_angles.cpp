@@ -35,7 +35,8 @@ void keep_angles(Mechanism& mechanism, Accuracy accuracy) {
            fmt::format("angle offset by {:.6g} rad inside the recursions", offset)});
       continue;
     }
-    link.seat = snapped(link.seat * ExactPose{rotation_z(link.offset), ExactVector3::Zero()});
+    link.seat = resolved(link.seat * ExactPose{rotation_z(link.offset), ExactVector3::Zero()},
+                         mechanism.resolution);
     link.offset = 0;
     mechanism.notes.push_back(
         {"seat", link.name,

@@ -1,5 +1,7 @@
 #include "mechanism/mechanism.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -16,24 +18,6 @@ ExactMatrix3 rotation_z(const Exact& angle) {
   return R;
 }
 
-ExactPose snapped(const ExactPose& pose) {
-  ExactPose result = pose;
-  for (int i = 0; i < 9; ++i) {
-    Exact& entry = result.R(i / 3, i % 3);
-    entry = snapped(entry, Exact(1));
-    const Exact unit = entry < 0 ? Exact(-1) : Exact(1);
-    if (snapped(Exact(entry - unit), Exact(1)) == 0) {
-      entry = unit;
-    }
-  }
-  const Exact largest =
-      std::max({Exact(abs(pose.p(0))), Exact(abs(pose.p(1))), Exact(abs(pose.p(2))), Exact(1e-6)});
-  for (int i = 0; i < 3; ++i) {
-    result.p(i) = snapped(pose.p(i), largest);
-  }
-  return result;
-}
-
 Inertia transformed(const Inertia& inertia, const ExactPose& pose) {
   const ExactVector3 h = pose.R * inertia.h;
   Inertia result;
@@ -48,24 +32,15 @@ Inertia operator+(const Inertia& a, const Inertia& b) {
   return {a.mass + b.mass, a.h + b.h, a.Sigma + b.Sigma};
 }
 
-Inertia snapped(const Inertia& inertia) {
-  const Exact Sigma_size = inertia.Sigma.cwiseAbs().maxCoeff();
-  // All three numbers of a balanced body's h may be residue: mass at its radius of gyration is what
-  // they cancelled from.
-  const Exact balanced = sqrt(Exact(abs(inertia.mass) * Sigma_size));
-  const Exact h_size = std::max(Exact(inertia.h.cwiseAbs().maxCoeff()), balanced);
-  Inertia result = inertia;
-  for (int i = 0; i < 3; ++i) {
-    result.h(i) = snapped(inertia.h(i), h_size);
-    for (int j = 0; j < 3; ++j) {
-      result.Sigma(i, j) = snapped(inertia.Sigma(i, j), Sigma_size);
-    }
-  }
-  return result;
-}
-
 ExactMatrix3 rotational_inertia(const Inertia& inertia) {
   return inertia.Sigma.trace() * ExactMatrix3::Identity() - inertia.Sigma;
+}
+
+void resolve_inertia(Mechanism& mechanism, MovingLink& link) {
+  Change change;
+  link.inertia = resolved(link.inertia, mechanism.resolution, &change);
+  add_decisions(change, fmt::format("robot/link[{}]/inertial", link.name), mechanism.file,
+                mechanism.noise);
 }
 
 int MechanismPoint::row_count() const {

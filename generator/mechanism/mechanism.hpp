@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "description/noise.hpp"
 #include "description/scene.hpp"
 #include "mechanism/exact.hpp"
+#include "mechanism/resolution.hpp"
 
 namespace treeline {
 
@@ -22,8 +24,6 @@ struct Inertia {
 /// The same matter, seen from the frame in which its own frame has `pose`.
 Inertia transformed(const Inertia& inertia, const ExactPose& pose);
 Inertia operator+(const Inertia& a, const Inertia& b);
-/// Residue of exact cancellation, against the size of the inertia's own numbers, becomes zero.
-Inertia snapped(const Inertia& inertia);
 /// J = tr(Sigma) 1 - Sigma.
 ExactMatrix3 rotational_inertia(const Inertia& inertia);
 
@@ -46,6 +46,8 @@ struct MovingLink {
   Exact offset = 0;
   bool mimics = false;  ///< shares its coordinate with the joint it mimics
   Inertia inertia;
+  /// Of gyration about the frame's origin as the file has it, of all that the link carries; m.
+  Exact radius = 0;
   /// How recursions go about this link, see `turn_late` and `outward_motion`: results are the same,
   /// costs are not. Both only for joints of one degree of freedom.
   bool turns_late = false, carries_column = false;
@@ -111,9 +113,14 @@ struct Mechanism {
   std::vector<MechanismPoint> link_frames;
   std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
-  std::vector<Coordinate> coordinates;  ///< nq of them
-  std::vector<std::string> velocities;  ///< nv of them, e.g. "elbow, rad/s"
+  SingularTasks singular = SingularTasks::smooth;  ///< see `Scene`
+  Real real = Real::float64;                       ///< see `Scene`
+  std::vector<Coordinate> coordinates;             ///< nq of them
+  std::vector<std::string> velocities;             ///< nv of them, e.g. "elbow, rad/s"
   std::vector<ReductionNote> notes;
+  std::string file;       ///< of the robot
+  Resolution resolution;  ///< of the file's numbers
+  NoiseDecisions noise;   ///< what is taken as exact: numbers of files, relations between frames
   /// See `find_limbs`; empty where limbs are not to share lanes.
   std::vector<LimbFamily> limbs;
 
@@ -122,5 +129,9 @@ struct Mechanism {
   [[nodiscard]] int task_rows() const;
   [[nodiscard]] bool has_mimics() const;
 };
+
+/// What nearly vanishes against the moments of all that the link carries is as if it were not
+/// there, and is written down. See `resolved`.
+void resolve_inertia(Mechanism& mechanism, MovingLink& link);
 
 }  // namespace treeline

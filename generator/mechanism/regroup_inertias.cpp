@@ -29,7 +29,7 @@ Inertia take_second_moment(Inertia& inertia) {
 
 void regroup_inertias(Mechanism& mechanism) {
   for (auto link = mechanism.links.rbegin(); link != mechanism.links.rend(); ++link) {
-    link->inertia = snapped(link->inertia);
+    resolve_inertia(mechanism, *link);
     if (link->kind == JointKind::floating) {
       continue;
     }

@@ -1,4 +1,6 @@
-#include <boost/math/constants/constants.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <vector>
 
 #include "mechanism/build_mechanism.hpp"
@@ -7,12 +9,15 @@
 // without changing q: the seat commutes with the joint's motion. A turn that is left over at the
 // end of a revolute link's own seat may also join the angle, at the cost of one addition.
 // Coordinate descent over candidates that null a constant, weighted by the operations the constant
-// costs in the recursions.
+// costs in the recursions. Turns are orthogonal and cost no digits; slides far away do, and count
+// only near the link.
 
 namespace treeline {
 namespace {
 
-const Exact kQuarterTurn = boost::math::constants::half_pi<Exact>();
+/// No frame is put farther from where the file has it than so many times the link's size: lengths
+/// that cancel again are then rounded at most so much more coarsely than the file's, two bits.
+constexpr int kFarthest = 4;
 
 bool is_trivial(const Exact& entry) {
   return entry == 0 || entry == 1 || entry == -1;
@@ -60,7 +65,7 @@ int inertia_cost(const MovingLink& link) {
 }
 
 Exact folded_to_quarter(const Exact& angle) {
-  return angle - kQuarterTurn * round(angle / kQuarterTurn);
+  return angle - half_pi() * round(angle / half_pi());
 }
 
 bool is_parallel(const ExactMatrix3& R) {
@@ -83,7 +88,7 @@ Exact right_turn(const ExactMatrix3& R) {
 }
 
 /// Lets a revolute link's angle take the right-hand turn of its seat if that is cheaper.
-void absorb_turn(MovingLink& link) {
+void absorb_turn(MovingLink& link, const Resolution& resolution, Change* change) {
   if (link.kind != JointKind::revolute) {
     return;
   }
@@ -95,10 +100,13 @@ void absorb_turn(MovingLink& link) {
   }
   const Exact turn = folded_to_quarter(right_turn(R));
   MovingLink absorbed = link;
-  absorbed.seat = snapped(link.seat * ExactPose{rotation_z(-turn), ExactVector3::Zero()});
-  absorbed.offset = snapped(Exact(link.offset + turn), Exact(1));
+  Change by_turn;
+  absorbed.seat = resolved(link.seat * ExactPose{rotation_z(-turn), ExactVector3::Zero()},
+                           resolution, change ? &by_turn : nullptr);
+  absorbed.offset = resolved(Exact(link.offset + turn), resolution);
   if (link_cost(absorbed) < link_cost(link)) {
     link = absorbed;
+    if (change) change->angle = std::max(change->angle, by_turn.angle);
   }
 }
 
@@ -107,7 +115,9 @@ struct Neighbourhood {
   MovingLink link;
   std::vector<MovingLink> children;
   std::vector<ExactPose> points;
-  ExactPose old_frame;  ///< in the frame that the link has now
+  Resolution resolution;
+  Exact farthest = 0;     ///< that the frame may be from where the file has it, m
+  ExactPose files_frame;  ///< in the frame that the link has now
 
   [[nodiscard]] int cost() const {
     int sum = link_cost(link) + inertia_cost(link);
@@ -120,21 +130,26 @@ struct Neighbourhood {
     return sum;
   }
 
-  [[nodiscard]] Neighbourhood reseated(const ExactPose& seat) const {
+  [[nodiscard]] Neighbourhood reseated(const ExactPose& seat, Change* change = nullptr) const {
     const ExactPose back = inverse(seat);
     Neighbourhood result = *this;
-    result.link.seat = snapped(link.seat * seat);
-    result.link.inertia = snapped(transformed(link.inertia, back));
-    absorb_turn(result.link);
+    result.link.seat = resolved(link.seat * seat, resolution, change);
+    result.link.inertia = resolved(transformed(link.inertia, back), resolution, change);
+    absorb_turn(result.link, resolution, change);
     for (MovingLink& child : result.children) {
-      child.seat = snapped(back * child.seat);
-      absorb_turn(child);
+      child.seat = resolved(back * child.seat, resolution, change);
+      absorb_turn(child, resolution, change);
     }
     for (ExactPose& point : result.points) {
-      point = snapped(back * point);
+      point = resolved(back * point, resolution, change);
     }
-    result.old_frame = back * old_frame;
+    result.files_frame = back * files_frame;
     return result;
+  }
+
+  [[nodiscard]] bool is_near(const ExactVector3& shift) const {
+    const ExactVector3 moved = shift - files_frame.p;
+    return moved.dot(moved) <= farthest * farthest;
   }
 };
 
@@ -163,11 +178,12 @@ std::vector<Exact> turn_candidates(const Neighbourhood& around) {
   return turns;
 }
 
-/// Where on z the common normal with the child's axis stands.
+/// Where on z the common normal with the child's axis stands. Written with the sine, which keeps
+/// its digits where axes are nearly parallel.
 Exact foot_of_common_normal(const ExactPose& child) {
-  const Exact c = child.R(2, 2);
-  const Exact along = child.R.col(2).dot(child.p);
-  return (child.p(2) - c * along) / (1 - c * c);
+  const auto& axis = child.R.col(2);
+  const Exact square = axis(0) * axis(0) + axis(1) * axis(1);
+  return child.p(2) - axis(2) * (axis(0) * child.p(0) + axis(1) * child.p(1)) / square;
 }
 
 std::vector<ExactVector3> slide_candidates(const Neighbourhood& around) {
@@ -213,19 +229,33 @@ std::vector<ExactVector3> shift_candidates(const Neighbourhood& around) {
   return shifts;
 }
 
-Neighbourhood best_seated(const Neighbourhood& around) {
-  Neighbourhood best = around.reseated({});
-  int best_cost = best.cost();
-  const std::vector<ExactVector3> shifts = around.link.kind == JointKind::prismatic
-                                               ? shift_candidates(around)
-                                               : slide_candidates(around);
+/// Where the origin of the link's frame may go: each place once, none that is far away.
+std::vector<ExactVector3> origin_candidates(const Neighbourhood& around) {
+  const std::vector<ExactVector3> all = around.link.kind == JointKind::prismatic
+                                            ? shift_candidates(around)
+                                            : slide_candidates(around);
+  std::vector<ExactVector3> near;
+  for (const ExactVector3& shift : all) {
+    if (around.is_near(shift) && std::find(near.begin(), near.end(), shift) == near.end()) {
+      near.push_back(shift);
+    }
+  }
+  return near;
+}
+
+ExactPose best_seat(const Neighbourhood& around) {
+  ExactPose best;
+  int best_cost = around.reseated({}).cost();
+  const std::vector<ExactVector3> shifts = origin_candidates(around);
+  std::vector<Exact> tried;
   for (const Exact& turn : turn_candidates(around)) {
+    if (std::find(tried.begin(), tried.end(), turn) != tried.end()) continue;
+    tried.push_back(turn);
     const ExactMatrix3 R = rotation_z(turn);
     for (const ExactVector3& shift : shifts) {
-      const Neighbourhood seated = around.reseated({R, shift});
-      const int cost = seated.cost();
+      const int cost = around.reseated({R, shift}).cost();
       if (cost < best_cost) {
-        best = seated;
+        best = {R, shift};
         best_cost = cost;
       }
     }
@@ -251,41 +281,82 @@ void for_each_around(Mechanism& mechanism, int index, OnChild on_child, OnPoint 
   }
 }
 
-/// Returns whether it became cheaper.
-bool seat_link(Mechanism& mechanism, int index) {
-  Neighbourhood around{mechanism.links[static_cast<std::size_t>(index)], {}, {}, {}};
+Neighbourhood neighbourhood(Mechanism& mechanism, int index) {
+  Neighbourhood around;
+  around.link = mechanism.links[static_cast<std::size_t>(index)];
+  around.resolution = mechanism.resolution;
   for_each_around(
       mechanism, index, [&](const MovingLink& child) { around.children.push_back(child); },
       [&](const MechanismPoint& point) { around.points.push_back(point.pose); });
-  const int cost = around.cost();
-  const Neighbourhood best = best_seated(around);
-  if (best.cost() >= cost) {
-    return false;
+  return around;
+}
+
+/// How far what belongs to a link is from its frame's origin.
+Exact size_of(const Neighbourhood& around) {
+  const auto square = [](const ExactVector3& p) { return Exact(p.dot(p)); };
+  Exact most = std::max(square(around.link.seat.p), Exact(around.link.radius * around.link.radius));
+  for (const MovingLink& child : around.children) most = std::max(most, square(child.seat.p));
+  for (const ExactPose& point : around.points) most = std::max(most, square(point.p));
+  return sqrt(most);
+}
+
+class Seating {
+ public:
+  explicit Seating(Mechanism& mechanism) : mechanism_(mechanism) {
+    for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+      farthest_.push_back(kFarthest * size_of(neighbourhood(mechanism, static_cast<int>(i))));
+    }
+    files_frames_.resize(mechanism.links.size());
   }
-  mechanism.links[static_cast<std::size_t>(index)] = best.link;
-  std::size_t child = 0;
-  std::size_t point = 0;
-  for_each_around(
-      mechanism, index, [&](MovingLink& moved) { moved = best.children[child++]; },
-      [&](MechanismPoint& moved) { moved.pose = best.points[point++]; });
-  for (MechanismPoint& frame : mechanism.link_frames) {  // for whoever asks: they weigh nothing
-    if (frame.link == index) {
-      frame.pose = snapped(best.old_frame * frame.pose);
+
+  /// Returns whether it became cheaper.
+  bool seat_link(int index) {
+    const auto i = static_cast<std::size_t>(index);
+    Neighbourhood around = neighbourhood(mechanism_, index);
+    around.farthest = farthest_[i];
+    around.files_frame = files_frames_[i];
+    const ExactPose seat = best_seat(around);
+    Change change;
+    const Neighbourhood best = around.reseated(seat, &change);
+    if (best.cost() >= around.cost()) return false;
+    add_decisions(change, fmt::format("link[{}]", around.link.name), mechanism_.file,
+                  mechanism_.noise);
+    take(index, best, seat);
+    files_frames_[i] = best.files_frame;
+    return true;
+  }
+
+ private:
+  void take(int index, const Neighbourhood& best, const ExactPose& seat) {
+    mechanism_.links[static_cast<std::size_t>(index)] = best.link;
+    std::size_t child = 0;
+    std::size_t point = 0;
+    for_each_around(
+        mechanism_, index, [&](MovingLink& moved) { moved = best.children[child++]; },
+        [&](MechanismPoint& moved) { moved.pose = best.points[point++]; });
+    for (MechanismPoint& frame : mechanism_.link_frames) {  // for whoever asks: they weigh nothing
+      if (frame.link == index) {
+        frame.pose = resolved(inverse(seat) * frame.pose, mechanism_.resolution);
+      }
     }
   }
-  return true;
-}
+
+  Mechanism& mechanism_;
+  std::vector<Exact> farthest_;
+  std::vector<ExactPose> files_frames_;
+};
 
 }  // namespace
 
 void seat_frames(Mechanism& mechanism) {
   constexpr int kMostSweeps = 10;  // each sweep only lowers an integer cost; few are ever needed
   const int count = static_cast<int>(mechanism.links.size());
+  Seating seating(mechanism);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     bool cheaper = false;
     for (int i = 0; i < count; ++i) {
       if (mechanism.links[static_cast<std::size_t>(i)].kind != JointKind::floating) {
-        cheaper = seat_link(mechanism, i) || cheaper;
+        cheaper = seating.seat_link(i) || cheaper;
       }
     }
     if (!cheaper) {

@@ -1,7 +1,8 @@
-# treeline_generate(TARGET URDF file SCENE file [NAME identifier] [REAL float|double]
+# treeline_generate(TARGET URDF file [SCENE file] [NAME identifier] [REAL float|double]
 #                   [FUNCTIONS function...] [CHOICES file])
 #
-# Makes the static library TARGET from a robot and a scene while building: link it and include
+# Makes the static library TARGET from a robot and a scene (without one: functions of the joints
+# alone) while building: link it and include
 # "NAME.hpp" (or "NAME_eigen.hpp", or "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the target's name unless
 # given; REAL and FUNCTIONS go before what the scene says; CHOICES is the manifest.json that
 # `treeline generate --tune` has written. The code is generated again when the URDF, the scene, the
@@ -23,12 +24,16 @@ function(treeline_generate target)
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "treeline_generate(${target}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
-  foreach(key URDF SCENE)
-    if(NOT arg_${key})
-      message(FATAL_ERROR "treeline_generate(${target}): ${key} is missing")
-    endif()
-    get_filename_component(arg_${key} ${arg_${key}} ABSOLUTE)
-  endforeach()
+  if(NOT arg_URDF)
+    message(FATAL_ERROR "treeline_generate(${target}): URDF is missing")
+  endif()
+  get_filename_component(arg_URDF ${arg_URDF} ABSOLUTE)
+  if(arg_SCENE)
+    get_filename_component(arg_SCENE ${arg_SCENE} ABSOLUTE)
+    # Only where the scene may ask for batches there are any; an edit that adds the key configures
+    # anew.
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${arg_SCENE})
+  endif()
   if(NOT arg_NAME)
     string(MAKE_C_IDENTIFIER ${target} arg_NAME)
   endif()
@@ -49,9 +54,7 @@ function(treeline_generate target)
   endif()
 
   set(sources ${TREELINE_ALL_FUNCTIONS})
-  # Only where the scene may ask for batches; an edit that adds the key configures anew.
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${arg_SCENE})
-  if(EXISTS ${arg_SCENE})
+  if(arg_SCENE AND EXISTS ${arg_SCENE})
     file(STRINGS ${arg_SCENE} batch REGEX "batch *:")
     if(batch)
       list(TRANSFORM TREELINE_ALL_FUNCTIONS PREPEND batch_ OUTPUT_VARIABLE batch_sources)

@@ -99,8 +99,9 @@ std::vector<int> count_uses(const Program& program) {
 }
 
 Program without_graph(const Program& program) {
-  return {program.name, program.equation, program.source,     program.arguments, program.results,
-          Graph(),      program.packs,    program.lane_moves, program.order};
+  return {program.name,    program.equation, program.source,  program.arguments,
+          program.results, Graph(),          program.packs,   program.lane_moves,
+          program.order,   program.law,      program.singular};
 }
 
 Program rebuild(const Program& program, std::span<const std::uint32_t> order) {

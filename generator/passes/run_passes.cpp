@@ -27,24 +27,29 @@ constexpr std::array kReducing = {
     Pass{"pack_lanes", pack_lanes},
 };
 
-Program run(const Pass& pass, const Program& program, std::vector<PassReport>& log) {
+/// `count` is of the program, and then of what the pass makes of it.
+Program run(const Pass& pass, const Program& program, OperationCount& count,
+            std::vector<PassReport>& log) {
   Program after = pass.run(program);
-  log.push_back({pass.name, count_operations(program), count_operations(after),
-                 program.graph.nodes().size(), after.graph.nodes().size()});
+  const OperationCount before = std::exchange(count, count_operations(after));
+  log.push_back(
+      {pass.name, before, count, program.graph.nodes().size(), after.graph.nodes().size()});
   return after;
 }
 
 }  // namespace
 
 Program reduce_operations(Program program, std::vector<PassReport>& log) {
+  OperationCount count = count_operations(program);
   for (const Pass& pass : kReducing) {
-    program = run(pass, program, log);
+    program = run(pass, program, count, log);
   }
   return program;
 }
 
 Program put_in_order(const Program& program, std::vector<PassReport>& log) {
-  return run({"schedule", schedule}, program, log);
+  OperationCount count = count_operations(program);
+  return run({"schedule", schedule}, program, count, log);
 }
 
 std::string to_string(const std::string& function, const PassReport& report) {

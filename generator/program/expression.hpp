@@ -93,7 +93,7 @@ class Expression {
   bool negative_ = false;
 };
 
-/// Where each node of a list is: a hash table of indices into it, nodes of equal bits are one.
+/// Where each node of a list is, nodes of equal bits are one: chained behind its later operand.
 class NodeIndex {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffU;
@@ -111,7 +111,7 @@ class NodeIndex {
   [[nodiscard]] std::size_t slot_of(const std::vector<Node>& nodes, const Node& node) const;
   void grow(const std::vector<Node>& nodes, std::size_t slots);
 
-  std::vector<std::uint32_t> places_;  // a power of two of them, at most half of them taken
+  std::vector<std::uint32_t> places_;  // ends of chains; of each node the first behind it, the next
 };
 
 /// The interning arena: nodes in order of creation, each once. Node 0 is the constant 0.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct ResultPlace {
 /// Nodes that share a register, by lane; node 0 is an empty lane. All are the same operation.
 using LanePack = std::vector<std::uint32_t>;
 
+struct TaskLaw;
+
 /// One function as an expression graph. Inputs of the graph are named `argument[i]`.
 struct Program {
   std::string name;      ///< `inverse_dynamics`
@@ -44,6 +47,9 @@ struct Program {
   /// What to compute first, in this order, so that values are used soon after they are made; what
   /// is not listed follows in the order of the results.
   std::vector<ResultPlace> order;
+  /// How rows of the task yield near singularities; null: they do not, or there is no task.
+  std::shared_ptr<const TaskLaw> law;
+  std::string singular;  ///< what it answers at singularities of the task, a sentence; may be empty
 };
 
 /// Operations that the results need, as emitted; sin and cos are counted apart.

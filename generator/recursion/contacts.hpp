@@ -5,6 +5,7 @@
 
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/lambda_inverse.hpp"
+#include "recursion/pivot_rule.hpp"
 
 namespace treeline {
 
@@ -74,12 +75,13 @@ std::vector<TaskPoint<Scalar>> normal_tasks(const Tree<Scalar>& tree,
   return tasks;
 }
 
-/// 1 / (n^T Lambda_c^-1 n) of each row of `Lambda_inv` (Chang eq. 8.1).
+/// 1 / (n^T Lambda_c^-1 n) of each row of `Lambda_inv` (Chang eq. 8.1), inverted by `rule`.
 template <class Scalar>
-std::vector<Scalar> masses_along(const DenseMatrix<Scalar>& Lambda_inv) {
+std::vector<Scalar> masses_along(const DenseMatrix<Scalar>& Lambda_inv,
+                                 const PivotRule& rule = {}) {
   std::vector<Scalar> masses;
   for (std::size_t i = 0; i < Lambda_inv.rows(); ++i) {
-    masses.push_back(Scalar(1.0) / Lambda_inv(i, i));
+    masses.push_back(rule(i, Lambda_inv(i, i)));
   }
   return masses;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "recursion/lambda_routes.hpp"
+#include "recursion/pivot_rule.hpp"
 
 namespace treeline {
 
@@ -136,19 +137,20 @@ TaskBasis control_basis(const Tree<Scalar>& tree, const LambdaChoice& choice) {
 }
 
 /// F = Lambda times the acceleration errors, see `prioritized_task_force` for priorities. Table 5.1
-/// gives Lambda itself, at one link's origin in its axes; all other routes its inverse.
+/// gives Lambda itself, at one link's origin in its axes; all other routes its inverse, in whose
+/// LDL^T `rule` inverts the pivots.
 template <class Scalar>
 std::vector<Scalar> task_force(const Tree<Scalar>& tree,
                                const std::vector<JointTransform<Scalar>>& X,
                                const std::vector<WorldPose<Scalar>>& poses,
                                const LambdaChoice& choice, std::size_t row_count,
-                               const std::vector<Scalar>& errors) {
+                               const PivotRule& rule, const std::vector<Scalar>& errors) {
   if (has_priorities(tree)) {
-    return prioritized_task_force(tree, lambda_inverse_as_asked(tree, X, choice, row_count),
-                                  errors);
+    return prioritized_task_force(tree, lambda_inverse_as_asked(tree, X, choice, row_count), errors,
+                                  rule);
   }
   if (choice.route != LambdaRoute::inertia_propagation) {
-    return solve(factor_ldlt(lambda_inverse(tree, X, poses, choice, row_count)), errors);
+    return solve(factor_ldlt(lambda_inverse(tree, X, poses, choice, row_count), rule), errors);
   }
   const auto Lambda = dense(propagated_inertia(tree, X, tree.operational_points.front().link));
   std::vector<Scalar> F(6, Scalar(0.0));
@@ -162,12 +164,13 @@ std::vector<Scalar> task_force(const Tree<Scalar>& tree,
 
 /// tau = RNEA(q, qd, qdd_0) + J^T F, F = Lambda (xdd_cmd - Jd qd - J qdd_0) (Chang table 6.1),
 /// fused: the outward pass of RNEA yields the accelerations of the points, and F enters its inward
-/// pass as forces at the points, so that no Jacobian is formed.
+/// pass as forces at the points, so that no Jacobian is formed. `rule` belongs to the basis that
+/// `control_basis` gives.
 template <class Scalar>
 std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
                                    const std::vector<JointTransform<Scalar>>& X,
                                    const ControlInputs<Scalar>& inputs, const LambdaChoice& choice,
-                                   std::size_t row_count) {
+                                   std::size_t row_count, const PivotRule& rule = {}) {
   const TaskBasis basis = control_basis(tree, choice);
   const bool as_asked = !basis.in_link_axes && basis.axes_link < 0;
   const auto poses = poses_seen_from(tree, X, basis.axes_link);
@@ -186,7 +189,7 @@ std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
                                 : acceleration_error(tree, X, point, tasks[k], basis, motion, xdd);
     errors.insert(errors.end(), error.begin(), error.end());
   }
-  const auto F = task_force(tree, X, poses, choice, row_count, errors);
+  const auto F = task_force(tree, X, poses, choice, row_count, rule, errors);
   std::vector<Wrench<Scalar>> wrenches = inertial_wrenches(tree, motions);
   for (std::size_t i = 0; i < inputs.applied.size(); ++i) {
     wrenches[i] = wrenches[i] - inputs.applied[i];

@@ -82,7 +82,7 @@ std::vector<Scalar> object_control_torque(const Tree<Scalar>& tree,
                                           const std::vector<JointTransform<Scalar>>& X,
                                           const JointRates<Scalar>& rates,
                                           const ObjectCommand<Scalar>& command,
-                                          const LambdaChoice& choice) {
+                                          const LambdaChoice& choice, const PivotRule& rule = {}) {
   const auto motions = outward_motion(tree, X, rates, -tree.gravity);
   std::vector<Scalar> xdd_points;
   for (std::size_t k = 0; k < objects.size(); ++k) {
@@ -93,7 +93,7 @@ std::vector<Scalar> object_control_torque(const Tree<Scalar>& tree,
   }
   return control_torque<Scalar>(
       tree, X, {rates, xdd_points, grasp_reactions(tree, X, objects, motions, command)}, choice,
-      xdd_points.size());
+      xdd_points.size(), rule);
 }
 
 }  // namespace treeline

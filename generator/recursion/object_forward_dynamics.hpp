@@ -171,7 +171,8 @@ GraspForces<Scalar> solve_augmented_object(const std::vector<ObjectEquation<Scal
 template <class Scalar>
 GraspForces<Scalar> solve_grasp_forces(const std::vector<ObjectEquation<Scalar>>& free,
                                        const std::vector<std::size_t>& object_of_row,
-                                       DenseMatrix<Scalar> A, const std::vector<Scalar>& xdd_o) {
+                                       DenseMatrix<Scalar> A, const std::vector<Scalar>& xdd_o,
+                                       const PivotRule& rule) {
   const std::size_t rows = xdd_o.size();
   std::vector<Scalar> difference = xdd_o;
   for (std::size_t i = 0; i < rows; ++i) {
@@ -184,7 +185,7 @@ GraspForces<Scalar> solve_grasp_forces(const std::vector<ObjectEquation<Scalar>>
     }
   }
   GraspForces<Scalar> result;
-  result.f = solve(factor_ldlt(A), difference);
+  result.f = solve(factor_ldlt(A, rule), difference);
   for (std::size_t k = 0; k < free.size(); ++k) {
     std::vector<Scalar> F(6, Scalar(0.0));
     for (std::size_t i = 0; i < rows; ++i) {
@@ -205,7 +206,8 @@ GraspForces<Scalar> grasp_forces(const Tree<Scalar>& tree,
                                  const std::vector<TreeObject<Scalar>>& objects,
                                  const HeldObjects<Scalar>& state,
                                  const DenseMatrix<Scalar>& Lambda_inv,
-                                 const std::vector<Scalar>& xdd_o, GraspSolution solution) {
+                                 const std::vector<Scalar>& xdd_o, GraspSolution solution,
+                                 const PivotRule& rule) {
   std::vector<ObjectEquation<Scalar>> equations;
   std::vector<std::size_t> object_of_row;
   for (std::size_t k = 0; k < objects.size(); ++k) {
@@ -217,7 +219,7 @@ GraspForces<Scalar> grasp_forces(const Tree<Scalar>& tree,
   }
   return solution == GraspSolution::augmented_object
              ? solve_augmented_object(equations, object_of_row, Lambda_inv, xdd_o)
-             : solve_grasp_forces(equations, object_of_row, Lambda_inv, xdd_o);
+             : solve_grasp_forces(equations, object_of_row, Lambda_inv, xdd_o, rule);
 }
 
 /// Results of `object_forward_dynamics`.
@@ -277,12 +279,13 @@ struct ObjectDynamicsInputs {
 };
 
 /// Chang table 7.2 with Baumgarte's stabilisation. `solve_for_qdd` is A^-1 times joint forces,
-/// `tree` a `holding_tree`.
+/// `tree` a `holding_tree`; `rule` inverts the pivots of `GraspSolution::grasp_forces`.
 template <class Scalar, class Solve>
 ClosedChainMotion<Scalar> object_forward_dynamics(
     const Tree<Scalar>& tree, const std::vector<TreeObject<Scalar>>& objects,
     const std::vector<JointTransform<Scalar>>& X, const ObjectDynamicsInputs<Scalar>& inputs,
-    const LambdaChoice& choice, GraspSolution solution, const Solve& solve_for_qdd) {
+    const LambdaChoice& choice, GraspSolution solution, const Solve& solve_for_qdd,
+    const PivotRule& rule = {}) {
   std::vector<Scalar> net = inverse_dynamics<Scalar>(tree, X, {inputs.qd, {}}, {});
   for (std::size_t i = 0; i < net.size(); ++i) {
     net[i] = inputs.tau[i] - net[i];
@@ -301,7 +304,7 @@ ClosedChainMotion<Scalar> object_forward_dynamics(
   }
   const auto forces =
       grasp_forces(tree, objects, state, lambda_inverse_as_asked(tree, X, choice, xdd_o.size()),
-                   xdd_o, solution);
+                   xdd_o, solution, rule);
   const auto change = solve_for_qdd(reaction_forces(tree, X, tasks, forces.f));
   for (std::size_t i = 0; i < change.size(); ++i) {
     motion.qdd[i] = motion.qdd[i] + change[i];

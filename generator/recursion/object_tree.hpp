@@ -61,7 +61,8 @@ TreeObject<Scalar> tree_object(const Mechanism& mechanism, const MechanismObject
   const Inertia& inertia = object.inertia;
   const ExactVector3 center = inertia.h / inertia.mass;
   const ExactMatrix3 J = rotational_inertia(inertia);
-  const Inertia about_center = snapped(transformed(inertia, {ExactMatrix3::Identity(), -center}));
+  const Inertia about_center =
+      resolved(transformed(inertia, {ExactMatrix3::Identity(), -center}), mechanism.resolution);
   TreeObject<Scalar> result;
   result.name = object.name;
   result.inertia = {rounded<Scalar>(inertia.mass), rounded<Scalar>(inertia.h),
@@ -73,8 +74,8 @@ TreeObject<Scalar> tree_object(const Mechanism& mechanism, const MechanismObject
   std::vector<ExactVector3> points;
   for (const MechanismGrasp& grasp : object.grasps) {
     const MechanismPoint& hand = mechanism.operational_points[grasp.point];
-    const ExactPose held = snapped(hand.pose * grasp.object);
-    points.push_back(snapped(inverse(grasp.object)).p);
+    const ExactPose held = resolved(hand.pose * grasp.object, mechanism.resolution);
+    points.push_back(resolved(inverse(grasp.object), mechanism.resolution).p);
     result.grasps.push_back({hand.link, rounded<Scalar>(held.R), rounded<Scalar>(held.p),
                              rounded<Scalar>(points.back())});
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "recursion/factor_ldlt.hpp"
+#include "recursion/pivot_rule.hpp"
 #include "recursion/tree.hpp"
 
 namespace treeline {
@@ -37,10 +38,13 @@ bool may_move(const Tree<Scalar>& tree, int link, bool turning) {
 
 /// The rows with the most important first. A row yields where what the rows above leave of its
 /// inverse inertia is 2^-13 of what its point has of its kind, translation or rotation: sums over
-/// rows of one kind, which no rotation of the axes changes if all three are controlled.
+/// rows of one kind, which no rotation of the axes changes if all three are controlled. Where the
+/// point itself cannot move so, `floor.borders`, if any, keep the sums from zero, one for each row
+/// in the order of the scene.
 template <class Scalar>
 std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
-                                                     const DenseMatrix<Scalar>& Lambda_inv) {
+                                                     const DenseMatrix<Scalar>& Lambda_inv,
+                                                     const PivotRule& floor) {
   constexpr double kYield = 8192;
   std::vector<PrioritizedRow<Scalar>> rows;
   std::vector<int> priorities;
@@ -49,7 +53,7 @@ std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
       const auto begin = point.rows.begin() + static_cast<std::ptrdiff_t>(first);
       const auto count = static_cast<std::size_t>(std::count(begin, begin + 3, true));
       const std::size_t at = rows.size();
-      Scalar mobility(0.0);
+      Scalar mobility(count > 0 && !floor.borders.empty() ? floor.borders[at] : 0.0);
       for (std::size_t row = at; row < at + count; ++row) {
         mobility = mobility + Lambda_inv(row, row);
       }
@@ -86,8 +90,9 @@ Scalar yielding_inverse(const Scalar& c, const Scalar& inverse_border) {
 template <class Scalar>
 std::vector<Scalar> prioritized_task_force(const Tree<Scalar>& tree,
                                            const DenseMatrix<Scalar>& Lambda_inv,
-                                           const std::vector<Scalar>& errors) {
-  const auto rows = rows_by_priority(tree, Lambda_inv);
+                                           const std::vector<Scalar>& errors,
+                                           const PivotRule& floor = {}) {
+  const auto rows = rows_by_priority(tree, Lambda_inv, floor);
   const std::size_t n = rows.size();
   DenseMatrix<Scalar> A(n, n);
   std::vector<Scalar> ordered;

@@ -7,6 +7,7 @@
 #include "recursion/describe_choice.hpp"
 #include "recursion/late_turns.hpp"
 #include "recursion/link_inverse_inertias.hpp"
+#include "recursion/task_law.hpp"
 #include "recursion/trace_parts.hpp"
 
 namespace treeline {
@@ -20,6 +21,7 @@ struct ContactTrace {
   Expressions q, other;  ///< `other`: the function's second input
   std::vector<JointTransform<Expression>> X;
   std::vector<WorldPose<Expression>> poses;
+  PivotRule rule = {};
 
   [[nodiscard]] std::size_t contacts() const { return tree.contacts.size(); }
 };
@@ -27,6 +29,7 @@ struct ContactTrace {
 struct ContactRoute {
   std::string source;
   std::function<std::vector<Result>(const ContactTrace&)> body;
+  std::shared_ptr<const TaskLaw> law = nullptr;
 };
 
 /// What all routes of a function have in common: its equation and its input beside q.
@@ -77,30 +80,38 @@ std::vector<ContactRoute> inverse_inertia_routes(const TracedTree& tree) {
   return routes;
 }
 
-std::vector<Result> masses(const DenseMatrix<Expression>& Lambda_inv) {
+std::vector<Result> masses(const DenseMatrix<Expression>& Lambda_inv, const PivotRule& rule) {
   return {vector_result("mass", "effective masses, kg where the normal is a unit vector",
-                        masses_along(Lambda_inv))};
+                        masses_along(Lambda_inv, rule))};
 }
 
 /// Couplings between contacts are traced and never used: what is not asked for is not emitted.
-std::vector<ContactRoute> mass_routes(const TracedTree& tree) {
+std::vector<ContactRoute> mass_routes(const Mechanism& mechanism, const TracedTree& tree) {
+  const auto law = TaskLaws(mechanism).find(TaskLaw::Kind::normals, LawPoints::contacts, {});
   std::vector<ContactRoute> routes{
-      {"M = L^T D L, J carried inward along each normal", [](const ContactTrace& trace) {
+      {"M = L^T D L, J carried inward along each normal",
+       [](const ContactTrace& trace) {
          const auto tasks = normal_tasks<Expression>(trace.tree, trace.poses, trace.other);
-         return masses(lambda_inverse_by_factors(
-             trace.tree, trace.X,
-             jacobian_inward(trace.tree, trace.X, tasks, trace.contacts(), trace.poses)));
-       }}};
+         return masses(lambda_inverse_by_factors(trace.tree, trace.X,
+                                                 jacobian_inward(trace.tree, trace.X, tasks,
+                                                                 trace.contacts(), trace.poses)),
+                       trace.rule);
+       },
+       law}};
   if (tree.has_mimics) return routes;
-  routes.push_back({"a unit force along each normal propagated inward", [](const ContactTrace& t) {
+  routes.push_back({"a unit force along each normal propagated inward",
+                    [](const ContactTrace& t) {
                       const auto tasks = normal_tasks<Expression>(t.tree, t.poses, t.other);
-                      return masses(
-                          lambda_inverse_by_unit_forces(t.tree, t.X, tasks, t.contacts()));
-                    }});
-  routes.push_back({"inverse inertias of the links, Chang eq. 8.2", [](const ContactTrace& t) {
+                      return masses(lambda_inverse_by_unit_forces(t.tree, t.X, tasks, t.contacts()),
+                                    t.rule);
+                    },
+                    law});
+  routes.push_back({"inverse inertias of the links, Chang eq. 8.2",
+                    [](const ContactTrace& t) {
                       const auto tasks = normal_tasks<Expression>(t.tree, t.poses, t.other);
-                      return masses(lambda_inverse_by_branching(t.tree, t.X, tasks));
-                    }});
+                      return masses(lambda_inverse_by_branching(t.tree, t.X, tasks), t.rule);
+                    },
+                    law});
   return routes;
 }
 
@@ -140,7 +151,8 @@ std::vector<ContactRoute> link_routes(const TracedTree& tree) {
            [result](const ContactTrace& t) { return result(link_inverse_inertias(t.tree, t.X)); }}};
 }
 
-std::vector<ContactRoute> routes_of(Function function, const TracedTree& tree) {
+std::vector<ContactRoute> routes_of(Function function, const Mechanism& mechanism,
+                                    const TracedTree& tree) {
   switch (function) {
     case Function::contact_motion:
       return {{"outward recursion", [](const ContactTrace& trace) {
@@ -155,7 +167,7 @@ std::vector<ContactRoute> routes_of(Function function, const TracedTree& tree) {
     case Function::contact_inverse_inertia:
       return inverse_inertia_routes(tree);
     case Function::effective_mass:
-      return mass_routes(tree);
+      return mass_routes(mechanism, tree);
     case Function::impulse_response:
       return impulse_routes(tree);
     case Function::link_inverse_inertias:
@@ -182,6 +194,13 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
   traced.X = joint_transforms<Expression>(traced.tree, traced.q);
   turn_late(traced.tree, traced.X);
   traced.poses = world_poses(traced.tree, traced.X);
+  if (route.law) {
+    traced.rule = route.law->rule;
+    program.singular = describe(*route.law);
+  } else if (mechanism.singular == SingularTasks::exact && function == Function::effective_mass) {
+    program.singular = kBareSolve;
+  }
+  program.law = route.law;
   program.results = route.body(traced);
   return program;
 }
@@ -194,7 +213,7 @@ std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function
   std::vector<ContactRoute> routes;
   {
     const Graph::Scope scope(graph);
-    routes = routes_of(function, tree_of<Expression>(mechanism));
+    routes = routes_of(function, mechanism, tree_of<Expression>(mechanism));
   }
   std::vector<Program> programs;
   for (const ContactRoute& route : routes)

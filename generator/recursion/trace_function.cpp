@@ -10,8 +10,12 @@
 #include "recursion/control_torque.hpp"
 #include "recursion/describe_choice.hpp"
 #include "recursion/forward_dynamics.hpp"
+#include "recursion/function_signature.hpp"
+#include "recursion/hopeless_algorithms.hpp"
 #include "recursion/late_turns.hpp"
-#include "recursion/resolved_acceleration.hpp"
+#include "recursion/lift_tree.hpp"
+#include "recursion/resolved_by_pivots.hpp"
+#include "recursion/task_law.hpp"
 #include "recursion/trace_contacts.hpp"
 #include "recursion/trace_derivatives.hpp"
 #include "recursion/trace_object_function.hpp"
@@ -30,6 +34,7 @@ struct Trace {
   std::size_t rows = 0;
   Expressions q, qd, qdd, tau, xdd_cmd, f_ext;
   std::vector<JointTransform<Expression>> X;
+  PivotRule rule;
 
   [[nodiscard]] std::vector<Wrench<Expression>> applied() const {
     return f_ext.empty() ? std::vector<Wrench<Expression>>{}
@@ -46,47 +51,11 @@ using Body = std::function<Outputs(const Trace&)>;
 struct Route {
   std::string source;
   Body body;
+  std::shared_ptr<const TaskLaw> law = nullptr;
 };
 
-enum Inputs : unsigned { kQd = 1, kQdd = 2, kTau = 4, kXddCmd = 8, kForces = 16, kPosture = 32 };
-
-/// What all routes of a function have in common.
-struct Signature {
-  std::string equation;
-  unsigned inputs = 0;
-};
-
-Signature signature(Function function) {
-  switch (function) {
-    case Function::forward_kinematics:
-      return {"x_world = R x_point + p, for every operational point", 0};
-    case Function::jacobian:
-      return {"xd = J qd, rows stacked over operational points", 0};
-    case Function::bias_acceleration:
-      return {"xdd = J qdd + Jd qd: the term Jd qd", kQd};
-    case Function::inverse_dynamics:
-      return {"tau = M qdd + b + g - J_ext^T f_ext", kQd | kQdd | kForces};
-    case Function::gravity:
-      return {"g: the joint forces that hold the robot at rest", 0};
-    case Function::nonlinear_effects:
-      return {"h = b + g: the joint forces at qdd = 0", kQd};
-    case Function::mass_matrix:
-      return {"tau = M qdd + b + g: the matrix M", 0};
-    case Function::forward_dynamics:
-      return {"qdd = M^-1 (tau - b - g + J_ext^T f_ext)", kQd | kTau | kForces};
-    case Function::lambda_inverse:
-      return {"Lambda^-1 = J M^-1 J^T", 0};
-    case Function::lambda:
-      return {"Lambda = (J M^-1 J^T)^-1", 0};
-    case Function::control_torque:
-      return {
-          "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
-          "F = Lambda (xdd_cmd - Jd qd - J qdd_0)",
-          kQd | kPosture | kXddCmd | kForces};
-    default:  // those of contacts and objects are traced apart
-      break;
-  }
-  return {};
+bool solves_for_forces(Function function) {
+  return function == Function::lambda || function == Function::control_torque;
 }
 
 /// `, in strict priority: left_hand (1), right_hand (2)`, the most important first.
@@ -104,22 +73,20 @@ std::string priorities_of(const TracedTree& tree) {
 
 class Tracer {
  public:
-  enum class Names { kept, forgotten };
+  Tracer(const Mechanism& mechanism, int lanes)
+      : mechanism_(mechanism), constants_(tree_of<double>(mechanism)), lanes_(lanes) {}
 
-  Tracer(const Mechanism& mechanism, int lanes, Names names = Names::kept)
-      : mechanism_(mechanism), lanes_(lanes), names_(names) {}
-
-  Program trace(Function function, const Route& route) const {
+  Program trace(Function function, const Route& route, Names names = Names::kept) const {
     const Signature common = signature(function);
     Program program;
     program.name = function_name(function);
     program.equation = common.equation;
     program.source = route.source;
     program.graph = Graph::for_trace(lanes_);
-    if (names_ == Names::forgotten) program.graph.forget_names();
+    if (names == Names::forgotten) program.graph.forget_names();
     const Graph::Scope scope(program.graph);
     Trace trace;
-    trace.tree = tree_of<Expression>(mechanism_);
+    trace.tree = lift_tree(constants_, mechanism_);
     if (function == Function::control_torque && has_priorities(trace.tree)) {
       program.equation += priorities_of(trace.tree);
     }
@@ -127,6 +94,13 @@ class Tracer {
     declare_inputs(common.inputs, program, trace);
     trace.X = joint_transforms<Expression>(trace.tree, trace.q);
     turn_late(trace.tree, trace.X);
+    if (route.law) {
+      trace.rule = route.law->rule;
+      program.law = route.law;
+      program.singular = describe(*route.law);
+    } else if (mechanism_.singular == SingularTasks::exact && solves_for_forces(function)) {
+      program.singular = kBareSolve;
+    }
     program.results = route.body(trace);
     return program;
   }
@@ -159,8 +133,8 @@ class Tracer {
   }
 
   const Mechanism& mechanism_;
+  Tree<double> constants_;
   int lanes_;
-  Names names_;
 };
 
 Outputs vector_output(const char* name, const char* meaning, Expressions values) {
@@ -236,41 +210,70 @@ std::vector<Route> forward_dynamics_routes(const TracedTree& tree) {
   return routes;
 }
 
-std::vector<Route> lambda_routes(const TracedTree& tree, bool invert) {
+std::vector<Route> lambda_routes(const TracedTree& tree, bool invert, TaskLaws& laws) {
   std::vector<Route> routes;
+  const auto law =
+      invert ? laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {}) : nullptr;
   for (const LambdaChoice& choice : lambda_choices(tree)) {
-    routes.push_back({describe(choice, tree), [choice, invert](const Trace& trace) {
+    routes.push_back({describe(choice, tree),
+                      [choice, invert](const Trace& trace) {
                         const auto Lambda_inv =
                             lambda_inverse_as_asked(trace.tree, trace.X, choice, trace.rows);
                         return invert
                                    ? matrix_output("Lambda", "operational-space inertia",
-                                                   inverse(factor_ldlt(Lambda_inv)))
+                                                   inverse(factor_ldlt(Lambda_inv, trace.rule)))
                                    : matrix_output("Lambda_inv",
                                                    "inverse operational-space inertia", Lambda_inv);
-                      }});
+                      },
+                      law});
   }
   return routes;
 }
 
-void append_resolved_routes(const TracedTree& tree, std::vector<Route>& routes) {
+/// As many joints as rows: by cofactors, or by pivots that may yield.
+void append_resolved_routes(const Mechanism& mechanism, const TracedTree& tree, TaskLaws& laws,
+                            std::vector<Route>& routes) {
   if (!permits_resolved_acceleration(tree)) {
     return;
   }
-  for (const int link : axes_links(tree)) {
+  const auto inputs = [](const Trace& trace) -> ControlInputs<Expression> {
+    return {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()};
+  };
+  if (mechanism.singular == SingularTasks::exact) {
+    for (const int link : axes_links(tree)) {
+      routes.push_back(
+          {fmt::format("resolved acceleration, spherical wrist, J in {}", axes_name(link, tree)),
+           [link, inputs](const Trace& trace) {
+             return vector_output("tau", "joint forces",
+                                  control_torque_by_resolved_acceleration<Expression>(
+                                      trace.tree, trace.X, inputs(trace), link));
+           }});
+    }
+    return;
+  }
+  for (int link = 0; link < 3; ++link) {
+    const auto law = laws.resolved(link);
+    if (!law) continue;
     routes.push_back(
-        {fmt::format("resolved acceleration, spherical wrist, J in {}", axes_name(link, tree)),
-         [link](const Trace& trace) {
-           return vector_output("tau", "joint forces",
-                                control_torque_by_resolved_acceleration<Expression>(
-                                    trace.tree, trace.X,
-                                    {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()}, link));
-         }});
+        {fmt::format("resolved acceleration, spherical wrist, by pivots, J in {} and {}",
+                     axes_name(link, tree), axes_name(law->angular_axes_link, tree)),
+         [law, inputs](const Trace& trace) {
+           return vector_output(
+               "tau", "joint forces",
+               control_torque_by_pivots<Expression>(trace.tree, trace.X, inputs(trace), *law));
+         },
+         law});
   }
 }
 
-std::vector<Route> control_routes(const TracedTree& tree) {
+std::vector<Route> control_routes(const Mechanism& mechanism, const TracedTree& tree,
+                                  TaskLaws& laws) {
   std::vector<Route> routes;
+  const auto kind =
+      has_priorities(tree) ? TaskLaw::Kind::priorities : TaskLaw::Kind::inverse_inertia;
   for (const LambdaChoice& choice : control_choices(tree)) {
+    // Table 5.1 gives Lambda itself, behind a floating joint, where nothing can be lost.
+    const bool solves = choice.route != LambdaRoute::inertia_propagation || has_priorities(tree);
     routes.push_back(
         {(has_priorities(tree) ? "Chang table 6.1, fused, LDL^T in order of priority; Lambda^-1: "
                                : "Chang table 6.1, fused; Lambda^-1: ") +
@@ -280,10 +283,11 @@ std::vector<Route> control_routes(const TracedTree& tree) {
                "tau", "joint forces",
                control_torque<Expression>(trace.tree, trace.X,
                                           {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()},
-                                          choice, trace.rows));
-         }});
+                                          choice, trace.rows, trace.rule));
+         },
+         solves ? laws.find(kind, LawPoints::operational, control_basis(tree, choice)) : nullptr});
   }
-  append_resolved_routes(tree, routes);
+  append_resolved_routes(mechanism, tree, laws, routes);
   return routes;
 }
 
@@ -295,7 +299,9 @@ std::vector<Route> newton_euler_route(const char* name, const char* meaning) {
            }}};
 }
 
-std::vector<Route> routes_of(Function function, const TracedTree& tree) {
+std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
+                             const TracedTree& tree) {
+  TaskLaws laws(mechanism);
   switch (function) {
     case Function::forward_kinematics:
       return {{"outward recursion", point_poses}};
@@ -321,11 +327,11 @@ std::vector<Route> routes_of(Function function, const TracedTree& tree) {
     case Function::forward_dynamics:
       return forward_dynamics_routes(tree);
     case Function::lambda_inverse:
-      return lambda_routes(tree, false);
+      return lambda_routes(tree, false, laws);
     case Function::lambda:
-      return lambda_routes(tree, true);
+      return lambda_routes(tree, true, laws);
     case Function::control_torque:
-      return control_routes(tree);
+      return control_routes(mechanism, tree, laws);
     default:
       break;
   }
@@ -358,24 +364,31 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
   const TracedTree tree = structure_of(mechanism, graph);
   const Tracer tracer(mechanism, lanes);
   std::vector<Program> programs;
-  for (const Route& route : routes_of(function, tree)) {
+  HopelessAlgorithms hopeless;
+  for (const Route& route : routes_of(function, mechanism, tree)) {
+    if (hopeless.has(route.source)) continue;
     programs.push_back(tracer.trace(function, route));
+    hopeless.look_at(programs.back());
   }
   return programs;
 }
 
-Program trace_route(const Mechanism& mechanism, Function function, const std::string& source) {
+std::function<Program(Names)> prepare_route(const Mechanism& mechanism, Function function,
+                                            const std::string& source) {
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);
-  for (const Route& route : routes_of(function, tree)) {
-    if (route.source == source) {
-      return Tracer(mechanism, 1, Tracer::Names::forgotten).trace(function, route);
+  for (const Route& route : routes_of(function, mechanism, tree)) {
+    if (route.source != source) continue;
+    return [tracer = Tracer(mechanism, 1), function, route](Names names) {
+      return tracer.trace(function, route, names);
+    };
+  }
+  return [&mechanism, function, source](Names) {  // of another kind
+    for (Program& program : trace_function(mechanism, function)) {
+      if (program.source == source) return std::move(program);
     }
-  }
-  for (Program& program : trace_function(mechanism, function)) {  // of another kind
-    if (program.source == source) return std::move(program);
-  }
-  throw std::logic_error("no such route: " + source);
+    throw std::logic_error("no such route: " + source);
+  };
 }
 
 }  // namespace treeline

@@ -8,6 +8,7 @@
 #include "recursion/describe_choice.hpp"
 #include "recursion/late_turns.hpp"
 #include "recursion/object_forward_dynamics.hpp"
+#include "recursion/task_law.hpp"
 #include "recursion/trace_parts.hpp"
 
 namespace treeline {
@@ -22,11 +23,13 @@ struct Trace {
   Objects objects;
   Expressions q, qd, qdd_0, tau, xdd_object, internal, stabilisation;
   std::vector<JointTransform<Expression>> X;
+  PivotRule rule = {};
 };
 
 struct Route {
   std::string source;
   std::function<std::vector<Result>(const Trace&)> body;
+  std::shared_ptr<const TaskLaw> law = nullptr;
 };
 
 std::string describe(const LambdaChoice& choice) {
@@ -64,17 +67,21 @@ std::vector<Route> state_routes() {
        }}};
 }
 
-std::vector<Route> control_routes(const Tree<Expression>& tree) {
+std::vector<Route> control_routes(const Tree<Expression>& tree, TaskLaws& laws) {
   std::vector<Route> routes;
   for (const LambdaChoice& choice : control_choices(tree)) {
-    routes.push_back(
-        {"Chang table 7.1, fused; Lambda^-1: " + describe(choice), [choice](const Trace& trace) {
-           return std::vector<Result>{vector_result(
-               "tau", "joint forces",
-               object_control_torque<Expression>(trace.tree, trace.objects, trace.X,
-                                                 {trace.qd, trace.qdd_0},
-                                                 {trace.xdd_object, trace.internal}, choice))};
-         }});
+    routes.push_back({"Chang table 7.1, fused; Lambda^-1: " + describe(choice),
+                      [choice](const Trace& trace) {
+                        return std::vector<Result>{vector_result(
+                            "tau", "joint forces",
+                            object_control_torque<Expression>(
+                                trace.tree, trace.objects, trace.X, {trace.qd, trace.qdd_0},
+                                {trace.xdd_object, trace.internal}, choice, trace.rule))};
+                      },
+                      choice.route == LambdaRoute::inertia_propagation
+                          ? nullptr
+                          : laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::grasps,
+                                      control_basis(tree, choice))});
   }
   return routes;
 }
@@ -88,20 +95,30 @@ ClosedChainMotion<Expression> traced_motion(const Trace& trace, const LambdaChoi
     const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
     return object_forward_dynamics<Expression>(
         trace.tree, trace.objects, trace.X, inputs, choice, solution,
-        [&factor](const Expressions& forces) { return solve(factor, forces); });
+        [&factor](const Expressions& forces) { return solve(factor, forces); }, trace.rule);
   }
   const auto bodies = articulate(trace.tree, trace.X);
   return object_forward_dynamics<Expression>(
-      trace.tree, trace.objects, trace.X, inputs, choice, solution, [&](const Expressions& forces) {
+      trace.tree, trace.objects, trace.X, inputs, choice, solution,
+      [&](const Expressions& forces) {
         return solve_articulated(trace.tree, trace.X, bodies, forces);
-      });
+      },
+      trace.rule);
 }
 
-std::vector<Route> dynamics_routes(const Tree<Expression>& tree) {
+/// The augmented object needs Lambda_e, which is not finite where a hand cannot move; the system
+/// for the grasps' forces needs its inverse only.
+std::vector<GraspSolution> solutions(const Mechanism& mechanism) {
+  if (mechanism.singular == SingularTasks::smooth) return {GraspSolution::grasp_forces};
+  return {GraspSolution::grasp_forces, GraspSolution::augmented_object};
+}
+
+std::vector<Route> dynamics_routes(const Mechanism& mechanism, const Tree<Expression>& tree,
+                                   TaskLaws& laws) {
   std::vector<Route> routes;
+  const auto law = laws.find(TaskLaw::Kind::grasp_forces, LawPoints::grasps, {});
   for (const LambdaChoice& choice : lambda_choices(tree)) {
-    for (const GraspSolution solution :
-         {GraspSolution::grasp_forces, GraspSolution::augmented_object}) {
+    for (const GraspSolution solution : solutions(mechanism)) {
       const char* name = solution == GraspSolution::augmented_object
                              ? "Chang table 7.2, augmented object"
                              : "Chang table 7.2, one system for the grasps' forces";
@@ -124,20 +141,23 @@ std::vector<Route> dynamics_routes(const Tree<Expression>& tree) {
                    "internal", "internal forces of the virtual linkages", motion.internal));
              }
              return results;
-           }});
+           },
+           law});
     }
   }
   return routes;
 }
 
-std::vector<Route> routes_of(Function function, const Tree<Expression>& tree) {
+std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
+                             const Tree<Expression>& tree) {
+  TaskLaws laws(mechanism);
   switch (function) {
     case Function::object_state:
       return state_routes();
     case Function::object_control_torque:
-      return control_routes(tree);
+      return control_routes(tree, laws);
     case Function::object_forward_dynamics:
-      return dynamics_routes(tree);
+      return dynamics_routes(mechanism, tree, laws);
     default:
       return {};
   }
@@ -196,6 +216,13 @@ Program trace_route(const Mechanism& mechanism, Function function, const Route& 
   trace.X = joint_transforms<Expression>(trace.tree, trace.q);
   turn_late(trace.tree, trace.X);
   follow_points(trace.tree, trace.objects);
+  if (route.law) {
+    trace.rule = route.law->rule;
+    program.singular = describe(*route.law);
+  } else if (mechanism.singular == SingularTasks::exact && function != Function::object_state) {
+    program.singular = kBareSolve;
+  }
+  program.law = route.law;
   program.results = route.body(trace);
   return program;
 }
@@ -209,7 +236,7 @@ std::vector<Program> trace_object_function(const Mechanism& mechanism, Function 
   const auto objects = objects_of<Expression>(mechanism);
   const auto tree = holding_tree(tree_of<Expression>(mechanism), objects);
   std::vector<Program> programs;
-  for (const Route& route : routes_of(function, tree)) {
+  for (const Route& route : routes_of(function, mechanism, tree)) {
     programs.push_back(trace_route(mechanism, function, route, lanes));
   }
   return programs;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "check/reference.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline {
 

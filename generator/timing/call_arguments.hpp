@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "check/draw_state.hpp"
 #include "generation/generate_code.hpp"
+#include "oracle/draw_state.hpp"
 
 namespace treeline {
 

@@ -106,11 +106,12 @@ std::string find_processor() {
 Measure measure_here(const Robot& robot, const Scene& scene, const CompileOptions& compile) {
   return [&robot, &scene, compile](const std::vector<GeneratedFunction>& candidates,
                                    Diagnostics& diagnostics) -> std::optional<std::vector<Timing>> {
-    const TemporaryFolder folder;
+    const auto folder = make_temporary_folder(diagnostics);
+    if (!folder) return std::nullopt;
     FunctionMechanisms mechanisms(robot, scene);
     const Mechanism& mechanism = mechanisms.of(candidates.front().function);
     const auto builds =
-        build_all(robot, scene, mechanism, candidates, compile, folder.path(), diagnostics);
+        build_all(robot, scene, mechanism, candidates, compile, folder->path(), diagnostics);
     if (!builds) return std::nullopt;
     const auto states = draw_timing_states(robot, scene, mechanism, candidates);
     const CallArguments arguments(candidates.front(), states, scene.real);
@@ -123,12 +124,13 @@ Measure measure_here(const Robot& robot, const Scene& scene, const CompileOption
 }
 
 std::string describe_here(const CompileOptions& compile, Diagnostics& diagnostics) {
-  const TemporaryFolder folder;
-  const auto compiler = find_compiler(compile.compiler, folder.path(), diagnostics);
+  const auto folder = make_temporary_folder(diagnostics);
+  if (!folder) return "";
+  const auto compiler = find_compiler(compile.compiler, folder->path(), diagnostics);
   if (!compiler) return "";
   Command asked = *compiler;
   asked.emplace_back("--version");
-  const std::string version = run_commands({asked}, 1, folder.path()).front().output;
+  const std::string version = run_commands({asked}, 1, folder->path()).front().output;
   return fmt::format("{}, {}, {}", version.substr(0, version.find('\n')), compile.flags,
                      find_processor());
 }

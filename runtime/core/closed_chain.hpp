@@ -45,7 +45,7 @@ inline bool unit_between(const Real (&from)[3], const Real (&to)[3], Real (&unit
   for (int i = 0; i < 3; ++i) {
     unit[i] = to[i] - from[i];
   }
-  length = static_cast<Real>(square_root(static_cast<double>(squared_norm(unit))));
+  length = square_root(squared_norm(unit));
   for (Real& x : unit) {
     x /= length;
   }

@@ -49,8 +49,7 @@ inline void saturated_goal_law(const Gains<Real>& gains, const Real (&error)[6],
     const Real rate = gains.kp / gains.kv;
     const Real wanted[3] = {rate * error[3 * part], rate * error[3 * part + 1],
                             rate * error[3 * part + 2]};
-    const Real speed =
-        static_cast<Real>(square_root(static_cast<double>(steps::squared_norm(wanted))));
+    const Real speed = square_root(steps::squared_norm(wanted));
     const Real factor = speed > limits[part] ? limits[part] / speed : Real(1);
     for (int i = 0; i < 3; ++i) {
       acceleration[3 * part + i] = gains.kv * (factor * wanted[i] - velocity[3 * part + i]);

@@ -62,8 +62,7 @@ constexpr Real wanted_speed(const ContactLaw<Real>& law, Real before) noexcept {
 /// Shortens the tangential part of `y` to `longest`.
 template <class Real>
 void shorten(Real (&tangential)[3], Real longest) noexcept {
-  const Real length =
-      static_cast<Real>(square_root(static_cast<double>(dot<Real>(tangential, tangential))));
+  const Real length = square_root(dot<Real>(tangential, tangential));
   if (length > longest) {
     for (Real& entry : tangential) {
       entry *= longest / length;

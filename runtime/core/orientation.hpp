@@ -10,11 +10,14 @@ namespace treeline::core {
 
 namespace steps {
 
-/// atan(t) / t as a function of t^2 for |t| <= tan(pi/16): Taylor's series, remainder below 1e-17.
-constexpr double arctangent_ratio(double square) noexcept {
-  double sum = 0.0;
-  for (int k = 11; k >= 0; --k) {
-    sum = 1.0 / (2 * k + 1) - square * sum;
+/// atan(t) / t as a function of t^2 for |t| <= tan(pi/16): Taylor's series, remainder below 1e-17,
+/// in float below 1e-8.
+template <class Real>
+constexpr Real arctangent_ratio(Real square) noexcept {
+  constexpr int kLast = sizeof(Real) < sizeof(double) ? 4 : 11;
+  Real sum = Real(0);
+  for (int k = kLast; k >= 0; --k) {
+    sum = Real(1) / Real(2 * k + 1) - square * sum;
   }
   return sum;
 }
@@ -54,7 +57,7 @@ inline void quaternion_from_rotation(const Real (&R)[9], Real (&q)[4]) noexcept 
   for (int i = 1; i < 4; ++i) {
     largest = squares[i] > squares[largest] ? i : largest;
   }
-  const Real root = static_cast<Real>(square_root(static_cast<double>(squares[largest])));
+  const Real root = square_root(squares[largest]);
   const Real scale = Real(0.5) / root;
   // Row i: 4 q_i q_j off the diagonal.
   const Real products[4][4] = {{0, R[1] + R[3], R[2] + R[6], R[7] - R[5]},
@@ -74,17 +77,17 @@ inline void quaternion_from_rotation(const Real (&R)[9], Real (&q)[4]) noexcept 
 /// twice more by tan(a/2) = tan(a) / (1 + sqrt(1 + tan(a)^2)).
 template <class Real>
 inline void rotation_vector_from_quaternion(const Real (&q)[4], Real (&vector)[3]) noexcept {
-  const double sign = q[3] < Real(0) ? -1.0 : 1.0;
-  const double w = sign * static_cast<double>(q[3]);
-  double ratio = sign / (1.0 + w);
+  const Real sign = q[3] < Real(0) ? Real(-1) : Real(1);
+  const Real w = sign * q[3];
+  Real ratio = sign / (Real(1) + w);
   const Real axis[3] = {q[0], q[1], q[2]};
-  const double square = static_cast<double>(steps::squared_norm(axis));
+  const Real square = steps::squared_norm(axis);
   for (int i = 0; i < 2; ++i) {
-    ratio /= 1.0 + square_root(1.0 + square * ratio * ratio);
+    ratio /= Real(1) + square_root(Real(1) + square * ratio * ratio);
   }
-  const double factor = 16.0 * ratio * steps::arctangent_ratio(square * ratio * ratio);
+  const Real factor = Real(16) * ratio * steps::arctangent_ratio<Real>(square * ratio * ratio);
   for (int i = 0; i < 3; ++i) {
-    vector[i] = static_cast<Real>(factor * static_cast<double>(q[i]));
+    vector[i] = factor * q[i];
   }
 }
 
@@ -93,7 +96,7 @@ inline void rotation_vector_from_quaternion(const Real (&q)[4], Real (&vector)[3
 template <class Real>
 inline void rotation_from_vector(const Real (&vector)[3], Real (&R)[9]) noexcept {
   const Real square = steps::squared_norm(vector);
-  const Real angle = static_cast<Real>(square_root(static_cast<double>(square)));
+  const Real angle = square_root(square);
   Real s;
   Real c;
   sin_cos(Real(0.5) * angle, s, c);

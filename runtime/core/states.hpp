@@ -86,7 +86,7 @@ struct StatesOut {
   TREELINE_STATES_INLINE Row operator[](int i) const noexcept { return {rows[i]}; }
 };
 
-/// Sine and cosine of lanes: in registers of doubles, as wide as the machine has them.
+/// Sine and cosine of lanes, in registers as wide as the machine has them.
 template <class Real, int count, bool fits>
 TREELINE_STATES_INLINE void sin_cos(const Lanes<Real, count, fits>& x,
                                     Lanes<Real, count, fits>& sine,
@@ -96,37 +96,9 @@ TREELINE_STATES_INLINE void sin_cos(const Lanes<Real, count, fits>& x,
   } else if constexpr (!fits) {
     sin_cos(x.low, sine.low, cosine.low);
     sin_cos(x.high, sine.high, cosine.high);
-  } else if constexpr (count * int{sizeof(double)} > kVectorBytes) {
-    // Floats, which are computed as doubles: half of them at a time.
-    Real values[count];
-    Real sines[count];
-    Real cosines[count];
-    store_lanes(x, values);
-    for (int i = 0; i < count; i += count / 2) {
-      Lanes<Real, count / 2> part;
-      Lanes<Real, count / 2> s;
-      Lanes<Real, count / 2> c;
-      load_lanes(values + i, part);
-      sin_cos(part, s, c);
-      store_lanes(s, sines + i);
-      store_lanes(c, cosines + i);
-    }
-    load_lanes(sines, sine);
-    load_lanes(cosines, cosine);
   } else {
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
-    using Double = typename VectorLanes<count>::Value;
-    using Own = typename Lanes<Real, count, true>::Vector;
-    const Double angle = __builtin_convertvector(x.vector, Double);
-    Double s;
-    Double c;
-    if constexpr (sizeof(Real) == sizeof(double)) {
-      sin_cos_double<VectorLanes<count>>(angle, s, c);
-    } else {
-      sin_cos_float<VectorLanes<count>>(angle, s, c);
-    }
-    sine.vector = __builtin_convertvector(s, Own);
-    cosine.vector = __builtin_convertvector(c, Own);
+    sin_cos_steps<VectorLanes<Real, count>>(x.vector, sine.vector, cosine.vector);
 #endif
   }
 }

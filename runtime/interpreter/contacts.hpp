@@ -1,6 +1,7 @@
 #pragma once
 
 #include "interpreter/link_inertias.hpp"
+#include "interpreter/task_law.hpp"
 
 namespace treeline::interpreter {
 
@@ -50,21 +51,42 @@ Matrix<Scalar> contact_inverse_inertia(const Model<Scalar>& model, PointsArg<Sca
   return lambda_inverse<Scalar>(model, contacts, q);
 }
 
-/// 1 / (n^T Lambda_c^-1 n) of each contact, kg when its n is a unit vector (Chang eq. 8.1, 8.2):
-/// the mass that a blow along n meets there. `normals` has three entries for each, world axes.
-/// Lambda_c^-1 comes from the inverse inertias of all links. Infinite on a body that cannot move.
+/// n^T Lambda_c^-1 n of each contact, 1/kg when its n is a unit vector (Chang eq. 8.2): how easily
+/// it moves along n. `normals` has three entries for each, world axes. Lambda_c^-1 comes from the
+/// inverse inertias of all links.
 template <class Scalar>
-Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> contacts,
+Vector<Scalar> mobilities_along(const Model<Scalar>& model, PointsArg<Scalar> contacts,
                                 VectorArg<Scalar> q, VectorArg<Scalar> normals) {
   const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
   const auto Omega = link_inverse_inertias<Scalar>(model, q);
-  Vector<Scalar> masses(static_cast<Eigen::Index>(contacts.size()));
-  for (Eigen::Index i = 0; i < masses.size(); ++i) {
+  Vector<Scalar> mobilities(static_cast<Eigen::Index>(contacts.size()));
+  for (Eigen::Index i = 0; i < mobilities.size(); ++i) {
     const auto& contact = contacts[static_cast<std::size_t>(i)];
     const Vector6<Scalar> n =
         stack<Scalar>(normals.template segment<3>(3 * i), Vector3<Scalar>::Zero());
     const Vector6<Scalar> on_body = point_transform(contact, k) * n;
-    masses(i) = Scalar(1) / on_body.dot(Vector6<Scalar>(Omega[contact.body] * on_body));
+    mobilities(i) = on_body.dot(Vector6<Scalar>(Omega[contact.body] * on_body));
+  }
+  return mobilities;
+}
+
+/// 1 / (n^T Lambda_c^-1 n) of each contact, kg when its n is a unit vector (Chang eq. 8.1): the
+/// mass that a blow along n meets there. Infinite on a body that cannot move.
+template <class Scalar>
+Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> contacts,
+                                VectorArg<Scalar> q, VectorArg<Scalar> normals) {
+  return mobilities_along<Scalar>(model, contacts, q, normals).cwiseInverse();
+}
+
+/// The same by the borders of `law`, one a contact: no mass along what cannot be moved.
+template <class Scalar>
+Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> contacts,
+                                VectorArg<Scalar> q, VectorArg<Scalar> normals,
+                                const TaskLaw<Scalar>& law) {
+  Vector<Scalar> masses = mobilities_along<Scalar>(model, contacts, q, normals);
+  for (Eigen::Index i = 0; i < masses.size(); ++i) {
+    masses(i) =
+        bounded_inverse<Scalar>(masses(i), law.borders[static_cast<std::size_t>(i)], law.power);
   }
   return masses;
 }

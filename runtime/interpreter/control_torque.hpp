@@ -3,6 +3,7 @@
 #include "interpreter/lambda_inverse.hpp"
 #include "interpreter/point_accelerations.hpp"
 #include "interpreter/prioritized_control_torque.hpp"
+#include "interpreter/task_law.hpp"
 
 namespace treeline::interpreter {
 
@@ -14,6 +15,17 @@ Vector<Scalar> task_force(const Model<Scalar>& model, PointsArg<Scalar> points, 
                           VectorArg<Scalar> xdd_cmd) {
   const Vector<Scalar> missing = xdd_cmd - point_accelerations<Scalar>(model, points, q, qd, qdd_0);
   return lambda_inverse<Scalar>(model, points, q).ldlt().solve(missing);
+}
+
+/// The same where rows that cannot be moved yield by `law`, whose Lambda is that of its own rows.
+template <class Scalar>
+Vector<Scalar> task_force(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,
+                          VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0, VectorArg<Scalar> xdd_cmd,
+                          const TaskLaw<Scalar>& law) {
+  const Vector<Scalar> missing = xdd_cmd - point_accelerations<Scalar>(model, points, q, qd, qdd_0);
+  const Matrix<Scalar> T = law_rows<Scalar>(model, points, q, law);
+  const Matrix<Scalar> A = T * lambda_inverse<Scalar>(model, points, q) * T.transpose();
+  return T.transpose() * (bordered_inverse<Scalar>(A, law) * (T * missing));
 }
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext (Chang table 6.1), without a joint-space matrix:
@@ -30,6 +42,32 @@ Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> poin
                                               f_ext);
   }
   const Vector<Scalar> F = task_force<Scalar>(model, points, q, qd, qdd_0, xdd_cmd);
+  const auto k = kinematics<Scalar>(model, q, qd);
+  PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
+  add_point_forces<Scalar>(external_points, k, f_ext, external);
+  add_point_forces<Scalar>(points, k, -F, external);
+  return detail::newton_euler<Scalar>(model, k, qdd_0, external);
+}
+
+/// The same by `law`: of a law with pivots tau = M qdd + b + g - J_ext^T f_ext, where qdd solves
+/// J qdd = xdd_cmd - Jd qd and leaves nothing to the posture.
+template <class Scalar>
+Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
+                              VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,
+                              VectorArg<Scalar> xdd_cmd, PointsArg<Scalar> external_points,
+                              VectorArg<Scalar> f_ext, const TaskLaw<Scalar>& law) {
+  if (has_priorities(points)) {
+    return prioritized_control_torque<Scalar>(model, points, q, qd, qdd_0, xdd_cmd, external_points,
+                                              f_ext, law.borders);
+  }
+  if (!law.pivots.empty()) {
+    const Matrix<Scalar> T = law_rows<Scalar>(model, points, q, law);
+    const Vector<Scalar> wanted = T * (xdd_cmd - bias_acceleration<Scalar>(model, points, q, qd));
+    const Vector<Scalar> qdd =
+        solve_by_pivots<Scalar>(T * jacobian<Scalar>(model, points, q), wanted, law);
+    return inverse_dynamics<Scalar>(model, q, qd, qdd, external_points, f_ext);
+  }
+  const Vector<Scalar> F = task_force<Scalar>(model, points, q, qd, qdd_0, xdd_cmd, law);
   const auto k = kinematics<Scalar>(model, q, qd);
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
   add_point_forces<Scalar>(external_points, k, f_ext, external);

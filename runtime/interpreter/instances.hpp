@@ -1,6 +1,6 @@
 #pragma once
 
-/// The interpreter for `double` and `Digits50`, compiled once in the library
+/// The interpreter for `float`, `double` and `Digits50`, compiled once in the library
 /// `treeline_interpreter_instances`: include this instead of `interpreter.hpp` and link that.
 
 #include "interpreter/digits50.hpp"
@@ -9,18 +9,11 @@
 namespace treeline::interpreter {
 
 // clang-format off
-#define TREELINE_INTERPRETER_INSTANCES(EXTERN, T)                                                  \
+#define TREELINE_INTERPRETER_DYNAMICS(EXTERN, T)                                                   \
   EXTERN template Vector<T> position_derivative<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);   \
   EXTERN template Kinematics<T> kinematics<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);        \
   EXTERN template PerBody<Vector6<T>> accelerations<T>(                                            \
       const Model<T>&, const Kinematics<T>&, VectorArg<T>, const Vector3<T>&);                     \
-  EXTERN template std::vector<PointPose<T>> forward_kinematics<T>(                                 \
-      const Model<T>&, PointsArg<T>, VectorArg<T>);                                                \
-  EXTERN template Matrix<T> jacobian<T>(const Model<T>&, PointsArg<T>, VectorArg<T>);              \
-  EXTERN template Vector<T> point_accelerations<T>(                                                \
-      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>);                    \
-  EXTERN template Vector<T> bias_acceleration<T>(                                                  \
-      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
   EXTERN template Vector<T> inverse_dynamics<T>(                                                   \
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
   EXTERN template Vector<T> inverse_dynamics<T>(                                                   \
@@ -38,32 +31,77 @@ namespace treeline::interpreter {
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
   EXTERN template DynamicsDerivatives<T> forward_dynamics_derivatives<T>(                          \
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
+  EXTERN template Vector3<T> center_of_mass<T>(const Model<T>&, VectorArg<T>);                     \
+  EXTERN template Matrix<T> center_of_mass_jacobian<T>(const Model<T>&, VectorArg<T>)
+
+#define TREELINE_INTERPRETER_OPERATIONAL_SPACE(EXTERN, T)                                          \
+  EXTERN template std::vector<PointPose<T>> forward_kinematics<T>(                                 \
+      const Model<T>&, PointsArg<T>, VectorArg<T>);                                                \
+  EXTERN template Matrix<T> jacobian<T>(const Model<T>&, PointsArg<T>, VectorArg<T>);              \
+  EXTERN template Vector<T> point_accelerations<T>(                                                \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>);                    \
+  EXTERN template Vector<T> bias_acceleration<T>(                                                  \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
   EXTERN template Matrix<T> lambda_inverse<T>(const Model<T>&, PointsArg<T>, VectorArg<T>);        \
   EXTERN template Matrix<T> lambda<T>(const Model<T>&, PointsArg<T>, VectorArg<T>);                \
+  EXTERN template Matrix<T> law_rows<T>(                                                           \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, const TaskLaw<T>&);                             \
+  EXTERN template Matrix<T> lambda<T>(                                                             \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, const TaskLaw<T>&);                             \
   EXTERN template Vector<T> task_force<T>(const Model<T>&, PointsArg<T>, VectorArg<T>,             \
       VectorArg<T>, VectorArg<T>, VectorArg<T>);                                                   \
   EXTERN template Vector<T> control_torque<T>(const Model<T>&, PointsArg<T>, VectorArg<T>,         \
       VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);                       \
   EXTERN template Vector<T> control_torque<T>(const Model<T>&, PointsArg<T>, VectorArg<T>,         \
+      VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>, const TaskLaw<T>&);    \
+  EXTERN template Vector<T> control_torque<T>(const Model<T>&, PointsArg<T>, VectorArg<T>,         \
       VectorArg<T>, VectorArg<T>, VectorArg<T>);                                                   \
   EXTERN template ExplicitOperationalSpace<T> explicit_operational_space<T>(                       \
       const Model<T>&, PointsArg<T>, VectorArg<T>);                                                \
-  EXTERN template PerBody<Matrix6<T>> link_inverse_inertias<T>(const Model<T>&, VectorArg<T>);      \
+  EXTERN template Vector<T> explicit_control_torque<T>(const ExplicitOperationalSpace<T>&,         \
+      VectorArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>);                                     \
+  EXTERN template DampedTorque<T> damped_control_torque<T>(const Model<T>&, PointsArg<T>,          \
+      VectorArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>, const Damping<T>&, PointsArg<T>,     \
+      VectorArg<T>);                                                                               \
+  EXTERN template Vector<T> prioritized_control_torque<T>(const Model<T>&, PointsArg<T>,           \
+      VectorArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>,          \
+      const std::vector<T>&)
+
+#define TREELINE_INTERPRETER_CONTACTS_AND_OBJECTS(EXTERN, T)                                       \
+  EXTERN template PerBody<Matrix6<T>> link_inverse_inertias<T>(const Model<T>&, VectorArg<T>);     \
   EXTERN template PerBody<Matrix6<T>> link_inertias<T>(                                            \
       const Model<T>&, VectorArg<T>, const std::type_identity_t<T>&);                              \
   EXTERN template ContactMotion<T> contact_motion<T>(                                              \
       const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
   EXTERN template Vector<T> effective_masses<T>(                                                   \
       const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template Vector<T> mobilities_along<T>(                                                   \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template Vector<T> effective_masses<T>(                                                   \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>, const TaskLaw<T>&);               \
   EXTERN template ImpulseResponse<T> impulse_response<T>(                                          \
       const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
-  EXTERN template Vector<T> explicit_control_torque<T>(const ExplicitOperationalSpace<T>&,         \
-      VectorArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>)
+  EXTERN template Matrix<T> contact_inverse_inertia<T>(                                            \
+      const Model<T>&, PointsArg<T>, VectorArg<T>);                                                \
+  EXTERN template std::vector<std::vector<HeldPose<T>>> held_poses<T>(                             \
+      const ClosedChain<T>&, PerRobotArg<T>, PerRobotArg<T>);                                      \
+  EXTERN template PerRobot<T> object_control_torque<T>(const ClosedChain<T>&, PerRobotArg<T>,      \
+      PerRobotArg<T>, PerRobotArg<T>, VectorArg<T>, VectorArg<T>, const TaskLaw<T>&);              \
+  EXTERN template ClosedChainMotion<T> object_forward_dynamics<T>(const ClosedChain<T>&,           \
+      PerRobotArg<T>, PerRobotArg<T>, PerRobotArg<T>,                                              \
+      const Stabilisation<std::type_identity_t<T>>&);                                              \
+  EXTERN template ClosedChainMotion<T> object_forward_dynamics<T>(const ClosedChain<T>&,           \
+      PerRobotArg<T>, PerRobotArg<T>, PerRobotArg<T>,                                              \
+      const Stabilisation<std::type_identity_t<T>>&, const TaskLaw<T>&)
 // clang-format on
 
-#ifndef TREELINE_INTERPRETER_DEFINES_INSTANCES
+#define TREELINE_INTERPRETER_INSTANCES(EXTERN, T)    \
+  TREELINE_INTERPRETER_DYNAMICS(EXTERN, T);          \
+  TREELINE_INTERPRETER_OPERATIONAL_SPACE(EXTERN, T); \
+  TREELINE_INTERPRETER_CONTACTS_AND_OBJECTS(EXTERN, T)
+
+TREELINE_INTERPRETER_INSTANCES(extern, float);
 TREELINE_INTERPRETER_INSTANCES(extern, double);
 TREELINE_INTERPRETER_INSTANCES(extern, Digits50);
-#endif
 
 }  // namespace treeline::interpreter

@@ -31,11 +31,15 @@ JointVector<Scalar> joint_velocity(const Body<Scalar>& body, VectorArg<Scalar> q
   return own;
 }
 
-/// R = 1 + 2 (w [u]x + [u]x [u]x) of the quaternion (u, w), as it stands.
+/// R = 1 + 2 (w [u]x + [u]x [u]x) / |(u, w)|^2 of the quaternion (u, w), whatever its length; 0
+/// turns by nothing.
 template <class Scalar>
 Matrix3<Scalar> rotation_from_quaternion(const Vector3<Scalar>& u, const Scalar& w) {
   const Matrix3<Scalar> U = cross_matrix(u);
-  return Matrix3<Scalar>::Identity() + Scalar(2) * (w * U + U * U);
+  const Scalar square = u.dot(u) + w * w;
+  if (square == Scalar(0)) return Matrix3<Scalar>::Identity();
+  const Scalar twice = Scalar(2) / square;
+  return Matrix3<Scalar>::Identity() + twice * Matrix3<Scalar>(w * U + U * U);
 }
 
 /// R = 1 + sin [n]x + (1 - cos) [n]x [n]x, a turn about the unit vector n.

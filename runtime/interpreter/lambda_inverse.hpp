@@ -7,6 +7,7 @@
 #include "interpreter/articulated_inertia.hpp"
 #include "interpreter/jacobian.hpp"
 #include "interpreter/mass_matrix.hpp"
+#include "interpreter/task_law.hpp"
 
 namespace treeline::interpreter {
 
@@ -119,6 +120,13 @@ Matrix<Scalar> lambda_inverse(const Model<Scalar>& model, PointsArg<Scalar> poin
 template <class Scalar>
 Matrix<Scalar> lambda(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q) {
   return inverse_of_positive_definite<Scalar>(lambda_inverse<Scalar>(model, points, q));
+}
+
+/// The same where rows that cannot be moved yield by `law`: finite at every state.
+template <class Scalar>
+Matrix<Scalar> lambda(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,
+                      const TaskLaw<Scalar>& law) {
+  return bordered_inverse<Scalar>(lambda_inverse<Scalar>(model, points, q), law);
 }
 
 }  // namespace treeline::interpreter

@@ -30,7 +30,7 @@ constexpr int velocity_count(JointKind kind) {
 ///  floating   position and quaternion x y z w of the link's frame in the joint's frame;
 ///             qd = body twist: velocity of the link's origin, angular velocity, in the link's axes
 ///  spherical  quaternion x y z w; qd = angular velocity in the link's axes
-/// Quaternions are not normalised.
+/// Quaternions need not have length 1: what counts is their direction.
 template <class Scalar>
 struct Body {
   std::string name;

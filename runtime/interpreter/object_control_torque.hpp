@@ -60,11 +60,13 @@ Vector<Scalar> of_robot(const ClosedChain<Scalar>& chain, int robot,
 /// conventional acceleration of its origin over angular, world axes) and squeeze them with
 /// `internal` (see `virtual_linkage.hpp`), while `qdd_0` acts in the null space (Chang table 7.1):
 /// f_t = W^-1 [Lambda_obj xdd + mu_obj + p_obj; F_int],
-/// f = Lambda_e (C xdd - Jd qd - J qdd_0) + f_t, tau = RNEA(q, qd, qdd_0) + J^T f.
+/// f = Lambda_e (C xdd - Jd qd - J qdd_0) + f_t, tau = RNEA(q, qd, qdd_0) + J^T f. `law`, of one
+/// robot's hands: what of its rows yields.
 template <class Scalar>
 PerRobot<Scalar> object_control_torque(const ClosedChain<Scalar>& chain, PerRobotArg<Scalar> q,
                                        PerRobotArg<Scalar> qd, PerRobotArg<Scalar> qdd_0,
-                                       VectorArg<Scalar> xdd_cmd, VectorArg<Scalar> internal) {
+                                       VectorArg<Scalar> xdd_cmd, VectorArg<Scalar> internal,
+                                       const TaskLaw<Scalar>& law = {}) {
   const auto poses = held_poses<Scalar>(chain, q, qd);
   const auto forces = detail::commanded_grasp_forces<Scalar>(chain, poses, xdd_cmd, internal);
   PerRobot<Scalar> tau;
@@ -73,8 +75,10 @@ PerRobot<Scalar> object_control_torque(const ClosedChain<Scalar>& chain, PerRobo
     const auto points = object_points(chain, robot);
     Vector<Scalar> f(0);
     if (!points.empty()) {
-      f = task_force<Scalar>(chain.robots[r], points, q[r], qd[r], qdd_0[r],
-                             connectivity(chain, robot) * xdd_cmd) +
+      const Vector<Scalar> wanted = connectivity(chain, robot) * xdd_cmd;
+      f = (law.borders.empty()
+               ? task_force<Scalar>(chain.robots[r], points, q[r], qd[r], qdd_0[r], wanted)
+               : task_force<Scalar>(chain.robots[r], points, q[r], qd[r], qdd_0[r], wanted, law)) +
           detail::of_robot(chain, robot, forces);
     }
     tau.push_back(inverse_dynamics<Scalar>(chain.robots[r], q[r], qd[r], qdd_0[r], points, -f));

@@ -121,4 +121,44 @@ ClosedChainMotion<Scalar> object_forward_dynamics(
   return motion;
 }
 
+/// The same by one system for the grasps' forces f,
+/// (Lambda_e^-1 + C Lambda_obj^-1 C^T) f = xdd_o - C xdd_free, xdd_free the objects' accelerations
+/// when nobody holds them: it needs no Lambda_e, which is not finite where a hand cannot move. Of
+/// forces that nothing distinguishes, `law` lets those of later grasps yield. Chains of one robot.
+template <class Scalar>
+ClosedChainMotion<Scalar> object_forward_dynamics(
+    const ClosedChain<Scalar>& chain, PerRobotArg<Scalar> q, PerRobotArg<Scalar> qd,
+    PerRobotArg<Scalar> tau, const Stabilisation<std::type_identity_t<Scalar>>& gains,
+    const TaskLaw<Scalar>& law) {
+  const Model<Scalar>& robot = chain.robots.front();
+  const auto poses = held_poses<Scalar>(chain, q, qd);
+  const int size = 6 * static_cast<int>(chain.objects.size());
+  Matrix<Scalar> mobility = Matrix<Scalar>::Zero(size, size);
+  Vector<Scalar> free(size);
+  for (std::size_t k = 0; k < chain.objects.size(); ++k) {
+    const int at = 6 * static_cast<int>(k);
+    const auto bias = object_bias(chain.objects[k], poses[k].front(), robot.gravity);
+    mobility.template block<6, 6>(at, at) =
+        inverse_of_positive_definite<Scalar>(object_inertia(chain.objects[k], poses[k].front().R));
+    free.template segment<6>(at) =
+        -(mobility.template block<6, 6>(at, at) * Vector<Scalar>(bias.mu + bias.p));
+  }
+  const auto points = object_points(chain, 0);
+  const Matrix<Scalar> C = connectivity(chain, 0);
+  ClosedChainMotion<Scalar> motion;
+  motion.qdd.push_back(forward_dynamics<Scalar>(robot, q[0], qd[0], tau[0]));
+  const Vector<Scalar> xdd_o =
+      point_accelerations<Scalar>(robot, points, q[0], qd[0], motion.qdd[0]) -
+      detail::of_robot(chain, 0, detail::corrections(poses, gains));
+  const Matrix<Scalar> A =
+      lambda_inverse<Scalar>(robot, points, q[0]) + C * mobility * C.transpose();
+  const Vector<Scalar> f = bordered_inverse<Scalar>(A, law) * (xdd_o - C * free);
+  motion.xdd_object = free + mobility * (C.transpose() * f);
+  const Model<Scalar> weightless = detail::without_gravity(robot);
+  const Vector<Scalar> rest = Vector<Scalar>::Zero(robot.nv);
+  motion.qdd[0] -= forward_dynamics<Scalar>(weightless, q[0], rest, rest, points, f);
+  detail::report_grasp_forces(chain, poses, {f}, motion);
+  return motion;
+}
+
 }  // namespace treeline::interpreter

@@ -38,9 +38,11 @@ std::vector<int> rows_by_priority(const Points<Scalar>& points) {
 
 /// Below which inverse inertia each row yields: 2^-13 of what its point has of its kind, the sum of
 /// `mobilities` (the diagonal of Lambda^-1) over its rows of translation or its rows of rotation,
-/// which does not depend on the axes if all three are controlled.
+/// which does not depend on the axes if all three are controlled. `floors`, if any, one a row, are
+/// added to its sum, so that it does not vanish with what the point has.
 template <class Scalar>
-Vector<Scalar> yield_borders(const Points<Scalar>& points, VectorArg<Scalar> mobilities) {
+Vector<Scalar> yield_borders(const Points<Scalar>& points, VectorArg<Scalar> mobilities,
+                             const std::vector<Scalar>& floors = {}) {
   Vector<Scalar> borders(mobilities.size());
   int at = 0;
   for (const auto& point : points) {
@@ -48,7 +50,8 @@ Vector<Scalar> yield_borders(const Points<Scalar>& points, VectorArg<Scalar> mob
       const auto count =
           static_cast<int>(std::count(point.rows.begin() + first, point.rows.begin() + last, true));
       if (count == 0) continue;
-      const Scalar sum = mobilities.segment(at, count).sum();
+      Scalar sum = mobilities.segment(at, count).sum();
+      if (!floors.empty()) sum += floors[static_cast<std::size_t>(at)];
       borders.segment(at, count).setConstant(sum / Scalar(8192));
       at += count;
     }
@@ -81,11 +84,12 @@ Vector<Scalar> prioritized_control_torque(const Model<Scalar>& model, PointsArg<
                                           VectorArg<Scalar> q, VectorArg<Scalar> qd,
                                           VectorArg<Scalar> qdd_0, VectorArg<Scalar> xdd_cmd,
                                           PointsArg<Scalar> external_points,
-                                          VectorArg<Scalar> f_ext) {
+                                          VectorArg<Scalar> f_ext,
+                                          const std::vector<Scalar>& floors = {}) {
   const Matrix<Scalar> J = jacobian<Scalar>(model, points, q);
   Matrix<Scalar> NM_inverse = inverse_of_positive_definite<Scalar>(mass_matrix<Scalar>(model, q));
   const Vector<Scalar> mobilities = (J * NM_inverse * J.transpose()).diagonal();
-  const Vector<Scalar> borders = yield_borders<Scalar>(points, mobilities);
+  const Vector<Scalar> borders = yield_borders<Scalar>(points, mobilities, floors);
   const Vector<Scalar> wanted = xdd_cmd - bias_acceleration<Scalar>(model, points, q, qd);
   Vector<Scalar> qdd = qdd_0;
   for (const int row : rows_by_priority(points)) {

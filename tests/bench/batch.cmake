@@ -1,12 +1,8 @@
 # treeline_batch_bench: states a second of batch functions, as wide as this machine's registers.
 # Functions: those that the benchmark calls; scenes: those of the other benchmarks, for a batch.
 function(bench_generate_batch name robot real states)
-  set(urdf ${TREELINE_SHARED_DIR}/golden/${robot}.urdf)
+  set(urdf ${PROJECT_SOURCE_DIR}/tests/data/golden/${robot}.urdf)
   set(scene ${CMAKE_CURRENT_SOURCE_DIR}/scenes/${robot}.yaml)
-  if(NOT EXISTS ${urdf})
-    set(urdf ${CMAKE_SOURCE_DIR}/robots/${robot}/${robot}.urdf)
-    set(scene ${CMAKE_SOURCE_DIR}/robots/${robot}/scene.yaml)
-  endif()
   set(batch_scene ${CMAKE_CURRENT_BINARY_DIR}/${name}.yaml)
   bench_write_scene(${scene} "inverse_dynamics;control_torque" ${states} ${batch_scene})
   treeline_generate(${name} URDF ${urdf} SCENE ${batch_scene} REAL ${real})

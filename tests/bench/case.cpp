@@ -4,10 +4,10 @@
 #include <iostream>
 
 #include "bench_robots.hpp"
-#include "check/model_from_robot.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "interpreter/points.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
 
 namespace treeline::bench {

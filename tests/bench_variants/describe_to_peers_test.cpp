@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "check/model_from_robot.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "interpreter/inverse_dynamics.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "random_mechanism.hpp"
 #include "random_state.hpp"
 

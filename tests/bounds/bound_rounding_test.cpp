@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <regex>
 
+#include "bounds/lie_on_circle.hpp"
 #include "climb.hpp"
+#include "generate.hpp"
 #include "sample.hpp"
 
 // Catches bounds that forget an operation's rounding, that grow with every rotation, or that are
@@ -146,6 +151,72 @@ TEST(BoundRounding, SinesMayBeGiven) {
   const auto c = sample.argument("cos_q", 1, 1);
   sample.result({c[0] * x[0] + s[0] * x[1]});
   EXPECT_LE(bound_of(sample).size[0], 1.4143);
+}
+
+/// The worst error found over the bound, of any entry.
+double climb_given(const Program& program, const Domain& domain, const RoundingBound& bound,
+                   Climber::Given given, int steps) {
+  Climber climber(program, domain, 11, given);
+  double worst = 0;
+  for (std::size_t i = 0; i < bound.error.size(); i += 1 + bound.error.size() / 12) {
+    climber.climb(i, steps);
+  }
+  for (std::size_t i = 0; i < bound.error.size(); ++i) {
+    if (bound.error[i] > 0) worst = std::max(worst, climber.worst[i] / bound.error[i]);
+  }
+  return worst;
+}
+
+/// Sines and cosines in the box |sin_q| <= 1, |cos_q| <= 1 alone lengthen vectors by up to sqrt 2 a
+/// turn: there the bound is broken, and it has to say that it is for pairs on the circle.
+TEST(BoundRounding, GivenSinesMustLieOnTheCircle) {
+  Sample sample;
+  const Graph::Scope scope(sample.program.graph);
+  auto v = sample.argument("x", 3, 1);
+  const auto s = sample.argument("sin_q", 12, 1);
+  const auto c = sample.argument("cos_q", 12, 1);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    v = {c[i] * v[0] - s[i] * v[1], v[2], s[i] * v[0] + c[i] * v[1]};
+  }
+  sample.result(v);
+  const RoundingBound bound = bound_of(sample);
+  const auto worst = [&](Climber::Given given) {
+    return climb_given(sample.program, sample.domain, bound, given, 2000);
+  };
+  EXPECT_LE(worst(Climber::Given::on_circle), 1);
+  EXPECT_GT(worst(Climber::Given::in_box), 2);
+  EXPECT_NE(describe(sample.domain, {"cos_q", "sin_q", "x"}).find("sin_q^2 + cos_q^2 = 1"),
+            std::string::npos);
+  EXPECT_EQ(describe(sample.domain, {"x"}), "|x| <= 1");
+}
+
+/// The same of a robot's own functions, and what its header and manifest say.
+TEST(BoundRounding, RobotsWithGivenSinesStateTheCircle) {
+  const Subjects made = load_functions("humanoid24", {Function::jacobian}, Sines::given);
+  const GeneratedFunction& jacobian = made.generation.functions.front();
+  ASSERT_TRUE(jacobian.rounding.is_proven());
+  const auto worst = [&](Climber::Given given) {
+    return climb_given(jacobian.program, made.generation.domain, jacobian.rounding, given, 400);
+  };
+  const double on_circle = worst(Climber::Given::on_circle);
+  const double in_box = worst(Climber::Given::in_box);
+  std::printf("humanoid24 jacobian, worst found over bound: %.2f on the circle, %.2f in the box\n",
+              on_circle, in_box);
+  EXPECT_LE(on_circle, 1);
+  EXPECT_GT(in_box, 1);
+  for (const GeneratedFile& file : made.generation.files) {
+    if (file.name != "humanoid24.hpp" && file.name != "manifest.json") continue;
+    const std::string text = std::regex_replace(file.text, std::regex("\\n// +"), " ");
+    EXPECT_NE(text.find("sin_q^2 + cos_q^2 = 1"), std::string::npos) << file.name;
+  }
+}
+
+TEST(LieOnCircle, AllowsRoundingAlone) {
+  EXPECT_TRUE(lie_on_circle({std::sin(1.0), 0}, {std::cos(1.0), -1}, kUnit));
+  EXPECT_FALSE(lie_on_circle({std::sin(1.0), 0.5}, {std::cos(1.0), 0.5}, kUnit));
+  EXPECT_FALSE(lie_on_circle({1 + 1e-14}, {0}, kUnit));
+  EXPECT_TRUE(lie_on_circle({std::sin(1.0F)}, {std::cos(1.0F)}, 0x1p-24));
+  EXPECT_FALSE(lie_on_circle({std::nan("")}, {0}, kUnit));
 }
 
 TEST(Describe, NeverSaysLessThanTheBound) {

@@ -19,8 +19,13 @@ class Climber {
  public:
   using Inputs = std::vector<std::vector<double>>;
 
-  Climber(const Program& program, const Domain& domain, std::uint64_t seed)
-      : program_(program), domain_(domain), dice_(seed) {
+  /// Sines and cosines that are given are those of angles; or, with `Given::in_box`, any numbers up
+  /// to one.
+  enum class Given { on_circle, in_box };
+
+  Climber(const Program& program, const Domain& domain, std::uint64_t seed,
+          Given given = Given::on_circle)
+      : program_(program), domain_(domain), dice_(seed), given_(given) {
     std::size_t entries = 0;
     for (const Result& result : program.results) entries += result.values.size();
     worst.assign(entries, 0);
@@ -73,8 +78,20 @@ class Climber {
     return normalised(std::move(inputs));
   }
 
+  /// Sines and cosines of the angles that those given are nearest to.
+  void put_on_circle(std::vector<double>& sines, std::vector<double>& cosines) const {
+    for (std::size_t i = 0; given_ == Given::on_circle && i < sines.size(); ++i) {
+      const double angle = std::atan2(sines[i], cosines[i]);
+      sines[i] = std::sin(angle);
+      cosines[i] = std::cos(angle);
+    }
+  }
+
   /// Quaternions have length 1.
   Inputs normalised(Inputs inputs) const {
+    for (std::size_t i = 1; i < inputs.size(); ++i) {
+      if (program_.arguments[i].name == "cos_q") put_on_circle(inputs[i - 1], inputs[i]);
+    }
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       if (program_.arguments[i].name != "q") continue;
       for (const std::size_t first : domain_.quaternions) {
@@ -139,6 +156,7 @@ class Climber {
   const Program& program_;
   const Domain& domain_;
   Dice dice_;
+  Given given_;
 };
 
 }  // namespace treeline::tests

@@ -9,12 +9,14 @@
 namespace treeline::tests {
 
 /// These functions of one of our robots.
-inline Subjects load_functions(const std::string& name, std::vector<Function> functions) {
+inline Subjects load_functions(const std::string& name, std::vector<Function> functions,
+                               Sines sines = Sines::computed) {
   const std::string folder = std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/";
   Diagnostics diagnostics;
   Subjects made{read_urdf(folder + name + ".urdf", diagnostics).value(), {}, {}};
   made.scene = read_scene(folder + "scene.yaml", made.robot, diagnostics).value();
   made.scene.damped.reset();
+  made.scene.sin_cos = sines;
   made.scene.functions = std::move(functions);
   made.generation = generate(made.robot, made.scene);
   return made;

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <string>
 
-#include "check/evaluate_damped.hpp"
 #include "fixture.hpp"
+#include "generation/evaluate_damped.hpp"
 
 // damped_control_torque as a function that is checked like the others: compiled, near singularities
 // above all, against 50 digits. Would catch a law that is not the one of damped_solve.hpp, one that
@@ -115,9 +115,10 @@ TEST(CheckDamped, FaultsInItsHeadersAreSeen) {
            Fault{"damped_solve.hpp", "border * lack * lack * lack", "border * lack * lack", true},
            Fault{"damped_solve.hpp", "F[row] -= J[row", "F[row] += J[row", true},
            Fault{"damped_solve.hpp", "return eigen.values[N - 1]", "return eigen.values[0]", true},
-           Fault{"symmetric_eigen.hpp", "int sweeps = 10", "int sweeps = 2", true},
+           Fault{"symmetric_eigen.hpp", "? 10 :", "? 2 :", true},
            Fault{"ldlt.hpp", "entry -= A[i * N + k]", "entry += A[i * N + k]", true},
-           Fault{"square_root.hpp", "root + 0.5 * inverse * (x - root * root)", "root", false},
+           Fault{"square_root.hpp", "_DOUBLE(root, x);",
+                 "_DOUBLE(root, x); root += root * 0x1p-52;", false},
        }) {
     write_folder(options.folder, subjects.generation);
     std::string text = read_file(options.folder / fault.file);

@@ -10,11 +10,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "check/reference.hpp"
+#include "data/list_data.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "generation/compose_damped.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/leave_out_singular.hpp"
+#include "oracle/reference.hpp"
 #include "passes/choose.hpp"
 #include "passes/settle.hpp"
 #include "recursion/trace_function.hpp"
@@ -28,7 +30,6 @@ constexpr int kStates = 40;  ///< of every class but at rest, see `class_of_stat
 
 std::vector<fs::path> sorted_files(const fs::path& folder, const std::string& extension) {
   std::vector<fs::path> files;
-  if (!fs::exists(folder)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() == extension) files.push_back(entry.path());
   }
@@ -51,10 +52,10 @@ std::vector<std::string> end_links(const Robot& robot) {
   return ends;
 }
 
-std::string scene_text(const std::vector<std::string>& ends, std::size_t points,
+std::string scene_text(Base base, const std::vector<std::string>& ends, std::size_t points,
                        const std::string& rows) {
-  std::string text = "name: made\nlanes: 1\n";
-  if (ends.size() >= 4) text += "base: floating\n";
+  std::string text = "name: made\nlanes: 1\nsingular: exact\n";
+  text += base == Base::floating ? "base: floating\n" : "base: fixed\n";
   if (points > 0) text += "operational_points:\n";
   for (std::size_t i = 0; i < points; ++i) {
     text += fmt::format("  - {{name: end_{}, link: \"{}\", rows: [{}]}}\n", i,
@@ -93,7 +94,7 @@ DigitsLeft worst_digits(const std::string& subject, std::size_t i, Function func
 
 }  // namespace
 
-std::vector<DigitsSubject> list_subjects(const std::string& robots, const std::string& shared) {
+std::vector<DigitsSubject> list_subjects(const std::string& robots) {
   std::vector<DigitsSubject> subjects;
   for (const fs::path& urdf : sorted_files(robots, ".urdf")) {
     for (const fs::path& scene : sorted_files(urdf.parent_path(), ".yaml")) {
@@ -101,22 +102,26 @@ std::vector<DigitsSubject> list_subjects(const std::string& robots, const std::s
       subjects.push_back({urdf.stem().string() + "/" + scene.stem().string(), urdf, scene});
     }
   }
-  for (const char* folder : {"golden", "urdf/real"}) {
-    for (const fs::path& urdf : sorted_files(fs::path(shared) / folder, ".urdf")) {
-      subjects.push_back({std::string(folder == std::string("golden") ? "golden/" : "real/") +
-                              urdf.stem().string(),
-                          urdf, ""});
+  for (const char* folder : {"golden", "published"}) {
+    for (const DataRobot& robot : data_robots(folder)) {
+      subjects.push_back({robot.name, robot.path, ""});
     }
   }
   return subjects;
 }
 
-std::optional<Scene> make_scene(const Robot& robot) {
+std::optional<Scene> make_scene(const Robot& robot, std::optional<Base> base) {
   const std::vector<std::string> ends = end_links(robot);
+  const bool floats = ends.empty() || ends.size() >= 4;
+  const Base chosen = base.value_or(floats ? Base::floating : Base::fixed);
   for (std::size_t points = std::min<std::size_t>(2, ends.size()) + 1; points-- > 0;) {
     for (const char* rows : {"x, y, z, rx, ry, rz", "x, y, z", "x"}) {
       Diagnostics diagnostics;
-      if (auto scene = parse_scene(scene_text(ends, points, rows), "made", robot, diagnostics)) {
+      if (auto scene =
+              parse_scene(scene_text(chosen, ends, points, rows), "made", robot, diagnostics)) {
+        // Rows that a bare solve takes, solved as they are by default.
+        scene->singular = SingularTasks::smooth;
+        leave_out_singular(robot, *scene, false, diagnostics);
         return scene;
       }
     }
@@ -131,21 +136,26 @@ std::vector<DigitsLeft> measure_digits(const DigitsSubject& subject) {
   const auto scene =
       subject.scene.empty() ? make_scene(*robot) : read_scene(subject.scene, *robot, diagnostics);
   if (!scene) throw std::runtime_error("no scene for " + subject.name);
+  return measure_digits(subject.name, *robot, *scene);
+}
+
+std::vector<DigitsLeft> measure_digits(const std::string& subject, const Robot& robot,
+                                       const Scene& scene) {
   Generation generation;
-  generation.mechanism = reduced_mechanism(*robot, *scene);
-  for (const Function function : scene->functions) {
+  generation.mechanism = reduced_mechanism(robot, scene);
+  for (const Function function : scene.functions) {
     generation.functions.push_back(cheapest(generation.mechanism, function));
   }
-  if (scene->damped) generation.damped = compose_damped(generation.functions);
+  if (scene.damped) generation.damped = compose_damped(generation.functions);
   ReferenceOptions options;
   options.states = kStates;
   options.first = 1;
   options.threads = 1;
-  const auto references = make_references(*robot, *scene, generation, options);
+  const auto references = make_references(robot, scene, generation, options);
   std::vector<DigitsLeft> rows;
   const auto functions = all_callable(generation);
   for (std::size_t i = 0; i < functions.size(); ++i) {
-    rows.push_back(worst_digits(subject.name, i, functions[i].function, scene->real, references));
+    rows.push_back(worst_digits(subject, i, functions[i].function, scene.real, references));
   }
   return rows;
 }

@@ -6,12 +6,38 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace treeline::tests {
 namespace {
 
 /// Rounding errors of other orders of operations differ by that much at the worst of few states.
 constexpr double kAllowedLoss = 0.6;
+
+/// What double leaves of functions that solve nothing, on any robot; the rest is left to functions
+/// that solve, by condition. Scenes in float have half.
+constexpr double kLeastDigits = 12.5, kLeastDigitsOfFloat = 5.5;
+
+/// Robots whose functions are wrong today, and why. A robot that is right fails.
+const std::map<std::string, std::string> kWrong = {};
+
+bool solves(const std::string& function) {
+  static const std::set<std::string> kSolving = {
+      "forward_dynamics",        "lambda_inverse",   "lambda",
+      "control_torque",          "object_state",     "object_control_torque",
+      "object_forward_dynamics", "impulse_response", "damped_control_torque",
+      "contact_inverse_inertia", "effective_mass",   "link_inverse_inertias"};
+  return kSolving.contains(function);
+}
+
+/// Whether every function that solves nothing leaves the digits of its Real.
+bool is_right(const std::vector<DigitsLeft>& rows, bool in_float) {
+  return std::all_of(rows.begin(), rows.end(), [&](const DigitsLeft& row) {
+    return solves(row.function) ||
+           row.digits.value_or(0) >= (in_float ? kLeastDigitsOfFloat : kLeastDigits);
+  });
+}
 
 std::vector<DigitsLeft> rows_of(const std::string& subject) {
   std::vector<DigitsLeft> rows = read_digits(TREELINE_DIGITS_TABLE);
@@ -36,14 +62,16 @@ INSTANTIATE_TEST_SUITE_P(Table, Digits, testing::ValuesIn(subjects_in_table()), 
 });
 
 TEST_P(Digits, AreKept) {
-  const auto subjects = list_subjects(TREELINE_ROBOTS_DIR, TREELINE_SHARED_DIR);
+  const auto subjects = list_subjects(TREELINE_ROBOTS_DIR);
   const auto found =
       std::find_if(subjects.begin(), subjects.end(),
                    [&](const DigitsSubject& subject) { return subject.name == GetParam(); });
-  if (found == subjects.end()) GTEST_SKIP() << "no such file here";
+  ASSERT_NE(found, subjects.end()) << "the table has a robot that is not here";
   const std::vector<DigitsLeft> expected = rows_of(GetParam());
   const std::vector<DigitsLeft> actual = measure_digits(*found);
   ASSERT_EQ(actual.size(), expected.size()) << "make the table again";
+  EXPECT_NE(is_right(actual, GetParam() == "puma560/scene_float"), kWrong.contains(GetParam()))
+      << "a robot of kWrong that is right leaves it, and the table is made again";
   for (std::size_t i = 0; i < actual.size(); ++i) {
     EXPECT_EQ(actual[i].function, expected[i].function);
     EXPECT_EQ(actual[i].digits.has_value(), expected[i].digits.has_value()) << actual[i].function;
@@ -55,7 +83,7 @@ TEST_P(Digits, AreKept) {
 // A robot that is here and not in the table is not guarded.
 TEST(DigitsTable, HasEveryRobot) {
   const auto names = subjects_in_table();
-  for (const DigitsSubject& subject : list_subjects(TREELINE_ROBOTS_DIR, TREELINE_SHARED_DIR)) {
+  for (const DigitsSubject& subject : list_subjects(TREELINE_ROBOTS_DIR)) {
     EXPECT_EQ(std::count(names.begin(), names.end(), subject.name), 1) << subject.name;
   }
 }

@@ -28,10 +28,23 @@ void expect_passed(const CheckReport& report, std::size_t functions) {
 TEST(Check, Puma560) {
   const auto report = check_or_throw(load("puma560"), quick_options(100));
   expect_passed(report, 11);
-  // The wrist is singular at q5 = 0: some states are, and are said to be.
+  // The wrist is singular at q5 = 0: rows yield there, and no state is left out.
   for (const FunctionReport& function : report.functions) {
-    const bool solves = function.name == "lambda" || function.name == "control_torque";
-    EXPECT_EQ(function.singular > 0, solves) << function.name;
+    EXPECT_EQ(function.singular, 0) << function.name;
+  }
+}
+
+// A bare solve has nothing to be compared with where the wrist is singular: some states are, and
+// are said to be.
+TEST(Check, Puma560SolvedAsItIs) {
+  Subjects subjects = load("puma560");
+  subjects.scene.singular = SingularTasks::exact;
+  subjects.scene.functions = {Function::mass_matrix, Function::lambda, Function::control_torque};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  const auto report = check_or_throw(subjects, quick_options(100));
+  expect_passed(report, 3);
+  for (const FunctionReport& function : report.functions) {
+    EXPECT_EQ(function.singular > 0, function.name != "mass_matrix") << function.name;
   }
 }
 
@@ -178,22 +191,43 @@ TEST(Check, Priorities) {
   }
 }
 
-// A task that no state can fulfil, four rows with three joints: nothing to compare with is no pass.
-TEST(Check, AlwaysSingularIsNoPass) {
+// A task that no state can fulfil, four rows with three joints: a function that can have no value
+// is no failure, and it is said; at a few states only, nothing to compare with is no pass.
+TEST(Check, SaysWhatCanHaveNoValue) {
   Subjects subjects = load("planar3r");
   ScenePoint elbow = subjects.scene.operational_points.front();
   elbow.name = "elbow";
   elbow.link = "link2";
   subjects.scene.operational_points.push_back(elbow);
+  subjects.scene.singular = SingularTasks::exact;
   subjects.scene.functions = {Function::jacobian, Function::lambda};
   subjects.generation = generate(subjects.robot, subjects.scene);
   const auto report = check_or_throw(subjects, quick_options());
   ASSERT_EQ(report.functions.size(), 2U);
   EXPECT_TRUE(report.functions[0].passed());
-  EXPECT_FALSE(report.functions[1].passed());
   EXPECT_EQ(report.functions[1].singular, report.functions[1].states);
-  EXPECT_FALSE(report.passed());
-  EXPECT_NE(print_text(report).find("not checked"), std::string::npos);
+  EXPECT_TRUE(report.functions[1].has_no_value());
+  EXPECT_TRUE(report.passed());
+  EXPECT_NE(print_text(report).find("lambda: no value to check"), std::string::npos);
+  EXPECT_NE(print_text(report).find("1 of them without a value"), std::string::npos);
+  const auto few = check_or_throw(subjects, quick_options(kStatesOfEveryClass - 1));
+  EXPECT_FALSE(few.functions[1].passed());
+  EXPECT_FALSE(few.passed());
+  EXPECT_NE(print_text(few).find("not checked"), std::string::npos);
+}
+
+// The same where rows yield: every state is compared, and is right.
+TEST(Check, MoreRowsThanFreedomsYield) {
+  Subjects subjects = load("planar3r");
+  ScenePoint elbow = subjects.scene.operational_points.front();
+  elbow.name = "elbow";
+  elbow.link = "link2";
+  subjects.scene.operational_points.push_back(elbow);
+  subjects.scene.functions = {Function::lambda, Function::control_torque};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  const auto report = check_or_throw(subjects, quick_options());
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  for (const FunctionReport& function : report.functions) EXPECT_EQ(function.singular, 0);
 }
 
 TEST(Check, NamedStatesAreThoseOfTheReport) {

@@ -27,7 +27,7 @@ struct Judged {
       if (at.singular) continue;
       std::vector<double> entries = at.graph;
       for (double& entry : entries) entry *= factor;
-      calls.push_back({&reference.state, at.condition, {entries, false}});
+      calls.push_back({&reference.state, at.condition, at.size, {entries, false}});
     }
     return judge_rounding(functions[i], subjects.generation.domain, kUnit, calls);
   }
@@ -42,6 +42,24 @@ TEST(JudgeRounding, WhatTheGraphGivesIsSound) {
     EXPECT_GT(report->states, 5) << function_name(function);
     EXPECT_GT(report->used, 0.01) << function_name(function);
     EXPECT_LE(report->used, 1) << function_name(function);
+  }
+}
+
+/// At q = 0 the arm is stretched along x: what that row yields to is x to the fifth of next to
+/// nothing, whose first order is less than its rounding.
+TEST(JudgeRounding, WhatIsFlatThereIsSound) {
+  Judged judged;
+  judged.references.resize(1);
+  ASSERT_EQ(judged.references.front().state.kind, StateClass::neutral);
+  for (const Function function : {Function::lambda, Function::control_torque}) {
+    std::size_t i = 0;
+    const auto& functions = judged.subjects.generation.functions;
+    while (functions[i].function != function) ++i;
+    FunctionReference& at = judged.references.front().functions[i];
+    EXPECT_LE(judged.judge(function, 1)->used, 1) << function_name(function);
+    // Of the size that the result has beside the state, less than double can tell.
+    for (std::size_t k = 0; k < at.graph.size(); ++k) at.graph[k] += 0x1p-110 * at.size[k];
+    EXPECT_LE(judged.judge(function, 1)->used, 1) << function_name(function);
   }
 }
 

@@ -1,12 +1,12 @@
-#include "check/reference.hpp"
+#include "oracle/reference.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "check/condition.hpp"
 #include "check/judge_function.hpp"
-#include "check/result_sizes.hpp"
 #include "fixture.hpp"
+#include "oracle/condition.hpp"
+#include "oracle/result_sizes.hpp"
 
 // The arithmetic of errors, scales, conditions and bounds. Would catch a scale that some result
 // exceeds, a condition that depends on units, NaN that counts as no error.

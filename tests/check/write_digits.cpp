@@ -1,5 +1,5 @@
-// Writes the table of digits left: write_digits ROBOTS SHARED FILE. The file's rows of robots that
-// are not at hand are lost. Exit status: 0 written, 1 not, 2 usage.
+// Writes the table of digits left: write_digits ROBOTS FILE. Exit status: 0 written, 1 not, 2
+// usage.
 #include <fmt/core.h>
 
 #include <chrono>
@@ -13,9 +13,9 @@ namespace {
 
 using namespace treeline::tests;  // NOLINT: a program, not a header
 
-int write_table(const char* robots, const char* shared, const char* path) {
+int write_table(const char* robots, const char* path) {
   std::vector<DigitsLeft> rows;
-  for (const DigitsSubject& subject : list_subjects(robots, shared)) {
+  for (const DigitsSubject& subject : list_subjects(robots)) {
     const auto start = std::chrono::steady_clock::now();
     const auto own = measure_digits(subject);
     rows.insert(rows.end(), own.begin(), own.end());
@@ -31,12 +31,12 @@ int write_table(const char* robots, const char* shared, const char* path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    fmt::print(stderr, "usage: write_digits ROBOTS SHARED FILE\n");
+  if (argc != 3) {
+    fmt::print(stderr, "usage: write_digits ROBOTS FILE\n");
     return 2;
   }
   try {
-    return write_table(argv[1], argv[2], argv[3]);
+    return write_table(argv[1], argv[2]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "write_digits: {}\n", error.what());
     return 1;

@@ -241,8 +241,8 @@ TEST_F(GenerateTest, UnknownRouteIsToldWithThoseThereAre) {
 
 TEST_F(GenerateTest, BadUsageIsTwo) {
   for (const std::string& arguments :
-       {std::string(), kUrdf, kUrdf + " " + kScene, kUrdf + " " + kScene + " -o out --real half",
-        kUrdf + " " + kScene + " -o out --unknown"}) {
+       {std::string(), kUrdf + " " + kScene + " third.yaml",
+        kUrdf + " " + kScene + " -o out --real half", kUrdf + " " + kScene + " -o out --unknown"}) {
     EXPECT_EQ(run(arguments).exit_code, 2) << arguments;
   }
   EXPECT_EQ(run("--help").exit_code, 0);

@@ -192,4 +192,32 @@ TEST(DampedSolve, ServesFloat) {
   EXPECT_NEAR(x[1], -10.0F, 1e-4F);
 }
 
+// In float what double gives, by as many digits as the condition leaves.
+TEST(DampedSolve, InFloatIsThatOfDouble) {
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<double> exponent(-6, 2);
+  for (int i = 0; i < 300; ++i) {
+    Column<6> eases;
+    for (int k = 0; k < 6; ++k) eases(k) = i % 5 == 0 && k < 2 ? 0 : std::pow(10, exponent(engine));
+    const Square<6> A = matrix_of(eases, kHeaviest, engine);
+    const Column<6> b = random_column(engine);
+    float entries[36];
+    float heaviest[6];
+    float x[6];
+    Eigen::Matrix<float, 6, 6, Eigen::RowMajor>::Map(entries) = A.cast<float>();
+    Eigen::Matrix<float, 6, 1>::Map(heaviest) = kHeaviest.cast<float>();
+    Eigen::Matrix<float, 6, 1>::Map(x) = b.cast<float>();
+    const float ease = damped_solve(entries, heaviest, x);
+    Column<6> exact = b;
+    const double exact_ease = solve<6>(A, kHeaviest, exact);
+    const double largest = std::max(1.0, eases.maxCoeff());
+    EXPECT_NEAR(static_cast<double>(ease), exact_ease, 1e-6 * largest);
+    // S^-1 F, of which no direction is softer than 0.615: errors of A by some roundings of the
+    // largest ease are all that it feels.
+    const Column<6> roots = kHeaviest.cwiseSqrt();
+    const Column<6> error = Eigen::Matrix<float, 6, 1>::Map(x).cast<double>() - exact;
+    EXPECT_LE(error.cwiseQuotient(roots).norm(), 1e-5 * largest * b.cwiseProduct(roots).norm());
+  }
+}
+
 }  // namespace

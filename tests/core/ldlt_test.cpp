@@ -6,40 +6,61 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace {
 
 using treeline::core::ldlt_factor;
 using treeline::core::ldlt_solve;
 
+// Of run-time size: products of fixed size took long to compile.
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Vector = Eigen::VectorXd;
+
+struct System {
+  Matrix A;
+  Vector b;
+};
+
+System draw_system(std::mt19937_64& random, int rows) {
+  std::normal_distribution<double> normal;
+  const auto draw = [&] { return normal(random); };
+  const Matrix factor = Matrix::NullaryExpr(rows, rows, draw);
+  const Vector scale = Vector::NullaryExpr(rows, [&] { return std::exp2(draw()); });
+  const Matrix plain = factor * factor.transpose() + 0.1 * Matrix::Identity(rows, rows);
+  return {scale.asDiagonal() * plain * scale.asDiagonal(), Vector::NullaryExpr(rows, draw)};
+}
+
+void expect_solution(const System& system, const std::vector<double>& x) {
+  const auto rows = static_cast<Eigen::Index>(x.size());
+  const Vector expected = system.A.llt().solve(system.b);
+  const Vector singular = system.A.jacobiSvd().singularValues();
+  // Backward stable solves differ by condition times a few roundings per row.
+  const double condition = singular[0] / singular[rows - 1];
+  const double tolerance = 1e-15 * static_cast<double>(rows) * condition * expected.norm();
+  EXPECT_LE((Vector::Map(x.data(), rows) - expected).norm(), tolerance) << "rows " << rows;
+}
+
 template <int N>
 void expect_solves(std::mt19937_64& random) {
-  using Matrix = Eigen::Matrix<double, N, N, Eigen::RowMajor>;
-  using Vector = Eigen::Matrix<double, N, 1>;
-  std::normal_distribution<double> normal;
   for (int round = 0; round < 50; ++round) {
-    const Matrix factor = Matrix::NullaryExpr([&] { return normal(random); });
-    const Vector scale = Vector::NullaryExpr([&] { return std::exp2(normal(random)); });
-    const Matrix A = scale.asDiagonal() *
-                     (factor * factor.transpose() + 0.1 * Matrix::Identity()).eval() *
-                     scale.asDiagonal();
-    const Vector b = Vector::NullaryExpr([&] { return normal(random); });
+    const System system = draw_system(random, N);
     double packed[N * N];
     double x[N];
-    Matrix::Map(packed) = A;
-    // The upper triangle must not matter.
-    Matrix::Map(packed).template triangularView<Eigen::StrictlyUpper>().setConstant(
-        std::numeric_limits<double>::quiet_NaN());
-    Vector::Map(x) = b;
+    for (int i = 0; i < N; ++i) {
+      x[i] = system.b(i);
+      for (int j = 0; j < N; ++j) {
+        // The upper triangle must not matter.
+        packed[N * i + j] = j > i ? std::numeric_limits<double>::quiet_NaN() : system.A(i, j);
+      }
+    }
     ASSERT_TRUE(ldlt_factor<N>(packed));
     ldlt_solve(packed, x);
-    const Vector expected = A.llt().solve(b);
-    const Vector singular = A.jacobiSvd().singularValues();
-    // Backward stable solves differ by condition times a few roundings per row.
-    const double tolerance = 1e-15 * N * singular[0] / singular[N - 1] * expected.norm();
-    EXPECT_LE((Vector::Map(x) - expected).norm(), tolerance) << "N " << N << " round " << round;
+    SCOPED_TRACE(round);
+    expect_solution(system, {x, x + N});
   }
 }
 

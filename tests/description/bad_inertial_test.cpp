@@ -61,10 +61,6 @@ const Case kInertials[] = {
     {"OutsideInertial",
      with_link("<mass value='1'/>"),
      {kWarning, 3, "robot/link[a]", "<mass> stands outside <inertial>", "move"}},
-    {"MasslessLeaf",
-     with_robot("<joint name='j' type='continuous'><parent link='a'/><child link='b'/></joint>"),
-     {kWarning, 3, "robot/joint[j]", "no link beyond j has mass: the mass matrix is singular",
-      "lock it"}},
     {"ShapeOnly",
      "<robot name='r'>\n<link name='a'/><joint name='j' type='fixed'><parent link='a'/><child "
      "link='b'/></joint>\n<link name='b'><visual/></link></robot>",
@@ -79,18 +75,6 @@ TEST(UnphysicalInertia, AllowsForRoundedFigures) {
   EXPECT_TRUE(
       parse_urdf(inertia("ixx='0.33333' ixy='0' ixz='0' iyy='0.33333' iyz='0' izz='0.66667'"),
                  "plate.urdf", diagnostics));
-  EXPECT_TRUE(diagnostics.list().empty()) << to_string(diagnostics);
-}
-
-// Would catch: a warning for a massless joint whose follower moves mass.
-TEST(MasslessJoint, CountsWhatMimicsIt) {
-  Diagnostics diagnostics;
-  EXPECT_TRUE(parse_urdf(
-      "<robot name='r'><link name='a'/><link name='b'/><link name='c'>" + kBody +
-          "</link><joint name='j' type='continuous'><parent link='a'/><child link='b'/></joint>"
-          "<joint name='k' type='continuous'><parent link='a'/><child link='c'/>"
-          "<mimic joint='j'/></joint></robot>",
-      "r.urdf", diagnostics));
   EXPECT_TRUE(diagnostics.list().empty()) << to_string(diagnostics);
 }
 

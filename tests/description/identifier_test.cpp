@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "description/code_point.hpp"
+
 namespace treeline {
 namespace {
 
@@ -17,6 +19,32 @@ TEST(Identifier, RefusesReservedAndForeign) {
                            "main", "j1", "arm\xC3\xA4", "co_await", "xor", "Real", "yn"}) {
     EXPECT_FALSE(is_identifier(name)) << name;
   }
+}
+
+// Would catch: a namespace that a header of C, included before, turns into something else.
+TEST(Identifier, RefusesWhatHeadersOfCDefine) {
+  for (const char* name :
+       {"EOF",      "NULL",      "errno",    "stdin",  "stdout", "stderr", "M_PI",
+        "INFINITY", "NAN",       "HUGE_VAL", "assert", "EINVAL", "SIGINT", "RAND_MAX",
+        "INT_MAX",  "UINT8_MAX", "INT64_C",  "PRIu64", "SCNd8",  "LC_ALL", "FILE",
+        "printf",   "stat",      "open",     "select", "memcpy", "va_list"}) {
+    EXPECT_FALSE(is_identifier(name)) << name;
+    EXPECT_EQ(identifier_from(name), std::string(name) + "_");
+  }
+  for (const char* name : {"PRINTER", "INT_arm", "Eof", "UR10", "PRI", "I2"}) {
+    EXPECT_TRUE(is_identifier(name)) << name;
+  }
+}
+
+// Would catch: a target that CMake refuses, a header that overwrites one beside it.
+TEST(PackageName, LeavesCMakeAndTheRuntimeTheirs) {
+  for (const char* name : {"all", "test", "install", "help", "clean", "lanes", "sin_cos", "EOF"}) {
+    EXPECT_FALSE(is_package_name(name)) << name;
+    EXPECT_EQ(package_name_from(name), std::string(name) + "_");
+    EXPECT_TRUE(is_package_name(package_name_from(name))) << name;
+  }
+  EXPECT_TRUE(is_identifier("test"));
+  EXPECT_TRUE(is_package_name("puma560"));
 }
 
 TEST(Identifier, IsMadeFromAnyName) {

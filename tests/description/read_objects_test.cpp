@@ -129,7 +129,7 @@ std::vector<Fault> faults() {
        error(5, "objects[0]/centre", "unknown", "center")},
       {"one_place", replaced("xyz: [0, 0.1, 0], rpy: [0, 0, 0.5]", "xyz: [0, -0.1, 0]"),
        error(1, "", "at the same place", "origins")},
-      {"too_few_coordinates", replaced("point: right", "point: stub"),
+      {"too_few_coordinates", replaced("point: right", "point: stub") + "singular: exact\n",
        error(1, "", "needs six coordinates at point \"stub\", which has 1", "every direction")},
       {"function_without_object", kPoints + "functions: [object_state]",
        error(1, "", "object_state is listed, but there is no object", "objects")}};

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <future>
 #include <iterator>
 
 #include "emission/compare_files.hpp"
 #include "emission/sample.hpp"
 #include "emission/write_files.hpp"
+#include "interruption/folder_guard.hpp"
 
 namespace treeline {
 namespace {
@@ -99,6 +101,57 @@ TEST_F(WriteFilesTest, FailureIsReportedAndLeavesNothing) {
   EXPECT_FALSE(write_files(folder_, emit_programs(test::sample_programs()), diagnostics_));
   EXPECT_TRUE(diagnostics_.has_errors());
   EXPECT_EQ(entries_of_root(), 1);
+}
+
+// Would catch: a mixture of two runs that write at the same time, or a run that waits for ever.
+TEST_F(WriteFilesTest, WaitsForAnotherRunAndSaysSo) {
+  fs::create_directories(folder_);
+  std::string error;
+  auto guard = FolderGuard::try_lock(folder_, error);
+  ASSERT_TRUE(guard) << error;
+  const auto files = emit_programs(test::sample_programs());
+  EXPECT_FALSE(write_files(folder_, files, diagnostics_, std::chrono::milliseconds(0)));
+  ASSERT_TRUE(diagnostics_.has_errors());
+  EXPECT_NE(diagnostics_.list().back().fault.find("another run"), std::string::npos);
+  EXPECT_TRUE(fs::is_empty(folder_));
+  auto other =
+      std::async(std::launch::async, [&] { return write_files(folder_, files, diagnostics_); });
+  guard.reset();
+  EXPECT_TRUE(other.get());
+  EXPECT_TRUE(compare_files(folder_, files).empty());
+}
+
+// Would catch: what a run that was killed has left standing in the way, or lying about.
+TEST_F(WriteFilesTest, RemovesWhatAKilledRunLeft) {
+  fs::create_directories(folder_ / ".treeline-part");
+  std::ofstream(folder_ / ".treeline-part" / "gravity.cpp") << "half";
+  const auto files = emit_programs(test::sample_programs());
+  ASSERT_TRUE(write_files(folder_, files, diagnostics_));
+  EXPECT_FALSE(fs::exists(folder_ / ".treeline-part"));
+}
+
+// Would catch: a new folder that stays, empty, where nothing could be written.
+TEST_F(WriteFilesTest, FailureTakesTheNewFolderAway) {
+  fs::create_directories(root_);
+  const std::vector<GeneratedFile> impossible = {{"no/such/folder.hpp", "text"}};
+  EXPECT_FALSE(write_files(root_ / "arm", impossible, diagnostics_));
+  EXPECT_TRUE(diagnostics_.has_errors());
+  EXPECT_EQ(entries_of_root(), 0);
+}
+
+TEST_F(WriteFilesTest, NoNameIsAnError) {
+  EXPECT_FALSE(write_files("", emit_programs(test::sample_programs()), diagnostics_));
+  ASSERT_TRUE(diagnostics_.has_errors());
+  EXPECT_FALSE(diagnostics_.list().back().remedy.empty());
+}
+
+// Would catch: a manifest that makes the generator try to delete the folder above.
+TEST_F(WriteFilesTest, ManifestCannotNameFolders) {
+  const auto files = emit_programs(test::sample_programs());
+  ASSERT_TRUE(write_files(folder_, files, diagnostics_));
+  std::ofstream(folder_ / "manifest.json") << "{\n  \"files\": [\n    \"..\",\n    \".\"\n  ]\n}\n";
+  EXPECT_TRUE(write_files(folder_, files, diagnostics_)) << to_string(diagnostics_.list().back());
+  EXPECT_TRUE(compare_files(folder_, files).empty());
 }
 
 // Would catch: a manifest from elsewhere that makes the generator delete outside its folder.

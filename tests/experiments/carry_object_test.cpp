@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/model_from_robot.hpp"
 #include "description/read_urdf.hpp"
 #include "interpreter/digits50.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
+#include "oracle/model_from_robot.hpp"
 
 namespace {
 

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <random>
 
-#include "check/model_from_robot.hpp"
 #include "core/damped_solve.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "interpreter/damped_torque.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "singular_run.hpp"
 #include "ur10e_damped.hpp"
 

@@ -5,6 +5,7 @@
 #include "generation/function_mechanisms.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
+#include "random_mechanism.hpp"
 #include "recursion/trace_function.hpp"
 #include "scenes_of_robots.hpp"
 
@@ -37,6 +38,24 @@ TEST(ChosenAxes, ShortenInverseDynamics) {
     }
   }
   EXPECT_GE(with_parallel_axes, 2);
+}
+
+/// Of a chain so long that links some way apart decide at once.
+TEST(ChosenAxes, ShortenLongChains) {
+  tests::RandomOptions options;
+  options.joints = 70;
+  options.branching = 0;
+  options.mix = {1, 0, 0, 0, 0, 0};
+  options.aligned = 0.9;
+  constexpr std::uint64_t kSeed = 3;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  const tests::RandomMechanism drawn = tests::random_mechanism(kSeed, options);
+  for (const Function function : {Function::inverse_dynamics, Function::forward_dynamics}) {
+    Mechanism mechanism = reduced_mechanism(drawn.robot, drawn.scene);
+    const int unchosen = count_cheapest(mechanism, function);
+    choose_axes(mechanism, function);
+    EXPECT_LT(count_cheapest(mechanism, function), 0.98 * unchosen) << function_name(function);
+  }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 // What a scene does not need is not emitted, and what is added to one costs itself and nothing
 // else. Would catch a function that grows by what another one needs, files that change with a
-// scene's other wishes, and a README that promises what is no longer so.
+// scene's other wishes, and a page (generator/README.md) whose figures are no longer so.
 
 namespace treeline::growth {
 namespace {
@@ -26,16 +26,16 @@ std::map<std::string, RobotInScene> scenes_by_name() {
   return scenes;
 }
 
-/// A row of the README's table: `| scene | 3 of 16 | 22 % | 19 % |`.
+/// A row of the table of generator/README.md: `| scene | 3 of 16 | 22 % | 19 % |`.
 struct Promise {
   int functions = 0, possible = 0;
   double flops_percent = 0, bytes_percent = 0;
 };
 
 std::map<std::string, Promise> read_promises() {
-  std::ifstream readme(TREELINE_README);
+  std::ifstream page(TREELINE_PAGE);
   std::map<std::string, Promise> promises;
-  for (std::string line; std::getline(readme, line);) {
+  for (std::string line; std::getline(page, line);) {
     std::istringstream words(line);
     std::string bar, scene, of, percent;
     Promise p;
@@ -46,7 +46,7 @@ std::map<std::string, Promise> read_promises() {
   return promises;
 }
 
-TEST(Savings, AreThoseOfTheReadme) {
+TEST(Savings, AreThoseOfThePage) {
   const auto promises = read_promises();
   const auto scenes = scenes_by_name();
   ASSERT_GE(scenes.size(), 10U);

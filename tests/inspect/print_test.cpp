@@ -1,6 +1,7 @@
 // Would catch: output that programs cannot read, columns that do not line up, sections that vanish.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "inspect/align_columns.hpp"
@@ -15,6 +16,59 @@ TEST(AlignColumns, LinesUpAndLeavesOutEmptyOnes) {
             "  name      kg  x\n"
             "  a       1.25  p\n"
             "  l\xC3\xA4nger     3\n");
+}
+
+TEST(AlignColumns, BreaksWhatIsTooWide) {
+  EXPECT_EQ(align_columns({{"name"}, {"kg", true}, {"why"}},
+                          {{"left_upper_arm_link", "1.25", "because of this and that"}}, 32),
+            "  name           kg  why\n"
+            "  left_upper_  1.25  because of\n"
+            "  arm_link           this and\n"
+            "                     that\n");
+}
+
+/// A robot with names as exporters write them, a chain of so many joints.
+Report inspect_chain(int joints, const std::string& prefix) {
+  std::string urdf = "<robot name='" + prefix + "'><link name='" + prefix + "_base'/>";
+  std::string parent = prefix + "_base";
+  for (int i = 0; i < joints; ++i) {
+    const std::string name = prefix + "_" + std::to_string(i);
+    urdf += "<joint name='" + name + "_joint' type='revolute'><parent link='" + parent +
+            "'/><child link='" + name +
+            "'/><origin xyz='0.1 0 0'/><axis xyz='0 0 1'/><limit "
+            "lower='-123456.78' upper='123456.78' effort='-1234567' velocity='12345.678'/></joint>"
+            "<link name='" +
+            name +
+            "'><inertial><origin xyz='-0.00012345 1.23456 -12.3456'/>"
+            "<mass value='0.00123456'/><inertia ixx='1.23456e-05' iyy='9.87654e-06' "
+            "izz='1.33333e-05' ixy='0' ixz='0' iyz='0'/></inertial></link>";
+    parent = name;
+  }
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(urdf + "</robot>", prefix + ".urdf", diagnostics);
+  return inspect_robot(robot.value(), std::nullopt);
+}
+
+// Would catch: lines that a terminal folds, by long names, many joints or deep trees.
+TEST(PrintText, StaysWithinHundredColumns) {
+  const std::string name = "left_front_articulated_suspension_upper_control_arm_v2_export";
+  for (const Report& report : {inspect_sample(), inspect_chain(60, "j"), inspect_chain(12, name),
+                               inspect_chain(6, std::string(150, 'x'))}) {
+    const std::string text = print_text(report);
+    for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+      end = text.find('\n', at);
+      EXPECT_LE(end - at, 100U) << text.substr(at, end - at);
+    }
+    EXPECT_EQ(text.rfind(print_summary(report), 0), 0U);
+  }
+}
+
+// Would catch: a summary that leaves the worst to the end of the report.
+TEST(PrintSummary, NamesWhatIsWrong) {
+  const std::string summary = print_summary(inspect_sample());
+  EXPECT_NE(summary.find("inertias 1 that no body can have: upper"), std::string::npos) << summary;
+  EXPECT_NE(summary.find("M        condition 2.2222"), std::string::npos) << summary;
+  EXPECT_LE(std::count(summary.begin(), summary.end(), '\n'), 12);
 }
 
 TEST(PrintText, HasEverySection) {

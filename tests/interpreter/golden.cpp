@@ -1,10 +1,10 @@
 #include "interpreter/golden.hpp"
 
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "data/list_data.hpp"
 #include "description/read_urdf.hpp"
 
 namespace treeline::tests {
@@ -116,17 +116,11 @@ Robot read_robot(const std::string& path) {
 
 }  // namespace
 
-std::string golden_folder() {
-  const std::string folder = std::string(TREELINE_SHARED_DIR) + "/golden";
-  return std::filesystem::is_directory(folder) ? folder : "";
-}
-
 GoldenRobot read_golden(const std::string& name) {
-  const std::string path = golden_folder() + "/" + name;
-  std::ifstream file(path + ".json");
+  std::ifstream file(data_file("golden/" + name + ".json"));
   const Json json = Json::parse(file);
   GoldenRobot golden;
-  golden.robot = read_robot(path + ".urdf");
+  golden.robot = read_robot(data_file("golden/" + name + ".urdf"));
   golden.scene.name = name;
   const bool floats = json.at("floating_base").get<bool>();
   golden.scene.base = floats ? Base::floating : Base::fixed;

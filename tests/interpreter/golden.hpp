@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "check/model_from_robot.hpp"
+#include "oracle/model_from_robot.hpp"
 
 /// Figures of an established library, in our conventions.
 namespace treeline::tests {
@@ -35,10 +35,8 @@ struct GoldenRobot {
   std::vector<GoldenState> states;
 };
 
-/// The folder of golden figures; empty when it is not there.
-std::string golden_folder();
-
-/// Reads NAME.json and NAME.urdf. All conversions of conventions are here. Throws on a bad file.
+/// Reads NAME.json and NAME.urdf of tests/data/golden. All conversions of conventions are here.
+/// Throws on a bad or missing file.
 GoldenRobot read_golden(const std::string& name);
 
 }  // namespace treeline::tests

@@ -40,7 +40,8 @@ TEST(Rotation, AxesHaveUnitLengthInAnyPrecision) {
   const Vector3<Digits50> n = unit_axis<Digits50>({0.7071, 0.7071, 1e-17});
   EXPECT_LT(Digits50(abs(n.squaredNorm() - 1)), Digits50("1e-48"));
   EXPECT_EQ(n(0), n(1));
-  EXPECT_EQ(n(2), 0);
+  // As written: what counts as noise is decided where mechanisms are built, not in the reference.
+  EXPECT_LT(Digits50(abs(n(2) * Digits50(0.7071) - n(0) * Digits50(1e-17))), Digits50("1e-60"));
   EXPECT_EQ(unit_axis<Digits50>({0, -1.0000000000000002, 0}), -Vector3<Digits50>::UnitY());
 }
 

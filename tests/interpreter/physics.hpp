@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "check/model_from_robot.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
 
 /// What physics says of any mechanism, computed from positions by differences in 50 digits where

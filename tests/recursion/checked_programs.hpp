@@ -64,10 +64,12 @@ inline bool needs_points(Function function) {
          function == Function::lambda || function == Function::control_torque;
 }
 
-/// All routes of all functions of a scene, traced once, with their oracle.
+/// All routes of all functions of a scene, traced once, with their oracle. Tasks are solved as they
+/// are: what yields near singularities is compared in tests/check/singular_tasks_test.cpp.
 class CheckedPrograms {
  public:
-  CheckedPrograms(const Robot& robot, const Scene& scene) : oracle_(robot, scene) {
+  CheckedPrograms(const Robot& robot, Scene scene) : oracle_(robot, scene) {
+    scene.singular = SingularTasks::exact;
     Mechanism mechanism = reduced_mechanism(robot, scene);
     append(mechanism);
     mechanism.limbs = find_limbs(mechanism, 8);

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "check/model_from_robot.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
 
 /// What the functions of a scene give by the interpreter, which knows nothing of mechanisms,

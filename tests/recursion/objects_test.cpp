@@ -4,9 +4,9 @@
 #include <iostream>
 #include <set>
 
-#include "check/chain_from_scene.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/chain_from_scene.hpp"
 #include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"

@@ -46,7 +46,6 @@ INSTANTIATE_TEST_SUITE_P(Robots, Counts,
 
 // Lambda^-1 in the cheaper of the point's axes and the world's.
 TEST_P(Counts, StayBelowTheirBounds) {
-  if (golden_folder().empty()) GTEST_SKIP() << "no golden figures beside the checkout";
   const GoldenRobot golden = read_golden(GetParam().robot);
   const Scene world = with_axes(golden.scene, Axes::world);
   const Scene local = with_axes(golden.scene, Axes::local);

@@ -32,12 +32,19 @@ bool is_scene(const Path& path) {
   return path.extension() == ".yaml" && path.stem().string().rfind("scene", 0) == 0;
 }
 
+/// Beside the robots there is what draws them.
+bool is_of_a_robot(const Path& folder) {
+  if (!std::filesystem::is_directory(folder)) return false;
+  const std::vector<Path> files = sorted_entries(folder);
+  return std::any_of(files.begin(), files.end(), is_scene);
+}
+
 }  // namespace
 
 std::vector<RobotInScene> read_robots() {
   std::vector<RobotInScene> robots;
   for (const Path& folder : sorted_entries(TREELINE_ROBOTS_DIR)) {
-    if (!std::filesystem::is_directory(folder)) continue;
+    if (!is_of_a_robot(folder)) continue;
     const std::string name = folder.filename().string();
     Diagnostics diagnostics;
     const auto robot = read_urdf((folder / (name + ".urdf")).string(), diagnostics);

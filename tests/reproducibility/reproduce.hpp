@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "check/generated_library.hpp"
-#include "check/reference.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "generation/generate_code.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline::tests {
 

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "check/model_from_robot.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "oracle/model_from_robot.hpp"
 
 namespace treeline {
 

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <random>
 
+#include "data/list_data.hpp"
 #include "interpreter/interpreter.hpp"
 #include "load_robot.hpp"
 
@@ -82,17 +82,13 @@ TEST(Puma560, HasTheGravityConstantsOfThePaper) {
 
 Robot load_golden() {
   Diagnostics diagnostics;  // that file's massless link 1 earns a warning
-  const auto robot =
-      read_urdf(std::string(TREELINE_SHARED_DIR) + "/golden/puma560.urdf", diagnostics);
+  const auto robot = read_urdf(tests::data_file("golden/puma560.urdf"), diagnostics);
   if (!robot) throw std::runtime_error("golden/puma560.urdf cannot be read");
   return *robot;
 }
 
 /// Link 1 aside, for which the source gives Izz only.
 TEST(Puma560, AgreesWithAnotherTranscription) {
-  if (!std::filesystem::exists(std::string(TREELINE_SHARED_DIR) + "/golden/puma560.urdf")) {
-    GTEST_SKIP() << "no " TREELINE_SHARED_DIR;
-  }
   const Robot ours = load_robot("puma560");
   const Robot theirs = load_golden();
   for (int i = 1; i <= 6; ++i) {
@@ -115,9 +111,6 @@ TEST(Puma560, AgreesWithAnotherTranscription) {
 
 /// Whatever link 1 weighs.
 TEST(Puma560, MovesAsAnotherTranscription) {
-  if (!std::filesystem::exists(std::string(TREELINE_SHARED_DIR) + "/golden/puma560.urdf")) {
-    GTEST_SKIP() << "no " TREELINE_SHARED_DIR;
-  }
   const auto a = model_from_robot<double>(load_robot("puma560"), Scene{});
   const auto b = model_from_robot<double>(load_golden(), Scene{});
   std::srand(562);

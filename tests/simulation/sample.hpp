@@ -1,7 +1,7 @@
 #pragma once
 
-#include "check/model_from_robot.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
 #include "simulation/simulate.hpp"
 

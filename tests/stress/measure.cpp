@@ -4,15 +4,15 @@
 #include <cmath>
 #include <map>
 
-#include "check/interpret.hpp"
-#include "check/reference.hpp"
-#include "check/result_sizes.hpp"
 #include "interpreter/damped_torque.hpp"
 #include "interpreter/extend_force_propagators.hpp"
 #include "interpreter/factor_mass_matrix.hpp"
 #include "interpreter/instances.hpp"
 #include "interpreter/propagate_unit_forces.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/interpret.hpp"
+#include "oracle/reference.hpp"
+#include "oracle/result_sizes.hpp"
 #include "passes/settle.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/trace_function.hpp"

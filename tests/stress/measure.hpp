@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/draw_state.hpp"
+#include "oracle/draw_state.hpp"
 #include "robots.hpp"
 
 namespace treeline::stress {

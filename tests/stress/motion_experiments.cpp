@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/subject.hpp"
 #include "experiments.hpp"
 #include "interpreter/instances.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
+#include "oracle/subject.hpp"
 #include "simulation/integrate.hpp"
 
 namespace treeline::stress {

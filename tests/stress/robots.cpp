@@ -70,6 +70,7 @@ Case make_arm(const ArmOptions& o) {
   }
   made.scene.name = "arm";
   made.scene.base = o.floating ? Base::floating : Base::fixed;
+  made.scene.singular = SingularTasks::exact;  // the bare solves are what is stressed
   made.scene.operational_points = {point_on("tip", made.robot.links.back().name, o.length)};
   if (o.binary_tree && o.links > 2) {
     int leaf = 1;
@@ -86,6 +87,7 @@ Case read_robot(const std::string& urdf, const std::string& link) {
   if (!robot) throw std::runtime_error("cannot read " + urdf);
   Case made{*robot, {}};
   made.scene.name = "robot";
+  made.scene.singular = SingularTasks::exact;
   made.scene.operational_points = {point_on("tool", link, 0)};
   return made;
 }

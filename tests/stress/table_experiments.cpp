@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "check/subject.hpp"
 #include "experiments.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/subject.hpp"
 
 namespace treeline::stress {
 namespace {

@@ -1,7 +1,7 @@
 #include "timing/call_arguments.hpp"
 
 #include "check/fixture.hpp"
-#include "check/reference.hpp"
+#include "oracle/reference.hpp"
 #include "timing/load_build.hpp"
 
 // Compiled functions get the numbers that they are timed with where they expect them. Would catch

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "check/model_from_robot.hpp"
+#include "oracle/model_from_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bench/peers/describe_to_peers.hpp"
+#include "description/noise.hpp"
 #include "description/rotation.hpp"
-#include "description/snap_angles.hpp"
 
 namespace treeline {
 namespace {
@@ -74,8 +74,7 @@ Pose displacement(const Joint& joint, double at) {
 
 class Printer {
  public:
-  Printer(const Robot& robot, const Scene& scene)
-      : robot_(with_snapped_angles(robot, scene.snap_angles)), scene_(scene) {}
+  Printer(const Robot& robot, const Scene& scene) : robot_(as_asked(robot, scene)), scene_(scene) {}
 
   std::string print() const {
     std::string text =

@@ -237,7 +237,8 @@ bool lock_claim_holds(Lock lock, const std::vector<LockRun>& runs) {
                        damped.rotation_error > 1.2 * ours.rotation_error;
   const bool came_back = std::fabs(damped.final_q[0] - from[0]) < 0.1;
   const bool worse = farther && (lock == Lock::head ? came_back : damped.speed > 1.2 * ours.speed);
-  return bounded && arrived && phases && passed && none.lost && worse;
+  const bool needed = none.lost || none.speed > 10 * ours.speed;
+  return bounded && arrived && phases && passed && needed && worse;
 }
 
 }  // namespace treeline::experiments

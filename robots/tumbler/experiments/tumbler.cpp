@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "check/model_from_robot.hpp"
 #include "description/read_urdf.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/model_from_robot.hpp"
 
 namespace treeline::experiments {
 

@@ -288,7 +288,7 @@ bool claim_holds(Line line, const std::vector<SingularRun>& runs) {
   const Figures& damped = runs[2].figures;
   const bool bounded = !damped.lost && damped.torque < 1.0 && damped.speed < 1.0;
   const bool smooth = damped.torque_step < 0.05 && damped.final_error < 1e-3;
-  const bool needed = exact.lost || exact.torque > 3.0 || exact.speed > 3.0;
+  const bool needed = exact.lost || exact.torque > 1.5 || exact.speed > 1.5;
   const bool better =
       !has_line(line) || squares.lost || squares.position_error > damped.position_error;
   return bounded && smooth && needed && better;

@@ -1,0 +1,48 @@
+#include "bounds/quaternion_scale.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace treeline::bounds {
+namespace {
+
+/// The terms of a sum of sums.
+void append_terms(const Graph& graph, std::uint32_t node, std::vector<std::uint32_t>& terms) {
+  const Node& n = graph.nodes()[node];
+  if (n.op != Op::add) {
+    terms.push_back(node);
+    return;
+  }
+  append_terms(graph, n.a, terms);
+  append_terms(graph, n.b, terms);
+}
+
+}  // namespace
+
+bool is_quaternion_scale(const Graph& graph, std::uint32_t node) {
+  constexpr double kNothing = 0x1p-90;
+  const Node& n = graph.nodes()[node];
+  if (n.op != Op::div || graph.nodes()[n.a].op != Op::constant || graph.nodes()[n.a].value != 2) {
+    return false;
+  }
+  std::vector<std::uint32_t> terms;
+  append_terms(graph, n.b, terms);
+  std::set<std::uint32_t> squared;
+  int constants = 0;
+  for (const std::uint32_t i : terms) {
+    const Node& term = graph.nodes()[i];
+    if (term.op == Op::constant && term.value > 0 && term.value < kNothing) {
+      ++constants;
+      continue;
+    }
+    const bool square = term.op == Op::mul && term.a == term.b;
+    if (!square || graph.nodes()[term.a].op != Op::input) return false;
+    const std::string& name = graph.inputs()[graph.nodes()[term.a].a];
+    if (!name.starts_with("q[")) return false;
+    squared.insert(term.a);
+  }
+  return squared.size() == 4 && constants == 1 && terms.size() == 5;
+}
+
+}  // namespace treeline::bounds

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace treeline {
+
+/// One of these words: anything else is a usage error that names the near one, or all. The text of
+/// a check is what is wrong and, behind a line break, what to do about it.
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// A number from `low` to `high`.
+CLI::Validator between(double low, double high);
+
+/// A whole number from `low` to `high`.
+CLI::Validator whole_between(std::int64_t low, std::int64_t high);
+
+/// A finite number.
+CLI::Validator any_number();
+
+/// A word that stands for a value of an enumeration; for `transform`.
+template <class Value>
+CLI::Validator one_of(const std::vector<std::pair<std::string, Value>>& values) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : values) words.push_back(word);
+  const CLI::Validator check = one_of(words);
+  return CLI::Validator(
+      [check, values](std::string& given) {
+        std::string fault = check(given);
+        for (const auto& [word, value] : values) {
+          if (!fault.empty() || word != given) continue;
+          given = std::to_string(static_cast<int>(value));
+          break;
+        }
+        return fault;
+      },
+      "");
+}
+
+}  // namespace treeline

@@ -1,0 +1,126 @@
+#include "cli/print_diagnostics.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string_view>
+
+#include "cli/option_values.hpp"
+#include "cli/progress_line.hpp"
+
+namespace treeline {
+namespace {
+
+struct KindWords {
+  Minor minor;
+  const char* one;
+  const char* many;
+};
+constexpr std::array kKinds = {
+    KindWords{Minor::attribute, "attribute that is not part of URDF",
+              "attributes that are not part of URDF"},
+    KindWords{Minor::element, "element that is not part of URDF",
+              "elements that are not part of URDF"},
+    KindWords{Minor::text, "text between elements", "texts between elements"},
+    KindWords{Minor::limit, "limit that is missing or of no use",
+              "limits that are missing or of no use"},
+    KindWords{Minor::form, "oddity of form", "oddities of form"}};
+
+std::string print_counts(const std::map<Minor, int>& counts) {
+  std::string text;
+  for (const KindWords& kind : kKinds) {
+    const auto count = counts.find(kind.minor);
+    if (count == counts.end()) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count->second,
+                        count->second == 1 ? kind.one : kind.many);
+  }
+  return text;
+}
+
+std::vector<Diagnostic> summarise(const std::vector<Diagnostic>& minor) {
+  std::vector<std::string> files;
+  std::map<std::string, std::map<Minor, int>> counts;
+  for (const Diagnostic& each : minor) {
+    if (!counts.contains(each.file)) files.push_back(each.file);
+    counts[each.file][each.minor] += each.times;
+  }
+  std::vector<Diagnostic> lines;
+  for (const std::string& file : files) {
+    lines.push_back({Severity::warning, file, 0, "",
+                     fmt::format("of no account to the motion: {}; --warnings all lists them",
+                                 print_counts(counts[file])),
+                     ""});
+  }
+  return lines;
+}
+
+bool wants_colour() {
+  const char* const no_colour = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  const bool refused = no_colour != nullptr && *no_colour != '\0';
+  const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
+  return is_watched() && !refused && !dumb;
+}
+
+/// The severity as terminals show it: cyan, magenta or red, bold.
+std::string coloured(Severity severity) {
+  const int colour = severity == Severity::note ? 36 : severity == Severity::warning ? 35 : 31;
+  return fmt::format("\033[1;{}m{}:\033[0m ", colour, severity_name(severity));
+}
+
+}  // namespace
+
+void add_warnings_option(CLI::App& command, Warnings& warnings) {
+  command
+      .add_option("--warnings", warnings,
+                  "all; summary: faults of form as one line; none: errors alone")
+      ->transform(one_of<Warnings>(
+          {{"all", Warnings::all}, {"summary", Warnings::summary}, {"none", Warnings::none}}));
+}
+
+std::vector<Diagnostic> select_diagnostics(const Diagnostics& diagnostics, Warnings warnings) {
+  std::vector<Diagnostic> selected;
+  std::vector<Diagnostic> minor;
+  for (const Diagnostic& each : diagnostics.list()) {
+    const bool is_error = each.severity == Severity::error;
+    if (warnings == Warnings::none && !is_error) continue;
+    const bool counts = warnings == Warnings::summary && each.minor != Minor::none && !is_error;
+    (counts ? minor : selected).push_back(each);
+  }
+  std::stable_sort(selected.begin(), selected.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return a.severity < b.severity;
+  });
+  const auto first_warning =
+      std::find_if(selected.begin(), selected.end(),
+                   [](const Diagnostic& each) { return each.severity != Severity::note; });
+  const std::vector<Diagnostic> lines = summarise(minor);
+  selected.insert(first_warning, lines.begin(), lines.end());
+  return selected;
+}
+
+std::string print_diagnostics_text(const std::vector<Diagnostic>& list, bool colour) {
+  std::string text;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Diagnostic& each = list[i];
+    text += place_of(each);
+    text += colour ? coloured(each.severity) : fmt::format("{}: ", severity_name(each.severity));
+    text += fault_of(each);
+    const bool again = i + 1 < list.size() && list[i + 1].remedy == each.remedy &&
+                       list[i + 1].severity == each.severity;
+    if (!again) text += remedy_of(each);
+    text += '\n';
+  }
+  return text;
+}
+
+void print_diagnostics(const Diagnostics& diagnostics, Warnings warnings) {
+  fmt::print(stderr, "{}",
+             print_diagnostics_text(select_diagnostics(diagnostics, warnings), wants_colour()));
+}
+
+}  // namespace treeline

@@ -1,0 +1,39 @@
+#include "cli/write_output.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+
+#include "cli/print_diagnostics.hpp"
+#include "description/printable.hpp"
+
+namespace treeline {
+
+ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_code) {
+  const std::string text = form == OutputForm::json ? printable_json(data) : printable_lines(data);
+  errno = 0;
+  const bool written =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (written) return exit_code;
+  Diagnostics diagnostics;
+  diagnostics.add({Severity::error, "standard output", 0, "",
+                   "cannot be written to its end: " + std::generic_category().message(errno),
+                   "free some space there, or send the output elsewhere"});
+  print_diagnostics(diagnostics);
+  return kBadInput;
+}
+
+bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics) {
+  errno = 0;
+  std::ofstream stream(path, std::ios::binary);
+  stream << data;
+  stream.close();
+  if (stream) return true;
+  diagnostics.add({Severity::error, path, 0, "",
+                   "cannot be written to its end: " + std::generic_category().message(errno),
+                   "name a file in a folder that exists, is yours to write and has space left"});
+  return false;
+}
+
+}  // namespace treeline

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "cli/exit_code.hpp"
+#include "description/diagnostic.hpp"
+
+namespace treeline {
+
+enum class OutputForm { text, json };
+
+/// Writes data to standard output, whole. Characters that would do something to a terminal are
+/// written as `\x1b` (in JSON as `\u001b`). Returns `exit_code`; where the data cannot be written
+/// to their end (full disk), complains on standard error and returns `kBadInput`.
+ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_code);
+
+/// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full.
+bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics);
+
+}  // namespace treeline

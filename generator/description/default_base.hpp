@@ -1,0 +1,12 @@
+#pragma once
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// What the base is where no scene says it: fixed; floating where no joint moves and there is mass,
+/// as of drones and single bodies, which could not move at all otherwise.
+Base default_base(const Robot& robot);
+
+}  // namespace treeline

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "description/scan_xml.hpp"
+
+namespace treeline {
+
+/// Of each link of a URDF, in the file's order, the tag `<inertia .../>` that counts: the first in
+/// the first `<inertial>`. Nothing where a link has none. `text` must be that of a URDF that
+/// `parse_urdf` accepts.
+std::vector<std::optional<XmlTag>> find_inertia_tags(std::string_view text);
+
+}  // namespace treeline

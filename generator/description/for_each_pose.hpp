@@ -1,0 +1,45 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// Calls `visit(pose, line, element)` for every pose of a robot's masses and joints.
+template <class AnyRobot, class Visit>
+void for_each_pose(AnyRobot& robot, Visit visit) {
+  for (auto& link : robot.links) {
+    if (!link.inertial) continue;
+    visit(link.inertial->origin, link.line,
+          fmt::format("robot/link[{}]/inertial/origin", link.name));
+  }
+  for (auto& joint : robot.joints) {
+    visit(joint.origin, joint.line, fmt::format("robot/joint[{}]/origin", joint.name));
+  }
+}
+
+/// Likewise for every pose that a scene gives: of points, objects and grasps.
+template <class Visit>
+void for_each_point_pose(Scene& scene, Visit visit) {
+  for (auto& [key, points] : {std::pair{"operational_points", &scene.operational_points},
+                              {"external_forces", &scene.external_forces},
+                              {"contacts", &scene.contacts}}) {
+    for (ScenePoint& point : *points) {
+      visit(point.origin, 0, fmt::format("{}[{}]/origin", key, point.name));
+    }
+  }
+  for (SceneObject& object : scene.objects) {
+    visit(object.inertial.origin, 0, fmt::format("objects[{}]/inertial/origin", object.name));
+    for (SceneGrasp& grasp : object.grasps) {
+      visit(grasp.origin, 0,
+            fmt::format("objects[{}]/grasps[{}]/origin", object.name, grasp.point));
+    }
+  }
+}
+
+}  // namespace treeline

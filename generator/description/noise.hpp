@@ -1,0 +1,45 @@
+#pragma once
+
+#include "description/diagnostic.hpp"
+#include "description/noise_decision.hpp"
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// CAD programs write what their own rounding left: angles of 1.1e-27 rad, half turns that are
+/// 7e-16 rad off, offsets of 3e-17 m. What double cannot resolve is taken as the exact number that
+/// it stands beside; the rest is kept as it is written.
+
+/// Doubles about pi are 2^-51 apart: no angle that a program computed in double means less. Of
+/// lengths, the share of the robot's longest offset that means nothing beside it.
+inline constexpr double kResolution = 0x1p-51;
+
+/// The largest `Scene::noise`.
+inline constexpr double kMostNoise = 1e-9;
+
+/// What counts as noise in a robot's files; nothing does where both are 0.
+struct NoiseLimits {
+  double angle = 0;   ///< rad; of an axis, share of its largest component
+  double length = 0;  ///< m
+};
+
+/// `scene.noise`, and that share of the longest offset in the robot's joints and masses.
+NoiseLimits noise_limits(const Robot& robot, const Scene& scene);
+
+/// The robot with angles within `limits.angle` of a quarter turn, lesser components of axes, and
+/// offsets within `limits.length` exact; angles, and offsets, that differ by no more, but for
+/// signs, are made equal. `decisions`: what is, appended.
+Robot without_noise(Robot robot, const NoiseLimits& limits, NoiseDecisions* decisions = nullptr);
+
+/// Likewise the poses of the scene's points, objects and grasps.
+Scene without_noise(Scene scene, const NoiseLimits& limits, NoiseDecisions* decisions = nullptr);
+
+/// The robot as `scene.snap_angles` and a `scene.noise` above `kResolution` ask for it: what the
+/// generator starts from, and what its results are checked against.
+Robot as_asked(Robot robot, const Scene& scene);
+
+/// One note for each file in which numbers are taken as exact, and how to see and undo it.
+void note_noise(const NoiseDecisions& decisions, const Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace treeline

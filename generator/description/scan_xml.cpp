@@ -1,0 +1,89 @@
+#include "description/scan_xml.hpp"
+
+#include <algorithm>
+
+namespace treeline {
+namespace {
+
+constexpr std::string_view kSpace = " \t\r\n\f\v";
+
+/// Skips what reaches from `opening` at `at` to the end of `closing`, or of the text.
+void skip_past(std::string_view text, std::size_t& at, std::size_t opening,
+               std::string_view closing) {
+  const auto end = text.find(closing, at + opening);
+  at = end == std::string_view::npos ? text.size() : end + closing.size();
+}
+
+/// Moves `at` past a comment, CDATA, a declaration or a DOCTYPE; false when there is none.
+bool skip_other(std::string_view text, std::size_t& at) {
+  const std::string_view rest = text.substr(at);
+  if (rest.starts_with("<!--")) {
+    skip_past(text, at, 4, "-->");
+  } else if (rest.starts_with("<![CDATA[")) {
+    skip_past(text, at, 9, "]]>");
+  } else if (rest.starts_with("<?")) {
+    skip_past(text, at, 2, "?>");
+  } else if (rest.starts_with("<!")) {
+    skip_past(text, at, 2, ">");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::size_t skip_space(std::string_view text, std::size_t at) {
+  return std::min(text.find_first_not_of(kSpace, at), text.size());
+}
+
+std::string_view take_name(std::string_view text, std::size_t& at) {
+  const std::size_t end = std::min(text.find_first_of(" \t\r\n\f\v/>=\"'<", at), text.size());
+  const std::string_view name = text.substr(at, end - at);
+  at = end;
+  return name;
+}
+
+/// The attribute that starts at `at`, which moves behind its value.
+XmlAttribute take_attribute(std::string_view text, std::size_t& at) {
+  XmlAttribute attribute{take_name(text, at), {}};
+  at = skip_space(text, at);
+  if (at < text.size() && text[at] == '=') at = skip_space(text, at + 1);
+  if (at >= text.size() || (text[at] != '"' && text[at] != '\'')) return attribute;
+  const std::size_t end = std::min(text.find(text[at], at + 1), text.size());
+  attribute.value = text.substr(at + 1, end - at - 1);
+  at = std::min(end + 1, text.size());
+  return attribute;
+}
+
+}  // namespace
+
+std::optional<XmlTag> next_tag(std::string_view text, std::size_t& at) {
+  at = std::min(text.find('<', at), text.size());
+  if (at == text.size()) return std::nullopt;
+  XmlTag tag;
+  if (skip_other(text, at)) return tag;
+  // XML has no space here; the reader of it takes it nonetheless.
+  at = skip_space(text, at + 1);
+  tag.kind = XmlTag::Kind::start;
+  if (at < text.size() && text[at] == '/') {
+    tag.kind = XmlTag::Kind::end;
+    ++at;
+  }
+  tag.name = take_name(text, at);
+  for (at = skip_space(text, at); at < text.size(); at = skip_space(text, at)) {
+    const char c = text[at];
+    if (c == '>' || c == '<') break;
+    if (c == '/') {
+      tag.kind = tag.kind == XmlTag::Kind::start ? XmlTag::Kind::empty : tag.kind;
+      ++at;
+      continue;
+    }
+    const std::size_t before = at;
+    const XmlAttribute attribute = take_attribute(text, at);
+    if (at == before) ++at;
+    if (++tag.attribute_count <= kKeptAttributes) tag.attributes.push_back(attribute);
+  }
+  if (at < text.size() && text[at] == '>') ++at;
+  return tag;
+}
+
+}  // namespace treeline

@@ -1,0 +1,96 @@
+#include "generation/evaluate_damped.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "core/damped_solve.hpp"
+
+// Compiled without contraction: these are the bits that emitted code is held to.
+
+namespace treeline {
+
+// What the runtime has for float and double only.
+namespace core {
+
+template <>
+struct Format<long double> {
+  static constexpr long double kEpsilon = std::numeric_limits<long double>::epsilon();
+};
+
+template <>
+inline long double steps::root(long double x) noexcept {
+  return x > 0 ? std::sqrt(x) : 0;
+}
+
+}  // namespace core
+
+namespace {
+
+constexpr std::size_t kMostRows = 36;
+
+template <int rows, class T>
+T solve(const DampedInputsIn<T>& in, std::vector<T>& F) {
+  T A[rows * rows];
+  T heaviest[rows];
+  T x[rows];
+  std::copy(in.Lambda_inverse.begin(), in.Lambda_inverse.end(), A);
+  std::copy(in.heaviest.begin(), in.heaviest.end(), heaviest);
+  std::copy(F.begin(), F.end(), x);
+  const T ease = core::damped_solve(A, heaviest, x);
+  std::copy(x, x + rows, F.begin());
+  return ease;
+}
+
+/// `core::damped_solve` of as many rows as there are.
+template <class T, std::size_t... N>
+T solve_any(const DampedInputsIn<T>& in, std::vector<T>& F, std::index_sequence<N...>) {
+  using Solve = T (*)(const DampedInputsIn<T>&, std::vector<T>&);
+  constexpr Solve kSolves[] = {&solve<static_cast<int>(N) + 1, T>...};
+  return kSolves[F.size() - 1](in, F);
+}
+
+template <class To>
+std::vector<To> to(const std::vector<double>& entries) {
+  std::vector<To> rounded;
+  for (const double entry : entries) rounded.push_back(static_cast<To>(entry));
+  return rounded;
+}
+
+}  // namespace
+
+/// `core::add_damped_task_torque`, sizes known as it runs.
+template <class T>
+std::vector<T> evaluate_damped_in(DampedInputsIn<T> in) {
+  const std::size_t rows = in.heaviest.size();
+  const std::size_t nv = in.tau.size();
+  if (rows > kMostRows) return {};
+  std::vector<T> F(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    F[row] = in.xdd_cmd[row] - in.bias[row];
+    for (std::size_t i = 0; i < nv; ++i) F[row] -= in.J[row * nv + i] * in.qdd_0[i];
+  }
+  const T ease = solve_any(in, F, std::make_index_sequence<kMostRows>());
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < nv; ++i) in.tau[i] += in.J[row * nv + i] * F[row];
+  }
+  in.tau.push_back(ease);
+  return in.tau;
+}
+
+template std::vector<float> evaluate_damped_in(DampedInputsIn<float>);
+template std::vector<double> evaluate_damped_in(DampedInputsIn<double>);
+template std::vector<long double> evaluate_damped_in(DampedInputsIn<long double>);
+
+std::vector<double> evaluate_damped(Real real, const DampedInputs& inputs) {
+  if (real == Real::float64) return evaluate_damped_in(inputs);
+  const auto entries = evaluate_damped_in<float>(
+      {to<float>(inputs.Lambda_inverse), to<float>(inputs.J), to<float>(inputs.bias),
+       to<float>(inputs.tau), to<float>(inputs.qdd_0), to<float>(inputs.xdd_cmd),
+       to<float>(inputs.heaviest)});
+  return {entries.begin(), entries.end()};
+}
+
+}  // namespace treeline

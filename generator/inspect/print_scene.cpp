@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "description/count_freedoms.hpp"
+#include "description/identifier.hpp"
+#include "description/printable.hpp"
+#include "inspect/choose_rows.hpp"
+#include "inspect/propose_scene.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr std::size_t kColumns = 96;
+
+/// A name as YAML reads it back: plain where nothing in it is special.
+std::string yaml_word(const std::string& name) {
+  constexpr std::array<std::string_view, 10> kSpecial = {"true", "false", "yes", "no", "on",
+                                                         "off",  "null",  "y",   "n",  "nan"};
+  std::string lower = name;
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_plain = [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || std::string_view("_-./").find(c) < 4;
+  };
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const bool special = std::find(kSpecial.begin(), kSpecial.end(), lower) != kSpecial.end();
+  if (!name.empty() && !special && (is_letter(name[0]) || name[0] == '_') &&
+      std::all_of(name.begin(), name.end(), is_plain)) {
+    return name;
+  }
+  std::string quoted = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return printable_json(quoted) + "\"";
+}
+
+/// A comment of several lines, broken at blanks.
+std::string remark(const std::string& text) {
+  std::string lines;
+  std::string line = "#";
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (line.size() + 1 + word.size() > kColumns && line != "#") {
+      lines += line + "\n";
+      line.resize(1);
+    }
+    line += fmt::format(" {}", word);
+    begin = end + 1;
+  }
+  return lines + line + "\n";
+}
+
+std::string list_rows(const ScenePoint& point) {
+  constexpr std::array<const char*, 6> kRows = {"x", "y", "z", "rx", "ry", "rz"};
+  std::string list;
+  for (std::size_t i = 0; i < kRows.size(); ++i) {
+    if (point.rows[i]) list += (list.empty() ? "" : ", ") + std::string(kRows[i]);
+  }
+  return list;
+}
+
+std::string print_head(const Robot& robot, const std::string& file) {
+  return remark(fmt::format(
+             "A scene for {}, guessed by `treeline init-scene {}` from names, limits and the shape "
+             "of the tree.",
+             printable(robot.name), file)) +
+         "#\n# What it cannot know, and somebody who knows the robot should correct:\n" +
+         "# - whether the base is held, and where the tool's tip is: points lie at origins of "
+         "links\n"
+         "# - which rows a task needs, which points it needs at all, and which come first "
+         "(`priority`)\n"
+         "# - what the robot touches, holds or carries (`contacts`, `objects`, `external_forces`)\n"
+         "# - where it becomes singular: see `treeline inspect` with this scene, and `damped`\n"
+         "# generator/README.md explains every key; leave out a key for its default.\n\n" +
+         fmt::format("name: {}  # namespace, header and folder of the code\n\n",
+                     package_name_from(robot.name));
+}
+
+std::string print_base(const SceneProposal& proposal) {
+  const bool floats = proposal.base == Base::floating;
+  return remark(fmt::format("{}, because {}. Write {} if that is wrong.",
+                            floats ? "Floating" : "Fixed", printable(proposal.base_reason),
+                            floats ? "fixed" : "floating")) +
+         fmt::format("base: {}\n\n", floats ? "floating" : "fixed") +
+         "gravity: [0, 0, -9.81]  # m/s^2, in the axes of the world\n"
+         "real: double  # or float\n\n";
+}
+
+std::string print_points(const Robot& robot, const SceneProposal& proposal) {
+  if (proposal.points.empty()) {
+    return remark(
+               "No end of the tree was found that a task could move: functions of the joints "
+               "alone.") +
+           "# operational_points:\n#   - {name: tool, link: LINK, rows: [x, y, z]}\n";
+  }
+  std::string text = remark(
+      fmt::format("Ends of the tree, or links before them that are called tool, hand or foot. "
+                  "`rows` are those in world axes that the joints can move independently of each "
+                  "other, of all points together, found at {} states within the limits.",
+                  kRowStates));
+  text += "operational_points:\n";
+  Scene scene;
+  scene.base = proposal.base;
+  for (const ScenePoint& point : proposal.points) {
+    const int freedoms = count(find_freedoms_of_link(robot, scene, point.link));
+    text += fmt::format("  - name: {}\n    link: {}  # moved by {} coordinate{}\n    rows: [{}]\n",
+                        point.name, yaml_word(point.link), freedoms, freedoms == 1 ? "" : "s",
+                        list_rows(point));
+  }
+  return text + "    # origin: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}  # of a point in its link\n";
+}
+
+std::string print_left_out(const SceneProposal& proposal) {
+  if (proposal.left_out.empty()) return {};
+  std::string list;
+  for (const std::string& link : proposal.left_out) {
+    list += (list.empty() ? "" : ", ") + printable(link);
+  }
+  return remark("Other ends, which have no point here: " + list + ".");
+}
+
+/// Where a joint can rest: at 0, or at its limit next to it.
+double rest_of(const Joint& joint) {
+  if (!joint.limits) return 0;
+  return std::min(std::max(0.0, joint.limits->lower),
+                  std::max(joint.limits->upper, joint.limits->lower));
+}
+
+std::string print_locked(const Robot& robot, const SceneProposal& proposal) {
+  if (proposal.beyond.empty()) return {};
+  std::string text = "\n";
+  text += remark(
+      "Joints beyond the points, as of fingers, have coordinates too. Held still they cost "
+      "nothing:");
+  text += "# locked:\n";
+  for (const std::string& name : proposal.beyond) {
+    for (const Joint& joint : robot.joints) {
+      if (joint.name == name) text += fmt::format("#   {}: {}\n", yaml_word(name), rest_of(joint));
+    }
+  }
+  return text;
+}
+
+std::string print_functions(const std::vector<Function>& functions) {
+  std::string text = "\n";
+  text += remark(
+      "All functions that this scene permits are made. To have fewer, list those that you need:");
+  text += "# functions:\n";
+  for (const Function function : functions) {
+    text += fmt::format("#   - {}\n", function_name(function));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string print_scene(const Robot& robot, const SceneProposal& proposal, const std::string& file,
+                        const std::vector<Function>& functions) {
+  return print_head(robot, file) + print_base(proposal) + print_points(robot, proposal) +
+         print_left_out(proposal) + print_locked(robot, proposal) + print_functions(functions);
+}
+
+}  // namespace treeline

@@ -1,0 +1,210 @@
+#include "mechanism/resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "mechanism/mechanism.hpp"
+
+namespace treeline {
+namespace {
+
+const Exact kResidue("1e-40");
+/// Rotations are orthogonal to here without being made so again.
+const Exact kOrthogonal("1e-40");
+
+bool is_within(const Exact& x, const Exact& limit) {
+  return x <= limit && -x <= limit;
+}
+
+/// An entry of a 3x3 matrix; others come in cyclic order, which keeps the signs of determinants.
+struct Entry {
+  int i = 0, j = 0;
+  [[nodiscard]] int row(int k) const { return (i + k) % 3; }
+  [[nodiscard]] int column(int k) const { return (j + k) % 3; }
+};
+
+/// Whether the other two entries in its row, or in its column, are within `limit`: then the entry
+/// is 1 or -1.
+bool is_alone(const ExactMatrix3& R, const Entry& at, const Exact& limit) {
+  return (is_within(R(at.i, at.column(1)), limit) && is_within(R(at.i, at.column(2)), limit)) ||
+         (is_within(R(at.row(1), at.j), limit) && is_within(R(at.row(2), at.j), limit));
+}
+
+/// The cheap question that most rotations are asked: is there anything to do? There is where an
+/// entry is within `limit` but not zero, or two of a row are zero and the third is not +-1.
+bool is_resolved(const ExactMatrix3& R, const Exact& limit) {
+  for (int i = 0; i < 3; ++i) {
+    int zeros = 0;
+    for (int j = 0; j < 3; ++j) {
+      const bool zero = R(i, j) == 0;
+      if (!zero && is_within(R(i, j), limit)) return false;
+      zeros += zero ? 1 : 0;
+    }
+    if (zeros == 2 && !is_within(Exact(abs(R(i, 0) + R(i, 1) + R(i, 2)) - 1), Exact(0))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Makes (c, s) a unit vector, with 0 and +-1 where it is within `limit` of them.
+void make_unit(Exact& c, Exact& s, const Exact& limit) {
+  if (is_within(c, limit)) {
+    c = 0;
+    s = s < 0 ? -1 : 1;
+  } else if (is_within(s, limit)) {
+    s = 0;
+    c = c < 0 ? -1 : 1;
+  } else if (const Exact square = c * c + s * s; !is_within(square - 1, kOrthogonal)) {
+    const Exact length = sqrt(square);
+    c /= length;
+    s /= length;
+  }
+}
+
+/// The rotation about an axis that both frames share, nearest to R: row and column `at` are those
+/// of +-1, the block that is left is [c, s; -s, c] or [c, s; s, -c].
+ExactMatrix3 with_shared_axis(const ExactMatrix3& R, const Entry& at, const Exact& limit) {
+  const Exact sign = R(at.i, at.j) < 0 ? -1 : 1;
+  const int i1 = at.row(1), i2 = at.row(2), j1 = at.column(1), j2 = at.column(2);
+  Exact c = (R(i1, j1) + sign * R(i2, j2)) / 2;
+  Exact s = (R(i1, j2) - sign * R(i2, j1)) / 2;
+  make_unit(c, s, limit);
+  ExactMatrix3 result = ExactMatrix3::Zero();
+  result(at.i, at.j) = sign;
+  result(i1, j1) = c;
+  result(i1, j2) = s;
+  result(i2, j1) = -sign * s;
+  result(i2, j2) = sign * c;
+  return result;
+}
+
+/// The rotation nearest to R of which one entry is 0.
+ExactMatrix3 with_zero(const ExactMatrix3& R, const Entry& at) {
+  ExactMatrix3 result = R;
+  result(at.i, at.j) = 0;
+  if (is_within(R(at.i, at.j), kOrthogonal)) return result;
+  const int i1 = at.row(1), i2 = at.row(2);
+  ExactVector3 first = result.row(at.i).transpose();
+  first /= Exact(sqrt(first.dot(first)));
+  ExactVector3 second = R.row(i1).transpose();
+  second -= first.dot(second) * first;
+  second /= Exact(sqrt(second.dot(second)));
+  result.row(at.i) = first.transpose();
+  result.row(i1) = second.transpose();
+  for (int k = 0; k < 3; ++k) {
+    const int a = (k + 1) % 3, b = (k + 2) % 3;
+    result(i2, k) = first(a) * second(b) - first(b) * second(a);
+  }
+  return result;
+}
+
+/// The entry that is least and within `limit`, if it may vanish: another that is zero already may
+/// not have to do so again.
+std::optional<Entry> find_least(const ExactMatrix3& R, const Exact& limit) {
+  std::optional<Entry> least;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (R(i, j) == 0) return std::nullopt;
+      if (!is_within(R(i, j), limit)) continue;
+      if (!least || abs(R(i, j)) < abs(R(least->i, least->j))) least = Entry{i, j};
+    }
+  }
+  return least;
+}
+
+ExactMatrix3 resolved_rotation(const ExactMatrix3& R, const Exact& limit) {
+  if (is_resolved(R, limit)) return R;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (is_alone(R, {i, j}, limit)) return with_shared_axis(R, {i, j}, limit);
+    }
+  }
+  const std::optional<Entry> least = find_least(R, limit);
+  return least ? with_zero(R, *least) : R;
+}
+
+}  // namespace
+
+ExactPose resolved(const ExactPose& pose, const Resolution& resolution, Change* change) {
+  ExactPose result{resolved_rotation(pose.R, resolution.angle), pose.p};
+  const Exact largest =
+      std::max({Exact(abs(pose.p(0))), Exact(abs(pose.p(1))), Exact(abs(pose.p(2)))});
+  const Exact limit = std::max(resolution.length, Exact(kResidue * largest));
+  for (int i = 0; i < 3; ++i) {
+    if (is_within(pose.p(i), limit)) result.p(i) = 0;
+  }
+  if (change) {
+    change->angle = std::max(change->angle, Exact((result.R - pose.R).cwiseAbs().maxCoeff()));
+    change->length = std::max(change->length, Exact((result.p - pose.p).cwiseAbs().maxCoeff()));
+  }
+  return result;
+}
+
+Exact resolved(const Exact& angle, const Resolution& resolution) {
+  return is_within(angle, resolution.angle) ? Exact(0) : angle;
+}
+
+namespace {
+
+/// Whether x^2 <= (share^2) y, for what may be the square of a body's number.
+bool is_small(const Exact& x, const Exact& share, const Exact& y) {
+  return y > 0 && x * x <= share * share * y;
+}
+
+void drop(Exact& x, const Exact& size, Change* change) {
+  if (change) change->share = std::max(change->share, Exact(abs(x) / sqrt(size)));
+  x = 0;
+}
+
+}  // namespace
+
+Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* change) {
+  Inertia result = inertia;
+  const Exact& share = resolution.angle;
+  const ExactMatrix3& Sigma = inertia.Sigma;
+  const Exact most = Sigma.cwiseAbs().maxCoeff();
+  const Exact residue = kResidue * most;
+  // All three numbers of a balanced body's h may be residue: mass at its radius of gyration is what
+  // they cancelled from.
+  const Exact balanced = abs(inertia.mass) * most;
+  const Exact least = kResidue * Exact(inertia.h.cwiseAbs().maxCoeff());
+  for (int i = 0; i < 3; ++i) {
+    Exact& h = result.h(i);
+    const Exact bound = inertia.mass * Sigma(i, i);
+    if (h != 0 && is_small(h, share, bound)) {
+      drop(h, bound, change);
+    } else if (is_within(h, least) || is_small(h, kResidue, balanced)) {
+      h = 0;
+    }
+    if (is_within(Sigma(i, i), residue)) result.Sigma(i, i) = 0;
+    const int j = (i + 1) % 3;
+    Exact& product = result.Sigma(i, j);
+    const Exact size = Sigma(i, i) * Sigma(j, j);
+    if (product != 0 && Sigma(i, i) > 0 && is_small(product, share, size)) {
+      drop(product, size, change);
+    } else if (is_within(product, residue)) {
+      product = 0;
+    }
+    result.Sigma(j, i) = product;
+  }
+  return result;
+}
+
+void add_decisions(const Change& change, const std::string& element, const std::string& file,
+                   NoiseDecisions& decisions) {
+  const auto add = [&](const Exact& by, const char* text) {
+    if (by > kOrthogonal) {
+      decisions.push_back({file, 0, element, text, static_cast<double>(by)});
+    }
+  };
+  add(change.angle,
+      "axes of frames that nearly agree, or are nearly at right angles, are so (rad)");
+  add(change.length, "an offset between frames that nearly vanishes is 0 (m)");
+  add(change.share, "a first moment or product of inertia that nearly vanishes is 0 (of its most)");
+}
+
+}  // namespace treeline

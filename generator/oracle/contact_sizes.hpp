@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "description/scene.hpp"
+#include "oracle/draw_state.hpp"
+#include "oracle/subject.hpp"
+#include "interpreter/task_law.hpp"
+
+namespace treeline {
+
+/// The scales of the results of one of `kContactFunctions`, out of the sizes of their terms.
+/// `M_inverse` has the magnitudes of M^-1; `result` is what the function gives, by `law`.
+std::vector<double> contact_sizes(Function function, const Subject<double>& subject,
+                                  const State& state, const Eigen::MatrixXd& M_inverse,
+                                  const std::vector<double>& result,
+                                  const interpreter::TaskLaw<double>& law);
+
+}  // namespace treeline

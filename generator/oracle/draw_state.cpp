@@ -1,0 +1,176 @@
+#include "oracle/draw_state.hpp"
+
+#include <cmath>
+#include <string_view>
+
+#include "bounds/dice.hpp"
+#include "oracle/term_sizes.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr double kQuarterTurn = 1.5707963267948966;
+
+/// Of either sign, its magnitude's logarithm evenly spread.
+double draw_logarithmic(Dice& dice, double least, double greatest) {
+  const double magnitude = least * std::pow(greatest / least, dice.unit());
+  return dice.chance(0.5) ? magnitude : -magnitude;
+}
+
+bool is_angle(const Coordinate& coordinate) {
+  return coordinate.meaning.find("angle") != std::string::npos;
+}
+
+double draw_within_limits(Dice& dice, const Coordinate& coordinate) {
+  const double reach = is_angle(coordinate) ? 2 * kQuarterTurn : 1;
+  return dice.within(std::max(coordinate.lower, -reach), std::min(coordinate.upper, reach));
+}
+
+double draw_aligned(Dice& dice, const Coordinate& coordinate) {
+  if (dice.chance(0.3)) return draw_within_limits(dice, coordinate);
+  const double step = is_angle(coordinate) ? kQuarterTurn : 0.5;
+  const double at = step * std::floor(dice.within(-2, 3));
+  return dice.chance(0.4) ? at : at + draw_logarithmic(dice, 1e-12, 1e-2);
+}
+
+/// An unlimited coordinate is drawn as ever.
+double draw_limit(Dice& dice, const Coordinate& coordinate) {
+  const double limit = dice.chance(0.5) ? coordinate.lower : coordinate.upper;
+  if (!std::isfinite(limit) || dice.chance(0.1)) return draw_within_limits(dice, coordinate);
+  return limit;
+}
+
+double draw_coordinate(Dice& dice, StateClass kind, const Coordinate& coordinate) {
+  switch (kind) {
+    case StateClass::neutral:
+      return 0;
+    case StateClass::large:
+      return dice.within(is_angle(coordinate) ? 1000 : 10);
+    case StateClass::tiny:
+      return draw_logarithmic(dice, 1e-12, 1e-2);
+    case StateClass::aligned:
+      return draw_aligned(dice, coordinate);
+    case StateClass::limits:
+      return draw_limit(dice, coordinate);
+    case StateClass::random:
+    case StateClass::fast:
+      break;
+  }
+  return draw_within_limits(dice, coordinate);
+}
+
+/// Uniform over the rotations; next to a quarter turn about an axis, or to none, where asked for.
+/// Of unit length as well as double has it or, if `rounded`, only as well as float has it.
+std::array<double, 4> draw_quaternion(Dice& dice, StateClass kind, bool rounded) {
+  std::array<double, 4> x{0, 0, 0, 1};
+  if (kind == StateClass::neutral) return x;
+  if (kind == StateClass::aligned) {
+    x[static_cast<std::size_t>(dice.within(0, 3))] = dice.chance(0.5) ? 1 : 0;
+    for (double& entry : x) entry += draw_logarithmic(dice, 1e-12, 1e-3);
+  } else if (kind == StateClass::tiny) {
+    for (std::size_t i = 0; i < 3; ++i) x[i] = draw_logarithmic(dice, 1e-12, 1e-2);
+  } else {
+    for (double& entry : x) entry = dice.within(1);
+  }
+  double norm = 0;
+  for (const double entry : x) norm = std::hypot(norm, entry);
+  for (double& entry : x) {
+    entry /= norm;
+    if (rounded) entry = static_cast<double>(static_cast<float>(entry));
+  }
+  return x;
+}
+
+/// How fast the motions of a class are: radians or metres per second, and second squared.
+struct Speed {
+  double velocity, acceleration;
+};
+Speed speed(StateClass kind) {
+  return kind == StateClass::fast ? Speed{50, 2000} : Speed{2, 10};
+}
+
+std::vector<double> draw_rates(Dice& dice, StateClass kind, std::size_t count, double size) {
+  std::vector<double> rates(count);
+  for (double& rate : rates) {
+    rate = kind == StateClass::tiny ? draw_logarithmic(dice, 1e-12, 1e-2) : dice.within(size);
+  }
+  return rates;
+}
+
+std::vector<double> draw_q(Dice& dice, const StateSpace& space, const State& state) {
+  const StateClass kind = state.kind;
+  std::vector<double> q;
+  for (const Coordinate& coordinate : space.coordinates) {
+    q.push_back(draw_coordinate(dice, kind, coordinate));
+  }
+  for (const auto& body : space.subject.model.bodies) {
+    if (body.kind != interpreter::JointKind::floating) continue;
+    const auto quaternion = draw_quaternion(dice, kind, state.index % 2 == 1);
+    std::copy(quaternion.begin(), quaternion.end(), q.begin() + body.q + 3);
+  }
+  return q;
+}
+
+void round_to_float(State& state) {
+  for (auto* entries :
+       {&state.q, &state.qd, &state.qdd, &state.tau, &state.xdd_cmd, &state.f_ext}) {
+    for (double& entry : *entries) entry = static_cast<double>(static_cast<float>(entry));
+  }
+  for (auto& [name, entries] : state.others) {
+    for (double& entry : entries) entry = static_cast<double>(static_cast<float>(entry));
+  }
+}
+
+}  // namespace
+
+const char* state_class_name(StateClass kind) {
+  constexpr std::array kNames = {"neutral", "random", "large", "fast", "tiny", "aligned", "limits"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+StateClass class_of_state(int index) {
+  // Of twenty states one is neutral; the first one is at rest as well.
+  constexpr std::string_view kCycle = "nrafrltarfraflrtarfb";
+  static_assert(kCycle.size() == kStatesOfEveryClass);
+  constexpr std::string_view kLetters = "nrlftab";
+  const char letter = kCycle[static_cast<std::size_t>(index) % kCycle.size()];
+  return kStateClasses[kLetters.find(letter)];
+}
+
+State draw_state(const StateSpace& space, int index) {
+  // Each state from a seed of its own.
+  Dice dice(space.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index));
+  const auto nv = static_cast<std::size_t>(space.subject.model.nv);
+  State state;
+  state.index = index;
+  state.kind = class_of_state(index);
+  state.q = draw_q(dice, space, state);
+  const bool at_rest = index == 0;
+  const Speed size = at_rest ? Speed{0, 0} : speed(state.kind);
+  state.qd = draw_rates(dice, state.kind, nv, size.velocity);
+  state.qdd = draw_rates(dice, state.kind, nv, size.acceleration);
+  const auto rows = static_cast<std::size_t>(interpreter::row_count(space.subject.points));
+  state.xdd_cmd = draw_rates(dice, state.kind, rows, size.acceleration);
+  state.f_ext = draw_rates(dice, state.kind, 6 * space.subject.external.size(), at_rest ? 0 : 50);
+  // Of the size of the forces that such a motion takes.
+  const auto forces = TermSizes(space.subject, state.q).forces(state.qd, state.qdd, state.f_ext);
+  for (std::size_t i = 0; i < nv; ++i) {
+    state.tau.push_back(at_rest ? 0 : dice.within(forces[static_cast<Eigen::Index>(i)]));
+  }
+  for (const auto& [name, count] : space.others) {
+    // At rest too: a direction is none without a length.
+    state.others[name] = draw_rates(dice, state.kind, static_cast<std::size_t>(count),
+                                    speed(state.kind).acceleration);
+  }
+  if (space.single_precision) round_to_float(state);
+  const auto rounded = [&](double x) {
+    return space.single_precision ? static_cast<double>(static_cast<float>(x)) : x;
+  };
+  for (const double angle : state.q) {
+    state.sin_q.push_back(rounded(std::sin(angle)));
+    state.cos_q.push_back(rounded(std::cos(angle)));
+  }
+  return state;
+}
+
+}  // namespace treeline

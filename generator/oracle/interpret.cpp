@@ -1,0 +1,159 @@
+#include "oracle/interpret.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "description/check_scene.hpp"
+#include "interpreter/instances.hpp"
+#include "oracle/entries.hpp"
+#include "oracle/interpret_contacts.hpp"
+#include "oracle/interpret_objects.hpp"
+
+namespace treeline {
+namespace {
+
+using interpreter::Vector;
+
+template <class Scalar>
+std::vector<Scalar> poses(const Subject<Scalar>& subject, const Vector<Scalar>& q) {
+  std::vector<Scalar> positions;
+  std::vector<Scalar> rotations;
+  for (const auto& pose :
+       interpreter::forward_kinematics<Scalar>(subject.model, subject.points, q)) {
+    append(pose.position, positions);
+    append(pose.rotation, rotations);
+  }
+  positions.insert(positions.end(), rotations.begin(), rotations.end());
+  return positions;
+}
+
+template <class Scalar>
+std::vector<Scalar> derivatives(const interpreter::DynamicsDerivatives<Scalar>& of) {
+  std::vector<Scalar> entries;
+  append(of.by_displacement, entries);
+  append(of.by_velocity, entries);
+  append(of.by_drive, entries);
+  return entries;
+}
+
+/// A state's numbers as the interpreter takes them.
+template <class Scalar>
+struct Numbers {
+  explicit Numbers(const State& state)
+      : q(vector_of<Scalar>(state.q)),
+        qd(vector_of<Scalar>(state.qd)),
+        qdd(vector_of<Scalar>(state.qdd)),
+        tau(vector_of<Scalar>(state.tau)),
+        xdd_cmd(vector_of<Scalar>(state.xdd_cmd)),
+        f_ext(vector_of<Scalar>(state.f_ext)) {}
+
+  Vector<Scalar> q, qd, qdd, tau, xdd_cmd, f_ext;
+};
+
+/// Of joints and of the robot as a whole.
+template <class Scalar>
+std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
+                             const Numbers<Scalar>& at) {
+  const auto& model = subject.model;
+  const auto& external = subject.external;
+  switch (function) {
+    case Function::inverse_dynamics:
+      return entries_of(
+          interpreter::inverse_dynamics<Scalar>(model, at.q, at.qd, at.qdd, external, at.f_ext));
+    case Function::gravity:
+      return entries_of(interpreter::gravity<Scalar>(model, at.q));
+    case Function::nonlinear_effects:
+      return entries_of(interpreter::nonlinear_effects<Scalar>(model, at.q, at.qd));
+    case Function::mass_matrix:
+      return entries_of(interpreter::mass_matrix<Scalar>(model, at.q));
+    case Function::forward_dynamics:
+      return entries_of(
+          interpreter::forward_dynamics<Scalar>(model, at.q, at.qd, at.tau, external, at.f_ext));
+    case Function::center_of_mass:
+      return entries_of(interpreter::center_of_mass<Scalar>(model, at.q));
+    case Function::center_of_mass_jacobian:
+      return entries_of(interpreter::center_of_mass_jacobian<Scalar>(model, at.q));
+    case Function::inverse_dynamics_derivatives:
+      return derivatives(interpreter::inverse_dynamics_derivatives<Scalar>(
+          model, at.q, at.qd, at.qdd, external, at.f_ext));
+    case Function::forward_dynamics_derivatives:
+      return derivatives(interpreter::forward_dynamics_derivatives<Scalar>(
+          model, at.q, at.qd, at.tau, external, at.f_ext));
+    default:
+      throw std::logic_error(std::string("the interpreter has no ") + function_name(function));
+  }
+}
+
+template <class Scalar>
+Vector<Scalar> control_torque(const Subject<Scalar>& subject, const Numbers<Scalar>& at,
+                              const interpreter::TaskLaw<Scalar>& law) {
+  if (law.borders.empty()) {
+    return interpreter::control_torque<Scalar>(subject.model, subject.points, at.q, at.qd, at.qdd,
+                                               at.xdd_cmd, subject.external, at.f_ext);
+  }
+  return interpreter::control_torque<Scalar>(subject.model, subject.points, at.q, at.qd, at.qdd,
+                                             at.xdd_cmd, subject.external, at.f_ext, law);
+}
+
+template <class Scalar>
+std::vector<Scalar> damped_control_torque(const Subject<Scalar>& subject,
+                                          const Numbers<Scalar>& at) {
+  const auto damped = interpreter::damped_control_torque<Scalar>(
+      subject.model, subject.points, at.q, at.qd, at.qdd, at.xdd_cmd, subject.damping,
+      subject.external, at.f_ext);
+  std::vector<Scalar> entries = entries_of(damped.tau);
+  entries.push_back(damped.ease);
+  return entries;
+}
+
+/// Of operational points.
+template <class Scalar>
+std::vector<Scalar> of_points(Function function, const Subject<Scalar>& subject,
+                              const Numbers<Scalar>& at, const interpreter::TaskLaw<Scalar>& law) {
+  const auto& model = subject.model;
+  const auto& points = subject.points;
+  switch (function) {
+    case Function::forward_kinematics:
+      return poses(subject, at.q);
+    case Function::jacobian:
+      return entries_of(interpreter::jacobian<Scalar>(model, points, at.q));
+    case Function::bias_acceleration:
+      return entries_of(interpreter::bias_acceleration<Scalar>(model, points, at.q, at.qd));
+    case Function::lambda_inverse:
+      return entries_of(interpreter::lambda_inverse<Scalar>(model, points, at.q));
+    case Function::lambda:
+      return entries_of(law.borders.empty()
+                            ? interpreter::lambda<Scalar>(model, points, at.q)
+                            : interpreter::lambda<Scalar>(model, points, at.q, law));
+    case Function::control_torque:
+      return entries_of(control_torque(subject, at, law));
+    default:
+      return damped_control_torque(subject, at);
+  }
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject, const State& state,
+                              const interpreter::TaskLaw<Scalar>& law) {
+  if (needs_objects(function)) return interpret_objects(function, subject, state, law);
+  const auto is_among = [function](const auto& functions) {
+    return std::find(functions.begin(), functions.end(), function) != functions.end();
+  };
+  if (is_among(kContactFunctions)) return interpret_contacts(function, subject, state, law);
+  const Numbers<Scalar> at(state);
+  const bool about_points = needs_points(function) || function == Function::damped_control_torque;
+  return about_points ? of_points(function, subject, at, law) : of_robot(function, subject, at);
+}
+
+template std::vector<float> interpret(Function, const Subject<float>&, const State&,
+                                      const interpreter::TaskLaw<float>&);
+template std::vector<double> interpret(Function, const Subject<double>&, const State&,
+                                       const interpreter::TaskLaw<double>&);
+template std::vector<interpreter::Digits50> interpret(
+    Function, const Subject<interpreter::Digits50>&, const State&,
+    const interpreter::TaskLaw<interpreter::Digits50>&);
+
+}  // namespace treeline

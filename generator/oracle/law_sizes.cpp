@@ -1,0 +1,114 @@
+#include "oracle/law_sizes.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "interpreter/instances.hpp"
+#include "oracle/condition.hpp"
+#include "recursion/pivot_rule.hpp"
+
+namespace treeline {
+namespace {
+
+using LongMatrix = interpreter::Matrix<long double>;
+
+/// Random changes of Lambda^-1 by which its neighbourhood is searched.
+constexpr int kProbes = 12;
+
+/// How far apart neighbours are: some roundings. Only laws in float have this power.
+long double reach_of(const interpreter::TaskLaw<double>& law) {
+  return law.power == inverse_inertia_shape(Real::float32).power ? 0x1p-20L : 0x1p-49L;
+}
+
+/// Lambda_ii is at least 1 / A_ii where nothing yields. Where a row yields it falls to nothing, but
+/// what rounding leaves of it is measured against that force.
+Eigen::VectorXd force_sizes(const LongMatrix& Lambda, const Eigen::VectorXd& terms) {
+  Eigen::VectorXd sizes(terms.size());
+  for (Eigen::Index i = 0; i < terms.size(); ++i) {
+    const double own = std::abs(static_cast<double>(Lambda(i, i)));
+    sizes(i) = terms(i) > 0 ? std::max(own, 1 / terms(i)) : own;
+  }
+  return sizes;
+}
+
+/// A with each entry changed at random, by at most `reach` of its terms.
+LongMatrix neighbour(const LongMatrix& A, const Eigen::VectorXd& terms, long double reach,
+                     std::mt19937_64& random) {
+  LongMatrix changed = A;
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const long double sign = (random() & 1U) != 0 ? 1 : -1;
+      changed(i, j) += sign * reach * std::sqrt(static_cast<long double>(terms(i) * terms(j)));
+      changed(j, i) = changed(i, j);
+    }
+  }
+  return changed;
+}
+
+/// By how many units Lambda changes, of the size of its forces, if Lambda^-1 changes by one. No
+/// formula of linear algebra knows it: a row that yields takes those after it along.
+LawSizes probe(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
+               const interpreter::TaskLaw<double>& law) {
+  const LongMatrix exact = A.cast<long double>();
+  const auto long_law = interpreter::cast<long double>(law);
+  const LongMatrix Lambda = interpreter::bordered_inverse<long double>(exact, long_law);
+  const Eigen::VectorXd sizes = force_sizes(Lambda, terms);
+  const Eigen::VectorXd root = sizes.cwiseSqrt();
+  const long double reach = reach_of(law);
+  std::mt19937_64 random;
+  double condition = 1;
+  for (int i = 0; i < kProbes; ++i) {
+    const LongMatrix other = interpreter::bordered_inverse<long double>(
+        neighbour(exact, terms, reach, random), long_law);
+    const Eigen::MatrixXd change = ((other - Lambda) / reach).cast<double>().cwiseAbs();
+    for (Eigen::Index row = 0; row < A.rows(); ++row) {
+      for (Eigen::Index column = 0; column < A.cols(); ++column) {
+        const double size = root(row) * root(column);
+        if (size > 0) condition = std::max(condition, change(row, column) / size);
+      }
+    }
+  }
+  return {condition, root * root.transpose()};
+}
+
+/// Of a law of a Jacobian, the borders of which are about its own pivots.
+LawSizes of_jacobian(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
+                     const interpreter::TaskLaw<double>& law) {
+  // t^power / (1 + t^power) / t is largest where t^power = power - 1: below that a row only yields
+  // more, and what an error of its pivot makes of it shrinks no further than this.
+  const double peak = std::pow(law.power - 1.0, 1.0 / law.power);
+  Eigen::MatrixXd left = A;
+  Eigen::MatrixXd yielded = A;
+  for (Eigen::Index k = 0; k < A.rows(); ++k) {
+    const double border = law.borders[static_cast<std::size_t>(k)];
+    const double c = std::max(left(k, k), peak * border);
+    const double inverse = interpreter::bounded_inverse<double>(c, border, law.power);
+    if (border > 0) yielded(k, k) += 1 / inverse - left(k, k);
+    const Eigen::VectorXd column = left.col(k);
+    left -= column * (inverse * column.transpose());
+  }
+  if (!yielded.allFinite()) return {std::numeric_limits<double>::infinity(), A};
+  const Eigen::VectorXd scale = terms + (yielded - A).diagonal().cwiseAbs();
+  const Eigen::MatrixXd Lambda =
+      yielded.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+  return {scaled_condition(yielded, scale), Lambda.cwiseAbs()};
+}
+
+}  // namespace
+
+LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q,
+                        const Eigen::MatrixXd& Lambda_inverse, const Eigen::MatrixXd& terms,
+                        const interpreter::TaskLaw<double>& law) {
+  const Eigen::MatrixXd T = interpreter::law_rows<double>(subject.model, subject.points, q, law);
+  const Eigen::MatrixXd size = T.cwiseAbs();
+  const Eigen::MatrixXd A = T * Lambda_inverse * T.transpose();
+  const Eigen::VectorXd A_terms = (size * terms * size.transpose()).diagonal();
+  LawSizes found = law.pivots.empty() ? probe(A, A_terms, law) : of_jacobian(A, A_terms, law);
+  found.Lambda = size.transpose() * found.Lambda * size;
+  return found;
+}
+
+}  // namespace treeline

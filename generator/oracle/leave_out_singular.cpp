@@ -1,0 +1,73 @@
+#include "oracle/leave_out_singular.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "description/check_scene.hpp"
+#include "oracle/find_massless_directions.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr std::size_t kMostNamed = 6;
+
+/// "a, b and 3 more"
+std::string list_first(const std::vector<std::string>& names) {
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(names.size(), kMostNamed));
+  std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
+  if (names.size() > kMostNamed) text += fmt::format(" and {} more", names.size() - kMostNamed);
+  return text;
+}
+
+void append_new(const std::string& name, std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+std::string describe_fault(const std::vector<MasslessDirections>& all) {
+  std::vector<std::string> names;
+  for (const MasslessDirections& each : all) names.push_back(each.what);
+  return fmt::format("the mass matrix is singular in every pose: no inertia resists {}",
+                     list_first(names));
+}
+
+std::string describe_cure(const std::vector<MasslessDirections>& all) {
+  std::vector<std::string> links, locks;
+  bool base = false;
+  for (const MasslessDirections& each : all) {
+    append_new(fmt::format("\"{}\"", each.links.front()), links);
+    if (each.one_degree) append_new(fmt::format("\"{}\"", each.joint), locks);
+    base = base || each.moves_base;
+  }
+  std::string cure = fmt::format("Give link{} {} mass and moments of inertia in the URDF",
+                                 links.size() > 1 ? "s" : "", list_first(links));
+  if (!locks.empty()) {
+    cure += fmt::format("; or lock joint{} {} in the scene", locks.size() > 1 ? "s" : "",
+                        list_first(locks));
+  }
+  return cure + (base ? "; or write base: fixed" : "");
+}
+
+}  // namespace
+
+void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnostics& diagnostics) {
+  std::vector<Function> undefined = listed ? scene.functions : default_functions(scene);
+  std::erase_if(undefined, [](Function function) { return !inverts_mass_matrix(function); });
+  if (undefined.empty()) return;
+  const std::vector<MasslessDirections> massless = find_massless_directions(robot, scene);
+  if (massless.empty()) return;
+  std::vector<std::string> names;
+  for (const Function function : undefined) names.emplace_back(function_name(function));
+  const bool asked = listed || scene.damped;
+  const std::string list = asked && !listed ? "damped" : list_first(names);
+  diagnostics.add(
+      {asked ? Severity::error : Severity::warning, scene.file, 0, listed ? "functions" : "",
+       fmt::format("{}; {} {}", describe_fault(massless),
+                   asked ? "there is no" : "left out:", list),
+       describe_cure(massless) + (listed ? "; or do not ask for these functions" : "")});
+  std::erase_if(scene.functions, inverts_mass_matrix);
+}
+
+}  // namespace treeline

@@ -1,0 +1,204 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "description/joints_depth_first.hpp"
+#include "description/noise.hpp"
+#include "description/robot.hpp"
+#include "description/rotation.hpp"
+#include "description/scene.hpp"
+#include "interpreter/model.hpp"
+
+namespace treeline {
+
+namespace detail {
+
+/// Adds a robot's links to a model one after another, depth first.
+template <class Scalar>
+class ModelBuilder {
+ public:
+  ModelBuilder(const Robot& robot, const Scene& scene)
+      : robot_(as_asked(robot, scene)), scene_(scene) {
+    using Vector3 = interpreter::Vector3<Scalar>;
+    model_.gravity =
+        Vector3(Scalar(scene.gravity[0]), Scalar(scene.gravity[1]), Scalar(scene.gravity[2]));
+    interpreter::Body<Scalar> root;
+    root.kind = scene.base == Base::floating ? interpreter::JointKind::floating
+                                             : interpreter::JointKind::fixed;
+    add_links(root);
+    resolve_mimics();
+  }
+
+  [[nodiscard]] const interpreter::Model<Scalar>& model() const { return model_; }
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  static interpreter::Vector3<Scalar> position(const Pose& pose) {
+    return {Scalar(pose.xyz[0]), Scalar(pose.xyz[1]), Scalar(pose.xyz[2])};
+  }
+
+  static interpreter::JointKind kind(JointType type) {
+    switch (type) {
+      case JointType::revolute:
+      case JointType::continuous:
+        return interpreter::JointKind::revolute;
+      case JointType::prismatic:
+        return interpreter::JointKind::prismatic;
+      case JointType::planar:
+        return interpreter::JointKind::planar;
+      case JointType::floating:
+        return interpreter::JointKind::floating;
+      case JointType::fixed:
+        break;
+    }
+    return interpreter::JointKind::fixed;
+  }
+
+  /// Inertia about the link frame's origin out of the one about the centre of mass.
+  static void set_inertia(const Inertial& inertial, interpreter::Body<Scalar>& body) {
+    const auto R = rotation_from_rpy<Scalar>(inertial.origin.rpy);
+    interpreter::Matrix3<Scalar> J;
+    J << Scalar(inertial.ixx), Scalar(inertial.ixy), Scalar(inertial.ixz),  //
+        Scalar(inertial.ixy), Scalar(inertial.iyy), Scalar(inertial.iyz),   //
+        Scalar(inertial.ixz), Scalar(inertial.iyz), Scalar(inertial.izz);
+    body.mass = Scalar(inertial.mass);
+    body.com = position(inertial.origin);
+    const auto C = interpreter::cross_matrix(body.com);
+    body.inertia = R * J * R.transpose() - body.mass * (C * C);
+  }
+
+  void add_links(const interpreter::Body<Scalar>& root) {
+    std::vector<int> body_of_link(robot_.links.size());
+    body_of_link[index(robot_.root)] = place_link(robot_.root, root);
+    for (const int j : joints_depth_first(robot_)) {
+      const Joint& joint = robot_.joints[index(j)];
+      body_of_link[index(joint.child)] =
+          place_link(joint.child, body_behind(j, body_of_link[index(joint.parent)]));
+    }
+  }
+
+  int place_link(int link, interpreter::Body<Scalar> body) {
+    const Link& file_link = robot_.links[index(link)];
+    body.name = file_link.name;
+    if (file_link.inertial) set_inertia(*file_link.inertial, body);
+    return body.mimics ? add_mimic(body) : interpreter::add_body(model_, body);
+  }
+
+  int add_mimic(const interpreter::Body<Scalar>& body) {
+    model_.bodies.push_back(body);
+    return model_.size() - 1;
+  }
+
+  interpreter::Body<Scalar> body_behind(int j, int parent) {
+    const Joint& joint = robot_.joints[index(j)];
+    interpreter::Body<Scalar> body;
+    body.parent = parent;
+    body.kind = kind(joint.type);
+    body.R_parent_joint = rotation_from_rpy<Scalar>(joint.origin.rpy);
+    body.p_parent_joint = position(joint.origin);
+    if (joint.type != JointType::fixed && joint.type != JointType::floating) {
+      body.axis = unit_axis<Scalar>(joint.axis);
+    }
+    follow_mimics(j, body);
+    body_of_joint_[j] = model_.size();
+    return body;
+  }
+
+  /// Composes the chain of mimic tags from joint `j` to a joint that is none or is locked.
+  void follow_mimics(int j, interpreter::Body<Scalar>& body) {
+    int leader = j;
+    while (!scene_.locked.contains(robot_.joints[index(leader)].name) &&
+           robot_.joints[index(leader)].mimic) {
+      const Mimic& mimic = *robot_.joints[index(leader)].mimic;
+      body.offset += body.multiplier * Scalar(mimic.offset);
+      body.multiplier *= Scalar(mimic.multiplier);
+      leader = mimic.joint;
+    }
+    const auto locked = scene_.locked.find(robot_.joints[index(leader)].name);
+    if (locked != scene_.locked.end()) {
+      lock(body, body.multiplier * Scalar(locked->second) + body.offset);
+    } else if (leader != j) {
+      body.mimics = true;
+      leader_of_body_[model_.size()] = leader;
+    }
+  }
+
+  /// Makes a joint of one degree fixed at a displacement.
+  static void lock(interpreter::Body<Scalar>& body, const Scalar& at) {
+    if (body.kind == interpreter::JointKind::prismatic) {
+      body.p_parent_joint += body.R_parent_joint * (body.axis * at);
+    } else {
+      body.R_parent_joint = (body.R_parent_joint * turn(body.axis, at)).eval();
+    }
+    body.kind = interpreter::JointKind::fixed;
+    body.multiplier = Scalar(1);
+    body.offset = Scalar(0);
+  }
+
+  /// Rodrigues' formula; a quarter turn that a file gives as a double is exact.
+  static interpreter::Matrix3<Scalar> turn(const interpreter::Vector3<Scalar>& n,
+                                           const Scalar& angle) {
+    const double as_double = static_cast<double>(angle);
+    using std::cos;
+    using std::sin;
+    SinCos<Scalar> sc{Scalar(sin(angle)), Scalar(cos(angle))};
+    if (Scalar(as_double) == angle) sc = sin_cos_of_file_angle<Scalar>(as_double);
+    const auto N = interpreter::cross_matrix(n);
+    return interpreter::Matrix3<Scalar>::Identity() + sc.sin * N + (Scalar(1) - sc.cos) * (N * N);
+  }
+
+  void resolve_mimics() {
+    for (const auto& [body, leader] : leader_of_body_) {
+      const auto& own = model_.bodies[index(body_of_joint_.at(leader))];
+      model_.bodies[index(body)].q = own.q;
+      model_.bodies[index(body)].v = own.v;
+    }
+  }
+
+  const Robot robot_;
+  const Scene& scene_;
+  interpreter::Model<Scalar> model_;
+  std::map<int, int> body_of_joint_;
+  std::map<int, int> leader_of_body_;
+};
+
+}  // namespace detail
+
+/// The interpreter's model of a robot in a scene, straight from the files' numbers: every link is a
+/// body, nothing is lumped or regrouped. Rotations and axes are computed in the precision of
+/// `Scalar`. Joint order and coordinates are the contract's: depth first from the root, children in
+/// the file's order, a floating base first; fixed, locked and mimic joints own no coordinates.
+/// Joints of `scene.locked` have one degree of freedom; a joint that mimics a locked one is locked.
+template <class Scalar>
+interpreter::Model<Scalar> model_from_robot(const Robot& robot, const Scene& scene) {
+  return detail::ModelBuilder<Scalar>(robot, scene).model();
+}
+
+/// A scene's operational points, or its external forces, as points on the model that
+/// `model_from_robot` makes. Their links must be the robot's.
+template <class Scalar>
+interpreter::Points<Scalar> points_from_scene(const interpreter::Model<Scalar>& model,
+                                              const std::vector<ScenePoint>& scene_points) {
+  interpreter::Points<Scalar> points;
+  for (const ScenePoint& from : scene_points) {
+    interpreter::OperationalPoint<Scalar> point;
+    point.name = from.name;
+    for (int i = 0; i < model.size(); ++i) {
+      if (model.body(i).name == from.link) point.body = i;
+    }
+    point.R = rotation_from_rpy<Scalar>(from.origin.rpy);
+    const auto& xyz = from.origin.xyz;
+    point.p << Scalar(xyz[0]), Scalar(xyz[1]), Scalar(xyz[2]);
+    point.axes =
+        from.axes == Axes::world ? interpreter::PointAxes::world : interpreter::PointAxes::local;
+    point.rows = from.rows;
+    point.priority = from.priority;
+    points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace treeline

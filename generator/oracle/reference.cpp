@@ -1,0 +1,92 @@
+#include "oracle/reference.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <mutex>
+
+#include "oracle/for_each_index.hpp"
+#include "oracle/reference_maker.hpp"
+
+namespace treeline {
+namespace {
+
+bool is_drawn(const std::string& argument) {
+  constexpr std::array kDrawn = {"q",     "sin_q", "cos_q",   "qd",   "qdd",
+                                 "qdd_0", "tau",   "xdd_cmd", "f_ext"};
+  return std::find(kDrawn.begin(), kDrawn.end(), argument) != kDrawn.end();
+}
+
+/// Arguments of functions about contacts and objects; they are drawn without regard to their
+/// meaning.
+std::map<std::string, int> other_arguments(const std::vector<GeneratedFunction>& functions) {
+  std::map<std::string, int> sizes;
+  for (const GeneratedFunction& generated : functions) {
+    for (const Argument& argument : generated.program.arguments) {
+      const int size = argument.rows * argument.cols;
+      if (!is_drawn(argument.name)) sizes[argument.name] = std::max(sizes[argument.name], size);
+    }
+  }
+  return sizes;
+}
+
+std::vector<int> state_indices(const ReferenceOptions& options) {
+  std::vector<int> indices;
+  for (int i = options.first; static_cast<int>(indices.size()) < options.states; ++i) {
+    if (!options.only || class_of_state(i) == *options.only) indices.push_back(i);
+  }
+  return indices;
+}
+
+}  // namespace
+
+StateSpace make_state_space(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
+                            const std::vector<GeneratedFunction>& functions, std::uint64_t seed) {
+  return {make_subject<double>(robot, scene), mechanism.coordinates, seed,
+          scene.real == Real::float32, other_arguments(functions)};
+}
+
+std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,
+                                            const Generation& generation,
+                                            const ReferenceOptions& options) {
+  const ReferenceMaker maker(robot, scene, generation, options.seed);
+  std::vector<StateReference> made(static_cast<std::size_t>(options.states));
+  const std::vector<int> indices = state_indices(options);
+  int done = 0;
+  std::mutex telling;
+  const auto make_state = [&](std::size_t i) {
+    made[i] = maker.make(indices[i]);
+    const std::lock_guard lock(telling);
+    ++done;
+    if (options.progress) options.progress(done, options.states);
+  };
+  for_each_index(made.size(), make_state, options.threads);
+  return made;
+}
+
+double unit_of(Real real) {
+  return real == Real::float32 ? 0x1p-23 : 0x1p-52;
+}
+
+bool are_finite(const std::vector<double>& entries) {
+  return std::all_of(entries.begin(), entries.end(), [](double x) { return std::isfinite(x); });
+}
+
+double error_in_ulp(const std::vector<double>& actual, const FunctionReference& reference,
+                    double unit) {
+  double worst = 0;
+  for (std::size_t i = 0; i < reference.high.size(); ++i) {
+    const double difference = (reference.high[i] - actual[i]) + reference.low[i];
+    if (difference == 0) continue;
+    const double error = std::abs(difference) / (unit * reference.size[i]);
+    if (!(error <= std::numeric_limits<double>::max())) {
+      return std::numeric_limits<double>::infinity();
+    }
+    worst = std::max(worst, error);
+  }
+  return worst;
+}
+
+}  // namespace treeline

@@ -1,0 +1,155 @@
+#include "oracle/reference_maker.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "generation/evaluate_damped.hpp"
+#include "oracle/entries.hpp"
+#include "oracle/interpret.hpp"
+#include "oracle/law_at.hpp"
+
+namespace treeline {
+namespace {
+
+using interpreter::Digits50;
+
+/// Beyond this share of 1/unit a condition leaves a solve without a digit worth comparing.
+constexpr double kSingular = 1.0 / 64;
+
+void split(const std::vector<Digits50>& exact, FunctionReference& reference) {
+  for (const Digits50& x : exact) {
+    const auto high = static_cast<double>(x);
+    reference.high.push_back(high);
+    reference.low.push_back(static_cast<double>(Digits50(x - Digits50(high))));
+  }
+}
+
+template <class T>
+std::vector<double> widened(const std::vector<T>& entries) {
+  return {entries.begin(), entries.end()};
+}
+
+/// The scale of forces comes out of Lambda, also where it is the Jacobian that is eliminated.
+std::shared_ptr<const TaskLaw> law_of_sizes(const std::shared_ptr<const TaskLaw>& law) {
+  if (!law || law->kind != TaskLaw::Kind::jacobian) return law;
+  return TaskLaws(*law->mechanism).find(TaskLaw::Kind::inverse_inertia, law->points, {});
+}
+
+}  // namespace
+
+ReferenceMaker::ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
+                               std::uint64_t seed)
+    : functions_(all_callable(generation)),
+      plain_(generation.functions.size()),
+      real_(scene.real),
+      exact_(make_subject<Digits50>(robot, scene)),
+      single_(cast<float>(exact_)),
+      space_(make_state_space(robot, scene, generation.mechanism, functions_, seed)) {
+  space_.subject = cast<double>(exact_);
+  for (const GeneratedFunction& generated : functions_) {
+    runs_.emplace_back(generated.program);
+    size_laws_.push_back(law_of_sizes(generated.program.law));
+  }
+}
+
+StateReference ReferenceMaker::make(int index) const {
+  return make(index, Digits::fifty);
+}
+
+StateReference ReferenceMaker::estimate(int index) const {
+  return make(index, Digits::in_real);
+}
+
+void ReferenceMaker::complete(std::size_t i, const State& state,
+                              FunctionReference& estimated) const {
+  const std::size_t plain = functions_[i].batch > 0 ? i - plain_ : i;
+  const ResultSizes sizes(space_.subject, state);
+  FunctionReference made = interpret_at(plain, state, sizes, Digits::fifty);
+  made.graph = std::move(estimated.graph);
+  made.computed_angles = estimated.computed_angles;
+  estimated = std::move(made);
+}
+
+StateReference ReferenceMaker::make(int index, Digits digits) const {
+  StateReference made{draw_state(space_, index), {}};
+  const ResultSizes sizes(space_.subject, made.state);
+  for (std::size_t i = 0; i < functions_.size(); ++i) {
+    // A function of several states differs from the plain one in its graph, not in its truth.
+    made.functions.push_back(functions_[i].batch > 0 ? made.functions[i - plain_]
+                                                     : interpret_at(i, made.state, sizes, digits));
+    FunctionReference& reference = made.functions.back();
+    if (is_composed(functions_[i])) {
+      compose_graph(made);
+      continue;
+    }
+    reference.graph = runs_[i].results(made.state, real_);
+    reference.computed_angles = runs_[i].computed_angles(made.state);
+  }
+  return made;
+}
+
+/// What must come out of the last function, which is composed of others of the state's; an angle
+/// that one of these rounds is amplified as their errors are.
+void ReferenceMaker::compose_graph(StateReference& made) const {
+  FunctionReference& composed = made.functions.back();
+  const auto graph_of = [&](Function function) {
+    std::size_t i = 0;
+    while (functions_[i].function != function) ++i;
+    composed.computed_angles += composed.condition * made.functions[i].computed_angles;
+    return made.functions[i].graph;
+  };
+  DampedInputs inputs;
+  inputs.Lambda_inverse = graph_of(Function::lambda_inverse);
+  inputs.J = graph_of(Function::jacobian);
+  inputs.bias = graph_of(Function::bias_acceleration);
+  inputs.tau = graph_of(Function::inverse_dynamics);
+  inputs.qdd_0 = made.state.qdd;
+  inputs.xdd_cmd = made.state.xdd_cmd;
+  inputs.heaviest = entries_of(space_.subject.damping.heaviest);
+  composed.graph = evaluate_damped(real_, inputs);
+}
+
+FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state,
+                                               const ResultSizes& sizes, Digits digits) const {
+  const Function function = functions_[i].function;
+  const auto law = law_at(functions_[i].program.law.get(), state.q);
+  const auto size_law = interpreter::cast<double>(law_at(size_laws_[i].get(), state.q));
+  FunctionReference reference;
+  reference.condition = sizes.condition(function, size_law);
+  // Where rows yield there is a truth at every state, however fast it changes there.
+  const bool yields = size_laws_[i] != nullptr && std::isfinite(reference.condition);
+  reference.singular = !yields && !(reference.condition < kSingular / unit_of(real_));
+  if (reference.singular) {
+    reference.stays_finite = stays_finite(function, state, sizes, law);
+    return reference;
+  }
+  std::vector<double> in_real = interpret_in_real(function, state, law);
+  if (digits == Digits::in_real) {
+    reference.low.assign(in_real.size(), 0);
+    reference.high = std::move(in_real);
+    reference.size = sizes.sizes(function, reference.high, size_law);
+    return reference;
+  }
+  split(interpret<Digits50>(function, exact_, state, law), reference);
+  reference.size = sizes.sizes(function, reference.high, size_law);
+  reference.interpreter_error = error_in_ulp(in_real, reference, unit_of(real_));
+  return reference;
+}
+
+/// Where rows yield and the robot itself is not singular, an answer is promised; it is judged where
+/// the interpreter gives one.
+bool ReferenceMaker::stays_finite(Function function, const State& state, const ResultSizes& sizes,
+                                  const interpreter::TaskLaw<Digits50>& law) const {
+  const bool promised = !law.borders.empty() &&
+                        sizes.condition(Function::forward_dynamics) < kSingular / unit_of(real_);
+  return promised && are_finite(interpret_in_real(function, state, law));
+}
+
+std::vector<double> ReferenceMaker::interpret_in_real(
+    Function function, const State& state, const interpreter::TaskLaw<Digits50>& law) const {
+  return real_ == Real::float32
+             ? widened(interpret<float>(function, single_, state, interpreter::cast<float>(law)))
+             : interpret<double>(function, space_.subject, state, interpreter::cast<double>(law));
+}
+
+}  // namespace treeline

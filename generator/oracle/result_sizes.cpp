@@ -1,0 +1,211 @@
+#include "oracle/result_sizes.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "interpreter/instances.hpp"
+#include "oracle/condition.hpp"
+#include "oracle/contact_sizes.hpp"
+#include "oracle/entries.hpp"
+
+namespace treeline {
+namespace {
+
+std::vector<double> joined(std::initializer_list<Eigen::MatrixXd> matrices) {
+  std::vector<double> entries;
+  for (const Eigen::MatrixXd& matrix : matrices) {
+    append(matrix, entries);
+  }
+  return entries;
+}
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& A) {
+  return A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+}
+
+/// Lambda^-1 plus what rows in strict priority yield by: c (1 - w) / w of each.
+Eigen::MatrixXd with_yields(const interpreter::Points<double>& points, const Eigen::MatrixXd& A) {
+  const Eigen::VectorXd borders = interpreter::yield_borders<double>(points, A.diagonal());
+  Eigen::MatrixXd left = A;
+  Eigen::MatrixXd yielded = A;
+  for (const int row : interpreter::rows_by_priority(points)) {
+    const double c = std::max(left(row, row), 1e-9 * borders(row));
+    const double inverse = interpreter::yielding_inverse<double>(c, borders(row));
+    if (borders(row) > 0) yielded(row, row) += 1 / inverse - c;
+    const Eigen::VectorXd column = left.col(row);
+    left -= column * (inverse * column.transpose());
+  }
+  return yielded;
+}
+
+}  // namespace
+
+ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
+    : subject_(subject), state_(state), terms_(subject, state.q) {
+  const Eigen::VectorXd q = vector_of<double>(state.q);
+  const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
+  M_condition_ = scaled_condition(M, terms_.mass_matrix().diagonal());
+  M_inverse_ = inverse(M).cwiseAbs();
+  if (!subject.chain.objects.empty()) objects_.emplace(subject_, state_, M_inverse_);
+  if (subject.points.empty() || M_condition_ > std::numeric_limits<double>::max()) {
+    Lambda_condition_ = std::numeric_limits<double>::infinity();
+    control_condition_ = Lambda_condition_;
+    return;
+  }
+  const Eigen::MatrixXd Lambda_inverse =
+      interpreter::lambda_inverse<double>(subject.model, subject.points, q);
+  Lambda_inverse_ = Lambda_inverse;
+  Lambda_condition_ = scaled_condition(Lambda_inverse, lambda_inverse().diagonal());
+  Lambda_ = inverse(Lambda_inverse).cwiseAbs();
+  if (subject.damping.heaviest.size() > 0) {
+    damped_ = find_damped_sizes(Lambda_inverse, lambda_inverse(), subject.damping);
+  }
+  control_condition_ = Lambda_condition_;
+  control_Lambda_ = Lambda_;
+  if (!interpreter::has_priorities(subject.points)) return;
+  const Eigen::MatrixXd yielded = with_yields(subject.points, Lambda_inverse);
+  const Eigen::VectorXd scale = lambda_inverse().diagonal() + (yielded - Lambda_inverse).diagonal();
+  control_condition_ = scaled_condition(yielded, scale);
+  control_Lambda_ = inverse(yielded).cwiseAbs();
+}
+
+std::optional<LawSizes> ResultSizes::yielding(Function function,
+                                              const interpreter::TaskLaw<double>& law) const {
+  const bool solves = function == Function::lambda || function == Function::control_torque;
+  if (!solves || law.borders.empty() || Lambda_inverse_.size() == 0) return std::nullopt;
+  if (function == Function::control_torque && interpreter::has_priorities(subject_.points)) {
+    return std::nullopt;
+  }
+  return find_law_sizes(subject_, vector_of<double>(state_.q), Lambda_inverse_, lambda_inverse(),
+                        law);
+}
+
+double ResultSizes::condition(Function function, const interpreter::TaskLaw<double>& law) const {
+  if (const auto yielded = yielding(function, law)) return yielded->condition;
+  const bool about_hands = needs_objects(function) && solve_of(function) != Solve::none;
+  if (about_hands) return std::max(objects_->condition(function, law), M_condition_);
+  switch (solve_of(function)) {
+    case Solve::mass_matrix:
+      return M_condition_;
+    case Solve::lambda_inverse:
+      return function == Function::control_torque ? control_condition_ : Lambda_condition_;
+    case Solve::damped:
+      return damped_ ? std::max(damped_->condition, M_condition_) : M_condition_;
+    case Solve::none:
+      break;
+  }
+  return 1;
+}
+
+std::vector<double> ResultSizes::sizes(Function function, const std::vector<double>& result,
+                                       const interpreter::TaskLaw<double>& law) const {
+  const auto yielded = yielding(function, law);
+  const std::vector<double> none(state_.qd.size(), 0);
+  switch (function) {
+    case Function::forward_kinematics:
+      return entries_of(terms_.poses());
+    case Function::jacobian:
+      return entries_of(terms_.jacobian());
+    case Function::bias_acceleration:
+      return entries_of(terms_.bias(state_.qd));
+    case Function::inverse_dynamics:
+      return entries_of(terms_.forces(state_.qd, state_.qdd, state_.f_ext));
+    case Function::gravity:
+      return entries_of(terms_.forces(none, none, {}));
+    case Function::nonlinear_effects:
+      return entries_of(terms_.forces(state_.qd, none, {}));
+    case Function::mass_matrix:
+      return entries_of(terms_.mass_matrix());
+    case Function::forward_dynamics:
+      return entries_of(forward_dynamics(result));
+    case Function::lambda_inverse:
+      return entries_of(lambda_inverse());
+    case Function::lambda:
+      return entries_of(lambda(yielded ? yielded->Lambda : Lambda_));
+    case Function::control_torque:
+      return entries_of(control_torque(yielded ? yielded->Lambda : control_Lambda_));
+    case Function::center_of_mass:
+      return entries_of(terms_.center_of_mass());
+    case Function::center_of_mass_jacobian:
+      return entries_of(terms_.center_of_mass_jacobian());
+    case Function::inverse_dynamics_derivatives:
+      return inverse_dynamics_derivatives();
+    case Function::forward_dynamics_derivatives:
+      return forward_dynamics_derivatives();
+    case Function::damped_control_torque:
+      return damped_control_torque();
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+      return objects_->sizes(function, law);
+    case Function::contact_motion:
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
+      return contact_sizes(function, subject_, state_, M_inverse_, result, law);
+  }
+  throw std::logic_error(std::string("nobody knows the scale of ") + function_name(function));
+}
+
+/// |M^-1| (|tau| + those of inverse dynamics at the resulting qdd)
+Eigen::VectorXd ResultSizes::forward_dynamics(const std::vector<double>& qdd) const {
+  return M_inverse_ *
+         (vector_of<double>(state_.tau).cwiseAbs() + terms_.forces(state_.qd, qdd, state_.f_ext));
+}
+
+/// |J| |M^-1| |J|^T
+Eigen::MatrixXd ResultSizes::lambda_inverse() const {
+  const Eigen::MatrixXd J = terms_.jacobian();
+  return J * M_inverse_ * J.transpose();
+}
+
+/// sqrt(Lambda_ii Lambda_jj), which no entry exceeds.
+Eigen::MatrixXd ResultSizes::lambda(const Eigen::MatrixXd& Lambda) {
+  const Eigen::VectorXd d = Lambda.diagonal().cwiseSqrt();
+  return d * d.transpose();
+}
+
+/// Those of inverse dynamics at qdd_0 and |J|^T |Lambda| (|xdd_cmd| + |Jd qd| + |J| |qdd_0|). The
+/// forces of the task pass by joints that they do not move, where nothing but their rounding is
+/// left: no torque is measured against less than a thousandth of the largest.
+Eigen::VectorXd ResultSizes::control_torque(const Eigen::MatrixXd& Lambda) const {
+  const Eigen::MatrixXd J = terms_.jacobian();
+  const Eigen::VectorXd rows = vector_of<double>(state_.xdd_cmd).cwiseAbs() +
+                               terms_.bias(state_.qd) +
+                               J * vector_of<double>(state_.qdd).cwiseAbs();
+  const Eigen::VectorXd sizes =
+      terms_.forces(state_.qd, state_.qdd, state_.f_ext) + J.transpose() * (Lambda * rows);
+  return sizes.cwiseMax(0x1p-10 * sizes.maxCoeff());
+}
+
+std::vector<double> ResultSizes::damped_control_torque() const {
+  std::vector<double> entries = entries_of(control_torque(damped_->Lambda));
+  entries.push_back(damped_->ease);
+  return entries;
+}
+
+std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {
+  return joined({terms_.forces_by_displacement(state_.qd, state_.qdd, state_.f_ext),
+                 terms_.forces_by_velocity(state_.qd), terms_.mass_matrix()});
+}
+
+/// W times those of inverse dynamics at a qdd of the size of its terms; W_ij =
+/// sqrt(|M^-1|_ii |M^-1|_jj), which no entry of M^-1 exceeds: one that cancels says nothing of its
+/// terms.
+std::vector<double> ResultSizes::forward_dynamics_derivatives() const {
+  const Eigen::VectorXd at = interpreter::forward_dynamics<double>(
+      subject_.model, vector_of<double>(state_.q), vector_of<double>(state_.qd),
+      vector_of<double>(state_.tau), subject_.external, vector_of<double>(state_.f_ext));
+  const std::vector<double> qdd = entries_of(forward_dynamics(entries_of(at)));
+  const Eigen::VectorXd d = M_inverse_.diagonal().cwiseSqrt();
+  const Eigen::MatrixXd W = d * d.transpose();
+  return joined({W * terms_.forces_by_displacement(state_.qd, qdd, state_.f_ext),
+                 W * terms_.forces_by_velocity(state_.qd), W});
+}
+
+}  // namespace treeline

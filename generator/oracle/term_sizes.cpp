@@ -1,0 +1,257 @@
+#include "oracle/term_sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "description/noise.hpp"
+#include "interpreter/center_of_mass.hpp"
+
+namespace treeline {
+namespace {
+
+using interpreter::JointKind;
+using interpreter::kWorld;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// How far the joint's own translation moves its link.
+double displacement(const interpreter::Body<double>& body, const std::vector<double>& q) {
+  const auto size = [&](int i) {
+    return std::abs(body.multiplier * q[at(body.q + i)] + body.offset);
+  };
+  switch (body.kind) {
+    case JointKind::prismatic:
+      return size(0);
+    case JointKind::planar:
+      return size(0) + size(1);
+    case JointKind::floating:
+      return size(0) + size(1) + size(2);
+    default:
+      return 0;
+  }
+}
+
+/// Of a joint's velocities, how many are of translation; these come first.
+int translations(JointKind kind) {
+  switch (kind) {
+    case JointKind::prismatic:
+      return 1;
+    case JointKind::planar:
+      return 2;
+    case JointKind::floating:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+/// The norm of the rotational inertia about the centre of mass.
+double central_inertia(const interpreter::Body<double>& body) {
+  const auto C = interpreter::cross_matrix(body.com);
+  return (body.inertia + body.mass * C * C).norm();
+}
+
+}  // namespace
+
+TermSizes::TermSizes(const Subject<double>& subject, const std::vector<double>& q)
+    : subject_(subject) {
+  for (const auto& body : subject.model.bodies) {
+    lengths_.push_back(body.p_parent_joint.norm() + displacement(body, q));
+    longest_ = std::max({longest_, body.p_parent_joint.norm(), body.com.norm()});
+  }
+}
+
+/// Of the way from the world to the body's origin.
+double TermSizes::path_to(int body) const {
+  double path = 0;
+  for (int i = body; i != kWorld; i = subject_.model.body(i).parent) path += lengths_[at(i)];
+  return path;
+}
+
+/// Levers are added up from the point inward: as a difference of ways from the world a small one
+/// would be lost, and its size be zero.
+TermSizes::Columns TermSizes::columns(int body, double distance) const {
+  constexpr double kNoise = 64 * kResolution;  // of several joints
+  Columns result;
+  double way = distance;
+  for (int j = body; j != kWorld; j = subject_.model.body(j).parent) {
+    const auto& joint = subject_.model.body(j);
+    const double factor = std::abs(joint.multiplier);
+    const bool is_noise = way > 0 && way <= kNoise * longest_;
+    const double lever = is_noise ? longest_ : way;
+    const int slides = translations(joint.kind);
+    for (int i = 0; i < interpreter::velocity_count(joint.kind); ++i) {
+      result.push_back({joint.v + i, factor * (i < slides ? 1 : lever), i < slides ? 0 : factor});
+    }
+    way += lengths_[at(j)];
+  }
+  return result;
+}
+
+TermSizes::Motion TermSizes::motion(const Columns& columns, const std::vector<double>& qd,
+                                    const std::vector<double>& qdd) const {
+  Motion sum;
+  for (const Column& column : columns) {
+    const double rate = std::abs(qd[at(column.v)]);
+    const double growth = std::abs(qdd[at(column.v)]);
+    sum.v += column.lever * rate;
+    sum.w += column.turn * rate;
+    sum.a += column.lever * growth;
+    sum.alpha += column.turn * growth;
+  }
+  sum.a += 2 * sum.w * sum.v;
+  sum.alpha += sum.w * sum.w;
+  return sum;
+}
+
+Eigen::MatrixXd TermSizes::mass_matrix() const {
+  const auto& model = subject_.model;
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(model.nv, model.nv);
+  for (int i = 0; i < model.size(); ++i) {
+    const auto& body = model.body(i);
+    const double inertia = central_inertia(body);
+    const Columns own = columns(i, body.com.norm());
+    for (const Column& a : own) {
+      for (const Column& b : own) {
+        M(a.v, b.v) += body.mass * a.lever * b.lever + inertia * a.turn * b.turn;
+      }
+    }
+  }
+  return M;
+}
+
+Eigen::VectorXd TermSizes::forces(const std::vector<double>& qd, const std::vector<double>& qdd,
+                                  const std::vector<double>& f_ext) const {
+  const auto& model = subject_.model;
+  Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
+  const auto add = [&](const Columns& own, double force, double moment) {
+    for (const Column& column : own) {
+      tau(column.v) += column.lever * force + column.turn * moment;
+    }
+  };
+  for (int i = 0; i < model.size(); ++i) {
+    const auto& body = model.body(i);
+    const Columns own = columns(i, body.com.norm());
+    const Motion of = motion(own, qd, qdd);
+    add(own, body.mass * (of.a + model.gravity.norm()),
+        central_inertia(body) * (of.alpha + of.w * of.w));
+  }
+  for (std::size_t e = 0; 6 * e < f_ext.size(); ++e) {
+    const auto& point = subject_.external[e];
+    const double* f = &f_ext[6 * e];
+    add(columns(point.body, point.p.norm()), std::hypot(f[0], f[1], f[2]),
+        std::hypot(f[3], f[4], f[5]));
+  }
+  return tau;
+}
+
+Eigen::MatrixXd TermSizes::forces_by_displacement(const std::vector<double>& qd,
+                                                  const std::vector<double>& qdd,
+                                                  const std::vector<double>& f_ext) const {
+  const auto& model = subject_.model;
+  Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(model.nv, model.nv);
+  const auto add = [&](const Columns& own, double force, double moment, double field) {
+    for (const Column& i : own) {
+      for (const Column& j : own) {
+        sizes(i.v, j.v) += force * (i.lever * j.turn + i.turn * j.lever) +
+                           moment * i.turn * j.turn + field * i.lever * j.lever;
+      }
+    }
+  };
+  for (int i = 0; i < model.size(); ++i) {
+    const auto& body = model.body(i);
+    const Columns own = columns(i, body.com.norm());
+    const Motion of = motion(own, qd, qdd);
+    const double turning = of.alpha + of.w * of.w;
+    add(own, body.mass * (of.a + model.gravity.norm()), central_inertia(body) * turning,
+        body.mass * turning);
+  }
+  for (std::size_t e = 0; 6 * e < f_ext.size(); ++e) {
+    const auto& point = subject_.external[e];
+    const double* f = &f_ext[6 * e];
+    add(columns(point.body, point.p.norm()), std::hypot(f[0], f[1], f[2]),
+        std::hypot(f[3], f[4], f[5]), 0);
+  }
+  return sizes;
+}
+
+Eigen::MatrixXd TermSizes::forces_by_velocity(const std::vector<double>& qd) const {
+  const auto& model = subject_.model;
+  const std::vector<double> none(qd.size(), 0);
+  Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(model.nv, model.nv);
+  for (int b = 0; b < model.size(); ++b) {
+    const auto& body = model.body(b);
+    const double inertia = central_inertia(body);
+    const Columns own = columns(b, body.com.norm());
+    const Motion of = motion(own, qd, none);
+    for (const Column& i : own) {
+      for (const Column& j : own) {
+        sizes(i.v, j.v) += 2 * (i.lever * body.mass * (of.w * j.lever + of.v * j.turn) +
+                                i.turn * inertia * of.w * j.turn);
+      }
+    }
+  }
+  return sizes;
+}
+
+Eigen::MatrixXd TermSizes::jacobian() const {
+  Eigen::MatrixXd J =
+      Eigen::MatrixXd::Zero(interpreter::row_count(subject_.points), subject_.model.nv);
+  int row = 0;
+  for (const auto& point : subject_.points) {
+    const Columns own = columns(point.body, point.p.norm());
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (!point.rows[i]) continue;
+      for (const Column& column : own) J(row, column.v) += i < 3 ? column.lever : column.turn;
+      ++row;
+    }
+  }
+  return J;
+}
+
+Eigen::VectorXd TermSizes::bias(const std::vector<double>& qd) const {
+  const std::vector<double> none(qd.size(), 0);
+  Eigen::VectorXd rows(interpreter::row_count(subject_.points));
+  int row = 0;
+  for (const auto& point : subject_.points) {
+    const Motion of = motion(columns(point.body, point.p.norm()), qd, none);
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (point.rows[i]) rows(row++) = i < 3 ? of.a : of.alpha;
+    }
+  }
+  return rows;
+}
+
+Eigen::VectorXd TermSizes::poses() const {
+  const auto count = static_cast<Eigen::Index>(subject_.points.size());
+  Eigen::VectorXd sizes = Eigen::VectorXd::Ones(12 * count);
+  for (Eigen::Index e = 0; e < count; ++e) {
+    const auto& point = subject_.points[static_cast<std::size_t>(e)];
+    sizes.segment<3>(3 * e).setConstant(path_to(point.body) + point.p.norm());
+  }
+  return sizes;
+}
+
+Eigen::VectorXd TermSizes::center_of_mass() const {
+  const auto& model = subject_.model;
+  double moment = 0;
+  for (int i = 0; i < model.size(); ++i) {
+    moment += model.body(i).mass * (path_to(i) + model.body(i).com.norm());
+  }
+  return Eigen::VectorXd::Constant(3, moment / interpreter::total_mass(model));
+}
+
+Eigen::MatrixXd TermSizes::center_of_mass_jacobian() const {
+  const auto& model = subject_.model;
+  Eigen::RowVectorXd moments = Eigen::RowVectorXd::Zero(model.nv);
+  for (int i = 0; i < model.size(); ++i) {
+    for (const Column& column : columns(i, model.body(i).com.norm())) {
+      moments(column.v) += model.body(i).mass * column.lever;
+    }
+  }
+  return (moments / interpreter::total_mass(model)).replicate(3, 1);
+}
+
+}  // namespace treeline

@@ -1,0 +1,165 @@
+#include "oracle/try_functions.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "oracle/bound.hpp"
+#include "oracle/for_each_index.hpp"
+#include "oracle/reference.hpp"
+#include "oracle/reference_maker.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The state at which function `i` leaves its bound the farthest, if it does.
+std::optional<FailedTrial> judge(std::size_t i, const GeneratedFunction& generated,
+                                 const std::vector<StateReference>& references, double unit) {
+  const Bound bound = find_bound(i, generated.function, references);
+  std::optional<FailedTrial> worst;
+  double largest = 1;  // error over bound
+  for (const StateReference& reference : references) {
+    const FunctionReference& at = reference.functions[i];
+    if (at.graph.empty()) continue;
+    const bool lost = at.singular && at.stays_finite && !are_finite(at.graph);
+    if (at.singular && !lost) continue;
+    const double error = lost ? kInfinity : error_in_ulp(at.graph, at, unit);
+    const double allowed = lost ? Bound::kFloorUlp : bound.at(at);
+    const double share = error / allowed;
+    if (share <= largest) continue;
+    largest = share;
+    worst = {generated.function, source_stem(generated), reference.state, error, allowed};
+  }
+  return worst;
+}
+
+/// What is there of a generation of these functions and of what they are composed of.
+Generation keep(const Generation& generation, const std::vector<Function>& wanted) {
+  const auto is_unwanted = [&](const GeneratedFunction& generated) {
+    return std::none_of(wanted.begin(), wanted.end(), [&](Function function) {
+      return function == generated.function ||
+             (function == Function::damped_control_torque &&
+              std::count(kDampedFunctions.begin(), kDampedFunctions.end(), generated.function) > 0);
+    });
+  };
+  Generation kept = generation;
+  std::erase_if(kept.functions, is_unwanted);
+  std::erase_if(kept.batch, is_unwanted);
+  if (kept.damped && is_unwanted(*kept.damped)) kept.damped.reset();
+  return kept;
+}
+
+/// Judges functions at few states with as few of the interpreter's 50 digits as may be.
+class Trial {
+ public:
+  Trial(const ReferenceMaker& maker, const std::vector<int>& states, double unit)
+      : maker_(maker), unit_(unit), references_(states.size()) {
+    for_each_index(states.size(),
+                   [&](std::size_t s) { references_[s] = maker_.estimate(states[s]); });
+  }
+
+  /// Whether function `i` may be beyond its bound somewhere.
+  bool is_suspect(std::size_t i) {
+    Bound bound;
+    std::vector<bool> is_known(references_.size(), false);
+    while (const auto open = find_open(i, bound, is_known)) {
+      FunctionReference& at = references_[*open].functions[i];
+      maker_.complete(i, references_[*open].state, at);
+      is_known[*open] = true;
+      const double own = at.interpreter_error / at.condition;
+      if (own <= std::numeric_limits<double>::max()) {
+        bound.interpreter = std::max(bound.interpreter, own);
+      }
+    }
+    return leaves_bound(i, bound, is_known);
+  }
+
+ private:
+  /// The state, not known yet, that is the farthest beyond what needs no 50 digits: the graph's
+  /// error is at most its distance d from the interpreter in Real and the interpreter's own error
+  /// e; the bound is at least 8 ulp, 16 e and, with what is known of the interpreter at other
+  /// states, 16 times what that lets expect here. Scales are found by the interpreter in Real: an
+  /// eighth is kept for that.
+  std::optional<std::size_t> find_open(std::size_t i, const Bound& bound,
+                                       const std::vector<bool>& is_known) const {
+    constexpr double kKept = 7.0 / 8;
+    std::optional<std::size_t> open;
+    double largest = kKept;
+    for (std::size_t s = 0; s < references_.size(); ++s) {
+      const FunctionReference& at = references_[s].functions[i];
+      if (is_known[s] || at.singular || at.graph.empty()) continue;
+      const double share = error_in_ulp(at.graph, at, unit_) / bound.at(at);
+      if (share <= largest) continue;
+      largest = share;
+      open = s;
+    }
+    return open;
+  }
+
+  bool leaves_bound(std::size_t i, const Bound& bound, const std::vector<bool>& is_known) const {
+    for (std::size_t s = 0; s < references_.size(); ++s) {
+      const FunctionReference& at = references_[s].functions[i];
+      if (at.singular && at.stays_finite && !are_finite(at.graph)) return true;
+      if (is_known[s] && error_in_ulp(at.graph, at, unit_) > bound.at(at)) return true;
+    }
+    return false;
+  }
+
+  const ReferenceMaker& maker_;
+  double unit_;
+  std::vector<StateReference> references_;
+};
+
+/// Functions that may leave their bounds.
+std::vector<GeneratedFunction> find_suspects(const Robot& robot, const Scene& scene,
+                                             const Generation& generation,
+                                             const TrialOptions& options) {
+  const ReferenceMaker maker(robot, scene, generation, options.seed);
+  Trial trial(maker, options.states, unit_of(scene.real));
+  std::vector<char> suspect(maker.functions().size());
+  for_each_index(suspect.size(), [&](std::size_t i) { suspect[i] = trial.is_suspect(i) ? 1 : 0; });
+  std::vector<GeneratedFunction> suspects;
+  for (std::size_t i = 0; i < suspect.size(); ++i) {
+    if (suspect[i] != 0) suspects.push_back(maker.functions()[i]);
+  }
+  return suspects;
+}
+
+/// Those that leave their bounds at the first so many states, with all 50 digits.
+std::vector<FailedTrial> find_failed(const Robot& robot, const Scene& scene,
+                                     const Generation& generation, int states, std::uint64_t seed) {
+  ReferenceOptions options;
+  options.states = states;
+  options.seed = seed;
+  const auto references = make_references(robot, scene, generation, options);
+  const std::vector<GeneratedFunction> functions = all_callable(generation);
+  std::vector<FailedTrial> failed;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    auto found = judge(i, functions[i], references, unit_of(scene.real));
+    if (found) failed.push_back(std::move(*found));
+  }
+  return failed;
+}
+
+}  // namespace
+
+std::vector<FailedTrial> try_functions(const Robot& robot, const Scene& scene,
+                                       const Generation& generation, const TrialOptions& options) {
+  const auto suspects = find_suspects(robot, scene, generation, options);
+  if (suspects.empty()) return {};
+  std::vector<Function> wanted;
+  for (const GeneratedFunction& each : suspects) wanted.push_back(each.function);
+  std::vector<FailedTrial> failed =
+      find_failed(robot, scene, keep(generation, wanted), options.confirm, options.seed);
+  std::erase_if(failed, [&](const FailedTrial& each) {
+    return std::none_of(suspects.begin(), suspects.end(), [&](const GeneratedFunction& suspect) {
+      return each.name == source_stem(suspect);
+    });
+  });
+  return failed;
+}
+
+}  // namespace treeline

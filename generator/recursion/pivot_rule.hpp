@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// How a pivot that falls to zero is inverted. With t = c / border,
+///
+///     1/c becomes t^power / (1 + t^power) / c = c^(power - 1) / (c^power + border^power):
+///
+/// smooth, branch-free, at most 0.7 / border, zero at c = 0 and next to it on either side. The
+/// power is even, so that the divisor is positive for every c. Where c is many borders large it is
+/// 1/c but for (border / c)^power.
+struct YieldShape {
+  int power;     ///< 4, 6 or 8
+  double share;  ///< the border, of what the pivot is in an ordinary state
+};
+
+/// Of pivots of Lambda^-1, which fall as the square of the distance from a singularity. The share
+/// of 1/c that is lost is below what rounding errors of c make of it as long as c is a thousandth
+/// (float: a thirtieth) of what it ordinarily is, about 2 (10) degrees from a singularity. The
+/// larger of the power costs one operation; in float it would leave the range of small robots.
+constexpr YieldShape inverse_inertia_shape(Real real) {
+  return real == Real::float32 ? YieldShape{4, 0x1p-11} : YieldShape{6, 0x1p-17};
+}
+
+/// The same of pivots of a Jacobian, which fall as the distance itself.
+constexpr YieldShape jacobian_shape(Real real) {
+  return real == Real::float32 ? YieldShape{6, 0x1p-7} : YieldShape{8, 0x1p-10};
+}
+
+/// c^(power - 1) / (c^power + border^power).
+template <class Scalar>
+Scalar bounded_inverse(const Scalar& c, double border, int power) {
+  const double border3 = border * border * border;
+  const Scalar c2 = c * c;
+  const Scalar c3 = c2 * c;
+  if (power == 4) return c3 / (c2 * c2 + Scalar(border3 * border));
+  if (power == 6) return c3 * c2 / (c3 * c3 + Scalar(border3 * border3));
+  const Scalar c4 = c2 * c2;
+  return c4 * c3 / (c4 * c4 + Scalar(border3 * border3 * border * border));
+}
+
+/// How the pivots of an elimination are inverted, in its order. Without borders, or by a border of
+/// 0: 1 / c.
+struct PivotRule {
+  int power = 2;
+  std::vector<double> borders;
+
+  template <class Scalar>
+  Scalar operator()(std::size_t k, const Scalar& c) const {
+    if (borders.empty() || borders[k] == 0) return Scalar(1.0) / c;
+    return bounded_inverse(c, borders[k], power);
+  }
+};
+
+}  // namespace treeline

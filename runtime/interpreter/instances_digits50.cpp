@@ -1,8 +1,0 @@
-#define TREELINE_INTERPRETER_DEFINES_INSTANCES
-#include "interpreter/instances.hpp"
-
-namespace treeline::interpreter {
-
-TREELINE_INTERPRETER_INSTANCES(, Digits50);
-
-}  // namespace treeline::interpreter

@@ -1,0 +1,93 @@
+#include "cli/keep_tried.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+// A fault planted into what was made. Would catch: a function written although it failed, others
+// that are lost with it, a failure that passes for success, a diagnostic without the state.
+
+namespace treeline {
+namespace {
+
+InputOptions planar3r() {
+  InputOptions options;
+  options.urdf = TREELINE_ROBOTS "/planar3r/planar3r.urdf";
+  options.scene = TREELINE_ROBOTS "/planar3r/scene.yaml";
+  return options;
+}
+
+GeneratedInputs make(const InputOptions& options) {
+  Diagnostics diagnostics;
+  return generate_from_files(options, diagnostics).value();
+}
+
+/// Off by one part in a million.
+void spoil(GeneratedFunction& generated) {
+  const Graph::Scope scope(generated.program.graph);
+  for (Result& result : generated.program.results) {
+    for (Expression& value : result.values) value = value * Expression(1 + 1e-6);
+  }
+}
+
+bool has(const std::vector<GeneratedFile>& files, const std::string& name) {
+  return std::any_of(files.begin(), files.end(),
+                     [&](const GeneratedFile& file) { return file.name == name; });
+}
+
+TEST(KeepTried, KeepsAllThatIsSound) {
+  const InputOptions options = planar3r();
+  GeneratedInputs made = make(options);
+  const std::size_t files = made.generation.files.size();
+  bool failed = true;
+  Diagnostics diagnostics;
+  const auto kept = keep_tried(options, std::move(made), failed, diagnostics);
+  EXPECT_FALSE(failed);
+  EXPECT_FALSE(diagnostics.has_errors());
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->generation.files.size(), files);
+}
+
+TEST(KeepTried, LeavesOutWhatFailed) {
+  const InputOptions options = planar3r();
+  GeneratedInputs made = make(options);
+  const std::size_t functions = made.generation.functions.size();
+  ASSERT_TRUE(has(made.generation.files, "mass_matrix.cpp"));
+  for (GeneratedFunction& each : made.generation.functions) {
+    if (each.function == Function::mass_matrix) spoil(each);
+  }
+  bool failed = false;
+  Diagnostics diagnostics;
+  const auto kept = keep_tried(options, std::move(made), failed, diagnostics);
+  EXPECT_TRUE(failed);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->generation.functions.size(), functions - 1);
+  EXPECT_FALSE(has(kept->generation.files, "mass_matrix.cpp"));
+  EXPECT_TRUE(has(kept->generation.files, "gravity.cpp"));
+  ASSERT_TRUE(diagnostics.has_errors());
+  const Diagnostic& error = diagnostics.list().back();
+  EXPECT_EQ(error.element, "mass_matrix");
+  EXPECT_NE(error.fault.find("at state"), std::string::npos) << error.fault;
+  EXPECT_NE(error.fault.find("is not written"), std::string::npos) << error.fault;
+  EXPECT_NE(error.remedy.find("--functions mass_matrix --first"), std::string::npos)
+      << error.remedy;
+}
+
+TEST(KeepTried, LeavesNothingWhereAllFailed) {
+  InputOptions options = planar3r();
+  options.functions = {"mass_matrix", "jacobian"};
+  GeneratedInputs made = make(options);
+  for (GeneratedFunction& each : made.generation.functions) spoil(each);
+  bool failed = false;
+  Diagnostics diagnostics;
+  EXPECT_FALSE(keep_tried(options, std::move(made), failed, diagnostics));
+  EXPECT_TRUE(failed);
+  const auto& list = diagnostics.list();
+  EXPECT_EQ(std::count_if(list.begin(), list.end(),
+                          [](const Diagnostic& d) { return d.severity == Severity::error; }),
+            2);
+}
+
+}  // namespace
+}  // namespace treeline

@@ -1,0 +1,256 @@
+// Would catch: complaints that leave one to guess. Each situation is one that somebody who met the
+// program for the first time was left alone with.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "run_on_terminal.hpp"
+#include "run_program.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Outcome;
+
+constexpr const char* kArm = R"(<robot name="arm">
+  <link name="base"/>
+  <joint name="elbow_joint" type="revolute"><parent link="base"/><child link="forearm"/>
+    <axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+  <link name="forearm"><inertial><origin xyz="0.2 0 0"/><mass value="1"/>
+    <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial></link>
+  <joint name="mount" type="fixed"><parent link="forearm"/><child link="gripper"/></joint>
+  <link name="gripper"/>
+</robot>
+)";
+
+class MessagesTest : public testing::Test {
+ protected:
+  MessagesTest() {
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+    write("arm.urdf", kArm);
+    write("empty.yaml", "");
+  }
+  ~MessagesTest() override { fs::remove_all(root_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(root_ / name) << text;
+  }
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return test::run_program(root_, arguments);
+  }
+  /// The messages of a run that ends so.
+  [[nodiscard]] std::string messages(const std::string& arguments, int exit_code) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
+    return outcome.err;
+  }
+  /// The messages about a scene that is refused.
+  [[nodiscard]] std::string refused(const std::string& scene) const {
+    write("scene.yaml", scene);
+    return messages("generate arm.urdf scene.yaml -o out", 1);
+  }
+
+  fs::path root_ = fs::temp_directory_path() /
+                   ("treeline_messages_" +
+                    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+void expect_parts(const std::string& text, std::initializer_list<const char*> parts) {
+  for (const char* part : parts) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+  }
+}
+
+TEST_F(MessagesTest, UnknownCommandGetsTheNearest) {
+  expect_parts(messages("inspct arm.urdf", 2),
+               {"treeline: error: there is no command \"inspct\"", "did you mean \"inspect\"?"});
+  expect_parts(messages("frobnicate", 2), {"the commands are generate, check,"});
+  expect_parts(messages("", 2), {"no command is given", "generate", "treeline help"});
+  expect_parts(messages("help inspct", 2), {"did you mean \"inspect\"?"});
+}
+
+TEST_F(MessagesTest, HelpAndVersion) {
+  const Outcome version = run("--version");
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.out, "treeline " TREELINE_PROJECT_VERSION "\n");
+  for (const char* arguments : {"help generate", "generate --help"}) {
+    const Outcome help = run(arguments);
+    EXPECT_EQ(help.exit_code, 0) << arguments;
+    expect_parts(help.out, {"--output", "Examples:"});
+  }
+  EXPECT_EQ(run("help").out, run("--help").out);
+  EXPECT_EQ(run("help").exit_code, 0);
+}
+
+TEST_F(MessagesTest, UnknownOptionsGetTheNearest) {
+  expect_parts(messages("generate arm.urdf empty.yaml --outpt out", 2),
+               {"there is no option --outpt", "did you mean \"--output\"?"});
+  expect_parts(messages("generate --outpt=out", 2), {"did you mean \"--output\"?"});
+  expect_parts(messages("inspect arm.urdf empty.yaml third", 2),
+               {"\"third\" is one argument too many", "write treeline inspect urdf [scene]"});
+  expect_parts(messages("inspect", 2), {"urdf is missing", "write treeline inspect urdf [scene]"});
+}
+
+// Would catch: the parser's own text, `Check rk5 value in {adaptive->2,euler->0,...} FAILED`.
+TEST_F(MessagesTest, ValuesOutOfRangeGetWords) {
+  const std::string integrator = messages("simulate arm.urdf --integrator rk5", 2);
+  expect_parts(integrator, {"--integrator: \"rk5\" is not known here", "did you mean \"rk4\"?",
+                            "the choices are euler, rk4, adaptive"});
+  EXPECT_EQ(integrator.find("->"), std::string::npos) << integrator;
+  const std::string real = messages("generate arm.urdf empty.yaml -o out --real half", 2);
+  expect_parts(real, {"\"half\" is not known here", "the choices are float, double"});
+  const std::string states = messages("check arm.urdf empty.yaml --states 0", 2);
+  expect_parts(states, {"\"0\" is not a whole number from 1 to 1000000"});
+  expect_parts(messages("check arm.urdf empty.yaml --seed -1", 2),
+               {"\"-1\" is not a whole number"});
+  expect_parts(messages("simulate arm.urdf --seconds nan", 2),
+               {"\"nan\" is not a number from 1e-06 to 1e+06"});
+  expect_parts(messages("simulate arm.urdf --q 0,up", 2), {"\"up\" is not a number"});
+  expect_parts(messages("inspect arm.urdf --dot --json", 2), {"does not go with"});
+  expect_parts(messages("inspect arm.urdf --warnings loud", 2),
+               {"the choices are all, summary, none"});
+}
+
+TEST_F(MessagesTest, UnknownLinksAndJointsGetTheTree) {
+  expect_parts(refused("operational_points:\n- {name: tool, link: tool}\n"),
+               {"scene.yaml:2: error: operational_points[0]/link: the robot has no link \"tool\"",
+                "\n  its links are, each below the one that carries it:", "\n    base\n",
+                "\n      forearm\n", "\n        gripper\n"});
+  expect_parts(refused("locked: {elbow: 0.1}\n"), {"did you mean \"elbow_joint\"?"});
+  expect_parts(refused("locked: {finger_joint: 0}\n"), {"its joints that move are elbow_joint"});
+}
+
+TEST_F(MessagesTest, UnknownKeysAndFunctionsGetTheList) {
+  for (const char* key : {"friction", "armature", "payload", "tool"}) {
+    expect_parts(refused(std::string(key) + ": 1\n"),
+                 {"is unknown", "the keys here are name, base, gravity,", "operational_points"});
+  }
+  expect_parts(refused("functions: [regressor]\n"),
+               {"the functions are forward_kinematics,", "mass_matrix"});
+  expect_parts(refused("functions: [gravity_vector]\n"), {"did you mean \"gravity\"?"});
+  expect_parts(refused("functions: all\n"), {"leave out functions for all that the scene permits"});
+  expect_parts(messages("generate arm.urdf empty.yaml -o out --functions all", 1),
+               {"leave out functions for all"});
+  expect_parts(messages("generate arm.urdf empty.yaml -o out --functions masmatrix", 1),
+               {"did you mean \"mass_matrix\"?"});
+  expect_parts(refused("batch: 3\n"), {"the choices are 2, 4, 8, 16"});
+  expect_parts(refused("operational_points:\n- {name: t, link: forearm, origin: [0, 0, 0.1]}\n"),
+               {"operational_points[0]/origin", "xyz", "rpy"});
+}
+
+TEST_F(MessagesTest, XmlNamesTheOpenElement) {
+  write("b.urdf", "<robot name='b'>\n<link name='a'>\n");
+  expect_parts(messages("inspect b.urdf", 1),
+               {"b.urdf:2: error: <link> is not closed: <link name=\"a\"> is open since line 2"});
+}
+
+/// The arm with what exporters write: 6 attributes, 2 elements, a limit; and an inertia that no
+/// body can have.
+std::string exported_arm() {
+  std::string text = kArm;
+  const auto replace = [&text](const std::string& what, const std::string& by) {
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+      text.replace(at, what.size(), by);
+    }
+  };
+  replace("<link name=", "<link rgba='1' name=");
+  replace("<joint name=", "<joint tag='1' name=");
+  replace("<axis", "<note/><limb/><axis");
+  replace(" velocity=\"1\"", "");
+  replace("izz=\"0.1\"", "izz=\"9\"");
+  return text;
+}
+
+TEST_F(MessagesTest, FaultsOfFormAreOneLineAndBrokenInertiasLast) {
+  write("exported.urdf", exported_arm());
+  const std::string told = messages("inspect exported.urdf", 0);
+  expect_parts(told, {"exported.urdf: warning: of no account to the motion: 5 attributes that are "
+                      "not part of URDF, 2 elements that are not part of URDF, 1 limit that is "
+                      "missing or of no use; --warnings all lists them\n"});
+  EXPECT_EQ(told.find("rgba"), std::string::npos) << told;
+  const auto inertia = told.find("no body has this inertia");
+  ASSERT_NE(inertia, std::string::npos) << told;
+  EXPECT_EQ(told.find("warning:", inertia), std::string::npos) << "it stands last\n" << told;
+  const std::string all = messages("inspect exported.urdf --warnings all", 0);
+  expect_parts(all, {"\"rgba\"", "\"tag\"", "<note>", "<limb>", "\"velocity\"", "no body has"});
+  EXPECT_EQ(all.find("of no account"), std::string::npos) << all;
+  EXPECT_EQ(messages("inspect exported.urdf --warnings none", 0), "");
+  expect_parts(messages("generate exported.urdf --warnings none -o out nowhere.yaml", 1),
+               {"nowhere.yaml: error:"});
+}
+
+TEST_F(MessagesTest, ColoursOnATerminalOnly) {
+  const std::string arguments = "inspect " + (root_ / "nowhere.urdf").string();
+  const std::string escape = "\033[";
+  EXPECT_NE(test::run_on_terminal("", arguments).find(escape), std::string::npos);
+  EXPECT_EQ(test::run_on_terminal("NO_COLOR=1", arguments).find(escape), std::string::npos);
+  EXPECT_EQ(test::run_on_terminal("TERM=dumb", arguments).find(escape), std::string::npos);
+  EXPECT_EQ(run(arguments).err.find(escape), std::string::npos);
+}
+
+// Would catch: a count of what was deleted as written.
+TEST_F(MessagesTest, CountsTheFilesThatAreThere) {
+  const auto count = [&] {
+    return std::distance(fs::directory_iterator(root_ / "out"), fs::directory_iterator());
+  };
+  const Outcome first = run("generate arm.urdf empty.yaml -o out");
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  const auto all = count();
+  expect_parts(first.out, {("out: " + std::to_string(all) + " files written\n").c_str()});
+  const Outcome fewer = run("generate arm.urdf empty.yaml -o out --functions gravity");
+  EXPECT_EQ(fewer.exit_code, 0) << fewer.err;
+  const auto left = count();
+  EXPECT_LT(left, all);
+  expect_parts(fewer.out, {("out: " + std::to_string(left) + " files, ").c_str(),
+                           (std::to_string(all - left) + " of an earlier run removed").c_str()});
+  expect_parts(run("generate arm.urdf empty.yaml -o out --functions gravity").out,
+               {("out: " + std::to_string(left) + " files, none changed").c_str()});
+}
+
+TEST_F(MessagesTest, DashIsStandardInput) {
+  const Outcome inspected = run("inspect - <arm.urdf");
+  EXPECT_EQ(inspected.exit_code, 0) << inspected.err;
+  expect_parts(inspected.out, {"arm (standard input)"});
+  EXPECT_EQ(run("generate - empty.yaml -o piped --functions gravity <arm.urdf").exit_code, 0);
+  EXPECT_EQ(run("generate arm.urdf - -o out --functions gravity <empty.yaml").exit_code, 0);
+  EXPECT_EQ(run("generate arm.urdf empty.yaml -o named --functions gravity").exit_code, 0);
+  for (const char* folder : {"piped", "out"}) {
+    EXPECT_EQ(test::read_file(root_ / folder / "gravity.cpp"),
+              test::read_file(root_ / "named" / "gravity.cpp"));
+  }
+  write("bad.yaml", "gravty: 1\n");
+  expect_parts(messages("generate arm.urdf - -o out <bad.yaml", 1),
+               {"standard input:1: error: gravty"});
+  expect_parts(messages("generate - - -o out <arm.urdf", 1), {"both"});
+}
+
+// Would catch: a compiler of several words taken as one program.
+TEST_F(MessagesTest, CompilerMayHaveALauncher) {
+  const std::string check = "check arm.urdf empty.yaml --functions gravity --states 3 --json";
+  setenv("CXX", "env g++", 1);
+  const Outcome launched = run(check);
+  setenv("CXX", "no-such-launcher g++", 1);
+  const std::string missing = messages(check, 1);
+  unsetenv("CXX");
+  EXPECT_EQ(launched.exit_code, 0) << launched.err << launched.out;
+  const auto report = nlohmann::json::parse(launched.out);
+  EXPECT_EQ(report["compile"]["command"].get<std::string>().rfind("env g++ ", 0), 0U);
+  expect_parts(missing, {"no-such-launcher g++", "there is no program no-such-launcher"});
+}
+
+// Would catch: a check that does not say where its bounds hold when sines are given.
+TEST_F(MessagesTest, CheckStatesTheCircle) {
+  write("given.yaml", "sin_cos: given\ngravity: [0, -9.81, 0]\nfunctions: [gravity]\n");
+  const Outcome text = run("check arm.urdf given.yaml --states 20");
+  EXPECT_EQ(text.exit_code, 0) << text.err << text.out;
+  expect_parts(text.out, {"rounding: for inputs of ", "sin_q^2 + cos_q^2 = 1"});
+  const auto json = nlohmann::json::parse(run("check arm.urdf given.yaml --states 20 --json").out);
+  expect_parts(json["domain"].get<std::string>(), {"sin_q^2 + cos_q^2 = 1"});
+  EXPECT_GT(json["functions"][0]["rounding"]["states"].get<int>(), 0);
+}
+
+}  // namespace
+}  // namespace treeline

@@ -1,0 +1,91 @@
+// Would catch: `treeline diff` with another exit code than it states, and an `inspect` whose patch
+// or repaired file is not what the other gives.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "run_program.hpp"
+
+namespace treeline::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Diff : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("treeline_diff_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    puma_ = read_file(fs::path(TREELINE_ROBOTS) / "puma560/puma560.urdf");
+    write("puma.urdf", puma_);
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return run_program(folder_, arguments);
+  }
+
+  fs::path folder_;
+  std::string puma_;
+};
+
+TEST_F(Diff, ExitCodes) {
+  const Outcome same = run("diff puma.urdf puma.urdf");
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_NE(same.out.find("the same"), std::string::npos) << same.out;
+  std::string heavier = puma_;
+  const std::size_t at = heavier.find("mass value=\"") + 12;
+  heavier.insert(at, "1");
+  write("heavier.urdf", heavier);
+  const Outcome different = run("diff puma.urdf heavier.urdf --json");
+  EXPECT_EQ(different.exit_code, 3) << different.err;
+  EXPECT_TRUE(nlohmann::json::parse(different.out)["differs"]);
+  EXPECT_EQ(run("diff puma.urdf missing.urdf").exit_code, 1);
+  EXPECT_EQ(run("diff puma.urdf").exit_code, 2);
+  EXPECT_EQ(run("diff puma.urdf puma.urdf --tolerance -1").exit_code, 2);
+}
+
+const std::string kImpossible =
+    "<robot name=\"r\">\n  <link name=\"world\"/>\n  <joint name=\"free\" "
+    "type=\"floating\"><parent "
+    "link=\"world\"/><child link=\"a\"/></joint>\n  <link name=\"a\">\n    <inertial>\n      <mass "
+    "value=\"1\"/>\n      <inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" "
+    "izz=\"0.4\"/>\n    </inertial>\n  </link>\n</robot>\n";
+
+TEST_F(Diff, RepairAndPatchAgree) {
+  write("bad.urdf", kImpossible);
+  const Outcome inspected = run("inspect bad.urdf --repair repaired.urdf");
+  ASSERT_EQ(inspected.exit_code, 0) << inspected.err;
+  EXPECT_NE(inspected.out.find("the motion feels it"), std::string::npos) << inspected.out;
+  EXPECT_EQ(read_file(folder_ / "bad.urdf"), kImpossible);
+  std::string expected = kImpossible;
+  expected.replace(expected.find("ixx=\"0.1\""), 9, "ixx=\"0.2\"");
+  expected.replace(expected.find("iyy=\"0.1\""), 9, "iyy=\"0.2\"");
+  EXPECT_EQ(read_file(folder_ / "repaired.urdf"), expected);
+
+  write("report.txt", inspected.out);
+  const std::string command =
+      "cd '" + folder_.string() + "' && patch -s -o patched.urdf bad.urdf report.txt";
+  if (std::system("command -v patch >/dev/null") == 0) {
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(read_file(folder_ / "patched.urdf"), expected);
+  }
+  EXPECT_EQ(run("diff bad.urdf repaired.urdf").exit_code, 3);
+  const Outcome again = run("inspect repaired.urdf --repair again.urdf");
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(read_file(folder_ / "again.urdf"), expected);
+  EXPECT_NE(again.err.find("nothing needed repair"), std::string::npos) << again.err;
+  EXPECT_EQ(run("inspect bad.urdf --repair missing/folder.urdf").exit_code, 1);
+}
+
+}  // namespace
+}  // namespace treeline::test

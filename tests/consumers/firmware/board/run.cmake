@@ -1,0 +1,41 @@
+# Generates the PUMA's control torque in REAL, runs it on CORE under QEMU and on this machine: the same
+# bits, and the same number of instructions for every state. Prints that number.
+# cmake -DTREELINE=program -DROBOTS=dir -DSOURCE=dir above this -DFOLDER=dir -DREAL=float|double
+#       -DCORE=m4f|m7 -DMACHINE=mps2-an386|mps2-an500 -DQEMU=program -DHOST=c++ -P run.cmake
+include(${SOURCE}/cores.cmake)
+set(name firmware_${CORE}_${REAL})
+set(folder ${FOLDER}/${name})
+set(board ${SOURCE}/board)
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+run(${TREELINE} generate ${ROBOTS}/puma560/puma560.urdf ${ROBOTS}/puma560/scene.yaml
+  --output ${folder} --name ${name} --real ${REAL} --functions inverse_dynamics,control_torque)
+set(names -DFIRMWARE_HEADER="${name}.hpp" -DFIRMWARE_NAMESPACE=${name} -I${folder} -I${board})
+set(sources ${board}/run_states.cpp ${folder}/control_torque.cpp)
+find_cross(g++ ${CORE} compiler)
+run(${compiler} ${freestanding} ${flags_${CORE}} -O2 -ffp-contract=off -nostdlib -Wall -Wextra -Werror
+  ${names} ${sources} ${board}/board.cpp -T ${board}/board.ld -o ${folder}.elf -lgcc)
+run(${HOST} -std=c++17 -O2 -ffp-contract=off ${names} ${sources} ${board}/host.cpp -o ${folder}.host)
+
+execute_process(COMMAND ${folder}.host OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
+# Semihosting writes to the standard error of QEMU where it has no console.
+execute_process(COMMAND ${QEMU} -M ${MACHINE} -icount shift=0 -nographic -monitor none -serial none
+    -semihosting-config enable=on,target=native -kernel ${folder}.elf
+  OUTPUT_VARIABLE out ERROR_VARIABLE error TIMEOUT 120 COMMAND_ERROR_IS_FATAL ANY)
+string(CONCAT actual "${out}" "${error}")
+string(REGEX MATCH "least ([0-9a-f]+) most ([0-9a-f]+)" counted "${actual}")
+set(least 0x${CMAKE_MATCH_1})
+set(most 0x${CMAKE_MATCH_2})
+string(REGEX REPLACE "instructions.*" "" actual "${actual}")
+string(REGEX REPLACE "instructions.*" "" expected "${expected}")
+if(NOT actual STREQUAL expected)
+  message(FATAL_ERROR "other bits on ${CORE}:\n${actual}\nthan here:\n${expected}")
+endif()
+math(EXPR instructions "${most}")
+math(EXPR spread "${most} - ${least}")
+message(STATUS "control_torque in ${REAL} on ${CORE}: ${instructions} instructions a call")
+if(spread GREATER 1) # what is counted is a mean of calls, rounded down
+  message(FATAL_ERROR "${spread} instructions more for some states than for others")
+endif()

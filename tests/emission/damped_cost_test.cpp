@@ -1,0 +1,71 @@
+#include "emission/damped_cost.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// Before what it counts: names in it are looked up as templates are defined.
+namespace {
+
+/// A number that counts what is done with it.
+struct Counted {
+  double value = 0;
+  static inline int additions = 0, products = 0, quotients = 0, roots = 0;
+
+  constexpr Counted() = default;
+  constexpr explicit Counted(double x) : value(x) {}
+  Counted& operator+=(const Counted& b) { return *this = *this + b; }
+  Counted& operator-=(const Counted& b) { return *this = *this - b; }
+  Counted& operator*=(const Counted& b) { return *this = *this * b; }
+  Counted& operator/=(const Counted& b) { return *this = *this / b; }
+  friend Counted operator+(Counted a, Counted b) { return ++additions, Counted(a.value + b.value); }
+  friend Counted operator-(Counted a, Counted b) { return ++additions, Counted(a.value - b.value); }
+  friend Counted operator*(Counted a, Counted b) { return ++products, Counted(a.value * b.value); }
+  friend Counted operator/(Counted a, Counted b) { return ++quotients, Counted(a.value / b.value); }
+  friend Counted operator-(Counted a) { return Counted(-a.value); }
+  friend Counted square_root(Counted x) { return ++roots, Counted(std::sqrt(x.value)); }
+  friend bool operator<(Counted a, Counted b) { return a.value < b.value; }
+  friend bool operator>(Counted a, Counted b) { return a.value > b.value; }
+};
+
+}  // namespace
+
+#include "core/damped_solve.hpp"
+
+template <>
+struct treeline::core::Format<Counted> {
+  static constexpr Counted kEpsilon{0x1p-52};
+};
+
+// The cost that the header states of damped_control_torque, against the code that it is made from.
+// Would catch a count that was not changed with the solver.
+
+namespace treeline::tests {
+namespace {
+
+template <int rows, int nv>
+void expect_counted() {
+  Counted A[rows * rows], J[rows * nv], bias[rows], qdd_0[nv], xdd[rows], heaviest[rows], tau[nv];
+  for (int i = 0; i < rows; ++i) {
+    A[i * rows + i] = Counted(1e-3 * (i + 1));
+    heaviest[i] = Counted(2);  // so that every direction yields: the longest way
+    for (int j = 0; j < i; ++j) A[i * rows + j] = A[j * rows + i] = Counted(1e-4);
+  }
+  Counted::additions = Counted::products = Counted::quotients = Counted::roots = 0;
+  core::add_damped_task_torque<rows, nv>(A, J, bias, qdd_0, xdd, heaviest, tau);
+  const DampedCost cost = cost_of_damped_solve(rows, nv, false);
+  EXPECT_EQ(cost.count.add, Counted::additions);
+  EXPECT_EQ(cost.count.mul, Counted::products);
+  EXPECT_EQ(cost.count.div, Counted::quotients);
+  EXPECT_EQ(cost.square_roots, Counted::roots);
+}
+
+TEST(DampedCost, IsThatOfTheSolver) {
+  expect_counted<1, 3>();
+  expect_counted<3, 6>();
+  expect_counted<6, 6>();
+  expect_counted<6, 9>();
+}
+
+}  // namespace
+}  // namespace treeline::tests

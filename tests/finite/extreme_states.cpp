@@ -1,0 +1,185 @@
+#include "finite/extreme_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace treeline::tests {
+namespace {
+
+constexpr double kQuarterTurn = 1.5707963267948966;
+constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+
+enum Kind { zero, limit, low, high, quarter, many_turns, tiny, denormal, ordinary, kinds };
+
+bool is_angle(const Coordinate& coordinate) {
+  return coordinate.meaning.find("angle") != std::string::npos;
+}
+
+/// Of either sign, its logarithm evenly spread.
+double draw_logarithmic(Dice& dice, double least, double greatest) {
+  const double magnitude =
+      std::exp(std::log(least) + dice.unit() * (std::log(greatest) - std::log(least)));
+  return dice.chance(0.5) ? magnitude : -magnitude;
+}
+
+double draw_within(Dice& dice, const Coordinate& coordinate) {
+  const double reach = is_angle(coordinate) ? 2 * kQuarterTurn : 1;
+  return dice.within(std::max(coordinate.lower, -reach), std::min(coordinate.upper, reach));
+}
+
+/// The limit, or a turn or a metre where there is none.
+double bounded(double limit, const Coordinate& coordinate) {
+  const double reach = is_angle(coordinate) ? 4 * kQuarterTurn : 1;
+  return std::isfinite(limit) ? limit : std::copysign(reach, limit);
+}
+
+}  // namespace
+
+ExtremeStates::ExtremeStates(const StateSpace& space, double length,
+                             std::vector<std::vector<double>> singular)
+    : space_(space),
+      singular_(std::move(singular)),
+      sizes_(input_sizes(space.single_precision ? Real::float32 : Real::float64)),
+      length_(length) {
+  for (const auto& body : space.subject.model.bodies) {
+    if (body.kind == interpreter::JointKind::floating) quaternions_.push_back(body.q + 3);
+  }
+}
+
+double ExtremeStates::draw_coordinate(Dice& dice, int kind, std::size_t i) const {
+  const Coordinate& coordinate = space_.coordinates[i];
+  switch (kind) {
+    case zero:
+      return dice.chance(0.1) ? -0.0 : 0.0;
+    case limit:
+      return bounded(dice.chance(0.5) ? coordinate.lower : coordinate.upper, coordinate);
+    case low:
+      return bounded(coordinate.lower, coordinate);
+    case high:
+      return bounded(coordinate.upper, coordinate);
+    case quarter:
+      return (is_angle(coordinate) ? kQuarterTurn : 0.5) * std::floor(dice.within(-4, 5));
+    case many_turns:
+      if (!is_angle(coordinate)) return draw_logarithmic(dice, 1, length_);
+      return draw_logarithmic(dice, 1e3, dice.chance(0.8) ? 1e8 : sizes_.angle);
+    case tiny:
+      return draw_logarithmic(dice, 1e-300, 1e-2);
+    case denormal:
+      return dice.chance(0.5) ? kLeast : -kLeast;
+    default:
+      return draw_within(dice, coordinate);
+  }
+}
+
+std::vector<double> ExtremeStates::draw_pose(Dice& dice) const {
+  std::vector<double> q;
+  if (!singular_.empty() && dice.chance(0.15)) {
+    q = singular_[dice.below(singular_.size())];
+    const int steps = static_cast<int>(dice.below(4));
+    for (double& x : q) {
+      for (int i = 0; i < steps; ++i) x = std::nextafter(x, dice.chance(0.5) ? 10.0 : -10.0);
+    }
+  } else {
+    // One kind for all coordinates, or another for each.
+    const int whole = static_cast<int>(dice.below(kinds + 1));
+    for (std::size_t i = 0; i < space_.coordinates.size(); ++i) {
+      const int kind = whole < kinds ? whole : static_cast<int>(dice.below(kinds));
+      q.push_back(draw_coordinate(dice, kind, i));
+    }
+  }
+  for (const int first : quaternions_) draw_quaternion(dice, &q[static_cast<std::size_t>(first)]);
+  return q;
+}
+
+void ExtremeStates::draw_quaternion(Dice& dice, double* xyzw) const {
+  double norm = 0;
+  const bool along_axis = dice.chance(0.3);
+  const std::size_t axis = dice.below(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    xyzw[i] = along_axis ? (i == axis ? 1 : 0) : dice.within(1);
+    norm = std::hypot(norm, xyzw[i]);
+  }
+  double length = 1;
+  if (dice.chance(0.1)) {
+    length = 0;
+  } else if (dice.chance(0.3)) {
+    length = std::abs(draw_logarithmic(dice, 1 / sizes_.quaternion, sizes_.quaternion));
+  }
+  const bool rounded = dice.chance(0.5);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double unit = norm > 0 ? xyzw[i] / norm : 0;
+    xyzw[i] = length * (rounded ? static_cast<double>(static_cast<float>(unit)) : unit);
+  }
+}
+
+std::vector<double> ExtremeStates::draw_rates(Dice& dice, std::size_t count, double most) const {
+  const std::size_t whole = dice.below(5);
+  const double size = std::abs(draw_logarithmic(dice, 1, most));
+  std::vector<double> rates(count);
+  for (double& rate : rates) {
+    const std::size_t kind = whole < 4 ? whole : dice.below(5);
+    rate = kind == 0   ? 0
+           : kind == 1 ? dice.within(3)
+           : kind == 2 ? dice.within(size)
+           : kind == 3 ? draw_logarithmic(dice, 1e-300, most)
+                       : (dice.chance(0.5) ? kLeast : most);
+  }
+  return rates;
+}
+
+/// Of length one, three entries each, or of none.
+std::vector<double> ExtremeStates::draw_directions(Dice& dice, std::size_t count) {
+  std::vector<double> entries(count);
+  for (std::size_t at = 0; at + 3 <= count; at += 3) {
+    const bool along_axis = dice.chance(0.5);
+    const std::size_t axis = dice.below(4);
+    double norm = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      entries[at + i] = along_axis ? (i == axis ? 1 : 0) : dice.within(1);
+      norm = std::hypot(norm, entries[at + i]);
+    }
+    for (std::size_t i = 0; i < 3 && norm > 0; ++i) entries[at + i] /= norm;
+  }
+  return entries;
+}
+
+void ExtremeStates::round(State& state) const {
+  if (!space_.single_precision) return;
+  const auto each = [](std::vector<double>& entries) {
+    for (double& x : entries) x = static_cast<double>(static_cast<float>(x));
+  };
+  for (auto* entries :
+       {&state.q, &state.qd, &state.qdd, &state.tau, &state.xdd_cmd, &state.f_ext}) {
+    each(*entries);
+  }
+  for (auto& [name, entries] : state.others) each(entries);
+}
+
+State ExtremeStates::draw(std::int64_t index) const {
+  Dice dice(space_.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index));
+  const auto nv = static_cast<std::size_t>(space_.subject.model.nv);
+  State state;
+  state.index = static_cast<int>(index);
+  state.q = draw_pose(dice);
+  state.qd = draw_rates(dice, nv, sizes_.velocity);
+  state.qdd = draw_rates(dice, nv, sizes_.acceleration);
+  state.tau = draw_rates(dice, nv, sizes_.acceleration);
+  const auto rows = static_cast<std::size_t>(interpreter::row_count(space_.subject.points));
+  state.xdd_cmd = draw_rates(dice, rows, sizes_.acceleration);
+  state.f_ext = draw_rates(dice, 6 * space_.subject.external.size(), sizes_.acceleration);
+  for (const auto& [name, count] : space_.others) {
+    const auto size = static_cast<std::size_t>(count);
+    state.others[name] =
+        name == "normals" ? draw_directions(dice, size) : draw_rates(dice, size, sizes_.velocity);
+  }
+  round(state);
+  for (const double angle : state.q) {
+    state.sin_q.push_back(std::sin(angle));
+    state.cos_q.push_back(std::cos(angle));
+  }
+  return state;
+}
+
+}  // namespace treeline::tests

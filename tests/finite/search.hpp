@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/diagnostic.hpp"
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "oracle/draw_state.hpp"
+
+/// A search for finite inputs at which emitted code, compiled and run, is not finite.
+namespace treeline::tests {
+
+struct FiniteOptions {
+  std::int64_t states = 10000;
+  std::int64_t first = 0;
+  std::uint64_t seed = 1;
+  std::string flags = "-O1";  ///< for $CXX, else c++, else g++
+  double length = 1e3;        ///< the largest displacement of a joint, m
+};
+
+/// A function at the first state where a result of it is not finite.
+struct NotFinite {
+  std::string function;
+  std::int64_t times = 0;  ///< states at which it is not
+  State first;
+};
+
+struct FiniteReport {
+  std::vector<std::string> functions;
+  std::int64_t states = 0;
+  std::vector<NotFinite> found;
+  /// States left out of account: M is singular, in 50 digits, and what needs its inverse has no
+  /// value.
+  std::int64_t without_value = 0;
+};
+
+/// Generates the scene's functions, compiles them and calls each at all states. Nothing where the
+/// code cannot be made or compiled; `diagnostics` says why.
+std::optional<FiniteReport> search_not_finite(const Robot& robot, const Scene& scene,
+                                              const FiniteOptions& options,
+                                              Diagnostics& diagnostics);
+
+/// The scene that `treeline init-scene --base` proposes, without what cannot be had.
+std::optional<Scene> proposed_scene(const Robot& robot, Base base, Diagnostics& diagnostics);
+
+/// `q = 0.5 0 -1; qd = ...` of what the function takes, in digits that read back.
+std::string print_inputs(const State& state);
+
+}  // namespace treeline::tests

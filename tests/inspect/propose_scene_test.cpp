@@ -1,0 +1,212 @@
+// Would catch: a proposal that misses the hand, asks for rows that the joints cannot do, floats an
+// arm or nails down a dog, or is not a scene that can be read.
+#include "inspect/propose_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+
+#include "description/read_scene.hpp"
+#include "description/read_urdf.hpp"
+#include "inspect/end_names.hpp"
+#include "interpreter/instances.hpp"
+#include "oracle/model_from_robot.hpp"
+
+namespace treeline {
+namespace {
+
+Robot read(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(text, "r.urdf", diagnostics);
+  EXPECT_TRUE(robot);
+  return robot.value();
+}
+
+Robot read_own(const std::string& name) {
+  Diagnostics diagnostics;
+  return read_urdf(std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/" + name + ".urdf",
+                   diagnostics)
+      .value();
+}
+
+Scene read_back(const Robot& robot, const SceneProposal& proposal) {
+  Diagnostics diagnostics;
+  const std::string text = print_scene(robot, proposal, "r.urdf", {Function::gravity});
+  const auto scene = parse_scene(text, "scene.yaml", robot, diagnostics);
+  EXPECT_TRUE(scene) << text;
+  for (const Diagnostic& d : diagnostics.list()) {
+    EXPECT_NE(d.severity, Severity::error) << to_string(d) << '\n' << text;
+  }
+  return scene.value_or(Scene{});
+}
+
+std::string rows_of(const ScenePoint& point) {
+  const std::array<const char*, 6> names = {"x", "y", "z", "rx", "ry", "rz"};
+  std::string list;
+  for (std::size_t i = 0; i < 6; ++i) list += point.rows[i] ? std::string(names[i]) + " " : "";
+  return list;
+}
+
+std::string list_points(const SceneProposal& proposal) {
+  std::string list;
+  for (const ScenePoint& point : proposal.points) list += point.link + ": " + rows_of(point) + "; ";
+  return list;
+}
+
+const std::string kBody =
+    "<inertial><mass value='1'/><origin xyz='0.1 0 -0.1'/>"
+    "<inertia ixx='.1' ixy='0' ixz='0' iyy='.1' iyz='0' izz='.1'/></inertial>";
+
+/// Joins links parent - child pairwise by joints that turn about the axis.
+std::string joined(const std::string& parent, const std::string& child, const std::string& axis,
+                   const std::string& type = "continuous") {
+  return "<link name='" + child + "'>" + kBody + "</link><joint name='" + child + "_joint' type='" +
+         type + "'><origin xyz='0.2 0.1 -0.3'/><parent link='" + parent + "'/><child link='" +
+         child + "'/><axis xyz='" + axis + "'/></joint>";
+}
+
+std::string robot_text(const std::string& root, const std::string& inside) {
+  return "<robot name='r'><link name='" + root + "'>" + kBody + "</link>" + inside + "</robot>";
+}
+
+std::string leg(const std::string& name) {
+  return joined("trunk", name + "_hip", "1 0 0") + joined(name + "_hip", name + "_thigh", "0 1 0") +
+         joined(name + "_thigh", name + "_calf", "0 1 0") +
+         joined(name + "_calf", name + "_foot", "", "fixed");
+}
+
+TEST(EndNames, AreToldByTheirLastWord) {
+  const auto kind = [](const std::string& name) { return end_name(name).kind; };
+  for (const char* name : {"tool0", "fr3_hand_tcp", "iiwa_link_ee", "ee_link", "tool_frame"}) {
+    EXPECT_EQ(kind(name), EndKind::tool) << name;
+  }
+  for (const char* name : {"left_hand", "RSoftHand", "l_hand_palm", "gripper_link", "leftPalm"}) {
+    EXPECT_EQ(kind(name), EndKind::hand) << name;
+  }
+  for (const char* name : {"FL_foot", "leftfoot", "LFoot", "l_sole", "LF_FOOT"}) {
+    EXPECT_EQ(kind(name), EndKind::foot) << name;
+  }
+  EXPECT_EQ(kind("link_3.0_tip"), EndKind::tip);
+  EXPECT_EQ(kind("wheel_left_link"), EndKind::wheel);
+  EXPECT_EQ(kind("prop0_link"), EndKind::propeller);
+  EXPECT_EQ(kind("head_camera_link"), EndKind::watching);
+  for (const char* name : {"left_hand_force_torque", "l_hand_index_1", "knee", "", "link_7", "_"}) {
+    EXPECT_EQ(kind(name), EndKind::other) << name;
+  }
+  EXPECT_TRUE(is_ground("world"));
+  EXPECT_FALSE(is_ground("base_link"));
+}
+
+TEST(ProposeScene, HoldsTheToolOfAnArm) {
+  const Robot robot = read_own("puma560");
+  const SceneProposal proposal = propose_scene(robot, std::nullopt);
+  ASSERT_EQ(proposal.points.size(), 1U);
+  EXPECT_EQ(rows_of(proposal.points[0]), "x y z rx ry rz ");
+  EXPECT_EQ(proposal.base, Base::fixed);
+  const Scene scene = read_back(robot, proposal);
+  EXPECT_EQ(scene.operational_points[0].link, proposal.points[0].link);
+  EXPECT_TRUE(std::count(scene.functions.begin(), scene.functions.end(), Function::control_torque));
+}
+
+TEST(ProposeScene, AsksOnlyForWhatThePlaneAllows) {
+  const SceneProposal proposal = propose_scene(read_own("planar3r"), std::nullopt);
+  ASSERT_EQ(proposal.points.size(), 1U);
+  EXPECT_EQ(std::count(proposal.points[0].rows.begin(), proposal.points[0].rows.end(), true), 3);
+}
+
+TEST(ProposeScene, LetsADogFloatOnFeetThatPush) {
+  const Robot robot = read(robot_text(
+      "trunk", leg("FL") + leg("FR") + leg("RL") + leg("RR") + joined("trunk", "head", "0 0 1")));
+  const SceneProposal proposal = propose_scene(robot, std::nullopt);
+  EXPECT_EQ(proposal.base, Base::floating);
+  EXPECT_EQ(list_points(proposal),
+            "FL_foot: x y z ; FR_foot: x y z ; RL_foot: x y z ; RR_foot: x y z ; ");
+  EXPECT_EQ(proposal.left_out, std::vector<std::string>{"head"});
+  EXPECT_EQ(read_back(robot, proposal).base, Base::floating);
+  EXPECT_EQ(propose_scene(robot, Base::fixed).base, Base::fixed);
+}
+
+// Would catch: fingers in the place of the hand that carries them.
+TEST(ProposeScene, TakesTheHandNotItsFingers) {
+  const Robot robot = read(robot_text(
+      "base", joined("base", "a", "0 0 1") + joined("a", "b", "0 1 0") + joined("b", "c", "0 1 0") +
+                  joined("c", "my_hand", "1 0 0") + joined("my_hand", "finger_left", "0 1 0") +
+                  joined("my_hand", "finger: \"right\"", "0 1 0")));
+  const SceneProposal proposal = propose_scene(robot, std::nullopt);
+  ASSERT_EQ(proposal.points.size(), 1U) << list_points(proposal);
+  EXPECT_EQ(proposal.points[0].link, "my_hand");
+  EXPECT_EQ(proposal.beyond.size(), 2U);
+  EXPECT_EQ(std::count(proposal.points[0].rows.begin(), proposal.points[0].rows.end(), true), 4);
+  // What is proposed as a comment is a scene as well.
+  std::string text = print_scene(robot, proposal, "r.urdf", {});
+  const auto at = text.find("# locked:");
+  ASSERT_NE(at, std::string::npos);
+  for (auto line = at; line < text.size() && text[line] == '#'; line = text.find('\n', line) + 1) {
+    text.replace(line, 2, "");
+  }
+  Diagnostics diagnostics;
+  const auto scene = parse_scene(text, "scene.yaml", robot, diagnostics);
+  ASSERT_TRUE(scene) << text;
+  EXPECT_EQ(scene->locked.size(), 2U);
+}
+
+TEST(ProposeScene, TakesFingersWhereThereIsNothingElse) {
+  const SceneProposal proposal = propose_scene(
+      read(robot_text("palm", joined("palm", "f1", "0 1 0") + joined("f1", "f1_tip", "0 1 0") +
+                                  joined("palm", "f2", "0 1 0") + joined("f2", "f2_tip", "0 1 0"))),
+      std::nullopt);
+  EXPECT_EQ(proposal.points.size(), 2U) << list_points(proposal);
+  EXPECT_EQ(proposal.base, Base::fixed);
+}
+
+// Would catch: one row of a pendulum that vanishes twice a turn.
+TEST(ProposeScene, GivesAPendulumTheRowThatNeverVanishes) {
+  const SceneProposal proposal =
+      propose_scene(read(robot_text("base", joined("base", "bob", "0 0 1"))), std::nullopt);
+  EXPECT_EQ(list_points(proposal), "bob: rz ; ");
+}
+
+TEST(ProposeScene, NamesInAnyScriptAreReadBack) {
+  const Robot robot = read(robot_text(
+      "base", joined("base", "yes", "0 0 1") + joined("base", "a#b: [c]", "0 1 0") +
+                  joined("base", "\xE5\x85\xB3", "1 0 0") +
+                  joined("base", "it&apos;s \"b\\\"", "0 0 1") + joined("base", "12", "0 0 1")));
+  const SceneProposal proposal = propose_scene(robot, std::nullopt);
+  const Scene scene = read_back(robot, proposal);
+  ASSERT_EQ(scene.operational_points.size(), proposal.points.size());
+  for (std::size_t i = 0; i < proposal.points.size(); ++i) {
+    EXPECT_EQ(scene.operational_points[i].link, proposal.points[i].link);
+  }
+}
+
+// Would catch: rows that are independent one by one and not together. The judge is another one:
+// singular values of the interpreter's Jacobian at states that the choice has not seen.
+TEST(ProposeScene, RowsAreIndependentTogether) {
+  for (const char* name : {"puma560", "ur10e", "samm", "humanoid24", "planar3r", "tumbler"}) {
+    const Robot robot = read_own(name);
+    for (const Base base : {Base::fixed, Base::floating}) {
+      const SceneProposal proposal = propose_scene(robot, base);
+      EXPECT_FALSE(proposal.points.empty()) << name;
+      const Scene scene = read_back(robot, proposal);
+      const auto model = model_from_robot<double>(robot, scene);
+      const auto points = points_from_scene(model, scene.operational_points);
+      interpreter::Vector<double> q = interpreter::Vector<double>::Zero(model.nq);
+      double best = 0;
+      for (int state = 1; state <= 20; ++state) {
+        for (int i = 0; i < model.nq; ++i) q[i] = std::sin(state * 1.3 + i * 2.1);
+        for (const auto& body : model.bodies) {
+          if (body.kind == interpreter::JointKind::floating) q.segment(body.q + 3, 4) << 0, 0, 0, 1;
+        }
+        const Eigen::MatrixXd J = interpreter::jacobian<double>(model, points, q);
+        ASSERT_LE(J.rows(), J.cols()) << name;
+        const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
+        best = std::max(best, values[values.size() - 1] / values[0]);
+      }
+      EXPECT_GT(best, 1e-4) << name << ' ' << list_points(proposal);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace treeline

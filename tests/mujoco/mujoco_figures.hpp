@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "interpreter/forward_kinematics.hpp"
+#include "oracle/model_from_robot.hpp"
+
+/// Figures that MuJoCo computed (write_figures.mjs), in our conventions.
+namespace treeline::tests {
+
+using DoubleVector = interpreter::Vector<double>;
+using DoubleMatrix = interpreter::Matrix<double>;
+
+struct MujocoState {
+  DoubleVector q, qd, qdd;
+  DoubleMatrix mass_matrix;
+  DoubleVector nonlinear_effects, inverse_dynamics;
+  std::vector<interpreter::PointPose<double>> poses;  ///< of the links' frames in the world
+};
+
+struct MujocoFigures {
+  std::string refused;  ///< why MuJoCo does not take the robot; empty: it does
+  int nv = 0;
+  unsigned seed = 0;               ///< that the states were drawn with
+  std::vector<std::string> links;  ///< whose poses are listed
+  std::vector<MujocoState> states;
+};
+
+/// Reads NAME_fixed.json or NAME_floating.json. All conversions of conventions are here:
+///  - MuJoCo's quaternions are w x y z, ours x y z w;
+///  - a free joint's velocity is linear in world axes, angular in the link's axes; ours has both in
+///    the link's axes; accelerations are the time derivatives of either;
+///  - joints come in another order and are matched by name;
+///  - a link named world is renamed under a floating base, where it is no longer the world;
+///  - joints that mimic are independent there: read the robot without mimics;
+///  - inertias that MuJoCo refuses are set behind its compiler (set_inertias.mjs).
+/// Dampers, friction and armature are not in these figures: they are neither in M nor in the bias.
+/// Throws std::runtime_error for a file that is missing or does not fit the robot.
+MujocoFigures read_mujoco_figures(const std::string& path, const Robot& robot,
+                                  const interpreter::Model<double>& model);
+
+}  // namespace treeline::tests

@@ -1,0 +1,182 @@
+// The interpreter, behind Treeline's own reader, against MuJoCo behind MuJoCo's reader: every
+// robot of tests/data, fixed and floating, at random states. Would catch whatever both the reader
+// and the interpreter misunderstand about URDF. disagreements.tsv names what differs, and why; a
+// row whose figures agree fails.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "data/list_data.hpp"
+#include "description/read_urdf.hpp"
+#include "interpreter/instances.hpp"
+#include "mujoco/mujoco_figures.hpp"
+
+namespace treeline::tests {
+namespace {
+
+constexpr double kTolerance = 1e-9;
+/// Of the largest figure: what smaller figures may differ by for rounding alone.
+constexpr double kFloor = 1e-5;
+
+struct Case {
+  DataRobot robot;
+  Base base;
+};
+
+std::string name_of(const Case& tested) {
+  const bool floats = tested.base == Base::floating;
+  return tested.robot.name.substr(tested.robot.name.find('/') + 1) +
+         (floats ? "_floating" : "_fixed");
+}
+
+void PrintTo(const Case& tested, std::ostream* out) {
+  *out << name_of(tested);
+}
+
+std::vector<Case> list_cases() {
+  std::vector<Case> cases;
+  for (const char* folder : {"published", "golden"}) {
+    for (const DataRobot& robot : data_robots(folder)) {
+      // Of files that stand in both folders one is enough.
+      if (robot.name == "golden/ur5" || robot.name == "golden/panda") continue;
+      cases.push_back({robot, Base::fixed});
+      cases.push_back({robot, Base::floating});
+    }
+  }
+  return cases;
+}
+
+/// By figure, why it differs.
+std::map<std::string, std::string> known_disagreements(const std::string& name) {
+  std::map<std::string, std::string> known;
+  std::ifstream table(TREELINE_MUJOCO_DISAGREEMENTS);
+  std::string line;
+  std::getline(table, line);
+  while (std::getline(table, line)) {
+    std::istringstream columns(line);
+    std::string robot, figure, reason;
+    std::getline(columns, robot, '\t');
+    std::getline(columns, figure, '\t');
+    std::getline(columns, reason, '\t');
+    if (robot == name) known[figure] = reason;
+  }
+  return known;
+}
+
+double mass_matrix_error(const DoubleMatrix& ours, const DoubleMatrix& theirs) {
+  const DoubleVector size = theirs.diagonal().cwiseAbs().cwiseSqrt();
+  const DoubleMatrix scale =
+      (size * size.transpose()).array() + kFloor * theirs.cwiseAbs().maxCoeff();
+  return (ours - theirs).cwiseAbs().cwiseQuotient(scale).maxCoeff();
+}
+
+double force_error(const DoubleVector& ours, const DoubleVector& theirs, const MujocoState& s) {
+  const DoubleVector terms = s.mass_matrix.cwiseAbs() * s.qdd.cwiseAbs() +
+                             s.nonlinear_effects.cwiseAbs() + s.inverse_dynamics.cwiseAbs();
+  const DoubleVector scale = terms.array() + kFloor * terms.maxCoeff();
+  return (ours - theirs).cwiseAbs().cwiseQuotient(scale).maxCoeff();
+}
+
+double pose_error(const interpreter::PointPose<double>& ours,
+                  const interpreter::PointPose<double>& theirs) {
+  const double length = std::max(1.0, theirs.position.norm());
+  return std::max((ours.position - theirs.position).norm() / length,
+                  (ours.rotation - theirs.rotation).norm());
+}
+
+interpreter::Points<double> points_at(const interpreter::Model<double>& model,
+                                      const std::vector<std::string>& links) {
+  std::vector<ScenePoint> points(links.size());
+  for (std::size_t i = 0; i < links.size(); ++i) points[i].name = points[i].link = links[i];
+  return points_from_scene(model, points);
+}
+
+using Errors = std::map<std::string, double>;
+
+void add_errors(const interpreter::Model<double>& model, const MujocoFigures& figures,
+                const MujocoState& s, Errors& errors) {
+  const auto note = [&](const char* figure, double error) {
+    if (!(error <= errors[figure])) errors[figure] = error;
+  };
+  const auto poses =
+      interpreter::forward_kinematics<double>(model, points_at(model, figures.links), s.q);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (figures.links[i] != "world") note("poses", pose_error(poses[i], s.poses[i]));
+  }
+  if (model.nv == 0) return;
+  note("mass_matrix",
+       mass_matrix_error(interpreter::mass_matrix<double>(model, s.q), s.mass_matrix));
+  note("nonlinear_effects", force_error(interpreter::nonlinear_effects<double>(model, s.q, s.qd),
+                                        s.nonlinear_effects, s));
+  note("inverse_dynamics",
+       force_error(interpreter::inverse_dynamics<double>(model, s.q, s.qd, s.qdd),
+                   s.inverse_dynamics, s));
+}
+
+/// The worst error of each figure; of what cannot be compared, that it cannot.
+Errors compare(const Case& tested, std::string& text) {
+  Diagnostics diagnostics;
+  std::optional<Robot> robot = read_urdf(tested.robot.path, diagnostics);
+  if (!robot) {
+    for (const Diagnostic& d : diagnostics.list()) text += to_string(d) + "\n";
+    return {{"refused by Treeline", 1}};
+  }
+  for (Joint& joint : robot->joints) joint.mimic.reset();
+  Scene scene;
+  scene.base = tested.base;
+  const auto model = model_from_robot<double>(*robot, scene);
+  const auto figures = read_mujoco_figures(
+      std::string(TREELINE_MUJOCO_FIGURES) + "/" + name_of(tested) + ".json", *robot, model);
+  if (!figures.refused.empty()) {
+    text = figures.refused;
+    return {{"refused by MuJoCo", 1}};
+  }
+  if (figures.nv != model.nv) return {{"freedoms", 1}};
+  text = "seed " + std::to_string(figures.seed);
+  Errors errors;
+  for (const MujocoState& state : figures.states) add_errors(model, figures, state, errors);
+  return errors;
+}
+
+class Mujoco : public testing::TestWithParam<Case> {};
+
+INSTANTIATE_TEST_SUITE_P(Robots, Mujoco, testing::ValuesIn(list_cases()),
+                         [](const auto& tested) { return name_of(tested.param); });
+
+TEST_P(Mujoco, Agrees) {
+  std::string text;
+  const Errors errors = compare(GetParam(), text);
+  const auto known = known_disagreements(name_of(GetParam()));
+  for (const auto& [figure, error] : errors) {
+    std::ostringstream value;
+    value << error;
+    RecordProperty(figure, value.str());
+    if (known.count(figure) == 0) {
+      EXPECT_LE(error, kTolerance) << figure << ": " << text;
+    } else {
+      EXPECT_GT(error, kTolerance) << figure << " agrees now: remove its row";
+    }
+  }
+  for (const auto& [figure, reason] : known) {
+    EXPECT_EQ(errors.count(figure), 1U)
+        << figure << " (" << reason << ") is not so: remove its row";
+  }
+}
+
+TEST(MujocoDisagreements, NameRobotsThatAreHere) {
+  std::set<std::string> names;
+  for (const Case& tested : list_cases()) names.insert(name_of(tested));
+  std::ifstream table(TREELINE_MUJOCO_DISAGREEMENTS);
+  std::string line;
+  ASSERT_TRUE(std::getline(table, line));
+  while (std::getline(table, line)) {
+    EXPECT_EQ(names.count(line.substr(0, line.find('\t'))), 1U) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '\t'), 2) << line << ": a reason is missing";
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests

@@ -1,0 +1,111 @@
+#include "oracle/draw_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "check/fixture.hpp"
+
+// States are what their class says, and the same again from seed and index. Would catch classes
+// that are never drawn, limits that are not kept, floats that are not.
+
+namespace treeline::tests {
+namespace {
+
+StateSpace space_of(const Subjects& subjects, std::uint64_t seed = 1) {
+  return {make_subject<double>(subjects.robot, subjects.scene),
+          subjects.generation.mechanism.coordinates, seed, subjects.scene.real == Real::float32};
+}
+
+double largest(const std::vector<double>& entries) {
+  double size = 0;
+  for (const double entry : entries) size = std::max(size, std::abs(entry));
+  return size;
+}
+
+TEST(States, EveryClassInEveryTwenty) {
+  std::map<StateClass, int> counts;
+  for (int i = 0; i < 20; ++i) ++counts[class_of_state(i)];
+  EXPECT_EQ(counts.size(), kStateClasses.size());
+  EXPECT_EQ(counts[StateClass::neutral], 1);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(class_of_state(i), class_of_state(i + 140));
+}
+
+TEST(States, AreWhatTheirClassSays) {
+  const Subjects subjects = load("puma560");
+  const StateSpace space = space_of(subjects);
+  for (int i = 0; i < 200; ++i) {
+    const State state = draw_state(space, i);
+    EXPECT_EQ(state.index, i);
+    switch (state.kind) {
+      case StateClass::neutral:
+        EXPECT_EQ(largest(state.q), 0);
+        EXPECT_EQ(largest(state.qd) > 0, i > 0) << "the first one is at rest";
+        break;
+      case StateClass::random:
+      case StateClass::fast:
+      case StateClass::limits:
+        for (std::size_t k = 0; k < state.q.size(); ++k) {
+          EXPECT_GE(state.q[k], space.coordinates[k].lower);
+          EXPECT_LE(state.q[k], space.coordinates[k].upper);
+        }
+        break;
+      case StateClass::large:
+        EXPECT_GT(largest(state.q), 100);
+        break;
+      case StateClass::tiny:
+        EXPECT_LE(largest(state.q), 1e-2);
+        EXPECT_GT(largest(state.q), 0);
+        break;
+      case StateClass::aligned:
+        EXPECT_TRUE(std::any_of(state.q.begin(), state.q.end(), [](double angle) {
+          return std::abs(std::remainder(angle, std::acos(0.0))) < 0.011;
+        })) << i;
+        break;
+    }
+  }
+}
+
+TEST(States, DependOnSeedAndIndexAlone) {
+  const Subjects subjects = load("planar3r");
+  const State once = draw_state(space_of(subjects), 7);
+  const State again = draw_state(space_of(subjects), 7);
+  EXPECT_EQ(once.q, again.q);
+  EXPECT_EQ(once.tau, again.tau);
+  EXPECT_NE(once.q, draw_state(space_of(subjects, 2), 7).q);
+  EXPECT_NE(once.q, draw_state(space_of(subjects), 8).q);
+}
+
+TEST(States, OfFloatCodeAreFloats) {
+  const Subjects subjects = load("puma560", "scene_float.yaml");
+  const State state = draw_state(space_of(subjects), 1);
+  for (const auto* entries : {&state.q, &state.qd, &state.qdd, &state.tau, &state.xdd_cmd}) {
+    ASSERT_FALSE(entries->empty());
+    for (const double x : *entries) EXPECT_EQ(x, static_cast<double>(static_cast<float>(x)));
+  }
+}
+
+// Every other one as well as float has it, which is off by some 1e-8.
+TEST(States, QuaternionsHaveUnitLength) {
+  double farthest = 0;
+  RandomOptions options;
+  options.floating_base = true;
+  const Subjects subjects = draw(5, options);
+  const StateSpace space = space_of(subjects);
+  for (int i = 0; i < 60; ++i) {
+    const State state = draw_state(space, i);
+    for (const auto& body : space.subject.model.bodies) {
+      if (body.kind != interpreter::JointKind::floating) continue;
+      double square = 0;
+      for (int k = 3; k < 7; ++k) {
+        square += std::pow(state.q[static_cast<std::size_t>(body.q + k)], 2);
+      }
+      EXPECT_NEAR(square, 1, i % 2 == 1 ? 3e-7 : 1e-15) << i;
+      farthest = std::max(farthest, std::abs(square - 1));
+    }
+  }
+  EXPECT_GT(farthest, 1e-8);
+}
+
+}  // namespace
+}  // namespace treeline::tests

@@ -1,0 +1,117 @@
+#include "recursion/pivot_rule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "recursion/resolved_by_pivots.hpp"
+
+// Pivots that yield, elimination by given pivots, and rotations of quaternions of any length. Would
+// catch a pole next to zero, an inverse that is off where the pivot is ordinary, a step, a wrong
+// place of an unknown, and a quaternion that scales or gives NaN.
+
+namespace treeline::tests {
+namespace {
+
+constexpr int kPowers[] = {4, 6, 8};
+
+TEST(BoundedInverse, IsOneOverCFarAboveTheBorder) {
+  for (const int power : kPowers) {
+    const double far = std::pow(2.0, 54.0 / power);
+    for (const double c : {far, 3 * far, 1e3 * far}) {
+      EXPECT_NEAR(bounded_inverse(c * 0.25, 0.25, power) * (c * 0.25), 1, 4e-16) << power;
+    }
+  }
+}
+
+TEST(BoundedInverse, IsBoundedAndVanishesNextToZeroOnBothSides) {
+  for (const int power : kPowers) {
+    double largest = 0;
+    for (double t = -4; t <= 4; t += 1.0 / 1024) {
+      const double g = bounded_inverse(t * 1e-6, 1e-6, power);
+      ASSERT_TRUE(std::isfinite(g));
+      EXPECT_EQ(std::signbit(g) && g != 0, t < 0);
+      largest = std::max(largest, g * 1e-6);
+    }
+    EXPECT_GT(largest, 0.56);
+    EXPECT_LT(largest, 0.69);
+    EXPECT_EQ(bounded_inverse(0.0, 1e-6, power), 0);
+    for (const double noise : {1e-17, -1e-17}) {
+      EXPECT_LT(std::abs(bounded_inverse(noise, 1e-6, power)), 1e-20) << power;
+    }
+  }
+}
+
+TEST(BoundedInverse, OfFloatStaysInItsRange) {
+  const YieldShape shape = inverse_inertia_shape(Real::float32);
+  for (const double ordinary : {1e-4, 1.0, 1e8}) {
+    for (const double of_it : {0.0, 1e-9, 1e-3, 1.0, 4.0}) {
+      const auto c = static_cast<float>(ordinary * of_it);
+      const float g = bounded_inverse(c, ordinary * shape.share, shape.power);
+      EXPECT_TRUE(std::isfinite(g)) << ordinary << " " << of_it;
+      if (of_it < 0.1) continue;
+      EXPECT_NEAR(static_cast<double>(g * c), 1, 1e-6) << ordinary;
+    }
+  }
+}
+
+TEST(PivotRule, WithoutBordersInvertsAsItIs) {
+  EXPECT_EQ(PivotRule{}(3, 4.0), 0.25);
+  EXPECT_EQ((PivotRule{6, {0, 1e-3}}(0, 4.0)), 0.25);
+  EXPECT_EQ((PivotRule{6, {0, 1e-3}}(1, 0.0)), 0);
+}
+
+TEST(Eliminate, SolvesInEveryOrderOfPivots) {
+  DenseMatrix<double> A(3, 3);
+  const double entries[9] = {2, 1, 0, 0, 3, 1, 1, 0, 4};
+  for (std::size_t i = 0; i < 9; ++i) A(i / 3, i % 3) = entries[i];
+  const double x[3] = {0.5, -2, 3};
+  std::vector<double> v(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) v[i] += A(i, j) * x[j];
+  }
+  const std::vector<std::vector<Pivot>> orders{
+      {{0, 0}, {1, 1}, {2, 2}}, {{2, 2}, {0, 1}, {1, 0}}, {{1, 2}, {2, 0}, {0, 1}}};
+  for (const auto& order : orders) {
+    const auto solved = eliminate(A, v, order, PivotRule{});
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(solved[i], x[i], 1e-14);
+  }
+}
+
+/// An unknown with an equation to itself yields; the others see what it is then.
+TEST(Eliminate, LetsAnUnknownYieldAlone) {
+  DenseMatrix<double> A(2, 2);
+  A(0, 0) = 0;
+  A(1, 0) = 5;
+  A(1, 1) = 2;
+  const auto x = eliminate<double>(A, {1, 8}, {{0, 0}, {1, 1}}, PivotRule{6, {1e-3, 0}});
+  EXPECT_EQ(x[0], 0);
+  EXPECT_EQ(x[1], 4);
+}
+
+TEST(Quaternion, TurnsByItsDirectionWhateverItsLength) {
+  const double q[4] = {0.1, -0.7, 0.3, 0.64};
+  const auto R = rotation_from_quaternion(q[0], q[1], q[2], q[3]);
+  for (const double length : {1e-6, 0.5, 1 + 6e-8, 1e3}) {
+    const auto S =
+        rotation_from_quaternion(length * q[0], length * q[1], length * q[2], length * q[3]);
+    EXPECT_NEAR(S.row_x.x, R.row_x.x, 1e-15) << length;
+    EXPECT_NEAR(S.row_y.z, R.row_y.z, 1e-15) << length;
+  }
+  EXPECT_NEAR(dot(R.row_x, R.row_x), 1, 4e-16);
+  EXPECT_NEAR(dot(R.row_x, R.row_y), 0, 4e-16);
+}
+
+TEST(Quaternion, OfNothingTurnsByNothing) {
+  for (const double tiny : {0.0, 1e-200, -1e-320}) {
+    const auto R = rotation_from_quaternion(tiny, 0.0, tiny, 0.0);
+    EXPECT_EQ(R.row_x.x, 1);
+    EXPECT_TRUE(std::abs(R.row_y.z) < 1e-300);
+  }
+  const auto F = rotation_from_quaternion(0.0F, 0.0F, 0.0F, 0.0F);
+  EXPECT_EQ(F.row_z.z, 1.0F);
+}
+
+}  // namespace
+}  // namespace treeline::tests
