@@ -4,12 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "bounds/exact_operation.hpp"
+
 namespace treeline::bounds {
 namespace {
 
 constexpr int kDeepest = 100;
 constexpr std::size_t kMostTerms = 60, kMostRootTerms = 6;
-constexpr double kSlack = 1 + 0x1p-40;    // for rounding of the bounds themselves
 constexpr double kFactorSlack = 0x1p-40;  // for factors, of what they were summed up from
 constexpr double kNothing = kFactorSlack / 16;
 

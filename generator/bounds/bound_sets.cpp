@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "bounds/exact_operation.hpp"
 #include "bounds/operator_norm.hpp"
 #include "bounds/quaternion_scale.hpp"
 #include "bounds/turn_rounding.hpp"
@@ -12,19 +13,8 @@
 namespace treeline::bounds {
 namespace {
 
-constexpr int kDeepest = 400;           // sets below sets
-constexpr double kSineError = 1;        // at most 1.0 ulp, of values below 1: core/sin_cos.hpp
-constexpr double kSlack = 1 + 0x1p-40;  // for rounding of the bounds themselves
-
-bool is_float(double value) {
-  return static_cast<double>(static_cast<float>(value)) == value;
-}
-
-/// A factor that rounds nothing.
-bool is_power_of_two(const Node& node) {
-  int exponent = 0;
-  return node.op == Op::constant && std::abs(std::frexp(node.value, &exponent)) == 0.5;
-}
+constexpr int kDeepestSets = 400;  // sets below sets
+constexpr double kSineError = 1;   // at most 1.0 ulp, of values below 1: core/sin_cos.hpp
 
 /// The error of a result that is rounded, from what its operands bring.
 Bounded rounded(double size, double brought, double unit) {
@@ -181,7 +171,7 @@ Bounded SetBounds::bound_set(Set set, int depth) {
     bound = found->second;
   } else {
     bound = bound_members(set);
-    if (depth < kDeepest) {
+    if (depth < kDeepestSets) {
       if (const auto turned = turn_set(set, depth)) {
         bound = {std::min(bound.size, turned->size), std::min(bound.error, turned->error)};
       }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "bounds/exact_operation.hpp"
+
 namespace treeline::bounds {
 namespace {
 
@@ -77,15 +79,6 @@ double rounding(double value, double underflow) {
   if constexpr (op == Op::sin || op == Op::cos) return std::min(1.0, 2 * size);
   if constexpr (op == Op::mul || op == Op::div) return size + underflow;
   return size;
-}
-
-bool is_power_of_two(const Node& node) {
-  int exponent = 0;
-  return node.op == Op::constant && std::abs(std::frexp(node.value, &exponent)) == 0.5;
-}
-
-bool is_float(double value) {
-  return static_cast<double>(static_cast<float>(value)) == value;
 }
 
 bool rounds(const std::vector<Node>& nodes, const Node& node, double unit) {

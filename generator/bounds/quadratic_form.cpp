@@ -6,7 +6,7 @@
 namespace treeline::bounds {
 namespace {
 
-constexpr std::size_t kMostTerms = 12;
+constexpr std::size_t kMostSquares = 12;
 
 QuadraticForm as_it_is(std::uint32_t node) {
   return {{{{0, node}, constant(1), 1}}, 0};
@@ -40,12 +40,12 @@ QuadraticForms::QuadraticForms(const NodeBounds& known)
 void QuadraticForms::add(std::uint32_t node) {
   turns_[node] = known_.polynomials[node] ? 0 : find_turn(known_.graph.nodes()[node]);
   forms_[node] = expand(node);
-  if (forms_[node].terms.size() > kMostTerms) forms_[node] = as_it_is(node);
+  if (forms_[node].terms.size() > kMostSquares) forms_[node] = as_it_is(node);
 }
 
 Angle QuadraticForms::find_turn(const Node& node) const {
   if (node.op == Op::neg) return turns_[node.a];
-  if (node.op == Op::add || node.op == Op::sub) {
+  if (is_sum(node.op)) {
     return turns_[node.a] == turns_[node.b] ? turns_[node.a] : 0;
   }
   if (node.op != Op::mul) return 0;

@@ -26,11 +26,6 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kNoSpace = "No space left on device";  // as every compiler passes it on
 constexpr const char* kEntryStem = "treeline_check_entry";
 
-std::string read_file(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 int core_count(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }

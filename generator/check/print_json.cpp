@@ -26,26 +26,12 @@ Json to_json(const ErrorAt& at) {
           {"condition", finite(at.condition)}};
 }
 
-const char* condition_name(Solve solve) {
-  switch (solve) {
-    case Solve::mass_matrix:
-      return "M";
-    case Solve::lambda_inverse:
-      return "Lambda^-1";
-    case Solve::damped:
-      return "Lambda^-1 + Delta";
-    case Solve::none:
-      break;
-  }
-  return nullptr;
-}
-
 Json to_json(const Bound& bound) {
-  const char* const of = condition_name(bound.solve);
+  const std::string of = matrix_symbol(bound.solve);
   return {{"floor", Bound::kFloorUlp},
           {"interpreter_factor", Bound::kInterpreterFactor},
           {"interpreter", bound.interpreter},
-          {"times_condition_of", of == nullptr ? Json(nullptr) : Json(of)}};
+          {"times_condition_of", of.empty() ? Json(nullptr) : Json(of)}};
 }
 
 const char* name_of(RoundingBound::Kind kind) {

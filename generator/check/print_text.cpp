@@ -19,7 +19,7 @@ std::string number(double x) {
   return fmt::format("{:.{}f}", x, x >= 10 ? 1 : 2);
 }
 
-std::string optional(const std::optional<int>& x) {
+std::string print_if_known(const std::optional<int>& x) {
   return x ? fmt::format("{}", *x) : "?";
 }
 
@@ -27,24 +27,10 @@ std::string state_name(int index) {
   return fmt::format("{} {}", index, state_class_name(class_of_state(index)));
 }
 
-const char* condition_name(Solve solve) {
-  switch (solve) {
-    case Solve::mass_matrix:
-      return "M";
-    case Solve::lambda_inverse:
-      return "Lambda^-1";
-    case Solve::damped:
-      return "Lambda^-1 + Delta";
-    case Solve::none:
-      break;
-  }
-  return "";
-}
-
 std::string print_bound(const Bound& bound) {
   const std::string factor = bound.solve == Solve::none
                                  ? std::string()
-                                 : fmt::format(" x condition of {}", condition_name(bound.solve));
+                                 : fmt::format(" x condition of {}", matrix_symbol(bound.solve));
   return fmt::format("{:.0f} + {}{}", Bound::kFloorUlp,
                      number(Bound::kInterpreterFactor * bound.interpreter), factor);
 }
@@ -75,8 +61,8 @@ std::string print_table(const CheckReport& report) {
          f.rounding && f.rounding->states > 0 ? fmt::format("{} %", number(100 * f.rounding->used))
                                               : "",
          f.singular == 0 ? "" : fmt::format("{}", f.singular), print_bits(f),
-         f.count ? fmt::format("{}", f.count->flops()) : "", optional(f.code_bytes),
-         optional(f.stack_bytes), fmt::format("{:.1f}", f.compile_seconds)});
+         f.count ? fmt::format("{}", f.count->flops()) : "", print_if_known(f.code_bytes),
+         print_if_known(f.stack_bytes), fmt::format("{:.1f}", f.compile_seconds)});
   }
   return align_columns({{"function"},
                         {"median", true},
@@ -128,7 +114,7 @@ std::string print_warning(const CheckReport& report, const FunctionReport& f) {
   const std::string condition =
       f.bound.solve == Solve::none
           ? std::string()
-          : fmt::format(", where the condition of {} is {}", condition_name(f.bound.solve),
+          : fmt::format(", where the condition of {} is {}", matrix_symbol(f.bound.solve),
                         number(f.worst.condition));
   return fmt::format("{}: few digits: {:.1f} left at {}{}\n", f.name, digits,
                      state_name(f.worst.state), condition);
@@ -141,7 +127,7 @@ std::string print_faults(const FunctionReport& f) {
     add(
         fmt::format("no value to check: {} is singular at all {} states, of every class; its bits "
                     "were compared",
-                    condition_name(f.bound.solve), f.states));
+                    matrix_symbol(f.bound.solve), f.states));
   } else if (!f.has_errors()) {
     add("not checked: every state is singular, and nothing was compared with the truth");
   }

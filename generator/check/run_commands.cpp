@@ -23,11 +23,6 @@
 namespace treeline {
 namespace {
 
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::vector<char*> pointers_to(const std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (const std::string& word : words) {
@@ -121,6 +116,11 @@ CommandOutcome run(const Command& command, const std::filesystem::path& log) {
 }
 
 }  // namespace
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, int parallel,
                                          const std::filesystem::path& folder,

@@ -25,6 +25,9 @@ std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, i
                                          const std::filesystem::path& folder,
                                          const std::function<void(int, int)>& progress = {});
 
+/// All bytes of a file; none where it cannot be read.
+std::string read_file(const std::filesystem::path& path);
+
 /// The words of a text, between white space.
 std::vector<std::string> split_words(const std::string& text);
 

@@ -19,7 +19,7 @@
 namespace treeline {
 namespace {
 
-constexpr const char* kHowToRead =
+constexpr const char* kHowToReadBench =
     "Each way to a function's numbers is timed, and compared with the interpreter in 50 digits:\n"
     "  ns          of a call: median of interleaved rounds, warm, back to back over 64 states\n"
     "  ratio       of that to the code that the scene asks for, the first line\n"
@@ -49,7 +49,7 @@ constexpr const char* kHowToRead =
 constexpr int kQuickStates = 40;
 constexpr int kQuickRounds = 7;
 
-struct Options {
+struct BenchCommand {
   InputOptions inputs;
   BenchOptions bench;
   std::string svg;
@@ -85,7 +85,7 @@ void tell_of_peers(const BenchReport& report, Diagnostics& diagnostics) {
   }
 }
 
-int run(Options options) {
+int run(BenchCommand options) {
   Diagnostics diagnostics;
   const auto inputs = read_inputs(options.inputs, diagnostics);
   options.bench.peers = find_peers(options.peers, diagnostics);
@@ -110,7 +110,7 @@ int run(Options options) {
 }  // namespace
 
 void add_bench(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchCommand>();
   CLI::App* command =
       app.add_subcommand("bench", "Run time and error of every way to a function's numbers");
   add_input_options(*command, options->inputs);
@@ -128,7 +128,7 @@ void add_bench(CLI::App& app, int& exit_code) {
   command->add_flag("--json", options->json, "The machine and each variant as a line of JSON");
   command->add_option("--svg", options->svg, "Writes time against error, a panel a function");
   command->add_option("--peer", options->peers, "Module of another peer, any number");
-  command->footer(kHowToRead);
+  command->footer(kHowToReadBench);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

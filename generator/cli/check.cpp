@@ -17,7 +17,7 @@
 namespace treeline {
 namespace {
 
-constexpr const char* kHowToRead =
+constexpr const char* kHowToReadCheck =
     "Each function is called at every state and compared with the interpreter in 50 digits:\n"
     "  median, 99 %, worst  error in ulp (2^-52, of float 2^-23) of the scale: the equation with\n"
     "              the magnitude of each term in place of the term, so that nothing cancels\n"
@@ -51,7 +51,7 @@ constexpr const char* kHowToRead =
     "  treeline check puma560.urdf scene.yaml --flags '-O3 -march=native'\n"
     "  treeline check puma560.urdf scene.yaml --generated generated/puma560";
 
-struct Options {
+struct CheckCommand {
   InputOptions inputs;
   CheckOptions check;
   std::string folder;
@@ -59,25 +59,25 @@ struct Options {
 };
 
 /// Counts where somebody sees it.
-Progress count(const char* what) {
+Progress count_progress(const char* what) {
   if (!is_watched()) return {};
   return [what](int done, int total) {
     show_progress(done == total ? "" : fmt::format("  {} {}/{}", what, done, total));
   };
 }
 
-std::optional<CheckReport> make_report(const Options& options, Diagnostics& diagnostics) {
+std::optional<CheckReport> make_report(const CheckCommand& options, Diagnostics& diagnostics) {
   const auto made = generate_from_files(options.inputs, diagnostics);
   if (!made) return std::nullopt;
   return check(made->inputs.robot, made->inputs.scene, made->generation, options.check,
                diagnostics);
 }
 
-int run(Options options) {
+int run(CheckCommand options) {
   Diagnostics diagnostics;
   options.check.folder = options.folder;
-  options.check.compile.progress = count("compiled");
-  options.check.references.progress = count("states");
+  options.check.compile.progress = count_progress("compiled");
+  options.check.references.progress = count_progress("states");
   const auto report = make_report(options, diagnostics);
   print_diagnostics(diagnostics, options.inputs.warnings);
   if (!report) return kBadInput;
@@ -89,7 +89,7 @@ int run(Options options) {
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckCommand>();
   CLI::App* command =
       app.add_subcommand("check", "Compile generated code and compare it with 50 digits");
   add_input_options(*command, options->inputs);
@@ -112,7 +112,7 @@ void add_check(CLI::App& app, int& exit_code) {
   command->add_option("--choices", options->inputs.choices,
                       "Algorithms and lanes as this manifest.json records them, not by cost");
   command->add_flag("--json", options->json, "Everything as JSON, with the states it names");
-  command->footer(kHowToRead);
+  command->footer(kHowToReadCheck);
   command->callback([options, flags, &exit_code] {
     if (flags->empty()) options->check.compile.long_flags = "-O1 -ffp-contract=off";
     exit_code = run(*options);

@@ -121,8 +121,14 @@ std::optional<std::string> repair(const InspectOptions& options, const Inspectio
                                   Diagnostics& diagnostics) {
   const auto repairs = list_repairs(inspection.robot, inspection.report);
   const auto edits = edit_inertias(inspection.robot, inspection.text, repairs);
-  if (!options.repair.empty() &&
-      !write_repaired(options, apply_edits(inspection.text, edits), repairs.size(), diagnostics)) {
+  const std::string repaired = apply_edits(inspection.text, edits);
+  if (!has_repairs(repaired, inspection.robot, repairs)) {
+    diagnostics.add({Severity::error, shown_path(options.urdf), 0, "",
+                     "the places of its inertias were not found in the text: nothing is repaired",
+                     "report this file: its XML is read in two ways that differ"});
+    return std::nullopt;
+  }
+  if (!options.repair.empty() && !write_repaired(options, repaired, repairs.size(), diagnostics)) {
     return std::nullopt;
   }
   return print_patch(options.urdf, inspection.text, edits);

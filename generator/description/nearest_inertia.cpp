@@ -15,7 +15,7 @@ namespace {
 constexpr double kKept = 1e-9;    ///< of the largest entry
 constexpr double kRaised = 1e-8;  ///< of the trace
 constexpr double kRounding = 1e-15;
-constexpr double kFlat = 1e-7;  ///< of the largest eigenvalue: what figures in a file leave
+constexpr double kFlatMoment = 1e-7;  ///< of the largest eigenvalue: what figures in a file leave
 
 Eigen::Matrix3d matrix_of(const Inertial& i) {
   Eigen::Matrix3d J;
@@ -81,7 +81,7 @@ std::optional<std::string> name_of_flat_body(const Inertial& inertial) {
   const double scale = matrix_of(inertial).cwiseAbs().maxCoeff();
   if (scale == 0) return "a point";
   const Eigen::Vector3d values = eigenvalues(second_moments(matrix_of(inertial) / scale));
-  const double flat = kFlat * values[2];
+  const double flat = kFlatMoment * values[2];
   if (values[1] <= flat) return "a rod";
   if (values[0] <= flat) return "a plate";
   return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include "description/bound_xml.hpp"
 #include "description/find_open_element.hpp"
+#include "description/scan_xml.hpp"
 
 namespace treeline {
 namespace {
@@ -139,6 +140,20 @@ const XMLElement* only_root(const tinyxml2::XMLDocument& document, const Complai
   return root;
 }
 
+/// tinyxml2 ends its reading, without a word, at an end tag that closes nothing.
+bool closes_only_what_is_open(const std::string& text, const Complaint& complain) {
+  int depth = 0;
+  for (std::size_t at = 0; const auto tag = next_tag(text, at);) {
+    depth += tag->kind == XmlTag::Kind::start ? 1 : tag->kind == XmlTag::Kind::end ? -1 : 0;
+    if (depth >= 0) continue;
+    complain(line_at(text, at - 1), "",
+             fmt::format("</{}> closes nothing: no element is open here", tag->name),
+             "remove it, or the end tag too many before it");
+    return false;
+  }
+  return true;
+}
+
 std::string other_format(std::string_view name) {
   if (name == "sdf" || name == "gazebo" || name == "world" || name == "model") {
     return "this looks like SDF, which is not read: export the robot as URDF";
@@ -161,7 +176,7 @@ const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::s
     return nullptr;
   }
   const XMLElement* root = only_root(document, complain);
-  if (root == nullptr) return nullptr;
+  if (root == nullptr || !closes_only_what_is_open(mended, complain)) return nullptr;
   if (std::string_view(root->Name()) != "robot") {
     complain(root->GetLineNum(), root->Name(),
              fmt::format("the root element is <{}>, not <robot>", root->Name()),

@@ -11,7 +11,7 @@
 namespace treeline {
 namespace {
 
-constexpr int kMostReports = 1000;
+constexpr int kMostSceneReports = 1000;
 // As many as a robot may have links.
 constexpr std::size_t kMostItems = 4096;
 
@@ -21,8 +21,8 @@ void SceneElement::report(Severity severity, std::string fault, std::string reme
   const bool first_error = severity == Severity::error && !reading_->failed;
   reading_->failed = reading_->failed || severity == Severity::error;
   ++reading_->reports;
-  if (reading_->reports > kMostReports + 1 && !first_error) return;
-  if (reading_->reports > kMostReports && !first_error) {
+  if (reading_->reports > kMostSceneReports + 1 && !first_error) return;
+  if (reading_->reports > kMostSceneReports && !first_error) {
     fault = "there are more faults, which are not listed";
     remedy = "mend those above first";
   }
@@ -51,7 +51,7 @@ std::string SceneElement::kind() const {
 
 bool SceneElement::has_few() const {
   // Aliases let a short text list the same faults millions of times.
-  if (reading_->reports > kMostReports) return false;
+  if (reading_->reports > kMostSceneReports) return false;
   if (node_.size() <= kMostItems) return true;
   error(fmt::format("there are {} entries, more than {}", node_.size(), kMostItems),
         "list fewer: no robot that can be generated has as many links");

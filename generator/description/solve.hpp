@@ -10,4 +10,7 @@ namespace treeline {
 enum class Solve { none, mass_matrix, lambda_inverse, damped };
 Solve solve_of(Function function);
 
+/// The symbol of the matrix; empty where there is none.
+const char* matrix_symbol(Solve solve);
+
 }  // namespace treeline

@@ -14,7 +14,8 @@
 namespace treeline {
 namespace {
 
-std::string parameter(const Argument& argument, const char* qualifier, const std::string& name) {
+std::string row_parameter(const Argument& argument, const char* qualifier,
+                          const std::string& name) {
   return fmt::format("{}Real (&{})[{}][kStates]", qualifier, name, argument.rows * argument.cols);
 }
 
@@ -31,12 +32,12 @@ std::string print_signature(const Program& program, Print print) {
   return fmt::format("void {}({}) noexcept", program.name, list);
 }
 
-std::string print_head(const Program& program) {
+std::string print_batch_head(const Program& program) {
   return print_signature(program, [&](const Argument& argument, const char* qualifier) {
     const bool named = *qualifier == '\0' || reads(program, argument);
-    return parameter(argument, qualifier,
-                     named ? fmt::format("TREELINE_RESTRICT {}_rows", argument.name)
-                           : fmt::format("/*{}*/", argument.name));
+    return row_parameter(argument, qualifier,
+                         named ? fmt::format("TREELINE_RESTRICT {}_rows", argument.name)
+                               : fmt::format("/*{}*/", argument.name));
   });
 }
 
@@ -70,7 +71,7 @@ std::string print_batch_header(const EmissionContext& context, std::span<const P
   for (const Program& program : programs) {
     const std::string declaration =
         print_signature(program, [](const Argument& argument, const char* qualifier) {
-          return parameter(argument, qualifier, argument.name);
+          return row_parameter(argument, qualifier, argument.name);
         });
     declarations += comment("///", (program.source.empty() ? "" : "By " + program.source + ".\n") +
                                        describe_rounding(context, "batch_" + program.name)) +
@@ -92,7 +93,7 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
        {"states", std::to_string(context.batch)},
        {"name", context.name},
        {"optimize", print_optimize(program)},
-       {"signature", wrap_line(print_head(program) + " {", 0)},
+       {"signature", wrap_line(print_batch_head(program) + " {", 0)},
        {"rows", print_rows(program)},
        {"body",
         print_body(program, context.single_precision, find_taken(context, program), "States")}});

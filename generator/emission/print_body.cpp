@@ -15,10 +15,6 @@
 namespace treeline {
 namespace {
 
-bool is_trigonometric(Op op) {
-  return op == Op::sin || op == Op::cos;
-}
-
 class BodyPrinter {
  public:
   BodyPrinter(const Program& program, bool single_precision, const std::set<std::string>& taken,

@@ -7,14 +7,6 @@
 #include "program/format_literal.hpp"
 
 namespace treeline {
-namespace {
-
-bool is_sum(Op op) {
-  return op == Op::add || op == Op::sub;
-}
-
-}  // namespace
-
 bool ExpressionPrinter::is_atom(std::uint32_t node) const {
   return operation(graph_.nodes()[node].op).operands == 0 || !names_[node].empty();
 }

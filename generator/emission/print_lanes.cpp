@@ -9,17 +9,12 @@
 namespace treeline {
 namespace {
 
-constexpr std::uint32_t kNone = 0;
 /// Operations in one statement.
 constexpr int kLargestStatement = 6;
 
-bool is_sum(Op op) {
-  return op == Op::add || op == Op::sub;
-}
-
 std::uint32_t first_node(const LanePack& pack) {
   return *std::min_element(pack.begin(), pack.end(), [](std::uint32_t a, std::uint32_t b) {
-    return b == kNone || (a != kNone && a < b);
+    return b == kNoNode || (a != kNoNode && a < b);
   });
 }
 
@@ -32,7 +27,7 @@ LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names
     pack_names_.push_back(names[first_node(pack)] + "_lanes");
     operands_.push_back(lane_operands(program.graph, pack));
     for (std::size_t lane = 0; lane < pack.size(); ++lane) {
-      if (pack[lane] != kNone) {
+      if (pack[lane] != kNoNode) {
         pack_of_[pack[lane]] = static_cast<int>(p);
         lane_of_[pack[lane]] = static_cast<int>(lane);
         names[pack[lane]] = fmt::format("{}[{}]", pack_names_.back(), lane);
@@ -43,11 +38,11 @@ LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names
 }
 
 int LanePrinter::pack_in_place(const LanePack& nodes) const {
-  const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNone; });
+  const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNoNode; });
   const int pack = some == nodes.end() ? -1 : pack_of_[*some];
   for (std::size_t lane = 0; lane < nodes.size(); ++lane) {
     const std::uint32_t node = nodes[lane];
-    if (node != kNone && (pack_of_[node] != pack || lane_of_[node] != static_cast<int>(lane))) {
+    if (node != kNoNode && (pack_of_[node] != pack || lane_of_[node] != static_cast<int>(lane))) {
       return -1;
     }
   }
@@ -58,7 +53,7 @@ void LanePrinter::find_inner_packs() {
   const std::vector<int> uses = count_uses(program_);
   const auto used_once = [&](const LanePack& pack) {
     return std::all_of(pack.begin(), pack.end(), [&](std::uint32_t node) {
-      return node == kNone || (uses[node] == 1 && !program_.graph.names().contains(node));
+      return node == kNoNode || (uses[node] == 1 && !program_.graph.names().contains(node));
     });
   };
   is_inner_.assign(program_.packs.size(), false);
@@ -94,9 +89,9 @@ Op LanePrinter::op_of(std::size_t pack) const {
 /// One value for all lanes is a scalar, which C++ spreads; another pack in place is its name.
 std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
                                  const ExpressionPrinter& expressions) const {
-  const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNone; });
+  const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNoNode; });
   const bool same =
-      std::all_of(nodes.begin(), nodes.end(), [&](auto n) { return n == kNone || n == *some; });
+      std::all_of(nodes.begin(), nodes.end(), [&](auto n) { return n == kNoNode || n == *some; });
   if (same) {
     return expressions.atom(*some);
   }
@@ -112,7 +107,7 @@ std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
   std::string list;
   for (const std::uint32_t node : nodes) {
     // An empty lane repeats a value: whatever it computes is not read.
-    list += (list.empty() ? "" : ", ") + expressions.reference(node != kNone ? node : *some);
+    list += (list.empty() ? "" : ", ") + expressions.reference(node != kNoNode ? node : *some);
   }
   return fmt::format("detail::make_pack<Real>({})", list);
 }

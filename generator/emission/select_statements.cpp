@@ -8,10 +8,6 @@ namespace {
 /// Operations in one expression beyond which its parts get names.
 constexpr int kLargestExpression = 8;
 
-bool is_trigonometric(Op op) {
-  return op == Op::sin || op == Op::cos;
-}
-
 /// For every node whether it is the value of a result.
 std::vector<bool> find_result_nodes(const Program& program) {
   std::vector<bool> is_result(program.graph.nodes().size(), false);

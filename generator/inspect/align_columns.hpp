@@ -5,6 +5,9 @@
 
 namespace treeline {
 
+/// Reports keep within this.
+inline constexpr std::size_t kPageColumns = 100;
+
 /// One column of a table: its head, and whether its cells line up on the right.
 struct Column {
   std::string head;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bounds/dice.hpp"
 #include "description/count_freedoms.hpp"
@@ -14,8 +15,7 @@ namespace {
 
 using Matrices = std::vector<Eigen::MatrixXd>;
 
-constexpr std::uint64_t kSeed = 1;
-constexpr double kPi = 3.14159265358979323846;
+constexpr std::uint64_t kRowSeed = 1;
 /// The share of a row that must be left beside the rows before it, in half of the states.
 constexpr double kIndependent = 0.03;
 /// Of the largest row: what is less is rounding.
@@ -25,7 +25,7 @@ constexpr double kRounding = 1e-7;
 double draw(const Coordinate& coordinate, Dice& dice) {
   if (coordinate.meaning == "quaternion w") return 1;
   if (coordinate.meaning.starts_with("quaternion")) return 0;
-  const double reach = coordinate.meaning.starts_with("angle") ? kPi : 1;
+  const double reach = coordinate.meaning.starts_with("angle") ? std::numbers::pi : 1;
   return dice.within(std::max(coordinate.lower, -reach), std::min(coordinate.upper, reach));
 }
 
@@ -38,7 +38,7 @@ Matrices draw_jacobians(const Robot& robot, const Scene& scene,
   }
   const auto mechanism = build_mechanism(robot, scene);
   const auto places = points_from_scene(model, points);
-  Dice dice(kSeed);
+  Dice dice(kRowSeed);
   Matrices jacobians;
   for (int state = 0; state < kRowStates; ++state) {
     interpreter::Vector<double> q(model.nq);

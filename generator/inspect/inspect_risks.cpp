@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "bounds/dice.hpp"
@@ -22,13 +23,12 @@ using interpreter::Model;
 using interpreter::Points;
 using interpreter::Vector;
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kRiskSeed = 1;
 constexpr int kInertiaStates = 32;
 constexpr int kSweptStates = 4;
 constexpr int kSteps = 48;  ///< along a joint's range
 constexpr double kInertiaDigits = 3, kSingularDigits = 5;
 constexpr double kFarAngle = 2e8;  ///< rad
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMostDigits = 15.7;
 
 /// Digits that a condition costs: all of double's where it is infinite.
@@ -63,11 +63,13 @@ class States {
   }
 
  private:
-  static double reach(const JointReport& joint) { return joint.unit == "rad" ? kPi : 1; }
+  static double reach(const JointReport& joint) {
+    return joint.unit == "rad" ? std::numbers::pi : 1;
+  }
 
   Vector<double> neutral_;
   std::vector<const JointReport*> joints_;
-  Dice dice_{kSeed};
+  Dice dice_{kRiskSeed};
 };
 
 /// Names what makes M singular in every pose; false where nothing does.

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kMotionSeed = 1;
 // Below it a direction is rounding, or moves by what a file's angles are off.
 constexpr double kRankTolerance = 1e-9;
 
@@ -118,7 +118,7 @@ Eigen::MatrixXd find_felt_directions(const Mechanism& mechanism,
   const Vector3d gravity = Eigen::Map<const Vector3d>(mechanism.gravity.data());
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(numbers, 2 * states);  // transposed
   Eigen::VectorXd first_potential;
-  Dice dice(kSeed);
+  Dice dice(kMotionSeed);
   for (Eigen::Index k = 0; k < states; ++k) {
     const auto motions = MovingTree(mechanism, dice).motions();
     for (Eigen::Index i = 0; i < links; ++i) {

@@ -9,8 +9,6 @@
 namespace treeline {
 namespace {
 
-constexpr std::size_t kColumns = 100;
-
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string effect(const LinkReport& link) {
@@ -29,7 +27,7 @@ std::string print_unphysical(const Report& report) {
   }
   if (rows.empty()) return {};
   std::string text =
-      "\ninertias that are not physical\n" + align_columns({{"link"}, {""}}, rows, kColumns);
+      "\ninertias that are not physical\n" + align_columns({{"link"}, {""}}, rows, kPageColumns);
   if (felt) {
     text +=
         "  The nearest possible inertia of those that the motion feels keeps mass and centre of\n"
@@ -47,7 +45,7 @@ std::string print_flat(const Report& report) {
   }
   if (rows.empty()) return {};
   return "\nbodies without extent in some direction (possible, no fault)\n" +
-         align_columns({{"link"}, {"all mass is in"}}, rows, kColumns);
+         align_columns({{"link"}, {"all mass is in"}}, rows, kPageColumns);
 }
 
 }  // namespace

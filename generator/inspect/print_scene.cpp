@@ -13,7 +13,7 @@
 namespace treeline {
 namespace {
 
-constexpr std::size_t kColumns = 96;
+constexpr std::size_t kCommentColumns = 96;
 
 /// A name as YAML reads it back: plain where nothing in it is special.
 std::string yaml_word(const std::string& name) {
@@ -45,7 +45,7 @@ std::string remark(const std::string& text) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
-    if (line.size() + 1 + word.size() > kColumns && line != "#") {
+    if (line.size() + 1 + word.size() > kCommentColumns && line != "#") {
       lines += line + "\n";
       line.resize(1);
     }

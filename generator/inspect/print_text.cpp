@@ -14,7 +14,6 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-constexpr std::size_t kColumns = 100;
 constexpr std::size_t kMostNamed = 6;
 constexpr int kDeepestIndented = 24;
 
@@ -48,7 +47,7 @@ std::string name_some(const std::vector<std::string>& names) {
 std::string section(const std::string& title, const std::vector<Column>& columns,
                     const Rows& rows) {
   if (rows.empty()) return {};
-  return fmt::format("\n{}\n{}", title, align_columns(columns, rows, kColumns));
+  return fmt::format("\n{}\n{}", title, align_columns(columns, rows, kPageColumns));
 }
 
 std::string summarise_mass_matrix(const Report& report) {
@@ -168,7 +167,7 @@ std::string print_mass_matrix(const Report& report) {
   if (!report.mass_matrix) return "\nnothing moves\n";
   const MassMatrixReport& M = *report.mass_matrix;
   std::string text = "\nmass matrix, all coordinates at 0 (SI units)\n";
-  text += wrap_labelled("  diagonal     ", numbers(M.diagonal), kColumns);
+  text += wrap_labelled("  diagonal     ", numbers(M.diagonal), kPageColumns);
   text += fmt::format("  eigenvalues  {} to {}\n", number(M.least), number(M.largest));
   text += fmt::format("  condition    {}, scaled to a unit diagonal {}\n", number(M.condition),
                       number(M.scaled_condition));
@@ -182,7 +181,8 @@ std::string print_risks(const Report& report) {
   for (const RiskReport& risk : report.risks) {
     rows.push_back({risk.joint.empty() ? "all" : risk.joint, risk.kind,
                     fmt::format("{:.1f}", risk.digits_lost), risk.finding});
-    const std::string line = wrap_labelled(fmt::format("  {}: ", risk.kind), risk.advice, kColumns);
+    const std::string line =
+        wrap_labelled(fmt::format("  {}: ", risk.kind), risk.advice, kPageColumns);
     if (advice.find(line) == std::string::npos) advice += line;
   }
   return section("risky joints: digits that may get lost, of 15.7",
@@ -194,9 +194,10 @@ std::string print_risks(const Report& report) {
 
 std::string print_summary(const Report& report) {
   const auto line = [](const char* label, const std::string& text) {
-    return wrap_labelled(fmt::format("  {:<8} ", label), text, kColumns);
+    return wrap_labelled(fmt::format("  {:<8} ", label), text, kPageColumns);
   };
-  std::string text = wrap_labelled("", fmt::format("{} ({})", report.robot, report.urdf), kColumns);
+  std::string text =
+      wrap_labelled("", fmt::format("{} ({})", report.robot, report.urdf), kPageColumns);
   if (!report.scene.empty()) text += line("scene", report.scene);
   text += line("base", fmt::format("{}, gravity {} m/s^2", report.base, numbers(report.gravity)));
   text +=

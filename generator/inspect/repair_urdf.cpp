@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "description/find_inertia_tags.hpp"
+#include "description/read_urdf.hpp"
 
 namespace treeline {
 namespace {
@@ -34,6 +36,11 @@ void edit_tag(const XmlTag& tag, const Inertial& old, const Inertial& repaired,
   }
 }
 
+bool has_moments(const Inertial& a, const Inertial& b) {
+  return std::all_of(kMoments.begin(), kMoments.end(),
+                     [&](const Moment& moment) { return a.*moment.value == b.*moment.value; });
+}
+
 }  // namespace
 
 std::vector<TextEdit> edit_inertias(const Robot& robot, const std::string& text,
@@ -48,6 +55,23 @@ std::vector<TextEdit> edit_inertias(const Robot& robot, const std::string& text,
   std::sort(edits.begin(), edits.end(),
             [](const TextEdit& a, const TextEdit& b) { return a.at < b.at; });
   return edits;
+}
+
+bool has_repairs(const std::string& text, const Robot& robot,
+                 const std::vector<InertiaRepair>& repairs) {
+  Diagnostics diagnostics;
+  const auto read = parse_urdf(text, "repaired.urdf", diagnostics);
+  if (!read || read->links.size() != robot.links.size()) return false;
+  std::vector<std::optional<Inertial>> asked;
+  for (const Link& link : robot.links) asked.push_back(link.inertial);
+  for (const InertiaRepair& repair : repairs) {
+    asked[static_cast<std::size_t>(repair.link)] = repair.inertial;
+  }
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (asked[i].has_value() != read->links[i].inertial.has_value()) return false;
+    if (asked[i] && !has_moments(*asked[i], *read->links[i].inertial)) return false;
+  }
+  return true;
 }
 
 }  // namespace treeline

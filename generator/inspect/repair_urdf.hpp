@@ -19,4 +19,8 @@ struct InertiaRepair {
 std::vector<TextEdit> edit_inertias(const Robot& robot, const std::string& text,
                                     const std::vector<InertiaRepair>& repairs);
 
+/// Whether `text`, read anew, is `robot` with these inertias: that edits met their places.
+bool has_repairs(const std::string& text, const Robot& robot,
+                 const std::vector<InertiaRepair>& repairs);
+
 }  // namespace treeline

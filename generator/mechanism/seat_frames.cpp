@@ -17,7 +17,7 @@ namespace {
 
 /// No frame is put farther from where the file has it than so many times the link's size: lengths
 /// that cancel again are then rounded at most so much more coarsely than the file's, two bits.
-constexpr int kFarthest = 4;
+constexpr int kFarthestSizes = 4;
 
 bool is_trivial(const Exact& entry) {
   return entry == 0 || entry == 1 || entry == -1;
@@ -304,7 +304,7 @@ class Seating {
  public:
   explicit Seating(Mechanism& mechanism) : mechanism_(mechanism) {
     for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
-      farthest_.push_back(kFarthest * size_of(neighbourhood(mechanism, static_cast<int>(i))));
+      farthest_.push_back(kFarthestSizes * size_of(neighbourhood(mechanism, static_cast<int>(i))));
     }
     files_frames_.resize(mechanism.links.size());
   }

@@ -4,17 +4,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_contacts.hpp"
 #include "oracle/term_sizes.hpp"
-#include "interpreter/instances.hpp"
 
 namespace treeline {
 namespace {
-
-Eigen::VectorXd magnitudes(const std::vector<double>& entries) {
-  return vector_of<double>(entries).cwiseAbs();
-}
 
 /// The subject with other points in place of the operational ones.
 Subject<double> seen_at(const Subject<double>& subject, const interpreter::Points<double>& points) {

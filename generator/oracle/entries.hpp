@@ -16,6 +16,10 @@ interpreter::Vector<Scalar> vector_of(const std::vector<double>& entries) {
   return x;
 }
 
+inline Eigen::VectorXd magnitudes(const std::vector<double>& entries) {
+  return vector_of<double>(entries).cwiseAbs();
+}
+
 /// Row by row.
 template <class Derived>
 void append(const Eigen::DenseBase<Derived>& matrix,

@@ -17,11 +17,10 @@ namespace treeline {
 namespace {
 
 using interpreter::Digits50;
-using interpreter::JointKind;
 
 constexpr std::uint64_t kSeed = 1;
 constexpr int kPoses = 2;
-constexpr double kSingular = 0x1p-46;
+constexpr double kMassless = 0x1p-46;
 /// Entries of a direction that are this much smaller than its largest are rounding.
 constexpr double kRounding = 1e-6;
 /// An entry leads a direction if it is not much smaller than the others.
@@ -32,7 +31,7 @@ std::vector<double> draw_pose(const interpreter::Model<double>& model, Dice& dic
   std::vector<double> q;
   for (int i = 0; i < model.nq; ++i) q.push_back(dice.within(1));
   for (const auto& body : model.bodies) {
-    if (body.kind != JointKind::floating) continue;
+    if (body.kind != interpreter::JointKind::floating) continue;
     double* const quaternion = &q[static_cast<std::size_t>(body.q) + 3];
     const double norm = std::sqrt(std::inner_product(quaternion, quaternion + 4, quaternion, 0.0));
     std::transform(quaternion, quaternion + 4, quaternion, [&](double x) { return x / norm; });
@@ -60,7 +59,7 @@ NullSpace find_null_space(const Subject<Digits50>& exact, const Subject<double>&
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
   std::vector<Eigen::Index> zeros;
   for (Eigen::Index i = 0; i < M.rows(); ++i) {
-    if (std::abs(solver.eigenvalues()(i)) <= kSingular) zeros.push_back(i);
+    if (std::abs(solver.eigenvalues()(i)) <= kMassless) zeros.push_back(i);
   }
   space.columns = solver.eigenvectors()(Eigen::all, zeros);
   space.q = std::move(q);
@@ -208,7 +207,8 @@ class Describer {
     std::vector<std::string> links;
     for (int i = 0; i < model_.size(); ++i) {
       const bool moves = speeds[static_cast<std::size_t>(i)] > kRounding * fastest;
-      if (moves && links.size() < kMostLinks && model_.body(i).kind != JointKind::fixed) {
+      if (moves && links.size() < kMostLinks &&
+          model_.body(i).kind != interpreter::JointKind::fixed) {
         links.push_back(model_.body(i).name);
       }
     }

@@ -12,7 +12,7 @@ std::vector<std::uint32_t> find_computed_angles(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
   std::vector<std::uint32_t> angles;
   for (const Node& node : nodes) {
-    const bool trigonometric = node.op == Op::sin || node.op == Op::cos;
+    const bool trigonometric = is_trigonometric(node.op);
     if (trigonometric && nodes[node.a].op != Op::input) angles.push_back(node.a);
   }
   std::sort(angles.begin(), angles.end());

@@ -27,10 +27,6 @@ MatrixXd inverse_magnitudes(const MatrixXd& A) {
   return A.ldlt().solve(MatrixXd::Identity(A.rows(), A.cols())).cwiseAbs();
 }
 
-VectorXd magnitudes(const std::vector<double>& entries) {
-  return vector_of<double>(entries).cwiseAbs();
-}
-
 /// Three rows of one size and three of another.
 VectorXd six(double linear, double angular) {
   VectorXd rows(6);

@@ -9,7 +9,6 @@
 namespace treeline {
 namespace {
 
-using interpreter::JointKind;
 using interpreter::kWorld;
 
 std::size_t at(int i) {
@@ -22,11 +21,11 @@ double displacement(const interpreter::Body<double>& body, const std::vector<dou
     return std::abs(body.multiplier * q[at(body.q + i)] + body.offset);
   };
   switch (body.kind) {
-    case JointKind::prismatic:
+    case interpreter::JointKind::prismatic:
       return size(0);
-    case JointKind::planar:
+    case interpreter::JointKind::planar:
       return size(0) + size(1);
-    case JointKind::floating:
+    case interpreter::JointKind::floating:
       return size(0) + size(1) + size(2);
     default:
       return 0;
@@ -34,13 +33,13 @@ double displacement(const interpreter::Body<double>& body, const std::vector<dou
 }
 
 /// Of a joint's velocities, how many are of translation; these come first.
-int translations(JointKind kind) {
+int translations(interpreter::JointKind kind) {
   switch (kind) {
-    case JointKind::prismatic:
+    case interpreter::JointKind::prismatic:
       return 1;
-    case JointKind::planar:
+    case interpreter::JointKind::planar:
       return 2;
-    case JointKind::floating:
+    case interpreter::JointKind::floating:
       return 3;
     default:
       return 0;

@@ -10,10 +10,6 @@
 namespace treeline {
 namespace {
 
-bool is_sum(Op op) {
-  return op == Op::add || op == Op::sub;
-}
-
 /// A product of nodes with a sign; no factors at all is 1.
 struct Term {
   std::vector<std::uint32_t> factors;

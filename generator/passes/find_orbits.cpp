@@ -8,7 +8,6 @@
 namespace treeline {
 namespace {
 
-constexpr std::uint32_t kNone = 0;
 constexpr int kNoLimb = -1;   // the same for all limbs
 constexpr int kSeveral = -2;  // of more than one limb
 
@@ -19,7 +18,7 @@ class Exchange {
   Exchange(const Program& program, std::uint32_t limbs)
       : graph_(program.graph),
         limbs_(limbs),
-        image_(graph_.nodes().size(), kNone),
+        image_(graph_.nodes().size(), kNoNode),
         limb_(graph_.nodes().size(), kNoLimb) {
     find_leaves();
     for (std::uint32_t i = 1; i < image_.size(); ++i) {
@@ -47,12 +46,12 @@ class Exchange {
       } else if (node.op == Op::input) {
         inputs.emplace(graph_.inputs()[node.a], i);
       }
-      image_[i] = operation(node.op).operands == 0 ? i : kNone;  // until told otherwise
+      image_[i] = operation(node.op).operands == 0 ? i : kNoNode;  // until told otherwise
     }
     for (const auto& [place, node] : constants) {
       const LimbConstant own = limb_constant(graph_.nodes()[node]);
       const auto next = constants.find({own.slot, (own.limb + 1) % own.limbs});
-      image_[node] = own.limbs == limbs_ && next != constants.end() ? next->second : kNone;
+      image_[node] = own.limbs == limbs_ && next != constants.end() ? next->second : kNoNode;
       limb_[node] = static_cast<int>(own.limb);
     }
     for (const Graph::LimbInputs& alike : graph_.limb_inputs()) {
@@ -61,7 +60,7 @@ class Exchange {
         const auto next = inputs.find(alike[(k + 1) % alike.size()]);
         if (own != inputs.end()) {
           image_[own->second] =
-              alike.size() == limbs_ && next != inputs.end() ? next->second : kNone;
+              alike.size() == limbs_ && next != inputs.end() ? next->second : kNoNode;
           limb_[own->second] = static_cast<int>(k);
         }
       }
@@ -71,13 +70,13 @@ class Exchange {
   [[nodiscard]] std::uint32_t image_of(const Node& node) const {
     const bool binary = operation(node.op).operands == 2;
     const std::uint32_t a = image_[node.a];
-    const std::uint32_t b = binary ? image_[node.b] : kNone;
-    if (a == kNone || (binary && b == kNone)) {
-      return kNone;
+    const std::uint32_t b = binary ? image_[node.b] : kNoNode;
+    if (a == kNoNode || (binary && b == kNoNode)) {
+      return kNoNode;
     }
     const std::uint32_t straight = graph_.find({node.op, a, b, 0});
-    return straight != kNone || !operation(node.op).commutes ? straight
-                                                             : graph_.find({node.op, b, a, 0});
+    return straight != kNoNode || !operation(node.op).commutes ? straight
+                                                               : graph_.find({node.op, b, a, 0});
   }
 
   [[nodiscard]] int limb_of(const Node& node) const {
@@ -111,10 +110,10 @@ void append_orbits(const Program& program, std::uint32_t limbs, std::vector<Lane
     }
     // What several limbs made stands where the first of them met does.
     const auto first = exchange.limb(i) >= 0 ? static_cast<std::uint32_t>(exchange.limb(i)) : 0;
-    LanePack orbit(power_of_two(limbs), kNone);
+    LanePack orbit(power_of_two(limbs), kNoNode);
     int found = 0;
     std::uint32_t node = i;
-    for (std::uint32_t k = 0; k < limbs && node != kNone && !done[node]; ++k) {
+    for (std::uint32_t k = 0; k < limbs && node != kNoNode && !done[node]; ++k) {
       done[node] = true;
       if (live[node]) {
         orbit[(first + k) % limbs] = node;

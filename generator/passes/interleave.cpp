@@ -19,7 +19,7 @@ constexpr int kWindowOfLongCode = 40;
 constexpr int kLongCode = 44 * 1024;  // bytes
 constexpr int kIssue = 4;             ///< operations begun in a cycle
 
-int latency(Op op) {
+int issue_latency(Op op) {
   switch (op) {
     case Op::add:
     case Op::sub:
@@ -44,7 +44,7 @@ int estimate_code_bytes(const Program& program) {
     }
   }
   for (std::size_t i = 0; i < is_counted.size(); ++i) {
-    const bool is_operation = latency(program.graph.nodes()[i].op) > 0;
+    const bool is_operation = issue_latency(program.graph.nodes()[i].op) > 0;
     instructions += is_counted[i] && is_operation ? 1 : 0;
   }
   return kBytes * instructions;
@@ -89,7 +89,7 @@ std::vector<Unit> make_units(const Program& program, std::span<const std::uint32
     }
   }
   for (std::size_t u = units.size(); u-- > 0;) {
-    const int own = latency(nodes[units[u].nodes.front()].op);
+    const int own = issue_latency(nodes[units[u].nodes.front()].op);
     units[u].height += own;
     for (const std::size_t operand : units[u].operands) {
       units[operand].height = std::max(units[operand].height, units[u].height);
@@ -153,7 +153,7 @@ class Interleaver {
       cycle_ = begin;
       begun_ = 0;
     }
-    const int cost = latency(nodes_[unit.nodes.front()].op);
+    const int cost = issue_latency(nodes_[unit.nodes.front()].op);
     unit.done = true;
     unit.end = begin + cost;
     order_.insert(order_.end(), unit.nodes.begin(), unit.nodes.end());

@@ -14,22 +14,20 @@
 namespace treeline {
 namespace {
 
-constexpr std::uint32_t kNone = 0;
-
 bool is_arithmetic(Op op) {
   return op == Op::add || op == Op::sub || op == Op::mul || op == Op::div || op == Op::neg;
 }
 
 int count_lanes(const LanePack& lanes) {
   return static_cast<int>(lanes.size()) -
-         static_cast<int>(std::count(lanes.begin(), lanes.end(), kNone));
+         static_cast<int>(std::count(lanes.begin(), lanes.end(), kNoNode));
 }
 
 /// The values in the lanes, each once.
 std::vector<std::uint32_t> distinct(const LanePack& lanes) {
   std::vector<std::uint32_t> nodes;
   for (const std::uint32_t node : lanes) {
-    if (node != kNone && std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
+    if (node != kNoNode && std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
       nodes.push_back(node);
     }
   }
@@ -88,7 +86,7 @@ class Packer {
     const auto width = static_cast<std::size_t>(program_.graph.lane_width());
     for (const Graph::LaneGroup& group : groups) {
       for (std::size_t first = 0; first < group.size(); first += width) {
-        LanePack lanes(width, kNone);
+        LanePack lanes(width, kNoNode);
         std::copy_n(group.begin() + static_cast<std::ptrdiff_t>(first),
                     std::min(width, group.size() - first), lanes.begin());
         pack(std::move(lanes), 2);
@@ -116,7 +114,7 @@ class Packer {
       const Op op = nodes_[node].op;
       if (!live_[node] || !is_arithmetic(op) || pack_of_[node] != kNoPack ||
           std::find(lanes.begin(), lane, node) != lane) {
-        *lane = kNone;
+        *lane = kNoNode;
       } else {
         ++votes[static_cast<std::size_t>(op)];
       }
@@ -124,8 +122,8 @@ class Packer {
     const auto winner =
         static_cast<Op>(std::max_element(votes.begin(), votes.end()) - votes.begin());
     for (std::uint32_t& node : lanes) {
-      if (node != kNone && nodes_[node].op != winner) {
-        node = kNone;
+      if (node != kNoNode && nodes_[node].op != winner) {
+        node = kNoNode;
       }
     }
   }
@@ -137,7 +135,7 @@ class Packer {
       return false;
     }
     for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-      if (lanes[lane] != kNone) {
+      if (lanes[lane] != kNoNode) {
         pack_of_[lanes[lane]] = static_cast<int>(packs_.size());
         lane_of_[lanes[lane]] = lane;
       }
@@ -196,7 +194,7 @@ class Packer {
     std::array<int, 2> packs{kNoPack, kNoPack};
     for (std::size_t lane = 0; lane < operands.size(); ++lane) {
       const std::uint32_t node = operands[lane];
-      if (node == kNone) continue;
+      if (node == kNoNode) continue;
       const int pack = pack_of_[node];
       if (pack == kNoPack) return each;
       in_place = in_place && lane_of_[node] == lane;
@@ -215,7 +213,7 @@ class Packer {
 
   void dissolve(std::size_t index) {
     for (const std::uint32_t node : packs_[index]) {
-      if (node != kNone) {
+      if (node != kNoNode) {
         pack_of_[node] = kNoPack;
       }
     }
@@ -268,7 +266,7 @@ std::vector<bool> Packer::find_scalar_reads() const {
 
 int Packer::count_extractions(const LanePack& pack, const std::vector<bool>& read) const {
   return static_cast<int>(std::count_if(
-      pack.begin(), pack.end(), [&](std::uint32_t node) { return node != kNone && read[node]; }));
+      pack.begin(), pack.end(), [&](std::uint32_t node) { return node != kNoNode && read[node]; }));
 }
 
 Packer::Readers Packer::find_readers() const {

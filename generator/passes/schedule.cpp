@@ -10,10 +10,6 @@
 namespace treeline {
 namespace {
 
-bool is_trigonometric(Op op) {
-  return op == Op::sin || op == Op::cos;
-}
-
 /// Registers that evaluating each node's tree needs, were nothing shared (Sethi & Ullman 1970).
 std::vector<int> estimate_registers(const std::vector<Node>& nodes) {
   std::vector<int> need(nodes.size(), 1);

@@ -14,10 +14,6 @@
 namespace treeline {
 namespace {
 
-bool is_sum(Op op) {
-  return op == Op::add || op == Op::sub;
-}
-
 /// What sums add and products multiply: a node, or a pair already found (numbered after the nodes).
 /// Factors have no sign.
 struct Item {

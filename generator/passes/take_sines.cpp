@@ -82,7 +82,7 @@ Program take_sines(const Program& program) {
   SineTaker taker(program.graph);
   Program taken = Rewriter(program).run([&](std::uint32_t node, const Rewriter& r) {
     const Node& what = program.graph.nodes()[node];
-    if (what.op == Op::sin || what.op == Op::cos) {
+    if (is_trigonometric(what.op)) {
       const auto given = taker.take(what.a);
       if (given) return what.op == Op::sin ? given->sine : given->cosine;
     }

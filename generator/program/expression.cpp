@@ -54,8 +54,7 @@ struct Terms {
 };
 
 bool is_sum(Expression e) {
-  const Op op = look(e).op;
-  return op == Op::add || op == Op::sub;
+  return is_sum(look(e).op);
 }
 
 Terms terms_of(Expression e) {

@@ -35,6 +35,13 @@ constexpr const Operation& operation(Op op) {
   return kOperations[static_cast<std::size_t>(op)];
 }
 
+constexpr bool is_sum(Op op) {
+  return op == Op::add || op == Op::sub;
+}
+constexpr bool is_trigonometric(Op op) {
+  return op == Op::sin || op == Op::cos;
+}
+
 /// One operation. Operands are indices of earlier nodes, so the list is topologically ordered.
 /// Operands carry no sign: the constructors of `Expression` move every minus outward; `neg` stands
 /// only where `Graph::align_lanes` asked for a value without sign.
@@ -44,6 +51,9 @@ struct Node {
   std::uint32_t b = 0;  ///< right operand of add, sub, mul, div
   double value = 0;     ///< of `constant`; positive or zero, but for a limb's constant of any sign
 };
+
+/// The constant 0, which every graph begins with; in lists of operands and lanes: none.
+inline constexpr std::uint32_t kNoNode = 0;
 
 /// Limbs of one build differ in their constants. Where they do, the constant of each limb is a
 /// node of its own kind: it does not vanish, not even where it is 0 or 1, so that all limbs trace
