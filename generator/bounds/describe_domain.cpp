@@ -21,10 +21,9 @@ double finite_or(double value, double otherwise) {
 
 /// q of one coordinate, by what the mechanism tells of it.
 double coordinate_size(const Coordinate& coordinate, const DomainDefaults& defaults) {
-  if (coordinate.meaning.find("quaternion") != std::string::npos) return 1;
+  if (coordinate.is_of_quaternion()) return 1;
   const double size = std::max(std::abs(coordinate.lower), std::abs(coordinate.upper));
-  const bool angle = coordinate.meaning.find("angle") != std::string::npos;
-  return std::isfinite(size) ? size : angle ? defaults.angle : defaults.position;
+  return std::isfinite(size) ? size : coordinate.is_angle() ? defaults.angle : defaults.position;
 }
 
 void set_rates(const Robot& robot, const Mechanism& mechanism, const DomainDefaults& defaults,
@@ -81,9 +80,11 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
   Domain domain;
   const std::size_t nq = mechanism.coordinates.size();
   for (const Coordinate& coordinate : mechanism.coordinates) {
-    std::vector<double>& sizes = domain.sizes["q"];
-    if (coordinate.meaning == "quaternion x") domain.quaternions.push_back(sizes.size());
-    sizes.push_back(coordinate_size(coordinate, defaults));
+    domain.sizes["q"].push_back(coordinate_size(coordinate, defaults));
+  }
+  for (const MovingLink& link : mechanism.links) {
+    const auto first = static_cast<std::size_t>(link.q_index);
+    if (link.kind == JointKind::floating) domain.quaternions.push_back(first + 3);
   }
   domain.sizes["sin_q"] = domain.sizes["cos_q"] = std::vector<double>(nq, 1);
   set_rates(robot, mechanism, defaults, domain);

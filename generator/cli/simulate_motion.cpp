@@ -18,9 +18,8 @@ using simulation::Vector;
 
 /// The middle of a joint's range: where neither limit is near.
 double middle(const Coordinate& coordinate) {
-  if (coordinate.meaning == "quaternion w") return 1;
   const bool limited = std::isfinite(coordinate.lower) && std::isfinite(coordinate.upper);
-  return limited ? (coordinate.lower + coordinate.upper) / 2 : 0;
+  return limited ? (coordinate.lower + coordinate.upper) / 2 : coordinate.neutral();
 }
 
 bool fits(const char* name, const std::vector<double>& given, int size, Diagnostics& diagnostics) {

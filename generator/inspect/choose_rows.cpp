@@ -23,10 +23,9 @@ constexpr double kRounding = 1e-7;
 
 /// A random value within a coordinate's limits; without them one turn, a metre.
 double draw(const Coordinate& coordinate, Dice& dice) {
-  if (coordinate.meaning == "quaternion w") return 1;
-  if (coordinate.meaning.starts_with("quaternion")) return 0;
-  const double reach = coordinate.meaning.starts_with("angle") ? std::numbers::pi : 1;
-  return dice.within(std::max(coordinate.lower, -reach), std::min(coordinate.upper, reach));
+  if (coordinate.is_of_quaternion()) return coordinate.neutral();
+  const auto [lower, upper] = coordinate.ordinary_range();
+  return dice.within(lower, upper);
 }
 
 /// Six rows a point, at each of the states.

@@ -161,8 +161,8 @@ class Builder {
     if (!joint.mimic) {
       first_coordinate_[index_of(joint)] = {mechanism_.nq(), mechanism_.nv()};
       const Limits limits = joint.limits.value_or(unlimited());
-      mechanism_.coordinates.push_back(
-          {joint.name, angle ? "angle, rad" : "displacement, m", limits.lower, limits.upper});
+      mechanism_.coordinates.push_back({joint.name, angle ? "angle, rad" : "displacement, m",
+                                        kind_of(angle), limits.lower, limits.upper});
       mechanism_.velocities.push_back(joint.name + (angle ? ", rad/s" : ", m/s"));
     }
     MovingLink moving = new_link(link, joint.name, before);
@@ -196,7 +196,7 @@ class Builder {
       moving.q_index = mechanism_.nq();
       moving.v_index = mechanism_.nv();
       mechanism_.coordinates.push_back(
-          {joint.name, std::string(names[i]) + (angle ? ", rad" : ", m")});
+          {joint.name, std::string(names[i]) + (angle ? ", rad" : ", m"), kind_of(angle)});
       mechanism_.velocities.push_back(joint.name + " " + names[i] + (angle ? ", rad/s" : ", m/s"));
       mechanism_.links.push_back(moving);
       place = {last_link(), {axes[i].transpose(), ExactVector3::Zero()}};
@@ -211,16 +211,23 @@ class Builder {
     moving.seat = before.pose;
     moving.q_index = mechanism_.nq();
     moving.v_index = mechanism_.nv();
-    for (const char* part : {"position x, m", "position y, m", "position z, m", "quaternion x",
-                             "quaternion y", "quaternion z", "quaternion w"}) {
-      mechanism_.coordinates.push_back({joint, part});
+    for (const char* part : {"position x, m", "position y, m", "position z, m"}) {
+      mechanism_.coordinates.push_back({joint, part, CoordinateKind::displacement});
     }
+    for (const char* part : {"quaternion x", "quaternion y", "quaternion z"}) {
+      mechanism_.coordinates.push_back({joint, part, CoordinateKind::quaternion_xyz});
+    }
+    mechanism_.coordinates.push_back({joint, "quaternion w", CoordinateKind::quaternion_w});
     for (const char* part : {"linear x, m/s", "linear y, m/s", "linear z, m/s", "angular x, rad/s",
                              "angular y, rad/s", "angular z, rad/s"}) {
       mechanism_.velocities.push_back(joint + " " + part);
     }
     mechanism_.links.push_back(moving);
     return {last_link(), {}};
+  }
+
+  static CoordinateKind kind_of(bool angle) {
+    return angle ? CoordinateKind::angle : CoordinateKind::displacement;
   }
 
   static MovingLink new_link(const std::string& link, const std::string& joint,

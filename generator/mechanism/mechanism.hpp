@@ -7,6 +7,7 @@
 
 #include "description/noise.hpp"
 #include "description/scene.hpp"
+#include "mechanism/coordinate.hpp"
 #include "mechanism/exact.hpp"
 #include "mechanism/resolution.hpp"
 
@@ -76,14 +77,6 @@ struct MechanismObject {
   std::string name;
   Inertia inertia;
   std::vector<MechanismGrasp> grasps;
-};
-
-/// One entry of q, as the contract of the emitted code lists it.
-struct Coordinate {
-  std::string joint;
-  std::string meaning;  ///< "angle, rad", "displacement, m", "quaternion x"
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
 };
 
 /// Subtrees of one shape that hang on the same link: arms, legs, fingers. They may run in lanes.

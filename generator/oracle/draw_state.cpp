@@ -17,18 +17,14 @@ double draw_logarithmic(Dice& dice, double least, double greatest) {
   return dice.chance(0.5) ? magnitude : -magnitude;
 }
 
-bool is_angle(const Coordinate& coordinate) {
-  return coordinate.meaning.find("angle") != std::string::npos;
-}
-
 double draw_within_limits(Dice& dice, const Coordinate& coordinate) {
-  const double reach = is_angle(coordinate) ? 2 * kQuarterTurn : 1;
-  return dice.within(std::max(coordinate.lower, -reach), std::min(coordinate.upper, reach));
+  const auto [lower, upper] = coordinate.ordinary_range();
+  return dice.within(lower, upper);
 }
 
 double draw_aligned(Dice& dice, const Coordinate& coordinate) {
   if (dice.chance(0.3)) return draw_within_limits(dice, coordinate);
-  const double step = is_angle(coordinate) ? kQuarterTurn : 0.5;
+  const double step = coordinate.is_angle() ? kQuarterTurn : 0.5;
   const double at = step * std::floor(dice.within(-2, 3));
   return dice.chance(0.4) ? at : at + draw_logarithmic(dice, 1e-12, 1e-2);
 }
@@ -45,7 +41,7 @@ double draw_coordinate(Dice& dice, StateClass kind, const Coordinate& coordinate
     case StateClass::neutral:
       return 0;
     case StateClass::large:
-      return dice.within(is_angle(coordinate) ? 1000 : 10);
+      return dice.within(coordinate.is_angle() ? 1000 : 10);
     case StateClass::tiny:
       return draw_logarithmic(dice, 1e-12, 1e-2);
     case StateClass::aligned:

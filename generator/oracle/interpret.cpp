@@ -128,8 +128,10 @@ std::vector<Scalar> of_points(Function function, const Subject<Scalar>& subject,
                             : interpreter::lambda<Scalar>(model, points, at.q, law));
     case Function::control_torque:
       return entries_of(control_torque(subject, at, law));
-    default:
+    case Function::damped_control_torque:
       return damped_control_torque(subject, at);
+    default:
+      throw std::logic_error(std::string(function_name(function)) + " is not about points");
   }
 }
 

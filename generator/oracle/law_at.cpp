@@ -35,4 +35,9 @@ interpreter::TaskLaw<Digits50> law_at(const TaskLaw* law, const std::vector<doub
   return result;
 }
 
+std::shared_ptr<const TaskLaw> law_of_sizes(const std::shared_ptr<const TaskLaw>& law) {
+  if (!law || law->kind != TaskLaw::Kind::jacobian) return law;
+  return TaskLaws(*law->mechanism).find(TaskLaw::Kind::inverse_inertia, law->points, {});
+}
+
 }  // namespace treeline

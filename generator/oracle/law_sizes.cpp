@@ -1,13 +1,10 @@
 #include "oracle/law_sizes.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "interpreter/instances.hpp"
-#include "oracle/condition.hpp"
 #include "recursion/pivot_rule.hpp"
 
 namespace treeline {
@@ -74,29 +71,6 @@ LawSizes probe(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
   return {condition, root * root.transpose()};
 }
 
-/// Of a law of a Jacobian, the borders of which are about its own pivots.
-LawSizes of_jacobian(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
-                     const interpreter::TaskLaw<double>& law) {
-  // t^power / (1 + t^power) / t is largest where t^power = power - 1: below that a row only yields
-  // more, and what an error of its pivot makes of it shrinks no further than this.
-  const double peak = std::pow(law.power - 1.0, 1.0 / law.power);
-  Eigen::MatrixXd left = A;
-  Eigen::MatrixXd yielded = A;
-  for (Eigen::Index k = 0; k < A.rows(); ++k) {
-    const double border = law.borders[static_cast<std::size_t>(k)];
-    const double c = std::max(left(k, k), peak * border);
-    const double inverse = interpreter::bounded_inverse<double>(c, border, law.power);
-    if (border > 0) yielded(k, k) += 1 / inverse - left(k, k);
-    const Eigen::VectorXd column = left.col(k);
-    left -= column * (inverse * column.transpose());
-  }
-  if (!yielded.allFinite()) return {std::numeric_limits<double>::infinity(), A};
-  const Eigen::VectorXd scale = terms + (yielded - A).diagonal().cwiseAbs();
-  const Eigen::MatrixXd Lambda =
-      yielded.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
-  return {scaled_condition(yielded, scale), Lambda.cwiseAbs()};
-}
-
 }  // namespace
 
 LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q,
@@ -106,7 +80,7 @@ LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q
   const Eigen::MatrixXd size = T.cwiseAbs();
   const Eigen::MatrixXd A = T * Lambda_inverse * T.transpose();
   const Eigen::VectorXd A_terms = (size * terms * size.transpose()).diagonal();
-  LawSizes found = law.pivots.empty() ? probe(A, A_terms, law) : of_jacobian(A, A_terms, law);
+  LawSizes found = probe(A, A_terms, law);
   found.Lambda = size.transpose() * found.Lambda * size;
   return found;
 }

@@ -14,7 +14,8 @@ struct LawSizes {
   Eigen::MatrixXd Lambda;
 };
 
-/// `terms` are the sizes of the terms of `Lambda_inverse`, in rows as asked for.
+/// `law` is about Lambda^-1, not about a Jacobian; `terms` are the sizes of the terms of
+/// `Lambda_inverse`, in rows as asked for.
 LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q,
                         const Eigen::MatrixXd& Lambda_inverse, const Eigen::MatrixXd& terms,
                         const interpreter::TaskLaw<double>& law);

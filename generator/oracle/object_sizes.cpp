@@ -54,13 +54,10 @@ ObjectSizes::ObjectSizes(const Subject<double>& subject, const State& state,
   Lambda_ = inverse_magnitudes(Lambda_inverse_);
 }
 
-double ObjectSizes::condition(Function function, const interpreter::TaskLaw<double>& law) const {
-  const bool bare = law.borders.empty() || Lambda_inverse_.size() == 0;
-  return bare ? condition_ : yielding(function, law).condition;
-}
-
 /// Of Lambda^-1 with what yields, or of Lambda^-1 + C Lambda_obj^-1 C^T likewise.
-LawSizes ObjectSizes::yielding(Function function, const interpreter::TaskLaw<double>& law) const {
+std::optional<LawSizes> ObjectSizes::yielding(Function function,
+                                              const interpreter::TaskLaw<double>& law) const {
+  if (Lambda_inverse_.size() == 0) return std::nullopt;
   MatrixXd A = Lambda_inverse_;
   MatrixXd terms = J_ * M_inverse_ * J_.transpose();
   if (function == Function::object_forward_dynamics) {
@@ -72,15 +69,14 @@ LawSizes ObjectSizes::yielding(Function function, const interpreter::TaskLaw<dou
 }
 
 std::vector<double> ObjectSizes::sizes(Function function,
-                                       const interpreter::TaskLaw<double>& law) const {
-  const bool bare = law.borders.empty();
+                                       const std::optional<LawSizes>& yielding) const {
   switch (function) {
     case Function::object_state:
       return object_state();
     case Function::object_control_torque:
-      return control_torque(bare ? Lambda_ : yielding(function, law).Lambda);
+      return control_torque(yielding ? yielding->Lambda : Lambda_);
     case Function::object_forward_dynamics:
-      return bare ? forward_dynamics() : forward_dynamics(yielding(function, law));
+      return yielding ? forward_dynamics(*yielding) : forward_dynamics();
     default:
       throw std::logic_error(std::string(function_name(function)) + " is not about objects");
   }

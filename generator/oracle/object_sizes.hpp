@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "description/scene.hpp"
@@ -13,22 +14,23 @@
 namespace treeline {
 
 /// The scales of the results of `kObjectFunctions` at one state: Chang tables 7.1 and 7.2 with the
-/// magnitude of every term in place of the term. `law`: of the function at this state; without
-/// borders it is a bare solve.
+/// magnitude of every term in place of the term.
 class ObjectSizes {
  public:
   /// `M_inverse` has the magnitudes of M^-1.
   ObjectSizes(const Subject<double>& subject, const State& state, const Eigen::MatrixXd& M_inverse);
 
+  /// Of the matrix that gives all hands' forces where they yield by `law`: Lambda^-1 and, where the
+  /// objects move freely, their mobility. Nothing where there is no such matrix.
+  [[nodiscard]] std::optional<LawSizes> yielding(Function function,
+                                                 const interpreter::TaskLaw<double>& law) const;
+  /// `yielding`: nothing for a bare solve.
   [[nodiscard]] std::vector<double> sizes(Function function,
-                                          const interpreter::TaskLaw<double>& law = {}) const;
-  /// Of the matrix that gives all hands' forces, scaled to a unit diagonal: Lambda^-1, and what the
-  /// objects' mobility and the law add to it.
-  [[nodiscard]] double condition(Function function,
-                                 const interpreter::TaskLaw<double>& law = {}) const;
+                                          const std::optional<LawSizes>& yielding) const;
+  /// Of Lambda^-1, scaled to a unit diagonal.
+  [[nodiscard]] double condition() const { return condition_; }
 
  private:
-  [[nodiscard]] LawSizes yielding(Function function, const interpreter::TaskLaw<double>& law) const;
   [[nodiscard]] std::vector<double> object_state() const;
   /// With the magnitudes of the matrix that makes forces of the hands' accelerations.
   [[nodiscard]] std::vector<double> control_torque(const Eigen::MatrixXd& Lambda) const;

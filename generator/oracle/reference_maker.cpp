@@ -29,12 +29,6 @@ std::vector<double> widened(const std::vector<T>& entries) {
   return {entries.begin(), entries.end()};
 }
 
-/// The scale of forces comes out of Lambda, also where it is the Jacobian that is eliminated.
-std::shared_ptr<const TaskLaw> law_of_sizes(const std::shared_ptr<const TaskLaw>& law) {
-  if (!law || law->kind != TaskLaw::Kind::jacobian) return law;
-  return TaskLaws(*law->mechanism).find(TaskLaw::Kind::inverse_inertia, law->points, {});
-}
-
 }  // namespace
 
 ReferenceMaker::ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
@@ -115,7 +109,8 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   const auto law = law_at(functions_[i].program.law.get(), state.q);
   const auto size_law = interpreter::cast<double>(law_at(size_laws_[i].get(), state.q));
   FunctionReference reference;
-  reference.condition = sizes.condition(function, size_law);
+  const auto yielding = sizes.yielding(function, size_law);
+  reference.condition = sizes.condition(function, yielding);
   // Where rows yield there is a truth at every state, however fast it changes there.
   const bool yields = size_laws_[i] != nullptr && std::isfinite(reference.condition);
   reference.singular = !yields && !(reference.condition < kSingular / unit_of(real_));
@@ -127,11 +122,11 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   if (digits == Digits::in_real) {
     reference.low.assign(in_real.size(), 0);
     reference.high = std::move(in_real);
-    reference.size = sizes.sizes(function, reference.high, size_law);
+    reference.size = sizes.sizes(function, reference.high, size_law, yielding);
     return reference;
   }
   split(interpret<Digits50>(function, exact_, state, law), reference);
-  reference.size = sizes.sizes(function, reference.high, size_law);
+  reference.size = sizes.sizes(function, reference.high, size_law, yielding);
   reference.interpreter_error = error_in_ulp(in_real, reference, unit_of(real_));
   return reference;
 }

@@ -75,8 +75,10 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
 
 std::optional<LawSizes> ResultSizes::yielding(Function function,
                                               const interpreter::TaskLaw<double>& law) const {
+  if (law.borders.empty()) return std::nullopt;
+  if (needs_objects(function)) return objects_->yielding(function, law);
   const bool solves = function == Function::lambda || function == Function::control_torque;
-  if (!solves || law.borders.empty() || Lambda_inverse_.size() == 0) return std::nullopt;
+  if (!solves || Lambda_inverse_.size() == 0) return std::nullopt;
   if (function == Function::control_torque && interpreter::has_priorities(subject_.points)) {
     return std::nullopt;
   }
@@ -84,10 +86,12 @@ std::optional<LawSizes> ResultSizes::yielding(Function function,
                         law);
 }
 
-double ResultSizes::condition(Function function, const interpreter::TaskLaw<double>& law) const {
-  if (const auto yielded = yielding(function, law)) return yielded->condition;
+double ResultSizes::condition(Function function, const std::optional<LawSizes>& yielding) const {
   const bool about_hands = needs_objects(function) && solve_of(function) != Solve::none;
-  if (about_hands) return std::max(objects_->condition(function, law), M_condition_);
+  if (about_hands) {
+    return std::max(yielding ? yielding->condition : objects_->condition(), M_condition_);
+  }
+  if (yielding) return yielding->condition;
   switch (solve_of(function)) {
     case Solve::mass_matrix:
       return M_condition_;
@@ -102,8 +106,8 @@ double ResultSizes::condition(Function function, const interpreter::TaskLaw<doub
 }
 
 std::vector<double> ResultSizes::sizes(Function function, const std::vector<double>& result,
-                                       const interpreter::TaskLaw<double>& law) const {
-  const auto yielded = yielding(function, law);
+                                       const interpreter::TaskLaw<double>& law,
+                                       const std::optional<LawSizes>& yielding) const {
   const std::vector<double> none(state_.qd.size(), 0);
   switch (function) {
     case Function::forward_kinematics:
@@ -125,9 +129,9 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::lambda_inverse:
       return entries_of(lambda_inverse());
     case Function::lambda:
-      return entries_of(lambda(yielded ? yielded->Lambda : Lambda_));
+      return entries_of(lambda(yielding ? yielding->Lambda : Lambda_));
     case Function::control_torque:
-      return entries_of(control_torque(yielded ? yielded->Lambda : control_Lambda_));
+      return entries_of(control_torque(yielding ? yielding->Lambda : control_Lambda_));
     case Function::center_of_mass:
       return entries_of(terms_.center_of_mass());
     case Function::center_of_mass_jacobian:
@@ -141,7 +145,7 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
-      return objects_->sizes(function, law);
+      return objects_->sizes(function, yielding);
     case Function::contact_motion:
     case Function::contact_inverse_inertia:
     case Function::effective_mass:

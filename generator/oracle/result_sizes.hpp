@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "oracle/damped_sizes.hpp"
+#include "oracle/law_sizes.hpp"
 #include "oracle/object_sizes.hpp"
 #include "oracle/reference.hpp"
 #include "oracle/term_sizes.hpp"
-#include "oracle/law_sizes.hpp"
 
 namespace treeline {
 
@@ -17,17 +17,20 @@ class ResultSizes {
  public:
   ResultSizes(const Subject<double>& subject, const State& state);
 
-  /// Of each entry of the function's results, in their order. `result` is what it is, by `law`.
-  [[nodiscard]] std::vector<double> sizes(Function function, const std::vector<double>& result,
-                                          const interpreter::TaskLaw<double>& law = {}) const;
-  /// Of the matrix that the function solves with; 1 for none.
-  [[nodiscard]] double condition(Function function,
-                                 const interpreter::TaskLaw<double>& law = {}) const;
-
- private:
-  /// Nothing for functions whose rows do not yield by `law`.
+  /// Of the solve with rows that yield by `law`; nothing for functions without one.
   [[nodiscard]] std::optional<LawSizes> yielding(Function function,
                                                  const interpreter::TaskLaw<double>& law) const;
+  /// Of each entry of the function's results, in their order. `result` is what it is, by `law`,
+  /// and `yielding` what the law's solve has.
+  [[nodiscard]] std::vector<double> sizes(
+      Function function, const std::vector<double>& result,
+      const interpreter::TaskLaw<double>& law = {},
+      const std::optional<LawSizes>& yielding = std::nullopt) const;
+  /// Of the matrix that the function solves with; 1 for none.
+  [[nodiscard]] double condition(Function function,
+                                 const std::optional<LawSizes>& yielding = std::nullopt) const;
+
+ private:
   [[nodiscard]] Eigen::VectorXd forward_dynamics(const std::vector<double>& qdd) const;
   [[nodiscard]] Eigen::MatrixXd lambda_inverse() const;
   [[nodiscard]] static Eigen::MatrixXd lambda(const Eigen::MatrixXd& Lambda);

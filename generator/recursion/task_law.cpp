@@ -34,8 +34,7 @@ int prime_after(int n) {
 /// Spread evenly over the limits, of angles over a turn at most: multiples of the square root of a
 /// prime of its own. A rational one would leave a coordinate where it is in every state.
 double ordinary_coordinate(const Coordinate& coordinate, int prime, int state) {
-  const bool angle = coordinate.meaning.find("angle") != std::string::npos;
-  const double reach = angle ? 3.141592653589793 : 1;
+  const double reach = coordinate.ordinary_reach();
   const double low = std::clamp(coordinate.lower, -reach, reach);
   const double high = std::clamp(coordinate.upper, -reach, reach);
   const double multiple = (state + 0.5) * std::sqrt(static_cast<double>(prime));
@@ -47,9 +46,8 @@ std::vector<double> ordinary_state(const Mechanism& mechanism, int state) {
   int prime = 1;
   for (const Coordinate& coordinate : mechanism.coordinates) {
     prime = prime_after(prime);
-    const bool of_quaternion = coordinate.meaning.find("quaternion") != std::string::npos;
-    const bool is_w = coordinate.meaning.find("quaternion w") != std::string::npos;
-    q.push_back(of_quaternion ? (is_w ? 1 : 0) : ordinary_coordinate(coordinate, prime, state));
+    q.push_back(coordinate.is_of_quaternion() ? coordinate.neutral()
+                                              : ordinary_coordinate(coordinate, prime, state));
   }
   return q;
 }
@@ -322,10 +320,9 @@ std::string describe(const TaskLaw& law) {
     case TaskLaw::Kind::grasp_forces:
       return fmt::format(
           "finite everywhere; a row that those before it leave nothing to move with yields, "
-          "smoothly "
-          "and alone, where its inverse inertia falls below {} of what is ordinary, and is exact "
-          "to "
-          "rounding above {}.",
+          "smoothly and alone, where its inverse inertia falls below {} of what is ordinary, and "
+          "is "
+          "exact to rounding above {}.",
           single ? "5e-4" : "8e-6", single ? "3e-2" : "1e-3");
     case TaskLaw::Kind::jacobian:
       return fmt::format(

@@ -5,10 +5,10 @@
 #include "generation/function_mechanisms.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "oracle/bound.hpp"
+#include "oracle/graph_run.hpp"
 #include "oracle/interpret.hpp"
 #include "oracle/law_at.hpp"
 #include "oracle/result_sizes.hpp"
-#include "program/evaluate.hpp"
 #include "recursion/trace_function.hpp"
 
 // Functions that solve for task forces, where rows cannot be moved: always for tasks with more rows
@@ -38,37 +38,22 @@ RandomMechanism strained_robot(std::uint64_t seed) {
   return made;
 }
 
-std::vector<std::vector<double>> arguments(const Program& program, const State& state) {
-  std::vector<std::vector<double>> values;
-  for (const auto* argument : arguments_of(program, state)) values.push_back(*argument);
-  return values;
-}
-
-std::vector<double> flat(const std::vector<std::vector<double>>& results) {
-  std::vector<double> entries;
-  for (const auto& result : results) entries.insert(entries.end(), result.begin(), result.end());
-  return entries;
-}
-
-bool all_finite(const std::vector<double>& entries) {
-  return std::all_of(entries.begin(), entries.end(), [](double x) { return std::isfinite(x); });
-}
-
 /// The error of one route at one state against the interpreter, over condition and sizes of terms.
 double error_of(const Program& program, Function function, const Subject<Digits50>& exact,
                 const ResultSizes& sizes, const State& state) {
   const auto law = law_at(program.law.get(), state.q);
-  const auto size_law = interpreter::cast<double>(law);
+  const auto size_law = interpreter::cast<double>(law_at(law_of_sizes(program.law).get(), state.q));
+  const auto yielding = sizes.yielding(function, size_law);
   FunctionReference reference;
   for (const Digits50& x : interpret<Digits50>(function, exact, state, law)) {
     reference.high.push_back(static_cast<double>(x));
     reference.low.push_back(static_cast<double>(x - Digits50(reference.high.back())));
   }
-  reference.size = sizes.sizes(function, reference.high, size_law);
-  const auto results = flat(evaluate<double>(program, arguments(program, state)));
-  EXPECT_TRUE(all_finite(results)) << program.source << ", state " << state.index;
+  reference.size = sizes.sizes(function, reference.high, size_law, yielding);
+  const auto results = GraphRun(program).results(state, Real::float64);
+  EXPECT_TRUE(are_finite(results)) << program.source << ", state " << state.index;
   return error_in_ulp(results, reference, unit_of(Real::float64)) /
-         sizes.condition(function, size_law);
+         sizes.condition(function, yielding);
 }
 
 TEST(SingularTasks, OfEveryRouteAreTheInterpretersByTheSameLaw) {
@@ -119,11 +104,11 @@ TEST(SingularTasks, LeaveOrdinaryStatesAsTheBareSolveHasThem) {
       const ResultSizes sizes(subject, state);
       if (sizes.condition(function) > 1e3) continue;
       FunctionReference reference;
-      reference.high = flat(evaluate<double>(exact.front(), arguments(exact.front(), state)));
+      reference.high = GraphRun(exact.front()).results(state, Real::float64);
       reference.low.assign(reference.high.size(), 0);
       reference.size = sizes.sizes(function, reference.high);
       for (const Program& program : yielding) {
-        const auto results = flat(evaluate<double>(program, arguments(program, state)));
+        const auto results = GraphRun(program).results(state, Real::float64);
         const double error = error_in_ulp(results, reference, 0x1p-52) / sizes.condition(function);
         EXPECT_LE(error, 64) << name << ", " << program.source << ", state " << index;
         worst = std::max(worst, error);
@@ -146,7 +131,7 @@ const Program& program_of(const Generation& generation, Function function) {
 class Crossing {
  public:
   explicit Crossing(const Subjects& subjects)
-      : program_(program_of(subjects.generation, Function::control_torque)),
+      : run_(program_of(subjects.generation, Function::control_torque)),
         mechanism_(subjects.generation.mechanism) {}
 
   [[nodiscard]] std::vector<double> torque(double s) const {
@@ -156,7 +141,7 @@ class Crossing {
     state.xdd_cmd.assign(static_cast<std::size_t>(mechanism_.task_rows()), 1);
     state.f_ext.assign(6 * mechanism_.external_forces.size(), 0);
     for (int i = 0; i < mechanism_.nq(); ++i) state.q.push_back(s * (1 + 0.1 * i));
-    return flat(evaluate<double>(program_, arguments(program_, state)));
+    return run_.results(state, Real::float64);
   }
 
   /// The largest torque, and the largest change of one from step to step.
@@ -165,7 +150,7 @@ class Crossing {
     auto before = torque(-kReach);
     for (double s = step - kReach; s < kReach; s += step) {
       auto now = torque(s);
-      EXPECT_TRUE(all_finite(now)) << "at " << s;
+      EXPECT_TRUE(are_finite(now)) << "at " << s;
       for (std::size_t i = 0; i < now.size(); ++i) {
         steepest = std::max(steepest, std::abs(now[i] - before[i]));
         largest = std::max(largest, std::abs(now[i]));
@@ -177,7 +162,7 @@ class Crossing {
 
  private:
   static constexpr double kReach = 0.02;
-  const Program& program_;
+  GraphRun run_;
   const Mechanism& mechanism_;
 };
 

@@ -13,10 +13,6 @@ constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 enum Kind { zero, limit, low, high, quarter, many_turns, tiny, denormal, ordinary, kinds };
 
-bool is_angle(const Coordinate& coordinate) {
-  return coordinate.meaning.find("angle") != std::string::npos;
-}
-
 /// Of either sign, its logarithm evenly spread.
 double draw_logarithmic(Dice& dice, double least, double greatest) {
   const double magnitude =
@@ -25,13 +21,13 @@ double draw_logarithmic(Dice& dice, double least, double greatest) {
 }
 
 double draw_within(Dice& dice, const Coordinate& coordinate) {
-  const double reach = is_angle(coordinate) ? 2 * kQuarterTurn : 1;
-  return dice.within(std::max(coordinate.lower, -reach), std::min(coordinate.upper, reach));
+  const auto [lower, upper] = coordinate.ordinary_range();
+  return dice.within(lower, upper);
 }
 
 /// The limit, or a turn or a metre where there is none.
 double bounded(double limit, const Coordinate& coordinate) {
-  const double reach = is_angle(coordinate) ? 4 * kQuarterTurn : 1;
+  const double reach = coordinate.is_angle() ? 4 * kQuarterTurn : 1;
   return std::isfinite(limit) ? limit : std::copysign(reach, limit);
 }
 
@@ -60,9 +56,9 @@ double ExtremeStates::draw_coordinate(Dice& dice, int kind, std::size_t i) const
     case high:
       return bounded(coordinate.upper, coordinate);
     case quarter:
-      return (is_angle(coordinate) ? kQuarterTurn : 0.5) * std::floor(dice.within(-4, 5));
+      return (coordinate.is_angle() ? kQuarterTurn : 0.5) * std::floor(dice.within(-4, 5));
     case many_turns:
-      if (!is_angle(coordinate)) return draw_logarithmic(dice, 1, length_);
+      if (!coordinate.is_angle()) return draw_logarithmic(dice, 1, length_);
       return draw_logarithmic(dice, 1e3, dice.chance(0.8) ? 1e8 : sizes_.angle);
     case tiny:
       return draw_logarithmic(dice, 1e-300, 1e-2);

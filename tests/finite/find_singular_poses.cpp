@@ -13,7 +13,6 @@ namespace {
 constexpr int kLines = 12;   ///< coordinates gone along from each start
 constexpr int kGrid = 12;    ///< places looked at on a line
 constexpr int kThirds = 40;  ///< how often the range next to the lowest loses a third
-constexpr double kTurn = 6.283185307179586;
 
 /// The least eigenvalue of Lambda^-1, its rows scaled to a unit diagonal.
 double smallest(const StateSpace& space, const std::vector<double>& q) {
@@ -25,15 +24,9 @@ double smallest(const StateSpace& space, const std::vector<double>& q) {
       .eigenvalues()(0);
 }
 
-std::pair<double, double> range_of(const Coordinate& coordinate) {
-  const bool angle = coordinate.meaning.find("angle") != std::string::npos;
-  const double reach = angle ? kTurn / 2 : 1;
-  return {std::max(coordinate.lower, -reach), std::min(coordinate.upper, reach)};
-}
-
 /// Moves one coordinate to where the eigenvalue is least.
 void go_down(const StateSpace& space, std::size_t i, std::vector<double>& q) {
-  const auto [low, high] = range_of(space.coordinates[i]);
+  const auto [low, high] = space.coordinates[i].ordinary_range();
   const auto at = [&](double x) {
     std::vector<double> moved = q;
     moved[i] = x;
@@ -65,13 +58,13 @@ std::vector<std::vector<double>> find_singular_poses(const StateSpace& space, in
   if (space.subject.points.empty() || space.coordinates.empty()) return poses;
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < space.coordinates.size(); ++i) {
-    if (space.coordinates[i].meaning.find("quaternion") == std::string::npos) moving.push_back(i);
+    if (!space.coordinates[i].is_of_quaternion()) moving.push_back(i);
   }
   Dice dice(space.seed);
   for (int start = 0; start < count; ++start) {
     std::vector<double> q = draw_state(space, start).q;
     for (const std::size_t i : moving) {
-      const auto [low, high] = range_of(space.coordinates[i]);
+      const auto [low, high] = space.coordinates[i].ordinary_range();
       q[i] = dice.within(low, high);
     }
     for (int line = 0; line < kLines; ++line) go_down(space, moving[dice.below(moving.size())], q);

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "bounds/domain.hpp"
 #include "check/fixture.hpp"
+#include "description/read_urdf.hpp"
+#include "mechanism/build_mechanism.hpp"
 
 // States are what their class says, and the same again from seed and index. Would catch classes
 // that are never drawn, limits that are not kept, floats that are not.
@@ -105,6 +108,33 @@ TEST(States, QuaternionsHaveUnitLength) {
     }
   }
   EXPECT_GT(farthest, 1e-8);
+}
+
+// Would catch a coordinate taken for a length by the words that describe it.
+TEST(States, TurnPlanarJointsAsFarAsRevoluteOnes) {
+  Diagnostics diagnostics;
+  const Robot robot =
+      parse_urdf(
+          "<robot name='r'><link name='a'/><joint name='j' type='planar'><parent link='a'/>"
+          "<child link='b'/></joint><link name='b'><inertial><mass value='1'/><inertia "
+          "ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link></robot>",
+          "planar.urdf", diagnostics)
+          .value();
+  const Scene scene;
+  const Mechanism mechanism = build_mechanism(robot, scene);
+  const StateSpace space{make_subject<double>(robot, scene), mechanism.coordinates, 1, false, {}};
+  double farthest = 0, across = 0;
+  for (int i = 0; i < 100; ++i) {
+    const State state = draw_state(space, i);
+    if (state.kind != StateClass::large) continue;
+    farthest = std::max(farthest, std::abs(state.q[2]));
+    across = std::max(across, std::abs(state.q[0]));
+  }
+  EXPECT_GT(farthest, 500) << "radians";
+  EXPECT_LE(across, 10) << "metres";
+  const DomainDefaults defaults;
+  const std::vector<double> stated = make_domain(robot, scene, mechanism, defaults).sizes.at("q");
+  EXPECT_EQ(stated, (std::vector<double>{defaults.position, defaults.position, defaults.angle}));
 }
 
 }  // namespace
