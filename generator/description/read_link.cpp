@@ -47,9 +47,9 @@ Inertial read_inertial(const UrdfElement& element) {
     if (!mass->has("value")) (void)mass->required_text("value", "give the mass in kg");
     inertial.mass = mass->number("value").value_or(0);
     if (inertial.mass > 0 && inertial.mass < kSmallestMass) {
-      mass->warn(fmt::format("the mass {} kg is too small to compute with and counts as 0",
-                             inertial.mass),
-                 fmt::format("give at least {} kg, or 0", kSmallestMass));
+      mass->warn(
+          fmt::format("the mass {} kg is too small to compute with and counts as 0", inertial.mass),
+          fmt::format("give at least {} kg, or 0", kSmallestMass));
       inertial.mass = 0;
     }
     if (inertial.mass < 0) {

@@ -69,7 +69,9 @@ class Digits50 {
 };
 
 Digits50 abs(const Digits50& x) noexcept;
-inline Digits50 fabs(const Digits50& x) noexcept { return abs(x); }
+inline Digits50 fabs(const Digits50& x) noexcept {
+  return abs(x);
+}
 Digits50 sqrt(const Digits50& x);
 Digits50 sin(const Digits50& x);
 Digits50 cos(const Digits50& x);

@@ -1,0 +1,137 @@
+// Would catch: a folder that includes one above it, so that neither can be understood, built or
+// replaced without the other; and a row of the table below that no longer tells the truth.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace treeline::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder and all others that its files may include.
+struct Layer {
+  std::string folder;
+  std::set<std::string> includes;
+};
+
+/// From the bottom up: every folder includes only what stands above its row.
+const std::vector<Layer> kLayers = {
+    // What runs on the robot, and what judges it.
+    {"core", {}},
+    {"batch", {}},
+    {"digits", {}},
+    {"interpreter", {"digits"}},
+    {"servo", {"core"}},
+    {"simulation", {"core", "interpreter"}},
+    // The data's way: files, mechanism, program, text.
+    {"interruption", {}},
+    {"description", {}},
+    {"mechanism", {"digits", "description"}},
+    {"program", {"core"}},
+    {"recursion", {"description", "mechanism", "program"}},
+    {"passes", {"program"}},
+    {"bounds", {"description", "mechanism", "program"}},
+    {"emission", {"core", "interruption", "description", "program", "passes"}},
+    {"generation",
+     {"core", "description", "mechanism", "program", "recursion", "passes", "bounds", "emission"}},
+    // What tries, judges and explains it.
+    {"oracle",
+     {"interpreter", "description", "mechanism", "program", "recursion", "bounds", "generation"}},
+    {"inspect", {"interpreter", "description", "mechanism", "bounds", "oracle"}},
+    {"comparison", {"interpreter", "description", "bounds", "oracle", "inspect"}},
+    {"check",
+     {"interruption", "description", "program", "passes", "bounds", "emission", "generation",
+      "oracle", "inspect"}},
+    {"timing", {"emission", "generation", "oracle", "check"}},
+    {"bench",
+     {"description", "mechanism", "emission", "generation", "oracle", "inspect", "check",
+      "timing"}},
+    {"cli",
+     {"interpreter", "servo", "simulation", "interruption", "description", "mechanism", "program",
+      "passes", "emission", "generation", "oracle", "inspect", "comparison", "check", "timing",
+      "bench"}},
+};
+
+bool is_source(const fs::path& path) {
+  return path.extension() == ".cpp" || path.extension() == ".hpp";
+}
+
+bool has_sources(const fs::path& folder) {
+  const fs::recursive_directory_iterator files(folder);
+  return std::any_of(begin(files), end(files), [](const auto& e) { return is_source(e.path()); });
+}
+
+/// The folders that the files of one include, each with a file that does.
+std::map<std::string, std::string> included_by(const fs::path& folder) {
+  constexpr std::string_view kInclude = "#include \"";
+  std::map<std::string, std::string> found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!is_source(entry.path())) continue;
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);) {
+      const auto slash = line.find('/');
+      if (!line.starts_with(kInclude) || slash == std::string::npos) continue;
+      found[line.substr(kInclude.size(), slash - kInclude.size())] = entry.path().string();
+    }
+  }
+  found.erase(folder.filename().string());
+  return found;
+}
+
+fs::path find_folder(const std::string& name) {
+  for (const char* parent : {"generator", "runtime"}) {
+    const fs::path path = fs::path(TREELINE_SOURCE_DIR) / parent / name;
+    if (fs::is_directory(path)) return path;
+  }
+  return {};
+}
+
+TEST(Layers, IncludeOnlyWhatStandsBelow) {
+  std::set<std::string> below;
+  for (const Layer& layer : kLayers) {
+    for (const std::string& folder : layer.includes) {
+      EXPECT_TRUE(below.contains(folder)) << layer.folder << " may not include " << folder;
+    }
+    below.insert(layer.folder);
+  }
+}
+
+TEST(Layers, AreThoseOfTheSources) {
+  for (const Layer& layer : kLayers) {
+    const fs::path path = find_folder(layer.folder);
+    ASSERT_FALSE(path.empty()) << layer.folder << " is no folder";
+    std::set<std::string> seen;
+    for (const auto& [folder, file] : included_by(path)) {
+      // Peers of `bench` and what has no folder here are other libraries' own.
+      if (find_folder(folder).empty()) continue;
+      EXPECT_TRUE(layer.includes.contains(folder)) << file << " includes " << folder;
+      seen.insert(folder);
+    }
+    for (const std::string& folder : layer.includes) {
+      EXPECT_TRUE(seen.contains(folder)) << layer.folder << " no longer includes " << folder;
+    }
+  }
+}
+
+TEST(Layers, HaveARowEach) {
+  for (const char* parent : {"generator", "runtime"}) {
+    for (const auto& entry : fs::directory_iterator(fs::path(TREELINE_SOURCE_DIR) / parent)) {
+      if (!entry.is_directory() || !has_sources(entry.path())) continue;
+      const std::string name = entry.path().filename().string();
+      const bool listed = std::any_of(kLayers.begin(), kLayers.end(),
+                                      [&](const Layer& layer) { return layer.folder == name; });
+      EXPECT_TRUE(listed) << name << " has no row in the table above";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests
