@@ -42,6 +42,16 @@ std::string wrap_text(const std::string& text, std::size_t columns) {
   return wrapped + text.substr(begin);
 }
 
+std::string describe_method(const Program& program) {
+  return program.source.empty() ? "" : wrap_text("By " + program.source + ".", 95) + "\n";
+}
+
+std::string describe_source(const Program& program) {
+  const std::string& equation = program.equation;
+  const std::string head = program.name + (equation.empty() ? "" : ": " + equation);
+  return comment("//", wrap_text(head, 95) + "\n" + describe_method(program));
+}
+
 std::string describe_rounding(const EmissionContext& context, const std::string& source) {
   const auto rounding = context.rounding.find(source);
   if (rounding == context.rounding.end()) return {};

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "emission/emission_context.hpp"
+#include "program/program.hpp"
 
 namespace treeline {
 
@@ -16,6 +17,12 @@ std::string harmless(const std::string& source);
 
 /// Lines of so many columns, broken at blanks; those behind the first are indented.
 std::string wrap_text(const std::string& text, std::size_t columns);
+
+/// "By recursive Newton-Euler.", wrapped, with a line break; empty where the program does not say.
+std::string describe_method(const Program& program);
+
+/// What a source file begins with: name, equation and method of its function, as comments.
+std::string describe_source(const Program& program);
 
 /// What the context knows of the rounding errors of a source, wrapped, if anything.
 std::string describe_rounding(const EmissionContext& context, const std::string& source);

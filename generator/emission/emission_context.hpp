@@ -39,6 +39,22 @@ struct EmissionContext {
   };
   std::vector<JointRow> joints;
 
+  /// One entry of q, for NAME_joints.hpp; limits in rad or m, infinite where there are none.
+  struct CoordinateRow {
+    std::string joint;
+    std::string meaning;  ///< "angle, rad"
+    double lower = 0, upper = 0;
+  };
+  std::vector<CoordinateRow> coordinate_rows;
+
+  /// One entry of qd, qdd and tau; limits in rad/s or m/s and N m or N, infinite where there are
+  /// none.
+  struct VelocityRow {
+    std::string name;  ///< "elbow, rad/s"
+    double velocity = 0, effort = 0;
+  };
+  std::vector<VelocityRow> velocity_rows;
+
   /// An operational point or the place of an external force, in order of rows.
   struct PointRow {
     std::string name;
@@ -63,13 +79,6 @@ struct EmissionContext {
   };
   std::vector<ChoiceRow> choices;
   std::string measured;  ///< what the choices were measured with; empty: they were counted
-
-  /// Something that this robot and scene do not need, and the operations that saves.
-  struct SkippedRow {
-    std::string what;
-    int saved_flops = 0;
-  };
-  std::vector<SkippedRow> skipped;
 
   /// Of each source, by name without `.cpp`, what is known of its rounding errors, and the inputs
   /// for which that holds.

@@ -1,6 +1,9 @@
 #include "emission/emit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
 
 #include "emission/check_emission.hpp"
 #include "emission/comment.hpp"
@@ -9,6 +12,7 @@
 #include "emission/print_contract.hpp"
 #include "emission/print_damped.hpp"
 #include "emission/print_eigen.hpp"
+#include "emission/print_joints.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/print_source.hpp"
 #include "emission/templates.hpp"
@@ -42,6 +46,28 @@ std::string print_cmake(const EmissionContext& context, std::span<const Program>
   }
   return fill_template(templates::kCMakeLists,
                        {{"robot", context.robot}, {"name", context.name}, {"sources", sources}});
+}
+
+/// `puma560`, `sin_cos.hpp`: `TREELINE_PUMA560_SIN_COS_HPP`. Two robots' files of one name must
+/// not hide each other.
+std::string guard_name(const std::string& robot, const std::string& file) {
+  const bool own = file.starts_with(robot);
+  std::string name = "TREELINE_" + (own ? "" : robot + "_") + file;
+  for (char& c : name) {
+    c = c == '.' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return name;
+}
+
+/// Coding rules for firmware ask for include guards; `#pragma once` is no part of the language.
+void guard_headers(const std::string& robot, std::vector<GeneratedFile>& files) {
+  constexpr std::string_view kOnce = "#pragma once\n";
+  for (GeneratedFile& file : files) {
+    if (!file.text.starts_with(kOnce)) continue;
+    const std::string name = guard_name(robot, file.name);
+    file.text = fmt::format("#ifndef {0}\n#define {0}\n{1}\n#endif  // {0}\n", name,
+                            file.text.substr(kOnce.size()));
+  }
 }
 
 /// The headers of the runtime that these sources include.
@@ -79,6 +105,7 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
   }
   std::vector<GeneratedFile> files = {{context.name + ".hpp", print_contract(context, programs)},
                                       {context.name + "_eigen.hpp", print_eigen(context, programs)},
+                                      {context.name + "_joints.hpp", print_joints(context)},
                                       {"CMakeLists.txt", print_cmake(context, programs, batch)}};
   for (const Program& program : programs) {
     files.push_back({program.name + ".cpp", print_source(context, program)});
@@ -94,6 +121,7 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
   }
   for (GeneratedFile& file : files) file.text = harmless(file.text);
   add_runtime(context, programs, !batch.empty(), files);
+  guard_headers(context.name, files);
   std::vector<std::string> names = {kManifestName};
   for (const GeneratedFile& file : files) {
     names.push_back(file.name);

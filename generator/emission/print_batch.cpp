@@ -73,7 +73,7 @@ std::string print_batch_header(const EmissionContext& context, std::span<const P
         print_signature(program, [](const Argument& argument, const char* qualifier) {
           return row_parameter(argument, qualifier, argument.name);
         });
-    declarations += comment("///", (program.source.empty() ? "" : "By " + program.source + ".\n") +
+    declarations += comment("///", describe_method(program) +
                                        describe_rounding(context, "batch_" + program.name)) +
                     wrap_line(declaration + ";", 0);
   }
@@ -85,18 +85,16 @@ std::string print_batch_header(const EmissionContext& context, std::span<const P
 }
 
 std::string print_batch_source(const EmissionContext& context, const Program& program) {
-  return fill_template(
-      templates::kBatchFunction,
-      {{"equation", program.name + (program.equation.empty() ? "" : ": " + program.equation)},
-       {"source", program.source.empty() ? "" : fmt::format("// By {}.", program.source)},
-       {"cost", describe_cost(program)},
-       {"states", std::to_string(context.batch)},
-       {"name", context.name},
-       {"optimize", print_optimize(program)},
-       {"signature", wrap_line(print_batch_head(program) + " {", 0)},
-       {"rows", print_rows(program)},
-       {"body",
-        print_body(program, context.single_precision, find_taken(context, program), "States")}});
+  return fill_template(templates::kBatchFunction,
+                       {{"head", describe_source(program)},
+                        {"cost", describe_cost(program)},
+                        {"states", std::to_string(context.batch)},
+                        {"name", context.name},
+                        {"optimize", print_optimize(program)},
+                        {"signature", wrap_line(print_batch_head(program) + " {", 0)},
+                        {"rows", print_rows(program)},
+                        {"body", print_body(program, context.single_precision,
+                                            find_taken(context, program), "States")}});
 }
 
 }  // namespace treeline

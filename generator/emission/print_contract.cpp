@@ -69,7 +69,7 @@ std::string describe_conventions(const EmissionContext& context) {
       fmt::format("Gravity ({}, {}, {}) m/s^2 in world axes.\n", format_literal(context.gravity[0]),
                   format_literal(context.gravity[1]), format_literal(context.gravity[2]));
   for (const std::string& note : context.notes) {
-    text += note + "\n";
+    text += wrap_text(note, 95) + "\n";
   }
   if (!context.domain.empty()) {
     text += wrap_text("Bounds of rounding errors hold for inputs, taken as exact, of " +
@@ -87,8 +87,8 @@ std::string describe_argument(const Argument& argument, const char* direction) {
 }
 
 std::string describe_function(const EmissionContext& context, const Program& program) {
-  std::string text = program.equation.empty() ? program.name : program.equation;
-  text += program.source.empty() ? "\n" : "\nBy " + program.source + ".\n";
+  std::string text = wrap_text(program.equation.empty() ? program.name : program.equation, 95);
+  text += "\n" + describe_method(program);
   for (const Argument& argument : program.arguments) {
     text += describe_argument(argument, "in ");
   }
@@ -96,7 +96,7 @@ std::string describe_function(const EmissionContext& context, const Program& pro
     text += describe_argument(result.argument, "out");
   }
   const int live = count_live_values(program);
-  text += fmt::format("Cost: {}.\nStack: at most {} values live at once, {} bytes.\n",
+  text += fmt::format("Cost: {}.\nStack, an estimate: {} values live at once, {} bytes.\n",
                       describe_cost(program), live, live * (context.single_precision ? 4 : 8));
   if (!program.singular.empty()) {
     text += wrap_text("Singularities: " + program.singular, 95) + "\n";
@@ -121,6 +121,8 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                         {"conventions", comment("//", describe_conventions(context))},
                         {"name", context.name},
                         {"real", context.single_precision ? "float" : "double"},
+                        {"accurate", context.single_precision ? "4000" : "1e5"},
+                        {"largest", context.single_precision ? "2^20" : "2^32"},
                         {"coordinates", std::to_string(context.coordinates)},
                         {"velocities", std::to_string(context.velocities)},
                         {"task_rows", std::to_string(context.task_rows)},

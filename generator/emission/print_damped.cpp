@@ -74,7 +74,7 @@ std::string describe_cost(const EmissionContext& context, std::span<const Progra
       cost_of_damped_solve(context.task_rows, context.velocities, context.single_precision)
           .count.flops());
   text = wrap_text(text, 95) + "\n";
-  text += fmt::format("Stack: at most {} values live at once, {} bytes.\n", cost.values,
+  text += fmt::format("Stack, an estimate: {} values live at once, {} bytes.\n", cost.values,
                       cost.values * (context.single_precision ? 4 : 8));
   text += describe_rounding(context, "damped_control_torque");
   return comment("///", text);

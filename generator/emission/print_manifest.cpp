@@ -100,11 +100,6 @@ std::string print_choice(const EmissionContext::ChoiceRow& choice) {
                      quote_json(choice.function), print_method(choice.chosen), rejected);
 }
 
-std::string print_skipped(const EmissionContext::SkippedRow& skipped) {
-  return fmt::format(R"({{"what": {}, "saved_flops": {}}})", quote_json(skipped.what),
-                     skipped.saved_flops);
-}
-
 }  // namespace
 
 std::string quote_json(std::string_view text) {
@@ -143,7 +138,6 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
                         ? ""
                         : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},
        {"choices", print_list(context.choices, print_choice)},
-       {"skipped", print_list(context.skipped, print_skipped)},
        {"files", print_list(files, [](const std::string& f) { return quote_json(f); })}});
 }
 

@@ -15,7 +15,7 @@ inline constexpr const char* kManifestName = "manifest.json";
 /// `text` as a JSON string, with its quotes.
 std::string quote_json(std::string_view text);
 
-/// manifest.json: digests of the inputs, what each function costs, what was chosen and skipped, and
+/// manifest.json: digests of the inputs, what each function costs, what was chosen, and
 /// the names of all files, which is how the next generation knows what is its own.
 std::string print_manifest(const EmissionContext& context, std::span<const Program> programs,
                            const std::vector<std::string>& files);

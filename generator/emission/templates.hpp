@@ -15,6 +15,7 @@ extern const std::string_view kDampedSolve;
 extern const std::string_view kDeclaration;
 extern const std::string_view kEigen;
 extern const std::string_view kFunction;
+extern const std::string_view kJoints;
 extern const std::string_view kLanes;
 extern const std::string_view kLdlt;
 extern const std::string_view kManifest;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "description/heaviest_rows.hpp"
 
@@ -59,6 +60,29 @@ std::vector<EmissionContext::JointRow> joint_rows(const Robot& robot, const Mech
     rows.push_back({link.joint, joint != nullptr ? joint_type_name(joint->type) : "floating base",
                     link.q_index, coordinates, link.v_index, velocities,
                     joint != nullptr ? limits_text(*joint) : std::string()});
+  }
+  return rows;
+}
+
+std::vector<EmissionContext::CoordinateRow> coordinate_rows(const Mechanism& mechanism) {
+  std::vector<EmissionContext::CoordinateRow> rows;
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    rows.push_back({coordinate.joint, coordinate.meaning, coordinate.lower, coordinate.upper});
+  }
+  return rows;
+}
+
+std::vector<EmissionContext::VelocityRow> velocity_rows(const Robot& robot,
+                                                        const Mechanism& mechanism) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<EmissionContext::VelocityRow> rows;
+  for (const std::string& name : mechanism.velocities) rows.push_back({name, kNone, kNone});
+  for (const MovingLink& link : mechanism.links) {
+    const Joint* joint = find_joint(robot, link.joint);
+    if (link.mimics || joint == nullptr || !joint->limits) continue;
+    EmissionContext::VelocityRow& row = rows[static_cast<std::size_t>(link.v_index)];
+    row.velocity = joint->limits->velocity;
+    row.effort = joint->limits->effort;
   }
   return rows;
 }
@@ -119,16 +143,12 @@ void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
 
 /// What becomes of tasks that conflict.
 constexpr const char* kPriorityNote =
-    "control_torque keeps strict priority: each row acts in the dynamically consistent null space\n"
+    "control_torque keeps strict priority: each row acts in the dynamically consistent null space "
     "of the rows above it, by priority and then by row. With c its inverse inertia there and s "
-    "that\n"
-    "of its point, summed over the rows of its kind (x y z or rx ry rz), it is achieved to the "
-    "last\n"
-    "digits where c > s/80, whatever lower rows ask for. A row in conflict with rows above it has "
-    "a\n"
-    "smaller c and gives up, alone, the share 1/(1 + t^8), t = 2^13 c/s; the torque remains "
-    "finite.\n"
-    "Each point must be able to move in some row of each kind that it lists.";
+    "that of its point, summed over the rows of its kind (x y z or rx ry rz), it is achieved to "
+    "the last digits where c > s/80, whatever lower rows ask for. A row in conflict with rows "
+    "above it has a smaller c and gives up, alone, the share 1/(1 + t^8), t = 2^13 c/s; the torque "
+    "remains finite. Each point must be able to move in some row of each kind that it lists.";
 
 /// What the reader must know to fill `xdd_object` and `internal`.
 std::string object_text(const SceneObject& object) {
@@ -169,6 +189,8 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.base = scene.base == Base::fixed ? "fixed" : "floating";
   context.gravity = scene.gravity;
   context.joints = joint_rows(robot, mechanism);
+  context.coordinate_rows = coordinate_rows(mechanism);
+  context.velocity_rows = velocity_rows(robot, mechanism);
   context.operational_points = point_rows(scene.operational_points);
   context.external_forces = point_rows(scene.external_forces);
   for (const SceneObject& object : scene.objects) {

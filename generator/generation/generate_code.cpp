@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "description/check_scene.hpp"
 #include "generation/bound_damped.hpp"
 #include "generation/compose_damped.hpp"
 #include "generation/describe_scene.hpp"
@@ -29,28 +28,6 @@ EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
     row.rejected.push_back({cost.method, cost.count.flops(), 0});
   }
   return row;
-}
-
-/// What the scene's silence saves: each function that it could have asked for and did not,
-/// counted as plain code.
-std::vector<EmissionContext::SkippedRow> skipped_rows(FunctionMechanisms& mechanisms,
-                                                      const Scene& scene) {
-  std::vector<EmissionContext::SkippedRow> rows;
-  std::vector<Function> functions(kAllFunctions.begin(), kAllFunctions.end());
-  if (!scene.objects.empty()) {
-    functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
-  }
-  for (const Function function : functions) {
-    const bool asked = std::find(scene.functions.begin(), scene.functions.end(), function) !=
-                       scene.functions.end();
-    if (asked || (needs_points(function) && scene.operational_points.empty())) {
-      continue;
-    }
-    Routes routes = run_routes(mechanisms.of(function), function, {1, scene.sin_cos});
-    rows.push_back({fmt::format("function {}", function_name(function)),
-                    choose(std::move(routes.candidates))->chosen.count.flops()});
-  }
-  return rows;
 }
 
 /// Half an ulp of one.
@@ -85,7 +62,7 @@ std::string command_of(const Scene& scene, const Provenance& provenance) {
 }
 
 EmissionContext context_of(const Robot& robot, const Scene& scene, const Provenance& provenance,
-                           const Generation& generation, FunctionMechanisms& mechanisms) {
+                           const Generation& generation) {
   EmissionContext context = describe_scene(robot, scene, generation.mechanism);
   context.command = command_of(scene, provenance);
   context.inputs = {{provenance.urdf_name, provenance.urdf_text},
@@ -93,7 +70,6 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
   for (const auto* functions : {&generation.functions, &generation.batch}) {
     for (const auto& generated : *functions) context.choices.push_back(choice_row(generated));
   }
-  context.skipped = skipped_rows(mechanisms, scene);
   add_rounding(scene, generation, context);
   return context;
 }
@@ -271,7 +247,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
     return std::nullopt;
   }
   if (scene.damped) generation.damped = compose_damped(generation.functions);
-  EmissionContext context = context_of(robot, scene, provenance, generation, mechanisms);
+  EmissionContext context = context_of(robot, scene, provenance, generation);
   context.measured = choices.measured;
   generation.files =
       emit(context, programs_of(generation.functions), diagnostics, programs_of(generation.batch));

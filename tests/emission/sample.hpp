@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -66,13 +67,16 @@ inline EmissionContext sample_context(const std::string& name, bool single_preci
   context.inputs = {{"arm.urdf", "<robot/>\n"}, {"arm.yaml", "base: fixed\n"}};
   context.joints = {{"shoulder", "revolute", 0, 1, 0, 1, "-3.1 .. 3.1 rad, 80 Nm, 3 rad/s"},
                     {"elbow", "continuous", 1, 1, 1, 1, ""}};
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  context.coordinate_rows = {{"shoulder", "angle, rad", -3.1, 3.1},
+                             {"elbow \\ \"2\"", "angle, rad", -kNone, kNone}};
+  context.velocity_rows = {{"shoulder, rad/s", 3, 80}, {"elbow, rad/s", kNone, kNone}};
   context.operational_points = {{"tool", "forearm", "origin (0.4, 0, 0) m, world axes", "x y", 0}};
   EmissionContext::ChoiceRow choice;
   choice.function = "inverse_dynamics";
   choice.chosen = {"textbook", 40};
   choice.rejected.push_back({"recursion", 55});
   context.choices.push_back(choice);
-  context.skipped = {{"gripper", 120}};
   context.notes = {"Locked: gripper at 0.02 m."};
   return context;
 }

@@ -29,9 +29,10 @@ TEST(Emit, MakesTheFolder) {
   for (const GeneratedFile& file : files) {
     names.push_back(file.name);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"CMakeLists.txt", "arm.hpp", "arm_eigen.hpp",
-                                             "corner_cases.cpp", "inverse_dynamics.cpp",
-                                             "manifest.json", "sin_cos.hpp"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"CMakeLists.txt", "arm.hpp", "arm_eigen.hpp",
+                                      "arm_joints.hpp", "corner_cases.cpp", "inverse_dynamics.cpp",
+                                      "manifest.json", "sin_cos.hpp"}));
   const std::string contract = text_of(files, "arm.hpp");
   for (const char* part :
        {"From arm.urdf and arm.yaml by", "treeline generate arm.urdf arm.yaml --output arm",
@@ -89,6 +90,20 @@ TEST(Emit, LinesStayWithinTheWidth) {
          begin = end + 1) {
       EXPECT_LE(end - begin, 100u) << file.name << ": " << file.text.substr(begin, end - begin);
     }
+  }
+}
+
+// Would catch: two robots' headers of one name of which a program sees only the first.
+TEST(Emit, GuardsHeadersByRobotAndFile) {
+  Diagnostics diagnostics;
+  const auto files = emit_sample(diagnostics);
+  for (const auto& [file, guard] : {std::pair{"arm.hpp", "TREELINE_ARM_HPP"},
+                                    {"arm_joints.hpp", "TREELINE_ARM_JOINTS_HPP"},
+                                    {"sin_cos.hpp", "TREELINE_ARM_SIN_COS_HPP"}}) {
+    const std::string text = text_of(files, file), name = guard;
+    EXPECT_TRUE(text.starts_with("#ifndef " + name + "\n#define " + name + "\n")) << text;
+    EXPECT_TRUE(text.ends_with("\n#endif  // " + name + "\n")) << text;
+    EXPECT_EQ(text.find("pragma once"), std::string::npos) << file;
   }
 }
 

@@ -1,14 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <random>
 
 #include "emission/sample.hpp"
 #include "program/evaluate.hpp"
 #include "sample_double_batch.hpp"
 #include "sample_double_eigen.hpp"
+#include "sample_double_joints.hpp"
 #include "sample_float_batch.hpp"
 #include "sample_float_eigen.hpp"
+#include "sample_float_joints.hpp"
 
 // Would catch: any difference between what is printed and the graph: an operand, a sign, a
 // parenthesis, a digit, an index, the order of lanes. Both folders in one program: names that
@@ -126,6 +129,18 @@ TEST(Emitted, TwoLinkArmEqualsTheGraphToTheBit) {
 TEST(Emitted, CornerCasesEqualTheGraphToTheBit) {
   compare_corner_cases<double>(sample_double::corner_cases);
   compare_corner_cases<float>(sample_float::corner_cases);
+}
+
+// Would catch: a name that ends its string, a limit that is not there, names in another order.
+TEST(Emitted, JointsAreConstants) {
+  static_assert(sample_double::kLowerLimits[0] == -3.1);
+  static_assert(sample_double::kUpperLimits[1] == std::numeric_limits<double>::max());
+  static_assert(sample_float::kVelocityLimits[0] == 3);
+  static_assert(sample_float::kEffortLimits[1] == std::numeric_limits<float>::max());
+  EXPECT_STREQ(sample_double::kCoordinateJoints[1], "elbow \\ \"2\"");
+  EXPECT_STREQ(sample_double::kCoordinateMeanings[0], "angle, rad");
+  EXPECT_STREQ(sample_float::kVelocityNames[1], "elbow, rad/s");
+  EXPECT_STREQ(sample_float::kTaskRowNames[1], "tool y");
 }
 
 TEST(Emitted, EigenWrapperCallsTheSameFunction) {
