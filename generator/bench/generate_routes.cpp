@@ -11,7 +11,7 @@ std::vector<GeneratedFunction> generate_routes(const Mechanism& mechanism, Funct
                                                int lanes, Sines sin_cos) {
   Routes routes = run_routes(mechanism, function, {lanes, sin_cos, kAllRoutes});
   std::vector<GeneratedFunction> all;
-  for (Candidate& candidate : routes.candidates) {
+  for (Program& candidate : routes.candidates) {
     all.push_back(generated_from(function, std::move(candidate)));
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
@@ -19,7 +19,7 @@ std::vector<GeneratedFunction> generate_routes(const Mechanism& mechanism, Funct
   });
   std::set<std::string> seen;
   std::erase_if(all, [&](const GeneratedFunction& each) {
-    return !seen.insert(route_of(each.chosen.method)).second;
+    return !seen.insert(each.chosen.route.algorithm).second;
   });
   for (GeneratedFunction& each : all) each.program = put_in_order(each.program, each.passes);
   return all;

@@ -179,10 +179,12 @@ class Planner {
   [[nodiscard]] Variant variant_of(const GeneratedFunction& generated,
                                    const Difference& difference) const {
     Variant variant{generated.function, difference.group, difference.name, difference.real};
-    variant.method = generated.chosen.method;
+    variant.method = describe(generated.chosen.route);
     variant.flops = generated.chosen.count.flops();
     variant.whole = !spares_sines(generated.program);
-    if (difference.group == VariantGroup::route) variant.name += route_of(variant.method);
+    if (difference.group == VariantGroup::route) {
+      variant.name += generated.chosen.route.algorithm_words;
+    }
     return variant;
   }
 

@@ -39,7 +39,7 @@ void note_error(const ErrorAt& found, FunctionReport& report, std::vector<double
 FunctionReport begin_report(const GeneratedFunction& generated) {
   FunctionReport report;
   report.name = source_stem(generated);
-  report.method = generated.chosen.method;
+  report.method = describe(generated.chosen.route);
   if (!is_composed(generated)) report.count = count_operations(generated.program);
   return report;
 }

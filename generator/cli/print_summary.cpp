@@ -54,9 +54,10 @@ std::string print_files(const Summary& summary) {
 std::string print_function_json(const GeneratedFunction& generated) {
   const OperationCount count = count_operations(generated.program);
   return fmt::format(
-      R"({{"name": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, "sin_cos": {}}})",
-      quote_json(generated.program.name), quote_json(generated.chosen.method), count.flops(),
-      count.add, count.mul, count.div, count.sin_cos);
+      R"({{"name": {}, "route": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, "sin_cos": {}}})",
+      quote_json(generated.program.name), quote_json(key_of(generated.chosen.route)),
+      quote_json(describe(generated.chosen.route)), count.flops(), count.add, count.mul, count.div,
+      count.sin_cos);
 }
 
 }  // namespace
@@ -69,10 +70,10 @@ std::string print_text(const Summary& summary) {
     const OperationCount count = count_operations(generated.program);
     text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", generated.program.name,
                         count.flops(), count.add, count.mul, count.div, count.sin_cos,
-                        generated.chosen.method);
+                        describe(generated.chosen.route));
     for (const Cost& cost : summary.verbose ? generated.rejected : std::vector<Cost>{}) {
       text += fmt::format("{:<20} {:>6} {:>26}  ({})\n", "  rejected", cost.count.flops(), "",
-                          cost.method);
+                          describe(cost.route));
     }
   }
   return text + print_files(summary);

@@ -43,7 +43,8 @@ std::string wrap_text(const std::string& text, std::size_t columns) {
 }
 
 std::string describe_method(const Program& program) {
-  return program.source.empty() ? "" : wrap_text("By " + program.source + ".", 95) + "\n";
+  const std::string words = describe(program.route);
+  return words.empty() ? "" : wrap_text("By " + words + ".", 95) + "\n";
 }
 
 std::string describe_source(const Program& program) {

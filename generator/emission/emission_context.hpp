@@ -68,7 +68,8 @@ struct EmissionContext {
 
   /// One decision between methods that give the same function.
   struct Method {
-    std::string name;
+    std::string route;  ///< its key
+    std::string name;   ///< in words
     int flops = 0;
     int lanes = 0;  ///< where they were chosen to be others than the scene's
   };

@@ -62,11 +62,12 @@ std::string print_function(const EmissionContext& context, const Program& progra
       program.singular.empty() ? std::string()
                                : fmt::format(R"(, "singular": {})", quote_json(program.singular));
   const OperationCount count = count_operations(program);
-  return fmt::format(R"({{"name": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, )"
-                     R"("sin_cos": {}, "live_values": {}{}{}{}}})",
-                     quote_json(program.name), quote_json(program.source), count.flops(), count.add,
-                     count.mul, count.div, count.sin_cos, count_live_values(program),
-                     print_lanes(program), singular, bound);
+  return fmt::format(
+      R"({{"name": {}, "route": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, )"
+      R"("sin_cos": {}, "live_values": {}{}{}{}}})",
+      quote_json(program.name), quote_json(key_of(program.route)),
+      quote_json(describe(program.route)), count.flops(), count.add, count.mul, count.div,
+      count.sin_cos, count_live_values(program), print_lanes(program), singular, bound);
 }
 
 /// Of the function of NAME_damped.hpp, which is composed of others.
@@ -87,8 +88,8 @@ std::string print_damped_function(const EmissionContext& context,
 
 std::string print_method(const EmissionContext::Method& method) {
   const std::string lanes = method.lanes > 0 ? fmt::format(R"(, "lanes": {})", method.lanes) : "";
-  return fmt::format(R"({{"method": {}, "flops": {}{}}})", quote_json(method.name), method.flops,
-                     lanes);
+  return fmt::format(R"({{"route": {}, "method": {}, "flops": {}{}}})", quote_json(method.route),
+                     quote_json(method.name), method.flops, lanes);
 }
 
 std::string print_choice(const EmissionContext::ChoiceRow& choice) {

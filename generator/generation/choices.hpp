@@ -11,8 +11,8 @@ namespace treeline {
 
 /// The way to compute a function that somebody has chosen, by measuring it or otherwise.
 struct RouteChoice {
-  std::string method;  ///< as `Program::source` and the manifest name it
-  int lanes = 0;       ///< 1, 2, 4 or 8; 0: the scene's
+  std::string route;  ///< its key, or the words by which earlier manifests name it
+  int lanes = 0;      ///< 1, 2, 4 or 8; 0: the scene's
 };
 
 /// What is chosen beforehand; every other function takes the route of least cost.
@@ -25,7 +25,7 @@ struct Choices {
 };
 
 /// The choices that a manifest.json records, or that are written by hand in the same form:
-/// {"choices": [{"function": "gravity", "chosen": {"method": "...", "lanes": 4}}, ...]}; a batch
+/// {"choices": [{"function": "gravity", "chosen": {"route": "...", "lanes": 4}}, ...]}; a batch
 /// function is "batch_gravity". Errors: a file that cannot be read or is no JSON of this form, a
 /// function that is none.
 std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagnostics);

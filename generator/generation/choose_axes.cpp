@@ -55,7 +55,7 @@ class Counter {
     const double least = *std::min_element(counts.begin(), counts.end());
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (counts[i] <= kFar * least) {
-        routes_.push_back(prepare_route(mechanism, function, programs[i].source));
+        routes_.push_back(prepare_route(mechanism, function, programs[i].route));
       }
     }
   }

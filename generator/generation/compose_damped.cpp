@@ -28,7 +28,7 @@ GeneratedFunction compose_damped(const std::vector<GeneratedFunction>& functions
   const Program& bias = find_program(functions, Function::bias_acceleration);
   GeneratedFunction composed;
   composed.function = Function::damped_control_torque;
-  composed.chosen.method = "directions that feel too heavy yield, see damped_solve.hpp";
+  composed.chosen.route = {"damped", "directions that feel too heavy yield, see damped_solve.hpp"};
   composed.rounding.missing = "it divides by inertias";
   Program& program = composed.program;
   program.name = function_name(composed.function);

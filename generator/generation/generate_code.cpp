@@ -21,11 +21,13 @@ namespace {
 EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
   EmissionContext::ChoiceRow row;
   row.function = source_stem(generated);
-  row.chosen = {generated.chosen.method, generated.chosen.count.flops(), generated.other_lanes};
-  std::set<std::string> routes{route_of(generated.chosen.method)};
+  const auto method = [](const Cost& cost, int lanes) -> EmissionContext::Method {
+    return {key_of(cost.route), describe(cost.route), cost.count.flops(), lanes};
+  };
+  row.chosen = method(generated.chosen, generated.other_lanes);
+  std::set<std::string> algorithms{generated.chosen.route.algorithm};
   for (const Cost& cost : generated.rejected) {
-    if (!routes.insert(route_of(cost.method)).second) continue;
-    row.rejected.push_back({cost.method, cost.count.flops(), 0});
+    if (algorithms.insert(cost.route.algorithm).second) row.rejected.push_back(method(cost, 0));
   }
   return row;
 }
@@ -74,12 +76,17 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
   return context;
 }
 
-/// Moves the candidate of that method out of `routes`; nothing when there is none.
-std::optional<Choice> take_chosen(const std::string& method, Routes& routes) {
+/// Whether `name` is the route's key, or the words by which earlier manifests name it.
+bool is_called(const RouteId& route, const std::string& name) {
+  return key_of(route) == name || describe(route) == name;
+}
+
+/// Moves the candidate of that name out of `routes`; nothing when there is none.
+std::optional<Choice> take_chosen(const std::string& name, Routes& routes) {
   const auto at = std::find_if(routes.candidates.begin(), routes.candidates.end(),
-                               [&](const Candidate& each) { return each.method == method; });
+                               [&](const Program& each) { return is_called(each.route, name); });
   if (at == routes.candidates.end()) return std::nullopt;
-  std::vector<Candidate> one{std::move(*at)};
+  std::vector<Program> one{std::move(*at)};
   routes.candidates.erase(at);
   Choice choice = *choose(std::move(one));
   if (!routes.candidates.empty()) {
@@ -97,16 +104,16 @@ GeneratedFunction generated_from(Function function, Choice choice, Routes& route
   generated.rejected = std::move(choice.rejected);
   generated.rejected.insert(generated.rejected.end(), routes.hopeless.begin(),
                             routes.hopeless.end());
-  generated.passes = std::move(routes.logs[generated.chosen.method]);
+  generated.passes = std::move(routes.logs[key_of(generated.chosen.route)]);
   generated.program = put_in_order(choice.program, generated.passes);
   return generated;
 }
 
-std::string list_methods(const Mechanism& mechanism, Function function, int lanes, Sines sin_cos) {
+std::string list_routes(const Mechanism& mechanism, Function function, int lanes, Sines sin_cos) {
   std::string text;
-  for (const Candidate& candidate :
+  for (const Program& candidate :
        run_routes(mechanism, function, {lanes, sin_cos, kAllRoutes}).candidates) {
-    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", candidate.method);
+    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", key_of(candidate.route));
   }
   return text;
 }
@@ -121,14 +128,14 @@ std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, 
     return generate_function(mechanism, function, scene_lanes, sin_cos);
   }
   const int lanes = choice->second.lanes > 0 ? choice->second.lanes : scene_lanes;
-  auto generated = generate_chosen(mechanism, function, choice->second.method, lanes, sin_cos);
+  auto generated = generate_chosen(mechanism, function, choice->second.route, lanes, sin_cos);
   if (!generated) {
     diagnostics.add(
         {Severity::error, "", 0, function_name(function),
          fmt::format("the route that is chosen, `{}` in {} lanes, is none of this "
                      "robot's and scene's",
-                     choice->second.method, lanes),
-         fmt::format("Choose one of {}.", list_methods(mechanism, function, lanes, sin_cos))});
+                     choice->second.route, lanes),
+         fmt::format("Choose one of {}.", list_routes(mechanism, function, lanes, sin_cos))});
     return std::nullopt;
   }
   generated->other_lanes = lanes == scene_lanes ? 0 : lanes;
@@ -181,25 +188,25 @@ GeneratedFunction generate_function(const Mechanism& mechanism, Function functio
 }
 
 std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Function function,
-                                                 const std::string& method, int lanes,
+                                                 const std::string& route, int lanes,
                                                  Sines sin_cos) {
   RouteOptions options{lanes, sin_cos};
   Routes routes = run_routes(mechanism, function, options);
-  auto choice = take_chosen(method, routes);
+  auto choice = take_chosen(route, routes);
   if (!choice) {
     options.hopeless = kAllRoutes;
     routes = run_routes(mechanism, function, options);
-    choice = take_chosen(method, routes);
+    choice = take_chosen(route, routes);
   }
   if (!choice) return std::nullopt;
   return generated_from(function, std::move(*choice), routes);
 }
 
-GeneratedFunction generated_from(Function function, Candidate candidate) {
+GeneratedFunction generated_from(Function function, Program candidate) {
   GeneratedFunction generated;
   generated.function = function;
-  generated.chosen = cost_of(candidate.method, candidate.program);
-  generated.program = std::move(candidate.program);
+  generated.chosen = cost_of(candidate);
+  generated.program = std::move(candidate);
   return generated;
 }
 

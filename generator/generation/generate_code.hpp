@@ -39,7 +39,7 @@ struct GeneratedFunction {
 };
 
 /// A candidate of `run_routes` as what would be emitted, but for its order.
-GeneratedFunction generated_from(Function function, Candidate candidate);
+GeneratedFunction generated_from(Function function, Program candidate);
 
 /// What the function's source file is called, without `.cpp`; of a batch where `batch` is not 0.
 std::string source_stem(Function function, int batch);
@@ -89,10 +89,10 @@ std::vector<GeneratedFunction> all_callable(const Generation& generation);
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
                                     Sines sin_cos = Sines::computed);
 
-/// The route of that name, as a candidate of `run_routes` at so many lanes; nothing when there is
-/// none.
+/// The route of that key, or of those words, as a candidate of `run_routes` at so many lanes;
+/// nothing when there is none.
 std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Function function,
-                                                 const std::string& method, int lanes,
+                                                 const std::string& route, int lanes,
                                                  Sines sin_cos = Sines::computed);
 
 }  // namespace treeline

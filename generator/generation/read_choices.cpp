@@ -25,7 +25,8 @@ std::string read_row(const Json& row, Choices& choices) {
   const bool batch = name.starts_with(kBatch);
   const auto function = find_function(batch ? name.substr(kBatch.size()) : name);
   if (!function) return fmt::format("`{}` is no function: {}", name, suggest_function(name));
-  RouteChoice choice{chosen.value("method", ""), chosen.value("lanes", 0)};
+  const std::string words = chosen.value("method", "");
+  RouteChoice choice{chosen.value("route", words), chosen.value("lanes", 0)};
   if (std::find(kLanes.begin(), kLanes.end(), choice.lanes) == kLanes.end()) {
     return fmt::format("{} lanes of `{}` are none of 1, 2, 4, 8", choice.lanes, name);
   }

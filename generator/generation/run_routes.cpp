@@ -26,7 +26,7 @@ class RouteRunner {
     std::vector<Program> programs = trace_function(mechanism, function_, options_.lanes);
     std::vector<Cost> costs;
     for (const Program& program : programs) {
-      costs.push_back(cost_of(program.source, program));
+      costs.push_back(cost_of(program));
     }
     const double least = std::min_element(costs.begin(), costs.end(), is_cheaper)->weighted;
     for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -44,27 +44,27 @@ class RouteRunner {
     constexpr double kNear = 1.05;
     std::map<std::string, double> costs;
     double least = std::numeric_limits<double>::infinity();
-    for (const Candidate& candidate : routes.candidates) {
-      const Cost cost = cost_of(candidate.method, candidate.program);
-      costs[cost.method] = cost.weighted;
+    for (const Program& candidate : routes.candidates) {
+      const Cost cost = cost_of(candidate);
+      costs[key_of(cost.route)] = cost.weighted;
       least = std::min(least, cost.weighted);
     }
     for (Program& program : trace_function(with_limbs, function_, options_.lanes)) {
-      const auto plain = costs.find(program.source);
+      const auto plain = costs.find(key_of(program.route));
       if (plain != costs.end() && plain->second <= kNear * least) {
-        program.source += ", alike limbs in lanes";
+        program.route.limbs = true;
         routes.candidates.push_back(finish(std::move(program), routes));
       }
     }
   }
 
  private:
-  Candidate finish(Program program, Routes& routes) const {
-    const std::string method = program.source;
+  Program finish(Program program, Routes& routes) const {
     if (options_.sin_cos == Sines::given) {
       program = take_sines(settle(program));
     }
-    return {method, reduce_operations(std::move(program), routes.logs[method])};
+    std::vector<PassReport>& log = routes.logs[key_of(program.route)];
+    return reduce_operations(std::move(program), log);
   }
 
   Function function_;
@@ -83,14 +83,6 @@ Routes run_routes(const Mechanism& mechanism, Function function, const RouteOpti
     runner.append_with_limbs(with_limbs, routes);
   }
   return routes;
-}
-
-std::string route_of(const std::string& method) {
-  std::size_t end = method.size();
-  for (const char* coordinates : {", in the axes", ", in link axes", ", J in the axes"}) {
-    end = std::min(end, method.find(coordinates));
-  }
-  return method.substr(0, end);
 }
 
 }  // namespace treeline

@@ -25,16 +25,13 @@ inline constexpr double kAllRoutes = 1e9;
 
 /// The routes to a function, those that may win with their operations reduced, not yet in order.
 struct Routes {
-  std::vector<Candidate> candidates;
+  std::vector<Program> candidates;
   std::vector<Cost> hopeless;                           ///< the others as traced, cheapest first
-  std::map<std::string, std::vector<PassReport>> logs;  ///< of each candidate, by method
+  std::map<std::string, std::vector<PassReport>> logs;  ///< of each candidate, by its key
 };
 
 /// Traces every route and reduces operations; those of the best ones again with alike limbs in
 /// lanes, where the mechanism has any.
 Routes run_routes(const Mechanism& mechanism, Function function, const RouteOptions& options);
-
-/// A method's name without the coordinates that it is worked out in.
-std::string route_of(const std::string& method);
 
 }  // namespace treeline

@@ -30,23 +30,23 @@ double cost(const Program& program, const OperationCount& count) {
          kWaiting * critical_path(program);
 }
 
-Cost cost_of(const std::string& method, const Program& program) {
+Cost cost_of(const Program& program) {
   const OperationCount count = count_operations(program);
-  return {method, count, cost(program, count)};
+  return {program.route, count, cost(program, count)};
 }
 
-std::optional<Choice> choose(std::vector<Candidate> candidates) {
+std::optional<Choice> choose(std::vector<Program> candidates) {
   if (candidates.empty()) {
     return std::nullopt;
   }
   std::vector<std::pair<Cost, std::size_t>> costs;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    costs.emplace_back(cost_of(candidates[i].method, candidates[i].program), i);
+    costs.emplace_back(cost_of(candidates[i]), i);
   }
   std::stable_sort(costs.begin(), costs.end(), [](const auto& a, const auto& b) {
     return a.first.weighted < b.first.weighted;
   });
-  Choice choice{std::move(candidates[costs.front().second].program), costs.front().first, {}};
+  Choice choice{std::move(candidates[costs.front().second]), costs.front().first, {}};
   for (auto loser = costs.begin() + 1; loser != costs.end(); ++loser) {
     choice.rejected.push_back(loser->first);
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "passes/count_operations.hpp"
@@ -9,15 +8,10 @@
 
 namespace treeline {
 
-/// One way to compute a function: "L^T D L" or "PV-OSIM".
-struct Candidate {
-  std::string method;
-  Program program;
-};
-
-/// What a candidate costs: its operations, and these weighted by their time, see `cost`.
+/// What a way to compute a function costs: its operations, and these weighted by their time, see
+/// `cost`.
 struct Cost {
-  std::string method;
+  RouteId route;
   OperationCount count;
   double weighted = 0;
 };
@@ -40,10 +34,10 @@ struct Choice {
 double cost(const Program& program, const OperationCount& count);
 
 /// The same with what it is a cost of.
-Cost cost_of(const std::string& method, const Program& program);
+Cost cost_of(const Program& program);
 
 /// Picks the candidate of least cost; the earlier of two that are equal. Nothing when there is
 /// none.
-std::optional<Choice> choose(std::vector<Candidate> candidates);
+std::optional<Choice> choose(std::vector<Program> candidates);
 
 }  // namespace treeline

@@ -99,7 +99,7 @@ std::vector<int> count_uses(const Program& program) {
 }
 
 Program without_graph(const Program& program) {
-  return {program.name,    program.equation, program.source,  program.arguments,
+  return {program.name,    program.equation, program.route,   program.arguments,
           program.results, Graph(),          program.packs,   program.lane_moves,
           program.order,   program.law,      program.singular};
 }

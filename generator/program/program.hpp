@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "program/expression.hpp"
+#include "program/route_id.hpp"
 
 namespace treeline {
 
@@ -38,7 +39,7 @@ struct TaskLaw;
 struct Program {
   std::string name;      ///< `inverse_dynamics`
   std::string equation;  ///< "tau = M(q) qdd + b(q, qd) + g(q)"
-  std::string source;    ///< "recursive Newton-Euler, Chang table 4.1"
+  RouteId route;         ///< how it is computed
   std::vector<Argument> arguments;
   std::vector<Result> results;
   Graph graph;

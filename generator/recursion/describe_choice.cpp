@@ -9,31 +9,49 @@ std::string axes_name(int link, const Tree<Expression>& tree) {
                      tree.links[static_cast<std::size_t>(link)].name);
 }
 
-const char* name_of(LambdaRoute route) {
-  switch (route) {
-    case LambdaRoute::unit_forces:
-      return "unit forces propagated inward (PV-OSIM)";
-    case LambdaRoute::factors_inward:
-      return "M = L^T D L, J carried inward";
-    case LambdaRoute::factors_world:
-      return "M = L^T D L, J from poses";
-    case LambdaRoute::branching:
-      return "force propagation with branching (Chang table 5.3)";
-    case LambdaRoute::extended_propagators:
-      return "extended force propagators (EFPA)";
-    case LambdaRoute::inertia_propagation:
-      return "inertia propagation (Chang table 5.1)";
-  }
-  return "";
+std::string axes_key(int link) {
+  return fmt::format("link-{}", link + 1);
 }
 
-std::string describe(const LambdaChoice& choice, const Tree<Expression>& tree) {
+RouteId route_id(LambdaRoute route) {
+  switch (route) {
+    case LambdaRoute::unit_forces:
+      return {"pv-osim", "unit forces propagated inward (PV-OSIM)"};
+    case LambdaRoute::factors_inward:
+      return {"ltdl-inward", "M = L^T D L, J carried inward"};
+    case LambdaRoute::factors_world:
+      return {"ltdl-poses", "M = L^T D L, J from poses"};
+    case LambdaRoute::branching:
+      return {"branching", "force propagation with branching (Chang table 5.3)"};
+    case LambdaRoute::extended_propagators:
+      return {"efpa", "extended force propagators (EFPA)"};
+    case LambdaRoute::inertia_propagation:
+      return {"inertia-propagation", "inertia propagation (Chang table 5.1)"};
+  }
+  return {};
+}
+
+RouteId route_id(const LambdaChoice& choice, const Tree<Expression>& tree) {
   const TaskBasis& basis = choice.basis;
-  const std::string axes = basis.axes_link >= 0 ? axes_name(basis.axes_link, tree)
-                           : basis.in_link_axes ? "link axes"
-                                                : "the axes asked for";
-  return fmt::format("{}, in {} at {}", name_of(choice.route), axes,
-                     basis.at_link_origin ? "link origins" : "the points");
+  const bool turned = basis.axes_link >= 0;
+  RouteId id = route_id(choice.route);
+  id.coordinates = (turned               ? axes_key(basis.axes_link)
+                    : basis.in_link_axes ? "own"
+                                         : "asked") +
+                   std::string(basis.at_link_origin ? "/origins" : "/points");
+  id.coordinates_words = fmt::format("in {} at {}",
+                                     turned               ? axes_name(basis.axes_link, tree)
+                                     : basis.in_link_axes ? "link axes"
+                                                          : "the axes asked for",
+                                     basis.at_link_origin ? "link origins" : "the points");
+  return id;
+}
+
+RouteId on_top_of(const RouteId& lambda_inverse, const std::string& key, const std::string& words) {
+  RouteId id = lambda_inverse;
+  id.algorithm = key + "/" + id.algorithm;
+  id.algorithm_words = words + "; Lambda^-1: " + id.algorithm_words;
+  return id;
 }
 
 }  // namespace treeline

@@ -12,13 +12,13 @@ namespace treeline {
 /// matrix without zeros would take most of the time of tracing, once for each of the coordinates.
 class HopelessAlgorithms {
  public:
-  /// Whether the algorithm of this route, by its `Program::source`, is one of them.
-  [[nodiscard]] bool has(const std::string& source) const;
+  /// Whether the algorithm of this route is one of them.
+  [[nodiscard]] bool has(const RouteId& route) const { return keys_.contains(route.algorithm); }
   /// To be called for each route that is traced.
   void look_at(const Program& program);
 
  private:
-  std::set<std::string> names_;
+  std::set<std::string> keys_;
   std::size_t least_ = 0;  ///< nodes of the shortest program
 };
 

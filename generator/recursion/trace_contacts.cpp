@@ -27,7 +27,7 @@ struct ContactTrace {
 };
 
 struct ContactRoute {
-  std::string source;
+  RouteId id;
   std::function<std::vector<Result>(const ContactTrace&)> body;
   std::shared_ptr<const TaskLaw> law = nullptr;
 };
@@ -68,7 +68,7 @@ std::vector<ContactRoute> inverse_inertia_routes(const TracedTree& tree) {
   const TracedTree tasks = tree_of_contact_tasks(tree);
   for (const LambdaChoice& choice : lambda_choices(tasks)) {
     routes.push_back(
-        {describe(choice, tasks), [choice](const ContactTrace& trace) {
+        {route_id(choice, tasks), [choice](const ContactTrace& trace) {
            const auto Lambda_inv = lambda_inverse_as_asked(tree_of_contact_tasks(trace.tree),
                                                            trace.X, choice, 3 * trace.contacts());
            const int size = static_cast<int>(Lambda_inv.rows());
@@ -89,7 +89,7 @@ std::vector<Result> masses(const DenseMatrix<Expression>& Lambda_inv, const Pivo
 std::vector<ContactRoute> mass_routes(const Mechanism& mechanism, const TracedTree& tree) {
   const auto law = TaskLaws(mechanism).find(TaskLaw::Kind::normals, LawPoints::contacts, {});
   std::vector<ContactRoute> routes{
-      {"M = L^T D L, J carried inward along each normal",
+      {{"ltdl-inward", "M = L^T D L, J carried inward along each normal"},
        [](const ContactTrace& trace) {
          const auto tasks = normal_tasks<Expression>(trace.tree, trace.poses, trace.other);
          return masses(lambda_inverse_by_factors(trace.tree, trace.X,
@@ -99,14 +99,14 @@ std::vector<ContactRoute> mass_routes(const Mechanism& mechanism, const TracedTr
        },
        law}};
   if (tree.has_mimics) return routes;
-  routes.push_back({"a unit force along each normal propagated inward",
+  routes.push_back({{"unit-forces", "a unit force along each normal propagated inward"},
                     [](const ContactTrace& t) {
                       const auto tasks = normal_tasks<Expression>(t.tree, t.poses, t.other);
                       return masses(lambda_inverse_by_unit_forces(t.tree, t.X, tasks, t.contacts()),
                                     t.rule);
                     },
                     law});
-  routes.push_back({"inverse inertias of the links, Chang eq. 8.2",
+  routes.push_back({{"link-inertias", "inverse inertias of the links, Chang eq. 8.2"},
                     [](const ContactTrace& t) {
                       const auto tasks = normal_tasks<Expression>(t.tree, t.poses, t.other);
                       return masses(lambda_inverse_by_branching(t.tree, t.X, tasks), t.rule);
@@ -121,14 +121,15 @@ std::vector<Result> velocity_changes(Expressions dqd) {
 
 std::vector<ContactRoute> impulse_routes(const TracedTree& tree) {
   std::vector<ContactRoute> routes{
-      {"M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)",
+      {{"ltdl", "M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)"},
        [](const ContactTrace& trace) {
          return velocity_changes(impulse_response_by_factors(
              trace.tree, trace.X,
              impulses_on_links<Expression>(trace.tree, trace.poses, trace.other)));
        }}};
   if (!tree.has_mimics) {
-    routes.push_back({"impulse propagation, Chang table 8.2", [](const ContactTrace& trace) {
+    routes.push_back({{"impulse-propagation", "impulse propagation, Chang table 8.2"},
+                      [](const ContactTrace& trace) {
                         return velocity_changes(impulse_response(
                             trace.tree, trace.X,
                             impulses_on_links<Expression>(trace.tree, trace.poses, trace.other)));
@@ -143,11 +144,12 @@ std::vector<ContactRoute> link_routes(const TracedTree& tree) {
         "Omega", "6x6 row-major for each link, at its frame and in its axes", std::move(entries))};
   };
   if (tree.has_mimics) {
-    return {{"M = L^T D L, J carried inward link by link", [result](const ContactTrace& trace) {
+    return {{{"ltdl-inward", "M = L^T D L, J carried inward link by link"},
+             [result](const ContactTrace& trace) {
                return result(link_inverse_inertias_by_factors(trace.tree, trace.X, trace.poses));
              }}};
   }
-  return {{"force propagation, Chang table 5.2, over all links",
+  return {{{"force-propagation", "force propagation, Chang table 5.2, over all links"},
            [result](const ContactTrace& t) { return result(link_inverse_inertias(t.tree, t.X)); }}};
 }
 
@@ -155,7 +157,7 @@ std::vector<ContactRoute> routes_of(Function function, const Mechanism& mechanis
                                     const TracedTree& tree) {
   switch (function) {
     case Function::contact_motion:
-      return {{"outward recursion", [](const ContactTrace& trace) {
+      return {{{"outward", "outward recursion"}, [](const ContactTrace& trace) {
                  auto motion =
                      contact_motion<Expression>(trace.tree, trace.X, trace.poses, trace.other);
                  return std::vector<Result>{
@@ -183,7 +185,7 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
   Program program;
   program.name = function_name(function);
   program.equation = contract.equation;
-  program.source = route.source;
+  program.route = route.id;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   ContactTrace traced;

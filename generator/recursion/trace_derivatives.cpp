@@ -64,7 +64,8 @@ std::vector<ResultPlace> order_inward(std::size_t nv, std::size_t results) {
 Program trace_inverse(const Mechanism& mechanism, Program program) {
   const Graph::Scope scope(program.graph);
   program.equation = "derivatives of tau = M qdd + b + g - J_ext^T f_ext, f_ext held";
-  program.source = "unit changes of motion and of wrenches carried inward, in link axes";
+  program.route = {"unit-changes", "unit changes of motion and of wrenches carried inward", "own",
+                   "in link axes"};
   const Inputs in = declare_inputs(mechanism, Function::inverse_dynamics_derivatives, program);
   auto tree = tree_of<Expression>(mechanism);
   auto X = joint_transforms<Expression>(tree, in.q);
@@ -80,9 +81,11 @@ Program trace_inverse(const Mechanism& mechanism, Program program) {
 Program trace_forward(const Mechanism& mechanism, Program program, DerivativeRoute route) {
   const Graph::Scope scope(program.graph);
   program.equation = "derivatives of qdd = M^-1 (tau - b - g + J_ext^T f_ext), f_ext held";
-  program.source = route == DerivativeRoute::solve
-                       ? "-M^-1 times those of inverse dynamics, M = L^T D L, sparse solves"
-                       : "-M^-1 times those of inverse dynamics, M^-1 by L^T D L";
+  if (route == DerivativeRoute::solve) {
+    program.route = {"ltdl", "-M^-1 times those of inverse dynamics, M = L^T D L, sparse solves"};
+  } else {
+    program.route = {"inverse", "-M^-1 times those of inverse dynamics, M^-1 by L^T D L"};
+  }
   const Inputs in = declare_inputs(mechanism, Function::forward_dynamics_derivatives, program);
   auto tree = tree_of<Expression>(mechanism);
   auto X = joint_transforms<Expression>(tree, in.q);

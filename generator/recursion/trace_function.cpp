@@ -49,7 +49,7 @@ using Body = std::function<Outputs(const Trace&)>;
 
 /// One way to compute a function.
 struct Route {
-  std::string source;
+  RouteId id;
   Body body;
   std::shared_ptr<const TaskLaw> law = nullptr;
 };
@@ -81,7 +81,7 @@ class Tracer {
     Program program;
     program.name = function_name(function);
     program.equation = common.equation;
-    program.source = route.source;
+    program.route = route.id;
     program.graph = Graph::for_trace(lanes_);
     if (names == Names::forgotten) program.graph.forget_names();
     const Graph::Scope scope(program.graph);
@@ -165,15 +165,15 @@ Outputs point_poses(const Trace& trace) {
 }
 
 std::vector<Route> jacobian_routes(const TracedTree& tree) {
-  std::vector<Route> routes{{"rows carried inward from each point", [](const Trace& trace) {
-                               const auto poses = trace.poses();
-                               const auto tasks = task_points(trace.tree, {}, poses);
-                               return matrix_output(
-                                   "J", "Jacobian",
-                                   jacobian_inward(trace.tree, trace.X, tasks, trace.rows, poses));
-                             }}};
+  std::vector<Route> routes{
+      {{"inward", "rows carried inward from each point"}, [](const Trace& trace) {
+         const auto poses = trace.poses();
+         const auto tasks = task_points(trace.tree, {}, poses);
+         return matrix_output("J", "Jacobian",
+                              jacobian_inward(trace.tree, trace.X, tasks, trace.rows, poses));
+       }}};
   if (permits(tree, {}, LambdaRoute::factors_world)) {
-    routes.push_back({"from the poses of all links", [](const Trace& trace) {
+    routes.push_back({{"poses", "from the poses of all links"}, [](const Trace& trace) {
                         return matrix_output(
                             "J", "Jacobian",
                             jacobian_world(trace.tree, trace.poses(), {}, trace.rows));
@@ -193,19 +193,20 @@ Expressions net_forces(const Trace& trace) {
 
 std::vector<Route> forward_dynamics_routes(const TracedTree& tree) {
   const char* meaning = "joint accelerations";
-  std::vector<Route> routes{{"M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)",
-                             [meaning](const Trace& trace) {
-                               const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
-                               return vector_output("qdd", meaning,
-                                                    solve(factor, net_forces(trace)));
-                             }}};
+  std::vector<Route> routes{
+      {{"ltdl", "M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)"},
+       [meaning](const Trace& trace) {
+         const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
+         return vector_output("qdd", meaning, solve(factor, net_forces(trace)));
+       }}};
   if (!tree.has_mimics) {
-    routes.push_back({"articulated bodies, Chang table 4.2", [meaning](const Trace& trace) {
-                        return vector_output(
-                            "qdd", meaning,
-                            solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
-                                              net_forces(trace)));
-                      }});
+    routes.push_back(
+        {{"aba", "articulated bodies, Chang table 4.2"}, [meaning](const Trace& trace) {
+           return vector_output(
+               "qdd", meaning,
+               solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
+                                 net_forces(trace)));
+         }});
   }
   return routes;
 }
@@ -215,7 +216,7 @@ std::vector<Route> lambda_routes(const TracedTree& tree, bool invert, TaskLaws& 
   const auto law =
       invert ? laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {}) : nullptr;
   for (const LambdaChoice& choice : lambda_choices(tree)) {
-    routes.push_back({describe(choice, tree),
+    routes.push_back({route_id(choice, tree),
                       [choice, invert](const Trace& trace) {
                         const auto Lambda_inv =
                             lambda_inverse_as_asked(trace.tree, trace.X, choice, trace.rows);
@@ -241,28 +242,29 @@ void append_resolved_routes(const Mechanism& mechanism, const TracedTree& tree, 
   };
   if (mechanism.singular == SingularTasks::exact) {
     for (const int link : axes_links(tree)) {
-      routes.push_back(
-          {fmt::format("resolved acceleration, spherical wrist, J in {}", axes_name(link, tree)),
-           [link, inputs](const Trace& trace) {
-             return vector_output("tau", "joint forces",
-                                  control_torque_by_resolved_acceleration<Expression>(
-                                      trace.tree, trace.X, inputs(trace), link));
-           }});
+      routes.push_back({{"resolved", "resolved acceleration, spherical wrist", axes_key(link),
+                         fmt::format("J in {}", axes_name(link, tree))},
+                        [link, inputs](const Trace& trace) {
+                          return vector_output("tau", "joint forces",
+                                               control_torque_by_resolved_acceleration<Expression>(
+                                                   trace.tree, trace.X, inputs(trace), link));
+                        }});
     }
     return;
   }
   for (int link = 0; link < 3; ++link) {
     const auto law = laws.resolved(link);
     if (!law) continue;
-    routes.push_back(
-        {fmt::format("resolved acceleration, spherical wrist, by pivots, J in {} and {}",
-                     axes_name(link, tree), axes_name(law->angular_axes_link, tree)),
-         [law, inputs](const Trace& trace) {
-           return vector_output(
-               "tau", "joint forces",
-               control_torque_by_pivots<Expression>(trace.tree, trace.X, inputs(trace), *law));
-         },
-         law});
+    routes.push_back({{"resolved-pivots", "resolved acceleration, spherical wrist, by pivots",
+                       fmt::format("{}+{}", axes_key(link), axes_key(law->angular_axes_link)),
+                       fmt::format("J in {} and {}", axes_name(link, tree),
+                                   axes_name(law->angular_axes_link, tree))},
+                      [law, inputs](const Trace& trace) {
+                        return vector_output("tau", "joint forces",
+                                             control_torque_by_pivots<Expression>(
+                                                 trace.tree, trace.X, inputs(trace), *law));
+                      },
+                      law});
   }
 }
 
@@ -275,9 +277,10 @@ std::vector<Route> control_routes(const Mechanism& mechanism, const TracedTree& 
     // Table 5.1 gives Lambda itself, behind a floating joint, where nothing can be lost.
     const bool solves = choice.route != LambdaRoute::inertia_propagation || has_priorities(tree);
     routes.push_back(
-        {(has_priorities(tree) ? "Chang table 6.1, fused, LDL^T in order of priority; Lambda^-1: "
-                               : "Chang table 6.1, fused; Lambda^-1: ") +
-             describe(choice, tree),
+        {has_priorities(tree)
+             ? on_top_of(route_id(choice, tree), "fused-by-priority",
+                         "Chang table 6.1, fused, LDL^T in order of priority")
+             : on_top_of(route_id(choice, tree), "fused", "Chang table 6.1, fused"),
          [choice](const Trace& trace) {
            return vector_output(
                "tau", "joint forces",
@@ -292,11 +295,12 @@ std::vector<Route> control_routes(const Mechanism& mechanism, const TracedTree& 
 }
 
 std::vector<Route> newton_euler_route(const char* name, const char* meaning) {
-  return {{"recursive Newton-Euler, Chang table 4.1", [name, meaning](const Trace& trace) {
-             return vector_output(name, meaning,
-                                  inverse_dynamics<Expression>(
-                                      trace.tree, trace.X, {trace.qd, trace.qdd}, trace.applied()));
-           }}};
+  return {
+      {{"rnea", "recursive Newton-Euler, Chang table 4.1"}, [name, meaning](const Trace& trace) {
+         return vector_output(name, meaning,
+                              inverse_dynamics<Expression>(trace.tree, trace.X,
+                                                           {trace.qd, trace.qdd}, trace.applied()));
+       }}};
 }
 
 std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
@@ -304,11 +308,11 @@ std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
   TaskLaws laws(mechanism);
   switch (function) {
     case Function::forward_kinematics:
-      return {{"outward recursion", point_poses}};
+      return {{{"outward", "outward recursion"}, point_poses}};
     case Function::jacobian:
       return jacobian_routes(tree);
     case Function::bias_acceleration:
-      return {{"outward recursion, Chang eq. 6.11", [](const Trace& trace) {
+      return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const Trace& trace) {
                  const auto tasks = task_points(trace.tree, {}, trace.poses());
                  return vector_output(
                      "bias", "accelerations of the task rows at qdd = 0",
@@ -321,7 +325,7 @@ std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
     case Function::nonlinear_effects:
       return newton_euler_route("h", "joint forces");
     case Function::mass_matrix:
-      return {{"composite rigid bodies, RBDA table 6.2", [](const Trace& trace) {
+      return {{{"crba", "composite rigid bodies, RBDA table 6.2"}, [](const Trace& trace) {
                  return matrix_output("M", "joint-space inertia", mass_matrix(trace.tree, trace.X));
                }}};
     case Function::forward_dynamics:
@@ -366,7 +370,7 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
   std::vector<Program> programs;
   HopelessAlgorithms hopeless;
   for (const Route& route : routes_of(function, mechanism, tree)) {
-    if (hopeless.has(route.source)) continue;
+    if (hopeless.has(route.id)) continue;
     programs.push_back(tracer.trace(function, route));
     hopeless.look_at(programs.back());
   }
@@ -374,20 +378,20 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
 }
 
 std::function<Program(Names)> prepare_route(const Mechanism& mechanism, Function function,
-                                            const std::string& source) {
+                                            const RouteId& id) {
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);
   for (const Route& route : routes_of(function, mechanism, tree)) {
-    if (route.source != source) continue;
+    if (key_of(route.id) != key_of(id)) continue;
     return [tracer = Tracer(mechanism, 1), function, route](Names names) {
       return tracer.trace(function, route, names);
     };
   }
-  return [&mechanism, function, source](Names) {  // of another kind
+  return [&mechanism, function, id](Names) {  // of another kind
     for (Program& program : trace_function(mechanism, function)) {
-      if (program.source == source) return std::move(program);
+      if (key_of(program.route) == key_of(id)) return std::move(program);
     }
-    throw std::logic_error("no such route: " + source);
+    throw std::logic_error("no such route: " + key_of(id));
   };
 }
 

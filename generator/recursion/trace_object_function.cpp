@@ -27,24 +27,31 @@ struct Trace {
 };
 
 struct Route {
-  std::string source;
+  RouteId id;
   std::function<std::vector<Result>(const Trace&)> body;
   std::shared_ptr<const TaskLaw> law = nullptr;
 };
 
-std::string describe(const LambdaChoice& choice) {
+/// The points of Lambda^-1 are the objects' origins, its axes the world's.
+RouteId route_id(const LambdaChoice& choice) {
   const TaskBasis& basis = choice.basis;
-  const std::string axes = basis.axes_link >= 0
-                               ? fmt::format("axes of link {}", basis.axes_link + 1)
-                           : basis.in_link_axes ? "link axes"
-                                                : "world axes";
-  return fmt::format("{}, in {} at {}", name_of(choice.route), axes,
-                     basis.at_link_origin ? "link origins" : "the objects");
+  const bool turned = basis.axes_link >= 0;
+  RouteId id = treeline::route_id(choice.route);
+  id.coordinates = (turned               ? axes_key(basis.axes_link)
+                    : basis.in_link_axes ? "own"
+                                         : "world") +
+                   std::string(basis.at_link_origin ? "/origins" : "/objects");
+  id.coordinates_words = fmt::format("in {} at {}",
+                                     turned ? fmt::format("axes of link {}", basis.axes_link + 1)
+                                     : basis.in_link_axes ? "link axes"
+                                                          : "world axes",
+                                     basis.at_link_origin ? "link origins" : "the objects");
+  return id;
 }
 
 std::vector<Route> state_routes() {
   return {
-      {"outward recursion", [](const Trace& trace) {
+      {{"outward", "outward recursion"}, [](const Trace& trace) {
          const auto state = object_state<Expression>(trace.tree, trace.objects, trace.X, trace.qd);
          std::vector<Result> results{
              vector_result("position", "of the objects' origins in the world, m, 3 an object",
@@ -70,7 +77,7 @@ std::vector<Route> state_routes() {
 std::vector<Route> control_routes(const Tree<Expression>& tree, TaskLaws& laws) {
   std::vector<Route> routes;
   for (const LambdaChoice& choice : control_choices(tree)) {
-    routes.push_back({"Chang table 7.1, fused; Lambda^-1: " + describe(choice),
+    routes.push_back({on_top_of(route_id(choice), "fused", "Chang table 7.1, fused"),
                       [choice](const Trace& trace) {
                         return std::vector<Result>{vector_result(
                             "tau", "joint forces",
@@ -119,11 +126,13 @@ std::vector<Route> dynamics_routes(const Mechanism& mechanism, const Tree<Expres
   const auto law = laws.find(TaskLaw::Kind::grasp_forces, LawPoints::grasps, {});
   for (const LambdaChoice& choice : lambda_choices(tree)) {
     for (const GraspSolution solution : solutions(mechanism)) {
-      const char* name = solution == GraspSolution::augmented_object
-                             ? "Chang table 7.2, augmented object"
-                             : "Chang table 7.2, one system for the grasps' forces";
+      const bool augmented = solution == GraspSolution::augmented_object;
+      const RouteId id =
+          on_top_of(route_id(choice), augmented ? "augmented-object" : "one-system",
+                    augmented ? "Chang table 7.2, augmented object"
+                              : "Chang table 7.2, one system for the grasps' forces");
       routes.push_back(
-          {fmt::format("{}; Lambda^-1: {}", name, describe(choice)),
+          {id,
            [choice, solution](const Trace& trace) {
              const auto motion = traced_motion(trace, choice, solution);
              std::vector<Result> results{
@@ -206,7 +215,7 @@ Program trace_route(const Mechanism& mechanism, Function function, const Route& 
   Program program;
   program.name = function_name(function);
   program.equation = equation_of(function);
-  program.source = route.source;
+  program.route = route.id;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   Trace trace;

@@ -10,7 +10,7 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   std::vector<Program> programs(1);
   Program& program = programs.front();
   program.name = function_name(function);
-  program.source = "first moments of the composite bodies";
+  program.route = {"composite-moments", "first moments of the composite bodies"};
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   const auto q = declare(program, "q", mechanism.nq(), "joint coordinates");

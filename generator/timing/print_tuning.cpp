@@ -26,10 +26,10 @@ std::string print_lanes(const Trial& trial) {
 std::string print_trial(const TunedFunction& tuned, std::size_t i) {
   const Trial& trial = tuned.trials[i];
   return fmt::format(
-      R"({{"function": {}, "method": {}, "lanes": {}, "flops": {}, )"
+      R"({{"function": {}, "route": {}, "lanes": {}, "flops": {}, )"
       R"("nanoseconds": {:.4g}, "ratio": {:.4f}, "noise": {:.4f}, )"
       R"("least_cost": {}, "chosen": {}}})",
-      quote_json(source_stem(tuned.function, tuned.batch)), quote_json(trial.choice.method),
+      quote_json(source_stem(tuned.function, tuned.batch)), quote_json(trial.choice.route),
       trial.choice.lanes > 0 ? std::to_string(trial.choice.lanes) : "null", trial.count.flops(),
       trial.timing.nanoseconds, trial.timing.ratio, trial.timing.noise, i == 0, i == tuned.fastest);
 }
@@ -38,7 +38,7 @@ std::string print_trial(const TunedFunction& tuned, std::size_t i) {
 
 std::string print_text(const Tuning& tuning) {
   std::string text = fmt::format("{}\n{:<28} {:>9} {:>6} {:>6} {:>6} {:>5}  {}\n", tuning.measured,
-                                 "function", "ns", "ratio", "noise", "flops", "lanes", "method");
+                                 "function", "ns", "ratio", "noise", "flops", "lanes", "route");
   for (const TunedFunction& tuned : tuning.functions) {
     std::string name = source_stem(tuned.function, tuned.batch);
     for (const std::size_t i : rank(tuned)) {
@@ -46,7 +46,7 @@ std::string print_text(const Tuning& tuning) {
       const char* note = i == tuned.fastest ? " <- chosen" : i == 0 ? " <- least cost" : "";
       text += fmt::format("{:<28} {:>9.1f} {:>6.3f} {:>6.3f} {:>6} {:>5}  {}{}\n", name,
                           trial.timing.nanoseconds, trial.timing.ratio, trial.timing.noise,
-                          trial.count.flops(), print_lanes(trial), trial.choice.method, note);
+                          trial.count.flops(), print_lanes(trial), trial.choice.route, note);
       name.clear();
     }
   }

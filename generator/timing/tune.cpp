@@ -53,9 +53,10 @@ std::optional<TunedFunction> tune_function(std::vector<GeneratedFunction> candid
   TunedFunction tuned{candidates.front().function, candidates.front().batch, {}, 0};
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const GeneratedFunction& candidate = candidates[i];
-    tuned.trials.push_back({{candidate.chosen.method, tuned.batch > 0 ? 0 : candidate.other_lanes},
-                            candidate.chosen.count,
-                            (*timings)[i]});
+    tuned.trials.push_back(
+        {{key_of(candidate.chosen.route), tuned.batch > 0 ? 0 : candidate.other_lanes},
+         candidate.chosen.count,
+         (*timings)[i]});
     const double least = tuned.trials[tuned.fastest].timing.ratio;
     const Timing& timing = tuned.trials.back().timing;
     const double gain = 1 - timing.ratio;
@@ -74,7 +75,7 @@ std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Funct
   for (const int lanes : lanes_to_try(scene, batch)) {
     Routes routes = run_routes(mechanism, function, {lanes, scene.sin_cos});
     const std::size_t first = all.size();
-    for (Candidate& candidate : routes.candidates) {
+    for (Program& candidate : routes.candidates) {
       GeneratedFunction& made = all.emplace_back(generated_from(function, std::move(candidate)));
       made.other_lanes = lanes;
       made.batch = batch ? scene.batch : 0;

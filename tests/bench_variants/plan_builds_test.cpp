@@ -32,10 +32,10 @@ TEST(GenerateRoutes, StartWithTheOneThatIsEmitted) {
   for (const Function function : {Function::forward_dynamics, Function::lambda}) {
     const auto routes = generate_routes(mechanism, function, 8, Sines::computed);
     const GeneratedFunction emitted = generate_function(mechanism, function, 8);
-    EXPECT_EQ(routes.front().chosen.method, emitted.chosen.method);
+    EXPECT_EQ(key_of(routes.front().chosen.route), key_of(emitted.chosen.route));
     EXPECT_EQ(routes.front().chosen.count.flops(), emitted.chosen.count.flops());
     std::set<std::string> seen;
-    for (const GeneratedFunction& route : routes) seen.insert(route_of(route.chosen.method));
+    for (const GeneratedFunction& route : routes) seen.insert(route.chosen.route.algorithm);
     EXPECT_EQ(seen.size(), routes.size());
     EXPECT_GE(routes.size(), 2U);
   }

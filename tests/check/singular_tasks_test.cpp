@@ -51,7 +51,7 @@ double error_of(const Program& program, Function function, const Subject<Digits5
   }
   reference.size = sizes.sizes(function, reference.high, size_law, yielding);
   const auto results = GraphRun(program).results(state, Real::float64);
-  EXPECT_TRUE(are_finite(results)) << program.source << ", state " << state.index;
+  EXPECT_TRUE(are_finite(results)) << describe(program.route) << ", state " << state.index;
   return error_in_ulp(results, reference, unit_of(Real::float64)) /
          sizes.condition(function, yielding);
 }
@@ -74,7 +74,7 @@ TEST(SingularTasks, OfEveryRouteAreTheInterpretersByTheSameLaw) {
         const ResultSizes sizes(subject, state);
         for (const Program& program : programs) {
           const double error = error_of(program, function, exact, sizes, state);
-          EXPECT_LE(error, 4096) << program.source << ", state " << index;
+          EXPECT_LE(error, 4096) << describe(program.route) << ", state " << index;
           worst = std::max(worst, error);
           ++routes;
         }
@@ -110,7 +110,7 @@ TEST(SingularTasks, LeaveOrdinaryStatesAsTheBareSolveHasThem) {
       for (const Program& program : yielding) {
         const auto results = GraphRun(program).results(state, Real::float64);
         const double error = error_in_ulp(results, reference, 0x1p-52) / sizes.condition(function);
-        EXPECT_LE(error, 64) << name << ", " << program.source << ", state " << index;
+        EXPECT_LE(error, 64) << name << ", " << describe(program.route) << ", state " << index;
         worst = std::max(worst, error);
         ++compared;
       }

@@ -13,8 +13,10 @@ TEST(PrintManifest, ListsWhatItWasGiven) {
       print_manifest(test::sample_context("arm", false), programs, {"a.cpp", "b.hpp"});
   EXPECT_EQ(read_manifest_files(manifest), (std::vector<std::string>{"a.cpp", "b.hpp"}));
   for (const char* part :
-       {R"("robot": "Two links \"2R\"")", R"("chosen": {"method": "textbook", "flops": 40})",
-        R"("rejected": [{"method": "recursion", "flops": 55}])", R"("file": "arm.yaml")"}) {
+       {R"("robot": "Two links \"2R\"")",
+        R"("chosen": {"route": "textbook", "method": "by the textbook", "flops": 40})",
+        R"("rejected": [{"route": "recursion", "method": "by recursion", "flops": 55}])",
+        R"("file": "arm.yaml")"}) {
     EXPECT_NE(manifest.find(part), std::string::npos) << part;
   }
 }

@@ -6,8 +6,9 @@
 namespace treeline {
 namespace {
 
-Program sum_of(int terms, bool divide) {
+Program sum_of(const char* key, int terms, bool divide) {
   Program program;
+  program.route = {key, key};
   const Graph::Scope scope(program.graph);
   Expression sum;
   for (int i = 0; i <= terms; ++i) {
@@ -19,24 +20,24 @@ Program sum_of(int terms, bool divide) {
 }
 
 TEST(Choose, TakesTheCheapestAndReportsTheOthers) {
-  const auto choice = choose(
-      {{"long", sum_of(9, false)}, {"short", sum_of(4, false)}, {"middle", sum_of(6, false)}});
+  const auto choice =
+      choose({sum_of("long", 9, false), sum_of("short", 4, false), sum_of("middle", 6, false)});
   ASSERT_TRUE(choice.has_value());
-  EXPECT_EQ(choice->chosen.method, "short");
+  EXPECT_EQ(choice->chosen.route.algorithm, "short");
   EXPECT_EQ(choice->chosen.count.add, 4);
   EXPECT_EQ(count_operations(choice->program).add, 4);
   ASSERT_EQ(choice->rejected.size(), 2u);
-  EXPECT_EQ(choice->rejected[0].method, "middle");
-  EXPECT_EQ(choice->rejected[1].method, "long");
+  EXPECT_EQ(choice->rejected[0].route.algorithm, "middle");
+  EXPECT_EQ(choice->rejected[1].route.algorithm, "long");
 }
 
 TEST(Choose, DivisionsWeighMore) {
-  const auto choice = choose({{"divides", sum_of(3, true)}, {"adds", sum_of(5, false)}});
-  EXPECT_EQ(choice->chosen.method, "adds");
+  const auto choice = choose({sum_of("divides", 3, true), sum_of("adds", 5, false)});
+  EXPECT_EQ(choice->chosen.route.algorithm, "adds");
 }
 
 TEST(Choose, FirstOfEqualsWins) {
-  EXPECT_EQ(choose({{"a", sum_of(3, false)}, {"b", sum_of(3, false)}})->chosen.method, "a");
+  EXPECT_EQ(choose({sum_of("a", 3, false), sum_of("b", 3, false)})->chosen.route.algorithm, "a");
 }
 
 TEST(Choose, NothingFromNothing) {

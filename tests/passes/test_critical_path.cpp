@@ -49,8 +49,8 @@ TEST(CriticalPath, LeavesOutWhatNoResultNeeds) {
 }
 
 TEST(CriticalPath, DecidesBetweenEqualCounts) {
-  const auto choice = choose({{"chain", sum_of(16, false)}, {"tree", sum_of(16, true)}});
-  EXPECT_EQ(choice->chosen.method, "tree");
+  const auto choice = choose({sum_of(16, false), sum_of(16, true)});
+  EXPECT_EQ(critical_path(choice->program), 4 * 3);
   EXPECT_EQ(choice->chosen.count.add, choice->rejected.front().count.add);
 }
 

@@ -48,7 +48,7 @@ inline Program trace_two_link_arm() {
   Program program;
   program.name = "inverse_dynamics";
   program.equation = "tau = M(q) qdd + b(q, qd) + g(q)";
-  program.source = "Craig, eq. 6.58";
+  program.route = {"closed-form", "Craig, eq. 6.58"};
   program.arguments = {{"q", 2, 1, "joint angles, rad"},
                        {"qd", 2, 1, "joint velocities, rad/s"},
                        {"qdd", 2, 1, "joint accelerations, rad/s^2"}};

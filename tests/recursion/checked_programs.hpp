@@ -93,7 +93,7 @@ class CheckedPrograms {
       for (const Program& program : routes) {
         const auto results = evaluate<Scalar>(program, arguments(program, rounded_to<Scalar>(in)));
         const double error = relative_error(results, expected, size.least_scale(function));
-        table.note(function, program.source, error * 0x1p52, size.growth(function));
+        table.note(function, describe(program.route), error * 0x1p52, size.growth(function));
       }
     }
   }

@@ -161,9 +161,9 @@ Tally compare_all(Function function) {
     for (const Program& program :
          trace_function(reduced_mechanism(drawn.robot, drawn.scene), function)) {
       const double ulp = relative_error(run<double>(program, arguments), truth, 0) * 0x1p52;
-      EXPECT_LE(ulp, 64 * allowed) << program.source;
+      EXPECT_LE(ulp, 64 * allowed) << describe(program.route);
       const double exact = relative_error(run<Digits50>(program, arguments), truth, 0) * 0x1p52;
-      EXPECT_LE(exact, 64 * allowed) << program.source;
+      EXPECT_LE(exact, 64 * allowed) << describe(program.route);
       tally.worst = std::max(tally.worst, ulp / allowed);
       ++tally.compared;
     }

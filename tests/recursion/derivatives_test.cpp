@@ -185,7 +185,7 @@ TEST_P(Derivatives, TracedFunctionsAgreeInDouble) {
                                                                : in_.f_ext));
       }
       EXPECT_LT(relative_error(evaluate<double>(program, arguments), exact, 1), 1e-13 * growth)
-          << program.source;
+          << describe(program.route);
     }
   }
 }

@@ -30,7 +30,7 @@ RandomOptions chain_of(int joints, double branching, bool floating) {
 bool offers(const RandomMechanism& made, Function function, const std::string& name) {
   for (const Program& program :
        trace_function(reduced_mechanism(made.robot, made.scene), function)) {
-    if (program.source.find(name) != std::string::npos) return true;
+    if (describe(program.route).find(name) != std::string::npos) return true;
   }
   return false;
 }

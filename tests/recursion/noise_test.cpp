@@ -70,7 +70,7 @@ void compare(const CheckedPrograms& programs, std::uint64_t seed, ErrorTable& ta
     for (const Program& program : routes) {
       const auto results = evaluate<double>(program, CheckedPrograms::arguments(program, in));
       const double error = relative_error(results, expected, size.least_scale(function));
-      table.note(function, program.source, error * 0x1p52, size.growth(function));
+      table.note(function, describe(program.route), error * 0x1p52, size.growth(function));
     }
   }
 }

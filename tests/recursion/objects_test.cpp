@@ -231,9 +231,9 @@ TEST_P(Objects, ProgramsAgreeInDouble) {
       const auto results = evaluate<double>(program, arguments(program, c_.in));
       // 64 ulp of the result's scale, times the condition of what is solved, as for other routes.
       const double error = relative_error(results, expected, 1) * 0x1p52 / c_.growth;
-      EXPECT_LE(error, 64) << program.name << " " << program.source;
+      EXPECT_LE(error, 64) << program.name << " " << describe(program.route);
       worst = std::max(worst, error);
-      EXPECT_TRUE(names.insert(program.source).second) << program.source;
+      EXPECT_TRUE(names.insert(describe(program.route)).second) << describe(program.route);
     }
     std::cout << function_name(function) << ": " << names.size() << " routes, worst " << worst
               << " ulp over the condition " << c_.growth << '\n';

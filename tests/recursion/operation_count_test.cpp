@@ -174,7 +174,7 @@ TEST(Routes, AreSeveralAndNamed) {
        {Function::lambda_inverse, Function::lambda, Function::control_torque}) {
     std::vector<std::string> names;
     for (const Program& program : trace_function(mechanism, function)) {
-      names.push_back(program.source);
+      names.push_back(describe(program.route));
     }
     EXPECT_GE(names.size(), 2U);
     std::sort(names.begin(), names.end());
@@ -193,7 +193,7 @@ TEST(Routes, AreTracedTheSameEveryTime) {
     for (std::size_t k = 0; k < one.size(); ++k) {
       const auto& nodes = one[k].graph.nodes();
       const auto& same = other[k].graph.nodes();
-      ASSERT_EQ(nodes.size(), same.size()) << one[k].source;
+      ASSERT_EQ(nodes.size(), same.size()) << describe(one[k].route);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         ASSERT_TRUE(nodes[i].op == same[i].op && nodes[i].a == same[i].a &&
                     nodes[i].b == same[i].b && nodes[i].value == same[i].value);

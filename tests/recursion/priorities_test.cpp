@@ -107,7 +107,7 @@ TEST(Priorities, OfTheProgramsAreTheInterpretersInDouble) {
       const double error = relative_error(results, expected, size.force) / size.condition_M;
       worst = std::max(worst, error);
       // Two rows at their borders at once cost 2^13 each.
-      EXPECT_LE(error, 0x1p26 * 0x1p-52) << program.source;
+      EXPECT_LE(error, 0x1p26 * 0x1p-52) << describe(program.route);
     }
   });
   std::cout << "worst error over the condition of M: " << worst * 0x1p52 << " ulp\n";

@@ -105,7 +105,7 @@ TEST_P(Golden, FiguresAreReached) {
       for (const Program& program : routes) {
         const auto results = evaluate<double>(program, CheckedPrograms::arguments(program, in));
         const double error = relative_error(results, expected, size.least_scale(function));
-        table.note(function, program.source, error * 0x1p52, size.growth(function));
+        table.note(function, describe(program.route), error * 0x1p52, size.growth(function));
       }
     }
   }

@@ -108,7 +108,8 @@ void expect_finite(const Robot& robot, const std::string& scene_text) {
           ++calls;
           ASSERT_TRUE(
               std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); }))
-              << function_name(function) << " by " << program.source << ", q0 " << q.front();
+              << function_name(function) << " by " << describe(program.route) << ", q0 "
+              << q.front();
         }
       }
     }

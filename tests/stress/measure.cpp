@@ -47,9 +47,8 @@ Entries evaluate_graph(const Program& program, const State& state) {
   return flat;
 }
 
-/// Routes differ in algorithm and in coordinates; the former is what the name begins with.
 std::string algorithm_of(const Program& program) {
-  return program.source.substr(0, program.source.find(", in "));
+  return program.route.algorithm_words;
 }
 
 /// Interpreter's algorithms beside the one that `interpret` takes.

@@ -51,7 +51,7 @@ Tuning tune_by(const Subjects& subjects, const Rule& rule,
 
 TEST(Tune, TakesTheLeastTime) {
   const Tuning tuning = tune_by(puma(), [](const GeneratedFunction& candidate, std::size_t) {
-    const double ratio = candidate.chosen.method.starts_with("articulated") ? 0.5 : 1.0;
+    const double ratio = candidate.chosen.route.algorithm == "aba" ? 0.5 : 1.0;
     return Timing{100 * ratio, ratio, 0.001};
   });
   ASSERT_EQ(tuning.functions.size(), 4U);
@@ -60,11 +60,10 @@ TEST(Tune, TakesTheLeastTime) {
     EXPECT_EQ(tuned.function, Function::forward_dynamics);
     EXPECT_EQ(tuned.batch, i == 1 ? 8 : 0);
     EXPECT_NE(tuned.fastest, 0U);
-    EXPECT_EQ(tuned.trials[tuned.fastest].choice.method, "articulated bodies, Chang table 4.2");
+    EXPECT_EQ(tuned.trials[tuned.fastest].choice.route, "aba");
   }
   const Choices choices = choices_of(tuning);
-  EXPECT_EQ(choices.plain.at(Function::forward_dynamics).method,
-            "articulated bodies, Chang table 4.2");
+  EXPECT_EQ(choices.plain.at(Function::forward_dynamics).route, "aba");
   EXPECT_GT(choices.plain.at(Function::forward_dynamics).lanes, 0);
   EXPECT_EQ(choices.batch.at(Function::forward_dynamics).lanes, 0);
   EXPECT_EQ(tuning.functions[2].fastest, 0U);
@@ -94,7 +93,7 @@ TEST(Tune, DefaultIsFirst) {
           const auto made = std::find_if(
               generation.functions.begin(), generation.functions.end(),
               [&](const GeneratedFunction& each) { return each.function == candidate.function; });
-          EXPECT_EQ(candidate.chosen.method, made->chosen.method);
+          EXPECT_EQ(key_of(candidate.chosen.route), key_of(made->chosen.route));
           EXPECT_EQ(candidate.other_lanes, subjects.scene.lanes);
         }
         return Timing{};
