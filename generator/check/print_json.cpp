@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "check/report.hpp"
+#include "functions/matrix_symbol.hpp"
 
 namespace treeline {
 namespace {

@@ -36,16 +36,10 @@ EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
 std::vector<EmissionContext::SkippedRow> skipped_rows(FunctionMechanisms& mechanisms,
                                                       const Scene& scene) {
   std::vector<EmissionContext::SkippedRow> rows;
-  std::vector<Function> functions(kAllFunctions.begin(), kAllFunctions.end());
-  if (!scene.objects.empty()) {
-    functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
-  }
-  for (const Function function : functions) {
+  for (const Function function : default_functions(scene)) {
     const bool asked = std::find(scene.functions.begin(), scene.functions.end(), function) !=
                        scene.functions.end();
-    if (asked || (needs_points(function) && scene.operational_points.empty())) {
-      continue;
-    }
+    if (asked || needs_contacts(function)) continue;
     Routes routes = run_routes(mechanisms.of(function), function, {1, scene.sin_cos});
     rows.push_back({fmt::format("function {}", function_name(function)),
                     choose(std::move(routes.candidates))->chosen.count.flops()});

@@ -63,7 +63,6 @@ std::vector<ResultPlace> order_inward(std::size_t nv, std::size_t results) {
 
 Program trace_inverse(const Mechanism& mechanism, Program program) {
   const Graph::Scope scope(program.graph);
-  program.equation = "derivatives of tau = M qdd + b + g - J_ext^T f_ext, f_ext held";
   program.source = "unit changes of motion and of wrenches carried inward, in link axes";
   const Inputs in = declare_inputs(mechanism, Function::inverse_dynamics_derivatives, program);
   auto tree = tree_of<Expression>(mechanism);
@@ -79,7 +78,6 @@ Program trace_inverse(const Mechanism& mechanism, Program program) {
 
 Program trace_forward(const Mechanism& mechanism, Program program, DerivativeRoute route) {
   const Graph::Scope scope(program.graph);
-  program.equation = "derivatives of qdd = M^-1 (tau - b - g + J_ext^T f_ext), f_ext held";
   program.source = route == DerivativeRoute::solve
                        ? "-M^-1 times those of inverse dynamics, M = L^T D L, sparse solves"
                        : "-M^-1 times those of inverse dynamics, M^-1 by L^T D L";
@@ -101,6 +99,7 @@ std::vector<Program> trace_derivative_function(const Mechanism& mechanism, Funct
                                                int lanes) {
   Program empty;
   empty.name = function_name(function);
+  empty.equation = info_of(function).equation;
   empty.graph = Graph::for_trace(std::min(lanes, kMostLanes));
   if (function == Function::inverse_dynamics_derivatives) {
     return {trace_inverse(mechanism, std::move(empty))};

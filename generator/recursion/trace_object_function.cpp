@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "recursion/describe_choice.hpp"
@@ -159,22 +161,7 @@ std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
     case Function::object_forward_dynamics:
       return dynamics_routes(mechanism, tree, laws);
     default:
-      return {};
-  }
-}
-
-const char* equation_of(Function function) {
-  switch (function) {
-    case Function::object_state:
-      return "x_world = R x_object + p, as the first grasp has the object";
-    case Function::object_control_torque:
-      return "tau = J^T f + M qdd_0 + b + g, f = Lambda (C xdd - Jd qd - J qdd_0) + "
-             "W^-1 [Lambda_obj xdd + mu_obj + p_obj; internal]";
-    case Function::object_forward_dynamics:
-      return "M qdd + b + g = tau - J^T f, Lambda_obj xdd + mu_obj + p_obj = C^T f, "
-             "J qdd + Jd qd = C xdd - stabilisation[0] drift_rate - stabilisation[1] drift";
-    default:
-      return "";
+      throw std::logic_error(std::string(function_name(function)) + " is not about objects");
   }
 }
 
@@ -205,7 +192,7 @@ void declare_inputs(const Mechanism& mechanism, Function function, Program& prog
 Program trace_route(const Mechanism& mechanism, Function function, const Route& route, int lanes) {
   Program program;
   program.name = function_name(function);
-  program.equation = equation_of(function);
+  program.equation = info_of(function).equation;
   program.source = route.source;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
