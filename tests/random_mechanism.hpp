@@ -245,7 +245,7 @@ inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions&
     scene.external_forces.push_back(
         detail::random_point(dice, options, made.robot, "force_" + std::to_string(i)));
   }
-  scene.functions.assign(kAllFunctions.begin(), kAllFunctions.end());
+  scene.functions.assign(kDefaultFunctions.begin(), kDefaultFunctions.end());
   for (const Joint& joint : made.robot.joints) {
     if (detail::has_one_degree(joint) && !joint.mimic && dice.chance(options.locked)) {
       scene.locked[joint.name] = dice.rounded(-1, 1);

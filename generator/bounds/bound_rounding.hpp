@@ -5,7 +5,7 @@
 
 #include "bounds/domain.hpp"
 #include "bounds/search_rounding.hpp"
-#include "description/solve.hpp"
+#include "functions/function.hpp"
 #include "program/program.hpp"
 
 namespace treeline {

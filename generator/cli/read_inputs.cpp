@@ -7,13 +7,14 @@
 #include <utility>
 
 #include "cli/option_values.hpp"
-#include "description/find_function.hpp"
 #include "description/identifier.hpp"
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
+#include "description/suggest_function.hpp"
+#include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 #include "description/check_motion.hpp"
 #include "description/check_objects.hpp"
@@ -52,7 +51,7 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
     } else if (needs_objects(function) && scene.objects.empty()) {
       top.error(fmt::format("{} is listed, but there is no object", function_name(function)),
                 "add a list objects, or remove the function");
-    } else if (is_about_posture(function) && !has_mass(robot)) {
+    } else if (needs_mass(function) && !has_mass(robot)) {
       top.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
                 "give some link mass in the URDF, or remove the function");
     } else if (inverts_mass_matrix(function) && !singular.empty()) {
@@ -83,9 +82,8 @@ void check_damped(const SceneElement& top, const std::string& singular, const Sc
     }
     top.error(
         fmt::format("damped needs {}, which is not among the functions", function_name(function)),
-        needs_points(function) && scene.operational_points.empty()
-            ? "add a list operational_points"
-            : "add it to functions, or leave out functions for all");
+        !permits(scene, function) ? "add a list operational_points"
+                                  : "add it to functions, or leave out functions for all");
     return;
   }
 }
@@ -188,58 +186,31 @@ void check_joint_identifiers(const SceneElement& top, const Robot& robot,
 
 }  // namespace
 
-bool needs_points(Function function) {
-  switch (function) {
-    case Function::forward_kinematics:
-    case Function::jacobian:
-    case Function::bias_acceleration:
-    case Function::lambda_inverse:
-    case Function::lambda:
-    case Function::control_torque:
-      return true;
-    default:
-      return false;
+bool permits(const Scene& scene, Function function) {
+  switch (info_of(function).group) {
+    case FunctionGroup::points:
+      return !scene.operational_points.empty();
+    case FunctionGroup::objects:
+      return !scene.objects.empty();
+    case FunctionGroup::contacts:
+      return !scene.contacts.empty();
+    case FunctionGroup::robot:
+    case FunctionGroup::links:
+    case FunctionGroup::center_of_mass:
+    case FunctionGroup::derivatives:
+      break;
   }
+  return true;
 }
 
 std::vector<Function> default_functions(const Scene& scene) {
   std::vector<Function> functions;
-  for (const Function function : kAllFunctions) {
-    if (!needs_points(function) || !scene.operational_points.empty()) functions.push_back(function);
+  for (const FunctionInfo& row : kFunctions) {
+    if (row.emitted == Emitted::by_default && permits(scene, row.function)) {
+      functions.push_back(row.function);
+    }
   }
-  if (!scene.contacts.empty()) {
-    std::copy_if(kContactFunctions.begin(), kContactFunctions.end(), std::back_inserter(functions),
-                 needs_contacts);
-  }
-  if (!scene.objects.empty()) {
-    functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
-  }
-  std::sort(functions.begin(), functions.end());
   return functions;
-}
-
-bool takes_external_forces(Function function) {
-  return function == Function::inverse_dynamics || function == Function::forward_dynamics ||
-         function == Function::control_torque || is_derivative(function);
-}
-
-bool inverts_mass_matrix(Function function) {
-  switch (function) {
-    case Function::contact_inverse_inertia:
-    case Function::effective_mass:
-    case Function::impulse_response:
-    case Function::link_inverse_inertias:
-    case Function::forward_dynamics:
-    case Function::forward_dynamics_derivatives:
-    case Function::lambda_inverse:
-    case Function::lambda:
-    case Function::control_torque:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
-      return true;
-    default:
-      return false;
-  }
 }
 
 void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {

@@ -8,14 +8,8 @@
 
 namespace treeline {
 
-/// Whether a function is about operational points.
-bool needs_points(Function function);
-
-/// Whether a function has an input for the scene's external forces.
-bool takes_external_forces(Function function);
-
-/// Whether a function inverts the mass matrix.
-bool inverts_mass_matrix(Function function);
+/// Whether the scene lists what the function is about.
+bool permits(const Scene& scene, Function function);
 
 /// All functions that a scene has which lists none: those of joints, of its points, contacts and
 /// objects.

@@ -6,7 +6,6 @@
 
 #include "description/check_scene.hpp"
 #include "description/default_base.hpp"
-#include "description/find_function.hpp"
 #include "description/identifier.hpp"
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
@@ -15,6 +14,8 @@
 #include "description/read_text_file.hpp"
 #include "description/scene_element.hpp"
 #include "description/snap_angles.hpp"
+#include "description/suggest_function.hpp"
+#include "functions/find_function.hpp"
 
 namespace treeline {
 namespace {
@@ -39,7 +40,7 @@ void read_functions(const SceneElement& element, Scene& scene) {
   const std::vector<SceneElement> items = element.items();
   if (items.empty())
     element.error("no function is listed", "list some, or leave out the key for all");
-  const std::size_t known = every_function().size();
+  const std::size_t known = kSceneFunctions.size();
   if (items.size() > 2 * known) {
     element.error(fmt::format("{} functions are listed, but there are {}", items.size(), known),
                   "list each once");

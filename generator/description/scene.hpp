@@ -8,6 +8,7 @@
 
 #include "description/noise_decision.hpp"
 #include "description/robot.hpp"
+#include "functions/function.hpp"
 
 namespace treeline {
 
@@ -22,80 +23,6 @@ enum class Accuracy { best, balanced, fastest };
 /// What functions answer where rows of a task cannot be moved: a row yields, smoothly (see
 /// `TaskLaw`), or what a bare solve gives, which is not finite there.
 enum class SingularTasks { smooth, exact };
-
-/// The functions a scene may ask for; the names in YAML and in emitted code are those of
-/// `function_name`.
-enum class Function {
-  forward_kinematics,       ///< poses of the operational points
-  jacobian,                 ///< J, rows stacked over operational points
-  bias_acceleration,        ///< Jd qd
-  inverse_dynamics,         ///< tau = M qdd + b + g - J_ext^T f_ext (Chang table 4.1)
-  gravity,                  ///< g
-  nonlinear_effects,        ///< b + g
-  mass_matrix,              ///< M
-  forward_dynamics,         ///< qdd (Chang table 4.2)
-  lambda_inverse,           ///< Lambda^-1 = J M^-1 J^T (Chang table 5.3)
-  lambda,                   ///< Lambda
-  control_torque,           ///< tau of Chang table 6.1
-  object_state,             ///< poses and velocities of the objects held, drift of the grasps
-  object_control_torque,    ///< tau of Chang table 7.1
-  object_forward_dynamics,  ///< qdd, xdd of the objects, forces of the grasps (Chang table 7.2)
-  contact_motion,           ///< positions and velocities of the contacts
-  contact_inverse_inertia,  ///< Lambda_c^-1 over all contacts (Chang 8.2)
-  effective_mass,           ///< 1 / (n^T Lambda_c^-1 n) of each contact (Chang eq. 8.1)
-  impulse_response,         ///< dqd by impulses at the contacts (Chang table 8.2)
-  link_inverse_inertias,    ///< Lambda_i^-1 of all links (Chang table 8.1, inverse)
-  center_of_mass,           ///< of all links, in the world
-  center_of_mass_jacobian,  ///< J_com, 3 x nv
-  inverse_dynamics_derivatives,  ///< dtau/dq, dtau/dqd, dtau/dqdd
-  forward_dynamics_derivatives,  ///< dqdd/dq, dqdd/dqd, dqdd/dtau
-  damped_control_torque,         ///< composed of others where a scene says `damped`; never listed
-};
-inline constexpr std::array kAllFunctions = {Function::forward_kinematics,
-                                             Function::jacobian,
-                                             Function::bias_acceleration,
-                                             Function::inverse_dynamics,
-                                             Function::gravity,
-                                             Function::nonlinear_effects,
-                                             Function::mass_matrix,
-                                             Function::forward_dynamics,
-                                             Function::lambda_inverse,
-                                             Function::lambda,
-                                             Function::control_torque};
-/// Those about objects, which a scene may ask for only when it lists some.
-inline constexpr std::array kObjectFunctions = {
-    Function::object_state, Function::object_control_torque, Function::object_forward_dynamics};
-constexpr bool needs_objects(Function function) {
-  return function == Function::object_state || function == Function::object_control_torque ||
-         function == Function::object_forward_dynamics;
-}
-/// Those about contacts, which a scene may ask for only when it lists some, and the inverse
-/// inertias of all links, which it gets only when it asks.
-inline constexpr std::array kContactFunctions = {
-    Function::contact_motion, Function::contact_inverse_inertia, Function::effective_mass,
-    Function::impulse_response, Function::link_inverse_inertias};
-constexpr bool needs_contacts(Function function) {
-  return function == Function::contact_motion || function == Function::contact_inverse_inertia ||
-         function == Function::effective_mass || function == Function::impulse_response;
-}
-/// Those that posture laws need, which a scene gets only when it asks.
-inline constexpr std::array kPostureFunctions = {Function::center_of_mass,
-                                                 Function::center_of_mass_jacobian};
-constexpr bool is_about_posture(Function function) {
-  return function == Function::center_of_mass || function == Function::center_of_mass_jacobian;
-}
-/// Those that optimisers need: long code, which a scene gets only when it asks.
-inline constexpr std::array kDerivativeFunctions = {Function::inverse_dynamics_derivatives,
-                                                    Function::forward_dynamics_derivatives};
-constexpr bool is_derivative(Function function) {
-  return function == Function::inverse_dynamics_derivatives ||
-         function == Function::forward_dynamics_derivatives;
-}
-/// Those that `damped_control_torque` is composed of.
-inline constexpr std::array kDampedFunctions = {Function::jacobian, Function::bias_acceleration,
-                                                Function::inverse_dynamics,
-                                                Function::lambda_inverse};
-const char* function_name(Function function);
 
 /// A frame fixed to a link: an operational point, or the place where an external force acts.
 /// `axes` are those in which its rows (linear over angular) are expressed; the reference point is

@@ -210,46 +210,7 @@ void flip_apart(Mechanism& mechanism, const Counter& counter, const std::vector<
   }
 }
 
-bool takes_rates(Function function) {
-  return function == Function::inverse_dynamics || function == Function::nonlinear_effects ||
-         function == Function::bias_acceleration || function == Function::forward_dynamics ||
-         function == Function::contact_motion || function == Function::object_state;
-}
-
 }  // namespace
-
-std::vector<Function> axes_deciders(Function function) {
-  switch (function) {
-    case Function::forward_dynamics:
-    case Function::lambda_inverse:
-    case Function::lambda:
-    case Function::control_torque:
-      return {Function::forward_dynamics};
-    case Function::forward_kinematics:
-    case Function::jacobian:
-    case Function::bias_acceleration:
-    case Function::inverse_dynamics:
-    case Function::gravity:
-    case Function::nonlinear_effects:
-    case Function::mass_matrix:
-    case Function::contact_motion:
-    case Function::object_state:
-    case Function::center_of_mass:
-    case Function::center_of_mass_jacobian:
-      return {function};
-    case Function::contact_inverse_inertia:
-    case Function::effective_mass:
-    case Function::impulse_response:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
-      return {Function::forward_dynamics};
-    case Function::inverse_dynamics_derivatives:
-    case Function::forward_dynamics_derivatives:  // deep trees gain more by the second
-      return {Function::forward_dynamics, Function::mass_matrix};
-    default:
-      return {};
-  }
-}
 
 int count_cheapest(const Mechanism& mechanism, Function function) {
   int least = std::numeric_limits<int>::max();
@@ -262,7 +223,7 @@ int count_cheapest(const Mechanism& mechanism, Function function) {
 void choose_axes(Mechanism& mechanism, Function decider) {
   constexpr std::size_t kFew = 64;  // as humanoids have
   std::vector<bool MovingLink::*> choices{&MovingLink::turns_late};
-  if (takes_rates(decider)) choices.push_back(&MovingLink::carries_column);
+  if (info_of(decider).columns == Columns::carried) choices.push_back(&MovingLink::carries_column);
   const std::vector<Links> together = corresponding_links(mechanism);
   const Counter counter(mechanism, decider);
   std::vector<Flip> flips;

@@ -30,9 +30,9 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (takes_external_forces(function)) needs |= kForces;
   if (needs_contacts(function)) needs |= kContacts;
   needs &= in_scene_;
-  const std::vector<Function> deciders = axes_deciders(function);
-  if (deciders.empty()) return reduced(needs);
-  if (deciders.size() == 1) return decided(needs, deciders.front());
+  const FrameCost& frames = info_of(function).frames;
+  if (frames.count == 0) return reduced(needs);
+  if (frames.count == 1) return decided(needs, *frames.begin());
   // What forward dynamics derives is for the most part what inverse dynamics does.
   const Function counted =
       is_derivative(function) ? Function::inverse_dynamics_derivatives : function;
@@ -41,7 +41,7 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (cheapest != cheapest_.end()) return *cheapest->second;
   const Mechanism* best = nullptr;
   int least = std::numeric_limits<int>::max();
-  for (const Function decider : deciders) {
+  for (const Function decider : frames) {
     const Mechanism& mechanism = decided(needs, decider);
     const int flops = count_cheapest(mechanism, counted);
     if (flops < least) {

@@ -48,18 +48,9 @@ Savings::Sum Savings::possible() const {
 
 std::vector<Function> possible_functions(const Scene& scene) {
   std::vector<Function> functions;
-  for (const Function function : kAllFunctions) {
-    if (!needs_points(function) || !scene.operational_points.empty()) functions.push_back(function);
+  for (const Function function : kSceneFunctions) {
+    if (permits(scene, function)) functions.push_back(function);
   }
-  for (const Function function : kContactFunctions) {
-    if (!needs_contacts(function) || !scene.contacts.empty()) functions.push_back(function);
-  }
-  if (!scene.objects.empty()) {
-    functions.insert(functions.end(), kObjectFunctions.begin(), kObjectFunctions.end());
-  }
-  functions.insert(functions.end(), kPostureFunctions.begin(), kPostureFunctions.end());
-  functions.insert(functions.end(), kDerivativeFunctions.begin(), kDerivativeFunctions.end());
-  std::sort(functions.begin(), functions.end());
   return functions;
 }
 

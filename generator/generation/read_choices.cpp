@@ -5,8 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "description/find_function.hpp"
 #include "description/read_text_file.hpp"
+#include "description/suggest_function.hpp"
+#include "functions/find_function.hpp"
 #include "generation/choices.hpp"
 
 namespace treeline {

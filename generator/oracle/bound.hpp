@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "description/solve.hpp"
+#include "functions/function.hpp"
 #include "oracle/reference.hpp"
 
 namespace treeline {

@@ -1,10 +1,8 @@
 #include "oracle/interpret.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "description/check_scene.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_contacts.hpp"
@@ -80,9 +78,24 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
     case Function::forward_dynamics_derivatives:
       return derivatives(interpreter::forward_dynamics_derivatives<Scalar>(
           model, at.q, at.qd, at.tau, external, at.f_ext));
-    default:
-      throw std::logic_error(std::string("the interpreter has no ") + function_name(function));
+    case Function::forward_kinematics:
+    case Function::jacobian:
+    case Function::bias_acceleration:
+    case Function::lambda_inverse:
+    case Function::lambda:
+    case Function::control_torque:
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+    case Function::contact_motion:
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
+    case Function::damped_control_torque:
+      break;
   }
+  throw std::logic_error(std::string(function_name(function)) + " is not of the robot as a whole");
 }
 
 template <class Scalar>
@@ -140,14 +153,20 @@ std::vector<Scalar> of_points(Function function, const Subject<Scalar>& subject,
 template <class Scalar>
 std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject, const State& state,
                               const interpreter::TaskLaw<Scalar>& law) {
-  if (needs_objects(function)) return interpret_objects(function, subject, state, law);
-  const auto is_among = [function](const auto& functions) {
-    return std::find(functions.begin(), functions.end(), function) != functions.end();
-  };
-  if (is_among(kContactFunctions)) return interpret_contacts(function, subject, state, law);
-  const Numbers<Scalar> at(state);
-  const bool about_points = needs_points(function) || function == Function::damped_control_torque;
-  return about_points ? of_points(function, subject, at, law) : of_robot(function, subject, at);
+  switch (info_of(function).group) {
+    case FunctionGroup::objects:
+      return interpret_objects(function, subject, state, law);
+    case FunctionGroup::contacts:
+    case FunctionGroup::links:
+      return interpret_contacts(function, subject, state, law);
+    case FunctionGroup::points:
+      return of_points(function, subject, Numbers<Scalar>(state), law);
+    case FunctionGroup::robot:
+    case FunctionGroup::center_of_mass:
+    case FunctionGroup::derivatives:
+      break;
+  }
+  return of_robot(function, subject, Numbers<Scalar>(state));
 }
 
 template std::vector<float> interpret(Function, const Subject<float>&, const State&,

@@ -16,7 +16,4 @@ std::vector<Scalar> interpret_objects(Function function, const Subject<Scalar>& 
                                       const State& state,
                                       const interpreter::TaskLaw<Scalar>& law = {});
 
-/// What the state has for an argument that a scene may be without.
-std::vector<double> optional_argument(const State& state, const char* name);
-
 }  // namespace treeline

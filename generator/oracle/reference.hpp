@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "description/solve.hpp"
+#include "functions/function.hpp"
 #include "generation/generate_code.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/graph_run.hpp"

@@ -9,15 +9,8 @@
 # choices or the generator change, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
 
-# Every function a scene may ask for; which of them it does is known only once it is read.
-set(TREELINE_ALL_FUNCTIONS
-  forward_kinematics jacobian bias_acceleration inverse_dynamics gravity nonlinear_effects
-  mass_matrix forward_dynamics lambda_inverse lambda control_torque
-  contact_motion contact_inverse_inertia effective_mass impulse_response link_inverse_inertias
-  object_state object_control_torque object_forward_dynamics
-  center_of_mass center_of_mass_jacobian
-  inverse_dynamics_derivatives forward_dynamics_derivatives
-  CACHE INTERNAL "")
+# TREELINE_FUNCTIONS, every function that a scene may ask for, comes from treeline_functions.cmake;
+# which of them a scene does ask for is known only once it is read.
 
 function(treeline_generate target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;CHOICES" "FUNCTIONS")
@@ -53,11 +46,11 @@ function(treeline_generate target)
     list(APPEND options --choices ${arg_CHOICES})
   endif()
 
-  set(sources ${TREELINE_ALL_FUNCTIONS})
+  set(sources ${TREELINE_FUNCTIONS})
   if(arg_SCENE AND EXISTS ${arg_SCENE})
     file(STRINGS ${arg_SCENE} batch REGEX "batch *:")
     if(batch)
-      list(TRANSFORM TREELINE_ALL_FUNCTIONS PREPEND batch_ OUTPUT_VARIABLE batch_sources)
+      list(TRANSFORM TREELINE_FUNCTIONS PREPEND batch_ OUTPUT_VARIABLE batch_sources)
       list(APPEND sources ${batch_sources})
     endif()
   endif()

@@ -1,6 +1,8 @@
 #include "recursion/trace_contacts.hpp"
 
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "recursion/contacts.hpp"
@@ -31,31 +33,6 @@ struct ContactRoute {
   std::function<std::vector<Result>(const ContactTrace&)> body;
   std::shared_ptr<const TaskLaw> law = nullptr;
 };
-
-/// What all routes of a function have in common: its equation and its input beside q.
-struct Contract {
-  std::string equation;
-  Argument other;
-};
-
-Contract contract_of(Function function, int nv, int contacts) {
-  const int entries = 3 * contacts;
-  switch (function) {
-    case Function::contact_motion:
-      return {"positions of the contacts and their derivatives", {"qd", nv, 1, "joint velocities"}};
-    case Function::contact_inverse_inertia:
-      return {"dv = Lambda_c^-1 y: velocities of the contacts by impulses there", {}};
-    case Function::effective_mass:
-      return {"m = 1 / (n^T Lambda_c^-1 n), for every contact by itself",
-              {"normals", entries, 1, "directions, world axes, one contact after the other"}};
-    case Function::impulse_response:
-      return {"dqd = M^-1 J_c^T y",
-              {"impulse", entries, 1,
-               "impulses on the robot, N s, world axes, one contact after the other"}};
-    default:
-      return {"Lambda_i^-1 = J_i M^-1 J_i^T, for every link that moves against its parent", {}};
-  }
-}
 
 /// The tree with its contacts as the points that rows of Lambda^-1 are about.
 TracedTree tree_of_contact_tasks(TracedTree tree) {
@@ -175,24 +152,24 @@ std::vector<ContactRoute> routes_of(Function function, const Mechanism& mechanis
     case Function::link_inverse_inertias:
       return link_routes(tree);
     default:
-      return {};
+      throw std::logic_error(std::string(function_name(function)) + " is not about contacts");
   }
 }
 
 Program trace(const Mechanism& mechanism, Function function, const ContactRoute& route, int lanes) {
-  const Contract contract =
-      contract_of(function, mechanism.nv(), static_cast<int>(mechanism.contacts.size()));
   Program program;
   program.name = function_name(function);
-  program.equation = contract.equation;
+  program.equation = info_of(function).equation;
   program.route = route.id;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   ContactTrace traced;
   traced.tree = tree_of<Expression>(mechanism);
-  traced.q = declare(program, "q", mechanism.nq(), "joint coordinates");
-  const Argument& other = contract.other;
-  traced.other = declare(program, other.name, other.rows, other.meaning);
+  const TracedInputs inputs(mechanism, function, program);
+  traced.q = inputs[Quantity::q];
+  for (const Quantity quantity : info_of(function).inputs) {
+    if (quantity != Quantity::q) traced.other = inputs[quantity];
+  }
   traced.X = joint_transforms<Expression>(traced.tree, traced.q);
   turn_late(traced.tree, traced.X);
   traced.poses = world_poses(traced.tree, traced.X);

@@ -10,7 +10,6 @@
 #include "recursion/control_torque.hpp"
 #include "recursion/describe_choice.hpp"
 #include "recursion/forward_dynamics.hpp"
-#include "recursion/function_signature.hpp"
 #include "recursion/hopeless_algorithms.hpp"
 #include "recursion/late_turns.hpp"
 #include "recursion/lift_tree.hpp"
@@ -77,10 +76,9 @@ class Tracer {
       : mechanism_(mechanism), constants_(tree_of<double>(mechanism)), lanes_(lanes) {}
 
   Program trace(Function function, const Route& route, Names names = Names::kept) const {
-    const Signature common = signature(function);
     Program program;
     program.name = function_name(function);
-    program.equation = common.equation;
+    program.equation = info_of(function).equation;
     program.route = route.id;
     program.graph = Graph::for_trace(lanes_);
     if (names == Names::forgotten) program.graph.forget_names();
@@ -91,7 +89,7 @@ class Tracer {
       program.equation += priorities_of(trace.tree);
     }
     trace.rows = static_cast<std::size_t>(mechanism_.task_rows());
-    declare_inputs(common.inputs, program, trace);
+    take_inputs(function, program, trace);
     trace.X = joint_transforms<Expression>(trace.tree, trace.q);
     turn_late(trace.tree, trace.X);
     if (route.law) {
@@ -106,30 +104,14 @@ class Tracer {
   }
 
  private:
-  void declare_inputs(unsigned inputs, Program& program, Trace& trace) const {
-    const int nv = mechanism_.nv();
-    trace.q = declare(program, "q", mechanism_.nq(), "joint coordinates");
-    if ((inputs & kQd) != 0) {
-      trace.qd = declare(program, "qd", nv, "joint velocities");
-    }
-    if ((inputs & kQdd) != 0) {
-      trace.qdd = declare(program, "qdd", nv, "joint accelerations");
-    }
-    if ((inputs & kPosture) != 0) {
-      trace.qdd = declare(program, "qdd_0", nv, "joint accelerations that the posture asks for");
-    }
-    if ((inputs & kTau) != 0) {
-      trace.tau = declare(program, "tau", nv, "joint forces");
-    }
-    if ((inputs & kXddCmd) != 0) {
-      trace.xdd_cmd = declare(program, "xdd_cmd", mechanism_.task_rows(),
-                              "commanded accelerations of the task rows");
-    }
-    if ((inputs & kForces) != 0 && !mechanism_.external_forces.empty()) {
-      trace.f_ext =
-          declare(program, "f_ext", 6 * static_cast<int>(mechanism_.external_forces.size()),
-                  "force and moment on the robot at each external force's point");
-    }
+  void take_inputs(Function function, Program& program, Trace& trace) const {
+    const TracedInputs inputs(mechanism_, function, program);
+    trace.q = inputs[Quantity::q];
+    trace.qd = inputs[Quantity::qd];
+    trace.qdd = inputs[takes(function, Quantity::qdd_0) ? Quantity::qdd_0 : Quantity::qdd];
+    trace.tau = inputs[Quantity::tau];
+    trace.xdd_cmd = inputs[Quantity::xdd_cmd];
+    trace.f_ext = inputs[Quantity::f_ext];
   }
 
   const Mechanism& mechanism_;
@@ -336,8 +318,20 @@ std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
       return lambda_routes(tree, true, laws);
     case Function::control_torque:
       return control_routes(mechanism, tree, laws);
-    default:
-      break;
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+    case Function::contact_motion:
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
+    case Function::center_of_mass:
+    case Function::center_of_mass_jacobian:
+    case Function::inverse_dynamics_derivatives:
+    case Function::forward_dynamics_derivatives:
+    case Function::damped_control_torque:
+      break;  // traced elsewhere
   }
   return {};
 }
@@ -351,18 +345,19 @@ TracedTree structure_of(const Mechanism& mechanism, Graph& graph) {
 }  // namespace
 
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes) {
-  if (std::find(kContactFunctions.begin(), kContactFunctions.end(), function) !=
-      kContactFunctions.end()) {
-    return trace_contact_function(mechanism, function, lanes);
-  }
-  if (needs_objects(function)) {
-    return trace_object_function(mechanism, function, lanes);
-  }
-  if (is_about_posture(function)) {
-    return trace_posture_function(mechanism, function, lanes);
-  }
-  if (is_derivative(function)) {
-    return trace_derivative_function(mechanism, function, lanes);
+  switch (info_of(function).group) {
+    case FunctionGroup::contacts:
+    case FunctionGroup::links:
+      return trace_contact_function(mechanism, function, lanes);
+    case FunctionGroup::objects:
+      return trace_object_function(mechanism, function, lanes);
+    case FunctionGroup::center_of_mass:
+      return trace_posture_function(mechanism, function, lanes);
+    case FunctionGroup::derivatives:
+      return trace_derivative_function(mechanism, function, lanes);
+    case FunctionGroup::robot:
+    case FunctionGroup::points:
+      break;
   }
   Graph graph;
   const TracedTree tree = structure_of(mechanism, graph);

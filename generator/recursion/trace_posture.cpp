@@ -10,21 +10,20 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   std::vector<Program> programs(1);
   Program& program = programs.front();
   program.name = function_name(function);
+  program.equation = info_of(function).equation;
   program.route = {"composite-moments", "first moments of the composite bodies"};
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
-  const auto q = declare(program, "q", mechanism.nq(), "joint coordinates");
+  const TracedInputs inputs(mechanism, function, program);
   auto tree = tree_of<Expression>(mechanism);
-  auto X = joint_transforms<Expression>(tree, q);
+  auto X = joint_transforms<Expression>(tree, inputs[Quantity::q]);
   turn_late(tree, X);
   if (function == Function::center_of_mass) {
-    program.equation = "centre of mass: sum of m_i c_i over the mass of all links";
     const Vector3<Expression> center = center_of_mass(tree, X);
     program.results = {
         {{"com", 3, 1, "centre of mass in the world, m"}, {center.x, center.y, center.z}}};
     return programs;
   }
-  program.equation = "velocity of the centre of mass = J_com qd";
   program.results = {{{"J_com", 3, mechanism.nv(), "Jacobian of the centre of mass, world axes"},
                       center_of_mass_jacobian(tree, X).values()}};
   return programs;

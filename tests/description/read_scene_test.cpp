@@ -120,7 +120,7 @@ locked: {slide: 0.25}
 
 TEST(ReadScene, ChoosesAllFunctionsWithPoints) {
   const Scene scene = read("operational_points: [{name: tip, link: tool, rows: [x, y]}]");
-  EXPECT_EQ(scene.functions, std::vector(kAllFunctions.begin(), kAllFunctions.end()));
+  EXPECT_EQ(scene.functions, std::vector(kDefaultFunctions.begin(), kDefaultFunctions.end()));
 }
 
 TEST(ReadScene, ReadsContactsAndTheirFunctions) {

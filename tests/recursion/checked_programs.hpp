@@ -58,12 +58,6 @@ class ErrorTable {
   std::map<Function, Entry> entries_;
 };
 
-inline bool needs_points(Function function) {
-  return function == Function::forward_kinematics || function == Function::jacobian ||
-         function == Function::bias_acceleration || function == Function::lambda_inverse ||
-         function == Function::lambda || function == Function::control_torque;
-}
-
 /// All routes of all functions of a scene, traced once, with their oracle. Tasks are solved as they
 /// are: what yields near singularities is compared in tests/check/singular_tasks_test.cpp.
 class CheckedPrograms {
@@ -118,7 +112,7 @@ class CheckedPrograms {
 
  private:
   void append(const Mechanism& mechanism) {
-    for (const Function function : kAllFunctions) {
+    for (const Function function : kDefaultFunctions) {
       if (!needs_points(function) || oracle_.has_points()) {
         programs_.emplace_back(function, trace_function(mechanism, function));
       }

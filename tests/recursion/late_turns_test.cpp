@@ -31,7 +31,7 @@ void expect_same_motion(const RandomMechanism& made, std::uint64_t seed) {
   const Yardstick size = yardstick(oracle, in);
   const TemplateRun<Digits50> run(
       with_random_choices(reduced_mechanism(made.robot, made.scene), dice), in);
-  for (const Function function : kAllFunctions) {
+  for (const Function function : kDefaultFunctions) {
     if (!permits(function, oracle.has_points(), size)) continue;
     const auto expected = oracle.results(function, in);
     for (const auto& [route, results] : run.results(function)) {

@@ -59,7 +59,7 @@ TEST_P(Counts, StayBelowTheirBounds) {
   EXPECT_LE(in_both(Function::inverse_dynamics), GetParam().inverse_dynamics);
   EXPECT_LE(in_both(Function::lambda_inverse), GetParam().lambda_inverse);
   EXPECT_LE(in_both(Function::control_torque), GetParam().control_torque);
-  for (const Function function : kAllFunctions) in_both(function);
+  for (const Function function : kDefaultFunctions) in_both(function);
 }
 
 /// An arm whose hand is not a simple one.
@@ -186,7 +186,7 @@ TEST(Routes, AreSeveralAndNamed) {
 TEST(Routes, AreTracedTheSameEveryTime) {
   const RandomMechanism made = arm();
   const Mechanism mechanism = reduced_mechanism(made.robot, made.scene);
-  for (const Function function : kAllFunctions) {
+  for (const Function function : kDefaultFunctions) {
     const auto one = trace_function(mechanism, function);
     const auto other = trace_function(reduced_mechanism(made.robot, made.scene), function);
     ASSERT_EQ(one.size(), other.size());

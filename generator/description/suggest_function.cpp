@@ -1,12 +1,15 @@
-#include "description/find_function.hpp"
+#include "description/suggest_function.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "description/suggest_name.hpp"
+#include "functions/function.hpp"
 
 namespace treeline {
 namespace {
@@ -27,39 +30,13 @@ constexpr std::array kElsewhere = std::to_array<std::pair<std::string_view, cons
     {"rnea", "did you mean \"inverse_dynamics\"?"},
 });
 
-/// Those that a scene gets only when it asks.
-std::vector<std::string> names_of_unasked() {
+std::vector<std::string> names_of(std::span<const Function> functions) {
   std::vector<std::string> names;
-  for (const Function function : every_function()) {
-    if (is_about_posture(function) || is_derivative(function) ||
-        function == Function::link_inverse_inertias) {
-      names.emplace_back(function_name(function));
-    }
-  }
+  for (const Function function : functions) names.emplace_back(function_name(function));
   return names;
 }
 
 }  // namespace
-
-std::vector<Function> every_function() {
-  std::vector<Function> every;
-  const auto append = [&](std::span<const Function> functions) {
-    for (const Function function : functions) every.push_back(function);
-  };
-  append(kAllFunctions);
-  append(kContactFunctions);
-  append(kObjectFunctions);
-  append(kPostureFunctions);
-  append(kDerivativeFunctions);
-  return every;
-}
-
-std::optional<Function> find_function(std::string_view name) {
-  for (const Function function : every_function()) {
-    if (name == function_name(function)) return function;
-  }
-  return std::nullopt;
-}
 
 std::string suggest_function(std::string_view name) {
   if (name == "all") {
@@ -67,14 +44,12 @@ std::string suggest_function(std::string_view name) {
         "leave out functions for all that the scene permits; these come only when they are "
         "listed:\n"
         "{}",
-        list_names(names_of_unasked()));
+        list_names(names_of(kRequestedFunctions)));
   }
   for (const auto& [elsewhere, meaning] : kElsewhere) {
     if (name == elsewhere) return meaning;
   }
-  std::vector<std::string> known;
-  for (const Function function : every_function()) known.emplace_back(function_name(function));
-  return suggest_name(name, known, "the functions are");
+  return suggest_name(name, names_of(kSceneFunctions), "the functions are");
 }
 
 }  // namespace treeline
