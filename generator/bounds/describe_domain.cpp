@@ -19,7 +19,7 @@ double finite_or(double value, double otherwise) {
   return std::isfinite(value) && value > 0 ? value : otherwise;
 }
 
-/// q of one coordinate, by what the mechanism tells of it.
+/// Largest magnitude of a coordinate: its limits, or the default for its kind.
 double coordinate_size(const Coordinate& coordinate, const DomainDefaults& defaults) {
   if (coordinate.is_of_quaternion()) return 1;
   const double size = std::max(std::abs(coordinate.lower), std::abs(coordinate.upper));
@@ -44,7 +44,7 @@ void set_rates(const Robot& robot, const Mechanism& mechanism, const DomainDefau
   domain.sizes["qdd"] = domain.sizes["qdd_0"] = std::vector<double>(nv, defaults.acceleration);
 }
 
-/// Four digits, never more than the value: the bound is not known to hold beyond.
+/// Rounds down to four digits. A larger value would state a range in which the bound may not hold.
 double rounded_down(double value) {
   if (value == 0) return 0;
   const double last = std::pow(10, std::floor(std::log10(value)) - 3);

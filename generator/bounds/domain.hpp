@@ -12,39 +12,43 @@
 
 namespace treeline {
 
-/// The largest magnitude that a bound allows each input of the emitted functions, by argument.
-/// Sines and cosines that are inputs themselves lie on the unit circle, see `lie_on_circle`.
+/// Domain of a rounding bound: the largest magnitude of each input of the emitted functions, by
+/// argument. Sines and cosines that are inputs themselves lie on the unit circle, see
+/// `lie_on_circle`.
 struct Domain {
   std::map<std::string, std::vector<double>, std::less<>> sizes;
-  /// The same for every entry of arguments whose length is the function's own matter.
+  /// Largest magnitude of every entry, by argument, for arguments whose length depends on the
+  /// function.
   std::map<std::string, double, std::less<>> each;
-  /// Where in q the four entries of a quaternion, which has length 1, begin.
+  /// Index in q of the first of the four entries of each quaternion. Quaternions have length 1.
   std::vector<std::size_t> quaternions;
 
-  /// Of an input as the graph names it: `qd[3]`. Nothing where no range is stated.
+  /// Largest magnitude of an input, given by its name in the graph (`qd[3]`). Nothing if no range
+  /// is stated.
   [[nodiscard]] std::optional<double> find(std::string_view input) const;
-  /// Whether these values of an argument are in the domain; not where no range is stated.
+  /// Whether these values of an argument lie in the domain. False if no range is stated.
   [[nodiscard]] bool contains(std::string_view argument, const std::vector<double>& values) const;
 };
 
-/// Where the URDF is silent.
+/// Ranges to use if the URDF states none.
 struct DomainDefaults {
-  double angle = 3.141592653589793;  ///< rad, of continuous joints
+  double angle = 3.141592653589793;  ///< rad, for continuous joints
   double position = 10;              ///< m
   double velocity = 10;              ///< rad/s, m/s
-  double acceleration = 100;         ///< rad/s^2, m/s^2; the URDF never tells it
+  double acceleration = 100;         ///< rad/s^2, m/s^2; a URDF never states it
   double effort = 1000;              ///< N m, N; also of external and internal forces
   double impulse = 100;              ///< N s
-  double gain = 1000;                ///< of a grasp's damping and stiffness, 1/s and 1/s^2
+  double gain = 1000;                ///< damping and stiffness of a grasp, 1/s and 1/s^2
 };
 
-/// Joint limits, velocity and effort limits of the URDF, and defaults. Entries of quaternions are
-/// at most 1.
+/// Makes the domain from the position, velocity and effort limits of the URDF, and from defaults.
+/// Entries of quaternions are at most 1.
 Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
                    const DomainDefaults& defaults = {});
 
-/// `|q| <= 2.8 3.1 ..., |qd| <= 10`: of these arguments; one number where all are the same; and
-/// that sines and cosines, where they are arguments, lie on the unit circle.
+/// Describes the domain of these arguments: `|q| <= 2.8 3.1 ..., |qd| <= 10`, with a single number
+/// if all entries have the same limit. If sines and cosines are arguments, the text says that they
+/// lie on the unit circle.
 std::string describe(const Domain& domain, const std::vector<std::string>& arguments);
 
 }  // namespace treeline
