@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kDeepest = 100;
 constexpr std::size_t kMostTerms = 60, kMostRootTerms = 6;
-constexpr double kFactorSlack = 0x1p-40;  // for factors, of what they were summed up from
+constexpr double kFactorSlack = 0x1p-40;  // slack of factors, relative to the terms they were
+                                          // summed from
 constexpr double kNothing = kFactorSlack / 16;
 
 }  // namespace
@@ -41,7 +42,8 @@ std::optional<Bounded> FormBounds::add(std::uint32_t node) {
   return Bounded{std::min(all.size, half.size), std::min(all.error, half.error)};
 }
 
-/// The products of the form times `kept` together with what is turned, the rest by themselves.
+/// Bounds a form. Of each product with a turned value, the share `kept` is bounded together with
+/// what is turned by the same angle; everything else is bounded alone.
 Bounded FormBounds::bound_root(const QuadraticForm& form, double kept) {
   Row row;
   Bounded rest{0, form.error};
@@ -69,8 +71,8 @@ bool FormBounds::is_input(std::uint32_t node) const {
   return known_.graph.nodes()[node].op == Op::input;
 }
 
-/// Whether it is a value that is turned, or a product with one but not with an input: these are
-/// velocities of joints, where nothing cancels.
+/// Whether the monomial is a turned value, or a product with one and without an input. Inputs are
+/// velocities of joints, whose products do not cancel.
 bool FormBounds::is_open(const Monomial& of) const {
   if (of.is_linear()) return forms_.turn(of.b) != 0;
   return (forms_.turn(of.a) != 0 || forms_.turn(of.b) != 0) && !is_input(of.a) && !is_input(of.b);
@@ -104,7 +106,7 @@ Bounded FormBounds::bound_rows(Rows rows, int depth) {
   return bound;
 }
 
-/// The angle by which the latest of the values is turned.
+/// Returns the angle that turns the value closest to the results, or 0 if none is turned.
 Angle FormBounds::nearest_turn(const Rows& rows) const {
   int highest = -1;
   Angle angle = 0;
@@ -144,7 +146,7 @@ bool FormBounds::substitute(const Coefficient& term, Angle angle, QuadraticForm&
   return true;
 }
 
-/// k a b: as of products of nodes.
+/// Substitutes the forms of a and b in the term k a b.
 bool FormBounds::substitute_product(const Coefficient& term, Angle angle, QuadraticForm& form) {
   const auto factor = [&](std::uint32_t node, QuadraticForm& own) -> const QuadraticForm* {
     if (forms_.turn(node) == angle) return turned(node, true);
@@ -178,26 +180,27 @@ std::optional<QuadraticForm> FormBounds::substitute(const Row& row, Angle angle)
   return form;
 }
 
-/// Rows written by sines and cosines of an angle: these make a matrix A, their coefficients are the
-/// rows to go on with.
+/// Rows, written as the matrix A of sines and cosines of one angle times `columns`, the rows that
+/// remain to be bounded.
 class FormBounds::Turn {
  public:
   explicit Turn(std::size_t rows) { A.rows = rows; }
 
-  /// The next row's terms to go on with.
+  /// Adds the terms of the current row that remain to be bounded.
   void add_open(const std::vector<FormTerm>& terms) {
     std::array<Row, 5> parts;
     for (const FormTerm& term : terms) {
       for (std::size_t i = 0; i < parts.size(); ++i) {
         const double factor = term.factor.c[i];
-        if (std::abs(factor) > kNothing * term.summed) {  // else in the slack
+        if (std::abs(factor) > kNothing * term.summed) {  // smaller ones are within the slack
           parts[i].push_back({term.of, factor});
         }
       }
     }
     for (std::size_t i = 0; i < parts.size(); ++i) add_part(i, std::move(parts[i]));
   }
-  /// A term of the next row that is bounded as it is: of each node that is multiplied one matrix.
+  /// Adds a term of the current row that is bounded as it is: `factor` times the values `node` and
+  /// `other`. Terms are grouped in one matrix for each `node`.
   void add_closed(std::uint32_t node, std::uint32_t other, const TrigPolynomial& factor) {
     Closed& some = closed[node];
     const auto found = std::find(some.others.begin(), some.others.end(), other);
@@ -218,12 +221,12 @@ class FormBounds::Turn {
   };
   Rows columns;
   TrigMatrix A;
-  std::map<std::uint32_t, Closed> closed;  ///< by the node that is multiplied, 0: none is
-  Bounded rest;                            ///< of roundings
+  std::map<std::uint32_t, Closed> closed;  ///< by node; 0: terms without such a factor
+  Bounded rest;                            ///< from rounding
 
  private:
-  /// What the constant, the cosine or the sine is multiplied with: one of the columns, or a
-  /// multiple of one.
+  /// Adds what the constant, the cosine or the sine multiplies: one of the columns or a multiple of
+  /// one.
   void add_part(std::size_t basis, Row part) {
     double largest = 0;
     for (const Coefficient& term : part) {
@@ -241,7 +244,7 @@ class FormBounds::Turn {
     A.columns = columns.size();
   }
 
-  /// But for less than the slack of factors, which is in the rest.
+  /// Whether two rows are equal within the slack of factors, which is part of `rest`.
   static bool are_same(const Row& x, const Row& y) {
     return std::equal(
         x.begin(), x.end(), y.begin(), y.end(), [](const Coefficient& p, const Coefficient& q) {
@@ -253,7 +256,8 @@ class FormBounds::Turn {
   std::size_t row_ = 0;
 };
 
-/// Of all rows: what was rounded, and of each node its size times the norm of what it multiplies.
+/// Bounds what is not turned: the rounding, and for each node its size times the norm of what it
+/// multiplies. Nothing if a matrix is too large.
 std::optional<Bounded> FormBounds::bound_rest(const Turn& turn) const {
   Bounded rest = turn.rest;
   for (const auto& [factor, closed] : turn.closed) {

@@ -10,24 +10,26 @@
 
 namespace treeline::bounds {
 
-/// Bounds differences whose products cancel. A link's angular acceleration may be computed as what
-/// the product of two angular velocities has over an entry of the parent's wd x + w x w x, turned:
-/// of all those products only the velocity of the link's own joint times the parent's is left. To
-/// see that, values are written as polynomials of second degree in what is turned last, whose
-/// factors are sines and cosines of that angle; in these the products cancel. The norm of the
-/// polynomials of one angle is at most the 2-norm of the matrix of sines and cosines times the norm
-/// of their coefficients, which are turned by the next angle, and so on to the sources.
+/// Bounds differences in which products cancel. For instance, a link's angular acceleration may be
+/// computed as the product of two angular velocities minus an entry of the parent's wd x + w x w x,
+/// rotated. All that is left of those products is the velocity of the link's own joint times that
+/// of the parent. To detect this, values are written as polynomials of second degree in the values
+/// that were rotated last. The factors are sines and cosines of that angle, and the products cancel
+/// in them. The norm of all polynomials of one angle is at most the 2-norm of the matrix of sines
+/// and cosines times the norm of their coefficients. The coefficients are rotated by the next
+/// angle, and so on down to the inputs.
 class FormBounds {
  public:
   using NormOf = std::function<Bounded(const Set&)>;
 
   FormBounds(const NodeBounds& known, NormMemo& norms, NormOf norm_of);
 
-  /// To be called for each node in order, once it has a bound: a better one, if there is one.
+  /// Returns a better bound of the node, if one is found. Call this for each node in order, once it
+  /// has a bound.
   std::optional<Bounded> add(std::uint32_t node);
 
  private:
-  /// Constant factors of monomials.
+  /// A monomial with a constant factor.
   struct Coefficient {
     Monomial of;
     double factor = 0;
@@ -55,7 +57,7 @@ class FormBounds {
   NormMemo& norms_;
   NormOf norm_of_;
   QuadraticForms forms_;
-  std::vector<int> height_;  ///< operations on the longest way to an input
+  std::vector<int> height_;  ///< number of operations on the longest path to an input
   std::map<std::pair<std::uint32_t, bool>, std::optional<QuadraticForm>> turned_;
   std::map<Rows, Bounded> bounds_;
 };

@@ -19,7 +19,7 @@ double round_up(double value, int digits) {
   return std::ceil(value / last * (1 - 1e-12)) * last;
 }
 
-/// So many digits, never less than the value.
+/// Prints `value` with `digits` digits, rounded up.
 std::string rounded_up(double value, int digits = 2) {
   return fmt::format("{:.{}e}", round_up(value, digits), digits - 1);
 }
@@ -35,7 +35,7 @@ std::optional<std::string> missing_range(const Program& program, const Domain& d
   return std::nullopt;
 }
 
-/// By something that may be zero.
+/// Whether the graph has a division whose divisor may be zero.
 bool divides(const Graph& graph) {
   for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
     if (graph.nodes()[i].op == Op::div && !bounds::is_quaternion_scale(graph, i)) return true;

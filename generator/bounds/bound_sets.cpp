@@ -13,10 +13,10 @@
 namespace treeline::bounds {
 namespace {
 
-constexpr int kDeepestSets = 400;  // sets below sets
-constexpr double kSineError = 1;   // at most 1.0 ulp, of values below 1: core/sin_cos.hpp
+constexpr int kDeepestSets = 400;  // deepest nesting of sets
+constexpr double kSineError = 1;   // at most 1.0 ulp of values below 1: core/sin_cos.hpp
 
-/// The error of a result that is rounded, from what its operands bring.
+/// Bound of a rounded result of this size. `brought` is the error that its operands bring.
 Bounded rounded(double size, double brought, double unit) {
   return {size * kSlack, (brought + size + unit * brought) * kSlack};
 }
@@ -24,10 +24,10 @@ Bounded rounded(double size, double brought, double unit) {
 }  // namespace
 
 struct SetBounds::Turn {
-  std::vector<LinearForm> forms;  ///< of each row
+  std::vector<LinearForm> forms;  ///< by row
   std::vector<std::uint32_t> leaves;
-  TrigMatrix A;               ///< weighted rows
-  std::vector<Bounded> rest;  ///< of each row, weighted: what is added to the turned part
+  TrigMatrix A;               ///< its rows have the weights of the set
+  std::vector<Bounded> rest;  ///< by row, weighted: what is added to the turned part
 
   [[nodiscard]] std::size_t column(std::uint32_t leaf) const {
     return static_cast<std::size_t>(std::find(leaves.begin(), leaves.end(), leaf) - leaves.begin());
@@ -91,12 +91,12 @@ void SetBounds::improve(std::uint32_t node, const Bounded& bound) {
                    std::min(bounds_[node]->error, bound.error)};
 }
 
-/// From the bounds of the operands alone.
+/// Bounds a node by the bounds of its operands alone.
 Bounded SetBounds::bound_alone(std::uint32_t node) {
   const Node& n = graph_.nodes()[node];
   const auto operand = [this](std::uint32_t i) { return *bounds_[i]; };
   switch (n.op) {
-    case Op::constant:  // printed as it is, but for float
+    case Op::constant:  // printed exactly, except for float
       return {std::abs(n.value), unit_ > 0x1p-53 && !is_float(n.value) ? std::abs(n.value) : 0};
     case Op::input:
       return {inputs_[n.a], 0};
@@ -139,7 +139,8 @@ Bounded SetBounds::bound_members(const Set& set) const {
   return {std::min(size, bound_polynomials(set)) * kSlack, error * kSlack};
 }
 
-/// Of sines and cosines of one angle: no angle makes their norm larger.
+/// Bounds the norm of a set of sines and cosines of one angle over all angles. Infinity if a member
+/// is nothing of that kind.
 double SetBounds::bound_polynomials(const Set& set) const {
   TrigMatrix A{set.size(), 1, {}};
   Angle angle = 0;
@@ -156,7 +157,7 @@ double SetBounds::bound_polynomials(const Set& set) const {
   return operator_norm(A, {1});
 }
 
-/// Weights are scaled so that the largest is 1, and rounded, so that sets recur.
+/// Weights are scaled so that the largest is 1, and rounded, so that the same sets recur.
 Bounded SetBounds::bound_set(Set set, int depth) {
   double largest = 0;
   for (const Member& member : set) largest = std::max(largest, member.weight);
@@ -182,7 +183,7 @@ Bounded SetBounds::bound_set(Set set, int depth) {
   return {bound.size * largest * kRounded, bound.error * largest * kRounded};
 }
 
-/// The angle by which the latest of the values is turned.
+/// Returns the angle that turns the value closest to the results, or 0 if none is turned.
 Angle SetBounds::nearest_turn(const Set& set) const {
   int highest = -1;
   Angle angle = 0;
@@ -195,7 +196,8 @@ Angle SetBounds::nearest_turn(const Set& set) const {
   return angle;
 }
 
-/// Values that the angle does not turn stand as they are, in one row and one column.
+/// Expands the members by the sines and cosines of `angle`. A value that the angle does not turn
+/// has a row and a column of its own.
 std::vector<LinearForm> SetBounds::expand_rows(const Set& set, Angle angle) const {
   std::vector<LinearForm> forms;
   for (const Member& member : set) {
@@ -232,8 +234,8 @@ SetBounds::Turn SetBounds::expand_set(const Set& set, Angle angle) const {
   return turn;
 }
 
-/// What the roundings of the operations that were expanded add, with what the rest brings: each by
-/// itself, or those of a rotation together.
+/// Bounds the rounding of the operations that were expanded, plus the error of what is added: the
+/// operations one by one, or those of a rotation together, whichever is less.
 double SetBounds::bound_roundings(const Set& set, const Turn& turn,
                                   const std::vector<double>& scale, const Bounded& below,
                                   const Bounded& turned) const {
@@ -261,8 +263,8 @@ double SetBounds::bound_roundings(const Set& set, const Turn& turn,
     others = std::hypot(others, of_others);
     sums = std::hypot(sums, of_sums);
   }
-  // A sum is rounded by at most u times its computed value: all sums of the set by u times its
-  // norm.
+  // A sum is rounded by at most u times its computed value, so all sums of the set together by at
+  // most u times its norm.
   sums = std::min(sums, turned.size + unit_ * (turned.error + each));
   const double of_products = products.bound(scale, below.size + unit_ * below.error, unit_);
   return std::min(each, of_products + others + sums);

@@ -11,28 +11,28 @@
 
 namespace treeline::bounds {
 
-/// What is known of an input: it is exact, and this is the most that it can be.
+/// Largest magnitude of each input. Inputs are exact.
 using InputSizes = std::vector<double>;
 
-/// Bounds every node of a graph and the rounding error of its computed value.
+/// Bounds the magnitude of every node of a graph and the rounding error of its computed value.
 ///
-/// Each alone: |a + b| <= |a| + |b|, |a b| = |a| |b|, and as much for errors (Wilkinson's running
-/// error analysis with bounds for values). That alone would let vectors grow with every rotation:
-/// |c x + s y| <= |x| + |y|. So values are bounded by norms of sets as well: a set's values are
-/// written as sums of others times sines and cosines of one angle; as the matrix of these factors
-/// has a 2-norm (1 for rotations, of vectors and of symmetric matrices, whose entries off the
-/// diagonal weigh sqrt 2), the norm of the set is at most that times the norm of the set of the
-/// others. This goes on to the sources, so that rotations cost nothing, and errors are carried
-/// through them in the same way.
+/// Single nodes are bounded by |a + b| <= |a| + |b| and |a b| = |a| |b|, and their errors
+/// accordingly (Wilkinson's running error analysis with bounds for values). That alone would let
+/// vectors grow with every rotation: |c x + s y| <= |x| + |y|. So norms of sets of values are
+/// bounded as well. The values of a set are written as sums of other values times sines and cosines
+/// of one angle. The matrix of these factors has a 2-norm: 1 for rotations of vectors, and also of
+/// symmetric matrices, whose entries off the diagonal weigh sqrt 2. The norm of the set is at most
+/// this 2-norm times the norm of the other values. This continues down to the inputs. So rotations
+/// cost nothing, and errors are carried through them in the same way.
 class SetBounds {
  public:
   SetBounds(const Graph& graph, InputSizes inputs, double unit);
-  SetBounds(const SetBounds&) = delete;  // its parts know each other
+  SetBounds(const SetBounds&) = delete;  // its parts refer to each other
   SetBounds& operator=(const SetBounds&) = delete;
 
-  /// Nothing where there is a division whose divisor may be zero.
+  /// Bound of the node. Nothing if it needs a division whose divisor may be zero.
   [[nodiscard]] std::optional<Bounded> of(std::uint32_t node) const;
-  /// A division that kept the node from having a bound.
+  /// A division because of which the node has no bound. Nothing if the node has a bound.
   [[nodiscard]] std::optional<std::uint32_t> division_below(std::uint32_t node) const;
 
  private:
@@ -59,8 +59,8 @@ class SetBounds {
   std::vector<std::optional<Bounded>>& bounds_ = known_of_.bounds;
   NormMemo norms_;
   FormBounds forms_;
-  std::vector<std::uint32_t> divisions_;  ///< of nodes without bound
-  std::vector<int> height_;               ///< operations on the longest way to an input
+  std::vector<std::uint32_t> divisions_;  ///< by node without bound
+  std::vector<int> height_;               ///< number of operations on the longest path to an input
   std::vector<Angle> turns_;              ///< see `find_turn`
   std::map<Set, Bounded> known_;
 };

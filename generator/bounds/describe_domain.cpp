@@ -20,7 +20,7 @@ double finite_or(double value, double otherwise) {
   return std::isfinite(value) && value > 0 ? value : otherwise;
 }
 
-/// q of one coordinate, by what the mechanism tells of it.
+/// Largest magnitude of a coordinate: its limits, or the default for its kind.
 double coordinate_size(const Coordinate& coordinate) {
   if (coordinate.is_of_quaternion()) return 1;
   const double size = std::max(std::abs(coordinate.lower), std::abs(coordinate.upper));
@@ -53,7 +53,7 @@ std::vector<double> joint_sizes(const QuantityInfo& row, const Robot& robot,
   return sizes;
 }
 
-/// Four digits, never more than the value: the bound is not known to hold beyond.
+/// Rounds down to four digits. A larger value would state a range in which the bound may not hold.
 double rounded_down(double value) {
   if (value == 0) return 0;
   const double last = std::pow(10, std::floor(std::log10(value)) - 3);

@@ -6,18 +6,19 @@
 
 namespace treeline {
 
-/// Draws with arithmetic of its own: every standard library gives the same numbers.
+/// Random numbers, computed with its own arithmetic, so that they are the same with every standard
+/// library.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
 
   std::uint64_t bits() { return engine_(); }
-  /// In [0, 1).
+  /// A number in [0, 1).
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double within(double low, double high) { return low + (high - low) * unit(); }
   double within(double size) { return within(-size, size); }
   bool chance(double probability) { return unit() < probability; }
-  /// In 0..count-1.
+  /// An index in 0..count-1.
   std::size_t below(std::size_t count) {
     return static_cast<std::size_t>(unit() * static_cast<double>(count));
   }

@@ -12,27 +12,31 @@
 
 namespace treeline {
 
-/// The largest magnitude that a bound allows each input of the emitted functions, by argument.
-/// Sines and cosines that are inputs themselves lie on the unit circle, see `lie_on_circle`.
+/// Domain of a rounding bound: the largest magnitude of each input of the emitted functions, by
+/// argument. Sines and cosines that are inputs themselves lie on the unit circle, see
+/// `lie_on_circle`.
 struct Domain {
   std::map<std::string, std::vector<double>, std::less<>> sizes;
-  /// The same for every entry of arguments whose length is the function's own matter.
+  /// Largest magnitude of every entry, by argument, for arguments whose length depends on the
+  /// function.
   std::map<std::string, double, std::less<>> each;
-  /// Where in q the four entries of a quaternion, which has length 1, begin.
+  /// Index in q of the first of the four entries of each quaternion. Quaternions have length 1.
   std::vector<std::size_t> quaternions;
 
-  /// Of an input as the graph names it: `qd[3]`. Nothing where no range is stated.
+  /// Largest magnitude of an input, given by its name in the graph (`qd[3]`). Nothing if no range
+  /// is stated.
   [[nodiscard]] std::optional<double> find(std::string_view input) const;
-  /// Whether these values of an argument are in the domain; not where no range is stated.
+  /// Whether these values of an argument lie in the domain. False if no range is stated.
   [[nodiscard]] bool contains(std::string_view argument, const std::vector<double>& values) const;
 };
 
-/// Joint limits, velocity and effort limits of the URDF; where it is silent, the ranges of
-/// `kQuantities`. Entries of quaternions are at most 1.
+/// Makes the domain from the position, velocity and effort limits of the URDF; where it states
+/// none, from the ranges of `kQuantities`. Entries of quaternions are at most 1.
 Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism);
 
-/// `|q| <= 2.8 3.1 ..., |qd| <= 10`: of these arguments; one number where all are the same; and
-/// that sines and cosines, where they are arguments, lie on the unit circle.
+/// Describes the domain of these arguments: `|q| <= 2.8 3.1 ..., |qd| <= 10`, with a single number
+/// if all entries have the same limit. If sines and cosines are arguments, the text says that they
+/// lie on the unit circle.
 std::string describe(const Domain& domain, const std::vector<std::string>& arguments);
 
 }  // namespace treeline

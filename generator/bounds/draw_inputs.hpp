@@ -10,23 +10,25 @@
 
 namespace treeline::bounds {
 
-/// The inputs of a graph as points of a domain: quaternions have length 1, sines and cosines that
-/// are inputs are those of one angle.
+/// The inputs of a graph as points of a domain. Quaternions have length 1. Sines and cosines that
+/// are inputs belong to one angle each.
 class InputSpace {
  public:
-  /// Entry by entry of the domain.
+  /// One number for each entry of the domain.
   using Point = std::vector<double>;
 
   InputSpace(const Graph& graph, const Domain& domain);
 
-  /// An input for which the domain has no range; nothing can be drawn then.
+  /// Name of an input for which the domain has no range. Nothing can be drawn then.
   [[nodiscard]] const std::optional<std::string>& missing() const { return missing_; }
 
-  /// Coordinates anywhere, all else at its limits: there errors are largest.
+  /// Draws a point: coordinates anywhere in their range, everything else at its limits, where
+  /// errors are largest.
   Point draw(Dice& dice) const;
-  /// The same but for up to three entries, drawn anew or moved by any fraction of their range.
+  /// Changes up to three entries of a point: draws them anew or moves them by any fraction of their
+  /// range.
   Point change(Point point, Dice& dice) const;
-  /// Writes the inputs of state `s` at this point.
+  /// Writes this point to `inputs` as their state number `s`.
   void put(const Point& point, std::size_t s, std::vector<States>& inputs) const;
 
  private:
@@ -45,7 +47,7 @@ class InputSpace {
 
   std::vector<Entry> entries_;
   std::vector<Input> inputs_;
-  std::vector<std::vector<std::size_t>> quaternions_;  ///< their entries, those that are inputs
+  std::vector<std::vector<std::size_t>> quaternions_;  ///< indices of their entries that are inputs
   std::optional<std::string> missing_;
 };
 

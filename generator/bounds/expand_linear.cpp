@@ -13,7 +13,8 @@ namespace {
 
 using Polynomials = std::vector<std::optional<TrigPolynomial>>;
 
-/// A product of something that turns, with that angle or (0) any, and something that does not.
+/// A product of something that turns with one angle (any, if the wanted angle is 0), and something
+/// that does not.
 struct Turned {
   std::uint32_t turn = 0, other = 0;
 };
@@ -38,7 +39,7 @@ class Expansion {
   Expansion(const Graph& graph, const Polynomials& polynomials, Angle angle)
       : nodes_(graph.nodes()), polynomials_(polynomials), angle_(angle) {}
 
-  /// Whether a term of the sum turns with the angle. Large sums are not searched through.
+  /// Whether a term of the sum turns with the angle. Large sums are not searched to the end.
   bool turns(std::uint32_t node) {
     const Found found = search(node);
     visits_ = std::min(visits_ + found.visits, kMostVisits + 1);
@@ -68,12 +69,13 @@ class Expansion {
  private:
   static constexpr int kMostVisits = 20000;
 
-  /// A search through a sum, up to the first term that turns, and the values that it comes by.
+  /// Result of a search through a sum: whether a term turns, and how many values were visited up to
+  /// the first such term.
   struct Found {
     bool turns = false;
     int visits = 1;
   };
-  /// Sums share terms: each is searched once.
+  /// Searches the sum below `node`. Sums share terms, so results are remembered.
   Found search(std::uint32_t node) {
     const Node& n = nodes_[node];
     if (as_turned(n, polynomials_, angle_)) return {true, 1};
@@ -114,7 +116,7 @@ bool contains(const std::vector<LinearTerm>& terms, std::uint32_t node) {
                      [node](const LinearTerm& term) { return term.node == node; });
 }
 
-/// Whether a sum of the set has the value as a term.
+/// Whether the value is a term of some sum of the set.
 bool has_term(const std::vector<LinearForm>& forms, std::uint32_t node) {
   return std::any_of(forms.begin(), forms.end(), [node](const LinearForm& form) {
     return contains(form.turned, node) || contains(form.rest, node);

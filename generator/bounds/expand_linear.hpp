@@ -7,40 +7,42 @@
 
 namespace treeline::bounds {
 
-/// `factor` times the value of a node.
+/// Value of a node times `factor`.
 struct LinearTerm {
   std::uint32_t node = 0;
   TrigPolynomial factor;
 };
 
-/// An operation that was expanded, `weight` being the most that its value counts in the sum.
+/// An operation that was expanded. The sum depends on its value with a factor of at most `weight`.
 struct ExpandedOperation {
   std::uint32_t node = 0;
   double weight = 0;
 };
 
-/// A node's value as a sum of others'. Terms whose factors turn with `angle` come first in a turn:
-/// `turned`; what else is added is in `rest`.
+/// Value of a node as a sum of other values. `turned` has the terms whose factors turn with
+/// `angle`, `rest` the other terms.
 struct LinearForm {
   std::vector<LinearTerm> turned, rest;
   std::vector<ExpandedOperation> operations;
 };
 
-/// The angle nearest below a sum by which its terms are turned; zero where there is none.
+/// Finds the angle that turns terms of a sum, the one nearest below the node. Returns 0 if there is
+/// none.
 Angle find_turn(const Graph& graph, const std::vector<std::optional<TrigPolynomial>>& polynomials,
                 std::uint32_t node);
 
-/// The node's value by the sines and cosines of `angle`: sums are followed as long as one of their
-/// terms has such a factor. Nothing when none has.
+/// Expresses the node's value by sines and cosines of `angle`. Sums are followed as long as one of
+/// their terms has such a factor. Returns nothing if none has.
 std::optional<LinearForm> expand_linear(
     const Graph& graph, const std::vector<std::optional<TrigPolynomial>>& polynomials,
     std::uint32_t node, Angle angle);
 
-/// In the sums of a set: a difference of two values that are turned by themselves, in any of the
-/// sums, is turned with them.
+/// Splits a turned difference, in the sums of a set, into its two values if one of them also occurs
+/// as a term of its own in some sum. It then is turned with them.
 void split_sums(const Graph& graph, std::vector<LinearForm>& forms);
 
-/// A value that is turned in one sum is so in all, also where it is added once more as it is.
+/// Moves a value to the turned terms of every sum if it is turned in one of them, even where it is
+/// added without a factor.
 void gather_turned(std::vector<LinearForm>& forms);
 
 }  // namespace treeline::bounds

@@ -8,7 +8,7 @@ namespace treeline {
 bool lie_on_circle(const std::vector<double>& sines, const std::vector<double>& cosines,
                    double unit) {
   for (std::size_t i = 0; i < std::min(sines.size(), cosines.size()); ++i) {
-    // Each may be off by two units, which its square doubles.
+    // Sine and cosine may each be off by two units; squaring doubles that.
     const double off = sines[i] * sines[i] + cosines[i] * cosines[i] - 1;
     if (!(std::abs(off) <= 8 * unit)) return false;
   }

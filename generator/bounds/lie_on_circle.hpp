@@ -4,8 +4,8 @@
 
 namespace treeline {
 
-/// Whether sine and cosine of each angle are those of some angle, as far as `unit` (half an ulp of
-/// one) can tell. Bounds of functions that take them hold there, and not in all of their box.
+/// Whether each sine and cosine are those of one angle, within a few `unit` (half an ulp of one).
+/// Rounding bounds of functions with the inputs `sin_q` and `cos_q` hold only for such values.
 bool lie_on_circle(const std::vector<double>& sines, const std::vector<double>& cosines,
                    double unit);
 

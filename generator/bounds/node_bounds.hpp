@@ -10,14 +10,14 @@
 
 namespace treeline::bounds {
 
-/// What a value, or the norm of several, and its error are at most. The error is in units of the
-/// rounding unit u (2^-53, 2^-24): |computed - exact| <= u error, all orders in u included.
+/// Bounds of a value, or of the norm of several values, and of its error. The error is in units of
+/// the rounding unit u (2^-53 or 2^-24): |computed - exact| <= u error, including all orders in u.
 struct Bounded {
   double size = 0;
   double error = 0;
 };
 
-/// A value times a weight; of several the norm is meant.
+/// A member of a set: a node's value times a weight.
 struct Member {
   std::uint32_t node = 0;
   double weight = 0;
@@ -25,18 +25,18 @@ struct Member {
 };
 using Set = std::vector<Member>;
 
-/// The nodes of a graph, with the bounds of those that have been bounded so far.
+/// The nodes of a graph, with the bounds that are known so far.
 struct NodeBounds {
   const Graph& graph;
   const std::vector<std::optional<TrigPolynomial>>& polynomials;
   double unit = 0;
   std::vector<std::optional<Bounded>> bounds;
 
-  /// No computed value is larger.
+  /// Bound of the magnitude of the computed value.
   [[nodiscard]] double computed(std::uint32_t node) const {
     return bounds[node]->size + unit * bounds[node]->error;
   }
-  /// What the rounding of an operation that was expanded adds, in units of the rounding unit.
+  /// Error that the rounding of an expanded operation adds to its sum, in rounding units.
   [[nodiscard]] double local_error(const ExpandedOperation& expanded) const;
 };
 

@@ -3,7 +3,7 @@
 namespace treeline::bounds {
 namespace {
 
-/// Entries without their angle: no norm depends on which one it is.
+/// Entries of the matrix without their angle, on which no norm depends.
 std::vector<double> key_of(const TrigMatrix& A) {
   std::vector<double> key;
   key.reserve(2 + 7 * A.entries.size());

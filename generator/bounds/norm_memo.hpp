@@ -7,18 +7,19 @@
 
 namespace treeline::bounds {
 
-/// Norms of matrices that recur: a joint turns many vectors, all in the same way.
+/// Remembers norms of matrices. The same matrices recur because a joint turns many vectors in the
+/// same way.
 class NormMemo {
  public:
   struct Norms {
     std::vector<double> columns;  ///< see `column_norms`
-    double scaled = 0;            ///< see `operator_norm`, with the columns divided by these
+    double scaled = 0;            ///< see `operator_norm`, with these columns as scale
   };
 
   const Norms& of(const TrigMatrix& A);
 
  private:
-  std::map<std::vector<double>, Norms> found_;  ///< by all that the norms depend on
+  std::map<std::vector<double>, Norms> found_;  ///< by everything that the norms depend on
 };
 
 }  // namespace treeline::bounds

@@ -12,7 +12,7 @@ constexpr double kTurn = 6.283185307179586;
 constexpr int kFew = 16, kMany = 64;
 constexpr double kRounding = 1 + 1e-10;
 
-/// On the stack: rows and columns are those of a 3x3 matrix at most.
+/// A matrix on the stack. It has at most as many rows and columns as a 3x3 matrix has entries.
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostRows, kMostRows>;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1>;
 
@@ -20,7 +20,7 @@ struct Direction {
   double cosine = 1, sine = 0;
 };
 
-/// The angles of kMany samples, evenly spread.
+/// Cosines and sines of kMany evenly spaced angles.
 const std::array<Direction, kMany>& directions() {
   static const std::array<Direction, kMany> all = [] {
     std::array<Direction, kMany> made;
@@ -44,15 +44,15 @@ Matrix value_at(const TrigMatrix& A, int sample, int samples) {
   return value;
 }
 
-/// Products of the rows, or of the columns where they are fewer: its largest eigenvalue is the
-/// square of the norm.
+/// Products of the rows, or of the columns if they are fewer. The largest eigenvalue of this matrix
+/// is the square of A's norm.
 Matrix gram(const Matrix& A) {
   if (A.rows() <= A.cols()) return A.lazyProduct(A.transpose());
   return A.transpose().lazyProduct(A);
 }
 
-/// Whether all eigenvalues are below `most`: then most 1 - G has a factor L D L^T with a positive
-/// D.
+/// Whether all eigenvalues of G are below `most`. In that case most 1 - G has a factorization L D
+/// L^T with positive D.
 bool is_below(const Matrix& G, double most) {
   Matrix L = -G;
   L.diagonal().array() += most;
@@ -68,7 +68,7 @@ bool is_below(const Matrix& G, double most) {
   return true;
 }
 
-/// Below the largest eigenvalue, and close to it: Rayleigh's quotient of a column of G^32.
+/// Estimates the largest eigenvalue from below by the Rayleigh quotient of a column of G^32.
 double estimate_largest(const Matrix& G) {
   constexpr int kSquarings = 5;
   Matrix power = G / G.trace();
@@ -82,18 +82,19 @@ double estimate_largest(const Matrix& G) {
   return v.dot(G.lazyProduct(v)) / v.squaredNorm();
 }
 
-/// Then the products of rows and columns are of second degree: what they are at five angles, they
-/// are everywhere.
+/// Whether all polynomials are of first degree. The products of rows and columns then are of second
+/// degree, so five angles determine them.
 bool is_of_first_degree(const TrigMatrix& A) {
   return std::all_of(A.entries.begin(), A.entries.end(), [](const MatrixEntry& entry) {
     return entry.value.c[3] == 0 && entry.value.c[4] == 0;
   });
 }
 
-constexpr double kNearly = 1 + 1e-12;  // `kRounding` covers that
+constexpr double kNearly = 1 + 1e-12;  // covered by `kRounding`
 
-/// Off by a part of 1e-12 at most, or above it. A solver's iterations do not always converge where
-/// entries are of very different sizes; what a factorisation shows does not depend on that.
+/// Largest eigenvalue of G, at most 1e-12 of it too large, never too small. An iterative solver
+/// does not always converge if entries differ much in size; a factorization does not have this
+/// problem.
 double largest_eigenvalue(const Matrix& G) {
   const double largest = G.diagonal().maxCoeff();
   const double sum =
@@ -102,7 +103,7 @@ double largest_eigenvalue(const Matrix& G) {
   double low = std::max(largest, estimate_largest(G));
   if (is_below(G, kNearly * low)) return low;
   double high = kNearly * (largest + sum);
-  constexpr int kMost = 60;  // of finite entries half as many do
+  constexpr int kMost = 60;  // finite entries need half as many
   for (int i = 0; i < kMost && high > low * (1 + 1e-10); ++i) {
     const double middle = (low + high) / 2;
     (is_below(G, middle) ? high : low) = middle;
@@ -110,16 +111,16 @@ double largest_eigenvalue(const Matrix& G) {
   return high;
 }
 
-/// The largest eigenvalue of all, but for a part that `kRounding` covers. Eigenvalues are found
-/// of few: of the matrix with the largest entries, and of those that a factorisation does not show
-/// to have smaller ones.
+/// Largest eigenvalue of all matrices, up to a relative error that `kRounding` covers. Eigenvalues
+/// are computed only for the matrix with the largest entries, and for those whose factorization
+/// does not show that theirs are smaller.
 double largest_eigenvalue(const std::vector<Matrix>& all) {
   const auto first = std::max_element(all.begin(), all.end(), [](const Matrix& a, const Matrix& b) {
     return a.squaredNorm() < b.squaredNorm();
   });
   double largest = largest_eigenvalue(*first);
   for (const Matrix& G : all) {
-    if (G.squaredNorm() < largest * largest) continue;  // Frobenius' norm is the larger one
+    if (G.squaredNorm() < largest * largest) continue;  // the Frobenius norm is an upper bound
     if (!is_below(G, kNearly * largest)) largest = std::max(largest, largest_eigenvalue(G));
   }
   return largest;

@@ -12,7 +12,7 @@ namespace {
 template <Op op>
 using Tag = std::integral_constant<Op, op>;
 
-/// Calls `visit` with the operation as a type, so that its loop over the states has no branch.
+/// Calls `visit` with the operation as a type, so that the loop over the states has no branch.
 template <class Visit>
 void with_operation(Op op, Visit&& visit) {
   switch (op) {
@@ -42,7 +42,7 @@ void each_state(Visit&& visit) {
   for (std::size_t s = 0; s < kStatesAtOnce; ++s) visit(s);
 }
 
-/// Of a constant it is what was there, `value`.
+/// Applies an operation. For constants the result is `value`.
 template <Op op>
 double apply(double a, double b, double value) {
   if constexpr (op == Op::constant) return value;
@@ -55,7 +55,7 @@ double apply(double a, double b, double value) {
   if constexpr (op == Op::cos) return std::cos(a);
 }
 
-/// Derivatives by the operands.
+/// Derivatives of an operation with respect to its operands.
 struct Slopes {
   double a, b;
 };
@@ -71,8 +71,8 @@ Slopes slopes(double a, double b, double value) {
   if constexpr (op == Op::cos) return {-std::sin(a), 0};
 }
 
-/// What rounding adds to a value, at most, in rounding units. A sine is off by 1.0 ulp at most
-/// (core/sin_cos.hpp); products and quotients may underflow.
+/// Upper bound of the error that rounding adds to a value, in rounding units. A sine is off by at
+/// most 1.0 ulp (core/sin_cos.hpp). Products and quotients may underflow.
 template <Op op>
 double rounding(double value, double underflow) {
   const double size = std::abs(value);
@@ -87,7 +87,7 @@ bool rounds(const std::vector<Node>& nodes, const Node& node, double unit) {
   return node.op != Op::mul || !(is_power_of_two(nodes[node.a]) || is_power_of_two(nodes[node.b]));
 }
 
-/// The operands' indices; where there is none, node 0, the constant zero.
+/// Index of the left operand. Node 0, the constant zero, if there is none.
 std::uint32_t left(const Node& node) {
   return operation(node.op).operands > 0 ? node.a : 0;
 }
@@ -95,7 +95,7 @@ std::uint32_t right(const Node& node) {
   return operation(node.op).operands > 1 ? node.b : 0;
 }
 
-/// SplitMix64: a sign for each state out of one number for each node.
+/// SplitMix64: gives a sign for each state from one number per node.
 std::uint64_t mix(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
   x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
@@ -143,7 +143,7 @@ const States& ErrorPropagation::bound(std::uint32_t node) {
           bound_[s] += std::abs(g[s]) * rounding<tag()>(value[s], underflow_);
         });
       }
-      // One operand after the other: both may be the same node.
+      // Update one operand after the other, because both may be the same node.
       States &ga = derivatives_[left(at)], &gb = derivatives_[right(at)];
       each_state([&](std::size_t s) { ga[s] += g[s] * slopes<tag()>(a[s], b[s], value[s]).a; });
       each_state([&](std::size_t s) { gb[s] += g[s] * slopes<tag()>(a[s], b[s], value[s]).b; });

@@ -80,7 +80,7 @@ QuadraticForm QuadraticForms::sum(std::uint32_t node) const {
   return form;
 }
 
-/// A constant times a value.
+/// Form of a constant times a value.
 QuadraticForm QuadraticForms::scaled(std::uint32_t node) const {
   const Node& n = known_.graph.nodes()[node];
   const bool first = known_.polynomials[n.a].has_value();
@@ -95,7 +95,8 @@ QuadraticForm QuadraticForms::scaled(std::uint32_t node) const {
   return form;
 }
 
-/// x y, with x = X + u e: the computed x y = X Y + u (e_X y + X e_Y) and its own rounding.
+/// Form of x y. With x = X + u e, the computed product is X Y + u (e_X y + X e_Y) plus its own
+/// rounding.
 QuadraticForm QuadraticForms::product_of(std::uint32_t node) const {
   const Node& n = known_.graph.nodes()[node];
   const QuadraticForm &x = forms_[n.a], &y = forms_[n.b];

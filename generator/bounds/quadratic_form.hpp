@@ -9,7 +9,7 @@
 
 namespace treeline::bounds {
 
-/// The product of two nodes' values, a <= b, or (a is node 0) the value of one.
+/// Product of the values of two nodes, a <= b. If a is node 0, the value of b alone.
 struct Monomial {
   std::uint32_t a = 0, b = 0;
   auto operator<=>(const Monomial&) const = default;
@@ -19,16 +19,16 @@ inline Monomial product(std::uint32_t x, std::uint32_t y) {
   return x < y ? Monomial{x, y} : Monomial{y, x};
 }
 
-/// `factor` times the monomial. `summed` is the sum of the magnitudes that the factor was added up
-/// from: it is rounded by less than 1e-13 of that.
+/// A monomial times `factor`. `summed` is the sum of the magnitudes from which the factor was
+/// summed up; the rounding of the factor is less than 1e-13 of it.
 struct FormTerm {
   Monomial of;
   TrigPolynomial factor;
   double summed = 0;
 };
 
-/// A node's value as a polynomial of other nodes' computed values, but for `error`, in units of the
-/// rounding unit: the roundings of the operations that were expanded.
+/// Value of a node as a polynomial of the computed values of other nodes. `error` has what this
+/// leaves out, in rounding units: the rounding of the operations that were expanded.
 struct QuadraticForm {
   std::vector<FormTerm> terms;
   double error = 0;
@@ -36,22 +36,22 @@ struct QuadraticForm {
   [[nodiscard]] bool is_linear() const;
 };
 
-/// Terms of the same monomial become one.
+/// Merges terms of the same monomial.
 void collect_terms(std::vector<FormTerm>& terms);
 
-/// Writes nodes as polynomials of second degree, down to values that are turned by one angle: their
-/// sums are left as they are, other sums and products are multiplied out.
+/// Writes nodes as polynomials of second degree in values that are turned by one angle. The sums
+/// that form such values stay as they are. Other sums and products are expanded.
 class QuadraticForms {
  public:
   explicit QuadraticForms(const NodeBounds& known);
 
-  /// To be called for each node in order, once it has a bound.
+  /// Adds the form of a node. Call this for each node in order, once it has a bound.
   void add(std::uint32_t node);
   [[nodiscard]] const QuadraticForm& of(std::uint32_t node) const { return forms_[node]; }
-  /// The angle by which all terms of the node are turned; zero: there is none.
+  /// Angle that turns all terms of the node; 0 if there is none.
   [[nodiscard]] Angle turn(std::uint32_t node) const { return turns_[node]; }
-  /// A node that is turned, by sines and cosines of its angle times what is turned. `linear`: of
-  /// first degree. Nothing where that is not possible.
+  /// Expresses a turned node by sines and cosines of its angle times the values that are turned.
+  /// With `linear` the form must be of first degree. Nothing if there is no such form.
   [[nodiscard]] std::optional<QuadraticForm> turned(std::uint32_t node, bool linear) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace treeline::bounds {
 namespace {
 
-/// The terms of a sum of sums.
+/// Appends the terms of a sum, including those of its operands that are sums.
 void append_terms(const Graph& graph, std::uint32_t node, std::vector<std::uint32_t>& terms) {
   const Node& n = graph.nodes()[node];
   if (n.op != Op::add) {

@@ -6,12 +6,12 @@
 
 namespace treeline::bounds {
 
-/// Whether the node is what `rotation_from_quaternion` multiplies by: 2 over the squared length of
-/// a quaternion in q, whose length is 1 in every domain.
+/// Whether the node is the factor in `rotation_from_quaternion`: 2 over the squared length of a
+/// quaternion in q. This length is 1 in every domain.
 bool is_quaternion_scale(const Graph& graph, std::uint32_t node);
 
-/// Of its computed value, in units of rounding: four squares of sum 1 and as many additions are at
-/// most 5, twice that and the division's own 2.
+/// Error of the computed factor, in rounding units. Four squares of sum 1 and the additions have at
+/// most 5 units, the factor twice that plus 2 of the division.
 inline constexpr double kQuaternionScaleError = 12;
 
 }  // namespace treeline::bounds

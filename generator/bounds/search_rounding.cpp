@@ -12,14 +12,14 @@ namespace {
 using Point = InputSpace::Point;
 using Points = std::array<Point, kStatesAtOnce>;
 
-/// A state drawn, and the largest first-order bound of those entries of a result that samples of
-/// errors showed to be the worst.
+/// A state that was drawn, and its largest first-order bound. Only those entries of a result are
+/// bounded that had the largest sampled errors.
 struct Seen {
   Point point;
   FoundError found;
 };
 
-/// A program at points of its domain.
+/// Evaluates a program and its rounding errors at points of its domain.
 class Search {
  public:
   Search(const Program& program, const Domain& domain, double unit, std::uint64_t seed)
@@ -29,7 +29,7 @@ class Search {
         dice_(seed),
         inputs_(program.graph.inputs().size()) {}
 
-  /// For each result, so many states.
+  /// Draws `batches` times `kStatesAtOnce` states. Returns them for each result.
   std::vector<std::vector<Seen>> draw(int batches) {
     std::vector<std::vector<Seen>> seen(program_.results.size());
     for (int i = 0; i < batches; ++i) {
@@ -44,7 +44,8 @@ class Search {
     return seen;
   }
 
-  /// Changes the state again and again as long as the entry's bound grows.
+  /// Hill climbing: changes the state repeatedly and keeps changes for which the entry's bound
+  /// grows.
   FoundError climb(Seen best, const Result& result, int generations) {
     const std::uint32_t node = result.values[best.found.entry].node();
     for (int i = 0; i < generations; ++i) {
@@ -114,7 +115,7 @@ bool is_less(const Seen& a, const Seen& b) {
   return a.found.error < b.found.error;
 }
 
-/// Where nothing is divided by zero or nearly so.
+/// Drops states with a division by zero or nearly zero.
 void drop_infinite(std::vector<Seen>& seen) {
   std::erase_if(seen, [](const Seen& each) { return !std::isfinite(each.found.error); });
 }

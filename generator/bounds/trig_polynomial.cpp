@@ -10,7 +10,7 @@ bool is_first_degree(const TrigPolynomial& p) {
   return p.c[3] == 0 && p.c[4] == 0;
 }
 
-/// The angle of an input `sin_q[3]` or `cos_q[3]`; such angles are numbered from above.
+/// Angles of inputs `sin_q[3]` and `cos_q[3]`. They are numbered downward from the largest number.
 struct GivenAngles {
   std::map<std::string, Angle> of;
 

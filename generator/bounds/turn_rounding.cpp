@@ -24,7 +24,7 @@ double TurnRounding::bound(const std::vector<double>& scale, double computed, do
   for (std::size_t i = 0; i < sine_errors_.size(); ++i) {
     sines = std::hypot(sines, sine_errors_[i] / scale[products_.entries[i].column]);
   }
-  // Of computed sines, |t| + u e_t, and rounded products: both less than 1 + 2u times as large.
+  // Computed sines |t| + u e_t and rounded products are both less than 1 + 2u times as large.
   return (frobenius_norm(products_, scale) + sines) * computed * (1 + 4 * unit);
 }
 

@@ -14,7 +14,7 @@
 namespace treeline {
 namespace {
 
-/// Columns are z's cyclic companions: takes z to x, or z to y.
+/// Cyclic permutations of the axes: takes z to x, or z to y.
 ExactMatrix3 z_to_x() {
   ExactMatrix3 R = ExactMatrix3::Zero();
   R(0, 2) = R(1, 0) = R(2, 1) = 1;
@@ -24,7 +24,8 @@ ExactMatrix3 z_to_y() {
   return z_to_x().transpose();
 }
 
-/// Adds links depth-first. A `Place` says where a URDF frame is: on which moving link, and how.
+/// Adds links depth-first. A `Place` tells on which moving link a URDF frame is, and with which
+/// pose.
 class Builder {
  public:
   Builder(const Robot& robot, const Scene& scene) {
@@ -67,13 +68,15 @@ class Builder {
     int link = -1;
     ExactPose pose;
   };
-  /// A wider limit that the scene sets is for single numbers of the files.
+  /// Resolution of the files' numbers. A wider limit set by the scene applies only to single
+  /// numbers of the files.
   static Resolution resolution_of(const NoiseLimits& limits) {
     if (limits.angle == 0) return {Exact("1e-40"), 0};  // squares of 1e-17 count too
     return {kResolution, Exact(limits.length) * kResolution / limits.angle};
   }
 
-  /// Writes down what changes, for `element`.
+  /// Returns the pose with its structure made exact, and records the changes under the name
+  /// `element`.
   ExactPose resolve(const ExactPose& pose, const std::string& element) {
     Change change;
     const ExactPose result = resolved(pose, mechanism_.resolution, &change);
@@ -81,7 +84,7 @@ class Builder {
     return result;
   }
 
-  /// Takes z to the joint's axis.
+  /// Rotation that takes z to the joint's axis.
   ExactMatrix3 axis_rotation(const Joint& joint, const std::string& element) {
     return resolve({rotation_from_z_to(unit_axis<Exact>(joint.axis)), ExactVector3::Zero()},
                    element + "/axis")
@@ -154,7 +157,7 @@ class Builder {
     return pose;
   }
 
-  /// A link whose z is the joint's axis; returns where the child's URDF frame is on it.
+  /// Adds a link whose z is the joint's axis. Returns the place of the child's URDF frame on it.
   Place add_axis(const Joint& joint, const std::string& link, JointKind kind, const Place& before,
                  const ExactMatrix3& to_axis) {
     const bool angle = kind == JointKind::revolute;
@@ -179,7 +182,8 @@ class Builder {
     return {last_link(), {to_axis.transpose(), ExactVector3::Zero()}};
   }
 
-  /// Prismatic x, prismatic y, revolute z, with massless links between: q = x, y, theta.
+  /// Adds a planar joint as prismatic x, prismatic y and revolute z with massless links between
+  /// them: q = x, y, theta.
   Place add_planar(const Joint& joint, const std::string& link, const Place& before,
                    const ExactMatrix3& to_axis) {
     first_coordinate_[index_of(joint)] = {mechanism_.nq(), mechanism_.nv()};
@@ -239,8 +243,8 @@ class Builder {
     return moving;
   }
 
-  /// A mimic may stand before the joint it follows, so coordinates are shared at the end. Chains
-  /// multiply: q = k1 (k2 q0 + o2) + o1.
+  /// Gives mimic joints the coordinate that they share. A mimic may precede the joint that it
+  /// follows, so this happens at the end. Chains of mimics multiply: q = k1 (k2 q0 + o2) + o1.
   void share_mimicked_coordinates() {
     for (const auto& [index, follower] : mimics_) {
       MovingLink& link = mechanism_.links[static_cast<std::size_t>(index)];
@@ -259,7 +263,8 @@ class Builder {
     }
   }
 
-  /// Where the scene holds a joint, itself or by the joint that it mimics.
+  /// Value at which the scene holds the joint, or the joint that it mimics. Nothing if the joint is
+  /// free.
   [[nodiscard]] std::optional<Exact> held_value(const Joint& joint) const {
     const auto locked = scene_.locked.find(joint.name);
     if (locked != scene_.locked.end()) {
@@ -292,7 +297,8 @@ class Builder {
     return result;
   }
 
-  /// Moving links with the name of their URDF link; those inside a planar joint have another.
+  /// Frames of moving links with the names of their URDF links. The inner links of a planar joint
+  /// have other names.
   [[nodiscard]] std::vector<MechanismPoint> link_frames() const {
     std::vector<MechanismPoint> frames;
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {

@@ -8,13 +8,13 @@
 
 namespace treeline {
 
-/// What an entry of q measures. Quaternions are x, y, z, w, of unit length.
+/// Kind of an entry of q. Quaternions are x, y, z, w and have length 1.
 enum class CoordinateKind { angle, displacement, quaternion_xyz, quaternion_w };
 
 /// One entry of q, as the contract of the emitted code lists it.
 struct Coordinate {
   std::string joint;
-  std::string meaning;  ///< in words, with unit: "angle, rad", "displacement, m", "quaternion x"
+  std::string meaning;  ///< with unit: "angle, rad", "displacement, m", "quaternion x"
   CoordinateKind kind = CoordinateKind::angle;
   double lower = -std::numeric_limits<double>::infinity();  ///< rad, m
   double upper = std::numeric_limits<double>::infinity();   ///< rad, m
@@ -23,11 +23,11 @@ struct Coordinate {
   [[nodiscard]] bool is_of_quaternion() const {
     return kind == CoordinateKind::quaternion_xyz || kind == CoordinateKind::quaternion_w;
   }
-  /// Where the joint does not displace its link.
+  /// Value at which the joint does not displace its link.
   [[nodiscard]] double neutral() const { return kind == CoordinateKind::quaternion_w ? 1 : 0; }
-  /// Half of the range that tried states are from where there are no limits: half a turn, a metre.
+  /// Half the range from which test states are drawn if there are no limits: half a turn, or 1 m.
   [[nodiscard]] double ordinary_reach() const { return is_angle() ? std::numbers::pi : 1; }
-  /// The limits, those beyond the ordinary reach drawn in to it.
+  /// Range from which test states are drawn: the limits, where they are within the ordinary reach.
   [[nodiscard]] std::pair<double, double> ordinary_range() const {
     return {std::max(lower, -ordinary_reach()), std::min(upper, ordinary_reach())};
   }

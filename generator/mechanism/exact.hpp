@@ -6,9 +6,9 @@
 
 namespace treeline {
 
-/// The constants of a mechanism are computed in 50 decimal digits and rounded once, on entry into
-/// an expression graph: reductions then add no rounding error, leave no dust (cancellations end
-/// below 1e-40 and become zero, see `resolved`) and give the same bytes on every host.
+/// The constants of a mechanism are computed with 50 decimal digits and rounded once, on entry into
+/// an expression graph. So reductions add no rounding error and leave no residue (what cancels ends
+/// below 1e-40 and becomes zero, see `resolved`), and the bytes are the same on every host.
 using Exact = Digits50;
 using ExactVector3 = Eigen::Matrix<Exact, 3, 1>;
 using ExactMatrix3 = Eigen::Matrix<Exact, 3, 3>;
@@ -27,13 +27,14 @@ inline ExactPose inverse(const ExactPose& a) {
   return {Rt, -(Rt * a.p)};
 }
 
-/// Residue of exact cancellation, relative to a quantity of size `scale`, becomes zero.
+/// Returns `value`, or zero if it is the residue of an exact cancellation of quantities of size
+/// `scale`.
 inline Exact snapped(const Exact& value, const Exact& scale) {
   static const Exact kResidue("1e-30");
   return abs(value) <= kResidue * scale ? Exact(0) : value;
 }
 
-/// Rotation about z.
+/// Rotation by `angle` (rad) about z.
 ExactMatrix3 rotation_z(const Exact& angle);
 
 }  // namespace treeline

@@ -34,7 +34,7 @@ ExactMatrix3 rotation_from_z_to(const ExactVector3& axis) {
     half_turn(1, 1) = half_turn(2, 2) = -1;
     return half_turn;
   }
-  // Near -z the sum would cancel.
+  // Near -z the sum 1 + z would cancel.
   const Exact one_plus_z = axis(2) < 0 ? Exact(square / (1 - axis(2))) : Exact(1 + axis(2));
   // Rodrigues' formula about z x axis = (-axis_y, axis_x, 0).
   ExactMatrix3 K = ExactMatrix3::Zero();

@@ -5,21 +5,23 @@
 
 namespace treeline {
 
-/// What a file's doubles mean, in 50 digits; quarter turns are exact, see `sin_cos_of_file_angle`.
+/// Pose from a file's doubles, with 50 digits. Quarter turns are exact, see
+/// `sin_cos_of_file_angle`.
 ExactPose exact_pose(const Pose& pose);
 
-/// Second moment of a body with inertia J about its centre of mass: Sigma = tr(J)/2 1 - J, carried
-/// to the link's frame.
+/// Inertia of a body about the origin of its link's frame. The second moment about the centre of
+/// mass is Sigma = tr(J)/2 1 - J, where J is the rotational inertia there.
 Inertia exact_inertia(const Inertial& body);
 
-/// sqrt(tr(Sigma) / m), about the frame's origin; 0 for what no body has.
+/// Radius of gyration about the frame's origin, sqrt(tr(Sigma) / m), in m. 0 for values that no
+/// body can have.
 Exact radius_of_gyration(const Inertia& inertia);
 
-/// The shortest rotation that takes z to the unit vector `axis`; half a turn about x for -z. Near
-/// -z its turn about z is what the axis' least digits say.
+/// Shortest rotation that takes z to the unit vector `axis`; half a turn about x for -z. Near -z
+/// the rotation about z depends on the axis' last digits.
 ExactMatrix3 rotation_from_z_to(const ExactVector3& axis);
 
-/// Rotation about z by an angle from a file, or one made of such.
+/// Rotation about z by an angle (rad) from a file, or by a multiple or sum of such angles.
 ExactMatrix3 rotation_z_by(const Exact& angle);
 
 }  // namespace treeline

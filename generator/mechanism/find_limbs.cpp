@@ -9,13 +9,14 @@
 namespace treeline {
 namespace {
 
-/// A subtree as text, equal for subtrees of one shape, and its links in the order of that text.
+/// A subtree as text, which is equal for subtrees of one shape, and its links in the order of that
+/// text.
 struct Subtree {
   std::string shape;
   std::vector<int> links;
 };
 
-using Children = std::vector<std::vector<int>>;  // of every link; of the world last
+using Children = std::vector<std::vector<int>>;  // by link; those of the world come last
 
 Children find_children(const Mechanism& mechanism) {
   const std::size_t count = mechanism.links.size();
@@ -41,7 +42,7 @@ Subtree subtree_at(const Mechanism& mechanism, const Children& children, int roo
   return subtree;
 }
 
-/// Families among the children of a link, then those further out.
+/// Appends the families among the children of a link, then those farther out.
 void append_families(const Mechanism& mechanism, const Children& children, std::size_t parent,
                      std::size_t most, std::vector<LimbFamily>& families) {
   std::map<std::string, LimbFamily> by_shape;

@@ -6,9 +6,9 @@
 
 namespace treeline {
 
-/// Subtrees of one shape on one link, the whole of each: the same kinds of joints branching in the
-/// same way, whatever their measures. Limbs in limbs are not listed again. Families with more than
-/// `most` limbs are left out.
+/// Finds families of limbs: isomorphic complete subtrees on one link, with the same kinds of joints
+/// and the same branches, whatever their dimensions. Limbs within limbs are not listed separately.
+/// Families of more than `most` limbs are left out.
 std::vector<LimbFamily> find_limbs(const Mechanism& mechanism, int most);
 
 }  // namespace treeline

@@ -8,10 +8,11 @@
 namespace treeline {
 namespace {
 
-// q + offset is rounded as a sum of its size: to here by at most two ulp of a sine's scale.
+// q + offset is rounded according to its size: up to this angle by at most two ulp of a sine's
+// scale.
 constexpr double kFarthest = 8;  // rad
 
-/// The farthest that the joint's limits let the angle go, the offset included; rad.
+/// Largest angle that the joint's limits permit, including the offset; rad.
 double farthest_angle(const Mechanism& mechanism, const MovingLink& link) {
   const Coordinate& q = mechanism.coordinates[static_cast<std::size_t>(link.q_index)];
   return std::max(std::abs(q.lower), std::abs(q.upper)) * std::abs(link.multiplier) +

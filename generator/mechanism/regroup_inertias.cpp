@@ -5,8 +5,8 @@
 namespace treeline {
 namespace {
 
-/// A revolute link turns about z: matter on z does not move in the parent's frame. It is the rod
-/// with the link's mass, its first moment along z and Sigma_zz.
+/// Takes the rod on the joint axis out of a revolute link's inertia. Matter on z does not move in
+/// the parent's frame. The rod has the link's mass, its first moment along z, and Sigma_zz.
 Inertia take_rod_on_axis(Inertia& inertia) {
   Inertia rod;
   rod.mass = inertia.mass;
@@ -16,8 +16,8 @@ Inertia take_rod_on_axis(Inertia& inertia) {
   return rod;
 }
 
-/// A prismatic link has the parent's angular velocity, and a second moment answers to nothing
-/// else, wherever it is.
+/// Takes the second moment out of a prismatic link's inertia. The link has the angular velocity of
+/// its parent, and the second moment depends on nothing else, wherever it is.
 Inertia take_second_moment(Inertia& inertia) {
   Inertia moment;
   moment.Sigma = inertia.Sigma;

@@ -12,29 +12,30 @@ namespace treeline {
 namespace {
 
 const Exact kResidue("1e-40");
-/// Rotations are orthogonal to here without being made so again.
+/// Rotations that are orthogonal within this limit are not orthogonalized again.
 const Exact kOrthogonal("1e-40");
 
 bool is_within(const Exact& x, const Exact& limit) {
   return x <= limit && -x <= limit;
 }
 
-/// An entry of a 3x3 matrix; others come in cyclic order, which keeps the signs of determinants.
+/// An entry of a 3x3 matrix. The other entries are addressed in cyclic order, which keeps the signs
+/// of determinants.
 struct Entry {
   int i = 0, j = 0;
   [[nodiscard]] int row(int k) const { return (i + k) % 3; }
   [[nodiscard]] int column(int k) const { return (j + k) % 3; }
 };
 
-/// Whether the other two entries in its row, or in its column, are within `limit`: then the entry
-/// is 1 or -1.
+/// Whether the other two entries in this row, or in this column, are within `limit` of 0, so that
+/// the entry is 1 or -1.
 bool is_alone(const ExactMatrix3& R, const Entry& at, const Exact& limit) {
   return (is_within(R(at.i, at.column(1)), limit) && is_within(R(at.i, at.column(2)), limit)) ||
          (is_within(R(at.row(1), at.j), limit) && is_within(R(at.row(2), at.j), limit));
 }
 
-/// The cheap question that most rotations are asked: is there anything to do? There is where an
-/// entry is within `limit` but not zero, or two of a row are zero and the third is not +-1.
+/// Whether there is nothing to do, a cheap test that holds for most rotations: no entry is within
+/// `limit` of 0 but not zero, and in no row two entries are zero while the third is not +-1.
 bool is_resolved(const ExactMatrix3& R, const Exact& limit) {
   for (int i = 0; i < 3; ++i) {
     int zeros = 0;
@@ -50,7 +51,7 @@ bool is_resolved(const ExactMatrix3& R, const Exact& limit) {
   return true;
 }
 
-/// Makes (c, s) a unit vector, with 0 and +-1 where it is within `limit` of them.
+/// Makes (c, s) a unit vector. If it is within `limit` of an axis, its components become 0 and +-1.
 void make_unit(Exact& c, Exact& s, const Exact& limit) {
   if (is_within(c, limit)) {
     c = 0;
@@ -65,8 +66,8 @@ void make_unit(Exact& c, Exact& s, const Exact& limit) {
   }
 }
 
-/// The rotation about an axis that both frames share, nearest to R: row and column `at` are those
-/// of +-1, the block that is left is [c, s; -s, c] or [c, s; s, -c].
+/// Rotation nearest to R about an axis that both frames share. Row and column `at` contain +-1; the
+/// remaining block is [c, s; -s, c] or [c, s; s, -c].
 ExactMatrix3 with_shared_axis(const ExactMatrix3& R, const Entry& at, const Exact& limit) {
   const Exact sign = R(at.i, at.j) < 0 ? -1 : 1;
   const int i1 = at.row(1), i2 = at.row(2), j1 = at.column(1), j2 = at.column(2);
@@ -82,7 +83,7 @@ ExactMatrix3 with_shared_axis(const ExactMatrix3& R, const Entry& at, const Exac
   return result;
 }
 
-/// The rotation nearest to R of which one entry is 0.
+/// Rotation nearest to R in which the entry `at` is 0.
 ExactMatrix3 with_zero(const ExactMatrix3& R, const Entry& at) {
   ExactMatrix3 result = R;
   result(at.i, at.j) = 0;
@@ -102,8 +103,8 @@ ExactMatrix3 with_zero(const ExactMatrix3& R, const Entry& at) {
   return result;
 }
 
-/// The entry that is least and within `limit`, if it may vanish: another that is zero already may
-/// not have to do so again.
+/// Finds the smallest entry that is within `limit` of 0. Nothing if an entry is zero already,
+/// because it might not stay zero if another one vanishes.
 std::optional<Entry> find_least(const ExactMatrix3& R, const Exact& limit) {
   std::optional<Entry> least;
   for (int i = 0; i < 3; ++i) {
@@ -150,7 +151,7 @@ Exact resolved(const Exact& angle, const Resolution& resolution) {
 
 namespace {
 
-/// Whether x^2 <= (share^2) y, for what may be the square of a body's number.
+/// Whether x^2 <= share^2 y, where y need not be positive.
 bool is_small(const Exact& x, const Exact& share, const Exact& y) {
   return y > 0 && x * x <= share * share * y;
 }
@@ -168,8 +169,8 @@ Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* c
   const ExactMatrix3& Sigma = inertia.Sigma;
   const Exact most = Sigma.cwiseAbs().maxCoeff();
   const Exact residue = kResidue * most;
-  // All three numbers of a balanced body's h may be residue: mass at its radius of gyration is what
-  // they cancelled from.
+  // All three components of a balanced body's h may be residue. They have cancelled from mass times
+  // the radius of gyration.
   const Exact balanced = abs(inertia.mass) * most;
   const Exact least = kResidue * Exact(inertia.h.cwiseAbs().maxCoeff());
   for (int i = 0; i < 3; ++i) {

@@ -7,39 +7,40 @@
 
 namespace treeline {
 
-/// What two numbers of a mechanism may differ by and still be the same: residue of cancellation in
-/// 50 digits, and what files cannot mean, see `kResolution`. Everything that asks whether frames
-/// are turned by quarter turns, axes are parallel or meet, or bodies are balanced asks it here.
+/// Largest difference between numbers of a mechanism that are taken as equal. It covers residue of
+/// cancellation in 50 digits and what files cannot express, see `kResolution`. This is the only
+/// criterion for whether frames are rotated by quarter turns, axes are parallel or intersect, or
+/// bodies are balanced.
 struct Resolution {
   Exact angle = 1e-30;  ///< rad
   Exact length = 0;     ///< m
 };
 
-/// By how much `resolved` changed something, at most.
+/// Largest changes that `resolved` has made.
 struct Change {
   Exact angle = 0;   ///< rad
   Exact length = 0;  ///< m
-  Exact share = 0;   ///< of a body's moments
+  Exact share = 0;   ///< relative to a body's moments
 };
 
-/// The pose with the structure that it has within `resolution`, exactly: entries of R that are no
-/// larger are 0, whole axes that are no farther from each other agree, and R is orthogonal to 50
-/// digits for it. Where several entries could vanish, but not together, the least does. Entries of
-/// p that are no larger than `resolution.length`, or residue beside the largest, are 0. What is
-/// resolved stays as it is.
+/// Returns the pose with the structure that it has within `resolution`, exactly. Entries of R
+/// within this limit become 0, axes that agree within it become equal, and R is then orthogonal to
+/// 50 digits. If several entries could vanish, but not together, the smallest does. Entries of p
+/// become 0 if they are at most `resolution.length`, or residue compared with the largest entry.
+/// Resolving a second time changes nothing. `change` receives the largest changes.
 ExactPose resolved(const ExactPose& pose, const Resolution& resolution, Change* change = nullptr);
 
 struct Inertia;
 
-/// The inertia without first moments and products that are no larger than `resolution.angle` beside
-/// what a body with its moments could have at most, h_x^2 = m Sigma_xx and Sigma_xy^2 = Sigma_xx
-/// Sigma_yy, or that are residue. Moments stay.
+/// Returns the inertia with small first moments and products set to 0. Small means at most
+/// `resolution.angle` times the largest value that a body with these moments can have, h_x^2 = m
+/// Sigma_xx and Sigma_xy^2 = Sigma_xx Sigma_yy, or residue. Moments stay.
 Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* change = nullptr);
 
-/// The angle, or 0 where that is the same.
+/// Returns the angle (rad), or 0 if it is within the resolution.
 Exact resolved(const Exact& angle, const Resolution& resolution);
 
-/// Writes down what changed by more than 50 digits' residue.
+/// Records changes that are larger than the residue of 50 digits.
 void add_decisions(const Change& change, const std::string& element, const std::string& file,
                    NoiseDecisions& decisions);
 

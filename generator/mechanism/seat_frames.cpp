@@ -5,25 +5,25 @@
 
 #include "mechanism/build_mechanism.hpp"
 
-// A link's frame may be turned about its joint axis and slid along it (a prismatic link's anywhere)
-// without changing q: the seat commutes with the joint's motion. A turn that is left over at the
-// end of a revolute link's own seat may also join the angle, at the cost of one addition.
-// Coordinate descent over candidates that null a constant, weighted by the operations the constant
-// costs in the recursions. Turns are orthogonal and cost no digits; slides far away do, and count
-// only near the link.
+// A link's frame may be turned about its joint axis and slid along it (a prismatic link's frame may
+// be anywhere) without changing q, because the placement commutes with the joint's motion. A
+// rotation about z at the end of a revolute link's own placement may also be added to the angle, at
+// the cost of one addition. The search is a coordinate descent over candidates that make a constant
+// vanish, weighted by the operations that the constant costs in the recursions. Rotations are
+// orthogonal and cost no digits. Long slides do, so origins must stay near the link.
 
 namespace treeline {
 namespace {
 
-/// No frame is put farther from where the file has it than so many times the link's size: lengths
-/// that cancel again are then rounded at most so much more coarsely than the file's, two bits.
+/// A frame may move from its place in the file by at most this multiple of the link's size. Then
+/// lengths that cancel again lose at most two bits compared with the file's.
 constexpr int kFarthestSizes = 4;
 
 bool is_trivial(const Exact& entry) {
   return entry == 0 || entry == 1 || entry == -1;
 }
 
-/// Operations to turn one vector by a constant rotation.
+/// Number of operations to rotate a vector by a constant rotation.
 int rotation_cost(const ExactMatrix3& R) {
   int multiplications = 0;
   int terms = 0;
@@ -39,7 +39,8 @@ int nonzeros(const ExactVector3& v) {
   return (v(0) != 0 ? 1 : 0) + (v(1) != 0 ? 1 : 0) + (v(2) != 0 ? 1 : 0);
 }
 
-// Vectors turned and products taken per joint in RNEA and in the articulated recursions together.
+// Number of vectors rotated and products taken per joint, in RNEA and the articulated-body
+// recursions together.
 constexpr int kRotationWeight = 8;
 constexpr int kPositionWeight = 12;
 
@@ -49,11 +50,11 @@ int pose_cost(const ExactPose& pose) {
 
 int link_cost(const MovingLink& link) {
   const int offset = link.kind == JointKind::revolute && link.offset != 0 ? 1 : 0;
-  // Nothing turns at a fixed base but gravity, which is constant.
+  // On a fixed base, nothing but gravity needs to be rotated, and gravity is constant.
   return link.parent < 0 ? offset + nonzeros(link.seat.p) : offset + pose_cost(link.seat);
 }
 
-/// The second moment of a prismatic link goes to its parent.
+/// Cost of a link's inertia. The second moment of a prismatic link moves to its parent.
 int inertia_cost(const MovingLink& link) {
   const int first = 10 * nonzeros(link.inertia.h);
   if (link.kind == JointKind::prismatic) {
@@ -72,7 +73,7 @@ bool is_parallel(const ExactMatrix3& R) {
   return R(0, 2) == 0 && R(1, 2) == 0;
 }
 
-/// R = Rz(a) Rx(alpha) Rz(b): a where alpha is no multiple of pi, else false.
+/// Decomposes R = Rz(a) Rx(alpha) Rz(b) and returns a. Returns false if alpha is a multiple of pi.
 bool left_turn(const ExactMatrix3& R, Exact& a) {
   if (is_parallel(R)) {
     return false;
@@ -87,7 +88,8 @@ Exact right_turn(const ExactMatrix3& R) {
   return atan2(R(2, 0), R(2, 1));
 }
 
-/// Lets a revolute link's angle take the right-hand turn of its seat if that is cheaper.
+/// Moves the rotation about z at the end of a revolute link's placement to the joint angle, if that
+/// is cheaper.
 void absorb_turn(MovingLink& link, const Resolution& resolution, Change* change) {
   if (link.kind != JointKind::revolute) {
     return;
@@ -110,14 +112,14 @@ void absorb_turn(MovingLink& link, const Resolution& resolution, Change* change)
   }
 }
 
-/// One link with everything that its frame touches.
+/// A link with everything that depends on its frame.
 struct Neighbourhood {
   MovingLink link;
   std::vector<MovingLink> children;
   std::vector<ExactPose> points;
   Resolution resolution;
-  Exact farthest = 0;     ///< that the frame may be from where the file has it, m
-  ExactPose files_frame;  ///< in the frame that the link has now
+  Exact farthest = 0;     ///< largest distance of the frame from its place in the file, m
+  ExactPose files_frame;  ///< pose of the file's frame in the present frame
 
   [[nodiscard]] int cost() const {
     int sum = link_cost(link) + inertia_cost(link);
@@ -178,8 +180,8 @@ std::vector<Exact> turn_candidates(const Neighbourhood& around) {
   return turns;
 }
 
-/// Where on z the common normal with the child's axis stands. Written with the sine, which keeps
-/// its digits where axes are nearly parallel.
+/// Position on z of the common normal with the child's axis. The formula uses the sine, which keeps
+/// its digits if axes are nearly parallel.
 Exact foot_of_common_normal(const ExactPose& child) {
   const auto& axis = child.R.col(2);
   const Exact square = axis(0) * axis(0) + axis(1) * axis(1);
@@ -213,7 +215,7 @@ std::vector<ExactVector3> slide_candidates(const Neighbourhood& around) {
   return slides;
 }
 
-/// The origin of a prismatic link may be anywhere.
+/// Candidates for the origin of a prismatic link, which may be anywhere.
 std::vector<ExactVector3> shift_candidates(const Neighbourhood& around) {
   std::vector<ExactVector3> shifts{ExactVector3::Zero()};
   shifts.emplace_back(-(around.link.seat.R.transpose() * around.link.seat.p));
@@ -229,7 +231,7 @@ std::vector<ExactVector3> shift_candidates(const Neighbourhood& around) {
   return shifts;
 }
 
-/// Where the origin of the link's frame may go: each place once, none that is far away.
+/// Candidates for the origin of the link's frame, without repetition and not too far away.
 std::vector<ExactVector3> origin_candidates(const Neighbourhood& around) {
   const std::vector<ExactVector3> all = around.link.kind == JointKind::prismatic
                                             ? shift_candidates(around)
@@ -263,7 +265,7 @@ ExactPose best_seat(const Neighbourhood& around) {
   return best;
 }
 
-/// Visits what hangs on link `index`: children first, then points, always in the same order.
+/// Visits what is attached to link `index`: children first, then points, always in the same order.
 template <class OnChild, class OnPoint>
 void for_each_around(Mechanism& mechanism, int index, OnChild on_child, OnPoint on_point) {
   for (MovingLink& link : mechanism.links) {
@@ -291,7 +293,7 @@ Neighbourhood neighbourhood(Mechanism& mechanism, int index) {
   return around;
 }
 
-/// How far what belongs to a link is from its frame's origin.
+/// Distance from the frame's origin of what belongs to a link.
 Exact size_of(const Neighbourhood& around) {
   const auto square = [](const ExactVector3& p) { return Exact(p.dot(p)); };
   Exact most = std::max(square(around.link.seat.p), Exact(around.link.radius * around.link.radius));
@@ -309,7 +311,7 @@ class Seating {
     files_frames_.resize(mechanism.links.size());
   }
 
-  /// Returns whether it became cheaper.
+  /// Moves the frame of link `index` to the best candidate. Returns whether the cost decreased.
   bool seat_link(int index) {
     const auto i = static_cast<std::size_t>(index);
     Neighbourhood around = neighbourhood(mechanism_, index);
@@ -334,7 +336,8 @@ class Seating {
     for_each_around(
         mechanism_, index, [&](MovingLink& moved) { moved = best.children[child++]; },
         [&](MechanismPoint& moved) { moved.pose = best.points[point++]; });
-    for (MechanismPoint& frame : mechanism_.link_frames) {  // for whoever asks: they weigh nothing
+    for (MechanismPoint& frame : mechanism_.link_frames) {  // for inspection only: their cost is
+                                                            // not counted
       if (frame.link == index) {
         frame.pose = resolved(inverse(seat) * frame.pose, mechanism_.resolution);
       }
@@ -349,7 +352,7 @@ class Seating {
 }  // namespace
 
 void seat_frames(Mechanism& mechanism) {
-  constexpr int kMostSweeps = 10;  // each sweep only lowers an integer cost; few are ever needed
+  constexpr int kMostSweeps = 10;  // each sweep lowers an integer cost; few are needed
   const int count = static_cast<int>(mechanism.links.size());
   Seating seating(mechanism);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {

@@ -9,21 +9,21 @@
 namespace treeline {
 
 double cost(const Program& program, const OperationCount& count) {
-  constexpr double kDivision = 8;  // two additions a cycle, a division every four
+  constexpr double kDivision = 8;  // two additions start per cycle, a division every four cycles
   constexpr double kAngle = 12;
-  constexpr double kWaiting = 1;  // a cycle; part of it goes to the next call's operations
-  constexpr int kRegister = 4;    // doubles: AVX2's, the most that can be counted on
+  constexpr double kWaiting = 1;  // one cycle; the next call's operations fill part of it
+  constexpr int kRegister = 4;    // doubles per AVX2 register, the widest that can be relied on
   int shared = 0;
   for (const LanePack& pack : program.packs) {
     const std::uint32_t some = *std::max_element(pack.begin(), pack.end());
-    if (program.graph.nodes()[some].op == Op::neg) {  // no operation, see OperationCount
+    if (program.graph.nodes()[some].op == Op::neg) {  // costs no operation, see OperationCount
       continue;
     }
     const auto used =
         static_cast<int>(pack.size()) - static_cast<int>(std::count(pack.begin(), pack.end(), 0U));
     shared += used - (used + kRegister - 1) / kRegister;
   }
-  // Measured, lanes bring two thirds of what this count promises: scalar code fuses more
+  // Measured: lanes save two thirds of what this count promises, because scalar code fuses more
   // multiply-adds.
   const double saved = std::max(0, shared - program.lane_moves) * 2 / 3.0;
   return count.add + count.mul - saved + kDivision * count.div + kAngle * count.sin_cos +

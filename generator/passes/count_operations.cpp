@@ -7,7 +7,7 @@
 namespace treeline {
 namespace {
 
-/// Adds node `i`; `angle_seen` tells the angles that have been counted.
+/// Adds the operation of `node` to `count`. `angle_seen` marks the angles that have been counted.
 void count_node(const Node& node, std::vector<bool>& angle_seen, OperationCount& count) {
   switch (node.op) {
     case Op::add:
@@ -25,7 +25,7 @@ void count_node(const Node& node, std::vector<bool>& angle_seen, OperationCount&
       count.sin_cos += angle_seen[node.a] ? 0 : 1;
       angle_seen[node.a] = true;
       break;
-    case Op::neg:  // a flipped bit, like the sign of a result
+    case Op::neg:  // flips a bit, as does the sign of a result
     case Op::constant:
     case Op::input:
       break;

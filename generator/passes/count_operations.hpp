@@ -7,8 +7,8 @@
 
 namespace treeline {
 
-/// Operations that the results need. Changing the sign of a result is not counted; an angle whose
-/// sine and cosine are both taken counts once.
+/// Counts the operations that the results need. A change of sign is not counted. An angle whose
+/// sine and cosine are both needed counts once.
 OperationCount count_operations(const Program& program);
 
 struct SectionCount {
@@ -16,7 +16,8 @@ struct SectionCount {
   OperationCount count;
 };
 
-/// The same for each section, in order of first appearance; sections of one title are one.
+/// Counts the operations that the results need, by section, in order of first appearance. Sections
+/// with the same title are counted together.
 std::vector<SectionCount> count_sections(const Program& program);
 
 }  // namespace treeline

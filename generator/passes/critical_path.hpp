@@ -4,10 +4,10 @@
 
 namespace treeline {
 
-/// Cycles that the longest chain of operations takes of which each waits for the last, with the
-/// latencies of current x86 cores (Fog, Instruction tables; Zen 3 to 5, Ice Lake): 3 for an
-/// addition or a product, 13 for a division. Sines and cosines are where all chains begin, and
-/// count nothing.
+/// Length in cycles of the longest chain of operations in which each waits for the previous one.
+/// Latencies are those of current x86 cores (Fog, Instruction tables; Zen 3 to 5, Ice Lake): 3 for
+/// an addition or a product, 13 for a division. Sines and cosines count nothing, because every
+/// chain begins with them.
 int critical_path(const Program& program);
 
 }  // namespace treeline

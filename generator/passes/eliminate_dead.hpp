@@ -4,7 +4,7 @@
 
 namespace treeline {
 
-/// The program without the nodes that no result needs; the order of the others is kept.
+/// Removes the nodes that no result needs. The others keep their order.
 Program eliminate_dead(const Program& program);
 
 }  // namespace treeline

@@ -10,7 +10,7 @@
 namespace treeline {
 namespace {
 
-/// A product of nodes with a sign; no factors at all is 1.
+/// Signed product of nodes. Without factors it is 1.
 struct Term {
   std::vector<std::uint32_t> factors;
   bool negative = false;
@@ -20,7 +20,7 @@ bool has_factor(const Term& term, std::uint32_t factor) {
   return std::find(term.factors.begin(), term.factors.end(), factor) != term.factors.end();
 }
 
-/// The factor of most terms, the first of several, with their number.
+/// Finds the factor that most terms share (the first of several) and the number of these terms.
 std::pair<std::uint32_t, std::ptrdiff_t> find_common_factor(const std::vector<Term>& terms) {
   std::pair<std::uint32_t, std::ptrdiff_t> best{0, 1};
   for (const Term& term : terms) {
@@ -43,7 +43,7 @@ Expression product_of(const Term& term, const Rewriter& rewriter) {
   return term.negative ? -product : product;
 }
 
-/// The sum with common factors taken out.
+/// Builds the sum of the terms with common factors taken out.
 Expression factored_sum(std::vector<Term> terms, const Rewriter& rewriter) {
   const auto [factor, count] = find_common_factor(terms);
   if (count < 2) {
@@ -67,7 +67,7 @@ Expression factored_sum(std::vector<Term> terms, const Rewriter& rewriter) {
   return without.empty() ? product : factored_sum(std::move(without), rewriter) + product;
 }
 
-/// Finds the sums that have a common factor; all else is copied as it is.
+/// Finds the sums that have a common factor. Every other node is copied as it is.
 class Factoring {
  public:
   explicit Factoring(const Program& program)
@@ -98,7 +98,8 @@ class Factoring {
   }
 
  private:
-  /// Factors of a product, across products that have no other use.
+  /// Collects the factors of a product, including those of operands that are products without
+  /// another use.
   void collect_factors(std::uint32_t node, Term& term) const {
     if (nodes_[node].op == Op::mul && uses_[node] == 1) {
       collect_factors(nodes_[node].a, term);
@@ -122,8 +123,8 @@ class Factoring {
 
   const std::vector<Node>& nodes_;
   std::vector<int> uses_;
-  std::vector<bool> is_part_;            // of a sum, its only user
-  std::vector<std::vector<Term>> sums_;  // those to be factored
+  std::vector<bool> is_part_;            // the node's only user is a sum that it is part of
+  std::vector<std::vector<Term>> sums_;  // by node: the terms, if the node is a sum to factor
 };
 
 }  // namespace

@@ -8,11 +8,11 @@
 namespace treeline {
 namespace {
 
-constexpr int kNoLimb = -1;   // the same for all limbs
-constexpr int kSeveral = -2;  // of more than one limb
+constexpr int kNoLimb = -1;   // independent of the limb
+constexpr int kSeveral = -2;  // depends on more than one limb
 
-/// For families of `limbs` limbs: what each node becomes when every limb takes the next one's
-/// place, and which limb it belongs to.
+/// For families of `limbs` limbs: the node that each node becomes if every limb is exchanged for
+/// the next one, and the limb to which each node belongs.
 class Exchange {
  public:
   Exchange(const Program& program, std::uint32_t limbs)
@@ -30,7 +30,7 @@ class Exchange {
     }
   }
 
-  /// 0: none.
+  /// Node that takes the place of `node` after the exchange; 0 if there is none.
   [[nodiscard]] std::uint32_t image(std::uint32_t node) const { return image_[node]; }
   [[nodiscard]] int limb(std::uint32_t node) const { return limb_[node]; }
 
@@ -46,7 +46,8 @@ class Exchange {
       } else if (node.op == Op::input) {
         inputs.emplace(graph_.inputs()[node.a], i);
       }
-      image_[i] = operation(node.op).operands == 0 ? i : kNoNode;  // until told otherwise
+      image_[i] = operation(node.op).operands == 0 ? i : kNoNode;  // corrected below for what
+                                                                   // belongs to a limb
     }
     for (const auto& [place, node] : constants) {
       const LimbConstant own = limb_constant(graph_.nodes()[node]);
@@ -108,7 +109,7 @@ void append_orbits(const Program& program, std::uint32_t limbs, std::vector<Lane
     if (!live[i] || done[i] || operands == 0 || exchange.image(i) == i) {
       continue;
     }
-    // What several limbs made stands where the first of them met does.
+    // A value that depends on several limbs takes the place of the first operation found.
     const auto first = exchange.limb(i) >= 0 ? static_cast<std::uint32_t>(exchange.limb(i)) : 0;
     LanePack orbit(power_of_two(limbs), kNoNode);
     int found = 0;

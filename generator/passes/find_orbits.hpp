@@ -6,10 +6,11 @@
 
 namespace treeline {
 
-/// Exchanging the limbs of a family, inputs and constants, maps every operation that another limb
-/// does too to that of the next limb. The groups of live operations that follow each other so, by
-/// limb; node 0 where a limb lacks one. As many places as the next power of two, at most the
-/// graph's lanes.
+/// Finds operations that isomorphic limbs share. Exchanging each limb of a family for the next one,
+/// with its inputs and constants, maps an operation of one limb to the same operation of the next.
+/// Each group holds the live operations that follow one another in this way, ordered by limb, with
+/// node 0 where a limb lacks one. Its length is the number of limbs, rounded up to a power of two,
+/// and at most the graph's number of lanes.
 std::vector<LanePack> find_orbits(const Program& program);
 
 }  // namespace treeline

@@ -9,15 +9,15 @@
 namespace treeline {
 namespace {
 
-/// Operations looked ahead. Measured: the more the better (control torque of a quadruped -16 %),
-/// until the code is so long that fetching it is what takes the time, about 16 bytes a cycle from
-/// the second cache: there longer lives cost spills, and spills are bytes. Choosing what frees most
-/// registers, instead of what can begin first, saves 2 to 10 % of the bytes and loses 5 to 15 % of
-/// the time where code is shorter.
+/// Number of operations to look ahead. Measured: a longer window is faster (control torque of a
+/// quadruped: 16 % less time) until the code is so long that fetching it takes the time, about 16
+/// bytes per cycle from the second-level cache. There, longer live ranges cost spills, and spills
+/// are bytes. Choosing the operation that frees most registers, instead of the one that can begin
+/// first, saves 2 to 10 % of the bytes but costs 5 to 15 % of the time if the code is shorter.
 constexpr int kWindow = 128;
 constexpr int kWindowOfLongCode = 40;
 constexpr int kLongCode = 44 * 1024;  // bytes
-constexpr int kIssue = 4;             ///< operations begun in a cycle
+constexpr int kIssue = 4;             ///< operations that begin in one cycle
 
 int issue_latency(Op op) {
   switch (op) {
@@ -33,9 +33,9 @@ int issue_latency(Op op) {
   }
 }
 
-/// Roughly the bytes of machine code that the program becomes.
+/// Estimates the size of the program's machine code in bytes.
 int estimate_code_bytes(const Program& program) {
-  constexpr int kBytes = 9;  // seen: 7 to 8 an instruction, some of which only move
+  constexpr int kBytes = 9;  // measured: 7 to 8 per instruction, some of which only move
   std::vector<bool> is_counted = find_live(program);
   int instructions = program.lane_moves + static_cast<int>(program.packs.size());
   for (const LanePack& pack : program.packs) {
@@ -50,12 +50,12 @@ int estimate_code_bytes(const Program& program) {
   return kBytes * instructions;
 }
 
-/// A node, or the nodes of a pack.
+/// A single node, or all nodes of a pack.
 struct Unit {
   std::vector<std::uint32_t> nodes;
-  std::vector<std::size_t> operands;  ///< units
-  int height = 0;                     ///< cycles to the last result that needs it
-  int end = 0;                        ///< cycle in which its value is there, once it is placed
+  std::vector<std::size_t> operands;  ///< indices of units
+  int height = 0;                     ///< cycles until the last result that needs it
+  int end = 0;                        ///< cycle in which its value is ready, once it is placed
   bool done = false;
 };
 
@@ -114,7 +114,7 @@ class Interleaver {
   }
 
  private:
-  /// The cycle in which the unit can begin; none where an operand has no place yet.
+  /// Cycle in which the unit can begin. Nothing if an operand is not placed yet.
   [[nodiscard]] std::optional<int> find_begin(const Unit& unit) const {
     int begin = cycle_;
     for (const std::size_t operand : unit.operands) {
@@ -126,7 +126,8 @@ class Interleaver {
     return begin;
   }
 
-  /// Of the window the unit that can begin first, the one with the longest way to go among several.
+  /// Index of the unit within the window that can begin first; among several, of the one with the
+  /// longest way to a result.
   [[nodiscard]] std::size_t choose() const {
     std::size_t best = first_;
     int best_begin = *find_begin(units_[first_]);
@@ -170,7 +171,7 @@ class Interleaver {
   std::vector<Unit> units_;
   int window_;
   std::vector<std::uint32_t> order_;
-  std::size_t first_ = 0;  ///< of those without a place
+  std::size_t first_ = 0;  ///< first unit that is not placed yet
   int cycle_ = 0, begun_ = 0;
 };
 

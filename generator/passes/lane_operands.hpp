@@ -4,15 +4,14 @@
 
 namespace treeline {
 
-/// What the lanes of a pack read.
+/// Operands of a pack, by lane.
 struct LaneOperands {
   LanePack a, b;
 };
 
-/// The left and right operands of a pack's lanes; no right ones (all 0) where there is one operand.
-/// Those of a commutative operation are exchanged
-/// where that makes them more like the first lane's: the same value, of the same aligned group, or
-/// the same operation.
+/// Returns the left and right operands of a pack, by lane. Unary operations have no right operands
+/// (all 0). Operands of a commutative operation are exchanged where this makes a lane more like the
+/// first one: the same value, a value of the same aligned group, or a value of the same operation.
 LaneOperands lane_operands(const Graph& graph, const LanePack& lanes);
 
 }  // namespace treeline

@@ -27,7 +27,7 @@ std::optional<std::size_t> PackCycles::next() {
   return std::nullopt;
 }
 
-/// The nodes that are computed together with `node`, itself included.
+/// Calls `visit` for each node that is computed together with `node`, and for `node` itself.
 template <class Visit>
 void PackCycles::for_each_in_unit(std::uint32_t node, Visit visit) const {
   if (pack_of_[node] == kNoPack) {
@@ -35,7 +35,7 @@ void PackCycles::for_each_in_unit(std::uint32_t node, Visit visit) const {
     return;
   }
   for (const std::uint32_t member : packs_[static_cast<std::size_t>(pack_of_[node])]) {
-    if (member != 0) visit(member);  // else an empty lane
+    if (member != 0) visit(member);  // 0 is an empty lane
   }
 }
 
@@ -59,7 +59,8 @@ void PackCycles::close(std::uint32_t node) {
   if (pack_of_[node] != kNoPack) open_packs_.pop_back();
 }
 
-/// What is done has no cycle below it and stays so: packs are only taken apart.
+/// Units that are done stay as they are: no cycle passes through them, and packs are only taken
+/// apart.
 void PackCycles::forget_open() {
   for (const std::uint32_t node : open_units_) {
     for_each_in_unit(node, [&](std::uint32_t member) { state_[member] = State::unseen; });

@@ -10,19 +10,21 @@
 
 namespace treeline {
 
-/// In place of a pack's index: the node is in none.
+/// Index of a pack for nodes that are in none.
 inline constexpr int kNoPack = -1;
 
-/// Finds packs that wait for themselves, by way of scalars or of other packs: depth-first over
-/// units, packs and single nodes; meeting an open one again closes a cycle. The graph itself has
-/// none, so the pack opened last is on it.
+/// Finds packs that wait for themselves, through scalars or through other packs. The search is
+/// depth-first over units, which are packs and single nodes; reaching an open unit again closes a
+/// cycle. The graph of nodes has no cycle, so the pack that was opened last lies on it.
 class PackCycles {
  public:
-  /// `pack_of` gives the index into `packs` of each node's pack. All must outlive this.
+  /// `pack_of` gives for each node the index of its pack in `packs`, or kNoPack. The arguments must
+  /// outlive this object.
   PackCycles(const std::vector<Node>& nodes, const std::vector<LanePack>& packs,
              const std::vector<int>& pack_of);
 
-  /// A pack on a cycle, to be taken apart before the next is asked for; nothing when there is none.
+  /// Index of a pack on a cycle; nothing if there is no cycle. Take that pack apart before the next
+  /// call.
   std::optional<std::size_t> next();
 
  private:
@@ -39,9 +41,9 @@ class PackCycles {
   const std::vector<LanePack>& packs_;
   const std::vector<int>& pack_of_;
   std::vector<State> state_;
-  std::vector<std::uint32_t> open_units_;  ///< a node of each
+  std::vector<std::uint32_t> open_units_;  ///< one node of each
   std::vector<std::size_t> open_packs_;
-  std::uint32_t root_ = 0;  ///< from where the search goes on
+  std::uint32_t root_ = 0;  ///< node from which the search continues
 };
 
 }  // namespace treeline

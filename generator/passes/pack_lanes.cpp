@@ -23,7 +23,7 @@ int count_lanes(const LanePack& lanes) {
          static_cast<int>(std::count(lanes.begin(), lanes.end(), kNoNode));
 }
 
-/// The values in the lanes, each once.
+/// Returns the values in the lanes, each once.
 std::vector<std::uint32_t> distinct(const LanePack& lanes) {
   std::vector<std::uint32_t> nodes;
   for (const std::uint32_t node : lanes) {
@@ -43,7 +43,7 @@ class Packer {
         pack_of_(nodes_.size(), kNoPack),
         lane_of_(nodes_.size(), 0) {}
 
-  /// What to look for first: the columns that the trace aligned, or operations of alike limbs.
+  /// What to pack first: the columns that the trace aligned, or the operations of isomorphic limbs.
   enum class First { columns, limbs };
 
   void run(First first) {
@@ -58,11 +58,11 @@ class Packer {
       pack_columns();
       settle_packs();
     }
-    pack_orbits(orbits);  // what has come free
+    pack_orbits(orbits);  // operations of packs that were taken apart
     settle_packs();
   }
 
-  /// Instructions that the program takes.
+  /// Number of instructions that the program takes.
   [[nodiscard]] int count_instructions() const {
     int count = count_moves();
     for (const LanePack& pack : packs_) {
@@ -106,7 +106,8 @@ class Packer {
     }
   }
 
-  /// Leaves in `lanes` what may be computed together: live, not packed yet, one operation.
+  /// Keeps in `lanes` only what may be computed together: live nodes of one operation that are not
+  /// packed yet.
   void keep_alike(LanePack& lanes) const {
     std::array<int, kOperations.size()> votes{};
     for (auto lane = lanes.begin(); lane != lanes.end(); ++lane) {
@@ -128,7 +129,8 @@ class Packer {
     }
   }
 
-  /// Makes a pack of what is alike in `lanes`, if that is enough.
+  /// Makes a pack of the nodes in `lanes` that can share an operation. Returns false if these are
+  /// fewer than `fewest`.
   bool add(LanePack lanes, int fewest) {
     keep_alike(lanes);
     if (count_lanes(lanes) < fewest) {
@@ -146,7 +148,7 @@ class Packer {
     return true;
   }
 
-  /// Of lanes as some pack is them or reads them.
+  /// Number that identifies these lanes, whether a pack consists of them or reads them.
   int number_of(const LanePack& lanes) {
     const auto [found, is_new] = numbers_.try_emplace(lanes, static_cast<int>(readable_.size()));
     if (is_new) {
@@ -178,9 +180,9 @@ class Packer {
     }
   }
 
-  /// Instructions to bring these operands into lanes: none for one scalar in all lanes, for
-  /// constants and for another pack's lanes in place; one to permute a pack; else one for each
-  /// value.
+  /// Number of instructions that bring these operands into lanes: none for one scalar in all lanes,
+  /// for constants, and for the lanes of one pack in place; one for a permutation of at most two
+  /// packs; otherwise one per value.
   [[nodiscard]] int gather_cost(int number) const {
     const auto& [operands, values, constant] = readable(number);
     if (values.size() == 1) {
@@ -206,9 +208,9 @@ class Packer {
     return packs[1] == kNoPack && in_place ? 0 : 1;
   }
 
-  /// Packs that make each other wait, by way of scalars or directly, are taken apart.
+  /// Takes apart packs that wait for each other, directly or through scalars.
   void dissolve_cycles();
-  /// Takes apart the packs that cost more than they save; whether there was one.
+  /// Takes apart the packs that cost more than they save. Returns whether there were any.
   bool dissolve_losses();
 
   void dissolve(std::size_t index) {
@@ -220,16 +222,16 @@ class Packer {
     packs_[index].clear();
   }
 
-  /// For every node whether scalar code reads it.
+  /// Returns for every node whether scalar code reads it.
   [[nodiscard]] std::vector<bool> find_scalar_reads() const;
   [[nodiscard]] int count_extractions(const LanePack& pack, const std::vector<bool>& read) const;
 
-  /// How many packs read lanes as they stand, by `number_of` these.
+  /// Number of packs that read certain lanes as they stand, indexed by `number_of` these lanes.
   using Readers = std::vector<int>;
   [[nodiscard]] Readers find_readers() const;
-  /// Values that are brought into lanes or taken out.
+  /// Number of instructions that bring values into lanes or take them out.
   [[nodiscard]] int count_moves() const;
-  /// Instructions that taking pack `p` apart adds; negative where it saves some.
+  /// Number of instructions added by taking pack `p` apart; negative if that saves some.
   [[nodiscard]] int cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
                                        const Readers& readers) const;
 
@@ -240,14 +242,14 @@ class Packer {
   std::vector<std::size_t> lane_of_;
   std::vector<LanePack> packs_;
   struct Reading {
-    int own = 0, a = 0, b = 0;  ///< numbers of the lanes that a pack is and that it reads
+    int own = 0, a = 0, b = 0;  ///< numbers of the pack's own lanes and of those that it reads
   };
-  std::vector<Reading> readings_;  // of packs
+  std::vector<Reading> readings_;  // by pack
   std::map<LanePack, int> numbers_;
   struct Readable {
     LanePack lanes;
-    std::vector<std::uint32_t> values;  ///< each once
-    bool constant = false;              ///< all of them
+    std::vector<std::uint32_t> values;  ///< without repetition
+    bool constant = false;              ///< all values are constants
   };
   std::vector<Readable> readable_;  // by number
 };
@@ -286,10 +288,11 @@ int Packer::cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
   int cost = count_lanes(pack) - 1 - count_extractions(pack, read);
   for (const int number : {readings_[p].a, readings_[p].b}) {
     const int gather = gather_cost(number);
-    // What one pack has gathered others find ready.
+    // Operands that several packs share are gathered once, so the cost is saved only by the last
+    // reader.
     cost -= readers[static_cast<std::size_t>(number)] == 1 ? gather : 0;
     const std::vector<std::uint32_t>& values = readable(number).values;
-    if (gather == 0 && values.size() > 1) {  // scalar code reads it now
+    if (gather == 0 && values.size() > 1) {  // scalar code will read these values
       for (const std::uint32_t node : values) {
         cost += pack_of_[node] != kNoPack && !read[node] ? 1 : 0;
       }

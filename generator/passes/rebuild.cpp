@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kNoSection = static_cast<std::size_t>(-1);
 
-/// For every node the index of the section it was built in.
+/// Returns for every node the index of the section in which it was built.
 std::vector<std::size_t> sections_of_nodes(const Graph& graph) {
   std::vector<std::size_t> sections(graph.nodes().size(), kNoSection);
   for (std::size_t s = 0; s < graph.sections().size(); ++s) {
@@ -33,7 +33,7 @@ std::uint32_t copy_node(const Graph& from, Node node, const std::vector<std::uin
   return to.intern(node);
 }
 
-/// Opens a section in `to` when `section` is not the one that is open.
+/// Opens a section in `to` if `section` is not the open one.
 class SectionWriter {
  public:
   SectionWriter(const Graph& from, Graph& to)

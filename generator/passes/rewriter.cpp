@@ -45,7 +45,7 @@ void Rewriter::enter(std::uint32_t node) {
   }
 }
 
-/// A name that tells of a changed sign loses that when the sign changes back.
+/// Keeps the node's name. If the sign of the value changes back, the prefix `minus_` is removed.
 void Rewriter::keep_name(std::uint32_t node) {
   constexpr std::string_view kMinus = "minus_";
   const auto found = program_.graph.names().find(node);

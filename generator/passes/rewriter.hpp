@@ -8,14 +8,14 @@
 
 namespace treeline {
 
-/// Builds a program anew, node by node, through the constructors of Expression, keeping names and
-/// sections. For passes that replace some nodes by other expressions.
+/// Builds a program anew, node by node, through the constructors of Expression. Names and sections
+/// are kept. For passes that replace nodes by other expressions.
 class Rewriter {
  public:
   explicit Rewriter(const Program& program);
 
-  /// Calls `replace(node, *this)` for every node in order, while the new graph is open; it returns
-  /// the new value of the node. Returns the new program.
+  /// Calls `replace(node, *this)` for every node in order, while the new graph is open; `replace`
+  /// returns the node's new value. Returns the new program.
   template <class Replace>
   Program run(Replace replace) {
     const Graph::Scope scope(rewritten_.graph);
@@ -27,10 +27,10 @@ class Rewriter {
     return finish();
   }
 
-  /// The new value of an old node that has been passed.
+  /// New value of an old node that was visited before.
   [[nodiscard]] Expression value(std::uint32_t node) const { return values_[node]; }
 
-  /// The same operation on the new values of its operands.
+  /// Applies the node's operation to the new values of its operands.
   [[nodiscard]] Expression copy(std::uint32_t node) const;
 
  private:

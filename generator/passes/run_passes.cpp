@@ -27,7 +27,8 @@ constexpr std::array kReducing = {
     Pass{"pack_lanes", pack_lanes},
 };
 
-/// `count` is of the program, and then of what the pass makes of it.
+/// Runs one pass and appends its report to `log`. `count` has the operations of the program before
+/// the pass, and then those after it.
 Program run(const Pass& pass, const Program& program, OperationCount& count,
             std::vector<PassReport>& log) {
   Program after = pass.run(program);

@@ -10,7 +10,8 @@
 namespace treeline {
 namespace {
 
-/// Registers that evaluating each node's tree needs, were nothing shared (Sethi & Ullman 1970).
+/// Estimates the number of registers that each node's expression tree needs if nothing is shared
+/// (Sethi & Ullman 1970).
 std::vector<int> estimate_registers(const std::vector<Node>& nodes) {
   std::vector<int> need(nodes.size(), 1);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -42,7 +43,7 @@ class Scheduler {
     }
   }
 
-  /// Places `root` after everything that it needs and that has no place yet.
+  /// Places `root` after all operands that are not placed yet.
   void place(std::uint32_t root) {
     std::vector<std::pair<std::uint32_t, bool>> stack{{root, false}};
     while (!stack.empty()) {
@@ -51,7 +52,7 @@ class Scheduler {
       if (placed_[node]) {
         continue;
       }
-      // The lanes of a pack are computed together, after all that any of them needs.
+      // The lanes of a pack are computed together, after all their operands.
       const std::vector<std::uint32_t> alone{node};
       const std::vector<std::uint32_t>& unit = units_[node].empty() ? alone : units_[node];
       if (operands_done) {
@@ -85,11 +86,13 @@ class Scheduler {
   const std::vector<Node>& nodes_;
   std::vector<int> need_;
   std::vector<bool> placed_;
-  std::vector<std::vector<std::uint32_t>> units_;  // by node: its pack; empty where it is alone
+  std::vector<std::vector<std::uint32_t>> units_;  // by node: the members of its pack; empty for a
+                                                   // single node
   std::vector<std::uint32_t> order_;
 };
 
-/// Live sines and cosines whose angles need no other sine or cosine, in order of creation.
+/// Finds the live sines and cosines whose angles do not depend on another sine or cosine, in order
+/// of creation.
 std::vector<std::uint32_t> find_outer_trigonometry(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
   const std::vector<bool> live = find_live(program);

@@ -4,12 +4,12 @@
 
 namespace treeline {
 
-/// The live nodes in the order in which they are to be computed: all angles first, then their sines
-/// and cosines side by side (they are evaluated together, in lanes), then depth-first from the
-/// results, the operand that needs more registers first. So a value is made shortly before it is
-/// used, and a limb is finished, outward and inward, before the next one begins; the tracing order
-/// would do all limbs outward and keep every intermediate alive until the way back. Last,
-/// neighbours are interleaved, see `interleave`.
+/// Puts the live nodes into the order in which they are computed: first all angles, then their
+/// sines and cosines side by side (evaluated together, in lanes), then depth-first from the
+/// results, starting with the operand that needs more registers. So a value is computed shortly
+/// before its use, and one limb is finished, outward and inward, before the next begins. The order
+/// of tracing would compute all limbs outward first and keep every intermediate value alive until
+/// the way back. At last neighbours are interleaved, see `interleave`.
 Program schedule(const Program& program);
 
 }  // namespace treeline

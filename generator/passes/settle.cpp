@@ -10,7 +10,7 @@
 namespace treeline {
 namespace {
 
-/// Live nodes, operands before users, left before right, results in their order.
+/// Orders the live nodes: operands before users, left before right, in the order of the results.
 std::vector<std::uint32_t> order_by_depth(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
   std::vector<bool> placed(nodes.size(), false);

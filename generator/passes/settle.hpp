@@ -4,10 +4,10 @@
 
 namespace treeline {
 
-/// A traced program in an order of nodes that depends on the program alone: depth-first from the
-/// results, left operands first. C++ leaves the order in which a trace builds nodes to the
-/// compiler. Nodes that no result needs are gone; x y and y x become one node, and what simplifies
-/// thereby does.
+/// Puts the nodes of a traced program into an order that depends only on the program: depth-first
+/// from the results, left operands first. This is needed because C++ leaves the order in which a
+/// trace builds nodes to the compiler. Nodes that no result needs are removed. x y and y x become
+/// one node, and expressions that simplify as a consequence are simplified.
 Program settle(const Program& program);
 
 }  // namespace treeline

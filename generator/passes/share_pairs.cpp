@@ -14,15 +14,16 @@
 namespace treeline {
 namespace {
 
-/// What sums add and products multiply: a node, or a pair already found (numbered after the nodes).
-/// Factors have no sign.
+/// Operand of a sum or product: a node, or a pair found before (numbered after the nodes). Factors
+/// have no sign.
 struct Item {
   std::uint32_t id = 0;
   bool negative = false;
   auto operator<=>(const Item&) const = default;
 };
 
-/// Two items, the smaller first, up to a common sign: that of the first is plus.
+/// Two items, the one with the smaller id first. A common sign is taken out, so the first item is
+/// positive.
 struct Pair {
   bool is_product = false;
   Item a, b;
@@ -36,18 +37,19 @@ Pair make_pair_of(bool is_product, Item a, Item b) {
   return {is_product, {a.id, false}, {b.id, a.negative != b.negative}};
 }
 
-/// A sum or product as a whole.
+/// A sum or product as a whole, across the nodes that make it up.
 struct Group {
   std::uint32_t node = 0;
   bool is_product = false;
   std::vector<Item> items;
 };
 
-/// Where pairs stand: (pair, group), sorted.
+/// Occurrences of pairs: (pair, index of the group), sorted.
 using Occurrences = std::vector<std::pair<Pair, std::size_t>>;
 
-/// All groups and the pairs that several of them have. No group gains a pair but by a substitution,
-/// which brings new items, so each pair is looked up once and then only ever loses groups.
+/// All groups, and the pairs that occur in several of them. A group gains pairs only through a
+/// substitution, which introduces a new item. So the groups of a pair are searched once, and after
+/// that only become fewer.
 class PairTable {
  public:
   PairTable(std::vector<Group> groups, std::uint32_t first_pair)
@@ -59,13 +61,13 @@ class PairTable {
     queue_frequent(std::move(found));
   }
 
-  /// Replaces the most frequent pair wherever it occurs. False when none occurs twice.
+  /// Replaces the most frequent pair wherever it occurs. Returns false if no pair occurs twice.
   bool share_one() {
     while (!queue_.empty()) {
       const auto [minus_count, pair, index] = *queue_.begin();
       queue_.erase(queue_.begin());
       std::vector<std::size_t>& where = places_[index];
-      // clang++ 14 captures a structured binding only under another name.
+      // clang++ 14 can capture a structured binding only under another name.
       std::erase_if(where,
                     [&, &wanted = pair](std::size_t group) { return !has_pair(group, wanted); });
       if (static_cast<int>(where.size()) == -minus_count) {
@@ -99,7 +101,7 @@ class PairTable {
     return found;
   }
 
-  /// Of the pairs found, those of several groups.
+  /// Queues the pairs that occur in several groups.
   void queue_frequent(Occurrences found) {
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -131,7 +133,8 @@ class PairTable {
     queue_frequent(std::move(found));
   }
 
-  /// One occurrence of the pair becomes the item `shared`, with the sign that `a` had.
+  /// Replaces one occurrence of the pair by the item `shared`, with the sign of the pair's first
+  /// item.
   static void substitute(std::vector<Item>& items, const Pair& pair, Item shared) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
@@ -148,8 +151,10 @@ class PairTable {
   std::vector<Group> groups_;
   std::uint32_t first_pair_;
   std::vector<Pair> pairs_;
-  std::vector<std::vector<std::size_t>> places_;        // groups, of each pair in the queue
-  std::set<std::tuple<int, Pair, std::size_t>> queue_;  // minus at most so many, pair, its places
+  std::vector<std::vector<std::size_t>> places_;        // groups with the pair, by the queue's last
+                                                        // index
+  std::set<std::tuple<int, Pair, std::size_t>> queue_;  // minus the greatest possible count, pair,
+                                                        // index
 };
 
 /// Finds the groups of a program.
@@ -165,7 +170,7 @@ class Grouping {
     }
   }
 
-  /// Part of the group of its only user.
+  /// Whether the node is part of the group of its only user.
   [[nodiscard]] bool dissolves(std::uint32_t node) const {
     const Op op = nodes_[node].op;
     const Op user = nodes_[user_[node]].op;
@@ -201,7 +206,8 @@ class Grouping {
   std::vector<std::uint32_t> user_;
 };
 
-/// Builds groups from their items. Interning makes one node of a pair however often it is built.
+/// Builds the values of groups from their items. A pair that is built several times becomes one
+/// node, because nodes are interned.
 class GroupBuilder {
  public:
   GroupBuilder(const PairTable& table, const Rewriter& rewriter, std::uint32_t first_pair)
@@ -248,7 +254,7 @@ Program share_pairs(const Program& program) {
   for (const Group& group : table.groups()) {
     const bool shares = std::any_of(group.items.begin(), group.items.end(),
                                     [&](const Item& item) { return item.id >= first_pair; });
-    group_of[group.node] = shares ? &group : nullptr;  // the others stay as they are
+    group_of[group.node] = shares ? &group : nullptr;  // groups without a pair stay as they are
   }
   return Rewriter(program).run([&](std::uint32_t node, const Rewriter& rewriter) {
     return group_of[node] == nullptr

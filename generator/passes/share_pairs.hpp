@@ -4,10 +4,10 @@
 
 namespace treeline {
 
-/// Computes once what several sums, or several products, have in common: of (a + b) + c and
-/// (a + d) + b the pair a + b. Sums and products are looked at whole, across the nodes that make
-/// them up as far as these have no other use; the pair that occurs most often goes first, until
-/// none occurs twice (Breuer 1969).
+/// Computes once what several sums, or several products, have in common: the pair a + b in (a + b)
+/// + c and (a + d) + b. Sums and products are considered as a whole, across all nodes that make
+/// them up, as long as these have no other use. The most frequent pair is taken first, until none
+/// occurs twice (Breuer 1969).
 Program share_pairs(const Program& program);
 
 }  // namespace treeline

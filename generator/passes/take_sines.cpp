@@ -18,7 +18,8 @@ class SineTaker {
  public:
   explicit SineTaker(const Graph& graph) : graph_(graph) {}
 
-  /// Of the angle that this node of the old graph is, if inputs give them.
+  /// Returns sine and cosine of node `angle` of the old graph, expressed by the inputs. Nothing if
+  /// the inputs do not determine them.
   std::optional<SineCosine> take(std::uint32_t angle) {
     const Node& node = graph_.nodes()[angle];
     switch (node.op) {

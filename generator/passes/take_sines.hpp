@@ -4,11 +4,11 @@
 
 namespace treeline {
 
-/// The program with sines and cosines of joint angles as inputs `sin_q[i]` and `cos_q[i]`, which
-/// its arguments then list behind `q`; those of sums of angles and constants follow by the theorem
-/// of addition. For scenes with `sin_cos: given`: a controller that calls several functions in one
-/// state, or has encoders that deliver them, computes none twice. What a multiple of a joint's
-/// angle needs (mimics with a factor) is still computed.
+/// Replaces sines and cosines of joint angles by inputs `sin_q[i]` and `cos_q[i]`, which follow `q`
+/// in the list of arguments. Those of sums of angles and constants follow from the addition
+/// theorems. This serves scenes with `sin_cos: given`: a controller that calls several functions in
+/// one state, or whose encoders deliver sines and cosines, computes none twice. Sines and cosines
+/// of multiples of an angle (mimic joints with a factor) are still computed.
 Program take_sines(const Program& program);
 
 }  // namespace treeline

@@ -11,14 +11,15 @@
 
 namespace treeline {
 
-/// Where an input of the graph is found among the arguments of its program.
+/// Place of an input of the graph among the arguments of its program.
 struct InputPlace {
   std::size_t argument = 0;
   std::size_t element = 0;
 };
 
-/// The place of each of `program.graph.inputs()`, read from their names `argument[element]`.
-/// Throws std::logic_error on a name that is not of this form or is no element of an argument.
+/// Returns the place of each of `program.graph.inputs()`, read from their names
+/// `argument[element]`. Throws std::logic_error if a name has another form or is not an element of
+/// an argument.
 std::vector<InputPlace> locate_inputs(const Program& program);
 
 namespace detail {
@@ -26,7 +27,8 @@ namespace detail {
 template <class Scalar>
 inline constexpr bool kIsEmitted = std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>;
 
-/// Sine and cosine as emitted code computes them for float and double, else by the type's own.
+/// Sine of `x` (rad). For float and double as emitted code computes it, for other types by the
+/// type's own function.
 template <class Scalar>
 Scalar sine(const Scalar& x) {
   if constexpr (kIsEmitted<Scalar>) {
@@ -55,8 +57,8 @@ Scalar cosine(const Scalar& x) {
 
 }  // namespace detail
 
-/// The value of one node, those of earlier nodes given. A constant is rounded to Scalar, as it is
-/// in emitted code.
+/// Value of one node, given the values of all earlier nodes. Constants are rounded to Scalar, as in
+/// emitted code.
 template <class Scalar>
 Scalar evaluate_node(const Node& node, const std::vector<Scalar>& values,
                      const std::vector<Scalar>& inputs) {
@@ -83,10 +85,10 @@ Scalar evaluate_node(const Node& node, const std::vector<Scalar>& values,
   throw std::logic_error("an operation without a rule to evaluate it");
 }
 
-/// Walks the nodes in order and returns the program's results, in their order, each row-major.
+/// Evaluates the nodes in order and returns the program's results, in their order, each row-major.
 /// `arguments` has one vector for each of `program.arguments`, with rows * cols elements. Emitted
-/// code performs the same operations in the same way: for Scalar = Real the two agree to the bit
-/// where the compiler does not contract products and sums.
+/// code performs the same operations in the same way, so for Scalar = Real the two agree to the bit
+/// if the compiler does not contract products and sums.
 template <class Scalar>
 std::vector<std::vector<Scalar>> evaluate(const Program& program,
                                           const std::vector<std::vector<Scalar>>& arguments) {

@@ -5,11 +5,11 @@
 
 #include "program/fold_constants.hpp"
 
-// The constructors. Each tries its rules in the order written, most special first; whatever is
-// left becomes a node. A rule is here only if it never costs an operation even when the operands
-// that it dissolves are used elsewhere too; rewriting that needs to know the number of uses is in
-// passes/. Rules hold in real arithmetic; what is computed is the simplified graph, and it is the
-// simplified graph that emission and evaluation agree on to the bit.
+// The constructors. Each tries its rules in the order written, from special to general. What no
+// rule covers becomes a node. A rule is here only if it never costs an operation, even if the
+// operands that it dissolves have other uses. Rewriting that depends on the number of uses is in
+// passes/. The rules hold in real arithmetic. Emission and evaluation both use the simplified
+// graph, and agree on it to the bit.
 
 namespace treeline {
 namespace {
@@ -18,22 +18,22 @@ Expression make(Op op, Expression a, Expression b) {
   return {Graph::current().intern({op, a.node(), b.node(), 0}), false};
 }
 
-/// Operands of a commutative operation: a constant first.
+/// Orders the operands of a commutative operation: a constant comes first.
 void order(Expression& a, Expression& b) {
   if (!a.is_constant() && b.is_constant()) {
     std::swap(a, b);
   }
 }
 
-/// a op b, or b op a if that is there already.
+/// Makes a op b, or returns b op a if that node exists already.
 Expression make_commuting(Op op, Expression a, Expression b) {
   const Graph& graph = Graph::current();
   return graph.merges_commuted() && graph.contains({op, b.node(), a.node(), 0}) ? make(op, b, a)
                                                                                 : make(op, a, b);
 }
 
-/// Reads an expression as coefficient * base; a node that is no product with an ordinary constant
-/// is its own base.
+/// An expression as coefficient * base. Anything but a product with an ordinary constant is its own
+/// base.
 struct Multiple {
   double coefficient;
   Expression base;
@@ -62,7 +62,8 @@ Terms terms_of(Expression e) {
   return {{node.a, e.negative()}, {node.b, e.negative() != (node.op == Op::sub)}};
 }
 
-/// x^2 -> x, where x is a sine or cosine: the node of the angle, else 0.
+/// If `e` is the square of a sine or cosine (as `function` says), returns the node of its angle,
+/// else 0.
 std::uint32_t angle_of_square(Expression e, Op function) {
   const Node node = look(e);
   if (node.op != Op::mul || node.a != node.b) {
@@ -72,13 +73,14 @@ std::uint32_t angle_of_square(Expression e, Op function) {
   return factor.op == function ? factor.a : 0;
 }
 
-/// sin^2 x + cos^2 x
+/// Whether a + b is sin^2 x + cos^2 x.
 bool is_pythagorean(Expression a, Expression b) {
   const std::uint32_t angle = angle_of_square(a, Op::sin);
   return angle != 0 && angle == angle_of_square(b, Op::cos);
 }
 
-/// What two terms make when adding them takes no operation: (x - x), constants, (2 x - x).
+/// Adds two terms if that takes no operation: (x - x), constants, (2 x - x). Returns false
+/// otherwise.
 bool add_for_free(Expression a, Expression b, Expression& result) {
   if (a.is_constant() && b.is_constant()) {
     result = fold_sum(a, b);
@@ -94,8 +96,8 @@ bool add_for_free(Expression a, Expression b, Expression& result) {
   return true;
 }
 
-/// `sum + term` where `term` merges with a term of `sum`: (x - y) + y -> x;
-/// (x + c) + d -> x + (c + d); (x + 2 y) - y -> x + y.
+/// Adds `term` to `sum` if it merges with one of the sum's terms: (x - y) + y -> x; (x + c) + d ->
+/// x + (c + d); (x + 2 y) - y -> x + y. Returns false otherwise.
 bool merge_into_sum(Expression sum, Expression term, Expression& merged) {
   if (!is_sum(sum)) {
     return false;
@@ -113,7 +115,8 @@ bool merge_into_sum(Expression sum, Expression term, Expression& merged) {
   return false;
 }
 
-/// Two sums with a term in common that cancels: (x + y) + (z - y) -> x + z.
+/// Adds two sums if a term of one cancels a term of the other: (x + y) + (z - y) -> x + z. Returns
+/// false otherwise.
 bool cancel_between_sums(Expression a, Expression b, Expression& merged) {
   if (!is_sum(a) || !is_sum(b)) {
     return false;
@@ -133,8 +136,9 @@ bool cancel_between_sums(Expression a, Expression b, Expression& merged) {
   return false;
 }
 
-/// a + b, neither of them zero or a constant sum: the node. Equal signs make an add with the sign
-/// outside; different signs a difference, and x - y and y - x are one node.
+/// Makes the node of a + b, where neither is zero and not both are constants. Terms of equal sign
+/// are added, with the sign taken outside. Terms of different signs are subtracted; x - y and y - x
+/// are one node.
 Expression make_sum(Expression a, Expression b) {
   if (a.negative() == b.negative()) {
     order(a, b);
@@ -150,7 +154,7 @@ Expression make_sum(Expression a, Expression b) {
   return with_sign(make(Op::sub, a, b), a.negative());
 }
 
-/// Factors of a product other than `known`, or nothing: x y, x -> y.
+/// Removes the factor `known` from a product: x y, x -> y. Returns false if it is not a factor.
 bool remove_factor(const Node& product, Expression known, Expression& other) {
   if (product.op != Op::mul || (product.a != known.node() && product.b != known.node())) {
     return false;
@@ -159,7 +163,7 @@ bool remove_factor(const Node& product, Expression known, Expression& other) {
   return true;
 }
 
-/// c * x for a constant c >= 0 and an unsigned x that is no constant.
+/// c * x for a constant c >= 0 and an x without sign that is not a constant.
 Expression scale(Expression c, Expression x) {
   if (is_ordinary_constant(c) && c.constant() == 1) {
     return x;
@@ -175,7 +179,7 @@ Expression scale(Expression c, Expression x) {
   return make(Op::mul, c, x);
 }
 
-/// c / x for a constant c > 0 and an unsigned x that is no constant.
+/// c / x for a constant c > 0 and an x without sign that is not a constant.
 Expression divide_constant(Expression c, Expression x) {
   const Node node = look(x);
   const Expression a(node.a, false);
@@ -194,8 +198,8 @@ Expression divide_constant(Expression c, Expression x) {
 
 }  // namespace
 
-/// Constants are stored without sign; both zeros are node 0, which has no sign: a zero known while
-/// generating is structural, not the outcome of a rounding.
+/// Constants are stored without sign. Both zeros are node 0, which has no sign: a zero that is
+/// known while generating is structural and not the outcome of a rounding.
 Expression::Expression(double value) {
   if (value != 0) {
     node_ = Graph::current().intern({Op::constant, 0, 0, std::fabs(value)});
@@ -237,7 +241,7 @@ Expression operator+(Expression a, Expression b) {
   }
   const Multiple m = as_multiple(a);
   const Multiple n = as_multiple(b);
-  if (m.base == n.base) {  // c x + d x -> (c + d) x, with it x - x -> 0 and x + x -> 2 x
+  if (m.base == n.base) {  // c x + d x -> (c + d) x; so x - x -> 0, x + x -> 2 x
     return Expression(m.coefficient + n.coefficient) * m.base;
   }
   if (m.coefficient == n.coefficient &&
@@ -277,9 +281,9 @@ Expression operator*(Expression a, Expression b) {
   return with_sign(make_commuting(Op::mul, a, b), negative);
 }
 
-/// A division by a constant is a multiplication by its reciprocal: several times faster, and for
-/// other than powers of two it costs at most one more rounding (1.5 ulp instead of 0.5). A division
-/// by a structural zero stays in the graph, unsimplified, so that it can be found and reported.
+/// Division by a constant is multiplication by its reciprocal. That is several times faster and
+/// costs at most one more rounding (1.5 ulp instead of 0.5), and none for powers of two. Division
+/// by a structural zero stays in the graph, so that it can be found and reported.
 Expression operator/(Expression a, Expression b) {
   const bool negative = a.negative() != b.negative();
   a = unsigned_of(a);
@@ -315,14 +319,14 @@ Expression sin(Expression a) {
   if (a.is_constant()) {
     return {std::sin(a.constant())};
   }
-  return with_sign(make(Op::sin, unsigned_of(a), {}), a.negative());  // odd
+  return with_sign(make(Op::sin, unsigned_of(a), {}), a.negative());  // odd function
 }
 
 Expression cos(Expression a) {
   if (a.is_constant()) {
     return {std::cos(a.constant())};
   }
-  return make(Op::cos, unsigned_of(a), {});  // even
+  return make(Op::cos, unsigned_of(a), {});  // even function
 }
 
 }  // namespace treeline

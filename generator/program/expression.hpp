@@ -13,10 +13,10 @@ namespace treeline {
 
 enum class Op : std::uint8_t { constant, input, add, sub, mul, div, neg, sin, cos };
 
-/// What there is to know about an operation; `kOperations` is indexed by Op.
+/// Properties of an operation. `kOperations` is indexed by Op.
 struct Operation {
   std::string_view name;
-  std::string_view symbol;  ///< as C++ prints it: infix of two operands, function of one
+  std::string_view symbol;  ///< as C++ prints it: infix for two operands, a function for one
   int operands;
   bool commutes;
 };
@@ -43,46 +43,48 @@ constexpr bool is_trigonometric(Op op) {
 }
 
 /// One operation. Operands are indices of earlier nodes, so the list is topologically ordered.
-/// Operands carry no sign: the constructors of `Expression` move every minus outward; `neg` stands
-/// only where `Graph::align_lanes` asked for a value without sign.
+/// Operands have no sign: the constructors of `Expression` move every minus outward. `neg` occurs
+/// only where `Graph::align_lanes` needs a value without sign.
 struct Node {
   Op op = Op::constant;
   std::uint32_t a = 0;  ///< left operand; for `input` its index into Graph::inputs
   std::uint32_t b = 0;  ///< right operand of add, sub, mul, div
-  double value = 0;     ///< of `constant`; positive or zero, but for a limb's constant of any sign
+  double value = 0;     ///< of `constant`; not negative, except for constants of limbs
 };
 
-/// The constant 0, which every graph begins with; in lists of operands and lanes: none.
+/// Node 0: the constant 0, with which every graph begins. In lists of operands and lanes it means
+/// that there is none.
 inline constexpr std::uint32_t kNoNode = 0;
 
-/// Limbs of one build differ in their constants. Where they do, the constant of each limb is a
-/// node of its own kind: it does not vanish, not even where it is 0 or 1, so that all limbs trace
-/// to the same operations and may share lanes. Kept in the node of a constant: `a` is `slot`, 0
-/// for ordinary constants, `b` is `limb` and `limbs`.
+/// A constant that differs between limbs of one shape. The constant of each limb is a node of its
+/// own kind: it is never simplified away, even if it is 0 or 1. So all limbs trace to the same
+/// operations and may share lanes. The node of a constant stores it: `a` is `slot` (0 for ordinary
+/// constants), `b` combines `limb` and `limbs`.
 struct LimbConstant {
-  std::uint32_t slot = 0;  ///< the same for corresponding constants of all limbs
+  std::uint32_t slot = 0;  ///< equal for corresponding constants of all limbs
   std::uint32_t limb = 0;
-  std::uint32_t limbs = 0;  ///< how many there are
+  std::uint32_t limbs = 0;  ///< number of limbs
 };
 LimbConstant limb_constant(const Node& node);
 Node make_limb_constant(LimbConstant what, double value);
 
-/// A value while a recursion is traced: a node and a sign. `double` converts to a constant;
-/// + - * / sin cos build nodes in the graph that is open in this thread (see `Graph::Scope`).
-/// The constructors simplify: 0, 1, -1, constants and signs vanish; equal nodes are one node.
+/// A value while a recursion is traced: a node and a sign. `double` converts to a constant. The
+/// operators + - * / and sin, cos build nodes in the graph that is open in this thread (see
+/// `Graph::Scope`). The constructors simplify: 0, 1, -1, constants and signs vanish, and equal
+/// nodes are one node.
 class Expression {
  public:
-  Expression() = default;    // zero
-  Expression(double value);  // NOLINT: implicit on purpose, it is a Scalar
+  Expression() = default;    // the constant 0
+  Expression(double value);  // NOLINT: implicit on purpose, because Expression is a Scalar
   Expression(std::uint32_t node, bool negative) : node_(node), negative_(negative && node != 0) {}
 
   [[nodiscard]] std::uint32_t node() const { return node_; }
   [[nodiscard]] bool negative() const { return negative_; }
   [[nodiscard]] bool is_zero() const { return node_ == 0; }
   [[nodiscard]] bool is_constant() const;
-  /// A constant of one of several limbs, see LimbConstant.
+  /// Whether this is a constant that differs between limbs, see LimbConstant.
   [[nodiscard]] bool is_limb_constant() const;
-  /// Value of a constant, with its sign.
+  /// Value of a constant, including its sign.
   [[nodiscard]] double constant() const;
 
   Expression operator-() const { return is_zero() ? *this : Expression(node_, !negative_); }
@@ -99,37 +101,40 @@ class Expression {
   friend bool operator==(Expression a, Expression b) = default;
 
  private:
-  std::uint32_t node_ = 0;  // node 0 of every graph is the constant zero
+  std::uint32_t node_ = 0;  // node 0 of every graph is the constant 0
   bool negative_ = false;
 };
 
-/// Where each node of a list is, nodes of equal bits are one: chained behind its later operand.
+/// Finds the index of a node in a list of nodes. Nodes with equal bits count as one. Nodes are
+/// chained by their later operand.
 class NodeIndex {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffU;
 
-  /// Makes room for so many nodes, of which `nodes` are there.
+  /// Reserves memory for `count` nodes; `nodes` are the present ones.
   void reserve(const std::vector<Node>& nodes, std::size_t count);
-  /// The index of `node` in `nodes`, or kNone.
+  /// Index of `node` in `nodes`, or kNone.
   [[nodiscard]] std::uint32_t find(const std::vector<Node>& nodes, const Node& node) const {
     return places_.empty() ? kNone : places_[slot_of(nodes, node)];
   }
-  /// The same, after `node` was added to `nodes` where it was missing.
+  /// Index of `node` in `nodes`. Adds the node if it is missing.
   std::uint32_t find_or_add(std::vector<Node>& nodes, const Node& node);
 
  private:
   [[nodiscard]] std::size_t slot_of(const std::vector<Node>& nodes, const Node& node) const;
   void grow(const std::vector<Node>& nodes, std::size_t slots);
 
-  std::vector<std::uint32_t> places_;  // ends of chains; of each node the first behind it, the next
+  std::vector<std::uint32_t> places_;  // heads of chains; then for each node: first of its users,
+                                       // next in its chain
 };
 
-/// The interning arena: nodes in order of creation, each once. Node 0 is the constant 0.
+/// The expression graph while it is built: nodes in order of creation, equal nodes only once. Node
+/// 0 is the constant 0.
 class Graph {
  public:
   Graph();
 
-  /// Makes `graph` the one that Expression operators build into, until destroyed.
+  /// Makes `graph` the one that operators of Expression build into, until this object is destroyed.
   class Scope {
    public:
     explicit Scope(Graph& graph);
@@ -140,66 +145,69 @@ class Graph {
    private:
     Graph* previous_;
   };
-  /// The graph that is open; throws std::logic_error when none is (a fault of the program).
+  /// The graph that is open in this thread. Throws std::logic_error if there is none, which is a
+  /// fault of the program.
   static Graph& current();
 
-  /// A scalar input; `name` is how emitted code reads it, e.g. `q[3]`. The same name is the same
-  /// input.
+  /// A scalar input. `name` is how emitted code reads it, for instance `q[3]`. Equal names are the
+  /// same input.
   Expression input(std::string name);
-  /// Makes room for so many nodes.
+  /// Reserves memory for `nodes` nodes.
   void reserve(std::size_t nodes) {
     nodes_.reserve(nodes);
     index_.reserve(nodes_, nodes);
   }
-  /// Interns; expects canonical operands.
+  /// Index of the node, which is added if it is new. Its operands must be in canonical order.
   std::uint32_t intern(Node node);
   [[nodiscard]] bool contains(const Node& node) const {
     return index_.find(nodes_, node) != NodeIndex::kNone;
   }
-  /// Where the node is, or 0.
+  /// Index of the node, or 0 if it does not exist.
   [[nodiscard]] std::uint32_t find(const Node& node) const {
     const std::uint32_t found = index_.find(nodes_, node);
     return found == NodeIndex::kNone ? 0 : found;
   }
-  /// Whether x y and y x, x - y and y - x are one node; the first that is built stays. A trace
-  /// turns this off: C++ leaves open which operand of an operator is evaluated first, so the order
-  /// of building would depend on the compiler. The pass `settle` merges later, in a fixed order.
+  /// Whether x y and y x, and x - y and y - x, are one node; the one built first stays. A trace
+  /// turns this off: C++ does not specify which operand of an operator is evaluated first, so the
+  /// order of building would depend on the compiler. The pass `settle` merges such nodes later, in
+  /// a fixed order.
   [[nodiscard]] bool merges_commuted() const { return merges_commuted_; }
-  /// An empty graph to trace into, for code with so many lanes.
+  /// An empty graph to trace into, for code with `lanes` lanes.
   static Graph for_trace(int lanes);
-  /// From here on names and sections are not wanted: for who only counts.
+  /// Drops names and sections from now on. For callers that only count operations.
   void forget_names() { keeps_names_ = false; }
   [[nodiscard]] bool keeps_names() const { return keeps_names_; }
-  /// Suggests a readable identifier for the node's value (`w4_x`); the first one wins. Of a value
-  /// that is the negative of its node the node is called `minus_w4_x`. Constants stay unnamed.
+  /// Suggests a readable identifier for the node's value (`w4_x`). The first suggestion wins. If
+  /// the value is the negative of its node, the node is called `minus_w4_x`. Constants have no
+  /// name.
   void name(Expression value, std::string_view identifier);
-  /// Nodes created from here on belong to the section `title` ("link 4 outward").
+  /// Nodes created from now on belong to the section `title` ("link 4 outward").
   void begin_section(std::string title);
 
-  /// How many lanes the emitted code may use; 1: lanes are not wanted and not noted.
+  /// Sets the number of lanes that the emitted code may use. With 1, lanes are not recorded.
   void set_lane_width(int width) { lane_width_ = width; }
   [[nodiscard]] int lane_width() const { return lane_width_; }
-  /// The value as a node of its own, its sign made an operation.
+  /// Returns the value without sign: a minus becomes an operation of its own.
   Expression without_sign(Expression value);
-  /// Tells that these values come out of one computation on different data and may share the
-  /// lanes of one register, each in the place of its index; zeros leave their place empty. Signs,
-  /// which would tell the lanes apart from here on, are made operations.
+  /// Declares that these values come from one computation on different data and may share the lanes
+  /// of one register, each at the place of its index. Constants leave their place empty. Signs
+  /// become operations, because they would otherwise distinguish the lanes from now on.
   void align_lanes(std::span<Expression> values);
-  /// Values that may share a register, by place; node 0 is an empty place.
+  /// Values that may share a register, by place. Node 0 is an empty place.
   using LaneGroup = std::vector<std::uint32_t>;
   [[nodiscard]] const std::vector<LaneGroup>& lane_groups() const { return lane_groups_; }
   void add_lane_group(LaneGroup group);
-  /// Index of the first group that holds the node; -1: none does.
+  /// Index of the first lane group that holds the node; -1 if there is none.
   [[nodiscard]] int lane_group_of(std::uint32_t node) const {
     const auto found = lane_group_of_.find(node);
     return found == lane_group_of_.end() ? -1 : found->second;
   }
 
-  /// Inputs that are one for each limb, in the order of limbs: by name, `qd[3]`.
+  /// Names of corresponding inputs (`qd[3]`), one per limb, in the order of the limbs.
   using LimbInputs = std::vector<std::string>;
   [[nodiscard]] const std::vector<LimbInputs>& limb_inputs() const { return limb_inputs_; }
   void add_limb_inputs(LimbInputs inputs) { limb_inputs_.push_back(std::move(inputs)); }
-  /// Takes over what `other` says about lanes as a whole: their number, the limbs' inputs.
+  /// Copies from `other` what concerns lanes as a whole: their number, and the inputs of limbs.
   void keep_lanes_of(const Graph& other) {
     lane_width_ = other.lane_width_;
     limb_inputs_ = other.limb_inputs_;

@@ -6,7 +6,8 @@
 namespace treeline {
 namespace {
 
-/// What tells constants apart in all limbs alike: the slot, or an ordinary constant's value.
+/// Identifies a constant by what all limbs have in common: its slot, or the value of an ordinary
+/// constant.
 std::uint64_t key_of(Expression e) {
   const LimbConstant own = limb_constant(look(e));
   std::uint64_t key = own.slot;
@@ -28,7 +29,8 @@ std::uint32_t slot_of(Op op, Expression a, Expression b) {
   return slot == 0 ? 1 : slot;
 }
 
-/// A constant out of constants of one limb, or of none, with the sign of `a` taken out.
+/// Makes the constant `value` from two constants. If one of them belongs to a limb, the result does
+/// too; constants of different limbs give an ordinary one. `b` keeps its sign in the slot.
 Expression fold(Op op, double value, Expression a, Expression b) {
   const LimbConstant of_a = limb_constant(look(a));
   const LimbConstant of_b = limb_constant(look(b));

@@ -11,7 +11,7 @@ std::string shortest(Real value) {
   std::array<char, 64> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   std::string text(buffer.data(), end);
-  if (text.find_first_of(".en") == std::string::npos) {  // n: inf and nan stay as they are
+  if (text.find_first_of(".en") == std::string::npos) {  // n: for inf and nan, which stay
     text += ".0";
   }
   return text;

@@ -10,8 +10,8 @@ namespace {
 
 thread_local Graph* open_graph = nullptr;
 
-constexpr std::size_t kChains = 1024;  // of nodes without operands
-constexpr std::size_t kSlots = 2;      // a node
+constexpr std::size_t kChains = 1024;  // for nodes without operands
+constexpr std::size_t kSlots = 2;      // per node
 
 std::uint64_t bits(double value) {
   std::uint64_t result = 0;
@@ -110,11 +110,12 @@ void Graph::begin_section(std::string title) {
   sections_.push_back({static_cast<std::uint32_t>(nodes_.size()), std::move(title)});
 }
 
-// A node with operands is found in the chain of those that have the same later operand, a few of
-// them: what is built next has mostly just been built, so that these are at hand. In a hash table
-// each would be somewhere else, and waiting for memory took a fifth of all the time. Constants and
-// inputs are in one of `kChains` by their bits. `places_` has the ends of these chains first, then
-// two entries a node: the first of the chain behind it, the next in its own chain.
+// A node with operands is in the chain of the nodes that have the same later operand. Such chains
+// are short, and they are in cache, because new nodes mostly use what has just been built. In a
+// hash table each node would be somewhere else; waiting for memory took a fifth of the whole time.
+// Constants and inputs are in one of `kChains` chains, chosen by their bits. `places_` starts with
+// the heads of these chains. Two entries per node follow: the first node of the chain that the node
+// heads, and the next node in its own chain.
 
 void NodeIndex::reserve(const std::vector<Node>& nodes, std::size_t count) {
   grow(nodes, 0);
@@ -131,7 +132,7 @@ std::uint32_t NodeIndex::find_or_add(std::vector<Node>& nodes, const Node& node)
   return place;
 }
 
-/// Where the node's place is written, or would be.
+/// Index in `places_` at which the node's index is stored, or would be stored.
 std::size_t NodeIndex::slot_of(const std::vector<Node>& nodes, const Node& node) const {
   const bool is_leaf = node.op == Op::constant || node.op == Op::input;
   std::size_t slot =
@@ -142,7 +143,7 @@ std::size_t NodeIndex::slot_of(const std::vector<Node>& nodes, const Node& node)
   return slot;
 }
 
-/// Makes the slots of `nodes` and so many more.
+/// Makes `places_` large enough for `nodes` and for `slots` further entries.
 void NodeIndex::grow(const std::vector<Node>& nodes, std::size_t slots) {
   const std::size_t wanted = kChains + kSlots * nodes.size() + slots;
   if (places_.size() < wanted) places_.resize(wanted, kNone);

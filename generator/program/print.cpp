@@ -13,7 +13,7 @@ std::string reference(Expression value) {
   return fmt::format("{}%{}", value.negative() ? "-" : "", value.node());
 }
 
-/// Right-hand side of a node's line.
+/// Right-hand side of a node's line in the text.
 std::string formula(const Graph& graph, const Node& node) {
   const Operation& what = operation(node.op);
   switch (node.op) {
@@ -29,7 +29,7 @@ std::string formula(const Graph& graph, const Node& node) {
   }
 }
 
-/// Text inside a node of the drawing: what it does, and its name where it has one.
+/// Text inside a node of the drawing: its operation, and its name if it has one.
 std::string label(const Graph& graph, std::uint32_t index) {
   const Node& node = graph.nodes()[index];
   const auto name = graph.names().find(index);
@@ -38,7 +38,7 @@ std::string label(const Graph& graph, std::uint32_t index) {
   return name == graph.names().end() ? what : what + "\\n" + name->second;
 }
 
-/// Calls visit(result name with index, value) for every element of every result.
+/// Calls visit(name of the result with index, value) for every element of every result.
 template <class Visit>
 void for_each_result(const Program& program, Visit visit) {
   for (const Result& result : program.results) {
