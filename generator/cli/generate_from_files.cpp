@@ -44,8 +44,8 @@ std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
   return generate_from_inputs(options, std::move(*inputs), *choices, diagnostics);
 }
 
-std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options, Inputs inputs,
-                                                    const Choices& choices,
+std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
+                                                    RobotAndScene inputs, const Choices& choices,
                                                     Diagnostics& diagnostics) {
   const Provenance provenance{file_name(options.urdf), inputs.urdf_text,
                               options.scene.empty() ? "" : file_name(options.scene),

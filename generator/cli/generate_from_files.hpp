@@ -9,7 +9,7 @@ namespace treeline {
 
 /// Robot, scene and what was generated from them, by which choices.
 struct GeneratedInputs {
-  Inputs inputs;
+  RobotAndScene inputs;
   Generation generation;
   Choices choices;
 };
@@ -20,8 +20,8 @@ std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
                                                    Diagnostics& diagnostics);
 
 /// The same for inputs that have been read, by these choices.
-std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options, Inputs inputs,
-                                                    const Choices& choices,
+std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
+                                                    RobotAndScene inputs, const Choices& choices,
                                                     Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -71,7 +71,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
   add_warnings_option(command, options.warnings);
 }
 
-std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {
+std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {
   if (!can_read_both(options.urdf, options.scene, diagnostics)) {
     return std::nullopt;
   }
@@ -100,8 +100,8 @@ std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diag
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }
-  return Inputs{std::move(*robot), std::move(*scene), std::move(*urdf_text),
-                std::move(*scene_text)};
+  return RobotAndScene{std::move(*robot), std::move(*scene), std::move(*urdf_text),
+                       std::move(*scene_text)};
 }
 
 }  // namespace treeline

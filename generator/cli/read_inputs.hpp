@@ -25,7 +25,7 @@ struct InputOptions {
   Warnings warnings = Warnings::summary;
 };
 
-struct Inputs {
+struct RobotAndScene {
   Robot robot;
   Scene scene;
   std::string urdf_text, scene_text;  ///< what the files hold
@@ -35,6 +35,6 @@ struct Inputs {
 void add_input_options(CLI::App& command, InputOptions& options);
 
 /// Reads both files and applies the options. Faults of either are in `diagnostics`.
-std::optional<Inputs> read_inputs(const InputOptions& options, Diagnostics& diagnostics);
+std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics);
 
 }  // namespace treeline
