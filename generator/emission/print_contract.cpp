@@ -88,7 +88,8 @@ std::string describe_argument(const Argument& argument, const char* direction) {
 
 std::string describe_function(const EmissionContext& context, const Program& program) {
   std::string text = wrap_text(program.equation.empty() ? program.name : program.equation, 95);
-  text += "\n" + describe_method(program);
+  text += '\n';
+  text += describe_method(program);
   for (const Argument& argument : program.arguments) {
     text += describe_argument(argument, "in ");
   }

@@ -153,7 +153,7 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::link_inverse_inertias:
       return contact_sizes(function, subject_, state_, M_inverse_, result, law);
   }
-  throw std::logic_error(std::string("nobody knows the scale of ") + function_name(function));
+  throw std::logic_error("a function outside of its enumeration");
 }
 
 /// |M^-1| (|tau| + those of inverse dynamics at the resulting qdd)

@@ -14,13 +14,14 @@ namespace {
 using Constants = std::vector<Expression*>;
 
 void append(Vector3<Expression>& v, Constants& constants) {
-  constants.insert(constants.end(), {&v.x, &v.y, &v.z});
+  for (Expression* constant : {&v.x, &v.y, &v.z}) constants.push_back(constant);
 }
 void append(Symmetric3<Expression>& A, Constants& constants) {
-  constants.insert(constants.end(), {&A.xx, &A.xy, &A.xz, &A.yy, &A.yz, &A.zz});
+  for (Expression* constant : {&A.xx, &A.xy, &A.xz, &A.yy, &A.yz, &A.zz})
+    constants.push_back(constant);
 }
 void append(PlanarRotation<Expression>& r, Constants& constants) {
-  constants.insert(constants.end(), {&r.c, &r.s});
+  for (Expression* constant : {&r.c, &r.s}) constants.push_back(constant);
 }
 
 Constants constants_of(TreeLink<Expression>& link) {
