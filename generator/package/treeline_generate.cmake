@@ -2,11 +2,11 @@
 #                   [FUNCTIONS function...] [CHOICES file])
 #
 # Makes the static library TARGET from a robot and a scene (without one: functions of the joints
-# alone) while building: link it and include
-# "NAME.hpp" (or "NAME_eigen.hpp", or "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the target's name unless
-# given; REAL and FUNCTIONS go before what the scene says; CHOICES is the manifest.json that
-# `treeline generate --tune` has written. The code is generated again when the URDF, the scene, the
-# choices or the generator change, compiled again only where its text did.
+# alone) while building: link it and include "NAME.hpp" (or "NAME_eigen.hpp", "NAME_joints.hpp", or
+# "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the
+# target's name unless given; REAL and FUNCTIONS go before what the scene says; CHOICES is the
+# manifest.json that `treeline generate --tune` has written. The code is generated again when the
+# URDF, the scene, the choices or the generator change, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
 
 # TREELINE_FUNCTIONS, every function that a scene may ask for, comes from treeline_functions.cmake;

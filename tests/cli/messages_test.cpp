@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "program_test.hpp"
 #include "run_on_terminal.hpp"
-#include "run_program.hpp"
 
 namespace treeline {
 namespace {
@@ -25,22 +25,13 @@ constexpr const char* kArm = R"(<robot name="arm">
 </robot>
 )";
 
-class MessagesTest : public testing::Test {
+class MessagesTest : public test::ProgramTest {
  protected:
   MessagesTest() {
-    fs::remove_all(root_);
-    fs::create_directories(root_);
     write("arm.urdf", kArm);
     write("empty.yaml", "");
   }
-  ~MessagesTest() override { fs::remove_all(root_); }
 
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(root_ / name) << text;
-  }
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    return test::run_program(root_, arguments);
-  }
   /// The messages of a run that ends so.
   [[nodiscard]] std::string messages(const std::string& arguments, int exit_code) const {
     const Outcome outcome = run(arguments);
@@ -52,10 +43,6 @@ class MessagesTest : public testing::Test {
     write("scene.yaml", scene);
     return messages("generate arm.urdf scene.yaml -o out", 1);
   }
-
-  fs::path root_ = fs::temp_directory_path() /
-                   ("treeline_messages_" +
-                    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 void expect_parts(const std::string& text, std::initializer_list<const char*> parts) {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <functional>
 
+#include "../own_folder.hpp"
 #include "interruption/folder_guard.hpp"
 
 namespace treeline {
@@ -17,14 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class CleanUp : public testing::Test {
+class CleanUp : public test::OwnFolder {
  protected:
-  CleanUp() {
-    fs::remove_all(root_);
-    fs::create_directories(root_);
-  }
-  ~CleanUp() override { fs::remove_all(root_); }
-
   /// Runs `work` in a child that then waits to be ended by `signal`. Returns how it ended.
   int end_child(int signal, const std::function<void()>& work) {
     int ready[2];
@@ -33,7 +28,7 @@ class CleanUp : public testing::Test {
     if (child == 0) {
       clean_up_on_signals();
       work();
-      (void)!write(ready[1], "x", 1);
+      (void)!::write(ready[1], "x", 1);
       for (;;) pause();
     }
     char byte = 0;
@@ -45,10 +40,6 @@ class CleanUp : public testing::Test {
     close(ready[1]);
     return status;
   }
-
-  fs::path root_ = fs::temp_directory_path() /
-                   ("treeline_interruption_" +
-                    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 // Would catch: folders that stay, and an end that a shell takes for a success or for a crash.
@@ -90,7 +81,7 @@ TEST_F(CleanUp, WaitsForWhatMustNotBeInterrupted) {
     clean_up_on_signals();
     {
       const Uninterrupted now;
-      (void)!write(ready[1], "x", 1);
+      (void)!::write(ready[1], "x", 1);
       for (int i = 0; i < 20; ++i) {
         std::ofstream(root_ / ("file" + std::to_string(i))) << "text";
         usleep(5000);

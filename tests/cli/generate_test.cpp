@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "run_program.hpp"
+#include "program_test.hpp"
 
 namespace treeline {
 namespace {
@@ -20,22 +20,12 @@ std::string robot_file(const std::string& name) {
 const std::string kUrdf = robot_file("puma560/puma560.urdf");
 const std::string kScene = robot_file("puma560/scene.yaml");
 
-class GenerateTest : public testing::Test {
+class GenerateTest : public test::OwnFolder {
  protected:
-  GenerateTest() {
-    fs::remove_all(root_);
-    fs::create_directories(root_);
-  }
-  ~GenerateTest() override { fs::remove_all(root_); }
-
   [[nodiscard]] Outcome run(const std::string& arguments) const {
     return test::run_program(root_, "generate " + arguments);
   }
   [[nodiscard]] Outcome generate() const { return run(kUrdf + " " + kScene + " --output puma560"); }
-
-  fs::path root_ = fs::temp_directory_path() /
-                   ("treeline_cli_" +
-                    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 // Would catch: a command that does nothing, or talks where data belongs.
@@ -160,8 +150,8 @@ std::string generate_by(const std::string& choices, const std::string& output) {
          " --output " + output;
 }
 
-// Would catch: a recorded choice that is read and not obeyed, or that the next manifest forgets; one
-// of earlier versions, which named routes in words, that is not understood.
+// Would catch: a recorded choice that is read and not obeyed, or that the next manifest forgets;
+// one of earlier versions, which named routes in words, that is not understood.
 TEST_F(GenerateTest, ObeysRecordedChoices) {
   std::ofstream(root_ / "mine.json")
       << R"({"choices": [{"function": "forward_dynamics", "chosen": )"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "run_program.hpp"
+#include "program_test.hpp"
 
 namespace treeline {
 namespace {
@@ -14,11 +14,8 @@ using test::Outcome;
 const std::string kRobots = TREELINE_ROBOTS;
 const std::string kPlanar = kRobots + "/planar3r/planar3r.urdf";
 
-class SimulateTest : public testing::Test {
+class SimulateTest : public test::OwnFolder {
  protected:
-  SimulateTest() { fs::create_directories(root_); }
-  ~SimulateTest() override { fs::remove_all(root_); }
-
   [[nodiscard]] Outcome run(const std::string& arguments) const {
     return test::run_program(root_, "simulate " + arguments);
   }
@@ -27,10 +24,6 @@ class SimulateTest : public testing::Test {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return nlohmann::json::parse(outcome.out);
   }
-
-  fs::path root_ = fs::temp_directory_path() /
-                   ("treeline_simulate_" +
-                    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 // Would catch an integrator of another order than its name says, or one name for two: energy is off

@@ -7,35 +7,18 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "run_program.hpp"
+#include "program_test.hpp"
 
 namespace treeline::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Diff : public testing::Test {
+class Diff : public ProgramTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("treeline_diff_") +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    puma_ = read_file(fs::path(TREELINE_ROBOTS) / "puma560/puma560.urdf");
-    write("puma.urdf", puma_);
-  }
+  Diff() { write("puma.urdf", puma_); }
 
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    return run_program(folder_, arguments);
-  }
-
-  fs::path folder_;
-  std::string puma_;
+  std::string puma_ = read_file(fs::path(TREELINE_ROBOTS) / "puma560/puma560.urdf");
 };
 
 TEST_F(Diff, ExitCodes) {
@@ -66,23 +49,23 @@ TEST_F(Diff, RepairAndPatchAgree) {
   const Outcome inspected = run("inspect bad.urdf --repair repaired.urdf");
   ASSERT_EQ(inspected.exit_code, 0) << inspected.err;
   EXPECT_NE(inspected.out.find("the motion feels it"), std::string::npos) << inspected.out;
-  EXPECT_EQ(read_file(folder_ / "bad.urdf"), kImpossible);
+  EXPECT_EQ(read_file(root_ / "bad.urdf"), kImpossible);
   std::string expected = kImpossible;
   expected.replace(expected.find("ixx=\"0.1\""), 9, "ixx=\"0.2\"");
   expected.replace(expected.find("iyy=\"0.1\""), 9, "iyy=\"0.2\"");
-  EXPECT_EQ(read_file(folder_ / "repaired.urdf"), expected);
+  EXPECT_EQ(read_file(root_ / "repaired.urdf"), expected);
 
   write("report.txt", inspected.out);
   const std::string command =
-      "cd '" + folder_.string() + "' && patch -s -o patched.urdf bad.urdf report.txt";
+      "cd '" + root_.string() + "' && patch -s -o patched.urdf bad.urdf report.txt";
   if (std::system("command -v patch >/dev/null") == 0) {
     EXPECT_EQ(std::system(command.c_str()), 0);
-    EXPECT_EQ(read_file(folder_ / "patched.urdf"), expected);
+    EXPECT_EQ(read_file(root_ / "patched.urdf"), expected);
   }
   EXPECT_EQ(run("diff bad.urdf repaired.urdf").exit_code, 3);
   const Outcome again = run("inspect repaired.urdf --repair again.urdf");
   EXPECT_EQ(again.exit_code, 0);
-  EXPECT_EQ(read_file(folder_ / "again.urdf"), expected);
+  EXPECT_EQ(read_file(root_ / "again.urdf"), expected);
   EXPECT_NE(again.err.find("nothing needed repair"), std::string::npos) << again.err;
   EXPECT_EQ(run("inspect bad.urdf --repair missing/folder.urdf").exit_code, 1);
 }

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <thread>
 
-#include "run_program.hpp"
+#include "program_test.hpp"
 
 namespace treeline {
 namespace {
@@ -25,18 +25,8 @@ const std::string kUrdf = TREELINE_ROBOTS "/planar3r/planar3r.urdf";
 const std::string kScene = TREELINE_ROBOTS "/planar3r/scene.yaml";
 const std::string kBoth = kUrdf + " " + kScene;
 
-class Surroundings : public testing::Test {
+class Surroundings : public test::ProgramTest {
  protected:
-  Surroundings() {
-    fs::remove_all(root_);
-    fs::create_directories(root_);
-  }
-  ~Surroundings() override { fs::remove_all(root_); }
-
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    return test::run_program(root_, arguments);
-  }
-
   /// Runs with standard output going to a device that is full.
   [[nodiscard]] Outcome run_into_full(const std::string& arguments) const {
     const fs::path err = root_ / "stderr.txt";
@@ -45,10 +35,6 @@ class Surroundings : public testing::Test {
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", read_file(err)};
   }
-
-  fs::path root_ = fs::temp_directory_path() /
-                   ("treeline_surroundings_" +
-                    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 // Would catch: half a table in a file that passes for a whole one.
