@@ -9,14 +9,14 @@
 
 namespace treeline {
 
-/// The results of one of `kObjectFunctions` by the interpreter, in the order of the contract. For
-/// float, double and 50 digits.
+/// Results of one of `kObjectFunctions` according to the interpreter, in the order of the contract.
+/// For float, double and Digits50. `law` is the generated function's task law at this state.
 template <class Scalar>
 std::vector<Scalar> interpret_objects(Function function, const Subject<Scalar>& subject,
                                       const State& state,
                                       const interpreter::TaskLaw<Scalar>& law = {});
 
-/// What the state has for an argument that a scene may be without.
+/// The state's values of an argument that not every scene has; empty if the scene does not have it.
 std::vector<double> optional_argument(const State& state, const char* name);
 
 }  // namespace treeline

@@ -19,8 +19,8 @@ bool is_drawn(const std::string& argument) {
   return std::find(kDrawn.begin(), kDrawn.end(), argument) != kDrawn.end();
 }
 
-/// Arguments of functions about contacts and objects; they are drawn without regard to their
-/// meaning.
+/// Sizes of the arguments of functions about contacts and objects, by name. Their values are drawn
+/// without regard to their meaning.
 std::map<std::string, int> other_arguments(const std::vector<GeneratedFunction>& functions) {
   std::map<std::string, int> sizes;
   for (const GeneratedFunction& generated : functions) {
