@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kMostInputs = 4;
 using Inputs = std::array<const double*, kMostInputs>;
 
-/// In the order of the generated contract, those that are there; the others are null.
+/// Pointers to the inputs in the order of the generated contract. Those that the function does not
+/// have are null.
 Inputs inputs_of(Function function, const State& state) {
   const double* const q = state.q.data();
   const double* const qd = state.qd.data();
@@ -35,7 +36,7 @@ Inputs inputs_of(Function function, const State& state) {
   }
 }
 
-/// What the scene asks of a function that no peer is given; empty where there is nothing.
+/// Says which requests of the scene for this function no peer can fulfil; empty if there are none.
 std::string beyond_peers(const Scene& scene, const GeneratedFunction& function) {
   const auto& arguments = function.program.arguments;
   if (std::any_of(arguments.begin(), arguments.end(),
@@ -54,7 +55,7 @@ std::size_t size_of(const GeneratedFunction& function) {
   return size;
 }
 
-/// A routine with what it is timed with.
+/// A routine with its arguments for timing.
 struct Prepared {
   PeerRoutine routine;
   Function function{};
@@ -68,7 +69,7 @@ struct Prepared {
     }
   }
   [[nodiscard]] std::vector<double> call(const State& state) const {
-    // Entries that are zero for every robot need not be written.
+    // A routine need not write entries that are zero for every robot.
     std::vector<double> entries(output.size(), 0);
     const Inputs inputs = inputs_of(function, state);
     routine.call(routine.solver.get(), inputs.data(), entries.data());
