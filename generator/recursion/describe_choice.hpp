@@ -6,11 +6,11 @@
 
 namespace treeline {
 
-/// `the axes of link 3 (forearm)`; links count from 1.
+/// Name of a link's axes: `the axes of link 3 (forearm)`. Links count from 1.
 std::string axes_name(int link, const Tree<Expression>& tree);
-/// What a route to Lambda^-1 is called in reports.
+/// Name of a route to Lambda^-1 in reports.
 const char* name_of(LambdaRoute route);
-/// The same with the coordinates that it is worked out in.
+/// Name of a route to Lambda^-1 together with its coordinates.
 std::string describe(const LambdaChoice& choice, const Tree<Expression>& tree);
 
 }  // namespace treeline

@@ -6,16 +6,16 @@
 
 namespace treeline {
 
-/// Arguments beside q.
+/// Arguments of a function in addition to q, as bits.
 enum Inputs : unsigned { kQd = 1, kQdd = 2, kTau = 4, kXddCmd = 8, kForces = 16, kPosture = 32 };
 
-/// What all routes of a function have in common.
+/// Properties that all routes of a function share.
 struct Signature {
   std::string equation;
-  unsigned inputs = 0;  ///< out of `Inputs`
+  unsigned inputs = 0;  ///< bits of `Inputs`
 };
 
-/// Of functions that are not about contacts, objects, posture or derivatives; of those nothing.
+/// Signature of a function. Empty for functions about contacts, objects, posture or derivatives.
 Signature signature(Function function);
 
 }  // namespace treeline

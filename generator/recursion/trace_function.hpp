@@ -10,19 +10,19 @@
 
 namespace treeline {
 
-/// The function for this mechanism as expression graphs: one for every algorithm that computes it,
-/// in each of its coordinates, each naming its own in `source`; of long ones that are hopeless in
-/// the first coordinates these alone. At least one. The caller has seen to it that the scene
-/// permits the function (operational points, objects where it needs them). `lanes`: how many values
-/// of Real the emitted code may compute together.
+/// Traces a function of this mechanism as expression graphs: one program for every algorithm that
+/// computes it, in each of its coordinates; `source` names both. For long functions, algorithms
+/// that are pruned in the first coordinates are traced only there. There is at least one program.
+/// The scene must permit the function (operational points or objects if it needs them). `lanes` is
+/// the number of Real values that the emitted code may compute together.
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes = 1);
 
-/// Of the values that a trace makes, what is kept beside them.
+/// Whether a trace keeps the names of its values, and its sections.
 enum class Names { kept, forgotten };
 
-/// Traces the function by the algorithm of this `source` alone, to be counted, each time that it is
-/// called: as the mechanism is then, of which only choices within links may have changed. Names,
-/// and sections with them, are kept where `names` says so.
+/// Returns a function that traces `function` by the algorithm with this `source` alone, for
+/// counting operations. Each call uses the mechanism as it is then; only choices within links may
+/// have changed. Names and sections are kept if `names` says so.
 std::function<Program(Names names)> prepare_route(const Mechanism& mechanism, Function function,
                                                   const std::string& source);
 

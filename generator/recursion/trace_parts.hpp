@@ -9,7 +9,8 @@
 
 namespace treeline {
 
-/// Adds an argument to a program that is being traced and gives its entries; nothing of no size.
+/// Adds an argument to a program that is being traced and returns its entries. Adds nothing if the
+/// size is 0.
 inline std::vector<Expression> declare(Program& program, const std::string& name, int size,
                                        const std::string& meaning) {
   std::vector<Expression> entries;
