@@ -33,16 +33,14 @@ struct BenchRow {
 struct BenchPeer {
   std::string name;                  ///< prefix of its variants' names
   std::string release;               ///< "1.5.1"
-  std::vector<std::string> remarks;  ///< what it cannot do with this robot, and why: "has no
-                                     ///< floating base"
+  std::vector<std::string> remarks;  ///< what it cannot do here, and why: "has no floating base"
 };
 
 struct BenchFunction {
   Function function{};
   std::vector<BenchRow> rows;  ///< the code that the scene asks for comes first
   int states = 0;              ///< number of states for the errors
-  int singular = 0;            ///< number of states left out because the matrix is singular in
-                               ///< float
+  int singular = 0;            ///< states left out: the matrix is singular in float
   /// Peers that compute something else, see `kAgreement`. They are not timed.
   std::vector<BenchRow> disagreeing = {};
 };
@@ -54,8 +52,7 @@ struct BenchReport {
   std::uint64_t seed = 1;
   std::vector<BenchFunction> functions;
   std::vector<BenchPeer> peers = {};
-  std::vector<std::string> absent_peers = {};  ///< those that could be measured if they were
-                                               ///< installed
+  std::vector<std::string> absent_peers = {};  ///< could be measured if installed
   std::string no_peers = {};                   ///< why no peer can be measured for this robot
 };
 

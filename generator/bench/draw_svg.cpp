@@ -12,8 +12,7 @@ namespace treeline {
 namespace {
 
 constexpr double kPanelWidth = 460, kPanelHeight = 330;
-constexpr double kLeft = 58, kRight = 16, kTop = 26, kBottom = 42;  ///< margins of the axes in a
-                                                                    ///< panel
+constexpr double kLeft = 58, kRight = 16, kTop = 26, kBottom = 42;  ///< margins in a panel
 constexpr double kHead = 104;
 constexpr int kColumns = 3;
 /// Exact results are drawn at the bottom, results that are not numbers at the top.

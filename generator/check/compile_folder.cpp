@@ -23,8 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kNoSpace = "No space left on device";  // every compiler passes this message
-                                                             // on
+constexpr const char* kNoSpace = "No space left on device";  // passed on by every compiler
 constexpr const char* kEntryStem = "treeline_check_entry";
 
 int core_count(int jobs) {

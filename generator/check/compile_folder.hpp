@@ -14,12 +14,10 @@
 namespace treeline {
 
 struct CompileOptions {
-  std::string flags = "-O2 -ffp-contract=off";  ///< in addition to -std=c++17 and the flags of a
-                                                ///< library
+  std::string flags = "-O2 -ffp-contract=off";  ///< added to -std=c++17 and a library's flags
   std::string long_flags = {};  ///< for long functions (`is_long`); empty: the same flags
   int jobs = 0;                 ///< 0: as many as there are cores
-  std::function<void(int, int)> progress = {};  ///< called with the number of sources compiled and
-                                                ///< of all
+  std::function<void(int, int)> progress = {};  ///< receives number of sources done and of all
   std::string compiler = {};                    ///< empty: $CXX, else c++, else g++
 };
 
@@ -28,16 +26,14 @@ struct CompiledFunction {
   double seconds = 0;
   bool is_long = false;            ///< compiled with `CompileOptions::long_flags`
   std::optional<int> code_bytes;   ///< of the function and what it calls; absent without `nm`
-  std::optional<int> stack_bytes;  ///< of the function and what it calls; absent if the compiler
-                                   ///< does not state it
+  std::optional<int> stack_bytes;  ///< as above; absent if the compiler does not state it
 };
 
 struct Compilation {
   std::filesystem::path library;
   std::string command;            ///< compiler and flags
   std::string long_command = {};  ///< for long functions; empty: no long ones, or the same
-  double seconds = 0;             ///< from start to linked library, with as many files at a time as
-                                  ///< jobs
+  double seconds = 0;             ///< until linked, with `jobs` files at a time
   long peak_kib = 0;              ///< of the largest compiler process
   std::map<std::string, CompiledFunction> functions;
 };

@@ -38,11 +38,9 @@ struct FunctionReport {
   Bound bound;
   std::optional<RoundingReport> rounding;  ///< absent if no bound is known
   int beyond_bound = 0;                    ///< number of states whose error exceeds the bound
-  int out_of_bounds = 0;                   ///< number of states at which it wrote beyond its
-                                           ///< outputs
+  int out_of_bounds = 0;                   ///< states at which it wrote beyond its outputs
   bool bits_known = true;                  ///< whether the correct bits are known
-  int bits_differ = 0;                     ///< number of states whose result differs from the
-                                           ///< graph's in some bit
+  int bits_differ = 0;                     ///< states whose result is not the graph's to the bit
   std::optional<int> first_bits_differ;    ///< index of a state
 
   [[nodiscard]] bool has_errors() const { return states > singular; }
@@ -67,10 +65,8 @@ struct CheckReport {
   std::string long_command;  ///< for long functions, with fewer passes; empty: there is none
   double compile_seconds = 0, reference_seconds = 0;
   long compile_peak_kib = 0;
-  std::string folder;                 ///< the folder that was compiled; empty: the code generated
-                                      ///< now
-  std::vector<FileDifference> stale;  ///< differences between that folder and the code generated
-                                      ///< now
+  std::string folder;                 ///< that was compiled; empty: code generated now
+  std::vector<FileDifference> stale;  ///< its differences from the code generated now
   std::string domain;                 ///< domain of inputs in which the rounding bounds hold
   std::vector<FunctionReport> functions;
   std::vector<State> named_states;  ///< states named in the reports of functions, each once

@@ -79,8 +79,7 @@ TemporaryFolder::TemporaryFolder() {
 
 TemporaryFolder::~TemporaryFolder() {
   const Uninterrupted now;
-  std::error_code ignored;  // a folder that cannot be removed stays among the system's temporary
-                            // files
+  std::error_code ignored;  // what cannot be removed stays there
   fs::remove_all(path_, ignored);
   keep_on_signal(path_);
 }

@@ -11,10 +11,8 @@ namespace treeline {
 /// Difference of a link that both robots have. SI units.
 struct LinkDifference {
   std::string first, second;  ///< name in each robot
-  double position = 0;        ///< of the frame relative to the reference link; m, largest of all
-                              ///< states
-  double rotation = 0;        ///< of the frame relative to the reference link; rad, largest of all
-                              ///< states
+  double position = 0;        ///< of the frame, relative to the reference link; m, largest
+  double rotation = 0;        ///< of the frame, relative to the reference link; rad, largest
   double first_mass = 0, second_mass = 0;  ///< kg
   double mass = 0;                         ///< relative to the larger mass
   double centre = 0;                       ///< of the centre of mass, in the link's frame; m
@@ -56,10 +54,8 @@ struct RobotDifference {
   std::vector<std::string> links_only_in_first, links_only_in_second;
   std::vector<std::string> joints_only_in_first, joints_only_in_second;
   double first_mass = 0, second_mass = 0;  ///< of all links, kg
-  std::vector<LinkDifference> links;       ///< all links that both have, in the order of the first
-                                           ///< robot
-  std::vector<JointDifference> joints;     ///< all joints that both have and that differ, in that
-                                           ///< order
+  std::vector<LinkDifference> links;       ///< links of both, in the order of the first robot
+  std::vector<JointDifference> joints;     ///< joints of both, in the order of the first robot
   DynamicsDifference dynamics;
 
   /// Whether the link differs by more than the tolerance.

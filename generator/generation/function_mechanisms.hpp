@@ -34,8 +34,7 @@ class FunctionMechanisms {
   unsigned in_scene_ = 0;
   std::map<unsigned, Mechanism> by_needs_;
   std::map<std::pair<unsigned, Function>, Mechanism> by_decider_;
-  std::map<std::pair<unsigned, Function>, const Mechanism*> cheapest_;  // among several frame cost
-                                                                        // functions
+  std::map<std::pair<unsigned, Function>, const Mechanism*> cheapest_;  // of several frame costs
 };
 
 }  // namespace treeline

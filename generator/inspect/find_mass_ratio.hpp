@@ -11,8 +11,7 @@ namespace treeline {
 /// of what the heavy one contributes.
 struct MassRatio {
   int light = 0, heavy = 0;  ///< entries of qd
-  double share = 1;          ///< ratio of the light one's contribution to Lambda^-1 to the heavy
-                             ///< one's
+  double share = 1;          ///< ratio of their contributions to Lambda^-1, light to heavy
   double condition = 1;      ///< factor by which this increases the condition number of Lambda^-1
 };
 

@@ -21,13 +21,11 @@ struct LinkReport {
   std::string motion;       ///< "fixed", "locked at 0.3", "follows j", else the joint's type
   std::string lumped_with;  ///< link of whose body it is part; empty: its own
   bool has_inertial = false;
-  double mass = 0;                        ///< kg
-  std::array<double, 3> com{};            ///< centre of mass in the link's frame, m
-  std::array<double, 3> moments{};        ///< principal moments about the centre of mass,
-                                          ///< ascending, kg m^2
+  double mass = 0;                  ///< kg
+  std::array<double, 3> com{};      ///< centre of mass in the link's frame, m
+  std::array<double, 3> moments{};  ///< principal, about the centre of mass, ascending, kg m^2
   std::optional<std::string> unphysical;  ///< why no body can have this inertia
-  std::optional<Inertial> nearest;        ///< nearest inertia that a body can have, if this one is
-                                          ///< impossible
+  std::optional<Inertial> nearest;        ///< nearest possible inertia, if this is impossible
   bool felt = false;                      ///< the motion depends on the impossible inertia
   std::optional<std::string> flat;        ///< "a point", "a rod", "a plate"
 };
@@ -36,8 +34,7 @@ struct LinkReport {
 struct JointReport {
   std::string name;
   std::string type;
-  int q = 0, nq = 0;  ///< first entry of q and their number; a mimic has those of the joint that it
-                      ///< follows
+  int q = 0, nq = 0;  ///< first entry of q and number; for a mimic of the joint that it follows
   int v = 0, nv = 0;  ///< first entry of qd and their number
   std::string unit;   ///< of q: "rad", "m", or empty for several degrees of freedom
   double lower = -std::numeric_limits<double>::infinity();

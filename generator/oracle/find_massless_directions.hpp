@@ -11,8 +11,7 @@ namespace treeline {
 /// Motions without inertia in any pose, that is, a part of the null space of M. Each of these
 /// groups has one joint, or the base, in the lead.
 struct MasslessDirections {
-  std::string what;                ///< for instance `joint "a" against rotation of the base about
-                                   ///< z`
+  std::string what;                ///< `joint "a" against rotation of the base about z`
   std::string joint;               ///< leading joint; empty: the base
   bool one_degree = false;         ///< the joint has one degree of freedom
   bool moves_base = false;         ///< a floating base moves too

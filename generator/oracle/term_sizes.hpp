@@ -63,8 +63,7 @@ class TermSizes {
                               const std::vector<double>& qdd) const;
 
   const Subject<double>& subject_;
-  std::vector<double> lengths_;  ///< by body: length of the path from its parent's origin to its
-                                 ///< own, m
+  std::vector<double> lengths_;  ///< by body: path from its parent's origin to its own, m
   double longest_ = 0;           ///< largest offset of a joint or a centre of mass, m
 };
 

@@ -18,8 +18,7 @@ inline constexpr std::array kTrialStates = {0, 20, 1, 4, 2, 7, 11, 3, 5, 6, 19, 
 /// States at which functions are tried.
 struct TrialOptions {
   std::vector<int> states{kTrialStates.begin(), kTrialStates.end()};
-  int confirm = 200;  ///< a function that exceeds its bound is tried again at the first `confirm`
-                      ///< states
+  int confirm = 200;  ///< number of first states at which failures are tried again
   std::uint64_t seed = 1;
 };
 

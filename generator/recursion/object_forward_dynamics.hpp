@@ -19,8 +19,7 @@ enum class GraspSolution {
 template <class Scalar>
 struct HeldObjects {
   std::vector<std::vector<HeldObject<Scalar>>> held;
-  std::vector<Scalar> corrections;  ///< of the rows of all grasps: accelerations that stabilisation
-                                    ///< commands
+  std::vector<Scalar> corrections;  ///< by row of the grasps: commanded by stabilisation
 };
 
 template <class Scalar>

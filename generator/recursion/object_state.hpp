@@ -81,8 +81,7 @@ void append(const Vector3<Scalar>& v, std::vector<Scalar>& values) {
 /// Results of `object_state`.
 template <class Scalar>
 struct ObjectState {
-  std::vector<Scalar> position, rotation, velocity;  ///< 3, 9 and 6 per object, according to its
-                                                     ///< first grasp
+  std::vector<Scalar> position, rotation, velocity;  ///< 3, 9, 6 per object, by its first grasp
   std::vector<Scalar> drift, drift_rate;             ///< 6 per further grasp
 };
 

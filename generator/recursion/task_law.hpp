@@ -53,8 +53,7 @@ struct TaskLaw {
   LawPoints points = LawPoints::operational;
   std::shared_ptr<const Mechanism> mechanism;  ///< mechanism as it was traced
   TaskBasis basis;
-  int angular_axes_link = -1;  ///< for `jacobian`: axes of the angular rows; `basis` has those of
-                               ///< the linear rows
+  int angular_axes_link = -1;  ///< for `jacobian`: of the angular rows; `basis`: the linear ones
   PivotRule rule;
   /// For `jacobian`: the pivots, in the rows of `law_frames`. Those of the arm are across the third
   /// joint's column, along it, and the lone row; those of the wrist are in its axes.

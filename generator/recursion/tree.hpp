@@ -54,8 +54,7 @@ struct Tree {
   std::vector<TreeLink<Scalar>> links;
   std::vector<TreePoint<Scalar>> operational_points, external_forces, contacts, link_frames;
   Vector3<Scalar> gravity;
-  Vector3<Scalar> world_moment;  ///< first moment of matter that does not move, or whose motion has
-                                 ///< no effect
+  Vector3<Scalar> world_moment;  ///< first moment of matter fixed to the world
   Scalar inverse_total_mass{};   ///< of all links; 0 if the robot has no mass
   int nq = 0, nv = 0;
   bool has_mimics = false;
@@ -98,8 +97,7 @@ PlanarRotation<Scalar> planar_rotation(const Exact& c, const Exact& s) {
 template <class Scalar>
 Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
   const Exact sine = sqrt(Exact(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
-  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: b, which may be added to the joint's
-                                       // angle
+  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: b may join the joint's angle
     return {{},
             planar_rotation<Scalar>(R(2, 2), Exact(0)),
             planar_rotation<Scalar>(R(0, 0), Exact(-R(0, 1)))};

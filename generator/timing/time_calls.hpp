@@ -24,8 +24,7 @@ struct TimedPass {
 
 struct TimingOptions {
   int rounds = 41;             ///< repetitions of each; in every round all take their turn
-  double repetition_us = 150;  ///< least duration; short, so that most repetitions are not
-                               ///< disturbed
+  double repetition_us = 150;  ///< at least; short, so that most are not disturbed
 };
 
 /// Time of one call, in warm caches, back to back over all states, each call independent of the

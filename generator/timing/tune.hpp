@@ -29,8 +29,7 @@ struct TunedFunction {
 };
 
 struct Tuning {
-  std::vector<TunedFunction> functions;  ///< in the scene's order, each followed by its batch
-                                         ///< function
+  std::vector<TunedFunction> functions;  ///< in the scene's order, each before its batch
   std::string measured;                  ///< compiler, flags and processor
 };
 

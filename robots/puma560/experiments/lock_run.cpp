@@ -20,8 +20,7 @@ struct Puma {
 using State = servo::StateOf<Puma>;
 
 constexpr double kPeriod = 1e-3;    ///< s
-constexpr double kLookAhead = 0.2;  ///< desired velocity over this time (s) counts as desired
-                                    ///< motion
+constexpr double kLookAhead = 0.2;  ///< s of desired velocity that count as desired motion
 constexpr core::Gains<double> kTask{100.0, 20.0};
 constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};      ///< N m, from the URDF
 constexpr double kLower[6] = {-2.79, -3.93, -0.79, -1.92, -1.75, -4.64};  ///< rad, from the URDF

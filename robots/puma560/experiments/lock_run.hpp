@@ -26,8 +26,7 @@ struct LockFigures {
   bool three_phases = false;
   /// Type of the lost direction, whenever it had left; `none` if it changed.
   core::SingularityType type = core::SingularityType::none;
-  bool lost = false;  ///< the run ended because a torque exceeded a thousand times its limit or was
-                      ///< not finite
+  bool lost = false;  ///< a torque exceeded a thousand times its limit, or was not finite
 };
 
 struct LockRun {

@@ -26,10 +26,8 @@ struct DropRun {
   double lost = 0;            ///< in all blows, J
   double start = 0;           ///< J
   double drift = 0;           ///< error of the integrator, J
-  double worst_loss = 0;      ///< largest difference of a blow's loss from that due to restitution,
-                              ///< without friction, J
-  double worst_account = 0;   ///< largest difference between energies from velocities and from
-                              ///< impulses, J
+  double worst_loss = 0;      ///< largest deviation of a blow's loss from restitution's, J
+  double worst_account = 0;   ///< between energies by velocities and by impulses, J
   double worst_momentum = 0;  ///< between a blow's change of momentum and its impulses, N s and N m
                               ///< s
   double sideways = 0;        ///< largest change of horizontal momentum in a blow, N s
