@@ -29,8 +29,8 @@ double draw_aligned(Dice& dice, const Coordinate& coordinate) {
   return dice.chance(0.4) ? at : at + draw_logarithmic(dice, 1e-12, 1e-2);
 }
 
-/// Draws one of the coordinate's limits in most cases, and otherwise (or if that limit is infinite) a
-/// value from its ordinary range.
+/// Draws one of the coordinate's limits in most cases, and otherwise (or if that limit is infinite)
+/// a value from its ordinary range.
 double draw_limit(Dice& dice, const Coordinate& coordinate) {
   const double limit = dice.chance(0.5) ? coordinate.lower : coordinate.upper;
   if (!std::isfinite(limit) || dice.chance(0.1)) return draw_within_limits(dice, coordinate);
