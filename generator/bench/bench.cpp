@@ -17,7 +17,7 @@ constexpr std::size_t kTimedStates = 64;
 
 class Bench {
  public:
-  /// `work` is an empty folder for what is compiled.
+  /// `work` is an empty folder for compiling.
   Bench(const Robot& robot, const Scene& scene, const BenchOptions& options,
         const std::filesystem::path& work, Diagnostics& diagnostics)
       : robot_(robot), scene_(scene), options_(options), diagnostics_(diagnostics), work_(work) {}
@@ -61,7 +61,7 @@ class Bench {
     return true;
   }
 
-  /// Where Lambda is asked for, from Lambda^-1 in double as the scene has it emitted.
+  /// Adds factorisations of the emitted Lambda^-1 in double, if the scene has Lambda.
   bool add_factorisations(const VariantBuild& emitted) {
     const auto& functions = scene_.functions;
     if (std::find(functions.begin(), functions.end(), Function::lambda) == functions.end()) {

@@ -11,18 +11,18 @@
 namespace treeline {
 
 struct BenchOptions {
-  int states = 300;  ///< within the joints' limits, at ordinary speeds
+  int states = 300;  ///< within the joints' limits, at ordinary velocities
   std::uint64_t seed = 1;
   std::string flags = "-O3 -march=native -ffp-contract=fast";  ///< for the compiler
   TimingOptions timing = {};
-  FoundPeers peers = {};  ///< to measure beside it
-  /// Told what is being done, and how much of it: "states", 10, 300.
+  FoundPeers peers = {};  ///< peers to measure as well
+  /// Reports progress: what is done, how much of it, and how much in all ("states", 10, 300).
   std::function<void(const std::string& what, int done, int total)> progress = {};
 };
 
-/// Runs every variant of every function of the scene: its time, and its error against the
-/// interpreter in 50 digits, see `BenchTruths` for the states. Nothing when something cannot be
-/// generated or compiled; `diagnostics` says why.
+/// Runs every variant of every function of the scene and measures its time and its error against
+/// the interpreter in 50 digits; for the states see `BenchTruths`. Returns nothing if something
+/// cannot be generated or compiled; `diagnostics` says why.
 std::optional<BenchReport> run_bench(const Robot& robot, const Scene& scene,
                                      const BenchOptions& options, Diagnostics& diagnostics);
 

@@ -9,7 +9,7 @@
 namespace treeline {
 namespace {
 
-/// Of the condition of a matrix that is solved with; see `FunctionReference::singular`.
+/// Largest condition number of a matrix to solve with; see `FunctionReference::singular`.
 constexpr double kLargestInFloat = 0x1p17;
 
 std::vector<StateReference> find_truths(const Robot& robot, Scene scene, Real real,
@@ -29,7 +29,7 @@ std::vector<StateReference> find_truths(const Robot& robot, Scene scene, Real re
   return make_references(robot, scene, generation, how);
 }
 
-/// First entries of quaternions in q.
+/// Returns the index in q of the first entry of each quaternion.
 std::vector<std::size_t> find_quaternions(const Robot& robot, const Scene& scene) {
   std::vector<std::size_t> firsts;
   for (const auto& body : model_from_robot<double>(robot, scene).bodies) {
@@ -39,7 +39,7 @@ std::vector<std::size_t> find_quaternions(const Robot& robot, const Scene& scene
   return firsts;
 }
 
-/// Whether all quaternions have unit length but for the rounding of double.
+/// Whether all quaternions have unit length up to the rounding of double.
 bool have_unit_length(const State& state, const std::vector<std::size_t>& quaternions) {
   return std::all_of(quaternions.begin(), quaternions.end(), [&](std::size_t first) {
     double square = 0;

@@ -8,30 +8,31 @@
 
 namespace treeline {
 
-/// The states at which a robot's variants are measured, with the truth there. Without a quaternion
-/// in q all have the same, whose numbers float has exactly. With one, variants in double have
-/// states of which every other quaternion has unit length as well as double has it, and the rest as
-/// well as float; variants in float have what float can hold; peers, who take a quaternion for one
-/// of unit length, have the states of double where it is.
+/// The states at which the variants of a robot are measured, with their references. If q has no
+/// quaternion, all variants have the same states, with numbers that are exact in float. With
+/// quaternions, variants in double have states in which every other quaternion has unit length as
+/// exactly as double permits, the others as exactly as float does. Variants in float have numbers
+/// that float can hold. Peers, which take a quaternion to be of unit length, have those states of
+/// double where it is.
 class BenchTruths {
  public:
-  /// The first functions of the references are `functions`.
+  /// The references begin with those of `functions`.
   BenchTruths(const Robot& robot, const Scene& scene,
               const std::vector<GeneratedFunction>& functions, const BenchOptions& options);
 
   [[nodiscard]] const std::vector<StateReference>& of(const Variant& variant) const;
-  /// Those whose numbers float has exactly.
+  /// References at states whose numbers are exact in float.
   [[nodiscard]] const std::vector<StateReference>& in_float() const { return in_float_; }
   [[nodiscard]] bool has_quaternions() const { return has_quaternions_; }
 
  private:
   std::vector<StateReference> in_float_;
-  std::vector<StateReference> in_double_, of_unit_length_;  ///< with a quaternion in q
+  std::vector<StateReference> in_double_, of_unit_length_;  ///< only with a quaternion in q
   bool has_quaternions_ = false;
 };
 
-/// Whether a truth is to be compared with: the matrix solved with is regular in float too, so that
-/// float and double answer the same questions.
+/// Whether a reference can be compared. The matrix of its solve must also be regular in float, so
+/// that float and double are compared at the same states.
 bool is_comparable(const FunctionReference& truth);
 
 }  // namespace treeline

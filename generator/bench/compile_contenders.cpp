@@ -11,7 +11,7 @@ namespace {
 
 struct Loaded {
   TimedBuild build;
-  std::vector<CallArguments> arguments;  ///< of each function
+  std::vector<CallArguments> arguments;  ///< by function
 };
 
 Contender contender_of(const std::shared_ptr<const Loaded>& loaded, const Variant& variant,

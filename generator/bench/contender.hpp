@@ -17,28 +17,30 @@ namespace treeline {
 /// A variant that can be run.
 struct Contender {
   Variant variant;
-  /// The entries of all results at a state, one after the other.
+  /// Returns the entries of all results at a state, one after the other.
   std::function<std::vector<double>(const State&)> call;
-  TimedPass pass;  ///< over the states that are timed
+  TimedPass pass;  ///< one pass over the states for timing
 };
 
-/// A build's variants, compiled in a folder `work` that is made for it and loaded. Contenders keep
-/// the library. Errors: see `load_build`. `command`, where it is given, gets compiler and flags.
+/// Compiles the variants of a build in the folder `work`, which is created for it, and loads them.
+/// The contenders keep the library loaded. Errors: see `load_build`. `command`, if given, receives
+/// compiler and flags.
 std::optional<std::vector<Contender>> compile_contenders(const VariantBuild& build,
                                                          const std::vector<State>& timed,
                                                          const std::filesystem::path& work,
                                                          std::string* command,
                                                          Diagnostics& diagnostics);
 
-/// The generic interpreter in double and float, with all that it allocates.
+/// Contenders that run the generic interpreter in double and float, including all its allocations.
 std::vector<Contender> interpreter_contenders(const Robot& robot, const Scene& scene,
                                               const std::vector<State>& timed);
 
-/// Lambda by Eigen's LU with partial pivoting and by its LDL^T, as a matrix whose size is known
-/// when it runs only, out of Lambda^-1 as `lambda_inverse` gives it in double with so many rows.
+/// Contenders that compute Lambda by Eigen's LU with partial pivoting and by its LDL^T, on a matrix
+/// whose size is known only at run time. They start from Lambda^-1, which `lambda_inverse` computes
+/// in double with `rows` rows.
 std::vector<Contender> factorisation_contenders(const Contender& lambda_inverse, int rows);
 
-/// The state with its sines and cosines rounded to double, not to float.
+/// Returns the state with sines and cosines rounded to double instead of float.
 State with_double_sines(State state);
 
 }  // namespace treeline

@@ -20,7 +20,7 @@ std::string processor_name() {
   return family.empty() ? model : model + ", family " + family;
 }
 
-/// `g++ -std=c++17 -O3` to what `g++ --version` says first.
+/// Returns the first line of `g++ --version` for a command like `g++ -std=c++17 -O3`.
 std::string compiler_name(const std::string& command) {
   Command asked;
   for (const std::string& word : split_words(command)) {

@@ -12,17 +12,17 @@ namespace treeline {
 namespace {
 
 constexpr double kPanelWidth = 460, kPanelHeight = 330;
-constexpr double kLeft = 58, kRight = 16, kTop = 26, kBottom = 42;  ///< of the axes in a panel
+constexpr double kLeft = 58, kRight = 16, kTop = 26, kBottom = 42;  ///< margins in a panel
 constexpr double kHead = 104;
 constexpr int kColumns = 3;
-/// What is exact lies at the bottom, what is no number at the top.
+/// Exact results are drawn at the bottom, results that are not numbers at the top.
 constexpr double kLeastError = 1e-18, kGreatestError = 1e2;
 
 struct Style {
   VariantGroup group;
   std::string_view legend;
   const char* color;
-  const char* path;  ///< of the mark, about the origin
+  const char* path;  ///< outline of the mark around the origin
   bool filled;
 };
 constexpr const char* kCircle = "M-4,0a4,4 0 1,0 8,0a4,4 0 1,0 -8,0z";
@@ -46,10 +46,10 @@ constexpr std::array kStyles = {
     Style{VariantGroup::solve, "Eigen's factorisations", "#d62728", kSquare, true},
     Style{VariantGroup::interpreter, "interpreter", "#e377c2", kDiamond, true}};
 
-/// Of peers, in turn.
+/// Colours of peers, used in turn.
 constexpr std::array kPeerColors = {"#0b7a75", "#b8860b", "#c2185b", "#5d3fd3"};
 
-/// Of the report's variants, in the legend's order: of peers one each.
+/// Styles of the report's variants, in the order of the legend. Each peer has a style of its own.
 class Styles {
  public:
   explicit Styles(const BenchReport& report) : used_(kStyles.begin(), kStyles.end()) {
@@ -117,16 +117,16 @@ double error_of(const BenchRow& row) {
   return std::clamp(row.norm.worst, kLeastError, kGreatestError);
 }
 
-/// Exponents of ten that an axis reaches from and to.
+/// Range of an axis, as powers of ten.
 struct Decades {
   int first = 0, last = 0;
-  /// Where on an axis from 0 to 1.
+  /// Position of a value on an axis from 0 to 1.
   [[nodiscard]] double at(double value) const {
     return (std::log10(value) - first) / static_cast<double>(last - first);
   }
 };
 
-/// With some room of so many decades below the least.
+/// Range of these values, with `room` decades below the smallest.
 Decades decades_of(const std::vector<double>& values, double room) {
   if (values.empty()) return {0, 1};
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -143,8 +143,8 @@ std::string time_name(int decade) {
   return kNames[static_cast<std::size_t>(decade)];
 }
 
-/// The part of a panel's error axis that is about one Real: errors of both lie far apart, and
-/// nothing between them.
+/// The part of a panel's error axis for one Real. Errors in float and double lie far apart with
+/// nothing between them, so each has its own part.
 struct Band {
   Decades decades;
   double top = 0, height = 1;
@@ -225,7 +225,7 @@ class Panel {
     return rows;
   }
 
-  /// What nothing lies below and to the left of.
+  /// Draws the line through the rows for which no other row is faster and more accurate.
   [[nodiscard]] std::string draw_front() const {
     std::string points;
     double last_y = y0_;
@@ -251,7 +251,7 @@ class Panel {
     return text;
   }
 
-  /// Names of what is on the front, below it, where nothing else is; none on another.
+  /// Draws the names of rows on the front below their marks, where there is space, without overlap.
   [[nodiscard]] std::string draw_labels() const {
     constexpr std::size_t kLongest = 44;
     constexpr double kLine = 11;

@@ -6,8 +6,8 @@
 
 namespace treeline {
 
-/// Time across and worst norm-wise error up, both logarithmic, a panel a function, the fronts
-/// drawn: a stand-alone SVG file.
+/// Draws time to the right and largest norm-wise error upward, both logarithmic, with a panel for
+/// each function and its front. Returns a stand-alone SVG file.
 std::string draw_svg(const BenchReport& report);
 
 }  // namespace treeline

@@ -30,7 +30,7 @@ Contender factorise(const Contender& from, int rows, const char* name,
     const Matrix Lambda = invert(Eigen::Map<const Matrix>(entries.data(), rows, rows));
     return std::vector<double>(Lambda.data(), Lambda.data() + Lambda.size());
   };
-  // Any matrix that is positive definite takes the same time.
+  // The time does not depend on the matrix as long as it is positive definite.
   Matrix A = Matrix::Constant(rows, rows, 0.1);
   A.diagonal().array() += 1;
   contender.pass.pass = [pass = from.pass, invert, A, sink = Matrix(A)]() mutable {

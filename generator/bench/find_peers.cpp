@@ -20,7 +20,7 @@ bool is_among(const std::vector<LoadedPeer>& peers, const std::string& name) {
                      [&](const LoadedPeer& peer) { return peer.name == name; });
 }
 
-/// Where modules are built, and where they are installed to.
+/// Folders in which modules are built and in which they are installed.
 std::vector<std::filesystem::path> folders() {
   std::error_code failed;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", failed);

@@ -9,14 +9,14 @@ namespace treeline {
 
 struct FoundPeers {
   std::vector<LoadedPeer> peers;
-  std::vector<std::string> absent;  ///< of those that there are adapters for
+  std::vector<std::string> absent;  ///< known peers that were not found
 };
 
-/// Loads the modules of `files`, then those that lie beside this program or, where it is installed,
-/// in its libraries' folder. What is wrong with one of `files` is an error, with another a warning.
+/// Loads the modules `files`, and those beside this program or, if it is installed, in its library
+/// folder. A fault is an error for one of `files` and a warning for the others.
 FoundPeers find_peers(const std::vector<std::string>& files, Diagnostics& diagnostics);
 
-/// What brings a peer that is absent.
+/// Advice for getting an absent peer.
 inline constexpr const char* kBringPeers =
     "found beside this program where they are installed and it is built with -DTREELINE_PEERS=ON";
 

@@ -6,7 +6,7 @@
 namespace treeline {
 namespace {
 
-/// The interpreter is slow enough that so many states say how slow.
+/// Number of states to time. A few suffice because the interpreter is slow.
 constexpr std::size_t kTimed = 8;
 
 template <class Scalar>

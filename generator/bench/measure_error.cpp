@@ -9,8 +9,9 @@
 namespace treeline {
 namespace {
 
-/// Of the size of an entry's terms: below, the truth is zero. Interpreters of 50 digits leave 1e-45
-/// where a sum should vanish, sines of the least doubles that are drawn 1e-24.
+/// An entry below this share of the size of its terms counts as zero. The interpreter in 50 digits
+/// leaves 1e-45 where a sum should vanish, and sines of the smallest doubles that are drawn leave
+/// 1e-24.
 constexpr double kZero = 1e-30;
 
 double share(double error, double whole) {

@@ -7,21 +7,22 @@
 
 namespace treeline {
 
-/// How far one answer is from the truth, as shares: 1e-16 is about the last digit of a double.
+/// Relative errors of one call: 1e-16 is about the last digit of a double.
 struct AnswerError {
-  /// The largest error of any entry of a result over its largest entry; of the worst result.
+  /// Norm-wise error: the largest error of an entry of a result relative to the result's largest
+  /// entry. The worst result counts.
   double norm = 0;
-  /// The largest share that any entry errs by.
+  /// Component-wise error: the largest relative error of any entry.
   double component = 0;
 };
 
-/// `ends` says where each result ends among the entries. An entry whose truth is zero, or nothing
-/// but what 50 digits leave of zero, is measured by the size of its terms. Infinite where an entry
-/// is not finite.
+/// Compares a result with its reference. `ends` has the end of each result among the entries. If
+/// the reference of an entry is zero, up to what 50 digits leave of zero, its error is relative to
+/// the size of its terms. The errors are infinite if an entry is not finite.
 AnswerError measure_error(const std::vector<double>& actual, const FunctionReference& reference,
                           const std::vector<std::size_t>& ends);
 
-/// Of the errors at many states.
+/// Summary of errors at many states.
 struct ErrorSummary {
   double median = 0, percent_99 = 0, worst = 0;
 };

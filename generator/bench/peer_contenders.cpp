@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t kMostInputs = 4;
 using PeerInputs = std::array<const double*, kMostInputs>;
 
-/// In the order of the generated contract, without external forces; the others are null.
+/// Pointers to the inputs in the order of the generated contract, without external forces. Those
+/// that the function does not have are null.
 PeerInputs inputs_of(Function function, const State& state) {
   PeerInputs inputs{};
   std::size_t filled = 0;
@@ -23,7 +24,7 @@ PeerInputs inputs_of(Function function, const State& state) {
   return inputs;
 }
 
-/// What the scene asks of a function that no peer is given; empty where there is nothing.
+/// Says which requests of the scene for this function no peer can fulfil; empty if there are none.
 std::string beyond_peers(const Scene& scene, const GeneratedFunction& function) {
   if (takes_external_forces(function.function) && !scene.external_forces.empty()) {
     return "external forces";
@@ -40,7 +41,7 @@ std::size_t size_of(const GeneratedFunction& function) {
   return size;
 }
 
-/// A routine with what it is timed with.
+/// A routine with its arguments for timing.
 struct Prepared {
   PeerRoutine routine;
   Function function{};
@@ -54,7 +55,7 @@ struct Prepared {
     }
   }
   [[nodiscard]] std::vector<double> call(const State& state) const {
-    // Entries that are zero for every robot need not be written.
+    // A routine need not write entries that are zero for every robot.
     std::vector<double> entries(output.size(), 0);
     const PeerInputs inputs = inputs_of(function, state);
     routine.call(routine.solver.get(), inputs.data(), entries.data());

@@ -9,14 +9,15 @@
 
 namespace treeline {
 
-/// What a peer does of a scene's functions, and what is to be said about the rest.
+/// Contenders for those of a scene's functions that a peer has, and remarks about the others.
 struct PeerContenders {
   BenchPeer peer;
   std::vector<Contender> contenders;
 };
 
-/// Opens the robot and takes each of the peer's routes to each of the functions; errors of theirs
-/// are to be found out. `urdf` is a file with what `print_plain_urdf` says.
+/// Opens the robot in the peer's library and makes a contender of each of its routes to each of the
+/// functions. Whether its results are right must be checked separately. `urdf` is a file with the
+/// text from `print_plain_urdf`.
 PeerContenders peer_contenders(const LoadedPeer& peer, const PeerDescription& description,
                                const std::filesystem::path& urdf, const Scene& scene,
                                const std::vector<GeneratedFunction>& functions,

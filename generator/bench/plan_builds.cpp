@@ -29,7 +29,7 @@ const char* accuracy_name(Accuracy accuracy) {
   return kNames[static_cast<std::size_t>(accuracy)];
 }
 
-/// How one build differs from the scene's code.
+/// Difference of a build from the scene's code.
 struct Difference {
   VariantGroup group{};
   std::string name;
@@ -108,7 +108,7 @@ class Planner {
     }
   }
 
-  /// The second routes of all functions in one build, the third ones in another.
+  /// Adds a build with the second routes of all functions, one with the third routes, and so on.
   void add_routes() {
     std::size_t most = 0;
     for (const Functions& each : routes_) most = std::max(most, each.size());
@@ -169,7 +169,7 @@ class Planner {
     builds_.push_back(std::move(build));
   }
 
-  /// Whether the function takes sines where the scene's code computes them.
+  /// Whether the function takes sines as inputs although the scene's code computes them.
   [[nodiscard]] bool spares_sines(const Program& program) const {
     return scene_.sin_cos == Sines::computed &&
            std::any_of(program.arguments.begin(), program.arguments.end(),
@@ -202,7 +202,7 @@ class Planner {
     return {};
   }
 
-  /// Whether an earlier variant is the same code, compiled in the same way; that one is told.
+  /// Whether an earlier variant has the same code and flags. If so, it is noted there.
   bool is_repeat(const Variant& variant, const VariantBuild& build) {
     const std::string name = function_name(variant.function);
     const std::string source = text_of(build, name + ".cpp");
@@ -223,7 +223,7 @@ class Planner {
   Scene scene_;
   std::string flags_;
   Diagnostics& diagnostics_;
-  std::vector<Functions> routes_;  ///< of each function, as emitted first
+  std::vector<Functions> routes_;  ///< by function, the emitted route first
   Functions emitted_;
   std::vector<VariantBuild> builds_;
   std::map<Key, std::pair<std::size_t, std::size_t>> first_;  ///< build and variant

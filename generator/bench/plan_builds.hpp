@@ -9,21 +9,21 @@
 
 namespace treeline {
 
-/// Everything that generated code of a robot in a scene can differ in, one thing at a time: first
-/// the code that the scene asks for, then other lanes and the other Real, each other route, full
-/// inertias, other accuracies, sines given or of the C library, no contraction. `flags` are the
-/// compiler's; those that contract nothing get -ffp-contract=off behind them. A variant whose
-/// source is that of an earlier one is not there, but named in `Variant::repeats`.
+/// Plans builds of all variants of generated code for a robot in a scene, each with one difference:
+/// first the code that the scene asks for, then other lanes and the other Real, each other route,
+/// full inertias, other accuracies, sines given or from the C library, no contraction. `flags` are
+/// those of the compiler; -ffp-contract=off is appended for builds without contraction. A variant
+/// whose source equals that of an earlier one is left out and named in `Variant::repeats`.
 std::optional<std::vector<VariantBuild>> plan_builds(const Robot& robot, const Scene& scene,
                                                      const std::string& flags,
                                                      Diagnostics& diagnostics);
 
-/// The first of these builds alone.
+/// Plans only the first of these builds, the code that the scene asks for.
 std::optional<VariantBuild> plan_emitted(const Robot& robot, const Scene& scene,
                                          const std::string& flags, Diagnostics& diagnostics);
 
-/// The function in the same mechanism by each of its routes, in the coordinates that cost least
-/// there; the cheapest first, which is the one that is emitted.
+/// Generates the function by each of its routes from the same mechanism, in the coordinates that
+/// are cheapest for the route. The cheapest route comes first; it is the one that is emitted.
 std::vector<GeneratedFunction> generate_routes(const Mechanism& mechanism, Function function,
                                                int lanes, Sines sin_cos);
 

@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinity.
+/// Returns the number, or null for infinity and NaN, which JSON does not have.
 Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json("inf");
 }
@@ -40,7 +40,7 @@ Json describe(const BenchReport& report, const BenchFunction& function, const Be
           {"on_front", row.on_front}};
 }
 
-/// A peer that was not timed, because it computes something else.
+/// Describes a peer that was not timed because it computes something else.
 Json describe_disagreement(const BenchReport& report, const BenchFunction& function,
                            const BenchRow& row) {
   return {{"scene", report.name},

@@ -66,7 +66,8 @@ std::string print_function(const BenchFunction& function) {
          print_disagreeing(function) + "\n";
 }
 
-/// `beside KDL 1.5.1, which has no lambda; has no floating base`, a line each, and those absent.
+/// Prints `beside KDL 1.5.1, which has no lambda; has no floating base`, one line per peer, and the
+/// absent peers.
 std::string print_peers(const BenchReport& report) {
   std::string text;
   for (const BenchPeer& peer : report.peers) {

@@ -8,40 +8,40 @@
 
 namespace treeline {
 
-/// What a variant differs in from the code that the scene asks for.
+/// Difference of a variant from the code that the scene asks for.
 enum class VariantGroup {
-  emitted,      ///< in nothing
-  lanes,        ///< numbers computed together
-  real,         ///< float for double, or the other way round, in any lanes
+  emitted,      ///< none
+  lanes,        ///< number of lanes
+  real,         ///< float instead of double, or the reverse, with any number of lanes
   route,        ///< algorithm
-  inertia,      ///< full inertias in place of regrouped ones
+  inertia,      ///< full inertias instead of regrouped ones
   accuracy,     ///< `Scene::accuracy`
   contraction,  ///< products and sums are not fused
-  sines,        ///< sines and cosines given, or the C library's
-  solve,        ///< Lambda by a factorisation of Eigen out of the emitted Lambda^-1
-  interpreter,  ///< generic, in float or double
+  sines,        ///< sines and cosines are inputs, or come from the C library
+  solve,        ///< Lambda by Eigen's factorization of the emitted Lambda^-1
+  interpreter,  ///< generic interpreter, in float or double
   peer,         ///< another library, in double
 };
 const char* group_name(VariantGroup group);
 
-/// One way to a function's numbers.
+/// One way to compute a function.
 struct Variant {
   Function function{};
   VariantGroup group{};
   std::string name;  ///< "double, 8 lanes", "route: articulated bodies, Chang table 4.2"
   Real real = Real::float64;
-  std::string method = {};  ///< of generated code: the route's full name; of a peer: its own
-  std::string flags = {};   ///< of generated code: for the compiler
+  std::string method = {};  ///< generated code: full name of the route; peers: their own name
+  std::string flags = {};   ///< generated code: compiler flags
   int flops = 0;            ///< of generated code
-  bool whole = true;  ///< false: what the caller must do first, take sines, is not in its time
-  std::vector<std::string> repeats = {};  ///< variants whose code is the same to the byte
+  bool whole = true;        ///< false: its time leaves out work of the caller, taking sines
+  std::vector<std::string> repeats = {};  ///< variants with the same code, byte by byte
 };
 
-/// Variants that are compiled together: one a function, in one folder.
+/// Variants that are compiled together in one folder, one per function.
 struct VariantBuild {
-  Scene scene;  ///< that the folder is emitted for
+  Scene scene;  ///< scene for which the folder is emitted
   std::vector<Variant> variants;
-  std::vector<GeneratedFunction> functions;  ///< of each variant
+  std::vector<GeneratedFunction> functions;  ///< by variant
   std::vector<GeneratedFile> files;
   std::string flags;
 };

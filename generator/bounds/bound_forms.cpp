@@ -11,8 +11,7 @@ namespace {
 
 constexpr int kDeepest = 100;
 constexpr std::size_t kMostTerms = 60, kMostRootTerms = 6;
-constexpr double kFactorSlack = 0x1p-40;  // slack of factors, relative to the terms they were
-                                          // summed from
+constexpr double kFactorSlack = 0x1p-40;  // relative to the terms of a factor's sum
 constexpr double kNothing = kFactorSlack / 16;
 
 }  // namespace

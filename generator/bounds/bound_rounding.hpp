@@ -23,8 +23,7 @@ struct RoundingBound {
   };
   Kind kind = Kind::none;
   std::string missing = "it was not computed";
-  std::vector<double> size, error;               ///< proven: for all entries of all results, in
-                                                 ///< order
+  std::vector<double> size, error;               ///< proven: of all entries of all results
   std::vector<bounds::FoundError> worst;         ///< searched: for each result
   std::vector<bounds::TypicalErrors> at_states;  ///< typical: for each result
 

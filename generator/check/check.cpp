@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// GCC's SLP vectorizer makes fused vector operations (vfmsubadd) even where contraction is off.
+/// GCC's SLP vectorizer makes fused vector operations (vfmsubadd) even if contraction is off.
 constexpr const char* kExactFlags = " -ffp-contract=off -fno-tree-slp-vectorize";
 
-/// A folder's code, compiled as asked and, where that may contract products and sums, once more
-/// without.
+/// The code of a folder, compiled with the given flags, and once more without contraction if those
+/// flags may contract products and sums.
 struct Libraries {
   Compilation compilation;
   std::string exact_command;
@@ -28,8 +28,8 @@ struct Libraries {
   [[nodiscard]] const GeneratedLibrary& exact() const { return separate ? *separate : *accurate; }
 };
 
-/// Whether these flags may fuse products and sums: unless the last word on contraction is that
-/// there be none, and the machine is the plain one.
+/// Whether these flags may fuse products and sums. They cannot only if the last flag about
+/// contraction turns it off and no flag selects a special machine.
 bool contracts(const std::string& flags) {
   bool contracted = true;
   bool special_machine = false;
@@ -87,7 +87,7 @@ std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& s
   return libraries;
 }
 
-/// Whether the folder to check is one, with the robot's header in it.
+/// Whether the folder exists and contains the robot's header.
 bool has_header(const fs::path& folder, const Scene& scene, Diagnostics& diagnostics) {
   const fs::path header = folder / (scene.name + ".hpp");
   if (fs::exists(header)) return true;
@@ -135,7 +135,7 @@ CheckReport begin_report(const Scene& scene, const CheckOptions& options,
   return report;
 }
 
-/// The folder to compile: the one asked for, or one with what was generated now.
+/// Returns the folder to compile: the given one, or a new one with the code generated now.
 std::optional<fs::path> find_sources(const Scene& scene, const Generation& generation,
                                      const CheckOptions& options, const fs::path& work,
                                      Diagnostics& diagnostics) {

@@ -12,18 +12,19 @@ namespace treeline {
 struct CheckOptions {
   ReferenceOptions references;
   CompileOptions compile;
-  /// A folder to compile instead of what is generated now; empty: none.
+  /// Folder to compile instead of the code generated now. Empty: none.
   std::filesystem::path folder;
 };
 
-/// Compiles what was generated, or `options.folder`, runs it at many states, and compares it with
-/// the interpreter in 50 digits and with the expression graph. Nothing when the code cannot be
-/// compiled or loaded; `diagnostics` says why. A report that has not passed is no diagnostic.
+/// Compiles the generated code, or `options.folder`, runs it at many states, and compares it with
+/// the interpreter in 50 digits and with the expression graph. Returns nothing if the code cannot
+/// be compiled or loaded; `diagnostics` says why. A report that has not passed is no diagnostic.
 std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
                                  const Generation& generation, const CheckOptions& options,
                                  Diagnostics& diagnostics);
 
-/// The same with references that `make_references` has made already of the same robot and scene.
+/// Compiles and compares the code as `check` above does, but with references that `make_references`
+/// has already made for the same robot and scene.
 std::optional<CheckReport> check(const Scene& scene, const Generation& generation,
                                  const std::vector<StateReference>& references,
                                  const CheckOptions& options, Diagnostics& diagnostics);

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kNoSpace = "No space left on device";  // as every compiler passes it on
+constexpr const char* kNoSpace = "No space left on device";  // passed on by every compiler
 constexpr const char* kEntryStem = "treeline_check_entry";
 
 int core_count(int jobs) {
@@ -69,8 +69,8 @@ const std::string& flags_of(const GeneratedFunction& generated, const CompileOpt
   return has_long_flags(generated, options) ? options.long_flags : options.flags;
 }
 
-/// Outcomes in the order of the commands. The largest sources are begun with, lest one of them be
-/// left over for a single core.
+/// Runs the commands and returns their outcomes in the order of the commands. The largest sources
+/// start first, so that none is left at the end for a single core.
 std::vector<CommandOutcome> run_largest_first(const std::vector<Command>& commands,
                                               const std::vector<fs::path>& sources,
                                               const CompileOptions& options, const fs::path& work) {
@@ -92,9 +92,9 @@ std::vector<CommandOutcome> run_largest_first(const std::vector<Command>& comman
   return outcomes;
 }
 
-/// The objects of all functions and of the entry.
+/// Object files of all functions and of the entries.
 struct Objects {
-  std::vector<std::string> stems;  ///< functions in their order, then the entry
+  std::vector<std::string> stems;  ///< functions in their order, then the entries
   std::vector<CommandOutcome> outcomes;
 };
 
@@ -136,7 +136,8 @@ bool write_source(const fs::path& path, const std::string& text, Diagnostics& di
   return false;
 }
 
-/// What calls the functions; an entry to a composed function is the only source that it is in.
+/// Writes the sources of the entries, which call the functions. A composed function has no source
+/// other than its entry.
 bool write_entries(const std::string& name, const std::vector<GeneratedFunction>& functions,
                    const fs::path& work, Diagnostics& diagnostics) {
   bool written = write_source(work / (std::string(kEntryStem) + ".cpp"),
@@ -154,8 +155,8 @@ bool link_library(const Command& compiler, const Objects& objects, const fs::pat
                   const CompileOptions& options, Compilation& made, Diagnostics& diagnostics) {
   Command command = compiler;
   for (const std::string& flag : split_words(options.flags)) command.push_back(flag);
-  // What a header defines inline may be one for the whole process, and this is not the only
-  // library.
+  // A library must not export inline definitions from headers: they may be shared in the whole
+  // process, and this is not its only library.
   const fs::path exported = work / "exported.map";
   std::ofstream(exported) << "{ global: "
                           << "treeline_check_*; local: *; };\n";

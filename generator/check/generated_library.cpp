@@ -13,7 +13,7 @@
 namespace treeline {
 namespace {
 
-/// So many entries around an array are not its own.
+/// Number of guard entries on each side of an array.
 constexpr std::size_t kMargin = 16;
 
 /// An array between margins of NaN.
@@ -25,7 +25,7 @@ class Fenced {
 
   [[nodiscard]] T* data() { return all_.data() + kMargin; }
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Bytes, so that another NaN counts as well.
+  /// Whether the margins are unchanged. Compares bytes, so that a different NaN counts as a change.
   [[nodiscard]] bool fence_stands() const {
     const T untouched = std::numeric_limits<T>::quiet_NaN();
     for (std::size_t i = 0; i < all_.size(); ++i) {

@@ -11,36 +11,37 @@
 
 namespace treeline {
 
-/// What one call of a compiled function left behind.
+/// Result of one call of a compiled function.
 struct CallResult {
   std::vector<double> entries;  ///< of all outputs, one after the other
   bool wrote_out_of_bounds = false;
 };
 
-/// A compiled function behind pointers to its arguments and to its results, arrays of its Real.
+/// A compiled function that takes pointers to its arguments and to its results, arrays of its Real.
 using CompiledEntry = void (*)(const void* const* in, void* const* out);
 
-/// Generated code, compiled and loaded into this process.
+/// Generated code that is compiled and loaded into this process.
 class GeneratedLibrary {
  public:
-  /// Loads what `compile_folder` made. Errors: the loader's; Real of another size than `real`.
+  /// Loads the library that `compile_folder` has made. Errors: those of the loader; Real has
+  /// another size than `real`.
   static std::optional<GeneratedLibrary> load(const std::filesystem::path& path,
                                               const std::vector<GeneratedFunction>& functions,
                                               Real real, Diagnostics& diagnostics);
 
-  /// Calls function `i` at a state. Inputs and outputs lie between NaN, outputs are NaN before: an
-  /// entry that is not written, or one that is computed from beyond an input, is NaN.
+  /// Calls function `i` at a state. Inputs and outputs lie between NaN, and outputs are NaN before
+  /// the call. So an entry that is not written, or is computed from beyond an input, is NaN.
   [[nodiscard]] CallResult call(std::size_t i, const State& state) const;
 
-  /// Function `i` on arrays as it has them itself, [size][kStates] for a batch. Valid as long as
-  /// this.
+  /// Function `i` on arrays in its own layout, [size][kStates] for a batch. Valid as long as this
+  /// object lives.
   [[nodiscard]] CompiledEntry raw_entry(std::size_t i) const { return functions_[i].raw; }
 
  private:
   struct LoadedFunction {
     Program program;
-    CompiledEntry entry;  ///< on one state
-    CompiledEntry raw;    ///< the same for a plain function; of a batch on all states
+    CompiledEntry entry;  ///< takes one state
+    CompiledEntry raw;    ///< takes all states of a batch; the same as `entry` for a plain function
   };
   struct Closer {
     void operator()(void* handle) const;

@@ -10,7 +10,7 @@
 namespace treeline {
 namespace {
 
-/// Equal numbers with equal signs, or both not a number.
+/// Whether the numbers are equal including their signs, or both are NaN.
 bool same_bits(double a, double b) {
   if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
   return a == b && std::signbit(a) == std::signbit(b);

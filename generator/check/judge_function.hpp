@@ -8,16 +8,17 @@
 
 namespace treeline {
 
-/// Calls function `i` of the library at all states and holds its results to the references: its
-/// errors to the bound, from `accurate`; its bits to the graph's, from `exact`, which was compiled
-/// without contraction of products and sums (the same library where no flag asks for any). In
-/// states of `domain` no error may exceed `generated.rounding`.
+/// Calls function `i` of the libraries at all states and compares its results with the references.
+/// Errors of `accurate` are compared with the bound. Bits of `exact`, which was compiled without
+/// contraction of products and sums, are compared with those of the graph. (Both are the same
+/// library if no flag asks for contraction.) In states within `domain` no error may exceed
+/// `generated.rounding`.
 FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
                               const std::vector<StateReference>& references, Real real,
                               const Domain& domain, const GeneratedLibrary& accurate,
                               const GeneratedLibrary& exact);
 
-/// The value below which the given share of the values lies; the values' order is changed.
+/// Value below which the given share of the values lies. Changes the order of the values.
 double quantile(std::vector<double>& values, double share);
 
 }  // namespace treeline

@@ -15,19 +15,20 @@ namespace {
 using bounds::kStatesAtOnce;
 using bounds::States;
 
-/// Errors of second order are less than those of first by condition times unit.
+/// Second-order errors are smaller than first-order ones by the factor condition times unit. It
+/// must not exceed this.
 constexpr double kFirstOrder = 1e-4;
-/// A bound of first order costs a walk over the graph for each entry: of each result so many, those
-/// with the largest errors.
+/// Number of entries of each result that are compared with a first-order bound, those with the
+/// largest errors. Each costs a pass over the graph.
 constexpr std::size_t kEntries = 16;
 
-/// Error over bound, infinite where either is not a number.
+/// Error divided by bound; infinite if one of them is not a number.
 double share_of(double error, double bound) {
   const double share = error == 0 ? 0 : error / bound;
   return std::isnan(share) ? std::numeric_limits<double>::infinity() : share;
 }
 
-/// Of all entries.
+/// Errors of all entries of all results.
 std::vector<double> errors_of(const Program& program, const Call& call) {
   std::vector<std::vector<long double>> arguments;
   for (const auto* argument : arguments_of(program, *call.state)) {
@@ -64,13 +65,14 @@ void hold_to_proven(const GeneratedFunction& generated, const Domain& domain, do
   ++report.states;
 }
 
-/// At as many states as are propagated together; the last one fills the places that are left.
+/// Compares errors with first-order bounds, at as many states as are propagated together. The last
+/// state fills unused places.
 class FirstOrder {
  public:
   FirstOrder(const Program& program, double unit)
       : program_(program), places_(locate_inputs(program)), propagation_(program.graph, unit) {}
 
-  /// The largest share of its bound that an error is.
+  /// Largest ratio of an error to its bound.
   double share(std::span<const Call> calls, double unit) {
     evaluate(calls);
     std::vector<std::vector<double>> errors;
@@ -101,7 +103,8 @@ class FirstOrder {
     propagation_.evaluate(inputs);
   }
 
-  /// Entries of a result, counted over all results.
+  /// Indices of a result's entries with the largest errors, counted over all results. The result
+  /// has `count` entries, beginning with `first`.
   static std::vector<std::size_t> largest(const std::vector<std::vector<double>>& errors,
                                           std::size_t first, std::size_t count) {
     std::vector<double> most(count, 0);
@@ -136,7 +139,7 @@ void hold_to_first_order(const Program& program, double unit, const std::vector<
   report.states = static_cast<int>(sound.size());
 }
 
-/// The largest error that is stated of any result, in 99 of 100 states where it has no bound.
+/// Largest error that is stated for any result; for typical errors the one in 99 of 100 states.
 double stated_error(const RoundingBound& rounding) {
   double error = 0;
   for (const double each : rounding.error) error = std::max(error, each);

@@ -11,20 +11,21 @@
 
 namespace treeline {
 
-/// What a function left at a state.
+/// Inputs and outputs of one call of a function at a state.
 struct Call {
   const State* state = nullptr;
-  double condition = 1;  ///< of what it solves with there
-  /// Of each entry's terms. An error below a rounding of these says nothing of the code: a bound of
-  /// first order vanishes with what it is the bound of.
+  double condition = 1;  ///< condition number of the matrix that it solves with
+  /// Size of each entry's terms. An error below their rounding says nothing about the code, because
+  /// a first-order bound vanishes together with its value.
   std::span<const double> sizes;
   CallResult result;
 };
 
-/// Holds results to what is known of the rounding errors of `generated`, both against the graph in
-/// long double, whose own errors are of no account: a proven bound in states of `domain`; one of
-/// first order at every state, by propagation there, but where errors of second order could count.
-/// Nothing where no bound is known. `unit` is half an ulp of one.
+/// Compares results with the stated rounding errors of `generated`. Errors are differences from the
+/// graph in long double, whose own errors are negligible. A proven bound is compared in states of
+/// `domain`. A first-order bound is propagated to every state and compared there, except where
+/// second-order errors could matter. Returns nothing if no bound is known. `unit` is half an ulp of
+/// one.
 std::optional<RoundingReport> judge_rounding(const GeneratedFunction& generated,
                                              const Domain& domain, double unit,
                                              const std::vector<Call>& calls);

@@ -8,8 +8,8 @@
 namespace treeline {
 namespace {
 
-/// Arguments as `prefix`input<size>(in[i]) and `prefix`output<size>(out[i]) for the first so many
-/// results, each with `suffix`.
+/// Prints the arguments of a call: `prefix`input<size>(in[i]), and `prefix`output<size>(out[i]) for
+/// the first `outputs` results, each followed by `suffix`.
 std::string print_arguments(const Program& program, std::size_t outputs, const char* prefix,
                             const char* suffix) {
   std::string text;
@@ -27,7 +27,7 @@ std::string print_arguments(const Program& program, std::size_t outputs, const c
   return text;
 }
 
-/// The entry of a plain function, or of one that also returns a number: its last result.
+/// Prints the entry of a plain function. The last result may be a returned number.
 std::string print_plain(const std::string& name, const GeneratedFunction& generated) {
   const Program& program = generated.program;
   const std::size_t outputs = program.results.size() - (is_composed(generated) ? 1 : 0);
@@ -42,7 +42,7 @@ std::string print_plain(const std::string& name, const GeneratedFunction& genera
                         {"after", ""}});
 }
 
-/// An entry that takes one state, and one that takes all.
+/// Prints two entries of a batch function: one takes a single state, the other all states.
 std::string print_batch(const std::string& name, const GeneratedFunction& generated) {
   const Program& program = generated.program;
   const auto fill = [&](const std::string& entry, const char* prefix, const char* suffix,

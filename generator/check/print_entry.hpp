@@ -7,20 +7,20 @@
 
 namespace treeline {
 
-/// A source file that is compiled with a generated folder and gives each function the C symbol
-/// `entry_symbol`, which takes pointers to its inputs and to its outputs. It compiles only when the
-/// folder's header declares the functions with the programs' shapes.
-/// Functions that are composed of others, and have no source of their own, are left out.
+/// Prints a source file that is compiled with a generated folder. It gives each function the C
+/// symbol `entry_symbol`, a function that takes pointers to its inputs and outputs. The file
+/// compiles only if the folder's header declares the functions with the shapes of the programs.
+/// Composed functions, which have no source of their own, are left out.
 std::string print_entry(const std::string& name, const std::vector<GeneratedFunction>& functions);
 
-/// The same for one that is composed, from NAME_damped.hpp.
+/// Prints the source file with the entry of a composed function, from NAME_damped.hpp.
 std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated);
 
-/// The C symbol of a function.
+/// C symbol of a function's entry.
 std::string entry_symbol(const std::string& function);
 
-/// The C symbol that takes the function's own arrays: of a batch those of all states, where
-/// `entry_symbol` takes one state's and fills the others.
+/// C symbol of the entry that takes the function's own arrays. For a batch function these hold all
+/// states, whereas `entry_symbol` takes one state and fills in the others.
 std::string raw_entry_symbol(const GeneratedFunction& generated);
 
 }  // namespace treeline

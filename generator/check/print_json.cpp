@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinity; null says that there is no such number.
+/// Returns the number, or null for infinity and NaN, which JSON does not have.
 Json finite(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }

@@ -11,7 +11,7 @@
 namespace treeline {
 namespace {
 
-/// Three significant digits, in a form that is short at any size.
+/// Prints three significant digits, in a form that is short for any magnitude.
 std::string number(double x) {
   if (!std::isfinite(x)) return "inf";
   if (x == 0) return "0";
@@ -36,7 +36,7 @@ std::string print_bound(const Bound& bound) {
                      number(Bound::kInterpreterFactor * bound.interpreter), factor);
 }
 
-/// What is proven, or, with a tilde, found to first order.
+/// Prints the stated rounding error, with a tilde if it is of first order.
 std::string print_rounding(const std::optional<RoundingReport>& rounding) {
   if (!rounding) return "none";
   return rounding->kind == RoundingBound::Kind::proven ? fmt::format("{:.1e}", rounding->error)
@@ -108,7 +108,7 @@ std::string print_head(const CheckReport& report) {
   return text + "  errors against 50 digits, in ulp of the scale\n\n";
 }
 
-/// Where less than half of the digits are left, although within the bound.
+/// Warns if less than half of the digits remain although the error is within the bound.
 std::string print_warning(const CheckReport& report, const FunctionReport& f) {
   const double digits = digits_left(report, f.worst.error);
   if (!f.has_errors() || digits >= 0.5 * digits_left(report, 0)) return {};

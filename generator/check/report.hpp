@@ -13,39 +13,39 @@
 
 namespace treeline {
 
-/// What is known of a function's rounding errors, beside what was found.
+/// A function's stated rounding error and how much of it occurred.
 struct RoundingReport {
   RoundingBound::Kind kind = RoundingBound::Kind::none;
-  double error = 0;  ///< the largest of any result that is stated, SI units
-  double used = 0;   ///< the largest share of an entry's bound that an error was
-  int states = 0;    ///< for which it holds
+  double error = 0;  ///< largest error stated for any result, SI units
+  double used = 0;   ///< largest ratio of an error to its bound
+  int states = 0;    ///< number of states in which the bound holds
 };
 
-/// The verdict on one function and what it rests on.
+/// Verdict on one function and the figures behind it.
 struct FunctionReport {
   std::string name, method;
-  std::optional<OperationCount> count;  ///< absent for what is composed of other functions
+  std::optional<OperationCount> count;  ///< absent for functions composed of others
   std::optional<int> code_bytes, stack_bytes;
   double compile_seconds = 0;
   bool is_long = false;  ///< compiled with fewer passes, see CheckReport::long_command
 
-  int states = 0;                     ///< at which the function was called
-  int singular = 0;                   ///< of these, where no truth can be compared with
-  double median = 0, percent_99 = 0;  ///< error in ulp of the scale
+  int states = 0;                     ///< number of states at which the function was called
+  int singular = 0;                   ///< number of these states without a reference
+  double median = 0, percent_99 = 0;  ///< errors in ulp of the scale
   ErrorAt worst;                      ///< the largest error
-  ErrorAt nearest;                    ///< the error that is most of its bound
-  double interpreter_worst = 0;       ///< what the interpreter errs by in Real
+  ErrorAt nearest;                    ///< the error with the largest ratio to its bound
+  double interpreter_worst = 0;       ///< largest error of the interpreter in Real
   Bound bound;
-  std::optional<RoundingReport> rounding;  ///< nothing where no bound is known
-  int beyond_bound = 0;                    ///< states whose error exceeds the bound
+  std::optional<RoundingReport> rounding;  ///< absent if no bound is known
+  int beyond_bound = 0;                    ///< number of states whose error exceeds the bound
   int out_of_bounds = 0;                   ///< states at which it wrote beyond its outputs
-  bool bits_known = true;                  ///< whether it is known which bits must come out
-  int bits_differ = 0;                     ///< states whose result is not the graph's, to the bit
-  std::optional<int> first_bits_differ;    ///< state
+  bool bits_known = true;                  ///< whether the correct bits are known
+  int bits_differ = 0;                     ///< states whose result is not the graph's to the bit
+  std::optional<int> first_bits_differ;    ///< index of a state
 
   [[nodiscard]] bool has_errors() const { return states > singular; }
-  /// Singular at states of every class: the robot or its task gives the function no value, whose
-  /// bits are all there is to compare.
+  /// Whether the function is singular at states of every class. Then the robot or its task gives
+  /// the function no value, and only its bits can be compared.
   [[nodiscard]] bool has_no_value() const {
     return singular == states && states >= kStatesOfEveryClass && bits_known;
   }
@@ -55,31 +55,31 @@ struct FunctionReport {
   }
 };
 
-/// Everything `treeline check` has to say.
+/// Complete result of `treeline check`.
 struct CheckReport {
   std::string name, robot;
   bool single_precision = false;
   int states = 0, first_state = 0;
   std::uint64_t seed = 1;
   std::string compile_command, exact_command;
-  std::string long_command;  ///< for long functions, with fewer passes; empty: for none
+  std::string long_command;  ///< for long functions, with fewer passes; empty: there is none
   double compile_seconds = 0, reference_seconds = 0;
   long compile_peak_kib = 0;
-  std::string folder;                 ///< that was compiled; empty: what is generated now
-  std::vector<FileDifference> stale;  ///< how that folder differs from what is generated now
-  std::string domain;                 ///< of inputs, where what is known of rounding errors holds
+  std::string folder;                 ///< that was compiled; empty: code generated now
+  std::vector<FileDifference> stale;  ///< its differences from the code generated now
+  std::string domain;                 ///< domain of inputs in which the rounding bounds hold
   std::vector<FunctionReport> functions;
-  std::vector<State> named_states;  ///< each state that a function's report names, once
+  std::vector<State> named_states;  ///< states named in the reports of functions, each once
 
   [[nodiscard]] bool passed() const;
 };
 
-/// Decimal digits that an error of so many ulp leaves of the scale of the report's results: 0 to
-/// 16.3, in float to 7.5.
+/// Decimal digits that remain of the scale of the report's results if the error is `error_in_ulp`:
+/// 0 to 16.3, for float to 7.5.
 double digits_left(const CheckReport& report, double error_in_ulp);
 
-/// A table, then a line for each function that leaves less than half of the digits of Real, one for
-/// each thing that is wrong, then the verdict.
+/// Prints a table, a line for each function that keeps less than half of Real's digits, a line for
+/// each fault, and the verdict.
 std::string print_text(const CheckReport& report);
 std::string print_json(const CheckReport& report);
 

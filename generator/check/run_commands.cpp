@@ -26,13 +26,13 @@ namespace {
 std::vector<char*> pointers_to(const std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (const std::string& word : words) {
-    pointers.push_back(const_cast<char*>(word.c_str()));  // POSIX: not modified
+    pointers.push_back(const_cast<char*>(word.c_str()));  // POSIX: spawn does not modify it
   }
   pointers.push_back(nullptr);
   return pointers;
 }
 
-/// This process's environment, where temporary files go to `folder` and vanish with it.
+/// This process's environment, but with `folder` as the place of temporary files.
 std::vector<std::string> environment_in(const std::filesystem::path& folder) {
   std::vector<std::string> variables;
   for (char** variable = environ; *variable != nullptr; ++variable) {
@@ -42,8 +42,9 @@ std::vector<std::string> environment_in(const std::filesystem::path& folder) {
   return variables;
 }
 
-/// How a child starts: in a group of its own, so that it can be ended with all that it starts, with
-/// the signals that this program waits for open to it, without input, its output going to `log`.
+/// Attributes of a child process. It has a process group of its own, so that it can be ended
+/// together with everything it starts. Signals that this program waits for are not blocked in it.
+/// It has no input, and its output goes to `log`.
 class Start {
  public:
   explicit Start(const std::filesystem::path& log) {
@@ -66,7 +67,7 @@ class Start {
   Start(const Start&) = delete;
   Start& operator=(const Start&) = delete;
 
-  /// Returns 0 or an error number.
+  /// Starts the process. Returns 0 or an error number.
   int spawn(const Command& command, const std::filesystem::path& folder, pid_t& child) const {
     const std::vector<std::string> variables = environment_in(folder);
     const std::vector<char*> arguments = pointers_to(command);
@@ -79,7 +80,7 @@ class Start {
   posix_spawnattr_t attributes_{};
 };
 
-/// Starts the command; a signal from here on ends it.
+/// Starts the command. From now on a signal to this program ends it.
 bool spawn(const Command& command, const std::filesystem::path& log, pid_t& child) {
   const Start start(log);
   const Uninterrupted now;
@@ -88,7 +89,8 @@ bool spawn(const Command& command, const std::filesystem::path& log, pid_t& chil
   return true;
 }
 
-/// Waits for the end of a process. Its number is forgotten before the system may give it away.
+/// Waits for the end of a process. Its number is forgotten before the system may assign it to
+/// another.
 int wait_for(pid_t child, rusage& usage) {
   siginfo_t ended{};
   while (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPrefix = "treeline-check-";
 
-/// `treeline-check-PID-XXXXXX`, of this user and no link.
+/// Whether the path is a folder `treeline-check-PID-XXXXXX` that belongs to this user and is not a
+/// link.
 bool is_ours(const fs::path& path) {
   const std::string name = path.filename();
   const std::string_view prefix = kPrefix;
@@ -34,7 +35,7 @@ bool is_ours(const fs::path& path) {
   return lstat(path.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == geteuid();
 }
 
-/// Folders of runs that have ended without removing them: nobody holds their lock.
+/// Removes folders of runs that ended without doing so. Nobody holds the lock of such a folder.
 void remove_stale(const fs::path& parent) {
   std::error_code ignored;
   for (fs::directory_iterator entry(parent, ignored), end; !ignored && entry != end;
@@ -42,7 +43,7 @@ void remove_stale(const fs::path& parent) {
     if (!is_ours(entry->path())) continue;
     std::string error;
     const auto guard = FolderGuard::try_lock(entry->path(), error);
-    std::error_code not_removed;  // no loss: the next run tries again
+    std::error_code not_removed;  // not important: the next run tries again
     if (guard) fs::remove_all(entry->path(), not_removed);
   }
 }
@@ -61,7 +62,8 @@ TemporaryFolder::TemporaryFolder() {
   const fs::path parent = fs::temp_directory_path();
   remove_stale_once(parent);
   const Uninterrupted now;
-  // A run that starts now may take the folder for a stale one before its lock is held: then again.
+  // Another run that starts now may take the folder for a stale one before its lock is held. Then
+  // try again.
   for (int i = 0; i < 100 && !guard_; ++i) {
     std::string name = parent / (kPrefix + std::to_string(getpid()) + "-XXXXXX");
     if (mkdtemp(name.data()) == nullptr) {
@@ -77,7 +79,7 @@ TemporaryFolder::TemporaryFolder() {
 
 TemporaryFolder::~TemporaryFolder() {
   const Uninterrupted now;
-  std::error_code ignored;  // what cannot be removed is in the system's temporary files anyway
+  std::error_code ignored;  // what cannot be removed stays there
   fs::remove_all(path_, ignored);
   keep_on_signal(path_);
 }

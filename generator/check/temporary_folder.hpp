@@ -8,12 +8,12 @@
 
 namespace treeline {
 
-/// A new folder among the system's temporary files, gone with all it holds when this is, or when a
-/// signal ends the program (see `clean_up_on_signals`). What a run that was killed outright has
-/// left behind goes when the next one makes its first folder.
+/// A new folder among the system's temporary files. It is removed with its contents when this
+/// object is destroyed, or when a signal ends the program (see `clean_up_on_signals`). Folders left
+/// behind by a killed run are removed when the next run makes its first folder.
 class TemporaryFolder {
  public:
-  /// Throws std::filesystem::filesystem_error when none can be made.
+  /// Throws std::filesystem::filesystem_error if no folder can be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -23,10 +23,11 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
-  std::unique_ptr<FolderGuard> guard_;  ///< tells other runs that this one lives
+  std::unique_ptr<FolderGuard> guard_;  ///< tells other runs that this one is alive
 };
 
-/// Nothing, and an error, when none can be made: TMPDIR leads nowhere, the disk is full.
+/// Makes a temporary folder. Returns nothing and reports an error if that fails, for instance
+/// because TMPDIR does not exist or the disk is full.
 std::unique_ptr<TemporaryFolder> make_temporary_folder(Diagnostics& diagnostics);
 
 }  // namespace treeline

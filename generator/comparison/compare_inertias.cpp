@@ -22,7 +22,7 @@ double relative(double difference, double a, double b) {
   return larger > 0 ? difference / larger : 0;
 }
 
-/// Where one link has no mass the other's centre has nothing to differ from.
+/// Distance of the centres of mass, m. 0 if one link has no mass and so no centre.
 double distance_of_centres(const Inertial& a, const Inertial& b) {
   if (a.mass == 0 || b.mass == 0) return 0;
   const Eigen::Vector3d centre_a = Eigen::Map<const Eigen::Vector3d>(a.origin.xyz.data());

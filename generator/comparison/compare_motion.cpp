@@ -16,7 +16,7 @@ using Poses = std::vector<interpreter::PointPose<double>>;
 constexpr std::uint64_t kSeed = 1;
 constexpr int kStates = 64;
 
-/// The frames of these links.
+/// Points at the frames of these links.
 Points<double> frames(const interpreter::Model<double>& model,
                       const std::vector<std::string>& links) {
   Points<double> points;
@@ -28,8 +28,8 @@ Points<double> frames(const interpreter::Model<double>& model,
   return points;
 }
 
-/// The link of the first robot that stands nearest to its root and is in both; its place among the
-/// differences.
+/// Index among the differences of the link that is nearest to the first robot's root and exists in
+/// both robots.
 std::size_t find_reference(const interpreter::Model<double>& model,
                            const RobotDifference& difference) {
   const auto body_of = [&](const LinkDifference& link) { return body_named(model, link.first); };
@@ -51,19 +51,21 @@ void compare_poses(const Poses& first, const Poses& second, std::size_t referenc
     const Eigen::Matrix3d R_b = base_b.rotation.transpose() * second[i].rotation;
     LinkDifference& link = difference.links[i];
     link.position = std::max(link.position, (p_a - p_b).norm());
-    // |R_a - R_b| = 2 sqrt(2) sin(angle / 2), well conditioned for small angles.
+    // R_a - R_b| = 2 sqrt(2) sin(angle / 2), which is well conditioned for small angles.
     const double sine = std::min(1.0, (R_a - R_b).norm() / std::sqrt(8.0));
     link.rotation = std::max(link.rotation, 2 * std::asin(sine));
   }
 }
 
-/// Collects a vector with an entry for each shared velocity over all states.
+/// Collects the deviations of a vector over all states. The vector has an entry for each shared
+/// velocity.
 class DeviationOverStates {
  public:
   explicit DeviationOverStates(const std::vector<SharedVelocity>& velocities)
       : velocities_(velocities) {}
 
-  /// `scale`: sqrt(M_ii) of each shared velocity; 0 where it moves nothing.
+  /// Adds the vectors of both robots at one state. `scale` is sqrt(M_ii) of each shared velocity,
+  /// or 0 if it moves nothing.
   void add(const Vector<double>& a, const Vector<double>& b, const Vector<double>& scale) {
     double change = 0, size_a = 0, size_b = 0;
     for (Eigen::Index i = 0; i < a.size(); ++i) {
@@ -96,7 +98,7 @@ class DeviationOverStates {
   double largest_change_ = 0, largest_ = 0;
 };
 
-/// What the shared velocities have of a vector or matrix of either model.
+/// Selects the entries of the shared velocities from a vector or matrix of either model.
 class Selection {
  public:
   explicit Selection(const std::vector<SharedVelocity>& velocities) : velocities_(velocities) {}
@@ -137,7 +139,8 @@ class Selection {
   const std::vector<SharedVelocity>& velocities_;
 };
 
-/// Returns sqrt(M_ii), the larger one of both.
+/// Compares the mass matrices at one state. Returns sqrt(M_ii), the larger of both, for each shared
+/// velocity.
 Vector<double> compare_mass_matrices(const Matrix<double>& a, const Matrix<double>& b,
                                      const std::vector<SharedVelocity>& velocities,
                                      DynamicsDifference& difference) {

@@ -4,15 +4,16 @@
 
 namespace treeline {
 
-/// Masses, centres of mass and inertias of the links that both robots have.
+/// Compares masses, centres of mass and inertias of the links that both robots have.
 void compare_inertias(const Robot& first, const Robot& second, const RobotMatch& match,
                       RobotDifference& difference);
 
-/// Types, mimics and limits of the joints that both robots have.
+/// Compares types, mimics and limits of the joints that both robots have.
 void compare_joints(const Robot& first, const Robot& second, const RobotMatch& match,
                     RobotDifference& difference);
 
-/// Poses, mass matrix, gravity and inverse dynamics at random states; see `RobotDifference`.
+/// Compares poses, mass matrix, gravity and inverse dynamics at random states, see
+/// `RobotDifference`.
 void compare_motion(const Robot& first, const Robot& second, const RobotMatch& match,
                     RobotDifference& difference);
 

@@ -12,7 +12,7 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Partners of each item, -1 where it has none.
+/// Index of each item's partner in the other robot; -1 if it has none.
 struct Partners {
   std::vector<int> of_first, of_second;
 
@@ -31,7 +31,7 @@ struct Partners {
     of_first[index(a)] = b;
     of_second[index(b)] = a;
   }
-  /// Joins two that are both without a partner; whether it did.
+  /// Joins two items if neither has a partner. Returns whether it did.
   bool join_if_free(int a, int b) {
     if (of_first[index(a)] >= 0 || of_second[index(b)] >= 0) return false;
     join(a, b);
@@ -47,7 +47,7 @@ double distance(const Pose& a, const Pose& b) {
   return square;
 }
 
-/// The first robot's items that have a partner, and both robots' that have none.
+/// Lists the pairs in the order of the first robot, and the items of both robots without a partner.
 void list(const Partners& partners, std::vector<Match>& both, std::vector<int>& only_in_first,
           std::vector<int>& only_in_second) {
   for (std::size_t i = 0; i < partners.of_first.size(); ++i) {
@@ -90,7 +90,8 @@ class Matching {
     return -1;
   }
 
-  /// Children of joints that are in both, joints to links that are in both.
+  /// Joins the children of joints that are in both robots, and the joints between links that are in
+  /// both.
   bool join_ends() {
     bool joined = false;
     for (std::size_t j = 0; j < first_.joints.size(); ++j) {
@@ -109,8 +110,8 @@ class Matching {
     return joined;
   }
 
-  /// One pair of joints without partners, of one type, that leave a link that is in both: the pair
-  /// that starts nearest to each other.
+  /// Joins one pair of joints without partners, of the same type, that leave a link in both robots:
+  /// the pair whose origins are nearest to each other.
   bool join_nearest() {
     double nearest = std::numeric_limits<double>::infinity();
     Match best;

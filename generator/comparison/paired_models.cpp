@@ -42,7 +42,7 @@ void draw(const Body& body, double lower, double upper, Dice& dice, Vector<doubl
   for (int i = 0; i < count; ++i) q[body.q + i] = dice.within(lower, upper);
   if (!has_quaternion(body)) return;
   auto quaternion = q.segment<4>(body.q + 3);
-  quaternion[3] += 2;  // never near zero
+  quaternion[3] += 2;  // so that the norm is never near zero
   quaternion.normalize();
 }
 
@@ -57,7 +57,7 @@ int body_named(const Model<double>& model, const std::string& link) {
 PairedModels::PairedModels(const Robot& first, const Robot& second, const RobotMatch& match,
                            Base base)
     : first_(model_of(first, base)), second_(model_of(second, base)) {
-  // Of the base the root links are the bodies, in both models the first ones.
+  // The bodies of the base are the root links, the first bodies in both models.
   if (base == Base::floating) {
     pairs_.push_back({0, 0, -1, 1});
     add_velocities(pairs_.back(), "base");
@@ -89,7 +89,7 @@ void PairedModels::add_velocities(const Pair& pair, const std::string& joint) {
   }
 }
 
-/// The joint of the second robot where the first one's is; one that mimics follows its own.
+/// Puts the second robot's joint where the first robot's is. A mimic follows its own joint.
 void PairedModels::place_second(const Pair& pair, const Vector<double>& q,
                                 Vector<double>& q_second) const {
   const Body& to = second_.body(pair.second);

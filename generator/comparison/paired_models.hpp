@@ -12,17 +12,17 @@ namespace treeline {
 
 /// A velocity that both models have.
 struct SharedVelocity {
-  int first = 0, second = 0;  ///< entries of qd
-  std::string joint;          ///< of the first robot; "base" of one that floats
-  bool turns = false;         ///< N m, else N
+  int first = 0, second = 0;  ///< indices in qd of each model
+  std::string joint;          ///< of the first robot; "base" for a floating base
+  bool turns = false;         ///< rotation, with forces in N m; else translation, in N
 };
 
-/// States of two robots in which joints that both have stand alike and the others rest at 0.
+/// States of two robots in which shared joints agree and all others are at 0.
 struct PairedState {
   interpreter::Vector<double> first, second;
 };
 
-/// Two robots as the interpreter has them, and what of their motion is the same.
+/// Models of two robots in the interpreter, and the joints and velocities that they share.
 class PairedModels {
  public:
   PairedModels(const Robot& first, const Robot& second, const RobotMatch& match, Base base);
@@ -31,13 +31,15 @@ class PairedModels {
   [[nodiscard]] const interpreter::Model<double>& second() const { return second_; }
   [[nodiscard]] const std::vector<SharedVelocity>& velocities() const { return velocities_; }
 
-  /// Positions within the limits of the first robot, a turn or a metre where there are none.
+  /// Draws positions within the limits of the first robot, or within a turn or 1 m if there are
+  /// none.
   [[nodiscard]] PairedState draw_position(Dice& dice) const;
-  /// Velocities, accelerations or whatever else has nv entries, within -1 and 1.
+  /// Draws a vector of velocities, accelerations or anything else with nv entries, between -1 and
+  /// 1.
   [[nodiscard]] PairedState draw_velocity(Dice& dice) const;
 
  private:
-  /// Two bodies whose joints are the same.
+  /// Two bodies whose joints correspond.
   struct Pair {
     int first, second;
     double lower, upper;
@@ -51,7 +53,7 @@ class PairedModels {
   std::vector<SharedVelocity> velocities_;
 };
 
-/// Index of the body of that name.
+/// Index of the body with this name.
 int body_named(const interpreter::Model<double>& model, const std::string& link);
 
 }  // namespace treeline

@@ -14,7 +14,7 @@ std::string number(double value) {
   return fmt::format("{:.3g}", value);
 }
 
-/// Empty for what is within the tolerance.
+/// Prints the value, or nothing if it is within the tolerance.
 std::string beyond(double value, double tolerance) {
   return value > tolerance ? number(value) : "";
 }

@@ -8,9 +8,10 @@
 
 namespace treeline {
 
-/// What the rounding errors of `damped_control_torque` are at states drawn from the domain, for the
-/// contract: those of 50, 90 and 99 of 100. Measured against extended precision; no proof reaches
-/// through the sweeps of an eigen-solver. `functions` are those that it calls, among others.
+/// Describes the rounding errors of `damped_control_torque` for the contract: those of 50, 90 and
+/// 99 of 100 states drawn from the domain. They are measured against extended precision, because no
+/// bound can be proven for the sweeps of an eigenvalue solver. `functions` must include those that
+/// it calls.
 std::string describe_damped_rounding(const std::vector<GeneratedFunction>& functions,
                                      const Scene& scene, const Domain& domain);
 

@@ -5,12 +5,13 @@
 
 namespace treeline {
 
-/// Operations of `function` by its cheapest route as traced.
+/// Number of operations of `function` by its cheapest route as traced.
 int count_cheapest(const Mechanism& mechanism, Function function);
 
-/// Decides for each link in which axes recursions work with it and how they get its angular
-/// acceleration, `turns_late` and `carries_column`: by coordinate descent on the operations of
-/// `decider` as traced. Alike limbs decide together, so that they can share lanes.
+/// Decides for each link in which axes recursions treat it and how they compute its angular
+/// acceleration (`turns_late` and `carries_column`), by coordinate descent on the number of
+/// operations of `decider` as traced. Isomorphic limbs decide together, so that they can share
+/// lanes.
 void choose_axes(Mechanism& mechanism, Function decider);
 
 }  // namespace treeline

@@ -6,9 +6,10 @@
 
 namespace treeline {
 
-/// `damped_control_torque` as it can be called: arguments and results of NAME_damped.hpp, the least
-/// ease, which it returns, as the last result. Its program has no graph: it is composed of
-/// `functions`, which `kDampedFunctions` are among, and of loops.
+/// Makes `damped_control_torque` callable like other functions. It has the arguments and results of
+/// NAME_damped.hpp; its return value, the smallest eigenvalue of the scaled Lambda^-1, is the last
+/// result. Its program has no graph: it is composed of loops and of `functions`, which must include
+/// `kDampedFunctions`.
 GeneratedFunction compose_damped(const std::vector<GeneratedFunction>& functions);
 
 }  // namespace treeline

@@ -7,9 +7,8 @@
 
 namespace treeline {
 
-/// Operations that the results need, by the link that they were traced for (`section` in
-/// recursion/tree.hpp); what was traced for none comes last, so that there is one number more than
-/// links.
+/// Counts the operations that the results need by the link for which they were traced (`section` in
+/// recursion/tree.hpp). Operations for no link come last, so there is one more number than links.
 std::vector<int> count_by_link(const Program& program, std::size_t links);
 
 }  // namespace treeline

@@ -7,7 +7,8 @@
 
 namespace treeline {
 
-/// What the contract of the emitted code says about robot and scene, but for choices and skips.
+/// Returns what the contract of the emitted code says about robot and scene, except choices and
+/// functions left out.
 EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mechanism& mechanism);
 
 }  // namespace treeline

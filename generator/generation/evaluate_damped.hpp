@@ -6,7 +6,7 @@
 
 namespace treeline {
 
-/// What `damped_control_torque` is composed from at one state, matrices row by row.
+/// Inputs from which `damped_control_torque` is composed at one state; matrices are row-major.
 template <class Scalar>
 struct DampedInputsIn {
   std::vector<Scalar> Lambda_inverse, J, bias;
@@ -15,9 +15,10 @@ struct DampedInputsIn {
 };
 using DampedInputs = DampedInputsIn<double>;
 
-/// Torques, then the least ease, operation by operation as the emitted header has them in `Scalar`,
-/// by the headers of runtime/core that it is made from. Empty for more than 36 rows. For float,
-/// double and, as a truth for these, long double.
+/// Evaluates the torques, followed by the smallest eigenvalue of the scaled Lambda^-1, with the
+/// same operations in `Scalar` as the emitted header, using the headers of runtime/core from which
+/// it is made. Empty for more than 36 rows. For float, double and, as a reference for these, long
+/// double.
 template <class Scalar>
 std::vector<Scalar> evaluate_damped_in(DampedInputsIn<Scalar> inputs);
 
@@ -25,7 +26,7 @@ extern template std::vector<float> evaluate_damped_in(DampedInputsIn<float>);
 extern template std::vector<double> evaluate_damped_in(DampedInputsIn<double>);
 extern template std::vector<long double> evaluate_damped_in(DampedInputsIn<long double>);
 
-/// The same in `real`, each input rounded to it.
+/// Evaluates the torques and the smallest eigenvalue in `real`, with each input rounded to it.
 std::vector<double> evaluate_damped(Real real, const DampedInputs& inputs);
 
 }  // namespace treeline

@@ -10,22 +10,22 @@
 
 namespace treeline {
 
-/// A robot in a scene, reduced for each function apart: link frames are seated around the points
-/// that the function is about, so that nothing else in the scene can change its code; axes are
-/// chosen for each function, see `choose_axes`.
+/// A robot in a scene, reduced separately for each function. Link frames are placed around the
+/// points that the function depends on, so that nothing else in the scene can change its code. Axes
+/// are chosen for each function, see `choose_axes`.
 class FunctionMechanisms {
  public:
-  /// Both must outlive this.
+  /// `robot` and `scene` must outlive this object.
   FunctionMechanisms(const Robot& robot, const Scene& scene,
                      Inertias inertias = Inertias::regrouped);
 
   const Mechanism& of(Function function);
-  /// With everything that is in the scene, no axes chosen.
+  /// The mechanism with everything in the scene and without chosen axes.
   const Mechanism& whole();
 
  private:
   const Mechanism& reduced(unsigned needs);
-  /// The same with axes chosen by `decider`.
+  /// The reduced mechanism with axes chosen by the frame cost function `decider`.
   const Mechanism& decided(unsigned needs, Function decider);
 
   const Robot& robot_;
@@ -34,7 +34,7 @@ class FunctionMechanisms {
   unsigned in_scene_ = 0;
   std::map<unsigned, Mechanism> by_needs_;
   std::map<std::pair<unsigned, Function>, Mechanism> by_decider_;
-  std::map<std::pair<unsigned, Function>, const Mechanism*> cheapest_;  // of several deciders
+  std::map<std::pair<unsigned, Function>, const Mechanism*> cheapest_;  // of several frame costs
 };
 
 }  // namespace treeline

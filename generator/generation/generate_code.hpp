@@ -18,79 +18,83 @@
 
 namespace treeline {
 
-/// Where the inputs came from, for contract and digests. Names without directories; no scene:
-/// empty.
+/// Origin of the inputs, for contract and digests. Names have no directories; without a scene its
+/// name is empty.
 struct Provenance {
   std::string urdf_name, urdf_text;
   std::string scene_name, scene_text;
-  std::string options = {};  ///< of the command line that overrule the scene: " --real float"
+  std::string options = {};  ///< command-line options that override the scene: " --real float"
 };
 
-/// One emitted function: the route that was chosen, what the others cost, what the passes did.
+/// One emitted function: the chosen route, the cost of the others, and the effect of the passes.
 struct GeneratedFunction {
   Function function{};
   Program program;  ///< in the order of emission
   Cost chosen;
   std::vector<Cost> rejected;
   std::vector<PassReport> passes;
-  int other_lanes = 0;     ///< lanes of the route, where they are chosen to be not the scene's
-  int batch = 0;           ///< states a call; 0: the plain function of one state
-  RoundingBound rounding;  ///< on `Generation::domain`
+  int other_lanes = 0;     ///< number of lanes if it is chosen to differ from the scene's
+  int batch = 0;           ///< states per call; 0: a plain function of one state
+  RoundingBound rounding;  ///< within `Generation::domain`
 };
 
-/// A candidate of `run_routes` as what would be emitted, but for its order.
+/// Converts a candidate of `run_routes` to an emitted function, except for the order of its
+/// operations.
 GeneratedFunction generated_from(Function function, Program candidate);
 
-/// What the function's source file is called, without `.cpp`; of a batch where `batch` is not 0.
+/// Name of the function's source file without `.cpp`; of the batch function if `batch` is not 0.
 std::string source_stem(Function function, int batch);
 std::string source_stem(const GeneratedFunction& generated);
 
-/// Whether the function is `damped_control_torque`: a header without a source, calling others.
+/// Whether the function is `damped_control_torque`, a header without a source file that calls other
+/// functions.
 bool is_composed(const GeneratedFunction& generated);
 
-/// Everything `treeline generate` makes, in memory.
+/// Everything that `treeline generate` makes, in memory.
 struct Generation {
-  Domain domain;        ///< on which bounds of rounding errors hold
+  Domain domain;        ///< domain of the rounding bounds
   Mechanism mechanism;  ///< with everything in the scene; see `FunctionMechanisms`
   std::vector<GeneratedFunction> functions;
   std::vector<GeneratedFunction>
-      batch;  ///< the same for `Scene::batch` states, if it asks for them
-  std::optional<GeneratedFunction> damped;  ///< see `compose_damped`; if the scene asks for it
+      batch;  ///< functions for `Scene::batch` states, if the scene asks for them
+  std::optional<GeneratedFunction> damped;  ///< see `compose_damped`; only if the scene asks for it
   std::vector<GeneratedFile> files;
 };
 
-/// Is told which function is being generated: `lambda (10 of 11)`.
+/// Receives the function that is being generated: `lambda (10 of 11)`.
 using TellFunction = std::function<void(const std::string& function)>;
 
-/// Robot and scene to files: reduce the mechanism, trace every route of every function asked for,
-/// choose, run the passes, emit. `choices` overrule the choice by cost. Nothing is returned when
-/// `diagnostics` got an error.
+/// Generates all files for a robot in a scene: reduces the mechanism, traces every route of every
+/// requested function, chooses, runs the passes, and emits. `choices` override the choice by cost.
+/// Returns nothing if `diagnostics` received an error.
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics,
                                         const Choices& choices = {}, const TellFunction& tell = {});
 
-/// The files of one function alone, to compile and try it; of a batch with the program as a plain
-/// function beside it. They say nothing of where they came from.
+/// Emits the files of a single function, for compiling and trying it. A batch function comes with
+/// the program as a plain function. The files do not mention their origin.
 std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
                                        const Mechanism& mechanism,
                                        const GeneratedFunction& function, Diagnostics& diagnostics);
 
-/// The ranges of inputs, in words, in which what is known of rounding errors holds; empty where
-/// nothing is.
+/// Describes the ranges of inputs within which the rounding bounds hold; empty if there are no
+/// bounds.
 std::string describe_domain(const Generation& generation);
 
-/// The plain functions, then those for batches in the same order.
+/// Lists the plain functions, then the batch functions in the same order.
 std::vector<GeneratedFunction> all_functions(const Generation& generation);
 
-/// These and what is composed of them: all that can be called.
+/// Lists all functions that can be called: plain, batch, and composed ones.
 std::vector<GeneratedFunction> all_callable(const Generation& generation);
 
-/// The route to one function that is cheapest after the passes. `lanes`, `sin_cos`: see `Scene`.
+/// Generates one function by the route that is cheapest after the passes. For `lanes` and `sin_cos`
+/// see `Scene`.
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
                                     Sines sin_cos = Sines::computed);
 
-/// The route of that key, or of those words, as a candidate of `run_routes` at so many lanes;
-/// nothing when there is none.
+/// Generates one function by the route of that key (or of those words, which earlier manifests
+/// keep) with `lanes` lanes, like a candidate of `run_routes`. Returns nothing if there is no such
+/// route.
 std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Function function,
                                                  const std::string& route, int lanes,
                                                  Sines sin_cos = Sines::computed);

@@ -8,16 +8,16 @@
 
 namespace treeline {
 
-/// A function that a scene could have: what its code takes, and whether the scene has it.
+/// A function that a scene could have: the size of its code, and whether the scene has it.
 struct FunctionSize {
   Function function{};
   bool emitted = false;
   int flops = 0;
-  std::size_t bytes = 0;  ///< of its source file
+  std::size_t bytes = 0;  ///< size of its source file
 };
 
-/// What is emitted for a scene beside what there could be: every function that its robot, points,
-/// objects and contacts permit.
+/// What is emitted for a scene, compared with every function that its robot, points, objects and
+/// contacts permit.
 struct Savings {
   std::string scene;
   std::vector<FunctionSize> functions;
@@ -30,16 +30,16 @@ struct Savings {
   [[nodiscard]] Sum possible() const;
 };
 
-/// The functions that the scene could have asked for, sorted.
+/// Lists the functions that the scene could ask for, sorted.
 std::vector<Function> possible_functions(const Scene& scene);
 
-/// Generates each of them. A function that cannot be generated, for want of mass or of freedoms, is
-/// left out.
+/// Generates each of these functions. Functions that cannot be generated, for lack of mass or of
+/// freedoms, are left out.
 Savings measure_savings(const Robot& robot, const Scene& scene);
 
-/// A line for each function.
+/// Prints a line for each function.
 std::string print_functions(const Savings& savings);
-/// `scene  functions  flops  bytes`, emitted of possible, a line for each scene.
+/// Prints `scene  functions  flops  bytes`, emitted of possible, in a line for each scene.
 std::string print_table(const std::vector<Savings>& scenes);
 
 }  // namespace treeline

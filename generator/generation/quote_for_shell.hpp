@@ -5,9 +5,9 @@
 
 namespace treeline {
 
-/// A path as one word of a command line that sh and its kin read: as it is where nothing in it is
-/// special, else in quotes; with characters that nobody sees as $'\015', which bash and zsh read. A
-/// leading dash, which would be an option, gets `./` before it.
+/// Quotes a path as one word of a command line for sh and similar shells. A path without special
+/// characters stays as it is. Invisible characters become $'\015', which bash and zsh understand. A
+/// leading dash, which would start an option, gets `./` before it.
 std::string quote_for_shell(std::string_view path);
 
 }  // namespace treeline

@@ -11,27 +11,27 @@
 
 namespace treeline {
 
-/// How the routes to a function are to be worked out.
+/// Options for working out the routes to a function.
 struct RouteOptions {
   int lanes = 1;                    ///< see `Scene::lanes`
   Sines sin_cos = Sines::computed;  ///< see `Scene::sin_cos`
-  /// A route that costs so many times the cheapest as traced is hopeless: the passes take away a
-  /// few per cent, lanes up to a quarter.
+  /// Routes that cost more than the cheapest one by this factor, as traced, are pruned. Passes save
+  /// only a few per cent, and lanes up to a quarter.
   double hopeless = 1.3;
 };
 
-/// For `RouteOptions::hopeless`: no route is.
+/// Value of `RouteOptions::hopeless` with which no route is pruned.
 inline constexpr double kAllRoutes = 1e9;
 
-/// The routes to a function, those that may win with their operations reduced, not yet in order.
+/// The routes to a function. The operations of those that may win are reduced but not yet ordered.
 struct Routes {
   std::vector<Program> candidates;
-  std::vector<Cost> hopeless;                           ///< the others as traced, cheapest first
+  std::vector<Cost> hopeless;                           ///< pruned routes as traced, cheapest first
   std::map<std::string, std::vector<PassReport>> logs;  ///< of each candidate, by its key
 };
 
-/// Traces every route and reduces operations; those of the best ones again with alike limbs in
-/// lanes, where the mechanism has any.
+/// Traces every route and reduces the operations of those that may win. The best ones are also
+/// tried with isomorphic limbs in lanes, if the mechanism has such limbs.
 Routes run_routes(const Mechanism& mechanism, Function function, const RouteOptions& options);
 
 }  // namespace treeline

@@ -8,7 +8,7 @@ namespace treeline {
 namespace {
 
 constexpr std::size_t kGap = 2;
-constexpr std::size_t kNarrowest = 8;  ///< that a column is made
+constexpr std::size_t kNarrowest = 8;  ///< least width of a column
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -17,7 +17,7 @@ std::string padded(const std::string& cell, const Column& column, std::size_t wi
   return column.right ? space + cell : cell + space;
 }
 
-/// Of each column; 0 where all cells are empty.
+/// Finds the width of each column; 0 if all its cells are empty.
 std::vector<std::size_t> find_widths(const std::vector<Column>& columns, const Rows& rows) {
   std::vector<std::size_t> widths(columns.size(), 0);
   for (const auto& row : rows) {
@@ -37,7 +37,8 @@ std::size_t total_of(const std::vector<std::size_t>& widths) {
   return total;
 }
 
-/// Takes columns from the widest cells until all fit, or nothing more can be taken.
+/// Narrows the columns with the widest cells until the lines fit or no column can be narrowed
+/// further.
 void narrow(const std::vector<Column>& columns, std::size_t most,
             std::vector<std::size_t>& widths) {
   while (total_of(widths) > most) {
@@ -51,7 +52,7 @@ void narrow(const std::vector<Column>& columns, std::size_t most,
   }
 }
 
-/// One row, in as many lines as its longest cell takes.
+/// Prints one row, in as many lines as its tallest cell needs.
 std::string print_row(const std::vector<Column>& columns, const std::vector<std::size_t>& widths,
                       const std::vector<std::string>& row) {
   std::vector<std::vector<std::string>> cells;

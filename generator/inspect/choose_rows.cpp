@@ -16,19 +16,20 @@ namespace {
 using Matrices = std::vector<Eigen::MatrixXd>;
 
 constexpr std::uint64_t kRowSeed = 1;
-/// The share of a row that must be left beside the rows before it, in half of the states.
+/// A row is independent of those before it if at least this share of it remains in half of the
+/// states.
 constexpr double kIndependent = 0.03;
-/// Of the largest row: what is less is rounding.
+/// Rows below this share of the largest row are rounding errors.
 constexpr double kRounding = 1e-7;
 
-/// A random value within a coordinate's limits; without them one turn, a metre.
+/// Draws a value within a coordinate's limits, or within one turn or 1 m if it has none.
 double draw(const Coordinate& coordinate, Dice& dice) {
   if (coordinate.is_of_quaternion()) return coordinate.neutral();
   const auto [lower, upper] = coordinate.ordinary_range();
   return dice.within(lower, upper);
 }
 
-/// Six rows a point, at each of the states.
+/// Computes Jacobians at random states, six rows per point.
 Matrices draw_jacobians(const Robot& robot, const Scene& scene,
                         const std::vector<ScenePoint>& points) {
   const auto model = model_from_robot<double>(robot, scene);
@@ -49,7 +50,7 @@ Matrices draw_jacobians(const Robot& robot, const Scene& scene,
   return jacobians;
 }
 
-/// Takes rows as long as they are independent of those taken.
+/// Selects rows as long as they are independent of those selected before.
 class Independence {
  public:
   explicit Independence(const Matrices& jacobians)
@@ -87,7 +88,7 @@ class Independence {
   double largest_ = 0;
 };
 
-/// One coordinate moves one row: the one that it moves in every state.
+/// Selects the row for a point that one coordinate moves: the row that it moves in every state.
 std::array<bool, 6> steadiest_row(const Matrices& jacobians, int first) {
   std::array<double, 6> least{};
   for (int i = 0; i < 6; ++i) {
@@ -101,7 +102,7 @@ std::array<bool, 6> steadiest_row(const Matrices& jacobians, int first) {
   return rows;
 }
 
-/// How many coordinates of joints other than floating ones move a link.
+/// Number of coordinates that move a link, except those of floating joints.
 int count_own(const Robot& robot, const Scene& still, const std::string& link) {
   int own = 0;
   for (const auto& [joint, number] : find_freedoms_of_link(robot, still, link)) {
@@ -111,7 +112,7 @@ int count_own(const Robot& robot, const Scene& still, const std::string& link) {
   return own;
 }
 
-/// The same as if the robot were held where it floats.
+/// Returns the Jacobians with floating joints held.
 Matrices held(Matrices jacobians, const interpreter::Model<double>& model) {
   for (const auto& body : model.bodies) {
     if (body.kind != interpreter::JointKind::floating) continue;
@@ -125,7 +126,7 @@ void choose_alone(const Matrices& jacobians, const Robot& robot, const Scene& st
   for (std::size_t p = 0; p < points.size(); ++p) {
     const int first = static_cast<int>(6 * p);
     const int own = count_own(robot, still, points[p].link);
-    if (own == 0) continue;  // it moves with the base or not at all
+    if (own == 0) continue;  // moves only with the base, or not at all
     if (own == 1) {
       points[p].rows = steadiest_row(jacobians, first);
       continue;

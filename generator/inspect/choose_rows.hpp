@@ -9,12 +9,13 @@
 
 namespace treeline {
 
-/// How many random states within the limits the choice rests on.
+/// Number of random states within the limits on which the choice is based.
 inline constexpr int kRowStates = 9;
 
-/// Gives each of the points, which have all rows, those that their links can be moved in
-/// independently of each other: first each by the joints of its own chain, base at rest, then all
-/// of them together, translations before rotations. Some may be left without.
+/// Chooses the rows of each of the points, which come with all rows: those that their links can
+/// move in independently of each other. Each point is first considered alone, with the joints of
+/// its own chain and the base at rest; then all of them together, translations before rotations.
+/// Some points may keep no row.
 void choose_rows(const Robot& robot, const Scene& scene, std::vector<ScenePoint>& points);
 
 }  // namespace treeline

@@ -4,7 +4,8 @@
 
 namespace treeline {
 
-/// 1 / smallest eigenvalue after scaling to a unit diagonal; infinite for what is not positive.
+/// Condition number of a symmetric matrix after scaling it to a unit diagonal: 1 / smallest
+/// eigenvalue. Infinite if A is not positive definite.
 double unit_condition(const Eigen::MatrixXd& A);
 
 }  // namespace treeline

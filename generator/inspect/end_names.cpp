@@ -18,15 +18,15 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// The words of a name in lower case: parted by what is no letter, and as in `leftHand` and
-/// `LFoot`.
+/// Splits a name into words in lower case. Characters that are not letters separate words, and so
+/// does a change of case, as in `leftHand` and `LFoot`.
 std::vector<std::string> words_of(const std::string& name) {
   std::vector<std::string> words;
   bool inside = false;
   for (std::size_t i = 0; i < name.size(); ++i) {
     const char c = name[i];
     const bool letter = is_upper(c) || is_lower(c);
-    const bool digit = is_digit(c) && inside;  // `tool0` is a word
+    const bool digit = is_digit(c) && inside;  // `tool0` is one word
     const bool hump = inside && is_upper(c) &&
                       (is_lower(name[i - 1]) || (i + 1 < name.size() && is_lower(name[i + 1])));
     if (letter && (!inside || hump)) words.emplace_back();
@@ -41,7 +41,7 @@ std::string_view without_digits(std::string_view word) {
   return word;
 }
 
-/// Words that say where a link is or what it is in the file, not what it is for.
+/// Whether a word only says where a link is or what it is in the file, not what it is for.
 bool means_nothing(const std::string& word) {
   constexpr std::array<std::string_view, 21> kWords = {
       "link",  "frame", "body", "base", "center", "centre", "point", "joint", "l",  "r",    "left",
@@ -54,7 +54,8 @@ struct KnownWord {
   EndKind kind;
 };
 
-/// The best first. Words of three letters and more may end a longer one, as in `lefthand`.
+/// Known words, the best first. Words of three letters or more may also end a longer word, as in
+/// `lefthand`.
 constexpr std::array<KnownWord, 38> kKnown = {{
     {"tcp", EndKind::tool},
     {"tool0", EndKind::tool},

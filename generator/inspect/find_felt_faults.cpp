@@ -17,7 +17,7 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Of a body's own size: the rounding of figures in a file, see `find_unphysical`.
+// Relative to a body's own size: rounding of figures in a file, see `find_unphysical`.
 constexpr double kTolerance = 1e-4;
 constexpr int kMostSteps = 2000;
 constexpr int kPatience = 25;       ///< steps without progress
@@ -76,7 +76,8 @@ VectorXd numbers_of(const Mechanism& mechanism, const std::vector<BodyFrame>& fr
   return all;
 }
 
-/// The nearest possible body: the ten numbers are a matrix that must not be negative.
+/// Replaces the ten numbers by those of the nearest possible body. As a matrix they must be
+/// positive semidefinite.
 void make_possible(Eigen::Ref<VectorXd> numbers) {
   const double s = 1 / std::sqrt(2.0);
   Matrix4d P;
@@ -94,8 +95,8 @@ void make_possible(Eigen::Ref<VectorXd> numbers) {
       P(0, 2) / s, P(1, 2) / s;
 }
 
-/// Whether possible bodies move like these: alternating projections between possible bodies and
-/// bodies that move alike, which end in both where there is such a point.
+/// Whether some possible bodies move like these. Uses alternating projections between possible
+/// bodies and bodies with the same motion, which converge to a body that is both if there is one.
 bool moves_like_possible_bodies(const Eigen::MatrixXd& felt, const VectorXd& numbers) {
   VectorXd bodies = numbers;
   double best = std::numeric_limits<double>::infinity();
@@ -145,7 +146,7 @@ std::vector<int> find_felt_faults(const Robot& robot, const Scene& scene,
     const Mechanism alone = build_mechanism(with_repaired(robot, faulty, link), scene);
     if (!moves_like_possible_bodies(felt, numbers_of(alone, frames))) found.push_back(link);
   }
-  // Each one alone can be borne, all together cannot.
+  // Each fault alone can be absorbed, but not all together.
   return found.empty() ? faulty : found;
 }
 

@@ -7,11 +7,11 @@
 
 namespace treeline {
 
-/// Of links whose inertias no body has, those that the motion can feel: no choice of possible
-/// bodies, of whatever mass, moves like the robot with this link as it is and every other
-/// impossible link repaired. Others hide: fixed to a body that is possible with them, at rest, or
-/// impossible only in what regrouping moves to bodies that can bear it. Indices of links; `faulty`
-/// are those whose second moments are negative.
+/// Finds impossible inertias on which the motion depends. A link is one of them if no choice of
+/// possible bodies, of whatever mass, moves like the robot with this link unchanged and every other
+/// impossible link repaired. Other faults do not matter: the link is fixed to a body that makes up
+/// for it, or is at rest, or is impossible only in what regrouping moves to bodies that can absorb
+/// it. `faulty` are indices of links with impossible second moments; returns some of them.
 std::vector<int> find_felt_faults(const Robot& robot, const Scene& scene,
                                   const std::vector<int>& faulty);
 

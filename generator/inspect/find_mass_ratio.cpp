@@ -12,13 +12,13 @@ namespace {
 
 using Dense = Eigen::MatrixXd;
 
-/// J U^-T; empty where M is not positive definite.
+/// J U^-T; empty if M is not positive definite.
 Dense find_columns(const interpreter::Model<double>& model,
                    const interpreter::Points<double>& points,
                    const interpreter::Vector<double>& q) {
   const Dense M = interpreter::mass_matrix<double>(model, q);
   const Dense J = interpreter::jacobian<double>(model, points, q);
-  // The joints' order turned round makes a lower triangle of the upper one.
+  // In reverse order of joints, the upper triangular factor is a lower one.
   const Eigen::LLT<Dense> factor(M.reverse());
   if (factor.info() != Eigen::Success) return {};
   const Dense turned = J.rowwise().reverse();
@@ -58,7 +58,7 @@ std::optional<MassRatio> find_mass_ratio(const interpreter::Model<double>& model
     const Dense columns = find_columns(model, points, q);
     if (columns.size() == 0) return std::nullopt;
     const auto found = compare_columns(columns);
-    // Not a number where both conditions are infinite: then the task is to blame.
+    // NaN if both condition numbers are infinite. The task is to blame then.
     if (!found || std::isnan(found->condition)) return std::nullopt;
     if (!least || found->condition < least->condition) least = found;
   }

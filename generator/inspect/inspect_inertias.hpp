@@ -9,11 +9,11 @@
 
 namespace treeline {
 
-/// Fills in which impossible inertias the motion can feel, what possible ones are nearest to them,
-/// and which bodies are flat. Needs the report's links.
+/// Fills in which impossible inertias affect the motion, the possible inertias nearest to them, and
+/// which bodies are flat. The report must contain its links already.
 void inspect_inertias(const Robot& robot, const Scene& scene, Report& report);
 
-/// The inertias to repair, of the links that the motion can feel.
+/// Returns the inertias to repair, of the links whose faults affect the motion.
 std::vector<InertiaRepair> list_repairs(const Robot& robot, const Report& report);
 
 }  // namespace treeline

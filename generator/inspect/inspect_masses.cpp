@@ -17,13 +17,14 @@ using interpreter::Vector;
 Vector<double> neutral_pose(const Model<double>& model) {
   Vector<double> q = Vector<double>::Zero(model.nq);
   for (const auto& body : model.bodies) {
-    // The scalar part of the quaternion comes last.
+    // The scalar part of a quaternion is its last entry.
     if (body.kind == interpreter::JointKind::floating) q[body.q + 6] = 1;
   }
   return q;
 }
 
-/// Ratio of the largest to the least eigenvalue; infinite when the least is not above rounding.
+/// Ratio of the largest to the smallest eigenvalue; infinite if the smallest does not exceed
+/// rounding.
 double condition(const Eigen::VectorXd& ascending) {
   const double least = ascending[0], largest = ascending[ascending.size() - 1];
   const double rounding =

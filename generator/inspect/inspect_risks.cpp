@@ -26,17 +26,18 @@ using interpreter::Vector;
 constexpr std::uint64_t kRiskSeed = 1;
 constexpr int kInertiaStates = 32;
 constexpr int kSweptStates = 4;
-constexpr int kSteps = 48;  ///< along a joint's range
+constexpr int kSteps = 48;  ///< samples along a joint's range
 constexpr double kInertiaDigits = 3, kSingularDigits = 5;
 constexpr double kFarAngle = 2e8;  ///< rad
 constexpr double kMostDigits = 15.7;
 
-/// Digits that a condition costs: all of double's where it is infinite.
+/// Digits that a condition number costs; all of double's if it is infinite.
 double digits_lost(double condition) {
   return condition > 0 ? std::min(kMostDigits, std::max(0.0, std::log10(condition))) : kMostDigits;
 }
 
-/// A state within the limits; what has none turns once and slides a metre.
+/// Draws states within the limits. A joint without limits turns within one turn or slides within 1
+/// m to either side.
 class States {
  public:
   States(const Model<double>& model, const Report& report)
@@ -72,7 +73,7 @@ class States {
   Dice dice_{kRiskSeed};
 };
 
-/// Names what makes M singular in every pose; false where nothing does.
+/// Reports what makes M singular in every pose. Returns false if nothing does.
 bool inspect_massless(const Robot& robot, const Scene& scene, Report& report) {
   for (const MasslessDirections& each : find_massless_directions(robot, scene)) {
     const std::string lock = each.one_degree ? ", or lock it in the scene" : "";
@@ -114,7 +115,7 @@ void inspect_inertia(const Model<double>& model, States& states, Report& report)
   }
 }
 
-/// The largest condition of Lambda^-1 along one joint, and where.
+/// The largest condition number of Lambda^-1 along one joint's range, and where it occurs.
 struct Peak {
   double condition = 0, usual = 0, at = 0;
 };
@@ -148,7 +149,7 @@ Peak climb(const Model<double>& model, const Points<double>& points, Vector<doub
 constexpr const char* kSingularAdvice =
     "Ask for `damped` in the scene, control fewer `rows`, or keep the joint away from there.";
 
-/// Whether Lambda^-1 is singular in all states: then no joint is to blame.
+/// Whether Lambda^-1 is singular in all states, so that no joint is to blame.
 bool is_always_singular(const Model<double>& model, const Points<double>& points,
                         const std::vector<Vector<double>>& states) {
   return std::all_of(states.begin(), states.end(), [&](const Vector<double>& q) {
@@ -163,8 +164,8 @@ std::string joint_of(int v, const Report& report) {
   return "the base";
 }
 
-/// Whether joints of too different inertias cost the digits of Lambda^-1 in all states; that would
-/// pass for a task that cannot be done.
+/// Reports joints whose very different inertias cost the digits of Lambda^-1 in all states.
+/// Otherwise this would look like an impossible task. Returns whether there are such joints.
 bool inspect_mass_ratio(const Model<double>& model, const Points<double>& points,
                         const std::vector<Vector<double>>& states, Report& report) {
   const auto ratio = find_mass_ratio(model, points, states);

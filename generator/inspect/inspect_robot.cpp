@@ -31,7 +31,7 @@ std::string describe(const Mimic& mimic, const Robot& robot) {
   return text;
 }
 
-/// Walks the tree as coordinates are numbered: depth first, children in the file's order.
+/// Visits the tree in the order of the coordinates: depth-first, children in the file's order.
 class Walk {
  public:
   Walk(const Robot& robot, const Scene& scene, Report& report)
@@ -49,7 +49,7 @@ class Walk {
   };
 
   void add_links() {
-    std::vector<int> added(robot_.links.size());  // of each link its index into Report::links
+    std::vector<int> added(robot_.links.size());  // by link: its index in Report::links
     const auto root = static_cast<std::size_t>(robot_.root);
     added[root] = add_link({root, -1});
     for (const int j : joints_depth_first(robot_)) {
@@ -169,7 +169,7 @@ class Walk {
   const Scene& scene_;
   Report& report_;
   std::vector<bool> moves_in_world_;
-  std::map<int, std::size_t> place_;  ///< of a joint of the robot in Report::joints
+  std::map<int, std::size_t> place_;  ///< by joint of the robot: its index in Report::joints
   std::vector<std::pair<std::size_t, int>> followers_;
 };
 

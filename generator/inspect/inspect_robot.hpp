@@ -9,20 +9,20 @@
 
 namespace treeline {
 
-/// What there is to say of a robot in a scene; without one, with a fixed base and nothing locked.
+/// Describes a robot in a scene. Without a scene the base is fixed and nothing is locked.
 Report inspect_robot(const Robot& robot, const std::optional<Scene>& scene);
 
-/// For people: what the robot is, in ten lines.
+/// Prints what the robot is, in ten lines for people.
 std::string print_summary(const Report& report);
 
-/// The summary, then all there is as aligned columns with units, within 100 columns.
+/// Prints the summary, then the whole report as aligned columns with units, within 100 columns.
 std::string print_text(const Report& report);
 
-/// For programs: every field of the report by its name, infinite bounds as null.
+/// Prints every field of the report as JSON, for programs. Infinite limits are null.
 std::string print_json(const Report& report);
 
-/// For Graphviz: links as boxes, joints as edges; dashed where nothing moves, dotted for mimics,
-/// red boxes for inertias that are not physical.
+/// Prints the tree for Graphviz: links are boxes, joints are edges, dashed if they do not move,
+/// dotted for mimics. Boxes of impossible inertias are red.
 std::string print_dot(const Report& report);
 
 }  // namespace treeline

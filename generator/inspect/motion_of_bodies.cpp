@@ -13,16 +13,17 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::uint64_t kMotionSeed = 1;
-// Below it a direction is rounding, or moves by what a file's angles are off.
+// Singular values below this are rounding errors, or motions due to the errors of a file's angles.
 constexpr double kRankTolerance = 1e-9;
 
-/// Where a link is and how it moves, in the world's axes.
+/// Position and motion of a link, in world axes.
 struct LinkMotion {
   Matrix3d R = Matrix3d::Identity();
   Vector3d p = Vector3d::Zero(), v = Vector3d::Zero(), w = Vector3d::Zero();
 };
 
-/// Random coordinates; a coordinate that several joints share has one value.
+/// Draws motions of the tree with random coordinates. Joints that share a coordinate have the same
+/// value.
 class MovingTree {
  public:
   MovingTree(const Mechanism& mechanism, Dice& dice) : mechanism_(mechanism) {
@@ -86,7 +87,8 @@ class MovingTree {
 
 using Numbers = Eigen::Matrix<double, kInertialNumbers, 1>;
 
-/// Kinetic energy over the ten numbers: m v^2 / 2 + h (v x w) + (tr(Sigma) w^2 - w^T Sigma w) / 2.
+/// Kinetic energy as a linear function of the ten numbers: m v^2 / 2 + h (v x w) + (tr(Sigma) w^2 -
+/// w^T Sigma w) / 2.
 Numbers kinetic_row(const LinkMotion& link, const BodyFrame& frame) {
   const Vector3d w = link.R.transpose() * link.w;
   const Vector3d v = link.R.transpose() * link.v + w.cross(frame.centre);
@@ -100,7 +102,7 @@ Numbers kinetic_row(const LinkMotion& link, const BodyFrame& frame) {
   return row * frame.mass;
 }
 
-/// Potential energy over the ten numbers, but for a constant.
+/// Potential energy, up to a constant, as a linear function of the ten numbers.
 Numbers potential_row(const LinkMotion& link, const BodyFrame& frame, const Vector3d& gravity) {
   Numbers row = Numbers::Zero();
   row[0] = -gravity.dot(link.p + link.R * frame.centre);

@@ -7,10 +7,10 @@
 
 namespace treeline {
 
-/// How the energies of a mechanism depend on the inertias of its links, found from random motions.
-/// The inertia of each link is ten numbers, those of its pseudo-inertia [Sigma h; h^T m] about
-/// `Frame::centre`: m, h, Sigma_xx yy zz, sqrt(2) Sigma_xy xz yz, with sqrt(2) h, in units of
-/// `Frame::mass` and `Frame::length`, so that their norm is that of the matrix.
+/// Units in which the inertia of a link is written, for finding how the energies of a mechanism
+/// depend on the inertias. An inertia is ten numbers, those of its pseudo-inertia [Sigma h; h^T m]
+/// about `centre`: m, h, Sigma_xx yy zz, sqrt(2) Sigma_xy xz yz, with sqrt(2) h, in units of `mass`
+/// and `length`. So the norm of the numbers is the norm of the matrix.
 struct BodyFrame {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< in the link's frame
   double mass = 1, length = 1;
@@ -18,9 +18,10 @@ struct BodyFrame {
 
 inline constexpr int kInertialNumbers = 10;
 
-/// An orthonormal basis, as columns, of what the motion can feel of all links' numbers: the base
-/// inertial parameters, up to a change of basis. Kinetic energy in any motion and differences of
-/// potential energy depend on the numbers' products with these columns and on nothing else.
+/// Finds the combinations of all links' numbers on which the motion depends: the base inertial
+/// parameters up to a change of basis. They come from the energies of random motions. Returns an
+/// orthonormal basis as columns. Kinetic energy in any motion and differences of potential energy
+/// depend only on the products of the numbers with these columns.
 Eigen::MatrixXd find_felt_directions(const Mechanism& mechanism,
                                      const std::vector<BodyFrame>& frames);
 

@@ -5,7 +5,7 @@
 namespace treeline {
 namespace {
 
-/// A text inside double quotes of the DOT language.
+/// Quotes a text for the DOT language.
 std::string quoted(const std::string& text) {
   std::string result;
   for (const char c : text) {

@@ -6,8 +6,8 @@
 
 namespace treeline {
 
-/// For people: inertias that no body has, whether the motion feels them, and bodies that are flat;
-/// empty when there is none.
+/// Prints for people which inertias are impossible, whether they affect the motion, and which
+/// bodies are flat. Empty if there is nothing to report.
 std::string print_inertias(const Report& report);
 
 }  // namespace treeline

@@ -10,7 +10,7 @@
 namespace treeline {
 namespace {
 
-/// What is looked at for a suggestion: rounding of programs that computed with a few digits less.
+/// Limit for suggestions: rounding errors of programs that computed with a few digits less.
 constexpr double kCoarse = 1e-12;
 
 std::string print_line(const NoiseDecision& decision) {
@@ -20,7 +20,7 @@ std::string print_line(const NoiseDecision& decision) {
                      decision.text);
 }
 
-/// Says what a wider limit would take, where it would take more.
+/// Says what a wider limit would change, if it would change more.
 std::string print_suggestion(const Robot& robot, const Scene& scene, std::size_t taken) {
   if (scene.noise >= kCoarse) return "";
   Scene wide = scene;

@@ -7,8 +7,8 @@
 
 namespace treeline {
 
-/// A line for each number of the files, and each relation between frames, that is taken as exact,
-/// with the place and by how much it differs; and what `noise:` could take beside.
+/// Prints a line for each number of the files, and for each relation between frames, that is taken
+/// as exact, with its place and the difference; also what `noise:` could change beyond that.
 std::string print_noise(const Robot& robot, const Scene& scene);
 
 }  // namespace treeline

@@ -8,7 +8,7 @@
 namespace treeline {
 namespace {
 
-/// The text's lines with their ends.
+/// Splits the text into lines, which keep their line ends.
 std::vector<std::string_view> split_lines(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
@@ -24,13 +24,13 @@ std::string marked(char mark, std::string_view line) {
   return fmt::format("{}{}{}", mark, line, ended ? "" : "\n\\ No newline at end of file\n");
 }
 
-/// Whole lines that edits touch, and what takes their place.
+/// Whole lines that edits affect, and their replacement.
 struct Change {
   std::size_t first_line = 0, lines = 0;
   std::string text;
 };
 
-/// Edits that share a line are one change.
+/// Groups the edits into changes. Edits on the same line are one change.
 std::vector<Change> find_changes(const std::string& text, const std::vector<TextEdit>& edits) {
   const auto lines_before = [&](std::size_t at) {
     return static_cast<std::size_t>(
@@ -64,7 +64,7 @@ std::string safe_name(std::string name) {
 
 constexpr std::size_t kContext = 3;
 
-/// Prints changes as hunks: those whose context meets are in one.
+/// Prints changes as hunks. Changes whose context overlaps share a hunk.
 class HunkPrinter {
  public:
   explicit HunkPrinter(const std::string& text) : lines_(split_lines(text)) {}

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kCommentColumns = 96;
 
-/// A name as YAML reads it back: plain where nothing in it is special.
+/// Writes a name such that YAML reads it back: without quotes if nothing in it is special.
 std::string yaml_word(const std::string& name) {
   constexpr std::array<std::string_view, 10> kSpecial = {"true", "false", "yes", "no", "on",
                                                          "off",  "null",  "y",   "n",  "nan"};
@@ -38,7 +38,7 @@ std::string yaml_word(const std::string& name) {
   return printable_json(quoted) + "\"";
 }
 
-/// A comment of several lines, broken at blanks.
+/// A comment of several lines, broken at spaces.
 std::string remark(const std::string& text) {
   std::string lines;
   std::string line = "#";
@@ -124,7 +124,7 @@ std::string print_left_out(const SceneProposal& proposal) {
   return remark("Other ends, which have no point here: " + list + ".");
 }
 
-/// Where a joint can rest: at 0, or at its limit next to it.
+/// A value at which the joint can rest: 0, or its limit nearest to 0.
 double rest_of(const Joint& joint) {
   if (!joint.limits) return 0;
   return std::min(std::max(0.0, joint.limits->lower),

@@ -36,7 +36,7 @@ std::string numbers(const Values& values, int digits = 5) {
   return text;
 }
 
-/// The first few, and how many more there are.
+/// Lists the first few names, and the number of the others.
 std::string name_some(const std::vector<std::string>& names) {
   const std::size_t named = std::min(names.size(), kMostNamed);
   const std::string text = fmt::format(

@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::size_t kMostPoints = 6;
 
-/// Links that move as one, in the order of the tree; the first carries the others.
+/// Links that move as one, in the order of the tree. The first one carries the others.
 struct Body {
   std::vector<int> links;
   int parent = -1;  ///< index of a body
-  int joint = -1;   ///< that moves it
+  int joint = -1;   ///< the joint that moves it
   bool is_leaf = true;
 };
 
@@ -58,7 +58,7 @@ class Bodies {
   std::vector<std::vector<int>> children_;
 };
 
-/// A link that may carry a point.
+/// A link that may get an operational point.
 struct End {
   int body = 0;
   int link = 0;
@@ -69,7 +69,7 @@ bool is_better(const EndName& a, const EndName& b) {
   return a.kind != b.kind ? a.kind < b.kind : a.rank < b.rank;
 }
 
-/// The link of the best name; the first where none has one that is known.
+/// The link of the body with the best name; the first link if no name is known.
 End best_of(const Robot& robot, const Body& body, int index) {
   End best{index, body.links.front(), {}};
   best.name = end_name(robot.links[static_cast<std::size_t>(best.link)].name);
@@ -81,7 +81,8 @@ End best_of(const Robot& robot, const Body& body, int index) {
   return best.name.kind < EndKind::other ? best : End{index, body.links.front(), own};
 }
 
-/// For a body at the end of the tree: itself, or the body before it with the best name.
+/// Finds the link for a point at a leaf of the tree: the leaf itself, or the body before it with
+/// the best name.
 End end_for(const Robot& robot, const std::vector<Body>& bodies, int leaf) {
   End best = best_of(robot, bodies[static_cast<std::size_t>(leaf)], leaf);
   for (int b = bodies[static_cast<std::size_t>(leaf)].parent; b > 0;
@@ -97,8 +98,8 @@ bool is_worth_a_point(const End& end) {
   return end.name.kind <= EndKind::other;
 }
 
-/// The ends that get points, in the order of the tree. Heads and cameras only where nothing else
-/// is.
+/// Chooses the ends that get points, in the order of the tree. Heads and cameras get one only if
+/// nothing else does.
 std::vector<End> choose_ends(const std::vector<End>& all) {
   std::vector<End> chosen;
   const bool any = std::any_of(all.begin(), all.end(), is_worth_a_point);
@@ -128,7 +129,8 @@ std::vector<End> find_ends(const Robot& robot, const std::vector<Body>& bodies) 
   return list;
 }
 
-/// Whether a body hangs by one joint on the way to an end whose name is known: a spring, a cover.
+/// Whether a body hangs by one joint on the path to an end whose name is known, such as a spring or
+/// a cover.
 bool is_beside_the_way(const End& end, const std::vector<End>& ends,
                        const std::vector<Body>& bodies) {
   const int before = bodies[static_cast<std::size_t>(end.body)].parent;
@@ -183,7 +185,7 @@ std::string point_name(const std::string& link, const std::vector<ScenePoint>& p
   return name;
 }
 
-/// Joints of one degree beyond the bodies that have points.
+/// Joints of one degree of freedom beyond the bodies that have points.
 std::vector<std::string> joints_beyond(const Robot& robot, const std::vector<Body>& bodies,
                                        const std::set<int>& pointed) {
   std::vector<std::string> names;

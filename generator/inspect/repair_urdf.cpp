@@ -14,7 +14,7 @@ namespace {
 
 struct Moment {
   const char* name;
-  const char* mirrored;  ///< another name of the same product; empty for none
+  const char* mirrored;  ///< other name of the same product; empty if there is none
   double Inertial::*value;
 };
 constexpr std::array<Moment, 6> kMoments{{{"ixx", "", &Inertial::ixx},

@@ -5,17 +5,17 @@
 
 namespace treeline {
 
-/// Bytes of a text that something else takes the place of.
+/// Replacement of some bytes of a text.
 struct TextEdit {
   std::size_t at = 0, size = 0;
   std::string text;
 };
 
-/// The text with edits made; every other byte stays.
+/// Applies the edits to the text. Every other byte stays.
 std::string apply_edits(const std::string& text, const std::vector<TextEdit>& edits);
 
-/// The edits as a unified diff with three lines of context, for `patch` and `git apply`; empty
-/// where there is none.
+/// Prints the edits as a unified diff with three lines of context, for `patch` and `git apply`.
+/// Empty if there are no edits.
 std::string print_patch(const std::string& file, const std::string& text,
                         const std::vector<TextEdit>& edits);
 

@@ -10,7 +10,7 @@ bool begins_code_point(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
 }
 
-/// How many bytes the first so many code points take.
+/// Number of bytes of the first `code_points` code points.
 std::size_t bytes_of(std::string_view text, std::size_t code_points) {
   std::size_t at = 0;
   for (std::size_t seen = 0; at < text.size(); ++at) {
@@ -19,8 +19,8 @@ std::size_t bytes_of(std::string_view text, std::size_t code_points) {
   return at;
 }
 
-/// Where to break a text that is too long: behind the last of these characters in its first
-/// `most` bytes.
+/// Finds where to break a text that is too long: after the last of these characters within its
+/// first `most` bytes.
 std::size_t find_break(std::string_view text, std::size_t most) {
   const auto blank = text.substr(0, most + 1).rfind(' ');
   if (blank != std::string_view::npos && blank > 0) return blank;

@@ -5,16 +5,16 @@
 
 namespace treeline {
 
-/// Columns that the text takes: code points of UTF-8.
+/// Width of the text in code points of UTF-8.
 std::size_t width_of(const std::string& text);
 
-/// The text in lines of at most so many columns: broken behind blanks, else behind what joins the
-/// parts of a name (`_ - / .`), else anywhere. Lines after the first keep the indentation of the
+/// Breaks the text into lines of at most `columns` columns: after spaces, else after the characters
+/// that join the parts of a name (`_ - / .`), else anywhere. All lines have the indentation of the
 /// first.
 std::vector<std::string> wrap_cell(const std::string& text, std::size_t columns);
 
-/// `label` and the text behind it, broken at blanks to so many columns in all; lines after the
-/// first begin below the text.
+/// Prints `label` followed by the text, broken at spaces to `columns` columns in total. Lines after
+/// the first begin below the text.
 std::string wrap_labelled(const std::string& label, const std::string& text, std::size_t columns);
 
 }  // namespace treeline

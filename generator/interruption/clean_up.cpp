@@ -27,23 +27,24 @@ struct Leftovers {
   std::set<pid_t> groups;
 };
 
-/// Never destroyed: the thread that waits for signals lives as long as the process.
+/// Never destroyed, because the thread that waits for signals lives as long as the process.
 Leftovers& leftovers() {
   static auto* const all = new Leftovers;
   return *all;
 }
 
-/// Whether a process of the group is left. Those of this process count until they are waited for.
+/// Whether a process of the group exists. Children of this process count until they are waited for.
 bool is_alive(pid_t group) {
   while (waitpid(-group, nullptr, WNOHANG) > 0) {
   }
   return kill(-group, 0) == 0;
 }
 
-/// Compilers remove their own files when they are asked to end; what does not end is made to.
+/// Asks the process groups to end, because compilers then remove their own files, and kills those
+/// that do not.
 void end_processes(const std::set<pid_t>& groups) {
 #ifdef PR_SET_CHILD_SUBREAPER
-  prctl(PR_SET_CHILD_SUBREAPER, 1);  // what they started becomes ours, to be waited for
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // adopts their children, so that they can be waited for
 #endif
   for (const int by : {SIGTERM, SIGKILL}) {
     for (const pid_t group : groups) kill(-group, by);
@@ -53,7 +54,8 @@ void end_processes(const std::set<pid_t>& groups) {
   }
 }
 
-/// A thread that had not noticed yet may have written into the folder meanwhile: then once more.
+/// Removes the folder. Repeats this if a thread that did not notice the signal has written to it
+/// meanwhile.
 void remove_folder(const fs::path& folder, Removal removal) {
   std::error_code error;
   for (int i = 0; i < 20; ++i) {
@@ -72,12 +74,12 @@ void remove_folder(const fs::path& folder, Removal removal) {
   std::map<fs::path, Removal> folders;
   {
     const std::lock_guard lock(leftovers().mutex);
-    leftovers().ending = true;  // from here on nobody makes or starts anything
+    leftovers().ending = true;  // from now on no thread creates folders or starts processes
     groups = leftovers().groups;
     folders = leftovers().folders;
   }
   end_processes(groups);
-  // Deepest first: what is to be empty may hold what is to be removed.
+  // Deepest first, because a folder to be removed if empty may contain folders to be removed.
   for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
     remove_folder(folder->first, folder->second);
   }
@@ -112,7 +114,7 @@ void clean_up_on_signals() {
       }
       end_by(signal);
     }).detach();
-  } catch (const std::system_error&) {  // no more threads: then signals end the program at once
+  } catch (const std::system_error&) {  // no more threads: signals then end the program at once
     pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
   }
 }

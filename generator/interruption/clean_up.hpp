@@ -7,14 +7,14 @@
 
 namespace treeline {
 
-/// From here on SIGINT, SIGTERM and SIGHUP end the program only after the processes that it started
-/// have ended and the folders that it made for a while are gone; then by that very signal, as a
-/// shell expects. Signals that are ignored stay ignored. To be called once, before any thread
-/// starts: a thread of its own waits for the signals.
+/// From this call on, SIGINT, SIGTERM and SIGHUP end the program only after the processes that it
+/// started have ended and its temporary folders are removed. It then ends by the same signal, as a
+/// shell expects. Signals that are ignored stay ignored. Call this once, before any thread starts:
+/// a thread of its own waits for the signals.
 void clean_up_on_signals();
 
-/// While one lives no signal ends the program: for what must be done wholly or not at all, and
-/// shortly. Where a signal has come already, the constructor never returns.
+/// As long as such an object lives, no signal ends the program. For short actions that must be done
+/// completely or not at all. If a signal has already come, the constructor does not return.
 class Uninterrupted {
  public:
   Uninterrupted();
@@ -23,13 +23,14 @@ class Uninterrupted {
   std::unique_lock<std::mutex> lock_;
 };
 
-/// A folder to remove on a signal, with all that it holds; one made for results only if it is still
-/// empty. To be called while `Uninterrupted`, so that no signal falls between making and telling.
+/// Ways to remove a folder on a signal: with its content, or only if it is still empty (for folders
+/// of results). Register folders while an `Uninterrupted` lives, so that no signal arrives between
+/// creation and registration.
 enum class Removal { with_content, if_empty };
 void remove_on_signal(const std::filesystem::path& folder, Removal removal);
 void keep_on_signal(const std::filesystem::path& folder);
 
-/// A process that leads a group of its own, to be ended on a signal with all that it started.
+/// Registers a process that leads a process group. On a signal, the whole group is ended.
 void end_on_signal(pid_t group);
 void forget_process(pid_t group);
 

@@ -15,8 +15,8 @@ std::string message(int error) {
   return std::generic_category().message(error);
 }
 
-/// Whether the open file is still what the path leads to: somebody may have removed the folder and
-/// made it anew.
+/// Whether the open file is still the one at this path. The folder may have been removed and
+/// created again.
 bool is_at(int file, const std::filesystem::path& path) {
   struct stat opened {};
   struct stat there {};

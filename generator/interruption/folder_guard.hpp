@@ -6,13 +6,13 @@
 
 namespace treeline {
 
-/// A lock on a folder that other runs of this program see. The system opens it when the process
-/// ends, however that comes about; it leaves no file.
+/// A lock on a folder, visible to other runs of this program. The system releases it when the
+/// process ends for any reason. It leaves no file.
 class FolderGuard {
  public:
-  /// Nothing where another run has the folder locked or has removed it, which may pass, with an
-  /// empty `error`; nothing where it cannot be opened, with the reason. A file system without locks
-  /// counts as unlocked.
+  /// Tries to lock the folder. Returns nothing with an empty `error` if another run has locked or
+  /// removed it, which may be temporary; nothing with the reason if the folder cannot be opened. A
+  /// file system without locks counts as unlocked.
   static std::unique_ptr<FolderGuard> try_lock(const std::filesystem::path& folder,
                                                std::string& error);
   ~FolderGuard();

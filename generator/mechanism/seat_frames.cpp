@@ -336,8 +336,7 @@ class Seating {
     for_each_around(
         mechanism_, index, [&](MovingLink& moved) { moved = best.children[child++]; },
         [&](MechanismPoint& moved) { moved.pose = best.points[point++]; });
-    for (MechanismPoint& frame : mechanism_.link_frames) {  // for inspection only: their cost is
-                                                            // not counted
+    for (MechanismPoint& frame : mechanism_.link_frames) {  // for inspection, at no cost
       if (frame.link == index) {
         frame.pose = resolved(inverse(seat) * frame.pose, mechanism_.resolution);
       }

@@ -11,7 +11,7 @@ Bound find_bound(std::size_t i, Function function, const std::vector<StateRefere
   for (const StateReference& reference : references) {
     const FunctionReference& at = reference.functions[i];
     const double error = at.interpreter_error / at.condition;
-    // An interpreter that fails says nothing about what to allow.
+    // If the interpreter itself fails at a state, that state says nothing about the tolerance.
     if (!at.singular && std::isfinite(error)) {
       bound.interpreter = std::max(bound.interpreter, error);
     }

@@ -7,7 +7,8 @@
 
 namespace treeline {
 
-/// The error of one function at one state, in ulp of the scale, beside what is allowed.
+/// Error of one function at one state, and the error that is allowed there, in ulp of the result's
+/// scale.
 struct ErrorAt {
   int state = 0;
   double error = 0;
@@ -15,10 +16,10 @@ struct ErrorAt {
   double condition = 1;
 };
 
-/// What a function's outputs are allowed to differ by, in ulp of their scale:
-/// kFloorUlp + angles + condition * kInterpreterFactor * interpreter, where `angles` is
-/// FunctionReference::computed_angles and `interpreter` the largest error over condition that the
-/// interpreter made in Real at any of the states.
+/// Largest error that a function's outputs may have, in ulp of their scale: kFloorUlp + angles +
+/// condition * kInterpreterFactor * interpreter. Here `angles` is
+/// FunctionReference::computed_angles, and `interpreter` the largest ratio of error to condition
+/// number that the interpreter, run in Real, had at any state.
 struct Bound {
   static constexpr double kFloorUlp = 8;
   static constexpr double kInterpreterFactor = 16;
@@ -31,7 +32,7 @@ struct Bound {
   }
 };
 
-/// What the interpreter's errors at these states allow function `i`.
+/// Bound of function `i` that follows from the interpreter's errors at these states.
 Bound find_bound(std::size_t i, Function function, const std::vector<StateReference>& references);
 
 }  // namespace treeline

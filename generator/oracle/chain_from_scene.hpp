@@ -5,8 +5,8 @@
 
 namespace treeline {
 
-/// The interpreter's closed chain of a robot that holds the scene's objects, straight from the
-/// files' numbers. The points that the grasps name are the scene's.
+/// Makes the interpreter's closed chain of a robot that holds the scene's objects, directly from
+/// the files' numbers. The points that the grasps name are those of the scene.
 template <class Scalar>
 interpreter::ClosedChain<Scalar> chain_from_scene(const Robot& robot, const Scene& scene) {
   interpreter::ClosedChain<Scalar> chain;

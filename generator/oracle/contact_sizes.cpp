@@ -12,15 +12,15 @@
 namespace treeline {
 namespace {
 
-/// The subject with other points in place of the operational ones.
+/// Copies the subject with these points in place of the operational ones.
 Subject<double> seen_at(const Subject<double>& subject, const interpreter::Points<double>& points) {
   Subject<double> seen = subject;
   seen.points = points;
   return seen;
 }
 
-/// The largest effective masses that there are next to the state: each itself, but where it yields
-/// the peak of `bounded_inverse`.
+/// Largest effective masses in the neighbourhood of the state. Where a mass is relaxed this is the
+/// peak of `bounded_inverse`, otherwise the mass itself.
 std::vector<double> steepest_masses(const Subject<double>& subject, const State& state,
                                     const interpreter::TaskLaw<double>& law,
                                     std::vector<double> masses) {
@@ -38,7 +38,8 @@ std::vector<double> steepest_masses(const Subject<double>& subject, const State&
   return masses;
 }
 
-/// m^2 |n|^T |Lambda_c^-1| |n|: what an error of the denominator makes of m = 1 / (n^T .. n).
+/// Appends m^2 |n|^T |Lambda_c^-1| |n|: the change of m = 1 / (n^T Lambda_c^-1 n) due to an error
+/// of the denominator.
 void append_masses(const Eigen::MatrixXd& Lambda_inverse, const Eigen::VectorXd& normals,
                    const std::vector<double>& masses, std::vector<double>& entries) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -48,7 +49,7 @@ void append_masses(const Eigen::MatrixXd& Lambda_inverse, const Eigen::VectorXd&
   }
 }
 
-/// |J| |M^-1| |J|^T of each frame.
+/// Appends |J| |M^-1| |J|^T for each frame.
 void append_blocks(const Eigen::MatrixXd& J, const Eigen::MatrixXd& M_inverse,
                    std::vector<double>& entries) {
   for (Eigen::Index row = 0; row < J.rows(); row += 6) {
@@ -75,7 +76,7 @@ std::vector<double> contact_sizes(Function function, const Subject<double>& subj
   const Eigen::MatrixXd Lambda_inverse = J * M_inverse * J.transpose();
   switch (function) {
     case Function::contact_motion:
-      append(terms.poses().head(J.rows()), entries);  // positions come first
+      append(terms.poses().head(J.rows()), entries);  // positions precede rotations
       append(J * magnitudes(state.qd), entries);
       break;
     case Function::contact_inverse_inertia:

@@ -10,8 +10,8 @@
 
 namespace treeline {
 
-/// The scales of the results of one of `kContactFunctions`, out of the sizes of their terms.
-/// `M_inverse` has the magnitudes of M^-1; `result` is what the function gives, by `law`.
+/// Scales of the results of one of `kContactFunctions`, from the sizes of their terms. `M_inverse`
+/// has the magnitudes of M^-1. `result` is what the function returns with the law `law`.
 std::vector<double> contact_sizes(Function function, const Subject<double>& subject,
                                   const State& state, const Eigen::MatrixXd& M_inverse,
                                   const std::vector<double>& result,

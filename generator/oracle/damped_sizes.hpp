@@ -6,19 +6,20 @@
 
 namespace treeline {
 
-/// What the results of `damped_control_torque` at one state are measured by.
+/// Scales by which the errors of `damped_control_torque` are measured at one state.
 struct DampedSizes {
   Eigen::MatrixXd Lambda;  ///< magnitudes of (Lambda^-1 + Delta)^-1
-  double ease = 0;         ///< of the terms that the least ease is a difference of
-  /// By how much errors of Lambda^-1's terms are amplified: their norm over the least of
-  /// s + delta(s), all scaled by the heaviest motions. For d(A + Delta)^-1 =
-  /// -(A + Delta)^-1 d(A + Delta) (A + Delta)^-1, and d Delta is at most three times dA in norm,
-  /// delta being no steeper. No singularity makes it large, only directions that are light beside
-  /// the heaviest.
+  double ease = 0;         ///< size of the terms from which the smallest eigenvalue is computed
+  /// Factor by which errors of Lambda^-1's terms are amplified: their norm divided by the smallest
+  /// s + delta(s), both scaled by the heaviest motions. Here s are the eigenvalues of the scaled
+  /// Lambda^-1 and delta is the damping. The factor follows from d(A + Delta)^-1 = -(A + Delta)^-1
+  /// d(A + Delta) (A + Delta)^-1, where the norm of d Delta is at most three times that of dA
+  /// because of delta's slope. Singularities do not make it large; only directions with a much
+  /// smaller mass than the heaviest one do.
   double condition = 1;
 };
 
-/// `terms`: the sizes of Lambda^-1's terms.
+/// Finds these scales from Lambda^-1. `terms` has the sizes of the terms of Lambda^-1.
 DampedSizes find_damped_sizes(const Eigen::MatrixXd& Lambda_inverse, const Eigen::MatrixXd& terms,
                               const interpreter::Damping<double>& damping);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kQuarterTurn = 1.5707963267948966;
 
-/// Of either sign, its magnitude's logarithm evenly spread.
+/// Draws a number of either sign. The logarithm of its magnitude is uniform.
 double draw_logarithmic(Dice& dice, double least, double greatest) {
   const double magnitude = least * std::pow(greatest / least, dice.unit());
   return dice.chance(0.5) ? magnitude : -magnitude;
@@ -29,7 +29,8 @@ double draw_aligned(Dice& dice, const Coordinate& coordinate) {
   return dice.chance(0.4) ? at : at + draw_logarithmic(dice, 1e-12, 1e-2);
 }
 
-/// An unlimited coordinate is drawn as ever.
+/// Draws one of the coordinate's limits in most cases, and otherwise (or if that limit is infinite)
+/// a value from its ordinary range.
 double draw_limit(Dice& dice, const Coordinate& coordinate) {
   const double limit = dice.chance(0.5) ? coordinate.lower : coordinate.upper;
   if (!std::isfinite(limit) || dice.chance(0.1)) return draw_within_limits(dice, coordinate);
@@ -55,8 +56,8 @@ double draw_coordinate(Dice& dice, StateClass kind, const Coordinate& coordinate
   return draw_within_limits(dice, coordinate);
 }
 
-/// Uniform over the rotations; next to a quarter turn about an axis, or to none, where asked for.
-/// Of unit length as well as double has it or, if `rounded`, only as well as float has it.
+/// Draws a rotation, uniformly or, for some classes, close to none or to a quarter turn about an
+/// axis. The quaternion has unit length up to rounding in double or, if `rounded`, in float.
 std::array<double, 4> draw_quaternion(Dice& dice, StateClass kind, bool rounded) {
   std::array<double, 4> x{0, 0, 0, 1};
   if (kind == StateClass::neutral) return x;
@@ -77,7 +78,7 @@ std::array<double, 4> draw_quaternion(Dice& dice, StateClass kind, bool rounded)
   return x;
 }
 
-/// How fast the motions of a class are: radians or metres per second, and second squared.
+/// Velocities and accelerations of a class, in radians or metres per second and per second squared.
 struct Speed {
   double velocity, acceleration;
 };
@@ -156,7 +157,7 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
 }
 
 StateClass class_of_state(int index) {
-  // Of twenty states one is neutral; the first one is at rest as well.
+  // One state of twenty is neutral; the first of them is also at rest.
   constexpr std::string_view kCycle = "nrafrltarfraflrtarfb";
   static_assert(kCycle.size() == kStatesOfEveryClass);
   constexpr std::string_view kLetters = "nrlftab";
@@ -165,7 +166,7 @@ StateClass class_of_state(int index) {
 }
 
 State draw_state(const StateSpace& space, int index) {
-  // Each state from a seed of its own.
+  // Each state has its own seed.
   Dice dice(space.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index));
   const auto nv = static_cast<std::size_t>(space.subject.model.nv);
   State state;
@@ -179,7 +180,7 @@ State draw_state(const StateSpace& space, int index) {
   const auto rows = static_cast<std::size_t>(interpreter::row_count(space.subject.points));
   state.xdd_cmd = draw_rates(dice, state.kind, rows, size.acceleration);
   state.f_ext = draw_rates(dice, state.kind, 6 * space.subject.external.size(), at_rest ? 0 : 50);
-  // Of the size of the forces that such a motion takes.
+  // Forces of the size that such a motion requires.
   const auto forces = TermSizes(space.subject, state.q).forces(state.qd, state.qdd, state.f_ext);
   for (std::size_t i = 0; i < nv; ++i) {
     state.tau.push_back(at_rest ? 0 : dice.within(forces[static_cast<Eigen::Index>(i)]));

@@ -11,24 +11,24 @@
 
 namespace treeline {
 
-/// What a state is there to provoke.
+/// Class of a state, by the difficulty that it shall provoke.
 enum class StateClass {
   neutral,  ///< q = 0, at rest or moving
-  random,   ///< anywhere within the limits, at ordinary speeds
+  random,   ///< anywhere within the limits, at ordinary velocities
   large,    ///< angles of many turns, far beyond the limits
-  fast,     ///< velocities and accelerations far beyond the ordinary
+  fast,     ///< velocities and accelerations far beyond ordinary ones
   tiny,     ///< coordinates and velocities from 1e-12 to 1e-2
-  aligned,  ///< joints at or next to multiples of a quarter turn, where arms become singular
-  limits,   ///< most joints at one of their limits, where they have any
+  aligned,  ///< joints at or near multiples of a quarter turn, where arms become singular
+  limits,   ///< most joints at one of their limits, if they have any
 };
 inline constexpr std::array kStateClasses = {
     StateClass::neutral, StateClass::random,  StateClass::large, StateClass::fast,
     StateClass::tiny,    StateClass::aligned, StateClass::limits};
 const char* state_class_name(StateClass kind);
 
-/// Inputs of all functions. `qdd` is also the posture's qdd_0. Every number is exact in the
-/// generated code's Real; quaternions have unit length but for that rounding or, every other
-/// state, for rounding to float.
+/// Inputs of all functions in SI units. `qdd` is also the posture's qdd_0. Every number is exact in
+/// the Real of the generated code. Quaternions have unit length up to that rounding or, in every
+/// other state, up to rounding to float.
 struct State {
   int index = 0;
   StateClass kind = StateClass::random;
@@ -43,19 +43,20 @@ const std::vector<double>& values_of(const State& state, Quantity quantity);
 /// Where states are drawn from.
 struct StateSpace {
   Subject<double> subject;
-  std::vector<Coordinate> coordinates;  ///< nq of them, with limits
+  std::vector<Coordinate> coordinates;  ///< nq entries, with limits
   std::uint64_t seed = 1;
   bool single_precision = false;
   std::map<Quantity, int> others = {};  ///< sizes of the quantities that have no member in `State`
 };
 
-/// Any so many states that follow each other are some of every class.
+/// Any sequence of this many consecutive states contains all classes.
 inline constexpr int kStatesOfEveryClass = 20;
 
-/// The class of each state is a matter of its index alone, so that any number of states is a mix.
+/// Class of state `index`. It depends only on the index, so any number of states is a mix of
+/// classes.
 StateClass class_of_state(int index);
 
-/// State `index` of the space: a matter of seed, index and robot, not of other states drawn.
+/// Draws state `index` of the space. It depends on seed, index and robot only, not on other states.
 State draw_state(const StateSpace& space, int index);
 
 }  // namespace treeline

@@ -6,7 +6,7 @@
 
 namespace treeline {
 
-/// Between the lists of numbers that states and results are, and the interpreter's vectors.
+/// Converts the entries of a state or result to a vector of the interpreter.
 template <class Scalar>
 interpreter::Vector<Scalar> vector_of(const std::vector<double>& entries) {
   interpreter::Vector<Scalar> x(static_cast<Eigen::Index>(entries.size()));
@@ -20,7 +20,7 @@ inline Eigen::VectorXd magnitudes(const std::vector<double>& entries) {
   return vector_of<double>(entries).cwiseAbs();
 }
 
-/// Row by row.
+/// Appends the entries of a matrix, row by row.
 template <class Derived>
 void append(const Eigen::DenseBase<Derived>& matrix,
             std::vector<typename Derived::Scalar>& entries) {
@@ -29,7 +29,7 @@ void append(const Eigen::DenseBase<Derived>& matrix,
   }
 }
 
-/// Row by row.
+/// Returns the entries of a matrix, row by row.
 template <class Derived>
 std::vector<typename Derived::Scalar> entries_of(const Eigen::DenseBase<Derived>& matrix) {
   std::vector<typename Derived::Scalar> entries;

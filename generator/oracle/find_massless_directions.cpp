@@ -21,9 +21,9 @@ using interpreter::Digits50;
 constexpr std::uint64_t kSeed = 1;
 constexpr int kPoses = 2;
 constexpr double kMassless = 0x1p-46;
-/// Entries of a direction that are this much smaller than its largest are rounding.
+/// Entries of a direction below this share of its largest are rounding errors.
 constexpr double kRounding = 1e-6;
-/// An entry leads a direction if it is not much smaller than the others.
+/// An entry may lead a direction if it has at least this share of the largest entry.
 constexpr double kLeads = 0.1;
 constexpr std::size_t kMostLinks = 3;
 
@@ -39,7 +39,7 @@ std::vector<double> draw_pose(const interpreter::Model<double>& model, Dice& dic
   return q;
 }
 
-/// The null space of M at one pose: columns are velocities over `scale`.
+/// The null space of M at one pose q. The columns are velocities divided by `scale`.
 struct NullSpace {
   std::vector<double> q;
   Eigen::VectorXd scale;
@@ -66,8 +66,8 @@ NullSpace find_null_space(const Subject<Digits50>& exact, const Subject<double>&
   return space;
 }
 
-/// Columns that span the same, each with an entry of one in a row where the others have none; the
-/// returned rows are these, `order` says which to prefer.
+/// Brings the columns to reduced form without changing their span: each has an entry of one in a
+/// row in which the others are zero. Returns these rows. `order` lists the rows by preference.
 std::vector<Eigen::Index> reduce(Eigen::MatrixXd& columns, const std::vector<Eigen::Index>& order) {
   std::vector<Eigen::Index> leads;
   for (Eigen::Index c = 0; c < columns.cols(); ++c) {
@@ -88,7 +88,7 @@ std::vector<Eigen::Index> reduce(Eigen::MatrixXd& columns, const std::vector<Eig
   return leads;
 }
 
-/// Which body's joint owns each velocity.
+/// Returns for each velocity the body whose joint it belongs to.
 std::vector<int> find_owners(const interpreter::Model<double>& model) {
   std::vector<int> owners(static_cast<std::size_t>(model.nv));
   for (int i = 0; i < model.size(); ++i) {
@@ -108,7 +108,7 @@ std::string describe_axis(const Eigen::Vector3d& direction) {
   return fmt::format("({:.3g}, {:.3g}, {:.3g})", unit(0), unit(1), unit(2));
 }
 
-/// A motion of the base in its own axes, linear over angular.
+/// Describes a motion of the base. `twist` is in the base's own axes, linear over angular.
 std::string describe_base(const Eigen::VectorXd& twist) {
   const Eigen::Vector3d turn = twist.tail<3>();
   if (turn.norm() > kRounding * twist.norm()) {
@@ -128,7 +128,7 @@ class Describer {
 
   std::vector<MasslessDirections> describe(NullSpace space) const {
     const std::vector<Eigen::Index> leads = reduce(space.columns, preferred_rows());
-    std::map<int, Eigen::MatrixXd> groups;  // of directions by the body whose joint leads
+    std::map<int, Eigen::MatrixXd> groups;  // directions, by the body whose joint leads
     for (std::size_t c = 0; c < leads.size(); ++c) {
       Eigen::VectorXd direction = space.columns.col(static_cast<Eigen::Index>(c));
       const double largest = direction.cwiseAbs().maxCoeff();
@@ -147,7 +147,8 @@ class Describer {
   [[nodiscard]] bool is_base(int body) const { return floats_ && body == 0; }
   [[nodiscard]] std::string joint_of(int body) const { return joints_.at(model_.body(body).name); }
 
-  /// Of joints far out first, of the base last: a joint can be locked, a base hardly.
+  /// Rows in order of preference: outer joints first, the base last. A joint can be locked, a base
+  /// hardly.
   [[nodiscard]] std::vector<Eigen::Index> preferred_rows() const {
     std::vector<Eigen::Index> rows(static_cast<std::size_t>(model_.nv));
     std::iota(rows.rbegin(), rows.rend(), 0);
@@ -170,7 +171,7 @@ class Describer {
     return made;
   }
 
-  /// What else takes part, or what the base does where it leads.
+  /// Describes what else moves in these directions, or what the base does if it leads.
   std::vector<std::string> others_of(int lead, const Eigen::MatrixXd& group) const {
     std::vector<std::string> others;
     if (floats_ && !group.topRows(6).isZero(0)) {
@@ -218,7 +219,7 @@ class Describer {
   const interpreter::Model<double>& model_;
   std::vector<int> owners_;
   bool floats_;
-  std::map<std::string, std::string> joints_;  ///< by the link that each carries
+  std::map<std::string, std::string> joints_;  ///< joint names, by the link that they carry
 };
 
 }  // namespace

@@ -8,20 +8,20 @@
 
 namespace treeline {
 
-/// Motions that no inertia feels in any pose, all those with one joint, or the base, in the lead:
-/// of the null space of M.
+/// Motions without inertia in any pose, that is, a part of the null space of M. Each of these
+/// groups has one joint, or the base, in the lead.
 struct MasslessDirections {
   std::string what;                ///< `joint "a" against rotation of the base about z`
-  std::string joint;               ///< that leads; empty: the base
+  std::string joint;               ///< leading joint; empty: the base
   bool one_degree = false;         ///< the joint has one degree of freedom
-  bool moves_base = false;         ///< a floating base takes part
-  std::vector<std::string> links;  ///< that they move, from the root outward
+  bool moves_base = false;         ///< a floating base moves too
+  std::vector<std::string> links;  ///< links that move, from the root outward
 };
 
-/// Those of a robot in a scene, in the order of the joints; none where M has an inverse that double
-/// precision can tell from none: in some pose no eigenvalue of M, scaled by the sizes of its terms
-/// to a unit diagonal, is within 2^-46 of zero. M is computed in 50 digits at two poses drawn from
-/// a fixed seed.
+/// Finds the massless directions of a robot in a scene, in the order of the joints. The list is
+/// empty if M is invertible within double precision: in some pose every eigenvalue of M, scaled to
+/// a unit diagonal by the sizes of its terms, exceeds 2^-46. M is computed in 50 digits at two
+/// poses drawn from a fixed seed.
 std::vector<MasslessDirections> find_massless_directions(const Robot& robot, const Scene& scene);
 
 }  // namespace treeline

@@ -5,8 +5,8 @@
 
 namespace treeline {
 
-/// Calls `work` for 0 to `count` - 1, from as many threads as there are cores or `threads`, if
-/// that is not 0. Returns when all is done; what `work` throws, this throws.
+/// Calls `work` for each index from 0 to `count` - 1, in `threads` threads, or in as many as there
+/// are cores if `threads` is 0. Returns when all calls are done. Rethrows what `work` throws.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work,
                     int threads = 0);
 

@@ -7,7 +7,7 @@
 namespace treeline {
 namespace {
 
-/// Nodes that `program` takes the sine or cosine of, but for inputs.
+/// Finds the nodes whose sine or cosine the program takes, except inputs.
 std::vector<std::uint32_t> find_computed_angles(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
   std::vector<std::uint32_t> angles;

@@ -9,15 +9,15 @@
 
 namespace treeline {
 
-/// A program, ready to be evaluated at many states as emitted code computes it, to the bit. It must
-/// outlive this.
+/// Evaluates a program at many states exactly as emitted code computes it, to the bit. The program
+/// must outlive this object.
 class GraphRun {
  public:
   explicit GraphRun(const Program& program);
 
-  /// All results in `real`, one after another.
+  /// All results, computed in `real`, one after another.
   [[nodiscard]] std::vector<double> results(const State& state, Real real) const;
-  /// The magnitudes, added up, of the angles whose sine or cosine is taken and that are no inputs.
+  /// Sum of the magnitudes of all angles that are not inputs and whose sine or cosine is taken.
   [[nodiscard]] double computed_angles(const State& state) const;
 
  private:
@@ -28,10 +28,10 @@ class GraphRun {
 
   const Program* program_;
   std::vector<InputPlace> places_;
-  std::vector<std::uint32_t> angles_;  ///< nodes, each once
+  std::vector<std::uint32_t> angles_;  ///< distinct nodes
 };
 
-/// A function's arguments at a state, in the order of its program.
+/// Arguments of a program's function at a state, in the order of the program.
 std::vector<const std::vector<double>*> arguments_of(const Program& program, const State& state);
 
 }  // namespace treeline

@@ -35,7 +35,7 @@ std::vector<Scalar> derivatives(const interpreter::DynamicsDerivatives<Scalar>& 
   return entries;
 }
 
-/// A state's numbers as the interpreter takes them.
+/// The numbers of a state in the interpreter's types.
 template <class Scalar>
 struct Numbers {
   explicit Numbers(const State& state)
@@ -49,7 +49,7 @@ struct Numbers {
   Vector<Scalar> q, qd, qdd, tau, xdd_cmd, f_ext;
 };
 
-/// Of joints and of the robot as a whole.
+/// Results of functions of joints and of the whole robot.
 template <class Scalar>
 std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
                              const Numbers<Scalar>& at) {
@@ -120,7 +120,7 @@ std::vector<Scalar> damped_control_torque(const Subject<Scalar>& subject,
   return entries;
 }
 
-/// Of operational points.
+/// Results of functions of operational points.
 template <class Scalar>
 std::vector<Scalar> of_points(Function function, const Subject<Scalar>& subject,
                               const Numbers<Scalar>& at, const interpreter::TaskLaw<Scalar>& law) {

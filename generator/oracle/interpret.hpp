@@ -10,9 +10,9 @@
 
 namespace treeline {
 
-/// What the interpreter says that a function's results are, in the order and layout of the
-/// generated function's outputs, one after the other. For float, double and Digits50. `law`: of the
-/// generated function at this state, see `law_at`; none for a bare solve.
+/// Results of a function according to the interpreter, in the order and layout of the generated
+/// function's outputs, one after the other. For float, double and Digits50. `law` is the task law
+/// of the generated function at this state, see `law_at`; the default means a plain solve.
 template <class Scalar>
 std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject, const State& state,
                               const interpreter::TaskLaw<Scalar>& law = {});

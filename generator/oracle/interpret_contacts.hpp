@@ -9,13 +9,14 @@
 
 namespace treeline {
 
-/// One of `kContactFunctions` by the interpreter: all entries of all results.
+/// Results of one of `kContactFunctions` according to the interpreter: all entries of all results.
+/// `law` is the generated function's task law at this state.
 template <class Scalar>
 std::vector<Scalar> interpret_contacts(Function function, const Subject<Scalar>& subject,
                                        const State& state,
                                        const interpreter::TaskLaw<Scalar>& law = {});
 
-/// The frames of the links that move against their parents, as points with all rows in their own
+/// Frames of the links that move relative to their parents, as points with all rows in their own
 /// axes, in the order of `link_inverse_inertias`.
 interpreter::Points<double> link_frames(const interpreter::Model<double>& model);
 

@@ -9,8 +9,8 @@
 
 namespace treeline {
 
-/// The results of one of `kObjectFunctions` by the interpreter, in the order of the contract. For
-/// float, double and 50 digits.
+/// Results of one of `kObjectFunctions` according to the interpreter, in the order of the contract.
+/// For float, double and Digits50. `law` is the generated function's task law at this state.
 template <class Scalar>
 std::vector<Scalar> interpret_objects(Function function, const Subject<Scalar>& subject,
                                       const State& state,

@@ -9,13 +9,13 @@
 
 namespace treeline {
 
-/// A generated function's law as the interpreter takes it, its axes where they are at `q`. Nothing
-/// yields where `law` is null.
+/// Task law of a generated function in the interpreter's types, with the axes that it has at `q`.
+/// If `law` is null, no row is relaxed.
 interpreter::TaskLaw<interpreter::Digits50> law_at(const TaskLaw* law,
                                                    const std::vector<double>& q);
 
-/// The law by which the sizes of a function's results are found: the scale of forces comes out of
-/// Lambda, also where it is the Jacobian that is eliminated. Null where `law` is.
+/// Task law for finding the sizes of a function's results. Scales of forces follow from Lambda, so
+/// a law on the Jacobian is replaced by the one on Lambda^-1. Null if `law` is.
 std::shared_ptr<const TaskLaw> law_of_sizes(const std::shared_ptr<const TaskLaw>& law);
 
 }  // namespace treeline

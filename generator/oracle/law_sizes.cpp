@@ -12,16 +12,16 @@ namespace {
 
 using LongMatrix = interpreter::Matrix<long double>;
 
-/// Random changes of Lambda^-1 by which its neighbourhood is searched.
+/// Number of random changes of Lambda^-1 that explore its neighbourhood.
 constexpr int kProbes = 12;
 
-/// How far apart neighbours are: some roundings. Only laws in float have this power.
+/// Distance of neighbours, a few roundings. The power identifies float: only laws in float have it.
 long double reach_of(const interpreter::TaskLaw<double>& law) {
   return law.power == inverse_inertia_shape(Real::float32).power ? 0x1p-20L : 0x1p-49L;
 }
 
-/// Lambda_ii is at least 1 / A_ii where nothing yields. Where a row yields it falls to nothing, but
-/// what rounding leaves of it is measured against that force.
+/// Sizes of the diagonal of Lambda. Lambda_ii is at least 1 / A_ii if no row is relaxed. In a
+/// relaxed row it goes to zero, but its rounding error is still relative to 1 / A_ii.
 Eigen::VectorXd force_sizes(const LongMatrix& Lambda, const Eigen::VectorXd& terms) {
   Eigen::VectorXd sizes(terms.size());
   for (Eigen::Index i = 0; i < terms.size(); ++i) {
@@ -31,7 +31,7 @@ Eigen::VectorXd force_sizes(const LongMatrix& Lambda, const Eigen::VectorXd& ter
   return sizes;
 }
 
-/// A with each entry changed at random, by at most `reach` of its terms.
+/// Changes each entry of A at random, by at most `reach` times its terms.
 LongMatrix neighbour(const LongMatrix& A, const Eigen::VectorXd& terms, long double reach,
                      std::mt19937_64& random) {
   LongMatrix changed = A;
@@ -45,8 +45,9 @@ LongMatrix neighbour(const LongMatrix& A, const Eigen::VectorXd& terms, long dou
   return changed;
 }
 
-/// By how many units Lambda changes, of the size of its forces, if Lambda^-1 changes by one. No
-/// formula of linear algebra knows it: a row that yields takes those after it along.
+/// Finds the condition number by trial: the change of Lambda, relative to the size of its forces,
+/// per relative change of Lambda^-1. There is no formula for it, because a relaxed row affects all
+/// rows after it.
 LawSizes probe(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
                const interpreter::TaskLaw<double>& law) {
   const LongMatrix exact = A.cast<long double>();

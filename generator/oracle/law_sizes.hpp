@@ -7,15 +7,16 @@
 
 namespace treeline {
 
-/// Of a solve whose rows yield near singularities: its condition, and the largest magnitudes that
-/// Lambda can have at the state and in the neighbourhood of it, where a row's yielding is steep.
+/// Properties of a solve whose rows are relaxed near singularities: its condition number, and the
+/// largest magnitudes of Lambda at the state and in its neighbourhood, where the relaxation of a
+/// row may be steep.
 struct LawSizes {
   double condition = 1;
   Eigen::MatrixXd Lambda;
 };
 
-/// `law` is about Lambda^-1, not about a Jacobian; `terms` are the sizes of the terms of
-/// `Lambda_inverse`, in rows as asked for.
+/// Finds these properties at `q`. `law` must be a law on Lambda^-1, not on a Jacobian. `terms` has
+/// the sizes of the terms of `Lambda_inverse`, in the rows of the task.
 LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q,
                         const Eigen::MatrixXd& Lambda_inverse, const Eigen::MatrixXd& terms,
                         const interpreter::TaskLaw<double>& law);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 6;
 
-/// "a, b and 3 more"
+/// Lists the first names and counts the others: "a, b and 3 more".
 std::string list_first(const std::vector<std::string>& names) {
   const auto shown = static_cast<std::ptrdiff_t>(std::min(names.size(), kMostNamed));
   std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));

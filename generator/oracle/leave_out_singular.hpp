@@ -6,10 +6,10 @@
 
 namespace treeline {
 
-/// Where M is singular in every pose, takes the functions that need its inverse out of the scene,
-/// with one warning that names the directions without inertia and what would cure them. Functions
-/// that somebody asked for by name (`listed`: those of the scene are), `damped` among them, are not
-/// taken out: an error says the same.
+/// Removes the functions that need M^-1 from the scene if M is singular in every pose. One warning
+/// names the directions without inertia and a cure. Functions that were requested by name
+/// (`listed`: those of the scene are), including `damped`, are not removed; an error with the same
+/// content is reported for them.
 void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -15,7 +15,7 @@ namespace treeline {
 
 namespace detail {
 
-/// Adds a robot's links to a model one after another, depth first.
+/// Adds the links of a robot to a model, one after another, depth-first.
 template <class Scalar>
 class ModelBuilder {
  public:
@@ -57,7 +57,7 @@ class ModelBuilder {
     return interpreter::JointKind::fixed;
   }
 
-  /// Inertia about the link frame's origin out of the one about the centre of mass.
+  /// Sets the inertia about the link frame's origin, from the one about the centre of mass.
   static void set_inertia(const Inertial& inertial, interpreter::Body<Scalar>& body) {
     const auto R = rotation_from_rpy<Scalar>(inertial.origin.rpy);
     interpreter::Matrix3<Scalar> J;
@@ -107,7 +107,8 @@ class ModelBuilder {
     return body;
   }
 
-  /// Composes the chain of mimic tags from joint `j` to a joint that is none or is locked.
+  /// Composes the chain of mimic tags from joint `j` to the joint at its end, which is no mimic or
+  /// is locked.
   void follow_mimics(int j, interpreter::Body<Scalar>& body) {
     int leader = j;
     while (!scene_.locked.contains(robot_.joints[index(leader)].name) &&
@@ -126,7 +127,7 @@ class ModelBuilder {
     }
   }
 
-  /// Makes a joint of one degree fixed at a displacement.
+  /// Fixes a joint of one degree of freedom at a displacement.
   static void lock(interpreter::Body<Scalar>& body, const Scalar& at) {
     if (body.kind == interpreter::JointKind::prismatic) {
       body.p_parent_joint += body.R_parent_joint * (body.axis * at);
@@ -138,7 +139,8 @@ class ModelBuilder {
     body.offset = Scalar(0);
   }
 
-  /// Rodrigues' formula; a quarter turn that a file gives as a double is exact.
+  /// Rotation by `angle` about the axis `n`, by Rodrigues' formula. A quarter turn that a file
+  /// gives as a double is exact.
   static interpreter::Matrix3<Scalar> turn(const interpreter::Vector3<Scalar>& n,
                                            const Scalar& angle) {
     const double as_double = static_cast<double>(angle);
@@ -167,18 +169,19 @@ class ModelBuilder {
 
 }  // namespace detail
 
-/// The interpreter's model of a robot in a scene, straight from the files' numbers: every link is a
-/// body, nothing is lumped or regrouped. Rotations and axes are computed in the precision of
-/// `Scalar`. Joint order and coordinates are the contract's: depth first from the root, children in
-/// the file's order, a floating base first; fixed, locked and mimic joints own no coordinates.
-/// Joints of `scene.locked` have one degree of freedom; a joint that mimics a locked one is locked.
+/// Makes the interpreter's model of a robot in a scene, directly from the files' numbers: every
+/// link is a body, nothing is lumped or regrouped. Rotations and axes are computed in the precision
+/// of `Scalar`. Joint order and coordinates are those of the contract: depth-first from the root,
+/// children in the file's order, a floating base first. Fixed, locked and mimic joints have no
+/// coordinates. Joints in `scene.locked` have one degree of freedom; a joint that mimics a locked
+/// one is locked too.
 template <class Scalar>
 interpreter::Model<Scalar> model_from_robot(const Robot& robot, const Scene& scene) {
   return detail::ModelBuilder<Scalar>(robot, scene).model();
 }
 
-/// A scene's operational points, or its external forces, as points on the model that
-/// `model_from_robot` makes. Their links must be the robot's.
+/// Converts a scene's operational points or external forces to points on the model that
+/// `model_from_robot` makes. Their links must belong to the robot.
 template <class Scalar>
 interpreter::Points<Scalar> points_from_scene(const interpreter::Model<Scalar>& model,
                                               const std::vector<ScenePoint>& scene_points) {

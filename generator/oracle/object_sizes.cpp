@@ -27,7 +27,7 @@ MatrixXd inverse_magnitudes(const MatrixXd& A) {
   return A.ldlt().solve(MatrixXd::Identity(A.rows(), A.cols())).cwiseAbs();
 }
 
-/// Three rows of one size and three of another.
+/// Six rows: three of one size, then three of another.
 VectorXd six(double linear, double angular) {
   VectorXd rows(6);
   rows << linear, linear, linear, angular, angular, angular;
@@ -54,7 +54,8 @@ ObjectSizes::ObjectSizes(const Subject<double>& subject, const State& state,
   Lambda_ = inverse_magnitudes(Lambda_inverse_);
 }
 
-/// Of Lambda^-1 with what yields, or of Lambda^-1 + C Lambda_obj^-1 C^T likewise.
+/// Properties of the solve with Lambda^-1, or with Lambda^-1 + C Lambda_obj^-1 C^T if objects move
+/// freely, with relaxed rows.
 std::optional<LawSizes> ObjectSizes::yielding(Function function,
                                               const interpreter::TaskLaw<double>& law) const {
   if (Lambda_inverse_.size() == 0) return std::nullopt;
@@ -82,7 +83,8 @@ std::vector<double> ObjectSizes::sizes(Function function,
   }
 }
 
-/// Of a drift: those of both hands' poses and velocities.
+/// Sizes of poses, velocities and drifts. A drift has the sizes of both hands' poses and
+/// velocities.
 std::vector<double> ObjectSizes::object_state() const {
   const VectorXd poses = terms_.poses();
   const VectorXd velocities = J_ * magnitudes(state_.qd);
@@ -108,7 +110,7 @@ std::vector<double> ObjectSizes::object_state() const {
   return entries;
 }
 
-/// m (|a| + |g| + |c| (|alpha| + |w|^2)) and |I| (|alpha| + |w|^2) + m |c| (|a| + |g|).
+/// Sizes m (|a| + |g| + |c| (|alpha| + |w|^2)) and |I| (|alpha| + |w|^2) + m |c| (|a| + |g|).
 VectorXd ObjectSizes::object_force(std::size_t object, const VectorXd& accelerations) const {
   const auto& body = subject_.chain.objects[object];
   Eigen::Index hand = 0;
@@ -142,7 +144,7 @@ VectorXd ObjectSizes::moved(std::size_t object, VectorXd forces) const {
   return forces;
 }
 
-/// Those of inverse dynamics at qdd_0, and |J|^T (|Lambda| (|xdd| + |Jd qd| + |J| |qdd_0|) +
+/// Sizes of inverse dynamics at qdd_0, plus |J|^T (|Lambda| (|xdd| + |Jd qd| + |J| |qdd_0|) +
 /// |f_t|).
 std::vector<double> ObjectSizes::control_torque(const MatrixXd& Lambda) const {
   const VectorXd xdd = magnitudes(values_of(state_, Quantity::xdd_object));
@@ -160,7 +162,7 @@ std::vector<double> ObjectSizes::control_torque(const MatrixXd& Lambda) const {
   return entries_of(terms_.forces(state_.qd, state_.qdd, {}) + J_.transpose() * f);
 }
 
-/// Table 7.2 line by line, with Lambda_e.
+/// Sizes of the terms of Chang table 7.2, line by line, with Lambda_e.
 std::vector<double> ObjectSizes::forward_dynamics() const {
   const VectorXd qdd_o = open_chain();
   const VectorXd xdd_o = open_accelerations(qdd_o);
@@ -180,7 +182,8 @@ std::vector<double> ObjectSizes::forward_dynamics() const {
   return motion(qdd_o, xdd, Lambda_ * (xdd_o + C_ * xdd));
 }
 
-/// The same as one system for the hands' forces: what moves the objects freely, then those forces.
+/// Sizes for one system of equations for the hands' forces: first the free motion of the objects,
+/// then these forces.
 std::vector<double> ObjectSizes::forward_dynamics(const LawSizes& law) const {
   const VectorXd qdd_o = open_chain();
   const MatrixXd of_objects = mobility().cwiseAbs();

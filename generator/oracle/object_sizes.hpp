@@ -13,50 +13,53 @@
 
 namespace treeline {
 
-/// The scales of the results of `kObjectFunctions` at one state: Chang tables 7.1 and 7.2 with the
-/// magnitude of every term in place of the term.
+/// Scales of the results of `kObjectFunctions` at one state: the equations of Chang tables 7.1 and
+/// 7.2 with the magnitude of every term in place of the term.
 class ObjectSizes {
  public:
   /// `M_inverse` has the magnitudes of M^-1.
   ObjectSizes(const Subject<double>& subject, const State& state, const Eigen::MatrixXd& M_inverse);
 
-  /// Of the matrix that gives all hands' forces where they yield by `law`: Lambda^-1 and, where the
-  /// objects move freely, their mobility. Nothing where there is no such matrix.
+  /// Properties of the solve for all hands' forces, with rows relaxed by `law`. Its matrix is
+  /// Lambda^-1, plus the mobility of objects that move freely. Nothing if there is no such matrix.
   [[nodiscard]] std::optional<LawSizes> yielding(Function function,
                                                  const interpreter::TaskLaw<double>& law) const;
-  /// `yielding`: nothing for a bare solve.
+  /// Scale of each entry of the function's results, in their order. Without `yielding` for a plain
+  /// solve.
   [[nodiscard]] std::vector<double> sizes(Function function,
                                           const std::optional<LawSizes>& yielding) const;
-  /// Of Lambda^-1, scaled to a unit diagonal.
+  /// Condition number of Lambda^-1, scaled to a unit diagonal.
   [[nodiscard]] double condition() const { return condition_; }
 
  private:
   [[nodiscard]] std::vector<double> object_state() const;
-  /// With the magnitudes of the matrix that makes forces of the hands' accelerations.
+  /// Scales of `object_control_torque`. `Lambda` has the magnitudes of the matrix that turns the
+  /// hands' accelerations into forces.
   [[nodiscard]] std::vector<double> control_torque(const Eigen::MatrixXd& Lambda) const;
   [[nodiscard]] std::vector<double> forward_dynamics() const;
   [[nodiscard]] std::vector<double> forward_dynamics(const LawSizes& law) const;
-  /// Of the hands' accelerations without objects, less what stabilisation asks for.
+  /// Sizes of the hands' accelerations without objects, minus those that stabilisation commands.
   [[nodiscard]] Eigen::VectorXd open_accelerations(const Eigen::VectorXd& qdd) const;
   [[nodiscard]] Eigen::VectorXd open_chain() const;
-  /// Of the motion with these forces of the hands, in the order of the function's results.
+  /// Sizes of the motion under these forces of the hands, in the order of the function's results.
   [[nodiscard]] std::vector<double> motion(const Eigen::VectorXd& qdd, const Eigen::VectorXd& xdd,
                                            const Eigen::VectorXd& f) const;
-  /// The objects' inverse inertias at their origins, six rows an object.
+  /// Inverse inertias of the objects at their origins, six rows per object.
   [[nodiscard]] Eigen::MatrixXd mobility() const;
-  /// Of what one object with such accelerations asks of its hands, six rows.
+  /// Sizes of the forces that one object with these accelerations needs from its hands, six rows.
   [[nodiscard]] Eigen::VectorXd object_force(std::size_t object,
                                              const Eigen::VectorXd& accelerations) const;
-  /// The same with internal forces, spread over its hands, at their points; six rows a hand.
+  /// Sizes of such forces and of internal forces, distributed over the object's hands, at the
+  /// hands' points; six rows per hand.
   [[nodiscard]] Eigen::VectorXd spread(std::size_t object, const Eigen::VectorXd& force,
                                        const Eigen::VectorXd& internal) const;
-  /// Forces at the hands' points, at the object's origin, or the other way round.
+  /// Sizes of forces moved from the hands' points to the object's origin, or the other way round.
   [[nodiscard]] Eigen::VectorXd moved(std::size_t object, Eigen::VectorXd forces) const;
 
   const Subject<double>& subject_;
   const State& state_;
   const Eigen::MatrixXd& M_inverse_;
-  Subject<double> seen_;  ///< with the objects' origins in the hands as points
+  Subject<double> seen_;  ///< with the origins of the objects, fixed to the hands, as points
   TermSizes terms_;
   Eigen::MatrixXd J_, Lambda_inverse_, Lambda_, C_;
   Eigen::VectorXd bias_;

@@ -13,7 +13,7 @@ namespace {
 
 using interpreter::Digits50;
 
-/// Beyond this share of 1/unit a condition leaves a solve without a digit worth comparing.
+/// If the condition number exceeds this share of 1/unit, a solve has no correct digit to compare.
 constexpr double kSingular = 1.0 / 64;
 
 void split(const std::vector<Digits50>& exact, FunctionReference& reference) {
@@ -68,7 +68,7 @@ StateReference ReferenceMaker::make(int index, Digits digits) const {
   StateReference made{draw_state(space_, index), {}};
   const ResultSizes sizes(space_.subject, made.state);
   for (std::size_t i = 0; i < functions_.size(); ++i) {
-    // A function of several states differs from the plain one in its graph, not in its truth.
+    // A batch function has a different graph than the plain function, but the same reference.
     made.functions.push_back(functions_[i].batch > 0 ? made.functions[i - plain_]
                                                      : interpret_at(i, made.state, sizes, digits));
     FunctionReference& reference = made.functions.back();
@@ -82,8 +82,8 @@ StateReference ReferenceMaker::make(int index, Digits digits) const {
   return made;
 }
 
-/// What must come out of the last function, which is composed of others of the state's; an angle
-/// that one of these rounds is amplified as their errors are.
+/// Computes the result that the last function must have, which is composed of other functions of
+/// the same state. Rounding of an angle in one of these is amplified like their errors.
 void ReferenceMaker::compose_graph(StateReference& made) const {
   FunctionReference& composed = made.functions.back();
   const auto graph_of = [&](Function function) {
@@ -111,7 +111,7 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   FunctionReference reference;
   const auto yielding = sizes.yielding(function, size_law);
   reference.condition = sizes.condition(function, yielding);
-  // Where rows yield there is a truth at every state, however fast it changes there.
+  // If rows are relaxed, every state has a reference, however fast the result changes there.
   const bool yields = size_laws_[i] != nullptr && std::isfinite(reference.condition);
   reference.singular = !yields && !(reference.condition < kSingular / unit_of(real_));
   if (reference.singular) {
@@ -131,8 +131,8 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   return reference;
 }
 
-/// Where rows yield and the robot itself is not singular, an answer is promised; it is judged where
-/// the interpreter gives one.
+/// Whether the result must be finite. It must if rows are relaxed and the robot itself is not
+/// singular; this is checked where the interpreter's result in Real is finite.
 bool ReferenceMaker::stays_finite(Function function, const State& state, const ResultSizes& sizes,
                                   const interpreter::TaskLaw<Digits50>& law) const {
   const bool promised = !law.borders.empty() &&

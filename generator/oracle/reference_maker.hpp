@@ -12,22 +12,22 @@
 
 namespace treeline {
 
-/// Makes the references of all functions of a generation, state by state; the same for the same
-/// seed. May be used from several threads at once.
+/// Makes the references of all functions of a generation, state by state. Equal seeds give equal
+/// references. May be used from several threads at once.
 class ReferenceMaker {
  public:
-  /// `generation` must outlive it.
+  /// `generation` must outlive this object.
   ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
                  std::uint64_t seed);
 
-  /// In the order of the references: `all_callable`.
+  /// The functions in the order of the references: `all_callable`.
   [[nodiscard]] const std::vector<GeneratedFunction>& functions() const { return functions_; }
-  /// State `index` with all references.
+  /// Makes state `index` with all its references.
   [[nodiscard]] StateReference make(int index) const;
-  /// The same without the 50 digits, for a small part of the time: `high` is what the interpreter
-  /// gives in Real, sizes are found by that, and `interpreter_error` is not known.
+  /// Makes state `index` without the 50 digits, in a small part of the time: `high` and the sizes
+  /// come from the interpreter in Real, and `interpreter_error` is unknown.
   [[nodiscard]] StateReference estimate(int index) const;
-  /// What was estimated of function `i` at a state becomes what `make` gives.
+  /// Replaces the estimated reference of function `i` at this state by the one that `make` gives.
   void complete(std::size_t i, const State& state, FunctionReference& estimated) const;
 
  private:
@@ -44,9 +44,9 @@ class ReferenceMaker {
       const interpreter::TaskLaw<interpreter::Digits50>& law) const;
 
   std::vector<GeneratedFunction> functions_;
-  std::size_t plain_;           ///< so many of them are of one state
-  std::vector<GraphRun> runs_;  ///< of each function
-  /// Of each function, by which its sizes are found.
+  std::size_t plain_;           ///< number of functions of a single state
+  std::vector<GraphRun> runs_;  ///< by function
+  /// Task law for the sizes of the results, by function.
   std::vector<std::shared_ptr<const TaskLaw>> size_laws_;
   Real real_;
   Subject<interpreter::Digits50> exact_;

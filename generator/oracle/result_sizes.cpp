@@ -27,7 +27,7 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& A) {
   return A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
 }
 
-/// Lambda^-1 plus what rows in strict priority yield by: c (1 - w) / w of each.
+/// Lambda^-1 plus the relaxation of rows in strict priority: c (1 - w) / w for each row.
 Eigen::MatrixXd with_yields(const interpreter::Points<double>& points, const Eigen::MatrixXd& A) {
   const Eigen::VectorXd borders = interpreter::yield_borders<double>(points, A.diagonal());
   Eigen::MatrixXd left = A;
@@ -156,13 +156,13 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
   throw std::logic_error("a function outside of its enumeration");
 }
 
-/// |M^-1| (|tau| + those of inverse dynamics at the resulting qdd)
+/// M^-1| (|tau| + sizes of inverse dynamics at the resulting qdd).
 Eigen::VectorXd ResultSizes::forward_dynamics(const std::vector<double>& qdd) const {
   return M_inverse_ *
          (vector_of<double>(state_.tau).cwiseAbs() + terms_.forces(state_.qd, qdd, state_.f_ext));
 }
 
-/// |J| |M^-1| |J|^T
+/// J| |M^-1| |J|^T.
 Eigen::MatrixXd ResultSizes::lambda_inverse() const {
   const Eigen::MatrixXd J = terms_.jacobian();
   return J * M_inverse_ * J.transpose();
@@ -174,9 +174,9 @@ Eigen::MatrixXd ResultSizes::lambda(const Eigen::MatrixXd& Lambda) {
   return d * d.transpose();
 }
 
-/// Those of inverse dynamics at qdd_0 and |J|^T |Lambda| (|xdd_cmd| + |Jd qd| + |J| |qdd_0|). The
-/// forces of the task pass by joints that they do not move, where nothing but their rounding is
-/// left: no torque is measured against less than a thousandth of the largest.
+/// Sizes of inverse dynamics at qdd_0, plus |J|^T |Lambda| (|xdd_cmd| + |Jd qd| + |J| |qdd_0|). The
+/// forces of the task also pass through joints that they do not move, and leave their rounding
+/// errors there. So each torque's scale is at least a thousandth of the largest.
 Eigen::VectorXd ResultSizes::control_torque(const Eigen::MatrixXd& Lambda) const {
   const Eigen::MatrixXd J = terms_.jacobian();
   const Eigen::VectorXd rows = vector_of<double>(state_.xdd_cmd).cwiseAbs() +
@@ -198,8 +198,8 @@ std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {
                  terms_.forces_by_velocity(state_.qd), terms_.mass_matrix()});
 }
 
-/// W times those of inverse dynamics at a qdd of the size of its terms; W_ij =
-/// sqrt(|M^-1|_ii |M^-1|_jj), which no entry of M^-1 exceeds: one that cancels says nothing of its
+/// W times the sizes of inverse dynamics at a qdd of the size of its terms. W_ij = sqrt(|M^-1|_ii
+/// |M^-1|_jj), which no entry of M^-1 exceeds; an entry that cancels would say nothing about its
 /// terms.
 std::vector<double> ResultSizes::forward_dynamics_derivatives() const {
   const Eigen::VectorXd at = interpreter::forward_dynamics<double>(

@@ -12,21 +12,22 @@
 
 namespace treeline {
 
-/// The scales of all functions' results at one state, out of the sizes of their terms.
+/// Scales of the results of all functions at one state, from the sizes of their terms.
 class ResultSizes {
  public:
   ResultSizes(const Subject<double>& subject, const State& state);
 
-  /// Of the solve with rows that yield by `law`; nothing for functions without one.
+  /// Properties of the solve with rows that are relaxed by `law`. Nothing for functions without
+  /// such a solve.
   [[nodiscard]] std::optional<LawSizes> yielding(Function function,
                                                  const interpreter::TaskLaw<double>& law) const;
-  /// Of each entry of the function's results, in their order. `result` is what it is, by `law`,
-  /// and `yielding` what the law's solve has.
+  /// Scale of each entry of the function's results, in their order. `result` is the function's
+  /// result with the law `law`, `yielding` the properties of its solve.
   [[nodiscard]] std::vector<double> sizes(
       Function function, const std::vector<double>& result,
       const interpreter::TaskLaw<double>& law = {},
       const std::optional<LawSizes>& yielding = std::nullopt) const;
-  /// Of the matrix that the function solves with; 1 for none.
+  /// Condition number of the matrix that the function solves with; 1 if there is none.
   [[nodiscard]] double condition(Function function,
                                  const std::optional<LawSizes>& yielding = std::nullopt) const;
 
@@ -34,7 +35,8 @@ class ResultSizes {
   [[nodiscard]] Eigen::VectorXd forward_dynamics(const std::vector<double>& qdd) const;
   [[nodiscard]] Eigen::MatrixXd lambda_inverse() const;
   [[nodiscard]] static Eigen::MatrixXd lambda(const Eigen::MatrixXd& Lambda);
-  /// With the magnitudes of the matrix that makes forces of the task's accelerations.
+  /// Scales of `control_torque`. `Lambda` has the magnitudes of the matrix that turns the task's
+  /// accelerations into forces.
   [[nodiscard]] Eigen::VectorXd control_torque(const Eigen::MatrixXd& Lambda) const;
   [[nodiscard]] std::vector<double> damped_control_torque() const;
   [[nodiscard]] std::vector<double> inverse_dynamics_derivatives() const;
@@ -43,11 +45,11 @@ class ResultSizes {
   const Subject<double>& subject_;
   const State& state_;
   TermSizes terms_;
-  /// Magnitudes of the entries; the last is Lambda as tasks in strict priority leave it.
+  /// Magnitudes of the entries. The last one is Lambda after tasks of strict priority.
   Eigen::MatrixXd M_inverse_, Lambda_, control_Lambda_;
-  Eigen::MatrixXd Lambda_inverse_;      ///< itself; empty where M has no inverse
-  std::optional<ObjectSizes> objects_;  ///< where the scene has any
-  std::optional<DampedSizes> damped_;   ///< where the scene asks for it
+  Eigen::MatrixXd Lambda_inverse_;      ///< the matrix itself; empty if M has no inverse
+  std::optional<ObjectSizes> objects_;  ///< only if the scene has objects
+  std::optional<DampedSizes> damped_;   ///< only if the scene asks for damping
   double M_condition_ = 1, Lambda_condition_ = 1, control_condition_ = 1;
 };
 

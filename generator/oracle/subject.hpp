@@ -9,15 +9,15 @@
 
 namespace treeline {
 
-/// Robot and scene as the interpreter takes them.
+/// Robot and scene in the interpreter's types.
 template <class Scalar>
 struct Subject {
   interpreter::Model<Scalar> model;
   interpreter::Points<Scalar> points;    ///< operational points
   interpreter::Points<Scalar> external;  ///< where external forces act
   interpreter::Points<Scalar> contacts;
-  interpreter::ClosedChain<Scalar> chain;  ///< with the objects that the robot holds, if any
-  interpreter::Damping<Scalar> damping;    ///< of no row where the scene asks for none
+  interpreter::ClosedChain<Scalar> chain;  ///< with the objects that the robot holds
+  interpreter::Damping<Scalar> damping;    ///< empty if the scene asks for no damping
 };
 
 template <class Scalar>
@@ -29,12 +29,12 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   subject.contacts = points_from_scene(subject.model, scene.contacts);
   if (!scene.objects.empty()) subject.chain = chain_from_scene<Scalar>(robot, scene);
   subject.damping.heaviest = vector_of<Scalar>(heaviest_rows(scene));
-  // As `core::add_damping_by_directions` has it.
+  // The values of `core::add_damping_by_directions`.
   subject.damping.resolution = Scalar(scene.real == Real::float32 ? 0x1p-17 : 0x1p-46);
   return subject;
 }
 
-/// The same with each number rounded once.
+/// Converts every number to another type, rounding it once.
 template <class To, class From>
 Subject<To> cast(const Subject<From>& subject) {
   return {interpreter::cast<To>(subject.model),    interpreter::cast<To>(subject.points),

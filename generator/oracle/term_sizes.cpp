@@ -15,7 +15,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// How far the joint's own translation moves its link.
+/// Distance by which the joint's own translation moves its link, m.
 double displacement(const interpreter::Body<double>& body, const std::vector<double>& q) {
   const auto size = [&](int i) {
     return std::abs(body.multiplier * q[at(body.q + i)] + body.offset);
@@ -32,7 +32,7 @@ double displacement(const interpreter::Body<double>& body, const std::vector<dou
   }
 }
 
-/// Of a joint's velocities, how many are of translation; these come first.
+/// Number of the joint's velocities that are translations; these come first.
 int translations(interpreter::JointKind kind) {
   switch (kind) {
     case interpreter::JointKind::prismatic:
@@ -46,7 +46,7 @@ int translations(interpreter::JointKind kind) {
   }
 }
 
-/// The norm of the rotational inertia about the centre of mass.
+/// Norm of the rotational inertia about the centre of mass.
 double central_inertia(const interpreter::Body<double>& body) {
   const auto C = interpreter::cross_matrix(body.com);
   return (body.inertia + body.mass * C * C).norm();
@@ -62,17 +62,17 @@ TermSizes::TermSizes(const Subject<double>& subject, const std::vector<double>& 
   }
 }
 
-/// Of the way from the world to the body's origin.
+/// Length of the path from the world to the body's origin, m.
 double TermSizes::path_to(int body) const {
   double path = 0;
   for (int i = body; i != kWorld; i = subject_.model.body(i).parent) path += lengths_[at(i)];
   return path;
 }
 
-/// Levers are added up from the point inward: as a difference of ways from the world a small one
-/// would be lost, and its size be zero.
+/// Lever arms are summed up from the point inward. As a difference of two paths from the world a
+/// small one would be lost, and its size would be zero.
 TermSizes::Columns TermSizes::columns(int body, double distance) const {
-  constexpr double kNoise = 64 * kResolution;  // of several joints
+  constexpr double kNoise = 64 * kResolution;  // noise of several joints
   Columns result;
   double way = distance;
   for (int j = body; j != kWorld; j = subject_.model.body(j).parent) {

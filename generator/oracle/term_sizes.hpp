@@ -7,44 +7,46 @@
 
 namespace treeline {
 
-/// The scale that errors of results are measured by: each equation with the magnitude of every term
+/// Scales by which errors of results are measured: each equation with the magnitude of every term
 /// in place of the term, so that nothing cancels. Lever arms are lengths of paths along the links,
-/// never projected or folded; velocities and accelerations add up along the path as if all had one
-/// direction. So a torque that is small because large ones balance has the scale of the large ones,
-/// each joint has the scale of what hangs on it, and no scale depends on the unit of another. A
-/// lever that is nothing but noise of the files, see `noise_limits`, has the robot's longest for a
-/// scale: code leaves it out.
+/// never projected or folded. Velocities and accelerations add up along the path as if all had the
+/// same direction. So a small torque that is the balance of large ones has the scale of the large
+/// ones, the scale of each joint follows from what it carries, and no scale depends on the unit of
+/// another. A lever arm that is only noise of the files (see `noise_limits`) has the scale of the
+/// robot's longest one, because code leaves it out.
 class TermSizes {
  public:
   TermSizes(const Subject<double>& subject, const std::vector<double>& q);
 
-  /// Of M: sum over bodies of m l_i l_j + |I|. nv x nv.
+  /// Sizes of M: sum over bodies of m l_i l_j + |I|. nv x nv.
   [[nodiscard]] Eigen::MatrixXd mass_matrix() const;
-  /// Of M qdd + b + g - J_ext^T f_ext: sum over bodies of l m |a| + |I| |alpha|, and the external
-  /// forces' where `f_ext` has any. nv.
+  /// Sizes of M qdd + b + g - J_ext^T f_ext: sum over bodies of l m |a| + |I| |alpha|, plus those
+  /// of the external forces if `f_ext` is not empty. nv.
   [[nodiscard]] Eigen::VectorXd forces(const std::vector<double>& qd,
                                        const std::vector<double>& qdd,
                                        const std::vector<double>& f_ext) const;
-  /// Of the derivatives of `forces` by displacements: as they turn, move and meet other
-  /// accelerations with what is displaced. nv x nv.
+  /// Sizes of the derivatives of `forces` with respect to displacements. A displacement turns and
+  /// moves what it displaces, and exposes it to other accelerations. nv x nv.
   [[nodiscard]] Eigen::MatrixXd forces_by_displacement(const std::vector<double>& qd,
                                                        const std::vector<double>& qdd,
                                                        const std::vector<double>& f_ext) const;
-  /// Of the derivatives of `forces` by velocities: l m 2 (|w| l' + |v|) + |I| 2 |w|. nv x nv.
+  /// Sizes of the derivatives of `forces` with respect to velocities: l m 2 (|w| l' + |v|) + |I| 2
+  /// |w|. nv x nv.
   [[nodiscard]] Eigen::MatrixXd forces_by_velocity(const std::vector<double>& qd) const;
-  /// Of J, controlled rows x nv: l in rows of translation, 1 in those of rotation.
+  /// Sizes of J, controlled rows x nv: l in translational rows, 1 in rotational ones.
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
-  /// Of Jd qd, controlled rows: 2 |w| |v| and |w|^2.
+  /// Sizes of Jd qd, controlled rows: 2 |w| |v| and |w|^2.
   [[nodiscard]] Eigen::VectorXd bias(const std::vector<double>& qd) const;
-  /// Of positions and rotation matrices, as forward kinematics gives them: 3 and then 9 a point.
+  /// Sizes of positions and rotation matrices, in the layout of forward kinematics: 3, then 9 per
+  /// point.
   [[nodiscard]] Eigen::VectorXd poses() const;
-  /// Of the centre of mass, 3: the mean length of the paths to the bodies' centres.
+  /// Sizes of the centre of mass, 3: the mean length of the paths to the bodies' centres of mass.
   [[nodiscard]] Eigen::VectorXd center_of_mass() const;
-  /// Of its Jacobian, 3 x nv: the mean of l.
+  /// Sizes of the Jacobian of the centre of mass, 3 x nv: the mean of l.
   [[nodiscard]] Eigen::MatrixXd center_of_mass_jacobian() const;
 
  private:
-  /// How one velocity moves a point: by `lever` m/s and `turn` rad/s for 1 of it.
+  /// Motion of a point per unit of one velocity: `lever` in m, `turn` in rad per unit.
   struct Column {
     int v;
     double lever, turn;
@@ -61,8 +63,8 @@ class TermSizes {
                               const std::vector<double>& qdd) const;
 
   const Subject<double>& subject_;
-  std::vector<double> lengths_;  ///< of each body: of the way from its parent's origin to its own
-  double longest_ = 0;           ///< offset of a joint or a centre of mass
+  std::vector<double> lengths_;  ///< by body: path from its parent's origin to its own, m
+  double longest_ = 0;           ///< largest offset of a joint or a centre of mass, m
 };
 
 }  // namespace treeline

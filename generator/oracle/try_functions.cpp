@@ -15,12 +15,13 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The state at which function `i` leaves its bound the farthest, if it does.
+/// Finds the state at which function `i` exceeds its bound the most. Nothing if it stays within the
+/// bound.
 std::optional<FailedTrial> judge(std::size_t i, const GeneratedFunction& generated,
                                  const std::vector<StateReference>& references, double unit) {
   const Bound bound = find_bound(i, generated.function, references);
   std::optional<FailedTrial> worst;
-  double largest = 1;  // error over bound
+  double largest = 1;  // largest ratio of error to bound
   for (const StateReference& reference : references) {
     const FunctionReference& at = reference.functions[i];
     if (at.graph.empty()) continue;
@@ -36,7 +37,7 @@ std::optional<FailedTrial> judge(std::size_t i, const GeneratedFunction& generat
   return worst;
 }
 
-/// What is there of a generation of these functions and of what they are composed of.
+/// Keeps of a generation these functions and those that they are composed of.
 Generation keep(const Generation& generation, const std::vector<Function>& wanted) {
   const auto is_unwanted = [&](const GeneratedFunction& generated) {
     return std::none_of(wanted.begin(), wanted.end(), [&](Function function) {
@@ -52,7 +53,7 @@ Generation keep(const Generation& generation, const std::vector<Function>& wante
   return kept;
 }
 
-/// Judges functions at few states with as few of the interpreter's 50 digits as may be.
+/// Judges functions at few states, computing 50 digits only where necessary.
 class Trial {
  public:
   Trial(const ReferenceMaker& maker, const std::vector<int>& states, double unit)
@@ -61,7 +62,7 @@ class Trial {
                    [&](std::size_t s) { references_[s] = maker_.estimate(states[s]); });
   }
 
-  /// Whether function `i` may be beyond its bound somewhere.
+  /// Whether function `i` may exceed its bound at some state.
   bool is_suspect(std::size_t i) {
     Bound bound;
     std::vector<bool> is_known(references_.size(), false);
@@ -78,11 +79,11 @@ class Trial {
   }
 
  private:
-  /// The state, not known yet, that is the farthest beyond what needs no 50 digits: the graph's
-  /// error is at most its distance d from the interpreter in Real and the interpreter's own error
-  /// e; the bound is at least 8 ulp, 16 e and, with what is known of the interpreter at other
-  /// states, 16 times what that lets expect here. Scales are found by the interpreter in Real: an
-  /// eighth is kept for that.
+  /// Finds, among the states without 50 digits, the one that is farthest beyond what can be
+  /// accepted without them. The graph's error is at most its distance d from the interpreter in
+  /// Real plus the interpreter's own error e. The bound is at least 8 ulp, at least 16 e, and at
+  /// least 16 times the error that the interpreter's errors at other states predict here. An eighth
+  /// is kept in reserve because the scales come from the interpreter in Real.
   std::optional<std::size_t> find_open(std::size_t i, const Bound& bound,
                                        const std::vector<bool>& is_known) const {
     constexpr double kKept = 7.0 / 8;
@@ -113,7 +114,7 @@ class Trial {
   std::vector<StateReference> references_;
 };
 
-/// Functions that may leave their bounds.
+/// Finds the functions that may exceed their bounds.
 std::vector<GeneratedFunction> find_suspects(const Robot& robot, const Scene& scene,
                                              const Generation& generation,
                                              const TrialOptions& options) {
@@ -128,7 +129,8 @@ std::vector<GeneratedFunction> find_suspects(const Robot& robot, const Scene& sc
   return suspects;
 }
 
-/// Those that leave their bounds at the first so many states, with all 50 digits.
+/// Finds the functions that exceed their bounds at the first `states` states, using 50 digits
+/// everywhere.
 std::vector<FailedTrial> find_failed(const Robot& robot, const Scene& scene,
                                      const Generation& generation, int states, std::uint64_t seed) {
   ReferenceOptions options;

@@ -10,35 +10,36 @@
 
 namespace treeline {
 
-/// States of every class that functions are tried at: neutral, at rest and moving, where many arms
-/// are singular; ordinary; next to quarter turns, where more are; fast; turned many times; tiny; at
+/// States of every class at which functions are tried: neutral, at rest and moving, where many arms
+/// are singular; ordinary; near quarter turns, where more are singular; fast; many turns; tiny; at
 /// limits.
 inline constexpr std::array kTrialStates = {0, 20, 1, 4, 2, 7, 11, 3, 5, 6, 19, 39};
 
-/// Which states functions are tried at.
+/// States at which functions are tried.
 struct TrialOptions {
   std::vector<int> states{kTrialStates.begin(), kTrialStates.end()};
-  int confirm = 200;  ///< what is beyond its bound there is tried once more at the first so many
+  int confirm = 200;  ///< number of first states at which failures are tried again
   std::uint64_t seed = 1;
 };
 
-/// A function whose expression graph, evaluated in Real, leaves its bound at a state.
+/// A function whose expression graph, evaluated in Real, exceeds its bound at a state.
 struct FailedTrial {
   Function function{};
-  std::string name;  ///< as `source_stem` has it
+  std::string name;  ///< see `source_stem`
   State state;
   double error = 0, bound = 0;  ///< in ulp of the result's scale
 };
 
-/// Evaluates the graph of each function as emitted code would, to the bit, and compares it with the
-/// interpreter in 50 digits, within the bounds of `check`; where the task is singular and yields,
-/// it must be finite. Nothing is compiled. Returns the functions that fail, each at the state where
-/// it leaves its bound the farthest. The bound rests on what the interpreter errs by in Real, which
-/// few states can understate; so a function that fails at few is judged again at many.
+/// Evaluates the graph of each function exactly as emitted code would, to the bit, and compares it
+/// with the interpreter in 50 digits, within the bounds of `check`. Where the task is singular and
+/// relaxed, the result must be finite. Nothing is compiled. Returns the functions that fail, each
+/// with the state at which it exceeds its bound the most. The bound depends on the interpreter's
+/// errors in Real, which a few states may underestimate. So a function that fails at the few states
+/// is judged again at many.
 ///
-/// The 50 digits are computed where they can change the verdict, mostly nowhere: the bound is 8 ulp
-/// and 16 times the interpreter's own error in Real, so that a graph within 8 ulp of the
-/// interpreter in Real is within its bound whatever that error is.
+/// The 50 digits are computed only where they can change the verdict, which is almost nowhere. The
+/// bound is 8 ulp plus 16 times the interpreter's own error in Real. So a graph within 8 ulp of the
+/// interpreter in Real is within its bound, whatever that error is.
 std::vector<FailedTrial> try_functions(const Robot& robot, const Scene& scene,
                                        const Generation& generation,
                                        const TrialOptions& options = {});

@@ -46,8 +46,7 @@ class Exchange {
       } else if (node.op == Op::input) {
         inputs.emplace(graph_.inputs()[node.a], i);
       }
-      image_[i] = operation(node.op).operands == 0 ? i : kNoNode;  // corrected below for what
-                                                                   // belongs to a limb
+      image_[i] = operation(node.op).operands == 0 ? i : kNoNode;  // limbs: see below
     }
     for (const auto& [place, node] : constants) {
       const LimbConstant own = limb_constant(graph_.nodes()[node]);

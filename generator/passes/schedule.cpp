@@ -86,8 +86,7 @@ class Scheduler {
   const std::vector<Node>& nodes_;
   std::vector<int> need_;
   std::vector<bool> placed_;
-  std::vector<std::vector<std::uint32_t>> units_;  // by node: the members of its pack; empty for a
-                                                   // single node
+  std::vector<std::vector<std::uint32_t>> units_;  // by node: its pack; empty for a single node
   std::vector<std::uint32_t> order_;
 };
 

@@ -151,10 +151,8 @@ class PairTable {
   std::vector<Group> groups_;
   std::uint32_t first_pair_;
   std::vector<Pair> pairs_;
-  std::vector<std::vector<std::size_t>> places_;        // groups with the pair, by the queue's last
-                                                        // index
-  std::set<std::tuple<int, Pair, std::size_t>> queue_;  // minus the greatest possible count, pair,
-                                                        // index
+  std::vector<std::vector<std::size_t>> places_;        // by index: groups with the pair
+  std::set<std::tuple<int, Pair, std::size_t>> queue_;  // minus the largest count, pair, index
 };
 
 /// Finds the groups of a program.

@@ -124,8 +124,7 @@ class NodeIndex {
   [[nodiscard]] std::size_t slot_of(const std::vector<Node>& nodes, const Node& node) const;
   void grow(const std::vector<Node>& nodes, std::size_t slots);
 
-  std::vector<std::uint32_t> places_;  // heads of chains; then for each node: first of its users,
-                                       // next in its chain
+  std::vector<std::uint32_t> places_;  // heads of chains; by node: first user, next in its chain
 };
 
 /// The expression graph while it is built: nodes in order of creation, equal nodes only once. Node

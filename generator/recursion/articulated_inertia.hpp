@@ -16,7 +16,7 @@ struct ArticulatedInertia {
   Symmetric3<Scalar> C;
 };
 
-/// f = m a - h x wd, so B = -[h]x.
+/// Articulated-body inertia of a single link. f = m a - h x wd, so B = -[h]x.
 template <class Scalar>
 ArticulatedInertia<Scalar> articulated_inertia(const TreeInertia<Scalar>& inertia) {
   const Scalar zero(0.0);
@@ -34,7 +34,7 @@ ArticulatedInertia<Scalar> operator+(const ArticulatedInertia<Scalar>& a,
       a.A + b.A, {a.B.row_x + b.B.row_x, a.B.row_y + b.B.row_y, a.B.row_z + b.B.row_z}, a.C + b.C};
 }
 
-/// U = IA S, D = S^T U and u = U / D of a one-degree joint.
+/// U = IA S, D = S^T U and u = U / D of a joint of one degree of freedom.
 template <class Scalar>
 struct JointProjection {
   Wrench<Scalar> U;
@@ -57,7 +57,8 @@ JointProjection<Scalar> joint_projection(JointKind kind, const ArticulatedInerti
   return joint;
 }
 
-/// IA - U D^-1 U^T. The joint's own row and column cancel and are left out as exact zeros.
+/// IA - U D^-1 U^T, the inertia that the joint passes on. The joint's own row and column cancel;
+/// they are left out as exact zeros.
 template <class Scalar>
 ArticulatedInertia<Scalar> without_joint(JointKind kind, const ArticulatedInertia<Scalar>& I,
                                          const JointProjection<Scalar>& joint) {
@@ -82,8 +83,8 @@ ArticulatedInertia<Scalar> without_joint(JointKind kind, const ArticulatedInerti
   return left;
 }
 
-/// The inertia at the origin of a frame in which its own has origin p, axes alike. With
-/// B' = B - A [p]x, C gains [p]x B' + ([p]x B)^T, written per entry so that only six are formed.
+/// Inertia at the origin of a frame in which its own frame has origin p, with the same axes. With
+/// B' = B - A [p]x, C gains [p]x B' + ([p]x B)^T, written out so that only six entries are formed.
 template <class Scalar>
 ArticulatedInertia<Scalar> shifted(const ArticulatedInertia<Scalar>& I, const Vector3<Scalar>& p) {
   const auto& [A, B, C] = I;
@@ -103,7 +104,7 @@ ArticulatedInertia<Scalar> shifted(const ArticulatedInertia<Scalar>& I, const Ve
   return {A, H, C + gain};
 }
 
-/// X I X^T, the inertia at the parent's origin.
+/// X I X^T, the inertia at the parent's origin, in the parent's axes.
 template <class Scalar>
 ArticulatedInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
                                      const ArticulatedInertia<Scalar>& I) {
@@ -140,14 +141,15 @@ DenseMatrix<Scalar> dense(const ArticulatedInertia<Scalar>& I) {
   return matrix;
 }
 
-/// The inward recursion of table 4.2: what every articulated method shares.
+/// Result of the inward recursion of Chang table 4.2, which all articulated-body methods share.
 template <class Scalar>
 struct ArticulatedTree {
-  std::vector<JointProjection<Scalar>> joints;  ///< one-degree joints
-  std::vector<LdltFactor<Scalar>> floating;     ///< of IA at floating joints; else empty
+  std::vector<JointProjection<Scalar>> joints;  ///< for joints of one degree of freedom
+  std::vector<LdltFactor<Scalar>> floating;     ///< of IA at floating joints; otherwise empty
 };
 
-/// A floating joint passes no inertia to its parent: IA - IA IA^-1 IA = 0.
+/// Computes articulated-body inertias inward (Chang table 4.2). A floating joint passes no inertia
+/// to its parent: IA - IA IA^-1 IA = 0.
 template <class Scalar>
 ArticulatedTree<Scalar> articulate(const Tree<Scalar>& tree,
                                    const std::vector<JointTransform<Scalar>>& X) {

@@ -7,9 +7,9 @@
 
 namespace treeline {
 
-/// Of everything beyond a joint, at the link's frame: its share of the robot's mass, and the first
-/// moment of that share. Regrouping moves matter only along joint axes, where neither the centre of
-/// mass nor its motion notices.
+/// Share of the robot's mass in everything beyond a joint, and the first moment of that share at
+/// the link's frame. Regrouping moves matter only along joint axes, which does not affect the
+/// centre of mass or its motion.
 template <class Scalar>
 struct MassShare {
   Scalar mass{};
@@ -42,7 +42,7 @@ std::vector<MassShare<Scalar>> composite_shares(const Tree<Scalar>& tree,
   return shares;
 }
 
-/// The centre of mass in the world, of all links, those that do not move included.
+/// Centre of mass of all links in the world, including links that do not move, m.
 template <class Scalar>
 Vector3<Scalar> center_of_mass(const Tree<Scalar>& tree,
                                const std::vector<JointTransform<Scalar>>& X) {
@@ -56,9 +56,9 @@ Vector3<Scalar> center_of_mass(const Tree<Scalar>& tree,
   return center;
 }
 
-/// 3 x nv: velocity of the centre of mass, world axes. A joint moves what is beyond it: by the
-/// cross product of its axis with the first moment if it turns, along its axis by the mass if it
-/// slides.
+/// Jacobian of the centre of mass, 3 x nv, world axes. A joint moves everything beyond it: a
+/// revolute joint by the cross product of its axis with the first moment, a prismatic joint along
+/// its axis by the mass.
 template <class Scalar>
 DenseMatrix<Scalar> center_of_mass_jacobian(const Tree<Scalar>& tree,
                                             const std::vector<JointTransform<Scalar>>& X) {

@@ -7,16 +7,16 @@
 namespace treeline {
 
 /// Twice the moments of velocity of everything beyond a joint, about the link's origin and in its
-/// axes, velocities relative to that origin: P = 2 integral of v dm, C = 2 integral of v r^T dm.
-/// They turn a change alpha of the angular velocity that carries the bodies into the Coriolis force
-/// alpha x P and moment (tr C) alpha - C alpha.
+/// axes, with velocities relative to that origin: P = 2 integral of v dm, C = 2 integral of v r^T
+/// dm. If the angular velocity that carries the bodies changes by alpha, the Coriolis force changes
+/// by alpha x P and its moment by (tr C) alpha - C alpha.
 template <class Scalar>
 struct CompositeMomentum {
   Vector3<Scalar> P;
   Matrix3<Scalar> C;
 };
 
-/// (tr C) e - C e = 2 integral of r x (e x v).
+/// (tr C) e - C e = 2 integral of r x (e x v) dm.
 template <class Scalar>
 Vector3<Scalar> turned_moment(const Matrix3<Scalar>& C, const Vector3<Scalar>& e) {
   return {(C.row_y.y + C.row_z.z) * e.x - C.row_x.y * e.y - C.row_x.z * e.z,
@@ -28,13 +28,13 @@ template <class Scalar>
 Matrix3<Scalar> operator+(const Matrix3<Scalar>& A, const Matrix3<Scalar>& B) {
   return {A.row_x + B.row_x, A.row_y + B.row_y, A.row_z + B.row_z};
 }
-/// a b^T.
+/// Outer product a b^T.
 template <class Scalar>
 Matrix3<Scalar> outer(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
   return {b * a.x, b * a.y, b * a.z};
 }
 
-/// R A R^T across any joint.
+/// R A R^T for a joint of any kind.
 template <class Scalar>
 Matrix3<Scalar> turned_to_parent(const JointTransform<Scalar>& X, const Matrix3<Scalar>& A) {
   if (!X.general) {
@@ -47,7 +47,7 @@ Matrix3<Scalar> turned_to_parent(const JointTransform<Scalar>& X, const Matrix3<
   return rotate(X.R, turned);
 }
 
-/// Twice the velocity of a link's origin relative to its parent's, in the parent's axes.
+/// Twice the velocity of a link's origin relative to its parent, in the parent's axes.
 template <class Scalar>
 Vector3<Scalar> twice_relative_velocity(const TreeLink<Scalar>& link,
                                         const JointTransform<Scalar>& X,
@@ -79,8 +79,8 @@ CompositeMomentum<Scalar> own_momentum(const TreeInertia<Scalar>& inertia,
   return {cross(w2, inertia.h), transposed(Matrix3<Scalar>{x, y, z})};
 }
 
-/// Inward pass; `velocities` are what `twice_relative_velocity` gives for each link, `w` the
-/// angular velocities.
+/// Computes the composites' moments of velocity inward. `velocities` are those of
+/// `twice_relative_velocity` for each link, `w` the angular velocities.
 template <class Scalar>
 std::vector<CompositeMomentum<Scalar>> composite_momenta(
     const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
@@ -100,7 +100,7 @@ std::vector<CompositeMomentum<Scalar>> composite_momenta(
     CompositeMomentum<Scalar>& parent = momenta[static_cast<std::size_t>(link.parent)];
     const Vector3<Scalar> P = X[i].to_parent(momenta[i].P);
     const Vector3<Scalar> h =
-        X[i].to_parent(inertias[i].h) + X[i].p * inertias[i].mass;  // as composites have it
+        X[i].to_parent(inertias[i].h) + X[i].p * inertias[i].mass;  // as in composite inertias
     const Matrix3<Scalar> shift = outer(P, X[i].p) + outer(velocities[i], h);
     parent.P = parent.P + P + velocities[i] * inertias[i].mass;
     parent.C = parent.C + turned_to_parent(X[i], momenta[i].C) + shift;

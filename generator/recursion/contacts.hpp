@@ -9,25 +9,26 @@
 
 namespace treeline {
 
-/// Three entries for each contact out of a list, as a vector.
+/// Returns the three entries of a contact in a list as a vector.
 template <class Scalar>
 Vector3<Scalar> contact_entry(std::span<const Scalar> entries, std::size_t contact) {
   return {entries[3 * contact], entries[3 * contact + 1], entries[3 * contact + 2]};
 }
 
-/// Positions and velocities of the contacts, world axes, three entries for each.
+/// Positions and velocities of the contacts, world axes, three entries per contact.
 template <class Scalar>
 struct ContactMotion {
   std::vector<Scalar> position, velocity;
 };
 
-/// v_link + w x p of each contact's link, outward.
+/// Computes positions and velocities of the contacts: v_link + w x p for each contact's link, by an
+/// outward recursion.
 template <class Scalar>
 ContactMotion<Scalar> contact_motion(const Tree<Scalar>& tree,
                                      const std::vector<JointTransform<Scalar>>& X,
                                      const std::vector<WorldPose<Scalar>>& poses,
                                      std::span<const Scalar> qd) {
-  std::vector<LinkAcceleration<Scalar>> velocities;  // of the same shape
+  std::vector<LinkAcceleration<Scalar>> velocities;  // velocities have the same shape
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "velocity");
@@ -59,7 +60,7 @@ ContactMotion<Scalar> contact_motion(const Tree<Scalar>& tree,
   return motion;
 }
 
-/// Each contact as a task of one row, along its normal in the world.
+/// Treats each contact as a task of one row, along its normal in the world.
 template <class Scalar>
 std::vector<TaskPoint<Scalar>> normal_tasks(const Tree<Scalar>& tree,
                                             const std::vector<WorldPose<Scalar>>& poses,
@@ -75,7 +76,8 @@ std::vector<TaskPoint<Scalar>> normal_tasks(const Tree<Scalar>& tree,
   return tasks;
 }
 
-/// 1 / (n^T Lambda_c^-1 n) of each row of `Lambda_inv` (Chang eq. 8.1), inverted by `rule`.
+/// Effective masses 1 / (n^T Lambda_c^-1 n), one per row of `Lambda_inv` (Chang eq. 8.1). `rule`
+/// inverts the divisors.
 template <class Scalar>
 std::vector<Scalar> masses_along(const DenseMatrix<Scalar>& Lambda_inv,
                                  const PivotRule& rule = {}) {
@@ -86,7 +88,7 @@ std::vector<Scalar> masses_along(const DenseMatrix<Scalar>& Lambda_inv,
   return masses;
 }
 
-/// Impulses at the contacts, each at its link's origin and in the link's axes, added up.
+/// Sums up impulses at the contacts for each link, at the link's origin and in its axes.
 template <class Scalar>
 std::vector<Wrench<Scalar>> impulses_on_links(const Tree<Scalar>& tree,
                                               const std::vector<WorldPose<Scalar>>& poses,
@@ -103,9 +105,9 @@ std::vector<Wrench<Scalar>> impulses_on_links(const Tree<Scalar>& tree,
   return on_links;
 }
 
-/// dqd by impulse propagation (Chang table 8.2): inward y_h = L y_i, where what a joint yields to
-/// is an exact zero, outward as accelerations go. Links beside the struck paths take up nothing
-/// inward, which in a trace costs nothing.
+/// Jump dqd of the velocities by impulse propagation (Chang table 8.2): inward y_h = L y_i, where
+/// the component along the joint is an exact zero, then outward like accelerations. Links beside
+/// the struck paths receive no impulse inward, which costs nothing in a trace.
 template <class Scalar>
 std::vector<Scalar> impulse_response(const Tree<Scalar>& tree,
                                      const std::vector<JointTransform<Scalar>>& X,
@@ -132,7 +134,7 @@ std::vector<Scalar> impulse_response(const Tree<Scalar>& tree,
   return accelerate_outward(tree, X, bodies, along);
 }
 
-/// dqd = M^-1 J^T y: where joints share a coordinate.
+/// Jump dqd = M^-1 J^T y of the velocities, for trees whose joints share a coordinate.
 template <class Scalar>
 std::vector<Scalar> impulse_response_by_factors(const Tree<Scalar>& tree,
                                                 const std::vector<JointTransform<Scalar>>& X,

@@ -7,8 +7,8 @@
 
 namespace treeline {
 
-/// A world vector in a link's axes, carried joint by joint. Points that share a trunk share its
-/// part of the way if they carry the same vector.
+/// Transforms a vector from world axes to a link's axes, joint by joint. Points that share a trunk
+/// share this part of the computation if they have the same vector.
 template <class Scalar>
 Vector3<Scalar> carried_to_link(const Tree<Scalar>& tree,
                                 const std::vector<JointTransform<Scalar>>& X, int link,
@@ -20,14 +20,14 @@ Vector3<Scalar> carried_to_link(const Tree<Scalar>& tree,
   return X[i].to_child(carried_to_link(tree, X, tree.links[i].parent, v));
 }
 
-/// A vector given in a point's axes, in its link's.
+/// Transforms a vector from a point's axes to its link's axes.
 template <class Scalar>
 Vector3<Scalar> to_link_axes(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
                              const TreePoint<Scalar>& point, const Vector3<Scalar>& v) {
   return point.axes == Axes::world ? carried_to_link(tree, X, point.link, v) : point.R * v;
 }
 
-/// Wrenches on links from the external forces, six numbers a point.
+/// Wrenches on links due to the external forces, which have six numbers per point.
 template <class Scalar>
 std::vector<Wrench<Scalar>> applied_wrenches(const Tree<Scalar>& tree,
                                              const std::vector<JointTransform<Scalar>>& X,
@@ -49,13 +49,13 @@ std::vector<Wrench<Scalar>> applied_wrenches(const Tree<Scalar>& tree,
   return applied;
 }
 
-/// A vector in a link's axes, in those of the task's triples of rows.
+/// Transforms a vector from a link's axes to the task's axes.
 template <class Scalar>
 Vector3<Scalar> to_task_axes(const TaskPoint<Scalar>& task, const Vector3<Scalar>& v) {
   return {dot(task.rows[0].e, v), dot(task.rows[1].e, v), dot(task.rows[2].e, v)};
 }
 
-/// A vector given in a point's axes, in those of `basis`.
+/// Transforms a vector from a point's axes to those of `basis`.
 template <class Scalar>
 Vector3<Scalar> to_basis_axes(const Tree<Scalar>& tree,
                               const std::vector<JointTransform<Scalar>>& X,
@@ -68,8 +68,8 @@ Vector3<Scalar> to_basis_axes(const Tree<Scalar>& tree,
   return to_link_axes(tree, X, point, v);
 }
 
-/// xdd_cmd - (Jd qd + J qdd_0) of one point, rows as asked for, gravity taken out of the motion
-/// again (motion.a is the true acceleration minus g).
+/// xdd_cmd - (Jd qd + J qdd_0) for one point, in the rows of the scene. Gravity is removed from the
+/// motion: motion.a is the true acceleration minus g.
 template <class Scalar>
 std::vector<Scalar> asked_acceleration_error(const Tree<Scalar>& tree,
                                              const std::vector<JointTransform<Scalar>>& X,
@@ -87,7 +87,8 @@ std::vector<Scalar> asked_acceleration_error(const Tree<Scalar>& tree,
   return error;
 }
 
-/// The same of a point with whole triples of rows, in `basis`.
+/// xdd_cmd - (Jd qd + J qdd_0) for one point with whole triples of rows, in the axes and at the
+/// reference point of `basis`.
 template <class Scalar>
 std::vector<Scalar> acceleration_error(const Tree<Scalar>& tree,
                                        const std::vector<JointTransform<Scalar>>& X,
@@ -130,15 +131,15 @@ struct ControlInputs {
   std::vector<Wrench<Scalar>> applied;
 };
 
-/// In which coordinates the rows of a control torque are worked with.
+/// Basis in which the rows of a control torque are computed.
 template <class Scalar>
 TaskBasis control_basis(const Tree<Scalar>& tree, const LambdaChoice& choice) {
   return has_priorities(tree) ? TaskBasis{} : choice.basis;
 }
 
-/// F = Lambda times the acceleration errors, see `prioritized_task_force` for priorities. Table 5.1
-/// gives Lambda itself, at one link's origin in its axes; all other routes its inverse, in whose
-/// LDL^T `rule` inverts the pivots.
+/// F = Lambda times the acceleration errors; for priorities see `prioritized_task_force`. Chang
+/// table 5.1 gives Lambda itself, at one link's origin and in its axes. All other routes give its
+/// inverse, and `rule` inverts the pivots of the inverse's LDL^T.
 template <class Scalar>
 std::vector<Scalar> task_force(const Tree<Scalar>& tree,
                                const std::vector<JointTransform<Scalar>>& X,
@@ -162,10 +163,10 @@ std::vector<Scalar> task_force(const Tree<Scalar>& tree,
   return F;
 }
 
-/// tau = RNEA(q, qd, qdd_0) + J^T F, F = Lambda (xdd_cmd - Jd qd - J qdd_0) (Chang table 6.1),
-/// fused: the outward pass of RNEA yields the accelerations of the points, and F enters its inward
-/// pass as forces at the points, so that no Jacobian is formed. `rule` belongs to the basis that
-/// `control_basis` gives.
+/// tau = RNEA(q, qd, qdd_0) + J^T F with F = Lambda (xdd_cmd - Jd qd - J qdd_0) (Chang table 6.1).
+/// The two parts are fused: the outward pass of RNEA gives the accelerations of the points, and F
+/// enters its inward pass as forces at the points. So no Jacobian is formed. `rule` must belong to
+/// the basis from `control_basis`.
 template <class Scalar>
 std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
                                    const std::vector<JointTransform<Scalar>>& X,

@@ -5,7 +5,7 @@
 
 namespace treeline {
 
-/// Row-major matrix of run-time size; entries start at zero, which in a trace is structural.
+/// Row-major matrix of run-time size. Entries start as zero, which a trace treats as structural.
 template <class Scalar>
 class DenseMatrix {
  public:

@@ -7,7 +7,7 @@
 
 namespace treeline {
 
-/// `the axes of link 3 (forearm)`; links count from 1.
+/// Name of a link's axes: `the axes of link 3 (forearm)`. Links count from 1.
 std::string axes_name(int link, const Tree<Expression>& tree);
 /// `link-3`.
 std::string axes_key(int link);

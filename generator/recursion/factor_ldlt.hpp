@@ -8,14 +8,14 @@
 
 namespace treeline {
 
-/// A = L D L^T of a symmetric positive definite matrix, L unit lower.
+/// Factorization A = L D L^T of a symmetric positive definite matrix, L unit lower triangular.
 template <class Scalar>
 struct LdltFactor {
   DenseMatrix<Scalar> L;
   std::vector<Scalar> inverse_D;
 };
 
-/// The part of the columns from `first` on that is below the diagonal: a lane for each row.
+/// Assigns lanes to the columns from `first` on, below the diagonal: one lane per row.
 template <class Scalar>
 void align_lower_columns(DenseMatrix<Scalar>& A, std::size_t first) {
   for (std::size_t j = first; j < A.cols(); ++j) {
@@ -30,8 +30,8 @@ void align_lower_columns(DenseMatrix<Scalar>& A, std::size_t first) {
   }
 }
 
-/// The factor of A, or where `invert` gives another inverse than 1 / D_k to pivot k, of the matrix
-/// that has those pivots.
+/// Factors A. If `invert` gives another inverse than 1 / D_k for pivot k, the result is the factor
+/// of the matrix that has those pivots.
 template <class Scalar, class Invert>
 LdltFactor<Scalar> factor_ldlt(DenseMatrix<Scalar> A, const Invert& invert) {
   const std::size_t n = A.rows();
@@ -55,7 +55,7 @@ LdltFactor<Scalar> factor_ldlt(DenseMatrix<Scalar> A) {
   return factor_ldlt(std::move(A), [](std::size_t, const Scalar& D) { return Scalar(1.0) / D; });
 }
 
-/// L^-1 b.
+/// Solves L x = b.
 template <class Scalar>
 std::vector<Scalar> solve_lower(const LdltFactor<Scalar>& factor, std::vector<Scalar> b) {
   for (std::size_t i = 0; i < b.size(); ++i) {
@@ -66,7 +66,7 @@ std::vector<Scalar> solve_lower(const LdltFactor<Scalar>& factor, std::vector<Sc
   return b;
 }
 
-/// L^-T D^-1 x.
+/// Computes L^-T D^-1 x.
 template <class Scalar>
 std::vector<Scalar> solve_upper(const LdltFactor<Scalar>& factor, std::vector<Scalar> x) {
   for (std::size_t i = x.size(); i-- > 0;) {
@@ -78,7 +78,7 @@ std::vector<Scalar> solve_upper(const LdltFactor<Scalar>& factor, std::vector<Sc
   return x;
 }
 
-/// A^-1 b.
+/// Solves A x = b.
 template <class Scalar>
 std::vector<Scalar> solve(const LdltFactor<Scalar>& factor, const std::vector<Scalar>& b) {
   return solve_upper(factor, solve_lower(factor, b));

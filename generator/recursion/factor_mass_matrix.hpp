@@ -6,9 +6,9 @@
 
 namespace treeline {
 
-/// M = L^T D L with unit lower L, factored from the last velocity to the first, so that for a tree
-/// L has no more nonzeros than M (Featherstone, RBDA section 6.5). What is structurally zero stays
-/// zero without being told where.
+/// Factorization M = L^T D L with unit lower triangular L, from the last velocity to the first, so
+/// that L has no more nonzeros than M if M belongs to a tree (Featherstone, RBDA section 6.5).
+/// Structural zeros stay zero without special treatment.
 template <class Scalar>
 struct LtdlFactor {
   DenseMatrix<Scalar> L;

@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// What moves a link: acceleration of its origin and angular acceleration, in its axes.
+/// Motion of a link: acceleration of its origin and angular acceleration, in its axes.
 template <class Scalar>
 struct Twist {
   Vector3<Scalar> v, w;
@@ -23,8 +23,8 @@ Twist<Scalar> to_child(const JointTransform<Scalar>& X, const Twist<Scalar>& twi
   return {X.to_child(twist.v + cross(twist.w, X.p)), X.to_child(twist.w)};
 }
 
-/// Omega = [A B; B^T C], the acceleration of a link's frame by a force there: v = A f + B n,
-/// w = B^T f + C n.
+/// Inverse operational-space inertia of a link, Omega = [A B; B^T C]: the acceleration of its frame
+/// per force there, v = A f + B n, w = B^T f + C n.
 template <class Scalar>
 struct Mobility {
   Symmetric3<Scalar> A;
@@ -36,16 +36,17 @@ struct Mobility {
   }
 };
 
-/// X^T Omega X. Motions shift as forces do, linear and angular exchanged, the other way.
+/// X^T Omega X, the parent's Omega at the link's origin, in the link's axes. Motions transform like
+/// forces with linear and angular parts exchanged, in the opposite direction.
 template <class Scalar>
 Mobility<Scalar> to_child(const JointTransform<Scalar>& X, const Mobility<Scalar>& Omega) {
   const auto [C, Bt, A] = shifted<Scalar>({Omega.C, transposed(Omega.B), Omega.A}, -X.p);
   return {X.matrix_to_child(A), X.matrix_to_child(transposed(Bt)), X.matrix_to_child(C)};
 }
 
-/// L^T N L + S D^-1 S^T at the link, N = X^T Omega_h X. Only the joint's own row and column change;
-/// with u = U D^-1 less its own entry, which is one, they become -N u and D^-1 + u^T N u: what N
-/// has there drops out.
+/// Omega = L^T N L + S D^-1 S^T of the link beyond a joint, with N = X^T Omega_h X. Only the
+/// joint's own row and column change. With u = U D^-1 without its own entry, which is one, they
+/// become -N u and D^-1 + u^T N u; the entries that N had there drop out.
 template <class Scalar>
 Mobility<Scalar> through_joint(JointKind kind, const JointProjection<Scalar>& joint,
                                Mobility<Scalar> N) {
@@ -78,8 +79,8 @@ Mobility<Scalar> mobility(const LdltFactor<Scalar>& IA) {
           {O(3, 3), O(3, 4), O(3, 5), O(4, 4), O(4, 5), O(5, 5)}};
 }
 
-/// Omega of the links that carry a point, outward (Chang table 5.2): zero at a fixed base, IA^-1
-/// behind a floating joint.
+/// Omega of the links that carry a point, by an outward recursion (Chang table 5.2). It is zero at
+/// a fixed base, and IA^-1 behind a floating joint.
 template <class Scalar>
 std::vector<Mobility<Scalar>> propagate_mobilities(const Tree<Scalar>& tree,
                                                    const std::vector<JointTransform<Scalar>>& X,
@@ -111,7 +112,7 @@ std::vector<Mobility<Scalar>> propagate_mobilities(const Tree<Scalar>& tree,
   return Omega;
 }
 
-/// The nearest link that carries both, or -1.
+/// Outermost link that carries both links, or -1.
 template <class Scalar>
 int nearest_common_ancestor(const Tree<Scalar>& tree, int i, int j) {
   while (i != j) {
@@ -121,7 +122,8 @@ int nearest_common_ancestor(const Tree<Scalar>& tree, int i, int j) {
   return i;
 }
 
-/// L_(h->link)^T, step by step: what an acceleration of link `h` is farther out, joints yielding.
+/// Acceleration of a link farther out that results from an acceleration of link `h` with free
+/// joints: L_(h->link)^T times the twist, joint by joint.
 template <class Scalar>
 Twist<Scalar> propagated_outward(const Tree<Scalar>& tree,
                                  const std::vector<JointTransform<Scalar>>& X,
@@ -141,7 +143,7 @@ Twist<Scalar> propagated_outward(const Tree<Scalar>& tree,
   return moved;
 }
 
-/// The rows of all points in the order of Lambda^-1, with their unit forces.
+/// A row of a point with its unit force. Rows are in the order of Lambda^-1.
 template <class Scalar>
 struct LinkRow {
   int link;
@@ -158,8 +160,8 @@ std::vector<LinkRow<Scalar>> link_rows(const std::vector<TaskPoint<Scalar>>& tas
   return rows;
 }
 
-/// Omega_ij = L_(h->i)^T Omega_hh L_(h->j), 6x6, h the nearest common ancestor, each factor joint
-/// by joint: the acceleration of link i by a force on link j.
+/// Omega_ij = L_(h->i)^T Omega_hh L_(h->j), 6x6: the acceleration of link i per force on link j. h
+/// is their nearest common ancestor. Each factor is applied joint by joint.
 template <class Scalar>
 DenseMatrix<Scalar> coupling_mobility(const Tree<Scalar>& tree,
                                       const std::vector<JointTransform<Scalar>>& X,
@@ -193,7 +195,8 @@ DenseMatrix<Scalar> coupling_mobility(const Tree<Scalar>& tree,
   return coupling;
 }
 
-/// Lambda^-1 by force propagation with branching (Chang tables 5.2, 5.3): K_r^T Omega_ij K_s.
+/// Lambda^-1 by force propagation with branching (Chang tables 5.2, 5.3): its entries are K_r^T
+/// Omega_ij K_s for the unit forces K of rows r and s.
 template <class Scalar>
 DenseMatrix<Scalar> lambda_inverse_by_branching(const Tree<Scalar>& tree,
                                                 const std::vector<JointTransform<Scalar>>& X,
@@ -229,9 +232,9 @@ DenseMatrix<Scalar> lambda_inverse_by_branching(const Tree<Scalar>& tree,
   return Lambda_inv;
 }
 
-/// Lambda^-1 by extended force propagators (EFPA: Wensing, Featherstone & Orin 2012): each unit
-/// force goes inward once, chi = L chi, and every pair of rows meets at the nearest common ancestor
-/// of their links, chi_r^T Omega_h chi_s.
+/// Lambda^-1 by the extended-force-propagator algorithm (EFPA: Wensing, Featherstone & Orin 2012).
+/// Each unit force is propagated inward once, chi = L chi. Each pair of rows meets at the nearest
+/// common ancestor of their links: chi_r^T Omega_h chi_s.
 template <class Scalar>
 DenseMatrix<Scalar> lambda_inverse_by_extended_propagators(
     const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,

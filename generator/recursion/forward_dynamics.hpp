@@ -8,13 +8,14 @@
 
 namespace treeline {
 
-/// Linear over angular acceleration of a link, in its axes.
+/// Acceleration of a link in its axes, linear over angular.
 template <class Scalar>
 struct LinkAcceleration {
   Vector3<Scalar> a, wd;
 };
 
-/// Link accelerations carry no velocity terms here, see `solve_articulated`.
+/// Transforms a parent's acceleration to a link. It has no velocity terms here, see
+/// `solve_articulated`.
 template <class Scalar>
 LinkAcceleration<Scalar> to_child(const JointTransform<Scalar>& X,
                                   const LinkAcceleration<Scalar>& parent) {
@@ -63,9 +64,9 @@ std::vector<Scalar> accelerate_outward(const Tree<Scalar>& tree,
   return qdd;
 }
 
-/// M^-1 times a vector of joint forces by articulated bodies without bias: inward
-/// force = force - S^T pA, pA_h += X (pA + U D^-1 force), outward
-/// qdd = D^-1 force - (U D^-1)^T X^T a_h (Chang table 4.2 with c = 0, p = 0).
+/// M^-1 times a vector of joint forces, by articulated bodies without bias (Chang table 4.2 with c
+/// = 0, p = 0). Inward: force = force - S^T pA, pA_h += X (pA + U D^-1 force). Outward: qdd = D^-1
+/// force - (U D^-1)^T X^T a_h.
 template <class Scalar>
 std::vector<Scalar> solve_articulated(const Tree<Scalar>& tree,
                                       const std::vector<JointTransform<Scalar>>& X,

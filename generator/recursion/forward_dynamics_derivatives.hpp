@@ -7,13 +7,14 @@
 
 namespace treeline {
 
-/// Derivatives of accelerations, nv x nv: by displacements, velocities and joint forces.
+/// Derivatives of accelerations with respect to displacements, velocities and joint forces, nv x
+/// nv.
 template <class Scalar>
 struct AccelerationDerivatives {
   DenseMatrix<Scalar> dq, dqd, dtau;
 };
 
-/// M^-1 = L^-1 D^-1 L^-T, symmetric; L^-1 has zeros where M has.
+/// M^-1 = L^-1 D^-1 L^-T, symmetric. L^-1 has zeros where M has.
 template <class Scalar>
 DenseMatrix<Scalar> inverse(const LtdlFactor<Scalar>& factor) {
   const std::size_t n = factor.inverse_D.size();
@@ -38,7 +39,7 @@ DenseMatrix<Scalar> inverse(const LtdlFactor<Scalar>& factor) {
   return result;
 }
 
-/// A lane for each column; a sign that all entries have stays outside.
+/// Assigns lanes to row `i` of B, one per column. A common sign of all entries is taken out.
 template <class Scalar>
 void align_row(DenseMatrix<Scalar>& B, std::size_t i) {
   if constexpr (std::is_same_v<Scalar, Expression>) {
@@ -107,11 +108,11 @@ DenseMatrix<Scalar> operator-(DenseMatrix<Scalar> A) {
   return A;
 }
 
-/// How dqdd/dq = -M^-1 dtau/dq is formed: by solving, or with the inverse that is a result anyway.
+/// Ways to form dqdd/dq = -M^-1 dtau/dq: by a solve, or with the inverse, which is a result anyway.
 enum class DerivativeRoute { solve, multiply };
 
-/// Derivatives of forward dynamics: those of inverse dynamics at the qdd that comes of tau, times
-/// -M^-1.
+/// Derivatives of forward dynamics: -M^-1 times those of inverse dynamics at the qdd that results
+/// from tau.
 template <class Scalar>
 AccelerationDerivatives<Scalar> forward_dynamics_derivatives(
     const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,

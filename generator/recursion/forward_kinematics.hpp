@@ -6,7 +6,7 @@
 
 namespace treeline {
 
-/// Link frame in the world: x_world = R x_link + p.
+/// Pose of a link's frame in the world: x_world = R x_link + p.
 template <class Scalar>
 struct WorldPose {
   Matrix3<Scalar> R;
@@ -14,7 +14,8 @@ struct WorldPose {
   Vector3<Scalar> step;  ///< from the parent's origin to this one, world axes
 };
 
-/// Poses of all links, outward. A row of R_world_child is R_parent_child^T times the parent's row.
+/// Poses of all links in the world, by an outward recursion. A row of R_world_child is
+/// R_parent_child^T times the parent's row.
 template <class Scalar>
 std::vector<WorldPose<Scalar>> world_poses(const Tree<Scalar>& tree,
                                            const std::vector<JointTransform<Scalar>>& X) {
@@ -36,13 +37,13 @@ std::vector<WorldPose<Scalar>> world_poses(const Tree<Scalar>& tree,
   return poses;
 }
 
-/// A B.
+/// Matrix product A B.
 template <class Scalar>
 Matrix3<Scalar> operator*(const Matrix3<Scalar>& A, const Matrix3<Scalar>& B) {
   return {transposed_times(B, A.row_x), transposed_times(B, A.row_y), transposed_times(B, A.row_z)};
 }
 
-/// Pose of a point's frame in the world; on the world itself it is constant.
+/// Pose of a point's frame in the world. It is constant for points of the world itself.
 template <class Scalar>
 WorldPose<Scalar> point_pose(const std::vector<WorldPose<Scalar>>& poses,
                              const TreePoint<Scalar>& point) {

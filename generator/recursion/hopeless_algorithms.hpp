@@ -7,9 +7,10 @@
 
 namespace treeline {
 
-/// Algorithms that take so many more operations than another that no choice of coordinates, which
-/// saves a few of a hundred, makes up for it. Of long programs alone: there the factors of a mass
-/// matrix without zeros would take most of the time of tracing, once for each of the coordinates.
+/// Algorithms that are pruned: they need so many more operations than another one that no choice of
+/// coordinates, which saves a few per cent, could make up for it. This applies to long programs
+/// only, for which factoring a mass matrix without zeros, once for each choice of coordinates,
+/// would take most of the tracing time.
 class HopelessAlgorithms {
  public:
   /// Whether the algorithm of this route is one of them.

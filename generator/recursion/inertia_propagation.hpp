@@ -7,8 +7,8 @@
 
 namespace treeline {
 
-/// Whether table 5.1 applies without a big base: all points on one link, somewhere behind a
-/// floating joint, no mimics.
+/// Whether Chang table 5.1 applies without a big base: all points are on one link behind a floating
+/// joint, and there are no mimics.
 template <class Scalar>
 bool permits_inertia_propagation(const Tree<Scalar>& tree) {
   const auto& points = tree.operational_points;
@@ -28,9 +28,10 @@ bool permits_inertia_propagation(const Tree<Scalar>& tree) {
   return false;
 }
 
-/// The inertia of the whole robot felt at a link (Chang table 5.1): Lambda_i = I_i + N -
-/// N S (S^T N S)^-1 S^T N outward, N = X^-1 Lambda_h X^-T, from a link behind a floating joint, to
-/// which nothing is felt of what carries it. I_i includes the branches beside the path.
+/// Inertia of the whole robot as felt at a link (Chang table 5.1), by the outward recursion
+/// Lambda_i = I_i + N - N S (S^T N S)^-1 S^T N with N = X^-1 Lambda_h X^-T. It starts at a link
+/// behind a floating joint, through which nothing is felt. I_i includes the branches beside the
+/// path.
 template <class Scalar>
 ArticulatedInertia<Scalar> propagated_inertia(const Tree<Scalar>& tree,
                                               const std::vector<JointTransform<Scalar>>& X,
@@ -72,7 +73,7 @@ ArticulatedInertia<Scalar> propagated_inertia(const Tree<Scalar>& tree,
   return Lambda;
 }
 
-/// Lambda^-1 of points on one link behind a floating joint: the inertia felt there, inverted.
+/// Lambda^-1 of points on one link behind a floating joint: the inverse of the inertia felt there.
 template <class Scalar>
 DenseMatrix<Scalar> lambda_inverse_by_inertia_propagation(
     const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,

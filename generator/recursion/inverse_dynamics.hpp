@@ -20,7 +20,7 @@ template <class Scalar>
 Wrench<Scalar> operator-(const Wrench<Scalar>& a, const Wrench<Scalar>& b) {
   return {a.f - b.f, a.n - b.n};
 }
-/// The wrench of a force and moment acting at p.
+/// Wrench about the origin of a force and a moment that act at p.
 template <class Scalar>
 Wrench<Scalar> wrench_at(const Vector3<Scalar>& f, const Vector3<Scalar>& n,
                          const Vector3<Scalar>& p) {
@@ -33,9 +33,9 @@ Wrench<Scalar> to_parent(const JointTransform<Scalar>& X, const Wrench<Scalar>& 
   return {f, X.to_parent(wrench.n) + cross(X.p, f)};
 }
 
-/// u Sigma_a - v Sigma_b for the entries u = ww + wd, v = ww - wd of U, with J the sum of both
-/// moments. Both forms take three operations; with a zero moment the first takes one, with equal
-/// moments the second, which also leaves u and v unused.
+/// u Sigma_a - v Sigma_b for the entries u = ww + wd and v = ww - wd of U, where J is the sum of
+/// both moments. It has two forms of three operations each. If a moment is zero, the first form
+/// takes one operation. If the moments are equal, the second one does and does not use u and v.
 template <class Scalar>
 Scalar moment_of_pair(const Scalar& u, const Scalar& v, const Scalar& ww, const Scalar& wd,
                       const Scalar& Sigma_a, const Scalar& Sigma_b, const Scalar& J) {
@@ -46,8 +46,8 @@ Scalar moment_of_pair(const Scalar& u, const Scalar& v, const Scalar& ww, const 
   return ww * (Sigma_a - Sigma_b) + wd * J;
 }
 
-/// Rate of change of the link's momentum: f = m a + U h, n = vee(U Sigma) + h x a. With the second
-/// moment instead of J, n uses entries of U that the outward pass has anyway.
+/// Rate of change of a link's momentum: f = m a + U h, n = vee(U Sigma) + h x a. With the second
+/// moment in place of J, n uses entries of U that the outward pass computes anyway.
 template <class Scalar>
 Wrench<Scalar> inertial_wrench(const TreeInertia<Scalar>& inertia,
                                const LinkMotion<Scalar>& motion) {
@@ -64,7 +64,7 @@ Wrench<Scalar> inertial_wrench(const TreeInertia<Scalar>& inertia,
   return {motion.a * inertia.mass + U.matrix() * inertia.h, n + cross(inertia.h, motion.a)};
 }
 
-/// tau = S^T f for every joint; joints that share a coordinate add up.
+/// Adds tau = S^T f of a joint. Joints that share a coordinate add up.
 template <class Scalar>
 void add_joint_force(const TreeLink<Scalar>& link, const Wrench<Scalar>& wrench,
                      std::vector<Scalar>& tau) {
@@ -82,8 +82,8 @@ void add_joint_force(const TreeLink<Scalar>& link, const Wrench<Scalar>& wrench,
   }
 }
 
-/// Inward pass: wrenches of all links, each already holding what acts on the link itself, become
-/// joint forces, nv of them.
+/// Inward pass: turns the wrenches of all links, each including what acts on the link itself, into
+/// nv joint forces.
 template <class Scalar>
 std::vector<Scalar> inward_forces(const Tree<Scalar>& tree,
                                   const std::vector<JointTransform<Scalar>>& X,
@@ -114,8 +114,8 @@ std::vector<Wrench<Scalar>> inertial_wrenches(const Tree<Scalar>& tree,
   return wrenches;
 }
 
-/// tau = M qdd + b + g - J_ext^T f_ext by recursive Newton-Euler (Chang table 4.1);
-/// `applied` are the external wrenches on each link (empty: none).
+/// tau = M qdd + b + g - J_ext^T f_ext by the recursive Newton-Euler algorithm (Chang table 4.1).
+/// `applied` are the external wrenches on each link; empty: none.
 template <class Scalar>
 std::vector<Scalar> inverse_dynamics(const Tree<Scalar>& tree,
                                      const std::vector<JointTransform<Scalar>>& X,

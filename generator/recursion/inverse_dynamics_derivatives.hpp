@@ -8,32 +8,33 @@
 
 namespace treeline {
 
-/// Derivatives of joint forces, nv x nv: by displacements, velocities and accelerations. A
-/// displacement of a floating joint is a twist of the child in its own axes, linear over angular.
+/// Derivatives of joint forces with respect to displacements, velocities and accelerations, nv x
+/// nv. A displacement of a floating joint is a twist of the child in its own axes, linear over
+/// angular.
 template <class Scalar>
 struct ForceDerivatives {
   DenseMatrix<Scalar> dq, dqd, dqdd;
 };
 
-/// How the acceleration of a point r beyond a joint changes with one degree of freedom of that
-/// joint, seen by an observer who moves with what is beyond:
-/// da(r) = a + wd x r + 2 alpha x v(r), v relative to the origin.
+/// Change of the acceleration of a point r beyond a joint due to one degree of freedom of that
+/// joint, for an observer who moves with what is beyond it: da(r) = a + wd x r + 2 alpha x v(r),
+/// where v is relative to the origin.
 template <class Scalar>
 struct MotionChange {
   Vector3<Scalar> a, wd, alpha;
 };
 
-/// One degree of freedom of a joint: its own change of motion, and what a change of its
-/// displacement or velocity does.
+/// One degree of freedom of a joint, and the changes of motion due to a change of its displacement
+/// or velocity.
 template <class Scalar>
 struct JointFreedom {
   std::size_t column = 0;
   Scalar multiplier{};
-  Vector3<Scalar> slide, turn;  ///< unit vector along or about which it moves; the other is zero
+  Vector3<Scalar> slide, turn;  ///< unit vector along or about which it moves; one of them is zero
   MotionChange<Scalar> by_q, by_qd;
 };
 
-/// What a link's parent does, seen at the link's origin in its axes.
+/// Motion of a link's parent at the link's origin, in the link's axes.
 template <class Scalar>
 struct CarriedMotion {
   Vector3<Scalar> w, wd, a;
@@ -51,7 +52,8 @@ CarriedMotion<Scalar> carried_motion(const JointTransform<Scalar>& X,
   return carried;
 }
 
-/// `v_rel`, `w_rel`: the joint's own velocity, in the link's axes, all of it for a floating joint.
+/// Sets the change of motion due to a rotation of the joint. `v_rel` and `w_rel` are the joint's
+/// own velocity in the link's axes, with all components for a floating joint.
 template <class Scalar>
 void change_by_turn(const CarriedMotion<Scalar>& parent, const Vector3<Scalar>& w,
                     const Vector3<Scalar>& v_rel, JointFreedom<Scalar>& freedom) {
@@ -71,8 +73,8 @@ void change_by_slide(const CarriedMotion<Scalar>& parent, const Vector3<Scalar>&
   freedom.by_qd = {cross(parent.w, e) + cross(w, e), {}, {}};
 }
 
-/// The freedoms of a link's joint; (Carpentier & Mansard 2018; Singh, Russell & Wensing 2022), with
-/// conventional accelerations, so that no velocity of an origin comes in.
+/// Degrees of freedom of a link's joint (Carpentier & Mansard 2018; Singh, Russell & Wensing 2022),
+/// with conventional accelerations, so that no velocity of an origin occurs.
 template <class Scalar>
 std::vector<JointFreedom<Scalar>> joint_freedoms(const TreeLink<Scalar>& link,
                                                  const JointTransform<Scalar>& X,
@@ -104,16 +106,16 @@ std::vector<JointFreedom<Scalar>> joint_freedoms(const TreeLink<Scalar>& link,
   return freedoms;
 }
 
-/// Everything beyond a joint as one body, as derivatives need it.
+/// Everything beyond a joint as one body, with the properties that derivatives need.
 template <class Scalar>
 struct Composite {
   CompositeInertia<Scalar> inertia;
   CompositeMomentum<Scalar> momentum;
   SteadyForces<Scalar> steady;
-  Wrench<Scalar> force;  ///< that the joint passes on
+  Wrench<Scalar> force;  ///< force that the joint passes on
 };
 
-/// How the wrench on the composite changes with the motion of what carries it.
+/// Change of the wrench on a composite body due to a change of the motion of what carries it.
 template <class Scalar>
 Wrench<Scalar> change_of_wrench(const Composite<Scalar>& body, const MotionChange<Scalar>& change) {
   const auto& [mass, h, J] = body.inertia;
@@ -121,20 +123,22 @@ Wrench<Scalar> change_of_wrench(const Composite<Scalar>& body, const MotionChang
           cross(h, change.a) + J * change.wd + turned_moment(body.momentum.C, change.alpha)};
 }
 
-/// What one freedom says to those of the joints before it: carried inward, link by link.
+/// What relates one degree of freedom to those of earlier joints. It is carried inward, link by
+/// link.
 template <class Scalar>
 struct CarriedColumn {
   std::size_t column = 0;
   Scalar multiplier{};
-  int way = 0;  ///< joints between its own and the base
-  /// Its force is t.f a + t.n wd + t_alpha alpha + t_turn e for a change of motion beyond an
-  /// earlier joint that is displaced about e. t also is the wrench for its unit acceleration.
+  int way = 0;  ///< number of joints from its own to the base
+  /// Wrench for a unit acceleration. The generalized force of this freedom due to a change of
+  /// motion beyond an earlier joint that is displaced about e is t.f a + t.n wd + t_alpha alpha +
+  /// t_turn e.
   Wrench<Scalar> t;
   Vector3<Scalar> t_alpha, t_turn;
   Wrench<Scalar> by_q, by_qd;  ///< changes of the wrench on earlier joints
 };
 
-/// The transpose of `turned_moment`: (tr C) e - C^T e.
+/// Transpose of `turned_moment`: (tr C) e - C^T e.
 template <class Scalar>
 Vector3<Scalar> turned_moment_back(const Matrix3<Scalar>& C, const Vector3<Scalar>& e) {
   return turned_moment(transposed(C), e);
@@ -161,7 +165,7 @@ CarriedColumn<Scalar> begin_column(const Composite<Scalar>& body,
   return column;
 }
 
-/// The composite's wrench moves with the displaced joint.
+/// Adds the change of a wrench that moves with the displaced joint.
 template <class Scalar>
 void move_wrench(const Wrench<Scalar>& force, const JointFreedom<Scalar>& freedom,
                  Wrench<Scalar>& by_q) {
@@ -169,7 +173,7 @@ void move_wrench(const Wrench<Scalar>& force, const JointFreedom<Scalar>& freedo
                                cross(freedom.turn, force.n) + cross(freedom.slide, force.f)};
 }
 
-/// Tells a trace that three values may share lanes. A sign that all have stays outside.
+/// Aligns three values that may share lanes in a trace. A common sign is taken out.
 template <class Scalar>
 void align_triple(Scalar& a, Scalar& b, Scalar& c) {
   if constexpr (std::is_same_v<Scalar, Expression>) {
@@ -186,7 +190,7 @@ void align_triple(Scalar& a, Scalar& b, Scalar& c) {
   }
 }
 
-/// The wrenches of a column run through the same operations: a lane for each.
+/// Aligns the wrenches of a column, on which the same operations are done: one lane each.
 template <class Scalar>
 void align_lanes(CarriedColumn<Scalar>& column) {
   using V = Vector3<Scalar>;
@@ -226,7 +230,8 @@ class DerivativeEntries {
       : results_{DenseMatrix<Scalar>(nv, nv), DenseMatrix<Scalar>(nv, nv),
                  DenseMatrix<Scalar>(nv, nv)} {}
 
-  /// Between a joint's own freedoms; by_q without the move of the wrench, which its own axes share.
+  /// Adds the terms between a joint's own freedoms. For by_q the move of the wrench is left out,
+  /// because the joint's own axes move with it.
   void add_own(const std::vector<JointFreedom<Scalar>>& freedoms,
                const std::vector<CarriedColumn<Scalar>>& columns) {
     for (const JointFreedom<Scalar>& row : freedoms) {
@@ -239,7 +244,7 @@ class DerivativeEntries {
     }
   }
 
-  /// Between a freedom and one of an earlier joint, both ways.
+  /// Adds the terms between a freedom and one of an earlier joint, in both directions.
   void add_pair(const CarriedColumn<Scalar>& later, const JointFreedom<Scalar>& earlier) {
     const Scalar factor = later.multiplier * earlier.multiplier;
     const std::size_t i = later.column;
@@ -262,7 +267,7 @@ class DerivativeEntries {
   ForceDerivatives<Scalar> results_;
 };
 
-/// Per link what does not depend on pairs of joints.
+/// Parts of the derivatives that do not depend on pairs of joints, by link.
 template <class Scalar>
 struct DerivativeParts {
   std::vector<std::vector<JointFreedom<Scalar>>> freedoms;
@@ -308,7 +313,7 @@ DerivativeParts<Scalar> derivative_parts(const Tree<Scalar>& tree,
   return parts;
 }
 
-/// On shorter ways lanes cost more to fill than they save (measured).
+/// On paths shorter than this, lanes cost more to fill than they save (measured).
 inline constexpr int kLongWay = 6;
 
 template <class Scalar>
@@ -321,9 +326,9 @@ int joints_before(const Tree<Scalar>& tree, std::size_t link) {
   return count;
 }
 
-/// Derivatives of inverse dynamics in O(n d), d the depth of the tree, in link frames: each freedom
-/// is carried inward once and meets those of all earlier joints. Entries of joints on different
-/// branches stay structural zeros.
+/// Derivatives of inverse dynamics in O(n d), where d is the depth of the tree, in link frames.
+/// Each freedom is carried inward once and combined with those of all earlier joints. Entries of
+/// joints on different branches stay structural zeros.
 template <class Scalar>
 ForceDerivatives<Scalar> inverse_dynamics_derivatives(const Tree<Scalar>& tree,
                                                       const std::vector<JointTransform<Scalar>>& X,

@@ -5,9 +5,9 @@
 
 namespace treeline {
 
-/// Adds to `J` the columns of joint `link` for one task point, given the rows' directions and the
-/// reference point relative to the link's origin, all in the link's axes. A row's entry is the
-/// work of its unit wrench on the joint: e.(z x r) = r.x e.y - r.y e.x for a turn about z.
+/// Adds to `J` the columns of joint `link` for one task point. The rows' directions and the
+/// reference point relative to the link's origin are given in the link's axes. An entry is the work
+/// of the row's unit wrench on the joint: e.(z x r) = r.x e.y - r.y e.x for a rotation about z.
 template <class Scalar>
 void add_joint_columns(const TreeLink<Scalar>& link, const TaskPoint<Scalar>& task,
                        std::size_t first_row, DenseMatrix<Scalar>& J) {
@@ -37,8 +37,8 @@ const Vector3<Scalar>& row_of(const Matrix3<Scalar>& A, int axis) {
   return axis == 0 ? A.row_x : axis == 1 ? A.row_y : A.row_z;
 }
 
-/// J by carrying each point's rows inward from its link: cheap where the task's axes are the
-/// link's. Rows along the axes that `poses` are seen from are taken from there instead.
+/// J by carrying each point's rows inward from its link, which is cheap if the task's axes are the
+/// link's. Rows along the axes from which `poses` are seen are taken from `poses` instead.
 template <class Scalar>
 DenseMatrix<Scalar> jacobian_inward(const Tree<Scalar>& tree,
                                     const std::vector<JointTransform<Scalar>>& X,
@@ -65,17 +65,17 @@ DenseMatrix<Scalar> jacobian_inward(const Tree<Scalar>& tree,
   return J;
 }
 
-/// Velocity of a point at `arm` from the joint, per unit of a one-degree joint's: linear over
-/// angular, world axes.
+/// Velocity of a point at `arm` from the joint per unit of the joint's velocity, for one degree of
+/// freedom: linear over angular, world axes.
 template <class Scalar>
 Wrench<Scalar> unit_velocity(JointKind kind, const Vector3<Scalar>& z, const Vector3<Scalar>& arm) {
   return kind == JointKind::revolute ? Wrench<Scalar>{cross(z, arm), z} : Wrench<Scalar>{z, {}};
 }
 
-/// J in the axes that `poses` are seen from, out of the poses of all links: z x (p_point -
-/// p_joint). Shares the rotations between points; cheap near those axes. Differences of positions
-/// are summed from the steps between joints: subtracting positions would lose digits with the
-/// robot's distance from the world's origin.
+/// J in the axes from which `poses` are seen, from the poses of all links: z x (p_point - p_joint).
+/// Points share the rotations; cheap for links near those axes. Differences of positions are summed
+/// from the steps between joints, because subtracting positions would lose digits if the robot is
+/// far from the world's origin.
 template <class Scalar>
 DenseMatrix<Scalar> jacobian_world(const Tree<Scalar>& tree,
                                    const std::vector<WorldPose<Scalar>>& poses, TaskBasis basis,

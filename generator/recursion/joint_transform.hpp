@@ -8,13 +8,13 @@
 
 namespace treeline {
 
-/// Where a link's frame is in its parent's, for given q: x_parent = R (Q x) + p, where R is the
-/// seat and Q the joint's rotation: about z, or a floating joint's matrix.
+/// Pose of a link's frame in its parent for given q: x_parent = R (Q x) + p. R is the rotation of
+/// the joint's placement, Q that of the joint: about z, or a floating joint's matrix.
 template <class Scalar>
 struct JointTransform {
   Rotation<Scalar> R;
   PlanarRotation<Scalar> turn;
-  bool general = false;  ///< floating: `Q` holds, not `turn`
+  bool general = false;  ///< floating joint: `Q` is used instead of `turn`
   Matrix3<Scalar> Q;
   Vector3<Scalar> p;  ///< in the parent's axes
 
@@ -29,26 +29,27 @@ struct JointTransform {
   [[nodiscard]] Symmetric3<Scalar> matrix_to_parent(const Symmetric3<Scalar>& A) const {
     return rotate(R, general ? congruent(Q, A) : rotate_z(turn, A));
   }
-  /// The same for a matrix without symmetry, behind one-degree joints only: nothing but composite
-  /// inertias crosses a floating joint.
+  /// R Q A Q^T R^T for a matrix without symmetry. For joints of one degree of freedom only: across
+  /// a floating joint nothing but composite inertias is transformed.
   [[nodiscard]] Matrix3<Scalar> matrix_to_parent(const Matrix3<Scalar>& A) const {
     return rotate(R, rotate_z(turn, A));
   }
-  /// Q^T R^T A R Q of either kind of matrix, across one-degree joints only.
+  /// Q^T R^T A R Q for a matrix with or without symmetry. For joints of one degree of freedom only.
   template <class Turned>
   [[nodiscard]] Turned matrix_to_child(const Turned& A) const {
     return rotate_z(turn.inverse(), rotate_back(R, A));
   }
 };
 
-/// Added to the square of a quaternion's length: changes no length that is near 1, not even in
-/// float, and the quaternion 0 turns by nothing. Numbers of 50 digits would see it; they take less.
+/// Added to the squared length of a quaternion. It changes no length near 1, not even in float, and
+/// with it the quaternion 0 does not rotate. Numbers of 50 digits have a smaller value, because
+/// they would be changed by this one.
 template <class Scalar>
 inline constexpr double kLeastQuaternion =
     std::numeric_limits<Scalar>::digits > 64 ? 0x1p-1000 : 0x1p-100;
 
-/// Q = 1 + 2 (w [v]x + [v]x [v]x) / |(v, w)|^2 for the quaternion (v, w): of any length the
-/// rotation that it has at length 1.
+/// Q = 1 + 2 (w [v]x + [v]x [v]x) / |(v, w)|^2 for the quaternion (v, w) of any length: the
+/// rotation of the normalized quaternion.
 template <class Scalar>
 Matrix3<Scalar> rotation_from_quaternion(const Scalar& x, const Scalar& y, const Scalar& z,
                                          const Scalar& w) {
@@ -94,7 +95,8 @@ JointTransform<Scalar> joint_transform(const TreeLink<Scalar>& link, std::span<c
     label(s, "s", index);
     label(c, "c", index);
     X.turn = {c, s};
-    // The seat's last turn is about the joint's own axis; a quarter turn joins it for nothing.
+    // The last rotation of the placement is about the joint's own axis. If it is a quarter turn, it
+    // is added to the joint's rotation at no cost.
     X.R.b = {};
     X.turn = {link.R.b.c * c - link.R.b.s * s, link.R.b.s * c + link.R.b.c * s};
   } else {

@@ -10,14 +10,15 @@
 
 namespace treeline {
 
-/// A unit force of one task row on its way to the base: which row, and what is left of it.
+/// A unit force of one task row on its way to the base: the row's index and what is left of the
+/// force.
 template <class Scalar>
 struct PropagatedForce {
   std::size_t row;
   Wrench<Scalar> K;
 };
 
-/// Adds sum over pairs of work_r work_s inverse_D to the lower triangle.
+/// Adds work_r work_s inverse_D for all pairs of forces to the lower triangle of Lambda^-1.
 template <class Scalar>
 void add_outer_product(const std::vector<PropagatedForce<Scalar>>& forces,
                        const std::vector<Scalar>& work, const Scalar& inverse_D,
@@ -33,7 +34,8 @@ void add_outer_product(const std::vector<PropagatedForce<Scalar>>& forces,
   }
 }
 
-/// Forces of all rows at one link run through the same operations: a lane for each row.
+/// Aligns the forces of all rows at one link, on which the same operations are done: one lane per
+/// row.
 template <class Scalar>
 void align_lanes(std::vector<PropagatedForce<Scalar>>& forces, std::size_t rows) {
   constexpr std::array<Scalar Vector3<Scalar>::*, 3> kParts{
@@ -52,7 +54,8 @@ void align_lanes(std::vector<PropagatedForce<Scalar>>& forces, std::size_t rows)
   }
 }
 
-/// What a floating joint leaves of unit forces: nothing; Lambda^-1 gains K^T IA^-1 K.
+/// Removes unit forces that reach a floating joint, which passes none on. Lambda^-1 gains K^T IA^-1
+/// K.
 template <class Scalar>
 void absorb_in_floating_joint(const LdltFactor<Scalar>& IA,
                               std::vector<PropagatedForce<Scalar>>& forces,
@@ -72,8 +75,8 @@ void absorb_in_floating_joint(const LdltFactor<Scalar>& IA,
   forces.clear();
 }
 
-/// What the joint does not yield to of a force: K - U D^-1 (S^T K), whose own component is an exact
-/// zero.
+/// The part K - U D^-1 (S^T K) of a force that the joint passes on. Its component along the joint
+/// is an exact zero.
 template <class Scalar>
 Wrench<Scalar> without_work(JointKind kind, const JointProjection<Scalar>& joint,
                             const Wrench<Scalar>& K) {
@@ -83,7 +86,7 @@ Wrench<Scalar> without_work(JointKind kind, const JointProjection<Scalar>& joint
   return left;
 }
 
-/// Takes out of unit forces what the joint yields to.
+/// Removes from unit forces the part that moves the joint, and adds its work to Lambda^-1.
 template <class Scalar>
 void absorb_in_joint(JointKind kind, const JointProjection<Scalar>& joint,
                      std::vector<PropagatedForce<Scalar>>& forces,
@@ -98,8 +101,8 @@ void absorb_in_joint(JointKind kind, const JointProjection<Scalar>& joint,
   }
 }
 
-/// Lambda^-1 = sum over joints of (S^T K)^T D^-1 (S^T K), K the unit forces of the rows propagated
-/// inward (PV-OSIM: Sathya et al. 2023).
+/// Lambda^-1 = sum over joints of (S^T K)^T D^-1 (S^T K), where K are the unit forces of the rows,
+/// propagated inward (PV-OSIM: Sathya et al. 2023).
 template <class Scalar>
 DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
                                                   const std::vector<JointTransform<Scalar>>& X,

@@ -14,7 +14,7 @@
 
 namespace treeline {
 
-/// How Lambda^-1 is computed.
+/// Algorithms for Lambda^-1.
 enum class LambdaRoute {
   unit_forces,           ///< PV-OSIM
   factors_inward,        ///< M = L^T D L, J carried inward
@@ -24,14 +24,15 @@ enum class LambdaRoute {
   inertia_propagation,   ///< Chang table 5.1
 };
 
-/// A way to Lambda^-1 with the coordinates that it is worked out in.
+/// An algorithm for Lambda^-1 and the coordinates in which it computes.
 struct LambdaChoice {
   TaskBasis basis;
   LambdaRoute route = LambdaRoute::unit_forces;
 };
 
-/// Whether `route` can serve the tree: articulated recursions end where joints share a coordinate;
-/// Jacobians from poses serve the axes that the poses are seen from, the world's or a link's.
+/// Whether `route` applies to the tree. Articulated-body recursions do not apply if joints share a
+/// coordinate. Jacobians from poses apply to the axes from which the poses are seen, the world's or
+/// a link's.
 template <class Scalar>
 bool permits(const Tree<Scalar>& tree, TaskBasis basis, LambdaRoute route) {
   const bool by_factors =
@@ -49,7 +50,7 @@ bool permits(const Tree<Scalar>& tree, TaskBasis basis, LambdaRoute route) {
          (all_world && !basis.in_link_axes);
 }
 
-/// Lambda^-1 in the coordinates of `choice`; `poses` are those seen from its `axes_link`.
+/// Lambda^-1 in the coordinates of `choice`. `poses` are seen from its `axes_link`.
 template <class Scalar>
 DenseMatrix<Scalar> lambda_inverse(const Tree<Scalar>& tree,
                                    const std::vector<JointTransform<Scalar>>& X,
@@ -73,8 +74,8 @@ DenseMatrix<Scalar> lambda_inverse(const Tree<Scalar>& tree,
   }
 }
 
-/// Lambda^-1 at the points and in the axes that the scene asks for, worked out in those of
-/// `choice`, which must not be each link's own.
+/// Lambda^-1 at the points and in the axes of the scene, computed in the coordinates of `choice`,
+/// which must not be each link's own.
 template <class Scalar>
 DenseMatrix<Scalar> lambda_inverse_as_asked(const Tree<Scalar>& tree,
                                             const std::vector<JointTransform<Scalar>>& X,
@@ -91,9 +92,9 @@ DenseMatrix<Scalar> lambda_inverse_as_asked(const Tree<Scalar>& tree,
   return Lambda_inv;
 }
 
-/// The links in whose axes a point is worth working with: of those that carry it the first two and
-/// the last three, which have won on every robot tried. None when there are points on several
-/// links: turning their couplings costs more than such axes save.
+/// Links whose axes are worth trying for a point: the first two and the last three of those that
+/// carry it, which have won for every robot tried. None if there are points on several links,
+/// because rotating their couplings costs more than such axes save.
 template <class Scalar>
 std::vector<int> axes_links(const Tree<Scalar>& tree) {
   const auto& points = tree.operational_points;
@@ -104,7 +105,7 @@ std::vector<int> axes_links(const Tree<Scalar>& tree) {
   for (int i = together && !points.empty() ? points.front().link : -1; i >= 0;
        i = tree.links[static_cast<std::size_t>(i)].parent) {
     const bool slides = tree.links[static_cast<std::size_t>(i)].kind == JointKind::prismatic;
-    if (!slides || i == points.front().link) {  // else as good as the axes of the link below
+    if (!slides || i == points.front().link) {  // otherwise as good as the axes of the link below
       links.push_back(i);
     }
   }
@@ -116,7 +117,8 @@ std::vector<int> axes_links(const Tree<Scalar>& tree) {
 
 namespace detail {
 
-/// `basis` at the points and at link origins, by those of `routes` that the tree permits.
+/// Appends choices with `basis` at the points and at link origins, for those of `routes` that the
+/// tree permits.
 template <class Scalar>
 void append_choices(const Tree<Scalar>& tree, TaskBasis basis,
                     std::initializer_list<LambdaRoute> routes, std::vector<LambdaChoice>& choices) {
@@ -132,7 +134,7 @@ void append_choices(const Tree<Scalar>& tree, TaskBasis basis,
 
 }  // namespace detail
 
-/// Every way to Lambda^-1 in the axes asked for.
+/// All ways to compute Lambda^-1 in the axes of the scene.
 template <class Scalar>
 std::vector<LambdaChoice> lambda_choices(const Tree<Scalar>& tree) {
   using enum LambdaRoute;
@@ -153,8 +155,9 @@ std::vector<LambdaChoice> lambda_choices(const Tree<Scalar>& tree) {
   return choices;
 }
 
-/// Every way to Lambda^-1 for a control torque, in which the axes need not be those asked for. What
-/// is solved at links' origins is solved in their axes. Priorities are among the rows asked for.
+/// All ways to compute Lambda^-1 for a control torque, which may use other axes than those of the
+/// scene. What is solved at links' origins is solved in their axes. Priorities require the rows of
+/// the scene.
 template <class Scalar>
 std::vector<LambdaChoice> control_choices(const Tree<Scalar>& tree) {
   using enum LambdaRoute;
@@ -166,7 +169,7 @@ std::vector<LambdaChoice> control_choices(const Tree<Scalar>& tree) {
   std::erase_if(choices, [](const LambdaChoice& choice) { return choice.basis.at_link_origin; });
   detail::append_choices(tree, {true, false}, {unit_forces, factors_inward}, choices);
   for (const LambdaRoute route : {branching, extended_propagators, inertia_propagation}) {
-    const TaskBasis basis{true, true};  // dearer at the points on every robot tried
+    const TaskBasis basis{true, true};  // at the points it cost more for every robot tried
     const bool several = tree.operational_points.size() > 1;
     if (permits(tree, basis, route) && !(several && route == inertia_propagation)) {
       choices.push_back({basis, route});

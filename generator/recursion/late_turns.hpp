@@ -7,15 +7,15 @@
 
 namespace treeline {
 
-/// R1 R2, about the same axis.
+/// R1 R2, rotations about the same axis.
 template <class Scalar>
 PlanarRotation<Scalar> operator*(const PlanarRotation<Scalar>& r1,
                                  const PlanarRotation<Scalar>& r2) {
   return {r1.c * r2.c - r1.s * r2.s, r1.s * r2.c + r1.c * r2.s};
 }
 
-/// The rotation of a joint whose axis is parallel to its parent's, as Rx(0 or pi) and then one turn
-/// about z: Rz(a) Rx(pi) = Rx(pi) Rz(-a).
+/// Writes the rotation of a joint whose axis is parallel to its parent's as Rx(0 or pi) followed by
+/// one rotation about z: Rz(a) Rx(pi) = Rx(pi) Rz(-a).
 template <class Scalar>
 void join_turns(JointTransform<Scalar>& X) {
   const bool flipped = !(X.R.alpha.c == Scalar(1.0));
@@ -30,7 +30,7 @@ bool is_parallel(const JointTransform<Scalar>& X) {
          (alpha.c == Scalar(1.0) || alpha.c == Scalar(-1.0));
 }
 
-/// The same matter in axes that are turned back: Rz I Rz^T. J_zz stays the constant that it is.
+/// The same inertia in axes before the rotation: Rz I Rz^T. J_zz stays constant.
 template <class Scalar>
 void turn_inertia(const PlanarRotation<Scalar>& turn, TreeInertia<Scalar>& inertia) {
   Symmetric3<Scalar>& Sigma = inertia.Sigma;
@@ -52,12 +52,13 @@ void turn_points(const PlanarRotation<Scalar>& turn, int link,
   }
 }
 
-/// Works with the links that `turn_late` in axes that their joints have not turned yet, so that
-/// what is turned is their constants (inertia, places of children and points) instead of motions,
-/// forces and the inertia of all that hangs on them. Joints with parallel axes then turn together,
-/// once, by the sum of their angles; and near a fixed base motions keep the zeros that they have in
-/// the axes of the joint before. Sines of sums are taken by the theorem of addition: a sum of large
-/// angles would be rounded. Recursions are the same: at an instant any axes will do.
+/// Defers joint rotations: links marked `turns_late` are treated in axes before their joint's
+/// rotation. So constants are rotated (inertia, places of children and points) instead of motions,
+/// forces and the inertia of everything beyond. Joints with parallel axes are then rotated
+/// together, once, by the sum of their angles. Near a fixed base, motions keep the zeros that they
+/// have in the axes of the joint before. Sines of sums follow from the addition theorems, because a
+/// sum of large angles would be rounded. The recursions stay the same, since any axes will do at an
+/// instant.
 template <class Scalar>
 void turn_late(Tree<Scalar>& tree, std::vector<JointTransform<Scalar>>& X) {
   std::vector<PlanarRotation<Scalar>> owed(tree.links.size());

@@ -4,9 +4,9 @@
 
 namespace treeline {
 
-/// What `tree_of<Expression>(mechanism)` is, in the graph that is open, out of its constants in
-/// double: reducing these from 50 digits is most of that. `constants` may be older than choices
-/// within the mechanism's links (`MovingLink::turns_late`, `carries_column`).
+/// Makes `tree_of<Expression>(mechanism)` in the open graph from its constants in double, because
+/// rounding these from 50 digits is most of the work. Choices within the mechanism's links
+/// (`MovingLink::turns_late`, `carries_column`) may be newer than `constants`.
 Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mechanism);
 
 }  // namespace treeline

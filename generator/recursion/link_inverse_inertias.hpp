@@ -24,9 +24,10 @@ void append_rows(const DenseMatrix<Scalar>& Omega, std::vector<Scalar>& entries)
 
 }  // namespace detail
 
-/// Lambda_i^-1, 6x6 row-major, of every link that moves against its parent, one after the other, at
-/// its URDF frame and in its axes: Omega_i = L^T Omega_h L + S D^-1 S^T outward, O(n). The inverse
-/// of Chang table 8.1, without its subtraction and for any base. No mimic joints.
+/// Lambda_i^-1 of every link that moves relative to its parent, 6x6 row-major, one after the other,
+/// at the link's URDF frame and in its axes. Outward recursion Omega_i = L^T Omega_h L + S D^-1 S^T
+/// in O(n). It is the inverse of Chang table 8.1, without the subtraction there and for any base.
+/// For trees without mimic joints.
 template <class Scalar>
 std::vector<Scalar> link_inverse_inertias(const Tree<Scalar>& tree,
                                           const std::vector<JointTransform<Scalar>>& X) {
@@ -45,7 +46,8 @@ std::vector<Scalar> link_inverse_inertias(const Tree<Scalar>& tree,
   return entries;
 }
 
-/// The same as J M^-1 J^T link by link, where joints share a coordinate: O(n^3).
+/// Lambda_i^-1 of every link that moves relative to its parent, 6x6 row-major, as J M^-1 J^T link
+/// by link in O(n^3). For trees whose joints share a coordinate.
 template <class Scalar>
 std::vector<Scalar> link_inverse_inertias_by_factors(const Tree<Scalar>& tree,
                                                      const std::vector<JointTransform<Scalar>>& X,

@@ -6,9 +6,9 @@
 
 namespace treeline {
 
-/// Poses of all links seen from link `from`: x_from = R x_link + p. From -1: world poses. Inward
-/// first, to the root, then outward to all other branches; a row of R_from_h is R_h_i times the
-/// row of R_from_i.
+/// Poses of all links seen from link `from`: x_from = R x_link + p. -1 means the world. The
+/// recursion goes inward to the root first, then outward to all other branches. A row of R_from_h
+/// is R_h_i times the row of R_from_i.
 template <class Scalar>
 std::vector<WorldPose<Scalar>> poses_seen_from(const Tree<Scalar>& tree,
                                                const std::vector<JointTransform<Scalar>>& X,

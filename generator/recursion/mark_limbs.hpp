@@ -8,8 +8,8 @@ namespace treeline {
 template <class Scalar>
 struct Tree;
 
-/// Makes the constants in which limbs of a family differ limb constants, and tells the open graph
-/// which inputs correspond, so that what is traced from `tree` is the same in every limb.
+/// Turns the constants in which the limbs of a family differ into limb constants, and tells the
+/// open graph which inputs correspond. So a trace of `tree` has the same operations for every limb.
 void mark_limbs(const Mechanism& mechanism, Tree<Expression>& tree);
 
 }  // namespace treeline

@@ -7,7 +7,7 @@
 
 namespace treeline {
 
-/// Inertia of everything beyond a joint, at the link's frame.
+/// Composite inertia: that of everything beyond a joint, at the link's frame.
 template <class Scalar>
 struct CompositeInertia {
   Scalar mass{};
@@ -15,7 +15,8 @@ struct CompositeInertia {
   Symmetric3<Scalar> J;
 };
 
-/// J' = R J R^T + 2 (p.k) 1 - (p k^T + k p^T) with k = R h + m p / 2 (parallel axes).
+/// Composite inertia at the parent's origin, in the parent's axes: J' = R J R^T + 2 (p.k) 1 - (p
+/// k^T + k p^T) with k = R h + m p / 2 (parallel axes).
 template <class Scalar>
 CompositeInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
                                    const CompositeInertia<Scalar>& inertia) {
@@ -32,7 +33,7 @@ CompositeInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
   return {inertia.mass, h + p * inertia.mass, X.matrix_to_parent(inertia.J) + shift};
 }
 
-/// Wrench that accelerates the composite by a unit of degree of freedom `k` of the link's joint.
+/// Wrench for a unit acceleration of the composite by degree of freedom `k` of the link's joint.
 template <class Scalar>
 Wrench<Scalar> unit_acceleration_wrench(const TreeLink<Scalar>& link,
                                         const CompositeInertia<Scalar>& inertia, int k) {
@@ -69,8 +70,8 @@ std::vector<CompositeInertia<Scalar>> composite_inertias(
   return composites;
 }
 
-/// What a wrench, needed for a unit acceleration of velocity `column`, is to the joint of
-/// `ancestor`. On the joint's own row only the entries up to degree `k` are new.
+/// Adds the entries of M between velocity `column`, whose unit acceleration needs this wrench, and
+/// the joint of `ancestor`. In the joint's own rows only the entries up to degree `k` are new.
 template <class Scalar, class Add>
 void add_mass_entries(const TreeLink<Scalar>& ancestor, const Wrench<Scalar>& wrench,
                       std::size_t column, const Scalar& multiplier, bool own, int k, Add add) {
@@ -78,7 +79,7 @@ void add_mass_entries(const TreeLink<Scalar>& ancestor, const Wrench<Scalar>& wr
   if (ancestor.kind != JointKind::floating) {
     const Scalar force = ancestor.kind == JointKind::revolute ? wrench.n.z : wrench.f.z;
     const Scalar entry = multiplier * (ancestor.multiplier * force);
-    // Two joints that share a coordinate meet twice on the diagonal.
+    // If two joints share a coordinate, their product counts twice on the diagonal.
     add(at, column, !own && at == column ? Scalar(2.0) * entry : entry);
     return;
   }
@@ -89,8 +90,8 @@ void add_mass_entries(const TreeLink<Scalar>& ancestor, const Wrench<Scalar>& wr
   }
 }
 
-/// M by composite rigid bodies (RBDA table 6.2): nv x nv, symmetric. Coordinates that several
-/// joints share collect the terms of all of them.
+/// M by the composite-rigid-body algorithm (RBDA table 6.2): nv x nv, symmetric. A coordinate that
+/// several joints share collects the terms of all of them.
 template <class Scalar>
 DenseMatrix<Scalar> mass_matrix(const Tree<Scalar>& tree,
                                 const std::vector<JointTransform<Scalar>>& X) {

@@ -18,7 +18,8 @@ std::vector<Scalar> operator*(const DenseMatrix<Scalar>& A, const std::vector<Sc
   return y;
 }
 
-/// Lambda_obj xdd + mu_obj + p_obj at the object's origin, in its axes, seen from its first grasp.
+/// Lambda_obj xdd + mu_obj + p_obj at the object's origin, in its axes, as seen from its first
+/// grasp.
 template <class Scalar>
 Wrench<Scalar> object_wrench(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
                              const TreeObject<Scalar>& object,
@@ -42,7 +43,7 @@ struct ObjectCommand {
   std::span<const Scalar> xdd_object, internal;
 };
 
-/// What the hands' reactions do to the links: -W^-1 [F_obj; F_int].
+/// Wrenches on the links due to the hands' reactions: -W^-1 [F_obj; F_int].
 template <class Scalar>
 std::vector<Wrench<Scalar>> grasp_reactions(const Tree<Scalar>& tree,
                                             const std::vector<JointTransform<Scalar>>& X,
@@ -73,9 +74,9 @@ std::vector<Wrench<Scalar>> grasp_reactions(const Tree<Scalar>& tree,
   return reactions;
 }
 
-/// tau = RNEA(q, qd, qdd_0) + J^T f, f = Lambda_e (C xdd - Jd qd - J qdd_0) + W^-1 [F_obj; F_int]
-/// (Chang table 7.1): the control torque of the robot alone at the points that hold objects, with
-/// the objects' reactions as external forces. `tree` is a `holding_tree`.
+/// tau = RNEA(q, qd, qdd_0) + J^T f with f = Lambda_e (C xdd - Jd qd - J qdd_0) + W^-1 [F_obj;
+/// F_int] (Chang table 7.1): the control torque of the robot alone at the points that hold objects,
+/// with the objects' reactions as external forces. `tree` must come from `holding_tree`.
 template <class Scalar>
 std::vector<Scalar> object_control_torque(const Tree<Scalar>& tree,
                                           const std::vector<TreeObject<Scalar>>& objects,

@@ -9,17 +9,17 @@
 
 namespace treeline {
 
-/// How the forces of the grasps are found.
+/// Ways to find the forces of the grasps.
 enum class GraspSolution {
   augmented_object,  ///< Chang table 7.2: Lambda_e, then xdd of the objects, then the forces
   grasp_forces       ///< (Lambda_e^-1 + C Lambda_obj^-1 C^T) f = difference of free accelerations
 };
 
-/// What is known of the objects before their forces are; one entry an object or a grasp.
+/// State of the objects before their forces are known, with one entry per object or per grasp.
 template <class Scalar>
 struct HeldObjects {
   std::vector<std::vector<HeldObject<Scalar>>> held;
-  std::vector<Scalar> corrections;  ///< rows of all grasps: what stabilisation asks for
+  std::vector<Scalar> corrections;  ///< by row of the grasps: commanded by stabilisation
 };
 
 template <class Scalar>
@@ -46,7 +46,8 @@ HeldObjects<Scalar> held_objects(const Tree<Scalar>& tree,
   return result;
 }
 
-/// Lambda_obj of an object, and what it needs at zero acceleration, at its origin in world axes.
+/// Lambda_obj of an object and the force that it needs at zero acceleration, at its origin in world
+/// axes.
 template <class Scalar>
 struct ObjectEquation {
   DenseMatrix<Scalar> Lambda;
@@ -70,14 +71,14 @@ ObjectEquation<Scalar> object_equation(const Tree<Scalar>& tree, const TreeObjec
   return equation;
 }
 
-/// Lambda_obj^-1 and the acceleration of the object when nobody holds it, likewise.
+/// Lambda_obj^-1 of an object and its acceleration if nobody holds it, at its origin in world axes.
 template <class Scalar>
 ObjectEquation<Scalar> free_object(const Tree<Scalar>& tree, const TreeObject<Scalar>& object,
                                    const HeldObject<Scalar>& held) {
   const Symmetric3<Scalar> K = congruent(held.R, object.central_inverse);
   const Vector3<Scalar> c = held.R * object.center;
   const Vector3<Scalar> K_rows[3] = {{K.xx, K.xy, K.xz}, {K.xy, K.yy, K.yz}, {K.xz, K.yz, K.zz}};
-  // By a force at the origin: angular K (-c x f), linear f / m - wd x c.
+  // Effect of a force at the origin: angular K (-c x f), linear f / m - wd x c.
   ObjectEquation<Scalar> result;
   result.Lambda = DenseMatrix<Scalar>(6, 6);
   DenseMatrix<Scalar>& A = result.Lambda;
@@ -102,7 +103,7 @@ ObjectEquation<Scalar> free_object(const Tree<Scalar>& tree, const TreeObject<Sc
   const Vector3<Scalar> w = transposed_times(held.R, held.w);
   const Vector3<Scalar>& h = object.center;
   const TreeInertia<Scalar>& I = object.inertia;
-  // J w about the centre: J_o w - m c x (w x c) turned into J_o w + h x (c x w).
+  // J w about the centre of mass: J_o w - m c x (w x c) is written as J_o w + h x (c x w).
   const Vector3<Scalar> spin = I.J * w + cross(I.h, cross(h, w));
   const Vector3<Scalar> wd = held.R * (-(object.central_inverse * cross(w, spin)));
   const Vector3<Scalar> a = tree.gravity + cross(c, wd) - cross(held.w, cross(held.w, c));
@@ -111,14 +112,17 @@ ObjectEquation<Scalar> free_object(const Tree<Scalar>& tree, const TreeObject<Sc
   return result;
 }
 
-/// Accelerations of the objects and forces of the grasps at the objects' origins, world axes.
+/// Accelerations of the objects and forces of the grasps, at the objects' origins in world axes.
 template <class Scalar>
 struct GraspForces {
   std::vector<Scalar> xdd_object, f;
 };
 
-/// Chang table 7.2, steps 4 and 5. `xdd_o` are the accelerations of the points without the objects,
-/// less what stabilisation asks for.
+/// Solves steps 4 and 5 of Chang table 7.2:
+///   [Lambda_obj + C^T Lambda_e C] xdd = C^T Lambda_e xdd_o - bias,  f = Lambda_e (xdd_o - C xdd)
+/// with Lambda_e = L^-T D^-1 L^-1. `xdd_o` are the accelerations of the points without the objects,
+/// minus those that stabilisation commands. Row i of C selects row i % 6 of object
+/// `object_of_row[i]`.
 template <class Scalar>
 GraspForces<Scalar> solve_augmented_object(const std::vector<ObjectEquation<Scalar>>& equations,
                                            const std::vector<std::size_t>& object_of_row,
@@ -166,8 +170,8 @@ GraspForces<Scalar> solve_augmented_object(const std::vector<ObjectEquation<Scal
   return result;
 }
 
-/// One system for the forces, after Schur: (Lambda_e^-1 + C Lambda_obj^-1 C^T) f = xdd_o - C
-/// x_free. Holds where hands depend on each other, too.
+/// Solves one system for the forces, the Schur complement: (Lambda_e^-1 + C Lambda_obj^-1 C^T) f =
+/// xdd_o - C x_free. Also valid if hands depend on each other.
 template <class Scalar>
 GraspForces<Scalar> solve_grasp_forces(const std::vector<ObjectEquation<Scalar>>& free,
                                        const std::vector<std::size_t>& object_of_row,
@@ -228,7 +232,8 @@ struct ClosedChainMotion {
   std::vector<Scalar> qdd, xdd_object, f_grasp, internal;
 };
 
-/// Forces at the objects' origins moved to the hands' points, and what the linkage reads off them.
+/// Moves forces from the objects' origins to the hands' points, and computes the internal forces
+/// that the virtual linkage defines.
 template <class Scalar>
 void report_grasps(const std::vector<TreeObject<Scalar>>& objects, const HeldObjects<Scalar>& state,
                    const std::vector<Scalar>& f, ClosedChainMotion<Scalar>& motion) {
@@ -252,7 +257,7 @@ void report_grasps(const std::vector<TreeObject<Scalar>>& objects, const HeldObj
   }
 }
 
-/// -J^T f.
+/// Joint forces -J^T f due to the forces on the objects.
 template <class Scalar>
 std::vector<Scalar> reaction_forces(const Tree<Scalar>& tree,
                                     const std::vector<JointTransform<Scalar>>& X,
@@ -278,8 +283,9 @@ struct ObjectDynamicsInputs {
   std::span<const Scalar> stabilisation;  ///< damping 1/s, stiffness 1/s^2
 };
 
-/// Chang table 7.2 with Baumgarte's stabilisation. `solve_for_qdd` is A^-1 times joint forces,
-/// `tree` a `holding_tree`; `rule` inverts the pivots of `GraspSolution::grasp_forces`.
+/// Chang table 7.2 with Baumgarte's stabilisation. `solve_for_qdd` maps joint forces to
+/// accelerations (A^-1). `tree` must come from `holding_tree`. `rule` inverts the pivots of
+/// `GraspSolution::grasp_forces`.
 template <class Scalar, class Solve>
 ClosedChainMotion<Scalar> object_forward_dynamics(
     const Tree<Scalar>& tree, const std::vector<TreeObject<Scalar>>& objects,

@@ -7,7 +7,7 @@
 
 namespace treeline {
 
-/// Velocity of a link's origin and angular velocity, in its axes.
+/// Velocity of a link's origin and angular velocity, in the link's axes.
 template <class Scalar>
 struct LinkVelocity {
   Vector3<Scalar> v, w;
@@ -39,11 +39,11 @@ std::vector<LinkVelocity<Scalar>> link_velocities(const Tree<Scalar>& tree,
   return velocities;
 }
 
-/// Where a grasp has its object, world axes.
+/// Pose and velocity of an object according to one grasp, world axes.
 template <class Scalar>
 struct HeldObject {
-  Matrix3<Scalar> R;  ///< object's axes to world
-  Vector3<Scalar> p;  ///< object's origin
+  Matrix3<Scalar> R;  ///< from object's axes to world axes
+  Vector3<Scalar> p;  ///< origin of the object
   Vector3<Scalar> v, w;
 };
 
@@ -57,8 +57,8 @@ HeldObject<Scalar> held_object(const std::vector<WorldPose<Scalar>>& poses,
   return {R * grasp.R, poses[i].p + R * grasp.p, R * (link.v + cross(link.w, grasp.p)), R * link.w};
 }
 
-/// Pose and velocity in which one grasp has an object less those in which its first grasp has it,
-/// linear over angular; the turn is the sine of its angle along its axis.
+/// Drift of a grasp: the object's pose and velocity according to this grasp, minus those according
+/// to its first grasp, linear over angular. The rotation is the sine of its angle along its axis.
 template <class Scalar>
 struct Drift {
   Vector3<Scalar> position, turn, velocity, angular_velocity;
@@ -81,8 +81,8 @@ void append(const Vector3<Scalar>& v, std::vector<Scalar>& values) {
 /// Results of `object_state`.
 template <class Scalar>
 struct ObjectState {
-  std::vector<Scalar> position, rotation, velocity;  ///< 3, 9, 6 an object, by its first grasp
-  std::vector<Scalar> drift, drift_rate;             ///< 6 each further grasp
+  std::vector<Scalar> position, rotation, velocity;  ///< 3, 9, 6 per object, by its first grasp
+  std::vector<Scalar> drift, drift_rate;             ///< 6 per further grasp
 };
 
 template <class Scalar>

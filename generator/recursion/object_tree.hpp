@@ -8,12 +8,13 @@
 
 namespace treeline {
 
-/// A hand on an object, on a link; what holds while it holds is constant in the link.
+/// Grasp of an object by a hand on a link. As long as the hand holds the object, these are constant
+/// in the link.
 template <class Scalar>
 struct TreeGrasp {
   int link = -1;
-  Matrix3<Scalar> R;  ///< object's axes to link's axes
-  Vector3<Scalar> p;  ///< object's origin in the link
+  Matrix3<Scalar> R;  ///< from object's axes to link's axes
+  Vector3<Scalar> p;  ///< object's origin in the link's frame
   Vector3<Scalar> r;  ///< the hand's point, in the object's frame
 };
 
@@ -22,7 +23,7 @@ template <class Scalar>
 struct TreeObject {
   std::string name;
   TreeInertia<Scalar> inertia;
-  Vector3<Scalar> center;              ///< of mass
+  Vector3<Scalar> center;              ///< centre of mass
   Symmetric3<Scalar> central_inverse;  ///< inverse of the inertia about the centre of mass
   Scalar inverse_mass{};
   std::vector<TreeGrasp<Scalar>> grasps;
@@ -42,7 +43,8 @@ DenseMatrix<Scalar> rounded_dense(const VirtualLinkage::Matrix& A) {
   return result;
 }
 
-/// Inverse of a symmetric matrix by its adjugate; residue against the largest entry is zero.
+/// Inverse of a symmetric matrix by its adjugate. Entries that are residue compared with the
+/// largest are zero.
 inline ExactMatrix3 inverse_of_symmetric(const ExactMatrix3& A) {
   ExactMatrix3 adjugate;
   for (int i = 0; i < 3; ++i) {
@@ -94,8 +96,8 @@ std::vector<TreeObject<Scalar>> objects_of(const Mechanism& mechanism) {
   return objects;
 }
 
-/// The tree whose operational points are the grasps in the order of objects, each at the object's
-/// origin, all rows in world axes: there C stacks identities (Chang eq. 7.3).
+/// Copies the tree with the grasps, in the order of objects, as operational points: each at the
+/// object's origin with all rows in world axes. There C stacks identities (Chang eq. 7.3).
 template <class Scalar>
 Tree<Scalar> holding_tree(Tree<Scalar> tree, const std::vector<TreeObject<Scalar>>& objects) {
   tree.operational_points.clear();
@@ -112,7 +114,8 @@ Tree<Scalar> holding_tree(Tree<Scalar> tree, const std::vector<TreeObject<Scalar
   return tree;
 }
 
-/// Takes over the places of a `holding_tree`'s points, which `turn_late` may have turned.
+/// Updates the objects' grasps with the points of a `holding_tree`, which `turn_late` may have
+/// rotated.
 template <class Scalar>
 void follow_points(const Tree<Scalar>& tree, std::vector<TreeObject<Scalar>>& objects) {
   auto point = tree.operational_points.begin();

@@ -7,9 +7,8 @@
 
 namespace treeline {
 
-/// The matrix U = [wd]x + [w]x [w]x that gives accelerations of points of a link, a + U r
-/// (Luh, Walker & Paul; Khalil). Moments need differences of the squares that its diagonal is made
-/// of.
+/// The matrix U = [wd]x + [w]x [w]x, which gives accelerations of points of a link as a + U r (Luh,
+/// Walker & Paul; Khalil). Moments need differences of the squares on its diagonal.
 template <class Scalar>
 struct AngularMatrix {
   Scalar xx{}, xy{}, xz{}, yx{}, yy{}, yz{}, zx{}, zy{}, zz{};
@@ -33,16 +32,16 @@ AngularMatrix<Scalar> angular_matrix(const Vector3<Scalar>& w, const Vector3<Sca
           -(xx + yy), xx,        yy,        zz,        xy,         xz,        yz};
 }
 
-/// Motion of a link's frame in its own axes. `a` is the conventional acceleration of the origin;
-/// with gravity as a base acceleration it is the true one minus g.
+/// Motion of a link's frame in its own axes. `a` is the conventional acceleration of the origin; if
+/// gravity is given as an acceleration of the base, it is the true acceleration minus g.
 template <class Scalar>
 struct LinkMotion {
   Vector3<Scalar> w, wd, a;
   AngularMatrix<Scalar> U;
-  Vector3<Scalar> v;  ///< only below floating joints that have a moving parent; else unused
+  Vector3<Scalar> v;  ///< used only beyond floating joints whose parent moves
 };
 
-/// Rates that drive a pass: qd, qdd of nv entries each; an empty span is zero.
+/// Rates for a pass: qd and qdd with nv entries each. An empty span means zero.
 template <class Scalar>
 struct JointRates {
   std::span<const Scalar> qd, qdd;
@@ -84,7 +83,7 @@ LinkMotion<Scalar> motion_behind_joint(const TreeLink<Scalar>& link,
     motion.a.y = motion.a.y - w_parent.x * twice_qd;
     motion.a.z = motion.a.z + link.multiplier * rates.acceleration(at);
   } else {
-    // qd are components in the turning child's axes: their derivative lacks w_rel x v_rel.
+    // qd has components in the axes of the rotating child, so their derivative lacks w_rel x v_rel.
     const Vector3<Scalar> v_rel = velocity_triple(rates, at);
     const Vector3<Scalar> w_rel = velocity_triple(rates, at + 3);
     motion.w = w_parent + w_rel;
@@ -94,8 +93,9 @@ LinkMotion<Scalar> motion_behind_joint(const TreeLink<Scalar>& link,
   return motion;
 }
 
-/// The same where U z is carried over from the parent, for a revolute joint: a point of its axis
-/// has one acceleration, on whichever of the two links it is. What wd has across the axis follows.
+/// Computes wd and U of a link behind a revolute joint by carrying U z over from the parent: a
+/// point on the joint's axis has the same acceleration on both links. The components of wd across
+/// the axis follow from it.
 template <class Scalar>
 void carry_column(const JointTransform<Scalar>& X, const AngularMatrix<Scalar>& parent,
                   LinkMotion<Scalar>& motion) {
@@ -111,8 +111,8 @@ void carry_column(const JointTransform<Scalar>& X, const AngularMatrix<Scalar>& 
   U.zy = U.wywz + motion.wd.x;
 }
 
-/// Outward pass of the recursive Newton-Euler method (Chang table 4.1), in link frames.
-/// `base_acceleration` is -g to include gravity, 0 for bias accelerations.
+/// Outward pass of the recursive Newton-Euler algorithm (Chang table 4.1), in link frames.
+/// `base_acceleration` is -g to include gravity, and 0 for bias accelerations.
 template <class Scalar>
 std::vector<LinkMotion<Scalar>> outward_motion(const Tree<Scalar>& tree,
                                                const std::vector<JointTransform<Scalar>>& X,
@@ -139,7 +139,7 @@ std::vector<LinkMotion<Scalar>> outward_motion(const Tree<Scalar>& tree,
   return motions;
 }
 
-/// Acceleration of the point at r: conventional linear over angular.
+/// Conventional acceleration of the point at r, in the link's axes.
 template <class Scalar>
 Vector3<Scalar> acceleration_at(const LinkMotion<Scalar>& motion, const Vector3<Scalar>& r) {
   return motion.a + motion.U.matrix() * r;

@@ -7,27 +7,28 @@
 
 namespace treeline {
 
-/// How a pivot that falls to zero is inverted. With t = c / border,
+/// Shape of the law that inverts a pivot which may fall to zero. With t = c / border,
 ///
 ///     1/c becomes t^power / (1 + t^power) / c = c^(power - 1) / (c^power + border^power):
 ///
-/// smooth, branch-free, at most 0.7 / border, zero at c = 0 and next to it on either side. The
-/// power is even, so that the divisor is positive for every c. Where c is many borders large it is
-/// 1/c but for (border / c)^power.
+/// this is smooth and branch-free, at most 0.7 / border, and zero at c = 0 as well as next to it on
+/// either side. The power is even, so the divisor is positive for every c. If c is many times the
+/// border, the result is 1/c up to a relative error of (border / c)^power.
 struct YieldShape {
   int power;     ///< 4, 6 or 8
-  double share;  ///< the border, of what the pivot is in an ordinary state
+  double share;  ///< border as a share of the pivot in an ordinary state
 };
 
-/// Of pivots of Lambda^-1, which fall as the square of the distance from a singularity. The share
-/// of 1/c that is lost is below what rounding errors of c make of it as long as c is a thousandth
-/// (float: a thirtieth) of what it ordinarily is, about 2 (10) degrees from a singularity. The
-/// larger of the power costs one operation; in float it would leave the range of small robots.
+/// Shape for pivots of Lambda^-1, which fall as the square of the distance from a singularity. The
+/// share of 1/c that is lost is below the effect of c's rounding errors as long as c is at least a
+/// thousandth (float: a thirtieth) of its ordinary value, that is, about 2 (10) degrees from a
+/// singularity. The larger power costs one operation; in float it would exceed the range of numbers
+/// for small robots.
 constexpr YieldShape inverse_inertia_shape(Real real) {
   return real == Real::float32 ? YieldShape{4, 0x1p-11} : YieldShape{6, 0x1p-17};
 }
 
-/// The same of pivots of a Jacobian, which fall as the distance itself.
+/// Shape for pivots of a Jacobian, which fall as the distance from a singularity.
 constexpr YieldShape jacobian_shape(Real real) {
   return real == Real::float32 ? YieldShape{6, 0x1p-7} : YieldShape{8, 0x1p-10};
 }
@@ -44,8 +45,8 @@ Scalar bounded_inverse(const Scalar& c, double border, int power) {
   return c4 * c3 / (c4 * c4 + Scalar(border3 * border3 * border * border));
 }
 
-/// How the pivots of an elimination are inverted, in its order. Without borders, or by a border of
-/// 0: 1 / c.
+/// Inverts the pivots of an elimination, in its order. Without borders, or if the border is 0, the
+/// inverse is 1 / c.
 struct PivotRule {
   int power = 2;
   std::vector<double> borders;

@@ -5,8 +5,8 @@
 namespace treeline {
 
 /// Cosine and sine of a rotation about one coordinate axis. Every rotation here is a sequence of
-/// these: with quarter turns each costs nothing, otherwise 6 operations a vector and 16 a
-/// symmetric matrix (a general 3x3 rotation: 15 and 45).
+/// these. Quarter turns cost nothing; other angles cost 6 operations per vector and 16 per
+/// symmetric matrix (a general 3x3 rotation costs 15 and 45).
 template <class Scalar>
 struct PlanarRotation {
   Scalar c{1.0}, s{0.0};
@@ -24,8 +24,8 @@ Vector3<Scalar> rotate_x(const PlanarRotation<Scalar>& r, const Vector3<Scalar>&
   return {v.x, r.c * v.y - r.s * v.z, r.s * v.y + r.c * v.z};
 }
 
-/// The block [a, b; b2, d] of R B R^T in the plane of rotation, in 11 operations:
-/// with t = s (a - d) + c (b + b2): [a - s t, c t - b2; c t - b, d + s t].
+/// The block [a, b; b2, d] of R B R^T in the plane of rotation, in 11 operations: with t = s (a -
+/// d) + c (b + b2) it is [a - s t, c t - b2; c t - b, d + s t].
 template <class Scalar>
 void rotate_block(const PlanarRotation<Scalar>& r, Scalar& a, Scalar& b, Scalar& b2, Scalar& d) {
   const Scalar t = r.s * (a - d) + r.c * (b + b2);
@@ -77,7 +77,7 @@ Matrix3<Scalar> rotate_x(const PlanarRotation<Scalar>& r, Matrix3<Scalar> B) {
   return B;
 }
 
-/// R = Rz(a) Rx(alpha) Rz(b): any rotation.
+/// Any rotation, as R = Rz(a) Rx(alpha) Rz(b).
 template <class Scalar>
 struct Rotation {
   PlanarRotation<Scalar> a, alpha, b;
@@ -87,7 +87,7 @@ template <class Scalar, class Turned>
 Turned rotate(const Rotation<Scalar>& R, const Turned& v) {
   return rotate_z(R.a, rotate_x(R.alpha, rotate_z(R.b, v)));
 }
-/// R^T v, or R^T A R.
+/// R^T v for a vector, R^T A R for a matrix.
 template <class Scalar, class Turned>
 Turned rotate_back(const Rotation<Scalar>& R, const Turned& v) {
   return rotate_z(R.b.inverse(), rotate_x(R.alpha.inverse(), rotate_z(R.a.inverse(), v)));

@@ -18,14 +18,14 @@ bool has_priorities(const Tree<Scalar>& tree) {
   });
 }
 
-/// A task row's place in the stack: what comes first of all rows, and what share it yields below.
+/// A task row in the order of priority, and the border below which it is relaxed.
 template <class Scalar>
 struct PrioritizedRow {
-  std::size_t row = 0;    ///< in the order of the scene
-  Scalar inverse_border;  ///< 1 over the inverse inertia at which half of the row has yielded
+  std::size_t row = 0;    ///< index in the order of the scene
+  Scalar inverse_border;  ///< 1 over the inverse inertia at which half of the command is followed
 };
 
-/// Whether some joint turns the link, or moves it at all.
+/// Whether some joint moves the link or, with `turning`, rotates it.
 template <class Scalar>
 bool may_move(const Tree<Scalar>& tree, int link, bool turning) {
   for (int i = link; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) {
@@ -36,11 +36,11 @@ bool may_move(const Tree<Scalar>& tree, int link, bool turning) {
   return false;
 }
 
-/// The rows with the most important first. A row yields where what the rows above leave of its
-/// inverse inertia is 2^-13 of what its point has of its kind, translation or rotation: sums over
-/// rows of one kind, which no rotation of the axes changes if all three are controlled. Where the
-/// point itself cannot move so, `floor.borders`, if any, keep the sums from zero, one for each row
-/// in the order of the scene.
+/// Rows in order of priority, the most important first. A row is relaxed if the rows above leave it
+/// less than 2^-13 of the inverse inertia that its point has for this kind of motion, translation
+/// or rotation. That inverse inertia is a sum over the rows of the kind, which is independent of
+/// the axes if all three are controlled. `floor.borders`, if any, has an entry for each row in the
+/// order of the scene and keeps the sums from zero if the point itself cannot move.
 template <class Scalar>
 std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
                                                      const DenseMatrix<Scalar>& Lambda_inv,
@@ -59,7 +59,7 @@ std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
       }
       const bool moves = may_move(tree, point.link, first == 3);
       for (std::size_t row = at; row < at + count; ++row) {
-        // The rows of what nothing moves yield altogether.
+        // Rows that nothing can move are relaxed completely.
         rows.push_back({row, moves ? Scalar(kYield) / mobility : Scalar(0.0)});
         priorities.push_back(point.priority);
       }
@@ -71,7 +71,8 @@ std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
   return rows;
 }
 
-/// w / c with the share w = t^8 / (1 + t^8), t = c / border; zero, not infinite, at c = 0.
+/// w / c with the share w = t^8 / (1 + t^8), t = c / border. At c = 0 it is zero instead of
+/// infinite.
 template <class Scalar>
 Scalar yielding_inverse(const Scalar& c, const Scalar& inverse_border) {
   const Scalar t = c * inverse_border;
@@ -81,12 +82,13 @@ Scalar yielding_inverse(const Scalar& c, const Scalar& inverse_border) {
   return inverse_border * (t6 * t) / (Scalar(1.0) + t4 * t4);
 }
 
-/// F of tasks in strict priority. Eliminating Lambda^-1 row by row, the most important first, makes
-/// pivot c_k the inverse inertia of row k in the dynamically consistent null space of the rows
-/// above: the recursion of prioritised tasks (Khatib, Sentis, Park & Warren 2004) is this
-/// elimination, and J^T F its torque. While the rows are independent all are achieved. A row that
-/// is not gets `yielding_inverse` for 1/c_k and yields alone: what is solved is
-/// (Lambda^-1 + diag(c_k (1 - w_k) / w_k)) F = errors, in which the terms of rows above are zero.
+/// Task forces F for tasks of strict priority. If Lambda^-1 is eliminated row by row, the most
+/// important first, pivot c_k is the inverse inertia of row k in the dynamically consistent null
+/// space of the rows above. So the recursion of prioritised tasks (Khatib, Sentis, Park & Warren
+/// 2004) is this elimination, and J^T F is its torque. As long as the rows are independent, all are
+/// achieved. For a row that is not, `yielding_inverse` replaces 1/c_k, and only this row is
+/// relaxed. The system that is solved is (Lambda^-1 + diag(c_k (1 - w_k) / w_k)) F = errors, in
+/// which the terms of the rows above are zero.
 template <class Scalar>
 std::vector<Scalar> prioritized_task_force(const Tree<Scalar>& tree,
                                            const DenseMatrix<Scalar>& Lambda_inv,

@@ -7,9 +7,9 @@
 
 namespace treeline {
 
-/// Whether six joints meet six task rows in the simplest way: one point, all rows, on the last of
-/// six links whose last three turn about axes through one point, a spherical wrist. The Jacobian at
-/// the wrist's centre is then block triangular.
+/// Whether the robot has six joints for six task rows in the simplest arrangement: one point with
+/// all rows on the last of six links, whose last three rotate about axes through one point, a
+/// spherical wrist. The Jacobian at the wrist's centre is then block triangular.
 template <class Scalar>
 bool permits_resolved_acceleration(const Tree<Scalar>& tree) {
   if (tree.links.size() != 6 || tree.nv != 6 || tree.operational_points.size() != 1 ||
@@ -29,8 +29,8 @@ bool permits_resolved_acceleration(const Tree<Scalar>& tree) {
   return turns(3) && turns(4) && turns(5) && is_zero(tree.links[4].p) && is_zero(tree.links[5].p);
 }
 
-/// Solves [a b c] x = v by cofactors: three directions that are far from a plane give x as well as
-/// any pivoting would.
+/// Solves [a b c] x = v by cofactors. If the three directions are far from lying in a plane, this
+/// is as accurate as pivoting.
 template <class Scalar>
 Vector3<Scalar> solve_columns(const Vector3<Scalar>& a, const Vector3<Scalar>& b,
                               const Vector3<Scalar>& c, const Vector3<Scalar>& v) {
@@ -40,9 +40,9 @@ Vector3<Scalar> solve_columns(const Vector3<Scalar>& a, const Vector3<Scalar>& b
   return Vector3<Scalar>{dot(v, bc), -dot(c, va), dot(b, va)} * inverse_det;
 }
 
-/// A control torque without a null space: with as many joints as rows J^T Lambda J = M, so that
-/// tau = J^T F + M qdd_0 + b + g of Chang table 6.1 is M qdd + b + g with J qdd = xdd_cmd - Jd qd,
-/// whatever qdd_0. J is worked out at the wrist's centre in the axes of link `axes_link`.
+/// Control torque of a robot without a null space. With as many joints as rows, J^T Lambda J = M,
+/// so tau = J^T F + M qdd_0 + b + g of Chang table 6.1 equals M qdd + b + g with J qdd = xdd_cmd -
+/// Jd qd, whatever qdd_0 is. J is computed at the wrist's centre in the axes of link `axes_link`.
 template <class Scalar>
 std::vector<Scalar> control_torque_by_resolved_acceleration(
     const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,

@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// Three rows and three columns of J.
+/// Block of J with three rows and three columns.
 template <class Scalar>
 DenseMatrix<Scalar> block_of(const DenseMatrix<Scalar>& J, std::size_t row, std::size_t column) {
   DenseMatrix<Scalar> block(3, 3);
@@ -28,9 +28,9 @@ DenseMatrix<Scalar> wrist_jacobian(const Tree<Scalar>& tree,
   return jacobian_world(tree, poses_seen_from(tree, X, link), {false, true, link}, 6);
 }
 
-/// Solves A x = v by elimination in the order of `pivots`, the reciprocals of which `invert` gives.
-/// An unknown that has an equation to itself is put into the others as it is found: what they still
-/// lack is then what its true value leaves, also where it yields.
+/// Solves A x = v by elimination in the order of `pivots`, whose reciprocals `invert` gives. An
+/// unknown with an equation of its own is substituted into the others as soon as it is known. So
+/// the others account for its true value, even if it is relaxed.
 template <class Scalar, class Invert>
 std::vector<Scalar> eliminate(DenseMatrix<Scalar> A, std::vector<Scalar> v,
                               const std::vector<Pivot>& pivots, const Invert& invert) {
@@ -74,11 +74,11 @@ std::vector<Scalar> eliminate(DenseMatrix<Scalar> A, std::vector<Scalar> v,
   return x;
 }
 
-/// The joint accelerations of an arm, joints one to three, for its wrist's acceleration v. J has
-/// the linear rows first, in the axes of `law.basis`: row `lone_row` is the first joint's alone. Of
-/// the other two, what is across the third joint's column gives the second joint, what is along it
-/// the third. So no pivot is a difference that may vanish where the arm is not singular, and the
-/// law does not depend on the axes.
+/// Accelerations of an arm's first three joints for the acceleration v of its wrist. The linear
+/// rows of J come first, in the axes of `law.basis`; only the first joint moves row `lone_row`. In
+/// the plane of the other two rows, the component across the third joint's column gives the second
+/// joint, and the component along it gives the third. So no pivot is a difference that could vanish
+/// at a pose where the arm is not singular, and the law does not depend on the axes.
 template <class Scalar>
 std::vector<Scalar> solve_arm(const DenseMatrix<Scalar>& J, std::vector<Scalar> v,
                               const TaskLaw& law) {
@@ -92,10 +92,10 @@ std::vector<Scalar> solve_arm(const DenseMatrix<Scalar>& J, std::vector<Scalar> 
   return {first, second, along * Scalar(law.arm.inverse_square)};
 }
 
-/// `control_torque_by_resolved_acceleration` by pivots that may yield: `solve_arm`, then the
-/// wrist's joints in the axes of `law.angular_axes_link`, in which theirs are mostly constant, in
-/// the order of the law's last three pivots. Overhead, at the elbow and at the wrist's lock one
-/// pivot vanishes, and one direction yields.
+/// Control torque as in `control_torque_by_resolved_acceleration`, with pivots that may be relaxed:
+/// `solve_arm` first, then the wrist's joints in the axes of `law.angular_axes_link`, in which
+/// their columns are mostly constant, in the order of the law's last three pivots. At the overhead,
+/// elbow and wrist singularities one pivot vanishes and one direction is relaxed.
 template <class Scalar>
 std::vector<Scalar> control_torque_by_pivots(const Tree<Scalar>& tree,
                                              const std::vector<JointTransform<Scalar>>& X,

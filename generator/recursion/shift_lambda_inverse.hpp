@@ -12,8 +12,8 @@ Vector3<Scalar> triple(const DenseMatrix<Scalar>& A, std::size_t row, std::size_
   return {A(row, col), A(row, col + 1), A(row, col + 2)};
 }
 
-/// Lambda^-1 of one point, moved to the point at r: with L' = L - [r]x A for velocities,
-/// LA' = LA - [r]x AA and LL'_ij = LL_ij - (r x LA_j)_i - (r x LA'_i)_j. Rows start at `first`.
+/// Moves the diagonal block of one point to the point at r: with L' = L - [r]x A for velocities,
+/// LA' = LA - [r]x AA and LL'_ij = LL_ij - (r x LA_j)_i - (r x LA'_i)_j. The rows start at `first`.
 template <class Scalar>
 void shift_diagonal_block(DenseMatrix<Scalar>& A, std::size_t first, const Vector3<Scalar>& r) {
   const std::size_t a = first + 3;
@@ -49,7 +49,7 @@ void shift_diagonal_block(DenseMatrix<Scalar>& A, std::size_t first, const Vecto
   }
 }
 
-/// Block between two points: rows shift with their own r, then columns with theirs.
+/// Moves the block between two points: rows by their own r, then columns by theirs.
 template <class Scalar>
 void shift_coupling_block(DenseMatrix<Scalar>& A, std::size_t row, const Vector3<Scalar>& r_row,
                           std::size_t col, const Vector3<Scalar>& r_col) {
@@ -71,8 +71,8 @@ void shift_coupling_block(DenseMatrix<Scalar>& A, std::size_t row, const Vector3
   }
 }
 
-/// Lambda^-1 worked out at link origins, moved to the operational points; all rows, in the axes of
-/// `basis`.
+/// Moves Lambda^-1 from link origins to the operational points. All rows must be present, in the
+/// axes of `basis`.
 template <class Scalar>
 void shift_to_points(const Tree<Scalar>& tree, TaskBasis basis,
                      const std::vector<WorldPose<Scalar>>& poses, DenseMatrix<Scalar>& Lambda_inv) {

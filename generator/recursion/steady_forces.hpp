@@ -8,15 +8,15 @@
 
 namespace treeline {
 
-/// External forces that keep their direction in the world while links turn, on everything beyond a
-/// joint: their sum, the sum of their free moments, and K = sum of f r^T about the link's origin.
+/// External forces that keep their direction in the world while links rotate, on everything beyond
+/// a joint: their sum, the sum of their free moments, and K = sum of f r^T about the link's origin.
 template <class Scalar>
 struct SteadyForces {
   Vector3<Scalar> f, n;
   Matrix3<Scalar> K;
 };
 
-/// The external forces with world axes, summed inward.
+/// Sums up the external forces with world axes, inward.
 template <class Scalar>
 std::vector<SteadyForces<Scalar>> steady_forces(const Tree<Scalar>& tree,
                                                 const std::vector<JointTransform<Scalar>>& X,

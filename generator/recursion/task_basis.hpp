@@ -8,29 +8,29 @@
 
 namespace treeline {
 
-/// In which coordinates the rows of operational points are worked with.
+/// Coordinates in which the rows of operational points are computed.
 struct TaskBasis {
-  bool in_link_axes = false;    ///< instead of the axes that the scene asks for
-  bool at_link_origin = false;  ///< instead of at the point
-  int axes_link = -1;           ///< the axes of this link for all points; -1: not so
+  bool in_link_axes = false;    ///< link's axes instead of those of the scene
+  bool at_link_origin = false;  ///< link's origin instead of the point
+  int axes_link = -1;           ///< axes of this link for all points; -1: not used
 };
 
-/// One row of a task: the unit force (or moment) e at `r` does work at the rate of the row's
-/// velocity. Everything in the axes of the point's link.
+/// One row of a task. The unit force (or moment) e at `r` does work at the rate of the row's
+/// velocity. Everything is in the axes of the point's link.
 template <class Scalar>
 struct TaskRow {
   bool angular = false;
   Vector3<Scalar> e;
-  int axis = 0;  ///< x y z of the task's axes
+  int axis = 0;  ///< index of x y z of the task's axes
 };
 
-/// The rows of one operational point, in the order of the scene.
+/// Rows of one operational point, in the order of the scene.
 template <class Scalar>
 struct TaskPoint {
   int link = -1;
   Vector3<Scalar> r;  ///< reference point of linear rows, in the link's axes
   std::vector<TaskRow<Scalar>> rows;
-  bool along_poses = false;  ///< the rows' axes are those that the poses are seen from
+  bool along_poses = false;  ///< the rows' axes are those from which the poses are seen
 };
 
 template <class Scalar>
@@ -43,7 +43,8 @@ bool has_all_rows(const TreePoint<Scalar>& point) {
   return has_whole_triples(point) && point.rows[0] && point.rows[3];
 }
 
-/// Axes not asked for need whole triples of rows (all of x y z or none), the link's origin all six.
+/// Whether the tree permits this basis. Axes other than the scene's need whole triples of rows (all
+/// of x y z or none), the link's origin needs all six rows.
 template <class Scalar>
 bool permits(const Tree<Scalar>& tree, TaskBasis basis) {
   return std::all_of(tree.operational_points.begin(), tree.operational_points.end(),
@@ -54,7 +55,7 @@ bool permits(const Tree<Scalar>& tree, TaskBasis basis) {
                      });
 }
 
-/// Rows are the task's axes in the link's coordinates: R_task_link. `poses` are those seen from
+/// R_task_link, whose rows are the task's axes in the link's coordinates. `poses` are seen from
 /// `basis.axes_link`.
 template <class Scalar>
 Matrix3<Scalar> task_from_link(const TreePoint<Scalar>& point, TaskBasis basis,
@@ -93,13 +94,13 @@ std::vector<TaskPoint<Scalar>> task_points(const Tree<Scalar>& tree, TaskBasis b
   return tasks;
 }
 
-/// The wrench of a unit force along the row.
+/// Wrench of a unit force along the row.
 template <class Scalar>
 Wrench<Scalar> unit_wrench(const TaskPoint<Scalar>& task, const TaskRow<Scalar>& row) {
   return row.angular ? Wrench<Scalar>{{}, row.e} : wrench_at(row.e, Vector3<Scalar>{}, task.r);
 }
 
-/// Acceleration along each row of a point, from its link's motion.
+/// Appends the acceleration along each row of a point, from the motion of its link.
 template <class Scalar>
 void append_accelerations(const TaskPoint<Scalar>& task,
                           const std::vector<LinkMotion<Scalar>>& motions,
@@ -112,7 +113,7 @@ void append_accelerations(const TaskPoint<Scalar>& task,
   }
 }
 
-/// Jd qd of all rows: one outward pass with qdd = 0 and no gravity (Chang eq. 6.11, 6.12).
+/// Jd qd of all rows, by one outward pass with qdd = 0 and no gravity (Chang eq. 6.11, 6.12).
 template <class Scalar>
 std::vector<Scalar> bias_acceleration(const Tree<Scalar>& tree,
                                       const std::vector<JointTransform<Scalar>>& X,

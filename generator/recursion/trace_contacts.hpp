@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// As `trace_function` for one of `kContactFunctions`: one program for every algorithm.
+/// Traces one of `kContactFunctions`, like `trace_function`: one program for every algorithm.
 std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function function,
                                             int lanes);
 

@@ -8,10 +8,11 @@
 
 namespace treeline {
 
-/// As `trace_function` for one of `kDerivativeFunctions`. Results are nv x nv, row-major: entry
-/// (i, j) is what a unit of velocity, acceleration, force or displacement j does to result i. A
-/// displacement is a tangent: of a floating joint, a twist of the child (linear over angular) in
-/// its own axes; of every other joint, a change of its coordinate.
+/// Traces one of `kDerivativeFunctions`, like `trace_function`: one program for every algorithm.
+/// Results are nv x nv, row-major: entry (i, j) is the change of result i per unit of velocity,
+/// acceleration, force or displacement j. A displacement is a tangent: for a floating joint a twist
+/// of the child in its own axes (linear over angular), for every other joint a change of its
+/// coordinate.
 std::vector<Program> trace_derivative_function(const Mechanism& mechanism, Function function,
                                                int lanes = 1);
 

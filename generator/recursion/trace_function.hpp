@@ -17,7 +17,7 @@ namespace treeline {
 /// of Real the emitted code may compute together.
 std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes = 1);
 
-/// Of the values that a trace makes, what is kept beside them.
+/// Whether a trace keeps the names of its values, and its sections.
 enum class Names { kept, forgotten };
 
 /// Traces the function by this route alone, to be counted, each time that it is

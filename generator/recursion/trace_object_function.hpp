@@ -8,7 +8,8 @@
 
 namespace treeline {
 
-/// As `trace_function`, for the functions about objects; the mechanism holds at least one.
+/// Traces a function about objects, like `trace_function`: one program for every algorithm. The
+/// mechanism must hold at least one object.
 std::vector<Program> trace_object_function(const Mechanism& mechanism, Function function,
                                            int lanes);
 

@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// As `trace_function` for one of `kPostureFunctions`.
+/// Traces one of `kPostureFunctions`, like `trace_function`: one program for every algorithm.
 std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function function,
                                             int lanes);
 

@@ -13,7 +13,8 @@
 
 namespace treeline {
 
-/// Constants of a mechanism rounded once into `Scalar`, in the form in which recursions use them.
+/// Inertia of a link, rounded once from the mechanism to `Scalar`, in the form in which recursions
+/// use it.
 template <class Scalar>
 struct TreeInertia {
   Scalar mass{};
@@ -29,8 +30,8 @@ struct TreeLink {
   JointKind kind = JointKind::revolute;
   int q_index = 0, v_index = 0;
   Scalar multiplier{}, offset{};
-  Rotation<Scalar> R;  ///< of the seat
-  Vector3<Scalar> p;   ///< of the seat, in the parent's axes
+  Rotation<Scalar> R;  ///< rotation of the placement
+  Vector3<Scalar> p;   ///< origin of the placement, in the parent's axes
   TreeInertia<Scalar> inertia;
   bool turns_late = false, carries_column = false;  ///< see `MovingLink`
 
@@ -41,7 +42,7 @@ template <class Scalar>
 struct TreePoint {
   std::string name;
   int link = -1;
-  Matrix3<Scalar> R;  ///< point's axes to link's axes
+  Matrix3<Scalar> R;  ///< from point's axes to link's axes
   Vector3<Scalar> p;  ///< in the link's axes
   Axes axes = Axes::world;
   std::array<bool, 6> rows{};
@@ -53,14 +54,14 @@ struct Tree {
   std::vector<TreeLink<Scalar>> links;
   std::vector<TreePoint<Scalar>> operational_points, external_forces, contacts, link_frames;
   Vector3<Scalar> gravity;
-  Vector3<Scalar> world_moment;  ///< first moment of what does not move, or moves nothing
-  Scalar inverse_total_mass{};   ///< of all links; 0 for a robot without mass
+  Vector3<Scalar> world_moment;  ///< first moment of matter fixed to the world
+  Scalar inverse_total_mass{};   ///< of all links; 0 if the robot has no mass
   int nq = 0, nv = 0;
   bool has_mimics = false;
 };
 
-/// The nearest double, as emitted code has it; in 50 digits the value itself, so that reductions
-/// can be seen to change nothing.
+/// The nearest double, as in emitted code. For Digits50 the value itself, so that tests can show
+/// that reductions change nothing.
 template <class Scalar>
 Scalar rounded(const Exact& value) {
   if constexpr (std::is_same_v<Scalar, Exact>) {
@@ -85,18 +86,18 @@ Matrix3<Scalar> rounded(const ExactMatrix3& A) {
           {rounded<Scalar>(A(2, 0)), rounded<Scalar>(A(2, 1)), rounded<Scalar>(A(2, 2))}};
 }
 
-/// cos and sin from the two legs, exact for quarter turns.
+/// Rotation from cosine and sine, exact for quarter turns.
 template <class Scalar>
 PlanarRotation<Scalar> planar_rotation(const Exact& c, const Exact& s) {
   return {rounded<Scalar>(snapped(c, Exact(1))), rounded<Scalar>(snapped(s, Exact(1)))};
 }
 
-/// R = Rz(a) Rx(alpha) Rz(b); the third column of R is (sin a sin alpha, -cos a sin alpha,
+/// Factors R = Rz(a) Rx(alpha) Rz(b). The third column of R is (sin a sin alpha, -cos a sin alpha,
 /// cos alpha), its third row (sin alpha sin b, sin alpha cos b, cos alpha).
 template <class Scalar>
 Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
   const Exact sine = sqrt(Exact(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
-  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: b, which may join the joint's angle
+  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: b may join the joint's angle
     return {{},
             planar_rotation<Scalar>(R(2, 2), Exact(0)),
             planar_rotation<Scalar>(R(0, 0), Exact(-R(0, 1)))};
@@ -164,8 +165,8 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
   return tree;
 }
 
-/// Suggests the name `symbol + link number [+ _suffix]` for a traced value; numbers count links
-/// from 1, as the emitted contract does. Nothing to do for other scalars.
+/// Suggests the name `symbol + link number [+ _suffix]` for a traced value. Numbers count links
+/// from 1, as in the emitted contract. Does nothing for other scalars.
 template <class Scalar>
 void label(const Scalar& value, const char* symbol, std::size_t link, const char* suffix = "") {
   if constexpr (std::is_same_v<Scalar, Expression>) {
@@ -180,14 +181,15 @@ void label(const Vector3<Scalar>& v, const char* symbol, std::size_t link) {
   label(v.y, symbol, link, "_y");
   label(v.z, symbol, link, "_z");
 }
-/// Tells a trace that these values may share lanes, see `Graph::align_lanes`.
+/// Declares in a trace that these values may share lanes, see `Graph::align_lanes`.
 template <class Scalar>
 void align_lanes(std::vector<Scalar>& values) {
   if constexpr (std::is_same_v<Scalar, Expression>) {
     Graph::current().align_lanes(values);
   }
 }
-/// What follows in the trace belongs to this link; shows as a comment in emitted code.
+/// Declares that the following part of the trace belongs to this link. It becomes a comment in
+/// emitted code.
 template <class Scalar>
 void section(const TreeLink<Scalar>& link, std::size_t index, const char* pass) {
   if constexpr (std::is_same_v<Scalar, Expression>) {

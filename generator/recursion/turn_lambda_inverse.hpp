@@ -26,7 +26,7 @@ void set_block3(DenseMatrix<Scalar>& A, std::size_t row, std::size_t col,
   }
 }
 
-/// Turns every vector that the rows and columns of a symmetric matrix are made of, three by three.
+/// Rotates the vectors that the rows and columns of a symmetric matrix consist of, three by three.
 /// `turn` maps Symmetric3 and Matrix3 to R A R^T.
 template <class Scalar, class Turn>
 void turn_triples(DenseMatrix<Scalar>& A, Turn turn) {
@@ -54,9 +54,9 @@ Matrix3<Scalar> to_point_axes(const Matrix3<Scalar>& R, const Matrix3<Scalar>& A
   return transposed(R) * (A * R);
 }
 
-/// Whether `turn_to_asked_axes` can lead from the axes of link `from` to those asked for: to the
-/// world's through the joints below, or outward to those of one point, one degree each; rows in
-/// whole triples.
+/// Whether `turn_to_asked_axes` can rotate from the axes of link `from` to those of the scene: to
+/// the world's through the joints below, or outward to those of a single point, through joints of
+/// one degree of freedom. Rows must form whole triples.
 template <class Scalar>
 bool permits_turning(const Tree<Scalar>& tree, int from) {
   const auto& points = tree.operational_points;
@@ -78,8 +78,8 @@ bool permits_turning(const Tree<Scalar>& tree, int from) {
   return at == last;
 }
 
-/// Lambda^-1 worked out in the axes of link `from`, in the axes asked for: block by block about one
-/// joint axis after the other, 16 operations a symmetric block and 23 another.
+/// Rotates Lambda^-1 from the axes of link `from` to those of the scene, block by block, about one
+/// joint axis after the other: 16 operations per symmetric block and 23 per other block.
 template <class Scalar>
 void turn_to_asked_axes(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
                         int from, DenseMatrix<Scalar>& Lambda_inv) {

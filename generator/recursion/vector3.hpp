@@ -2,8 +2,8 @@
 
 namespace treeline {
 
-// Small algebra with written-out operation order: what is traced is what is emitted, so a product
-// that a library would form and discard here would be an operation there.
+// Small linear algebra with an explicit order of operations. What is traced is what is emitted, so
+// a product that a library would form and discard would be an operation of the emitted code.
 
 template <class Scalar>
 struct Vector3 {
@@ -63,7 +63,7 @@ Matrix3<Scalar> identity3() {
           {Scalar(0), Scalar(0), Scalar(1)}};
 }
 
-/// Symmetric: six numbers.
+/// Symmetric 3x3 matrix, six numbers.
 template <class Scalar>
 struct Symmetric3 {
   Scalar xx{}, xy{}, xz{}, yy{}, yz{}, zz{};

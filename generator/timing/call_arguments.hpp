@@ -8,17 +8,17 @@
 
 namespace treeline {
 
-/// States of a robot to time functions at: anywhere within its limits, at ordinary speeds. The same
-/// for the same seed. `functions` say which arguments are needed; those of all the builds that are
-/// to be compared, or of one of them.
+/// Draws states of a robot for timing: anywhere within its limits, at ordinary velocities. Equal
+/// seeds give equal states. `functions` determine which arguments are needed; they may be those of
+/// all builds to compare or of one of them.
 std::vector<State> draw_timing_states(const Robot& robot, const Scene& scene,
                                       const Mechanism& mechanism,
                                       const std::vector<GeneratedFunction>& functions,
                                       int count = 64, std::uint64_t seed = 1);
 
-/// What a compiled function is called with: its arguments at several states, in its Real, aligned
-/// to 64 bytes, and room for its results. A batch gets in each call as many states as it takes, in
-/// turn. Serves every build of the function; calls overwrite the results of earlier ones.
+/// Arguments of a compiled function at several states, in its Real, aligned to 64 bytes, and memory
+/// for its results. Each call of a batch function takes as many states as the batch has, in turn.
+/// One object serves every build of the function. Each call overwrites the results of earlier ones.
 class CallArguments {
  public:
   CallArguments(const GeneratedFunction& function, const std::vector<State>& states, Real real);
@@ -28,7 +28,7 @@ class CallArguments {
   CallArguments& operator=(const CallArguments&) = delete;
   ~CallArguments() = default;
 
-  /// How many different calls there are: one for each state.
+  /// Number of different calls, one for each state.
   [[nodiscard]] std::size_t calls() const { return in_.size(); }
   [[nodiscard]] const void* const* in(std::size_t call) const { return in_[call].data(); }
   [[nodiscard]] void* const* out() const { return out_.data(); }
@@ -42,7 +42,7 @@ class CallArguments {
   template <class T>
   void lay_out(const GeneratedFunction& function, const std::vector<State>& states);
 
-  std::vector<Array> arrays_;  ///< of all calls, argument by argument, then the results
+  std::vector<Array> arrays_;  ///< of all calls: argument by argument, then results
   std::vector<std::vector<const void*>> in_;
   std::vector<void*> out_;
 };

@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Rounds in which the field is narrowed, and in which those left are compared.
+/// Numbers of rounds: those that narrow the field of candidates, and those that compare the rest.
 constexpr int kHeats = 11;
 constexpr int kFinal = 61;
-/// So far behind the fastest of the heats a candidate has lost.
+/// A candidate that is slower than the fastest by this factor has lost.
 constexpr double kBehind = 1.04;
 constexpr std::size_t kFinalists = 6;
 
@@ -34,7 +34,7 @@ std::optional<TimedBuild> build_one(const Robot& robot, const Scene& scene,
   return load_build(folder / "code", scene, {candidate}, compile, folder / "work", diagnostics);
 }
 
-/// As many compilers at a time as there are cores.
+/// Builds all candidates, with as many compilers at a time as there are cores.
 std::optional<std::vector<TimedBuild>> build_all(const Robot& robot, const Scene& scene,
                                                  const Mechanism& mechanism,
                                                  const std::vector<GeneratedFunction>& candidates,
@@ -64,7 +64,7 @@ std::optional<std::vector<TimedBuild>> build_all(const Robot& robot, const Scene
   return made;
 }
 
-/// The first, and the fastest of the others as far as they may still win.
+/// Indices of the first candidate, and of the fastest others that may still win.
 std::vector<std::size_t> find_finalists(const std::vector<Timing>& heats) {
   std::vector<std::size_t> order;
   for (std::size_t i = 1; i < heats.size(); ++i) order.push_back(i);
@@ -86,7 +86,8 @@ std::vector<Timing> time_all(const std::vector<TimedCall>& calls) {
   for (const std::size_t i : finalists) last.push_back(calls[i]);
   options.rounds = kFinal;
   const std::vector<Timing> final_timings = time_calls(last, options);
-  // Ratios of the heats are to another run of the first; those of losers stay as they are.
+  // Ratios of the heats refer to another run of the first candidate; those of losers stay as they
+  // are.
   for (std::size_t k = 0; k < finalists.size(); ++k) timings[finalists[k]] = final_timings[k];
   return timings;
 }

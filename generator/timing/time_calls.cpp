@@ -9,7 +9,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// So many passes; nanoseconds a call.
+/// Runs `passes` passes. Returns nanoseconds per call.
 double repeat(const TimedPass& timed, int passes) {
   const auto start = Clock::now();
   for (int pass = 0; pass < passes; ++pass) timed.pass();
@@ -17,14 +17,14 @@ double repeat(const TimedPass& timed, int passes) {
   return taken.count() / (static_cast<double>(passes) * static_cast<double>(timed.calls));
 }
 
-/// Enough passes for a repetition, once code and data are where they will be.
+/// Number of passes for one repetition, measured once code and data are in the caches.
 int count_passes(const TimedPass& timed, const TimingOptions& options) {
   repeat(timed, 1);
   const double pass = std::max(1.0, repeat(timed, 1) * static_cast<double>(timed.calls));
   return std::max(1, static_cast<int>(std::ceil(1000 * options.repetition_us / pass)));
 }
 
-/// Once through all states.
+/// One pass through all states.
 TimedPass pass_of(const TimedCall& call) {
   const auto pass = [call] {
     const std::size_t states = call.arguments->calls();
@@ -35,7 +35,7 @@ TimedPass pass_of(const TimedCall& call) {
   return {pass, call.arguments->calls()};
 }
 
-/// The value below which a share of `values` lies.
+/// Value below which the given share of `values` lies.
 double quantile(std::vector<double> values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
   std::nth_element(values.begin(), values.begin() + at, values.end());
@@ -62,7 +62,7 @@ std::vector<Timing> time_passes(const std::vector<TimedPass>& passes,
   for (int round = 0; round < options.rounds; ++round) {
     for (std::size_t k = 0; k < passes.size(); ++k) {
       const std::size_t i = (k + static_cast<std::size_t>(round)) % passes.size();
-      repeat(passes[i], 1);  // brings back what the others pushed out of the caches
+      repeat(passes[i], 1);  // brings back into the caches what others displaced
       times[i].push_back(repeat(passes[i], counts[i]));
     }
   }

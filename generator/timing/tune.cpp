@@ -11,7 +11,7 @@
 namespace treeline {
 namespace {
 
-/// The lanes to try, the scene's first. Batches have their states for lanes.
+/// Numbers of lanes to try, the scene's first. A batch has its states as lanes.
 std::vector<int> lanes_to_try(const Scene& scene, bool batch) {
   if (batch) return {1};
   std::vector<int> lanes{scene.lanes};
@@ -21,7 +21,7 @@ std::vector<int> lanes_to_try(const Scene& scene, bool batch) {
   return lanes;
 }
 
-/// What tells the code of two programs apart: the order of their nodes and what is packed.
+/// Identifies the code of a program: the order of its nodes and the packs.
 std::string fingerprint(const Program& program) {
   std::string text;
   const auto append = [&text](const auto& number) {

@@ -13,14 +13,14 @@
 
 namespace treeline {
 
-/// One way to compute a function, and how long it takes.
+/// A candidate for computing a function, and its time.
 struct Trial {
-  RouteChoice choice;  ///< with lanes, except of a batch
+  RouteChoice choice;  ///< with lanes, except for a batch
   OperationCount count;
-  Timing timing;  ///< ratios are to the route of least cost
+  Timing timing;  ///< its ratio is to the route of least cost
 };
 
-/// One function: what was tried, the route of least cost first, and what won.
+/// Trials of one function, the route of least cost first, and the winner.
 struct TunedFunction {
   Function function{};
   int batch = 0;  ///< see `GeneratedFunction`
@@ -29,26 +29,28 @@ struct TunedFunction {
 };
 
 struct Tuning {
-  std::vector<TunedFunction> functions;  ///< in the scene's order, each followed by its batch
+  std::vector<TunedFunction> functions;  ///< in the scene's order, each before its batch
   std::string measured;                  ///< compiler, flags and processor
 };
 
-/// Times candidates of one function against the first of them. Errors: those of the compiler.
+/// Times candidates of one function relative to the first one. Errors: those of the compiler.
 using Measure = std::function<std::optional<std::vector<Timing>>(
     const std::vector<GeneratedFunction>& candidates, Diagnostics& diagnostics)>;
 
 struct TuneOptions {
-  /// Routes that cost more than the cheapest by this share are not tried.
+  /// Routes whose cost exceeds the least by more than this share are not tried.
   double reach = 0.12;
-  /// The route of least cost stays unless another is faster by this share, and by twice the noise.
+  /// The route of least cost stays unless another one is faster by this share, and by twice the
+  /// noise.
   double margin = 0.02;
-  /// Called before each function is measured, with its name and how many candidates it has.
+  /// Called before each function is measured, with its name and the number of candidates.
   std::function<void(const std::string& function, std::size_t candidates)> progress = {};
 };
 
-/// Every way to compute a function that may be the fastest and is not the same code as another:
-/// each route in 1, 2, 4 and 8 lanes, alike limbs in lanes or not. First comes what `generate_code`
-/// makes without choices.
+/// Lists the candidates for a function that may be fastest and have different code: each route in
+/// 1, 2, 4 and 8 lanes, with and without isomorphic limbs in lanes. The first is the one that
+/// `generate_code` makes without choices. Routes whose cost exceeds the least by more than the
+/// share `reach` are left out.
 std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Function function,
                                                const Scene& scene, bool batch, double reach);
 
@@ -56,17 +58,20 @@ std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Funct
 std::optional<Tuning> tune(const Robot& robot, const Scene& scene, const Measure& measure,
                            const TuneOptions& options, Diagnostics& diagnostics);
 
-/// What `tune` found, to generate by.
+/// Converts the result of `tune` to choices for generating code.
 Choices choices_of(const Tuning& tuning);
 
-/// Compiles candidates on this machine and times them interleaved at 64 states: all of them a few
-/// times, then those that may win many times. `robot` and `scene` must outlive it.
+/// Returns a measure that compiles candidates on this machine and times them in interleaved order
+/// at 64 states: first all of them a few times, then many times those that may win. `robot` and
+/// `scene` must outlive it.
 Measure measure_here(const Robot& robot, const Scene& scene, const CompileOptions& compile);
 
-/// "g++ (Debian 12.2.0-14) 12.2.0, -O3 -march=native, AMD EPYC": what `measure_here` measures with.
+/// Describes this machine for `measure_here`: "g++ (Debian 12.2.0-14) 12.2.0, -O3 -march=native,
+/// AMD EPYC".
 std::string describe_here(const CompileOptions& compile, Diagnostics& diagnostics);
 
-/// A table of all trials, fastest first, times in nanoseconds a call; as JSON a list.
+/// Prints all trials, fastest first, with times in nanoseconds per call: as a table, or as a JSON
+/// list.
 std::string print_text(const Tuning& tuning);
 std::string print_json(const Tuning& tuning);
 

@@ -12,13 +12,13 @@
 namespace treeline::pictures {
 namespace {
 
-constexpr double kScale = 150.0;   // pixels a metre
+constexpr double kScale = 150.0;   // pixels per metre
 constexpr double kWidth = 230.0;   // of one picture
 constexpr double kHeight = 312.0;  // of the strip
-constexpr double kGround = 250.0;  // where the world's origin lies, from above
-constexpr double kLeft = 118.0;    // and from the left of its picture
+constexpr double kGround = 250.0;  // y of the world's origin, from above
+constexpr double kLeft = 118.0;    // x of the world's origin, from the left of its picture
 
-/// Looks at the world from far away.
+/// Parallel projection of the world.
 class Camera {
  public:
   Camera(double azimuth, double elevation)
@@ -32,7 +32,7 @@ class Camera {
   double x(const Eigen::Vector3d& point) const { return kLeft + kScale * point.dot(right_); }
   double y(const Eigen::Vector3d& point) const { return kGround - kScale * point.dot(up_); }
 
-  /// The colour of a surface in the light, which comes from above the camera's left.
+  /// Colour of a surface in light from above the camera's left.
   std::string shade(const Color& color, const Eigen::Vector3d& normal) const {
     const Eigen::Vector3d light = (towards_ + 0.9 * up_ - 0.5 * right_).normalized();
     const double share = 0.5 + 0.5 * std::max(0.0, normal.dot(light));
@@ -47,7 +47,7 @@ class Camera {
   Eigen::Vector3d towards_, right_, up_;
 };
 
-/// Something to draw; the nearest is drawn last.
+/// Something to draw. The nearest item is drawn last.
 struct Item {
   double nearness = 0.0;
   std::string svg;
@@ -94,7 +94,7 @@ Eigen::Isometry3d pose_of(const urdf::Pose& pose) {
   return made;
 }
 
-/// The motion of a joint's child against its frame at coordinate `q`.
+/// Motion of a joint's child relative to the joint's frame at coordinate `q`.
 Eigen::Isometry3d motion_of(const urdf::Joint& joint, double q) {
   const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
   Eigen::Isometry3d made = Eigen::Isometry3d::Identity();
@@ -111,7 +111,7 @@ Color color_of(const urdf::Visual& visual) {
   return {color.r, color.g, color.b};
 }
 
-/// Adds the shapes of `link`, which lies at `pose`, and of all links behind it, at row `row`.
+/// Adds the shapes of `link`, whose pose is `pose`, and of all links beyond it, at row `row`.
 void add_links(const urdf::Link& link, const Eigen::Isometry3d& pose, const Motion& motion,
                std::size_t row, Solids& solids) {
   for (const auto& visual : link.visual_array) {
@@ -135,7 +135,7 @@ std::string draw_floor(const Camera& camera) {
   return fmt::format("<polygon points=\"{}\" fill=\"#ecebe6\"/>\n", corners_of(camera, corners));
 }
 
-/// The way of the point up to `row`, and the point itself.
+/// Draws the path of the point up to `row`, and the point itself.
 std::string draw_path(const Camera& camera, const Motion& motion,
                       const std::vector<std::string>& columns, std::size_t row) {
   if (columns.empty()) return "";
@@ -154,7 +154,7 @@ std::string draw_path(const Camera& camera, const Motion& motion,
       corners_of(camera, points), camera.x(points.back()), camera.y(points.back()));
 }
 
-/// Whether all columns are there that are read.
+/// Whether all columns that are read exist.
 bool has_columns(const Motion& motion, const StripSettings& settings, std::string& error) {
   std::vector<std::string> needed = settings.path;
   needed.emplace_back("time");

@@ -8,8 +8,8 @@
 namespace treeline::pictures {
 namespace {
 
-/// A line of a table: a mark or none, time, ratio, three norm-wise and three component-wise errors,
-/// operations or none, variant. False for any other line.
+/// Reads a line of a table: a mark or none, time, ratio, three norm-wise and three component-wise
+/// errors, operations or none, variant. Returns false for any other line.
 bool read_line(const std::string& text, BenchLine& line) {
   const std::size_t begin = text.find_first_not_of(" *");
   if (begin == std::string::npos) return false;

@@ -7,9 +7,9 @@ namespace treeline::pictures {
 
 /// One line of a report of `treeline bench`.
 struct BenchLine {
-  double nanoseconds = 0.0;  ///< of a call, median
+  double nanoseconds = 0.0;  ///< median time of a call
   double worst = 0.0;        ///< largest norm-wise error over all states
-  std::string variant;       ///< what was timed, as the report names it
+  std::string variant;       ///< name of the variant in the report
 };
 
 /// All ways to compute one function. The first line is the code that the scene asks for.
@@ -20,12 +20,12 @@ struct BenchTable {
 
 struct BenchReport {
   std::string robot;
-  std::vector<std::string> machine;  ///< processor and compiler, a line each
+  std::vector<std::string> machine;  ///< processor and compiler, one line each
   std::vector<BenchTable> tables;
 };
 
-/// Reads what `treeline bench` prints. Empty, with the reason in `error`, when `path` is missing or
-/// is no such report.
+/// Reads a report of `treeline bench`. Empty, with the reason in `error`, if the file `path` is
+/// missing or is not such a report.
 BenchReport read_bench(const std::string& path, std::string& error);
 
 }  // namespace treeline::pictures

@@ -19,7 +19,7 @@ struct Face {
   Color color{};
 };
 
-/// A ball, which looks like a disc from everywhere.
+/// A ball, which looks like a disc from every direction.
 struct Ball {
   Eigen::Vector3d center;
   double radius = 0.0;  ///< m
@@ -31,8 +31,8 @@ struct Solids {
   std::vector<Ball> balls;
 };
 
-/// Adds a box, a cylinder or a sphere of a URDF at `pose` (of the shape, in the world). Meshes are
-/// left out.
+/// Adds a box, a cylinder or a sphere of a URDF. `pose` is that of the shape in the world. Meshes
+/// are left out.
 void add_solid(const urdf::Geometry& shape, const Eigen::Isometry3d& pose, const Color& color,
                Solids& solids);
 

@@ -6,9 +6,9 @@
 
 namespace treeline::batch {
 
-/// Fills the rows of a generated batch function's argument from states that lie one after the
-/// other, `size` numbers each: `rows[i][k] = states[(part.first + k) * size + i]`. `part.count` is
-/// from 1 to `lanes`; lanes left over repeat the last state, so that they hold sensible numbers.
+/// Fills the rows of a batch function's argument from states that are stored one after the other,
+/// `size` numbers each: `rows[i][k] = states[(part.first + k) * size + i]`. `part.count` is from 1
+/// to `lanes`. Unused lanes repeat the last state, so that their numbers are sensible.
 template <class Real, int size, int lanes>
 void gather(const Real* states, Part part, Real (&rows)[size][lanes]) {
   for (int k = 0; k < lanes; ++k) {
@@ -20,7 +20,8 @@ void gather(const Real* states, Part part, Real (&rows)[size][lanes]) {
   }
 }
 
-/// The way back: writes the states of `part`, no lane that was left over.
+/// Writes the rows of a batch function's result to the states of `part`: the inverse of `gather`.
+/// Unused lanes are not written.
 template <class Real, int size, int lanes>
 void scatter(const Real (&rows)[size][lanes], Part part, Real* states) {
   for (std::size_t k = 0; k < part.count; ++k) {

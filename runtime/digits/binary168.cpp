@@ -11,9 +11,10 @@ namespace {
 __extension__ using Wide = unsigned __int128;
 
 constexpr int kLimb = 64;
-constexpr int kTop = 168 - 2 * kLimb;  ///< bits of the highest limb
+constexpr int kTop = 168 - 2 * kLimb;  ///< number of bits of the highest limb
 
-/// Rounds up where what was cut off is more than half of the last bit, or half of an odd one's.
+/// Rounds up if what was cut off exceeds half of the last bit, or equals half and the number is
+/// odd.
 void round(Binary168& x, bool half, bool more) {
   if (!half || (!more && (x.limbs[0] & 1U) == 0)) return;
   if (++x.limbs[0] != 0 || ++x.limbs[1] != 0) return;
@@ -22,10 +23,10 @@ void round(Binary168& x, bool half, bool more) {
   ++x.exponent;
 }
 
-/// Four limbs, the lowest first; below the number's 168 bits there are 64 that get lost.
+/// Four limbs, the lowest first. Below the number's 168 bits there are 64 guard bits.
 using Guarded = std::array<std::uint64_t, 4>;
 
-/// Limbs shifted right; bits that get lost leave the last one set.
+/// Shifts limbs to the right. If bits are lost, the last bit is set.
 Guarded shifted_right(const std::array<std::uint64_t, 3>& limbs, std::int64_t by) {
   Guarded from{0, limbs[0], limbs[1], limbs[2]}, to{};
   const auto whole = static_cast<std::size_t>(by / kLimb);
@@ -52,7 +53,7 @@ Guarded added(const Guarded& a, const Guarded& b) {
   return sum;
 }
 
-/// a - b, where that is not negative.
+/// a - b, which must not be negative.
 Guarded subtracted(const Guarded& a, const Guarded& b) {
   Guarded difference{};
   std::uint64_t borrow = 0;
@@ -64,7 +65,7 @@ Guarded subtracted(const Guarded& a, const Guarded& b) {
   return difference;
 }
 
-/// The highest limb that is not zero; -1: none.
+/// Index of the highest limb that is not zero; -1 if there is none.
 int highest_limb(const Guarded& x) {
   int i = 3;
   while (i >= 0 && x[static_cast<std::size_t>(i)] == 0) --i;
@@ -84,13 +85,13 @@ Guarded shifted_left(const Guarded& from, int by) {
   return to;
 }
 
-/// The number of which `x` are the bits, those lost included.
+/// Makes the number with the bits `x`, including the guard bits.
 Binary168 normalized(Guarded x, std::int64_t exponent, bool negative) {
   const int high = highest_limb(x);
   const int bits =
       high * kLimb + static_cast<int>(std::bit_width(x[static_cast<std::size_t>(high)]));
   constexpr int kAll = 168 + kLimb;
-  if (bits > kAll) {  // a carry; what it pushes out is below the bit that decides
+  if (bits > kAll) {  // carry; the bit pushed out is below the deciding one
     const std::uint64_t lost = x[0] & 1U;
     for (std::size_t i = 0; i < 3; ++i) x[i] = x[i] >> 1 | x[i + 1] << (kLimb - 1);
     x[3] >>= 1;
@@ -125,8 +126,8 @@ Binary168 multiply(const Binary168& a, const Binary168& b) {
     }
     product[i + 3] = carry;
   }
-  const bool is_long = product[5] >> (2 * kTop - kLimb - 1) != 0;  // 336 bits, not 335
-  const int cut = is_long ? kTop : kTop - 1;                       // of the third limb
+  const bool is_long = product[5] >> (2 * kTop - kLimb - 1) != 0;  // 336 bits instead of 335
+  const int cut = is_long ? kTop : kTop - 1;                       // bits of the third limb
   Binary168 result{{}, a.exponent + b.exponent + (is_long ? 1 : 0), a.negative != b.negative};
   for (std::size_t i = 0; i < 3; ++i) {
     result.limbs[i] = product[i + 2] >> cut | product[i + 3] << (kLimb - cut);

@@ -16,8 +16,8 @@ namespace treeline {
 using Number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                              boost::multiprecision::et_off>;
 
-// A number of fixed precision owns no memory and points to nothing, so that its bytes are its value
-// and a copy of them is a copy of it.
+// A number of fixed precision owns no memory and contains no pointer, so its bytes are its value,
+// and a copy of the bytes is a copy of the number.
 static_assert(sizeof(Number) == sizeof(Digits50) && alignof(Number) <= alignof(Digits50));
 static_assert(std::is_trivially_destructible_v<Number>);
 
@@ -53,7 +53,8 @@ constexpr bool kHasFastLimbs = sizeof(Limb) == sizeof(std::uint64_t);
 constexpr bool kHasFastLimbs = false;
 #endif
 
-/// Zeros, infinities and NaN have exponents out of this range; sums of two others stay in Number's.
+/// Whether the number is not zero, infinite or NaN, whose exponents are out of this range. Sums of
+/// two such numbers stay in the range of Number.
 bool is_common(const Number& x) {
   constexpr int kMost = 1 << 28;
   return x.backend().exponent() > -kMost && x.backend().exponent() < kMost;
@@ -72,7 +73,8 @@ void assign_parts(Number& x, const digits::Binary168& parts) {
   x.backend().sign() = parts.negative;
 }
 
-/// a += b or a -= b, as `Number` does it, to the bit, several times faster. False: not done.
+/// a += b or a -= b with the same bits as `Number`, but several times faster. Returns false if
+/// nothing was done.
 bool add_fast(Number& a, const Number& b, bool minus) {
   if constexpr (kHasFastLimbs) {
     if (!is_common(a) || !is_common(b)) return false;
@@ -90,7 +92,8 @@ bool add_fast(Number& a, const Number& b, bool minus) {
   return false;
 }
 
-/// a *= b likewise.
+/// a *= b with the same bits as `Number`, but several times faster. Returns false if nothing was
+/// done.
 bool multiply_fast(Number& a, const Number& b) {
   if constexpr (kHasFastLimbs) {
     if (!is_common(a) || !is_common(b)) return false;

@@ -10,17 +10,17 @@
 
 namespace treeline {
 
-/// A floating-point number of 50 decimal digits (168 bits): the truth that errors are measured
-/// against, and the precision in which a mechanism's constants are computed.
+/// A floating-point number of 50 decimal digits (168 bits): the precision of the references with
+/// which errors are measured, and of a mechanism's constants.
 ///
-/// Boost's `cpp_bin_float<50>` behind a wall: its arithmetic is compiled once, in `digits50.cpp`,
-/// since inlining it into every Eigen kernel took minutes of compile time for each of them. A call
-/// costs little beside an operation of 168 bits.
+/// It wraps Boost's `cpp_bin_float<50>`, whose arithmetic is compiled once, in `digits50.cpp`.
+/// Inlining it into every Eigen kernel took minutes of compile time each. A call costs little
+/// compared with an operation on 168 bits.
 class Digits50 {
  public:
   Digits50() noexcept : Digits50(0.0) {}
   template <std::integral Integer>
-  Digits50(Integer value) noexcept {  // NOLINT: implicit on purpose, it is a scalar
+  Digits50(Integer value) noexcept {  // NOLINT: implicit on purpose, because it is a scalar
     if constexpr (std::is_signed_v<Integer>) {
       assign(static_cast<long long>(value));
     } else {
@@ -30,14 +30,14 @@ class Digits50 {
   Digits50(float value) noexcept : Digits50(static_cast<double>(value)) {}  // NOLINT: as above
   Digits50(double value) noexcept;                                          // NOLINT: as above
   Digits50(long double value) noexcept;                                     // NOLINT: as above
-  /// Decimal digits, as in "1e-30".
+  /// Converts decimal digits, as in "1e-30".
   explicit Digits50(const char* digits);
 
-  /// Rounded to nearest.
+  /// Rounds to nearest.
   explicit operator float() const noexcept;
   explicit operator double() const noexcept;
   explicit operator long double() const noexcept;
-  /// Rounded towards zero.
+  /// Rounds towards zero.
   explicit operator int() const noexcept;
 
   Digits50& operator+=(const Digits50& other) noexcept;
@@ -79,7 +79,7 @@ Digits50 atan2(const Digits50& y, const Digits50& x);
 Digits50 exp(const Digits50& x);
 Digits50 log(const Digits50& x);
 Digits50 pow(const Digits50& x, const Digits50& y);
-/// Halves away from zero.
+/// Rounds to the nearest integer, halves away from zero.
 Digits50 round(const Digits50& x);
 Digits50 floor(const Digits50& x);
 Digits50 ceil(const Digits50& x);
@@ -139,7 +139,7 @@ struct NumTraits<treeline::Digits50> : GenericNumTraits<treeline::Digits50> {
 
 namespace internal {
 
-/// Eigenvalues take this; no exponent of these numbers overflows.
+/// Used for eigenvalues. No exponent of these numbers overflows.
 template <>
 inline treeline::Digits50 positive_real_hypot(const treeline::Digits50& x,
                                               const treeline::Digits50& y) {

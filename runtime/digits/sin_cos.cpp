@@ -5,13 +5,14 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
 
-// Taylor's series on the eighth of a turn next to zero, with the arithmetic of `Digits50`, which is
+// Taylor series on the eighth of a turn around zero, with the arithmetic of `Digits50`, which is
 // several times faster than that of the series in Boost.
 
 namespace treeline {
 namespace {
 
-/// pi / 2 in two parts: quarter turns times the first, of 120 bits, are exact.
+/// pi / 2 in two parts. The first has 120 bits, so its product with a number of quarter turns is
+/// exact.
 struct QuarterTurn {
   Digits50 high, low;
 };
@@ -25,7 +26,7 @@ const QuarterTurn& quarter_turn() {
     const Long high = ldexp(Long(floor(ldexp(all, kBits))), -kBits);
     const auto digits = [](const Long& x) { return Digits50(x.str(70).c_str()); };
     const Digits50 rounded = digits(high);
-    // The text is rounded; the part itself is a whole number of its last bits.
+    // The text is rounded. The part itself is an integer multiple of its last bit.
     Digits50 scale = 1;
     for (int i = 0; i < kBits; ++i) scale *= 2;
     return QuarterTurn{round(rounded * scale) / scale, digits(Long(all - high))};
@@ -33,7 +34,7 @@ const QuarterTurn& quarter_turn() {
   return both;
 }
 
-/// An angle at most an eighth of a turn from zero, and how many quarter turns it is behind.
+/// An angle of at most an eighth of a turn, and the number of quarter turns that were subtracted.
 struct Reduced {
   Digits50 angle;
   int quarters = 0;  ///< 0 to 3
@@ -48,7 +49,7 @@ Reduced reduced(const Digits50& x) {
 
 constexpr std::size_t kTerms = 22;
 
-/// 1/first!, -1/(first + 2)!, 1/(first + 4)! ...
+/// The coefficients 1/first!, -1/(first + 2)!, 1/(first + 4)! ...
 std::array<Digits50, kTerms> coefficients(int first) {
   std::array<Digits50, kTerms> all;
   Digits50 coefficient = 1;
@@ -76,7 +77,7 @@ Digits50 cosine_near_zero(const Digits50& x) {
   return sum_up(all, x * x);
 }
 
-/// The sine of an angle that is so many quarter turns ahead.
+/// Sine of the angle plus this many quarter turns.
 Digits50 sine_ahead(const Reduced& x, int quarters) {
   const int all = (x.quarters + quarters) % 4;
   const Digits50 value = all % 2 == 0 ? sine_near_zero(x.angle) : cosine_near_zero(x.angle);

@@ -4,9 +4,9 @@
 
 namespace treeline::digits {
 
-/// Whether `sine` and `cosine` take the angle: below 1e12 rad.
+/// Whether `sine` and `cosine` accept the angle: below 1e12 rad.
 bool is_reducible(const Digits50& angle);
-/// Within a few of the last bits.
+/// Sine and cosine of an angle (rad), with errors of a few units of the last bit.
 Digits50 sine(const Digits50& angle);
 Digits50 cosine(const Digits50& angle);
 

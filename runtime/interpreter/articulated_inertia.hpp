@@ -6,14 +6,14 @@
 
 namespace treeline::interpreter {
 
-/// The inverse of a symmetric positive definite matrix by LDL^T.
+/// Inverse of a symmetric positive definite matrix by LDL^T.
 template <class Scalar, class Derived>
 Matrix<Scalar> inverse_of_positive_definite(const Eigen::MatrixBase<Derived>& A) {
   if (A.rows() == 1) return Matrix<Scalar>::Constant(1, 1, Scalar(1) / A(0, 0));
   return Matrix<Scalar>(A).ldlt().solve(Matrix<Scalar>::Identity(A.rows(), A.rows()));
 }
 
-/// The inward half of Chang table 4.2 that depends on q alone.
+/// Result of the part of the inward recursion of Chang table 4.2 that depends only on q.
 template <class Scalar>
 struct ArticulatedInertia {
   explicit ArticulatedInertia(int bodies)
@@ -21,13 +21,13 @@ struct ArticulatedInertia {
         U(bodies, JointMatrix<Scalar>(6, 0)),
         D_inverse(bodies, Matrix<Scalar>(0, 0)) {}
 
-  PerBody<Matrix6<Scalar>> IA;        ///< inertia of a body with all that hangs on it, free to move
+  PerBody<Matrix6<Scalar>> IA;        ///< inertia of a body with everything beyond it, joints free
   PerBody<JointMatrix<Scalar>> U;     ///< IA S
   PerBody<Matrix<Scalar>> D_inverse;  ///< (S^T IA S)^-1
 };
 
-/// D = S^T IA S, U = IA S, IA_h = I_h + sum X (IA - U D^-1 U^T) X^T. Meaningless with mimic joints,
-/// whose forces depend on bodies elsewhere.
+/// Articulated-body inertias: D = S^T IA S, U = IA S, IA_h = I_h + sum X (IA - U D^-1 U^T) X^T. Not
+/// valid with mimic joints, whose forces depend on other bodies.
 template <class Scalar>
 ArticulatedInertia<Scalar> articulated_inertia(const Model<Scalar>& model,
                                                const Kinematics<Scalar>& k) {

@@ -6,8 +6,8 @@
 
 namespace treeline::interpreter {
 
-/// Lambda xdd + mu + p = F at the objects' origins, world axes, six rows an object (Chang eq. 7.1):
-/// the dynamics of the objects together with all robots that hold them.
+/// Equation of motion Lambda xdd + mu + p = F of the objects together with all robots that hold
+/// them, at the objects' origins in world axes, six rows per object (Chang eq. 7.1).
 template <class Scalar>
 struct AugmentedObject {
   Matrix<Scalar> Lambda;
@@ -16,7 +16,8 @@ struct AugmentedObject {
 
 namespace detail {
 
-/// Jbar^T tau = Lambda J A^-1 tau: joint forces felt at the points. `weightless` has no gravity.
+/// Jbar^T tau = Lambda J A^-1 tau: the joint forces as they act at the points. `weightless` is the
+/// model without gravity.
 template <class Scalar>
 Vector<Scalar> felt_at_points(const Model<Scalar>& weightless, const Points<Scalar>& points,
                               const Vector<Scalar>& q, const Vector<Scalar>& tau,
@@ -34,8 +35,9 @@ Model<Scalar> without_gravity(Model<Scalar> model) {
 
 }  // namespace detail
 
-/// The sum of the objects' own and of C^T (...) C over the robots (Chang eq. 7.2, 7.6, 7.7; several
-/// robots: 7.9 to 7.11). Needs independent hands: Lambda of each robot at its grasps exists.
+/// Sums the objects' own terms and C^T (...) C over the robots (Chang eq. 7.2, 7.6, 7.7; for
+/// several robots 7.9 to 7.11). Precondition: independent hands, so that Lambda of each robot
+/// exists at its grasps.
 template <class Scalar>
 AugmentedObject<Scalar> augmented_object(const ClosedChain<Scalar>& chain, PerRobotArg<Scalar> q,
                                          PerRobotArg<Scalar> qd) {

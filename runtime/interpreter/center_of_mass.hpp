@@ -11,7 +11,7 @@ Scalar total_mass(const Model<Scalar>& model) {
   return mass;
 }
 
-/// The centre of mass of all bodies, m, world axes. The model's mass must be positive.
+/// Centre of mass of all bodies, m, world axes. The model's mass must be positive.
 template <class Scalar>
 Vector3<Scalar> center_of_mass(const Model<Scalar>& model, VectorArg<Scalar> q) {
   const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
@@ -22,8 +22,8 @@ Vector3<Scalar> center_of_mass(const Model<Scalar>& model, VectorArg<Scalar> q) 
   return moment / total_mass(model);
 }
 
-/// 3 x nv: the centre of mass's velocity in world axes = J qd, as the mean of the Jacobians of the
-/// bodies' centres weighted with their masses.
+/// Jacobian of the centre of mass, 3 x nv: its velocity in world axes is J qd. It is the mean of
+/// the Jacobians of the bodies' centres of mass, weighted with their masses.
 template <class Scalar>
 Matrix<Scalar> center_of_mass_jacobian(const Model<Scalar>& model, VectorArg<Scalar> q) {
   const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));

@@ -7,17 +7,18 @@
 
 namespace treeline::interpreter {
 
-/// A rigid grasp of an object: where the hand is on its robot, and the object in the hand.
+/// A rigid grasp of an object: the hand on its robot, and the pose of the object in the hand.
 template <class Scalar>
 struct Grasp {
   int robot = 0;
-  OperationalPoint<Scalar> point;                   ///< the hand; `axes` and `rows` play no part
-  Matrix3<Scalar> R = Matrix3<Scalar>::Identity();  ///< of the object's frame in the point's
-  Vector3<Scalar> p = Vector3<Scalar>::Zero();      ///< of the object's frame in the point's
+  OperationalPoint<Scalar> point;                   ///< the hand; `axes` and `rows` are not used
+  Matrix3<Scalar> R = Matrix3<Scalar>::Identity();  ///< rotation of the object's frame in the
+                                                    ///< point's
+  Vector3<Scalar> p = Vector3<Scalar>::Zero();      ///< origin of the object's frame in the point's
 };
 
-/// A rigid body that one or several hands hold. Its pose and velocity are where its first grasp has
-/// it: it owns no coordinates.
+/// A rigid body that one or several hands hold. It has no coordinates of its own: its pose and
+/// velocity are those that its first grasp gives it.
 template <class Scalar>
 struct GraspedObject {
   std::string name;
@@ -27,15 +28,15 @@ struct GraspedObject {
   std::vector<Grasp<Scalar>> grasps;                  ///< at least one
 };
 
-/// Robots and the objects that they hold: a simple closed chain (Chang 7.2), without loops once the
-/// objects are gone.
+/// Robots and the objects that they hold: a simple closed chain (Chang 7.2). Without the objects it
+/// has no loops.
 template <class Scalar>
 struct ClosedChain {
   std::vector<Model<Scalar>> robots;
   std::vector<GraspedObject<Scalar>> objects;
 };
 
-/// The same chain in another precision.
+/// Converts a chain to another precision.
 template <class To, class From>
 ClosedChain<To> cast(const ClosedChain<From>& chain) {
   const auto to = [](const From& x) { return static_cast<To>(x); };
@@ -57,11 +58,11 @@ ClosedChain<To> cast(const ClosedChain<From>& chain) {
 template <class Scalar>
 using PerRobot = std::vector<Vector<Scalar>>;
 
-/// An argument from which `Scalar` is not deduced.
+/// A function argument from which `Scalar` is not deduced.
 template <class Scalar>
 using PerRobotArg = const std::type_identity_t<PerRobot<Scalar>>&;
 
-/// The grasps of one robot in the order of objects and grasps, as operational points at the
+/// The grasps of one robot, in the order of objects and grasps, as operational points at the
 /// objects' origins in world axes. At these points C stacks identities (Chang eq. 7.3).
 template <class Scalar>
 Points<Scalar> object_points(const ClosedChain<Scalar>& chain, int robot) {
@@ -80,7 +81,8 @@ Points<Scalar> object_points(const ClosedChain<Scalar>& chain, int robot) {
   return points;
 }
 
-/// C of one robot: six rows for each of its grasps, six columns for each object of the chain.
+/// C of one robot, with six rows for each of its grasps and six columns for each object of the
+/// chain.
 template <class Scalar>
 Matrix<Scalar> connectivity(const ClosedChain<Scalar>& chain, int robot) {
   std::vector<int> held;
@@ -97,16 +99,16 @@ Matrix<Scalar> connectivity(const ClosedChain<Scalar>& chain, int robot) {
   return C;
 }
 
-/// Where one grasp has its object, world axes.
+/// Pose and velocity of an object according to one grasp, world axes.
 template <class Scalar>
 struct HeldPose {
-  Matrix3<Scalar> R;        ///< object to world
-  Vector3<Scalar> p;        ///< object's origin
-  Vector6<Scalar> v;        ///< of the object's origin over angular velocity
+  Matrix3<Scalar> R;        ///< from object's axes to world axes
+  Vector3<Scalar> p;        ///< origin of the object
+  Vector6<Scalar> v;        ///< velocity of the object's origin over angular velocity
   Vector3<Scalar> to_hand;  ///< from the object's origin to the grasp's point
 };
 
-/// For each object, for each of its grasps.
+/// Poses and velocities of each object according to each of its grasps.
 template <class Scalar>
 std::vector<std::vector<HeldPose<Scalar>>> held_poses(const ClosedChain<Scalar>& chain,
                                                       PerRobotArg<Scalar> q,
@@ -141,8 +143,8 @@ Matrix6<Scalar> object_inertia(const GraspedObject<Scalar>& object, const Matrix
   return spatial_inertia<Scalar>(object.mass, R * object.com, R * J * R.transpose());
 }
 
-/// mu_obj and p_obj: what the object's motion at constant velocity, and its weight, ask for at its
-/// origin, world axes. Lambda_obj xdd + mu_obj + p_obj is the force that all hands together exert.
+/// mu_obj and p_obj at the object's origin, world axes: forces for its motion at constant velocity,
+/// and its weight. Lambda_obj xdd + mu_obj + p_obj is the force that all hands together exert.
 template <class Scalar>
 struct ObjectBias {
   Vector6<Scalar> mu, p;
@@ -159,9 +161,9 @@ ObjectBias<Scalar> object_bias(const GraspedObject<Scalar>& object, const HeldPo
           I * stack<Scalar>(-gravity, Vector3<Scalar>::Zero())};
 }
 
-/// How far the grasps of an object have drifted apart: pose and velocity in which grasp i has it,
-/// less those in which its first grasp has it. Linear over angular, world axes; the turn is the
-/// sine of its angle along its axis.
+/// Drift of the grasps of an object: pose and velocity according to grasp i minus those according
+/// to its first grasp, linear over angular, world axes. The rotation is the sine of its angle along
+/// its axis.
 template <class Scalar>
 struct GraspDrift {
   Vector6<Scalar> pose, velocity;

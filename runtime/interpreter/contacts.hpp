@@ -5,8 +5,9 @@
 
 namespace treeline::interpreter {
 
-/// A point of a body at which it may touch something: forces and impulses there have three
-/// components, in the world's axes. `p` is in the body's frame; the world (kWorld) has points too.
+/// A point of a body at which it may touch something. Forces and impulses there have three
+/// components in world axes. `p` is in the body's frame. The world (kWorld) may have such points,
+/// too.
 template <class Scalar>
 OperationalPoint<Scalar> contact_point(int body, const Vector3<Scalar>& p,
                                        const std::string& name = "contact") {
@@ -18,7 +19,7 @@ OperationalPoint<Scalar> contact_point(int body, const Vector3<Scalar>& p,
   return point;
 }
 
-/// Where contacts are and how they move, three entries for each, world axes.
+/// Positions and velocities of contacts, three entries for each, world axes.
 template <class Scalar>
 struct ContactMotion {
   Vector<Scalar> position;
@@ -43,17 +44,18 @@ ContactMotion<Scalar> contact_motion(const Model<Scalar>& model, PointsArg<Scala
   return motion;
 }
 
-/// The contact-space inverse inertia, 3k x 3k: change of each contact's velocity by an impulse at
-/// each, world axes (Lambda_c^-1 of Chang 8.2, with the blocks between contacts by table 5.3).
+/// Contact-space inverse inertia, 3k x 3k: the change of each contact's velocity per impulse at
+/// each contact, world axes (Lambda_c^-1 of Chang 8.2, with the blocks between contacts from table
+/// 5.3).
 template <class Scalar>
 Matrix<Scalar> contact_inverse_inertia(const Model<Scalar>& model, PointsArg<Scalar> contacts,
                                        VectorArg<Scalar> q) {
   return lambda_inverse<Scalar>(model, contacts, q);
 }
 
-/// n^T Lambda_c^-1 n of each contact, 1/kg when its n is a unit vector (Chang eq. 8.2): how easily
-/// it moves along n. `normals` has three entries for each, world axes. Lambda_c^-1 comes from the
-/// inverse inertias of all links.
+/// Mobility n^T Lambda_c^-1 n of each contact along n, 1/kg if n is a unit vector (Chang eq. 8.2).
+/// `normals` has three entries for each contact, world axes. Lambda_c^-1 comes from the inverse
+/// inertias of all links.
 template <class Scalar>
 Vector<Scalar> mobilities_along(const Model<Scalar>& model, PointsArg<Scalar> contacts,
                                 VectorArg<Scalar> q, VectorArg<Scalar> normals) {
@@ -70,15 +72,16 @@ Vector<Scalar> mobilities_along(const Model<Scalar>& model, PointsArg<Scalar> co
   return mobilities;
 }
 
-/// 1 / (n^T Lambda_c^-1 n) of each contact, kg when its n is a unit vector (Chang eq. 8.1): the
-/// mass that a blow along n meets there. Infinite on a body that cannot move.
+/// Effective mass 1 / (n^T Lambda_c^-1 n) of each contact, kg if n is a unit vector (Chang eq.
+/// 8.1): the mass that a blow along n meets. Infinite on a body that cannot move.
 template <class Scalar>
 Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> contacts,
                                 VectorArg<Scalar> q, VectorArg<Scalar> normals) {
   return mobilities_along<Scalar>(model, contacts, q, normals).cwiseInverse();
 }
 
-/// The same by the borders of `law`, one a contact: no mass along what cannot be moved.
+/// Effective mass of each contact along n, with the borders of `law`, one per contact. The mass
+/// goes to zero in directions that cannot move.
 template <class Scalar>
 Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> contacts,
                                 VectorArg<Scalar> q, VectorArg<Scalar> normals,
@@ -91,9 +94,9 @@ Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> co
   return masses;
 }
 
-/// The impulse along the unit normal `n` that turns the approach n.v < 0 of two bodies into a
-/// parting at `restitution` times its speed: y = -(1 + e) (n.v) / (n^T Lambda_c^-1 n) n (Chang eq.
-/// 8.3 to 8.7). `mass` is the effective mass along n.
+/// Impulse along the unit normal `n` that turns the approach n.v < 0 of two bodies into a
+/// separation at `restitution` times its speed: y = -(1 + e) (n.v) / (n^T Lambda_c^-1 n) n (Chang
+/// eq. 8.3 to 8.7). `mass` is the effective mass along n.
 template <class Scalar>
 Vector3<Scalar> restitution_impulse(const Vector3<Scalar>& n, const Vector3<Scalar>& velocity,
                                     const std::type_identity_t<Scalar>& mass,

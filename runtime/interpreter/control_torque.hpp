@@ -7,8 +7,8 @@
 
 namespace treeline::interpreter {
 
-/// F = Lambda (xdd_cmd - Jd qd - J qdd_0): the forces at the points, in their rows, that turn the
-/// posture's accelerations there into the commanded ones (Chang eq. 6.3).
+/// F = Lambda (xdd_cmd - Jd qd - J qdd_0): forces at the points, in their rows, that change the
+/// accelerations due to the posture into the commanded ones (Chang eq. 6.3).
 template <class Scalar>
 Vector<Scalar> task_force(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,
                           VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,
@@ -17,7 +17,8 @@ Vector<Scalar> task_force(const Model<Scalar>& model, PointsArg<Scalar> points, 
   return lambda_inverse<Scalar>(model, points, q).ldlt().solve(missing);
 }
 
-/// The same where rows that cannot be moved yield by `law`, whose Lambda is that of its own rows.
+/// F = Lambda (xdd_cmd - Jd qd - J qdd_0), where `law` relaxes rows that cannot be moved. Lambda is
+/// that of the law's own rows.
 template <class Scalar>
 Vector<Scalar> task_force(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,
                           VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0, VectorArg<Scalar> xdd_cmd,
@@ -28,10 +29,10 @@ Vector<Scalar> task_force(const Model<Scalar>& model, PointsArg<Scalar> points, 
   return T.transpose() * (bordered_inverse<Scalar>(A, law) * (T * missing));
 }
 
-/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext (Chang table 6.1), without a joint-space matrix:
-/// F enters the inward recursion as a force at the points. `qdd_0` is the posture's acceleration;
-/// what of it the task does not need acts in the null space. Points that differ in priority:
-/// `prioritized_control_torque`.
+/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext (Chang table 6.1), without a joint-space matrix: F
+/// enters the inward recursion as a force at the points. `qdd_0` is the posture's acceleration; the
+/// part that the task does not determine acts in the null space. For points that differ in priority
+/// see `prioritized_control_torque`.
 template <class Scalar>
 Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
                               VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,
@@ -49,8 +50,8 @@ Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> poin
   return detail::newton_euler<Scalar>(model, k, qdd_0, external);
 }
 
-/// The same by `law`: of a law with pivots tau = M qdd + b + g - J_ext^T f_ext, where qdd solves
-/// J qdd = xdd_cmd - Jd qd and leaves nothing to the posture.
+/// Control torque with the task law `law`. If the law has pivots, tau = M qdd + b + g - J_ext^T
+/// f_ext where qdd solves J qdd = xdd_cmd - Jd qd, which leaves no null space for the posture.
 template <class Scalar>
 Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
                               VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,
@@ -75,7 +76,7 @@ Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> poin
   return detail::newton_euler<Scalar>(model, k, qdd_0, external);
 }
 
-/// The same without external forces.
+/// Control torque without external forces.
 template <class Scalar>
 Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
                               VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> qdd_0,

@@ -8,12 +8,13 @@
 
 namespace treeline::interpreter {
 
-/// Which directions of a task yield: those that feel heavier than `heaviest` (kg, kg m^2, by rows).
+/// Damping of a task: directions with a larger effective mass than `heaviest` (kg, kg m^2, by row)
+/// are relaxed.
 template <class Scalar>
 struct Damping {
   Vector<Scalar> heaviest;
-  /// Where the arithmetic of the code leaves eases near 1 no digit, they yield sooner: below this
-  /// part of the largest ease. 0: the law as it is defined.
+  /// Relaxation begins below this share of the largest eigenvalue, where the arithmetic of the code
+  /// has no correct digit. 0: the law as it is defined.
   Scalar resolution = 0;
 };
 
@@ -22,14 +23,16 @@ Damping<To> cast(const Damping<From>& damping) {
   return {damping.heaviest.template cast<To>(), static_cast<To>(damping.resolution)};
 }
 
-/// The forces of a damped task, and the least of the eases: 1 and more where nothing yields.
+/// Forces of a damped task, and the smallest eigenvalue of S Lambda^-1 S. It is at least 1 if
+/// nothing is relaxed.
 template <class Scalar>
 struct DampedForce {
   Vector<Scalar> F;
   Scalar ease{};
 };
 
-/// s + delta(s), delta(s) = b (1 - s / b)^3 for s < b and else 0, b = max(1, resolution x largest).
+/// s + delta(s) for each eigenvalue s, with delta(s) = b (1 - s / b)^3 for s < b and 0 otherwise, b
+/// = max(1, resolution x largest eigenvalue).
 template <class Scalar>
 Vector<Scalar> damped_eases(const Vector<Scalar>& eases, const Scalar& resolution) {
   const Scalar resolved = resolution * eases(eases.size() - 1);
@@ -42,8 +45,8 @@ Vector<Scalar> damped_eases(const Vector<Scalar>& eases, const Scalar& resolutio
   return damped;
 }
 
-/// The directions of a task and how easily they move, ascending: S A S = V diag(values) V^T with
-/// S = diag(sqrt(heaviest)).
+/// Directions of a task, with the eigenvalues in ascending order: S A S = V diag(values) V^T with S
+/// = diag(sqrt(heaviest)).
 template <class Scalar>
 struct Eases {
   using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -59,9 +62,9 @@ struct Eases {
   }
 };
 
-/// F of (A + Delta) F = b, where Delta lets heavy directions yield: see `core::damped_solve`, of
-/// which this is the definition as it stands, F = S V diag(1 / (s + delta(s))) V^T S b with
-/// S = diag(sqrt(heaviest)), S A S = V diag(s) V^T.
+/// F of (A + Delta) F = b, where Delta relaxes heavy directions. This is the definition of what
+/// `core::damped_solve` computes: F = S V diag(1 / (s + delta(s))) V^T S b with S =
+/// diag(sqrt(heaviest)) and S A S = V diag(s) V^T.
 template <class Scalar>
 DampedForce<Scalar> damped_force(const Matrix<Scalar>& A, const Damping<Scalar>& damping,
                                  VectorArg<Scalar> b) {
@@ -72,14 +75,14 @@ DampedForce<Scalar> damped_force(const Matrix<Scalar>& A, const Damping<Scalar>&
   return {of.roots.cwiseProduct(of.directions * force), of.values(0)};
 }
 
-/// A torque, and the least ease of its task.
+/// A control torque, and the smallest eigenvalue of its task.
 template <class Scalar>
 struct DampedTorque {
   Vector<Scalar> tau;
   Scalar ease{};
 };
 
-/// `control_torque` (Chang table 6.1) with the force of the task damped.
+/// `control_torque` (Chang table 6.1) with damped task forces.
 template <class Scalar>
 DampedTorque<Scalar> damped_control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
                                            VectorArg<Scalar> q, VectorArg<Scalar> qd,

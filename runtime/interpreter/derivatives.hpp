@@ -6,10 +6,10 @@
 
 namespace treeline::interpreter {
 
-/// nv x nv matrices: column j is what a unit of displacement, velocity, and acceleration (of
-/// forward dynamics: force) j does. A displacement of a floating joint is a twist of the child in
-/// its own axes, linear over angular, of a spherical joint its angular part; others are changes of
-/// q.
+/// Derivatives as nv x nv matrices: column j is the change per unit of displacement j, velocity j,
+/// and acceleration j (for forward dynamics: joint force j). A displacement of a floating joint is
+/// a twist of the child in its own axes, linear over angular; that of a spherical joint is the
+/// angular part; others are changes of q.
 template <class Scalar>
 struct DynamicsDerivatives {
   Matrix<Scalar> by_displacement, by_velocity, by_drive;
@@ -22,7 +22,7 @@ Vector<Dual<Scalar>> constant(const Vector<Scalar>& x) {
   return x.unaryExpr([](const Scalar& entry) { return Dual<Scalar>(entry); });
 }
 
-/// q, moving along displacement j.
+/// q as a dual number that moves along displacement j.
 template <class Scalar>
 Vector<Dual<Scalar>> displaced(const Model<Scalar>& model, const Vector<Scalar>& q,
                                Eigen::Index j) {
@@ -41,8 +41,8 @@ void copy_slopes(const Vector<Dual<Scalar>>& from, Eigen::Index column, Matrix<S
 
 }  // namespace detail
 
-/// Of tau = M qdd + b + g - J_ext^T f_ext, f_ext held: inverse dynamics in dual numbers, column by
-/// column.
+/// Derivatives of tau = M qdd + b + g - J_ext^T f_ext with constant f_ext: inverse dynamics in dual
+/// numbers, column by column.
 template <class Scalar>
 DynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Model<Scalar>& model,
                                                          VectorArg<Scalar> q, VectorArg<Scalar> qd,
@@ -70,8 +70,8 @@ DynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Model<Scalar>& mo
   return result;
 }
 
-/// Of qdd = M^-1 (tau - b - g + J_ext^T f_ext), f_ext held: M^-1 by_drive, and with it those of
-/// inverse dynamics at that qdd.
+/// Derivatives of qdd = M^-1 (tau - b - g + J_ext^T f_ext) with constant f_ext. by_drive is M^-1;
+/// the others are -M^-1 times the derivatives of inverse dynamics at that qdd.
 template <class Scalar>
 DynamicsDerivatives<Scalar> forward_dynamics_derivatives(const Model<Scalar>& model,
                                                          VectorArg<Scalar> q, VectorArg<Scalar> qd,

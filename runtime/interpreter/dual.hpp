@@ -6,15 +6,15 @@
 
 namespace treeline::interpreter {
 
-/// A number and how it changes along one direction: arithmetic on these differentiates whatever is
-/// computed with them, exactly. Comparisons look at the number alone.
+/// A number and its derivative along one direction. Arithmetic on such numbers differentiates
+/// whatever is computed with them, exactly. Comparisons use the number alone.
 template <class T>
 struct Dual {
   T value{};
   T slope{};
 
   Dual() = default;
-  Dual(const T& x) : value(x), slope(0) {}  // NOLINT: implicit on purpose, a constant
+  Dual(const T& x) : value(x), slope(0) {}  // NOLINT: implicit on purpose, for constants
   Dual(const T& x, const T& dx) : value(x), slope(dx) {}
   template <class Number>
   requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, T>) explicit Dual(Number x)
@@ -67,7 +67,7 @@ struct Dual {
 
 namespace Eigen {
 
-/// What Eigen wants to know of a scalar.
+/// Properties of a scalar that Eigen needs.
 template <class T>
 struct NumTraits<treeline::interpreter::Dual<T>> : NumTraits<T> {
   using Real = treeline::interpreter::Dual<T>;

@@ -6,8 +6,8 @@
 
 namespace treeline::interpreter {
 
-/// The operational space by its definitions (Chang chapter 2), O(n^3): the second opinion on tables
-/// 5.3 and 6.1, and the method that they replace.
+/// The operational space by its definitions (Chang chapter 2), in O(n^3): an independent check of
+/// tables 5.3 and 6.1, and the method that they replace.
 template <class Scalar>
 struct ExplicitOperationalSpace {
   Matrix<Scalar> J;  ///< rows x nv
@@ -16,7 +16,7 @@ struct ExplicitOperationalSpace {
   Matrix<Scalar> Lambda_inverse;  ///< J M^-1 J^T, rows x rows
   Matrix<Scalar> Lambda;
   Matrix<Scalar> Jbar;  ///< M^-1 J^T Lambda, nv x rows: dynamically consistent inverse
-  Matrix<Scalar> N;     ///< 1 - Jbar J, nv x nv: null space
+  Matrix<Scalar> N;     ///< 1 - Jbar J, nv x nv: null-space projection
 };
 
 template <class Scalar>
@@ -35,7 +35,7 @@ ExplicitOperationalSpace<Scalar> explicit_operational_space(const Model<Scalar>&
 }
 
 /// tau = J^T F + N^T tau_0 + b + g (Chang eq. 2.2, 2.10) with F = Lambda (xdd_cmd - Jd qd) and
-/// tau_0 = M qdd_0: equal to `control_torque`, by another road. `bias` is Jd qd.
+/// tau_0 = M qdd_0. Equals `control_torque`, computed in another way. `bias` is Jd qd.
 template <class Scalar>
 Vector<Scalar> explicit_control_torque(const ExplicitOperationalSpace<Scalar>& o,
                                        VectorArg<Scalar> qdd_0, VectorArg<Scalar> xdd_cmd,

@@ -9,8 +9,8 @@ namespace treeline::interpreter {
 
 namespace detail {
 
-/// chi of one point for each body that carries it: takes a force at the point to that body's frame,
-/// all joints between free to move.
+/// chi of one point, for each body that carries it: maps a force at the point to that body's frame,
+/// with all joints between free.
 template <class Scalar>
 using ExtendedPropagators = std::map<int, Matrix6<Scalar>>;
 
@@ -29,10 +29,10 @@ ExtendedPropagators<Scalar> extended_propagators(const Model<Scalar>& model,
 
 }  // namespace detail
 
-/// Lambda^-1 by extended force propagators (EFPA: Wensing, Featherstone & Orin, ICRA 2012). Every
-/// block is one product over the nearest common ancestor, chi_i^T Omega_h chi_j, where table 5.3
-/// goes joint by joint for every pair: O(n + m d + m^2) for m points at depth d. Precondition: no
-/// mimic joints.
+/// Lambda^-1 by the extended-force-propagator algorithm (EFPA: Wensing, Featherstone & Orin, ICRA
+/// 2012). Every block is one product at the nearest common ancestor, chi_i^T Omega_h chi_j, whereas
+/// table 5.3 goes joint by joint for every pair. O(n + m d + m^2) for m points at depth d.
+/// Precondition: no mimic joints.
 template <class Scalar>
 Matrix<Scalar> lambda_inverse_by_extended_propagators(const Model<Scalar>& model,
                                                       PointsArg<Scalar> points,

@@ -9,8 +9,8 @@ namespace treeline::interpreter {
 
 namespace detail {
 
-/// For each velocity the one before it on the way to the root, or -1 (RBDA section 6.5). Mimic
-/// joints couple coordinates across branches; then every velocity counts as behind the one before.
+/// For each velocity the one before it on the path to the root, or -1 (RBDA section 6.5). Mimic
+/// joints couple coordinates across branches; every velocity then counts as beyond the one before.
 template <class Scalar>
 std::vector<int> velocity_parents(const Model<Scalar>& model) {
   std::vector<int> parents(static_cast<std::size_t>(model.nv));
@@ -18,7 +18,7 @@ std::vector<int> velocity_parents(const Model<Scalar>& model) {
     for (int v = 0; v < model.nv; ++v) parents[static_cast<std::size_t>(v)] = v - 1;
     return parents;
   }
-  PerBody<int> last(model.size(), -1);  // the last velocity that moves the body
+  PerBody<int> last(model.size(), -1);  // last velocity that moves the body
   for (int i = 0; i < model.size(); ++i) {
     last[i] = last[model.body(i).parent];
     for (int d = 0; d < velocity_count(model.body(i).kind); ++d) {
@@ -32,15 +32,15 @@ std::vector<int> velocity_parents(const Model<Scalar>& model) {
 
 }  // namespace detail
 
-/// M = L^T D L, L unit lower with the sparsity of the tree.
+/// Factorization M = L^T D L, with L unit lower triangular and as sparse as the tree permits.
 template <class Scalar>
 struct SparseFactors {
   Matrix<Scalar> LD;         ///< L below the diagonal, D on it
-  std::vector<int> parents;  ///< of each velocity
+  std::vector<int> parents;  ///< by velocity
 };
 
-/// In place, from the last velocity to the first, only along paths to the root, so that what is
-/// zero is never touched (RBDA table 6.3).
+/// Factors M in place, from the last velocity to the first and only along paths to the root, so
+/// that zeros are never touched (RBDA table 6.3).
 template <class Scalar>
 SparseFactors<Scalar> factor_mass_matrix(const Model<Scalar>& model, VectorArg<Scalar> q) {
   SparseFactors<Scalar> f{mass_matrix<Scalar>(model, q), detail::velocity_parents(model)};
@@ -56,7 +56,7 @@ SparseFactors<Scalar> factor_mass_matrix(const Model<Scalar>& model, VectorArg<S
 }
 
 /// Lambda^-1 = Y D^-1 Y^T with Y = J L^-1 by back-substitution along the paths (Featherstone,
-/// "Exploiting sparsity in operational-space dynamics", IJRR 2010). Serves mimic joints too.
+/// "Exploiting sparsity in operational-space dynamics", IJRR 2010). Also valid with mimic joints.
 template <class Scalar>
 Matrix<Scalar> lambda_inverse_by_sparse_factors(const Model<Scalar>& model,
                                                 PointsArg<Scalar> points, VectorArg<Scalar> q) {

@@ -7,7 +7,7 @@ namespace treeline::interpreter {
 
 namespace detail {
 
-/// Bias forces of all bodies: gyroscopic less external.
+/// Bias forces of all bodies: gyroscopic minus external forces.
 template <class Scalar>
 PerBody<Vector6<Scalar>> bias_forces(const Model<Scalar>& model, const Kinematics<Scalar>& k,
                                      const PerBody<Vector6<Scalar>>& external) {
@@ -18,7 +18,7 @@ PerBody<Vector6<Scalar>> bias_forces(const Model<Scalar>& model, const Kinematic
   return p;
 }
 
-/// Chang table 4.2.
+/// qdd by the articulated-body algorithm, Chang table 4.2.
 template <class Scalar>
 Vector<Scalar> articulated_body(const Model<Scalar>& model, const Kinematics<Scalar>& k,
                                 VectorArg<Scalar> tau, const PerBody<Vector6<Scalar>>& external) {
@@ -52,7 +52,8 @@ Vector<Scalar> articulated_body(const Model<Scalar>& model, const Kinematics<Sca
 
 }  // namespace detail
 
-/// qdd with M qdd + b + g = tau + J_ext^T f_ext, by M's LDL^T: O(n^3), holds with mimic joints too.
+/// qdd with M qdd + b + g = tau + J_ext^T f_ext, by LDL^T of M in O(n^3). Also valid with mimic
+/// joints.
 template <class Scalar>
 Vector<Scalar> forward_dynamics_by_mass_matrix(const Model<Scalar>& model, VectorArg<Scalar> q,
                                                VectorArg<Scalar> qd, VectorArg<Scalar> tau,
@@ -63,9 +64,9 @@ Vector<Scalar> forward_dynamics_by_mass_matrix(const Model<Scalar>& model, Vecto
   return mass_matrix<Scalar>(model, q).ldlt().solve(Vector<Scalar>(tau - h));
 }
 
-/// qdd with M qdd + b + g = tau + J_ext^T f_ext, by articulated bodies (Chang table 4.2); of a
-/// robot with mimic joints by its mass matrix, since the table needs a joint's force to act at that
-/// joint alone.
+/// qdd with M qdd + b + g = tau + J_ext^T f_ext, by articulated bodies (Chang table 4.2). A robot
+/// with mimic joints is solved by its mass matrix, because the table requires that a joint's force
+/// acts at that joint alone.
 template <class Scalar>
 Vector<Scalar> forward_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
                                 VectorArg<Scalar> qd, VectorArg<Scalar> tau,
@@ -79,7 +80,7 @@ Vector<Scalar> forward_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
   return detail::articulated_body<Scalar>(model, k, tau, external);
 }
 
-/// qdd with M qdd + b + g = tau
+/// qdd with M qdd + b + g = tau.
 template <class Scalar>
 Vector<Scalar> forward_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
                                 VectorArg<Scalar> qd, VectorArg<Scalar> tau) {

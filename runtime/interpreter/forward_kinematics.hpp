@@ -4,7 +4,8 @@
 
 namespace treeline::interpreter {
 
-/// Where a point's frame is: origin in the world and rotation from its own axes to the world's.
+/// Pose of a point's frame: its origin in the world, and the rotation from its own axes to the
+/// world's.
 template <class Scalar>
 struct PointPose {
   Vector3<Scalar> position;

@@ -4,23 +4,23 @@
 
 namespace treeline::interpreter {
 
-/// What impulses change at once.
+/// Sudden changes of velocities due to impulses.
 template <class Scalar>
 struct ImpulseResponse {
-  Vector<Scalar> dqd;           ///< of the joints
+  Vector<Scalar> dqd;           ///< of the joints' velocities
   PerBody<Vector6<Scalar>> dv;  ///< of each body's origin and angular velocity, in its axes
 };
 
 namespace detail {
 
-/// Chang table 8.2 from impulses on bodies, each in its body's frame.
+/// Impulse propagation, Chang table 8.2, for impulses on bodies, each in its body's frame.
 template <class Scalar>
 ImpulseResponse<Scalar> propagate_impulses(const Model<Scalar>& model, const Kinematics<Scalar>& k,
                                            PerBody<Vector6<Scalar>> y) {
   const auto inertia = articulated_inertia(model, k);
   const auto& [IA, U, D_inverse] = inertia;
   for (int i = model.size() - 1; i >= 0; --i) {
-    if (y[i].isZero(Scalar(0))) continue;  // beside the paths of the struck bodies
+    if (y[i].isZero(Scalar(0))) continue;  // not on the path of a struck body
     Vector6<Scalar> passed_on = y[i];
     if (k.S[i].cols() > 0) passed_on -= U[i] * (D_inverse[i] * (k.S[i].transpose() * y[i]));
     y[model.body(i).parent] += k.X[i] * passed_on;
@@ -40,7 +40,7 @@ ImpulseResponse<Scalar> propagate_impulses(const Model<Scalar>& model, const Kin
   return response;
 }
 
-/// M dqd = J^T y, then outward: holds with mimic joints too.
+/// M dqd = J^T y, then the bodies' velocities outward. Also valid with mimic joints.
 template <class Scalar>
 ImpulseResponse<Scalar> impulses_by_mass_matrix(const Model<Scalar>& model,
                                                 const Kinematics<Scalar>& k,
@@ -64,9 +64,9 @@ ImpulseResponse<Scalar> impulses_by_mass_matrix(const Model<Scalar>& model,
 
 }  // namespace detail
 
-/// The change of all velocities by impulses at contacts (three entries each, N s, world axes), by
-/// impulse propagation (Chang table 8.2): y_h = L y_i inward from the struck bodies, outward
-/// dqd = D^-1 S^T (y_i - IA X^T dv_h), dv_i = X^T dv_h + S dqd over all bodies. O(n). With mimic
+/// Changes of all velocities due to impulses at contacts (three entries each, N s, world axes), by
+/// impulse propagation (Chang table 8.2): y_h = L y_i inward from the struck bodies, then outward
+/// dqd = D^-1 S^T (y_i - IA X^T dv_h) and dv_i = X^T dv_h + S dqd for all bodies. O(n). With mimic
 /// joints by the mass matrix.
 template <class Scalar>
 ImpulseResponse<Scalar> impulse_response(const Model<Scalar>& model, PointsArg<Scalar> contacts,

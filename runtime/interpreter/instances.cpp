@@ -1,4 +1,4 @@
-// One group of functions for one scalar; CMake compiles this once for each.
+// One group of functions for one scalar. CMake compiles this file once for each.
 #include "interpreter/instances.hpp"
 
 namespace treeline::interpreter {

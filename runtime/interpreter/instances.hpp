@@ -1,7 +1,8 @@
 #pragma once
 
 /// The interpreter for `float`, `double` and `Digits50`, compiled once in the library
-/// `treeline_interpreter_instances`: include this instead of `interpreter.hpp` and link that.
+/// `treeline_interpreter_instances`. Include this instead of `interpreter.hpp` and link that
+/// library.
 
 #include "interpreter/digits50.hpp"
 #include "interpreter/interpreter.hpp"

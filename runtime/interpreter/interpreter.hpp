@@ -1,10 +1,10 @@
 #pragma once
 
-/// Every function of the interpreter. Arguments are a `Model`, where it matters the operational
-/// points, then Eigen vectors q (nq), qd, qdd, tau (nv), xdd_cmd (rows), and where there are any
-/// the external points with f_ext (6 for each). Results are values. See `model.hpp` for the joints'
-/// coordinates; a quantity of a robot with mimic joints is that of its independent coordinates.
-/// `instances.hpp` gives the same with double and 50 digits compiled once.
+/// All functions of the interpreter. Arguments are a `Model`, the operational points if they
+/// matter, then Eigen vectors q (nq), qd, qdd, tau (nv), xdd_cmd (rows), and, if there are any, the
+/// external points with f_ext (6 for each). Results are returned by value. See `model.hpp` for the
+/// joints' coordinates. For a robot with mimic joints all quantities refer to its independent
+/// coordinates. `instances.hpp` has the same functions compiled once for double and 50 digits.
 
 #include "interpreter/augmented_object.hpp"
 #include "interpreter/center_of_mass.hpp"

@@ -11,7 +11,7 @@ Matrix6<Scalar> body_inertia(const Body<Scalar>& body) {
   return spatial_inertia(body.mass, body.com, body.inertia);
 }
 
-/// [w x (w x m c); w x (J w)], what a body's motion at constant velocity asks for.
+/// [w x (w x m c); w x (J w)], the force that a body's motion at constant velocity requires.
 template <class Scalar>
 Vector6<Scalar> gyroscopic_force(const Body<Scalar>& body, const Vector3<Scalar>& w) {
   const Vector3<Scalar> first_moment = body.mass * body.com;
@@ -32,8 +32,8 @@ Vector<Scalar> project_forces_inward(const Model<Scalar>& model, const Kinematic
   return tau;
 }
 
-/// Table 4.1 with forces that act on the bodies, in their frames. Gravity enters as an
-/// acceleration of the world.
+/// Joint forces by recursive Newton-Euler (Chang table 4.1), with `external` forces on the bodies
+/// in their frames. Gravity enters as an acceleration of the world.
 template <class Scalar>
 Vector<Scalar> newton_euler(const Model<Scalar>& model, const Kinematics<Scalar>& k,
                             VectorArg<Scalar> qdd, const PerBody<Vector6<Scalar>>& external) {
@@ -48,8 +48,8 @@ Vector<Scalar> newton_euler(const Model<Scalar>& model, const Kinematics<Scalar>
 
 }  // namespace detail
 
-/// tau = M qdd + b + g - J_ext^T f_ext by recursive Newton-Euler (Chang table 4.1).
-/// `f_ext`: for each external point [force; moment] on the robot at its origin, in its axes.
+/// tau = M qdd + b + g - J_ext^T f_ext by recursive Newton-Euler (Chang table 4.1). `f_ext` has for
+/// each external point [force; moment] on the robot at its origin, in its axes.
 template <class Scalar>
 Vector<Scalar> inverse_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
                                 VectorArg<Scalar> qd, VectorArg<Scalar> qdd,
@@ -60,21 +60,21 @@ Vector<Scalar> inverse_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
   return detail::newton_euler<Scalar>(model, k, qdd, external);
 }
 
-/// tau = M qdd + b + g
+/// tau = M qdd + b + g.
 template <class Scalar>
 Vector<Scalar> inverse_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
                                 VectorArg<Scalar> qd, VectorArg<Scalar> qdd) {
   return inverse_dynamics<Scalar>(model, q, qd, qdd, {}, Vector<Scalar>());
 }
 
-/// b + g: the torque that holds qdd at zero.
+/// b + g: the joint forces at qdd = 0.
 template <class Scalar>
 Vector<Scalar> nonlinear_effects(const Model<Scalar>& model, VectorArg<Scalar> q,
                                  VectorArg<Scalar> qd) {
   return inverse_dynamics<Scalar>(model, q, qd, Vector<Scalar>::Zero(model.nv));
 }
 
-/// g: the torque that holds the robot still.
+/// g: the joint forces that hold the robot at rest.
 template <class Scalar>
 Vector<Scalar> gravity(const Model<Scalar>& model, VectorArg<Scalar> q) {
   return nonlinear_effects<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));

@@ -25,8 +25,9 @@ Matrix<Scalar> all_rows_jacobian(const Model<Scalar>& model, const Points<Scalar
 
 }  // namespace detail
 
-/// J, rows x nv: the controlled rows of all points stacked; velocity of each origin over angular
-/// velocity, in each point's axes, = J qd. Columns are X_e^T X^T ... S, from the point inward.
+/// J, rows x nv: the controlled rows of all points stacked, such that J qd is the velocity of each
+/// origin over its angular velocity, in each point's axes. Columns are X_e^T X^T ... S, from the
+/// point inward.
 template <class Scalar>
 Matrix<Scalar> jacobian(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q) {
   const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));

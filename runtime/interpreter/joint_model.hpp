@@ -6,16 +6,16 @@
 
 namespace treeline::interpreter {
 
-/// Where a joint has moved its link and how it can move on.
+/// Pose of a joint's link relative to the parent, and the directions in which it can move.
 template <class Scalar>
 struct JointState {
   Matrix3<Scalar> R;        ///< link's frame in the parent's frame
   Vector3<Scalar> p;        ///< link's origin in the parent's frame
   JointMatrix<Scalar> S;    ///< relative velocity = S qd, at the link's origin, in its axes
-  Vector6<Scalar> Sdot_qd;  ///< of an S whose components change with q
+  Vector6<Scalar> Sdot_qd;  ///< due to an S whose components change with q
 };
 
-/// The joint's own coordinates out of q, of a mimic joint those that follow from its leader's.
+/// The joint's own coordinates, from q. For a mimic joint they follow from its leader's.
 template <class Scalar>
 JointVector<Scalar> joint_position(const Body<Scalar>& body, VectorArg<Scalar> q) {
   JointVector<Scalar> own = q.segment(body.q, position_count(body.kind));
@@ -23,7 +23,7 @@ JointVector<Scalar> joint_position(const Body<Scalar>& body, VectorArg<Scalar> q
   return own;
 }
 
-/// The joint's own velocities out of qd, or accelerations out of qdd.
+/// The joint's own velocities from qd, or accelerations from qdd.
 template <class Scalar>
 JointVector<Scalar> joint_velocity(const Body<Scalar>& body, VectorArg<Scalar> qd) {
   JointVector<Scalar> own = qd.segment(body.v, velocity_count(body.kind));
@@ -31,8 +31,8 @@ JointVector<Scalar> joint_velocity(const Body<Scalar>& body, VectorArg<Scalar> q
   return own;
 }
 
-/// R = 1 + 2 (w [u]x + [u]x [u]x) / |(u, w)|^2 of the quaternion (u, w), whatever its length; 0
-/// turns by nothing.
+/// R = 1 + 2 (w [u]x + [u]x [u]x) / |(u, w)|^2 for the quaternion (u, w) of any length. The
+/// quaternion 0 does not rotate.
 template <class Scalar>
 Matrix3<Scalar> rotation_from_quaternion(const Vector3<Scalar>& u, const Scalar& w) {
   const Matrix3<Scalar> U = cross_matrix(u);
@@ -42,7 +42,7 @@ Matrix3<Scalar> rotation_from_quaternion(const Vector3<Scalar>& u, const Scalar&
   return Matrix3<Scalar>::Identity() + twice * Matrix3<Scalar>(w * U + U * U);
 }
 
-/// R = 1 + sin [n]x + (1 - cos) [n]x [n]x, a turn about the unit vector n.
+/// R = 1 + sin [n]x + (1 - cos) [n]x [n]x, the rotation by `angle` about the unit vector n.
 template <class Scalar>
 Matrix3<Scalar> rotation_about(const Vector3<Scalar>& n, const Scalar& angle) {
   using std::cos;
@@ -52,8 +52,8 @@ Matrix3<Scalar> rotation_about(const Vector3<Scalar>& n, const Scalar& angle) {
          Scalar(Scalar(1) - cos(angle)) * (N * N);
 }
 
-/// The shortest rotation of z onto the unit vector n (for -z: the half turn about x). Its first
-/// two columns are the directions in which a planar joint with this normal moves.
+/// Shortest rotation of z onto the unit vector n (for -z half a turn about x). Its first two
+/// columns are the directions in which a planar joint with this normal moves.
 template <class Scalar>
 Matrix3<Scalar> planar_directions(const Vector3<Scalar>& n) {
   const Scalar nx2_ny2 = n(0) * n(0) + n(1) * n(1);
@@ -62,7 +62,8 @@ Matrix3<Scalar> planar_directions(const Vector3<Scalar>& n) {
     if (n(2) < Scalar(0)) R.diagonal() << Scalar(1), Scalar(-1), Scalar(-1);
     return R;
   }
-  // R = 1 + [k]x + [k]x [k]x / (1 + n_z), k = z x n; 1 + n_z without cancellation near -z.
+  // R = 1 + [k]x + [k]x [k]x / (1 + n_z) with k = z x n. 1 + n_z is computed without cancellation
+  // near -z.
   const Scalar one_plus_z =
       n(2) < Scalar(0) ? Scalar(nx2_ny2 / (Scalar(1) - n(2))) : Scalar(Scalar(1) + n(2));
   const Matrix3<Scalar> K = cross_matrix(Vector3<Scalar>(-n(1), n(0), Scalar(0)));
@@ -79,7 +80,7 @@ JointState<Scalar> planar_joint(const Vector3<Scalar>& axis, const JointVector<S
   joint.R = rotation_about(axis, q(2));
   joint.p = plane.col(0) * q(0) + plane.col(1) * q(1);
   joint.S = JointMatrix<Scalar>::Zero(6, 3);
-  // Columns 1 and 2 stand still in the parent's axes and so turn backward in the link's.
+  // Columns 1 and 2 are fixed in the parent's axes and so rotate backward in the link's axes.
   joint.S.template block<3, 2>(0, 0) = joint.R.transpose() * plane.template leftCols<2>();
   joint.S.template block<3, 1>(3, 2) = axis;
   const Vector3<Scalar> sliding = joint.S.template block<3, 2>(0, 0) * qd.template head<2>();
@@ -87,7 +88,7 @@ JointState<Scalar> planar_joint(const Vector3<Scalar>& axis, const JointVector<S
   return joint;
 }
 
-/// The joint's motion seen from its own frame, before the placement on the parent.
+/// The joint's motion in its own frame, before the placement on the parent.
 template <class Scalar>
 JointState<Scalar> moved_joint(const Body<Scalar>& body, const JointVector<Scalar>& q,
                                const JointVector<Scalar>& qd) {
@@ -132,7 +133,7 @@ JointState<Scalar> joint_model(const Body<Scalar>& body, const JointVector<Scala
   return joint;
 }
 
-/// dq/dt of a motion with velocity qd. Differs from qd for joints with a quaternion.
+/// dq/dt of a motion with velocity qd. It differs from qd for joints with a quaternion.
 template <class Scalar>
 Vector<Scalar> position_derivative(const Model<Scalar>& model, VectorArg<Scalar> q,
                                    VectorArg<Scalar> qd) {

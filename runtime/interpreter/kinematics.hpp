@@ -6,7 +6,7 @@
 
 namespace treeline::interpreter {
 
-/// What one outward pass over the tree knows of each body, in the body's own frame unless the name
+/// Results of one outward pass over the tree for each body, in the body's own frame unless the name
 /// says otherwise. The world's entries are those of a body at rest at the origin.
 template <class Scalar>
 struct Kinematics {
@@ -18,17 +18,17 @@ struct Kinematics {
         R_world(bodies, Matrix3<Scalar>::Identity()),
         p_world(bodies, Vector3<Scalar>::Zero()) {}
 
-  PerBody<Matrix6<Scalar>> X;  ///< forces to the parent; X^T: motions from the parent
+  PerBody<Matrix6<Scalar>> X;  ///< maps forces to the parent; X^T maps motions from the parent
   PerBody<JointMatrix<Scalar>> S;
-  PerBody<Vector6<Scalar>> c;        ///< acceleration that velocities alone cause at this joint
+  PerBody<Vector6<Scalar>> c;        ///< acceleration at this joint due to velocities alone
   PerBody<Vector6<Scalar>> v;        ///< velocity of the origin over angular velocity
-  PerBody<Matrix3<Scalar>> R_world;  ///< body to world
+  PerBody<Matrix3<Scalar>> R_world;  ///< from body's axes to world axes
   PerBody<Vector3<Scalar>> p_world;  ///< origin in the world
 };
 
-/// c_i of Chang table 4.1 for joints of any degree:
-/// [R^T (w_h x (w_h x p)) + 2 (R^T w_h) x (S_v qd) + (S_w qd) x (S_v qd); (R^T w_h) x (S_w qd)]
-/// + Sdot qd. The third term is there for joints that turn and slide at once.
+/// c_i of Chang table 4.1 for joints with any number of degrees of freedom: [R^T (w_h x (w_h x p))
+/// + 2 (R^T w_h) x (S_v qd) + (S_w qd) x (S_v qd); (R^T w_h) x (S_w qd)] + Sdot qd. The third term
+/// is for joints that rotate and translate at once.
 template <class Scalar>
 Vector6<Scalar> velocity_product(const JointState<Scalar>& joint, const Vector3<Scalar>& w_parent,
                                  const Vector6<Scalar>& relative_velocity) {
@@ -64,9 +64,9 @@ Kinematics<Scalar> kinematics(const Model<Scalar>& model, VectorArg<Scalar> q,
   return k;
 }
 
-/// Outward recursion a_i = X^T a_h + S qdd + c_i (Chang table 4.1): the conventional acceleration
-/// of each origin over the angular acceleration, in each body's axes. `base` is the acceleration
-/// given to the world, in its axes.
+/// Outward recursion a_i = X^T a_h + S qdd + c_i (Chang table 4.1): conventional acceleration of
+/// each origin over angular acceleration, in each body's axes. `base` is an acceleration of the
+/// world, in its axes.
 template <class Scalar>
 PerBody<Vector6<Scalar>> accelerations(const Model<Scalar>& model, const Kinematics<Scalar>& k,
                                        VectorArg<Scalar> qdd, const Vector3<Scalar>& base) {

@@ -13,7 +13,7 @@ namespace treeline::interpreter {
 
 namespace detail {
 
-/// Force propagators and inverse inertias of the bodies under the points (Chang tables 5.2, 5.3).
+/// Force propagators and inverse inertias of the bodies that carry points (Chang tables 5.2, 5.3).
 template <class Scalar>
 struct ForcePropagation {
   ForcePropagation(const Model<Scalar>& model, const Kinematics<Scalar>& k)
@@ -34,8 +34,9 @@ struct ForcePropagation {
     }
   }
 
-  PerBody<Matrix6<Scalar>> L;      ///< forces from a body to its parent, joints free (3.17)
-  PerBody<Matrix6<Scalar>> Omega;  ///< acceleration of a body by a force on it (table 5.2)
+  PerBody<Matrix6<Scalar>> L;      ///< maps forces from a body to its parent, joints free (Chang
+                                   ///< eq. 3.17)
+  PerBody<Matrix6<Scalar>> Omega;  ///< acceleration of a body per force on it (Chang table 5.2)
 };
 
 /// The bodies from `body` to the root.
@@ -46,7 +47,7 @@ std::vector<int> path_to_root(const Model<Scalar>& model, int body) {
   return path;
 }
 
-/// The nearest body that carries both, or the world.
+/// Outermost body that carries both bodies, or the world.
 template <class Scalar>
 int nearest_common_ancestor(const Model<Scalar>& model, int i, int j) {
   while (i != j) {
@@ -59,8 +60,8 @@ int nearest_common_ancestor(const Model<Scalar>& model, int i, int j) {
   return i;
 }
 
-/// Omega_ij = L_(h->i)^T Omega_hh L_(h->j), h the nearest common ancestor, step by step
-/// (Chang table 5.3): the acceleration of body i by a force on body j.
+/// Omega_ij = L_(h->i)^T Omega_hh L_(h->j), where h is the nearest common ancestor, joint by joint
+/// (Chang table 5.3): the acceleration of body i per force on body j.
 template <class Scalar>
 Matrix6<Scalar> cross_omega(const Model<Scalar>& model, const ForcePropagation<Scalar>& forces,
                             int i, int j) {
@@ -88,9 +89,9 @@ Matrix<Scalar> lambda_inverse_by_mass_matrix(const Model<Scalar>& model,
 }  // namespace detail
 
 /// Lambda^-1 = J M^-1 J^T, rows x rows over the controlled rows of all points, by force propagation
-/// with branching (Chang table 5.3): acceleration of each point by a force at each. A floating base
-/// needs no rule of its own, since its joint with S = 1 gives Omega = IA^-1. With mimic joints, to
-/// which the table does not apply, J G (G^T M G)^-1 G^T J^T.
+/// with branching (Chang table 5.3): the acceleration of each point per force at each point. A
+/// floating base needs no special rule, because its joint with S = 1 gives Omega = IA^-1. With
+/// mimic joints, to which the table does not apply, it is J G (G^T M G)^-1 G^T J^T.
 template <class Scalar>
 Matrix<Scalar> lambda_inverse(const Model<Scalar>& model, PointsArg<Scalar> points,
                               VectorArg<Scalar> q) {
@@ -115,14 +116,14 @@ Matrix<Scalar> lambda_inverse(const Model<Scalar>& model, PointsArg<Scalar> poin
   return all(rows, rows);
 }
 
-/// Lambda, the inertia felt at the points, by LDL^T of its inverse. Not finite, or without meaning,
-/// where the controlled rows depend on each other.
+/// Lambda, the inertia at the points, by LDL^T of its inverse. It is not finite, or meaningless, if
+/// the controlled rows depend on each other.
 template <class Scalar>
 Matrix<Scalar> lambda(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q) {
   return inverse_of_positive_definite<Scalar>(lambda_inverse<Scalar>(model, points, q));
 }
 
-/// The same where rows that cannot be moved yield by `law`: finite at every state.
+/// Lambda, where `law` relaxes rows that cannot be moved: finite at every state.
 template <class Scalar>
 Matrix<Scalar> lambda(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,
                       const TaskLaw<Scalar>& law) {

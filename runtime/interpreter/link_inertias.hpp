@@ -7,7 +7,7 @@ namespace treeline::interpreter {
 
 namespace detail {
 
-/// J M^-1 J^T of each body's own frame: O(n^3) and more, holds with mimic joints too.
+/// J M^-1 J^T for each body's own frame, in at least O(n^3). Also valid with mimic joints.
 template <class Scalar>
 PerBody<Matrix6<Scalar>> link_inverse_inertias_by_mass_matrix(const Model<Scalar>& model,
                                                               VectorArg<Scalar> q) {
@@ -25,10 +25,10 @@ PerBody<Matrix6<Scalar>> link_inverse_inertias_by_mass_matrix(const Model<Scalar
 
 }  // namespace detail
 
-/// Lambda_i^-1 of every body at its frame, in its axes, in O(n): the acceleration of the body by a
-/// force on it, Omega_i = L^T Omega_h L + S D^-1 S^T outward from zero at the world. Nothing is
-/// subtracted that could cancel, and a base that does not move needs no rule of its own, nor does
-/// one that floats. With mimic joints by the mass matrix.
+/// Lambda_i^-1 of every body at its frame, in its axes, in O(n): the acceleration of the body per
+/// force on it, Omega_i = L^T Omega_h L + S D^-1 S^T outward from zero at the world. No subtraction
+/// could cancel, and neither a fixed nor a floating base needs a special rule. With mimic joints by
+/// the mass matrix.
 template <class Scalar>
 PerBody<Matrix6<Scalar>> link_inverse_inertias(const Model<Scalar>& model, VectorArg<Scalar> q) {
   if (model.has_mimics()) {
@@ -39,13 +39,13 @@ PerBody<Matrix6<Scalar>> link_inverse_inertias(const Model<Scalar>& model, Vecto
 }
 
 /// Lambda_i of every body at its frame, in its axes, in O(n) by Chang table 8.1: articulated
-/// inertias inward, then outward the inertia of all but the body's subtree,
-/// N = Lambda_h - X (IA - U D^-1 U^T) X^T carried to the body's frame, and
-/// Lambda_i = IA_i + N - N S (S^T N S)^-1 S^T N. What the subtraction loses grows with the square
-/// of the way between bodies over their size. A floating joint lets nothing of the rest be felt, so
-/// that Lambda = IA there as the table begins; a base that does not move is a "big base" of
-/// `base_size` (kg, kg m^2) times the unit matrix: an error of about 1 / base_size, and digits lost
-/// to its size. Precondition: no mimic joints.
+/// inertias inward, then outward the inertia of everything except the body's subtree, N = Lambda_h
+/// - X (IA - U D^-1 U^T) X^T moved to the body's frame, and Lambda_i = IA_i + N - N S (S^T N S)^-1
+/// S^T N. The loss in the subtraction grows with the square of the distance between bodies relative
+/// to their size. Through a floating joint nothing of the rest is felt, so Lambda = IA there, where
+/// the table begins. A fixed base is a "big base" whose inertia is `base_size` (kg, kg m^2) times
+/// the unit matrix, which causes an error of about 1 / base_size and a loss of digits due to its
+/// size. Precondition: no mimic joints.
 template <class Scalar>
 PerBody<Matrix6<Scalar>> link_inertias(const Model<Scalar>& model, VectorArg<Scalar> q,
                                        const std::type_identity_t<Scalar>& base_size) {

@@ -4,9 +4,9 @@
 
 namespace treeline::interpreter {
 
-/// M, nv x nv, by composite bodies: the inertia of all that hangs on a joint, times S, is the force
-/// of a unit acceleration there, and its projections on the joints inward are M's entries (RBDA
-/// table 6.2). A mimic joint counts as `multiplier` times its leader: M = G^T M_all G.
+/// M, nv x nv, by composite rigid bodies (RBDA table 6.2): the inertia of everything beyond a
+/// joint, times S, is the force of a unit acceleration there, and its projections on the inward
+/// joints are entries of M. A mimic joint counts as `multiplier` times its leader: M = G^T M_all G.
 template <class Scalar>
 Matrix<Scalar> mass_matrix(const Model<Scalar>& model, VectorArg<Scalar> q) {
   const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));

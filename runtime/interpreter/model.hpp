@@ -10,31 +10,31 @@ namespace treeline::interpreter {
 
 enum class JointKind { fixed, revolute, prismatic, planar, floating, spherical };
 
-/// How many entries of q a joint of this kind owns.
+/// Number of entries of q for a joint of this kind.
 constexpr int position_count(JointKind kind) {
   constexpr std::array kCounts{0, 1, 1, 3, 7, 4};
   return kCounts[static_cast<std::size_t>(kind)];
 }
 
-/// How many entries of qd a joint of this kind owns: d, the columns of S (Chang 3.2).
+/// Number of entries of qd for a joint of this kind: d, the number of columns of S (Chang 3.2).
 constexpr int velocity_count(JointKind kind) {
   constexpr std::array kCounts{0, 1, 1, 3, 6, 3};
   return kCounts[static_cast<std::size_t>(kind)];
 }
 
 /// A link and the joint that carries it. The link's frame is the joint's frame moved by the joint.
-/// Its coordinates are
+/// The joint's coordinates are
 ///  revolute   angle about `axis`
 ///  prismatic  displacement along `axis`
 ///  planar     x, y in the plane normal to `axis`, then the angle about it; qd = dq/dt
 ///  floating   position and quaternion x y z w of the link's frame in the joint's frame;
 ///             qd = body twist: velocity of the link's origin, angular velocity, in the link's axes
 ///  spherical  quaternion x y z w; qd = angular velocity in the link's axes
-/// Quaternions need not have length 1: what counts is their direction.
+/// Quaternions may have any length: only their direction counts.
 template <class Scalar>
 struct Body {
   std::string name;
-  int parent = kWorld;  ///< less than the body's own index
+  int parent = kWorld;  ///< smaller than the body's own index
   JointKind kind = JointKind::fixed;
   Vector3<Scalar> axis = Vector3<Scalar>::UnitZ();  ///< unit vector in the joint's frame
   Matrix3<Scalar> R_parent_joint = Matrix3<Scalar>::Identity();
@@ -42,9 +42,10 @@ struct Body {
   Scalar mass = Scalar(0);
   Vector3<Scalar> com = Vector3<Scalar>::Zero();      ///< centre of mass in the link's frame
   Matrix3<Scalar> inertia = Matrix3<Scalar>::Zero();  ///< about the link frame's origin
-  int q = 0;            ///< first entry in q: the joint's own or, if it mimics, its leader's
-  int v = 0;            ///< first entry in qd, likewise
-  bool mimics = false;  ///< owns no coordinates: position = multiplier * leader's + offset
+  int q = 0;            ///< first entry in q: the joint's own, or that of the joint it mimics
+  int v = 0;            ///< first entry in qd: the joint's own, or that of the joint it mimics
+  bool mimics = false;  ///< has no coordinates of its own: position = multiplier * leader's +
+                        ///< offset
   Scalar multiplier = Scalar(1);
   Scalar offset = Scalar(0);
 };
@@ -69,8 +70,8 @@ struct Model {
   }
 };
 
-/// Adds a body whose joint owns coordinates of its own, after those of the bodies before it.
-/// Returns its index.
+/// Adds a body whose joint has coordinates of its own, after those of the bodies before it. Returns
+/// its index.
 template <class Scalar>
 int add_body(Model<Scalar>& model, Body<Scalar> body) {
   body.q = model.nq;
@@ -84,29 +85,30 @@ int add_body(Model<Scalar>& model, Body<Scalar> body) {
 enum class PointAxes { world, local };
 
 /// A frame fixed to a body: an operational point, or the place where an external force acts. Its
-/// rows are [linear; angular] motion or force at its origin, in the world's axes or its own.
+/// rows are [linear; angular] motion or force at its origin, in world axes or its own.
 template <class Scalar>
 struct OperationalPoint {
   std::string name;
   int body = 0;
-  Matrix3<Scalar> R = Matrix3<Scalar>::Identity();  ///< in the body's frame
+  Matrix3<Scalar> R = Matrix3<Scalar>::Identity();  ///< rotation to the body's frame
   Vector3<Scalar> p = Vector3<Scalar>::Zero();
   PointAxes axes = PointAxes::world;
   std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
   int priority = 1;  ///< of the task at the point: 1 comes first, see `control_torque`
 };
 
-/// Always all six rows; positive when it acts on the robot.
+/// The place of an external force, which always has all six rows. The force is positive if it acts
+/// on the robot.
 template <class Scalar>
 using ExternalForcePoint = OperationalPoint<Scalar>;
 
 template <class Scalar>
 using Points = std::vector<OperationalPoint<Scalar>>;
-/// An argument from which `Scalar` is not deduced, so that `{}` fits.
+/// A function argument from which `Scalar` is not deduced, so that `{}` fits.
 template <class Scalar>
 using PointsArg = const std::type_identity_t<Points<Scalar>>&;
 
-/// The same model in another precision, each number rounded to it.
+/// Converts a model to another precision, rounding each number.
 template <class To, class From>
 Model<To> cast(const Model<From>& model) {
   const auto to = [](const From& x) { return static_cast<To>(x); };
@@ -123,7 +125,7 @@ Model<To> cast(const Model<From>& model) {
   return result;
 }
 
-/// The same points in another precision.
+/// Converts points to another precision, rounding each number.
 template <class To, class From>
 Points<To> cast(const Points<From>& points) {
   const auto to = [](const From& x) { return static_cast<To>(x); };

@@ -7,8 +7,8 @@ namespace treeline::interpreter {
 
 namespace detail {
 
-/// f_t = W^-1 [F_obj; F_int] of all grasps of all objects: what each hand exerts on its object, at
-/// the object's origin as that hand has it, world axes.
+/// f_t = W^-1 [F_obj; F_int] for all grasps of all objects: the force of each hand on its object,
+/// at the object's origin according to that hand, world axes.
 template <class Scalar>
 std::vector<std::vector<Vector6<Scalar>>> commanded_grasp_forces(
     const ClosedChain<Scalar>& chain, const std::vector<std::vector<HeldPose<Scalar>>>& poses,
@@ -39,7 +39,7 @@ std::vector<std::vector<Vector6<Scalar>>> commanded_grasp_forces(
   return forces;
 }
 
-/// Those that a robot's hands exert, in the order of `object_points`.
+/// The forces of one robot's hands, in the order of `object_points`.
 template <class Scalar>
 Vector<Scalar> of_robot(const ClosedChain<Scalar>& chain, int robot,
                         const std::vector<std::vector<Vector6<Scalar>>>& forces) {
@@ -56,12 +56,12 @@ Vector<Scalar> of_robot(const ClosedChain<Scalar>& chain, int robot,
 
 }  // namespace detail
 
-/// Joint forces of all robots that give the objects the accelerations `xdd_cmd` (six an object:
-/// conventional acceleration of its origin over angular, world axes) and squeeze them with
-/// `internal` (see `virtual_linkage.hpp`), while `qdd_0` acts in the null space (Chang table 7.1):
-/// f_t = W^-1 [Lambda_obj xdd + mu_obj + p_obj; F_int],
-/// f = Lambda_e (C xdd - Jd qd - J qdd_0) + f_t, tau = RNEA(q, qd, qdd_0) + J^T f. `law`, of one
-/// robot's hands: what of its rows yields.
+/// Joint forces of all robots that accelerate the objects by `xdd_cmd` (six per object:
+/// conventional acceleration of its origin over angular acceleration, world axes) and apply the
+/// internal forces `internal` (see `virtual_linkage.hpp`), while `qdd_0` acts in the null space
+/// (Chang table 7.1): f_t = W^-1 [Lambda_obj xdd + mu_obj + p_obj; F_int], f = Lambda_e (C xdd - Jd
+/// qd - J qdd_0) + f_t, tau = RNEA(q, qd, qdd_0) + J^T f. `law` relaxes rows of the hands of one
+/// robot.
 template <class Scalar>
 PerRobot<Scalar> object_control_torque(const ClosedChain<Scalar>& chain, PerRobotArg<Scalar> q,
                                        PerRobotArg<Scalar> qd, PerRobotArg<Scalar> qdd_0,

@@ -6,8 +6,8 @@
 
 namespace treeline::interpreter {
 
-/// Gains of Baumgarte's stabilisation: each grasp accelerates, against the first grasp of its
-/// object, by -damping * relative velocity - stiffness * drift. Zero gains: Chang table 7.2.
+/// Gains of Baumgarte's stabilisation: each grasp accelerates relative to the first grasp of its
+/// object by -damping * relative velocity - stiffness * drift. Zero gains: Chang table 7.2.
 template <class Scalar>
 struct Stabilisation {
   Scalar damping = Scalar(0);    ///< 1/s
@@ -17,15 +17,16 @@ struct Stabilisation {
 template <class Scalar>
 struct ClosedChainMotion {
   PerRobot<Scalar> qdd;
-  Vector<Scalar> xdd_object;  ///< six an object: its origin's acceleration over angular, world axes
-  Vector<Scalar> f_grasp;     ///< six a grasp, object after object: force and moment of the hand ON
-                              ///< the object at the grasp's point, world axes
-  Vector<Scalar> internal;    ///< as `object_control_torque` takes them
+  Vector<Scalar> xdd_object;  ///< six per object: acceleration of its origin over angular
+                              ///< acceleration, world axes
+  Vector<Scalar> f_grasp;     ///< six per grasp, object after object: force and moment of the hand
+                              ///< ON the object at the grasp's point, world axes
+  Vector<Scalar> internal;    ///< internal forces as in `object_control_torque`
 };
 
 namespace detail {
 
-/// What stabilisation asks of each grasp's acceleration, object after object.
+/// Acceleration that stabilisation commands for each grasp, object after object.
 template <class Scalar>
 std::vector<std::vector<Vector6<Scalar>>> corrections(
     const std::vector<std::vector<HeldPose<Scalar>>>& poses, const Stabilisation<Scalar>& gains) {
@@ -40,8 +41,8 @@ std::vector<std::vector<Vector6<Scalar>>> corrections(
   return result;
 }
 
-/// Forces at the objects' origins of one robot's grasps, moved to the grasps' points and read by
-/// the virtual linkage.
+/// Moves the forces of one robot's grasps from the objects' origins to the grasps' points, and
+/// computes the internal forces by the virtual linkage.
 template <class Scalar>
 void report_grasp_forces(const ClosedChain<Scalar>& chain,
                          const std::vector<std::vector<HeldPose<Scalar>>>& poses,
@@ -73,11 +74,10 @@ void report_grasp_forces(const ClosedChain<Scalar>& chain,
 
 }  // namespace detail
 
-/// How closed chains move under joint forces (Chang table 7.2): open-chain qdd_o and
-/// xdd_o = J qdd_o + Jd qd, then
-/// xdd = (Lambda_obj + C^T Lambda_e C)^-1 (C^T Lambda_e xdd_o - mu_obj - p_obj),
-/// f_t = Lambda_e (xdd_o - C xdd), qdd = qdd_o - A^-1 J^T f_t, with xdd_o less what stabilisation
-/// asks for.
+/// Motion of closed chains under joint forces (Chang table 7.2): open-chain qdd_o and xdd_o = J
+/// qdd_o + Jd qd, then xdd = (Lambda_obj + C^T Lambda_e C)^-1 (C^T Lambda_e xdd_o - mu_obj -
+/// p_obj), f_t = Lambda_e (xdd_o - C xdd), qdd = qdd_o - A^-1 J^T f_t. What stabilisation commands
+/// is subtracted from xdd_o.
 template <class Scalar>
 ClosedChainMotion<Scalar> object_forward_dynamics(
     const ClosedChain<Scalar>& chain, PerRobotArg<Scalar> q, PerRobotArg<Scalar> qd,
@@ -121,10 +121,10 @@ ClosedChainMotion<Scalar> object_forward_dynamics(
   return motion;
 }
 
-/// The same by one system for the grasps' forces f,
-/// (Lambda_e^-1 + C Lambda_obj^-1 C^T) f = xdd_o - C xdd_free, xdd_free the objects' accelerations
-/// when nobody holds them: it needs no Lambda_e, which is not finite where a hand cannot move. Of
-/// forces that nothing distinguishes, `law` lets those of later grasps yield. Chains of one robot.
+/// Motion of closed chains under joint forces, by one system for the grasps' forces f: (Lambda_e^-1
+/// + C Lambda_obj^-1 C^T) f = xdd_o - C xdd_free, where xdd_free are the objects' accelerations if
+/// nobody holds them. It does not need Lambda_e, which is not finite if a hand cannot move. If
+/// forces are not unique, `law` relaxes those of later grasps. For chains of one robot.
 template <class Scalar>
 ClosedChainMotion<Scalar> object_forward_dynamics(
     const ClosedChain<Scalar>& chain, PerRobotArg<Scalar> q, PerRobotArg<Scalar> qd,

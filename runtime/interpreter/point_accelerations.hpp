@@ -22,7 +22,7 @@ Vector<Scalar> point_accelerations(const Model<Scalar>& model, PointsArg<Scalar>
   return xdd(controlled_rows<Scalar>(points));
 }
 
-/// Jd qd, the same with qdd = 0.
+/// Jd qd: the accelerations of the points' controlled rows at qdd = 0, without gravity.
 template <class Scalar>
 Vector<Scalar> bias_acceleration(const Model<Scalar>& model, PointsArg<Scalar> points,
                                  VectorArg<Scalar> q, VectorArg<Scalar> qd) {

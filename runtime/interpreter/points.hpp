@@ -4,7 +4,7 @@
 
 namespace treeline::interpreter {
 
-/// How many rows all the points control together.
+/// Number of controlled rows of all points together.
 template <class Scalar>
 int row_count(const Points<Scalar>& points) {
   int count = 0;
@@ -14,7 +14,7 @@ int row_count(const Points<Scalar>& points) {
   return count;
 }
 
-/// Out of six rows for each point, the controlled ones.
+/// Indices of the controlled rows, if each point has six rows.
 template <class Scalar>
 std::vector<int> controlled_rows(const Points<Scalar>& points) {
   std::vector<int> rows;
@@ -28,23 +28,23 @@ std::vector<int> controlled_rows(const Points<Scalar>& points) {
   return rows;
 }
 
-/// The point's axes in its body's frame: its own, or the world's.
+/// Rotation from the point's axes, its own or the world's, to its body's frame.
 template <class Scalar>
 Matrix3<Scalar> axes_in_body(const OperationalPoint<Scalar>& point, const Kinematics<Scalar>& k) {
   return point.axes == PointAxes::local ? point.R
                                         : Matrix3<Scalar>(k.R_world[point.body].transpose());
 }
 
-/// X_e: takes a force at the point, in its axes, to its body's frame; X_e^T takes motions of the
-/// body to motions of the point.
+/// X_e: maps a force at the point, in its axes, to its body's frame. X_e^T maps motions of the body
+/// to motions of the point.
 template <class Scalar>
 Matrix6<Scalar> point_transform(const OperationalPoint<Scalar>& point,
                                 const Kinematics<Scalar>& k) {
   return force_transform(axes_in_body(point, k), point.p);
 }
 
-/// The conventional acceleration of a point's origin over the angular acceleration, in its axes,
-/// from the acceleration `a` of its body.
+/// Conventional acceleration of a point's origin over angular acceleration, in its axes, from the
+/// acceleration `a` of its body.
 template <class Scalar>
 Vector6<Scalar> point_acceleration(const OperationalPoint<Scalar>& point,
                                    const Kinematics<Scalar>& k, const Vector6<Scalar>& a) {
@@ -56,7 +56,7 @@ Vector6<Scalar> point_acceleration(const OperationalPoint<Scalar>& point,
 }
 
 /// Adds forces at points to the forces on their bodies, in the bodies' frames. `forces` has the
-/// controlled rows of each point in turn; the other rows are zero.
+/// controlled rows of each point in turn; all other rows are zero.
 template <class Scalar>
 void add_point_forces(const Points<Scalar>& points, const Kinematics<Scalar>& k,
                       VectorArg<Scalar> forces, PerBody<Vector6<Scalar>>& on_bodies) {

@@ -18,8 +18,8 @@ bool has_priorities(const Points<Scalar>& points) {
                      [&](const auto& point) { return point.priority != points.front().priority; });
 }
 
-/// Of the tasks' rows, in the order in which they come first: by their points' priority, those of
-/// equal priority in the order of the points.
+/// Rows of the tasks in order of priority: by their points' priority, and for equal priority in the
+/// order of the points.
 template <class Scalar>
 std::vector<int> rows_by_priority(const Points<Scalar>& points) {
   std::vector<int> priorities;
@@ -36,10 +36,11 @@ std::vector<int> rows_by_priority(const Points<Scalar>& points) {
   return rows;
 }
 
-/// Below which inverse inertia each row yields: 2^-13 of what its point has of its kind, the sum of
-/// `mobilities` (the diagonal of Lambda^-1) over its rows of translation or its rows of rotation,
-/// which does not depend on the axes if all three are controlled. `floors`, if any, one a row, are
-/// added to its sum, so that it does not vanish with what the point has.
+/// Borders of inverse inertia below which rows are relaxed: 2^-13 of the inverse inertia that the
+/// point has for this kind of motion, which is the sum of `mobilities` (the diagonal of Lambda^-1)
+/// over its rows of translation or of rotation. This sum does not depend on the axes if all three
+/// are controlled. `floors`, if any, has one entry per row; it is added to the sum, so that the
+/// border does not vanish together with it.
 template <class Scalar>
 Vector<Scalar> yield_borders(const Points<Scalar>& points, VectorArg<Scalar> mobilities,
                              const std::vector<Scalar>& floors = {}) {
@@ -59,26 +60,26 @@ Vector<Scalar> yield_borders(const Points<Scalar>& points, VectorArg<Scalar> mob
   return borders;
 }
 
-/// w / c with the share w = t^8 / (1 + t^8), t = c / border, of a row whose inverse inertia in the
+/// w / c with the share w = t^8 / (1 + t^8), t = c / border, for a row whose inverse inertia in the
 /// null space of the rows above it is c.
 template <class Scalar>
 Scalar yielding_inverse(const Scalar& c, const Scalar& border) {
-  if (border == 0) return Scalar(0);  // nothing moves there
+  if (border == 0) return Scalar(0);  // nothing can move this row
   const Scalar t = c / border;
   const Scalar t7 = t * t * t * t * t * t * t;
   return t7 / (border * (Scalar(1) + t7 * t));
 }
 
-/// tau of tasks in strict priority: that of the points' `priority`, 1 first, and within a level the
-/// order of rows. Row by row, the joints' accelerations qdd, which begin with the posture's, gain
-/// what the row still lacks, in the dynamically consistent null space of all rows before,
+/// Control torque of tasks in strict priority: by the points' `priority`, 1 first, and within a
+/// level in the order of rows. The joint accelerations qdd start as the posture's. Row by row they
+/// gain what the row still lacks, in the dynamically consistent null space of all rows before:
 ///     c = J_k N M^-1 J_k^T,  qdd += N M^-1 J_k^T (w/c) (xdd_k - Jd_k qd - J_k qdd),
-///     N M^-1 -= N M^-1 J_k^T (w/c) J_k N M^-1,
-/// and tau = M qdd + b + g - J_ext^T f_ext (Khatib, Sentis, Park & Warren 2004, for rows as tasks;
-/// by Sherman & Morrison the same as J^T F with (Lambda^-1 + diag(c (1 - w)/w)) F = what all rows
-/// lack). Where all rows are independent it is Chang's table 6.1 in every order. Where one depends
-/// on rows above it, c falls towards its `yield_borders`, its share w from 1 to 0, and it alone
-/// yields; rows above never notice.
+///     N M^-1 -= N M^-1 J_k^T (w/c) J_k N M^-1.
+/// Then tau = M qdd + b + g - J_ext^T f_ext (Khatib, Sentis, Park & Warren 2004, for rows as
+/// tasks). By the Sherman-Morrison formula this equals J^T F with (Lambda^-1 + diag(c (1 - w)/w)) F
+/// = what all rows lack. If all rows are independent it is Chang's table 6.1 in any order. If a row
+/// depends on rows above it, c falls below its border (`yield_borders`), its share w goes from 1 to
+/// 0, and only this row is relaxed; rows above are not affected.
 template <class Scalar>
 Vector<Scalar> prioritized_control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
                                           VectorArg<Scalar> q, VectorArg<Scalar> qd,

@@ -11,7 +11,7 @@
 
 namespace treeline::interpreter {
 
-/// A task and what it commands: the accelerations of its points' controlled rows.
+/// A task: points, and the commanded accelerations of their controlled rows.
 template <class Scalar>
 struct Task {
   Points<Scalar> points;
@@ -20,7 +20,7 @@ struct Task {
 
 namespace detail {
 
-/// A^+ of a symmetric positive semidefinite A whose pivots up to `least` count as zero.
+/// A^+ of a symmetric positive semidefinite A. Pivots up to `least` count as zero.
 template <class Scalar>
 Matrix<Scalar> pseudo_inverse(const Matrix<Scalar>& A, const Scalar& least) {
   using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -34,13 +34,13 @@ Matrix<Scalar> pseudo_inverse(const Matrix<Scalar>& A, const Scalar& least) {
 
 }  // namespace detail
 
-/// tau of any number of tasks in strict priority, the most important first, by recursive
-/// projection: task k acts in the dynamically consistent null space N of all before it,
+/// Control torque of any number of tasks in strict priority, the most important first, by recursive
+/// projection. Task k acts in the dynamically consistent null space N of all tasks before it,
 ///     J_k|prec = J_k N,  Lambda_k|prec = (J_k|prec M^-1 J_k|prec^T)^+,
 ///     tau += J_k|prec^T Lambda_k|prec (xdd_k - Jd_k qd - J_k qdd),  N -= Jbar_k|prec J_k|prec
-/// (Khatib, Sentis, Park & Warren 2004), starting from the posture qdd_0. O(n^3) a task. What a
-/// task cannot do there it leaves: pivots below `tolerance` times the largest of
-/// J_k M^-1 J_k^T count as zero. `core::prioritized_solve` gives the same from one factorisation.
+/// (Khatib, Sentis, Park & Warren 2004), starting from the posture qdd_0. O(n^3) per task. A task
+/// does not attempt what it cannot do there: pivots below `tolerance` times the largest of J_k M^-1
+/// J_k^T count as zero. `core::prioritized_solve` gives the same result from one factorization.
 template <class Scalar>
 Vector<Scalar> prioritized_torque(const Model<Scalar>& model,
                                   const std::vector<Task<Scalar>>& tasks, VectorArg<Scalar> q,

@@ -7,7 +7,7 @@
 
 namespace treeline::interpreter {
 
-/// Whether table 5.1 applies: all points on one body, and no mimic joints.
+/// Whether Chang table 5.1 applies: all points are on one body, and there are no mimic joints.
 template <class Scalar>
 bool permits_inertia_propagation(const Model<Scalar>& model, const Points<Scalar>& points) {
   return !points.empty() && !model.has_mimics() &&
@@ -17,8 +17,8 @@ bool permits_inertia_propagation(const Model<Scalar>& model, const Points<Scalar
 
 namespace detail {
 
-/// What a body brings to the inertia felt beyond it: its own and that of all branches that hang on
-/// it, but for the one that goes on to `next` (kWorld: none goes on).
+/// Contribution of a body to the inertia felt beyond it: its own inertia and that of all branches
+/// on it, except the one that leads to `next` (kWorld: no exception).
 template <class Scalar>
 Matrix6<Scalar> inertia_beside_path(const Model<Scalar>& model, const Kinematics<Scalar>& k,
                                     const ArticulatedInertia<Scalar>& inertia, int body, int next) {
@@ -34,8 +34,8 @@ Matrix6<Scalar> inertia_beside_path(const Model<Scalar>& model, const Kinematics
   return own;
 }
 
-/// What is felt of an inertia `N` through a joint that is free to move:
-/// N - N S (S^T N S)^-1 S^T N; through a joint of six degrees nothing.
+/// The inertia `N` as felt through a free joint: N - N S (S^T N S)^-1 S^T N. Through a joint of six
+/// degrees of freedom nothing is felt.
 template <class Scalar>
 Matrix6<Scalar> felt_through_joint(const Matrix6<Scalar>& N, const JointMatrix<Scalar>& S) {
   if (S.cols() == 0) return N;
@@ -44,7 +44,7 @@ Matrix6<Scalar> felt_through_joint(const Matrix6<Scalar>& N, const JointMatrix<S
   return N - NS * inverse_of_positive_definite<Scalar>(S.transpose() * NS) * NS.transpose();
 }
 
-/// The inverse of X, which takes forces to the parent: forces from the parent to the body.
+/// Inverse of X, which maps forces to the parent: maps forces from the parent to the body.
 template <class Scalar>
 Matrix6<Scalar> inverse_force_transform(const Matrix6<Scalar>& X) {
   Matrix6<Scalar> inverse = Matrix6<Scalar>::Zero();
@@ -56,12 +56,12 @@ Matrix6<Scalar> inverse_force_transform(const Matrix6<Scalar>& X) {
 
 }  // namespace detail
 
-/// The inertia felt at a body's frame, in its axes, by inertia propagation (Chang table 5.1):
-/// Lambda_i = I_i + N - N S (S^T N S)^-1 S^T N outward along the body's path, N = X^-1 Lambda_h
-/// X^-T; here I_i includes what hangs on the body beside the path, so that trees are served too.
-/// A fixed base is a "big base" whose inertia is `base_size` (kg, kg m^2) times the unit matrix:
-/// the result is off by about 1 / base_size, and by rounding times base_size. Behind a floating
-/// joint the base is not felt at all and the result exact. Precondition: no mimic joints.
+/// Inertia felt at a body's frame, in its axes, by inertia propagation (Chang table 5.1): Lambda_i
+/// = I_i + N - N S (S^T N S)^-1 S^T N outward along the body's path, with N = X^-1 Lambda_h X^-T.
+/// Here I_i includes the branches beside the path, so trees are covered, too. A fixed base is a
+/// "big base" whose inertia is `base_size` (kg, kg m^2) times the unit matrix; the result has an
+/// error of about 1 / base_size, and of rounding times base_size. Behind a floating joint the base
+/// is not felt and the result is exact. Precondition: no mimic joints.
 template <class Scalar>
 Matrix6<Scalar> body_inertia_by_propagation(const Model<Scalar>& model, int body,
                                             VectorArg<Scalar> q,
@@ -83,8 +83,8 @@ Matrix6<Scalar> body_inertia_by_propagation(const Model<Scalar>& model, int body
   return Lambda;
 }
 
-/// Lambda^-1 of points on one body by inertia propagation; see `body_inertia_by_propagation` for
-/// `base_size`. Precondition: `permits_inertia_propagation`.
+/// Lambda^-1 of points on one body by inertia propagation; for `base_size` see
+/// `body_inertia_by_propagation`. Precondition: `permits_inertia_propagation`.
 template <class Scalar>
 Matrix<Scalar> lambda_inverse_by_inertia_propagation(
     const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,

@@ -10,8 +10,8 @@ namespace treeline::interpreter {
 
 namespace detail {
 
-/// One column for each controlled row of all points: its unit force, at the frame of the point's
-/// body if that is `body`, else zero.
+/// One column for each controlled row of all points: its unit force at the frame of the point's
+/// body if that is `body`, otherwise zero.
 template <class Scalar>
 Matrix<Scalar> unit_forces(const Points<Scalar>& points, const Kinematics<Scalar>& k, int body) {
   Matrix<Scalar> K = Matrix<Scalar>::Zero(6, 6 * static_cast<int>(points.size()));
@@ -23,19 +23,19 @@ Matrix<Scalar> unit_forces(const Points<Scalar>& points, const Kinematics<Scalar
   return K(Eigen::all, controlled_rows<Scalar>(points));
 }
 
-/// Unit forces that have come through a run of joints: what they were where it began, what a force
-/// there is where it ends, and what the joints between have yielded to it.
+/// Unit forces propagated through a run of joints: their values at its beginning, the map of forces
+/// from beginning to end, and the work done by the joints between.
 template <class Scalar>
 struct ForceSegment {
   Matrix<Scalar> K;                                   ///< 6 x rows
-  Matrix6<Scalar> chi = Matrix6<Scalar>::Identity();  ///< forces from beginning to end
+  Matrix6<Scalar> chi = Matrix6<Scalar>::Identity();  ///< maps forces from beginning to end
   Matrix6<Scalar> yielded = Matrix6<Scalar>::Zero();  ///< sum of chi^T S D^-1 S^T chi
 };
 
 }  // namespace detail
 
-/// Lambda^-1 = sum over joints of (S^T K)^T D^-1 (S^T K) with K the unit forces of the rows
-/// propagated inward, K_h = sum L K (PV-OSIM: Sathya et al. 2023). Precondition: no mimic joints.
+/// Lambda^-1 = sum over joints of (S^T K)^T D^-1 (S^T K), where K are the unit forces of the rows,
+/// propagated inward by K_h = sum L K (PV-OSIM: Sathya et al. 2023). Precondition: no mimic joints.
 template <class Scalar>
 Matrix<Scalar> lambda_inverse_by_unit_forces(const Model<Scalar>& model, PointsArg<Scalar> points,
                                              VectorArg<Scalar> q) {
@@ -59,9 +59,9 @@ Matrix<Scalar> lambda_inverse_by_unit_forces(const Model<Scalar>& model, PointsA
   return Lambda_inverse;
 }
 
-/// The same in reduced form (PV-OSIMr): along a run of joints without branching or points nothing
-/// but two 6x6 matrices are worked on, however many rows there are, and the rows only where runs
-/// meet. Precondition: no mimic joints.
+/// Lambda^-1 by unit forces in reduced form (PV-OSIMr). Along a run of joints without branches or
+/// points only two 6x6 matrices are updated, however many rows there are; the rows are updated only
+/// where runs meet. Precondition: no mimic joints.
 template <class Scalar>
 Matrix<Scalar> lambda_inverse_by_reduced_unit_forces(const Model<Scalar>& model,
                                                      PointsArg<Scalar> points,

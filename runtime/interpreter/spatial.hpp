@@ -4,7 +4,7 @@
 
 namespace treeline::interpreter {
 
-/// a x b
+/// a x b.
 template <class Scalar>
 Vector3<Scalar> cross(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
   return {a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2), a(0) * b(1) - a(1) * b(0)};
@@ -18,8 +18,8 @@ Matrix3<Scalar> cross_matrix(const Vector3<Scalar>& a) {
   return m;
 }
 
-/// X = [R 0; [p]x R  R] (Chang eq. 3.5): takes a force at a frame's origin and in its axes to the
-/// frame in which it has rotation `R` and origin `p`. X^T takes motions the other way.
+/// X = [R 0; [p]x R  R] (Chang eq. 3.5): maps a force at a frame's origin, in its axes, to the
+/// frame in which it has rotation `R` and origin `p`. X^T maps motions in the opposite direction.
 template <class Scalar>
 Matrix6<Scalar> force_transform(const Matrix3<Scalar>& R, const Vector3<Scalar>& p) {
   Matrix6<Scalar> X = Matrix6<Scalar>::Zero();
@@ -29,8 +29,8 @@ Matrix6<Scalar> force_transform(const Matrix3<Scalar>& R, const Vector3<Scalar>&
   return X;
 }
 
-/// I = [m 1  -m[c]x; m[c]x  J] (Chang eq. 3.6) at a frame's origin: mass, centre of mass in the
-/// frame, rotational inertia about the frame's origin.
+/// I = [m 1  -m[c]x; m[c]x  J] (Chang eq. 3.6) at a frame's origin, from mass, centre of mass in
+/// the frame, and rotational inertia about the frame's origin.
 template <class Scalar>
 Matrix6<Scalar> spatial_inertia(const Scalar& mass, const Vector3<Scalar>& c,
                                 const Matrix3<Scalar>& J) {
@@ -55,7 +55,7 @@ Vector3<Scalar> angular(const Vector6<Scalar>& x) {
   return x.template tail<3>();
 }
 
-/// [linear; angular]
+/// [linear; angular].
 template <class Scalar>
 Vector6<Scalar> stack(const Vector3<Scalar>& linear_part, const Vector3<Scalar>& angular_part) {
   Vector6<Scalar> x;

@@ -8,8 +8,8 @@
 
 namespace treeline::interpreter {
 
-/// The axes in which a law sees one point's rows: linear ones at the point moved by `shift` along
-/// the rows of `linear`, angular ones along those of `angular`; all in the world.
+/// Axes of one point's rows in a law, all in the world: linear rows are along the rows of `linear`
+/// at the point moved by `shift`, angular rows along those of `angular`.
 template <class Scalar>
 struct LawFrame {
   Matrix3<Scalar> linear = Matrix3<Scalar>::Identity();
@@ -17,15 +17,15 @@ struct LawFrame {
   Vector3<Scalar> shift = Vector3<Scalar>::Zero();
 };
 
-/// How task forces are found near singularities. Row by row, in the coordinates of `frames`, what a
-/// row moves while those before it are held is inverted by `bounded_inverse`; where it vanishes the
-/// row yields, and it alone. Without borders everything is inverted as it is.
+/// Law for task forces near singularities. Row by row, in the coordinates of `frames`, the row's
+/// inverse inertia while the rows before it are held is inverted by `bounded_inverse`. Where it
+/// vanishes the row is relaxed, and only this row. Without borders every inverse is the plain one.
 template <class Scalar>
 struct TaskLaw {
   int power = 2;
-  std::vector<Scalar> borders;           ///< one a row; 0: inverted as it is
-  std::vector<LawFrame<Scalar>> frames;  ///< one a point; none: rows as asked for
-  /// Row and column of each pivot of a square Jacobian: then it is J that is eliminated.
+  std::vector<Scalar> borders;           ///< one per row; 0: plain inverse
+  std::vector<LawFrame<Scalar>> frames;  ///< one per point; empty: the rows of the points
+  /// Row and column of each pivot of a square Jacobian. If there are any, J is eliminated.
   std::vector<std::pair<int, int>> pivots;
 };
 
@@ -42,7 +42,7 @@ TaskLaw<To> cast(const TaskLaw<From>& law) {
 }
 
 /// w / c with the share w = t^power / (1 + t^power), t = c / border: 1/c far above the border,
-/// next to nothing far below.
+/// almost zero far below.
 template <class Scalar>
 Scalar bounded_inverse(const Scalar& c, const Scalar& border, int power) {
   if (border == Scalar(0)) return Scalar(1) / c;
@@ -52,9 +52,9 @@ Scalar bounded_inverse(const Scalar& c, const Scalar& border, int power) {
   return below / (border * (Scalar(1) + below * t));
 }
 
-/// Lambda of a symmetric A = Lambda^-1 by bordering: with Lambda of the first k rows and the row
-/// [a^T d] that comes next, c = d - a^T Lambda a is what it moves while they are held. Where c is
-/// not inverted as it is, this is the inverse of A + diag(1 / g - c).
+/// Lambda of a symmetric A = Lambda^-1 by bordering. With Lambda of the first k rows and the next
+/// row [a^T d], c = d - a^T Lambda a is this row's inverse inertia while the first k are held. If c
+/// is replaced (its inverse is g), the result is the inverse of A + diag(1 / g - c).
 template <class Scalar>
 Matrix<Scalar> bordered_inverse(const Matrix<Scalar>& A, const TaskLaw<Scalar>& law) {
   const Eigen::Index n = A.rows();
@@ -74,8 +74,8 @@ Matrix<Scalar> bordered_inverse(const Matrix<Scalar>& A, const TaskLaw<Scalar>& 
   return Lambda;
 }
 
-/// T: the law's rows out of those asked for. Points in other axes than their own control whole
-/// triples of rows.
+/// T: maps the points' rows to the law's rows. Points with other axes than their own must control
+/// whole triples of rows.
 template <class Scalar>
 Matrix<Scalar> law_rows(const Model<Scalar>& model, PointsArg<Scalar> points, VectorArg<Scalar> q,
                         const TaskLaw<Scalar>& law) {
@@ -103,7 +103,7 @@ Matrix<Scalar> law_rows(const Model<Scalar>& model, PointsArg<Scalar> points, Ve
   return T;
 }
 
-/// x of J x = v, J square, by elimination in the order of the law's pivots.
+/// Solves J x = v with a square J by elimination in the order of the law's pivots.
 template <class Scalar>
 Vector<Scalar> solve_by_pivots(Matrix<Scalar> J, Vector<Scalar> v, const TaskLaw<Scalar>& law) {
   const std::size_t n = law.pivots.size();

@@ -5,14 +5,15 @@
 
 namespace treeline::interpreter {
 
-/// The posture's acceleration that stands for the null-space torque tau_0:
-/// qdd_0 = M^-1 (tau_0 - b - g), what tau_0 alone would do. With it the optimised structure (Chang
-/// eq. 6.1) gives the torque of eq. 2.2:
+/// Posture acceleration that is equivalent to the null-space torque tau_0: qdd_0 = M^-1 (tau_0 - b
+/// - g), the acceleration that tau_0 alone would cause. With it the optimised structure (Chang eq.
+/// 6.1) gives the torque of eq. 2.2:
 ///
 ///     J^T Lambda (xdd - Jd qd - J qdd_0) + M qdd_0 + b + g
 ///   = J^T [Lambda (xdd - Jd qd) + Jbar^T (b + g)] + (1 - J^T Jbar^T) tau_0
 ///
-/// by M qdd_0 + b + g = tau_0 and Lambda J M^-1 = Jbar^T. The inverse is `inverse_dynamics`.
+/// because M qdd_0 + b + g = tau_0 and Lambda J M^-1 = Jbar^T. The inverse of this function is
+/// `inverse_dynamics`.
 template <class Scalar>
 Vector<Scalar> posture_acceleration(const Model<Scalar>& model, VectorArg<Scalar> q,
                                     VectorArg<Scalar> qd, VectorArg<Scalar> tau_0) {
@@ -28,8 +29,8 @@ Vector<Scalar> operational_force(const ExplicitOperationalSpace<Scalar>& o,
   return o.Lambda * (xdd_cmd - bias) + o.Jbar.transpose() * nonlinear_effects;
 }
 
-/// tau = J^T F + N^T tau_0 (Chang eq. 2.2, 2.10): `tau_0`, which compensates b + g in the null
-/// space too if they are to be, accelerates no operational point.
+/// tau = J^T F + N^T tau_0 (Chang eq. 2.2, 2.10). `tau_0` accelerates no operational point. It must
+/// contain b + g if these are to be compensated in the null space as well.
 template <class Scalar>
 Vector<Scalar> task_posture_torque(const ExplicitOperationalSpace<Scalar>& o, VectorArg<Scalar> F,
                                    VectorArg<Scalar> tau_0) {

@@ -5,9 +5,9 @@
 #include <type_traits>
 #include <vector>
 
-/// The generic dynamics: any robot, sizes known at run time, the tables of Chang's thesis as they
-/// stand, for any `Scalar` that has + - * /, sqrt, sin and cos. Spatial vectors stack linear over
-/// angular. Everything is SI and radians.
+/// Generic dynamics of any robot with sizes known at run time: the tables of Chang's thesis as they
+/// stand, for any `Scalar` that has + - * /, sqrt, sin and cos. Spatial vectors are linear over
+/// angular. Units are SI and radians.
 namespace treeline::interpreter {
 
 template <class Scalar>
@@ -20,24 +20,25 @@ template <class Scalar>
 using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
 template <class Scalar>
 using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-/// Stored row by row, as the generated code has it.
+/// Row-major matrix, as in generated code.
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// 6 x d, d = 0..6: one column for each velocity of a joint.
+/// 6 x d matrix, d = 0..6, with one column for each velocity of a joint.
 template <class Scalar>
 using JointMatrix = Eigen::Matrix<Scalar, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
 /// The coordinates of one joint.
 template <class Scalar>
 using JointVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, Eigen::ColMajor, 7, 1>;
 
-/// An argument from which `Scalar` is not deduced, so that any Eigen vector expression fits.
+/// A function argument from which `Scalar` is not deduced, so that any Eigen vector expression
+/// fits.
 template <class Scalar>
 using VectorArg = const std::type_identity_t<Vector<Scalar>>&;
 
-/// The index of the world among the bodies: the parent of bodies that hang on nothing else.
+/// Index of the world among the bodies: the parent of bodies that are not carried by another one.
 inline constexpr int kWorld = -1;
 
-/// One value for each body and one for the world, whose index is kWorld.
+/// One value for each body, and one for the world with the index kWorld.
 template <class T>
 class PerBody {
  public:

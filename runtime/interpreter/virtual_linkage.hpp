@@ -6,12 +6,14 @@
 
 namespace treeline::interpreter {
 
-/// The virtual linkage of an object's grasps (Williams & Khatib 1993): what the hands do to the
-/// object without moving it, 6 (N - 1) numbers for N grasps. Links are virtual rods between grasp
-/// points; their tension is positive when it would stretch the object, so a squeeze is negative.
+/// Number of internal forces of an object held by this many grasps. The virtual linkage of the
+/// grasps (Williams & Khatib 1993) describes forces of the hands that do not move the object, by 6
+/// (N - 1) numbers for N grasps. Its links are virtual rods between grasp points. Their tension is
+/// positive if it would stretch the object, so it is negative in a squeeze.
 ///   N = 1: none.
-///   N = 2: the linkage's frame has x from grasp 1 to grasp 2, y = up x x, z = x x y, where up is
-///     the object's z axis, or its x axis when x is within about 26 degrees of z (|x_z| > 0.9).
+///   N = 2: the linkage's frame has x from grasp 1 to grasp 2, y = up x x, z = x x y. Here up is
+///   the
+///     object's z axis, or its x axis if x is within about 26 degrees of z (|x_z| > 0.9).
 ///     [tension; torsion (m_2 - m_1).x / 2; m_1.y; m_1.z; m_2.y; m_2.z], m_i the moment of grasp i.
 ///   N >= 3: the tensions of the rods 12, 23, 31, then for each further grasp k of 1k, 2k, 3k; then
 ///     the moments m_1 .. m_N, three each in the object's axes. Grasps 1, 2, 3 must not lie on a
@@ -29,7 +31,7 @@ Vector3<Scalar> point_on_object(const Grasp<Scalar>& grasp) {
   return -(grasp.R.transpose() * grasp.p);
 }
 
-/// Columns x, y, z of the linkage's frame in the object's, from the unit vector x.
+/// Axes x, y, z of the linkage's frame in the object's axes as columns, from the unit vector x.
 template <class Scalar>
 Matrix3<Scalar> linkage_frame(const Vector3<Scalar>& x) {
   using std::abs;
@@ -50,7 +52,7 @@ Vector3<Scalar> unit_between(const Vector3<Scalar>& from, const Vector3<Scalar>&
   return step / Scalar(sqrt(step.squaredNorm()));
 }
 
-/// E: forces on the object at the grasps' points by unit tensions of the rods, 3 N x 3 (N - 2).
+/// E: forces on the object at the grasps' points per unit tension of the rods, 3 N x 3 (N - 2).
 template <class Scalar>
 Matrix<Scalar> rod_forces(const std::vector<Vector3<Scalar>>& r) {
   const int n = static_cast<int>(r.size());
@@ -72,7 +74,7 @@ Matrix<Scalar> rod_forces(const std::vector<Vector3<Scalar>>& r) {
   return E;
 }
 
-/// The rows of W that read internal forces off the grasps' forces.
+/// The rows of W that give the internal forces from the grasps' forces.
 template <class Scalar>
 Matrix<Scalar> internal_rows(const std::vector<Vector3<Scalar>>& r) {
   const int n = static_cast<int>(r.size());
@@ -101,8 +103,9 @@ Matrix<Scalar> internal_rows(const std::vector<Vector3<Scalar>>& r) {
 }  // namespace detail
 
 /// W, the grasp description matrix, 6 N x 6 N: [resultant; internal] = W [f_1; m_1; ... f_N; m_N].
-/// Everything in the object's axes: the resultant at the object's origin, f_i and m_i of grasp i on
-/// the object at its point. For N >= 3 the tensions are E^+ f, the least-squares reading.
+/// Everything is in the object's axes: the resultant is at the object's origin, f_i and m_i of
+/// grasp i act on the object at the grasp's point. For N >= 3 the tensions are E^+ f, the
+/// least-squares solution.
 template <class Scalar>
 Matrix<Scalar> grasp_description(const GraspedObject<Scalar>& object) {
   std::vector<Vector3<Scalar>> r;
@@ -117,7 +120,7 @@ Matrix<Scalar> grasp_description(const GraspedObject<Scalar>& object) {
   return W;
 }
 
-/// The forces of all grasps that have this resultant and these internal forces.
+/// The forces of all grasps with this resultant and these internal forces.
 template <class Scalar>
 Vector<Scalar> split_over_grasps(const GraspedObject<Scalar>& object,
                                  const Vector6<Scalar>& resultant, VectorArg<Scalar> internal) {
@@ -126,7 +129,7 @@ Vector<Scalar> split_over_grasps(const GraspedObject<Scalar>& object,
   return grasp_description(object).fullPivLu().solve(wanted);
 }
 
-/// How many internal forces all objects have together.
+/// Number of internal forces of all objects together.
 template <class Scalar>
 int internal_force_count(const ClosedChain<Scalar>& chain) {
   int count = 0;

@@ -7,7 +7,7 @@
 
 namespace treeline::servo {
 
-/// What the loop needs of time: nanoseconds since any fixed moment, and waiting.
+/// A source of time for the loop: nanoseconds since any fixed moment, and waiting.
 template <class C>
 concept Clock = requires(C& clock, std::int64_t time) {
   { clock.now() } -> std::same_as<std::int64_t>;
@@ -28,8 +28,8 @@ class SteadyClock {
   }
 };
 
-/// Time that passes only by waiting: a simulation runs as fast as it can, with perfect periods.
-/// `advance` lets a test spend time within a cycle.
+/// A clock whose time passes only by waiting, so a simulation runs as fast as it can with exact
+/// periods. With `advance` a test can let time pass within a cycle.
 class SimulatedClock {
  public:
   std::int64_t now() const noexcept { return time_; }

@@ -7,24 +7,24 @@
 
 namespace treeline::servo {
 
-/// How one cycle went, in nanoseconds.
+/// Timing of one cycle, in nanoseconds.
 struct CycleTiming {
-  std::int64_t period = 0;   ///< since the cycle before began; 0 in the first
-  std::int64_t jitter = 0;   ///< how late the cycle began
+  std::int64_t period = 0;   ///< since the previous cycle began; 0 in the first
+  std::int64_t jitter = 0;   ///< delay of the cycle's beginning
   std::int64_t busy = 0;     ///< from begin_cycle to end_cycle
-  std::int64_t slack = 0;    ///< left before the next tick; negative when it was missed
-  std::int64_t skipped = 0;  ///< ticks passed over because this cycle ran past them
+  std::int64_t slack = 0;    ///< time left before the next tick; negative if it was missed
+  std::int64_t skipped = 0;  ///< ticks that passed while this cycle was running
 };
 
-/// A fixed-rate loop: `begin_cycle(); ...; end_cycle();`. Ticks lie on a grid fixed at the first
-/// cycle, so lateness never accumulates; a cycle that overruns skips the ticks it has missed.
+/// A fixed-rate loop: `begin_cycle(); ...; end_cycle();`. Ticks lie on a grid that the first cycle
+/// fixes, so delays never accumulate. A cycle that overruns skips the ticks that it has missed.
 template <Clock ClockType>
 class Cycle {
  public:
   Cycle(ClockType& clock, std::int64_t period_nanoseconds) noexcept
       : clock_(clock), period_(period_nanoseconds) {}
 
-  /// Notes when the cycle begins. The first call fixes the grid.
+  /// Records the beginning of a cycle. The first call fixes the grid.
   void begin_cycle() {
     const std::int64_t now = clock_.now();
     if (!started_) {
@@ -40,7 +40,7 @@ class Cycle {
     jitters_.record(timing_.jitter);
   }
 
-  /// Notes when the work ends and waits for the next tick that has not passed.
+  /// Records the end of the work and waits for the next tick in the future.
   void end_cycle() {
     const std::int64_t now = clock_.now();
     timing_.busy = now - begin_;
@@ -53,14 +53,14 @@ class Cycle {
     clock_.sleep_until(tick_);
   }
 
-  /// Of the cycle in progress; busy, slack and skipped are those of the cycle before until
-  /// end_cycle.
+  /// Timing of the cycle in progress. Until `end_cycle`, busy, slack and skipped are those of the
+  /// previous cycle.
   const CycleTiming& timing() const noexcept { return timing_; }
   const DurationStatistics& periods() const noexcept { return periods_; }
   const DurationStatistics& jitters() const noexcept { return jitters_; }
   const DurationStatistics& busy() const noexcept { return busy_; }
   const DurationStatistics& slacks() const noexcept { return slacks_; }
-  /// Ticks skipped since the start.
+  /// Number of ticks skipped since the start.
   std::uint64_t skips() const noexcept { return skips_; }
   std::int64_t period() const noexcept { return period_; }
 

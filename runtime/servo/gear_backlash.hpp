@@ -2,16 +2,16 @@
 
 namespace treeline::servo {
 
-/// The gear between a motor and its joint, all at the joint's side: teeth that touch after half the
-/// play either way and then yield elastically.
+/// Gear between a motor and its joint, seen from the joint's side. Its teeth touch when the motor
+/// leads or lags by half the play, and then yield elastically.
 struct GearBacklash {
-  double play = 0.0;       ///< rad or m, from flank to flank; 0: none
-  double stiffness = 0.0;  ///< N m/rad or N/m, of touching teeth; positive
-  double damping = 0.0;    ///< N m s/rad or N s/m, of touching teeth
+  double play = 0.0;       ///< from flank to flank, rad or m; 0: no play
+  double stiffness = 0.0;  ///< of touching teeth, N m/rad or N/m; positive
+  double damping = 0.0;    ///< of touching teeth, N m s/rad or N s/m
 };
 
-/// The torque that the motor's side exerts on the link's when it is ahead by `lead` (rad or m),
-/// which grows by `rate`: none within the play; teeth push, they never pull.
+/// Torque (N m or N) that the motor's side exerts on the link's side if it leads by `lead` (rad or
+/// m), which grows at `rate`. Within the play it is zero. Teeth push and never pull.
 inline double gear_torque(const GearBacklash& gear, double lead, double rate) noexcept {
   const double half = 0.5 * gear.play;
   if (half > 0.0 && lead < half && lead > -half) {

@@ -9,11 +9,11 @@
 
 namespace treeline::servo {
 
-/// What moves one joint: a rotor behind a gear. All at the joint's side of the gear, N m and rad or
-/// N and m.
+/// Drive of one joint: a rotor behind a gear. All quantities are seen from the joint's side of the
+/// gear, in N m and rad or in N and m.
 struct Drive {
   double rotor =
-      0.0;  ///< kg m^2 or kg: the rotor's inertia times the square of the ratio; positive
+      0.0;  ///< kg m^2 or kg: inertia of the rotor times the square of the gear ratio; positive
   JointFriction friction;
   GearBacklash gear;
 };
@@ -21,17 +21,18 @@ struct Drive {
 template <int nv>
 using Drives = std::array<Drive, static_cast<std::size_t>(nv)>;
 
-/// A simulated robot whose motors drive the links of F through gears: torques act on the rotors,
-/// against friction, and reach the links where teeth touch. What it is read by are the encoders at
-/// the motors, as on a real robot; where the links are, `links` tells. Robots with one-degree
-/// joints.
+/// A simulated robot whose motors drive the links of F through gears. Torques act on the rotors,
+/// against friction, and on the links where teeth touch. It is read through encoders at the motors,
+/// as on a real robot; `links` returns the state of the links. Only for robots whose joints have
+/// one degree of freedom.
 template <SimulatedFunctions F>
 class GearedRobot {
  public:
   static constexpr int nv = F::kVelocities;
   static_assert(F::kCoordinates == nv, "joints of one degree only");
 
-  /// Starts with every motor where `initial` has its joint plus the lead of `leads` (rad or m).
+  /// Starts with every motor at the position of its joint in `initial`, plus its lead from `leads`
+  /// (rad or m).
   GearedRobot(const StateOf<F>& initial, const Drives<nv>& drives, int substeps = 8,
               const std::array<double, static_cast<std::size_t>(nv)>& leads = {}) noexcept
       : links_(initial), motors_(initial), drives_(drives), substeps_(substeps) {
@@ -49,8 +50,8 @@ class GearedRobot {
     }
   }
 
-  /// Classical Runge-Kutta steps of fourth order under held torques; where teeth meet or part
-  /// within a step the order is lost, the step is small.
+  /// Advances time by classical fourth-order Runge-Kutta steps with constant torques. If teeth meet
+  /// or separate within a step, the order of accuracy is lost, but steps are small.
   void pass_time(double seconds) noexcept {
     for (int step = 0; step < substeps_; ++step) {
       integrate(seconds / substeps_);
@@ -70,7 +71,7 @@ class GearedRobot {
     F::forward_dynamics(links.q, links.qd, torques, of_links);
   }
 
-  /// state + fraction dt (qd, qdd) of a stage.
+  /// Returns state + fraction dt (qd, qdd) for a Runge-Kutta stage.
   static StateOf<F> moved(const StateOf<F>& state, double dt, const double (&qd)[nv],
                           const double (&qdd)[nv]) noexcept {
     StateOf<F> at = state;

@@ -7,13 +7,14 @@
 
 namespace treeline::servo {
 
-/// Where the 7 coordinates of each floating joint begin in q, ascending; nq - nv of them. All other
-/// joints have one coordinate per velocity.
+/// Index in q of the first of the 7 coordinates of each floating joint, ascending; there are nq -
+/// nv such joints. All other joints have one coordinate per velocity.
 template <int nq, int nv>
 using FloatingJoints = std::array<int, static_cast<std::size_t>(nq - nv)>;
 
-/// dq/dt of coordinates `q` moving with `qd`. For a floating joint (position, quaternion x y z w;
-/// body twist, linear over angular): R v and q (w, 0) / 2.
+/// Computes dq/dt for coordinates `q` and velocities `qd`. A floating joint has position and
+/// quaternion x y z w, and as velocity a body twist, linear over angular; its rates are R v and q
+/// (w, 0) / 2.
 template <int nq, int nv>
 void coordinate_rates(const FloatingJoints<nq, nv>& floating, const double (&q)[nq],
                       const double (&qd)[nv], double (&rates)[nq]) noexcept {
@@ -32,7 +33,7 @@ void coordinate_rates(const FloatingJoints<nq, nv>& floating, const double (&q)[
     const double w = q[iq + 6];
     const double* v = qd + iv;
     const double* omega = qd + iv + 3;
-    // R v = v + 2 w (u x v) + 2 u x (u x v), u the quaternion's vector part.
+    // R v = v + 2 w (u x v) + 2 u x (u x v), where u is the vector part of the quaternion.
     const double cross[3] = {y * v[2] - z * v[1], z * v[0] - x * v[2], x * v[1] - y * v[0]};
     rates[iq] = v[0] + 2.0 * (w * cross[0] + y * cross[2] - z * cross[1]);
     rates[iq + 1] = v[1] + 2.0 * (w * cross[1] + z * cross[0] - x * cross[2]);
@@ -47,7 +48,7 @@ void coordinate_rates(const FloatingJoints<nq, nv>& floating, const double (&q)[
   copy_up_to(nq);
 }
 
-/// Restores unit length of the quaternions, which a Runge-Kutta step leaves to its order.
+/// Restores unit length of the quaternions, which a Runge-Kutta step preserves only to its order.
 template <int nq, int nv>
 void normalise_quaternions(const FloatingJoints<nq, nv>& floating, double (&q)[nq]) noexcept {
   for (const int start : floating) {
@@ -60,8 +61,8 @@ void normalise_quaternions(const FloatingJoints<nq, nv>& floating, double (&q)[n
   }
 }
 
-/// One step of `dt` seconds under constant `tau` by the classical Runge-Kutta method of fourth
-/// order.
+/// Advances the state by `dt` seconds under constant `tau`, by one step of the classical
+/// fourth-order Runge-Kutta method.
 template <SimulatedFunctions F>
 void integrate_runge_kutta(const FloatingJoints<F::kCoordinates, F::kVelocities>& floating,
                            const double (&tau)[F::kVelocities], double dt,

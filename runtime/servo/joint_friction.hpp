@@ -4,17 +4,18 @@
 
 namespace treeline::servo {
 
-/// Friction of one drive, at the joint's side of its gear.
+/// Friction of one drive, seen from the joint's side of its gear.
 struct JointFriction {
   double coulomb = 0.0;     ///< N m, or N for a prismatic joint
   double viscous = 0.0;     ///< N m s/rad, or N s/m
-  double slip_speed = 0.0;  ///< rad/s or m/s within which the Coulomb part builds up; positive
+  double slip_speed = 0.0;  ///< speed within which the Coulomb part builds up, rad/s or m/s;
+                            ///< positive
 };
 
-/// The torque against a motion of `speed`: Coulomb's with the sign smoothed to tanh(speed / slip
-/// speed), so that it can be integrated, and the viscous one. What is at rest creeps under less
-/// than the Coulomb torque instead of sticking: by no more than the slip speed, unless the torque
-/// exceeds tanh(1) = 76 % of it.
+/// Friction torque (N m or N) against a motion with `speed` (rad/s or m/s): a viscous part and a
+/// Coulomb part, whose sign is smoothed to tanh(speed / slip speed) so that it can be integrated.
+/// Under a torque below the Coulomb torque a joint creeps instead of sticking, at no more than the
+/// slip speed unless the torque exceeds tanh(1) = 76 % of the Coulomb torque.
 inline double friction_torque(const JointFriction& friction, double speed) noexcept {
   const double coulomb =
       friction.coulomb > 0.0 ? friction.coulomb * std::tanh(speed / friction.slip_speed) : 0.0;

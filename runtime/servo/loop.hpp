@@ -15,9 +15,9 @@
 
 namespace treeline::servo {
 
-/// What the loop asks of a controller; time in s since the loop began. `start` is called when
-/// control begins, with the state to begin from; `apply` with every message that is not the loop's
-/// own; `control` once a cycle while running. None may allocate or block.
+/// Requirements of the loop on a controller. Times are in s since the loop began. `start` is called
+/// when control begins, with the initial state; `apply` with every message that does not concern
+/// the loop itself; `control` once per cycle while running. None of them may allocate or block.
 template <class C, class F>
 concept Controller = requires(C& controller, double time, const StateOf<F>& state,
                               const Message& message, double (&tau)[F::kVelocities]) {
@@ -28,29 +28,29 @@ concept Controller = requires(C& controller, double time, const StateOf<F>& stat
 
 struct LoopSettings {
   double rate = 1000.0;          ///< Hz
-  double braking = 20.0;         ///< 1/s: qdd = -braking qd in every mode but running
-  double rest_speed = 1e-3;      ///< largest |qd| that counts as rest, rad/s or m/s
-  double longest_braking = 5.0;  ///< s until the loop ends after a disconnect, at rest or not
-  int messages_per_cycle = 4;    ///< most messages applied in one cycle
+  double braking = 20.0;         ///< 1/s: qdd = -braking qd in every mode except running
+  double rest_speed = 1e-3;      ///< largest |qd| that counts as at rest, rad/s or m/s
+  double longest_braking = 5.0;  ///< s until the loop ends after a disconnect, even if not at rest
+  int messages_per_cycle = 4;    ///< largest number of messages applied in one cycle
 };
 
-/// One cycle, as it is reported.
+/// Report of one cycle.
 template <class F>
 struct Report {
   std::int64_t cycle = 0;
-  double time = 0.0;  ///< s, of the measurement
+  double time = 0.0;  ///< time of the measurement, s
   Mode mode = Mode::idle;
-  Fault fault;  ///< the first since the last reset
+  Fault fault;  ///< first fault since the last reset
   StateOf<F> state;
   double tau[F::kVelocities] = {};
   CycleTiming timing;
-  std::int64_t control_nanoseconds = 0;  ///< of the controller alone, 0 unless running
+  std::int64_t control_nanoseconds = 0;  ///< time of the controller alone; 0 unless running
 };
 
-/// The servo loop of Chang fig. 9.2 at a fixed rate: receive, insert, pop, apply, safe?, control,
-/// report. It ends when the front end disconnects (after braking to rest, but for no longer than
-/// `longest_braking`) or the robot is gone.
-/// Nothing is allocated after construction.
+/// Servo loop of Chang fig. 9.2 at a fixed rate. Each cycle receives messages, queues them, applies
+/// the most urgent ones, checks safety, controls, and reports. The loop ends when the robot is
+/// gone, or when the front end disconnects; it then brakes to rest first, for at most
+/// `longest_braking`. Nothing is allocated after construction.
 template <RobotFunctions F, RobotProxy<F> Proxy, Controller<F> ControllerType, Clock ClockType>
 class ServoLoop {
  public:
@@ -66,8 +66,8 @@ class ServoLoop {
         mailbox_(mailbox),
         cycle_(clock, static_cast<std::int64_t>(std::llround(1e9 / settings.rate))) {}
 
-  /// One cycle. `observe(const Report<F>&)` is called after the torque is written. False when the
-  /// loop has ended.
+  /// Runs one cycle. `observe(const Report<F>&)` is called after the torque is written. Returns
+  /// false if the loop has ended.
   template <class Observer>
   bool step(Observer&& observe) {
     cycle_.begin_cycle();
@@ -96,7 +96,7 @@ class ServoLoop {
     return !(disconnecting_ && may_end());
   }
 
-  /// Cycles until the loop ends.
+  /// Runs cycles until the loop ends.
   template <class Observer>
   void run(Observer&& observe) {
     while (step(observe)) {
@@ -108,7 +108,7 @@ class ServoLoop {
   const Cycle<ClockType>& cycle() const noexcept { return cycle_; }
   /// Time spent in `control`, by the machine's clock.
   const DurationStatistics& control_times() const noexcept { return control_times_; }
-  /// Messages lost because the queue was full.
+  /// Number of messages lost because the queue was full.
   std::uint64_t dropped_messages() const noexcept { return dropped_; }
 
  private:
@@ -168,7 +168,7 @@ class ServoLoop {
     }
   }
 
-  /// Safe? then control; unsafe, or not running: brake.
+  /// Controls if the state is safe; brakes if it is not, or if the loop is not running.
   void command_torque() {
     report_.control_nanoseconds = 0;
     if (const Fault fault = check_state(limits_, report_.state)) {

@@ -7,16 +7,16 @@
 
 namespace treeline::servo {
 
-/// What a front end may ask of the loop. The first five concern the loop, in falling urgency; the
-/// others are handed to the controller.
+/// Requests of a front end. The first five concern the loop, in order of decreasing urgency. The
+/// others are passed to the controller.
 enum class MessageKind : std::uint8_t {
-  emergency_stop,  ///< to the safe state now
-  disconnect,      ///< the front end leaves: stop, then end
+  emergency_stop,  ///< go to the safe state now
+  disconnect,      ///< the front end leaves: stop, then end the loop
   stop,            ///< brake to rest
-  reset,           ///< leave the fault
-  start,           ///< control from the present state on
-  move_point,      ///< index: point; values: position (3), rotation row-major (9); duration
-  set_posture,     ///< values: advised q
+  reset,           ///< leave the faulted mode
+  start,           ///< begin to control from the present state
+  move_point,      ///< index: point; values: position (3), row-major rotation (9); duration
+  set_posture,     ///< values: desired posture q
   set_gains,       ///< values: kp, kv
 };
 
@@ -30,23 +30,23 @@ struct Message {
   std::array<double, kMessageNumbers> values{};
 };
 
-/// Whether `a` is taken before `b` whenever both wait: the order of MessageKind up to `start`, then
-/// all alike.
+/// Urgency of a message. Of two waiting messages the more urgent one is applied first. The order is
+/// that of MessageKind up to `start`; all later kinds are equally urgent.
 constexpr int urgency(const Message& message) noexcept {
   constexpr int kLeast = static_cast<int>(MessageKind::move_point);
   const int kind = static_cast<int>(message.kind);
   return kind < kLeast ? kLeast - kind : 0;
 }
 
-/// The priority queue Q of Chang fig. 9.2: the most urgent message first, equally urgent ones in
-/// the order in which they came. A binary heap of fixed capacity; for one thread.
+/// Priority queue Q of Chang fig. 9.2: the most urgent message first, equally urgent ones in the
+/// order of their arrival. A binary heap of fixed capacity, for a single thread.
 template <std::size_t capacity>
 class MessageQueue {
  public:
   bool empty() const noexcept { return size_ == 0; }
   std::size_t size() const noexcept { return size_; }
 
-  /// False when full; the message is then not taken.
+  /// Inserts a message. Returns false, and does not insert it, if the queue is full.
   bool insert(const Message& message) noexcept {
     if (size_ == capacity) {
       return false;
@@ -60,7 +60,7 @@ class MessageQueue {
     return true;
   }
 
-  /// False when empty.
+  /// Removes the first message. Returns false if the queue is empty.
   bool pop(Message& message) noexcept {
     if (size_ == 0) {
       return false;
@@ -105,11 +105,12 @@ class MessageQueue {
   std::uint64_t arrivals_ = 0;
 };
 
-/// Ring between one writing and one reading thread; neither ever waits. `Item` is a plain value.
+/// Ring buffer between one writing and one reading thread, neither of which ever waits. `Item` is a
+/// plain value.
 template <class Item, std::size_t capacity>
 class Ring {
  public:
-  /// False when full; the item is then not taken.
+  /// Appends an item. Returns false, and does not append it, if the ring is full.
   bool push(const Item& item) noexcept {
     const std::size_t end = end_.load(std::memory_order_relaxed);
     if (end - begin_.load(std::memory_order_acquire) == capacity) {
@@ -119,7 +120,7 @@ class Ring {
     end_.store(end + 1, std::memory_order_release);
     return true;
   }
-  /// False when empty.
+  /// Removes the oldest item. Returns false if the ring is empty.
   bool pop(Item& item) noexcept {
     const std::size_t begin = begin_.load(std::memory_order_relaxed);
     if (begin == end_.load(std::memory_order_acquire)) {
@@ -137,7 +138,7 @@ class Ring {
   alignas(kCacheLine) std::atomic<std::size_t> end_{0};
 };
 
-/// Where the front end leaves messages for the loop.
+/// Mailbox in which the front end leaves messages for the loop.
 using Mailbox = Ring<Message, 32>;
 
 }  // namespace treeline::servo

@@ -18,13 +18,13 @@ constexpr double kPlotWidth = 660.0;
 constexpr double kTop = 66.0;
 constexpr double kPanelHeight = 150.0;
 constexpr double kPathHeight = 330.0;
-constexpr double kPathGap = 76.0;  // below a path, for its own axis
+constexpr double kPathGap = 76.0;  // below a path, for the labels of its own x axis
 constexpr double kGap = 42.0;
 constexpr double kBottom = 56.0;
 constexpr double kSample = 24.0;    // length of a line in the legend
-constexpr double kCharacter = 6.9;  // width of a letter, on the safe side
+constexpr double kCharacter = 6.9;  // upper estimate of the width of a letter
 
-/// Okabe and Ito's colours, told apart by colour-blind readers too.
+/// Colours of Okabe and Ito, which colour-blind readers can distinguish.
 constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                  "#e69f00", "#56b4e9", "#7f7f7f"};
 
@@ -40,7 +40,7 @@ struct Range {
   double span() const { return high - low; }
 };
 
-/// Where a panel's numbers go on the page.
+/// Place of a panel on the page, and the ranges of its numbers.
 struct Frame {
   Range x;
   Range y;
@@ -59,7 +59,7 @@ double panel_height(const PlotPanel& panel) {
   return is_path(panel) ? kPathHeight : kPanelHeight;
 }
 
-/// From a panel's bottom to the top of the next one.
+/// Distance from a panel's bottom to the top of the next panel.
 double gap_below(const PlotPanel& panel) {
   return is_path(panel) ? kPathGap : kGap;
 }
@@ -72,7 +72,7 @@ std::string escape(const std::string& text) {
   return escaped;
 }
 
-/// Right of the panels: room for the longest name.
+/// Width of the legend on the right of the panels, for the longest name.
 double legend_width(const Plot& plot) {
   std::size_t longest = 0;
   for (const PlotPanel& panel : plot.panels) {
@@ -111,7 +111,7 @@ Range y_range(const PlotPanel& panel) {
   return {range.low - margin, range.high + margin};
 }
 
-/// A square with one scale for both directions, the path in its middle.
+/// Makes the panel a square with equal scales in both directions and the path in its middle.
 void frame_path(const PlotPanel& panel, Frame& frame) {
   Range x;
   for (const PlotLine& line : panel.lines) {
@@ -135,8 +135,9 @@ void frame_path(const PlotPanel& panel, Frame& frame) {
   frame.y = around(y);
 }
 
-/// The first, the smallest and the largest value of each pixel column, and the last of all, in
-/// order: the visible shape. Extremes at a column's ends need no point of their own.
+/// Indices of the points that determine the visible shape, in order: the first, the smallest and
+/// the largest value of each pixel column, and the very last. Extremes at a column's ends need no
+/// point of their own.
 std::vector<std::size_t> thin(const Frame& frame, const std::vector<double>& x,
                               const std::vector<double>& y) {
   std::vector<std::size_t> kept;

@@ -5,35 +5,36 @@
 
 namespace treeline::servo {
 
-/// A curve over the plot's x. Dashed curves are thin and dark and lie on top: what was wanted.
+/// A curve over the plot's x. Dashed curves, for desired values, are thin and dark and lie on top.
 struct PlotLine {
-  std::string name;  ///< in the legend; without one, not there
+  std::string name;  ///< name in the legend; empty: not listed
   std::vector<double> values;
   bool dashed = false;
-  std::vector<double> x = {};  ///< its own abscissae, in a panel that is a path
+  std::vector<double> x = {};  ///< own abscissae, if the panel is a path
 };
 
 /// One set of axes.
 struct PlotPanel {
   std::string title;
-  std::string y_label;  ///< with the unit
+  std::string y_label;  ///< with unit
   std::vector<PlotLine> lines;
-  double least_span = 0.0;  ///< of the y axis, so that rounding errors are not blown up
+  double least_span = 0.0;  ///< smallest span of the y axis, so that rounding errors are not
+                            ///< magnified
   std::string path_x_label =
-      {};  ///< not empty: a path in a plane, its lines over their own x, with
-           ///< the unit; drawn taller and with one scale for both directions
+      {};  ///< label with unit; not empty: a path in a plane, whose lines have their own x; it is
+           ///< taller and has equal scales in both directions
 };
 
-/// Panels above each other that share the x axis; paths have their own.
+/// Panels on top of each other that share the x axis. Paths have x axes of their own.
 struct Plot {
   std::string title;
-  std::string x_label;  ///< with the unit
+  std::string x_label;  ///< with unit
   std::vector<double> x;
   std::vector<PlotPanel> panels;
 };
 
-/// The plot as a stand-alone SVG 1.1 file. Curves are thinned to what a pixel column can show;
-/// values that are not finite interrupt them.
+/// Draws the plot as a stand-alone SVG 1.1 file. Curves are thinned to what a pixel column can
+/// show. Values that are not finite interrupt a curve.
 std::string svg_text(const Plot& plot);
 
 }  // namespace treeline::servo

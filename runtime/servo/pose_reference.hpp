@@ -5,7 +5,7 @@
 
 namespace treeline::servo {
 
-/// A frame's wanted motion in world axes, linear over angular.
+/// Desired motion of a frame in world axes, linear over angular.
 struct PoseMotion {
   double position[3] = {};
   double rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -13,7 +13,7 @@ struct PoseMotion {
   double acceleration[6] = {};
 };
 
-/// A frame's wanted pose over time: held, or moved from rest to rest along a straight line and
+/// Desired pose of a frame over time: held, or moved from rest to rest along a straight line and
 /// about a fixed axis, both by the same cubic in time.
 class PoseReference {
  public:
@@ -22,8 +22,8 @@ class PoseReference {
     move(0.0, position, rotation, position, rotation, 1.0);
   }
 
-  /// From one pose at `start_time` (s) to another `duration` > 0 seconds later; held before and
-  /// after.
+  /// Moves from one pose at `start_time` (s) to another `duration` > 0 seconds later. The poses are
+  /// held before and after.
   void move(double start_time, const double (&from_position)[3], const double (&from_rotation)[9],
             const double (&to_position)[3], const double (&to_rotation)[9],
             double duration) noexcept {
@@ -67,7 +67,7 @@ class PoseReference {
   double start_time_ = 0.0;
   core::CubicSegment<3, double> line_;
   core::CubicSegment<1, double> fraction_;
-  double turn_[3] = {};  ///< rotation vector of the whole turn, world axes
+  double turn_[3] = {};  ///< rotation vector of the whole rotation, world axes
   double from_rotation_[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 

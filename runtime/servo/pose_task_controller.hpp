@@ -9,8 +9,8 @@
 
 namespace treeline::servo {
 
-/// The functions that PoseTaskController calls, with operational points of six rows each in world
-/// axes: a struct like that of RobotFunctions with kTaskRows besides.
+/// The functions that PoseTaskController calls, for operational points with six rows each in world
+/// axes: a struct as for RobotFunctions, with kTaskRows in addition.
 template <class F>
 concept PoseTaskFunctions =
     RobotFunctions<F> && F::kTaskRows % 6 == 0 &&
@@ -26,24 +26,24 @@ concept PoseTaskFunctions =
   F::control_torque(q, qd, qd, xdd, tau);
 };
 
-/// Operational-space control of whole poses (Chang table 6.1) with an advised posture in the null
+/// Operational-space control of whole poses (Chang table 6.1) with a desired posture in the null
 /// space:
 ///   xdd_cmd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector,
 ///   qdd_0   = kp_i (q_advised - q) - kv_i qd per joint.
-/// Robots with one-degree joints only. On `start` every point holds where it is, and the advised
-/// posture is the present one unless set before.
+/// Only for robots whose joints have one degree of freedom. On `start` every point holds its
+/// present pose, and the desired posture is the present one unless it was set before.
 template <PoseTaskFunctions F>
 class PoseTaskController {
  public:
   static constexpr int kPoints = F::kTaskRows / 6;
   static constexpr int nv = F::kVelocities;
 
-  /// A point's pose, wanted and actual, when control was last called.
+  /// Desired and actual pose of a point at the last call of `control`.
   struct Tracking {
     PoseMotion wanted;
     double position[3] = {};
     double rotation[9] = {};
-    double error[6] = {};  ///< wanted less actual, linear over angular
+    double error[6] = {};  ///< desired minus actual, linear over angular
   };
 
   PoseTaskController(const core::Gains<double>& task,
@@ -66,8 +66,8 @@ class PoseTaskController {
     }
   }
 
-  /// move_point starts from the pose wanted at `time`; messages for points or sizes that do not
-  /// exist are ignored.
+  /// Applies a message. move_point starts from the pose that is desired at `time`. Messages for
+  /// points or sizes that do not exist are ignored.
   void apply(double time, const Message& message) noexcept {
     if (message.kind == MessageKind::move_point && message.index >= 0 && message.index < kPoints &&
         message.duration > 0.0) {

@@ -14,7 +14,7 @@ std::string request_realtime() {
   if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
     refused = std::string("memory is not locked: ") + std::strerror(errno);
   }
-  // Below the kernel's own threads (50), above everything ordinary.
+  // Below the kernel's own threads (50) and above everything ordinary.
   sched_param parameters{};
   parameters.sched_priority = 40;
   if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters)) {

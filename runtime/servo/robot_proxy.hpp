@@ -12,7 +12,7 @@ struct RobotState {
 };
 
 /// The functions of a robot that the servo library calls: a struct whose static members are the
-/// generated functions and sizes (nq and nv), for instance
+/// generated functions and the sizes nq and nv, for instance
 ///
 ///     struct Puma {
 ///       static constexpr int kCoordinates = puma560::kCoordinates;
@@ -39,9 +39,9 @@ concept SimulatedFunctions = requires(const double (&q)[F::kCoordinates],
 template <class F>
 using StateOf = RobotState<F::kCoordinates, F::kVelocities>;
 
-/// The one interface behind which a simulated or a real robot stands (Chang fig. 9.1). `pass_time`
-/// is called once a cycle with the time (s) until the next one begins: a simulation advances by it,
-/// a real robot has nothing to do.
+/// Interface to a simulated or a real robot (Chang fig. 9.1). `pass_time` is called once per cycle
+/// with the time (s) until the next one begins. A simulation advances by this time; a real robot
+/// has nothing to do.
 template <class P, class F>
 concept RobotProxy = requires(P& proxy, StateOf<F>& state, const double (&tau)[F::kVelocities]) {
   { proxy.connected() } -> std::same_as<bool>;

@@ -14,31 +14,31 @@ enum class FaultKind : std::uint8_t {
   none,
   position_limit,  ///< rad or m
   velocity_limit,  ///< rad/s or m/s
-  torque_limit,    ///< N m or N, of the command
+  torque_limit,    ///< N m or N, for the command
   state_not_finite,
   torque_not_finite,
-  deadline,        ///< too many cycles in a row ran past their tick
+  deadline,        ///< too many consecutive cycles overran their tick
   robot_gone,      ///< the proxy is no longer connected
-  emergency_stop,  ///< asked for
+  emergency_stop,  ///< requested by the front end
 };
 
-/// Why the loop went to its safe state.
+/// The reason why the loop went to its safe state.
 struct Fault {
   FaultKind kind = FaultKind::none;
-  int index = -1;      ///< coordinate, where one is meant
-  double value = 0.0;  ///< what was found
-  double limit = 0.0;  ///< what is allowed
+  int index = -1;      ///< index of the coordinate, if the fault concerns one
+  double value = 0.0;  ///< measured or commanded value
+  double limit = 0.0;  ///< allowed value
   explicit operator bool() const noexcept { return kind != FaultKind::none; }
 };
 
-/// What is allowed, per coordinate (position) and velocity; without limit unless set.
+/// Limits per coordinate (position) and per velocity; unlimited unless set.
 template <int nq, int nv>
 struct SafetyLimits {
   std::array<double, static_cast<std::size_t>(nq)> lower;
   std::array<double, static_cast<std::size_t>(nq)> upper;
   std::array<double, static_cast<std::size_t>(nv)> velocity;
   std::array<double, static_cast<std::size_t>(nv)> torque;
-  int overruns_in_a_row = 3;  ///< a fault at the next one
+  int overruns_in_a_row = 3;  ///< allowed number; one more is a fault
 
   SafetyLimits() noexcept {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ struct SafetyLimits {
   }
 };
 
-/// The first measured number that is not finite or beyond its limit.
+/// Returns a fault for the first measured number that is not finite or exceeds its limit.
 template <int nq, int nv>
 Fault check_state(const SafetyLimits<nq, nv>& limits, const RobotState<nq, nv>& state) noexcept {
   for (int i = 0; i < nq; ++i) {
@@ -74,7 +74,7 @@ Fault check_state(const SafetyLimits<nq, nv>& limits, const RobotState<nq, nv>& 
   return {};
 }
 
-/// The first commanded torque that is not finite or beyond its limit.
+/// Returns a fault for the first commanded torque that is not finite or exceeds its limit.
 template <int nq, int nv>
 Fault check_torque(const SafetyLimits<nq, nv>& limits, const double (&tau)[nv]) noexcept {
   for (int i = 0; i < nv; ++i) {
@@ -89,8 +89,8 @@ Fault check_torque(const SafetyLimits<nq, nv>& limits, const double (&tau)[nv]) 
   return {};
 }
 
-/// The safe state: hold gravity and let motion die out, qdd = -damping qd (1/s), each torque cut to
-/// its limit. Where the state is not known (not finite) no torque is right: zero.
+/// Torque of the safe state: holds gravity and damps motion, qdd = -damping qd (1/s), with each
+/// torque cut to its limit. If the state is not finite, no torque is right, and all are zero.
 template <RobotFunctions F>
 void brake(const SafetyLimits<F::kCoordinates, F::kVelocities>& limits, const StateOf<F>& state,
            double damping, double (&tau)[F::kVelocities]) noexcept {
@@ -109,8 +109,8 @@ void brake(const SafetyLimits<F::kCoordinates, F::kVelocities>& limits, const St
   }
 }
 
-/// The fault in words, with the name of the coordinate if `name` is not empty. Allocates: not for
-/// the loop.
+/// Describes the fault in words, with the coordinate's name if `name` is not empty. Allocates
+/// memory, so it must not be called in the loop.
 std::string describe(const Fault& fault, const std::string& name = {});
 
 }  // namespace treeline::servo

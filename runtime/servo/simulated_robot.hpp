@@ -5,8 +5,8 @@
 
 namespace treeline::servo {
 
-/// A robot that exists only as its forward dynamics: torques are held between writes (zero-order
-/// hold), time is integrated in `substeps` steps per call of `pass_time`.
+/// A robot that is simulated by its forward dynamics. Torques are constant between writes
+/// (zero-order hold). Each call of `pass_time` integrates in `substeps` steps.
 template <SimulatedFunctions F>
 class SimulatedRobot {
  public:
@@ -29,9 +29,9 @@ class SimulatedRobot {
     }
   }
 
-  /// Pulls the plug, for tests of the loop.
+  /// Disconnects the robot, for tests of the loop.
   void disconnect() noexcept { connected_ = false; }
-  /// Sets the state, as a disturbance does.
+  /// Sets the state, as a disturbance would.
   void set_state(const StateOf<F>& state) noexcept { state_ = state; }
 
  private:

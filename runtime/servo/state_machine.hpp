@@ -4,7 +4,7 @@
 
 namespace treeline::servo {
 
-/// What the loop does with the robot.
+/// Modes of the loop.
 ///
 ///              start              stop, disconnect
 ///     idle ------------> running ------------------> stopping
@@ -16,9 +16,10 @@ namespace treeline::servo {
 ///      +-----------------------------------------------+
 ///                          at rest
 ///
-/// idle, stopping and faulted all brake: gravity is held and motion damped. The robot is followed
-/// in every mode, and a fault in idle leads to faulted as well. Events not drawn change nothing;
-/// `disconnect` also ends the loop once it is idle, or faulted and at rest.
+/// In idle, stopping and faulted the robot brakes: gravity is held and motion is damped. The
+/// robot's state is read in every mode, and a fault in idle also leads to faulted. Events that are
+/// not drawn change nothing. `disconnect` also ends the loop once it is idle, or faulted and at
+/// rest.
 enum class Mode : std::uint8_t { idle, running, stopping, faulted };
 
 enum class Event : std::uint8_t { start, stop, at_rest, fault, reset };

@@ -7,12 +7,12 @@
 
 namespace treeline::servo {
 
-/// Distribution of durations in nanoseconds: exact minimum, maximum and mean, quantiles within 1.6
-/// % (a histogram of 32 bins per power of two). Fixed size; recording takes constant time and never
-/// allocates.
+/// Distribution of durations in nanoseconds: exact minimum, maximum and mean, and quantiles within
+/// 1.6 % (a histogram with 32 bins per power of two). The size is fixed. Recording takes constant
+/// time and never allocates.
 class DurationStatistics {
  public:
-  /// Negative durations count as 0.
+  /// Records a duration. Negative durations count as 0.
   void record(std::int64_t nanoseconds) noexcept {
     const std::int64_t value = nanoseconds < 0 ? 0 : nanoseconds;
     ++counts_[bin_of(static_cast<std::uint64_t>(value))];
@@ -28,8 +28,8 @@ class DurationStatistics {
   double mean() const noexcept { return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_); }
   double median() const noexcept { return quantile(0.5); }
 
-  /// The least duration that at least `fraction` of all do not exceed, 0 <= fraction <= 1, as the
-  /// middle of its bin, within the extremes seen; 0 when nothing was recorded.
+  /// Smallest duration that at least the share `fraction` of all durations does not exceed, 0 <=
+  /// fraction <= 1: the middle of its bin, within the recorded extremes. 0 if nothing was recorded.
   double quantile(double fraction) const noexcept {
     const double wanted = fraction * static_cast<double>(count_);
     std::uint64_t below = 0;
@@ -48,7 +48,8 @@ class DurationStatistics {
   static constexpr std::size_t kPerOctave = std::size_t{1} << kBinBits;
   static constexpr std::size_t kBins = (64 - kBinBits) * kPerOctave;
 
-  // Values below kPerOctave have a bin each; above, the bits after the leading one choose the bin.
+  // Values below kPerOctave have a bin each. For larger values, the bits after the leading one
+  // determine the bin.
   static constexpr std::size_t bin_of(std::uint64_t value) noexcept {
     if (value < kPerOctave) {
       return static_cast<std::size_t>(value);

@@ -6,8 +6,8 @@
 
 namespace treeline::servo {
 
-/// Numbers recorded cycle by cycle: named columns, rows reserved beforehand so that recording does
-/// not allocate.
+/// Numbers recorded cycle by cycle, in named columns. Rows are reserved in advance, so that
+/// recording does not allocate.
 class Table {
  public:
   Table(std::vector<std::string> names, std::size_t capacity)
@@ -15,7 +15,8 @@ class Table {
     numbers_.reserve(names_.size() * capacity_);
   }
 
-  /// Appends a row of `columns()` numbers; false, and nothing recorded, when the table is full.
+  /// Appends a row of `columns()` numbers. Returns false, and records nothing, if the table is
+  /// full.
   bool append(const double* row) noexcept {
     if (rows() == capacity_) {
       return false;
@@ -38,11 +39,11 @@ class Table {
   std::vector<double> numbers_;
 };
 
-/// Comma-separated text: a line of names, then a line per row, every number in the fewest digits
-/// that read back the same.
+/// Prints the table as comma-separated text: a line of names, then a line per row. Each number has
+/// the fewest digits that read back as the same number.
 std::string csv_text(const Table& table);
 
-/// Writes `text` to `path`; the error in words, or empty.
+/// Writes `text` to the file `path`. Returns the error in words, or an empty text.
 std::string write_text(const std::string& path, const std::string& text);
 
 }  // namespace treeline::servo

@@ -22,7 +22,7 @@ Ticks round_ticks(double low, double high, int most) {
   power += digit == 10 ? 1 : 0;
   Ticks ticks;
   ticks.decimals = std::max(0, -power);
-  // A little beyond the ends, so that an end that is a tick but for rounding keeps its tick.
+  // Slightly beyond the ends, so that an end that is a tick up to rounding keeps its tick.
   const double first = std::ceil(low / step - 1e-9);
   const double last = std::floor(high / step + 1e-9);
   for (double i = first; i <= last; i += 1.0) {
@@ -32,7 +32,8 @@ Ticks round_ticks(double low, double high, int most) {
 }
 
 std::string tick_label(double value, int decimals) {
-  // Beyond five decimals a power of ten reads better; a tick has few digits of its own.
+  // Beyond five decimals a power of ten is easier to read. A tick has only a few significant
+  // digits.
   std::string text = decimals > 5 && value != 0.0
                          ? fmt::format("{:.3g}", std::fabs(value))
                          : fmt::format("{:.{}f}", std::fabs(value), decimals > 5 ? 0 : decimals);

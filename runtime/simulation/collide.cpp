@@ -54,7 +54,7 @@ CollisionScene::CollisionScene(const Model& model, std::vector<Shape> shapes)
       const Shape& other = shapes_[static_cast<std::size_t>(j)];
       const int root = root_of(model, shape.body);
       const int other_root = root_of(model, other.body);
-      // The one whose root comes later is `shape`, so that the world is always `other`.
+      // The shape whose root has the higher index is `shape`, so the world is always `other`.
       if (root > other_root) pairs_.emplace_back(i, j);
     }
   }
@@ -80,7 +80,8 @@ std::vector<Touch> CollisionScene::touches(const Model& model, const Vector& q) 
     fcl::CollisionResultd result;
     fcl::collide(&objects[b], &objects[a], request, result);
     if (!result.isCollision()) continue;
-    const fcl::Contactd& contact = result.getContact(0);  // its normal goes from the first on
+    const fcl::Contactd& contact = result.getContact(0);  // its normal points from the first shape
+                                                          // outward
     touches.push_back({shape, other, shapes_[a].body, shapes_[b].body, contact.pos, contact.normal,
                        contact.penetration_depth});
   }

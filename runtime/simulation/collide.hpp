@@ -14,27 +14,28 @@ enum class ShapeKind { sphere, capsule, cylinder, box, half_space };
 struct Shape {
   std::string name;
   ShapeKind kind = ShapeKind::sphere;
-  /// m. sphere: radius; capsule, cylinder: radius and length along z, a capsule's without its
-  /// caps; box: edges; half_space: none, matter is where z < 0.
+  /// Size in m. Sphere: radius. Capsule and cylinder: radius, and length along z, for a capsule
+  /// without its caps. Box: edges. Half space: none; matter is where z < 0.
   Vector3 size = Vector3::Zero();
   int body = interpreter::kWorld;
   Matrix3 R = Matrix3::Identity();  ///< in the body's frame
   Vector3 p = Vector3::Zero();
 };
 
-/// Two shapes overlap, at one point.
+/// Overlap of two shapes, as a single point.
 struct Touch {
-  int shape = 0;  ///< indices of shapes
+  int shape = 0;  ///< index of a shape
   int other = 0;
-  int body = 0;  ///< that carries `shape`
+  int body = 0;  ///< body that carries `shape`
   int other_body = interpreter::kWorld;
-  Vector3 position = Vector3::Zero();  ///< half-way into the overlap, world
-  Vector3 normal = Vector3::UnitZ();   ///< out of `other`, world
+  Vector3 position = Vector3::Zero();  ///< middle of the overlap, world axes
+  Vector3 normal = Vector3::UnitZ();   ///< pointing out of `other`, world axes
   double depth = 0;                    ///< m
 };
 
-/// Which shapes touch, by FCL. Shapes of one robot do not touch each other: a pair counts when its
-/// bodies hang on different roots, an object on its own floating joint and the world being such.
+/// Finds the shapes that touch, using FCL. Only pairs of shapes on different roots count, so shapes
+/// of one robot do not touch each other. An object on its own floating joint is a root, and so is
+/// the world.
 class CollisionScene {
  public:
   CollisionScene(const Model& model, std::vector<Shape> shapes);
@@ -43,7 +44,8 @@ class CollisionScene {
   CollisionScene& operator=(CollisionScene&&) noexcept;
 
   [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
-  /// In the order of the shapes. FCL gives a pair one point, of a box on a plane one corner's.
+  /// Touches at coordinates `q`, in the order of the shapes. FCL returns one point per pair; for a
+  /// box on a plane this is one of the corners.
   [[nodiscard]] std::vector<Touch> touches(const Model& model, const Vector& q) const;
 
  private:

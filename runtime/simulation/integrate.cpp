@@ -13,7 +13,7 @@ State moved(const State& from, double dt, const Vector& rates, const Vector& acc
   return {from.q + dt * rates, from.qd + dt * acceleration};
 }
 
-/// As Odeint takes it: [q; qd].
+/// State in the form of Odeint: [q; qd].
 std::vector<double> joined(const State& state) {
   std::vector<double> x(state.q.begin(), state.q.end());
   x.insert(x.end(), state.qd.begin(), state.qd.end());

@@ -28,7 +28,7 @@ void fly(Simulation& simulation, const Coordinates& coordinates) {
               simulation.state);
 }
 
-/// Strikes and keeps account.
+/// Applies a blow and adds it to the energy account.
 Blow struck(Simulation& simulation, const std::vector<Touch>& touches, const Surface& surface) {
   Blow blow = strike(simulation.model, touches, surface, simulation.state);
   simulation.energy.by_blows += blow.work;
@@ -36,7 +36,7 @@ Blow struck(Simulation& simulation, const std::vector<Touch>& touches, const Sur
   return blow;
 }
 
-/// Whether any touch would close with these velocities.
+/// Whether two touching shapes would approach each other with these velocities.
 bool approaches(const Model& model, const std::vector<Touch>& touches, const State& state) {
   State copy = state;
   const Blow blow = strike(model, touches, {}, copy);

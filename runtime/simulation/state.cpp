@@ -10,7 +10,7 @@ namespace {
 
 using Quaternion = Eigen::Vector4d;  // x y z w
 
-/// a b, the turn b followed by a.
+/// Quaternion product a b: the rotation b followed by a.
 Quaternion product(const Quaternion& a, const Quaternion& b) {
   const Vector3 u = a.head<3>();
   const Vector3 w = b.head<3>();
@@ -20,7 +20,7 @@ Quaternion product(const Quaternion& a, const Quaternion& b) {
   return result;
 }
 
-/// exp(turn / 2) of a rotation vector.
+/// Quaternion of the rotation vector `turn`: exp(turn / 2).
 Quaternion quaternion_of(const Vector3& turn) {
   const double half = turn.norm() / 2;
   const double sinc = half > 1e-9 ? std::sin(half) / half : 1.0;
@@ -30,7 +30,7 @@ Quaternion quaternion_of(const Vector3& turn) {
   return result;
 }
 
-/// Calls `on_run(q, v, count)` for coordinates that are one to one with velocities, and
+/// Calls `on_run(q, v, count)` for coordinates that correspond one to one to velocities, and
 /// `on_quaternion(joint)` for the others.
 template <class OnRun, class OnQuaternion>
 void visit(const Coordinates& coordinates, OnRun on_run, OnQuaternion on_quaternion) {
@@ -85,7 +85,7 @@ void move(const Coordinates& coordinates, const Vector& qd, double dt, Vector& q
       [&](const QuaternionJoint& joint) {
         const Quaternion before = q.segment<4>(joint.quaternion());
         const Vector3 turn = dt * qd.segment<3>(joint.turn());
-        if (joint.has_position) {  // with the axes half-way through the turn
+        if (joint.has_position) {  // in the axes halfway through the rotation
           const Quaternion middle = product(before, quaternion_of(0.5 * turn));
           q.segment<3>(joint.q) +=
               dt * (interpreter::rotation_from_quaternion<double>(middle.head<3>(), middle(3)) *

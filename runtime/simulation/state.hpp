@@ -4,8 +4,8 @@
 
 #include "interpreter/model.hpp"
 
-/// Simulation of any robot on a host computer: run-time sizes, heap, exceptions of the standard
-/// library. SI units; coordinates as everywhere (quaternions x y z w).
+/// Simulation of any robot on a host computer, with sizes known at run time, heap memory, and
+/// exceptions of the standard library. SI units; quaternions are x y z w.
 namespace treeline::simulation {
 
 using Vector = interpreter::Vector<double>;
@@ -18,16 +18,17 @@ struct State {
   Vector q, qd;
 };
 
-/// Where a joint with a quaternion has its coordinates.
+/// Place of the coordinates of a joint with a quaternion.
 struct QuaternionJoint {
-  int q = 0;                 ///< first of its 7 coordinates, or of 4 for a ball joint
-  int v = 0;                 ///< first of its 6 velocities, or of 3
-  bool has_position = true;  ///< floating; else a ball joint
+  int q = 0;                 ///< first of 7 coordinates, or of 4 for a ball joint
+  int v = 0;                 ///< first of 6 velocities, or of 3 for a ball joint
+  bool has_position = true;  ///< floating joint; false: ball joint
   [[nodiscard]] int quaternion() const { return has_position ? q + 3 : q; }
   [[nodiscard]] int turn() const { return has_position ? v + 3 : v; }
 };
 
-/// How coordinates follow velocities: one to one but for joints with a quaternion, ascending.
+/// Correspondence of coordinates and velocities: one to one, except for the joints with a
+/// quaternion, which are listed in ascending order.
 struct Coordinates {
   int nq = 0, nv = 0;
   std::vector<QuaternionJoint> quaternions;
@@ -38,16 +39,18 @@ Coordinates coordinates_of(const Model& model);
 /// dq/dt.
 Vector coordinate_rates(const Coordinates& coordinates, const Vector& q, const Vector& qd);
 
-/// Moves for `dt` seconds with the body twists and rates `qd` as they are: turns by exp(w dt), so
-/// that quaternions stay unit.
+/// Moves the coordinates for `dt` seconds with constant body twists and rates `qd`. Rotations are
+/// exp(w dt), so quaternions keep unit length.
 void move(const Coordinates& coordinates, const Vector& qd, double dt, Vector& q);
 
-/// Restores unit length, which steps that add rates leave to their order.
+/// Restores unit length of the quaternions, which steps that add rates preserve only to their
+/// order.
 void normalise_quaternions(const Coordinates& coordinates, Vector& q);
 
 /// Kinetic energy, J.
 double kinetic_energy(const Model& model, const State& state);
-/// Kinetic and potential energy, J; the latter zero with the centre of mass at the world's origin.
+/// Kinetic plus potential energy, J. The potential energy is zero if the centre of mass is at the
+/// world's origin.
 double mechanical_energy(const Model& model, const State& state);
 /// [momentum; angular momentum about the world's origin], world axes.
 interpreter::Vector6<double> momentum(const Model& model, const State& state);

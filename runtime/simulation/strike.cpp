@@ -9,7 +9,7 @@ namespace {
 
 using interpreter::Matrix;
 
-/// Points of the bodies of all touches, then points of what they touch.
+/// Points of the bodies of all touches, followed by the points of the bodies that they touch.
 interpreter::Points<double> points_of(const Model& model, const std::vector<Touch>& touches,
                                       const Vector& q) {
   const auto k = interpreter::kinematics<double>(model, q, Vector::Zero(model.nv));
@@ -23,7 +23,7 @@ interpreter::Points<double> points_of(const Model& model, const std::vector<Touc
   return points;
 }
 
-/// What is the same for both bodies drops out: E = [1 -1].
+/// Applies E = [1 -1], in which common motion of both bodies cancels.
 Matrix<double> relative(const Matrix<double>& A) {
   const Eigen::Index n = A.rows() / 2;
   return A.topLeftCorner(n, n) - A.topRightCorner(n, n) - A.bottomLeftCorner(n, n) +

@@ -1,5 +1,5 @@
-// DART: inverse and forward dynamics, what is nonlinear in them, and the mass matrix.
-// Compiled without -march=native: Eigen's alignment would differ from that of Debian's library.
+// DART: inverse and forward dynamics, nonlinear effects, and the mass matrix. Compiled without
+// -march=native, because Eigen's alignment would differ from that of Debian's library.
 #include <tinyxml2.h>
 
 #include <dart/config.hpp>
@@ -19,12 +19,12 @@ namespace dynamics = dart::dynamics;
 
 struct Solver {
   dynamics::SkeletonPtr skeleton;
-  std::vector<Eigen::Index> place;  ///< of each of our qd in DART's
+  std::vector<Eigen::Index> place;  ///< index in DART's velocities, by entry of our qd
   bool floating = false;
   Eigen::VectorXd q, x;
 
-  /// DART's free joint has the rotation's logarithm over the position, ours position and
-  /// quaternion.
+  /// Converts a free joint's position. DART has the logarithm of the rotation followed by the
+  /// position, we have position and quaternion.
   void load_position(const double* from) {
     std::size_t at = 0;
     if (floating) {
@@ -88,7 +88,8 @@ void mass_matrix(void* self, const double* const* in, double* out) {
   }
 }
 
-/// DART gives a link without an inertia 1 kg. Its warnings that no mass is little are not shown.
+/// DART gives 1 kg to a link without an inertia. It warns of zero masses; these warnings are not
+/// shown.
 void remove_invented_inertias(const char* urdf, dynamics::Skeleton& skeleton) {
   tinyxml2::XMLDocument file;
   file.LoadFile(urdf);
@@ -111,7 +112,8 @@ void remove_losses(dynamics::Skeleton& skeleton) {
   }
 }
 
-/// A floating base first: ours is linear over angular, DART's the other way.
+/// Returns the place of each velocity. A floating base comes first: linear over angular for us, the
+/// reverse for DART.
 std::vector<Eigen::Index> find_places(const Robot& robot, const dynamics::Skeleton& skeleton) {
   std::vector<Eigen::Index> places;
   if (robot.floating) places = {3, 4, 5, 0, 1, 2};

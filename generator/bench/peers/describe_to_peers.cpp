@@ -14,7 +14,7 @@ PeerPoint point_of(const ScenePoint& from) {
   return point;
 }
 
-/// In bodies other than the base.
+/// Whether a body other than the base has a joint of this kind.
 bool has_joints_of(const interpreter::Model<double>& model, interpreter::JointKind kind) {
   return std::any_of(model.bodies.begin() + 1, model.bodies.end(),
                      [kind](const auto& body) { return body.kind == kind; });

@@ -10,7 +10,7 @@
 
 namespace treeline {
 
-/// See `peer::Point`.
+/// An operational point, see `peer::Point`.
 struct PeerPoint {
   std::string link;
   std::array<double, 9> R{};
@@ -19,21 +19,22 @@ struct PeerPoint {
   bool world_axes = true;
 };
 
-/// What peers are told of a robot in a scene beside its URDF, see `peer::Robot`.
+/// Description of a robot in a scene for peers, in addition to its URDF; see `peer::Robot`.
 struct PeerDescription {
   bool floating = false;
   std::array<double, 3> gravity{};
-  std::vector<std::string> links;  ///< for each entry of qd the link that it moves
+  std::vector<std::string> links;  ///< the link that each entry of qd moves
   std::vector<PeerPoint> points;   ///< operational points
 };
 
-/// Nothing for a robot that peers cannot be asked for: `why_not` gets a sentence.
+/// Makes the description. Returns nothing for a robot that peers cannot handle; `why_not` receives
+/// a sentence about the reason.
 std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene& scene,
                                                  std::string& why_not);
 
-/// The URDF that peers read of a robot that they can be asked for: without shapes, losses and
-/// limits; angles as the scene takes them, joints that it locks fixed where they are held. Numbers
-/// are the robot's own to the last bit, but for the displacements of joints that are locked.
+/// Prints the URDF for peers: without shapes, losses and limits; with angles as the scene uses
+/// them; with locked joints fixed at their values. Numbers are the robot's to the last bit, except
+/// the displacements of locked joints.
 std::string print_plain_urdf(const Robot& robot, const Scene& scene);
 
 }  // namespace treeline

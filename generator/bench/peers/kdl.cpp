@@ -1,6 +1,6 @@
-// Orocos KDL: recursive Newton-Euler over the tree, and for a serial robot over the chain, with the
-// chain's gravity, mass matrix and forward dynamics.
-// Compiled without -march=native: Eigen's alignment would differ from that of Debian's library.
+// Orocos KDL: recursive Newton-Euler for trees; for serial robots also that of the chain, with the
+// chain's gravity, mass matrix and forward dynamics. Compiled without -march=native, because
+// Eigen's alignment would differ from that of Debian's library.
 #include <kdl/config.h>
 
 #include <kdl/chaindynparam.hpp>
@@ -15,7 +15,7 @@
 namespace treeline::peer {
 namespace {
 
-/// Places of our coordinates in KDL's arrays and the arrays.
+/// KDL's arrays, and the places of our coordinates in them.
 struct Joints {
   std::vector<unsigned> place;
   KDL::JntArray q, qd, x, result;
@@ -128,7 +128,8 @@ void mass_matrix_of_chain(void* self, const double* const* in, double* out) {
   }
 }
 
-/// Where the tree keeps each of our joints; a chain to the last link numbers its joints alike.
+/// Returns the index of each of our joints in the tree. A chain to the last link has the same
+/// indices.
 std::vector<unsigned> find_places(const Robot& robot, const KDL::Tree& tree) {
   std::vector<unsigned> places;
   for (int i = 0; i < robot.velocities; ++i) {
@@ -137,7 +138,7 @@ std::vector<unsigned> find_places(const Robot& robot, const KDL::Tree& tree) {
   return places;
 }
 
-/// Serial: every segment is on the way from the root to one link.
+/// Takes the chain of a serial robot: every segment must be between the root and one link.
 bool take_chain(const KDL::Tree& tree, KDL::Chain& chain) {
   for (const auto& [link, element] : tree.getSegments()) {
     if (!GetTreeElementChildren(element).empty()) continue;

@@ -15,7 +15,7 @@ void report(const std::filesystem::path& path, const std::string& fault, Diagnos
                    "Build it anew with this program's sources, with -DTREELINE_PEERS=ON."});
 }
 
-/// While it lives, what is written to standard output goes to standard error: the first is for
+/// Redirects standard output to standard error during its lifetime, because standard output is for
 /// data.
 class OutputToErrors {
  public:
@@ -39,7 +39,7 @@ peer::Point point_of(const PeerPoint& from) {
 }  // namespace
 
 std::optional<LoadedPeer> load_peer(const std::filesystem::path& path, Diagnostics& diagnostics) {
-  // A name without a folder would be looked for among the system's libraries.
+  // A name without a folder would be searched among the system's libraries.
   const std::string file = std::filesystem::absolute(path).string();
   const OutputToErrors redirected;
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);

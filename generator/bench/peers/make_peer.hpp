@@ -11,12 +11,12 @@
 
 namespace treeline::peer {
 
-/// What an adapter makes of a robot: routines, and what their solvers point to.
+/// A robot opened by an adapter: routines, and the objects to which their solvers point.
 struct Opened {
   std::vector<Routine> routines;
   std::vector<std::shared_ptr<void>> solvers;
 
-  /// A new solver, kept; `routines` may point to it.
+  /// Makes a solver and keeps it, so that `routines` may point to it.
   template <class Solver, class... Arguments>
   Solver& keep(Arguments&&... arguments) {
     auto made = std::make_shared<Solver>(std::forward<Arguments>(arguments)...);
@@ -28,7 +28,8 @@ struct Opened {
 
 using Tell = std::function<void(const std::string& sentence)>;
 
-/// A peer out of what reads a robot; no routines: it cannot. Exceptions of the library are told.
+/// Makes a peer from the function that reads a robot. A robot that it cannot handle has no
+/// routines. Exceptions of the library become remarks.
 template <Opened (*read)(const Robot&, const Tell&)>
 constexpr Peer make_peer(const char* name, const char* release) {
   Peer made{kVersion, name, release, nullptr, nullptr, nullptr};

@@ -48,7 +48,7 @@ std::string print(const Link& link) {
       escape(link.name), print(I.origin), I.mass, I.ixx, I.ixy, I.ixz, I.iyy, I.iyz, I.izz);
 }
 
-/// Where the scene holds a joint: by itself, or through the one that it mimics.
+/// Value at which the scene holds a joint, directly or through the joint that it mimics.
 std::optional<double> held_at(const Robot& robot, const Scene& scene, const Joint& joint) {
   if (const auto own = scene.locked.find(joint.name); own != scene.locked.end()) return own->second;
   if (!joint.mimic) return std::nullopt;
@@ -58,7 +58,7 @@ std::optional<double> held_at(const Robot& robot, const Scene& scene, const Join
   return joint.mimic->multiplier * locked->second + joint.mimic->offset;
 }
 
-/// The displacement of a joint of one degree, as a pose.
+/// Displacement of a joint of one degree of freedom, as a pose.
 Pose displacement(const Joint& joint, double at) {
   const Eigen::Vector3d axis = Eigen::Map<const Eigen::Vector3d>(joint.axis.data()).normalized();
   Pose pose;
@@ -115,8 +115,8 @@ class Printer {
     return text + "  </joint>\n";
   }
 
-  /// Limits play no part. None at all would make of a revolute joint a continuous one, to which
-  /// some libraries give other coordinates.
+  /// Limits do not matter. But a revolute joint without limits would be a continuous one, for which
+  /// some libraries have other coordinates.
   static constexpr const char* kNoLimit =
       "    <limit lower=\"-1e9\" upper=\"1e9\" effort=\"1e9\" velocity=\"1e9\"/>\n";
 

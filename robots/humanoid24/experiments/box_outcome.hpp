@@ -12,20 +12,21 @@
 
 namespace treeline::experiments {
 
-/// What put_box.yaml says: `run.target` is the box's, `run.posture_stiffness` springs in N m/rad,
-/// `internal` the commanded internal forces.
+/// Content of put_box.yaml. `run.target` is that of the box, `run.posture_stiffness` are springs in
+/// N m/rad, `internal` are the commanded internal forces.
 struct BoxPlan {
   Plan run;
-  double posture_damping = 0.0;  ///< ratio to the critical one
+  double posture_damping = 0.0;  ///< ratio to critical damping
   std::array<double, 6> internal{};
 };
 
-/// As `read_plan`.
+/// Reads the plan at `path`. Returns false, with the reason in `error`, if something is missing or
+/// of the wrong kind, as `read_plan` does.
 bool read_box_plan(const std::string& path, BoxPlan& plan, std::string& error);
 
-/// Columns before the joints': time; three wanted and three actual coordinates of the box, distance
-/// and angle between them; the same of the drift of the grasps; six internal forces; control time
-/// in us.
+/// Number of columns before those of the joints: time; three desired and three actual coordinates
+/// of the box, distance and angle between the two poses; distance and angle of the drift of the
+/// grasps; six internal forces; control time in us.
 inline constexpr int kBoxColumns = 18;
 
 std::vector<std::string> box_table_names(const std::vector<std::string>& joints);
@@ -33,37 +34,37 @@ std::vector<std::string> box_table_names(const std::vector<std::string>& joints)
 struct BoxOutcome {
   BoxOutcome(std::vector<std::string> names, std::size_t rows) : table(std::move(names), rows) {}
 
-  servo::Table table;  ///< a row per running cycle
+  servo::Table table;  ///< one row per cycle in the running mode
   servo::Fault fault;
   servo::DurationStatistics control;  ///< compute time of the controller
-  double initial_gap = 0.0;           ///< of the grasps once the start was closed, m or rad
+  double initial_gap = 0.0;           ///< of the grasps after the start was closed, m or rad
 };
 
 /// Largest errors over the run.
 struct BoxErrors {
-  double position = 0.0;         ///< m, wanted to actual
+  double position = 0.0;         ///< desired to actual, m
   double rotation = 0.0;         ///< rad
-  double internal_force = 0.0;   ///< N, of the tension
-  double internal_moment = 0.0;  ///< N m, of the others
-  double drift = 0.0;            ///< m, of the grasps
+  double internal_force = 0.0;   ///< of the tension, N
+  double internal_moment = 0.0;  ///< of the other internal forces, N m
+  double drift = 0.0;            ///< of the grasps, m
   double drift_rotation = 0.0;   ///< rad
 };
 
 BoxErrors largest_box_errors(const BoxOutcome& outcome, const BoxPlan& plan);
 
-/// What the run must keep.
+/// Bounds that the run must keep.
 inline constexpr double kBoxPositionBound = 1e-4;  ///< m
-inline constexpr double kBoxForceBound = 1e-2;     ///< N and N m, of internal forces
+inline constexpr double kBoxForceBound = 1e-2;     ///< of internal forces, N and N m
 inline constexpr double kBoxDriftBound = 1e-10;    ///< m and rad
 bool box_within_bounds(const BoxErrors& errors);
 
-/// The thesis's time for one step: 1.5 ms on a 266 MHz Pentium II (section 7.5).
+/// Time for one step in the thesis: 1.5 ms on a 266 MHz Pentium II (section 7.5).
 inline constexpr double kBoxThesisMicroseconds = 1500.0;
 
-/// The figures in words, a line each.
+/// Prints the figures in words, one per line.
 std::string box_summary(const BoxOutcome& outcome, const BoxPlan& plan);
 
-/// Chang fig. 7.10 and what belongs to it: the box, errors, internal forces, posture, torques.
+/// Draws Chang fig. 7.10 and related curves: the box, errors, internal forces, posture, torques.
 servo::Plot box_figure(const BoxOutcome& outcome, const BoxPlan& plan);
 
 }  // namespace treeline::experiments

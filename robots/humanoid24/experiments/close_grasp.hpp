@@ -7,9 +7,9 @@
 namespace treeline::experiments {
 
 /// Moves `q` by the least change of joint coordinates to where the grasps of the object agree, by
-/// Newton's method with a Jacobian from central differences: for starts whose figures are rounded.
-/// F::drift(q, e) gives the kDrift entries of the grasps' drift; one-degree joints. Returns the
-/// largest entry that remains.
+/// Newton's method with a Jacobian from central differences. For starts that are given by rounded
+/// figures. F::drift(q, e) gives the kDrift entries of the grasps' drift. All joints must have one
+/// degree of freedom. Returns the largest remaining entry.
 template <class F, int nq>
 double close_grasp(double (&q)[nq]) {
   constexpr int kRows = F::kDrift;

@@ -7,7 +7,8 @@
 namespace treeline::experiments {
 namespace {
 
-/// The joints whose column, from `first` on, spans most, the widest first.
+/// Indices of the joints whose columns have the largest span, the largest first. Their columns
+/// begin at `first`.
 std::vector<std::size_t> busiest(const servo::Table& table, std::size_t first, std::size_t joints,
                                  std::size_t count) {
   std::vector<double> spans(joints);

@@ -9,8 +9,8 @@
 
 namespace treeline::experiments {
 
-/// A panel of the seven joints whose columns, from `first` on, span most; less the start's values
-/// when `from_start`.
+/// Makes a panel of the seven joints whose columns have the largest span. Their columns begin at
+/// `first`. With `from_start` the initial values are subtracted.
 servo::PlotPanel joint_panel(const servo::Table& table, const Plan& plan, const std::string& title,
                              const std::string& y_label, std::size_t first, bool from_start);
 

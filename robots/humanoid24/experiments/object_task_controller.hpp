@@ -12,28 +12,29 @@
 namespace treeline::experiments {
 
 /// Operational-space control of one object in two hands (Chang table 7.1) with commanded internal
-/// forces and an advised posture in the null space:
+/// forces and a desired posture in the null space:
 ///   xdd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector,
 ///   qdd_0 = M^-1 (K (q_start - q) - D qd), K and D springs and dampers of the joints.
-/// Springs, not accelerations, are what the posture is made of: in the null space they have a
-/// potential, so that the posture settles where it is least. Accelerations k_i (q_start - q) with
-/// different k_i have none and can be unstable there.
-/// On `start` the object holds where it is; move_point of point 0 moves it.
+/// The posture consists of springs and not of accelerations. Springs have a potential in the null
+/// space, so the posture comes to rest at its minimum. Accelerations k_i (q_start - q) with
+/// different k_i have none and can be unstable there. On `start` the object holds its present pose;
+/// move_point for point 0 moves it.
 template <class F>
 class ObjectTaskController {
  public:
   static constexpr int nv = F::kVelocities;
 
-  /// The object when control was last called.
+  /// The object at the last call of `control`.
   struct Tracking {
     servo::PoseMotion wanted;
     double position[3] = {};
     double rotation[9] = {};
-    double error[6] = {};  ///< wanted less actual, linear over angular
-    double drift[6] = {};  ///< of the second grasp against the first
+    double error[6] = {};  ///< desired minus actual, linear over angular
+    double drift[6] = {};  ///< of the second grasp relative to the first
   };
 
-  /// `springs` in N m/rad or N/m; `damping_ratio` of each joint's spring with its own inertia.
+  /// `springs` are in N m/rad or N/m. `damping_ratio` relates to each joint's spring with its own
+  /// inertia.
   ObjectTaskController(const core::Gains<double>& task, const std::array<double, nv>& springs,
                        double damping_ratio, const std::array<double, 6>& internal) noexcept
       : task_(task), springs_(springs), damping_ratio_(damping_ratio) {
@@ -90,7 +91,7 @@ class ObjectTaskController {
                     tracking_.drift, drift_rate);
   }
 
-  /// Where M cannot be factored, nothing is advised.
+  /// Computes qdd_0 of the posture. It is zero if M cannot be factored.
   void advise(const servo::StateOf<F>& state, double (&qdd_0)[nv]) noexcept {
     double M[nv * nv];
     F::mass_matrix(state.q, M);

@@ -12,18 +12,18 @@
 
 namespace treeline::experiments {
 
-/// Columns before the joints': time; per hand three wanted and three actual coordinates, distance
-/// and angle between wanted and actual; control time in us.
+/// Number of columns before those of the joints: time; per hand three desired and three actual
+/// coordinates, distance and angle between desired and actual pose; control time in us.
 inline constexpr int kFixedColumns = 18;
 
 /// Names of all columns: the fixed ones, then q and tau of every joint.
 std::vector<std::string> table_names(const std::vector<std::string>& joints);
 
-/// What came of it.
+/// Result of a run.
 struct Outcome {
   Outcome(std::vector<std::string> names, std::size_t rows) : table(std::move(names), rows) {}
 
-  servo::Table table;  ///< a row per running cycle
+  servo::Table table;  ///< one row per cycle in the running mode
   servo::Fault fault;
   servo::DurationStatistics control;  ///< compute time of the controller
   servo::DurationStatistics periods;
@@ -33,7 +33,7 @@ struct Outcome {
 
 /// Largest errors over the run.
 struct Errors {
-  double left_position = 0.0;   ///< m, wanted to actual
+  double left_position = 0.0;   ///< desired to actual, m
   double left_rotation = 0.0;   ///< rad
   double right_position = 0.0;  ///< m
   double right_rotation = 0.0;  ///< rad
@@ -41,18 +41,18 @@ struct Errors {
 
 Errors largest_errors(const servo::Table& table);
 
-/// What the run must keep: the left hand's tracking and the right hand's drift.
+/// Bounds that the run must keep: tracking of the left hand and drift of the right hand.
 inline constexpr double kLeftBound = 1e-4;   ///< m
 inline constexpr double kRightBound = 1e-6;  ///< m
 bool within_bounds(const Outcome& outcome);
 
-/// The thesis's time for one control step: 1.2 ms on a 266 MHz Pentium II.
+/// Time for one control step in the thesis: 1.2 ms on a 266 MHz Pentium II.
 inline constexpr double kThesisMicroseconds = 1200.0;
 
-/// The figures in words, a line each.
+/// Prints the figures in words, one per line.
 std::string summary(const Outcome& outcome, const Plan& plan, bool realtime);
 
-/// Chang fig. 6.4 and what belongs to it: both hands, errors, torques, posture.
+/// Draws Chang fig. 6.4 and related curves: both hands, errors, torques, posture.
 servo::Plot figure(const Outcome& outcome, const Plan& plan);
 
 }  // namespace treeline::experiments

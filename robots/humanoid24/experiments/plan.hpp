@@ -6,25 +6,26 @@
 
 namespace treeline::experiments {
 
-/// What touch_floor.yaml or put_box.yaml says. Joints in the generated code's order; SI units.
+/// Content of touch_floor.yaml or put_box.yaml. Joints are in the generated code's order; SI units.
 struct Plan {
   std::vector<std::string> joints;
-  std::vector<double> start;              ///< q at rest, and the advised posture
+  std::vector<double> start;              ///< q at rest, and the desired posture
   std::vector<double> posture_stiffness;  ///< 1/s^2; critically damped
-  std::array<double, 3> target{};         ///< of what moves, world
-  double duration = 0.0;                  ///< s, of the spline
-  double settle = 0.0;                    ///< s afterwards
+  std::array<double, 3> target{};         ///< position of what moves, world axes, m
+  double duration = 0.0;                  ///< of the spline, s
+  double settle = 0.0;                    ///< time after the spline, s
   double rate = 0.0;                      ///< Hz
-  double stiffness = 0.0;                 ///< 1/s^2, of the task
-  double damping = 0.0;                   ///< 1/s
+  double stiffness = 0.0;                 ///< of the task, 1/s^2
+  double damping = 0.0;                   ///< of the task, 1/s
 };
 
-/// Reads the plan at `path`; `mover` is the section about what moves. False, with the reason in
-/// `error`, when something is missing, of the wrong kind, or when the two lists of joints differ.
+/// Reads the plan at `path`. `mover` is the name of the section about what moves. Returns false,
+/// with the reason in `error`, if something is missing or of the wrong kind, or if the two lists of
+/// joints differ.
 bool read_plan(const std::string& path, Plan& plan, std::string& error,
                const std::string& mover = "left_hand");
 
-/// Limits of the plan's joints, for the servo loop's safety check.
+/// Limits of the plan's joints, for the safety check of the servo loop.
 struct JointLimits {
   std::vector<double> lower;     ///< rad
   std::vector<double> upper;     ///< rad
@@ -32,8 +33,8 @@ struct JointLimits {
   std::vector<double> effort;    ///< N m
 };
 
-/// Reads the limits of `joints` from the URDF at `path`. False, with the reason in `error`, when
-/// the file cannot be read or lacks one of them.
+/// Reads the limits of `joints` from the URDF at `path`. Returns false, with the reason in `error`,
+/// if the file cannot be read or lacks one of them.
 bool read_limits(const std::string& path, const std::vector<std::string>& joints,
                  JointLimits& limits, std::string& error);
 

@@ -1,7 +1,7 @@
-// The task of Chang section 7.5 (fig. 7.9, 7.10) on generated control and generated forward
-// dynamics of the closed chain: both hands put a box on the floor along a cubic spline, squeezing
-// it with a commanded force, the posture advised to stay. Exit status: 0 bounds kept, 1 bad input
-// or a fault, 2 usage, 3 a bound broken.
+// The task of Chang section 7.5 (fig. 7.9, 7.10) with generated control and generated forward
+// dynamics of the closed chain: both hands put a box on the floor along a cubic spline and squeeze
+// it with a commanded force; the desired posture is the initial one. Exit status: 0 the bounds are
+// kept, 1 bad input or a fault, 2 usage, 3 a bound is broken.
 #include "put_box.hpp"
 
 #include <fmt/core.h>
@@ -46,7 +46,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--svg", options.svg, "draw the figure into this file");
 }
 
-/// Writes what was asked for; the error in words, or empty.
+/// Writes the files that are requested. Returns the error in words, or an empty text.
 std::string write_files(const Options& options, const experiments::BoxPlan& plan,
                         const experiments::BoxOutcome& outcome) {
   std::string error;

@@ -13,11 +13,13 @@
 
 namespace treeline::experiments {
 
-/// Gains that draw drifted grasps together (Baumgarte), critically damped: rates of 50 /s.
+/// Gains of Baumgarte's stabilisation, which closes the drift of the grasps: critically damped,
+/// with rates of 50 /s.
 inline constexpr double kStabilisation[2] = {100.0, 2500.0};
 
-/// Generated functions about one object in two hands, as the servo library takes a robot: its
-/// dynamics are the closed chain's, stabilised, and what holds it still holds the object still.
+/// Generated functions about one object in two hands, in the form that the servo library expects of
+/// a robot. Its dynamics are those of the closed chain with stabilisation; the torque that holds it
+/// at rest also holds the object.
 template <class G>
 struct RobotWithObject : G {
   using G::kCoordinates;
@@ -55,9 +57,9 @@ ObjectTaskController<F> make_object_controller(const BoxPlan& plan) {
   return {{plan.run.stiffness, plan.run.damping}, springs, plan.posture_damping, plan.internal};
 }
 
-/// One cycle as a row of the outcome's table, in the order of `box_table_names`. Internal forces
-/// are those that act at the cycle's beginning under `held`, the torque that was computed a cycle
-/// before: the worst that holding it does.
+/// Appends one cycle as a row of the outcome's table, in the order of `box_table_names`. The
+/// internal forces are those at the cycle's beginning under `held`, the torque computed one cycle
+/// before, where the effect of holding it is largest.
 template <class F>
 void record_box(const servo::Report<F>& report, const ObjectTaskController<F>& controller,
                 const double (&held)[F::kVelocities], servo::Table& table) noexcept {
@@ -98,7 +100,7 @@ void record_box(const servo::Report<F>& report, const ObjectTaskController<F>& c
   table.append(row);
 }
 
-/// The message that puts the box upright at the plan's target.
+/// Message that moves the box upright to the plan's target.
 inline servo::Message put_message(const BoxPlan& plan) {
   servo::Message message;
   message.kind = servo::MessageKind::move_point;
@@ -110,7 +112,7 @@ inline servo::Message put_message(const BoxPlan& plan) {
   return message;
 }
 
-/// Runs the plan on the simulated closed chain F under `clock`: start, hold for the lead, move,
+/// Runs the plan on the simulated closed chain F with `clock`: start, hold for the lead, move,
 /// settle, stop, end.
 template <class F, servo::Clock ClockType>
 BoxOutcome put_box(const BoxPlan& plan, const RunSettings& settings, const JointLimits& limits,

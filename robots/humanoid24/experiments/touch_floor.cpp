@@ -1,7 +1,7 @@
-// The task of Chang section 6.3 (fig. 6.3, 6.4) on the generated controller and the generated
-// forward dynamics: the left hand goes to the floor along a cubic spline, the right hand holds its
-// pose, the posture is advised to stay. Exit status: 0 bounds kept, 1 bad input or a fault, 2
-// usage, 3 a bound broken.
+// The task of Chang section 6.3 (fig. 6.3, 6.4) with generated controller and generated forward
+// dynamics: the left hand goes to the floor along a cubic spline, the right hand holds its pose,
+// and the desired posture is the initial one. Exit status: 0 the bounds are kept, 1 bad input or a
+// fault, 2 usage, 3 a bound is broken.
 #include "touch_floor.hpp"
 
 #include <fmt/core.h>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace treeline;  // NOLINT: a program, not a header
 
-/// The generated functions as the servo library takes them.
+/// The generated functions in the form that the servo library expects.
 struct Humanoid24 {
   static constexpr int kCoordinates = humanoid24::kCoordinates;
   static constexpr int kVelocities = humanoid24::kVelocities;
@@ -69,7 +69,8 @@ experiments::Outcome run(const Options& options, const experiments::Plan& plan,
   return experiments::touch_floor<Humanoid24>(plan, options.run, limits, clock);
 }
 
-/// Writes what was asked for; false, having said so, when a file cannot be written.
+/// Writes the files that are requested. Returns false, after printing why, if a file cannot be
+/// written.
 bool write_files(const Options& options, const experiments::Plan& plan,
                  const experiments::Outcome& outcome) {
   std::string error;

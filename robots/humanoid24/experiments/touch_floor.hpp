@@ -15,9 +15,9 @@
 
 namespace treeline::experiments {
 
-/// How the plan is carried out.
+/// Settings of a run.
 struct RunSettings {
-  double lead = 0.25;  ///< s both hands are held before the left one moves
+  double lead = 0.25;  ///< s for which both hands hold before the left one moves
   int substeps = 4;    ///< integration steps per cycle
 };
 
@@ -43,7 +43,7 @@ servo::PoseTaskController<F> make_controller(const Plan& plan) {
   return {{plan.stiffness, plan.damping}, posture};
 }
 
-/// One cycle as a row of the outcome's table, in the order of `table_names`.
+/// Appends one cycle as a row of the outcome's table, in the order of `table_names`.
 template <class F>
 void record(const servo::Report<F>& report, const servo::PoseTaskController<F>& controller,
             double time, servo::Table& table) noexcept {
@@ -73,7 +73,7 @@ void record(const servo::Report<F>& report, const servo::PoseTaskController<F>& 
   table.append(row);
 }
 
-/// The floor-touching message: the left hand's target, its orientation kept.
+/// Message that moves the left hand to its target on the floor and keeps its orientation.
 template <class F>
 servo::Message touch_message(const Plan& plan, const servo::PoseTaskController<F>& controller) {
   servo::Message message;
@@ -87,7 +87,7 @@ servo::Message touch_message(const Plan& plan, const servo::PoseTaskController<F
 }
 
 /// Runs the plan on the simulated robot F, whose operational points are the left and the right
-/// hand, under `clock`: start, hold for the lead, move, settle, stop, end.
+/// hand, with `clock`: start, hold for the lead, move, settle, stop, end.
 template <class F, servo::Clock ClockType>
 Outcome touch_floor(const Plan& plan, const RunSettings& settings, const JointLimits& limits,
                     ClockType& clock) {

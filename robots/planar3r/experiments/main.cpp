@@ -1,5 +1,5 @@
-// Chang fig. 2.4 and 2.5 in one command. Exit status: 0 the claim holds, 1 a file cannot be
-// written, 2 usage, 3 the claim is broken.
+// Chang fig. 2.4 and 2.5, as a program. Exit status: 0 the claim holds, 1 a file cannot be written,
+// 2 usage, 3 the claim is broken.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>

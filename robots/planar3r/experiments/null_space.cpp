@@ -19,13 +19,13 @@ constexpr int kRows = planar3r::kTaskRows;
 static_assert(nv == 3 && kRows == 2);
 
 constexpr double kStart[nv] = {0.9, -1.3, 1.4};
-constexpr double kAttractor[nv] = {0.6, -0.4, 0.5};  ///< rad, where the potential is least
+constexpr double kAttractor[nv] = {0.6, -0.4, 0.5};  ///< minimum of the potential, rad
 constexpr double kStiffness = 8.0;                   ///< N m / rad
 constexpr core::Gains<double> kTask{100.0, 20.0};
 constexpr double kStep = 5e-4;  ///< s
 constexpr int kSteps = 8000;
 
-/// x = A^-1 b for a positive definite A.
+/// Replaces x by A^-1 x for a positive definite A.
 template <int N, int NN>
 void solve(const double (&A)[NN], double (&x)[N]) {
   double factors[NN];
@@ -35,12 +35,12 @@ void solve(const double (&A)[NN], double (&x)[N]) {
 }
 
 struct Torques {
-  double task[nv] = {};     ///< J^T F, F holds the tip
+  double task[nv] = {};     ///< J^T F, where F holds the tip
   double posture[nv] = {};  ///< N^T tau_0
 };
 
-/// tau_0 - J^T (J^#)^T tau_0: (J^#)^T tau_0 solves (J W J^T) y = J W tau_0, W = 1 for the
-/// pseudo-inverse and M^-1 for the dynamically consistent one.
+/// N^T tau_0 = tau_0 - J^T (J^#)^T tau_0. (J^#)^T tau_0 is the solution y of (J W J^T) y = J W
+/// tau_0, with W = 1 for the pseudo-inverse and M^-1 for the dynamically consistent inverse.
 void project(Inverse inverse, const double (&q)[nv], const double (&tau_0)[nv],
              const double (&J)[kRows * nv], double (&projected)[nv]) {
   double y[kRows] = {};
@@ -77,8 +77,9 @@ double tip_of(const double (&q)[nv], double (&tip)[3]) {
   return std::hypot(tip[0] - goal[0], tip[1] - goal[1]);
 }
 
-/// tau = J^T F + N^T tau_0 (Chang eq. 2.2), F = Lambda (xdd_cmd - Jd qd + J M^-1 b). The null space
-/// keeps its Coriolis forces, so that with a consistent inverse the energy of its motion is kept.
+/// tau = J^T F + N^T tau_0 (Chang eq. 2.2) with F = Lambda (xdd_cmd - Jd qd + J M^-1 b). The
+/// Coriolis forces in the null space are not compensated, so with the dynamically consistent
+/// inverse its motion keeps its energy.
 Torques control(Inverse inverse, const double (&q)[nv], const double (&qd)[nv]) {
   double J[kRows * nv];
   double bias[kRows];
@@ -89,7 +90,7 @@ Torques control(Inverse inverse, const double (&q)[nv], const double (&qd)[nv]) 
   planar3r::bias_acceleration(q, qd, bias);
   planar3r::forward_kinematics(q, tip, rotation);
   planar3r::forward_kinematics(kStart, goal, rotation);
-  double free[nv];  // M^-1 b: what velocity alone would do, turned round
+  double free[nv];  // M^-1 b, the negative of the acceleration due to velocities
   double M[nv * nv];
   planar3r::nonlinear_effects(q, qd, free);
   planar3r::mass_matrix(q, M);
@@ -114,8 +115,8 @@ Torques control(Inverse inverse, const double (&q)[nv], const double (&qd)[nv]) 
   return torques;
 }
 
-/// The arm with its controller acting at every instant, so that no sampling blurs the claim: a
-/// system without inputs for the integrator.
+/// The arm with a controller that acts at every instant, so that sampling does not affect the
+/// result: a system without inputs for the integrator.
 template <Inverse inverse>
 struct ClosedLoop {
   static constexpr int kCoordinates = planar3r::kCoordinates;
@@ -131,7 +132,7 @@ struct ClosedLoop {
   }
 };
 
-/// |J M^-1 N^T tau_0|
+/// J M^-1 N^T tau_0|, the acceleration of the tip by the null-space torque, m/s^2.
 double coupling(Inverse inverse, const double (&q)[nv], const double (&qd)[nv]) {
   double qdd[nv];
   const Torques torques = control(inverse, q, qd);

@@ -10,7 +10,7 @@
 namespace treeline::experiments {
 namespace {
 
-// Geometry of the URDF (README.md): upper arm, forearm with its small offset, height, flange.
+// Dimensions in the URDF (README.md): upper arm, forearm with its small offset, height, flange.
 constexpr double kUpperArm = 0.4318;
 constexpr double kForearmAlong = 0.4331;
 constexpr double kForearmAcross = 0.0203;
@@ -24,7 +24,7 @@ core::CubicSegment<1, double> segment(double from, double to, double duration) {
   return core::rest_to_rest(a, b, duration);
 }
 
-/// out = turn about `axis` by `angle`, times R.
+/// out = rotation about `axis` by `angle`, times R.
 void turn(const double (&axis)[3], double angle, double (&R)[9]) {
   const double vector[3] = {angle * axis[0], angle * axis[1], angle * axis[2]};
   double by[9];
@@ -43,7 +43,7 @@ void make_elbow_path(LockPath& path) {
   const double start[6] = {0.0, -0.9, elbow_lock() - 0.6, 0.0, 1.4, 0.0};
   std::copy(std::begin(start), std::end(start), std::begin(path.start));
   puma560::forward_kinematics(path.start, path.position, path.rotation);
-  // Joint 1 is zero, so the arm's plane is y = const; the wrist is the flange's length behind.
+  // Joint 1 is zero, so the arm's plane is y = const. The wrist is behind the flange by its length.
   const double wrist_x = path.position[0] - kFlange * path.rotation[2];
   const double wrist_z = path.position[2] - kFlange * path.rotation[8] - kShoulderHeight;
   const double distance = std::hypot(wrist_x, wrist_z);
@@ -81,7 +81,7 @@ void make_wrist_path(LockPath& path) {
   const double lock[6] = {start[0], start[1], start[2], 0.0, 0.0, 0.0};
   std::copy(std::begin(start), std::end(start), std::begin(path.start));
   puma560::forward_kinematics(path.start, path.position, path.rotation);
-  // At the lock y of the flange's frame is along axis 5, x along the lost direction.
+  // At the lock, y of the flange's frame is along axis 5 and x along the lost direction.
   double position[3];
   double R[9];
   puma560::forward_kinematics(lock, position, R);
@@ -104,7 +104,7 @@ void make_wrist_path(LockPath& path) {
   path.duration = 4.5;
 }
 
-/// Adds the linear or angular rates of a segment about or along `direction`.
+/// Adds the linear or angular rates of a segment along or about `direction`.
 void add_rates(const core::Motion<1, double>& s, const double (&direction)[3], int first,
                ToolMotion& motion) {
   for (int i = 0; i < 3; ++i) {
@@ -132,7 +132,7 @@ const char* name_of(Lock lock) {
 }
 
 double overhead(double q3, double ahead) {
-  // Joint 2 turns the wrist's centre about y from where it is at zero.
+  // Joint 2 rotates the wrist's centre about y, starting from its place at zero.
   const double forearm = std::hypot(kForearmAlong, kForearmAcross);
   const double leaning = q3 + std::atan2(-kForearmAcross, kForearmAlong);
   const double x = kUpperArm + forearm * std::sin(leaning);
@@ -162,7 +162,7 @@ ToolMotion motion_at(const LockPath& path, double t) {
     motion.position[i] = path.position[i] + s.position[0] * path.line[i];
   }
   add_rates(s, path.line, 0, motion);
-  // One turn moves at a time, so rates add although rotations do not commute.
+  // Only one rotation takes place at a time, so rates add although rotations do not commute.
   std::copy(std::begin(path.rotation), std::end(path.rotation), std::begin(motion.rotation));
   const auto first = path.turns[0].at(t);
   const double after = t - path.turns[0].duration;

@@ -20,10 +20,10 @@ struct Puma {
 using State = servo::StateOf<Puma>;
 
 constexpr double kPeriod = 1e-3;    ///< s
-constexpr double kLookAhead = 0.2;  ///< s of wanted velocity that count as wanted motion
+constexpr double kLookAhead = 0.2;  ///< s of desired velocity that count as desired motion
 constexpr core::Gains<double> kTask{100.0, 20.0};
-constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};      ///< N m, of the URDF
-constexpr double kLower[6] = {-2.79, -3.93, -0.79, -1.92, -1.75, -4.64};  ///< rad, of the URDF
+constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};      ///< N m, from the URDF
+constexpr double kLower[6] = {-2.79, -3.93, -0.79, -1.92, -1.75, -4.64};  ///< rad, from the URDF
 constexpr double kUpper[6] = {2.79, 0.79, 3.93, 2.97, 1.75, 4.64};
 constexpr std::size_t kErrorColumns = 1;
 constexpr std::size_t kPositions = 4;
@@ -44,7 +44,7 @@ std::vector<std::string> column_names() {
   return names;
 }
 
-/// PD about the wanted motion; also gives the present error.
+/// PD control about the desired motion. Also returns the present error.
 ToolCommand command_for(const ToolMotion& wanted, const State& state, double (&error)[6]) {
   double position[3];
   double rotation[9];
@@ -65,14 +65,14 @@ ToolCommand command_for(const ToolMotion& wanted, const State& state, double (&e
   return command;
 }
 
-/// Chang's numbers of the types; 0 where neither.
+/// Number of a type in Chang's classification; 0 if it has none.
 int type_number(core::SingularityType type) {
   return type == core::SingularityType::moves_along
              ? 1
              : (type == core::SingularityType::turns ? 2 : 0);
 }
 
-/// Takes the cycle into the run's phases.
+/// Updates the phases of the run with this cycle.
 void follow_phases(const WeakestDirection& weakest, LockRun& run) {
   LockFigures& figures = run.figures;
   const double share = weakest.all.shares[5];
@@ -86,7 +86,7 @@ void follow_phases(const WeakestDirection& weakest, LockRun& run) {
   figures.three_phases = run.began_regular && run.was_in && share == 1.0;
 }
 
-/// Appends the cycle and takes it into the figures; false when the run is lost.
+/// Appends the cycle to the table and updates the figures. Returns false if the run is lost.
 bool record(double time, const State& state, const double (&error)[6], const double (&tau)[6],
             LockRun& run) {
   LockFigures& figures = run.figures;
@@ -117,7 +117,7 @@ bool record(double time, const State& state, const double (&error)[6], const dou
   return !figures.lost;
 }
 
-/// A panel with one curve for each run, shorter runs ending early.
+/// A panel with one curve for each run. Shorter runs end early.
 servo::PlotPanel compared(const std::string& title, const std::string& label,
                           const std::vector<LockRun>& runs, std::size_t column, std::size_t rows) {
   servo::PlotPanel panel{title, label, {}, 0.0};

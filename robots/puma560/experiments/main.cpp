@@ -1,4 +1,4 @@
-// Chang appendix A in one command: the PUMA 560 through its elbow, head and wrist lock with the
+// Chang appendix A, as a program: the PUMA 560 goes through its elbow, head and wrist lock with the
 // strategy, without it, and with damped least squares. Exit status: 0 the claims hold, 1 a file
 // cannot be written, 2 usage, 3 a claim is broken.
 #include <fmt/core.h>

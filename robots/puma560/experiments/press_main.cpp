@@ -1,4 +1,4 @@
-// Force control with a moving selection frame in one command: the PUMA 560 presses on a rocking
+// Force control with a moving selection frame, as a program: the PUMA 560 presses on a rocking
 // plate. Exit status: 0 the claim holds, 1 a file cannot be written, 2 usage, 3 the claim is
 // broken.
 #include <fmt/core.h>

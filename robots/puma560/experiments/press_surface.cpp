@@ -23,26 +23,27 @@ using State = servo::StateOf<Puma>;
 
 constexpr double kPeriod = 1e-3;       ///< s
 constexpr double kDuration = 8.0;      ///< s
-constexpr double kRest = 1.0;          ///< s until the plate moves
-constexpr double kStiffness = 1e4;     ///< N/m, of the plate
+constexpr double kRest = 1.0;          ///< time until the plate moves, s
+constexpr double kStiffness = 1e4;     ///< of the plate, N/m
 constexpr double kSpringDamping = 50;  ///< N s/m
-constexpr double kRadius = 0.05;       ///< m, of the circle
+constexpr double kRadius = 0.05;       ///< of the circle, m
 constexpr int kSubsteps = 10;
 constexpr core::Gains<double> kMotion{400.0, 40.0};
 constexpr core::ForceGains<double> kForce{1.0, 20.0, 60.0};
-constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};  ///< N m, of the URDF
+constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};  ///< N m, from the URDF
 constexpr std::size_t kColumns = 19;
 
-/// The plate and the flange's wanted place on it; world axes.
+/// The plate and the flange's desired place on it; world axes.
 struct Plate {
   double position[3] = {};
   double rotation[9] = {};  ///< its z axis is the normal
-  double velocity[6] = {};  ///< of `position`, and angular
-  double turn_rate = 0.0;   ///< rad/s^2, about y
-  double place[3] = {};     ///< of the flange
+  double velocity[6] = {};  ///< of `position`, and angular velocity
+  double turn_rate = 0.0;   ///< about y, rad/s^2
+  double place[3] = {};     ///< of the flange, m
 };
 
-/// Rocks about y, heaves along z; the flange's place goes round on it.
+/// State of the plate. It rocks about y and heaves along z; the flange's place moves on it in a
+/// circle.
 Plate plate_at(double time, const double (&origin)[3]) {
   const double t = std::max(time - kRest, 0.0);
   const double turn[3] = {0.0, 0.175 * (1.0 - std::cos(1.5 * t)), 0.0};
@@ -62,7 +63,7 @@ Plate plate_at(double time, const double (&origin)[3]) {
   return plate;
 }
 
-/// The flange.
+/// Pose and velocity of the flange.
 struct Tool {
   double position[3] = {};
   double rotation[9] = {};
@@ -80,7 +81,7 @@ Tool tool_of(const State& state) {
   return tool;
 }
 
-/// Force on the flange along the plate's normal: a spring with a damper that does not pull.
+/// Force on the flange along the plate's normal, by a spring and a damper that cannot pull.
 double plate_force(const Plate& plate, const Tool& tool) {
   const double* w = plate.velocity + 3;
   double r[3];
@@ -106,15 +107,15 @@ double wanted_force(double time) {
   return 10.0 * from_to(0.0, 0.5) + 10.0 * from_to(4.0, 5.0);
 }
 
-/// One cycle's figures.
+/// Figures of one cycle.
 struct Cycle {
   double felt = 0.0;
-  double slide[3] = {};  ///< m, from the wanted place, within the plate
+  double slide[3] = {};  ///< distance from the desired place within the plate, m
   double tilt[3] = {};
   double tau[6] = {};
 };
 
-/// Control with what it keeps from cycle to cycle.
+/// The controller with its state between cycles.
 class Controller {
  public:
   Controller(Frame frame, const Tool& start) : frame_(frame) {
@@ -155,11 +156,11 @@ class Controller {
   }
 
  private:
-  /// The acceleration that keeps the flange at its place and flat on the plate, and its velocity
-  /// against the place as far as the controller knows that.
+  /// Computes the acceleration that keeps the flange at its place and flat on the plate, and its
+  /// velocity relative to the place as far as the controller knows it.
   void motion_command(double time, const Plate& here, const Tool& tool, double (&motion)[6],
                       double (&relative)[6], Cycle& cycle) const {
-    // The place's rates by differences: 1e-7 of them.
+    // The rates of the place come from differences, with a relative error of 1e-7.
     constexpr double kStep = 1e-3;
     const Plate ahead = plate(time + kStep);
     const Plate behind = plate(time - kStep);
@@ -195,11 +196,11 @@ class Controller {
 
   Frame frame_;
   double origin_[3] = {};
-  double flat_[9] = {};  ///< the flange's rotation on the level plate
+  double flat_[9] = {};  ///< rotation of the flange on the level plate
   double integral_[6] = {};
 };
 
-/// A cycle of the robot against the plate, whose force is brought up to date in every substep.
+/// Advances the robot by one cycle. The plate's force is updated in every substep.
 void pass_time(const Controller& controller, double time, const double (&tau)[6], State& state) {
   constexpr double kStep = kPeriod / kSubsteps;
   for (int step = 0; step < kSubsteps; ++step) {
@@ -270,7 +271,7 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
 
 PressRun run_press(Frame frame) {
   State state;
-  const double kDown = std::acos(-1.0);  // joints 2, 3 and 5 together: the flange faces the floor
+  const double kDown = std::acos(-1.0);  // sum of joints 2, 3 and 5: the flange faces the floor
   const double start[6] = {0.0, -0.9, 2.9, 0.0, kDown - 2.0, 0.0};
   std::copy(std::begin(start), std::end(start), std::begin(state.q));
   Controller controller(frame, tool_of(state));

@@ -6,41 +6,42 @@
 #include "servo/plot.hpp"
 #include "servo/table.hpp"
 
-/// Force control in a selected direction whose frame moves (Khatib 1987): the
-/// PUMA's flange presses on a springy plate that rocks and heaves, and slides on it in a circle.
+/// Force control in a selected direction whose frame moves (Khatib 1987): the PUMA's flange presses
+/// on a springy plate that rocks and heaves, and slides on it in a circle.
 namespace treeline::experiments {
 
-/// How the selection frame is taken.
+/// Choice of the selection frame.
 enum class Frame {
-  moving,  ///< with the plate
-  fixed,   ///< as the plate was at the start
+  moving,  ///< moves with the plate
+  fixed,   ///< stays as the plate was at the start
 };
 
-/// Largest values once the plate moves.
+/// Largest values from the time at which the plate moves.
 struct PressFigures {
-  double force_error = 0.0;  ///< N, wanted less felt, along the plate's normal
-  double slide_error = 0.0;  ///< m, from the circle, within the plate
-  double tilt_error = 0.0;   ///< rad, of the flange against the plate
-  double tilt = 0.0;         ///< rad, that the plate rocked
-  double heave = 0.0;        ///< m, that the flange rose and sank
+  double force_error = 0.0;  ///< desired minus measured, along the plate's normal, N
+  double slide_error = 0.0;  ///< distance from the circle within the plate, m
+  double tilt_error = 0.0;   ///< of the flange relative to the plate, rad
+  double tilt = 0.0;         ///< rocking of the plate, rad
+  double heave = 0.0;        ///< rise and fall of the flange, m
   double torque = 0.0;       ///< share of a joint's effort limit
   bool lost_contact = false;
 };
 
 struct PressRun {
-  servo::Table table;  ///< a row every millisecond
+  servo::Table table;  ///< one row per millisecond
   PressFigures figures;
 };
 
-/// 8 s at 1 kHz on the generated PUMA.
+/// Simulates 8 s at 1 kHz on the generated PUMA.
 PressRun run_press(Frame frame);
 
 std::string press_summary(const PressRun& moving, const PressRun& fixed);
 servo::Plot press_figure(const PressRun& moving, const PressRun& fixed);
 
-/// With the frame that moves the plate feels the wanted force to 1 N of 20 while it rocks by more
-/// than 15 degrees, the flange stays on its circle to 0.1 mm and flat to 1 mrad; with a fixed one
-/// force and circle disturb each other at least ten times as much.
+/// Whether the claim holds. With the moving frame the force on the plate is within 1 N of the
+/// desired 20 N while the plate rocks by more than 15 degrees, and the flange stays on its circle
+/// to 0.1 mm and flat to 1 mrad. With the fixed frame force and circle disturb each other at least
+/// ten times as much.
 bool press_claim_holds(const PressRun& moving, const PressRun& fixed);
 
 }  // namespace treeline::experiments

@@ -8,7 +8,7 @@ namespace {
 constexpr core::SingularRegion<double> kRegion{0.04, 0.12};
 constexpr core::NullMotionGains<double> kNullMotion{100.0, 20.0, 3.0};
 constexpr double kUrge = 0.05;           ///< rad, for turn_away
-constexpr double kLargestDamping = 0.1;  ///< of damped least squares, scaled rows
+constexpr double kLargestDamping = 0.1;  ///< of damped least squares, in scaled rows
 
 /// out = A x for a row-major 6 x 6 matrix.
 void multiply(const double (&A)[36], const double (&x)[6], double (&out)[6]) {
@@ -20,8 +20,8 @@ void multiply(const double (&A)[36], const double (&x)[6], double (&out)[6]) {
   }
 }
 
-/// dJ/ds along the unit motion n, scaled, by a central difference of the generated Jacobian: its
-/// error, 1e-8 of the Jacobian, is far below what types and laws resolve.
+/// Derivative dJ/ds of the scaled Jacobian along the unit motion n, by a central difference of the
+/// generated Jacobian. Its error, 1e-8 of the Jacobian, is far below what types and laws resolve.
 void jacobian_change(const double (&q)[6], const double (&n)[6], double (&dJ)[36]) {
   constexpr double kStep = 1e-4;
   double moved[6];
@@ -55,7 +55,7 @@ WeakestDirection look(const double (&q)[6], const double (&J)[36],
   return found;
 }
 
-/// qdd_0: the null motions of all lost directions, each by its type and the share that is lost.
+/// qdd_0: the null motions of all lost directions, each by its type and by the share that is lost.
 void null_motions(const double (&q)[6], const double (&qd)[6], const double (&J)[36],
                   const core::SingularDirections<6, 6, double>& all, const ToolCommand& command,
                   double branch, double (&qdd_0)[6]) {
@@ -109,8 +109,8 @@ void control_singular(const double (&q)[6], const double (&qd)[6], const ToolCom
   core::add_task_torque<6, 6>(J_given, F, tau);
 }
 
-/// qdd = J^T (J J^T + lambda^2)^-1 (xdd - Jd qd + kv J qd) - kv qd: the motion that the inverse
-/// leaves out is damped. lambda^2 grows as the smallest singular value falls below a border.
+/// qdd = J^T (J J^T + lambda^2)^-1 (xdd - Jd qd + kv J qd) - kv qd, so that motion outside the
+/// inverse is damped. lambda^2 grows as the smallest singular value falls below a border.
 void control_damped(const double (&q)[6], const double (&qd)[6], const ToolCommand& command,
                     double (&tau)[6]) {
   constexpr double kDampingRate = 20.0;

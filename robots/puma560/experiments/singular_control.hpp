@@ -11,19 +11,19 @@ namespace treeline::experiments {
 inline constexpr int kJoints = puma560::kVelocities;
 static_assert(kJoints == 6 && puma560::kTaskRows == 6 && puma560::kCoordinates == 6);
 
-/// Length (m) that counts like a radian in the scaled rows: about the arm's half reach.
+/// Length (m) that corresponds to a radian in the scaled rows: about half the arm's reach.
 inline constexpr double kLength = 0.4;
 inline constexpr double kScales[6] = {kLength, kLength, kLength, 1.0, 1.0, 1.0};
 
-/// Tool motion that is asked for: xdd_cmd, and the displacement still wanted (m, rad, world axes),
-/// by which the lost directions are driven or turned.
+/// Commanded motion of the tool: xdd_cmd, and the remaining displacement (m, rad, world axes), by
+/// which the lost directions are driven or rotated.
 struct ToolCommand {
   double acceleration[6] = {};
   double displacement[6] = {};
 };
 
 enum class Strategy {
-  none,      ///< table 6.1 as it stands
+  none,      ///< table 6.1 without changes
   damped,    ///< damped least squares (Nakamura & Hanafusa 1986)
   singular,  ///< the lost direction leaves the task, appendix A
 };
@@ -38,12 +38,12 @@ struct WeakestDirection {
   core::SingularityType type = core::SingularityType::none;
 };
 
-/// Looks at direction `i` of the scaled Jacobian, 5 for the weakest. The sign of n is that of joint
+/// Examines direction `i` of the scaled Jacobian; 5 is the weakest. The sign of n is that of joints
 /// 3 and 4 together.
 WeakestDirection look_at_direction(const double (&q)[6], int i);
 
-/// Torque by one of the laws. `branch`: the side of a type 1 singularity to go to, +1 where joint 3
-/// grows.
+/// Torque by one of the laws. `branch` is the side of a type 1 singularity to go to: +1 is the side
+/// where joint 3 grows.
 void control(Strategy strategy, const double (&q)[6], const double (&qd)[6],
              const ToolCommand& command, double branch, double (&tau)[6]);
 

@@ -19,12 +19,12 @@ using State = servo::StateOf<Samm>;
 
 constexpr double kPeriod = 1e-3;    ///< s
 constexpr double kDuration = 7.0;   ///< s
-constexpr double kTurn = 1.8;       ///< rad, of the tool
+constexpr double kTurn = 1.8;       ///< of the tool, rad
 constexpr double kTurnTime = 5.0;   ///< s
-constexpr double kMargin = 0.35;    ///< rad, where avoidance begins
-constexpr double kStrength = 60.0;  ///< N m, at the limit
+constexpr double kMargin = 0.35;    ///< distance from a limit at which avoidance begins, rad
+constexpr double kStrength = 60.0;  ///< torque at the limit, N m
 constexpr core::Gains<double> kTask{1600.0, 80.0};
-/// Springs that advise the start, N/m and N m/rad: weak on the base, so that it can go round.
+/// Springs towards the start, N/m and N m/rad. They are weak for the base, so that it can go round.
 constexpr double kSprings[9] = {20, 20, 10, 5, 10, 10, 1, 1, 1};
 constexpr std::size_t kColumns = 22;
 
@@ -38,7 +38,7 @@ std::vector<std::string> column_names() {
   return names;
 }
 
-/// Tool's pose, error and velocity against where it is wanted.
+/// Pose of the tool, and its error and velocity relative to the desired motion.
 struct Tracking {
   servo::PoseMotion wanted;
   double error[6] = {};
@@ -61,7 +61,7 @@ Tracking track(const servo::PoseReference& reference, double time, const State& 
   return tracking;
 }
 
-/// The turn about the vertical, in place.
+/// The rotation about the vertical, in place.
 servo::PoseReference turn_in_place(const double (&q)[9]) {
   double position[3];
   double rotation[9];
@@ -80,7 +80,7 @@ servo::PoseReference turn_in_place(const double (&q)[9]) {
   return reference;
 }
 
-/// Angles and displacements of all joints from their nearer limit; the least, and whose it is.
+/// Least distance of all joints from their nearer limit (rad or m), and the index of that joint.
 double least_margin(const servo::SafetyLimits<9, 9>& limits, const double (&q)[9], int& joint) {
   double least = 1e9;
   for (std::size_t i = 3; i < 9; ++i) {
@@ -122,9 +122,9 @@ servo::PlotPanel joints(const std::string& title, const AvoidRun& run) {
   return panel;
 }
 
-/// qdd_0 = M^-1 tau_0, tau_0 springs and dampers about the start and, if asked for, what pushes
-/// away from limits: torques, because an acceleration of the wrist's few grams would not move the
-/// base.
+/// qdd_0 = M^-1 tau_0. tau_0 has springs and dampers about the start and, if `avoiding`, torques
+/// that push away from limits. Torques are used because an acceleration of the wrist's small mass
+/// would not move the base.
 void advise(bool avoiding, const servo::SafetyLimits<9, 9>& limits, const double (&start)[9],
             const State& state, double (&qdd_0)[9]) {
   double lower[9];

@@ -1,4 +1,4 @@
-// Joint-limit avoidance in the null space in one command. Exit status: 0 the claim holds, 1 a file
+// Joint-limit avoidance in the null space, as a program. Exit status: 0 the claim holds, 1 a file
 // cannot be written, 2 usage, 3 the claim is broken.
 #include <fmt/core.h>
 

@@ -12,10 +12,11 @@
 namespace treeline::experiments {
 namespace {
 
-constexpr double kHeight = 1.35;  // m, of the object at the start
+constexpr double kHeight = 1.35;  // of the object at the start, m
 constexpr double kPi = 3.14159265358979323846;
 
-/// The first robot, elbow up, its flange 0.4 m behind the object; the second one stands opposite.
+/// Start of the first robot: elbow up, flange 0.4 m behind the object. The second robot stands
+/// opposite.
 constexpr double kStart[kJoints] = {-1.15511, -0.302958, 0.0,       0.210695, -0.728762,
                                     2.549732, 0.712486,  -0.325648, -0.685896};
 
@@ -33,7 +34,7 @@ enum Column : std::size_t {
   kColumns = kTau + 2 * kJoints
 };
 
-/// From 0 at `begin` to 1 at `end`, at rest at both, with its rates.
+/// A function that goes from 0 at `begin` to 1 at `end`, at rest at both ends, and its rates.
 struct Ramp {
   double s, sd, sdd;
 };
@@ -58,7 +59,8 @@ PairState start_state() {
   return state;
 }
 
-/// The bases are advised to go along with the object as if all were one body, the arms to stay.
+/// Computes the desired posture: the bases move with the object as if all were one body, the arms
+/// stay.
 void advise(const CarryPlan& plan, const PairState& start, const PairState& state,
             const Wanted& wanted, double (&qdd_0)[2][kJoints]) {
   const double c = std::cos(wanted.yaw), s = std::sin(wanted.yaw);
@@ -121,7 +123,7 @@ double largest_difference(const servo::Table& table, std::size_t a, std::size_t 
   return result;
 }
 
-/// One cycle's control, timed.
+/// Control of one cycle, with its time measured.
 PairTorques control(const CarryPlan& plan, const PairState& start, const PairState& state,
                     const ObjectSeen& seen, const Wanted& wanted, double (&error)[6]) {
   core::pose_error(seen.position, seen.rotation, wanted.position, wanted.rotation, error);
@@ -163,7 +165,7 @@ Wanted wanted_at(const CarryPlan& plan, double time) {
   const double angle = 2 * kPi * round.s, rate = 2 * kPi * round.sd;
   const double growth = 2 * kPi * round.sdd;
   const double s = std::sin(angle), c = std::cos(angle);
-  // d/dt and d2/dt2 of sin and of 1 - cos.
+  // First and second time derivatives of sin and of 1 - cos.
   const double of_sin[3] = {s, c * rate, c * growth - s * rate * rate};
   const double of_cos[3] = {1 - c, s * rate, s * growth + c * rate * rate};
   Wanted wanted;
@@ -209,7 +211,8 @@ CarryOutcome carry_object(const CarryPlan& plan) {
     const auto spent = std::chrono::steady_clock::now() - begin;
     const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(spent).count();
     outcome.control.record(ns);
-    // Internal forces under the torque of the cycle before: the worst that holding it does.
+    // Internal forces under the torque of the previous cycle, where the effect of holding it is
+    // largest.
     if (cycle == 0) {
       held = torques;
       std::copy(std::begin(wanted.internal), std::end(wanted.internal), commanded);

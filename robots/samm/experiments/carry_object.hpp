@@ -9,25 +9,25 @@
 
 namespace treeline::experiments {
 
-/// The task: after a second at rest the object goes round a horizontal circle, rising and turning,
-/// in a time law that is cubic; meanwhile the squeeze grows and a torsion is put on.
+/// The task: after a second at rest the object moves in a horizontal circle, rising and rotating,
+/// with a time law that is cubic. Meanwhile the squeeze grows and a torsion is applied.
 struct CarryPlan {
   double rate = 1000.0;                       ///< Hz
-  double lead = 1.0;                          ///< s at rest
-  double duration = 8.0;                      ///< s of the round
-  double settle = 1.0;                        ///< s afterwards
+  double lead = 1.0;                          ///< time at rest, s
+  double duration = 8.0;                      ///< duration of the circle, s
+  double settle = 1.0;                        ///< time afterwards, s
   double radius = 0.25;                       ///< m
-  double rise = 0.1;                          ///< m, half of the height gained at the far side
-  double yaw = 0.5;                           ///< rad, either way
-  double stiffness = 2500;                    ///< 1/s^2, of the object's pose
+  double rise = 0.1;                          ///< half of the height gained at the far side, m
+  double yaw = 0.5;                           ///< in both directions, rad
+  double stiffness = 2500;                    ///< for the object's pose, 1/s^2
   double damping = 100;                       ///< 1/s
-  double posture = 25;                        ///< 1/s^2, the same for all joints; critically damped
-  double squeeze_from = 20, squeeze_to = 60;  ///< N, grows from 3 s to 4 s
-  double torsion = 2;                         ///< N m, comes from 5 s to 6 s
+  double posture = 25;                        ///< the same for all joints, critically damped, 1/s^2
+  double squeeze_from = 20, squeeze_to = 60;  ///< grows from 3 s to 4 s, N
+  double torsion = 2;                         ///< applied from 5 s to 6 s, N m
   int substeps = 2;
 };
 
-/// What the object shall do at a time, six rows a line.
+/// Desired motion of the object at a time, six rows each.
 struct Wanted {
   double position[3] = {};
   double rotation[9] = {};
@@ -42,11 +42,12 @@ Wanted wanted_at(const CarryPlan& plan, double time);
 
 struct CarryOutcome {
   explicit CarryOutcome(std::size_t rows);
-  servo::Table table;  ///< a row per cycle
+  servo::Table table;  ///< one row per cycle
   servo::DurationStatistics control;
 };
 
-/// Largest errors over the run. Internal forces at the end of a cycle under one torque.
+/// Largest errors over the run. Internal forces are those at the end of a cycle with constant
+/// torque.
 struct CarryErrors {
   double position = 0.0;  ///< m
   double rotation = 0.0;  ///< rad
@@ -54,12 +55,12 @@ struct CarryErrors {
   double moments = 0.0;   ///< N m
   double drift = 0.0;     ///< m
   double drift_rotation = 0.0;
-  double travel = 0.0;  ///< m that the first base moved at most
+  double travel = 0.0;  ///< largest displacement of the first base, m
 };
 
 CarryOutcome carry_object(const CarryPlan& plan);
 CarryErrors largest_errors(const CarryOutcome& outcome);
-/// What the run must keep.
+/// Whether the run keeps its bounds.
 bool within_bounds(const CarryErrors& errors);
 std::string summary(const CarryOutcome& outcome);
 servo::Plot figure(const CarryOutcome& outcome);

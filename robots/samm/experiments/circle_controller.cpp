@@ -8,9 +8,9 @@
 namespace treeline::experiments {
 namespace {
 
-constexpr int kBase = 3;  // joints of the base, the first ones
+constexpr int kBase = 3;  // number of joints of the base, the first ones
 
-/// Row k: column k of M^-1, the answer to a unit force on joint k of the base.
+/// Row k is column k of M^-1: the acceleration due to a unit force on joint k of the base.
 void answers_to_base_forces(const double (&q)[9], double (&answers)[kBase][9]) {
   double M[81];
   samm::mass_matrix(q, M);
@@ -34,7 +34,7 @@ void base_posture(const double (&q)[9], const double (&qd)[9], const double (&xd
   samm::jacobian(q, J);
   samm::lambda(q, Lambda);
   samm::bias_acceleration(q, qd, bias);
-  double tip[kBase][6] = {};   // J M^-1 S^T, transposed
+  double tip[kBase][6] = {};   // transpose of J M^-1 S^T
   double jbar[kBase][6] = {};  // S Jbar
   for (int k = 0; k < kBase; ++k) {
     for (int i = 0; i < 54; ++i) {

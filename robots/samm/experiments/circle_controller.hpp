@@ -8,7 +8,7 @@
 
 namespace treeline::experiments {
 
-/// The generated functions of generated/samm as the servo library takes a robot.
+/// The generated functions of generated/samm in the form that the servo library expects of a robot.
 struct Samm {
   static constexpr int kCoordinates = samm::kCoordinates;
   static constexpr int kVelocities = samm::kVelocities;
@@ -18,30 +18,31 @@ struct Samm {
 };
 static_assert(Samm::kCoordinates == 9 && Samm::kVelocities == 9 && Samm::kTaskRows == 6);
 
-/// Gains of tool and base, and what the motors add.
+/// Gains of tool and base, and the inertia of the motors.
 struct CircleGains {
   core::Gains<double> tool{1600.0, 80.0};
   core::Gains<double> base{400.0, 40.0};
-  /// Rotors' inertias that the torque shall also accelerate (Drive::rotor); zero: none.
+  /// Rotor inertias that the torque shall accelerate in addition (Drive::rotor); zero: none.
   double rotors[9] = {};
 };
 
-/// Tool and base on their circles by Chang table 6.1: the tool is the task, the base's motion a
-/// posture in its null space. The posture is the acceleration qdd_0 = M^-1 S^T f whose part in the
-/// dynamically consistent null space gives the base what it shall have:
+/// Moves tool and base on their circles by Chang table 6.1: the tool is the task, the motion of the
+/// base is a posture in its null space. The posture is the acceleration qdd_0 = M^-1 S^T f whose
+/// part in the dynamically consistent null space gives the base its desired acceleration:
 ///
-///     W f = b - S Jbar (xdd_cmd - Jd qd),   W = S (M^-1 - Jbar Lambda^-1 Jbar^T) S^T,
+///     W f = b - S Jbar (xdd_cmd - Jd qd),   W = S (M^-1 - Jbar Lambda^-1 Jbar^T) S^T.
 ///
-/// S the base's rows, b its wanted acceleration with feedback. The null space has the base's three
-/// freedoms, so both are met exactly; whatever f were, the tool would not see it.
+/// S are the base's rows and b is its desired acceleration with feedback. The null space has the
+/// base's three degrees of freedom, so both motions are achieved exactly. The tool is not affected
+/// by f.
 class CircleController {
  public:
   using State = servo::StateOf<Samm>;
 
-  /// Where tool and base were when control was last called, by the state it was given.
+  /// Place of tool and base at the last call of `control`, according to the state that it received.
   struct Tracking {
-    CircleMotion wanted;         ///< the tool as in CircleMotion, less where it started
-    double tool_wanted[3] = {};  ///< m, world
+    CircleMotion wanted;         ///< the tool as in CircleMotion, relative to its start
+    double tool_wanted[3] = {};  ///< m, world axes
     double tool[3] = {};
     double error[6] = {};
     double base_error[3] = {};
@@ -50,7 +51,7 @@ class CircleController {
   CircleController(const CirclePlan& plan, const CircleGains& gains) noexcept
       : plan_(plan), gains_(gains) {}
 
-  /// Circles begin where tool and base are at the start.
+  /// Starts the circles at the present places of tool and base.
   void start(double time, const State& state) noexcept;
   void apply(double, const servo::Message&) noexcept {}
   void control(double time, const State& state, double (&tau)[9]) noexcept;
@@ -67,7 +68,7 @@ class CircleController {
   Tracking tracking_;
 };
 
-/// qdd_0 of the law above. `b`: acceleration of base_x, base_y, base_yaw.
+/// qdd_0 of the law of this class. `b` is the acceleration of base_x, base_y, base_yaw.
 void base_posture(const double (&q)[9], const double (&qd)[9], const double (&xdd_cmd)[6],
                   const double (&b)[3], double (&qdd_0)[9]) noexcept;
 

@@ -14,7 +14,7 @@ constexpr std::size_t kBase = 10;
 constexpr std::size_t kErrors = 19;
 constexpr std::size_t kTrue = 6;
 
-/// What Chang says of figures 6.7, 6.10 and 6.11.
+/// Error given by Chang for figures 6.7, 6.10 and 6.11, as a share of the radius.
 constexpr double kThesisShare = 0.04;
 
 bool base_moves(const CircleRun& run) {
@@ -138,7 +138,7 @@ std::string broken_circle_claims(const std::vector<CircleRun>& runs) {
   for (std::size_t i = 0; i + 1 < runs.size(); i += 2) {
     const CircleRun& rests = runs[i];
     const CircleRun& moves = runs[i + 1];
-    // A micrometre is what torques held for a millisecond leave.
+    // Holding torques for a millisecond causes errors of a micrometre.
     claim(moves.errors.tool < 1.1 * rests.errors.tool + 1e-6, moves, "the tool's error grows");
     claim(moves.errors.tool_rms < 1.1 * rests.errors.tool_rms + 1e-6, moves,
           "the tool's rms error grows");

@@ -6,14 +6,14 @@
 namespace treeline::experiments {
 namespace {
 
-/// An angle that grows, and its rates.
+/// A growing angle and its rates.
 struct Phase {
   double angle = 0.0;
   double rate = 0.0;
   double acceleration = 0.0;
 };
 
-/// From rest to `rate` by a cubic in time, which takes `ramp`.
+/// Accelerates from rest to `rate` by a cubic in time, which takes `ramp`.
 Phase ramp_up(double rate, double ramp, double time) {
   const double u = std::clamp(time / ramp, 0.0, 1.0);
   const double after = std::max(time - ramp, 0.0);
@@ -25,7 +25,7 @@ Phase phase_at(const CirclePlan& plan, double time) {
   const double kTurn = 2.0 * std::acos(-1.0);
   const double rate = kTurn / plan.period;
   const double since = std::clamp(time - plan.lead, 0.0, plan.moving_time());
-  // Backwards in time the end is as the beginning.
+  // The end is the time reversal of the beginning.
   const double left = plan.moving_time() - since;
   if (since <= left) {
     return ramp_up(rate, plan.ramp, since);
@@ -41,7 +41,7 @@ CircleMotion circles_at(const CirclePlan& plan, double time) noexcept {
   const double c = std::cos(phase.angle);
   const double s = std::sin(phase.angle);
   const double square = phase.rate * phase.rate;
-  // Of the unit circle from (1, 0), its centre at (-1, 0) of where it starts.
+  // Point on the unit circle from (1, 0), whose centre is at (-1, 0) relative to the start.
   const double position[2] = {c - 1.0, s};
   const double velocity[2] = {-s * phase.rate, c * phase.rate};
   const double acceleration[2] = {-s * phase.acceleration - c * square,

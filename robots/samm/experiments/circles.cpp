@@ -37,7 +37,7 @@ std::vector<std::string> column_names() {
   return names;
 }
 
-/// Appends the cycle; takes it into the figures.
+/// Appends the cycle to the table and updates the figures.
 void record(const servo::Report<Samm>& report, const CircleController& controller,
             const State& links, CircleRun& run) {
   const CircleController::Tracking& tracking = controller.tracking();
@@ -78,7 +78,7 @@ void record(const servo::Report<Samm>& report, const CircleController& controlle
   most.base_travel = std::max(most.base_travel, std::hypot(links.q[0], links.q[1]));
 }
 
-/// The loop over the whole plan; `links` tells where the robot's links are.
+/// Runs the loop over the whole plan. `links` returns the state of the robot's links.
 template <class Robot, class Links>
 void drive(Robot& robot, const Links& links, const CircleGains& gains, CircleRun& run) {
   using Clock = servo::SimulatedClock;
@@ -137,7 +137,7 @@ const char* describe(DriveModel model) {
 }
 
 servo::Drives<9> samm_drives(DriveModel model) {
-  // README.md says where each figure comes from.
+  // README.md gives the source of each figure.
   constexpr double kRotors[9] = {30, 30, 2, 1.14, 4.71, 0.827, 0.2, 0.179, 0.193};
   constexpr double kCoulomb[9] = {40, 40, 6, 26.0, 10.6, 6.36, 1.07, 0.854, 0.555};
   constexpr double kViscous[9] = {60, 60, 6, 5.80, 9.50, 3.98, 0.412, 0.427, 0.216};
@@ -189,7 +189,7 @@ CircleRun run_circles(DriveModel model, bool moving) {
     drive(robot, links, gains, run);
   } else {
     const servo::Drives<9> drives = samm_drives(model);
-    // The motors hold the arm's weight from the start, their teeth bearing.
+    // The motors hold the arm's weight from the start, with touching teeth.
     double weight[9];
     samm::gravity(initial.q, weight);
     std::array<double, 9> leads{};

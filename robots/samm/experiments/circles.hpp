@@ -13,62 +13,64 @@
 
 namespace treeline::experiments {
 
-/// What stands between the torques and the links of the simulated robot.
+/// Drives between the torques and the links of the simulated robot.
 enum class DriveModel {
-  ideal,     ///< nothing: torques act on the links
-  friction,  ///< rotors against Coulomb and viscous friction, tight gears
+  ideal,     ///< torques act on the links directly
+  friction,  ///< rotors with Coulomb and viscous friction, gears without play
   backlash,  ///< rotors without friction, gears with play
-  worn,      ///< both
+  worn,      ///< friction and backlash
 };
 inline constexpr std::array kDriveModels{DriveModel::ideal, DriveModel::friction,
                                          DriveModel::backlash, DriveModel::worn};
 const char* name_of(DriveModel model);
-/// In words, for titles.
+/// Description of the model in words, for titles.
 const char* describe(DriveModel model);
 
-/// The motors, frictions and gears of the robot's README.md.
+/// Motors, friction and gears as in the robot's README.md.
 servo::Drives<9> samm_drives(DriveModel model);
 
-/// Limits of the URDF.
+/// Safety limits from the URDF.
 servo::SafetyLimits<9, 9> samm_limits();
 
-/// Largest errors, and the root of the mean square, over a run: where tool and base truly are, and
-/// as the motors' encoders see them (`seen`).
+/// Largest and root-mean-square errors over a run: for the true places of tool and base, and as
+/// seen by the motors' encoders (`seen`).
 struct CircleErrors {
-  double tool = 0.0;  ///< m, distance
+  double tool = 0.0;  ///< distance, m
   double tool_rms = 0.0;
   double tool_seen = 0.0;
   double rotation = 0.0;  ///< rad
   double base = 0.0;
   double base_seen = 0.0;
-  double base_travel = 0.0;  ///< m that the base was from its start at most
+  double base_travel = 0.0;  ///< largest distance of the base from its start, m
 };
 
 struct CircleRun {
   CirclePlan plan;
   DriveModel model = DriveModel::ideal;
-  servo::Table table;  ///< a row per cycle
+  servo::Table table;  ///< one row per cycle
   servo::Fault fault;
   servo::DurationStatistics control;
   CircleErrors errors;
 };
 
-/// 1 kHz servo loop on the simulated robot. `moving`: the base draws its own circle.
+/// Runs a 1 kHz servo loop on the simulated robot. With `moving` the base moves in its own circle.
 CircleRun run_circles(DriveModel model, bool moving);
 
-/// The runs of all models, each with the base at rest and then moving.
+/// Runs all models, each with the base at rest and then moving.
 std::vector<CircleRun> run_all_circles();
 
-/// File name without ending: tool_ideal, tool_and_base_worn and so on.
+/// File name without extension: tool_ideal, tool_and_base_worn and so on.
 std::string file_name(const CircleRun& run);
 std::string circles_summary(const std::vector<CircleRun>& runs);
 
-/// Both circles over the plane and over time, errors (Chang fig. 6.6 and 6.7, or 6.8 to 6.11).
+/// Draws both circles in their planes and over time, and the errors (Chang fig. 6.6 and 6.7, or 6.8
+/// to 6.11).
 servo::Plot circles_figure(const CircleRun& run);
 
-/// Chang section 6.4: the tool's error does not grow when the base moves, in any model; both follow
-/// to micrometres with ideal drives; with friction and backlash errors are of the thesis's order,
-/// four hundredths of the radius. Broken claims in words, a line each, or nothing.
+/// Checks Chang section 6.4: in every model the tool's error does not grow when the base moves;
+/// with ideal drives both follow to micrometres; with friction and backlash the errors have the
+/// order of the thesis's, four hundredths of the radius. Returns the broken claims in words, one
+/// per line; empty if there are none.
 std::string broken_circle_claims(const std::vector<CircleRun>& runs);
 
 }  // namespace treeline::experiments

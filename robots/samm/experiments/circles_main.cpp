@@ -1,5 +1,5 @@
-// Chang fig. 6.6 to 6.11 in one command: SAMM's tool draws a circle, with the base at rest and with
-// the base on a circle of its own, on ideal drives and on drives with friction and backlash. Exit
+// Chang fig. 6.6 to 6.11, as a program: SAMM's tool moves in a circle, with the base at rest and
+// with the base on a circle of its own, with ideal drives and with friction and backlash. Exit
 // status: 0 the claims hold, 1 a file cannot be written, 2 usage, 3 a claim is broken.
 #include <fmt/core.h>
 

@@ -12,8 +12,8 @@ constexpr double kGravity[3] = {0.0, 0.0, -9.81};
 constexpr double kDamping = 100.0;     // 1/s
 constexpr double kStiffness = 2500.0;  // 1/s^2
 
-/// The object's axes in each robot's flange: it lies ahead of the first, and across the line
-/// between them of the second, which stands opposite.
+/// The object's axes in each robot's flange. The object lies ahead of the first robot, and the
+/// second one stands opposite.
 constexpr double kObjectInFlange[2][9] = {{0, 0, -1, 0, 1, 0, 1, 0, 0},
                                           {0, 0, -1, 0, -1, 0, -1, 0, 0}};
 
@@ -44,7 +44,7 @@ Seen see(int robot, const PairState& state) {
   return seen;
 }
 
-/// A force and a moment turned into the object's axes, or out of them.
+/// Rotates a force and a moment into the object's axes or, with `back`, out of them.
 void turn(const double (&R)[9], const double (&from)[6], double (&to)[6], bool back) {
   for (int half = 0; half < 6; half += 3) {
     const double v[3] = {from[half], from[half + 1], from[half + 2]};

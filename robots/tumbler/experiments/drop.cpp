@@ -36,12 +36,13 @@ std::vector<Shape> shapes_of(const simulation::Model& model) {
   return shapes;
 }
 
-/// What restitution says that a blow without friction gains: -(1 - e) / 2 sum y (-v_n).
+/// Energy that a blow without friction gains according to its restitution: -(1 - e) / 2 sum y
+/// (-v_n).
 double gain_by_restitution(const simulation::Blow& blow) {
   return 0.5 * (1 - blow.restitution) * blow.impulses.dot(blow.before);
 }
 
-/// Impulses and their moments about the world's origin.
+/// Sum of the impulses and of their moments about the world's origin.
 interpreter::Vector6<double> given_by(const simulation::Blow& blow) {
   interpreter::Vector6<double> total = interpreter::Vector6<double>::Zero();
   for (std::size_t i = 0; i < blow.touches.size(); ++i) {
@@ -166,7 +167,7 @@ servo::Plot drop_figure(const std::vector<DropRun>& runs) {
 }
 
 bool drop_claims_hold(const DropRun& run) {
-  // Rounding, over numbers of the size of the energy; integration over the whole run.
+  // Allowance for rounding at the size of the energy, and for integration over the whole run.
   const double small = 1e-9 * std::abs(run.start);
   bool hold = run.blows > 0 && run.unconverged == 0 && run.worst_account < small &&
               run.worst_momentum < 1e-8 && run.worst_quaternion < 1e-12 && run.deepest < 0.01;

@@ -17,10 +17,10 @@ using simulation::Vector;
 using simulation::Vector3;
 using Vector6 = interpreter::Vector6<double>;
 
-/// In no direction of the robot's own.
+/// A direction that is not special for the robot.
 const Vector3 kDirection = Vector3(0.3, -0.5, 0.8).normalized();
 
-/// The lower end of a limb's link; a point on the torso's skin.
+/// The point to strike: the lower end of a limb's link, or a point on the torso's skin.
 Vector3 struck_point(const std::string& link) {
   return link == "torso" ? Vector3(0.12, 0, 0) : Vector3(0, 0, -0.18);
 }
@@ -128,7 +128,7 @@ servo::Plot strike_figure(const StrikeRun& run) {
                  {"Kinetic energy: stays", "energy (J)", {}, 0.1},
                  {"Momentum along the blow: the same wherever it struck", "N s", {}, 0.1}};
   for (const StruckLink& s : run.links) {
-    if (s.link.find("right") != std::string::npos) continue;  // five lines are enough
+    if (s.link.find("right") != std::string::npos) continue;  // five lines suffice
     std::string name = s.link;
     std::replace(name.begin(), name.end(), '_', ' ');
     for (std::size_t i = 0; i < 3; ++i) {

@@ -13,13 +13,13 @@ namespace treeline::experiments {
 /// One blow and the flight after it.
 struct StruckLink {
   std::string link;
-  double mass = 0;             ///< kg, effective along the blow
-  double energy = 0;           ///< J gained, by the velocities
-  double work = 0;             ///< J gained, y . (v + v') / 2
-  double momentum_error = 0;   ///< N s, N m s: gained less impulse and moment
-  double flight_momentum = 0;  ///< N s, N m s: largest change in the flight that follows
-  double flight_energy = 0;    ///< J, likewise
-  double steps = 0;            ///< of the adaptive integrator, in flight
+  double mass = 0;             ///< effective mass along the blow, kg
+  double energy = 0;           ///< gained according to the velocities, J
+  double work = 0;             ///< gained, y . (v + v') / 2, J
+  double momentum_error = 0;   ///< gained momentum minus impulse and moment, N s and N m s
+  double flight_momentum = 0;  ///< largest change in the flight that follows, N s and N m s
+  double flight_energy = 0;    ///< largest change in the flight that follows, J
+  double steps = 0;            ///< steps of the adaptive integrator in flight
   servo::Table flight;         ///< time, speed of the struck point, energy, momentum along the blow
 };
 

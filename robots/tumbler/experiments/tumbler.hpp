@@ -7,17 +7,17 @@
 
 namespace treeline::experiments {
 
-/// The robot of a URDF as it falls freely; nothing, with the reason in `error`, if it cannot be
-/// read.
+/// Loads the robot of a URDF as a freely falling one. Returns nothing, with the reason in `error`,
+/// if it cannot be read.
 std::optional<simulation::Model> load_floating(const std::string& urdf, std::string& error);
 
-/// The index of the body of this name; the robot has one.
+/// Index of the body with this name, which must exist.
 int body_named(const simulation::Model& model, const std::string& name);
 
-/// Splayed, tilted and turning, its torso's centre at `height`.
+/// Initial state: limbs splayed, tilted and rotating, with the torso's centre at `height` (m).
 simulation::State tumbler_start(const simulation::Model& model, double height);
 
-/// Height of the centre of mass, m.
+/// Position of the centre of mass, m.
 simulation::Vector3 center_of_mass(const simulation::Model& model, const simulation::Vector& q);
 
 }  // namespace treeline::experiments

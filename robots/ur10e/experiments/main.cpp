@@ -1,6 +1,6 @@
-// The UR10e through singularities in one command: table 6.1 as it stands, damped least squares, and
-// damped by directions. Exit status: 0 the claims hold, 1 a file cannot be written, 2 usage, 3 a
-// claim is broken.
+// The UR10e goes through singularities, as a program: table 6.1 without changes, damped least
+// squares, and damped by directions. Exit status: 0 the claims hold, 1 a file cannot be written, 2
+// usage, 3 a claim is broken.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>

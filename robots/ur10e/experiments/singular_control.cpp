@@ -8,11 +8,11 @@ namespace treeline::ur10e_experiments {
 namespace {
 
 constexpr double kDampingRate = 10.0;                          ///< 1/s
-constexpr double kScales[6] = {0.6, 0.6, 0.6, 1.0, 1.0, 1.0};  ///< m that count like a radian
-constexpr double kBorder = 0.1;           ///< smallest singular value from which on it is damped
-constexpr double kLargestDamping = 0.08;  ///< of damped least squares, scaled rows
+constexpr double kScales[6] = {0.6, 0.6, 0.6, 1.0, 1.0, 1.0};  ///< m that correspond to a radian
+constexpr double kBorder = 0.1;           ///< smallest singular value below which damping begins
+constexpr double kLargestDamping = 0.08;  ///< of damped least squares, in scaled rows
 
-/// qdd = J^T (J J^T + lambda^2)^-1 (xdd - Jd qd - J qdd_0) + qdd_0; lambda^2 grows as the smallest
+/// qdd = J^T (J J^T + lambda^2)^-1 (xdd - Jd qd - J qdd_0) + qdd_0. lambda^2 grows as the smallest
 /// singular value falls below a border.
 void control_least_squares(const double (&q)[6], const double (&qd)[6], const double (&qdd_0)[6],
                            const double (&xdd_cmd)[6], double (&tau)[6]) {

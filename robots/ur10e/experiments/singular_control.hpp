@@ -8,15 +8,16 @@
 namespace treeline::ur10e_experiments {
 
 enum class Law {
-  exact,          ///< table 6.1 as it stands
+  exact,          ///< table 6.1 without changes
   least_squares,  ///< damped least squares (Nakamura & Hanafusa 1986)
   damped,         ///< the generated damped_control_torque
 };
 inline constexpr std::array kLaws{Law::exact, Law::least_squares, Law::damped};
 const char* name_of(Law law);
 
-/// Torque for tool accelerations (world axes). Every law damps with the same rate what the task
-/// leaves to the joints. Returns the least ease of `core::damped_solve`, whatever the law.
+/// Torque for commanded accelerations of the tool (world axes). Every law damps the motion outside
+/// the task at the same rate. Returns the smallest eigenvalue of `core::damped_solve`, whatever the
+/// law.
 double control(Law law, const double (&q)[6], const double (&qd)[6], const double (&xdd_cmd)[6],
                double (&tau)[6]);
 

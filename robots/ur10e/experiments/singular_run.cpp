@@ -21,27 +21,27 @@ using State = servo::StateOf<Arm>;
 
 constexpr double kPeriod = 1e-3;  ///< s
 constexpr core::Gains<double> kTask{100.0, 20.0};
-constexpr double kGoalSpeed = 0.3, kGoalTurning = 0.7;              ///< m/s and rad/s, at most
-constexpr double kEffort[6] = {330, 330, 150, 56, 56, 56};          ///< N m, of the URDF
+constexpr double kGoalSpeed = 0.3, kGoalTurning = 0.7;              ///< largest m/s and rad/s
+constexpr double kEffort[6] = {330, 330, 150, 56, 56, 56};          ///< N m, from the URDF
 constexpr double kSpeed[6] = {2.09, 2.09, 3.14, 3.14, 3.14, 3.14};  ///< rad/s
 constexpr double kUpperArm = 0.6127, kForearm = 0.57155;            ///< m
 constexpr std::size_t kPositions = 4, kSpeeds = 10, kTorques = 16;  ///< columns
 
-/// From the pose of `start` along `travel` and back, at rest at both ends; or to the pose given,
-/// where `stiffness` is not zero.
+/// Path from the pose of `start` along `travel` and back, at rest at both ends; if `stiffness` is
+/// not zero, to the given pose instead.
 struct Path {
   double start[6] = {};
   double position[3] = {};
   double rotation[9] = {};
   double travel[3] = {};
-  double seconds = 2.0;  ///< each way
-  double wait = 1.0;     ///< at the end
+  double seconds = 2.0;  ///< s in each direction
+  double wait = 1.0;     ///< s at the end
   double stiffness = 0;  ///< 1/s^2
 };
 
 Path reach_path() {
   Path path{{0.0, -0.9, 1.1, -1.4, -1.3, 0.0}, {}, {}, {}, 2.0, 1.0};
-  // Joint 1 is zero: shoulder, elbow and wrist lie in a plane y = const.
+  // Joint 1 is zero, so shoulder, elbow and wrist lie in a plane y = const.
   const double fore = path.start[1] + path.start[2];
   const double x = -kUpperArm * std::cos(path.start[1]) - kForearm * std::cos(fore);
   const double z = -kUpperArm * std::sin(path.start[1]) - kForearm * std::sin(fore);
@@ -53,13 +53,13 @@ Path reach_path() {
 }
 
 Path wrist_path() {
-  // Axis 5 leans 0.034 rad from the vertical and joint 5 is -0.3: axis 6 is 0.01 off the
+  // Axis 5 leans 0.034 rad from the vertical and joint 5 is -0.3, so axis 6 is 0.01 off the
   // horizontal.
   return {{-0.3, -1.2, 1.6, -0.4 + 0.034, -0.3, 0.0}, {}, {}, {0.0, -0.45, 0.0}, 2.0, 1.0};
 }
 
-/// The tool looks forward and down by an eighth of a turn. The tutorial's arm reaches out along x,
-/// this one's frame along -x: all is turned by pi about z.
+/// The tool points forward and down by an eighth of a turn. The tutorial's arm reaches out along x,
+/// this one along -x in its frame, so everything is rotated by pi about z.
 Path goal_path(double x, double y, double z, double stiffness) {
   const double s = std::sqrt(0.5);
   return {{0.0, -1.712, 1.712, 0.0, 0.0, 0.0},
@@ -96,7 +96,7 @@ core::Motion<1, double> along(const Path& path, double t) {
               : core::rest_to_rest(zero, one, path.seconds).at(t);
 }
 
-/// PD about the path; also gives the present error.
+/// PD control about the path. Also returns the present error.
 void command(const Path& path, double t, const State& state, double (&error)[6],
              double (&xdd_cmd)[6]) {
   const auto s = along(path, t);
@@ -126,7 +126,7 @@ void command(const Path& path, double t, const State& state, double (&error)[6],
   core::tracking_law(kTask, error, velocity, velocity_wanted, acceleration_wanted, xdd_cmd);
 }
 
-/// Appends the cycle and takes it into the figures; false when the run is lost.
+/// Appends the cycle to the table and updates the figures. Returns false if the run is lost.
 bool record(double time, const State& state, const double (&error)[6], const double (&tau)[6],
             const double (&tau_before)[6], double ease, SingularRun& run) {
   Figures& figures = run.figures;
@@ -151,7 +151,7 @@ bool record(double time, const State& state, const double (&error)[6], const dou
   return !figures.lost;
 }
 
-/// On the way to a goal the error is what is left to go.
+/// Whether the path is a line. On the way to a goal the error is the remaining distance.
 bool has_line(Line line) {
   return line == Line::reach || line == Line::wrist;
 }
@@ -164,7 +164,7 @@ std::vector<std::string> column_names() {
   return names;
 }
 
-/// One curve for each run; those that were lost end early, and what is far off the scale is cut.
+/// A panel with one curve for each run. Lost runs end early; values far off the scale are cut.
 servo::PlotPanel compared(const std::string& title, const std::string& label,
                           const std::vector<SingularRun>& runs, std::size_t column, double most) {
   const std::size_t rows = runs.back().table.rows();
@@ -178,7 +178,7 @@ servo::PlotPanel compared(const std::string& title, const std::string& label,
   return panel;
 }
 
-/// The largest of six columns, each over its limit.
+/// The largest of six columns, each divided by its limit, by row.
 std::vector<double> largest_share(const SingularRun& run, std::size_t first,
                                   const double (&limits)[6], std::size_t rows, double most) {
   std::vector<double> largest(run.table.rows(), 0.0);

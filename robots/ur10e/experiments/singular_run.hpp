@@ -8,13 +8,15 @@
 #include "servo/table.hpp"
 #include "singular_control.hpp"
 
-/// The UR10e's flange along straight lines through singular configurations and back, 1 kHz.
+/// The UR10e's flange moves along straight lines through singular configurations and back, at 1
+/// kHz.
 namespace treeline::ur10e_experiments {
 
 enum class Line {
-  reach,  ///< outward to 2 cm beyond reach: elbow straight at the workspace's border
+  reach,  ///< outward to 2 cm beyond reach: straight elbow at the workspace's border
   wrist,  ///< sideways past joint 5 = 0, 0.01 rad beside the singular orientation
-  // To a pose at rest, from joint 5 = 0: goals and stiffness of Isaac Lab's tutorial run_osc.py.
+  // To a pose at rest, starting from joint 5 = 0: goals and stiffness of Isaac Lab's tutorial
+  // run_osc.py.
   goal_1,
   goal_2,
   goal_3,
@@ -22,20 +24,20 @@ enum class Line {
 inline constexpr std::array kLines{Line::reach, Line::wrist, Line::goal_1, Line::goal_2,
                                    Line::goal_3};
 
-/// Largest values over a run, and where it ended.
+/// Largest values over a run, and the error at its end.
 struct Figures {
   double torque = 0.0;          ///< of a joint, as a share of its effort limit
   double speed = 0.0;           ///< of a joint, as a share of its speed limit
-  double torque_step = 0.0;     ///< N m between cycles, as a share of the effort limit
+  double torque_step = 0.0;     ///< between cycles, as a share of the effort limit
   double position_error = 0.0;  ///< m
   double rotation_error = 0.0;  ///< rad
-  double final_error = 0.0;     ///< m and rad together
-  double ease = 1e300;          ///< least on the way, see `core::damped_solve`
-  bool lost = false;            ///< torque a thousand times the limit, or not finite
+  double final_error = 0.0;     ///< norm of m and rad together
+  double ease = 1e300;          ///< smallest eigenvalue on the path, see `core::damped_solve`
+  bool lost = false;            ///< a torque exceeded a thousand times its limit, or was not finite
 };
 
 struct SingularRun {
-  servo::Table table;  ///< time, errors, ease, q, qd, tau; a row every millisecond
+  servo::Table table;  ///< time, errors, smallest eigenvalue, q, qd, tau; one row per millisecond
   Figures figures;
 };
 
@@ -44,14 +46,14 @@ std::string file_name_of(Line line);
 
 SingularRun run_line(Line line, Law law);
 
-/// A line of text for each run, in the order of kLaws.
+/// Prints a line for each run, in the order of kLaws.
 std::string summary(Line line, const std::vector<SingularRun>& runs);
 servo::Plot figure(Line line, const std::vector<SingularRun>& runs);
 
-/// Damped by directions, torques and speeds stay within the maker's limits, torque has no step, the
-/// arm passes and comes back to where it began, or to its goal. Without damping limits are broken
-/// manifold. Damped least squares is bounded too, but leaves the line farther: it lets all
-/// directions yield.
+/// Whether the claim holds. Damped by directions, torques and speeds stay within the maker's
+/// limits, torques have no step, and the arm passes the singularity and comes back to its start or
+/// reaches its goal. Without damping limits are exceeded manifold. Damped least squares is bounded
+/// too, but leaves the line farther, because it relaxes all directions.
 bool claim_holds(Line line, const std::vector<SingularRun>& runs);
 
 }  // namespace treeline::ur10e_experiments

@@ -18,7 +18,7 @@ void aba_in_world_axes(Solver<Scalar>& s, const Scalar* const* in, Scalar* out) 
   s.store(pinocchio::aba(s.model, s.data, s.q, s.qd, s.drive, pinocchio::Convention::WORLD), out);
 }
 
-/// M^-1: out is its upper triangle.
+/// M^-1. `out` receives its upper triangle.
 template <class Scalar>
 void minverse(Solver<Scalar>& s, const Scalar* const* in, Scalar* out) {
   s.load_position(in[0]);

@@ -4,8 +4,8 @@
 
 #include "bench/peers/pinocchio/solver.hpp"
 
-/// The algorithms behind the benchmark's plain calls, in double; `solver` is a Solver<double>, for
-/// `by_efpa` and `by_pv` what `make_contact_solver` makes of one.
+/// The algorithms behind the benchmark's plain calls, in double. `solver` is a Solver<double>; for
+/// `by_efpa` and `by_pv` it is what `make_contact_solver` makes from one.
 namespace treeline::peer::pin {
 
 #define TREELINE_BENCH_CALL(name) \

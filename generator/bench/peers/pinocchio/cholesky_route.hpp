@@ -9,7 +9,7 @@
 
 namespace treeline::peer::pin {
 
-/// M: out is its upper triangle.
+/// M. `out` receives its upper triangle.
 template <class Scalar>
 void crba(Solver<Scalar>& s, const Scalar* const* in, Scalar* out) {
   s.load_position(in[0]);
@@ -24,7 +24,7 @@ void crba_in_world_axes(Solver<Scalar>& s, const Scalar* const* in, Scalar* out)
       pinocchio::crba(s.model, s.data, s.q, pinocchio::Convention::WORLD);
 }
 
-/// Into s.J, from joint Jacobians and poses that are up to date.
+/// Computes s.J from joint Jacobians and poses that are up to date.
 template <class Scalar>
 void find_point_jacobians(Solver<Scalar>& s) {
   Eigen::Index row = 0;
@@ -36,7 +36,8 @@ void find_point_jacobians(Solver<Scalar>& s) {
   }
 }
 
-/// Into s.lambda_inverse: M = U D U^T, W = U^-1 J^T, W^T D^-1 W, U^-1 through the tree's zeros.
+/// Computes s.lambda_inverse: M = U D U^T, W = U^-1 J^T, then W^T D^-1 W. U^-1 uses the zeros due
+/// to the tree.
 template <class Scalar>
 void find_lambda_inverse_by_cholesky(Solver<Scalar>& s) {
   pinocchio::crba(s.model, s.data, s.q, pinocchio::Convention::WORLD);

@@ -6,8 +6,8 @@
 
 namespace treeline::peer::pin {
 
-/// xdd_cmd less what the points do under qdd_0, into s.xdd, from the velocities and accelerations
-/// that recursive Newton-Euler left: its accelerations have -g added.
+/// Writes xdd_cmd minus the points' accelerations under qdd_0 to s.xdd, using the velocities and
+/// accelerations that recursive Newton-Euler has computed. Its accelerations contain -g.
 template <class Scalar>
 void subtract_motion_of_posture(Solver<Scalar>& s, const Scalar* xdd_cmd) {
   Eigen::Index row = 0;
@@ -25,7 +25,7 @@ void subtract_motion_of_posture(Solver<Scalar>& s, const Scalar* xdd_cmd) {
   }
 }
 
-/// Table 6.1 of Chang: J^T Lambda (xdd_cmd - Jd qd - J qdd_0) + RNEA(q, qd, qdd_0).
+/// Control torque of Chang table 6.1: J^T Lambda (xdd_cmd - Jd qd - J qdd_0) + RNEA(q, qd, qdd_0).
 template <class Scalar>
 void control_torque(Solver<Scalar>& s, const Scalar* const* in, Scalar* out) {
   s.load_motion(in);

@@ -4,7 +4,7 @@
 
 #include "bench/peers/pinocchio/solver.hpp"
 
-/// Pinocchio's own algorithms for J M^-1 J^T, in the points' axes; turned to the world's here.
+/// Pinocchio's own algorithms for J M^-1 J^T in the points' axes, with the rotation to world axes.
 namespace treeline::peer::pin {
 
 struct Contacts {
@@ -28,7 +28,7 @@ struct ContactSolver : Solver<double> {
   }
 };
 
-/// The upper triangle.
+/// Rotates the upper triangle of D to world axes.
 inline void turn_to_world_axes(const ContactSolver& s, Eigen::Map<Eigen::MatrixXd>& D) {
   for (std::size_t i = 0; i < s.points.size(); ++i) {
     for (std::size_t k = i; k < s.points.size(); ++k) {
@@ -44,7 +44,7 @@ inline void turn_to_world_axes(const ContactSolver& s, Eigen::Map<Eigen::MatrixX
   }
 }
 
-/// EFPA: extended forces propagated.
+/// Lambda^-1 by EFPA, the extended-force-propagator algorithm.
 inline void lambda_inverse_by_efpa(ContactSolver& s, const double* const* in, double* out) {
   s.load_position(in[0]);
   Eigen::Map<Eigen::MatrixXd> D(out, s.rows(), s.rows());
@@ -52,7 +52,7 @@ inline void lambda_inverse_by_efpa(ContactSolver& s, const double* const* in, do
   turn_to_world_axes(s, D);
 }
 
-/// PV-OSIM.
+/// Lambda^-1 by PV-OSIM.
 inline void lambda_inverse_by_pv(ContactSolver& s, const double* const* in, double* out) {
   s.load_position(in[0]);
   Eigen::Map<Eigen::MatrixXd> D(out, s.rows(), s.rows());

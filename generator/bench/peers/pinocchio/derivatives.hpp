@@ -7,8 +7,9 @@
 
 namespace treeline::peer::pin {
 
-/// out: three matrices, by q, by qd and the upper triangle of that by qdd. Those entries that are
-/// zero for every state are not written.
+/// Derivatives of inverse dynamics. `out` receives three matrices: with respect to q, to qd, and
+/// the upper triangle of that with respect to qdd. Entries that are zero in every state are not
+/// written.
 template <class Scalar>
 void rnea_derivatives(Solver<Scalar>& s, const Scalar* const* in, Scalar* out) {
   s.load_motion(in);

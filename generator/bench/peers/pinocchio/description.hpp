@@ -6,18 +6,18 @@
 
 namespace treeline::peer::pin {
 
-/// A frame fixed to a link, all six of its rows controlled in the world's axes.
+/// A frame fixed to a link. All six of its rows are controlled, in world axes.
 struct Point {
   std::string link;
   std::array<double, 9> R{};  ///< in the link's frame, row-major
   std::array<double, 3> p{};
 };
 
-/// What Pinocchio has to know of a robot.
+/// Everything that Pinocchio needs to know about a robot.
 struct Description {
   std::string urdf;                ///< path
-  bool floating = false;           ///< the root link on a free joint
-  std::vector<std::string> links;  ///< moved by each entry of qd
+  bool floating = false;           ///< the root link has a free joint
+  std::vector<std::string> links;  ///< the link that each entry of qd moves
   std::array<double, 3> gravity{};
   std::vector<Point> points;
 };

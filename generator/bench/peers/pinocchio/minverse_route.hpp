@@ -7,7 +7,7 @@
 
 namespace treeline::peer::pin {
 
-/// J M^-1 J^T with M^-1 from articulated bodies.
+/// J M^-1 J^T with M^-1 from the articulated-body algorithm.
 template <class Scalar>
 void lambda_inverse_by_minverse(Solver<Scalar>& s, const Scalar* const* in, Scalar* out) {
   s.load_position(in[0]);

@@ -1,5 +1,5 @@
-// Pinocchio: recursive Newton-Euler, articulated bodies, M, M^-1, derivatives, and of J M^-1 J^T
-// every route.
+// Pinocchio: recursive Newton-Euler, articulated bodies, M, M^-1, derivatives, and every route to J
+// M^-1 J^T.
 #include <pinocchio/config.hpp>
 
 #include "bench/peers/make_peer.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Column-major in Pinocchio's order of joints to row-major in ours.
+/// Copies a column-major matrix in Pinocchio's order of joints to row-major in ours.
 void reorder(const Solver<double>& s, const Eigen::MatrixXd& from, double* to) {
   const Eigen::Index n = s.model.nv;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -47,7 +47,7 @@ void finish_derivatives(void* solver, double* out) {
   finish_symmetric(solver, out + 2 * n * n);
 }
 
-/// Nothing for a point with other rows or axes than the routes are written for.
+/// Describes a point. Returns false if it has other rows or axes than the routes support.
 bool describe(const peer::Point& point, std::vector<Point>& points) {
   if (!point.world_axes) return false;
   if (std::find(std::begin(point.rows), std::end(point.rows), false) != std::end(point.rows)) {

@@ -28,7 +28,8 @@ pinocchio::FrameIndex add_point(const Point& point, Model& model) {
                                          pinocchio::OP_FRAME));
 }
 
-/// Where each of our velocities is among Pinocchio's; several of one joint follow each other.
+/// Returns the place of each of our velocities among Pinocchio's. Those of one joint are
+/// consecutive.
 std::vector<Eigen::Index> find_places(const Description& description, const Model& model) {
   std::vector<Eigen::Index> places;
   Eigen::Index within = 0;

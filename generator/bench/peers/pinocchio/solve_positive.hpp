@@ -4,14 +4,15 @@
 
 namespace treeline::peer::pin {
 
-/// x = A^-1 x, in A's place its factor. With Eigen's factorisation in double.
+/// Replaces x by A^-1 x and A by its factor, with Eigen's factorization in double.
 template <class Right>
 void solve_positive(Eigen::MatrixXd& A, Right& x) {
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(A);
   factor.solveInPlace(x);
 }
 
-/// For a scalar that is recorded, whose sign no branch may depend on: A = L D L^T.
+/// Replaces x by A^-1 x and A by its factor, A = L D L^T. For recorded scalars, on whose sign no
+/// branch may depend.
 template <class Scalar, class Right>
 void solve_positive(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A, Right& x) {
   const Eigen::Index n = A.rows();

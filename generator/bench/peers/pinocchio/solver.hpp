@@ -5,8 +5,8 @@
 #include <vector>
 
 /// Pinocchio behind the plain calls of the benchmark. Templates on the scalar: `double` is timed,
-/// CppADCodeGen's scalar is recorded. One algorithm a source file, because each costs a compiler
-/// half a minute and two gigabytes.
+/// CppADCodeGen's scalar is recorded. Each algorithm has its own source file, because it costs a
+/// compiler half a minute and two gigabytes.
 namespace treeline::peer::pin {
 
 template <class Scalar>
@@ -14,7 +14,7 @@ using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// A model, and room for everything that a call writes: no call allocates.
+/// A model, and memory for everything that a call writes. No call allocates.
 template <class Scalar>
 struct Solver {
   using Model = pinocchio::ModelTpl<Scalar>;
@@ -24,7 +24,7 @@ struct Solver {
   Data data;
   std::vector<pinocchio::FrameIndex> points;
   bool floating;
-  std::vector<Eigen::Index> place;  ///< of each of our velocities in Pinocchio's
+  std::vector<Eigen::Index> place;  ///< place of each of our velocities among Pinocchio's
   Vector<Scalar> q, qd, drive, xdd, torque;
   Matrix<Scalar> J, JT, scaled, lambda_inverse;
 

@@ -32,14 +32,14 @@ constexpr double kPeriod = 1e-3;   ///< s
 constexpr double kDuration = 6.0;  ///< s
 constexpr double kLead = 0.25;
 constexpr double kReachTime = 3.0;
-constexpr double kReach[3] = {0.32, 0.0, -0.2};  ///< m, of the hand
-// Edges of the feet (README.md): x of both, y to the outer sides.
+constexpr double kReach[3] = {0.32, 0.0, -0.2};  ///< displacement of the hand, m
+// Edges of the feet (README.md): x of both feet, y of their outer sides.
 constexpr double kHeel = -0.065, kToe = 0.193, kSide = 0.135;
-constexpr double kInset = 0.09;  ///< m from the edges the law begins
+constexpr double kInset = 0.09;  ///< distance from the edges at which the law begins to act, m
 constexpr core::Gains<double> kBalance{200.0, 28.0};
 constexpr std::size_t kFixed = 8;
 
-/// The hand and the centre of mass.
+/// Pose and motion of the hand and the centre of mass.
 struct Seen {
   double hand_error[6] = {};
   double hand_velocity[6] = {};
@@ -65,9 +65,9 @@ Seen see(const servo::PoseReference& reference, double time, const State& state)
   return seen;
 }
 
-/// qdd_0: the plan's posture as springs and dampers, M^-1 (K (start - q) - D qd), and, if asked
-/// for, the centre of mass over the inset support. K = posture stiffness times M_ii: a potential,
-/// so that the body settles.
+/// qdd_0 of the posture: the plan's posture by springs and dampers, M^-1 (K (start - q) - D qd),
+/// and if `balancing` the centre of mass over the inset support. K is the posture stiffness times
+/// M_ii. It has a potential, so the body comes to rest.
 void advise(const Plan& plan, bool balancing, const Seen& seen, const State& state,
             double (&qdd_0)[kJoints]) {
   double M[kJoints * kJoints];
@@ -85,7 +85,7 @@ void advise(const Plan& plan, bool balancing, const Seen& seen, const State& sta
   constexpr double kCorners[8] = {kHeel + kInset, -kSide + kInset, kToe - kInset,  -kSide + kInset,
                                   kToe - kInset,  kSide - kInset,  kHeel + kInset, kSide - kInset};
   const double com[2] = {seen.com[0], seen.com[1]};
-  // Within the support the law only damps: on always, it sets in without a jerk.
+  // Within the support the law only damps. It is always on, so that it begins without a jerk.
   double goal[2];
   core::nearest_in_polygon(kCorners, com, goal);
   double horizontal[2 * kJoints];

@@ -1,5 +1,5 @@
-// Balance as posture in one command. Exit status: 0 the claim holds, 1 bad input or a file cannot
-// be written, 2 usage, 3 the claim is broken.
+// Balance as posture, as a program. Exit status: 0 the claim holds, 1 bad input or a file cannot be
+// written, 2 usage, 3 the claim is broken.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +10,7 @@
 namespace treeline::experiments {
 namespace {
 
-/// What could not be written; empty: nothing.
+/// Writes the files that are requested. Returns what could not be written; empty if all could.
 std::string write_files(const std::string& csv, const std::string& svg, const BalanceRun& balancing,
                         const BalanceRun& without, const Plan& plan) {
   std::string error;

@@ -25,7 +25,7 @@ struct Wall24 {
 };
 using State = servo::StateOf<Wall24>;
 
-constexpr double kNormal[3] = {-1, 0, 0};  // out of the wall
+constexpr double kNormal[3] = {-1, 0, 0};  // points out of the wall
 
 struct Hand {
   double x[3] = {};
@@ -50,7 +50,7 @@ double kinetic_energy(const State& state) {
   return energy;
 }
 
-/// Inertia felt at the knuckles along their commanded acceleration: F = Lambda xdd_cmd.
+/// Computes F = Lambda xdd_cmd, with the inertia that is felt at the knuckles.
 void commanded_force(const State& state, const double (&xdd)[3], double (&force)[3]) {
   double Lambda_inverse[9] = {};
   robot::contact_inverse_inertia(state.q, Lambda_inverse);
@@ -101,7 +101,8 @@ class Experiment {
   }
 
  private:
-  /// Chang table 6.1: the hand along its spline, the posture advised to stay.
+  /// Control torque of Chang table 6.1: the hand follows its spline, the desired posture is the
+  /// initial one.
   void control(double time) {
     const Hand hand = hand_of(state_);
     const auto wanted = spline_.at(time);
@@ -120,8 +121,9 @@ class Experiment {
     robot::control_torque(state_.q, state_.qd, qdd_0, xdd_, tau_);
   }
 
-  /// In the air by Runge-Kutta; at the wall velocities first, then the blow, then coordinates, so
-  /// that what presses does not sink. Returns the normal impulse on the robot.
+  /// Advances time by `dt`. In the air by Runge-Kutta; at the wall velocities first, then the blow,
+  /// then coordinates, so that a pressing hand does not sink in. Returns the normal impulse on the
+  /// robot.
   double advance(double time, double dt) {
     const double distance = settings_.wall - hand_of(state_).x[0];
     run_.deepest = std::max(run_.deepest, -distance);
