@@ -32,12 +32,13 @@ std::string harmless(const std::string& source) {
 
 std::string wrap_text(const std::string& text, std::size_t columns) {
   std::string wrapped;
-  std::size_t begin = 0;
-  while (text.size() - begin > columns) {
-    const std::size_t blank = text.rfind(' ', begin + columns);
+  std::size_t begin = 0, room = columns;
+  while (text.size() - begin > room) {
+    const std::size_t blank = text.rfind(' ', begin + room);
     if (blank == std::string::npos || blank <= begin) break;
     wrapped += text.substr(begin, blank - begin) + "\n  ";
     begin = blank + 1;
+    room = columns - 2;  // for the indent
   }
   return wrapped + text.substr(begin);
 }

@@ -31,10 +31,12 @@ std::string describe_joints(const EmissionContext& context) {
   std::string text =
       fmt::format("Joints, in the order of q and of qd, qdd, tau ({} base):\n", context.base);
   for (const EmissionContext::JointRow& joint : context.joints) {
-    text += fmt::format("  q {:<7} qd {:<7} {} ({}){}{}\n",
-                        elements(joint.first_coordinate, joint.coordinates),
-                        elements(joint.first_velocity, joint.velocities), joint.name, joint.type,
-                        joint.limits.empty() ? "" : ": ", joint.limits);
+    text += wrap_text(fmt::format("  q {:<7} qd {:<7} {} ({}){}{}",
+                                  elements(joint.first_coordinate, joint.coordinates),
+                                  elements(joint.first_velocity, joint.velocities), joint.name,
+                                  joint.type, joint.limits.empty() ? "" : ": ", joint.limits),
+                      95) +
+            "\n";
   }
   return text;
 }
@@ -43,8 +45,10 @@ std::string describe_points(const char* title,
                             const std::vector<EmissionContext::PointRow>& points) {
   std::string text = points.empty() ? "" : std::string(title) + "\n";
   for (const EmissionContext::PointRow& point : points) {
-    text += fmt::format("  from {:<4} {} on {}, {}: {}\n", point.first_row, point.name, point.link,
-                        point.frame, point.rows);
+    text += wrap_text(fmt::format("  from {:<4} {} on {}, {}: {}", point.first_row, point.name,
+                                  point.link, point.frame, point.rows),
+                      95) +
+            "\n";
   }
   return text;
 }
@@ -83,7 +87,9 @@ std::string describe_conventions(const EmissionContext& context) {
 std::string describe_argument(const Argument& argument, const char* direction) {
   const std::string shape = argument.cols == 1 ? std::to_string(argument.rows)
                                                : fmt::format("{}x{}", argument.rows, argument.cols);
-  return fmt::format("{} {} ({}): {}\n", direction, argument.name, shape, argument.meaning);
+  return wrap_text(fmt::format("{} {} ({}): {}", direction, argument.name, shape, argument.meaning),
+                   95) +
+         "\n";
 }
 
 std::string describe_function(const EmissionContext& context, const Program& program) {

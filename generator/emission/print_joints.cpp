@@ -76,7 +76,7 @@ std::string print_task_rows(const EmissionContext& context) {
   if (names.empty()) return {};
   return fmt::format(
       "\n/// Of each task row: its point, and along or about which axis it is.\n"
-      "inline constexpr const char* kTaskRowNames[{}] = {{\n    {}}};\n",
+      "inline constexpr const char* kTaskRowNames[{}] = {{\n    {}}};",
       names.size(), print_strings(names));
 }
 
