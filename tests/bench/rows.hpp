@@ -20,7 +20,7 @@ struct Measured {
   std::vector<Subject> subjects;
 };
 
-/// What is known of one function of one implementation.
+/// Measurements of one function of one implementation.
 struct Row {
   const Measured* measured = nullptr;
   const Subject* subject = nullptr;
@@ -35,8 +35,8 @@ struct Row {
   }
 };
 
-/// In the order of the table: by robot, function, implementation. Only what was timed.
-/// `counts`: instructions by "robot/function".
+/// Collects the rows in the order of the table: by robot, function, implementation. Only what was
+/// timed has a row. `counts` are instructions by "robot/function".
 std::vector<Row> collect_rows(const std::vector<Measured>& robots, const AllTimes& times,
                               const std::map<std::string, long>& counts, const Limits& limits);
 
