@@ -1,4 +1,4 @@
-// Each test lets a child process be ended by a signal and looks at what is left.
+// In each test a signal ends a child process, and the test checks what is left.
 #include "interruption/clean_up.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ class CleanUp : public testing::Test {
   }
   ~CleanUp() override { fs::remove_all(root_); }
 
-  /// Runs `work` in a child that then waits to be ended by `signal`. Returns how it ended.
+  /// Runs `work` in a child process, which then waits until `signal` ends it. Returns how it ended.
   int end_child(int signal, const std::function<void()>& work) {
     int ready[2];
     if (pipe(ready) != 0) return -1;
@@ -51,7 +51,7 @@ class CleanUp : public testing::Test {
                     std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
-// Would catch: folders that stay, and an end that a shell takes for a success or for a crash.
+// Would catch: folders that stay, and an exit that a shell takes for success or for a crash.
 TEST_F(CleanUp, RemovesFoldersAndEndsByTheSignal) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const int status = end_child(signal, [&] {
@@ -66,7 +66,7 @@ TEST_F(CleanUp, RemovesFoldersAndEndsByTheSignal) {
   }
 }
 
-// Would catch: results, or what is kept, that vanish with a signal.
+// Would catch: results, or folders to keep, that disappear with a signal.
 TEST_F(CleanUp, LeavesWhatIsNotItsOwn) {
   end_child(SIGTERM, [&] {
     const Uninterrupted now;
@@ -81,7 +81,7 @@ TEST_F(CleanUp, LeavesWhatIsNotItsOwn) {
   EXPECT_TRUE(fs::exists(root_ / "kept"));
 }
 
-// Would catch: a half-done rename, which a signal has come between.
+// Would catch: a signal that interrupts a rename of several files.
 TEST_F(CleanUp, WaitsForWhatMustNotBeInterrupted) {
   int ready[2];
   ASSERT_EQ(pipe(ready), 0);
@@ -122,7 +122,7 @@ TEST_F(CleanUp, IgnoredSignalsStayIgnored) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 42) << status;
 }
 
-// Would catch: a lock that two hold, or that outlives its process.
+// Would catch: a lock that two processes hold, or that outlives its process.
 TEST_F(CleanUp, FoldersAreLockedByOneProcess) {
   std::string error;
   const pid_t child = fork();
