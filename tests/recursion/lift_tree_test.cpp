@@ -7,9 +7,9 @@
 #include "random_mechanism.hpp"
 #include "recursion/hopeless_algorithms.hpp"
 
-// Would catch: a constant of a tree that is lost or mixed up on its way through double, choices
-// within links that are not seen, alike limbs that are not marked; coordinates of an algorithm that
-// are left out where it may win.
+// Would catch: a constant of a tree that is lost or mixed up in the conversion from double, choices
+// within links that have no effect, isomorphic limbs that are not marked, and coordinates of an
+// algorithm that are left out although they may be the cheapest.
 
 namespace treeline::tests {
 namespace {
@@ -91,7 +91,7 @@ TEST(LiftTree, IsTheTreeOfTheMechanism) {
   }
 }
 
-/// Of so many nodes, and one for the constant 0.
+/// A program with this number of nodes, plus one for the constant 0.
 Program program_of(const std::string& source, int nodes) {
   Program program;
   program.source = source;

@@ -5,7 +5,7 @@
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 
-/// Robots made to be hard to compute with.
+/// Robots that are difficult to compute with.
 namespace treeline::stress {
 
 struct Case {
@@ -27,10 +27,11 @@ struct ArmOptions {
   double light = 1;          ///< times this
 };
 
-/// With one operational point, of all rows, on the last link (of a tree another on the first leaf).
+/// Makes the robot with one operational point with all rows on the last link (a tree has another on
+/// the first leaf).
 Case make_arm(const ArmOptions& options);
 
-/// The file's robot with one point of all rows on `link`.
+/// Reads the file's robot, with one point with all rows on `link`.
 Case read_robot(const std::string& urdf, const std::string& link);
 
 }  // namespace treeline::stress
