@@ -23,7 +23,7 @@ struct JointMix {
 
 struct RandomOptions {
   int joints = 8;          ///< in the URDF, of all types
-  double branching = 0.3;  ///< 0: a serial chain; 1: each link hangs on any earlier one
+  double branching = 0.3;  ///< 0: a serial chain; 1: each link is attached to any earlier one
   JointMix mix{};
   bool floating_base = false;
   double mimic = 0;      ///< chance that a joint of one degree follows an earlier one
@@ -31,7 +31,7 @@ struct RandomOptions {
   double aligned = 0.5;  ///< chance of axis-aligned axes, quarter turns, zero offsets
   double massless = 0;   ///< chance that a link behind a fixed joint has no inertia
   int operational_points = 1;
-  bool all_rows = true;  ///< else a random subset of at least one row
+  bool all_rows = true;  ///< false: a random subset of at least one row
   int external_forces = 0;
 };
 
@@ -234,8 +234,8 @@ inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions&
   detail::add_mimics(dice, options, made.robot);
   Scene& scene = made.scene;
   scene.name = "random_robot";
-  scene.noise = 0;  // sums of decimals that nearly vanish count, so that 50 digits can be compared
-  scene.singular = SingularTasks::exact;  // bare solves: tests of algebra compare many more digits
+  scene.noise = 0;  // sums of decimals that nearly vanish must count in 50 digits
+  scene.singular = SingularTasks::exact;  // plain solves: tests of algebra compare many more digits
   scene.base = options.floating_base ? Base::floating : Base::fixed;
   if (dice.chance(0.3)) scene.gravity = detail::random_vector(dice, 10);
   for (int i = 0; i < options.operational_points; ++i) {

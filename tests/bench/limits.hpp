@@ -10,12 +10,12 @@ namespace treeline::bench {
 /// that a change of the clock rate does not affect the limits. All zeros on other processors.
 struct Limits {
   double gigahertz = 0;
-  double mul_add = 0;     ///< flops a cycle: scalar products and sums, half each
-  double scalar_fma = 0;  ///< flops a cycle: scalar fused products and sums
-  double packed_fma = 0;  ///< the same, of registers as wide as -march=native has
-  int lanes = 1;          ///< doubles in such a register
-  double near_code = 0;   ///< bytes a cycle: straight-line code of 24 KiB, from the core's cache
-  double far_code = 0;    ///< the same of 128 KiB: from the second level
+  double mul_add = 0;     ///< flops per cycle: scalar products and sums, half each
+  double scalar_fma = 0;  ///< flops per cycle: scalar fused products and sums
+  double packed_fma = 0;  ///< flops per cycle: fused, in registers of -march=native
+  int lanes = 1;          ///< doubles per such register
+  double near_code = 0;   ///< bytes per cycle: straight-line code of 24 KiB, in the core's cache
+  double far_code = 0;    ///< bytes per cycle: straight-line code of 128 KiB, in the second level
 
   /// Prints the limits in one line.
   [[nodiscard]] std::string text() const;

@@ -25,9 +25,9 @@ struct Row {
   const Measured* measured = nullptr;
   const Subject* subject = nullptr;
   Function function{};
-  std::array<std::optional<double>, 4> median, least;  ///< nanoseconds a state, by Mode
-  Facts facts;                                         ///< zeros for what was not generated
-  long instructions = 0;  ///< a call, of the variant in which they are counted; otherwise 0
+  std::array<std::optional<double>, 4> median, least;  ///< nanoseconds per state, by Mode
+  Facts facts;                                         ///< zeros if it was not generated
+  long instructions = 0;  ///< per call, in the variant where they are counted; otherwise 0
   double flops_a_cycle = 0, code_a_cycle = 0;
 
   [[nodiscard]] const std::optional<double>& time(Mode mode, bool shortest) const {

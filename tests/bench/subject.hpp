@@ -32,7 +32,7 @@ using Call = void (*)(void* solver, const double* const* inputs, double* output)
 struct Routine {
   Call call = nullptr;
   std::shared_ptr<void> solver = nullptr;  ///< the call's first argument; generated code has none
-  int states = 1;                          ///< that one call takes: 1, 2, 4, 8, 16
+  int states = 1;                          ///< number of states per call: 1, 2, 4, 8, 16
   /// Converts an output into that order if the library's own form is different but equally useful
   /// (column-major, one triangle of a symmetric matrix). Not timed.
   void (*finish)(void* solver, double* output) = nullptr;

@@ -16,7 +16,7 @@ struct Times {
   [[nodiscard]] double least() const;
 };
 
-using AllTimes = std::map<std::string, Times>;  ///< by the benchmark's name
+using AllTimes = std::map<std::string, Times>;  ///< by name of the benchmark
 
 /// Adds the times of earlier runs in the file `path`, then writes all times to it.
 void add_times(const std::string& path, AllTimes& times);

@@ -158,7 +158,7 @@ TEST_F(Surroundings, ASecondWriterWaits) {
   ASSERT_EQ(flock(folder, LOCK_EX), 0);
   const pid_t child = fork();
   if (child == 0) {
-    close(folder);  // the lock goes when nobody has it open any more
+    close(folder);  // released when its last descriptor is closed
     const Outcome outcome = run("generate " + kBoth + " --functions gravity -o out");
     _exit(outcome.exit_code);
   }
@@ -254,7 +254,7 @@ TEST_F(Surroundings, TheNextRunRemovesWhatAKilledOneLeft) {
   waitpid(killed, nullptr, 0);
   EXPECT_EQ(entries(), 2);
   const pid_t second = start_stuck("second");
-  EXPECT_EQ(entries(), 2);  // its own, in the place of the first one's
+  EXPECT_EQ(entries(), 2);  // its own instead of the first one's
   const pid_t third = start_stuck("third");
   EXPECT_EQ(entries(), 3);  // beside the second one's
   for (const pid_t program : {second, third}) {

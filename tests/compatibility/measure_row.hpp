@@ -24,12 +24,12 @@ std::vector<CompatibilityCase> compatibility_cases();
 
 struct CompatibilityRow {
   CompatibilityCase of;
-  std::string failure;  ///< why nothing was generated; empty: it was
+  std::string failure;  ///< why nothing was generated; empty if it was
   int freedoms = 0;
-  int asked = 0;                              ///< functions in the scene
-  std::map<std::string, int> operations;      ///< by function generated
-  std::map<std::string, std::string> digits;  ///< left, by function; `-` for none
-  double seconds = 0;  ///< of processor time that generation took on this machine
+  int asked = 0;                              ///< number of functions in the scene
+  std::map<std::string, int> operations;      ///< by function
+  std::map<std::string, std::string> digits;  ///< remaining digits, by function; `-` for none
+  double seconds = 0;                         ///< processor time of generation on this machine
 };
 
 /// Reads the robot, makes a scene for it, and generates all its functions. With `with_digits` it

@@ -49,7 +49,7 @@ void expect_counted() {
   Counted A[rows * rows], J[rows * nv], bias[rows], qdd_0[nv], xdd[rows], heaviest[rows], tau[nv];
   for (int i = 0; i < rows; ++i) {
     A[i * rows + i] = Counted(1e-3 * (i + 1));
-    heaviest[i] = Counted(2);  // so that every direction yields: the longest way
+    heaviest[i] = Counted(2);  // relaxes every direction: the longest path
     for (int j = 0; j < i; ++j) A[i * rows + j] = A[j * rows + i] = Counted(1e-4);
   }
   Counted::additions = Counted::products = Counted::quotients = Counted::roots = 0;

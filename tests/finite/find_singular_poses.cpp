@@ -10,9 +10,9 @@
 namespace treeline::tests {
 namespace {
 
-constexpr int kLines = 12;   ///< coordinates gone along from each start
-constexpr int kGrid = 12;    ///< places looked at on a line
-constexpr int kThirds = 40;  ///< how often the range next to the lowest loses a third
+constexpr int kLines = 12;   ///< coordinates searched along from each start
+constexpr int kGrid = 12;    ///< samples on a line
+constexpr int kThirds = 40;  ///< times that the range around the minimum loses a third
 
 /// Smallest eigenvalue of Lambda^-1 with its rows scaled to a unit diagonal.
 double smallest(const StateSpace& space, const std::vector<double>& q) {

@@ -24,7 +24,7 @@ struct FiniteOptions {
 /// A function, and the first state at which a result of it is not finite.
 struct NotFinite {
   std::string function;
-  std::int64_t times = 0;  ///< states at which it is not
+  std::int64_t times = 0;  ///< number of states at which it is not finite
   State first;
 };
 

@@ -16,11 +16,11 @@ struct ChainCase {
   Chain50 chain;
   PerRobot50 q, qd, qdd_0, tau;
   Vector50 xdd, internal;
-  Digits50 condition = 1;  ///< of the worst Lambda_e^-1
+  Digits50 condition = 1;  ///< largest of all Lambda_e^-1
 };
 
 struct ChainOptions {
-  std::vector<int> grasps;  ///< of each robot, all on one object
+  std::vector<int> grasps;  ///< number of grasps per robot, all on one object
   bool floating_base = false;
   double mimic = 0;
   int loose_objects = 0;  ///< further objects, each in one hand of the first robot

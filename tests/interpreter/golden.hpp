@@ -26,7 +26,7 @@ struct GoldenState {
   std::vector<GoldenPoint> points;
   DoubleMatrix Lambda_inverse_local, Lambda_inverse_world;
   DoubleMatrix Lambda_local, Lambda_world;  ///< empty where the task is singular
-  DoubleVector control_torque;              ///< likewise; world axes
+  DoubleVector control_torque;              ///< empty where the task is singular; world axes
 };
 
 struct GoldenRobot {

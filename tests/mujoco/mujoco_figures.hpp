@@ -20,10 +20,10 @@ struct MujocoState {
 };
 
 struct MujocoFigures {
-  std::string refused;  ///< why MuJoCo does not take the robot; empty: it does
+  std::string refused;  ///< why MuJoCo refuses the robot; empty: it does not
   int nv = 0;
-  unsigned seed = 0;               ///< that the states were drawn with
-  std::vector<std::string> links;  ///< whose poses are listed
+  unsigned seed = 0;               ///< seed of the states
+  std::vector<std::string> links;  ///< links whose poses are listed
   std::vector<MujocoState> states;
 };
 

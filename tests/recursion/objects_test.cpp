@@ -30,7 +30,7 @@ struct ObjectInputs {
 
 struct Held {
   const char* name;
-  std::vector<int> grasps;  ///< of each object
+  std::vector<int> grasps;  ///< number of grasps of each object
   bool floating_base = false;
   double mimic = 0;
 };
@@ -42,8 +42,8 @@ std::ostream& operator<<(std::ostream& out, const Held& held) {
 struct ObjectCase {
   RandomMechanism made;
   ObjectInputs in;
-  std::vector<Digits50> q;  ///< before it was rounded, quaternions of unit length
-  double growth = 1;        ///< the worst condition that rounding meets
+  std::vector<Digits50> q;  ///< before rounding; quaternions of unit length
+  double growth = 1;        ///< largest condition number that amplifies rounding
 };
 
 template <class To>

@@ -80,7 +80,7 @@ Original load_original(const std::string& robots, const std::string& name, int s
   auto scene = read_scene(folder + "scene.yaml", *robot, diagnostics, functions);
   if (!scene) fail(diagnostics, name);
   scene->real = real;
-  scene->singular = SingularTasks::exact;  // rows yield at other borders in float than in double
+  scene->singular = SingularTasks::exact;  // borders of rows differ between float and double
   scene->lanes = lanes;
   scene->batch = batch;
   auto generation = generate_code(*robot, *scene, {"r.urdf", "", "s.yaml", ""}, diagnostics);

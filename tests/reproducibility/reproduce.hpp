@@ -32,11 +32,11 @@ struct Original {
 struct Difference {
   std::string robot, function;
   Build build;
-  bool solves = false;  ///< the function solves with a matrix: differences grow with its condition
-  int states = 0;       ///< at which the two were compared
-  int bits_differ = 0;  ///< of these, where any bit differs
+  bool solves = false;  ///< has a solve: differences grow with the condition number
+  int states = 0;       ///< number of states compared
+  int bits_differ = 0;  ///< number of these in which any bit differs
   double worst = 0;     ///< largest difference in ulp of the result's scale, in the build's Real
-  double share = 0;     ///< largest difference over what `treeline check` allows at that state
+  double share = 0;     ///< largest share of what `treeline check` allows in that state
 
   [[nodiscard]] bool bounded() const { return share <= 1; }
 };
