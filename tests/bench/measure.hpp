@@ -12,7 +12,7 @@ namespace treeline::bench {
 /// its states.
 enum class Mode {
   warm,       ///< back to back over 64 states, independent of each other: throughput
-  dependent,  ///< as above, but every q depends on the last call's outputs: latency
+  dependent,  ///< back to back, each q depends on the last outputs: latency
   cold,       ///< one call whose code and data have left the core's own caches
   flushed     ///< one call whose code and data are in memory only
 };
