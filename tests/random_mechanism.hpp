@@ -12,18 +12,18 @@
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 
-/// Robots nobody designed, for tests of invariants: physically valid, otherwise as odd as a URDF
-/// may be. The same seed and options always give the same robot.
+/// Random robots for tests of invariants: physically valid, otherwise as unusual as a URDF may be.
+/// Equal seeds and options always give the same robot.
 namespace treeline::tests {
 
-/// How often each type of joint is drawn, relative to the others.
+/// Frequency of each joint type, relative to the others.
 struct JointMix {
   double revolute = 5, continuous = 1, prismatic = 2, fixed = 1, floating = 0.3, planar = 0.5;
 };
 
 struct RandomOptions {
   int joints = 8;          ///< in the URDF, of all types
-  double branching = 0.3;  ///< 0: a serial chain; 1: each link hangs on any earlier one
+  double branching = 0.3;  ///< 0: a serial chain; 1: each link is attached to any earlier one
   JointMix mix{};
   bool floating_base = false;
   double mimic = 0;      ///< chance that a joint of one degree follows an earlier one
@@ -31,7 +31,7 @@ struct RandomOptions {
   double aligned = 0.5;  ///< chance of axis-aligned axes, quarter turns, zero offsets
   double massless = 0;   ///< chance that a link behind a fixed joint has no inertia
   int operational_points = 1;
-  bool all_rows = true;  ///< else a random subset of at least one row
+  bool all_rows = true;  ///< false: a random subset of at least one row
   int external_forces = 0;
 };
 
@@ -40,18 +40,19 @@ struct RandomMechanism {
   Scene scene;
 };
 
-/// Draws with arithmetic of its own, so that every standard library gives the same numbers.
+/// Random numbers, computed with its own arithmetic, so that they are the same with every standard
+/// library.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
 
-  /// In [0, 1).
+  /// A number in [0, 1).
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * unit(); }
   bool chance(double probability) { return unit() < probability; }
-  /// In 0..count-1.
+  /// An index in 0..count-1.
   int below(int count) { return static_cast<int>(unit() * count); }
-  /// A decimal with three digits, as people write into files.
+  /// A decimal number with three digits, as people write in files.
   double rounded(double low, double high) { return std::round(uniform(low, high) * 1000) / 1000; }
 
  private:
@@ -96,7 +97,7 @@ inline std::array<double, 3> random_axis(Dice& dice, double aligned) {
   return axis;
 }
 
-/// The inertia of six point masses: it obeys the triangle inequality with room to spare.
+/// The inertia of six point masses, which satisfies the triangle inequality with a large margin.
 inline Inertial random_inertial(Dice& dice, double aligned) {
   Inertial inertial;
   inertial.mass = dice.rounded(0.2, 8);
@@ -148,7 +149,7 @@ inline Limits random_limits(Dice& dice, JointType type) {
   return {-dice.rounded(0.1, range), dice.rounded(0.1, range), 100, 5};
 }
 
-/// Links hang on earlier links but stand in the file in no particular order.
+/// Links are attached to earlier links, but the file lists them in random order.
 inline Robot random_tree(Dice& dice, const RandomOptions& options) {
   Robot robot;
   robot.name = "random_robot";
@@ -174,7 +175,8 @@ inline Robot random_tree(Dice& dice, const RandomOptions& options) {
   return robot;
 }
 
-/// Only links behind fixed joints lose their inertia: a moving joint needs something to move.
+/// Only links behind fixed joints lose their inertia, because a moving joint needs something to
+/// move.
 inline void remove_inertias(Dice& dice, const RandomOptions& options, Robot& robot) {
   for (const Joint& joint : robot.joints) {
     if (joint.type == JointType::fixed && dice.chance(options.massless)) {
@@ -183,7 +185,7 @@ inline void remove_inertias(Dice& dice, const RandomOptions& options, Robot& rob
   }
 }
 
-/// Leaders are never mimics themselves; they may stand anywhere in the tree.
+/// Leaders are never mimics themselves. They may be anywhere in the tree.
 inline void add_mimics(Dice& dice, const RandomOptions& options, Robot& robot) {
   const int count = static_cast<int>(robot.joints.size());
   for (int i = 0; i < count; ++i) {
@@ -221,9 +223,9 @@ inline void drop_rows(Dice& dice, ScenePoint& point) {
 
 }  // namespace detail
 
-/// A robot and a scene drawn from `seed`. All functions are asked for. With fewer degrees of
-/// freedom than controlled rows, or points on links that do not move, Lambda does not exist; its
-/// inverse does.
+/// Draws a robot and a scene from `seed`. The scene asks for all functions. With fewer degrees of
+/// freedom than controlled rows, or with points on links that do not move, Lambda does not exist
+/// but its inverse does.
 inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions& options = {}) {
   Dice dice(seed);
   RandomMechanism made;
@@ -232,8 +234,8 @@ inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions&
   detail::add_mimics(dice, options, made.robot);
   Scene& scene = made.scene;
   scene.name = "random_robot";
-  scene.noise = 0;  // sums of decimals that nearly vanish count, so that 50 digits can be compared
-  scene.singular = SingularTasks::exact;  // bare solves: tests of algebra compare many more digits
+  scene.noise = 0;  // sums of decimals that nearly vanish must count in 50 digits
+  scene.singular = SingularTasks::exact;  // plain solves: tests of algebra compare many more digits
   scene.base = options.floating_base ? Base::floating : Base::fixed;
   if (dice.chance(0.3)) scene.gravity = detail::random_vector(dice, 10);
   for (int i = 0; i < options.operational_points; ++i) {

@@ -13,7 +13,7 @@ interpreter::Vector<Scalar> random_entries(Dice& dice, int count, double size) {
   return x;
 }
 
-/// Displacements and angles in [-size, size); quaternions of unit length in the precision of
+/// Displacements and angles in [-size, size), and quaternions of unit length in the precision of
 /// `Scalar`, in any direction.
 template <class Scalar>
 interpreter::Vector<Scalar> random_position(Dice& dice, const interpreter::Model<Scalar>& model,

@@ -2,8 +2,8 @@
 
 #include "random_mechanism.hpp"
 
-/// Robots as CAD programs export them: what should be 0, a quarter turn or an axis is that but for
-/// rounding.
+/// Robots as CAD programs export them: numbers that should be 0, a quarter turn or an axis are so
+/// only up to rounding.
 namespace treeline::tests {
 
 namespace detail {
@@ -19,8 +19,8 @@ inline void add_noise(Dice& dice, double angle, double length, std::vector<Scene
 
 }  // namespace detail
 
-/// `made` with up to `noise` (rad; of the longest offset for lengths) added to every angle, every
-/// offset and every component of an axis, in the robot and in the scene.
+/// Adds up to `noise` (rad; for lengths relative to the longest offset) to every angle, every
+/// offset and every component of an axis of `made`, in the robot and in the scene.
 inline RandomMechanism with_noise(RandomMechanism made, double noise, std::uint64_t seed) {
   Dice dice(seed);
   double longest = 0;

@@ -26,7 +26,7 @@ struct CompiledFunction {
   double seconds = 0;
   bool is_long = false;            ///< compiled with `CompileOptions::long_flags`
   std::optional<int> code_bytes;   ///< of the function and what it calls; absent without `nm`
-  std::optional<int> stack_bytes;  ///< as above; absent if the compiler does not state it
+  std::optional<int> stack_bytes;  ///< with its callees; absent if the compiler does not state it
 };
 
 struct Compilation {

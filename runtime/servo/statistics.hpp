@@ -8,7 +8,7 @@
 namespace treeline::servo {
 
 /// Distribution of durations in nanoseconds: exact minimum, maximum and mean, and quantiles within
-/// 1.6 % (a histogram with 32 bins per power of two). The size is fixed. Recording takes constant
+/// 0.4 % (a histogram with 128 bins per power of two). The size is fixed. Recording takes constant
 /// time and never allocates.
 class DurationStatistics {
  public:

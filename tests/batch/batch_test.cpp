@@ -10,8 +10,8 @@
 namespace treeline::batch {
 namespace {
 
-// Would catch a state that is left out or done twice at the end of a batch, a thread that misses a
-// batch or works in one that is over.
+// Would catch: a state that is left out or computed twice at the end of a batch, and a thread that
+// misses a batch or works on one that is over.
 TEST(Workers, DoEachStateOnce) {
   for (const unsigned threads : {1U, 2U, 5U}) {
     Workers workers(threads);
@@ -32,7 +32,7 @@ TEST(Workers, AtLeastOneThread) {
   EXPECT_GE(Workers().threads(), 1U);
 }
 
-// Would catch rows and states that are mixed up, and lanes left over that are written back.
+// Would catch: rows and states that are mixed up, and unused lanes that are written back.
 TEST(Transpose, ThereAndBack) {
   constexpr int kSize = 3;
   constexpr int kLanes = 4;

@@ -1,6 +1,6 @@
-// Catches a benchmark that compares different things: another joint order, axis, gravity or mass in
-// what a peer was given. KDL, DART and Pinocchio are also witnesses from outside for the generated
-// code.
+// Would catch: a benchmark that compares different things because a peer received another joint
+// order, axis, gravity or mass. KDL, DART and Pinocchio are also independent references for the
+// generated code.
 #include "agreement.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
-// States a second of generated batch functions: `/core` is one thread on rows that lie ready in
-// cache, `/threads` all of the machine's cores on 32768 states in memory, gathered into rows and
-// scattered back. The counter `states` is what matters; `scalar` beside it is the same without
-// batches.
+// States per second of generated batch functions. `/core` uses one thread on rows in cache;
+// `/threads` uses all cores of the machine on 32768 states in memory, which are gathered into rows
+// and scattered back. The result is the counter `states`; `scalar` is the same without batches.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -28,7 +27,7 @@ void fill(Real (&rows)[size][states], double phase) {
   }
 }
 
-/// Arguments of control_torque; those of inverse_dynamics are among them.
+/// Arguments of control_torque, which include those of inverse_dynamics.
 template <class Real, int nv, int rows, int states>
 struct Arguments {
   alignas(64) Real q[nv][states];

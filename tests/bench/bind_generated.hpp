@@ -9,8 +9,8 @@
 namespace treeline::bench {
 namespace detail {
 
-/// Of parameter I among the references to arrays A...: the inputs, and the numbers of outputs,
-/// before it.
+/// For parameter I among the references to arrays A...: the number of inputs before it, and of
+/// output entries before it.
 template <std::size_t I, class... A>
 constexpr std::pair<std::size_t, std::size_t> places_before() {
   constexpr bool kInput[] = {std::is_const_v<std::remove_all_extents_t<A>>...};
@@ -50,7 +50,7 @@ struct Bound<kFunction> {
   }
 };
 
-/// Recorded code has the plain call's arguments already.
+/// Recorded code already has the arguments of the plain call.
 template <void (*kFunction)(const double* const*, double*) noexcept>
 struct Bound<kFunction> {
   static void call(void*, const double* const* in, double* out) { kFunction(in, out); }
@@ -58,7 +58,7 @@ struct Bound<kFunction> {
 
 }  // namespace detail
 
-/// A generated function behind the plain call: its inputs as they come, its outputs one after the
+/// Puts a generated function behind the plain call: inputs in their order, outputs one after the
 /// other.
 template <auto kFunction>
 Routine bind_generated(int states = 1) {

@@ -1,5 +1,5 @@
-// Calls the generated functions of ROBOT, in the variant compiled for x86-64-v3, in 64 states:
-// what count_instructions.sh counts.
+// Calls the generated functions of ROBOT, compiled for x86-64-v3, in 64 states.
+// count_instructions.sh counts the instructions.
 #include <iostream>
 
 #include "case.hpp"

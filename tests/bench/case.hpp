@@ -16,7 +16,7 @@ struct State {
   std::vector<double> q, qd, qdd, tau, xdd;
 };
 
-/// A robot as every subject sees it.
+/// A robot in the form that every subject uses.
 struct Case {
   std::string robot;
   std::string urdf;  ///< path, without shapes and mimic tags
@@ -27,19 +27,20 @@ struct Case {
   [[nodiscard]] int rows() const;
 };
 
-/// Reads a robot of `robot_names()`; nothing, after messages on stderr, if that fails.
+/// Reads a robot of `robot_names()`. Returns nothing, after messages on stderr, if that fails.
 std::optional<Case> read_case(const std::string& robot);
 
-/// The robots that this build was configured with.
+/// Names of the robots with which this build was configured.
 const std::vector<std::string>& robot_names();
 
-/// Uniform: positions within 3, velocities 2, accelerations 5, torques 20; unit quaternions.
+/// Draws states uniformly: positions within 3, velocities 2, accelerations 5, torques 20; unit
+/// quaternions.
 std::vector<State> random_states(const Case& robot, int count, std::uint64_t seed);
 
-/// A function's inputs in the contract's order.
+/// Inputs of a function in the order of the contract.
 std::vector<const std::vector<double>*> inputs_of(Function function, const State& state);
 
-/// How many numbers a function returns.
+/// Number of entries that a function returns.
 int output_size(Function function, const Case& robot);
 
 std::string name_of(Function function);

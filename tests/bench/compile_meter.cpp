@@ -1,8 +1,8 @@
-// Runs a compiler and writes what that took and what came out:
+// Runs a compiler and writes its cost and the size of its output:
 //   compile_meter FACTS.json OBJECT COMMAND...
-// OBJECT is - for a command that makes none. {"seconds", "peak_mib": of the command, seconds of
-// processor time, "code_bytes": of OBJECT's functions, "stack_bytes": their frames together, from
-// the .su file of -fstack-usage}. The command's exit status is passed on.
+// OBJECT is - for a command that makes none. Writes {"seconds", "peak_mib": processor time and
+// memory of the command, "code_bytes": of OBJECT's functions, "stack_bytes": sum of their frames,
+// from the .su file of -fstack-usage}. Returns the command's exit status.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -43,7 +43,7 @@ Cost run(char** command) {
           static_cast<double>(usage.ru_maxrss) / 1024};
 }
 
-/// Sizes of all functions in an object file, or 0 where nm cannot tell.
+/// Adds up the sizes of all functions in an object file; 0 if nm does not work.
 long code_bytes(const std::string& object) {
   if (object == "-") return 0;
   const std::unique_ptr<FILE, int (*)(FILE*)> nm(popen(("nm -S '" + object + "'").c_str(), "r"),
@@ -61,7 +61,7 @@ long code_bytes(const std::string& object) {
   return bytes;
 }
 
-/// The second column of `place  bytes  kind`, summed.
+/// Adds up the second column of `place  bytes  kind`.
 long stack_bytes(const std::string& object) {
   std::ifstream file(object.substr(0, object.rfind('.')) + ".su");
   long bytes = 0;

@@ -5,7 +5,8 @@
 
 namespace treeline::bench {
 
-/// Instructions a call, by "robot/function": what count_instructions.sh printed into a file.
+/// Reads the instructions per call, by "robot/function", from a file with the output of
+/// count_instructions.sh.
 std::map<std::string, long> read_counts(const std::string& path);
 
 }  // namespace treeline::bench

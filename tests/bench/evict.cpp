@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kLine = 64;
 
 #if defined(__x86_64__) || defined(__aarch64__)
-// 8192 lines of code, one jump in each.
+// 8192 lines of code with one jump each.
 __attribute__((noinline)) void run_foreign_code() {
 #if defined(__x86_64__)
   asm volatile(".rept 8192\n jmp 1f\n .balign 64\n 1:\n .endr\n" ::: "memory");
@@ -50,8 +50,9 @@ struct Segment {
   std::size_t bytes;
 };
 
-/// Code and constants: what is loaded readable and never written. Of the libraries those that a
-/// solver can call; the others of DART (meshes, images) are many times larger than all of these.
+/// Code and constants are the segments that are loaded readable and never written. Only those of
+/// libraries that a solver can call are needed; the others of DART (meshes, images) are many times
+/// larger than all of these.
 int collect(dl_phdr_info* info, std::size_t, void* segments) {
   const std::string name = info->dlpi_name;
   bool wanted = name.empty();
@@ -93,7 +94,7 @@ void evict_from_core() {
 bool evict_from_caches(std::span<const std::span<const double>> data) {
   evict_from_core();
   for (const auto& segment : code_and_constants()) {
-    // The last line may reach past the segment: stop before its end.
+    // The last line may extend beyond the segment, so stop before its end.
     const std::size_t bytes = segment.bytes > 2 * kLine ? segment.bytes - 2 * kLine : 0;
     flush(segment.begin, bytes);
   }

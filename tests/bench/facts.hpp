@@ -6,7 +6,8 @@
 
 namespace treeline::bench {
 
-/// What is known of a generated function without running it; zeros where a file is missing.
+/// Properties of a generated function that are known without running it; zeros if a file is
+/// missing.
 struct Facts {
   std::string method;
   long flops = 0;  ///< + - * /, sine and cosine not counted
@@ -15,7 +16,7 @@ struct Facts {
   double compile_seconds = 0, compile_mib = 0;
 };
 
-/// Of all of a subject's functions: seconds added up, memory the largest.
+/// Cost of compiling all functions of a subject: sum of the times, maximum of the memory.
 struct Compilation {
   int functions = 0;
   long code_bytes = 0;
@@ -23,7 +24,7 @@ struct Compilation {
   double generation_seconds = 0, generation_mib = 0;  ///< of the code of this and its fellows
 };
 
-/// From the manifest and the compile meter's file.
+/// Reads the facts from the manifest and from the file of the compile meter.
 Facts read_facts(const Subject& subject, const std::string& function);
 Compilation read_compilation(const Subject& subject);
 

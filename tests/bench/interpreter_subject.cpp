@@ -56,7 +56,7 @@ void mass_matrix_inverse(void* self, const double* const* in, double* out) {
         out);
 }
 
-/// Row-major, one after the other.
+/// Writes the three matrices row-major, one after the other.
 void store(const interpreter::DynamicsDerivatives<double>& derivatives, double* out) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   for (const auto* each :

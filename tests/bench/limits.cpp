@@ -1,4 +1,4 @@
-// Compiled with -march=native, unlike what uses Eigen.
+// Compiled with -march=native, unlike sources that use Eigen.
 #include "limits.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ void dependent_chain() {
   for (int i = 0; i < 1000; ++i) asm volatile(".rept 20\n imul %0, %0\n .endr\n" : "+r"(x));
 }
 
-/// How much of `work` the stream does in a cycle.
+/// Amount of `work` that the stream does per cycle.
 double rate(void (*stream)(), double work) {
   std::array<double, 201> rates{};
   for (double& each : rates) {
@@ -39,7 +39,7 @@ double rate(void (*stream)(), double work) {
 #define TREELINE_CLOBBERS                                                                  \
   "xmm0", "xmm1", "xmm2", "xmm3", "xmm4", "xmm5", "xmm6", "xmm7", "xmm8", "xmm9", "xmm10", \
       "xmm11", "xmm12", "xmm13", "xmm14", "xmm15"
-// Twelve chains: more than any core has in flight.
+// Twelve chains, more than any core can have in flight.
 #define TREELINE_TWELVE(a, b, r)                                                                   \
   a " %%" r "15, %%" r "14, %%" r "0\n" b " %%" r "15, %%" r "14, %%" r "1\n" a " %%" r "15, %%" r \
     "14, %%" r "2\n" b " %%" r "15, %%" r "14, %%" r "3\n" a " %%" r "15, %%" r "14, %%" r "4\n" b \
@@ -72,7 +72,7 @@ void packed_fused() {
 }
 #endif
 
-// An instruction of eight bytes that does nothing.
+// An instruction of eight bytes without effect.
 #define TREELINE_CODE(count) \
   asm volatile(".balign 64\n .rept " #count "\n .byte 0x0f, 0x1f, 0x84, 0, 0, 0, 0, 0\n .endr\n");
 

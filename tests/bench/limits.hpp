@@ -4,20 +4,20 @@
 
 namespace treeline::bench {
 
-/// What one core can do at most, measured: the median of many short runs of streams without
-/// dependences or memory. A cycle is a third of a dependent integer multiplication, which takes
-/// three on every x86-64 core since 2008, timed in turn with each stream, so that a change of the
-/// clock's rate is not taken for a limit. All zeros on other processors.
+/// Measured limits of one core: medians of many short runs of instruction streams without
+/// dependences or memory accesses. A cycle is a third of a dependent integer multiplication, which
+/// takes three cycles on every x86-64 core since 2008. It is timed in turn with each stream, so
+/// that a change of the clock rate does not affect the limits. All zeros on other processors.
 struct Limits {
   double gigahertz = 0;
-  double mul_add = 0;     ///< flops a cycle: scalar products and sums, half each
-  double scalar_fma = 0;  ///< flops a cycle: scalar fused products and sums
-  double packed_fma = 0;  ///< the same, of registers as wide as -march=native has
-  int lanes = 1;          ///< doubles in such a register
-  double near_code = 0;   ///< bytes a cycle: straight-line code of 24 KiB, from the core's cache
-  double far_code = 0;    ///< the same of 128 KiB: from the second level
+  double mul_add = 0;     ///< flops per cycle: scalar products and sums, half each
+  double scalar_fma = 0;  ///< flops per cycle: scalar fused products and sums
+  double packed_fma = 0;  ///< flops per cycle: fused, in registers of -march=native
+  int lanes = 1;          ///< doubles per such register
+  double near_code = 0;   ///< bytes per cycle: straight-line code of 24 KiB, in the core's cache
+  double far_code = 0;    ///< bytes per cycle: straight-line code of 128 KiB, in the second level
 
-  /// One line.
+  /// Prints the limits in one line.
   [[nodiscard]] std::string text() const;
 };
 

@@ -12,7 +12,7 @@ struct Machine {
   Limits limits;          ///< of this core now
 };
 
-/// Takes some tenths of a second.
+/// Describes this machine. Takes some tenths of a second.
 Machine describe_machine();
 
 }  // namespace treeline::bench

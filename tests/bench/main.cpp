@@ -1,11 +1,11 @@
-// Times generated code beside the interpreter and the peers. Options: those of Google Benchmark
+// Times generated code, the interpreter and the peers. Options are those of Google Benchmark
 // (`--benchmark_filter=humanoid24/control_torque`, `--benchmark_repetitions=`), and
-//   --json=FILE    one JSON object a line for each function of each implementation
+//   --json=FILE    one JSON object per line for each function of each implementation
 //   --plot=FILE    an SVG
-//   --counts=FILE  instructions, as count_instructions.sh prints them, for the table
-//   --times=FILE   adds the times of earlier runs that are there, and these to the file
-//   --least        the least times instead of the medians
-// The table goes to stdout.
+//   --counts=FILE  instructions from count_instructions.sh, for the table
+//   --times=FILE   adds the times of earlier runs in the file, and these to the file
+//   --least        least times instead of medians
+// The table is printed on stdout.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -20,7 +20,8 @@
 namespace treeline::bench {
 namespace {
 
-/// Implementations whose numbers differ from the first's, announced on stderr.
+/// Prints implementations whose results differ from the first one's on stderr. Returns whether
+/// there are any.
 bool report_differences(const Measured& measured) {
   bool agree = true;
   const auto states = random_states(measured.robot, 16, 7);
@@ -80,7 +81,7 @@ bool take_value(std::string_view argument, std::string_view key, std::string& va
   return true;
 }
 
-/// Whether the argument is ours; all others are Google Benchmark's.
+/// Reads the argument if it is one of ours. All others belong to Google Benchmark.
 bool take(std::string_view argument, Options& options) {
   if (argument == "--least") return options.least = true;
   return take_value(argument, "--json=", options.json) ||
@@ -93,7 +94,7 @@ bool take(std::string_view argument, Options& options) {
 }  // namespace treeline::bench
 
 int main(int count, char** given) {
-  // What is given comes later and wins.
+  // Arguments given by the user come later and override these.
   std::string interleave = "--benchmark_enable_random_interleaving=true";
   std::string repetitions = "--benchmark_repetitions=9";
   std::string time = "--benchmark_min_time=0.004";

@@ -14,7 +14,8 @@ namespace {
 constexpr int kStates = 64;
 constexpr int kColdCalls = 16;  ///< in a repetition
 
-/// The inputs of one function in 64 states, as many to a call as it takes, and room for its output.
+/// Inputs of one function in 64 states, grouped by the states that a call takes, and memory for its
+/// output.
 struct Inputs {
   std::vector<std::vector<Aligned>> packs;
   std::vector<std::vector<const double*>> pointers;
@@ -49,7 +50,7 @@ void dependent(benchmark::State& run, const Routine& routine, Inputs inputs) {
   Aligned q(size);
   while (run.KeepRunningBatch(kStates)) {
     for (std::size_t i = 0; i < inputs.packs.size(); ++i) {
-      // Too small to change a digit; the processor cannot know.
+      // Too small to change a digit, but the processor cannot know that.
       const double nothing = 1e-300 * (inputs.output[0] + inputs.output[last]);
       const double* from = inputs.packs[i][0].data();
       for (std::size_t k = 0; k < size; ++k) q[k] = from[k] + nothing;

@@ -8,10 +8,11 @@
 
 namespace treeline::bench {
 
-/// How a function is called. All times are of one state: of a call, divided by the states it takes.
+/// Ways to call a function. All times are per state: the time of a call divided by the number of
+/// its states.
 enum class Mode {
   warm,       ///< back to back over 64 states, independent of each other: throughput
-  dependent,  ///< the same, but every q waits for the last call's first and last outputs: latency
+  dependent,  ///< back to back, each q depends on the last outputs: latency
   cold,       ///< one call whose code and data have left the core's own caches
   flushed     ///< one call whose code and data are in memory only
 };

@@ -9,7 +9,7 @@
 
 namespace treeline::bench {
 
-/// Numbers from the start of a cache line on.
+/// An array of numbers that begins at a cache line.
 class Aligned {
  public:
   explicit Aligned(std::size_t size) : room_(size + kLine, 0.0), size_(size) {
@@ -34,11 +34,11 @@ class Aligned {
   std::size_t size_, offset_ = 0;
 };
 
-/// The inputs of one call that takes all of `states`: element i of input k of state s is
-/// [k][i * states.size() + s].
+/// Inputs of one call that takes all of `states`: element i of input k of state s is [k][i *
+/// states.size() + s].
 std::vector<Aligned> pack_inputs(Function function, std::span<const State> states);
 
-/// What one call says of all of `states`: each state's output, as the contract has it.
+/// Results of one call for all of `states`: the output for each state, as in the contract.
 std::vector<std::vector<double>> evaluate(const Routine& routine, Function function,
                                           const Case& robot, std::span<const State> states);
 

@@ -7,7 +7,7 @@
 namespace treeline::bench {
 namespace {
 
-/// All that is measured, by name.
+/// Measured functions by name.
 std::map<std::string, Function> functions_by_name() {
   std::map<std::string, Function> functions;
   for (const Function function : kFunctions) functions[name_of(function)] = function;

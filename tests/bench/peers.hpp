@@ -7,15 +7,15 @@
 
 namespace treeline::bench {
 
-/// Treeline's own interpreter in double.
+/// Treeline's interpreter in double.
 Subject interpreter_subject(const Case& robot);
 
-/// KDL, DART and Pinocchio, whose modules this build made: a subject for each route of each. What
-/// one of them cannot do with the robot is said on stderr.
+/// KDL, DART and Pinocchio, whose modules are built here: one subject for each of their routes.
+/// Prints on stderr what a library cannot do with the robot.
 std::vector<Subject> peer_subjects(const Case& robot);
 
-/// Everything that is measured on a robot: generated code of all compilers first, then the
-/// interpreter, then the peers that were found when the build was configured.
+/// All subjects for a robot: generated code of all compilers first, then the interpreter, then the
+/// peers that were found when the build was configured.
 std::vector<Subject> all_subjects(const Case& robot);
 
 }  // namespace treeline::bench

@@ -1,2 +1,2 @@
-// Moves what is linked behind it by some bytes.
+// Shifts what is linked behind it by some bytes.
 asm(".text\n.skip " TREELINE_BENCH_PLACE "\n");

@@ -1,5 +1,5 @@
-// Copies a URDF without shapes and mimic tags: plain_urdf IN OUT
-// DART would look for the meshes, and the peers know no mimic joints: all measure the same robot.
+// Copies a URDF without shapes and mimic tags: plain_urdf IN OUT. DART would search for the meshes,
+// and the peers do not support mimic joints. So all measure the same robot.
 #include <tinyxml2.h>
 
 #include <iostream>

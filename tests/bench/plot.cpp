@@ -13,7 +13,7 @@ struct Family {
   std::string_view begins, contains, label, colour;
 };
 
-/// An implementation belongs to the first that fits its name.
+/// An implementation belongs to the first family whose name fits.
 constexpr Family kFamilies[] = {
     {"generated", "a call", "generated, eight states a call", "#1b9e77"},
     {"generated", "", "generated", "#0b5394"},
@@ -72,7 +72,7 @@ std::string draw_legend() {
   return text;
 }
 
-/// The dots of rows [first, last), which are about one function of one robot.
+/// Draws the dots of rows [first, last), which belong to one function of one robot.
 std::string draw_dots(const Row* first, const Row* last, double y, bool least) {
   std::string text;
   for (const Family& family : kFamilies) {

@@ -16,7 +16,7 @@ void take_times(const AllTimes& times, Row& row) {
   }
 }
 
-/// Achieved in the warm calls. The code of a batch is run through once for all its states.
+/// Sets the rates achieved in warm calls. The code of a batch runs once for all its states.
 void find_rates(const Limits& limits, int states, Row& row) {
   const auto warm = row.time(Mode::warm, false);
   if (!warm || limits.gigahertz <= 0) return;

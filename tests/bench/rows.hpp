@@ -20,14 +20,14 @@ struct Measured {
   std::vector<Subject> subjects;
 };
 
-/// What is known of one function of one implementation.
+/// Measurements of one function of one implementation.
 struct Row {
   const Measured* measured = nullptr;
   const Subject* subject = nullptr;
   Function function{};
-  std::array<std::optional<double>, 4> median, least;  ///< nanoseconds a state, by Mode
-  Facts facts;                                         ///< zeros for what was not generated
-  long instructions = 0;  ///< a call, of the variant in which they are counted; otherwise 0
+  std::array<std::optional<double>, 4> median, least;  ///< nanoseconds per state, by Mode
+  Facts facts;                                         ///< zeros if it was not generated
+  long instructions = 0;  ///< per call, in the variant where they are counted; otherwise 0
   double flops_a_cycle = 0, code_a_cycle = 0;
 
   [[nodiscard]] const std::optional<double>& time(Mode mode, bool shortest) const {
@@ -35,8 +35,8 @@ struct Row {
   }
 };
 
-/// In the order of the table: by robot, function, implementation. Only what was timed.
-/// `counts`: instructions by "robot/function".
+/// Collects the rows in the order of the table: by robot, function, implementation. Only what was
+/// timed has a row. `counts` are instructions by "robot/function".
 std::vector<Row> collect_rows(const std::vector<Measured>& robots, const AllTimes& times,
                               const std::map<std::string, long>& counts, const Limits& limits);
 

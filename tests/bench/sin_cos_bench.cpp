@@ -1,7 +1,7 @@
-// Time of the sines and cosines of a robot's N joint angles: libm one by one, the scalar function
-// one by one, the lanes. `/warm` reports throughput (64 sets of angles in a row), `/dependent`
-// feeds each call's result into the next angles. The counter `per_pair` is the time of one sine and
-// cosine.
+// Time of the sines and cosines of a robot's N joint angles: by libm one by one, by the scalar
+// function one by one, by the lanes. `/warm` measures throughput (64 sets of angles in a row),
+// `/dependent` feeds each call's result into the next angles. The counter `per_pair` is the time of
+// one sine and cosine.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-/// What is measured: one implementation of a robot's functions, each behind the same plain call, so
-/// that a generated function and a library's solver pay the same for being called.
+/// One implementation of a robot's functions, which is measured. Each function has the same plain
+/// call, so that a generated function and a library's solver have the same cost of being called.
 namespace treeline::bench {
 
-/// In the order of the report.
+/// Measured functions, in the order of the report.
 enum class Function {
   inverse_dynamics,
   forward_dynamics,
@@ -22,18 +22,19 @@ enum class Function {
   forward_dynamics_derivatives
 };
 
-/// The inputs in the order of the generated contract, each an array of its own:
-/// inverse_dynamics and its derivatives q qd qdd, forward_dynamics and its derivatives q qd tau,
-/// matrices q, control_torque q qd qdd_0 xdd_cmd. One output; matrices are row-major, derivatives
-/// are three of them one after the other. A call for n states has rows of n: element i of all.
+/// A call of a function. The inputs are in the order of the generated contract, each an array of
+/// its own: inverse_dynamics and its derivatives q qd qdd, forward_dynamics and its derivatives q
+/// qd tau, matrices q, control_torque q qd qdd_0 xdd_cmd. There is one output. Matrices are
+/// row-major; derivatives are three of them one after the other. A call for n states has rows of n:
+/// element i of all states.
 using Call = void (*)(void* solver, const double* const* inputs, double* output);
 
 struct Routine {
   Call call = nullptr;
   std::shared_ptr<void> solver = nullptr;  ///< the call's first argument; generated code has none
-  int states = 1;                          ///< that one call takes: 1, 2, 4, 8, 16
-  /// Brings an output into the order above where a library's own is another, as good to its user
-  /// (column-major, one triangle of a symmetric matrix): not timed.
+  int states = 1;                          ///< number of states per call: 1, 2, 4, 8, 16
+  /// Converts an output into that order if the library's own form is different but equally useful
+  /// (column-major, one triangle of a symmetric matrix). Not timed.
   void (*finish)(void* solver, double* output) = nullptr;
 
   void operator()(const double* const* inputs, double* output) const {
@@ -44,13 +45,13 @@ struct Routine {
 struct Subject {
   std::string implementation;  ///< for the table: "KDL", "generated, g++ -O3"
   std::map<Function, Routine> routines;
-  /// Of generated code: the folder with `manifest.json` and, for each function, what compiling it
-  /// cost (`FUNCTION.json`, see compile_meter.cpp). Empty for the others.
+  /// For generated code: the folder with `manifest.json` and, for each function, the cost of
+  /// compiling it (`FUNCTION.json`, see compile_meter.cpp). Empty for others.
   std::string facts = {};
   std::string source_prefix = {};  ///< `batch_` where that is what FUNCTION.json begins with
 };
 
-/// A routine that keeps `solver` alive. `body` has no captures.
+/// Makes a routine that keeps `solver` alive. `body` must not have captures.
 template <class Solver>
 Routine make_routine(std::shared_ptr<Solver> solver, Call body) {
   return {body, std::move(solver)};

@@ -8,7 +8,8 @@ namespace treeline::bench {
 
 namespace {
 
-/// Functions that are generated, and M^-1, which is not but belongs beside derivatives.
+/// Keeps the functions that are generated, and M^-1, which is not generated but belongs to the
+/// derivatives.
 void keep_what_is_measured(std::vector<Subject>& subjects) {
   auto wanted = subjects.front().routines;
   if (wanted.contains(Function::forward_dynamics_derivatives)) {

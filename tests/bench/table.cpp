@@ -30,7 +30,7 @@ std::string print_time(const std::optional<double>& time) {
   return number(time.value_or(0), 9, time && *time < 100 ? 1 : 0);
 }
 
-/// "85% flops" or "93% code".
+/// Prints the share of the nearest limit: "85% flops" or "93% code".
 std::string print_limit(const Row& row, const Limits& limits) {
   if (row.flops_a_cycle <= 0) return {};
   constexpr long kFirstLevel = 32 << 10;
@@ -68,7 +68,7 @@ std::string print_heading(const Row& row) {
       "fl/cyc", "B/cyc", "limit", "code", "stack", "compile", "MiB");
 }
 
-/// What all functions of each implementation cost to make.
+/// Prints the cost of making all functions of each implementation.
 std::string print_compilation(const Measured& measured) {
   std::string text;
   for (const Subject& subject : measured.subjects) {

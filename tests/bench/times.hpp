@@ -8,7 +8,7 @@
 
 namespace treeline::bench {
 
-/// Nanoseconds a state, of all repetitions of one benchmark.
+/// Nanoseconds per state in all repetitions of one benchmark.
 struct Times {
   std::vector<double> repetitions;
 
@@ -16,12 +16,12 @@ struct Times {
   [[nodiscard]] double least() const;
 };
 
-using AllTimes = std::map<std::string, Times>;  ///< by the benchmark's name
+using AllTimes = std::map<std::string, Times>;  ///< by name of the benchmark
 
-/// Adds the times of earlier runs that were written to `path`, then writes all there.
+/// Adds the times of earlier runs in the file `path`, then writes all times to it.
 void add_times(const std::string& path, AllTimes& times);
 
-/// Collects times and prints nothing but errors.
+/// Collects times. Prints only errors.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }

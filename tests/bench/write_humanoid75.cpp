@@ -1,5 +1,5 @@
-// Writes a humanoid of 75 joints with hands of 20, on a floating base: write_humanoid75 URDF
-// Lopsided, so that nothing cancels; the same file on every machine.
+// Writes a humanoid of 75 joints with hands of 20 joints, on a floating base: write_humanoid75
+// URDF. It is asymmetric, so that nothing cancels, and the same on every machine.
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -24,7 +24,7 @@ class Humanoid {
   }
 
  private:
-  /// Uniform in [low, high), Lehmer's generator.
+  /// Uniform in [low, high), by Lehmer's generator.
   double random(double low, double high) {
     seed_ = seed_ * 48271 % 2147483647;
     return low + (high - low) * static_cast<double>(seed_) / 2147483647.0;
@@ -49,7 +49,8 @@ class Humanoid {
          << "</joint>\n";
   }
 
-  /// A joint for each of `axes`, the first at `first` on `parent`. Returns the last link.
+  /// Adds a joint for each of `axes`; the first one is at `first` on `parent`. Returns the last
+  /// link.
   std::string chain(const std::string& name, std::string parent, const Vector& first,
                     const Vector& step, const std::string& axes, double mass) {
     for (std::size_t i = 0; i < axes.size(); ++i, mass *= 0.9) {

@@ -8,10 +8,10 @@
 #include "bench/draw_svg.hpp"
 #include "check/fixture.hpp"
 
-// Every variant of a small robot's functions, compiled and run. Would catch a variant that gets
-// another's arguments, an answer compared with another function's truth, float called double,
-// output that is no JSON, a mark that is
-// not drawn. Errors are asserted, times only to be there.
+// Compiles and runs every variant of a small robot's functions. Would catch: a variant that gets
+// the arguments of another one, a result that is compared with the reference of another function,
+// float that is called double, output that is not JSON, a mark that is not drawn. Errors are
+// checked; times only have to exist.
 
 namespace treeline::tests {
 namespace {
@@ -32,7 +32,7 @@ void expect_errors_of_their_real(const BenchFunction& made) {
   EXPECT_EQ(made.singular, 0);
   EXPECT_GE(made.rows.size(), 6U);
   for (const BenchRow& row : made.rows) {
-    // A norm-wise error of a few rounding errors: three joints, a dozen terms each.
+    // A norm-wise error of a few roundings: three joints with a dozen terms each.
     const double unit = row.variant.real == Real::float32 ? 0x1p-24 : 0x1p-53;
     EXPECT_LT(row.norm.worst, 100 * unit) << row.variant.name;
     EXPECT_GT(row.norm.worst, unit / 100) << row.variant.name;
@@ -48,7 +48,8 @@ void expect_factorisations(const BenchFunction& made) {
   for (const BenchRow& row : made.rows) {
     if (row.variant.group != VariantGroup::solve) continue;
     ++found;
-    // At most the condition of Lambda^-1 that float can solve with, some 1e5, times rounding.
+    // At most the condition number of Lambda^-1 that float can solve with, some 1e5, times
+    // rounding.
     EXPECT_LT(row.norm.worst, 1e-10) << row.variant.name;
   }
   EXPECT_EQ(found, 2);

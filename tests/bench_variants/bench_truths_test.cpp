@@ -6,13 +6,14 @@
 
 #include "check/fixture.hpp"
 
-// Which states variants are measured at. Would catch quaternions that all have unit length, or none
-// of which has, peers that are asked about those of another length, numbers that float cannot hold.
+// States in which variants are measured. Would catch: quaternions that all have unit length, or
+// none of which has, peers that are measured with quaternions of another length, and numbers that
+// float cannot hold.
 
 namespace treeline::tests {
 namespace {
 
-/// Of no function: the states are what is looked at.
+/// References of no function, because only the states matter here.
 BenchTruths truths_of(const std::string& name, int states) {
   const Subjects subjects = load(name);
   BenchOptions options;
@@ -20,14 +21,15 @@ BenchTruths truths_of(const std::string& name, int states) {
   return {subjects.robot, subjects.scene, {}, options};
 }
 
-/// Of the base, with whose position and quaternion q begins.
+/// Length error of the base's quaternion; q begins with the position and quaternion of the base.
 double length_error(const State& state) {
   double square = 0;
   for (std::size_t i = 3; i < 7; ++i) square += state.q[i] * state.q[i];
   return std::abs(std::sqrt(square) - 1);
 }
 
-/// How many have unit length as well as double has it, and as well as float at best.
+/// Counts the quaternions that have unit length up to the rounding of double, and those up to that
+/// of float.
 std::pair<int, int> count_lengths(const std::vector<StateReference>& references) {
   std::pair<int, int> counts;
   for (const StateReference& reference : references) {

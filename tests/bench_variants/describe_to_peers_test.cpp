@@ -9,8 +9,8 @@
 #include "random_mechanism.hpp"
 #include "random_state.hpp"
 
-// What peers are given is the robot that we compute. Would catch a joint, an inertia or a gravity
-// lost on the way, a locked joint that is held elsewhere, coordinates in another order.
+// Peers receive the robot that is computed here. Would catch: a joint, an inertia or a gravity that
+// is lost, a locked joint with another value, and coordinates in another order.
 
 namespace treeline::tests {
 namespace {
@@ -44,7 +44,7 @@ TEST(DescribeToPeers, WritesTheSameRobot) {
     const auto qdd = random_entries<double>(dice, own.nv, 5);
     const auto tau = interpreter::inverse_dynamics<double>(own, q, qd, qdd);
     const auto same = interpreter::inverse_dynamics<double>(theirs, q, qd, qdd);
-    // Rounding of a few bodies' recursion, and of the angles that locked joints become.
+    // Rounding of a few bodies' recursion, and of the angles of locked joints.
     EXPECT_LE((tau - same).norm(), 1e-12 * tau.norm());
   }
 }

@@ -1,8 +1,8 @@
-// A peer of a pendulum: one revolute joint. Its numbers are known, and so are their errors:
-//   mass_matrix       off by 1e-9 of itself, in twice its size until it is finished
+// A peer for a pendulum, which has one revolute joint. Its results and their errors are known:
+//   mass_matrix       relative error of 1e-9; twice as large before it is finished
 //   forward_dynamics  right, by two routes
 //   inverse_dynamics  zero
-// The inertia about the joint is 2, the moment of weight about it 1.5 g sin(q).
+// The inertia about the joint is 2, the moment of weight about it is 1.5 g sin(q).
 #include <cmath>
 #include <fstream>
 #include <stdexcept>

@@ -7,8 +7,9 @@
 
 #include "bench/bench_report.hpp"
 
-// Errors of made-up answers, by hand. Would catch an error lost in the rounding of the truth's high
-// part, results measured by one another's size, a NaN that passes, a front with beaten points.
+// Errors of made-up results, computed by hand. Would catch: an error that is lost in the rounding
+// of the reference's high part, a result that is measured by the size of another one, a NaN that
+// passes, and a front with points that others beat.
 
 namespace treeline::tests {
 namespace {

@@ -1,4 +1,4 @@
-// A library that can be loaded and is no peer.
+// A library that can be loaded but is not a peer.
 extern "C" [[gnu::visibility("default")]] int answer() {
   return 42;
 }

@@ -4,9 +4,9 @@
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 
-// Libraries that have nothing of this project, against 50 digits. Would catch an adapter that gives
-// its library another robot, order of joints, gravity or axes, and states on a floating base at
-// which a peer cannot be right to the last digits.
+// Results of independent libraries, compared with 50 digits. Would catch: an adapter that gives its
+// library another robot, order of joints, gravity or axes, and states of a floating base in which a
+// peer cannot be right to the last digits.
 
 namespace treeline::tests {
 namespace {
@@ -33,7 +33,7 @@ void expect_digits(const std::string& name, std::vector<Function> functions) {
     for (const BenchRow& row : made.rows) {
       if (row.variant.group != VariantGroup::peer) continue;
       ++measured;
-      // Rounding of recursions in the world's axes through conditions of a thousand and more.
+      // Rounding of recursions in world axes, with condition numbers of a thousand and more.
       EXPECT_LT(row.norm.worst, 1e-10) << row.variant.name << ' ' << function_name(made.function);
     }
   }

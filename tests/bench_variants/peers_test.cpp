@@ -12,14 +12,14 @@
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 
-// A module whose numbers are known, loaded and measured. Would catch a peer that gets another's
-// time or error, one that is shown although it computes something else, a call into a module of
-// other sources, something that a peer cannot do and nobody is told of.
+// A module whose results are known is loaded and measured. Would catch: a peer that gets another
+// one's time or error, a peer that is listed although it computes something else, a call into a
+// module of another version, and a limitation of a peer that is not reported.
 
 namespace treeline::tests {
 namespace {
 
-// About the joint 3 * 0.5^2 + 1.25 = 2 kg m^2, a first moment of 3 * 0.5 = 1.5 kg m.
+// Inertia about the joint 3 * 0.5^2 + 1.25 = 2 kg m^2, first moment 3 * 0.5 = 1.5 kg m.
 constexpr const char* kPendulum = R"(<robot name="pendulum">
   <link name="base"/>
   <link name="arm">
@@ -121,7 +121,7 @@ void expect_json(const BenchReport& report) {
   EXPECT_EQ(disagreeing, 1);
 }
 
-/// The legend, and each row of the peer; not what disagrees.
+/// Expects marks for the legend and for each row of the peer, but not for rows that disagree.
 void expect_marks(const BenchReport& report) {
   const std::string svg = draw_svg(report);
   int marks = 0;
@@ -183,7 +183,7 @@ TEST(FindPeers, LoadsWhatIsNamedAndSaysWhatIsAbsent) {
   const FoundPeers found = find_peers({TREELINE_FAKE_PEER}, diagnostics);
   ASSERT_EQ(found.peers.size(), 1U);
   EXPECT_EQ(found.peers[0].release, "1.2");
-  // No module lies beside this test.
+  // There is no module beside this test.
   EXPECT_EQ(found.absent, (std::vector<std::string>{"KDL", "DART", "Pinocchio"}));
   EXPECT_TRUE(diagnostics.list().empty());
 }

@@ -7,8 +7,8 @@
 #include "check/fixture.hpp"
 #include "generation/run_routes.hpp"
 
-// What there is to run, before anything runs. Would catch a first route that is not the one that is
-// emitted, a variant that is lost, code that is measured twice.
+// Variants that are planned, before anything runs. Would catch: a first route that is not the
+// emitted one, a variant that is lost, and code that is measured twice.
 
 namespace treeline::tests {
 namespace {

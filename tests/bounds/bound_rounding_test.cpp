@@ -12,8 +12,8 @@
 #include "generate.hpp"
 #include "sample.hpp"
 
-// Catches bounds that forget an operation's rounding, that grow with every rotation, or that are
-// stated where nothing is known.
+// Would catch: bounds that omit the rounding of an operation, that grow with every rotation, or
+// that are stated where nothing is known.
 
 namespace treeline::tests {
 namespace {
@@ -29,7 +29,7 @@ TEST(BoundRounding, CountsEveryRounding) {
   sample.result({x[0] + x[1], x[0] * x[1], Expression(0.1) * x[0], Expression(0.5) * x[0]});
   const RoundingBound bound = bound_of(sample);
   ASSERT_TRUE(bound.is_proven());
-  // The sum's and the products' own; none for a power of two.
+  // Rounding of the sum and of the products, but not of the product with a power of two.
   EXPECT_NEAR(bound.error[0], 6 * kUnit, 1e-9 * kUnit);
   EXPECT_NEAR(bound.error[1], 9 * kUnit, 1e-9 * kUnit);
   EXPECT_NEAR(bound.error[2], 0.3 * kUnit, 1e-9 * kUnit);
@@ -37,8 +37,8 @@ TEST(BoundRounding, CountsEveryRounding) {
   EXPECT_NEAR(bound.size[1], 9, 1e-9);
 }
 
-/// A vector of length at most sqrt 3 turned forty times about x and z: by magnitudes alone its
-/// entries would be bounded by more than 1e4.
+/// A vector of length at most sqrt 3 is rotated forty times about x and z. By magnitudes alone the
+/// bound of its entries would exceed 1e4.
 TEST(BoundRounding, RotationsDoNotLengthenVectors) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
@@ -51,12 +51,13 @@ TEST(BoundRounding, RotationsDoNotLengthenVectors) {
   sample.result(v);
   const RoundingBound bound = bound_of(sample);
   for (const double size : bound.size) EXPECT_LE(size, 1.7321);
-  // Each turn brings at most so much: two products and a sum, sine and cosine 2 units each, of
-  // two entries, of values below sqrt 3.
+  // Largest error of one rotation: two products and a sum, and sine and cosine with 2 units each,
+  // for two entries and values below sqrt 3.
   for (const double error : bound.error) EXPECT_LE(error, 40 * 2 * 5 * 1.7321 * 1.4143 * kUnit);
 }
 
-/// The same for symmetric matrices, rotated by the eleven operations that recursions use.
+/// Symmetric matrices, rotated by the eleven operations that recursions use, do not grow in the
+/// bounds.
 TEST(BoundRounding, RotationsDoNotEnlargeMatrices) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
@@ -90,7 +91,8 @@ TEST(BoundRounding, SaysWhyThereIsNone) {
   EXPECT_EQ(RoundingBound{}.kind, RoundingBound::Kind::none);
 }
 
-/// What is divided is searched, and looked at state by state where a divisor may vanish.
+/// Functions with a division are searched. If a divisor may vanish, the bound holds for a share of
+/// the states.
 TEST(BoundRounding, QuotientsAreBoundedToFirstOrder) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
@@ -105,8 +107,8 @@ TEST(BoundRounding, QuotientsAreBoundedToFirstOrder) {
   EXPECT_NE(describe(typical, sample.program, kUnit).find("99 of 100 states"), std::string::npos);
 }
 
-/// One turn of a vector of length at most sqrt 2 (each entry 1): products and sine errors count by
-/// the vector's length, not each by itself, which would make 5 of each entry.
+/// One rotation of a vector of length at most sqrt 2 (entries up to 1). Errors of products and
+/// sines count with the vector's length. Counted separately they would give 5 for each entry.
 TEST(BoundRounding, RoundingsOfATurnCountTogether) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
@@ -123,8 +125,8 @@ TEST(BoundRounding, RoundingsOfATurnCountTogether) {
   EXPECT_LE(climber.worst[0], bound.error[0]);
 }
 
-/// Carries y e from one side of a turn to the other, as recursions do that take accelerations from
-/// a parent: all that is left of products as large as 4 is one input.
+/// Moves y e from one side of a rotation to the other, as recursions do that take accelerations
+/// from a parent. Products as large as 4 cancel, and one input is left.
 TEST(BoundRounding, ProductsCancelThroughTurns) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
@@ -153,7 +155,7 @@ TEST(BoundRounding, SinesMayBeGiven) {
   EXPECT_LE(bound_of(sample).size[0], 1.4143);
 }
 
-/// The worst error found over the bound, of any entry.
+/// Ratio of the worst error found to the bound, over all entries.
 double climb_given(const Program& program, const Domain& domain, const RoundingBound& bound,
                    Climber::Given given, int steps) {
   Climber climber(program, domain, 11, given);
@@ -167,8 +169,8 @@ double climb_given(const Program& program, const Domain& domain, const RoundingB
   return worst;
 }
 
-/// Sines and cosines in the box |sin_q| <= 1, |cos_q| <= 1 alone lengthen vectors by up to sqrt 2 a
-/// turn: there the bound is broken, and it has to say that it is for pairs on the circle.
+/// In the whole box |sin_q| <= 1, |cos_q| <= 1, a rotation may lengthen vectors by sqrt 2. So the
+/// bound does not hold there, and it must state that it assumes pairs on the unit circle.
 TEST(BoundRounding, GivenSinesMustLieOnTheCircle) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
@@ -190,7 +192,7 @@ TEST(BoundRounding, GivenSinesMustLieOnTheCircle) {
   EXPECT_EQ(describe(sample.domain, {"x"}), "|x| <= 1");
 }
 
-/// The same of a robot's own functions, and what its header and manifest say.
+/// Robots' own functions with given sines: the header and the manifest must state the circle.
 TEST(BoundRounding, RobotsWithGivenSinesStateTheCircle) {
   const Subjects made = load_functions("humanoid24", {Function::jacobian}, Sines::given);
   const GeneratedFunction& jacobian = made.generation.functions.front();

@@ -12,14 +12,14 @@
 
 namespace treeline::tests {
 
-/// Searches the inputs at which a program's rounding errors are worst. Errors while climbing are
-/// those of double against long double, which has 11 bits more; constants count as they stand in
-/// the graph, so that what is found is a lower bound of the worst.
+/// Searches the inputs for which a program's rounding errors are largest. The errors during the
+/// search are those of double compared with long double, which has 11 bits more. Constants are used
+/// as they are in the graph, so the result is a lower bound of the largest error.
 class Climber {
  public:
   using Inputs = std::vector<std::vector<double>>;
 
-  /// Sines and cosines that are given are those of angles; or, with `Given::in_box`, any numbers up
+  /// Given sines and cosines either belong to angles or, with `Given::in_box`, are any numbers up
   /// to one.
   enum class Given { on_circle, in_box };
 
@@ -32,8 +32,8 @@ class Climber {
     at.resize(entries);
   }
 
-  /// Raises the magnitude of entry `target` first, from its worst inputs so far or random ones:
-  /// errors grow with it, but on rough ground. Then the error itself.
+  /// First increases the magnitude of entry `target` from its worst inputs so far, or from random
+  /// ones, because errors grow with it, although irregularly. Then increases the error itself.
   void climb(std::size_t target, int steps) {
     Inputs best = at[target].empty() ? draw() : at[target];
     for (const bool by_size : {true, false}) {
@@ -60,7 +60,7 @@ class Climber {
     return domain_.sizes.find(program_.arguments[argument].name)->second;
   }
 
-  /// Mostly in corners of the domain but for angles: there values are largest.
+  /// Draws mostly corners of the domain, where values are largest, except for angles.
   double draw_entry(const std::string& argument, double size) {
     if (argument != "q" && dice_.chance(0.7)) return dice_.chance(0.5) ? size : -size;
     return dice_.uniform(-size, size);
@@ -78,7 +78,7 @@ class Climber {
     return normalised(std::move(inputs));
   }
 
-  /// Sines and cosines of the angles that those given are nearest to.
+  /// Replaces given sines and cosines by those of the nearest angles.
   void put_on_circle(std::vector<double>& sines, std::vector<double>& cosines) const {
     for (std::size_t i = 0; given_ == Given::on_circle && i < sines.size(); ++i) {
       const double angle = std::atan2(sines[i], cosines[i]);
@@ -87,7 +87,7 @@ class Climber {
     }
   }
 
-  /// Quaternions have length 1.
+  /// Returns the inputs with quaternions of length 1.
   Inputs normalised(Inputs inputs) const {
     for (std::size_t i = 1; i < inputs.size(); ++i) {
       if (program_.arguments[i].name == "cos_q") put_on_circle(inputs[i - 1], inputs[i]);
@@ -103,7 +103,8 @@ class Climber {
     return inputs;
   }
 
-  /// One or two entries anew, or a little off: the last bits decide about rounding.
+  /// Draws one or two entries anew or changes them slightly, because the last bits determine the
+  /// rounding.
   Inputs change(Inputs inputs) {
     const int count = 1 + dice_.below(3);
     for (int i = 0; i < count; ++i) {
@@ -120,7 +121,7 @@ class Climber {
     return normalised(std::move(inputs));
   }
 
-  /// Every entry a little inward: other roundings at much the same size.
+  /// Moves every entry slightly inward. The roundings change but the sizes hardly do.
   Inputs shake(Inputs inputs) {
     const double most = std::pow(10, -1 - dice_.below(6));
     for (std::vector<double>& entries : inputs) {
@@ -129,7 +130,7 @@ class Climber {
     return normalised(std::move(inputs));
   }
 
-  /// Of all entries.
+  /// Errors of all entries.
   struct Trial {
     std::vector<double> errors, sizes;
   };

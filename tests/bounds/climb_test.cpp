@@ -7,15 +7,15 @@
 #include "generate.hpp"
 #include "interpreter/digits50.hpp"
 
-// Catches bounds that do not hold, by states in which errors are as bad as a search can make them,
-// and bounds that are true but worthless.
+// Would catch: bounds that do not hold, using states in which errors are as large as a search can
+// make them, and bounds that hold but are too large to be useful.
 
 namespace treeline::tests {
 namespace {
 
 using interpreter::Digits50;
 
-/// Of double against 50 digits, on the same inputs and constants.
+/// Errors of double compared with 50 digits, for the same inputs and constants.
 std::vector<double> true_errors(const Program& program, const Climber::Inputs& inputs) {
   std::vector<std::vector<Digits50>> wide;
   for (const auto& entries : inputs) wide.emplace_back(entries.begin(), entries.end());
@@ -30,7 +30,7 @@ std::vector<double> true_errors(const Program& program, const Climber::Inputs& i
   return errors;
 }
 
-/// How far below its bound the worst error found is, on the whole: the largest of both.
+/// Ratio of the largest bound to the largest error found, over all entries.
 double climb_and_compare(const GeneratedFunction& generated, const Subjects& made,
                          std::uint64_t seed, std::size_t targets, int steps) {
   EXPECT_TRUE(generated.rounding.is_proven()) << generated.rounding.missing;
@@ -55,8 +55,8 @@ double climb_and_compare(const GeneratedFunction& generated, const Subjects& mad
 }
 
 /// bound / worst found, the largest of all entries. RNEA: puma560 6.6, samm 3.1, ur10e 7.7,
-/// humanoid24 84; M: 4.0, 3.7, 4.2, 12. What is left are roundings that do not all fall on one
-/// side, and motions and forces that are not at their largest together.
+/// humanoid24 84. M: 4.0, 3.7, 4.2, 12. The rest is due to roundings that do not all have the same
+/// sign, and to motions and forces that are not largest at the same time.
 TEST(Climb, BoundsHoldAndAreTightForOurRobots) {
   constexpr double kTight = 20, kTightOfLongTrees = 100;
   constexpr int kSteps = 4000;

@@ -8,7 +8,7 @@
 
 namespace treeline::tests {
 
-/// These functions of one of our robots.
+/// Generates these functions of one of our robots.
 inline Subjects load_functions(const std::string& name, std::vector<Function> functions,
                                Sines sines = Sines::computed) {
   const std::string folder = std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/";
@@ -22,7 +22,7 @@ inline Subjects load_functions(const std::string& name, std::vector<Function> fu
   return made;
 }
 
-/// A random robot and these functions of it.
+/// Draws a random robot and generates these functions of it.
 inline Subjects draw_functions(std::uint64_t seed, const RandomOptions& options,
                                std::vector<Function> functions) {
   RandomMechanism drawn = random_mechanism(seed, options);

@@ -8,9 +8,9 @@
 #include "bounds/norm_memo.hpp"
 #include "random_mechanism.hpp"
 
-// Norms of matrices that turn, against singular values at many more angles than are sampled. Would
-// catch a bound that is too small, one that is needlessly large, and entries of very different
-// sizes, at which solvers of eigenvalues have given up.
+// Norms of matrices that depend on an angle, compared with singular values at many more angles than
+// are sampled. Would catch: a bound that is too small, one that is needlessly large, and entries of
+// very different sizes, for which eigenvalue solvers have failed.
 
 namespace treeline::bounds {
 namespace {
@@ -68,7 +68,7 @@ TEST(OperatorNorm, IsJustAboveAllSingularValues) {
   }
 }
 
-// Would catch: a norm that is not a number, and then no bound, where terms cancel.
+// Would catch: a norm that is not a number, so that there is no bound, if terms cancel.
 TEST(OperatorNorm, ColumnsOfZerosAddNothing) {
   TrigMatrix A{2, 1, {{0, 0, constant(3)}, {1, 0, constant(4)}}};
   const double alone = operator_norm(A, column_norms(A));
@@ -77,7 +77,7 @@ TEST(OperatorNorm, ColumnsOfZerosAddNothing) {
   EXPECT_EQ(operator_norm(A, column_norms(A)), alone);
 }
 
-// Would catch: norms of another matrix that has the same numbers in other places.
+// Would catch: norms remembered from another matrix with the same numbers in other places.
 TEST(NormMemo, GivesWhatIsComputed) {
   constexpr std::uint64_t kSeed = 7;
   SCOPED_TRACE("seed " + std::to_string(kSeed));

@@ -9,8 +9,8 @@
 #include "passes/random_program.hpp"
 #include "program/evaluate.hpp"
 
-// Catches derivatives by the wrong operand, roundings that are forgotten or counted where there is
-// none, and states that mix.
+// Would catch: derivatives with respect to the wrong operand, roundings that are forgotten or
+// counted where there are none, and states that are mixed up.
 
 namespace treeline::bounds {
 namespace {
@@ -93,7 +93,8 @@ TEST(PropagateErrors, StatesAreApart) {
   for (std::size_t s = 0; s < kStatesAtOnce; ++s) EXPECT_DOUBLE_EQ(bound[s], 2 * first[s]);
 }
 
-/// Against 50 digits: no error beyond the bound, some not far below it, and sampled errors between.
+/// Comparison with 50 digits: no error exceeds the bound, some are not far below it, and sampled
+/// errors lie between.
 TEST(PropagateErrors, BoundsTheErrorsOfRandomPrograms) {
   double nearest = 0, sampled = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {

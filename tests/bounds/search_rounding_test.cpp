@@ -10,7 +10,7 @@
 #include "generate.hpp"
 #include "sample.hpp"
 
-// Catches searches that stop short of the worst states of a domain, or leave it.
+// Would catch: searches that stop before the worst states of a domain, or leave it.
 
 namespace treeline::tests {
 namespace {
@@ -30,8 +30,8 @@ TEST(SearchWorst, FindsTheCornerAndTheEntry) {
   EXPECT_DOUBLE_EQ(worst[0].size, 9);
 }
 
-/// 1 / (1.01 + cos q) is worst at q = pi: cos is off by a unit there, a hundredfold amplified
-/// twice.
+/// 1 / (1.01 + cos q) is worst at q = pi: cos has an error of one unit there, which is amplified a
+/// hundredfold twice.
 TEST(SearchWorst, ClimbsANarrowPeak) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
@@ -68,8 +68,9 @@ TEST(DrawInputs, QuaternionsHaveLengthOneAndSinesAreOfOneAngle) {
   }
 }
 
-/// 1 / q with q even over -1 .. 1 errs by 1 / |q|: more than 2, 10, 100 in 50, 10, 1 of 100 states,
-/// of 4096 states in 2048, 410, 41, give or take 32, 19, 6: four times that is allowed.
+/// 1 / q, with q uniform in -1 .. 1, has an error of 1 / |q|: more than 2, 10, 100 in 50, 10, 1 of
+/// 100 states, that is, in 2048, 410, 41 of 4096 states with standard deviations 32, 19, 6. The
+/// test allows four times that.
 TEST(FindTypical, KnowsTheQuantiles) {
   Sample sample;
   const Graph::Scope scope(sample.program.graph);
@@ -83,8 +84,8 @@ TEST(FindTypical, KnowsTheQuantiles) {
   EXPECT_NEAR(typical[0][2].error, 100, 60);
 }
 
-/// What is stated covers a search of other states and more effort, and errors that were climbed
-/// for. Returns stated over the worst error found.
+/// Checks that the stated bound covers a search of other states with more effort, and hill
+/// climbing. Returns the stated bound divided by the worst error found.
 double search_longer(const GeneratedFunction& generated, const Domain& domain,
                      const SearchEffort& effort, int climbed) {
   const auto longer = bounds::search_worst(generated.program, domain, kUnit, effort);
@@ -105,9 +106,9 @@ double search_longer(const GeneratedFunction& generated, const Domain& domain,
   return stated / worst;
 }
 
-/// Stated over the worst error found, forward dynamics and Lambda^-1: puma560 5.5, 16; samm 6.2,
-/// 22; ur10e 18, 21; humanoid24 18, 30. Four of it is the margin, the rest roundings that do not
-/// all fall on one side.
+/// Stated bound over the worst error found for forward dynamics and Lambda^-1: puma560 5.5, 16;
+/// samm 6.2, 22; ur10e 18, 21; humanoid24 18, 30. A factor of four is the margin; the rest is due
+/// to roundings that do not all have the same sign.
 TEST(SearchWorst, StatedBoundsOfOurRobotsHold) {
   constexpr double kTight = 100;
   for (const char* name : {"puma560", "samm", "ur10e", "humanoid24"}) {
@@ -142,7 +143,7 @@ TEST(SearchWorst, StatedBoundsOfRandomMechanismsHold) {
   }
 }
 
-/// The first-order bound of each entry at one state.
+/// First-order bound of each entry at one state.
 std::vector<double> bounds_at(const Program& program, const Climber::Inputs& arguments) {
   bounds::ErrorPropagation errors(program.graph, kUnit);
   std::vector<bounds::States> inputs;
@@ -159,9 +160,9 @@ std::vector<double> bounds_at(const Program& program, const Climber::Inputs& arg
   return bounds;
 }
 
-/// Towards singularities errors grow without bound, and what is stated of a state with them: errors
-/// are climbed for, and where they are worst compared with the bound there, as long as what is of
-/// second order is a thousandth of it.
+/// Near singularities errors grow without bound, and so does the bound of a state. Hill climbing
+/// finds the largest errors, which are compared with the bound at the same state as long as
+/// second-order terms are at most a thousandth of it.
 TEST(FindTypical, BoundsHoldAtTheStatesClimbedTo) {
   constexpr double kSecondOrder = 1e-3;
   for (const char* name : {"puma560", "samm", "ur10e"}) {

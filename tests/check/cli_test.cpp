@@ -3,8 +3,8 @@
 #include "cli/run_program.hpp"
 #include "fixture.hpp"
 
-// `treeline check` as a shell sees it. Would catch exit codes that hide a failure, JSON that is
-// none, messages among the data.
+// `treeline check` as a shell runs it. Would catch: exit codes that hide a failure, output that is
+// not JSON, and messages among the data.
 
 namespace treeline::tests {
 namespace {

@@ -5,14 +5,13 @@
 #include "check/run_commands.hpp"
 #include "fixture.hpp"
 
-// What can go wrong between a folder of sources and a loaded library is told, not survived. Would
-// catch a stale folder that passes, a compiler's words that are lost, sizes read from the wrong
-// column.
+// Faults between a folder of sources and a loaded library must be reported. Would catch: a stale
+// folder that passes, a compiler's message that is lost, and sizes read from the wrong column.
 
 namespace treeline::tests {
 namespace {
 
-/// A folder of planar3r's gravity and Jacobian that a test may damage.
+/// A folder with planar3r's gravity and Jacobian that a test may damage.
 class FolderTest : public testing::Test {
  protected:
   FolderTest() : subjects_(load("planar3r")), options_(quick_options(10)) {
@@ -53,7 +52,7 @@ TEST_F(FolderTest, UpToDatePasses) {
   EXPECT_TRUE(report->passed()) << print_text(*report);
 }
 
-// Right figures from a file that is not what would be generated now.
+// Correct figures from a file that differs from what would be generated now.
 TEST_F(FolderTest, StaleFileIsNamed) {
   replace("gravity.cpp", "// gravity", "// Gravity");
   const auto report = run();
@@ -65,7 +64,7 @@ TEST_F(FolderTest, StaleFileIsNamed) {
   EXPECT_NE(print_text(*report).find("gravity.cpp: stale"), std::string::npos);
 }
 
-// In a header that check includes, not in a function's source.
+// The fault is in a header that check includes, not in a function's source.
 TEST_F(FolderTest, FaultInSineIsSeen) {
   replace("sin_cos.hpp", "kS1 = -0x1.5555555555548p-3", "kS1 = -0x1.5555555555748p-3");
   const auto report = run();

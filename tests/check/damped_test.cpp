@@ -4,9 +4,10 @@
 #include "fixture.hpp"
 #include "generation/evaluate_damped.hpp"
 
-// damped_control_torque as a function that is checked like the others: compiled, near singularities
-// above all, against 50 digits. Would catch a law that is not the one of damped_solve.hpp, one that
-// is not checked where it matters, bounds that faults fit in, a header that goes unread.
+// damped_control_torque is checked like other functions: compiled and compared with 50 digits,
+// mainly near singularities. Would catch: a law that differs from that of damped_solve.hpp, a check
+// that leaves out the states that matter, bounds so wide that faults pass, and a header that is not
+// read.
 
 namespace treeline::tests {
 namespace {
@@ -19,7 +20,7 @@ const FunctionReport& damped_of(const CheckReport& report) {
   return *found;
 }
 
-/// The robot with no more functions than the law needs.
+/// The robot with only the functions that the law needs.
 Subjects load_damped(const std::string& name) {
   Subjects made = load(name);
   made.scene.functions = {kDampedFunctions.begin(), kDampedFunctions.end()};
@@ -27,7 +28,7 @@ Subjects load_damped(const std::string& name) {
   return made;
 }
 
-/// A random robot whose scene asks for damping and for what that needs.
+/// A random robot whose scene asks for damping and for the functions that it needs.
 Subjects draw_damped(std::uint64_t seed, RandomOptions options, Real real, Sines sines) {
   options.mimic = seed % 2 == 0 ? 0.3 : 0;
   options.external_forces = static_cast<int>(seed % 3);
@@ -41,7 +42,7 @@ Subjects draw_damped(std::uint64_t seed, RandomOptions options, Real real, Sines
   return made;
 }
 
-// No state is left out: what the law is for is near singularities, and a quarter of the states is.
+// No state is left out. A quarter of the states are near singularities, for which the law is made.
 TEST(CheckDamped, Ur10eThroughItsSingularities) {
   const Subjects subjects = load_damped("ur10e");
   const CheckOptions options = quick_options(100);
@@ -79,7 +80,8 @@ TEST(CheckDamped, RandomRobots) {
   }
 }
 
-// Four rows, three joints: Lambda^-1 has no inverse in any state, and the law is checked in all.
+// Four rows with three joints: Lambda^-1 has no inverse in any state, and the law is checked in all
+// of them.
 TEST(CheckDamped, WhereNoStateHasLambda) {
   Subjects subjects = load("planar3r");
   ScenePoint elbow = subjects.scene.operational_points.front();
@@ -101,7 +103,8 @@ struct Fault {
   bool beyond_bound;  ///< else only the bits tell
 };
 
-// In the headers that the function is: every fault is seen, by the bound but for those in rounding.
+// Faults in the headers of which the function consists. The bound detects all of them except those
+// in rounding.
 TEST(CheckDamped, FaultsInItsHeadersAreSeen) {
   const Subjects subjects = load_damped("ur10e");
   const TemporaryFolder temporary;
@@ -149,7 +152,7 @@ TEST(CheckDamped, MissingHeaderIsAnError) {
   EXPECT_TRUE(diagnostics.has_errors());
 }
 
-// More rows than anybody has: the report says that the bits are not known, not that they differ.
+// More rows than are supported: the report says that the bits are unknown, not that they differ.
 TEST(CheckDamped, ManyRowsHaveNoKnownBits) {
   DampedInputs inputs;
   inputs.heaviest.assign(37, 1);

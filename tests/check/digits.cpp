@@ -40,7 +40,7 @@ std::vector<fs::path> sorted_files(const fs::path& folder, const std::string& ex
 std::vector<std::string> end_links(const Robot& robot) {
   std::set<int> parents;
   for (const Joint& joint : robot.joints) {
-    // A link behind a fixed joint is no end of its own.
+    // A link behind a fixed joint is not an end of its own.
     if (joint.type != JointType::fixed) parents.insert(joint.parent);
   }
   std::vector<std::string> ends;
@@ -119,7 +119,7 @@ std::optional<Scene> make_scene(const Robot& robot, std::optional<Base> base) {
       Diagnostics diagnostics;
       if (auto scene =
               parse_scene(scene_text(chosen, ends, points, rows), "made", robot, diagnostics)) {
-        // Rows that a bare solve takes, solved as they are by default.
+        // Rows that a plain solve can handle, solved as they are by default.
         scene->singular = SingularTasks::smooth;
         leave_out_singular(robot, *scene, false, diagnostics);
         return scene;

@@ -1,6 +1,6 @@
-// Digits that each function leaves, for every robot at hand, beside the table digits.csv. Would
-// catch a recursion, route or reduction that loses digits on some robot, long before an error bound
-// breaks. `cmake --build BUILD -t digits` makes the table again.
+// Digits that each function keeps, for every available robot, compared with the table digits.csv.
+// Would catch: a recursion, route or reduction that loses digits for some robot, long before an
+// error bound is exceeded. `cmake --build BUILD -t digits` makes the table again.
 #include "check/digits.hpp"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@
 namespace treeline::tests {
 namespace {
 
-/// Rounding errors of other orders of operations differ by that much at the worst of few states.
+/// Rounding errors of other orders of operations differ by this much at the worst of few states.
 constexpr double kAllowedLoss = 0.6;
 
-/// What double leaves of functions that solve nothing, on any robot; the rest is left to functions
-/// that solve, by condition. Scenes in float have half.
+/// Digits that double keeps in functions without a solve, for any robot. Functions with a solve
+/// depend on the condition number. Scenes in float keep half.
 constexpr double kLeastDigits = 12.5, kLeastDigitsOfFloat = 5.5;
 
-/// Robots whose functions are wrong today, and why. A robot that is right fails.
+/// Robots whose functions are wrong today, and why. If such a robot becomes right, the test fails.
 const std::map<std::string, std::string> kWrong = {};
 
 bool solves(const std::string& function) {
@@ -31,7 +31,7 @@ bool solves(const std::string& function) {
   return kSolving.contains(function);
 }
 
-/// Whether every function that solves nothing leaves the digits of its Real.
+/// Whether every function without a solve keeps the digits of its Real.
 bool is_right(const std::vector<DigitsLeft>& rows, bool in_float) {
   return std::all_of(rows.begin(), rows.end(), [&](const DigitsLeft& row) {
     return solves(row.function) ||
@@ -80,7 +80,7 @@ TEST_P(Digits, AreKept) {
   }
 }
 
-// A robot that is here and not in the table is not guarded.
+// A robot without a row in the table would not be tested.
 TEST(DigitsTable, HasEveryRobot) {
   const auto names = subjects_in_table();
   for (const DigitsSubject& subject : list_subjects(TREELINE_ROBOTS_DIR)) {

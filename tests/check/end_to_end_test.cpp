@@ -2,9 +2,9 @@
 
 #include "fixture.hpp"
 
-// Robots of every kind are generated, compiled, run and found right. Would catch a function that is
-// called with its arguments in another order, a scale that is too small somewhere, a kind of joint
-// or scene that the check cannot cope with.
+// Robots of every kind are generated, compiled, run and found right. Would catch: a function that
+// is called with its arguments in another order, a scale that is too small, and a kind of joint or
+// scene that the check cannot handle.
 
 namespace treeline::tests {
 namespace {
@@ -18,7 +18,7 @@ void expect_passed(const CheckReport& report, std::size_t functions) {
     EXPECT_GT(function.code_bytes.value_or(1), 0) << function.name;
     if (function.count && function.count->flops() == 0)
       continue;  // planar3r's gravity: it lies down
-    // Rounding there is; a check that compares a result with itself would find none.
+    // There are rounding errors. A check that compares a result with itself would find none.
     EXPECT_GT(function.worst.error, 0) << function.name;
     EXPECT_LE(function.median, function.percent_99) << function.name;
     EXPECT_LE(function.percent_99, function.worst.error) << function.name;
@@ -28,14 +28,14 @@ void expect_passed(const CheckReport& report, std::size_t functions) {
 TEST(Check, Puma560) {
   const auto report = check_or_throw(load("puma560"), quick_options(100));
   expect_passed(report, 11);
-  // The wrist is singular at q5 = 0: rows yield there, and no state is left out.
+  // The wrist is singular at q5 = 0. Rows are relaxed there, and no state is left out.
   for (const FunctionReport& function : report.functions) {
     EXPECT_EQ(function.singular, 0) << function.name;
   }
 }
 
-// A bare solve has nothing to be compared with where the wrist is singular: some states are, and
-// are said to be.
+// A plain solve has no reference where the wrist is singular. Some states are left out, and the
+// report says so.
 TEST(Check, Puma560SolvedAsItIs) {
   Subjects subjects = load("puma560");
   subjects.scene.singular = SingularTasks::exact;
@@ -63,7 +63,7 @@ TEST(Check, Contacts) {
   expect_passed(free, 6);
 }
 
-// Chapter 7: one box in two hands, with the internal forces that it takes.
+// Chang chapter 7: one box in two hands, with the required internal forces.
 TEST(Check, Objects) {
   expect_passed(check_or_throw(load("humanoid24", "scene_box.yaml"), quick_options(40)), 4);
 }
@@ -74,7 +74,8 @@ TEST(Check, Float) {
   EXPECT_TRUE(report.single_precision);
 }
 
-// Would catch a lane that sees another, a row or a constant that is spread wrongly.
+// Would catch: a lane that uses the values of another one, and a row or constant that is
+// distributed to the wrong lanes.
 TEST(Check, Batches) {
   for (const auto& [batch, real] : {std::pair{4, Real::float64}, std::pair{16, Real::float32}}) {
     RandomOptions options;
@@ -89,8 +90,8 @@ TEST(Check, Batches) {
   }
 }
 
-// Would catch a sine that is given for another joint, or computed beside. A mimic with a factor
-// computes its own.
+// Would catch: a sine that is given for another joint, or computed in addition. A mimic with a
+// factor computes its own.
 TEST(Check, SinesGiven) {
   for (std::uint64_t seed = 41; seed <= 43; ++seed) {
     RandomOptions options;
@@ -109,8 +110,8 @@ TEST(Check, SinesGiven) {
   }
 }
 
-// At a thousand rad a sum of angle and offset is off by 1e-13. Would catch an offset that stays in
-// an angle where digits are asked for.
+// At 1000 rad a sum of angle and offset has an error of 1e-13. Would catch: an offset that stays in
+// an angle although full accuracy is requested.
 TEST(Check, AccuracyAtLargeAngles) {
   constexpr double kFewUlp = 10;
   for (const Accuracy accuracy : {Accuracy::best, Accuracy::fastest}) {
@@ -130,7 +131,7 @@ TEST(Check, AccuracyAtLargeAngles) {
   }
 }
 
-// Would catch a report that passes whatever is proven.
+// Would catch: a report that passes whatever is proven.
 TEST(Check, BrokenProofIsNoted) {
   Subjects subjects = load("planar3r");
   for (double& error : subjects.generation.functions.front().rounding.error) error *= 1e-3;
@@ -142,7 +143,7 @@ TEST(Check, BrokenProofIsNoted) {
   EXPECT_NE(print_text(report).find("what its expression graph permits"), std::string::npos);
 }
 
-// Whatever the flags, bits are compared as compiled without contraction.
+// Whatever the flags are, bits are those of code compiled without contraction.
 TEST(Check, FlagsThatContract) {
   CheckOptions options = quick_options(60);
   options.compile.flags = "-O2 -march=native -ffp-contract=fast";
@@ -169,8 +170,8 @@ TEST(Check, RandomRobots) {
   }
 }
 
-// Tasks in strict priority, more rows than freedoms: whatever conflicts yields, and is compared
-// too.
+// Tasks of strict priority with more rows than freedoms. Conflicting rows are relaxed, and are
+// compared as well.
 TEST(Check, Priorities) {
   for (std::uint64_t seed = 51; seed <= 54; ++seed) {
     RandomOptions options;
@@ -191,8 +192,9 @@ TEST(Check, Priorities) {
   }
 }
 
-// A task that no state can fulfil, four rows with three joints: a function that can have no value
-// is no failure, and it is said; at a few states only, nothing to compare with is no pass.
+// A task that no state can fulfil, four rows with three joints. A function that cannot have a value
+// does not fail, but the report says so. With only a few states and no reference, the check does
+// not pass.
 TEST(Check, SaysWhatCanHaveNoValue) {
   Subjects subjects = load("planar3r");
   ScenePoint elbow = subjects.scene.operational_points.front();
@@ -216,7 +218,7 @@ TEST(Check, SaysWhatCanHaveNoValue) {
   EXPECT_NE(print_text(few).find("not checked"), std::string::npos);
 }
 
-// The same where rows yield: every state is compared, and is right.
+// If rows are relaxed, every state of such a task is compared, and is right.
 TEST(Check, MoreRowsThanFreedomsYield) {
   Subjects subjects = load("planar3r");
   ScenePoint elbow = subjects.scene.operational_points.front();
@@ -238,7 +240,7 @@ TEST(Check, NamedStatesAreThoseOfTheReport) {
   for (const FunctionReport& function : report.functions) {
     EXPECT_TRUE(named.contains(function.worst.state)) << function.name;
   }
-  // One of them alone has the same error: it does not depend on the others.
+  // One of them alone has the same error, so it does not depend on the others.
   const FunctionReport& function = report.functions.front();
   CheckOptions one = quick_options(1);
   one.references.first = function.worst.state;

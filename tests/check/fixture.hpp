@@ -17,7 +17,7 @@
 
 namespace treeline::tests {
 
-/// A robot and a scene with what is generated from them.
+/// A robot and a scene with the code generated from them.
 struct Subjects {
   Robot robot;
   Scene scene;
@@ -35,7 +35,7 @@ inline Generation generate(const Robot& robot, const Scene& scene) {
   return std::move(*generation);
 }
 
-/// robots/NAME with one of its scenes.
+/// Loads robots/NAME with one of its scenes.
 inline Subjects load(const std::string& name, const std::string& scene_file = "scene.yaml") {
   const std::string folder = std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/";
   Diagnostics diagnostics;
@@ -46,8 +46,8 @@ inline Subjects load(const std::string& name, const std::string& scene_file = "s
   return {*robot, *scene, generate(*robot, *scene)};
 }
 
-/// A random robot, asked for what it always has: on a fixed base a point may have rows that no
-/// joint moves, and then there is no Lambda.
+/// Draws a random robot and asks for the functions that it always has. On a fixed base a point may
+/// have rows that no joint moves, and then Lambda does not exist.
 inline Subjects draw(std::uint64_t seed, const RandomOptions& options, Real real = Real::float64) {
   RandomMechanism drawn = random_mechanism(seed, options);
   Subjects made{drawn.robot, drawn.scene, {}};
@@ -60,7 +60,7 @@ inline Subjects draw(std::uint64_t seed, const RandomOptions& options, Real real
   return made;
 }
 
-/// Few states and a compiler that does not optimise: quick.
+/// Few states and a compiler that does not optimize, to be quick.
 inline CheckOptions quick_options(int states = 40) {
   CheckOptions options;
   options.references.states = states;

@@ -4,7 +4,7 @@
 
 #include "fixture.hpp"
 
-// Catches errors beyond what the graph permits that pass, and sound ones that do not.
+// Would catch: errors beyond what the graph permits that pass, and correct results that do not.
 
 namespace treeline::tests {
 namespace {
@@ -16,7 +16,7 @@ struct Judged {
   std::vector<StateReference> references = make_references(
       subjects.robot, subjects.scene, subjects.generation, ReferenceOptions{.states = 21});
 
-  /// With every result of the graph off by `factor`.
+  /// Judges results that are those of the graph times `factor`.
   std::optional<RoundingReport> judge(Function function, double factor) const {
     const auto& functions = subjects.generation.functions;
     std::size_t i = 0;
@@ -45,8 +45,8 @@ TEST(JudgeRounding, WhatTheGraphGivesIsSound) {
   }
 }
 
-/// At q = 0 the arm is stretched along x: what that row yields to is x to the fifth of next to
-/// nothing, whose first order is less than its rounding.
+/// At q = 0 the arm is stretched along x. The relaxed row contributes x to the fifth power of a
+/// tiny number, whose first-order bound is smaller than its rounding.
 TEST(JudgeRounding, WhatIsFlatThereIsSound) {
   Judged judged;
   judged.references.resize(1);
@@ -57,13 +57,14 @@ TEST(JudgeRounding, WhatIsFlatThereIsSound) {
     while (functions[i].function != function) ++i;
     FunctionReference& at = judged.references.front().functions[i];
     EXPECT_LE(judged.judge(function, 1)->used, 1) << function_name(function);
-    // Of the size that the result has beside the state, less than double can tell.
+    // An error that is small compared with the result at neighbouring states, and below what double
+    // can resolve.
     for (std::size_t k = 0; k < at.graph.size(); ++k) at.graph[k] += 0x1p-110 * at.size[k];
     EXPECT_LE(judged.judge(function, 1)->used, 1) << function_name(function);
   }
 }
 
-/// A thousand ulp more than there may be, at 21 states: not a whole number of batches.
+/// A thousand ulp more than permitted at 21 states, which is not a whole number of batches.
 TEST(JudgeRounding, WhatTheGraphDoesNotGiveIsNot) {
   const Judged judged;
   for (const Function function :

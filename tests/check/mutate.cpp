@@ -10,7 +10,7 @@
 namespace treeline::tests {
 namespace {
 
-/// The statements of a source: where its function's body begins and ends.
+/// The statements of a source: beginning and end of its function's body.
 struct Body {
   std::size_t begin = 0, end = 0;
 };
@@ -20,7 +20,7 @@ Body body_of(const std::string& source) {
   return {source.find(head) + head.size(), source.rfind("\n}\n\n}  // namespace")};
 }
 
-/// The text with comments made blanks of the same length.
+/// Replaces comments by spaces, so that the length stays the same.
 std::string without_comments(std::string text) {
   for (std::size_t at = text.find("//"); at != std::string::npos; at = text.find("//", at)) {
     while (at < text.size() && text[at] != '\n') text[at++] = ' ';
@@ -81,7 +81,8 @@ class Mutator {
       const double value = std::strtod(match.str(1).c_str(), nullptr);
       std::ostringstream text;
       text.precision(17);
-      // A zero or a one is the structure's, not a parameter's: any other number is wrong.
+      // Zeros and ones belong to the structure, not to a parameter. Any other number would be
+      // wrong.
       text << std::scientific << (value == 0 ? factor - 1 : value * factor);
       replace(mutation, match, 1, text.str());
     });

@@ -9,7 +9,7 @@
 
 namespace treeline::tests {
 
-/// One small fault that a generated source may have.
+/// A small fault planted into a generated source.
 enum class Mutation {
   constant,  ///< a literal is 1 % larger
   hair,      ///< a literal is 1e-9 larger
@@ -21,15 +21,15 @@ inline constexpr std::array kMutations = {Mutation::constant, Mutation::hair, Mu
                                           Mutation::index, Mutation::name};
 const char* mutation_name(Mutation mutation);
 
-/// A text with one fault, and what it is.
+/// A text with one fault, and a description of the fault.
 struct Mutant {
   Mutation mutation{};
   std::string text;         ///< of the whole file
   std::string description;  ///< the line before and after
 };
 
-/// All places of the function's statements where a fault of this kind can be; comments, signature
-/// and sine and cosine's call are none.
+/// Lists all places in the function's statements where a fault of this kind is possible. Comments,
+/// signature and the call for sine and cosine are excluded.
 std::vector<Mutant> mutants_of(const std::string& source, Mutation mutation, Dice& dice);
 
 }  // namespace treeline::tests

@@ -3,14 +3,14 @@
 #include "fixture.hpp"
 #include "mutate.hpp"
 
-// Sources of a generated folder get one fault each, hundreds in all, and the check must see every
-// one. Would catch states that leave parts of a function unused, an output that is not compared, a
-// bound so wide that faults fit in, a library that is not the folder's.
+// Plants hundreds of single faults into the sources of a generated folder; the check must detect
+// each. Would catch: states that leave parts of a function unused, an output that is not compared,
+// a bound so wide that faults pass, and a library that is not made from the folder.
 
 namespace treeline::tests {
 namespace {
 
-/// How many faults of a kind were made and how they were seen.
+/// Number of faults of a kind, and how they were detected.
 struct Seen {
   int made = 0, by_bound = 0, by_bits = 0, harmless = 0;
 };
@@ -24,7 +24,7 @@ class Mutations {
     references_ = references(options_);
   }
 
-  /// One fault in every function, `rounds` times.
+  /// Plants one fault into every function, `rounds` times.
   void run(int rounds) {
     expect_original_passes();
     for (int round = 0; round < rounds; ++round) {
@@ -109,7 +109,8 @@ class Mutations {
     EXPECT_TRUE(changes_nothing(function)) << report.name << " passes with " << mutant.description;
   }
 
-  /// Whether the folder as it is gives the graph's bits at twenty times as many other states.
+  /// Whether the folder in its present form gives the graph's bits at twenty times as many other
+  /// states.
   bool changes_nothing(std::size_t function) {
     CheckOptions more = options_;
     more.references.seed = 99;

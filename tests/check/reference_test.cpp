@@ -8,8 +8,8 @@
 #include "oracle/condition.hpp"
 #include "oracle/result_sizes.hpp"
 
-// The arithmetic of errors, scales, conditions and bounds. Would catch a scale that some result
-// exceeds, a condition that depends on units, NaN that counts as no error.
+// Arithmetic of errors, scales, condition numbers and bounds. Would catch: a scale that a result
+// exceeds, a condition number that depends on units, and NaN that counts as no error.
 
 namespace treeline::tests {
 namespace {
@@ -72,7 +72,8 @@ TEST(Condition, IsInfiniteForWhatIsNotPositiveDefinite) {
   EXPECT_EQ(scaled_condition(A, d), kInfinity);
 }
 
-// A diagonal that is but rounding: by its own scale well-conditioned, by its terms' singular.
+// A diagonal that is only rounding error: well-conditioned by its own scale, singular by the sizes
+// of its terms.
 TEST(Condition, TakesRoundingForZero) {
   const Eigen::Matrix2d A = Eigen::Vector2d(1, 1e-17).asDiagonal();
   EXPECT_NEAR(scaled_condition(A, A.diagonal()), 1, 1e-12);
@@ -121,8 +122,8 @@ TEST(Quantile, OfFew) {
   EXPECT_EQ(quantile(none, 0.5), 0);
 }
 
-// Sums of magnitudes are no less than the magnitude of the sum: of every function of random robots,
-// at all classes of states. A scale that left a term out would be exceeded somewhere.
+// Sums of magnitudes are at least as large as the magnitude of the sum, for every function of
+// random robots in all classes of states. A scale that omits a term would be exceeded somewhere.
 TEST(Sizes, NoResultExceedsThem) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     RandomOptions options;
@@ -142,8 +143,8 @@ TEST(Sizes, NoResultExceedsThem) {
         ASSERT_EQ(function.size.size(), function.high.size());
         ASSERT_EQ(function.graph.size(), function.high.size());
         for (std::size_t k = 0; k < function.high.size(); ++k) {
-          // A quaternion's rounding makes a rotation matrix a little larger than one; a condition
-          // is one that these double figures were found by.
+          // Due to a quaternion's rounding, a rotation matrix may be a little larger than one. The
+          // bound of the condition number was found with these figures in double.
           EXPECT_LE(std::abs(function.high[k]),
                     function.size[k] * (1 + 1e-13 * function.condition) + 1e-40)
               << function_name(subjects.generation.functions[i].function) << " entry " << k

@@ -12,9 +12,10 @@
 #include "recursion/trace_function.hpp"
 
 // Functions that solve for task forces, where rows cannot be moved: always for tasks with more rows
-// than freedoms, and at singularities. Every route against the interpreter, which borders dense
-// matrices, by the same law. Would catch a row that yields in other coordinates than the law says,
-// at another border or out of turn, a route that solves without the law, and anything not finite.
+// than freedoms, and at singularities. Every route is compared with the interpreter, which borders
+// dense matrices, under the same law. Would catch: a row that is relaxed in other coordinates than
+// the law states, at another border or in another order, a route that solves without the law, and
+// results that are not finite.
 
 namespace treeline::tests {
 namespace {
@@ -38,7 +39,8 @@ RandomMechanism strained_robot(std::uint64_t seed) {
   return made;
 }
 
-/// The error of one route at one state against the interpreter, over condition and sizes of terms.
+/// Error of one route at one state compared with the interpreter, divided by condition number and
+/// sizes of terms.
 double error_of(const Program& program, Function function, const Subject<Digits50>& exact,
                 const ResultSizes& sizes, const State& state) {
   const auto law = law_at(program.law.get(), state.q);
@@ -85,7 +87,7 @@ TEST(SingularTasks, OfEveryRouteAreTheInterpretersByTheSameLaw) {
   EXPECT_GE(routes, 1000U);
 }
 
-/// Far from singularities it does not matter that rows could yield.
+/// Far from singularities, the relaxation of rows has no effect.
 TEST(SingularTasks, LeaveOrdinaryStatesAsTheBareSolveHasThem) {
   double worst = 0;
   int compared = 0;
@@ -127,7 +129,8 @@ const Program& program_of(const Generation& generation, Function function) {
   throw std::runtime_error("not generated");
 }
 
-/// All joints move together through q = 0, at unequal speeds, while the task asks for the same.
+/// All joints move through q = 0 together, with different velocities, while the task commands the
+/// same motion.
 class Crossing {
  public:
   explicit Crossing(const Subjects& subjects)
@@ -144,7 +147,7 @@ class Crossing {
     return run_.results(state, Real::float64);
   }
 
-  /// The largest torque, and the largest change of one from step to step.
+  /// Returns the largest torque, and the largest change of a torque between steps.
   [[nodiscard]] std::pair<double, double> measure(double step) const {
     double largest = 0, steepest = 0;
     auto before = torque(-kReach);
@@ -166,7 +169,7 @@ class Crossing {
   const Mechanism& mechanism_;
 };
 
-/// A step of the path makes a step of the torque that shrinks with it: there is no jump.
+/// The change of torque per step shrinks with the step, so there is no jump.
 TEST(SingularTasks, AreCrossedWithoutAStepOfTorque) {
   for (const char* name : {"puma560", "ur10e", "samm", "planar3r"}) {
     SCOPED_TRACE(name);
@@ -180,7 +183,7 @@ TEST(SingularTasks, AreCrossedWithoutAStepOfTorque) {
   }
 }
 
-/// Hands that hold an object are compared with 50 digits where they cannot move too: elbows are
+/// Hands that hold an object are compared with 50 digits also where they cannot move: elbows are
 /// straight at q = 0.
 TEST(SingularTasks, OfHandsOnAnObjectAreCompared) {
   Subjects subjects = load("humanoid24", "scene_box.yaml");

@@ -1,5 +1,5 @@
-// Writes the table of digits left: write_digits ROBOTS FILE. Exit status: 0 written, 1 not, 2
-// usage.
+// Writes the table of remaining digits: write_digits ROBOTS FILE. Exit status: 0 written, 1 not
+// written, 2 usage.
 #include <fmt/core.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// Would catch: `treeline diff` with another exit code than it states, and an `inspect` whose patch
-// or repaired file is not what the other gives.
+// Would catch: a `treeline diff` whose exit code is not the documented one, and an `inspect` whose
+// patch does not lead to its repaired file.
 #include <gtest/gtest.h>
 
 #include <filesystem>

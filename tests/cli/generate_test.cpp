@@ -28,7 +28,7 @@ class GenerateTest : public test::OwnFolder {
   [[nodiscard]] Outcome generate() const { return run(kUrdf + " " + kScene + " --output puma560"); }
 };
 
-// Would catch: a command that does nothing, or talks where data belongs.
+// Would catch: a command that does nothing, or prints messages where data belongs.
 TEST_F(GenerateTest, WritesTheFolder) {
   const Outcome outcome = generate();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -38,7 +38,7 @@ TEST_F(GenerateTest, WritesTheFolder) {
   EXPECT_TRUE(fs::exists(root_ / "puma560" / "control_torque.cpp"));
 }
 
-// Would catch: output that depends on where the files lie or from where the program is called.
+// Would catch: output that depends on the place of the files or on the working directory.
 TEST_F(GenerateTest, SameBytesFromAnywhere) {
   ASSERT_EQ(generate().exit_code, 0);
   fs::create_directories(root_ / "elsewhere");
@@ -53,7 +53,7 @@ TEST_F(GenerateTest, SameBytesFromAnywhere) {
   }
 }
 
-// Would catch: a manifest that no JSON reader takes, or that misses a file.
+// Would catch: a manifest that JSON readers do not accept, or that omits a file.
 TEST_F(GenerateTest, ManifestListsTheFolder) {
   ASSERT_EQ(generate().exit_code, 0);
   const YAML::Node manifest = YAML::LoadFile(root_ / "puma560" / "manifest.json");
@@ -71,7 +71,7 @@ TEST_F(GenerateTest, ManifestListsTheFolder) {
   EXPECT_EQ(manifest["inputs"][0]["sha256"].as<std::string>().size(), 64u);
 }
 
-// Would catch: stale output that passes, or fresh output that does not.
+// Would catch: stale output that passes, and fresh output that does not.
 TEST_F(GenerateTest, CompareTellsStaleFromFresh) {
   const std::string compare = kUrdf + " " + kScene + " --output puma560 --compare";
   EXPECT_EQ(run(compare).exit_code, 3);
@@ -86,7 +86,7 @@ TEST_F(GenerateTest, CompareTellsStaleFromFresh) {
   EXPECT_EQ(summary["differences"][0]["file"].as<std::string>(), "gravity.cpp");
 }
 
-// Would catch: options that are read and forgotten, or not told in the contract.
+// Would catch: options that have no effect, or that the contract does not mention.
 TEST_F(GenerateTest, OptionsOverruleTheScene) {
   const Outcome outcome =
       run(kUrdf + " " + kScene +
@@ -100,7 +100,7 @@ TEST_F(GenerateTest, OptionsOverruleTheScene) {
   EXPECT_FALSE(fs::exists(root_ / "small" / "mass_matrix.cpp"));
 }
 
-// Would catch: a dump that is empty or also writes.
+// Would catch: a dump that is empty, or that also writes files.
 TEST_F(GenerateTest, DumpsTheGraphs) {
   const Outcome text = run(kUrdf + " " + kScene + " --functions gravity --dump text");
   EXPECT_EQ(text.exit_code, 0) << text.err;
@@ -109,7 +109,7 @@ TEST_F(GenerateTest, DumpsTheGraphs) {
   EXPECT_EQ(dot.out.rfind("digraph gravity {", 0), 0u);
 }
 
-// Would catch: a wrong exit code, silence, or half a folder after bad input.
+// Would catch: a wrong exit code, a missing message, or half a folder after bad input.
 TEST_F(GenerateTest, BadInputIsOne) {
   for (const std::string& arguments :
        {"none.urdf " + kScene + " -o out", kUrdf + " none.yaml -o out",
@@ -124,7 +124,7 @@ TEST_F(GenerateTest, BadInputIsOne) {
   }
 }
 
-// Would catch: functions that a scene may list and the command line may not.
+// Would catch: functions that a scene may list but the command line may not.
 TEST_F(GenerateTest, EveryFunctionCanBeNamed) {
   const Outcome outcome =
       run(robot_file("tumbler/tumbler.urdf") + " " + robot_file("tumbler/scene.yaml") +
@@ -134,8 +134,8 @@ TEST_F(GenerateTest, EveryFunctionCanBeNamed) {
   EXPECT_TRUE(fs::exists(root_ / "out" / "link_inverse_inertias.cpp"));
 }
 
-// Would catch: functions of the command line that are not checked as those of a scene are: here
-// damped_control_torque would call what is not there.
+// Would catch: functions of the command line that are not checked like those of a scene. Here
+// damped_control_torque would call functions that do not exist.
 TEST_F(GenerateTest, FunctionsNamedAreCheckedWithTheScene) {
   const Outcome outcome = run(robot_file("ur10e/ur10e.urdf") + " " +
                               robot_file("ur10e/scene.yaml") + " -o out --functions gravity");
@@ -144,14 +144,18 @@ TEST_F(GenerateTest, FunctionsNamedAreCheckedWithTheScene) {
   EXPECT_FALSE(fs::exists(root_ / "out"));
 }
 
-/// Puma's scene for a few functions, by the choices of a file.
+/// Generates a few functions of the PUMA's scene, with the choices of a file.
 std::string generate_by(const std::string& choices, const std::string& output) {
   return kUrdf + " " + kScene + " --functions gravity,forward_dynamics --choices " + choices +
          " --output " + output;
 }
 
+<<<<<<< HEAD:tests/cli/generate_test.cpp
 // Would catch: a recorded choice that is read and not obeyed, or that the next manifest forgets;
 // one of earlier versions, which named routes in words, that is not understood.
+=======
+// Would catch: a recorded choice that has no effect, or that the next manifest omits.
+>>>>>>> words:tests/cli/test_generate.cpp
 TEST_F(GenerateTest, ObeysRecordedChoices) {
   std::ofstream(root_ / "mine.json")
       << R"({"choices": [{"function": "forward_dynamics", "chosen": )"
@@ -163,14 +167,14 @@ TEST_F(GenerateTest, ObeysRecordedChoices) {
   EXPECT_EQ(chosen["method"].as<std::string>(), "articulated bodies, Chang table 4.2");
   EXPECT_EQ(chosen["route"].as<std::string>(), "aba");
   EXPECT_EQ(chosen["lanes"].as<int>(), 2);
-  // Its own manifest makes the folder again, and the code is not that of the choice by cost.
+  // The manifest leads to the same folder again, and its code differs from the choice by cost.
   EXPECT_EQ(run(generate_by("first/manifest.json", "first") + " --compare").exit_code, 0);
   ASSERT_EQ(generate().exit_code, 0);
   EXPECT_NE(read_file(root_ / "first" / "forward_dynamics.cpp"),
             read_file(root_ / "puma560" / "forward_dynamics.cpp"));
 }
 
-// Would catch: a choice that cannot be made and is dropped in silence.
+// Would catch: a choice that is impossible and is dropped without a message.
 TEST_F(GenerateTest, ChoicesThatCannotBeMadeAreBadInput) {
   for (const std::string text :
        {R"({"choices": [{"function": "gravity", "chosen": {"method": "by magic"}}]})",
@@ -187,8 +191,8 @@ TEST_F(GenerateTest, ChoicesThatCannotBeMadeAreBadInput) {
   EXPECT_EQ(run(generate_by("none.json", "out")).exit_code, 1);
 }
 
-// Would catch: a choice for batches, or what choices were measured with, that the next manifest
-// forgets.
+// Would catch: a choice for batches, or the description of the measurement, that the next manifest
+// omits.
 TEST_F(GenerateTest, ObeysChoicesForBatches) {
   std::ofstream scene(root_ / "scene.yaml");
   scene << read_file(kScene) << "\nbatch: 8\n";
@@ -208,7 +212,8 @@ TEST_F(GenerateTest, ObeysChoicesForBatches) {
   EXPECT_EQ(run(command + " --choices first/manifest.json --compare").exit_code, 0);
 }
 
-// Would catch: a tuned folder that its own manifest does not make again, a table that is no data.
+// Would catch: a tuned folder that its own manifest does not reproduce, and a table that is not
+// valid data.
 TEST_F(GenerateTest, TunedFolderIsReproducible) {
   const std::string command = kUrdf + " " + kScene + " --functions gravity --output puma560 ";
   const Outcome tuned = run(command + "--tune --flags=-O1 --json");
@@ -221,7 +226,7 @@ TEST_F(GenerateTest, TunedFolderIsReproducible) {
   EXPECT_EQ(run(command + "--flags=-O1").exit_code, 2);
 }
 
-// Would catch: a message that leaves one to guess what could have been chosen.
+// Would catch: a message that does not say what could have been chosen.
 TEST_F(GenerateTest, UnknownRouteIsToldWithThoseThereAre) {
   std::ofstream(root_ / "mine.json")
       << R"({"choices": [{"function": "forward_dynamics", "chosen": {"method": "by magic"}}]})";

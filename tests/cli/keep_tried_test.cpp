@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-// A fault planted into what was made. Would catch: a function written although it failed, others
-// that are lost with it, a failure that passes for success, a diagnostic without the state.
+// A fault is planted into a generated function. Would catch: a function that is written although it
+// failed, others that are lost with it, a failure that looks like success, and a diagnostic without
+// the state.
 
 namespace treeline {
 namespace {
@@ -23,7 +24,7 @@ GeneratedInputs make(const InputOptions& options) {
   return generate_from_files(options, diagnostics).value();
 }
 
-/// Off by one part in a million.
+/// Changes the function by one part in a million.
 void spoil(GeneratedFunction& generated) {
   const Graph::Scope scope(generated.program.graph);
   for (Result& result : generated.program.results) {

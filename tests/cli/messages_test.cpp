@@ -1,5 +1,5 @@
-// Would catch: complaints that leave one to guess. Each situation is one that somebody who met the
-// program for the first time was left alone with.
+// Would catch: error messages from which a user cannot tell what to do. Each situation is one in
+// which first users of the program did not get the help that they needed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class MessagesTest : public test::ProgramTest {
     EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
     return outcome.err;
   }
-  /// The messages about a scene that is refused.
+  /// Messages about a scene that is refused.
   [[nodiscard]] std::string refused(const std::string& scene) const {
     write("scene.yaml", scene);
     return messages("generate arm.urdf scene.yaml -o out", 1);
@@ -81,7 +81,7 @@ TEST_F(MessagesTest, UnknownOptionsGetTheNearest) {
   expect_parts(messages("inspect", 2), {"urdf is missing", "write treeline inspect urdf [scene]"});
 }
 
-// Would catch: the parser's own text, `Check rk5 value in {adaptive->2,euler->0,...} FAILED`.
+// Would catch: text of the option parser, `Check rk5 value in {adaptive->2,euler->0,...} FAILED`.
 TEST_F(MessagesTest, ValuesOutOfRangeGetWords) {
   const std::string integrator = messages("simulate arm.urdf --integrator rk5", 2);
   expect_parts(integrator, {"--integrator: \"rk5\" is not known here", "did you mean \"rk4\"?",
@@ -134,8 +134,8 @@ TEST_F(MessagesTest, XmlNamesTheOpenElement) {
                {"b.urdf:2: error: <link> is not closed: <link name=\"a\"> is open since line 2"});
 }
 
-/// The arm with what exporters write: 6 attributes, 2 elements, a limit; and an inertia that no
-/// body can have.
+/// The arm as exporters write it, with 6 attributes, 2 elements and a limit that no equation uses,
+/// and an inertia that no body can have.
 std::string exported_arm() {
   std::string text = kArm;
   const auto replace = [&text](const std::string& what, const std::string& by) {
@@ -178,7 +178,7 @@ TEST_F(MessagesTest, ColoursOnATerminalOnly) {
   EXPECT_EQ(run(arguments).err.find(escape), std::string::npos);
 }
 
-// Would catch: a count of what was deleted as written.
+// Would catch: deleted files that are counted as written.
 TEST_F(MessagesTest, CountsTheFilesThatAreThere) {
   const auto count = [&] {
     return std::distance(fs::directory_iterator(root_ / "out"), fs::directory_iterator());
@@ -214,7 +214,7 @@ TEST_F(MessagesTest, DashIsStandardInput) {
   expect_parts(messages("generate - - -o out <arm.urdf", 1), {"both"});
 }
 
-// Would catch: a compiler of several words taken as one program.
+// Would catch: a compiler command of several words that is taken for one program.
 TEST_F(MessagesTest, CompilerMayHaveALauncher) {
   const std::string check = "check arm.urdf empty.yaml --functions gravity --states 3 --json";
   setenv("CXX", "env g++", 1);
@@ -228,7 +228,7 @@ TEST_F(MessagesTest, CompilerMayHaveALauncher) {
   expect_parts(missing, {"no-such-launcher g++", "there is no program no-such-launcher"});
 }
 
-// Would catch: a check that does not say where its bounds hold when sines are given.
+// Would catch: a check that does not state the domain of its bounds if sines are given.
 TEST_F(MessagesTest, CheckStatesTheCircle) {
   write("given.yaml", "sin_cos: given\ngravity: [0, -9.81, 0]\nfunctions: [gravity]\n");
   const Outcome text = run("check arm.urdf given.yaml --states 20");

@@ -10,8 +10,8 @@
 
 namespace treeline::test {
 
-/// What the program shows on a terminal, standard output and error together. `environment` is put
-/// before the command, as in `NO_COLOR=1`.
+/// Returns what the program shows on a terminal, standard output and error together. `environment`
+/// precedes the command, as in `NO_COLOR=1`.
 inline std::string run_on_terminal(const std::string& environment, const std::string& arguments) {
   const std::string command =
       "env TERM=xterm " + environment + " '" TREELINE_PROGRAM "' " + arguments;
@@ -23,7 +23,7 @@ inline std::string run_on_terminal(const std::string& environment, const std::st
   }
   std::string shown;
   std::array<char, 4096> block{};
-  // Reading from a terminal whose program has ended is an error, not an end of file.
+  // Reading from a terminal whose program has ended gives an error, not an end of file.
   for (ssize_t size = 0; (size = read(terminal, block.data(), block.size())) > 0;) {
     shown.append(block.data(), static_cast<std::size_t>(size));
   }

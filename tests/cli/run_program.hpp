@@ -15,13 +15,13 @@ inline std::string read_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// How a run ended and what it said.
+/// Exit code and output of a run.
 struct Outcome {
   int exit_code = -1;
   std::string out, err;
 };
 
-/// Runs the program with `arguments`, as a shell reads them, in `folder`.
+/// Runs the program with `arguments`, which a shell parses, in `folder`.
 inline Outcome run_program(const std::filesystem::path& folder, const std::string& arguments) {
   const std::filesystem::path out = folder / "stdout.txt";
   const std::filesystem::path err = folder / "stderr.txt";

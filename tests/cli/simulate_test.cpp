@@ -26,8 +26,9 @@ class SimulateTest : public test::OwnFolder {
   }
 };
 
-// Would catch an integrator of another order than its name says, or one name for two: energy is off
-// by O(dt) with the first, O(dt^4) with the second, and by the tolerance with the third.
+// Would catch: an integrator of another order than its name says, or two names for one integrator.
+// The error of the energy is O(dt) with the first, O(dt^4) with the second, and the tolerance with
+// the third.
 TEST_F(SimulateTest, IntegratorsKeepEnergyAsWellAsTheirOrderSays) {
   const std::string robot = kRobots + "/puma560/puma560.urdf --seconds 0.5 ";
   const auto change = [&](const std::string& options) {
@@ -42,7 +43,7 @@ TEST_F(SimulateTest, IntegratorsKeepEnergyAsWellAsTheirOrderSays) {
   EXPECT_LT(change("--step 0.01 --integrator adaptive --tolerance 1e-12"), 1e-9 * start);
 }
 
-// A floating base turns freely. Would catch quaternions that lose their length.
+// A floating base rotates freely. Would catch: quaternions that lose their length.
 TEST_F(SimulateTest, QuaternionsStayUnit) {
   const auto json = run_json(kRobots + "/tumbler/tumbler.urdf " + kRobots +
                              "/tumbler/scene.yaml --seconds 0.3 --integrator euler");
@@ -59,7 +60,7 @@ TEST_F(SimulateTest, WritesTheTableAndThePlot) {
   EXPECT_NE(test::read_file(root_ / "swing.svg").find("</svg>"), std::string::npos);
 }
 
-// Would catch nonsense passed off as a motion.
+// Would catch: a meaningless motion that is accepted.
 TEST_F(SimulateTest, SaysWhatWentWrong) {
   const Outcome wrong_size = run(kPlanar + " --q 0,1");
   EXPECT_EQ(wrong_size.exit_code, 1);

@@ -1,5 +1,5 @@
-// The program among full disks, odd file names and other runs: each test is an attack that once
-// succeeded.
+// The program with full disks, odd file names and other runs at the same time. Each test is an
+// attack that once succeeded.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -27,7 +27,21 @@ const std::string kBoth = kUrdf + " " + kScene;
 
 class Surroundings : public test::ProgramTest {
  protected:
+<<<<<<< HEAD:tests/cli/surroundings_test.cpp
   /// Runs with standard output going to a device that is full.
+=======
+  Surroundings() {
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+  ~Surroundings() override { fs::remove_all(root_); }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return test::run_program(root_, arguments);
+  }
+
+  /// Runs the program with standard output to a full device.
+>>>>>>> words:tests/cli/test_surroundings.cpp
   [[nodiscard]] Outcome run_into_full(const std::string& arguments) const {
     const fs::path err = root_ / "stderr.txt";
     const std::string command = "cd '" + root_.string() + "' && '" TREELINE_PROGRAM "' " +
@@ -37,7 +51,7 @@ class Surroundings : public test::ProgramTest {
   }
 };
 
-// Would catch: half a table in a file that passes for a whole one.
+// Would catch: half a table in a file that looks like a complete one.
 TEST_F(Surroundings, FullStandardOutputIsOne) {
   for (const std::string& arguments :
        {"inspect " + kUrdf, "inspect " + kBoth + " --json", "generate " + kBoth + " -o out",
@@ -53,7 +67,7 @@ TEST_F(Surroundings, FullStandardOutputIsOne) {
   }
 }
 
-// Would catch: a fault of the user's machine that is called the program's own.
+// Would catch: a fault of the user's machine that is reported as one of the program.
 TEST_F(Surroundings, MissingTemporaryFolderIsOne) {
   const std::string command = "check " + kBoth + " --functions gravity --states 5";
   const std::string script = "cd '" + root_.string() + "' && TMPDIR=/nonexistent '" +
@@ -99,7 +113,7 @@ TEST_F(Surroundings, FileNamesCannotInject) {
   const std::string compile = "c++ -std=c++17 -Wall -Wextra -Werror -fsyntax-only '" +
                               (root_ / "out" / "gravity.cpp").string() + "'";
   EXPECT_EQ(std::system(compile.c_str()), 0);
-  // The header's own command, as bash reads it, makes the folder again.
+  // The command in the header, run by bash, reproduces the folder.
   const std::string contract = read_file(root_ / "out" / "planar3r.hpp");
   const auto at = contract.find("treeline generate ");
   ASSERT_NE(at, std::string::npos);
@@ -112,7 +126,7 @@ TEST_F(Surroundings, FileNamesCannotInject) {
       << line << '\n'
       << read_file(root_ / "again.txt");
   EXPECT_FALSE(fs::exists(root_ / "pwned"));
-  // A complaint about it does nothing to the terminal.
+  // A message about it does not affect the terminal.
   const Outcome missing = run("inspect \"" + word + "x\"");
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_FALSE(std::any_of(missing.err.begin(), missing.err.end(), is_odd)) << missing.err;
@@ -121,7 +135,7 @@ TEST_F(Surroundings, FileNamesCannotInject) {
   EXPECT_FALSE(std::any_of(usage.err.begin(), usage.err.end(), is_odd)) << usage.err;
 }
 
-// Would catch: text that runs backwards in the sources: comments that look like code.
+// Would catch: right-to-left text in the sources, which makes comments look like code.
 TEST_F(Surroundings, MarksOfDirectionStayOutOfSources) {
   std::string text = read_file(kUrdf);
   const std::string mark = "\xE2\x80\xAE";
@@ -144,11 +158,11 @@ TEST_F(Surroundings, ASecondWriterWaits) {
   ASSERT_EQ(flock(folder, LOCK_EX), 0);
   const pid_t child = fork();
   if (child == 0) {
-    close(folder);  // the lock goes when nobody has it open any more
+    close(folder);  // released when its last descriptor is closed
     const Outcome outcome = run("generate " + kBoth + " --functions gravity -o out");
     _exit(outcome.exit_code);
   }
-  // As long as the lock is held nothing appears, however long that is looked at.
+  // As long as the lock is held nothing appears, however long the test waits.
   for (int i = 0; i < 50; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     EXPECT_TRUE(fs::is_empty(root_ / "out"));
@@ -160,7 +174,7 @@ TEST_F(Surroundings, ASecondWriterWaits) {
   EXPECT_TRUE(fs::exists(root_ / "out" / "gravity.cpp"));
 }
 
-/// Starts the program itself, no shell between, in a folder with these variables set.
+/// Starts the program directly, without a shell, in a folder with these environment variables.
 pid_t start(const fs::path& folder, const std::vector<std::string>& arguments,
             const std::vector<std::pair<std::string, std::string>>& variables) {
   const pid_t child = fork();
@@ -187,7 +201,7 @@ bool is_running(pid_t process) {
   return !state.empty() && state.find(") Z ") == std::string::npos;
 }
 
-// Would catch: temporary folders and compilers that go on after Ctrl-C or TERM.
+// Would catch: temporary folders and compilers that survive Ctrl-C or TERM.
 TEST_F(Surroundings, SignalsLeaveNothingBehind) {
   // A compiler that starts another process, as compilers do, and never ends.
   std::ofstream(root_ / "cxx") << "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n"
@@ -215,8 +229,8 @@ TEST_F(Surroundings, SignalsLeaveNothingBehind) {
   }
 }
 
-// Would catch: what a run that was killed outright has left, and that nobody ever removes; and a
-// run that removes what another one is still using.
+// Would catch: files that a killed run has left and that nothing ever removes, and a run that
+// removes files that another one is still using.
 TEST_F(Surroundings, TheNextRunRemovesWhatAKilledOneLeft) {
   const fs::path temporary = root_ / "tmp";
   fs::create_directories(temporary / "treeline-check-notours");
@@ -240,7 +254,7 @@ TEST_F(Surroundings, TheNextRunRemovesWhatAKilledOneLeft) {
   waitpid(killed, nullptr, 0);
   EXPECT_EQ(entries(), 2);
   const pid_t second = start_stuck("second");
-  EXPECT_EQ(entries(), 2);  // its own, in the place of the first one's
+  EXPECT_EQ(entries(), 2);  // its own instead of the first one's
   const pid_t third = start_stuck("third");
   EXPECT_EQ(entries(), 3);  // beside the second one's
   for (const pid_t program : {second, third}) {

@@ -1,5 +1,5 @@
-// Would catch: a difference between two robots that is not seen, has another size than the change
-// that made it, or is seen where there is none.
+// Would catch: a difference between two robots that is not found, has another size than the change
+// that caused it, or is found where there is none.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -83,7 +83,7 @@ TEST(CompareRobots, MassCentreAndInertia) {
   EXPECT_NEAR(link(heavier, "lower").mass, 0.2, 1e-15);
   EXPECT_EQ(link(heavier, "lower").centre, 0);
   EXPECT_EQ(link(heavier, "lower").position, 0);
-  // Gravity moves j2 alone, by m 0.3 g cos(q): in proportion to the mass.
+  // Gravity acts on j2 alone, with m 0.3 g cos(q), in proportion to the mass.
   EXPECT_NEAR(heavier.dynamics.gravity.relative, 0.2, 1e-12);
   EXPECT_EQ(heavier.dynamics.gravity.joint, "j2");
   EXPECT_EQ(heavier.dynamics.gravity.unit, "N m");
@@ -104,7 +104,7 @@ TEST(CompareRobots, MassCentreAndInertia) {
 }
 
 TEST(CompareRobots, InertiaInOtherAxesIsTheSame) {
-  // Quarter turn of the inertial frame about z: x and y change places.
+  // A quarter turn of the inertial frame about z exchanges x and y.
   const std::string turned = replaced(
       kArm,
       "<origin xyz=\"0.3 0 0\"/><mass value=\"1\"/>\n    <inertia ixx=\"0.1\" ixy=\"0\" "
@@ -140,7 +140,7 @@ TEST(CompareRobots, RenamedLinksAndJoints) {
   EXPECT_LT(difference.dynamics.inverse_dynamics.relative, 1e-15);
 }
 
-// A world link before the base, and a tool that is lumped: other links, the same motion.
+// A world link before the base, and a tool that is lumped: the links differ, the motion does not.
 TEST(CompareRobots, LinksInOneOnly) {
   const std::string more = replaced(
       kArm, "<robot name=\"arm\">",

@@ -1,6 +1,7 @@
-// Every published robot generates, fixed and floating, what tests/data/COMPATIBILITY.md says. Would
-// catch a robot that is refused or loses functions, and operations that grow on robots that nobody
-// looked at. `cmake --build BUILD -t report_compatibility` makes the page again.
+// Every published robot generates what tests/data/COMPATIBILITY.md says, with a fixed and with a
+// floating base. Would catch: a robot that is refused or loses functions, and operations that
+// increase for robots that are not examined otherwise. `cmake --build BUILD -t
+// report_compatibility` makes the page again.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -18,7 +19,7 @@ void PrintTo(const CompatibilityCase& of, std::ostream* out) {
 
 namespace {
 
-/// Of the page, by `robot base`.
+/// Rows of the page, by `robot base`.
 std::map<std::string, std::string> page_rows() {
   std::map<std::string, std::string> rows;
   std::ifstream page(data_file("COMPATIBILITY.md"));
@@ -31,7 +32,7 @@ std::map<std::string, std::string> page_rows() {
   return rows;
 }
 
-/// By `robot base`, why nothing is generated yet.
+/// Reasons why nothing is generated yet, by `robot base`.
 std::map<std::string, std::string> known_failures() {
   std::map<std::string, std::string> failures;
   std::ifstream table(TREELINE_KNOWN_FAILURES);

@@ -7,10 +7,10 @@
 #include "data/list_data.hpp"
 #include "description/scene.hpp"
 
-/// What Treeline makes of a published robot, one row of the compatibility page.
+/// Results of Treeline for a published robot, one row of the compatibility page.
 namespace treeline::tests {
 
-/// A robot on a base, as the page and its tests name it: `fetch`, fixed.
+/// A robot with a base, as named by the page and its tests: `fetch`, fixed.
 struct CompatibilityCase {
   DataRobot robot;
   Base base = Base::fixed;
@@ -19,21 +19,21 @@ struct CompatibilityCase {
   [[nodiscard]] std::string base_name() const;   ///< `fixed`
 };
 
-/// Every robot of tests/data/published, fixed and floating.
+/// Lists every robot of tests/data/published, with a fixed and with a floating base.
 std::vector<CompatibilityCase> compatibility_cases();
 
 struct CompatibilityRow {
   CompatibilityCase of;
-  std::string failure;  ///< why nothing was generated; empty: it was
+  std::string failure;  ///< why nothing was generated; empty if it was
   int freedoms = 0;
-  int asked = 0;                              ///< functions in the scene
-  std::map<std::string, int> operations;      ///< by function generated
-  std::map<std::string, std::string> digits;  ///< left, by function; `-` for none
-  double seconds = 0;  ///< of processor time that generation took on this machine
+  int asked = 0;                              ///< number of functions in the scene
+  std::map<std::string, int> operations;      ///< by function
+  std::map<std::string, std::string> digits;  ///< remaining digits, by function; `-` for none
+  double seconds = 0;                         ///< processor time of generation on this machine
 };
 
-/// Reads the robot, makes a scene for it and generates all its functions. `with_digits`: their
-/// digits as well (see digits.hpp), which takes longer.
+/// Reads the robot, makes a scene for it, and generates all its functions. With `with_digits` it
+/// also measures their digits (see digits.hpp), which takes longer.
 CompatibilityRow measure_row(const CompatibilityCase& of, bool with_digits);
 
 }  // namespace treeline::tests

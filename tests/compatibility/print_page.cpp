@@ -5,7 +5,7 @@
 namespace treeline::tests {
 namespace {
 
-/// Those that have a column each.
+/// Functions that have a column each.
 constexpr const char* kColumns[] = {"inverse_dynamics", "forward_dynamics", "mass_matrix",
                                     "control_torque"};
 

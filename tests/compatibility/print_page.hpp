@@ -7,10 +7,11 @@
 
 namespace treeline::tests {
 
-/// The columns that are the same on every machine: `| fetch | fixed | 8 | 11 of 11 | 1234 | ...`.
+/// Prints the columns that are the same on every machine: `| fetch | fixed | 8 | 11 of 11 | 1234 |
+/// ...`.
 std::string print_counts(const CompatibilityRow& row);
 
-/// The whole page.
+/// Prints the whole page.
 std::string print_page(const std::vector<CompatibilityRow>& rows);
 
 }  // namespace treeline::tests

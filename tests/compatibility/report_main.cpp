@@ -1,4 +1,5 @@
-// Writes the compatibility page: compatibility_report FILE. Exit status: 0 written, 1 not, 2 usage.
+// Writes the compatibility page: compatibility_report FILE. Exit status: 0 written, 1 not written,
+// 2 usage.
 #include <fmt/core.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// A program of somebody who uses generated code: holds the arm still and checks that it hangs on
-// the torques it was given.
+// A program that uses generated code: it holds the arm at rest and checks that the joint forces are
+// those that it was given.
 #include <cmath>
 #include <cstdio>
 

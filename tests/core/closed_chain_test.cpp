@@ -1,6 +1,6 @@
-// The closed chain of several robots' generated code, against the interpreter's chapter 7 and the
-// equations that define it. Would catch a sign, axes or reference point, and a linkage that is not
-// the interpreter's.
+// The closed chain of several robots' generated code, compared with the interpreter's Chang chapter
+// 7 and the equations that define it. Would catch: a wrong sign, wrong axes or reference point, and
+// a linkage that differs from the interpreter's.
 #include "core/closed_chain.hpp"
 
 #include <gtest/gtest.h>
@@ -132,7 +132,7 @@ TEST(ClosedChain, RefusesGraspsAtOnePlace) {
   EXPECT_FALSE(core::make_two_grasps(point, point, linkage));
 }
 
-// f_i = Lambda_i (xdd_i - xdd), and together they are what the object asks for.
+// f_i = Lambda_i (xdd_i - xdd), and their sum is the force that the object needs.
 TEST(ClosedChain, GraspForcesMoveTheObject) {
   Draw draw(7);
   const auto spd = [&] {

@@ -1,6 +1,6 @@
-// Orientation errors against Eigen's angle-axis from 1e-12 rad to half a turn, laws against closed
-// forms. Would catch a wrong sign or frame of the error (body for world), lost digits near 0 or pi,
-// a saturation that bends the direction.
+// Orientation errors compared with Eigen's angle-axis from 1e-12 rad to half a turn, laws compared
+// with closed forms. Would catch: a wrong sign or frame of the error (body for world), lost digits
+// near 0 or pi, and a saturation that changes the direction.
 #include "core/command_laws.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(Orientation, ErrorIsTheWorldRotationVector) {
   }
 }
 
-// The same in float: a few roundings of the angle, near none and near half a turn as well.
+// In float: a few roundings of the angle, also near zero and near half a turn.
 TEST(Orientation, ErrorInFloatIsThatOfDouble) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 2000; ++i) {
@@ -53,7 +53,7 @@ TEST(Orientation, ErrorInFloatIsThatOfDouble) {
     float error[3];
     rotation_from_vector(vector, R);
     orientation_error(straight, R, error);
-    // The matrix carries a few roundings of 1, so the angle does.
+    // The matrix contains a few roundings of 1, and so does the angle.
     EXPECT_LE((Eigen::Vector3f::Map(error) - Eigen::Vector3f::Map(vector)).norm(), 1e-6F) << angle;
   }
 }
@@ -122,13 +122,13 @@ TEST(CommandLaws, SaturationKeepsDirectionAndReachesTheLimitSpeed) {
   const double far_away[6] = {30.0, 40.0, 0.0, 0.0, 0.0, 0.01};
   const double at_limit[6] = {0.3, 0.4, 0.0, 0.0, 0.0, 0.05};
   double acceleration[6];
-  // Moving at the limit towards the goal, and turning as the unsaturated law wants: no
-  // acceleration.
+  // If the motion towards the goal has the speed limit, and the rotation is that of the unsaturated
+  // law, there is no acceleration.
   saturated_goal_law(gains, far_away, at_limit, 0.5, 1.0, acceleration);
   for (const double a : acceleration) {
     EXPECT_NEAR(a, 0.0, 1e-14);
   }
-  // Near the goal it is the plain PD.
+  // Near the goal it is the plain PD law.
   const double near[6] = {0.01, 0.0, 0.0, 0.0, 0.0, 0.0};
   const double still[6] = {};
   saturated_goal_law(gains, near, still, 0.5, 1.0, acceleration);

@@ -10,7 +10,7 @@
 #include <vector>
 
 // Would catch: impulses that pull, a cone that is a pyramid or too wide, restitution applied to
-// contacts that part, friction that pushes, and a sweep that stops before its fixed point.
+// contacts that separate, friction that drives, and a sweep that stops before its fixed point.
 
 namespace treeline::core {
 namespace {
@@ -79,12 +79,12 @@ void expect_law(const Problem& problem, const Solved& solved, double tolerance) 
     const Vector3d y_t = y - n.dot(y) * n, v_t = v - n.dot(v) * n;
     EXPECT_LE(y_t.norm(), law.friction * n.dot(y) + 1e-14 * (1 + y.norm()));
     if (law.friction == 0 || v_t.norm() < tolerance) continue;
-    // Sliding: at the cone's edge and straight against the motion.
+    // Sliding: impulse at the cone's edge and opposite to the motion.
     EXPECT_LT((y_t + law.friction * n.dot(y) * v_t.normalized()).norm(), 1e3 * tolerance);
   }
 }
 
-/// The frictionless problem by trying which contacts act: exact, 2^k linear systems.
+/// Solves the frictionless problem by trying which contacts act: exact, 2^k linear systems.
 Vector by_enumeration(const Problem& problem) {
   const int count = static_cast<int>(problem.laws.size());
   Matrix N = Matrix::Zero(count, 3 * count);
@@ -127,7 +127,7 @@ TEST(ContactSolver, WithoutFrictionFindsTheOneSolution) {
   std::cout << "most sweeps: " << most << '\n';
 }
 
-// More contacts than the mechanism has freedoms: impulses are not unique, velocities are.
+// With more contacts than the mechanism has freedoms, impulses are not unique but velocities are.
 TEST(ContactSolver, WithoutFrictionServesRedundantContacts) {
   std::mt19937_64 engine(2);
   for (int trial = 0; trial < 20; ++trial) {
@@ -136,12 +136,12 @@ TEST(ContactSolver, WithoutFrictionServesRedundantContacts) {
     for (auto& law : problem.laws) law.restitution = 0;
     const Solved solved = solve(problem, {200000, 1e-12});
     expect_law(problem, solved, 1e-8);
-    // Nothing bounces: what acts takes energy away.
+    // Without restitution every impulse removes energy.
     EXPECT_LE(solved.y.dot(problem.v + solved.v), 1e-10);
   }
 }
 
-// One e for all contacts, however coupled and whether they approach or part.
+// One e for all contacts, whatever their coupling, and whether they approach or separate.
 TEST(ContactSolver, WithoutFrictionMakesNoEnergy) {
   std::mt19937_64 engine(5);
   for (int trial = 0; trial < 60; ++trial) {
@@ -175,7 +175,8 @@ TEST(ContactSolver, WithFrictionEndsAtCoulombsLaw) {
   EXPECT_GE(converged, trials * 9 / 10);
 }
 
-// One contact that sticks, by hand: a ball against a wall with A = 1/m, e = 0.5, at 45 degrees.
+// One contact that sticks, computed by hand: a ball against a wall with A = 1/m, e = 0.5, at 45
+// degrees.
 TEST(ContactSolver, OfOneContactIsTheTextbooks) {
   Problem problem;
   problem.A = 0.5 * Matrix::Identity(3, 3);

@@ -1,6 +1,7 @@
-// Selective damping against closed forms and its own stated bounds. Would catch a change where
-// nothing is heavy, a force in proportion to 1/ease, a step as directions cross the border or each
-// other, a NaN at rank zero, a dependence on units, and rounding that spoils positive definiteness.
+// Selective damping compared with closed forms and with its own stated bounds. Would catch: a
+// change although nothing is heavy, a force proportional to the inverse eigenvalue, a step where
+// eigenvalues cross the border or each other, a NaN at rank zero, a dependence on units, and
+// rounding that destroys positive definiteness.
 #include "core/damped_solve.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ double solve(const Square<N>& A, const Column<N>& heaviest, Column<N>& x) {
   return ease;
 }
 
-/// S^-1 V diag(eases) V^T S^-1 with a random V.
+/// S^-1 V diag(eigenvalues) V^T S^-1 with a random V.
 Square<6> matrix_of(const Column<6>& eases, const Column<6>& heaviest, std::mt19937& engine) {
   std::normal_distribution<double> normal;
   const Square<6> random = Square<6>::NullaryExpr([&] { return normal(engine); });
@@ -68,7 +69,7 @@ TEST(DampedSolve, WhereNothingIsHeavyTheBitsAreThoseOfLdlt) {
   }
 }
 
-// The stated bounds, over eases from 0 to 1e6, several of them equal or zero.
+// The stated bounds, for eigenvalues from 0 to 1e6, several of them equal or zero.
 TEST(DampedSolve, ForceAndEnergyStayWithinTheirBounds) {
   std::mt19937 engine(2);
   std::uniform_real_distribution<double> exponent(-20, 6);
@@ -97,7 +98,7 @@ TEST(DampedSolve, ForceAndEnergyStayWithinTheirBounds) {
   EXPECT_GT(largest_energy, 0.95 * kLargestDampedEnergy);
 }
 
-// Only heavy directions are missed: v_k^T S (b - A F) = 0 to rounding for eases above 1.
+// Only heavy directions deviate: v_k^T S (b - A F) = 0 up to rounding for eigenvalues above 1.
 TEST(DampedSolve, WhatIsNotHeavyIsExact) {
   std::mt19937 engine(3);
   const Column<6> eases = (Column<6>() << 1e4, 300, 20, 1.01, 0.3, 1e-13).finished();
@@ -115,17 +116,17 @@ TEST(DampedSolve, WhatIsNotHeavyIsExact) {
     for (int k = 0; k < 6; ++k) {  // ascending
       const double s = eigen.eigenvalues()(k);
       const double delta = s < 1 ? std::pow(1 - s, 3) : 0;
-      // 1e4 is the matrix's norm, and so many ulp the residual's rounding.
+      // 1e4 is the norm of the matrix, and the residual's rounding is this many ulp.
       EXPECT_NEAR(missed(k), wanted(k) * delta / (s + delta), 1e-15 * 1e4 * 30 * wanted.norm());
     }
   }
 }
 
 // Torque along a path through a singularity of a planar arm, sampled ever more densely: differences
-// shrink in proportion, second differences with the square.
+// shrink in proportion to the step, second differences with its square.
 TEST(DampedSolve, HasNoStepOnTheWayThroughRankTwo) {
   const auto forces = [](double t) {
-    // Two eases cross each other, the border and zero; their directions turn meanwhile.
+    // Two eigenvalues cross each other, the border and zero, while their directions rotate.
     const double c = std::cos(3 * t);
     const double s = std::sin(3 * t);
     const double a = 2 * t * t;
@@ -167,7 +168,7 @@ TEST(DampedSolve, HasNoNumberThatIsNone) {
   }
 }
 
-// kg and m in other units change no number but by their own factor. Powers of two are exact.
+// Other units of kg and m scale all results by their own factor. Powers of two are exact.
 TEST(DampedSolve, DoesNotDependOnUnits) {
   std::mt19937 engine(5);
   const Column<6> eases = (Column<6>() << 50, 9, 2, 0.5, 0.1, 0).finished();
@@ -192,7 +193,7 @@ TEST(DampedSolve, ServesFloat) {
   EXPECT_NEAR(x[1], -10.0F, 1e-4F);
 }
 
-// In float what double gives, by as many digits as the condition leaves.
+// Float gives the result of double up to the digits that the condition number leaves.
 TEST(DampedSolve, InFloatIsThatOfDouble) {
   std::mt19937 engine(9);
   std::uniform_real_distribution<double> exponent(-6, 2);
@@ -212,8 +213,8 @@ TEST(DampedSolve, InFloatIsThatOfDouble) {
     const double exact_ease = solve<6>(A, kHeaviest, exact);
     const double largest = std::max(1.0, eases.maxCoeff());
     EXPECT_NEAR(static_cast<double>(ease), exact_ease, 1e-6 * largest);
-    // S^-1 F, of which no direction is softer than 0.615: errors of A by some roundings of the
-    // largest ease are all that it feels.
+    // S^-1 F, for which no direction has an eigenvalue below 0.615, so only errors of A by some
+    // roundings of the largest eigenvalue matter.
     const Column<6> roots = kHeaviest.cwiseSqrt();
     const Column<6> error = Eigen::Matrix<float, 6, 1>::Map(x).cast<double>() - exact;
     EXPECT_LE(error.cwiseQuotient(roots).norm(), 1e-5 * largest * b.cwiseProduct(roots).norm());

@@ -1,6 +1,6 @@
-// The core headers in one translation unit of C++17 with nothing hosted included: compiled with
-// -ffreestanding -fno-exceptions -fno-rtti and instantiated in float. Would catch a header that
-// needs the library, C++20, or a feature firmware lacks.
+// The core headers in one C++17 translation unit that includes nothing hosted, compiled with
+// -ffreestanding -fno-exceptions -fno-rtti and instantiated in float. Would catch: a header that
+// needs the library, C++20, or a feature that firmware lacks.
 #include "core/closed_chain.hpp"
 #include "core/command_laws.hpp"
 #include "core/contact_solver.hpp"

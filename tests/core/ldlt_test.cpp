@@ -1,6 +1,6 @@
-// Factor and solve against Eigen's independent LLT, over random positive definite matrices of
-// widely differing scales. Would catch a wrong index, a use of the upper triangle, a pivot test
-// that lets an indefinite or NaN matrix through.
+// Factor and solve compared with Eigen's independent LLT for random positive definite matrices of
+// very different scales. Would catch: a wrong index, a use of the upper triangle, and a pivot test
+// that accepts an indefinite or NaN matrix.
 #include "core/ldlt.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using treeline::core::ldlt_factor;
 using treeline::core::ldlt_solve;
 
-// Of run-time size: products of fixed size took long to compile.
+// Matrices of run-time size, because products of fixed size took long to compile.
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
 
@@ -38,7 +38,7 @@ void expect_solution(const System& system, const std::vector<double>& x) {
   const auto rows = static_cast<Eigen::Index>(x.size());
   const Vector expected = system.A.llt().solve(system.b);
   const Vector singular = system.A.jacobiSvd().singularValues();
-  // Backward stable solves differ by condition times a few roundings per row.
+  // Backward stable solves differ by the condition number times a few roundings per row.
   const double condition = singular[0] / singular[rows - 1];
   const double tolerance = 1e-15 * static_cast<double>(rows) * condition * expected.norm();
   EXPECT_LE((Vector::Map(x.data(), rows) - expected).norm(), tolerance) << "rows " << rows;

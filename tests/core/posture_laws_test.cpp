@@ -1,5 +1,6 @@
-// Posture laws against closed forms. Would catch a wrong sign (a law that destabilises), an
-// avoidance that jumps or grows without bound, a balance that moves the centre of mass elsewhere.
+// Posture laws compared with closed forms. Would catch: a wrong sign (a law that destabilizes), an
+// avoidance that jumps or grows without bound, and a balance law that moves the centre of mass
+// elsewhere.
 #include "core/posture_laws.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,7 @@ TEST(PostureLaws, BalanceAcceleratesTheCentreOfMassAsAsked) {
     }
     EXPECT_NEAR(acceleration, -100.0 * com[row] - 20.0 * speed, 1e-9);
   }
-  // Joints that cannot move it: nothing asked of them, and no NaN.
+  // Joints that cannot move it get no command, and no NaN.
   const double none[6] = {};
   double still[3] = {};
   add_balance({100.0, 20.0}, goal, com, none, 1e-3, qd, still);

@@ -1,6 +1,6 @@
-// Strict priority on random Jacobians in the metric of a random inertia, with rows that conflict.
-// Would catch a lower row that moves a higher one, a row that yields though it need not, a force
-// that grows without bound near a conflict, a jump at the border.
+// Strict priority for random Jacobians in the metric of a random inertia, with conflicting rows.
+// Would catch: a lower row that affects a higher one, a row that is relaxed without need, a force
+// that grows without bound near a conflict, and a jump at the border.
 #include "core/prioritized_solve.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(PrioritizedSolve, AchievesEveryRowWithoutConflict) {
   }
 }
 
-// Row 4 repeats what rows 0 and 2 say and wants otherwise: it alone yields.
+// Row 4 repeats rows 0 and 2 with another command: only this row is relaxed.
 TEST(PrioritizedSolve, OnlyTheConflictingRowYields) {
   std::mt19937_64 random(2);
   for (int round = 0; round < 200; ++round) {
@@ -65,7 +65,8 @@ TEST(PrioritizedSolve, OnlyTheConflictingRowYields) {
   }
 }
 
-// The claim itself: for any degree of conflict of the lower rows the higher ones do not notice.
+// The claim itself: whatever the degree of conflict of the lower rows, the higher rows are not
+// affected.
 TEST(PrioritizedSolve, HigherRowsAreUnaffectedByLowerOnes) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
@@ -88,7 +89,8 @@ TEST(PrioritizedSolve, HigherRowsAreUnaffectedByLowerOnes) {
   }
 }
 
-// Through a conflict, finely: torque bounded by 1 / sqrt(tolerance), steps as small as the path's.
+// Through a conflict in small steps: the torque is bounded by 1 / sqrt(tolerance), and its steps
+// are as small as the path's.
 TEST(PrioritizedSolve, IsBoundedAndSmoothThroughAConflict) {
   std::mt19937_64 random(4);
   Jacobian J = random_rows(random);
@@ -115,7 +117,7 @@ TEST(PrioritizedSolve, IsBoundedAndSmoothThroughAConflict) {
     before = torque;
   }
   EXPECT_LE(largest, 10.0 * b.norm() / std::sqrt(kTolerance));
-  // A step of 1e-5 in 1e-2, the width of the region, changes the torque by that share of its bound.
+  // A step of 1e-5 in 1e-2, the width of the region, changes the torque by this share of its bound.
   EXPECT_LE(largest_step, 1e-2 * largest);
 }
 
@@ -134,7 +136,7 @@ TEST(PrioritizedSolve, ZeroRowsAndAnEmptyMatrixGiveNoForce) {
 
 TEST(SharedFactor, LeavesRowsOutByTheirShare) {
   const double A[4] = {4, 2, 2, 3};
-  // Pivots 4 and 2. Between: (A + diag(0, 2 (1 - w) / w)) F = b.
+  // Pivots 4 and 2; between them (A + diag(0, 2 (1 - w) / w)) F = b.
   const double shares[2] = {1.0, 0.25};
   double x[2] = {10, 9};
   selective_solve(shared_factor<2>(A, shares), x);

@@ -1,5 +1,6 @@
-// Every float of |x| <= 4000 (or up to the argument): 2.3e9 angles, some three minutes a core. Not
-// a test of the suite; run it when sin_cos.hpp changes. Prints the worst error and where it is.
+// Tries every float with |x| <= 4000 (or up to the argument): 2.3e9 angles, some three minutes per
+// core. Not a test of the suite; run it after changes of sin_cos.hpp. Prints the largest error and
+// where it occurs.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

@@ -1,7 +1,7 @@
-// Double sine and cosine against MPFR: sin_cos_samples [count [seed]], 1e8 samples unless told,
-// some minutes. A third each over |x| <= 4, over |x| <= 1e5, and next to multiples of pi/2 up to
-// 1e5, where the remainder is small. Not a test of the suite, which draws fewer; run it when
-// sin_cos.hpp changes. Prints the worst error and where it is.
+// Compares double sine and cosine with MPFR: sin_cos_samples [count [seed]], 1e8 samples by
+// default, which takes some minutes. A third each is drawn over |x| <= 4, over |x| <= 1e5, and near
+// multiples of pi/2 up to 1e5, where the remainder is small. Not a test of the suite, which draws
+// fewer; run it after changes of sin_cos.hpp. Prints the largest error and where it occurs.
 #include <mpfr.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace {
 
-/// 200 bits: next to a multiple of pi/2 some 60 cancel, and 53 + 60 + 20 are needed.
+/// 200 bits: near a multiple of pi/2 some 60 bits cancel, and 53 + 60 + 20 are needed.
 constexpr mpfr_prec_t kBits = 200;
 
 class Truth {
@@ -23,7 +23,7 @@ class Truth {
   Truth(const Truth&) = delete;
   Truth& operator=(const Truth&) = delete;
 
-  /// The larger error of the two, in units of the last place of the true value.
+  /// The larger of both errors in units of the last place of the exact value.
   double error(double x) {
     double s = 0;
     double c = 0;

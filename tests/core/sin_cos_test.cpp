@@ -1,8 +1,9 @@
-// Accuracy of sine and cosine against glibc's 64-bit-mantissa functions (bulk; their error is
-// below 2^-10 ulp of a double), floats against its doubles, and Boost's 100 digits (the hardest
-// cases and a check of the former); exact agreement of the lanes with the scalar function; special
-// values. Would catch: a wrong digit in a constant, a lost reduction tail, a wrong quadrant or
-// sign, a lane mixed up or a remainder lane read past the end, a compiler that reassociates.
+// Accuracy of sine and cosine: doubles are compared with glibc's functions of 64-bit mantissa
+// (whose error is below 2^-10 ulp of a double), floats with glibc's doubles, and the hardest cases
+// with Boost's 100 digits, which also check the former. Lanes must agree exactly with the scalar
+// function. Special values are included. Would catch: a wrong digit in a constant, a lost tail of
+// the reduction, a wrong quadrant or sign, lanes that are mixed up, a remainder lane that reads
+// past the end, and a compiler that reassociates.
 #include "core/sin_cos.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ using Digits100 = boost::multiprecision::cpp_bin_float_100;
 
 constexpr std::uint64_t kSeed = 20240305;
 
-/// Largest error met, and where.
+/// Largest error found, and where it occurs.
 struct Worst {
   double error = 0.0;
   double angle = 0.0;
@@ -37,7 +38,7 @@ struct Worst {
   }
 };
 
-/// Error of sine and cosine, the larger, with `Wide` as truth.
+/// The larger error of sine and cosine, with `Wide` as reference.
 template <class Wide, class Real>
 double error_at(Real x) {
   using std::cos;
@@ -62,8 +63,9 @@ bool same_bits(Real a, Real b) {
   return std::memcmp(&a, &b, sizeof(Real)) == 0;
 }
 
-// Bound: half an ulp of the last addition; rounding of the added terms, at most an eighth of the
-// result each carrying about 1.5 roundings; polynomial error 0.035 ulp. Hence 0.8.
+// Bound: half an ulp from the last addition; the rounding of the added terms, which are at most an
+// eighth of the result and contain about 1.5 roundings each; polynomial error 0.035 ulp. In sum
+// 0.8.
 TEST(SinCosDouble, IsWithin08UlpUpTo1e5) {
   if (!long_double_is_wide()) {
     GTEST_SKIP() << "long double is no wider than double here";
@@ -82,8 +84,8 @@ TEST(SinCosDouble, IsWithin08UlpUpTo1e5) {
   EXPECT_LT(worst.error, 0.8) << "seed " << kSeed;
 }
 
-// The doubles next to every multiple of pi/2 up to 1e5 contain the hardest of all: there the
-// remainder has lost up to 60 bits.
+// The doubles nearest to every multiple of pi/2 up to 1e5 contain the hardest cases: the remainder
+// loses up to 60 bits there.
 TEST(SinCosDouble, IsWithin08UlpNextToMultiplesOfHalfPi) {
   const Digits100 half_pi = boost::math::constants::half_pi<Digits100>();
   Worst bulk;
@@ -119,7 +121,7 @@ TEST(SinCosDouble, AgreesWith100Digits) {
   EXPECT_LT(worst.error, 0.8) << "seed " << kSeed + 1;
 }
 
-// Up to 2e8 the remainder's absolute error is 2^-105, invisible at random angles.
+// Up to 2e8 the absolute error of the remainder is 2^-105, which random angles cannot reveal.
 TEST(SinCosDouble, HoldsUpTo2e8) {
   std::mt19937_64 random(kSeed + 2);
   std::uniform_real_distribution<double> wide(-2e8, 2e8);
@@ -132,7 +134,7 @@ TEST(SinCosDouble, HoldsUpTo2e8) {
   EXPECT_LT(worst.error, 0.8) << "seed " << kSeed + 2;
 }
 
-// Beyond: the result of an angle within two units in the last place of x, up to 2^32.
+// Beyond that: the result of an angle within two units in the last place of x, up to 2^32.
 TEST(SinCosDouble, DegradesAsAnAngleAFewUnitsOff) {
   std::mt19937_64 random(kSeed + 3);
   std::uniform_real_distribution<double> exponent(27.0, 32.0);
@@ -204,10 +206,10 @@ std::uint32_t bits_of(float x) {
   return bits;
 }
 
-// Every 1009th float up to 4000 of both signs, and the floats next to multiples of pi/2, where the
-// remainder loses up to 27 bits. The program sin_cos_exhaustive takes all of them. Bound: half an
-// ulp of the last addition; of the cosine a quarter more, from squaring the remainder; what is
-// added before, at most a tenth of the result, with a few roundings.
+// Every 1009th float up to 4000 with both signs, and the floats near multiples of pi/2, where the
+// remainder loses up to 27 bits. The program sin_cos_exhaustive tries all floats. Bound: half an
+// ulp from the last addition; for the cosine a quarter more, from squaring the remainder; the terms
+// before, at most a tenth of the result, contain a few roundings.
 TEST(SinCosFloat, IsWithin08UlpUpTo4000) {
   Worst worst;
   for (std::uint32_t bits = 0; bits <= bits_of(4000.0F); bits += 1009) {
@@ -226,7 +228,7 @@ TEST(SinCosFloat, IsWithin08UlpUpTo4000) {
   EXPECT_LT(worst.error, 0.8);
 }
 
-// The floats where errors were largest, or remainders smallest, when all were tried.
+// The floats with the largest errors or the smallest remainders when all were tried.
 TEST(SinCosFloat, HardestFloatsAreWithin08Ulp) {
   Worst worst;
   for (const float x : {0x1.0d5e9ap+8F, 0x1.a1d5d2p-1F, 0x1.9fe228p-1F, 0x1.921fb6p+0F}) {
@@ -238,7 +240,7 @@ TEST(SinCosFloat, HardestFloatsAreWithin08Ulp) {
   EXPECT_GT(worst.error, 0.75) << "not the hardest";
 }
 
-// Beyond: the result of an angle within one unit in the last place of x, up to 2^20.
+// Beyond that: the result of an angle within one unit in the last place of x, up to 2^20.
 TEST(SinCosFloat, DegradesAsAnAngleAUnitOff) {
   for (std::uint32_t bits = bits_of(4000.0F); bits <= bits_of(0x1p+20F); bits += 101) {
     const float x = float_from_bits(bits);
@@ -251,7 +253,7 @@ TEST(SinCosFloat, DegradesAsAnAngleAUnitOff) {
   }
 }
 
-// Subnormal and tiny floats come back as they are, with the sign of zero.
+// Subnormal and tiny floats are returned unchanged, with the sign of zero.
 TEST(SinCosFloat, TinyAnglesAreTheirOwnSine) {
   for (float x = 0x1p-13F; x > 0.0F; x *= 0.5F) {
     for (const float angle : {x, -x}) {
@@ -306,7 +308,7 @@ TEST(SinCosFloat, LanesGiveTheScalarBits) {
   expect_all_widths_match<float>();
 }
 
-// A NaN in one lane must not reach its neighbours.
+// A NaN in one lane must not affect the other lanes.
 template <class Real>
 void expect_independent_lanes() {
   using Limits = std::numeric_limits<Real>;

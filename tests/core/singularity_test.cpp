@@ -1,6 +1,6 @@
-// Lost directions of planar arms and a wrist whose singularities are known in closed form. Would
-// catch a wrong direction or type, a sign that flips with the eigenvectors' arbitrary ones, a force
-// in a lost direction, an infinite result at the singularity itself.
+// Lost directions of planar arms and of a wrist whose singularities are known in closed form. Would
+// catch: a wrong direction or type, a sign that follows the arbitrary sign of eigenvectors, a force
+// in a lost direction, and an infinite result at the singularity itself.
 #include "core/singularity.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ namespace {
 
 using namespace treeline::core;  // NOLINT: the whole header is under test
 
-/// Planar arm of two links of length 1: elbow lock at q2 = 0, direction along the arm.
+/// Jacobian of a planar arm with two links of length 1: elbow lock at q2 = 0, lost direction along
+/// the arm.
 void elbow_jacobian(const double (&q)[2], double (&J)[4]) {
   const double s1 = std::sin(q[0]);
   const double c1 = std::cos(q[0]);
@@ -24,7 +25,7 @@ void elbow_jacobian(const double (&q)[2], double (&J)[4]) {
   J[3] = c12;
 }
 
-/// z-y-z wrist, angular velocity in the world: lock at q2 = 0.
+/// Jacobian of a z-y-z wrist, angular velocity in world axes: lock at q2 = 0.
 void wrist_jacobian(const double (&q)[3], double (&J)[9]) {
   const double s1 = std::sin(q[0]);
   const double c1 = std::cos(q[0]);
@@ -86,7 +87,7 @@ TEST(Singularity, WristLockOnlyTurns) {
   SingularDirections<3, 3, double> found;
   const auto lost = look<3>(wrist_jacobian, q, {1.0, 0.0, 0.0}, found);
   EXPECT_NEAR(found.values[2], 0.0, 1e-7);
-  // Lost: about the x of the frame turned by q1; n = (1, 0, -1) / sqrt(2) turns it with q1.
+  // Lost: rotation about x of the frame rotated by q1. n = (1, 0, -1) / sqrt(2) rotates it with q1.
   const double* u = found.directions + 6;
   EXPECT_NEAR(std::fabs(u[0] * std::cos(0.3) + u[1] * std::sin(0.3)), 1.0, 1e-14);
   EXPECT_NEAR(lost.curvature, 0.0, 1e-9);
@@ -95,8 +96,8 @@ TEST(Singularity, WristLockOnlyTurns) {
   EXPECT_EQ(singularity_type(lost), SingularityType::turns);
 }
 
-// s, which the law measures from the singularity, does not depend on the signs of u and n's
-// decomposition, and grows with q2 when the reference says so.
+// s, which the law measures from the singularity, does not depend on the signs in the decomposition
+// of u and n, and grows with q2 if the reference does.
 TEST(Singularity, MotionIsMeasuredFromTheSingularity) {
   for (double bend = -0.05; bend <= 0.05; bend += 0.01) {
     SingularDirections<2, 2, double> found;
@@ -113,15 +114,15 @@ TEST(Singularity, DriveAlongGoesToTheWantedSide) {
   lost.sigma = -0.4 * 0.1;  // s = 0.1, behind the singular place by 0.002
   EXPECT_NEAR(drive_along(gains, lost, 0.0, 1.0, 0.0), 0.0, 1e-3);
   EXPECT_NEAR(drive_along(gains, lost, 0.0, -1.0, 0.0), 100.0 * -0.2, 1e-3);
-  // Beyond reach: to the singularity. Farther in: more s.
+  // Beyond reach: the law goes to the singularity. Farther inside: more s.
   EXPECT_NEAR(drive_along(gains, lost, 1.0, 1.0, 0.0), 100.0 * -0.1, 1e-3);
   EXPECT_NEAR(drive_along(gains, lost, -0.006, 1.0, 0.0), 100.0 * 0.1, 2e-3);
-  // Speed limited, damped.
+  // The speed is limited and damped.
   EXPECT_NEAR(drive_along(gains, lost, -1e6, 1.0, 10.0), 0.0, 1e-9);
 }
 
 TEST(Singularity, TurnAwayEndsAcrossTheWantedMotion) {
-  // u = (cos a, sin a), turned by s itself; the error along x.
+  // u = (cos a, sin a), rotated by s itself; the error is along x.
   const NullMotionGains<double> gains;
   for (double start = 0.0; start < 6.3; start += 0.1) {
     double angle = start;
@@ -141,7 +142,8 @@ TEST(Singularity, TurnAwayEndsAcrossTheWantedMotion) {
   }
 }
 
-// Exactly at the lock: the regular direction is accelerated as asked, the lost one is not pushed.
+// Exactly at the lock: the regular direction is accelerated as commanded, the lost one gets no
+// force.
 TEST(Singularity, RegularForceSparesTheLostDirection) {
   const double q[2] = {0.6, 0.0};
   double J[4];
@@ -161,7 +163,7 @@ TEST(Singularity, RegularForceSparesTheLostDirection) {
   EXPECT_NEAR(across.dot(acceleration), across.dot(Eigen::Vector2d::Map(missing)), 1e-12);
 }
 
-// Outside of the region it is Lambda's force to rounding.
+// Outside the region it is the force by Lambda, up to rounding.
 TEST(Singularity, RegularForceIsLambdaFarAway) {
   double J[4];
   elbow_jacobian({0.6, 1.2}, J);

@@ -1,5 +1,5 @@
-// Closed forms of the cubic, boundary conditions, derivatives by difference quotients. Would catch
-// a wrong coefficient, a velocity that is not the derivative, motion beyond the ends.
+// Closed forms of the cubic, boundary conditions, derivatives by difference quotients. Would catch:
+// a wrong coefficient, a velocity that is not the derivative, and motion beyond the ends.
 #include "core/spline.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ TEST(Spline, RestToRestClosedForm) {
   const double from[2] = {1.0, -2.0};
   const double to[2] = {3.0, 4.0};
   const auto segment = rest_to_rest(from, to, 2.0);
-  // Halfway: the middle; speed 3/2 of the mean; no acceleration. At the start: 6 d / T^2.
+  // Halfway: the middle, 3/2 of the mean speed, no acceleration. At the start: 6 d / T^2.
   const auto middle = segment.at(1.0);
   EXPECT_DOUBLE_EQ(middle.position[0], 2.0);
   EXPECT_DOUBLE_EQ(middle.velocity[0], 1.5);

@@ -1,6 +1,6 @@
-// Square roots against libm, whose are correctly rounded, to the bit: by the target's instruction
-// and bit by bit without it. Would catch a wrong last bit, a lost subnormal number, zero without
-// its sign, a root of what has none.
+// Square roots compared with libm's, which are correctly rounded, to the bit: by the target's
+// instruction, and bit by bit without it. Would catch: a wrong last bit, a lost subnormal number,
+// zero without its sign, and a root of a number that has none.
 #include "core/square_root.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(SquareRoot, OfSpecialNumbers) {
   expect_special_roots<double>();
 }
 
-// Every 4099th float, of both signs, subnormal ones and NaN among them.
+// Every 4099th float with both signs, including subnormal numbers and NaN.
 TEST(SquareRoot, OfFloats) {
   for (std::uint64_t bits = 0; bits <= 0xffffffffU; bits += 4099) {
     const auto narrow = static_cast<std::uint32_t>(bits);
@@ -54,7 +54,7 @@ TEST(SquareRoot, OfFloats) {
   }
 }
 
-// Doubles of any bits, and squares and what is next to them, where rounding is tightest.
+// Doubles with random bits, and squares and their neighbours, where rounding is most difficult.
 TEST(SquareRoot, OfDoubles) {
   constexpr std::uint64_t kSeed = 3;
   std::mt19937_64 random(kSeed);

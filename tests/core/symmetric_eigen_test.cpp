@@ -1,6 +1,6 @@
-// Eigenvalues and vectors against Eigen's tridiagonal QR, over random matrices, repeated and zero
-// values and lost ranks. Would catch a wrong rotation, too few sweeps, a division by a vanishing
-// entry, vectors that are not orthonormal.
+// Eigenvalues and eigenvectors compared with Eigen's tridiagonal QR, for random matrices, repeated
+// and zero values, and lost ranks. Would catch: a wrong rotation, too few sweeps, a division by a
+// vanishing entry, and vectors that are not orthonormal.
 #include "core/symmetric_eigen.hpp"
 
 #include <gtest/gtest.h>
@@ -14,16 +14,17 @@
 
 namespace {
 
-// Of run-time size: products of fixed size took a minute to compile.
+// Matrices of run-time size, because products of fixed size took a minute to compile.
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The values and vectors of `A` to some times `epsilon`, the distance from 1 to the next number.
+/// Compares eigenvalues and eigenvectors of `A` up to a multiple of `epsilon`, the distance from 1
+/// to the next number.
 void expect_decomposition(const Square& A, const std::vector<double>& entries_of_values,
                           const std::vector<double>& entries_of_vectors, double epsilon) {
   const Eigen::Index N = A.rows();
   const Square V = Square::Map(entries_of_vectors.data(), N, N);
   const Eigen::VectorXd values = Eigen::VectorXd::Map(entries_of_values.data(), N);
-  // Each of N sweeps' rotations rounds a few times: N^2 roundings bound it amply.
+  // The rotations of N sweeps round a few times each; N^2 roundings are more than enough.
   const double tolerance = 5 * epsilon * static_cast<double>(N * N);
   const double size = A.norm();
   EXPECT_LE((V * V.transpose() - Square::Identity(N, N)).norm(), tolerance);
@@ -32,7 +33,7 @@ void expect_decomposition(const Square& A, const std::vector<double>& entries_of
   EXPECT_LE((values - expected.eigenvalues().reverse()).norm(), tolerance * size);
 }
 
-/// In `Real`, of the matrix as `Real` has it.
+/// Checks the decomposition in `Real`, of the matrix rounded to `Real`.
 template <int N, class Real>
 void expect_decomposes_in(const Square& A) {
   Real packed[N * N];

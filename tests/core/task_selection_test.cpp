@@ -1,5 +1,5 @@
-// Selection matrices as Khatib 1987 defines them. Would catch a transposed frame, directions that
-// get both or neither command, an integral that winds up.
+// Selection matrices as defined by Khatib 1987. Would catch: a transposed frame, directions that
+// get both commands or none, and an integral that winds up.
 #include "core/task_selection.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ struct Example {
   TaskSelection<double> selection;
   Matrix6 Omega = Matrix6::Zero();
 
-  /// Presses along the z of a tilted frame, does not resist moments about its x and y.
+  /// Presses along z of a tilted frame and does not resist moments about its x and y.
   Example() {
     const RowMajor R_force(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()));
     const RowMajor R_moment(Eigen::AngleAxisd(-1.1, Eigen::Vector3d(0, 1, 3).normalized()));
@@ -44,8 +44,8 @@ TEST(TaskSelection, PartsAreTheMatricesOfTheMethod) {
   EXPECT_LE((Vector6::Map(motion) + Vector6::Map(force) - Vector6::Map(x)).norm(), 1e-14);
 }
 
-// With F = Lambda xdd_cmd the force directions feel the wanted force, the motion directions the
-// wanted acceleration.
+// With F = Lambda xdd_cmd, force directions get the desired force and motion directions the desired
+// acceleration.
 TEST(TaskSelection, CommandSplitsMotionAndForce) {
   const Example example;
   const Matrix6 X = Matrix6::Random();

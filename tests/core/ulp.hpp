@@ -5,9 +5,9 @@
 
 namespace treeline::test {
 
-/// Distance of `value` from `exact` in units of the last place of Real at `exact`: the spacing of
-/// Real in the binade of `exact`, at least the smallest subnormal. Wide is any type with more
-/// digits.
+/// Distance of `value` from `exact` in units of the last place of Real at `exact`, that is, the
+/// spacing of Real in the binade of `exact`, at least the smallest subnormal. Wide is any type with
+/// more digits.
 template <class Real, class Wide>
 double ulps(Real value, const Wide& exact) {
   using std::abs;

@@ -6,7 +6,7 @@
 /// The files of tests/data.
 namespace treeline::tests {
 
-/// A row of SOURCES.tsv: where a file comes from. `-` where a column has no meaning.
+/// A row of SOURCES.tsv: the source of a file. `-` if a column does not apply.
 struct DataSource {
   std::string file;  ///< relative to tests/data
   std::string repository, path, commit, licence, remark;
@@ -17,14 +17,14 @@ struct DataRobot {
   std::string path;  ///< of its URDF
 };
 
-/// The folder itself.
+/// The folder tests/data.
 std::string data_folder();
 
-/// Where a file is, given its path in tests/data. Throws std::runtime_error if it is not there, so
-/// that a test without its data fails.
+/// Absolute path of a file, given its path in tests/data. Throws std::runtime_error if it does not
+/// exist, so that a test without its data fails.
 std::string data_file(const std::string& name);
 
-/// All rows, in the table's order. Throws std::runtime_error for a row that lacks a column.
+/// All rows in the table's order. Throws std::runtime_error if a row lacks a column.
 std::vector<DataSource> data_sources();
 
 /// The robots of a folder, `published`, `golden` or `odd`, by name. Throws like data_file.

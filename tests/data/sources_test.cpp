@@ -1,5 +1,5 @@
 // Would catch: a file of tests/data whose source or licence is not stated, and a stated file that
-// is not there, with which a test would pass because it looks at nothing.
+// does not exist, with which a test would pass without testing anything.
 #include <gtest/gtest.h>
 
 #include <filesystem>

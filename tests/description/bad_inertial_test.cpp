@@ -1,5 +1,5 @@
-// Would catch: a class of fault that is accepted in silence, or reported without its place or what
-// to do about it. Every case is one fault in an otherwise sound robot; the line is the fault's own.
+// Would catch: a kind of fault that is accepted without a message, or reported without its place or
+// a remedy. Every case has one fault in an otherwise correct robot, in the reported line.
 #include <gtest/gtest.h>
 
 #include "bad_urdf.hpp"
@@ -68,10 +68,10 @@ const Case kInertials[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Inertials, BadInertial, testing::ValuesIn(kInertials), name_of);
 
-// Would catch: warnings about inertias that only suffer from the rounding of their figures.
+// Would catch: warnings about inertias that are wrong only by the rounding of their figures.
 TEST(UnphysicalInertia, AllowsForRoundedFigures) {
   Diagnostics diagnostics;
-  // A thin plate: ixx + iyy = izz but for the last figure.
+  // A thin plate: ixx + iyy = izz up to the last figure.
   EXPECT_TRUE(
       parse_urdf(inertia("ixx='0.33333' ixy='0' ixz='0' iyy='0.33333' iyz='0' izz='0.66667'"),
                  "plate.urdf", diagnostics));

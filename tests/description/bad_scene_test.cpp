@@ -1,5 +1,5 @@
-// Would catch: a fault in a scene that passes, is told at another place than its own or without
-// what to do about it.
+// Would catch: a fault in a scene that passes, or that is reported at another place or without a
+// remedy.
 #include <gtest/gtest.h>
 
 #include "description/read_scene.hpp"
@@ -239,7 +239,7 @@ TEST(BadSceneRobot, IsSingular) {
       {kError, 1, "", "nothing beyond joints \"shoulder\", \"elbow\", \"slide\" has mass", "lock"});
 }
 
-// Would catch a centre of mass that is 0/0.
+// Would catch: a centre of mass that is 0/0.
 TEST(BadSceneRobot, HasNoMassToHaveACentre) {
   Robot robot = make_robot("massless", "");
   for (Link& link : robot.links) link.inertial.reset();

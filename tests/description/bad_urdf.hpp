@@ -10,7 +10,7 @@
 
 namespace treeline::bad_urdf {
 
-/// One fault in an otherwise sound robot, and what is said about it.
+/// One fault in an otherwise correct robot, and the expected diagnostic.
 struct Case {
   std::string name;
   std::string text;
@@ -21,7 +21,8 @@ inline void PrintTo(const Case& c, std::ostream* out) {
   *out << c.name;
 }
 
-/// Whether the fault stops reading as its severity says, and is told as expected.
+/// Expects that the fault stops reading or not, according to its severity, and is reported as
+/// expected.
 inline void expect_case(const Case& c) {
   Diagnostics diagnostics;
   const auto robot = parse_urdf(c.text, "bad.urdf", diagnostics);
@@ -41,7 +42,7 @@ inline const std::string kBody =
     "<inertial><mass value='1'/>"
     "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
 
-/// Links a (line 2) and b (line 3) with mass, and in line 5 what is inside the joint.
+/// A robot with links a (line 2) and b (line 3) with mass, and `inside` within the joint in line 5.
 inline std::string with_joint(const std::string& type, const std::string& inside) {
   return "<robot name='r'>\n<link name='a'>" + kBody + "</link>\n<link name='b'>" + kBody +
          "</link>\n<joint name='j' type='" + type + "'><parent link='a'/><child link='b'/>\n" +
@@ -50,12 +51,12 @@ inline std::string with_joint(const std::string& type, const std::string& inside
 
 inline const std::string kLimit = "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
 
-/// What is inside the one link, in line 3.
+/// A robot with `inside` within its only link, in line 3.
 inline std::string with_link(const std::string& inside) {
   return "<robot name='r'>\n<link name='a'>\n" + inside + "\n</link></robot>";
 }
 
-/// What is inside the robot after links a and b, in line 3.
+/// A robot with `inside` after links a and b, in line 3.
 inline std::string with_robot(const std::string& inside) {
   return "<robot name='r'>\n<link name='a'/> <link name='b'/>\n" + inside + "\n</robot>";
 }

@@ -1,5 +1,5 @@
-// Would catch: a class of fault that is accepted in silence, or reported without its place or what
-// to do about it. Every case is one fault in an otherwise sound robot; the line is the fault's own.
+// Would catch: a kind of fault that is accepted without a message, or reported without its place or
+// a remedy. Every case has one fault in an otherwise correct robot, in the reported line.
 #include "bad_urdf.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Would catch: memory or time that grows beyond what is stated on inputs made to be large, and a
-// refusal of them without words.
+// Would catch: memory or time that exceeds the stated limits for inputs made to be large, and a
+// refusal of such inputs without a message.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -49,7 +49,7 @@ std::string fault_of_scene(const std::string& text) {
   return of_scene.has_errors() ? to_string(of_scene) : "accepted";
 }
 
-/// Reads in a process of its own, whose memory is then known: what it says must hold `expected`.
+/// Reads in a separate process, so that its memory is known. Its message must contain `expected`.
 void expect_bounded(const std::function<std::string()>& read, const std::string& expected) {
   const pid_t child = fork();
   ASSERT_GE(child, 0);

@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// What a diagnostic must say: everything a user needs to go and mend the file.
+/// Content that a diagnostic must have: everything that a user needs for correcting the file.
 struct Expected {
   Severity severity = Severity::error;
   int line = 0;

@@ -1,5 +1,5 @@
 // Would catch: a crash, a hang or undefined behaviour on damaged input (run with sanitizers), and a
-// reader that returns nothing without an error or something with one.
+// reader that returns nothing without an error, or something together with an error.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -54,8 +54,8 @@ void read_scene_text(const std::string& text) {
   EXPECT_EQ(scene.has_value(), !diagnostics.has_errors()) << text << to_string(diagnostics);
 }
 
-/// A few bytes replaced, removed, doubled or moved; half of the new bytes are ones that mean
-/// something in XML or YAML.
+/// Replaces, removes, doubles or moves a few bytes. Half of the new bytes have a meaning in XML or
+/// YAML.
 std::string damaged(std::string text, std::mt19937_64& random) {
   static const std::string kMeaningful = "<>/&'\"=[]{}:,-#!*|?%@ \n\t0123456789.e+;\\$\xFF";
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
@@ -125,8 +125,8 @@ TEST(Garbage, NestedScene) {
   }
 }
 
-// Would catch: recursion over the tree, here or in a library, that runs off the stack, and names
-// compared pair by pair.
+// Would catch: recursion over the tree, here or in a library, that overflows the stack, and names
+// that are compared pair by pair.
 TEST(Garbage, LongestChain) {
   std::string text = "<robot name='r'><link name='l4095'/>";
   for (int i = 4094; i >= 0; --i) {

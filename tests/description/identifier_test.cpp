@@ -1,4 +1,5 @@
-// Would catch: names that do not compile, or two names of a script beyond ASCII that become one.
+// Would catch: names that do not compile, and two names with characters beyond ASCII that become
+// equal.
 #include "description/identifier.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ TEST(Identifier, RefusesReservedAndForeign) {
   }
 }
 
-// Would catch: a namespace that a header of C, included before, turns into something else.
+// Would catch: a namespace that is a macro of a C header included before.
 TEST(Identifier, RefusesWhatHeadersOfCDefine) {
   for (const char* name :
        {"EOF",      "NULL",      "errno",    "stdin",  "stdout", "stderr", "M_PI",
@@ -36,7 +37,7 @@ TEST(Identifier, RefusesWhatHeadersOfCDefine) {
   }
 }
 
-// Would catch: a target that CMake refuses, a header that overwrites one beside it.
+// Would catch: a target that CMake refuses, and a header that overwrites another one.
 TEST(PackageName, LeavesCMakeAndTheRuntimeTheirs) {
   for (const char* name : {"all", "test", "install", "help", "clean", "lanes", "sin_cos", "EOF"}) {
     EXPECT_FALSE(is_package_name(name)) << name;

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-// Would catch: another order than that of coordinates, a joint before the one that carries it, a
-// stack that overflows where the tree is deep.
+// Would catch: an order that differs from that of the coordinates, a joint before the one that
+// carries it, and a stack overflow in deep trees.
 
 namespace treeline {
 namespace {
 
-/// Joints as pairs of parent and child, as a file has them.
+/// A robot with joints given as pairs of parent and child, in the file's order.
 Robot robot_of(std::size_t links, int root, const std::vector<std::pair<int, int>>& joints) {
   Robot robot;
   robot.links.resize(links);

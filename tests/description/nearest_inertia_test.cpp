@@ -1,5 +1,5 @@
-// Would catch: a repaired inertia that still no body has, or one that is not the nearest; a body
-// without extent that is not named.
+// Would catch: a repaired inertia that is still impossible or not the nearest possible one, and a
+// body without extent that is not named.
 #include "description/nearest_inertia.hpp"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,8 @@ TEST(NearestInertia, NearerThanOtherPossibleOnes) {
     const double least = Eigen::SelfAdjointEigenSolver<Matrix3d>(after).eigenvalues()[0];
     EXPECT_GE(least, -1e-14 * size) << "state " << k;
     EXPECT_FALSE(find_unphysical(*nearest));
-    // Of a closed convex set the nearest point a of b has (b - a) (c - a) <= 0 for all c in it.
+    // The nearest point a of a closed convex set to b has (b - a) (c - a) <= 0 for all c in the
+    // set.
     const Matrix3d B = Matrix3d::NullaryExpr([&] { return normal(random); });
     const Matrix3d other = size * B * B.transpose();
     EXPECT_LE((before - after).cwiseProduct(other - after).sum(), 1e-6 * size * size);

@@ -1,5 +1,5 @@
-// Would catch: a number taken as exact that its author meant as it is, one that is changed without
-// a word, noise that is left, and a wish to keep every number that is not heeded.
+// Would catch: a number taken as exact although its author meant it as written, a number changed
+// without a message, noise that is left, and a request to keep every number that has no effect.
 #include "description/noise.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(Noise, IsWhatDoubleCannotResolve) {
   EXPECT_EQ(decisions[5].text, "axis y -2e-17 is 0");
 }
 
-// Legs that are alike but for rounding get the same code.
+// Legs that are equal up to rounding get the same code.
 TEST(Noise, IsWhatEqualNumbersDifferBy) {
   Robot robot = arm();
   robot.joints[0].origin = {{0.3, -0.30000000000000004, 0.3000000000000003}, {0.7, -0.7, 0.7}};
@@ -76,7 +76,7 @@ TEST(Noise, IsKeptOnRequest) {
   EXPECT_TRUE(decisions.empty());
 }
 
-// A wider limit is the author's word on what the file means, for whatever reads it.
+// A wider limit is the author's statement about the file, and holds for everything that reads it.
 TEST(Noise, HasAWiderLimitOnRequest) {
   Diagnostics diagnostics;
   const auto scene = scene_of(
@@ -93,7 +93,7 @@ TEST(Noise, HasAWiderLimitOnRequest) {
   EXPECT_EQ(robot.links[1].inertial->origin.rpy[2], 1.57);
 }
 
-// The narrow limit is the generator's own: what it is checked against has the file as written.
+// The narrow limit is the generator's own; the reference uses the file as written.
 TEST(Noise, IsInWhatResultsAreCheckedAgainst) {
   const Robot robot = as_asked(arm(), Scene{});
   EXPECT_EQ(robot.joints[0].origin.rpy, arm().joints[0].origin.rpy);

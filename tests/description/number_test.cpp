@@ -1,4 +1,5 @@
-// Would catch: numbers read in part, in the user's locale, rounded, or taken where they are none.
+// Would catch: numbers that are read in part, read in the user's locale or rounded, and text that
+// is not a number but accepted as one.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Would catch: characters of a file's names that reach a terminal and do something there.
+// Would catch: characters from a file's names that reach a terminal and have an effect there.
 #include "description/printable.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Printable, KeepsJsonJson) {
   EXPECT_EQ(printable_json("\"\xFF\""), "\"\\\\xff\"");
 }
 
-// Would catch: a name that forges a message of its own, or colours the terminal.
+// Would catch: a name that imitates a message, or colours the terminal.
 TEST(DiagnosticText, CannotBeForged) {
   const Diagnostic diagnostic{Severity::error,       "a\rb.urdf",          3,
                               "robot/link[\x1b[2J]", "odd\nerror: forged", "do\x07 this"};

@@ -1,5 +1,5 @@
-// Would catch: files of other parsers' test suites that are taken otherwise than a good reader
-// takes them, and robots as published that cannot be read.
+// Would catch: files from other parsers' test suites that are treated differently than by a good
+// reader, and published robots that cannot be read.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -26,8 +26,8 @@ std::string verdict(const Diagnostics& diagnostics) {
   return warned ? "warn" : "accept";
 }
 
-/// What is chosen where the suites disagree. Limits do not concern the dynamics, so their absence
-/// is no reason to refuse a robot; a joint that URDF does not have is never guessed at.
+/// Decisions where the test suites disagree. Limits do not matter for the dynamics, so a robot
+/// without them is accepted. A joint that URDF does not have is refused, never guessed at.
 const std::map<std::string, std::string> kChosen = {
     {"rosurdf_fail_no_filename_in_mesh", "reject"},  // a joint without parent and child
     {"urdfdom_version_one_int", "warn"},
@@ -55,7 +55,7 @@ bool agrees(const std::string& name, const std::string& expected, const std::str
   return chosen == kChosen.end() || chosen->second == found;
 }
 
-/// What a default scene says of joints and bases without inertia.
+/// Adds the warnings about joints and bases without inertia that a default scene gives.
 void warn_of_massless_directions(const Robot& robot, Diagnostics& diagnostics) {
   Diagnostics of_scene;
   auto scene = read_scene("", robot, of_scene);

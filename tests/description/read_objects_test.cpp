@@ -1,5 +1,5 @@
-// Would catch an object that is read as something else, and faults in a scene's objects that are
-// not told where they are and what to do about them.
+// Would catch: an object that is read as something else, and faults in a scene's objects that are
+// reported without their place or a remedy.
 #include <gtest/gtest.h>
 
 #include "description/read_scene.hpp"
@@ -13,7 +13,7 @@ const std::string kBody =
     "<inertial><mass value='1'/>"
     "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
 
-/// Two arms of six hinges each on one base, and a stub of one.
+/// Two arms with six hinges each on one base, and a stub with one.
 Robot make_robot() {
   std::string text = "<robot name='pair'><link name='base'>" + kBody + "</link>";
   const auto add = [&](const std::string& parent, const std::string& child) {
@@ -73,7 +73,7 @@ TEST(ReadObjects, ReadsEverySetting) {
   EXPECT_EQ(box.grasps[1].origin.rpy, (std::array{0.0, 0.0, 0.5}));
 }
 
-// Their functions belong to the scene's default only with objects.
+// Functions about objects are part of the scene's default only if there are objects.
 TEST(ReadObjects, BringTheirFunctions) {
   Diagnostics diagnostics;
   const auto held = read(kPoints + kBox, diagnostics);

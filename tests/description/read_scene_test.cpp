@@ -1,5 +1,5 @@
-// Would catch: settings of a sound scene that are lost or read as something else, and defaults that
-// are not the documented ones.
+// Would catch: settings of a correct scene that are lost or read as something else, and defaults
+// that differ from the documented ones.
 #include "description/read_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Robot single_body(const std::string& inside) {
       .value();
 }
 
-// Would catch: a drone that is refused for want of joints.
+// Would catch: a drone that is refused because it has no joints.
 TEST(ReadScene, FloatsTheBaseWhereNothingElseMoves) {
   Diagnostics diagnostics;
   const auto scene = parse_scene("real: float", "s.yaml", single_body(kBody), diagnostics);
@@ -37,7 +37,7 @@ TEST(ReadScene, FloatsTheBaseWhereNothingElseMoves) {
   EXPECT_FALSE(parse_scene("", "s.yaml", single_body(""), fixed));  // nothing to move
 }
 
-// Would catch: a missing scene that is an error, or taken without a word.
+// Would catch: a missing scene that is an error, or that is accepted without a message.
 TEST(ReadScene, NeedsNoFile) {
   Diagnostics diagnostics;
   const auto scene = read_scene("", single_body(kBody), diagnostics);

@@ -1,4 +1,5 @@
-// Would catch: values of a sound file that are lost, rounded, reordered or read at a wrong place.
+// Would catch: values of a correct file that are lost, rounded, reordered or read from a wrong
+// place.
 #include "description/read_urdf.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Joints and links are in an order that is neither the tree's nor the alphabet's.
+// The order of joints and links is neither that of the tree nor alphabetical.
 const char* const kRobot = R"(<?xml version="1.0"?>
 <robot name="example" xmlns="http://www.ros.org" version="1.0">
   <joint name="wrist" type="prismatic">
@@ -104,7 +105,7 @@ TEST_F(ReadUrdf, HasInfiniteLimitsWhereNoneAreSet) {
   EXPECT_EQ(robot_->joints[0].limits->lower, -0.5);
   EXPECT_EQ(robot_->joints[0].limits->upper, kInfinity);
   EXPECT_FALSE(robot_->joints[1].limits);
-  // A lone bound has the other at 0, as the specification says.
+  // If only one limit is given, the other is 0, as the specification says.
   EXPECT_EQ(robot_->joints[2].limits->lower, 0);
   EXPECT_EQ(robot_->joints[2].limits->upper, 2);
 }

@@ -1,5 +1,5 @@
-// Would catch: a tag or an attribute's value found at another place than the reader of XML finds
-// it, so that a repair would change other bytes than those of the inertia.
+// Would catch: a tag or an attribute's value that is found at another place than by the XML reader,
+// so that a repair would change other bytes than those of the inertia.
 #include "description/scan_xml.hpp"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "description/read_urdf.hpp"
 #include "diagnosed.hpp"
 
-/// The robot of the tests of scenes.
+/// The robot for tests of scenes.
 namespace treeline {
 
 inline const std::string kBody =

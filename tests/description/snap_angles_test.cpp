@@ -1,5 +1,6 @@
-// Would catch: an angle taken for a quarter turn that its author meant as it is, or one replaced
-// without a word, or further off than the scene allows; snapping that happens unasked.
+// Would catch: an angle that is taken for a quarter turn although its author meant it as written,
+// is replaced without a message, or is farther off than the scene permits; and snapping that was
+// not requested.
 #include "description/snap_angles.hpp"
 
 #include <gtest/gtest.h>

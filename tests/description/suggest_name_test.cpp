@@ -1,4 +1,4 @@
-// Would catch: suggestions that miss a slip of the keyboard or offer something unrelated.
+// Would catch: suggestions that miss a typing error or offer an unrelated name.
 #include "description/suggest_name.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,8 @@ TEST(SuggestName, OffersTheNearest) {
   EXPECT_EQ(suggest_name("x", {}), "");
 }
 
-// Would catch: `elbow` that does not find `elbow_joint`, and parts so short that all contain them.
+// Would catch: `elbow` that does not find `elbow_joint`, and parts so short that all names contain
+// them.
 TEST(SuggestName, OffersWhatContainsOrIsContained) {
   EXPECT_EQ(suggest_name("elbow", {"shoulder_joint", "elbow_joint"}),
             "did you mean \"elbow_joint\"?");
@@ -40,8 +41,8 @@ TEST(SuggestName, OffersWhatContainsOrIsContained) {
             "its links are link_a, link_b");
 }
 
-// Would catch: a robot of a thousand joints that fills the screen, and a list that says nothing of
-// the rest.
+// Would catch: a robot with a thousand joints that fills the screen, and a list that does not
+// mention the other names.
 TEST(SuggestName, CutsLongLists) {
   std::vector<std::string> known;
   for (int i = 0; i < 1000; ++i) known.push_back("finger_" + std::to_string(i));

@@ -10,9 +10,9 @@
 #include <sstream>
 #include <string>
 
-// Sums and products are computed limb by limb; here Boost's own arithmetic says what they are, to
-// the bit. Catches a wrong carry, a tie that is not rounded to even, bits lost in alignment. Its
-// series are the oracle of sines, to the last digits.
+// Sums and products are computed limb by limb, and compared with Boost's arithmetic to the bit.
+// Would catch: a wrong carry, a tie that is not rounded to even, and bits lost in alignment. Sines
+// are compared with Boost's series, up to the last digits.
 
 namespace treeline {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 using Boost = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                             boost::multiprecision::et_off>;
 
-/// The same number in both types, built of doubles, which both take exactly.
+/// The same number in both types, made from doubles, which both convert exactly.
 struct Twin {
   Digits50 own;
   Boost boost;
@@ -30,8 +30,8 @@ class Numbers {
  public:
   explicit Numbers(unsigned seed) : random_(seed) {}
 
-  /// So many doubles, each some way below the one before: runs of ones and zeros, and the carries
-  /// that end them, come from the whole powers of two among them.
+  /// Sums of several doubles, each somewhat smaller than the one before. Powers of two among them
+  /// cause runs of ones and zeros, and the carries that end them.
   Twin draw(int largest_exponent) {
     Twin twin{0, 0};
     int exponent = std::uniform_int_distribution(-largest_exponent, largest_exponent)(random_);
@@ -47,7 +47,7 @@ class Numbers {
     return twin;
   }
 
-  /// What Boost's number is in doubles of which each takes what the others left.
+  /// Boost's number as a sum of doubles, each of which is the rounded rest.
   static Digits50 exactly(Boost value) {
     Digits50 sum = 0;
     while (value != 0) {
@@ -99,7 +99,8 @@ TEST(Digits50, DifferencesOfNeighboursAreExact) {
   EXPECT_EQ(Digits50(3) - Digits50(3) + one, one);
 }
 
-/// Catches angles reduced with too few digits of pi, a wrong quadrant, a series cut off too early.
+/// Would catch: angles that are reduced with too few digits of pi, a wrong quadrant, and a series
+/// that ends too early.
 TEST(Digits50, SinesAndCosinesAreBoosts) {
   constexpr unsigned kSeed = 11;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
@@ -123,7 +124,7 @@ TEST(Digits50, SinesAndCosinesAreBoosts) {
   }
 }
 
-/// Catches angles of many turns that lose digits of what is left of them.
+/// Would catch: angles of many turns whose remainders lose digits.
 TEST(Digits50, SineOfALargeAngleIsThatOfWhatIsLeft) {
   const Digits50 turns = 1e8;
   const Digits50 rest("1e-20");

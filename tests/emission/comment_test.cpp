@@ -10,7 +10,7 @@ namespace treeline {
 namespace {
 
 // Would catch: a compiler that takes the rest of a comment for code (a carriage return ends a line
-// for some), or the next line of code for a comment.
+// for some compilers), or the next line of code for a comment.
 TEST(Harmless, LeavesNoWayOutOfAComment) {
   EXPECT_EQ(harmless("// a\r#error b\nint c;\n"), "// a\\x0d#error b\nint c;\n");
   EXPECT_EQ(harmless("// a\\\nint b;\n"), "// a\\x5c\nint b;\n");
@@ -20,7 +20,7 @@ TEST(Harmless, LeavesNoWayOutOfAComment) {
   EXPECT_EQ(harmless("\n\n// a\\b\n\tc\n"), "\n\n// a\\b\n\tc\n");
 }
 
-// Would catch: a place in some emitted file where a name goes in as it is.
+// Would catch: a place in an emitted file at which a name is inserted without being made safe.
 TEST(Harmless, HoldsForEveryEmittedFile) {
   EmissionContext context = test::sample_context("arm", false);
   const std::string odd = "x\r#error pwn\x1b\xE2\x80\xAE\\";

@@ -4,10 +4,11 @@
 
 #include <cmath>
 
-// Before what it counts: names in it are looked up as templates are defined.
+// Before the header whose operations it counts, because names in templates are looked up where they
+// are defined.
 namespace {
 
-/// A number that counts what is done with it.
+/// A number that counts the operations on it.
 struct Counted {
   double value = 0;
   static inline int additions = 0, products = 0, quotients = 0, roots = 0;
@@ -37,8 +38,8 @@ struct treeline::core::Format<Counted> {
   static constexpr Counted kEpsilon{0x1p-52};
 };
 
-// The cost that the header states of damped_control_torque, against the code that it is made from.
-// Would catch a count that was not changed with the solver.
+// The cost of damped_control_torque in the header, compared with the code from which it is made.
+// Would catch: a count that was not updated together with the solver.
 
 namespace treeline::tests {
 namespace {
@@ -48,7 +49,7 @@ void expect_counted() {
   Counted A[rows * rows], J[rows * nv], bias[rows], qdd_0[nv], xdd[rows], heaviest[rows], tau[nv];
   for (int i = 0; i < rows; ++i) {
     A[i * rows + i] = Counted(1e-3 * (i + 1));
-    heaviest[i] = Counted(2);  // so that every direction yields: the longest way
+    heaviest[i] = Counted(2);  // relaxes every direction: the longest path
     for (int j = 0; j < i; ++j) A[i * rows + j] = A[j * rows + i] = Counted(1e-4);
   }
   Counted::additions = Counted::products = Counted::quotients = Counted::roots = 0;

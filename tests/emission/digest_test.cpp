@@ -2,7 +2,8 @@
 
 #include "emission/digest.hpp"
 
-// Would catch: a digest that is not SHA-256; vectors of FIPS 180-4, lengths around the block's end.
+// Would catch: a digest that is not SHA-256, using test vectors of FIPS 180-4 and lengths around
+// the end of a block.
 namespace treeline {
 namespace {
 

@@ -1,4 +1,4 @@
-// Writes the sample folder: emit_sample DIRECTORY NAME double|float
+// Writes the sample folder: emit_sample DIRECTORY NAME double|float.
 #include <cstdio>
 #include <string>
 

@@ -20,7 +20,7 @@ std::vector<GeneratedFile> emit_sample(Diagnostics& diagnostics) {
   return emit(test::sample_context("arm", false), test::sample_programs(), diagnostics);
 }
 
-// Would catch: a file that is not made, or the contract silent about something it promises.
+// Would catch: a file that is not made, and a contract that omits something it promises.
 TEST(Emit, MakesTheFolder) {
   Diagnostics diagnostics;
   const auto files = emit_sample(diagnostics);
@@ -45,7 +45,7 @@ TEST(Emit, MakesTheFolder) {
   }
 }
 
-/// x, x^2, ... as one product after the other.
+/// Products x, x^2, ..., each from the one before.
 Program trace_products(int count) {
   Program program;
   program.name = "products";
@@ -58,7 +58,8 @@ Program trace_products(int count) {
   return program;
 }
 
-// Would catch: passes of GCC that take minutes of long code asked for there too, or no more at all.
+// Would catch: GCC passes that take minutes for long code if they are enabled there, or that are no
+// longer enabled elsewhere.
 TEST(Emit, LongFunctionsDoWithoutSlowPasses) {
   const EmissionContext context = test::sample_context("arm", false);
   const std::string pragma = "#pragma GCC optimize";
@@ -68,7 +69,7 @@ TEST(Emit, LongFunctionsDoWithoutSlowPasses) {
   EXPECT_EQ(print_source(context, trace_products(12001)).find(pragma), std::string::npos);
 }
 
-// Would catch: output that does not say which version of the generator made it.
+// Would catch: output without the version of the generator that made it.
 TEST(Emit, NamesTheGeneratorsVersion) {
   Diagnostics diagnostics;
   const auto files = emit_sample(diagnostics);
@@ -80,7 +81,7 @@ TEST(Emit, NamesTheGeneratorsVersion) {
             std::string::npos);
 }
 
-// Would catch: code that a reader has to scroll sideways.
+// Would catch: code with lines so long that readers have to scroll sideways.
 TEST(Emit, LinesStayWithinTheWidth) {
   Diagnostics diagnostics;
   for (const GeneratedFile& file : emit_sample(diagnostics)) {
@@ -93,7 +94,7 @@ TEST(Emit, LinesStayWithinTheWidth) {
   }
 }
 
-// Would catch: two robots' headers of one name of which a program sees only the first.
+// Would catch: headers of two robots with equal names, of which a program would see only the first.
 TEST(Emit, GuardsHeadersByRobotAndFile) {
   Diagnostics diagnostics;
   const auto files = emit_sample(diagnostics);
@@ -118,7 +119,8 @@ TEST(Emit, SameInputSameBytes) {
   }
 }
 
-// Would catch: two robots of one program sharing symbols, or a path to this project in the output.
+// Would catch: two robots of one program that share symbols, and a path to this project in the
+// output.
 TEST(Emit, SineAndCosineAreTheRobotsOwn) {
   Diagnostics diagnostics;
   const std::string text = text_of(emit_sample(diagnostics), "sin_cos.hpp");
@@ -134,7 +136,7 @@ TEST(Emit, NoFileEndsInBlanks) {
   }
 }
 
-/// The fault reported for one program, or nothing.
+/// The fault that is reported for one program, or nothing.
 std::string fault_of(const EmissionContext& context, const std::vector<Program>& programs) {
   Diagnostics diagnostics;
   const auto files = emit(context, programs, diagnostics);
@@ -151,7 +153,7 @@ Program quotient(double numerator, double denominator, int rows) {
   return program;
 }
 
-// Would catch: code that does not compile or cannot work, without a word.
+// Would catch: code that does not compile or cannot work, without a message.
 TEST(Emit, RefusesWhatCannotBecomeCode) {
   const EmissionContext arm = test::sample_context("arm", false);
   const EmissionContext arm32 = test::sample_context("arm", true);

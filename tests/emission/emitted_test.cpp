@@ -13,9 +13,9 @@
 #include "sample_float_eigen.hpp"
 #include "sample_float_joints.hpp"
 
-// Would catch: any difference between what is printed and the graph: an operand, a sign, a
-// parenthesis, a digit, an index, the order of lanes. Both folders in one program: names that
-// clash.
+// Would catch: any difference between the printed code and the graph: an operand, a sign, a
+// parenthesis, a digit, an index, the order of lanes. Both folders in one program also detect names
+// that clash.
 namespace treeline {
 namespace {
 
@@ -90,7 +90,7 @@ void expect_column(const Real (&rows)[size][states], int state, const std::vecto
   expect_same_bits(one, expected);
 }
 
-// Would catch as well a state that is computed from another one's numbers.
+// Would catch in addition: a state that is computed from the numbers of another one.
 template <class Real, class Function>
 void compare_batches(Function corner_cases) {
   const Program program = test::sample_programs()[1];
@@ -131,7 +131,7 @@ TEST(Emitted, CornerCasesEqualTheGraphToTheBit) {
   compare_corner_cases<float>(sample_float::corner_cases);
 }
 
-// Would catch: a name that ends its string, a limit that is not there, names in another order.
+// Would catch: a name that ends its string, a limit that is missing, and names in another order.
 TEST(Emitted, JointsAreConstants) {
   static_assert(sample_double::kLowerLimits[0] == -3.1);
   static_assert(sample_double::kUpperLimits[1] == std::numeric_limits<double>::max());

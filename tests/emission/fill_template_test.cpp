@@ -4,7 +4,7 @@
 
 #include "emission/fill_template.hpp"
 
-// Would catch: a hole left in generated code, a value that goes nowhere, broken indentation.
+// Would catch: a gap left in generated code, a value that is not used, and broken indentation.
 namespace treeline {
 namespace {
 

@@ -5,7 +5,7 @@
 #include "emission/print_body.hpp"
 #include "passes/two_link_arm.hpp"
 
-// Would catch: a change of how generated code looks, or of what it says.
+// Would catch: any change of the appearance or wording of generated code.
 namespace treeline {
 namespace {
 
@@ -53,8 +53,8 @@ TEST(PrintBody, KeepsTheGraphsOrderOfOperations) {
             "  y[5] = x[0] / x[2] / x[3];\n");
 }
 
-/// Two lanes: a product that only the sum reads stands in its statement, one that has another use
-/// or a name does not.
+/// Two lanes: a product that only the sum reads is part of its statement; a product with another
+/// use or a name is not.
 TEST(PrintBody, LanesAreWrittenInStatementsOfSeveralOperations) {
   Program program;
   const Graph::Scope scope(program.graph);

@@ -10,9 +10,9 @@
 
 namespace treeline::test {
 
-/// A function that meets the emitter's corners: results that are zero, constant, negative, the same
-/// twice, an input, a sine; an argument that is not read; names that are keywords or collide; a
-/// sine of a sine; long expressions; quotients on either side.
+/// A function with the emitter's special cases: results that are zero, constant, negative, equal,
+/// an input, or a sine; an argument that is not read; names that are keywords or collide; a sine of
+/// a sine; long expressions; quotients on either side.
 inline Program trace_corner_cases() {
   Program program;
   program.name = "corner_cases";
@@ -46,7 +46,7 @@ inline Program trace_corner_cases() {
 
 inline constexpr int kSampleBatch = 4;  ///< states a call of the batch functions
 
-/// What the sample folders hold.
+/// Programs of the sample folders.
 inline std::vector<Program> sample_programs() {
   std::vector<PassReport> log;
   return {put_in_order(reduce_operations(trace_two_link_arm(), log), log),

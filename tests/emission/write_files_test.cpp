@@ -52,7 +52,7 @@ TEST_F(WriteFilesTest, MakesTheFolderAndNothingElse) {
   EXPECT_TRUE(compare_files(folder_, files).empty());
 }
 
-// Would catch: builds that start over because time stamps moved.
+// Would catch: complete rebuilds because time stamps changed.
 TEST_F(WriteFilesTest, LeavesEqualFilesUntouched) {
   const auto files = emit_programs(test::sample_programs());
   ASSERT_TRUE(write_files(folder_, files, diagnostics_));
@@ -65,7 +65,7 @@ TEST_F(WriteFilesTest, LeavesEqualFilesUntouched) {
   EXPECT_TRUE(compare_files(folder_, files).empty());
 }
 
-// Would catch: stale functions that stay in the folder, and files of the user's that vanish.
+// Would catch: stale functions that stay in the folder, and the user's files that disappear.
 TEST_F(WriteFilesTest, RemovesItsOwnStaleFilesOnly) {
   ASSERT_TRUE(write_files(folder_, emit_programs(test::sample_programs()), diagnostics_));
   std::ofstream(folder_ / "notes.txt") << "mine";
@@ -79,7 +79,7 @@ TEST_F(WriteFilesTest, RemovesItsOwnStaleFilesOnly) {
   EXPECT_TRUE(fs::exists(folder_ / "notes.txt"));
 }
 
-// Would catch: a staleness check that misses an edit, a lost file or a missing folder.
+// Would catch: a staleness check that does not detect an edit, a lost file or a missing folder.
 TEST_F(WriteFilesTest, CompareSeesEveryDifference) {
   const auto files = emit_programs(test::sample_programs());
   EXPECT_EQ(compare_files(folder_, files).size(), files.size());
@@ -94,7 +94,7 @@ TEST_F(WriteFilesTest, CompareSeesEveryDifference) {
   EXPECT_EQ(differences[1].difference, Difference::changed);
 }
 
-// Would catch: half a folder after a failure, or a failure without a word.
+// Would catch: half a folder after a failure, and a failure without a message.
 TEST_F(WriteFilesTest, FailureIsReportedAndLeavesNothing) {
   fs::create_directories(root_);
   std::ofstream(root_ / "deep") << "a file where a folder should be";
@@ -103,7 +103,7 @@ TEST_F(WriteFilesTest, FailureIsReportedAndLeavesNothing) {
   EXPECT_EQ(entries_of_root(), 1);
 }
 
-// Would catch: a mixture of two runs that write at the same time, or a run that waits for ever.
+// Would catch: a mixture of two runs that write at the same time, and a run that waits forever.
 TEST_F(WriteFilesTest, WaitsForAnotherRunAndSaysSo) {
   fs::create_directories(folder_);
   std::string error;
@@ -121,7 +121,7 @@ TEST_F(WriteFilesTest, WaitsForAnotherRunAndSaysSo) {
   EXPECT_TRUE(compare_files(folder_, files).empty());
 }
 
-// Would catch: what a run that was killed has left standing in the way, or lying about.
+// Would catch: files of a killed run that block the next one or are never removed.
 TEST_F(WriteFilesTest, RemovesWhatAKilledRunLeft) {
   fs::create_directories(folder_ / ".treeline-part");
   std::ofstream(folder_ / ".treeline-part" / "gravity.cpp") << "half";
@@ -130,7 +130,7 @@ TEST_F(WriteFilesTest, RemovesWhatAKilledRunLeft) {
   EXPECT_FALSE(fs::exists(folder_ / ".treeline-part"));
 }
 
-// Would catch: a new folder that stays, empty, where nothing could be written.
+// Would catch: a new folder that stays empty because nothing could be written.
 TEST_F(WriteFilesTest, FailureTakesTheNewFolderAway) {
   fs::create_directories(root_);
   const std::vector<GeneratedFile> impossible = {{"no/such/folder.hpp", "text"}};
@@ -145,7 +145,7 @@ TEST_F(WriteFilesTest, NoNameIsAnError) {
   EXPECT_FALSE(diagnostics_.list().back().remedy.empty());
 }
 
-// Would catch: a manifest that makes the generator try to delete the folder above.
+// Would catch: a manifest that makes the generator delete the folder above.
 TEST_F(WriteFilesTest, ManifestCannotNameFolders) {
   const auto files = emit_programs(test::sample_programs());
   ASSERT_TRUE(write_files(folder_, files, diagnostics_));
@@ -154,7 +154,7 @@ TEST_F(WriteFilesTest, ManifestCannotNameFolders) {
   EXPECT_TRUE(compare_files(folder_, files).empty());
 }
 
-// Would catch: a manifest from elsewhere that makes the generator delete outside its folder.
+// Would catch: a foreign manifest that makes the generator delete files outside its folder.
 TEST_F(WriteFilesTest, ManifestCannotReachOutside) {
   const auto files = emit_programs(test::sample_programs());
   ASSERT_TRUE(write_files(folder_, files, diagnostics_));

@@ -1,6 +1,6 @@
-// Two robots with one object on generated code (Chang 7.2.2): the run's claims, and the pair's
-// control and motion against the interpreter's closed chain of both robots in 50 digits. Would
-// catch a frame, sign or order that is right for one robot and wrong for two.
+// Two robots with one object on generated code (Chang 7.2.2): the claims of the run, and the pair's
+// control and motion compared with the interpreter's closed chain of both robots in 50 digits.
+// Would catch: a frame, sign or order that is right for one robot and wrong for two.
 #include "carry_object.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(CarryObject, StaysWithinTheRobotsLimits) {
   EXPECT_EQ(joint_number, kJoints);
 }
 
-/// Both robots and the beam as the interpreter has them.
+/// Both robots and the beam in the interpreter's types.
 ip::ClosedChain<Digits50> the_chain() {
   const Robot robot = samm();
   const auto model = model_from_robot<Digits50>(robot, {});
@@ -110,7 +110,7 @@ ip::Vector<Digits50> vector(const double* values, int count) {
 
 template <int N>
 void expect_near(const double (&actual)[N], const ip::Vector<Digits50>& expected) {
-  // 20 ulp times the condition of Lambda, 5e5: a wrist without motors beside a base of 150 kg.
+  // 20 ulp times the condition number of Lambda, 5e5: a wrist without motors on a base of 150 kg.
   const double scale = 2e-9 * (1 + static_cast<double>(expected.cwiseAbs().maxCoeff()));
   for (int i = 0; i < N; ++i) {
     EXPECT_NEAR(actual[i], static_cast<double>(expected(i)), scale) << i;

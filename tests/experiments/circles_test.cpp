@@ -1,6 +1,6 @@
-// Chang fig. 6.6 to 6.11 on generated code, by their physical claims. Would catch a base whose
-// motion reaches the tool, a base that does not follow, friction or backlash that do nothing or too
-// much, limits that are not the robot's.
+// Chang fig. 6.6 to 6.11 on generated code: the physical claims. Would catch: a motion of the base
+// that affects the tool, a base that does not follow, friction or backlash with no effect or too
+// much, and limits that are not the robot's.
 #include "circles.hpp"
 
 #include <gtest/gtest.h>
@@ -19,14 +19,14 @@ TEST(Circles, BaseMovesWithoutTheToolsNoticing) {
   const std::vector<CircleRun> runs = run_all_circles();
   ASSERT_EQ(runs.size(), 8U);
   EXPECT_EQ(broken_circle_claims(runs), "") << circles_summary(runs);
-  // Backlash alone is hidden from the motors' encoders: the tool is off by more than they see.
+  // Backlash alone is invisible to the motors' encoders: the tool's error is larger than they show.
   const CircleErrors& backlash = runs[4].errors;
   EXPECT_EQ(runs[4].model, DriveModel::backlash);
   EXPECT_GT(backlash.tool, 10 * backlash.tool_seen);
   EXPECT_GT(runs[6].errors.tool, runs[2].errors.tool);  // both are worse than friction alone
 }
 
-/// What the generated robot does under the generated torque.
+/// Acceleration of the generated robot under the generated torque.
 void accelerate(const double (&q)[9], const double (&qd)[9], const double (&qdd_0)[9],
                 const double (&xdd_cmd)[6], double (&xdd)[6], double (&qdd)[9]) {
   double tau[9];
@@ -40,8 +40,9 @@ void accelerate(const double (&q)[9], const double (&qd)[9], const double (&qdd_
   }
 }
 
-// The claim without integration: whatever the base is to do, it does it, and the tool does what it
-// shall. Rounding: 16 digits over the condition of Lambda, 5e5, and accelerations of 10.
+// The claim without integration: the base follows any command, and the tool's motion is not
+// affected. Rounding: 16 digits divided by the condition number of Lambda, 5e5, and accelerations
+// of 10.
 TEST(Circles, BaseAndToolAccelerateAsCommanded) {
   std::mt19937_64 random(66);
   std::uniform_real_distribution<double> number(-1.0, 1.0);

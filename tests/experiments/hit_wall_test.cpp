@@ -4,9 +4,9 @@
 
 #include <string>
 
-// The humanoid's fist against a wall on generated code. Would catch impulses or effective masses
+// The humanoid's fist against a wall on generated code. Would catch: impulses or effective masses
 // that disagree with the contact-space inverse inertia, a hand that sinks into the wall, and a
-// pressing force that is not what the operational space commands.
+// pressing force that differs from the one commanded in operational space.
 
 namespace treeline::experiments {
 namespace {

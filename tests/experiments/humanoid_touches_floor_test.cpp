@@ -1,5 +1,6 @@
-// Chang fig. 6.3 and 6.4 on the humanoid's checked-in code, by their physical claims. Would catch
-// null-space torques that reach a hand, a posture that is not advised, hands off their ways.
+// Chang fig. 6.3 and 6.4 on the humanoid's checked-in code: the physical claims. Would catch:
+// null-space torques that affect a hand, a posture that has no effect, and hands that leave their
+// paths.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,10 +66,11 @@ TEST(HumanoidTouchesFloor, WithBothHandsWhereTheyShallBe) {
   }
 }
 
-// J M^-1 of any torque of the null space. The torque is what two postures differ by, so that
-// everything else cancels; 1e-10 is the thesis's claim to zero, for accelerations of 1 rad/s^2. And
-// the posture is heard: of all motions that leave the hands alone the body makes the one nearest to
-// the advice in the measure of kinetic energy (Gauss), so what is withheld is orthogonal to it.
+// J M^-1 times any torque of the null space is zero. The torque is the difference of two postures,
+// so that everything else cancels. 1e-10 is the thesis's claim for zero, for accelerations of 1
+// rad/s^2. The posture also has an effect: among all motions that do not move the hands, the body
+// makes the one nearest to the desired one in the measure of kinetic energy (Gauss), so the
+// difference is orthogonal to it.
 TEST(HumanoidTouchesFloor, NullTorquesDoNotAccelerateTheHandsAndFollowTheAdvice) {
   const Plan plan = the_plan();
   std::mt19937_64 random(64);

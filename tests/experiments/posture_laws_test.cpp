@@ -1,5 +1,6 @@
-// Posture and force laws in closed loop on generated code. Would catch a law that has no effect in
-// the null space, one that the task notices, a selection frame that is transposed or left behind.
+// Posture and force laws in closed loop on generated code. Would catch: a law that has no effect in
+// the null space, a law that affects the task, and a selection frame that is transposed or not
+// updated.
 #include <gtest/gtest.h>
 
 #include "avoid_limits.hpp"
@@ -13,7 +14,7 @@ TEST(PostureLaws, JointLimitsAreAvoidedAndTheToolDoesNotNotice) {
   const AvoidRun avoiding = run_avoid_limits(true);
   const AvoidRun without = run_avoid_limits(false);
   EXPECT_TRUE(avoid_claim_holds(avoiding, without)) << avoid_summary(avoiding, without);
-  // It is the base that makes room.
+  // The base makes room.
   EXPECT_GT(avoiding.figures.base_travel, 3.0 * without.figures.base_travel);
 }
 

@@ -1,6 +1,6 @@
-// Chang appendix A on the PUMA 560 by its physical claims. Would catch a lost direction of the
-// wrong type, a torque without bound or a NaN anywhere, an arm that cannot leave a singularity or
-// comes out on the wrong side.
+// Chang appendix A on the PUMA 560: the physical claims. Would catch: a lost direction of the wrong
+// type, a torque without bound, a NaN anywhere, and an arm that cannot leave a singularity or
+// leaves it on the wrong side.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,8 +34,8 @@ TEST(Singularity, ThreeLocksOfThePumaAreRecognisedAndTyped) {
   EXPECT_GT(look_at_direction(regular, 5).all.values[5], 0.1);
 }
 
-// The head lock's motion turns joint 1, the elbow lock's bends joint 3, the wrist lock's turns
-// joint 4 against joint 6.
+// The null motion of the head lock rotates joint 1, that of the elbow lock bends joint 3, that of
+// the wrist lock rotates joint 4 against joint 6.
 TEST(Singularity, NullMotionsAreThoseOfTheLocks) {
   const double head[6] = {0.3, overhead(0.6), 0.6, 0.2, 1.2, -0.4};
   const double wrist[6] = {0.3, -0.9, elbow_lock() + 1.2, 0.2, 0.0, -0.4};
@@ -68,7 +68,8 @@ TEST(Singularity, ElbowComesBackOnTheSideAskedFor) {
   EXPECT_LT(back.final_position_error, 1e-5);
 }
 
-// Joint 1 turns by what its azimuth to the wrist changes when the arm leans the other way, or not.
+// Joint 1 rotates by the change of its azimuth to the wrist as the arm leans to the other side, or
+// not.
 TEST(Singularity, ShoulderComesBackOnTheSideAskedFor) {
   const LockPath path = make_path(Lock::head);
   const double* start = path.start;
@@ -79,7 +80,7 @@ TEST(Singularity, ShoulderComesBackOnTheSideAskedFor) {
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(back.final_q[i], start[i], 1e-3);
 }
 
-// The lock is where `overhead` says: nearer than the offset the wrist's centre does not come.
+// The lock is where `overhead` says: the wrist's centre comes no nearer than the offset.
 TEST(Singularity, OverheadPutsTheWristOverTheAxis) {
   for (const double ahead : {0.0, 0.1, -0.07}) {
     const double q[6] = {0.0, overhead(2.3, ahead), 2.3, 0.4, 0.8, 0.0};
@@ -92,7 +93,8 @@ TEST(Singularity, OverheadPutsTheWristOverTheAxis) {
   }
 }
 
-// Anywhere, exactly at every combination of locks, and a hair beside: finite and bounded.
+// At any configuration, exactly at every combination of locks, and very near them: finite and
+// bounded.
 TEST(Singularity, TorqueIsBoundedEverywhere) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> angle(-3.0, 3.0);
@@ -119,7 +121,7 @@ TEST(Singularity, TorqueIsBoundedEverywhere) {
       largest = std::max(largest, std::fabs(torque));
     }
   }
-  // Accelerations of 5 m/s^2 where a singular value of 0.04 still counts: 10 times what they need
+  // Accelerations of 5 m/s^2 where a singular value of 0.04 is still used: 10 times what they need
   // far from singularities.
   EXPECT_LT(largest, 2000.0);
 }

@@ -3,8 +3,8 @@
 #include "drop.hpp"
 #include "strike.hpp"
 
-// Dropped and struck mechanisms by their physical claims. Would catch energy or momentum that comes
-// from nowhere, in a blow or in flight, shapes in the wrong place and a solver that gives up.
+// Dropped and struck mechanisms: the physical claims. Would catch: energy or momentum that appears
+// in a blow or in flight, shapes in the wrong place, and a solver that fails.
 
 namespace treeline::experiments {
 namespace {
@@ -23,7 +23,7 @@ TEST(Tumbler, BouncesAsRestitutionAndFrictionSay) {
   }
 }
 
-// Halving the step takes the integrator's share of the energy down, not the blows'.
+// Half the step reduces the integrator's share of the energy error, not that of the blows.
 TEST(Tumbler, DriftsLessWithShorterSteps) {
   DropSettings settings;
   settings.duration = 0.8;

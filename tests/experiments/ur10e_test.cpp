@@ -1,7 +1,7 @@
-// The UR10e through singularities by its physical claims, and its generated damped_control_torque
-// against the interpreter's. Would catch a call composed in the wrong order, rows with another
-// row's limit, a torque that steps or grows without bound, a bound that is stated and does not
-// hold.
+// The UR10e through singularities: the physical claims, and its generated damped_control_torque
+// compared with the interpreter's. Would catch: calls composed in the wrong order, rows with the
+// limit of another row, a torque that jumps or grows without bound, and a stated bound that does
+// not hold.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -38,7 +38,7 @@ struct Draw {
   double q[6], qd[6], qdd_0[6], xdd_cmd[6];
 };
 
-/// Every third state at, or a hair beside, one or two of the arm's singularities.
+/// Every third state is at or very near one or two of the arm's singularities.
 Draw draw(std::mt19937_64& engine, int round) {
   std::uniform_real_distribution<double> within(-3, 3);
   const double beside[] = {0.0, 1e-300, -1e-12, 1e-8, 1e-5, -1e-3, 0.03};
@@ -74,7 +74,7 @@ TEST(DampedControlTorque, IsTheInterpreters) {
             model, points, Vector6::Map(d.q), Vector6::Map(d.qd), Vector6::Map(d.qdd_0),
             Vector6::Map(d.xdd_cmd), {Vector6::Map(ur10e::kHeaviest)})
             .tau;
-    // Eases reach 1e5; what that loses of the digits of eases near one is 1e-11.
+    // Eigenvalues reach 1e5, which leaves an error of 1e-11 in eigenvalues near one.
     EXPECT_LT((Vector6::Map(tau) - expected).norm(), 1e-10 * (100 + expected.norm())) << round;
   }
 }

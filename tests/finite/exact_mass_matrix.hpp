@@ -14,7 +14,8 @@ class ExactMassMatrix {
   ExactMassMatrix(const Robot& robot, const Scene& scene);
   ~ExactMassMatrix();
 
-  /// Whether M has no inverse at q: a pivot of its factorisation is but rounding of 50 digits.
+  /// Whether M has no inverse at q: a pivot of its factorization is only a rounding error of 50
+  /// digits.
   [[nodiscard]] bool is_singular(const std::vector<double>& q) const;
 
  private:

@@ -13,7 +13,7 @@ constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 enum Kind { zero, limit, low, high, quarter, many_turns, tiny, denormal, ordinary, kinds };
 
-/// Of either sign, its logarithm evenly spread.
+/// Draws a number of either sign. The logarithm of its magnitude is uniform.
 double draw_logarithmic(Dice& dice, double least, double greatest) {
   const double magnitude =
       std::exp(std::log(least) + dice.unit() * (std::log(greatest) - std::log(least)));
@@ -25,7 +25,7 @@ double draw_within(Dice& dice, const Coordinate& coordinate) {
   return dice.within(lower, upper);
 }
 
-/// The limit, or a turn or a metre where there is none.
+/// The limit, or a turn or 1 m if there is none.
 double bounded(double limit, const Coordinate& coordinate) {
   const double reach = coordinate.is_angle() ? 4 * kQuarterTurn : 1;
   return std::isfinite(limit) ? limit : std::copysign(reach, limit);
@@ -78,7 +78,7 @@ std::vector<double> ExtremeStates::draw_pose(Dice& dice) const {
       for (int i = 0; i < steps; ++i) x = std::nextafter(x, dice.chance(0.5) ? 10.0 : -10.0);
     }
   } else {
-    // One kind for all coordinates, or another for each.
+    // One kind for all coordinates, or a different kind for each.
     const int whole = static_cast<int>(dice.below(kinds + 1));
     for (std::size_t i = 0; i < space_.coordinates.size(); ++i) {
       const int kind = whole < kinds ? whole : static_cast<int>(dice.below(kinds));
@@ -125,7 +125,7 @@ std::vector<double> ExtremeStates::draw_rates(Dice& dice, std::size_t count, dou
   return rates;
 }
 
-/// Of length one, three entries each, or of none.
+/// Draws directions of length one or zero, three entries each.
 std::vector<double> ExtremeStates::draw_directions(Dice& dice, std::size_t count) {
   std::vector<double> entries(count);
   for (std::size_t at = 0; at + 3 <= count; at += 3) {

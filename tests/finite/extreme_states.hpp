@@ -6,11 +6,11 @@
 #include "bounds/dice.hpp"
 #include "oracle/draw_state.hpp"
 
-/// Inputs at which code that divides, or that squares too often, would stop being finite.
+/// Inputs for which code that divides, or squares too often, would stop being finite.
 namespace treeline::tests {
 
-/// How large inputs get, SI units. Squares of speeds, and forces times squares of lengths, stay far
-/// within what the number type holds.
+/// Largest magnitudes of inputs, SI units. Squares of velocities, and forces times squares of
+/// lengths, stay far within the range of the number type.
 struct InputSizes {
   double angle, quaternion, velocity, acceleration;
 };
@@ -19,17 +19,17 @@ constexpr InputSizes input_sizes(Real real) {
                                : InputSizes{1e300, 1e150, 1e100, 1e200};
 }
 
-/// Draws states whose coordinates are, each time in another mixture: 0, at their limits, folded
-/// (every joint at one end), at quarter turns, of many turns, next to nothing, denormal, ordinary,
-/// or where a task is singular, exactly or a few roundings beside; quaternions of every length, 0
-/// too; rates and forces of 0, ordinary, next to nothing and as large as `input_sizes` permits.
+/// Draws states whose coordinates are a new mixture each time: 0, at their limits, folded (every
+/// joint at one end), at quarter turns, of many turns, tiny, denormal, ordinary, or exactly at or a
+/// few roundings from a singularity of the task; quaternions of any length including 0; rates and
+/// forces that are 0, ordinary, tiny, or as large as `input_sizes` permits.
 class ExtremeStates {
  public:
-  /// `space` must outlive this. `length`: the largest displacement, m. `singular`: poses to come
-  /// back to, see `find_singular_poses`.
+  /// `space` must outlive this object. `length` is the largest displacement, m. `singular` are
+  /// poses that recur, see `find_singular_poses`.
   ExtremeStates(const StateSpace& space, double length, std::vector<std::vector<double>> singular);
 
-  /// A matter of the space's seed and the index alone.
+  /// Draws a state. It depends only on the space's seed and the index.
   [[nodiscard]] State draw(std::int64_t index) const;
 
  private:
@@ -47,8 +47,8 @@ class ExtremeStates {
   double length_;
 };
 
-/// Poses at which Lambda^-1 of the space's points has next to no smallest eigenvalue, found by
-/// going down along one coordinate after the other within the limits, from `count` starts.
+/// Finds poses at which Lambda^-1 of the space's points has a smallest eigenvalue near zero, by
+/// descending along one coordinate after the other within the limits, from `count` starts.
 std::vector<std::vector<double>> find_singular_poses(const StateSpace& space, int count);
 
 }  // namespace treeline::tests

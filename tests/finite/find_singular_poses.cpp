@@ -10,11 +10,11 @@
 namespace treeline::tests {
 namespace {
 
-constexpr int kLines = 12;   ///< coordinates gone along from each start
-constexpr int kGrid = 12;    ///< places looked at on a line
-constexpr int kThirds = 40;  ///< how often the range next to the lowest loses a third
+constexpr int kLines = 12;   ///< coordinates searched along from each start
+constexpr int kGrid = 12;    ///< samples on a line
+constexpr int kThirds = 40;  ///< times that the range around the minimum loses a third
 
-/// The least eigenvalue of Lambda^-1, its rows scaled to a unit diagonal.
+/// Smallest eigenvalue of Lambda^-1 with its rows scaled to a unit diagonal.
 double smallest(const StateSpace& space, const std::vector<double>& q) {
   const Eigen::MatrixXd A = interpreter::lambda_inverse<double>(
       space.subject.model, space.subject.points, vector_of<double>(q));
@@ -24,7 +24,7 @@ double smallest(const StateSpace& space, const std::vector<double>& q) {
       .eigenvalues()(0);
 }
 
-/// Moves one coordinate to where the eigenvalue is least.
+/// Moves one coordinate to where the eigenvalue is smallest.
 void go_down(const StateSpace& space, std::size_t i, std::vector<double>& q) {
   const auto [low, high] = space.coordinates[i].ordinary_range();
   const auto at = [&](double x) {

@@ -1,7 +1,7 @@
-// Emitted code is finite wherever its inputs are. Would catch a division by what can vanish: a
-// pivot of a task that is singular, a quaternion of length 0, a mass that no pose feels; and powers
-// that leave the range of double where their quotient does not. The same search with more states,
-// on more robots: `search_not_finite`.
+// Emitted code is finite wherever its inputs are. Would catch: a division by something that can
+// vanish, such as a pivot of a singular task, the length of a quaternion, or a mass without effect
+// in any pose; and powers that leave the range of double although their quotient does not. The same
+// search with more states and robots: `search_not_finite`.
 #include <gtest/gtest.h>
 
 #include "data/list_data.hpp"
@@ -59,7 +59,7 @@ TEST_P(Finite, WhereverItsInputsAre) {
   }
 }
 
-// The search itself: a bare solve is not finite where the task is singular.
+// Check of the search itself: a plain solve is not finite where the task is singular.
 TEST(FiniteSearch, FindsWhereABareSolveIsNotFinite) {
   Diagnostics diagnostics;
   const auto robot = read_urdf(data_file("published/iiwa14_drake.urdf"), diagnostics);

@@ -1,8 +1,9 @@
-// Searches robots for finite inputs at which their emitted code is not finite:
+// Searches robots for finite inputs for which their emitted code is not finite:
 //   search_not_finite [--states N] [--first INDEX] [--seed N] [--flags FLAGS] [--base BASE]
 //                     [--real float] [--length METRES] (FILE.urdf [SCENE.yaml])...
-// with the scene behind the file or those that `init-scene` proposes for either base. A line for
-// each robot and base. Exit: 0 all finite, 1 something was not or could not be made, 2 usage.
+// with the scene after the file, or those that `init-scene` proposes for either base. Prints a line
+// for each robot and base. Exit status: 0 all finite, 1 something was not finite or could not be
+// made, 2 usage.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -32,7 +33,7 @@ struct Arguments {
   std::vector<Files> robots;
 };
 
-/// Throws std::invalid_argument for what is no argument.
+/// Parses the arguments. Throws std::invalid_argument for an invalid one.
 Arguments parse(const std::vector<std::string>& words) {
   Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kSingularPoses = 8;
 
-/// Room for a function's arguments and results in its Real, filled anew for each call.
+/// Memory for a function's arguments and results in its Real, filled again for each call.
 template <class T>
 class Call {
  public:

@@ -1,5 +1,5 @@
-// One target of libFuzzer: TREELINE_TRY reads what TREELINE_MUTATE changes. Stops with the fault in
-// words when what must hold does not.
+// A target of libFuzzer: TREELINE_TRY reads what TREELINE_MUTATE changes. Stops with a description
+// of the fault if a required property does not hold.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

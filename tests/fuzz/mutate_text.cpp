@@ -24,7 +24,7 @@ std::string one_of(const std::array<std::string_view, N>& words, Random& random)
   return std::string(words[below(N, random)]);
 }
 
-/// One of the spans' texts replaced; the text as it is when there is none.
+/// Replaces the text of one of the spans. Returns the text unchanged if there are none.
 std::string replace_one(std::string text, const std::vector<Span>& spans, const std::string& by,
                         Random& random) {
   if (spans.empty()) return text;
@@ -32,7 +32,7 @@ std::string replace_one(std::string text, const std::vector<Span>& spans, const 
   return text.replace(span.at, span.size, by);
 }
 
-/// What stands between quotes of either kind.
+/// Finds the texts between quotes of either kind.
 std::vector<Span> find_quoted(std::string_view text) {
   std::vector<Span> spans;
   for (std::size_t at = text.find_first_of("\"'"); at != std::string_view::npos;
@@ -45,7 +45,7 @@ std::vector<Span> find_quoted(std::string_view text) {
   return spans;
 }
 
-/// Words before `=`, or behind `<` and `</`.
+/// Finds words before `=`, or after `<` and `</`.
 std::vector<Span> find_names(std::string_view text, bool attributes) {
   constexpr std::string_view kEnds = " \t\r\n/>=<\"'";
   std::vector<Span> spans;
@@ -63,7 +63,7 @@ std::vector<Span> find_names(std::string_view text, bool attributes) {
   return spans;
 }
 
-/// An element with all in it, by counting tags from one that is picked; empty when there is none.
+/// Picks an element with its content, by counting tags from a random one. Empty if there is none.
 Span pick_subtree(std::string_view text, Random& random) {
   std::vector<std::size_t> starts;
   for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
@@ -82,7 +82,7 @@ Span pick_subtree(std::string_view text, Random& random) {
   return {begin, text.size() - begin};
 }
 
-/// A place between tags, mostly.
+/// Picks a place, mostly between tags.
 std::size_t pick_gap(std::string_view text, Random& random) {
   const std::size_t from = below(text.size() + 1, random);
   const std::size_t gap = text.find('<', from);
@@ -98,7 +98,7 @@ std::string numbers(std::size_t count, Random& random) {
   return text;
 }
 
-/// A value of the kind that the old one seems to be, or of another.
+/// A value of the kind that the old one seems to have, or of another kind.
 std::string new_value(std::string_view old, std::string_view text, Random& random) {
   const auto quoted = find_quoted(text);
   switch (random() % 6) {
@@ -128,7 +128,7 @@ std::string nested(std::string_view inside, const std::string& element, Random& 
   return opening + std::string(inside) + closing;
 }
 
-/// Every word of a scene that is not blank or punctuation.
+/// Finds every word of a scene that is not white space or punctuation.
 std::vector<Span> find_words(std::string_view text) {
   constexpr std::string_view kEnds = " \t\r\n,:[]{}#&*!|>'\"%@`";
   std::vector<Span> spans;

@@ -1,6 +1,6 @@
-// Would catch: a crash, an exception that escapes, a silent refusal or a constant that is not
-// finite on any input that was ever interesting to the fuzzer, or that once broke the program; and
-// the same on some hundred new ones, drawn as the fuzzer draws them.
+// Would catch: a crash, an exception that escapes, a refusal without a message, and a constant that
+// is not finite, for any input that was interesting to the fuzzer or once broke the program; and
+// for some hundred new inputs, drawn as the fuzzer draws them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -62,7 +62,7 @@ std::string find_fault(const Robot& robot) {
   return {};
 }
 
-/// Whether the places of inertias in the text are those that the reader of XML saw.
+/// Whether the places of inertias in the text are those that the XML reader found.
 std::string find_fault(const Robot& robot, const std::string& text) {
   const auto tags = find_inertia_tags(text);
   if (tags.size() != robot.links.size()) return "other links are found in the text";
@@ -158,7 +158,7 @@ const Robot& robot_of_all_joints() {
   return robot;
 }
 
-/// What `work` says, or what it throws.
+/// Returns what `work` returns, or the message of what it throws.
 template <class Work>
 std::string guarded(const Work& work) {
   try {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-// What URDF and scenes are written with, and values that readers stumble over.
+// Words of URDF and scenes, and values that readers often handle wrongly.
 namespace treeline::fuzz {
 
 inline constexpr auto kElements = std::to_array<std::string_view>(

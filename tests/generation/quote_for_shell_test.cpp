@@ -9,7 +9,7 @@
 namespace treeline {
 namespace {
 
-/// What bash hands to a program as its first argument.
+/// The first argument that bash passes to a program.
 std::string read_by_bash(const std::string& word) {
   const std::string script = "printf %s " + word;
   std::string quoted = "'";
@@ -31,7 +31,7 @@ TEST(QuoteForShell, LeavesPlainNamesAlone) {
   EXPECT_EQ(quote_for_shell(""), "''");
 }
 
-// Would catch: a name that runs as a command when the header's line is pasted.
+// Would catch: a name that runs as a command when the line in the header is pasted.
 TEST(QuoteForShell, IsReadBackByTheShell) {
   constexpr unsigned kSeed = 7;
   std::mt19937 random(kSeed);

@@ -9,8 +9,8 @@
 #include "recursion/trace_function.hpp"
 #include "scenes_of_robots.hpp"
 
-// Axes are chosen so that code gets shorter: never longer as traced, and by a tenth where axes are
-// parallel. Would catch a choice that is not used, and one that is made by the wrong count.
+// Chosen axes make code shorter: never longer as traced, and shorter by a tenth if axes are
+// parallel. Would catch: a choice that is not used, and a choice made by the wrong count.
 
 namespace treeline::growth {
 namespace {
@@ -40,7 +40,7 @@ TEST(ChosenAxes, ShortenInverseDynamics) {
   EXPECT_GE(with_parallel_axes, 2);
 }
 
-/// Of a chain so long that links some way apart decide at once.
+/// A chain so long that links at some distance decide at the same time.
 TEST(ChosenAxes, ShortenLongChains) {
   tests::RandomOptions options;
   options.joints = 70;

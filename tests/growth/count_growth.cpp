@@ -55,7 +55,7 @@ Expressions declare(Program& program, const char* name, int size) {
   return entries;
 }
 
-/// What a body sees while its operations are counted.
+/// The tree and poses while operations are counted.
 struct Counted {
   Program& program;
   Tree<Expression> tree;
@@ -89,7 +89,7 @@ LambdaRoute route_of(Way way) {
   }
 }
 
-/// J M^-1 J^T column by column.
+/// J M^-1 J^T, column by column.
 DenseMatrix<Expression> dense_lambda_inverse(const Counted& on) {
   const auto J = jacobian_world(on.tree, world_poses(on.tree, on.X), {}, on.rows);
   auto M = mass_matrix(on.tree, on.X);
@@ -114,7 +114,7 @@ DenseMatrix<Expression> lambda_inverse_by(Way way, const Counted& on) {
   return lambda_inverse_as_asked(on.tree, on.X, {{}, route_of(way)}, on.rows);
 }
 
-/// Chang table 6.1 from its parts, with Lambda^-1 by any way.
+/// Control torque of Chang table 6.1 from its parts, with Lambda^-1 computed in any way.
 Expressions control_torque_by(Way way, Counted& on) {
   const int nv = on.tree.nv;
   const Expressions qd = declare(on.program, "qd", nv);

@@ -6,14 +6,14 @@
 
 #include "mechanism/mechanism.hpp"
 
-/// How many operations functions take as robots and tasks grow: of traced and settled programs, so
-/// that nothing depends on machine or compiler.
+/// Growth of the number of operations with the size of robots and tasks. The counts are those of
+/// traced and settled programs, so they do not depend on machine or compiler.
 namespace treeline::growth {
 
-/// A trunk of hinges and as many limbs of hinges on its end, all links alike and no axis along
-/// another, so that nothing vanishes that would not vanish on every robot. A point with six rows,
-/// in the world's axes, on the last link of each of the first `hands` limbs; with no limbs, points
-/// on the last `hands` links of the trunk.
+/// A trunk of hinges with several limbs of hinges on its end. All links are equal and no axis is
+/// along another one, so nothing vanishes that would not vanish for every robot. A point with six
+/// rows, in world axes, is on the last link of each of the first `hands` limbs; without limbs,
+/// points are on the last `hands` links of the trunk.
 struct Shape {
   int trunk = 4;
   int limbs = 0;
@@ -23,19 +23,21 @@ struct Shape {
 };
 Mechanism make_robot(const Shape& shape);
 
-/// Ways to Lambda^-1; `dense` is J M^-1 J^T by an LDL^T of M that knows no zeros, O(n^3).
+/// Ways to compute Lambda^-1. `dense` is J M^-1 J^T by an LDL^T of M without use of zeros, O(n^3).
 enum class Way { unit_forces, extended_propagators, branching, sparse_factors, dense };
 inline constexpr std::array kWays = {Way::unit_forces, Way::extended_propagators, Way::branching,
                                      Way::sparse_factors, Way::dense};
 const char* name_of(Way way);
 
-/// Operations (+ - * /) of Lambda^-1, and of the control torque of Chang table 6.1 with it.
+/// Number of operations (+ - * /) of Lambda^-1, and of the control torque of Chang table 6.1 with
+/// it.
 int lambda_inverse_flops(const Mechanism& robot, Way way);
 int control_torque_flops(const Mechanism& robot, Way way);
-/// Of the inverse inertias of all links: by the recursion over links, or link by link from M.
+/// Number of operations for the inverse inertias of all links: by the recursion over links, or link
+/// by link from M.
 int link_inertias_flops(const Mechanism& robot, bool by_recursion);
 
-/// A quantity counted over robots that grow: a row for each size, a column for each way.
+/// Counts for robots of growing size: a row for each size, a column for each way.
 struct Series {
   std::string name;  ///< of the figure and file: "lambda_inverse_over_n"
   std::string size;  ///< what grows: "links n"
@@ -44,11 +46,11 @@ struct Series {
   std::vector<std::vector<int>> flops;  ///< by way, then by size
 };
 
-/// Lambda^-1, control torque and links' inertias over chains and trees of 4 to 64 links with one or
-/// two hands, and over one to eight hands of a tree.
+/// Counts Lambda^-1, control torque and links' inertias for chains and trees of 4 to 64 links with
+/// one or two hands, and for one to eight hands of a tree.
 std::vector<Series> count_all();
 
-/// `size,way,way` and a line for each size.
+/// Prints `size,way,way` and a line for each size.
 std::string csv_text(const Series& series);
 
 }  // namespace treeline::growth

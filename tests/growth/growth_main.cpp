@@ -25,7 +25,7 @@ servo::PlotPanel panel_of(const growth::Series& series, std::size_t first_way, s
   return panel;
 }
 
-/// All ways, and those without the last, which dwarfs them.
+/// Draws all ways, and below them all except the last, which is much larger than the others.
 servo::Plot figure_of(const growth::Series& series) {
   servo::Plot plot{"Operations: " + series.name, series.size, {}, {}};
   for (const int size : series.sizes) plot.x.push_back(size);

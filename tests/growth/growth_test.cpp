@@ -2,17 +2,17 @@
 
 #include "count_growth.hpp"
 
-// How counts grow, to the last operation: on robots of alike links they are polynomials of the
-// number of links and of hands, whose differences of the right order vanish. Would catch work that
-// is done again for every link, for every pair of links or for branches that carry no hand, and a
-// recursion that lost its order.
+// Growth of operation counts, exact to the last operation. For robots of equal links the counts are
+// polynomials of the number of links and of hands, whose differences of the right order vanish.
+// Would catch: work that is repeated for every link, for every pair of links or for branches
+// without a hand, and a recursion whose order of growth increased.
 
 namespace treeline::growth {
 namespace {
 
 using Counts = std::vector<int>;
 
-/// The differences of consecutive counts, taken `order` times.
+/// Differences of consecutive counts, taken `order` times.
 Counts differences(Counts counts, int order) {
   for (; order > 0; --order) {
     for (std::size_t i = 0; i + 1 < counts.size(); ++i) counts[i] = counts[i + 1] - counts[i];
@@ -21,7 +21,7 @@ Counts differences(Counts counts, int order) {
   return counts;
 }
 
-/// That the counts are those of a polynomial of just this degree.
+/// Expects that the counts are those of a polynomial of exactly this degree.
 void expect_degree(int degree, const Counts& counts, const std::string& what) {
   for (const int top : differences(counts, degree)) EXPECT_GT(top, 0) << what;
   for (const int beyond : differences(counts, degree + 1)) EXPECT_EQ(beyond, 0) << what;
@@ -61,7 +61,7 @@ TEST(Growth, OfTheDenseWayIsCubicInLinks) {
             2 * control_torque_flops(chain, Way::extended_propagators));
 }
 
-// A branch without a hand costs what its own links weigh, wherever the hands are.
+// A branch without a hand costs the operations of its own links, wherever the hands are.
 TEST(Growth, OfTreesIsLinearInBranches) {
   const auto trees = make_robots({{4, 2, 3, 2}, {4, 3, 3, 2}, {4, 4, 3, 2}});
   for (const Way way : kRecursions) {
@@ -70,7 +70,7 @@ TEST(Growth, OfTreesIsLinearInBranches) {
   }
 }
 
-// O(n m + m^3): hands meet in pairs in Lambda^-1, in threes where it is factored.
+// O(n m + m^3): hands meet in pairs in Lambda^-1, and in threes where it is factored.
 TEST(Growth, OfHandsIsQuadraticForLambdaAndCubicForTheTorque) {
   const auto hands =
       make_robots({{2, 6, 2, 2}, {2, 6, 2, 3}, {2, 6, 2, 4}, {2, 6, 2, 5}, {2, 6, 2, 6}});
@@ -90,7 +90,7 @@ TEST(Growth, OfAllLinksInertiasIsLinear) {
   };
   expect_degree(1, count_links({{4, 0, 0, 0}, {34, 0, 0, 0}, {64, 0, 0, 0}}), "chains");
   expect_degree(1, count_links({{4, 5, 4, 0}, {4, 10, 4, 0}, {4, 15, 4, 0}}), "trees");
-  // From M, link by link, doubling the links costs more than six times as much.
+  // From M, link by link: doubling the links costs more than six times as much.
   EXPECT_GT(link_inertias_flops(make_robot({16, 0, 0, 0}), false),
             5 * link_inertias_flops(make_robot({8, 0, 0, 0}), false));
 }

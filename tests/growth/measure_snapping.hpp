@@ -5,7 +5,7 @@
 
 #include "data/list_data.hpp"
 
-/// What `snap_angles: 1e-5` saves on published robots.
+/// Operations that `snap_angles: 1e-5` saves for published robots.
 namespace treeline::growth {
 
 /// Operations of inverse dynamics, forward dynamics and M: as written, and with exact quarter
@@ -15,16 +15,18 @@ struct Snapping {
   std::vector<int> written, snapped;
 };
 
-/// Of a robot that can be read, on a fixed base with `lanes: 1` and nothing else in the scene.
+/// Measures a robot that can be read, on a fixed base, with `lanes: 1` and nothing else in the
+/// scene.
 Snapping measure_snapping(const tests::DataRobot& robot);
 
-/// Whether a function of the robot saves three per cent or more: it has a row of its own.
+/// Whether a function of the robot saves three per cent or more, so that the robot has a row of its
+/// own.
 bool has_row(const Snapping& snapping);
 
-/// `| fetch | 2 % | 2 % | 0 % |`
+/// Prints a row: `| fetch | 2 % | 2 % | 0 % |`.
 std::string print_row(const Snapping& snapping);
 
-/// The table of generator/README.md.
+/// Prints the table of generator/README.md.
 std::string print_snapping(const std::vector<Snapping>& all);
 
 }  // namespace treeline::growth

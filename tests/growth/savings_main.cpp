@@ -3,7 +3,7 @@
 #include "generation/measure_savings.hpp"
 #include "scenes_of_robots.hpp"
 
-// One table for all scenes of a folder of robots: savings_report FOLDER.
+// Prints one table for all scenes of a folder of robots: savings_report FOLDER.
 
 int main(int argc, char** argv) {
   if (argc != 2) {

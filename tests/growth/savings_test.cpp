@@ -8,9 +8,9 @@
 #include "generation/measure_savings.hpp"
 #include "scenes_of_robots.hpp"
 
-// What a scene does not need is not emitted, and what is added to one costs itself and nothing
-// else. Would catch a function that grows by what another one needs, files that change with a
-// scene's other wishes, and a page (generator/README.md) whose figures are no longer so.
+// Functions that a scene does not need are not emitted, and an addition to a scene costs only
+// itself. Would catch: a function that grows because of another one, files that depend on other
+// requests of the scene, and outdated figures in generator/README.md.
 
 namespace treeline::growth {
 namespace {
@@ -58,7 +58,7 @@ TEST(Savings, AreThoseOfThePage) {
     EXPECT_EQ(promise.functions, static_cast<int>(scene.functions.size()));
     EXPECT_EQ(promise.possible, static_cast<int>(possible_functions(scene).size()));
   }
-  // Percentages move a little whenever an algorithm gets better; the large robots take too long.
+  // Percentages change a little whenever an algorithm improves. The large robots take too long.
   for (const char* name : {"planar3r", "puma560_contact", "puma560_float", "samm_base_locked"}) {
     SCOPED_TRACE(name);
     const auto& [robot, scene] = scenes.at(name);
@@ -94,7 +94,8 @@ int flops_of(const Generation& generation, Function function) {
   return 0;
 }
 
-/// That everything emitted before is emitted again, byte by byte, but for these functions.
+/// Expects that all files emitted before are emitted again with the same bytes, except those of
+/// these functions.
 void expect_kept(const RobotInScene& before, const RobotInScene& after,
                  const std::vector<Function>& concerned) {
   auto kept = sources_of(generate(before));
@@ -148,7 +149,7 @@ TEST(Savings, AnObjectLeavesTheRestAsItWas) {
   expect_kept(arm, holding, {});
 }
 
-/// The cost of a function for some of the tumbler's feet.
+/// Cost of a function for some of the tumbler's feet.
 int cost_for(const RobotInScene& tumbler, Function function, const std::vector<std::size_t>& feet) {
   RobotInScene made = tumbler;
   made.scene.lanes = 1;
@@ -158,8 +159,8 @@ int cost_for(const RobotInScene& tumbler, Function function, const std::vector<s
   return flops_of(generate(made), function);
 }
 
-// Two contacts never cost more than either by itself and the other by itself; where they share the
-// way, less.
+// Two contacts never cost more than the sum of either alone, and less if they share a part of the
+// path.
 TEST(Savings, AContactAddsNoMoreThanItsOwnCost) {
   const RobotInScene tumbler = scenes_by_name().at("tumbler");
   for (const Function function : {Function::contact_motion, Function::effective_mass}) {
@@ -172,8 +173,8 @@ TEST(Savings, AContactAddsNoMoreThanItsOwnCost) {
   }
 }
 
-// Each row more of a task adds itself, its couplings and nothing else: differences of Lambda^-1
-// grow by one coupling a row.
+// Each further row of a task adds itself and its couplings: differences of Lambda^-1 grow by one
+// coupling per row.
 TEST(Savings, ARowAddsItselfAndItsCouplings) {
   const RobotInScene arm = scenes_by_name().at("puma560");
   std::vector<int> costs;

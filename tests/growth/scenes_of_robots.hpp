@@ -17,8 +17,8 @@ struct RobotInScene {
   Scene scene;
 };
 
-/// Every file `scene*.yaml` beside a URDF, in order of name; one that cannot be read is left out
-/// and told in `diagnostics`.
+/// Reads every file `scene*.yaml` beside a URDF, in order of name. Files that cannot be read are
+/// left out and reported in `diagnostics`.
 inline std::vector<RobotInScene> scenes_of_robots(const std::filesystem::path& robots,
                                                   Diagnostics& diagnostics) {
   std::vector<std::filesystem::path> urdfs, scenes;

@@ -1,5 +1,5 @@
-// The table of generator/README.md about what `snap_angles: 1e-5` saves. Would catch a figure that
-// is not what the files give. `cmake --build BUILD -t report_snapping` prints the table.
+// The table of generator/README.md about the savings by `snap_angles: 1e-5`. Would catch: a figure
+// that differs from the measured one. `cmake --build BUILD -t report_snapping` prints the table.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ void PrintTo(const DataRobot& robot, std::ostream* out) {
 namespace treeline::growth {
 namespace {
 
-/// The row of the page that begins so, or nothing.
+/// The row of the page with this beginning, or nothing.
 std::string page_row(const std::string& beginning) {
   std::ifstream page(TREELINE_PAGE);
   for (std::string line; std::getline(page, line);) {
@@ -41,7 +41,7 @@ TEST_P(SnapAngles, SavesWhatThePageSays) {
             has_row(snapping) ? print_row(snapping) : "");
 }
 
-// With the rows, all robots.
+// With the rows, this covers all robots.
 TEST(SnapAnglesTable, CountsTheOthers) {
   const auto robots = tests::data_robots("published");
   const auto rows = std::count_if(robots.begin(), robots.end(), [](const tests::DataRobot& robot) {

@@ -6,15 +6,15 @@
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
 
-// The deepest tree that is read, all of it in one row. Would catch a recursion from link to link:
-// some thousand frames with numbers of 50 digits overflow the stack.
+// The deepest tree that is accepted, all of it in one row. Would catch: a recursion from link to
+// link. Some thousand stack frames with numbers of 50 digits overflow the stack.
 
 namespace treeline {
 namespace {
 
 constexpr int kMostLinks = 4096;  // that are read
 
-/// Links behind each other, the last one carried by a joint that turns.
+/// Links in a row, the last of them on a revolute joint.
 Robot deep_robot(int links) {
   std::string text = "<robot name='deep'><link name='l0'/>";
   for (int i = 1; i < links; ++i) {

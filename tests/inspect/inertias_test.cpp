@@ -1,5 +1,6 @@
-// Would catch: an impossible inertia that the motion cannot feel called harmful, or one that it can
-// feel passed over; a patch that changes other bytes than the moments or that does not apply.
+// Would catch: an impossible inertia without effect on the motion that is called harmful, or one
+// with an effect that is not reported; a patch that changes other bytes than the moments, or that
+// cannot be applied.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -30,7 +31,7 @@ std::string joint(const std::string& name, const std::string& parent, const std:
 }
 
 const std::string kSound = "ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"";
-/// Sigma = diag(0.2, 0.2, -0.1) and the same for the other axes.
+/// Sigma = diag(0.2, 0.2, -0.1), and permuted for the other axes.
 const std::string kBadZ = "ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.4\"";
 const std::string kBadX = "ixx=\"0.4\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"";
 
@@ -38,7 +39,7 @@ std::string robot(const std::string& parts) {
   return "<robot name=\"r\">\n" + parts + "</robot>\n";
 }
 
-/// Names of the links whose impossible inertia the motion feels.
+/// Names of the links whose impossible inertia affects the motion.
 std::string felt(const std::string& parts, Base base = Base::fixed) {
   Diagnostics diagnostics;
   const auto read = parse_urdf(robot(parts), "felt.urdf", diagnostics);
@@ -57,7 +58,7 @@ TEST(FeltInertia, OneJointFeelsOnlyTheMomentAboutIt) {
   // About z the moment is that of a possible body, whatever the others are.
   EXPECT_EQ(felt(link("a", kSound) + link("b", kBadZ) + joint("j", "a", "b", "0 0 1")), "");
   EXPECT_EQ(felt(link("a", kSound) + link("b", kBadX) + joint("j", "a", "b", "0 0 1")), "");
-  // A negative moment about the axis itself is felt.
+  // A negative moment about the axis itself affects the motion.
   const std::string negative = "ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"-0.5\"";
   EXPECT_EQ(felt(link("a", kSound) + link("b", negative) + joint("j", "a", "b", "0 0 1")), "b ");
 }
@@ -84,11 +85,11 @@ TEST(FeltInertia, HiddenBehindAFixedJoint) {
 
 TEST(FeltInertia, WhatRegroupingMovesToABodyThatCanBearIt) {
   const std::string large = "ixx=\"5\" ixy=\"0\" ixz=\"0\" iyy=\"5\" iyz=\"0\" izz=\"5\"";
-  // Negative along its own joint axis: that part moves with the parent too.
+  // Negative along its own joint axis: the parent absorbs this part.
   EXPECT_EQ(
       felt(link("a", large) + link("b", kBadZ) + joint("j", "a", "b", "0 0 1"), Base::floating),
       "");
-  // Negative across it: nobody can bear that.
+  // Negative across it: no neighbour can absorb that.
   EXPECT_EQ(
       felt(link("a", large) + link("b", kBadX) + joint("j", "a", "b", "0 0 1"), Base::floating),
       "b ");
@@ -102,7 +103,7 @@ TEST(FeltInertia, SampleOfInspect) {
   }
 }
 
-/// Numbers drawn for a chain of three links with impossible inertias here and there.
+/// Draws the numbers of a chain of three links, some with impossible inertias.
 std::string draw_chain(std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto moments = [&] {
@@ -121,7 +122,8 @@ std::string draw_chain(std::mt19937_64& random) {
          joint("k", "b", "c", axis(), type());
 }
 
-// The mass matrix as a judge: what moves like possible bodies never has a negative kinetic energy.
+// The mass matrix as an independent criterion: what moves like possible bodies never has a negative
+// kinetic energy.
 TEST(FeltInertia, HiddenOnesLeaveTheMassMatrixPositive) {
   std::mt19937_64 random(11);
   int hidden = 0, negative = 0;
@@ -144,7 +146,7 @@ TEST(FeltInertia, HiddenOnesLeaveTheMassMatrixPositive) {
       const Eigen::MatrixXd M = interpreter::mass_matrix<double>(model, q);
       least = std::min(least, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0]);
     }
-    // As far below zero as the tolerance of figures may make it.
+    // As far below zero as the tolerance of figures permits.
     EXPECT_TRUE(is_felt || least >= -1e-3) << "chain " << k << ": eigenvalue " << least;
     hidden += faulty && !is_felt ? 1 : 0;
     negative += least < -1e-3 ? 1 : 0;
@@ -211,7 +213,7 @@ TEST(Repair, NothingToDo) {
   EXPECT_EQ(repaired.patch, "");
 }
 
-// Hunks that are apart, and lines before and after them.
+// Separate hunks, with lines before and after them.
 TEST(Repair, PatchOfSeveralPlaces) {
   std::string filler;
   for (int i = 0; i < 20; ++i) filler += "<material name=\"m\"/>\n";

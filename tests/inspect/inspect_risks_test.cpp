@@ -1,5 +1,5 @@
-// Would catch: a joint that loses digits and is not named, one named for nothing, findings that
-// differ from run to run. Robots whose singularities are known in closed form.
+// Would catch: a joint that loses digits and is not named, a joint that is named without reason,
+// and findings that differ from run to run. The robots' singularities are known in closed form.
 #include "inspect/inspect_risks.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace treeline {
 namespace {
 
-/// Two links of a metre in the plane, each 1 kg but for the second's `tip` (kg, and kg m^2).
+/// Two links of 1 m in the plane, of 1 kg each except for the second's `tip` (kg, and kg m^2).
 std::string planar_arm(const std::string& tip, const std::string& elbow_limits) {
   return R"(<robot name="planar"><link name="base"/>
   <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>
@@ -86,7 +86,7 @@ TEST(InspectRisks, NamesJointsThatNothingMovesWith) {
   const RiskReport* elbow = find(none, "elbow", "inertia");
   ASSERT_NE(elbow, nullptr);
   EXPECT_NE(elbow->finding.find("singular"), std::string::npos);
-  // Heavy enough, M_22 / D_2 is small again: what is light loses nothing by that alone.
+  // If it is heavy enough, M_22 / D_2 is small again: a light link alone loses nothing.
   EXPECT_TRUE(inspect(planar_arm("1e-9", "lower=\"0.5\" upper=\"2\""), "1e-10", "name: arm\n")
                   .risks.empty());
 }
@@ -111,8 +111,9 @@ TEST(InspectRisks, NamesTwinsWithNextToNothingBetweenThem) {
   }
 }
 
-// A forearm of 1e-10 kg m^2 before an arm of 1 kg: what the shoulder adds to Lambda^-1 drowns, in
-// all poses, though the task can be done. Would catch a task that is blamed for it.
+// A forearm of 1e-10 kg m^2 on an arm of 1 kg: in all poses the shoulder's contribution to
+// Lambda^-1 is lost to rounding, although the task is possible. Would catch: a report that blames
+// the task.
 TEST(InspectRisks, NamesTheLightJointThatDrownsAHeavyOne) {
   const std::string arm = planar_arm("1e-10", "lower=\"0.5\" upper=\"2\"");
   const Report report = inspect(arm, "1e-11", kTip);
@@ -123,8 +124,8 @@ TEST(InspectRisks, NamesTheLightJointThatDrownsAHeavyOne) {
   EXPECT_EQ(report.risks.size(), 1U);
 }
 
-// Heavy behind light, a light link between heavy ones: nothing is lost (`heavy_tip` and
-// `light_link` of tests/stress), nothing is said.
+// A heavy link behind a light one, and a light link between heavy ones, lose nothing (`heavy_tip`
+// and `light_link` of tests/stress) and are not reported.
 TEST(InspectRisks, IsSilentAboutMassesThatCostNothing) {
   std::string urdf = planar_arm("1e4", "lower=\"0.5\" upper=\"2\"");
   EXPECT_TRUE(inspect(urdf, "1e3", kTip).risks.empty());

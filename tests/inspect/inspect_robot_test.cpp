@@ -1,5 +1,5 @@
-// Would catch: a report that differs from the robot, its masses or its numbering. The figures are
-// worked out by hand from the sample's.
+// Would catch: a report that disagrees with the robot, its masses or its numbering. The figures are
+// computed by hand from the sample's.
 #include "inspect/inspect_robot.hpp"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST(InspectRobot, FollowsTheScene) {
   EXPECT_EQ(report.links[4].lumped_with, "base");
   ASSERT_EQ(report.operational_points.size(), 1U);
   EXPECT_EQ(report.operational_points[0].rows, "x rz");
-  // The floating base carries everything: its translational entries are the whole mass.
+  // The floating base carries everything, so its translational entries are the whole mass.
   EXPECT_NEAR(report.mass_matrix->diagonal[0], 14, 1e-13);
 }
 

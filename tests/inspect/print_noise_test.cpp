@@ -1,5 +1,5 @@
 // Would catch: a number that is taken as exact but not listed, or listed without its place, and a
-// suggestion that is no use.
+// suggestion that does not help.
 #include "inspect/print_noise.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Would catch: output that programs cannot read, columns that do not line up, sections that vanish.
+// Would catch: output that programs cannot read, columns that are not aligned, and sections that
+// disappear.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ TEST(AlignColumns, BreaksWhatIsTooWide) {
             "                     that\n");
 }
 
-/// A robot with names as exporters write them, a chain of so many joints.
+/// A robot with names as exporters write them, in a chain of `joints` joints.
 Report inspect_chain(int joints, const std::string& prefix) {
   std::string urdf = "<robot name='" + prefix + "'><link name='" + prefix + "_base'/>";
   std::string parent = prefix + "_base";
@@ -49,7 +50,8 @@ Report inspect_chain(int joints, const std::string& prefix) {
   return inspect_robot(robot.value(), std::nullopt);
 }
 
-// Would catch: lines that a terminal folds, by long names, many joints or deep trees.
+// Would catch: lines that are too long for a terminal because of long names, many joints or deep
+// trees.
 TEST(PrintText, StaysWithinHundredColumns) {
   const std::string name = "left_front_articulated_suspension_upper_control_arm_v2_export";
   for (const Report& report : {inspect_sample(), inspect_chain(60, "j"), inspect_chain(12, name),
@@ -63,7 +65,7 @@ TEST(PrintText, StaysWithinHundredColumns) {
   }
 }
 
-// Would catch: a summary that leaves the worst to the end of the report.
+// Would catch: a summary that does not begin with the worst findings.
 TEST(PrintSummary, NamesWhatIsWrong) {
   const std::string summary = print_summary(inspect_sample());
   EXPECT_NE(summary.find("inertias 1 that no body can have: upper"), std::string::npos) << summary;

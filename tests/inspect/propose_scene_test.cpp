@@ -1,5 +1,5 @@
-// Would catch: a proposal that misses the hand, asks for rows that the joints cannot do, floats an
-// arm or nails down a dog, or is not a scene that can be read.
+// Would catch: a proposal that misses the hand, asks for rows that the joints cannot move, gives an
+// arm a floating base or a dog a fixed one, or is not a readable scene.
 #include "inspect/propose_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ const std::string kBody =
     "<inertial><mass value='1'/><origin xyz='0.1 0 -0.1'/>"
     "<inertia ixx='.1' ixy='0' ixz='0' iyy='.1' iyz='0' izz='.1'/></inertial>";
 
-/// Joins links parent - child pairwise by joints that turn about the axis.
+/// Joins links parent - child pairwise by joints that rotate about the axis.
 std::string joined(const std::string& parent, const std::string& child, const std::string& axis,
                    const std::string& type = "continuous") {
   return "<link name='" + child + "'>" + kBody + "</link><joint name='" + child + "_joint' type='" +
@@ -127,7 +127,7 @@ TEST(ProposeScene, LetsADogFloatOnFeetThatPush) {
   EXPECT_EQ(propose_scene(robot, Base::fixed).base, Base::fixed);
 }
 
-// Would catch: fingers in the place of the hand that carries them.
+// Would catch: points on fingers instead of on the hand that carries them.
 TEST(ProposeScene, TakesTheHandNotItsFingers) {
   const Robot robot = read(robot_text(
       "base", joined("base", "a", "0 0 1") + joined("a", "b", "0 1 0") + joined("b", "c", "0 1 0") +
@@ -138,7 +138,7 @@ TEST(ProposeScene, TakesTheHandNotItsFingers) {
   EXPECT_EQ(proposal.points[0].link, "my_hand");
   EXPECT_EQ(proposal.beyond.size(), 2U);
   EXPECT_EQ(std::count(proposal.points[0].rows.begin(), proposal.points[0].rows.end(), true), 4);
-  // What is proposed as a comment is a scene as well.
+  // What is proposed in comments is also a valid scene.
   std::string text = print_scene(robot, proposal, "r.urdf", {});
   const auto at = text.find("# locked:");
   ASSERT_NE(at, std::string::npos);
@@ -160,7 +160,7 @@ TEST(ProposeScene, TakesFingersWhereThereIsNothingElse) {
   EXPECT_EQ(proposal.base, Base::fixed);
 }
 
-// Would catch: one row of a pendulum that vanishes twice a turn.
+// Would catch: a row of a pendulum that vanishes twice per turn.
 TEST(ProposeScene, GivesAPendulumTheRowThatNeverVanishes) {
   const SceneProposal proposal =
       propose_scene(read(robot_text("base", joined("base", "bob", "0 0 1"))), std::nullopt);
@@ -180,8 +180,8 @@ TEST(ProposeScene, NamesInAnyScriptAreReadBack) {
   }
 }
 
-// Would catch: rows that are independent one by one and not together. The judge is another one:
-// singular values of the interpreter's Jacobian at states that the choice has not seen.
+// Would catch: rows that are independent one by one but not together. The criterion is independent:
+// singular values of the interpreter's Jacobian at states that the choice has not used.
 TEST(ProposeScene, RowsAreIndependentTogether) {
   for (const char* name : {"puma560", "ur10e", "samm", "humanoid24", "planar3r", "tumbler"}) {
     const Robot robot = read_own(name);

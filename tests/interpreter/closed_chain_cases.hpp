@@ -16,11 +16,11 @@ struct ChainCase {
   Chain50 chain;
   PerRobot50 q, qd, qdd_0, tau;
   Vector50 xdd, internal;
-  Digits50 condition = 1;  ///< of the worst Lambda_e^-1
+  Digits50 condition = 1;  ///< largest of all Lambda_e^-1
 };
 
 struct ChainOptions {
-  std::vector<int> grasps;  ///< of each robot, all on one object
+  std::vector<int> grasps;  ///< number of grasps per robot, all on one object
   bool floating_base = false;
   double mimic = 0;
   int loose_objects = 0;  ///< further objects, each in one hand of the first robot
@@ -45,7 +45,7 @@ inline interpreter::GraspedObject<Digits50> random_object(Dice& dice) {
   return object;
 }
 
-/// A grasp at `point` that has the object at the pose (R, p) of the world now.
+/// A grasp at `point` in which the object has the pose (R, p) in the world.
 inline interpreter::Grasp<Digits50> closing_grasp(
     int robot, const interpreter::OperationalPoint<Digits50>& point,
     const interpreter::PointPose<Digits50>& pose, const interpreter::Matrix3<Digits50>& R,
@@ -54,7 +54,7 @@ inline interpreter::Grasp<Digits50> closing_grasp(
           pose.rotation.transpose() * (p - pose.position)};
 }
 
-/// All robots' rows and joints together: J block diagonal, C stacked.
+/// Rows and joints of all robots together: J is block diagonal, C is stacked.
 struct Stacked {
   Matrix50 M, J, C;
   Vector50 h, bias, qd;
@@ -163,7 +163,7 @@ inline Digits50 worst_condition(const ChainCase& c) {
   return worst;
 }
 
-/// One draw; its hands may depend on each other.
+/// Draws a case. Its hands may depend on each other.
 inline ChainCase draw_chain(std::uint64_t seed, const ChainOptions& options) {
   Dice dice(seed + 77);
   ChainCase c;
@@ -206,7 +206,7 @@ inline ChainCase draw_chain(std::uint64_t seed, const ChainOptions& options) {
   return c;
 }
 
-/// The first draw from the seed on whose hands move independently, with closed velocities.
+/// The first case from this seed on whose hands move independently, with closed velocities.
 inline ChainCase chain_case(std::uint64_t seed, const ChainOptions& options) {
   for (;; seed += 17) {
     ChainCase c = draw_chain(seed, options);

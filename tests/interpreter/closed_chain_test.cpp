@@ -2,9 +2,10 @@
 
 #include "interpreter/closed_chain_cases.hpp"
 
-// Closed chains (Chang chapter 7) against the dense equations of motion with every constraint, and
-// against physics. Would catch a force with a wrong sign, axes or reference point, an internal
-// force that moves the object, a drift that is pushed the wrong way, and robots that are mixed up.
+// Closed chains (Chang chapter 7) compared with the dense equations of motion with every
+// constraint, and with physics. Would catch: a force with a wrong sign, axes or reference point, an
+// internal force that moves the object, a drift that is corrected in the wrong direction, and
+// robots that are mixed up.
 
 namespace treeline::tests {
 namespace {
@@ -86,7 +87,7 @@ TEST_P(ClosedChains, StabilisationIsAnAccelerationOfTheConstraint) {
   EXPECT_LT(relative_error(found.xdd_object, dense.xdd), tolerance_);
 }
 
-// The chain stays closed to second order: relative acceleration of all grasps is zero.
+// The chain stays closed to second order: the relative acceleration of all grasps is zero.
 TEST_P(ClosedChains, KeepsTheGraspsTogether) {
   const auto found = motion(c_.tau);
   const Stacked all = stacked(c_.chain, c_.q, c_.qd);
@@ -94,9 +95,9 @@ TEST_P(ClosedChains, KeepsTheGraspsTogether) {
             tolerance_);
 }
 
-// Action = reaction: the forces of the hands, moved to the object's origin, are what its motion
-// asks for, by Newton and Euler about the centre of mass; their reactions, with tau, are what the
-// robots' motion asks for.
+// Action = reaction. The forces of the hands, moved to the object's origin, are those of its motion
+// by Newton and Euler about the centre of mass; their reactions together with tau are those of the
+// robots' motion.
 TEST_P(ClosedChains, ActionIsReaction) {
   const auto found = motion(c_.tau);
   const auto poses = held_poses<Digits50>(c_.chain, c_.q, c_.qd);
@@ -145,7 +146,7 @@ TEST_P(ClosedChains, ActionIsReaction) {
   }
 }
 
-// d/dt of the energy of robots and objects is the power of the joint forces.
+// The rate of change of the energy of robots and objects is the power of the joint forces.
 TEST_P(ClosedChains, PowerBalances) {
   const auto found = motion(c_.tau);
   const auto energy = [&](const Digits50& t) {
@@ -173,14 +174,14 @@ TEST_P(ClosedChains, PowerBalances) {
   EXPECT_LT(Digits50(abs(Digits50(derivative(energy)(0) - power))), kDifference * size);
 }
 
-// Table 7.1 brings about the commanded accelerations and internal forces, whatever the posture.
+// Table 7.1 leads to the commanded accelerations and internal forces, whatever the posture is.
 TEST_P(ClosedChains, ControlBringsTheCommandedAccelerationAndInternalForces) {
   const auto found = motion(control(c_.xdd, c_.internal));
   EXPECT_LT(relative_error(found.xdd_object, c_.xdd), tolerance_);
   EXPECT_LT(relative_error(found.internal, c_.internal), tolerance_);
 }
 
-// Internal forces neither accelerate an object nor do work: only the grasps' forces change.
+// Internal forces neither accelerate an object nor do work: only the forces of the grasps change.
 TEST_P(ClosedChains, InternalForcesMoveNothing) {
   const Vector50 none = Vector50::Zero(c_.internal.size());
   const PerRobot50 squeezed = control(c_.xdd, c_.internal), loose = control(c_.xdd, none);
@@ -206,7 +207,7 @@ TEST_P(ClosedChains, AugmentedObjectHasTheSameMotion) {
             tolerance_ * scale(object.Lambda));
 }
 
-/// Grasps at the corners of a box, hands turned away from it.
+/// Grasps at the corners of a box, with the hands rotated away from it.
 GraspedObject<Digits50> box(int grasps) {
   Dice dice(3);
   GraspedObject<Digits50> object;
@@ -222,7 +223,8 @@ GraspedObject<Digits50> box(int grasps) {
   return object;
 }
 
-// What the words of the definition say, not the matrix: a squeeze of 7 N pushes each hand inward.
+// Checks the definition in words, independently of the matrix: a squeeze of 7 N pushes each hand
+// inward.
 TEST(VirtualLinkage, SqueezesTwoHandsTowardsEachOther) {
   Vector50 internal = Vector50::Zero(6);
   internal(0) = -7;
@@ -233,7 +235,8 @@ TEST(VirtualLinkage, SqueezesTwoHandsTowardsEachOther) {
   EXPECT_LT(relative_error(f, expected), kAlgebra);
 }
 
-// Torsion twists the object about the line between the hands, bending moments are each hand's own.
+// Torsion twists the object about the line between the hands; each hand has its own bending
+// moments.
 TEST(VirtualLinkage, TwistsAndBendsBetweenTwoHands) {
   Vector50 internal = Vector50::Zero(6);
   internal(1) = 3;  // about x of the linkage, which is -y of the object
@@ -277,8 +280,8 @@ TEST(VirtualLinkage, TensionsPullAlongTheirRods) {
   }
 }
 
-// W and its inverse: any resultant and any internal forces come back, and internal forces have no
-// resultant.
+// W times its inverse is one: any resultant and any internal forces are recovered, and internal
+// forces have no resultant.
 TEST(VirtualLinkage, SplitsAndReadsBack) {
   Dice dice(9);
   for (const int n : {1, 2, 3, 4, 5}) {

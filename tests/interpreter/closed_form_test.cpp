@@ -6,8 +6,8 @@
 
 #include "interpreter/instances.hpp"
 
-// Mechanisms that textbooks solve. Would catch what invariants cannot: a wrong unit, a convention
-// of coordinates that is consistent with itself but not with the contract.
+// Mechanisms with textbook solutions. Would catch: errors that invariants cannot reveal, such as a
+// wrong unit, or a convention of coordinates that is consistent but differs from the contract.
 
 namespace treeline::interpreter {
 namespace {
@@ -27,7 +27,7 @@ Body<double> hinge(int parent, const Vector3<double>& axis, const Vector3<double
   return body;
 }
 
-/// A point mass at distance `length` along x.
+/// Puts a point mass at distance `length` along x.
 void put_mass(Body<double>& body, double mass, double length) {
   body.mass = mass;
   body.com = {length, 0, 0};
@@ -88,7 +88,8 @@ TEST(ClosedForm, TwoHinges) {
   EXPECT_LT((jacobian<double>(model, {tip}, q) - J).norm(), kRounding);
 }
 
-// A slide on a hinge: Coriolis force 2 m r rd thd on the hinge, centrifugal m r thd^2 on the slide.
+// A prismatic joint on a hinge: Coriolis force 2 m r rd thd on the hinge, centrifugal force m r
+// thd^2 on the slide.
 TEST(ClosedForm, HingeThenSlide) {
   const double m = 1.7, izz = 0.2;
   Model<double> model;
@@ -109,8 +110,8 @@ TEST(ClosedForm, HingeThenSlide) {
   EXPECT_NEAR(tau(1), m * rdd - m * r * thd * thd + m * kGravity * std::sin(th), kRounding);
 }
 
-// Euler's equations of a free body about its centre of mass; its origin moves as in free fall, in
-// body axes: d(v)/dt = R^T g - w x v.
+// Euler's equations for a free body about its centre of mass. Its origin is in free fall; in body
+// axes d(v)/dt = R^T g - w x v.
 TEST(ClosedForm, TorqueFreeBody) {
   Model<double> model;
   Body<double> free_body;
@@ -132,8 +133,8 @@ TEST(ClosedForm, TorqueFreeBody) {
   EXPECT_NEAR(qdd(5), (0.2 - 0.5) * w(0) * w(1) / 0.6, kRounding);
 }
 
-// A gyroscope in three hinges (azimuth, tilt, spin) in steady precession: the tilt stays where
-// m g l = P (Iz (s + P cos th) - Ix P cos th), the heavy symmetric top.
+// A gyroscope with three hinges (azimuth, tilt, spin) in steady precession, the heavy symmetric
+// top: the tilt is constant if m g l = P (Iz (s + P cos th) - Ix P cos th).
 TEST(ClosedForm, GyroscopeInSteadyPrecession) {
   const double m = 0.8, l = 0.3, ix = 0.11, iz = 0.02, tilt = 0.7, spin = 80;
   Model<double> model;
@@ -152,7 +153,7 @@ TEST(ClosedForm, GyroscopeInSteadyPrecession) {
   EXPECT_LT(qdd.norm(), 1e-11);
 }
 
-// A planar joint is two slides and a hinge, for any normal; its q is [x, y, theta].
+// A planar joint equals two prismatic joints and a hinge, for any normal; its q is [x, y, theta].
 TEST(ClosedForm, PlanarJointIsTwoSlidesAndAHinge) {
   for (const Vector3<double>& n :
        {Vector3<double>(0, 0, 1), Vector3<double>(0, 0, -1),
@@ -186,7 +187,8 @@ TEST(ClosedForm, PlanarJointIsTwoSlidesAndAHinge) {
   }
 }
 
-// The in-plane directions of a normal -z, by the contract: x = (1, 0, 0), y = (0, -1, 0).
+// The in-plane directions for the normal -z, according to the contract: x = (1, 0, 0), y = (0, -1,
+// 0).
 TEST(ClosedForm, PlanarDirectionsByTheContract) {
   Matrix3<double> flipped = Matrix3<double>::Identity();
   flipped.diagonal() << 1, -1, -1;
@@ -197,7 +199,7 @@ TEST(ClosedForm, PlanarDirectionsByTheContract) {
   EXPECT_EQ(planar_directions(Vector3<double>(1, 0, 0)), to_x);
 }
 
-// Two geared hinges on one axis: the inertia that the motor feels is J1 + k^2 J2.
+// Two geared hinges on one axis: the inertia at the motor is J1 + k^2 J2.
 TEST(ClosedForm, GearedHinges) {
   Model<double> model;
   Body<double> motor = hinge(kWorld, {0, 0, 1}, {0, 0, 0});
@@ -217,7 +219,7 @@ TEST(ClosedForm, GearedHinges) {
   EXPECT_NEAR(std::atan2(pose[0].rotation(1, 0), pose[0].rotation(0, 0)), -0.3, kRounding);
 }
 
-// A ball joint is a floating joint without its slides.
+// A ball joint is a floating joint without its translations.
 TEST(ClosedForm, BallJoint) {
   Model<double> model;
   Body<double> ball;
@@ -230,7 +232,7 @@ TEST(ClosedForm, BallJoint) {
   EXPECT_LT((tau - w.cross(Vector3<double>(0.2 * w(0), 0.5 * w(1), 0.6 * w(2)))).norm(), kRounding);
 }
 
-// Another precision gives the same within its rounding: the cast keeps every number.
+// Another precision gives the same results up to its rounding: the conversion keeps every number.
 TEST(ClosedForm, FloatAgreesWithDouble) {
   Model<double> model;
   Body<double> bob = hinge(kWorld, {0, 1, 0}, {0, 0, 2});

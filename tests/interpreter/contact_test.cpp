@@ -4,10 +4,10 @@
 
 #include "interpreter/physics.hpp"
 
-// Contact by Chang chapter 8 against its definitions by M and J, O(n^3), and against momentum and
-// energy, in 50 digits, over chains and trees of every joint. Would catch a wrong propagator, a
-// branch beside the struck path that is left out, impulses in the wrong axes or at the wrong point,
-// and a restitution that is applied to a speed instead of along the normal.
+// Contact by Chang chapter 8, compared with its definitions by M and J in O(n^3), and with momentum
+// and energy, in 50 digits, for chains and trees with every joint type. Would catch: a wrong
+// propagator, a branch beside the struck path that is left out, impulses in the wrong axes or at
+// the wrong point, and restitution that is applied to a speed instead of along the normal.
 
 namespace treeline::tests {
 namespace {
@@ -16,8 +16,8 @@ using namespace interpreter;  // NOLINT(google-build-using-namespace)
 
 using Vector3_50 = Vector3<Digits50>;
 
-/// Robots with a spherical joint, which no URDF has: body 1 hangs on it, before a hinge and a
-/// slide.
+/// Robots with a spherical joint, which no URDF has. It carries body 1 and is followed by a hinge
+/// and a prismatic joint.
 Case case_with_ball_joint(std::uint64_t seed, JointKind base) {
   Case c;
   Dice dice(seed);
@@ -45,7 +45,7 @@ struct Struck {
   Vector50 impulses, normals;
 };
 
-/// Contacts on the last body, its parent, the first body and any two.
+/// Contacts on the last body, its parent, the first body, and any two bodies.
 Struck struck(Case c, std::uint64_t seed) {
   Struck s;
   Dice dice(seed + 31);
@@ -67,7 +67,7 @@ Matrix50 M_inverse(const Case& c) {
       .solve(Matrix50::Identity(c.model.nv, c.model.nv));
 }
 
-/// Relative to the entries' own size, however small.
+/// Difference relative to the entries' own size, however small.
 template <class A, class B>
 Digits50 error_of(const Eigen::MatrixBase<A>& actual, const Eigen::MatrixBase<B>& expected) {
   const Digits50 size = expected.cwiseAbs().maxCoeff();
@@ -137,8 +137,8 @@ TEST(Contact, OfRobotsWithBallJoints) {
   }
 }
 
-// One blow with restitution: v_n turns into -e v_n, and energy falls by (1 - e^2) / 2 of effective
-// mass times the square of the approach. Holds for every robot, mimics too.
+// One blow with restitution: v_n becomes -e v_n, and the energy falls by (1 - e^2) / 2 of the
+// effective mass times the squared approach. Valid for every robot, including mimics.
 TEST_P(Contact, BlowCostsWhatRestitutionSays) {
   Case drawn = random_case(GetParam().seed, GetParam().options);
   if (drawn.model.nv == 0) return;
@@ -163,7 +163,7 @@ TEST_P(Contact, BlowCostsWhatRestitutionSays) {
   }
 }
 
-// What nothing holds takes up the whole impulse, and its moment about any point.
+// A body that nothing holds receives the whole impulse, and its moment about any point.
 TEST(Contact, ImpulsesChangeAFreeRobotsMomentumByThemselves) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
@@ -208,8 +208,8 @@ TEST(EffectiveMass, OfAFreeBodyIsTheTextbooks) {
   EXPECT_LT(abs(mass(Vector3_50::UnitZ()) - 1 / (third + Digits50(1) / 2)), kAlgebra);
 }
 
-// Table 8.1 gives the inverse of what the inverse recursion gives, on chains and trees whose base
-// floats; on a base that does not move up to the big base.
+// Table 8.1 gives the inverse of the result of the inverse recursion, for chains and trees on a
+// floating base; on a fixed base up to the effect of the big base.
 TEST(LinkInertias, InvertTheInverseInertias) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
@@ -238,7 +238,7 @@ struct Errors {
   double table = 0, inverse_recursion = 0;
 };
 
-/// How a chain is made harder than drawn.
+/// Ways to make a chain more difficult than it was drawn.
 enum class Hardship { heavy_tip, compact_bodies };
 
 void make_harder(Hardship hardship, double ratio, Model50& model) {
@@ -253,15 +253,15 @@ void make_harder(Hardship hardship, double ratio, Model50& model) {
   }
 }
 
-/// Worst errors in double of Lambda_i^-1 over all bodies of a floating chain: by table 8.1,
-/// inverted, and by the inverse recursion.
+/// Largest errors in double of Lambda_i^-1 over all bodies of a floating chain: by inverting table
+/// 8.1, and by the inverse recursion.
 Errors errors_in_double(std::uint64_t seed, Hardship hardship, double ratio) {
   Case c = random_case(
       seed, {.joints = 8, .branching = 0, .mix = {1, 0, 0, 0, 0, 0}, .floating_base = true});
   make_harder(hardship, ratio, c.model);
   const auto model = cast<double>(c.model);
   const Vector<double> q = c.q.cast<double>();
-  // The same doubles as inputs, so that only arithmetic differs.
+  // Both use the same doubles as inputs, so that only arithmetic differs.
   const auto truth = link_inverse_inertias<Digits50>(cast<Digits50>(model), q.cast<Digits50>());
   const auto by_table = link_inertias<double>(model, q, 1);
   const auto by_inverse = link_inverse_inertias<double>(model, q);
@@ -294,11 +294,11 @@ std::vector<Errors> measured(Hardship hardship, const char* name) {
   return all;
 }
 
-// Where inertias differ by weight alone, the subtraction in table 8.1 costs nothing: what it loses
-// is small beside the body's own articulated inertia, and both ways have the digits that inertia
-// has. Where bodies are small beside the way between them, the rest is the difference of numbers
-// that grow with the square of that way, and the table loses some two digits more than the inverse
-// recursion, which subtracts nothing.
+// If inertias differ only in mass, the subtraction in table 8.1 costs nothing: its loss is small
+// compared with the body's own articulated inertia, and both ways have the digits of that inertia.
+// If bodies are small compared with the distance between them, the rest is the difference of
+// numbers that grow with the square of that distance, and the table loses some two digits more than
+// the inverse recursion, which subtracts nothing.
 TEST(LinkInertias, LoseDigitsByTheirSubtractionWhereBodiesAreCompact) {
   for (const Errors& errors : measured(Hardship::heavy_tip, "tip heavier")) {
     EXPECT_LT(errors.table, 10 * errors.inverse_recursion);

@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// For each of our coordinates the place of the same coordinate in the file. The file's joints are
-/// in alphabetical order within a link, ours in the URDF's order; a continuous joint has a cosine
-/// and a sine for its angle there.
+/// Places of our coordinates in the file. The file's joints are in alphabetical order within a
+/// link, ours in the order of the URDF. For a continuous joint the file has cosine and sine of its
+/// angle.
 struct Order {
   std::vector<int> q, v;
   std::vector<bool> angle_from_cosine_and_sine;  ///< of each of our q
@@ -45,7 +45,7 @@ void append_joint(const Json& joint, Order& order) {
   for (int i = 0; i < nv; ++i) order.v.push_back(joint.at("idx_v").get<int>() + i);
 }
 
-/// Depth first in the URDF's order.
+/// Appends joints depth-first in the URDF's order.
 void append_joints_of(const Robot& robot, int link, const Json& joints, Order& order) {
   for (const Joint& joint : robot.joints) {
     if (joint.parent != link) continue;

@@ -5,7 +5,7 @@
 
 #include "oracle/model_from_robot.hpp"
 
-/// Figures of an established library, in our conventions.
+/// Figures of an established library in our conventions.
 namespace treeline::tests {
 
 using DoubleVector = interpreter::Vector<double>;
@@ -26,7 +26,7 @@ struct GoldenState {
   std::vector<GoldenPoint> points;
   DoubleMatrix Lambda_inverse_local, Lambda_inverse_world;
   DoubleMatrix Lambda_local, Lambda_world;  ///< empty where the task is singular
-  DoubleVector control_torque;              ///< likewise; world axes
+  DoubleVector control_torque;              ///< empty where the task is singular; world axes
 };
 
 struct GoldenRobot {
@@ -35,8 +35,8 @@ struct GoldenRobot {
   std::vector<GoldenState> states;
 };
 
-/// Reads NAME.json and NAME.urdf of tests/data/golden. All conversions of conventions are here.
-/// Throws on a bad or missing file.
+/// Reads NAME.json and NAME.urdf of tests/data/golden. All conversions of conventions are done
+/// here. Throws if a file is bad or missing.
 GoldenRobot read_golden(const std::string& name);
 
 }  // namespace treeline::tests

@@ -8,16 +8,16 @@
 
 #include "interpreter/instances.hpp"
 
-// Every function of the interpreter, in double and in 50 digits, against figures that another
-// library computed in long double for seven robots. Would catch whatever we misunderstand about
-// URDF, frames or conventions, which invariants cannot see.
+// Every function of the interpreter, in double and in 50 digits, compared with figures that another
+// library computed in long double for seven robots. Would catch: misunderstandings of URDF, frames
+// or conventions, which invariants cannot reveal.
 
 namespace treeline::tests {
 namespace {
 
 using namespace interpreter;  // NOLINT(google-build-using-namespace)
 
-/// Each function's worst error, relative to the result's scale.
+/// Largest error of each function, relative to the result's scale.
 using Errors = std::map<std::string, double>;
 
 template <class T>
@@ -25,7 +25,8 @@ Vector<T> to(const DoubleVector& x) {
   return x.template cast<T>();
 }
 
-/// `least_scale` is for results that are zero but for the rounding of terms of that size.
+/// Largest error. `least_scale` is for results that are zero up to the rounding of terms of that
+/// size.
 template <class Derived, class Expected>
 double error(const Eigen::MatrixBase<Derived>& actual, const Eigen::MatrixBase<Expected>& expected,
              double least_scale) {
@@ -53,7 +54,7 @@ class GoldenComparison {
     for (auto& e : local_) e.axes = PointAxes::local;
   }
 
-  /// Adds the errors of one state.
+  /// Adds the errors in one state.
   void add(const GoldenState& s) {
     q_ = to<T>(s.q);
     qd_ = to<T>(s.qd);
@@ -114,9 +115,9 @@ class GoldenComparison {
              slack);
   }
 
-  /// By how much more than the tolerance a solve with Lambda^-1 may err, which multiplies by the
-  /// condition number: in double its rounding of some 1e-15; in 50 digits the rounding to double of
-  /// the rotations behind the figures, of which the solve sees a small part.
+  /// Factor on the tolerance for solves with Lambda^-1, which amplify errors by the condition
+  /// number: in double the solve's rounding of some 1e-15; in 50 digits the rounding to double of
+  /// the rotations behind the figures, of which a small part affects the solve.
   static double solve_slack(const DoubleMatrix& Lambda_inverse) {
     const double slack = std::is_same_v<T, double> ? 1e-3 : 1e-5;
     return std::max(10.0, slack * condition(Lambda_inverse));
@@ -156,7 +157,7 @@ TEST_P(Golden, Double) {
   expect_agreement<double>(1e-12);
 }
 
-// The figures are doubles, computed with rotations that were rounded to double.
+// The figures are doubles, computed from rotations that were rounded to double.
 TEST_P(Golden, FiftyDigits) {
   expect_agreement<Digits50>(1e-14);
 }

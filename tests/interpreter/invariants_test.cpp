@@ -2,9 +2,9 @@
 
 #include "interpreter/physics.hpp"
 
-// The interpreter against physics on random mechanisms. A wrong joint model, velocity product,
-// inertia, sign of gravity or of external forces breaks at least one of these; none of them
-// knows how the recursions are written.
+// The interpreter compared with physics for random mechanisms. A wrong joint model, velocity
+// product, inertia, or sign of gravity or of external forces violates at least one of these tests.
+// None of them depends on how the recursions are written.
 
 namespace treeline::tests {
 namespace {
@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Assorted, Invariants, testing::ValuesIn(assorted_mechan
 INSTANTIATE_TEST_SUITE_P(Assorted, FloatingInvariants, testing::ValuesIn(floating_mechanisms()),
                          test_name);
 
-// A Jacobian or velocity that is not the rate of change of the pose.
+// Would catch: a Jacobian or velocity that is not the rate of change of the pose.
 TEST_P(Invariants, JacobianIsTheDerivativeOfThePose) {
   Points50 points = c_.points;
   for (auto& e : points) {
@@ -61,7 +61,8 @@ TEST_P(Invariants, JacobianIsTheDerivativeOfThePose) {
   }
 }
 
-// Rows or axes that are selected wrongly: local rows are world rows turned into the frame's axes.
+// Would catch: wrong selection of rows or axes. Local rows are world rows rotated into the frame's
+// axes.
 TEST_P(Invariants, LocalRowsAreWorldRowsTurned) {
   const auto pose = forward_kinematics<Digits50>(c_.model, c_.points, c_.q);
   int row = 0;
@@ -88,8 +89,8 @@ TEST_P(Invariants, LocalRowsAreWorldRowsTurned) {
   EXPECT_EQ(row, row_count(c_.points));
 }
 
-// A wrong velocity product, above all of joints whose S moves, or an acceleration that is not
-// d(qd)/dt.
+// Would catch: a wrong velocity product, mainly of joints with a variable S, and an acceleration
+// that is not d(qd)/dt.
 TEST_P(Invariants, PointAccelerationIsTheDerivativeOfItsVelocity) {
   Points50 points = c_.points;
   for (auto& e : points) e.axes = PointAxes::world;
@@ -102,7 +103,7 @@ TEST_P(Invariants, PointAccelerationIsTheDerivativeOfItsVelocity) {
             kDifference);
 }
 
-// Any force that does work which the energy does not show.
+// Would catch: a force whose work the energy does not show.
 TEST_P(Invariants, PowerIsTheRateOfEnergy) {
   const Vector50 tau =
       inverse_dynamics<Digits50>(c_.model, c_.q, c_.qd, c_.qdd, c_.external_points, c_.f_ext);
@@ -118,7 +119,8 @@ TEST_P(Invariants, PowerIsTheRateOfEnergy) {
             kDifference * (1 + abs(energy(0))) * 1000);
 }
 
-// A wrong entry of M: it is the matrix of the kinetic energy, symmetric, positive definite.
+// Would catch: a wrong entry of M. It is the matrix of the kinetic energy, symmetric and positive
+// definite.
 TEST_P(Invariants, MassMatrixIsThatOfTheKineticEnergy) {
   const Matrix50 M = mass_matrix<Digits50>(c_.model, c_.q);
   EXPECT_LT(relative_error(M, M.transpose()), kAlgebra);
@@ -129,7 +131,8 @@ TEST_P(Invariants, MassMatrixIsThatOfTheKineticEnergy) {
   }
 }
 
-// Inverse dynamics whose coefficient of qdd is not M, or external forces that are not J^T f.
+// Would catch: inverse dynamics whose coefficient of qdd is not M, and external forces that are not
+// J^T f.
 TEST_P(Invariants, InverseDynamicsIsAffineInAccelerationAndForce) {
   const Vector50 tau =
       inverse_dynamics<Digits50>(c_.model, c_.q, c_.qd, c_.qdd, c_.external_points, c_.f_ext);
@@ -140,7 +143,7 @@ TEST_P(Invariants, InverseDynamicsIsAffineInAccelerationAndForce) {
   EXPECT_LT(relative_error(tau, expected), kAlgebra);
 }
 
-// Coriolis forces that do work: qd^T (Mdot - 2 C) qd = 0 with b = C qd.
+// Would catch: Coriolis forces that do work. qd^T (Mdot - 2 C) qd = 0 with b = C qd.
 TEST_P(Invariants, CoriolisForcesMatchTheRateOfM) {
   const auto M = [&](const Digits50& t) {
     return mass_matrix<Digits50>(c_.model, moved(c_.model, c_.q, c_.qd, t));
@@ -152,7 +155,7 @@ TEST_P(Invariants, CoriolisForcesMatchTheRateOfM) {
             kDifference * scale(Mdot_qd) * 1000);
 }
 
-// Forward dynamics that does not undo inverse dynamics, by either road.
+// Would catch: forward dynamics, by either algorithm, that are not the inverse of inverse dynamics.
 TEST_P(Invariants, ForwardDynamicsInvertsInverseDynamics) {
   const Vector50 tau =
       inverse_dynamics<Digits50>(c_.model, c_.q, c_.qd, c_.qdd, c_.external_points, c_.f_ext);
@@ -166,15 +169,16 @@ TEST_P(Invariants, ForwardDynamicsInvertsInverseDynamics) {
             kAlgebra);
 }
 
-// Table 5.3 against the definition: nearest common ancestors, floating base, transforms to tips.
+// Table 5.3 compared with the definition: nearest common ancestors, floating base, transforms to
+// tips.
 TEST_P(Invariants, LambdaInverseIsItsDefinition) {
   const auto o = explicit_operational_space<Digits50>(c_.model, c_.points, c_.q);
   EXPECT_LT(relative_error(lambda_inverse<Digits50>(c_.model, c_.points, c_.q), o.Lambda_inverse),
             kAlgebra);
 }
 
-// The base's reaction is the rate of the whole robot's momentum: what holds inside cancels (action
-// = reaction), and gravity acts on the whole mass.
+// The base's reaction is the rate of change of the whole robot's momentum: internal forces cancel
+// (action = reaction), and gravity acts on the whole mass.
 TEST_P(FloatingInvariants, MomentumChangesByOutsideForcesOnly) {
   Vector50 tau = c_.tau;
   tau.head<6>().setZero();

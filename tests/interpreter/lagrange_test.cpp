@@ -2,8 +2,8 @@
 
 #include "interpreter/physics.hpp"
 
-// The equations of motion against Lagrange's, from the two energies alone, entry by entry. What
-// would be caught: Coriolis terms that are wrong but do no work, gravity on a wrong joint.
+// The equations of motion compared with Lagrange's, from the two energies alone, entry by entry.
+// Would catch: Coriolis terms that are wrong but do no work, and gravity on a wrong joint.
 
 namespace treeline::tests {
 namespace {
@@ -18,7 +18,7 @@ Matrix50 derivative_of_M(const Case& c, int k) {
   });
 }
 
-/// C of Christoffel's symbols, with which Mdot - 2 C is skew.
+/// C from Christoffel symbols, for which Mdot - 2 C is skew-symmetric.
 Matrix50 christoffel_matrix(const Case& c) {
   std::vector<Matrix50> dM;
   for (int k = 0; k < c.model.nv; ++k) dM.push_back(derivative_of_M(c, k));

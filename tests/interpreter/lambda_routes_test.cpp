@@ -8,9 +8,9 @@
 #include "interpreter/propagate_inertia.hpp"
 #include "interpreter/propagate_unit_forces.hpp"
 
-// Every route to Lambda^-1 against J M^-1 J^T by definition, in 50 digits. Would catch a wrong
-// propagator, a common ancestor that is not the nearest, a pair of points on one path treated as if
-// on two, rows of the wrong point, and sparsity where there is none.
+// Every route to Lambda^-1 compared with the definition J M^-1 J^T, in 50 digits. Would catch: a
+// wrong propagator, a common ancestor that is not the nearest, a pair of points on one path that is
+// treated as on two, rows of the wrong point, and zeros that are assumed where there are none.
 
 namespace treeline::tests {
 namespace {
@@ -25,7 +25,7 @@ Matrix50 by_definition(const Case& c) {
   return J * M_inverse * J.transpose();
 }
 
-/// Twelve digits of 50 for the condition of M would be kAlgebra; these robots need ten.
+/// kAlgebra has twelve of 50 digits for the condition number of M; these robots need ten.
 const Digits50 kAgreement("1e-40");
 
 void expect_all_routes(const Case& c) {
@@ -64,7 +64,8 @@ OperationalPoint<Digits50> point_on(int body, Dice& dice) {
   return point;
 }
 
-// Two on the last body, on its parent and grandparent, on the first body, on the base, on any.
+// Two points on the last body, its parent and grandparent, on the first body, on the base, and on
+// any body.
 TEST_P(LambdaRoutes, AgreeOnPointsThatShareLinksAndPaths) {
   Case c = random_case(GetParam().seed, GetParam().options);
   Dice dice(GetParam().seed + 77);
@@ -79,7 +80,7 @@ TEST_P(LambdaRoutes, AgreeOnPointsThatShareLinksAndPaths) {
   expect_all_routes(c);
 }
 
-/// As `random_case`, with two points on one body of at least `depth` bodies above it.
+/// Like `random_case`, with two points on one body that has at least `depth` bodies above it.
 Case case_of_one_body(std::uint64_t seed, const RandomOptions& options) {
   Case c = random_case(seed, options);
   Dice dice(seed + 78);
@@ -88,8 +89,8 @@ Case case_of_one_body(std::uint64_t seed, const RandomOptions& options) {
   return c;
 }
 
-// Table 5.1 on chains and, with the branches beside the path, on trees. Behind a floating joint no
-// base is felt, so its size must not matter at all.
+// Table 5.1 for chains and, with the branches beside the path, for trees. Behind a floating joint
+// the base is not felt, so its size must not matter.
 TEST(InertiaPropagation, IsExactOnFloatingBases) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
@@ -111,8 +112,8 @@ Digits50 big_base_error(const Case& c, const Matrix50& expected, int exponent) {
       lambda_inverse_by_inertia_propagation<Digits50>(c.model, c.points, c.q, size), expected);
 }
 
-// A big base is no fixed base: the error is c / size, c of the order of one, until what rounding
-// costs, about size times the last digit, takes over.
+// A big base is not a fixed base: the error is c / size with c of the order of one, until rounding,
+// about size times the last digit, becomes larger.
 TEST(InertiaPropagation, ErrsByTheInverseOfTheBigBase) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
@@ -131,7 +132,7 @@ TEST(InertiaPropagation, ErrsByTheInverseOfTheBigBase) {
   }
 }
 
-// What that leaves in double: at best about half of the digits.
+// What remains in double: at best about half of the digits.
 TEST(InertiaPropagation, LosesDigitsInDoubleWhateverTheBase) {
   const Case c = case_of_one_body(
       1, {.joints = 7, .branching = 0, .mix = {5, 1, 2, 0, 0, 0.5}, .aligned = 0.3});

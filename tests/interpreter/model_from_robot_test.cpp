@@ -2,8 +2,8 @@
 
 #include "interpreter/physics.hpp"
 
-// From a URDF's numbers to the interpreter's model. Would catch a joint order, quarter turn, locked
-// or mimic joint that is not what the contract says.
+// From a URDF's numbers to the interpreter's model. Would catch: a joint order, quarter turn,
+// locked or mimic joint that differs from the contract.
 
 namespace treeline::tests {
 namespace {
@@ -12,7 +12,7 @@ using namespace interpreter;  // NOLINT(google-build-using-namespace)
 
 constexpr double kPi = 3.141592653589793;
 
-// Quarter turns as people write them are exact, other angles are left alone.
+// Quarter turns as people write them are exact, other angles stay unchanged.
 TEST(Rotation, QuarterTurnsAreExact) {
   Matrix3<double> expected;
   expected << 1, 0, 0, 0, 0, 1, 0, -1, 0;
@@ -40,7 +40,7 @@ TEST(Rotation, AxesHaveUnitLengthInAnyPrecision) {
   const Vector3<Digits50> n = unit_axis<Digits50>({0.7071, 0.7071, 1e-17});
   EXPECT_LT(Digits50(abs(n.squaredNorm() - 1)), Digits50("1e-48"));
   EXPECT_EQ(n(0), n(1));
-  // As written: what counts as noise is decided where mechanisms are built, not in the reference.
+  // As written: noise is removed where mechanisms are built, not in the reference.
   EXPECT_LT(Digits50(abs(n(2) * Digits50(0.7071) - n(0) * Digits50(1e-17))), Digits50("1e-60"));
   EXPECT_EQ(unit_axis<Digits50>({0, -1.0000000000000002, 0}), -Vector3<Digits50>::UnitY());
 }
@@ -69,7 +69,7 @@ Robot small_tree() {
   return robot;
 }
 
-// Depth first, children in the file's order: c before a because the file has it so.
+// Depth-first, children in the file's order: c before a because the file has this order.
 TEST(ModelFromRobot, JointOrderIsDepthFirstInFileOrder) {
   const auto fixed = model_from_robot<double>(small_tree(), {});
   ASSERT_EQ(fixed.size(), 4);
@@ -89,7 +89,7 @@ TEST(ModelFromRobot, JointOrderIsDepthFirstInFileOrder) {
   EXPECT_EQ(floating.body(1).v, 6);
 }
 
-// A joint locked at a value is the joint held at that value.
+// A joint locked at a value is the same as the joint held at that value.
 TEST(ModelFromRobot, LockedJointStandsWhereItWasLocked) {
   Scene scene;
   scene.locked = {{"to_a", 0.3}, {"to_c", -0.8}};
@@ -106,7 +106,7 @@ TEST(ModelFromRobot, LockedJointStandsWhereItWasLocked) {
   }
 }
 
-// Followers turn with their leaders, through chains, and stand still when the leader is locked.
+// Followers move with their leaders, through chains, and stand still if the leader is locked.
 TEST(ModelFromRobot, MimicChainsCompose) {
   Robot robot = small_tree();
   robot.joints[0].mimic = Mimic{1, 2, 0.5};    // b = 2 c + 0.5
@@ -128,7 +128,7 @@ TEST(ModelFromRobot, MimicChainsCompose) {
             1e-15);
 }
 
-// Dynamics with mimic joints are those of the free tree, held together by G: M = G^T M_all G.
+// Dynamics with mimic joints are those of the free tree, constrained by G: M = G^T M_all G.
 TEST(ModelFromRobot, MimicsReduceTheFreeTree) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const RandomMechanism made =
@@ -158,7 +158,7 @@ TEST(ModelFromRobot, MimicsReduceTheFreeTree) {
   }
 }
 
-// The same seed draws the same robot; options are respected.
+// The same seed gives the same robot. The options have an effect.
 TEST(RandomMechanism, IsReproducible) {
   const RandomOptions options{.joints = 20, .mimic = 0.3, .locked = 0.3, .external_forces = 2};
   const RandomMechanism one = random_mechanism(5, options), again = random_mechanism(5, options);

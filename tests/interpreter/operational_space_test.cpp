@@ -2,16 +2,17 @@
 
 #include "interpreter/physics.hpp"
 
-// Tables 5.3 and 6.1 where the task is regular: as many independent rows as asked for. Would catch
-// a control torque that does not bring about the commanded acceleration, disturbs the task by the
-// posture, or treats F with the wrong sign, axes or reference point.
+// Tables 5.3 and 6.1 where the task is regular, with as many independent rows as requested. Would
+// catch: a control torque that does not lead to the commanded acceleration, lets the posture affect
+// the task, or uses F with the wrong sign, axes or reference point.
 
 namespace treeline::tests {
 namespace {
 
 using namespace interpreter;  // NOLINT(google-build-using-namespace)
 
-/// The spread of the pivots of a symmetric matrix: huge when its rows depend on each other.
+/// Ratio of the largest to the smallest pivot of a symmetric matrix; huge if its rows depend on
+/// each other.
 Digits50 pivot_ratio(const Matrix50& A) {
   const Vector50 pivots = A.ldlt().vectorD().cwiseAbs();
   return pivots.minCoeff() == 0 ? Digits50("1e60")
@@ -57,7 +58,7 @@ TEST_P(OperationalSpace, ControlTorqueBringsTheCommandedAcceleration) {
   EXPECT_LT(
       relative_error(point_accelerations<Digits50>(c_.model, c_.points, c_.q, c_.qd, qdd), c_.xdd),
       tolerance);
-  // The posture's acceleration remains in the null space: N (qdd - qdd_0) = 0.
+  // The posture's acceleration is kept in the null space: N (qdd - qdd_0) = 0.
   const Vector50 rest = o_.N * (qdd - c_.qdd);
   EXPECT_LT(Digits50(rest.cwiseAbs().maxCoeff()), tolerance * scale(c_.qdd) * scale(o_.N));
 }

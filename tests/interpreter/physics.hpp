@@ -7,8 +7,8 @@
 #include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
 
-/// What physics says of any mechanism, computed from positions by differences in 50 digits where
-/// it can be, so that a test does not lean on the recursion that it tests.
+/// Physical laws for any mechanism, computed from positions by differences in 50 digits where
+/// possible, so that a test does not use the recursion that it tests.
 namespace treeline::tests {
 
 using interpreter::Digits50;
@@ -17,11 +17,11 @@ using Points50 = interpreter::Points<Digits50>;
 using Vector50 = interpreter::Vector<Digits50>;
 using Matrix50 = interpreter::Matrix<Digits50>;
 
-/// Tolerance of algebra in 50 digits, relative to the scale: 12 digits for the condition of M and
-/// the operations between.
+/// Tolerance of algebra in 50 digits, relative to the scale: 12 digits for the condition number of
+/// M and the operations between.
 inline const Digits50 kAlgebra("1e-38");
-/// Tolerance of `derivative`, relative to the scale: its step to the fourth, times the fifth
-/// derivative's size.
+/// Tolerance of `derivative`, relative to the scale: the fourth power of its step times the size of
+/// the fifth derivative.
 inline const Digits50 kDifference("1e-28");
 
 /// A random mechanism in 50 digits with a random state.
@@ -58,7 +58,7 @@ inline std::ostream& operator<<(std::ostream& out, const NamedOptions& named) {
   return out << named.name << ", seed " << named.seed;
 }
 
-/// Chains and trees of every joint type, fixed and floating, 1 to 60 joints.
+/// Chains and trees with every joint type, fixed and floating, with 1 to 60 joints.
 inline std::vector<NamedOptions> assorted_mechanisms() {
   const JointMix even{1, 1, 1, 1, 1, 1};
   const JointMix hinges{1, 0, 0, 0, 0, 0};
@@ -102,8 +102,8 @@ auto derivative(const F& f) {
   return Value((Digits50(8) * near - far) / (Digits50(12) * h));
 }
 
-/// q a short time later when moving with qd. To first order in t, odd terms beyond cancel or
-/// count among the error of `derivative`'s users, who compare first derivatives only.
+/// q after a short time of moving with qd, to first order in t. Higher odd terms cancel, or are
+/// part of the error in uses of `derivative`, which compare first derivatives only.
 inline Vector50 moved(const Model50& model, const Vector50& q, const Vector50& qd,
                       const Digits50& t) {
   return q + t * interpreter::position_derivative<Digits50>(model, q, qd);
@@ -114,7 +114,7 @@ inline interpreter::Kinematics<Digits50> kinematics_of(const Case& c, const Vect
   return interpreter::kinematics<Digits50>(c.model, q, qd);
 }
 
-/// Kinetic energy in joules from each body's velocity.
+/// Kinetic energy, J, from each body's velocity.
 inline Digits50 kinetic_energy(const Model50& model, const Vector50& q, const Vector50& qd) {
   const auto k = interpreter::kinematics<Digits50>(model, q, qd);
   Digits50 energy = 0;
@@ -128,7 +128,7 @@ inline Digits50 kinetic_energy(const Model50& model, const Vector50& q, const Ve
   return energy;
 }
 
-/// Potential energy in joules, zero with the centre of mass at the world's origin.
+/// Potential energy, J; zero if the centre of mass is at the world's origin.
 inline Digits50 potential_energy(const Model50& model, const Vector50& q) {
   const auto k = interpreter::kinematics<Digits50>(model, q, Vector50::Zero(model.nv));
   Digits50 energy = 0;
@@ -157,7 +157,7 @@ inline interpreter::Vector6<Digits50> momentum(const Model50& model, const Vecto
   return total;
 }
 
-/// The largest entry, at least `floor`: the scale that errors are relative to.
+/// The largest entry, but at least `floor`: the scale to which errors are relative.
 template <class Derived>
 Digits50 scale(const Eigen::MatrixBase<Derived>& x, const Digits50& floor = Digits50(1)) {
   if (x.size() == 0) return floor;

@@ -7,10 +7,10 @@
 #include "interpreter/physics.hpp"
 #include "interpreter/prioritized_torque.hpp"
 
-// Posture torques, strict priorities and the centre of mass over random mechanisms. Would catch a
-// null-space torque and a posture acceleration that mean different things, a task that disturbs a
-// more important one, a conflict that spoils more than the task that lost it, a centre of mass that
-// forgets a link or a mimic joint.
+// Posture torques, strict priorities and the centre of mass for random mechanisms. Would catch: a
+// null-space torque and a posture acceleration that are not equivalent, a task that affects a more
+// important one, a conflict that affects more than the less important task, and a centre of mass
+// that omits a link or a mimic joint.
 
 namespace treeline::tests {
 namespace {
@@ -54,7 +54,7 @@ TEST_P(TaskPosture, PostureAccelerationStandsForTheNullSpaceTorque) {
       << "seed " << 1000 * GetParam();
 }
 
-/// Each controlled row as a task of its own.
+/// Treats each controlled row as a task of its own.
 std::vector<Task<Digits50>> row_tasks(const Case& c) {
   std::vector<Task<Digits50>> tasks;
   for (const auto& point : c.points) {
@@ -99,8 +99,8 @@ TEST_P(TaskPosture, TasksWithoutConflictAreTheStackedTask) {
   EXPECT_LT(relative_error(tau, expected), Digits50("1e-30"));
 }
 
-// The points' priorities, row by row, are the same recursion, task by task. The share that a row of
-// a 300th of the largest pivot gives up is (300 / 2^13)^8, about 1e-11.
+// The points' priorities, row by row, are the same recursion as task by task. A row with a 300th of
+// the largest pivot loses the share (300 / 2^13)^8, about 1e-11.
 TEST_P(TaskPosture, PrioritiesOfPointsAreTheRecursion) {
   Case c;
   for (std::uint64_t seed = 9000 * GetParam();; ++seed) {
@@ -123,8 +123,8 @@ TEST_P(TaskPosture, PrioritiesOfPointsAreTheRecursion) {
             Digits50("1e-9"));
 }
 
-// Three points want to move one arm that has not freedoms enough: the first tasks get all they
-// want, whatever the later ones want.
+// Three points of one arm that does not have enough freedoms: the first tasks are achieved
+// completely, whatever the later ones command.
 TEST_P(TaskPosture, LaterTasksNeverDisturbEarlierOnes) {
   const Case c = random_case(
       5000 * GetParam(),
@@ -150,8 +150,9 @@ TEST_P(TaskPosture, LaterTasksNeverDisturbEarlierOnes) {
   EXPECT_LT(relative_error(first_rows(others), alone), Digits50("1e-20")) << 5000 * GetParam();
 }
 
-// The elimination of runtime/core in double against the recursion of projections in 50 digits: a
-// row that repeats the first with another command, and one that repeats the third, lose.
+// The elimination of runtime/core in double compared with the recursion of projections in 50
+// digits: a row that repeats the first one with another command, and a row that repeats the third
+// one, are relaxed.
 TEST_P(TaskPosture, EliminationIsTheRecursiveProjection) {
   constexpr int kRows = 8;
   const Case c = regular_case(
@@ -181,7 +182,7 @@ TEST_P(TaskPosture, EliminationIsTheRecursiveProjection) {
                        jacobian<Digits50>(c.model, points, c.q).transpose() * F;
   const Vector50 expected =
       prioritized_torque<Digits50>(c.model, tasks, c.q, c.qd, c.qdd, kConflict);
-  // Pivots spread by up to 1e8 and the lost rows' remainders: half of double's digits.
+  // Pivots spread by up to 1e8, and remainders of relaxed rows: half of double's digits.
   EXPECT_LT(relative_error(tau, expected), Digits50("1e-6")) << 7000 * GetParam();
   const Vector50 a = accelerations_under(c, tasks, tau);
   for (const int row : {0, 1, 3, 4, 6, 7}) {
@@ -210,7 +211,7 @@ TEST_P(CenterOfMass, IsWherePotentialEnergySaysAndMovesWithMomentum) {
   EXPECT_LT(relative_error(Vector50(mass * velocity), p), kAlgebra);
 }
 
-// g = -m J_com^T gravity: what holds the robot holds its centre of mass.
+// g = -m J_com^T gravity: what holds the robot at rest holds its centre of mass.
 TEST_P(CenterOfMass, ItsJacobianCarriesGravity) {
   const Case c = random_case(GetParam().seed, GetParam().options);
   const Vector50 g =

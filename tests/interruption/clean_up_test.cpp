@@ -1,4 +1,4 @@
-// Each test lets a child process be ended by a signal and looks at what is left.
+// In each test a signal ends a child process, and the test checks what is left.
 #include "interruption/clean_up.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ class CleanUp : public test::OwnFolder {
   }
 };
 
-// Would catch: folders that stay, and an end that a shell takes for a success or for a crash.
+// Would catch: folders that stay, and an exit that a shell takes for success or for a crash.
 TEST_F(CleanUp, RemovesFoldersAndEndsByTheSignal) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const int status = end_child(signal, [&] {
@@ -57,7 +57,7 @@ TEST_F(CleanUp, RemovesFoldersAndEndsByTheSignal) {
   }
 }
 
-// Would catch: results, or what is kept, that vanish with a signal.
+// Would catch: results, or folders to keep, that disappear with a signal.
 TEST_F(CleanUp, LeavesWhatIsNotItsOwn) {
   end_child(SIGTERM, [&] {
     const Uninterrupted now;
@@ -72,7 +72,7 @@ TEST_F(CleanUp, LeavesWhatIsNotItsOwn) {
   EXPECT_TRUE(fs::exists(root_ / "kept"));
 }
 
-// Would catch: a half-done rename, which a signal has come between.
+// Would catch: a signal that interrupts a rename of several files.
 TEST_F(CleanUp, WaitsForWhatMustNotBeInterrupted) {
   int ready[2];
   ASSERT_EQ(pipe(ready), 0);
@@ -113,7 +113,7 @@ TEST_F(CleanUp, IgnoredSignalsStayIgnored) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 42) << status;
 }
 
-// Would catch: a lock that two hold, or that outlives its process.
+// Would catch: a lock that two processes hold, or that outlives its process.
 TEST_F(CleanUp, FoldersAreLockedByOneProcess) {
   std::string error;
   const pid_t child = fork();

@@ -1,5 +1,5 @@
 // Would catch: a folder that includes one above it, so that neither can be understood, built or
-// replaced without the other; and a row of the table below that no longer tells the truth.
+// replaced without the other; and a row of the table below that is outdated.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,22 +16,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder and all others that its files may include.
+/// A folder and all other folders that its files may include.
 struct Layer {
   std::string folder;
   std::set<std::string> includes;
 };
 
-/// From the bottom up: every folder includes only what stands above its row.
+/// From the bottom up: every folder includes only folders listed above its row.
 const std::vector<Layer> kLayers = {
-    // What runs on the robot, and what judges it.
+    // What runs on the robot, and its reference.
     {"core", {}},
     {"batch", {}},
     {"digits", {}},
     {"interpreter", {"digits"}},
     {"servo", {"core"}},
     {"simulation", {"core", "interpreter"}},
-    // The data's way: files, mechanism, program, text.
+    // The path of the data: files, mechanism, program, text.
     {"interruption", {}},
     {"functions", {}},
     {"description", {"functions"}},
@@ -72,7 +72,7 @@ bool has_sources(const fs::path& folder) {
   return std::any_of(begin(files), end(files), [](const auto& e) { return is_source(e.path()); });
 }
 
-/// The folders that the files of one include, each with a file that does.
+/// Folders that the files of one folder include, each with a file that does.
 std::map<std::string, std::string> included_by(const fs::path& folder) {
   constexpr std::string_view kInclude = "#include \"";
   std::map<std::string, std::string> found;
@@ -113,7 +113,7 @@ TEST(Layers, AreThoseOfTheSources) {
     ASSERT_FALSE(path.empty()) << layer.folder << " is no folder";
     std::set<std::string> seen;
     for (const auto& [folder, file] : included_by(path)) {
-      // Peers of `bench` and what has no folder here are other libraries' own.
+      // Peers of `bench`, and files whose folder is not here, belong to other libraries.
       if (find_folder(folder).empty()) continue;
       EXPECT_TRUE(layer.includes.contains(folder)) << file << " includes " << folder;
       seen.insert(folder);

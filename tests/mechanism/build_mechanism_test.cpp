@@ -5,14 +5,14 @@
 #include "mechanism/sample_robots.hpp"
 #include "recursion/template_results.hpp"
 
-// Numbering, limits, lumping and mimics of small robots that can be checked by eye. Would catch a
-// coordinate in the wrong place, a limit on the wrong coordinate, a held joint that still moves, a
-// mimic with the wrong factor.
+// Numbering, limits, lumping and mimics of small robots that can be checked by eye. Would catch: a
+// coordinate in the wrong place, a limit on the wrong coordinate, a held joint that still moves,
+// and a mimic with the wrong factor.
 
 namespace treeline::tests {
 namespace {
 
-/// All functions of two robots, equal in 50 digits at one state.
+/// Expects that all functions of two robots are equal in 50 digits at one state.
 void expect_same_functions(const Mechanism& a, const Mechanism& b, const Oracle<Digits50>& inputs,
                            std::initializer_list<Function> functions) {
   ASSERT_EQ(a.nq(), b.nq());
@@ -38,8 +38,8 @@ std::vector<std::string> joints_of(const Mechanism& mechanism) {
   return joints;
 }
 
-// The file lists both children of the base before the grandchildren; depth first visits the first
-// child's subtree before the second child.
+// The file lists both children of the base before the grandchildren. Depth-first order visits the
+// first child's subtree before the second child.
 TEST(Numbering, IsDepthFirstInTheFilesOrder) {
   const Robot robot = sample_robot({{"left", "base"},
                                     {"right", "base"},
@@ -103,7 +103,7 @@ TEST(Numbering, LimitsBelongToTheirCoordinate) {
   EXPECT_EQ(mechanism.coordinates[9].upper, 0.5);
 }
 
-/// An arm of three joints whose second, about x, may be held or fixed.
+/// An arm of three joints. The second, about x, may be held or fixed.
 std::vector<SampleJoint> arm(SampleJoint second) {
   second.name = "second";
   second.parent = "first_link";
@@ -146,7 +146,7 @@ TEST(Locked, IsTheSameAsFixedAtThatDisplacement) {
                         {fixed, scene}, kDynamics);
 }
 
-// A quarter turn that the scene writes as a double is exact: no entry of 6e-17 in any transform.
+// A quarter turn that the scene gives as a double is exact: no transform has an entry of 6e-17.
 TEST(Locked, AtAQuarterTurnLeavesNoResidue) {
   const Robot robot =
       sample_robot({{"first", "base", JointType::revolute, {0, 0, 1}, {}},
@@ -161,8 +161,8 @@ TEST(Locked, AtAQuarterTurnLeavesNoResidue) {
   }
 }
 
-// q_m = k q + o: the mechanism with a mimic is the free one on a line of its coordinates, so its
-// joint force is G^T of the free one's.
+// q_m = k q + o: the mechanism with a mimic is the free one restricted to a line of its
+// coordinates, so its joint force is G^T times that of the free one.
 TEST(Mimic, ForcesAreThoseOfTheFreeRobotProjected) {
   Robot robot = sample_robot({{"lead", "base"},
                               {"middle", "lead_link", JointType::prismatic, {0, 1, 0}},
@@ -192,7 +192,7 @@ TEST(Mimic, ForcesAreThoseOfTheFreeRobotProjected) {
   EXPECT_LE(relative_error(M_found, M_projected, 1), 1e-44);
 }
 
-// A follower that stands before its leader in the tree, and two that follow one.
+// A follower before its leader in the tree, and two followers of one leader.
 TEST(Mimic, MayStandBeforeTheJointItFollows) {
   Robot robot = sample_robot({{"follow", "base"},
                               {"lead", "follow_link", JointType::revolute, {1, 0, 0}},
@@ -255,8 +255,8 @@ std::array<double, 3> planar_position(const std::array<double, 3>& normal, doubl
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
-// The contract's directions in the plane: images of x and y under the shortest turn of z onto the
-// normal.
+// The contract's directions in the plane: images of x and y under the shortest rotation of z onto
+// the normal.
 TEST(Planar, DirectionsAreThoseOfTheContract) {
   using Position = std::array<double, 3>;
   EXPECT_EQ(planar_position({0, 0, 1}, 2, 3), (Position{2, 3, 0}));

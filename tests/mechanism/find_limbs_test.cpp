@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-// Would catch: limbs that are not alike taken together, limbs inside limbs listed twice, links that
-// do not correspond.
+// Would catch: limbs that are not isomorphic in one family, limbs within limbs that are listed
+// twice, and links that do not correspond.
 namespace treeline {
 namespace {
 
-/// Links given by their parents, revolute where nothing else is said.
+/// A tree of links given by their parents, with revolute joints by default.
 Mechanism tree(const std::vector<int>& parents) {
   Mechanism mechanism;
   for (const int parent : parents) {

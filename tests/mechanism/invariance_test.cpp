@@ -6,15 +6,16 @@
 #include "random_mechanism.hpp"
 #include "recursion/template_results.hpp"
 
-// Every reduction leaves the equations of motion as they are: all functions, in 50 digits with
-// unrounded constants, on the mechanism after lumping, after regrouping inertia too and after
-// re-seating frames too, against the interpreter on the robot as the files have it. Would catch a
-// reduction that is wrong in any term, however small, for any kind of joint in any place of a tree.
+// Every reduction leaves the equations of motion unchanged: all functions, in 50 digits with
+// unrounded constants, for the mechanism after lumping, after regrouping inertias, and after
+// placing frames, compared with the interpreter for the robot as written in the files. Would catch:
+// a reduction that is wrong in any term, however small, for any kind of joint at any place of a
+// tree.
 
 namespace treeline::tests {
 namespace {
 
-/// What cancellation and conditioning may eat of 50 digits.
+/// Digits of the 50 that cancellation and conditioning may cost.
 constexpr double kTolerance = 1e-40;
 
 struct Stage {
@@ -126,7 +127,7 @@ TEST(Invariance, MimicsAndLockedJoints) {
   expect_same_equations(options, 500, 12);
 }
 
-// Nothing aligned: the general formulas, without a zero anywhere.
+// Nothing is aligned: the general formulas, without any zero.
 TEST(Invariance, NothingAligned) {
   RandomOptions options;
   options.joints = 6;
@@ -134,7 +135,7 @@ TEST(Invariance, NothingAligned) {
   expect_same_equations(options, 600, 6);
 }
 
-// Everything aligned: parallel and intersecting axes, where common normals are not unique.
+// Everything is aligned: parallel and intersecting axes, for which common normals are not unique.
 TEST(Invariance, EverythingAligned) {
   RandomOptions options;
   options.joints = 9;

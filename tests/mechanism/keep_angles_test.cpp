@@ -5,15 +5,15 @@
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/sample_robots.hpp"
 
-// Which joints may read sines of q + offset. Would catch a joint without limits whose offset stays
-// in the angle, where it costs digits, and one with limits that pays for nothing. That the
-// equations stay the same is invariance_test's.
+// Which joints may use sines of q + offset. Would catch: a joint without limits whose offset stays
+// in the angle, where it costs digits, and a joint with limits that pays without need.
+// invariance_test checks that the equations stay the same.
 
 namespace treeline::tests {
 namespace {
 
-/// Three skew axes, so that frames are turned by odd angles: the first turns without limits, the
-/// second within them, the third goes round twice.
+/// Three skew axes, so that frames are rotated by irregular angles. The first joint rotates without
+/// limits, the second within limits, the third up to two turns.
 Robot skew_arm() {
   Robot robot = sample_robot(
       {{"free", "base", JointType::continuous, {0, 0, 1}, {{0, 0, 0.3}, {0.2, 0.3, 0.4}}},

@@ -6,9 +6,9 @@
 #include "random_mechanism.hpp"
 #include "with_noise.hpp"
 
-// What counts as the same. Would catch structure that noise hides, a rotation that is no longer one
-// after its entries are cleaned one by one, a number that is changed by more than is said, and
-// frames that are put where axes that are nearly parallel meet.
+// Which numbers count as equal. Would catch: structure that noise hides, a rotation that is no
+// longer one after its entries are cleaned one by one, a number that changes by more than is
+// reported, and frames placed where almost parallel axes intersect.
 
 namespace treeline::tests {
 namespace {
@@ -21,7 +21,7 @@ ExactMatrix3 turn(int axis, const Exact& angle) {
   return R;
 }
 
-/// How far from orthogonal with determinant 1.
+/// Deviation from an orthogonal matrix with determinant 1.
 double defect(const ExactMatrix3& R) {
   const ExactMatrix3 off = R * R.transpose() - ExactMatrix3::Identity();
   const Exact determinant = R.col(0).dot(R.col(1).cross(R.col(2)));
@@ -37,7 +37,8 @@ Resolution of_files() {
   return {Exact(kResolution), Exact(kResolution)};
 }
 
-/// A rotation of the 24, one with a shared axis, one with a single zero, and a general one.
+/// Rotations with their number of zeros: one of the 24, one with a shared axis, one with a single
+/// zero, and a general one.
 std::vector<std::pair<ExactMatrix3, int>> rotations_and_their_zeros(Dice& dice) {
   const auto quarter = [&] { return Exact(dice.below(4)) * half_pi(); };
   const auto general = [&] { return Exact(dice.uniform(0.2, 1.3)); };
@@ -72,7 +73,7 @@ TEST(Resolution, FindsTheStructureUnderNoiseAndLeavesARotation) {
   }
 }
 
-// A hundred millionth of a radian has a cosine of 1 in double, but it is an angle.
+// 1e-8 rad has a cosine of 1 in double, but it is an angle.
 TEST(Resolution, LeavesWhatDoubleCanTell) {
   for (const double angle : {1e-3, 1e-8, 1e-12, 1e-15}) {
     const ExactPose pose{turn(0, angle), ExactVector3(0, 1, angle)};
@@ -107,11 +108,11 @@ TEST(Resolution, OfInertiasIsRelativeToTheirMoments) {
   EXPECT_NE(with(1e-20, 1e-20, 1e-15).h(0), 0);
   EXPECT_NE(with(1e-20, 1e-20, 1e-15).Sigma(0, 1), 0);
   EXPECT_NE(with(1e-20, 1e-20, 1e-15).Sigma(1, 2), 0);
-  // A thin rod turns about itself by this much, however little it is.
+  // A thin rod has this moment about itself, however small it is.
   EXPECT_EQ(with(0, 0, 0).Sigma(0, 0), Exact("1e-10"));
 }
 
-/// The largest of what belongs to any link, from its frame.
+/// Largest distance from its frame of what belongs to any link.
 Exact size_of(const Mechanism& mechanism) {
   Exact most = 0;
   for (const MovingLink& link : mechanism.links) {
@@ -133,7 +134,8 @@ void expect_sound_frames(const Mechanism& mechanism, const Exact& size) {
   }
 }
 
-// Twice four times the size of a link, one for the parent's frame and one for its own, and itself.
+// Four times the size of a link, once for the parent's frame and once for its own, plus the size
+// itself.
 TEST(Frames, StayNearTheirLinksWhateverTheNoise) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     RandomOptions options;
@@ -156,7 +158,7 @@ TEST(Frames, StayNearTheirLinksWhateverTheNoise) {
   }
 }
 
-/// Constants that cost something.
+/// Counts the constants that cost operations.
 int count_numbers(const Mechanism& mechanism) {
   int count = 0;
   const auto add = [&](const Exact& x) { count += x == 0 || x == 1 || x == -1 ? 0 : 1; };

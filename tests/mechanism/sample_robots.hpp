@@ -35,7 +35,7 @@ inline Joint& joint_named(Robot& robot, const std::string& name) {
   throw std::logic_error("no joint " + name);
 }
 
-/// A lopsided body: nothing about it is aligned.
+/// A body without symmetry: nothing about it is aligned.
 inline Inertial sample_inertial(int which) {
   Inertial inertial;
   inertial.mass = 1 + which;
@@ -49,7 +49,7 @@ inline Inertial sample_inertial(int which) {
   return inertial;
 }
 
-/// Links `base` and one a joint, each with mass; joints in the order given, as in a file.
+/// Links `base` and one per joint, each with mass. The joints are in the given order, as in a file.
 inline Robot sample_robot(const std::vector<SampleJoint>& joints) {
   Robot robot;
   robot.name = "sample";
@@ -79,7 +79,7 @@ inline ScenePoint sample_point(const std::string& link) {
   return point;
 }
 
-/// Numbers of inertias that are not zero; a symmetric matrix has six.
+/// Counts the numbers of an inertia that are not zero. A symmetric matrix has six.
 inline int count_inertia_numbers(const Inertia& inertia) {
   int count = inertia.mass != 0 ? 1 : 0;
   for (int i = 0; i < 3; ++i) {

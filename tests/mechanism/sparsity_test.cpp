@@ -6,9 +6,9 @@
 #include "mechanism/sample_robots.hpp"
 #include "random_mechanism.hpp"
 
-// What reductions are for: zeros, and fewer numbers. Would catch a reduction that stays correct but
-// stops reducing, residue of cancellation that counts as a number, and output that depends on
-// anything but the input.
+// The purpose of reductions: zeros, and fewer numbers. Would catch: a reduction that stays correct
+// but no longer reduces, residue of cancellation that counts as a number, and output that depends
+// on anything but the input.
 
 namespace treeline::tests {
 namespace {
@@ -24,7 +24,7 @@ int nonzero_entries(const ExactVector3& v) {
   return static_cast<int>((v.array() != Exact(0)).count());
 }
 
-/// Every number of a mechanism, as text with all digits.
+/// Prints every number of a mechanism with all digits.
 std::string all_numbers(const Mechanism& mechanism) {
   std::ostringstream text;
   text.precision(60);
@@ -39,7 +39,7 @@ std::string all_numbers(const Mechanism& mechanism) {
   return text.str();
 }
 
-/// The PUMA 560 in modified Denavit-Hartenberg form: Rx(alpha) Tx(a) Rz Tz(d) each joint.
+/// The PUMA 560 in modified Denavit-Hartenberg form: Rx(alpha) Tx(a) Rz Tz(d) for each joint.
 Robot puma() {
   constexpr double kQuarter = 1.5707963267948966;
   const auto joint = [](const char* name, const char* parent, Pose origin) {
@@ -66,8 +66,8 @@ TEST(Seats, OfThePumaAreQuarterTurnsWithAtMostTwoLengths) {
   EXPECT_LE(lengths, 4);  // a2, d3 (with d2), a3, d4
 }
 
-// The same robot with every frame turned and slid at random along its own axis, as a careless URDF
-// has it, is seated as sparsely.
+// The same robot with every frame rotated and shifted at random along its own axis, as in a
+// careless URDF, becomes equally sparse.
 TEST(Seats, UndoCarelessFrames) {
   Robot robot = puma();
   Mechanism mechanism = build_mechanism(robot, {});
@@ -91,8 +91,8 @@ TEST(Seats, UndoCarelessFrames) {
   }
 }
 
-// Base inertial parameters: a revolute link keeps h_x, h_y, Sigma_xx, xy, xz, yy, yz; a prismatic
-// one its mass and first moment.
+// Base inertial parameters: a revolute link keeps h_x, h_y, Sigma_xx, xy, xz, yy, yz, a prismatic
+// link its mass and first moment.
 TEST(Regrouping, LeavesSevenNumbersOrFour) {
   const Robot robot = sample_robot(
       {{"turn", "base", JointType::revolute, {0.6, 0.8, 0}, {{1, 2, 3}, {1, 2, 3}}},
@@ -108,8 +108,8 @@ TEST(Regrouping, LeavesSevenNumbersOrFour) {
   EXPECT_EQ(count_inertia_numbers(mechanism.links[1].inertia), 4);
   EXPECT_EQ(count_inertia_numbers(mechanism.links[2].inertia), 7);
   EXPECT_EQ(count_inertia_numbers(mechanism.links[3].inertia), 4);
-  // Frames seated where first moments and products vanish leave fewer, never more: shifting the
-  // frame of a prismatic link must not give it back its second moment.
+  // Placing frames where first moments and products vanish leaves fewer numbers, never more:
+  // shifting the frame of a prismatic link must not restore its second moment.
   const Mechanism reduced = reduced_mechanism(robot, {});
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_LE(count_inertia_numbers(reduced.links[i].inertia),
@@ -118,7 +118,7 @@ TEST(Regrouping, LeavesSevenNumbersOrFour) {
   }
 }
 
-// All of a free body is felt.
+// The motion of a free body depends on all its parameters.
 TEST(Regrouping, LeavesAFloatingLinkWhole) {
   const Robot robot =
       sample_robot({{"turn", "base", JointType::revolute, {0, 0, 1}, {{0.3, 0.2, 0.1}, {}}}});
@@ -129,8 +129,9 @@ TEST(Regrouping, LeavesAFloatingLinkWhole) {
   EXPECT_EQ(mechanism.links[0].inertia.mass, 1 + 2);
 }
 
-// Equal weights on opposite sides of a shaft, one turned by 0.75 rad at once, the other by 0.25 and
-// then 0.5: their first moments cancel but for the last of 50 digits, which is no number.
+// Equal weights on opposite sides of a shaft, one rotated by 0.75 rad at once, the other by 0.25
+// and then 0.5. Their first moments cancel except for the last of 50 digits, which must not count
+// as a number.
 TEST(Residue, OfABalancedShaftIsZero) {
   Robot robot = sample_robot({{"shaft", "base", JointType::revolute, {0, 0, 1}, {}},
                               {"one", "shaft_link", JointType::fixed, {}, {{}, {0, 0, 0.75}}},
@@ -150,12 +151,12 @@ TEST(Residue, OfABalancedShaftIsZero) {
   EXPECT_EQ(inertia.Sigma(1, 2), 0);
 }
 
-/// Whether a number is what cancellation leaves.
+/// Whether a number is a residue of cancellation.
 bool is_residue(const Exact& value) {
   return value != 0 && abs(value) < 1e-20;
 }
 
-// In robots whose numbers all have three digits no constant is smaller than 1e-20 unless it is
+// In robots whose numbers all have three digits, no constant is smaller than 1e-20 unless it is
 // zero.
 TEST(Residue, StaysInNoRandomMechanism) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -197,7 +198,7 @@ TEST(Determinism, EqualInputsGiveEqualDigits) {
   }
 }
 
-// Nothing is left to regroup in what is reduced.
+// After reduction nothing is left to regroup.
 TEST(Regrouping, IsComplete) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);

@@ -20,7 +20,7 @@ DoubleVector read_vector(const Json& json) {
   return Eigen::Map<const DoubleVector>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// One of our moving bodies and where MuJoCo has its joint.
+/// One of our moving bodies and the place of its joint in MuJoCo.
 struct Place {
   const Body* body;
   int at_q, at_v;
@@ -51,7 +51,7 @@ std::vector<Place> match_joints(const Json& joints, const Robot& robot,
   return places;
 }
 
-/// Their coordinates in our conventions.
+/// Converts MuJoCo's coordinates to our conventions.
 class Conversion {
  public:
   Conversion(const std::vector<Place>& places, int nq, int nv, const DoubleVector& their_q,

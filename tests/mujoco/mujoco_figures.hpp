@@ -20,23 +20,23 @@ struct MujocoState {
 };
 
 struct MujocoFigures {
-  std::string refused;  ///< why MuJoCo does not take the robot; empty: it does
+  std::string refused;  ///< why MuJoCo refuses the robot; empty: it does not
   int nv = 0;
-  unsigned seed = 0;               ///< that the states were drawn with
-  std::vector<std::string> links;  ///< whose poses are listed
+  unsigned seed = 0;               ///< seed of the states
+  std::vector<std::string> links;  ///< links whose poses are listed
   std::vector<MujocoState> states;
 };
 
-/// Reads NAME_fixed.json or NAME_floating.json. All conversions of conventions are here:
-///  - MuJoCo's quaternions are w x y z, ours x y z w;
-///  - a free joint's velocity is linear in world axes, angular in the link's axes; ours has both in
-///    the link's axes; accelerations are the time derivatives of either;
-///  - joints come in another order and are matched by name;
-///  - a link named world is renamed under a floating base, where it is no longer the world;
-///  - joints that mimic are independent there: read the robot without mimics;
-///  - inertias that MuJoCo refuses are set behind its compiler (set_inertias.mjs).
+/// Reads NAME_fixed.json or NAME_floating.json. All conversions of conventions are done here:
+///  - MuJoCo's quaternions are w x y z, ours x y z w.
+///  - A free joint's velocity is linear in world axes and angular in the link's axes; ours has both
+///    in the link's axes. Accelerations are the time derivatives of either.
+///  - Joints have another order and are matched by name.
+///  - A link named world is renamed under a floating base, where it is not the world.
+///  - Mimic joints are independent in MuJoCo: read the robot without mimics.
+///  - Inertias that MuJoCo refuses are set after its compiler (set_inertias.mjs).
 /// Dampers, friction and armature are not in these figures: they are neither in M nor in the bias.
-/// Throws std::runtime_error for a file that is missing or does not fit the robot.
+/// Throws std::runtime_error if the file is missing or does not belong to the robot.
 MujocoFigures read_mujoco_figures(const std::string& path, const Robot& robot,
                                   const interpreter::Model<double>& model);
 

@@ -1,7 +1,7 @@
-// The interpreter, behind Treeline's own reader, against MuJoCo behind MuJoCo's reader: every
-// robot of tests/data, fixed and floating, at random states. Would catch whatever both the reader
-// and the interpreter misunderstand about URDF. disagreements.tsv names what differs, and why; a
-// row whose figures agree fails.
+// The interpreter with Treeline's reader, compared with MuJoCo with its own reader: every robot of
+// tests/data, fixed and floating, at random states. Would catch: misunderstandings of URDF that the
+// reader and the interpreter share. disagreements.tsv lists the differences and their reasons; a
+// row whose figures agree is a failure.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -18,7 +18,7 @@ namespace treeline::tests {
 namespace {
 
 constexpr double kTolerance = 1e-9;
-/// Of the largest figure: what smaller figures may differ by for rounding alone.
+/// Share of the largest figure by which smaller figures may differ due to rounding.
 constexpr double kFloor = 1e-5;
 
 struct Case {
@@ -40,7 +40,7 @@ std::vector<Case> list_cases() {
   std::vector<Case> cases;
   for (const char* folder : {"published", "golden"}) {
     for (const DataRobot& robot : data_robots(folder)) {
-      // Of files that stand in both folders one is enough.
+      // Of files in both folders one suffices.
       if (robot.name == "golden/ur5" || robot.name == "golden/panda") continue;
       cases.push_back({robot, Base::fixed});
       cases.push_back({robot, Base::floating});
@@ -49,7 +49,7 @@ std::vector<Case> list_cases() {
   return cases;
 }
 
-/// By figure, why it differs.
+/// Reasons of known differences, by figure.
 std::map<std::string, std::string> known_disagreements(const std::string& name) {
   std::map<std::string, std::string> known;
   std::ifstream table(TREELINE_MUJOCO_DISAGREEMENTS);
@@ -116,7 +116,7 @@ void add_errors(const interpreter::Model<double>& model, const MujocoFigures& fi
                    s.inverse_dynamics, s));
 }
 
-/// The worst error of each figure; of what cannot be compared, that it cannot.
+/// Largest error of each figure. Figures that cannot be compared are reported.
 Errors compare(const Case& tested, std::string& text) {
   Diagnostics diagnostics;
   std::optional<Robot> robot = read_urdf(tested.robot.path, diagnostics);

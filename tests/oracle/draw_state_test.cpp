@@ -9,8 +9,8 @@
 #include "description/read_urdf.hpp"
 #include "mechanism/build_mechanism.hpp"
 
-// States are what their class says, and the same again from seed and index. Would catch classes
-// that are never drawn, limits that are not kept, floats that are not.
+// States belong to their class, and are reproducible from seed and index. Would catch: classes that
+// are never drawn, limits that are not kept, and numbers that are not exact in float.
 
 namespace treeline::tests {
 namespace {
@@ -88,7 +88,7 @@ TEST(States, OfFloatCodeAreFloats) {
   }
 }
 
-// Every other one as well as float has it, which is off by some 1e-8.
+// Every other quaternion has unit length only up to the rounding of float, some 1e-8.
 TEST(States, QuaternionsHaveUnitLength) {
   double farthest = 0;
   RandomOptions options;
@@ -110,7 +110,7 @@ TEST(States, QuaternionsHaveUnitLength) {
   EXPECT_GT(farthest, 1e-8);
 }
 
-// Would catch a coordinate taken for a length by the words that describe it.
+// Would catch: a coordinate that is taken for a length because of the words in its description.
 TEST(States, TurnPlanarJointsAsFarAsRevoluteOnes) {
   Diagnostics diagnostics;
   const Robot robot =

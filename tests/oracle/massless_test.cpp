@@ -7,9 +7,9 @@
 #include "oracle/find_massless_directions.hpp"
 #include "oracle/leave_out_singular.hpp"
 
-// Mechanisms whose mass matrix is singular for reasons that are known, and such as only look like
-// it. Would catch a direction that is not found, one that is named wrongly or where there is none,
-// a cure that does not cure, functions left out without a word or without need.
+// Mechanisms whose mass matrix is singular for known reasons, and others that only look like it.
+// Would catch: a direction that is not found, or named wrongly or without reason, a cure that does
+// not work, and functions left out without a message or without need.
 
 namespace treeline::tests {
 namespace {
@@ -48,7 +48,7 @@ std::vector<MasslessDirections> find(const std::string& elements, const std::str
 }
 
 const std::string kFloating = "base: floating\n";
-/// What most exported arms are: a root without inertia below the first joint.
+/// Like most exported arms: a root without inertia below the first joint.
 const std::string kArm = link("base", "") + link("upper") + link("fore") +
                          joint("shoulder", "base", "upper") +
                          joint("elbow", "upper", "fore", "0 1 0");
@@ -101,7 +101,7 @@ TEST(MasslessDirections, CountWhatMimics) {
   EXPECT_EQ(find(leaf + link("jaw", "") + follower).size(), 1U);
 }
 
-// Two joints about one axis, nothing between them.
+// Two joints about one axis with nothing between them.
 TEST(MasslessDirections, OfTwins) {
   const std::string origin_free =
       "<joint name='second' type='continuous'><origin xyz='0 0 0.2'/><parent link='ring'/>"
@@ -119,7 +119,7 @@ TEST(MasslessDirections, OfAFreeFrame) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].what, "joint \"free\"");
   EXPECT_FALSE(found[0].one_degree);
-  // Behind a base that floats as well nothing tells the two apart, whatever the body weighs.
+  // Beyond a floating base, too, nothing distinguishes the two joints, whatever the body weighs.
   const auto twice =
       find(link("world", "") + link("body") + joint("free", "world", "body", "0 0 1", "floating"),
            kFloating);
@@ -128,7 +128,7 @@ TEST(MasslessDirections, OfAFreeFrame) {
   EXPECT_EQ(twice[0].links, (std::vector<std::string>{"world"}));
 }
 
-// A mass in one point can be moved but not turned.
+// A point mass resists translation but not rotation.
 TEST(MasslessDirections, OfAPointMass) {
   const auto found = find(link("ball",
                                "<inertial><mass value='2'/><inertia ixx='0' ixy='0' ixz='0' "
@@ -160,7 +160,7 @@ TEST(MasslessDirections, NoneOfRobotsThatHaveInertia) {
   }
 }
 
-/// What `leave_out_singular` says of a robot, and the scene that it leaves.
+/// Messages of `leave_out_singular` about a robot, and the scene that remains.
 struct Said {
   Scene scene;
   std::vector<Diagnostic> list;
@@ -200,7 +200,7 @@ TEST(LeaveOutSingular, WarnsOnceAndKeepsTheRest) {
                          Function::nonlinear_effects, Function::mass_matrix}));
 }
 
-// Each cure that is named, on its own.
+// Each suggested cure by itself.
 TEST(LeaveOutSingular, NamesWhatCures) {
   EXPECT_TRUE(leave_out(kArm, kPoint).list.empty());
   EXPECT_TRUE(leave_out(kArm, kFloating + kPoint + "locked: {shoulder: 0.5}\n").list.empty());
@@ -241,7 +241,7 @@ TEST(LeaveOutSingular, IsSilentWhereNothingInverts) {
       leave_out(kArm, kFloating + kPoint + "functions: [gravity, jacobian]\n").list.empty());
 }
 
-// What is left compiles into the same numbers as ever.
+// The remaining functions compile to the same numbers as before.
 TEST(LeaveOutSingular, LeavesFunctionsThatPass) {
   const Case made = read(kArm, kFloating + kPoint);
   Scene scene = made.scene;

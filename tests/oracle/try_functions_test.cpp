@@ -7,14 +7,14 @@
 
 #include "check/fixture.hpp"
 
-// Functions of sound robots pass before they are written; one with a fault planted into its graph
-// does not. Would catch a kind of function that is never tried, bounds that faults fit in, sound
-// functions that are refused.
+// Functions of correct robots pass before they are written; a function with a fault planted into
+// its graph does not. Would catch: a kind of function that is never tried, bounds so wide that
+// faults pass, and correct functions that are refused.
 
 namespace treeline::tests {
 namespace {
 
-/// Every entry of the program's results times `factor`.
+/// Multiplies every entry of the program's results by `factor`.
 void spoil(Program& program, double factor) {
   const Graph::Scope scope(program.graph);
   for (Result& result : program.results) {
@@ -43,14 +43,14 @@ std::vector<std::string> spoil_all(std::vector<GeneratedFunction>& functions, do
   return names;
 }
 
-/// Nothing fails as it is; every function does when it is off by one part in 1e8 (float: 1e2), and
-/// those of batches when they alone are.
+/// Expects that nothing fails as generated, and that every function fails if it is off by one part
+/// in 1e8 (float: 1e2), also if only the batch functions are.
 void expect_tried(const Subjects& subjects) {
   EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{});
   const double factor = subjects.scene.real == Real::float32 ? 1 + 1e-2 : 1 + 1e-8;
   Generation plain = subjects.generation;
   std::vector<std::string> spoilt = spoil_all(plain.functions, factor);
-  // The damped law is made of others.
+  // The damped law is composed of other functions.
   if (plain.damped) spoilt.emplace_back("damped_control_torque");
   EXPECT_EQ(failing(subjects, plain), spoilt);
   Generation batch = subjects.generation;
@@ -91,7 +91,7 @@ TEST(TryFunctions, OfObjects) {
   expect_tried(subjects);
 }
 
-// Not a number is the worst error of all: at the neutral state q[0] is 0.
+// NaN is the largest error of all. In the neutral state q[0] is 0.
 TEST(TryFunctions, SeeWhatIsNotFinite) {
   const Subjects subjects = load("planar3r");
   Generation spoilt = subjects.generation;
@@ -109,7 +109,7 @@ TEST(TryFunctions, SeeWhatIsNotFinite) {
   EXPECT_EQ(failed.front().error, std::numeric_limits<double>::infinity());
 }
 
-/// Every entry of the results times 0 / 0 where q[0] is 0, else times 1 but for rounding.
+/// Multiplies every entry of the results by 0 / 0 if q[0] is 0, and otherwise by 1 up to rounding.
 void lose_at_zero(Program& program) {
   const Graph::Scope scope(program.graph);
   const Expression q = program.graph.input("q[0]");
@@ -119,7 +119,7 @@ void lose_at_zero(Program& program) {
   }
 }
 
-// Would catch: a singular task, where nothing is compared with, that hides what is not a number.
+// Would catch: a singular task, for which there is no reference, that hides a NaN.
 TEST(TryFunctions, SeeWhatIsNotFiniteWhereTheTaskIsSingular) {
   Subjects subjects = load("planar3r");
   for (GeneratedFunction& generated : subjects.generation.functions) {
@@ -128,7 +128,7 @@ TEST(TryFunctions, SeeWhatIsNotFiniteWhereTheTaskIsSingular) {
   EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{"lambda"});
 }
 
-// What `singular: exact` gives at a singularity is nobody's fault.
+// Results of `singular: exact` at a singularity are never a failure.
 TEST(TryFunctions, AskForNothingOfABareSolve) {
   Subjects subjects = load("planar3r");
   subjects.scene.singular = SingularTasks::exact;
@@ -145,8 +145,9 @@ TEST(TryFunctions, AtStatesOfEveryClass) {
   EXPECT_LT(*std::max_element(kTrialStates.begin(), kTrialStates.end()), TrialOptions().confirm);
 }
 
-// What CAD programs leave of an offset of zero is left out by the code and stands in the file.
-// Would catch: a Jacobian refused for a lever of 2e-16 m that it has not.
+// The residue of CAD programs in an offset of zero is removed from the code but remains in the
+// file. Would catch: a Jacobian that is refused because of a lever arm of 2e-16 m that it does not
+// have.
 TEST(TryFunctions, MeasureLeversOfNoiseByTheRobot) {
   const std::string body =
       "<inertial><origin xyz='0.02 0.01 0.2'/><mass value='2'/>"

@@ -2,7 +2,8 @@
 
 #include "passes/choose.hpp"
 
-// Would catch: the dearer program emitted, losers missing from the report, ties decided by chance.
+// Would catch: the more expensive program being emitted, rejected candidates that are missing from
+// the report, and ties that are decided by chance.
 namespace treeline {
 namespace {
 

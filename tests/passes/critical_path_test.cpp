@@ -3,12 +3,12 @@
 #include "passes/choose.hpp"
 #include "passes/critical_path.hpp"
 
-// Would catch: operations counted in place of those that wait for each other, dead code that
-// counts, a choice that takes a long chain because it has an operation less.
+// Would catch: a path that counts all operations instead of those that wait for each other, dead
+// code that counts, and a choice of a long chain because it has one operation less.
 namespace treeline {
 namespace {
 
-/// The sum of x[0] to x[n - 1]: one after the other, or in halves.
+/// The sum of x[0] to x[n - 1]: sequential, or in halves.
 Program sum_of(int n, bool in_halves, int divisions = 0) {
   Program program;
   const Graph::Scope scope(program.graph);

@@ -7,7 +7,7 @@
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 
-// Would catch: code emitted that nothing needs, and code removed that something needs.
+// Would catch: emitted code that nothing needs, and removed code that something needs.
 namespace treeline {
 namespace {
 

@@ -9,8 +9,8 @@
 
 namespace treeline::test {
 
-/// Both programs give the same results at one state, in 50 digits: a rewriting that is right in
-/// real arithmetic agrees to about 45 of them, a wrong one to none.
+/// Expects that both programs give the same results at one state, in 50 digits. A rewriting that is
+/// right in real arithmetic agrees in about 45 of them, a wrong one in none.
 inline void expect_same_function(const Program& expected, const Program& actual) {
   using Wide = boost::multiprecision::cpp_bin_float_50;
   std::vector<std::vector<Wide>> arguments;

@@ -5,8 +5,8 @@
 #include "passes/factor_sums.hpp"
 #include "passes/random_program.hpp"
 
-// Would catch: a factor taken from a term that has it not, a lost sign or term, products computed
-// twice because they have another use.
+// Would catch: a factor taken from a term that does not have it, a lost sign or term, and products
+// that are computed twice because they have another use.
 namespace treeline {
 namespace {
 

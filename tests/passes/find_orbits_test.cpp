@@ -5,8 +5,8 @@
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 
-// Would catch: operations of one limb taken for those of another, lanes in another order than the
-// limbs, operations that belong to no limb in lanes.
+// Would catch: operations of one limb that are taken for those of another, lanes in another order
+// than the limbs, and operations in lanes that belong to no limb.
 namespace treeline {
 namespace {
 
@@ -15,8 +15,8 @@ Expression limb_constant_of(std::uint32_t slot, std::uint32_t limb, std::uint32_
   return {Graph::current().intern(make_limb_constant({slot, limb, limbs}, value)), false};
 }
 
-/// `limbs` limbs that see the same `x`, each with its own input q and constants, one of them 0, and
-/// a trunk that adds up what they give.
+/// Limbs that use the same `x`, each with its own input q and constants, one of which is 0, and a
+/// trunk that adds up their values.
 Program limbs_on_a_trunk(int limbs, int lanes) {
   Program program;
   program.graph.set_lane_width(lanes);

@@ -8,12 +8,12 @@
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 
-// Would catch: an operation before its operands or lost, a pack torn apart, sines torn from each
-// other, chains one after the other where they could run side by side.
+// Would catch: an operation that is lost or placed before its operands, a pack or pair of sines
+// that is separated, and chains in sequence that could run in parallel.
 namespace treeline {
 namespace {
 
-/// Two chains of products that only their sum joins, one after the other; then a pack.
+/// Two chains of products that meet only in their sum, one after the other, followed by a pack.
 Program two_chains() {
   Program program;
   const Graph::Scope scope(program.graph);

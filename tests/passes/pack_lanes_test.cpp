@@ -8,12 +8,12 @@
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 
-// Would catch: values of different operations or of one lane twice in a register, packs that wait
-// for each other, packs that cost more than they save, lanes that change a bit.
+// Would catch: values of different operations in one register, a value in two lanes, packs that
+// wait for each other, packs that cost more than they save, and lanes that change a bit.
 namespace treeline {
 namespace {
 
-/// The pairs (k_i, m_i), one a column, turned `steps` times by angles that all columns share.
+/// The pairs (k_i, m_i), one per column, rotated `steps` times by angles that all columns share.
 Program rotated_columns(int columns, int steps, int lanes) {
   Program program;
   program.graph.set_lane_width(lanes);
@@ -78,7 +78,7 @@ TEST(PackLanes, PacksAreDisjointAndOfOneOperation) {
   }
 }
 
-/// Two groups, each with a lane that needs the other group's: neither can be computed at once.
+/// Two groups, each with a lane that needs the other group's, so neither can be computed at once.
 TEST(PackLanes, PacksThatWaitForEachOtherAreTakenApart) {
   Program program;
   program.graph.set_lane_width(2);
@@ -93,8 +93,8 @@ TEST(PackLanes, PacksThatWaitForEachOtherAreTakenApart) {
   EXPECT_LE(schedule(pack_lanes(program)).packs.size(), 1u);
 }
 
-/// A cycle by way of a scalar that is met before any of the packs on it: an older pack's second
-/// lane reads it.
+/// A cycle through a scalar that is reached before any of the packs on it: the second lane of an
+/// older pack reads the scalar.
 TEST(PackLanes, CyclesThroughScalarsAreFoundFromOutside) {
   Program program;
   program.graph.set_lane_width(2);

@@ -8,8 +8,9 @@
 
 namespace treeline::test {
 
-/// A random program of `operations` sums, products and a few quotients and sines over five inputs;
-/// the last values are its results. Deep, with much in common, as traced recursions are.
+/// A random program of `operations` sums, products and a few quotients and sines over five inputs.
+/// Its last values are the results. It is deep and has many common subexpressions, like traced
+/// recursions.
 inline Program random_program(unsigned seed, int operations) {
   std::mt19937 random(seed);
   Program program;

@@ -5,7 +5,8 @@
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 
-// Would catch: a pass missing from the list or from its log; passes that together change values.
+// Would catch: a pass that is missing from the list or from its log, and passes that together
+// change values.
 namespace treeline {
 namespace {
 

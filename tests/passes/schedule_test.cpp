@@ -5,8 +5,8 @@
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 
-// Would catch: a value used before it is computed, sines scattered through the code, values that
-// change with the order.
+// Would catch: a value that is used before it is computed, sines scattered through the code, and
+// values that depend on the order.
 namespace treeline {
 namespace {
 
@@ -52,7 +52,7 @@ TEST(Schedule, KeepsValuesAndCountsToTheBit) {
   EXPECT_EQ(count_operations(arm).flops(), count_operations(scheduled).flops());
 }
 
-/// Two branches far longer than what is interleaved, traced in step.
+/// Two branches, far longer than the interleaving window, that are traced in alternation.
 TEST(Schedule, FinishesOneBranchBeforeTheNext) {
   constexpr int kLength = 400;
   Program program;

@@ -8,7 +8,7 @@
 namespace treeline {
 namespace {
 
-/// (x - y) z + (y - x) w + z x, its operands built from left to right or from right to left.
+/// (x - y) z + (y - x) w + z x, with its operands built from left to right or from right to left.
 Program trace(bool right_first) {
   Program program;
   program.name = "order";

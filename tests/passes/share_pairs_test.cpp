@@ -5,7 +5,8 @@
 #include "passes/random_program.hpp"
 #include "passes/share_pairs.hpp"
 
-// Would catch: terms lost or counted twice when groups are taken apart, signs of shared pairs.
+// Would catch: terms that are lost or counted twice when groups are taken apart, and wrong signs of
+// shared pairs.
 namespace treeline {
 namespace {
 

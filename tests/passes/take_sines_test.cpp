@@ -5,8 +5,8 @@
 #include "passes/take_sines.hpp"
 #include "program/evaluate.hpp"
 
-// Would catch an angle whose sine is given and computed all the same, a sign in the theorem of
-// addition, inputs that the arguments do not list.
+// Would catch: an angle whose sine is given but computed nevertheless, a wrong sign in the addition
+// theorem, and inputs that the arguments do not list.
 namespace treeline {
 namespace {
 

@@ -43,7 +43,7 @@ inline std::vector<Expression> input_vector(const std::string& name, int count) 
   return elements;
 }
 
-/// The arm traced. Some work is done for nothing, so that there is something dead.
+/// Traces the arm. Some of its operations are useless, so that there is dead code.
 inline Program trace_two_link_arm() {
   Program program;
   program.name = "inverse_dynamics";

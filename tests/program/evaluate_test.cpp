@@ -5,15 +5,15 @@
 
 #include "program/evaluate.hpp"
 
-// Would catch: a simplification that changes a value, an operation evaluated wrongly, inputs bound
-// to the wrong elements.
+// Would catch: a simplification that changes a value, an operation that is evaluated wrongly, and
+// inputs that are bound to the wrong elements.
 namespace treeline {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
 
-/// A random formula over three values, the same for every Scalar and the same seed. Small integer
-/// constants and repeated operands make the rules of the constructors fire often.
+/// A random formula of three values, the same for every Scalar and equal seeds. Small integer
+/// constants and repeated operands make the rules of the constructors apply often.
 template <class Scalar>
 std::vector<Scalar> random_formulas(std::vector<Scalar> values, unsigned seed) {
   using std::cos;
@@ -52,8 +52,8 @@ std::vector<Scalar> random_formulas(std::vector<Scalar> values, unsigned seed) {
 }
 
 /// The simplified graph in 50 digits equals the formulas computed directly in 50 digits. Constants
-/// are folded in double (sin 2, 1/3.5...), so agreement ends near 1e-16 times the growth of the
-/// formulas; a wrong rule is wrong by far more than the 1e-10 allowed.
+/// are folded in double (sin 2, 1/3.5...), so they agree up to about 1e-16 times the growth of the
+/// formulas. A wrong rule causes far more than the permitted 1e-10.
 TEST(Evaluate, SimplificationKeepsValues) {
   for (unsigned seed = 1; seed <= 300; ++seed) {
     Program program;

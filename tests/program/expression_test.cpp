@@ -6,14 +6,14 @@
 
 #include "program/expression.hpp"
 
-// Would catch: a rule of the constructors that is missing (an operation is emitted for nothing), or
-// that changes the value (a lost sign, a wrong merge).
+// Would catch: a rule of the constructors that is missing (an operation is emitted without need) or
+// changes the value (a lost sign, a wrong merge).
 namespace treeline {
 namespace {
 
 class ExpressionTest : public testing::Test {
  protected:
-  /// Nodes that are operations.
+  /// Number of nodes that are operations.
   [[nodiscard]] int operations() const {
     int count = 0;
     for (const Node& node : graph_.nodes()) {
@@ -159,7 +159,7 @@ TEST_F(ExpressionTest, LimbConstantsDoNotVanish) {
   }
 }
 
-/// What the constructors make of a limb's constants is again one, with corresponding slots.
+/// Operations on constants of a limb give constants of that limb, with corresponding slots.
 TEST_F(ExpressionTest, LimbConstantsFoldAlikeInAllLimbs) {
   const auto fold = [](std::uint32_t limb, double a, double b) {
     const Expression p = limb_constant_of(1, limb, a);

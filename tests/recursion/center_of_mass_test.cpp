@@ -7,9 +7,10 @@
 #include "recursion/function_results.hpp"
 #include "recursion/trace_function.hpp"
 
-// The centre of mass and its Jacobian on reduced mechanisms against the interpreter on the robot as
-// it is in the files. Would catch matter that regrouping loses at the fixed base or counts twice, a
-// mimic joint without its multiplier, links of a planar or floating joint in the wrong axes.
+// The centre of mass and its Jacobian of reduced mechanisms, compared with the interpreter for the
+// robot as written in the files. Would catch: matter that regrouping loses at the fixed base or
+// counts twice, a mimic joint without its multiplier, and links of a planar or floating joint in
+// the wrong axes.
 
 namespace treeline::tests {
 namespace {
@@ -37,7 +38,7 @@ std::vector<Seeded> robots() {
   return all;
 }
 
-/// The largest difference relative to the largest expected entry, or to 1.
+/// Largest difference relative to the largest expected entry, or to 1.
 template <class A>
 double error_of(const std::vector<A>& actual, const std::vector<Digits50>& expected) {
   EXPECT_EQ(actual.size(), expected.size());
@@ -78,13 +79,13 @@ TEST_P(CenterOfMass, TracedFunctionsAgreeWithTheInterpreter) {
   for (const Function function : kPostureFunctions) {
     for (const Program& program : trace_function(mechanism_, function)) {
       const auto results = evaluate<double>(program, {rounded_to<double>(listed(q_))});
-      // A few roundings a link, and the rounded coordinates.
+      // A few roundings per link, and rounded coordinates.
       EXPECT_LT(error_of(results[0], expected(function)), 1e-13) << program.name;
     }
   }
 }
 
-// Constants unrounded: only a formula can be wrong.
+// Constants are not rounded, so only a formula can be wrong.
 TEST_P(CenterOfMass, RecursionsAgreeInFiftyDigits) {
   const auto tree = tree_of<Digits50>(mechanism_);
   const std::vector<Digits50> q = listed(q_);

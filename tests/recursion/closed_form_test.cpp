@@ -5,8 +5,8 @@
 #include "mechanism/sample_robots.hpp"
 #include "recursion/checked_programs.hpp"
 
-// Robots whose equations fit on a line, through reading order, reductions, recursions and graph to
-// numbers. Would catch an error that the interpreter shares.
+// Robots whose equations fit on one line, from reading order through reductions, recursions and
+// graph to numbers. Would catch: an error that the interpreter shares.
 
 namespace treeline::tests {
 namespace {
@@ -34,7 +34,7 @@ std::vector<double> value(const Robot& robot, const Scene& scene, Function funct
 
 constexpr double kMass = 2.5, kCenter = 0.4, kInertia = 0.03;
 
-/// Turns about y; q = 0 is horizontal along x, positive q lowers the tip.
+/// Rotates about y. q = 0 is horizontal along x; positive q lowers the tip.
 Robot pendulum() {
   Robot robot = sample_robot({{"swing", "base", JointType::revolute, {0, 1, 0}, {{0, 0, 1}, {}}}});
   robot.links[1].inertial = rod_inertial(kMass, kCenter, kInertia);
@@ -57,7 +57,7 @@ TEST(Pendulum, HasItsTextbookEquation) {
   }
 }
 
-/// Both turn about z; gravity is along -y.
+/// Both joints rotate about z; gravity is along -y.
 struct TwoLinks {
   double l1 = 0.7, c1 = 0.3, m1 = 3, I1 = 0.05;
   double l2 = 0.5, c2 = 0.2, m2 = 1.5, I2 = 0.02;
@@ -139,8 +139,8 @@ TEST(TwoLinkArm, HasItsTextbookTask) {
                 1e-14);
 }
 
-// With as many rows as joints the task alone says what the joints do: whatever the posture asks,
-// tau = M J^-1 (xdd - Jd qd) + h.
+// With as many rows as joints, the task alone determines the joints' motion: whatever the posture
+// commands, tau = M J^-1 (xdd - Jd qd) + h.
 TEST(TwoLinkArm, ControlTorqueOfAFullTaskKnowsNoPosture) {
   const TwoLinks arm;
   Inputs<double> in = two_link_inputs();
@@ -160,7 +160,7 @@ TEST(TwoLinkArm, ControlTorqueOfAFullTaskKnowsNoPosture) {
   }
 }
 
-/// A * B, square.
+/// Product A * B of square matrices.
 std::vector<double> product(const std::vector<double>& A, const std::vector<double>& B,
                             std::size_t n) {
   std::vector<double> C(n * n);

@@ -11,10 +11,10 @@
 #include "recursion/link_inverse_inertias.hpp"
 #include "recursion/trace_function.hpp"
 
-// Every route of every function about contacts, against the interpreter in 50 digits on the robot
-// as it is in the files; and that they cost in proportion to the number of links. Would catch a
-// wrong formula, a link frame that is left behind when frames are seated anew, impulses in the
-// wrong axes, and work done for links that the scene does not need.
+// Every route of every function about contacts, compared with the interpreter in 50 digits for the
+// robot as written in the files; and their cost, which must be proportional to the number of links.
+// Would catch: a wrong formula, a link frame that is not updated when frames are placed again,
+// impulses in the wrong axes, and work for links that the scene does not need.
 
 namespace treeline::tests {
 namespace {
@@ -26,7 +26,7 @@ struct Drawn {
   interpreter::Points<Digits50> contacts;
 };
 
-/// A random robot with up to `count` contacts on links that move.
+/// A random robot with up to `count` contacts on moving links.
 Drawn draw(std::uint64_t seed, const RandomOptions& options, int count) {
   RandomMechanism made = random_mechanism(seed, options);
   Drawn drawn{made.robot, made.scene, model_from_robot<Digits50>(made.robot, made.scene), {}};
@@ -48,7 +48,7 @@ Drawn draw(std::uint64_t seed, const RandomOptions& options, int count) {
   return drawn;
 }
 
-/// Chains and trees, fixed and floating, mimics, joints of several degrees.
+/// Chains and trees, fixed and floating, with mimics and joints of several degrees of freedom.
 std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
   std::vector<std::pair<std::uint64_t, RandomOptions>> all;
   const auto add = [&](RandomOptions options, int seeds) {
@@ -73,7 +73,7 @@ std::vector<double> doubles(const interpreter::Vector<Digits50>& x) {
   return rounded_to<double>(listed(x));
 }
 
-/// The arguments of the function, doubles.
+/// Draws the arguments of the function, as doubles.
 std::vector<std::vector<double>> draw_arguments(const Drawn& drawn, Function function, Dice& dice) {
   std::vector<std::vector<double>> arguments{doubles(random_position(dice, drawn.model))};
   const int contacts = 3 * static_cast<int>(drawn.contacts.size());
@@ -85,7 +85,7 @@ std::vector<std::vector<double>> draw_arguments(const Drawn& drawn, Function fun
   return arguments;
 }
 
-/// Of each link that moves against its parent, in the order of the links.
+/// Inverse inertias of all links that move relative to their parents, in the order of the links.
 Results<Digits50> all_omegas(const Drawn& drawn, const interpreter::Vector<Digits50>& q) {
   const auto Omega = interpreter::link_inverse_inertias<Digits50>(drawn.model, q);
   Results<Digits50> results(1);
@@ -118,7 +118,8 @@ Results<Digits50> expected(const Drawn& drawn, Function function,
   }
 }
 
-/// What a solve may make of rounding: the condition of M; of a mass, of the directions as well.
+/// Factor by which a solve may amplify rounding: the condition number of M, and for masses also
+/// that of the directions.
 double growth(const Drawn& drawn, Function function, const std::vector<double>& q) {
   if (function == Function::contact_motion) return 1;
   const auto M = interpreter::mass_matrix<Digits50>(drawn.model, vector(q));
@@ -145,8 +146,8 @@ struct Tally {
   double worst = 0;
 };
 
-/// Each route of `function` on each robot; the worst error in double in units of 2^-52 times
-/// growth.
+/// Compares each route of `function` for each robot. Returns the largest error in double, in units
+/// of 2^-52 times growth.
 Tally compare_all(Function function) {
   Tally tally;
   for (const auto& [seed, options] : robots()) {
@@ -180,7 +181,7 @@ TEST(ContactFunctions, AgreeWithTheInterpreter) {
   }
 }
 
-/// The recursions themselves in 50 digits, constants unrounded: only a formula can be wrong.
+/// The recursions in 50 digits with unrounded constants, so that only a formula can be wrong.
 struct InFiftyDigits {
   Tree<Digits50> tree;
   std::vector<JointTransform<Digits50>> X;
@@ -225,7 +226,7 @@ int flops(const Robot& robot, const Scene& scene, Function function) {
   return least;
 }
 
-/// `links` hinges without a right angle among them, all alike in cost, one contact on the last.
+/// Hinges without a right angle among them and of equal cost, with one contact on the last link.
 RandomMechanism hinged(int links, double branching, bool floating) {
   RandomOptions options;
   options.joints = links;
@@ -268,14 +269,15 @@ TEST(ContactFunctions, CostInProportionToTheLinksOfAChain) {
   }
 }
 
-// Each link hangs on any earlier one: what a link costs depends on how many hang on it, little.
+// Each link may be attached to any earlier one. The cost of a link depends a little on the number
+// of its children.
 TEST(ContactFunctions, CostInProportionToTheLinksOfATree) {
   const auto counts = counts_over_links(Function::link_inverse_inertias, 1, true);
   const double a_link = (counts[4] - counts[3]) / 32;
   EXPECT_NEAR((counts[3] - counts[2]) / 16, a_link, 0.1 * a_link);
 }
 
-// A second contact on another branch costs its own path and no more; on the same link nearly
+// A second contact on another branch costs only its own path; on the same link it costs almost
 // nothing.
 TEST(ContactFunctions, CostForAContactOnlyItsOwn) {
   const RandomMechanism made = hinged(12, 0.5, true);
@@ -289,7 +291,7 @@ TEST(ContactFunctions, CostForAContactOnlyItsOwn) {
   EXPECT_LT(both, one + 40);  // turned into the link, its moment, added
 }
 
-// Reports can tell the ways apart and say what each would have cost.
+// Reports must distinguish the routes and state what each would have cost.
 TEST(ContactFunctions, HaveSeveralRoutesWithNamesOfTheirOwn) {
   const RandomMechanism made = hinged(6, 0, false);
   const Mechanism mechanism = reduced_mechanism(made.robot, made.scene);

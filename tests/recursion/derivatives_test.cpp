@@ -6,12 +6,12 @@
 #include "recursion/function_results.hpp"
 #include "recursion/trace_function.hpp"
 
-// Derivatives of inverse and forward dynamics against central differences in 50 digits of the
-// interpreter on the robot as it is in the files. Would catch a wrong term of the recursion for any
-// type of joint, a displacement of a floating joint in the wrong axes or about the wrong point, an
-// external force that does not keep (or keeps) its direction, a mimic joint without its multiplier,
-// an entry in the other triangle. The interpreter's own derivatives, which `check` trusts, are held
-// to the same differences.
+// Derivatives of inverse and forward dynamics, compared with central differences of the interpreter
+// in 50 digits for the robot as written in the files. Would catch: a wrong term of the recursion
+// for any joint type, a displacement of a floating joint in the wrong axes or about the wrong
+// point, an external force that keeps its direction in the wrong axes, a mimic joint without its
+// multiplier, and an entry in the other triangle. The interpreter's own derivatives, which `check`
+// uses, are compared with the same differences.
 
 namespace treeline::tests {
 namespace {
@@ -35,8 +35,8 @@ std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
   return all;
 }
 
-/// q displaced along `d`: floating joints by p + R d_v and the quaternion turned by d_w in the
-/// child's axes, the others by adding. Exact, not a series.
+/// q displaced along `d`: floating joints by p + R d_v with the quaternion rotated by d_w in the
+/// child's axes, other joints by addition. Exact, without a series.
 Vector50 displaced(const interpreter::Model<Digits50>& model, const Vector50& q,
                    const Vector50& d) {
   Vector50 moved = q;
@@ -61,7 +61,8 @@ Vector50 displaced(const interpreter::Model<Digits50>& model, const Vector50& q,
   return moved;
 }
 
-/// Columns (f(h e_j) - f(-h e_j)) / 2h: an error of h^2 = 1e-36 beside cancellation's 1e-50 / h.
+/// Columns (f(h e_j) - f(-h e_j)) / 2h, with an error of h^2 = 1e-36 and of 1e-50 / h by
+/// cancellation.
 template <class Function>
 Matrix50 differences(Eigen::Index n, Function f) {
   const Digits50 h("1e-18");
@@ -134,7 +135,8 @@ class Derivatives : public testing::TestWithParam<std::pair<std::uint64_t, Rando
 
 INSTANTIATE_TEST_SUITE_P(Robots, Derivatives, testing::ValuesIn(robots()));
 
-/// Of a difference, relative to the largest entry; solving adds the condition.
+/// Tolerance of a difference, relative to the largest entry. A solve multiplies it by the condition
+/// number.
 constexpr double kDifference = 1e-28;
 
 TEST_P(Derivatives, RecursionsAgreeWithDifferencesInFiftyDigits) {
@@ -167,8 +169,8 @@ TEST_P(Derivatives, InterpreterAgreesWithDifferencesInFiftyDigits) {
             kDifference * condition());
 }
 
-// What is emitted, before the passes: roundings of constants, inputs and operations, some n a
-// result; solved results pass through M^-1 twice.
+// The emitted operations before the passes: roundings of constants, inputs and operations, some n
+// per result. Results of a solve are multiplied by M^-1 twice.
 TEST_P(Derivatives, TracedFunctionsAgreeInDouble) {
   for (const Function function : kDerivativeFunctions) {
     const auto exact = listed_all(expected(function));
@@ -190,7 +192,7 @@ TEST_P(Derivatives, TracedFunctionsAgreeInDouble) {
   }
 }
 
-// dtau/dqdd = M, dqdd/dtau = M^-1, both symmetric, without differences.
+// dtau/dqdd = M and dqdd/dtau = M^-1, both symmetric, without differences.
 TEST_P(Derivatives, ByAccelerationsAndForcesAreInverse) {
   const auto tree = tree_of<Digits50>(mechanism_);
   const auto X = joint_transforms<Digits50>(tree, in_.q);
@@ -208,7 +210,8 @@ TEST_P(Derivatives, ByAccelerationsAndForcesAreInverse) {
   }
 }
 
-// Joints on different branches have nothing to say to each other: constants zero, where M has them.
+// Joints on different branches do not affect each other: their entries are the constant zero
+// wherever those of M are.
 TEST_P(Derivatives, BranchesAreStructuralZeros) {
   const Program M = trace_function(mechanism_, Function::mass_matrix).front();
   const Program d = trace_function(mechanism_, Function::inverse_dynamics_derivatives).front();

@@ -13,19 +13,19 @@
 #include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
 
-/// What the functions of a scene give by the interpreter, which knows nothing of mechanisms,
-/// recursions or graphs: the oracle for all of them.
+/// Results of a scene's functions by the interpreter, which is independent of mechanisms,
+/// recursions and graphs: the oracle for all of them.
 namespace treeline::tests {
 
 using interpreter::Digits50;
 
-/// The arguments of all functions.
+/// Arguments of all functions.
 template <class Scalar>
 struct Inputs {
   std::vector<Scalar> q, qd, qdd, tau, xdd_cmd, f_ext;
 };
 
-/// As a program has them: one list for each result, row-major.
+/// Results in the form of a program: one list for each result, row-major.
 template <class Scalar>
 using Results = std::vector<std::vector<Scalar>>;
 
@@ -50,7 +50,7 @@ auto listed(const Eigen::MatrixBase<Derived>& A) {
   return values;
 }
 
-/// A robot in a scene, as the interpreter sees it: every link a body, nothing reduced.
+/// A robot in a scene in the interpreter's form: every link is a body, nothing is reduced.
 template <class Scalar>
 class Oracle {
  public:
@@ -63,7 +63,7 @@ class Oracle {
   [[nodiscard]] bool has_points() const { return !points_.empty(); }
   [[nodiscard]] int task_rows() const { return interpreter::row_count(points_); }
 
-  /// Angles and displacements up to `size`; rates, forces and accelerations likewise.
+  /// Draws angles, displacements, rates, forces and accelerations up to `size`.
   [[nodiscard]] Inputs<Scalar> random_inputs(Dice& dice, double size = 3) const {
     const auto drawn = [&](int count) { return listed(random_entries<Scalar>(dice, count, size)); };
     return {listed(random_position(dice, model_, size)),
@@ -145,7 +145,7 @@ double condition(const Eigen::MatrixBase<Derived>& A) {
   return smallest > 0 ? s(0) / smallest : std::numeric_limits<double>::infinity();
 }
 
-/// What an error of a function is measured against at one state.
+/// Scales for the errors of functions at one state.
 struct Yardstick {
   double force = 1;           ///< size of M's entries: forces that need not cancel are of this size
   double condition_M = 1;     ///< of M
@@ -166,7 +166,7 @@ struct Yardstick {
         return 0;
     }
   }
-  /// By how much rounding may grow where a system is solved.
+  /// Factor by which a solve may amplify rounding.
   [[nodiscard]] double growth(Function function) const {
     switch (function) {
       case Function::forward_dynamics:
@@ -191,7 +191,7 @@ Yardstick yardstick(const Oracle<Scalar>& oracle, const Inputs<Scalar>& in) {
   return result;
 }
 
-/// Whether the scene and the state permit the function: points where it needs them, and a task that
+/// Whether the scene and the state permit the function: points if it needs them, and a task that
 /// the robot can do.
 inline bool permits(Function function, bool has_points, const Yardstick& size) {
   switch (function) {
@@ -208,8 +208,8 @@ inline bool permits(Function function, bool has_points, const Yardstick& size) {
   }
 }
 
-/// The largest difference between two results over the size of the expected one, which counts as
-/// no smaller than `least_scale`. Zero results must be exact. Infinite for a NaN or a wrong shape.
+/// Largest difference between two results relative to the size of the expected one, which is at
+/// least `least_scale`. Zero results must be exact. Infinite for a NaN or a wrong shape.
 template <class Actual, class Expected>
 double relative_error(const Results<Actual>& actual, const Results<Expected>& expected,
                       double least_scale) {
@@ -233,7 +233,7 @@ double relative_error(const Results<Actual>& actual, const Results<Expected>& ex
   return worst;
 }
 
-/// `name, seed 7 (...)`: what to type to see a failure again.
+/// Describes a case, `name, seed 7 (...)`, so that a failure can be reproduced.
 inline std::string described(std::uint64_t seed, const RandomOptions& options) {
   return "random_mechanism seed " + std::to_string(seed) + ", joints " +
          std::to_string(options.joints) + (options.floating_base ? ", floating base" : "") +

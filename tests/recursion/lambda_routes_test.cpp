@@ -8,10 +8,10 @@
 #include "recursion/read_robots.hpp"
 #include "recursion/template_results.hpp"
 
-// The routes to Lambda^-1 and to the control torque where each is at its hardest: points that share
-// links and paths, floating bases, spherical wrists. Would catch a nearest common ancestor that is
-// none, a route that is offered where it does not apply or lost where it does, and a turn about the
-// wrong axis.
+// The routes to Lambda^-1 and to the control torque in their most difficult cases: points that
+// share links and paths, floating bases, spherical wrists. Would catch: a wrong nearest common
+// ancestor, a route that is offered where it does not apply or missing where it does, and a
+// rotation about the wrong axis.
 
 namespace treeline::tests {
 namespace {
@@ -26,7 +26,7 @@ RandomOptions chain_of(int joints, double branching, bool floating) {
   return options;
 }
 
-/// Whether any traced route of the function is called so.
+/// Whether some traced route of the function has this name.
 bool offers(const RandomMechanism& made, Function function, const std::string& name) {
   for (const Program& program :
        trace_function(reduced_mechanism(made.robot, made.scene), function)) {
@@ -35,7 +35,8 @@ bool offers(const RandomMechanism& made, Function function, const std::string& n
   return false;
 }
 
-/// Every route of the three functions that Lambda^-1 is in, in 50 digits; how many there were.
+/// Compares every route of the three functions that contain Lambda^-1, in 50 digits. Returns the
+/// number of routes.
 int expect_routes_agree(const RandomMechanism& made, std::uint64_t seed) {
   Dice dice(seed);
   const Oracle<Digits50> oracle(made.robot, made.scene);
@@ -103,7 +104,7 @@ TEST(LambdaRoutes, AreOfferedWhereTheyApply) {
   EXPECT_TRUE(offers(mimics, Function::lambda_inverse, "L^T D L"));
 }
 
-/// Six hinges in a row, the last three through one point.
+/// Six hinges in a row; the axes of the last three intersect in one point.
 RandomMechanism arm_with_spherical_wrist(std::uint64_t seed) {
   RandomOptions options = chain_of(6, 0, false);
   options.mix = {1, 0, 0, 0, 0, 0};
@@ -117,8 +118,8 @@ RandomMechanism arm_with_spherical_wrist(std::uint64_t seed) {
   return made;
 }
 
-// With six joints and six rows the control torque needs no Lambda. Near a singular pose, where
-// Lambda is large, J's own condition is all that the short way suffers from.
+// With six joints and six rows the control torque does not need Lambda. Near a singular pose, where
+// Lambda is large, only J's own condition number affects the short way.
 TEST(ResolvedAcceleration, IsTheControlTorqueOfAnArmWithASphericalWrist) {
   ErrorTable table;
   int offered = 0;
@@ -138,7 +139,8 @@ TEST(ResolvedAcceleration, IsTheControlTorqueOfAnArmWithASphericalWrist) {
                       "resolved acceleration"));
 }
 
-// Counts do not vary: the routes' gains on arms, with all rows of one point in world axes.
+// Counts do not vary. These are the savings of the routes for arms, with all rows of one point in
+// world axes.
 TEST(LambdaRoutes, KeepTheCountsOfArmsLow) {
   const auto least = [](const char* name, Function function) {
     const GoldenRobot golden = read_golden(name);

@@ -5,10 +5,11 @@
 #include "mechanism/build_mechanism.hpp"
 #include "recursion/template_results.hpp"
 
-// In which axes links are worked with changes no result: every recursion with any links turned late
-// and any columns carried, on robots many of whose axes are parallel, against the interpreter in 50
-// digits. Would catch a constant that was not turned, a turn taken twice, late or with the wrong
-// sign behind flipped and prismatic joints, and angular accelerations that do not follow.
+// The axes in which links are treated do not change results: every recursion, with the rotation of
+// any links deferred and any columns carried, for robots with many parallel axes, compared with the
+// interpreter in 50 digits. Would catch: a constant that was not rotated, a rotation that is
+// applied twice, late or with the wrong sign behind flipped and prismatic joints, and angular
+// accelerations that are not adapted.
 
 namespace treeline::tests {
 namespace {
@@ -56,7 +57,7 @@ TEST(LateTurns, ChangeNoResult) {
   }
 }
 
-/// A transform turned by `angle` about z before and after the seat Rx(0 or pi).
+/// A transform rotated by `angle` about z before and after the placement Rx(0 or pi).
 JointTransform<double> parallel_transform(double before, bool flipped, double after) {
   JointTransform<double> X;
   X.R.a = {std::cos(before), std::sin(before)};

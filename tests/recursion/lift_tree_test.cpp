@@ -7,9 +7,9 @@
 #include "random_mechanism.hpp"
 #include "recursion/hopeless_algorithms.hpp"
 
-// Would catch: a constant of a tree that is lost or mixed up on its way through double, choices
-// within links that are not seen, alike limbs that are not marked; coordinates of an algorithm that
-// are left out where it may win.
+// Would catch: a constant of a tree that is lost or mixed up in the conversion from double, choices
+// within links that have no effect, isomorphic limbs that are not marked, and coordinates of an
+// algorithm that are left out although they may be the cheapest.
 
 namespace treeline::tests {
 namespace {

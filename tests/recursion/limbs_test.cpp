@@ -7,8 +7,8 @@
 #include "recursion/read_robots.hpp"
 #include "recursion/trace_function.hpp"
 
-// Would catch: traces of limbs that come apart, by a constant that vanishes in one of them, a sign,
-// or a pass that treats one limb otherwise. That they compute the right thing is tested with all
+// Would catch: traces of limbs that become different because a constant or sign vanishes in one of
+// them, or because a pass treats one limb differently. The results are tested together with all
 // other routes, see CheckedPrograms.
 namespace treeline::tests {
 namespace {
@@ -26,7 +26,7 @@ const RobotInScene& humanoid() {
   return found;
 }
 
-/// Of the operations of the arms, 14 of the humanoid's 24 joints, how many are in lanes.
+/// Share of operations in lanes, for the arms, which have 14 of the humanoid's 24 joints.
 double share_in_lanes(Function function) {
   Mechanism mechanism = reduced_mechanism(humanoid().robot, humanoid().scene);
   mechanism.limbs = find_limbs(mechanism, 2);

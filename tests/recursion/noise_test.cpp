@@ -10,19 +10,18 @@
 #include "recursion/read_robots.hpp"
 #include "with_noise.hpp"
 
-// Every function by every route on robots whose zeros, quarter turns and axes are that but for
-// noise, against the interpreter in 50 digits on the noisy file as it is written. Would catch
-// frames where axes that are parallel but for noise meet, rotations that noise has left no
-// rotations, numbers that are dropped although they mean something, and operations for those that
-// mean nothing.
+// Every function by every route, for robots whose zeros, quarter turns and axes contain noise,
+// compared with the interpreter in 50 digits for the noisy file as written. Would catch: frames
+// placed where axes intersect that are parallel up to noise, matrices that noise has made no
+// rotations, meaningful numbers that are dropped, and operations for meaningless ones.
 
 namespace treeline::tests {
 namespace {
 
-/// From what a scanner errs by to what no number can tell.
+/// From the errors of a scanner to differences that no number can express.
 constexpr std::array kNoise{1e-3,  1e-5,  1e-8,  1e-11, 1e-13, 1e-14, 1e-15, 5e-16, 1e-16,
                             1e-17, 1e-20, 1e-24, 1e-27, 1e-30, 1e-32, 1e-40, 1e-45, 1e-60};
-/// Below this it costs nothing.
+/// Noise below this costs nothing.
 constexpr double kFree = 1e-16;
 
 int total_operations(const CheckedPrograms& programs) {
@@ -44,10 +43,10 @@ double moved_mass(const interpreter::Model<Digits50>& model) {
   return mass;
 }
 
-/// As ever, but for the robot's weight: of sum m g . (column of J) the terms are no larger than
-/// |g| sqrt(sum m) sqrt(M_ii), by Cauchy and Schwarz. A turn by the last bit of an angle, which is
-/// what is taken as exact, makes forces of that size times this bit, also where gravity does next
-/// to no work.
+/// The usual scales, except for the robot's weight. In sum m g . (column of J) the terms are at
+/// most |g| sqrt(sum m) sqrt(M_ii), by Cauchy-Schwarz. Changing an angle by its last bit, which is
+/// the size of noise, causes forces of that size times this bit, even if gravity does almost no
+/// work.
 Yardstick with_weight(const CheckedPrograms& programs, const Inputs<Digits50>& in) {
   Yardstick size = yardstick(programs.oracle(), in);
   const auto& model = programs.oracle().model();
@@ -56,8 +55,8 @@ Yardstick with_weight(const CheckedPrograms& programs, const Inputs<Digits50>& i
   return size;
 }
 
-/// Errors of all routes at one ordinary state, but of functions that solve with a matrix that
-/// leaves them no digits.
+/// Errors of all routes at one ordinary state, except for functions whose solve keeps no digits
+/// there.
 void compare(const CheckedPrograms& programs, std::uint64_t seed, ErrorTable& table) {
   Dice dice(seed);
   const Inputs<double> in = rounded_to<double>(programs.oracle().random_inputs(dice));
@@ -75,7 +74,7 @@ void compare(const CheckedPrograms& programs, std::uint64_t seed, ErrorTable& ta
   }
 }
 
-/// At as many kinds of noise as `stride` leaves.
+/// Compares at every `stride`-th kind of noise.
 void expect_same_digits(const RandomMechanism& made, std::uint64_t seed, std::size_t first,
                         std::size_t stride) {
   const CheckedPrograms clean(made.robot, made.scene);
@@ -111,14 +110,14 @@ RandomMechanism drawn(std::uint64_t seed) {
 }
 
 TEST(Noise, CostsNoDigitsInRandomRobots) {
-  // Of the last two, gravity does next to no work.
+  // In the last two, gravity does almost no work.
   for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8, 9, 70, 83}) {
     SCOPED_TRACE(described(seed, options_of(seed)));
     expect_same_digits(drawn(seed), seed, seed % 3, 3);
   }
 }
 
-// Without any decision of ours the frames alone have to be sound.
+// Without any correction of noise, the frames alone must be sound.
 TEST(Noise, ThatIsKeptCostsNoDigits) {
   for (std::uint64_t seed = 11; seed <= 14; ++seed) {
     const RandomOptions options = options_of(seed);
@@ -142,7 +141,7 @@ TEST(Noise, CostsNoDigitsInTheProjectsRobots) {
   }
 }
 
-/// The published robot on this base, with a point on the link that stands last in the file.
+/// The published robot on this base, with a point on the last link of the file.
 RandomMechanism published(const DataRobot& data, Base base) {
   Diagnostics diagnostics;
   RandomMechanism made;
@@ -156,7 +155,7 @@ RandomMechanism published(const DataRobot& data, Base base) {
   return made;
 }
 
-// As they are, with what their CAD programs left in them, and with more.
+// As published, with the residues of their CAD programs, and with more noise.
 TEST(Noise, CostsNoDigitsInPublishedRobots) {
   std::uint64_t seed = 0;
   for (const DataRobot& data : data_robots("published")) {
@@ -177,7 +176,7 @@ TEST(Noise, CostsNoDigitsInPublishedRobots) {
   }
 }
 
-/// Four revolute joints, each beside the last but for noise.
+/// Four revolute joints, each parallel to the one before up to noise.
 RandomMechanism nearly_parallel_chain(double noise, std::size_t axis) {
   RandomMechanism made;
   Robot& robot = made.robot;
@@ -216,7 +215,8 @@ TEST(Noise, CostsNoDigitsInAChainOfNearlyParallelAxes) {
   }
 }
 
-// What is taken as exact is changed by no more than double resolves, and a slight angle is one.
+// What is taken as exact changes by at most the resolution of double, and a small angle stays an
+// angle.
 TEST(Noise, ThatIsAnAngleCounts) {
   const RandomMechanism exact = nearly_parallel_chain(0, 2);
   const RandomMechanism slight = nearly_parallel_chain(1e-14, 2);

@@ -13,10 +13,11 @@
 #include "recursion/object_forward_dynamics.hpp"
 #include "recursion/trace_function.hpp"
 
-// The functions about objects, every route, on random robots with random objects, against the
-// interpreter's chapter 7 in 50 digits: states that do not close the chain, too, since both have to
-// agree on what drift means. Would catch a wrong formula, sign, axes or reference point in either,
-// a linkage that one of them defines differently, and an object that costs what is not its own.
+// The functions about objects, every route, for random robots with random objects, compared with
+// the interpreter's Chang chapter 7 in 50 digits; also in states that do not close the chain, since
+// both must agree about drift. Would catch: a wrong formula, sign, axes or reference point in
+// either, a linkage that one of them defines differently, and an object whose cost contains that of
+// other parts.
 
 namespace treeline::tests {
 namespace {
@@ -29,7 +30,7 @@ struct ObjectInputs {
 
 struct Held {
   const char* name;
-  std::vector<int> grasps;  ///< of each object
+  std::vector<int> grasps;  ///< number of grasps of each object
   bool floating_base = false;
   double mimic = 0;
 };
@@ -41,8 +42,8 @@ std::ostream& operator<<(std::ostream& out, const Held& held) {
 struct ObjectCase {
   RandomMechanism made;
   ObjectInputs in;
-  std::vector<Digits50> q;  ///< before it was rounded, quaternions of unit length
-  double growth = 1;        ///< the worst condition that rounding meets
+  std::vector<Digits50> q;  ///< before rounding; quaternions of unit length
+  double growth = 1;        ///< largest condition number that amplifies rounding
 };
 
 template <class To>
@@ -101,7 +102,7 @@ ObjectCase draw(std::uint64_t seed, const Held& held) {
   return c;
 }
 
-/// The first draw from the seed on whose hands move independently.
+/// The first case from this seed on whose hands move independently.
 ObjectCase draw_regular(std::uint64_t seed, const Held& held) {
   for (;; seed += 13) {
     ObjectCase c = draw(seed, held);
@@ -183,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Random, Objects,
                                   std::to_string(std::get<1>(tested.param));
                          });
 
-// In 50 digits with unrounded constants nothing but the formulas can differ.
+// In 50 digits with unrounded constants only the formulas can differ.
 TEST_P(Objects, TemplatesAgreeInFiftyDigits) {
   const Mechanism mechanism = reduced_mechanism(c_.made.robot, c_.made.scene);
   const auto objects = objects_of<Digits50>(mechanism);
@@ -229,7 +230,7 @@ TEST_P(Objects, ProgramsAgreeInDouble) {
     std::set<std::string> names;
     for (const Program& program : trace_function(mechanism, function)) {
       const auto results = evaluate<double>(program, arguments(program, c_.in));
-      // 64 ulp of the result's scale, times the condition of what is solved, as for other routes.
+      // 64 ulp of the result's scale, times the condition number of the solve, as for other routes.
       const double error = relative_error(results, expected, 1) * 0x1p52 / c_.growth;
       EXPECT_LE(error, 64) << program.name << " " << describe(program.route);
       worst = std::max(worst, error);
@@ -249,10 +250,10 @@ int flops(const RandomMechanism& made, Function function) {
   return least;
 }
 
-// An object adds its own cost and nothing else: what is there without it stays as it is, and its
-// control costs no more over the control of the same hands than a body's Newton-Euler step, turned
-// into the hands' axes (some 60 a hand), and W^-1 (6 N x 6 N, a multiplication and an addition
-// each).
+// An object adds its own cost and nothing else. Functions without it do not change. Its control
+// costs at most, in addition to the control of the same hands, a body's Newton-Euler step, the
+// rotation into the hands' axes (some 60 per hand), and W^-1 (6 N x 6 N, a multiplication and an
+// addition each).
 TEST(ObjectCounts, AnObjectAddsOnlyItsOwnCost) {
   for (const Held& held : {Held{"one_hand", {1}}, Held{"two_hands", {2}}}) {
     ObjectCase c = draw_regular(3, held);
@@ -276,8 +277,8 @@ TEST(ObjectCounts, AnObjectAddsOnlyItsOwnCost) {
   }
 }
 
-// A posture without task: the object's control is one more Newton-Euler force and split, and the
-// dynamics of the closed chain cost no second factorisation of M.
+// A posture without a task: the object's control costs one more Newton-Euler force and its
+// distribution, and the dynamics of the closed chain need no second factorization of M.
 TEST(ObjectCounts, ClosedChainDynamicsShareTheirFactorisation) {
   const ObjectCase c = draw_regular(3, {"two_hands", {2}});
   const int closed = flops(c.made, Function::object_forward_dynamics);

@@ -9,8 +9,8 @@
 #include "recursion/read_robots.hpp"
 #include "recursion/trace_function.hpp"
 
-// Operation counts are facts that do not vary: bounds on two robots, and what a scene does not need
-// must not be paid for. Would catch a reduction, a simplification or a cheap route that is lost.
+// Operation counts do not vary. Bounds for two robots; and what a scene does not need must not cost
+// anything. Would catch: a reduction, a simplification or a cheap route that is lost.
 
 namespace treeline::tests {
 namespace {
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Counts,
                                          Bounds{"humanoid24", 2600, 7700, 11500}),
                          [](const auto& tested) { return std::string(tested.param.robot); });
 
-// Lambda^-1 in the cheaper of the point's axes and the world's.
+// Lambda^-1 in the point's axes or the world's, whichever are cheaper.
 TEST_P(Counts, StayBelowTheirBounds) {
   const GoldenRobot golden = read_golden(GetParam().robot);
   const Scene world = with_axes(golden.scene, Axes::world);
@@ -62,7 +62,7 @@ TEST_P(Counts, StayBelowTheirBounds) {
   for (const Function function : kDefaultFunctions) in_both(function);
 }
 
-/// An arm whose hand is not a simple one.
+/// An arm whose wrist is not spherical.
 RandomMechanism arm() {
   RandomOptions options;
   options.joints = 7;
@@ -113,8 +113,8 @@ TEST(Specialised, GravityAndMassMatrixKnowNoVelocities) {
   EXPECT_LT(flops(made.robot, made.scene, Function::gravity), without_qdd / 2);
 }
 
-// A point on the trunk is not carried through the branches behind it, and a function of points does
-// not see links beyond them.
+// A point on the trunk is not carried through the branches beyond it, and a function of points does
+// not depend on links beyond them.
 TEST(Specialised, LinksBeyondThePointCostKinematicsNothing) {
   const RandomMechanism made = arm();
   Scene near = made.scene;
@@ -147,7 +147,7 @@ TEST(Specialised, ALockedJointCostsLessThanAMovingOne) {
   }
 }
 
-// Each step of reduction is there to save operations.
+// Each step of reduction saves operations.
 TEST(Specialised, EachReductionSaves) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     RandomOptions options;
@@ -166,7 +166,7 @@ TEST(Specialised, EachReductionSaves) {
   }
 }
 
-// Several routes, each with its own name, and none of them traced for nothing.
+// There are several routes, each with its own name, and none of them is traced without need.
 TEST(Routes, AreSeveralAndNamed) {
   const RandomMechanism made = arm();
   const Mechanism mechanism = reduced_mechanism(made.robot, made.scene);

@@ -7,9 +7,9 @@
 
 #include "recursion/resolved_by_pivots.hpp"
 
-// Pivots that yield, elimination by given pivots, and rotations of quaternions of any length. Would
-// catch a pole next to zero, an inverse that is off where the pivot is ordinary, a step, a wrong
-// place of an unknown, and a quaternion that scales or gives NaN.
+// Relaxed pivots, elimination by given pivots, and rotations of quaternions of any length. Would
+// catch: a pole near zero, an inverse that is inaccurate for ordinary pivots, a jump, an unknown in
+// the wrong place, and a quaternion that scales or gives NaN.
 
 namespace treeline::tests {
 namespace {
@@ -79,7 +79,8 @@ TEST(Eliminate, SolvesInEveryOrderOfPivots) {
   }
 }
 
-/// An unknown with an equation to itself yields; the others see what it is then.
+/// An unknown with an equation of its own is relaxed alone; the other equations use its relaxed
+/// value.
 TEST(Eliminate, LetsAnUnknownYieldAlone) {
   DenseMatrix<double> A(2, 2);
   A(0, 0) = 0;

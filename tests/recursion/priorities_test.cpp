@@ -8,11 +8,11 @@
 #include "recursion/checked_programs.hpp"
 #include "recursion/template_results.hpp"
 
-// Control torques of tasks in strict priority: every route, as templates and as programs, against
-// the interpreter's recursion over joint accelerations and against runtime/core's elimination, over
-// random robots whose tasks mostly cannot all be done. Would catch rows that are eliminated in the
-// wrong order or returned to the wrong place, a border of another point's, a yielding row that
-// disturbs those above it, and a row that yields though it need not.
+// Control torques of tasks in strict priority: every route, as templates and as programs, compared
+// with the interpreter's recursion over joint accelerations and with runtime/core's elimination,
+// for random robots whose tasks mostly cannot all be done. Would catch: rows that are eliminated in
+// the wrong order or returned to the wrong place, a border of another point, a relaxed row that
+// affects those above it, and a row that is relaxed without need.
 
 namespace treeline::tests {
 namespace {
@@ -20,8 +20,8 @@ namespace {
 using Matrix50 = interpreter::Matrix<Digits50>;
 using Vector50 = interpreter::Vector<Digits50>;
 
-/// Seven to nine joints, three points of up to six rows in three levels: more than there are
-/// freedoms on most robots.
+/// Seven to nine joints, three points of up to six rows in three levels: for most robots more rows
+/// than freedoms.
 RandomMechanism crowded_robot(std::uint64_t seed) {
   RandomOptions options;
   options.joints = 7 + static_cast<int>(seed % 3);
@@ -40,7 +40,7 @@ RandomMechanism crowded_robot(std::uint64_t seed) {
   return made;
 }
 
-/// Whether every point can move in some row of each kind it lists, as the contract demands.
+/// Whether every point can move in some row of each kind that it lists, as the contract requires.
 bool can_move(const interpreter::Points<Digits50>& points, const Matrix50& A) {
   const Vector50 diagonal = A.diagonal();
   return interpreter::yield_borders<Digits50>(points, diagonal).minCoeff() > Digits50(1e-12);
@@ -58,7 +58,8 @@ Vector50 vector50(const std::vector<Digits50>& values) {
   return Eigen::Map<const Vector50>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// Calls `check(seed, robot, inputs)` for robots and states that the contract covers; how many.
+/// Calls `check(seed, robot, inputs)` for robots and states that the contract covers. Returns their
+/// number.
 template <class Check>
 int for_each_crowd(std::uint64_t first, int count, Check check) {
   int checked = 0;
@@ -84,7 +85,7 @@ TEST(Priorities, OfAllRoutesAreTheInterpretersInFiftyDigits) {
     const auto expected = oracle.results(Function::control_torque, in);
     const TemplateRun<Digits50> run(reduced_mechanism(made.robot, made.scene), in);
     for (const auto& [route, results] : run.results(Function::control_torque)) {
-      // Rows that yield may lose four digits each, by the slope of their share.
+      // Relaxed rows may lose four digits each, because of the slope of their share.
       EXPECT_LE(relative_error(results, expected, size.force), 1e-30 * size.condition_M) << route;
       ++routes;
     }
@@ -136,7 +137,7 @@ Vector50 force_by_elimination(const interpreter::Points<Digits50>& points, const
   return F;
 }
 
-// Twelve rows of two points on seven to nine joints.
+// Twelve rows of two points with seven to nine joints.
 TEST(Priorities, AreTheEliminationOfTheRuntimeInFiftyDigits) {
   int checked = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -190,8 +191,8 @@ Vector50 shares_of(const interpreter::Points<Digits50>& points, const Matrix50& 
   return shares;
 }
 
-// What strict priority means: whatever lower rows command, rows above that keep their whole share
-// accelerate as commanded, and so do lower rows that are compatible with them.
+// Meaning of strict priority: whatever lower rows command, the rows above that keep their whole
+// share accelerate as commanded, and so do lower rows that are compatible with them.
 TEST(Priorities, HigherTasksNeverNoticeLowerOnes) {
   int yielding = 0, kept = 0;
   const int checked = for_each_crowd(70, 24, [&](const RandomMechanism& drawn, const auto& in) {
@@ -216,7 +217,7 @@ TEST(Priorities, HigherTasksNeverNoticeLowerOnes) {
     const Vector50 a = run(first), b = run(second);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const int row = rows[k];
-      // A share of 1 - 1e-16 is missed by about that, times the forces that lower rows ask for.
+      // A share of 1 - 1e-16 has this error, times the forces that lower rows command.
       if (shares(row) < 1 - Digits50(1e-16)) {
         ++yielding;
         continue;

@@ -27,12 +27,12 @@ std::vector<Path> sorted_entries(const Path& folder) {
   return paths;
 }
 
-/// Whether a file is a scene: other YAML files beside them hold tasks.
+/// Whether a file is a scene. Other YAML files in the folder contain tasks.
 bool is_scene(const Path& path) {
   return path.extension() == ".yaml" && path.stem().string().rfind("scene", 0) == 0;
 }
 
-/// Beside the robots there is what draws them.
+/// Whether the folder belongs to a robot. Another one has the programs that draw pictures.
 bool is_of_a_robot(const Path& folder) {
   if (!std::filesystem::is_directory(folder)) return false;
   const std::vector<Path> files = sorted_entries(folder);

@@ -14,8 +14,8 @@ struct RobotInScene {
   Scene scene;
 };
 
-/// Every robot of the project in each of its scenes, in the order of their names. Throws on a bad
-/// file.
+/// Reads every robot of the project in each of its scenes, in the order of their names. Throws if a
+/// file is bad.
 std::vector<RobotInScene> read_robots();
 
 }  // namespace treeline::tests

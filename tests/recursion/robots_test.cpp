@@ -3,9 +3,10 @@
 #include "recursion/checked_programs.hpp"
 #include "recursion/read_robots.hpp"
 
-// Every route of every function on robots that exist: those of the project against the interpreter,
-// and seven against figures that another library computed in long double. Would catch what random
-// robots do not have: long humanoid trees, spherical wrists, singular poses at q = 0.
+// Every route of every function for real robots: those of the project compared with the
+// interpreter, and seven compared with figures that another library computed in long double. Would
+// catch: errors in cases that random robots do not have, such as large humanoid trees, spherical
+// wrists, and singular poses at q = 0.
 
 namespace treeline::tests {
 namespace {
@@ -27,7 +28,7 @@ TEST(ProjectRobots, AgreeWithTheInterpreter) {
   }
 }
 
-/// A column or a matrix of figures as a program has it.
+/// A column or a matrix of figures in the form of a program's result.
 std::vector<double> values(const DoubleMatrix& A) {
   std::vector<double> result;
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
@@ -47,7 +48,7 @@ std::vector<double> stacked(const GoldenState& state, Member member) {
   return result;
 }
 
-/// What the golden figures say; empty where they have no figure.
+/// The golden figures for a function; empty if there are none.
 Results<double> golden_results(const GoldenState& s, Function function) {
   switch (function) {
     case Function::forward_kinematics:

@@ -8,9 +8,10 @@
 #include "recursion/checked_programs.hpp"
 #include "recursion/template_results.hpp"
 
-// Every route of every function on random robots, against the interpreter in 50 digits on the robot
-// as it is in the files. Would catch a wrong formula in any recursion, a simplification of the
-// graph that is not an identity, a route that is taken where it does not apply, and loss of digits.
+// Every route of every function for random robots, compared with the interpreter in 50 digits for
+// the robot as written in the files. Would catch: a wrong formula in any recursion, a
+// simplification of the graph that is not an identity, a route that is used where it does not
+// apply, and loss of digits.
 
 namespace treeline::tests {
 namespace {
@@ -40,7 +41,7 @@ RandomOptions options_of(int joints, double branching, int points, int forces) {
   return options;
 }
 
-/// Chains and trees, all rows and some, points that share links and lie on each other's ancestors.
+/// Chains and trees, all rows and some, points that share links or lie on each other's ancestors.
 std::vector<Sweep> sweeps() {
   std::vector<Sweep> all{{options_of(1, 0, 1, 1), 1, 8},    {options_of(7, 0, 1, 0), 10, 6},
                          {options_of(9, 0.5, 3, 2), 20, 6}, {options_of(8, 0.4, 2, 1), 30, 6},
@@ -55,7 +56,7 @@ std::vector<Sweep> sweeps() {
   return all;
 }
 
-// In 50 digits with unrounded constants nothing but the formulas can differ.
+// In 50 digits with unrounded constants only the formulas can differ.
 TEST(Routes, OfTheTemplatesAgreeInFiftyDigits) {
   std::map<std::string, double> worst;
   std::map<std::string, int> compared;
@@ -85,7 +86,7 @@ TEST(Routes, OfTheTemplatesAgreeInFiftyDigits) {
   }
 }
 
-// In 50 digits the graph differs only by its constants, each rounded once to double.
+// In 50 digits the graph differs only by its constants, each of which is rounded once to double.
 TEST(Routes, OfTheProgramsAgreeInFiftyDigitsUpToTheirConstants) {
   ErrorTable table;
   for (const Sweep& sweep : sweeps()) {
@@ -113,8 +114,8 @@ TEST(Routes, OfTheProgramsAgreeInDouble) {
   table.print();
 }
 
-// Where a robot stands does not matter to how it moves: no digits may be lost far from the world's
-// origin, in anything but positions themselves.
+// The place of a robot does not affect its motion: far from the world's origin no digits may be
+// lost, except in positions.
 TEST(Routes, OfTheProgramsAgreeFarFromTheOrigin) {
   ErrorTable table;
   Sweep sweep{options_of(7, 0.4, 2, 1), 60, 5};
@@ -129,7 +130,7 @@ TEST(Routes, OfTheProgramsAgreeFarFromTheOrigin) {
   table.expect_below(kUlpBound);
 }
 
-// Long chains and wide trees: what grows with the number of links.
+// Long chains and wide trees: errors that grow with the number of links.
 TEST(Routes, OfLargeRobotsAgreeInDouble) {
   ErrorTable table;
   for (const Sweep& sweep :

@@ -12,9 +12,9 @@
 #include "random_mechanism.hpp"
 #include "recursion/trace_function.hpp"
 
-// Arms as people bring them, with a tool of six rows: every function by every route is finite at
-// q = 0, at all limits, folded, stretched, and next to such states. Would catch a division that has
-// no law, a law whose border is of the wrong size, and a quaternion that is taken to have length 1.
+// Typical arms with a tool of six rows: every function by every route is finite at q = 0, at all
+// limits, folded, stretched, and near such states. Would catch: a division without a law, a law
+// whose border has the wrong size, and a quaternion that is assumed to have length 1.
 
 namespace treeline::tests {
 namespace {
@@ -63,7 +63,7 @@ std::string mobile_arm() {
                  link_behind(6, "revolute", "0 1 0", "0.4 0 0"));
 }
 
-/// States that robots start in, end in and pass.
+/// States in which robots start and end, and states that they pass.
 std::vector<std::vector<double>> telling_states(const Mechanism& mechanism) {
   constexpr double kQuarterTurn = 1.5707963267948966;
   std::vector<std::vector<double>> states(1, std::vector<double>(mechanism.coordinates.size(), 0));

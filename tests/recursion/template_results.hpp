@@ -10,8 +10,8 @@
 #include "recursion/late_turns.hpp"
 #include "recursion/resolved_acceleration.hpp"
 
-/// The recursions run as they stand, without a graph, in any `Scalar`. In 50 digits the constants
-/// of the mechanism stay unrounded, so whatever is equal in theory agrees to 40 digits.
+/// The recursions without a graph, in any `Scalar`. In 50 digits the constants of the mechanism are
+/// not rounded, so results that are equal in theory agree in 40 digits.
 namespace treeline::tests {
 
 template <class Scalar>
@@ -32,7 +32,7 @@ class TemplateRun {
     if (!in_.f_ext.empty()) applied_ = applied_wrenches<Scalar>(tree_, X_, in_.f_ext);
   }
 
-  /// The function by every route that serves the tree.
+  /// Results of the function by every route that applies to the tree.
   [[nodiscard]] std::vector<RouteResults<Scalar>> results(Function function) const {
     switch (function) {
       case Function::forward_kinematics:

@@ -1,5 +1,5 @@
-// reproducibility_report ROBOTS FILE.csv: compiles four robots in every way that shall give the
-// same bits, and in ways that may not, compares the results, prints a table and writes a CSV. Exit
+// reproducibility_report ROBOTS FILE.csv: compiles four robots in every way that must give the same
+// bits, and in ways that may not, compares the results, prints a table and writes a CSV file. Exit
 // status: 0 as claimed, 1 something fails, 2 usage, 3 a claim is broken.
 #include <fmt/core.h>
 
@@ -20,7 +20,7 @@ constexpr const char* kFused = "-march=native -ffp-contract=fast";
 
 using Rows = std::vector<Difference>;
 
-/// Prints the rows' lines and keeps them.
+/// Prints the rows and appends them.
 void append(Rows& rows, const Rows& more) {
   const std::string table = print_table(more);
   fmt::print("{}", rows.empty() ? table : table.substr(table.find('\n') + 1));
@@ -28,7 +28,7 @@ void append(Rows& rows, const Rows& more) {
   rows.insert(rows.end(), more.begin(), more.end());
 }
 
-/// The robot's code, in float, for one lane, and for four states a call.
+/// The robot's code, and variants in float, with one lane, and with four states per call.
 struct Variants {
   Original original, in_float, one_lane, batch;
 };
@@ -41,7 +41,7 @@ Variants load_variants(const char* robots, const char* name) {
           load(Real::float64, 8, 4)};
 }
 
-/// Builds that shall give the graph's bits.
+/// Compares builds that must give the graph's bits.
 void compare_exact(const Variants& variants, const std::string& compiler, Rows& rows) {
   const std::string for_machine = fmt::format(" {}", separate_for_machine(compiler));
   for (const std::string& machine : {std::string(" -ffp-contract=off"), for_machine}) {
@@ -56,7 +56,7 @@ void compare_exact(const Variants& variants, const std::string& compiler, Rows& 
   }
 }
 
-/// Builds that may give others.
+/// Compares builds that may give other bits.
 void compare_bounded(const Variants& variants, const std::string& compiler, Rows& rows) {
   const std::string fused = std::string("-O3 ") + kFused;
   append(rows, compare_with_graph(variants.original, {compiler, std::string("-O2 ") + kFused}));

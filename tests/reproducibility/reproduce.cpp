@@ -26,7 +26,7 @@ namespace {
   throw std::runtime_error(text);
 }
 
-/// Every bit, the sign of zero as well; one NaN is as good as another.
+/// Whether all bits are equal, including the sign of zero. All NaNs count as equal.
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   const auto same = [](double x, double y) {
     return (x != x && y != y) || std::memcmp(&x, &y, sizeof x) == 0;
@@ -34,7 +34,8 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-/// Compares function `i` at one state with `expected`, whose terms have the reference's size.
+/// Compares function `i` at one state with `expected`. The sizes of its terms are those of the
+/// reference.
 void note(const std::vector<double>& actual, const std::vector<double>& expected,
           const FunctionReference& reference, const Bound& bound, double unit, Difference& row) {
   ++row.states;
@@ -79,7 +80,7 @@ Original load_original(const std::string& robots, const std::string& name, int s
   auto scene = read_scene(folder + "scene.yaml", *robot, diagnostics, functions);
   if (!scene) fail(diagnostics, name);
   scene->real = real;
-  scene->singular = SingularTasks::exact;  // rows yield at other borders in float than in double
+  scene->singular = SingularTasks::exact;  // borders of rows differ between float and double
   scene->lanes = lanes;
   scene->batch = batch;
   auto generation = generate_code(*robot, *scene, {"r.urdf", "", "s.yaml", ""}, diagnostics);

@@ -12,12 +12,13 @@
 
 namespace treeline::tests {
 
-/// How emitted code is compiled.
+/// A way to compile emitted code.
 struct Build {
   std::string compiler, flags;
 };
 
-/// A robot and a scene, what is generated from them, and states with what must come out there.
+/// A robot and a scene, the code generated from them, and states with the results that it must have
+/// there.
 struct Original {
   std::string name;
   Robot robot;
@@ -26,51 +27,53 @@ struct Original {
   std::vector<StateReference> references;
 };
 
-/// What one build made of one function: how far it is from the original, which is the expression
-/// graph evaluated operation by operation, or, for float against double, double's code.
+/// Difference of one function in one build from the original. The original is the expression graph
+/// evaluated operation by operation or, for float compared with double, the code in double.
 struct Difference {
   std::string robot, function;
   Build build;
-  bool solves = false;  ///< the function solves with a matrix: differences grow with its condition
-  int states = 0;       ///< at which the two were compared
-  int bits_differ = 0;  ///< of these, where any bit differs
+  bool solves = false;  ///< has a solve: differences grow with the condition number
+  int states = 0;       ///< number of states compared
+  int bits_differ = 0;  ///< number of these in which any bit differs
   double worst = 0;     ///< largest difference in ulp of the result's scale, in the build's Real
-  double share = 0;     ///< largest difference over what `treeline check` allows at that state
+  double share = 0;     ///< largest share of what `treeline check` allows in that state
 
   [[nodiscard]] bool bounded() const { return share <= 1; }
 };
 
-/// robots/NAME with its scene.yaml, but for what the other arguments say; with the scene's
-/// functions where `functions` is empty. Throws std::runtime_error for what cannot be read or
+/// Loads robots/NAME with its scene.yaml, changed as the other arguments say. If `functions` is
+/// empty, the scene's functions are used. Throws std::runtime_error if something cannot be read or
 /// generated.
 Original load_original(const std::string& robots, const std::string& name, int states,
                        const std::vector<Function>& functions, Real real = Real::float64,
                        int lanes = 8, int batch = 0);
 
-/// Whether this compiler can be run here.
+/// Whether this compiler can be run on this machine.
 bool has_compiler(const std::string& compiler);
-/// What to compile with for this machine so that no product and sum is fused. When GCC 12
-/// vectorizes straight-line code it forms fused operations of alternating sign (vfmsubadd),
-/// -ffp-contract=off or not.
+/// Flags for this machine with which no product and sum are fused. When GCC 12 vectorizes
+/// straight-line code, it forms fused operations of alternating sign (vfmsubadd), even with
+/// -ffp-contract=off.
 std::string separate_for_machine(const std::string& compiler);
 
-/// The original's code by one build; throws std::runtime_error with the compiler's words.
+/// Compiles the original's code by one build. Throws std::runtime_error with the compiler's
+/// message.
 GeneratedLibrary build_library(const Original& original, const Build& build);
 
-/// Every function of a build against the expression graph. `other`: code for the same functions,
-/// made otherwise, is compiled instead of the original's.
+/// Compares every function of a build with the expression graph. If `other` is given, this code for
+/// the same functions is compiled instead of the original's.
 std::vector<Difference> compare_with_graph(const Original& original, const Build& build,
                                            const Original* other = nullptr);
 
-/// Every function in float against the same function in double at the float's states.
+/// Compares every function in float with the same function in double, at the states of the float
+/// version.
 std::vector<Difference> compare_with_double(const Original& in_float, const Original& in_double,
                                             const Build& build);
 
-/// A row of names, then one a difference.
+/// Prints a line of names, then one line per difference.
 std::string print_csv(const std::vector<Difference>& rows);
-/// One line for each robot and build, below a head: functions, results and how many of these have
-/// other bits, the largest difference of functions that solve nothing, and of all in parts of what
-/// is allowed.
+/// Prints a head and one line for each robot and build: functions, results and how many of these
+/// have other bits, the largest difference of functions without a solve, and the largest difference
+/// of all as a share of what is allowed.
 std::string print_table(const std::vector<Difference>& rows);
 
 }  // namespace treeline::tests

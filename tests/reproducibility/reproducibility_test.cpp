@@ -1,7 +1,8 @@
 // Would catch: arithmetic in emitted code, its lanes or its sines that a compiler may order or
-// round otherwise; a pragma or attribute that changes bits; contraction that costs more than it
-// may. A few functions of the PUMA, the UR10e's damped law with its loops, large ones of the
-// humanoid; `cmake --build BUILD -t report_reproducibility` tries all functions of four robots.
+// round differently; a pragma or attribute that changes bits; and contraction with too large an
+// effect. Covers a few functions of the PUMA, the UR10e's damped law with its loops, and large
+// functions of the humanoid; `cmake --build BUILD -t report_reproducibility` tries all functions of
+// four robots.
 #include <gtest/gtest.h>
 
 #include "reproducibility/reproduce.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 const std::vector<Function> kFunctions = {Function::inverse_dynamics, Function::bias_acceleration,
                                           Function::lambda_inverse, Function::control_torque};
-/// Of the humanoid: what packs lanes over arms and legs, and the longest code.
+/// For the humanoid: functions with lanes across arms and legs, and the longest code.
 const std::vector<Function> kLargeFunctions = {Function::inverse_dynamics, Function::mass_matrix,
                                                Function::forward_dynamics,
                                                Function::control_torque};
@@ -48,7 +49,7 @@ void expect_same_bits(const Original& original, const Build& build) {
   }
 }
 
-// Loops over eigenvalues and square roots, which are no graph: the bits are those of the headers
+// Loops over eigenvalues and square roots are not a graph: the bits are those of the headers
 // compiled into this test.
 TEST_P(Reproducibility, DampedLawHasTheSameBits) {
   const Original original =

@@ -1,5 +1,5 @@
-// Catches a robot that has come to need an excuse: a warning, a mass that went astray, an inertia
-// no body has, a scene that no longer fits.
+// Would catch: a robot with a warning, a wrong mass, an impossible inertia, or a scene that does
+// not fit.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -28,7 +28,7 @@ TEST_P(EveryRobot, HasTheFreedomsAndTheMassOfItsReadme) {
   EXPECT_EQ(robot.name, GetParam().name);
   double mass = 0;
   for (const Link& link : robot.links) mass += link.inertial ? link.inertial->mass : 0;
-  // Decimal figures with at most four places, at most 27 of them: only rounding of the sum.
+  // Decimal figures with at most four places, at most 27 of them, so only the sum is rounded.
   EXPECT_NEAR(mass, GetParam().total_mass, 1e-12);
   EXPECT_EQ(model_from_robot<double>(robot, Scene{}).nv, GetParam().velocities);
 }
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Facts{"planar3r", 3, 9, {"scene.yaml"}}),
     [](const auto& robot) { return std::string(robot.param.name); });
 
-/// The SAMM's arm is the PUMA: a number corrected in one file only would be found here.
+/// The SAMM's arm is the PUMA. Would catch: a number that is corrected in one file only.
 TEST(Samm, CarriesTheSamePuma) {
   const Robot puma = load_robot("puma560");
   const Robot samm = load_robot("samm");

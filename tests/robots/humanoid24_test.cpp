@@ -1,5 +1,5 @@
-// Catches a number changed on one side only: the two halves mirror each other in the sagittal plane
-// y = 0 to the last digit, and the middle is its own mirror image.
+// Would catch: a number that is changed on one side only. The two halves mirror each other in the
+// sagittal plane y = 0 to the last digit, and the middle is its own mirror image.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -33,7 +33,7 @@ TEST(Humanoid24, MirrorsItsLinks) {
   }
 }
 
-/// Mirroring keeps turns about y and reverses those about x and z.
+/// Mirroring keeps rotations about y and reverses those about x and z.
 TEST(Humanoid24, MirrorsItsJoints) {
   const Robot robot = load_robot("humanoid24");
   for (const Link& link : robot.links) {

@@ -22,7 +22,7 @@ inline void expect_silence(const Diagnostics& diagnostics) {
   }
 }
 
-/// robots/NAME/NAME.urdf; without it a test cannot go on.
+/// Loads robots/NAME/NAME.urdf. The test cannot continue without it.
 inline Robot load_robot(const std::string& name) {
   Diagnostics diagnostics;
   const auto robot = read_urdf(robot_file(name, name + ".urdf"), diagnostics);
@@ -46,7 +46,7 @@ inline const Link& find_link(const Robot& robot, const std::string& name) {
   throw std::runtime_error("no link " + name);
 }
 
-/// The joint that carries the link of this name.
+/// The joint that carries the link with this name.
 inline const Joint& find_joint_of(const Robot& robot, const std::string& link) {
   for (const Joint& joint : robot.joints) {
     if (robot.links[static_cast<std::size_t>(joint.child)].name == link) return joint;

@@ -1,6 +1,6 @@
-// The programs that draw the pictures of the pages, on small inputs. Would catch a table that is
-// read wrongly or refused without a reason, a joint that does not move what it carries, a hidden
-// face that is drawn, and a dot at the place of another number.
+// The programs that draw the pages' pictures, for small inputs. Would catch: a table that is read
+// wrongly or refused without a reason, a joint that does not move what it carries, a hidden face
+// that is drawn, and a dot at the place of another number.
 #include <gtest/gtest.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
@@ -16,7 +16,7 @@
 namespace treeline::pictures {
 namespace {
 
-/// A file with this text, gone with the test.
+/// A file with this text, removed after the test.
 class TextFile {
  public:
   explicit TextFile(const std::string& text)
@@ -95,7 +95,7 @@ TEST(ReadBench, RefusesOtherTexts) {
   EXPECT_NE(error, "");
 }
 
-/// Where the circles with a title that begins so are, across and up.
+/// Position of the circles whose title begins with this text, to the right and down.
 std::pair<double, double> dot(const std::string& svg, const std::string& title) {
   const std::regex circle("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"[^>]*><title>" + title);
   std::smatch found;
@@ -125,7 +125,7 @@ constexpr const char* kArm = R"(<robot name="arm"><link name="base"/>
   <joint name="a" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="1 0 0"/>
     <limit lower="-3" upper="3" effort="1" velocity="1"/></joint></robot>)";
 
-/// Heights, from above, of the corners of the polygons after the floor.
+/// Heights, measured from above, of the corners of the polygons after the floor.
 std::vector<double> heights(const std::string& svg) {
   std::vector<double> values;
   const std::regex corner("[0-9.-]+,([0-9.-]+)");

@@ -1,4 +1,4 @@
-// Catches a wrong digit in the PUMA's parameters: the equations of motion are compared with
+// Would catch: a wrong digit in the PUMA's parameters. The equations of motion are compared with
 // constants that the source of the parameters derived and printed independently of its tables, and
 // the parameters with another transcription of the tables.
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ PaperInertia paper_inertia(double q2, double q3) {
           I5 * s3 + I6 + I12 * c3 + I16 * s3 + 2 * I15, I6 + 2 * I15};
 }
 
-/// The paper's constants follow from 0.086 for Izz of link 3, which no body can have beside its Ixx
-/// and Iyy; the URDF has 0.066, see the README.
+/// The paper's constants follow from an Izz of 0.086 for link 3, which is impossible with its Ixx
+/// and Iyy. The URDF has 0.066, see the README.
 Robot load_with_the_papers_link3() {
   Robot robot = load_robot("puma560");
   for (Link& link : robot.links) {
@@ -50,8 +50,8 @@ TEST(Puma560, HasTheInertiaConstantsOfThePaper) {
     for (int joint : {0, 1, 2}) q[joint] = angle(random);
     const auto M = interpreter::mass_matrix(model, q);
     const PaperInertia paper = paper_inertia(q[1], q[2]);
-    // Half a unit of the last digit of the constants printed with two or three digits: I2 0.005,
-    // I4 0.005, the others 0.0005.
+    // Half a unit of the last digit of constants printed with two or three digits: I2 0.005, I4
+    // 0.005, the others 0.0005.
     EXPECT_NEAR(M(0, 1), paper.m12, 0.006) << "seed 560, state " << state;
     EXPECT_NEAR(M(0, 2), paper.m13, 0.001) << "seed 560, state " << state;
     EXPECT_NEAR(M(1, 1), paper.m22, 0.007) << "seed 560, state " << state;
@@ -72,7 +72,7 @@ TEST(Puma560, HasTheGravityConstantsOfThePaper) {
     const double wrist = s23 * std::cos(q[4]) + c23 * std::cos(q[3]) * std::sin(q[4]);
     const double third = g2 * s23 + g4 * c23 + g5 * wrist;
     const auto g = interpreter::gravity(model, q);
-    // Half a unit of the last digits: g1 0.05, g2 and g3 0.005.
+    // Half a unit of the last digit: g1 0.05, g2 and g3 0.005.
     EXPECT_NEAR(g[0], 0, 1e-12) << "seed 561, state " << state;
     EXPECT_NEAR(g[1], g1 * std::cos(q[1]) + g3 * std::sin(q[1]) + third, 0.07)
         << "seed 561, state " << state;
@@ -87,7 +87,7 @@ Robot load_golden() {
   return *robot;
 }
 
-/// Link 1 aside, for which the source gives Izz only.
+/// Except for link 1, for which the source gives Izz only.
 TEST(Puma560, AgreesWithAnotherTranscription) {
   const Robot ours = load_robot("puma560");
   const Robot theirs = load_golden();
@@ -109,7 +109,7 @@ TEST(Puma560, AgreesWithAnotherTranscription) {
   }
 }
 
-/// Whatever link 1 weighs.
+/// Independent of the mass of link 1.
 TEST(Puma560, MovesAsAnotherTranscription) {
   const auto a = model_from_robot<double>(load_robot("puma560"), Scene{});
   const auto b = model_from_robot<double>(load_golden(), Scene{});

@@ -1,5 +1,5 @@
-// Catches a start, a target or gains in robots/humanoid24/touch_floor.yaml that no longer fit the
-// robot: the task would begin or end outside the limits or near a singularity.
+// Would catch: a start, a target or gains in robots/humanoid24/touch_floor.yaml that do not fit the
+// robot, so that the task begins or ends outside the limits or near a singularity.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
@@ -23,7 +23,7 @@ YAML::Node task() {
   return YAML::LoadFile(robot_file("humanoid24", "touch_floor.yaml"));
 }
 
-/// One value for each joint of the robot, in its coordinates' order.
+/// One value for each joint of the robot, in the order of its coordinates.
 VectorXd per_joint(const Robot& robot, const YAML::Node& values) {
   const auto model = model_from_robot<double>(robot, Scene{});
   VectorXd result(model.nv);
@@ -60,7 +60,7 @@ TEST(TouchFloor, StartsWhereTheReadmeSays) {
   const auto hands = points_from_scene(model, scene.operational_points);
   const VectorXd q = per_joint(robot, task()["start"]);
   const auto poses = interpreter::forward_kinematics(model, hands, q);
-  // The README's five decimals.
+  // The five decimals in the README.
   EXPECT_LT((poses[0].position - Vector3d(0.47249, 0.08816, 0.82910)).norm(), 1e-5);
   EXPECT_LT((poses[1].position - Vector3d(0.01780, -0.63341, 0.86678)).norm(), 1e-5);
   const auto J = interpreter::jacobian(model, hands, q);
@@ -68,8 +68,8 @@ TEST(TouchFloor, StartsWhereTheReadmeSays) {
   EXPECT_GT(Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues()[11], 0.17);
 }
 
-/// The task with the dynamically consistent acceleration that table 6.1 commands. Where the posture
-/// goes hangs on its gains only, so the hands' stiffness is one for coarse steps.
+/// The task with the dynamically consistent acceleration that table 6.1 commands. The posture's
+/// path depends only on its own gains, so the hands' stiffness may be one that permits large steps.
 struct TouchFloorMotion {
   static constexpr double kStiffness = 400, kDamping = 40;
 
@@ -90,7 +90,7 @@ struct TouchFloorMotion {
     return {xyz[0], xyz[1], xyz[2]};
   }
 
-  /// Of both hands from where they shall be at `t`: metres and radians.
+  /// Errors of both hands from their desired poses at `t`: metres and radians.
   [[nodiscard]] VectorXd error(double t, const VectorXd& q) const {
     const double u = std::min(t / duration, 1.0);
     const auto is = interpreter::forward_kinematics(model, hands, q);

@@ -10,7 +10,7 @@ std::atomic<long> allocations{0};
 
 }  // namespace
 
-// Apart from the tests: inlined into them, these would look like mismatched pairs.
+// Separate from the tests: inlined into them, these functions would look like mismatched pairs.
 void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size == 0 ? 1 : size)) {

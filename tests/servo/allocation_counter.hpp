@@ -2,7 +2,7 @@
 
 namespace treeline::test {
 
-/// How often this program has asked for memory with `new` so far.
+/// Number of times that this program has allocated memory with `new` so far.
 long allocation_count() noexcept;
 
 }  // namespace treeline::test

@@ -1,6 +1,6 @@
-// Friction and backlash by answers known without the code. Would catch teeth that pull, a play of
-// the wrong width, friction that drives or takes up the wrong energy, a motor that forgets its
-// rotor.
+// Friction and backlash, compared with results that are known without the code. Would catch: teeth
+// that pull, a play of the wrong width, friction that drives or dissipates the wrong energy, and a
+// motor without its rotor.
 #include "servo/geared_robot.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(FrictionTorque, OpposesAndLevelsOff) {
 }
 
 // The motor, 1 kg m^2 under 1 N m, crosses half of its play of 0.02 rad alone: sqrt(2 x 0.01 s) =
-// 0.141 s; until then the wheel rests.
+// 0.141 s. Until then the wheel is at rest.
 TEST(GearedRobot, CrossesItsPlayAloneAndThenDrivesTheWheel) {
   GearedRobot<Wheel> robot(state(0, 0), {Drive{1.0, {}, {0.02, 1e5, 100.0}}});
   robot.write({1.0});
@@ -63,12 +63,12 @@ TEST(GearedRobot, CrossesItsPlayAloneAndThenDrivesTheWheel) {
   EXPECT_EQ(robot.links().q[0], 0.0);
   EXPECT_NEAR(motor_speed(robot), 0.14, 1e-12);
   for (int i = 0; i < 860; ++i) robot.pass_time(1e-3);
-  // Momentum: 1 N m for 1 s, whatever the teeth did.
+  // Momentum: 1 N m for 1 s, whatever happens at the teeth.
   EXPECT_NEAR(motor_speed(robot) + Wheel::kInertia * robot.links().qd[0], 1.0, 1e-9);
   EXPECT_GT(robot.links().qd[0], 0.3);
 }
 
-// Without friction, damping and torque nothing takes energy: the wheel rattles for ever.
+// Without friction, damping and torque nothing dissipates energy: the wheel rattles forever.
 TEST(GearedRobot, RattlesWithoutLoss) {
   const GearBacklash gear{0.02, 1e4, 0.0};
   GearedRobot<Wheel> robot(state(0, 1), {Drive{1.0, {}, gear}}, 64);
@@ -89,7 +89,7 @@ TEST(GearedRobot, RattlesWithoutLoss) {
   EXPECT_NEAR(energy() / before, 1.0, 1e-5);
 }
 
-// Coulomb's friction of 3 N m stops 3 kg m^2 turning at 1 rad/s in 1 s, linearly.
+// Coulomb friction of 3 N m stops 3 kg m^2 rotating at 1 rad/s in 1 s, linearly.
 TEST(GearedRobot, CoulombFrictionStopsLinearly) {
   GearedRobot<Wheel> robot(state(0, 1), {Drive{1.0, {3.0, 0.0, 1e-3}, {0.0, 1e5, 300.0}}});
   for (int i = 0; i < 500; ++i) robot.pass_time(1e-3);

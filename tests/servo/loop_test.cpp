@@ -1,6 +1,6 @@
-// The loop as a whole on a two-link arm: modes, messages, every fault, the safe state, no
-// allocation. Would catch a fault that goes unnoticed or is overwritten, torque beyond limits in
-// the safe state, messages applied late or lost, hidden allocation in a cycle.
+// The complete loop with a two-link arm: modes, messages, every fault, the safe state, no
+// allocation. Would catch: a fault that is not detected or is overwritten, torque beyond limits in
+// the safe state, messages that are applied late or lost, and hidden allocation in a cycle.
 #include "servo/loop.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 using namespace treeline::servo;  // NOLINT: all of it is under test
 using treeline::test::TwoLink;
 
-/// Follows a sinusoid about the state it started in by computed torque.
+/// Follows a sinusoid about its initial state by computed torque.
 struct Swing {
   double begin = 0.0;
   double centre[2] = {};
@@ -96,7 +96,7 @@ TEST(ServoLoop, RunsStopsAndEnds) {
   rig.send(MessageKind::start);
   rig.cycles(1000);
   EXPECT_EQ(rig.loop.mode(), Mode::running);
-  // After t = 1 s of control (999 periods, the first cycle being t = 0).
+  // After t = 1 s of control (999 periods; the first cycle is at t = 0).
   EXPECT_NEAR(rig.state().q[0], 0.2 + 0.2 * (1.0 - std::cos(1.0)), 2e-5);
   EXPECT_EQ(rig.loop.control_times().count(), 1000U);
   rig.send(MessageKind::stop);
@@ -138,7 +138,7 @@ TEST(ServoLoop, AfterAFaultItBrakesBeforeItEnds) {
   EXPECT_LT(std::fabs(rig.state().qd[0]), 1e-3);
 }
 
-// A robot that reads NaN never comes to rest; the loop ends all the same.
+// A robot that reads NaN never comes to rest, but the loop ends nevertheless.
 TEST(ServoLoop, EndsWithinTheLongestBraking) {
   Rig rig;
   RobotState<2, 2> broken = rig.initial;
@@ -193,7 +193,7 @@ TEST(ServoLoop, PositionAndVelocityLimits) {
   EXPECT_EQ(rig.loop.fault().kind, FaultKind::position_limit);
   EXPECT_EQ(rig.loop.fault().index, 1);
   EXPECT_EQ(rig.loop.fault().limit, -2.0);
-  // The first fault stays: it is the cause.
+  // The first fault stays, because it is the cause.
   RobotState<2, 2> fast = rig.initial;
   fast.qd[0] = -6.0;
   rig.robot.set_state(fast);

@@ -1,5 +1,6 @@
-// Queue order, capacity, the ring between threads, the state machine's whole table. Would catch a
-// heap that loses or reorders equals, a stop that waits behind motions, a transition nobody drew.
+// Order and capacity of the queue, the ring between threads, the complete table of the state
+// machine. Would catch: a heap that loses or reorders equally urgent messages, a stop that waits
+// behind motions, and an undocumented transition.
 #include "servo/message.hpp"
 
 #include <gtest/gtest.h>

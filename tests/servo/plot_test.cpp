@@ -1,5 +1,6 @@
-// Ticks by hand, the plot's XML by a parser, the table's text by reading it back. Would catch ticks
-// off round numbers, XML broken by a name, thinning that loses a peak, digits lost in CSV.
+// Ticks computed by hand, the plot's XML read by a parser, the table's text read back. Would catch:
+// ticks at numbers that are not round, XML that is broken by a name, thinning that loses a peak,
+// and digits lost in CSV.
 #include "servo/plot.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,8 @@ Plot sample_plot() {
   return plot;
 }
 
-// One sample in two of a pixel column of 2.x samples is its last: at each place a peak must stay.
+// Every other sample in a pixel column of 2.x samples is its last one: at each place a peak must
+// stay.
 TEST(Plot, KeepsAPeakWhereverItIsInItsPixelColumn) {
   for (int at = 700; at < 712; ++at) {
     Plot plot;
@@ -79,7 +81,7 @@ TEST(Plot, IsWellFormedThinnedAndKeepsPeaks) {
   EXPECT_LT(svg.size(), 200000U);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
-  // The single sample at 10 is the top of the first panel: margin 6 % of the span below its frame.
+  // The single sample at 10 is the top of the first panel: 6 % of the span below its frame.
   const double row = 66.0 + 150.0 * (0.06 / 1.12);
   std::ostringstream top;
   top.precision(2);
@@ -106,7 +108,7 @@ TEST(Table, SaysWhyItCannotWrite) {
   EXPECT_NE(write_text("/nonexistent/file.csv", "x").find("No such file"), std::string::npos);
 }
 
-// A circle is drawn round: one scale for both directions, over its own abscissae.
+// A circle is drawn round: equal scales in both directions, over its own abscissae.
 TEST(Plot, DrawsAPathWithOneScale) {
   Plot plot = sample_plot();
   PlotLine circle{"circle", {}, false, {}};

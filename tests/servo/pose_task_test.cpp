@@ -1,6 +1,7 @@
-// References against difference quotients and the controller on two free-flying hands, whose task
-// motion must obey the commanded error dynamics. Would catch a rotation about the wrong axes, a
-// velocity that is not the pose's derivative, swapped points, a jump when a motion is replaced.
+// References compared with difference quotients, and the controller with two free-flying hands,
+// whose task motion must obey the commanded error dynamics. Would catch: a rotation about the wrong
+// axes, a velocity that is not the pose's derivative, swapped points, and a jump when a motion is
+// replaced.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +74,7 @@ std::array<Gains<double>, 12> no_posture() {
   return {};
 }
 
-/// Runs the controller on simulated hands without a loop.
+/// Runs the controller with simulated hands, without a loop.
 void drive(PoseTaskController<TwoHands>& controller, SimulatedRobot<TwoHands>& robot, double from,
            double to) {
   const int cycles = static_cast<int>(std::lround((to - from) * 1000.0));
@@ -96,7 +97,8 @@ TEST(PoseTaskController, AnErrorDiesOutAsItsGainsSay) {
   SimulatedRobot<TwoHands> robot(state);
   drive(controller, robot, 0.0, 0.3);
   robot.read(state);
-  // Critically damped from rest: (1 + w t) exp(-w t), w = 10 /s; sampled at 1 kHz, so to about 1 %.
+  // Critically damped from rest: (1 + w t) exp(-w t) with w = 10 /s, sampled at 1 kHz, so accurate
+  // to about 1 %.
   const double left = (1.0 + 3.0) * std::exp(-3.0);
   EXPECT_NEAR(state.q[1] / 0.01, left, 0.01);
   EXPECT_NEAR(state.q[9] / 0.02, left, 0.01);

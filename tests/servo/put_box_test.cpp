@@ -1,6 +1,7 @@
 // The box experiment on its generated code: the claims of Chang fig. 7.9 and 7.10 and of the
-// virtual linkage. Would catch generated control and dynamics of closed chains that do not belong
-// together, a squeeze that is not the commanded one or moves the box, and grasps that drift apart.
+// virtual linkage. Would catch: generated control and dynamics of closed chains that do not fit
+// each other, a squeeze that is not the commanded one or moves the box, and grasps that drift
+// apart.
 #include "put_box.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ TEST(PutBox, ArrivesOnTheFloorSqueezedAsCommanded) {
   EXPECT_LT(errors.rotation, 1e-4);
 }
 
-// A squeeze does no work: with 30 N, none and a twist the same motion results, joint by joint.
+// A squeeze does no work: with 30 N, none, and a twist the motion is the same, joint by joint.
 TEST(PutBox, InternalForcesMoveNothing) {
   BoxPlan plan = the_plan();
   plan.run.duration = 1.5;
@@ -79,7 +80,7 @@ TEST(PutBox, InternalForcesMoveNothing) {
           std::max(away, std::abs(squeezed.table.at(row, column) - twisted.table.at(row, column)));
     }
   }
-  // Torques are held for 1 ms, during which internal forces change by milli-newtons.
+  // Torques are constant for 1 ms, during which internal forces change by millinewtons.
   EXPECT_LT(away, 1e-5);
 }
 

@@ -1,6 +1,6 @@
-// The integrator against conservation laws and closed motions, its order by halving steps. Would
-// catch a wrong stage weight, a quaternion turned in the wrong axes, a twist taken for a world
-// velocity, torque that is not held.
+// The integrator compared with conservation laws and closed-form motions; its order by halving
+// steps. Would catch: a wrong stage weight, a quaternion rotated in the wrong axes, a twist that is
+// taken for a world velocity, and torque that is not held.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ RobotState<7, 6> thrown_body() {
   return state;
 }
 
-// A free top spins about its moving axis of symmetry and falls along a parabola, whatever it spins.
+// A free top spins about its moving axis of symmetry and falls along a parabola, whatever its spin.
 TEST(RungeKutta, FreeBodyFallsAndPrecesses) {
   const FloatingJoints<7, 6> floating{0};
   RobotState<7, 6> state = thrown_body();
@@ -58,12 +58,12 @@ TEST(RungeKutta, FreeBodyFallsAndPrecesses) {
   EXPECT_NEAR(state.q[0], 3.0, 1e-9);
   EXPECT_NEAR(state.q[1], 0.0, 1e-9);
   EXPECT_NEAR(state.q[2], 4.0 - 9.81 / 2.0, 1e-9);
-  // Euler: the transverse angular velocity turns with (I3 - I1) / I1 w3.
+  // Euler: the transverse angular velocity rotates with (I3 - I1) / I1 w3.
   const double rate = (0.5 - 0.3) / 0.3 * 5.0;
   EXPECT_NEAR(state.qd[3], 2.0 * std::cos(rate), 1e-9);
   EXPECT_NEAR(state.qd[4], 2.0 * std::sin(rate), 1e-9);
   EXPECT_NEAR(state.qd[5], 5.0, 1e-12);
-  // Angular momentum in the world stays (0.6, 0, 2.5): R (I w).
+  // Angular momentum in the world is constant (0.6, 0, 2.5): R (I w).
   const double* u = state.q + 3;
   const double L[3] = {0.3 * state.qd[3], 0.3 * state.qd[4], 0.5 * state.qd[5]};
   const double Lx =
@@ -76,7 +76,7 @@ TEST(RungeKutta, FreeBodyFallsAndPrecesses) {
 TEST(SimulatedRobot, HoldsItsTorqueBetweenWrites) {
   RobotState<2, 2> state;
   SimulatedRobot<TwoLink> robot(state, 4);
-  // Gravity exactly held: it must not move, however long.
+  // Gravity is held exactly, so the robot must not move, however long.
   double tau[2];
   const double nothing[2] = {};
   TwoLink::inverse_dynamics(state.q, state.qd, nothing, tau);

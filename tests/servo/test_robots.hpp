@@ -1,13 +1,13 @@
 #pragma once
-// Robots small enough to be written out by hand, with the functions that generated code has.
+// Robots small enough to be written by hand, with the functions that generated code has.
 
 #include <cmath>
 
 namespace treeline::test {
 
-/// Two revolute joints about y in a vertical plane, point masses of 1 kg at the ends of two links
-/// of 1 m (Craig, Introduction to Robotics, section 6.7), gravity 9.81 along -z; at q = 0 the arm
-/// points along x and positive angles lift it.
+/// Two revolute joints about y in a vertical plane, with point masses of 1 kg at the ends of two
+/// links of 1 m (Craig, Introduction to Robotics, section 6.7), gravity 9.81 along -z. At q = 0 the
+/// arm points along x; positive angles lift it.
 struct TwoLink {
   static constexpr int kCoordinates = 2;
   static constexpr int kVelocities = 2;
@@ -78,9 +78,9 @@ struct FreeBody {
   }
 };
 
-/// Two hands, each a ball of 1 kg and inertia 0.1 kg m^2 carried by massless slides along x, y, z
-/// and gimbals about x, y', z'': 12 joints, two operational points of six rows in world axes. The
-/// hands hang 0.5 m left and right of the origin, 1 m up.
+/// Two hands, each a ball of 1 kg and inertia 0.1 kg m^2 carried by massless prismatic joints along
+/// x, y, z and gimbals about x, y', z'': 12 joints, two operational points with six rows in world
+/// axes. The hands are 0.5 m left and right of the origin, 1 m above it.
 struct TwoHands {
   static constexpr int kCoordinates = 12;
   static constexpr int kVelocities = 12;
@@ -205,7 +205,7 @@ struct TwoHands {
       }
     }
   }
-  /// As many joints as rows: the task alone decides, whatever qdd_0.
+  /// As many joints as rows: the task alone determines the torque, whatever qdd_0 is.
   static void control_torque(const double (&q)[12], const double (&qd)[12], const double (&)[12],
                              const double (&xdd)[12], double (&tau)[12]) noexcept {
     double qdd[12];

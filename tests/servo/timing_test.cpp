@@ -1,5 +1,6 @@
-// Statistics against sorting, cycles against a clock moved by hand. Would catch a histogram bin off
-// by one, jitter that accumulates, a missed tick that is not skipped or not counted.
+// Statistics compared with sorting, cycles compared with a clock set by hand. Would catch: a
+// histogram bin that is off by one, jitter that accumulates, and a missed tick that is not skipped
+// or not counted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ TEST(DurationStatistics, QuantilesAreThoseOfTheSortedSample) {
   for (const double fraction : {0.0, 0.01, 0.25, 0.5, 0.9, 0.99, 1.0}) {
     const auto rank = static_cast<std::size_t>(std::ceil(fraction * 10001.0));
     const double expected = sample[rank == 0 ? 0 : rank - 1];
-    // Half a bin, of which an octave has 128.
+    // Half a bin; an octave has 128 bins.
     EXPECT_NEAR(statistics.quantile(fraction), expected, expected / 256.0 + 0.5) << fraction;
   }
 }
@@ -83,7 +84,7 @@ TEST(Cycle, OverrunSkipsTicksAndReturnsToTheGrid) {
   EXPECT_EQ(cycle.skips(), 2U);
 }
 
-/// A clock that wakes late by turns, as operating systems do.
+/// A clock that wakes late from time to time, as operating systems do.
 struct LateClock {
   std::int64_t time = 0;
   std::int64_t lateness = 0;
@@ -107,7 +108,7 @@ TEST(Cycle, LatenessDoesNotAccumulate) {
   EXPECT_EQ(cycle.skips(), 0U);
 }
 
-// No timing is asserted beyond what a monotonic clock guarantees.
+// The test assumes nothing about timing beyond what a monotonic clock guarantees.
 TEST(Cycle, SteadyClockNeverWakesEarly) {
   SteadyClock clock;
   Cycle cycle(clock, 200'000);

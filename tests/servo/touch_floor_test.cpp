@@ -1,6 +1,6 @@
-// The touch-floor experiment on two free hands that need no generated code, and the reading of its
-// files. Would catch hands swapped, errors measured against the wrong reference, a fault that
-// passes for success, a plan or limits taken in the wrong order.
+// The touch-floor experiment with two free hands that need no generated code, and the reading of
+// its files. Would catch: swapped hands, errors measured relative to the wrong reference, a fault
+// that looks like success, and a plan or limits read in the wrong order.
 #include "touch_floor.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(TouchFloor, LeftHandArrivesAlongTheSplineRightHandStays) {
   EXPECT_NEAR(table.at(last, 12), 0.1, 1e-9);
   EXPECT_NEAR(table.at(last, 13), -0.4, 1e-9);
   EXPECT_NEAR(table.at(last, 14), 1.1, 1e-9);
-  // The message is sent after the lead of 0.25 s and applied a cycle later: halfway at 0.751 s.
+  // The message is sent after the lead of 0.25 s and applied one cycle later: halfway at 0.751 s.
   EXPECT_NEAR(table.at(751, 3), 0.5 * (1.1 + 0.0), 1e-9);
   EXPECT_EQ(outcome.skips, 0U);
   EXPECT_EQ(outcome.periods.maximum(), 1e6);
@@ -96,7 +96,7 @@ TEST(TouchFloor, FigureHasTheThesisPanels) {
   ASSERT_EQ(plot.panels.size(), 5U);
   EXPECT_EQ(plot.panels[0].lines.size(), 6U);
   EXPECT_EQ(plot.x.size(), outcome.table.rows());
-  // Posture: the axis that travels most comes first, relative to the start.
+  // Posture: the axis with the largest travel comes first, relative to the start.
   EXPECT_EQ(plot.panels[3].lines[0].name, "joint2");
   EXPECT_NEAR(plot.panels[3].lines[0].values.back(), -1.1, 1e-6);
 }

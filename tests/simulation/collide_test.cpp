@@ -4,8 +4,8 @@
 
 #include "simulation/sample.hpp"
 
-// Would catch: a normal that points into what is touched, a point in the wrong frame, a shape that
-// stays behind when its link moves, and links of one robot that touch each other.
+// Would catch: a normal that points into the touched shape, a point in the wrong frame, a shape
+// that does not move with its link, and links of one robot that touch each other.
 
 namespace treeline::tests {
 namespace {
@@ -71,7 +71,7 @@ TEST(Collide, TwoBallsInTheAir) {
   EXPECT_NEAR(touches[0].depth, 0.02, 1e-9);
 }
 
-// A tree all of whose links are balls bigger than the way between them.
+// A tree whose links are all balls larger than the distance between them.
 TEST(Collide, LinksOfOneRobotDoNotTouch) {
   const Sample sample = random_sample(3, {.joints = 5, .branching = 0.5, .floating_base = true});
   std::vector<Shape> shapes{ground()};

@@ -6,8 +6,8 @@
 
 #include "simulation/sample.hpp"
 
-// Would catch: a wrong order of an integrator, quaternions that leave unit length, a body whose
-// velocity is not turned into the world, and energy or momentum that come from nowhere.
+// Would catch: a wrong order of an integrator, quaternions that lose unit length, a body whose
+// velocity is not rotated into the world, and energy or momentum that is not conserved.
 
 namespace treeline::tests {
 namespace {
@@ -47,7 +47,7 @@ double worst_quaternion(const Model& model, const State& state) {
   return worst;
 }
 
-// Halving the step divides the error by 2 to the order.
+// Halving the step divides the error by 2 to the power of the order.
 TEST(Integrators, HaveTheirOrder) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(seed);
@@ -90,7 +90,7 @@ TEST(Integrators, KeepQuaternionsUnitAndReportTheirDrift) {
   }
 }
 
-// Nothing acts on it but gravity, which the total momentum alone answers.
+// Nothing but gravity acts on it, which only the total momentum shows.
 TEST(Integrators, KeepTheMomentumOfWhatFallsFreely) {
   const Sample sample = random_sample(5, kFloatingTree);
   const auto before = momentum(sample.model, sample.state);
@@ -123,7 +123,7 @@ TEST(AdaptiveIntegrator, TakesShorterStepsForLessError) {
   EXPECT_LT(error_before, 1e-6);
 }
 
-// At a state that cannot be integrated on, it says so instead of going on forever.
+// In a state from which integration is impossible, it reports that instead of continuing forever.
 TEST(AdaptiveIntegrator, GivesUpWhereNoStepIsShortEnough) {
   const Sample sample = random_sample(2, kFloatingTree);
   State state = sample.state;

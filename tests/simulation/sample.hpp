@@ -12,7 +12,7 @@ struct Sample {
   simulation::State state;
 };
 
-/// A random mechanism at a random state, in double.
+/// A random mechanism in a random state, in double.
 inline Sample random_sample(std::uint64_t seed, const RandomOptions& options, double speed = 1) {
   const RandomMechanism made = random_mechanism(seed, options);
   Sample sample{model_from_robot<double>(made.robot, made.scene), {}};
@@ -31,7 +31,7 @@ inline interpreter::Body<double> ball(double mass, double radius) {
   return body;
 }
 
-/// `count` balls of 1 kg and 0.1 m radius, each on a floating joint of its own, at rest.
+/// Balls of 1 kg and 0.1 m radius, each on a floating joint of its own, at rest.
 inline Sample balls(int count) {
   Sample sample;
   for (int i = 0; i < count; ++i) interpreter::add_body(sample.model, ball(1, 0.1));

@@ -4,8 +4,9 @@
 
 #include "simulation/sample.hpp"
 
-// Would catch: what sinks into the ground, bounces that gain height, objects that pass through each
-// other, sliding without friction's deceleration, and an energy account that does not balance.
+// Would catch: bodies that sink into the ground, bounces that gain height, objects that pass
+// through each other, sliding without the deceleration by friction, and an energy account that does
+// not balance.
 
 namespace treeline::tests {
 namespace {
@@ -23,7 +24,7 @@ TEST(Simulate, BallBouncesToTheHeightThatRestitutionLeaves) {
     step(run);
     if (run.blows > 0 && run.state.qd(2) > 0) highest = std::max(highest, run.state.q(2) - 0.1);
   }
-  // A step late, so about half of the step's depth and speed off.
+  // One step late, so about half of the step's depth and speed off.
   EXPECT_NEAR(highest, 0.64, 2e-3);
   EXPECT_LT(std::abs(run.energy.drift()), 0.02);
   EXPECT_LT(run.worst_account, 1e-12);
@@ -46,7 +47,7 @@ TEST(Simulate, BoxOfBallsRestsAndDoesNotSink) {
   EXPECT_LT(run.state.qd.norm(), 1e-9);
 }
 
-// v^2 / (2 mu g), then rest.
+// v^2 / (2 mu g), then at rest.
 TEST(Simulate, SledSlidesAsFarAsFrictionLets) {
   Sample sample = balls(1);
   std::vector<Shape> shapes{ground()};
@@ -65,7 +66,7 @@ TEST(Simulate, SledSlidesAsFarAsFrictionLets) {
   EXPECT_LT(run.state.qd.norm(), 1e-8);
 }
 
-// A ball thrown at one at rest, both in the air.
+// A ball thrown at another one at rest, both in the air.
 TEST(Simulate, ObjectsMeetEachOther) {
   Sample sample = balls(2);
   sample.model.gravity.setZero();

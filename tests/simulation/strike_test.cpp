@@ -4,8 +4,8 @@
 
 #include "simulation/sample.hpp"
 
-// Would catch: impulses that act on one side only, restitution by the wrong velocity, contacts that
-// do not know of each other, and energy that does not fall by what restitution says.
+// Would catch: impulses that act on one side only, restitution of the wrong velocity, contacts
+// without coupling, and an energy loss that differs from that of restitution.
 
 namespace treeline::tests {
 namespace {
@@ -29,8 +29,9 @@ std::vector<Touch> random_touches(const Sample& sample, Dice& dice, int count) {
 const RandomOptions kTree{
     .joints = 8, .branching = 0.5, .mix = {5, 1, 1, 0, 0.3, 0.3}, .floating_base = true};
 
-// Without friction the normal velocity is reversed, e times; one contact loses (1 - e^2) / 2 of its
-// effective mass times the square of the approach, and momentum changes by the impulse.
+// Without friction the normal velocity is reversed and multiplied by e. A single contact loses (1 -
+// e^2) / 2 of its effective mass times the squared approach, and the momentum changes by the
+// impulse.
 TEST(Strike, OfOneContactLosesWhatRestitutionSays) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -61,7 +62,7 @@ TEST(Strike, OfOneContactLosesWhatRestitutionSays) {
   }
 }
 
-// With e = 1 and no friction energy stays; with e = 0 no motion could have lost more.
+// With e = 1 and no friction the energy is constant; with e = 0 no motion could have lost more.
 TEST(Strike, OfSeveralContactsKeepsOrTakesEnergy) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -88,7 +89,7 @@ TEST(Strike, OfSeveralContactsKeepsOrTakesEnergy) {
   }
 }
 
-// Newton's cradle of two: equal balls exchange their velocities.
+// Newton's cradle with two equal balls, which exchange their velocities.
 TEST(Strike, BallsExchangeVelocities) {
   Sample sample = balls(2);
   sample.state.q.segment<3>(7) << 0.2, 0, 0;

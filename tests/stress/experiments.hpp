@@ -8,7 +8,8 @@
 
 namespace treeline::stress {
 
-/// `quick`: fewer samples and shorter runs, for the suite. `robots`: the folder of the robots.
+/// Effort of the experiments. `quick`: fewer samples and shorter runs, for the test suite.
+/// `robots`: the folder of the robots.
 struct Effort {
   bool quick = false;
   std::string robots;
@@ -19,9 +20,9 @@ struct Experiment {
   std::function<Finding(const Effort&)> run;
 };
 
-/// Configurations, inertias, sizes, speeds: what every algorithm makes of them.
+/// Effect of configurations, inertias, sizes and speeds on every algorithm.
 std::vector<Experiment> sweep_experiments();
-/// Chang table 5.1's big base, table 8.1's subtraction, redundant tasks.
+/// The big base of Chang table 5.1, the subtraction of table 8.1, redundant tasks.
 std::vector<Experiment> table_experiments();
 /// Long motions: energy and momentum.
 std::vector<Experiment> motion_experiments();

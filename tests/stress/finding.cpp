@@ -16,7 +16,8 @@ const Loss* find_loss(const Sample& sample, const Loss& like) {
   return nullptr;
 }
 
-/// What a condition would leave if it were lost whole, by an algorithm that adds nothing.
+/// Appends the digits that an algorithm without errors of its own would keep if the whole condition
+/// number were lost.
 void append_condition(const std::vector<Sample>& samples, const Loss& like, Finding& finding) {
   Curve curve{function_name(like.function), "1 ulp x condition", {}, true};
   for (const Sample& sample : samples) {
@@ -86,7 +87,8 @@ servo::Plot plot_of(const Finding& finding) {
       servo::PlotPanel panel;
       panel.title = curve.panel;
       panel.y_label = finding.y_label;
-      // No digit left: with this in sight, roundings at the sixteenth are not blown up.
+      // No digit left. This makes the axis long enough that errors in the sixteenth digit are not
+      // magnified.
       if (finding.y_label == kDigitsLeft) {
         panel.lines.push_back({"", std::vector<double>(finding.x.size(), 0.0), true});
       }

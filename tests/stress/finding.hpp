@@ -9,7 +9,7 @@
 
 namespace treeline::stress {
 
-/// A curve over the finding's x, in the panel of that title.
+/// A curve over the finding's x, in the panel with this title.
 struct Curve {
   std::string panel, name;
   std::vector<double> y;
@@ -18,7 +18,7 @@ struct Curve {
 
 inline constexpr const char* kDigitsLeft = "decimal digits left";
 
-/// What came of an experiment.
+/// Result of an experiment.
 struct Finding {
   std::string name;  ///< of its files
   std::string title;
@@ -30,18 +30,19 @@ struct Finding {
   std::vector<std::string> broken;  ///< claims that do not hold
 };
 
-/// One value of x with what was lost there.
+/// A value of x and the losses there.
 struct Sample {
   double x = 0;
   std::vector<Loss> losses;
 };
 
-/// Digits left by each algorithm over x, dashed what the condition alone would leave; and the claim
-/// that no algorithm loses more than `allowed` ulp times the condition anywhere.
+/// Makes a finding with the digits that each algorithm keeps over x (dashed: what the condition
+/// number alone would leave), and the claim that no algorithm loses more than `allowed` ulp times
+/// the condition number.
 Finding make_finding(std::string name, std::string title, std::string x_label,
                      const std::vector<Sample>& samples, double allowed);
 
-/// Notes `claim` as broken unless it `holds`.
+/// Records `claim` as broken unless it `holds`.
 void claim(bool holds, const std::string& claim, Finding& finding);
 
 servo::Table table_of(const Finding& finding);

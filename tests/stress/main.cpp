@@ -1,6 +1,6 @@
-// What hard robots and states cost each algorithm, in decimal digits: one command runs all and
-// leaves a table and a plot of each. Exit status: 0 all claims hold, 1 a file cannot be written,
-// 2 usage, 3 a claim is broken.
+// The digits that difficult robots and states cost each algorithm. One command runs all experiments
+// and writes a table and a plot of each. Exit status: 0 all claims hold, 1 a file cannot be
+// written, 2 usage, 3 a claim is broken.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>

@@ -24,8 +24,8 @@ using interpreter::Digits50;
 using Entries = std::vector<double>;
 using DoubleSubject = Subject<double>;
 
-/// A solve with this condition leaves no digit, and no condition that was computed in double is
-/// itself known.
+/// A solve with this condition number keeps no digit, and a condition number of this size computed
+/// in double is itself unknown.
 constexpr double kSingular = 0x1p46;
 
 interpreter::Vector<double> vector_of(const Entries& entries) {
@@ -51,7 +51,7 @@ std::string algorithm_of(const Program& program) {
   return program.route.algorithm_words;
 }
 
-/// Interpreter's algorithms beside the one that `interpret` takes.
+/// Algorithms of the interpreter other than the one that `interpret` uses.
 std::map<std::string, Entries> other_algorithms(Function function, const DoubleSubject& subject,
                                                 const State& state) {
   const auto q = vector_of(state.q);

@@ -17,8 +17,8 @@ using simulation::Vector;
 
 constexpr double kStep = 1e-3;  ///< s
 
-/// How far something conserved has moved, over its size, looked at after numbers of steps that grow
-/// by a quarter of a decade; the largest since the look before.
+/// Relative change of a conserved quantity, sampled at numbers of steps that grow by a quarter of a
+/// decade: the largest since the previous sample.
 struct Drift {
   std::vector<double> at;  ///< log10 of steps
   std::vector<double> y;   ///< log10 of the drift
@@ -95,7 +95,7 @@ Drift momentum_drift(const ArmOptions& arm, int steps) {
                                      motion.state);
       },
       [&] {
-        // The angular part is about the world's origin, from which the robot flies away.
+        // The angular part is about the world's origin, from which the robot moves away.
         const auto now = simulation::momentum(motion.model, motion.state);
         const double way = 1 + motion.state.q.head<3>().norm();
         return (now - start).norm() / (start.norm() * way);
@@ -128,7 +128,8 @@ Finding motion(const Effort& effort) {
       "log10 of drift after {} steps: energy {:.1f} (Runge-Kutta), {:.1f} (Euler), flying {:.1f}; "
       "momentum {:.1f}",
       steps, runge.y.back(), euler.y.back(), spin.y.back(), momentum.y.back()));
-  // Fourth order at 1 ms and 10 rad/s loses about 1e-12 of the energy a step, at worst all one way.
+  // A fourth-order method at 1 ms and 10 rad/s loses about 1e-12 of the energy per step, at worst
+  // always with the same sign.
   claim(runge.y.back() < std::log10(steps * 1e-12), "Runge-Kutta's energy drift", finding);
   claim(spin.y.back() < std::log10(steps * 1e-12), "the flying arm's energy drift", finding);
   claim(momentum.y.back() < std::log10(steps * 1e-13), "the momentum's drift", finding);
@@ -136,7 +137,7 @@ Finding motion(const Effort& effort) {
   return finding;
 }
 
-/// Two arms of seven links, 1 m apart, that hold one ball and swing with it, joints damped.
+/// Two arms of seven links, 1 m apart, that hold one ball and swing with it, with damped joints.
 struct HeldBall {
   HeldBall() {
     ArmOptions arm;
@@ -158,7 +159,7 @@ struct HeldBall {
         {0, point, interpreter::Matrix3<double>::Identity(), interpreter::Vector3<double>::Zero()},
         {1, point, interpreter::Matrix3<double>::Identity(), interpreter::Vector3<double>::Zero()}};
     chain.objects = {ball};
-    // The second hand holds the ball where the first has brought it.
+    // The second hand holds the ball where the first one has brought it.
     const auto held = poses(q, Vector::Zero(14));
     auto& second = chain.objects[0].grasps[1];
     second.R = held[1].R.transpose() * held[0].R;
@@ -173,7 +174,7 @@ struct HeldBall {
   Vector q;
 };
 
-/// Distance and angle between where the two hands have the ball.
+/// Distance and angle between the poses that the two hands give the ball.
 Drift grasp_drift(const interpreter::Stabilisation<double>& gains, int steps) {
   const HeldBall held;
   const simulation::Coordinates coordinates{14, 14, {}};

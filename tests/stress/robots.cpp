@@ -70,7 +70,7 @@ Case make_arm(const ArmOptions& o) {
   }
   made.scene.name = "arm";
   made.scene.base = o.floating ? Base::floating : Base::fixed;
-  made.scene.singular = SingularTasks::exact;  // the bare solves are what is stressed
+  made.scene.singular = SingularTasks::exact;  // the plain solves are tested
   made.scene.operational_points = {point_on("tip", made.robot.links.back().name, o.length)};
   if (o.binary_tree && o.links > 2) {
     int leaf = 1;

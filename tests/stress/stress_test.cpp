@@ -1,6 +1,6 @@
-// Every stress experiment in its quick form: its claims hold. Would catch an algorithm that loses
-// more than the condition of the problem accounts for, on robots and at states that random tests do
-// not draw. The long form is `stress`.
+// Every stress experiment in its quick form: its claims hold. Would catch: an algorithm that loses
+// more than the condition number of the problem explains, for robots and states that random tests
+// do not draw. The long form is `stress`.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -9,7 +9,7 @@
 
 namespace treeline::stress {
 
-/// Names the test in what prints its parameter, as ctest does.
+/// Gives the test the name that ctest prints.
 void PrintTo(const Experiment& experiment, std::ostream* out) {
   *out << experiment.name;
 }

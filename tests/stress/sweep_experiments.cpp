@@ -15,8 +15,8 @@ const std::vector<Function> kAll = {Function::inverse_dynamics, Function::mass_m
 const std::vector<Function> kJointSpace = {Function::inverse_dynamics, Function::mass_matrix,
                                            Function::forward_dynamics};
 
-/// An error bound in ulp times the condition, for robots of a few links: what is lost beside the
-/// condition grows with the number of operations along the tree.
+/// Error bound in ulp times the condition number, for robots with a few links. The loss beyond the
+/// condition number grows with the number of operations along the tree.
 constexpr double kAllowed = 16;
 
 std::vector<double> range(double from, double to, double step) {
@@ -29,7 +29,7 @@ int states(const Effort& effort) {
   return effort.quick ? 2 : 12;
 }
 
-/// The same robot at states changed by the exponent.
+/// The same robot in states that the exponent changes.
 template <class Change>
 std::vector<Sample> sweep_states(const Bench& bench, const std::vector<double>& exponents,
                                  int count, Change change) {
@@ -51,7 +51,7 @@ std::vector<Sample> sweep_robots(const std::vector<double>& exponents, int count
   return samples;
 }
 
-/// The digits that a function keeps by every algorithm, whatever x is.
+/// Claims that every algorithm keeps this many digits of a function for all x.
 void claim_digits(Function function, double least, Finding& finding) {
   double worst = 16;
   for (const Curve& curve : finding.curves) {
@@ -63,12 +63,12 @@ void claim_digits(Function function, double least, Finding& finding) {
         finding);
 }
 
-/// What a ratio of masses does not cost, at any.
+/// Claims that ratios of masses cost nothing.
 void claim_masses_cost_nothing(Finding& finding) {
   for (const Function function : kJointSpace) claim_digits(function, 15, finding);
 }
 
-/// `inspect` names joints whose inertias cost Lambda^-1 its digits: exactly where they do.
+/// `inspect` names joints whose inertias cost Lambda^-1 its digits exactly where they do.
 template <class Make>
 void claim_inspection(const std::vector<double>& exponents, double from, Make make,
                       Finding& finding) {
@@ -84,7 +84,7 @@ void claim_inspection(const std::vector<double>& exponents, double from, Make ma
 }
 constexpr double kNever = 99;
 
-/// The UR10e's elbow and wrist close on their locks together.
+/// The UR10e's elbow and wrist approach their singularities together.
 Finding singularity(const Effort& effort) {
   const Bench bench(read_robot(effort.robots + "/ur10e/ur10e.urdf", "tool"),
                     {Function::forward_dynamics, Function::lambda_inverse, Function::lambda,
@@ -186,8 +186,8 @@ Finding speed(const Effort& effort) {
       sweep_states(bench, range(0, 4, effort.quick ? 2 : 0.5), states(effort), hurry), kAllowed);
 }
 
-/// Beyond 2e8 rad the sine that emitted code takes is that of an angle within two ulp of q (see
-/// `core::sin_cos`), which the interpreter, with the library's sine, does not share.
+/// Beyond 2e8 rad, the sine in emitted code is that of an angle within two ulp of q (see
+/// `core::sin_cos`). The interpreter uses the library's sine, which is accurate there.
 Finding angle(const Effort& effort) {
   const Case arm = make_arm({});
   const Bench bench(arm, kAll);
@@ -207,7 +207,7 @@ Finding angle(const Effort& effort) {
                       samples, kAllowed);
 }
 
-/// The interpreter to 500 links, graphs to what is still sensible to write straight-line.
+/// The interpreter up to 500 links; graphs up to sizes for which straight-line code is sensible.
 Finding chain(const Effort& effort) {
   std::vector<Sample> samples;
   const std::vector<int> lengths =

@@ -15,7 +15,7 @@ using interpreter::Digits50;
 using Matrix = interpreter::Matrix<double>;
 using Exact = interpreter::Matrix<Digits50>;
 
-/// The largest error of an entry over sqrt(A_ii A_jj), in ulp. A is positive semidefinite.
+/// Largest error of an entry over sqrt(A_ii A_jj), in ulp. A is positive semidefinite.
 template <class Actual>
 double error_in_ulp(const Actual& actual, const Exact& exact) {
   using std::sqrt;
@@ -50,7 +50,7 @@ struct Pair {
   std::vector<double> q;
 };
 
-/// Chang table 5.1 on the UR10e: its fixed base as one of ever larger inertia.
+/// Chang table 5.1 for the UR10e: its fixed base as one with ever larger inertia.
 Finding big_base(const Effort& effort) {
   const Pair fixed(read_robot(effort.robots + "/ur10e/ur10e.urdf", "tool"));
   ArmOptions flying;
@@ -107,7 +107,7 @@ Finding big_base(const Effort& effort) {
   return finding;
 }
 
-/// Of all links at several states, in ulp: table 8.1's, and those of the inverse recursion.
+/// Errors of all links in several states, in ulp: of table 8.1, and of the inverse recursion.
 std::pair<double, double> link_inertia_errors(const Case& of) {
   double worst_table = 0;
   double worst_inverse = 0;
@@ -128,7 +128,7 @@ std::pair<double, double> link_inertia_errors(const Case& of) {
   return {worst_table, worst_inverse};
 }
 
-/// Table 8.1 subtracts a body's subtree from the whole, at the parent's origin.
+/// Table 8.1 subtracts a body's subtree from the whole robot, at the parent's origin.
 Finding subtraction(const Effort& effort) {
   Finding finding{"subtraction",
                   "Inertias of all links: table 8.1 against the inverse recursion",
@@ -161,8 +161,8 @@ Finding subtraction(const Effort& effort) {
   return finding;
 }
 
-/// Two points on one link that close on each other until they are one: twelve rows for six joints,
-/// Lambda^-1 only semidefinite.
+/// Two points on one link that approach each other until they coincide: twelve rows with six
+/// joints, Lambda^-1 only semidefinite.
 Finding redundant(const Effort& effort) {
   std::vector<Sample> samples;
   std::vector<std::string> broken;

@@ -4,8 +4,8 @@
 #include "oracle/reference.hpp"
 #include "timing/load_build.hpp"
 
-// Compiled functions get the numbers that they are timed with where they expect them. Would catch
-// arrays of the wrong Real or shape, a batch whose states are laid out state by state.
+// Compiled functions find the numbers for timing where they expect them. Would catch: arrays of the
+// wrong Real or shape, and a batch whose states are stored state by state.
 
 namespace treeline::tests {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-// The order in which builds are called, not the time that they take. Would catch builds timed one
-// after the other, states left out, results that belong to another build.
+// The order in which builds are called, independent of their times. Would catch: builds that are
+// timed one after the other, states that are left out, and results that belong to another build.
 
 namespace treeline::tests {
 namespace {
@@ -17,7 +17,7 @@ void entry(const void* const*, void* const*) {
   called.push_back(i);
 }
 
-/// Of a function without arguments at three states.
+/// Arguments of a function without arguments, for three states.
 CallArguments no_arguments() {
   return {GeneratedFunction{}, std::vector<State>(3), Real::float64};
 }
@@ -29,7 +29,8 @@ TEST(TimeCalls, CallsAllInEveryRound) {
   ASSERT_EQ(timings.size(), 2U);
   EXPECT_EQ(timings[0].ratio, 1);
   EXPECT_EQ(timings[0].noise, 0);
-  // Twice three states to find out the passes; in each round three to warm up and three timed.
+  // Twice three states for finding the number of passes; in each round three for warming up and
+  // three timed.
   ASSERT_EQ(called.size(), 2U * 6 + 5 * 2 * 6);
   EXPECT_EQ(std::count(called.begin(), called.end(), 0), 6 + 5 * 6);
   for (std::size_t round = 0; round < 5; ++round) {

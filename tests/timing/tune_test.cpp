@@ -7,9 +7,9 @@
 
 #include "check/fixture.hpp"
 
-// The choice by measured cost, with a clock that says what the test wants. Would catch a tuner that
-// takes the wrong candidate, gives up the default for noise, forgets a batch, or whose choices do
-// not lead to the code that was measured.
+// The choice by measured cost, with times given by the test. Would catch: a tuner that picks the
+// wrong candidate, gives up the default because of noise, forgets a batch, or whose choices do not
+// lead to the measured code.
 
 namespace treeline::tests {
 namespace {
@@ -26,7 +26,7 @@ Measure measure_by(const Rule& rule) {
   };
 }
 
-/// puma560 with functions that have several routes, in batches too.
+/// puma560 with functions that have several routes, also in batches.
 Subjects puma() {
   Subjects subjects = load("puma560");
   subjects.scene.functions = {Function::forward_dynamics, Function::lambda_inverse};
@@ -34,7 +34,7 @@ Subjects puma() {
   return subjects;
 }
 
-/// Routes far from the least cost too: what that is must not decide these tests.
+/// Includes routes far from the least cost, so that the tests do not depend on the costs.
 TuneOptions far_reaching() {
   TuneOptions options;
   options.reach = 1;
@@ -101,7 +101,7 @@ TEST(Tune, DefaultIsFirst) {
       options);
 }
 
-// The folder that choices lead to has the very code that was measured.
+// The folder generated with the choices has exactly the code that was measured.
 TEST(Tune, ChoicesLeadToTheCodeMeasured) {
   const Subjects subjects = puma();
   std::map<std::string, std::string> last;
@@ -137,7 +137,7 @@ TEST(Tune, CompilerThatFailsIsTold) {
   EXPECT_NE(to_string(diagnostics.list().front()).find("no-such-flag-at-all"), std::string::npos);
 }
 
-// Compiles and runs, whatever the times: each trial has one.
+// Compiles and runs, whatever the times are: each trial has one.
 TEST(Tune, MeasuresHere) {
   Subjects subjects = puma();
   subjects.scene.functions = {Function::forward_dynamics};

@@ -1,8 +1,9 @@
-// Writes what CppADCodeGen records of Pinocchio's algorithms for one robot, a file a function:
+// Writes the code that CppADCodeGen records from Pinocchio's algorithms for one robot, one file per
+// function:
 //   cppadcodegen_record URDF fixed|floating NAMESPACE FOLDER LINK...
-// LINK: links with points, all six rows in the world's axes. Gravity is 9.81 m/s^2 downward. Joints
-// are ordered as everywhere here: depth-first, children as they stand in the file. Beside them
-// FOLDER/manifest.json with the operations that are written, counted.
+// LINK are links with points, with all six rows in world axes. Gravity is 9.81 m/s^2 downward.
+// Joints are ordered depth-first, children in the file's order. FOLDER/manifest.json gets the
+// number of operations.
 #include <tinyxml2.h>
 
 #include <fstream>
@@ -21,7 +22,7 @@ std::string attribute(const tinyxml2::XMLElement& joint, const char* child, cons
   return value == nullptr ? "" : value;
 }
 
-/// The links below `parent` that a joint moves.
+/// Appends the links below `parent` that a joint moves.
 void add_moved_links(const tinyxml2::XMLElement& robot, const std::string& parent,
                      std::vector<std::string>& links) {
   for (const auto* joint = robot.FirstChildElement("joint"); joint != nullptr;
@@ -71,7 +72,7 @@ long count(const std::string& statements, const std::string& what) {
   return found;
 }
 
-/// A function of a robot, as it is recorded.
+/// A function of a robot that is recorded.
 struct Function {
   std::string name;
   std::string (*record)(const Solver<double>&);
@@ -91,7 +92,7 @@ std::string source_of(const std::string& space, const Function& function,
   return text + statements + "}\n\n}  // namespace " + space + "\n";
 }
 
-/// An entry of the manifest.
+/// Prints an entry of the manifest.
 std::string facts_of(const Function& function, const std::string& statements) {
   const long divisions = count(statements, " / ");
   const long flops =

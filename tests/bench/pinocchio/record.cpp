@@ -20,7 +20,8 @@ CppAD::ADFun<Code> record_tape(const Solver<double>& solver, const Shape& shape,
                             solver.floating);
   const auto count = names_of_inputs(shape).size();
   CppAD::vector<Recorded> x(count), y(shape.output);
-  // Where it is recorded does not matter, but a singular state there is taken for an error.
+  // The state at which the code is recorded does not matter, but a singular one would be taken for
+  // an error.
   for (std::size_t i = 0; i < count; ++i) x[i] = Recorded(0.3 + 0.1 * static_cast<double>(i % 7));
   CppAD::Independent(x);
   std::vector<const Recorded*> in;

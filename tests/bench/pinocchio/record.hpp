@@ -14,17 +14,17 @@ using Code = CppAD::cg::CG<double>;
 using Recorded = CppAD::AD<Code>;
 using Route = void (*)(Solver<Recorded>& solver, const Recorded* const* in, Recorded* out);
 
-/// How many numbers each argument has.
+/// Number of entries of each argument.
 struct Shape {
   std::vector<std::size_t> inputs;
   std::size_t output = 0;
 };
 
-/// The statements that CppADCodeGen makes of one call: `y[i] = ...` of `in0[i]`, `in1[i]`, with
-/// their temporaries declared.
+/// Returns the statements that CppADCodeGen makes from one call: `y[i] = ...` in terms of `in0[i]`,
+/// `in1[i]`, with declarations of their temporaries.
 std::string record(const Solver<double>& solver, const Shape& shape, Route route);
 
-/// The same routes as are timed in double; symmetric matrices whole, in our order of joints.
+/// The routes that are timed in double; symmetric matrices are complete, in our order of joints.
 std::string record_rnea(const Solver<double>& solver);
 std::string record_aba(const Solver<double>& solver);
 std::string record_mass_matrix(const Solver<double>& solver);

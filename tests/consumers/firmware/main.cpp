@@ -1,4 +1,5 @@
-// The least a firmware does: it steps the arm's control law from memory that hardware would write.
+// Minimal firmware: it steps the arm's control law with inputs from memory that hardware would
+// write.
 #include FIRMWARE_HEADER
 
 namespace robot = FIRMWARE_NAMESPACE;

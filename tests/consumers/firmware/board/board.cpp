@@ -1,6 +1,6 @@
 // What a Cortex-M needs to run one function under QEMU: vectors, the floating-point unit switched
-// on, the clock that counts instructions (`-icount shift=0`: one a nanosecond, the clock of the
-// board one tick of 25 MHz, so 40 instructions a tick), and words to the host by semihosting.
+// on, a clock that counts instructions (with `-icount shift=0` one per nanosecond; a tick of the
+// board's clock of 25 MHz is 40 instructions), and output to the host by semihosting.
 #include "board.hpp"
 
 extern "C" {
@@ -14,7 +14,7 @@ volatile unsigned& at(unsigned address) {
   return *reinterpret_cast<volatile unsigned*>(address);
 }
 
-/// Asks the host; `what` is an operation of Arm's semihosting.
+/// Asks the host for an operation `what` of Arm's semihosting.
 void ask_host(unsigned what, const void* with) {
   register unsigned operation __asm__("r0") = what;
   register const void* argument __asm__("r1") = with;
@@ -24,7 +24,7 @@ void ask_host(unsigned what, const void* with) {
 [[noreturn]] void fault() {
   print("fault\n");
   for (;;) {
-    ask_host(0x18, reinterpret_cast<const void*>(0x20024));  // ended by an error
+    ask_host(0x18, reinterpret_cast<const void*>(0x20024));  // ended with an error
   }
 }
 
@@ -52,7 +52,7 @@ extern "C" [[noreturn]] void reset() {
   at(0xe000e010) = 5;           // the core's clock, no interrupt
   run();
   for (;;) {
-    ask_host(0x18, reinterpret_cast<const void*>(0x20026));  // ended well
+    ask_host(0x18, reinterpret_cast<const void*>(0x20026));  // ended successfully
   }
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-/// What the program does; the board calls it once.
+/// The program; the board calls it once.
 void run();
 
-/// A clock; differences of it are turned into instructions by `instructions_since`.
+/// A clock. `instructions_since` converts its differences to instructions.
 unsigned ticks();
 unsigned instructions_since(unsigned start);
 
-/// Words to whoever runs the program.
+/// Prints text on the host.
 void print(const char* text);

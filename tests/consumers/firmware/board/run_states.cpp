@@ -1,5 +1,5 @@
-// The arm's control torque over many states, its bits printed, and the instructions of a call. The
-// same source runs on the host, where nothing is counted. Angles reach from 1e-6 to 1000 rad.
+// The arm's control torque in many states: prints its bits, and the instructions per call. The same
+// source runs on the host, where nothing is counted. Angles are from 1e-6 to 1000 rad.
 #include <stdint.h>
 
 #include FIRMWARE_HEADER
@@ -15,7 +15,7 @@ constexpr int kCalls = 64;  // of each state, to count them finely
 
 uint32_t dice = 2463534242U;
 
-/// Evenly spread over [-1, 1), by xorshift.
+/// Uniform in [-1, 1), by xorshift.
 Real draw() {
   dice ^= dice << 13;
   dice ^= dice >> 17;
