@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -11,35 +10,22 @@ namespace treeline {
 namespace {
 
 constexpr std::size_t kMostInputs = 4;
-using Inputs = std::array<const double*, kMostInputs>;
+using PeerInputs = std::array<const double*, kMostInputs>;
 
-/// In the order of the generated contract, those that are there; the others are null.
-Inputs inputs_of(Function function, const State& state) {
-  const double* const q = state.q.data();
-  const double* const qd = state.qd.data();
-  const double* const qdd = state.qdd.data();
-  switch (function) {
-    case Function::bias_acceleration:
-    case Function::nonlinear_effects:
-      return {q, qd};
-    case Function::inverse_dynamics:
-    case Function::inverse_dynamics_derivatives:
-      return {q, qd, qdd};
-    case Function::forward_dynamics:
-    case Function::forward_dynamics_derivatives:
-      return {q, qd, state.tau.data()};
-    case Function::control_torque:
-      return {q, qd, qdd, state.xdd_cmd.data()};
-    default:
-      return {q};
+/// In the order of the generated contract, without external forces; the others are null.
+PeerInputs inputs_of(Function function, const State& state) {
+  PeerInputs inputs{};
+  std::size_t filled = 0;
+  for (const Quantity quantity : info_of(function).inputs) {
+    if (quantity == Quantity::f_ext) continue;
+    inputs.at(filled++) = values_of(state, quantity).data();
   }
+  return inputs;
 }
 
 /// What the scene asks of a function that no peer is given; empty where there is nothing.
 std::string beyond_peers(const Scene& scene, const GeneratedFunction& function) {
-  const auto& arguments = function.program.arguments;
-  if (std::any_of(arguments.begin(), arguments.end(),
-                  [](const Argument& argument) { return argument.name == "f_ext"; })) {
+  if (takes_external_forces(function.function) && !scene.external_forces.empty()) {
     return "external forces";
   }
   if (function.function == Function::control_torque && has_priorities(scene.operational_points)) {
@@ -63,14 +49,14 @@ struct Prepared {
 
   void pass() {
     for (const State& state : states) {
-      const Inputs inputs = inputs_of(function, state);
+      const PeerInputs inputs = inputs_of(function, state);
       routine.call(routine.solver.get(), inputs.data(), output.data());
     }
   }
   [[nodiscard]] std::vector<double> call(const State& state) const {
     // Entries that are zero for every robot need not be written.
     std::vector<double> entries(output.size(), 0);
-    const Inputs inputs = inputs_of(function, state);
+    const PeerInputs inputs = inputs_of(function, state);
     routine.call(routine.solver.get(), inputs.data(), entries.data());
     if (routine.finish != nullptr) routine.finish(routine.solver.get(), entries.data());
     return entries;

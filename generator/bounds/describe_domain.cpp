@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bounds/domain.hpp"
+#include "functions/quantity.hpp"
 
 namespace treeline {
 namespace {
@@ -20,28 +21,36 @@ double finite_or(double value, double otherwise) {
 }
 
 /// q of one coordinate, by what the mechanism tells of it.
-double coordinate_size(const Coordinate& coordinate, const DomainDefaults& defaults) {
+double coordinate_size(const Coordinate& coordinate) {
   if (coordinate.is_of_quaternion()) return 1;
   const double size = std::max(std::abs(coordinate.lower), std::abs(coordinate.upper));
-  return std::isfinite(size) ? size : coordinate.is_angle() ? defaults.angle : defaults.position;
+  return std::isfinite(size) ? size : coordinate.is_angle() ? kAngleRange : kPositionRange;
 }
 
-void set_rates(const Robot& robot, const Mechanism& mechanism, const DomainDefaults& defaults,
-               Domain& domain) {
-  const auto nv = static_cast<std::size_t>(mechanism.nv());
-  std::vector<double> velocity(nv, defaults.velocity), effort(nv, defaults.effort);
+std::vector<double> coordinate_sizes(const Mechanism& mechanism) {
+  std::vector<double> sizes;
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    sizes.push_back(coordinate_size(coordinate));
+  }
+  return sizes;
+}
+
+/// Of velocities or joint forces, for which joints may state a limit; of accelerations none does.
+std::vector<double> joint_sizes(const QuantityInfo& row, const Robot& robot,
+                                const Mechanism& mechanism) {
+  std::vector<double> sizes(static_cast<std::size_t>(mechanism.nv()), row.range);
+  const auto limit = row.quantity == Quantity::qd    ? &Limits::velocity
+                     : row.quantity == Quantity::tau ? &Limits::effort
+                                                     : nullptr;
+  if (limit == nullptr) return sizes;
   for (const MovingLink& link : mechanism.links) {
     const Joint* joint = find_joint(robot, link.joint);
     if (link.mimics || link.kind == JointKind::floating || joint == nullptr || !joint->limits) {
       continue;
     }
-    const auto at = static_cast<std::size_t>(link.v_index);
-    velocity[at] = finite_or(joint->limits->velocity, defaults.velocity);
-    effort[at] = finite_or(joint->limits->effort, defaults.effort);
+    sizes[static_cast<std::size_t>(link.v_index)] = finite_or((*joint->limits).*limit, row.range);
   }
-  domain.sizes["qd"] = std::move(velocity);
-  domain.sizes["tau"] = std::move(effort);
-  domain.sizes["qdd"] = domain.sizes["qdd_0"] = std::vector<double>(nv, defaults.acceleration);
+  return sizes;
 }
 
 /// Four digits, never more than the value: the bound is not known to hold beyond.
@@ -75,27 +84,39 @@ bool Domain::contains(std::string_view argument, const std::vector<double>& valu
   return true;
 }
 
-Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
-                   const DomainDefaults& defaults) {
+Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism) {
   Domain domain;
-  const std::size_t nq = mechanism.coordinates.size();
-  for (const Coordinate& coordinate : mechanism.coordinates) {
-    domain.sizes["q"].push_back(coordinate_size(coordinate, defaults));
+  const auto same = [](std::size_t count, double range) {
+    return std::vector<double>(count, range);
+  };
+  for (const QuantityInfo& row : kQuantities) {
+    switch (row.space) {
+      case IndexSpace::positions:
+        domain.sizes[row.symbol] = row.quantity == Quantity::q
+                                       ? coordinate_sizes(mechanism)
+                                       : same(mechanism.coordinates.size(), row.range);
+        break;
+      case IndexSpace::velocities:
+        domain.sizes[row.symbol] = joint_sizes(row, robot, mechanism);
+        break;
+      case IndexSpace::task_rows:
+        domain.sizes[row.symbol] = same(static_cast<std::size_t>(mechanism.task_rows()), row.range);
+        break;
+      case IndexSpace::external_forces:
+        domain.sizes[row.symbol] = same(6 * scene.external_forces.size(), row.range);
+        break;
+      case IndexSpace::contacts:
+      case IndexSpace::objects:
+      case IndexSpace::linkages:
+      case IndexSpace::grasp_gains:
+        domain.each[row.symbol] = row.range;
+        break;
+    }
   }
   for (const MovingLink& link : mechanism.links) {
     const auto first = static_cast<std::size_t>(link.q_index);
     if (link.kind == JointKind::floating) domain.quaternions.push_back(first + 3);
   }
-  domain.sizes["sin_q"] = domain.sizes["cos_q"] = std::vector<double>(nq, 1);
-  set_rates(robot, mechanism, defaults, domain);
-  domain.sizes["xdd_cmd"] =
-      std::vector<double>(static_cast<std::size_t>(mechanism.task_rows()), defaults.acceleration);
-  domain.sizes["f_ext"] = std::vector<double>(6 * scene.external_forces.size(), defaults.effort);
-  domain.each = {{"impulse", defaults.impulse},
-                 {"internal", defaults.effort},
-                 {"normals", 1},
-                 {"stabilisation", defaults.gain},
-                 {"xdd_object", defaults.acceleration}};
   return domain;
 }
 
@@ -115,7 +136,7 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i)
       text += fmt::format(" {:.4g}", rounded_down(sizes[i]));
   }
-  const bool given = std::count(arguments.begin(), arguments.end(), "sin_q") > 0;
+  const bool given = std::count(arguments.begin(), arguments.end(), symbol_of(Quantity::sin_q)) > 0;
   return text + (given ? ", sin_q^2 + cos_q^2 = 1 of each angle but for rounding" : "");
 }
 

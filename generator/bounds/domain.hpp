@@ -27,21 +27,9 @@ struct Domain {
   [[nodiscard]] bool contains(std::string_view argument, const std::vector<double>& values) const;
 };
 
-/// Where the URDF is silent.
-struct DomainDefaults {
-  double angle = 3.141592653589793;  ///< rad, of continuous joints
-  double position = 10;              ///< m
-  double velocity = 10;              ///< rad/s, m/s
-  double acceleration = 100;         ///< rad/s^2, m/s^2; the URDF never tells it
-  double effort = 1000;              ///< N m, N; also of external and internal forces
-  double impulse = 100;              ///< N s
-  double gain = 1000;                ///< of a grasp's damping and stiffness, 1/s and 1/s^2
-};
-
-/// Joint limits, velocity and effort limits of the URDF, and defaults. Entries of quaternions are
-/// at most 1.
-Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
-                   const DomainDefaults& defaults = {});
+/// Joint limits, velocity and effort limits of the URDF; where it is silent, the ranges of
+/// `kQuantities`. Entries of quaternions are at most 1.
+Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism);
 
 /// `|q| <= 2.8 3.1 ..., |qd| <= 10`: of these arguments; one number where all are the same; and
 /// that sines and cosines, where they are arguments, lie on the unit circle.

@@ -102,6 +102,8 @@ Json to_json(const FunctionReport& f) {
 }
 
 Json to_json(const State& state) {
+  Json others = Json::object();
+  for (const auto& [quantity, entries] : state.others) others[symbol_of(quantity)] = entries;
   return {{"index", state.index},
           {"class", state_class_name(state.kind)},
           {"q", state.q},
@@ -110,7 +112,7 @@ Json to_json(const State& state) {
           {"tau", state.tau},
           {"xdd_cmd", state.xdd_cmd},
           {"f_ext", state.f_ext},
-          {"others", state.others}};
+          {"others", others}};
 }
 
 Json to_json(const FileDifference& file) {

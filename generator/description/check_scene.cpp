@@ -213,11 +213,6 @@ std::vector<Function> default_functions(const Scene& scene) {
   return functions;
 }
 
-bool takes_external_forces(Function function) {
-  return function == Function::inverse_dynamics || function == Function::forward_dynamics ||
-         function == Function::control_torque || is_derivative(function);
-}
-
 void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   const Freedoms freedoms = find_freedoms(robot, scene);
   if (freedoms.empty()) {

@@ -11,9 +11,6 @@ namespace treeline {
 /// Whether the scene lists what the function is about.
 bool permits(const Scene& scene, Function function);
 
-/// Whether a function has an input for the scene's external forces.
-bool takes_external_forces(Function function);
-
 /// All functions that a scene has which lists none: those of joints, of its points, contacts and
 /// objects.
 std::vector<Function> default_functions(const Scene& scene);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "functions/quantity.hpp"
+
 namespace treeline {
 
 /// The functions that can be generated. All that is known of one before any algorithm is its row in
@@ -83,6 +85,21 @@ inline constexpr FrameCost kFramesAsBuilt{};
 /// chosen by the cost of this function, see `MovingLink::carries_column`.
 enum class Columns { computed, carried };
 
+/// Arguments in the order of the contract. Those of no size, as f_ext in a scene without external
+/// forces, are left out of it.
+struct FunctionInputs {
+  std::array<Quantity, 5> quantities{};
+  std::size_t count = 0;
+
+  [[nodiscard]] constexpr const Quantity* begin() const { return quantities.data(); }
+  [[nodiscard]] constexpr const Quantity* end() const { return quantities.data() + count; }
+};
+
+template <class... Listed>
+constexpr FunctionInputs inputs(Listed... listed) {
+  return {{listed...}, sizeof...(listed)};
+}
+
 /// All that is known of a function before any algorithm.
 struct FunctionInfo {
   Function function;
@@ -92,87 +109,101 @@ struct FunctionInfo {
   Solve solve;
   FrameCost frames;
   Columns columns;
-  const char* equation;  ///< of the contract
+  FunctionInputs inputs;
+  const char* equation;  ///< as contracts tell it
 };
 
 /// Every function, in the order of the enumeration.
 inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::forward_kinematics, "forward_kinematics", FunctionGroup::points, Emitted::by_default,
-     Solve::none, frames_by(Function::forward_kinematics), Columns::computed,
+     Solve::none, frames_by(Function::forward_kinematics), Columns::computed, inputs(Quantity::q),
      "x_world = R x_point + p, for every operational point"},
     {Function::jacobian, "jacobian", FunctionGroup::points, Emitted::by_default, Solve::none,
-     frames_by(Function::jacobian), Columns::computed,
+     frames_by(Function::jacobian), Columns::computed, inputs(Quantity::q),
      "xd = J qd, rows stacked over operational points"},
     {Function::bias_acceleration, "bias_acceleration", FunctionGroup::points, Emitted::by_default,
      Solve::none, frames_by(Function::bias_acceleration), Columns::carried,
-     "xdd = J qdd + Jd qd: the term Jd qd"},
+     inputs(Quantity::q, Quantity::qd), "xdd = J qdd + Jd qd: the term Jd qd"},
     {Function::inverse_dynamics, "inverse_dynamics", FunctionGroup::robot, Emitted::by_default,
      Solve::none, frames_by(Function::inverse_dynamics), Columns::carried,
+     inputs(Quantity::q, Quantity::qd, Quantity::qdd, Quantity::f_ext),
      "tau = M qdd + b + g - J_ext^T f_ext"},
     {Function::gravity, "gravity", FunctionGroup::robot, Emitted::by_default, Solve::none,
-     frames_by(Function::gravity), Columns::computed,
+     frames_by(Function::gravity), Columns::computed, inputs(Quantity::q),
      "g: the joint forces that hold the robot at rest"},
     {Function::nonlinear_effects, "nonlinear_effects", FunctionGroup::robot, Emitted::by_default,
      Solve::none, frames_by(Function::nonlinear_effects), Columns::carried,
-     "h = b + g: the joint forces at qdd = 0"},
+     inputs(Quantity::q, Quantity::qd), "h = b + g: the joint forces at qdd = 0"},
     {Function::mass_matrix, "mass_matrix", FunctionGroup::robot, Emitted::by_default, Solve::none,
-     frames_by(Function::mass_matrix), Columns::computed, "tau = M qdd + b + g: the matrix M"},
+     frames_by(Function::mass_matrix), Columns::computed, inputs(Quantity::q),
+     "tau = M qdd + b + g: the matrix M"},
     {Function::forward_dynamics, "forward_dynamics", FunctionGroup::robot, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::carried,
+     inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext),
      "qdd = M^-1 (tau - b - g + J_ext^T f_ext)"},
     {Function::lambda_inverse, "lambda_inverse", FunctionGroup::points, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
-     "Lambda^-1 = J M^-1 J^T"},
+     inputs(Quantity::q), "Lambda^-1 = J M^-1 J^T"},
     {Function::lambda, "lambda", FunctionGroup::points, Emitted::by_default, Solve::lambda_inverse,
-     frames_by(Function::forward_dynamics), Columns::computed, "Lambda = (J M^-1 J^T)^-1"},
+     frames_by(Function::forward_dynamics), Columns::computed, inputs(Quantity::q),
+     "Lambda = (J M^-1 J^T)^-1"},
     {Function::control_torque, "control_torque", FunctionGroup::points, Emitted::by_default,
      Solve::lambda_inverse, frames_by(Function::forward_dynamics), Columns::computed,
+     inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd, Quantity::f_ext),
      "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
      "F = Lambda (xdd_cmd - Jd qd - J qdd_0)"},
     {Function::object_state, "object_state", FunctionGroup::objects, Emitted::by_default,
      Solve::none, frames_by(Function::object_state), Columns::carried,
+     inputs(Quantity::q, Quantity::qd),
      "x_world = R x_object + p, as the first grasp has the object"},
     {Function::object_control_torque, "object_control_torque", FunctionGroup::objects,
      Emitted::by_default, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
      Columns::computed,
+     inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_object, Quantity::internal),
      "tau = J^T f + M qdd_0 + b + g, f = Lambda (C xdd - Jd qd - J qdd_0) + "
      "W^-1 [Lambda_obj xdd + mu_obj + p_obj; internal]"},
     {Function::object_forward_dynamics, "object_forward_dynamics", FunctionGroup::objects,
      Emitted::by_default, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
-     Columns::computed,
+     Columns::computed, inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::stabilisation),
      "M qdd + b + g = tau - J^T f, Lambda_obj xdd + mu_obj + p_obj = C^T f, "
      "J qdd + Jd qd = C xdd - stabilisation[0] drift_rate - stabilisation[1] drift"},
     {Function::contact_motion, "contact_motion", FunctionGroup::contacts, Emitted::by_default,
      Solve::none, frames_by(Function::contact_motion), Columns::carried,
-     "positions of the contacts and their derivatives"},
+     inputs(Quantity::q, Quantity::qd), "positions of the contacts and their derivatives"},
     {Function::contact_inverse_inertia, "contact_inverse_inertia", FunctionGroup::contacts,
      Emitted::by_default, Solve::mass_matrix, frames_by(Function::forward_dynamics),
-     Columns::computed, "dv = Lambda_c^-1 y: velocities of the contacts by impulses there"},
+     Columns::computed, inputs(Quantity::q),
+     "dv = Lambda_c^-1 y: velocities of the contacts by impulses there"},
     {Function::effective_mass, "effective_mass", FunctionGroup::contacts, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
+     inputs(Quantity::q, Quantity::normals),
      "m = 1 / (n^T Lambda_c^-1 n), for every contact by itself"},
     {Function::impulse_response, "impulse_response", FunctionGroup::contacts, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
-     "dqd = M^-1 J_c^T y"},
+     inputs(Quantity::q, Quantity::impulse), "dqd = M^-1 J_c^T y"},
     {Function::link_inverse_inertias, "link_inverse_inertias", FunctionGroup::links,
      Emitted::on_request, Solve::mass_matrix, kFramesAsBuilt, Columns::computed,
+     inputs(Quantity::q),
      "Lambda_i^-1 = J_i M^-1 J_i^T, for every link that moves against its parent"},
     {Function::center_of_mass, "center_of_mass", FunctionGroup::center_of_mass, Emitted::on_request,
-     Solve::none, frames_by(Function::center_of_mass), Columns::computed,
+     Solve::none, frames_by(Function::center_of_mass), Columns::computed, inputs(Quantity::q),
      "centre of mass: sum of m_i c_i over the mass of all links"},
     {Function::center_of_mass_jacobian, "center_of_mass_jacobian", FunctionGroup::center_of_mass,
      Emitted::on_request, Solve::none, frames_by(Function::center_of_mass_jacobian),
-     Columns::computed, "velocity of the centre of mass = J_com qd"},
+     Columns::computed, inputs(Quantity::q), "velocity of the centre of mass = J_com qd"},
     {Function::inverse_dynamics_derivatives, "inverse_dynamics_derivatives",
      FunctionGroup::derivatives, Emitted::on_request, Solve::none,
      frames_by(Function::forward_dynamics, Function::mass_matrix), Columns::computed,
+     inputs(Quantity::q, Quantity::qd, Quantity::qdd, Quantity::f_ext),
      "derivatives of tau = M qdd + b + g - J_ext^T f_ext, f_ext held"},
     {Function::forward_dynamics_derivatives, "forward_dynamics_derivatives",
      FunctionGroup::derivatives, Emitted::on_request, Solve::mass_matrix,
      frames_by(Function::forward_dynamics, Function::mass_matrix), Columns::computed,
+     inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext),
      "derivatives of qdd = M^-1 (tau - b - g + J_ext^T f_ext), f_ext held"},
     {Function::damped_control_torque, "damped_control_torque", FunctionGroup::points,
      Emitted::with_damping, Solve::damped, kFramesAsBuilt, Columns::computed,
+     inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd, Quantity::f_ext),
      "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
      "F = (Lambda^-1 + Delta)^-1 (xdd_cmd - Jd qd - J qdd_0)"},
 });
@@ -215,6 +246,13 @@ constexpr bool needs_mass(Function function) {
 }
 constexpr bool inverts_mass_matrix(Function function) {
   return solve_of(function) != Solve::none;
+}
+constexpr bool takes(Function function, Quantity quantity) {
+  const FunctionInputs& inputs = info_of(function).inputs;
+  return std::find(inputs.begin(), inputs.end(), quantity) != inputs.end();
+}
+constexpr bool takes_external_forces(Function function) {
+  return takes(function, Quantity::f_ext);
 }
 constexpr bool is_derivative(Function function) {
   return info_of(function).group == FunctionGroup::derivatives;

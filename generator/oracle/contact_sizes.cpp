@@ -27,7 +27,7 @@ std::vector<double> steepest_masses(const Subject<double>& subject, const State&
   if (law.borders.empty()) return masses;
   const Eigen::VectorXd c = interpreter::mobilities_along<double>(
       subject.model, subject.contacts, vector_of<double>(state.q),
-      vector_of<double>(state.others.at("normals")));
+      vector_of<double>(values_of(state, Quantity::normals)));
   const double peak = std::pow(law.power - 1.0, 1.0 / law.power);
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const double at = peak * law.borders[i];
@@ -82,11 +82,12 @@ std::vector<double> contact_sizes(Function function, const Subject<double>& subj
       append(Lambda_inverse, entries);
       break;
     case Function::effective_mass:
-      append_masses(Lambda_inverse, magnitudes(state.others.at("normals")),
+      append_masses(Lambda_inverse, magnitudes(values_of(state, Quantity::normals)),
                     steepest_masses(subject, state, law, result), entries);
       break;
     case Function::impulse_response:
-      append(M_inverse * (J.transpose() * magnitudes(state.others.at("impulse"))), entries);
+      append(M_inverse * (J.transpose() * magnitudes(values_of(state, Quantity::impulse))),
+             entries);
       break;
     default:
       throw std::logic_error(std::string(function_name(function)) + " is not about contacts");

@@ -112,7 +112,7 @@ void round_to_float(State& state) {
        {&state.q, &state.qd, &state.qdd, &state.tau, &state.xdd_cmd, &state.f_ext}) {
     for (double& entry : *entries) entry = static_cast<double>(static_cast<float>(entry));
   }
-  for (auto& [name, entries] : state.others) {
+  for (auto& [quantity, entries] : state.others) {
     for (double& entry : entries) entry = static_cast<double>(static_cast<float>(entry));
   }
 }
@@ -122,6 +122,37 @@ void round_to_float(State& state) {
 const char* state_class_name(StateClass kind) {
   constexpr std::array kNames = {"neutral", "random", "large", "fast", "tiny", "aligned", "limits"};
   return kNames[static_cast<std::size_t>(kind)];
+}
+
+const std::vector<double>& values_of(const State& state, Quantity quantity) {
+  static const std::vector<double> kNone;
+  switch (quantity) {
+    case Quantity::q:
+      return state.q;
+    case Quantity::sin_q:
+      return state.sin_q;
+    case Quantity::cos_q:
+      return state.cos_q;
+    case Quantity::qd:
+      return state.qd;
+    case Quantity::qdd:
+    case Quantity::qdd_0:
+      return state.qdd;
+    case Quantity::tau:
+      return state.tau;
+    case Quantity::xdd_cmd:
+      return state.xdd_cmd;
+    case Quantity::f_ext:
+      return state.f_ext;
+    case Quantity::impulse:
+    case Quantity::internal:
+    case Quantity::normals:
+    case Quantity::stabilisation:
+    case Quantity::xdd_object:
+      break;
+  }
+  const auto found = state.others.find(quantity);
+  return found == state.others.end() ? kNone : found->second;
 }
 
 StateClass class_of_state(int index) {
@@ -153,10 +184,10 @@ State draw_state(const StateSpace& space, int index) {
   for (std::size_t i = 0; i < nv; ++i) {
     state.tau.push_back(at_rest ? 0 : dice.within(forces[static_cast<Eigen::Index>(i)]));
   }
-  for (const auto& [name, count] : space.others) {
+  for (const auto& [quantity, count] : space.others) {
     // At rest too: a direction is none without a length.
-    state.others[name] = draw_rates(dice, state.kind, static_cast<std::size_t>(count),
-                                    speed(state.kind).acceleration);
+    state.others[quantity] = draw_rates(dice, state.kind, static_cast<std::size_t>(count),
+                                        speed(state.kind).acceleration);
   }
   if (space.single_precision) round_to_float(state);
   const auto rounded = [&](double x) {

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <string>
 #include <vector>
 
+#include "functions/quantity.hpp"
 #include "mechanism/mechanism.hpp"
 #include "oracle/subject.hpp"
 
@@ -33,9 +33,12 @@ struct State {
   int index = 0;
   StateClass kind = StateClass::random;
   std::vector<double> q, qd, qdd, tau, xdd_cmd, f_ext;
-  std::vector<double> sin_q, cos_q;                   ///< of q, rounded
-  std::map<std::string, std::vector<double>> others;  ///< arguments of other names
+  std::vector<double> sin_q, cos_q;                ///< of q, rounded
+  std::map<Quantity, std::vector<double>> others;  ///< all further quantities
 };
+
+/// What the state has for a quantity; empty where it has nothing.
+const std::vector<double>& values_of(const State& state, Quantity quantity);
 
 /// Where states are drawn from.
 struct StateSpace {
@@ -43,7 +46,7 @@ struct StateSpace {
   std::vector<Coordinate> coordinates;  ///< nq of them, with limits
   std::uint64_t seed = 1;
   bool single_precision = false;
-  std::map<std::string, int> others = {};  ///< sizes of arguments of other names
+  std::map<Quantity, int> others = {};  ///< sizes of the quantities that have no member in `State`
 };
 
 /// Any so many states that follow each other are some of every class.

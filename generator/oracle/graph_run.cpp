@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <stdexcept>
 
 namespace treeline {
 namespace {
@@ -68,26 +68,9 @@ double GraphRun::computed_angles(const State& state) const {
 std::vector<const std::vector<double>*> arguments_of(const Program& program, const State& state) {
   std::vector<const std::vector<double>*> arguments;
   for (const Argument& argument : program.arguments) {
-    const std::string& name = argument.name;
-    if (name == "q") {
-      arguments.push_back(&state.q);
-    } else if (name == "sin_q") {
-      arguments.push_back(&state.sin_q);
-    } else if (name == "cos_q") {
-      arguments.push_back(&state.cos_q);
-    } else if (name == "qd") {
-      arguments.push_back(&state.qd);
-    } else if (name == "qdd" || name == "qdd_0") {
-      arguments.push_back(&state.qdd);
-    } else if (name == "tau") {
-      arguments.push_back(&state.tau);
-    } else if (name == "xdd_cmd") {
-      arguments.push_back(&state.xdd_cmd);
-    } else if (name == "f_ext") {
-      arguments.push_back(&state.f_ext);
-    } else {
-      arguments.push_back(&state.others.at(name));
-    }
+    const auto quantity = find_quantity(argument.name);
+    if (!quantity) throw std::logic_error("no state has an argument " + argument.name);
+    arguments.push_back(&values_of(state, *quantity));
   }
   return arguments;
 }

@@ -14,7 +14,9 @@ std::vector<Scalar> interpret_contacts(Function function, const Subject<Scalar>&
   const auto& model = subject.model;
   const auto& contacts = subject.contacts;
   const auto q = vector_of<Scalar>(state.q);
-  const auto other = [&](const char* name) { return vector_of<Scalar>(state.others.at(name)); };
+  const auto other = [&](Quantity quantity) {
+    return vector_of<Scalar>(values_of(state, quantity));
+  };
   std::vector<Scalar> entries;
   switch (function) {
     case Function::contact_motion: {
@@ -28,14 +30,16 @@ std::vector<Scalar> interpret_contacts(Function function, const Subject<Scalar>&
       append(interpreter::contact_inverse_inertia<Scalar>(model, contacts, q), entries);
       return entries;
     case Function::effective_mass:
-      append(law.borders.empty()
-                 ? interpreter::effective_masses<Scalar>(model, contacts, q, other("normals"))
-                 : interpreter::effective_masses<Scalar>(model, contacts, q, other("normals"), law),
+      append(law.borders.empty() ? interpreter::effective_masses<Scalar>(model, contacts, q,
+                                                                         other(Quantity::normals))
+                                 : interpreter::effective_masses<Scalar>(
+                                       model, contacts, q, other(Quantity::normals), law),
              entries);
       return entries;
     case Function::impulse_response:
-      append(interpreter::impulse_response<Scalar>(model, contacts, q, other("impulse")).dqd,
-             entries);
+      append(
+          interpreter::impulse_response<Scalar>(model, contacts, q, other(Quantity::impulse)).dqd,
+          entries);
       return entries;
     case Function::link_inverse_inertias: {
       const auto Omega = interpreter::link_inverse_inertias<Scalar>(model, q);

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "description/scene.hpp"
+#include "interpreter/task_law.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/subject.hpp"
-#include "interpreter/task_law.hpp"
 
 namespace treeline {
 

@@ -32,16 +32,11 @@ std::vector<Scalar> object_state(const Subject<Scalar>& subject,
 
 }  // namespace
 
-std::vector<double> optional_argument(const State& state, const char* name) {
-  const auto found = state.others.find(name);
-  return found == state.others.end() ? std::vector<double>{} : found->second;
-}
-
 template <class Scalar>
 std::vector<Scalar> interpret_objects(Function function, const Subject<Scalar>& subject,
                                       const State& state, const interpreter::TaskLaw<Scalar>& law) {
-  const auto other = [&](const char* name) {
-    return vector_of<Scalar>(optional_argument(state, name));
+  const auto other = [&](Quantity quantity) {
+    return vector_of<Scalar>(values_of(state, quantity));
   };
   const interpreter::PerRobot<Scalar> q{vector_of<Scalar>(state.q)};
   const interpreter::PerRobot<Scalar> qd{vector_of<Scalar>(state.qd)};
@@ -51,10 +46,10 @@ std::vector<Scalar> interpret_objects(Function function, const Subject<Scalar>& 
     case Function::object_control_torque:
       return entries_of(interpreter::object_control_torque<Scalar>(
                             subject.chain, q, qd, {vector_of<Scalar>(state.qdd)},
-                            other("xdd_object"), other("internal"), law)
+                            other(Quantity::xdd_object), other(Quantity::internal), law)
                             .front());
     case Function::object_forward_dynamics: {
-      const auto gains = other("stabilisation");
+      const auto gains = other(Quantity::stabilisation);
       const interpreter::PerRobot<Scalar> tau{vector_of<Scalar>(state.tau)};
       const interpreter::Stabilisation<Scalar> stabilisation{gains(0), gains(1)};
       const auto motion = law.borders.empty() ? interpreter::object_forward_dynamics<Scalar>(

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "description/scene.hpp"
+#include "interpreter/task_law.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/subject.hpp"
-#include "interpreter/task_law.hpp"
 
 namespace treeline {
 
@@ -15,8 +15,5 @@ template <class Scalar>
 std::vector<Scalar> interpret_objects(Function function, const Subject<Scalar>& subject,
                                       const State& state,
                                       const interpreter::TaskLaw<Scalar>& law = {});
-
-/// What the state has for an argument that a scene may be without.
-std::vector<double> optional_argument(const State& state, const char* name);
 
 }  // namespace treeline

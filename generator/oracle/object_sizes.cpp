@@ -145,8 +145,8 @@ VectorXd ObjectSizes::moved(std::size_t object, VectorXd forces) const {
 /// Those of inverse dynamics at qdd_0, and |J|^T (|Lambda| (|xdd| + |Jd qd| + |J| |qdd_0|) +
 /// |f_t|).
 std::vector<double> ObjectSizes::control_torque(const MatrixXd& Lambda) const {
-  const VectorXd xdd = magnitudes(optional_argument(state_, "xdd_object"));
-  const VectorXd internal = magnitudes(optional_argument(state_, "internal"));
+  const VectorXd xdd = magnitudes(values_of(state_, Quantity::xdd_object));
+  const VectorXd internal = magnitudes(values_of(state_, Quantity::internal));
   VectorXd f = Lambda * (C_ * xdd + bias_ + J_ * magnitudes(state_.qdd));
   Eigen::Index row = 0, used = 0;
   for (std::size_t k = 0; k < subject_.chain.objects.size(); ++k) {
@@ -199,7 +199,7 @@ VectorXd ObjectSizes::open_chain() const {
 }
 
 VectorXd ObjectSizes::open_accelerations(const VectorXd& qdd) const {
-  const VectorXd gains = magnitudes(optional_argument(state_, "stabilisation"));
+  const VectorXd gains = magnitudes(values_of(state_, Quantity::stabilisation));
   const VectorXd poses = terms_.poses();
   VectorXd xdd = bias_ + J_ * qdd + 2 * gains(0) * (J_ * magnitudes(state_.qd));
   for (Eigen::Index hand = 0; hand < xdd.size() / 6; ++hand) {

@@ -1,7 +1,6 @@
 #include "oracle/reference.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -13,20 +12,32 @@
 namespace treeline {
 namespace {
 
-bool is_drawn(const std::string& argument) {
-  constexpr std::array kDrawn = {"q",     "sin_q", "cos_q",   "qd",   "qdd",
-                                 "qdd_0", "tau",   "xdd_cmd", "f_ext"};
-  return std::find(kDrawn.begin(), kDrawn.end(), argument) != kDrawn.end();
+/// Whether a state has a member for the quantity.
+bool is_member(Quantity quantity) {
+  switch (info_of(quantity).space) {
+    case IndexSpace::positions:
+    case IndexSpace::velocities:
+    case IndexSpace::task_rows:
+    case IndexSpace::external_forces:
+      return true;
+    case IndexSpace::contacts:
+    case IndexSpace::objects:
+    case IndexSpace::linkages:
+    case IndexSpace::grasp_gains:
+      break;
+  }
+  return false;
 }
 
 /// Arguments of functions about contacts and objects; they are drawn without regard to their
 /// meaning.
-std::map<std::string, int> other_arguments(const std::vector<GeneratedFunction>& functions) {
-  std::map<std::string, int> sizes;
+std::map<Quantity, int> other_arguments(const std::vector<GeneratedFunction>& functions) {
+  std::map<Quantity, int> sizes;
   for (const GeneratedFunction& generated : functions) {
     for (const Argument& argument : generated.program.arguments) {
-      const int size = argument.rows * argument.cols;
-      if (!is_drawn(argument.name)) sizes[argument.name] = std::max(sizes[argument.name], size);
+      const auto quantity = find_quantity(argument.name);
+      if (!quantity || is_member(*quantity)) continue;
+      sizes[*quantity] = std::max(sizes[*quantity], argument.rows * argument.cols);
     }
   }
   return sizes;

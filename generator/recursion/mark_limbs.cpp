@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "functions/quantity.hpp"
 #include "recursion/tree.hpp"
 
 namespace treeline {
@@ -161,8 +162,9 @@ void pair_rows(const char* vector, const Rows& rows, const std::vector<std::size
   }
 }
 
+/// Of the points on these links: their constants, and the entries of all quantities of this space.
 void mark_points(const std::vector<MechanismPoint>& points, const std::vector<int>& links,
-                 const char* vector, const Rows& rows, std::vector<TreePoint<Expression>>& marked,
+                 IndexSpace space, const Rows& rows, std::vector<TreePoint<Expression>>& marked,
                  Marker& marker) {
   for (const std::vector<std::size_t>& together : corresponding_points(points, links)) {
     std::vector<TreePoint<Expression>*> things;
@@ -170,7 +172,9 @@ void mark_points(const std::vector<MechanismPoint>& points, const std::vector<in
       things.push_back(&marked[point]);
     }
     marker.mark(things);
-    pair_rows(vector, rows, together);
+    for (const QuantityInfo& row : kQuantities) {
+      if (row.space == space) pair_rows(row.symbol, rows, together);
+    }
   }
 }
 
@@ -188,9 +192,9 @@ void mark_limbs(const Mechanism& mechanism, Tree<Expression>& tree) {
       }
       marker.mark(things);
       pair_coordinates(mechanism, links);
-      mark_points(mechanism.operational_points, links, "xdd_cmd",
+      mark_points(mechanism.operational_points, links, IndexSpace::task_rows,
                   rows_of(mechanism.operational_points, false), tree.operational_points, marker);
-      mark_points(mechanism.external_forces, links, "f_ext",
+      mark_points(mechanism.external_forces, links, IndexSpace::external_forces,
                   rows_of(mechanism.external_forces, true), tree.external_forces, marker);
     }
   }

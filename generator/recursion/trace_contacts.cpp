@@ -34,20 +34,6 @@ struct ContactRoute {
   std::shared_ptr<const TaskLaw> law = nullptr;
 };
 
-/// The function's input beside q; empty where there is none.
-Argument other_input(Function function, int nv, int contacts) {
-  const int entries = 3 * contacts;
-  if (function == Function::contact_motion) return {"qd", nv, 1, "joint velocities"};
-  if (function == Function::effective_mass) {
-    return {"normals", entries, 1, "directions, world axes, one contact after the other"};
-  }
-  if (function == Function::impulse_response) {
-    return {"impulse", entries, 1,
-            "impulses on the robot, N s, world axes, one contact after the other"};
-  }
-  return {};
-}
-
 /// The tree with its contacts as the points that rows of Lambda^-1 are about.
 TracedTree tree_of_contact_tasks(TracedTree tree) {
   tree.operational_points = tree.contacts;
@@ -177,10 +163,11 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
   const Graph::Scope scope(program.graph);
   ContactTrace traced;
   traced.tree = tree_of<Expression>(mechanism);
-  traced.q = declare(program, "q", mechanism.nq(), "joint coordinates");
-  const Argument other =
-      other_input(function, mechanism.nv(), static_cast<int>(mechanism.contacts.size()));
-  traced.other = declare(program, other.name, other.rows, other.meaning);
+  const TracedInputs inputs(mechanism, function, program);
+  traced.q = inputs[Quantity::q];
+  for (const Quantity quantity : info_of(function).inputs) {
+    if (quantity != Quantity::q) traced.other = inputs[quantity];
+  }
   traced.X = joint_transforms<Expression>(traced.tree, traced.q);
   turn_late(traced.tree, traced.X);
   traced.poses = world_poses(traced.tree, traced.X);

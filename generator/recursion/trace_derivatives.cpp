@@ -11,30 +11,9 @@
 namespace treeline {
 namespace {
 
-using Expressions = std::vector<Expression>;
 using Matrix = DenseMatrix<Expression>;
 
 constexpr int kMostLanes = 4;  // three values go together
-
-/// The inputs of both functions; `driven` is qdd or tau.
-struct Inputs {
-  Expressions q, qd, driven, f_ext;
-};
-
-Inputs declare_inputs(const Mechanism& mechanism, Function function, Program& program) {
-  const int nv = mechanism.nv();
-  Inputs in;
-  in.q = declare(program, "q", mechanism.nq(), "joint coordinates");
-  in.qd = declare(program, "qd", nv, "joint velocities");
-  in.driven = function == Function::inverse_dynamics_derivatives
-                  ? declare(program, "qdd", nv, "joint accelerations")
-                  : declare(program, "tau", nv, "joint forces");
-  if (!mechanism.external_forces.empty()) {
-    in.f_ext = declare(program, "f_ext", 6 * static_cast<int>(mechanism.external_forces.size()),
-                       "force and moment on the robot at each external force's point");
-  }
-  return in;
-}
 
 /// A result by q; in which coordinates need be said only where a joint floats.
 Result by_displacements(const char* name, const Mechanism& mechanism, const Matrix& matrix) {
@@ -64,11 +43,12 @@ std::vector<ResultPlace> order_inward(std::size_t nv, std::size_t results) {
 Program trace_inverse(const Mechanism& mechanism, Program program) {
   const Graph::Scope scope(program.graph);
   program.source = "unit changes of motion and of wrenches carried inward, in link axes";
-  const Inputs in = declare_inputs(mechanism, Function::inverse_dynamics_derivatives, program);
+  const TracedInputs in(mechanism, Function::inverse_dynamics_derivatives, program);
   auto tree = tree_of<Expression>(mechanism);
-  auto X = joint_transforms<Expression>(tree, in.q);
+  auto X = joint_transforms<Expression>(tree, in[Quantity::q]);
   turn_late(tree, X);
-  const auto d = inverse_dynamics_derivatives<Expression>(tree, X, {in.qd, in.driven}, in.f_ext);
+  const auto d = inverse_dynamics_derivatives<Expression>(
+      tree, X, {in[Quantity::qd], in[Quantity::qdd]}, in[Quantity::f_ext]);
   program.results = {by_displacements("dtau_dq", mechanism, d.dq),
                      matrix_result("dtau_dqd", "by qd", d.dqd),
                      matrix_result("dtau_dqdd", "by qdd: M", d.dqdd)};
@@ -81,12 +61,12 @@ Program trace_forward(const Mechanism& mechanism, Program program, DerivativeRou
   program.source = route == DerivativeRoute::solve
                        ? "-M^-1 times those of inverse dynamics, M = L^T D L, sparse solves"
                        : "-M^-1 times those of inverse dynamics, M^-1 by L^T D L";
-  const Inputs in = declare_inputs(mechanism, Function::forward_dynamics_derivatives, program);
+  const TracedInputs in(mechanism, Function::forward_dynamics_derivatives, program);
   auto tree = tree_of<Expression>(mechanism);
-  auto X = joint_transforms<Expression>(tree, in.q);
+  auto X = joint_transforms<Expression>(tree, in[Quantity::q]);
   turn_late(tree, X);
-  const auto d =
-      forward_dynamics_derivatives<Expression>(tree, X, in.qd, in.driven, in.f_ext, route);
+  const auto d = forward_dynamics_derivatives<Expression>(
+      tree, X, in[Quantity::qd], in[Quantity::tau], in[Quantity::f_ext], route);
   program.results = {by_displacements("dqdd_dq", mechanism, d.dq),
                      matrix_result("dqdd_dqd", "by qd", d.dqd),
                      matrix_result("dqdd_dtau", "by tau: M^-1", d.dtau)};

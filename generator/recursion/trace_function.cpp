@@ -10,7 +10,6 @@
 #include "recursion/control_torque.hpp"
 #include "recursion/describe_choice.hpp"
 #include "recursion/forward_dynamics.hpp"
-#include "recursion/function_inputs.hpp"
 #include "recursion/hopeless_algorithms.hpp"
 #include "recursion/late_turns.hpp"
 #include "recursion/lift_tree.hpp"
@@ -90,7 +89,7 @@ class Tracer {
       program.equation += priorities_of(trace.tree);
     }
     trace.rows = static_cast<std::size_t>(mechanism_.task_rows());
-    declare_inputs(inputs_of(function), program, trace);
+    take_inputs(function, program, trace);
     trace.X = joint_transforms<Expression>(trace.tree, trace.q);
     turn_late(trace.tree, trace.X);
     if (route.law) {
@@ -105,30 +104,14 @@ class Tracer {
   }
 
  private:
-  void declare_inputs(unsigned inputs, Program& program, Trace& trace) const {
-    const int nv = mechanism_.nv();
-    trace.q = declare(program, "q", mechanism_.nq(), "joint coordinates");
-    if ((inputs & kQd) != 0) {
-      trace.qd = declare(program, "qd", nv, "joint velocities");
-    }
-    if ((inputs & kQdd) != 0) {
-      trace.qdd = declare(program, "qdd", nv, "joint accelerations");
-    }
-    if ((inputs & kPosture) != 0) {
-      trace.qdd = declare(program, "qdd_0", nv, "joint accelerations that the posture asks for");
-    }
-    if ((inputs & kTau) != 0) {
-      trace.tau = declare(program, "tau", nv, "joint forces");
-    }
-    if ((inputs & kXddCmd) != 0) {
-      trace.xdd_cmd = declare(program, "xdd_cmd", mechanism_.task_rows(),
-                              "commanded accelerations of the task rows");
-    }
-    if ((inputs & kForces) != 0 && !mechanism_.external_forces.empty()) {
-      trace.f_ext =
-          declare(program, "f_ext", 6 * static_cast<int>(mechanism_.external_forces.size()),
-                  "force and moment on the robot at each external force's point");
-    }
+  void take_inputs(Function function, Program& program, Trace& trace) const {
+    const TracedInputs inputs(mechanism_, function, program);
+    trace.q = inputs[Quantity::q];
+    trace.qd = inputs[Quantity::qd];
+    trace.qdd = inputs[takes(function, Quantity::qdd_0) ? Quantity::qdd_0 : Quantity::qdd];
+    trace.tau = inputs[Quantity::tau];
+    trace.xdd_cmd = inputs[Quantity::xdd_cmd];
+    trace.f_ext = inputs[Quantity::f_ext];
   }
 
   const Mechanism& mechanism_;

@@ -165,28 +165,15 @@ std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
   }
 }
 
-void declare_inputs(const Mechanism& mechanism, Function function, Program& program, Trace& trace) {
-  int objects = 0, internal = 0;
-  for (const MechanismObject& object : mechanism.objects) {
-    ++objects;
-    internal += 6 * (static_cast<int>(object.grasps.size()) - 1);
-  }
-  trace.q = declare(program, "q", mechanism.nq(), "joint coordinates");
-  trace.qd = declare(program, "qd", mechanism.nv(), "joint velocities");
-  if (function == Function::object_control_torque) {
-    trace.qdd_0 =
-        declare(program, "qdd_0", mechanism.nv(), "joint accelerations that the posture asks for");
-    trace.xdd_object = declare(program, "xdd_object", 6 * objects,
-                               "commanded accelerations of the objects' origins over angular ones, "
-                               "world axes");
-    trace.internal =
-        declare(program, "internal", internal, "commanded internal forces of the virtual linkages");
-  } else if (function == Function::object_forward_dynamics) {
-    trace.tau = declare(program, "tau", mechanism.nv(), "joint forces");
-    trace.stabilisation =
-        declare(program, "stabilisation", 2,
-                "damping, 1/s, and stiffness, 1/s^2, of the grasps' drift (Baumgarte); 0: none");
-  }
+void take_inputs(const Mechanism& mechanism, Function function, Program& program, Trace& trace) {
+  const TracedInputs inputs(mechanism, function, program);
+  trace.q = inputs[Quantity::q];
+  trace.qd = inputs[Quantity::qd];
+  trace.qdd_0 = inputs[Quantity::qdd_0];
+  trace.tau = inputs[Quantity::tau];
+  trace.xdd_object = inputs[Quantity::xdd_object];
+  trace.internal = inputs[Quantity::internal];
+  trace.stabilisation = inputs[Quantity::stabilisation];
 }
 
 Program trace_route(const Mechanism& mechanism, Function function, const Route& route, int lanes) {
@@ -199,7 +186,7 @@ Program trace_route(const Mechanism& mechanism, Function function, const Route& 
   Trace trace;
   trace.objects = objects_of<Expression>(mechanism);
   trace.tree = holding_tree(tree_of<Expression>(mechanism), trace.objects);
-  declare_inputs(mechanism, function, program, trace);
+  take_inputs(mechanism, function, program, trace);
   trace.X = joint_transforms<Expression>(trace.tree, trace.q);
   turn_late(trace.tree, trace.X);
   follow_points(trace.tree, trace.objects);

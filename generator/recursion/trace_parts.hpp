@@ -1,24 +1,13 @@
 #pragma once
 
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "program/program.hpp"
+#include "recursion/declare_inputs.hpp"
 #include "recursion/dense_matrix.hpp"
 
 namespace treeline {
-
-/// Adds an argument to a program that is being traced and gives its entries; nothing of no size.
-inline std::vector<Expression> declare(Program& program, const std::string& name, int size,
-                                       const std::string& meaning) {
-  std::vector<Expression> entries;
-  if (size > 0) program.arguments.push_back({name, size, 1, meaning});
-  for (int i = 0; i < size; ++i) {
-    entries.push_back(program.graph.input(name + "[" + std::to_string(i) + "]"));
-  }
-  return entries;
-}
 
 inline Result vector_result(const char* name, const char* meaning, std::vector<Expression> values) {
   const int size = static_cast<int>(values.size());

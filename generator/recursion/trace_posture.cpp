@@ -14,9 +14,9 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   program.source = "first moments of the composite bodies";
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
-  const auto q = declare(program, "q", mechanism.nq(), "joint coordinates");
+  const TracedInputs inputs(mechanism, function, program);
   auto tree = tree_of<Expression>(mechanism);
-  auto X = joint_transforms<Expression>(tree, q);
+  auto X = joint_transforms<Expression>(tree, inputs[Quantity::q]);
   turn_late(tree, X);
   if (function == Function::center_of_mass) {
     const Vector3<Expression> center = center_of_mass(tree, X);

@@ -150,7 +150,7 @@ void ExtremeStates::round(State& state) const {
        {&state.q, &state.qd, &state.qdd, &state.tau, &state.xdd_cmd, &state.f_ext}) {
     each(*entries);
   }
-  for (auto& [name, entries] : state.others) each(entries);
+  for (auto& [quantity, entries] : state.others) each(entries);
 }
 
 State ExtremeStates::draw(std::int64_t index) const {
@@ -165,10 +165,11 @@ State ExtremeStates::draw(std::int64_t index) const {
   const auto rows = static_cast<std::size_t>(interpreter::row_count(space_.subject.points));
   state.xdd_cmd = draw_rates(dice, rows, sizes_.acceleration);
   state.f_ext = draw_rates(dice, 6 * space_.subject.external.size(), sizes_.acceleration);
-  for (const auto& [name, count] : space_.others) {
+  for (const auto& [quantity, count] : space_.others) {
     const auto size = static_cast<std::size_t>(count);
-    state.others[name] =
-        name == "normals" ? draw_directions(dice, size) : draw_rates(dice, size, sizes_.velocity);
+    state.others[quantity] = quantity == Quantity::normals
+                                 ? draw_directions(dice, size)
+                                 : draw_rates(dice, size, sizes_.velocity);
   }
   round(state);
   for (const double angle : state.q) {

@@ -139,7 +139,8 @@ std::optional<Scene> proposed_scene(const Robot& robot, Base base, Diagnostics& 
 }
 
 std::string print_inputs(const State& state) {
-  std::map<std::string, std::vector<double>> inputs = state.others;
+  std::map<std::string, std::vector<double>> inputs;
+  for (const auto& [quantity, entries] : state.others) inputs[symbol_of(quantity)] = entries;
   inputs["q"] = state.q;
   inputs["qd"] = state.qd;
   inputs["qdd"] = state.qdd;

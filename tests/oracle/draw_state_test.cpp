@@ -132,9 +132,8 @@ TEST(States, TurnPlanarJointsAsFarAsRevoluteOnes) {
   }
   EXPECT_GT(farthest, 500) << "radians";
   EXPECT_LE(across, 10) << "metres";
-  const DomainDefaults defaults;
-  const std::vector<double> stated = make_domain(robot, scene, mechanism, defaults).sizes.at("q");
-  EXPECT_EQ(stated, (std::vector<double>{defaults.position, defaults.position, defaults.angle}));
+  const std::vector<double> stated = make_domain(robot, scene, mechanism).sizes.at("q");
+  EXPECT_EQ(stated, (std::vector<double>{kPositionRange, kPositionRange, kAngleRange}));
 }
 
 }  // namespace

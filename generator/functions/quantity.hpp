@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace treeline {
+
+/// What functions take as arguments. All that is known of one stands in its row of `kQuantities`.
+enum class Quantity {
+  q,
+  sin_q,
+  cos_q,
+  qd,
+  qdd,
+  qdd_0,
+  tau,
+  xdd_cmd,
+  f_ext,
+  impulse,
+  internal,
+  normals,
+  stabilisation,
+  xdd_object,
+};
+
+/// What the entries of an argument belong to.
+enum class IndexSpace {
+  positions,        ///< nq coordinates
+  velocities,       ///< nv velocities
+  task_rows,        ///< the controlled rows of all operational points
+  external_forces,  ///< 6 an external force, force over moment
+  contacts,         ///< 3 a contact
+  objects,          ///< 6 an object, linear over angular
+  linkages,         ///< 6 a grasp but for the first of each object
+  grasp_gains,      ///< 2: damping, stiffness
+};
+
+/// All that is known of a quantity. Units are those of rotation and translation where joints or
+/// rows have either.
+struct QuantityInfo {
+  Quantity quantity;
+  const char* symbol;   ///< name of the argument
+  const char* meaning;  ///< as contracts tell it
+  const char* unit;
+  IndexSpace space;
+  double range;  ///< largest magnitude that rounding bounds allow where the URDF states none
+};
+
+/// Of q, what rounding bounds allow where the URDF states no limits.
+inline constexpr double kAngleRange = std::numbers::pi;  ///< rad
+inline constexpr double kPositionRange = 10;             ///< m
+
+/// Every quantity, in the order of the enumeration.
+inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
+    {Quantity::q, "q", "joint coordinates", "rad, m", IndexSpace::positions, kPositionRange},
+    {Quantity::sin_q, "sin_q", "sines of q; read for angles only", "1", IndexSpace::positions, 1},
+    {Quantity::cos_q, "cos_q", "cosines of q; read for angles only", "1", IndexSpace::positions, 1},
+    {Quantity::qd, "qd", "joint velocities", "rad/s, m/s", IndexSpace::velocities, 10},
+    {Quantity::qdd, "qdd", "joint accelerations", "rad/s^2, m/s^2", IndexSpace::velocities, 100},
+    {Quantity::qdd_0, "qdd_0", "joint accelerations that the posture asks for", "rad/s^2, m/s^2",
+     IndexSpace::velocities, 100},
+    {Quantity::tau, "tau", "joint forces", "N m, N", IndexSpace::velocities, 1000},
+    {Quantity::xdd_cmd, "xdd_cmd", "commanded accelerations of the task rows", "m/s^2, rad/s^2",
+     IndexSpace::task_rows, 100},
+    {Quantity::f_ext, "f_ext", "force and moment on the robot at each external force's point",
+     "N, N m", IndexSpace::external_forces, 1000},
+    {Quantity::impulse, "impulse",
+     "impulses on the robot, N s, world axes, one contact after the other", "N s",
+     IndexSpace::contacts, 100},
+    {Quantity::internal, "internal", "commanded internal forces of the virtual linkages", "N, N m",
+     IndexSpace::linkages, 1000},
+    {Quantity::normals, "normals", "directions, world axes, one contact after the other", "1",
+     IndexSpace::contacts, 1},
+    {Quantity::stabilisation, "stabilisation",
+     "damping, 1/s, and stiffness, 1/s^2, of the grasps' drift (Baumgarte); 0: none", "1/s, 1/s^2",
+     IndexSpace::grasp_gains, 1000},
+    {Quantity::xdd_object, "xdd_object",
+     "commanded accelerations of the objects' origins over angular ones, world axes",
+     "m/s^2, rad/s^2", IndexSpace::objects, 100},
+});
+
+static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::xdd_object) + 1,
+              "every quantity has a row");
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kQuantities.size(); ++i) {
+        if (kQuantities[i].quantity != static_cast<Quantity>(i)) return false;
+        for (std::size_t j = 0; j < i; ++j) {
+          if (std::string_view(kQuantities[i].symbol) == kQuantities[j].symbol) return false;
+        }
+      }
+      return true;
+    }(),
+    "rows are in the order of the enumeration, and no two symbols are the same");
+
+constexpr const QuantityInfo& info_of(Quantity quantity) {
+  return kQuantities[static_cast<std::size_t>(quantity)];
+}
+constexpr const char* symbol_of(Quantity quantity) {
+  return info_of(quantity).symbol;
+}
+/// The quantity that an argument of this name is; nothing when there is none.
+constexpr std::optional<Quantity> find_quantity(std::string_view symbol) {
+  for (const QuantityInfo& row : kQuantities) {
+    if (symbol == row.symbol) return row.quantity;
+  }
+  return std::nullopt;
+}
+
+}  // namespace treeline
