@@ -259,7 +259,7 @@ constexpr bool is_derivative(Function function) {
 }
 
 /// The functions whose rows satisfy a predicate, as an array in the order of the rows.
-template <auto predicate>
+template <bool (*predicate)(const FunctionInfo&)>
 constexpr auto select_functions() {
   constexpr auto count =
       static_cast<std::size_t>(std::count_if(kFunctions.begin(), kFunctions.end(), predicate));
@@ -270,35 +270,40 @@ constexpr auto select_functions() {
   }
   return functions;
 }
+template <FunctionGroup... groups>
+constexpr bool is_about(const FunctionInfo& row) {
+  return ((row.group == groups) || ...);
+}
+template <Emitted emitted>
+constexpr bool is_emitted(const FunctionInfo& row) {
+  return row.emitted == emitted;
+}
+constexpr bool is_nameable(const FunctionInfo& row) {
+  return !is_emitted<Emitted::with_damping>(row);
+}
+constexpr bool is_default_of_points(const FunctionInfo& row) {
+  return is_emitted<Emitted::by_default>(row) &&
+         is_about<FunctionGroup::robot, FunctionGroup::points>(row);
+}
 
 /// All that a scene may ask for.
-inline constexpr auto kSceneFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.emitted != Emitted::with_damping;
-}>();
+inline constexpr auto kSceneFunctions = select_functions<is_nameable>();
 /// Those that a scene with operational points has if it says nothing else.
-inline constexpr auto kDefaultFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.emitted == Emitted::by_default &&
-         (row.group == FunctionGroup::robot || row.group == FunctionGroup::points);
-}>();
+inline constexpr auto kDefaultFunctions = select_functions<is_default_of_points>();
 /// Those that a scene has only when it asks.
-inline constexpr auto kRequestedFunctions =
-    select_functions<[](const FunctionInfo& row) { return row.emitted == Emitted::on_request; }>();
+inline constexpr auto kRequestedFunctions = select_functions<is_emitted<Emitted::on_request>>();
 /// Those about objects, which a scene may ask for only when it lists some.
-inline constexpr auto kObjectFunctions =
-    select_functions<[](const FunctionInfo& row) { return row.group == FunctionGroup::objects; }>();
+inline constexpr auto kObjectFunctions = select_functions<is_about<FunctionGroup::objects>>();
 /// Those about contacts, which a scene may ask for only when it lists some, and the inverse
 /// inertias of all links, which it gets only when it asks.
-inline constexpr auto kContactFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.group == FunctionGroup::contacts || row.group == FunctionGroup::links;
-}>();
+inline constexpr auto kContactFunctions =
+    select_functions<is_about<FunctionGroup::contacts, FunctionGroup::links>>();
 /// Those that posture laws need, which a scene gets only when it asks.
-inline constexpr auto kPostureFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.group == FunctionGroup::center_of_mass;
-}>();
+inline constexpr auto kPostureFunctions =
+    select_functions<is_about<FunctionGroup::center_of_mass>>();
 /// Those that optimisers need: long code, which a scene gets only when it asks.
-inline constexpr auto kDerivativeFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.group == FunctionGroup::derivatives;
-}>();
+inline constexpr auto kDerivativeFunctions =
+    select_functions<is_about<FunctionGroup::derivatives>>();
 /// Those that `damped_control_torque` is composed of.
 inline constexpr std::array kDampedFunctions = {Function::jacobian, Function::bias_acceleration,
                                                 Function::inverse_dynamics,
