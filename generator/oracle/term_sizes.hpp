@@ -32,6 +32,10 @@ class TermSizes {
                                                        const std::vector<double>& f_ext) const;
   /// Of the derivatives of `forces` by velocities: l m 2 (|w| l' + |v|) + |I| 2 |w|. nv x nv.
   [[nodiscard]] Eigen::MatrixXd forces_by_velocity(const std::vector<double>& qd) const;
+  /// Of the kinetic energy: sum over bodies of (m |v|^2 + |I| |w|^2) / 2.
+  [[nodiscard]] double kinetic_energy(const std::vector<double>& qd) const;
+  /// Of the potential energy: gravity times the masses and the lengths of the paths to them.
+  [[nodiscard]] double potential_energy() const;
   /// Of J, controlled rows x nv: l in rows of translation, 1 in those of rotation.
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   /// Of Jd qd, controlled rows: 2 |w| |v| and |w|^2.
@@ -57,6 +61,7 @@ class TermSizes {
 
   [[nodiscard]] Columns columns(int body, double distance) const;
   [[nodiscard]] double path_to(int body) const;
+  [[nodiscard]] double first_moment() const;
   [[nodiscard]] Motion motion(const Columns& columns, const std::vector<double>& qd,
                               const std::vector<double>& qdd) const;
 
