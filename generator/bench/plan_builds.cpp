@@ -173,7 +173,9 @@ class Planner {
   [[nodiscard]] bool spares_sines(const Program& program) const {
     return scene_.sin_cos == Sines::computed &&
            std::any_of(program.arguments.begin(), program.arguments.end(),
-                       [](const Argument& argument) { return argument.name == "sin_q"; });
+                       [](const Argument& argument) {
+                         return argument.name == symbol_of(Quantity::sin_q);
+                       });
   }
 
   [[nodiscard]] Variant variant_of(const GeneratedFunction& generated,

@@ -5,17 +5,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "functions/quantity_of_input.hpp"
+
 namespace treeline::bounds {
 
 InputSpace::InputSpace(const Graph& graph, const Domain& domain) {
   for (const std::string& name : graph.inputs()) {
     if (!domain.find(name)) missing_ = name;
     if (missing_) return;
-    const bool sine = name.starts_with("sin_q["), cosine = name.starts_with("cos_q[");
-    inputs_.push_back(
-        {entry_of(sine || cosine ? name.substr(4) : name, domain), sine     ? Reading::sine
-                                                                   : cosine ? Reading::cosine
-                                                                            : Reading::plain});
+    const auto quantity = quantity_of_input(name);
+    const Reading reading = quantity == Quantity::sin_q   ? Reading::sine
+                            : quantity == Quantity::cos_q ? Reading::cosine
+                                                          : Reading::plain;
+    const std::string angle = symbol_of(Quantity::q) + name.substr(name.find('['));
+    inputs_.push_back({entry_of(reading == Reading::plain ? name : angle, domain), reading});
   }
   for (const std::size_t first : domain.quaternions) {
     std::vector<std::size_t>& quaternion = quaternions_.emplace_back();
@@ -30,7 +33,8 @@ std::size_t InputSpace::entry_of(const std::string& name, const Domain& domain) 
                                   [&name](const Entry& entry) { return entry.name == name; });
   const auto at = static_cast<std::size_t>(found - entries_.begin());
   if (found == entries_.end()) {
-    entries_.push_back({name, domain.find(name).value_or(0), name.starts_with("q[")});
+    entries_.push_back(
+        {name, domain.find(name).value_or(0), quantity_of_input(name) == Quantity::q});
   }
   return at;
 }

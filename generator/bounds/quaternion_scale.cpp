@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "functions/quantity_of_input.hpp"
+
 namespace treeline::bounds {
 namespace {
 
@@ -39,7 +41,7 @@ bool is_quaternion_scale(const Graph& graph, std::uint32_t node) {
     const bool square = term.op == Op::mul && term.a == term.b;
     if (!square || graph.nodes()[term.a].op != Op::input) return false;
     const std::string& name = graph.inputs()[graph.nodes()[term.a].a];
-    if (!name.starts_with("q[")) return false;
+    if (quantity_of_input(name) != Quantity::q) return false;
     squared.insert(term.a);
   }
   return squared.size() == 4 && constants == 1 && terms.size() == 5;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "functions/quantity_of_input.hpp"
+
 namespace treeline::bounds {
 namespace {
 
@@ -15,11 +17,12 @@ struct GivenAngles {
   std::map<std::string, Angle> of;
 
   std::optional<TrigPolynomial> find(const std::string& input) {
-    const bool sine = input.starts_with("sin_q[");
-    if (!sine && !input.starts_with("cos_q[")) return std::nullopt;
+    const auto quantity = quantity_of_input(input);
+    const bool sine = quantity == Quantity::sin_q;
+    if (!sine && quantity != Quantity::cos_q) return std::nullopt;
     const auto next = static_cast<Angle>(~of.size());
     TrigPolynomial p;
-    p.angle = of.try_emplace(input.substr(4), next).first->second;
+    p.angle = of.try_emplace(input.substr(input.find('[')), next).first->second;
     p.c[sine ? 2 : 1] = 1;
     return p;
   }

@@ -49,8 +49,8 @@ bool lies_in(const Domain& domain, const Program& program, const State& state, d
   for (const auto* argument : arguments_of(program, state)) {
     const std::string& name = program.arguments[i++].name;
     if (!domain.contains(name, *argument)) return false;
-    if (name == "sin_q") sines = argument;
-    if (name == "cos_q" && !lie_on_circle(*sines, *argument, unit)) return false;
+    if (name == symbol_of(Quantity::sin_q)) sines = argument;
+    if (name == symbol_of(Quantity::cos_q) && !lie_on_circle(*sines, *argument, unit)) return false;
   }
   return true;
 }

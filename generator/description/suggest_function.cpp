@@ -20,11 +20,11 @@ constexpr std::array kElsewhere = std::to_array<std::pair<std::string_view, cons
     {"bias_forces", "\"nonlinear_effects\" is b + g"},
     {"com", "did you mean \"center_of_mass\"?"},
     {"com_jacobian", "did you mean \"center_of_mass_jacobian\"?"},
-    {"coriolis", "\"nonlinear_effects\" is b + g, \"gravity\" is g; their difference is C qd"},
-    {"coriolis_matrix",
-     "\"nonlinear_effects\" is b + g, \"gravity\" is g; their difference is C qd, and C itself is "
-     "not generated"},
+    {"coriolis",
+     "\"coriolis_matrix\" is C; \"nonlinear_effects\" is b + g, \"gravity\" is g; their difference "
+     "is b = C qd"},
     {"crba", "did you mean \"mass_matrix\"?"},
+    {"energy", "\"kinetic_energy\" and \"potential_energy\" are computed apart"},
     {"inertia_matrix", "did you mean \"mass_matrix\"?"},
     {"osim", "\"lambda_inverse\" is J M^-1 J^T, \"lambda\" its inverse"},
     {"rnea", "did you mean \"inverse_dynamics\"?"},

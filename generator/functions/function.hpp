@@ -35,6 +35,9 @@ enum class Function {
   center_of_mass_jacobian,
   inverse_dynamics_derivatives,
   forward_dynamics_derivatives,
+  coriolis_matrix,
+  kinetic_energy,
+  potential_energy,
   damped_control_torque,
 };
 
@@ -87,7 +90,7 @@ enum class Columns { computed, carried };
 
 /// Arguments in the order of the contract. Those of no size, as f_ext in a scene without external
 /// forces, are left out of it.
-struct Inputs {
+struct FunctionInputs {
   std::array<Quantity, 5> quantities{};
   std::size_t count = 0;
 
@@ -96,7 +99,7 @@ struct Inputs {
 };
 
 template <class... Listed>
-constexpr Inputs inputs(Listed... listed) {
+constexpr FunctionInputs inputs(Listed... listed) {
   return {{listed...}, sizeof...(listed)};
 }
 
@@ -109,7 +112,7 @@ struct FunctionInfo {
   Solve solve;
   FrameCost frames;
   Columns columns;
-  Inputs inputs;
+  FunctionInputs inputs;
   const char* equation;  ///< as contracts tell it
 };
 
@@ -201,6 +204,15 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
      frames_by(Function::forward_dynamics, Function::mass_matrix), Columns::computed,
      inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext),
      "derivatives of qdd = M^-1 (tau - b - g + J_ext^T f_ext), f_ext held"},
+    {Function::coriolis_matrix, "coriolis_matrix", FunctionGroup::robot, Emitted::on_request,
+     Solve::none, frames_by(Function::coriolis_matrix), Columns::computed,
+     inputs(Quantity::q, Quantity::qd), "C qd = b, dM/dt - 2 C skew-symmetric: the matrix C"},
+    {Function::kinetic_energy, "kinetic_energy", FunctionGroup::robot, Emitted::on_request,
+     Solve::none, frames_by(Function::kinetic_energy), Columns::computed,
+     inputs(Quantity::q, Quantity::qd), "T = qd^T M qd / 2"},
+    {Function::potential_energy, "potential_energy", FunctionGroup::robot, Emitted::on_request,
+     Solve::none, frames_by(Function::potential_energy), Columns::computed, inputs(Quantity::q),
+     "U = -sum of m_i gravity . c_i, zero at the world's origin"},
     {Function::damped_control_torque, "damped_control_torque", FunctionGroup::points,
      Emitted::with_damping, Solve::damped, kFramesAsBuilt, Columns::computed,
      inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd, Quantity::f_ext),
@@ -248,7 +260,7 @@ constexpr bool inverts_mass_matrix(Function function) {
   return solve_of(function) != Solve::none;
 }
 constexpr bool takes(Function function, Quantity quantity) {
-  const Inputs& inputs = info_of(function).inputs;
+  const FunctionInputs& inputs = info_of(function).inputs;
   return std::find(inputs.begin(), inputs.end(), quantity) != inputs.end();
 }
 constexpr bool takes_external_forces(Function function) {
@@ -259,7 +271,7 @@ constexpr bool is_derivative(Function function) {
 }
 
 /// The functions whose rows satisfy a predicate, as an array in the order of the rows.
-template <auto predicate>
+template <bool (*predicate)(const FunctionInfo&)>
 constexpr auto select_functions() {
   constexpr auto count =
       static_cast<std::size_t>(std::count_if(kFunctions.begin(), kFunctions.end(), predicate));
@@ -270,35 +282,40 @@ constexpr auto select_functions() {
   }
   return functions;
 }
+template <FunctionGroup... groups>
+constexpr bool is_about(const FunctionInfo& row) {
+  return ((row.group == groups) || ...);
+}
+template <Emitted emitted>
+constexpr bool is_emitted(const FunctionInfo& row) {
+  return row.emitted == emitted;
+}
+constexpr bool is_nameable(const FunctionInfo& row) {
+  return !is_emitted<Emitted::with_damping>(row);
+}
+constexpr bool is_default_of_points(const FunctionInfo& row) {
+  return is_emitted<Emitted::by_default>(row) &&
+         is_about<FunctionGroup::robot, FunctionGroup::points>(row);
+}
 
 /// All that a scene may ask for.
-inline constexpr auto kSceneFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.emitted != Emitted::with_damping;
-}>();
+inline constexpr auto kSceneFunctions = select_functions<is_nameable>();
 /// Those that a scene with operational points has if it says nothing else.
-inline constexpr auto kDefaultFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.emitted == Emitted::by_default &&
-         (row.group == FunctionGroup::robot || row.group == FunctionGroup::points);
-}>();
+inline constexpr auto kDefaultFunctions = select_functions<is_default_of_points>();
 /// Those that a scene has only when it asks.
-inline constexpr auto kRequestedFunctions =
-    select_functions<[](const FunctionInfo& row) { return row.emitted == Emitted::on_request; }>();
+inline constexpr auto kRequestedFunctions = select_functions<is_emitted<Emitted::on_request>>();
 /// Those about objects, which a scene may ask for only when it lists some.
-inline constexpr auto kObjectFunctions =
-    select_functions<[](const FunctionInfo& row) { return row.group == FunctionGroup::objects; }>();
+inline constexpr auto kObjectFunctions = select_functions<is_about<FunctionGroup::objects>>();
 /// Those about contacts, which a scene may ask for only when it lists some, and the inverse
 /// inertias of all links, which it gets only when it asks.
-inline constexpr auto kContactFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.group == FunctionGroup::contacts || row.group == FunctionGroup::links;
-}>();
+inline constexpr auto kContactFunctions =
+    select_functions<is_about<FunctionGroup::contacts, FunctionGroup::links>>();
 /// Those that posture laws need, which a scene gets only when it asks.
-inline constexpr auto kPostureFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.group == FunctionGroup::center_of_mass;
-}>();
+inline constexpr auto kPostureFunctions =
+    select_functions<is_about<FunctionGroup::center_of_mass>>();
 /// Those that optimisers need: long code, which a scene gets only when it asks.
-inline constexpr auto kDerivativeFunctions = select_functions<[](const FunctionInfo& row) {
-  return row.group == FunctionGroup::derivatives;
-}>();
+inline constexpr auto kDerivativeFunctions =
+    select_functions<is_about<FunctionGroup::derivatives>>();
 /// Those that `damped_control_torque` is composed of.
 inline constexpr std::array kDampedFunctions = {Function::jacobian, Function::bias_acceleration,
                                                 Function::inverse_dynamics,

@@ -33,11 +33,12 @@ GeneratedFunction compose_damped(const std::vector<GeneratedFunction>& functions
   Program& program = composed.program;
   program.name = function_name(composed.function);
   for (Argument argument : inverse_dynamics.arguments) {
-    const bool is_posture = argument.name == "qdd";
-    if (is_posture) argument.name = "qdd_0";
+    const bool is_posture = argument.name == symbol_of(Quantity::qdd);
+    if (is_posture) argument.name = symbol_of(Quantity::qdd_0);
     program.arguments.push_back(argument);
     if (is_posture) {
-      program.arguments.push_back({"xdd_cmd", bias.results.front().argument.rows, 1, ""});
+      program.arguments.push_back(
+          {symbol_of(Quantity::xdd_cmd), bias.results.front().argument.rows, 1, ""});
     }
   }
   program.results = {result_like(inverse_dynamics.results.front().argument),

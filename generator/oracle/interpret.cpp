@@ -68,6 +68,12 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
     case Function::forward_dynamics:
       return entries_of(
           interpreter::forward_dynamics<Scalar>(model, at.q, at.qd, at.tau, external, at.f_ext));
+    case Function::coriolis_matrix:
+      return entries_of(interpreter::coriolis_matrix<Scalar>(model, at.q, at.qd));
+    case Function::kinetic_energy:
+      return {interpreter::kinetic_energy<Scalar>(model, at.q, at.qd)};
+    case Function::potential_energy:
+      return {interpreter::potential_energy<Scalar>(model, at.q)};
     case Function::center_of_mass:
       return entries_of(interpreter::center_of_mass<Scalar>(model, at.q));
     case Function::center_of_mass_jacobian:

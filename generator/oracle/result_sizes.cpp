@@ -140,6 +140,12 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
       return inverse_dynamics_derivatives();
     case Function::forward_dynamics_derivatives:
       return forward_dynamics_derivatives();
+    case Function::coriolis_matrix:
+      return entries_of(terms_.forces_by_velocity(state_.qd) / 2);
+    case Function::kinetic_energy:
+      return {terms_.kinetic_energy(state_.qd)};
+    case Function::potential_energy:
+      return {terms_.potential_energy()};
     case Function::damped_control_torque:
       return damped_control_torque();
     case Function::object_state:

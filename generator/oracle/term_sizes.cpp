@@ -195,6 +195,22 @@ Eigen::MatrixXd TermSizes::forces_by_velocity(const std::vector<double>& qd) con
   return sizes;
 }
 
+double TermSizes::kinetic_energy(const std::vector<double>& qd) const {
+  const auto& model = subject_.model;
+  const std::vector<double> none(qd.size(), 0);
+  double twice = 0;
+  for (int i = 0; i < model.size(); ++i) {
+    const auto& body = model.body(i);
+    const Motion of = motion(columns(i, body.com.norm()), qd, none);
+    twice += body.mass * of.v * of.v + central_inertia(body) * of.w * of.w;
+  }
+  return twice / 2;
+}
+
+double TermSizes::potential_energy() const {
+  return subject_.model.gravity.norm() * first_moment();
+}
+
 Eigen::MatrixXd TermSizes::jacobian() const {
   Eigen::MatrixXd J =
       Eigen::MatrixXd::Zero(interpreter::row_count(subject_.points), subject_.model.nv);
@@ -233,13 +249,18 @@ Eigen::VectorXd TermSizes::poses() const {
   return sizes;
 }
 
-Eigen::VectorXd TermSizes::center_of_mass() const {
+/// The masses times the lengths of the paths to their centres.
+double TermSizes::first_moment() const {
   const auto& model = subject_.model;
   double moment = 0;
   for (int i = 0; i < model.size(); ++i) {
     moment += model.body(i).mass * (path_to(i) + model.body(i).com.norm());
   }
-  return Eigen::VectorXd::Constant(3, moment / interpreter::total_mass(model));
+  return moment;
+}
+
+Eigen::VectorXd TermSizes::center_of_mass() const {
+  return Eigen::VectorXd::Constant(3, first_moment() / interpreter::total_mass(subject_.model));
 }
 
 Eigen::MatrixXd TermSizes::center_of_mass_jacobian() const {

@@ -33,6 +33,10 @@ class TermSizes {
   /// Sizes of the derivatives of `forces` with respect to velocities: l m 2 (|w| l' + |v|) + |I| 2
   /// |w|. nv x nv.
   [[nodiscard]] Eigen::MatrixXd forces_by_velocity(const std::vector<double>& qd) const;
+  /// Size of the kinetic energy: sum over bodies of (m |v|^2 + |I| |w|^2) / 2.
+  [[nodiscard]] double kinetic_energy(const std::vector<double>& qd) const;
+  /// Size of the potential energy: gravity times the masses and the lengths of the paths to them.
+  [[nodiscard]] double potential_energy() const;
   /// Sizes of J, controlled rows x nv: l in translational rows, 1 in rotational ones.
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   /// Sizes of Jd qd, controlled rows: 2 |w| |v| and |w|^2.
@@ -59,6 +63,7 @@ class TermSizes {
 
   [[nodiscard]] Columns columns(int body, double distance) const;
   [[nodiscard]] double path_to(int body) const;
+  [[nodiscard]] double first_moment() const;
   [[nodiscard]] Motion motion(const Columns& columns, const std::vector<double>& qd,
                               const std::vector<double>& qdd) const;
 

@@ -2,42 +2,10 @@
 
 #include <vector>
 
+#include "recursion/link_velocities.hpp"
 #include "recursion/object_tree.hpp"
-#include "recursion/outward_motion.hpp"
 
 namespace treeline {
-
-/// Velocity of a link's origin and angular velocity, in the link's axes.
-template <class Scalar>
-struct LinkVelocity {
-  Vector3<Scalar> v, w;
-};
-
-template <class Scalar>
-std::vector<LinkVelocity<Scalar>> link_velocities(const Tree<Scalar>& tree,
-                                                  const std::vector<JointTransform<Scalar>>& X,
-                                                  const JointRates<Scalar>& rates) {
-  std::vector<LinkVelocity<Scalar>> velocities;
-  for (std::size_t i = 0; i < tree.links.size(); ++i) {
-    const TreeLink<Scalar>& link = tree.links[i];
-    section(link, i, "velocity");
-    const LinkVelocity<Scalar> parent = link.parent < 0
-                                            ? LinkVelocity<Scalar>{}
-                                            : velocities[static_cast<std::size_t>(link.parent)];
-    LinkVelocity<Scalar> own{X[i].to_child(parent.v + cross(parent.w, X[i].p)),
-                             X[i].to_child(parent.w)};
-    const auto at = static_cast<std::size_t>(link.v_index);
-    if (link.kind == JointKind::floating) {
-      own.v = own.v + velocity_triple(rates, at);
-      own.w = own.w + velocity_triple(rates, at + 3);
-    } else {
-      Scalar& along = link.kind == JointKind::revolute ? own.w.z : own.v.z;
-      along = along + link.multiplier * rates.velocity(at);
-    }
-    velocities.push_back(own);
-  }
-  return velocities;
-}
 
 /// Pose and velocity of an object according to one grasp, world axes.
 template <class Scalar>

@@ -32,6 +32,9 @@ namespace treeline::interpreter {
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
   EXTERN template DynamicsDerivatives<T> forward_dynamics_derivatives<T>(                          \
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
+  EXTERN template Matrix<T> coriolis_matrix<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);       \
+  EXTERN template T kinetic_energy<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);                \
+  EXTERN template T potential_energy<T>(const Model<T>&, VectorArg<T>);                            \
   EXTERN template Vector3<T> center_of_mass<T>(const Model<T>&, VectorArg<T>);                     \
   EXTERN template Matrix<T> center_of_mass_jacobian<T>(const Model<T>&, VectorArg<T>)
 

@@ -68,6 +68,20 @@ TEST(Check, Objects) {
   expect_passed(check_or_throw(load("humanoid24", "scene_box.yaml"), quick_options(40)), 4);
 }
 
+TEST(Check, CoriolisMatrixAndEnergies) {
+  for (const char* name : {"puma560", "tumbler", "samm"}) {
+    SCOPED_TRACE(name);
+    for (const Real real : {Real::float64, Real::float32}) {
+      Subjects subjects = load(name);
+      subjects.scene.real = real;
+      subjects.scene.functions = {Function::coriolis_matrix, Function::kinetic_energy,
+                                  Function::potential_energy};
+      subjects.generation = generate(subjects.robot, subjects.scene);
+      expect_passed(check_or_throw(subjects, quick_options(40)), 3);
+    }
+  }
+}
+
 TEST(Check, Float) {
   const auto report = check_or_throw(load("puma560", "scene_float.yaml"), quick_options(60));
   expect_passed(report, 2);

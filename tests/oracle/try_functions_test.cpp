@@ -77,10 +77,8 @@ TEST(TryFunctions, OfAllKinds) {
   scene.contacts = {scene.operational_points.front()};
   scene.contacts.front().rows = {true, true, true, false, false, false};
   scene.contacts.front().axes = Axes::world;
-  for (const Function function : kContactFunctions) scene.functions.push_back(function);
-  for (const Function function : kPostureFunctions) scene.functions.push_back(function);
-  for (const Function function : kDerivativeFunctions) scene.functions.push_back(function);
-  std::sort(scene.functions.begin(), scene.functions.end());
+  scene.functions.assign(kSceneFunctions.begin(), kSceneFunctions.end());
+  std::erase_if(scene.functions, needs_objects);
   expect_tried({drawn.robot, scene, generate(drawn.robot, scene)});
 }
 

@@ -200,8 +200,8 @@ TEST(Structure, LambdaInvertsItsInverseAndMatricesAreSymmetricToTheBit) {
   for (std::size_t route = 0; route < inverses.size(); ++route) {
     const auto A = value(inverses[route], in);
     const auto B = value(lambdas[route], in);
-    EXPECT_TRUE(symmetric(A)) << inverses[route].source;
-    EXPECT_TRUE(symmetric(B)) << inverses[route].source;
+    EXPECT_TRUE(symmetric(A)) << describe(inverses[route].route);
+    EXPECT_TRUE(symmetric(B)) << describe(inverses[route].route);
     const auto one = product(A, B, 6);
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t j = 0; j < 6; ++j) EXPECT_NEAR(one[i * 6 + j], i == j ? 1 : 0, slack);

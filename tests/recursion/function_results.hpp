@@ -99,6 +99,12 @@ class Oracle {
         return {listed(ip::nonlinear_effects<Scalar>(model_, q, qd))};
       case Function::mass_matrix:
         return {listed(mass_matrix(in))};
+      case Function::coriolis_matrix:
+        return {listed(ip::coriolis_matrix<Scalar>(model_, q, qd))};
+      case Function::kinetic_energy:
+        return {{ip::kinetic_energy<Scalar>(model_, q, qd)}};
+      case Function::potential_energy:
+        return {{ip::potential_energy<Scalar>(model_, q)}};
       case Function::forward_dynamics:
         return {listed(ip::forward_dynamics<Scalar>(model_, q, qd, vector(in.tau), forces_, f))};
       case Function::lambda_inverse:
@@ -161,6 +167,9 @@ struct Yardstick {
       case Function::gravity:
       case Function::nonlinear_effects:
       case Function::control_torque:
+      case Function::coriolis_matrix:
+      case Function::kinetic_energy:
+      case Function::potential_energy:
         return force;
       default:
         return 0;

@@ -5,9 +5,12 @@
 
 #include "mechanism/mechanism.hpp"
 #include "recursion/control_torque.hpp"
+#include "recursion/coriolis_matrix.hpp"
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/kinetic_energy.hpp"
 #include "recursion/late_turns.hpp"
+#include "recursion/potential_energy.hpp"
 #include "recursion/resolved_acceleration.hpp"
 
 /// The recursions without a graph, in any `Scalar`. In 50 digits the constants of the mechanism are
@@ -50,6 +53,12 @@ class TemplateRun {
         return {{"", {newton_euler({in_.qd, {}}, {})}}};
       case Function::mass_matrix:
         return {{"", {mass_matrix(tree_, X_).values()}}};
+      case Function::coriolis_matrix:
+        return {{"", {coriolis_matrix<Scalar>(tree_, X_, in_.qd).values()}}};
+      case Function::kinetic_energy:
+        return {{"", {{kinetic_energy<Scalar>(tree_, X_, in_.qd)}}}};
+      case Function::potential_energy:
+        return {{"", {{potential_energy(tree_, X_)}}}};
       case Function::forward_dynamics:
         return forward_dynamics();
       case Function::lambda_inverse:

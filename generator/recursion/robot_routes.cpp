@@ -1,0 +1,282 @@
+#include "recursion/robot_routes.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "recursion/coriolis_matrix.hpp"
+#include "recursion/describe_choice.hpp"
+#include "recursion/forward_dynamics.hpp"
+#include "recursion/kinetic_energy.hpp"
+#include "recursion/potential_energy.hpp"
+#include "recursion/resolved_by_pivots.hpp"
+#include "recursion/trace_parts.hpp"
+
+namespace treeline {
+namespace {
+
+using Expressions = std::vector<Expression>;
+using TracedTree = Tree<Expression>;
+using Outputs = std::vector<Result>;
+
+Outputs vector_output(const char* name, const char* meaning, Expressions values) {
+  return {vector_result(name, meaning, std::move(values))};
+}
+Outputs matrix_output(const char* name, const char* meaning,
+                      const DenseMatrix<Expression>& matrix) {
+  return {matrix_result(name, meaning, matrix)};
+}
+
+Outputs point_poses(const RobotTrace& trace) {
+  const auto poses = trace.poses();
+  Expressions positions;
+  Expressions rotations;
+  for (const TreePoint<Expression>& point : trace.tree.operational_points) {
+    const WorldPose<Expression> pose = point_pose(poses, point);
+    positions.insert(positions.end(), {pose.p.x, pose.p.y, pose.p.z});
+    for (const auto& row : {pose.R.row_x, pose.R.row_y, pose.R.row_z}) {
+      rotations.insert(rotations.end(), {row.x, row.y, row.z});
+    }
+  }
+  const int count = static_cast<int>(trace.tree.operational_points.size());
+  return {{{"position", 3 * count, 1, "positions in the world, m, one point after the other"},
+           positions},
+          {{"rotation", 9 * count, 1,
+            "rotation matrices, row-major, point's axes to world, one point after the other"},
+           rotations}};
+}
+
+std::vector<RobotRoute> jacobian_routes(const TracedTree& tree) {
+  std::vector<RobotRoute> routes{
+      {{"inward", "rows carried inward from each point"}, [](const RobotTrace& trace) {
+         const auto poses = trace.poses();
+         const auto tasks = task_points(trace.tree, {}, poses);
+         return matrix_output("J", "Jacobian",
+                              jacobian_inward(trace.tree, trace.X, tasks, trace.rows, poses));
+       }}};
+  if (permits(tree, {}, LambdaRoute::factors_world)) {
+    routes.push_back({{"poses", "from the poses of all links"}, [](const RobotTrace& trace) {
+                        return matrix_output(
+                            "J", "Jacobian",
+                            jacobian_world(trace.tree, trace.poses(), {}, trace.rows));
+                      }});
+  }
+  return routes;
+}
+
+Expressions net_forces(const RobotTrace& trace) {
+  const auto h = inverse_dynamics<Expression>(trace.tree, trace.X, {trace.qd, {}}, trace.applied());
+  Expressions net = trace.tau;
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    net[i] = net[i] - h[i];
+  }
+  return net;
+}
+
+std::vector<RobotRoute> forward_dynamics_routes(const TracedTree& tree) {
+  const char* meaning = "joint accelerations";
+  std::vector<RobotRoute> routes{
+      {{"ltdl", "M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)"},
+       [meaning](const RobotTrace& trace) {
+         const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
+         return vector_output("qdd", meaning, solve(factor, net_forces(trace)));
+       }}};
+  if (!tree.has_mimics) {
+    routes.push_back(
+        {{"aba", "articulated bodies, Chang table 4.2"}, [meaning](const RobotTrace& trace) {
+           return vector_output(
+               "qdd", meaning,
+               solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
+                                 net_forces(trace)));
+         }});
+  }
+  return routes;
+}
+
+std::vector<RobotRoute> lambda_routes(const TracedTree& tree, bool invert, TaskLaws& laws) {
+  std::vector<RobotRoute> routes;
+  const auto law =
+      invert ? laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {}) : nullptr;
+  for (const LambdaChoice& choice : lambda_choices(tree)) {
+    routes.push_back({route_id(choice, tree),
+                      [choice, invert](const RobotTrace& trace) {
+                        const auto Lambda_inv =
+                            lambda_inverse_as_asked(trace.tree, trace.X, choice, trace.rows);
+                        return invert
+                                   ? matrix_output("Lambda", "operational-space inertia",
+                                                   inverse(factor_ldlt(Lambda_inv, trace.rule)))
+                                   : matrix_output("Lambda_inv",
+                                                   "inverse operational-space inertia", Lambda_inv);
+                      },
+                      law});
+  }
+  return routes;
+}
+
+/// As many joints as rows: by cofactors, or by pivots that may yield.
+void append_resolved_routes(const Mechanism& mechanism, const TracedTree& tree, TaskLaws& laws,
+                            std::vector<RobotRoute>& routes) {
+  if (!permits_resolved_acceleration(tree)) {
+    return;
+  }
+  const auto inputs = [](const RobotTrace& trace) -> ControlInputs<Expression> {
+    return {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()};
+  };
+  if (mechanism.singular == SingularTasks::exact) {
+    for (const int link : axes_links(tree)) {
+      routes.push_back({{"resolved", "resolved acceleration, spherical wrist", axes_key(link),
+                         fmt::format("J in {}", axes_name(link, tree))},
+                        [link, inputs](const RobotTrace& trace) {
+                          return vector_output("tau", "joint forces",
+                                               control_torque_by_resolved_acceleration<Expression>(
+                                                   trace.tree, trace.X, inputs(trace), link));
+                        }});
+    }
+    return;
+  }
+  for (int link = 0; link < 3; ++link) {
+    const auto law = laws.resolved(link);
+    if (!law) continue;
+    routes.push_back({{"resolved-pivots", "resolved acceleration, spherical wrist, by pivots",
+                       fmt::format("{}+{}", axes_key(link), axes_key(law->angular_axes_link)),
+                       fmt::format("J in {} and {}", axes_name(link, tree),
+                                   axes_name(law->angular_axes_link, tree))},
+                      [law, inputs](const RobotTrace& trace) {
+                        return vector_output("tau", "joint forces",
+                                             control_torque_by_pivots<Expression>(
+                                                 trace.tree, trace.X, inputs(trace), *law));
+                      },
+                      law});
+  }
+}
+
+std::vector<RobotRoute> control_routes(const Mechanism& mechanism, const TracedTree& tree,
+                                       TaskLaws& laws) {
+  std::vector<RobotRoute> routes;
+  const auto kind =
+      has_priorities(tree) ? TaskLaw::Kind::priorities : TaskLaw::Kind::inverse_inertia;
+  for (const LambdaChoice& choice : control_choices(tree)) {
+    // Table 5.1 gives Lambda itself, behind a floating joint, where nothing can be lost.
+    const bool solves = choice.route != LambdaRoute::inertia_propagation || has_priorities(tree);
+    routes.push_back(
+        {has_priorities(tree)
+             ? on_top_of(route_id(choice, tree), "fused-by-priority",
+                         "Chang table 6.1, fused, LDL^T in order of priority")
+             : on_top_of(route_id(choice, tree), "fused", "Chang table 6.1, fused"),
+         [choice](const RobotTrace& trace) {
+           return vector_output(
+               "tau", "joint forces",
+               control_torque<Expression>(trace.tree, trace.X,
+                                          {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()},
+                                          choice, trace.rows, trace.rule));
+         },
+         solves ? laws.find(kind, LawPoints::operational, control_basis(tree, choice)) : nullptr});
+  }
+  append_resolved_routes(mechanism, tree, laws, routes);
+  return routes;
+}
+
+std::vector<RobotRoute> newton_euler_route(const char* name, const char* meaning) {
+  return {{{"rnea", "recursive Newton-Euler, Chang table 4.1"},
+           [name, meaning](const RobotTrace& trace) {
+             return vector_output(name, meaning,
+                                  inverse_dynamics<Expression>(
+                                      trace.tree, trace.X, {trace.qd, trace.qdd}, trace.applied()));
+           }}};
+}
+
+std::vector<RobotRoute> coriolis_routes() {
+  return {{{"composite-bodies", "composite bodies, Echeandia & Wensing 2021"},
+           [](const RobotTrace& trace) {
+             return matrix_output("C", "Coriolis matrix",
+                                  coriolis_matrix<Expression>(trace.tree, trace.X, trace.qd));
+           }}};
+}
+
+std::vector<RobotRoute> kinetic_energy_routes() {
+  return {{{"outward", "outward recursion"}, [](const RobotTrace& trace) {
+             return vector_output("energy", "kinetic energy, J",
+                                  {kinetic_energy<Expression>(trace.tree, trace.X, trace.qd)});
+           }}};
+}
+
+std::vector<RobotRoute> potential_energy_routes() {
+  return {
+      {{"composite-moments", "first moments of the composite bodies"}, [](const RobotTrace& trace) {
+         return vector_output("energy", "potential energy, J",
+                              {potential_energy(trace.tree, trace.X)});
+       }}};
+}
+
+std::vector<RobotRoute> pose_routes() {
+  return {{{"outward", "outward recursion"}, point_poses}};
+}
+
+std::vector<RobotRoute> bias_routes() {
+  return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const RobotTrace& trace) {
+             const auto tasks = task_points(trace.tree, {}, trace.poses());
+             return vector_output(
+                 "bias", "accelerations of the task rows at qdd = 0",
+                 bias_acceleration<Expression>(trace.tree, trace.X, tasks, trace.qd));
+           }}};
+}
+
+std::vector<RobotRoute> mass_matrix_routes() {
+  return {{{"crba", "composite rigid bodies, RBDA table 6.2"}, [](const RobotTrace& trace) {
+             return matrix_output("M", "joint-space inertia", mass_matrix(trace.tree, trace.X));
+           }}};
+}
+
+}  // namespace
+
+std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechanism,
+                                     const TracedTree& tree) {
+  TaskLaws laws(mechanism);
+  switch (function) {
+    case Function::forward_kinematics:
+      return pose_routes();
+    case Function::jacobian:
+      return jacobian_routes(tree);
+    case Function::bias_acceleration:
+      return bias_routes();
+    case Function::inverse_dynamics:
+      return newton_euler_route("tau", "joint forces");
+    case Function::gravity:
+      return newton_euler_route("g", "joint forces");
+    case Function::nonlinear_effects:
+      return newton_euler_route("h", "joint forces");
+    case Function::mass_matrix:
+      return mass_matrix_routes();
+    case Function::forward_dynamics:
+      return forward_dynamics_routes(tree);
+    case Function::coriolis_matrix:
+      return coriolis_routes();
+    case Function::kinetic_energy:
+      return kinetic_energy_routes();
+    case Function::potential_energy:
+      return potential_energy_routes();
+    case Function::lambda_inverse:
+      return lambda_routes(tree, false, laws);
+    case Function::lambda:
+      return lambda_routes(tree, true, laws);
+    case Function::control_torque:
+      return control_routes(mechanism, tree, laws);
+    case Function::object_state:
+    case Function::object_control_torque:
+    case Function::object_forward_dynamics:
+    case Function::contact_motion:
+    case Function::contact_inverse_inertia:
+    case Function::effective_mass:
+    case Function::impulse_response:
+    case Function::link_inverse_inertias:
+    case Function::center_of_mass:
+    case Function::center_of_mass_jacobian:
+    case Function::inverse_dynamics_derivatives:
+    case Function::forward_dynamics_derivatives:
+    case Function::damped_control_torque:
+      break;  // traced elsewhere
+  }
+  return {};
+}
+
+}  // namespace treeline

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "functions/function.hpp"
+#include "program/program.hpp"
+#include "recursion/control_torque.hpp"
+#include "recursion/task_law.hpp"
+
+namespace treeline {
+
+/// What a trace has at hand: the tree, its transforms for the inputs q, and the other inputs.
+struct RobotTrace {
+  Tree<Expression> tree;
+  std::size_t rows = 0;
+  std::vector<Expression> q, qd, qdd, tau, xdd_cmd, f_ext;
+  std::vector<JointTransform<Expression>> X;
+  PivotRule rule;
+
+  [[nodiscard]] std::vector<Wrench<Expression>> applied() const {
+    return f_ext.empty() ? std::vector<Wrench<Expression>>{}
+                         : applied_wrenches<Expression>(tree, X, f_ext);
+  }
+  [[nodiscard]] std::vector<WorldPose<Expression>> poses() const { return world_poses(tree, X); }
+};
+
+/// One way to compute a function.
+struct RobotRoute {
+  RouteId id;
+  std::function<std::vector<Result>(const RobotTrace&)> body;
+  std::shared_ptr<const TaskLaw> law = nullptr;  ///< of rows that yield
+};
+
+/// The routes to a function that is about the robot or its operational points, at least one; none
+/// for other functions. Which there are depends on the structure of the tree alone.
+std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechanism,
+                                     const Tree<Expression>& tree);
+
+}  // namespace treeline
