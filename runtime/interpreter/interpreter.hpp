@@ -6,9 +6,9 @@
 /// coordinates; a quantity of a robot with mimic joints is that of its independent coordinates.
 /// `instances.hpp` gives the same with double and 50 digits compiled once.
 
-#include "interpreter/contacts.hpp"
 #include "interpreter/augmented_object.hpp"
 #include "interpreter/center_of_mass.hpp"
+#include "interpreter/contacts.hpp"
 #include "interpreter/control_torque.hpp"
 #include "interpreter/coriolis_matrix.hpp"
 #include "interpreter/damped_torque.hpp"
@@ -30,6 +30,6 @@
 #include "interpreter/point_accelerations.hpp"
 #include "interpreter/potential_energy.hpp"
 #include "interpreter/prioritized_torque.hpp"
-#include "interpreter/task_posture.hpp"
 #include "interpreter/propagate_inertia.hpp"
 #include "interpreter/propagate_unit_forces.hpp"
+#include "interpreter/task_posture.hpp"
