@@ -114,13 +114,20 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                                   {{"comment", comment("///", describe_function(context, program))},
                                    {"signature", print_declaration(program)}});
   }
+  const bool single = context.single_precision;
   return fill_template(templates::kContract,
                        {{"robot", context.robot},
                         {"version", generator_version()},
                         {"origin", comment("//", describe_origin(context))},
                         {"conventions", comment("//", describe_conventions(context))},
                         {"name", context.name},
-                        {"real", context.single_precision ? "float" : "double"},
+                        {"real", single ? "float" : "double"},
+                        {"bytes", single ? "4" : "8"},
+                        {"fraction", single ? "23" : "52"},
+                        {"digits", single ? "24" : "53"},
+                        {"least", single ? "149" : "1074"},
+                        {"format", single ? "binary32" : "binary64"},
+                        {"f", single ? "F" : ""},
                         {"coordinates", std::to_string(context.coordinates)},
                         {"velocities", std::to_string(context.velocities)},
                         {"task_rows", std::to_string(context.task_rows)},

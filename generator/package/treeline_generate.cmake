@@ -19,6 +19,9 @@ set(TREELINE_ALL_FUNCTIONS
   inverse_dynamics_derivatives forward_dynamics_derivatives
   CACHE INTERNAL "")
 
+option(TREELINE_FP_CONTRACT
+  "Leave it to the compiler whether products and sums are fused; OFF: same bits on every target" ON)
+
 function(treeline_generate target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;CHOICES" "FUNCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
@@ -81,6 +84,10 @@ function(treeline_generate target)
   add_dependencies(${target} ${target}_generate)
   target_include_directories(${target} PUBLIC ${folder})
   target_compile_features(${target} PUBLIC cxx_std_17)
-  target_compile_options(${target}
-    PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-fast-math>)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang|IntelLLVM")
+    target_compile_options(${target} PRIVATE -fno-fast-math)
+    if(NOT TREELINE_FP_CONTRACT)
+      target_compile_options(${target} PRIVATE -ffp-contract=off)
+    endif()
+  endif()
 endfunction()
