@@ -12,6 +12,15 @@
 
 #include <stdint.h>
 
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "sin_cos.hpp: compile without -ffast-math (put -fno-fast-math behind it)"
+#endif
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace humanoid24::detail {
 
 /// What is known of a number's format: the integer of its size and the constants below.
@@ -44,6 +53,13 @@ struct Format<float> {
   static constexpr Bits kLargestAngle = Bits{127 + 20} << 23;
 };
 
+// Where there is one: of a copy by __builtin_memcpy some compilers make a call for doubles.
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_bit_cast)
+#define TREELINE_HAS_BIT_CAST
+#endif
+#endif
+
 /// One number with the bits it is made of.
 template <class Number>
 struct OneLane {
@@ -57,7 +73,9 @@ struct OneLane {
   template <class From, class To>
   static void copy(const From& from, To& to) noexcept {
     static_assert(sizeof(From) == sizeof(To));
-#if defined(__GNUC__)
+#if defined(TREELINE_HAS_BIT_CAST)
+    to = __builtin_bit_cast(To, from);
+#elif defined(__GNUC__)
     __builtin_memcpy(&to, &from, sizeof(To));
 #else
     const auto* source = reinterpret_cast<const unsigned char*>(&from);
@@ -370,5 +388,10 @@ inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noex
 
 #undef TREELINE_INLINE_LANES
 #undef TREELINE_HAS_LANES
+#undef TREELINE_HAS_BIT_CAST
 
 }  // namespace humanoid24::detail
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -2,17 +2,25 @@
 // Small symmetric positive definite systems: A = L D L^T with L unit lower triangular. C++17,
 // freestanding, fixed size, no square root, no branch on data.
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace ur10e::detail {
 
 /// Factors the row-major symmetric `A` in place: L below the diagonal, D on it; what lies above the
 /// diagonal is neither read nor written. Returns whether every pivot is positive (false for NaN
 /// too); when not, the factors are meaningless.
 template <int N, int NN, class Real>
-constexpr bool ldlt_factor(Real (&A)[NN]) noexcept {
+inline bool ldlt_factor(Real (&A)[NN]) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
   bool positive = true;
+  Real scaled[N];
+  for (int k = 0; k < N; ++k) {
+    scaled[k] = A[k * N + k];  // or compilers take it for read before it is written
+  }
   for (int j = 0; j < N; ++j) {
-    Real scaled[N] = {};
     Real pivot = A[j * N + j];
     for (int k = 0; k < j; ++k) {
       scaled[k] = A[j * N + k] * A[k * N + k];
@@ -49,3 +57,7 @@ constexpr void ldlt_solve(const Real (&factors)[NN], Real (&x)[N]) noexcept {
 }
 
 }  // namespace ur10e::detail
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -45,7 +45,7 @@ DampedCost cost_of_damped_solve(int n, int velocities, bool single_precision) {
   add(count, pairs, 2, 2, 0);                            // both triangles
   add(count, n, 0, 0, 1);                                // and D
   add(count, n * velocities, 1, 1, 0);                   // tau += J^T F
-  cost.values = 5 * n * n + n * velocities + 6 * n + 8;  // of which 8 in a rotation
+  cost.values = 4 * n * n + n * velocities + 6 * n + 8;  // of which 8 in a rotation
   return cost;
 }
 

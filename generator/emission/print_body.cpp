@@ -105,18 +105,25 @@ class BodyPrinter {
       const Node& node = graph_.nodes()[i];
       const auto lane = std::find(angles.begin(), angles.end(), node.a) - angles.begin();
       enter_sections(i);
-      text_ += wrap_line(fmt::format("const {} {} = {}{}[{}];", number_, names_[i],
-                                     node.op == Op::sin ? "sines" : "cosines", suffix, lane),
-                         2);
+      text_ += wrap_line(
+          fmt::format("const {} {} = {};", number_, names_[i],
+                      copy_of(fmt::format("{}{}[{}]", node.op == Op::sin ? "sines" : "cosines",
+                                          suffix, lane))),
+          2);
       print_stores(i);
     }
     return end;
   }
 
+  /// States are copied by a function that makes no call of memcpy.
+  std::string copy_of(const std::string& number) const {
+    return number_ == "Real" ? number : fmt::format("detail::copy_of({})", number);
+  }
+
   void print_call(const std::vector<std::uint32_t>& angles, const std::string& suffix) {
     std::string list;
     for (const std::uint32_t angle : angles) {
-      list += (list.empty() ? "" : ", ") + expressions_.reference(angle);
+      list += (list.empty() ? "" : ", ") + copy_of(expressions_.reference(angle));
     }
     text_ += wrap_line(
         fmt::format("const {} angles{}[{}] = {{{}}};", number_, suffix, angles.size(), list), 2);

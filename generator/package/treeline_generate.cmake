@@ -12,6 +12,9 @@
 # TREELINE_FUNCTIONS, every function that a scene may ask for, comes from treeline_functions.cmake;
 # which of them a scene does ask for is known only once it is read.
 
+option(TREELINE_FP_CONTRACT
+  "Leave it to the compiler whether products and sums are fused; OFF: same bits on every target" ON)
+
 function(treeline_generate target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;CHOICES" "FUNCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
@@ -74,6 +77,10 @@ function(treeline_generate target)
   add_dependencies(${target} ${target}_generate)
   target_include_directories(${target} PUBLIC ${folder})
   target_compile_features(${target} PUBLIC cxx_std_17)
-  target_compile_options(${target}
-    PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-fast-math>)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang|IntelLLVM")
+    target_compile_options(${target} PRIVATE -fno-fast-math)
+    if(NOT TREELINE_FP_CONTRACT)
+      target_compile_options(${target} PRIVATE -ffp-contract=off)
+    endif()
+  endif()
 endfunction()

@@ -7,6 +7,11 @@
 #include "core/ldlt.hpp"
 #include "core/orientation.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// A rigid body in its own frame.
@@ -38,27 +43,23 @@ constexpr void rotate(const Real (&R)[9], const Real (&v)[3], Real (&turned)[3],
   }
 }
 
-/// The unit vector from one point to another and their distance; false when they are at one place.
+/// The unit vector along `v`, of which the length is returned.
 template <class Real>
-inline bool unit_between(const Real (&from)[3], const Real (&to)[3], Real (&unit)[3],
-                         Real& length) noexcept {
+inline Real unit_of(const Real (&v)[3], Real (&unit)[3]) noexcept {
+  const Real length = square_root(squared_norm(v));
   for (int i = 0; i < 3; ++i) {
-    unit[i] = to[i] - from[i];
+    unit[i] = v[i] / length;
   }
-  length = square_root(squared_norm(unit));
-  for (Real& x : unit) {
-    x /= length;
-  }
-  return length > Real(0);
+  return length;
 }
 
 }  // namespace steps
 
 /// Lambda_obj at the object's origin in world axes, row-major; `R` turns its axes into the world's.
 template <class Real>
-constexpr void object_inertia(const GraspedObject<Real>& object, const Real (&R)[9],
-                              Real (&Lambda)[36]) noexcept {
-  Real c[3] = {};
+inline void object_inertia(const GraspedObject<Real>& object, const Real (&R)[9],
+                           Real (&Lambda)[36]) noexcept {
+  Real c[3];
   steps::rotate(R, object.center, c);
   const Real m = object.mass;
   const Real square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
@@ -75,11 +76,11 @@ constexpr void object_inertia(const GraspedObject<Real>& object, const Real (&R)
     }
   }
   // m [c]x below the diagonal, its transpose above.
-  const Real cross[9] = {0, -m * c[2], m * c[1], m * c[2], 0, -m * c[0], -m * c[1], m * c[0], 0};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      Lambda[6 * (3 + i) + j] = cross[3 * i + j];
-      Lambda[6 * j + 3 + i] = cross[3 * i + j];
+      const Real entry = i == j ? Real(0) : j == (i + 1) % 3 ? -m * c[3 - i - j] : m * c[3 - i - j];
+      Lambda[6 * (3 + i) + j] = entry;
+      Lambda[6 * j + 3 + i] = entry;
     }
   }
 }
@@ -88,28 +89,29 @@ constexpr void object_inertia(const GraspedObject<Real>& object, const Real (&R)
 /// hands that give the origin the conventional acceleration xdd[0..2] and the body the angular
 /// acceleration xdd[3..5].
 template <class Real>
-constexpr void object_wrench(const GraspedObject<Real>& object, const Real (&R)[9],
-                             const Real (&angular_velocity)[3], const Real (&xdd)[6],
-                             const Real (&gravity)[3], Real (&wrench)[6]) noexcept {
-  Real Lambda[36] = {};
+inline void object_wrench(const GraspedObject<Real>& object, const Real (&R)[9],
+                          const Real (&angular_velocity)[3], const Real (&xdd)[6],
+                          const Real (&gravity)[3], Real (&wrench)[6]) noexcept {
+  Real Lambda[36];
   object_inertia(object, R, Lambda);
-  Real felt[6] = {};
+  Real felt[6];
   for (int i = 0; i < 6; ++i) {
     felt[i] = xdd[i] - (i < 3 ? gravity[i % 3] : Real(0));
   }
-  Real c[3] = {};
-  Real w_c[3] = {};
-  Real w_w_c[3] = {};
+  Real c[3];
+  Real w_c[3];
+  Real w_w_c[3];
   steps::rotate(R, object.center, c);
   steps::cross(angular_velocity, c, w_c);
   steps::cross(angular_velocity, w_c, w_w_c);
-  Real spin[3] = {};
+  Real spin[3];
   for (int i = 0; i < 3; ++i) {
+    spin[i] = Real(0);
     for (int j = 0; j < 3; ++j) {
       spin[i] += Lambda[6 * (3 + i) + 3 + j] * angular_velocity[j];
     }
   }
-  Real gyroscopic[3] = {};
+  Real gyroscopic[3];
   steps::cross(angular_velocity, spin, gyroscopic);
   for (int i = 0; i < 6; ++i) {
     wrench[i] = i < 3 ? object.mass * w_w_c[i % 3] : gyroscopic[i % 3];
@@ -138,17 +140,20 @@ inline bool make_two_grasps(const Real (&first)[3], const Real (&second)[3],
     linkage.points[0][i] = first[i];
     linkage.points[1][i] = second[i];
   }
-  if (!steps::unit_between(first, second, linkage.axes[0], linkage.length)) {
+  const Real apart[3] = {second[0] - first[0], second[1] - first[1], second[2] - first[2]};
+  linkage.length = steps::unit_of(apart, linkage.axes[0]);
+  if (!(linkage.length > Real(0))) {
     return false;
   }
   const Real z = linkage.axes[0][2];
   const bool along_z = z > Real(0.9) || z < Real(-0.9);
-  const Real up[3] = {along_z ? Real(1) : Real(0), Real(0), along_z ? Real(0) : Real(1)};
-  const Real nowhere[3] = {};
+  Real up[3];
+  up[0] = along_z ? Real(1) : Real(0);
+  up[1] = Real(0);
+  up[2] = along_z ? Real(0) : Real(1);
   Real y[3];
-  Real ignored;
   steps::cross(up, linkage.axes[0], y);
-  steps::unit_between(nowhere, y, linkage.axes[1], ignored);
+  steps::unit_of(y, linkage.axes[1]);
   steps::cross(linkage.axes[0], linkage.axes[1], linkage.axes[2]);
   return true;
 }
@@ -157,16 +162,16 @@ inline bool make_two_grasps(const Real (&first)[3], const Real (&second)[3],
 /// resultant there and the internal forces. Moments about the origin: add nothing to use them at an
 /// operational point there.
 template <class Real>
-constexpr void split_over_grasps(const TwoGrasps<Real>& linkage, const Real (&resultant)[6],
-                                 const Real (&internal)[6], Real (&forces)[2][6]) noexcept {
+inline void split_over_grasps(const TwoGrasps<Real>& linkage, const Real (&resultant)[6],
+                              const Real (&internal)[6], Real (&forces)[2][6]) noexcept {
   const Real(&x)[3] = linkage.axes[0];
-  Real middle[3] = {};
-  Real force[3] = {};
+  Real middle[3];
+  Real force[3];
   for (int i = 0; i < 3; ++i) {
     middle[i] = Real(0.5) * (linkage.points[0][i] + linkage.points[1][i]);
     force[i] = resultant[i];
   }
-  Real moment[3] = {};
+  Real moment[3];
   steps::cross(middle, force, moment);
   Real twist = Real(0);
   for (int i = 0; i < 3; ++i) {
@@ -174,19 +179,19 @@ constexpr void split_over_grasps(const TwoGrasps<Real>& linkage, const Real (&re
     twist += moment[i] * x[i];
   }
   // What the hands' own moments leave across the line is borne by a couple of forces.
-  Real bend[2][3] = {};
-  Real across[3] = {};
+  Real bend[2][3];
+  Real across[3];
   for (int i = 0; i < 3; ++i) {
     bend[0][i] = internal[2] * linkage.axes[1][i] + internal[3] * linkage.axes[2][i];
     bend[1][i] = internal[4] * linkage.axes[1][i] + internal[5] * linkage.axes[2][i];
     across[i] = moment[i] - twist * x[i] - bend[0][i] - bend[1][i];
   }
-  Real couple[3] = {};
+  Real couple[3];
   steps::cross(across, x, couple);
   for (int hand = 0; hand < 2; ++hand) {
     const Real side = hand == 0 ? Real(-1) : Real(1);
-    Real f[3] = {};
-    Real arm_moment[3] = {};
+    Real f[3];
+    Real arm_moment[3];
     for (int i = 0; i < 3; ++i) {
       f[i] = Real(0.5) * force[i] + side * (couple[i] / linkage.length + internal[0] * x[i]);
     }
@@ -202,16 +207,16 @@ constexpr void split_over_grasps(const TwoGrasps<Real>& linkage, const Real (&re
 /// The lower rows of W: internal forces from forces and moments at the object's origin, object's
 /// axes.
 template <class Real>
-constexpr void read_internal_forces(const TwoGrasps<Real>& linkage, const Real (&forces)[2][6],
-                                    Real (&internal)[6]) noexcept {
+inline void read_internal_forces(const TwoGrasps<Real>& linkage, const Real (&forces)[2][6],
+                                 Real (&internal)[6]) noexcept {
   const auto dot = [](const Real(&a)[3], const Real(&b)[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   };
-  Real along[2] = {};
-  Real about[2] = {};
+  Real along[2];
+  Real about[2];
   for (int hand = 0; hand < 2; ++hand) {
     Real f[3] = {forces[hand][0], forces[hand][1], forces[hand][2]};
-    Real moment[3] = {};
+    Real moment[3];
     steps::cross(linkage.points[hand], f, moment);
     for (int i = 0; i < 3; ++i) {
       moment[i] = forces[hand][3 + i] - moment[i];
@@ -232,10 +237,10 @@ constexpr void read_internal_forces(const TwoGrasps<Real>& linkage, const Real (
 /// wrench at xdd = 0; all in world axes. f_i acts ON the object. False when the augmented inertia
 /// is not positive definite.
 template <int N, class Real>
-constexpr bool grasp_forces(const Real (&object_Lambda)[36], const Real (&bias)[6],
-                            const Real (&Lambda)[N][36], const Real (&xdd_free)[N][6],
-                            Real (&xdd)[6], Real (&forces)[N][6]) noexcept {
-  Real sum[36] = {};
+inline bool grasp_forces(const Real (&object_Lambda)[36], const Real (&bias)[6],
+                         const Real (&Lambda)[N][36], const Real (&xdd_free)[N][6], Real (&xdd)[6],
+                         Real (&forces)[N][6]) noexcept {
+  Real sum[36];
   for (int i = 0; i < 36; ++i) {
     sum[i] = object_Lambda[i];
     for (int robot = 0; robot < N; ++robot) {
@@ -264,3 +269,7 @@ constexpr bool grasp_forces(const Real (&object_Lambda)[36], const Real (&bias)[
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

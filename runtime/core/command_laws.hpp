@@ -5,6 +5,11 @@
 
 #include "core/orientation.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// Stiffness and damping of a law.
@@ -58,3 +63,7 @@ inline void saturated_goal_law(const Gains<Real>& gains, const Real (&error)[6],
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -80,11 +80,11 @@ void relax(const ContactLaw<Real>& law, const Block<Real>& block, Real wanted, c
   const Real y_before = dot(y, n);
   Real y_n = y_before - (dot(velocity, n) - wanted) / per_mass;
   y_n = y_n > Real(0) ? y_n : Real(0);
-  Real tangential[3] = {};
+  Real tangential[3];
   if (law.friction > Real(0)) {
     // Not less than the largest eigenvalue across the normal: a step that cannot overshoot.
     const Real across = block.trace() - per_mass;
-    Real moved[3] = {};  // velocity after the normal part's change
+    Real moved[3];  // velocity after the normal part's change
     for (int i = 0; i < 3; ++i) {
       moved[i] = velocity[i] +
                  (y_n - y_before) * dot(block.A + (block.row + i) * block.size + block.row, n);
@@ -94,6 +94,10 @@ void relax(const ContactLaw<Real>& law, const Block<Real>& block, Real wanted, c
       tangential[i] = (y[i] - y_before * n[i]) - (moved[i] - v_n * n[i]) / across;
     }
     shorten(tangential, law.friction * y_n);
+  } else {
+    tangential[0] = Real(0);
+    tangential[1] = Real(0);
+    tangential[2] = Real(0);
   }
   for (int i = 0; i < 3; ++i) {
     next[i] = y_n * n[i] + tangential[i];
@@ -150,9 +154,9 @@ ContactSolution solve_contacts(int count, const Real* A, const ContactLaw<Real>*
     Real most = Real(0);
     for (int c = 0; c < count; ++c) {
       const contact_steps::Block<Real> block{A, size, 3 * c};
-      Real next[3] = {};
+      Real next[3];
       contact_steps::relax(laws[c], block, wanted[c], v + 3 * c, y + 3 * c, next);
-      Real change[3] = {};
+      Real change[3];
       for (int i = 0; i < 3; ++i) {
         change[i] = next[i] - y[3 * c + i];
         const Real moved = (change[i] < Real(0) ? -change[i] : change[i]) * block.trace();

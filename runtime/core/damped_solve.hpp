@@ -23,6 +23,11 @@
 #include "core/sin_cos.hpp"
 #include "core/symmetric_eigen.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// Bounds of `damped_solve`: of |S^-1 F| / |S b| and of qdd_F^T M qdd_F / |S b|^2.
@@ -37,33 +42,36 @@ constexpr Real damping_of(Real ease, Real border) noexcept {
   return border * lack * lack * lack;
 }
 
-/// A += Delta. `A`, row-major, symmetric, positive semidefinite, is Lambda^-1; `heaviest` are
-/// positive. Returns the least ease: 1 and more where nothing was added.
+/// damped = A + Delta; `damped` may be `A`. `A`, row-major, symmetric, positive semidefinite, is
+/// Lambda^-1; `heaviest` are positive. Returns the least ease: 1 and more where nothing was added.
 /// Eases above 1e13 (1e5 in float) leave no digit to those near 1; then the border rises with them
 /// so that A stays positive definite.
 template <int N, int NN, class Real>
-inline Real add_damping_by_directions(const Real (&heaviest)[N], Real (&A)[NN]) noexcept {
+inline Real add_damping_by_directions(const Real (&heaviest)[N], const Real (&A)[NN],
+                                      Real (&damped)[NN]) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
-  Real roots[N] = {};
+  Real roots[N];
   for (int i = 0; i < N; ++i) {
     roots[i] = steps::root(heaviest[i]);
   }
-  Real scaled[NN] = {};
+  Real scaled[NN];
   for (int i = 0; i < N; ++i) {
     for (int j = 0; j <= i; ++j) {
       scaled[i * N + j] = roots[i] * A[i * N + j] * roots[j];
       scaled[j * N + i] = scaled[i * N + j];
     }
   }
-  const auto eigen = symmetric_eigen<N>(scaled);
+  SymmetricEigen<N, Real> eigen;
+  steps::diagonalise(scaled, jacobi_sweeps<Real>(N), eigen.values, eigen.vectors);
   const Real resolved = Real(64) * Format<Real>::kEpsilon * eigen.values[0];
   const Real border = resolved > Real(1) ? resolved : Real(1);
   for (int k = 0; k < N; ++k) {
     const Real delta = damping_of(eigen.values[k], border);
+    const Real(&sum)[NN] = k == 0 ? A : damped;
     for (int i = 0; i < N; ++i) {
       for (int j = 0; j < N; ++j) {
-        A[i * N + j] +=
-            delta * (eigen.vectors[k * N + i] / roots[i]) * (eigen.vectors[k * N + j] / roots[j]);
+        damped[i * N + j] = sum[i * N + j] + delta * (eigen.vectors[k * N + i] / roots[i]) *
+                                                 (eigen.vectors[k * N + j] / roots[j]);
       }
     }
   }
@@ -74,11 +82,8 @@ inline Real add_damping_by_directions(const Real (&heaviest)[N], Real (&A)[NN]) 
 /// (A + Delta) F = b. Returns the least ease.
 template <int N, int NN, class Real>
 inline Real damped_solve(const Real (&A)[NN], const Real (&heaviest)[N], Real (&x)[N]) noexcept {
-  Real damped[NN] = {};
-  for (int i = 0; i < NN; ++i) {
-    damped[i] = A[i];
-  }
-  const Real ease = add_damping_by_directions(heaviest, damped);
+  Real damped[NN];
+  const Real ease = add_damping_by_directions(heaviest, A, damped);
   ldlt_factor<N>(damped);
   ldlt_solve(damped, x);
   return ease;
@@ -94,7 +99,7 @@ inline Real add_damped_task_torque(const Real (&Lambda_inv)[square], const Real 
                                    const Real (&xdd_cmd)[rows], const Real (&heaviest)[rows],
                                    Real (&tau)[nv]) noexcept {
   static_assert(square == rows * rows && size == rows * nv, "matrices are row-major");
-  Real F[rows] = {};
+  Real F[rows];
   for (int row = 0; row < rows; ++row) {
     F[row] = xdd_cmd[row] - bias[row];
     for (int i = 0; i < nv; ++i) {
@@ -111,3 +116,7 @@ inline Real add_damped_task_torque(const Real (&Lambda_inv)[square], const Real 
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

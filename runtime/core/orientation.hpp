@@ -59,11 +59,11 @@ inline void quaternion_from_rotation(const Real (&R)[9], Real (&q)[4]) noexcept 
   }
   const Real root = square_root(squares[largest]);
   const Real scale = Real(0.5) / root;
-  // Row i: 4 q_i q_j off the diagonal.
-  const Real products[4][4] = {{0, R[1] + R[3], R[2] + R[6], R[7] - R[5]},
-                               {R[1] + R[3], 0, R[5] + R[7], R[2] - R[6]},
-                               {R[2] + R[6], R[5] + R[7], 0, R[3] - R[1]},
-                               {R[7] - R[5], R[2] - R[6], R[3] - R[1], 0}};
+  // 4 q_i q_j
+  const Real products[4][4] = {{squares[0], R[1] + R[3], R[2] + R[6], R[7] - R[5]},
+                               {R[1] + R[3], squares[1], R[5] + R[7], R[2] - R[6]},
+                               {R[2] + R[6], R[5] + R[7], squares[2], R[3] - R[1]},
+                               {R[7] - R[5], R[2] - R[6], R[3] - R[1], squares[3]}};
   for (int i = 0; i < 4; ++i) {
     q[i] = i == largest ? Real(0.5) * root : products[largest][i] * scale;
   }

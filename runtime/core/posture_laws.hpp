@@ -10,6 +10,11 @@
 #include "core/command_laws.hpp"
 #include "core/prioritized_solve.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// qdd -= kv qd.
@@ -22,9 +27,8 @@ constexpr void add_damping(Real kv, const Real (&qd)[N], Real (&qdd)[N]) noexcep
 
 /// qdd -= dV/dq for a potential of the caller, V in rad^2/s^2: `gradient(q, out)` writes dV/dq.
 template <int N, class Real, class Gradient>
-constexpr void add_potential(const Gradient& gradient, const Real (&q)[N],
-                             Real (&qdd)[N]) noexcept {
-  Real slope[N] = {};
+inline void add_potential(const Gradient& gradient, const Real (&q)[N], Real (&qdd)[N]) noexcept {
+  Real slope[N];
   gradient(q, slope);
   for (int i = 0; i < N; ++i) {
     qdd[i] -= slope[i];
@@ -34,18 +38,18 @@ constexpr void add_potential(const Gradient& gradient, const Real (&q)[N],
 /// The same where only V(q) is known: its gradient by central differences of `step` (rad), exact
 /// for potentials up to the second degree.
 template <int N, class Real, class Potential>
-constexpr void add_potential_by_differences(const Potential& potential, Real step,
-                                            const Real (&q)[N], Real (&qdd)[N]) noexcept {
-  Real moved[N] = {};
+inline void add_potential_by_differences(const Potential& potential, Real step, const Real (&q)[N],
+                                         Real (&qdd)[N]) noexcept {
+  const auto potential_at = [&potential, &q](int joint, Real away) noexcept {
+    Real moved[N];
+    for (int i = 0; i < N; ++i) {
+      moved[i] = i == joint ? q[i] + away : q[i];
+    }
+    return potential(moved);
+  };
   for (int i = 0; i < N; ++i) {
-    moved[i] = q[i];
-  }
-  for (int i = 0; i < N; ++i) {
-    moved[i] = q[i] + step;
-    const Real above = potential(moved);
-    moved[i] = q[i] - step;
-    const Real below = potential(moved);
-    moved[i] = q[i];
+    const Real above = potential_at(i, step);
+    const Real below = potential_at(i, -step);
     qdd[i] -= (above - below) / (Real(2) * step);
   }
 }
@@ -100,11 +104,14 @@ constexpr void nearest_in_polygon(const Real (&corners)[twoK], const Real (&poin
 /// Jacobian, m. Directions in which the joints move it by less than `least` (m per rad) are let go
 /// smoothly.
 template <int N, int twoN, class Real>
-constexpr void add_balance(const Gains<Real>& gains, const Real (&goal)[2], const Real (&com)[2],
-                           const Real (&J_com)[twoN], Real least, const Real (&qd)[N],
-                           Real (&qdd)[N]) noexcept {
+inline void add_balance(const Gains<Real>& gains, const Real (&goal)[2], const Real (&com)[2],
+                        const Real (&J_com)[twoN], Real least, const Real (&qd)[N],
+                        Real (&qdd)[N]) noexcept {
   static_assert(twoN == 2 * N, "J_com holds 2 x N numbers");
-  Real A[4] = {least * least, Real(0), Real(0), least * least};
+  Real A[4];
+  for (int i = 0; i < 4; ++i) {
+    A[i] = i % 3 == 0 ? least * least : Real(0);
+  }
   Real missing[2] = {gains.kp * (goal[0] - com[0]), gains.kp * (goal[1] - com[1])};
   for (int row = 0; row < 2; ++row) {
     for (int i = 0; i < N; ++i) {
@@ -118,3 +125,7 @@ constexpr void add_balance(const Gains<Real>& gains, const Real (&goal)[2], cons
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -21,6 +21,11 @@
 // or how they conflict. F stays bounded, |w_k / c_k| < 1 / border_k. It is the law of the generated
 // `control_torque` of scenes whose points differ in priority.
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// 0 for s <= 0, 1 for s >= 1, continuously differentiable between.
@@ -33,9 +38,9 @@ constexpr Real smooth_step(Real s) noexcept {
 /// A + diag(delta) = L diag(1 / inverse_pivots) L^T.
 template <int N, class Real>
 struct SelectiveFactors {
-  Real L[N * N] = {};           ///< unit lower triangular; the rest is not used
-  Real inverse_pivots[N] = {};  ///< w_k / c_k, zero for a row that is given up
-  Real shares[N] = {};          ///< w_k: 1 achieved, 0 given up
+  Real L[N * N];           ///< unit lower triangular; the rest is not used
+  Real inverse_pivots[N];  ///< w_k / c_k, zero for a row that is given up
+  Real shares[N];          ///< w_k: 1 achieved, 0 given up
 };
 
 namespace steps {
@@ -43,10 +48,9 @@ namespace steps {
 /// Eliminates in order. `invert(k, pivot, own)` gives row k's inverse pivot and its share; `own` is
 /// A_kk.
 template <int N, class Real, class Invert>
-constexpr SelectiveFactors<N, Real> eliminate(const Real (&A)[N * N],
-                                              const Invert& invert) noexcept {
+inline SelectiveFactors<N, Real> eliminate(const Real (&A)[N * N], const Invert& invert) noexcept {
   SelectiveFactors<N, Real> factors;
-  Real columns[N * N] = {};
+  Real columns[N * N];
   for (int k = 0; k < N; ++k) {
     for (int i = k; i < N; ++i) {
       Real entry = A[i * N + k];
@@ -86,8 +90,8 @@ constexpr void yield(Real pivot, Real border, Real& inverse, Real& share) noexce
 /// Factors the row-major symmetric positive semidefinite `A`, of which the lower triangle is read.
 /// Row k yields where its pivot falls towards borders[k].
 template <int N, int NN, class Real>
-constexpr SelectiveFactors<N, Real> bordered_factor(const Real (&A)[NN],
-                                                    const Real (&borders)[N]) noexcept {
+inline SelectiveFactors<N, Real> bordered_factor(const Real (&A)[NN],
+                                                 const Real (&borders)[N]) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
   return steps::eliminate<N>(
       A, [&borders](int k, Real pivot, Real, Real& inverse, Real& share) noexcept {
@@ -99,8 +103,7 @@ constexpr SelectiveFactors<N, Real> bordered_factor(const Real (&A)[NN],
 /// kinetic energy, of the angle between row k and the rows above it. 1e-4 (0.6 degrees; nothing
 /// yields beyond 6) suits control; not below 1e-12 in double.
 template <int N, int NN, class Real>
-constexpr SelectiveFactors<N, Real> prioritized_factor(const Real (&A)[NN],
-                                                       Real tolerance) noexcept {
+inline SelectiveFactors<N, Real> prioritized_factor(const Real (&A)[NN], Real tolerance) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
   return steps::eliminate<N>(
       A, [tolerance](int, Real pivot, Real own, Real& inverse, Real& share) noexcept {
@@ -112,8 +115,8 @@ constexpr SelectiveFactors<N, Real> prioritized_factor(const Real (&A)[NN],
 /// left out where it is 0, and between them yields by delta_k = c_k (1 - w_k) / w_k. The pivots of
 /// rows with a positive share must not vanish.
 template <int N, int NN, class Real>
-constexpr SelectiveFactors<N, Real> shared_factor(const Real (&A)[NN],
-                                                  const Real (&shares)[N]) noexcept {
+inline SelectiveFactors<N, Real> shared_factor(const Real (&A)[NN],
+                                               const Real (&shares)[N]) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
   return steps::eliminate<N>(
       A, [&shares](int k, Real pivot, Real, Real& inverse, Real& share) noexcept {
@@ -141,7 +144,7 @@ constexpr void selective_solve(const SelectiveFactors<N, Real>& factors, Real (&
 
 /// Factor and solve in one: F of A F = b, rows in priority order, in place.
 template <int N, int NN, class Real>
-constexpr void prioritized_solve(const Real (&A)[NN], Real tolerance, Real (&x)[N]) noexcept {
+inline void prioritized_solve(const Real (&A)[NN], Real tolerance, Real (&x)[N]) noexcept {
   selective_solve(prioritized_factor<N>(A, tolerance), x);
 }
 
@@ -158,3 +161,7 @@ constexpr void add_task_torque(const Real (&J)[size], const Real (&F)[rows],
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

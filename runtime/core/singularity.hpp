@@ -13,6 +13,11 @@
 #include "core/prioritized_solve.hpp"
 #include "core/symmetric_eigen.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// Where a direction begins to be lost (outer) and is lost (inner): singular values of the scaled
@@ -26,10 +31,10 @@ struct SingularRegion {
 /// The scaled Jacobian taken apart; rows <= nv.
 template <int rows, int nv, class Real>
 struct SingularDirections {
-  Real values[rows] = {};             ///< sigma_i, descending
-  Real directions[rows * rows] = {};  ///< row i: u_i, in the scaled rows
-  Real motions[nv * nv] = {};         ///< row i: n_i; from row `rows` on the null space
-  Real shares[rows] = {};             ///< 1 outside of the region, 0 in its interior, smooth
+  Real values[rows];             ///< sigma_i, descending
+  Real directions[rows * rows];  ///< row i: u_i, in the scaled rows
+  Real motions[nv * nv];         ///< row i: n_i; from row `rows` on the null space
+  Real shares[rows];             ///< 1 outside of the region, 0 in its interior, smooth
 };
 
 /// J = diag(1 / scales) J_given: `scales` is for each row the length (m) that counts like a turn by
@@ -50,30 +55,33 @@ template <int rows, int nv, int size, class Real>
 inline SingularDirections<rows, nv, Real> singular_directions(
     const Real (&J)[size], const SingularRegion<Real>& region) noexcept {
   static_assert(size == rows * nv && rows <= nv, "J holds rows x nv numbers, rows <= nv");
-  Real JJt[rows * rows] = {};
-  Real JtJ[nv * nv] = {};
+  Real JJt[rows * rows];
   for (int i = 0; i < rows; ++i) {
-    for (int k = 0; k < nv; ++k) {
-      for (int j = 0; j < rows; ++j) {
-        JJt[i * rows + j] += J[i * nv + k] * J[j * nv + k];
+    for (int j = 0; j < rows; ++j) {
+      Real sum = Real(0);
+      for (int k = 0; k < nv; ++k) {
+        sum += J[i * nv + k] * J[j * nv + k];
       }
-      for (int l = 0; l < nv; ++l) {
-        JtJ[k * nv + l] += J[i * nv + k] * J[i * nv + l];
-      }
+      JJt[i * rows + j] = sum;
     }
   }
-  const auto left = symmetric_eigen<rows>(JJt);
-  const auto right = symmetric_eigen<nv>(JtJ);
+  Real JtJ[nv * nv];
+  for (int k = 0; k < nv; ++k) {
+    for (int l = 0; l < nv; ++l) {
+      Real sum = Real(0);
+      for (int i = 0; i < rows; ++i) {
+        sum += J[i * nv + k] * J[i * nv + l];
+      }
+      JtJ[k * nv + l] = sum;
+    }
+  }
   SingularDirections<rows, nv, Real> found;
+  Real squares[nv];
+  steps::diagonalise(JtJ, jacobi_sweeps<Real>(nv), squares, found.motions);
+  steps::diagonalise(JJt, jacobi_sweeps<Real>(rows), found.values, found.directions);
   for (int i = 0; i < rows; ++i) {
-    found.values[i] = steps::root(left.values[i]);
+    found.values[i] = steps::root(found.values[i]);
     found.shares[i] = smooth_step((found.values[i] - region.inner) / (region.outer - region.inner));
-  }
-  for (int i = 0; i < rows * rows; ++i) {
-    found.directions[i] = left.vectors[i];
-  }
-  for (int i = 0; i < nv * nv; ++i) {
-    found.motions[i] = right.vectors[i];
   }
   return found;
 }
@@ -84,16 +92,13 @@ inline SingularDirections<rows, nv, Real> singular_directions(
 template <int rows, int nv, class Real>
 inline void lost_motion(const SingularDirections<rows, nv, Real>& found, int i,
                         const Real (&reference)[nv], Real (&n)[nv]) noexcept {
-  for (int k = 0; k < nv; ++k) {
-    n[k] = Real(0);
-  }
   for (int row = i; row < nv; row = row < rows ? rows : row + 1) {
     Real along = Real(0);
     for (int k = 0; k < nv; ++k) {
       along += found.motions[row * nv + k] * reference[k];
     }
     for (int k = 0; k < nv; ++k) {
-      n[k] += along * found.motions[row * nv + k];
+      n[k] = (row == i ? Real(0) : n[k]) + along * found.motions[row * nv + k];
     }
   }
   Real square = Real(0);
@@ -112,7 +117,7 @@ template <int rows, class Real>
 struct LostDirection {
   Real sigma = Real(0);      ///< u^T J n, signed
   Real curvature = Real(0);  ///< u^T dJ n: sigma's rate; half of it times s^2 is the motion along u
-  Real turn[rows] = {};      ///< du/ds
+  Real turn[rows];           ///< du/ds
 };
 
 /// `J` scaled, `dJ` its change per rad along n. By perturbation of eigenvectors: du has the
@@ -141,6 +146,7 @@ inline LostDirection<rows, Real> lost_direction(const SingularDirections<rows, n
     lost.curvature += dJt_u[k] * n[k];
   }
   const Real own = found.values[i] * found.values[i];
+  Real components[rows];  // of du
   for (int other = 0; other < rows; ++other) {
     Real Jt_other[nv];
     Real dJt_other[nv];
@@ -152,9 +158,12 @@ inline LostDirection<rows, Real> lost_direction(const SingularDirections<rows, n
     }
     const Real gap = own - found.values[other] * found.values[other];
     const bool apart = other != i && gap * gap > Real(1e-12);
-    const Real component = apart ? change / gap : Real(0);
-    for (int j = 0; j < rows; ++j) {
-      lost.turn[j] += component * found.directions[other * rows + j];
+    components[other] = apart ? change / gap : Real(0);
+  }
+  for (int j = 0; j < rows; ++j) {
+    lost.turn[j] = Real(0);
+    for (int other = 0; other < rows; ++other) {
+      lost.turn[j] += components[other] * found.directions[other * rows + j];
     }
   }
   return lost;
@@ -250,22 +259,28 @@ inline void regular_task_force(const SingularDirections<rows, nv, Real>& found,
   const auto U = [&found, &scales](int i, int j) noexcept {
     return found.directions[i * rows + j] / scales[j];
   };
-  Real half[size] = {};
-  Real turned[size] = {};
-  Real x[rows] = {};
+  Real half[size];
+  Real x[rows];
   for (int i = 0; i < rows; ++i) {
+    Real along = Real(0);
     for (int j = 0; j < rows; ++j) {
-      x[i] += U(i, j) * missing[j];
+      along += U(i, j) * missing[j];
+      Real sum = Real(0);
       for (int k = 0; k < rows; ++k) {
-        half[i * rows + j] += U(i, k) * Lambda_inv[k * rows + j];
+        sum += U(i, k) * Lambda_inv[k * rows + j];
       }
+      half[i * rows + j] = sum;
     }
+    x[i] = along;
   }
+  Real turned[size];
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < rows; ++j) {
+      Real sum = Real(0);
       for (int k = 0; k < rows; ++k) {
-        turned[i * rows + j] += half[i * rows + k] * U(j, k);
+        sum += half[i * rows + k] * U(j, k);
       }
+      turned[i * rows + j] = sum;
     }
   }
   selective_solve(shared_factor<rows>(turned, found.shares), x);
@@ -278,3 +293,7 @@ inline void regular_task_force(const SingularDirections<rows, nv, Real>& found,
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

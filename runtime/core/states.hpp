@@ -5,6 +5,11 @@
 #include "lanes.hpp"
 #include "sin_cos.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 #if defined(__GNUC__)
@@ -13,42 +18,47 @@ namespace treeline::core {
 #define TREELINE_STATES_INLINE inline
 #endif
 
-/// The row of numbers at `row` as lanes; any alignment will do.
-template <class Real, int count>
-TREELINE_STATES_INLINE void load_lanes(const Real* row, Lanes<Real, count>& lanes) noexcept {
+/// The row of numbers at `row` as lanes; any alignment will do. Register by register: larger pieces
+/// compilers copy by a call.
+template <class Real, int count, bool fits>
+TREELINE_STATES_INLINE void load_lanes(const Real* row, Lanes<Real, count, fits>& lanes) noexcept {
+  if constexpr (fits) {
 #if defined(__GNUC__)
-  __builtin_memcpy(&lanes, row, sizeof(lanes));
-#else
-  if constexpr (count == 1) {
+    typedef decltype(lanes.vector) Anywhere __attribute__((aligned(alignof(Real)), may_alias));
+    lanes.vector = *reinterpret_cast<const Anywhere*>(row);
+#endif
+  } else if constexpr (count == 1) {
     lanes.value = *row;
   } else {
     load_lanes(row, lanes.low);
     load_lanes(row + count / 2, lanes.high);
   }
-#endif
 }
-template <class Real, int count>
-TREELINE_STATES_INLINE void store_lanes(const Lanes<Real, count>& lanes, Real* row) noexcept {
+template <class Real, int count, bool fits>
+TREELINE_STATES_INLINE void store_lanes(const Lanes<Real, count, fits>& lanes, Real* row) noexcept {
+  if constexpr (fits) {
 #if defined(__GNUC__)
-  __builtin_memcpy(row, &lanes, sizeof(lanes));
-#else
-  if constexpr (count == 1) {
+    typedef decltype(lanes.vector) Anywhere __attribute__((aligned(alignof(Real)), may_alias));
+    *reinterpret_cast<Anywhere*>(row) = lanes.vector;
+#endif
+  } else if constexpr (count == 1) {
     *row = lanes.value;
   } else {
     store_lanes(lanes.low, row);
     store_lanes(lanes.high, row + count / 2);
   }
-#endif
 }
 
 /// The same for packs: by way of lanes, which compilers see through.
 template <class Real, int count>
 TREELINE_STATES_INLINE Pack<Real, count> load_pack(const Real* row) noexcept {
-  Lanes<Real, count> lanes;
-  load_lanes(row, lanes);
   if constexpr (count * int{sizeof(Real)} <= kVectorBytes) {
+    Lanes<Real, count> lanes;
+    load_lanes(row, lanes);
     return lanes.vector;
   } else {
+    Lanes<Real, count> lanes;
+    load_lanes(row, lanes);
     return lanes;
   }
 }
@@ -59,6 +69,24 @@ TREELINE_STATES_INLINE void store_pack(const Pack<Real, count>& pack, Real* row)
   } else {
     store_lanes(pack, row);
   }
+}
+
+/// The same numbers in an object of its own, number by number: of a copy of the whole some
+/// compilers make a call of memcpy.
+template <class Real, int count, bool fits>
+TREELINE_STATES_INLINE Lanes<Real, count, fits> copy_of(
+    const Lanes<Real, count, fits>& lanes) noexcept {
+  if constexpr (fits) {
+    return {lanes.vector};
+  } else if constexpr (count == 1) {
+    return {lanes.value};
+  } else {
+    return {copy_of(lanes.low), copy_of(lanes.high)};
+  }
+}
+template <class Vector>
+TREELINE_STATES_INLINE const Vector& copy_of(const Vector& vector) noexcept {
+  return vector;
 }
 
 /// An input argument: `argument[i]` is element i of all states.
@@ -114,16 +142,14 @@ inline void sin_cos_states(const Pack<Real, count> (&x)[size], Pack<Real, count>
 #pragma GCC unroll 1
 #endif
   for (int i = 0; i < size; ++i) {
-    Lanes<Real, count> s;
-    Lanes<Real, count> c;
     if constexpr (count * int{sizeof(Real)} <= kVectorBytes) {
+      Lanes<Real, count> s;
+      Lanes<Real, count> c;
       sin_cos(Lanes<Real, count>{x[i]}, s, c);
       sine[i] = s.vector;
       cosine[i] = c.vector;
     } else {
-      sin_cos(x[i], s, c);
-      sine[i] = s;
-      cosine[i] = c;
+      sin_cos(x[i], sine[i], cosine[i]);
     }
   }
 }
@@ -131,3 +157,7 @@ inline void sin_cos_states(const Pack<Real, count> (&x)[size], Pack<Real, count>
 #undef TREELINE_STATES_INLINE
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -4,13 +4,18 @@
 
 #include "core/square_root.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// A = sum_i values[i] v_i v_i^T.
 template <int N, class Real>
 struct SymmetricEigen {
-  Real values[N] = {};       ///< descending
-  Real vectors[N * N] = {};  ///< row i: the unit vector v_i
+  Real values[N];       ///< descending
+  Real vectors[N * N];  ///< row i: the unit vector v_i
 };
 
 namespace steps {
@@ -60,16 +65,36 @@ inline void rotate_pair(int p, int q, Real (&A)[N * N], Real (&V)[N * N]) noexce
 
 /// Exchanges pairs until the values descend.
 template <int N, class Real>
-constexpr void sort_descending(SymmetricEigen<N, Real>& eigen) noexcept {
+constexpr void sort_descending(Real (&values)[N], Real (&vectors)[N * N]) noexcept {
   for (int end = N - 1; end > 0; --end) {
     for (int i = 0; i < end; ++i) {
-      const bool ascends = eigen.values[i] < eigen.values[i + 1];
-      exchange_if(ascends, eigen.values[i], eigen.values[i + 1]);
+      const bool ascends = values[i] < values[i + 1];
+      exchange_if(ascends, values[i], values[i + 1]);
       for (int k = 0; k < N; ++k) {
-        exchange_if(ascends, eigen.vectors[i * N + k], eigen.vectors[(i + 1) * N + k]);
+        exchange_if(ascends, vectors[i * N + k], vectors[(i + 1) * N + k]);
       }
     }
   }
+}
+
+/// What `symmetric_eigen` finds, written where it is wanted; uses up `A`.
+template <int N, class Real>
+inline void diagonalise(Real (&A)[N * N], int sweeps, Real (&values)[N],
+                        Real (&vectors)[N * N]) noexcept {
+  for (int i = 0; i < N * N; ++i) {
+    vectors[i] = i % (N + 1) == 0 ? Real(1) : Real(0);
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int p = 0; p < N - 1; ++p) {
+      for (int q = p + 1; q < N; ++q) {
+        rotate_pair<N>(p, q, A, vectors);
+      }
+    }
+  }
+  for (int i = 0; i < N; ++i) {
+    values[i] = A[i * N + i];
+  }
+  sort_descending(values, vectors);
 }
 
 }  // namespace steps
@@ -88,24 +113,20 @@ template <int N, int NN, class Real>
 inline SymmetricEigen<N, Real> symmetric_eigen(const Real (&A)[NN],
                                                int sweeps = jacobi_sweeps<Real>(N)) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
-  SymmetricEigen<N, Real> eigen;
-  Real work[N * N];
-  for (int i = 0; i < N * N; ++i) {
-    work[i] = A[i];
-    eigen.vectors[i] = i % (N + 1) == 0 ? Real(1) : Real(0);
-  }
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (int p = 0; p < N - 1; ++p) {
-      for (int q = p + 1; q < N; ++q) {
-        steps::rotate_pair<N>(p, q, work, eigen.vectors);
-      }
+  // Its transpose, which is A: of a plain copy compilers make a call of memcpy.
+  Real work[NN];
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j < N; ++j) {
+      work[i * N + j] = A[j * N + i];
     }
   }
-  for (int i = 0; i < N; ++i) {
-    eigen.values[i] = work[i * N + i];
-  }
-  steps::sort_descending(eigen);
+  SymmetricEigen<N, Real> eigen;
+  steps::diagonalise(work, sweeps, eigen.values, eigen.vectors);
   return eigen;
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -23,9 +23,9 @@ namespace steps {
 
 /// out = R diag(chosen == motion) R^T in.
 template <class Real>
-constexpr void keep_directions(const Real (&R)[9], const bool* motion, bool chosen, const Real* in,
-                               Real* out) noexcept {
-  Real kept[3] = {};
+inline void keep_directions(const Real (&R)[9], const bool* motion, bool chosen, const Real* in,
+                            Real* out) noexcept {
+  Real kept[3];
   for (int axis = 0; axis < 3; ++axis) {
     const Real along = R[axis] * in[0] + R[3 + axis] * in[1] + R[6 + axis] * in[2];
     kept[axis] = motion[axis] == chosen ? along : Real(0);
@@ -39,16 +39,16 @@ constexpr void keep_directions(const Real (&R)[9], const bool* motion, bool chos
 
 /// Omega x: what of a motion is to be controlled as motion.
 template <class Real>
-constexpr void select_motion(const TaskSelection<Real>& selection, const Real (&x)[6],
-                             Real (&selected)[6]) noexcept {
+inline void select_motion(const TaskSelection<Real>& selection, const Real (&x)[6],
+                          Real (&selected)[6]) noexcept {
   steps::keep_directions(selection.R_force, selection.motion, true, x, selected);
   steps::keep_directions(selection.R_moment, selection.motion + 3, true, x + 3, selected + 3);
 }
 
 /// Omega-bar x: the other part, of forces and moments.
 template <class Real>
-constexpr void select_force(const TaskSelection<Real>& selection, const Real (&x)[6],
-                            Real (&selected)[6]) noexcept {
+inline void select_force(const TaskSelection<Real>& selection, const Real (&x)[6],
+                         Real (&selected)[6]) noexcept {
   steps::keep_directions(selection.R_force, selection.motion, false, x, selected);
   steps::keep_directions(selection.R_moment, selection.motion + 3, false, x + 3, selected + 3);
 }
@@ -81,10 +81,9 @@ constexpr void force_law(const ForceGains<Real>& gains, const Real (&wanted)[6],
 /// 61-63). `Lambda_inv` is the point's 6 x 6 block; `motion` the commanded acceleration, `velocity`
 /// the point's.
 template <class Real>
-constexpr void motion_force_command(const TaskSelection<Real>& selection,
-                                    const Real (&Lambda_inv)[36], const Real (&motion)[6],
-                                    const Real (&velocity)[6], const Real (&force)[6], Real kv,
-                                    Real (&xdd_cmd)[6]) noexcept {
+inline void motion_force_command(const TaskSelection<Real>& selection, const Real (&Lambda_inv)[36],
+                                 const Real (&motion)[6], const Real (&velocity)[6],
+                                 const Real (&force)[6], Real kv, Real (&xdd_cmd)[6]) noexcept {
   Real moving[6];
   Real pressing[6];
   Real residual[6];

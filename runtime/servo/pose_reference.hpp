@@ -65,8 +65,8 @@ class PoseReference {
 
  private:
   double start_time_ = 0.0;
-  core::CubicSegment<3, double> line_;
-  core::CubicSegment<1, double> fraction_;
+  core::CubicSegment<3, double> line_{};
+  core::CubicSegment<1, double> fraction_{};
   double turn_[3] = {};  ///< rotation vector of the whole rotation, world axes
   double from_rotation_[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 };

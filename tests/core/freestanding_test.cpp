@@ -1,6 +1,7 @@
-// The core headers in one C++17 translation unit that includes nothing hosted, compiled with
-// -ffreestanding -fno-exceptions -fno-rtti and instantiated in float. Would catch: a header that
-// needs the library, C++20, or a feature that firmware lacks.
+// The core headers in one translation unit of C++17 with nothing hosted included: compiled with
+// -ffreestanding -fno-exceptions -fno-rtti and instantiated in float, or in TREELINE_REAL, by every
+// cross compiler. Would catch a header that needs the library, C++20, a feature firmware lacks, or
+// a call of memcpy or memset. All arrays are the caller's, so calls would be the headers' own.
 #include "core/closed_chain.hpp"
 #include "core/command_laws.hpp"
 #include "core/contact_solver.hpp"
@@ -12,121 +13,154 @@
 #include "core/sin_cos.hpp"
 #include "core/singularity.hpp"
 #include "core/spline.hpp"
+#include "core/states.hpp"
 #include "core/task_selection.hpp"
+
+#if !defined(TREELINE_REAL)
+#define TREELINE_REAL float
+#endif
 
 namespace treeline::test {
 
-float use_everything(float x) noexcept;
-float use_closed_chain(float x) noexcept;
-float use_contact_solver(float x) noexcept;
-float use_damped_solve(float x) noexcept;
-float use_posture_laws(float x) noexcept;
-float use_singularity(float x) noexcept;
+using Real = TREELINE_REAL;
 
-float use_closed_chain(float x) noexcept {
-  const float points[2][3] = {{x, 0.0F, 0.0F}, {0.0F, x, 0.0F}};
-  core::TwoGrasps<float> linkage;
-  if (!core::make_two_grasps(points[0], points[1], linkage)) {
-    return 0.0F;
+struct Data {
+  Real x;
+  Real a2[2];
+  Real b2[2];
+  Real a3[3];
+  Real b3[3];
+  Real a4[4];
+  Real a6[6];
+  Real b6[6];
+  Real c6[6];
+  Real a9[9];
+  Real b9[9];
+  Real a36[36];
+  Real b36[36];
+  Real hands[2][6];
+  Real inertias[1][36];
+  Real motions[1][6];
+  Real rows[6][8];
+  core::Lanes<Real, 8> lanes[6];
+  core::TwoGrasps<Real> linkage;
+  core::GraspedObject<Real> object;
+  core::ContactLaw<Real> law;
+  core::ContactSolverSettings<Real> settings;
+  core::Gains<Real> gains;
+  core::TaskSelection<Real> selection;
+  core::ForceGains<Real> force_gains;
+  core::SingularRegion<Real> region;
+  core::NullMotionGains<Real> null_gains;
+};
+
+bool use_closed_chain(Data& data) noexcept;
+void use_contact_solver(Data& data) noexcept;
+Real use_damped_solve(Data& data) noexcept;
+void use_prioritized_solve(Data& data) noexcept;
+void use_posture_laws(Data& data) noexcept;
+void use_task_selection(Data& data) noexcept;
+Real use_singularity(Data& data) noexcept;
+void use_spline(Data& data) noexcept;
+void use_orientation(Data& data) noexcept;
+bool use_small_solvers(Data& data) noexcept;
+void use_states(Data& data) noexcept;
+
+bool use_closed_chain(Data& data) noexcept {
+  const bool apart = core::make_two_grasps(data.a3, data.b3, data.linkage);
+  core::object_wrench(data.object, data.a9, data.a3, data.a6, data.b3, data.b6);
+  core::split_over_grasps(data.linkage, data.a6, data.b6, data.hands);
+  core::read_internal_forces(data.linkage, data.hands, data.a6);
+  core::object_inertia(data.object, data.a9, data.inertias[0]);
+  return core::grasp_forces<1>(data.a36, data.a6, data.inertias, data.motions, data.b6,
+                               data.motions) &&
+         apart;
+}
+
+void use_contact_solver(Data& data) noexcept {
+  core::solve_contacts<Real>(1, data.a9, &data.law, data.a3, data.b3, data.a2, data.settings);
+}
+
+Real use_damped_solve(Data& data) noexcept {
+  return core::add_damped_task_torque(data.a4, data.a6, data.a2, data.a3, data.b2, data.a2,
+                                      data.b3) +
+         core::damped_solve(data.a36, data.a6, data.b6);
+}
+
+void use_prioritized_solve(Data& data) noexcept {
+  core::prioritized_solve<6>(data.a36, data.x, data.a6);
+  core::selective_solve(core::bordered_factor<6>(data.a36, data.a6), data.b6);
+}
+
+void use_posture_laws(Data& data) noexcept {
+  core::nearest_in_polygon(data.a6, data.a2, data.b2);
+  core::add_balance(data.gains, data.a2, data.b2, data.a6, data.x, data.a3, data.b3);
+  core::add_damping(data.x, data.a3, data.b3);
+  core::add_limit_avoidance(data.a3, data.a3, data.x, data.x, data.x, data.a3, data.a3, data.b3);
+  core::add_potential(
+      [](const Real(&at)[6], Real(&slope)[6]) noexcept {
+        for (int i = 0; i < 6; ++i) {
+          slope[i] = -at[i];
+        }
+      },
+      data.a6, data.b6);
+  core::add_potential_by_differences([](const Real(&at)[6]) noexcept { return at[0] * at[5]; },
+                                     data.x, data.a6, data.b6);
+}
+
+void use_task_selection(Data& data) noexcept {
+  core::motion_force_command(data.selection, data.a36, data.a6, data.a6, data.b6, data.x, data.c6);
+  core::force_law(data.force_gains, data.a6, data.b6, data.x, data.x, data.c6, data.b6);
+}
+
+Real use_singularity(Data& data) noexcept {
+  core::scale_rows<2, 3>(data.a6, data.a2, data.b6);
+  const auto found = core::singular_directions<2, 3>(data.b6, data.region);
+  core::lost_motion(found, 1, data.a3, data.b3);
+  const auto lost = core::lost_direction(found, 1, data.a6, data.b6, data.b3);
+  core::regular_task_force(found, data.a2, data.a4, data.a2, data.b2);
+  const bool turns = core::singularity_type(lost) == core::SingularityType::turns;
+  return turns ? core::drive_along(data.null_gains, lost, data.x, Real(1), data.x)
+               : core::turn_away(data.null_gains, found.directions + 2, lost, data.a2, data.x,
+                                 data.x);
+}
+
+void use_spline(Data& data) noexcept {
+  const auto between = core::hermite_segment(data.a6, data.b6, data.b6, data.a6, data.x);
+  const auto there = between.at(data.x);
+  const auto segment = core::rest_to_rest(there.velocity, there.acceleration, data.x);
+  const auto motion = segment.at(data.x);
+  for (int i = 0; i < 6; ++i) {
+    data.b6[i] = motion.position[i] + motion.velocity[i] * motion.acceleration[i];
   }
-  const core::GraspedObject<float> object{x, {x, 0.0F, 0.0F}, {x, 0, 0, 0, x, 0, 0, 0, x}};
-  const float R[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  const float w[3] = {x, x, x};
-  const float xdd[6] = {};
-  float wrench[6];
-  core::object_wrench(object, R, w, xdd, w, wrench);
-  float forces[2][6];
-  float internal[6] = {};
-  core::split_over_grasps(linkage, wrench, internal, forces);
-  core::read_internal_forces(linkage, forces, internal);
-  float Lambda[1][36];
-  core::object_inertia(object, R, Lambda[0]);
-  const float free_motion[1][6] = {{x}};
-  float moved[6];
-  float force[1][6];
-  core::grasp_forces<1>(Lambda[0], wrench, Lambda, free_motion, moved, force);
-  return internal[0] + force[0][0];
 }
 
-float use_contact_solver(float x) noexcept {
-  const float A[9] = {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, x};
-  core::ContactLaw<float> law;
-  law.friction = x;
-  float v[3] = {0.0F, x, -1.0F};
-  float y[3] = {};
-  float wanted[1];
-  core::solve_contacts<float>(1, A, &law, v, y, wanted, {10, 1e-6F});
-  return y[2];
+void use_orientation(Data& data) noexcept {
+  core::rotation_from_vector(data.a3, data.a9);
+  core::rotation_from_vector(data.b3, data.b9);
+  core::pose_error(data.a3, data.a9, data.b3, data.b9, data.a6);
+  core::saturated_goal_law(data.gains, data.a6, data.a6, data.x, data.x, data.b6);
+  core::joint_law(data.gains, data.a6, data.a6, data.b6, data.c6);
+  core::tracking_law(data.gains, data.a6, data.b6, data.c6, data.c6, data.b6);
 }
 
-float use_damped_solve(float x) noexcept {
-  const float Lambda_inv[4] = {x, 0.0F, 0.0F, 1.0F};
-  const float J[6] = {x, 1.0F, 2.0F, 3.0F, x, 1.0F};
-  const float rows[2] = {x, x};
-  const float qdd_0[3] = {};
-  float tau[3] = {};
-  return core::add_damped_task_torque(Lambda_inv, J, rows, qdd_0, rows, rows, tau) + tau[0];
+bool use_small_solvers(Data& data) noexcept {
+  core::sin_cos(data.a6, data.b6, data.c6);
+  const auto eigen = core::symmetric_eigen<6>(data.a36);
+  data.x = eigen.vectors[0] + core::square_root(eigen.values[0]);
+  const bool positive = core::ldlt_factor<6>(data.a36);
+  core::ldlt_solve(data.a36, data.a6);
+  return positive;
 }
 
-float use_posture_laws(float x) noexcept {
-  const float q[3] = {x, 2.0F * x, 3.0F * x};
-  const float support[6] = {0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 1.0F};
-  const float com[2] = {x, x};
-  const float J_com[6] = {x, 1.0F, 2.0F, 3.0F, x, 1.0F};
-  float goal[2];
-  float qdd[3] = {};
-  core::nearest_in_polygon(support, com, goal);
-  core::add_balance({100.0F, 20.0F}, goal, com, J_com, 0.01F, q, qdd);
-  core::add_damping(1.0F, q, qdd);
-  core::add_limit_avoidance(q, q, 0.1F, 10.0F, 1.0F, q, q, qdd);
-  core::add_potential_by_differences([](const float(&at)[3]) noexcept { return at[0] * at[1]; },
-                                     0.01F, q, qdd);
-  const core::TaskSelection<float> selection;
-  const float Lambda_inv[36] = {1.0F};
-  const float motion[6] = {x};
-  float command[6];
-  core::motion_force_command(selection, Lambda_inv, motion, motion, motion, 1.0F, command);
-  return qdd[0] + command[0];
-}
-
-float use_singularity(float x) noexcept {
-  const float J[6] = {1.0F, x, 0.0F, 0.0F, 1.0F, x};
-  const float scales[2] = {0.4F, 1.0F};
-  const float Lambda_inv[4] = {2.0F, 0.1F, 0.1F, 2.0F};
-  const float reference[3] = {0.0F, 0.0F, 1.0F};
-  float n[3];
-  float F[2];
-  const auto found = core::singular_directions<2, 3>(J, core::SingularRegion<float>{});
-  core::lost_motion(found, 1, reference, n);
-  const auto lost = core::lost_direction(found, 1, J, J, n);
-  core::regular_task_force(found, scales, Lambda_inv, scales, F);
-  const core::NullMotionGains<float> gains;
-  return F[0] + core::drive_along(gains, lost, x, 1.0F, x) +
-         core::turn_away(gains, found.directions + 2, lost, scales, x, x);
-}
-
-float use_everything(float x) noexcept {
-  float sine[3];
-  float cosine[3];
-  const float angles[3] = {x, 2.0F * x, 3.0F * x};
-  core::sin_cos(angles, sine, cosine);
-  float A[4] = {2.0F, 0.0F, sine[0], 2.0F};
-  float b[2] = {cosine[0], cosine[1]};
-  const bool positive = core::ldlt_factor<2>(A);
-  core::ldlt_solve(A, b);
-  const auto segment = core::rest_to_rest(angles, sine, 1.0F);
-  float R[9];
-  float R_wanted[9];
-  core::rotation_from_vector(angles, R);
-  core::rotation_from_vector(segment.at(x).position, R_wanted);
-  float error[6];
-  core::pose_error(angles, R, sine, R_wanted, error);
-  float acceleration[6];
-  const core::Gains<float> gains{100.0F, 20.0F};
-  core::saturated_goal_law(gains, error, error, 1.0F, 1.0F, acceleration);
-  float tracked[6];
-  core::tracking_law(gains, error, acceleration, error, error, tracked);
-  return b[0] + tracked[3] + (positive ? 1.0F : 0.0F);
+void use_states(Data& data) noexcept {
+  core::Lanes<Real, 8> sine;
+  core::Lanes<Real, 8> cosine;
+  for (int i = 0; i < 6; ++i) {
+    core::load_lanes(data.rows[i], data.lanes[i]);
+    core::sin_cos(data.lanes[i], sine, cosine);
+    core::store_lanes(sine * cosine - data.lanes[i], data.rows[i]);
+  }
 }
 
 }  // namespace treeline::test
