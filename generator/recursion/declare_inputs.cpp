@@ -1,5 +1,6 @@
 #include "recursion/declare_inputs.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace treeline {
@@ -13,7 +14,42 @@ int internal_force_entries(const Mechanism& mechanism) {
   return entries;
 }
 
+/// Units of rotation and of translation, as rows of joint quantities name them.
+struct JointUnits {
+  std::string angular, linear;
+};
+
+JointUnits joint_units(const QuantityInfo& row) {
+  const std::string both = row.unit;
+  const std::size_t comma = both.find(", ");
+  if (comma == std::string::npos) return {both, both};
+  return {both.substr(0, comma), both.substr(comma + 2)};
+}
+
+/// "joint velocities, rad/s"; some meanings tell their units themselves.
+std::string describe_input(const QuantityInfo& row, const Mechanism& mechanism) {
+  const std::string meaning = row.meaning, unit = unit_of(row.quantity, mechanism);
+  const bool told = meaning.find(", " + joint_units(row).angular) != std::string::npos;
+  return unit == "1" || told ? meaning : meaning + ", " + unit;
+}
+
 }  // namespace
+
+std::string unit_of(Quantity quantity, const Mechanism& mechanism) {
+  const QuantityInfo& row = info_of(quantity);
+  const bool of_joints = row.space == IndexSpace::positions || row.space == IndexSpace::velocities;
+  if (!of_joints) return row.unit;
+  const auto& coordinates = mechanism.coordinates;
+  // A quaternion has no unit, its velocity is one of rotation.
+  const bool turns = std::any_of(coordinates.begin(), coordinates.end(), [&](const Coordinate& c) {
+    return c.is_angle() || (c.is_of_quaternion() && row.space == IndexSpace::velocities);
+  });
+  const bool slides = std::any_of(coordinates.begin(), coordinates.end(), [](const Coordinate& c) {
+    return c.kind == CoordinateKind::displacement;
+  });
+  const JointUnits units = joint_units(row);
+  return turns == slides ? row.unit : turns ? units.angular : units.linear;
+}
 
 int size_of(IndexSpace space, const Mechanism& mechanism) {
   switch (space) {
@@ -42,7 +78,7 @@ TracedInputs::TracedInputs(const Mechanism& mechanism, Function function, Progra
     const QuantityInfo& row = info_of(quantity);
     const int size = size_of(row.space, mechanism);
     if (size == 0) continue;
-    program.arguments.push_back({row.symbol, size, 1, row.meaning});
+    program.arguments.push_back({row.symbol, size, 1, describe_input(row, mechanism)});
     std::vector<Expression>& entries = entries_[static_cast<std::size_t>(quantity)];
     for (int i = 0; i < size; ++i) {
       entries.push_back(

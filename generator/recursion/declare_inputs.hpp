@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "functions/function.hpp"
@@ -8,6 +9,10 @@
 #include "program/program.hpp"
 
 namespace treeline {
+
+/// The unit of a quantity in this mechanism: of joint quantities only what its joints have, "rad"
+/// where none of them slides.
+std::string unit_of(Quantity quantity, const Mechanism& mechanism);
 
 /// How many entries an argument has for this mechanism.
 int size_of(IndexSpace space, const Mechanism& mechanism);

@@ -19,10 +19,10 @@ using Expressions = std::vector<Expression>;
 using TracedTree = Tree<Expression>;
 using Outputs = std::vector<Result>;
 
-Outputs vector_output(const char* name, const char* meaning, Expressions values) {
+Outputs vector_output(const char* name, const std::string& meaning, Expressions values) {
   return {vector_result(name, meaning, std::move(values))};
 }
-Outputs matrix_output(const char* name, const char* meaning,
+Outputs matrix_output(const char* name, const std::string& meaning,
                       const DenseMatrix<Expression>& matrix) {
   return {matrix_result(name, meaning, matrix)};
 }
@@ -74,21 +74,20 @@ Expressions net_forces(const RobotTrace& trace) {
 }
 
 std::vector<RobotRoute> forward_dynamics_routes(const TracedTree& tree) {
-  const char* meaning = "joint accelerations";
   std::vector<RobotRoute> routes{
       {{"ltdl", "M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)"},
-       [meaning](const RobotTrace& trace) {
+       [](const RobotTrace& trace) {
          const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
-         return vector_output("qdd", meaning, solve(factor, net_forces(trace)));
+         return vector_output("qdd", trace.with_unit("joint accelerations", Quantity::qdd),
+                              solve(factor, net_forces(trace)));
        }}};
   if (!tree.has_mimics) {
-    routes.push_back(
-        {{"aba", "articulated bodies, Chang table 4.2"}, [meaning](const RobotTrace& trace) {
-           return vector_output(
-               "qdd", meaning,
-               solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
-                                 net_forces(trace)));
-         }});
+    routes.push_back({{"aba", "articulated bodies, Chang table 4.2"}, [](const RobotTrace& trace) {
+                        return vector_output(
+                            "qdd", trace.with_unit("joint accelerations", Quantity::qdd),
+                            solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
+                                              net_forces(trace)));
+                      }});
   }
   return routes;
 }
@@ -127,7 +126,8 @@ void append_resolved_routes(const Mechanism& mechanism, const TracedTree& tree, 
       routes.push_back({{"resolved", "resolved acceleration, spherical wrist", axes_key(link),
                          fmt::format("J in {}", axes_name(link, tree))},
                         [link, inputs](const RobotTrace& trace) {
-                          return vector_output("tau", "joint forces",
+                          return vector_output("tau",
+                                               trace.with_unit("joint forces", Quantity::tau),
                                                control_torque_by_resolved_acceleration<Expression>(
                                                    trace.tree, trace.X, inputs(trace), link));
                         }});
@@ -142,7 +142,7 @@ void append_resolved_routes(const Mechanism& mechanism, const TracedTree& tree, 
                        fmt::format("J in {} and {}", axes_name(link, tree),
                                    axes_name(law->angular_axes_link, tree))},
                       [law, inputs](const RobotTrace& trace) {
-                        return vector_output("tau", "joint forces",
+                        return vector_output("tau", trace.with_unit("joint forces", Quantity::tau),
                                              control_torque_by_pivots<Expression>(
                                                  trace.tree, trace.X, inputs(trace), *law));
                       },
@@ -165,7 +165,7 @@ std::vector<RobotRoute> control_routes(const Mechanism& mechanism, const TracedT
              : on_top_of(route_id(choice, tree), "fused", "Chang table 6.1, fused"),
          [choice](const RobotTrace& trace) {
            return vector_output(
-               "tau", "joint forces",
+               "tau", trace.with_unit("joint forces", Quantity::tau),
                control_torque<Expression>(trace.tree, trace.X,
                                           {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()},
                                           choice, trace.rows, trace.rule));
@@ -176,10 +176,9 @@ std::vector<RobotRoute> control_routes(const Mechanism& mechanism, const TracedT
   return routes;
 }
 
-std::vector<RobotRoute> newton_euler_route(const char* name, const char* meaning) {
-  return {{{"rnea", "recursive Newton-Euler, Chang table 4.1"},
-           [name, meaning](const RobotTrace& trace) {
-             return vector_output(name, meaning,
+std::vector<RobotRoute> newton_euler_route(const char* name) {
+  return {{{"rnea", "recursive Newton-Euler, Chang table 4.1"}, [name](const RobotTrace& trace) {
+             return vector_output(name, trace.with_unit("joint forces", Quantity::tau),
                                   inverse_dynamics<Expression>(
                                       trace.tree, trace.X, {trace.qd, trace.qdd}, trace.applied()));
            }}};
@@ -216,7 +215,7 @@ std::vector<RobotRoute> bias_routes() {
   return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const RobotTrace& trace) {
              const auto tasks = task_points(trace.tree, {}, trace.poses());
              return vector_output(
-                 "bias", "accelerations of the task rows at qdd = 0",
+                 "bias", "accelerations of the task rows at qdd = 0, m/s^2, rad/s^2",
                  bias_acceleration<Expression>(trace.tree, trace.X, tasks, trace.qd));
            }}};
 }
@@ -240,11 +239,11 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
     case Function::bias_acceleration:
       return bias_routes();
     case Function::inverse_dynamics:
-      return newton_euler_route("tau", "joint forces");
+      return newton_euler_route("tau");
     case Function::gravity:
-      return newton_euler_route("g", "joint forces");
+      return newton_euler_route("g");
     case Function::nonlinear_effects:
-      return newton_euler_route("h", "joint forces");
+      return newton_euler_route("h");
     case Function::mass_matrix:
       return mass_matrix_routes();
     case Function::forward_dynamics:

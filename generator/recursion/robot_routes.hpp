@@ -2,11 +2,13 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "functions/function.hpp"
 #include "program/program.hpp"
 #include "recursion/control_torque.hpp"
+#include "recursion/declare_inputs.hpp"
 #include "recursion/task_law.hpp"
 
 namespace treeline {
@@ -14,6 +16,7 @@ namespace treeline {
 /// What a trace has at hand: the tree, its transforms for the inputs q, and the other inputs.
 struct RobotTrace {
   Tree<Expression> tree;
+  const Mechanism* mechanism = nullptr;
   std::size_t rows = 0;
   std::vector<Expression> q, qd, qdd, tau, xdd_cmd, f_ext;
   std::vector<JointTransform<Expression>> X;
@@ -22,6 +25,10 @@ struct RobotTrace {
   [[nodiscard]] std::vector<Wrench<Expression>> applied() const {
     return f_ext.empty() ? std::vector<Wrench<Expression>>{}
                          : applied_wrenches<Expression>(tree, X, f_ext);
+  }
+  /// "joint forces, N m"
+  [[nodiscard]] std::string with_unit(const std::string& meaning, Quantity quantity) const {
+    return meaning + ", " + unit_of(quantity, *mechanism);
   }
   [[nodiscard]] std::vector<WorldPose<Expression>> poses() const { return world_poses(tree, X); }
 };

@@ -52,6 +52,7 @@ class Tracer {
     if (names == Names::forgotten) program.graph.forget_names();
     const Graph::Scope scope(program.graph);
     RobotTrace trace;
+    trace.mechanism = &mechanism_;
     trace.tree = lift_tree(constants_, mechanism_);
     if (function == Function::control_torque && has_priorities(trace.tree)) {
       program.equation += priorities_of(trace.tree);

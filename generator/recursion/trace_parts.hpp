@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,12 +10,13 @@
 
 namespace treeline {
 
-inline Result vector_result(const char* name, const char* meaning, std::vector<Expression> values) {
+inline Result vector_result(const char* name, const std::string& meaning,
+                            std::vector<Expression> values) {
   const int size = static_cast<int>(values.size());
   return {{name, size, 1, meaning}, std::move(values)};
 }
 
-inline Result matrix_result(const char* name, const char* meaning,
+inline Result matrix_result(const char* name, const std::string& meaning,
                             const DenseMatrix<Expression>& matrix) {
   return {{name, static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), meaning},
           matrix.values()};
