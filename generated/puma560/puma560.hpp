@@ -9,12 +9,12 @@
 // no library, no heap, no exception, no branch, no global state. Same input, same bits; and same
 // time, where the target has instructions for Real.
 //
-// Compile without -ffast-math and its parts. With -ffp-contract=off (and -fno-tree-slp-vectorize for
-// g++ where the target has fused multiply-add) every compiler, level and target gives the same
-// bits; without it g++ fuses products and sums where it can, within all bounds below. Rounding is to
-// nearest, and subnormal numbers are not flushed to zero. Where there is no memcpy or memset, compile
-// with -ffreestanding: then nothing is called but the compiler's own arithmetic (libgcc, compiler-rt)
-// for what the target has no instruction for.
+// Compile without -ffast-math and its parts. With -ffp-contract=off (and -fno-tree-slp-vectorize
+// for g++ where the target has fused multiply-add) every compiler, level and target gives the same
+// bits; without it g++ fuses products and sums where it can, within all bounds below. Rounding is
+// to nearest, and subnormal numbers are not flushed to zero. Where there is no memcpy or memset,
+// compile with -ffreestanding: then nothing is called but the compiler's own arithmetic (libgcc,
+// compiler-rt) for what the target has no instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
 // row-major. Arguments of one call must not overlap.
