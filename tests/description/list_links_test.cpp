@@ -39,10 +39,10 @@ TEST(ListLinks, IndentsByTree) {
 }
 
 TEST(ListLinks, CutsLongOnes) {
-  std::string content = link("l0");
+  const auto name = [](int i) { return std::string("l").append(std::to_string(i)); };
+  std::string content = link(name(0));
   for (int i = 1; i < 300; ++i) {
-    const std::string name = "l" + std::to_string(i);
-    content += link(name) + joint("l" + std::to_string(i - 1), name, "continuous");
+    content += link(name(i)) + joint(name(i - 1), name(i), "continuous");
   }
   const std::string list = list_links(robot_of(content));
   EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 40);

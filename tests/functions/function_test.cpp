@@ -61,7 +61,8 @@ TEST(Functions, NameTheMatrixThatTheySolveWith) {
 TEST(Functions, AreKnownToCMake) {
   std::string listed;
   for (const Function function : kSceneFunctions) {
-    listed += (listed.empty() ? "" : ",") + std::string(function_name(function));
+    if (!listed.empty()) listed += ',';
+    listed += function_name(function);
   }
   EXPECT_EQ(TREELINE_FUNCTIONS, listed);
 }
