@@ -150,12 +150,8 @@ std::string generate_by(const std::string& choices, const std::string& output) {
          " --output " + output;
 }
 
-<<<<<<< HEAD:tests/cli/generate_test.cpp
 // Would catch: a recorded choice that is read and not obeyed, or that the next manifest forgets;
 // one of earlier versions, which named routes in words, that is not understood.
-=======
-// Would catch: a recorded choice that has no effect, or that the next manifest omits.
->>>>>>> words:tests/cli/test_generate.cpp
 TEST_F(GenerateTest, ObeysRecordedChoices) {
   std::ofstream(root_ / "mine.json")
       << R"({"choices": [{"function": "forward_dynamics", "chosen": )"

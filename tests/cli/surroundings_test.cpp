@@ -27,21 +27,7 @@ const std::string kBoth = kUrdf + " " + kScene;
 
 class Surroundings : public test::ProgramTest {
  protected:
-<<<<<<< HEAD:tests/cli/surroundings_test.cpp
   /// Runs with standard output going to a device that is full.
-=======
-  Surroundings() {
-    fs::remove_all(root_);
-    fs::create_directories(root_);
-  }
-  ~Surroundings() override { fs::remove_all(root_); }
-
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    return test::run_program(root_, arguments);
-  }
-
-  /// Runs the program with standard output to a full device.
->>>>>>> words:tests/cli/test_surroundings.cpp
   [[nodiscard]] Outcome run_into_full(const std::string& arguments) const {
     const fs::path err = root_ / "stderr.txt";
     const std::string command = "cd '" + root_.string() + "' && '" TREELINE_PROGRAM "' " +
