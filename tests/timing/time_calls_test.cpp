@@ -19,7 +19,8 @@ void entry(const void* const*, void* const*) {
 
 /// Arguments of a function without arguments, for three states.
 CallArguments no_arguments() {
-  return {GeneratedFunction{}, std::vector<State>(3), Real::float64};
+  static const GeneratedFunction kNone;
+  return {kNone, std::vector<State>(3), Real::float64};
 }
 
 TEST(TimeCalls, CallsAllInEveryRound) {
