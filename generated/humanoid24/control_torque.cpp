@@ -1,5 +1,7 @@
-// control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins, alike limbs in lanes.
+// control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J
+//   qdd_0)
+// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at
+//   link origins, alike limbs in lanes.
 // 8557 flops (add 3753, mul 4760, div 44), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)

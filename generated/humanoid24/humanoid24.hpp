@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_HUMANOID24_HPP
+#define TREELINE_HUMANOID24_HPP
 // humanoid24: rigid-body dynamics as straight-line code.
 //
 // From humanoid24.urdf and scene.yaml by
@@ -17,7 +18,11 @@
 // compiler-rt) for what the target has no instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
-// row-major. Arguments of one call must not overlap.
+// row-major. Arguments of one call must not overlap. Names and limits of the joints, as arrays:
+// humanoid24_joints.hpp.
+//
+// Inputs may be any finite numbers. Sines and cosines are within 0.8 ulp up to 1e5 rad; an angle
+// beyond 2^32 rad counts as 0. A NaN or an infinity makes NaN or infinite what depends on it.
 //
 // Joints, in the order of q and of qd, qdd, tau (fixed base):
 //   q 0       qd 0       ankle (revolute): -0.6 .. 0.9 rad, 250 N m, 8 rad/s
@@ -45,13 +50,15 @@
 //   q 22      qd 22      left_eye (revolute): -0.7 .. 0.7 rad, 2 N m, 20 rad/s
 //   q 23      qd 23      right_eye (revolute): -0.7 .. 0.7 rad, 2 N m, 20 rad/s
 // Operational points, rows of task vectors:
-//   from 0    left_hand on left_hand, origin (0, 0, -0.086) m in the link, world axes: x y z rx ry rz
-//   from 6    right_hand on right_hand, origin (0, 0, -0.086) m in the link, world axes: x y z rx ry rz
+//   from 0    left_hand on left_hand, origin (0, 0, -0.086) m in the link, world axes: x y z rx
+//   ry rz
+//   from 6    right_hand on right_hand, origin (0, 0, -0.086) m in the link, world axes: x y z rx
+//   ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
 // Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 0.9 2.4 2.2 0.8 1.2 0.6 3
-//   2.8 1.8 2.5 2 1.4 0.9 3 2.8 1.8 2.5 2 1.4 0.9 1.4 0.8 0.7 0.7, |qd| <= 8 8 8 8 8 8 10 10 10 12
-//   15 15 15 10 10 10 12 15 15 15 8 8 20 20, |qdd| <= 100, |qdd_0| <= 100, |tau| <= 250 400 400 200
-//   250 200 120 120 100 80 30 30 30 120 120 100 80 30 30 30 20 20 2 2, |xdd_cmd| <= 100.
+//   2.8 1.8 2.5 2 1.4 0.9 3 2.8 1.8 2.5 2 1.4 0.9 1.4 0.8 0.7 0.7, |qd| <= 8 8 8 8 8 8 10 10 10
+//   12 15 15 15 10 10 10 12 15 15 15 8 8 20 20, |qdd| <= 100, |qdd_0| <= 100, |tau| <= 250 400
+//   400 200 250 200 120 120 100 80 30 30 30 120 120 100 80 30 30 30 20 20 2 2, |xdd_cmd| <= 100.
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "humanoid24: compile without -ffast-math (put -fno-fast-math behind it): it changes results"
@@ -74,104 +81,107 @@ inline constexpr int kTaskRows = 12;  // stacked over the operational points
 
 /// x_world = R x_point + p, for every operational point
 /// By outward recursion, alike limbs in lanes.
-/// in  q (24): joint coordinates
+/// in  q (24): joint coordinates, rad
 /// out position (6): positions in the world, m, one point after the other
-/// out rotation (18): rotation matrices, row-major, point's axes to world, one point after the other
+/// out rotation (18): rotation matrices, row-major, point's axes to world, one point after the
+///   other
 /// Cost: 370 flops (add 132, mul 238, div 0), sine and cosine of 20 angles.
-/// Stack: at most 74 values live at once, 592 bytes.
+/// Stack, an estimate: 74 values live at once, 592 bytes.
 /// Rounding: at most 5.7e-15 in position (at position[2]), 12 ulp of 2.3e+00, the most that
-///   position can be; at most 5.6e-15 in rotation (at rotation[1]), 26 ulp of 1.1e+00, the most that
-///   rotation can be.
+///   position can be; at most 5.6e-15 in rotation (at rotation[1]), 26 ulp of 1.1e+00, the most
+///   that rotation can be.
 void forward_kinematics(const Real (&q)[24], Real (&position)[6], Real (&rotation)[18]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
 /// By rows carried inward from each point, alike limbs in lanes.
-/// in  q (24): joint coordinates
+/// in  q (24): joint coordinates, rad
 /// out J (12x24): Jacobian
 /// Cost: 560 flops (add 192, mul 368, div 0), sine and cosine of 20 angles.
-/// Stack: at most 161 values live at once, 1288 bytes.
+/// Stack, an estimate: 161 values live at once, 1288 bytes.
 /// Rounding: at most 9.6e-15 in J (at J[0]), 14 ulp of 3.4e+00, the most that J can be.
 void jacobian(const Real (&q)[24], Real (&J)[288]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
 /// By outward recursion, Chang eq. 6.11, alike limbs in lanes.
-/// in  q (24): joint coordinates
-/// in  qd (24): joint velocities
-/// out bias (12): accelerations of the task rows at qdd = 0
+/// in  q (24): joint coordinates, rad
+/// in  qd (24): joint velocities, rad/s
+/// out bias (12): accelerations of the task rows at qdd = 0, m/s^2, rad/s^2
 /// Cost: 824 flops (add 315, mul 509, div 0), sine and cosine of 20 angles.
-/// Stack: at most 105 values live at once, 840 bytes.
+/// Stack, an estimate: 105 values live at once, 840 bytes.
 /// Rounding: at most 4.4e-10 in bias (at bias[0]), 48 ulp of 4.1e+04, the most that bias can be.
 void bias_acceleration(const Real (&q)[24], const Real (&qd)[24], Real (&bias)[12]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
 /// By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
-/// in  q (24): joint coordinates
-/// in  qd (24): joint velocities
-/// in  qdd (24): joint accelerations
-/// out tau (24): joint forces
+/// in  q (24): joint coordinates, rad
+/// in  qd (24): joint velocities, rad/s
+/// in  qdd (24): joint accelerations, rad/s^2
+/// out tau (24): joint forces, N m
 /// Cost: 1939 flops (add 915, mul 1024, div 0), sine and cosine of 24 angles.
-/// Stack: at most 312 values live at once, 2496 bytes.
+/// Stack, an estimate: 312 values live at once, 2496 bytes.
 /// Rounding: at most 1.4e-09 in tau (at tau[0]), 35 ulp of 1.9e+05, the most that tau can be.
 void inverse_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd)[24],
     Real (&tau)[24]) noexcept;
 
 /// g: the joint forces that hold the robot at rest
 /// By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
-/// in  q (24): joint coordinates
-/// out g (24): joint forces
+/// in  q (24): joint coordinates, rad
+/// out g (24): joint forces, N m
 /// Cost: 378 flops (add 152, mul 226, div 0), sine and cosine of 24 angles.
-/// Stack: at most 97 values live at once, 776 bytes.
+/// Stack, an estimate: 97 values live at once, 776 bytes.
 /// Rounding: at most 1.4e-12 in g (at g[0]), 8 ulp of 8.1e+02, the most that g can be.
 void gravity(const Real (&q)[24], Real (&g)[24]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
 /// By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
-/// in  q (24): joint coordinates
-/// in  qd (24): joint velocities
-/// out h (24): joint forces
+/// in  q (24): joint coordinates, rad
+/// in  qd (24): joint velocities, rad/s
+/// out h (24): joint forces, N m
 /// Cost: 1863 flops (add 863, mul 1000, div 0), sine and cosine of 24 angles.
-/// Stack: at most 292 values live at once, 2336 bytes.
+/// Stack, an estimate: 292 values live at once, 2336 bytes.
 /// Rounding: at most 1.5e-09 in h (at h[0]), 36 ulp of 1.9e+05, the most that h can be.
 void nonlinear_effects(const Real (&q)[24], const Real (&qd)[24], Real (&h)[24]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
-/// in  q (24): joint coordinates
+/// in  q (24): joint coordinates, rad
 /// out M (24x24): joint-space inertia
 /// Cost: 2233 flops (add 934, mul 1299, div 0), sine and cosine of 23 angles.
-/// Stack: at most 226 values live at once, 1808 bytes.
+/// Stack, an estimate: 226 values live at once, 1808 bytes.
 /// Rounding: at most 4.4e-13 in M (at M[0]), 12 ulp of 1.7e+02, the most that M can be.
 void mass_matrix(const Real (&q)[24], Real (&M)[576]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
 /// By articulated bodies, Chang table 4.2, alike limbs in lanes.
-/// in  q (24): joint coordinates
-/// in  qd (24): joint velocities
-/// in  tau (24): joint forces
-/// out qdd (24): joint accelerations
+/// in  q (24): joint coordinates, rad
+/// in  qd (24): joint velocities, rad/s
+/// in  tau (24): joint forces, N m
+/// out qdd (24): joint accelerations, rad/s^2
 /// Cost: 4579 flops (add 2154, mul 2393, div 32), sine and cosine of 24 angles.
-/// Stack: at most 402 values live at once, 3216 bytes.
+/// Stack, an estimate: 402 values live at once, 3216 bytes.
 /// Rounding: at most 4e-07 in qdd (at qdd[6]), 3704 ulp of 5e+05, to first order, 4 times what a
 ///   search met.
 void forward_dynamics(const Real (&q)[24], const Real (&qd)[24], const Real (&tau)[24],
     Real (&qdd)[24]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
-/// in  q (24): joint coordinates
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in
+///   lanes.
+/// in  q (24): joint coordinates, rad
 /// out Lambda_inv (12x12): inverse operational-space inertia
 /// Cost: 6251 flops (add 2644, mul 3575, div 32), sine and cosine of 24 angles.
-/// Stack: at most 424 values live at once, 3392 bytes.
+/// Stack, an estimate: 424 values live at once, 3392 bytes.
 /// Rounding: at most 2e-10 in Lambda_inv (at Lambda_inv[143]), 210 ulp of 4e+03, to first order, 4
 ///   times what a search met.
 void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
-/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
-/// in  q (24): joint coordinates
+/// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in
+///   lanes.
+/// in  q (24): joint coordinates, rad
 /// out Lambda (12x12): operational-space inertia
 /// Cost: 8039 flops (add 3448, mul 4547, div 44), sine and cosine of 24 angles.
-/// Stack: at most 322 values live at once, 2576 bytes.
+/// Stack, an estimate: 322 values live at once, 2576 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
@@ -180,14 +190,15 @@ void lambda_inverse(const Real (&q)[24], Real (&Lambda_inv)[144]) noexcept;
 void lambda(const Real (&q)[24], Real (&Lambda)[144]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins, alike limbs in lanes.
-/// in  q (24): joint coordinates
-/// in  qd (24): joint velocities
-/// in  qdd_0 (24): joint accelerations that the posture asks for
-/// in  xdd_cmd (12): commanded accelerations of the task rows
-/// out tau (24): joint forces
+/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at
+///   link origins, alike limbs in lanes.
+/// in  q (24): joint coordinates, rad
+/// in  qd (24): joint velocities, rad/s
+/// in  qdd_0 (24): joint accelerations that the posture asks for, rad/s^2
+/// in  xdd_cmd (12): commanded accelerations of the task rows, m/s^2, rad/s^2
+/// out tau (24): joint forces, N m
 /// Cost: 8557 flops (add 3753, mul 4760, div 44), sine and cosine of 24 angles.
-/// Stack: at most 396 values live at once, 3168 bytes.
+/// Stack, an estimate: 396 values live at once, 3168 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
@@ -197,3 +208,5 @@ void control_torque(const Real (&q)[24], const Real (&qd)[24], const Real (&qdd_
     const Real (&xdd_cmd)[12], Real (&tau)[24]) noexcept;
 
 }  // namespace humanoid24
+
+#endif  // TREELINE_HUMANOID24_HPP

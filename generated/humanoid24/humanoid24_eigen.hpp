@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_HUMANOID24_EIGEN_HPP
+#define TREELINE_HUMANOID24_EIGEN_HPP
 // humanoid24: the functions of humanoid24.hpp for fixed-size Eigen types, without a copy.
 // Generated; optional, the only file here that needs Eigen.
 #include <Eigen/Core>
@@ -73,3 +74,5 @@ inline void control_torque(const Vector<24>& q, const Vector<24>& qd, const Vect
 }
 
 }  // namespace humanoid24::eigen
+
+#endif  // TREELINE_HUMANOID24_EIGEN_HPP

@@ -1,5 +1,6 @@
 // lambda: Lambda = (J M^-1 J^T)^-1
-// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
+// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in
+//   lanes.
 // 8039 flops (add 3448, mul 4547, div 44), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)

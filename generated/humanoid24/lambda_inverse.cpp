@@ -1,5 +1,6 @@
 // lambda_inverse: Lambda^-1 = J M^-1 J^T
-// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in lanes.
+// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in
+//   lanes.
 // 6251 flops (add 2644, mul 3575, div 32), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -1,5 +1,7 @@
-// control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-// By resolved acceleration, spherical wrist, by pivots, J in the axes of link 1 (link1) and the axes of link 5 (link5).
+// control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J
+//   qdd_0)
+// By resolved acceleration, spherical wrist, by pivots, J in the axes of link 1 (link1) and the
+//   axes of link 5 (link5).
 // 468 flops (add 191, mul 274, div 3), sine and cosine of 5 angles
 // Generated; see puma560.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)

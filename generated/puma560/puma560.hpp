@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_PUMA560_HPP
+#define TREELINE_PUMA560_HPP
 // puma560: rigid-body dynamics as straight-line code.
 //
 // From puma560.urdf and scene.yaml by
@@ -17,7 +18,11 @@
 // compiler-rt) for what the target has no instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
-// row-major. Arguments of one call must not overlap.
+// row-major. Arguments of one call must not overlap. Names and limits of the joints, as arrays:
+// puma560_joints.hpp.
+//
+// Inputs may be any finite numbers. Sines and cosines are within 0.8 ulp up to 1e5 rad; an angle
+// beyond 2^32 rad counts as 0. A NaN or an infinity makes NaN or infinite what depends on it.
 //
 // Joints, in the order of q and of qd, qdd, tau (fixed base):
 //   q 0       qd 0       joint1 (revolute): -2.79 .. 2.79 rad, 97.6 N m, 8 rad/s
@@ -54,83 +59,84 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 
 /// x_world = R x_point + p, for every operational point
 /// By outward recursion.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out position (3): positions in the world, m, one point after the other
-/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
+/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the
+///   other
 /// Cost: 83 flops (add 28, mul 55, div 0), sine and cosine of 6 angles.
-/// Stack: at most 33 values live at once, 264 bytes.
+/// Stack, an estimate: 33 values live at once, 264 bytes.
 /// Rounding: at most 1.1e-15 in position (at position[0]), 3 ulp of 1.7e+00, the most that
-///   position can be; at most 3.2e-15 in rotation (at rotation[0]), 9 ulp of 1.8e+00, the most that
-///   rotation can be.
+///   position can be; at most 3.2e-15 in rotation (at rotation[0]), 9 ulp of 1.8e+00, the most
+///   that rotation can be.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
 /// By rows carried inward from each point.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out J (6x6): Jacobian
 /// Cost: 72 flops (add 21, mul 51, div 0), sine and cosine of 5 angles.
-/// Stack: at most 32 values live at once, 256 bytes.
+/// Stack, an estimate: 32 values live at once, 256 bytes.
 /// Rounding: at most 2.2e-15 in J (at J[23]), 6 ulp of 1.8e+00, the most that J can be.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
 /// By outward recursion, Chang eq. 6.11.
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// out bias (6): accelerations of the task rows at qdd = 0
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// out bias (6): accelerations of the task rows at qdd = 0, m/s^2, rad/s^2
 /// Cost: 170 flops (add 60, mul 110, div 0), sine and cosine of 5 angles.
-/// Stack: at most 40 values live at once, 320 bytes.
+/// Stack, an estimate: 40 values live at once, 320 bytes.
 /// Rounding: at most 1.5e-11 in bias (at bias[0]), 18 ulp of 3.9e+03, the most that bias can be.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// in  qdd (6): joint accelerations
-/// out tau (6): joint forces
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// in  qdd (6): joint accelerations, rad/s^2
+/// out tau (6): joint forces, N m
 /// Cost: 277 flops (add 119, mul 158, div 0), sine and cosine of 4 angles.
-/// Stack: at most 59 values live at once, 472 bytes.
+/// Stack, an estimate: 59 values live at once, 472 bytes.
 /// Rounding: at most 1.8e-12 in tau (at tau[0]), 8 ulp of 1.1e+03, the most that tau can be.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
 /// g: the joint forces that hold the robot at rest
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (6): joint coordinates
-/// out g (6): joint forces
+/// in  q (6): joint coordinates, rad
+/// out g (6): joint forces, N m
 /// Cost: 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles.
-/// Stack: at most 13 values live at once, 104 bytes.
+/// Stack, an estimate: 13 values live at once, 104 bytes.
 /// Rounding: at most 3.0e-14 in g (at g[1]), 3 ulp of 4.7e+01, the most that g can be.
 void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// out h (6): joint forces
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// out h (6): joint forces, N m
 /// Cost: 224 flops (add 87, mul 137, div 0), sine and cosine of 4 angles.
-/// Stack: at most 52 values live at once, 416 bytes.
+/// Stack, an estimate: 52 values live at once, 416 bytes.
 /// Rounding: at most 1.2e-12 in h (at h[0]), 10 ulp of 5.5e+02, the most that h can be.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out M (6x6): joint-space inertia
 /// Cost: 139 flops (add 59, mul 80, div 0), sine and cosine of 4 angles.
-/// Stack: at most 46 values live at once, 368 bytes.
+/// Stack, an estimate: 46 values live at once, 368 bytes.
 /// Rounding: at most 3.8e-15 in M (at M[0]), 4 ulp of 4.3e+00, the most that M can be.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
 /// By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// in  tau (6): joint forces
-/// out qdd (6): joint accelerations
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// in  tau (6): joint forces, N m
+/// out qdd (6): joint accelerations, rad/s^2
 /// Cost: 460 flops (add 189, mul 267, div 4), sine and cosine of 4 angles.
-/// Stack: at most 83 values live at once, 664 bytes.
+/// Stack, an estimate: 83 values live at once, 664 bytes.
 /// Rounding: at most 2e-09 in qdd (at qdd[5]), 12 ulp of 6e+05, to first order, 4 times what a
 ///   search met.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
@@ -138,20 +144,20 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
 
 /// Lambda^-1 = J M^-1 J^T
 /// By M = L^T D L, J carried inward, in the axes asked for at link origins.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 566 flops (add 232, mul 330, div 4), sine and cosine of 5 angles.
-/// Stack: at most 61 values live at once, 488 bytes.
+/// Stack, an estimate: 61 values live at once, 488 bytes.
 /// Rounding: at most 4e-10 in Lambda_inv (at Lambda_inv[28]), 66 ulp of 3e+04, to first order, 4
 ///   times what a search met.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
 /// By M = L^T D L, J carried inward, in the axes asked for at link origins.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 812 flops (add 328, mul 474, div 10), sine and cosine of 5 angles.
-/// Stack: at most 68 values live at once, 544 bytes.
+/// Stack, an estimate: 68 values live at once, 544 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
@@ -160,14 +166,15 @@ void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By resolved acceleration, spherical wrist, by pivots, J in the axes of link 1 (link1) and the axes of link 5 (link5).
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// in  qdd_0 (6): joint accelerations that the posture asks for
-/// in  xdd_cmd (6): commanded accelerations of the task rows
-/// out tau (6): joint forces
+/// By resolved acceleration, spherical wrist, by pivots, J in the axes of link 1 (link1) and the
+///   axes of link 5 (link5).
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// in  qdd_0 (6): joint accelerations that the posture asks for, rad/s^2
+/// in  xdd_cmd (6): commanded accelerations of the task rows, m/s^2, rad/s^2
+/// out tau (6): joint forces, N m
 /// Cost: 468 flops (add 191, mul 274, div 3), sine and cosine of 5 angles.
-/// Stack: at most 76 values live at once, 608 bytes.
+/// Stack, an estimate: 76 values live at once, 608 bytes.
 /// Singularities: finite everywhere; at the elbow, overhead and at the wrist's lock one direction
 ///   yields, smoothly, where its pivot falls below 1e-3 of what is ordinary, and is exact to
 ///   rounding above 0.03.
@@ -177,3 +184,5 @@ void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 
 }  // namespace puma560
+
+#endif  // TREELINE_PUMA560_HPP

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_PUMA560_EIGEN_HPP
+#define TREELINE_PUMA560_EIGEN_HPP
 // puma560: the functions of puma560.hpp for fixed-size Eigen types, without a copy.
 // Generated; optional, the only file here that needs Eigen.
 #include <Eigen/Core>
@@ -72,3 +73,5 @@ inline void control_torque(const Vector<6>& q, const Vector<6>& qd, const Vector
 }
 
 }  // namespace puma560::eigen
+
+#endif  // TREELINE_PUMA560_EIGEN_HPP

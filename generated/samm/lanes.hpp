@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_SAMM_LANES_HPP
+#define TREELINE_SAMM_LANES_HPP
 // Several numbers that are computed together, with one instruction where the machine has one that
 // wide. GCC and Clang have such vectors built in, but take wider ones than the machine's apart
 // badly; so wide lanes are two halves until a half fits. Other compilers get plain numbers. Every
@@ -160,3 +161,5 @@ TREELINE_LANES_INLINE Pack<Real, 1 + int{sizeof...(Rest)}> make_pack(Real first,
 #undef TREELINE_LANES_INLINE
 
 }  // namespace samm::detail
+
+#endif  // TREELINE_SAMM_LANES_HPP

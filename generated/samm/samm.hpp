@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_SAMM_HPP
+#define TREELINE_SAMM_HPP
 // samm: rigid-body dynamics as straight-line code.
 //
 // From samm.urdf and scene.yaml by
@@ -17,7 +18,11 @@
 // compiler-rt) for what the target has no instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
-// row-major. Arguments of one call must not overlap.
+// row-major. Arguments of one call must not overlap. Names and limits of the joints, as arrays:
+// samm_joints.hpp.
+//
+// Inputs may be any finite numbers. Sines and cosines are within 0.8 ulp up to 1e5 rad; an angle
+// beyond 2^32 rad counts as 0. A NaN or an infinity makes NaN or infinite what depends on it.
 //
 // Joints, in the order of q and of qd, qdd, tau (fixed base):
 //   q 0       qd 0       base_x (prismatic): -10 .. 10 m, 1000 N, 1.5 m/s
@@ -57,83 +62,84 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 
 /// x_world = R x_point + p, for every operational point
 /// By outward recursion.
-/// in  q (9): joint coordinates
+/// in  q (9): joint coordinates, rad, m
 /// out position (3): positions in the world, m, one point after the other
-/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
+/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the
+///   other
 /// Cost: 91 flops (add 32, mul 59, div 0), sine and cosine of 7 angles.
-/// Stack: at most 33 values live at once, 264 bytes.
+/// Stack, an estimate: 33 values live at once, 264 bytes.
 /// Rounding: at most 4.9e-15 in position (at position[0]), 2 ulp of 1.2e+01, the most that
-///   position can be; at most 4.0e-15 in rotation (at rotation[0]), 11 ulp of 1.8e+00, the most that
-///   rotation can be.
+///   position can be; at most 4.0e-15 in rotation (at rotation[0]), 11 ulp of 1.8e+00, the most
+///   that rotation can be.
 void forward_kinematics(const Real (&q)[9], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
 /// By rows carried inward from each point.
-/// in  q (9): joint coordinates
+/// in  q (9): joint coordinates, rad, m
 /// out J (6x9): Jacobian
 /// Cost: 78 flops (add 23, mul 55, div 0), sine and cosine of 6 angles.
-/// Stack: at most 31 values live at once, 248 bytes.
+/// Stack, an estimate: 31 values live at once, 248 bytes.
 /// Rounding: at most 2.9e-15 in J (at J[35]), 8 ulp of 1.8e+00, the most that J can be.
 void jacobian(const Real (&q)[9], Real (&J)[54]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
 /// By outward recursion, Chang eq. 6.11.
-/// in  q (9): joint coordinates
-/// in  qd (9): joint velocities
-/// out bias (6): accelerations of the task rows at qdd = 0
+/// in  q (9): joint coordinates, rad, m
+/// in  qd (9): joint velocities, rad/s, m/s
+/// out bias (6): accelerations of the task rows at qdd = 0, m/s^2, rad/s^2
 /// Cost: 177 flops (add 63, mul 114, div 0), sine and cosine of 6 angles.
-/// Stack: at most 39 values live at once, 312 bytes.
+/// Stack, an estimate: 39 values live at once, 312 bytes.
 /// Rounding: at most 1.9e-11 in bias (at bias[0]), 19 ulp of 4.4e+03, the most that bias can be.
 void bias_acceleration(const Real (&q)[9], const Real (&qd)[9], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (9): joint coordinates
-/// in  qd (9): joint velocities
-/// in  qdd (9): joint accelerations
-/// out tau (9): joint forces
+/// in  q (9): joint coordinates, rad, m
+/// in  qd (9): joint velocities, rad/s, m/s
+/// in  qdd (9): joint accelerations, rad/s^2, m/s^2
+/// out tau (9): joint forces, N m, N
 /// Cost: 326 flops (add 142, mul 184, div 0), sine and cosine of 6 angles.
-/// Stack: at most 66 values live at once, 528 bytes.
+/// Stack, an estimate: 66 values live at once, 528 bytes.
 /// Rounding: at most 1.4e-11 in tau (at tau[0]), 3 ulp of 2.4e+04, the most that tau can be.
 void inverse_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd)[9],
     Real (&tau)[9]) noexcept;
 
 /// g: the joint forces that hold the robot at rest
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (9): joint coordinates
-/// out g (9): joint forces
+/// in  q (9): joint coordinates, rad, m
+/// out g (9): joint forces, N m, N
 /// Cost: 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles.
-/// Stack: at most 13 values live at once, 104 bytes.
+/// Stack, an estimate: 13 values live at once, 104 bytes.
 /// Rounding: at most 3.0e-14 in g (at g[4]), 3 ulp of 4.7e+01, the most that g can be.
 void gravity(const Real (&q)[9], Real (&g)[9]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (9): joint coordinates
-/// in  qd (9): joint velocities
-/// out h (9): joint forces
+/// in  q (9): joint coordinates, rad, m
+/// in  qd (9): joint velocities, rad/s, m/s
+/// out h (9): joint forces, N m, N
 /// Cost: 246 flops (add 96, mul 150, div 0), sine and cosine of 6 angles.
-/// Stack: at most 58 values live at once, 464 bytes.
+/// Stack, an estimate: 58 values live at once, 464 bytes.
 /// Rounding: at most 4.1e-12 in h (at h[0]), 9 ulp of 2.2e+03, the most that h can be.
 void nonlinear_effects(const Real (&q)[9], const Real (&qd)[9], Real (&h)[9]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2.
-/// in  q (9): joint coordinates
+/// in  q (9): joint coordinates, rad, m
 /// out M (9x9): joint-space inertia
 /// Cost: 177 flops (add 73, mul 104, div 0), sine and cosine of 6 angles.
-/// Stack: at most 50 values live at once, 400 bytes.
+/// Stack, an estimate: 50 values live at once, 400 bytes.
 /// Rounding: at most 1.1e-14 in M (at M[2]), 1 ulp of 1.9e+02, the most that M can be.
 void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
 /// By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
-/// in  q (9): joint coordinates
-/// in  qd (9): joint velocities
-/// in  tau (9): joint forces
-/// out qdd (9): joint accelerations
+/// in  q (9): joint coordinates, rad, m
+/// in  qd (9): joint velocities, rad/s, m/s
+/// in  tau (9): joint forces, N m, N
+/// out qdd (9): joint accelerations, rad/s^2, m/s^2
 /// Cost: 638 flops (add 266, mul 366, div 6), sine and cosine of 6 angles.
-/// Stack: at most 86 values live at once, 688 bytes.
+/// Stack, an estimate: 86 values live at once, 688 bytes.
 /// Rounding: at most 2e-09 in qdd (at qdd[8]), 12 ulp of 6e+05, to first order, 4 times what a
 ///   search met.
 void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)[9],
@@ -141,20 +147,20 @@ void forward_dynamics(const Real (&q)[9], const Real (&qd)[9], const Real (&tau)
 
 /// Lambda^-1 = J M^-1 J^T
 /// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
-/// in  q (9): joint coordinates
+/// in  q (9): joint coordinates, rad, m
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 1001 flops (add 395, mul 600, div 6), sine and cosine of 6 angles.
-/// Stack: at most 124 values live at once, 992 bytes.
+/// Stack, an estimate: 124 values live at once, 992 bytes.
 /// Rounding: at most 5e-10 in Lambda_inv (at Lambda_inv[28]), 85 ulp of 3e+04, to first order, 4
 ///   times what a search met.
 void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
 /// By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
-/// in  q (9): joint coordinates
+/// in  q (9): joint coordinates, rad, m
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 1247 flops (add 491, mul 744, div 12), sine and cosine of 6 angles.
-/// Stack: at most 117 values live at once, 936 bytes.
+/// Stack, an estimate: 117 values live at once, 936 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
@@ -163,14 +169,15 @@ void lambda_inverse(const Real (&q)[9], Real (&Lambda_inv)[36]) noexcept;
 void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at link origins.
-/// in  q (9): joint coordinates
-/// in  qd (9): joint velocities
-/// in  qdd_0 (9): joint accelerations that the posture asks for
-/// in  xdd_cmd (6): commanded accelerations of the task rows
-/// out tau (9): joint forces
+/// By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at
+///   link origins.
+/// in  q (9): joint coordinates, rad, m
+/// in  qd (9): joint velocities, rad/s, m/s
+/// in  qdd_0 (9): joint accelerations that the posture asks for, rad/s^2, m/s^2
+/// in  xdd_cmd (6): commanded accelerations of the task rows, m/s^2, rad/s^2
+/// out tau (9): joint forces, N m, N
 /// Cost: 1116 flops (add 462, mul 643, div 11), sine and cosine of 6 angles.
-/// Stack: at most 114 values live at once, 912 bytes.
+/// Stack, an estimate: 114 values live at once, 912 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
@@ -180,3 +187,5 @@ void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
 
 }  // namespace samm
+
+#endif  // TREELINE_SAMM_HPP

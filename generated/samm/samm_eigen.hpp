@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_SAMM_EIGEN_HPP
+#define TREELINE_SAMM_EIGEN_HPP
 // samm: the functions of samm.hpp for fixed-size Eigen types, without a copy.
 // Generated; optional, the only file here that needs Eigen.
 #include <Eigen/Core>
@@ -72,3 +73,5 @@ inline void control_torque(const Vector<9>& q, const Vector<9>& qd, const Vector
 }
 
 }  // namespace samm::eigen
+
+#endif  // TREELINE_SAMM_EIGEN_HPP

@@ -1,5 +1,7 @@
-// control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-// By Chang table 6.1, fused; Lambda^-1: M = L^T D L, J carried inward, in the axes of link 5 (wrist_2) at link origins.
+// control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J
+//   qdd_0)
+// By Chang table 6.1, fused; Lambda^-1: M = L^T D L, J carried inward, in the axes of link 5
+//   (wrist_2) at link origins.
 // 835 flops (add 352, mul 474, div 9), sine and cosine of 5 angles
 // Generated; see ur10e.hpp for the contract.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_UR10E_DAMPED_SOLVE_HPP
+#define TREELINE_UR10E_DAMPED_SOLVE_HPP
 // Forces of tasks where Lambda^-1 is nearly or wholly singular: selective damping by
 // eigen-directions. C++17, freestanding, fixed size, same time for every matrix.
 //
@@ -120,3 +121,5 @@ inline Real add_damped_task_torque(const Real (&Lambda_inv)[square], const Real 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
+
+#endif  // TREELINE_UR10E_DAMPED_SOLVE_HPP

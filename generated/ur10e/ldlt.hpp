@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_UR10E_LDLT_HPP
+#define TREELINE_UR10E_LDLT_HPP
 // Small symmetric positive definite systems: A = L D L^T with L unit lower triangular. C++17,
 // freestanding, fixed size, no square root, no branch on data.
 
@@ -61,3 +62,5 @@ constexpr void ldlt_solve(const Real (&factors)[NN], Real (&x)[N]) noexcept {
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
+
+#endif  // TREELINE_UR10E_LDLT_HPP

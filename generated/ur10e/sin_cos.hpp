@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_UR10E_SIN_COS_HPP
+#define TREELINE_UR10E_SIN_COS_HPP
 // Sine and cosine together, without branch, table, heap or library: C++17, freestanding, one file.
 // Every generated folder carries its own copy, in a namespace of its own, so that robots generated
 // at different times live in one program.
@@ -395,3 +396,5 @@ inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noex
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
+
+#endif  // TREELINE_UR10E_SIN_COS_HPP

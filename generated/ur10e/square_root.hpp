@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_UR10E_SQUARE_ROOT_HPP
+#define TREELINE_UR10E_SQUARE_ROOT_HPP
 // Square root, because no library is at hand. C++17, freestanding.
 //
 // Where the target has an instruction for it that is what is executed, and not the builtin: without
@@ -125,3 +126,5 @@ inline double square_root(double x) noexcept {
 #undef TREELINE_ROOT_OF_DOUBLE
 
 }  // namespace ur10e::detail
+
+#endif  // TREELINE_UR10E_SQUARE_ROOT_HPP

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_UR10E_SYMMETRIC_EIGEN_HPP
+#define TREELINE_UR10E_SYMMETRIC_EIGEN_HPP
 // Eigenvalues and eigenvectors of small symmetric matrices by cyclic Jacobi rotations. C++17,
 // freestanding, fixed size, a fixed number of sweeps: same time for every matrix.
 
@@ -130,3 +131,5 @@ inline SymmetricEigen<N, Real> symmetric_eigen(const Real (&A)[NN],
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
+
+#endif  // TREELINE_UR10E_SYMMETRIC_EIGEN_HPP

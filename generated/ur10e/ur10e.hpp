@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_UR10E_HPP
+#define TREELINE_UR10E_HPP
 // ur10e: rigid-body dynamics as straight-line code.
 //
 // From ur10e.urdf and scene.yaml by
@@ -17,15 +18,25 @@
 // compiler-rt) for what the target has no instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
-// row-major. Arguments of one call must not overlap.
+// row-major. Arguments of one call must not overlap. Names and limits of the joints, as arrays:
+// ur10e_joints.hpp.
+//
+// Inputs may be any finite numbers. Sines and cosines are within 0.8 ulp up to 1e5 rad; an angle
+// beyond 2^32 rad counts as 0. A NaN or an infinity makes NaN or infinite what depends on it.
 //
 // Joints, in the order of q and of qd, qdd, tau (fixed base):
-//   q 0       qd 0       shoulder_pan (revolute): -6.283185307179586 .. 6.283185307179586 rad, 330 N m, 2.0944 rad/s
-//   q 1       qd 1       shoulder_lift (revolute): -6.283185307179586 .. 6.283185307179586 rad, 330 N m, 2.0944 rad/s
-//   q 2       qd 2       elbow (revolute): -3.141592653589793 .. 3.141592653589793 rad, 150 N m, 3.1416 rad/s
-//   q 3       qd 3       wrist_1 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m, 3.1416 rad/s
-//   q 4       qd 4       wrist_2 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m, 3.1416 rad/s
-//   q 5       qd 5       wrist_3 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m, 3.1416 rad/s
+//   q 0       qd 0       shoulder_pan (revolute): -6.283185307179586 .. 6.283185307179586 rad,
+//   330 N m, 2.0944 rad/s
+//   q 1       qd 1       shoulder_lift (revolute): -6.283185307179586 .. 6.283185307179586 rad,
+//   330 N m, 2.0944 rad/s
+//   q 2       qd 2       elbow (revolute): -3.141592653589793 .. 3.141592653589793 rad, 150 N m,
+//   3.1416 rad/s
+//   q 3       qd 3       wrist_1 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m,
+//   3.1416 rad/s
+//   q 4       qd 4       wrist_2 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m,
+//   3.1416 rad/s
+//   q 5       qd 5       wrist_3 (revolute): -6.283185307179586 .. 6.283185307179586 rad, 56 N m,
+//   3.1416 rad/s
 // Operational points, rows of task vectors:
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
@@ -54,83 +65,84 @@ inline constexpr int kTaskRows = 6;  // stacked over the operational points
 
 /// x_world = R x_point + p, for every operational point
 /// By outward recursion.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out position (3): positions in the world, m, one point after the other
-/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the other
+/// out rotation (9): rotation matrices, row-major, point's axes to world, one point after the
+///   other
 /// Cost: 73 flops (add 25, mul 48, div 0), sine and cosine of 6 angles.
-/// Stack: at most 28 values live at once, 224 bytes.
+/// Stack, an estimate: 28 values live at once, 224 bytes.
 /// Rounding: at most 1.6e-15 in position (at position[0]), 5 ulp of 1.7e+00, the most that
-///   position can be; at most 2.9e-15 in rotation (at rotation[0]), 8 ulp of 1.8e+00, the most that
-///   rotation can be.
+///   position can be; at most 2.9e-15 in rotation (at rotation[0]), 8 ulp of 1.8e+00, the most
+///   that rotation can be.
 void forward_kinematics(const Real (&q)[6], Real (&position)[3], Real (&rotation)[9]) noexcept;
 
 /// xd = J qd, rows stacked over operational points
 /// By rows carried inward from each point.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out J (6x6): Jacobian
 /// Cost: 59 flops (add 17, mul 42, div 0), sine and cosine of 5 angles.
-/// Stack: at most 22 values live at once, 176 bytes.
+/// Stack, an estimate: 22 values live at once, 176 bytes.
 /// Rounding: at most 1.8e-15 in J (at J[23]), 5 ulp of 1.8e+00, the most that J can be.
 void jacobian(const Real (&q)[6], Real (&J)[36]) noexcept;
 
 /// xdd = J qdd + Jd qd: the term Jd qd
 /// By outward recursion, Chang eq. 6.11.
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// out bias (6): accelerations of the task rows at qdd = 0
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// out bias (6): accelerations of the task rows at qdd = 0, m/s^2, rad/s^2
 /// Cost: 142 flops (add 52, mul 90, div 0), sine and cosine of 5 angles.
-/// Stack: at most 33 values live at once, 264 bytes.
+/// Stack, an estimate: 33 values live at once, 264 bytes.
 /// Rounding: at most 1.3e-12 in bias (at bias[3]), 14 ulp of 4.1e+02, the most that bias can be.
 void bias_acceleration(const Real (&q)[6], const Real (&qd)[6], Real (&bias)[6]) noexcept;
 
 /// tau = M qdd + b + g - J_ext^T f_ext
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// in  qdd (6): joint accelerations
-/// out tau (6): joint forces
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// in  qdd (6): joint accelerations, rad/s^2
+/// out tau (6): joint forces, N m
 /// Cost: 262 flops (add 110, mul 152, div 0), sine and cosine of 4 angles.
-/// Stack: at most 63 values live at once, 504 bytes.
+/// Stack, an estimate: 63 values live at once, 504 bytes.
 /// Rounding: at most 5.2e-12 in tau (at tau[1]), 8 ulp of 3.1e+03, the most that tau can be.
 void inverse_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd)[6],
     Real (&tau)[6]) noexcept;
 
 /// g: the joint forces that hold the robot at rest
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (6): joint coordinates
-/// out g (6): joint forces
+/// in  q (6): joint coordinates, rad
+/// out g (6): joint forces, N m
 /// Cost: 25 flops (add 8, mul 17, div 0), sine and cosine of 4 angles.
-/// Stack: at most 11 values live at once, 88 bytes.
+/// Stack, an estimate: 11 values live at once, 88 bytes.
 /// Rounding: at most 6.8e-14 in g (at g[1]), 3 ulp of 1.3e+02, the most that g can be.
 void gravity(const Real (&q)[6], Real (&g)[6]) noexcept;
 
 /// h = b + g: the joint forces at qdd = 0
 /// By recursive Newton-Euler, Chang table 4.1.
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// out h (6): joint forces
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// out h (6): joint forces, N m
 /// Cost: 200 flops (add 76, mul 124, div 0), sine and cosine of 4 angles.
-/// Stack: at most 49 values live at once, 392 bytes.
+/// Stack, an estimate: 49 values live at once, 392 bytes.
 /// Rounding: at most 7.8e-13 in h (at h[1]), 10 ulp of 3.9e+02, the most that h can be.
 void nonlinear_effects(const Real (&q)[6], const Real (&qd)[6], Real (&h)[6]) noexcept;
 
 /// tau = M qdd + b + g: the matrix M
 /// By composite rigid bodies, RBDA table 6.2.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out M (6x6): joint-space inertia
 /// Cost: 107 flops (add 44, mul 63, div 0), sine and cosine of 4 angles.
-/// Stack: at most 33 values live at once, 264 bytes.
+/// Stack, an estimate: 33 values live at once, 264 bytes.
 /// Rounding: at most 2.1e-14 in M (at M[0]), 7 ulp of 1.6e+01, the most that M can be.
 void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext)
 /// By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// in  tau (6): joint forces
-/// out qdd (6): joint accelerations
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// in  tau (6): joint forces, N m
+/// out qdd (6): joint accelerations, rad/s^2
 /// Cost: 410 flops (add 175, mul 231, div 4), sine and cosine of 4 angles.
-/// Stack: at most 82 values live at once, 656 bytes.
+/// Stack, an estimate: 82 values live at once, 656 bytes.
 /// Rounding: at most 1e-09 in qdd (at qdd[5]), 44 ulp of 2e+05, to first order, 4 times what a
 ///   search met.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
@@ -138,20 +150,20 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
 
 /// Lambda^-1 = J M^-1 J^T
 /// By M = L^T D L, J carried inward, in the axes asked for at the points.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out Lambda_inv (6x6): inverse operational-space inertia
 /// Cost: 576 flops (add 235, mul 337, div 4), sine and cosine of 5 angles.
-/// Stack: at most 91 values live at once, 728 bytes.
+/// Stack, an estimate: 91 values live at once, 728 bytes.
 /// Rounding: at most 3e-11 in Lambda_inv (at Lambda_inv[21]), 67 ulp of 2e+03, to first order, 4
 ///   times what a search met.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 
 /// Lambda = (J M^-1 J^T)^-1
 /// By M = L^T D L, J carried inward, in the axes asked for at the points.
-/// in  q (6): joint coordinates
+/// in  q (6): joint coordinates, rad
 /// out Lambda (6x6): operational-space inertia
 /// Cost: 822 flops (add 331, mul 481, div 10), sine and cosine of 5 angles.
-/// Stack: at most 93 values live at once, 744 bytes.
+/// Stack, an estimate: 93 values live at once, 744 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
@@ -160,14 +172,15 @@ void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 
 /// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
-/// By Chang table 6.1, fused; Lambda^-1: M = L^T D L, J carried inward, in the axes of link 5 (wrist_2) at link origins.
-/// in  q (6): joint coordinates
-/// in  qd (6): joint velocities
-/// in  qdd_0 (6): joint accelerations that the posture asks for
-/// in  xdd_cmd (6): commanded accelerations of the task rows
-/// out tau (6): joint forces
+/// By Chang table 6.1, fused; Lambda^-1: M = L^T D L, J carried inward, in the axes of link 5
+///   (wrist_2) at link origins.
+/// in  q (6): joint coordinates, rad
+/// in  qd (6): joint velocities, rad/s
+/// in  qdd_0 (6): joint accelerations that the posture asks for, rad/s^2
+/// in  xdd_cmd (6): commanded accelerations of the task rows, m/s^2, rad/s^2
+/// out tau (6): joint forces, N m
 /// Cost: 835 flops (add 352, mul 474, div 9), sine and cosine of 5 angles.
-/// Stack: at most 102 values live at once, 816 bytes.
+/// Stack, an estimate: 102 values live at once, 816 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
@@ -177,3 +190,5 @@ void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 
 }  // namespace ur10e
+
+#endif  // TREELINE_UR10E_HPP

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_UR10E_DAMPED_HPP
+#define TREELINE_UR10E_DAMPED_HPP
 // ur10e: control that stays bounded and smooth at singularities, from the functions of
 // ur10e.hpp. Generated; needs no library.
 #include "damped_solve.hpp"
@@ -13,12 +14,12 @@ inline constexpr Real kHeaviest[kTaskRows] = {200.0, 200.0, 200.0, 5.0, 5.0, 5.0
 /// control_torque where no direction of the task feels heavier than `heaviest`; elsewhere Delta
 /// lets those directions yield, and them only. With S = diag(sqrt(heaviest)) the accelerations that
 /// the task adds obey qdd_F^T M qdd_F <= 1.362 |S (xdd_cmd - Jd qd - J qdd_0)|^2 in every
-/// configuration, and tau has no step; see damped_solve.hpp. Where directions yield, qdd_0 moves the
-/// joints that the task has given up: let it damp, as qdd_0 = -kv qd does. Returns the least ease:
-/// 1 and more where nothing yields, 0 at a singularity.
+/// configuration, and tau has no step; see damped_solve.hpp. Where directions yield, qdd_0 moves
+/// the joints that the task has given up: let it damp, as qdd_0 = -kv qd does. Returns the least
+/// ease: 1 and more where nothing yields, 0 at a singularity.
 /// Cost: 20359 flops (add 6779, mul 12817, div 763), 306 square roots, sine and cosine of 19
 ///   angles; 19320 of the flops in the solve.
-/// Stack: at most 315 values live at once, 2520 bytes.
+/// Stack, an estimate: 315 values live at once, 2520 bytes.
 /// Rounding: in 50, 90, 99 of 100 states, as measured, at most 2e-11, 3e-10, 8e-10 in tau; 7e-14,
 ///   4e-13, 9e-13 in the ease.
 inline Real damped_control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
@@ -36,3 +37,5 @@ inline Real damped_control_torque(const Real (&q)[6], const Real (&qd)[6], const
 }
 
 }  // namespace ur10e
+
+#endif  // TREELINE_UR10E_DAMPED_HPP

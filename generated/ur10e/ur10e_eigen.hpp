@@ -1,4 +1,5 @@
-#pragma once
+#ifndef TREELINE_UR10E_EIGEN_HPP
+#define TREELINE_UR10E_EIGEN_HPP
 // ur10e: the functions of ur10e.hpp for fixed-size Eigen types, without a copy.
 // Generated; optional, the only file here that needs Eigen.
 #include <Eigen/Core>
@@ -72,3 +73,5 @@ inline void control_torque(const Vector<6>& q, const Vector<6>& qd, const Vector
 }
 
 }  // namespace ur10e::eigen
+
+#endif  // TREELINE_UR10E_EIGEN_HPP

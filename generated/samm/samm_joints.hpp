@@ -1,0 +1,41 @@
+#ifndef TREELINE_SAMM_JOINTS_HPP
+#define TREELINE_SAMM_JOINTS_HPP
+// samm: names and limits, as arrays in the order of the arguments of samm.hpp.
+// Generated; it needs no other file.
+
+namespace samm {
+
+/// Stands for a limit that the URDF does not state: the largest finite number.
+inline constexpr double kUnlimited = 1.7976931348623157e+308;
+
+/// Of each entry of q: its joint, and what it measures.
+inline constexpr const char* kCoordinateJoints[9] = {
+    "base_x", "base_y", "base_yaw", "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"};
+inline constexpr const char* kCoordinateMeanings[9] = {
+    "displacement, m", "displacement, m", "angle, rad", "angle, rad", "angle, rad", "angle, rad",
+    "angle, rad", "angle, rad", "angle, rad"};
+
+/// Limits of each entry of q, rad or m.
+inline constexpr double kLowerLimits[9] = {
+    -10.0, -10.0, -kUnlimited, -2.79, -3.93, -0.79, -1.92, -1.75, -4.64};
+inline constexpr double kUpperLimits[9] = {
+    10.0, 10.0, kUnlimited, 2.79, 0.79, 3.93, 2.97, 1.75, 4.64};
+
+/// Of each entry of qd, qdd and tau: its name with the unit of qd.
+inline constexpr const char* kVelocityNames[9] = {
+    "base_x, m/s", "base_y, m/s", "base_yaw, rad/s", "joint1, rad/s", "joint2, rad/s",
+    "joint3, rad/s", "joint4, rad/s", "joint5, rad/s", "joint6, rad/s"};
+
+/// The largest magnitude of each entry of qd, rad/s or m/s, and of tau, N m or N.
+inline constexpr double kVelocityLimits[9] = {
+    1.5, 1.5, 2.5, 8.0, 10.0, 10.0, 10.0, 10.0, 10.0};
+inline constexpr double kEffortLimits[9] = {
+    1000.0, 1000.0, 300.0, 97.6, 186.4, 89.4, 24.2, 20.1, 21.3};
+
+/// Of each task row: its point, and along or about which axis it is.
+inline constexpr const char* kTaskRowNames[6] = {
+    "tool x", "tool y", "tool z", "tool rx", "tool ry", "tool rz"};
+
+}  // namespace samm
+
+#endif  // TREELINE_SAMM_JOINTS_HPP

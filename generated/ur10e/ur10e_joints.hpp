@@ -1,0 +1,42 @@
+#ifndef TREELINE_UR10E_JOINTS_HPP
+#define TREELINE_UR10E_JOINTS_HPP
+// ur10e: names and limits, as arrays in the order of the arguments of ur10e.hpp.
+// Generated; it needs no other file.
+
+namespace ur10e {
+
+/// Stands for a limit that the URDF does not state: the largest finite number.
+inline constexpr double kUnlimited = 1.7976931348623157e+308;
+
+/// Of each entry of q: its joint, and what it measures.
+inline constexpr const char* kCoordinateJoints[6] = {
+    "shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"};
+inline constexpr const char* kCoordinateMeanings[6] = {
+    "angle, rad", "angle, rad", "angle, rad", "angle, rad", "angle, rad", "angle, rad"};
+
+/// Limits of each entry of q, rad or m.
+inline constexpr double kLowerLimits[6] = {
+    -6.283185307179586, -6.283185307179586, -3.141592653589793, -6.283185307179586,
+    -6.283185307179586, -6.283185307179586};
+inline constexpr double kUpperLimits[6] = {
+    6.283185307179586, 6.283185307179586, 3.141592653589793, 6.283185307179586, 6.283185307179586,
+    6.283185307179586};
+
+/// Of each entry of qd, qdd and tau: its name with the unit of qd.
+inline constexpr const char* kVelocityNames[6] = {
+    "shoulder_pan, rad/s", "shoulder_lift, rad/s", "elbow, rad/s", "wrist_1, rad/s",
+    "wrist_2, rad/s", "wrist_3, rad/s"};
+
+/// The largest magnitude of each entry of qd, rad/s or m/s, and of tau, N m or N.
+inline constexpr double kVelocityLimits[6] = {
+    2.0944, 2.0944, 3.1416, 3.1416, 3.1416, 3.1416};
+inline constexpr double kEffortLimits[6] = {
+    330.0, 330.0, 150.0, 56.0, 56.0, 56.0};
+
+/// Of each task row: its point, and along or about which axis it is.
+inline constexpr const char* kTaskRowNames[6] = {
+    "tool x", "tool y", "tool z", "tool rx", "tool ry", "tool rz"};
+
+}  // namespace ur10e
+
+#endif  // TREELINE_UR10E_JOINTS_HPP
