@@ -1,8 +1,9 @@
+#include "emission/comment.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "emission/comment.hpp"
 #include "emission/emit.hpp"
 #include "emission/sample.hpp"
 

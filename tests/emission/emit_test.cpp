@@ -1,8 +1,9 @@
+#include "emission/emit.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "emission/emit.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/print_source.hpp"
 #include "emission/sample.hpp"

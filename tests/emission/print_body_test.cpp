@@ -1,8 +1,9 @@
+#include "emission/print_body.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "emission/print_body.hpp"
 #include "passes/two_link_arm.hpp"
 
 // Would catch: any change of the appearance or wording of generated code.

@@ -1,6 +1,7 @@
+#include "emission/print_manifest.hpp"
+
 #include <gtest/gtest.h>
 
-#include "emission/print_manifest.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: a manifest that is not JSON, or that does not read back its own list of files.

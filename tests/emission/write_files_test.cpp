@@ -1,3 +1,5 @@
+#include "emission/write_files.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 
 #include "emission/compare_files.hpp"
 #include "emission/sample.hpp"
-#include "emission/write_files.hpp"
 #include "interruption/folder_guard.hpp"
 
 namespace treeline {

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "passes/choose.hpp"
+
+#include <gtest/gtest.h>
 
 // Would catch: the more expensive program being emitted, rejected candidates that are missing from
 // the report, and ties that are decided by chance.

@@ -1,6 +1,7 @@
+#include "passes/count_operations.hpp"
+
 #include <gtest/gtest.h>
 
-#include "passes/count_operations.hpp"
 #include "passes/two_link_arm.hpp"
 
 // Would catch: figures in the contract that do not match the code below them.

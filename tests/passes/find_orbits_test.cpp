@@ -1,6 +1,7 @@
+#include "passes/find_orbits.hpp"
+
 #include <gtest/gtest.h>
 
-#include "passes/find_orbits.hpp"
 #include "passes/pack_lanes.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"

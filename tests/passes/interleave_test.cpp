@@ -1,9 +1,10 @@
+#include "passes/interleave.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "passes/interleave.hpp"
 #include "passes/rebuild.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"

@@ -1,9 +1,10 @@
+#include "passes/pack_lanes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "passes/pack_lanes.hpp"
 #include "passes/schedule.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"

@@ -1,7 +1,8 @@
+#include "passes/schedule.hpp"
+
 #include <gtest/gtest.h>
 
 #include "passes/count_operations.hpp"
-#include "passes/schedule.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 

@@ -1,6 +1,7 @@
+#include "passes/settle.hpp"
+
 #include <gtest/gtest.h>
 
-#include "passes/settle.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/print.hpp"
 

@@ -1,8 +1,9 @@
+#include "passes/take_sines.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "passes/take_sines.hpp"
 #include "program/evaluate.hpp"
 
 // Would catch: an angle whose sine is given but computed nevertheless, a wrong sign in the addition

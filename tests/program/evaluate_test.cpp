@@ -1,9 +1,9 @@
+#include "program/evaluate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <random>
-
-#include "program/evaluate.hpp"
 
 // Would catch: a simplification that changes a value, an operation that is evaluated wrongly, and
 // inputs that are bound to the wrong elements.

@@ -1,10 +1,10 @@
+#include "program/expression.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 #include <vector>
-
-#include "program/expression.hpp"
 
 // Would catch: a rule of the constructors that is missing (an operation is emitted without need) or
 // changes the value (a lost sign, a wrong merge).

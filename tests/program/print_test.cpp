@@ -1,3 +1,5 @@
+#include "program/print.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,7 +7,6 @@
 #include <random>
 
 #include "program/format_literal.hpp"
-#include "program/print.hpp"
 
 namespace treeline {
 namespace {
