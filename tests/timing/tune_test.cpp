@@ -162,7 +162,7 @@ TEST(Tune, PrintsFastestFirst) {
   EXPECT_LT(text.find("fast <- chosen"), text.find("slow <- least cost")) << text;
   const auto json = nlohmann::json::parse(print_json(tuning));
   ASSERT_EQ(json.size(), 2U);
-  EXPECT_EQ(json[0].at("method"), "fast");
+  EXPECT_EQ(json[0].at("route"), "fast");
   EXPECT_EQ(json[0].at("nanoseconds"), 10);
   EXPECT_TRUE(json[0].at("chosen"));
   EXPECT_TRUE(json[1].at("least_cost"));
