@@ -5,6 +5,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/seeded.hpp"
 #include "recursion/trace_function.hpp"
 
 // The centre of mass and its Jacobian of reduced mechanisms, compared with the interpreter for the
@@ -14,15 +15,6 @@
 
 namespace treeline::tests {
 namespace {
-
-struct Seeded {
-  std::uint64_t seed;
-  RandomOptions options;
-};
-
-std::ostream& operator<<(std::ostream& out, const Seeded& robot) {
-  return out << "seed " << robot.seed;
-}
 
 std::vector<Seeded> robots() {
   std::vector<Seeded> all;

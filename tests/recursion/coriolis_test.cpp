@@ -9,6 +9,7 @@
 #include "recursion/kinetic_energy.hpp"
 #include "recursion/mass_matrix.hpp"
 #include "recursion/potential_energy.hpp"
+#include "recursion/seeded.hpp"
 #include "recursion/trace_function.hpp"
 
 // Coriolis matrix and energies on reduced mechanisms against the interpreter on the robot as it is
@@ -20,15 +21,6 @@ namespace treeline::tests {
 namespace {
 
 namespace ip = interpreter;
-
-struct Seeded {
-  std::uint64_t seed;
-  RandomOptions options;
-};
-
-std::ostream& operator<<(std::ostream& out, const Seeded& robot) {
-  return out << "seed " << robot.seed;
-}
 
 std::vector<Seeded> robots() {
   std::vector<Seeded> all;
