@@ -7,7 +7,6 @@
 
 #include "description/bound_xml.hpp"
 #include "description/find_open_element.hpp"
-#include "description/scan_xml.hpp"
 
 namespace treeline {
 namespace {
@@ -142,16 +141,11 @@ const XMLElement* only_root(const tinyxml2::XMLDocument& document, const Complai
 
 /// tinyxml2 ends its reading, without a word, at an end tag that closes nothing.
 bool closes_only_what_is_open(const std::string& text, const Complaint& complain) {
-  int depth = 0;
-  for (std::size_t at = 0; const auto tag = next_tag(text, at);) {
-    depth += tag->kind == XmlTag::Kind::start ? 1 : tag->kind == XmlTag::Kind::end ? -1 : 0;
-    if (depth >= 0) continue;
-    complain(line_at(text, at - 1), "",
-             fmt::format("</{}> closes nothing: no element is open here", tag->name),
-             "remove it, or the end tag too many before it");
-    return false;
-  }
-  return true;
+  const auto stray = find_stray_end(text);
+  if (!stray) return true;
+  complain(stray->line, "", stray->tag + " closes nothing: no element is open here",
+           "remove it, or the end tag too many before it");
+  return false;
 }
 
 std::string other_format(std::string_view name) {
