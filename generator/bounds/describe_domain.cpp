@@ -5,16 +5,11 @@
 #include <cmath>
 
 #include "bounds/domain.hpp"
+#include "description/find_joint.hpp"
 #include "functions/quantity.hpp"
 
 namespace treeline {
 namespace {
-
-const Joint* find_joint(const Robot& robot, const std::string& name) {
-  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                  [&name](const Joint& joint) { return joint.name == name; });
-  return found == robot.joints.end() ? nullptr : &*found;
-}
 
 double finite_or(double value, double otherwise) {
   return std::isfinite(value) && value > 0 ? value : otherwise;

@@ -17,7 +17,7 @@ InputSpace::InputSpace(const Graph& graph, const Domain& domain) {
     const Reading reading = quantity == Quantity::sin_q   ? Reading::sine
                             : quantity == Quantity::cos_q ? Reading::cosine
                                                           : Reading::plain;
-    const std::string angle = symbol_of(Quantity::q) + name.substr(name.find('['));
+    const std::string angle = std::string(symbol_of(Quantity::q)).append(name, name.find('['));
     inputs_.push_back({entry_of(reading == Reading::plain ? name : angle, domain), reading});
   }
   for (const std::size_t first : domain.quaternions) {

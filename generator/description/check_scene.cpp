@@ -9,6 +9,7 @@
 #include "description/check_objects.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
+#include "description/list_rows.hpp"
 
 namespace treeline {
 namespace {
@@ -108,16 +109,6 @@ void check_contacts(const SceneElement& top, const Robot& robot, const Scene& sc
     top.warn("contacts are listed, but no function takes them",
              "add contact_inverse_inertia, effective_mass or impulse_response to functions");
   }
-}
-
-/// `x y rz`.
-std::string list_rows(const ScenePoint& point) {
-  constexpr std::array kNames{"x", "y", "z", "rx", "ry", "rz"};
-  std::string text;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (point.rows[i]) text += fmt::format("{}{}", text.empty() ? "" : " ", kNames[i]);
-  }
-  return text;
 }
 
 /// More rows than coordinates that move them: an error where a bare solve is asked for, else said.

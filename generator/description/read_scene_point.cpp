@@ -8,13 +8,14 @@
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
 #include "description/list_links.hpp"
+#include "description/list_rows.hpp"
 
 namespace treeline {
 namespace {
 
 using Fields = std::map<std::string, SceneElement>;
 
-const std::vector<std::string> kRows = {"x", "y", "z", "rx", "ry", "rz"};
+const std::vector<std::string> kRows(kRowNames.begin(), kRowNames.end());
 
 std::string read_point_name(const SceneElement& point, const Fields& fields) {
   const auto found = fields.find("name");

@@ -6,19 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "description/find_joint.hpp"
 #include "description/heaviest_rows.hpp"
+#include "description/list_rows.hpp"
 
 namespace treeline {
 namespace {
-
-const Joint* find_joint(const Robot& robot, const std::string& name) {
-  for (const Joint& joint : robot.joints) {
-    if (joint.name == name) {
-      return &joint;
-    }
-  }
-  return nullptr;
-}
 
 std::string limits_text(const Joint& joint) {
   if (!joint.limits) {
@@ -87,18 +80,6 @@ std::vector<EmissionContext::VelocityRow> velocity_rows(const Robot& robot,
   return rows;
 }
 
-std::string rows_text(const ScenePoint& point) {
-  static constexpr std::array kRowNames = {"x", "y", "z", "rx", "ry", "rz"};
-  std::string text;
-  for (std::size_t i = 0; i < kRowNames.size(); ++i) {
-    if (point.rows[i]) {
-      text += text.empty() ? "" : " ";
-      text += kRowNames[i];
-    }
-  }
-  return text;
-}
-
 std::string frame_text(const ScenePoint& point) {
   const auto& xyz = point.origin.xyz;
   const auto& rpy = point.origin.rpy;
@@ -117,7 +98,7 @@ std::vector<EmissionContext::PointRow> point_rows(const std::vector<ScenePoint>&
     const std::string priority =
         prioritized ? fmt::format(", priority {}", point.priority) : std::string();
     rows.push_back(
-        {point.name, point.link, frame_text(point) + priority, rows_text(point), first_row});
+        {point.name, point.link, frame_text(point) + priority, list_rows(point), first_row});
     for (const bool on : point.rows) {
       first_row += on ? 1 : 0;
     }

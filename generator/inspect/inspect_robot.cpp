@@ -9,6 +9,7 @@
 #include "description/default_base.hpp"
 #include "description/identifier.hpp"
 #include "description/joints_depth_first.hpp"
+#include "description/list_rows.hpp"
 #include "inspect/inspect_inertias.hpp"
 #include "inspect/inspect_masses.hpp"
 #include "inspect/inspect_risks.hpp"
@@ -174,14 +175,7 @@ class Walk {
 };
 
 PointReport inspect_point(const ScenePoint& point) {
-  constexpr std::array<const char*, 6> kRows{"x", "y", "z", "rx", "ry", "rz"};
-  PointReport report{point.name, point.link, point.axes == Axes::world ? "world" : "local", ""};
-  for (std::size_t i = 0; i < 6; ++i) {
-    if (!point.rows[i]) continue;
-    if (!report.rows.empty()) report.rows += ' ';
-    report.rows += kRows[i];
-  }
-  return report;
+  return {point.name, point.link, point.axes == Axes::world ? "world" : "local", list_rows(point)};
 }
 
 int count_nonzero(const Inertia& inertia) {

@@ -6,6 +6,7 @@
 
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
+#include "description/list_rows.hpp"
 #include "description/printable.hpp"
 #include "inspect/choose_rows.hpp"
 #include "inspect/propose_scene.hpp"
@@ -55,15 +56,6 @@ std::string remark(const std::string& text) {
   return lines + line + "\n";
 }
 
-std::string list_rows(const ScenePoint& point) {
-  constexpr std::array<const char*, 6> kRows = {"x", "y", "z", "rx", "ry", "rz"};
-  std::string list;
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    if (point.rows[i]) list += (list.empty() ? "" : ", ") + std::string(kRows[i]);
-  }
-  return list;
-}
-
 std::string print_head(const Robot& robot, const std::string& file) {
   return remark(fmt::format(
              "A scene for {}, guessed by `treeline init-scene {}` from names, limits and the shape "
@@ -110,7 +102,7 @@ std::string print_points(const Robot& robot, const SceneProposal& proposal) {
     const int freedoms = count(find_freedoms_of_link(robot, scene, point.link));
     text += fmt::format("  - name: {}\n    link: {}  # moved by {} coordinate{}\n    rows: [{}]\n",
                         point.name, yaml_word(point.link), freedoms, freedoms == 1 ? "" : "s",
-                        list_rows(point));
+                        list_rows(point, ", "));
   }
   return text + "    # origin: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}  # of a point in its link\n";
 }
