@@ -89,13 +89,6 @@ std::optional<UnclosedElement> find_unclosed_element(std::string_view text) {
   return UnclosedElement{walk.open().back(), "", walk.line()};
 }
 
-std::optional<StrayEnd> find_stray_end(std::string_view text) {
-  TagWalk walk(text);
-  walk.walk(std::numeric_limits<int>::max());
-  if (!walk.fault() || !walk.fault()->open.name.empty()) return std::nullopt;
-  return StrayEnd{walk.fault()->instead, walk.fault()->line};
-}
-
 std::optional<OpenElement> find_open_element(std::string_view text, int line) {
   TagWalk walk(text);
   walk.walk(line);

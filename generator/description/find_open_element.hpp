@@ -24,16 +24,6 @@ struct UnclosedElement {
 /// quoted attributes are passed over. Nothing where tags fit, or where another fault comes first.
 std::optional<UnclosedElement> find_unclosed_element(std::string_view text);
 
-/// An end tag where no element is open.
-struct StrayEnd {
-  std::string tag;  ///< `</link>`
-  int line = 0;     ///< from 1 on
-};
-
-/// The first end tag that closes nothing, unless an element that is closed by another's end tag
-/// comes before it.
-std::optional<StrayEnd> find_stray_end(std::string_view text);
-
 /// The innermost element that is open where that line begins; nothing outside the root.
 std::optional<OpenElement> find_open_element(std::string_view text, int line);
 

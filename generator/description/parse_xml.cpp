@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "description/bound_xml.hpp"
+#include "description/find_misread_tag.hpp"
 #include "description/find_open_element.hpp"
 
 namespace treeline {
@@ -139,15 +140,6 @@ const XMLElement* only_root(const tinyxml2::XMLDocument& document, const Complai
   return root;
 }
 
-/// tinyxml2 ends its reading, without a word, at an end tag that closes nothing.
-bool closes_only_what_is_open(const std::string& text, const Complaint& complain) {
-  const auto stray = find_stray_end(text);
-  if (!stray) return true;
-  complain(stray->line, "", stray->tag + " closes nothing: no element is open here",
-           "remove it, or the end tag too many before it");
-  return false;
-}
-
 std::string other_format(std::string_view name) {
   if (name == "sdf" || name == "gazebo" || name == "world" || name == "model") {
     return "this looks like SDF, which is not read: export the robot as URDF";
@@ -169,8 +161,12 @@ const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::s
     complain_of_xml(document, mended, complain);
     return nullptr;
   }
+  if (const auto misread = find_misread_tag(document, mended)) {
+    complain(misread->line, "", misread->fault, misread->remedy);
+    return nullptr;
+  }
   const XMLElement* root = only_root(document, complain);
-  if (root == nullptr || !closes_only_what_is_open(mended, complain)) return nullptr;
+  if (root == nullptr) return nullptr;
   if (std::string_view(root->Name()) != "robot") {
     complain(root->GetLineNum(), root->Name(),
              fmt::format("the root element is <{}>, not <robot>", root->Name()),

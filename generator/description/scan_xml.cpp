@@ -74,6 +74,7 @@ std::optional<XmlTag> next_tag(std::string_view text, std::size_t& at) {
     if (c == '>' || c == '<') break;
     if (c == '/') {
       tag.kind = tag.kind == XmlTag::Kind::start ? XmlTag::Kind::empty : tag.kind;
+      tag.has_slash = true;
       ++at;
       continue;
     }

@@ -19,6 +19,7 @@ struct XmlTag {
   std::string_view name;  ///< of start, end and empty
   std::vector<XmlAttribute> attributes;
   std::size_t attribute_count = 0;  ///< all of them; `attributes` has the first `kKeptAttributes`
+  bool has_slash = false;           ///< one behind the name: `<link/>`, but also `</link/>`
 };
 inline constexpr std::size_t kKeptAttributes = 64;
 
