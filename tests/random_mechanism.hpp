@@ -18,7 +18,8 @@ namespace treeline::tests {
 
 /// Frequency of each joint type, relative to the others.
 struct JointMix {
-  double revolute = 5, continuous = 1, prismatic = 2, fixed = 1, floating = 0.3, planar = 0.5;
+  double revolute = 5, continuous = 1, prismatic = 2, fixed = 1, floating = 0.3, planar = 0.5,
+         ball = 0;
 };
 
 struct RandomOptions {
@@ -122,13 +123,14 @@ inline Inertial random_inertial(Dice& dice, double aligned) {
 }
 
 inline JointType random_type(Dice& dice, const JointMix& mix) {
-  const std::array<std::pair<double, JointType>, 6> kWeights{
+  const std::array<std::pair<double, JointType>, 7> kWeights{
       {{mix.revolute, JointType::revolute},
        {mix.continuous, JointType::continuous},
        {mix.prismatic, JointType::prismatic},
        {mix.fixed, JointType::fixed},
        {mix.floating, JointType::floating},
-       {mix.planar, JointType::planar}}};
+       {mix.planar, JointType::planar},
+       {mix.ball, JointType::ball}}};
   double total = 0;
   for (const auto& [weight, type] : kWeights) total += weight;
   double drawn = dice.uniform(0, total);
@@ -140,8 +142,7 @@ inline JointType random_type(Dice& dice, const JointMix& mix) {
 }
 
 inline bool has_one_degree(const Joint& joint) {
-  return joint.type == JointType::revolute || joint.type == JointType::continuous ||
-         joint.type == JointType::prismatic;
+  return info_of(joint.type).has_one_freedom();
 }
 
 inline Limits random_limits(Dice& dice, JointType type) {

@@ -79,13 +79,19 @@ void read_other(const UrdfElement& element) {
       "remove it if it was meant to change the robot's motion", Minor::element);
 }
 
+/// Drake writes joints that are not of URDF under a name of its own.
+bool is_ball_of_drake(const UrdfElement& element) {
+  const char* type = element.xml().Attribute("type");
+  return element.name() == "drake:joint" && type != nullptr && std::string_view(type) == "ball";
+}
+
 Elements list_elements(const UrdfElement& robot) {
   Elements elements;
   for (const auto* xml = robot.xml().FirstChildElement(); xml; xml = xml->NextSiblingElement()) {
     const UrdfElement element = robot.as_child(*xml);
     if (element.name() == "link") {
       elements.links.push_back(element);
-    } else if (element.name() == "joint") {
+    } else if (element.name() == "joint" || is_ball_of_drake(element)) {
       elements.joints.push_back(element);
     } else {
       read_other(element);

@@ -5,6 +5,7 @@
 
 #include "description/noise.hpp"
 #include "interpreter/center_of_mass.hpp"
+#include "interpreter/joint_parts.hpp"
 
 namespace treeline {
 namespace {
@@ -20,30 +21,9 @@ double displacement(const interpreter::Body<double>& body, const std::vector<dou
   const auto size = [&](int i) {
     return std::abs(body.multiplier * q[at(body.q + i)] + body.offset);
   };
-  switch (body.kind) {
-    case interpreter::JointKind::prismatic:
-      return size(0);
-    case interpreter::JointKind::planar:
-      return size(0) + size(1);
-    case interpreter::JointKind::floating:
-      return size(0) + size(1) + size(2);
-    default:
-      return 0;
-  }
-}
-
-/// Number of the joint's velocities that are translations; these come first.
-int translations(interpreter::JointKind kind) {
-  switch (kind) {
-    case interpreter::JointKind::prismatic:
-      return 1;
-    case interpreter::JointKind::planar:
-      return 2;
-    case interpreter::JointKind::floating:
-      return 3;
-    default:
-      return 0;
-  }
+  double sum = 0;
+  for (int i = 0; i < interpreter::translation_count(body.kind); ++i) sum += size(i);
+  return sum;
 }
 
 /// Norm of the rotational inertia about the centre of mass.
@@ -80,7 +60,7 @@ TermSizes::Columns TermSizes::columns(int body, double distance) const {
     const double factor = std::abs(joint.multiplier);
     const bool is_noise = way > 0 && way <= kNoise * longest_;
     const double lever = is_noise ? longest_ : way;
-    const int slides = translations(joint.kind);
+    const int slides = interpreter::translation_count(joint.kind);
     for (int i = 0; i < interpreter::velocity_count(joint.kind); ++i) {
       result.push_back({joint.v + i, factor * (i < slides ? 1 : lever), i < slides ? 0 : factor});
     }

@@ -53,7 +53,7 @@ JointProjection<Scalar> joint_projection(JointKind kind, const ArticulatedInerti
     joint.inverse_D = Scalar(1.0) / I.A.zz;
   }
   joint.u = {joint.U.f * joint.inverse_D, joint.U.n * joint.inverse_D};
-  (kind == JointKind::revolute ? joint.u.n.z : joint.u.f.z) = Scalar(1.0);
+  along_axis(kind, joint.u.f, joint.u.n) = Scalar(1.0);
   return joint;
 }
 
@@ -163,7 +163,7 @@ ArticulatedTree<Scalar> articulate(const Tree<Scalar>& tree,
   for (std::size_t i = n; i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "articulated inertia");
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       result.floating[i] = factor_ldlt(dense(IA[i]));
       continue;
     }

@@ -100,7 +100,7 @@ std::vector<Mobility<Scalar>> propagate_mobilities(const Tree<Scalar>& tree,
       continue;
     }
     section(link, i, "mobility");
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       Omega[i] = mobility(bodies.floating[i]);
       continue;
     }
@@ -134,11 +134,11 @@ Twist<Scalar> propagated_outward(const Tree<Scalar>& tree,
   }
   const auto i = static_cast<std::size_t>(link);
   const TreeLink<Scalar>& outer = tree.links[i];
-  if (outer.kind == JointKind::floating) {
+  if (outer.is_floating()) {
     return {};
   }
   Twist<Scalar> moved = to_child(X[i], propagated_outward(tree, X, bodies, h, outer.parent, twist));
-  Scalar& own = outer.kind == JointKind::revolute ? moved.w.z : moved.v.z;
+  Scalar& own = along_axis(outer.kind, moved.v, moved.w);
   own = own - dot(bodies.joints[i].u, moved);
   return moved;
 }
@@ -251,7 +251,7 @@ DenseMatrix<Scalar> lambda_inverse_by_extended_propagators(
       const TreeLink<Scalar>& link = tree.links[i];
       section(link, i, "extended propagator");
       chi[r][at] = K;
-      if (link.kind == JointKind::floating) {
+      if (link.is_floating()) {
         K = {};
       } else {
         K = to_parent(X[i], without_work(link.kind, bodies.joints[i], K));

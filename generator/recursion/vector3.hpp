@@ -88,5 +88,21 @@ Symmetric3<Scalar> congruent(const Matrix3<Scalar>& Q, const Symmetric3<Scalar>&
   return {dot(Q.row_x, x), dot(Q.row_x, y), dot(Q.row_x, z),
           dot(Q.row_y, y), dot(Q.row_y, z), dot(Q.row_z, z)};
 }
+/// Q A Q^T of a rotation Q and a matrix without symmetry, by the halves A + A^T and A - A^T, of
+/// which the second is a vector.
+template <class Scalar>
+Matrix3<Scalar> congruent(const Matrix3<Scalar>& Q, const Matrix3<Scalar>& A) {
+  const Scalar half(0.5);
+  const Symmetric3<Scalar> even =
+      congruent(Q, Symmetric3<Scalar>{A.row_x.x, half * (A.row_x.y + A.row_y.x),
+                                      half * (A.row_x.z + A.row_z.x), A.row_y.y,
+                                      half * (A.row_y.z + A.row_z.y), A.row_z.z});
+  const Vector3<Scalar> odd =
+      Q * Vector3<Scalar>{half * (A.row_z.y - A.row_y.z), half * (A.row_x.z - A.row_z.x),
+                          half * (A.row_y.x - A.row_x.y)};
+  return {{even.xx, even.xy - odd.z, even.xz + odd.y},
+          {even.xy + odd.z, even.yy, even.yz - odd.x},
+          {even.xz - odd.y, even.yz + odd.x, even.zz}};
+}
 
 }  // namespace treeline

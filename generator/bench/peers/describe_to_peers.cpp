@@ -30,8 +30,9 @@ std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene
     return std::nullopt;
   }
   if (has_joints_of(model, interpreter::JointKind::planar) ||
-      has_joints_of(model, interpreter::JointKind::floating)) {
-    why_not = "the robot has planar or floating joints";
+      has_joints_of(model, interpreter::JointKind::floating) ||
+      has_joints_of(model, interpreter::JointKind::spherical)) {
+    why_not = "the robot has planar, floating or ball joints";
     return std::nullopt;
   }
   PeerDescription description{scene.base == Base::floating, scene.gravity, {}, {}};
