@@ -31,6 +31,7 @@ struct RandomOptions {
   double locked = 0;     ///< chance that the scene locks a joint of one degree
   double aligned = 0.5;  ///< chance of axis-aligned axes, quarter turns, zero offsets
   double massless = 0;   ///< chance that a link behind a fixed joint has no inertia
+  double rotors = 0;     ///< chance that a joint of one degree has a motor's rotor
   int operational_points = 1;
   bool all_rows = true;  ///< false: a random subset of at least one row
   int external_forces = 0;
@@ -252,6 +253,12 @@ inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions&
   for (const Joint& joint : made.robot.joints) {
     if (detail::has_one_degree(joint) && !joint.mimic && dice.chance(options.locked)) {
       scene.locked[joint.name] = dice.rounded(-1, 1);
+    }
+  }
+  for (const Joint& joint : made.robot.joints) {
+    if (options.rotors > 0 && detail::has_one_degree(joint) && !scene.locked.contains(joint.name) &&
+        dice.chance(options.rotors)) {
+      scene.armature[joint.name] = dice.rounded(0.01, 2);
     }
   }
   return made;

@@ -143,8 +143,14 @@ void ignore_axis_and_limits(const UrdfElement& joint, const JointTypeInfo& type)
 void read_dynamics(const UrdfElement& joint, Joint& result) {
   const auto element = joint.child("dynamics");
   if (!element) return;
-  element->only_attributes({"damping", "friction"});
-  if (!element->has("damping") && !element->has("friction")) {
+  element->only_attributes({"damping", "friction", "armature"});
+  if (const auto armature = element->number("armature")) {
+    if (*armature < 0) {
+      element->error(fmt::format("armature={} is negative", *armature), "give a positive one");
+    } else {
+      result.rotor = Rotor{*armature, 1};
+    }
+  } else if (!element->has("damping") && !element->has("friction")) {
     element->warn("there is neither \"damping\" nor \"friction\"", "remove <dynamics>",
                   Minor::form);
   }

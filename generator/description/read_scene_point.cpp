@@ -119,6 +119,8 @@ std::vector<ScenePoint> read_points(const SceneElement& element, const Robot& ro
   return points;
 }
 
+}  // namespace
+
 const Joint* find_joint(const SceneElement& element, const std::string& name, const Robot& robot) {
   for (const Joint& joint : robot.joints) {
     if (joint.name == name) return &joint;
@@ -126,8 +128,6 @@ const Joint* find_joint(const SceneElement& element, const std::string& name, co
   element.error(fmt::format("the robot has no joint \"{}\"", name), suggest_joint(name, robot));
   return nullptr;
 }
-
-}  // namespace
 
 Pose read_origin(const SceneElement& element) {
   Pose pose;

@@ -13,6 +13,7 @@
 #include "description/parse_xml.hpp"
 #include "description/read_joint.hpp"
 #include "description/read_link.hpp"
+#include "description/read_rotors.hpp"
 #include "description/read_text_file.hpp"
 #include "description/resolve_mimics.hpp"
 #include "description/urdf_element.hpp"
@@ -150,6 +151,8 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   check_unique(robot.joints, elements.joints, "joint");
   if (reading.failed()) return std::nullopt;
   if (!resolve_mimics(joints, robot)) return std::nullopt;
+  read_rotors(element, robot.joints);
+  if (reading.failed()) return std::nullopt;
   if (!confirm_with_urdfdom(robot, joints, elements.links, reading)) return std::nullopt;
   check_inertias(robot, elements.links);
   check_motion(robot, elements.links, reading);

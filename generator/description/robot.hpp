@@ -42,17 +42,24 @@ struct Mimic {
   double offset = 0;
 };
 
+/// The rotor of a motor that drives a joint through a gear, as the file states it.
+struct Rotor {
+  std::optional<double> inertia;  ///< about the motor's axis, kg m^2
+  double ratio = 1;               ///< turns of the motor for one of the joint
+};
+
 struct Joint {
   std::string name;
   JointType type = JointType::fixed;
-  int parent = -1;                      ///< index into Robot::links
-  int child = -1;                       ///< index into Robot::links
-  Pose origin;                          ///< joint frame (= child link frame at q = 0) in parent
+  int parent = -1;  ///< index into Robot::links
+  int child = -1;   ///< index into Robot::links
+  Pose origin;      ///< joint frame (= child link frame at q = 0) in parent
   /// Unit vector in the joint frame; planar: the normal. Without meaning for types without an axis.
   std::array<double, 3> axis{1, 0, 0};
   std::optional<Limits> limits;
   std::optional<Mimic> mimic;
   double damping = 0, friction = 0;
+  std::optional<Rotor> rotor;
   int line = 0;
 };
 

@@ -191,6 +191,11 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   for (const auto& [joint, value] : scene.locked) {
     context.notes.push_back(fmt::format("joint {} is locked at {}", joint, value));
   }
+  for (const auto& [joint, inertia] : scene.armature) {
+    context.notes.push_back(
+        fmt::format("a rotor adds {} {} to joint {}", inertia,
+                    info_of(find_joint(robot, joint)->type).slides() ? "kg" : "kg m^2", joint));
+  }
   for (const Joint& joint : robot.joints) {
     if (joint.mimic) {
       context.notes.push_back(

@@ -9,6 +9,7 @@
 #include "description/noise.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
+#include "mechanism/add_rotors.hpp"
 #include "mechanism/exact_from_file.hpp"
 
 namespace treeline {
@@ -58,6 +59,7 @@ class Builder {
       link.radius = radius_of_gyration(link.inertia);
       resolve_inertia(mechanism_, link);
     }
+    add_rotors(scene_.armature, mechanism_);
     return std::move(mechanism_);
   }
 

@@ -105,6 +105,9 @@ class ModelBuilder {
     if (info_of(joint.type).has_axis) {
       body.axis = unit_axis<Scalar>(joint.axis);
     }
+    if (const auto own = scene_.armature.find(joint.name); own != scene_.armature.end()) {
+      body.armature = Scalar(own->second);
+    }
     follow_mimics(j, body);
     body_of_joint_[j] = model_.size();
     return body;

@@ -32,6 +32,17 @@ double central_inertia(const interpreter::Body<double>& body) {
   return (body.inertia + body.mass * C * C).norm();
 }
 
+struct RotorSize {
+  int v;  ///< index of the velocity with which it turns
+  double armature;
+};
+
+/// The rotor at a body's joint, if there is one, as its coordinate feels it.
+std::vector<RotorSize> rotor(const interpreter::Body<double>& body) {
+  if (body.armature == 0) return {};
+  return {{body.v, body.multiplier * body.multiplier * body.armature}};
+}
+
 }  // namespace
 
 TermSizes::TermSizes(const Subject<double>& subject, const std::vector<double>& q)
@@ -97,6 +108,7 @@ Eigen::MatrixXd TermSizes::mass_matrix() const {
         M(a.v, b.v) += body.mass * a.lever * b.lever + inertia * a.turn * b.turn;
       }
     }
+    for (const auto& [v, armature] : rotor(body)) M(v, v) += armature;
   }
   return M;
 }
@@ -116,6 +128,7 @@ Eigen::VectorXd TermSizes::forces(const std::vector<double>& qd, const std::vect
     const Motion of = motion(own, qd, qdd);
     add(own, body.mass * (of.a + model.gravity.norm()),
         central_inertia(body) * (of.alpha + of.w * of.w));
+    for (const auto& [v, armature] : rotor(body)) tau(v) += armature * std::abs(qdd[at(v)]);
   }
   for (std::size_t e = 0; 6 * e < f_ext.size(); ++e) {
     const auto& point = subject_.external[e];
@@ -183,6 +196,7 @@ double TermSizes::kinetic_energy(const std::vector<double>& qd) const {
     const auto& body = model.body(i);
     const Motion of = motion(columns(i, body.com.norm()), qd, none);
     twice += body.mass * of.v * of.v + central_inertia(body) * of.w * of.w;
+    for (const auto& [v, armature] : rotor(body)) twice += armature * qd[at(v)] * qd[at(v)];
   }
   return twice / 2;
 }
