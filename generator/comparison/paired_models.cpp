@@ -9,7 +9,6 @@
 namespace treeline {
 namespace {
 
-using interpreter::JointKind;
 using interpreter::Model;
 using interpreter::Vector;
 using Body = interpreter::Body<double>;
@@ -66,8 +65,9 @@ PairedModels::PairedModels(const Robot& first, const Robot& second, const RobotM
     Pair pair{body_named(first_, link_name(first, a.child)),
               body_named(second_, link_name(second, b.child)), 0, 0};
     const Body& body = first_.body(pair.first);
-    if (body.kind == JointKind::fixed || body.kind != second_.body(pair.second).kind) continue;
-    const double reach = body.kind == JointKind::revolute ? kPi : 1;
+    if (body.kind == interpreter::JointKind::fixed || body.kind != second_.body(pair.second).kind)
+      continue;
+    const double reach = body.kind == interpreter::JointKind::revolute ? kPi : 1;
     pair.lower = std::max(a.limits ? a.limits->lower : -reach, -reach);
     pair.upper = std::min(a.limits ? a.limits->upper : reach, reach);
     if (pair.lower > pair.upper) pair.lower = pair.upper;

@@ -55,7 +55,9 @@ std::string describe_points(const char* title,
 
 std::string describe_conventions(const EmissionContext& context) {
   std::string text = describe_joints(context);
-  for (const std::string& convention : context.joint_conventions) text += convention;
+  for (const std::string& convention : context.joint_conventions) {
+    text += wrap_text(convention, 95) + "\n";
+  }
   text += describe_points("Operational points, rows of task vectors:", context.operational_points);
   text += describe_points("External forces, elements of f_ext ([force; moment] on the robot):",
                           context.external_forces);

@@ -63,7 +63,10 @@ std::vector<std::string> joint_conventions(const Robot& robot, const Mechanism& 
     types.insert(joint != nullptr ? joint->type : JointType::floating);
   }
   std::vector<std::string> conventions;
-  for (const JointType type : types) conventions.emplace_back(info_of(type).convention);
+  for (const JointType type : types) {
+    const std::string convention = info_of(type).convention;
+    if (!convention.empty()) conventions.push_back(convention);
+  }
   return conventions;
 }
 

@@ -43,8 +43,8 @@ struct JointTypeInfo {
   /// Of each velocity, what follows the joint's name: ", rad/s".
   std::span<const char* const> velocities;
   std::span<const JointTypeStep> steps;
-  /// What the contract of emitted code says of q, qd and tau, in lines of at most 100 columns;
-  /// empty where the meanings of the coordinates say all.
+  /// What the contract of emitted code says of q, qd and tau; empty where the meanings of
+  /// the coordinates say all.
   const char* convention = "";
 
   [[nodiscard]] constexpr int positions() const { return static_cast<int>(coordinates.size()); }

@@ -44,12 +44,17 @@ Vector3<Scalar> twice_relative_velocity(const TreeLink<Scalar>& link,
   const Scalar two(2.0);
   const auto at = static_cast<std::size_t>(link.v_index);
   const Vector3<Scalar> carried = cross(w_parent * two, X.p);
-  if (link.kind == JointKind::revolute) {
-    return carried;
+  Vector3<Scalar> slide;
+  switch (link.kind) {
+    case JointKind::revolute:
+      return carried;
+    case JointKind::prismatic:
+      slide = {zero, zero, link.multiplier * rates.velocity(at)};
+      break;
+    case JointKind::floating:
+      slide = velocity_triple(rates, at);
+      break;
   }
-  const Vector3<Scalar> slide =
-      link.is_floating() ? velocity_triple(rates, at)
-                         : Vector3<Scalar>{zero, zero, link.multiplier * rates.velocity(at)};
   return carried + X.to_parent(slide * two);
 }
 

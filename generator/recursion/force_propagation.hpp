@@ -51,22 +51,25 @@ template <class Scalar>
 Mobility<Scalar> through_joint(JointKind kind, const JointProjection<Scalar>& joint,
                                Mobility<Scalar> N) {
   Wrench<Scalar> u = joint.u;
-  if (kind == JointKind::revolute) {
-    u.n.z = Scalar(0.0);
-    const Twist<Scalar> Nu = N * u;
-    N.B.row_x.z = -Nu.v.x;
-    N.B.row_y.z = -Nu.v.y;
-    N.B.row_z.z = -Nu.v.z;
-    N.C.xz = -Nu.w.x;
-    N.C.yz = -Nu.w.y;
-    N.C.zz = joint.inverse_D + dot(u, Nu);
-  } else {
-    u.f.z = Scalar(0.0);
-    const Twist<Scalar> Nu = N * u;
-    N.A.xz = -Nu.v.x;
-    N.A.yz = -Nu.v.y;
-    N.A.zz = joint.inverse_D + dot(u, Nu);
-    N.B.row_z = -Nu.w;
+  along_axis(kind, u.f, u.n) = Scalar(0.0);
+  const Twist<Scalar> Nu = N * u;
+  switch (kind) {
+    case JointKind::revolute:
+      N.B.row_x.z = -Nu.v.x;
+      N.B.row_y.z = -Nu.v.y;
+      N.B.row_z.z = -Nu.v.z;
+      N.C.xz = -Nu.w.x;
+      N.C.yz = -Nu.w.y;
+      N.C.zz = joint.inverse_D + dot(u, Nu);
+      break;
+    case JointKind::prismatic:
+      N.A.xz = -Nu.v.x;
+      N.A.yz = -Nu.v.y;
+      N.A.zz = joint.inverse_D + dot(u, Nu);
+      N.B.row_z = -Nu.w;
+      break;
+    case JointKind::floating:  // has an Omega of its own, see `propagate_mobilities`
+      break;
   }
   return N;
 }

@@ -27,17 +27,17 @@ struct JointTransform {
   }
   /// R Q A Q^T R^T.
   [[nodiscard]] Symmetric3<Scalar> matrix_to_parent(const Symmetric3<Scalar>& A) const {
-    return rotate(R, general ? congruent(Q, A) : rotate_z(turn, A));
+    return rotate(R, general ? turned(Q, A) : rotate_z(turn, A));
   }
   /// R Q A Q^T R^T for a matrix without symmetry.
   [[nodiscard]] Matrix3<Scalar> matrix_to_parent(const Matrix3<Scalar>& A) const {
-    return rotate(R, general ? congruent(Q, A) : rotate_z(turn, A));
+    return rotate(R, general ? turned(Q, A) : rotate_z(turn, A));
   }
   /// Q^T R^T A R Q for a matrix with or without symmetry.
   template <class Turned>
   [[nodiscard]] Turned matrix_to_child(const Turned& A) const {
     const Turned seated = rotate_back(R, A);
-    return general ? congruent(transposed(Q), seated) : rotate_z(turn.inverse(), seated);
+    return general ? turned(transposed(Q), seated) : rotate_z(turn.inverse(), seated);
   }
 };
 

@@ -76,24 +76,32 @@ LinkMotion<Scalar> motion_behind_joint(const TreeLink<Scalar>& link,
   motion.w_carrier = w_carrier;
   motion.wd = X.to_child(parent.wd);
   motion.a = X.to_child(parent.a + parent.U.matrix() * X.p);
-  if (link.kind == JointKind::revolute) {
-    const Scalar qd = link.multiplier * rates.velocity(at);
-    motion.w.z = w_parent.z + qd;
-    motion.wd.x = motion.wd.x + w_carrier.y * qd;
-    motion.wd.y = motion.wd.y - w_carrier.x * qd;
-    motion.wd.z = motion.wd.z + link.multiplier * rates.acceleration(at);
-  } else if (link.kind == JointKind::prismatic) {
-    const Scalar twice_qd = Scalar(2.0) * (link.multiplier * rates.velocity(at));
-    motion.a.x = motion.a.x + w_parent.y * twice_qd;
-    motion.a.y = motion.a.y - w_parent.x * twice_qd;
-    motion.a.z = motion.a.z + link.multiplier * rates.acceleration(at);
-  } else {
-    // qd has components in the axes of the rotating child, so their derivative lacks w_rel x v_rel.
-    const Vector3<Scalar> v_rel = velocity_triple(rates, at);
-    const Vector3<Scalar> w_rel = velocity_triple(rates, at + 3);
-    motion.w = w_parent + w_rel;
-    motion.wd = motion.wd + cross(w_parent, w_rel) + acceleration_triple(rates, at + 3);
-    motion.a = motion.a + cross(w_parent + motion.w, v_rel) + acceleration_triple(rates, at);
+  switch (link.kind) {
+    case JointKind::revolute: {
+      const Scalar qd = link.multiplier * rates.velocity(at);
+      motion.w.z = w_parent.z + qd;
+      motion.wd.x = motion.wd.x + w_carrier.y * qd;
+      motion.wd.y = motion.wd.y - w_carrier.x * qd;
+      motion.wd.z = motion.wd.z + link.multiplier * rates.acceleration(at);
+      break;
+    }
+    case JointKind::prismatic: {
+      const Scalar twice_qd = Scalar(2.0) * (link.multiplier * rates.velocity(at));
+      motion.a.x = motion.a.x + w_parent.y * twice_qd;
+      motion.a.y = motion.a.y - w_parent.x * twice_qd;
+      motion.a.z = motion.a.z + link.multiplier * rates.acceleration(at);
+      break;
+    }
+    case JointKind::floating: {
+      // qd has components in the axes of the rotating child, so their derivative lacks w_rel x
+      // v_rel.
+      const Vector3<Scalar> v_rel = velocity_triple(rates, at);
+      const Vector3<Scalar> w_rel = velocity_triple(rates, at + 3);
+      motion.w = w_parent + w_rel;
+      motion.wd = motion.wd + cross(w_parent, w_rel) + acceleration_triple(rates, at + 3);
+      motion.a = motion.a + cross(w_parent + motion.w, v_rel) + acceleration_triple(rates, at);
+      break;
+    }
   }
   return motion;
 }

@@ -30,7 +30,7 @@ inline constexpr JointTypeInfo kBallJoint{
     .steps = kBallSteps,
     .convention =
         "Of a ball joint q is a quaternion (x y z w, of any length but 0, which turns by nothing), "
-        "that of the link\nin the joint's frame, qd its angular velocity and tau the moment, both "
-        "in the moving link's axes;\nqdd is the derivative of qd, component by component.\n"};
+        "that of the link in the joint's frame, qd its angular velocity and tau the moment, both "
+        "in the moving link's axes; qdd is the derivative of qd, component by component."};
 
 }  // namespace treeline

@@ -27,9 +27,8 @@ inline constexpr JointTypeInfo kFloatingJoint{
     .steps = kFloatingSteps,
     .convention =
         "Of a floating joint q is position and quaternion (x y z w, of any length but 0, which "
-        "turns by nothing)\nin the parent's frame, qd its linear and angular velocity in the "
-        "moving link's axes, tau "
-        "force and moment in those axes;\nqdd is the derivative of qd, component by "
-        "component.\n"};
+        "turns by nothing) in the parent's frame, qd its linear and angular velocity in the "
+        "moving link's axes, tau force and moment in those axes; qdd is the derivative of qd, "
+        "component by component."};
 
 }  // namespace treeline
