@@ -18,7 +18,8 @@ namespace treeline::tests {
 
 /// Frequency of each joint type, relative to the others.
 struct JointMix {
-  double revolute = 5, continuous = 1, prismatic = 2, fixed = 1, floating = 0.3, planar = 0.5;
+  double revolute = 5, continuous = 1, prismatic = 2, fixed = 1, floating = 0.3, planar = 0.5,
+         ball = 0;
 };
 
 struct RandomOptions {
@@ -30,6 +31,7 @@ struct RandomOptions {
   double locked = 0;     ///< chance that the scene locks a joint of one degree
   double aligned = 0.5;  ///< chance of axis-aligned axes, quarter turns, zero offsets
   double massless = 0;   ///< chance that a link behind a fixed joint has no inertia
+  double rotors = 0;     ///< chance that a joint of one degree has a motor's rotor
   int operational_points = 1;
   bool all_rows = true;  ///< false: a random subset of at least one row
   int external_forces = 0;
@@ -122,13 +124,14 @@ inline Inertial random_inertial(Dice& dice, double aligned) {
 }
 
 inline JointType random_type(Dice& dice, const JointMix& mix) {
-  const std::array<std::pair<double, JointType>, 6> kWeights{
+  const std::array<std::pair<double, JointType>, 7> kWeights{
       {{mix.revolute, JointType::revolute},
        {mix.continuous, JointType::continuous},
        {mix.prismatic, JointType::prismatic},
        {mix.fixed, JointType::fixed},
        {mix.floating, JointType::floating},
-       {mix.planar, JointType::planar}}};
+       {mix.planar, JointType::planar},
+       {mix.ball, JointType::ball}}};
   double total = 0;
   for (const auto& [weight, type] : kWeights) total += weight;
   double drawn = dice.uniform(0, total);
@@ -140,8 +143,7 @@ inline JointType random_type(Dice& dice, const JointMix& mix) {
 }
 
 inline bool has_one_degree(const Joint& joint) {
-  return joint.type == JointType::revolute || joint.type == JointType::continuous ||
-         joint.type == JointType::prismatic;
+  return info_of(joint.type).has_one_freedom();
 }
 
 inline Limits random_limits(Dice& dice, JointType type) {
@@ -251,6 +253,12 @@ inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions&
   for (const Joint& joint : made.robot.joints) {
     if (detail::has_one_degree(joint) && !joint.mimic && dice.chance(options.locked)) {
       scene.locked[joint.name] = dice.rounded(-1, 1);
+    }
+  }
+  for (const Joint& joint : made.robot.joints) {
+    if (options.rotors > 0 && detail::has_one_degree(joint) && !scene.locked.contains(joint.name) &&
+        dice.chance(options.rotors)) {
+      scene.armature[joint.name] = dice.rounded(0.01, 2);
     }
   }
   return made;

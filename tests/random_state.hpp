@@ -1,5 +1,6 @@
 #pragma once
 
+#include "interpreter/joint_parts.hpp"
 #include "interpreter/model.hpp"
 #include "random_mechanism.hpp"
 
@@ -21,9 +22,9 @@ interpreter::Vector<Scalar> random_position(Dice& dice, const interpreter::Model
   using std::sqrt;
   interpreter::Vector<Scalar> q = random_entries<Scalar>(dice, model.nq, size);
   for (const auto& body : model.bodies) {
-    const bool floating = body.kind == interpreter::JointKind::floating;
-    if (!floating && body.kind != interpreter::JointKind::spherical) continue;
-    auto quaternion = q.template segment<4>(body.q + (floating ? 3 : 0));
+    const int first = interpreter::quaternion_of(body);
+    if (first < 0) continue;
+    auto quaternion = q.template segment<4>(first);
     quaternion /= Scalar(sqrt(quaternion.squaredNorm()));
   }
   return q;

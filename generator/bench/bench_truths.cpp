@@ -33,8 +33,8 @@ std::vector<StateReference> find_truths(const Robot& robot, Scene scene, Real re
 std::vector<std::size_t> find_quaternions(const Robot& robot, const Scene& scene) {
   std::vector<std::size_t> firsts;
   for (const auto& body : model_from_robot<double>(robot, scene).bodies) {
-    if (body.kind != interpreter::JointKind::floating) continue;
-    firsts.push_back(static_cast<std::size_t>(body.q) + 3);
+    const int first = interpreter::quaternion_of(body);
+    if (first >= 0) firsts.push_back(static_cast<std::size_t>(first));
   }
   return firsts;
 }

@@ -40,7 +40,7 @@ std::vector<double> joint_sizes(const QuantityInfo& row, const Robot& robot,
   if (limit == nullptr) return sizes;
   for (const MovingLink& link : mechanism.links) {
     const Joint* joint = find_joint(robot, link.joint);
-    if (link.mimics || link.kind == JointKind::floating || joint == nullptr || !joint->limits) {
+    if (link.mimics || !link.has_one_coordinate() || joint == nullptr || !joint->limits) {
       continue;
     }
     sizes[static_cast<std::size_t>(link.v_index)] = finite_or((*joint->limits).*limit, row.range);
@@ -109,8 +109,8 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
     }
   }
   for (const MovingLink& link : mechanism.links) {
-    const auto first = static_cast<std::size_t>(link.q_index);
-    if (link.kind == JointKind::floating) domain.quaternions.push_back(first + 3);
+    if (link.quaternion() < 0) continue;
+    domain.quaternions.push_back(static_cast<std::size_t>(link.q_index + link.quaternion()));
   }
   return domain;
 }

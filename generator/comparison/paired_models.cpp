@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interpreter/joint_parts.hpp"
 #include "oracle/model_from_robot.hpp"
 
 namespace treeline {
 namespace {
 
-using interpreter::JointKind;
 using interpreter::Model;
 using interpreter::Vector;
 using Body = interpreter::Body<double>;
@@ -21,14 +21,11 @@ interpreter::Model<double> model_of(const Robot& robot, Base base) {
   return model_from_robot<double>(robot, scene);
 }
 
-bool has_quaternion(const Body& body) {
-  return body.kind == JointKind::floating;
-}
-
 Vector<double> rest(const Model<double>& model) {
   Vector<double> q = Vector<double>::Zero(model.nq);
   for (const Body& body : model.bodies) {
-    if (has_quaternion(body)) q[body.q + 6] = 1;
+    const int quaternion = interpreter::quaternion_of(body);
+    if (quaternion >= 0) q[quaternion + 3] = 1;
   }
   return q;
 }
@@ -40,8 +37,8 @@ const std::string& link_name(const Robot& robot, int link) {
 void draw(const Body& body, double lower, double upper, Dice& dice, Vector<double>& q) {
   const int count = interpreter::position_count(body.kind);
   for (int i = 0; i < count; ++i) q[body.q + i] = dice.within(lower, upper);
-  if (!has_quaternion(body)) return;
-  auto quaternion = q.segment<4>(body.q + 3);
+  if (!interpreter::has_quaternion(body.kind)) return;
+  auto quaternion = q.segment<4>(interpreter::quaternion_of(body));
   quaternion[3] += 2;  // so that the norm is never near zero
   quaternion.normalize();
 }
@@ -68,8 +65,9 @@ PairedModels::PairedModels(const Robot& first, const Robot& second, const RobotM
     Pair pair{body_named(first_, link_name(first, a.child)),
               body_named(second_, link_name(second, b.child)), 0, 0};
     const Body& body = first_.body(pair.first);
-    if (body.kind == JointKind::fixed || body.kind != second_.body(pair.second).kind) continue;
-    const double reach = body.kind == JointKind::revolute ? kPi : 1;
+    if (body.kind == interpreter::JointKind::fixed || body.kind != second_.body(pair.second).kind)
+      continue;
+    const double reach = body.kind == interpreter::JointKind::revolute ? kPi : 1;
     pair.lower = std::max(a.limits ? a.limits->lower : -reach, -reach);
     pair.upper = std::min(a.limits ? a.limits->upper : reach, reach);
     if (pair.lower > pair.upper) pair.lower = pair.upper;
@@ -84,7 +82,7 @@ void PairedModels::add_velocities(const Pair& pair, const std::string& joint) {
   if (a.mimics || b.mimics) return;
   const int count = interpreter::velocity_count(a.kind);
   for (int i = 0; i < count; ++i) {
-    const bool turns = a.kind == JointKind::revolute || (count == 3 && i == 2) || i >= 3;
+    const bool turns = i >= interpreter::translation_count(a.kind);
     velocities_.push_back({a.v + i, b.v + i, joint, turns});
   }
 }

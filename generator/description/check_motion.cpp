@@ -54,7 +54,7 @@ std::vector<int> find_massless_joints(const Robot& robot) {
   }
   std::vector<int> massless;
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    const bool moves = robot.joints[j].type != JointType::fixed && !robot.joints[j].mimic;
+    const bool moves = info_of(robot.joints[j].type).moves() && !robot.joints[j].mimic;
     if (moves && !loaded[j]) massless.push_back(static_cast<int>(j));
   }
   return massless;

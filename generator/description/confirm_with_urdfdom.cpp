@@ -64,11 +64,15 @@ class EssentialUrdf {
   }
 
   void add_joint(const tinyxml2::XMLElement& joint, const Joint& read) {
-    open("joint", &joint, {"name", "type"});
+    const bool standard = info_of(read.type).is_standard;
+    open("joint", &joint, {"name"});
+    // Of all types that urdfdom knows, a floating joint too has neither axis nor range.
+    const char* type = standard ? joint.Attribute("type") : joint_type_name(JointType::floating);
+    if (type != nullptr) printer_.PushAttribute("type", type);
     add_origin(joint);
     add("parent", joint.FirstChildElement("parent"), {"link"});
     add("child", joint.FirstChildElement("child"), {"link"});
-    const bool has_axis = read.type != JointType::fixed && read.type != JointType::floating;
+    const bool has_axis = info_of(read.type).has_axis;
     const auto* axis = joint.FirstChildElement("axis");
     if (has_axis && axis != nullptr) add("axis", axis, {"xyz"});
     // urdfdom insists on limits, which do not concern the dynamics.
@@ -165,12 +169,14 @@ int type_of(JointType type) {
       return urdf::Joint::FLOATING;
     case JointType::planar:
       return urdf::Joint::PLANAR;
+    case JointType::ball:
+      return urdf::Joint::FLOATING;  // as which it is handed over
   }
   return urdf::Joint::UNKNOWN;
 }
 
 bool same_axis(const Joint& ours, const urdf::Vector3& theirs) {
-  if (ours.type == JointType::fixed || ours.type == JointType::floating) return true;
+  if (!info_of(ours.type).has_axis) return true;
   const Eigen::Vector3d axis = Eigen::Vector3d(theirs.x, theirs.y, theirs.z).stableNormalized();
   return (axis - vector(ours.axis)).cwiseAbs().maxCoeff() <= 1e-14;
 }

@@ -10,8 +10,8 @@ void add_owner(const Robot& robot, const Scene& scene, int joint, Freedoms& free
   const auto& mimic = robot.joints[static_cast<std::size_t>(joint)].mimic;
   const int owner = mimic ? mimic->joint : joint;
   const Joint& moving = robot.joints[static_cast<std::size_t>(owner)];
-  if (moving.type == JointType::fixed || scene.locked.contains(moving.name)) return;
-  freedoms.emplace(owner, freedoms_of(moving.type));
+  if (!info_of(moving.type).moves() || scene.locked.contains(moving.name)) return;
+  freedoms.emplace(owner, info_of(moving.type).freedoms());
 }
 
 Freedoms base_freedoms(const Scene& scene) {
@@ -20,22 +20,6 @@ Freedoms base_freedoms(const Scene& scene) {
 }
 
 }  // namespace
-
-int freedoms_of(JointType type) {
-  switch (type) {
-    case JointType::fixed:
-      return 0;
-    case JointType::revolute:
-    case JointType::continuous:
-    case JointType::prismatic:
-      return 1;
-    case JointType::planar:
-      return 3;
-    case JointType::floating:
-      return 6;
-  }
-  return 0;
-}
 
 int count(const Freedoms& freedoms) {
   int sum = 0;

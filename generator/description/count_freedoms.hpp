@@ -8,9 +8,6 @@
 
 namespace treeline {
 
-/// Degrees of freedom of a joint type: 0 fixed, 1, 3 planar, 6 floating.
-int freedoms_of(JointType type);
-
 /// The coordinates that move something: for each the joint that owns it (index into Robot::joints,
 /// or `kFloatingBase`) with its degrees of freedom.
 using Freedoms = std::map<int, int>;

@@ -49,7 +49,7 @@ std::string list_links(const Robot& robot) {
 std::string list_moving_joints(const Robot& robot) {
   std::vector<std::string> names;
   for (const Joint& joint : robot.joints) {
-    if (joint.type != JointType::fixed) names.push_back(joint.name);
+    if (info_of(joint.type).moves()) names.push_back(joint.name);
   }
   return list_names(names);
 }

@@ -13,24 +13,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr std::array kTypes = {
-    std::pair{"revolute", JointType::revolute},   std::pair{"continuous", JointType::continuous},
-    std::pair{"prismatic", JointType::prismatic}, std::pair{"fixed", JointType::fixed},
-    std::pair{"floating", JointType::floating},   std::pair{"planar", JointType::planar}};
-
 JointType read_type(const UrdfElement& element) {
-  const auto text = element.required_text(
-      "type", "give a type: revolute, continuous, prismatic, fixed, floating or planar");
-  if (!text) return JointType::fixed;
   std::vector<std::string> names;
-  for (const auto& [name, type] : kTypes) {
-    if (*text == name) return type;
-    names.emplace_back(name);
-  }
-  const bool ball = *text == "spherical" || *text == "ball";
+  for (const JointTypeInfo& row : kJointTypes) names.emplace_back(row.name);
+  const auto text = element.required_text("type", "give a type: " + list_names(names));
+  if (!text) return JointType::fixed;
+  if (const JointTypeInfo* found = find_joint_type(*text)) return found->type;
   element.error(fmt::format("\"{}\" is not a joint type of URDF", *text),
-                ball ? "write it as three revolute joints with massless links between them"
-                     : suggest_name(*text, names, "the types are"));
+                suggest_name(*text, names, "the types are"));
   return JointType::fixed;
 }
 
@@ -46,10 +36,6 @@ std::string read_end(const UrdfElement& element, const char* end) {
   }
   found->only_attributes({"link"});
   return found->required_text("link", remedy).value_or("");
-}
-
-bool has_axis(JointType type) {
-  return type != JointType::fixed && type != JointType::floating;
 }
 
 std::array<double, 3> read_axis(const UrdfElement& joint) {
@@ -87,12 +73,11 @@ std::array<double, 3> read_axis(const UrdfElement& joint) {
 }
 
 void read_range(const UrdfElement& element, JointType type, Limits& limits) {
-  const bool bounded = type == JointType::revolute || type == JointType::prismatic;
   const auto lower = element.number("lower", true);
   const auto upper = element.number("upper", true);
   limits.lower = -kInfinity;
   limits.upper = kInfinity;
-  if (!bounded) return;
+  if (!info_of(type).has_range) return;
   if (!element.has("lower") && !element.has("upper")) {
     element.warn("there is neither \"lower\" nor \"upper\"; the joint counts as unlimited",
                  "give the range, or type=\"continuous\" if there is none", Minor::limit);
@@ -126,7 +111,7 @@ double read_bound(const UrdfElement& element, const char* name) {
 std::optional<Limits> read_limits(const UrdfElement& joint, JointType type) {
   const auto element = joint.child("limit");
   if (!element) {
-    if (type == JointType::revolute || type == JointType::prismatic) {
+    if (info_of(type).has_range) {
       joint.warn("the joint has no <limit>; it counts as unlimited",
                  "add <limit lower=... upper=... effort=... velocity=.../>, or type=\"continuous\"",
                  Minor::limit);
@@ -137,18 +122,35 @@ std::optional<Limits> read_limits(const UrdfElement& joint, JointType type) {
       {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"});
   Limits limits;
   read_range(*element, type, limits);
-  const bool moves = has_axis(type);
+  const bool moves = info_of(type).has_axis;
   limits.effort = moves || element->has("effort") ? read_bound(*element, "effort") : kInfinity;
   limits.velocity =
       moves || element->has("velocity") ? read_bound(*element, "velocity") : kInfinity;
   return limits;
 }
 
+/// Of a joint that is no joint of URDF: programs write these elements because other programs want
+/// them.
+void ignore_axis_and_limits(const UrdfElement& joint, const JointTypeInfo& type) {
+  for (const char* name : {"axis", "limit"}) {
+    const auto element = joint.child(name);
+    if (!element) continue;
+    element->warn(fmt::format("<{}> has no meaning for a {} joint and is ignored", name, type.name),
+                  "remove it");
+  }
+}
+
 void read_dynamics(const UrdfElement& joint, Joint& result) {
   const auto element = joint.child("dynamics");
   if (!element) return;
-  element->only_attributes({"damping", "friction"});
-  if (!element->has("damping") && !element->has("friction")) {
+  element->only_attributes({"damping", "friction", "armature"});
+  if (const auto armature = element->number("armature")) {
+    if (*armature < 0) {
+      element->error(fmt::format("armature={} is negative", *armature), "give a positive one");
+    } else {
+      result.rotor = Rotor{*armature, 1};
+    }
+  } else if (!element->has("damping") && !element->has("friction")) {
     element->warn("there is neither \"damping\" nor \"friction\"", "remove <dynamics>",
                   Minor::form);
   }
@@ -169,14 +171,14 @@ void read_dynamics(const UrdfElement& joint, Joint& result) {
 void read_mimic(const UrdfElement& joint, NamedJoint& result) {
   const auto element = joint.child("mimic");
   if (!element) return;
-  if (!has_axis(result.joint.type)) {
+  if (!info_of(result.joint.type).has_axis) {
     element->warn(fmt::format("a {} joint cannot mimic; <mimic> is ignored",
                               joint_type_name(result.joint.type)),
                   "remove it");
     return;
   }
   element->only_attributes({"joint", "multiplier", "offset"});
-  if (result.joint.type == JointType::planar) {
+  if (!info_of(result.joint.type).has_one_freedom()) {
     element->error("only a joint of one degree of freedom can mimic", "remove <mimic>");
   }
   Mimic mimic;
@@ -203,8 +205,10 @@ NamedJoint read_joint(const UrdfElement& element) {
   result.parent = read_end(element, "parent");
   result.child = read_end(element, "child");
   joint.origin = element.origin();
-  if (has_axis(joint.type)) joint.axis = read_axis(element);
-  if (joint.type != JointType::fixed) joint.limits = read_limits(element, joint.type);
+  const JointTypeInfo& type = info_of(joint.type);
+  if (type.has_axis) joint.axis = read_axis(element);
+  if (!type.is_standard) ignore_axis_and_limits(element, type);
+  if (type.is_standard && type.moves()) joint.limits = read_limits(element, joint.type);
   read_dynamics(element, joint);
   read_mimic(element, result);
   return result;

@@ -9,6 +9,7 @@
 #include "description/identifier.hpp"
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
+#include "description/read_armature.hpp"
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_text_file.hpp"
@@ -156,7 +157,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   const auto fields =
       top.fields({"name", "base", "gravity", "real", "sin_cos", "accuracy", "lanes", "batch",
                   "damped", "operational_points", "external_forces", "contacts", "functions",
-                  "locked", "objects", "singular", "snap_angles", "noise"});
+                  "armature", "locked", "objects", "singular", "snap_angles", "noise"});
   if (!fields.contains("base")) scene.base = default_base(robot);
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
@@ -173,6 +174,11 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   }
   if (const auto locked = fields.find("locked"); locked != fields.end()) {
     read_locked(locked->second, robot, scene);
+  }
+  if (const auto armature = fields.find("armature"); armature != fields.end()) {
+    read_armature(armature->second, robot, scene);
+  } else {
+    note_unused_rotors(top, robot);
   }
   return scene;
 }

@@ -119,6 +119,8 @@ std::vector<ScenePoint> read_points(const SceneElement& element, const Robot& ro
   return points;
 }
 
+}  // namespace
+
 const Joint* find_joint(const SceneElement& element, const std::string& name, const Robot& robot) {
   for (const Joint& joint : robot.joints) {
     if (joint.name == name) return &joint;
@@ -126,8 +128,6 @@ const Joint* find_joint(const SceneElement& element, const std::string& name, co
   element.error(fmt::format("the robot has no joint \"{}\"", name), suggest_joint(name, robot));
   return nullptr;
 }
-
-}  // namespace
 
 Pose read_origin(const SceneElement& element) {
   Pose pose;
@@ -165,16 +165,16 @@ std::vector<ScenePoint> read_contacts(const SceneElement& element, const Robot& 
 void read_locked(const SceneElement& element, const Robot& robot, Scene& scene) {
   for (const auto& [name, value] : element.entries("write lines of the form joint: value")) {
     const Joint* joint = find_joint(value, name, robot);
-    const bool angle = joint != nullptr && joint->type != JointType::prismatic;
+    const bool angle = joint != nullptr && !info_of(joint->type).slides();
     const auto held = value.number(angle);
     if (joint == nullptr || !held) continue;
     if (joint->mimic) {
       const Joint& followed = robot.joints[static_cast<std::size_t>(joint->mimic->joint)];
       value.error("a joint that mimics has no value of its own",
                   fmt::format("lock the joint it follows, \"{}\"", followed.name));
-    } else if (joint->type == JointType::fixed) {
+    } else if (!info_of(joint->type).moves()) {
       value.error("a fixed joint has no value", "remove this line");
-    } else if (freedoms_of(joint->type) != 1) {
+    } else if (!info_of(joint->type).has_one_freedom()) {
       value.error("only a joint of one degree of freedom can be locked",
                   "make the joint fixed in the URDF");
     } else if (joint->limits && (*held < joint->limits->lower || *held > joint->limits->upper)) {

@@ -16,6 +16,9 @@ std::vector<ScenePoint> read_operational_points(const SceneElement& element, con
 std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot);
 std::vector<ScenePoint> read_contacts(const SceneElement& element, const Robot& robot);
 
+/// The joint of that name; null, and an error with a suggestion, where the robot has none.
+const Joint* find_joint(const SceneElement& element, const std::string& name, const Robot& robot);
+
 /// The scene's map from joints to the values they are held at. An error for a joint that is
 /// unknown, fixed, mimic or of several degrees of freedom; a warning for a value outside the
 /// joint's limits.

@@ -13,6 +13,7 @@
 #include "description/parse_xml.hpp"
 #include "description/read_joint.hpp"
 #include "description/read_link.hpp"
+#include "description/read_rotors.hpp"
 #include "description/read_text_file.hpp"
 #include "description/resolve_mimics.hpp"
 #include "description/urdf_element.hpp"
@@ -79,13 +80,19 @@ void read_other(const UrdfElement& element) {
       "remove it if it was meant to change the robot's motion", Minor::element);
 }
 
+/// Drake writes joints that are not of URDF under a name of its own.
+bool is_ball_of_drake(const UrdfElement& element) {
+  const char* type = element.xml().Attribute("type");
+  return element.name() == "drake:joint" && type != nullptr && std::string_view(type) == "ball";
+}
+
 Elements list_elements(const UrdfElement& robot) {
   Elements elements;
   for (const auto* xml = robot.xml().FirstChildElement(); xml; xml = xml->NextSiblingElement()) {
     const UrdfElement element = robot.as_child(*xml);
     if (element.name() == "link") {
       elements.links.push_back(element);
-    } else if (element.name() == "joint") {
+    } else if (element.name() == "joint" || is_ball_of_drake(element)) {
       elements.joints.push_back(element);
     } else {
       read_other(element);
@@ -144,6 +151,8 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   check_unique(robot.joints, elements.joints, "joint");
   if (reading.failed()) return std::nullopt;
   if (!resolve_mimics(joints, robot)) return std::nullopt;
+  read_rotors(element, robot.joints);
+  if (reading.failed()) return std::nullopt;
   if (!confirm_with_urdfdom(robot, joints, elements.links, reading)) return std::nullopt;
   check_inertias(robot, elements.links);
   check_motion(robot, elements.links, reading);

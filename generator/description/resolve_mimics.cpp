@@ -11,11 +11,6 @@
 namespace treeline {
 namespace {
 
-bool has_one_freedom(JointType type) {
-  return type == JointType::revolute || type == JointType::continuous ||
-         type == JointType::prismatic;
-}
-
 std::string remedy_for_unknown(const std::string& name, const Robot& robot) {
   const auto same_name = [&](const Link& link) { return link.name == name; };
   if (std::any_of(robot.links.begin(), robot.links.end(), same_name)) {
@@ -37,7 +32,7 @@ bool find_followed(const NamedJoint& named, const std::map<std::string, int>& in
     return false;
   }
   const Joint& followed = robot.joints[static_cast<std::size_t>(found->second)];
-  if (!has_one_freedom(followed.type)) {
+  if (!info_of(followed.type).has_one_freedom()) {
     named.element.error(
         fmt::format("the mimicked joint \"{}\" has not one degree of freedom", followed.name),
         "mimic a revolute, continuous or prismatic joint");

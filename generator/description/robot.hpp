@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "joint/joint_type.hpp"
+
 namespace treeline {
 
 /// Position in metres and fixed-axis roll, pitch, yaw in radians, of a child frame in its parent,
@@ -28,10 +30,6 @@ struct Link {
   int line = 0;                      ///< of the element in the file
 };
 
-enum class JointType { revolute, continuous, prismatic, fixed, floating, planar };
-/// As in URDF.
-const char* joint_type_name(JointType type);
-
 /// Radians or metres, N m or N, rad/s or m/s. Infinite where the file sets no bound.
 struct Limits {
   double lower = 0, upper = 0, effort = 0, velocity = 0;
@@ -44,16 +42,24 @@ struct Mimic {
   double offset = 0;
 };
 
+/// The rotor of a motor that drives a joint through a gear, as the file states it.
+struct Rotor {
+  std::optional<double> inertia;  ///< about the motor's axis, kg m^2
+  double ratio = 1;               ///< turns of the motor for one of the joint
+};
+
 struct Joint {
   std::string name;
   JointType type = JointType::fixed;
-  int parent = -1;                      ///< index into Robot::links
-  int child = -1;                       ///< index into Robot::links
-  Pose origin;                          ///< joint frame (= child link frame at q = 0) in parent
-  std::array<double, 3> axis{1, 0, 0};  ///< unit vector in the joint frame; planar: the normal
+  int parent = -1;  ///< index into Robot::links
+  int child = -1;   ///< index into Robot::links
+  Pose origin;      ///< joint frame (= child link frame at q = 0) in parent
+  /// Unit vector in the joint frame; planar: the normal. Without meaning for types without an axis.
+  std::array<double, 3> axis{1, 0, 0};
   std::optional<Limits> limits;
   std::optional<Mimic> mimic;
   double damping = 0, friction = 0;
+  std::optional<Rotor> rotor;
   int line = 0;
 };
 

@@ -95,6 +95,9 @@ struct Scene {
   int batch = 0;  ///< states that the functions of NAME_batch.hpp take in one call; 0: none emitted
   SingularTasks singular = SingularTasks::smooth;
   std::optional<HeaviestMotion> damped;  ///< asks for NAME_damped.hpp: damped_control_torque
+  /// Joint name -> inertia that its motor's rotor adds to the joint, kg m^2 (kg for sliding
+  /// joints).
+  std::map<std::string, double> armature;
   std::map<std::string, double> locked;  ///< joint name -> value it is held at
 };
 

@@ -38,6 +38,7 @@ struct EmissionContext {
     std::string limits;  ///< "-2.8 .. 2.8 rad, 97.6 Nm, 3 rad/s"; may be empty
   };
   std::vector<JointRow> joints;
+  std::vector<std::string> joint_conventions;  ///< what q, qd and tau are
 
   /// One entry of q, for NAME_joints.hpp; limits in rad or m, infinite where there are none.
   struct CoordinateRow {

@@ -55,16 +55,8 @@ std::string describe_points(const char* title,
 
 std::string describe_conventions(const EmissionContext& context) {
   std::string text = describe_joints(context);
-  for (const EmissionContext::JointRow& joint : context.joints) {
-    if (joint.coordinates != joint.velocities) {
-      text +=
-          "Of a floating joint q is position and quaternion (x y z w, of any length but 0, which "
-          "turns by nothing)\nin the parent's frame, qd its linear and angular velocity in the "
-          "moving link's axes, tau "
-          "force and moment in those axes;\nqdd is the derivative of qd, component by "
-          "component.\n";
-      break;
-    }
+  for (const std::string& convention : context.joint_conventions) {
+    text += wrap_text(convention, 95) + "\n";
   }
   text += describe_points("Operational points, rows of task vectors:", context.operational_points);
   text += describe_points("External forces, elements of f_ext ([force; moment] on the robot):",

@@ -228,7 +228,7 @@ void choose_axes(Mechanism& mechanism, Function decider) {
   const Counter counter(mechanism, decider);
   std::vector<Flip> flips;
   for (const Links& links : together) {
-    if (link_at(mechanism, links.front()).kind == JointKind::floating) continue;
+    if (!link_at(mechanism, links.front()).has_one_coordinate()) continue;
     for (bool MovingLink::*choice : choices) flips.push_back({&links, choice});
   }
   if (flips.size() <= kFew) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "description/find_joint.hpp"
 #include "description/heaviest_rows.hpp"
@@ -17,7 +18,7 @@ std::string limits_text(const Joint& joint) {
   if (!joint.limits) {
     return {};
   }
-  const bool angle = joint.type != JointType::prismatic;
+  const bool angle = !info_of(joint.type).slides();
   const Limits& limits = *joint.limits;
   std::string text;
   const auto append = [&text](const std::string& part) {
@@ -42,19 +43,31 @@ std::vector<EmissionContext::JointRow> joint_rows(const Robot& robot, const Mech
     if (link.mimics) {
       continue;
     }
-    const int coordinates = link.kind == JointKind::floating ? 7 : 1;
-    const int velocities = link.kind == JointKind::floating ? 6 : 1;
-    if (!rows.empty() && rows.back().name == link.joint) {  // the next axis of a planar joint
-      rows.back().coordinates += coordinates;
-      rows.back().velocities += velocities;
+    if (!rows.empty() && rows.back().name == link.joint) {  // the next axis of the same joint
+      rows.back().coordinates += link.coordinates();
+      rows.back().velocities += link.velocities();
       continue;
     }
     const Joint* joint = find_joint(robot, link.joint);
     rows.push_back({link.joint, joint != nullptr ? joint_type_name(joint->type) : "floating base",
-                    link.q_index, coordinates, link.v_index, velocities,
+                    link.q_index, link.coordinates(), link.v_index, link.velocities(),
                     joint != nullptr ? limits_text(*joint) : std::string()});
   }
   return rows;
+}
+
+std::vector<std::string> joint_conventions(const Robot& robot, const Mechanism& mechanism) {
+  std::set<JointType> types;
+  for (const MovingLink& link : mechanism.links) {
+    const Joint* joint = find_joint(robot, link.joint);
+    types.insert(joint != nullptr ? joint->type : JointType::floating);
+  }
+  std::vector<std::string> conventions;
+  for (const JointType type : types) {
+    const std::string convention = info_of(type).convention;
+    if (!convention.empty()) conventions.push_back(convention);
+  }
+  return conventions;
 }
 
 std::vector<EmissionContext::CoordinateRow> coordinate_rows(const Mechanism& mechanism) {
@@ -170,6 +183,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.base = scene.base == Base::fixed ? "fixed" : "floating";
   context.gravity = scene.gravity;
   context.joints = joint_rows(robot, mechanism);
+  context.joint_conventions = joint_conventions(robot, mechanism);
   context.coordinate_rows = coordinate_rows(mechanism);
   context.velocity_rows = velocity_rows(robot, mechanism);
   context.operational_points = point_rows(scene.operational_points);
@@ -179,6 +193,11 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   }
   for (const auto& [joint, value] : scene.locked) {
     context.notes.push_back(fmt::format("joint {} is locked at {}", joint, value));
+  }
+  for (const auto& [joint, inertia] : scene.armature) {
+    context.notes.push_back(
+        fmt::format("a rotor adds {} {} to joint {}", inertia,
+                    info_of(find_joint(robot, joint)->type).slides() ? "kg" : "kg m^2", joint));
   }
   for (const Joint& joint : robot.joints) {
     if (joint.mimic) {

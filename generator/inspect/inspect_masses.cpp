@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "interpreter/instances.hpp"
+#include "interpreter/joint_parts.hpp"
 #include "oracle/model_from_robot.hpp"
 
 namespace treeline {
@@ -18,7 +19,8 @@ Vector<double> neutral_pose(const Model<double>& model) {
   Vector<double> q = Vector<double>::Zero(model.nq);
   for (const auto& body : model.bodies) {
     // The scalar part of a quaternion is its last entry.
-    if (body.kind == interpreter::JointKind::floating) q[body.q + 6] = 1;
+    const int quaternion = interpreter::quaternion_of(body);
+    if (quaternion >= 0) q[quaternion + 3] = 1;
   }
   return q;
 }

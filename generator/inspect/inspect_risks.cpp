@@ -13,6 +13,7 @@
 #include "inspect/condition.hpp"
 #include "inspect/find_mass_ratio.hpp"
 #include "interpreter/instances.hpp"
+#include "interpreter/joint_parts.hpp"
 #include "oracle/find_massless_directions.hpp"
 #include "oracle/model_from_robot.hpp"
 
@@ -43,7 +44,8 @@ class States {
   States(const Model<double>& model, const Report& report)
       : neutral_(Vector<double>::Zero(model.nq)) {
     for (const auto& body : model.bodies) {
-      if (body.kind == interpreter::JointKind::floating) neutral_[body.q + 6] = 1;
+      const int quaternion = interpreter::quaternion_of(body);
+      if (quaternion >= 0) neutral_[quaternion + 3] = 1;
     }
     for (const JointReport& joint : report.joints) {
       if (joint.nq == 1 && joint.follows.empty()) joints_.push_back(&joint);

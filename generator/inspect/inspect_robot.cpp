@@ -19,8 +19,8 @@ namespace treeline {
 namespace {
 
 const char* unit_of(JointType type) {
-  if (freedoms_of(type) != 1) return "";
-  return type == JointType::prismatic ? "m" : "rad";
+  if (!info_of(type).has_one_freedom()) return "";
+  return info_of(type).slides() ? "m" : "rad";
 }
 
 std::string describe(const Mimic& mimic, const Robot& robot) {
@@ -104,7 +104,7 @@ class Walk {
     link.joint = joint.name;
     link.joint_type = joint_type_name(joint.type);
     link.motion = link.joint_type;
-    if (joint.type == JointType::fixed) return;
+    if (!info_of(joint.type).moves()) return;
     const int owner = joint.mimic ? joint.mimic->joint : static_cast<int>(index);
     const auto locked = scene_.locked.find(robot_.joints[static_cast<std::size_t>(owner)].name);
     if (locked != scene_.locked.end()) {
@@ -129,8 +129,8 @@ class Walk {
       result.effort = joint.limits->effort;
       result.velocity = joint.limits->velocity;
     }
-    result.nv = freedoms_of(joint.type);
-    result.nq = joint.type == JointType::floating ? 7 : result.nv;
+    result.nv = info_of(joint.type).freedoms();
+    result.nq = info_of(joint.type).positions();
     if (joint.mimic) {
       result.follows = describe(*joint.mimic, robot_);
       followers_.emplace_back(report_.joints.size(), joint.mimic->joint);

@@ -54,8 +54,16 @@ class MovingTree {
     motion.v = parent.v + parent.w.cross(offset);
     const auto q = static_cast<std::size_t>(link.q_index),
                v = static_cast<std::size_t>(link.v_index);
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       move_freely(q, v, motion);
+      return motion;
+    }
+    if (link.is_of_ball()) {
+      // The first step turns, in its own axes: y z x of the joint's.
+      if (!link.continues_joint()) {
+        motion.R = motion.R * quaternion(q_[q + 1], q_[q + 2], q_[q], q_[q + 3]);
+      }
+      motion.w += motion.R.col(2) * qd_[v];
       return motion;
     }
     const double at = link.multiplier * q_[q] + static_cast<double>(link.offset);
@@ -71,12 +79,15 @@ class MovingTree {
     return motion;
   }
 
+  /// Rotation matrix of a quaternion that is far from 0.
+  static Matrix3d quaternion(double x, double y, double z, double w) {
+    return Eigen::Quaterniond(2 + w, x, y, z).normalized().toRotationMatrix();
+  }
+
   void move_freely(std::size_t q, std::size_t v, LinkMotion& motion) const {
     const Vector3d shift = motion.R * Vector3d(q_[q], q_[q + 1], q_[q + 2]);
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond(2 + q_[q + 6], q_[q + 3], q_[q + 4], q_[q + 5]).normalized();
     motion.p += shift;
-    motion.R = motion.R * turn.toRotationMatrix();
+    motion.R = motion.R * quaternion(q_[q + 3], q_[q + 4], q_[q + 5], q_[q + 6]);
     motion.v += motion.w.cross(shift) + motion.R * Vector3d(qd_[v], qd_[v + 1], qd_[v + 2]);
     motion.w += motion.R * Vector3d(qd_[v + 3], qd_[v + 4], qd_[v + 5]);
   }

@@ -8,6 +8,7 @@
 #include "description/identifier.hpp"
 #include "description/list_rows.hpp"
 #include "description/printable.hpp"
+#include "description/read_rotors.hpp"
 #include "inspect/choose_rows.hpp"
 #include "inspect/propose_scene.hpp"
 
@@ -138,6 +139,15 @@ std::string print_locked(const Robot& robot, const SceneProposal& proposal) {
   return text;
 }
 
+std::string print_rotors(const Robot& robot) {
+  const bool has_rotors = std::any_of(robot.joints.begin(), robot.joints.end(),
+                                      [](const Joint& joint) { return armature_of(joint) > 0; });
+  if (!has_rotors) return {};
+  return "\n" +
+         remark("The file states the inertias of motors' rotors. To add them to their joints:") +
+         "# armature: file\n";
+}
+
 std::string print_functions(const std::vector<Function>& functions) {
   std::string text = "\n";
   text += remark(
@@ -154,7 +164,8 @@ std::string print_functions(const std::vector<Function>& functions) {
 std::string print_scene(const Robot& robot, const SceneProposal& proposal, const std::string& file,
                         const std::vector<Function>& functions) {
   return print_head(robot, file) + print_base(proposal) + print_points(robot, proposal) +
-         print_left_out(proposal) + print_locked(robot, proposal) + print_functions(functions);
+         print_left_out(proposal) + print_locked(robot, proposal) + print_rotors(robot) +
+         print_functions(functions);
 }
 
 }  // namespace treeline

@@ -191,7 +191,7 @@ std::vector<std::string> joints_beyond(const Robot& robot, const std::vector<Bod
   std::vector<std::string> names;
   for (std::size_t b = 1; b < bodies.size(); ++b) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(bodies[b].joint)];
-    if (joint.mimic || freedoms_of(joint.type) != 1) continue;
+    if (joint.mimic || !info_of(joint.type).has_one_freedom()) continue;
     for (int a = bodies[b].parent; a > 0; a = bodies[static_cast<std::size_t>(a)].parent) {
       if (!pointed.contains(a)) continue;
       names.push_back(joint.name);

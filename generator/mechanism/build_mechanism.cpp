@@ -9,19 +9,18 @@
 #include "description/noise.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
+#include "mechanism/add_rotors.hpp"
 #include "mechanism/exact_from_file.hpp"
 
 namespace treeline {
 namespace {
 
-/// Cyclic permutations of the axes: takes z to x, or z to y.
-ExactMatrix3 z_to_x() {
-  ExactMatrix3 R = ExactMatrix3::Zero();
-  R(0, 2) = R(1, 0) = R(2, 1) = 1;
-  return R;
-}
-ExactMatrix3 z_to_y() {
-  return z_to_x().transpose();
+/// Cyclic permutation of the axes that takes z to `axis`.
+ExactMatrix3 z_to(StepAxis axis) {
+  if (axis == StepAxis::z) return ExactMatrix3::Identity();
+  ExactMatrix3 z_to_x = ExactMatrix3::Zero();
+  z_to_x(0, 2) = z_to_x(1, 0) = z_to_x(2, 1) = 1;
+  return axis == StepAxis::x ? z_to_x : z_to_x.transpose();
 }
 
 /// Adds links depth-first. A `Place` tells on which moving link a URDF frame is, and with which
@@ -47,7 +46,7 @@ class Builder {
     mechanism_.real = scene_.real;
     Place base;
     if (scene_.base == Base::floating) {
-      base = add_floating(robot_.links[static_cast<std::size_t>(robot_.root)].name, "base", base);
+      base = add_floating_base(robot_.links[static_cast<std::size_t>(robot_.root)].name, base);
     }
     add_links(base);
     share_mimicked_coordinates();
@@ -60,6 +59,7 @@ class Builder {
       link.radius = radius_of_gyration(link.inertia);
       resolve_inertia(mechanism_, link);
     }
+    add_rotors(scene_.armature, mechanism_);
     return std::move(mechanism_);
   }
 
@@ -84,8 +84,9 @@ class Builder {
     return result;
   }
 
-  /// Rotation that takes z to the joint's axis.
+  /// Rotation that takes z to the joint's axis, if it has one.
   ExactMatrix3 axis_rotation(const Joint& joint, const std::string& element) {
+    if (!info_of(joint.type).has_axis) return ExactMatrix3::Identity();
     return resolve({rotation_from_z_to(unit_axis<Exact>(joint.axis)), ExactVector3::Zero()},
                    element + "/axis")
         .R;
@@ -135,21 +136,15 @@ class Builder {
       mechanism_.notes.push_back(
           {"lump", link,
            fmt::format("joint {} held at {}", joint.name, static_cast<double>(*held))});
-    } else if (joint.type == JointType::floating) {
-      behind = add_floating(link, joint.name, before);
-    } else if (joint.type == JointType::planar) {
-      behind = add_planar(joint, link, before, to_axis);
-    } else if (joint.type == JointType::prismatic) {
-      behind = add_axis(joint, link, JointKind::prismatic, before, to_axis);
-    } else if (joint.type != JointType::fixed) {
-      behind = add_axis(joint, link, JointKind::revolute, before, to_axis);
+    } else if (info_of(joint.type).moves()) {
+      behind = add_joint(joint, link, before, to_axis);
     }
     return behind;
   }
 
   static ExactPose displaced(JointType type, const ExactMatrix3& to_axis, const Exact& value) {
     ExactPose pose;
-    if (type == JointType::prismatic) {
+    if (info_of(type).slides()) {
       pose.p = to_axis.col(2) * value;
     } else {
       pose.R = to_axis * rotation_z_by(value) * to_axis.transpose();
@@ -157,81 +152,65 @@ class Builder {
     return pose;
   }
 
-  /// Adds a link whose z is the joint's axis. Returns the place of the child's URDF frame on it.
-  Place add_axis(const Joint& joint, const std::string& link, JointKind kind, const Place& before,
-                 const ExactMatrix3& to_axis) {
-    const bool angle = kind == JointKind::revolute;
+  /// Adds a joint and the link behind it. Returns the place of the child's URDF frame.
+  Place add_joint(const Joint& joint, const std::string& link, const Place& before,
+                  const ExactMatrix3& to_axis) {
+    const JointTypeInfo& type = info_of(joint.type);
+    const FirstCoordinate first{mechanism_.nq(), mechanism_.nv()};
     if (!joint.mimic) {
-      first_coordinate_[index_of(joint)] = {mechanism_.nq(), mechanism_.nv()};
-      const Limits limits = joint.limits.value_or(unlimited());
-      mechanism_.coordinates.push_back({joint.name, angle ? "angle, rad" : "displacement, m",
-                                        kind_of(angle), limits.lower, limits.upper});
-      mechanism_.velocities.push_back(joint.name + (angle ? ", rad/s" : ", m/s"));
+      first_coordinate_[index_of(joint)] = first;
+      const bool limited = joint.limits.has_value() && type.has_one_freedom();
+      add_coordinates(type, joint.name, limited ? *joint.limits : unlimited());
     }
-    MovingLink moving = new_link(link, joint.name, before);
-    moving.kind = kind;
-    moving.seat = resolve(before.pose * ExactPose{to_axis, ExactVector3::Zero()},
-                          fmt::format("robot/joint[{}]", joint.name));
-    moving.q_index = mechanism_.nq() - 1;
-    moving.v_index = mechanism_.nv() - 1;
-    moving.mimics = joint.mimic.has_value();
-    mechanism_.links.push_back(moving);
+    const Place behind = add_steps(type, {joint.name, link}, first, before, to_axis);
     if (joint.mimic) {
+      mechanism_.links.back().mimics = true;
       mimics_.push_back({last_link(), &joint});
     }
-    return {last_link(), {to_axis.transpose(), ExactVector3::Zero()}};
+    return behind;
   }
 
-  /// Adds a planar joint as prismatic x, prismatic y and revolute z with massless links between
-  /// them: q = x, y, theta.
-  Place add_planar(const Joint& joint, const std::string& link, const Place& before,
-                   const ExactMatrix3& to_axis) {
-    first_coordinate_[index_of(joint)] = {mechanism_.nq(), mechanism_.nv()};
-    const ExactPose plane = before.pose * ExactPose{to_axis, ExactVector3::Zero()};
-    const std::array<ExactMatrix3, 3> axes{z_to_x(), z_to_y(), ExactMatrix3::Identity()};
-    const std::array<const char*, 3> names{"x", "y", "theta"};
-    Place place{before.link, plane};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const bool angle = i == 2;
-      MovingLink moving = new_link(angle ? link : link + "_" + names[i], joint.name, place);
-      moving.kind = angle ? JointKind::revolute : JointKind::prismatic;
-      moving.seat = resolve(place.pose * ExactPose{axes[i], ExactVector3::Zero()},
-                            fmt::format("robot/joint[{}]", joint.name));
-      moving.q_index = mechanism_.nq();
-      moving.v_index = mechanism_.nv();
+  void add_coordinates(const JointTypeInfo& type, const std::string& joint, const Limits& limits) {
+    for (const JointCoordinate& coordinate : type.coordinates) {
       mechanism_.coordinates.push_back(
-          {joint.name, std::string(names[i]) + (angle ? ", rad" : ", m"), kind_of(angle)});
-      mechanism_.velocities.push_back(joint.name + " " + names[i] + (angle ? ", rad/s" : ", m/s"));
+          {joint, coordinate.meaning, coordinate.kind, limits.lower, limits.upper});
+    }
+    for (const char* velocity : type.velocities) {
+      mechanism_.velocities.push_back(joint + velocity);
+    }
+  }
+
+  struct JointNames {
+    std::string joint, link;
+  };
+
+  /// Adds the steps of a joint with massless links between them. Returns the place of the child's
+  /// URDF frame on the last.
+  Place add_steps(const JointTypeInfo& type, const JointNames& names, const FirstCoordinate& first,
+                  const Place& before, const ExactMatrix3& to_axis) {
+    FirstCoordinate next = first;
+    Place place{before.link, before.pose * ExactPose{to_axis, ExactVector3::Zero()}};
+    for (const JointTypeStep& step : type.steps) {
+      const ExactMatrix3 axis = z_to(step.axis);
+      MovingLink moving = new_link(names.link + step.suffix, names.joint, place);
+      static_cast<JointStep&>(moving) = step.motion;
+      moving.seat = resolve(place.pose * ExactPose{axis, ExactVector3::Zero()},
+                            fmt::format("robot/joint[{}]", names.joint));
+      moving.q_index = step.motion.continues_joint() ? first.q : next.q;
+      moving.v_index = next.v;
+      next.q += step.motion.coordinates();
+      next.v += step.motion.velocities();
       mechanism_.links.push_back(moving);
-      place = {last_link(), {axes[i].transpose(), ExactVector3::Zero()}};
+      place = {last_link(), {axis.transpose(), ExactVector3::Zero()}};
     }
     place.pose.R = place.pose.R * to_axis.transpose();
     return place;
   }
 
-  Place add_floating(const std::string& link, const std::string& joint, const Place& before) {
-    MovingLink moving = new_link(link, joint, before);
-    moving.kind = JointKind::floating;
-    moving.seat = before.pose;
-    moving.q_index = mechanism_.nq();
-    moving.v_index = mechanism_.nv();
-    for (const char* part : {"position x, m", "position y, m", "position z, m"}) {
-      mechanism_.coordinates.push_back({joint, part, CoordinateKind::displacement});
-    }
-    for (const char* part : {"quaternion x", "quaternion y", "quaternion z"}) {
-      mechanism_.coordinates.push_back({joint, part, CoordinateKind::quaternion_xyz});
-    }
-    mechanism_.coordinates.push_back({joint, "quaternion w", CoordinateKind::quaternion_w});
-    for (const char* part : {"linear x, m/s", "linear y, m/s", "linear z, m/s", "angular x, rad/s",
-                             "angular y, rad/s", "angular z, rad/s"}) {
-      mechanism_.velocities.push_back(joint + " " + part);
-    }
-    mechanism_.links.push_back(moving);
-    return {last_link(), {}};
-  }
-
-  static CoordinateKind kind_of(bool angle) {
-    return angle ? CoordinateKind::angle : CoordinateKind::displacement;
+  Place add_floating_base(const std::string& link, const Place& before) {
+    const JointTypeInfo& type = info_of(JointType::floating);
+    add_coordinates(type, "base", unlimited());
+    return add_steps(type, {"base", link}, {0, 0}, before, ExactMatrix3::Identity());
   }
 
   static MovingLink new_link(const std::string& link, const std::string& joint,
@@ -297,8 +276,8 @@ class Builder {
     return result;
   }
 
-  /// Frames of moving links with the names of their URDF links. The inner links of a planar joint
-  /// have other names.
+  /// Frames of moving links with the names of their URDF links. The inner links of a joint of
+  /// several axes have other names.
   [[nodiscard]] std::vector<MechanismPoint> link_frames() const {
     std::vector<MechanismPoint> frames;
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {

@@ -8,13 +8,14 @@ namespace treeline {
 
 /// Builds the mechanism of `robot`: numbers the joints depth-first in file order (a floating base
 /// first), turns each link's z onto its joint axis, lumps links behind fixed and locked joints into
-/// their parents, and splits planar joints. `scene` must have been read for this `robot`.
+/// their parents, and splits joints of several axes into their steps. `scene` must have been read
+/// for this `robot`.
 Mechanism build_mechanism(const Robot& robot, const Scene& scene);
 
 /// Moves inertial parameters that do not change the equations of motion from each link to its
 /// parent. For a revolute link this is the matter on the joint axis (mass, first moment along the
-/// axis, Sigma_zz), for a prismatic link the second moment (base inertial parameters: Gautier &
-/// Khalil 1990).
+/// axis, Sigma_zz), for a ball joint the mass at its centre, for a prismatic link the second moment
+/// (base inertial parameters: Gautier & Khalil 1990).
 void regroup_inertias(Mechanism& mechanism);
 
 /// Turns and slides every link frame about and along its joint axis so that the constants of

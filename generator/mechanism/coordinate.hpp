@@ -6,10 +6,9 @@
 #include <string>
 #include <utility>
 
-namespace treeline {
+#include "joint/coordinate_kind.hpp"
 
-/// Kind of an entry of q. Quaternions are x, y, z, w and have length 1.
-enum class CoordinateKind { angle, displacement, quaternion_xyz, quaternion_w };
+namespace treeline {
 
 /// One entry of q, as the contract of the emitted code lists it.
 struct Coordinate {

@@ -31,7 +31,9 @@ Children find_children(const Mechanism& mechanism) {
 Subtree subtree_at(const Mechanism& mechanism, const Children& children, int root) {
   const auto index = static_cast<std::size_t>(root);
   const MovingLink& link = mechanism.links[index];
-  Subtree subtree{fmt::format("({}{}", static_cast<int>(link.kind), link.mimics ? "m" : ""),
+  const std::string ball =
+      link.is_of_ball() ? fmt::format("b{}", static_cast<int>(link.ball)) : std::string();
+  Subtree subtree{fmt::format("({}{}{}", static_cast<int>(link.kind), ball, link.mimics ? "m" : ""),
                   {root}};
   for (const int child : children[index]) {
     const Subtree inner = subtree_at(mechanism, children, child);

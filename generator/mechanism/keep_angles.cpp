@@ -28,7 +28,7 @@ bool may_round(const Mechanism& mechanism, const MovingLink& link, Accuracy accu
 
 void keep_angles(Mechanism& mechanism, Accuracy accuracy) {
   for (MovingLink& link : mechanism.links) {
-    if (link.kind != JointKind::revolute || link.offset == 0) continue;
+    if (!link.turns_by_angle() || link.offset == 0) continue;
     const auto offset = static_cast<double>(link.offset);
     if (may_round(mechanism, link, accuracy)) {
       mechanism.notes.push_back(

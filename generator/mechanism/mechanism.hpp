@@ -7,6 +7,7 @@
 
 #include "description/noise.hpp"
 #include "description/scene.hpp"
+#include "joint/joint_step.hpp"
 #include "mechanism/coordinate.hpp"
 #include "mechanism/exact.hpp"
 #include "mechanism/resolution.hpp"
@@ -29,20 +30,15 @@ Inertia operator+(const Inertia& a, const Inertia& b);
 /// Rotational inertia J = tr(Sigma) 1 - Sigma about the frame's origin.
 ExactMatrix3 rotational_inertia(const Inertia& inertia);
 
-/// Joints after reduction: rotation about z or translation along z of the link's frame, or six
-/// degrees of freedom. A planar joint is two prismatic joints and a revolute one with massless
-/// links between.
-enum class JointKind { revolute, prismatic, floating };
-
 /// One degree of freedom (six for `floating`) and the link behind it. The pose of the link's frame
 /// in its parent is `seat` (the placement, RBDA's X_tree) followed by the joint's motion:
 /// Rz(angle), Tz(displacement), or (position, quaternion). angle = multiplier * q[q_index] +
-/// offset, and likewise the displacement.
-struct MovingLink {
+/// offset, and likewise the displacement. Joints of several axes are several links, see
+/// `JointStep`: a planar joint two that slide and one that turns, a ball joint three that turn.
+struct MovingLink : JointStep {
   std::string name;   ///< name of the first URDF link that the joint moves
   std::string joint;  ///< name of the URDF joint
   int parent = -1;    ///< index into Mechanism::links, smaller than the link's own; -1: world
-  JointKind kind = JointKind::revolute;
   ExactPose seat;
   int q_index = 0;  ///< first coordinate
   int v_index = 0;  ///< first velocity
@@ -54,7 +50,7 @@ struct MovingLink {
   /// carries; m.
   Exact radius = 0;
   /// How recursions treat this link, see `turn_late` and `outward_motion`. Results are the same,
-  /// costs differ. Both only apply to joints of one degree of freedom.
+  /// costs differ. Both only apply to joints of one coordinate.
   bool turns_late = false, carries_column = false;
 };
 

@@ -25,30 +25,52 @@ Inertia take_second_moment(Inertia& inertia) {
   return moment;
 }
 
+/// Takes the mass at the centre of a ball joint, which does not move in the parent's frame.
+Inertia take_mass_at_centre(Inertia& inertia) {
+  Inertia point;
+  point.mass = inertia.mass;
+  inertia.mass = 0;
+  return point;
+}
+
+/// What the joint does not move, or moves only with its parent's angular velocity.
+Inertia take_unmoved(const JointStep& joint, Inertia& inertia) {
+  if (joint.is_of_ball()) return take_mass_at_centre(inertia);
+  return joint.kind == JointKind::revolute ? take_rod_on_axis(inertia)
+                                           : take_second_moment(inertia);
+}
+
+std::string describe(const JointStep& joint, const Exact& mass) {
+  if (joint.kind == JointKind::prismatic) {
+    return "rotational inertia moved to the parent; 4 numbers left";
+  }
+  return joint.is_of_ball()
+             ? fmt::format("{:.6g} kg at the joint's centre moved to the parent; 9 numbers left",
+                           static_cast<double>(mass))
+             : fmt::format("{:.6g} kg on the joint axis moved to the parent; 7 numbers left",
+                           static_cast<double>(mass));
+}
+
 }  // namespace
 
 void regroup_inertias(Mechanism& mechanism) {
   for (auto link = mechanism.links.rbegin(); link != mechanism.links.rend(); ++link) {
     resolve_inertia(mechanism, *link);
-    if (link->kind == JointKind::floating) {
+    if (link->is_floating()) {
       continue;
     }
-    const bool revolute = link->kind == JointKind::revolute;
     const Exact mass = link->inertia.mass;
-    Inertia moved = revolute ? take_rod_on_axis(link->inertia) : take_second_moment(link->inertia);
+    Inertia moved = take_unmoved(*link, link->inertia);
     ExactPose seat = link->seat;
-    if (!revolute) {
+    if (link->kind == JointKind::prismatic) {
       seat.p.setZero();
     }
     Inertia& parent = link->parent < 0
                           ? mechanism.world
                           : mechanism.links[static_cast<std::size_t>(link->parent)].inertia;
     parent = parent + transformed(moved, seat);
-    mechanism.notes.push_back(
-        {"regroup", link->name,
-         revolute ? fmt::format("{:.6g} kg on the joint axis moved to the parent; 7 numbers left",
-                                static_cast<double>(mass))
-                  : std::string("rotational inertia moved to the parent; 4 numbers left")});
+    if (link->is_continued()) continue;  // a massless step on the way to the parent
+    mechanism.notes.push_back({"regroup", link->name, describe(*link, mass)});
   }
 }
 

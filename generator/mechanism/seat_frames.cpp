@@ -49,7 +49,7 @@ int pose_cost(const ExactPose& pose) {
 }
 
 int link_cost(const MovingLink& link) {
-  const int offset = link.kind == JointKind::revolute && link.offset != 0 ? 1 : 0;
+  const int offset = link.turns_by_angle() && link.offset != 0 ? 1 : 0;
   // On a fixed base, nothing but gravity needs to be rotated, and gravity is constant.
   return link.parent < 0 ? offset + nonzeros(link.seat.p) : offset + pose_cost(link.seat);
 }
@@ -91,7 +91,7 @@ Exact right_turn(const ExactMatrix3& R) {
 /// Moves the rotation about z at the end of a revolute link's placement to the joint angle, if that
 /// is cheaper.
 void absorb_turn(MovingLink& link, const Resolution& resolution, Change* change) {
-  if (link.kind != JointKind::revolute) {
+  if (!link.turns_by_angle()) {
     return;
   }
   const ExactMatrix3& R = link.seat.R;
@@ -357,7 +357,7 @@ void seat_frames(Mechanism& mechanism) {
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     bool cheaper = false;
     for (int i = 0; i < count; ++i) {
-      if (mechanism.links[static_cast<std::size_t>(i)].kind != JointKind::floating) {
+      if (mechanism.links[static_cast<std::size_t>(i)].has_one_coordinate()) {
         cheaper = seating.seat_link(i) || cheaper;
       }
     }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "bounds/dice.hpp"
+#include "interpreter/joint_parts.hpp"
 #include "oracle/term_sizes.hpp"
 
 namespace treeline {
@@ -101,9 +102,10 @@ std::vector<double> draw_q(Dice& dice, const StateSpace& space, const State& sta
     q.push_back(draw_coordinate(dice, kind, coordinate));
   }
   for (const auto& body : space.subject.model.bodies) {
-    if (body.kind != interpreter::JointKind::floating) continue;
+    const int first = interpreter::quaternion_of(body);
+    if (first < 0) continue;
     const auto quaternion = draw_quaternion(dice, kind, state.index % 2 == 1);
-    std::copy(quaternion.begin(), quaternion.end(), q.begin() + body.q + 3);
+    std::copy(quaternion.begin(), quaternion.end(), q.begin() + first);
   }
   return q;
 }

@@ -10,6 +10,7 @@
 
 #include "bounds/dice.hpp"
 #include "interpreter/instances.hpp"
+#include "interpreter/joint_parts.hpp"
 #include "oracle/subject.hpp"
 #include "oracle/term_sizes.hpp"
 
@@ -31,8 +32,9 @@ std::vector<double> draw_pose(const interpreter::Model<double>& model, Dice& dic
   std::vector<double> q;
   for (int i = 0; i < model.nq; ++i) q.push_back(dice.within(1));
   for (const auto& body : model.bodies) {
-    if (body.kind != interpreter::JointKind::floating) continue;
-    double* const quaternion = &q[static_cast<std::size_t>(body.q) + 3];
+    const int first = interpreter::quaternion_of(body);
+    if (first < 0) continue;
+    double* const quaternion = &q[static_cast<std::size_t>(first)];
     const double norm = std::sqrt(std::inner_product(quaternion, quaternion + 4, quaternion, 0.0));
     std::transform(quaternion, quaternion + 4, quaternion, [&](double x) { return x / norm; });
   }

@@ -9,6 +9,7 @@
 #include "description/robot.hpp"
 #include "description/rotation.hpp"
 #include "description/scene.hpp"
+#include "interpreter/joint_parts.hpp"
 #include "interpreter/model.hpp"
 
 namespace treeline {
@@ -51,6 +52,8 @@ class ModelBuilder {
         return interpreter::JointKind::planar;
       case JointType::floating:
         return interpreter::JointKind::floating;
+      case JointType::ball:
+        return interpreter::JointKind::spherical;
       case JointType::fixed:
         break;
     }
@@ -99,8 +102,11 @@ class ModelBuilder {
     body.kind = kind(joint.type);
     body.R_parent_joint = rotation_from_rpy<Scalar>(joint.origin.rpy);
     body.p_parent_joint = position(joint.origin);
-    if (joint.type != JointType::fixed && joint.type != JointType::floating) {
+    if (info_of(joint.type).has_axis) {
       body.axis = unit_axis<Scalar>(joint.axis);
+    }
+    if (const auto own = scene_.armature.find(joint.name); own != scene_.armature.end()) {
+      body.armature = Scalar(own->second);
     }
     follow_mimics(j, body);
     body_of_joint_[j] = model_.size();

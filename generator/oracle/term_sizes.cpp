@@ -5,6 +5,7 @@
 
 #include "description/noise.hpp"
 #include "interpreter/center_of_mass.hpp"
+#include "interpreter/joint_parts.hpp"
 
 namespace treeline {
 namespace {
@@ -20,36 +21,26 @@ double displacement(const interpreter::Body<double>& body, const std::vector<dou
   const auto size = [&](int i) {
     return std::abs(body.multiplier * q[at(body.q + i)] + body.offset);
   };
-  switch (body.kind) {
-    case interpreter::JointKind::prismatic:
-      return size(0);
-    case interpreter::JointKind::planar:
-      return size(0) + size(1);
-    case interpreter::JointKind::floating:
-      return size(0) + size(1) + size(2);
-    default:
-      return 0;
-  }
-}
-
-/// Number of the joint's velocities that are translations; these come first.
-int translations(interpreter::JointKind kind) {
-  switch (kind) {
-    case interpreter::JointKind::prismatic:
-      return 1;
-    case interpreter::JointKind::planar:
-      return 2;
-    case interpreter::JointKind::floating:
-      return 3;
-    default:
-      return 0;
-  }
+  double sum = 0;
+  for (int i = 0; i < interpreter::translation_count(body.kind); ++i) sum += size(i);
+  return sum;
 }
 
 /// Norm of the rotational inertia about the centre of mass.
 double central_inertia(const interpreter::Body<double>& body) {
   const auto C = interpreter::cross_matrix(body.com);
   return (body.inertia + body.mass * C * C).norm();
+}
+
+struct RotorSize {
+  int v;  ///< index of the velocity with which it turns
+  double armature;
+};
+
+/// The rotor at a body's joint, if there is one, as its coordinate feels it.
+std::vector<RotorSize> rotor(const interpreter::Body<double>& body) {
+  if (body.armature == 0) return {};
+  return {{body.v, body.multiplier * body.multiplier * body.armature}};
 }
 
 }  // namespace
@@ -80,7 +71,7 @@ TermSizes::Columns TermSizes::columns(int body, double distance) const {
     const double factor = std::abs(joint.multiplier);
     const bool is_noise = way > 0 && way <= kNoise * longest_;
     const double lever = is_noise ? longest_ : way;
-    const int slides = translations(joint.kind);
+    const int slides = interpreter::translation_count(joint.kind);
     for (int i = 0; i < interpreter::velocity_count(joint.kind); ++i) {
       result.push_back({joint.v + i, factor * (i < slides ? 1 : lever), i < slides ? 0 : factor});
     }
@@ -117,6 +108,7 @@ Eigen::MatrixXd TermSizes::mass_matrix() const {
         M(a.v, b.v) += body.mass * a.lever * b.lever + inertia * a.turn * b.turn;
       }
     }
+    for (const auto& [v, armature] : rotor(body)) M(v, v) += armature;
   }
   return M;
 }
@@ -136,6 +128,7 @@ Eigen::VectorXd TermSizes::forces(const std::vector<double>& qd, const std::vect
     const Motion of = motion(own, qd, qdd);
     add(own, body.mass * (of.a + model.gravity.norm()),
         central_inertia(body) * (of.alpha + of.w * of.w));
+    for (const auto& [v, armature] : rotor(body)) tau(v) += armature * std::abs(qdd[at(v)]);
   }
   for (std::size_t e = 0; 6 * e < f_ext.size(); ++e) {
     const auto& point = subject_.external[e];
@@ -203,6 +196,7 @@ double TermSizes::kinetic_energy(const std::vector<double>& qd) const {
     const auto& body = model.body(i);
     const Motion of = motion(columns(i, body.com.norm()), qd, none);
     twice += body.mass * of.v * of.v + central_inertia(body) * of.w * of.w;
+    for (const auto& [v, armature] : rotor(body)) twice += armature * qd[at(v)] * qd[at(v)];
   }
   return twice / 2;
 }

@@ -45,15 +45,20 @@ struct JointProjection {
 template <class Scalar>
 JointProjection<Scalar> joint_projection(JointKind kind, const ArticulatedInertia<Scalar>& I) {
   JointProjection<Scalar> joint;
-  if (kind == JointKind::revolute) {
-    joint.U = {{I.B.row_x.z, I.B.row_y.z, I.B.row_z.z}, {I.C.xz, I.C.yz, I.C.zz}};
-    joint.inverse_D = Scalar(1.0) / I.C.zz;
-  } else {
-    joint.U = {{I.A.xz, I.A.yz, I.A.zz}, I.B.row_z};
-    joint.inverse_D = Scalar(1.0) / I.A.zz;
+  switch (kind) {
+    case JointKind::revolute:
+      joint.U = {{I.B.row_x.z, I.B.row_y.z, I.B.row_z.z}, {I.C.xz, I.C.yz, I.C.zz}};
+      joint.inverse_D = Scalar(1.0) / I.C.zz;
+      break;
+    case JointKind::prismatic:
+      joint.U = {{I.A.xz, I.A.yz, I.A.zz}, I.B.row_z};
+      joint.inverse_D = Scalar(1.0) / I.A.zz;
+      break;
+    case JointKind::floating:
+      return joint;
   }
   joint.u = {joint.U.f * joint.inverse_D, joint.U.n * joint.inverse_D};
-  (kind == JointKind::revolute ? joint.u.n.z : joint.u.f.z) = Scalar(1.0);
+  along_axis(kind, joint.u.f, joint.u.n) = Scalar(1.0);
   return joint;
 }
 
@@ -66,14 +71,19 @@ ArticulatedInertia<Scalar> without_joint(JointKind kind, const ArticulatedInerti
   Wrench<Scalar> u = joint.u;
   ArticulatedInertia<Scalar> left = I;
   const Scalar zero(0.0);
-  if (kind == JointKind::revolute) {
-    U.n.z = u.n.z = zero;
-    left.B.row_x.z = left.B.row_y.z = left.B.row_z.z = zero;
-    left.C.xz = left.C.yz = left.C.zz = zero;
-  } else {
-    U.f.z = u.f.z = zero;
-    left.A.xz = left.A.yz = left.A.zz = zero;
-    left.B.row_z = {zero, zero, zero};
+  switch (kind) {
+    case JointKind::revolute:
+      U.n.z = u.n.z = zero;
+      left.B.row_x.z = left.B.row_y.z = left.B.row_z.z = zero;
+      left.C.xz = left.C.yz = left.C.zz = zero;
+      break;
+    case JointKind::prismatic:
+      U.f.z = u.f.z = zero;
+      left.A.xz = left.A.yz = left.A.zz = zero;
+      left.B.row_z = {zero, zero, zero};
+      break;
+    case JointKind::floating:  // passes no inertia
+      return {};
   }
   left.A = {left.A.xx - U.f.x * u.f.x, left.A.xy - U.f.x * u.f.y, left.A.xz - U.f.x * u.f.z,
             left.A.yy - U.f.y * u.f.y, left.A.yz - U.f.y * u.f.z, left.A.zz - U.f.z * u.f.z};
@@ -163,7 +173,7 @@ ArticulatedTree<Scalar> articulate(const Tree<Scalar>& tree,
   for (std::size_t i = n; i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "articulated inertia");
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       result.floating[i] = factor_ldlt(dense(IA[i]));
       continue;
     }

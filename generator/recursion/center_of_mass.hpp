@@ -71,10 +71,9 @@ DenseMatrix<Scalar> center_of_mass_jacobian(const Tree<Scalar>& tree,
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "motion of the centre of mass");
-    for (int k = 0; k < link.dofs(); ++k) {
-      const bool angular = link.kind == JointKind::revolute || k >= 3;
-      const Vector3<Scalar>& e = axes[link.kind == JointKind::floating ? k % 3 : 2];
-      const Vector3<Scalar> own = angular ? cross(e, shares[i].h) : e * shares[i].mass;
+    for (int k = 0; k < link.velocities(); ++k) {
+      const Vector3<Scalar>& e = axes[link.axis(k)];
+      const Vector3<Scalar> own = link.is_angular(k) ? cross(e, shares[i].h) : e * shares[i].mass;
       const Vector3<Scalar> moved = poses[i].R * (own * link.multiplier);
       const auto column = static_cast<std::size_t>(link.v_index + k);
       J(0, column) = J(0, column) + moved.x;

@@ -34,19 +34,6 @@ Matrix3<Scalar> outer(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
   return {b * a.x, b * a.y, b * a.z};
 }
 
-/// R A R^T for a joint of any kind.
-template <class Scalar>
-Matrix3<Scalar> turned_to_parent(const JointTransform<Scalar>& X, const Matrix3<Scalar>& A) {
-  if (!X.general) {
-    return X.matrix_to_parent(A);
-  }
-  const Matrix3<Scalar> QA{X.Q * A.row_x, X.Q * A.row_y, X.Q * A.row_z};  // rows of A Q^T
-  const Matrix3<Scalar> columns = transposed(QA);
-  const Matrix3<Scalar> turned =
-      transposed(Matrix3<Scalar>{X.Q * columns.row_x, X.Q * columns.row_y, X.Q * columns.row_z});
-  return rotate(X.R, turned);
-}
-
 /// Twice the velocity of a link's origin relative to its parent, in the parent's axes.
 template <class Scalar>
 Vector3<Scalar> twice_relative_velocity(const TreeLink<Scalar>& link,
@@ -57,13 +44,17 @@ Vector3<Scalar> twice_relative_velocity(const TreeLink<Scalar>& link,
   const Scalar two(2.0);
   const auto at = static_cast<std::size_t>(link.v_index);
   const Vector3<Scalar> carried = cross(w_parent * two, X.p);
-  if (link.kind == JointKind::revolute) {
-    return carried;
+  Vector3<Scalar> slide;
+  switch (link.kind) {
+    case JointKind::revolute:
+      return carried;
+    case JointKind::prismatic:
+      slide = {zero, zero, link.multiplier * rates.velocity(at)};
+      break;
+    case JointKind::floating:
+      slide = velocity_triple(rates, at);
+      break;
   }
-  const Vector3<Scalar> slide =
-      link.kind == JointKind::floating
-          ? velocity_triple(rates, at)
-          : Vector3<Scalar>{zero, zero, link.multiplier * rates.velocity(at)};
   return carried + X.to_parent(slide * two);
 }
 
@@ -103,7 +94,7 @@ std::vector<CompositeMomentum<Scalar>> composite_momenta(
         X[i].to_parent(inertias[i].h) + X[i].p * inertias[i].mass;  // as in composite inertias
     const Matrix3<Scalar> shift = outer(P, X[i].p) + outer(velocities[i], h);
     parent.P = parent.P + P + velocities[i] * inertias[i].mass;
-    parent.C = parent.C + turned_to_parent(X[i], momenta[i].C) + shift;
+    parent.C = parent.C + X[i].matrix_to_parent(momenta[i].C) + shift;
   }
   return momenta;
 }

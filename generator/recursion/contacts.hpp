@@ -37,11 +37,11 @@ ContactMotion<Scalar> contact_motion(const Tree<Scalar>& tree,
       v = to_child(X[i], velocities[static_cast<std::size_t>(link.parent)]);
     }
     const auto at = static_cast<std::size_t>(link.v_index);
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       v = {v.a + Vector3<Scalar>{qd[at], qd[at + 1], qd[at + 2]},
            v.wd + Vector3<Scalar>{qd[at + 3], qd[at + 4], qd[at + 5]}};
     } else {
-      Scalar& own = link.kind == JointKind::revolute ? v.wd.z : v.a.z;
+      Scalar& own = along_axis(link.kind, v.a, v.wd);
       own = own + link.multiplier * qd[at];
     }
     velocities.push_back(v);
@@ -118,14 +118,14 @@ std::vector<Scalar> impulse_response(const Tree<Scalar>& tree,
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "impulse");
     const auto at = static_cast<std::size_t>(link.v_index);
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       const Scalar parts[6] = {y[i].f.x, y[i].f.y, y[i].f.z, y[i].n.x, y[i].n.y, y[i].n.z};
       for (std::size_t k = 0; k < 6; ++k) {
         along[at + k] = parts[k];
       }
       continue;
     }
-    along[at] = link.kind == JointKind::revolute ? y[i].n.z : y[i].f.z;
+    along[at] = along_axis(link.kind, y[i].f, y[i].n);
     if (link.parent >= 0) {
       Wrench<Scalar>& parent = y[static_cast<std::size_t>(link.parent)];
       parent = parent + to_parent(X[i], without_work(link.kind, bodies.joints[i], y[i]));

@@ -27,9 +27,8 @@ UnitMotion<Scalar> unit_motion(const TreeLink<Scalar>& link, int k) {
   const Scalar one(1.0);
   const Vector3<Scalar> none{zero, zero, zero};
   const Vector3<Scalar> axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-  const bool angular = link.kind == JointKind::revolute || k >= 3;
-  const Vector3<Scalar>& e = axes[link.kind == JointKind::floating ? k % 3 : 2];
-  return angular ? UnitMotion<Scalar>{none, e} : UnitMotion<Scalar>{e, none};
+  const Vector3<Scalar>& e = axes[link.axis(k)];
+  return link.is_angular(k) ? UnitMotion<Scalar>{none, e} : UnitMotion<Scalar>{e, none};
 }
 
 /// Those of degree of freedom `k`, at the link. A joint's axes turn with its link: their own rate
@@ -70,7 +69,7 @@ void add_coriolis_entries(const TreeLink<Scalar>& ancestor, const Vector3<Scalar
                           const Scalar& multiplier, bool own, DenseMatrix<Scalar>& C) {
   const Vector3<Scalar> f = cross(wrenches.momentum.f, w);
   const Vector3<Scalar> n = wrenches.crossed + cross(wrenches.momentum.n, w);
-  for (int k = 0; k < ancestor.dofs(); ++k) {
+  for (int k = 0; k < ancestor.velocities(); ++k) {
     const UnitMotion<Scalar> e = unit_motion(ancestor, k);
     const auto row = static_cast<std::size_t>(ancestor.v_index + k);
     const Scalar scale = multiplier * ancestor.multiplier;
@@ -78,6 +77,22 @@ void add_coriolis_entries(const TreeLink<Scalar>& ancestor, const Vector3<Scalar
         C(row, column) + scale * (dot(e.v, wrenches.rate.f) + dot(e.w, wrenches.rate.n));
     if (!own) C(column, row) = C(column, row) + scale * (dot(e.v, f) + dot(e.w, n));
   }
+}
+
+/// Angular velocities of the axes of each link's joint, in these axes. They are fixed to the link,
+/// or to the last link of a joint of several axes.
+template <class Scalar>
+std::vector<Vector3<Scalar>> angular_velocities_of_axes(
+    const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
+    const std::vector<LinkMotion<Scalar>>& motions) {
+  std::vector<Vector3<Scalar>> w;
+  for (const LinkMotion<Scalar>& motion : motions) w.push_back(motion.w);
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    if (tree.links[i].continues_joint()) {
+      w[static_cast<std::size_t>(tree.links[i].parent)] = X[i].to_parent(w[i]);
+    }
+  }
+  return w;
 }
 
 /// C, nv x nv, with C qd = b and dM/dt = C + C^T: the sum over all particles of e_i.(de_j/dt) dm,
@@ -101,17 +116,18 @@ DenseMatrix<Scalar> coriolis_matrix(const Tree<Scalar>& tree,
   }
   const auto inertias = composite_inertias(tree, X);
   const auto momenta = composite_momenta(tree, X, inertias, motions, twice);
+  const auto w = angular_velocities_of_axes(tree, X, motions);
   const auto n = static_cast<std::size_t>(tree.nv);
   DenseMatrix<Scalar> C(n, n);
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "Coriolis matrix");
-    for (int k = 0; k < link.dofs(); ++k) {
+    for (int k = 0; k < link.velocities(); ++k) {
       const auto column = static_cast<std::size_t>(link.v_index + k);
-      auto wrenches = own_wrenches(link, inertias[i], momenta[i], motions[i].w, k);
+      auto wrenches = own_wrenches(link, inertias[i], momenta[i], w[i], k);
       for (std::size_t j = i;;) {
         const TreeLink<Scalar>& ancestor = tree.links[j];
-        add_coriolis_entries(ancestor, motions[j].w, wrenches, column, link.multiplier, j == i, C);
+        add_coriolis_entries(ancestor, w[j], wrenches, column, link.multiplier, j == i, C);
         if (ancestor.parent < 0) break;
         wrenches = to_parent(X[j], wrenches, twice[j] * Scalar(0.5));
         j = static_cast<std::size_t>(ancestor.parent);

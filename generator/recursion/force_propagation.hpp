@@ -51,22 +51,25 @@ template <class Scalar>
 Mobility<Scalar> through_joint(JointKind kind, const JointProjection<Scalar>& joint,
                                Mobility<Scalar> N) {
   Wrench<Scalar> u = joint.u;
-  if (kind == JointKind::revolute) {
-    u.n.z = Scalar(0.0);
-    const Twist<Scalar> Nu = N * u;
-    N.B.row_x.z = -Nu.v.x;
-    N.B.row_y.z = -Nu.v.y;
-    N.B.row_z.z = -Nu.v.z;
-    N.C.xz = -Nu.w.x;
-    N.C.yz = -Nu.w.y;
-    N.C.zz = joint.inverse_D + dot(u, Nu);
-  } else {
-    u.f.z = Scalar(0.0);
-    const Twist<Scalar> Nu = N * u;
-    N.A.xz = -Nu.v.x;
-    N.A.yz = -Nu.v.y;
-    N.A.zz = joint.inverse_D + dot(u, Nu);
-    N.B.row_z = -Nu.w;
+  along_axis(kind, u.f, u.n) = Scalar(0.0);
+  const Twist<Scalar> Nu = N * u;
+  switch (kind) {
+    case JointKind::revolute:
+      N.B.row_x.z = -Nu.v.x;
+      N.B.row_y.z = -Nu.v.y;
+      N.B.row_z.z = -Nu.v.z;
+      N.C.xz = -Nu.w.x;
+      N.C.yz = -Nu.w.y;
+      N.C.zz = joint.inverse_D + dot(u, Nu);
+      break;
+    case JointKind::prismatic:
+      N.A.xz = -Nu.v.x;
+      N.A.yz = -Nu.v.y;
+      N.A.zz = joint.inverse_D + dot(u, Nu);
+      N.B.row_z = -Nu.w;
+      break;
+    case JointKind::floating:  // has an Omega of its own, see `propagate_mobilities`
+      break;
   }
   return N;
 }
@@ -100,7 +103,7 @@ std::vector<Mobility<Scalar>> propagate_mobilities(const Tree<Scalar>& tree,
       continue;
     }
     section(link, i, "mobility");
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       Omega[i] = mobility(bodies.floating[i]);
       continue;
     }
@@ -134,11 +137,11 @@ Twist<Scalar> propagated_outward(const Tree<Scalar>& tree,
   }
   const auto i = static_cast<std::size_t>(link);
   const TreeLink<Scalar>& outer = tree.links[i];
-  if (outer.kind == JointKind::floating) {
+  if (outer.is_floating()) {
     return {};
   }
   Twist<Scalar> moved = to_child(X[i], propagated_outward(tree, X, bodies, h, outer.parent, twist));
-  Scalar& own = outer.kind == JointKind::revolute ? moved.w.z : moved.v.z;
+  Scalar& own = along_axis(outer.kind, moved.v, moved.w);
   own = own - dot(bodies.joints[i].u, moved);
   return moved;
 }
@@ -251,7 +254,7 @@ DenseMatrix<Scalar> lambda_inverse_by_extended_propagators(
       const TreeLink<Scalar>& link = tree.links[i];
       section(link, i, "extended propagator");
       chi[r][at] = K;
-      if (link.kind == JointKind::floating) {
+      if (link.is_floating()) {
         K = {};
       } else {
         K = to_parent(X[i], without_work(link.kind, bodies.joints[i], K));

@@ -42,7 +42,7 @@ std::vector<Scalar> accelerate_outward(const Tree<Scalar>& tree,
     if (link.parent >= 0) {
       acceleration = to_child(X[i], accelerations[static_cast<std::size_t>(link.parent)]);
     }
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       const auto relative = solve(
           bodies.floating[i],
           std::vector<Scalar>(force.begin() + link.v_index, force.begin() + link.v_index + 6));
@@ -56,7 +56,7 @@ std::vector<Scalar> accelerate_outward(const Tree<Scalar>& tree,
     } else {
       const JointProjection<Scalar>& joint = bodies.joints[i];
       qdd[at] = joint.inverse_D * force[at] - work(joint.u, acceleration);
-      Scalar& own = link.kind == JointKind::revolute ? acceleration.wd.z : acceleration.a.z;
+      Scalar& own = along_axis(link.kind, acceleration.a, acceleration.wd);
       own = own + qdd[at];
     }
     accelerations.push_back(acceleration);
@@ -80,22 +80,21 @@ std::vector<Scalar> solve_articulated(const Tree<Scalar>& tree,
     section(link, i, "bias force");
     const auto at = static_cast<std::size_t>(link.v_index);
     Wrench<Scalar> felt;
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       felt = {{force[at], force[at + 1], force[at + 2]},
               {force[at + 3], force[at + 4], force[at + 5]}};
     } else {
-      const bool revolute = link.kind == JointKind::revolute;
-      Scalar& own = revolute ? pA[i].n.z : pA[i].f.z;
+      Scalar& own = along_axis(link.kind, pA[i].f, pA[i].n);
       force[at] = force[at] - own;
       const JointProjection<Scalar>& joint = bodies.joints[i];
       felt = pA[i] + Wrench<Scalar>{joint.u.f * force[at], joint.u.n * force[at]};
-      (revolute ? felt.n.z : felt.f.z) = forces[at];  // own + (force - own)
+      along_axis(link.kind, felt.f, felt.n) = forces[at];  // own + (force - own)
     }
     if (link.parent >= 0) {
       auto& parent = pA[static_cast<std::size_t>(link.parent)];
       parent = parent + to_parent(X[i], felt);
     }
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       const Wrench<Scalar>& p = pA[i];
       const Scalar parts[6] = {p.f.x, p.f.y, p.f.z, p.n.x, p.n.y, p.n.z};
       for (std::size_t k = 0; k < 6; ++k) {

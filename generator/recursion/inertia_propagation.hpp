@@ -21,7 +21,7 @@ bool permits_inertia_propagation(const Tree<Scalar>& tree) {
     }
   }
   for (int i = points.front().link; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) {
-    if (tree.links[static_cast<std::size_t>(i)].kind == JointKind::floating) {
+    if (tree.links[static_cast<std::size_t>(i)].is_floating()) {
       return true;
     }
   }
@@ -47,7 +47,7 @@ ArticulatedInertia<Scalar> propagated_inertia(const Tree<Scalar>& tree,
   }
   for (std::size_t i = n; i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
-    if (!on_path[i] && link.parent >= 0 && link.kind != JointKind::floating) {
+    if (!on_path[i] && link.parent >= 0 && !link.is_floating()) {
       section(link, i, "articulated inertia");
       auto& parent = I[static_cast<std::size_t>(link.parent)];
       parent = parent +
@@ -62,7 +62,7 @@ ArticulatedInertia<Scalar> propagated_inertia(const Tree<Scalar>& tree,
       continue;
     }
     section(link, i, "felt inertia");
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       Lambda = I[i];
       felt = true;
     } else if (felt) {

@@ -69,16 +69,13 @@ template <class Scalar>
 void add_joint_force(const TreeLink<Scalar>& link, const Wrench<Scalar>& wrench,
                      std::vector<Scalar>& tau) {
   const auto at = static_cast<std::size_t>(link.v_index);
-  if (link.kind == JointKind::revolute) {
-    tau[at] = tau[at] + link.multiplier * wrench.n.z;
-  } else if (link.kind == JointKind::prismatic) {
-    tau[at] = tau[at] + link.multiplier * wrench.f.z;
-  } else {
-    const Scalar parts[6] = {wrench.f.x, wrench.f.y, wrench.f.z,
-                             wrench.n.x, wrench.n.y, wrench.n.z};
-    for (std::size_t k = 0; k < 6; ++k) {
-      tau[at + k] = tau[at + k] + parts[k];
-    }
+  if (!link.is_floating()) {
+    tau[at] = tau[at] + link.multiplier * along_axis(link.kind, wrench.f, wrench.n);
+    return;
+  }
+  const Scalar parts[6] = {wrench.f.x, wrench.f.y, wrench.f.z, wrench.n.x, wrench.n.y, wrench.n.z};
+  for (std::size_t k = 0; k < 6; ++k) {
+    tau[at + k] = tau[at + k] + parts[k];
   }
 }
 

@@ -9,8 +9,8 @@
 namespace treeline {
 
 /// Derivatives of joint forces with respect to displacements, velocities and accelerations, nv x
-/// nv. A displacement of a floating joint is a twist of the child in its own axes, linear over
-/// angular.
+/// nv. A displacement of a floating or ball joint is a twist of the child in its own axes, linear
+/// over angular.
 template <class Scalar>
 struct ForceDerivatives {
   DenseMatrix<Scalar> dq, dqd, dqdd;
@@ -41,13 +41,13 @@ struct CarriedMotion {
   Matrix3<Scalar> U;
 };
 
-template <class Scalar>
-CarriedMotion<Scalar> carried_motion(const JointTransform<Scalar>& X,
-                                     const LinkMotion<Scalar>& parent) {
+template <class Scalar, class Motion>
+CarriedMotion<Scalar> carried_motion(const JointTransform<Scalar>& X, const Motion& parent,
+                                     const Matrix3<Scalar>& U) {
   CarriedMotion<Scalar> carried;
   carried.w = X.to_child(parent.w);
   carried.wd = X.to_child(parent.wd);
-  carried.a = X.to_child(parent.a + parent.U.matrix() * X.p);
+  carried.a = X.to_child(parent.a + U * X.p);
   carried.U = angular_matrix(carried.w, carried.wd).matrix();
   return carried;
 }
@@ -74,28 +74,30 @@ void change_by_slide(const CarriedMotion<Scalar>& parent, const Vector3<Scalar>&
 }
 
 /// Degrees of freedom of a link's joint (Carpentier & Mansard 2018; Singh, Russell & Wensing 2022),
-/// with conventional accelerations, so that no velocity of an origin occurs.
+/// with conventional accelerations, so that no velocity of an origin occurs. The last link of a
+/// ball joint has all three, the other links none: the joint's axes move with the last. `carried`
+/// is the motion of the link that carries the joint.
 template <class Scalar>
 std::vector<JointFreedom<Scalar>> joint_freedoms(const TreeLink<Scalar>& link,
-                                                 const JointTransform<Scalar>& X,
-                                                 const LinkMotion<Scalar>& parent,
+                                                 const CarriedMotion<Scalar>& carried,
                                                  const LinkMotion<Scalar>& own,
                                                  const JointRates<Scalar>& rates) {
-  const CarriedMotion<Scalar> carried = carried_motion(X, parent);
+  if (link.is_continued()) return {};
   const Scalar zero(0.0);
   const Scalar one(1.0);
   const std::array<Vector3<Scalar>, 3> axes{
       {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
-  const bool floating = link.kind == JointKind::floating;
-  const auto at = static_cast<std::size_t>(link.v_index);
-  const Vector3<Scalar> v_rel = floating ? velocity_triple(rates, at) : Vector3<Scalar>{};
+  const int count = link.is_of_ball() ? 3 : link.velocities();
+  const auto at = static_cast<std::size_t>(link.v_index + link.velocities() - count);
+  const Vector3<Scalar> v_rel = link.is_floating() ? velocity_triple(rates, at) : Vector3<Scalar>{};
   std::vector<JointFreedom<Scalar>> freedoms;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(link.dofs()); ++k) {
+  for (int k = 0; k < count; ++k) {
     JointFreedom<Scalar> freedom;
-    freedom.column = at + k;
-    freedom.multiplier = floating ? one : link.multiplier;
-    const bool turns = floating ? k >= 3 : link.kind == JointKind::revolute;
-    (turns ? freedom.turn : freedom.slide) = axes[floating ? k % 3 : 2];
+    freedom.column = at + static_cast<std::size_t>(k);
+    freedom.multiplier = link.is_floating() ? one : link.multiplier;
+    const bool turns = link.is_angular(k);
+    (turns ? freedom.turn : freedom.slide) =
+        axes[static_cast<std::size_t>(link.is_of_ball() ? k : link.axis(k))];
     if (turns) {
       change_by_turn(carried, own.w, v_rel, freedom);
     } else {
@@ -291,11 +293,16 @@ DerivativeParts<Scalar> derivative_parts(const Tree<Scalar>& tree,
     }
   }
   DerivativeParts<Scalar> parts;
+  std::vector<CarriedMotion<Scalar>> carried;
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "changes of motion");
-    const auto& parent = link.parent < 0 ? base : motions[static_cast<std::size_t>(link.parent)];
-    parts.freedoms.push_back(joint_freedoms(link, X[i], parent, motions[i], rates));
+    const auto h = static_cast<std::size_t>(link.parent);
+    const auto& parent = link.parent < 0 ? base : motions[h];
+    carried.push_back(link.continues_joint()
+                          ? carried_motion<Scalar>(X[i], carried[h], carried[h].U)
+                          : carried_motion<Scalar>(X[i], parent, parent.U.matrix()));
+    parts.freedoms.push_back(joint_freedoms(link, carried[i], motions[i], rates));
     parts.velocities.push_back(twice_relative_velocity(link, X[i], parent.w, rates));
   }
   const auto inertias = composite_inertias(tree, X);

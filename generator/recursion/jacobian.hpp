@@ -93,7 +93,7 @@ DenseMatrix<Scalar> jacobian_world(const Tree<Scalar>& tree,
       const TreeLink<Scalar>& link = tree.links[at];
       const Matrix3<Scalar>& R = poses[at].R;
       section(link, at, "Jacobian");
-      if (link.kind == JointKind::floating) {
+      if (link.is_floating()) {
         TaskPoint<Scalar> seen{i, transposed_times(R, arm), task.rows};
         const Vector3<Scalar> axes[3] = {R.row_x, R.row_y, R.row_z};
         std::size_t k = 0;

@@ -9,12 +9,12 @@
 namespace treeline {
 
 /// Pose of a link's frame in its parent for given q: x_parent = R (Q x) + p. R is the rotation of
-/// the joint's placement, Q that of the joint: about z, or a floating joint's matrix.
+/// the joint's placement, Q that of the joint: about z, or the matrix of a quaternion.
 template <class Scalar>
 struct JointTransform {
   Rotation<Scalar> R;
   PlanarRotation<Scalar> turn;
-  bool general = false;  ///< floating joint: `Q` is used instead of `turn`
+  bool general = false;  ///< `Q` is used instead of `turn`
   Matrix3<Scalar> Q;
   Vector3<Scalar> p;  ///< in the parent's axes
 
@@ -27,17 +27,17 @@ struct JointTransform {
   }
   /// R Q A Q^T R^T.
   [[nodiscard]] Symmetric3<Scalar> matrix_to_parent(const Symmetric3<Scalar>& A) const {
-    return rotate(R, general ? congruent(Q, A) : rotate_z(turn, A));
+    return rotate(R, general ? turned(Q, A) : rotate_z(turn, A));
   }
-  /// R Q A Q^T R^T for a matrix without symmetry. For joints of one degree of freedom only: across
-  /// a floating joint nothing but composite inertias is transformed.
+  /// R Q A Q^T R^T for a matrix without symmetry.
   [[nodiscard]] Matrix3<Scalar> matrix_to_parent(const Matrix3<Scalar>& A) const {
-    return rotate(R, rotate_z(turn, A));
+    return rotate(R, general ? turned(Q, A) : rotate_z(turn, A));
   }
-  /// Q^T R^T A R Q for a matrix with or without symmetry. For joints of one degree of freedom only.
+  /// Q^T R^T A R Q for a matrix with or without symmetry.
   template <class Turned>
   [[nodiscard]] Turned matrix_to_child(const Turned& A) const {
-    return rotate_z(turn.inverse(), rotate_back(R, A));
+    const Turned seated = rotate_back(R, A);
+    return general ? turned(transposed(Q), seated) : rotate_z(turn.inverse(), seated);
   }
 };
 
@@ -73,6 +73,21 @@ Matrix3<Scalar> rotation_from_quaternion(const Scalar& x, const Scalar& y, const
           {xz - wy, yz + wx, one - (xx + yy)}};
 }
 
+/// The rotation by a ball joint's quaternion in the axes of its first step, which are those of the
+/// joint, y z x. The placement is taken in, because it would be applied to every vector otherwise.
+template <class Scalar>
+JointTransform<Scalar> ball_transform(const TreeLink<Scalar>& link, std::span<const Scalar> q) {
+  const auto at = static_cast<std::size_t>(link.q_index);
+  const Matrix3<Scalar> turn = rotation_from_quaternion(q[at + 1], q[at + 2], q[at], q[at + 3]);
+  const Matrix3<Scalar> columns = transposed(turn);
+  JointTransform<Scalar> X;
+  X.p = link.p;
+  X.general = true;
+  X.Q = transposed(Matrix3<Scalar>{rotate(link.R, columns.row_x), rotate(link.R, columns.row_y),
+                                   rotate(link.R, columns.row_z)});
+  return X;
+}
+
 template <class Scalar>
 JointTransform<Scalar> joint_transform(const TreeLink<Scalar>& link, std::span<const Scalar> q,
                                        std::size_t index) {
@@ -82,14 +97,16 @@ JointTransform<Scalar> joint_transform(const TreeLink<Scalar>& link, std::span<c
   X.R = link.R;
   X.p = link.p;
   const auto at = static_cast<std::size_t>(link.q_index);
-  if (link.kind == JointKind::floating) {
+  if (link.continues_joint()) return X;
+  if (link.is_of_ball()) return ball_transform(link, q);
+  if (link.is_floating()) {
     X.general = true;
     X.Q = rotation_from_quaternion(q[at + 3], q[at + 4], q[at + 5], q[at + 6]);
     X.p = X.p + rotate(X.R, Vector3<Scalar>{q[at], q[at + 1], q[at + 2]});
     return X;
   }
   const Scalar displacement = link.multiplier * q[at] + link.offset;
-  if (link.kind == JointKind::revolute) {
+  if (link.turns_by_angle()) {
     const Scalar s = sin(displacement);
     const Scalar c = cos(displacement);
     label(s, "s", index);

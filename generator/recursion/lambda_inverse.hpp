@@ -80,9 +80,9 @@ void absorb_in_floating_joint(const LdltFactor<Scalar>& IA,
 template <class Scalar>
 Wrench<Scalar> without_work(JointKind kind, const JointProjection<Scalar>& joint,
                             const Wrench<Scalar>& K) {
-  const Scalar work = kind == JointKind::revolute ? K.n.z : K.f.z;
+  const Scalar work = along_axis(kind, K.f, K.n);
   Wrench<Scalar> left = K - Wrench<Scalar>{joint.u.f * work, joint.u.n * work};
-  (kind == JointKind::revolute ? left.n.z : left.f.z) = Scalar(0.0);
+  along_axis(kind, left.f, left.n) = Scalar(0.0);
   return left;
 }
 
@@ -93,7 +93,7 @@ void absorb_in_joint(JointKind kind, const JointProjection<Scalar>& joint,
                      DenseMatrix<Scalar>& Lambda_inv) {
   std::vector<Scalar> work;
   for (const PropagatedForce<Scalar>& force : forces) {
-    work.push_back(kind == JointKind::revolute ? force.K.n.z : force.K.f.z);
+    work.push_back(along_axis(kind, force.K.f, force.K.n));
   }
   add_outer_product(forces, work, joint.inverse_D, Lambda_inv);
   for (PropagatedForce<Scalar>& force : forces) {
@@ -124,7 +124,7 @@ DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "force propagation");
     align_lanes(forces[i], rows);
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       absorb_in_floating_joint(bodies.floating[i], forces[i], Lambda_inv);
     } else {
       absorb_in_joint(link.kind, bodies.joints[i], forces[i], Lambda_inv);

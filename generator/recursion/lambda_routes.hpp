@@ -104,8 +104,8 @@ std::vector<int> axes_links(const Tree<Scalar>& tree) {
   std::vector<int> links;
   for (int i = together && !points.empty() ? points.front().link : -1; i >= 0;
        i = tree.links[static_cast<std::size_t>(i)].parent) {
-    const bool slides = tree.links[static_cast<std::size_t>(i)].kind == JointKind::prismatic;
-    if (!slides || i == points.front().link) {  // otherwise as good as the axes of the link below
+    const bool turns = tree.links[static_cast<std::size_t>(i)].turns_axes();
+    if (turns || i == points.front().link) {  // otherwise as good as the axes of the link below
       links.push_back(i);
     }
   }

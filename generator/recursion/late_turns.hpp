@@ -74,7 +74,7 @@ void turn_late(Tree<Scalar>& tree, std::vector<JointTransform<Scalar>>& X) {
     if (is_parallel(X[i]) && (behind_late || link.turns_late)) {
       join_turns(X[i]);
     }
-    if (link.turns_late) {
+    if (link.turns_late && link.has_one_coordinate()) {
       owed[i] = X[i].R.b * X[i].turn;
       X[i].R.b = X[i].turn = {};
       turn_inertia(owed[i], link.inertia);

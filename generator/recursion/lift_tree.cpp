@@ -28,7 +28,7 @@ TreeInertia<Expression> lift(const TreeInertia<double>& inertia) {
 }
 
 TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choices) {
-  return {link.name,    link.parent,        link.kind,          link.q_index,
+  return {link,         link.name,          link.parent,        link.q_index,
           link.v_index, link.multiplier,    link.offset,        lift(link.R),
           lift(link.p), lift(link.inertia), choices.turns_late, choices.carries_column};
 }

@@ -26,11 +26,11 @@ std::vector<LinkVelocity<Scalar>> link_velocities(const Tree<Scalar>& tree,
     LinkVelocity<Scalar> own{X[i].to_child(parent.v + cross(parent.w, X[i].p)),
                              X[i].to_child(parent.w)};
     const auto at = static_cast<std::size_t>(link.v_index);
-    if (link.kind == JointKind::floating) {
+    if (link.is_floating()) {
       own.v = own.v + velocity_triple(rates, at);
       own.w = own.w + velocity_triple(rates, at + 3);
     } else {
-      Scalar& along = link.kind == JointKind::revolute ? own.w.z : own.v.z;
+      Scalar& along = along_axis(link.kind, own.v, own.w);
       along = along + link.multiplier * rates.velocity(at);
     }
     label(own.v, "v", i);

@@ -135,7 +135,7 @@ void pair_coordinates(const Mechanism& mechanism, const std::vector<int>& links)
   const auto link_at = [&](int i) -> const MovingLink& {
     return mechanism.links[static_cast<std::size_t>(i)];
   };
-  const bool floating = link_at(links.front()).kind == JointKind::floating;
+  const JointStep& joint = link_at(links.front());
   const auto pair_all = [&](const char* vector, int MovingLink::*first, int count) {
     for (int k = 0; k < count; ++k) {
       std::vector<int> indices;
@@ -146,10 +146,10 @@ void pair_coordinates(const Mechanism& mechanism, const std::vector<int>& links)
     }
   };
   for (const char* vector : {"q", "sin_q", "cos_q"}) {
-    pair_all(vector, &MovingLink::q_index, floating ? 7 : 1);
+    pair_all(vector, &MovingLink::q_index, joint.coordinates());
   }
   for (const char* vector : {"qd", "qdd", "qdd_0", "tau"}) {
-    pair_all(vector, &MovingLink::v_index, floating ? 6 : 1);
+    pair_all(vector, &MovingLink::v_index, joint.velocities());
   }
 }
 

@@ -42,9 +42,8 @@ Wrench<Scalar> unit_acceleration_wrench(const TreeLink<Scalar>& link,
   const Scalar zero(0.0);
   const Scalar one(1.0);
   const Vector3<Scalar> axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-  const bool angular = link.kind == JointKind::revolute || k >= 3;
-  const Vector3<Scalar>& e = link.kind == JointKind::floating ? axes[k % 3] : axes[2];
-  if (angular) {
+  const Vector3<Scalar>& e = axes[link.axis(k)];
+  if (link.is_angular(k)) {
     return {cross(e, h), J * e};
   }
   return {e * inertia.mass, cross(h, e)};
@@ -76,8 +75,8 @@ template <class Scalar, class Add>
 void add_mass_entries(const TreeLink<Scalar>& ancestor, const Wrench<Scalar>& wrench,
                       std::size_t column, const Scalar& multiplier, bool own, int k, Add add) {
   const auto at = static_cast<std::size_t>(ancestor.v_index);
-  if (ancestor.kind != JointKind::floating) {
-    const Scalar force = ancestor.kind == JointKind::revolute ? wrench.n.z : wrench.f.z;
+  if (!ancestor.is_floating()) {
+    const Scalar force = along_axis(ancestor.kind, wrench.f, wrench.n);
     const Scalar entry = multiplier * (ancestor.multiplier * force);
     // If two joints share a coordinate, their product counts twice on the diagonal.
     add(at, column, !own && at == column ? Scalar(2.0) * entry : entry);
@@ -107,7 +106,7 @@ DenseMatrix<Scalar> mass_matrix(const Tree<Scalar>& tree,
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "mass matrix");
-    for (int k = 0; k < link.dofs(); ++k) {
+    for (int k = 0; k < link.velocities(); ++k) {
       const auto column = static_cast<std::size_t>(link.v_index + k);
       Wrench<Scalar> wrench = unit_acceleration_wrench(link, composites[i], k);
       for (std::size_t j = i;;) {

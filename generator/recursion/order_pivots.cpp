@@ -90,8 +90,7 @@ std::optional<PivotOrder> order_wrist_pivots(const Mechanism& mechanism) {
 }
 
 std::optional<std::size_t> find_lone_row(const Mechanism& mechanism, int axes_link) {
-  const bool parallel = mechanism.links[1].kind == JointKind::revolute &&
-                        mechanism.links[2].kind == JointKind::revolute;
+  const bool parallel = mechanism.links[1].turns_by_angle() && mechanism.links[2].turns_by_angle();
   if (!parallel) return std::nullopt;
   Graph graph;
   const Graph::Scope scope(graph);

@@ -38,7 +38,8 @@ template <class Scalar>
 struct LinkMotion {
   Vector3<Scalar> w, wd, a;
   AngularMatrix<Scalar> U;
-  Vector3<Scalar> v;  ///< used only beyond floating joints whose parent moves
+  /// Angular velocity of the link that carries the joint, as a whole, by which this link moves.
+  Vector3<Scalar> w_carrier;
 };
 
 /// Rates for a pass: qd and qdd with nv entries each. An empty span means zero.
@@ -67,28 +68,40 @@ LinkMotion<Scalar> motion_behind_joint(const TreeLink<Scalar>& link,
                                        const JointRates<Scalar>& rates) {
   const auto at = static_cast<std::size_t>(link.v_index);
   const Vector3<Scalar> w_parent = X.to_child(parent.w);
+  // The axes of a ball joint turn with its last link, as if only the carrier turned them further.
+  const Vector3<Scalar> w_carrier =
+      link.continues_joint() ? X.to_child(parent.w_carrier) : w_parent;
   LinkMotion<Scalar> motion;
   motion.w = w_parent;
+  motion.w_carrier = w_carrier;
   motion.wd = X.to_child(parent.wd);
   motion.a = X.to_child(parent.a + parent.U.matrix() * X.p);
-  if (link.kind == JointKind::revolute) {
-    const Scalar qd = link.multiplier * rates.velocity(at);
-    motion.w.z = w_parent.z + qd;
-    motion.wd.x = motion.wd.x + w_parent.y * qd;
-    motion.wd.y = motion.wd.y - w_parent.x * qd;
-    motion.wd.z = motion.wd.z + link.multiplier * rates.acceleration(at);
-  } else if (link.kind == JointKind::prismatic) {
-    const Scalar twice_qd = Scalar(2.0) * (link.multiplier * rates.velocity(at));
-    motion.a.x = motion.a.x + w_parent.y * twice_qd;
-    motion.a.y = motion.a.y - w_parent.x * twice_qd;
-    motion.a.z = motion.a.z + link.multiplier * rates.acceleration(at);
-  } else {
-    // qd has components in the axes of the rotating child, so their derivative lacks w_rel x v_rel.
-    const Vector3<Scalar> v_rel = velocity_triple(rates, at);
-    const Vector3<Scalar> w_rel = velocity_triple(rates, at + 3);
-    motion.w = w_parent + w_rel;
-    motion.wd = motion.wd + cross(w_parent, w_rel) + acceleration_triple(rates, at + 3);
-    motion.a = motion.a + cross(w_parent + motion.w, v_rel) + acceleration_triple(rates, at);
+  switch (link.kind) {
+    case JointKind::revolute: {
+      const Scalar qd = link.multiplier * rates.velocity(at);
+      motion.w.z = w_parent.z + qd;
+      motion.wd.x = motion.wd.x + w_carrier.y * qd;
+      motion.wd.y = motion.wd.y - w_carrier.x * qd;
+      motion.wd.z = motion.wd.z + link.multiplier * rates.acceleration(at);
+      break;
+    }
+    case JointKind::prismatic: {
+      const Scalar twice_qd = Scalar(2.0) * (link.multiplier * rates.velocity(at));
+      motion.a.x = motion.a.x + w_parent.y * twice_qd;
+      motion.a.y = motion.a.y - w_parent.x * twice_qd;
+      motion.a.z = motion.a.z + link.multiplier * rates.acceleration(at);
+      break;
+    }
+    case JointKind::floating: {
+      // qd has components in the axes of the rotating child, so their derivative lacks w_rel x
+      // v_rel.
+      const Vector3<Scalar> v_rel = velocity_triple(rates, at);
+      const Vector3<Scalar> w_rel = velocity_triple(rates, at + 3);
+      motion.w = w_parent + w_rel;
+      motion.wd = motion.wd + cross(w_parent, w_rel) + acceleration_triple(rates, at + 3);
+      motion.a = motion.a + cross(w_parent + motion.w, v_rel) + acceleration_triple(rates, at);
+      break;
+    }
   }
   return motion;
 }
@@ -128,7 +141,7 @@ std::vector<LinkMotion<Scalar>> outward_motion(const Tree<Scalar>& tree,
         link.parent < 0 ? base : motions[static_cast<std::size_t>(link.parent)];
     LinkMotion<Scalar> motion = motion_behind_joint(link, X[i], parent, rates);
     motion.U = angular_matrix(motion.w, motion.wd);
-    if (link.carries_column && link.kind == JointKind::revolute) {
+    if (link.carries_column && link.turns_by_angle()) {
       carry_column(X[i], parent.U, motion);
     }
     label(motion.w, "w", i);

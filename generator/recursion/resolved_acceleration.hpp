@@ -16,8 +16,8 @@ bool permits_resolved_acceleration(const Tree<Scalar>& tree) {
       tree.operational_points.front().link != 5 || !has_all_rows(tree.operational_points.front())) {
     return false;
   }
-  for (std::size_t i = 1; i < 6; ++i) {
-    if (tree.links[i].parent != static_cast<int>(i) - 1) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (tree.links[i].parent != static_cast<int>(i) - 1 || !tree.links[i].has_one_coordinate()) {
       return false;
     }
   }

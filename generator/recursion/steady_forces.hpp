@@ -44,7 +44,7 @@ std::vector<SteadyForces<Scalar>> steady_forces(const Tree<Scalar>& tree,
     SteadyForces<Scalar>& parent = steady[static_cast<std::size_t>(tree.links[i].parent)];
     const Vector3<Scalar> f = X[i].to_parent(steady[i].f);
     parent = {parent.f + f, parent.n + X[i].to_parent(steady[i].n),
-              parent.K + turned_to_parent(X[i], steady[i].K) + outer(f, X[i].p)};
+              parent.K + X[i].matrix_to_parent(steady[i].K) + outer(f, X[i].p)};
   }
   return steady;
 }

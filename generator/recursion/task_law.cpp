@@ -158,7 +158,7 @@ std::vector<RowSizes> ordinary_sizes(const Mechanism& mechanism, TaskLaw::Kind k
 
 /// The nearest joint inward that has all six freedoms, or none.
 int floating_above(const Tree<double>& tree, int link) {
-  while (link >= 0 && tree.links[static_cast<std::size_t>(link)].kind != JointKind::floating) {
+  while (link >= 0 && !tree.links[static_cast<std::size_t>(link)].is_floating()) {
     link = tree.links[static_cast<std::size_t>(link)].parent;
   }
   return link;

@@ -24,18 +24,15 @@ struct TreeInertia {
 };
 
 template <class Scalar>
-struct TreeLink {
+struct TreeLink : JointStep {
   std::string name;
   int parent = -1;
-  JointKind kind = JointKind::revolute;
   int q_index = 0, v_index = 0;
   Scalar multiplier{}, offset{};
   Rotation<Scalar> R;  ///< rotation of the placement
   Vector3<Scalar> p;   ///< origin of the placement, in the parent's axes
   TreeInertia<Scalar> inertia;
   bool turns_late = false, carries_column = false;  ///< see `MovingLink`
-
-  [[nodiscard]] int dofs() const { return kind == JointKind::floating ? 6 : 1; }
 };
 
 template <class Scalar>
@@ -124,9 +121,9 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
   for (const MovingLink& link : mechanism.links) {
     const ExactMatrix3 J = rotational_inertia(link.inertia);
     tree.links.push_back(
-        {link.name,
+        {link,
+         link.name,
          link.parent,
-         link.kind,
          link.q_index,
          link.v_index,
          Scalar(link.multiplier),

@@ -71,7 +71,7 @@ bool permits_turning(const Tree<Scalar>& tree, int from) {
   const int last = world ? -1 : from;
   int at = world ? from : points.front().link;
   for (; at > last; at = tree.links[static_cast<std::size_t>(at)].parent) {
-    if (tree.links[static_cast<std::size_t>(at)].kind == JointKind::floating) {
+    if (tree.links[static_cast<std::size_t>(at)].is_floating()) {
       return false;
     }
   }

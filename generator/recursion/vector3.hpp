@@ -88,5 +88,38 @@ Symmetric3<Scalar> congruent(const Matrix3<Scalar>& Q, const Symmetric3<Scalar>&
   return {dot(Q.row_x, x), dot(Q.row_x, y), dot(Q.row_x, z),
           dot(Q.row_y, y), dot(Q.row_y, z), dot(Q.row_z, z)};
 }
+/// Q A Q^T of a rotation Q, in 59 operations instead of the 75 of `congruent`: the trace
+/// does not change, and A_zz times the unit matrix does not turn.
+template <class Scalar>
+Symmetric3<Scalar> turned(const Matrix3<Scalar>& Q, const Symmetric3<Scalar>& A) {
+  const Scalar dx = A.xx - A.zz;
+  const Scalar dy = A.yy - A.zz;
+  const auto times = [&](const Vector3<Scalar>& q) {
+    return Vector3<Scalar>{dx * q.x + A.xy * q.y + A.xz * q.z, A.xy * q.x + dy * q.y + A.yz * q.z,
+                           A.xz * q.x + A.yz * q.y};
+  };
+  const Vector3<Scalar> x = times(Q.row_x);
+  const Vector3<Scalar> y = times(Q.row_y);
+  const Scalar xx = dot(Q.row_x, x);
+  const Scalar yy = dot(Q.row_y, y);
+  return {xx + A.zz, dot(Q.row_x, y), dot(Q.row_z, x),
+          yy + A.zz, dot(Q.row_z, y), dx + dy - xx - yy + A.zz};
+}
+/// Q A Q^T of a rotation Q and a matrix without symmetry, by the halves A + A^T and A - A^T, of
+/// which the second is a vector.
+template <class Scalar>
+Matrix3<Scalar> turned(const Matrix3<Scalar>& Q, const Matrix3<Scalar>& A) {
+  const Scalar half(0.5);
+  const Symmetric3<Scalar> even =
+      turned(Q, Symmetric3<Scalar>{A.row_x.x, half * (A.row_x.y + A.row_y.x),
+                                   half * (A.row_x.z + A.row_z.x), A.row_y.y,
+                                   half * (A.row_y.z + A.row_z.y), A.row_z.z});
+  const Vector3<Scalar> odd =
+      Q * Vector3<Scalar>{half * (A.row_z.y - A.row_y.z), half * (A.row_x.z - A.row_z.x),
+                          half * (A.row_y.x - A.row_x.y)};
+  return {{even.xx, even.xy - odd.z, even.xz + odd.y},
+          {even.xy + odd.z, even.yy, even.yz - odd.x},
+          {even.xz - odd.y, even.yz + odd.x, even.zz}};
+}
 
 }  // namespace treeline

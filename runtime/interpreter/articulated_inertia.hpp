@@ -26,8 +26,8 @@ struct ArticulatedInertia {
   PerBody<Matrix<Scalar>> D_inverse;  ///< (S^T IA S)^-1
 };
 
-/// Articulated-body inertias: D = S^T IA S, U = IA S, IA_h = I_h + sum X (IA - U D^-1 U^T) X^T. Not
-/// valid with mimic joints, whose forces depend on other bodies.
+/// Articulated-body inertias: D = S^T IA S + armature, U = IA S, IA_h = I_h + sum X (IA - U D^-1
+/// U^T) X^T. Not valid with mimic joints, whose forces depend on other bodies.
 template <class Scalar>
 ArticulatedInertia<Scalar> articulated_inertia(const Model<Scalar>& model,
                                                const Kinematics<Scalar>& k) {
@@ -38,7 +38,9 @@ ArticulatedInertia<Scalar> articulated_inertia(const Model<Scalar>& model,
     Matrix6<Scalar> felt_by_parent = IA[i];
     if (k.S[i].cols() > 0) {
       U[i] = IA[i] * k.S[i];
-      D_inverse[i] = inverse_of_positive_definite<Scalar>(k.S[i].transpose() * U[i]);
+      Matrix<Scalar> D = k.S[i].transpose() * U[i];
+      D.diagonal().array() += model.body(i).armature;
+      D_inverse[i] = inverse_of_positive_definite<Scalar>(D);
       felt_by_parent -= U[i] * D_inverse[i] * U[i].transpose();
     }
     IA[model.body(i).parent] += k.X[i] * felt_by_parent * k.X[i].transpose();

@@ -43,7 +43,12 @@ Vector<Scalar> newton_euler(const Model<Scalar>& model, const Kinematics<Scalar>
     const Body<Scalar>& body = model.body(i);
     f[i] = body_inertia(body) * a[i] + gyroscopic_force(body, angular(k.v[i])) - external[i];
   }
-  return project_forces_inward(model, k, f);
+  Vector<Scalar> tau = project_forces_inward(model, k, f);
+  for (const Body<Scalar>& body : model.bodies) {
+    tau.segment(body.v, velocity_count(body.kind)) +=
+        body.multiplier * body.armature * joint_velocity<Scalar>(body, qdd);
+  }
+  return tau;
 }
 
 }  // namespace detail

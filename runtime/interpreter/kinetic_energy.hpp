@@ -17,6 +17,8 @@ Scalar kinetic_energy(const Model<Scalar>& model, VectorArg<Scalar> q, VectorArg
     const Matrix3<Scalar> c = cross_matrix(body.com);
     const Matrix3<Scalar> central = body.inertia + body.mass * Matrix3<Scalar>(c * c);
     twice += body.mass * v.dot(v) + w.dot(central * w);
+    if (velocity_count(body.kind) == 0) continue;
+    twice += body.armature * joint_velocity<Scalar>(body, qd).squaredNorm();
   }
   return twice / Scalar(2);
 }

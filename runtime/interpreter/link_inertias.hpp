@@ -62,7 +62,7 @@ PerBody<Matrix6<Scalar>> link_inertias(const Model<Scalar>& model, VectorArg<Sca
         Lambda[model.body(i).parent] - k.X[i] * subtree * k.X[i].transpose();
     const Matrix6<Scalar> X_inverse = detail::inverse_force_transform(k.X[i]);
     const Matrix6<Scalar> N = X_inverse * rest * X_inverse.transpose();
-    Lambda[i] += detail::felt_through_joint(N, k.S[i]);
+    Lambda[i] += detail::felt_through_joint(N, k.S[i], model.body(i).armature);
   }
   return Lambda;
 }

@@ -19,6 +19,8 @@ Matrix<Scalar> mass_matrix(const Model<Scalar>& model, VectorArg<Scalar> q) {
     const auto d = k.S[i].cols();
     JointMatrix<Scalar> F = outer.multiplier * (I[i] * k.S[i]);
     M.block(outer.v, outer.v, d, d) += outer.multiplier * (k.S[i].transpose() * F);
+    M.diagonal().segment(outer.v, d).array() +=
+        outer.multiplier * outer.multiplier * outer.armature;
     for (int j = i; model.body(j).parent != kWorld;) {
       F = (k.X[j] * F).eval();
       j = model.body(j).parent;

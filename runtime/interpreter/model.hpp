@@ -48,6 +48,8 @@ struct Body {
                         ///< offset
   Scalar multiplier = Scalar(1);
   Scalar offset = Scalar(0);
+  /// Inertia of the motor's rotor, felt at each of the joint's own velocities; kg m^2 or kg.
+  Scalar armature = Scalar(0);
 };
 
 /// Any tree of bodies, parents before children.
@@ -120,7 +122,7 @@ Model<To> cast(const Model<From>& model) {
     result.bodies.push_back({b.name, b.parent, b.kind, b.axis.unaryExpr(to),
                              b.R_parent_joint.unaryExpr(to), b.p_parent_joint.unaryExpr(to),
                              to(b.mass), b.com.unaryExpr(to), b.inertia.unaryExpr(to), b.q, b.v,
-                             b.mimics, to(b.multiplier), to(b.offset)});
+                             b.mimics, to(b.multiplier), to(b.offset), to(b.armature)});
   }
   return result;
 }

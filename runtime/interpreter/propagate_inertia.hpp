@@ -34,14 +34,17 @@ Matrix6<Scalar> inertia_beside_path(const Model<Scalar>& model, const Kinematics
   return own;
 }
 
-/// The inertia `N` as felt through a free joint: N - N S (S^T N S)^-1 S^T N. Through a joint of six
-/// degrees of freedom nothing is felt.
+/// The inertia `N` as felt through a free joint: N - N S D^-1 S^T N with D = S^T N S + armature.
+/// Through a joint of six degrees of freedom nothing is felt.
 template <class Scalar>
-Matrix6<Scalar> felt_through_joint(const Matrix6<Scalar>& N, const JointMatrix<Scalar>& S) {
+Matrix6<Scalar> felt_through_joint(const Matrix6<Scalar>& N, const JointMatrix<Scalar>& S,
+                                   const Scalar& armature) {
   if (S.cols() == 0) return N;
   if (S.cols() == 6) return Matrix6<Scalar>::Zero();
   const JointMatrix<Scalar> NS = N * S;
-  return N - NS * inverse_of_positive_definite<Scalar>(S.transpose() * NS) * NS.transpose();
+  Matrix<Scalar> D = S.transpose() * NS;
+  D.diagonal().array() += armature;
+  return N - NS * inverse_of_positive_definite<Scalar>(D) * NS.transpose();
 }
 
 /// Inverse of X, which maps forces to the parent: maps forces from the parent to the body.
@@ -78,7 +81,7 @@ Matrix6<Scalar> body_inertia_by_propagation(const Model<Scalar>& model, int body
     const Matrix6<Scalar> X_inverse = detail::inverse_force_transform(k.X[i]);
     const Matrix6<Scalar> N = X_inverse * Lambda * X_inverse.transpose();
     Lambda = detail::inertia_beside_path(model, k, inertia, i, next) +
-             detail::felt_through_joint(N, k.S[i]);
+             detail::felt_through_joint(N, k.S[i], model.body(i).armature);
   }
   return Lambda;
 }

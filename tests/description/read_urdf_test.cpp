@@ -148,6 +148,50 @@ TEST(ReadUrdfTypes, AreAllKnown) {
   }
 }
 
+/// A robot of one joint that is written as `joint`, with `inside` in the element.
+std::string with_ball(const std::string& element, const std::string& type,
+                      const std::string& inside = {}) {
+  return "<robot name='r'><link name='a'/><link name='b'/>\n<" + element + " name='j' type='" +
+         type + "'><origin xyz='1 2 3' rpy='0 0 0.5'/><parent link='a'/>" + "<child link='b'/>" +
+         inside + "</" + element + "></robot>";
+}
+
+// iDynTree reads both names, PyBullet the second; Drake has an element of its own.
+TEST(ReadUrdfTypes, BallJointsHaveThreeSpellings) {
+  for (const auto& [element, type] : {std::pair{"joint", "ball"}, std::pair{"joint", "spherical"},
+                                      std::pair{"drake:joint", "ball"}}) {
+    Diagnostics diagnostics;
+    const auto robot = parse_urdf(with_ball(element, type), "r.urdf", diagnostics);
+    ASSERT_TRUE(robot) << element << type << '\n' << to_string(diagnostics);
+    EXPECT_TRUE(diagnostics.list().empty()) << to_string(diagnostics);
+    EXPECT_EQ(robot->joints[0].type, JointType::ball);
+    EXPECT_EQ(robot->joints[0].origin.xyz, (std::array{1.0, 2.0, 3.0}));
+    EXPECT_FALSE(robot->joints[0].limits);
+  }
+}
+
+TEST(ReadUrdfTypes, AxisAndLimitOfABallAreIgnoredWithAWarning) {
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(
+      with_ball("joint", "ball",
+                "<axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='3' velocity='1'/>"),
+      "r.urdf", diagnostics);
+  ASSERT_TRUE(robot) << to_string(diagnostics);
+  EXPECT_FALSE(robot->joints[0].limits);
+  EXPECT_EQ(robot->joints[0].axis, (std::array{1.0, 0.0, 0.0}));
+  ASSERT_EQ(diagnostics.list().size(), 2U) << to_string(diagnostics);
+  for (const auto& [at, element] : {std::pair{0U, "axis"}, std::pair{1U, "limit"}}) {
+    EXPECT_EQ(diagnostics.list()[at].severity, Severity::warning);
+    EXPECT_EQ(diagnostics.list()[at].element, std::string("robot/joint[j]/") + element);
+  }
+}
+
+// Other elements of Drake still change the mechanism and are refused.
+TEST(ReadUrdfTypes, OtherJointsOfDrakeAreRefused) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(parse_urdf(with_ball("drake:joint", "screw"), "r.urdf", diagnostics));
+}
+
 TEST(ReadUrdfNames, MayBeInAnyScript) {
   Diagnostics diagnostics;
   const auto robot = parse_urdf(

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "interpreter/joint_parts.hpp"
+
 namespace treeline::tests {
 namespace {
 
@@ -40,7 +42,8 @@ ExtremeStates::ExtremeStates(const StateSpace& space, double length,
       sizes_(input_sizes(space.single_precision ? Real::float32 : Real::float64)),
       length_(length) {
   for (const auto& body : space.subject.model.bodies) {
-    if (body.kind == interpreter::JointKind::floating) quaternions_.push_back(body.q + 3);
+    const int quaternion = interpreter::quaternion_of(body);
+    if (quaternion >= 0) quaternions_.push_back(quaternion);
   }
 }
 

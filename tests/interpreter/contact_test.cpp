@@ -13,6 +13,7 @@ namespace treeline::tests {
 namespace {
 
 using namespace interpreter;  // NOLINT(google-build-using-namespace)
+using interpreter::JointKind;
 
 using Vector3_50 = Vector3<Digits50>;
 

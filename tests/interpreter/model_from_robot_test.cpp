@@ -9,6 +9,7 @@ namespace treeline::tests {
 namespace {
 
 using namespace interpreter;  // NOLINT(google-build-using-namespace)
+using interpreter::JointKind;
 
 constexpr double kPi = 3.141592653589793;
 

@@ -64,6 +64,7 @@ inline std::vector<NamedOptions> assorted_mechanisms() {
   const JointMix hinges{1, 0, 0, 0, 0, 0};
   const JointMix planar{0, 0, 0, 0, 0, 1};
   const JointMix free_bodies{0, 0, 0, 0, 1, 0};
+  const JointMix balls{0, 0, 0, 0, 0, 0, 1};
   const JointMix hinges_and_slides{3, 1, 2, 1, 0, 0};
   std::vector<NamedOptions> list;
   const auto add = [&](const char* name, RandomOptions options, int seeds) {
@@ -86,6 +87,10 @@ inline std::vector<NamedOptions> assorted_mechanisms() {
   add("mimic_floating_tree",
       {.joints = 9, .mix = hinges_and_slides, .floating_base = true, .mimic = 0.5, .locked = 0.2},
       3);
+  add("ball_chain", {.joints = 3, .branching = 0, .mix = balls, .external_forces = 1}, 2);
+  add("ball_tree",
+      {.joints = 8, .mix = {1, 1, 1, 1, 1, 1, 4}, .massless = 0.5, .external_forces = 2}, 3);
+  add("ball_floating_tree", {.joints = 8, .mix = {2, 1, 1, 1, 0, 0, 4}, .floating_base = true}, 2);
   add("locked_tree", {.joints = 10, .mix = hinges_and_slides, .locked = 0.4}, 3);
   add("floating_thirty", {.joints = 30, .mix = even, .floating_base = true}, 1);
   add("sixty", {.joints = 60, .operational_points = 2, .all_rows = false}, 1);

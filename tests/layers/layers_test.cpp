@@ -34,8 +34,9 @@ const std::vector<Layer> kLayers = {
     // The path of the data: files, mechanism, program, text.
     {"interruption", {}},
     {"functions", {}},
-    {"description", {"functions"}},
-    {"mechanism", {"digits", "description"}},
+    {"joint", {}},
+    {"description", {"functions", "joint"}},
+    {"mechanism", {"digits", "joint", "description"}},
     {"program", {"core"}},
     {"recursion", {"functions", "description", "mechanism", "program"}},
     {"passes", {"program"}},

@@ -82,6 +82,31 @@ TEST(Numbering, ParentsStandBeforeChildrenAndCoordinatesAreDense) {
   EXPECT_EQ(mechanism.velocities[7], "ride x, m/s");
 }
 
+TEST(Numbering, OfABallJoint) {
+  const Robot robot = sample_robot({{"slide", "base", JointType::prismatic},
+                                    {"hip", "slide_link", JointType::ball},
+                                    {"knee", "hip_link", JointType::continuous}});
+  const Mechanism mechanism = reduced_mechanism(robot, {});
+  ASSERT_EQ(mechanism.nq(), 1 + 4 + 1);
+  ASSERT_EQ(mechanism.nv(), 1 + 3 + 1);
+  ASSERT_EQ(mechanism.links.size(), 5U);
+  EXPECT_EQ(mechanism.coordinates[1].meaning, "quaternion x");
+  EXPECT_EQ(mechanism.coordinates[4].meaning, "quaternion w");
+  EXPECT_EQ(mechanism.coordinates[4].neutral(), 1);
+  EXPECT_EQ(mechanism.coordinates[5].joint, "knee");
+  EXPECT_EQ(mechanism.velocities[1], "hip angular x, rad/s");
+  EXPECT_EQ(mechanism.velocities[3], "hip angular z, rad/s");
+  for (std::size_t i = 1; i <= 3; ++i) {
+    EXPECT_EQ(mechanism.links[i].q_index, 1) << i;
+    EXPECT_EQ(mechanism.links[i].v_index, static_cast<int>(i)) << i;
+    EXPECT_EQ(mechanism.links[i].inertia.mass, 0) << i;  // at the centre, moved to the parent
+    EXPECT_EQ(mechanism.links[i].inertia.h.isZero(), i < 3) << i;
+  }
+  EXPECT_EQ(mechanism.links[3].name, "hip_link");
+  EXPECT_EQ(mechanism.links[4].q_index, 5);
+  EXPECT_EQ(mechanism.links[4].v_index, 4);
+}
+
 TEST(Numbering, LimitsBelongToTheirCoordinate) {
   Robot robot = sample_robot({{"fly", "base", JointType::floating},
                               {"endless", "fly_link", JointType::continuous},

@@ -117,6 +117,16 @@ TEST(Invariance, FloatingAndPlanarJointsWithinTrees) {
   expect_same_equations(options, 400, 10);
 }
 
+TEST(Invariance, BallJoints) {
+  RandomOptions options;
+  options.joints = 5;
+  options.mix = {3, 1, 2, 1, 1, 1, 6};
+  options.external_forces = 1;
+  expect_same_equations(options, 450, 8);
+  options.floating_base = true;
+  expect_same_equations(options, 470, 4);
+}
+
 TEST(Invariance, MimicsAndLockedJoints) {
   RandomOptions options;
   options.joints = 9;

@@ -7,6 +7,7 @@
 #include "bounds/domain.hpp"
 #include "check/fixture.hpp"
 #include "description/read_urdf.hpp"
+#include "interpreter/joint_parts.hpp"
 #include "mechanism/build_mechanism.hpp"
 
 // States belong to their class, and are reproducible from seed and index. Would catch: classes that
@@ -91,23 +92,29 @@ TEST(States, OfFloatCodeAreFloats) {
 // Every other quaternion has unit length only up to the rounding of float, some 1e-8.
 TEST(States, QuaternionsHaveUnitLength) {
   double farthest = 0;
+  int balls = 0;
   RandomOptions options;
+  options.joints = 4;
+  options.mix.ball = 6;
   options.floating_base = true;
   const Subjects subjects = draw(5, options);
   const StateSpace space = space_of(subjects);
   for (int i = 0; i < 60; ++i) {
     const State state = draw_state(space, i);
     for (const auto& body : space.subject.model.bodies) {
-      if (body.kind != interpreter::JointKind::floating) continue;
+      const int first = interpreter::quaternion_of(body);
+      if (first < 0) continue;
+      balls += body.kind == interpreter::JointKind::spherical ? 1 : 0;
       double square = 0;
-      for (int k = 3; k < 7; ++k) {
-        square += std::pow(state.q[static_cast<std::size_t>(body.q + k)], 2);
+      for (int k = first; k < first + 4; ++k) {
+        square += std::pow(state.q[static_cast<std::size_t>(k)], 2);
       }
       EXPECT_NEAR(square, 1, i % 2 == 1 ? 3e-7 : 1e-15) << i;
       farthest = std::max(farthest, std::abs(square - 1));
     }
   }
   EXPECT_GT(farthest, 1e-8);
+  EXPECT_GT(balls, 0);
 }
 
 // Would catch: a coordinate that is taken for a length because of the words in its description.

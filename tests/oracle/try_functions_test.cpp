@@ -179,6 +179,7 @@ TEST(TryFunctions, OfRandomRobots) {
     options.mimic = seed % 2 == 0 ? 0.3 : 0;
     options.external_forces = 1;
     options.mix.planar = 1;
+    if (seed % 3 == 2) options.mix.ball = 5;
     const Subjects subjects = draw(seed, options, seed % 4 == 0 ? Real::float32 : Real::float64);
     EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{})
         << "seed " << seed;

@@ -26,7 +26,9 @@ std::vector<Seeded> robots() {
   add({.joints = 8, .branching = 0.4, .locked = 0.2}, 6);
   add({.joints = 8, .branching = 0.4, .floating_base = true}, 4);
   add({.joints = 8, .branching = 0.4, .mimic = 0.4, .locked = 0.1}, 6);
+  add({.joints = 6, .branching = 0.3, .mimic = 0.2, .rotors = 0.7}, 3);
   add({.joints = 6, .branching = 0.2, .mix = {5, 1, 2, 1, 2, 2}}, 6);
+  add({.joints = 6, .branching = 0.2, .mix = {3, 1, 2, 1, 1, 1, 5}}, 6);
   return all;
 }
 

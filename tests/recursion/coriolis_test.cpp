@@ -32,8 +32,11 @@ std::vector<Seeded> robots() {
   add({.joints = 7, .branching = 0.4, .locked = 0.2}, 3);
   add({.joints = 6, .branching = 0.4, .floating_base = true}, 3);
   add({.joints = 7, .branching = 0.4, .mimic = 0.5, .locked = 0.1}, 4);
+  add({.joints = 6, .branching = 0.3, .mimic = 0.2, .rotors = 0.7}, 3);
   add({.joints = 6, .branching = 0.4, .floating_base = true, .mimic = 0.5}, 2);
   add({.joints = 4, .branching = 0.2, .mix = {2, 0, 2, 1, 3, 3}}, 5);  // floating joints within
+  add({.joints = 4, .branching = 0.2, .mix = {2, 0, 2, 1, 1, 1, 5}}, 5);
+  add({.joints = 4, .branching = 0.3, .mix = {2, 0, 1, 1, 0, 0, 5}, .floating_base = true}, 3);
   return all;
 }
 

@@ -31,32 +31,36 @@ std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
   add({.joints = 8, .branching = 0.4, .locked = 0.2}, 4);
   add({.joints = 6, .branching = 0.4, .floating_base = true}, 3);
   add({.joints = 8, .branching = 0.4, .mimic = 0.4, .locked = 0.1}, 5);
+  add({.joints = 6, .branching = 0.3, .mimic = 0.2, .rotors = 0.7}, 3);
   add({.joints = 5, .branching = 0.2, .mix = {5, 1, 2, 1, 2, 2}}, 5);
+  add({.joints = 5, .branching = 0.2, .mix = {2, 1, 2, 1, 1, 1, 5}}, 5);
+  add({.joints = 4, .branching = 0.3, .mix = {2, 1, 1, 1, 0, 0, 5}, .floating_base = true}, 3);
   return all;
 }
 
 /// q displaced along `d`: floating joints by p + R d_v with the quaternion rotated by d_w in the
-/// child's axes, other joints by addition. Exact, without a series.
+/// child's axes, ball joints by such a rotation, other joints by addition. Exact, without a series.
 Vector50 displaced(const interpreter::Model<Digits50>& model, const Vector50& q,
                    const Vector50& d) {
   Vector50 moved = q;
   for (const auto& body : model.bodies) {
     if (body.mimics) continue;
-    if (body.kind != interpreter::JointKind::floating) {
-      const int n = interpreter::velocity_count(body.kind);
+    const int n = interpreter::velocity_count(body.kind);
+    const int first = interpreter::quaternion_of(body);
+    if (first < 0) {
       moved.segment(body.q, n) += d.segment(body.v, n);
       continue;
     }
-    const Eigen::Quaternion<Digits50> turn(q(body.q + 6), q(body.q + 3), q(body.q + 4),
-                                           q(body.q + 5));
-    const interpreter::Vector3<Digits50> slide = d.segment<3>(body.v);
-    const interpreter::Vector3<Digits50> w = d.segment<3>(body.v + 3);
+    const Eigen::Quaternion<Digits50> turn(q(first + 3), q(first), q(first + 1), q(first + 2));
+    const interpreter::Vector3<Digits50> w = d.segment<3>(body.v + n - 3);
     const Digits50 angle = sqrt(w.squaredNorm());
     const Digits50 s = angle == 0 ? Digits50(0) : Digits50(sin(angle / 2) / angle);
     const Eigen::Quaternion<Digits50> turned =
         turn * Eigen::Quaternion<Digits50>(cos(angle / 2), s * w(0), s * w(1), s * w(2));
-    moved.segment<3>(body.q) += turn.toRotationMatrix() * slide;
-    moved.segment<4>(body.q + 3) = turned.coeffs();
+    if (body.kind == interpreter::JointKind::floating) {
+      moved.segment<3>(body.q) += turn.toRotationMatrix() * d.segment<3>(body.v);
+    }
+    moved.segment<4>(first) = turned.coeffs();
   }
   return moved;
 }
@@ -222,9 +226,8 @@ TEST_P(Derivatives, BranchesAreStructuralZeros) {
          j = mechanism_.links[static_cast<std::size_t>(j)].parent) {
       const MovingLink& a = mechanism_.links[i];
       const MovingLink& b = mechanism_.links[static_cast<std::size_t>(j)];
-      const auto dofs = [](const MovingLink& l) { return l.kind == JointKind::floating ? 6 : 1; };
-      for (int k = 0; k < dofs(a); ++k) {
-        for (int l = 0; l < dofs(b); ++l) {
+      for (int k = 0; k < a.velocities(); ++k) {
+        for (int l = 0; l < b.velocities(); ++l) {
           related[static_cast<std::size_t>((a.v_index + k) * nv + b.v_index + l)] = true;
           related[static_cast<std::size_t>((b.v_index + l) * nv + a.v_index + k)] = true;
         }

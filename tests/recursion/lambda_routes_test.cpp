@@ -88,6 +88,19 @@ TEST(LambdaRoutes, AgreeOnOnePointOfARobotThatFloats) {
   }
 }
 
+// All routes are offered beyond ball joints, in the axes of any link.
+TEST(LambdaRoutes, AgreeBeyondBallJoints) {
+  for (std::uint64_t seed = 31; seed <= 36; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomOptions options = chain_of(5, seed % 3 == 0 ? 0.4 : 0, seed % 2 == 0);
+    options.mix = {2, 0, 1, 0, 0, 0, 4};
+    const RandomMechanism made = random_mechanism(seed, options);
+    EXPECT_EQ(offers(made, Function::lambda_inverse, "table 5.1"), options.floating_base);
+    EXPECT_TRUE(offers(made, Function::lambda_inverse, "EFPA"));
+    EXPECT_GE(expect_routes_agree(made, seed), 10);
+  }
+}
+
 TEST(LambdaRoutes, AreOfferedWhereTheyApply) {
   const RandomMechanism fixed = random_mechanism(3, chain_of(6, 0, false));
   for (const char* name : {"PV-OSIM", "L^T D L", "table 5.3", "EFPA", "axes of link 1"}) {

@@ -58,6 +58,7 @@ TEST(LateTurns, ChangeNoResult) {
     options.aligned = seed % 3 == 0 ? 0.5 : 1;
     options.mimic = seed % 4 == 0 ? 0.4 : 0;
     options.floating_base = seed % 5 == 0;
+    options.mix.ball = seed % 6 == 5 ? 4 : 0;
     SCOPED_TRACE(described(seed, options));
     expect_same_motion(random_mechanism(seed, options), seed);
   }

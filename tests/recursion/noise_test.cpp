@@ -100,6 +100,7 @@ RandomOptions options_of(std::uint64_t seed) {
   options.mix.fixed = 2;
   options.external_forces = 1;
   options.mimic = seed % 4 == 2 ? 0.3 : 0;
+  if (seed % 5 == 3) options.mix.ball = 5;
   return options;
 }
 

@@ -33,6 +33,7 @@ struct Held {
   std::vector<int> grasps;  ///< number of grasps of each object
   bool floating_base = false;
   double mimic = 0;
+  double ball = 0;  ///< see `JointMix`
 };
 
 std::ostream& operator<<(std::ostream& out, const Held& held) {
@@ -60,7 +61,7 @@ ObjectCase draw(std::uint64_t seed, const Held& held) {
   RandomOptions options;
   options.joints = 8 * points;
   options.branching = 0.15;
-  options.mix = {5, 1, 2, 0.5, 0.1, 0.3};
+  options.mix = {5, 1, 2, 0.5, 0.1, 0.3, held.ball};
   options.floating_base = held.floating_base;
   options.mimic = held.mimic;
   options.operational_points = points;
@@ -173,9 +174,10 @@ class Objects : public testing::TestWithParam<std::tuple<Held, int>> {
   ObjectCase c_;
 };
 
-const Held kHeld[] = {{"one_hand", {1}},       {"two_hands", {2}},
-                      {"floating", {2}, true}, {"mimics", {2}, false, 0.15},
-                      {"three_hands", {3}},    {"two_objects", {2, 1}}};
+const Held kHeld[] = {{"one_hand", {1}},          {"two_hands", {2}},
+                      {"floating", {2}, true},    {"mimics", {2}, false, 0.15},
+                      {"three_hands", {3}},       {"two_objects", {2, 1}},
+                      {"balls", {2}, false, 0, 4}};
 
 INSTANTIATE_TEST_SUITE_P(Random, Objects,
                          testing::Combine(testing::ValuesIn(kHeld), testing::Range(0, 2)),

@@ -29,6 +29,7 @@ RandomMechanism crowded_robot(std::uint64_t seed) {
   options.floating_base = seed % 2 == 0;
   options.mimic = seed % 5 == 0 ? 0.4 : 0;
   options.mix.planar = 1;
+  if (seed % 7 == 6) options.mix.ball = 3;
   options.operational_points = 3;
   options.all_rows = seed % 4 == 1;
   options.external_forces = static_cast<int>(seed % 2);

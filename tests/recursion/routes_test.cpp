@@ -45,7 +45,10 @@ RandomOptions options_of(int joints, double branching, int points, int forces) {
 std::vector<Sweep> sweeps() {
   std::vector<Sweep> all{{options_of(1, 0, 1, 1), 1, 8},    {options_of(7, 0, 1, 0), 10, 6},
                          {options_of(9, 0.5, 3, 2), 20, 6}, {options_of(8, 0.4, 2, 1), 30, 6},
-                         {options_of(8, 0.4, 2, 1), 40, 6}, {options_of(6, 0.2, 2, 1), 50, 5}};
+                         {options_of(8, 0.4, 2, 1), 40, 6}, {options_of(6, 0.2, 2, 1), 50, 5},
+                         {options_of(5, 0.3, 2, 1), 60, 6}, {options_of(5, 0.3, 2, 1), 70, 6},
+                         {options_of(5, 0, 1, 1), 80, 4},   {options_of(6, 0.3, 2, 1), 90, 6},
+                         {options_of(5, 0.3, 2, 1), 100, 4}};
   all[2].options.all_rows = false;
   all[3].options.floating_base = true;
   all[4].options.mimic = 0.4;
@@ -53,6 +56,15 @@ std::vector<Sweep> sweeps() {
   all[4].options.all_rows = false;
   all[5].options.mix.floating = 2;
   all[5].options.mix.planar = 2;
+  all[6].options.mix.ball = 8;
+  all[7].options.mix.ball = 5;
+  all[7].options.floating_base = true;
+  all[8].options.mix = {2, 1, 1, 0, 0, 1, 5};
+  all[8].options.mimic = 0.4;
+  all[9].options.rotors = 0.7;
+  all[9].options.mimic = 0.3;
+  all[10].options.rotors = 0.7;
+  all[10].options.floating_base = true;
   return all;
 }
 

@@ -29,9 +29,14 @@ std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene
     why_not = "the robot has joints that mimic others";
     return std::nullopt;
   }
+  if (!scene.armature.empty()) {
+    why_not = "the scene adds rotors to joints";
+    return std::nullopt;
+  }
   if (has_joints_of(model, interpreter::JointKind::planar) ||
-      has_joints_of(model, interpreter::JointKind::floating)) {
-    why_not = "the robot has planar or floating joints";
+      has_joints_of(model, interpreter::JointKind::floating) ||
+      has_joints_of(model, interpreter::JointKind::spherical)) {
+    why_not = "the robot has planar, floating or ball joints";
     return std::nullopt;
   }
   PeerDescription description{scene.base == Base::floating, scene.gravity, {}, {}};

@@ -1,0 +1,93 @@
+#include "description/read_rotors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "description/read_number.hpp"
+
+namespace treeline {
+namespace {
+
+int count_children(const UrdfElement& element, const char* name) {
+  int count = 0;
+  const auto* xml = element.xml().FirstChildElement(name);
+  for (; xml != nullptr; xml = xml->NextSiblingElement(name)) ++count;
+  return count;
+}
+
+/// The number that is the element's text, or its attribute `value`.
+std::optional<double> read_value(const UrdfElement& element) {
+  if (element.has("value")) return element.number("value");
+  const char* const text = element.xml().GetText();
+  const auto value = text != nullptr ? read_number(text) : std::nullopt;
+  if (!value) {
+    element.warn(fmt::format("<{}> holds no number and is ignored", element.name()),
+                 "write one, or remove it", Minor::form);
+  }
+  return value;
+}
+
+/// Of a child of the joint, of the motor or of the transmission itself, in this order.
+std::optional<double> find_value(const std::vector<UrdfElement>& places, const char* name) {
+  for (const UrdfElement& place : places) {
+    if (const auto found = place.child(name)) return read_value(*found);
+  }
+  return std::nullopt;
+}
+
+void read_rotor(const UrdfElement& transmission, Joint& joint) {
+  std::vector<UrdfElement> places{*transmission.child("joint")};
+  if (const auto motor = transmission.child("actuator")) places.push_back(*motor);
+  places.push_back(transmission);
+  const auto gear = find_value(places, "drake:gear_ratio");
+  const auto ratio = gear ? gear : find_value(places, "mechanicalReduction");
+  const auto inertia = find_value(places, "drake:rotor_inertia");
+  if (inertia && *inertia < 0) {
+    transmission.error(fmt::format("the rotor's inertia {} is negative", *inertia),
+                       "give a positive one, kg m^2");
+    return;
+  }
+  if (!ratio && !inertia) return;
+  if (!joint.rotor) joint.rotor = Rotor{};
+  if (ratio && !joint.rotor->inertia) joint.rotor->ratio = *ratio;
+  if (inertia && !joint.rotor->inertia) joint.rotor->inertia = inertia;
+}
+
+void warn_of_coupling(const UrdfElement& transmission) {
+  const auto motor = transmission.child("actuator");
+  if (!motor || !motor->child("drake:rotor_inertia")) return;
+  transmission.warn(
+      "a <transmission> of several joints or motors couples them; its rotors are "
+      "passed over",
+      "give armatures of single joints in the scene");
+}
+
+}  // namespace
+
+void read_rotors(const UrdfElement& robot, std::vector<Joint>& joints) {
+  const char* const kName = "transmission";
+  const auto* xml = robot.xml().FirstChildElement(kName);
+  for (; xml != nullptr; xml = xml->NextSiblingElement(kName)) {
+    const UrdfElement transmission = robot.as_child(*xml);
+    if (count_children(transmission, "joint") != 1 ||
+        count_children(transmission, "actuator") > 1) {
+      warn_of_coupling(transmission);
+      continue;
+    }
+    const auto driven = transmission.child("joint");
+    const char* const name = driven->xml().Attribute("name");
+    const auto joint = std::find_if(joints.begin(), joints.end(), [&](const Joint& each) {
+      return name != nullptr && each.name == name;
+    });
+    if (joint != joints.end()) read_rotor(transmission, *joint);
+  }
+}
+
+double armature_of(const Joint& joint) {
+  if (!joint.rotor) return 0;
+  return joint.rotor->inertia.value_or(0) * joint.rotor->ratio * joint.rotor->ratio;
+}
+
+}  // namespace treeline
