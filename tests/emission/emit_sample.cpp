@@ -1,4 +1,4 @@
-// Writes the sample folder: emit_sample DIRECTORY NAME double|float.
+// Writes the sample folder: emit_sample DIRECTORY NAME double|float c++|c.
 #include <cstdio>
 #include <string>
 
@@ -6,15 +6,18 @@
 #include "emission/write_files.hpp"
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
+  if (argc != 5) {
     return 2;
   }
   treeline::Diagnostics diagnostics;
   const bool single_precision = std::string(argv[3]) == "float";
-  treeline::EmissionContext context = treeline::test::sample_context(argv[2], single_precision);
-  context.batch = treeline::test::kSampleBatch;
+  const bool is_c = std::string(argv[4]) == "c";
+  const auto language = is_c ? treeline::Language::c : treeline::Language::cpp;
+  treeline::EmissionContext context =
+      treeline::test::sample_context(argv[2], single_precision, language);
+  context.batch = is_c ? 0 : treeline::test::kSampleBatch;
   const auto programs = treeline::test::sample_programs();
-  std::vector<treeline::Program> batch = programs;
+  std::vector<treeline::Program> batch = is_c ? std::vector<treeline::Program>{} : programs;
   for (treeline::Program& program : batch) program.packs.clear();
   const auto files = treeline::emit(context, programs, diagnostics, batch);
   const bool written = !files.empty() && treeline::write_files(argv[1], files, diagnostics);

@@ -6,6 +6,10 @@
 
 #include "emission/sample.hpp"
 #include "program/evaluate.hpp"
+#include "sample_c_double.h"
+#include "sample_c_double_joints.h"
+#include "sample_c_float.h"
+#include "sample_c_float_joints.h"
 #include "sample_double_batch.hpp"
 #include "sample_double_eigen.hpp"
 #include "sample_double_joints.hpp"
@@ -13,9 +17,9 @@
 #include "sample_float_eigen.hpp"
 #include "sample_float_joints.hpp"
 
-// Would catch: any difference between the printed code and the graph: an operand, a sign, a
-// parenthesis, a digit, an index, the order of lanes. Both folders in one program also detect names
-// that clash.
+// Would catch: any difference between the printed code, in C++ and in C, and the graph: an operand,
+// a sign, a parenthesis, a digit, an index, the order of lanes. All folders in one program also
+// detect names that clash.
 namespace treeline {
 namespace {
 
@@ -124,11 +128,15 @@ TEST(Emitted, BatchesEqualTheGraphToTheBit) {
 TEST(Emitted, TwoLinkArmEqualsTheGraphToTheBit) {
   compare_two_link_arm<double>(sample_double::inverse_dynamics);
   compare_two_link_arm<float>(sample_float::inverse_dynamics);
+  compare_two_link_arm<double>(sample_c_double_inverse_dynamics);
+  compare_two_link_arm<float>(sample_c_float_inverse_dynamics);
 }
 
 TEST(Emitted, CornerCasesEqualTheGraphToTheBit) {
   compare_corner_cases<double>(sample_double::corner_cases);
   compare_corner_cases<float>(sample_float::corner_cases);
+  compare_corner_cases<double>(sample_c_double_corner_cases);
+  compare_corner_cases<float>(sample_c_float_corner_cases);
 }
 
 // Would catch: a name that ends its string, a limit that is missing, and names in another order.
@@ -141,6 +149,19 @@ TEST(Emitted, JointsAreConstants) {
   EXPECT_STREQ(sample_double::kCoordinateMeanings[0], "angle, rad");
   EXPECT_STREQ(sample_float::kVelocityNames[1], "elbow, rad/s");
   EXPECT_STREQ(sample_float::kTaskRowNames[1], "tool y");
+}
+
+TEST(Emitted, JointsInCAreThoseInCpp) {
+  static_assert(SAMPLE_C_DOUBLE_VELOCITIES == sample_double::kVelocities);
+  static_assert(SAMPLE_C_DOUBLE_TASK_ROWS == sample_double::kTaskRows);
+  EXPECT_EQ(sample_c_double_lower_limits[0], sample_double::kLowerLimits[0]);
+  EXPECT_EQ(sample_c_double_upper_limits[1], sample_double::kUpperLimits[1]);
+  EXPECT_EQ(sample_c_float_velocity_limits[0], sample_float::kVelocityLimits[0]);
+  EXPECT_EQ(sample_c_float_effort_limits[1], sample_float::kEffortLimits[1]);
+  EXPECT_STREQ(sample_c_double_coordinate_joints[1], sample_double::kCoordinateJoints[1]);
+  EXPECT_STREQ(sample_c_double_coordinate_meanings[0], sample_double::kCoordinateMeanings[0]);
+  EXPECT_STREQ(sample_c_float_velocity_names[1], sample_float::kVelocityNames[1]);
+  EXPECT_STREQ(sample_c_float_task_row_names[1], sample_float::kTaskRowNames[1]);
 }
 
 TEST(Emitted, EigenWrapperCallsTheSameFunction) {

@@ -1,9 +1,16 @@
 # Compiles the prepared code with KIND, with the compiler's own C headers only, and fails at a warning
 # or at a call of anything but the compiler's arithmetic.
-# cmake -DKIND=g++|clang++ -DCASES=core:real:level:level...,... -DSOURCE=the repository -DFOLDER=dir -P compile.cmake
+# cmake -DKIND=g++|clang++|gcc|clang -DCASES=core:real:level:level...,... -DSOURCE=the repository -DFOLDER=dir -P compile.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../cores.cmake)
-set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow
-  -Wold-style-cast -Werror)
+set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Werror)
+if(KIND MATCHES "\\+\\+")
+  set(source everything.cpp)
+  list(APPEND warnings -Wold-style-cast)
+else()
+  set(source everything.c)
+  set(freestanding ${freestanding_c})
+  list(APPEND warnings -Wstrict-prototypes -Wmissing-prototypes)
+endif()
 if(KIND STREQUAL "g++")
   list(APPEND warnings -Wuseless-cast)
 endif()
@@ -19,7 +26,7 @@ function(check core real level)
   set(object ${FOLDER}/${KIND}_${core}_${real}${level}.o)
   execute_process(COMMAND ${compiler} ${freestanding} ${flags_${core}} ${level} ${warnings}
       ${choice} -nostdinc -isystem ${headers} -I${FOLDER}/${real} -I${SOURCE} -I${SOURCE}/runtime
-      -c ${FOLDER}/${real}/everything.cpp -o ${object}
+      -c ${FOLDER}/${real}/${source} -o ${object}
     COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${nm} -u ${object} OUTPUT_VARIABLE calls COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX REPLACE "[ \n]+U " ";" calls "\n ${calls}")
