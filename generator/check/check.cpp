@@ -68,9 +68,8 @@ std::optional<GeneratedLibrary> compile_and_load(const fs::path& sources, const 
 }
 
 std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& scene,
-                                         const Generation& generation,
-                                         CompileOptions options, const fs::path& work,
-                                         Diagnostics& diagnostics) {
+                                         const Generation& generation, CompileOptions options,
+                                         const fs::path& work, Diagnostics& diagnostics) {
   options.language = scene.language;
   Libraries libraries;
   libraries.accurate = compile_and_load(sources, scene, generation, options, work / "accurate",

@@ -46,8 +46,8 @@ struct Compilation {
 std::optional<Command> find_compiler(const CompileOptions& options,
                                      const std::filesystem::path& work, Diagnostics& diagnostics);
 
-/// Returns the compiler of C that belongs to one of C++: `arm-none-eabi-g++` has `arm-none-eabi-gcc`.
-/// Empty where the name does not tell.
+/// Returns the compiler of C that belongs to one of C++: `arm-none-eabi-g++` has
+/// `arm-none-eabi-gcc`. Empty where the name does not tell.
 std::string c_compiler_beside(const std::string& cpp_compiler);
 
 /// Compiles the sources of a generated folder with a C entry for each function, and links a shared

@@ -35,7 +35,8 @@ constexpr const char* kExamples =
     "  treeline generate puma560.urdf scene.yaml --output puma560 --tune\n"
     "  treeline generate puma560.urdf scene.yaml --output puma560 --choices "
     "puma560/manifest.json\n"
-    "  treeline generate puma560.urdf scene.yaml --output firmware/puma560 --language c --real float\n"
+    "  treeline generate puma560.urdf scene.yaml --output firmware/puma560 --language c --real "
+    "float\n"
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
 
 struct GenerateOptions {

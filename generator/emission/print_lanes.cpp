@@ -86,7 +86,8 @@ Op LanePrinter::op_of(std::size_t pack) const {
   return program_.graph.nodes()[first_node(program_.packs[pack])].op;
 }
 
-/// One value for all lanes is a scalar, which the language spreads; another pack in place is its name.
+/// One value for all lanes is a scalar, which the language spreads; another pack in place is its
+/// name.
 std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
                                  const ExpressionPrinter& expressions) const {
   const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNoNode; });
@@ -120,7 +121,8 @@ std::string LanePrinter::formula(std::size_t pack, const ExpressionPrinter& expr
                        operand(operands_[pack].a, Op::div, true, expressions));
   }
   return fmt::format("{} {} {}", operand(operands_[pack].a, op, false, expressions),
-                     expressions.syntax().sign(op), operand(operands_[pack].b, op, true, expressions));
+                     expressions.syntax().sign(op),
+                     operand(operands_[pack].b, op, true, expressions));
 }
 
 std::string LanePrinter::statement(std::uint32_t node, const ExpressionPrinter& expressions) const {

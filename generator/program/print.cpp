@@ -49,8 +49,8 @@ std::string formula(const Graph& graph, const Node& node) {
 std::string label(const Graph& graph, std::uint32_t index) {
   const Node& node = graph.nodes()[index];
   const auto name = graph.names().find(index);
-  const std::string what = operation(node.op).operands > 0 ? std::string(sign_of(node.op))
-                                                           : formula(graph, node);
+  const std::string what =
+      operation(node.op).operands > 0 ? std::string(sign_of(node.op)) : formula(graph, node);
   return name == graph.names().end() ? what : what + "\\n" + name->second;
 }
 

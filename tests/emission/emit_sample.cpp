@@ -2,6 +2,8 @@
 #include <cstdio>
 #include <string>
 
+#include "emission/c/print_damped.hpp"
+#include "emission/emit.hpp"
 #include "emission/sample.hpp"
 #include "emission/write_files.hpp"
 
@@ -19,7 +21,10 @@ int main(int argc, char** argv) {
   const auto programs = treeline::test::sample_programs();
   std::vector<treeline::Program> batch = is_c ? std::vector<treeline::Program>{} : programs;
   for (treeline::Program& program : batch) program.packs.clear();
-  const auto files = treeline::emit(context, programs, diagnostics, batch);
+  auto files = treeline::emit(context, programs, diagnostics, batch);
+  if (is_c) {  // the loops of damped control, which these functions do without
+    for (auto& file : treeline::c::print_damped_runtime(context)) files.push_back(file);
+  }
   const bool written = !files.empty() && treeline::write_files(argv[1], files, diagnostics);
   for (const treeline::Diagnostic& diagnostic : diagnostics.list()) {
     std::fprintf(stderr, "%s: %s\n", diagnostic.element.c_str(), diagnostic.fault.c_str());

@@ -61,14 +61,15 @@ TEST(EmitInC, MakesTheFolder) {
   std::vector<std::string> names;
   for (const GeneratedFile& file : files) {
     names.push_back(file.name);
-    for (const char* cpp : {"namespace", "::", "constexpr", "static_assert", "template", "noexcept"}) {
+    for (const char* cpp :
+         {"namespace", "::", "constexpr", "static_assert", "template", "noexcept"}) {
       EXPECT_TRUE(file.name == "manifest.json" || file.text.find(cpp) == std::string::npos)
           << file.name << " has " << cpp;
     }
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"CMakeLists.txt", "arm.h", "arm_joints.h",
-                                             "corner_cases.c", "inverse_dynamics.c",
-                                             "manifest.json", "sin_cos.h"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"CMakeLists.txt", "arm.h", "arm_joints.h", "corner_cases.c",
+                                      "inverse_dynamics.c", "manifest.json", "sin_cos.h"}));
   const std::string contract = text_of(files, "arm.h");
   for (const char* part :
        {"From arm.urdf and arm.yaml by", "shoulder (revolute): -3.1 .. 3.1 rad",

@@ -44,8 +44,7 @@ TEST(LiftSteps, FollowsTheHeader) {
 TEST(LiftSteps, RefusesWhatItDoesNotUnderstand) {
   const std::string lost = changed("void subtract_quarters(", "void take_quarters(");
   EXPECT_THROW(c::lift_steps(lost, "arm", false), std::logic_error);
-  const std::string beyond =
-      changed("const Value z = r * r;", "const auto z = steps::square(r);");
+  const std::string beyond = changed("const Value z = r * r;", "const auto z = steps::square(r);");
   EXPECT_THROW(c::lift_steps(beyond, "arm", false), std::logic_error);
 }
 

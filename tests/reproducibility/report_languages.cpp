@@ -1,6 +1,7 @@
 // report_languages ROBOTS DATA: compares C with C++ to the bit for every scene of ROBOTS, in double
-// and float, and for every robot of DATA/golden and DATA/published, each with GCC and Clang. Prints a
-// line for each. Exit status: 0 all bits are equal, 1 something fails, 2 usage, 3 some bits differ.
+// and float, and for every robot of DATA/golden and DATA/published, each with GCC and Clang. Prints
+// a line for each. Exit status: 0 all bits are equal, 1 something fails, 2 usage, 3 some bits
+// differ.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -40,9 +41,8 @@ std::vector<Case> find_cases(const fs::path& robots, const fs::path& data) {
       if (file.path().extension() == ".urdf") cases.push_back({file.path().string(), ""});
     }
   }
-  std::sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) {
-    return a.urdf + a.scene < b.urdf + b.scene;
-  });
+  std::sort(cases.begin(), cases.end(),
+            [](const Case& a, const Case& b) { return a.urdf + a.scene < b.urdf + b.scene; });
   return cases;
 }
 

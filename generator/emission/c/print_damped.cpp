@@ -83,15 +83,14 @@ std::string print_damped_solve(const EmissionContext& context) {
   const bool single = context.single_precision;
   const int rows = context.task_rows;
   const int sweeps = single ? core::jacobi_sweeps<float>(rows) : core::jacobi_sweeps<double>(rows);
-  return fill_template(templates::kDampedSolve,
-                       {{"name", context.name},
-                        {"real", single ? "float" : "double"},
-                        {"rows", std::to_string(rows)},
-                        {"sweeps", std::to_string(sweeps)},
-                        {"resolution", single ? "0x1p-17F" : "0x1p-46"},
-                        {"zero", number(context, "0.0")},
-                        {"one", number(context, "1.0")},
-                        {"two", number(context, "2.0")}});
+  return fill_template(templates::kDampedSolve, {{"name", context.name},
+                                                 {"real", single ? "float" : "double"},
+                                                 {"rows", std::to_string(rows)},
+                                                 {"sweeps", std::to_string(sweeps)},
+                                                 {"resolution", single ? "0x1p-17F" : "0x1p-46"},
+                                                 {"zero", number(context, "0.0")},
+                                                 {"one", number(context, "1.0")},
+                                                 {"two", number(context, "2.0")}});
 }
 
 }  // namespace
@@ -104,19 +103,20 @@ std::vector<GeneratedFile> print_damped(const EmissionContext& context,
   const std::string heaviest =
       fmt::format("static const {} {}_heaviest[{}] = {{{}}};", real, context.name,
                   context.task_rows, list_heaviest(context, make_syntax(context)));
-  return {{context.name + "_damped.h",
-           fill_template(templates::kDamped,
-                         {{"robot", context.robot},
-                          {"name", context.name},
-                          {"heaviest", wrap_line(heaviest, 0)},
-                          {"cost", comment("///", describe_damped_cost(context, programs))},
-                          {"signature", wrap_line(head + ";", 0)}})},
-          {"damped_control_torque.c",
-           fill_template(templates::kDampedSource, {{"name", context.name},
-                                                    {"NAME", name_in_capitals(context)},
-                                                    {"real", real},
-                                                    {"signature", wrap_line(head + " {", 0)},
-                                                    {"calls", print_damped_calls(context, calls)}})}};
+  return {
+      {context.name + "_damped.h",
+       fill_template(templates::kDamped,
+                     {{"robot", context.robot},
+                      {"name", context.name},
+                      {"heaviest", wrap_line(heaviest, 0)},
+                      {"cost", comment("///", describe_damped_cost(context, programs))},
+                      {"signature", wrap_line(head + ";", 0)}})},
+      {"damped_control_torque.c",
+       fill_template(templates::kDampedSource, {{"name", context.name},
+                                                {"NAME", name_in_capitals(context)},
+                                                {"real", real},
+                                                {"signature", wrap_line(head + " {", 0)},
+                                                {"calls", print_damped_calls(context, calls)}})}};
 }
 
 std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context) {

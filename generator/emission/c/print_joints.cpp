@@ -17,9 +17,10 @@ std::string print_joints(const EmissionContext& context) {
   arrays.holes["task_rows"] =
       arrays.task_rows == 0
           ? ""
-          : fmt::format("\n/// Of each task row: its point, and along or about which axis it is.\n"
-                        "static const char* const {}_task_row_names[{}] = {{\n    {}}};",
-                        context.name, arrays.task_rows, arrays.task_row_names);
+          : fmt::format(
+                "\n/// Of each task row: its point, and along or about which axis it is.\n"
+                "static const char* const {}_task_row_names[{}] = {{\n    {}}};",
+                context.name, arrays.task_rows, arrays.task_row_names);
   return fill_template(templates::kJoints, arrays.holes);
 }
 

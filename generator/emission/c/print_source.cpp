@@ -60,15 +60,14 @@ std::string print_source(const EmissionContext& context, const Program& program)
   const std::set<std::string> taken =
       find_taken_names(program, {context.name, fmt::format("{}_{}", context.name, program.name),
                                  fmt::format("{}_sin_cos", context.name)});
-  return fill_template(
-      templates::kFunction,
-      {{"head", describe_source(program)},
-       {"cost", describe_cost(program)},
-       {"name", context.name},
-       {"includes", print_includes(program)},
-       {"signature", wrap_line(print_signature(context, program) + " {", 0)},
-       {"unread", print_unread(program)},
-       {"body", print_body(program, make_syntax(context), taken)}});
+  return fill_template(templates::kFunction,
+                       {{"head", describe_source(program)},
+                        {"cost", describe_cost(program)},
+                        {"name", context.name},
+                        {"includes", print_includes(program)},
+                        {"signature", wrap_line(print_signature(context, program) + " {", 0)},
+                        {"unread", print_unread(program)},
+                        {"body", print_body(program, make_syntax(context), taken)}});
 }
 
 }  // namespace treeline::c

@@ -11,10 +11,10 @@ namespace {
 
 /// Headers of C up to C23, without `.h`: a folder with one of their names would hide it.
 constexpr std::array<std::string_view, 31> kHeaders = {
-    "assert",    "complex", "ctype",  "errno",    "fenv",      "float",   "inttypes", "iso646",
-    "limits",    "locale",  "math",   "setjmp",   "signal",    "stdalign", "stdarg",  "stdatomic",
-    "stdbit",    "stdbool", "stdckdint", "stddef", "stdint",   "stdio",   "stdlib",   "stdnoreturn",
-    "string",    "tgmath",  "threads", "time",    "uchar",     "wchar",   "wctype"};
+    "assert", "complex", "ctype",     "errno",  "fenv",   "float",    "inttypes", "iso646",
+    "limits", "locale",  "math",      "setjmp", "signal", "stdalign", "stdarg",   "stdatomic",
+    "stdbit", "stdbool", "stdckdint", "stddef", "stdint", "stdio",    "stdlib",   "stdnoreturn",
+    "string", "tgmath",  "threads",   "time",   "uchar",  "wchar",    "wctype"};
 
 }  // namespace
 

@@ -7,10 +7,10 @@
 #include "emission/comment.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/syntax.hpp"
+#include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
-#include "emission/cpp/templates.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::cpp {

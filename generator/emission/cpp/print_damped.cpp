@@ -43,14 +43,13 @@ std::string print_damped(const EmissionContext& context, std::span<const Program
   const std::vector<DampedCall> calls = list_damped_calls(programs);
   const std::string heaviest = fmt::format("inline constexpr Real kHeaviest[kTaskRows] = {{{}}};",
                                            list_heaviest(context, make_syntax(context)));
-  return fill_template(
-      templates::kDamped,
-      {{"robot", context.robot},
-       {"name", context.name},
-       {"heaviest", wrap_line(heaviest, 0)},
-       {"cost", comment("///", describe_damped_cost(context, programs))},
-       {"signature", wrap_line(print_damped_signature(*calls.back().program), 0)},
-       {"calls", print_calls(calls)}});
+  return fill_template(templates::kDamped,
+                       {{"robot", context.robot},
+                        {"name", context.name},
+                        {"heaviest", wrap_line(heaviest, 0)},
+                        {"cost", comment("///", describe_damped_cost(context, programs))},
+                        {"signature", wrap_line(print_damped_signature(*calls.back().program), 0)},
+                        {"calls", print_calls(calls)}});
 }
 
 }  // namespace treeline::cpp

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "emission/fill_template.hpp"
 #include "emission/cpp/templates.hpp"
+#include "emission/fill_template.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::cpp {

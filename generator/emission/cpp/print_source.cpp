@@ -62,16 +62,16 @@ std::string print_declaration(const Program& program) {
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
-  return fill_template(templates::kFunction,
-                       {{"head", describe_source(program)},
-                        {"cost", describe_cost(program)},
-                        {"name", context.name},
-                        {"optimize", print_optimize(program)},
-                        {"includes", print_includes(program)},
-                        {"lanes", print_lanes_type(program)},
-                        {"signature", wrap_line(print_head(program) + " {", 0)},
-                        {"body", print_body(program, make_syntax(context),
-                                            find_taken(context, program))}});
+  return fill_template(
+      templates::kFunction,
+      {{"head", describe_source(program)},
+       {"cost", describe_cost(program)},
+       {"name", context.name},
+       {"optimize", print_optimize(program)},
+       {"includes", print_includes(program)},
+       {"lanes", print_lanes_type(program)},
+       {"signature", wrap_line(print_head(program) + " {", 0)},
+       {"body", print_body(program, make_syntax(context), find_taken(context, program))}});
 }
 
 std::string print_optimize(const Program& program) {

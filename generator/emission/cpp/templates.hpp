@@ -4,8 +4,8 @@
 
 namespace treeline::cpp::templates {
 
-// The files of templates/cpp/ and headers of runtime/core, embedded when the generator is built (see
-// embed_files.cmake).
+// The files of templates/cpp/ and headers of runtime/core, embedded when the generator is built
+// (see embed_files.cmake).
 extern const std::string_view kBatch;
 extern const std::string_view kBatchFunction;
 extern const std::string_view kCMakeLists;

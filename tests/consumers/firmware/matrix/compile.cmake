@@ -20,8 +20,8 @@ set(arithmetic "__aeabi_(d|f|i|ui|l|ul|lcmp|ulcmp)[a-z0-9_]*|__(add|sub|mul|div|
 # check(CORE REAL LEVEL)
 function(check core real level)
   set(choice)
-  if(KIND STREQUAL "g++" AND core STREQUAL "m0" AND level STREQUAL "-O0")
-    set(choice -DWITHOUT_BATCH)  # the one exception that the header of batches states
+  if(KIND MATCHES "^g" AND core STREQUAL "m0" AND level STREQUAL "-O0")
+    set(choice -DWITHOUT_VECTORS)  # the one exception, which headers of batches and lanes in C state
   endif()
   set(object ${FOLDER}/${KIND}_${core}_${real}${level}.o)
   execute_process(COMMAND ${compiler} ${freestanding} ${flags_${core}} ${level} ${warnings}
