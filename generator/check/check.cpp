@@ -9,6 +9,7 @@
 #include "check/judge_function.hpp"
 #include "check/run_commands.hpp"
 #include "check/temporary_folder.hpp"
+#include "emission/backend/backend.hpp"
 #include "emission/write_files.hpp"
 
 namespace treeline {
@@ -67,9 +68,9 @@ std::optional<GeneratedLibrary> compile_and_load(const fs::path& sources, const 
 }
 
 std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& scene,
-                                         const Generation& generation,
-                                         const CompileOptions& options, const fs::path& work,
-                                         Diagnostics& diagnostics) {
+                                         const Generation& generation, CompileOptions options,
+                                         const fs::path& work, Diagnostics& diagnostics) {
+  options.language = scene.language;
   Libraries libraries;
   libraries.accurate = compile_and_load(sources, scene, generation, options, work / "accurate",
                                         libraries.compilation, diagnostics);
@@ -89,7 +90,7 @@ std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& s
 
 /// Whether the folder exists and contains the robot's header.
 bool has_header(const fs::path& folder, const Scene& scene, Diagnostics& diagnostics) {
-  const fs::path header = folder / (scene.name + ".hpp");
+  const fs::path header = folder / (scene.name + std::string(backend_of(scene.language).header));
   if (fs::exists(header)) return true;
   diagnostics.add({Severity::error, header, 0, "", "there is no such file",
                    "Name a folder that `treeline generate` has written for this scene."});

@@ -15,7 +15,8 @@
 
 #include "check/print_entry.hpp"
 #include "check/run_commands.hpp"
-#include "emission/print_source.hpp"
+#include "emission/backend/backend.hpp"
+#include "emission/describe_program.hpp"
 
 namespace treeline {
 namespace {
@@ -30,13 +31,21 @@ int core_count(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-Command compile_command(const Command& compiler, const std::string& flags, const fs::path& include,
-                        const fs::path& source, const fs::path& object) {
+const char* standard_flag(Language language) {
+  return language == Language::c ? "-std=c99" : "-std=c++17";
+}
+
+std::string source_name(const std::string& stem, Language language) {
+  return stem + std::string(backend_of(language).source);
+}
+
+Command compile_command(const Command& compiler, Language language, const std::string& flags,
+                        const fs::path& include, const fs::path& source, const fs::path& object) {
   Command command = compiler;
   const auto append = [&](std::initializer_list<std::string> words) {
     command.insert(command.end(), words);
   };
-  append({"-std=c++17"});
+  append({standard_flag(language)});
   for (const std::string& flag : split_words(flags)) command.push_back(flag);
   append({"-fPIC", "-fstack-usage", "-I", include, "-c", source, "-o", object});
   return command;
@@ -108,15 +117,17 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
   const auto add = [&](const std::string& stem, const fs::path& source, const std::string& flags) {
     objects.stems.push_back(stem);
     sources.push_back(source);
-    commands.push_back(
-        compile_command(compiler, flags, fs::absolute(folder), source, work / (stem + ".o")));
+    commands.push_back(compile_command(compiler, options.language, flags, fs::absolute(folder),
+                                       source, work / (stem + ".o")));
   };
   for (const GeneratedFunction& generated : functions) {
-    const fs::path& place = is_composed(generated) ? work : folder;
-    add(source_stem(generated), fs::absolute(place / (source_stem(generated) + ".cpp")),
+    const bool has_source = options.language == Language::c || !is_composed(generated);
+    const fs::path& place = has_source ? folder : work;
+    const std::string stem = source_stem(generated);
+    add(stem, fs::absolute(place / source_name(stem, options.language)),
         flags_of(generated, options));
   }
-  add(kEntryStem, work / (std::string(kEntryStem) + ".cpp"), options.flags);
+  add(kEntryStem, work / source_name(kEntryStem, options.language), options.flags);
   objects.outcomes = run_largest_first(commands, sources, options, work);
   bool all = true;
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -139,9 +150,12 @@ bool write_source(const fs::path& path, const std::string& text, Diagnostics& di
 /// Writes the sources of the entries, which call the functions. A composed function has no source
 /// other than its entry.
 bool write_entries(const std::string& name, const std::vector<GeneratedFunction>& functions,
-                   const fs::path& work, Diagnostics& diagnostics) {
-  bool written = write_source(work / (std::string(kEntryStem) + ".cpp"),
-                              print_entry(name, functions), diagnostics);
+                   Language language, const fs::path& work, Diagnostics& diagnostics) {
+  const fs::path entry = work / source_name(kEntryStem, language);
+  if (language == Language::c) {
+    return write_source(entry, print_c_entry(name, functions), diagnostics);
+  }
+  bool written = write_source(entry, print_entry(name, functions), diagnostics);
   for (const GeneratedFunction& generated : functions) {
     if (!is_composed(generated)) continue;
     written = write_source(work / (source_stem(generated) + ".cpp"),
@@ -184,32 +198,65 @@ void measure_functions(const Objects& objects, const fs::path& work, Compilation
   }
 }
 
+/// The value of an environment variable; empty where it is blank or not set.
+std::string value_of(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value == nullptr || split_words(value).empty() ? "" : value;
+}
+
+/// The compilers to try, and the environment variable that names the first; empty: none does.
+struct CompilerSearch {
+  std::vector<Command> candidates;
+  std::string variable;
+};
+
+CompilerSearch search_for(const CompileOptions& options) {
+  if (!options.compiler.empty()) return {{split_words(options.compiler)}, ""};
+  const std::string cxx = value_of("CXX");
+  if (options.language == Language::cpp) {
+    if (!cxx.empty()) return {{split_words(cxx)}, "$CXX"};
+    return {{{"c++"}, {"g++"}}, ""};
+  }
+  const std::string cc = value_of("CC");
+  if (!cc.empty()) return {{split_words(cc)}, "$CC"};
+  const std::string beside = c_compiler_beside(cxx);
+  if (!beside.empty()) return {{split_words(beside)}, "the name in $CXX"};
+  return {{{"cc"}, {"gcc"}}, ""};
+}
+
 }  // namespace
 
-std::optional<Command> find_compiler(const std::string& asked_for, const fs::path& work,
-                                     Diagnostics& diagnostics) {
-  const char* const chosen = std::getenv("CXX");
-  std::vector<Command> candidates = {{"c++"}, {"g++"}};
-  if (!asked_for.empty()) {
-    candidates = {split_words(asked_for)};
-  } else if (chosen != nullptr && !split_words(chosen).empty()) {
-    candidates = {split_words(chosen)};
+std::string c_compiler_beside(const std::string& cpp_compiler) {
+  for (const auto& [cpp, c] : {std::pair{"clang++", "clang"}, {"g++", "gcc"}, {"c++", "cc"}}) {
+    const std::size_t at = cpp_compiler.rfind(cpp);
+    if (at == std::string::npos) continue;
+    return std::string(cpp_compiler).replace(at, std::string_view(cpp).size(), c);
   }
+  return {};
+}
+
+std::optional<Command> find_compiler(const CompileOptions& options, const fs::path& work,
+                                     Diagnostics& diagnostics) {
+  const CompilerSearch search = search_for(options);
   CommandOutcome outcome;
-  for (const Command& candidate : candidates) {
+  for (const Command& candidate : search.candidates) {
     Command asked = candidate;
     asked.emplace_back("--version");
     outcome = run_commands({asked}, 1, work).front();
     if (outcome.started && outcome.exit_code == 0) return candidate;
   }
-  const std::string why = outcome.started
-                              ? "it fails when asked for its version" + first_lines(outcome.output)
-                              : fmt::format("there is no program {}", candidates.back().front());
-  diagnostics.add({Severity::error, "", 0, fmt::format("{}", fmt::join(candidates.front(), " ")),
-                   !asked_for.empty()  ? "this compiler cannot be run: " + why
-                   : chosen != nullptr ? "this compiler, which $CXX names, cannot be run: " + why
-                                       : "no C++ compiler was found",
-                   "Install one (Debian: g++), or name one in the environment variable CXX."});
+  const bool c = options.language == Language::c;
+  const std::string why =
+      outcome.started ? "it fails when asked for its version" + first_lines(outcome.output)
+                      : fmt::format("there is no program {}", search.candidates.back().front());
+  diagnostics.add(
+      {Severity::error, "", 0, fmt::format("{}", fmt::join(search.candidates.front(), " ")),
+       !options.compiler.empty() ? "this compiler cannot be run: " + why
+       : !search.variable.empty()
+           ? fmt::format("this compiler, which {} names, cannot be run: {}", search.variable, why)
+           : fmt::format("no {} compiler was found", backend_of(options.language).name),
+       fmt::format("Install one (Debian: {}), or name one in the environment variable {}.",
+                   c ? "gcc" : "g++", c ? "CC" : "CXX")});
   return std::nullopt;
 }
 
@@ -217,23 +264,24 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
                                           const std::vector<GeneratedFunction>& functions,
                                           const CompileOptions& options, const fs::path& work,
                                           Diagnostics& diagnostics) {
-  const auto compiler = find_compiler(options.compiler, work, diagnostics);
+  const auto compiler = find_compiler(options, work, diagnostics);
   if (!compiler) return std::nullopt;
-  if (!write_entries(name, functions, work, diagnostics)) return std::nullopt;
+  if (!write_entries(name, functions, options.language, work, diagnostics)) return std::nullopt;
   const auto start = Clock::now();
   const auto objects = compile_objects(*compiler, folder, functions, options, work, diagnostics);
   if (!objects) return std::nullopt;
   Compilation made;
   made.library = work / "libtreeline_check.so";
-  made.command = fmt::format("{} -std=c++17 {}", fmt::join(*compiler, " "), options.flags);
+  const std::string command =
+      fmt::format("{} {}", fmt::join(*compiler, " "), standard_flag(options.language));
+  made.command = fmt::format("{} {}", command, options.flags);
   if (!link_library(*compiler, *objects, work, options, made, diagnostics)) return std::nullopt;
   made.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   measure_functions(*objects, work, made);
   for (const GeneratedFunction& generated : functions) {
     if (!has_long_flags(generated, options)) continue;
     made.functions[source_stem(generated)].is_long = true;
-    made.long_command =
-        fmt::format("{} -std=c++17 {}", fmt::join(*compiler, " "), options.long_flags);
+    made.long_command = fmt::format("{} {}", command, options.long_flags);
   }
   return made;
 }

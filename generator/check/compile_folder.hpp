@@ -14,11 +14,13 @@
 namespace treeline {
 
 struct CompileOptions {
-  std::string flags = "-O2 -ffp-contract=off";  ///< added to -std=c++17 and a library's flags
+  /// Added to the language's standard and a library's flags.
+  std::string flags = "-O2 -ffp-contract=off";
   std::string long_flags = {};  ///< for long functions (`is_long`); empty: the same flags
   int jobs = 0;                 ///< 0: as many as there are cores
   std::function<void(int, int)> progress = {};  ///< receives number of sources done and of all
-  std::string compiler = {};                    ///< empty: $CXX, else c++, else g++
+  std::string compiler = {};                    ///< empty: see `find_compiler`
+  Language language = Language::cpp;            ///< of the sources
 };
 
 /// Properties of one compiled function.
@@ -38,10 +40,15 @@ struct Compilation {
   std::map<std::string, CompiledFunction> functions;
 };
 
-/// Returns the command of the compiler `asked_for`, else $CXX, both split into words as a shell
-/// would do, else c++ or g++, whichever starts. Errors: the compiler does not start.
-std::optional<Command> find_compiler(const std::string& asked_for,
+/// Returns the command of the compiler that `options` name, else $CXX, both split into words as a
+/// shell would do, else c++ or g++, whichever starts. For C: else $CC, the compiler of C beside
+/// $CXX, cc or gcc. Errors: the compiler does not start.
+std::optional<Command> find_compiler(const CompileOptions& options,
                                      const std::filesystem::path& work, Diagnostics& diagnostics);
+
+/// Returns the compiler of C that belongs to one of C++: `arm-none-eabi-g++` has
+/// `arm-none-eabi-gcc`. Empty where the name does not tell.
+std::string c_compiler_beside(const std::string& cpp_compiler);
 
 /// Compiles the sources of a generated folder with a C entry for each function, and links a shared
 /// library. Everything is written to `work`, which must exist and be empty. Errors: no compiler; a

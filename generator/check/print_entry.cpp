@@ -27,10 +27,15 @@ std::string print_arguments(const Program& program, std::size_t outputs, const c
   return text;
 }
 
+/// The results that a function writes to its arguments: that of a composed one returns the last.
+std::size_t count_outputs(const GeneratedFunction& generated) {
+  return generated.program.results.size() - (is_composed(generated) ? 1 : 0);
+}
+
 /// Prints the entry of a plain function. The last result may be a returned number.
 std::string print_plain(const std::string& name, const GeneratedFunction& generated) {
   const Program& program = generated.program;
-  const std::size_t outputs = program.results.size() - (is_composed(generated) ? 1 : 0);
+  const std::size_t outputs = count_outputs(generated);
   std::string before;
   if (is_composed(generated)) before = fmt::format("output<1>(out[{}])[0] = ", outputs);
   return fill_template(check_templates::kFunction,
@@ -75,6 +80,34 @@ std::string print_entry(const std::string& name, const std::vector<GeneratedFunc
   if (has_batch) more += fill_template(check_templates::kBatch, {{"name", name}});
   return fill_template(check_templates::kEntry,
                        {{"name", name}, {"header", name}, {"more", more}, {"functions", text}});
+}
+
+std::string print_c_entry(const std::string& name,
+                          const std::vector<GeneratedFunction>& functions) {
+  std::string text;
+  std::string header = name;
+  for (const GeneratedFunction& generated : functions) {
+    const Program& program = generated.program;
+    const std::size_t outputs = count_outputs(generated);
+    std::string list;
+    for (std::size_t i = 0; i < program.arguments.size(); ++i) list += fmt::format("in[{}], ", i);
+    for (std::size_t i = 0; i < outputs; ++i) {
+      list += fmt::format("{}out[{}]", i == 0 ? "" : ", ", i);
+    }
+    std::string before;
+    if (is_composed(generated)) {
+      header = name + "_damped";
+      before = fmt::format("*({}_real*)out[{}] = ", name, outputs);
+      list += fmt::format(", {}_heaviest", name);
+    }
+    text += fill_template(check_templates::kCFunction, {{"name", name},
+                                                        {"entry", source_stem(generated)},
+                                                        {"before", before},
+                                                        {"function", program.name},
+                                                        {"arguments", list}});
+  }
+  return fill_template(check_templates::kCEntry,
+                       {{"name", name}, {"header", header}, {"functions", text}});
 }
 
 std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated) {

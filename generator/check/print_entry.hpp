@@ -7,11 +7,15 @@
 
 namespace treeline {
 
-/// Prints a source file that is compiled with a generated folder. It gives each function the C
-/// symbol `entry_symbol`, a function that takes pointers to its inputs and outputs. The file
+/// Prints a source file that is compiled with a generated folder in C++. It gives each function the
+/// C symbol `entry_symbol`, a function that takes pointers to its inputs and outputs. The file
 /// compiles only if the folder's header declares the functions with the shapes of the programs.
 /// Composed functions, which have no source of their own, are left out.
 std::string print_entry(const std::string& name, const std::vector<GeneratedFunction>& functions);
+
+/// Prints the same for a folder in C, whose compiler knows arrays by their first elements only: it
+/// compiles if the header declares the functions with as many arguments.
+std::string print_c_entry(const std::string& name, const std::vector<GeneratedFunction>& functions);
 
 /// Prints the source file with the entry of a composed function, from NAME_damped.hpp.
 std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated);

@@ -85,9 +85,16 @@ void tell_of_peers(const BenchReport& report, Diagnostics& diagnostics) {
   }
 }
 
+/// Variants and peers are compared as C++, and no figure of one language stands for another.
+void refuse_language(Diagnostics& diagnostics) {
+  diagnostics.add({Severity::error, "", 0, "language", "bench times C++ only",
+                   "Leave `language` out of the scene that you measure."});
+}
+
 int run(BenchCommand options) {
   Diagnostics diagnostics;
   const auto inputs = read_inputs(options.inputs, diagnostics);
+  if (inputs && inputs->scene.language != Language::cpp) refuse_language(diagnostics);
   options.bench.peers = find_peers(options.peers, diagnostics);
   options.bench.progress = tell_progress();
   if (options.quick) {

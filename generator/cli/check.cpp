@@ -42,9 +42,10 @@ constexpr const char* kHowToReadCheck =
     "their\n"
     "limits). A state is a matter of its index, the seed and the robot; --first INDEX --states 1 "
     "--json prints it.\n"
-    "The compiler is $CXX, else c++, else g++. Exit: 0 passed, 1 bad input, 3 a function is "
-    "beyond\n"
-    "its bound, differs in a bit or could not be checked, or a file of --generated is stale.\n\n"
+    "The compiler is $CXX, else c++, else g++; of C code $CC, else that of C beside $CXX, else "
+    "cc,\n"
+    "else gcc. Exit: 0 passed, 1 bad input, 3 a function is beyond its bound, differs in a bit or\n"
+    "could not be checked, or a file of --generated is stale.\n\n"
     "Examples:\n"
     "  treeline check puma560.urdf\n"
     "  treeline check puma560.urdf scene.yaml\n"
@@ -108,7 +109,8 @@ void add_check(CLI::App& app, int& exit_code) {
   auto* flags = command->add_option("--flags", options->check.compile.flags, "For the compiler")
                     ->capture_default_str();
   command->add_option("--name", options->inputs.name,
-                      "Namespace and header, instead of the scene's");
+                      "Namespace or prefix, and header, instead of the scene's");
+  add_language_option(*command, options->inputs);
   command->add_option("--choices", options->inputs.choices,
                       "Algorithms and lanes as this manifest.json records them, not by cost");
   command->add_flag("--json", options->json, "Everything as JSON, with the states it names");

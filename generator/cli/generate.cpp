@@ -35,6 +35,8 @@ constexpr const char* kExamples =
     "  treeline generate puma560.urdf scene.yaml --output puma560 --tune\n"
     "  treeline generate puma560.urdf scene.yaml --output puma560 --choices "
     "puma560/manifest.json\n"
+    "  treeline generate puma560.urdf scene.yaml --output firmware/puma560 --language c --real "
+    "float\n"
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
 
 struct GenerateOptions {
@@ -82,7 +84,9 @@ std::optional<GeneratedInputs> generate_tuned(const GenerateOptions& options,
                 measure_here(inputs->robot, inputs->scene, options.compile), how, diagnostics);
   if (how.progress) show_progress("");
   if (!tuning) return std::nullopt;
-  tuning->measured = describe_here(options.compile, diagnostics);
+  CompileOptions compile = options.compile;
+  compile.language = inputs->scene.language;
+  tuning->measured = describe_here(compile, diagnostics);
   return generate_from_inputs(options.inputs, std::move(*inputs), choices_of(*tuning), diagnostics);
 }
 
@@ -148,18 +152,20 @@ int run(const GenerateOptions& options) {
 
 void add_generate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<GenerateOptions>();
-  CLI::App* command = app.add_subcommand("generate", "Write a robot's dynamics as C++");
+  CLI::App* command = app.add_subcommand("generate", "Write a robot's dynamics as C++ or C");
   add_input_options(*command, options->inputs);
   auto* output = command->add_option("-o,--output", options->output,
                                      "Folder to write; else the scene's name, in this folder");
   command->add_option("--name", options->inputs.name,
-                      "Namespace and header, instead of the scene's");
+                      "Namespace or prefix, and header, instead of the scene's");
+  add_language_option(*command, options->inputs);
   auto* choices =
       command->add_option("--choices", options->inputs.choices,
                           "Algorithms and lanes as this manifest.json records them, not by cost");
   auto* tune = command->add_flag(
       "--tune", options->tune,
-      "Compile the algorithms on this machine ($CXX, else c++, else g++) and take the fastest");
+      "Compile the algorithms on this machine ($CXX, else c++, else g++; of C $CC) and take the "
+      "fastest");
   tune->excludes(choices);
   command->add_option("--flags", options->compile.flags, "For the compiler of --tune")
       ->capture_default_str()

@@ -13,6 +13,7 @@
 #include "description/read_scene.hpp"
 #include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
+#include "description/set_language.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -54,6 +55,9 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
   if (!options.real.empty()) {
     scene.real = options.real == "float" ? Real::float32 : Real::float64;
   }
+  if (!options.language.empty()) {
+    set_language(options.language == "c" ? Language::c : Language::cpp, scene);
+  }
 }
 
 }  // namespace
@@ -69,6 +73,11 @@ void add_input_options(CLI::App& command, InputOptions& options) {
                   "Functions, separated by commas, instead of the scene's")
       ->delimiter(',');
   add_warnings_option(command, options.warnings);
+}
+
+void add_language_option(CLI::App& command, InputOptions& options) {
+  command.add_option("--language", options.language, "Of the code, instead of the scene's")
+      ->check(one_of({"c", "c++"}));
 }
 
 std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {

@@ -20,6 +20,7 @@ struct InputOptions {
   std::string urdf, scene;
   std::string name;                    ///< empty: the scene's
   std::string real;                    ///< `float`, `double`; empty: the scene's
+  std::string language;                ///< `c++`, `c`; empty: the scene's
   std::vector<std::string> functions;  ///< empty: the scene's
   std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
   Warnings warnings = Warnings::summary;
@@ -33,6 +34,9 @@ struct RobotAndScene {
 
 /// URDF, scene, --real, --functions and --warnings of a subcommand; `options` must outlive it.
 void add_input_options(CLI::App& command, InputOptions& options);
+
+/// --language of a subcommand that emits code.
+void add_language_option(CLI::App& command, InputOptions& options);
 
 /// Reads both files and applies the options. Faults of either are in `diagnostics`.
 std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics);

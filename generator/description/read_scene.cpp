@@ -14,6 +14,7 @@
 #include "description/read_scene_point.hpp"
 #include "description/read_text_file.hpp"
 #include "description/scene_element.hpp"
+#include "description/set_language.hpp"
 #include "description/snap_angles.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
@@ -135,6 +136,11 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
   if (const auto noise = find("noise"); noise != fields.end()) read_noise(noise->second, scene);
   if (const auto lanes = find("lanes"); lanes != fields.end()) {
     scene.lanes = 1 << lanes->second.choice({"1", "2", "4", "8"}).value_or(3);
+    scene.asks_for_lanes = true;
+  }
+  if (const auto language = find("language"); language != fields.end()) {
+    const bool is_c = language->second.choice({"c++", "c"}) == 1;
+    set_language(is_c ? Language::c : Language::cpp, scene);
   }
   if (const auto batch = find("batch"); batch != fields.end()) {
     scene.batch = 2 << batch->second.choice({"2", "4", "8", "16"}).value_or(2);
@@ -157,7 +163,8 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   const auto fields =
       top.fields({"name", "base", "gravity", "real", "sin_cos", "accuracy", "lanes", "batch",
                   "damped", "operational_points", "external_forces", "contacts", "functions",
-                  "armature", "locked", "objects", "singular", "snap_angles", "noise"});
+                  "armature", "language", "locked", "objects", "singular", "snap_angles",
+                  "noise"});
   if (!fields.contains("base")) scene.base = default_base(robot);
   read_settings(fields, scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {

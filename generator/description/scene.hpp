@@ -15,6 +15,8 @@ namespace treeline {
 enum class Base { fixed, floating };
 enum class Axes { world, local };
 enum class Real { float32, float64 };
+/// Of the emitted code: C++17 or C99.
+enum class Language { cpp, c };
 /// Whether functions compute the sines and cosines of q or take them as arguments.
 enum class Sines { computed, given };
 /// What to prefer where operations can be saved at the cost of digits.
@@ -78,6 +80,7 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::vector<Function> functions;  ///< sorted, unique
   Real real = Real::float64;
+  Language language = Language::cpp;
   Sines sin_cos = Sines::computed;
   Accuracy accuracy = Accuracy::balanced;
   /// Angles of the files that are quarter turns rounded to a few digits are taken as exact
@@ -92,6 +95,7 @@ struct Scene {
   /// Numbers that the emitted code may compute together: 1, 2, 4 or 8. What a machine's registers
   /// cannot hold its compiler takes apart again.
   int lanes = 8;
+  bool asks_for_lanes = false;  ///< whether `lanes` is written; see `set_language`
   int batch = 0;  ///< states that the functions of NAME_batch.hpp take in one call; 0: none emitted
   SingularTasks singular = SingularTasks::smooth;
   std::optional<HeaviestMotion> damped;  ///< asks for NAME_damped.hpp: damped_control_torque

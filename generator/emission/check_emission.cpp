@@ -1,10 +1,13 @@
 #include "emission/check_emission.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
 #include <string>
 
 #include "description/identifier.hpp"
+#include "emission/backend/backend.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {
@@ -15,17 +18,18 @@ void report(Diagnostics& diagnostics, std::string element, std::string fault, st
       {Severity::error, "", 0, std::move(element), std::move(fault), std::move(remedy)});
 }
 
-void check_name(const std::string& name, const std::string& element, Diagnostics& diagnostics) {
+void check_name(const std::string& name, const std::string& element, const Backend& backend,
+                Diagnostics& diagnostics) {
   if (!is_identifier(name)) {
-    report(diagnostics, element, "`" + name + "` cannot be a name in C++",
+    report(diagnostics, element, fmt::format("`{}` cannot be a name in {}", name, backend.name),
            "Choose one of letters, digits and single underscores that is no keyword.");
   }
 }
 
-void check_argument(const Argument& argument, const std::string& function,
+void check_argument(const Argument& argument, const std::string& function, const Backend& backend,
                     std::set<std::string>& names, Diagnostics& diagnostics) {
   const std::string element = function + "/" + argument.name;
-  check_name(argument.name, element, diagnostics);
+  check_name(argument.name, element, backend, diagnostics);
   if (argument.rows <= 0 || argument.cols <= 0) {
     report(diagnostics, element, "the argument has no elements",
            "A robot without moving joints or a scene without rows has no such function.");
@@ -58,20 +62,22 @@ void check_nodes(const Program& program, bool single_precision, Diagnostics& dia
 
 void check_emission(const EmissionContext& context, std::span<const Program> programs,
                     Diagnostics& diagnostics) {
-  check_name(context.name, "name", diagnostics);
-  std::set<std::string> functions = {context.name, "detail", "eigen", "Real", "std"};
+  const Backend& backend = backend_of(context.language);
+  check_name(context.name, "name", backend, diagnostics);
+  backend.refuse(context, diagnostics);
+  std::set<std::string> functions = backend.reserved(context);
   for (const Program& program : programs) {
-    check_name(program.name, program.name, diagnostics);
+    check_name(program.name, program.name, backend, diagnostics);
     if (!functions.insert(program.name).second) {
       report(diagnostics, program.name, "this name is taken in the generated code",
              "Rename the robot in the scene (key `name`).");
     }
     std::set<std::string> arguments;
     for (const Argument& argument : program.arguments) {
-      check_argument(argument, program.name, arguments, diagnostics);
+      check_argument(argument, program.name, backend, arguments, diagnostics);
     }
     for (const Result& result : program.results) {
-      check_argument(result.argument, program.name, arguments, diagnostics);
+      check_argument(result.argument, program.name, backend, arguments, diagnostics);
     }
     check_nodes(program, context.single_precision, diagnostics);
   }

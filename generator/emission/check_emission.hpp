@@ -9,7 +9,7 @@
 namespace treeline {
 
 /// Reports what cannot be emitted as valid code: names, empty arguments, divisions by a structural
-/// zero, constants that Real cannot hold.
+/// zero, constants that Real cannot hold, what the language does not have.
 void check_emission(const EmissionContext& context, std::span<const Program> programs,
                     Diagnostics& diagnostics);
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/symmetric_eigen.hpp"
-#include "emission/print_source.hpp"
+#include "emission/describe_program.hpp"
 #include "passes/count_operations.hpp"
 
 namespace treeline {

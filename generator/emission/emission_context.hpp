@@ -5,15 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "description/scene.hpp"
+
 namespace treeline {
 
 /// What the contract and the manifest say beside the functions. Plain facts, already in words where
 /// they are for the reader: emission knows nothing of mechanisms. No paths and no dates, so that
 /// the same input gives the same bytes everywhere.
 struct EmissionContext {
-  std::string name;     ///< identifier: namespace, target and stem of the header
+  std::string name;     ///< identifier: namespace or prefix, target and stem of the header
   std::string robot;    ///< the robot's name as the URDF has it
   std::string command;  ///< that regenerates the folder, file names without directories
+  Language language = Language::cpp;
   bool single_precision = false;
   int batch = 0;                    ///< states a call of the functions in NAME_batch.hpp; 0: none
   std::vector<double> heaviest;     ///< of each task row, for NAME_damped.hpp; empty: none

@@ -17,14 +17,13 @@ namespace {
 
 class BodyPrinter {
  public:
-  BodyPrinter(const Program& program, bool single_precision, const std::set<std::string>& taken,
-              std::string_view number)
-      : number_(number),
+  BodyPrinter(const Program& program, const Syntax& syntax, const std::set<std::string>& taken)
+      : syntax_(syntax),
         graph_(program.graph),
         selected_(select_statements(program)),
         names_(choose_names(program, selected_, taken)),
         lanes_(program, names_),
-        expressions_(graph_, names_, single_precision),
+        expressions_(graph_, names_, syntax),
         stores_(graph_.nodes().size()) {
     for (const Result& result : program.results) {
       for (std::size_t i = 0; i < result.values.size(); ++i) {
@@ -64,7 +63,7 @@ class BodyPrinter {
   /// Writes one statement, below its section's title when the last statement was of another.
   void print_statement(const std::string& statement) {
     if (title_ != printed_title_ && !title_.empty()) {
-      text_ += fmt::format("{}  // {}\n", text_.empty() ? "" : "\n", title_);
+      text_ += fmt::format("{}  {} {}\n", text_.empty() ? "" : "\n", syntax_.comment, title_);
       printed_title_ = title_;
     }
     text_ += wrap_line(statement, 2);
@@ -74,16 +73,14 @@ class BodyPrinter {
     if (lanes_.has_statement(node)) {
       print_statement(lanes_.statement(node, expressions_));
     } else if (selected_[node] && !lanes_.is_packed(node)) {
-      print_statement(
-          fmt::format("const {} {} = {};", number_, names_[node], expressions_.formula(node)));
+      print_statement(syntax_.keep(syntax_.number, names_[node], expressions_.formula(node)));
     }
     print_stores(node);
   }
 
   void print_stores(std::uint32_t node) {
     for (const Store& store : stores_[node]) {
-      print_statement(
-          fmt::format("{} = {};", store.target, expressions_.signed_reference(store.value)));
+      print_statement(syntax_.store(store.target, expressions_.signed_reference(store.value)));
     }
   }
 
@@ -105,35 +102,25 @@ class BodyPrinter {
       const Node& node = graph_.nodes()[i];
       const auto lane = std::find(angles.begin(), angles.end(), node.a) - angles.begin();
       enter_sections(i);
-      text_ += wrap_line(
-          fmt::format("const {} {} = {};", number_, names_[i],
-                      copy_of(fmt::format("{}{}[{}]", node.op == Op::sin ? "sines" : "cosines",
-                                          suffix, lane))),
-          2);
+      const std::string element =
+          fmt::format("{}{}[{}]", node.op == Op::sin ? "sines" : "cosines", suffix, lane);
+      text_ += wrap_line(syntax_.keep(syntax_.number, names_[i], syntax_.read(element)), 2);
       print_stores(i);
     }
     return end;
   }
 
-  /// States are copied by a function that makes no call of memcpy.
-  std::string copy_of(const std::string& number) const {
-    return number_ == "Real" ? number : fmt::format("detail::copy_of({})", number);
-  }
-
   void print_call(const std::vector<std::uint32_t>& angles, const std::string& suffix) {
     std::string list;
     for (const std::uint32_t angle : angles) {
-      list += (list.empty() ? "" : ", ") + copy_of(expressions_.reference(angle));
+      list += (list.empty() ? "" : ", ") + syntax_.read(expressions_.reference(angle));
     }
-    text_ += wrap_line(
-        fmt::format("const {} angles{}[{}] = {{{}}};", number_, suffix, angles.size(), list), 2);
-    text_ += fmt::format("  {2} sines{0}[{1}];\n  {2} cosines{0}[{1}];\n", suffix, angles.size(),
-                         number_);
-    text_ += fmt::format("  detail::{1}(angles{0}, sines{0}, cosines{0});\n", suffix,
-                         number_ == "Real" ? "sin_cos" : "sin_cos_states<Real, kStates>");
+    for (const std::string& statement : syntax_.take_sines(syntax_, suffix, angles.size(), list)) {
+      text_ += wrap_line(statement, 2);
+    }
   }
 
-  std::string_view number_;
+  const Syntax& syntax_;
   const Graph& graph_;
   std::vector<bool> selected_;
   std::vector<std::string> names_;
@@ -148,9 +135,9 @@ class BodyPrinter {
 
 }  // namespace
 
-std::string print_body(const Program& program, bool single_precision,
-                       const std::set<std::string>& taken, std::string_view number) {
-  return BodyPrinter(program, single_precision, taken, number).print();
+std::string print_body(const Program& program, const Syntax& syntax,
+                       const std::set<std::string>& taken) {
+  return BodyPrinter(program, syntax, taken).print();
 }
 
 }  // namespace treeline

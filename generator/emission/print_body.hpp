@@ -2,17 +2,17 @@
 
 #include <set>
 #include <string>
-#include <string_view>
 
+#include "emission/backend/syntax.hpp"
 #include "program/program.hpp"
 
 namespace treeline {
 
 /// The statements of the function, indented by two blanks, in the order of the program's nodes,
 /// each result stored as soon as it is known. Sines and cosines that stand side by side are
-/// computed by one call of `detail::sin_cos`. `taken` are identifiers that a local may not have;
-/// `number` is the type of the locals.
-std::string print_body(const Program& program, bool single_precision,
-                       const std::set<std::string>& taken, std::string_view number = "Real");
+/// computed by one call of what `syntax` calls for them. `taken` are identifiers that a local may
+/// not have.
+std::string print_body(const Program& program, const Syntax& syntax,
+                       const std::set<std::string>& taken);
 
 }  // namespace treeline

@@ -4,8 +4,6 @@
 
 #include <stdexcept>
 
-#include "program/format_literal.hpp"
-
 namespace treeline {
 bool ExpressionPrinter::is_atom(std::uint32_t node) const {
   return operation(graph_.nodes()[node].op).operands == 0 || !names_[node].empty();
@@ -14,8 +12,7 @@ bool ExpressionPrinter::is_atom(std::uint32_t node) const {
 std::string ExpressionPrinter::reference(std::uint32_t node) const {
   const Node& what = graph_.nodes()[node];
   if (what.op == Op::constant) {
-    const std::string text = single_precision_ ? format_literal(static_cast<float>(what.value))
-                                               : format_literal(what.value);
+    const std::string text = syntax_.literal(what.value);
     return what.value < 0 ? fmt::format("({})", text) : text;
   }
   if (what.op == Op::input) {
@@ -28,7 +25,7 @@ std::string ExpressionPrinter::atom(std::uint32_t node) const {
   return is_atom(node) ? reference(node) : fmt::format("({})", reference(node));
 }
 
-/// C++ groups a + b + c as (a + b) + c and binds * and / tighter: all else needs parentheses.
+/// Languages group a + b + c as (a + b) + c and binds * and / tighter: all else needs parentheses.
 std::string ExpressionPrinter::operand(std::uint32_t node, Op user, bool is_right) const {
   const std::string text = reference(node);
   const bool user_is_sum = is_sum(user);
@@ -41,12 +38,12 @@ std::string ExpressionPrinter::operand(std::uint32_t node, Op user, bool is_righ
 std::string ExpressionPrinter::formula(std::uint32_t node) const {
   const Node& what = graph_.nodes()[node];
   if (what.op == Op::neg) {
-    return fmt::format("-{}", atom(what.a));
+    return fmt::format("{}{}", syntax_.sign(what.op), atom(what.a));
   }
   if (operation(what.op).operands != 2) {
     throw std::logic_error("only operations with two operands are printed as formulas");
   }
-  return fmt::format("{} {} {}", operand(what.a, what.op, false), operation(what.op).symbol,
+  return fmt::format("{} {} {}", operand(what.a, what.op, false), syntax_.sign(what.op),
                      operand(what.b, what.op, true));
 }
 
@@ -55,7 +52,9 @@ std::string ExpressionPrinter::signed_reference(Expression value) const {
   if (!value.negative()) {
     return text;
   }
-  return is_atom(value.node()) ? fmt::format("-{}", text) : fmt::format("-({})", text);
+  const std::string_view minus = syntax_.sign(Op::neg);
+  return is_atom(value.node()) ? fmt::format("{}{}", minus, text)
+                               : fmt::format("{}({})", minus, text);
 }
 
 }  // namespace treeline

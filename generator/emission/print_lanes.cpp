@@ -86,7 +86,8 @@ Op LanePrinter::op_of(std::size_t pack) const {
   return program_.graph.nodes()[first_node(program_.packs[pack])].op;
 }
 
-/// One value for all lanes is a scalar, which C++ spreads; another pack in place is its name.
+/// One value for all lanes is a scalar, which the language spreads; another pack in place is its
+/// name.
 std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
                                  const ExpressionPrinter& expressions) const {
   const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNoNode; });
@@ -109,22 +110,26 @@ std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
     // An empty lane repeats a value: whatever it computes is not read.
     list += (list.empty() ? "" : ", ") + expressions.reference(node != kNoNode ? node : *some);
   }
-  return fmt::format("detail::make_pack<Real>({})", list);
+  const Syntax& syntax = expressions.syntax();
+  return syntax.make_lanes(syntax, nodes.size(), list);
 }
 
 std::string LanePrinter::formula(std::size_t pack, const ExpressionPrinter& expressions) const {
   const Op op = op_of(pack);
   if (operation(op).operands == 1) {
-    return fmt::format("-{}", operand(operands_[pack].a, Op::div, true, expressions));
+    return fmt::format("{}{}", expressions.syntax().sign(op),
+                       operand(operands_[pack].a, Op::div, true, expressions));
   }
   return fmt::format("{} {} {}", operand(operands_[pack].a, op, false, expressions),
-                     operation(op).symbol, operand(operands_[pack].b, op, true, expressions));
+                     expressions.syntax().sign(op),
+                     operand(operands_[pack].b, op, true, expressions));
 }
 
 std::string LanePrinter::statement(std::uint32_t node, const ExpressionPrinter& expressions) const {
   const std::size_t pack = index_of(node);
-  return fmt::format("const Lanes<{}> {} = {};", program_.packs[pack].size(), pack_names_[pack],
-                     formula(pack, expressions));
+  const Syntax& syntax = expressions.syntax();
+  const std::string type = syntax.lanes(syntax, program_.packs[pack].size());
+  return syntax.keep(type, pack_names_[pack], formula(pack, expressions));
 }
 
 }  // namespace treeline

@@ -10,7 +10,7 @@
 
 namespace treeline {
 
-/// Prints the packs of a program, see `pack_lanes`: statements on `Lanes`. A pack that only one
+/// Prints the packs of a program, see `pack_lanes`: statements on lanes. A pack that only one
 /// other reads, each lane in its place, is written inside that one's statement; a compiler may fuse
 /// a product and a sum of one expression, and some fuse no others.
 class LanePrinter {

@@ -6,10 +6,10 @@
 
 #include "description/printable.hpp"
 #include "emission/damped_cost.hpp"
+#include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
-#include "emission/print_source.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
 
@@ -125,6 +125,7 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"name", quote_json(context.name)},
        {"robot", quote_json(context.robot)},
        {"command", quote_json(context.command)},
+       {"language", context.language == Language::c ? "  \"language\": \"c\",\n" : ""},
        {"real", context.single_precision ? "\"float\"" : "\"double\""},
        {"coordinates", std::to_string(context.coordinates)},
        {"velocities", std::to_string(context.velocities)},

@@ -4,26 +4,8 @@
 
 namespace treeline::templates {
 
-// The files of templates/ and headers of runtime/core, embedded when the generator is built (see
+// Files of templates/ that every language shares, embedded when the generator is built (see
 // embed_files.cmake).
-extern const std::string_view kBatch;
-extern const std::string_view kBatchFunction;
-extern const std::string_view kCMakeLists;
-extern const std::string_view kContract;
-extern const std::string_view kDamped;
-extern const std::string_view kDampedSolve;
-extern const std::string_view kDeclaration;
-extern const std::string_view kEigen;
-extern const std::string_view kFunction;
-extern const std::string_view kJoints;
-extern const std::string_view kLanes;
-extern const std::string_view kLdlt;
 extern const std::string_view kManifest;
-extern const std::string_view kOptimize;
-extern const std::string_view kSinCos;
-extern const std::string_view kSquareRoot;
-extern const std::string_view kStates;
-extern const std::string_view kSymmetricEigen;
-extern const std::string_view kWrapper;
 
 }  // namespace treeline::templates

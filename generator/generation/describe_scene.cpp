@@ -174,6 +174,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   EmissionContext context;
   context.name = scene.name;
   context.robot = robot.name;
+  context.language = scene.language;
   context.single_precision = scene.real == Real::float32;
   context.batch = scene.batch;
   context.heaviest = heaviest_rows(scene);

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "emission/backend/backend.hpp"
 #include "generation/bound_damped.hpp"
 #include "generation/compose_damped.hpp"
 #include "generation/describe_scene.hpp"
@@ -249,6 +250,9 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   Generation generation;
   FunctionMechanisms mechanisms(robot, scene);
   generation.mechanism = mechanisms.whole();
+  backend_of(scene.language)
+      .refuse(describe_scene(robot, scene, generation.mechanism), diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   generation.domain = make_domain(robot, scene, generation.mechanism);
   if (!generate_functions(mechanisms, scene, choices, tell, generation, diagnostics)) {
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "description/check_scene.hpp"
+#include "emission/backend/backend.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"
@@ -31,8 +32,9 @@ double percent(double part, double whole) {
 /// Of the function's source file; 0 where it cannot be emitted.
 std::size_t emitted_bytes(const EmissionContext& context, const Program& program) {
   Diagnostics faults;
+  const std::string source = program.name + std::string(backend_of(context.language).source);
   for (const GeneratedFile& file : emit(context, {&program, 1}, faults)) {
-    if (file.name == program.name + ".cpp") return file.text.size();
+    if (file.name == source) return file.text.size();
   }
   return 0;
 }

@@ -1,11 +1,12 @@
 # treeline_generate(TARGET URDF file [SCENE file] [NAME identifier] [REAL float|double]
-#                   [FUNCTIONS function...] [CHOICES file])
+#                   [LANGUAGE c|c++] [FUNCTIONS function...] [CHOICES file])
 #
 # Makes the static library TARGET from a robot and a scene (without one: functions of the joints
 # alone) while building: link it and include "NAME.hpp" (or "NAME_eigen.hpp", "NAME_joints.hpp", or
 # "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the
-# target's name unless given; REAL and FUNCTIONS go before what the scene says; CHOICES is the
-# manifest.json that `treeline generate --tune` has written. The code is generated again when the
+# target's name unless given; REAL, LANGUAGE and FUNCTIONS go before what the scene says. In C the
+# headers are "NAME.h" and "NAME_joints.h", and the project has to have the language C. CHOICES is
+# the manifest.json that `treeline generate --tune` has written. The code is generated again when the
 # URDF, the scene, the choices or the generator change, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
 
@@ -16,7 +17,8 @@ option(TREELINE_FP_CONTRACT
   "Leave it to the compiler whether products and sums are fused; OFF: same bits on every target" ON)
 
 function(treeline_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;CHOICES" "FUNCTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;LANGUAGE;CHOICES"
+    "FUNCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "treeline_generate(${target}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -39,6 +41,30 @@ function(treeline_generate target)
   if(arg_REAL)
     list(APPEND options --real ${arg_REAL})
   endif()
+  if(NOT arg_LANGUAGE AND arg_SCENE AND EXISTS ${arg_SCENE})
+    file(STRINGS ${arg_SCENE} is_c REGEX "^ *[\"']?language[\"']? *: *[\"']?c[\"']? *(#.*)?$")
+    if(is_c)
+      set(arg_LANGUAGE c)
+    endif()
+  endif()
+  set(ending cpp)
+  set(standard cxx_std_17)
+  set(compiler ${CMAKE_CXX_COMPILER_ID})
+  if(arg_LANGUAGE STREQUAL "c")
+    get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+    if(NOT "C" IN_LIST languages)
+      message(FATAL_ERROR "treeline_generate(${target}): the project lacks the language C, "
+        "call enable_language(C)")
+    endif()
+    set(ending c)
+    set(standard c_std_99)
+    set(compiler ${CMAKE_C_COMPILER_ID})
+  elseif(arg_LANGUAGE AND NOT arg_LANGUAGE STREQUAL "c++")
+    message(FATAL_ERROR "treeline_generate(${target}): LANGUAGE is c or c++, not ${arg_LANGUAGE}")
+  endif()
+  if(arg_LANGUAGE)
+    list(APPEND options --language ${arg_LANGUAGE})
+  endif()
   if(arg_FUNCTIONS)
     list(JOIN arg_FUNCTIONS , functions)
     list(APPEND options --functions ${functions})
@@ -57,13 +83,16 @@ function(treeline_generate target)
       list(APPEND sources ${batch_sources})
     endif()
   endif()
+  if(ending STREQUAL "c")
+    list(APPEND sources damped_control_torque)  # in C++ a header
+  endif()
   set(stems ${sources})
-  list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.cpp")
+  list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.${ending}")
   set(stamp ${folder}.stamp)
   add_custom_command(OUTPUT ${stamp}
     BYPRODUCTS ${sources}
     COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}"
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}" -DENDING=${ending}
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${arg_URDF} ${arg_SCENE} ${arg_CHOICES} treeline::treeline
@@ -76,8 +105,8 @@ function(treeline_generate target)
   add_library(${target} STATIC ${sources})
   add_dependencies(${target} ${target}_generate)
   target_include_directories(${target} PUBLIC ${folder})
-  target_compile_features(${target} PUBLIC cxx_std_17)
-  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang|IntelLLVM")
+  target_compile_features(${target} PUBLIC ${standard})
+  if(compiler MATCHES "GNU|Clang|IntelLLVM")
     target_compile_options(${target} PRIVATE -fno-fast-math)
     if(NOT TREELINE_FP_CONTRACT)
       target_compile_options(${target} PRIVATE -ffp-contract=off)

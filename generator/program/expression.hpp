@@ -16,20 +16,19 @@ enum class Op : std::uint8_t { constant, input, add, sub, mul, div, neg, sin, co
 /// Properties of an operation. `kOperations` is indexed by Op.
 struct Operation {
   std::string_view name;
-  std::string_view symbol;  ///< as C++ prints it: infix for two operands, a function for one
   int operands;
   bool commutes;
 };
 inline constexpr std::array<Operation, 9> kOperations = {{
-    {"constant", "", 0, false},
-    {"input", "", 0, false},
-    {"add", "+", 2, true},
-    {"sub", "-", 2, false},
-    {"mul", "*", 2, true},
-    {"div", "/", 2, false},
-    {"neg", "-", 1, false},
-    {"sin", "sin", 1, false},
-    {"cos", "cos", 1, false},
+    {"constant", 0, false},
+    {"input", 0, false},
+    {"add", 2, true},
+    {"sub", 2, false},
+    {"mul", 2, true},
+    {"div", 2, false},
+    {"neg", 1, false},
+    {"sin", 1, false},
+    {"cos", 1, false},
 }};
 constexpr const Operation& operation(Op op) {
   return kOperations[static_cast<std::size_t>(op)];

@@ -13,9 +13,25 @@ std::string reference(Expression value) {
   return fmt::format("{}%{}", value.negative() ? "-" : "", value.node());
 }
 
+/// The sign between two operands, as formulas have it.
+std::string_view sign_of(Op op) {
+  switch (op) {
+    case Op::add:
+      return "+";
+    case Op::sub:
+    case Op::neg:
+      return "-";
+    case Op::mul:
+      return "*";
+    case Op::div:
+      return "/";
+    default:
+      return operation(op).name;
+  }
+}
+
 /// Right-hand side of a node's line in the text.
 std::string formula(const Graph& graph, const Node& node) {
-  const Operation& what = operation(node.op);
   switch (node.op) {
     case Op::constant:
       return format_literal(node.value);
@@ -23,9 +39,9 @@ std::string formula(const Graph& graph, const Node& node) {
       return graph.inputs()[node.a];
     case Op::sin:
     case Op::cos:
-      return fmt::format("{} %{}", what.symbol, node.a);
+      return fmt::format("{} %{}", sign_of(node.op), node.a);
     default:
-      return fmt::format("%{} {} %{}", node.a, what.symbol, node.b);
+      return fmt::format("%{} {} %{}", node.a, sign_of(node.op), node.b);
   }
 }
 
@@ -33,8 +49,8 @@ std::string formula(const Graph& graph, const Node& node) {
 std::string label(const Graph& graph, std::uint32_t index) {
   const Node& node = graph.nodes()[index];
   const auto name = graph.names().find(index);
-  const std::string what = operation(node.op).operands > 0 ? std::string(operation(node.op).symbol)
-                                                           : formula(graph, node);
+  const std::string what =
+      operation(node.op).operands > 0 ? std::string(sign_of(node.op)) : formula(graph, node);
   return name == graph.names().end() ? what : what + "\\n" + name->second;
 }
 

@@ -9,7 +9,9 @@ std::optional<TimedBuild> load_build(const std::filesystem::path& folder, const 
                                      const CompileOptions& options,
                                      const std::filesystem::path& work, Diagnostics& diagnostics) {
   std::filesystem::create_directories(work);
-  auto compilation = compile_folder(folder, scene.name, functions, options, work, diagnostics);
+  CompileOptions in_language = options;
+  in_language.language = scene.language;
+  auto compilation = compile_folder(folder, scene.name, functions, in_language, work, diagnostics);
   if (!compilation) return std::nullopt;
   auto library = GeneratedLibrary::load(compilation->library, functions, scene.real, diagnostics);
   if (!library) return std::nullopt;

@@ -127,7 +127,7 @@ Measure measure_here(const Robot& robot, const Scene& scene, const CompileOption
 std::string describe_here(const CompileOptions& compile, Diagnostics& diagnostics) {
   const auto folder = make_temporary_folder(diagnostics);
   if (!folder) return "";
-  const auto compiler = find_compiler(compile.compiler, folder->path(), diagnostics);
+  const auto compiler = find_compiler(compile, folder->path(), diagnostics);
   if (!compiler) return "";
   Command asked = *compiler;
   asked.emplace_back("--version");

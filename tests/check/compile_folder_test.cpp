@@ -134,6 +134,51 @@ TEST_F(FolderTest, NoCompiler) {
   }
 }
 
+/// The same folder in C.
+class CFolderTest : public FolderTest {
+ protected:
+  CFolderTest() {
+    subjects_.scene.language = Language::c;
+    subjects_.generation = generate(subjects_.robot, subjects_.scene);
+    options_.folder = temporary_.path() / "generated_in_c";
+    write_folder(options_.folder, subjects_.generation);
+  }
+};
+
+TEST_F(CFolderTest, UpToDatePasses) {
+  const auto report = run();
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->passed()) << print_text(*report);
+  EXPECT_NE(report->compile_command.find("-std=c99"), std::string::npos);
+}
+
+TEST_F(CFolderTest, FaultInSineIsSeen) {
+  replace("sin_cos.h", "kS1 = -0x1.5555555555548p-3", "kS1 = -0x1.5555555555748p-3");
+  const auto report = run();
+  ASSERT_TRUE(report);
+  EXPECT_GT(report->functions[0].bits_differ, 0);
+}
+
+TEST_F(CFolderTest, WriteBeyondAnOutputIsSeen) {
+  replace("gravity.c", "g[0] =", "g[3] = 1.0; g[0] =");
+  const auto report = run();
+  ASSERT_TRUE(report);
+  EXPECT_GT(report->functions[1].out_of_bounds, 0);
+}
+
+TEST_F(CFolderTest, NeedsTheHeaderInC) {
+  options_.folder = temporary_.path() / "generated";
+  expect_error("planar3r.h");
+}
+
+// Would catch: code in C that is compiled by another vendor's compiler than the user named.
+TEST(CompilerOfC, StandsBesideThatOfCpp) {
+  EXPECT_EQ(c_compiler_beside("/usr/bin/clang++-14"), "/usr/bin/clang-14");
+  EXPECT_EQ(c_compiler_beside("ccache arm-none-eabi-g++"), "ccache arm-none-eabi-gcc");
+  EXPECT_EQ(c_compiler_beside("c++"), "cc");
+  EXPECT_EQ(c_compiler_beside("icpx"), "");
+}
+
 TEST(CodeBytes, AreThoseOfTextSymbols) {
   EXPECT_EQ(add_code_bytes("0000000000000000 r .LC0\n"
                            "0000000000000008 0000000000000010 R kTable\n"

@@ -100,6 +100,28 @@ TEST_F(GenerateTest, OptionsOverruleTheScene) {
   EXPECT_FALSE(fs::exists(root_ / "small" / "mass_matrix.cpp"));
 }
 
+// Would catch: a language that has no effect, that the folder cannot be regenerated with, and the
+// other language's files left beside it.
+TEST_F(GenerateTest, WritesC) {
+  const std::string inputs = kUrdf + " " + kScene + " --output arm --name arm --functions gravity";
+  ASSERT_EQ(run(inputs).exit_code, 0);
+  const Outcome outcome = run(inputs + " --language c");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(root_ / "arm" / "gravity.c"));
+  EXPECT_FALSE(fs::exists(root_ / "arm" / "gravity.cpp"));
+  EXPECT_NE(read_file(root_ / "arm" / "arm.h").find("--name arm --language c --functions gravity"),
+            std::string::npos);
+}
+
+// Would catch: a scene of which a part is left out without a word.
+TEST_F(GenerateTest, RefusesWhatCDoesNotHave) {
+  std::ofstream(root_ / "batch.yaml") << "{language: c, batch: 4}";
+  const Outcome outcome = run(kUrdf + " batch.yaml --output arm");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("cannot be had in C yet"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(root_ / "arm"));
+}
+
 // Would catch: a dump that is empty, or that also writes files.
 TEST_F(GenerateTest, DumpsTheGraphs) {
   const Outcome text = run(kUrdf + " " + kScene + " --functions gravity --dump text");
@@ -234,7 +256,8 @@ TEST_F(GenerateTest, UnknownRouteIsToldWithThoseThereAre) {
 TEST_F(GenerateTest, BadUsageIsTwo) {
   for (const std::string& arguments :
        {std::string(), kUrdf + " " + kScene + " third.yaml",
-        kUrdf + " " + kScene + " -o out --real half", kUrdf + " " + kScene + " -o out --unknown"}) {
+        kUrdf + " " + kScene + " -o out --real half", kUrdf + " " + kScene + " -o out --unknown",
+        kUrdf + " " + kScene + " -o out --language fortran"}) {
     EXPECT_EQ(run(arguments).exit_code, 2) << arguments;
   }
   EXPECT_EQ(run("--help").exit_code, 0);

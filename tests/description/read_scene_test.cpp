@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "description/count_freedoms.hpp"
+#include "description/set_language.hpp"
 #include "scene_robot.hpp"
 
 namespace treeline {
@@ -116,6 +117,18 @@ locked: {slide: 0.25}
   EXPECT_EQ(scene.damped->mass, 200);
   EXPECT_EQ(scene.damped->inertia, 1.5);
   EXPECT_EQ(scene.locked.at("slide"), 0.25);
+}
+
+// Would catch: lanes in C that nobody asked for, or asked-for ones that are lost.
+TEST(ReadScene, LanguageDecidesTheLanesThatAreNotWritten) {
+  EXPECT_EQ(read("").language, Language::cpp);
+  EXPECT_EQ(read("language: c++").lanes, 8);
+  EXPECT_EQ(read("language: c").language, Language::c);
+  EXPECT_EQ(read("language: c").lanes, 1);
+  EXPECT_EQ(read("{language: c, lanes: 4}").lanes, 4);
+  Scene scene = read("language: c");
+  set_language(Language::cpp, scene);
+  EXPECT_EQ(scene.lanes, 8);
 }
 
 TEST(ReadScene, ChoosesAllFunctionsWithPoints) {

@@ -1,22 +1,30 @@
-// Writes the sample folder: emit_sample DIRECTORY NAME double|float.
+// Writes the sample folder: emit_sample DIRECTORY NAME double|float c++|c.
 #include <cstdio>
 #include <string>
 
+#include "emission/c/print_damped.hpp"
+#include "emission/emit.hpp"
 #include "emission/sample.hpp"
 #include "emission/write_files.hpp"
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
+  if (argc != 5) {
     return 2;
   }
   treeline::Diagnostics diagnostics;
   const bool single_precision = std::string(argv[3]) == "float";
-  treeline::EmissionContext context = treeline::test::sample_context(argv[2], single_precision);
-  context.batch = treeline::test::kSampleBatch;
+  const bool is_c = std::string(argv[4]) == "c";
+  const auto language = is_c ? treeline::Language::c : treeline::Language::cpp;
+  treeline::EmissionContext context =
+      treeline::test::sample_context(argv[2], single_precision, language);
+  context.batch = is_c ? 0 : treeline::test::kSampleBatch;
   const auto programs = treeline::test::sample_programs();
-  std::vector<treeline::Program> batch = programs;
+  std::vector<treeline::Program> batch = is_c ? std::vector<treeline::Program>{} : programs;
   for (treeline::Program& program : batch) program.packs.clear();
-  const auto files = treeline::emit(context, programs, diagnostics, batch);
+  auto files = treeline::emit(context, programs, diagnostics, batch);
+  if (is_c) {  // the loops of damped control, which these functions do without
+    for (auto& file : treeline::c::print_damped_runtime(context)) files.push_back(file);
+  }
   const bool written = !files.empty() && treeline::write_files(argv[1], files, diagnostics);
   for (const treeline::Diagnostic& diagnostic : diagnostics.list()) {
     std::fprintf(stderr, "%s: %s\n", diagnostic.element.c_str(), diagnostic.fault.c_str());

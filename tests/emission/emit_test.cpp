@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
+#include "emission/cpp/print_source.hpp"
+#include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
-#include "emission/print_source.hpp"
 #include "emission/sample.hpp"
 
 namespace treeline {
@@ -46,6 +47,62 @@ TEST(Emit, MakesTheFolder) {
   }
 }
 
+std::vector<GeneratedFile> emit_sample_in_c(Diagnostics& diagnostics) {
+  return emit(test::sample_context("arm", false, Language::c), test::sample_programs(),
+              diagnostics);
+}
+
+// Would catch: a file in the other language, a name that others see without the robot's before it,
+// a declaration that leaves sizes open.
+TEST(EmitInC, MakesTheFolder) {
+  Diagnostics diagnostics;
+  const auto files = emit_sample_in_c(diagnostics);
+  EXPECT_TRUE(diagnostics.list().empty());
+  std::vector<std::string> names;
+  for (const GeneratedFile& file : files) {
+    names.push_back(file.name);
+    for (const char* cpp :
+         {"namespace", "::", "constexpr", "static_assert", "template", "noexcept"}) {
+      EXPECT_TRUE(file.name == "manifest.json" || file.text.find(cpp) == std::string::npos)
+          << file.name << " has " << cpp;
+    }
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"CMakeLists.txt", "arm.h", "arm_joints.h", "corner_cases.c",
+                                      "inverse_dynamics.c", "manifest.json", "sin_cos.h"}));
+  const std::string contract = text_of(files, "arm.h");
+  for (const char* part :
+       {"From arm.urdf and arm.yaml by", "shoulder (revolute): -3.1 .. 3.1 rad",
+        "#ifndef TREELINE_ARM_H\n", "extern \"C\"", "restrict static size", "  ARM_VELOCITIES = 2,",
+        "void arm_inverse_dynamics(const double q[TREELINE_ARM_ARRAY(2)],\n"
+        "    const double qd[TREELINE_ARM_ARRAY(2)], const double qdd[TREELINE_ARM_ARRAY(2)],\n"
+        "    double tau[TREELINE_ARM_ARRAY(2)]);"}) {
+    EXPECT_NE(contract.find(part), std::string::npos) << part << "\n" << contract;
+  }
+  EXPECT_NE(text_of(files, "manifest.json").find("\"language\": \"c\""), std::string::npos);
+  EXPECT_NE(text_of(files, "corner_cases.c").find("  (void)unread;\n"), std::string::npos);
+}
+
+// Would catch: something that a scene asks for and C does not have, left out without a word; a
+// header that hides one of C's own.
+TEST(EmitInC, RefusesWhatItDoesNotHave) {
+  const auto elements = [](const EmissionContext& context) {
+    Diagnostics diagnostics;
+    EXPECT_EQ(emit(context, test::sample_programs(), diagnostics).empty(),
+              diagnostics.has_errors());
+    std::vector<std::string> named;
+    for (const Diagnostic& diagnostic : diagnostics.list()) named.push_back(diagnostic.element);
+    return named;
+  };
+  EmissionContext context = test::sample_context("arm", false, Language::c);
+  EXPECT_TRUE(elements(context).empty());
+  context.batch = 4;
+  EXPECT_EQ(elements(context), std::vector<std::string>{"batch"});
+  EXPECT_EQ(elements(test::sample_context("math", false, Language::c)),
+            std::vector<std::string>{"name"});
+  EXPECT_TRUE(elements(test::sample_context("math", false)).empty());
+}
+
 /// Products x, x^2, ..., each from the one before.
 Program trace_products(int count) {
   Program program;
@@ -65,9 +122,9 @@ TEST(Emit, LongFunctionsDoWithoutSlowPasses) {
   const EmissionContext context = test::sample_context("arm", false);
   const std::string pragma = "#pragma GCC optimize";
   EXPECT_FALSE(is_long(trace_products(12000)));
-  EXPECT_NE(print_source(context, trace_products(12000)).find(pragma), std::string::npos);
+  EXPECT_NE(cpp::print_source(context, trace_products(12000)).find(pragma), std::string::npos);
   EXPECT_TRUE(is_long(trace_products(12001)));
-  EXPECT_EQ(print_source(context, trace_products(12001)).find(pragma), std::string::npos);
+  EXPECT_EQ(cpp::print_source(context, trace_products(12001)).find(pragma), std::string::npos);
 }
 
 // Would catch: output without the version of the generator that made it.
@@ -85,7 +142,9 @@ TEST(Emit, NamesTheGeneratorsVersion) {
 // Would catch: code with lines so long that readers have to scroll sideways.
 TEST(Emit, LinesStayWithinTheWidth) {
   Diagnostics diagnostics;
-  for (const GeneratedFile& file : emit_sample(diagnostics)) {
+  auto files = emit_sample(diagnostics);
+  for (GeneratedFile& file : emit_sample_in_c(diagnostics)) files.push_back(std::move(file));
+  for (const GeneratedFile& file : files) {
     std::size_t begin = 0;
     for (std::size_t end = 0;
          file.name != "manifest.json" && (end = file.text.find('\n', begin)) != std::string::npos;

@@ -1,11 +1,19 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
+#include <vector>
 
+#include "core/damped_solve.hpp"
 #include "emission/sample.hpp"
 #include "program/evaluate.hpp"
+#include "sample_c_double.h"
+#include "sample_c_double_joints.h"
+#include "sample_c_float.h"
+#include "sample_c_float_joints.h"
 #include "sample_double_batch.hpp"
 #include "sample_double_eigen.hpp"
 #include "sample_double_joints.hpp"
@@ -13,9 +21,16 @@
 #include "sample_float_eigen.hpp"
 #include "sample_float_joints.hpp"
 
-// Would catch: any difference between the printed code and the graph: an operand, a sign, a
-// parenthesis, a digit, an index, the order of lanes. Both folders in one program also detect names
-// that clash.
+extern "C" {
+double sample_c_double_call_portable_root(double x);
+float sample_c_float_call_portable_root(float x);
+double sample_c_double_call_damped_solve(const double* A, const double* heaviest, double* x);
+float sample_c_float_call_damped_solve(const float* A, const float* heaviest, float* x);
+}
+
+// Would catch: any difference between the printed code, in C++ and in C, and the graph: an operand,
+// a sign, a parenthesis, a digit, an index, the order of lanes. All folders in one program also
+// detect names that clash.
 namespace treeline {
 namespace {
 
@@ -124,11 +139,75 @@ TEST(Emitted, BatchesEqualTheGraphToTheBit) {
 TEST(Emitted, TwoLinkArmEqualsTheGraphToTheBit) {
   compare_two_link_arm<double>(sample_double::inverse_dynamics);
   compare_two_link_arm<float>(sample_float::inverse_dynamics);
+  compare_two_link_arm<double>(sample_c_double_inverse_dynamics);
+  compare_two_link_arm<float>(sample_c_float_inverse_dynamics);
 }
 
 TEST(Emitted, CornerCasesEqualTheGraphToTheBit) {
   compare_corner_cases<double>(sample_double::corner_cases);
   compare_corner_cases<float>(sample_float::corner_cases);
+  compare_corner_cases<double>(sample_c_double_corner_cases);
+  compare_corner_cases<float>(sample_c_float_corner_cases);
+}
+
+/// The root of every number of these bits; of a NaN only that it is one.
+template <class Real, class Bits, class Function>
+void compare_roots(Function root, const std::vector<Bits>& all) {
+  for (const Bits bits : all) {
+    Real x;
+    std::memcpy(&x, &bits, sizeof x);
+    const Real expected = std::sqrt(x);
+    const Real actual = root(x);
+    ASSERT_TRUE(std::isnan(expected) ? std::isnan(actual)
+                                     : std::memcmp(&expected, &actual, sizeof x) == 0)
+        << x << ": " << actual << " instead of " << expected;
+  }
+}
+
+// Would catch: a bit of the exponent or the last rounding, zeros, subnormal numbers and infinities
+// of the square root in C that targets without an instruction use.
+TEST(Emitted, PortableRootsInCAreCorrectlyRounded) {
+  std::mt19937_64 random(kSeed);
+  std::vector<std::uint64_t> doubles = {0,
+                                        1,
+                                        2,
+                                        3,
+                                        std::uint64_t{1} << 63,
+                                        std::uint64_t{2047} << 52,
+                                        std::uint64_t{4095} << 52,
+                                        (std::uint64_t{1} << 52) - 1};
+  std::vector<std::uint32_t> floats = {0,        1,          2,          3,
+                                       1U << 31, 255U << 23, 511U << 23, (1U << 23) - 1};
+  for (int i = 0; i < 300000; ++i) {
+    doubles.push_back(random() >> (i % 4 == 0 ? i % 60 : 1));
+    floats.push_back(static_cast<std::uint32_t>(random() >> (i % 4 == 0 ? 33 + i % 30 : 32)));
+  }
+  compare_roots<double>(sample_c_double_call_portable_root, doubles);
+  compare_roots<float>(sample_c_float_call_portable_root, floats);
+}
+
+/// Tasks of two rows from well moved to singular, where one row or both yield.
+template <class Real, class Function>
+void compare_damped_solves(Function solve) {
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<Real> uniform(-4, 4);
+  for (int i = 0; i < 20000; ++i) {
+    const Real a = uniform(random), b = uniform(random), c = i % 3 == 0 ? 0 : uniform(random);
+    const Real A[4] = {a * a, a * b, a * b, b * b + c * c};
+    const Real heaviest[2] = {Real(0.1) + a * a, 3};
+    Real expected[2] = {uniform(random), uniform(random)};
+    Real actual[2] = {expected[0], expected[1]};
+    const Real ease = core::damped_solve(A, heaviest, expected);
+    const Real ease_in_c = solve(A, heaviest, actual);
+    ASSERT_EQ(std::memcmp(&ease, &ease_in_c, sizeof ease), 0) << i;
+    ASSERT_EQ(std::memcmp(expected, actual, sizeof actual), 0) << i;
+  }
+}
+
+// Would catch: a rotation, a pivot or a rounding in C that is another than the runtime's.
+TEST(Emitted, DampedSolveInCHasTheBitsOfTheRuntime) {
+  compare_damped_solves<double>(sample_c_double_call_damped_solve);
+  compare_damped_solves<float>(sample_c_float_call_damped_solve);
 }
 
 // Would catch: a name that ends its string, a limit that is missing, and names in another order.
@@ -141,6 +220,19 @@ TEST(Emitted, JointsAreConstants) {
   EXPECT_STREQ(sample_double::kCoordinateMeanings[0], "angle, rad");
   EXPECT_STREQ(sample_float::kVelocityNames[1], "elbow, rad/s");
   EXPECT_STREQ(sample_float::kTaskRowNames[1], "tool y");
+}
+
+TEST(Emitted, JointsInCAreThoseInCpp) {
+  static_assert(SAMPLE_C_DOUBLE_VELOCITIES == sample_double::kVelocities);
+  static_assert(SAMPLE_C_DOUBLE_TASK_ROWS == sample_double::kTaskRows);
+  EXPECT_EQ(sample_c_double_lower_limits[0], sample_double::kLowerLimits[0]);
+  EXPECT_EQ(sample_c_double_upper_limits[1], sample_double::kUpperLimits[1]);
+  EXPECT_EQ(sample_c_float_velocity_limits[0], sample_float::kVelocityLimits[0]);
+  EXPECT_EQ(sample_c_float_effort_limits[1], sample_float::kEffortLimits[1]);
+  EXPECT_STREQ(sample_c_double_coordinate_joints[1], sample_double::kCoordinateJoints[1]);
+  EXPECT_STREQ(sample_c_double_coordinate_meanings[0], sample_double::kCoordinateMeanings[0]);
+  EXPECT_STREQ(sample_c_float_velocity_names[1], sample_float::kVelocityNames[1]);
+  EXPECT_STREQ(sample_c_float_task_row_names[1], sample_float::kTaskRowNames[1]);
 }
 
 TEST(Emitted, EigenWrapperCallsTheSameFunction) {

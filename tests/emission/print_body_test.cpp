@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "emission/cpp/syntax.hpp"
 #include "passes/two_link_arm.hpp"
 
 // Would catch: any change of the appearance or wording of generated code.
@@ -23,7 +24,7 @@ TEST(PrintBody, ReadsLikeCodeWrittenByHand) {
   const Expression w = s1 * (q[1] - 0.5) + c1;
   program.graph.name(w, "w2_x");
   program.results = {{{"y", 3, 1, ""}, {w * (c1 * 2), -(w - q[1]), 0}}};
-  EXPECT_EQ(print_body(program, false, {}),
+  EXPECT_EQ(print_body(program, cpp::make_syntax(false), {}),
             "  y[2] = 0.0;\n"
             "  const Real angles[1] = {q[0]};\n"
             "  Real sines[1];\n"
@@ -45,7 +46,7 @@ TEST(PrintBody, KeepsTheGraphsOrderOfOperations) {
   program.results = {{{"y", 6, 1, ""},
                       {(x[0] + x[1]) + x[2], x[0] + (x[1] + x[2]), x[0] - (x[1] - x[2]),
                        x[0] * (x[1] * x[3]), x[0] / (x[1] / x[3]), (x[0] / x[2]) / x[3]}}};
-  EXPECT_EQ(print_body(program, false, {}),
+  EXPECT_EQ(print_body(program, cpp::make_syntax(false), {}),
             "  y[0] = x[0] + x[1] + x[2];\n"
             "  y[1] = x[0] + (x[1] + x[2]);\n"
             "  y[2] = x[0] - (x[1] - x[2]);\n"
@@ -73,7 +74,7 @@ TEST(PrintBody, LanesAreWrittenInStatementsOfSeveralOperations) {
     program.packs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + count)});
   }
   program.results = {{{"y", 3, 1, ""}, {difference[0], difference[1], product[0]}}};
-  EXPECT_EQ(print_body(program, false, {}),
+  EXPECT_EQ(print_body(program, cpp::make_syntax(false), {}),
             "  const Lanes<2> y_2_lanes = detail::make_pack<Real>(x[0], x[1]) * x[4];\n"
             "  y[2] = y_2_lanes[0];\n"
             "  const Lanes<2> w1_x_lanes = (y_2_lanes + detail::make_pack<Real>(x[2], x[3])) * "
@@ -89,7 +90,7 @@ TEST(PrintBody, LinesStayWithinTheWidth) {
   const Graph::Scope scope(program.graph);
   const auto x = test::input_vector("a_rather_long_name_of_an_input", 6);
   program.results = {{{"y", 1, 1, ""}, {x[0] * x[1] + x[2] * x[3] + x[4] * x[5]}}};
-  const std::string body = print_body(program, true, {});
+  const std::string body = print_body(program, cpp::make_syntax(true), {});
   std::size_t begin = 0;
   for (std::size_t end = 0; (end = body.find('\n', begin)) != std::string::npos; begin = end + 1) {
     EXPECT_LE(end - begin, 100u);

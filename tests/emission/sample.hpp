@@ -53,8 +53,10 @@ inline std::vector<Program> sample_programs() {
           put_in_order(reduce_operations(trace_corner_cases(), log), log)};
 }
 
-inline EmissionContext sample_context(const std::string& name, bool single_precision) {
+inline EmissionContext sample_context(const std::string& name, bool single_precision,
+                                      Language language = Language::cpp) {
   EmissionContext context;
+  context.language = language;
   context.name = name;
   context.robot = "Two links \"2R\"";
   context.command = "treeline generate arm.urdf arm.yaml --output " + name;

@@ -114,6 +114,7 @@ GeneratedLibrary build_library(const Original& original, const Build& build) {
   CompileOptions options;
   options.compiler = build.compiler;
   options.flags = build.flags;
+  options.language = original.scene.language;
   const auto functions = all_callable(original.generation);
   if (write_files(sources, original.generation.files, diagnostics)) {
     const auto made =

@@ -23,6 +23,7 @@ foreach(core m0 m3 m4f m7 m33 m55)
   set(triple_${core} arm-none-eabi)
 endforeach()
 set(freestanding -std=c++17 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+set(freestanding_c -std=c99 -pedantic -ffreestanding)
 
 # find_tool(NAME RESULT): a program; an error where it is missing, since a test that does not run
 # shows nothing.
@@ -34,13 +35,13 @@ function(find_tool name result)
   set(${result} ${program_${name}} PARENT_SCOPE)
 endfunction()
 
-# find_cross(KIND CORE RESULT): g++ or clang++ for a core as a command.
+# find_cross(KIND CORE RESULT): g++, clang++, gcc or clang for a core as a command.
 function(find_cross kind core result)
-  if(kind STREQUAL "clang++")
-    find_tool(clang++ command)
+  if(kind MATCHES "^clang")
+    find_tool(${kind} command)
     list(APPEND command --target=${triple_${core}})
   else()
-    find_tool(${prefix_${core}}g++ command)
+    find_tool(${prefix_${core}}${kind} command)
   endif()
   set(${result} ${command} PARENT_SCOPE)
 endfunction()

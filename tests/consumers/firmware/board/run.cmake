@@ -1,8 +1,12 @@
 # Generates the PUMA's control torque in REAL, runs it on CORE under QEMU and on this machine: the same
-# bits, and the same number of instructions for every state. Prints that number.
+# bits, and the same number of instructions for every state. Prints that number. On CORE it is code in
+# LANGUAGE, on this machine in C++.
 # cmake -DTREELINE=program -DROBOTS=dir -DSOURCE=dir above this -DFOLDER=dir -DREAL=float|double
-#       -DCORE=m4f|m7 -DMACHINE=mps2-an386|mps2-an500 -DQEMU=program -DHOST=c++ -P run.cmake
+#       -DLANGUAGE=c++|c -DCORE=m4f|m7 -DMACHINE=mps2-an386|mps2-an500 -DQEMU=program -DHOST=c++ -P run.cmake
 include(${SOURCE}/cores.cmake)
+if(LANGUAGE STREQUAL "c")
+  set(FOLDER ${FOLDER}/c) # another test may be at work on the same in C++
+endif()
 set(name firmware_${CORE}_${REAL})
 set(folder ${FOLDER}/${name})
 set(board ${SOURCE}/board)
@@ -15,8 +19,23 @@ run(${TREELINE} generate ${ROBOTS}/puma560/puma560.urdf ${ROBOTS}/puma560/scene.
 set(names -DFIRMWARE_HEADER="${name}.hpp" -DFIRMWARE_NAMESPACE=${name} -I${folder} -I${board})
 set(sources ${board}/run_states.cpp ${folder}/control_torque.cpp)
 find_cross(g++ ${CORE} compiler)
-run(${compiler} ${freestanding} ${flags_${CORE}} -O2 -ffp-contract=off -nostdlib -Wall -Wextra -Werror
-  ${names} ${sources} ${board}/board.cpp -T ${board}/board.ld -o ${folder}.elf -lgcc)
+set(flags ${flags_${CORE}} -O2 -ffp-contract=off -Wall -Wextra -Werror)
+set(names_there ${names})
+set(sources_there ${sources})
+if(LANGUAGE STREQUAL "c")
+  set(folder ${folder}_c)
+  string(TOUPPER ${name}_c capitals)
+  run(${TREELINE} generate ${ROBOTS}/puma560/puma560.urdf ${ROBOTS}/puma560/scene.yaml --language c
+    --output ${folder} --name ${name}_c --real ${REAL} --functions control_torque)
+  find_cross(gcc ${CORE} c_compiler)
+  run(${c_compiler} ${freestanding_c} ${flags} -c ${folder}/control_torque.c -o ${folder}.o)
+  set(names_there -DFIRMWARE_HEADER="${name}_c.h" -DFIRMWARE_C=${name}_c
+    -DFIRMWARE_C_CAPITALS=${capitals} -DFIRMWARE_NAMESPACE=c_robot -I${folder} -I${board}
+    -include ${board}/c_robot.hpp)
+  set(sources_there ${board}/run_states.cpp ${folder}.o)
+endif()
+run(${compiler} ${freestanding} ${flags} -nostdlib ${names_there} ${sources_there} ${board}/board.cpp
+  -T ${board}/board.ld -o ${folder}.elf -lgcc)
 run(${HOST} -std=c++17 -O2 -ffp-contract=off ${names} ${sources} ${board}/host.cpp -o ${folder}.host)
 
 execute_process(COMMAND ${folder}.host OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "program/expression.hpp"
+
+namespace treeline {
+
+/// How a language writes what stands in the body of a function: numbers, expressions, statements.
+struct Syntax {
+  std::string number;        ///< type of a local number: `Real`
+  std::string prefix;        ///< of names at file scope; empty where namespaces keep robots apart
+  std::string_view comment;  ///< what a comment begins with: `//`
+
+  /// A number without its sign.
+  std::string (*literal)(double value);
+  /// What stands between the two operands of an operation, or before its only one.
+  std::string_view (*sign)(Op op);
+  /// A value of the type that is named once and stays: `const Real x = value;`.
+  std::string (*keep)(const std::string& type, const std::string& name, const std::string& value);
+  /// An element of a result: `y[2] = value;`.
+  std::string (*store)(const std::string& target, const std::string& value);
+  /// A number that is read from an array, where reading it takes more than its name.
+  std::string (*read)(const std::string& element);
+
+  /// The type of so many lanes.
+  std::string (*lanes)(const Syntax& own, std::size_t count);
+  /// Lanes of the numbers in `list`, which has commas between.
+  std::string (*make_lanes)(const Syntax& own, std::size_t count, const std::string& list);
+
+  /// Statements that declare the arrays anglesSUFFIX, sinesSUFFIX and cosinesSUFFIX, which hold
+  /// `count` numbers, fill the first with `list` and the others by a call.
+  std::vector<std::string> (*take_sines)(const Syntax& own, const std::string& suffix,
+                                         std::size_t count, const std::string& list);
+  std::string sin_cos;  ///< the function that it calls
+};
+
+}  // namespace treeline

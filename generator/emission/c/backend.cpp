@@ -1,0 +1,47 @@
+#include "emission/c/backend.hpp"
+
+#include "emission/c/print_contract.hpp"
+#include "emission/c/print_damped.hpp"
+#include "emission/c/print_joints.hpp"
+#include "emission/c/print_project.hpp"
+#include "emission/c/print_runtime.hpp"
+#include "emission/c/print_source.hpp"
+#include "emission/c/refuse.hpp"
+#include "emission/c/syntax.hpp"
+
+namespace treeline::c {
+namespace {
+
+/// Names that the headers declare with the same prefix as functions.
+std::set<std::string> reserved_suffixes(const EmissionContext& /*context*/) {
+  return {"real",          "sin_cos",       "coordinate_joints", "coordinate_meanings",
+          "lower_limits",  "upper_limits",  "velocity_names",    "velocity_limits",
+          "effort_limits", "task_row_names"};
+}
+
+std::vector<GeneratedFile> print_damped_if_asked(const EmissionContext& context,
+                                                 std::span<const Program> programs,
+                                                 std::span<const Program> /*batch*/) {
+  return context.heaviest.empty() ? std::vector<GeneratedFile>{} : print_damped(context, programs);
+}
+
+}  // namespace
+
+Backend make_backend() {
+  Backend backend{};
+  backend.name = "C";
+  backend.header = ".h";
+  backend.source = ".c";
+  backend.refuse = refuse;
+  backend.reserved = reserved_suffixes;
+  backend.syntax = make_syntax;
+  backend.print_source = print_source;
+  backend.print_contract = print_contract;
+  backend.print_joints = print_joints;
+  backend.print_project = print_project;
+  backend.print_more = print_damped_if_asked;
+  backend.print_runtime = print_runtime;
+  return backend;
+}
+
+}  // namespace treeline::c

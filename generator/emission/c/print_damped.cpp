@@ -1,0 +1,127 @@
+#include "emission/c/print_damped.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "core/symmetric_eigen.hpp"
+#include "emission/c/print_source.hpp"
+#include "emission/c/syntax.hpp"
+#include "emission/c/templates.hpp"
+#include "emission/comment.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/describe_damped.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/wrap_line.hpp"
+
+namespace treeline::c {
+namespace {
+
+std::string print_damped_calls(const EmissionContext& context,
+                               const std::vector<DampedCall>& called) {
+  std::string calls;
+  for (const DampedCall& call : called) {
+    std::string list;
+    for (const Argument& argument : call.program->arguments) list += damped_name(argument) + ", ";
+    calls += fmt::format("{}_{}({}{});\n", context.name, call.program->name, list, call.result);
+  }
+  return calls;
+}
+
+/// In the order of control_torque: q, its sines and cosines, qd, qdd_0, xdd_cmd, f_ext.
+std::string print_damped_head(const EmissionContext& context, const Program& inverse_dynamics) {
+  const char* const real = context.single_precision ? "float" : "double";
+  const std::string capitals = name_in_capitals(context);
+  const auto array = [&](const char* qualifier, const std::string& name, int size) {
+    return fmt::format("{}{} {}[TREELINE_{}_ARRAY({})]", qualifier, real, name, capitals, size);
+  };
+  std::string list;
+  for (const Argument& argument : inverse_dynamics.arguments) {
+    list += array("const ", damped_name(argument), argument.rows * argument.cols) + ", ";
+    if (argument.name == "qdd") list += array("const ", "xdd_cmd", context.task_rows) + ", ";
+  }
+  return fmt::format("{} {}_damped_control_torque({}{}, {})", real, context.name, list,
+                     array("", "tau", context.velocities),
+                     array("const ", "heaviest", context.task_rows));
+}
+
+/// What chooses the target's instruction for a square root: the lines of preprocessor in the
+/// header of the runtime.
+std::string lift_instructions() {
+  const std::string_view header = cpp::templates::kSquareRoot;
+  const std::size_t begin = header.find("#if defined(TREELINE_PORTABLE_SQUARE_ROOT)");
+  const std::size_t end = header.find("\nnamespace ", begin);
+  if (begin == header.npos || end == header.npos) {
+    throw std::logic_error("square_root.hpp: where are its instructions?");
+  }
+  return std::string(header.substr(begin, end - begin));
+}
+
+/// A number of the context's type, as a literal of C.
+std::string number(const EmissionContext& context, const char* digits) {
+  return std::string(digits) + (context.single_precision ? "F" : "");
+}
+
+std::string print_square_root(const EmissionContext& context) {
+  const bool single = context.single_precision;
+  return fill_template(templates::kSquareRoot, {{"name", context.name},
+                                                {"real", single ? "float" : "double"},
+                                                {"REAL", single ? "FLOAT" : "DOUBLE"},
+                                                {"bits", single ? "uint32_t" : "uint64_t"},
+                                                {"fraction", single ? "23" : "52"},
+                                                {"turns", single ? "24" : "53"},
+                                                {"bias", single ? "127" : "1023"},
+                                                {"sign", single ? "31" : "63"},
+                                                {"infinity", single ? "255" : "2047"},
+                                                {"raised", single ? "24" : "54"},
+                                                {"zero", number(context, "0.0")},
+                                                {"instructions", lift_instructions()}});
+}
+
+std::string print_damped_solve(const EmissionContext& context) {
+  const bool single = context.single_precision;
+  const int rows = context.task_rows;
+  const int sweeps = single ? core::jacobi_sweeps<float>(rows) : core::jacobi_sweeps<double>(rows);
+  return fill_template(templates::kDampedSolve, {{"name", context.name},
+                                                 {"real", single ? "float" : "double"},
+                                                 {"rows", std::to_string(rows)},
+                                                 {"sweeps", std::to_string(sweeps)},
+                                                 {"resolution", single ? "0x1p-17F" : "0x1p-46"},
+                                                 {"zero", number(context, "0.0")},
+                                                 {"one", number(context, "1.0")},
+                                                 {"two", number(context, "2.0")}});
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> print_damped(const EmissionContext& context,
+                                        std::span<const Program> programs) {
+  const std::vector<DampedCall> calls = list_damped_calls(programs);
+  const std::string real = context.single_precision ? "float" : "double";
+  const std::string head = print_damped_head(context, *calls.back().program);
+  const std::string heaviest =
+      fmt::format("static const {} {}_heaviest[{}] = {{{}}};", real, context.name,
+                  context.task_rows, list_heaviest(context, make_syntax(context)));
+  return {
+      {context.name + "_damped.h",
+       fill_template(templates::kDamped,
+                     {{"robot", context.robot},
+                      {"name", context.name},
+                      {"heaviest", wrap_line(heaviest, 0)},
+                      {"cost", comment("///", describe_damped_cost(context, programs))},
+                      {"signature", wrap_line(head + ";", 0)}})},
+      {"damped_control_torque.c",
+       fill_template(templates::kDampedSource, {{"name", context.name},
+                                                {"NAME", name_in_capitals(context)},
+                                                {"real", real},
+                                                {"signature", wrap_line(head + " {", 0)},
+                                                {"calls", print_damped_calls(context, calls)}})}};
+}
+
+std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context) {
+  return {{"damped_solve.h", print_damped_solve(context)},
+          {"square_root.h", print_square_root(context)}};
+}
+
+}  // namespace treeline::c

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "emission/emission_context.hpp"
+#include "emission/generated_file.hpp"
+#include "program/program.hpp"
+
+namespace treeline::c {
+
+/// NAME_damped.h and damped_control_torque.c, composed of others of the functions. Throws
+/// std::logic_error where one of `kDampedFunctions` is not among them.
+std::vector<GeneratedFile> print_damped(const EmissionContext& context,
+                                        std::span<const Program> programs);
+
+/// square_root.h and damped_solve.h, the loops that it needs, in the number type and for the task's
+/// rows.
+std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context);
+
+}  // namespace treeline::c

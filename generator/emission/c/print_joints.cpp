@@ -1,0 +1,27 @@
+#include "emission/c/print_joints.hpp"
+
+#include <fmt/format.h>
+
+#include "emission/c/print_source.hpp"
+#include "emission/c/syntax.hpp"
+#include "emission/c/templates.hpp"
+#include "emission/describe_joints.hpp"
+#include "emission/fill_template.hpp"
+
+namespace treeline::c {
+
+std::string print_joints(const EmissionContext& context) {
+  const std::string capitals = name_in_capitals(context);
+  JointArrays arrays = describe_joints(context, make_syntax(context), capitals + "_UNLIMITED");
+  arrays.holes["NAME"] = capitals;
+  arrays.holes["task_rows"] =
+      arrays.task_rows == 0
+          ? ""
+          : fmt::format(
+                "\n/// Of each task row: its point, and along or about which axis it is.\n"
+                "static const char* const {}_task_row_names[{}] = {{\n    {}}};",
+                context.name, arrays.task_rows, arrays.task_row_names);
+  return fill_template(templates::kJoints, arrays.holes);
+}
+
+}  // namespace treeline::c

@@ -1,0 +1,65 @@
+#include "emission/c/print_runtime.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "emission/c/lift_steps.hpp"
+#include "emission/c/print_damped.hpp"
+#include "emission/c/templates.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/fill_template.hpp"
+
+namespace treeline::c {
+namespace {
+
+std::string print_sin_cos(const EmissionContext& context) {
+  const bool single = context.single_precision;
+  auto steps = lift_steps(cpp::templates::kSinCos, context.name, single);
+  steps["name"] = context.name;
+  return fill_template(
+      templates::kSinCos,
+      {{"name", context.name},
+       {"real", single ? "float" : "double"},
+       {"bits", single ? "uint32_t" : "uint64_t"},
+       {"accurate", single ? "4000" : "1e5"},
+       {"largest", single ? "2^20" : "2^32"},
+       {"steps",
+        fill_template(single ? templates::kStepsInFloat : templates::kStepsInDouble, steps)}});
+}
+
+/// Types of as many lanes as the functions have.
+std::string print_lanes(const EmissionContext& context, std::span<const Program> programs) {
+  std::set<std::size_t> counts;
+  for (const Program& program : programs) {
+    for (const LanePack& pack : program.packs) counts.insert(pack.size());
+  }
+  std::string types;
+  for (const std::size_t count : counts) {
+    types += fmt::format("typedef {} {}_lanes_{} __attribute__((vector_size({})));\n",
+                         context.single_precision ? "float" : "double", context.name, count,
+                         count * (context.single_precision ? 4 : 8));
+  }
+  return fill_template(templates::kLanes, {{"name", context.name}, {"types", types}});
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
+                                         std::span<const Program> programs,
+                                         std::span<const Program> /*batch*/) {
+  std::vector<GeneratedFile> files;
+  const bool damped = !context.heaviest.empty();
+  if (damped) files = print_damped_runtime(context);
+  if (damped || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+    files.push_back({"sin_cos.h", print_sin_cos(context)});
+  }
+  if (std::any_of(programs.begin(), programs.end(), uses_lanes)) {
+    files.push_back({"lanes.h", print_lanes(context, programs)});
+  }
+  return files;
+}
+
+}  // namespace treeline::c

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "emission/emission_context.hpp"
+#include "program/program.hpp"
+
+namespace treeline::c {
+
+/// `void NAME_gravity(const double q[TREELINE_NAME_ARRAY(6)], ...)`: alike in header and source.
+std::string print_signature(const EmissionContext& context, const Program& program);
+
+/// The source file that defines the program's function.
+std::string print_source(const EmissionContext& context, const Program& program);
+
+/// The robot's name in capitals, as constants and macros begin: `PUMA560`.
+std::string name_in_capitals(const EmissionContext& context);
+
+}  // namespace treeline::c

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "description/diagnostic.hpp"
+#include "emission/emission_context.hpp"
+
+namespace treeline::c {
+
+/// Reports what a scene asks for and C does not have: functions of several states in one call, and
+/// a name whose header would stand before one of C's own.
+void refuse(const EmissionContext& context, Diagnostics& diagnostics);
+
+}  // namespace treeline::c

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "emission/backend/syntax.hpp"
+#include "emission/emission_context.hpp"
+
+namespace treeline::c {
+
+/// C99, numbers of type double or float.
+Syntax make_syntax(const EmissionContext& context);
+
+}  // namespace treeline::c

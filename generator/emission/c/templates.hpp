@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+namespace treeline::c::templates {
+
+// The files of templates/c/, embedded when the generator is built (see embed_files.cmake).
+extern const std::string_view kCMakeLists;
+extern const std::string_view kContract;
+extern const std::string_view kDamped;
+extern const std::string_view kDampedSolve;
+extern const std::string_view kDampedSource;
+extern const std::string_view kDeclaration;
+extern const std::string_view kFunction;
+extern const std::string_view kJoints;
+extern const std::string_view kLanes;
+extern const std::string_view kSinCos;
+extern const std::string_view kSquareRoot;
+extern const std::string_view kStepsInDouble;
+extern const std::string_view kStepsInFloat;
+
+}  // namespace treeline::c::templates

@@ -1,0 +1,61 @@
+#include "emission/c_family_syntax.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "program/format_literal.hpp"
+
+namespace treeline {
+namespace {
+
+std::string float_literal(double value) {
+  return format_literal(static_cast<float>(value));
+}
+std::string double_literal(double value) {
+  return format_literal(value);
+}
+
+std::string_view c_sign(Op op) {
+  switch (op) {
+    case Op::add:
+      return "+";
+    case Op::sub:
+    case Op::neg:
+      return "-";
+    case Op::mul:
+      return "*";
+    case Op::div:
+      return "/";
+    default:
+      throw std::logic_error("no sign stands for this operation");
+  }
+}
+
+std::string keep_constant(const std::string& type, const std::string& name,
+                          const std::string& value) {
+  return fmt::format("const {} {} = {};", type, name, value);
+}
+
+std::string assign(const std::string& target, const std::string& value) {
+  return fmt::format("{} = {};", target, value);
+}
+
+std::string read_plainly(const std::string& element) {
+  return element;
+}
+
+}  // namespace
+
+Syntax make_c_family_syntax(bool single_precision) {
+  Syntax syntax{};
+  syntax.comment = "//";
+  syntax.literal = single_precision ? float_literal : double_literal;
+  syntax.sign = c_sign;
+  syntax.keep = keep_constant;
+  syntax.store = assign;
+  syntax.read = read_plainly;
+  return syntax;
+}
+
+}  // namespace treeline

@@ -1,0 +1,74 @@
+#include "emission/cpp/backend.hpp"
+
+#include "emission/cpp/print_batch.hpp"
+#include "emission/cpp/print_contract.hpp"
+#include "emission/cpp/print_damped.hpp"
+#include "emission/cpp/print_eigen.hpp"
+#include "emission/cpp/print_joints.hpp"
+#include "emission/cpp/print_runtime.hpp"
+#include "emission/cpp/print_source.hpp"
+#include "emission/cpp/syntax.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/fill_template.hpp"
+
+namespace treeline::cpp {
+namespace {
+
+/// Whatever a scene may ask for can be had.
+void refuse_nothing(const EmissionContext&, Diagnostics&) {}
+
+std::set<std::string> reserved_names(const EmissionContext& context) {
+  return {context.name, "detail", "eigen", "Real", "std"};
+}
+
+std::string print_project(const EmissionContext& context, std::span<const Program> programs,
+                          std::span<const Program> batch) {
+  std::string sources;
+  for (const Program& program : programs) {
+    sources += program.name + ".cpp\n";
+  }
+  for (const Program& program : batch) {
+    sources += "batch_" + program.name + ".cpp\n";
+  }
+  return fill_template(templates::kCMakeLists,
+                       {{"robot", context.robot}, {"name", context.name}, {"sources", sources}});
+}
+
+/// The wrapper for Eigen, functions of several states at once, damped control.
+std::vector<GeneratedFile> print_more(const EmissionContext& context,
+                                      std::span<const Program> programs,
+                                      std::span<const Program> batch) {
+  std::vector<GeneratedFile> files = {
+      {context.name + "_eigen.hpp", print_eigen(context, programs)}};
+  if (!batch.empty()) {
+    files.push_back({context.name + "_batch.hpp", print_batch_header(context, batch)});
+  }
+  for (const Program& program : batch) {
+    files.push_back({"batch_" + program.name + ".cpp", print_batch_source(context, program)});
+  }
+  if (!context.heaviest.empty()) {
+    files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
+  }
+  return files;
+}
+
+}  // namespace
+
+Backend make_backend() {
+  Backend backend{};
+  backend.name = "C++";
+  backend.header = ".hpp";
+  backend.source = ".cpp";
+  backend.refuse = refuse_nothing;
+  backend.reserved = reserved_names;
+  backend.syntax = make_syntax;
+  backend.print_source = print_source;
+  backend.print_contract = print_contract;
+  backend.print_joints = print_joints;
+  backend.print_project = print_project;
+  backend.print_more = print_more;
+  backend.print_runtime = print_runtime;
+  return backend;
+}
+
+}  // namespace treeline::cpp

@@ -1,0 +1,29 @@
+#include "emission/cpp/print_contract.hpp"
+
+#include "emission/comment.hpp"
+#include "emission/cpp/print_source.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/describe_contract.hpp"
+#include "emission/fill_template.hpp"
+
+namespace treeline::cpp {
+
+std::string print_contract(const EmissionContext& context, std::span<const Program> programs) {
+  std::string declarations;
+  for (const Program& program : programs) {
+    declarations += declarations.empty() ? "" : "\n";
+    declarations += fill_template(templates::kDeclaration,
+                                  {{"comment", comment("///", describe_function(context, program))},
+                                   {"signature", print_declaration(program)}});
+  }
+  const bool single = context.single_precision;
+  auto values = describe_contract(context);
+  values.insert({{"bytes", single ? "4" : "8"},
+                 {"fraction", single ? "23" : "52"},
+                 {"least", single ? "149" : "1074"},
+                 {"f", single ? "F" : ""},
+                 {"declarations", declarations}});
+  return fill_template(templates::kContract, values);
+}
+
+}  // namespace treeline::cpp

@@ -1,0 +1,24 @@
+#include "emission/cpp/print_joints.hpp"
+
+#include <fmt/format.h>
+
+#include "emission/cpp/syntax.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/describe_joints.hpp"
+#include "emission/fill_template.hpp"
+
+namespace treeline::cpp {
+
+std::string print_joints(const EmissionContext& context) {
+  JointArrays arrays = describe_joints(context, make_syntax(context), "kUnlimited");
+  arrays.holes["task_rows"] =
+      arrays.task_rows == 0
+          ? ""
+          : fmt::format(
+                "\n/// Of each task row: its point, and along or about which axis it is.\n"
+                "inline constexpr const char* kTaskRowNames[{}] = {{\n    {}}};",
+                arrays.task_rows, arrays.task_row_names);
+  return fill_template(templates::kJoints, arrays.holes);
+}
+
+}  // namespace treeline::cpp

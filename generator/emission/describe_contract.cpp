@@ -1,0 +1,123 @@
+#include "emission/describe_contract.hpp"
+
+#include <fmt/format.h>
+
+#include "description/printable.hpp"
+#include "emission/comment.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/generator_version.hpp"
+#include "program/format_literal.hpp"
+
+namespace treeline {
+namespace {
+
+std::string describe_origin(const EmissionContext& context) {
+  std::string text = "From";
+  for (std::size_t i = 0; i < context.inputs.size(); ++i) {
+    const std::string& file = context.inputs[i].file;
+    text += file.empty() ? ", without a scene," : (i == 0 ? " " : " and ") + printable(file);
+  }
+  return text + " by\n  " + context.command + "\n";
+}
+
+/// `3` or `3..8`: the elements that `count` from `first` on take.
+std::string elements(int first, int count) {
+  return count == 1 ? std::to_string(first) : fmt::format("{}..{}", first, first + count - 1);
+}
+
+std::string describe_joints(const EmissionContext& context) {
+  std::string text =
+      fmt::format("Joints, in the order of q and of qd, qdd, tau ({} base):\n", context.base);
+  for (const EmissionContext::JointRow& joint : context.joints) {
+    text += wrap_text(fmt::format("  q {:<7} qd {:<7} {} ({}){}{}",
+                                  elements(joint.first_coordinate, joint.coordinates),
+                                  elements(joint.first_velocity, joint.velocities), joint.name,
+                                  joint.type, joint.limits.empty() ? "" : ": ", joint.limits),
+                      95) +
+            "\n";
+  }
+  return text;
+}
+
+std::string describe_points(const char* title,
+                            const std::vector<EmissionContext::PointRow>& points) {
+  std::string text = points.empty() ? "" : std::string(title) + "\n";
+  for (const EmissionContext::PointRow& point : points) {
+    text += wrap_text(fmt::format("  from {:<4} {} on {}, {}: {}", point.first_row, point.name,
+                                  point.link, point.frame, point.rows),
+                      95) +
+            "\n";
+  }
+  return text;
+}
+
+std::string describe_conventions(const EmissionContext& context) {
+  std::string text = describe_joints(context);
+  for (const std::string& convention : context.joint_conventions) {
+    text += wrap_text(convention, 95) + "\n";
+  }
+  text += describe_points("Operational points, rows of task vectors:", context.operational_points);
+  text += describe_points("External forces, elements of f_ext ([force; moment] on the robot):",
+                          context.external_forces);
+  text +=
+      fmt::format("Gravity ({}, {}, {}) m/s^2 in world axes.\n", format_literal(context.gravity[0]),
+                  format_literal(context.gravity[1]), format_literal(context.gravity[2]));
+  for (const std::string& note : context.notes) {
+    text += wrap_text(note, 95) + "\n";
+  }
+  if (!context.domain.empty()) {
+    text += wrap_text("Bounds of rounding errors hold for inputs, taken as exact, of " +
+                          context.domain + ".",
+                      95) +
+            "\n";
+  }
+  return text;
+}
+
+std::string describe_argument(const Argument& argument, const char* direction) {
+  const std::string shape = argument.cols == 1 ? std::to_string(argument.rows)
+                                               : fmt::format("{}x{}", argument.rows, argument.cols);
+  return wrap_text(fmt::format("{} {} ({}): {}", direction, argument.name, shape, argument.meaning),
+                   95) +
+         "\n";
+}
+
+}  // namespace
+
+std::string describe_function(const EmissionContext& context, const Program& program) {
+  std::string text = wrap_text(program.equation.empty() ? program.name : program.equation, 95);
+  text += '\n';
+  text += describe_method(program);
+  for (const Argument& argument : program.arguments) {
+    text += describe_argument(argument, "in ");
+  }
+  for (const Result& result : program.results) {
+    text += describe_argument(result.argument, "out");
+  }
+  const int live = count_live_values(program);
+  text += fmt::format("Cost: {}.\nStack, an estimate: {} values live at once, {} bytes.\n",
+                      describe_cost(program), live, live * (context.single_precision ? 4 : 8));
+  if (!program.singular.empty()) {
+    text += wrap_text("Singularities: " + program.singular, 95) + "\n";
+  }
+  return text + describe_rounding(context, program.name);
+}
+
+std::map<std::string, std::string> describe_contract(const EmissionContext& context) {
+  const bool single = context.single_precision;
+  return {{"robot", context.robot},
+          {"version", generator_version()},
+          {"origin", comment("//", describe_origin(context))},
+          {"conventions", comment("//", describe_conventions(context))},
+          {"name", context.name},
+          {"real", single ? "float" : "double"},
+          {"digits", single ? "24" : "53"},
+          {"format", single ? "binary32" : "binary64"},
+          {"accurate", single ? "4000" : "1e5"},
+          {"largest", single ? "2^20" : "2^32"},
+          {"coordinates", std::to_string(context.coordinates)},
+          {"velocities", std::to_string(context.velocities)},
+          {"task_rows", std::to_string(context.task_rows)}};
+}
+
+}  // namespace treeline

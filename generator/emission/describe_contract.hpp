@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "emission/emission_context.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// What every language's contract says, by the names of the holes in its template: where the code
+/// comes from, the order and units of joints and points, sizes, the range of sine and cosine.
+std::map<std::string, std::string> describe_contract(const EmissionContext& context);
+
+/// The contract of one function, without the marks of a comment.
+std::string describe_function(const EmissionContext& context, const Program& program);
+
+}  // namespace treeline

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "emission/backend/syntax.hpp"
+#include "emission/emission_context.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// One of the functions that `damped_control_torque` calls, and where its result goes.
+struct DampedCall {
+  const Program* program = nullptr;
+  std::string result;
+};
+
+/// In the order of the calls. Throws std::logic_error where one of `kDampedFunctions` is not among
+/// `programs`.
+std::vector<DampedCall> list_damped_calls(std::span<const Program> programs);
+
+/// What `damped_control_torque` calls an argument of one of them.
+std::string damped_name(const Argument& argument);
+
+/// Cost, stack and rounding, as every function of the contract states them.
+std::string describe_damped_cost(const EmissionContext& context, std::span<const Program> programs);
+
+/// The heaviest masses with commas between.
+std::string list_heaviest(const EmissionContext& context, const Syntax& syntax);
+
+}  // namespace treeline

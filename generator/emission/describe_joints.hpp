@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "emission/backend/syntax.hpp"
+#include "emission/emission_context.hpp"
+
+namespace treeline {
+
+/// Names and limits of coordinates, velocities and task rows as lists of literals.
+struct JointArrays {
+  std::map<std::string, std::string> holes;  ///< by their names in the languages' templates
+  std::size_t task_rows = 0;
+  std::string task_row_names;
+};
+
+/// A limit that the URDF does not state is written as `unlimited`.
+JointArrays describe_joints(const EmissionContext& context, const Syntax& syntax,
+                            const std::string& unlimited);
+
+}  // namespace treeline

@@ -1,0 +1,85 @@
+#include "emission/describe_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "passes/count_operations.hpp"
+
+namespace treeline {
+bool is_long(const Program& program) {
+  constexpr int kLong = 12000;
+  return count_operations(program).flops() > kLong;
+}
+
+bool reads(const Program& program, const Argument& argument) {
+  return std::any_of(
+      program.graph.inputs().begin(), program.graph.inputs().end(),
+      [&](const std::string& input) { return input.starts_with(argument.name + "["); });
+}
+
+std::set<std::string> find_taken_names(const Program& program, std::set<std::string> taken) {
+  taken.insert(program.name);
+  for (const char* array : {"angles", "sines", "cosines"}) {
+    taken.insert(array);
+    for (int i = 2; i < 100; ++i) {
+      taken.insert(array + std::to_string(i));
+    }
+  }
+  for (const Argument& argument : program.arguments) {
+    taken.insert(argument.name);
+  }
+  for (const Result& result : program.results) {
+    taken.insert(result.argument.name);
+  }
+  return taken;
+}
+
+bool uses_lanes(const Program& program) {
+  return !program.packs.empty();
+}
+
+bool uses_trigonometry(const Program& program) {
+  return count_operations(program).sin_cos > 0;
+}
+
+std::string describe_cost(const Program& program) {
+  const OperationCount count = count_operations(program);
+  std::string text = fmt::format("{} flops (add {}, mul {}, div {})", count.flops(), count.add,
+                                 count.mul, count.div);
+  if (count.sin_cos > 0) {
+    text += fmt::format(", sine and cosine of {} angle{}", count.sin_cos,
+                        count.sin_cos == 1 ? "" : "s");
+  }
+  return text;
+}
+
+int count_live_values(const Program& program) {
+  const std::vector<Node>& nodes = program.graph.nodes();
+  std::vector<std::size_t> last_use(nodes.size(), 0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int operands = operation(nodes[i].op).operands;
+    if (operands >= 1) {
+      last_use[nodes[i].a] = i;
+    }
+    if (operands == 2) {
+      last_use[nodes[i].b] = i;
+    }
+  }
+  std::vector<int> dying(nodes.size(), 0);
+  int live = 0;
+  int most = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (operation(nodes[i].op).operands > 0 && last_use[i] > i) {
+      ++live;
+      ++dying[last_use[i]];
+    }
+    most = std::max(most, live);
+    live -= dying[i];
+  }
+  return most;
+}
+
+}  // namespace treeline

@@ -1,0 +1,18 @@
+#pragma once
+// The functions of a folder in C by the names that they have in C++. FIRMWARE_C is the folder's
+// name, FIRMWARE_C_CAPITALS the same in capitals.
+#include FIRMWARE_HEADER
+
+#define JOIN_NAMES(name, rest) name##rest
+#define JOIN(name, rest) JOIN_NAMES(name, rest)
+
+namespace c_robot {
+
+using Real = JOIN(FIRMWARE_C, _real);
+constexpr int kCoordinates = JOIN(FIRMWARE_C_CAPITALS, _COORDINATES);
+constexpr int kVelocities = JOIN(FIRMWARE_C_CAPITALS, _VELOCITIES);
+constexpr int kTaskRows = JOIN(FIRMWARE_C_CAPITALS, _TASK_ROWS);
+
+constexpr auto& control_torque = JOIN(FIRMWARE_C, _control_torque);
+
+}  // namespace c_robot

@@ -1,0 +1,81 @@
+#include "reproducibility/compare_languages.hpp"
+
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "description/read_scene.hpp"
+#include "description/read_urdf.hpp"
+
+namespace treeline::tests {
+namespace {
+
+[[noreturn]] void fail_with(const Diagnostics& diagnostics, const std::string& what) {
+  std::string text = what;
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    if (diagnostic.severity == Severity::error) text.append("\n").append(to_string(diagnostic));
+  }
+  throw std::runtime_error(text);
+}
+
+Original generate_in(Language language, const Robot& robot, Scene scene) {
+  scene.language = language;
+  Diagnostics diagnostics;
+  auto generation = generate_code(robot, scene, {"r.urdf", "", "s.yaml", ""}, diagnostics);
+  if (!generation) fail_with(diagnostics, robot.name);
+  return {robot.name, robot, scene, std::move(*generation), {}};
+}
+
+/// Whether all bits are equal; of a NaN only that both are one.
+bool have_same_bits(const CallResult& a, const CallResult& b) {
+  if (a.entries.size() != b.entries.size() || a.entries.empty()) return false;
+  for (std::size_t i = 0; i < a.entries.size(); ++i) {
+    const double x = a.entries[i], y = b.entries[i];
+    if (x != x && y != y) continue;
+    if (std::memcmp(&x, &y, sizeof x) != 0) return false;
+  }
+  return !a.wrote_out_of_bounds && !b.wrote_out_of_bounds;
+}
+
+}  // namespace
+
+std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scene,
+                                           const Compilers& compilers, const std::string& flags,
+                                           int states) {
+  const Original in_cpp = generate_in(Language::cpp, robot, scene);
+  const Original in_c = generate_in(Language::c, robot, scene);
+  const GeneratedLibrary cpp = build_library(in_cpp, {compilers.cpp, flags});
+  const GeneratedLibrary c = build_library(in_c, {compilers.c, flags});
+  const auto functions = all_callable(in_cpp.generation);
+  if (functions.size() != all_callable(in_c.generation).size()) {
+    throw std::runtime_error(robot.name + ": C has other functions than C++");
+  }
+  const StateSpace space =
+      make_state_space(robot, scene, in_cpp.generation.mechanism, functions, 7);
+  std::vector<LanguageRow> rows;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    rows.push_back({scene.name, source_stem(functions[i]), compilers.cpp + " " + compilers.c, flags,
+                    states, 0});
+    for (int index = 0; index < states; ++index) {
+      const State state = draw_state(space, index);
+      rows.back().bits_differ += have_same_bits(cpp.call(i, state), c.call(i, state)) ? 0 : 1;
+    }
+  }
+  return rows;
+}
+
+std::vector<LanguageRow> compare_languages_of(const std::string& urdf, const std::string& scene,
+                                              const std::vector<Function>& functions, Real real,
+                                              int lanes, const Compilers& compilers, int states) {
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(urdf, diagnostics);
+  if (!robot) fail_with(diagnostics, urdf);
+  auto read = read_scene(scene, *robot, diagnostics, functions);
+  if (!read) fail_with(diagnostics, urdf + " " + scene);
+  read->real = real;
+  read->lanes = lanes;
+  read->batch = 0;
+  return compare_languages(*robot, *read, compilers, "-O2 -ffp-contract=off", states);
+}
+
+}  // namespace treeline::tests

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "reproducibility/reproduce.hpp"
+
+namespace treeline::tests {
+
+/// One function in C against the same function in C++, compiled by one pair of compilers.
+struct LanguageRow {
+  std::string robot, function, compilers, flags;
+  int states = 0;       ///< number of states in which both were called
+  int bits_differ = 0;  ///< number of these in which any bit of any result differs
+};
+
+/// A pair of compilers, of C++ and of C.
+struct Compilers {
+  std::string cpp, c;
+};
+
+/// Generates the scene's functions in C++ and in C, compiles both with `flags`, calls them in the
+/// same states of all classes and compares bits. Throws std::runtime_error if something cannot be
+/// generated or compiled.
+std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scene,
+                                           const Compilers& compilers, const std::string& flags,
+                                           int states);
+
+/// Reads a URDF and, if it has a name, a scene, with these functions instead if there are any, and
+/// compares at -O2 without contraction. A batch, which C does not have, is left out. Throws
+/// std::runtime_error.
+std::vector<LanguageRow> compare_languages_of(const std::string& urdf, const std::string& scene,
+                                              const std::vector<Function>& functions, Real real,
+                                              int lanes, const Compilers& compilers, int states);
+
+}  // namespace treeline::tests

@@ -1,0 +1,68 @@
+// Would catch: C that computes something else than C++: a step of sine and cosine, a lane, the root
+// or a loop of damped control; a function that is missing; an element beyond an array. A few robots
+// and functions; `cmake --build BUILD -t report_languages` compares all functions of all robots.
+#include <gtest/gtest.h>
+
+#include "reproducibility/compare_languages.hpp"
+
+namespace treeline::tests {
+namespace {
+
+const std::string kRobots = TREELINE_ROBOTS_DIR;
+const std::string kData = TREELINE_DATA_DIR;
+const Compilers kGcc{"g++", "gcc"};
+const Compilers kClang{"clang++", "clang"};
+constexpr int kStates = 400;
+
+void expect_same_bits(const std::vector<LanguageRow>& rows, std::size_t at_least) {
+  EXPECT_GE(rows.size(), at_least);
+  for (const LanguageRow& row : rows) {
+    EXPECT_EQ(row.bits_differ, 0) << row.robot << ' ' << row.function << ' ' << row.compilers;
+    EXPECT_GT(row.states, 0);
+  }
+}
+
+std::vector<LanguageRow> compare(const std::string& robot, const std::string& scene, Real real,
+                                 int lanes, const Compilers& compilers,
+                                 const std::vector<Function>& functions = {}) {
+  const std::string folder = kRobots + "/" + robot + "/";
+  return compare_languages_of(folder + robot + ".urdf", folder + scene, functions, real, lanes,
+                              compilers, kStates);
+}
+
+TEST(Languages, PumaHasTheSameBits) {
+  for (const Real real : {Real::float64, Real::float32}) {
+    expect_same_bits(compare("puma560", "scene.yaml", real, 1, kGcc), 11);
+    expect_same_bits(compare("puma560", "scene.yaml", real, 1, kClang), 11);
+  }
+}
+
+// Its scene asks for damped control: roots, rotations and a factorisation in loops.
+TEST(Languages, DampedControlHasTheSameBits) {
+  const std::vector<Function> called{kDampedFunctions.begin(), kDampedFunctions.end()};
+  for (const Real real : {Real::float64, Real::float32}) {
+    expect_same_bits(compare("ur10e", "scene.yaml", real, 1, kGcc, called), 5);
+    expect_same_bits(compare("ur10e", "scene.yaml", real, 1, kClang, called), 5);
+  }
+}
+
+// Its limbs are alike and share lanes.
+TEST(Languages, LanesHaveTheSameBits) {
+  const std::vector<Function> functions{Function::inverse_dynamics, Function::mass_matrix,
+                                        Function::forward_kinematics};
+  expect_same_bits(compare("humanoid24", "scene.yaml", Real::float64, 8, kGcc, functions), 3);
+  expect_same_bits(compare("humanoid24", "scene.yaml", Real::float32, 4, kClang, functions), 3);
+}
+
+TEST(Languages, FloatingBasesHaveTheSameBits) {
+  for (const char* robot : {"solo12", "ur5"}) {
+    for (const Compilers& compilers : {kGcc, kClang}) {
+      expect_same_bits(compare_languages_of(kData + "/golden/" + robot + ".urdf", "", {},
+                                            Real::float64, 1, compilers, kStates),
+                       4);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests
