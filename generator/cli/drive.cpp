@@ -1,0 +1,111 @@
+#include "cli/drive.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "cli/driver.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/read_inputs.hpp"
+#include "cli/write_output.hpp"
+#include "description/read_text_file.hpp"
+#include "launch/launch.hpp"
+
+namespace treeline {
+namespace {
+
+struct DriveOptions {
+  InputOptions inputs;
+  DriveSettings drive;
+  std::string script;
+  bool headless = false;
+};
+
+std::optional<LaunchedRobot> launch_from(const InputOptions& options, Diagnostics& diagnostics) {
+  auto inputs = read_inputs(options, diagnostics);
+  if (!inputs) return std::nullopt;
+  const auto tell = [](const std::string& what) {
+    if (is_watched()) show_progress("  " + what);
+  };
+  auto robot = launch({std::move(inputs->robot), std::move(inputs->scene),
+                       std::move(inputs->urdf_text), std::move(inputs->scene_text)},
+                      tell, diagnostics);
+  if (is_watched()) show_progress("");
+  return robot;
+}
+
+bool read_script(const std::string& path, DriveSettings& drive, Diagnostics& diagnostics) {
+  if (path.empty()) return true;
+  const auto text = read_text_file(path, diagnostics);
+  if (text) drive.script = *text;
+  return text.has_value();
+}
+
+int run(DriveOptions options) {
+  Diagnostics diagnostics;
+  DriveSettings& drive = options.drive;
+  drive.serves = !options.headless;
+  drive.real_time = drive.real_time || drive.serves;
+  drive.reads_input = options.script.empty();
+  std::optional<LaunchedRobot> robot;
+  if (read_script(options.script, drive, diagnostics)) {
+    robot = launch_from(options.inputs, diagnostics);
+  }
+  print_diagnostics(diagnostics, options.inputs.warnings);
+  if (!robot) return kBadInput;
+  Diagnostics of_drive;
+  const auto outcome = run_drive(*robot, drive, of_drive);
+  print_diagnostics(of_drive, options.inputs.warnings);
+  if (!outcome) return kBadInput;
+  const ExitCode exit_code = outcome->script_failed    ? kBadInput
+                             : !outcome->fault.empty() ? kMismatch
+                                                       : kOk;
+  if (!options.headless) return exit_code;
+  return write_output(outcome->state + "\n", OutputForm::json, exit_code);
+}
+
+void add_drive_options(CLI::App& command, DriveOptions& options) {
+  DriveSettings& drive = options.drive;
+  drive.real_time = false;
+  command.add_flag("--headless", options.headless,
+                   "No page: commands from --script or standard input alone");
+  command.add_option("--script", options.script,
+                     "File of commands, one a line; - is standard input");
+  command.add_option("--record", drive.record, "JSON lines of commands and, 100 a second, states");
+  command.add_flag("--real-time", drive.real_time,
+                   "Without a page: keep to the machine's clock; with it always");
+  command.add_option("--rate", drive.rate, "Cycles of the control loop a second")
+      ->check(between(50, 10000))
+      ->capture_default_str();
+  command.add_option("--q", drive.start, "Where it starts, separated by commas; else at 0")
+      ->delimiter(',')
+      ->check(any_number());
+}
+
+}  // namespace
+
+void add_drive(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DriveOptions>();
+  CLI::App* command = app.add_subcommand("drive", "Drive a simulated robot by its generated code");
+  command->add_option("urdf", options->inputs.urdf, "Robot, URDF")->required();
+  command->add_option("scene", options->inputs.scene,
+                      "Operational points, base, gravity; YAML; without: the joints alone");
+  add_drive_options(*command, *options);
+  add_warnings_option(*command, options->inputs.warnings);
+  command->footer(
+      "Commands (runtime/drive/README.md explains them): start, stop, brake, reset,\n"
+      "mode joint|task|gravity, joint NAME to 45 deg in 2 s, move POINT by 0 0 -0.1 in 2 s,\n"
+      "turn POINT by 0 0 90 deg, hold, wait, help, quit.\n"
+      "Ctrl-C brakes to rest and ends. Exit: 1 a line of the script was not obeyed, 3 the robot\n"
+      "ended in a fault.\n"
+      "Examples:\n"
+      "  treeline drive puma560.urdf scene.yaml\n"
+      "  treeline drive arm.urdf --headless --script motion.txt --record motion.jsonl\n"
+      "  echo 'start' | treeline drive arm.urdf --headless");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace treeline

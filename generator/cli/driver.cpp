@@ -1,0 +1,252 @@
+#include "cli/driver.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "cli/loop_handle.hpp"
+#include "description/printable.hpp"
+#include "drive/script.hpp"
+#include "drive/session.hpp"
+#include "interruption/clean_up.hpp"
+#include "servo/realtime.hpp"
+#include "servo/state_machine.hpp"
+
+namespace treeline {
+namespace {
+
+using namespace std::chrono_literals;
+using drive::Verb;
+
+std::atomic<bool> asked_to_end{false};
+
+void say(const std::string& line) {
+  fmt::print(stderr, "{}\n", printable(line));
+}
+
+std::string print_usages() {
+  std::string text;
+  for (const drive::CommandUsage& usage : drive::command_usages()) {
+    text += fmt::format("  {:<46} {}\n", usage.usage, usage.does);
+  }
+  return text;
+}
+
+/// A run of the loop with its front ends.
+class Driver {
+ public:
+  Driver(const LaunchedRobot& robot, const DriveSettings& settings, std::vector<double> start)
+      : settings_(settings),
+        loop_(robot.library.functions(), robot.description, settings.rate, settings.real_time,
+              start),
+        session_(robot.description, settings.rate, robot.library.functions().has_center_of_mass,
+                 [this](const servo::Message& message) { return loop_.send(message); }),
+        numbers_(static_cast<std::size_t>(session_.layout().size)),
+        local_(session_.join()) {
+    if (settings.script) script_.append(*settings.script);
+    if (!settings.reads_input) script_.close();
+  }
+
+  bool open_record(Diagnostics& diagnostics);
+  DriveOutcome run();
+
+ private:
+  void run_as_fast_as_possible();
+  void run_in_real_time();
+  void receive();
+  void obey_script();
+  void obey_line(const drive::Script::Line& line);
+  void obey_local(const drive::Command& command);
+  void read_input();
+  void record_state();
+  void record_line(const std::string& line, const drive::Answer& answer);
+  void end();
+  void watch_end();
+  double time() const { return session_.report().head.time; }
+  bool moving() const { return session_.report().head.moving; }
+
+  const DriveSettings& settings_;
+  LoopHandle loop_;
+  drive::Session session_;
+  std::vector<double> numbers_;
+  int local_;
+  drive::Script script_;
+  std::ofstream record_;
+  std::int64_t state_number_ = 0;
+  double recorded_ = -1;
+  bool input_open_ = true;
+  bool ending_ = false;
+  DriveOutcome outcome_;
+  std::string fault_seen_;
+};
+
+bool Driver::open_record(Diagnostics& diagnostics) {
+  if (settings_.record.empty()) return true;
+  record_.open(settings_.record, std::ios::binary);
+  record_ << drive::print_hello(session_, settings_.rate, true, settings_.meshes) << '\n';
+  record_.flush();
+  if (record_) return true;
+  diagnostics.add({Severity::error, settings_.record, 0, "", "cannot be written",
+                   "name a file in a folder that exists and is yours to write"});
+  return false;
+}
+
+void Driver::record_state() {
+  constexpr double kInterval = 0.01;  // s
+  if (settings_.record.empty() || time() < recorded_ + kInterval - 1e-9) return;
+  recorded_ = time();
+  record_ << drive::print_state(session_, state_number_++, 0) << '\n';
+}
+
+void Driver::record_line(const std::string& line, const drive::Answer& answer) {
+  if (settings_.record.empty()) return;
+  record_ << drive::print_command(line, time(), answer) << '\n';
+}
+
+void Driver::receive() {
+  drive::ReportHead head;
+  while (loop_.receive(head, numbers_.data())) {
+    session_.take_report(head, numbers_.data());
+    record_state();
+  }
+  const std::string fault = session_.fault();
+  if (fault != fault_seen_ && !fault.empty()) say("fault: " + fault);
+  fault_seen_ = fault;
+}
+
+void Driver::end() {
+  if (ending_) return;
+  servo::Message message;
+  message.kind = servo::MessageKind::disconnect;
+  ending_ = loop_.send(message);
+}
+
+void Driver::obey_local(const drive::Command& command) {
+  if (command.verb == Verb::wait) script_.wait(time(), command.duration);
+  if (command.verb == Verb::help) fmt::print(stderr, "{}", print_usages());
+  if (command.verb == Verb::quit) end();
+}
+
+void Driver::obey_line(const drive::Script::Line& line) {
+  const auto parsed = drive::parse_command(line.text, session_.robot());
+  if (const auto* command = std::get_if<drive::Command>(&parsed)) {
+    if (is_local(command->verb)) return obey_local(*command);
+  }
+  const drive::Answer answer = session_.obey(local_, true, line.text, time());
+  record_line(line.text, answer);
+  say(fmt::format("{:9.3f} s  {}{}", time(), answer.ok ? "" : fmt::format("line {}: ", line.number),
+                  answer.text));
+  if (answer.ok || settings_.reads_input) return;
+  outcome_.script_failed = true;
+  script_ = drive::Script();
+  script_.close();
+}
+
+void Driver::obey_script() {
+  drive::Script::Line line;
+  while (!ending_ && script_.next(time(), moving(), line)) obey_line(line);
+}
+
+/// Takes what people have typed. Its end ends the drive if nobody else can command.
+void Driver::read_input() {
+  if (!settings_.reads_input || !input_open_) return;
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  while (poll(&input, 1, 0) > 0) {
+    char bytes[512];
+    const ssize_t count = read(STDIN_FILENO, bytes, sizeof(bytes));
+    if (count <= 0) {
+      input_open_ = false;
+      script_.close();
+      return;
+    }
+    script_.append({bytes, static_cast<std::size_t>(count)});
+  }
+}
+
+/// The drive ends with the script unless browsers may go on, and with a fault under a script.
+void Driver::watch_end() {
+  const bool faulted = session_.report().head.mode == static_cast<int>(servo::Mode::faulted);
+  if (faulted && settings_.script && !settings_.serves && outcome_.fault.empty()) {
+    outcome_.fault = session_.fault();
+  }
+  const bool done = !settings_.serves && script_.ended(time(), moving());
+  if (asked_to_end || done || !outcome_.fault.empty()) end();
+}
+
+void Driver::run_as_fast_as_possible() {
+  while (loop_.step()) {
+    receive();
+    if (ending_) continue;
+    read_input();
+    obey_script();
+    watch_end();
+  }
+}
+
+void Driver::run_in_real_time() {
+  std::atomic<bool> ended{false};
+  std::atomic<bool> ready{false};
+  std::string refused;
+  std::thread servo([&] {
+    refused = servo::request_realtime();
+    ready = true;
+    while (loop_.step()) {
+    }
+    ended = true;
+  });
+  while (!ready) std::this_thread::sleep_for(1ms);
+  if (!refused.empty()) say("real time: " + refused);
+  while (!ended) {
+    receive();
+    if (!ending_) {
+      read_input();
+      obey_script();
+      watch_end();
+    }
+    std::this_thread::sleep_for(4ms);
+  }
+  servo.join();
+}
+
+DriveOutcome Driver::run() {
+  if (settings_.real_time) {
+    run_in_real_time();
+  } else {
+    run_as_fast_as_possible();
+  }
+  receive();
+  outcome_.state = drive::print_state(session_, state_number_, 0);
+  return outcome_;
+}
+
+}  // namespace
+
+std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
+                                      Diagnostics& diagnostics) {
+  std::vector<double> start = settings.start;
+  const std::size_t size = robot.description.coordinates.size();
+  if (start.empty()) start = default_start(robot.description);
+  if (start.size() != size) {
+    diagnostics.add({Severity::error, "", 0, "--q",
+                     fmt::format("{} numbers are given, the robot has {}", start.size(), size),
+                     "`treeline inspect` lists the joints in their order."});
+    return std::nullopt;
+  }
+  asked_to_end = false;
+  answer_signals([] { asked_to_end = true; });
+  Driver driver(robot, settings, std::move(start));
+  std::optional<DriveOutcome> outcome;
+  if (driver.open_record(diagnostics)) outcome = driver.run();
+  answer_signals(nullptr);
+  return outcome;
+}
+
+}  // namespace treeline
