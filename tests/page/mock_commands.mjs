@@ -5,6 +5,7 @@ export const kCommands = [
   ['reset', 'leave the emergency stop'], ['hold', 'stop all motions'],
   ['mode joint|task|gravity', 'choose the control'],
   ['joint NAME to X [deg|rad|m] [in T s]', 'a joint to a position'],
+  ['joint NAME by X [deg|rad|m] [in T s]', 'a joint by a way'],
   ['move POINT to X Y Z [in T s]', 'a point to a place'],
   ['move POINT by X Y Z [in T s]', 'a point by a way'],
   ['drag POINT to X Y Z [QX QY QZ QW]', 'lead a point'],
@@ -31,11 +32,11 @@ function in_radians(value, unit) {
   return unit === 'deg' ? Number(value) * Math.PI / 180 : Number(value);
 }
 
-function move_joint(robot, [, name, value, unit, seconds]) {
+function move_joint(robot, [, name, how, value, unit, seconds]) {
   const index = joint_index(robot, name);
   if (index < 0) return refused(`expected the name of a joint, found \`${name}\``);
   const from = robot.goal[index];
-  const to = in_radians(value, unit);
+  const to = in_radians(value, unit) + (how === 'by' ? from : 0);
   robot.control = 'joint';
   robot.move(Number(seconds ?? 1), (share) => { robot.goal[index] = from + share * (to - from); });
   return done(`${name} moves`);
@@ -85,7 +86,7 @@ function change_mode(robot, word) {
 }
 
 const kMotions = [
-  [new RegExp(`^joint (\\S+) to ${kNumber}(?: (deg|rad|m))?(?: in ${kNumber} s)?$`), move_joint],
+  [new RegExp(`^joint (\\S+) (to|by) ${kNumber}(?: (deg|rad|m))?(?: in ${kNumber} s)?$`), move_joint],
   [new RegExp(`^drag joint (\\S+) to ${kNumber}(?: (deg|rad|m))?$`), drag_joint],
   [new RegExp(`^move (\\S+) (to|by) ${kNumber} ${kNumber} ${kNumber}(?: in ${kNumber} s)?$`),
     move_point],

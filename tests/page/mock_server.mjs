@@ -14,8 +14,8 @@ const kToken = 'mock';
 const kLease = 0.125;  // s
 const kTypes = {html: 'text/html', js: 'text/javascript', css: 'text/css'};
 
-function write_hello(robot, may_command) {
-  return {type: 'hello', version: 1, robot: 'c0ffee', name: 'puma560', base: 'fixed', rate: 1000,
+function write_hello(robot, checksum, may_command) {
+  return {type: 'hello', version: 1, robot: checksum, name: 'puma560', base: 'fixed', rate: 1000,
     may_command, lease: kLease,
     coordinates: robot.moving.map(({name, lower, upper, velocity, effort}) => ({name, joint: name,
       kind: 'angle', unit: 'rad', lower, upper, velocity, effort})),
@@ -67,6 +67,7 @@ export class MockServer {
   /** Newest lines that were obeyed or refused: {text, ok, time}. */
   received = [];
   silent = false;
+  checksum = 'c0ffee';
   #sockets = new Set();
 
   constructor() {
@@ -121,7 +122,7 @@ export class MockServer {
     const token = new URL(request.url, 'http://127.0.0.1').searchParams.get('token');
     const client = {socket, may_command: token === kToken, states: 0};
     this.clients.all.add(client);
-    socket.send(JSON.stringify(write_hello(this.robot, client.may_command)));
+    socket.send(JSON.stringify(write_hello(this.robot, this.checksum, client.may_command)));
     socket.on('close', () => {
       this.clients.all.delete(client);
       if (this.clients.commander === client) this.clients.commander = null;
@@ -129,7 +130,8 @@ export class MockServer {
     socket.on('message', (data) => this.#receive(client, JSON.parse(data)));
   }
 
-  #receive(client, {seq, text}) {
+  #receive(client, {seq, robot, text}) {
+    if (robot !== this.checksum) return;
     const reply = answer(this.robot, client, this.clients, text);
     this.received.push({text, ok: reply.ok, time: performance.now()});
     client.socket.send(JSON.stringify({type: 'reply', seq, ...reply}));

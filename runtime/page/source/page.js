@@ -114,8 +114,9 @@ function show_state(state) {
   window.treeline.state = state;
 }
 
-// For tests and for people at the console: the newest state, and where handles are on the screen.
-window.treeline = {state: null, where: (name) => view.where(name),
+// For tests and for people at the console: the newest state, the picture as a PNG, and where handles
+// are on the screen.
+window.treeline = {state: null, where: (name) => view.where(name), picture: () => view.write_png(),
   handles: () => view.handles?.list.map((handle) => handle.name) ?? []};
 
 connection.addEventListener('hello', ({detail}) => greet(detail));

@@ -8,15 +8,13 @@ function names_of(hello) {
   return {NAME: one_freedom.map((one) => one.name), POINT: points, LINK: hello.links ?? []};
 }
 
-/** `[deg|rad|m]` and `stiffness` as lists of words; a bracket may be left out. */
+/** Words of a usage as {choices, skip}; `skip` words in brackets may be left out together. */
 function parse_usage(usage) {
-  const words = [];
-  for (const part of usage.match(/\[[^\]]*\]|\S+/g) ?? []) {
-    const optional = part.startsWith('[');
+  return (usage.match(/\[[^\]]*\]|\S+/g) ?? []).flatMap((part) => {
     const inner = part.replace(/^\[|\]$/g, '').trim().split(/\s+/);
-    inner.forEach((word) => words.push({choices: word.split('|'), optional}));
-  }
-  return words;
+    return inner.map((word, i) => ({choices: word.split('|'),
+      skip: part.startsWith('[') && i === 0 ? inner.length : 0}));
+  });
 }
 
 function is_number(word) {
@@ -36,7 +34,7 @@ function matches(word, expected, names) {
 function reach(usage, typed, names) {
   const skip = (places) => {
     for (const place of places) {
-      if (place < usage.length && usage[place].optional) places.add(place + 1);
+      if (usage[place]?.skip > 0) places.add(place + usage[place].skip);
     }
     return places;
   };

@@ -2,6 +2,9 @@
 import {button, element} from '../element.js';
 import {number} from '../lines.js';
 
+const kStiffness = 225;  // 1/s², with which the server begins
+const kDamping = 30;     // 1/s
+
 const kControls = {
   joint: 'Each joint follows its own goal.',
   task: 'The operational points follow theirs; the posture has what freedom is left.',
@@ -18,7 +21,7 @@ export class ControlPanel {
     this.run = run;
     this.buttons = element('div', {className: 'choices'});
     this.counts = element('dl', {className: 'counts'});
-    root.append(element('h3', {}, 'Control'), this.buttons, element('h3', {}, 'Gains'),
+    root.append(element('h3', {}, 'Control'), this.buttons, element('h3', {}, 'Gains, 1/s² and 1/s'),
       this.#make_gains('joint'), this.#make_gains('task'), element('h3', {}, 'The loop'),
       this.counts);
   }
@@ -58,15 +61,15 @@ export class ControlPanel {
   }
 
   #make_gains(control) {
-    const stiffness = make_gain(`${control} stiffness`, control === 'task' ? 400 : 100, '1/s²');
-    const damping = make_gain(`${control} damping`, control === 'task' ? 40 : 20, '1/s');
+    const stiffness = make_gain(`${control} stiffness`, kStiffness, '1/s²');
+    const damping = make_gain(`${control} damping`, kDamping, '1/s');
     return element('form', {className: 'numbers', 'aria-label': `gains of the ${control} control`,
       onsubmit: (event) => {
         event.preventDefault();
         if (!(stiffness.valueAsNumber >= 0) || !(damping.valueAsNumber >= 0)) return;
         this.run(`gains ${control} stiffness ${number(stiffness.valueAsNumber)} ` +
           `damping ${number(damping.valueAsNumber)}`);
-      }}, element('span', {}, control), element('label', {}, 'stiffness 1/s² ', stiffness),
-    element('label', {}, 'damping 1/s ', damping), element('button', {type: 'submit'}, 'Set'));
+      }}, element('span', {}, control), element('label', {}, 'stiffness ', stiffness),
+    element('label', {}, 'damping ', damping), element('button', {type: 'submit'}, 'Set'));
   }
 }

@@ -6,6 +6,14 @@ export const kAxisNames = ['x', 'y', 'z'];
 const kDiskColor = 0xf5a524;
 const kZ = new three.Vector3(0, 0, 1);
 
+/** Axes x, y, z in red, green, blue. */
+export function make_axes(length) {
+  const axes = new three.AxesHelper(length);
+  axes.setColors(...kAxisColors.map((color) => new three.Color(color)));
+  axes.material.toneMapped = false;
+  return axes;
+}
+
 function handle_material(color, opacity) {
   return new three.MeshBasicMaterial(
     {color, opacity, transparent: true, depthTest: false, depthWrite: false,

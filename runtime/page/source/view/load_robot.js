@@ -1,6 +1,7 @@
 // From URDF text to a model with visuals. Links without visuals get a stick figure.
 import * as three from 'three';
 import {ColladaLoader} from 'three/examples/jsm/loaders/ColladaLoader.js';
+import {GLTFLoader} from 'three/examples/jsm/loaders/GLTFLoader.js';
 import {OBJLoader} from 'three/examples/jsm/loaders/OBJLoader.js';
 import {STLLoader} from 'three/examples/jsm/loaders/STLLoader.js';
 import URDFLoader from 'urdf-loader';
@@ -42,12 +43,15 @@ async function load_mesh(file, address, manager, material) {
     return new three.Mesh(await new STLLoader(manager).loadAsync(address), material);
   }
   if (kind === 'dae') return (await new ColladaLoader(manager).loadAsync(address)).scene;
+  if (kind === 'glb' || kind === 'gltf') {
+    return (await new GLTFLoader(manager).loadAsync(address)).scene;
+  }
   if (kind === 'obj') {
     const shape = await new OBJLoader(manager).loadAsync(address);
     shape.traverse((part) => { if (part.isMesh) part.material = material; });
     return shape;
   }
-  throw new Error(`meshes end with .stl, .dae or .obj, not .${kind}`);
+  throw new Error(`meshes end with .stl, .dae, .obj or .glb, not .${kind}`);
 }
 
 /**
@@ -60,7 +64,7 @@ export function load_robot(urdf, meshes, report, changed) {
   drop_unreadable(robot, meshes);
   const manager = new three.LoadingManager();
   manager.setURLModifier((url) =>
-    (url.startsWith('/mesh/') || url.startsWith('data:') ? url : kWhitePixel));
+    (url.startsWith('/mesh/') || /^(data|blob):/.test(url) ? url : kWhitePixel));
   const loader = new URDFLoader(manager);
   // The name of a mesh is looked up as it stands in the URDF.
   loader.packages = (name) => `package://${name}`;

@@ -1,6 +1,7 @@
 // What is drawn beside the robot: goals, traces, frames, centre of mass, forces and torques.
 import * as three from 'three';
 
+import {make_axes} from './handle_shapes.js';
 import {group_coordinates, pose_robot} from './pose_robot.js';
 
 const kTraceLength = 900;   // states: half a minute
@@ -80,7 +81,7 @@ export class Overlays {
   constructor(stage, model, hello, points, size) {
     Object.assign(this, {model, hello, size});
     this.traces = points.map((_, i) => new Trace([0xd6409f, 0x12a594, 0xf76b15][i % 3]));
-    this.axes = points.map(() => new three.AxesHelper(0.7 * size));
+    this.axes = points.map(() => make_axes(0.7 * size));
     this.goals = points.map(() => this.#make_goal());
     this.leads = points.map(() => this.#make_lead());
     this.mass = this.#make_mass();
@@ -198,7 +199,7 @@ export class Overlays {
     const ball = new three.Mesh(new three.SphereGeometry(0.12 * this.size, 20, 14),
       new three.MeshBasicMaterial(overlay(0x3e7bfa, 0.7)));
     ball.renderOrder = 9;
-    goal.add(ball, new three.AxesHelper(0.5 * this.size));
+    goal.add(ball, make_axes(0.5 * this.size));
     return goal;
   }
 
@@ -237,7 +238,7 @@ export class Overlays {
 
   #make_frames() {
     return Object.values(this.model.links).map((link) => {
-      const frame = new three.AxesHelper(0.6 * this.size);
+      const frame = make_axes(0.6 * this.size);
       frame.userData.is_frame = true;
       frame.material.depthTest = false;
       link.add(frame);

@@ -88,6 +88,10 @@ export class RobotView {
       }
       if (part.isMesh) box.expandByObject(part);
     });
+    for (const {at} of this.point_states) {
+      box.expandByPoint(new three.Vector3(...at).addScalar(2 * this.handles.size));
+      box.expandByPoint(new three.Vector3(...at).addScalar(-2 * this.handles.size));
+    }
     const ball = box.getBoundingSphere(new three.Sphere());
     this.radius = Math.max(ball.radius, 0.05);
     this.stage.look_at(ball.center, this.radius);

@@ -2,6 +2,8 @@
 import * as three from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 
+import {make_axes} from './handle_shapes.js';
+
 /** Value of a CSS variable of the page, for instance `--view-ground`. */
 export function css_color(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -97,7 +99,7 @@ export class Stage {
     const ground = new three.GridHelper(24, 24);
     ground.rotation.x = Math.PI / 2;
     ground.material.vertexColors = false;
-    const axes = new three.AxesHelper(1);
+    const axes = make_axes(1);
     axes.rotation.x = -Math.PI / 2;  // the grid lies in x and z of its own frame
     ground.add(axes);
     this.scene.add(ground);
