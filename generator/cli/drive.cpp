@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "cli/read_inputs.hpp"
 #include "cli/write_output.hpp"
 #include "description/read_text_file.hpp"
+#include "drive/find_meshes.hpp"
 #include "launch/launch.hpp"
 
 namespace treeline {
@@ -21,6 +24,7 @@ struct DriveOptions {
   InputOptions inputs;
   DriveSettings drive;
   std::string script;
+  std::vector<std::string> packages;
   bool headless = false;
 };
 
@@ -37,6 +41,34 @@ std::optional<LaunchedRobot> launch_from(const InputOptions& options, Diagnostic
   return robot;
 }
 
+/// `--package NAME=DIR`, each.
+std::optional<std::map<std::string, std::filesystem::path>> read_packages(
+    const std::vector<std::string>& given, Diagnostics& diagnostics) {
+  std::map<std::string, std::filesystem::path> packages;
+  for (const std::string& package : given) {
+    const std::size_t equals = package.find('=');
+    if (equals != std::string::npos && std::filesystem::is_directory(package.substr(equals + 1))) {
+      packages[package.substr(0, equals)] = package.substr(equals + 1);
+      continue;
+    }
+    diagnostics.add({Severity::error, "", 0, "--package",
+                     fmt::format("\"{}\" is not NAME=DIR with a folder that exists", package),
+                     "Name the folder that package://NAME/ stands for."});
+  }
+  if (diagnostics.has_errors()) return std::nullopt;
+  return packages;
+}
+
+/// Warns where others than this machine can connect.
+void warn_of_listeners(const DriveSettings& drive, Diagnostics& diagnostics) {
+  if (!drive.serves || drive.listen == "127.0.0.1" || drive.listen == "::1") return;
+  diagnostics.add({Severity::warning, "", 0, "--listen",
+                   fmt::format("everybody who reaches {} can watch, and whoever has the token can "
+                               "command; nothing is encrypted",
+                               drive.listen),
+                   "Without it only this machine can connect; `ssh -L` reaches it from others."});
+}
+
 bool read_script(const std::string& path, DriveSettings& drive, Diagnostics& diagnostics) {
   if (path.empty()) return true;
   const auto text = read_text_file(path, diagnostics);
@@ -50,9 +82,16 @@ int run(DriveOptions options) {
   drive.serves = !options.headless;
   drive.real_time = drive.real_time || drive.serves;
   drive.reads_input = options.script.empty();
+  warn_of_listeners(drive, diagnostics);
   std::optional<LaunchedRobot> robot;
-  if (read_script(options.script, drive, diagnostics)) {
+  const auto packages = read_packages(options.packages, diagnostics);
+  if (packages && read_script(options.script, drive, diagnostics)) {
     robot = launch_from(options.inputs, diagnostics);
+  }
+  if (robot) {
+    drive.meshes =
+        drive::find_meshes(robot->description.urdf,
+                           std::filesystem::path(options.inputs.urdf).parent_path(), *packages);
   }
   print_diagnostics(diagnostics, options.inputs.warnings);
   if (!robot) return kBadInput;
@@ -80,6 +119,14 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option("--rate", drive.rate, "Cycles of the control loop a second")
       ->check(between(50, 10000))
       ->capture_default_str();
+  command.add_option("--port", drive.port, "Of the page; 0: any that is free")
+      ->check(whole_between(0, 65535))
+      ->capture_default_str();
+  command
+      .add_option("--listen", drive.listen,
+                  "Address of this machine that others may reach; they can watch")
+      ->capture_default_str();
+  command.add_option("--package", options.packages, "NAME=DIR: where package://NAME/ lies");
   command.add_option("--q", drive.start, "Where it starts, separated by commas; else at 0")
       ->delimiter(',')
       ->check(any_number());

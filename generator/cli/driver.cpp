@@ -14,7 +14,10 @@
 
 #include "cli/loop_handle.hpp"
 #include "description/printable.hpp"
+#include "drive/page.hpp"
+#include "drive/rate_limit.hpp"
 #include "drive/script.hpp"
+#include "drive/server.hpp"
 #include "drive/session.hpp"
 #include "interruption/clean_up.hpp"
 #include "servo/realtime.hpp"
@@ -27,6 +30,10 @@ using namespace std::chrono_literals;
 using drive::Verb;
 
 std::atomic<bool> asked_to_end{false};
+
+double machine_time() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 void say(const std::string& line) {
   fmt::print(stderr, "{}\n", printable(line));
@@ -56,11 +63,15 @@ class Driver {
   }
 
   bool open_record(Diagnostics& diagnostics);
+  bool open_server(Diagnostics& diagnostics);
   DriveOutcome run();
 
  private:
   void run_as_fast_as_possible();
   void run_in_real_time();
+  void attend();
+  void tell_front_ends();
+  drive::ServerHandlers handlers();
   void receive();
   void obey_script();
   void obey_line(const drive::Script::Line& line);
@@ -70,6 +81,7 @@ class Driver {
   void record_line(const std::string& line, const drive::Answer& answer);
   void end();
   void watch_end();
+  double now() const { return settings_.real_time ? machine_time() : time(); }
   double time() const { return session_.report().head.time; }
   bool moving() const { return session_.report().head.moving; }
 
@@ -86,6 +98,11 @@ class Driver {
   bool ending_ = false;
   DriveOutcome outcome_;
   std::string fault_seen_;
+  std::mutex mutex_;  ///< of the session, between this thread and the server's
+  std::map<int, std::pair<drive::Inbox, drive::RateLimit>> inboxes_;
+  std::map<std::int64_t, double> sent_;  ///< when states of the last seconds were sent
+  double told_ = 0;
+  std::unique_ptr<drive::Server> server_;
 };
 
 bool Driver::open_record(Diagnostics& diagnostics) {
@@ -140,7 +157,7 @@ void Driver::obey_line(const drive::Script::Line& line) {
   if (const auto* command = std::get_if<drive::Command>(&parsed)) {
     if (is_local(command->verb)) return obey_local(*command);
   }
-  const drive::Answer answer = session_.obey(local_, true, line.text, time());
+  const drive::Answer answer = session_.obey(local_, true, line.text, now());
   record_line(line.text, answer);
   say(fmt::format("{:9.3f} s  {}{}", time(), answer.ok ? "" : fmt::format("line {}: ", line.number),
                   answer.text));
@@ -191,6 +208,100 @@ void Driver::run_as_fast_as_possible() {
   }
 }
 
+/// One look after everything but the loop, which runs in a thread of its own.
+void Driver::attend() {
+  const std::lock_guard lock(mutex_);
+  receive();
+  if (!ending_) {
+    read_input();
+    obey_script();
+    watch_end();
+  }
+  tell_front_ends();
+}
+
+/// States 30 times a second, and notes.
+void Driver::tell_front_ends() {
+  constexpr double kInterval = 1.0 / 30.0;  // s
+  constexpr double kKept = 5.0;             // s
+  for (const drive::Note& note : session_.take_notes()) {
+    if (note.front_end == local_) {
+      say(note.text);
+    } else if (server_) {
+      server_->send(note.front_end, drive::print_note(note.text));
+    }
+  }
+  if (!server_ || now() < told_ + kInterval) return;
+  told_ = now();
+  sent_[++state_number_] = told_;
+  while (sent_.begin()->second < told_ - kKept) sent_.erase(sent_.begin());
+  const std::string state = drive::print_state(session_, state_number_, server_->connections());
+  const std::optional<int> holder = session_.authority().holder();
+  server_->send_states(
+      [state, holder](int front_end) { return drive::finish_state(state, holder == front_end); });
+}
+
+/// What the server's thread asks.
+drive::ServerHandlers Driver::handlers() {
+  constexpr double kPerSecond = 200;
+  constexpr double kBurst = 100;
+  drive::ServerHandlers handlers;
+  handlers.join = [this](bool may_command, std::string& hello) {
+    const std::lock_guard lock(mutex_);
+    const int front_end = session_.join();
+    inboxes_.emplace(front_end, std::pair{drive::Inbox(front_end, may_command),
+                                          drive::RateLimit(kPerSecond, kBurst)});
+    hello = drive::print_hello(session_, settings_.rate, may_command, settings_.meshes);
+    return front_end;
+  };
+  handlers.receive = [this](int front_end, std::string_view message) -> std::string {
+    const std::lock_guard lock(mutex_);
+    auto& [inbox, limit] = inboxes_.at(front_end);
+    if (!limit.admits(now())) {
+      ++session_.refused().excess;
+      return {};
+    }
+    return inbox.receive(message, now(), sent_, session_);
+  };
+  handlers.leave = [this](int front_end) {
+    const std::lock_guard lock(mutex_);
+    inboxes_.erase(front_end);
+    session_.leave(front_end, now());
+  };
+  return handlers;
+}
+
+bool Driver::open_server(Diagnostics& diagnostics) {
+  if (!settings_.serves) return true;
+  const drive::Page page = drive::carried_page();
+  drive::ServerSettings server;
+  server.address = settings_.listen;
+  server.port = settings_.port;
+  server.token = drive::make_token();
+  server.html = page.html;
+  server.script = page.script;
+  server.style = page.style;
+  server.urdf = session_.robot().urdf;
+  server.meshes = settings_.meshes;
+  const std::string token = server.token;
+  std::string error;
+  server_ = drive::Server::open(std::move(server), handlers(), error);
+  if (!server_) {
+    diagnostics.add({Severity::error, "", 0, "--listen",
+                     fmt::format("{} port {} cannot be listened on: {}", settings_.listen,
+                                 settings_.port, error),
+                     "Choose another --port, or an address of this machine."});
+    return false;
+  }
+  if (page.html.empty())
+    say("This program was built without the page: Node.js or npm was missing.");
+  const bool is_ipv6 = settings_.listen.find(':') != std::string::npos;
+  fmt::print("http://{}:{}/?token={}\n", is_ipv6 ? "[" + settings_.listen + "]" : settings_.listen,
+             server_->port(), token);
+  std::fflush(stdout);
+  return true;
+}
+
 void Driver::run_in_real_time() {
   std::atomic<bool> ended{false};
   std::atomic<bool> ready{false};
@@ -205,15 +316,11 @@ void Driver::run_in_real_time() {
   while (!ready) std::this_thread::sleep_for(1ms);
   if (!refused.empty()) say("real time: " + refused);
   while (!ended) {
-    receive();
-    if (!ending_) {
-      read_input();
-      obey_script();
-      watch_end();
-    }
+    attend();
     std::this_thread::sleep_for(4ms);
   }
   servo.join();
+  server_.reset();
 }
 
 DriveOutcome Driver::run() {
@@ -244,7 +351,9 @@ std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSet
   answer_signals([] { asked_to_end = true; });
   Driver driver(robot, settings, std::move(start));
   std::optional<DriveOutcome> outcome;
-  if (driver.open_record(diagnostics)) outcome = driver.run();
+  if (driver.open_record(diagnostics) && driver.open_server(diagnostics)) {
+    outcome = driver.run();
+  }
   answer_signals(nullptr);
   return outcome;
 }
