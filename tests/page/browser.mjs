@@ -3,8 +3,8 @@ import fs from 'node:fs';
 
 import {load_package} from './packages.mjs';
 
-const kCandidates = [process.env.TREELINE_CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser',
-  '/usr/bin/google-chrome'];
+const kCandidates = [process.env.TREELINE_CHROMIUM, '/usr/bin/chromium',
+  '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 
 /** The browser's program, or undefined. */
 export function find_chromium() {
@@ -67,7 +67,7 @@ export async function where(page, handle) {
   return {x: clientX, y: clientY};
 }
 
-/** Drags `handle` along `path`, pixels from where it is grabbed, and lets go unless told to hold. */
+/** Drags `handle` along `path`, pixels from where it is grabbed. Lets go unless told to hold. */
 export async function drag(page, handle, path, {hold = false} = {}) {
   const {x, y} = await where(page, handle);
   await page.mouse.move(x, y);
@@ -86,6 +86,6 @@ export function straight([dx, dy], count) {
 
 /** Waits until `holds(state)`, which runs in the page and sees `argument`. */
 export function wait_for_state(page, holds, argument, timeout = 15000) {
-  return page.waitForFunction(`(${holds})(window.treeline.state, ${JSON.stringify(argument ?? null)})`,
-    undefined, {timeout});
+  const given = JSON.stringify(argument ?? null);
+  return page.waitForFunction(`(${holds})(window.treeline.state, ${given})`, undefined, {timeout});
 }

@@ -218,7 +218,8 @@ export const kGestures = {
   'a drag is about 30 lines a second, and none after': falls_silent_after_a_drag,
   'numbers do what gestures do': obeys_numbers,
   'typed lines move the robot, or say what is wrong': obeys_typed_lines,
-  'the button stops': (browser, server, t) => stops(browser, server, t, (page) => page.click('.stop')),
+  'the button stops': (browser, server, t) =>
+    stops(browser, server, t, (page) => page.click('.stop')),
   'the space bar stops': (browser, server, t) => stops(browser, server, t, async (page) => {
     await page.focus('[aria-label="joint2, value"]');
     await page.keyboard.press('Space');

@@ -1,6 +1,6 @@
-// Would catch: controls that the Tab key does not reach or whose focus is not seen, a space bar that
-// stops in the middle of a command or does not stop elsewhere, history and completion that lose
-// what was typed.
+// Would catch: controls that the Tab key does not reach or whose focus is not seen, a space bar
+// that stops in the middle of a command or does not stop elsewhere, history and completion that
+// lose what was typed.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 

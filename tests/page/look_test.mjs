@@ -46,8 +46,9 @@ function find_clashes() {
     for (let k = i + 1; k < shown.length; ++k) {
       const inside = shown[i].contains(shown[k]) || shown[k].contains(shown[i]);
       const sticky = Boolean(shown[i].closest('#status')) !== Boolean(shown[k].closest('#status'));
-      const wide = Math.min(boxes[i].right, boxes[k].right) - Math.max(boxes[i].left, boxes[k].left);
-      const high = Math.min(boxes[i].bottom, boxes[k].bottom) - Math.max(boxes[i].top, boxes[k].top);
+      const [a, b] = [boxes[i], boxes[k]];
+      const wide = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+      const high = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
       if (!inside && !sticky && wide > 1 && high > 1) {
         clashes.push(`${name(shown[i])} over ${name(shown[k])}`);
       }
@@ -75,9 +76,10 @@ function find_faint_texts() {
     }
     return 'rgb(255, 255, 255)';
   };
+  const has_text = (one) => [...one.childNodes].some((node) =>
+    node.nodeType === 3 && node.textContent.trim());
   return [...document.querySelectorAll('body *')].filter((one) => one.checkVisibility() &&
-    !one.disabled && !one.closest('#axes, .uplot') &&
-    [...one.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim())).map((one) => {
+    !one.disabled && !one.closest('#axes, .uplot') && has_text(one)).map((one) => {
     const [a, b] = [light(getComputedStyle(one).color), light(ground(one))];
     return [(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), one.textContent];
   }).filter(([contrast]) => contrast < 4.5);

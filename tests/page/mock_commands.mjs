@@ -86,7 +86,8 @@ function change_mode(robot, word) {
 }
 
 const kMotions = [
-  [new RegExp(`^joint (\\S+) (to|by) ${kNumber}(?: (deg|rad|m))?(?: in ${kNumber} s)?$`), move_joint],
+  [new RegExp(`^joint (\\S+) (to|by) ${kNumber}(?: (deg|rad|m))?(?: in ${kNumber} s)?$`),
+    move_joint],
   [new RegExp(`^drag joint (\\S+) to ${kNumber}(?: (deg|rad|m))?$`), drag_joint],
   [new RegExp(`^move (\\S+) (to|by) ${kNumber} ${kNumber} ${kNumber}(?: in ${kNumber} s)?$`),
     move_point],

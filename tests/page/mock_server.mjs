@@ -14,7 +14,7 @@ const kToken = 'mock';
 const kLease = 0.125;  // s
 const kTypes = {html: 'text/html', js: 'text/javascript', css: 'text/css'};
 
-function write_hello(robot, checksum, may_command) {
+function write_hello({robot, checksum, meshes}, may_command) {
   return {type: 'hello', version: 1, robot: checksum, name: 'puma560', base: 'fixed', rate: 1000,
     may_command, lease: kLease,
     coordinates: robot.moving.map(({name, lower, upper, velocity, effort}) => ({name, joint: name,
@@ -22,7 +22,9 @@ function write_hello(robot, checksum, may_command) {
     points: [{name: 'tool', link: 'tool', origin: [0, 0, 0, 0, 0, 0, 1],
       rows: ['x', 'y', 'z', 'rx', 'ry', 'rz'], axes: 'world'}],
     links: robot.moving.map((joint) => joint.child), locked: {},
-    controls: ['joint', 'task', 'gravity'], meshes: {}, missing_meshes: [], commands: kCommands};
+    controls: ['joint', 'task', 'gravity'], missing_meshes: [],
+    meshes: Object.fromEntries(Object.keys(meshes).map((name, i) => [name, `/mesh/${i}`])),
+    commands: kCommands};
 }
 
 function write_state(robot, client, clients) {
@@ -38,14 +40,15 @@ function write_state(robot, client, clients) {
     forces: [{link: 'tool', at, force: [0, 0, 40]}], control_us: times, period_us: times,
     jitter_us: times, histogram: {width_us: 10, first_us: 800, period: spread(20),
       jitter: spread(2), control: spread(1)}, cycles: Math.round(1000 * robot.time), overruns: 0,
-    saturated: false, counts: {malformed: 0, foreign: 0, repeated: 0, late: 0, excess: 0, refused: 0},
+    saturated: false, counts: {malformed: 0, foreign: 0, repeated: 0, late: 0, excess: 0,
+      refused: 0},
     commanding: clients.commander === client, commander: clients.commander !== null,
     watchers: clients.all.size - (clients.commander ? 1 : 0)};
 }
 
 /** Who may, and who has the command; then what the line says. */
 function answer(robot, client, clients, text) {
-  if (!client.may_command) return {ok: false, text: 'this page may only watch: its address has no token'};
+  if (!client.may_command) return {ok: false, text: 'this page may only watch'};
   if (text === 'take' || (clients.commander === null && text !== 'stop')) {
     if (clients.commander !== null && clients.commander !== client) {
       return {ok: false, text: 'another front end has the command'};
@@ -70,9 +73,14 @@ export class MockServer {
   checksum = 'c0ffee';
   #sockets = new Set();
 
-  constructor() {
-    const urdf = path.join(kSource, 'robots/puma560/puma560.urdf');
-    this.urdf = fs.readFileSync(urdf, 'utf8');
+  /**
+   * Of a PUMA 560, or of `urdf`, whose joints stand behind their parents. `meshes` are bytes by the
+   * name that the URDF gives them; what it names beside is missing.
+   */
+  constructor(urdf, meshes = {}) {
+    const puma = path.join(kSource, 'robots/puma560/puma560.urdf');
+    this.urdf = urdf ?? fs.readFileSync(puma, 'utf8');
+    this.meshes = meshes;
     this.robot = new MockRobot(this.urdf, 'tool');
     this.clients = {all: new Set(), commander: null};
   }
@@ -107,8 +115,9 @@ export class MockServer {
     const {pathname} = new URL(request.url, 'http://127.0.0.1');
     const name = pathname === '/' ? 'index.html' : pathname.slice(1);
     const type = kTypes[name.split('.').at(-1)];
-    if (name === 'robot.urdf') {
-      response.end(this.urdf);
+    const mesh = Object.values(this.meshes)[Number(name.match(/^mesh\/(\d+)$/)?.[1])];
+    if (name === 'robot.urdf' || mesh) {
+      response.end(mesh ?? this.urdf);
     } else if (type && !name.includes('/') && fs.existsSync(path.join(kPage, name))) {
       response.setHeader('Content-Type', type);
       response.end(fs.readFileSync(path.join(kPage, name)));
@@ -122,7 +131,7 @@ export class MockServer {
     const token = new URL(request.url, 'http://127.0.0.1').searchParams.get('token');
     const client = {socket, may_command: token === kToken, states: 0};
     this.clients.all.add(client);
-    socket.send(JSON.stringify(write_hello(this.robot, this.checksum, client.may_command)));
+    socket.send(JSON.stringify(write_hello(this, client.may_command)));
     socket.on('close', () => {
       this.clients.all.delete(client);
       if (this.clients.commander === client) this.clients.commander = null;

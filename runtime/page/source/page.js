@@ -68,8 +68,9 @@ const plot_panel = new PlotPanel(tabs.Plots, recorder, {
 const panels = [status, joint_panel, point_panel, new ControlPanel(tabs.Control, run), plot_panel,
   command_line];
 
-const pull = toggle('Pull links', 'Dragging a link pulls it with a spring, instead of turning the picture',
-  false, (yes) => { view.gestures.pulls_links = yes; });
+const pull = toggle('Pull links',
+  'Dragging a link pulls it with a spring, instead of turning the picture', false,
+  (yes) => { view.gestures.pulls_links = yes; });
 find('#view-tools').append(pull);
 
 async function greet(message) {
@@ -114,8 +115,8 @@ function show_state(state) {
   window.treeline.state = state;
 }
 
-// For tests and for people at the console: the newest state, the picture as a PNG, and where handles
-// are on the screen.
+// For tests and for people at the console: the newest state, the picture as a PNG, and where
+// handles are on the screen.
 window.treeline = {state: null, where: (name) => view.where(name), picture: () => view.write_png(),
   handles: () => view.handles?.list.map((handle) => handle.name) ?? []};
 

@@ -41,8 +41,8 @@ export function write_csv(hello, states) {
   const points = hello.points.map((point) => point.name);
   const velocities = states[0]?.qd.length ?? 0;
   const numbered = (name, count) => Array.from({length: count}, (_, i) => `${name}${i}`);
-  const head = ['time', 'mode', ...hello.coordinates.map((c) => c.name), ...numbered('qd', velocities),
-    ...numbered('tau', states[0]?.tau.length ?? 0),
+  const head = ['time', 'mode', ...hello.coordinates.map((c) => c.name),
+    ...numbered('qd', velocities), ...numbered('tau', states[0]?.tau.length ?? 0),
     ...points.flatMap((name) => ['x', 'y', 'z', 'error'].map((part) => `${name} ${part}`)),
     'control_us', 'control_max_us', 'period_us', 'period_max_us'];
   const rows = states.map((state) => [state.time, state.mode, ...state.q, ...state.qd, ...state.tau,

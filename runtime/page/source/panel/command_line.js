@@ -145,7 +145,7 @@ export class CommandLine {
     this.input.setAttribute('aria-expanded', String(open));
     [...this.list.children].forEach((item, i) =>
       item.setAttribute('aria-selected', String(i === this.#chosen)));
-    if (this.#chosen >= 0) this.input.setAttribute('aria-activedescendant', `offer-${this.#chosen}`);
-    else this.input.removeAttribute('aria-activedescendant');
+    this.input.setAttribute('aria-activedescendant',
+      this.#chosen >= 0 ? `offer-${this.#chosen}` : '');
   }
 }

@@ -21,9 +21,9 @@ export class ControlPanel {
     this.run = run;
     this.buttons = element('div', {className: 'choices'});
     this.counts = element('dl', {className: 'counts'});
-    root.append(element('h3', {}, 'Control'), this.buttons, element('h3', {}, 'Gains, 1/s² and 1/s'),
-      this.#make_gains('joint'), this.#make_gains('task'), element('h3', {}, 'The loop'),
-      this.counts);
+    root.append(element('h3', {}, 'Control'), this.buttons,
+      element('h3', {}, 'Gains, 1/s² and 1/s'), this.#make_gains('joint'),
+      this.#make_gains('task'), element('h3', {}, 'The loop'), this.counts);
   }
 
   greet(hello) {

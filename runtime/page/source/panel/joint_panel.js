@@ -40,11 +40,15 @@ class JointRow {
     this.slider.min = lower;
     this.slider.max = upper;
     this.slider.step = (upper - lower) / 400;
-    const bound = (limit, value) => (limit === null || limit === undefined ? 'free'
-      : `${Number(to_shown(this.coordinate, value).toFixed(unit_of(this.coordinate) === 'deg' ? 0 : 2))}`);
-    set_text(this.lower, bound(this.coordinate.lower, lower));
-    set_text(this.upper, bound(this.coordinate.upper, upper));
+    set_text(this.lower, this.#write_limit(this.coordinate.lower));
+    set_text(this.upper, this.#write_limit(this.coordinate.upper));
     set_text(this.unit, sign_of(this.coordinate));
+  }
+
+  #write_limit(limit) {
+    if (limit === null) return 'free';
+    const digits = unit_of(this.coordinate) === 'deg' ? 0 : 2;
+    return String(Number(to_shown(this.coordinate, limit).toFixed(digits)));
   }
 
   show(q) {

@@ -26,7 +26,8 @@ function over_time(labels, least) {
   return {
     series: [{}, ...labels.map((label, i) => series(label, i))],
     axes: [axis({size: 24, values: (_, ticks) => ticks.map((tick) => `${tick} s`)}),
-      axis({size: 44, values: (_, ticks) => ticks.map((tick) => `${Number(tick.toPrecision(4))}`)})],
+      axis({size: 44,
+        values: (_, ticks) => ticks.map((tick) => String(Number(tick.toPrecision(4))))})],
     scales: {x: {time: false}, y: {range: (_, low, high) => [Math.min(low ?? 0, 0),
       Math.max(high ?? 1, least) * 1.1]}},
   };
@@ -38,12 +39,14 @@ function as_histogram(labels) {
     series: [{}, ...labels.map((label, i) => series(label, i,
       {paths: bars, fill: `${css_color(kColors[i])}66`}))],
     axes: [axis({size: 24, values: (_, ticks) => ticks.map((tick) => `${tick} µs`)}),
-      axis({size: 44, grid: {show: false}, values: (_, ticks) => ticks.map((tick) => (tick >= 1 ? short(tick) : ''))})],
-    scales: {x: {time: false}, y: {distr: 3, range: (_, low, high) => [0.8, Math.max(high ?? 1, 10) * 2]}},
+      axis({size: 44, grid: {show: false}, values: (_, ticks) => ticks.map(short)})],
+    scales: {x: {time: false},
+      y: {distr: 3, range: (_, low, high) => [0.8, Math.max(high ?? 1, 10) * 2]}},
   };
 }
 
 function short(count) {
+  if (count === null || count < 1) return '';
   if (count >= 1e6) return `${count / 1e6}M`;
   return count >= 1e3 ? `${count / 1e3}k` : String(count);
 }

@@ -112,7 +112,8 @@ export class PointPanel {
     };
     return element('section', {className: 'card', 'aria-label': 'pull a link'},
       element('header', {}, element('h3', {}, 'Pull a link')),
-      element('p', {className: 'readout'}, 'A spring from a place on the link to one in the world.'),
+      element('p', {className: 'readout'},
+        'A spring from a place on the link to one in the world.'),
       make_form('pull a link', [element('span', {}, 'Link'), this.link,
         element('span', {}, 'for s'), seconds, submit('pull', 'Pull for this long')], pull),
       element('div', {className: 'numbers'}, element('span', {}, 'at'), ...at.inputs),

@@ -76,7 +76,8 @@ export function make_plane(axis) {
     kZ, new three.Vector3().setComponent(axis, 1));
   const put = (shape) => shape.applyQuaternion(turn).translate(...corner);
   plane.add(shown(put(new three.PlaneGeometry(0.9, 0.9)), kAxisColors[axis], 0.45));
-  const edge = new three.LineSegments(new three.EdgesGeometry(put(new three.PlaneGeometry(0.9, 0.9))),
+  const edge = new three.LineSegments(
+    new three.EdgesGeometry(put(new three.PlaneGeometry(0.9, 0.9))),
     new three.LineBasicMaterial({color: kAxisColors[axis], depthTest: false, transparent: true}));
   edge.renderOrder = 11;
   plane.add(edge, felt(put(new three.PlaneGeometry(1, 1))));

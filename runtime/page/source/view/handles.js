@@ -95,7 +95,8 @@ export class Handles {
       if (!is_one_freedom(coordinate) || !this.model.joints[coordinate.joint]) return;
       const kind = is_angle(coordinate) ? 'disk' : 'rail';
       this.#add({kind, name: `${kind}:${coordinate.name}`, coordinate, index,
-        share: this.#share_of(this.model.joints[coordinate.joint]), object: kind === 'disk' ? make_disk() : make_rail()});
+        share: this.#share_of(this.model.joints[coordinate.joint]),
+        object: kind === 'disk' ? make_disk() : make_rail()});
     });
   }
 

@@ -40,7 +40,9 @@ function drop_unreadable(robot, meshes) {
 async function load_mesh(file, address, manager, material) {
   const kind = file.split('.').at(-1).toLowerCase();
   if (kind === 'stl') {
-    return new three.Mesh(await new STLLoader(manager).loadAsync(address), material);
+    const shape = await new STLLoader(manager).loadAsync(address);
+    shape.computeVertexNormals();  // many files have zeros for normals
+    return new three.Mesh(shape, material);
   }
   if (kind === 'dae') return (await new ColladaLoader(manager).loadAsync(address)).scene;
   if (kind === 'glb' || kind === 'gltf') {

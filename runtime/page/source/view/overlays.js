@@ -7,6 +7,9 @@ import {group_coordinates, pose_robot} from './pose_robot.js';
 const kTraceLength = 900;   // states: half a minute
 const kGhostFrom = 0.005;   // rad or m from which on the goal is worth a ghost
 const kTraceStep = 0.001;   // m between places of a trace
+const kForceColor = 0xe5484d;
+const kTorqueColor = 0x8e4ec6;
+const kArrowForce = 50;     // N that an arrow shows which is as long as a handle
 
 function overlay(color, opacity = 1) {
   return {color, opacity, transparent: true, depthTest: false};
@@ -160,7 +163,9 @@ export class Overlays {
   #update_arrows(state) {
     this.arrows.clear();
     if (this.shown.forces) {
-      for (const {at, force} of state.forces ?? []) this.#add_arrow(at, force, 1 / 200, 0xe5484d);
+      for (const {at, force} of state.forces) {
+        this.#add_arrow(at, force, 1 / kArrowForce, kForceColor);
+      }
     }
     if (this.shown.torques) this.#add_torques(state);
   }
@@ -176,7 +181,7 @@ export class Overlays {
       const axis = joint.axis.clone().transformDirection(joint.matrixWorld);
       const share = axis.multiplyScalar(state.tau[first[i]] / effort);
       this.#add_arrow(joint.getWorldPosition(new three.Vector3()).toArray(), share.toArray(), 3,
-        0x8e4ec6);
+        kTorqueColor);
     });
   }
 
