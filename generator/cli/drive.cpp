@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "cli/driver.hpp"
@@ -26,6 +27,8 @@ struct DriveOptions {
   std::string script;
   std::vector<std::string> packages;
   bool headless = false;
+  std::string robot = "simulated";
+  std::string act_as_robot;
 };
 
 std::optional<LaunchedRobot> launch_from(const InputOptions& options, Diagnostics& diagnostics) {
@@ -80,7 +83,9 @@ int run(DriveOptions options) {
   Diagnostics diagnostics;
   DriveSettings& drive = options.drive;
   drive.serves = !options.headless;
-  drive.real_time = drive.real_time || drive.serves;
+  constexpr std::string_view kUdp = "udp:";
+  if (options.robot.starts_with(kUdp)) drive.udp_robot = options.robot.substr(kUdp.size());
+  drive.real_time = drive.real_time || drive.serves || !drive.udp_robot.empty();
   drive.reads_input = options.script.empty();
   warn_of_listeners(drive, diagnostics);
   std::optional<LaunchedRobot> robot;
@@ -96,6 +101,11 @@ int run(DriveOptions options) {
   print_diagnostics(diagnostics, options.inputs.warnings);
   if (!robot) return kBadInput;
   Diagnostics of_drive;
+  if (!options.act_as_robot.empty()) {
+    const bool acted = act_as_robot(*robot, drive, options.act_as_robot, of_drive);
+    print_diagnostics(of_drive, options.inputs.warnings);
+    return acted ? kOk : kBadInput;
+  }
   const auto outcome = run_drive(*robot, drive, of_drive);
   print_diagnostics(of_drive, options.inputs.warnings);
   if (!outcome) return kBadInput;
@@ -127,6 +137,15 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
                   "Address of this machine that others may reach; they can watch")
       ->capture_default_str();
   command.add_option("--package", options.packages, "NAME=DIR: where package://NAME/ lies");
+  command.add_option("--robot", options.robot, "simulated, or udp:HOST:PORT")
+      ->check([](const std::string& given) {
+        return given == "simulated" || given.starts_with("udp:")
+                   ? std::string()
+                   : fmt::format("\"{}\" is no robot\nsimulated, or udp:HOST:PORT", given);
+      })
+      ->capture_default_str();
+  command.add_option("--act-as-robot", options.act_as_robot,
+                     "HOST:PORT: be the simulated robot of a drive in another process");
   command.add_option("--q", drive.start, "Where it starts, separated by commas; else at 0")
       ->delimiter(',')
       ->check(any_number());

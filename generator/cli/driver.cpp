@@ -4,11 +4,13 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -19,6 +21,7 @@
 #include "drive/script.hpp"
 #include "drive/server.hpp"
 #include "drive/session.hpp"
+#include "drive/udp_robot.hpp"
 #include "interruption/clean_up.hpp"
 #include "servo/realtime.hpp"
 #include "servo/state_machine.hpp"
@@ -50,10 +53,11 @@ std::string print_usages() {
 /// A run of the loop with its front ends.
 class Driver {
  public:
-  Driver(const LaunchedRobot& robot, const DriveSettings& settings, std::vector<double> start)
+  Driver(const LaunchedRobot& robot, const DriveSettings& settings,
+         const std::vector<double>& start, const drive::ExternalRobot& external)
       : settings_(settings),
         loop_(robot.library.functions(), robot.description, settings.rate, settings.real_time,
-              start),
+              start, external),
         session_(robot.description, settings.rate, robot.library.functions().has_center_of_mass,
                  [this](const servo::Message& message) { return loop_.send(message); }),
         numbers_(static_cast<std::size_t>(session_.layout().size)),
@@ -120,7 +124,7 @@ void Driver::record_state() {
   constexpr double kInterval = 0.01;  // s
   if (settings_.record.empty() || time() < recorded_ + kInterval - 1e-9) return;
   recorded_ = time();
-  record_ << drive::print_state(session_, state_number_++, 0) << '\n';
+  record_ << drive::print_state(session_, state_number_++, 0, drive::Detail::plain) << '\n';
 }
 
 void Driver::record_line(const std::string& line, const drive::Answer& answer) {
@@ -336,26 +340,90 @@ DriveOutcome Driver::run() {
 
 }  // namespace
 
+namespace {
+
+/// The coordinates at the beginning; empty after an error.
+std::vector<double> start_of(const LaunchedRobot& robot, const DriveSettings& settings,
+                             Diagnostics& diagnostics) {
+  const std::size_t size = robot.description.coordinates.size();
+  if (settings.start.empty()) return default_start(robot.description);
+  if (settings.start.size() == size) return settings.start;
+  diagnostics.add(
+      {Severity::error, "", 0, "--q",
+       fmt::format("{} numbers are given, the robot has {}", settings.start.size(), size),
+       "`treeline inspect` lists the joints in their order."});
+  return {};
+}
+
+/// The robot at an address, after its first state has come. Null after an error.
+std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const std::string& address,
+                                            Diagnostics& diagnostics) {
+  constexpr double kPatience = 5;  // s
+  std::string error;
+  auto found = drive::UdpRobot::open(address, robot.description.checksum,
+                                     static_cast<int>(robot.description.coordinates.size()),
+                                     robot.description.velocities, error);
+  if (found && found->wait_for_state(kPatience)) return found;
+  diagnostics.add({Severity::error, "", 0, "--robot",
+                   found ? fmt::format("no robot answers at {} within {} s", address, kPatience)
+                         : fmt::format("\"{}\": {}", address, error),
+                   "`treeline drive --act-as-robot HOST:PORT`, with the same URDF and scene, is a "
+                   "simulated one."});
+  return nullptr;
+}
+
+}  // namespace
+
 std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
                                       Diagnostics& diagnostics) {
-  std::vector<double> start = settings.start;
-  const std::size_t size = robot.description.coordinates.size();
-  if (start.empty()) start = default_start(robot.description);
-  if (start.size() != size) {
-    diagnostics.add({Severity::error, "", 0, "--q",
-                     fmt::format("{} numbers are given, the robot has {}", start.size(), size),
-                     "`treeline inspect` lists the joints in their order."});
-    return std::nullopt;
+  std::vector<double> start = start_of(robot, settings, diagnostics);
+  if (start.empty()) return std::nullopt;
+  std::unique_ptr<drive::UdpRobot> external;
+  if (!settings.udp_robot.empty()) {
+    external = find_robot(robot, settings.udp_robot, diagnostics);
+    if (!external) return std::nullopt;
+    std::copy_n(external->state().begin(), start.size(), start.begin());
   }
   asked_to_end = false;
   answer_signals([] { asked_to_end = true; });
-  Driver driver(robot, settings, std::move(start));
+  Driver driver(robot, settings, start, external ? external->functions() : drive::ExternalRobot{});
   std::optional<DriveOutcome> outcome;
   if (driver.open_record(diagnostics) && driver.open_server(diagnostics)) {
     outcome = driver.run();
   }
   answer_signals(nullptr);
   return outcome;
+}
+
+bool act_as_robot(const LaunchedRobot& robot, const DriveSettings& settings,
+                  const std::string& address, Diagnostics& diagnostics) {
+  const std::vector<double> start = start_of(robot, settings, diagnostics);
+  if (start.empty()) return false;
+  const drive::RobotLibrary& library = robot.library.functions();
+  const LoopNumbers numbers(robot.description);
+  const drive::LoopOptions options = options_for(robot.description, numbers, start);
+  const std::unique_ptr<void, void (*)(void*)> simulated(library.create_robot(&options),
+                                                         library.destroy_robot);
+  drive::RobotSide side;
+  side.address = address;
+  side.checksum = robot.description.checksum;
+  side.rate = settings.rate;
+  side.nq = library.coordinates;
+  side.nv = library.velocities;
+  side.advance = [&](const double* tau, double seconds) {
+    library.advance_robot(simulated.get(), tau, seconds);
+  };
+  side.read = [&](double* state) { library.read_robot(simulated.get(), state); };
+  asked_to_end = false;
+  answer_signals([] { asked_to_end = true; });
+  say(fmt::format("the simulated robot listens at {}", address));
+  const std::string error = drive::run_robot_side(side, asked_to_end);
+  answer_signals(nullptr);
+  if (error.empty()) return true;
+  diagnostics.add({Severity::error, "", 0, "--act-as-robot",
+                   fmt::format("{} cannot be listened on: {}", address, error),
+                   "Name an address of this machine as a number, and a free port."});
+  return false;
 }
 
 }  // namespace treeline

@@ -23,6 +23,7 @@ struct DriveSettings {
   std::string listen = "127.0.0.1";
   int port = 0;  ///< 0: any
   std::vector<drive::ServedMesh> meshes;
+  std::string udp_robot;  ///< HOST:PORT; empty: the robot is simulated
 };
 
 /// How a drive ended.
@@ -35,8 +36,13 @@ struct DriveOutcome {
 /// Drives a robot until its script has ended, somebody says `quit`, or a signal comes; it then
 /// brakes to rest. Without real time everything happens in this thread, and the same script gives
 /// the same motion. Errors: `start` of another length; a record that cannot be written; an address
-/// that cannot be listened on.
+/// that cannot be listened on; no robot answers.
 std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
                                       Diagnostics& diagnostics);
+
+/// Simulates the robot for a loop in another process that talks to it over UDP at `address`, until
+/// a signal comes. Returns whether that was possible.
+bool act_as_robot(const LaunchedRobot& robot, const DriveSettings& settings,
+                  const std::string& address, Diagnostics& diagnostics);
 
 }  // namespace treeline

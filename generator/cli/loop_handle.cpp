@@ -8,17 +8,9 @@ namespace treeline {
 
 using drive::DrivenCoordinate;
 
-LoopHandle::LoopHandle(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
-                       double rate, bool real_time, const std::vector<double>& start,
-                       const drive::ExternalRobot& external)
-    : library_(library), loop_(nullptr, Destroyer{library.destroy}) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  constexpr double kPullPerMass = 40;  // 1/s^2: stiffness of a pull by mass
-  constexpr double kGravity = 9.81;
-  constexpr int kOverruns = 100;  // a machine that simulates beside a browser is late at times
-  std::vector<double> lower, upper;
-  std::vector<double> velocity(static_cast<std::size_t>(robot.velocities), kNone);
-  std::vector<double> torque = velocity;
+LoopNumbers::LoopNumbers(const drive::RobotDescription& robot)
+    : velocity(static_cast<std::size_t>(robot.velocities), std::numeric_limits<double>::infinity()),
+      torque(velocity) {
   for (const DrivenCoordinate& coordinate : robot.coordinates) {
     lower.push_back(coordinate.lower);
     upper.push_back(coordinate.upper);
@@ -27,17 +19,33 @@ LoopHandle::LoopHandle(const drive::RobotLibrary& library, const drive::RobotDes
     velocity[v] = coordinate.velocity;
     torque[v] = coordinate.effort;
   }
+}
+
+drive::LoopOptions options_for(const drive::RobotDescription& robot, const LoopNumbers& numbers,
+                               const std::vector<double>& start) {
+  constexpr double kPullPerMass = 10;   // 1/s^2: stiffness of a pull by mass
+  constexpr double kHardestPull = 2.5;  // m/s^2: the most that a pull exerts, by mass
+  constexpr int kOverruns = 100;  // a machine that simulates beside a browser is late at times
   drive::LoopOptions options;
-  options.rate = rate;
-  options.real_time = real_time;
   options.overruns_in_a_row = kOverruns;
   options.start = start.data();
-  options.lower = lower.data();
-  options.upper = upper.data();
-  options.velocity = velocity.data();
-  options.torque = torque.data();
+  options.lower = numbers.lower.data();
+  options.upper = numbers.upper.data();
+  options.velocity = numbers.velocity.data();
+  options.torque = numbers.torque.data();
   options.pull_stiffness = kPullPerMass * robot.mass;
-  options.pull_force = kGravity * robot.mass;
+  options.pull_force = kHardestPull * robot.mass;
+  return options;
+}
+
+LoopHandle::LoopHandle(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                       double rate, bool real_time, const std::vector<double>& start,
+                       const drive::ExternalRobot& external)
+    : library_(library), loop_(nullptr, Destroyer{library.destroy}) {
+  const LoopNumbers numbers(robot);
+  drive::LoopOptions options = options_for(robot, numbers, start);
+  options.rate = rate;
+  options.real_time = real_time;
   options.robot = external;
   loop_.reset(library.create(&options));
 }

@@ -31,6 +31,14 @@ class LoopHandle {
   std::unique_ptr<void, Destroyer> loop_;
 };
 
+/// Limits and strengths that a loop of this robot begins with. The arrays belong to this object.
+struct LoopNumbers {
+  explicit LoopNumbers(const drive::RobotDescription& robot);
+  std::vector<double> lower, upper, velocity, torque;
+};
+drive::LoopOptions options_for(const drive::RobotDescription& robot, const LoopNumbers& numbers,
+                               const std::vector<double>& start);
+
 /// Where a robot begins if nothing else is said: every coordinate at 0, or, where its limits
 /// exclude that, as near as they permit with a margin.
 std::vector<double> default_start(const drive::RobotDescription& robot);

@@ -391,6 +391,44 @@ void DriveController<F>::accelerate_joints(const core::Gains<double>& gains, con
       });
 }
 
+/// Accelerates joints away from limits that they come close to, as a damped spring would.
+template <class F>
+void DriveController<F>::push_from_limits(const State& state, double (&qdd)[nv]) const noexcept {
+  constexpr double kZone = 0.08;  // rad or m, at most a tenth of the range
+  const double stiffness = std::fmin(3000.0, 0.01 / (settings_.period * settings_.period));
+  const double damping = 2.0 * std::sqrt(stiffness);
+  for_each_joint(
+      [&](int iq, int iv) {
+        const double lower = settings_.lower[at(iq)];
+        const double upper = settings_.upper[at(iq)];
+        const double zone = std::fmin(kZone, 0.1 * (upper - lower));
+        const double low = lower + zone - state.q[iq];
+        const double high = state.q[iq] - upper + zone;
+        if (low > 0.0 || high > 0.0) {
+          const double depth = low > 0.0 ? low : -high;
+          const double away = state.qd[iv] * depth;  // positive: it leaves the limit already
+          qdd[iv] += stiffness * depth - (away < 0.0 ? damping * state.qd[iv] : 0.0);
+        }
+      },
+      [](int, int, int) {});
+}
+
+/// Joints that a hand leads: hardly damped, but from 40 % of their speed limit on.
+template <class F>
+void DriveController<F>::yield_to_hand(const State& state, double (&qdd)[nv]) const noexcept {
+  const double damping = std::fmin(300.0, 0.3 / settings_.period);
+  for_each_joint(
+      [&](int, int iv) {
+        const double speed = std::fabs(state.qd[iv]);
+        const double limit = 0.4 * std::fmin(settings_.velocity[at(iv)], 5.0 * kSpeed);
+        const double excess =
+            speed > limit ? (state.qd[iv] > 0.0 ? speed - limit : limit - speed) : 0.0;
+        qdd[iv] = -kHandDamping * state.qd[iv] - damping * excess;
+      },
+      [](int, int, int) {});
+  push_from_limits(state, qdd);
+}
+
 template <class F>
 void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
   if constexpr (kPoints > 0) {
@@ -444,6 +482,7 @@ void DriveController<F>::command_task(double time, const State& state, double (&
     }
     double posture[nv];
     accelerate_joints(posture_gains_, state, posture);
+    push_from_limits(state, posture);
     F::control_torque(state.q, state.qd, posture, xdd, tau);
   }
 }
@@ -530,8 +569,7 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
     double qdd[nv];
     accelerate_joints(joint_gains_, state, qdd);
     if (control_ == Control::gravity) {
-      for_each_joint([&](int, int iv) { qdd[iv] = -kHandDamping * state.qd[iv]; },
-                     [](int, int, int) {});
+      yield_to_hand(state, qdd);
     }
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
   }

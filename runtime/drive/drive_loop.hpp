@@ -207,6 +207,44 @@ class DriveLoop {
   servo::ServoLoop<F, DrivenRobot<F>, DriveController<F>, DriveClock> loop_;
 };
 
+/// A simulated robot that brakes by itself where nobody commands it.
+template <class F>
+class LoneRobot {
+ public:
+  explicit LoneRobot(const LoopOptions& options) noexcept
+      : robot_(start_of(options), options.substeps, F::kFloating) {
+    std::copy_n(options.torque, F::kVelocities, limits_.torque.begin());
+  }
+  void advance(const double* tau, double seconds) noexcept {
+    double torque[F::kVelocities];
+    if (tau != nullptr) {
+      std::copy_n(tau, F::kVelocities, torque);
+    } else {
+      servo::StateOf<F> state;
+      robot_.read(state);
+      servo::brake<F>(limits_, state, kBraking, torque);
+    }
+    robot_.write(torque);
+    robot_.pass_time(seconds);
+  }
+  void read(double* numbers) const noexcept {
+    servo::StateOf<F> state;
+    robot_.read(state);
+    std::copy_n(state.q, F::kCoordinates, numbers);
+    std::copy_n(state.qd, F::kVelocities, numbers + F::kCoordinates);
+  }
+
+ private:
+  static constexpr double kBraking = 20.0;  // 1/s
+  static servo::StateOf<F> start_of(const LoopOptions& options) noexcept {
+    servo::StateOf<F> state;
+    std::copy_n(options.start, F::kCoordinates, state.q);
+    return state;
+  }
+  servo::SafetyLimits<F::kCoordinates, F::kVelocities> limits_;
+  servo::SimulatedRobot<F> robot_;
+};
+
 /// The functions of a library for a robot F.
 template <class F>
 const RobotLibrary* library_of() noexcept {
@@ -226,7 +264,13 @@ const RobotLibrary* library_of() noexcept {
       },
       [](void* loop, ReportHead* head, double* numbers) {
         return static_cast<Loop*>(loop)->receive(*head, numbers);
-      }};
+      },
+      [](const LoopOptions* options) -> void* { return new LoneRobot<F>(*options); },
+      [](void* robot) { delete static_cast<LoneRobot<F>*>(robot); },
+      [](void* robot, const double* tau, double seconds) {
+        static_cast<LoneRobot<F>*>(robot)->advance(tau, seconds);
+      },
+      [](void* robot, double* state) { static_cast<LoneRobot<F>*>(robot)->read(state); }};
   return &kLibrary;
 }
 

@@ -60,7 +60,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 /// "did you mean `elbow`?", or the names if they are few, or how many there are.
 std::string suggest(std::string_view wanted, const std::vector<std::string>& names) {
   const std::string* nearest = nullptr;
-  std::size_t least = std::max<std::size_t>(1, std::min<std::size_t>(wanted.size() / 3, 4)) + 1;
+  std::size_t least = wanted.size() < 4 ? 2 : std::min<std::size_t>(2 + wanted.size() / 8, 4) + 1;
   for (const std::string& name : names) {
     const std::size_t d = distance(wanted.substr(0, 64), name);
     if (d < least) {

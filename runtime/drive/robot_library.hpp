@@ -99,6 +99,12 @@ struct RobotLibrary {
   bool (*send)(void* loop, const servo::Message* message) = nullptr;  ///< false: full
   /// The oldest report that was not received, `ReportLayout::size` numbers; false: there is none.
   bool (*receive)(void* loop, ReportHead* head, double* numbers) = nullptr;
+  /// The simulated robot without a loop, for a process of its own. Of the options only `start`,
+  /// `substeps` and `torque` count. `tau` null: it brakes. `state` receives q and qd.
+  void* (*create_robot)(const LoopOptions* options) = nullptr;
+  void (*destroy_robot)(void* robot) = nullptr;
+  void (*advance_robot)(void* robot, const double* tau, double seconds) = nullptr;
+  void (*read_robot)(void* robot, double* state) = nullptr;
 };
 
 /// The library's only symbol, of type `const RobotLibrary* (*)()`.

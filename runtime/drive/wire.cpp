@@ -214,7 +214,7 @@ std::string print_hello(const Session& session, double rate, bool may_command,
                 {"commands", commands}});
 }
 
-std::string print_state(const Session& session, std::int64_t seq, int watchers) {
+std::string print_state(const Session& session, std::int64_t seq, int watchers, Detail detail) {
   const RobotDescription& robot = session.robot();
   const ReportHead& head = session.report().head;
   const ReportLayout& layout = session.layout();
@@ -241,7 +241,7 @@ std::string print_state(const Session& session, std::int64_t seq, int watchers) 
        {"control_us", describe_durations(timing.control())},
        {"period_us", describe_durations(timing.period())},
        {"jitter_us", describe_durations(timing.jitter())},
-       {"histogram", describe_histograms(timing)},
+       {"histogram", detail == Detail::histograms ? describe_histograms(timing) : Json(nullptr)},
        {"cycles", head.cycle + 1},
        {"overruns", timing.overruns()},
        {"saturated", timing.saturated()},

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "description/read_scene.hpp"
@@ -33,6 +32,10 @@ class DriveTest : public test::OwnFolder {
                              "drive " + files + " --headless --script script.txt " + options);
   }
 
+  [[nodiscard]] Outcome run_drive(const std::string& options) const {
+    return test::run_program(root_, "drive " + kRobots + "/planar3r/planar3r.urdf " + options);
+  }
+
   /// Drives a robot and finds where its points are, by the interpreter and the final coordinates.
   [[nodiscard]] Arrival arrive(const std::string& urdf, const std::string& scene,
                                const std::string& script) const {
@@ -52,8 +55,8 @@ class DriveTest : public test::OwnFolder {
 };
 
 /// How far the interpreter's point is from where it was commanded, m.
-double distance(const interpreter::PointPose<double>& pose, const std::array<double, 3>& wanted) {
-  return std::hypot(pose.p[0] - wanted[0], pose.p[1] - wanted[1], pose.p[2] - wanted[2]);
+double distance(const interpreter::PointPose<double>& pose, const Eigen::Vector3d& wanted) {
+  return (pose.position - wanted).norm();
 }
 
 // Would catch: a command that moves the tool elsewhere or turns it otherwise.
@@ -63,8 +66,8 @@ TEST_F(DriveTest, PumaArrives) {
              "start\njoint joint2 to -45 deg in 1 s\njoint joint3 to 90 deg in 1 s\nwait\n"
              "move tool to 0.4 0.2 0.9 in 1.5 s\nturn tool to 0 1 0 0 in 1.5 s\nwait\n");
   ASSERT_EQ(arrival.poses.size(), 1U);
-  EXPECT_LT(distance(arrival.poses[0], {0.4, 0.2, 0.9}), 1e-3);
-  const Eigen::Vector3d z = arrival.poses[0].R.col(2);
+  EXPECT_LT(distance(arrival.poses[0], Eigen::Vector3d(0.4, 0.2, 0.9)), 1e-3);
+  const Eigen::Vector3d z = arrival.poses[0].rotation.col(2);
   EXPECT_LT((z - Eigen::Vector3d(0, 0, -1)).norm(), 1e-2);  // half a turn about y
   EXPECT_EQ(arrival.state["mode"], "idle");
   EXPECT_EQ(arrival.state["fault"], "");
@@ -73,10 +76,10 @@ TEST_F(DriveTest, PumaArrives) {
 TEST_F(DriveTest, SammArrives) {
   const Arrival before =
       arrive(kRobots + "/samm/samm.urdf", kRobots + "/samm/scene.yaml", "start\n");
-  const auto& p = before.poses.at(0).p;
+  const auto& p = before.poses.at(0).position;
   const Arrival after = arrive(kRobots + "/samm/samm.urdf", kRobots + "/samm/scene.yaml",
                                "start\nmove tool by 0.3 -0.2 -0.1 in 2 s\nwait\n");
-  EXPECT_LT(distance(after.poses.at(0), {p[0] + 0.3, p[1] - 0.2, p[2] - 0.1}), 1e-3);
+  EXPECT_LT(distance(after.poses.at(0), p + Eigen::Vector3d(0.3, -0.2, -0.1)), 1e-3);
 }
 
 // A floating base stays while a hand moves, and moves while the hands stay.
@@ -87,10 +90,10 @@ TEST_F(DriveTest, TheFloatingHumanoidArrives) {
   const Arrival after = arrive(urdf, scene,
                                "start\nmove left_hand by 0.1 0 0.1 in 1 s\nwait\n"
                                "mode joint\nmove base by 0 0 0.05 in 1 s\nwait\n");
-  const auto& left = before.poses.at(0).p;
-  const auto& right = before.poses.at(1).p;
-  EXPECT_LT(distance(after.poses.at(0), {left[0] + 0.1, left[1], left[2] + 0.15}), 3e-2);
-  EXPECT_LT(distance(after.poses.at(1), {right[0], right[1], right[2] + 0.05}), 3e-2);
+  const auto& left = before.poses.at(0).position;
+  const auto& right = before.poses.at(1).position;
+  EXPECT_LT(distance(after.poses.at(0), left + Eigen::Vector3d(0.1, 0, 0.15)), 3e-2);
+  EXPECT_LT(distance(after.poses.at(1), right + Eigen::Vector3d(0, 0, 0.05)), 3e-2);
 }
 
 // Without a scene the joints are driven.
@@ -156,6 +159,33 @@ TEST_F(DriveTest, RunsInRealTimeAndRecords) {
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_EQ(test::read_file(root_ / "end.txt").find("fault"), std::string::npos);
   EXPECT_EQ(json::parse(test::read_file(root_ / "end.json"))["mode"], "idle");
+}
+
+// The loop and the simulated robot as two processes that talk over UDP.
+TEST_F(DriveTest, DrivesARobotOverUdp) {
+  const std::string robot = kRobots + "/planar3r/planar3r.urdf";
+  const std::string address = "127.0.0.1:" + std::to_string(20000 + ::getpid() % 20000);
+  write("script.txt", "start\njoint joint1 to 0.5 in 1 s\nwait\n");
+  const std::string command =
+      "cd " + root_.string() + " && { '" + std::string(TREELINE_PROGRAM) + "' drive " + robot +
+      " --act-as-robot " + address +
+      " --warnings none >robot.txt 2>&1 & } && "
+      "i=0; until grep -q listens robot.txt || [ $i -gt 600 ]; do sleep 0.1; i=$((i+1)); done; '" +
+      std::string(TREELINE_PROGRAM) + "' drive " + robot + " --robot udp:" + address +
+      " --headless --script script.txt >end.json 2>end.txt; code=$?; kill -TERM $!; wait $!; "
+      "exit $code";
+  EXPECT_EQ(std::system(command.c_str()), 0)
+      << test::read_file(root_ / "end.txt") << test::read_file(root_ / "robot.txt");
+  const json state = json::parse(test::read_file(root_ / "end.json"));
+  EXPECT_NEAR(state["q"][0].get<double>(), 0.5, 2e-2);
+  EXPECT_EQ(state["mode"], "idle");
+}
+
+TEST_F(DriveTest, SaysThatNoRobotAnswers) {
+  write("script.txt", "start\n");
+  const Outcome outcome = run_drive("--robot udp:127.0.0.1:9 --headless --script script.txt");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("no robot answers"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

@@ -105,15 +105,15 @@ TEST(Command, SurvivesEverything) {
       "start", "stop",  "joint", "elbow", "to",   "by",   "1",     "-0.5", "deg",  "in",
       "2",     "s",     "move",  "tool",  "base", "turn", "drag",  "0",    "pull", "hand",
       "at",    "gains", "task",  "hold",  "wait", "mode", "1e999", "nan",  "#",    "posture"};
-  std::mt19937 random(7);
+  std::minstd_rand random(7);
   int accepted = 0;
   for (int i = 0; i < 200000; ++i) {
     std::string line;
-    const unsigned count = random() % 12;
-    for (unsigned k = 0; k < count; ++k) {
+    const auto count = random() % 12;
+    for (auto k = 0UL; k < count; ++k) {
       line += words[random() % words.size()] + (random() % 8 == 0 ? "\t" : " ");
     }
-    for (unsigned k = random() % 3; k > 0 && !line.empty(); --k) {
+    for (auto k = random() % 3; k > 0 && !line.empty(); --k) {
       line[random() % line.size()] = static_cast<char>(random() % 256);
     }
     const auto result = parse_command(line, kRobot);

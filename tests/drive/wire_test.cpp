@@ -96,10 +96,10 @@ TEST_F(WireTest, CountsWhatItDoesNotObey) {
 
 TEST_F(WireTest, SurvivesMalformedMessages) {
   const std::string good = command(7, "hold").dump();
-  std::mt19937 random(3);
+  std::minstd_rand random(3);
   for (int i = 0; i < 20000; ++i) {
     std::string text = good.substr(0, random() % (good.size() + 1));
-    for (unsigned k = random() % 4; k > 0 && !text.empty(); --k) {
+    for (auto k = random() % 4; k > 0 && !text.empty(); --k) {
       text[random() % text.size()] = static_cast<char>(random() % 256);
     }
     const json reply = receive(text);
