@@ -1,7 +1,8 @@
 // A real browser without a screen, and hands for it.
 import fs from 'node:fs';
+import path from 'node:path';
 
-import {load_package} from './packages.mjs';
+import {kPage, load_package} from './packages.mjs';
 
 const kCandidates = [process.env.TREELINE_CHROMIUM, '/usr/bin/chromium',
   '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
@@ -18,9 +19,17 @@ export function launch_browser() {
       '--enable-unsafe-swiftshader', '--disable-gpu-compositing', '--disable-gpu-rasterization']});
 }
 
+/** Puts the newest bundle in the place of the one that a program carries: while one works on it. */
+async function put_newest(page) {
+  for (const file of ['page.js', 'page.css']) {
+    await page.route(`**/${file}`, (route) => route.fulfill({path: path.join(kPage, file)}));
+  }
+}
+
 /**
  * Opens the page at `address` and waits for the first state. Errors of scripts are kept in
- * `page.faults`; tests compare them with [].
+ * `page.faults`; tests compare them with []. With TREELINE_NEWEST_PAGE set, the bundle is that of
+ * TREELINE_PAGE.
  */
 export async function open_page(browser, address, options = {}) {
   const page = await browser.newPage({viewport: {width: 1366, height: 768}, ...options});
@@ -30,6 +39,7 @@ export async function open_page(browser, address, options = {}) {
     const away = /WebSocket connection|ERR_CONNECTION|GPU stall/;
     if (message.type() === 'error' && !away.test(message.text())) page.faults.push(message.text());
   });
+  if (process.env.TREELINE_NEWEST_PAGE) await put_newest(page);
   await page.goto(address);
   await page.waitForFunction(() => window.treeline?.state);
   return page;
@@ -84,8 +94,15 @@ export function straight([dx, dy], count) {
   return Array.from({length: count}, (_, i) => [dx * (i + 1) / count, dy * (i + 1) / count]);
 }
 
-/** Waits until `holds(state)`, which runs in the page and sees `argument`. */
-export function wait_for_state(page, holds, argument, timeout = 15000) {
-  const given = JSON.stringify(argument ?? null);
-  return page.waitForFunction(`(${holds})(window.treeline.state, ${given})`, undefined, {timeout});
+/** Waits until `holds(state)` of the newest state that the page has got. */
+export async function wait_for_state(page, holds, timeout = 15000) {
+  const end = performance.now() + timeout;
+  for (;;) {
+    const state = await state_of(page);
+    if (holds(state)) return;
+    if (performance.now() > end) {
+      throw new Error(`did not come true: ${holds}\n${JSON.stringify(state)}`);
+    }
+    await page.waitForTimeout(30);
+  }
 }

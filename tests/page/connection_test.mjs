@@ -43,7 +43,7 @@ test('a lost connection is said, and comes back', async (t) => {
   await page.waitForSelector('#lost', {state: 'hidden'});
   assert.equal(await link_of(page), 'Connected');
   const {time} = await state_of(page);
-  await wait_for_state(page, (state, before) => state.time > before, time);
+  await wait_for_state(page, (state) => state.time > time);
   assert.match(await type_line(page, 'start'), /start/);
   assert.deepEqual(page.faults, []);
 });

@@ -11,11 +11,11 @@ function distance(a, b) {
   return Math.hypot(...a.map((x, i) => x - b[i]));
 }
 
-/** Waits until all motions have ended and the robot rests. */
-async function rest(observer) {
+/** Waits until the robot rests, and all motions have ended unless the pointer is `held`. */
+async function rest(observer, {held = false} = {}) {
   let since = Infinity;
   await observer.wait_until((state) => {
-    const rests = !state.moving && state.qd.every((speed) => Math.abs(speed) < 0.005);
+    const rests = (held || !state.moving) && state.qd.every((speed) => Math.abs(speed) < 0.005);
     since = rests ? Math.min(since, state.time) : Infinity;
     return state.time - since > 0.3;
   }, 30000);
@@ -46,9 +46,9 @@ async function begin(browser, server, t) {
 async function drags_a_disk(browser, server, t) {
   const {page, observer} = await begin(browser, server, t);
   const before = [...observer.state.q];
-  await drag(page, 'disk:joint1', straight([60, 6], 20), {hold: true});
+  await drag(page, 'disk:joint1', straight([90, 9], 20), {hold: true});
   const led = Number((await read_tip(page)).match(/to (-?[\d.]+)°/)[1]) * Math.PI / 180;
-  await observer.wait_until((state) => Math.abs(state.goal_q[0] - led) < 0.01);
+  await rest(observer, {held: true});
   await page.mouse.up();
   await rest(observer);
   const after = observer.state.q;
@@ -65,7 +65,7 @@ async function drags_a_plane(browser, server, t) {
   const before = observer.state.points[0];
   await drag(page, 'plane:tool:yz', straight([-30, 24], 20), {hold: true});
   const led = (await read_tip(page)).match(/-?\d+\.\d+/g).map(Number);
-  await page.waitForTimeout(300);
+  await rest(observer, {held: true});
   await page.mouse.up();
   await rest(observer);
   const after = observer.state.points[0];
@@ -80,7 +80,7 @@ async function drags_a_belt(browser, server, t) {
   const before = observer.state.points[0];
   await drag(page, 'belt:tool:z', straight([30, 6], 20), {hold: true});
   const angle = Number((await read_tip(page)).match(/by (-?[\d.]+)°/)[1]) * Math.PI / 180;
-  await page.waitForTimeout(300);
+  await rest(observer, {held: true});
   await page.mouse.up();
   await rest(observer);
   const after = observer.state.points[0];
@@ -127,6 +127,7 @@ async function obeys_numbers(browser, server, t) {
   await rest(observer);
   const before = observer.state.points[0].at;
   await page.click('#tab-Points');
+  await page.fill('#duration', '3');
   await page.fill('[aria-label="move tool z"]', '-0.08');
   await page.click('form[aria-label="move tool"] button[type="submit"]');
   await observer.wait_until((state) => state.moving);
@@ -142,7 +143,7 @@ async function obeys_numbers(browser, server, t) {
 async function obeys_typed_lines(browser, server, t) {
   const {page, observer} = await begin(browser, server, t);
   const before = observer.state.points[0].at;
-  await type_line(page, 'move tool by 0 0 -0.1 in 1 s');
+  await type_line(page, 'move tool by 0 0 -0.1 in 3 s');
   await observer.wait_until((state) => state.moving);
   await rest(observer);
   assert.ok(distance(observer.state.points[0].at, [before[0], before[1], before[2] - 0.1]) <
@@ -181,7 +182,7 @@ async function watches(browser, server, t) {
   await drag(watcher, 'disk:joint1', straight([60, 6], 10));
   await watcher.waitForTimeout(700);
   assert.ok(distance(observer.state.q, before) < kSettled, 'a watcher moves nothing');
-  await type_line(page, 'joint joint1 by 20 deg in 0.5 s');
+  await type_line(page, 'joint joint1 by 20 deg in 3 s');
   await observer.wait_until((state) => state.moving);
   await rest(observer);
   await watcher.waitForTimeout(300);

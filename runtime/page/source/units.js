@@ -31,7 +31,8 @@ export function to_shown(coordinate, value) {
 
 /** The shown number as text, without its unit. */
 export function write_value(coordinate, value) {
-  return to_shown(coordinate, value).toFixed(unit_of(coordinate) === 'deg' ? 1 : 3);
+  const text = to_shown(coordinate, value).toFixed(unit_of(coordinate) === 'deg' ? 1 : 3);
+  return /^-[0.]*$/.test(text) ? text.slice(1) : text;
 }
 
 /** The same with its unit. */

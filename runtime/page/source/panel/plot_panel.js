@@ -96,7 +96,7 @@ export class PlotPanel {
     this.#plots[0]?.setData([times, states.map((one) => one.control_us.mean),
       states.map((one) => one.control_us.max)]);
     const histogram = state.histogram;
-    this.#plots[1]?.setData(bins(histogram.period, histogram.first_us ?? 0, histogram.width_us));
+    this.#plots[1]?.setData(bins(histogram.period, histogram.period_from_us, histogram.width_us));
     this.#plots[2]?.setData(bins(histogram.jitter, 0, histogram.width_us));
     this.#plots[3]?.setData([times, ...Array.from({length: points}, (_, i) => states.map((one) =>
       1000 * tracking_error(point_states_of(this.hello, one)[i])))]);

@@ -80,8 +80,8 @@ export class StatusBar {
   }
 
   #paint_role() {
-    const watchers = this.state?.watchers ?? 0;
-    const others = watchers > 0 ? `, ${watchers} watching` : '';
+    const count = (this.state?.watchers ?? 1) - 1;  // without this page
+    const others = count > 0 ? `, ${count} watching` : '';
     if (!this.#may_command) show(this.role, 'Watching only', 'quiet');
     else if (this.#commanding) show(this.role, `In command${others}`, 'good');
     else if (this.state?.commander) show(this.role, 'Another commands', 'warn');

@@ -24,17 +24,28 @@ function trim_numbers(robot) {
 
 /**
  * Drops what the loader cannot read, parts that no picture needs, and visuals with meshes that are
- * not served.
+ * not served. Returns the names of those meshes.
  */
 function drop_unreadable(robot, meshes) {
   for (const node of robot.querySelectorAll('collision, inertial, texture, transmission')) {
     node.remove();
   }
+  const missing = new Set();
   for (const visual of robot.querySelectorAll('visual')) {
     const shape = visual.querySelector('geometry')?.children[0];
     const file = shape?.getAttribute('filename');
-    if (!shape || (shape.nodeName === 'mesh' && !meshes[file])) visual.remove();
+    const is_missing = shape?.nodeName === 'mesh' && !meshes[file];
+    if (is_missing) missing.add(file);
+    if (!shape || is_missing) visual.remove();
   }
+  return [...missing];
+}
+
+function report_missing(files, report) {
+  if (files.length === 0) return;
+  const others = files.length > 1 ? ` and ${files.length - 1} other meshes are` : ' is';
+  report(`${files[0]}${others} missing, and drawn as sticks. The option ` +
+    '--package NAME=DIR of treeline drive says where package://NAME/ lies.');
 }
 
 async function load_mesh(file, address, manager, material) {
@@ -63,7 +74,7 @@ async function load_mesh(file, address, manager, material) {
 export function load_robot(urdf, meshes, report, changed) {
   const robot = new DOMParser().parseFromString(urdf, 'text/xml');
   trim_numbers(robot);
-  drop_unreadable(robot, meshes);
+  report_missing(drop_unreadable(robot, meshes), report);
   const manager = new three.LoadingManager();
   manager.setURLModifier((url) =>
     (url.startsWith('/mesh/') || /^(data|blob):/.test(url) ? url : kWhitePixel));

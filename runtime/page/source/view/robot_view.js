@@ -56,7 +56,6 @@ export class RobotView {
       this.overlays?.renew_ghost();
       this.stage.redraw();
     });
-    for (const file of hello.missing_meshes ?? []) this.report(`the mesh ${file} is missing`);
     this.stage.scene.add(this.model);
     this.model.updateMatrixWorld(true);
     this.handles = new Handles(this.stage, this.model, hello, this.points);
