@@ -21,8 +21,10 @@ export function launch_browser() {
 
 /** Puts the newest bundle in the place of the one that a program carries: while one works on it. */
 async function put_newest(page) {
-  for (const file of ['page.js', 'page.css']) {
-    await page.route(`**/${file}`, (route) => route.fulfill({path: path.join(kPage, file)}));
+  const files = {'/': 'index.html', '/page.js': 'page.js', '/page.css': 'page.css'};
+  for (const [address, file] of Object.entries(files)) {
+    await page.route((url) => url.pathname === address,
+      (route) => route.fulfill({path: path.join(kPage, file)}));
   }
 }
 

@@ -32,6 +32,32 @@ test('a PUMA 560', async (t) => {
   }
 });
 
+test('a link is pulled by hand while the robot carries its weight', async (t) => {
+  const server = await start(t, ['robots/puma560/puma560.urdf', 'robots/puma560/scene.yaml'],
+    ['--q', '0,-0.8,0.8,0,0.6,0']);
+  const page = await open_page(browser, server.address);
+  t.after(() => page.close());
+  await type_line(page, 'start');
+  await type_line(page, 'mode gravity');
+  await wait_for_state(page, (state) => state.control === 'gravity');
+  await page.click('#tab-View');
+  await page.click('button:text-is("Disks and rails of joints")');
+  await page.click('button:text-is("Planes and belts of points")');
+  await page.click('button:text-is("Pull links")');
+  const before = await state_of(page);
+  await drag(page, 'link:link3', straight([70, 0], 20), {hold: true});
+  await wait_for_state(page, (state) => state.forces.length > 0);
+  await wait_for_state(page, (state) => Math.abs(state.q[0] - before.q[0]) > 0.1);
+  await keep(page, 'puma560_pulled');
+  await page.mouse.up();
+  await wait_for_state(page, (state) => state.forces.length === 0);
+  await wait_for_state(page, (state) => state.qd.every((speed) => Math.abs(speed) < 0.01));
+  const after = await state_of(page);
+  assert.equal(after.fault, '');
+  assert.ok(Math.abs(after.q[0] - before.q[0]) > 0.1, 'it stays where it was led');
+  assert.deepEqual(page.faults, []);
+});
+
 test('a humanoid with a floating base: two hands and the base', async (t) => {
   const server = await start(t,
     ['robots/humanoid24/humanoid24.urdf', 'robots/humanoid24/scene_floating.yaml']);

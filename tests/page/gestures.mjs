@@ -165,7 +165,7 @@ async function stops(browser, server, t, press) {
   await page.waitForTimeout(500);
   assert.ok(Math.abs(observer.state.q[0] - stopped) < kSettled, 'it stays at rest');
   assert.ok(stopped > -95 * Math.PI / 180, 'it stopped on the way');
-  assert.notEqual((await page.textContent('.fault')).trim(), '', 'the page says why');
+  assert.notEqual((await page.textContent('#fault')).trim(), '', 'the page says why');
   assert.match(await page.textContent('[aria-label="mode"]'), /Fault|Stopping/);
   await page.click('button:text-is("Reset")');
   await observer.wait_until((state) => state.mode === 'idle');

@@ -6,7 +6,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {launch_browser, open_page} from './browser.mjs';
+import {launch_browser, open_page, type_line} from './browser.mjs';
 import {MockServer} from './mock_server.mjs';
 
 const kReferences = path.join(import.meta.dirname, 'pictures');
@@ -111,6 +111,27 @@ for (const colorScheme of ['light', 'dark']) {
     await page.close();
   });
 }
+
+test('nothing shifts while the robot is driven', async () => {
+  const page = await open_page(browser, server.address);
+  await page.waitForTimeout(500);
+  await page.evaluate(() => {
+    window.shifts = [];
+    new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map((one) =>
+      [one.value, ...one.sources.map((source) => source.node?.outerHTML.slice(0, 80))])))
+      .observe({type: 'layout-shift'});
+  });
+  for (const line of ['start', 'joint joint1 by 20 deg in 1 s', 'stop', 'start', 'reset', 'give']) {
+    await type_line(page, line);
+    await page.waitForTimeout(600);
+  }
+  server.silent = true;
+  await page.waitForSelector('#lost:not([hidden])');
+  server.silent = false;
+  await page.waitForSelector('#lost', {state: 'hidden'});
+  assert.deepEqual(await page.evaluate(() => window.shifts), []);
+  await page.close();
+});
 
 /** Share of pixels in which two PNG differ by more than 24 of 255 in a channel. */
 async function compare(page, one, other) {

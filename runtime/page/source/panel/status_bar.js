@@ -4,8 +4,7 @@ import {button, element, set_text} from '../element.js';
 const kModes = {idle: 'Idle', running: 'Running', stopping: 'Stopping', faulted: 'Fault'};
 
 function chip(label) {
-  const made = element('span', {className: 'chip', role: 'status', 'aria-label': label});
-  return made;
+  return element('span', {className: `chip ${label}`, role: 'status', 'aria-label': label});
 }
 
 function show(target, text, tone) {
@@ -22,14 +21,13 @@ export class StatusBar {
   #may_command = true;
   #commanding = false;
 
-  /** `run(line)` sends a line and shows the reply. */
-  constructor(root, run) {
-    this.run = run;
+  /** `fault` is where faults are said; `run(line)` sends a line and shows the reply. */
+  constructor(root, fault, run) {
+    Object.assign(this, {run, fault});
     this.name = element('h1', {}, 'treeline drive');
     this.link = chip('connection');
     this.mode = chip('mode');
     this.role = chip('command');
-    this.fault = element('p', {className: 'fault', role: 'alert'});
     this.hand_over = button('Take command', 'Ask for the command over the robot, or give it up',
       () => run(this.#commanding ? 'give' : 'take'), 'hand-over');
     const control = (word, hint) => button(word[0].toUpperCase() + word.slice(1), hint,
@@ -43,7 +41,7 @@ export class StatusBar {
     this.stop.setAttribute('aria-keyshortcuts', 'Space');
     this.stop.append(element('small', {}, 'space'));
     root.append(this.name, element('div', {className: 'chips'}, this.link, this.mode, this.role),
-      this.fault, element('div', {className: 'controls'}, this.hand_over, ...this.controls),
+      element('div', {className: 'controls'}, this.hand_over, ...this.controls),
       this.stop);
     addEventListener('keydown', (event) => this.#stop_on_space(event), {capture: true});
     this.#paint_role();
@@ -72,7 +70,6 @@ export class StatusBar {
     const control = state.mode === 'running' && state.control ? ` (${state.control})` : '';
     show(this.mode, (kModes[state.mode] ?? state.mode) + control, tone);
     set_text(this.fault, state.fault || (state.saturated ? 'A torque is at its limit.' : ''));
-    this.fault.title = this.fault.textContent;
     this.fault.dataset.tone = state.fault ? 'bad' : 'warn';
     this.state = state;
     this.#commanding = state.commanding;

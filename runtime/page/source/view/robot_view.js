@@ -96,10 +96,12 @@ export class RobotView {
     this.stage.look_at(ball.center, this.radius);
   }
 
-  /** Place on the screen where a handle can be grabbed; for tests. */
+  /** Place on the screen where a handle can be grabbed, or of the middle of `link:NAME`; for tests. */
   where(name) {
-    const place = this.handles?.grab_of(name);
-    return place && this.stage.on_screen(place);
+    const link = this.model.links[name.replace(/^link:/, '')];
+    const place = link ? new three.Box3().setFromObject(link.children.find((one) =>
+      one.isURDFVisual)).getCenter(new three.Vector3()) : this.handles.grab_of(name);
+    return this.stage.on_screen(place);
   }
 
   /** The picture as a PNG, in the form of a data address. */
