@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <set>
@@ -69,6 +70,8 @@ void remove_folder(const fs::path& folder, Removal removal) {
   }
 }
 
+std::atomic<void (*)()> first_answer{nullptr};
+
 [[noreturn]] void end_by(int signal) {
   std::set<pid_t> groups;
   std::map<fs::path, Removal> folders;
@@ -110,13 +113,21 @@ void clean_up_on_signals() {
   try {
     std::thread([set] {
       int signal = 0;
-      while (sigwait(&set, &signal) != 0) {
+      for (;;) {
+        while (sigwait(&set, &signal) != 0) {
+        }
+        const auto answer = first_answer.exchange(nullptr);
+        if (answer == nullptr) end_by(signal);
+        answer();
       }
-      end_by(signal);
     }).detach();
   } catch (const std::system_error&) {  // no more threads: signals then end the program at once
     pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
   }
+}
+
+void answer_signals(void (*answer)()) {
+  first_answer = answer;
 }
 
 Uninterrupted::Uninterrupted() : lock_(leftovers().mutex) {

@@ -13,6 +13,10 @@ namespace treeline {
 /// a thread of its own waits for the signals.
 void clean_up_on_signals();
 
+/// From now on the first such signal calls `answer`, from the thread that waits for them, and does
+/// not end the program; a second one does. Null: signals end the program again.
+void answer_signals(void (*answer)());
+
 /// As long as such an object lives, no signal ends the program. For short actions that must be done
 /// completely or not at all. If a signal has already come, the constructor does not return.
 class Uninterrupted {

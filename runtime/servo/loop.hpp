@@ -61,6 +61,7 @@ class ServoLoop {
             ControllerType& controller, ClockType& clock, Mailbox& mailbox)
       : settings_(settings),
         limits_(limits),
+        admitted_(limits),
         robot_(robot),
         controller_(controller),
         mailbox_(mailbox),
@@ -155,6 +156,9 @@ class ServoLoop {
         break;
       case MessageKind::reset:
         report_.mode = next_mode(before, Event::reset);
+        if (before == Mode::faulted) {
+          admit(report_.state, admitted_);
+        }
         report_.fault = report_.mode == Mode::faulted ? report_.fault : Fault{};
         break;
       case MessageKind::start:
@@ -171,9 +175,10 @@ class ServoLoop {
   /// Controls if the state is safe; brakes if it is not, or if the loop is not running.
   void command_torque() {
     report_.control_nanoseconds = 0;
-    if (const Fault fault = check_state(limits_, report_.state)) {
+    if (const Fault fault = check_state(admitted_, report_.state)) {
       raise(fault);
     }
+    follow_back(limits_, report_.state, admitted_);
     if (report_.mode == Mode::running) {
       control();
     }
@@ -228,6 +233,7 @@ class ServoLoop {
 
   LoopSettings settings_;
   Limits limits_;
+  Limits admitted_;  ///< `limits_`, wider for a robot that was beyond them at a reset
   Proxy& robot_;
   ControllerType& controller_;
   Mailbox& mailbox_;

@@ -18,6 +18,7 @@ enum class MessageKind : std::uint8_t {
   move_point,      ///< index: point; values: position (3), row-major rotation (9); duration
   set_posture,     ///< values: desired posture q
   set_gains,       ///< values: kp, kv
+  instruction,     ///< for controllers with messages of their own; index: which
 };
 
 inline constexpr std::size_t kMessageNumbers = 64;

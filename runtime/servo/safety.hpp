@@ -74,6 +74,30 @@ Fault check_state(const SafetyLimits<nq, nv>& limits, const RobotState<nq, nv>& 
   return {};
 }
 
+/// Widens the limits of position to a state that is beyond them, with a small slack. What is beyond
+/// then can be led back.
+template <int nq, int nv>
+void admit(const RobotState<nq, nv>& state, SafetyLimits<nq, nv>& limits) noexcept {
+  constexpr double kSlack = 1e-3;  // rad or m
+  for (int i = 0; i < nq; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    limits.lower[at] = std::fmin(limits.lower[at], state.q[i] - kSlack);
+    limits.upper[at] = std::fmax(limits.upper[at], state.q[i] + kSlack);
+  }
+}
+
+/// Narrows limits that were widened: they follow the state back, and never beyond `own`.
+template <int nq, int nv>
+void follow_back(const SafetyLimits<nq, nv>& own, const RobotState<nq, nv>& state,
+                 SafetyLimits<nq, nv>& limits) noexcept {
+  constexpr double kSlack = 1e-3;  // rad or m
+  for (int i = 0; i < nq; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    limits.lower[at] = std::fmin(own.lower[at], std::fmax(limits.lower[at], state.q[i] - kSlack));
+    limits.upper[at] = std::fmax(own.upper[at], std::fmin(limits.upper[at], state.q[i] + kSlack));
+  }
+}
+
 /// Returns a fault for the first commanded torque that is not finite or exceeds its limit.
 template <int nq, int nv>
 Fault check_torque(const SafetyLimits<nq, nv>& limits, const double (&tau)[nv]) noexcept {

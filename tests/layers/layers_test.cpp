@@ -30,6 +30,7 @@ const std::vector<Layer> kLayers = {
     {"digits", {}},
     {"interpreter", {"digits"}},
     {"servo", {"core"}},
+    {"drive", {"core", "servo"}},
     {"simulation", {"core", "interpreter"}},
     // The path of the data: files, mechanism, program, text.
     {"interruption", {}},
@@ -58,10 +59,13 @@ const std::vector<Layer> kLayers = {
     {"bench",
      {"description", "mechanism", "emission", "generation", "oracle", "inspect", "check",
       "timing"}},
+    {"launch",
+     {"functions", "drive", "description", "mechanism", "emission", "generation", "oracle",
+      "check"}},
     {"cli",
-     {"functions", "interpreter", "servo", "simulation", "interruption", "description", "mechanism",
-      "program", "passes", "emission", "generation", "oracle", "inspect", "comparison", "check",
-      "timing", "bench"}},
+     {"functions", "interpreter", "servo", "drive", "launch", "simulation", "interruption",
+      "description", "mechanism", "program", "passes", "emission", "generation", "oracle",
+      "inspect", "comparison", "check", "timing", "bench"}},
 };
 
 bool is_source(const fs::path& path) {

@@ -1,0 +1,177 @@
+#include "cli/drive.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "cli/driver.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/read_inputs.hpp"
+#include "cli/write_output.hpp"
+#include "description/read_text_file.hpp"
+#include "drive/find_meshes.hpp"
+#include "launch/launch.hpp"
+
+namespace treeline {
+namespace {
+
+struct DriveOptions {
+  InputOptions inputs;
+  DriveSettings drive;
+  std::string script;
+  std::vector<std::string> packages;
+  bool headless = false;
+  std::string robot = "simulated";
+  std::string act_as_robot;
+};
+
+std::optional<LaunchedRobot> launch_from(const InputOptions& options, Diagnostics& diagnostics) {
+  auto inputs = read_inputs(options, diagnostics);
+  if (!inputs) return std::nullopt;
+  const auto tell = [](const std::string& what) {
+    if (is_watched()) show_progress("  " + what);
+  };
+  auto robot = launch({std::move(inputs->robot), std::move(inputs->scene),
+                       std::move(inputs->urdf_text), std::move(inputs->scene_text)},
+                      tell, diagnostics);
+  if (is_watched()) show_progress("");
+  return robot;
+}
+
+/// `--package NAME=DIR`, each.
+std::optional<std::map<std::string, std::filesystem::path>> read_packages(
+    const std::vector<std::string>& given, Diagnostics& diagnostics) {
+  std::map<std::string, std::filesystem::path> packages;
+  for (const std::string& package : given) {
+    const std::size_t equals = package.find('=');
+    if (equals != std::string::npos && std::filesystem::is_directory(package.substr(equals + 1))) {
+      packages[package.substr(0, equals)] = package.substr(equals + 1);
+      continue;
+    }
+    diagnostics.add({Severity::error, "", 0, "--package",
+                     fmt::format("\"{}\" is not NAME=DIR with a folder that exists", package),
+                     "Name the folder that package://NAME/ stands for."});
+  }
+  if (diagnostics.has_errors()) return std::nullopt;
+  return packages;
+}
+
+/// Warns where others than this machine can connect.
+void warn_of_listeners(const DriveSettings& drive, Diagnostics& diagnostics) {
+  if (!drive.serves || drive.listen == "127.0.0.1" || drive.listen == "::1") return;
+  diagnostics.add({Severity::warning, "", 0, "--listen",
+                   fmt::format("everybody who reaches {} can watch, and whoever has the token can "
+                               "command; nothing is encrypted",
+                               drive.listen),
+                   "Without it only this machine can connect; `ssh -L` reaches it from others."});
+}
+
+bool read_script(const std::string& path, DriveSettings& drive, Diagnostics& diagnostics) {
+  if (path.empty()) return true;
+  const auto text = read_text_file(path, diagnostics);
+  if (text) drive.script = *text;
+  return text.has_value();
+}
+
+int run(DriveOptions options) {
+  Diagnostics diagnostics;
+  DriveSettings& drive = options.drive;
+  drive.serves = !options.headless;
+  constexpr std::string_view kUdp = "udp:";
+  if (options.robot.starts_with(kUdp)) drive.udp_robot = options.robot.substr(kUdp.size());
+  drive.real_time = drive.real_time || drive.serves || !drive.udp_robot.empty();
+  drive.reads_input = options.script.empty();
+  warn_of_listeners(drive, diagnostics);
+  std::optional<LaunchedRobot> robot;
+  const auto packages = read_packages(options.packages, diagnostics);
+  if (packages && read_script(options.script, drive, diagnostics)) {
+    robot = launch_from(options.inputs, diagnostics);
+  }
+  if (robot) {
+    drive.meshes =
+        drive::find_meshes(robot->description.urdf,
+                           std::filesystem::path(options.inputs.urdf).parent_path(), *packages);
+  }
+  print_diagnostics(diagnostics, options.inputs.warnings);
+  if (!robot) return kBadInput;
+  Diagnostics of_drive;
+  if (!options.act_as_robot.empty()) {
+    const bool acted = act_as_robot(*robot, drive, options.act_as_robot, of_drive);
+    print_diagnostics(of_drive, options.inputs.warnings);
+    return acted ? kOk : kBadInput;
+  }
+  const auto outcome = run_drive(*robot, drive, of_drive);
+  print_diagnostics(of_drive, options.inputs.warnings);
+  if (!outcome) return kBadInput;
+  const ExitCode exit_code = outcome->script_failed    ? kBadInput
+                             : !outcome->fault.empty() ? kMismatch
+                                                       : kOk;
+  if (!options.headless) return exit_code;
+  return write_output(outcome->state + "\n", OutputForm::json, exit_code);
+}
+
+void add_drive_options(CLI::App& command, DriveOptions& options) {
+  DriveSettings& drive = options.drive;
+  drive.real_time = false;
+  command.add_flag("--headless", options.headless,
+                   "No page: commands from --script or standard input alone");
+  command.add_option("--script", options.script,
+                     "File of commands, one a line; - is standard input");
+  command.add_option("--record", drive.record, "JSON lines of commands and, 100 a second, states");
+  command.add_flag("--real-time", drive.real_time,
+                   "Without a page: keep to the machine's clock; with it always");
+  command.add_option("--rate", drive.rate, "Cycles of the control loop a second")
+      ->check(between(50, 10000))
+      ->capture_default_str();
+  command.add_option("--port", drive.port, "Of the page; 0: any that is free")
+      ->check(whole_between(0, 65535))
+      ->capture_default_str();
+  command
+      .add_option("--listen", drive.listen,
+                  "Address of this machine that others may reach; they can watch")
+      ->capture_default_str();
+  command.add_option("--package", options.packages, "NAME=DIR: where package://NAME/ lies");
+  command.add_option("--robot", options.robot, "simulated, or udp:HOST:PORT")
+      ->check([](const std::string& given) {
+        return given == "simulated" || given.starts_with("udp:")
+                   ? std::string()
+                   : fmt::format("\"{}\" is no robot\nsimulated, or udp:HOST:PORT", given);
+      })
+      ->capture_default_str();
+  command.add_option("--act-as-robot", options.act_as_robot,
+                     "HOST:PORT: be the simulated robot of a drive in another process");
+  command.add_option("--q", drive.start, "Where it starts, separated by commas; else at 0")
+      ->delimiter(',')
+      ->check(any_number());
+}
+
+}  // namespace
+
+void add_drive(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DriveOptions>();
+  CLI::App* command = app.add_subcommand("drive", "Drive a simulated robot by its generated code");
+  command->add_option("urdf", options->inputs.urdf, "Robot, URDF")->required();
+  command->add_option("scene", options->inputs.scene,
+                      "Operational points, base, gravity; YAML; without: the joints alone");
+  add_drive_options(*command, *options);
+  add_warnings_option(*command, options->inputs.warnings);
+  command->footer(
+      "Commands (runtime/drive/README.md explains them): start, stop, brake, reset,\n"
+      "mode joint|task|gravity, joint NAME to 45 deg in 2 s, move POINT by 0 0 -0.1 in 2 s,\n"
+      "turn POINT by 0 0 90 deg, hold, wait, help, quit.\n"
+      "Ctrl-C brakes to rest and ends. Exit: 1 a line of the script was not obeyed, 3 the robot\n"
+      "ended in a fault.\n"
+      "Examples:\n"
+      "  treeline drive puma560.urdf scene.yaml\n"
+      "  treeline drive arm.urdf --headless --script motion.txt --record motion.jsonl\n"
+      "  echo 'start' | treeline drive arm.urdf --headless");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace treeline

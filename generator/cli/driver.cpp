@@ -1,0 +1,429 @@
+#include "cli/driver.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "cli/loop_handle.hpp"
+#include "description/printable.hpp"
+#include "drive/page.hpp"
+#include "drive/rate_limit.hpp"
+#include "drive/script.hpp"
+#include "drive/server.hpp"
+#include "drive/session.hpp"
+#include "drive/udp_robot.hpp"
+#include "interruption/clean_up.hpp"
+#include "servo/realtime.hpp"
+#include "servo/state_machine.hpp"
+
+namespace treeline {
+namespace {
+
+using namespace std::chrono_literals;
+using drive::Verb;
+
+std::atomic<bool> asked_to_end{false};
+
+double machine_time() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void say(const std::string& line) {
+  fmt::print(stderr, "{}\n", printable(line));
+}
+
+std::string print_usages() {
+  std::string text;
+  for (const drive::CommandUsage& usage : drive::command_usages()) {
+    text += fmt::format("  {:<46} {}\n", usage.usage, usage.does);
+  }
+  return text;
+}
+
+/// A run of the loop with its front ends.
+class Driver {
+ public:
+  Driver(const LaunchedRobot& robot, const DriveSettings& settings,
+         const std::vector<double>& start, const drive::ExternalRobot& external)
+      : settings_(settings),
+        loop_(robot.library.functions(), robot.description, settings.rate, settings.real_time,
+              start, external),
+        session_(robot.description, settings.rate, robot.library.functions().has_center_of_mass,
+                 [this](const servo::Message& message) { return loop_.send(message); }),
+        numbers_(static_cast<std::size_t>(session_.layout().size)),
+        local_(session_.join()) {
+    if (settings.script) script_.append(*settings.script);
+    if (!settings.reads_input) script_.close();
+  }
+
+  bool open_record(Diagnostics& diagnostics);
+  bool open_server(Diagnostics& diagnostics);
+  DriveOutcome run();
+
+ private:
+  void run_as_fast_as_possible();
+  void run_in_real_time();
+  void attend();
+  void tell_front_ends();
+  drive::ServerHandlers handlers();
+  void receive();
+  void obey_script();
+  void obey_line(const drive::Script::Line& line);
+  void obey_local(const drive::Command& command);
+  void read_input();
+  void record_state();
+  void record_line(const std::string& line, const drive::Answer& answer);
+  void end();
+  void watch_end();
+  double now() const { return settings_.real_time ? machine_time() : time(); }
+  double time() const { return session_.report().head.time; }
+  bool moving() const { return session_.report().head.moving; }
+
+  const DriveSettings& settings_;
+  LoopHandle loop_;
+  drive::Session session_;
+  std::vector<double> numbers_;
+  int local_;
+  drive::Script script_;
+  std::ofstream record_;
+  std::int64_t state_number_ = 0;
+  double recorded_ = -1;
+  bool input_open_ = true;
+  bool ending_ = false;
+  DriveOutcome outcome_;
+  std::string fault_seen_;
+  std::mutex mutex_;  ///< of the session, between this thread and the server's
+  std::map<int, std::pair<drive::Inbox, drive::RateLimit>> inboxes_;
+  std::map<std::int64_t, double> sent_;  ///< when states of the last seconds were sent
+  double told_ = 0;
+  std::unique_ptr<drive::Server> server_;
+};
+
+bool Driver::open_record(Diagnostics& diagnostics) {
+  if (settings_.record.empty()) return true;
+  record_.open(settings_.record, std::ios::binary);
+  record_ << drive::print_hello(session_, settings_.rate, true, settings_.meshes) << '\n';
+  record_.flush();
+  if (record_) return true;
+  diagnostics.add({Severity::error, settings_.record, 0, "", "cannot be written",
+                   "name a file in a folder that exists and is yours to write"});
+  return false;
+}
+
+void Driver::record_state() {
+  constexpr double kInterval = 0.01;  // s
+  if (settings_.record.empty() || time() < recorded_ + kInterval - 1e-9) return;
+  recorded_ = time();
+  record_ << drive::print_state(session_, state_number_++, 0, drive::Detail::plain) << '\n';
+}
+
+void Driver::record_line(const std::string& line, const drive::Answer& answer) {
+  if (settings_.record.empty()) return;
+  record_ << drive::print_command(line, time(), answer) << '\n';
+}
+
+void Driver::receive() {
+  drive::ReportHead head;
+  while (loop_.receive(head, numbers_.data())) {
+    session_.take_report(head, numbers_.data());
+    record_state();
+  }
+  const std::string fault = session_.fault();
+  if (fault != fault_seen_ && !fault.empty()) say("fault: " + fault);
+  fault_seen_ = fault;
+}
+
+void Driver::end() {
+  if (ending_) return;
+  servo::Message message;
+  message.kind = servo::MessageKind::disconnect;
+  ending_ = loop_.send(message);
+}
+
+void Driver::obey_local(const drive::Command& command) {
+  if (command.verb == Verb::wait) script_.wait(time(), command.duration);
+  if (command.verb == Verb::help) fmt::print(stderr, "{}", print_usages());
+  if (command.verb == Verb::quit) end();
+}
+
+void Driver::obey_line(const drive::Script::Line& line) {
+  const auto parsed = drive::parse_command(line.text, session_.robot());
+  if (const auto* command = std::get_if<drive::Command>(&parsed)) {
+    if (is_local(command->verb)) return obey_local(*command);
+  }
+  const drive::Answer answer = session_.obey(local_, true, line.text, now());
+  record_line(line.text, answer);
+  say(fmt::format("{:9.3f} s  {}{}", time(), answer.ok ? "" : fmt::format("line {}: ", line.number),
+                  answer.text));
+  if (answer.ok || settings_.reads_input) return;
+  outcome_.script_failed = true;
+  script_ = drive::Script();
+  script_.close();
+}
+
+void Driver::obey_script() {
+  drive::Script::Line line;
+  while (!ending_ && script_.next(time(), moving(), line)) obey_line(line);
+}
+
+/// Takes what people have typed. Its end ends the drive if nobody else can command.
+void Driver::read_input() {
+  if (!settings_.reads_input || !input_open_) return;
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  while (poll(&input, 1, 0) > 0) {
+    char bytes[512];
+    const ssize_t count = read(STDIN_FILENO, bytes, sizeof(bytes));
+    if (count <= 0) {
+      input_open_ = false;
+      script_.close();
+      return;
+    }
+    script_.append({bytes, static_cast<std::size_t>(count)});
+  }
+}
+
+/// The drive ends with the script unless browsers may go on, and with a fault under a script.
+void Driver::watch_end() {
+  const bool faulted = session_.report().head.mode == static_cast<int>(servo::Mode::faulted);
+  if (faulted && settings_.script && !settings_.serves && outcome_.fault.empty()) {
+    outcome_.fault = session_.fault();
+  }
+  const bool done = !settings_.serves && script_.ended(time(), moving());
+  if (asked_to_end || done || !outcome_.fault.empty()) end();
+}
+
+void Driver::run_as_fast_as_possible() {
+  while (loop_.step()) {
+    receive();
+    if (ending_) continue;
+    read_input();
+    obey_script();
+    watch_end();
+  }
+}
+
+/// One look after everything but the loop, which runs in a thread of its own.
+void Driver::attend() {
+  const std::lock_guard lock(mutex_);
+  receive();
+  if (!ending_) {
+    read_input();
+    obey_script();
+    watch_end();
+  }
+  tell_front_ends();
+}
+
+/// States 30 times a second, and notes.
+void Driver::tell_front_ends() {
+  constexpr double kInterval = 1.0 / 30.0;  // s
+  constexpr double kKept = 5.0;             // s
+  for (const drive::Note& note : session_.take_notes()) {
+    if (note.front_end == local_) {
+      say(note.text);
+    } else if (server_) {
+      server_->send(note.front_end, drive::print_note(note.text));
+    }
+  }
+  if (!server_ || now() < told_ + kInterval) return;
+  told_ = now();
+  sent_[++state_number_] = told_;
+  while (sent_.begin()->second < told_ - kKept) sent_.erase(sent_.begin());
+  const std::string state = drive::print_state(session_, state_number_, server_->connections());
+  const std::optional<int> holder = session_.authority().holder();
+  server_->send_states(
+      [state, holder](int front_end) { return drive::finish_state(state, holder == front_end); });
+}
+
+/// What the server's thread asks.
+drive::ServerHandlers Driver::handlers() {
+  constexpr double kPerSecond = 200;
+  constexpr double kBurst = 100;
+  drive::ServerHandlers handlers;
+  handlers.join = [this](bool may_command, std::string& hello) {
+    const std::lock_guard lock(mutex_);
+    const int front_end = session_.join();
+    inboxes_.emplace(front_end, std::pair{drive::Inbox(front_end, may_command),
+                                          drive::RateLimit(kPerSecond, kBurst)});
+    hello = drive::print_hello(session_, settings_.rate, may_command, settings_.meshes);
+    return front_end;
+  };
+  handlers.receive = [this](int front_end, std::string_view message) -> std::string {
+    const std::lock_guard lock(mutex_);
+    auto& [inbox, limit] = inboxes_.at(front_end);
+    if (!limit.admits(now())) {
+      ++session_.refused().excess;
+      return {};
+    }
+    return inbox.receive(message, now(), sent_, session_);
+  };
+  handlers.leave = [this](int front_end) {
+    const std::lock_guard lock(mutex_);
+    inboxes_.erase(front_end);
+    session_.leave(front_end, now());
+  };
+  return handlers;
+}
+
+bool Driver::open_server(Diagnostics& diagnostics) {
+  if (!settings_.serves) return true;
+  const drive::Page page = drive::carried_page();
+  drive::ServerSettings server;
+  server.address = settings_.listen;
+  server.port = settings_.port;
+  server.token = drive::make_token();
+  server.html = page.html;
+  server.script = page.script;
+  server.style = page.style;
+  server.urdf = session_.robot().urdf;
+  server.meshes = settings_.meshes;
+  const std::string token = server.token;
+  std::string error;
+  server_ = drive::Server::open(std::move(server), handlers(), error);
+  if (!server_) {
+    diagnostics.add({Severity::error, "", 0, "--listen",
+                     fmt::format("{} port {} cannot be listened on: {}", settings_.listen,
+                                 settings_.port, error),
+                     "Choose another --port, or an address of this machine."});
+    return false;
+  }
+  if (page.html.empty())
+    say("This program was built without the page: Node.js or npm was missing.");
+  const bool is_ipv6 = settings_.listen.find(':') != std::string::npos;
+  fmt::print("http://{}:{}/?token={}\n", is_ipv6 ? "[" + settings_.listen + "]" : settings_.listen,
+             server_->port(), token);
+  std::fflush(stdout);
+  return true;
+}
+
+void Driver::run_in_real_time() {
+  std::atomic<bool> ended{false};
+  std::atomic<bool> ready{false};
+  std::string refused;
+  std::thread servo([&] {
+    refused = servo::request_realtime();
+    ready = true;
+    while (loop_.step()) {
+    }
+    ended = true;
+  });
+  while (!ready) std::this_thread::sleep_for(1ms);
+  if (!refused.empty()) say("real time: " + refused);
+  while (!ended) {
+    attend();
+    std::this_thread::sleep_for(4ms);
+  }
+  servo.join();
+  server_.reset();
+}
+
+DriveOutcome Driver::run() {
+  if (settings_.real_time) {
+    run_in_real_time();
+  } else {
+    run_as_fast_as_possible();
+  }
+  receive();
+  outcome_.state = drive::print_state(session_, state_number_, 0);
+  return outcome_;
+}
+
+}  // namespace
+
+namespace {
+
+/// The coordinates at the beginning; empty after an error.
+std::vector<double> start_of(const LaunchedRobot& robot, const DriveSettings& settings,
+                             Diagnostics& diagnostics) {
+  const std::size_t size = robot.description.coordinates.size();
+  if (settings.start.empty()) return default_start(robot.description);
+  if (settings.start.size() == size) return settings.start;
+  diagnostics.add(
+      {Severity::error, "", 0, "--q",
+       fmt::format("{} numbers are given, the robot has {}", settings.start.size(), size),
+       "`treeline inspect` lists the joints in their order."});
+  return {};
+}
+
+/// The robot at an address, after its first state has come. Null after an error.
+std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const std::string& address,
+                                            Diagnostics& diagnostics) {
+  constexpr double kPatience = 5;  // s
+  std::string error;
+  auto found = drive::UdpRobot::open(address, robot.description.checksum,
+                                     static_cast<int>(robot.description.coordinates.size()),
+                                     robot.description.velocities, error);
+  if (found && found->wait_for_state(kPatience)) return found;
+  diagnostics.add({Severity::error, "", 0, "--robot",
+                   found ? fmt::format("no robot answers at {} within {} s", address, kPatience)
+                         : fmt::format("\"{}\": {}", address, error),
+                   "`treeline drive --act-as-robot HOST:PORT`, with the same URDF and scene, is a "
+                   "simulated one."});
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
+                                      Diagnostics& diagnostics) {
+  std::vector<double> start = start_of(robot, settings, diagnostics);
+  if (start.empty()) return std::nullopt;
+  std::unique_ptr<drive::UdpRobot> external;
+  if (!settings.udp_robot.empty()) {
+    external = find_robot(robot, settings.udp_robot, diagnostics);
+    if (!external) return std::nullopt;
+    std::copy_n(external->state().begin(), start.size(), start.begin());
+  }
+  asked_to_end = false;
+  answer_signals([] { asked_to_end = true; });
+  Driver driver(robot, settings, start, external ? external->functions() : drive::ExternalRobot{});
+  std::optional<DriveOutcome> outcome;
+  if (driver.open_record(diagnostics) && driver.open_server(diagnostics)) {
+    outcome = driver.run();
+  }
+  answer_signals(nullptr);
+  return outcome;
+}
+
+bool act_as_robot(const LaunchedRobot& robot, const DriveSettings& settings,
+                  const std::string& address, Diagnostics& diagnostics) {
+  const std::vector<double> start = start_of(robot, settings, diagnostics);
+  if (start.empty()) return false;
+  const drive::RobotLibrary& library = robot.library.functions();
+  const LoopNumbers numbers(robot.description);
+  const drive::LoopOptions options = options_for(robot.description, numbers, start);
+  const std::unique_ptr<void, void (*)(void*)> simulated(library.create_robot(&options),
+                                                         library.destroy_robot);
+  drive::RobotSide side;
+  side.address = address;
+  side.checksum = robot.description.checksum;
+  side.rate = settings.rate;
+  side.nq = library.coordinates;
+  side.nv = library.velocities;
+  side.advance = [&](const double* tau, double seconds) {
+    library.advance_robot(simulated.get(), tau, seconds);
+  };
+  side.read = [&](double* state) { library.read_robot(simulated.get(), state); };
+  asked_to_end = false;
+  answer_signals([] { asked_to_end = true; });
+  say(fmt::format("the simulated robot listens at {}", address));
+  const std::string error = drive::run_robot_side(side, asked_to_end);
+  answer_signals(nullptr);
+  if (error.empty()) return true;
+  diagnostics.add({Severity::error, "", 0, "--act-as-robot",
+                   fmt::format("{} cannot be listened on: {}", address, error),
+                   "Name an address of this machine as a number, and a free port."});
+  return false;
+}
+
+}  // namespace treeline

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/diagnostic.hpp"
+#include "drive/wire.hpp"
+#include "launch/launch.hpp"
+
+namespace treeline {
+
+/// How a robot is driven.
+struct DriveSettings {
+  double rate = 1000;  ///< Hz
+  bool real_time = true;
+  bool serves = true;                 ///< the page, to browsers
+  std::optional<std::string> script;  ///< lines of the command language
+  bool reads_input = false;           ///< commands from standard input
+  std::string record;                 ///< file of JSON lines; empty: none
+  std::vector<double> start;          ///< q; empty: 0, or what is nearest within the limits
+  std::string listen = "127.0.0.1";
+  int port = 0;  ///< 0: any
+  std::vector<drive::ServedMesh> meshes;
+  std::string udp_robot;  ///< HOST:PORT; empty: the robot is simulated
+};
+
+/// How a drive ended.
+struct DriveOutcome {
+  bool script_failed = false;  ///< a line was not obeyed
+  std::string fault;           ///< of the loop, in words; empty: none
+  std::string state;           ///< the last one, as front ends see it
+};
+
+/// Drives a robot until its script has ended, somebody says `quit`, or a signal comes; it then
+/// brakes to rest. Without real time everything happens in this thread, and the same script gives
+/// the same motion. Errors: `start` of another length; a record that cannot be written; an address
+/// that cannot be listened on; no robot answers.
+std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
+                                      Diagnostics& diagnostics);
+
+/// Simulates the robot for a loop in another process that talks to it over UDP at `address`, until
+/// a signal comes. Returns whether that was possible.
+bool act_as_robot(const LaunchedRobot& robot, const DriveSettings& settings,
+                  const std::string& address, Diagnostics& diagnostics);
+
+}  // namespace treeline

@@ -1,0 +1,111 @@
+#include "launch/compile_robot.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "check/compile_folder.hpp"
+#include "check/run_commands.hpp"
+#include "emission/print_source.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+  fs::path path;
+  fs::path object;
+  bool is_long = false;
+  bool is_loop = false;
+};
+
+std::vector<Source> list_sources(const std::vector<CompiledPart>& parts, const fs::path& work) {
+  std::vector<Source> sources = {{work / "robot.cpp", work / "robot.o", false, true}};
+  for (const CompiledPart& part : parts) {
+    for (const GeneratedFunction& generated : part.generation->functions) {
+      const std::string stem = source_stem(generated);
+      sources.push_back({work / part.name / (stem + ".cpp"), work / (part.name + "_" + stem + ".o"),
+                         is_long(generated.program), false});
+    }
+  }
+  // The largest first, so that none is left at the end for a single core.
+  std::stable_sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
+    return fs::file_size(a.path) > fs::file_size(b.path);
+  });
+  return sources;
+}
+
+Command compile_command(const Command& compiler, const std::vector<CompiledPart>& parts,
+                        const fs::path& work, const Source& source) {
+  Command command = compiler;
+  const auto add = [&command](std::initializer_list<std::string> words) {
+    command.insert(command.end(), words);
+  };
+  add({source.is_loop ? "-std=c++20" : "-std=c++17", source.is_long ? "-O1" : "-O2",
+       "-ffp-contract=off", "-fPIC"});
+  if (source.is_loop) add({"-I", work / "runtime"});
+  for (const CompiledPart& part : parts) add({"-I", work / part.name});
+  add({"-c", source.path, "-o", source.object});
+  return command;
+}
+
+std::string first_lines_of(const std::string& text) {
+  constexpr int kLines = 12;
+  std::istringstream stream(text);
+  std::string lines;
+  std::string line;
+  for (int i = 0; i < kLines && std::getline(stream, line); ++i) lines += "\n  " + line;
+  return lines;
+}
+
+bool all_succeeded(const std::vector<CommandOutcome>& outcomes, const std::vector<Source>& sources,
+                   Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i].started && outcomes[i].exit_code == 0) continue;
+    diagnostics.add({Severity::error, sources[i].path.filename(), 0, "",
+                     "does not compile" + first_lines_of(outcomes[i].output),
+                     "Look whether the folder of temporary files (TMPDIR) has space left, and "
+                     "whether $CXX is a compiler for C++20."});
+    return false;
+  }
+  return true;
+}
+
+fs::path link(const Command& compiler, const std::vector<Source>& sources, const fs::path& work,
+              Diagnostics& diagnostics) {
+  fs::path library = work / "librobot.so";
+  const fs::path exported = work / "exported.map";
+  std::ofstream(exported) << "{ global: treeline_drive_library; local: *; };\n";
+  Command command = compiler;
+  command.insert(command.end(),
+                 {"-shared", "-Wl,--version-script=" + exported.string(), "-o", library.string()});
+  for (const Source& source : sources) command.push_back(source.object);
+  const CommandOutcome outcome = run_commands({command}, 1, work).front();
+  if (outcome.started && outcome.exit_code == 0) return library;
+  diagnostics.add({Severity::error, library.filename(), 0, "",
+                   "does not link" + first_lines_of(outcome.output),
+                   "Look whether the folder of temporary files (TMPDIR) has space left."});
+  return {};
+}
+
+}  // namespace
+
+fs::path compile_robot(const std::vector<CompiledPart>& parts, const fs::path& work,
+                       const std::function<void(int, int)>& progress, Diagnostics& diagnostics) {
+  const auto compiler = find_compiler("", work, diagnostics);
+  if (!compiler) return {};
+  const std::vector<Source> sources = list_sources(parts, work);
+  std::vector<Command> commands;
+  for (const Source& source : sources) {
+    commands.push_back(compile_command(*compiler, parts, work, source));
+  }
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto outcomes = run_commands(commands, cores, work, progress);
+  if (!all_succeeded(outcomes, sources, diagnostics)) return {};
+  return link(*compiler, sources, work, diagnostics);
+}
+
+}  // namespace treeline

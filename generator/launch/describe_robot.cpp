@@ -1,0 +1,109 @@
+#include "launch/describe_robot.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "description/find_joint.hpp"
+#include "description/list_rows.hpp"
+#include "description/rotation.hpp"
+
+namespace treeline {
+namespace {
+
+using drive::DrivenCoordinate;
+using drive::Measure;
+
+constexpr std::array kFloatingNames = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+constexpr std::array kPlanarNames = {"x", "y", "theta"};
+
+double limit_or_none(double limit) {
+  return std::isfinite(limit) && limit > 0 ? limit : std::numeric_limits<double>::infinity();
+}
+
+void take_limits(const Joint& joint, const Coordinate& coordinate, DrivenCoordinate& driven) {
+  if (coordinate.lower < coordinate.upper) {
+    driven.lower = coordinate.lower;
+    driven.upper = coordinate.upper;
+  }
+  if (!joint.limits) return;
+  driven.velocity = limit_or_none(joint.limits->velocity);
+  driven.effort = limit_or_none(joint.limits->effort);
+}
+
+/// The coordinates of one link's joint; `axis` counts the axes of a planar joint.
+void describe_link(const Robot& robot, const Mechanism& mechanism, const MovingLink& link, int axis,
+                   drive::RobotDescription& description) {
+  const Joint* joint = find_joint(robot, link.joint);
+  const std::string name = joint != nullptr ? link.joint : "base";
+  const bool floats = link.kind == JointKind::floating;
+  for (std::size_t i = 0; i < (floats ? kFloatingNames.size() : 1); ++i) {
+    DrivenCoordinate driven;
+    driven.joint = name;
+    if (floats) {
+      driven.name = name + "." + kFloatingNames[i];
+      driven.measure = static_cast<Measure>(static_cast<std::size_t>(Measure::x) + i);
+    } else if (joint != nullptr && joint->type == JointType::planar) {
+      driven.name = name + "." + kPlanarNames[static_cast<std::size_t>(axis)];
+      driven.measure = static_cast<Measure>(static_cast<int>(Measure::planar_x) + axis);
+    } else {
+      driven.name = name;
+      driven.measure = link.kind == JointKind::revolute ? Measure::angle : Measure::length;
+    }
+    if (!floats) driven.velocity_index = link.v_index;
+    const std::size_t q = static_cast<std::size_t>(link.q_index) + i;
+    if (joint != nullptr && !floats) take_limits(*joint, mechanism.coordinates[q], driven);
+    description.coordinates[q] = driven;
+  }
+}
+
+drive::DrivenPoint describe_point(const ScenePoint& point) {
+  drive::DrivenPoint driven;
+  driven.name = point.name;
+  driven.link = point.link;
+  driven.position = point.origin.xyz;
+  const Eigen::Quaterniond turn(rotation_from_rpy<double>(point.origin.rpy));
+  driven.rotation = {turn.x(), turn.y(), turn.z(), turn.w()};
+  for (std::size_t i = 0; i < kRowNames.size(); ++i) {
+    if (point.rows[i]) driven.rows.emplace_back(kRowNames[i]);
+  }
+  driven.local_axes = point.axes == Axes::local;
+  return driven;
+}
+
+}  // namespace
+
+std::vector<int> floating_joints(const Mechanism& mechanism) {
+  std::vector<int> first;
+  for (const MovingLink& link : mechanism.links) {
+    if (link.kind == JointKind::floating && !link.mimics) first.push_back(link.q_index);
+  }
+  return first;
+}
+
+drive::RobotDescription describe_robot(const Robot& robot, const Scene& control, const Scene& links,
+                                       const Mechanism& mechanism) {
+  drive::RobotDescription description;
+  description.name = robot.name;
+  description.floating = control.base == Base::floating;
+  description.velocities = mechanism.nv();
+  description.coordinates.resize(static_cast<std::size_t>(mechanism.nq()));
+  std::string last;
+  int axis = 0;
+  for (const MovingLink& link : mechanism.links) {
+    if (link.mimics) continue;
+    axis = link.joint == last ? axis + 1 : 0;
+    last = link.joint;
+    describe_link(robot, mechanism, link, axis, description);
+  }
+  for (const ScenePoint& point : control.operational_points) {
+    description.points.push_back(describe_point(point));
+  }
+  for (const ScenePoint& point : links.operational_points) description.links.push_back(point.link);
+  description.locked.assign(control.locked.begin(), control.locked.end());
+  double mass = 0;
+  for (const Link& link : robot.links) mass += link.inertial ? link.inertial->mass : 0;
+  description.mass = mass > 0 ? mass : 1;
+  return description;
+}
+
+}  // namespace treeline

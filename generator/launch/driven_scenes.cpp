@@ -1,0 +1,92 @@
+#include "launch/driven_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mechanism/build_mechanism.hpp"
+#include "oracle/leave_out_singular.hpp"
+
+namespace treeline {
+namespace {
+
+/// Beyond this many links a pull would cost too much of a cycle, and its code too long to compile.
+constexpr std::size_t kMostLinks = 80;
+
+double total_mass(const Robot& robot) {
+  double mass = 0;
+  for (const Link& link : robot.links) mass += link.inertial ? link.inertial->mass : 0;
+  return mass;
+}
+
+void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
+  std::string left;
+  const auto add = [&left](bool there, const char* what) {
+    if (there) left += (left.empty() ? "" : ", ") + std::string(what);
+  };
+  add(!scene.objects.empty(), "objects");
+  add(!scene.contacts.empty(), "contacts");
+  add(!scene.external_forces.empty(), "external_forces");
+  add(scene.batch > 0, "batch");
+  add(scene.real == Real::float32, "real: float");
+  add(scene.sin_cos == Sines::given, "sin_cos: given");
+  if (left.empty()) return;
+  diagnostics.add(
+      {Severity::note, scene.file, 0, "", "left out while the robot is driven: " + left, ""});
+}
+
+std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
+  std::vector<Function> functions = {Function::inverse_dynamics, Function::forward_dynamics};
+  if (!scene.operational_points.empty()) {
+    functions.insert(functions.end(),
+                     {Function::forward_kinematics, Function::jacobian, Function::control_torque});
+    if (scene.damped) {
+      functions.insert(functions.end(), kDampedFunctions.begin(), kDampedFunctions.end());
+    }
+  }
+  if (total_mass(robot) > 0) functions.push_back(Function::center_of_mass);
+  std::sort(functions.begin(), functions.end());
+  functions.erase(std::unique(functions.begin(), functions.end()), functions.end());
+  return functions;
+}
+
+}  // namespace
+
+Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
+  note_left_out(scene, diagnostics);
+  Scene control = scene;
+  control.objects.clear();
+  control.contacts.clear();
+  control.external_forces.clear();
+  control.batch = 0;
+  control.real = Real::float64;
+  control.sin_cos = Sines::computed;
+  control.functions = functions_for(control, robot);
+  if (build_mechanism(robot, control).nv() == 0) {
+    diagnostics.add({Severity::error, robot.file, 0, "", "nothing of this robot moves",
+                     "Give it joints that move, or a scene with `base: floating`."});
+    return control;
+  }
+  leave_out_singular(robot, control, true, diagnostics);
+  return control;
+}
+
+Scene link_scene(const Robot& robot, const Scene& control) {
+  Scene scene = control;
+  scene.name = control.name + "_links";
+  scene.damped.reset();
+  scene.operational_points.clear();
+  scene.functions = {Function::forward_kinematics, Function::inverse_dynamics};
+  if (robot.links.size() > kMostLinks) return scene;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (static_cast<int>(i) == robot.root && control.base == Base::fixed) continue;
+    ScenePoint point;
+    point.name = fmt::format("link{}", i);
+    point.link = robot.links[i].name;
+    scene.operational_points.push_back(point);
+  }
+  scene.external_forces = scene.operational_points;
+  return scene;
+}
+
+}  // namespace treeline

@@ -1,0 +1,104 @@
+#include "launch/launch.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <utility>
+
+#include "emission/digest.hpp"
+#include "emission/write_files.hpp"
+#include "generation/generate_code.hpp"
+#include "launch/compile_robot.hpp"
+#include "launch/describe_robot.hpp"
+#include "launch/driven_scenes.hpp"
+#include "launch/print_robot.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+using Tell = std::function<void(const std::string&)>;
+
+/// The generated code of both scenes; that of the links is absent where nothing can be pulled.
+struct Parts {
+  Scene control, links;
+  Generation control_code;
+  std::optional<Generation> link_code;
+};
+
+std::optional<Parts> generate_parts(const LaunchInput& input, const Tell& tell,
+                                    Diagnostics& diagnostics) {
+  Parts parts;
+  parts.control = control_scene(input.robot, input.scene, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  parts.links = link_scene(input.robot, parts.control);
+  const auto tell_function = [&tell](const std::string& function) {
+    tell("generating " + function);
+  };
+  auto made = generate_code(input.robot, parts.control, {}, diagnostics, {}, tell_function);
+  if (!made) return std::nullopt;
+  parts.control_code = std::move(*made);
+  if (parts.links.operational_points.empty()) return parts;
+  Diagnostics of_links;  // what is said of the links has been said of the robot
+  parts.link_code = generate_code(input.robot, parts.links, {}, of_links, {}, tell_function);
+  if (!parts.link_code) parts.links.operational_points.clear();
+  return parts;
+}
+
+bool write_text_file(const fs::path& path, const std::string& text, Diagnostics& diagnostics) {
+  std::error_code ignored;  // the stream tells
+  fs::create_directories(path.parent_path(), ignored);
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (stream) return true;
+  diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end",
+                   "free some space there, or set TMPDIR to a folder with more"});
+  return false;
+}
+
+bool write_parts(const LaunchInput& input, const Parts& parts, const fs::path& work,
+                 Diagnostics& diagnostics) {
+  bool written = write_files(work / parts.control.name, parts.control_code.files, diagnostics);
+  if (parts.link_code) {
+    written = write_files(work / parts.links.name, parts.link_code->files, diagnostics) && written;
+  }
+  for (const GeneratedFile& file : runtime_headers()) {
+    written = written && write_text_file(work / "runtime" / file.name, file.text, diagnostics);
+  }
+  return written &&
+         write_text_file(work / "robot.cpp",
+                         print_robot(input.robot, parts.control, parts.control_code, parts.links),
+                         diagnostics);
+}
+
+fs::path compile_parts(const Parts& parts, const fs::path& work, const Tell& tell,
+                       Diagnostics& diagnostics) {
+  std::vector<CompiledPart> compiled = {{parts.control.name, &parts.control_code}};
+  if (parts.link_code) compiled.push_back({parts.links.name, &*parts.link_code});
+  return compile_robot(
+      compiled, work,
+      [&tell](int done, int total) { tell(fmt::format("compiled {}/{}", done, total)); },
+      diagnostics);
+}
+
+}  // namespace
+
+std::optional<LaunchedRobot> launch(const LaunchInput& input, const Tell& tell,
+                                    Diagnostics& diagnostics) {
+  const auto parts = generate_parts(input, tell, diagnostics);
+  if (!parts) return std::nullopt;
+  auto folder = make_temporary_folder(diagnostics);
+  if (!folder || !write_parts(input, *parts, folder->path(), diagnostics)) return std::nullopt;
+  const fs::path path = compile_parts(*parts, folder->path(), tell, diagnostics);
+  if (path.empty()) return std::nullopt;
+  auto library = DrivenLibrary::load(path, diagnostics);
+  if (!library) return std::nullopt;
+  drive::RobotDescription description =
+      describe_robot(input.robot, parts->control, parts->links, parts->control_code.mechanism);
+  description.checksum = digest(input.urdf_text + '\0' + input.scene_text).substr(0, 16);
+  description.urdf = input.urdf_text;
+  return LaunchedRobot{std::move(description), std::move(folder), std::move(*library)};
+}
+
+}  // namespace treeline

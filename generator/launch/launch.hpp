@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "check/temporary_folder.hpp"
+#include "description/diagnostic.hpp"
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "drive/robot_description.hpp"
+#include "launch/driven_library.hpp"
+
+namespace treeline {
+
+/// What a robot is made of: the files' content.
+struct LaunchInput {
+  Robot robot;
+  Scene scene;
+  std::string urdf_text, scene_text;
+};
+
+/// A robot that is ready to be driven.
+struct LaunchedRobot {
+  drive::RobotDescription description;
+  std::unique_ptr<TemporaryFolder> folder;  ///< of the library; outlives it
+  DrivenLibrary library;
+};
+
+/// Generates a robot's code, compiles it together with the control loop, and loads it. `tell`
+/// receives what is being done, `compiled 3/9`. Errors: see `control_scene`, the compiler's.
+std::optional<LaunchedRobot> launch(const LaunchInput& input,
+                                    const std::function<void(const std::string&)>& tell,
+                                    Diagnostics& diagnostics);
+
+}  // namespace treeline

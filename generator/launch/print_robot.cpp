@@ -1,0 +1,124 @@
+#include "launch/print_robot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "description/printable.hpp"
+#include "emission/fill_template.hpp"
+#include "launch/describe_robot.hpp"
+#include "launch/templates.hpp"
+
+namespace treeline {
+namespace {
+
+std::string print_alias(const std::string& name, const std::string& from,
+                        const std::string& function) {
+  return fmt::format("  static constexpr auto& {} = {}::{};\n", name, from, function);
+}
+
+std::string print_rows(const Scene& scene) {
+  std::string rows;
+  std::string local;
+  for (std::size_t k = 0; k < scene.operational_points.size(); ++k) {
+    const ScenePoint& point = scene.operational_points[k];
+    for (std::size_t axis = 0; axis < point.rows.size(); ++axis) {
+      if (point.rows[axis]) rows += fmt::format("{{{}, {}}}, ", k, axis);
+    }
+    local += point.axes == Axes::local ? "true, " : "false, ";
+  }
+  return fmt::format(
+      "  static constexpr treeline::drive::TaskRow kRows[] = {{{}}};\n"
+      "  static constexpr bool kLocalAxes[] = {{{}}};\n",
+      rows, local);
+}
+
+/// `damped_control_torque` returns a number; a struct hides that.
+std::string print_control_torque(const Scene& scene) {
+  if (!scene.damped) return print_alias("control_torque", scene.name, "control_torque");
+  return fmt::format(
+      "  template <class... Arguments>\n"
+      "  static void control_torque(Arguments&... arguments) noexcept {{\n"
+      "    (void){}::damped_control_torque(arguments...);\n"
+      "  }}\n",
+      scene.name);
+}
+
+bool has(const Generation& generation, Function function) {
+  return std::any_of(generation.functions.begin(), generation.functions.end(),
+                     [function](const GeneratedFunction& f) { return f.function == function; });
+}
+
+std::string print_functions(const Scene& control, const Generation& generation,
+                            const Scene& links) {
+  std::string text = print_alias("inverse_dynamics", control.name, "inverse_dynamics") +
+                     print_alias("forward_dynamics", control.name, "forward_dynamics");
+  if (!control.operational_points.empty()) {
+    text += print_rows(control) +
+            print_alias("forward_kinematics", control.name, "forward_kinematics") +
+            print_alias("jacobian", control.name, "jacobian") + print_control_torque(control);
+  }
+  if (has(generation, Function::center_of_mass)) {
+    text += print_alias("center_of_mass", control.name, "center_of_mass");
+  }
+  if (!links.operational_points.empty()) {
+    text += print_alias("link_frames", links.name, "forward_kinematics") +
+            print_alias("link_inverse_dynamics", links.name, "inverse_dynamics");
+  }
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+std::string print_robot(const Robot& robot, const Scene& control, const Generation& generation,
+                        const Scene& links) {
+  std::string includes = fmt::format("#include \"{}.hpp\"", control.name);
+  if (control.damped) includes += fmt::format("\n#include \"{}_damped.hpp\"", control.name);
+  if (!links.operational_points.empty()) {
+    includes += fmt::format("\n#include \"{}.hpp\"", links.name);
+  }
+  const Mechanism& mechanism = generation.mechanism;
+  return fill_template(
+      launch_templates::kRobot,
+      {{"robot", printable(robot.name)},
+       {"includes", includes},
+       {"nq", std::to_string(mechanism.nq())},
+       {"nv", std::to_string(mechanism.nv())},
+       {"points", std::to_string(control.operational_points.size())},
+       {"rows", std::to_string(mechanism.task_rows())},
+       {"links", std::to_string(links.operational_points.size())},
+       {"has_center_of_mass", has(generation, Function::center_of_mass) ? "true" : "false"},
+       {"floating", fmt::format("{{{}}}", fmt::join(floating_joints(mechanism), ", "))},
+       {"functions", print_functions(control, generation, links)}});
+}
+
+std::vector<GeneratedFile> runtime_headers() {
+  namespace t = launch_templates;
+  const auto file = [](const char* name, std::string_view text) {
+    return GeneratedFile{name, std::string(text)};
+  };
+  return {file("core/command_laws.hpp", t::kCoreCommandLaws),
+          file("core/orientation.hpp", t::kCoreOrientation),
+          file("core/sin_cos.hpp", t::kCoreSinCos),
+          file("core/square_root.hpp", t::kCoreSquareRoot),
+          file("servo/clock.hpp", t::kServoClock),
+          file("servo/cycle.hpp", t::kServoCycle),
+          file("servo/integrate.hpp", t::kServoIntegrate),
+          file("servo/loop.hpp", t::kServoLoop),
+          file("servo/message.hpp", t::kServoMessage),
+          file("servo/robot_proxy.hpp", t::kServoRobotProxy),
+          file("servo/safety.hpp", t::kServoSafety),
+          file("servo/simulated_robot.hpp", t::kServoSimulatedRobot),
+          file("servo/state_machine.hpp", t::kServoStateMachine),
+          file("servo/statistics.hpp", t::kServoStatistics),
+          file("drive/drive_controller.hpp", t::kDriveController),
+          file("drive/drive_controller_body.hpp", t::kDriveControllerBody),
+          file("drive/drive_loop.hpp", t::kDriveLoop),
+          file("drive/driven_robot.hpp", t::kDriveRobot),
+          file("drive/instruction.hpp", t::kDriveInstruction),
+          file("drive/robot_library.hpp", t::kDriveLibrary),
+          file("drive/smooth_reference.hpp", t::kDriveReference)};
+}
+
+}  // namespace treeline

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emission/emit.hpp"
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// The source that joins the generated functions with the loop: a struct for `drive::DriveLoop`.
+std::string print_robot(const Robot& robot, const Scene& control, const Generation& generation,
+                        const Scene& links);
+
+/// The runtime's headers that the source includes, by their names below `runtime/`.
+std::vector<GeneratedFile> runtime_headers();
+
+}  // namespace treeline

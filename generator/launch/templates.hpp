@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string_view>
+
+namespace treeline::launch_templates {
+
+// A file of templates/ and headers of runtime/, embedded when the generator is built.
+extern const std::string_view kRobot;
+extern const std::string_view kCoreCommandLaws;
+extern const std::string_view kCoreOrientation;
+extern const std::string_view kCoreSinCos;
+extern const std::string_view kCoreSquareRoot;
+extern const std::string_view kServoClock;
+extern const std::string_view kServoCycle;
+extern const std::string_view kServoIntegrate;
+extern const std::string_view kServoLoop;
+extern const std::string_view kServoMessage;
+extern const std::string_view kServoRobotProxy;
+extern const std::string_view kServoSafety;
+extern const std::string_view kServoSimulatedRobot;
+extern const std::string_view kServoStateMachine;
+extern const std::string_view kServoStatistics;
+extern const std::string_view kDriveController;
+extern const std::string_view kDriveControllerBody;
+extern const std::string_view kDriveLoop;
+extern const std::string_view kDriveRobot;
+extern const std::string_view kDriveInstruction;
+extern const std::string_view kDriveLibrary;
+extern const std::string_view kDriveReference;
+
+}  // namespace treeline::launch_templates

@@ -1,0 +1,174 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/command_laws.hpp"
+#include "core/orientation.hpp"
+#include "drive/instruction.hpp"
+#include "drive/smooth_reference.hpp"
+#include "servo/message.hpp"
+#include "servo/robot_proxy.hpp"
+
+namespace treeline::drive {
+
+/// A row of the task: its point, and its axis among x y z rx ry rz.
+struct TaskRow {
+  int point = 0;
+  int axis = 0;
+};
+
+/// Limits and strengths of a controller. Arrays are per coordinate and per velocity.
+template <int nq, int nv>
+struct ControlSettings {
+  std::array<double, static_cast<std::size_t>(nq)> lower, upper;      ///< goals stay within
+  std::array<double, static_cast<std::size_t>(nq)> home;              ///< where the robot began
+  std::array<double, static_cast<std::size_t>(nv)> velocity, torque;  ///< infinite: none
+  double period = 1e-3;                                               ///< s
+  double pull_stiffness = 100.0;                                      ///< N/m
+  double pull_force = 50.0;                                           ///< N
+};
+
+/// Moves joints or operational points to goals, or lets the robot be led by hand:
+///   joint    tau = ID(q, qd, qdd_ref + kv (qd_ref - qd) + kp (q_ref - q))
+///   task     tau = control_torque(q, qd, posture law, xdd_ref + kv (xd_ref - xd) + kp (x_ref - x))
+///   gravity  tau = ID(q, qd, -damping qd), damped more towards limits of speed and position
+/// Goals are led smoothly. Where the control changes, the torque's step is taken away and fades. A
+/// floating joint has a pose as its goal in every control. Nothing is allocated.
+///
+/// F offers the generated functions of a robot, see templates/drive_robot.cpp.in.
+template <class F>
+class DriveController {
+ public:
+  static constexpr int nq = F::kCoordinates;
+  static constexpr int nv = F::kVelocities;
+  static constexpr int kPoints = F::kPoints;
+  static constexpr int kFloating = nq - nv;
+  using Settings = ControlSettings<nq, nv>;
+  using State = servo::StateOf<F>;
+
+  /// `last_torque` is what the robot was given last, in every mode of the loop.
+  DriveController(const Settings& settings, const double (&last_torque)[nv]) noexcept
+      : settings_(settings), last_torque_(last_torque) {
+    control_ = kPoints > 0 ? Control::task : Control::joint;
+  }
+
+  void start(double time, const State& state) noexcept {
+    state_ = state;
+    begin_joints(time, state);
+    begin_points(time, state);
+    blend_asked_ = true;
+    pull_until_ = time;
+    pulled_ = false;
+  }
+
+  void apply(double time, const servo::Message& message) noexcept;
+  void control(double time, const State& state, double (&tau)[nv]) noexcept;
+
+  Control control_kind() const noexcept { return control_; }
+  bool saturated() const noexcept { return saturated_; }
+  bool pulled() const noexcept { return pulled_; }
+  int pulled_link() const noexcept { return pull_link_; }
+  const double (&pull_at() const noexcept)[3] { return pull_at_; }
+  const double (&pull_force() const noexcept)[3] { return pull_force_; }
+  const SmoothNumber& joint(int coordinate) const noexcept { return joints_[at(coordinate)]; }
+  const SmoothPose& floating(int joint) const noexcept { return floating_[at(joint)]; }
+  const SmoothPose& point(int k) const noexcept { return points_[at(k)]; }
+  bool free(int k) const noexcept { return free_[at(k)]; }
+  /// Whether a motion has not ended or ended within the last `margin` seconds.
+  bool moving(double time, double margin) const noexcept;
+
+ private:
+  static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+  static constexpr std::size_t room(int size) noexcept { return at(size > 0 ? size : 1); }
+  static constexpr double kLongestGuess = 30.0;  ///< s
+  static constexpr double kShortestGuess = 0.5;  ///< s
+  static constexpr double kSpeed = 1.0;          ///< rad/s or m/s of a joint without limit
+  static constexpr double kPointSpeed = 0.25;    ///< m/s
+  static constexpr double kTurnSpeed = 1.0;      ///< rad/s
+  static constexpr double kPeak = 1.875;         ///< of a quintic: peak speed by mean speed
+  static constexpr double kBlend = 0.25;         ///< s
+  static constexpr double kHandDamping = 2.0;    ///< 1/s, in gravity control
+
+  /// Calls single(coordinate, velocity) or floating(which, coordinate, velocity) for each joint.
+  template <class Single, class Floating>
+  static void for_each_joint(Single&& single, Floating&& floating) noexcept {
+    int iq = 0;
+    int iv = 0;
+    for (int k = 0; k <= kFloating; ++k) {
+      const int end = k < kFloating ? F::kFloating[at(k)] : nq;
+      for (; iq < end; ++iq, ++iv) {
+        single(iq, iv);
+      }
+      if (k < kFloating) {
+        floating(k, iq, iv);
+        iq += 7;
+        iv += 6;
+      }
+    }
+  }
+  static int velocity_of(int coordinate) noexcept {
+    int found = -1;
+    for_each_joint([&](int iq, int iv) { found = iq == coordinate ? iv : found; },
+                   [](int, int, int) {});
+    return found;
+  }
+
+  void begin_joints(double time, const State& state) noexcept;
+  void begin_points(double time, const State& state) noexcept;
+  void set_control(double time, const State& state, Control wanted) noexcept;
+  void move_joint(double time, const servo::Message& message) noexcept;
+  void go_home(double time, double duration) noexcept;
+  void move_pose(double time, const servo::Message& message, SmoothPose& pose) noexcept;
+  void turn_pose(double time, const servo::Message& message, SmoothPose& pose) noexcept;
+  void drag_pose(double time, const servo::Message& message, SmoothPose& pose) noexcept;
+  void drag_joint(double time, const servo::Message& message) noexcept;
+  void begin_pull(double time, const servo::Message& message) noexcept;
+  void set_gains(const servo::Message& message) noexcept;
+  SmoothPose* pose_of(int point) noexcept;
+  void hold_all(double time) noexcept;
+  void end_leases(double time) noexcept;
+  void advance(double time) noexcept;
+  double guess_duration(double distance, double limit, double asked) const noexcept;
+  void accelerate_joints(const core::Gains<double>& gains, const State& state,
+                         double (&qdd)[nv]) const noexcept;
+  void accelerate_floating(const core::Gains<double>& gains, const SmoothPose& goal,
+                           const double* q, const double* qd, double* qdd) const noexcept;
+  void push_from_limits(const State& state, double (&qdd)[nv]) const noexcept;
+  void yield_to_hand(const State& state, double (&qdd)[nv]) const noexcept;
+  void command_task(double time, const State& state, double (&tau)[nv]) noexcept;
+  void add_pull(const State& state, double (&tau)[nv]) noexcept;
+  void blend(double time, double (&tau)[nv]) noexcept;
+  void cut(double (&tau)[nv]) noexcept;
+
+  Settings settings_;
+  const double (&last_torque_)[nv];
+  Control control_ = Control::joint;
+  core::Gains<double> joint_gains_{225.0, 30.0};
+  core::Gains<double> task_gains_{225.0, 30.0};
+  core::Gains<double> posture_gains_{36.0, 12.0};
+  std::array<SmoothNumber, room(nq)> joints_{};
+  std::array<double, room(nq)> joint_leases_{};
+  std::array<SmoothPose, room(kFloating)> floating_{};
+  std::array<double, room(kFloating)> floating_leases_{};
+  std::array<SmoothPose, room(kPoints)> points_{};
+  std::array<double, room(kPoints)> point_leases_{};
+  std::array<bool, room(kPoints)> free_{};
+  State state_{};  ///< of the last cycle of control
+  bool blend_asked_ = false;
+  double blend_start_ = -1.0;
+  double blend_from_[nv] = {};
+  bool saturated_ = false;
+  bool pulled_ = false;
+  double pull_until_ = 0.0;
+  int pull_link_ = 0;
+  double pull_on_link_[3] = {};
+  double pull_to_[3] = {};
+  double pull_at_[3] = {};
+  double pull_force_[3] = {};
+};
+
+}  // namespace treeline::drive
+
+#include "drive/drive_controller_body.hpp"

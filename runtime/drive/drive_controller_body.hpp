@@ -1,0 +1,583 @@
+#pragma once
+
+// The definitions of `DriveController`; included by its header.
+
+namespace treeline::drive {
+
+template <class F>
+void DriveController<F>::begin_joints(double time, const State& state) noexcept {
+  for_each_joint([&](int iq, int iv) { joints_[at(iq)].begin(time, state.q[iq], state.qd[iv]); },
+                 [&](int k, int iq, int iv) {
+                   const double* q = state.q + iq;
+                   const double* qd = state.qd + iv;
+                   const double position[3] = {q[0], q[1], q[2]};
+                   const double quaternion[4] = {q[3], q[4], q[5], q[6]};
+                   double rotation[9];
+                   core::rotation_from_quaternion(quaternion, rotation);
+                   double velocity[6];
+                   for (int i = 0; i < 3; ++i) {
+                     velocity[i] = 0.0;
+                     velocity[3 + i] = 0.0;
+                     for (int j = 0; j < 3; ++j) {
+                       velocity[i] += rotation[3 * i + j] * qd[j];
+                       velocity[3 + i] += rotation[3 * i + j] * qd[3 + j];
+                     }
+                   }
+                   floating_[at(k)].begin(time, position, rotation, velocity);
+                 });
+}
+
+template <class F>
+void DriveController<F>::begin_points(double time, const State& state) noexcept {
+  if constexpr (kPoints > 0) {
+    double positions[3 * kPoints];
+    double rotations[9 * kPoints];
+    F::forward_kinematics(state.q, positions, rotations);
+    for (int k = 0; k < kPoints; ++k) {
+      double position[3];
+      double rotation[9];
+      for (int i = 0; i < 3; ++i) {
+        position[i] = positions[3 * k + i];
+      }
+      for (int i = 0; i < 9; ++i) {
+        rotation[i] = rotations[9 * k + i];
+      }
+      points_[at(k)].begin(time, position, rotation, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+      free_[at(k)] = false;
+    }
+  }
+}
+
+template <class F>
+void DriveController<F>::set_control(double time, const State& state, Control wanted) noexcept {
+  if (wanted == control_ || (wanted == Control::task && kPoints == 0)) {
+    return;
+  }
+  control_ = wanted;
+  begin_joints(time, state);
+  begin_points(time, state);
+  blend_asked_ = true;
+}
+
+template <class F>
+void DriveController<F>::apply(double time, const servo::Message& message) noexcept {
+  if (message.kind != servo::MessageKind::instruction) {
+    return;
+  }
+  const int index = static_cast<int>(message.values[0]);
+  SmoothPose* const pose = pose_of(index);
+  switch (static_cast<Instruction>(message.index)) {
+    case Instruction::set_control:
+      set_control(time, state_, static_cast<Control>(index));
+      break;
+    case Instruction::move_joint:
+      set_control(time, state_, Control::joint);
+      move_joint(time, message);
+      break;
+    case Instruction::move_posture:
+      move_joint(time, message);
+      break;
+    case Instruction::go_home:
+      set_control(time, state_, Control::joint);
+      go_home(time, message.duration);
+      break;
+    case Instruction::move_point:
+      if (pose != nullptr) move_pose(time, message, *pose);
+      break;
+    case Instruction::turn_point:
+      if (pose != nullptr) turn_pose(time, message, *pose);
+      break;
+    case Instruction::drag_point:
+      if (pose != nullptr) drag_pose(time, message, *pose);
+      break;
+    case Instruction::drag_joint:
+      set_control(time, state_, Control::joint);
+      drag_joint(time, message);
+      break;
+    case Instruction::pull_link:
+      begin_pull(time, message);
+      break;
+    case Instruction::hold_all:
+      hold_all(time);
+      break;
+    case Instruction::hold_point:
+      if (pose != nullptr) pose->hold(time);
+      if (index >= 0 && index < kPoints) free_[at(index)] = false;
+      break;
+    case Instruction::release_point:
+      if (index >= 0 && index < kPoints) free_[at(index)] = true;
+      break;
+    case Instruction::set_gains:
+      set_gains(message);
+      break;
+  }
+}
+
+template <class F>
+SmoothPose* DriveController<F>::pose_of(int point) noexcept {
+  if (point == kBasePoint) {
+    return kFloating > 0 ? &floating_[0] : nullptr;
+  }
+  return point >= 0 && point < kPoints ? &points_[at(point)] : nullptr;
+}
+
+/// Duration of a motion over `distance`: as asked for, but not above the speed `limit`; without
+/// being asked, at half of it.
+template <class F>
+double DriveController<F>::guess_duration(double distance, double limit,
+                                          double asked) const noexcept {
+  const bool limited = std::isfinite(limit);
+  const double fastest = limited ? 1.05 * kPeak * distance / limit : 0.0;
+  if (asked > 0.0) {
+    return std::fmax(asked, std::fmax(fastest, 2.0 * settings_.period));
+  }
+  const double speed = limited ? std::fmin(0.5 * limit, 2.0 * kSpeed) : kSpeed;
+  return std::fmin(std::fmax(kPeak * distance / speed, kShortestGuess), kLongestGuess);
+}
+
+template <class F>
+void DriveController<F>::move_joint(double time, const servo::Message& message) noexcept {
+  const int coordinate = static_cast<int>(message.values[0]);
+  const int iv = velocity_of(coordinate);
+  if (iv < 0) {
+    return;
+  }
+  SmoothNumber& joint = joints_[at(coordinate)];
+  const double from = message.values[1] != 0.0 ? joint.target() : 0.0;
+  const double to = std::fmin(std::fmax(from + message.values[2], settings_.lower[at(coordinate)]),
+                              settings_.upper[at(coordinate)]);
+  const double distance = std::fabs(to - joint.position());
+  joint.move(time, to, guess_duration(distance, settings_.velocity[at(iv)], message.duration));
+}
+
+template <class F>
+void DriveController<F>::go_home(double time, double duration) noexcept {
+  double longest = 0.0;
+  for_each_joint(
+      [&](int iq, int iv) {
+        const double distance = std::fabs(settings_.home[at(iq)] - joints_[at(iq)].position());
+        longest =
+            std::fmax(longest, guess_duration(distance, settings_.velocity[at(iv)], duration));
+      },
+      [](int, int, int) {});
+  longest = longest > 0.0 ? longest : kShortestGuess;
+  for_each_joint([&](int iq, int) { joints_[at(iq)].move(time, settings_.home[at(iq)], longest); },
+                 [&](int k, int iq, int) {
+                   const double* home = settings_.home.data() + iq;
+                   const double quaternion[4] = {home[3], home[4], home[5], home[6]};
+                   double rotation[9];
+                   core::rotation_from_quaternion(quaternion, rotation);
+                   floating_[at(k)].move(time, {home[0], home[1], home[2]}, longest);
+                   floating_[at(k)].turn(time, rotation, longest);
+                 });
+}
+
+template <class F>
+void DriveController<F>::move_pose(double time, const servo::Message& message,
+                                   SmoothPose& pose) noexcept {
+  const int index = static_cast<int>(message.values[0]);
+  if (index >= 0) {
+    set_control(time, state_, Control::task);
+    free_[at(index)] = false;
+  }
+  double from[3];
+  double to[3];
+  pose.goal_position(to);
+  pose.position(from);
+  const bool relative = message.values[1] != 0.0;
+  double squared = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    to[i] = (relative ? to[i] : 0.0) + message.values[at(2 + i)];
+    squared += (to[i] - from[i]) * (to[i] - from[i]);
+  }
+  const double duration = message.duration > 0.0
+                              ? message.duration
+                              : std::fmax(kPeak * std::sqrt(squared) / kPointSpeed, kShortestGuess);
+  pose.move(time, to, duration);
+}
+
+template <class F>
+void DriveController<F>::turn_pose(double time, const servo::Message& message,
+                                   SmoothPose& pose) noexcept {
+  const int index = static_cast<int>(message.values[0]);
+  if (index >= 0) {
+    set_control(time, state_, Control::task);
+    free_[at(index)] = false;
+  }
+  double to[9];
+  if (message.values[1] != 0.0) {
+    const double by[3] = {message.values[2], message.values[3], message.values[4]};
+    double turn[9];
+    core::rotation_from_vector(by, turn);
+    const double(&from)[9] = pose.goal_rotation();
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        to[3 * i + j] =
+            turn[3 * i] * from[j] + turn[3 * i + 1] * from[3 + j] + turn[3 * i + 2] * from[6 + j];
+      }
+    }
+  } else {
+    const double quaternion[4] = {message.values[2], message.values[3], message.values[4],
+                                  message.values[5]};
+    core::rotation_from_quaternion(quaternion, to);
+  }
+  double angles[3];
+  core::orientation_error(pose.rotation(), to, angles);
+  const double angle = core::square_root(core::steps::squared_norm(angles));
+  const double duration = message.duration > 0.0
+                              ? message.duration
+                              : std::fmax(kPeak * angle / kTurnSpeed, kShortestGuess);
+  pose.turn(time, to, duration);
+}
+
+template <class F>
+void DriveController<F>::drag_pose(double time, const servo::Message& message,
+                                   SmoothPose& pose) noexcept {
+  const int index = static_cast<int>(message.values[0]);
+  if (index >= 0) {
+    set_control(time, state_, Control::task);
+    free_[at(index)] = false;
+    point_leases_[at(index)] = time + kLease;
+  } else {
+    floating_leases_[0] = time + kLease;
+  }
+  pose.follow_position({message.values[2], message.values[3], message.values[4]},
+                       4.0 * kPointSpeed);
+  if (message.values[1] != 0.0) {
+    const double quaternion[4] = {message.values[5], message.values[6], message.values[7],
+                                  message.values[8]};
+    double to[9];
+    core::rotation_from_quaternion(quaternion, to);
+    pose.follow_rotation(time, to, 2.0 * kTurnSpeed);
+  }
+}
+
+template <class F>
+void DriveController<F>::drag_joint(double time, const servo::Message& message) noexcept {
+  const int coordinate = static_cast<int>(message.values[0]);
+  const int iv = velocity_of(coordinate);
+  if (iv < 0) {
+    return;
+  }
+  const double to = std::fmin(std::fmax(message.values[1], settings_.lower[at(coordinate)]),
+                              settings_.upper[at(coordinate)]);
+  const double limit = settings_.velocity[at(iv)];
+  joints_[at(coordinate)].follow(to, std::isfinite(limit) ? 0.7 * limit : 2.0 * kSpeed);
+  joint_leases_[at(coordinate)] = time + kLease;
+}
+
+template <class F>
+void DriveController<F>::begin_pull(double time, const servo::Message& message) noexcept {
+  const int link = static_cast<int>(message.values[0]);
+  if (link < 0 || link >= F::kLinks) {
+    return;
+  }
+  pull_link_ = link;
+  pull_until_ = time + kLease;
+  pulled_ = true;
+  for (int i = 0; i < 3; ++i) {
+    pull_on_link_[i] = message.values[at(1 + i)];
+    pull_to_[i] = message.values[at(4 + i)];
+  }
+}
+
+template <class F>
+void DriveController<F>::set_gains(const servo::Message& message) noexcept {
+  const int which = static_cast<int>(message.values[0]);
+  const core::Gains<double> gains{message.values[1], message.values[2]};
+  if (which != 1) {
+    joint_gains_ = gains;
+  }
+  if (which != 0) {
+    task_gains_ = gains;
+  }
+  blend_asked_ = true;
+}
+
+template <class F>
+void DriveController<F>::hold_all(double time) noexcept {
+  for_each_joint([&](int iq, int) { joints_[at(iq)].hold(time); },
+                 [&](int k, int, int) { floating_[at(k)].hold(time); });
+  for (int k = 0; k < kPoints; ++k) {
+    points_[at(k)].hold(time);
+  }
+}
+
+/// What was dragged and is not any more glides to rest.
+template <class F>
+void DriveController<F>::end_leases(double time) noexcept {
+  for (int i = 0; i < nq; ++i) {
+    if (joints_[at(i)].following() && time > joint_leases_[at(i)]) {
+      joints_[at(i)].hold(time);
+    }
+  }
+  for (int k = 0; k < kFloating; ++k) {
+    if (floating_[at(k)].following() && time > floating_leases_[at(k)]) {
+      floating_[at(k)].hold(time);
+    }
+  }
+  for (int k = 0; k < kPoints; ++k) {
+    if (points_[at(k)].following() && time > point_leases_[at(k)]) {
+      points_[at(k)].hold(time);
+    }
+  }
+  pulled_ = pulled_ && time <= pull_until_;
+}
+
+template <class F>
+void DriveController<F>::advance(double time) noexcept {
+  end_leases(time);
+  for_each_joint([&](int iq, int) { joints_[at(iq)].advance(time, settings_.period); },
+                 [&](int k, int, int) { floating_[at(k)].advance(time, settings_.period); });
+  for (int k = 0; k < kPoints; ++k) {
+    points_[at(k)].advance(time, settings_.period);
+  }
+}
+
+template <class F>
+bool DriveController<F>::moving(double time, double margin) const noexcept {
+  const double then = time - margin;
+  bool any = false;
+  for_each_joint([&](int iq, int) { any = any || joints_[at(iq)].moving(then); },
+                 [&](int k, int, int) { any = any || floating_[at(k)].moving(then); });
+  for (int k = 0; k < kPoints && control_ == Control::task; ++k) {
+    any = any || points_[at(k)].moving(then);
+  }
+  return any;
+}
+
+/// For the body twist of a floating joint: the law acts in the world's axes and is turned into the
+/// body's, where d(R v)/dt = R (dv/dt + w x v).
+template <class F>
+void DriveController<F>::accelerate_floating(const core::Gains<double>& gains,
+                                             const SmoothPose& goal, const double* q,
+                                             const double* qd, double* qdd) const noexcept {
+  const double quaternion[4] = {q[3], q[4], q[5], q[6]};
+  double R[9];
+  core::rotation_from_quaternion(quaternion, R);
+  double wanted[3];
+  goal.position(wanted);
+  double error[6];
+  core::pose_error({q[0], q[1], q[2]}, R, wanted, goal.rotation(), error);
+  double world[6];
+  for (int row = 0; row < 6; ++row) {
+    const double* part = qd + (row < 3 ? 0 : 3);
+    const double* r = R + 3 * (row % 3);
+    const double velocity = r[0] * part[0] + r[1] * part[1] + r[2] * part[2];
+    world[row] =
+        goal.acceleration(row) + gains.kv * (goal.velocity(row) - velocity) + gains.kp * error[row];
+  }
+  const double* v = qd;
+  const double* w = qd + 3;
+  const double transport[3] = {w[1] * v[2] - w[2] * v[1], w[2] * v[0] - w[0] * v[2],
+                               w[0] * v[1] - w[1] * v[0]};
+  for (int i = 0; i < 3; ++i) {
+    qdd[i] = R[i] * world[0] + R[3 + i] * world[1] + R[6 + i] * world[2] - transport[i];
+    qdd[3 + i] = R[i] * world[3] + R[3 + i] * world[4] + R[6 + i] * world[5];
+  }
+}
+
+template <class F>
+void DriveController<F>::accelerate_joints(const core::Gains<double>& gains, const State& state,
+                                           double (&qdd)[nv]) const noexcept {
+  for_each_joint(
+      [&](int iq, int iv) {
+        const SmoothNumber& goal = joints_[at(iq)];
+        qdd[iv] = goal.acceleration() + gains.kv * (goal.velocity() - state.qd[iv]) +
+                  gains.kp * (goal.position() - state.q[iq]);
+      },
+      [&](int k, int iq, int iv) {
+        accelerate_floating(gains, floating_[at(k)], state.q + iq, state.qd + iv, qdd + iv);
+      });
+}
+
+/// Accelerates joints away from limits that they come close to, as a damped spring would.
+template <class F>
+void DriveController<F>::push_from_limits(const State& state, double (&qdd)[nv]) const noexcept {
+  constexpr double kZone = 0.08;  // rad or m, at most a tenth of the range
+  const double stiffness = std::fmin(3000.0, 0.01 / (settings_.period * settings_.period));
+  const double damping = 2.0 * std::sqrt(stiffness);
+  for_each_joint(
+      [&](int iq, int iv) {
+        const double lower = settings_.lower[at(iq)];
+        const double upper = settings_.upper[at(iq)];
+        const double zone = std::fmin(kZone, 0.1 * (upper - lower));
+        const double low = lower + zone - state.q[iq];
+        const double high = state.q[iq] - upper + zone;
+        if (low > 0.0 || high > 0.0) {
+          const double depth = low > 0.0 ? low : -high;
+          const double away = state.qd[iv] * depth;  // positive: it leaves the limit already
+          qdd[iv] += stiffness * depth - (away < 0.0 ? damping * state.qd[iv] : 0.0);
+        }
+      },
+      [](int, int, int) {});
+}
+
+/// Joints that a hand leads: hardly damped, but from 40 % of their speed limit on.
+template <class F>
+void DriveController<F>::yield_to_hand(const State& state, double (&qdd)[nv]) const noexcept {
+  const double damping = std::fmin(300.0, 0.3 / settings_.period);
+  for_each_joint(
+      [&](int, int iv) {
+        const double speed = std::fabs(state.qd[iv]);
+        const double limit = 0.4 * std::fmin(settings_.velocity[at(iv)], 5.0 * kSpeed);
+        const double excess =
+            speed > limit ? (state.qd[iv] > 0.0 ? speed - limit : limit - speed) : 0.0;
+        qdd[iv] = -kHandDamping * state.qd[iv] - damping * excess;
+      },
+      [](int, int, int) {});
+  push_from_limits(state, qdd);
+}
+
+template <class F>
+void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
+  if constexpr (kPoints > 0) {
+    double positions[3 * kPoints];
+    double rotations[9 * kPoints];
+    double J[F::kTaskRows * nv];
+    F::forward_kinematics(state.q, positions, rotations);
+    F::jacobian(state.q, J);
+    double errors[6 * kPoints];
+    for (int k = 0; k < kPoints; ++k) {
+      double R[9];
+      for (int i = 0; i < 9; ++i) {
+        R[i] = rotations[9 * k + i];
+      }
+      const double position[3] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
+      if (free_[at(k)]) {
+        points_[at(k)].begin(time, position, R, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+      }
+      double wanted[3];
+      points_[at(k)].position(wanted);
+      double error[6];
+      core::pose_error(position, R, wanted, points_[at(k)].rotation(), error);
+      for (int i = 0; i < 6; ++i) {
+        errors[6 * k + i] = error[i];
+      }
+    }
+    double xdd[F::kTaskRows];
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      const TaskRow& place = F::kRows[row];
+      const SmoothPose& goal = points_[at(place.point)];
+      const double* R = rotations + 9 * place.point;
+      // In the point's own axes a row is the component along a column of its rotation.
+      const auto component = [&](auto&& of) {
+        const int part = place.axis < 3 ? 0 : 3;
+        const int i = place.axis % 3;
+        return F::kLocalAxes[place.point]
+                   ? R[i] * of(part) + R[3 + i] * of(part + 1) + R[6 + i] * of(part + 2)
+                   : of(part + i);
+      };
+      double velocity = 0.0;
+      for (int i = 0; i < nv; ++i) {
+        velocity += J[row * nv + i] * state.qd[i];
+      }
+      if (free_[at(place.point)]) {
+        xdd[row] = -task_gains_.kv * velocity;
+        continue;
+      }
+      xdd[row] = component([&](int i) { return goal.acceleration(i); }) +
+                 task_gains_.kv * (component([&](int i) { return goal.velocity(i); }) - velocity) +
+                 task_gains_.kp * component([&](int i) { return errors[6 * place.point + i]; });
+    }
+    double posture[nv];
+    accelerate_joints(posture_gains_, state, posture);
+    push_from_limits(state, posture);
+    F::control_torque(state.q, state.qd, posture, xdd, tau);
+  }
+}
+
+/// A spring from the link to the hand: J^T f, from inverse dynamics with and without the force.
+template <class F>
+void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcept {
+  if constexpr (F::kLinks > 0) {
+    double positions[3 * F::kLinks];
+    double rotations[9 * F::kLinks];
+    F::link_frames(state.q, positions, rotations);
+    const double* R = rotations + 9 * pull_link_;
+    double lever[3];
+    double squared = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      lever[i] = R[3 * i] * pull_on_link_[0] + R[3 * i + 1] * pull_on_link_[1] +
+                 R[3 * i + 2] * pull_on_link_[2];
+      pull_at_[i] = positions[3 * pull_link_ + i] + lever[i];
+      pull_force_[i] = settings_.pull_stiffness * (pull_to_[i] - pull_at_[i]);
+      squared += pull_force_[i] * pull_force_[i];
+    }
+    const double size = std::sqrt(squared);
+    const double scale = size > settings_.pull_force ? settings_.pull_force / size : 1.0;
+    for (double& f : pull_force_) {
+      f *= scale;
+    }
+    const double(&f)[3] = pull_force_;
+    double forces[6 * F::kLinks] = {};
+    const double moment[3] = {lever[1] * f[2] - lever[2] * f[1], lever[2] * f[0] - lever[0] * f[2],
+                              lever[0] * f[1] - lever[1] * f[0]};
+    for (int i = 0; i < 3; ++i) {
+      forces[6 * pull_link_ + i] = -f[i];
+      forces[6 * pull_link_ + 3 + i] = -moment[i];
+    }
+    const double rest[nv] = {};
+    const double nothing[6 * F::kLinks] = {};
+    double with[nv];
+    double without[nv];
+    F::link_inverse_dynamics(state.q, rest, rest, forces, with);
+    F::link_inverse_dynamics(state.q, rest, rest, nothing, without);
+    for (int i = 0; i < nv; ++i) {
+      tau[i] += with[i] - without[i];
+    }
+  }
+}
+
+template <class F>
+void DriveController<F>::blend(double time, double (&tau)[nv]) noexcept {
+  if (blend_asked_) {
+    blend_asked_ = false;
+    blend_start_ = time;
+    for (int i = 0; i < nv; ++i) {
+      blend_from_[i] = last_torque_[i] - tau[i];
+    }
+  }
+  const double left = 1.0 - (time - blend_start_) / kBlend;
+  if (left <= 0.0) {
+    return;
+  }
+  for (int i = 0; i < nv; ++i) {
+    tau[i] += left * left * left * blend_from_[i];
+  }
+}
+
+template <class F>
+void DriveController<F>::cut(double (&tau)[nv]) noexcept {
+  saturated_ = false;
+  for (int i = 0; i < nv; ++i) {
+    const double limit = settings_.torque[at(i)];
+    if (std::fabs(tau[i]) > limit) {
+      saturated_ = true;
+      tau[i] = tau[i] > 0.0 ? limit : -limit;
+    }
+  }
+}
+
+template <class F>
+void DriveController<F>::control(double time, const State& state, double (&tau)[nv]) noexcept {
+  state_ = state;
+  advance(time);
+  if (control_ == Control::task) {
+    command_task(time, state, tau);
+  } else {
+    double qdd[nv];
+    accelerate_joints(joint_gains_, state, qdd);
+    if (control_ == Control::gravity) {
+      yield_to_hand(state, qdd);
+    }
+    F::inverse_dynamics(state.q, state.qd, qdd, tau);
+  }
+  if (pulled_) {
+    add_pull(state, tau);
+  }
+  blend(time, tau);
+  cut(tau);
+}
+
+}  // namespace treeline::drive

@@ -1,0 +1,277 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "core/orientation.hpp"
+#include "drive/drive_controller.hpp"
+#include "drive/driven_robot.hpp"
+#include "drive/robot_library.hpp"
+#include "servo/clock.hpp"
+#include "servo/loop.hpp"
+
+namespace treeline::drive {
+
+/// The machine's clock, or one that passes as fast as cycles can be computed.
+class DriveClock {
+ public:
+  explicit DriveClock(bool real_time) noexcept : real_time_(real_time) {}
+  std::int64_t now() const noexcept { return real_time_ ? steady_.now() : simulated_.now(); }
+  void sleep_until(std::int64_t time) noexcept {
+    if (real_time_) {
+      steady_.sleep_until(time);
+    } else {
+      simulated_.sleep_until(time);
+    }
+  }
+
+ private:
+  bool real_time_;
+  servo::SteadyClock steady_;
+  servo::SimulatedClock simulated_;
+};
+
+/// Everything that runs in the servo thread for a robot F, and its mailbox and ring of reports.
+template <class F>
+class DriveLoop {
+ public:
+  static constexpr int nq = F::kCoordinates;
+  static constexpr int nv = F::kVelocities;
+  static constexpr ReportLayout kLayout = report_layout(nq, nv, F::kPoints);
+
+  explicit DriveLoop(const LoopOptions& options)
+      : robot_(start_of(options), options.substeps, F::kFloating, options.robot),
+        controller_(settings_of(options), robot_.torque()),
+        clock_(options.real_time),
+        loop_(loop_settings(options), limits_of(options), robot_, controller_, clock_, mailbox_) {}
+
+  bool step() {
+    return loop_.step([this](const servo::Report<F>& report) { observe(report); });
+  }
+  bool send(const servo::Message& message) noexcept { return mailbox_.push(message); }
+  bool receive(ReportHead& head, double* numbers) noexcept {
+    if (!reports_.pop(received_)) {
+      return false;
+    }
+    head = received_.head;
+    std::memcpy(numbers, received_.numbers, sizeof(received_.numbers));
+    return true;
+  }
+
+ private:
+  struct Item {
+    ReportHead head;
+    double numbers[static_cast<std::size_t>(kLayout.size)] = {};
+  };
+
+  static servo::StateOf<F> start_of(const LoopOptions& options) noexcept {
+    servo::StateOf<F> state;
+    std::copy_n(options.start, nq, state.q);
+    return state;
+  }
+  static servo::LoopSettings loop_settings(const LoopOptions& options) noexcept {
+    servo::LoopSettings settings;
+    settings.rate = options.rate;
+    settings.messages_per_cycle = 8;
+    return settings;
+  }
+  static ControlSettings<nq, nv> settings_of(const LoopOptions& options) noexcept {
+    ControlSettings<nq, nv> settings;
+    std::copy_n(options.lower, nq, settings.lower.begin());
+    std::copy_n(options.upper, nq, settings.upper.begin());
+    std::copy_n(options.start, nq, settings.home.begin());
+    std::copy_n(options.velocity, nv, settings.velocity.begin());
+    std::copy_n(options.torque, nv, settings.torque.begin());
+    settings.period = 1.0 / options.rate;
+    settings.pull_stiffness = options.pull_stiffness;
+    settings.pull_force = options.pull_force;
+    return settings;
+  }
+  static servo::SafetyLimits<nq, nv> limits_of(const LoopOptions& options) noexcept {
+    servo::SafetyLimits<nq, nv> limits;
+    for (int i = 0; i < nq; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      limits.lower[at] = options.lower[i] - options.beyond;
+      limits.upper[at] = options.upper[i] + options.beyond;
+    }
+    std::copy_n(options.velocity, nv, limits.velocity.begin());
+    std::copy_n(options.torque, nv, limits.torque.begin());
+    limits.overruns_in_a_row = options.overruns_in_a_row;
+    return limits;
+  }
+
+  void observe(const servo::Report<F>& report) noexcept {
+    fill_head(report);
+    fill_numbers(report);
+    if (!reports_.push(filled_)) {
+      ++dropped_reports_;
+    }
+  }
+  void fill_head(const servo::Report<F>& report) noexcept {
+    ReportHead& head = filled_.head;
+    head.cycle = report.cycle;
+    head.time = report.time;
+    head.mode = static_cast<int>(report.mode);
+    head.control = static_cast<int>(controller_.control_kind());
+    head.fault_kind = static_cast<int>(report.fault.kind);
+    head.fault_index = report.fault.index;
+    head.fault_value = report.fault.value;
+    head.fault_limit = report.fault.limit;
+    head.period = report.timing.period;
+    head.jitter = report.timing.jitter;
+    head.busy = report.timing.busy;
+    head.skipped = report.timing.skipped;
+    head.control_time = report.control_nanoseconds;
+    head.dropped_messages = loop_.dropped_messages();
+    head.dropped_reports = dropped_reports_;
+    const bool running = report.mode == servo::Mode::running;
+    head.moving =
+        report.mode == servo::Mode::stopping || (running && controller_.moving(report.time, 0.3));
+    head.saturated = running && controller_.saturated();
+    head.pulled = running && controller_.pulled();
+    head.pulled_link = controller_.pulled_link();
+  }
+  void fill_numbers(const servo::Report<F>& report) noexcept {
+    double* const numbers = filled_.numbers;
+    std::copy_n(report.state.q, nq, numbers + kLayout.q);
+    std::copy_n(report.state.qd, nv, numbers + kLayout.qd);
+    std::copy_n(report.tau, nv, numbers + kLayout.tau);
+    const bool running = report.mode == servo::Mode::running;
+    for (int i = 0; i < nq; ++i) {
+      numbers[kLayout.goal + i] = running ? controller_.joint(i).position() : report.state.q[i];
+      numbers[kLayout.target + i] = running ? controller_.joint(i).target() : report.state.q[i];
+    }
+    for (int k = 0; running && k < nq - nv; ++k) {
+      const int first = F::kFloating[static_cast<std::size_t>(k)];
+      write_goals(controller_.floating(k), numbers + kLayout.goal + first,
+                  numbers + kLayout.target + first);
+    }
+    fill_points(report, running);
+    if constexpr (F::kHasCenterOfMass) {
+      double center[3];
+      F::center_of_mass(report.state.q, center);
+      std::copy_n(center, 3, numbers + kLayout.center_of_mass);
+    }
+    std::copy_n(controller_.pull_at(), 3, numbers + kLayout.pull_at);
+    std::copy_n(controller_.pull_force(), 3, numbers + kLayout.pull_force);
+  }
+  void fill_points(const servo::Report<F>& report, bool running) noexcept {
+    if constexpr (F::kPoints > 0) {
+      double positions[3 * F::kPoints];
+      double rotations[9 * F::kPoints];
+      F::forward_kinematics(report.state.q, positions, rotations);
+      for (int k = 0; k < F::kPoints; ++k) {
+        double* const pose = filled_.numbers + kLayout.point_poses + 7 * k;
+        double* const goal = filled_.numbers + kLayout.point_goals + 7 * k;
+        double* const target = filled_.numbers + kLayout.point_targets + 7 * k;
+        double rotation[9];
+        std::copy_n(rotations + 9 * k, 9, rotation);
+        write_pose(positions + 3 * k, rotation, pose);
+        const bool led =
+            running && controller_.control_kind() == Control::task && !controller_.free(k);
+        if (led) {
+          write_goals(controller_.point(k), goal, target);
+        } else {
+          std::copy_n(pose, 7, goal);
+          std::copy_n(pose, 7, target);
+        }
+        filled_.numbers[kLayout.free + k] = controller_.free(k) ? 1.0 : 0.0;
+      }
+    }
+  }
+  static void write_pose(const double* position, const double (&rotation)[9],
+                         double* out) noexcept {
+    double quaternion[4];
+    core::quaternion_from_rotation(rotation, quaternion);
+    std::copy_n(position, 3, out);
+    std::copy_n(quaternion, 4, out + 3);
+  }
+  static void write_goals(const SmoothPose& pose, double* goal, double* target) noexcept {
+    double position[3];
+    pose.position(position);
+    write_pose(position, pose.rotation(), goal);
+    pose.goal_position(position);
+    write_pose(position, pose.goal_rotation(), target);
+  }
+
+  servo::Mailbox mailbox_;
+  servo::Ring<Item, 512> reports_;
+  Item filled_;
+  Item received_;
+  std::uint64_t dropped_reports_ = 0;
+  DrivenRobot<F> robot_;
+  DriveController<F> controller_;
+  DriveClock clock_;
+  servo::ServoLoop<F, DrivenRobot<F>, DriveController<F>, DriveClock> loop_;
+};
+
+/// A simulated robot that brakes by itself where nobody commands it.
+template <class F>
+class LoneRobot {
+ public:
+  explicit LoneRobot(const LoopOptions& options) noexcept
+      : robot_(start_of(options), options.substeps, F::kFloating) {
+    std::copy_n(options.torque, F::kVelocities, limits_.torque.begin());
+  }
+  void advance(const double* tau, double seconds) noexcept {
+    double torque[F::kVelocities];
+    if (tau != nullptr) {
+      std::copy_n(tau, F::kVelocities, torque);
+    } else {
+      servo::StateOf<F> state;
+      robot_.read(state);
+      servo::brake<F>(limits_, state, kBraking, torque);
+    }
+    robot_.write(torque);
+    robot_.pass_time(seconds);
+  }
+  void read(double* numbers) const noexcept {
+    servo::StateOf<F> state;
+    robot_.read(state);
+    std::copy_n(state.q, F::kCoordinates, numbers);
+    std::copy_n(state.qd, F::kVelocities, numbers + F::kCoordinates);
+  }
+
+ private:
+  static constexpr double kBraking = 20.0;  // 1/s
+  static servo::StateOf<F> start_of(const LoopOptions& options) noexcept {
+    servo::StateOf<F> state;
+    std::copy_n(options.start, F::kCoordinates, state.q);
+    return state;
+  }
+  servo::SafetyLimits<F::kCoordinates, F::kVelocities> limits_;
+  servo::SimulatedRobot<F> robot_;
+};
+
+/// The functions of a library for a robot F.
+template <class F>
+const RobotLibrary* library_of() noexcept {
+  using Loop = DriveLoop<F>;
+  static constexpr RobotLibrary kLibrary{
+      kLibraryVersion,
+      F::kCoordinates,
+      F::kVelocities,
+      F::kPoints,
+      F::kLinks,
+      F::kHasCenterOfMass,
+      [](const LoopOptions* options) -> void* { return new Loop(*options); },
+      [](void* loop) { delete static_cast<Loop*>(loop); },
+      [](void* loop) { return static_cast<Loop*>(loop)->step(); },
+      [](void* loop, const servo::Message* message) {
+        return static_cast<Loop*>(loop)->send(*message);
+      },
+      [](void* loop, ReportHead* head, double* numbers) {
+        return static_cast<Loop*>(loop)->receive(*head, numbers);
+      },
+      [](const LoopOptions* options) -> void* { return new LoneRobot<F>(*options); },
+      [](void* robot) { delete static_cast<LoneRobot<F>*>(robot); },
+      [](void* robot, const double* tau, double seconds) {
+        static_cast<LoneRobot<F>*>(robot)->advance(tau, seconds);
+      },
+      [](void* robot, double* state) { static_cast<LoneRobot<F>*>(robot)->read(state); }};
+  return &kLibrary;
+}
+
+}  // namespace treeline::drive

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "drive/robot_library.hpp"
+#include "servo/simulated_robot.hpp"
+
+namespace treeline::drive {
+
+/// The robot of a loop: simulated by its generated forward dynamics, or outside the library.
+template <class F>
+class DrivenRobot {
+ public:
+  using Floating = typename servo::SimulatedRobot<F>::Floating;
+
+  DrivenRobot(const servo::StateOf<F>& start, int substeps, const Floating& floating,
+              const ExternalRobot& external) noexcept
+      : simulated_(start, substeps, floating), external_(external) {}
+
+  bool connected() const noexcept {
+    return external_.connected == nullptr || external_.connected(external_.self);
+  }
+  void read(servo::StateOf<F>& state) const noexcept {
+    if (external_.connected != nullptr) {
+      external_.read(external_.self, state.q, state.qd);
+    } else {
+      simulated_.read(state);
+    }
+  }
+  void write(const double (&tau)[F::kVelocities]) noexcept {
+    for (int i = 0; i < F::kVelocities; ++i) {
+      torque_[i] = tau[i];
+    }
+    if (external_.connected != nullptr) {
+      external_.write(external_.self, tau);
+    } else {
+      simulated_.write(tau);
+    }
+  }
+  void pass_time(double seconds) noexcept {
+    if (external_.connected == nullptr) {
+      simulated_.pass_time(seconds);
+    }
+  }
+  /// What was written last.
+  const double (&torque() const noexcept)[F::kVelocities] { return torque_; }
+
+ private:
+  servo::SimulatedRobot<F> simulated_;
+  ExternalRobot external_;
+  double torque_[F::kVelocities] = {};
+};
+
+}  // namespace treeline::drive

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace treeline::drive {
+
+/// What an entry of q measures. A floating joint has x y z qx qy qz qw in this order, a planar one
+/// planar_x planar_y planar_theta.
+enum class Measure { angle, length, x, y, z, qx, qy, qz, qw, planar_x, planar_y, planar_theta };
+
+/// One entry of q. Limits are infinite where there are none.
+struct DrivenCoordinate {
+  std::string name;   ///< in commands: the joint's, or `joint.x` where the joint has several
+  std::string joint;  ///< of the URDF; `base` for a floating base
+  Measure measure = Measure::angle;
+  int velocity_index = -1;  ///< of its velocity and force; -1 for a floating joint
+  double lower = -std::numeric_limits<double>::infinity();  ///< rad or m
+  double upper = std::numeric_limits<double>::infinity();
+  double velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
+  double effort = std::numeric_limits<double>::infinity();    ///< N m or N
+};
+
+/// A point that the task moves.
+struct DrivenPoint {
+  std::string name;
+  std::string link;
+  std::array<double, 3> position{};            ///< of its frame in the link's, m
+  std::array<double, 4> rotation{0, 0, 0, 1};  ///< of its frame in the link's, quaternion x y z w
+  std::vector<std::string> rows;               ///< out of x y z rx ry rz
+  bool local_axes = false;
+};
+
+/// What front ends and the command language have to know of a robot.
+struct RobotDescription {
+  std::string name;
+  std::string checksum;  ///< of the files that it was made of, 16 hexadecimal digits
+  bool floating = false;
+  int velocities = 0;
+  std::vector<DrivenCoordinate> coordinates;  ///< in the order of q
+  std::vector<DrivenPoint> points;
+  std::vector<std::string> links;  ///< that can be pulled, in the library's order
+  std::vector<std::pair<std::string, double>> locked;
+  double mass = 1.0;  ///< kg, of all links
+  std::string urdf;   ///< text of the file
+};
+
+/// Whether the coordinate can be the goal of a joint command: it is no part of a floating joint.
+inline bool is_single(const DrivenCoordinate& coordinate) {
+  return coordinate.velocity_index >= 0;
+}
+
+/// Whether it is measured in rad; else in m.
+inline bool is_angle(const DrivenCoordinate& coordinate) {
+  return coordinate.measure == Measure::angle || coordinate.measure == Measure::planar_theta;
+}
+
+}  // namespace treeline::drive

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drive/authority.hpp"
+#include "drive/command.hpp"
+#include "drive/report.hpp"
+#include "drive/robot_description.hpp"
+
+namespace treeline::drive {
+
+/// What a line of the command language came to.
+struct Answer {
+  bool ok = false;
+  std::string text;
+  int at = -1;  ///< byte of the line where the fault is; -1: nowhere in the line
+};
+
+/// Told to one front end without being asked.
+struct Note {
+  int front_end = 0;
+  std::string text;
+};
+
+/// How many messages were not obeyed, by reason.
+struct RefusedCounts {
+  std::uint64_t malformed = 0;  ///< no message, or of another version
+  std::uint64_t foreign = 0;    ///< for another robot
+  std::uint64_t repeated = 0;   ///< doubled or reordered
+  std::uint64_t late = 0;       ///< a drag or a pull of a front end that sees an old state
+  std::uint64_t excess = 0;     ///< beyond the rate
+  std::uint64_t refused = 0;    ///< understood, but not possible or not permitted
+};
+
+/// Front ends on one side, the loop's mailbox and reports on the other. Not for several threads at
+/// once. Times are in s of any clock that does not go back.
+class Session {
+ public:
+  /// `send` leaves a message in the loop's mailbox and returns false if that is full.
+  Session(const RobotDescription& robot, double rate, bool has_center_of_mass,
+          std::function<bool(const servo::Message&)> send);
+
+  /// Obeys one line of a front end, or says why not. `may_command`: it came with the token, or from
+  /// this machine's own standard input.
+  Answer obey(int front_end, bool may_command, std::string_view line, double now);
+  /// The same for a command that was understood.
+  Answer obey(int front_end, bool may_command, const Command& command, double now);
+
+  int join() { return ++last_front_end_; }
+  void leave(int front_end, double now) { authority_.leave(front_end, now); }
+  /// Notes since the last call.
+  std::vector<Note> take_notes();
+
+  void take_report(const ReportHead& head, const double* numbers);
+  const LoopReport& report() const { return report_; }
+  const LoopTiming& timing() const { return timing_; }
+  const RobotDescription& robot() const { return robot_; }
+  const ReportLayout& layout() const { return layout_; }
+  const Authority& authority() const { return authority_; }
+  bool has_center_of_mass() const { return has_center_of_mass_; }
+  RefusedCounts& refused() { return refused_; }
+  const RefusedCounts& refused() const { return refused_; }
+  /// The fault of the loop in words, with the name of the joint; empty if there is none.
+  std::string fault() const;
+
+ private:
+  Answer refuse(std::string text, int at = -1);
+  Answer hand_over(int front_end, Verb verb, double now);
+  Answer send(const Command& command, double now);
+  bool runs(double now) const;
+
+  RobotDescription robot_;
+  ReportLayout layout_;
+  bool has_center_of_mass_;
+  std::function<bool(const servo::Message&)> send_;
+  Authority authority_;
+  LoopReport report_;
+  LoopTiming timing_;
+  RefusedCounts refused_;
+  std::vector<Note> notes_;
+  int last_front_end_ = 0;
+  double started_ = -1.0;  ///< when `start` was sent; the next reports do not show it yet
+};
+
+}  // namespace treeline::drive

@@ -1,0 +1,75 @@
+// Choice of the control, and its gains.
+import {button, element} from '../element.js';
+import {number} from '../lines.js';
+
+const kStiffness = 225;  // 1/s², with which the server begins
+const kDamping = 30;     // 1/s
+
+const kControls = {
+  joint: 'Each joint follows its own goal.',
+  task: 'The operational points follow theirs; the posture has what freedom is left.',
+  gravity: 'The robot carries its weight and gives way: lead it by hand.',
+};
+
+function make_gain(label, value, hint) {
+  return element('input', {type: 'number', min: 0, step: 'any', value: String(value),
+    'aria-label': label, title: hint});
+}
+
+export class ControlPanel {
+  constructor(root, run) {
+    this.run = run;
+    this.buttons = element('div', {className: 'choices'});
+    this.counts = element('dl', {className: 'counts'});
+    root.append(element('h3', {}, 'Control'), this.buttons,
+      element('h3', {}, 'Gains, 1/s² and 1/s'), this.#make_gains('joint'),
+      this.#make_gains('task'), element('h3', {}, 'The loop'), this.counts);
+  }
+
+  greet(hello) {
+    this.choices = hello.controls.map((name) => {
+      const choice = button('', kControls[name] ?? '', () => this.run(`mode ${name}`), 'choice');
+      choice.append(element('strong', {}, name), element('span', {}, kControls[name] ?? ''));
+      choice.dataset.control = name;
+      return choice;
+    });
+    this.buttons.replaceChildren(...this.choices);
+    this.rate = hello.rate;
+  }
+
+  update(state) {
+    for (const choice of this.choices) {
+      choice.setAttribute('aria-pressed', String(choice.dataset.control === state.control));
+    }
+    const rows = {'Rate': `${this.rate} Hz`, 'Time': `${state.time.toFixed(1)} s`,
+      'Cycles': state.cycles ?? '–', 'Overruns': state.overruns ?? '–',
+      ...Object.fromEntries(Object.entries(state.counts ?? {}).map(([name, count]) =>
+        [`Messages ${name}`, count]))};
+    this.#show_counts(rows);
+  }
+
+  #show_counts(rows) {
+    const names = Object.keys(rows);
+    if (this.counts.childElementCount !== names.length) {
+      this.counts.replaceChildren(...names.map((name) => element('div', {},
+        element('dt', {}, name), element('dd', {className: 'number'}))));
+    }
+    names.forEach((name, i) => {
+      const value = this.counts.children[i].lastChild;
+      if (value.textContent !== String(rows[name])) value.textContent = rows[name];
+    });
+  }
+
+  #make_gains(control) {
+    const stiffness = make_gain(`${control} stiffness`, kStiffness, '1/s²');
+    const damping = make_gain(`${control} damping`, kDamping, '1/s');
+    return element('form', {className: 'numbers', 'aria-label': `gains of the ${control} control`,
+      onsubmit: (event) => {
+        event.preventDefault();
+        if (!(stiffness.valueAsNumber >= 0) || !(damping.valueAsNumber >= 0)) return;
+        this.run(`gains ${control} stiffness ${number(stiffness.valueAsNumber)} ` +
+          `damping ${number(damping.valueAsNumber)}`);
+      }}, element('span', {}, control), element('label', {}, 'stiffness ', stiffness),
+    element('label', {}, 'damping ', damping), element('button', {type: 'submit'}, 'Set'));
+  }
+}

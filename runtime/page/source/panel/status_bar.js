@@ -1,0 +1,96 @@
+// The top of the page: who, how it goes, and the buttons that start and stop.
+import {button, element, set_text} from '../element.js';
+
+const kModes = {idle: 'Idle', running: 'Running', stopping: 'Stopping', faulted: 'Fault'};
+
+function chip(label) {
+  return element('span', {className: `chip ${label}`, role: 'status', 'aria-label': label});
+}
+
+function show(target, text, tone) {
+  set_text(target, text);
+  target.dataset.tone = tone;
+}
+
+/** True where a blank is a letter and not the emergency stop. */
+function takes_blanks(target) {
+  return target instanceof HTMLInputElement && target.type === 'text' && target.value.trim() !== '';
+}
+
+export class StatusBar {
+  #may_command = true;
+  #commanding = false;
+
+  /** `fault` is where faults are said; `run(line)` sends a line and shows the reply. */
+  constructor(root, fault, run) {
+    Object.assign(this, {run, fault});
+    this.name = element('h1', {}, 'treeline drive');
+    this.link = chip('connection');
+    this.mode = chip('mode');
+    this.role = chip('command');
+    this.hand_over = button('Take command', 'Ask for the command over the robot, or give it up',
+      () => run(this.#commanding ? 'give' : 'take'), 'hand-over');
+    const control = (word, hint) => button(word[0].toUpperCase() + word.slice(1), hint,
+      () => run(word));
+    this.controls = [control('start', 'Control the robot from where it is'),
+      control('hold', 'Stop all motions and hold'),
+      control('brake', 'Brake to rest, then idle'),
+      control('reset', 'Leave the fault or the emergency stop')];
+    this.stop = button('STOP', 'Emergency stop. The space bar does the same, except inside a text.',
+      () => run('stop'), 'stop');
+    this.stop.setAttribute('aria-keyshortcuts', 'Space');
+    this.stop.append(element('small', {}, 'space'));
+    root.append(this.name, element('div', {className: 'chips'}, this.link, this.mode, this.role),
+      element('div', {className: 'controls'}, this.hand_over, ...this.controls),
+      this.stop);
+    addEventListener('keydown', (event) => this.#stop_on_space(event), {capture: true});
+    this.#paint_role();
+    show(this.mode, '–', 'quiet');
+  }
+
+  greet(hello) {
+    set_text(this.name, hello.name);
+    this.name.title = `${hello.name}, ${hello.base} base, ${hello.rate} Hz`;
+    document.title = `${hello.name} – treeline drive`;
+    this.#may_command = hello.may_command;
+    this.#paint_role();
+  }
+
+  show_link({open, silent}) {
+    if (!open) show(this.link, 'Connection lost', 'bad');
+    else if (silent) show(this.link, 'Servo silent', 'bad');
+    else show(this.link, 'Connected', 'good');
+    this.hand_over.disabled = !open || !this.#may_command;
+    for (const one of this.controls) one.disabled = !open || !this.#may_command;
+    if (!open) show(this.mode, 'Unknown', 'quiet');
+  }
+
+  update(state) {
+    const tone = {running: 'good', faulted: 'bad', stopping: 'warn'}[state.mode] ?? 'quiet';
+    const control = state.mode === 'running' && state.control ? ` (${state.control})` : '';
+    show(this.mode, (kModes[state.mode] ?? state.mode) + control, tone);
+    set_text(this.fault, state.fault || (state.saturated ? 'A torque is at its limit.' : ''));
+    this.fault.dataset.tone = state.fault ? 'bad' : 'warn';
+    this.state = state;
+    this.#commanding = state.commanding;
+    this.#paint_role();
+  }
+
+  #paint_role() {
+    const count = (this.state?.watchers ?? 1) - 1;  // without this page
+    const others = count > 0 ? `, ${count} watching` : '';
+    if (!this.#may_command) show(this.role, 'Watching only', 'quiet');
+    else if (this.#commanding) show(this.role, `In command${others}`, 'good');
+    else if (this.state?.commander) show(this.role, 'Another commands', 'warn');
+    else show(this.role, 'Nobody commands', 'quiet');
+    set_text(this.hand_over, this.#commanding ? 'Give command' : 'Take command');
+  }
+
+  #stop_on_space(event) {
+    if (event.key !== ' ' || event.repeat || takes_blanks(event.target)) return;
+    event.preventDefault();
+    this.run('stop');
+    this.stop.classList.add('pressed');
+    setTimeout(() => this.stop.classList.remove('pressed'), 300);
+  }
+}

@@ -1,0 +1,98 @@
+// From URDF text to a model with visuals. Links without visuals get a stick figure.
+import * as three from 'three';
+import {ColladaLoader} from 'three/examples/jsm/loaders/ColladaLoader.js';
+import {GLTFLoader} from 'three/examples/jsm/loaders/GLTFLoader.js';
+import {OBJLoader} from 'three/examples/jsm/loaders/OBJLoader.js';
+import {STLLoader} from 'three/examples/jsm/loaders/STLLoader.js';
+import URDFLoader from 'urdf-loader';
+
+import {add_stick_figure} from './stick_figure.js';
+
+// Textures are not served: each becomes one white pixel.
+const kWhitePixel =
+  'data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACwAAAAAAQABAAACAkQBADs=';
+
+/** Blanks at the ends of numbers, which URDF allows and the loader does not. */
+function trim_numbers(robot) {
+  for (const node of robot.querySelectorAll('[xyz], [rpy], [rgba], [size]')) {
+    for (const name of ['xyz', 'rpy', 'rgba', 'size']) {
+      const text = node.getAttribute(name);
+      if (text) node.setAttribute(name, text.trim().replace(/\s+/g, ' '));
+    }
+  }
+}
+
+/**
+ * Drops what the loader cannot read, parts that no picture needs, and visuals with meshes that are
+ * not served. Returns the names of those meshes.
+ */
+function drop_unreadable(robot, meshes) {
+  for (const node of robot.querySelectorAll('collision, inertial, texture, transmission')) {
+    node.remove();
+  }
+  const missing = new Set();
+  for (const visual of robot.querySelectorAll('visual')) {
+    const shape = visual.querySelector('geometry')?.children[0];
+    const file = shape?.getAttribute('filename');
+    const is_missing = shape?.nodeName === 'mesh' && !meshes[file];
+    if (is_missing) missing.add(file);
+    if (!shape || is_missing) visual.remove();
+  }
+  return [...missing];
+}
+
+function report_missing(files, report) {
+  if (files.length === 0) return;
+  const others = files.length > 1 ? ` and ${files.length - 1} other meshes are` : ' is';
+  report(`${files[0]}${others} missing, and drawn as sticks. The option ` +
+    '--package NAME=DIR of treeline drive says where package://NAME/ lies.');
+}
+
+async function load_mesh(file, address, manager, material) {
+  const kind = file.split('.').at(-1).toLowerCase();
+  if (kind === 'stl') {
+    const shape = await new STLLoader(manager).loadAsync(address);
+    shape.computeVertexNormals();  // many files have zeros for normals
+    return new three.Mesh(shape, material);
+  }
+  if (kind === 'dae') return (await new ColladaLoader(manager).loadAsync(address)).scene;
+  if (kind === 'glb' || kind === 'gltf') {
+    return (await new GLTFLoader(manager).loadAsync(address)).scene;
+  }
+  if (kind === 'obj') {
+    const shape = await new OBJLoader(manager).loadAsync(address);
+    shape.traverse((part) => { if (part.isMesh) part.material = material; });
+    return shape;
+  }
+  throw new Error(`meshes end with .stl, .dae, .obj or .glb, not .${kind}`);
+}
+
+/**
+ * Builds the model of a URDF. `meshes` is that of the server's hello: the name in the URDF to the
+ * address. `report(text)` hears of what cannot be drawn; `changed()` is called as meshes arrive.
+ */
+export function load_robot(urdf, meshes, report, changed) {
+  const robot = new DOMParser().parseFromString(urdf, 'text/xml');
+  trim_numbers(robot);
+  report_missing(drop_unreadable(robot, meshes), report);
+  const manager = new three.LoadingManager();
+  manager.setURLModifier((url) =>
+    (url.startsWith('/mesh/') || /^(data|blob):/.test(url) ? url : kWhitePixel));
+  const loader = new URDFLoader(manager);
+  // The name of a mesh is looked up as it stands in the URDF.
+  loader.packages = (name) => `package://${name}`;
+  loader.loadMeshCb = (file, _manager, material, done) => {
+    load_mesh(file, meshes[file], manager, material).then((mesh) => {
+      done(mesh);
+      changed();
+    }, (error) => report(`the mesh ${file} cannot be drawn: ${error.message}`));
+  };
+  const model = loader.parse(robot);
+  for (const joint of Object.values(model.joints)) {
+    joint.origPosition = joint.position.clone();
+    joint.origQuaternion = joint.quaternion.clone();
+    joint.ignoreLimits = true;
+  }
+  add_stick_figure(model);
+  return model;
+}

@@ -1,0 +1,127 @@
+// The picture of the robot: model, handles, overlays and gestures on one stage.
+import * as three from 'three';
+
+import {Gestures} from './gestures.js';
+import {Handles} from './handles.js';
+import {load_robot} from './load_robot.js';
+import {Overlays} from './overlays.js';
+import {pose_robot} from './pose_robot.js';
+import {Stage} from './stage.js';
+
+const kAllRows = ['x', 'y', 'z', 'rx', 'ry', 'rz'];
+
+/** Points that can be dragged: those of the scene, and a floating base. */
+export function points_of(hello) {
+  const named = hello.points.map((point) => ({...point}));
+  if (hello.base !== 'floating' || named.some((point) => point.name === 'base')) return named;
+  return [...named, {name: 'base', rows: kAllRows, is_base: true}];
+}
+
+/** States of `points_of(hello)`, in their order. */
+export function point_states_of(hello, state) {
+  const states = state.points;
+  if (points_of(hello).length === states.length) return states;
+  const goal = state.goal_q ?? state.q;
+  return [...states, {at: state.q.slice(0, 3), turn: state.q.slice(3, 7),
+    goal: goal.slice(0, 3), goal_turn: goal.slice(3, 7), free: false}];
+}
+
+export class RobotView {
+  model = null;
+  handles = null;
+  state = null;
+  points = [];
+  point_states = [];
+  radius = 1;
+  may_drag = false;
+
+  /**
+   * Shows robots in `canvas`. `send(line)` sends a line of the language, `tell(text)` says what is
+   * under the pointer, `report(text)` what cannot be drawn, `say(coordinate, value)` writes a value
+   * with its unit.
+   */
+  constructor(canvas, {send, tell, report, say}) {
+    Object.assign(this, {report, say});
+    this.stage = new Stage(canvas);
+    this.gestures = new Gestures(this, send, tell);
+    this.stage.before_draw(() => this.#prepare());
+  }
+
+  /** Shows the robot of `hello`. */
+  load(urdf, hello) {
+    this.#clear();
+    this.hello = hello;
+    this.points = points_of(hello);
+    this.model = load_robot(urdf, hello.meshes ?? {}, this.report, () => {
+      this.overlays?.renew_ghost();
+      this.stage.redraw();
+    });
+    this.stage.scene.add(this.model);
+    this.model.updateMatrixWorld(true);
+    this.handles = new Handles(this.stage, this.model, hello, this.points);
+    this.overlays = new Overlays(this.stage, this.model, hello, this.points, this.handles.size);
+  }
+
+  /** Shows a state of the server. The first one also places the camera. */
+  show(state) {
+    if (!this.model) return;
+    const is_first = this.state === null;
+    this.state = state;
+    this.point_states = point_states_of(this.hello, state);
+    pose_robot(this.model, this.hello, state.q);
+    this.overlays.trace(this.point_states);
+    if (is_first) this.look_at_all();
+    this.stage.redraw();
+  }
+
+  can_pull(link) {
+    return this.hello.links.includes(link);
+  }
+
+  /** Places the camera so that the whole robot is seen. */
+  look_at_all() {
+    const box = new three.Box3();
+    this.model.traverse((part) => {
+      if (part.isURDFJoint || part.isURDFLink) {
+        box.expandByPoint(part.getWorldPosition(new three.Vector3()));
+      }
+      if (part.isMesh) box.expandByObject(part);
+    });
+    for (const {at} of this.point_states) {
+      box.expandByPoint(new three.Vector3(...at).addScalar(2 * this.handles.size));
+      box.expandByPoint(new three.Vector3(...at).addScalar(-2 * this.handles.size));
+    }
+    const ball = box.getBoundingSphere(new three.Sphere());
+    this.radius = Math.max(ball.radius, 0.05);
+    this.stage.look_at(ball.center, this.radius);
+  }
+
+  /** Place on the screen where a handle can be grabbed, or of the middle of `link:NAME`; for tests. */
+  where(name) {
+    const link = this.model.links[name.replace(/^link:/, '')];
+    const place = link ? new three.Box3().setFromObject(link.children.find((one) =>
+      one.isURDFVisual)).getCenter(new three.Vector3()) : this.handles.grab_of(name);
+    return this.stage.on_screen(place);
+  }
+
+  /** The picture as a PNG, in the form of a data address. */
+  write_png() {
+    this.stage.draw();
+    return this.stage.canvas.toDataURL('image/png');
+  }
+
+  #prepare() {
+    if (!this.state || !this.model) return;
+    this.handles.group.visible = this.may_drag;
+    this.handles.update(this.point_states);
+    this.overlays.update(this.state, this.point_states, this.gestures.target);
+  }
+
+  #clear() {
+    this.gestures.end();
+    this.model?.removeFromParent();
+    this.handles?.remove();
+    this.overlays?.remove();
+    this.state = null;
+  }
+}

@@ -1,0 +1,131 @@
+// The 3-D stage: renderer, camera, light and ground. Draws only when something has changed.
+import * as three from 'three';
+import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
+
+import {make_axes} from './handle_shapes.js';
+
+/** Value of a CSS variable of the page, for instance `--view-ground`. */
+export function css_color(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+/** A scene with z up, shown in `canvas`, which may change its size at any time. */
+export class Stage {
+  scene = new three.Scene();
+  camera = new three.PerspectiveCamera(40, 1, 0.01, 200);
+  #wanted = false;
+  #before_draw = [];
+
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = new three.WebGLRenderer({canvas, antialias: true});
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.camera.up.set(0, 0, 1);
+    this.orbit = new OrbitControls(this.camera, canvas);
+    this.orbit.addEventListener('change', () => this.redraw());
+    this.#add_light();
+    this.ground = this.#add_ground();
+    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#paint());
+    this.#paint();
+  }
+
+  /** Calls `prepare` before every picture. */
+  before_draw(prepare) {
+    this.#before_draw.push(prepare);
+  }
+
+  /** Asks for a picture at the screen's next opportunity. */
+  redraw() {
+    if (this.#wanted) return;
+    this.#wanted = true;
+    requestAnimationFrame(() => this.draw());
+  }
+
+  draw() {
+    this.#wanted = false;
+    for (const prepare of this.#before_draw) prepare();
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Turns the camera so that a ball at `center` of `radius` fills the picture. */
+  look_at(center, radius) {
+    const distance = 1.05 * radius / Math.sin(three.MathUtils.degToRad(this.camera.fov / 2));
+    const direction = new three.Vector3(1, -1.1, 0.55).normalize();
+    this.camera.position.copy(center).addScaledVector(direction, distance);
+    this.camera.near = distance / 200;
+    this.camera.far = distance * 60;
+    this.camera.updateProjectionMatrix();
+    this.orbit.target.copy(center);
+    this.orbit.update();
+    this.#fit_ground(radius);
+    this.redraw();
+  }
+
+  /** Ray through a pointer's position on the screen. */
+  ray_through({clientX, clientY}) {
+    const box = this.canvas.getBoundingClientRect();
+    const caster = new three.Raycaster();
+    caster.setFromCamera(new three.Vector2(
+      2 * (clientX - box.left) / box.width - 1, 1 - 2 * (clientY - box.top) / box.height),
+    this.camera);
+    return caster;
+  }
+
+  /** Place of a point of the world on the screen. */
+  on_screen(place) {
+    this.camera.updateMatrixWorld();
+    const box = this.canvas.getBoundingClientRect();
+    const seen = place.clone().project(this.camera);
+    return {clientX: box.left + (seen.x + 1) / 2 * box.width,
+      clientY: box.top + (1 - seen.y) / 2 * box.height};
+  }
+
+  /** Length in the world that a pixel shows at `place`. */
+  pixel_at(place) {
+    const distance = this.camera.position.distanceTo(place);
+    const height = this.canvas.clientHeight || 1;
+    return 2 * distance * Math.tan(three.MathUtils.degToRad(this.camera.fov / 2)) / height;
+  }
+
+  #add_light() {
+    this.scene.add(new three.HemisphereLight(0xffffff, 0x8d8d99, 1.7));
+    const sun = new three.DirectionalLight(0xffffff, 1.7);
+    sun.position.set(2, -3, 5);
+    this.scene.add(sun);
+  }
+
+  #add_ground() {
+    const ground = new three.GridHelper(24, 24);
+    ground.rotation.x = Math.PI / 2;
+    ground.material.vertexColors = false;
+    const axes = make_axes(1);
+    axes.rotation.x = -Math.PI / 2;  // the grid lies in x and z of its own frame
+    ground.add(axes);
+    this.scene.add(ground);
+    return ground;
+  }
+
+  /** Cells of 0.01, 0.02, 0.05, 0.1, ... m, of which the robot's radius has about four. */
+  #fit_ground(radius) {
+    const power = 10 ** Math.floor(Math.log10(radius / 4));
+    const cell = [1, 2, 5, 10].find((one) => one * power >= radius / 4) * power;
+    this.ground.scale.setScalar(cell);
+  }
+
+  #paint() {
+    this.scene.background = new three.Color(css_color('--view'));
+    this.ground.material.color.set(css_color('--view-ground'));
+    this.ground.material.needsUpdate = true;
+    this.redraw();
+  }
+
+  #resize() {
+    const {clientWidth, clientHeight} = this.canvas.parentElement;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+}

@@ -1,0 +1,35 @@
+// What is drawn where a URDF has no visuals: a ball at each joint, a stick to each child.
+import * as three from 'three';
+
+const kUp = new three.Vector3(0, 1, 0);
+
+/** Distance between neighbouring joints, the median of those that are apart; m. */
+export function typical_length(model) {
+  const lengths = Object.values(model.joints).map((joint) => joint.position.length())
+    .filter((length) => length > 1e-4).sort((a, b) => a - b);
+  return lengths.length > 0 ? lengths[Math.floor(lengths.length / 2)] : 0.3;
+}
+
+function make_stick(end, radius, material) {
+  const stick = new three.Mesh(
+    new three.CylinderGeometry(radius, radius, end.length(), 12), material);
+  stick.position.copy(end).multiplyScalar(0.5);
+  stick.quaternion.setFromUnitVectors(kUp, end.clone().normalize());
+  return stick;
+}
+
+/** Adds sticks and balls to the links of `model` that have no visual. */
+export function add_stick_figure(model) {
+  const radius = Math.min(0.07 * typical_length(model), 0.03);
+  const sticks = new three.MeshPhongMaterial({color: 0x7d8ba1});
+  const balls = new three.MeshPhongMaterial({color: 0x44536a});
+  for (const link of Object.values(model.links)) {
+    if (link.children.some((child) => child.isURDFVisual)) continue;
+    const joints = link.children.filter((child) => child.isURDFJoint);
+    const parts = joints.filter((joint) => joint.position.length() > 1e-6)
+      .map((joint) => make_stick(joint.position, radius, sticks));
+    parts.push(new three.Mesh(new three.SphereGeometry(1.6 * radius, 16, 12), balls));
+    for (const part of parts) part.userData.is_stick = true;
+    link.add(...parts);
+  }
+}

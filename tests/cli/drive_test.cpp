@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "description/read_scene.hpp"
+#include "description/read_urdf.hpp"
+#include "interpreter/instances.hpp"
+#include "oracle/model_from_robot.hpp"
+#include "program_test.hpp"
+
+namespace treeline {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+
+const std::string kRobots = TREELINE_ROBOTS;
+
+/// The state at the end of a drive, and the interpreter's poses of the scene's points there.
+struct Arrival {
+  json state;
+  std::vector<interpreter::PointPose<double>> poses;
+};
+
+class DriveTest : public test::OwnFolder {
+ protected:
+  [[nodiscard]] Outcome drive(const std::string& files, const std::string& script,
+                              const std::string& options = "") const {
+    write("script.txt", script);
+    return test::run_program(root_,
+                             "drive " + files + " --headless --script script.txt " + options);
+  }
+
+  [[nodiscard]] Outcome run_drive(const std::string& options) const {
+    return test::run_program(root_, "drive " + kRobots + "/planar3r/planar3r.urdf " + options);
+  }
+
+  /// Drives a robot and finds where its points are, by the interpreter and the final coordinates.
+  [[nodiscard]] Arrival arrive(const std::string& urdf, const std::string& scene,
+                               const std::string& script) const {
+    const Outcome outcome = drive(urdf + " " + scene, script);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    Arrival arrival{json::parse(outcome.out), {}};
+    Diagnostics diagnostics;
+    const auto robot = read_urdf(urdf, diagnostics);
+    const auto read = read_scene(scene, *robot, diagnostics);
+    const auto model = model_from_robot<double>(*robot, *read);
+    const auto q = arrival.state["q"].get<std::vector<double>>();
+    arrival.poses = interpreter::forward_kinematics<double>(
+        model, points_from_scene(model, read->operational_points),
+        interpreter::Vector<double>::Map(q.data(), static_cast<Eigen::Index>(q.size())));
+    return arrival;
+  }
+};
+
+/// How far the interpreter's point is from where it was commanded, m.
+double distance(const interpreter::PointPose<double>& pose, const Eigen::Vector3d& wanted) {
+  return (pose.position - wanted).norm();
+}
+
+// Would catch: a command that moves the tool elsewhere or turns it otherwise.
+TEST_F(DriveTest, PumaArrives) {
+  const Arrival arrival =
+      arrive(kRobots + "/puma560/puma560.urdf", kRobots + "/puma560/scene.yaml",
+             "start\njoint joint2 to -45 deg in 1 s\njoint joint3 to 90 deg in 1 s\nwait\n"
+             "move tool to 0.4 0.2 0.9 in 1.5 s\nturn tool to 0 1 0 0 in 1.5 s\nwait\n");
+  ASSERT_EQ(arrival.poses.size(), 1U);
+  EXPECT_LT(distance(arrival.poses[0], Eigen::Vector3d(0.4, 0.2, 0.9)), 1e-3);
+  const Eigen::Vector3d z = arrival.poses[0].rotation.col(2);
+  EXPECT_LT((z - Eigen::Vector3d(0, 0, -1)).norm(), 1e-2);  // half a turn about y
+  EXPECT_EQ(arrival.state["mode"], "idle");
+  EXPECT_EQ(arrival.state["fault"], "");
+}
+
+TEST_F(DriveTest, SammArrives) {
+  const Arrival before =
+      arrive(kRobots + "/samm/samm.urdf", kRobots + "/samm/scene.yaml", "start\n");
+  const auto& p = before.poses.at(0).position;
+  const Arrival after = arrive(kRobots + "/samm/samm.urdf", kRobots + "/samm/scene.yaml",
+                               "start\nmove tool by 0.3 -0.2 -0.1 in 2 s\nwait\n");
+  EXPECT_LT(distance(after.poses.at(0), p + Eigen::Vector3d(0.3, -0.2, -0.1)), 1e-3);
+}
+
+// A floating base stays while a hand moves, and moves while the hands stay.
+TEST_F(DriveTest, TheFloatingHumanoidArrives) {
+  const std::string urdf = kRobots + "/humanoid24/humanoid24.urdf";
+  const std::string scene = kRobots + "/humanoid24/scene_floating.yaml";
+  const Arrival before = arrive(urdf, scene, "start\n");
+  const Arrival after = arrive(urdf, scene,
+                               "start\nmove left_hand by 0.1 0 0.1 in 1 s\nwait\n"
+                               "mode joint\nmove base by 0 0 0.05 in 1 s\nwait\n");
+  const auto& left = before.poses.at(0).position;
+  const auto& right = before.poses.at(1).position;
+  EXPECT_LT(distance(after.poses.at(0), left + Eigen::Vector3d(0.1, 0, 0.15)), 3e-2);
+  EXPECT_LT(distance(after.poses.at(1), right + Eigen::Vector3d(0, 0, 0.05)), 3e-2);
+}
+
+// Without a scene the joints are driven.
+TEST_F(DriveTest, ARobotWithoutASceneArrives) {
+  const Outcome outcome = drive(kRobots + "/planar3r/planar3r.urdf",
+                                "start\njoint joint2 to 30 deg in 1 s\nwait\nposture home\nwait\n"
+                                "joint joint1 by -0.25\nwait\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json state = json::parse(outcome.out);
+  EXPECT_NEAR(state["q"][0].get<double>(), -0.25, 1e-4);
+  EXPECT_NEAR(state["q"][1].get<double>(), 0.0, 1e-4);
+}
+
+// The same script gives the same motion: without real time nothing depends on threads.
+TEST_F(DriveTest, IsRepeatable) {
+  const std::string robot = kRobots + "/planar3r/planar3r.urdf";
+  const std::string script = "start\njoint joint1 to 1 in 1 s\nwait 0.3 s\nhold\nwait\n";
+  const json first = json::parse(drive(robot, script).out);
+  const json second = json::parse(drive(robot, script).out);
+  EXPECT_EQ(first["q"], second["q"]);
+  EXPECT_EQ(first["time"], second["time"]);
+}
+
+TEST_F(DriveTest, SaysWhatWentWrong) {
+  const std::string robot = kRobots + "/planar3r/planar3r.urdf";
+  const Outcome unknown = drive(robot, "start\njoint elbow to 1\n");
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_NE(unknown.err.find("line 2: there is no joint `elbow`"), std::string::npos);
+  const Outcome idle = drive(robot, "joint joint1 to 1\n");
+  EXPECT_EQ(idle.exit_code, 1);
+  EXPECT_NE(idle.err.find("`start` first"), std::string::npos);
+  const Outcome stopped = drive(robot, "start\nwait 0.1 s\nstop\nwait 0.1 s\n");
+  EXPECT_EQ(stopped.exit_code, 3);
+  EXPECT_NE(stopped.err.find("emergency stop"), std::string::npos);
+  EXPECT_EQ(drive(robot, "start\n", "--q 1,2").exit_code, 1);
+  EXPECT_EQ(drive(robot, "start\n", "--rate 1").exit_code, 2);
+  EXPECT_EQ(drive(robot, "start\n", "--package arm").exit_code, 1);
+}
+
+// In real time one second lasts one second, a record has what happened, and a signal ends it.
+TEST_F(DriveTest, RunsInRealTimeAndRecords) {
+  const std::string robot = kRobots + "/planar3r/planar3r.urdf";
+  const Outcome outcome = drive(robot, "start\njoint joint1 to 0.5 in 1 s\nwait\n",
+                                "--real-time --record record.jsonl --warnings none");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NEAR(json::parse(outcome.out)["q"][0].get<double>(), 0.5, 1e-2);
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  int states = 0;
+  int commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    states += entry["type"] == "state" ? 1 : 0;
+    commands += entry["type"] == "command" ? 1 : 0;
+  }
+  EXPECT_GT(states, 50);
+  EXPECT_EQ(commands, 2);
+  write("script.txt", "start\nwait 1000 s\n");
+  const std::string command =
+      "cd " + root_.string() + " && { '" + std::string(TREELINE_PROGRAM) + "' drive " + robot +
+      " --headless --real-time --script script.txt --warnings none >end.json 2>end.txt & } && "
+      "i=0; until grep -q begins end.txt || [ $i -gt 600 ]; do sleep 0.1; i=$((i+1)); done; "
+      "kill -TERM $!; wait $!";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(test::read_file(root_ / "end.txt").find("fault"), std::string::npos);
+  EXPECT_EQ(json::parse(test::read_file(root_ / "end.json"))["mode"], "idle");
+}
+
+// The loop and the simulated robot as two processes that talk over UDP.
+TEST_F(DriveTest, DrivesARobotOverUdp) {
+  const std::string robot = kRobots + "/planar3r/planar3r.urdf";
+  const std::string address = "127.0.0.1:" + std::to_string(20000 + ::getpid() % 20000);
+  write("script.txt", "start\njoint joint1 to 0.5 in 1 s\nwait\n");
+  const std::string command =
+      "cd " + root_.string() + " && { '" + std::string(TREELINE_PROGRAM) + "' drive " + robot +
+      " --act-as-robot " + address +
+      " --warnings none >robot.txt 2>&1 & } && "
+      "i=0; until grep -q listens robot.txt || [ $i -gt 600 ]; do sleep 0.1; i=$((i+1)); done; '" +
+      std::string(TREELINE_PROGRAM) + "' drive " + robot + " --robot udp:" + address +
+      " --headless --script script.txt >end.json 2>end.txt; code=$?; kill -TERM $!; wait $!; "
+      "exit $code";
+  EXPECT_EQ(std::system(command.c_str()), 0)
+      << test::read_file(root_ / "end.txt") << test::read_file(root_ / "robot.txt");
+  const json state = json::parse(test::read_file(root_ / "end.json"));
+  EXPECT_NEAR(state["q"][0].get<double>(), 0.5, 2e-2);
+  EXPECT_EQ(state["mode"], "idle");
+}
+
+TEST_F(DriveTest, SaysThatNoRobotAnswers) {
+  write("script.txt", "start\n");
+  const Outcome outcome = run_drive("--robot udp:127.0.0.1:9 --headless --script script.txt");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("no robot answers"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace treeline
